@@ -153,11 +153,11 @@ static uint64_t mask_to(int to)
 
 /* The part of an image inside the clip. */
 struct visible_area {
-    int from, to; /* columns of the image */
+    int first_column, end_column; /* columns of the image */
     int rows;
     const uint8_t *s; /* column 0 of the first visible row */
     ptrdiff_t s_stride;
-    int64_t at; /* offset from fb->pix at which the unclipped row would start */
+    int64_t row_offset; /* offset from fb->pix at which the unclipped row would start */
 };
 
 /* Computes the visible part of an image. Returns false if nothing is inside the clip. */
@@ -171,12 +171,12 @@ static bool find_visible_area(struct visible_area *p, const struct fb *fb, const
 
     if (left >= right || top >= bottom)
         return false;
-    p->from = (int)(flip_x ? image->w - right : left);
-    p->to = (int)(flip_x ? image->w - left : right);
+    p->first_column = (int)(flip_x ? image->w - right : left);
+    p->end_column = (int)(flip_x ? image->w - left : right);
     p->rows = (int)(bottom - top);
     p->s = image->pix + (flip_y ? image->h - 1 - top : top) * image->pitch;
     p->s_stride = flip_y ? -image->pitch : image->pitch;
-    p->at = (y + top) * fb->pitch + x;
+    p->row_offset = (y + top) * fb->pitch + x;
     return true;
 }
 
@@ -187,22 +187,22 @@ static void blit_clipped(struct fb *fb, const struct image *image, int64_t x, in
 
     if (!find_visible_area(&p, fb, image, x, y, flags))
         return;
-    int first_word = p.from / 8, last_word = (p.to - 1) / 8;
+    int first_word = p.first_column / 8, last_word = (p.end_column - 1) / 8;
     struct job j = {
-        .d = fb->pix + p.at + (flip ? image->w - 8 - 8 * first_word : 8 * first_word),
+        .d = fb->pix + p.row_offset + (flip ? image->w - 8 - 8 * first_word : 8 * first_word),
         .s = p.s + 8 * first_word,
         .d_stride = fb->pitch,
         .s_stride = p.s_stride,
         .words = last_word - first_word + 1,
         .rows = p.rows,
-        .first_mask = mask_from(p.from - 8 * first_word),
-        .last_mask = mask_to(p.to - 8 * last_word),
+        .first_mask = mask_from(p.first_column - 8 * first_word),
+        .last_mask = mask_to(p.end_column - 8 * last_word),
         .add = WORDS_EACH((uint8_t)(bank * 16)),
     };
     paint_masked(&j, flip);
 }
 
-static bool is_safe(const struct fb *fb, const struct image *image, int x, int y)
+static bool is_in_safe_area(const struct fb *fb, const struct image *image, int x, int y)
 {
     return x >= fb->sx0 && x <= fb->sx1 - image->w && y >= fb->sy0 && y <= fb->sy1 - image->h;
 }
@@ -280,10 +280,10 @@ void blit_blended(struct fb *fb, const struct image *image, int x, int y, uint8_
 
     if (!find_visible_area(&p, fb, image, x, y, flags))
         return;
-    uint8_t *d = fb->pix + p.at + (flip ? image->w - 1 - p.from : p.from);
-    const uint8_t *s = p.s + p.from;
+    uint8_t *d = fb->pix + p.row_offset + (flip ? image->w - 1 - p.first_column : p.first_column);
+    const uint8_t *s = p.s + p.first_column;
     ptrdiff_t d_stride = fb->pitch;
-    int n = p.to - p.from;
+    int n = p.end_column - p.first_column;
     for (int row = p.rows; row > 0; row--, d += d_stride, s += p.s_stride)
         if (flip)
             mix_row_flipped(d, s, n, add, table);
@@ -298,12 +298,13 @@ void blit_solid(struct fb *fb, const struct image *image, int x, int y, uint8_t 
 
     if (!find_visible_area(&p, fb, image, x, y, flags))
         return;
-    uint8_t *d = fb->pix + p.at + (flip ? image->w - 1 - p.from : p.from);
-    const uint8_t *s = p.s + p.from;
-    const int64_t parity = (fb->y0 > y ? (int64_t)fb->y0 - y : 0) + p.from; /* parity within the image, so that the dots
+    uint8_t *d = fb->pix + p.row_offset + (flip ? image->w - 1 - p.first_column : p.first_column);
+    const uint8_t *s = p.s + p.first_column;
+    const int64_t parity =
+        (fb->y0 > y ? (int64_t)fb->y0 - y : 0) + p.first_column; /* parity within the image, so that the dots
                                                                             move with the image */
     for (int row = 0; row < p.rows; row++, d += fb->pitch, s += p.s_stride)
-        for (int k = 0; k < p.to - p.from; k++)
+        for (int k = 0; k < p.end_column - p.first_column; k++)
             if (s[k] && !(is_dotted && (parity + row + k) & 1))
                 d[flip ? -k : k] = c;
 }
@@ -392,7 +393,7 @@ static void draw_other_items(const struct blit_item *items, size_t n, struct job
 /* Draws items of at most 16 px width. The usual heights are passed as constants, as mix is by the callers, so that the
  * compiler specializes the loops. */
 __attribute__((always_inline)) static inline void
-draw_usual_items(const struct blit_item *items, size_t n, ptrdiff_t d_stride, int h, bool wide, enum blit_mix mix)
+draw_specialised_items(const struct blit_item *items, size_t n, ptrdiff_t d_stride, int h, bool wide, enum blit_mix mix)
 {
     if (!wide && h == 8)
         draw_narrow_items(items, n, d_stride, 8, mix);
@@ -408,12 +409,12 @@ draw_usual_items(const struct blit_item *items, size_t n, ptrdiff_t d_stride, in
 
 void blit_batch(const struct blit_item *items, size_t n, int d_pitch, int w, int h, int s_pitch, enum blit_mix mix)
 {
-    const bool wide = s_pitch == 16 && w > 8, usual = s_pitch == 8 || wide;
+    const bool wide = s_pitch == 16 && w > 8, is_specialised = s_pitch == 8 || wide;
 
-    if (usual && mix == BLIT_OPAQUE)
-        draw_usual_items(items, n, d_pitch, h, wide, BLIT_OPAQUE);
-    else if (usual && mix == BLIT_RAMP_ADD)
-        draw_usual_items(items, n, d_pitch, h, wide, BLIT_RAMP_ADD);
+    if (is_specialised && mix == BLIT_OPAQUE)
+        draw_specialised_items(items, n, d_pitch, h, wide, BLIT_OPAQUE);
+    else if (is_specialised && mix == BLIT_RAMP_ADD)
+        draw_specialised_items(items, n, d_pitch, h, wide, BLIT_RAMP_ADD);
     else
         draw_other_items(
             items, n, (struct job){ .d_stride = d_pitch, .s_stride = s_pitch, .words = (w + 7) / 8, .rows = h }, mix);
@@ -422,7 +423,7 @@ void blit_batch(const struct blit_item *items, size_t n, int d_pitch, int w, int
 bool blit_ramped(struct fb *fb, const struct image *image, int x, int y, uint8_t bank, unsigned flags,
                  enum blit_mix rule)
 {
-    if (!is_safe(fb, image, x, y) || flags & BLIT_FLIP_X)
+    if (!is_in_safe_area(fb, image, x, y) || flags & BLIT_FLIP_X)
         return false;
     const struct job j = make_unclipped_job(fb, image, x, y, bank, flags);
     mix_job(&j, rule);
@@ -438,7 +439,7 @@ static void blit_flipped(struct fb *fb, const struct image *image, int x, int y,
 
 void blit_sprite(struct fb *fb, const struct image *image, int x, int y, uint8_t bank, unsigned flags)
 {
-    if (!is_safe(fb, image, x, y))
+    if (!is_in_safe_area(fb, image, x, y))
         blit_clipped(fb, image, x, y, bank, flags);
     else if (flags & BLIT_FLIP_X)
         blit_flipped(fb, image, x, y, bank, flags);

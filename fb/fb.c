@@ -15,7 +15,7 @@ static int pitch_of(int w)
 
 size_t fb_size(int w, int h)
 {
-    assert(w >= 1 && w <= FB_MAX && h >= 1 && h <= FB_MAX);
+    assert(w >= 1 && w <= FB_MAX_SIDE && h >= 1 && h <= FB_MAX_SIDE);
     return (size_t)pitch_of(w) * (size_t)(h + 2 * FB_GUARD) + 2 * FB_SLACK;
 }
 
@@ -70,7 +70,7 @@ static void fill_rect(struct fb *fb, int64_t x0, int64_t y0, int64_t x1, int64_t
         memset(fb->pix + y * fb->pitch + x0, c, (size_t)(x1 - x0));
 }
 
-void fb_rect(struct fb *fb, int x, int y, int w, int h, uint8_t c)
+void fb_fill_rect(struct fb *fb, int x, int y, int w, int h, uint8_t c)
 {
     fill_rect(fb, x, y, (int64_t)x + w, (int64_t)y + h, c);
 }
@@ -89,8 +89,8 @@ void fb_outline(struct fb *fb, int x, int y, int w, int h, uint8_t c)
 
 /* One axis of a line: its start, its direction, its length, and the steps that are inside the clip. */
 struct axis {
-    int64_t from, sign, length; /* 0 <= length < 2^32 */
-    int64_t lo, hi;             /* the steps inside the clip: lo <= step <= hi */
+    int64_t start, sign, length; /* 0 <= length < 2^32 */
+    int64_t lo, hi;              /* the steps inside the clip: lo <= step <= hi */
 };
 
 static struct axis axis_of(int64_t from, int64_t to, int64_t clip0, int64_t clip1)
@@ -102,47 +102,47 @@ static struct axis axis_of(int64_t from, int64_t to, int64_t clip0, int64_t clip
 
 /* Narrows the long axis' steps [lo, hi] to those inside the clip on both axes. Returns false if none is left. Products
  * stay below 2^64, since a step count that is multiplied is never above its axis' length. */
-static bool clip_steps(struct axis *along, const struct axis *across)
+static bool clip_steps(struct axis *major, const struct axis *minor)
 {
-    uint64_t n = (uint64_t)along->length, m = (uint64_t)across->length, half = n / 2;
+    uint64_t n = (uint64_t)major->length, m = (uint64_t)minor->length, half = n / 2;
 
-    along->lo = along->lo < 0 ? 0 : along->lo;
-    along->hi = along->hi > along->length ? along->length : along->hi;
-    if (across->lo > across->length || across->hi < 0)
+    major->lo = major->lo < 0 ? 0 : major->lo;
+    major->hi = major->hi > major->length ? major->length : major->hi;
+    if (minor->lo > minor->length || minor->hi < 0)
         return false;
-    if (across->lo > 0) {
-        int64_t first = (int64_t)(((uint64_t)across->lo * n - half + m - 1) / m);
-        along->lo = first > along->lo ? first : along->lo;
+    if (minor->lo > 0) {
+        int64_t first = (int64_t)(((uint64_t)minor->lo * n - half + m - 1) / m);
+        major->lo = first > major->lo ? first : major->lo;
     }
-    if (across->hi < across->length) {
-        int64_t last = (int64_t)((((uint64_t)across->hi + 1) * n - half - 1) / m);
-        along->hi = last < along->hi ? last : along->hi;
+    if (minor->hi < minor->length) {
+        int64_t last = (int64_t)((((uint64_t)minor->hi + 1) * n - half - 1) / m);
+        major->hi = last < major->hi ? last : major->hi;
     }
-    return along->lo <= along->hi;
+    return major->lo <= major->hi;
 }
 
 void fb_line(struct fb *fb, int32_t x0, int32_t y0, int32_t x1, int32_t y1, uint8_t c)
 {
     struct axis x = axis_of(x0, x1, fb->x0, fb->x1), y = axis_of(y0, y1, fb->y0, fb->y1);
     bool steep = y.length > x.length;
-    struct axis *along = steep ? &y : &x, *across = steep ? &x : &y;
+    struct axis *major = steep ? &y : &x, *minor = steep ? &x : &y;
 
-    if (!clip_steps(along, across))
+    if (!clip_steps(major, minor))
         return;
-    uint64_t n = (uint64_t)along->length, m = (uint64_t)across->length;
-    uint64_t fraction = (uint64_t)along->lo * m + n / 2, steps_across = n ? fraction / n : 0;
-    int64_t a = along->from + along->sign * along->lo, b = across->from + across->sign * (int64_t)steps_across;
-    int64_t step = along->sign * (steep ? fb->pitch : 1), across_step = across->sign * (steep ? 1 : fb->pitch);
+    uint64_t n = (uint64_t)major->length, m = (uint64_t)minor->length;
+    uint64_t fraction = (uint64_t)major->lo * m + n / 2, minor_steps = n ? fraction / n : 0;
+    int64_t a = major->start + major->sign * major->lo, b = minor->start + minor->sign * (int64_t)minor_steps;
+    int64_t step = major->sign * (steep ? fb->pitch : 1), minor_step = minor->sign * (steep ? 1 : fb->pitch);
     uint8_t *p = fb->pix + (steep ? a : b) * fb->pitch + (steep ? b : a);
 
     fraction = n ? fraction % n : 0;
     *p = c;
-    for (int64_t i = along->lo; i < along->hi; i++) {
+    for (int64_t i = major->lo; i < major->hi; i++) {
         p += step;
         fraction += m;
         if (fraction >= n) {
             fraction -= n;
-            p += across_step;
+            p += minor_step;
         }
         *p = c;
     }

@@ -11,9 +11,9 @@
 #include <stdint.h>
 
 enum {
-    FB_GUARD = 32, /* px on each side */
-    FB_SLACK = 8,  /* bytes before and after the band: a blit reads and writes back 8 bytes at a time */
-    FB_MAX = 4096  /* px, width and height */
+    FB_GUARD = 32,     /* px on each side */
+    FB_SLACK = 8,      /* bytes before and after the band: a blit reads and writes back 8 bytes at a time */
+    FB_MAX_SIDE = 4096 /* px, width and height */
 };
 
 struct fb {
@@ -25,7 +25,7 @@ struct fb {
                                the clip is empty */
 };
 
-/* Returns the bytes of memory that a surface of w x h takes, 1 <= w, h <= FB_MAX. */
+/* Returns the bytes of memory that a surface of w x h takes, 1 <= w, h <= FB_MAX_SIDE. */
 size_t fb_size(int w, int h);
 
 /* Makes a surface in mem (fb_size bytes, any alignment): all pixels 0, the clip the whole picture. mem must outlive
@@ -43,7 +43,7 @@ void fb_fill(struct fb *fb, uint8_t c);
 
 /* Draw a filled rectangle, and the one-pixel outline just inside the rectangle's edge; both are clipped. If w or h is
  * below 1, nothing is drawn. Any values are allowed. */
-void fb_rect(struct fb *fb, int x, int y, int w, int h, uint8_t c);
+void fb_fill_rect(struct fb *fb, int x, int y, int w, int h, uint8_t c);
 void fb_outline(struct fb *fb, int x, int y, int w, int h, uint8_t c);
 
 /* Draws a line, both ends included. Clipping hides pixels but moves none. After i of n steps along the longer axis, the

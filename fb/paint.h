@@ -4,7 +4,7 @@
  * one store per row.
  *
  * Sixteen pixels are a compiler vector (gcc, clang), because no loop over them stays vectorised at every optimisation
- * level (see tests/lint/levels.sh). No step moves bits from one byte to another. The rule, and usually the height, is a
+ * level (see tests/lint/levels.sh). No step moves bits from one byte to another. The mix, and usually the height, is a
  * constant at the call sites; inlining is forced, as gcc would otherwise merge all calls into one loop.
  */
 #ifndef FB_PAINT_H
@@ -47,8 +47,9 @@ __attribute__((always_inline)) static inline pixels16 paint_mix_shades(pixels16 
     return rule == BLIT_RAMP_HALF ? (sum + 1) >> 1 : paint_select(a > b, a, b);
 }
 
-/* Returns the sixteen pixels d with the pixels s painted over them, opaque or by a rule. */
-__attribute__((always_inline)) static inline pixels16 paint_over(pixels16 d, pixels16 s, uint8_t add, enum blit_mix mix)
+/* Returns the sixteen pixels d with the pixels s painted over them, opaque or blended by `mix`. */
+__attribute__((always_inline)) static inline pixels16 paint_mix_pixels(pixels16 d, pixels16 s, uint8_t add,
+                                                                       enum blit_mix mix)
 {
     const pixels16 over = paint_add_bank(s, add);
 
@@ -63,7 +64,7 @@ __attribute__((always_inline)) static inline void paint_sixteen(uint8_t *d, cons
 
     memcpy(&to, d, sizeof to);
     memcpy(&from, s, sizeof from);
-    to = paint_over(to, from, add, mix);
+    to = paint_mix_pixels(to, from, add, mix);
     memcpy(d, &to, sizeof to);
 }
 
@@ -93,7 +94,7 @@ __attribute__((always_inline)) static inline void paint_two_rows(uint8_t *d, ptr
 
     memcpy(&to, rows, sizeof to);
     memcpy(&from, s, sizeof from);
-    to = paint_over(to, from, add, mix);
+    to = paint_mix_pixels(to, from, add, mix);
     memcpy(rows, &to, sizeof to);
     words_store(d, rows[0]);
     words_store(d + d_stride, rows[1]);

@@ -10,7 +10,7 @@
 #include <assert.h>
 #include "fb.h"
 
-enum { FINE = 4 /* pixels of the smooth image per pixel of the image, along each axis */ };
+enum { SMOOTH_SCALE = 4 /* pixels of the smooth image per pixel of the image, along each axis */ };
 
 /* Returns the length that the k-th of n equal parts and the i-th of m equal parts of a length n * m have in common. */
 static uint64_t overlap(int k, int n, int i, int m)
@@ -25,7 +25,7 @@ static uint64_t overlap(int k, int n, int i, int m)
 /* Returns pixel (x, y) of the result, which is w x h. */
 static uint8_t vote(const struct turn *t, int x, int y, int w, int h)
 {
-    const int sw = FINE * t->w, sh = FINE * t->h;
+    const int sw = SMOOTH_SCALE * t->w, sh = SMOOTH_SCALE * t->h;
     const int x0 = (int)((int64_t)x * sw / w), y0 = (int)((int64_t)y * sh / h);
     uint64_t area[256] = { 0 }, opaque = 0;
     int best = 0;
@@ -43,7 +43,7 @@ static uint8_t vote(const struct turn *t, int x, int y, int w, int h)
 
 void resize_paint(const struct turn *t, uint8_t *out, int w, int h)
 {
-    assert(w >= 1 && h >= 1 && w <= FB_MAX && h <= FB_MAX);
+    assert(w >= 1 && h >= 1 && w <= FB_MAX_SIDE && h <= FB_MAX_SIDE);
     for (int y = 0; y < h; y++)
         for (int x = 0; x < w; x++)
             out[(ptrdiff_t)y * w + x] = vote(t, x, y, w, h);

@@ -6,19 +6,19 @@
 #include <stddef.h>
 #include <string.h>
 
-enum { STEP = 16 };
+enum { STEP_PIXELS = 16 };
 
 static inline void add_step(uint8_t *restrict d, const uint8_t *restrict s, uint8_t add)
 {
-    for (int k = 0; k < STEP; k++)
+    for (int k = 0; k < STEP_PIXELS; k++)
         d[k] = (uint8_t)(s[k] + add);
 }
 
 static inline void cover_step(uint8_t *restrict d, const uint8_t *restrict s, uint8_t add)
 {
-    for (int k = 0; k < STEP; k++) {
-        uint8_t keep = s[k] == 0 ? 255 : 0;
-        d[k] = (uint8_t)((d[k] & keep) | ((uint8_t)(s[k] + add) & (uint8_t)~keep));
+    for (int k = 0; k < STEP_PIXELS; k++) {
+        uint8_t keep_mask = s[k] == 0 ? 255 : 0;
+        d[k] = (uint8_t)((d[k] & keep_mask) | ((uint8_t)(s[k] + add) & (uint8_t)~keep_mask));
     }
 }
 
@@ -30,7 +30,7 @@ void row_copy(uint8_t *restrict d, const uint8_t *restrict s, int n, uint8_t add
         memcpy(d, s, (size_t)n);
         return;
     }
-    for (; i + STEP <= n; i += STEP)
+    for (; i + STEP_PIXELS <= n; i += STEP_PIXELS)
         add_step(d + i, s + i, add);
     for (; i < n; i++)
         d[i] = (uint8_t)(s[i] + add);
@@ -40,7 +40,7 @@ void row_cover(uint8_t *restrict d, const uint8_t *restrict s, int n, uint8_t ad
 {
     int i = 0;
 
-    for (; i + STEP <= n; i += STEP)
+    for (; i + STEP_PIXELS <= n; i += STEP_PIXELS)
         cover_step(d + i, s + i, add);
     for (; i < n; i++)
         if (s[i])

@@ -69,7 +69,7 @@ static uint8_t *band_start(const struct fb *fb)
 
 /* The pictures that destinations show instead of the one image; both NULL: the image. */
 struct pictures {
-    const uint32_t *at;              /* offset of each destination's picture, or NULL */
+    const uint32_t *offsets;         /* offset of each destination's picture, or NULL */
     const struct stamp_turns *turns; /* or NULL */
 };
 
@@ -81,9 +81,9 @@ static inline uint8_t *dest_address(uint8_t *first, uint32_t dest, uint32_t bias
 
 /* Draws images with a pitch of 8, or of 16 if `wide`. mix, and the widths and heights of most bullets, are constants at
  * the call sites. Each destination shows the image, or the picture that `pictures` selects by at or turns. */
-__attribute__((always_inline)) static inline size_t draw_usual(const struct fb *fb, const struct image *image,
-                                                               const struct pictures pictures, enum blit_mix mix,
-                                                               const struct stamp_list *list, bool wide, int h)
+__attribute__((always_inline)) static inline size_t draw_specialised(const struct fb *fb, const struct image *image,
+                                                                     const struct pictures pictures, enum blit_mix mix,
+                                                                     const struct stamp_list *list, bool wide, int h)
 {
     const uint32_t *dests = list->dests;
     uint8_t *first = fb->pix + (ptrdiff_t)fb->sy0 * fb->pitch + fb->sx0;
@@ -96,10 +96,10 @@ __attribute__((always_inline)) static inline size_t draw_usual(const struct fb *
         if (dests[i] & STAMP_CALLER_ENTRY)
             return i;
         uint8_t *d = dest_address(first, dests[i], list->bias);
-        if (pictures.at)
-            s = image->pix + pictures.at[i];
+        if (pictures.offsets)
+            s = image->pix + pictures.offsets[i];
         if (pictures.turns)
-            s = image->pix + (size_t)stamp_turn_index(t.dir[t.dir_index[i]], t.rotations) * t.size;
+            s = image->pix + (size_t)stamp_turn_index(t.dir[t.dir_index[i]], t.n_copies) * t.size;
         if (wide)
             paint_wide(d, pitch, s, add, h, mix);
         else
@@ -108,28 +108,28 @@ __attribute__((always_inline)) static inline size_t draw_usual(const struct fb *
     return list->n;
 }
 
-__attribute__((always_inline)) static inline size_t draw_usual_sizes(const struct fb *fb, const struct image *image,
-                                                                     const struct pictures pictures, enum blit_mix mix,
-                                                                     const struct stamp_list *list)
+__attribute__((always_inline)) static inline size_t
+draw_specialised_sizes(const struct fb *fb, const struct image *image, const struct pictures pictures,
+                       enum blit_mix mix, const struct stamp_list *list)
 {
     const int h = image->h;
 
     if (image->pitch == 8)
-        return h == 8 ? draw_usual(fb, image, pictures, mix, list, false, 8)
-                      : draw_usual(fb, image, pictures, mix, list, false, h);
+        return h == 8 ? draw_specialised(fb, image, pictures, mix, list, false, 8)
+                      : draw_specialised(fb, image, pictures, mix, list, false, h);
     if (h == 12)
-        return draw_usual(fb, image, pictures, mix, list, true, 12);
-    return h == 16 ? draw_usual(fb, image, pictures, mix, list, true, 16)
-                   : draw_usual(fb, image, pictures, mix, list, true, h);
+        return draw_specialised(fb, image, pictures, mix, list, true, 12);
+    return h == 16 ? draw_specialised(fb, image, pictures, mix, list, true, 16)
+                   : draw_specialised(fb, image, pictures, mix, list, true, h);
 }
 
 static size_t picture_offset(const struct pictures *pictures, size_t i)
 {
     if (pictures->turns)
         return (size_t)stamp_turn_index(pictures->turns->dir[pictures->turns->dir_index[i]],
-                                        pictures->turns->rotations) *
+                                        pictures->turns->n_copies) *
                pictures->turns->size;
-    return pictures->at ? pictures->at[i] : 0;
+    return pictures->offsets ? pictures->offsets[i] : 0;
 }
 
 /* Draws images of any size by any rule. */
@@ -152,7 +152,7 @@ static size_t draw_other_sizes(const struct fb *fb, const struct image *image, c
     return i;
 }
 
-static bool is_usual(const struct image *image)
+static bool has_specialised_size(const struct image *image)
 {
     return image->pitch == 8 || (image->pitch == 16 && image->w > 8);
 }
@@ -161,10 +161,10 @@ __attribute__((always_inline)) static inline size_t draw_any_size(const struct f
                                                                   const struct pictures pictures, enum blit_mix mix,
                                                                   const struct stamp_list *list)
 {
-    if (is_usual(image) && mix == BLIT_OPAQUE)
-        return draw_usual_sizes(fb, image, pictures, BLIT_OPAQUE, list);
-    if (is_usual(image) && mix == BLIT_RAMP_ADD)
-        return draw_usual_sizes(fb, image, pictures, BLIT_RAMP_ADD, list);
+    if (has_specialised_size(image) && mix == BLIT_OPAQUE)
+        return draw_specialised_sizes(fb, image, pictures, BLIT_OPAQUE, list);
+    if (has_specialised_size(image) && mix == BLIT_RAMP_ADD)
+        return draw_specialised_sizes(fb, image, pictures, BLIT_RAMP_ADD, list);
     return draw_other_sizes(fb, image, pictures, mix, list);
 }
 
@@ -289,7 +289,7 @@ static size_t draw_one_bank_turned(const struct fb *fb, const struct image *imag
     size_t i = 0;
 
     for (; i < list->n && dests[i] >> 27 == bank; i++) {
-        const uint8_t *from = pix + (size_t)stamp_turn_index(t.dir[t.dir_index[i]], t.rotations) * t.size;
+        const uint8_t *from = pix + (size_t)stamp_turn_index(t.dir[t.dir_index[i]], t.n_copies) * t.size;
         uint8_t *d = dest_address(first, dests[i], list->bias);
 #pragma GCC unroll 4
         for (int k = 0; k < 4; k++, d += 2 * pitch) {
@@ -304,8 +304,8 @@ static size_t draw_one_bank_turned(const struct fb *fb, const struct image *imag
 /* Draws 8x8 images in any banks, assuming that most images of a kind share one bank. When the bank changes, the next
  * MIXED images are painted without prepared masks, because the bank may soon change again. turns: the turned copies to
  * draw, or NULL. */
-static size_t draw_eight(const struct fb *fb, const struct image *image, const struct stamp_turns *turns,
-                         const struct stamp_list *list)
+static size_t draw_8x8(const struct fb *fb, const struct image *image, const struct stamp_turns *turns,
+                       const struct stamp_list *list)
 {
     enum { MIXED_IMAGES = 64 };
     const uint32_t *dests = list->dests;
@@ -328,7 +328,7 @@ static size_t draw_eight(const struct fb *fb, const struct image *image, const s
             i += draw_one_bank(fb, image, &remaining);
         remaining.dests = dests + i;
         remaining.n = n - i < MIXED_IMAGES ? n - i : MIXED_IMAGES;
-        i += draw_usual(fb, image, pictures, BLIT_OPAQUE, &remaining, false, 8);
+        i += draw_specialised(fb, image, pictures, BLIT_OPAQUE, &remaining, false, 8);
     }
     return i;
 }
@@ -336,7 +336,7 @@ static size_t draw_eight(const struct fb *fb, const struct image *image, const s
 size_t stamp_draw(struct fb *fb, const struct image *image, enum blit_mix mix, const struct stamp_list *list)
 {
     if (image->pitch == 8 && image->h == 8 && mix == BLIT_OPAQUE)
-        return draw_eight(fb, image, NULL, list);
+        return draw_8x8(fb, image, NULL, list);
     return draw_any_size(fb, image, (struct pictures){ NULL, NULL }, mix, list);
 }
 
@@ -350,7 +350,7 @@ size_t stamp_draw_turned(struct fb *fb, const struct image *image, const struct 
                          const struct stamp_list *list)
 {
     if (image->pitch == 8 && image->h == 8 && mix == BLIT_OPAQUE)
-        return draw_eight(fb, image, turns, list);
+        return draw_8x8(fb, image, turns, list);
     return draw_any_size(fb, image, (struct pictures){ NULL, turns }, mix, list);
 }
 
@@ -413,12 +413,12 @@ static bool update_map_row(uint8_t *restrict map, const uint8_t *restrict below,
     return all_full;
 }
 
-/* The band is not shown and counts as drawn. */
+/* Rebuilds the map. The guard band is not shown and counts as drawn. */
 void stamp_layer_update_map(struct stamp_layer *l)
 {
     const struct fb *fb = &l->fb;
     int words = fb->pitch / 8, y = fb->h + FB_GUARD;
-    uint64_t band[(FB_MAX + 2 * FB_GUARD) / 8];
+    uint64_t band[(FB_MAX_SIDE + 2 * FB_GUARD) / 8];
 
     for (int i = 0; i < words; i++)
         band[i] = band_mask(fb, i);
@@ -479,7 +479,7 @@ size_t stamp_cells_size(int w, int h)
 
 /* Returns whether all pixels in [x0, x1) x [y0, y1), relative to the band's first byte, are covered. Pixels outside the
  * band are not shown and count as covered. */
-static bool all_covered(const struct stamp_layer *l, int x0, int y0, int x1, int y1)
+static bool are_all_covered(const struct stamp_layer *l, int x0, int y0, int x1, int y1)
 {
     int words = l->fb.pitch / 8, rows = l->fb.h + 2 * FB_GUARD;
 
@@ -502,7 +502,7 @@ void stamp_cells_compute(const struct stamp_layer *l, struct stamp_cells *cells,
     cells->visible = visible;
     for (int v = 0; v < (int)cells->rows; v++)
         for (int u = 0; u < (int)cells->columns; u++)
-            *visible++ = !all_covered(l, 8 * u + x0, 8 * v + y0, 8 * u + 7 + x1, 8 * v + 7 + y1);
+            *visible++ = !are_all_covered(l, 8 * u + x0, 8 * v + y0, 8 * u + 7 + x1, 8 * v + 7 + y1);
     *visible = 1;
 }
 

@@ -28,20 +28,20 @@ bool stamp_make(struct stamp *stamp, const struct image *image, unsigned banks);
 
 /* The top left positions at which a w x h picture needs no clipping on fb: from (x0, y0), `width` positions to the
  * right and `height` positions down. (x0, y0) is the same for all pictures. */
-struct stamp_corners {
+struct stamp_unclipped_area {
     int x0, y0;
     uint32_t width, height;
 };
-static inline struct stamp_corners stamp_corners(const struct fb *fb, int w, int h)
+static inline struct stamp_unclipped_area stamp_find_unclipped_area(const struct fb *fb, int w, int h)
 {
     int width = fb->sx1 - fb->sx0 - w + 1, height = fb->sy1 - fb->sy0 - h + 1;
     bool fits = width > 0 && height > 0;
 
-    return (struct stamp_corners){ fb->sx0, fb->sy0, fits ? (uint32_t)width : 0, fits ? (uint32_t)height : 0 };
+    return (struct stamp_unclipped_area){ fb->sx0, fb->sy0, fits ? (uint32_t)width : 0, fits ? (uint32_t)height : 0 };
 }
 
 /* Returns a destination: the offset in bytes of the top left position (x, y), with the bank, 0 to 15, in the top four
- * bits. x < width and y < height are relative to (x0, y0) of struct stamp_corners. */
+ * bits. x < width and y < height are relative to (x0, y0) of struct stamp_unclipped_area. */
 static inline uint32_t stamp_dest(const struct fb *fb, uint32_t x, uint32_t y, uint8_t bank)
 {
     return (uint32_t)bank << 28 | (y * (uint32_t)fb->pitch + x);
@@ -69,18 +69,18 @@ size_t stamp_draw_each(struct fb *fb, const struct image *image, const uint32_t 
 struct stamp_turns {
     const ang *dir;
     const uint32_t *dir_index;
-    uint32_t size, rotations; /* bytes per copy; number of copies */
+    uint32_t size, n_copies; /* bytes per copy; number of copies */
 };
 
 /* Returns the index of the copy nearest to dir. */
-static inline uint32_t stamp_turn_index(ang dir, uint32_t rotations)
+static inline uint32_t stamp_turn_index(ang dir, uint32_t n_copies)
 {
-    const uint32_t turn = (uint32_t)(((uint64_t)dir * rotations + (1u << 31)) >> 32);
+    const uint32_t turn = (uint32_t)(((uint64_t)dir * n_copies + (1u << 31)) >> 32);
 
-    return turn < rotations ? turn : 0;
+    return turn < n_copies ? turn : 0;
 }
 
-/* Like stamp_draw, but draws turned copies of a picture. The image is the first copy. */
+/* Like stamp_draw, but draws rotated copies of a picture; `image` is the first of the copies in `turns`. */
 size_t stamp_draw_turned(struct fb *fb, const struct image *image, const struct stamp_turns *turns, enum blit_mix mix,
                          const struct stamp_list *list);
 

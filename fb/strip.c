@@ -14,7 +14,7 @@
 enum { HALF_PIXEL = 32768, MAX_PROFILE = 256 };
 
 /* A unit vector, Q16. */
-struct unit {
+struct unit_vector {
     int32_t x, y;
 };
 
@@ -34,16 +34,16 @@ struct brush {
     int32_t half_width;           /* half of the width, Q16 px */
     int64_t scale;                /* rows of the picture per px across the line, Q16 */
     uint8_t profile[MAX_PROFILE]; /* for a picture one pixel wide: its colours with the bank added; 0: transparent */
-    bool plain;                   /* the picture is one pixel wide, opaque and not dashed */
+    bool uses_profile;            /* the picture is one pixel wide, opaque and not dashed */
 };
 
 /* The slope of an edge perpendicular to n; the side that n points to is kept. */
 struct slope {
-    struct unit n;
+    struct unit_vector n;
     int64_t step;
 };
 
-static struct slope slope_of(struct unit n)
+static struct slope slope_of(struct unit_vector n)
 {
     return (struct slope){ n, n.x ? -(int64_t)n.y * FX_ONE / n.x : 0 };
 }
@@ -107,7 +107,7 @@ static inline void put_texel(const struct brush *b, uint8_t *d, uint8_t texel)
     uint8_t c = (uint8_t)(texel + b->s->bank * 16);
 
     if (texel)
-        *d = b->s->blend ? b->s->blend[(size_t)*d << 8 | c] : c;
+        *d = b->s->blend_table ? b->s->blend_table[(size_t)*d << 8 | c] : c;
 }
 
 /* Returns the picture's row at position `row`, in Q32, clamped to the picture. */
@@ -127,34 +127,34 @@ static int64_t modulo(int64_t v, int64_t n)
 }
 
 /* Draws the picture's pixel that is `along` Q16 px from the start of the line. */
-static inline void paint_pixel(const struct brush *b, uint8_t *d, int64_t along, int row)
+static inline void paint_pixel(const struct brush *b, uint8_t *d, int64_t line_pos, int row)
 {
-    if (b->s->dashed && (along >> 16 & 4))
+    if (b->s->dashed && (line_pos >> 16 & 4))
         return;
-    const int64_t px = b->s->dashed ? 0 : modulo(along >> 16, b->image->w);
+    const int64_t px = b->s->dashed ? 0 : modulo(line_pos >> 16, b->image->w);
     put_texel(b, d, b->image->pix[row * b->image->pitch + px]);
 }
 
 /* Draws a span of a segment that is not dashed. */
-static void paint_picture_span(const struct brush *b, uint8_t *d, int n, int64_t along, int64_t step, int64_t row,
+static void paint_picture_span(const struct brush *b, uint8_t *d, int n, int64_t line_pos, int64_t step, int64_t row,
                                int64_t row_step)
 {
     const int64_t period = (int64_t)b->image->w << 32;
     const uint8_t *pix = b->image->pix;
     const ptrdiff_t pitch = b->image->pitch;
 
-    along = modulo(along, period);
+    line_pos = modulo(line_pos, period);
     for (; n > 0; n--, d++, row += row_step) {
-        put_texel(b, d, pix[clamp_row(b, row) * pitch + (along >> 32)]);
-        along += step; /* by at most one pixel */
-        along -= along >= period ? period : 0;
-        along += along < 0 ? period : 0;
+        put_texel(b, d, pix[clamp_row(b, row) * pitch + (line_pos >> 32)]);
+        line_pos += step; /* by at most one pixel */
+        line_pos -= line_pos >= period ? period : 0;
+        line_pos += line_pos < 0 ? period : 0;
     }
 }
 
 /* Draws a span of a segment whose picture is one pixel wide and opaque. Clamps the row of each pixel only if rounding
  * moved the first or the last one outside the picture. */
-static void paint_plain_span(const struct brush *b, uint8_t *d, int n, int64_t row, int64_t row_step)
+static void paint_profile_span(const struct brush *b, uint8_t *d, int n, int64_t row, int64_t row_step)
 {
     const int64_t max_row = ((int64_t)b->image->h << 32) - 1, last = row + (n - 1) * row_step;
 
@@ -173,14 +173,14 @@ static void paint_plain_span(const struct brush *b, uint8_t *d, int n, int64_t r
 
 struct segment {
     struct strip_corner from;
-    struct unit dir;
-    int64_t along; /* Q16 px of the line before this segment, plus the strip's `offset_along` */
+    struct unit_vector dir;
+    int64_t line_pos; /* length of the line up to this segment, Q16 px, plus the strip's `offset_along` */
 };
 
 /* The picture coordinates of the first pixel of the clip in a row, Q32, and their change per pixel and per row. */
 struct picture_pos {
     int64_t row, row_x, row_y; /* across the line */
-    int64_t along, along_x, along_y;
+    int64_t line_pos, line_pos_x, line_pos_y;
 };
 
 static struct picture_pos picture_pos_at(const struct brush *b, const struct segment *p, int y)
@@ -191,24 +191,24 @@ static struct picture_pos picture_pos_at(const struct brush *b, const struct seg
     return (struct picture_pos){ .row = ((dy * p->dir.x - dx * p->dir.y) / FX_ONE + b->half_width) * b->scale,
                                  .row_x = -p->dir.y * b->scale,
                                  .row_y = p->dir.x * b->scale,
-                                 .along = p->along * FX_ONE + dx * p->dir.x + dy * p->dir.y,
-                                 .along_x = (int64_t)p->dir.x * FX_ONE,
-                                 .along_y = (int64_t)p->dir.y * FX_ONE };
+                                 .line_pos = p->line_pos * FX_ONE + dx * p->dir.x + dy * p->dir.y,
+                                 .line_pos_x = (int64_t)p->dir.x * FX_ONE,
+                                 .line_pos_y = (int64_t)p->dir.y * FX_ONE };
 }
 
 static void paint_span(const struct brush *b, const struct picture_pos *pos, int y, int lo, int hi)
 {
     const int skipped = lo - b->fb->x0;
-    int64_t along = pos->along + skipped * pos->along_x, row = pos->row + skipped * pos->row_x;
+    int64_t line_pos = pos->line_pos + skipped * pos->line_pos_x, row = pos->row + skipped * pos->row_x;
     uint8_t *d = b->fb->pix + (ptrdiff_t)y * b->fb->pitch + lo;
 
-    if (b->plain)
-        paint_plain_span(b, d, hi - lo, row, pos->row_x);
+    if (b->uses_profile)
+        paint_profile_span(b, d, hi - lo, row, pos->row_x);
     else if (!b->s->dashed)
-        paint_picture_span(b, d, hi - lo, along, pos->along_x, row, pos->row_x);
+        paint_picture_span(b, d, hi - lo, line_pos, pos->line_pos_x, row, pos->row_x);
     else
-        for (int x = lo; x < hi; x++, d++, along += pos->along_x, row += pos->row_x)
-            paint_pixel(b, d, along >> 16, clamp_row(b, row));
+        for (int x = lo; x < hi; x++, d++, line_pos += pos->line_pos_x, row += pos->row_x)
+            paint_pixel(b, d, line_pos >> 16, clamp_row(b, row));
 }
 
 /* Computes the rows that may be within `reach` of y0 to y1, all in Q16 px. */
@@ -228,7 +228,7 @@ static void draw_segment(const struct brush *b, const struct segment *p, struct 
 {
     const int32_t ox = (int32_t)((int64_t)p->dir.y * b->half_width >> 16),
                   oy = (int32_t)((int64_t)p->dir.x * b->half_width >> 16);
-    const struct slope right = slope_of((struct unit){ -p->dir.y, p->dir.x }),
+    const struct slope right = slope_of((struct unit_vector){ -p->dir.y, p->dir.x }),
                        left = { { p->dir.y, -p->dir.x }, right.step };
     int first, last;
 
@@ -244,7 +244,7 @@ static void draw_segment(const struct brush *b, const struct segment *p, struct 
     for (int k = 0; k < s.n; k++)
         s.edge[k].x += s.edge[k].step * (s.first - first);
     struct picture_pos pos = picture_pos_at(b, p, s.first);
-    for (int y = s.first; y <= s.last; y++, pos.row += pos.row_y, pos.along += pos.along_y) {
+    for (int y = s.first; y <= s.last; y++, pos.row += pos.row_y, pos.line_pos += pos.line_pos_y) {
         int64_t lo, hi;
         next_span(&s, &lo, &hi);
         if (lo < hi)
@@ -252,10 +252,11 @@ static void draw_segment(const struct brush *b, const struct segment *p, struct 
     }
 }
 
-enum half { BEHIND, AHEAD, WHOLE };
+enum cap_part { CAP_BEHIND, CAP_AHEAD, CAP_WHOLE };
 
 /* Draws the circle around corner c, or only the half that is behind c, or ahead of c, in direction dir. */
-static void draw_cap(const struct brush *b, struct strip_corner c, struct unit dir, int64_t along, enum half half)
+static void draw_cap(const struct brush *b, struct strip_corner c, struct unit_vector dir, int64_t line_pos,
+                     enum cap_part cap_part)
 {
     int first, last;
 
@@ -265,8 +266,8 @@ static void draw_cap(const struct brush *b, struct strip_corner c, struct unit d
     const struct slope slope = slope_of(dir);
     const struct edge edge = edge_at(c.x, c.y, &slope, first);
     struct coverage s = { .first = first, .last = last, .lo = b->fb->x0, .hi = b->fb->x1 };
-    if (half != WHOLE)
-        add_edge(&s, half == BEHIND ? flip_edge(edge) : edge);
+    if (cap_part != CAP_WHOLE)
+        add_edge(&s, cap_part == CAP_BEHIND ? flip_edge(edge) : edge);
     for (int k = 0; k < s.n; k++)
         s.edge[k].x += s.edge[k].step * (s.first - first);
     for (int y = s.first; y <= s.last; y++) {
@@ -284,7 +285,7 @@ static void draw_cap(const struct brush *b, struct strip_corner c, struct unit d
             const int64_t dx = x * FX_ONE + HALF_PIXEL - c.x,
                           distance = (int64_t)fx_root((uint64_t)(dx * dx + dy * dy));
             const bool left = dy * dir.x < dx * dir.y;
-            paint_pixel(b, b->fb->pix + (ptrdiff_t)y * b->fb->pitch + x, along,
+            paint_pixel(b, b->fb->pix + (ptrdiff_t)y * b->fb->pitch + x, line_pos,
                         clamp_row(b, (b->half_width + (left ? -distance : distance)) * b->scale));
         }
     }
@@ -292,7 +293,7 @@ static void draw_cap(const struct brush *b, struct strip_corner c, struct unit d
 
 /* Computes the direction from a to b, and their distance. Returns false if the distance is below 1/4 px. Coordinates
  * are reduced to Q12 before squaring, so that the squares fit in 64 bits for all corners. */
-static bool find_direction(struct strip_corner a, struct strip_corner b, struct unit *dir, int64_t *distance)
+static bool find_direction(struct strip_corner a, struct strip_corner b, struct unit_vector *dir, int64_t *distance)
 {
     const int64_t dx = ((int64_t)b.x - a.x) / 16, dy = ((int64_t)b.y - a.y) / 16;
     const int64_t d = (int64_t)fx_root((uint64_t)(dx * dx) + (uint64_t)(dy * dy));
@@ -300,7 +301,7 @@ static bool find_direction(struct strip_corner a, struct strip_corner b, struct 
     *distance = d * 16;
     if (d < FX_ONE / 16 / 4)
         return false;
-    *dir = (struct unit){ (int32_t)(dx * FX_ONE / d), (int32_t)(dy * FX_ONE / d) };
+    *dir = (struct unit_vector){ (int32_t)(dx * FX_ONE / d), (int32_t)(dy * FX_ONE / d) };
     return true;
 }
 
@@ -313,8 +314,8 @@ static bool init_brush(struct brush *b, struct fb *fb, const struct strip *s)
     if (b->half_width < FX_ONE / 16 || fb->x0 >= fb->x1 || fb->y0 >= fb->y1)
         return false;
     b->scale = (int64_t)s->image->h * FX_ONE * FX_ONE / (2 * (int64_t)b->half_width);
-    b->plain = s->image->w == 1 && s->image->h <= MAX_PROFILE && !s->blend && !s->dashed;
-    for (int y = 0; b->plain && y < s->image->h; y++) {
+    b->uses_profile = s->image->w == 1 && s->image->h <= MAX_PROFILE && !s->blend_table && !s->dashed;
+    for (int y = 0; b->uses_profile && y < s->image->h; y++) {
         uint8_t texel = s->image->pix[y * s->image->pitch];
         b->profile[y] = texel ? (uint8_t)(texel + s->bank * 16) : 0;
     }
@@ -324,7 +325,7 @@ static bool init_brush(struct brush *b, struct fb *fb, const struct strip *s)
 /* The corners that are far enough apart, and the directions and distances between them: n - 1 for n corners. */
 struct line {
     struct strip_corner corner[STRIP_MAX_CORNERS];
-    struct unit dir[STRIP_MAX_CORNERS];
+    struct unit_vector dir[STRIP_MAX_CORNERS];
     int64_t distance[STRIP_MAX_CORNERS];
     int n;
 };
@@ -340,9 +341,9 @@ static void init_line(struct line *l, const struct strip_corner *corner, int n)
 
 /* Stores the direction of the cut, which bisects the angle between a and b. Returns whether that angle is at most half
  * a right angle; then the outer corner is at most 13/12 of half the width from the line. */
-static bool bisect(struct unit a, struct unit b, struct unit *bisector)
+static bool bisect(struct unit_vector a, struct unit_vector b, struct unit_vector *bisector)
 {
-    *bisector = (struct unit){ a.x + b.x, a.y + b.y };
+    *bisector = (struct unit_vector){ a.x + b.x, a.y + b.y };
     return (int64_t)a.x * b.x + (int64_t)a.y * b.y >= 3037000500; /* 2^32 cos 45 */
 }
 
@@ -350,30 +351,30 @@ void strip_draw(struct fb *fb, const struct strip *s, const struct strip_corner 
 {
     struct brush b;
     struct line l;
-    struct segment p = { .along = (int64_t)s->offset_along * FX_ONE };
+    struct segment p = { .line_pos = (int64_t)s->offset_along * FX_ONE };
 
     if (!init_brush(&b, fb, s))
         return;
     init_line(&l, corner, n);
     if (l.n == 1) {
-        draw_cap(&b, l.corner[0], (struct unit){ FX_ONE, 0 }, p.along, WHOLE);
+        draw_cap(&b, l.corner[0], (struct unit_vector){ FX_ONE, 0 }, p.line_pos, CAP_WHOLE);
         return;
     }
     struct slope begin = slope_of(l.dir[0]), end;
-    draw_cap(&b, l.corner[0], l.dir[0], p.along, BEHIND);
+    draw_cap(&b, l.corner[0], l.dir[0], p.line_pos, CAP_BEHIND);
     for (int k = 0; k + 1 < l.n; k++) {
         const bool is_last = k + 2 == l.n;
-        struct unit bisector;
+        struct unit_vector bisector;
         const bool smooth = !is_last && bisect(l.dir[k], l.dir[k + 1], &bisector);
         p.from = l.corner[k];
         p.dir = l.dir[k];
         end = slope_of(smooth ? bisector : p.dir);
         draw_segment(&b, &p, l.corner[k + 1], &begin, &end);
-        p.along += l.distance[k];
+        p.line_pos += l.distance[k];
         begin = smooth || is_last ? end : slope_of(l.dir[k + 1]);
         if (!smooth)
-            draw_cap(&b, l.corner[k + 1], p.dir, p.along, AHEAD);
+            draw_cap(&b, l.corner[k + 1], p.dir, p.line_pos, CAP_AHEAD);
         if (!smooth && !is_last)
-            draw_cap(&b, l.corner[k + 1], l.dir[k + 1], p.along, BEHIND);
+            draw_cap(&b, l.corner[k + 1], l.dir[k + 1], p.line_pos, CAP_BEHIND);
     }
 }

@@ -14,10 +14,10 @@
 #include "blit.h"
 
 struct strip {
-    const struct image *image; /* its rows lie along the line, the first to the left of the direction of travel;
+    const struct image *image;  /* its rows lie along the line, the first to the left of the direction of travel;
                                   repeated along the line */
-    uint8_t bank;              /* as in blit_sprite */
-    const uint8_t *blend;      /* a table as in blit_blended, or NULL: opaque */
+    uint8_t bank;               /* as in blit_sprite */
+    const uint8_t *blend_table; /* a table as in blit_blended, or NULL: opaque */
     int32_t width; /* Q16 px, 0 to 4096 px: the picture's height is stretched to it; below 1/8 px nothing is drawn */
     uint16_t offset_along; /* px by which the picture is moved along the line */
     bool dashed;           /* 4 px on, 4 px off, in the colours of the picture's first column */

@@ -24,8 +24,8 @@ __attribute__((always_inline)) static inline void draw_solid(uint8_t *d, ptrdiff
     }
 }
 
-__attribute__((always_inline)) static inline void draw_holes(uint8_t *d, ptrdiff_t pitch, const uint8_t *s, int side,
-                                                             int rows, uint8_t add)
+__attribute__((always_inline)) static inline void draw_masked(uint8_t *d, ptrdiff_t pitch, const uint8_t *s, int side,
+                                                              int rows, uint8_t add)
 {
     if (side == 8)
         paint_narrow(d, pitch, s, add, rows, BLIT_OPAQUE);
@@ -36,23 +36,23 @@ __attribute__((always_inline)) static inline void draw_holes(uint8_t *d, ptrdiff
 }
 
 __attribute__((always_inline)) static inline void draw_row(uint8_t *d, ptrdiff_t pitch, const uint8_t *pix,
-                                                           const uint32_t *at, const uint8_t *tile, int n, int side,
-                                                           int rows, uint8_t add)
+                                                           const uint32_t *offsets, const uint8_t *kinds, int n,
+                                                           int side, int rows, uint8_t add)
 {
     for (int k = 0; k < n; k++, d += side)
-        if (tile[k] == TILE_SOLID)
-            draw_solid(d, pitch, pix + at[k], side, rows, add);
-        else if (tile[k] == TILE_HOLES)
-            draw_holes(d, pitch, pix + at[k], side, rows, add);
+        if (kinds[k] == TILE_SOLID)
+            draw_solid(d, pitch, pix + offsets[k], side, rows, add);
+        else if (kinds[k] == TILE_MASKED)
+            draw_masked(d, pitch, pix + offsets[k], side, rows, add);
 }
 
-void tiles_draw(uint8_t *d, ptrdiff_t pitch, const uint8_t *pix, const uint32_t *at, const uint8_t *tile, int n,
+void tiles_draw(uint8_t *d, ptrdiff_t pitch, const uint8_t *pix, const uint32_t *offsets, const uint8_t *kinds, int n,
                 int side, int rows, uint8_t add)
 {
     if (side == 8)
-        draw_row(d, pitch, pix, at, tile, n, 8, rows, add);
+        draw_row(d, pitch, pix, offsets, kinds, n, 8, rows, add);
     else if (side == 16)
-        draw_row(d, pitch, pix, at, tile, n, 16, rows, add);
+        draw_row(d, pitch, pix, offsets, kinds, n, 16, rows, add);
     else
-        draw_row(d, pitch, pix, at, tile, n, 32, rows, add);
+        draw_row(d, pitch, pix, offsets, kinds, n, 32, rows, add);
 }

@@ -28,13 +28,13 @@ static int64_t reach_squared(int64_t x, int64_t y, int64_t ox, int64_t oy)
     return dx * dx + dy * dy;
 }
 
-void turn_size(const uint8_t *in, int w, int h, int pitch, int ox, int oy, int *out_w, int *out_h)
+void turn_size(const uint8_t *pix, int w, int h, int pitch, int ox, int oy, int *out_w, int *out_h)
 {
     int64_t farthest_squared = 1, side = 1;
 
     for (int y = 0; y < h; y++)
         for (int x = 0; x < w; x++)
-            if (in[(ptrdiff_t)y * pitch + x] != 0 && reach_squared(x, y, ox, oy) > farthest_squared)
+            if (pix[(ptrdiff_t)y * pitch + x] != 0 && reach_squared(x, y, ox, oy) > farthest_squared)
                 farthest_squared = reach_squared(x, y, ox, oy);
     while (side * side < farthest_squared)
         side++;
@@ -45,7 +45,7 @@ void turn_size(const uint8_t *in, int w, int h, int pitch, int ox, int oy, int *
 enum {
     SAMPLES = 8,
     TOTAL_SAMPLES = SAMPLES * SAMPLES,
-    FINE = 4 /* pixels of the smooth image per pixel, along each axis */
+    SMOOTH_SCALE = 4 /* pixels of the smooth image per pixel, along each axis */
 };
 
 /* ---- preparing ---- */
@@ -63,13 +63,13 @@ static uint8_t scale2x_corner(int e, int side, int above, int opposite, int belo
 }
 
 /* Scales an image to twice its size, into rows without padding. */
-static void scale2x(uint8_t *out, const uint8_t *in, int w, int h, int pitch)
+static void scale2x(uint8_t *out, const uint8_t *pix, int w, int h, int pitch)
 {
     for (int y = 0; y < h; y++)
         for (int x = 0; x < w; x++) {
-            int e = in[(ptrdiff_t)y * pitch + x];
-            int left = get_pixel(in, w, h, pitch, x - 1, y), right = get_pixel(in, w, h, pitch, x + 1, y);
-            int above = get_pixel(in, w, h, pitch, x, y - 1), below = get_pixel(in, w, h, pitch, x, y + 1);
+            int e = pix[(ptrdiff_t)y * pitch + x];
+            int left = get_pixel(pix, w, h, pitch, x - 1, y), right = get_pixel(pix, w, h, pitch, x + 1, y);
+            int above = get_pixel(pix, w, h, pitch, x, y - 1), below = get_pixel(pix, w, h, pitch, x, y + 1);
             uint8_t *d = out + 4 * (ptrdiff_t)w * y + 2 * x;
             d[0] = scale2x_corner(e, left, above, right, below);
             d[1] = scale2x_corner(e, right, above, left, below);
@@ -86,16 +86,16 @@ static bool is_rim(const uint8_t *pix, int w, int h, int pitch, int x, int y)
             get_pixel(pix, w, h, pitch, x, y - 1) == 0 || get_pixel(pix, w, h, pitch, x, y + 1) == 0);
 }
 
-/* Clears the image's interior pixels in `fine`, so that only rim pixels vote on the colour of a rim pixel. */
-static void clear_interior(const struct turn *t, uint8_t *fine)
+/* Clears the image's interior pixels in `scaled_pix`, so that only rim pixels vote on the colour of a rim pixel. */
+static void clear_interior(const struct turn *t, uint8_t *scaled_pix)
 {
-    int row = FINE * t->w;
+    int row = SMOOTH_SCALE * t->w;
 
     for (int y = 0; y < t->h; y++)
         for (int x = 0; x < t->w; x++)
-            if (t->in[(ptrdiff_t)y * t->pitch + x] != 0 && !is_rim(t->in, t->w, t->h, t->pitch, x, y))
-                for (int k = 0; k < FINE; k++)
-                    memset(fine + (ptrdiff_t)(FINE * y + k) * row + FINE * x, 0, FINE);
+            if (t->pix[(ptrdiff_t)y * t->pitch + x] != 0 && !is_rim(t->pix, t->w, t->h, t->pitch, x, y))
+                for (int k = 0; k < SMOOTH_SCALE; k++)
+                    memset(scaled_pix + (ptrdiff_t)(SMOOTH_SCALE * y + k) * row + SMOOTH_SCALE * x, 0, SMOOTH_SCALE);
 }
 
 /* Lists the image's opaque colours, ascending. */
@@ -105,7 +105,7 @@ static void list_colours(struct turn *t)
 
     for (int y = 0; y < t->h; y++)
         for (int x = 0; x < t->w; x++)
-            used[t->in[(ptrdiff_t)y * t->pitch + x]] = true;
+            used[t->pix[(ptrdiff_t)y * t->pitch + x]] = true;
     t->colour_count = 0;
     for (int c = 1; c < 256; c++)
         if (used[c])
@@ -114,17 +114,17 @@ static void list_colours(struct turn *t)
 
 size_t turn_scratch_size(int w, int h)
 {
-    return 2 * FINE * FINE * (size_t)w * (size_t)h;
+    return 2 * SMOOTH_SCALE * SMOOTH_SCALE * (size_t)w * (size_t)h;
 }
 
-void turn_init(struct turn *t, const uint8_t *in, int w, int h, int pitch, int ox, int oy, void *scratch)
+void turn_init(struct turn *t, const uint8_t *pix, int w, int h, int pitch, int ox, int oy, void *scratch)
 {
     size_t size = turn_scratch_size(w, h) / 2;
     uint8_t *smooth = scratch, *rim = smooth + size;
 
-    assert(w <= FB_MAX && h <= FB_MAX);
-    *t = (struct turn){ .in = in, .w = w, .h = h, .pitch = pitch, .ox = ox, .oy = oy, .smooth = smooth, .rim = rim };
-    scale2x(rim, in, w, h, pitch);
+    assert(w <= FB_MAX_SIDE && h <= FB_MAX_SIDE);
+    *t = (struct turn){ .pix = pix, .w = w, .h = h, .pitch = pitch, .ox = ox, .oy = oy, .smooth = smooth, .rim = rim };
+    scale2x(rim, pix, w, h, pitch);
     scale2x(smooth, rim, 2 * w, 2 * h, 2 * w);
     memcpy(rim, smooth, size);
     clear_interior(t, rim);
@@ -137,13 +137,13 @@ void turn_init(struct turn *t, const uint8_t *in, int w, int h, int pitch, int o
  * a pixel. */
 struct transform {
     const struct turn *t;
-    int64_t cos30, sin30;
+    int64_t cos_q30, sin_q30;
     int out_w, out_h;
 };
 
 static int image_pixel(const struct turn *t, int x, int y)
 {
-    return get_pixel(t->in, t->w, t->h, t->pitch, x, y);
+    return get_pixel(t->pix, t->w, t->h, t->pitch, x, y);
 }
 
 /* Computes the position in the image of the first point of pixel (x, y). Points are 1/8 px apart, counted in 1/16 px;
@@ -152,8 +152,8 @@ static void locate(const struct transform *a, int x, int y, int64_t *px, int64_t
 {
     int64_t u = 16 * x + 1 - 8 * a->out_w, v = 16 * y + 1 - 8 * a->out_h;
 
-    *px = a->cos30 * u + a->sin30 * v + a->t->ox * ((int64_t)1 << 33);
-    *py = a->cos30 * v - a->sin30 * u + a->t->oy * ((int64_t)1 << 33);
+    *px = a->cos_q30 * u + a->sin_q30 * v + a->t->ox * ((int64_t)1 << 33);
+    *py = a->cos_q30 * v - a->sin_q30 * u + a->t->oy * ((int64_t)1 << 33);
 }
 
 /* Returns whether the image has a single colour in the whole area that the points of pixel (x, y) can fall on; stores
@@ -164,8 +164,8 @@ static bool is_flat(const struct transform *a, int x, int y, uint8_t *colour)
     int64_t px, py;
 
     locate(a, x, y, &px, &py);
-    int mx = (int)((px + SAMPLES * (a->cos30 + a->sin30)) >> 34);
-    int my = (int)((py + SAMPLES * (a->cos30 - a->sin30)) >> 34);
+    int mx = (int)((px + SAMPLES * (a->cos_q30 + a->sin_q30)) >> 34);
+    int my = (int)((py + SAMPLES * (a->cos_q30 - a->sin_q30)) >> 34);
     *colour = (uint8_t)image_pixel(t, mx, my);
     for (int dy = -2; dy <= 2; dy++)
         for (int dx = -2; dx <= 2; dx++)
@@ -175,29 +175,29 @@ static bool is_flat(const struct transform *a, int x, int y, uint8_t *colour)
 }
 
 /* Counts the votes of pixel (x, y)'s points in the smooth image, one entry per colour. */
-static void count_votes(const struct transform *a, const uint8_t *fine, int x, int y, uint8_t votes[256])
+static void count_votes(const struct transform *a, const uint8_t *scaled_pix, int x, int y, uint8_t votes[256])
 {
-    uint32_t w = FINE * (uint32_t)a->t->w, h = FINE * (uint32_t)a->t->h;
+    uint32_t w = SMOOTH_SCALE * (uint32_t)a->t->w, h = SMOOTH_SCALE * (uint32_t)a->t->h;
     int64_t px, py;
 
     locate(a, x, y, &px, &py);
-    for (int j = 0; j < SAMPLES; j++, px += 2 * a->sin30, py += 2 * a->cos30)
+    for (int j = 0; j < SAMPLES; j++, px += 2 * a->sin_q30, py += 2 * a->cos_q30)
         for (int i = 0; i < SAMPLES; i++) {
-            uint32_t qx = (uint32_t)((px + 2 * i * a->cos30) >> 32), qy = (uint32_t)((py - 2 * i * a->sin30) >> 32);
-            votes[qx < w && qy < h ? fine[(size_t)qy * w + qx] : 0]++;
+            uint32_t qx = (uint32_t)((px + 2 * i * a->cos_q30) >> 32), qy = (uint32_t)((py - 2 * i * a->sin_q30) >> 32);
+            votes[qx < w && qy < h ? scaled_pix[(size_t)qy * w + qx] : 0]++;
         }
 }
 
 /* Returns the opaque colour with the most votes, or the lowest such colour if several have as many. Returns 0 if no
  * opaque colour has a vote or, if may_clear, more than half of the votes are for transparent. */
-static uint8_t vote(const struct transform *a, const uint8_t *fine, int x, int y, bool may_clear)
+static uint8_t vote(const struct transform *a, const uint8_t *scaled_pix, int x, int y, bool may_clear)
 {
     uint8_t votes[256], most_votes = 0, best = 0;
 
     votes[0] = 0;
     for (int i = 0; i < a->t->colour_count; i++)
         votes[a->t->colour[i]] = 0;
-    count_votes(a, fine, x, y, votes);
+    count_votes(a, scaled_pix, x, y, votes);
     if (may_clear && votes[0] > TOTAL_SAMPLES / 2)
         return 0;
     for (int i = 0; i < a->t->colour_count; i++) {
@@ -222,8 +222,8 @@ static uint8_t turned_pixel(const struct transform *a, int x, int y)
 static uint8_t quarter_turn_pixel(const struct transform *a, int x, int y)
 {
     int64_t u = 2 * x + 1 - a->out_w, v = 2 * y + 1 - a->out_h;
-    int hx = (int)((a->cos30 * u + a->sin30 * v) >> 30) + a->t->ox,
-        hy = (int)((a->cos30 * v - a->sin30 * u) >> 30) + a->t->oy;
+    int hx = (int)((a->cos_q30 * u + a->sin_q30 * v) >> 30) + a->t->ox,
+        hy = (int)((a->cos_q30 * v - a->sin_q30 * u) >> 30) + a->t->oy;
 
     return (uint8_t)image_pixel(a->t, hx >> 1, hy >> 1);
 }
@@ -231,13 +231,13 @@ static uint8_t quarter_turn_pixel(const struct transform *a, int x, int y)
 void turn_paint(const struct turn *t, ang angle, uint8_t *out, int out_w, int out_h, int out_pitch)
 {
     struct transform a = { t, trig_cos30(angle), trig_sin30(angle), out_w, out_h };
-    bool quarter = (angle & 0x3fffffff) == 0;
+    bool is_quarter_turn = (angle & 0x3fffffff) == 0;
 
-    assert(out_w <= FB_MAX && out_h <= FB_MAX); /* so that locate does not overflow 64 bits */
+    assert(out_w <= FB_MAX_SIDE && out_h <= FB_MAX_SIDE); /* so that locate does not overflow 64 bits */
     for (int y = 0; y < out_h; y++)
         for (int x = 0; x < out_w; x++)
-            out[(ptrdiff_t)y * out_pitch + x] = quarter ? quarter_turn_pixel(&a, x, y) : turned_pixel(&a, x, y);
-    for (int y = 0; y < out_h && !quarter; y++)
+            out[(ptrdiff_t)y * out_pitch + x] = is_quarter_turn ? quarter_turn_pixel(&a, x, y) : turned_pixel(&a, x, y);
+    for (int y = 0; y < out_h && !is_quarter_turn; y++)
         for (int x = 0; x < out_w; x++) {
             /* This pass makes no pixel transparent. */
             uint8_t colour = is_rim(out, out_w, out_h, out_pitch, x, y) ? vote(&a, t->rim, x, y, false) : 0;

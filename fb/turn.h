@@ -11,7 +11,7 @@
 /* A picture prepared for turning about the point (ox, oy), given in half pixels from the picture's top left corner; the
  * middle of the picture is (w, h). Pixel 0 is transparent. */
 struct turn {
-    const uint8_t *in;
+    const uint8_t *pix;
     int w, h, pitch;
     int ox, oy;
     const uint8_t *smooth, *rim; /* in scratch: the picture at four times the width and height, rows without padding; in
@@ -28,13 +28,13 @@ void turn_size(const uint8_t *in, int w, int h, int pitch, int ox, int oy, int *
 /* Returns the bytes of scratch that turn_init needs for an image. */
 size_t turn_scratch_size(int w, int h);
 
-/* Prepares an image for turning. in and scratch (turn_scratch_size bytes) must outlive t. w and h are at most FB_MAX;
- * pitch is bytes per row. */
+/* Prepares an image for turning. in and scratch (turn_scratch_size bytes) must outlive t. w and h are at most
+ * FB_MAX_SIDE; pitch is bytes per row. */
 void turn_init(struct turn *t, const uint8_t *in, int w, int h, int pitch, int ox, int oy, void *scratch);
 
 /* Paints all out_w x out_h pixels of out: the image turned clockwise about (ox, oy), with that point in the middle of
  * out. Quarter turns copy pixels; other turns choose one of the image's colours for each pixel and never mix colours.
- * out_w and out_h are at most FB_MAX; bytes of a row beyond out_w are not written. */
+ * out_w and out_h are at most FB_MAX_SIDE; bytes of a row beyond out_w are not written. */
 void turn_paint(const struct turn *t, ang angle, uint8_t *out, int out_w, int out_h, int out_pitch);
 
 #endif

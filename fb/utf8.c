@@ -1,6 +1,6 @@
 /*
  * utf8.c - see utf8.h. Valid UTF-8 is as in Unicode's table: only the shortest form, no surrogates, nothing over
- * UTF8_MAX.
+ * UTF8_MAX_CODE.
  */
 #include "utf8.h"
 
@@ -35,7 +35,7 @@ bool utf8_read(const char **s, const char *end, uint32_t *code)
             return false;
         value = value << 6 | (p[i] & 0x3f);
     }
-    if (value < min_code[n] || value > UTF8_MAX || (value >= 0xd800 && value <= 0xdfff))
+    if (value < min_code[n] || value > UTF8_MAX_CODE || (value >= 0xd800 && value <= 0xdfff))
         return false;
     *s += n - 1;
     *code = value;
@@ -64,10 +64,10 @@ bool utf8_may_show(uint32_t code)
     for (size_t i = 0; i < sizeof hidden / sizeof *hidden; i++)
         if (code >= hidden[i].first && code <= hidden[i].last)
             return false;
-    return code <= UTF8_MAX && (code & 0xfffe) != 0xfffe;
+    return code <= UTF8_MAX_CODE && (code & 0xfffe) != 0xfffe;
 }
 
-void utf8_blank(char *text, bool newlines)
+void utf8_replace_hidden(char *text, bool allow_newlines)
 {
     const char *s = text, *end = text + strlen(text);
 
@@ -76,17 +76,17 @@ void utf8_blank(char *text, bool newlines)
         uint32_t code;
         if (!utf8_read(&s, end, &code))
             *at = '?';
-        else if (!utf8_may_show(code) && code != '\t' && !(newlines && code == '\n'))
+        else if (!utf8_may_show(code) && code != '\t' && !(allow_newlines && code == '\n'))
             memset(at, ' ', (size_t)(s - at));
     }
 }
 
-size_t utf8_count(const char *s, size_t n, size_t most, size_t *bytes)
+size_t utf8_count(const char *s, size_t n, size_t max_count, size_t *bytes)
 {
     const char *at = s, *end = s + n;
     size_t count = 0;
 
-    for (; at < end && count < most; count++)
+    for (; at < end && count < max_count; count++)
         utf8_next(&at, end);
     if (bytes)
         *bytes = (size_t)(at - s);

@@ -9,8 +9,8 @@
 #include <stdint.h>
 
 enum {
-    UTF8_MAX = 0x10ffff, /* the highest code point */
-    UTF8_MAX_BYTES = 4,  /* maximum length of a code point, in bytes */
+    UTF8_MAX_CODE = 0x10ffff, /* the highest code point */
+    UTF8_MAX_BYTES = 4,       /* maximum length of a code point, in bytes */
 };
 
 /* Reads the code point at *s, and moves *s past it; *s < end. Returns false if the byte there is not part of valid
@@ -25,7 +25,7 @@ bool utf8_may_show(uint32_t code);
 
 /* Replaces characters that may not be shown with spaces, in place, except tabs and, if `newlines`, newlines; a byte
  * that is not part of valid UTF-8 becomes '?'. */
-void utf8_blank(char *text, bool newlines);
+void utf8_replace_hidden(char *text, bool newlines);
 
 /* Like utf8_read, but returns the code; a byte that is not part of valid UTF-8 is returned as the code of the same
  * value, 128 to 255, as in Latin-1. */
@@ -35,7 +35,7 @@ uint32_t utf8_next(const char **s, const char *end);
  * bytes the counted code points occupy. */
 size_t utf8_count(const char *s, size_t n, size_t most, size_t *bytes);
 
-/* Writes a code point, at most UTF8_MAX and not a surrogate; returns the bytes written. */
+/* Writes a code point, at most UTF8_MAX_CODE and not a surrogate; returns the bytes written. */
 size_t utf8_put(char out[UTF8_MAX_BYTES], uint32_t code);
 
 #endif

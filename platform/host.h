@@ -17,27 +17,27 @@
 /* A port overrides a default by defining the same function. PE has no weak symbols, so builds for PE name each
  * overridden function with -DPLAT_OWN_... */
 #if (defined(__GNUC__) || defined(__clang__)) && !defined(_WIN32)
-#define DEFAULT __attribute__((weak))
+#define PLAT_DEFAULT __attribute__((weak))
 #else
-#define DEFAULT
+#define PLAT_DEFAULT
 #endif
 
-enum { HOST_PATH = 2048 }; /* maximum size of a path in bytes, including the NUL */
+enum { HOST_PATH_SIZE = 2048 }; /* maximum size of a path in bytes, including the NUL */
 
 /* ---- names ---- */
 
 /* Write the path of the user's folder for program data or for pictures. Return false if there is none or its path is
  * too long. */
-bool host_data_folder(char out[HOST_PATH]);
-bool host_pictures_folder(char out[HOST_PATH]);
+bool host_data_folder(char out[HOST_PATH_SIZE]);
+bool host_pictures_folder(char out[HOST_PATH_SIZE]);
 
 /* Writes the prefix that makes `path` absolute: the current folder and a slash, or "" if `path` is absolute or the
  * folder is unknown. */
-void host_base_folder(const char *path, char out[HOST_PATH + 1]);
+void host_base_folder(const char *path, char out[HOST_PATH_SIZE + 1]);
 
 /* Writes the path of the running program's file, on POSIX with links resolved. Returns false if the host does not know
  * the path. */
-bool host_program_path(char out[HOST_PATH]);
+bool host_program_path(char out[HOST_PATH_SIZE]);
 
 /* ---- files ---- */
 
@@ -51,8 +51,8 @@ enum host_mode {
 
 FILE *host_open(const char *path, enum host_mode mode);
 
-/* Returns what plat_size returns. */
-long host_size(const char *path);
+/* Returns what plat_file_size returns. */
+long host_file_size(const char *path);
 
 /* Returns whether the file or folder exists. */
 bool host_exists(const char *path);
@@ -61,11 +61,11 @@ bool host_exists(const char *path);
 bool host_is_special(const char *path);
 
 /* Returns whether both paths exist and are the same file or folder. */
-bool host_same_file(const char *a, const char *b);
+bool host_is_same_file(const char *a, const char *b);
 
 /* Replaces a path by the target of its symbolic links, which need not exist. Returns false if the links form a loop or
  * the target's path is too long. */
-bool host_resolve_links(char path[HOST_PATH]);
+bool host_resolve_links(char path[HOST_PATH_SIZE]);
 
 /* Creates a folder. Returns whether it exists afterwards. */
 bool host_make_folder(const char *path);
@@ -75,12 +75,12 @@ bool host_sync_file(FILE *f);
 void host_sync_folder(const char *folder);
 
 /* Copies the permissions of the file at `path`, if it exists, to f. */
-void host_copy_mode(FILE *f, const char *path);
+void host_copy_permissions(FILE *f, const char *path);
 
 bool host_replace(const char *from, const char *to);
 bool host_remove(const char *path);
 bool host_make_executable(const char *path);
-int host_list(const char *folder, void (*visit)(void *user, const struct plat_file *file), void *user);
+int host_list(const char *folder, void (*visit)(void *user, const struct plat_folder_entry *file), void *user);
 
 /* ---- the process ---- */
 
@@ -98,12 +98,12 @@ void host_crash_disarm(void);
 
 /* Implements plat_run_jobs without processes: runs the jobs one after another in this process. Defined in
  * stdio.c. */
-bool host_run_jobs(int n, const struct plat_work *work);
+bool host_run_jobs(int n, const struct plat_job_callbacks *work);
 
-/* File functions for `on_crash`; they and host_log are safe in a signal handler. host_crash_open creates a file, on
- * POSIX one that only the user can read, and returns its descriptor, or -1 on failure. */
-int host_crash_open(const char *path);
+/* File functions for `on_crash`; they and host_log are safe in a signal handler. host_crash_open_report creates a file,
+ * on POSIX one that only the user can read, and returns its descriptor, or -1 on failure. */
+int host_crash_open_report(const char *path);
 void host_crash_write(int file, const void *bytes, size_t size);
-void host_crash_close(int file);
+void host_crash_close_report(int file);
 
 #endif

@@ -8,23 +8,23 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool folder_from_variable(char out[HOST_PATH], const char *variable, const char *suffix)
+static bool folder_from_variable(char out[HOST_PATH_SIZE], const char *variable, const char *suffix)
 {
     const char *value = getenv(variable);
-    return value && value[0] && snprintf(out, HOST_PATH, "%s%s", value, suffix) < HOST_PATH;
+    return value && value[0] && snprintf(out, HOST_PATH_SIZE, "%s%s", value, suffix) < HOST_PATH_SIZE;
 }
 
-bool host_data_folder(char out[HOST_PATH])
+bool host_data_folder(char out[HOST_PATH_SIZE])
 {
     return folder_from_variable(out, "APPDATA", "");
 }
 
-bool host_pictures_folder(char out[HOST_PATH])
+bool host_pictures_folder(char out[HOST_PATH_SIZE])
 {
     return folder_from_variable(out, "USERPROFILE", "/Pictures");
 }
 
-void host_base_folder(const char *path, char out[HOST_PATH + 1])
+void host_base_folder(const char *path, char out[HOST_PATH_SIZE + 1])
 {
     (void)path;
     out[0] = 0;
@@ -43,7 +43,7 @@ FILE *host_open(const char *path, enum host_mode mode)
     return fopen(path, modes[mode]);
 }
 
-long host_size(const char *path)
+long host_file_size(const char *path)
 {
     FILE *f = fopen(path, "rb");
     if (!f)
@@ -55,7 +55,7 @@ long host_size(const char *path)
 
 bool host_exists(const char *path)
 {
-    return host_size(path) >= 0;
+    return host_file_size(path) >= 0;
 }
 
 bool host_is_special(const char *path)
@@ -64,12 +64,12 @@ bool host_is_special(const char *path)
     return false;
 }
 
-bool host_same_file(const char *a, const char *b)
+bool host_is_same_file(const char *a, const char *b)
 {
     return strcmp(a, b) == 0;
 }
 
-bool host_resolve_links(char path[HOST_PATH])
+bool host_resolve_links(char path[HOST_PATH_SIZE])
 {
     (void)path;
     return true;
@@ -92,7 +92,7 @@ void host_sync_folder(const char *folder)
     (void)folder;
 }
 
-void host_copy_mode(FILE *f, const char *path)
+void host_copy_permissions(FILE *f, const char *path)
 {
     (void)f;
     (void)path;
@@ -118,7 +118,7 @@ bool host_make_executable(const char *path)
     return true;
 }
 
-int host_list(const char *folder, void (*visit)(void *user, const struct plat_file *file), void *user)
+int host_list(const char *folder, void (*visit)(void *user, const struct plat_folder_entry *file), void *user)
 {
     (void)folder;
     (void)visit;

@@ -3,8 +3,8 @@
  */
 #include "host.h"
 
-#ifndef PLAT_OWN_PROGRAM
-DEFAULT bool plat_program(char *name, size_t size)
+#ifndef PLAT_OWN_PROGRAM_FILE
+PLAT_DEFAULT bool plat_program_file(char *name, size_t size)
 {
     (void)name;
     (void)size;
@@ -12,14 +12,14 @@ DEFAULT bool plat_program(char *name, size_t size)
 }
 #endif
 
-bool host_program_path(char out[HOST_PATH])
+bool host_program_path(char out[HOST_PATH_SIZE])
 {
     out[0] = 0;
     return false;
 }
 
-#ifndef PLAT_OWN_SYSTEM
-DEFAULT void plat_describe_system(char *text, size_t size)
+#ifndef PLAT_OWN_DESCRIBE_SYSTEM
+PLAT_DEFAULT void plat_describe_system(char *text, size_t size)
 {
     snprintf(text, size, "unknown");
 }
@@ -45,7 +45,7 @@ void host_crash_disarm(void)
 {
 }
 
-int host_crash_open(const char *path)
+int host_crash_open_report(const char *path)
 {
     (void)path;
     return -1;
@@ -58,7 +58,7 @@ void host_crash_write(int file, const void *bytes, size_t size)
     (void)size;
 }
 
-void host_crash_close(int file)
+void host_crash_close_report(int file)
 {
     (void)file;
 }
@@ -68,7 +68,7 @@ void plat_catch_hangup(bool on)
     (void)on;
 }
 
-bool plat_hung_up(void)
+bool plat_has_hung_up(void)
 {
     return false;
 }
@@ -141,12 +141,12 @@ bool plat_find_symbol(void *library, const char *name, void *function)
     return false;
 }
 
-int plat_cores(void)
+int plat_processor_count(void)
 {
     return 1;
 }
 
-bool plat_run_jobs(int n, int jobs, const struct plat_work *w)
+bool plat_run_jobs(int n, int jobs, const struct plat_job_callbacks *w)
 {
     (void)jobs;
     return host_run_jobs(n, w);

@@ -23,7 +23,7 @@
 
 enum {
     PLAT_KEYS = 256, /* keys of a keyboard: USB HID usages of page 7 (4 is A, 40 is Enter, 225 is left Shift) */
-    PLAT_CONTROLLERS = 4,
+    PLAT_MAX_CONTROLLERS = 4,
     PLAT_TEXT_SIZE = 64
 };
 
@@ -45,22 +45,22 @@ enum plat_button {
     PLAT_START,
     PLAT_SELECT,
     PLAT_GUIDE,
-    PLAT_STICK_LEFT, /* the left stick pressed in */
-    PLAT_STICK_RIGHT,
-    PLAT_LEFT_UP, /* the left stick's directions */
-    PLAT_LEFT_DOWN,
-    PLAT_LEFT_LEFT,
-    PLAT_LEFT_RIGHT,
-    PLAT_RIGHT_UP,
-    PLAT_RIGHT_DOWN,
-    PLAT_RIGHT_LEFT,
-    PLAT_RIGHT_RIGHT,
+    PLAT_LEFT_STICK_PRESS, /* the left stick pressed in */
+    PLAT_RIGHT_STICK_PRESS,
+    PLAT_LEFT_STICK_UP, /* the left stick's directions */
+    PLAT_LEFT_STICK_DOWN,
+    PLAT_LEFT_STICK_LEFT,
+    PLAT_LEFT_STICK_RIGHT,
+    PLAT_RIGHT_STICK_UP,
+    PLAT_RIGHT_STICK_DOWN,
+    PLAT_RIGHT_STICK_LEFT,
+    PLAT_RIGHT_STICK_RIGHT,
     PLAT_BUTTONS
 };
 
 /* The labels of a controller's buttons. A button's position does not depend on its label: Nintendo's A is PLAT_EAST. */
 enum plat_controller_kind {
-    PLAT_UNKNOWN,
+    PLAT_UNKNOWN_CONTROLLER,
     PLAT_XBOX,     /* A at the bottom, B on the right, Menu, View; also other controllers with this lettering */
     PLAT_XBOX_360, /* like PLAT_XBOX, with Start and Back */
     PLAT_PS3,
@@ -89,18 +89,19 @@ struct plat_config {
 
 /* "Held" means down now or pressed since the last poll, so that no tap is lost however rare the polls are. */
 struct plat_input {
-    uint8_t keys[PLAT_KEYS / 8];            /* held keys: usage u is bit u & 7 of byte u >> 3 */
-    uint32_t controllers[PLAT_CONTROLLERS]; /* held buttons: bit n is value n of enum plat_button; 0: not connected */
-    bool quit;                              /* the host asks the program to quit; once set, stays set */
-    bool has_focus;                         /* the window has keyboard focus; true if the host cannot tell */
-    bool hidden;                            /* the window is minimised or hidden; false if the host cannot tell */
-    int mouse_x, mouse_y;                   /* position in pixels of the last picture shown; -1, -1: outside it */
-    uint8_t mouse_buttons;                  /* held buttons: bit 0 left, 1 right, 2 middle */
-    int wheel;                              /* notches since the last poll; up is positive */
+    uint8_t keys[PLAT_KEYS / 8]; /* held keys: usage u is bit u & 7 of byte u >> 3 */
+    /* Held buttons: bit n is value n of enum plat_button; 0: not connected. */
+    uint32_t controllers[PLAT_MAX_CONTROLLERS];
+    bool quit;                 /* the host asks the program to quit; once set, stays set */
+    bool has_focus;            /* the window has keyboard focus; true if the host cannot tell */
+    bool hidden;               /* the window is minimised or hidden; false if the host cannot tell */
+    int mouse_x, mouse_y;      /* position in pixels of the last picture shown; -1, -1: outside it */
+    uint8_t mouse_buttons;     /* held buttons: bit 0 left, 1 right, 2 middle */
+    int wheel;                 /* notches since the last poll; up is positive */
     char text[PLAT_TEXT_SIZE]; /* text typed since the last poll: UTF-8, whole characters, NUL-terminated */
 };
 
-static inline bool plat_key_held(const struct plat_input *in, unsigned usage)
+static inline bool plat_is_key_held(const struct plat_input *in, unsigned usage)
 {
     return in->keys[usage >> 3 & 31] >> (usage & 7) & 1;
 }
@@ -150,23 +151,24 @@ void plat_wait(uint64_t deadline);
 /* Converts palette indices to colours, for plat_show of a port whose screen has no palette: out[y * out_pitch + x] =
  * rgb[pix[y * pitch + x]]. out_pitch is in pixels. The port chooses the format of the colours in rgb: it may set more
  * bits than 0xRRGGBB, or use a different order. */
-void plat_rgb(uint32_t *out, int out_pitch, const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[256]);
+void plat_convert_to_rgb(uint32_t *out, int out_pitch, const uint8_t *pix, int pitch, int w, int h,
+                         const uint32_t rgb[256]);
 
 /* Computes the window's size for `config`, for plat_open of a port with windows. max_w, max_h: pixels available for the
  * window's content, without borders and title. With config->scale 0, takes the largest scale that fits: a whole number
  * or, with config->fractional, a multiple of a quarter; at least 1. */
-void plat_fit(const struct plat_config *config, int max_w, int max_h, int *w, int *h);
+void plat_fit_window(const struct plat_config *config, int max_w, int max_h, int *w, int *h);
 
-/* Facts about the open window. plat_window gets them, and returns false if none are known. */
+/* Facts about the open window. plat_get_window gets them, and returns false if none are known. */
 struct plat_window {
-    int w, h;    /* size in pixels of the area that plat_paint fills */
-    int refresh; /* refresh rate of the window's screen in thousandths of a Hz; 0: unknown */
-    bool vsync;  /* showing a picture waits for vertical sync */
+    int w, h;         /* size in pixels of the area that plat_paint fills */
+    int refresh_rate; /* refresh rate of the window's screen in thousandths of a Hz; 0: unknown */
+    bool vsync;       /* showing a picture waits for vertical sync */
 };
-bool plat_window(struct plat_window *out);
+bool plat_get_window(struct plat_window *out);
 
 /* Shows a picture of colours, 0xRRGGBB, over the whole window, stretched if the sizes differ. pitch is in pixels.
- * Returns false if the picture cannot be shown, or the port only has plat_show. Called if plat_window succeeds and
+ * Returns false if the picture cannot be shown, or the port only has plat_show. Called if plat_get_window succeeds and
  * the player uses a feature that plat_show lacks: rotation, smooth scaling, a CRT filter, a border, or panels next to
  * the picture. */
 bool plat_paint(const uint32_t *rgb, int pitch, int w, int h);
@@ -181,7 +183,7 @@ bool plat_take_dropped_file(char *path, size_t size);
 /* Describes controller i of plat_input.controllers, counted from 0. Returns false if there is none. A controller keeps
  * its number while it is plugged in. The default reports that all are plugged in at all times, with unknown kinds and
  * no names. */
-bool plat_controller(int i, struct plat_controller *controller);
+bool plat_get_controller(int i, struct plat_controller *controller);
 
 /* Writes a key's label in the current keyboard layout, in UTF-8: "w" or "W" for usage 29 on a French keyboard. Returns
  * false if the label is unknown or the key prints no character; the key is then named as on a US keyboard. The default
@@ -191,7 +193,7 @@ bool plat_key_label(unsigned usage, char *text, size_t size);
 /* Queues all of these stereo frames, or drops all of them if far too many are waiting. Returns how many were waiting
  * before the call, including frames that the card has taken but not played, if known; 0: none; -1: there is no speaker
  * at present. With frames 0, only returns the number. */
-int plat_sound(const int16_t *lr, int frames);
+int plat_queue_sound(const int16_t *lr, int frames);
 
 /* Files. A name is a path as the user typed it, with / between folders, in UTF-8. `user:NAME` is NAME in the user's
  * folder for Curtain (desktop: $XDG_DATA_HOME/curtain or ~/.local/share/curtain; Windows: %APPDATA%\curtain).
@@ -214,7 +216,7 @@ void plat_alert(const char *text);
 
 /* Writes a name under which the program's own file can be read, if possible even after the file was renamed. Returns
  * false if the host does not know the name. */
-bool plat_program(char *name, size_t size);
+bool plat_program_file(char *name, size_t size);
 
 /* Writes the name of a file that was installed with the program, given its path from the program's folder, such as
  * "../share/curtain/player.html". The file may not exist. Returns false if the host does not know where the program
@@ -235,7 +237,7 @@ bool plat_path(const char *name, char *path, size_t size);
 
 /* Returns the size of a file in bytes, or -1 if there is no such file (a folder is not a file). The size of a pipe or
  * device is 0. */
-long plat_size(const char *name);
+long plat_file_size(const char *name);
 
 /* Reads at most cap bytes from the start of a file. Returns the number of bytes read, or -1 if the file cannot be
  * read. */
@@ -247,7 +249,7 @@ FILE *plat_open_stream(const char *name, bool for_writing);
 
 /* Returns whether two names refer to the same file on a disk. If neither exists, returns whether they would, with links
  * followed and the case of letters ignored. A port that cannot tell compares the names. */
-bool plat_same_file(const char *a, const char *b);
+bool plat_is_same_file(const char *a, const char *b);
 
 /* Replaces a whole file. Afterwards the file holds the new data, or its old data if this returns false. A symbolic link
  * stays, and its target is replaced. A device or a pipe is written to. If this or plat_append returns false, errno may
@@ -260,7 +262,7 @@ bool plat_append(const char *name, const void *buf, size_t len);
 /* Removes a file. Returns false if the file cannot be removed or did not exist. */
 bool plat_remove(const char *name);
 
-struct plat_file {
+struct plat_folder_entry {
     const char *name; /* the file's name without its folder */
     bool is_folder;
     int64_t time; /* time of the last change, in host-dependent units; good only for comparisons */
@@ -268,7 +270,7 @@ struct plat_file {
 
 /* Calls `visit` for every entry of a folder except . and .., in any order. Returns the number of entries, or -1 if the
  * folder cannot be read. */
-int plat_list(const char *dir, void (*visit)(void *user, const struct plat_file *file), void *user);
+int plat_list(const char *dir, void (*visit)(void *user, const struct plat_folder_entry *file), void *user);
 
 /* Installs a crash handler. When the program crashes (POSIX: SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT; Windows: an
  * unhandled exception or abort), fn is called with context and the cause, such as "SIGSEGV" or "access violation". fn
@@ -290,10 +292,10 @@ void plat_log(const char *line);
 
 /* ---- the host: defined in the host's files (host.h); without support they report failure ---- */
 
-/* For ports. With `on`, closing the terminal or ending the session no longer ends the program immediately; plat_hung_up
- * reports it, and the port must set plat_input.quit. */
+/* For ports. With `on`, closing the terminal or ending the session no longer ends the program immediately;
+ * plat_has_hung_up reports it, and the port must set plat_input.quit. */
 void plat_catch_hangup(bool on);
-bool plat_hung_up(void);
+bool plat_has_hung_up(void);
 
 /* Returns whether standard error is a terminal on which a line can be overwritten. */
 bool plat_has_terminal(void);
@@ -304,9 +306,9 @@ void plat_set_exit_text(const char *text);
 
 /* A file type that this program opens on a double click: files that end in .ENDING. */
 struct plat_file_type {
-    const char *ending; /* "rom" */
-    const char *name;   /* the type's name in the registry: "Curtain.Game" */
-    const char *title;  /* the name shown to users: "Curtain game" */
+    const char *extension; /* "rom" */
+    const char *name;      /* the type's name in the registry: "Curtain.Game" */
+    const char *title;     /* the name shown to users: "Curtain game" */
 };
 
 enum plat_register_result {
@@ -351,21 +353,21 @@ bool plat_find_symbol(void *library, const char *name, void *function);
 enum { PLAT_MAX_JOBS = 64 };
 
 /* Returns the number of processors, 1 to PLAT_MAX_JOBS. */
-int plat_cores(void);
+int plat_processor_count(void);
 
 /* The callbacks of n jobs, 0 to n - 1, of which up to `max_jobs` run at a time. On hosts with fork, each job runs in a
  * separate process, so that its changes to memory and its crashes affect nothing else. On other hosts, the jobs run one
  * after another in this process. */
-struct plat_work {
+struct plat_job_callbacks {
     void *context;
     void (*run)(void *context, int i, FILE *write);
-    void (*done)(void *context, int i, const char *text, size_t n,
-                 int signal);       /* text: the job's output; signal: 0 if it succeeded */
+    void (*on_done)(void *context, int i, const char *text, size_t n,
+                    int signal);    /* text: the job's output; signal: 0 if it succeeded */
     void (*on_wait)(void *context); /* called a few times a second, or after each job */
 };
 
-/* Runs all jobs, and returns when they are done. `done` is called in any order. Returns false if a process cannot be
+/* Runs all jobs, and returns when they are done. `on_done` is called in any order. Returns false if a process cannot be
  * started or memory runs out; some jobs are then not run. */
-bool plat_run_jobs(int n, int max_jobs, const struct plat_work *w);
+bool plat_run_jobs(int n, int max_jobs, const struct plat_job_callbacks *w);
 
 #endif

@@ -22,19 +22,19 @@
  * last change. */
 #ifdef __APPLE__
 #define DATA_FOLDER "Library/Application Support"
-#define CHANGED     st_mtimespec
+#define STAT_MTIME  st_mtimespec
 #else
 #define DATA_FOLDER ".local/share"
-#define CHANGED     st_mtim
+#define STAT_MTIME  st_mtim
 #endif
 
 /* ---- names ---- */
 
 static bool fits(int n)
 {
-    if (n >= HOST_PATH)
+    if (n >= HOST_PATH_SIZE)
         errno = ENAMETOOLONG;
-    return n < HOST_PATH;
+    return n < HOST_PATH_SIZE;
 }
 
 /* Returns an environment variable's value if it is an absolute path, otherwise NULL: by the XDG rules a relative path
@@ -45,12 +45,12 @@ static const char *absolute_variable(const char *name)
     return value && value[0] == '/' ? value : NULL;
 }
 
-bool host_data_folder(char out[HOST_PATH])
+bool host_data_folder(char out[HOST_PATH_SIZE])
 {
     const char *data = absolute_variable("XDG_DATA_HOME"), *home = getenv("HOME");
     if (data)
-        return fits(snprintf(out, HOST_PATH, "%s", data));
-    return home && home[0] && fits(snprintf(out, HOST_PATH, "%s/" DATA_FOLDER, home));
+        return fits(snprintf(out, HOST_PATH_SIZE, "%s", data));
+    return home && home[0] && fits(snprintf(out, HOST_PATH_SIZE, "%s/" DATA_FOLDER, home));
 }
 
 /* Parses the value of a line NAME="VALUE" of user-dirs.dirs. VALUE starts with / or $HOME; a \ precedes a character
@@ -80,10 +80,10 @@ static bool parse_shell_value(const char *value, const char *home, char *out, si
 /* Reads a folder's path from user-dirs.dirs. Returns false if it is not set there. */
 static bool find_user_dir(const char *name, const char *home, char *out, size_t size)
 {
-    char line[2 * HOST_PATH];
+    char line[2 * HOST_PATH_SIZE];
     const char *config = absolute_variable("XDG_CONFIG_HOME");
     bool found = false;
-    if (!fits(snprintf(line, HOST_PATH, "%s%s/user-dirs.dirs", config ? config : home, config ? "" : "/.config")))
+    if (!fits(snprintf(line, HOST_PATH_SIZE, "%s%s/user-dirs.dirs", config ? config : home, config ? "" : "/.config")))
         return false;
     FILE *f = fopen(line, "r");
     while (f && fgets(line, sizeof line, f)) {
@@ -97,20 +97,20 @@ static bool find_user_dir(const char *name, const char *home, char *out, size_t 
     return found;
 }
 
-bool host_pictures_folder(char out[HOST_PATH])
+bool host_pictures_folder(char out[HOST_PATH_SIZE])
 {
     const char *pictures = absolute_variable("XDG_PICTURES_DIR"), *home = getenv("HOME");
-    if (pictures && fits(snprintf(out, HOST_PATH, "%s", pictures)))
+    if (pictures && fits(snprintf(out, HOST_PATH_SIZE, "%s", pictures)))
         return true;
     if (!home || !home[0])
         return false;
-    return find_user_dir("XDG_PICTURES_DIR", home, out, HOST_PATH) ||
-           fits(snprintf(out, HOST_PATH, "%s/Pictures", home));
+    return find_user_dir("XDG_PICTURES_DIR", home, out, HOST_PATH_SIZE) ||
+           fits(snprintf(out, HOST_PATH_SIZE, "%s/Pictures", home));
 }
 
-void host_base_folder(const char *path, char out[HOST_PATH + 1])
+void host_base_folder(const char *path, char out[HOST_PATH_SIZE + 1])
 {
-    if (path[0] == '/' || !getcwd(out, HOST_PATH))
+    if (path[0] == '/' || !getcwd(out, HOST_PATH_SIZE))
         out[0] = 0;
     else if (out[strlen(out) - 1] != '/')
         memcpy(out + strlen(out), "/", 2);
@@ -144,7 +144,7 @@ FILE *host_open(const char *path, enum host_mode mode)
     return mode == HOST_READ ? open_regular(path) : fopen(path, modes[mode]);
 }
 
-long host_size(const char *path)
+long host_file_size(const char *path)
 {
     struct stat st;
     if (stat(path, &st) != 0 || S_ISDIR(st.st_mode))
@@ -163,7 +163,7 @@ bool host_is_special(const char *path)
     return stat(path, &st) == 0 && !S_ISREG(st.st_mode);
 }
 
-bool host_same_file(const char *a, const char *b)
+bool host_is_same_file(const char *a, const char *b)
 {
     struct stat one, two;
     return stat(a, &one) == 0 && stat(b, &two) == 0 && one.st_dev == two.st_dev && one.st_ino == two.st_ino;
@@ -171,9 +171,9 @@ bool host_same_file(const char *a, const char *b)
 
 enum { MAX_LINKS = 40 };
 
-bool host_resolve_links(char path[HOST_PATH])
+bool host_resolve_links(char path[HOST_PATH_SIZE])
 {
-    char target[HOST_PATH], joined[2 * HOST_PATH];
+    char target[HOST_PATH_SIZE], joined[2 * HOST_PATH_SIZE];
     for (int i = 0; i < MAX_LINKS; i++) {
         ssize_t n = readlink(path, target, sizeof target - 1);
         if (n < 0)
@@ -181,7 +181,7 @@ bool host_resolve_links(char path[HOST_PATH])
         target[n] = 0;
         char *slash = strrchr(path, '/');
         int folder_length = target[0] == '/' || !slash ? 0 : (int)(slash + 1 - path);
-        if (snprintf(joined, sizeof joined, "%.*s%s", folder_length, path, target) >= HOST_PATH) {
+        if (snprintf(joined, sizeof joined, "%.*s%s", folder_length, path, target) >= HOST_PATH_SIZE) {
             errno = ENAMETOOLONG;
             return false;
         }
@@ -222,7 +222,7 @@ bool host_remove(const char *path)
 }
 
 #ifdef __wasi__
-void host_copy_mode(FILE *f, const char *path)
+void host_copy_permissions(FILE *f, const char *path)
 {
     (void)f;
     (void)path;
@@ -233,7 +233,7 @@ bool host_make_executable(const char *path)
     return path != NULL;
 }
 #else
-void host_copy_mode(FILE *f, const char *path)
+void host_copy_permissions(FILE *f, const char *path)
 {
     struct stat st;
     if (stat(path, &st) == 0)
@@ -247,9 +247,9 @@ bool host_make_executable(const char *path)
 }
 #endif
 
-static bool read_entry(struct plat_file *file, const char *folder, const char *name)
+static bool read_entry(struct plat_folder_entry *file, const char *folder, const char *name)
 {
-    char path[2 * HOST_PATH];
+    char path[2 * HOST_PATH_SIZE];
     struct stat st;
     if (strcmp(name, ".") == 0 || strcmp(name, "..") == 0)
         return false;
@@ -260,18 +260,18 @@ static bool read_entry(struct plat_file *file, const char *folder, const char *n
         return false;
     file->name = name;
     file->is_folder = S_ISDIR(st.st_mode);
-    file->time = (int64_t)st.CHANGED.tv_sec * 1000000000 + st.CHANGED.tv_nsec;
+    file->time = (int64_t)st.STAT_MTIME.tv_sec * 1000000000 + st.STAT_MTIME.tv_nsec;
     return true;
 }
 
-int host_list(const char *folder, void (*visit)(void *user, const struct plat_file *file), void *user)
+int host_list(const char *folder, void (*visit)(void *user, const struct plat_folder_entry *file), void *user)
 {
     DIR *d = opendir(folder);
     int n = 0;
     if (!d)
         return -1;
     for (struct dirent *e; (e = readdir(d)) != NULL;) {
-        struct plat_file file;
+        struct plat_folder_entry file;
         if (!read_entry(&file, folder, e->d_name))
             continue;
         visit(user, &file);

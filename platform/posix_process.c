@@ -25,9 +25,9 @@ extern char **environ;
 
 /* ---- this program ---- */
 
-#ifndef PLAT_OWN_PROGRAM
+#ifndef PLAT_OWN_PROGRAM_FILE
 #ifdef __APPLE__
-DEFAULT bool plat_program(char *name, size_t size)
+PLAT_DEFAULT bool plat_program_file(char *name, size_t size)
 {
     uint32_t room = (uint32_t)size;
 
@@ -36,7 +36,7 @@ DEFAULT bool plat_program(char *name, size_t size)
 #else
 /* The link in /proc stays valid when the file is renamed, also for a program found in PATH. Without /proc, Linux still
  * reports the name under which the program was started. */
-DEFAULT bool plat_program(char *name, size_t size)
+PLAT_DEFAULT bool plat_program_file(char *name, size_t size)
 {
     static const char *const links[] = { "/proc/self/exe", "/proc/curproc/file", "/proc/curproc/exe" };
     for (size_t i = 0; i < sizeof links / sizeof *links; i++)
@@ -52,16 +52,16 @@ DEFAULT bool plat_program(char *name, size_t size)
 #endif
 #endif
 
-bool host_program_path(char out[HOST_PATH])
+bool host_program_path(char out[HOST_PATH_SIZE])
 {
-    char name[HOST_PATH], *real = plat_program(name, sizeof name) ? realpath(name, NULL) : NULL;
-    const bool good = real && snprintf(out, HOST_PATH, "%s", real) < HOST_PATH;
+    char name[HOST_PATH_SIZE], *real = plat_program_file(name, sizeof name) ? realpath(name, NULL) : NULL;
+    const bool good = real && snprintf(out, HOST_PATH_SIZE, "%s", real) < HOST_PATH_SIZE;
     free(real);
     return good;
 }
 
-#ifndef PLAT_OWN_SYSTEM
-DEFAULT void plat_describe_system(char *text, size_t size)
+#ifndef PLAT_OWN_DESCRIBE_SYSTEM
+PLAT_DEFAULT void plat_describe_system(char *text, size_t size)
 {
     struct utsname u;
     if (uname(&u) >= 0)
@@ -94,7 +94,7 @@ void host_log(const char *text, size_t size)
 
 /* ---- crashes ---- */
 
-enum { CRASH_STACK = 1 << 16 };
+enum { CRASH_STACK_SIZE = 1 << 16 };
 
 static const struct {
     int sig;
@@ -109,7 +109,7 @@ static struct {
     void (*on_crash)(const char *what);
     bool armed;
     struct sigaction previous[CRASH_SIGNALS];
-    char stack[CRASH_STACK]; /* the handler's stack; the program's may have overflowed */
+    char stack[CRASH_STACK_SIZE]; /* the handler's stack; the program's may have overflowed */
 } crash;
 
 /* Restores the handlers from before host_crash_arm. */
@@ -145,7 +145,7 @@ bool host_crash_arm(void (*on_crash)(const char *what))
     return true;
 }
 
-int host_crash_open(const char *path)
+int host_crash_open_report(const char *path)
 {
     return open(path, O_WRONLY | O_CREAT | O_EXCL, 0600);
 }
@@ -155,7 +155,7 @@ void host_crash_write(int file, const void *bytes, size_t size)
     write_fully(file, bytes, size);
 }
 
-void host_crash_close(int file)
+void host_crash_close_report(int file)
 {
     close(file);
 }
@@ -211,7 +211,7 @@ void plat_catch_hangup(bool on)
         restore_signal(&hangup);
 }
 
-bool plat_hung_up(void)
+bool plat_has_hung_up(void)
 {
     return hung_up;
 }
@@ -260,11 +260,12 @@ enum plat_register_result plat_register_type(const struct plat_file_type *type, 
 bool plat_has_command(const char *name)
 {
     const char *path = getenv("PATH");
-    char file[HOST_PATH];
+    char file[HOST_PATH_SIZE];
 
     for (; path && *path; path += *path == ':') {
         const int n = (int)strcspn(path, ":");
-        if (snprintf(file, sizeof file, "%.*s%s%s", n, path, n ? "/" : "", name) < HOST_PATH && access(file, X_OK) == 0)
+        if (snprintf(file, sizeof file, "%.*s%s%s", n, path, n ? "/" : "", name) < HOST_PATH_SIZE &&
+            access(file, X_OK) == 0)
             return true;
         path += n;
     }
@@ -335,11 +336,11 @@ FILE *plat_open_temp_file(void)
 
 /* Formats of a library's file name, and of the hint on how to install it. */
 #ifdef __APPLE__
-#define LIBRARY_FILE "lib%s.%d.dylib"
-#define LIBRARY_HINT LIBRARY_FILE
+#define LIBRARY_FILE_FORMAT "lib%s.%d.dylib"
+#define LIBRARY_HINT_FORMAT LIBRARY_FILE_FORMAT
 #else
-#define LIBRARY_FILE "lib%s.so.%d"
-#define LIBRARY_HINT "Debian package: lib%s%d"
+#define LIBRARY_FILE_FORMAT "lib%s.so.%d"
+#define LIBRARY_HINT_FORMAT "Debian package: lib%s%d"
 #endif
 
 /* Static programs and tests load no libraries. */
@@ -355,14 +356,14 @@ void *plat_open_library(const char *name, int version)
 {
     char file[128];
 
-    return snprintf(file, sizeof file, LIBRARY_FILE, name, version) < (int)sizeof file
+    return snprintf(file, sizeof file, LIBRARY_FILE_FORMAT, name, version) < (int)sizeof file
                ? dlopen(file, RTLD_NOW | RTLD_LOCAL)
                : NULL;
 }
 
 bool plat_library_hint(const char *name, int version, char *text, size_t size)
 {
-    snprintf(text, size, LIBRARY_HINT, name, version);
+    snprintf(text, size, LIBRARY_HINT_FORMAT, name, version);
     return HAS_LIBRARIES;
 }
 
@@ -377,7 +378,7 @@ bool plat_find_symbol(void *library, const char *name, void *function)
     return found != NULL;
 }
 
-int plat_cores(void)
+int plat_processor_count(void)
 {
     const long n = sysconf(_SC_NPROCESSORS_ONLN);
 
@@ -388,8 +389,8 @@ int plat_cores(void)
 
 enum { WAIT_MS = 250, READ_CHUNK = 4096 };
 
-struct job {
-    int piece, pipe_fd; /* pipe_fd: read end of the piece's pipe; -1: the job is free */
+struct worker {
+    int job, pipe_fd; /* pipe_fd: read end of the piece's pipe; -1: the job is free */
     pid_t pid;
     char *text;
     size_t n, cap;
@@ -397,7 +398,7 @@ struct job {
 
 /* Runs a piece in the child process. Never returns; _exit flushes none of the parent's buffers. Output is
  * line-buffered, so that lines written before a crash are not lost. */
-static void run_piece(const struct plat_work *w, int piece, int fd)
+static void run_job(const struct plat_job_callbacks *w, int piece, int fd)
 {
     FILE *out = fdopen(fd, "w");
 
@@ -409,17 +410,17 @@ static void run_piece(const struct plat_work *w, int piece, int fd)
     _exit(out ? 0 : 1);
 }
 
-static bool start_job(struct job *j, int piece, const struct plat_work *w)
+static bool start_job(struct worker *j, int piece, const struct plat_job_callbacks *w)
 {
     int ends[2];
 
     if (pipe(ends) != 0)
         return false;
     fflush(NULL);
-    *j = (struct job){ .piece = piece, .pipe_fd = ends[0], .pid = fork() };
+    *j = (struct worker){ .job = piece, .pipe_fd = ends[0], .pid = fork() };
     if (j->pid == 0) {
         close(ends[0]);
-        run_piece(w, piece, ends[1]);
+        run_job(w, piece, ends[1]);
     }
     close(ends[1]);
     if (j->pid > 0)
@@ -429,7 +430,7 @@ static bool start_job(struct job *j, int piece, const struct plat_work *w)
     return false;
 }
 
-static bool reserve_text(struct job *j)
+static bool reserve_text(struct worker *j)
 {
     if (j->cap - j->n >= READ_CHUNK)
         return true;
@@ -441,7 +442,7 @@ static bool reserve_text(struct job *j)
     return true;
 }
 
-static void end_job(struct job *j, const struct plat_work *w)
+static void end_job(struct worker *j, const struct plat_job_callbacks *w)
 {
     int status = 0;
 
@@ -452,13 +453,13 @@ static void end_job(struct job *j, const struct plat_work *w)
     const int sig = WIFSIGNALED(status)                             ? WTERMSIG(status)
                     : WIFEXITED(status) && WEXITSTATUS(status) == 0 ? 0
                                                                     : SIGABRT;
-    w->done(w->context, j->piece, j->text ? j->text : "", j->n, sig);
+    w->on_done(w->context, j->job, j->text ? j->text : "", j->n, sig);
     free(j->text);
     j->text = NULL;
 }
 
 /* Reads available output of a job; at end of file, ends the job. Returns false when out of memory. */
-static bool read_output(struct job *j, const struct plat_work *w)
+static bool read_output(struct worker *j, const struct plat_job_callbacks *w)
 {
     if (!reserve_text(j))
         return false;
@@ -471,53 +472,53 @@ static bool read_output(struct job *j, const struct plat_work *w)
 }
 
 /* Waits until jobs have output, at most WAIT_MS, and reads it. Returns false when out of memory. */
-static bool wait_for_output(struct job *jobs, int n, const struct plat_work *w)
+static bool wait_for_output(struct worker *workers, int n, const struct plat_job_callbacks *w)
 {
     struct pollfd fds[PLAT_MAX_JOBS];
     bool good = true;
 
     for (int i = 0; i < n; i++)
-        fds[i] = (struct pollfd){ .fd = jobs[i].pipe_fd, .events = POLLIN };
+        fds[i] = (struct pollfd){ .fd = workers[i].pipe_fd, .events = POLLIN };
     if (poll(fds, (nfds_t)n, WAIT_MS) > 0)
         for (int i = 0; i < n && good; i++)
             if (fds[i].fd >= 0 && fds[i].revents)
-                good = read_output(&jobs[i], w);
+                good = read_output(&workers[i], w);
     w->on_wait(w->context);
     return good;
 }
 
 /* Terminates the running jobs after a failure. */
-static void kill_jobs(struct job *jobs, int n)
+static void kill_workers(struct worker *workers, int n)
 {
     for (int i = 0; i < n; i++) {
-        if (jobs[i].pipe_fd < 0)
+        if (workers[i].pipe_fd < 0)
             continue;
-        kill(jobs[i].pid, SIGTERM);
-        close(jobs[i].pipe_fd);
-        waitpid(jobs[i].pid, NULL, 0);
-        free(jobs[i].text);
+        kill(workers[i].pid, SIGTERM);
+        close(workers[i].pipe_fd);
+        waitpid(workers[i].pid, NULL, 0);
+        free(workers[i].text);
     }
 }
 
-bool plat_run_jobs(int n, int max_jobs, const struct plat_work *w)
+bool plat_run_jobs(int n, int max_jobs, const struct plat_job_callbacks *w)
 {
-    struct job jobs[PLAT_MAX_JOBS];
+    struct worker workers[PLAT_MAX_JOBS];
     int next = 0, running = 0;
     bool good = true;
 
     max_jobs = max_jobs < 1 ? 1 : max_jobs > PLAT_MAX_JOBS ? PLAT_MAX_JOBS : max_jobs;
     for (int i = 0; i < max_jobs; i++)
-        jobs[i] = (struct job){ .pipe_fd = -1 };
+        workers[i] = (struct worker){ .pipe_fd = -1 };
     while (good && (next < n || running)) {
         running = 0;
         for (int i = 0; i < max_jobs && good; i++) {
-            if (jobs[i].pipe_fd < 0 && next < n)
-                good = start_job(&jobs[i], next++, w);
-            running += jobs[i].pipe_fd >= 0;
+            if (workers[i].pipe_fd < 0 && next < n)
+                good = start_job(&workers[i], next++, w);
+            running += workers[i].pipe_fd >= 0;
         }
-        good = good && (running == 0 || wait_for_output(jobs, max_jobs, w));
+        good = good && (running == 0 || wait_for_output(workers, max_jobs, w));
     }
     if (!good)
-        kill_jobs(jobs, max_jobs);
+        kill_workers(workers, max_jobs);
     return good;
 }

@@ -69,13 +69,13 @@ static struct {
 /* Keys and buttons. `down` follows presses and releases; `pressed` collects presses until a poll reports them. */
 static struct {
     uint8_t down[PLAT_KEYS / 8], pressed[PLAT_KEYS / 8];
-    uint32_t pad_down[PLAT_CONTROLLERS], pad_pressed[PLAT_CONTROLLERS];
-    SDL_GameController *controller[PLAT_CONTROLLERS];
+    uint32_t pad_down[PLAT_MAX_CONTROLLERS], pad_pressed[PLAT_MAX_CONTROLLERS];
+    SDL_GameController *controller[PLAT_MAX_CONTROLLERS];
     uint8_t mouse_down, mouse_pressed;
     int wheel;
     bool quit;
     char text[PLAT_TEXT_SIZE];
-    char *dropped; /* path of the last dropped file, to be freed with sdl.free; NULL: none */
+    char *dropped_path; /* path of the last dropped file, to be freed with sdl.free; NULL: none */
 } input;
 
 static bool log_failure(const char *action)
@@ -108,11 +108,11 @@ static bool load_functions(void)
 #endif
 }
 
-static bool loaded;
+static bool is_sdl_loaded;
 
 static bool load_sdl(void)
 {
-    return loaded = loaded || load_functions();
+    return is_sdl_loaded = is_sdl_loaded || load_functions();
 }
 
 /* ---- window ---- */
@@ -135,7 +135,7 @@ static void find_usable_size(int *w, int *h)
 }
 
 /* Returns whether to use VSync. Without a refresh rate, VSync would only show pictures late. */
-static bool can_vsync(const struct plat_config *config)
+static bool should_use_vsync(const struct plat_config *config)
 {
     SDL_DisplayMode mode;
     const int display = port.window ? sdl.GetWindowDisplayIndex(port.window) : 0;
@@ -152,12 +152,12 @@ static bool open_window(const struct plat_config *config)
     if (config->fullscreen)
         flags |= SDL_WINDOW_FULLSCREEN_DESKTOP;
     find_usable_size(&max_w, &max_h);
-    plat_fit(config, max_w, max_h, &w, &h);
+    plat_fit_window(config, max_w, max_h, &w, &h);
     port.window = sdl.CreateWindow(title, SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED, w, h, flags);
     if (!port.window)
         return log_failure("cannot open a window");
     sdl.SetWindowMinimumSize(port.window, config->w, config->h);
-    port.renderer = sdl.CreateRenderer(port.window, -1, can_vsync(config) ? SDL_RENDERER_PRESENTVSYNC : 0);
+    port.renderer = sdl.CreateRenderer(port.window, -1, should_use_vsync(config) ? SDL_RENDERER_PRESENTVSYNC : 0);
     if (!port.renderer)
         return log_failure("cannot create a renderer");
     return true;
@@ -167,7 +167,7 @@ static void change_vsync(const struct plat_config *config)
 {
 #if SDL_VERSION_ATLEAST(2, 0, 18)
     if (sdl.RenderSetVSync && config->vsync != port.config.vsync)
-        sdl.RenderSetVSync(port.renderer, can_vsync(config)); /* may fail; plat_window reports the state */
+        sdl.RenderSetVSync(port.renderer, should_use_vsync(config)); /* may fail; plat_get_window reports the state */
 #else
     (void)config;
 #endif
@@ -185,7 +185,7 @@ static void change_window(const struct plat_config *config)
         return;
     int w, h, max_w, max_h;
     find_usable_size(&max_w, &max_h);
-    plat_fit(config, max_w, max_h, &w, &h);
+    plat_fit_window(config, max_w, max_h, &w, &h);
     sdl.SetWindowMinimumSize(port.window, config->w, config->h);
     sdl.SetWindowSize(port.window, w, h);
 }
@@ -274,7 +274,7 @@ static void reopen_speaker(void)
 }
 
 /* Closes the speaker if its device was removed, and tries to open another. */
-static void speaker_removed(SDL_AudioDeviceID device)
+static void handle_speaker_removal(SDL_AudioDeviceID device)
 {
     if (!port.speaker || device != port.speaker)
         return;
@@ -283,7 +283,7 @@ static void speaker_removed(SDL_AudioDeviceID device)
     reopen_speaker();
 }
 
-static void change_speaker(int rate)
+static void set_sound_rate(int rate)
 {
     const bool changed = rate != port.config.sound_rate;
 
@@ -341,7 +341,7 @@ bool plat_open(const struct plat_config *config)
         plat_catch_hangup(true); /* SDL turns only SIGINT and SIGTERM into SDL_QUIT */
         start_controllers();
     }
-    change_speaker(config->sound_rate);
+    set_sound_rate(config->sound_rate);
     if (config->text_input)
         sdl.StartTextInput();
     else
@@ -354,10 +354,10 @@ bool plat_open(const struct plat_config *config)
 void plat_close(void)
 {
     plat_catch_hangup(false);
-    if (!loaded)
+    if (!is_sdl_loaded)
         return;
     close_speaker();
-    for (int i = 0; i < PLAT_CONTROLLERS; i++)
+    for (int i = 0; i < PLAT_MAX_CONTROLLERS; i++)
         if (input.controller[i])
             sdl.GameControllerClose(input.controller[i]);
     if (port.texture)
@@ -366,7 +366,7 @@ void plat_close(void)
         sdl.DestroyRenderer(port.renderer);
     if (port.window)
         sdl.DestroyWindow(port.window);
-    sdl.free(input.dropped);
+    sdl.free(input.dropped_path);
     memset(&port, 0, sizeof port);
     memset(&input, 0, sizeof input);
     sdl.Quit();
@@ -395,7 +395,7 @@ static void set_key(unsigned scancode, bool down)
         set_bit(input.pressed, scancode, true);
 }
 
-static void release_all(void)
+static void release_all_inputs(void)
 {
     memset(input.down, 0, sizeof input.down);
     input.mouse_down = 0;
@@ -403,7 +403,7 @@ static void release_all(void)
 
 static int find_controller(SDL_JoystickID id)
 {
-    for (int i = 0; i < PLAT_CONTROLLERS; i++)
+    for (int i = 0; i < PLAT_MAX_CONTROLLERS; i++)
         if (input.controller[i] && sdl.JoystickInstanceID(sdl.GameControllerGetJoystick(input.controller[i])) == id)
             return i;
     return -1;
@@ -413,7 +413,7 @@ static void add_controller(int device)
 {
     if (find_controller(sdl.JoystickGetDeviceInstanceID(device)) >= 0)
         return;
-    for (int i = 0; i < PLAT_CONTROLLERS; i++)
+    for (int i = 0; i < PLAT_MAX_CONTROLLERS; i++)
         if (!input.controller[i]) {
             input.controller[i] = sdl.GameControllerOpen(device);
             return;
@@ -480,12 +480,12 @@ static enum plat_controller_kind controller_kind(SDL_GameController *c)
 #else
     (void)c;
 #endif
-    return PLAT_UNKNOWN;
+    return PLAT_UNKNOWN_CONTROLLER;
 }
 
-bool plat_controller(int i, struct plat_controller *controller)
+bool plat_get_controller(int i, struct plat_controller *controller)
 {
-    SDL_GameController *c = i >= 0 && i < PLAT_CONTROLLERS ? input.controller[i] : NULL;
+    SDL_GameController *c = i >= 0 && i < PLAT_MAX_CONTROLLERS ? input.controller[i] : NULL;
 
     memset(controller, 0, sizeof *controller);
     if (!c)
@@ -520,8 +520,8 @@ static int map_button(unsigned button)
         [SDL_CONTROLLER_BUTTON_BACK] = PLAT_SELECT,
         [SDL_CONTROLLER_BUTTON_GUIDE] = PLAT_GUIDE,
         [SDL_CONTROLLER_BUTTON_START] = PLAT_START,
-        [SDL_CONTROLLER_BUTTON_LEFTSTICK] = PLAT_STICK_LEFT,
-        [SDL_CONTROLLER_BUTTON_RIGHTSTICK] = PLAT_STICK_RIGHT,
+        [SDL_CONTROLLER_BUTTON_LEFTSTICK] = PLAT_LEFT_STICK_PRESS,
+        [SDL_CONTROLLER_BUTTON_RIGHTSTICK] = PLAT_RIGHT_STICK_PRESS,
         [SDL_CONTROLLER_BUTTON_LEFTSHOULDER] = PLAT_SHOULDER_LEFT,
         [SDL_CONTROLLER_BUTTON_RIGHTSHOULDER] = PLAT_SHOULDER_RIGHT,
         [SDL_CONTROLLER_BUTTON_DPAD_UP] = PLAT_DPAD_UP,
@@ -536,10 +536,10 @@ static void set_controller_axis(SDL_JoystickID id, unsigned axis, int v)
 {
     static const signed char buttons[SDL_CONTROLLER_AXIS_MAX][2] = {
         /* buttons for the negative and the positive direction; -1: none */
-        [SDL_CONTROLLER_AXIS_LEFTX] = { PLAT_LEFT_LEFT, PLAT_LEFT_RIGHT },
-        [SDL_CONTROLLER_AXIS_LEFTY] = { PLAT_LEFT_UP, PLAT_LEFT_DOWN },
-        [SDL_CONTROLLER_AXIS_RIGHTX] = { PLAT_RIGHT_LEFT, PLAT_RIGHT_RIGHT },
-        [SDL_CONTROLLER_AXIS_RIGHTY] = { PLAT_RIGHT_UP, PLAT_RIGHT_DOWN },
+        [SDL_CONTROLLER_AXIS_LEFTX] = { PLAT_LEFT_STICK_LEFT, PLAT_LEFT_STICK_RIGHT },
+        [SDL_CONTROLLER_AXIS_LEFTY] = { PLAT_LEFT_STICK_UP, PLAT_LEFT_STICK_DOWN },
+        [SDL_CONTROLLER_AXIS_RIGHTX] = { PLAT_RIGHT_STICK_LEFT, PLAT_RIGHT_STICK_RIGHT },
+        [SDL_CONTROLLER_AXIS_RIGHTY] = { PLAT_RIGHT_STICK_UP, PLAT_RIGHT_STICK_DOWN },
         [SDL_CONTROLLER_AXIS_TRIGGERLEFT] = { -1, PLAT_TRIGGER_LEFT },
         [SDL_CONTROLLER_AXIS_TRIGGERRIGHT] = { -1, PLAT_TRIGGER_RIGHT },
     };
@@ -562,19 +562,19 @@ static uint8_t mouse_bit(unsigned button)
     return button == SDL_BUTTON_LEFT ? 1 : button == SDL_BUTTON_RIGHT ? 2 : button == SDL_BUTTON_MIDDLE ? 4 : 0;
 }
 
-static void set_dropped(char *path)
+static void set_dropped_path(char *path)
 {
-    if (input.dropped)
-        sdl.free(input.dropped);
-    input.dropped = path;
+    if (input.dropped_path)
+        sdl.free(input.dropped_path);
+    input.dropped_path = path;
 }
 
 bool plat_take_dropped_file(char *path, size_t size)
 {
-    const bool copied = input.dropped && snprintf(path, size, "%s", input.dropped) < (int)size;
+    const bool copied = input.dropped_path && snprintf(path, size, "%s", input.dropped_path) < (int)size;
     if (copied)
         plat_normalize_slashes(path);
-    set_dropped(NULL);
+    set_dropped_path(NULL);
     return copied;
 }
 
@@ -601,7 +601,7 @@ static void handle_event(const SDL_Event *e)
         append_text(e->text.text);
         break;
     case SDL_DROPFILE:
-        set_dropped(e->drop.file);
+        set_dropped_path(e->drop.file);
         break;
     case SDL_MOUSEBUTTONDOWN:
         input.mouse_down |= mouse_bit(e->button.button);
@@ -615,7 +615,7 @@ static void handle_event(const SDL_Event *e)
         break;
     case SDL_WINDOWEVENT:
         if (e->window.event == SDL_WINDOWEVENT_FOCUS_LOST)
-            release_all();
+            release_all_inputs();
         break;
     case SDL_RENDER_TARGETS_RESET:
     case SDL_RENDER_DEVICE_RESET:
@@ -627,7 +627,7 @@ static void handle_event(const SDL_Event *e)
         break;
     case SDL_AUDIODEVICEREMOVED:
         if (!e->adevice.iscapture)
-            speaker_removed(e->adevice.which);
+            handle_speaker_removal(e->adevice.which);
         break;
     case SDL_CONTROLLERDEVICEADDED:
         add_controller(e->cdevice.which);
@@ -646,7 +646,7 @@ static void handle_event(const SDL_Event *e)
 }
 
 /* Converts the mouse position from window coordinates, which are not pixels on high-DPI displays, to picture pixels. */
-static void find_mouse(struct plat_input *out)
+static void read_mouse_position(struct plat_input *out)
 {
     int x, y, ww = 1, wh = 1, ow = 1, oh = 1;
     out->mouse_x = out->mouse_y = -1;
@@ -670,16 +670,16 @@ void plat_poll(struct plat_input *out)
         handle_event(&e);
     for (int i = 0; i < PLAT_KEYS / 8; i++)
         out->keys[i] = input.down[i] | input.pressed[i];
-    for (int i = 0; i < PLAT_CONTROLLERS; i++)
+    for (int i = 0; i < PLAT_MAX_CONTROLLERS; i++)
         out->controllers[i] = input.pad_down[i] | input.pad_pressed[i];
     out->mouse_buttons = input.mouse_down | input.mouse_pressed;
     out->wheel = input.wheel;
-    out->quit = input.quit || plat_hung_up();
+    out->quit = input.quit || plat_has_hung_up();
     const Uint32 flags = port.window ? sdl.GetWindowFlags(port.window) : 0;
     out->has_focus = flags & SDL_WINDOW_INPUT_FOCUS;
     out->hidden = flags & (SDL_WINDOW_HIDDEN | SDL_WINDOW_MINIMIZED);
     memcpy(out->text, input.text, sizeof out->text);
-    find_mouse(out);
+    read_mouse_position(out);
     memset(input.pressed, 0, sizeof input.pressed);
     memset(input.pad_pressed, 0, sizeof input.pad_pressed);
     input.mouse_pressed = 0;
@@ -739,7 +739,7 @@ static int refresh_millihertz(int hz)
     return hz % 5 == 4 && hz % 24 ? (int)((hz + 1) * 1000000LL / 1001) : hz * 1000;
 }
 
-bool plat_window(struct plat_window *out)
+bool plat_get_window(struct plat_window *out)
 {
     SDL_RendererInfo info;
     SDL_DisplayMode mode;
@@ -749,7 +749,7 @@ bool plat_window(struct plat_window *out)
         return false;
     const int display = sdl.GetWindowDisplayIndex(port.window);
     if (sdl.GetDesktopDisplayMode(display < 0 ? 0 : display, &mode) == 0)
-        out->refresh = refresh_millihertz(mode.refresh_rate);
+        out->refresh_rate = refresh_millihertz(mode.refresh_rate);
     out->vsync = sdl.GetRendererInfo(port.renderer, &info) == 0 && info.flags & SDL_RENDERER_PRESENTVSYNC;
     return out->w > 0 && out->h > 0;
 }
@@ -763,7 +763,7 @@ void plat_show(const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[2
         return;
     for (int i = 0; i < 256; i++)
         opaque[i] = rgb[i] | 0xFF000000u;
-    plat_rgb(locked, locked_pitch / (int)sizeof opaque[0], pix, pitch, w, h, opaque);
+    plat_convert_to_rgb(locked, locked_pitch / (int)sizeof opaque[0], pix, pitch, w, h, opaque);
     sdl.UnlockTexture(port.texture);
     place_picture(w, h);
     present();
@@ -783,7 +783,7 @@ void plat_describe_build(char *text, size_t size)
     snprintf(text, size, "SDL %d.%d.%d, %s", v.major, v.minor, v.patch, driver ? driver : "no window");
 }
 
-int plat_sound(const int16_t *lr, int frames)
+int plat_queue_sound(const int16_t *lr, int frames)
 {
     if (!port.speaker)
         return -1;

@@ -13,9 +13,9 @@
 #include <time.h>
 #include "host.h"
 
-#ifndef PLAT_OWN_RGB
+#ifndef PLAT_OWN_CONVERT_TO_RGB
 /* Returns eight pixels in memory order; compilers turn this into one load where they can. */
-static inline uint64_t read_eight(const uint8_t *p)
+static inline uint64_t load_eight_pixels(const uint8_t *p)
 {
     return (uint64_t)p[0] | (uint64_t)p[1] << 8 | (uint64_t)p[2] << 16 | (uint64_t)p[3] << 24 | (uint64_t)p[4] << 32 |
            (uint64_t)p[5] << 40 | (uint64_t)p[6] << 48 | (uint64_t)p[7] << 56;
@@ -23,9 +23,9 @@ static inline uint64_t read_eight(const uint8_t *p)
 
 /* Converts eight pixels. The first two of each half are looked up first, so that no load waits for the one before
  * it. */
-static inline void expand_eight(uint32_t *dst, const uint8_t *src, const uint32_t rgb[256])
+static inline void convert_eight_pixels(uint32_t *dst, const uint8_t *src, const uint32_t rgb[256])
 {
-    uint32_t a = (uint32_t)read_eight(src), b = (uint32_t)(read_eight(src) >> 32);
+    uint32_t a = (uint32_t)load_eight_pixels(src), b = (uint32_t)(load_eight_pixels(src) >> 32);
 
     dst[0] = rgb[a & 255];
     dst[1] = rgb[a >> 8 & 255];
@@ -40,16 +40,16 @@ static inline void expand_eight(uint32_t *dst, const uint8_t *src, const uint32_
 }
 
 /* Converts 16 pixels per iteration: a shorter loop takes a fifth longer if it starts at an unfavourable address. */
-DEFAULT void plat_rgb(uint32_t *out, int out_pitch, const uint8_t *pix, int pitch, int w, int h,
-                      const uint32_t rgb[256])
+PLAT_DEFAULT void plat_convert_to_rgb(uint32_t *out, int out_pitch, const uint8_t *pix, int pitch, int w, int h,
+                                      const uint32_t rgb[256])
 {
     for (int y = 0; y < h; y++, out += out_pitch, pix += pitch) {
         const uint8_t *src = pix;
         uint32_t *dst = out;
         int left = w;
         for (; left >= 16; left -= 16, src += 16, dst += 16) {
-            expand_eight(dst, src, rgb);
-            expand_eight(dst + 8, src + 8, rgb);
+            convert_eight_pixels(dst, src, rgb);
+            convert_eight_pixels(dst + 8, src + 8, rgb);
         }
         while (left-- > 0)
             *dst++ = rgb[*src++];
@@ -57,9 +57,9 @@ DEFAULT void plat_rgb(uint32_t *out, int out_pitch, const uint8_t *pix, int pitc
 }
 #endif
 
-#ifndef PLAT_OWN_FIT
+#ifndef PLAT_OWN_FIT_WINDOW
 /* Computes in quarters of the picture's size. */
-DEFAULT void plat_fit(const struct plat_config *config, int max_w, int max_h, int *w, int *h)
+PLAT_DEFAULT void plat_fit_window(const struct plat_config *config, int max_w, int max_h, int *w, int *h)
 {
     const long quarters_w = 4L * max_w / config->w, quarters_h = 4L * max_h / config->h;
     long quarters = config->scale > 0 ? 4L * config->scale : quarters_w < quarters_h ? quarters_w : quarters_h;
@@ -72,8 +72,8 @@ DEFAULT void plat_fit(const struct plat_config *config, int max_w, int max_h, in
 }
 #endif
 
-#ifndef PLAT_OWN_WINDOW
-DEFAULT bool plat_window(struct plat_window *out)
+#ifndef PLAT_OWN_GET_WINDOW
+PLAT_DEFAULT bool plat_get_window(struct plat_window *out)
 {
     (void)out;
     return false;
@@ -81,7 +81,7 @@ DEFAULT bool plat_window(struct plat_window *out)
 #endif
 
 #ifndef PLAT_OWN_PAINT
-DEFAULT bool plat_paint(const uint32_t *rgb, int pitch, int w, int h)
+PLAT_DEFAULT bool plat_paint(const uint32_t *rgb, int pitch, int w, int h)
 {
     (void)rgb;
     (void)pitch;
@@ -91,8 +91,8 @@ DEFAULT bool plat_paint(const uint32_t *rgb, int pitch, int w, int h)
 }
 #endif
 
-#ifndef PLAT_OWN_ICON
-DEFAULT void plat_set_icon(const uint8_t *rgba, int w, int h)
+#ifndef PLAT_OWN_SET_ICON
+PLAT_DEFAULT void plat_set_icon(const uint8_t *rgba, int w, int h)
 {
     (void)rgba;
     (void)w;
@@ -100,8 +100,8 @@ DEFAULT void plat_set_icon(const uint8_t *rgba, int w, int h)
 }
 #endif
 
-#ifndef PLAT_OWN_DROPPED
-DEFAULT bool plat_take_dropped_file(char *path, size_t size)
+#ifndef PLAT_OWN_TAKE_DROPPED_FILE
+PLAT_DEFAULT bool plat_take_dropped_file(char *path, size_t size)
 {
     (void)path;
     (void)size;
@@ -109,17 +109,17 @@ DEFAULT bool plat_take_dropped_file(char *path, size_t size)
 }
 #endif
 
-#ifndef PLAT_OWN_CONTROLLER
-DEFAULT bool plat_controller(int i, struct plat_controller *controller)
+#ifndef PLAT_OWN_GET_CONTROLLER
+PLAT_DEFAULT bool plat_get_controller(int i, struct plat_controller *controller)
 {
     memset(controller, 0, sizeof *controller);
     controller->id = (uint32_t)i;
-    return i >= 0 && i < PLAT_CONTROLLERS;
+    return i >= 0 && i < PLAT_MAX_CONTROLLERS;
 }
 #endif
 
 #ifndef PLAT_OWN_KEY_LABEL
-DEFAULT bool plat_key_label(unsigned usage, char *text, size_t size)
+PLAT_DEFAULT bool plat_key_label(unsigned usage, char *text, size_t size)
 {
     (void)usage;
     (void)text;
@@ -129,7 +129,7 @@ DEFAULT bool plat_key_label(unsigned usage, char *text, size_t size)
 #endif
 
 #ifndef PLAT_OWN_USEC
-DEFAULT uint64_t plat_usec(void)
+PLAT_DEFAULT uint64_t plat_usec(void)
 {
     struct timespec t;
 #ifdef CLOCK_MONOTONIC
@@ -143,7 +143,7 @@ DEFAULT uint64_t plat_usec(void)
 
 #ifndef PLAT_OWN_WAIT
 /* Sleeps whole milliseconds and spins for the rest, because a sleep ends late. */
-DEFAULT void plat_wait(uint64_t deadline)
+PLAT_DEFAULT void plat_wait(uint64_t deadline)
 {
     for (uint64_t now, start = plat_usec(); (now = plat_usec()) < deadline && now >= start;) {
 #ifdef CLOCK_MONOTONIC
@@ -156,8 +156,8 @@ DEFAULT void plat_wait(uint64_t deadline)
 }
 #endif
 
-#ifndef PLAT_OWN_SOUND
-DEFAULT int plat_sound(const int16_t *lr, int frames)
+#ifndef PLAT_OWN_QUEUE_SOUND
+PLAT_DEFAULT int plat_queue_sound(const int16_t *lr, int frames)
 {
     (void)lr;
     (void)frames;
@@ -169,21 +169,21 @@ DEFAULT int plat_sound(const int16_t *lr, int frames)
 
 static char program_name[64]; /* "": the name is curtain */
 
-#ifndef PLAT_OWN_NAME
-DEFAULT void plat_set_name(const char *name)
+#ifndef PLAT_OWN_SET_NAME
+PLAT_DEFAULT void plat_set_name(const char *name)
 {
     snprintf(program_name, sizeof program_name, "%s", name);
 }
 #endif
 
 #ifndef PLAT_OWN_LOG
-enum { LOG_LINE = 4096 };
+enum { LOG_LINE_SIZE = 4096 };
 
-DEFAULT void plat_log(const char *line)
+PLAT_DEFAULT void plat_log(const char *line)
 {
     const size_t prefix_length = strlen("curtain");
     const bool is_renamed = program_name[0] && strncmp(line, "curtain: ", prefix_length + 2) == 0;
-    char text[LOG_LINE];
+    char text[LOG_LINE_SIZE];
     int n =
         snprintf(text, sizeof text, "%s%s\n", is_renamed ? program_name : "", is_renamed ? line + prefix_length : line);
 
@@ -197,24 +197,24 @@ DEFAULT void plat_log(const char *line)
 #endif
 
 #ifndef PLAT_OWN_ALERT
-DEFAULT void plat_alert(const char *text)
+PLAT_DEFAULT void plat_alert(const char *text)
 {
     (void)text;
 }
 #endif
 
 #ifndef PLAT_OWN_PROGRAM_PATH
-DEFAULT bool plat_program_path(char *path, size_t size)
+PLAT_DEFAULT bool plat_program_path(char *path, size_t size)
 {
-    char real[HOST_PATH];
+    char real[HOST_PATH_SIZE];
     return host_program_path(real) && snprintf(path, size, "%s", real) < (int)size;
 }
 #endif
 
-#ifndef PLAT_OWN_BESIDE
-DEFAULT bool plat_installed_file(const char *path, char *name, size_t size)
+#ifndef PLAT_OWN_INSTALLED_FILE
+PLAT_DEFAULT bool plat_installed_file(const char *path, char *name, size_t size)
 {
-    char real[HOST_PATH];
+    char real[HOST_PATH_SIZE];
     char *end = host_program_path(real) ? strrchr(real, '/') : NULL;
     for (; end && strncmp(path, "../", 3) == 0; path += 3) {
         *end = '\0';
@@ -242,7 +242,7 @@ static int make_folders(char *path)
 
 #ifndef PLAT_OWN_FILES
 /* Returns whether two names are equal, ignoring the case of A to Z. */
-static bool same_name(const char *a, const char *b)
+static bool is_same_name(const char *a, const char *b)
 {
     for (; *a && *b; a++, b++) {
         const int c = *a >= 'A' && *a <= 'Z' ? *a + 32 : *a, d = *b >= 'A' && *b <= 'Z' ? *b + 32 : *b;
@@ -260,37 +260,37 @@ static bool starts_with(const char *s, const char *prefix)
 static bool fits(int n)
 {
 #ifdef ENAMETOOLONG
-    if (n >= HOST_PATH)
+    if (n >= HOST_PATH_SIZE)
         errno = ENAMETOOLONG;
 #endif
-    return n < HOST_PATH;
+    return n < HOST_PATH_SIZE;
 }
 
-static bool resolve_picture_path(char path[HOST_PATH], const char *name)
+static bool resolve_picture_path(char path[HOST_PATH_SIZE], const char *name)
 {
-    char folder[HOST_PATH];
+    char folder[HOST_PATH_SIZE];
     if (!host_pictures_folder(folder))
-        return fits(snprintf(path, HOST_PATH, "%s", name));
-    return fits(snprintf(path, HOST_PATH, "%s/%s/%s", folder, program_name[0] ? program_name : "Curtain", name));
+        return fits(snprintf(path, HOST_PATH_SIZE, "%s", name));
+    return fits(snprintf(path, HOST_PATH_SIZE, "%s/%s/%s", folder, program_name[0] ? program_name : "Curtain", name));
 }
 
 /* Converts a name to a path. Returns false if the path is too long or the user has no folder. */
-static bool resolve_path(char path[HOST_PATH], const char *name)
+static bool resolve_path(char path[HOST_PATH_SIZE], const char *name)
 {
-    char data[HOST_PATH];
+    char data[HOST_PATH_SIZE];
     if (starts_with(name, "pictures:"))
         return resolve_picture_path(path, name + strlen("pictures:"));
     if (!starts_with(name, "user:"))
-        return fits(snprintf(path, HOST_PATH, "%s", name));
+        return fits(snprintf(path, HOST_PATH_SIZE, "%s", name));
     if (!host_data_folder(data))
         return false;
-    return fits(snprintf(path, HOST_PATH, "%s/curtain%s%s/%s", data, program_name[0] ? "-" : "", program_name,
+    return fits(snprintf(path, HOST_PATH_SIZE, "%s/curtain%s%s/%s", data, program_name[0] ? "-" : "", program_name,
                          name + strlen("user:")));
 }
 
-DEFAULT bool plat_path(const char *name, char *path, size_t size)
+PLAT_DEFAULT bool plat_path(const char *name, char *path, size_t size)
 {
-    char resolved[HOST_PATH], folder[HOST_PATH + 1];
+    char resolved[HOST_PATH_SIZE], folder[HOST_PATH_SIZE + 1];
     if (!resolve_path(resolved, name))
         return false;
     host_base_folder(resolved, folder);
@@ -299,15 +299,15 @@ DEFAULT bool plat_path(const char *name, char *path, size_t size)
 
 /* ---- files ---- */
 
-DEFAULT long plat_size(const char *name)
+PLAT_DEFAULT long plat_file_size(const char *name)
 {
-    char path[HOST_PATH];
-    return resolve_path(path, name) ? host_size(path) : -1;
+    char path[HOST_PATH_SIZE];
+    return resolve_path(path, name) ? host_file_size(path) : -1;
 }
 
-DEFAULT long plat_load(const char *name, void *buf, size_t cap)
+PLAT_DEFAULT long plat_load(const char *name, void *buf, size_t cap)
 {
-    char path[HOST_PATH];
+    char path[HOST_PATH_SIZE];
     FILE *f = resolve_path(path, name) ? host_open(path, HOST_READ) : 0;
     if (!f)
         return -1;
@@ -317,14 +317,14 @@ DEFAULT long plat_load(const char *name, void *buf, size_t cap)
     return good ? (long)n : -1;
 }
 
-DEFAULT FILE *plat_open_stream(const char *name, bool for_writing)
+PLAT_DEFAULT FILE *plat_open_stream(const char *name, bool for_writing)
 {
-    char path[HOST_PATH];
+    char path[HOST_PATH_SIZE];
     return resolve_path(path, name) ? host_open(path, for_writing ? HOST_WRITE : HOST_STREAM) : 0;
 }
 
 /* Splits a path in place. Sets *folder to its folder and returns its last name. */
-static const char *split_path(char path[HOST_PATH], const char **folder)
+static const char *split_path(char path[HOST_PATH_SIZE], const char **folder)
 {
     char *slash = strrchr(path, '/');
 
@@ -336,7 +336,7 @@ static const char *split_path(char path[HOST_PATH], const char **folder)
 
 /* Returns whether two paths are the same file. If neither exists, returns whether writing the second would overwrite
  * the first, even if only on a file system that ignores case. */
-static bool is_same_target(char a[HOST_PATH], char b[HOST_PATH])
+static bool is_same_target(char a[HOST_PATH_SIZE], char b[HOST_PATH_SIZE])
 {
     const char *folder_a, *folder_b;
     if (!host_resolve_links(a) || !host_resolve_links(b))
@@ -345,14 +345,14 @@ static bool is_same_target(char a[HOST_PATH], char b[HOST_PATH])
     if (exists != host_exists(b))
         return false;
     if (exists)
-        return !host_is_special(a) && host_same_file(a, b);
+        return !host_is_special(a) && host_is_same_file(a, b);
     const char *name_a = split_path(a, &folder_a), *name_b = split_path(b, &folder_b);
-    return same_name(name_a, name_b) && host_same_file(folder_a, folder_b);
+    return is_same_name(name_a, name_b) && host_is_same_file(folder_a, folder_b);
 }
 
-DEFAULT bool plat_same_file(const char *a, const char *b)
+PLAT_DEFAULT bool plat_is_same_file(const char *a, const char *b)
 {
-    char one[HOST_PATH], two[HOST_PATH];
+    char one[HOST_PATH_SIZE], two[HOST_PATH_SIZE];
     return resolve_path(one, a) && resolve_path(two, b) && is_same_target(one, two);
 }
 
@@ -369,9 +369,9 @@ static bool write_and_close(FILE *f, const void *buf, size_t len)
 enum { MAX_TEMPS = 100 };
 
 /* Writes a new file next to the target and renames it, so that the target always has its old or its new content. */
-static bool replace_file(char path[HOST_PATH], const void *buf, size_t len)
+static bool replace_file(char path[HOST_PATH_SIZE], const void *buf, size_t len)
 {
-    char temp[HOST_PATH + 32];
+    char temp[HOST_PATH_SIZE + 32];
     FILE *f = 0;
     for (int i = 0; !f && i < MAX_TEMPS; i++) {
         snprintf(temp, sizeof temp, i ? "%s.%ld-%d.tmp" : "%s.%ld.tmp", path, host_process_id(), i);
@@ -381,7 +381,7 @@ static bool replace_file(char path[HOST_PATH], const void *buf, size_t len)
     }
     if (!f)
         return false;
-    host_copy_mode(f, path);
+    host_copy_permissions(f, path);
     if (!write_and_close(f, buf, len) || !host_replace(temp, path)) {
         int error = errno;
         host_remove(temp);
@@ -400,9 +400,9 @@ static bool overwrite_file(const char *path, const void *buf, size_t len)
     return f && write_and_close(f, buf, len);
 }
 
-DEFAULT bool plat_save(const char *name, const void *buf, size_t len)
+PLAT_DEFAULT bool plat_save(const char *name, const void *buf, size_t len)
 {
-    char path[HOST_PATH];
+    char path[HOST_PATH_SIZE];
     if (!resolve_path(path, name) || !host_resolve_links(path))
         return false;
     int error = make_folders(path);
@@ -412,9 +412,9 @@ DEFAULT bool plat_save(const char *name, const void *buf, size_t len)
     return good;
 }
 
-DEFAULT bool plat_append(const char *name, const void *buf, size_t len)
+PLAT_DEFAULT bool plat_append(const char *name, const void *buf, size_t len)
 {
-    char path[HOST_PATH];
+    char path[HOST_PATH_SIZE];
     if (!resolve_path(path, name))
         return false;
     int error = make_folders(path);
@@ -427,28 +427,28 @@ DEFAULT bool plat_append(const char *name, const void *buf, size_t len)
     return fclose(f) == 0 && good;
 }
 
-DEFAULT bool plat_make_executable(const char *name)
+PLAT_DEFAULT bool plat_make_executable(const char *name)
 {
-    char path[HOST_PATH];
+    char path[HOST_PATH_SIZE];
     return resolve_path(path, name) && host_make_executable(path);
 }
 
-DEFAULT bool plat_remove(const char *name)
+PLAT_DEFAULT bool plat_remove(const char *name)
 {
-    char path[HOST_PATH];
+    char path[HOST_PATH_SIZE];
     return resolve_path(path, name) && host_remove(path);
 }
 
-DEFAULT int plat_list(const char *dir, void (*visit)(void *user, const struct plat_file *file), void *user)
+PLAT_DEFAULT int plat_list(const char *dir, void (*visit)(void *user, const struct plat_folder_entry *file), void *user)
 {
-    char folder[HOST_PATH];
+    char folder[HOST_PATH_SIZE];
     return resolve_path(folder, dir) ? host_list(folder[0] ? folder : ".", visit, user) : -1;
 }
 #endif
 
 /* ---- jobs ---- */
 
-static bool run_piece(int i, const struct plat_work *w)
+static bool run_job(int i, const struct plat_job_callbacks *w)
 {
     FILE *out = plat_open_temp_file();
     if (!out)
@@ -458,25 +458,25 @@ static bool run_piece(int i, const struct plat_work *w)
     rewind(out);
     char *text = size >= 0 ? malloc((size_t)size + 1) : NULL;
     if (text)
-        w->done(w->context, i, text, fread(text, 1, (size_t)size, out), 0);
+        w->on_done(w->context, i, text, fread(text, 1, (size_t)size, out), 0);
     fclose(out);
     w->on_wait(w->context);
     free(text);
     return text != NULL;
 }
 
-bool host_run_jobs(int n, const struct plat_work *w)
+bool host_run_jobs(int n, const struct plat_job_callbacks *w)
 {
     bool good = true;
     for (int i = 0; i < n && good; i++)
-        good = run_piece(i, w);
+        good = run_job(i, w);
     return good;
 }
 
 /* ---- port and host description, for reports ---- */
 
-#ifndef PLAT_OWN_ABOUT
-DEFAULT void plat_describe_build(char *text, size_t size)
+#ifndef PLAT_OWN_DESCRIBE_BUILD
+PLAT_DEFAULT void plat_describe_build(char *text, size_t size)
 {
     snprintf(text, size, "no window");
 }
@@ -484,14 +484,14 @@ DEFAULT void plat_describe_build(char *text, size_t size)
 
 /* ---- crashes ---- */
 
-#ifndef PLAT_OWN_CRASH
+#ifndef PLAT_OWN_SET_CRASH_HANDLER
 enum { MAX_CRASH_REPORTS = 1000, CRASH_SUFFIX_SIZE = 32 /* bytes reserved for "-999.txt" */ };
 
 /* Everything the handler needs is prepared before a crash. */
 static struct {
     void (*fn)(void *context, const char *reason, void (*write)(const void *bytes, size_t n));
     void *context;
-    char path[HOST_PATH];
+    char path[HOST_PATH_SIZE];
     size_t stem_length; /* length of the stem in path, in bytes */
     int file;
     bool armed;
@@ -522,13 +522,13 @@ static void crash_set_number(int n)
 
 /* Creates the report's file, which only the user may read: it shows how they played and where their folders are.
  * Returns false on failure. */
-static bool crash_open(void)
+static bool crash_open_report(void)
 {
     crash.path[crash.stem_length] = 0;
     make_folders(crash.path);
     for (int n = 1; n < MAX_CRASH_REPORTS; n++) {
         crash_set_number(n);
-        crash.file = host_crash_open(crash.path);
+        crash.file = host_crash_open_report(crash.path);
         if (crash.file >= 0 || errno != EEXIST)
             return crash.file >= 0;
     }
@@ -542,9 +542,9 @@ static void handle_crash(const char *reason)
     crash_log(program_name[0] ? program_name : "curtain");
     crash_log(": crashed (");
     crash_log(reason);
-    if (crash_open()) {
+    if (crash_open_report()) {
         crash.fn(crash.context, reason, crash_write);
-        host_crash_close(crash.file);
+        host_crash_close_report(crash.file);
         crash_log("); report: ");
     } else {
         crash_log("); cannot write a report to ");
@@ -557,16 +557,16 @@ static void handle_crash(const char *reason)
 static bool crash_is_armed(const char *stem, void (*fn)(void *, const char *, void (*)(const void *, size_t)),
                            const void *context)
 {
-    char path[HOST_PATH];
+    char path[HOST_PATH_SIZE];
     return crash.armed && fn == crash.fn && context == crash.context &&
            plat_path(stem, path, sizeof path - CRASH_SUFFIX_SIZE) && strlen(path) == crash.stem_length &&
            memcmp(path, crash.path, crash.stem_length) == 0;
 }
 
-DEFAULT bool plat_set_crash_handler(const char *stem,
-                                    void (*fn)(void *context, const char *reason,
-                                               void (*write)(const void *bytes, size_t n)),
-                                    void *context)
+PLAT_DEFAULT bool plat_set_crash_handler(const char *stem,
+                                         void (*fn)(void *context, const char *reason,
+                                                    void (*write)(const void *bytes, size_t n)),
+                                         void *context)
 {
     if (fn && crash_is_armed(stem, fn, context))
         return true;

@@ -2,11 +2,12 @@
  * template.c - the port to copy: it compiles, links and does nothing.
  *
  * Write these six functions for your host; platform.h has the contract of each. Games are playable once plat_show and
- * plat_poll work. Then, if the defaults in stdio.c do not suit, add any of plat_rgb, plat_fit, plat_window, plat_paint,
- * plat_set_icon, plat_take_dropped_file, plat_key_label, plat_controller, plat_sound, plat_path, plat_size, plat_load,
- * plat_open_stream, plat_same_file, plat_save, plat_append, plat_remove, plat_list, plat_set_name, plat_program,
- * plat_program_path, plat_alert, plat_installed_file, plat_make_executable, plat_set_crash_handler,
- * plat_describe_build, plat_describe_system and plat_log to your file: the linker prefers yours.
+ * plat_poll work. Then, if the defaults in stdio.c do not suit, add any of plat_convert_to_rgb, plat_fit_window,
+ * plat_get_window, plat_paint, plat_set_icon, plat_take_dropped_file, plat_key_label, plat_get_controller,
+ * plat_queue_sound, plat_path, plat_file_size, plat_load, plat_open_stream, plat_is_same_file, plat_save, plat_append,
+ * plat_remove, plat_list, plat_set_name, plat_program_file, plat_program_path, plat_alert, plat_installed_file,
+ * plat_make_executable, plat_set_crash_handler, plat_describe_build, plat_describe_system and plat_log to your file:
+ * the linker prefers yours.
  *
  * src/cab/main.c is the main loop. If the host has the main loop, leave that file out of the link, and call
  * program_open, program_run_frame and program_close from here.
@@ -41,8 +42,8 @@ void plat_poll(struct plat_input *in)
 }
 
 /* Write rgb[pix[y * pitch + x]] to the screen. Scale every pixel by the same whole number, centre the picture, and make
- * the rest black. For a screen with 32 bits per pixel, plat_rgb converts a picture to colours. Hardware with a palette
- * of 256 colours takes pix and rgb directly. The function may wait for the vertical blank. */
+ * the rest black. For a screen with 32 bits per pixel, plat_convert_to_rgb converts a picture to colours. Hardware with
+ * a palette of 256 colours takes pix and rgb directly. The function may wait for the vertical blank. */
 void plat_show(const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[256])
 {
     (void)pix;

@@ -16,8 +16,8 @@
 #include <string.h>
 
 enum {
-    LONG_PATH = 240, /* paths this long get the prefix: folders are limited to MAX_PATH - 12 */
-    MAX_PREFIX = 8   /* characters of \\?\UNC\ */
+    LONG_PATH_LENGTH = 240, /* paths this long get the prefix: folders are limited to MAX_PATH - 12 */
+    MAX_PREFIX = 8          /* characters of \\?\UNC\ */
 };
 
 /* ---- names ---- */
@@ -75,22 +75,22 @@ static bool is_device(const wchar_t *full)
     return wcsncmp(full, L"\\\\.\\", 4) == 0;
 }
 
-bool win_to_full_path(wchar_t out[WIN_PATH], const char *path)
+bool win_to_full_path(wchar_t out[WIN_PATH_SIZE], const char *path)
 {
-    wchar_t wide[HOST_PATH], *full = out + MAX_PREFIX;
+    wchar_t wide[HOST_PATH_SIZE], *full = out + MAX_PREFIX;
 
-    if (MultiByteToWideChar(CP_UTF8, MB_ERR_INVALID_CHARS, path, -1, wide, HOST_PATH) == 0)
+    if (MultiByteToWideChar(CP_UTF8, MB_ERR_INVALID_CHARS, path, -1, wide, HOST_PATH_SIZE) == 0)
         return win_set_errno();
-    const DWORD n = GetFullPathNameW(wide[0] ? wide : L".", WIN_PATH - MAX_PREFIX, full, NULL);
+    const DWORD n = GetFullPathNameW(wide[0] ? wide : L".", WIN_PATH_SIZE - MAX_PREFIX, full, NULL);
     if (n == 0)
         return win_set_errno();
-    if (n >= WIN_PATH - MAX_PREFIX) {
+    if (n >= WIN_PATH_SIZE - MAX_PREFIX) {
         errno = ENAMETOOLONG;
         return false;
     }
     const bool is_prefixed = is_device(full) || wcsncmp(full, L"\\\\?\\", 4) == 0,
                is_server = wcsncmp(full, L"\\\\", 2) == 0;
-    const wchar_t *prefix = n < LONG_PATH || is_prefixed ? L"" : is_server ? L"\\\\?\\UNC" : L"\\\\?\\";
+    const wchar_t *prefix = n < LONG_PATH_LENGTH || is_prefixed ? L"" : is_server ? L"\\\\?\\UNC" : L"\\\\?\\";
     const size_t prefix_length = wcslen(prefix),
                  skip = prefix_length && is_server ? 1 : 0; /* \\server is \\?\UNC\server */
     memmove(out + prefix_length, full + skip, (n + 1 - skip) * sizeof *out);
@@ -116,20 +116,20 @@ void plat_normalize_slashes(char *path)
 }
 
 /* Gets a folder from an environment variable that has an absolute path. */
-static bool folder_from_variable(char out[HOST_PATH], const wchar_t *name)
+static bool folder_from_variable(char out[HOST_PATH_SIZE], const wchar_t *name)
 {
-    wchar_t wide[HOST_PATH];
-    const DWORD n = GetEnvironmentVariableW(name, wide, HOST_PATH);
-    const bool absolute = n > 2 && n < HOST_PATH && (wide[1] == L':' || (wide[0] == L'\\' && wide[1] == L'\\'));
+    wchar_t wide[HOST_PATH_SIZE];
+    const DWORD n = GetEnvironmentVariableW(name, wide, HOST_PATH_SIZE);
+    const bool absolute = n > 2 && n < HOST_PATH_SIZE && (wide[1] == L':' || (wide[0] == L'\\' && wide[1] == L'\\'));
 
-    return absolute && win_to_utf8(out, HOST_PATH, wide);
+    return absolute && win_to_utf8(out, HOST_PATH_SIZE, wide);
 }
 
-static bool get_known_folder(char out[HOST_PATH], const KNOWNFOLDERID *id)
+static bool get_known_folder(char out[HOST_PATH_SIZE], const KNOWNFOLDERID *id)
 {
     wchar_t *wide = NULL;
     const bool good =
-        SHGetKnownFolderPath(id, KF_FLAG_CREATE, NULL, &wide) == S_OK && win_to_utf8(out, HOST_PATH, wide);
+        SHGetKnownFolderPath(id, KF_FLAG_CREATE, NULL, &wide) == S_OK && win_to_utf8(out, HOST_PATH_SIZE, wide);
 
     CoTaskMemFree(wide);
     return good;
@@ -137,25 +137,25 @@ static bool get_known_folder(char out[HOST_PATH], const KNOWNFOLDERID *id)
 
 /* XDG_DATA_HOME also works on Windows, so that tests and portable installations choose a folder in the same way on
  * every host. */
-bool host_data_folder(char out[HOST_PATH])
+bool host_data_folder(char out[HOST_PATH_SIZE])
 {
     return folder_from_variable(out, L"XDG_DATA_HOME") || get_known_folder(out, &FOLDERID_RoamingAppData);
 }
 
-bool host_pictures_folder(char out[HOST_PATH])
+bool host_pictures_folder(char out[HOST_PATH_SIZE])
 {
     return folder_from_variable(out, L"XDG_PICTURES_DIR") || get_known_folder(out, &FOLDERID_Pictures);
 }
 
 /* C:name is relative to that drive's current folder, and /name to the current drive's root: nothing is added to
  * either. */
-void host_base_folder(const char *path, char out[HOST_PATH + 1])
+void host_base_folder(const char *path, char out[HOST_PATH_SIZE + 1])
 {
-    wchar_t wide[WIN_PATH];
+    wchar_t wide[WIN_PATH_SIZE];
 
     out[0] = 0;
-    if (path[0] == '/' || path[0] == '\\' || (path[0] && path[1] == ':') || !GetCurrentDirectoryW(WIN_PATH, wide) ||
-        !win_to_utf8(out, HOST_PATH, wide))
+    if (path[0] == '/' || path[0] == '\\' || (path[0] && path[1] == ':') ||
+        !GetCurrentDirectoryW(WIN_PATH_SIZE, wide) || !win_to_utf8(out, HOST_PATH_SIZE, wide))
         return;
     const size_t n = strlen(out);
     if (n && out[n - 1] != '/')
@@ -168,7 +168,7 @@ enum { SHARE = FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE };
 
 static HANDLE open_path(const char *path, DWORD access, DWORD disposition, DWORD flags)
 {
-    wchar_t wide[WIN_PATH];
+    wchar_t wide[WIN_PATH_SIZE];
     HANDLE h = win_to_full_path(wide, path) ? CreateFileW(wide, access, SHARE, NULL, disposition, flags, NULL)
                                             : INVALID_HANDLE_VALUE;
 
@@ -191,7 +191,7 @@ FILE *win_open_stream(HANDLE h, int flags, const char *mode)
 
 static DWORD get_attributes(const char *path)
 {
-    wchar_t wide[WIN_PATH];
+    wchar_t wide[WIN_PATH_SIZE];
 
     if (!win_to_full_path(wide, path))
         return INVALID_FILE_ATTRIBUTES;
@@ -229,10 +229,10 @@ FILE *host_open(const char *path, enum host_mode mode)
     return NULL;
 }
 
-long host_size(const char *path)
+long host_file_size(const char *path)
 {
     WIN32_FILE_ATTRIBUTE_DATA data;
-    wchar_t wide[WIN_PATH];
+    wchar_t wide[WIN_PATH_SIZE];
 
     if (!win_to_full_path(wide, path))
         return -1;
@@ -265,7 +265,7 @@ static HANDLE open_for_query(const char *path)
     return open_path(path, FILE_READ_ATTRIBUTES, OPEN_EXISTING, FILE_FLAG_BACKUP_SEMANTICS);
 }
 
-bool host_same_file(const char *a, const char *b)
+bool host_is_same_file(const char *a, const char *b)
 {
     BY_HANDLE_FILE_INFORMATION one, two;
     HANDLE first = open_for_query(a), second = open_for_query(b);
@@ -281,9 +281,9 @@ bool host_same_file(const char *a, const char *b)
 }
 
 /* A path that is not a link stays as the user typed it. */
-bool host_resolve_links(char path[HOST_PATH])
+bool host_resolve_links(char path[HOST_PATH_SIZE])
 {
-    wchar_t wide[WIN_PATH];
+    wchar_t wide[WIN_PATH_SIZE];
     const DWORD attrs = get_attributes(path);
 
     if (attrs == INVALID_FILE_ATTRIBUTES || !(attrs & FILE_ATTRIBUTE_REPARSE_POINT))
@@ -291,14 +291,14 @@ bool host_resolve_links(char path[HOST_PATH])
     HANDLE h = open_for_query(path);
     if (h == INVALID_HANDLE_VALUE)
         return false;
-    const DWORD n = GetFinalPathNameByHandleW(h, wide, WIN_PATH, VOLUME_NAME_DOS);
+    const DWORD n = GetFinalPathNameByHandleW(h, wide, WIN_PATH_SIZE, VOLUME_NAME_DOS);
     CloseHandle(h);
-    return n > 0 && n < WIN_PATH ? win_to_utf8(path, HOST_PATH, strip_prefix(wide)) : win_set_errno();
+    return n > 0 && n < WIN_PATH_SIZE ? win_to_utf8(path, HOST_PATH_SIZE, strip_prefix(wide)) : win_set_errno();
 }
 
 bool host_make_folder(const char *path)
 {
-    wchar_t wide[WIN_PATH];
+    wchar_t wide[WIN_PATH_SIZE];
     const DWORD attrs = get_attributes(path); /* creating C: fails with several different errors */
 
     if (attrs != INVALID_FILE_ATTRIBUTES) {
@@ -322,7 +322,7 @@ void host_sync_folder(const char *folder)
 }
 
 /* Does nothing: files inherit their permissions from the folder. */
-void host_copy_mode(FILE *f, const char *path)
+void host_copy_permissions(FILE *f, const char *path)
 {
     (void)f;
     (void)path;
@@ -333,7 +333,7 @@ enum { MAX_TRIES = 20, RETRY_MS = 10 };
 /* Retries, because a virus scanner or indexer may hold either file for a moment. */
 bool host_replace(const char *from, const char *to)
 {
-    wchar_t one[WIN_PATH], two[WIN_PATH];
+    wchar_t one[WIN_PATH_SIZE], two[WIN_PATH_SIZE];
 
     if (!win_to_full_path(one, from) || !win_to_full_path(two, to))
         return false;
@@ -352,7 +352,7 @@ bool host_replace(const char *from, const char *to)
 /* Also removes an empty folder, as remove does on other hosts. */
 bool host_remove(const char *path)
 {
-    wchar_t wide[WIN_PATH];
+    wchar_t wide[WIN_PATH_SIZE];
     const DWORD attrs = get_attributes(path);
 
     if (attrs == INVALID_FILE_ATTRIBUTES || !win_to_full_path(wide, path))
@@ -367,13 +367,13 @@ bool host_make_executable(const char *path)
 
 /* Fills in an entry of a folder. Returns false for entries to skip, such as links to folders; a folder that a cloud
  * service fills is not a link. */
-static bool read_entry(struct plat_file *file, char name[HOST_PATH], const WIN32_FIND_DATAW *found)
+static bool read_entry(struct plat_folder_entry *file, char name[HOST_PATH_SIZE], const WIN32_FIND_DATAW *found)
 {
     const DWORD attrs = found->dwFileAttributes;
     const bool is_link = attrs & FILE_ATTRIBUTE_REPARSE_POINT && IsReparseTagNameSurrogate(found->dwReserved0);
 
     if (wcscmp(found->cFileName, L".") == 0 || wcscmp(found->cFileName, L"..") == 0 ||
-        (is_link && attrs & FILE_ATTRIBUTE_DIRECTORY) || !win_to_utf8(name, HOST_PATH, found->cFileName))
+        (is_link && attrs & FILE_ATTRIBUTE_DIRECTORY) || !win_to_utf8(name, HOST_PATH_SIZE, found->cFileName))
         return false;
     file->name = name;
     file->is_folder = attrs & FILE_ATTRIBUTE_DIRECTORY;
@@ -382,11 +382,11 @@ static bool read_entry(struct plat_file *file, char name[HOST_PATH], const WIN32
     return true;
 }
 
-int host_list(const char *folder, void (*visit)(void *user, const struct plat_file *file), void *user)
+int host_list(const char *folder, void (*visit)(void *user, const struct plat_folder_entry *file), void *user)
 {
-    wchar_t wide[WIN_PATH];
+    wchar_t wide[WIN_PATH_SIZE];
     WIN32_FIND_DATAW found;
-    char pattern[HOST_PATH + 2], name[HOST_PATH];
+    char pattern[HOST_PATH_SIZE + 2], name[HOST_PATH_SIZE];
     int n = 0;
     const DWORD attrs = get_attributes(folder);
 
@@ -403,7 +403,7 @@ int host_list(const char *folder, void (*visit)(void *user, const struct plat_fi
         return -1;
     }
     do {
-        struct plat_file file;
+        struct plat_folder_entry file;
         if (!read_entry(&file, name, &found))
             continue;
         visit(user, &file);

@@ -16,22 +16,22 @@
 
 /* ---- this program ---- */
 
-#ifndef PLAT_OWN_PROGRAM
-bool plat_program(char *name, size_t size)
+#ifndef PLAT_OWN_PROGRAM_FILE
+bool plat_program_file(char *name, size_t size)
 {
-    wchar_t wide[WIN_PATH];
-    const DWORD n = GetModuleFileNameW(NULL, wide, WIN_PATH);
+    wchar_t wide[WIN_PATH_SIZE];
+    const DWORD n = GetModuleFileNameW(NULL, wide, WIN_PATH_SIZE);
 
-    return n > 0 && n < WIN_PATH && win_to_utf8(name, size, wide);
+    return n > 0 && n < WIN_PATH_SIZE && win_to_utf8(name, size, wide);
 }
 #endif
 
-bool host_program_path(char out[HOST_PATH])
+bool host_program_path(char out[HOST_PATH_SIZE])
 {
-    return plat_program(out, HOST_PATH);
+    return plat_program_file(out, HOST_PATH_SIZE);
 }
 
-#ifndef PLAT_OWN_SYSTEM
+#ifndef PLAT_OWN_DESCRIBE_SYSTEM
 /* GetVersionEx reports a version that depends on the manifest; this function reports the real one. */
 void plat_describe_system(char *text, size_t size)
 {
@@ -55,18 +55,18 @@ long host_process_id(void)
 
 /* ---- standard error ---- */
 
-enum { LAST_LINES = 2048, LOG_BUFFER = 4096 };
+enum { LAST_LINES_SIZE = 2048, LOG_BUFFER_SIZE = 4096 };
 
-static char last_lines[LAST_LINES]; /* the end of the log, for the message box; UTF-8 */
-static bool no_console;             /* standard error is not connected to anything */
+static char last_lines[LAST_LINES_SIZE]; /* the end of the log, for the message box; UTF-8 */
+static bool no_console;                  /* standard error is not connected to anything */
 
 static void append_last_lines(const char *text, size_t size)
 {
     const size_t used = strlen(last_lines);
 
-    if (size >= LAST_LINES)
+    if (size >= LAST_LINES_SIZE)
         return;
-    const size_t offset = used + size < LAST_LINES ? used : 0;
+    const size_t offset = used + size < LAST_LINES_SIZE ? used : 0;
     memcpy(last_lines + offset, text, size);
     last_lines[offset + size] = 0;
 }
@@ -113,9 +113,9 @@ static void set_up_console(void)
 
 static void show_last_lines(void)
 {
-    wchar_t text[LAST_LINES];
+    wchar_t text[LAST_LINES_SIZE];
 
-    if (MultiByteToWideChar(CP_UTF8, 0, last_lines, -1, text, LAST_LINES) > 1)
+    if (MultiByteToWideChar(CP_UTF8, 0, last_lines, -1, text, LAST_LINES_SIZE) > 1)
         MessageBoxW(NULL, text, L"Curtain", MB_OK | MB_ICONERROR);
 }
 
@@ -144,7 +144,7 @@ int wmain(int argc, wchar_t **wide)
     _setmode(_fileno(stdin), _O_BINARY);
     _setmode(_fileno(stdout), _O_BINARY);
     _setmode(_fileno(stderr), _O_BINARY);
-    setvbuf(stderr, NULL, _IOFBF, LOG_BUFFER); /* otherwise each byte is a separate write */
+    setvbuf(stderr, NULL, _IOFBF, LOG_BUFFER_SIZE); /* otherwise each byte is a separate write */
     _set_error_mode(_OUT_TO_STDERR);
     set_up_console();
     const int code = args ? main(argc, args) : 3;
@@ -156,7 +156,7 @@ int wmain(int argc, wchar_t **wide)
 
 /* ---- crashes ---- */
 
-enum { CRASH_STACK = 1 << 16 };
+enum { CRASH_STACK_SIZE = 1 << 16 };
 
 static struct {
     void (*on_crash)(const char *what);
@@ -212,7 +212,7 @@ static void handle_abort(int sig)
 /* Reserves stack for the report after a stack overflow. */
 bool host_crash_arm(void (*on_crash)(const char *what))
 {
-    ULONG stack_size = CRASH_STACK;
+    ULONG stack_size = CRASH_STACK_SIZE;
 
     SetThreadStackGuarantee(&stack_size);
     crash.on_crash = on_crash;
@@ -222,7 +222,7 @@ bool host_crash_arm(void (*on_crash)(const char *what))
     return true;
 }
 
-int host_crash_open(const char *path)
+int host_crash_open_report(const char *path)
 {
     FILE *f = host_open(path, HOST_NEW);
 
@@ -234,7 +234,7 @@ void host_crash_write(int file, const void *bytes, size_t size)
     _write(file, bytes, (unsigned)size);
 }
 
-void host_crash_close(int file)
+void host_crash_close_report(int file)
 {
     _close(file);
 }
@@ -265,7 +265,7 @@ void plat_catch_hangup(bool on)
     installed = on;
 }
 
-bool plat_hung_up(void)
+bool plat_has_hung_up(void)
 {
     return hung_up;
 }
@@ -292,7 +292,7 @@ void plat_set_exit_text(const char *text)
 
 /* ---- another program ---- */
 
-static bool find_command(wchar_t out[WIN_PATH], const char *name)
+static bool find_command(wchar_t out[WIN_PATH_SIZE], const char *name)
 {
     static wchar_t path[1 << 15]; /* maximum size of an environment variable */
     wchar_t wide[128];
@@ -300,14 +300,14 @@ static bool find_command(wchar_t out[WIN_PATH], const char *name)
 
     if (n == 0 || !MultiByteToWideChar(CP_UTF8, 0, name, -1, wide, 128))
         return false;
-    const DWORD found = SearchPathW(path, wide, L".exe", WIN_PATH, out, NULL);
-    return found > 0 && found < WIN_PATH;
+    const DWORD found = SearchPathW(path, wide, L".exe", WIN_PATH_SIZE, out, NULL);
+    return found > 0 && found < WIN_PATH_SIZE;
 }
 
 /* Searches only the folders in PATH, not the current one, which may contain a game. */
 bool plat_has_command(const char *name)
 {
-    wchar_t out[WIN_PATH];
+    wchar_t out[WIN_PATH_SIZE];
 
     return find_command(out, name);
 }
@@ -340,10 +340,10 @@ static HANDLE command_process;
 
 static bool build_command_line(wchar_t *line, size_t cap, const char *const args[])
 {
-    wchar_t arg[WIN_PATH], *out = line;
+    wchar_t arg[WIN_PATH_SIZE], *out = line;
 
     for (; *args && out; args++)
-        out = MultiByteToWideChar(CP_UTF8, 0, *args, -1, arg, WIN_PATH) ? quote_arg(out, line + cap, arg) : NULL;
+        out = MultiByteToWideChar(CP_UTF8, 0, *args, -1, arg, WIN_PATH_SIZE) ? quote_arg(out, line + cap, arg) : NULL;
     return out != NULL;
 }
 
@@ -352,7 +352,7 @@ static bool start_process(const char *const args[], HANDLE input)
     enum { MAX_LINE = 1 << 15 };
     STARTUPINFOW info = { .cb = sizeof info, .dwFlags = STARTF_USESTDHANDLES };
     PROCESS_INFORMATION process;
-    wchar_t program[WIN_PATH], *line = malloc(MAX_LINE * sizeof *line);
+    wchar_t program[WIN_PATH_SIZE], *line = malloc(MAX_LINE * sizeof *line);
 
     info.hStdInput = input;
     info.hStdOutput = GetStdHandle(STD_OUTPUT_HANDLE);
@@ -438,15 +438,15 @@ bool plat_find_symbol(void *library, const char *name, void *function)
 
 /* ---- work ---- */
 
-int plat_cores(void)
+int plat_processor_count(void)
 {
     const DWORD n = GetActiveProcessorCount(ALL_PROCESSOR_GROUPS);
 
     return n < 1 ? 1 : n > PLAT_MAX_JOBS ? PLAT_MAX_JOBS : (int)n;
 }
 
-/* Windows cannot fork a process, so the pieces run in this one. */
-bool plat_run_jobs(int n, int jobs, const struct plat_work *w)
+/* Windows cannot fork a process, so the jobs run in this one. */
+bool plat_run_jobs(int n, int jobs, const struct plat_job_callbacks *w)
 {
     (void)jobs;
     return host_run_jobs(n, w);

@@ -39,19 +39,19 @@ static bool get_value(HKEY root, const wchar_t *key, const wchar_t *value, wchar
 
 static bool write_type(const struct plat_file_type *type)
 {
-    wchar_t key[MAX_KEY], program[WIN_PATH], text[WIN_PATH + 32];
-    const DWORD n = GetModuleFileNameW(NULL, program, WIN_PATH);
+    wchar_t key[MAX_KEY], program[WIN_PATH_SIZE], text[WIN_PATH_SIZE + 32];
+    const DWORD n = GetModuleFileNameW(NULL, program, WIN_PATH_SIZE);
 
-    if (n == 0 || n >= WIN_PATH)
+    if (n == 0 || n >= WIN_PATH_SIZE)
         return false;
     class_key(key, type->name, "");
     swprintf(text, MAX_KEY, L"%hs", type->title);
     bool good = set_value(key, NULL, text);
     class_key(key, type->name, "\\DefaultIcon");
-    swprintf(text, WIN_PATH + 32, L"\"%ls\",0", program);
+    swprintf(text, WIN_PATH_SIZE + 32, L"\"%ls\",0", program);
     good = good && set_value(key, NULL, text);
     class_key(key, type->name, "\\shell\\open\\command");
-    swprintf(text, WIN_PATH + 32, L"\"%ls\" play \"%%1\"", program);
+    swprintf(text, WIN_PATH_SIZE + 32, L"\"%ls\" play \"%%1\"", program);
     return good && set_value(key, NULL, text);
 }
 
@@ -62,10 +62,10 @@ static bool has_other_default(const struct plat_file_type *type, const wchar_t *
     wchar_t key[MAX_KEY], current[MAX_KEY];
 
     swprintf(key, MAX_KEY, L"Software\\Microsoft\\Windows\\CurrentVersion\\Explorer\\FileExts\\.%hs\\UserChoice",
-             type->ending);
+             type->extension);
     if (get_value(HKEY_CURRENT_USER, key, L"ProgId", current))
         return wcscmp(current, name) != 0;
-    swprintf(key, MAX_KEY, L".%hs", type->ending);
+    swprintf(key, MAX_KEY, L".%hs", type->extension);
     return get_value(HKEY_CLASSES_ROOT, key, NULL, current) && wcscmp(current, name) != 0;
 }
 
@@ -103,7 +103,7 @@ enum plat_register_result plat_register_type(const struct plat_file_type *type, 
     wchar_t ending[MAX_KEY], choices[MAX_KEY], name[MAX_KEY];
     char dot[16];
 
-    snprintf(dot, sizeof dot, ".%s", type->ending);
+    snprintf(dot, sizeof dot, ".%s", type->extension);
     class_key(ending, dot, "");
     class_key(choices, dot, "\\OpenWithProgids");
     swprintf(name, MAX_KEY, L"%hs", type->name);

@@ -13,12 +13,12 @@
 /* The header and all checksums of a ROM, as far as its directory makes sense. */
 static inline void repair_rom(uint8_t *p, size_t size)
 {
-    if (size < ROM_HEADER)
+    if (size < ROM_HEADER_SIZE)
         return;
     memcpy(p, "CURTAIN\x1a\x01\0\0\0", 12);
     bytes_put32(p + 20, (uint32_t)size);
-    for (size_t i = 0; i < bytes_get32(p + 16) && i < (size - ROM_HEADER) / ROM_ENTRY; i++) {
-        uint8_t *e = p + ROM_HEADER + i * ROM_ENTRY;
+    for (size_t i = 0; i < bytes_get32(p + 16) && i < (size - ROM_HEADER_SIZE) / ROM_ENTRY_SIZE; i++) {
+        uint8_t *e = p + ROM_HEADER_SIZE + i * ROM_ENTRY_SIZE;
         size_t at = bytes_get32(e + 4), n = bytes_get32(e + 8);
         if (at <= size && n <= size - at)
             bytes_put32(e + 12, hash_crc32(p + at, n));
@@ -29,7 +29,7 @@ static inline void repair_rom(uint8_t *p, size_t size)
 /* The header of a compressed ROM; what it holds stays as it is, and so does how much that says it is. */
 static inline void repair_compressed(uint8_t *p, size_t size)
 {
-    if (size < COMPRESSED_HEADER)
+    if (size < COMPRESSED_HEADER_SIZE)
         return;
     memcpy(p, "CURTAINZ\x01\0\0\0", 12);
     bytes_put32(p + 20, (uint32_t)size);

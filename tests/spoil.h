@@ -61,7 +61,7 @@ static inline void spoil_game(struct rig_game *g)
 /* Where lump i of a valid ROM stands. */
 static inline void spoil_lump(const uint8_t *p, uint32_t i, size_t *at, size_t *n)
 {
-    const uint8_t *e = p + ROM_HEADER + i * ROM_ENTRY;
+    const uint8_t *e = p + ROM_HEADER_SIZE + i * ROM_ENTRY_SIZE;
 
     *at = bytes_get32(e + 4);
     *n = bytes_get32(e + 8);

@@ -25,7 +25,7 @@ static inline void tally_before(struct tally *t, const struct board *b)
         t->grazed[p] = b->player.grazes[p];
     }
     t->top = b->enemies.s.top;
-    memcpy(t->used, b->enemies.s.used, t->top / 8);
+    memcpy(t->used, b->enemies.s.live_bits, t->top / 8);
 }
 
 /* After it. An enemy that died keeps hp 0 in its free slot; one that left keeps what it had. */
@@ -34,7 +34,7 @@ static inline void tally_after(struct tally *t, const struct board *b)
     EACH_LIVE (i, &b->bullets.s)
         t->fired += b->bullets.born[i] + 1 == b->core.clock;
     for (uint32_t i = 0; i < t->top; i++) {
-        bool was = t->used[i / 64] >> (i & 63) & 1, is = b->enemies.s.used[i / 64] >> (i & 63) & 1;
+        bool was = t->used[i / 64] >> (i & 63) & 1, is = b->enemies.s.live_bits[i / 64] >> (i & 63) & 1;
         t->kills += was && !is && b->enemies.hp[i] == 0;
     }
     for (int p = 0; p < MAX_PLAYERS; p++) {

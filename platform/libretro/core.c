@@ -17,7 +17,7 @@
 enum {
     TEXT_SIZE = 256,
     MAX_CHOICES = 24,
-    SAVED_HEADER = 4 /* bytes before the nvram in save RAM: its size, a little-endian u32 */
+    SAVE_RAM_HEADER_SIZE = 4 /* bytes before the nvram in save RAM: its size, a little-endian u32 */
 };
 
 /* There is only one core, because the libretro interface has no handle. */
@@ -164,8 +164,9 @@ static bool power_up(void)
         config.switches = switches;
     }
     close_game();
-    if (core.save_ram && get32(core.save_ram) > 0 && get32(core.save_ram) <= core.save_ram_size - SAVED_HEADER) {
-        config.nvram = core.save_ram + SAVED_HEADER;
+    if (core.save_ram && get32(core.save_ram) > 0 &&
+        get32(core.save_ram) <= core.save_ram_size - SAVE_RAM_HEADER_SIZE) {
+        config.nvram = core.save_ram + SAVE_RAM_HEADER_SIZE;
         config.nvram_size = get32(core.save_ram);
     }
     config.seed = config.nvram ? seed_from_save(config.nvram, config.nvram_size) : 1;
@@ -252,7 +253,7 @@ static void read_title(void)
     void *rom;
 
     snprintf(core.title, sizeof core.title, "Curtain");
-    if (!inside_has_game() || !inside_read(&rom, &config.rom_size, err, sizeof err))
+    if (!inside_has_game() || !inside_read_game(&rom, &config.rom_size, err, sizeof err))
         return;
     config.rom = rom;
     const size_t size = curtain_memory(&config, err, sizeof err);
@@ -337,7 +338,7 @@ static bool load_rom(const struct retro_game *game)
     char err[TEXT_SIZE] = "no game, or not enough memory for it";
 
     if (inside_has_game()) {
-        inside_read(&core.rom, &core.rom_size, err, sizeof err);
+        inside_read_game(&core.rom, &core.rom_size, err, sizeof err);
     } else {
         core.rom_size = game ? game->size : 0;
         core.rom = game && game->data ? malloc(core.rom_size + 1) : NULL;
@@ -373,7 +374,7 @@ bool retro_load_game(const struct retro_game *game)
         release_game();
         return false;
     }
-    core.save_ram_size = SAVED_HEADER + curtain_nvram_room(core.c);
+    core.save_ram_size = SAVE_RAM_HEADER_SIZE + curtain_nvram_room(core.c);
     core.save_ram = calloc(1, core.save_ram_size);
     core.pixels = calloc((size_t)curtain_width(core.c) * (size_t)curtain_height(core.c), sizeof *core.pixels);
     core.states_loaded = 0;
@@ -455,9 +456,9 @@ static void copy_save_ram(void)
     size_t n;
     const void *image = curtain_nvram(core.c, &n);
 
-    for (int i = 0; i < SAVED_HEADER; i++)
+    for (int i = 0; i < SAVE_RAM_HEADER_SIZE; i++)
         core.save_ram[i] = (uint8_t)(n >> 8 * i);
-    memcpy(core.save_ram + SAVED_HEADER, image, n);
+    memcpy(core.save_ram + SAVE_RAM_HEADER_SIZE, image, n);
 }
 
 static void show_picture(void)

@@ -21,7 +21,7 @@ static bool refuse(char *err, size_t err_size, const char *file, const char *rea
     return false;
 }
 
-bool inside_read(void **rom, size_t *size, char *err, size_t err_size)
+bool inside_read_game(void **rom, size_t *size, char *err, size_t err_size)
 {
     static const char anchor = 0; /* any address in this core, for dladdr */
     const struct mark m = mark_own();

@@ -12,6 +12,6 @@ bool inside_has_game(void);
 
 /* Reads the packed game into *rom, from malloc. Returns false, sets err and sets *rom to NULL if the core's file cannot
  * be read or is truncated, or when out of memory. */
-bool inside_read(void **rom, size_t *size, char *err, size_t err_size);
+bool inside_read_game(void **rom, size_t *size, char *err, size_t err_size);
 
 #endif

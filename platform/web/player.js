@@ -52,7 +52,7 @@ function text(from) {
   return new TextDecoder().decode(all.slice(from, all.indexOf(0, from)))
 }
 function put(bytes) {
-  const to = core.web_take(bytes.length)
+  const to = core.web_alloc(bytes.length)
   heap(to, bytes.length).set(bytes)
   return to
 }
@@ -112,8 +112,8 @@ function openCore(rom, nvram, demo, how) {
   const saved = put(nvram), recording = put(demo || new Uint8Array())
   const good = core.web_open(rom.at, rom.size, BigInt.asUintN(64, BigInt(how.seed)), saved, nvram.length, recording,
     demo ? demo.length : 0)
-  core.web_give(saved)
-  core.web_give(recording)
+  core.web_free(saved)
+  core.web_free(recording)
   if (!good) throw new Error(text(core.web_error()))
 }
 
@@ -123,9 +123,9 @@ function seedOf(words) {
 }
 
 function takeRom(bytes) { // plain, in the core's memory
-  const at = core.web_rom(put(bytes), bytes.length)
+  const at = core.web_unpack_rom(put(bytes), bytes.length)
   if (!at) throw new Error(text(core.web_error()))
-  return { at, size: core.web_size() }
+  return { at, size: core.web_result_size() }
 }
 
 // Powers a game up; bytes null: the one that is in. When that fails the one before is powered up again.
@@ -144,10 +144,10 @@ function power(bytes, demo) {
     again(id)
     game = { rom, id, again, title: text(core.web_title()), players: core.web_players(), w: core.web_width(),
       h: core.web_height(), plays: demo ? core.web_demo_frames() : 0, over: false }
-    if (bytes && before) core.web_give(before.rom.at)
+    if (bytes && before) core.web_free(before.rom.at)
   } catch (e) {
     if (before) before.again(before.id)
-    if (bytes) core.web_give(rom.at)
+    if (bytes) core.web_free(rom.at)
     throw e
   }
   document.title = at('title').textContent = game.title
@@ -193,8 +193,8 @@ function endAttract(one, two) {
 let listener // of what is heard, for tests and films
 function tick(one, two) {
   if (attracts && one | two) endAttract(one, two)
-  const events = game.plays || attracts ? core.web_next() : core.web_frame(one & ~stale[0], two & ~stale[1])
-  const from = core.web_sound(), n = core.web_size()
+  const events = game.plays || attracts ? core.web_play_demo_frame() : core.web_frame(one & ~stale[0], two & ~stale[1])
+  const from = core.web_sound(), n = core.web_result_size()
   hear(new Int16Array(core.memory.buffer, from, 2 * n))
   if (attracts) {
     if (events & (ENDED | FAULT)) endAttract(0, 0)
@@ -225,7 +225,7 @@ function tick(one, two) {
 
 function store() {
   const from = core.web_nvram()
-  keep('nvram.' + game.id, base64(heap(from, core.web_size())))
+  keep('nvram.' + game.id, base64(heap(from, core.web_result_size())))
 }
 
 function show() {
@@ -520,8 +520,8 @@ function recording() {
   endAttract(0, 0)
   const from = core.web_demo()
   if (!from) throw new Error(text(core.web_error()))
-  const bytes = heap(from, core.web_size()).slice()
-  core.web_give(from)
+  const bytes = heap(from, core.web_result_size()).slice()
+  core.web_free(from)
   return bytes
 }
 function download() {
@@ -643,14 +643,14 @@ window.curtain = {
     endAttract(0, 0)
     const from = core.web_save()
     if (!from) throw new Error(text(core.web_error()))
-    const bytes = heap(from, core.web_size()).slice()
-    core.web_give(from)
+    const bytes = heap(from, core.web_result_size()).slice()
+    core.web_free(from)
     return bytes
   },
   load(bytes) {
     endAttract(0, 0)
     const from = put(bytes), good = core.web_load(from, bytes.length)
-    core.web_give(from)
+    core.web_free(from)
     if (!good) throw new Error(text(core.web_error()))
     show()
   },

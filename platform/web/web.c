@@ -14,8 +14,8 @@ enum { DIFFICULTY, LANGUAGE, SWITCHES, SECTION };
 
 static struct {
     struct curtain *c,
-        *game; /* game: the suspended game while c plays a demo that the game requested; otherwise NULL */
-    void *memory, *game_memory;
+        *suspended_game; /* suspended_game: the game while c plays a demo that the game requested; otherwise NULL */
+    void *memory, *suspended_memory;
     char option[OPTIONS][OPTION_SIZE]; /* strings for the next web_open; "": none */
     char error[ERROR_SIZE];
     uint32_t rgba[1024 * 1024]; /* large enough for every picture */
@@ -28,12 +28,12 @@ static struct {
 
 /* ---- memory for data from the page ---- */
 
-void *EXPORT(web_take)(size_t size)
+void *EXPORT(web_alloc)(size_t size)
 {
     return malloc(size ? size : 1);
 }
 
-void EXPORT(web_give)(void *at)
+void EXPORT(web_free)(void *at)
 {
     free(at);
 }
@@ -49,9 +49,9 @@ static const char *get_option(int i)
     return web.option[i][0] ? web.option[i] : NULL;
 }
 
-/* Unpacks a packed game, because it is opened more than once. `packed` is from web_take and is freed. Returns the plain
- * game, web_size bytes, or NULL with the message in web_error. */
-void *EXPORT(web_rom)(void *packed, size_t size)
+/* Unpacks a packed game, because it is opened more than once. `packed` is from web_alloc and is freed. Returns the
+ * plain game, web_result_size bytes, or NULL with the message in web_error. */
+void *EXPORT(web_unpack_rom)(void *packed, size_t size)
 {
     web.size = curtain_plain(packed, size, NULL, 0, web.error, ERROR_SIZE);
     void *plain = web.size ? malloc(web.size) : NULL;
@@ -95,12 +95,12 @@ static int open_board(const struct curtain_config *config)
 /* Ends the demo that the game asked for, if one is playing; the game continues. */
 void EXPORT(web_attract_end)(void)
 {
-    if (!web.game)
+    if (!web.suspended_game)
         return;
     close_board();
-    web.c = web.game;
-    web.memory = web.game_memory;
-    web.game = NULL;
+    web.c = web.suspended_game;
+    web.memory = web.suspended_memory;
+    web.suspended_game = NULL;
 }
 
 /* Plays the demo that the last frame asked for, on a separate board. Returns 0 on failure, with the message in
@@ -115,8 +115,8 @@ int EXPORT(web_attract)(void)
         snprintf(web.error, ERROR_SIZE, "no demo named \"%s\"", curtain_attract(web.c));
         return 0;
     }
-    web.game = web.c;
-    web.game_memory = web.memory;
+    web.suspended_game = web.c;
+    web.suspended_memory = web.memory;
     web.c = NULL;
     web.memory = NULL;
     if (open_board(&config))
@@ -167,7 +167,7 @@ unsigned EXPORT(web_frame)(unsigned pad1, unsigned pad2)
 }
 
 /* Plays a frame with the demo's pads. */
-unsigned EXPORT(web_next)(void)
+unsigned EXPORT(web_play_demo_frame)(void)
 {
     return curtain_frame(web.c, NULL);
 }
@@ -199,7 +199,7 @@ const uint32_t *EXPORT(web_picture)(void)
     return web.rgba;
 }
 
-/* Returns up to 800 stereo frames, left first; web_size is their number. */
+/* Returns up to 800 stereo frames, left first; web_result_size is their number. */
 const int16_t *EXPORT(web_sound)(void)
 {
     web.size = curtain_sound(web.c, web.sound, SOUND_FRAMES);
@@ -208,7 +208,7 @@ const int16_t *EXPORT(web_sound)(void)
 
 /* ---- the game and the run ---- */
 
-size_t EXPORT(web_size)(void)
+size_t EXPORT(web_result_size)(void)
 {
     return web.size;
 }
@@ -271,7 +271,7 @@ const void *EXPORT(web_nvram)(void)
     return curtain_nvram(web.c, &web.size);
 }
 
-/* Returns a state, to be freed with web_give, or NULL with the message in web_error. */
+/* Returns a state, to be freed with web_free, or NULL with the message in web_error. */
 void *EXPORT(web_save)(void)
 {
     size_t cap = curtain_state_size(web.c);
@@ -291,7 +291,7 @@ int EXPORT(web_load)(const void *state, size_t size)
     return curtain_load(web.c, state, size, web.error, ERROR_SIZE);
 }
 
-/* Returns the run as a demo, to be freed with web_give, or NULL with the message in web_error. */
+/* Returns the run as a demo, to be freed with web_free, or NULL with the message in web_error. */
 void *EXPORT(web_demo)(void)
 {
     return curtain_demo(web.c, &web.size, web.error, ERROR_SIZE);

@@ -68,7 +68,7 @@ static inline int cursor_long_level(const struct cursor *c)
 }
 
 /* Returns whether a long bracket of level `level` closes at the cursor. */
-static inline bool cursor_at_long_close(const struct cursor *c, int level)
+static inline bool cursor_is_at_long_close(const struct cursor *c, int level)
 {
     for (int i = 1; i <= level; i++)
         if (cursor_peek(c, (size_t)i) != '=')

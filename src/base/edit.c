@@ -12,7 +12,7 @@ int edit_distance(const char *a, const char *b)
     int d[MAX_LENGTH + 1][MAX_LENGTH + 1];
 
     if (n > MAX_LENGTH || m > MAX_LENGTH)
-        return EDIT_FAR;
+        return EDIT_TOO_FAR;
     for (size_t i = 0; i <= n; i++)
         for (size_t j = 0; j <= m; j++) {
             if (!i || !j) {
@@ -28,5 +28,5 @@ int edit_distance(const char *a, const char *b)
         }
     return (d[n][m] <= 1 && (n > 1 || m > 1)) || d[n][m] == 0 || (d[n][m] <= 2 && n > 3) || (d[n][m] <= 3 && n > 7)
                ? d[n][m]
-               : EDIT_FAR;
+               : EDIT_TOO_FAR;
 }

@@ -64,11 +64,11 @@ bool geom_swept_circles(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t 
         return false;
 
     int64_t px = -dx * wx, py = -dy * wy;
-    uint64_t along = (uint64_t)px + (uint64_t)py, ww = (uint64_t)(wx * wx) + (uint64_t)(wy * wy);
+    uint64_t dot = (uint64_t)px + (uint64_t)py, ww = (uint64_t)(wx * wx) + (uint64_t)(wy * wy);
 
     if (px <= -py)
         return is_in_circle(dx, dy, r);
-    if (along >= ww)
+    if (dot >= ww)
         return is_in_circle(dx + wx, dy + wy, r);
     return is_square_at_most(abs_difference(dx * wy, dy * wx), (uint64_t)(r * r), ww);
 }

@@ -17,13 +17,13 @@
 #include "bits.h"
 
 enum {
-    UNIT = HEAP_ALIGN,
-    MAX_SMALL = 512, /* the largest size that is allocated from a slab */
-    CLASSES = 16,
-    PAGE = 4096,
-    PAGE_UNITS = PAGE / UNIT,
-    SLAB_BYTES = PAGE - 8, /* the last 8 bytes are the next block's header */
-    ROWS = 26,             /* row 0: sizes 0..15 units; row r: 2^(r+3) <= size < 2^(r+4), in 16 steps */
+    UNIT_BYTES = HEAP_ALIGN,
+    MAX_SMALL_BYTES = 512, /* the largest size that is allocated from a slab */
+    CLASS_COUNT = 16,
+    PAGE_BYTES = 4096,
+    PAGE_UNITS = PAGE_BYTES / UNIT_BYTES,
+    SLAB_BYTES = PAGE_BYTES - 8, /* the last 8 bytes are the next block's header */
+    ROW_COUNT = 26,              /* row 0: sizes 0..15 units; row r: 2^(r+3) <= size < 2^(r+4), in 16 steps */
     COLUMNS_PER_ROW = 16
 };
 
@@ -35,13 +35,13 @@ struct heap {
     uint32_t top;        /* where the next block would be */
     uint32_t limit;      /* top's highest value */
     uint32_t last_units; /* units of the block just below top; 0: none */
-    uint32_t rows;       /* bit r: row r has a free block */
-    uint16_t columns[ROWS];
+    uint32_t row_bits;   /* bit r: row r has a free block */
+    uint16_t column_bits[ROW_COUNT];
     uint16_t pad;
-    uint32_t partial[CLASSES]; /* slabs with free blocks, a list per class; 0: none */
-    uint32_t bins[ROWS][COLUMNS_PER_ROW];
-    uint32_t peak;    /* highest value of used; always below 2^32 */
-    uint64_t slabs[]; /* bit p: page p is a slab */
+    uint32_t partial_slabs[CLASS_COUNT]; /* slabs with free blocks, a list per class; 0: none */
+    uint32_t bins[ROW_COUNT][COLUMNS_PER_ROW];
+    uint32_t peak;        /* highest value of used; always below 2^32 */
+    uint64_t slab_bits[]; /* bit p: page p is a slab */
 };
 
 struct block_header {
@@ -57,24 +57,23 @@ struct free_link {
 /* At the start of a slab. Offsets are in bytes from the start of the slab. */
 struct slab {
     uint32_t next, prev;
-    uint16_t free;        /* first free block, 0: none; blocks are linked through their first two bytes */
+    uint16_t first_free;  /* first free block, 0: none; blocks are linked through their first two bytes */
     uint16_t unused_from; /* offset of the first block that was never used */
     uint16_t used;        /* live blocks */
     uint16_t class;
 };
 
-static const uint16_t class_bytes[CLASSES] = {
-    16, 32, 48, 64, 80, 96, 112, 128, 160, 192, 224, 256, 320, 384, 448, 512
-};
+static const uint16_t class_bytes[CLASS_COUNT] = { 16,  32,  48,  64,  80,  96,  112, 128,
+                                                   160, 192, 224, 256, 320, 384, 448, 512 };
 
 /* Class by size in units, rounded up. */
-static const uint8_t class_of[MAX_SMALL / UNIT + 1] = { 0,  0,  1,  2,  3,  4,  5,  6,  7,  8,  8,
-                                                        9,  9,  10, 10, 11, 11, 12, 12, 12, 12, 13,
-                                                        13, 13, 13, 14, 14, 14, 14, 15, 15, 15, 15 };
+static const uint8_t class_of[MAX_SMALL_BYTES / UNIT_BYTES + 1] = { 0,  0,  1,  2,  3,  4,  5,  6,  7,  8,  8,
+                                                                    9,  9,  10, 10, 11, 11, 12, 12, 12, 12, 13,
+                                                                    13, 13, 13, 14, 14, 14, 14, 15, 15, 15, 15 };
 
 static void *unit_address(const struct heap *h, uint32_t unit)
 {
-    return (char *)(uintptr_t)h + (size_t)unit * UNIT;
+    return (char *)(uintptr_t)h + (size_t)unit * UNIT_BYTES;
 }
 
 static struct block_header *block_header(const struct heap *h, uint32_t b)
@@ -99,9 +98,9 @@ static size_t offset_of(const struct heap *h, const void *p)
 
 static bool is_in_slab(const struct heap *h, const void *p)
 {
-    size_t page = offset_of(h, p) / PAGE;
+    size_t page = offset_of(h, p) / PAGE_BYTES;
 
-    return h->slabs[page >> 6] >> (page & 63) & 1;
+    return h->slab_bits[page >> 6] >> (page & 63) & 1;
 }
 
 /* ---- blocks ---- */
@@ -132,9 +131,9 @@ static void unlink_free(struct heap *h, uint32_t b)
     h->bins[at_bin.row][at_bin.column] = l->next;
     if (l->next)
         return;
-    h->columns[at_bin.row] &= (uint16_t) ~(1u << at_bin.column);
-    if (!h->columns[at_bin.row])
-        h->rows &= ~(1u << at_bin.row);
+    h->column_bits[at_bin.row] &= (uint16_t) ~(1u << at_bin.column);
+    if (!h->column_bits[at_bin.row])
+        h->row_bits &= ~(1u << at_bin.row);
 }
 
 static void link_free(struct heap *h, uint32_t b)
@@ -147,8 +146,8 @@ static void link_free(struct heap *h, uint32_t b)
     if (*bin)
         ((struct free_link *)unit_address(h, *bin))->prev = b;
     *bin = b;
-    h->columns[p.row] |= (uint16_t)(1u << p.column);
-    h->rows |= 1u << p.row;
+    h->column_bits[p.row] |= (uint16_t)(1u << p.column);
+    h->row_bits |= 1u << p.row;
 }
 
 /* Sets b's size, and updates the copy of it in the block above or, if b is topmost, in h->last_units. */
@@ -203,12 +202,12 @@ static uint32_t find_free(const struct heap *h, uint32_t units)
 
     if (units >= COLUMNS_PER_ROW && units & ((1u << (bits_highest(units) - 4)) - 1))
         p.column++;
-    bits = p.column < COLUMNS_PER_ROW ? (uint32_t)h->columns[p.row] >> p.column << p.column : 0;
+    bits = p.column < COLUMNS_PER_ROW ? (uint32_t)h->column_bits[p.row] >> p.column << p.column : 0;
     if (!bits) {
-        bits = h->rows & ~((2u << p.row) - 1);
+        bits = h->row_bits & ~((2u << p.row) - 1);
         if (bits) {
             p.row = bits_lowest(bits);
-            bits = h->columns[p.row];
+            bits = h->column_bits[p.row];
         }
     }
     if (bits)
@@ -296,7 +295,7 @@ static uint32_t alloc_page(struct heap *h)
 
 static void link_slab(struct heap *h, uint32_t page, struct slab *s)
 {
-    uint32_t *list = &h->partial[s->class];
+    uint32_t *list = &h->partial_slabs[s->class];
 
     s->prev = 0;
     s->next = *list;
@@ -312,12 +311,12 @@ static void unlink_slab(struct heap *h, const struct slab *s)
     if (s->prev)
         ((struct slab *)unit_address(h, s->prev))->next = s->next;
     else
-        h->partial[s->class] = s->next;
+        h->partial_slabs[s->class] = s->next;
 }
 
 static void toggle_slab_bit(struct heap *h, uint32_t page)
 {
-    h->slabs[page / PAGE_UNITS >> 6] ^= (uint64_t)1 << (page / PAGE_UNITS & 63);
+    h->slab_bits[page / PAGE_UNITS >> 6] ^= (uint64_t)1 << (page / PAGE_UNITS & 63);
 }
 
 static struct slab *new_slab(struct heap *h, unsigned class)
@@ -335,21 +334,21 @@ static struct slab *new_slab(struct heap *h, unsigned class)
 
 static bool is_slab_full(const struct slab *s)
 {
-    return !s->free && s->unused_from + class_bytes[s->class] > SLAB_BYTES;
+    return !s->first_free && s->unused_from + class_bytes[s->class] > SLAB_BYTES;
 }
 
 static void *alloc_small(struct heap *h, size_t size)
 {
-    unsigned class = class_of[(size + UNIT - 1) / UNIT];
-    uint32_t page = h->partial[class];
+    unsigned class = class_of[(size + UNIT_BYTES - 1) / UNIT_BYTES];
+    uint32_t page = h->partial_slabs[class];
     struct slab *s = page ? unit_address(h, page) : new_slab(h, class);
 
     if (!s)
         return NULL;
     char *p = (char *)s;
-    if (s->free) {
-        p += s->free;
-        memcpy(&s->free, p, sizeof s->free);
+    if (s->first_free) {
+        p += s->first_free;
+        memcpy(&s->first_free, p, sizeof s->first_free);
     } else {
         p += s->unused_from;
         s->unused_from = (uint16_t)(s->unused_from + class_bytes[class]);
@@ -377,16 +376,16 @@ static bool is_empty_slab(const struct heap *h, uint32_t page)
  * list. */
 static void free_small(struct heap *h, char *p)
 {
-    uint32_t page = (uint32_t)(offset_of(h, p) / PAGE * PAGE_UNITS);
+    uint32_t page = (uint32_t)(offset_of(h, p) / PAGE_BYTES * PAGE_UNITS);
     struct slab *s = unit_address(h, page);
     bool was_full = is_slab_full(s);
 
-    memcpy(p, &s->free, sizeof s->free);
-    s->free = (uint16_t)(p - (char *)s);
+    memcpy(p, &s->first_free, sizeof s->first_free);
+    s->first_free = (uint16_t)(p - (char *)s);
     s->used--;
     if (was_full) {
-        if (is_empty_slab(h, h->partial[s->class]))
-            free_slab(h, h->partial[s->class]);
+        if (is_empty_slab(h, h->partial_slabs[s->class]))
+            free_slab(h, h->partial_slabs[s->class]);
         link_slab(h, page, s);
     }
     if (!s->used && (s->next || s->prev))
@@ -398,10 +397,10 @@ static bool free_empty_slabs(struct heap *h)
 {
     bool dropped = false;
 
-    for (int c = 0; c < CLASSES; c++) {
-        if (!is_empty_slab(h, h->partial[c]))
+    for (int c = 0; c < CLASS_COUNT; c++) {
+        if (!is_empty_slab(h, h->partial_slabs[c]))
             continue;
-        free_slab(h, h->partial[c]);
+        free_slab(h, h->partial_slabs[c]);
         dropped = true;
     }
     return dropped;
@@ -411,12 +410,12 @@ static bool free_empty_slabs(struct heap *h)
 
 static uint32_t units_for(size_t size)
 {
-    return (uint32_t)((size + sizeof(struct block_header) + UNIT - 1) / UNIT);
+    return (uint32_t)((size + sizeof(struct block_header) + UNIT_BYTES - 1) / UNIT_BYTES);
 }
 
 static void *try_alloc(struct heap *h, size_t size)
 {
-    if (size <= MAX_SMALL)
+    if (size <= MAX_SMALL_BYTES)
         return alloc_small(h, size);
     uint32_t b = size < h->size ? alloc_block(h, units_for(size)) : 0;
     return b ? unit_address(h, b) : NULL;
@@ -442,13 +441,13 @@ static void *alloc(struct heap *h, size_t size)
     return p;
 }
 
-static void release(struct heap *h, void *p, size_t old)
+static void release(struct heap *h, void *p, size_t old_size)
 {
-    h->used -= old;
-    if (old <= MAX_SMALL && is_in_slab(h, p))
+    h->used -= old_size;
+    if (old_size <= MAX_SMALL_BYTES && is_in_slab(h, p))
         free_small(h, p);
     else
-        free_block(h, (uint32_t)(offset_of(h, p) / UNIT));
+        free_block(h, (uint32_t)(offset_of(h, p) / UNIT_BYTES));
 }
 
 /* Resizes block b to `units` in place. Returns whether that was possible. */
@@ -475,11 +474,11 @@ static bool resize_block(struct heap *h, uint32_t b, uint32_t units)
 }
 
 /* Returns the capacity in bytes of the block p, or 0 if p is not in a slab. */
-static size_t slab_block_size(const struct heap *h, const void *p, size_t old)
+static size_t slab_block_size(const struct heap *h, const void *p, size_t old_size)
 {
-    if (old > MAX_SMALL || !is_in_slab(h, p))
+    if (old_size > MAX_SMALL_BYTES || !is_in_slab(h, p))
         return 0;
-    const struct slab *s = unit_address(h, (uint32_t)(offset_of(h, p) / PAGE * PAGE_UNITS));
+    const struct slab *s = unit_address(h, (uint32_t)(offset_of(h, p) / PAGE_BYTES * PAGE_UNITS));
     return class_bytes[s->class];
 }
 
@@ -488,50 +487,50 @@ static size_t slab_block_size(const struct heap *h, const void *p, size_t old)
 static bool resize_in_place(struct heap *h, void *p, size_t capacity, size_t size)
 {
     if (capacity)
-        return size <= capacity && (size > capacity / 2 || capacity == UNIT);
-    return size < h->size && resize_block(h, (uint32_t)(offset_of(h, p) / UNIT), units_for(size));
+        return size <= capacity && (size > capacity / 2 || capacity == UNIT_BYTES);
+    return size < h->size && resize_block(h, (uint32_t)(offset_of(h, p) / UNIT_BYTES), units_for(size));
 }
 
-static void *resize(struct heap *h, void *p, size_t old, size_t size)
+static void *resize(struct heap *h, void *p, size_t old_size, size_t size)
 {
-    size_t capacity = slab_block_size(h, p, old);
+    size_t capacity = slab_block_size(h, p, old_size);
 
     if (!resize_in_place(h, p, capacity, size)) {
         void *moved = alloc(h, size);
         if (moved) {
-            memcpy(moved, p, old < size ? old : size);
-            release(h, p, old);
+            memcpy(moved, p, old_size < size ? old_size : size);
+            release(h, p, old_size);
             return moved;
         }
         if (size > capacity)
             return NULL;
     }
-    h->used += size - old;
-    h->work += size >= old ? size : 0;
+    h->used += size - old_size;
+    h->work += size >= old_size ? size : 0;
     update_peak(h);
     return p;
 }
 
-void *heap_realloc(struct heap *h, void *p, size_t old, size_t size)
+void *heap_realloc(struct heap *h, void *p, size_t old_size, size_t size)
 {
     if (!p)
         return size ? alloc(h, size) : NULL;
     if (size)
-        return resize(h, p, old, size);
-    release(h, p, old);
+        return resize(h, p, old_size, size);
+    release(h, p, old_size);
     return NULL;
 }
 
 struct heap *heap_init(void *block, size_t size)
 {
     struct heap *h = block;
-    size_t words = (size / PAGE + 64) / 64, header = sizeof *h + words * sizeof h->slabs[0];
+    size_t words = (size / PAGE_BYTES + 64) / 64, header = sizeof *h + words * sizeof h->slab_bits[0];
 
     assert((uintptr_t)block % HEAP_ALIGN == 0 && size >= HEAP_MIN && size - 1 <= UINT32_MAX);
     memset(h, 0, header);
     h->size = size;
     h->first = h->top = units_for(header);
-    h->limit = (uint32_t)((size + sizeof(struct block_header)) / UNIT);
+    h->limit = (uint32_t)((size + sizeof(struct block_header)) / UNIT_BYTES);
     return h;
 }
 
@@ -552,14 +551,14 @@ uint64_t heap_work(const struct heap *h)
 
 size_t heap_extent(const struct heap *h)
 {
-    return (size_t)h->top * UNIT - sizeof(struct block_header);
+    return (size_t)h->top * UNIT_BYTES - sizeof(struct block_header);
 }
 
 /* ---- snapshots ---- */
 
 /* The header of a section in a snapshot, followed by the section's bytes. bytes 0: the end of the snapshot. */
 struct section {
-    size_t from, bytes;
+    size_t offset, bytes;
 };
 
 enum { MIN_HOLE = 512 /* smallest free block, in bytes, that is left out of a snapshot */ };
@@ -590,7 +589,7 @@ size_t heap_save(const struct heap *h, void *buf)
     size_t at = 0, from = 0;
 
     for (uint32_t b = h->first; b != h->top; b += units_of(h, b)) {
-        size_t start = (size_t)b * UNIT, size = (size_t)units_of(h, b) * UNIT;
+        size_t start = (size_t)b * UNIT_BYTES, size = (size_t)units_of(h, b) * UNIT_BYTES;
         if (!is_free(h, b) || size < MIN_HOLE)
             continue;
         at = save_section(h, buf, at, from, start + sizeof(struct free_link));
@@ -614,8 +613,8 @@ size_t heap_restore(struct heap *h, const void *buf)
         at += sizeof section;
         if (section.bytes == 0)
             return at;
-        at = match_alignment(at, section.from);
-        memcpy((char *)h + section.from, p + at, section.bytes);
+        at = match_alignment(at, section.offset);
+        memcpy((char *)h + section.offset, p + at, section.bytes);
         at += section.bytes;
     }
 }
@@ -627,12 +626,12 @@ static bool check_slab(const struct heap *h, uint32_t page, size_t *capacity)
     const struct slab *s = unit_address(h, page);
     unsigned bytes = class_bytes[s->class], count = 0, listed = 0;
 
-    for (uint16_t f = s->free; f; count++) {
-        if (f >= s->unused_from || (f - sizeof *s) % bytes || count > SLAB_BYTES / UNIT)
+    for (uint16_t f = s->first_free; f; count++) {
+        if (f >= s->unused_from || (f - sizeof *s) % bytes || count > SLAB_BYTES / UNIT_BYTES)
             return false;
         memcpy(&f, (const char *)s + f, sizeof f);
     }
-    for (uint32_t p = h->partial[s->class]; p; p = ((const struct slab *)unit_address(h, p))->next)
+    for (uint32_t p = h->partial_slabs[s->class]; p; p = ((const struct slab *)unit_address(h, p))->next)
         listed += p == page;
     *capacity += (size_t)s->used * bytes;
     if (!s->used && (s->next || s->prev))
@@ -645,7 +644,7 @@ static bool is_listed(const struct heap *h, uint32_t b)
     struct bin_index p = bin_of(units_of(h, b));
     uint32_t before = 0;
 
-    if (!(h->rows >> p.row & 1) || !(h->columns[p.row] >> p.column & 1))
+    if (!(h->row_bits >> p.row & 1) || !(h->column_bits[p.row] >> p.column & 1))
         return false;
     for (uint32_t i = h->bins[p.row][p.column]; i;
          before = i, i = ((const struct free_link *)unit_address(h, i))->next) {
@@ -661,11 +660,11 @@ static bool check_bins(const struct heap *h, uint32_t free_blocks)
 {
     uint32_t n = 0;
 
-    for (uint32_t r = 0; r < ROWS; r++) {
-        if (!h->columns[r] != !(h->rows >> r & 1))
+    for (uint32_t r = 0; r < ROW_COUNT; r++) {
+        if (!h->column_bits[r] != !(h->row_bits >> r & 1))
             return false;
         for (uint32_t c = 0; c < COLUMNS_PER_ROW; c++) {
-            if (!h->bins[r][c] != !(h->columns[r] >> c & 1))
+            if (!h->bins[r][c] != !(h->column_bits[r] >> c & 1))
                 return false;
             for (uint32_t i = h->bins[r][c]; i; i = ((const struct free_link *)unit_address(h, i))->next)
                 n++;
@@ -695,11 +694,11 @@ bool heap_check(const struct heap *h)
                 return false;
             slabs++;
         } else if (!was_free) {
-            capacity += (size_t)prev * UNIT - sizeof(struct block_header);
+            capacity += (size_t)prev * UNIT_BYTES - sizeof(struct block_header);
         }
     }
-    for (size_t w = 0; w < (h->size / PAGE + 64) / 64; w++)
-        for (uint64_t bits = h->slabs[w]; bits; bits &= bits - 1)
+    for (size_t w = 0; w < (h->size / PAGE_BYTES + 64) / 64; w++)
+        for (uint64_t bits = h->slab_bits[w]; bits; bits &= bits - 1)
             marked++;
     return h->last_units == prev && marked == slabs && h->used <= capacity && check_bins(h, free_blocks);
 }

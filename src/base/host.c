@@ -80,7 +80,7 @@ static unsigned flags_387(void)
     return status & FLAGS_387;
 }
 
-static bool is_plain_387(void)
+static bool is_387_default(void)
 {
     uint16_t control;
 
@@ -95,8 +95,8 @@ static void set_sse(uint32_t word)
 
 static void enter_arithmetic(struct host *h)
 {
-    h->plain_387 = is_plain_387();
-    if (!h->plain_387) {
+    h->has_default_387 = is_387_default();
+    if (!h->has_default_387) {
         set_arithmetic(h);
         return;
     }
@@ -106,7 +106,7 @@ static void enter_arithmetic(struct host *h)
 
 static void leave_arithmetic(const struct host *h)
 {
-    if (!h->plain_387) {
+    if (!h->has_default_387) {
         restore_arithmetic(h);
         return;
     }

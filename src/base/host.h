@@ -33,7 +33,7 @@ struct host {
     fenv_t arithmetic;
 #ifdef HOST_SSE
     uint32_t sse;
-    bool plain_387; /* the 387 had default settings and no flag raised: `arithmetic` is unused */
+    bool has_default_387; /* the 387 had default settings and no flag raised: `arithmetic` is unused */
 #endif
 #ifdef HOST_FPCR
     uint64_t control;

@@ -91,7 +91,7 @@ static bool computes_exact_roots(void)
 
 #define FAULT_PREFIX "built with flags that change results: "
 
-const char *ieee_fault(void)
+const char *ieee_find_fault(void)
 {
     if (!divides_exactly())
         return FAULT_PREFIX

@@ -7,6 +7,6 @@
 
 /* Returns NULL if the build conforms, otherwise one sentence that names the deviation and the flags that cause it.
  * Takes less than a microsecond. The thread must round to nearest and keep denormals (host.h). */
-const char *ieee_fault(void);
+const char *ieee_find_fault(void);
 
 #endif

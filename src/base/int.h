@@ -32,7 +32,7 @@ INT_FUNCTIONS(int, int)
 INT_FUNCTIONS(int64, int64_t)
 
 /* Returns n rounded up to a multiple of 64 bytes, a cache line. */
-static inline uint64_t int_align(uint64_t n)
+static inline uint64_t int_align_cache_line(uint64_t n)
 {
     return (n + 63) / 64 * 64;
 }

@@ -17,11 +17,11 @@ enum {
     PAD_SELECT = 1 << 9, /* bits 10 to 15 are reserved and always 0 */
     PAD_ALL = (1 << 10) - 1,
     MAX_PLAYERS = 2, /* players */
-    PAD_BUTTONS = 10
+    PAD_BUTTON_COUNT = 10
 };
 
 /* Button names in bit order, as scripts and key maps spell them. */
-#define PAD_NAMES                                                                                                      \
+#define PAD_BUTTON_NAMES                                                                                               \
     {                                                                                                                  \
         "up", "down", "left", "right", "fire", "bomb", "focus", "special", "start", "select"                           \
     }

@@ -37,10 +37,10 @@ uint64_t slots_size(const struct chip *chip, uint32_t cap, uint32_t groups)
     if (!cap)
         return 0;
     if (!chip->is_list)
-        size = int_align(capacity / 8) + int_align(capacity * 4);
+        size = int_align_cache_line(capacity / 8) + int_align_cache_line(capacity * 4);
     for (int i = 0; i < chip->count; i++)
         if (!chip->columns[i].is_register && slots_has_column(&chip->columns[i], groups))
-            size += int_align(value_count(&chip->columns[i], capacity) * chip->columns[i].width);
+            size += int_align_cache_line(value_count(&chip->columns[i], capacity) * chip->columns[i].width);
     return size;
 }
 
@@ -48,7 +48,7 @@ static void *carve(uint8_t **next, uint64_t bytes)
 {
     void *at = *next;
 
-    *next += int_align(bytes);
+    *next += int_align_cache_line(bytes);
     return at;
 }
 
@@ -59,12 +59,12 @@ void slots_layout(const struct chip *chip, void *self, uint32_t cap, uint32_t gr
 
     *s = (struct slots){ .cap = cap, .groups = groups };
     if (!chip->is_list) {
-        s->used = carve(next, capacity / 8);
+        s->live_bits = carve(next, capacity / 8);
         s->gen = carve(next, capacity * 4);
     }
     for (int i = 0; i < chip->count; i++) {
         const struct column *c = &chip->columns[i];
-        void *at = (uint8_t *)self + c->at;
+        void *at = (uint8_t *)self + c->offset;
 
         if (c->is_register)
             memset(at, 0, (size_t)c->width * c->n);
@@ -75,14 +75,14 @@ void slots_layout(const struct chip *chip, void *self, uint32_t cap, uint32_t gr
     }
 }
 
-static bool raise_high(struct slots *s)
+static bool raise_high_water(struct slots *s)
 {
-    if (s->high >= s->cap)
+    if (s->high_water >= s->cap)
         return false;
-    s->used[s->high / 64] = 0;
-    for (uint32_t i = s->high; i < s->high + SLOTS_BLOCK; i++)
+    s->live_bits[s->high_water / 64] = 0;
+    for (uint32_t i = s->high_water; i < s->high_water + SLOTS_BLOCK; i++)
         s->gen[i] = 1;
-    s->high += SLOTS_BLOCK;
+    s->high_water += SLOTS_BLOCK;
     return true;
 }
 
@@ -90,7 +90,7 @@ static bool raise_high(struct slots *s)
  * ones may be. */
 static uint64_t find_free_slots(const struct slots *s, uint32_t block)
 {
-    uint64_t free_slots = ~s->used[block];
+    uint64_t free_slots = ~s->live_bits[block];
 
     if (block * 64 < s->held_top)
         free_slots &= ~s->held[block];
@@ -102,7 +102,7 @@ static uint64_t find_free_slots(const struct slots *s, uint32_t block)
 int32_t slots_take(struct slots *s)
 {
     for (;; s->first_free_word++) {
-        if (s->first_free_word * 64 == s->high && !raise_high(s))
+        if (s->first_free_word * 64 == s->high_water && !raise_high_water(s))
             break;
         uint64_t free_slots = find_free_slots(s, s->first_free_word);
         if (!free_slots)
@@ -110,7 +110,7 @@ int32_t slots_take(struct slots *s)
         uint32_t i = s->first_free_word * 64 + bits_lowest(free_slots);
         if (i >= s->cap)
             break;
-        s->used[i / 64] |= 1ull << (i & 63);
+        s->live_bits[i / 64] |= 1ull << (i & 63);
         s->live++;
         if (i >= s->top)
             s->top = i / 64 * 64 + 64;
@@ -139,21 +139,21 @@ static void vacate(struct slots *s, uint32_t i)
 
 void slots_drop(struct slots *s, uint32_t i)
 {
-    assert(i < s->top && (s->used[i / 64] >> (i & 63) & 1));
-    s->used[i / 64] &= ~(1ull << (i & 63));
+    assert(i < s->top && (s->live_bits[i / 64] >> (i & 63) & 1));
+    s->live_bits[i / 64] &= ~(1ull << (i & 63));
     s->live--;
     vacate(s, i);
 }
 
 void slots_hold(struct slots *s, uint64_t *words, uint32_t i)
 {
-    assert(i < s->top && (s->used[i / 64] >> (i & 63) & 1));
+    assert(i < s->top && (s->live_bits[i / 64] >> (i & 63) & 1));
     if (!s->held_count) {
         s->held = words;
         s->held_top = s->top;
         memset(words, 0, s->top / 8);
     }
-    s->used[i / 64] &= ~(1ull << (i & 63));
+    s->live_bits[i / 64] &= ~(1ull << (i & 63));
     s->held[i / 64] |= 1ull << (i & 63);
     s->live--;
     s->held_count++;
@@ -172,7 +172,7 @@ void slots_release(struct slots *s, uint32_t i)
 
 void slots_trim(struct slots *s)
 {
-    while (s->top && !s->held_count && !s->used[s->top / 64 - 1])
+    while (s->top && !s->held_count && !s->live_bits[s->top / 64 - 1])
         s->top -= SLOTS_BLOCK;
 }
 
@@ -195,9 +195,9 @@ uint32_t slots_next_held(const struct slots *s, uint32_t i)
 
 uint32_t slots_next(const struct slots *s, uint32_t i)
 {
-    if (!s->used)
+    if (!s->live_bits)
         return i < s->live ? i : s->live;
-    return next_bit(s->used, i, s->top);
+    return next_bit(s->live_bits, i, s->top);
 }
 
 static uint64_t value_at(const uint8_t *p, int width)
@@ -232,7 +232,7 @@ static const uint8_t *column_at(const struct column *c, const void *self)
 {
     const uint8_t *at;
 
-    memcpy(&at, (const uint8_t *)self + c->at, sizeof at);
+    memcpy(&at, (const uint8_t *)self + c->offset, sizeof at);
     return at;
 }
 
@@ -244,7 +244,7 @@ static bool is_hashed_register(const struct column *c, uint32_t groups)
 /* The hashed columns, found once for all slots. */
 struct hash_list {
     const struct column *column[MAX_COLUMNS];
-    const uint8_t *at[MAX_COLUMNS];
+    const uint8_t *values[MAX_COLUMNS];
     int n;
 };
 
@@ -259,7 +259,7 @@ static void collect_hashed_columns(struct hash_list *h, const struct chip *chip,
         if (col->is_register || col->kind != COL_GAME || !slots_has_column(col, s->groups))
             continue;
         h->column[h->n] = col;
-        h->at[h->n++] = column_at(col, self);
+        h->values[h->n++] = column_at(col, self);
     }
 }
 
@@ -270,7 +270,7 @@ bool slots_registers_are_zero(const struct chip *chip, const void *self)
     for (int c = 0; c < chip->count; c++) {
         const struct column *col = &chip->columns[c];
         for (int k = 0; is_hashed_register(col, s->groups) && k < col->n; k++)
-            if (value_at((const uint8_t *)self + col->at + (size_t)k * col->width, col->width))
+            if (value_at((const uint8_t *)self + col->offset + (size_t)k * col->width, col->width))
                 return false;
     }
     return true;
@@ -284,17 +284,17 @@ uint64_t slots_hash(const struct chip *chip, const void *self)
 
     for (int c = 0; c < chip->count; c++)
         if (is_hashed_register(&chip->columns[c], s->groups))
-            h = fold_values(h, &chip->columns[c], (const uint8_t *)self + chip->columns[c].at);
+            h = fold_values(h, &chip->columns[c], (const uint8_t *)self + chip->columns[c].offset);
     if (s->live == 0)
         return h;
     collect_hashed_columns(&list, chip, self);
-    uint32_t end = s->used ? s->top : s->live;
+    uint32_t end = s->live_bits ? s->top : s->live;
     for (uint32_t i = slots_next(s, 0); i < end; i = slots_next(s, i + 1)) {
-        if (s->used)
+        if (s->live_bits)
             h = hash_fold(h, (uint64_t)s->gen[i] << 32 | i);
         for (int c = 0; c < list.n; c++) {
             const struct column *col = list.column[c];
-            h = fold_values(h, col, list.at[c] + (size_t)i * col->width * col->n);
+            h = fold_values(h, col, list.values[c] + (size_t)i * col->width * col->n);
         }
     }
     return h;
@@ -326,17 +326,17 @@ static void visit_registers(const struct chip *chip, const void *self, slots_vis
     visit(context, &v);
     for (int c = 0; c < chip->count; c++)
         if (is_hashed_register(&chip->columns[c], s->groups))
-            visit_values(&chip->columns[c], (const uint8_t *)self + chip->columns[c].at, v, visit, context);
+            visit_values(&chip->columns[c], (const uint8_t *)self + chip->columns[c].offset, v, visit, context);
 }
 
 void slots_visit_values(const struct chip *chip, const void *self, slots_visitor *visit, void *context)
 {
     const struct slots *s = self;
-    uint32_t end = s->used ? s->top : s->live;
+    uint32_t end = s->live_bits ? s->top : s->live;
 
     visit_registers(chip, self, visit, context);
     for (uint32_t i = slots_next(s, 0); i < end; i = slots_next(s, i + 1)) {
-        struct slots_value v = { .slot = i, .gen = s->used ? s->gen[i] : 0 };
+        struct slots_value v = { .slot = i, .gen = s->live_bits ? s->gen[i] : 0 };
         for (int c = 0; c < chip->count; c++) {
             const struct column *col = &chip->columns[c];
             if (!col->is_register && col->kind == COL_GAME && slots_has_column(col, s->groups))
@@ -361,25 +361,25 @@ static size_t copy_columns(const struct chip *chip, const void *self, uint8_t *s
         return 0;
     for (int i = chip->is_list ? 0 : -2; i < chip->count; i++) {
         if (i == -2)
-            section.p = (uint8_t *)s->used, section.n = s->high / 8;
+            section.p = (uint8_t *)s->live_bits, section.n = s->high_water / 8;
         else if (i == -1)
-            section.p = (uint8_t *)s->gen, section.n = (size_t)s->high * 4;
+            section.p = (uint8_t *)s->gen, section.n = (size_t)s->high_water * 4;
         else if (chip->columns[i].is_register || !slots_has_column(&chip->columns[i], s->groups))
             continue;
         else {
             const struct column *c = &chip->columns[i];
-            memcpy(&section.p, (const uint8_t *)self + c->at, sizeof section.p);
+            memcpy(&section.p, (const uint8_t *)self + c->offset, sizeof section.p);
             section.n = (size_t)value_count(c, chip->is_list ? s->live : s->top) * c->width;
         }
         if (section.n >= LONG_SECTION)
-            at = (size_t)int_align(at);
+            at = (size_t)int_align_cache_line(at);
         if (save && section.n)
             memcpy(save + at, section.p, section.n);
         if (restore && section.n)
             memcpy(section.p, restore + at, section.n);
         at += section.n;
     }
-    return (size_t)int_align(at);
+    return (size_t)int_align_cache_line(at);
 }
 
 size_t slots_save(const struct chip *chip, const void *self, uint8_t *buf)

@@ -6,10 +6,10 @@
  * struct. The column table is used to lay the chip out, to hash it, and to save and restore it; tests and docs walk the
  * same table.
  *
- * In a pool (`used` is not NULL) a live entity keeps its slot, a new one takes the lowest free slot, and a slot's
+ * In a pool (`live_bits` is not NULL) a live entity keeps its slot, a new one takes the lowest free slot, and a slot's
  * generation is incremented when its entity is dropped. A slot whose generation reaches RETIRED_GENERATION, after 2^30
  * - 2 entities, is retired: no entity ever has that generation, so no handle can ever name a second entity. Each
- * retired slot reduces the pool's capacity by one. In a list (`used` is NULL) entries [0, live) are in use, in the
+ * retired slot reduces the pool's capacity by one. In a list (`live_bits` is NULL) entries [0, live) are in use, in the
  * order in which they were added.
  *
  * Invariants of a pool: every live slot is below top; top and high are multiples of 64; gen and used are valid below
@@ -36,7 +36,7 @@ enum column_kind {
 
 struct column {
     const char *name;
-    uint16_t at;       /* offset, in the chip's struct, of the column's pointer or of the register */
+    uint16_t offset;   /* offset, in the chip's struct, of the column's pointer or of the register */
     uint8_t width;     /* bytes of one value: 1, 2, 4 or 8 */
     uint16_t n;        /* values per slot; for a register, the number of values */
     bool is_register;  /* a register of the chip, not a column */
@@ -61,7 +61,7 @@ struct column {
     COLUMNS(chip, name, 1)
 #define COLUMNS(chip, name, n)                                                                                         \
     COLUMN_ENTRY(chip, name, sizeof *COLUMN_FIELD(chip, name), n, false, false, COL_GAME, NULL)
-#define DERIVED(chip, name, why)                                                                                       \
+#define DERIVED_COLUMN(chip, name, why)                                                                                \
     COLUMN_ENTRY(chip, name, sizeof *COLUMN_FIELD(chip, name), 1, false, false, COL_DERIVED, why)
 #define DERIVED_COLUMNS(chip, name, n, why)                                                                            \
     COLUMN_ENTRY(chip, name, sizeof *COLUMN_FIELD(chip, name), n, false, false, COL_DERIVED, why)
@@ -77,9 +77,9 @@ struct column {
     { #name, offsetof(struct chip, name), sizeof *COLUMN_FIELD(chip, name), n, false, false, COL_GAME, NULL, group }
 
 /* Derived columns of a group, with one value per slot, and with one value per block. */
-#define GROUP_DERIVED(chip, name, group, why)                                                                          \
+#define GROUP_DERIVED_COLUMN(chip, name, group, why)                                                                   \
     { #name, offsetof(struct chip, name), sizeof *COLUMN_FIELD(chip, name), 1, false, false, COL_DERIVED, why, group }
-#define GROUP_BLOCKS(chip, name, group, why)                                                                           \
+#define GROUP_DERIVED_BLOCKS(chip, name, group, why)                                                                   \
     { #name, offsetof(struct chip, name), sizeof *COLUMN_FIELD(chip, name), 1, false, true, COL_DERIVED, why, group }
 
 /* A register: one value, or an array. */
@@ -103,13 +103,13 @@ struct column {
 /* clang-format on */
 
 struct slots {
-    uint32_t cap;  /* most slots that can be live at once */
-    uint32_t top;  /* every live slot is below this */
-    uint32_t high; /* slots ever used, in whole blocks */
+    uint32_t cap;        /* most slots that can be live at once */
+    uint32_t top;        /* every live slot is below this */
+    uint32_t high_water; /* slots ever used, in whole blocks */
     uint32_t live;
     uint32_t refused;              /* additions refused because the chip was full; scripts can read it */
-    uint32_t first_free_word;      /* no word of `used` before this one has a slot that slots_take can return */
-    uint64_t *used;                /* a bit per slot, 1: live; NULL: the chip is a list */
+    uint32_t first_free_word;      /* no word of `live_bits` before this one has a slot that slots_take can return */
+    uint64_t *live_bits;           /* a bit per slot, 1: live; NULL: the chip is a list */
     uint32_t *gen;                 /* generation of each slot, 1 to RETIRED_GENERATION (retired) */
     uint64_t *held;                /* a bit per slot below held_top */
     uint32_t held_top, held_count; /* end of `held`, number of held slots; 0 if none is held */
@@ -168,7 +168,7 @@ uint32_t slots_next(const struct slots *s, uint32_t i);
 
 static inline bool slots_has(const struct slots *s, uint32_t slot, uint32_t gen)
 {
-    return slot < s->top && (s->used[slot >> 6] >> (slot & 63) & 1) && s->gen[slot] == gen;
+    return slot < s->top && (s->live_bits[slot >> 6] >> (slot & 63) & 1) && s->gen[slot] == gen;
 }
 
 /* Like slots_has, but for a held slot. */
@@ -178,9 +178,9 @@ static inline bool slots_has_held(const struct slots *s, uint32_t slot, uint32_t
 }
 
 /* Returns a mask of the slots in a block that are live or held. */
-static inline uint64_t slots_live_or_held(const struct slots *s, uint32_t block)
+static inline uint64_t slots_live_or_held_mask(const struct slots *s, uint32_t block)
 {
-    return s->used[block] | (block * SLOTS_BLOCK < s->held_top ? s->held[block] : 0);
+    return s->live_bits[block] | (block * SLOTS_BLOCK < s->held_top ? s->held[block] : 0);
 }
 
 /* Returns the first held slot at or after i, or held_top if there is none. */

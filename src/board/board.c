@@ -19,7 +19,7 @@
 #include "../script/vm.h"
 #include "../base/host.h"
 
-enum { RAM_ALIGN = 64 /* as int_align */ };
+enum { RAM_ALIGN = 64 /* as int_align_cache_line */ };
 #ifndef MAX_RAM /* bytes; tests lower it */
 #define MAX_RAM (1ull << 30)
 #endif
@@ -31,27 +31,27 @@ enum { RAM_ALIGN = 64 /* as int_align */ };
 static uint64_t event_capacity(const struct manifest *m)
 {
     return (m->bullets_can_meet ? 4 : 3) * (uint64_t)m->bullets +
-           (m->pierce ? MAX_PIERCED_TARGETS : 1) * (uint64_t)m->shots + 8 * (uint64_t)m->enemies +
-           2 * (uint64_t)m->items + 2 * (uint64_t)m->lasers + (m->bulletml ? (uint64_t)m->bullets : 0) + 1024;
+           (m->has_pierce ? MAX_PIERCED_TARGETS : 1) * (uint64_t)m->shots + 8 * (uint64_t)m->enemies +
+           2 * (uint64_t)m->items + 2 * (uint64_t)m->lasers + (m->bulletml_runners ? (uint64_t)m->bullets : 0) + 1024;
 }
 
 /* Returns the most bullets that BulletML documents may fire in a frame. */
 static uint32_t fired_capacity(const struct manifest *m)
 {
-    return m->bulletml ? (uint32_t)m->bullets : 0;
+    return m->bulletml_runners ? (uint32_t)m->bullets : 0;
 }
 
 uint64_t board_ram_needed(const struct cart *cart)
 {
     const struct part_capacities capacities = parts_capacities(&cart->manifest);
-    uint64_t sum = int_align(sizeof(struct board)) + int_align(sizeof(struct output));
+    uint64_t sum = int_align_cache_line(sizeof(struct board)) + int_align_cache_line(sizeof(struct output));
 
-    for (int i = 0; i < PARTS; i++)
+    for (int i = 0; i < PART_COUNT; i++)
         sum += slots_size(machine_parts[i].chip, capacities.slots[i], capacities.groups[i]);
-    sum += int_align((uint64_t)cart->count[CART_SPRITES] * sizeof(struct sprite));
-    sum += int_align(events_size((uint32_t)event_capacity(&cart->manifest)));
-    sum += int_align(fired_capacity(&cart->manifest) * sizeof(struct ml_fired_bullet));
-    return sum + int_align((uint64_t)cart->manifest.lua_kib * 1024) + RAM_ALIGN;
+    sum += int_align_cache_line((uint64_t)cart->count[CART_SPRITES] * sizeof(struct sprite));
+    sum += int_align_cache_line(events_size((uint32_t)event_capacity(&cart->manifest)));
+    sum += int_align_cache_line(fired_capacity(&cart->manifest) * sizeof(struct ml_fired_bullet));
+    return sum + int_align_cache_line((uint64_t)cart->manifest.lua_kib * 1024) + RAM_ALIGN;
 }
 
 /* Opens the cart and sets *size as board_size does. Returns false with one sentence in err if it fails. */
@@ -82,14 +82,14 @@ static fx px_to_fx(int v)
     return (fx)(v * 65536);
 }
 
-static void set_up(struct board *b)
+static void set_initial_state(struct board *b)
 {
     const struct manifest *m = &b->cart.manifest;
     struct rng r;
 
     b->keep_box = (struct box){ px_to_fx(-m->margin), px_to_fx(-m->margin), px_to_fx(m->field_w + m->margin),
                                 px_to_fx(m->field_h + m->margin) };
-    b->area = (struct box){ px_to_fx(8), px_to_fx(8), px_to_fx(m->field_w - 8), px_to_fx(m->field_h - 8) };
+    b->player_area = (struct box){ px_to_fx(8), px_to_fx(8), px_to_fx(m->field_w - 8), px_to_fx(m->field_h - 8) };
     for (int i = 0; i < b->cart.count[CART_SPRITES]; i++)
         cart_sprite(&b->cart, i, &b->sprite_images[i]);
     rng_seed(&r, b->start.seed);
@@ -98,8 +98,8 @@ static void set_up(struct board *b)
     memcpy(b->sparks.stream, r.s, sizeof r.s);
     b->core.difficulty = (uint32_t)(b->start.difficulty < 0 ? m->difficulty : b->start.difficulty);
     b->script.digest = HASH_START;
-    b->fix.cols = (uint32_t)m->screen_w / FIX_CELL;
-    b->fix.rows = (uint32_t)m->screen_h / FIX_CELL;
+    b->fix.cols = (uint32_t)m->screen_w / FIX_CELL_SIZE;
+    b->fix.rows = (uint32_t)m->screen_h / FIX_CELL_SIZE;
     struct slots *always_live[] = { &b->input.s, &b->player.s, &b->fix.s,    &b->pal.s,
                                     &b->music.s, &b->cues.s,   &b->voices.s, &b->option_paths.s };
     for (size_t i = 0; i < sizeof always_live / sizeof *always_live; i++)
@@ -137,24 +137,24 @@ static void set_up(struct board *b)
  */
 static void lay_out(struct board *b)
 {
-    uint8_t *next = b->ram + int_align(sizeof *b);
+    uint8_t *next = b->ram + int_align_cache_line(sizeof *b);
     const struct part_capacities capacities = parts_capacities(&b->cart.manifest);
 
     b->output = (struct output *)next;
-    next += int_align(sizeof *b->output);
-    for (int i = 0; i < PARTS; i++) {
+    next += int_align_cache_line(sizeof *b->output);
+    for (int i = 0; i < PART_COUNT; i++) {
         uint8_t *first = next;
         slots_layout(machine_parts[i].chip, part_of(b, i), capacities.slots[i], capacities.groups[i], &next);
         if (machine_parts[i].chip->is_list && machine_parts[i].chip != &nvram_chip)
             memset(first, 0, (size_t)(next - first));
     }
     b->sprite_images = (struct sprite *)next;
-    next += int_align((uint64_t)b->cart.count[CART_SPRITES] * sizeof(struct sprite));
+    next += int_align_cache_line((uint64_t)b->cart.count[CART_SPRITES] * sizeof(struct sprite));
     events_init(&b->events, (uint32_t)event_capacity(&b->cart.manifest), next);
-    next += int_align(events_size(b->events.cap));
+    next += int_align_cache_line(events_size(b->events.cap));
     b->ml_fired = (struct ml_fired_list){ 0, fired_capacity(&b->cart.manifest), (struct ml_fired_bullet *)next };
-    next += int_align(b->ml_fired.cap * sizeof(struct ml_fired_bullet));
-    set_up(b);
+    next += int_align_cache_line(b->ml_fired.cap * sizeof(struct ml_fired_bullet));
+    set_initial_state(b);
     b->vm.heap = (struct heap *)next;
     b->vm.L = b->vm.running = NULL;
     b->option_plans = NULL;
@@ -174,10 +174,10 @@ static bool boot(struct board *b)
 
 static bool check_practice(const struct practice *p, char *err, size_t err_size)
 {
-    if (p->lives < 0 || p->lives > PRACTICE_LIVES)
-        snprintf(err, err_size, "practice start: lives: expected 0 to %d, got %d", PRACTICE_LIVES, (int)p->lives);
-    else if (p->register_count < 0 || p->register_count > PRACTICE_REGISTERS)
-        snprintf(err, err_size, "practice start: expected at most %d registers, got %d", PRACTICE_REGISTERS,
+    if (p->lives < 0 || p->lives > PRACTICE_MAX_LIVES)
+        snprintf(err, err_size, "practice start: lives: expected 0 to %d, got %d", PRACTICE_MAX_LIVES, (int)p->lives);
+    else if (p->register_count < 0 || p->register_count > PRACTICE_MAX_REGISTERS)
+        snprintf(err, err_size, "practice start: expected at most %d registers, got %d", PRACTICE_MAX_REGISTERS,
                  (int)p->register_count);
     else if (!p->section[0] && (p->lives || p->invincible || p->register_count))
         snprintf(err, err_size, "lives, registers and invincibility require a practice start");
@@ -232,7 +232,7 @@ static void terminate_strings(struct board_start *start)
 
     start->lang[sizeof start->lang - 1] = 0;
     p->section[sizeof p->section - 1] = 0;
-    for (int i = 0; i < PRACTICE_REGISTERS; i++)
+    for (int i = 0; i < PRACTICE_MAX_REGISTERS; i++)
         p->reg[i].name[sizeof p->reg[i].name - 1] = 0;
 }
 
@@ -240,7 +240,7 @@ static struct board *power_on(void *ram, size_t size, const struct rom *rom, con
                               size_t err_size)
 {
     struct board *b = (struct board *)ram;
-    const char *fault = ieee_fault();
+    const char *fault = ieee_find_fault();
     struct cart cart;
     size_t need;
 
@@ -297,12 +297,12 @@ static void reset(struct board *b)
     assert(b->nvram.bytes == nvram.bytes);
     b->nvram = nvram;
     b->core.frame = frame;
-    script_fold(b, digest);
+    script_update_digest(b, digest);
     b->reset_requested = false;
     boot(b);
 }
 
-void board_on_phase(struct board *b, board_phase_done *done, void *context)
+void board_set_phase_callback(struct board *b, board_phase_done *done, void *context)
 {
     b->output->phase_done = done;
     b->output->phase_context = context;
@@ -324,7 +324,7 @@ static void move_items(struct board *b)
 
 /* Finds the position of the entity an enemy orbits. If that entity is an enemy too, moves it first; this nests up to 32
  * levels deep. Returns false if the entity is not alive. */
-static bool find_orbited(struct enemies_world *w, int64_t entity, fx *x, fx *y)
+static bool find_orbited_position(struct enemies_world *w, int64_t entity, fx *x, fx *y)
 {
     const int max_depth = 32;
     struct board *b = w->context;
@@ -342,14 +342,14 @@ static bool find_orbited(struct enemies_world *w, int64_t entity, fx *x, fx *y)
 void board_move_entities(struct board *b)
 {
     struct motion_world w = board_motion_world(b, false), ws = board_motion_world(b, true);
-    struct enemies_world we = { b, find_orbited, board_random, 0 };
+    struct enemies_world we = { b, find_orbited_position, board_random, 0 };
     const uint16_t held[MAX_PLAYERS] = { (uint16_t)(b->input.held[0] & ~board_ignored_buttons(b, 0)),
                                          (uint16_t)(b->input.held[1] & ~board_ignored_buttons(b, 1)) };
     struct bullets_query query[MAX_PLAYERS];
     const bool has_solids = hit_solid_is_possible(b);
 
     emit_clear(b);
-    player_move(&b->player, &b->player_kinds, held, &b->area);
+    player_move(&b->player, &b->player_kinds, held, &b->player_area);
     if (b->option_plans)
         options_follow(b);
     enemies_move(&b->enemies, &b->keep_box, &we);
@@ -357,7 +357,7 @@ void board_move_entities(struct board *b)
     if (b->ml_roots.s.live)
         bulletml_run(b);
     hit_get_queries(b, query);
-    bullets_move(&b->bullets, &w, &b->keep_box, query, has_solids || b->bullets.n_meets);
+    bullets_move(&b->bullets, &w, &b->keep_box, query, has_solids || b->bullets.n_meet_pairs);
     if (b->items.s.top)
         move_items(b);
     if (b->lasers.s.live)
@@ -394,7 +394,7 @@ static int move_and_hit(lua_State *L)
     report_phase(b, PHASE_MOTION);
     hit_run(b);
     if (b->ml_fired.n)
-        bulletml_spawn_fired(b);
+        bulletml_spawn_fired_bullets(b);
     emit_run(b);
     return 0;
 }
@@ -419,7 +419,7 @@ static void drop_followers(struct board *b)
     EACH_LIVE (i, &s->s) {
         if (!(s->flags[i] & SPRITE_FOLLOW))
             continue;
-        if (board_is_alive(b, board_followed_by_sprite(b, i)))
+        if (board_is_alive(b, board_sprite_follow_target(b, i)))
             s->n_following++;
         else
             slots_drop(&s->s, i);
@@ -476,7 +476,7 @@ static bool step_stop(struct board *b, const uint16_t pads[MAX_PLAYERS])
 }
 
 /* Returns whether events_run has anything to do in this frame. */
-static bool has_raised(const struct board *b)
+static bool needs_events_run(const struct board *b)
 {
     return b->events.n || b->bullets.s.held_count || b->shots.s.held_count || b->lasers.s.live;
 }
@@ -499,7 +499,7 @@ static void clear_output(struct output *o)
 static int charge_picture(lua_State *L)
 {
     board_charge_picture(vm_board(L));
-    return vm_collect(L);
+    return vm_collect_garbage(L);
 }
 
 static void tick(struct board *b, const uint16_t pads[MAX_PLAYERS])
@@ -524,7 +524,7 @@ static void tick(struct board *b, const uint16_t pads[MAX_PLAYERS])
     if (!stopped && b->core.frozen <= 0)
         ok = ok && vm_call(b, move_and_hit);
     report_phase(b, PHASE_HITS);
-    ok = ok && (!has_raised(b) || vm_call(b, events_run));
+    ok = ok && (!needs_events_run(b) || vm_call(b, events_run));
     report_phase(b, PHASE_EVENTS);
     if (ok) {
         drop_followers(b);
@@ -581,10 +581,10 @@ uint32_t board_frame(const struct board *b)
     return b->core.frame;
 }
 
-int board_parts(const struct board *b)
+int board_part_count(const struct board *b)
 {
     (void)b;
-    return PARTS;
+    return PART_COUNT;
 }
 
 const char *board_part_name(const struct board *b, int i)
@@ -595,9 +595,9 @@ const char *board_part_name(const struct board *b, int i)
 
 size_t board_snapshot_size(const struct board *b)
 {
-    size_t n = (size_t)(int_align(sizeof *b) + int_align(heap_save(b->vm.heap, NULL)));
+    size_t n = (size_t)(int_align_cache_line(sizeof *b) + int_align_cache_line(heap_save(b->vm.heap, NULL)));
 
-    for (int i = 0; i < PARTS; i++)
+    for (int i = 0; i < PART_COUNT; i++)
         n += slots_save(machine_parts[i].chip, part_of(b, i), NULL);
     return n;
 }
@@ -607,9 +607,9 @@ void board_save(const struct board *b, void *buf)
     uint8_t *p = buf;
 
     memcpy(p, b, sizeof *b);
-    p += int_align(sizeof *b);
-    p += int_align(heap_save(b->vm.heap, p));
-    for (int i = 0; i < PARTS; i++)
+    p += int_align_cache_line(sizeof *b);
+    p += int_align_cache_line(heap_save(b->vm.heap, p));
+    for (int i = 0; i < PART_COUNT; i++)
         p += slots_save(machine_parts[i].chip, part_of(b, i), p);
 }
 
@@ -619,9 +619,9 @@ void board_restore(struct board *b, const void *buf)
     const uint8_t *p = buf;
 
     memcpy(b, p, sizeof *b);
-    p += int_align(sizeof *b);
-    p += int_align(heap_restore(b->vm.heap, p));
-    for (int i = 0; i < PARTS; i++)
+    p += int_align_cache_line(sizeof *b);
+    p += int_align_cache_line(heap_restore(b->vm.heap, p));
+    for (int i = 0; i < PART_COUNT; i++)
         p += slots_restore(machine_parts[i].chip, part_of(b, i), p);
     for (int i = 0; i < b->cart.count[CART_SPRITES]; i++)
         cart_sprite(&b->cart, i, &b->sprite_images[i]);
@@ -643,14 +643,14 @@ void board_output_restore(struct board *b, const void *buf)
     memcpy(b->output, buf, sizeof *b->output);
 }
 
-const uint8_t *board_nvram(const struct board *b, size_t *size, uint32_t *changed)
+const uint8_t *board_nvram(const struct board *b, size_t *size, uint32_t *writes)
 {
     *size = b->nvram.s.live;
-    *changed = b->nvram.writes;
+    *writes = b->nvram.writes;
     return b->nvram.bytes;
 }
 
-int board_difficulty_now(const struct board *b)
+int board_current_difficulty(const struct board *b)
 {
     return (int)b->core.difficulty;
 }
@@ -662,7 +662,7 @@ size_t board_lua_peak(const struct board *b)
 
 int64_t board_live_count(const struct board *b, const char *part)
 {
-    const struct slots *s = part_named(b, part);
+    const struct slots *s = part_find(b, part);
 
     return s ? (int64_t)s->live : -1;
 }
@@ -674,7 +674,7 @@ int64_t board_points(const struct board *b, int i)
 
 int64_t board_refused_count(const struct board *b, const char *part)
 {
-    const struct slots *s = part_named(b, part);
+    const struct slots *s = part_find(b, part);
 
     return s ? (int64_t)s->refused : -1;
 }
@@ -688,12 +688,12 @@ struct board_counts board_counts(const struct board *b)
 
 size_t board_scratch_size(const struct board *b)
 {
-    return video_bullets_scratch(&b->cart.manifest);
+    return video_bullets_scratch_size(&b->cart.manifest);
 }
 
-size_t board_scratch_size_for(const struct cart *cart)
+size_t board_cart_scratch_size(const struct cart *cart)
 {
-    return video_bullets_scratch(&cart->manifest);
+    return video_bullets_scratch_size(&cart->manifest);
 }
 
 uint64_t board_draw(const struct board *b, const struct view *view, struct fb *fb, uint32_t rgb[256], void *scratch)
@@ -706,7 +706,7 @@ uint64_t board_draw(const struct board *b, const struct view *view, struct fb *f
         fb_fill(fb, 0);
         return 0;
     }
-    return video_draw(b, view, fb, rgb, scratch, VIDEO_OVERDRAW).drawn_count;
+    return video_draw(b, view, fb, rgb, scratch, VIDEO_MIN_OVERDRAW).drawn_count;
 }
 
 /* ---- Lua ---- */

@@ -58,7 +58,7 @@ void board_screen_size(const struct board *b, int *w, int *h);
 
 /* Return the bytes of scratch memory that board_draw needs: for a board, and for any board of an open cart. */
 size_t board_scratch_size(const struct board *b);
-size_t board_scratch_size_for(const struct cart *cart);
+size_t board_cart_scratch_size(const struct cart *cart);
 
 /* Draws the picture into fb and its 256 colours (0xRRGGBB) into rgb, adjusted by the view (NULL: unadjusted). Returns
  * the number of sprites drawn. Reads b and view, writes only fb, rgb and scratch. fb must have been initialised by
@@ -80,14 +80,14 @@ void board_sound_init_tables(void *tables);
 void board_sound_set_levels(void *tables, int music, int sounds);
 void board_mix_sound(const struct board *b, const void *tables, int16_t out[2 * BOARD_SOUND_FRAMES]);
 
-/* The sound that a slot plays after a tick. board_cue returns false past the last slot. */
+/* The sound that a slot plays after a tick. board_get_cue returns false past the last slot. */
 struct board_cue {
     const char *name;     /* name of the sound; NULL: the slot is silent */
     uint32_t start_frame; /* frame in which the sound began */
     bool is_first_track;  /* the slot plays the sound's first track */
     bool ends_next_frame; /* the track ends in the next frame */
 };
-bool board_cue(const struct board *b, int slot, struct board_cue *out);
+bool board_get_cue(const struct board *b, int slot, struct board_cue *out);
 
 /* Returns the name of the music that is playing; "": none. */
 const char *board_music_name(const struct board *b);
@@ -104,14 +104,14 @@ bool board_jukebox_tick(struct board *b);
 /* A sound or a piece of music in a jukebox's list. */
 struct board_tune {
     const char *name, *title;
-    bool is_music, is_recording, endless;
+    bool is_music, is_recording, is_endless;
     int track_count, priority, limit, mark_count;
     size_t bytes;
     const uint8_t *data; /* tune.h */
 };
 
 /* Stores entry n of the jukebox's list: all sounds, then all music. Returns false past the last entry. */
-bool board_jukebox_tune(const struct board *b, int n, struct board_tune *out);
+bool board_jukebox_get_tune(const struct board *b, int n, struct board_tune *out);
 
 /* Returns the number of frames ticked since power-on. */
 uint32_t board_frame(const struct board *b);
@@ -119,7 +119,7 @@ uint32_t board_frame(const struct board *b);
 /* Return the combined state hash, the number of parts, and the name and the hash of part i. board_hashes stores the
  * hashes of all parts. The combined hash leaves out the parts that no script can read: sparks, cues and voices. */
 uint64_t board_hash(const struct board *b);
-int board_parts(const struct board *b);
+int board_part_count(const struct board *b);
 const char *board_part_name(const struct board *b, int i);
 uint64_t board_part_hash(const struct board *b, int i);
 void board_hashes(const struct board *b, uint64_t out[MAX_PARTS]);
@@ -163,7 +163,7 @@ int64_t board_refused_count(const struct board *b, const char *part);
 int64_t board_points(const struct board *b, int i);
 
 /* Returns the current difficulty, an index into the manifest's list. A game may let the player choose it. */
-int board_difficulty_now(const struct board *b);
+int board_current_difficulty(const struct board *b);
 
 /* Returns the peak number of bytes of Lua RAM in use since power-on or the last board.reset. The capacity is
  * board.lua_kib in rom.lua. */
@@ -176,7 +176,7 @@ const char *board_lua_release(void);
 const char *board_lua_copyright(void);
 
 /* Sets the function to call at the end of each phase of a tick; NULL: none. */
-void board_on_phase(struct board *b, board_phase_done *done, void *context);
+void board_set_phase_callback(struct board *b, board_phase_done *done, void *context);
 
 /* Returns the work counters of the last frame. */
 struct board_counts board_counts(const struct board *b);

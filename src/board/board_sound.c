@@ -45,22 +45,22 @@ static bool track_ends_next_frame(const struct board *b, int slot)
     const struct cues *c = &b->cues;
     const struct tune t = tune_of(b->cart.tune_data + c->tune[slot]);
     struct tune_run run = { &t, c->track[slot], { c->at[slot], c->units_left[slot] }, t.tempo, 0, SND_FRAME, 0 };
-    struct tune_played e;
+    struct tune_played_event e;
 
     while (tune_next_event(&run, &e))
         ;
-    return run.at.at == 0;
+    return run.cursor.cursor == 0;
 }
 
-bool board_cue(const struct board *b, int slot, struct board_cue *out)
+bool board_get_cue(const struct board *b, int slot, struct board_cue *out)
 {
     const struct cues *c = &b->cues;
     int sound = 0;
 
-    if (!board_has_sound(b) || slot >= CUES)
+    if (!board_has_sound(b) || slot >= CUE_SLOTS)
         return false;
     *out = (struct board_cue){ 0 };
-    while (sound < b->cart.count[CART_SOUNDS] && cart_place(&b->cart, CART_SOUNDS, sound) != c->tune[slot])
+    while (sound < b->cart.count[CART_SOUNDS] && cart_tune_offset(&b->cart, CART_SOUNDS, sound) != c->tune[slot])
         sound++;
     if (c->tune[slot] == 0 || sound == b->cart.count[CART_SOUNDS])
         return true;
@@ -83,16 +83,16 @@ static const struct {
     size_t offset;
     uint32_t cap;
 } jukebox_parts[] = { { &seq_chip, offsetof(struct board, music), SEQ_SLOTS },
-                      { &cues_chip, offsetof(struct board, cues), CUES },
+                      { &cues_chip, offsetof(struct board, cues), CUE_SLOTS },
                       { &voices_chip, offsetof(struct board, voices), VOICE_CAPACITY } };
 
-enum { JUKEBOX_PARTS = sizeof jukebox_parts / sizeof *jukebox_parts };
+enum { JUKEBOX_PART_COUNT = sizeof jukebox_parts / sizeof *jukebox_parts };
 
 size_t board_jukebox_size(void)
 {
-    size_t n = (size_t)int_align(sizeof(struct board));
+    size_t n = (size_t)int_align_cache_line(sizeof(struct board));
 
-    for (int i = 0; i < JUKEBOX_PARTS; i++)
+    for (int i = 0; i < JUKEBOX_PART_COUNT; i++)
         n += (size_t)slots_size(jukebox_parts[i].chip, jukebox_parts[i].cap, 0);
     return n;
 }
@@ -100,12 +100,12 @@ size_t board_jukebox_size(void)
 struct board *board_jukebox_open(void *ram, const struct rom *rom, char *err, size_t err_size)
 {
     struct board *b = ram;
-    uint8_t *next = (uint8_t *)ram + (size_t)int_align(sizeof *b);
+    uint8_t *next = (uint8_t *)ram + (size_t)int_align_cache_line(sizeof *b);
 
     memset(ram, 0, board_jukebox_size());
     if (!cart_open(&b->cart, rom, err, err_size))
         return NULL;
-    for (int i = 0; i < JUKEBOX_PARTS; i++) {
+    for (int i = 0; i < JUKEBOX_PART_COUNT; i++) {
         struct slots *s = (struct slots *)(void *)((uint8_t *)b + jukebox_parts[i].offset);
         slots_layout(jukebox_parts[i].chip, s, jukebox_parts[i].cap, 0, &next);
         s->live = s->cap;
@@ -119,7 +119,7 @@ bool board_jukebox_play(struct board *b, const char *name)
     const int sound = cart_find(&b->cart, CART_SOUNDS, name), tune = cart_find(&b->cart, CART_TUNES, name);
 
     if (sound >= 0)
-        sound_play(b, &(struct cue){ cart_place(&b->cart, CART_SOUNDS, sound), 256, 0, 0 });
+        sound_play(b, &(struct cue){ cart_tune_offset(&b->cart, CART_SOUNDS, sound), 256, 0, 0 });
     else if (tune >= 0)
         sound_start_music(b, tune, &(struct music_options){ .restart = true });
     return sound >= 0 || tune >= 0;
@@ -134,14 +134,14 @@ bool board_jukebox_tick(struct board *b)
     b->core.frame++;
     for (int i = 0; i < VOICE_SLOTS; i++)
         busy = busy || voices_is_busy(&b->voices, i);
-    for (int i = 0; i < CUES; i++)
+    for (int i = 0; i < CUE_SLOTS; i++)
         busy = busy || b->cues.tune[i];
     for (int i = 0; i < SEQ_SLOTS; i++)
         busy = busy || b->music.at[i];
     return busy;
 }
 
-bool board_jukebox_tune(const struct board *b, int n, struct board_tune *out)
+bool board_jukebox_get_tune(const struct board *b, int n, struct board_tune *out)
 {
     const bool is_music = n >= b->cart.count[CART_SOUNDS];
     const enum cart_folder folder = is_music ? CART_TUNES : CART_SOUNDS;
@@ -161,7 +161,7 @@ bool board_jukebox_tune(const struct board *b, int n, struct board_tune *out)
                                 t.n_tracks,
                                 t.priority,
                                 t.limit,
-                                t.n_marks,
+                                t.n_markers,
                                 bytes,
                                 l.data };
     return true;

@@ -15,13 +15,13 @@ static const uint8_t *part_at(const struct board *b, int i)
 }
 
 /* Returns whether part i has nothing to hash in slots and may be absent: it is one of the parts added after the first
- * PARTS_ALWAYS_HASHED, it has no live slot, and it either has no capacity (the chip has only registers, or the game
+ * FIRST_OPTIONAL_PART, it has no live slot, and it either has no capacity (the chip has only registers, or the game
  * reserves no slots) or is the list of registers that ships and the run declare. */
 static bool may_be_absent(const struct board *b, int i)
 {
     const struct slots *s = (const struct slots *)part_at(b, i);
 
-    return i >= PARTS_ALWAYS_HASHED && !s->live && (!s->cap || s == &b->registers.s);
+    return i >= FIRST_OPTIONAL_PART && !s->live && (!s->cap || s == &b->registers.s);
 }
 
 /* Returns whether part i is absent: may_be_absent, with all registers 0. The hash of an absent part is 0 and is left
@@ -42,7 +42,7 @@ uint64_t board_part_hash(const struct board *b, int i)
 
 void board_hashes(const struct board *b, uint64_t out[MAX_PARTS])
 {
-    for (int i = 0; i < PARTS; i++)
+    for (int i = 0; i < PART_COUNT; i++)
         out[i] = board_part_hash(b, i);
 }
 
@@ -50,8 +50,8 @@ uint64_t board_combine_hashes(const uint64_t hashes[MAX_PARTS])
 {
     uint64_t h = HASH_START;
 
-    for (int i = 0; i < PARTS; i++)
-        if (!machine_parts[i].chip->unhashed && !(i >= PARTS_ALWAYS_HASHED && !hashes[i]))
+    for (int i = 0; i < PART_COUNT; i++)
+        if (!machine_parts[i].chip->unhashed && !(i >= FIRST_OPTIONAL_PART && !hashes[i]))
             h = hash_fold(h, hashes[i]);
     return h;
 }
@@ -116,7 +116,7 @@ size_t board_hash_cache_size(const struct board *b)
 {
     size_t sum = 0, largest = 0;
 
-    for (int i = 0; i < PARTS; i++) {
+    for (int i = 0; i < PART_COUNT; i++) {
         size_t n = copy_size(b, i);
         sum += n;
         largest = n > largest ? n : largest;
@@ -141,9 +141,9 @@ void board_hashes_cached(const struct board *b, void *cache, uint64_t hashes[MAX
 {
     uint8_t *copy = cache, *scratch = copy;
 
-    for (int i = 0; i < PARTS; i++)
+    for (int i = 0; i < PART_COUNT; i++)
         scratch += copy_size(b, i);
-    for (int i = 0; i < PARTS; i++) {
+    for (int i = 0; i < PART_COUNT; i++) {
         if (is_absent(b, i))
             hashes[i] = 0;
         else if (!machine_parts[i].chip->is_list || may_be_absent(b, i) || !update_copy(b, i, copy, scratch))

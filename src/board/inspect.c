@@ -27,10 +27,10 @@ struct inspect_area inspect_field(const struct board *b)
 struct inspect_controls inspect_player_controls(const struct board *b, int player)
 {
     const bool in_play = b->player.in_game[player] && b->core.frozen <= 0;
-    const unsigned withheld = player_ignored_buttons(&b->player, (uint32_t)player);
+    const unsigned ignored_buttons = player_ignored_buttons(&b->player, (uint32_t)player);
 
-    return (struct inspect_controls){ .steers = in_play && !(withheld & PAD_FOCUS),
-                                      .fires = in_play && !(withheld & PAD_FIRE) };
+    return (struct inspect_controls){ .can_steer = in_play && !(ignored_buttons & PAD_FOCUS),
+                                      .can_fire = in_play && !(ignored_buttons & PAD_FIRE) };
 }
 
 /* ---- bodies ---- */
@@ -43,7 +43,7 @@ static struct inspect_body body_at(const struct board *b, enum inspect_kind kind
                                   .y = to_screen(y, b->cart.manifest.field_y) };
 }
 
-static const enum inspect_shape inspect_shapes[] = { [SHAPE_NONE] = INSPECT_NONE,
+static const enum inspect_shape inspect_shapes[] = { [SHAPE_NONE] = INSPECT_NO_SHAPE,
                                                      [SHAPE_CIRCLE] = INSPECT_CIRCLE,
                                                      [SHAPE_BOX] = INSPECT_BOX,
                                                      [SHAPE_CAPSULE] = INSPECT_CAPSULE,
@@ -86,7 +86,7 @@ static bool can_be_grazed(const struct board *b, uint32_t i)
     return false;
 }
 
-static struct inspect_body flying_body(const struct board *b, enum inspect_kind kind, uint32_t i)
+static struct inspect_body bullet_or_shot_body(const struct board *b, enum inspect_kind kind, uint32_t i)
 {
     const struct bullets *s = kind == INSPECT_BULLET ? &b->bullets : &b->shots;
     const struct bullet_kinds *k = kind == INSPECT_BULLET ? &b->bullet_kinds : &b->shot_kinds;
@@ -95,7 +95,7 @@ static struct inspect_body flying_body(const struct board *b, enum inspect_kind 
     struct body shapes[SHAPE_MAX_CIRCLES];
     uint8_t shape = s->flags[i] & BULLET_DELAYED ? SHAPE_NONE : k->shape[s->kind[i]];
 
-    set_shape(b, &body, shape, shapes, hit_bullet_pieces(s, k, i, shapes));
+    set_shape(b, &body, shape, shapes, hit_split_bullet(s, k, i, shapes));
     body.is_dimmed = kind == INSPECT_BULLET && !can_be_grazed(b, i);
     return body;
 }
@@ -108,7 +108,7 @@ static struct inspect_body enemy_body(const struct board *b, uint32_t i)
 
     struct body shapes[SHAPE_MAX_CIRCLES];
 
-    set_shape(b, &body, k->shape[e->kind[i]], shapes, hit_enemy_pieces(b, i, shapes));
+    set_shape(b, &body, k->shape[e->kind[i]], shapes, hit_split_enemy(b, i, shapes));
     body.is_dimmed = !(k->flags[e->kind[i]] & ENEMY_TOUCH) || e->flags[i] & ENEMY_DYING;
     return body;
 }
@@ -129,7 +129,7 @@ static bool laser_can_be_grazed(const struct board *b, uint32_t i)
 {
     const uint16_t kind = b->laser_heads.kind[i];
 
-    if (b->laser_kinds.flags[kind] & LASER_SHOOTS || !b->laser_kinds.graze_interval[kind])
+    if (b->laser_kinds.flags[kind] & LASER_HITS_ENEMIES || !b->laser_kinds.graze_interval[kind])
         return false;
     for (uint32_t p = 0; p < MAX_PLAYERS; p++)
         if (b->player.in_game[p] && b->core.clock >= b->lasers.rehit_clock[i * MAX_PLAYERS + p])
@@ -158,8 +158,8 @@ static struct inspect_body laser_body(const struct board *b, uint32_t i, uint32_
     return body;
 }
 
-static void laser_bodies(const struct board *b, void (*visit)(void *context, const struct inspect_body *body),
-                         void *context)
+static void visit_laser_bodies(const struct board *b, void (*visit)(void *context, const struct inspect_body *body),
+                               void *context)
 {
     EACH_LIVE (i, &b->lasers.s) {
         const uint32_t n = lasers_corner_count(b, i);
@@ -179,14 +179,14 @@ void inspect_bodies(const struct board *b, void (*visit)(void *context, const st
         visit(context, &body);
     }
     EACH_LIVE (i, &b->shots.s) {
-        body = flying_body(b, INSPECT_SHOT, i);
+        body = bullet_or_shot_body(b, INSPECT_SHOT, i);
         visit(context, &body);
     }
     EACH_LIVE (i, &b->bullets.s) {
-        body = flying_body(b, INSPECT_BULLET, i);
+        body = bullet_or_shot_body(b, INSPECT_BULLET, i);
         visit(context, &body);
     }
-    laser_bodies(b, visit, context);
+    visit_laser_bodies(b, visit, context);
     for (uint32_t i = 0; i < MAX_PLAYERS; i++) {
         body = player_body(b, i);
         if (b->player.in_game[i])
@@ -240,8 +240,8 @@ static void measure_kind(const struct shape_columns *k, uint32_t i, struct inspe
 }
 
 /* Calls `visit` for every kind of ship; a ship's hitbox is a circle. */
-static void ship_kinds(const struct board *b, void (*visit)(void *context, const struct inspect_kind_shape *kind),
-                       void *context)
+static void visit_ship_kinds(const struct board *b, void (*visit)(void *context, const struct inspect_kind_shape *kind),
+                             void *context)
 {
     const struct player_kinds *k = &b->player_kinds;
 
@@ -266,7 +266,8 @@ static const char *ramp_name(const struct board *b, uint16_t flags)
 {
     const int blend = (flags & KIND_BLEND) / KIND_BLEND_ONE;
 
-    return blend && b->cart.main_look.mix[blend - 1] != BLIT_TABLE ? cart_name(&b->cart, CART_BLENDS, blend - 1) : NULL;
+    return blend && b->cart.main_tables.mix[blend - 1] != BLIT_TABLE ? cart_name(&b->cart, CART_BLENDS, blend - 1)
+                                                                     : NULL;
 }
 
 void inspect_kinds(const struct board *b, void (*visit)(void *context, const struct inspect_kind_shape *kind),
@@ -297,13 +298,13 @@ void inspect_kinds(const struct board *b, void (*visit)(void *context, const str
             measure_kind(&types[type].shapes, i, &kind);
             kind.entity = types[type].entity;
             kind.name = name;
-            kind.turns = types[type].flags && types[type].flags[i] & KIND_TURNS;
+            kind.is_rotated = types[type].flags && types[type].flags[i] & KIND_TURNS;
             kind.sprite = cart_name(&b->cart, CART_SPRITES, types[type].sprite[i]);
             kind.bank = types[type].bank[i] & 15;
             kind.ramp = types[type].flags ? ramp_name(b, types[type].flags[i]) : NULL;
             visit(context, &kind);
         }
-    ship_kinds(b, visit, context);
+    visit_ship_kinds(b, visit, context);
 }
 
 /* ---- gauges ---- */
@@ -317,20 +318,20 @@ int inspect_gauges(const struct board *b, struct inspect_gauge out[MAX_PARTS])
 {
     const void *fixed[] = { &b->input, &b->player, &b->fix, &b->pal, &b->nvram };
 
-    for (int i = 0; i < PARTS; i++) {
+    for (int i = 0; i < PART_COUNT; i++) {
         const struct slots *s = part_slots(b, i);
-        bool is_list = !s->used;
+        bool is_list = !s->live_bits;
         out[i] = (struct inspect_gauge){ machine_parts[i].chip->name,
                                          s->live,
                                          is_list ? s->live : s->top,
-                                         is_list ? s->live : s->high,
+                                         is_list ? s->live : s->high_water,
                                          s->cap,
                                          s->refused,
                                          s->cap == 0 };
         for (size_t k = 0; k < sizeof fixed / sizeof *fixed; k++)
-            out[i].fixed |= fixed[k] == (const void *)s;
+            out[i].is_fixed |= fixed[k] == (const void *)s;
     }
-    return PARTS;
+    return PART_COUNT;
 }
 
 void inspect_memory(const struct board *b, size_t *used, size_t *size)
@@ -359,15 +360,15 @@ void inspect_codes(const struct board *b, void (*visit)(void *context, uint32_t 
 /* ---- tasks ---- */
 
 /* Stores the line at which the thread of task i waits; "" if the task has not run yet. */
-static void find_line(const struct board *b, uint32_t i, char place[INSPECT_PLACE_SIZE])
+static void find_line(const struct board *b, uint32_t i, char location[INSPECT_LOCATION_SIZE])
 {
-    place[0] = 0;
+    location[0] = 0;
     if (!b->tasks.thread[i] || !(b->tasks.flags[i] & TASK_BEGUN))
         return;
-    vm_where(b->tasks.thread[i], place, INSPECT_PLACE_SIZE);
-    size_t n = strlen(place);
+    vm_get_location(b->tasks.thread[i], location, INSPECT_LOCATION_SIZE);
+    size_t n = strlen(location);
     if (n >= 2) /* remove the final ": " */
-        place[n - 2] = 0;
+        location[n - 2] = 0;
 }
 
 static void find_owner(const struct board *b, int64_t owner, struct inspect_task *out)
@@ -398,11 +399,11 @@ static void describe_task(const struct board *b, uint32_t i, struct inspect_task
                                   .waits_forever =
                                       t->wait[i] > LUA_MAXINTEGER / 2, /* a task that waits forever counts down too */
                                   .is_scope = t->flags[i] & TASK_SCOPE,
-                                  .begun = t->flags[i] & TASK_BEGUN,
-                                  .stopped = t->flags[i] & TASK_STOP || !tasks_owner_alive(b, t->owner[i]),
-                                  .frozen = tasks_is_frozen(b, i) };
+                                  .has_begun = t->flags[i] & TASK_BEGUN,
+                                  .is_stopped = t->flags[i] & TASK_STOP || !tasks_is_owner_alive(b, t->owner[i]),
+                                  .is_frozen = tasks_is_frozen(b, i) };
     find_owner(b, t->owner[i], out);
-    find_line(b, i, out->place);
+    find_line(b, i, out->location);
 }
 
 uint32_t inspect_tasks(const struct board *b, uint32_t first, struct inspect_task *out, uint32_t n)
@@ -485,7 +486,7 @@ static void describe_motion(const struct board *b, const struct bullets *s, uint
         out->frames_left = s->step_end[i] - b->core.clock;
 }
 
-static void describe_flying(const struct board *b, struct inspect_entity *out)
+static void describe_bullet_or_shot(const struct board *b, struct inspect_entity *out)
 {
     bool bullet = out->body.kind == INSPECT_BULLET;
     const struct bullets *s = bullet ? &b->bullets : &b->shots;
@@ -527,7 +528,7 @@ static void describe_enemy(const struct board *b, struct inspect_entity *out)
     out->age = b->core.clock - e->born[i];
     out->owner_task = e->owner_task[i];
     out->hp = e->hp[i];
-    out->safe = e->safe_left[i];
+    out->safe_left = e->safe_left[i];
 }
 
 static void describe_player(const struct board *b, struct inspect_entity *out)
@@ -537,10 +538,10 @@ static void describe_player(const struct board *b, struct inspect_entity *out)
 
     out->name = board_name(b, N_PLAYER, p->kind[i]);
     out->lives = p->lives[i];
-    out->safe = p->safe_left[i] > INT32_MAX ? -1 : (int32_t)p->safe_left[i];
+    out->safe_left = p->safe_left[i] > INT32_MAX ? -1 : (int32_t)p->safe_left[i];
 }
 
-bool inspect_at(const struct board *b, int x, int y, int radius, struct inspect_entity *out)
+bool inspect_entity_at(const struct board *b, int x, int y, int radius, struct inspect_entity *out)
 {
     struct search s = { .x = x * 65536 + 32768, .y = y * 65536 + 32768, .radius = radius * 65536 };
 
@@ -556,6 +557,6 @@ bool inspect_at(const struct board *b, int x, int y, int radius, struct inspect_
     else if (s.found.kind == INSPECT_LASER)
         describe_laser(b, out);
     else if (s.found.kind != INSPECT_NOTHING)
-        describe_flying(b, out);
+        describe_bullet_or_shot(b, out);
     return s.found.kind != INSPECT_NOTHING;
 }

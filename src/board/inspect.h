@@ -13,7 +13,7 @@
 #include "../sound/voices.h"
 
 enum inspect_kind { INSPECT_NOTHING, INSPECT_BULLET, INSPECT_SHOT, INSPECT_ENEMY, INSPECT_PLAYER, INSPECT_LASER };
-enum inspect_shape { INSPECT_NONE, INSPECT_CIRCLE, INSPECT_BOX, INSPECT_CAPSULE, INSPECT_CIRCLES };
+enum inspect_shape { INSPECT_NO_SHAPE, INSPECT_CIRCLE, INSPECT_BOX, INSPECT_CAPSULE, INSPECT_CIRCLES };
 
 /* The hitbox of an entity, as collision tests use it. */
 struct inspect_body {
@@ -46,7 +46,7 @@ bool inspect_ship(const struct board *b, int player, struct inspect_body *out);
 /* The hitbox and the sprite of one kind of bullet, shot, enemy or player. */
 struct inspect_kind_shape {
     const char *entity, *name; /* type of entity, "bullet"; name of the kind, "orb" */
-    enum inspect_shape shape;  /* not INSPECT_NONE */
+    enum inspect_shape shape;  /* not INSPECT_NO_SHAPE */
     int32_t r, bar_x, bar_y;   /* circle: r is the radius; capsule: all points within r of the bar from (-bar_x, -bar_y)
                                  to (bar_x, bar_y), relative to the entity's position */
     int n;                     /* number of circles */
@@ -54,7 +54,7 @@ struct inspect_kind_shape {
         int32_t x, y, r;
     } circle[SHAPE_MAX_CIRCLES];
     int32_t x0, y0, x1, y1; /* bounding box of the hitbox, relative to the entity's position, unrotated */
-    bool turns;             /* the sprite rotates; a box hitbox does not rotate with it */
+    bool is_rotated;        /* the sprite rotates; a box hitbox does not rotate with it */
     const char *sprite;
     int bank;
     const char *ramp; /* name of the kind's blend if that is a ramp blend; otherwise NULL */
@@ -65,7 +65,7 @@ void inspect_kinds(const struct board *b, void (*visit)(void *context, const str
 /* Returns whether a player's buttons currently steer the ship and fire its shots, as opposed to controlling a menu or a
  * dialogue. player: from 0. */
 struct inspect_controls {
-    bool steers, fires;
+    bool can_steer, can_fire;
 };
 struct inspect_controls inspect_player_controls(const struct board *b, int player);
 
@@ -84,7 +84,7 @@ struct inspect_gauge {
     const char *name;
     uint32_t live, top, high, cap; /* top: upper bound of the live slots; high: slots ever used */
     uint32_t refused;
-    bool fixed; /* the part has a fixed size or no slots, so is not worth a gauge */
+    bool is_fixed; /* the part has a fixed size or no slots, so is not worth a gauge */
 };
 int inspect_gauges(const struct board *b, struct inspect_gauge out[MAX_PARTS]);
 
@@ -94,7 +94,7 @@ void inspect_memory(const struct board *b, size_t *used, size_t *size);
 /* Returns how many numbers the game has drawn from its random stream since power-on or the last board.reset. */
 uint64_t inspect_random_draws(const struct board *b);
 
-enum { INSPECT_PLACE_SIZE = 80 };
+enum { INSPECT_LOCATION_SIZE = 80 };
 
 enum inspect_owner {
     OWNER_BOARD,
@@ -114,12 +114,13 @@ struct inspect_task {
     int64_t wait;       /* frames until the task resumes; 1: it resumes in the next frame */
     bool waits_forever; /* `wait` is then meaningless */
     bool is_scope;      /* the task only owns other tasks */
-    bool begun;         /* the task has run at least once */
-    bool stopped;       /* will be closed instead of resumed: the task was stopped, or its owner is no longer alive */
-    bool frozen;        /* the task does not run now, because the game is paused */
+    bool has_begun;     /* the task has run at least once */
+    bool is_stopped;    /* will be closed instead of resumed: the task was stopped, or its owner is no longer alive */
+    bool is_frozen;     /* the task does not run now, because the game is paused */
     enum inspect_owner owner;
-    uint32_t owner_number;          /* serial of an owner task; 1 or 2 for a player; slot of any other owner */
-    char place[INSPECT_PLACE_SIZE]; /* "stages/one.lua:42": the line where the task waits (vm_where); "": none */
+    uint32_t owner_number; /* serial of an owner task; 1 or 2 for a player; slot of any other owner */
+    char location
+        [INSPECT_LOCATION_SIZE]; /* "stages/one.lua:42": the line where the task waits (vm_get_location); "": none */
 };
 
 /* Describes up to n live tasks in order of serial, skipping the first `first` (the oldest) of them. Returns the number
@@ -144,23 +145,24 @@ struct inspect_entity {
     uint32_t frames_left;      /* frames left in the current step; 0: the step has not begun or takes no time */
     uint32_t owner_task;       /* serial of the task that fired or spawned it; 0: none */
     int player;                /* shot or laser: the player who owns it, 1 or 2; 0: none */
-    int32_t hp, safe; /* hp: enemies only; safe: enemies and players, frames of invulnerability left, -1: forever */
-    int32_t lives;    /* players only */
+    int32_t hp,
+        safe_left; /* hp: enemies only; safe_left: enemies and players, frames of invulnerability left, -1: forever */
+    int32_t lives; /* players only */
 };
 
 /* Finds the entity whose hitbox contains the screen pixel (x, y) or is nearest to it, at most `radius` px away. Ties go
  * to the smallest hitbox, then to the hitbox with the nearest centre, then to the first in the order of inspect_bodies.
  * Returns false if no entity is near enough. */
-bool inspect_at(const struct board *b, int x, int y, int radius, struct inspect_entity *out);
+bool inspect_entity_at(const struct board *b, int x, int y, int radius, struct inspect_entity *out);
 
 /* State of voice i, 0 to VOICES - 1; music voices come first. On a board without sound no voice is busy. */
 struct inspect_voice {
-    bool is_music, busy;
-    bool is_ending;     /* the note was released, or only the tail of the voice still sounds */
-    const char *source; /* name of the sound or music that the voice plays */
-    const char *wave;   /* kind of instrument: "fm" */
-    int32_t pitch;      /* 65536ths of a semitone; semitone 69 is A at 440 Hz */
-    int pan;            /* -64 left to 64 right */
+    bool is_music, is_busy;
+    bool is_ending;              /* the note was released, or only the tail of the voice still sounds */
+    const char *source;          /* name of the sound or music that the voice plays */
+    const char *instrument_kind; /* kind of instrument: "fm" */
+    int32_t pitch;               /* 65536ths of a semitone; semitone 69 is A at 440 Hz */
+    int pan;                     /* -64 left to 64 right */
 };
 void inspect_voice(const struct board *b, int i, struct inspect_voice *out);
 

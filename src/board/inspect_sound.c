@@ -20,9 +20,9 @@ static const char *inst_source_name(const struct board *b, uint32_t inst)
     const struct cart *c = &b->cart;
     const char *name = "";
 
-    for (int i = 0; i < c->count[CART_SOUNDS] && cart_place(c, CART_SOUNDS, i) <= inst; i++)
+    for (int i = 0; i < c->count[CART_SOUNDS] && cart_tune_offset(c, CART_SOUNDS, i) <= inst; i++)
         name = cart_name(c, CART_SOUNDS, i);
-    for (int i = 0; i < c->count[CART_TUNES] && cart_place(c, CART_TUNES, i) <= inst; i++)
+    for (int i = 0; i < c->count[CART_TUNES] && cart_tune_offset(c, CART_TUNES, i) <= inst; i++)
         name = cart_name(c, CART_TUNES, i);
     return name;
 }
@@ -37,13 +37,13 @@ void inspect_voice(const struct board *b, int i, struct inspect_voice *out)
     const struct voices *v = &b->voices;
     const bool music = i < VOICES_MUSIC;
 
-    *out = (struct inspect_voice){ .is_music = music, .wave = "", .source = "" };
+    *out = (struct inspect_voice){ .is_music = music, .instrument_kind = "", .source = "" };
     if (!board_has_sound(b) || (!voices_is_busy(v, i) && !voices_is_busy(v, VOICES + i)))
         return;
     const int slot = voices_is_busy(v, i) ? i : VOICES + i;
-    out->busy = true;
-    out->is_ending = slot != i || v->off[slot] <= v->age[slot];
-    out->wave = kind_names[inst_read(b->cart.tune_data + v->inst[slot]).kind];
+    out->is_busy = true;
+    out->is_ending = slot != i || v->release_age[slot] <= v->age[slot];
+    out->instrument_kind = kind_names[inst_read(b->cart.tune_data + v->inst[slot]).kind];
     out->source = inst_source_name(b, v->inst[slot]);
     out->pitch = v->pitch[slot];
     out->pan = v->pan1[slot] - TUNE_PAN_CENTRE;
@@ -77,11 +77,11 @@ void inspect_music(const struct board *b, struct inspect_music *out)
     *out = (struct inspect_music){ .name = "", .title = "", .mark = "", .next = "" };
     if (!board_has_sound(b) || !s->tune)
         return;
-    const struct tune t = tune_of(b->cart.tune_data + cart_place(&b->cart, CART_TUNES, s->tune - 1));
+    const struct tune t = tune_of(b->cart.tune_data + cart_tune_offset(&b->cart, CART_TUNES, s->tune - 1));
     out->name = music_name(b, s->tune);
     out->title = tune_title(&t);
-    out->mark = s->mark ? tune_marker_name(&t, s->mark - 1) : "";
-    out->next = music_name(b, s->next);
+    out->mark = s->marker ? tune_marker_name(&t, s->marker - 1) : "";
+    out->next = music_name(b, s->next_tune);
     out->bar = seq_beats(s) / (uint64_t)t.beats_per_bar;
     out->beat = (int)(seq_beats(s) % (uint64_t)t.beats_per_bar);
     out->beats_per_bar = t.beats_per_bar;

@@ -143,7 +143,7 @@ static enum result pictures_open(struct capture *c)
     fb_init(&c->fb, c->memory, w, h);
     c->view = (struct view){ .dim = (enum view_dim)c->a->dim,
                              .softens_flashes = c->a->flashes,
-                             .colours = (enum colour_blind_mode)c->a->colours,
+                             .colour_blind_mode = (enum colour_blind_mode)c->a->colours,
                              .shades = shade_for(&c->shades, &c->run.game.cart) };
     return RESULT_DONE;
 }

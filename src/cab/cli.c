@@ -77,7 +77,7 @@ static enum result run(struct program *p, int argc, char **argv)
     if (!args_parse(a, argc, argv, err, sizeof err) || !demo_game_find(a, &p->demo_game, err, sizeof err) ||
         !allowed(a, err, sizeof err) || !outputs(a, err, sizeof err))
         return report_line(RESULT_REFUSED, "%s", err);
-    const char *wrong = ieee_fault();
+    const char *wrong = ieee_find_fault();
     if (wrong && a->command != COMMAND_HELP && a->command != COMMAND_VERSION)
         return report_line(RESULT_HOST_FAILED, "%s", wrong);
     switch (a->command) {
@@ -161,10 +161,10 @@ bool program_run_frame(struct program *p)
 {
     struct host host;
 
-    if (!p->running.frame)
+    if (!p->running.run_frame)
         return false;
     host_enter(&host);
-    const bool goes_on = p->running.frame(p->running.context);
+    const bool goes_on = p->running.run_frame(p->running.context);
     host_leave(&host);
     return goes_on;
 }
@@ -195,7 +195,7 @@ int program_close(struct program *p)
     struct host host;
 
     host_enter(&host);
-    const enum result result = p->running.frame ? p->running.close(p->running.context) : p->result;
+    const enum result result = p->running.run_frame ? p->running.close(p->running.context) : p->result;
     host_leave(&host);
     if (p->args.dialog && result != RESULT_DONE)
         show_error();

@@ -13,7 +13,7 @@
 #include "play/cab.h"
 #include "share/own.h"
 
-static void ignore_file(void *user, const struct plat_file *file)
+static void ignore_file(void *user, const struct plat_folder_entry *file)
 {
     (void)user;
     (void)file;
@@ -43,7 +43,7 @@ static bool is_games_folder(const char *path)
     char rom[2048];
 
     return path && plat_list(path, ignore_file, NULL) >= 0 &&
-           snprintf(rom, sizeof rom, "%s/rom.lua", path) < (int)sizeof rom && plat_size(rom) >= 0;
+           snprintf(rom, sizeof rom, "%s/rom.lua", path) < (int)sizeof rom && plat_file_size(rom) >= 0;
 }
 
 struct play {

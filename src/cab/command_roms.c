@@ -50,7 +50,7 @@ enum result command_pack(const struct args *a)
     char err[1024], name[64];
     const char *dir = a->words[0], *out = a->out;
 
-    if (plat_size(dir) >= 0)
+    if (plat_file_size(dir) >= 0)
         return report_line(RESULT_REFUSED, "%s: expected a game's folder, got a file", dir);
     progress_begin();
     const bool loaded = rom_image_load_told(dir, a->nearest, warn, NULL, &image, err, sizeof err);

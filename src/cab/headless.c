@@ -64,7 +64,7 @@ static enum result studio_open(struct studio *s, const struct unseen *r)
     fb_init(&s->fb, s->mem, w, h);
     s->view = (struct view){ .dim = (enum view_dim)r->a->dim,
                              .softens_flashes = r->a->flashes,
-                             .colours = (enum colour_blind_mode)r->a->colours,
+                             .colour_blind_mode = (enum colour_blind_mode)r->a->colours,
                              .shades = shade_for(&s->shades, &r->game.cart) };
     if (r->a->wav && !tape_open(&s->tape))
         return report_line(RESULT_HOST_FAILED, "out of memory");
@@ -87,7 +87,7 @@ static enum result save(const char *path, uint8_t *data, size_t size)
 
 static enum result picture(struct studio *s, const struct unseen *r, uint32_t frame)
 {
-    char path[DEMO_PATH];
+    char path[DEMO_PATH_SIZE];
     const char *dir = r->a->out ? r->a->out : ".";
     size_t size = 0;
     uint8_t *png;
@@ -103,7 +103,7 @@ static enum result picture(struct studio *s, const struct unseen *r, uint32_t fr
         return report_line(RESULT_REFUSED, "-o: %s is one of the game's files; choose another folder", path);
     if (!output_path_available(path, png_is_signed))
         return report_line(RESULT_REFUSED, "%s: already exists; remove it, or choose another folder with -o", path);
-    if (r->a->sheet && plat_same_file(path, r->a->sheet))
+    if (r->a->sheet && plat_is_same_file(path, r->a->sheet))
         return report_line(RESULT_REFUSED, "--sheet: %s is also the name of a frame file; choose another name", path);
     png_write(s->fb.pix, s->fb.pitch, s->fb.w, s->fb.h, s->rgb, &png, &size);
     return save(path, png, size);
@@ -184,7 +184,7 @@ static void print_hash(struct hashing *h, const struct board *b, bool parts)
 {
     board_hashes_cached(b, h->hash_cache, h->hashes);
     printf("%u %016llx", (unsigned)board_frame(b), (unsigned long long)board_combine_hashes(h->hashes));
-    for (int i = 0; parts && i < board_parts(b); i++)
+    for (int i = 0; parts && i < board_part_count(b); i++)
         printf(" %s=%016llx", board_part_name(b, i), (unsigned long long)h->hashes[i]);
     putchar('\n');
 }
@@ -194,10 +194,10 @@ static enum result unknown_part(const struct board *b, const char *name, int n)
     const char *names[MAX_PARTS], *meant;
     char word[64];
 
-    for (int i = 0; i < board_parts(b); i++)
+    for (int i = 0; i < board_part_count(b); i++)
         names[i] = board_part_name(b, i);
     snprintf(word, sizeof word, "%.*s", n, name);
-    meant = args_near(word, names, board_parts(b));
+    meant = args_near(word, names, board_part_count(b));
     if (meant)
         return report_line(RESULT_REFUSED, "--trace: unknown part \"%s\" (did you mean \"%s\"?)", word, meant);
     return report_line(RESULT_REFUSED, "--trace: unknown part \"%s\" (hash --parts lists all parts)", word);
@@ -208,7 +208,7 @@ static bool add_part(const struct board *b, const char *name, size_t n, uint64_t
 {
     bool all = n == 3 && memcmp(name, "all", n) == 0, known = all;
 
-    for (int i = 0; i < board_parts(b); i++) {
+    for (int i = 0; i < board_part_count(b); i++) {
         const char *part = board_part_name(b, i);
         bool is = strlen(part) == n && memcmp(part, name, n) == 0;
         *set |= (uint64_t)(is || all) << i;

@@ -42,7 +42,7 @@ static void say(const struct verify *v, const char *path, const char *format, ..
 /* Names may hold anything. */
 static void print_clean(const char *text)
 {
-    char line[2 * DEMO_PATH];
+    char line[2 * DEMO_PATH_SIZE];
 
     snprintf(line, sizeof line, "%s", text);
     clean_line(line);
@@ -104,12 +104,12 @@ static void say_hashes(const struct verify *v, const struct verdict *w)
         if (!(w->parts >> i & 1))
             continue;
         if (w->missing >> i & 1)
-            report_print("  %s: this build does not have this part\n", v->demo.part[i]);
+            report_print("  %s: this build does not have this part\n", v->demo.part_name[i]);
         else if (row)
-            report_print("  %s: recorded %016llx, replayed %016llx\n", v->demo.part[i], (unsigned long long)row[i],
+            report_print("  %s: recorded %016llx, replayed %016llx\n", v->demo.part_name[i], (unsigned long long)row[i],
                          here);
-        else if (demo_checksum(&v->demo, w->frame, i, &print))
-            report_print("  %s: recorded checksum %04x, replayed %04x\n", v->demo.part[i], (unsigned)print,
+        else if (demo_get_checksum(&v->demo, w->frame, i, &print))
+            report_print("  %s: recorded checksum %04x, replayed %04x\n", v->demo.part_name[i], (unsigned)print,
                          (unsigned)(here & 0xffff));
     }
 }
@@ -165,7 +165,7 @@ static void say_place(const struct demo *d, uint32_t frame)
 
 static void say_pads(const struct demo *d, uint32_t frame)
 {
-    static const char *const names[PAD_BUTTONS] = PAD_NAMES;
+    static const char *const names[PAD_BUTTON_COUNT] = PAD_BUTTON_NAMES;
     uint16_t pads[MAX_PLAYERS];
 
     if (frame == 0)
@@ -174,7 +174,7 @@ static void say_pads(const struct demo *d, uint32_t frame)
     report_print("  held:");
     for (int p = 0; p < MAX_PLAYERS; p++) {
         report_print("%s player %d", p ? ";" : "", p + 1);
-        for (int i = 0; i < PAD_BUTTONS; i++)
+        for (int i = 0; i < PAD_BUTTON_COUNT; i++)
             if (pads[p] >> i & 1)
                 report_print(" %s", names[i]);
         if (!pads[p])
@@ -197,7 +197,8 @@ static void say_trace(const char *text)
 static void say_header(const struct demo *d)
 {
     report_print("  format %u, core version %u, Lua %s, game %016llx, ROM %016llx\n", (unsigned)d->format,
-                 (unsigned)d->core, d->lua, (unsigned long long)d->game_hash, (unsigned long long)d->rom_hash);
+                 (unsigned)d->core_version, d->lua_release, (unsigned long long)d->game_hash,
+                 (unsigned long long)d->rom_hash);
     report_print("  seed %llu, difficulty %d, %s%s", (unsigned long long)d->start.seed, (int)d->start.difficulty,
                  d->start.practice.section[0] ? "from " : "from power-on", d->start.practice.section);
     if (d->start.lang[0])
@@ -483,7 +484,7 @@ static enum result verify_demo(struct verify *v, const char *path)
 
 /* The next name of standard input, up to a newline (and a carriage return before it) or with --null a NUL; empty ones
  * are passed over. False: there are no more. One too long for a path is cut, and *whole false. */
-static bool next_name(char name[DEMO_PATH], bool null, bool *whole)
+static bool next_name(char name[DEMO_PATH_SIZE], bool null, bool *whole)
 {
     int end = null ? 0 : '\n', c = 0;
     size_t n = 0;
@@ -491,7 +492,7 @@ static bool next_name(char name[DEMO_PATH], bool null, bool *whole)
     *whole = true;
     while (n == 0 && c != EOF) {
         for (c = getchar(); c != EOF && c != end; c = getchar()) {
-            if (n < DEMO_PATH - 1)
+            if (n < DEMO_PATH_SIZE - 1)
                 name[n++] = (char)c;
             else
                 *whole = false;
@@ -505,7 +506,7 @@ static bool next_name(char name[DEMO_PATH], bool null, bool *whole)
 
 static enum result verify_stdin(struct verify *v)
 {
-    char name[DEMO_PATH];
+    char name[DEMO_PATH_SIZE];
     enum result worst = RESULT_DONE;
     bool whole, first = true;
 

@@ -4,15 +4,15 @@
  *
  * A demo is a line on standard output, as soon as it is known:
  *
- *     PATH: holds, N frames[, ends in the fault it was recorded with][, restamped][ (DOUBT)]
+ *     PATH: holds, N frames[, ends in the recorded fault][, restamped][ (DOUBT)]
  *     PATH: frame F: PARTS differ[ (DOUBT)]              or: frames F to G, where there are no checksums
- *     PATH: frame F: a fault that is not in the demo: WHAT[ (DOUBT)]
- *     PATH: frame F: the fault it was recorded with does not happen[ (DOUBT)]
+ *     PATH: frame F: fault that is not in the demo: WHAT[ (DOUBT)]
+ *     PATH: frame F: the recorded fault does not occur[ (DOUBT)]
  *
  * With --rerecord, when it was written, one of
  *
  *     PATH: rerecorded: holds, N frames[...][ (DOUBT)]
- *     PATH: rerecorded: DIFFERENCE; score A -> B; markers: WHAT F -> G, ...; length N as before[ (DOUBT)]
+ *     PATH: rerecorded: DIFFERENCE; score A -> B; markers: WHAT F -> G, ...; length N unchanged[ (DOUBT)]
  *
  * and when it was not (RESULT_REFUSED)
  *

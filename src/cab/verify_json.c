@@ -54,7 +54,7 @@ static void tell_difference(struct json *j, const struct verify_told *t)
     json_open(j, "parts", '[');
     for (int i = 0; i < t->demo->n_parts; i++)
         if (w->parts >> i & 1)
-            json_text(j, NULL, t->demo->part[i]);
+            json_text(j, NULL, t->demo->part_name[i]);
     json_close(j, ']');
     json_close(j, '}');
 }
@@ -158,7 +158,7 @@ void verify_json_told(const struct verify_told *t)
     }
     tell_start(&j, d);
     json_number(&j, "format", d->format);
-    tell_build(&j, "recorded", d->core, d->game_hash, d->rom_hash, d->lua);
+    tell_build(&j, "recorded", d->core_version, d->game_hash, d->rom_hash, d->lua_release);
     tell_build(&j, "replayed", CORE_VERSION, rom_game_hash(rom), rom_hash(rom), board_lua_release());
     end(&j);
 }

@@ -17,12 +17,12 @@ int clean_decode_character(const char *s, uint32_t *c)
 
 void clean_line(char *s)
 {
-    utf8_blank(s, false);
+    utf8_replace_hidden(s, false);
 }
 
 void clean_lines(char *s)
 {
-    utf8_blank(s, true);
+    utf8_replace_hidden(s, true);
 }
 
 int clean_escape_character(const char *s, char out[CLEAN_MARKUP_SIZE])

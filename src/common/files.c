@@ -67,7 +67,7 @@ bool files_load(const char *path, const char *name, void *data, size_t size, cha
 long files_size(const char *path)
 {
     errno = 0;
-    return plat_size(path);
+    return plat_file_size(path);
 }
 
 const char *files_set_missing_error(const char *name, const char *type, char *err, size_t err_size)

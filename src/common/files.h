@@ -23,7 +23,7 @@ bool files_append(const char *path, const void *data, size_t size, char *err, si
  * (REASON)", without the reason in brackets when the host gives none. */
 bool files_load(const char *path, const char *name, void *data, size_t size, char *err, size_t err_size);
 
-/* Returns plat_size(path), and leaves the reason for a failure in errno for files_set_missing_error. */
+/* Returns plat_file_size(path), and leaves the reason for a failure in errno for files_set_missing_error. */
 long files_size(const char *path);
 
 /* Writes the error for a file that files_size (or plat_list after it) did not find: "NAME: no such TYPE", or "NAME:

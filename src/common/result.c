@@ -26,8 +26,8 @@ bool result_set_host_error(char *err, size_t size, const char *format, ...)
 
 enum result result_take_cause(void)
 {
-    const bool by_host = host_failed;
+    const bool is_host_failure = host_failed;
 
     host_failed = false;
-    return by_host ? RESULT_HOST_FAILED : RESULT_REFUSED;
+    return is_host_failure ? RESULT_HOST_FAILED : RESULT_REFUSED;
 }

@@ -28,7 +28,7 @@ enum result result_take_cause(void);
 
 /* A command that runs frame by frame, called by the owner of the main loop. */
 struct frame_command {
-    bool (*frame)(void *owner); /* runs a frame; returns false when the command is over; NULL: it is already over */
+    bool (*run_frame)(void *owner); /* runs a frame; returns false when the command is over; NULL: it is already over */
     enum result (*close)(void *owner);
     void *context;
 };

@@ -82,7 +82,7 @@ void demo_pads(const struct demo *d, uint32_t frame, uint16_t pads[MAX_PLAYERS])
 
 uint32_t demo_row_frame(const struct demo *d, uint32_t i)
 {
-    uint32_t frame = i * DEMO_SECOND;
+    uint32_t frame = i * DEMO_SECOND_FRAMES;
 
     return frame < d->frames ? frame : d->frames;
 }
@@ -91,13 +91,14 @@ bool demo_row_is_full(const struct demo *d, uint32_t i)
 {
     if (!d->sparse || i % DEMO_FULL_ROW_INTERVAL == 0)
         return true;
-    return i + 1 == d->n_rows && demo_row_frame(d, i) == d->frames && (d->complete || d->frames % DEMO_SECOND != 0);
+    return i + 1 == d->n_rows && demo_row_frame(d, i) == d->frames &&
+           (d->complete || d->frames % DEMO_SECOND_FRAMES != 0);
 }
 
 /* Returns the index of a frame's row, full or not, or d->n_rows when it has none. */
 static uint32_t find_row(const struct demo *d, uint32_t frame)
 {
-    uint32_t i = frame / DEMO_SECOND + (frame % DEMO_SECOND != 0);
+    uint32_t i = frame / DEMO_SECOND_FRAMES + (frame % DEMO_SECOND_FRAMES != 0);
 
     return i < d->n_rows && demo_row_frame(d, i) == frame ? i : d->n_rows;
 }
@@ -116,7 +117,7 @@ const uint16_t *demo_checksums(const struct demo *d, uint32_t frame)
                : d->checksums + (size_t)(frame - 1) * (size_t)d->n_parts;
 }
 
-bool demo_checksum(const struct demo *d, uint32_t frame, int part, uint16_t *checksum)
+bool demo_get_checksum(const struct demo *d, uint32_t frame, int part, uint16_t *checksum)
 {
     const uint16_t *checksums = demo_checksums(d, frame);
     const uint32_t i = find_row(d, frame);
@@ -139,11 +140,11 @@ bool demo_has_checksums(const struct demo *d, uint32_t frame)
  * same order. */
 static int find_part(const struct board *b, const char *name, int i)
 {
-    int parts = board_parts(b);
+    int parts = board_part_count(b);
 
     for (int n = 0; n < parts; n++) {
         int k = (i + n) % parts;
-        if (strncmp(board_part_name(b, k), name, sizeof((struct demo *)0)->part[0] - 1) == 0)
+        if (strncmp(board_part_name(b, k), name, sizeof((struct demo *)0)->part_name[0] - 1) == 0)
             return k;
     }
     return -1;
@@ -155,7 +156,7 @@ uint64_t demo_reorder_hashes(const struct demo *d, const struct board *b, const 
     uint64_t missing = 0;
 
     for (int i = 0; i < d->n_parts; i++) {
-        int part = find_part(b, d->part[i], i);
+        int part = find_part(b, d->part_name[i], i);
         hashes[i] = part < 0 ? 0 : board_order[part];
         missing |= (uint64_t)(part < 0) << i;
     }
@@ -169,7 +170,7 @@ uint64_t demo_differing_parts(const struct demo *d, uint32_t frame, const uint64
     uint16_t checksum;
 
     for (int i = 0; i < d->n_parts; i++) {
-        bool differs = demo_checksum(d, frame, i, &checksum) && checksum != (uint16_t)hashes[i];
+        bool differs = demo_get_checksum(d, frame, i, &checksum) && checksum != (uint16_t)hashes[i];
         if (differs || (row && row[i] != hashes[i]))
             differing |= (uint64_t)1 << i;
     }
@@ -232,8 +233,9 @@ bool demo_check_cart(const struct demo *d, const struct cart *cart, char *err, s
 
 const char *demo_replay_warning(const struct demo *d, const struct cart *cart, char *buf, size_t size)
 {
-    if (d->core != CORE_VERSION)
-        snprintf(buf, size, "recorded with core version %u; this is version %d", (unsigned)d->core, CORE_VERSION);
+    if (d->core_version != CORE_VERSION)
+        snprintf(buf, size, "recorded with core version %u; this is version %d", (unsigned)d->core_version,
+                 CORE_VERSION);
     else if (d->game_hash != rom_game_hash(cart->rom))
         snprintf(buf, size, "recorded with another game version");
     else

@@ -23,13 +23,13 @@
 enum {
     DEMO_FORMAT = 5,
     DEMO_OLDEST_FORMAT = 2,      /* the oldest format that can be read */
-    DEMO_SECOND = 60,            /* frames between two hash rows */
+    DEMO_SECOND_FRAMES = 60,     /* frames between two hash rows */
     DEMO_FULL_ROW_INTERVAL = 60, /* rows between two full rows of a sparse demo */
     DEMO_DENSE_FRAMES = 3600,    /* frames up to which a demo has checksums of every frame, by default */
     DEMO_MAX_FRAMES = 1 << 23,   /* 38 hours */
     DEMO_MAX_BYTES = 256 << 20,  /* maximum size of a file */
-    DEMO_PATH = 1024,
-    DEMO_ERR = DEMO_PATH + 64
+    DEMO_PATH_SIZE = 1024,
+    DEMO_ERR_SIZE = DEMO_PATH_SIZE + 64
 };
 
 enum {
@@ -51,21 +51,21 @@ struct demo_marker {
 
 struct demo {
     uint32_t format;              /* format of the file it was read from */
-    uint32_t core;                /* core version that recorded it */
+    uint32_t core_version;        /* core version that recorded it */
     uint64_t game_hash, rom_hash; /* of the ROM it was recorded on */
-    char id[32], lua[16];         /* game id; Lua release, "5.4.6" */
+    char id[32], lua_release[16]; /* game id; Lua release, "5.4.6" */
     struct board_start start;     /* .nvram points to `nvram` below, or is NULL when nvram is empty */
     uint8_t *nvram;
     unsigned flags;
     int n_parts;
-    char part[MAX_PARTS][16];
+    char part_name[MAX_PARTS][16];
     uint32_t frames;               /* ticks recorded */
     uint16_t (*pads)[MAX_PLAYERS]; /* pads[f]: input of the tick that produced frame f + 1 */
     bool sparse;                   /* only rows have hashes, some full (demo_row_is_full), the others only checksums */
     uint16_t *checksums;      /* frames x parts: entry f * parts is the first of frame f + 1; NULL in a sparse demo */
     uint64_t checksum_parts;  /* set of parts (1 << part) that have checksums: all; in format 2 only `script` */
     uint32_t checksum_frames; /* number of frames that completed: `frames`, or one less if the last tick faulted */
-    uint32_t n_rows;          /* number of hash rows; row i is of frame demo_row_frame(d, i) */
+    uint32_t n_rows;          /* number of hash rows; row i belongs to frame demo_row_frame(d, i) */
     uint64_t *rows;           /* n_rows x parts; in a row that is not full only the low 16 bits are valid */
     uint32_t n_markers;
     struct demo_marker *markers; /* sorted by frame, ascending */
@@ -103,7 +103,7 @@ const uint16_t *demo_checksums(const struct demo *d, uint32_t frame);
 
 /* Gets the checksum of a part after a frame: the low 16 bits of the part's hash. Returns false when the demo does not
  * have that checksum. */
-bool demo_checksum(const struct demo *d, uint32_t frame, int part, uint16_t *checksum);
+bool demo_get_checksum(const struct demo *d, uint32_t frame, int part, uint16_t *checksum);
 
 /* Returns whether the demo has a hash row or checksums for this frame. A sparse demo has neither for most frames. */
 bool demo_has_checksums(const struct demo *d, uint32_t frame);
@@ -137,11 +137,11 @@ const char *demo_replay_warning(const struct demo *d, const struct cart *cart, c
  * to write a file that could not be written. (Out of memory stops the recording altogether.)
  */
 struct demo_file {
-    char path[DEMO_PATH];     /* "": none, recorded in memory only */
-    uint32_t frames_written;  /* frames in the file */
-    uint32_t markers_written; /* number of markers in the file */
-    uint32_t crc;             /* CRC of the last record written */
-    size_t size;              /* bytes in the file; 0: nothing written yet */
+    char path[DEMO_PATH_SIZE]; /* "": none, recorded in memory only */
+    uint32_t frames_written;   /* frames in the file */
+    uint32_t markers_written;  /* number of markers in the file */
+    uint32_t crc;              /* CRC of the last record written */
+    size_t size;               /* bytes in the file; 0: nothing written yet */
     bool write_failed; /* a write failed; nothing more is written until demo_retry_write rewrites the whole file */
 };
 /* Which frames have checksums in the file. */
@@ -156,8 +156,8 @@ extern const char
 struct demo_writer {
     enum demo_checksum_rate checksum_rate;
     struct demo demo; /* recorded so far; demo.pads and demo.frames can be used to go back to any frame */
-    struct demo_file file, spare;
-    char err[DEMO_ERR], spare_err[DEMO_ERR];
+    struct demo_file file, spare_file;
+    char err[DEMO_ERR_SIZE], spare_err[DEMO_ERR_SIZE];
     uint64_t hashes[MAX_PARTS];
     void *hash_cache; /* for board_hashes_cached */
     bool recording;
@@ -175,22 +175,22 @@ bool demo_retry_write(struct demo_writer *w);
 /* Sets which frames have checksums. Call it right after demo_begin, which sets DEMO_CHECKSUMS_AUTO. */
 bool demo_set_checksum_rate(struct demo_writer *w, enum demo_checksum_rate rate);
 
-/* Stores the pads of the tick that is about to run, for demo_dump in case the tick never returns. Optional. */
+/* Stores the pads of the tick that is about to run, for the dump in case the tick never returns. Optional. */
 void demo_begin_tick(struct demo_writer *w, const uint16_t pads[MAX_PLAYERS]);
 
 /* Records a frame. Call it after every board_tick, with the same pads. The file grows once a second. */
 bool demo_record_frame(struct demo_writer *w, const struct board *b, const uint16_t pads[MAX_PLAYERS]);
 
 /* Records to the file `path` from now on, replacing an existing file. Writes everything recorded so far at once. */
-bool demo_record_to(struct demo_writer *w, const char *path);
+bool demo_record_to_file(struct demo_writer *w, const char *path);
 
 /* Records to a spare file, in addition to the recording's file if it has one. path NULL: stops recording to the spare
  * file and leaves that file as it is. A failure to write the spare file, now or later, does not fail the recording: it
  * sets spare_err, and the spare file is not written again. */
-void demo_record_spare(struct demo_writer *w, const char *path);
+void demo_record_to_spare_file(struct demo_writer *w, const char *path);
 
 /* Stops recording to the spare file and deletes it, unless another program has changed it since. */
-void demo_remove_spare(struct demo_writer *w);
+void demo_remove_spare_file(struct demo_writer *w);
 
 /* Adds flags. */
 bool demo_add_flags(struct demo_writer *w, unsigned flags);

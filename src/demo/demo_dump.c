@@ -9,8 +9,8 @@ enum { MAX_RECORD = 1 << 14 /* bytes: enough for any record, and for a header wi
 
 struct dump {
     struct demo_sink sink;
-    const struct demo_dump *request;
-    uint32_t frames, markers, crc; /* written so far */
+    const struct demo_dump_request *request;
+    uint32_t frames_written, markers_written, crc; /* written so far */
 };
 
 size_t demo_dump_size(const struct demo_writer *w)
@@ -30,21 +30,21 @@ static void flush(struct dump *u)
 /* Writes the markers of the frames written so far. */
 static void put_markers(struct dump *u, const struct demo *d)
 {
-    while (u->markers < d->n_markers && d->markers[u->markers].frame <= u->frames) {
-        demo_put_markers(&u->sink, d, &u->markers, d->markers[u->markers].frame, &u->crc);
+    while (u->markers_written < d->n_markers && d->markers[u->markers_written].frame <= u->frames_written) {
+        demo_put_markers(&u->sink, d, &u->markers_written, d->markers[u->markers_written].frame, &u->crc);
         flush(u);
     }
 }
 
 static void put_second(struct dump *u, const struct demo *d, uint32_t n, const uint64_t *row)
 {
-    demo_put_second(&u->sink, d, u->frames, n, row, &u->crc);
-    u->frames += n;
+    demo_put_second(&u->sink, d, u->frames_written, n, row, &u->crc);
+    u->frames_written += n;
     flush(u);
     put_markers(u, d);
 }
 
-void demo_dump(const struct demo_writer *w, const struct demo_dump *request)
+void demo_dump(const struct demo_writer *w, const struct demo_dump_request *request)
 {
     struct dump u = { .sink = { .p = request->memory, .cap = request->size, .fixed = true }, .request = request };
     struct demo d = w->demo;
@@ -58,10 +58,10 @@ void demo_dump(const struct demo_writer *w, const struct demo_dump *request)
         demo_put_flags(&u.sink, d.flags, &u.crc);
     flush(&u);
     for (uint32_t i = 0; i < d.n_rows && demo_row_frame(&w->demo, i) <= d.frames; i++)
-        put_second(&u, &d, demo_row_frame(&w->demo, i) - u.frames, demo_row(&w->demo, i));
+        put_second(&u, &d, demo_row_frame(&w->demo, i) - u.frames_written, demo_row(&w->demo, i));
     d.frames += request->ticking;
-    if (d.n_rows && d.frames > u.frames)
-        put_second(&u, &d, d.frames - u.frames, hashed ? w->hashes : NULL);
+    if (d.n_rows && d.frames > u.frames_written)
+        put_second(&u, &d, d.frames - u.frames_written, hashed ? w->hashes : NULL);
     if (!is_complete || (!hashed && !request->fault))
         return;
     demo_put_end(&u.sink, &d, &u.crc);

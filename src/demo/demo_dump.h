@@ -6,7 +6,7 @@
 
 #include "demo.h"
 
-struct demo_dump {
+struct demo_dump_request {
     uint8_t *memory; /* demo_dump_size bytes, allocated in advance */
     size_t size;
     uint32_t frames;             /* the current frame; frames recorded after it are left out */
@@ -22,6 +22,6 @@ size_t demo_dump_size(const struct demo_writer *w);
 /* Passes the recording to request->write, record by record. Reads w and uses request->memory only: no allocation, no
  * file. A dump that ends in a tick that has not returned, or before the recording's end, has no end mark; demo_read
  * reads it as far as possible. */
-void demo_dump(const struct demo_writer *w, const struct demo_dump *request);
+void demo_dump(const struct demo_writer *w, const struct demo_dump_request *request);
 
 #endif

@@ -53,7 +53,7 @@ static void write_str(struct demo_sink *s, const char *str)
 
 static void open_record(struct demo_sink *s, uint32_t kind)
 {
-    s->record = s->n;
+    s->record_start = s->n;
     write32(s, kind);
     write32(s, 0);
 }
@@ -61,9 +61,9 @@ static void open_record(struct demo_sink *s, uint32_t kind)
 static void close_record(struct demo_sink *s, uint32_t *crc)
 {
     if (!s->failed) {
-        size_t n = s->n - s->record;
-        bytes_put32(s->p + s->record + 4, (uint32_t)(n - RECORD_HEAD));
-        *crc = hash_crc32_add(*crc, s->p + s->record, n);
+        size_t n = s->n - s->record_start;
+        bytes_put32(s->p + s->record_start + 4, (uint32_t)(n - RECORD_HEADER_SIZE));
+        *crc = hash_crc32_add(*crc, s->p + s->record_start, n);
     }
     write32(s, *crc);
 }
@@ -113,11 +113,11 @@ void demo_put_header(struct demo_sink *s, const struct demo *d, uint32_t *crc)
     memcpy(reserve_bytes(s, 4), DEMO_MAGIC, 4);
     write32(s, DEMO_FORMAT);
     open_record(s, KIND_HEADER);
-    write32(s, d->core);
+    write32(s, d->core_version);
     write64(s, d->game_hash);
     write64(s, d->rom_hash);
     write_str(s, d->id);
-    write_str(s, d->lua);
+    write_str(s, d->lua_release);
     write64(s, d->start.seed);
     for (int i = 0; i < MAX_DIPS; i++)
         write32(s, (uint32_t)d->start.dip[i]);
@@ -127,7 +127,7 @@ void demo_put_header(struct demo_sink *s, const struct demo *d, uint32_t *crc)
     write8(s, d->sparse);
     write8(s, (uint32_t)d->n_parts);
     for (int i = 0; i < d->n_parts; i++)
-        write_str(s, d->part[i]);
+        write_str(s, d->part_name[i]);
     write32(s, (uint32_t)d->start.nvram_size);
     write_nvram(s, d->nvram, d->start.nvram_size);
     close_record(s, crc);
@@ -158,10 +158,10 @@ static void write_runs(struct demo_sink *s, const struct demo *d, uint32_t first
         uint8_t head = 0;
         run = count_pads_run(d, f, end);
         for (int p = 0; p < MAX_PLAYERS; p++)
-            head |= d->pads[f][p] != previous[p] ? RUN_FIRST << p : 0;
+            head |= d->pads[f][p] != previous[p] ? RUN_PLAYER_1 << p : 0;
         write8(s, head | (run - 1));
         for (int p = 0; p < MAX_PLAYERS; p++)
-            if (head & RUN_FIRST << p)
+            if (head & RUN_PLAYER_1 << p)
                 write16(s, d->pads[f][p]);
         previous = d->pads[f];
     }
@@ -183,12 +183,13 @@ static void write_row_checksums(struct demo_sink *s, const struct demo *d, const
 }
 
 /* Writes frames [first, end) of a sparse demo, and the hashes after them. */
-static void write_sparse(struct demo_sink *s, const struct demo *d, uint32_t first, uint32_t end, const uint64_t *row)
+static void write_sparse_second(struct demo_sink *s, const struct demo *d, uint32_t first, uint32_t end,
+                                const uint64_t *row)
 {
-    const uint32_t i = (end + DEMO_SECOND - 1) / DEMO_SECOND;
+    const uint32_t i = (end + DEMO_SECOND_FRAMES - 1) / DEMO_SECOND_FRAMES;
 
     write_runs(s, d, first, end);
-    if (row && demo_second_hash_kind(first, end) == HASHED_CHECKSUMS)
+    if (row && demo_second_hash_kind(first, end) == HASH_KIND_CHECKSUMS)
         write_row_checksums(s, d, demo_row(d, i - 1), row);
     else
         write_row(s, d, row);
@@ -216,7 +217,8 @@ static void write_checksums(struct demo_sink *s, const struct demo *d, uint32_t 
 }
 
 /* Writes frames [first, end), the checksums of each except the last, and the hashes after them. */
-static void write_dense(struct demo_sink *s, const struct demo *d, uint32_t first, uint32_t end, const uint64_t *row)
+static void write_dense_second(struct demo_sink *s, const struct demo *d, uint32_t first, uint32_t end,
+                               const uint64_t *row)
 {
     for (uint32_t f = first, run; f < end; f += run) {
         run = count_pads_run(d, f, end);
@@ -240,9 +242,9 @@ void demo_put_second(struct demo_sink *s, const struct demo *d, uint32_t first, 
     write32(s, first);
     write8(s, n);
     write8(s, runs);
-    write8(s, (uint32_t)(!row ? HASHED_NONE : d->sparse ? demo_second_hash_kind(first, end) : HASHED_FULL));
+    write8(s, (uint32_t)(!row ? HASH_KIND_NONE : d->sparse ? demo_second_hash_kind(first, end) : HASH_KIND_FULL));
     write8(s, 0);
-    (d->sparse ? write_sparse : write_dense)(s, d, first, end, row);
+    (d->sparse ? write_sparse_second : write_dense_second)(s, d, first, end, row);
     close_record(s, crc);
 }
 
@@ -277,7 +279,8 @@ void demo_put_end(struct demo_sink *s, const struct demo *d, uint32_t *crc)
     close_record(s, crc);
 }
 
-void demo_put_rows(struct demo_sink *s, const struct demo *d, uint32_t *frames, uint32_t *n_markers, uint32_t *crc)
+void demo_put_until_last_row(struct demo_sink *s, const struct demo *d, uint32_t *frames, uint32_t *n_markers,
+                             uint32_t *crc)
 {
     *crc = *frames = *n_markers = 0;
     demo_put_header(s, d, crc);

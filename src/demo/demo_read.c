@@ -16,25 +16,26 @@ enum {
     MAX_HEADER = (64 << 10) + MAX_NVRAM + MAX_NVRAM / 128,
     MAX_OLD_NVRAM = 32768, /* maximum before format 4 */
     MAX_OLD_PARTS = 32,    /* maximum before format 4 */
-    MAX_SECOND = 8 + DEMO_SECOND * 6 + (DEMO_SECOND - 1) * (MAX_PARTS / 8 + 2 * MAX_PARTS) + MAX_PARTS * 8,
+    MAX_SECOND =
+        8 + DEMO_SECOND_FRAMES * 6 + (DEMO_SECOND_FRAMES - 1) * (MAX_PARTS / 8 + 2 * MAX_PARTS) + MAX_PARTS * 8,
     MAX_MARKER = 5 + 1 + sizeof((struct board_marker *)0)->name + 4
 };
 
 struct source {
     const uint8_t *p;
-    size_t left;
+    size_t bytes_left;
     bool bad; /* a read went past the end and returned zeroes, or a value is invalid */
 };
 
-struct parse {
+struct parser {
     struct demo *d;
     char *err;
     size_t err_size;
-    size_t offset;   /* offset of the current record in the file */
-    uint32_t crc;    /* of the previous record */
-    bool has_header; /* the header has been read */
-    bool has_last;   /* the last second has been read; another is an error */
-    bool unhashed;   /* the last second has no hashes */
+    size_t offset;        /* offset of the current record in the file */
+    uint32_t crc;         /* of the previous record */
+    bool has_header;      /* the header has been read */
+    bool has_last_second; /* the last second has been read; another is an error */
+    bool unhashed;        /* the last second has no hashes */
 };
 
 static const uint8_t zeroes[256];
@@ -43,13 +44,13 @@ static const uint8_t *take(struct source *s, size_t n)
 {
     const uint8_t *p = s->p;
 
-    if (n > s->left) {
+    if (n > s->bytes_left) {
         s->bad = true;
-        s->left = 0;
+        s->bytes_left = 0;
         return zeroes;
     }
     s->p += n;
-    s->left -= n;
+    s->bytes_left -= n;
     return p;
 }
 
@@ -89,7 +90,7 @@ static void take_str(struct source *s, char *out, size_t size)
     out[n] = 0;
 }
 
-static bool set_damaged_error(struct parse *p, const char *reason)
+static bool set_damaged_error(struct parser *p, const char *reason)
 {
     return err_set(p->err, p->err_size, "damaged record at byte %zu (%s)", p->offset, reason);
 }
@@ -103,7 +104,7 @@ static bool take_nvram(struct source *s, uint8_t *out, size_t size)
 {
     size_t n = 0;
 
-    while (s->left > 0 && !s->bad) {
+    while (s->bytes_left > 0 && !s->bad) {
         size_t c = take8(s), run = c < 128 ? c + 1 : c - 125;
         if (run > size - n)
             return false;
@@ -134,7 +135,7 @@ static void take_practice(struct source *s, struct practice *p)
     p->lives = (int32_t)take32(s);
     invincible = take8(s);
     n = take8(s);
-    s->bad |= p->lives < 0 || p->lives > 99 || invincible > 1 || n > PRACTICE_REGISTERS;
+    s->bad |= p->lives < 0 || p->lives > 99 || invincible > 1 || n > PRACTICE_MAX_REGISTERS;
     p->invincible = invincible;
     p->register_count = s->bad ? 0 : n;
     for (int i = 0; i < p->register_count; i++) {
@@ -147,23 +148,23 @@ static void take_practice(struct source *s, struct practice *p)
 static int find_script_part(const struct demo *d)
 {
     for (int i = 0; i < d->n_parts; i++)
-        if (strcmp(d->part[i], "script") == 0)
+        if (strcmp(d->part_name[i], "script") == 0)
             return i;
     return -1;
 }
 
-static bool read_header(struct parse *p, struct source *s)
+static bool read_header(struct parser *p, struct source *s)
 {
     struct demo *d = p->d;
 
     if (p->has_header)
         return set_damaged_error(p, "second header");
     p->has_header = true;
-    d->core = take32(s);
+    d->core_version = take32(s);
     d->game_hash = take64(s);
     d->rom_hash = take64(s);
     take_str(s, d->id, sizeof d->id);
-    take_str(s, d->lua, sizeof d->lua);
+    take_str(s, d->lua_release, sizeof d->lua_release);
     take_start(s, &d->start);
     if (d->format > 2)
         take_practice(s, &d->start.practice);
@@ -180,7 +181,7 @@ static bool read_header(struct parse *p, struct source *s)
     if (d->n_parts < 1 || d->n_parts > (d->format > 3 ? MAX_PARTS : MAX_OLD_PARTS))
         return set_damaged_error(p, "the number of parts");
     for (int i = 0; i < d->n_parts; i++)
-        take_str(s, d->part[i], sizeof d->part[i]);
+        take_str(s, d->part_name[i], sizeof d->part_name[i]);
     d->start.nvram_size = take32(s);
     if (s->bad || !is_valid_id(d->id))
         return set_damaged_error(p, "header");
@@ -228,9 +229,9 @@ static bool take_sparse_runs(struct source *s, struct demo *d, uint32_t n, int r
         memcpy(pads, d->pads[f - 1], sizeof pads);
     for (int i = 0; i < runs; i++) {
         const uint8_t head = take8(s);
-        const uint32_t run = 1u + (head & RUN_FRAMES);
+        const uint32_t run = 1u + (head & RUN_FRAMES_MASK);
         for (int p = 0; p < MAX_PLAYERS; p++)
-            if (head & RUN_FIRST << p)
+            if (head & RUN_PLAYER_1 << p)
                 pads[p] = take16(s);
         if (run > end - f || ((pads[0] | pads[1]) & ~PAD_ALL) != 0)
             return false;
@@ -281,17 +282,18 @@ static void take_hashes(struct source *s, struct demo *d, uint32_t n, bool hashe
         d->checksums[(size_t)(end - 1) * (size_t)d->n_parts + (size_t)i] = (uint16_t)row[i];
 }
 
-/* Reads the hashes after a sparse second, unless hash_kind is HASHED_NONE. */
-static void take_sparse(struct source *s, struct demo *d, uint32_t n, int hash_kind)
+/* Counts the n frames of a second that has hashes only at its end, and reads those unless hash_kind is
+ * HASH_KIND_NONE. */
+static void take_sparse_hashes(struct source *s, struct demo *d, uint32_t n, int hash_kind)
 {
     d->frames += n;
     d->checksum_frames = hash_kind ? d->frames : d->frames - 1;
     if (!hash_kind)
         return;
     uint64_t *row = demo_row(d, d->n_rows);
-    const uint64_t changed_mask = hash_kind == HASHED_CHECKSUMS ? take_mask(s, d) : 0;
+    const uint64_t changed_mask = hash_kind == HASH_KIND_CHECKSUMS ? take_mask(s, d) : 0;
     for (int i = 0; i < d->n_parts; i++) {
-        if (hash_kind == HASHED_FULL)
+        if (hash_kind == HASH_KIND_FULL)
             row[i] = take64(s);
         else
             row[i] = changed_mask >> i & 1 ? take16(s) : (uint16_t)demo_row(d, d->n_rows - 1)[i];
@@ -302,20 +304,20 @@ static void take_sparse(struct source *s, struct demo *d, uint32_t n, int hash_k
 static bool is_valid_hash_kind(const struct demo *d, uint32_t n, int hash_kind)
 {
     if (!d->sparse || !hash_kind)
-        return hash_kind <= HASHED_FULL;
-    return hash_kind == (n ? demo_second_hash_kind(d->frames, d->frames + n) : HASHED_FULL);
+        return hash_kind <= HASH_KIND_FULL;
+    return hash_kind == (n ? demo_second_hash_kind(d->frames, d->frames + n) : HASH_KIND_FULL);
 }
 
-static bool read_second(struct parse *p, struct source *s)
+static bool read_second(struct parser *p, struct source *s)
 {
     struct demo *d = p->d;
     uint32_t first = take32(s), n = take8(s);
     int runs = take8(s), hash_kind = take8(s), zero = take8(s);
 
-    if (first != d->frames || p->has_last || !is_valid_hash_kind(d, n, hash_kind) || zero != 0)
+    if (first != d->frames || p->has_last_second || !is_valid_hash_kind(d, n, hash_kind) || zero != 0)
         return set_damaged_error(p, "frames out of order");
     bool is_start = first == 0 && n == 0 && d->n_rows == 0;
-    if (is_start ? !hash_kind : n < 1 || n > DEMO_SECOND || d->n_rows == 0)
+    if (is_start ? !hash_kind : n < 1 || n > DEMO_SECOND_FRAMES || d->n_rows == 0)
         return set_damaged_error(p, "number of frames");
     if (d->frames + n > DEMO_MAX_FRAMES)
         return err_set(p->err, p->err_size, "longer than %d frames", DEMO_MAX_FRAMES);
@@ -324,15 +326,15 @@ static bool read_second(struct parse *p, struct source *s)
     if (!(d->sparse ? take_sparse_runs : take_runs)(s, d, n, runs))
         return set_damaged_error(p, "pads");
     if (d->sparse)
-        take_sparse(s, d, n, hash_kind);
+        take_sparse_hashes(s, d, n, hash_kind);
     else
         take_hashes(s, d, n, hash_kind);
     p->unhashed = !hash_kind;
-    p->has_last = p->unhashed || (n < DEMO_SECOND && !is_start);
+    p->has_last_second = p->unhashed || (n < DEMO_SECOND_FRAMES && !is_start);
     return true;
 }
 
-static bool read_flags(struct parse *p, struct source *s)
+static bool read_flags(struct parser *p, struct source *s)
 {
     uint32_t flags = take32(s);
 
@@ -342,7 +344,7 @@ static bool read_flags(struct parse *p, struct source *s)
     return true;
 }
 
-static bool read_marker(struct parse *p, struct source *s)
+static bool read_marker(struct parser *p, struct source *s)
 {
     struct demo *d = p->d;
     struct demo_marker m = { .frame = take32(s) };
@@ -351,7 +353,7 @@ static bool read_marker(struct parse *p, struct source *s)
     m.marker.kind = (enum board_marker_kind)take8(s);
     take_str(s, m.marker.name, sizeof m.marker.name);
     bool is_valid = d->format > 3 ? m.marker.kind < MARKER_KINDS : d->format == 3 && m.marker.kind <= MARKER_LISTED;
-    if (d->format > 3 && s->left > 0) {
+    if (d->format > 3 && s->bytes_left > 0) {
         m.marker.value = (int32_t)take32(s);
         is_valid = is_valid && m.marker.value != 0;
     }
@@ -377,7 +379,7 @@ static bool take_last_row(struct source *s, struct demo *d)
     return matches;
 }
 
-static bool read_end(struct parse *p, struct source *s)
+static bool read_end(struct parser *p, struct source *s)
 {
     struct demo *d = p->d;
     uint32_t frames = take32(s), fault = take32(s);
@@ -393,7 +395,7 @@ static bool read_end(struct parse *p, struct source *s)
     return true;
 }
 
-static bool read_record(struct parse *p, uint32_t kind, struct source s)
+static bool read_record(struct parser *p, uint32_t kind, struct source s)
 {
     bool ok;
 
@@ -418,7 +420,7 @@ static bool read_record(struct parse *p, uint32_t kind, struct source s)
     }
     if (!ok)
         return false;
-    return (s.bad || s.left) ? set_damaged_error(p, "size") : true;
+    return (s.bad || s.bytes_left) ? set_damaged_error(p, "size") : true;
 }
 
 /* Returns the maximum size of a record's content in bytes, or 0 for an unknown kind. */
@@ -440,19 +442,19 @@ static size_t max_content_bytes(uint32_t kind)
     }
 }
 
-static bool read_records(struct parse *p, const uint8_t *data, size_t size)
+static bool read_records(struct parser *p, const uint8_t *data, size_t size)
 {
-    while (size - p->offset >= RECORD_HEAD && !p->d->complete) {
+    while (size - p->offset >= RECORD_HEADER_SIZE && !p->d->complete) {
         const uint8_t *r = data + p->offset;
         uint32_t kind = bytes_get32(r), n = bytes_get32(r + 4);
         if (n > max_content_bytes(kind))
             return set_damaged_error(p, "kind or size");
         if (size - p->offset < RECORD_OVERHEAD + (size_t)n)
             break;
-        p->crc = hash_crc32_add(p->crc, r, RECORD_HEAD + n);
-        if (bytes_get32(r + RECORD_HEAD + n) != p->crc)
+        p->crc = hash_crc32_add(p->crc, r, RECORD_HEADER_SIZE + n);
+        if (bytes_get32(r + RECORD_HEADER_SIZE + n) != p->crc)
             return set_damaged_error(p, "CRC");
-        if (!read_record(p, kind, (struct source){ .p = r + RECORD_HEAD, .left = n }))
+        if (!read_record(p, kind, (struct source){ .p = r + RECORD_HEADER_SIZE, .bytes_left = n }))
             return false;
         p->offset += RECORD_OVERHEAD + n;
     }
@@ -465,10 +467,10 @@ static bool read_records(struct parse *p, const uint8_t *data, size_t size)
 
 bool demo_read(struct demo *d, const uint8_t *data, size_t size, char *err, size_t err_size)
 {
-    struct parse p = { .d = d, .err = err, .err_size = err_size, .offset = FILE_HEAD };
+    struct parser p = { .d = d, .err = err, .err_size = err_size, .offset = FILE_HEADER_SIZE };
 
     memset(d, 0, sizeof *d);
-    if (size < FILE_HEAD || memcmp(data, DEMO_MAGIC, 4) != 0)
+    if (size < FILE_HEADER_SIZE || memcmp(data, DEMO_MAGIC, 4) != 0)
         return err_set(err, err_size, "not a demo");
     d->format = bytes_get32(data + 4);
     if (d->format < DEMO_OLDEST_FORMAT || d->format > DEMO_FORMAT)

@@ -30,31 +30,31 @@ static bool stop_out_of_memory(struct demo_writer *w)
  * the same spare file. */
 static bool is_ours(const struct demo_file *f)
 {
-    return f->size == 0 || plat_size(f->path) == (long)f->size;
+    return f->size == 0 || plat_file_size(f->path) == (long)f->size;
 }
 
 /* Records a failed write, which may have written some of the bytes. */
 static void mark_failed(struct demo_file *f)
 {
-    const long size = plat_size(f->path);
+    const long size = plat_file_size(f->path);
 
     f->write_failed = true;
     f->size = size > 0 ? (size_t)size : 0;
 }
 
-/* Writes bytes to a file; replaces: replaces its content, otherwise appends. */
-static bool write_to_file(struct demo_file *f, const struct demo_sink *s, bool replaces, char *err)
+/* Writes bytes to a file; overwrite: replaces its content, otherwise appends. */
+static bool write_to_file(struct demo_file *f, const struct demo_sink *s, bool overwrite, char *err)
 {
     char shown[FILES_PATH_SIZE];
     const bool ours = is_ours(f);
     bool good = ours;
 
     if (good)
-        good = (replaces ? files_save : files_append)(f->path, s->p, s->n, err, DEMO_ERR);
+        good = (overwrite ? files_save : files_append)(f->path, s->p, s->n, err, DEMO_ERR_SIZE);
     else
-        snprintf(err, DEMO_ERR, "%s: another program has changed the file", files_display_name(f->path, shown));
+        snprintf(err, DEMO_ERR_SIZE, "%s: another program has changed the file", files_display_name(f->path, shown));
     if (good)
-        f->size = (replaces ? 0 : f->size) + s->n;
+        f->size = (overwrite ? 0 : f->size) + s->n;
     else if (ours)
         mark_failed(f);
     else
@@ -66,31 +66,31 @@ static bool write_to_file(struct demo_file *f, const struct demo_sink *s, bool r
 typedef void put_bytes(struct demo_writer *w, struct demo_file *f, struct demo_sink *s);
 
 /* Makes the bytes for one file and writes them. */
-static bool write_one(struct demo_writer *w, struct demo_file *f, put_bytes *put, bool replaces, char *err)
+static bool write_one(struct demo_writer *w, struct demo_file *f, put_bytes *put, bool overwrite, char *err)
 {
     struct demo_sink s = { 0 };
 
     if (!f->path[0] || f->write_failed)
         return true;
     put(w, f, &s);
-    bool bad = s.failed, good = !bad && write_to_file(f, &s, replaces, err);
+    bool bad = s.failed, good = !bad && write_to_file(f, &s, overwrite, err);
     free(s.p);
     return bad ? stop_out_of_memory(w) : good;
 }
 
 /* Makes the bytes for the file and for the spare file, and writes them. Failing to write the spare file does not fail
  * the recording. */
-static bool write_both(struct demo_writer *w, put_bytes *put, bool replaces)
+static bool write_both(struct demo_writer *w, put_bytes *put, bool overwrite)
 {
-    bool good = write_one(w, &w->file, put, replaces, w->err);
+    bool good = write_one(w, &w->file, put, overwrite, w->err);
 
-    write_one(w, &w->spare, put, replaces, w->spare_err);
+    write_one(w, &w->spare_file, put, overwrite, w->spare_err);
     return good;
 }
 
 static void put_all(struct demo_writer *w, struct demo_file *f, struct demo_sink *s)
 {
-    demo_put_rows(s, &w->demo, &f->frames_written, &f->markers_written, &f->crc);
+    demo_put_until_last_row(s, &w->demo, &f->frames_written, &f->markers_written, &f->crc);
 }
 
 /* Puts the frames that are not in the file yet, and the newest row if it is of the last frame. */
@@ -128,19 +128,19 @@ static bool add_row(struct demo_writer *w)
 
 static void set_parts(struct demo *d, const struct board *b)
 {
-    d->n_parts = board_parts(b);
+    d->n_parts = board_part_count(b);
     for (int i = 0; i < d->n_parts; i++)
-        snprintf(d->part[i], sizeof d->part[i], "%s", board_part_name(b, i));
+        snprintf(d->part_name[i], sizeof d->part_name[i], "%s", board_part_name(b, i));
     d->checksum_parts = UINT64_MAX;
 }
 
 static void set_identity(struct demo *d, const struct cart *cart)
 {
-    d->core = CORE_VERSION;
+    d->core_version = CORE_VERSION;
     d->game_hash = rom_game_hash(cart->rom);
     d->rom_hash = rom_hash(cart->rom);
     snprintf(d->id, sizeof d->id, "%s", cart->manifest.id);
-    snprintf(d->lua, sizeof d->lua, "%s", board_lua_release());
+    snprintf(d->lua_release, sizeof d->lua_release, "%s", board_lua_release());
 }
 
 /* Adds the markers of the last tick. */
@@ -169,7 +169,7 @@ static bool copy_start(struct demo *d, const struct board_start *start)
     return d->nvram != NULL;
 }
 
-bool demo_record_to(struct demo_writer *w, const char *path)
+bool demo_record_to_file(struct demo_writer *w, const char *path)
 {
     if (snprintf(w->file.path, sizeof w->file.path, "%s", path) < (int)sizeof w->file.path)
         return write_one(w, &w->file, put_all, true, w->err);
@@ -184,27 +184,27 @@ bool demo_retry_write(struct demo_writer *w)
 
     if (!f->write_failed)
         return true;
-    if (plat_size(f->path) == 0)
+    if (plat_file_size(f->path) == 0)
         return false;
     f->write_failed = false;
     f->size = 0;
     return write_one(w, f, put_all, true, w->err);
 }
 
-void demo_record_spare(struct demo_writer *w, const char *path)
+void demo_record_to_spare_file(struct demo_writer *w, const char *path)
 {
     w->spare_err[0] = 0;
-    w->spare.write_failed = false;
-    snprintf(w->spare.path, sizeof w->spare.path, "%s", path && w->recording ? path : "");
-    w->spare.size = 0;
-    write_one(w, &w->spare, put_all, true, w->spare_err);
+    w->spare_file.write_failed = false;
+    snprintf(w->spare_file.path, sizeof w->spare_file.path, "%s", path && w->recording ? path : "");
+    w->spare_file.size = 0;
+    write_one(w, &w->spare_file, put_all, true, w->spare_err);
 }
 
-void demo_remove_spare(struct demo_writer *w)
+void demo_remove_spare_file(struct demo_writer *w)
 {
-    if (w->spare.path[0] && is_ours(&w->spare))
-        plat_remove(w->spare.path);
-    demo_record_spare(w, NULL);
+    if (w->spare_file.path[0] && is_ours(&w->spare_file))
+        plat_remove(w->spare_file.path);
+    demo_record_to_spare_file(w, NULL);
 }
 
 bool demo_begin(struct demo_writer *w, const char *path, const struct cart *cart, const struct board *b,
@@ -229,7 +229,7 @@ bool demo_begin(struct demo_writer *w, const char *path, const struct cart *cart
         if (!add_row(w) || !add_markers(d, b))
             return stop_out_of_memory(w);
     }
-    return !path || demo_record_to(w, path);
+    return !path || demo_record_to_file(w, path);
 }
 
 /* Adds the checksums of the newest frame, unless it faulted. */
@@ -286,7 +286,7 @@ bool demo_record_frame(struct demo_writer *w, const struct board *b, const uint1
     add_checksums(w, b);
     if (!add_markers(d, b))
         return stop_out_of_memory(w);
-    if (d->frames % DEMO_SECOND != 0 || board_last_output(b)->fault)
+    if (d->frames % DEMO_SECOND_FRAMES != 0 || board_last_output(b)->fault)
         return true;
     if (!add_row(w))
         return stop_out_of_memory(w);
@@ -322,7 +322,7 @@ bool demo_rewind(struct demo_writer *w, uint32_t frame)
     d->checksum_frames = d->checksum_frames < d->frames ? d->checksum_frames : d->frames;
     while (d->n_markers && d->markers[d->n_markers - 1].frame > d->frames)
         d->n_markers--;
-    uint32_t rows = d->frames / DEMO_SECOND + 1;
+    uint32_t rows = d->frames / DEMO_SECOND_FRAMES + 1;
     d->n_rows = rows < d->n_rows ? rows : d->n_rows;
     d->flags |= DEMO_BRANCHED;
     return write_both(w, put_all, true);

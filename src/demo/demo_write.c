@@ -13,7 +13,7 @@ uint8_t *demo_encode(const struct demo *d, size_t *size)
     struct demo_sink s = { 0 };
     uint32_t frames, n_markers, crc;
 
-    demo_put_rows(&s, d, &frames, &n_markers, &crc);
+    demo_put_until_last_row(&s, d, &frames, &n_markers, &crc);
     if (d->complete && d->frames > frames) { /* a frame that faulted has no row */
         demo_put_second(&s, d, frames, d->frames - frames, NULL, &crc);
         demo_put_markers(&s, d, &n_markers, d->frames, &crc);

@@ -39,7 +39,7 @@ static const struct demo_marker **sort_markers(const struct demo *d, uint32_t *n
     return list;
 }
 
-static uint32_t change_frame(const struct marker_change *c)
+static uint32_t get_change_frame(const struct marker_change *c)
 {
     return c->before ? c->before->frame : c->after->frame;
 }
@@ -47,7 +47,7 @@ static uint32_t change_frame(const struct marker_change *c)
 static int compare_frames(const void *left, const void *right)
 {
     const struct marker_change *a = left, *b = right;
-    uint32_t f = change_frame(a), g = change_frame(b);
+    uint32_t f = get_change_frame(a), g = get_change_frame(b);
 
     if (f != g)
         return f < g ? -1 : 1;

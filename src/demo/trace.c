@@ -15,9 +15,9 @@ struct trace {
     FILE *out;
     uint32_t frame;
     const char *part;
-    int64_t slot;   /* slot of the current line */
-    bool line_open; /* a line is in progress */
-    bool wanted;    /* the line is not an all-zero list entry */
+    int64_t slot;      /* slot of the current line */
+    bool line_open;    /* a line is in progress */
+    bool should_print; /* the line is not an all-zero list entry */
     size_t n;
     char line[LINE_SIZE];
 };
@@ -63,7 +63,7 @@ static void flush_line(struct trace *t)
 
 static void close_line(struct trace *t)
 {
-    if (t->line_open && t->wanted) {
+    if (t->line_open && t->should_print) {
         put_str(t, "\n");
         flush_line(t);
     }
@@ -75,7 +75,7 @@ static void open_line(struct trace *t, const struct slots_value *v)
 {
     t->line_open = true;
     t->slot = v->slot;
-    t->wanted = v->slot == NO_SLOT || v->gen;
+    t->should_print = v->slot == NO_SLOT || v->gen;
     put_decimal(t, t->frame);
     put_str(t, " ");
     put_str(t, t->part);
@@ -100,10 +100,10 @@ static void trace_value(void *context, const struct slots_value *v)
     if (!t->line_open)
         open_line(t, v);
     if (t->n > LINE_SIZE - MAX_VALUE_SIZE) {
-        t->wanted = true;
+        t->should_print = true;
         flush_line(t);
     }
-    t->wanted |= v->value != 0;
+    t->should_print |= v->value != 0;
     put_str(t, v->i == 0 ? " " : ",");
     if (v->i == 0) {
         put_str(t, v->column);
@@ -116,7 +116,7 @@ void trace_frame(FILE *out, const struct board *b, uint64_t parts)
 {
     struct trace t = { .out = out, .frame = board_frame(b) };
 
-    for (int i = 0; i < board_parts(b); i++) {
+    for (int i = 0; i < board_part_count(b); i++) {
         if (!(parts >> i & 1))
             continue;
         t.part = board_part_name(b, i);

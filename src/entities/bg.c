@@ -7,20 +7,19 @@
 
 static const struct column columns[] = {
     COLUMN(bg, map),         COLUMN(bg, flags),      COLUMN(bg, bank),         COLUMN(bg, x),
-    COLUMN(bg, y),           COLUMN(bg, vx),         COLUMN(bg, vy),           COLUMN(bg, wave),
+    COLUMN(bg, y),           COLUMN(bg, vx),         COLUMN(bg, vy),           COLUMN(bg, wave_amplitude),
     COLUMN(bg, wave_period), COLUMN(bg, wave_speed), COLUMN(bg, phase),        COLUMN(bg, n_lines),
     COLUMN(bg, horizon),     COLUMN(bg, height),     COLUMN(bg, dir),          COLUMN(bg, fog),
     COLUMN(bg, fog_end),     COLUMN(bg, shown_id),   COLUMN(bg, fade_elapsed), COLUMN(bg, fade_length),
 };
 static const struct column line_columns[] = { COLUMN(bg_lines, offset) };
 static const struct column shade_columns[] = {
-    DERIVED(bg_shades, table, "computed from the ROM's palette and the plane's fog"),
+    DERIVED_COLUMN(bg_shades, table, "computed from the ROM's palette and the plane's fog"),
 };
 
 const struct chip bg_chip = { .name = "bg", CHIP_COLUMNS(columns), .is_list = true };
 const struct chip bg_lines_chip = { .name = "bg_lines", CHIP_COLUMNS(line_columns), .is_list = true };
 const struct chip bg_shades_chip = { .name = "bg_shades", CHIP_COLUMNS(shade_columns), .is_list = true };
-
 
 static void clear_slot(struct bg *b, uint32_t i)
 {
@@ -29,7 +28,7 @@ static void clear_slot(struct bg *b, uint32_t i)
     b->bank[i] = 0;
     b->shown_id[i] = 0;
     b->x[i] = b->y[i] = b->phase[i] = 0;
-    b->vx[i] = b->vy[i] = b->wave[i] = b->wave_period[i] = b->wave_speed[i] = 0;
+    b->vx[i] = b->vy[i] = b->wave_amplitude[i] = b->wave_period[i] = b->wave_speed[i] = 0;
     b->horizon[i] = 0;
     b->height[i] = 64 << 16;
     b->dir[i] = ANG_UP;
@@ -100,11 +99,11 @@ static int64_t modulo(int64_t a, int64_t n)
  * floating point. */
 static fx wave_at(const struct bg *b, uint32_t i, int y)
 {
-    if (!b->wave[i] || b->wave_period[i] <= 0)
+    if (!b->wave_amplitude[i] || b->wave_period[i] <= 0)
         return 0;
     int64_t at = modulo((int64_t)y * 65536 - b->phase[i], b->wave_period[i]);
     int32_t sine = trig_sin30((ang)(((uint64_t)at << 32) / (uint64_t)b->wave_period[i]));
-    return (fx)(((int64_t)b->wave[i] * sine + (1 << 29)) >> 30);
+    return (fx)(((int64_t)b->wave_amplitude[i] * sine + (1 << 29)) >> 30);
 }
 
 fx bg_line_offset(const struct bg *b, const struct bg_lines *l, uint32_t i, int y)
@@ -116,8 +115,8 @@ fx bg_line_offset(const struct bg *b, const struct bg_lines *l, uint32_t i, int 
     return (fx)sum;
 }
 
-/* Returns the index of the palette entry nearest to `want`, a colour in units of 1/BG_SHADES. */
-static uint8_t nearest(const uint8_t *rgb, const int32_t want[3])
+/* Returns the index of the palette entry nearest to `colour`, a colour in units of 1/BG_SHADES. */
+static uint8_t find_nearest_entry(const uint8_t *rgb, const int32_t colour[3])
 {
     int32_t best_distance = INT32_MAX;
     int best_entry = 0;
@@ -125,7 +124,7 @@ static uint8_t nearest(const uint8_t *rgb, const int32_t want[3])
     for (int i = 0; i < 256; i++, rgb += 3) {
         int32_t distance = 0;
         for (int c = 0; c < 3; c++) {
-            int32_t d = rgb[c] * BG_SHADES - want[c];
+            int32_t d = rgb[c] * BG_SHADES - colour[c];
             distance += d * d;
         }
         if (distance < best_distance) {
@@ -140,9 +139,9 @@ void bg_fill_shades(uint8_t *tables, const uint8_t *rgb, uint32_t target)
 {
     for (int k = 1; k <= BG_SHADES; k++)
         for (int i = 0; i < 256; i++) {
-            int32_t want[3];
+            int32_t colour[3];
             for (int c = 0; c < 3; c++)
-                want[c] = rgb[3 * i + c] * (BG_SHADES - k) + (int32_t)(target >> (16 - 8 * c) & 255) * k;
-            *tables++ = nearest(rgb, want);
+                colour[c] = rgb[3 * i + c] * (BG_SHADES - k) + (int32_t)(target >> (16 - 8 * c) & 255) * k;
+            *tables++ = find_nearest_entry(rgb, colour);
         }
 }

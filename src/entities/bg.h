@@ -35,7 +35,7 @@ struct bg {
     uint8_t *bank;      /* added to the tiles' bank */
     int64_t *x, *y;     /* Q16 px; layer: the map's corner in the field; plane: the position of the eye */
     fx *vx, *vy;        /* px/frame */
-    fx *wave;           /* amplitude in px, to each side; 0: no wave */
+    fx *wave_amplitude; /* amplitude in px, to each side; 0: no wave */
     fx *wave_period;    /* vertical period in px; positive if there is a wave */
     fx *wave_speed;     /* px/frame at which the wave moves down */
     int64_t *phase;     /* Q16 px the wave has moved */
@@ -62,7 +62,7 @@ struct bg_shades {
     struct slots s;
     uint8_t *table;
 };
-enum { BG_FOG_TABLES = 0, BG_BLACK_TABLES = BG_SHADES * 256, BG_TABLES_SIZE = 2 * BG_SHADES * 256 };
+enum { BG_FOG_OFFSET = 0, BG_BLACK_OFFSET = BG_SHADES * 256, BG_TABLES_SIZE = 2 * BG_SHADES * 256 };
 
 extern const struct chip bg_chip, bg_lines_chip, bg_shades_chip;
 

@@ -17,7 +17,7 @@
 enum {
     ML_MAX_ROOTS = 4096,     /* documents running at once */
     ML_MAX_KINDS = 64,       /* labels per document that can be given a kind */
-    ML_VALUES = 9,           /* values of a parameter list */
+    ML_MAX_VALUES = 9,       /* values of a parameter list */
     ML_FRAMES_PER_RUNNER = 4 /* capacity in frames per runner */
 };
 
@@ -41,29 +41,29 @@ struct ml_roots {
     fx *x, *y, *dx, *dy;    /* dx, dy: offset from the followed entity */
     int16_t *x_low, *y_low; /* the next 16 bits of the position, added to x, y: units of 2^-32 px */
     uint16_t *program;      /* index in the ROM */
-    uint32_t *body;         /* slot of the first runner of its tops */
+    uint32_t *body_runner;  /* slot of the first runner of its tops */
     uint16_t *kind, *tag;
     uint16_t *label_kind; /* ML_MAX_KINDS per root: the kind of bullets with that label */
     uint8_t *bank, *flags;
-    uint32_t *n_runners;  /* number of runners of its tops and its bullets */
+    uint32_t *n_runners;  /* number of its runners: top-level ones and those of its bullets */
     uint32_t *owner_task; /* serial of the task that started it */
     uint32_t *stream;     /* its random stream */
-    uint32_t *params;     /* parameter list of its tops + 1; 0: none */
+    uint32_t *params;     /* 1 + index of the parameter list of its top-level runners; 0: none */
     int64_t *rank;        /* Q31.32 */
     int64_t *speed_scale; /* Q31.32 px/frame per unit of document speed */
     ang *up_dir;          /* board angle of the document's direction 0, up */
 };
 
 /* Gradual changes of a runner, in the order in which they are applied. */
-enum { CHANGE_DIRECTION, CHANGE_SPEED, CHANGE_X, CHANGE_Y, CHANGES };
+enum { CHANGE_DIRECTION, CHANGE_SPEED, CHANGE_X, CHANGE_Y, CHANGE_COUNT };
 
 /* Flags of a runner. */
 enum {
-    RUNNER_CHANGES = (1 << CHANGES) - 1, /* one bit per change in progress */
-    RUNNER_ACTIONS_ENDED = 1 << 4,       /* its actions have ended */
-    RUNNER_HAS_LAST_DIRECTION = 1 << 5,  /* `last_direction` is set */
-    RUNNER_HAS_LAST_SPEED = 1 << 6,      /* `last_speed` is set */
-    RUNNER_ENDED = 1 << 7,               /* top-level runner: all its actions and changes have ended */
+    RUNNER_CHANGES = (1 << CHANGE_COUNT) - 1, /* one bit per change in progress */
+    RUNNER_ACTIONS_ENDED = 1 << 4,            /* its actions have ended */
+    RUNNER_HAS_LAST_DIRECTION = 1 << 5,       /* `last_direction` is set */
+    RUNNER_HAS_LAST_SPEED = 1 << 6,           /* `last_speed` is set */
+    RUNNER_ENDED = 1 << 7,                    /* top-level runner: all its actions and changes have ended */
     RUNNER_TOP = 1 << 8
 };
 
@@ -72,7 +72,7 @@ struct ml_runners {
     int64_t *bullet;          /* handle of its bullet; 0: it runs for the root */
     uint32_t *serial;         /* creation order */
     uint32_t *root;           /* slot of its root */
-    uint32_t *body;           /* slot of the runner that has direction, speed and velocity: itself, or the first of
+    uint32_t *body_runner;    /* slot of the runner that has direction, speed and velocity: itself, or the first of
                               * the root's runners */
     uint32_t *order;          /* live runners, oldest first; two entries per slot */
     uint32_t *pc;             /* position in the program */
@@ -81,8 +81,8 @@ struct ml_runners {
     uint16_t *depth;          /* number of its frames */
     uint16_t *flags;
     int64_t *last_direction, *last_speed; /* base values for `sequence` */
-    int64_t *direction, *speed;           /* of a body, Q31.32: degrees as in the document, and document speed */
-    int64_t *vx, *vy;                     /* of a body: velocity from accel, on top of direction and speed */
+    int64_t *direction, *speed;           /* of a bullet, Q31.32: degrees, and speed in units of the document */
+    int64_t *vx, *vy;                     /* of a bullet: velocity from accel, on top of direction and speed */
     int64_t *change_from, *change_to,
         *change_step;                    /* CHANGES per runner; step per frame: Q11.52, for directions Q19.44; 0: out
                                            * of range or no change, computed from `change_from` and `change_to`
@@ -109,7 +109,7 @@ struct ml_params {
     struct slots s;
     uint32_t *refs; /* number of runners, frames and roots that use it */
     uint8_t *n;     /* number of values given */
-    int64_t *value; /* ML_VALUES per list */
+    int64_t *value; /* ML_MAX_VALUES per list */
 };
 
 /* A bullet fired in this frame, to be spawned after the hit tests. Not in snapshots, because the list is empty between

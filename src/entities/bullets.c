@@ -20,9 +20,9 @@ static const struct column kind_columns[] = {
     GROUP_COLUMN(bullet_kinds, hp, GROUP_HP),
     GROUP_COLUMN(bullet_kinds, score, GROUP_HP),
     GROUP_COLUMN(bullet_kinds, spark, GROUP_HP),
-    GROUP_COLUMN(bullet_kinds, pierce, GROUP_PIERCE),
+    GROUP_COLUMN(bullet_kinds, pierce_hits, GROUP_PIERCE),
     GROUP_COLUMN(bullet_kinds, rehit_interval, GROUP_PIERCE),
-    DERIVED(bullet_kinds, live_count, "counts the live bullets of each kind"),
+    DERIVED_COLUMN(bullet_kinds, live_count, "counts the live bullets of each kind"),
 };
 
 static const struct column columns[] = {
@@ -48,7 +48,7 @@ static const struct column columns[] = {
     COLUMN(bullets, travel_q32),
     COLUMN(bullets, x_low),
     COLUMN(bullets, y_low),
-    COLUMNS(bullets, rounds, MOTION_DEPTH),
+    COLUMNS(bullets, rounds_left, MOTION_MAX_DEPTH),
     GROUP_COLUMN(bullets, value1, GROUP_VALUE + 0),
     GROUP_COLUMN(bullets, value2, GROUP_VALUE + 1),
     GROUP_COLUMN(bullets, value3, GROUP_VALUE + 2),
@@ -64,22 +64,22 @@ static const struct column columns[] = {
     GROUP_COLUMN(bullets, saved_vx, GROUP_FROZEN),
     GROUP_COLUMN(bullets, saved_vy, GROUP_FROZEN),
     GROUP_COLUMN(bullets, pierce_left, GROUP_PIERCE),
-    GROUP_COLUMNS(bullets, pierced, MAX_PIERCED_TARGETS, GROUP_PIERCE),
+    GROUP_COLUMNS(bullets, pierced_targets, MAX_PIERCED_TARGETS, GROUP_PIERCE),
     GROUP_COLUMNS(bullets, rehit_clock, MAX_PIERCED_TARGETS, GROUP_PIERCE),
     DERIVED_BLOCKS(bullets, busy, 1, "computed from motion, pc, step_flags and flags"),
     DERIVED_BLOCKS(bullets, idle, 1, "computed from motion, pc, step_flags and flags"),
-    DERIVED_BLOCKS(bullets, near, MAX_PLAYERS, "rewritten by every move before hit tests read it"),
+    DERIVED_BLOCKS(bullets, near_player, MAX_PLAYERS, "rewritten by every move before hit tests read it"),
     DERIVED_BLOCKS(bullets, leaving, 1, "empty between frames"),
-    GROUP_BLOCKS(bullets, solid, GROUP_HP, "rewritten in every frame before hit tests read it"),
-    GROUP_REGISTER(bullets, n_meets, GROUP_MEET),
+    GROUP_DERIVED_BLOCKS(bullets, solid, GROUP_HP, "rewritten in every frame before hit tests read it"),
+    GROUP_REGISTER(bullets, n_meet_pairs, GROUP_MEET),
     GROUP_REGISTERS(bullets, meet_first, GROUP_MEET),
     GROUP_REGISTERS(bullets, meet_second, GROUP_MEET),
     GROUP_REGISTERS(bullets, meet_spark, GROUP_MEET),
     GROUP_REGISTERS(bullets, meet_flags, GROUP_MEET),
-    GROUP_DERIVED(bullets, next, GROUP_MEET, "rewritten in every frame before hit tests read it"),
-    GROUP_BLOCKS(bullets, met, GROUP_MEET, "rewritten in every frame before hit tests read it"),
-    GROUP_BLOCKS(bullets, meet_removed, GROUP_MEET, "rewritten in every frame before hit tests read it"),
-    DERIVED(bullets, step_end_low, "the low byte of `step_end`, only for idle bullets"),
+    GROUP_DERIVED_COLUMN(bullets, meet_next, GROUP_MEET, "rewritten in every frame before hit tests read it"),
+    GROUP_DERIVED_BLOCKS(bullets, meet_collided, GROUP_MEET, "rewritten in every frame before hit tests read it"),
+    GROUP_DERIVED_BLOCKS(bullets, meet_removed, GROUP_MEET, "rewritten in every frame before hit tests read it"),
+    DERIVED_COLUMN(bullets, step_end_low, "the low byte of `step_end`, only for idle bullets"),
     DERIVED_REGISTERS(bullets, initial_value, "set only while scripts load, like names"),
     DERIVED_REGISTER(bullets, speed_bound, "an upper bound for the broad phase; the narrow phase decides what is hit"),
     DERIVED_REGISTER(bullets, n_frozen, "the number of frozen bullets, counted from the column `freeze_flags`"),
@@ -129,7 +129,7 @@ bool bullets_pierce(struct bullets *b, const struct bullet_kinds *kinds, uint32_
     if (!b->pierce_left || !b->pierce_left[i])
         return false;
     const int32_t rehit_interval = kinds->rehit_interval[b->kind[i]];
-    int64_t *pierced = b->pierced + (size_t)i * MAX_PIERCED_TARGETS;
+    int64_t *pierced = b->pierced_targets + (size_t)i * MAX_PIERCED_TARGETS;
     int k = 0;
     while (k < MAX_PIERCED_TARGETS - 1 && pierced[k] && pierced[k] != entity)
         k++;
@@ -154,9 +154,9 @@ int32_t bullets_fire(struct bullets *b, const struct bullet_spec *spec, uint32_t
     b->dir[i] = spec->dir;
     b->vx[i] = b->vy[i] = 0;
     b->speed[i] = spec->speed;
-    const uint16_t kind = (uint16_t)(spec->kind + (spec->clouded ? ROW_CLOUD : ROW_KIND));
+    const uint16_t kind = (uint16_t)(spec->kind + (spec->is_clouded ? ROW_CLOUD : ROW_KIND));
     b->kind[i] = kind;
-    bullets_count_kind(b, kind, 1);
+    bullets_adjust_kind_count(b, kind, 1);
     b->bank[i] = spec->bank;
     b->tag[i] = spec->tag;
     b->flags[i] = spec->delay ? BULLET_DELAYED : 0;
@@ -165,22 +165,23 @@ int32_t bullets_fire(struct bullets *b, const struct bullet_spec *spec, uint32_t
     b->player[i] = spec->player;
     b->speed_q32[i] = b->travel_q32[i] = 0;
     b->x_low[i] = b->y_low[i] = 0;
-    for (int k = 0; k < MAX_VALUES && bullets_value(b, k); k++) {
-        bullets_value(b, k)[i] = b->initial_value[k];
-        bullets_value_at_step(b, k)[i] = 0;
+    for (int k = 0; k < MAX_VALUES && bullets_value_column(b, k); k++) {
+        bullets_value_column(b, k)[i] = b->initial_value[k];
+        bullets_step_value_column(b, k)[i] = 0;
     }
     if (b->hp)
         b->hp[i] = spec->hp;
     if (b->pierce_left) {
-        b->pierce_left[i] = spec->pierce;
-        memset(b->pierced + (size_t)i * MAX_PIERCED_TARGETS, 0, MAX_PIERCED_TARGETS * sizeof *b->pierced);
+        b->pierce_left[i] = spec->pierce_hits;
+        memset(b->pierced_targets + (size_t)i * MAX_PIERCED_TARGETS, 0,
+               MAX_PIERCED_TARGETS * sizeof *b->pierced_targets);
         memset(b->rehit_clock + (size_t)i * MAX_PIERCED_TARGETS, 0, MAX_PIERCED_TARGETS * sizeof *b->rehit_clock);
     }
     if (b->frozen_left)
         b->frozen_left[i] = b->saved_vx[i] = b->saved_vy[i] = b->freeze_flags[i] = 0;
     if (b->orbit_target)
         b->orbit_target[i] = spec->orbit_target;
-    bullets_start_program(b, (uint32_t)i, spec->motion, spec->fine);
+    bullets_start_program(b, (uint32_t)i, spec->motion, spec->is_fine);
     if (spec->delay)
         make_idle(b, (uint32_t)i, clock + spec->delay);
     bullets_update_velocity(b, (uint32_t)i);
@@ -190,14 +191,14 @@ int32_t bullets_fire(struct bullets *b, const struct bullet_spec *spec, uint32_t
 void bullets_drop(struct bullets *b, uint32_t i)
 {
     b->n_frozen -= bullets_is_frozen(b, i);
-    bullets_count_kind(b, b->kind[i], -1);
+    bullets_adjust_kind_count(b, b->kind[i], -1);
     slots_drop(&b->s, i);
     park(b, i);
 }
 
 void bullets_hold(struct bullets *b, uint32_t i)
 {
-    bullets_count_kind(b, b->kind[i], -1);
+    bullets_adjust_kind_count(b, b->kind[i], -1);
     slots_hold(&b->s, b->leaving, i);
 }
 
@@ -233,7 +234,7 @@ void bullets_set_speed(struct bullets *b, uint32_t i, int64_t speed)
     bullets_update_velocity(b, i);
 }
 
-void bullets_velocity(const struct bullets *b, uint32_t i, int64_t *vx, int64_t *vy)
+void bullets_get_velocity(const struct bullets *b, uint32_t i, int64_t *vx, int64_t *vy)
 {
     fx x = (bullets_is_frozen(b, i) ? b->saved_vx : b->vx)[i], y = (bullets_is_frozen(b, i) ? b->saved_vy : b->vy)[i];
 
@@ -251,16 +252,16 @@ void bullets_velocity(const struct bullets *b, uint32_t i, int64_t *vx, int64_t 
  * across dir is less than 2^-29 of the speed, so the speed is right to the last bit. */
 static void set_fine_velocity(struct bullets *b, uint32_t i, int64_t vx, int64_t vy)
 {
-    int64_t ax = int64_abs(vx), ay = int64_abs(vy), along[2], across;
+    int64_t ax = int64_abs(vx), ay = int64_abs(vy), along_dir[2], unused;
     int shift = 0;
 
     while ((ax | ay) >> shift > FX_MAX)
         shift++;
     if (ax | ay)
         b->dir[i] = trig_atan2((fx)(vy >> shift), (fx)(vx >> shift));
-    trig_stride(0, vx, b->dir[i], &along[0], &across);
-    trig_stride(0, vy, b->dir[i], &across, &along[1]);
-    bullets_set_speed(b, i, bullets_clamp_speed(along[0] + along[1]));
+    trig_stride(0, vx, b->dir[i], &along_dir[0], &unused);
+    trig_stride(0, vy, b->dir[i], &unused, &along_dir[1]);
+    bullets_set_speed(b, i, bullets_clamp_speed(along_dir[0] + along_dir[1]));
 }
 
 void bullets_set_velocity(struct bullets *b, uint32_t i, int64_t vx, int64_t vy)
@@ -283,15 +284,15 @@ void bullets_set_velocity(struct bullets *b, uint32_t i, int64_t vx, int64_t vy)
 
 void bullets_set_position(struct bullets *b, uint32_t i, int64_t x, int64_t y)
 {
-    b->x[i] = bullets_split(x, &b->x_low[i]);
-    b->y[i] = bullets_split(y, &b->y_low[i]);
+    b->x[i] = bullets_split_coordinate(x, &b->x_low[i]);
+    b->y[i] = bullets_split_coordinate(y, &b->y_low[i]);
 }
 
 void bullets_set_kind(struct bullets *b, const struct bullet_kinds *kinds, uint32_t i, uint16_t kind)
 {
-    bool is_clouded = b->flags[i] & BULLET_DELAYED && kinds->flags[kind] & KIND_CLOUDED;
+    bool is_clouded = b->flags[i] & BULLET_DELAYED && kinds->flags[kind] & KIND_HAS_CLOUD;
 
-    bullets_change_kind(b, i, kind + (is_clouded ? (unsigned)ROW_CLOUD : ROW_KIND));
+    bullets_set_kind_row(b, i, kind + (is_clouded ? (unsigned)ROW_CLOUD : ROW_KIND));
     b->bank[i] = kinds->bank[kind];
     if (b->hp)
         b->hp[i] = kinds->hp[kind];
@@ -318,7 +319,7 @@ void bullets_start_program(struct bullets *b, uint32_t i, uint16_t motion, bool 
         b->step_end[i] = 0;
         bullets_set_busy(b, i, (motion || fine) && !bullets_is_frozen(b, i));
     }
-    memset(&b->rounds[i * MOTION_DEPTH], 0, MOTION_DEPTH * sizeof *b->rounds);
+    memset(&b->rounds_left[i * MOTION_MAX_DEPTH], 0, MOTION_MAX_DEPTH * sizeof *b->rounds_left);
 }
 
 void bullets_freeze(struct bullets *b, uint32_t i, int32_t frames)
@@ -427,21 +428,21 @@ void bullets_postpone_frozen(struct bullets *b)
     }
 }
 
-int32_t targets_nearest(const struct targets *t, fx x, fx y)
+int32_t targets_find_nearest(const struct targets *t, fx x, fx y)
 {
-    uint32_t end = t->s->used ? t->s->top : t->s->live;
+    uint32_t end = t->s->live_bits ? t->s->top : t->s->live;
     uint64_t best = UINT64_MAX;
     int32_t found = NO_SLOT;
 
     for (uint32_t i = 0; i < end; i++) {
-        if (t->s->used && !(t->s->used[i / SLOTS_BLOCK] & bullets_bit(i))) {
-            if (!t->s->used[i / SLOTS_BLOCK])
+        if (t->s->live_bits && !(t->s->live_bits[i / SLOTS_BLOCK] & bullets_bit(i))) {
+            if (!t->s->live_bits[i / SLOTS_BLOCK])
                 i |= SLOTS_BLOCK - 1;
             continue;
         }
         if (t->included && !t->included[i])
             continue;
-        uint64_t d = bullets_target_distance(t, i, x, y);
+        uint64_t d = bullets_target_distance_squared(t, i, x, y);
         if (d < best) {
             best = d;
             found = (int32_t)i;
@@ -452,7 +453,7 @@ int32_t targets_nearest(const struct targets *t, fx x, fx y)
 
 ang targets_aim(const struct targets *t, fx x, fx y, ang fallback)
 {
-    int32_t i = targets_nearest(t, x, y);
+    int32_t i = targets_find_nearest(t, x, y);
 
     if (i == NO_SLOT || (t->x[i] == x && t->y[i] == y))
         return fallback;

@@ -23,11 +23,11 @@ enum {
     KIND_SWEPT = 1 << 2, /* uses swept collision: hit tests cover the whole path of a frame */
     KIND_BLEND = 3 << 3, /* blend mode + 1, or 0: drawn opaque; in units of KIND_BLEND_ONE */
     KIND_BLEND_ONE = 1 << 3,
-    KIND_CLOUDED = 1 << 5,  /* the kind has a ROW_CLOUD */
-    KIND_CLOUD = 1 << 6,    /* this row is a ROW_CLOUD */
-    KIND_FIXED = 1 << 7,    /* immune to clears, unless `all` */
-    KIND_CANCELS = 1 << 8,  /* shots only: the shot removes clearable bullets that it touches */
-    KIND_HARMLESS = 1 << 9, /* neither hits players nor can be grazed */
+    KIND_HAS_CLOUD = 1 << 5,    /* the kind has a ROW_CLOUD */
+    KIND_IS_CLOUD_ROW = 1 << 6, /* this row is a ROW_CLOUD */
+    KIND_FIXED = 1 << 7,        /* immune to clears, unless `all` */
+    KIND_CANCELS = 1 << 8,      /* shots only: the shot removes clearable bullets that it touches */
+    KIND_HARMLESS = 1 << 9,     /* neither hits players nor can be grazed */
 
     HP_FOREVER = -1, /* absorbs shots without losing hp */
 
@@ -46,7 +46,7 @@ enum {
     MEET_FIRST = 1 << 0,
     MEET_SECOND = 1 << 1,
     MEET_ALL = 1 << 2, /* KIND_FIXED bullets too */
-    MAX_MEETS = 16,
+    MAX_MEET_PAIRS = 16,
 
     PIERCE_FOREVER = -1,
     MAX_PIERCED_TARGETS = 8, /* most targets that a piercing shot remembers as hit */
@@ -69,11 +69,9 @@ struct bullet_kinds {
     int32_t *hp;            /* hp of a new bullet; hp, score and spark are NULL if the game has no hp for bullets */
     int64_t *score;         /* awarded when a player's shot takes the last hp */
     uint16_t *spark;        /* kind + 1 of the spark left when hp runs out, 0: none */
-    int32_t *
-        pierce; /* shots only: hits that don't use the shot up, or PIERCE_FOREVER; pierce and rehit_interval are NULL if
-                       * the game doesn't enable piercing */
-    int32_t
-        *rehit_interval;  /* frames between two hits on the same target; PIERCE_FOREVER: each target is hit only once */
+    /* Shots only, NULL if the game doesn't enable piercing: hits that don't use the shot up, and frames between two
+     * hits on the same target. PIERCE_FOREVER: no limit, and each target is hit only once. */
+    int32_t *pierce_hits, *rehit_interval;
     uint32_t *live_count; /* number of live bullets whose column `kind` is this row */
 };
 
@@ -95,7 +93,7 @@ struct bullets {
     int64_t *step_start;    /* Q32 speed when the step began; for a step that leads or awaits, x << 32 | y instead: the
                            * bullet's position when the step began, or the centre of its path */
     uint8_t *step_flags;    /* OVERRIDE_ and STEP_ flags of the step at pc */
-    uint16_t *rounds;       /* MOTION_DEPTH values per bullet: rounds left in each open loop */
+    uint16_t *rounds_left;  /* MOTION_MAX_DEPTH values per bullet: rounds left in each open loop */
     int64_t *speed_q32;     /* fine bullets: exact speed (`speed` is the nearest fx); others: 1 + the clock when the
                            * program's latest `bounce` began, 0: none */
     int64_t *travel_q32;    /* fine bullets: distance flown since becoming fine, modulo 2^48, from -2^47 to 2^47 - 1;
@@ -103,7 +101,7 @@ struct bullets {
     int16_t *x_low, *y_low; /* fine bullets: exact position minus x, y, in Q32 */
     fx *value1, *value2, *value3, *value4; /* numbers declared by the game; NULL: not declared */
     fx *step_value1, *step_value2, *step_value3,
-        *step_value4;             /* the values when the step at pc began; valid if it is DOES_NAMED */
+        *step_value4;             /* the values when the step at pc began; valid if it is DOES_USE_VALUES */
     int64_t *orbit_target;        /* the board's handle of the orbit centre, 0: none; NULL: not enabled */
     fx initial_value[MAX_VALUES]; /* initial values of a new bullet */
     int32_t *hp;                  /* or HP_FOREVER; 0: shots pass through; NULL: not enabled */
@@ -111,33 +109,33 @@ struct bullets {
     uint8_t *freeze_flags;   /* FREEZE_ACTIVE and FREEZE_LAST_MOVE flags */
     fx *saved_vx, *saved_vy; /* velocity saved while the bullet is frozen and its vx, vy are 0 */
 
-    int32_t *pierce_left;  /* shots only: hits left that don't use the shot up, or PIERCE_FOREVER; this and the next
-                            * two: NULL if not enabled */
-    int64_t *pierced;      /* MAX_PIERCED_TARGETS values per shot: handles of the targets hit, 0: none */
-    uint32_t *rehit_clock; /* MAX_PIERCED_TARGETS values per shot: clock when each target in `pierced` can be hit again,
-                            * UINT32_MAX: never */
+    /* Shots only, NULL if not enabled. pierce_left: hits left that don't use the shot up, or PIERCE_FOREVER;
+     * pierced_targets, MAX_PIERCED_TARGETS per shot: handles of the targets hit, 0: none; rehit_clock, as many: clock
+     * when each can be hit again, UINT32_MAX: never. */
+    int32_t *pierce_left;
+    int64_t *pierced_targets;
+    uint32_t *rehit_clock;
 
-    /* Bit sets: one word per block of 64 slots, one bit per slot. The last move set `near`. */
+    /* Bit sets: one word per block of 64 slots, one bit per slot. The last move set `near_player`. */
     uint64_t *busy; /* runs its program in the next move, or is fine */
     uint64_t *idle; /* delayed, or its program waits, until the clock reaches `step_end` */
-    uint64_t *
-        near; /* MAX_PLAYERS words per block, one per player: may touch or graze the player; after hit_run: hit or graze
-                     * the player */
+    /* MAX_PLAYERS words per block, one per player: may touch or graze the player; after hit_run: hit or graze it. */
+    uint64_t *near_player;
     uint64_t *leaving; /* storage of s.held: left the field in this move, but may have touched an entity on the way */
     uint64_t *solid;   /* can be hit by shots this frame; NULL if `hp` is NULL */
     uint8_t *step_end_low; /* idle bullets: the low byte of `step_end` */
 
     /* The pairs of tags whose bullets collide; next, met and meet_removed are NULL if the game doesn't enable them. */
-    uint32_t n_meets;                                       /* number of pairs */
-    uint16_t meet_first[MAX_MEETS], meet_second[MAX_MEETS]; /* tags */
-    uint16_t meet_spark[MAX_MEETS];                         /* kind + 1 of the spark left; 0: the bullet kind's spark */
-    uint8_t meet_flags[MAX_MEETS];                          /* MEET_ flags */
-    uint32_t *next;                                         /* next slot in the same list (hit_meets.c) */
-    uint64_t *met;                                          /* bit set: collided this frame as first of a pair */
-    uint64_t *meet_removed;                                 /* bit set: bullets that a pair removes this frame */
-    fx speed_bound;                                         /* upper bound of all |vx| and |vy| */
-    uint32_t n_frozen;                                      /* number of bullets whose `freeze_flags` is not 0 */
-    uint32_t n_moved;                                       /* bullets moved this frame */
+    uint32_t n_meet_pairs;                                            /* number of pairs */
+    uint16_t meet_first[MAX_MEET_PAIRS], meet_second[MAX_MEET_PAIRS]; /* tags */
+    uint16_t meet_spark[MAX_MEET_PAIRS]; /* kind + 1 of the spark left; 0: the bullet kind's spark */
+    uint8_t meet_flags[MAX_MEET_PAIRS];  /* MEET_ flags */
+    uint32_t *meet_next;                 /* next slot in the same list (hit_meets.c) */
+    uint64_t *meet_collided;             /* bit set: collided this frame as first of a pair */
+    uint64_t *meet_removed;              /* bit set: bullets that a pair removes this frame */
+    fx speed_bound;                      /* upper bound of all |vx| and |vy| */
+    uint32_t n_frozen;                   /* number of bullets whose `freeze_flags` is not 0 */
+    uint32_t n_moved;                    /* bullets moved this frame */
     bool holds_all;     /* whether the last move held every bullet that left the field, near a player or not */
     uint64_t work_done; /* work of this frame, in motion steps: the steps run, and the cost of searching for targets */
     uint32_t *kind_counts; /* the kinds' column `live_count`, updated as bullets spawn and despawn; NULL: laser heads,
@@ -184,16 +182,16 @@ struct bullet_spec {
     ang dir;
     uint16_t kind, tag, motion;
     uint8_t bank, player;
-    bool fine;      /* the motion runs with 32 fraction bits (BULLET_FINE) */
-    bool clouded;   /* the kind has a cloud, and delay is not 0 */
-    uint32_t delay; /* frames */
-    int32_t hp, pierce;
+    bool is_fine;    /* the motion runs with 32 fraction bits (BULLET_FINE) */
+    bool is_clouded; /* the kind has a cloud, and delay is not 0 */
+    uint32_t delay;  /* frames */
+    int32_t hp, pierce_hits;
     int64_t orbit_target;
     uint32_t owner_task;
 };
 
 /* Returns the column that stores value k, 0 <= k < MAX_VALUES, or NULL if value k is not declared. */
-static inline fx *bullets_value(const struct bullets *b, int k)
+static inline fx *bullets_value_column(const struct bullets *b, int k)
 {
     fx *const value[MAX_VALUES] = { b->value1, b->value2, b->value3, b->value4 };
 
@@ -201,7 +199,7 @@ static inline fx *bullets_value(const struct bullets *b, int k)
 }
 
 /* Returns the column that stores value k as it was when the step began, or NULL if value k is not declared. */
-static inline fx *bullets_value_at_step(const struct bullets *b, int k)
+static inline fx *bullets_step_value_column(const struct bullets *b, int k)
 {
     fx *const value[MAX_VALUES] = { b->step_value1, b->step_value2, b->step_value3, b->step_value4 };
 
@@ -213,7 +211,7 @@ extern const struct chip bullets_chip, bullet_kinds_chip, shots_chip, shot_kinds
 /* Returns bullet i's kind. During a delay the column `kind` may be the kind's ROW_CLOUD instead. */
 static inline uint16_t bullets_kind(const struct bullets *b, const struct bullet_kinds *kinds, uint32_t i)
 {
-    return (uint16_t)(b->kind[i] - (kinds->flags[b->kind[i]] & KIND_CLOUD ? ROW_CLOUD : ROW_KIND));
+    return (uint16_t)(b->kind[i] - (kinds->flags[b->kind[i]] & KIND_IS_CLOUD_ROW ? ROW_CLOUD : ROW_KIND));
 }
 
 /* Returns the frames since `born`, or 0 if `born` is the next frame. */
@@ -245,10 +243,10 @@ void bullets_hold(struct bullets *b, uint32_t i);
 void bullets_release(struct bullets *b, uint32_t i);
 void bullets_release_all(struct bullets *b);
 
-/* Runs the motion programs in slot order, moves every bullet, and sets the `near` bits of all live bullets that each
- * query must find, and maybe of some others. With query NULL, no bullet is `near`. A bullet that ends outside
- * *keep_box is dropped, or held (slots.h) if one of its `near` bits or hold_all is set; the caller must release held
- * bullets in the same frame. */
+/* Runs the motion programs in slot order, moves every bullet, and sets the `near_player` bits of all live bullets that
+ * each query must find, and maybe of some others. With query NULL, no bullet is `near_player`. A bullet that ends
+ * outside *keep_box is dropped, or held (slots.h) if one of its `near_player` bits or hold_all is set; the caller must
+ * release held bullets in the same frame. */
 void bullets_move(struct bullets *b, const struct motion_world *w, const struct box *keep_box,
                   const struct bullets_query query[MAX_PLAYERS], bool hold_all);
 
@@ -295,8 +293,8 @@ static inline int64_t bullets_speed(const struct bullets *b, uint32_t i)
 {
     return b->flags[i] & BULLET_FINE ? b->speed_q32[i] : (int64_t)b->speed[i] * (1 << Q32_EXTRA_BITS);
 }
-void bullets_velocity(const struct bullets *b, uint32_t i, int64_t *vx, int64_t *vy);
-static inline void bullets_position(const struct bullets *b, uint32_t i, int64_t *x, int64_t *y)
+void bullets_get_velocity(const struct bullets *b, uint32_t i, int64_t *vx, int64_t *vy);
+static inline void bullets_get_position(const struct bullets *b, uint32_t i, int64_t *x, int64_t *y)
 {
     *x = (int64_t)b->x[i] * (1 << Q32_EXTRA_BITS) + b->x_low[i];
     *y = (int64_t)b->y[i] * (1 << Q32_EXTRA_BITS) + b->y_low[i];
@@ -309,6 +307,6 @@ void bullets_set_position(struct bullets *b, uint32_t i, int64_t x, int64_t y);
 ang targets_aim(const struct targets *t, fx x, fx y, ang fallback);
 
 /* Returns the slot of the target nearest to (x, y), or NO_SLOT if there is none. The lower slot wins a tie. */
-int32_t targets_nearest(const struct targets *t, fx x, fx y);
+int32_t targets_find_nearest(const struct targets *t, fx x, fx y);
 
 #endif

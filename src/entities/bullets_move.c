@@ -12,7 +12,7 @@
 #include <string.h>
 
 enum {
-    AHEAD = 4,             /* number of blocks whose woken bullets are found in advance */
+    LOOKAHEAD_BLOCKS = 4,  /* number of blocks whose woken bullets are found in advance */
     CACHED_BLOCKS = 1 << 7 /* the columns of this many blocks are mostly in the L1 cache: prefetching would cost more */
 };
 
@@ -49,7 +49,7 @@ static void prefetch_program(const struct bullets *b, uint32_t i)
     slots_prefetch(&b->step_flags[i]);
     slots_prefetch(&b->step_end[i]);
     slots_prefetch(&b->step_start[i]);
-    slots_prefetch(&b->rounds[i * MOTION_DEPTH]);
+    slots_prefetch(&b->rounds_left[i * MOTION_MAX_DEPTH]);
     slots_prefetch(&b->dir[i]);
     slots_prefetch(&b->speed[i]);
     slots_prefetch(&b->flags[i]);
@@ -87,9 +87,9 @@ static struct range keep_range(const struct box *k)
 }
 
 /* Returns the range of the broad phase for query q: every bullet near the player ends its move in this range. */
-static struct range near_range(const struct bullets_query *q, fx fastest)
+static struct range near_range(const struct bullets_query *q, fx max_speed)
 {
-    int64_t reach = q->reach + fastest;
+    int64_t reach = q->reach + max_speed;
 
     if (q->reach < 0) /* a single point, where no bullet is */
         return make_range(FX_MIN, FX_MIN, 0, 0);
@@ -98,12 +98,12 @@ static struct range near_range(const struct bullets_query *q, fx fastest)
     return make_range(q->x - reach, q->y - reach, 2 * (uint32_t)reach, 2 * (uint32_t)reach);
 }
 
-#define OUTSIDE(v, lo, size) -((int32_t)((uint32_t)(v) - (lo)) > (size))
+#define OUT_OF_RANGE_MASK(v, lo, size) -((int32_t)((uint32_t)(v) - (lo)) > (size))
 
-enum { HALF = SLOTS_BLOCK / 2 };
+enum { HALF_BLOCK = SLOTS_BLOCK / 2 };
 
 /* The bit of each slot in half a block, so that a vectorised loop can OR the bits of the slots found. */
-static const uint32_t HALF_BIT[HALF] = {
+static const uint32_t half_block_bits[HALF_BLOCK] = {
     0x1,       0x2,       0x4,       0x8,       0x10,       0x20,       0x40,       0x80,
     0x100,     0x200,     0x400,     0x800,     0x1000,     0x2000,     0x4000,     0x8000,
     0x10000,   0x20000,   0x40000,   0x80000,   0x100000,   0x200000,   0x400000,   0x800000,
@@ -114,7 +114,7 @@ static const uint32_t HALF_BIT[HALF] = {
  * the range *n, otherwise 0. */
 static inline int32_t uneventful_mask(int32_t outside, int32_t x, int32_t y, const struct range *n)
 {
-    return (OUTSIDE(x, n->x, n->w) | OUTSIDE(y, n->y, n->h)) & ~outside;
+    return (OUT_OF_RANGE_MASK(x, n->x, n->w) | OUT_OF_RANGE_MASK(y, n->y, n->h)) & ~outside;
 }
 
 /* Moves a block, both halves in one loop. Returns, as bits, the slots that are then outside *bounds or inside *near.
@@ -126,21 +126,21 @@ static inline uint64_t move_block(fx *restrict x, fx *restrict y, const fx *rest
     uint32_t low = 0, high = 0;
     int32_t outside = 0;
 
-    for (int i = 0; i < HALF; i++) {
-        const int j = i + HALF;
+    for (int i = 0; i < HALF_BLOCK; i++) {
+        const int j = i + HALF_BLOCK;
         const int32_t ax = x[i] + vx[i], ay = y[i] + vy[i], bx = x[j] + vx[j], by = y[j] + vy[j];
-        const int32_t a_outside = OUTSIDE(ax, k.x, k.w) | OUTSIDE(ay, k.y, k.h);
-        const int32_t b_outside = OUTSIDE(bx, k.x, k.w) | OUTSIDE(by, k.y, k.h);
+        const int32_t a_outside = OUT_OF_RANGE_MASK(ax, k.x, k.w) | OUT_OF_RANGE_MASK(ay, k.y, k.h);
+        const int32_t b_outside = OUT_OF_RANGE_MASK(bx, k.x, k.w) | OUT_OF_RANGE_MASK(by, k.y, k.h);
         x[i] = ax;
         y[i] = ay;
         x[j] = bx;
         y[j] = by;
-        low |= (uint32_t)uneventful_mask(a_outside, ax, ay, &n) & HALF_BIT[i];
-        high |= (uint32_t)uneventful_mask(b_outside, bx, by, &n) & HALF_BIT[i];
+        low |= (uint32_t)uneventful_mask(a_outside, ax, ay, &n) & half_block_bits[i];
+        high |= (uint32_t)uneventful_mask(b_outside, bx, by, &n) & half_block_bits[i];
         outside |= a_outside | b_outside;
     }
     *any_outside = outside;
-    return ~((uint64_t)high << HALF | low);
+    return ~((uint64_t)high << HALF_BLOCK | low);
 }
 
 static int32_t mark_near_block(const fx *restrict x, const fx *restrict y, uint8_t *restrict out,
@@ -150,7 +150,7 @@ static int32_t mark_near_block(const fx *restrict x, const fx *restrict y, uint8
     int32_t any = 0;
 
     for (int i = 0; i < SLOTS_BLOCK; i++) {
-        int32_t is_near = ~(OUTSIDE(x[i], n.x, n.w) | OUTSIDE(y[i], n.y, n.h)) & 1;
+        int32_t is_near = ~(OUT_OF_RANGE_MASK(x[i], n.x, n.w) | OUT_OF_RANGE_MASK(y[i], n.y, n.h)) & 1;
         out[i] = (uint8_t)is_near;
         any |= is_near;
     }
@@ -184,7 +184,7 @@ uint64_t bullets_find_near(const struct bullets *b, uint32_t block, fx x, fx y, 
     uint8_t out[SLOTS_BLOCK];
 
     return mark_near_block(b->x + first, b->y + first, out, &r)
-               ? slots_pack_flags(out) & slots_live_or_held(&b->s, block)
+               ? slots_pack_flags(out) & slots_live_or_held_mask(&b->s, block)
                : 0;
 }
 
@@ -203,7 +203,7 @@ bool bullets_update_solid(struct bullets *b)
 
     for (uint32_t block = 0; block < b->s.top / SLOTS_BLOCK; block++) {
         uint32_t first = block * SLOTS_BLOCK;
-        b->solid[block] = solid_mask(b->hp + first, b->flags + first) & slots_live_or_held(&b->s, block);
+        b->solid[block] = solid_mask(b->hp + first, b->flags + first) & slots_live_or_held_mask(&b->s, block);
         any |= b->solid[block];
     }
     return any != 0;
@@ -214,12 +214,12 @@ bool bullets_update_solid(struct bullets *b)
 static void remove_outside(struct bullets *b, uint64_t candidates, uint32_t first, const struct box *keep_box,
                            bool hold_all)
 {
-    const uint64_t *near = &b->near[first / SLOTS_BLOCK * MAX_PLAYERS];
+    const uint64_t *near = &b->near_player[first / SLOTS_BLOCK * MAX_PLAYERS];
     uint64_t hold = hold_all ? UINT64_MAX : 0;
 
     for (uint32_t p = 0; p < MAX_PLAYERS; p++)
         hold |= near[p];
-    for (uint64_t m = candidates & b->s.used[first / SLOTS_BLOCK]; m; m &= m - 1) {
+    for (uint64_t m = candidates & b->s.live_bits[first / SLOTS_BLOCK]; m; m &= m - 1) {
         uint32_t i = first + bits_lowest(m);
         fx x = b->x[i], y = b->y[i];
         if (x >= keep_box->x0 && x <= keep_box->x1 && y >= keep_box->y0 && y <= keep_box->y1)
@@ -249,14 +249,14 @@ static fx find_speed_bound(const struct bullets *b)
 void bullets_move(struct bullets *b, const struct motion_world *w, const struct box *keep_box,
                   const struct bullets_query query[MAX_PLAYERS], bool hold_all)
 {
-    static const struct bullets_query none[MAX_PLAYERS] = { { .reach = -1 }, { .reach = -1 } };
+    static const struct bullets_query no_queries[MAX_PLAYERS] = { { .reach = -1 }, { .reach = -1 } };
     struct range keep_limits = keep_range(keep_box), near;
     uint32_t blocks = b->s.top / SLOTS_BLOCK;
-    uint64_t woken[AHEAD]; /* woken bullets of the present block and the AHEAD - 1 blocks after it */
+    uint64_t woken[LOOKAHEAD_BLOCKS]; /* woken bullets of the present block and the AHEAD - 1 blocks after it */
     fx near_bound = -1;
 
     if (!query)
-        query = none;
+        query = no_queries;
     if (w->clock % SPEED_BOUND_INTERVAL == 0)
         b->speed_bound = find_speed_bound(b);
     b->n_moved = 0;
@@ -264,15 +264,15 @@ void bullets_move(struct bullets *b, const struct motion_world *w, const struct 
     b->work_done = 0;
     if (b->n_frozen)
         bullets_step_freeze(b);
-    for (uint32_t block = 0; block < AHEAD && block < blocks; block++)
+    for (uint32_t block = 0; block < LOOKAHEAD_BLOCKS && block < blocks; block++)
         woken[block] = find_woken(b, block, w->clock);
     for (uint32_t block = 0; block < blocks; block++) {
         uint32_t i = block * SLOTS_BLOCK;
-        uint64_t woken_now = woken[block % AHEAD];
+        uint64_t woken_now = woken[block % LOOKAHEAD_BLOCKS];
 
-        if (block + AHEAD < blocks) {
-            woken[block % AHEAD] = find_woken(b, block + AHEAD, w->clock);
-            prefetch_near(b, i + AHEAD * SLOTS_BLOCK);
+        if (block + LOOKAHEAD_BLOCKS < blocks) {
+            woken[block % LOOKAHEAD_BLOCKS] = find_woken(b, block + LOOKAHEAD_BLOCKS, w->clock);
+            prefetch_near(b, i + LOOKAHEAD_BLOCKS * SLOTS_BLOCK);
         }
         if (b->work_done > w->work_limit) /* over the limit: the frame ends in a fault */
             break;
@@ -285,10 +285,10 @@ void bullets_move(struct bullets *b, const struct motion_world *w, const struct 
         bool any_outside;
         const uint64_t candidates =
             move_block(b->x + i, b->y + i, b->vx + i, b->vy + i, &keep_limits, &near, &any_outside);
-        uint64_t *found = b->near + block * MAX_PLAYERS;
-        found[0] = query[0].reach < 0 ? 0 : candidates & b->s.used[block];
+        uint64_t *found = b->near_player + block * MAX_PLAYERS;
+        found[0] = query[0].reach < 0 ? 0 : candidates & b->s.live_bits[block];
         for (uint32_t p = 1; p < MAX_PLAYERS; p++)
-            found[p] = find_near(b, &query[p], block) & b->s.used[block];
+            found[p] = find_near(b, &query[p], block) & b->s.live_bits[block];
         if (any_outside)
             remove_outside(b, candidates, i, keep_box, hold_all);
     }

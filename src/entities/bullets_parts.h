@@ -24,18 +24,18 @@ static inline void bullets_set_busy(struct bullets *b, uint32_t i, bool busy)
 }
 
 /* Adds `delta`, 1 or -1, to the number of live bullets of a kind, if the pool counts its kinds. */
-static inline void bullets_count_kind(struct bullets *b, uint16_t kind, int delta)
+static inline void bullets_adjust_kind_count(struct bullets *b, uint16_t kind, int delta)
 {
     if (b->kind_counts)
         b->kind_counts[kind] += (uint32_t)delta;
 }
 
 /* Changes live bullet i's row in the table of kinds. */
-static inline void bullets_change_kind(struct bullets *b, uint32_t i, unsigned kind)
+static inline void bullets_set_kind_row(struct bullets *b, uint32_t i, unsigned kind)
 {
-    bullets_count_kind(b, b->kind[i], -1);
+    bullets_adjust_kind_count(b, b->kind[i], -1);
     b->kind[i] = (uint16_t)kind;
-    bullets_count_kind(b, b->kind[i], 1);
+    bullets_adjust_kind_count(b, b->kind[i], 1);
 }
 
 static inline bool bullets_is_frozen(const struct bullets *b, uint32_t i)
@@ -82,14 +82,14 @@ static inline fx bullets_speed_to_fx(int64_t speed_q32)
 }
 
 /* Returns the fx nearest to a Q32 coordinate, and sets *low to the rest, in Q32. */
-static inline fx bullets_split(int64_t v, int16_t *low)
+static inline fx bullets_split_coordinate(int64_t v, int16_t *low)
 {
     *low = (int16_t)v;
     return (fx)((v - *low) >> Q32_EXTRA_BITS);
 }
 
 /* Returns the squared distance of target i from (x, y), which is below 2^63 because positions are within the world. */
-static inline uint64_t bullets_target_distance(const struct targets *t, uint32_t i, fx x, fx y)
+static inline uint64_t bullets_target_distance_squared(const struct targets *t, uint32_t i, fx x, fx y)
 {
     int64_t dx = (int64_t)t->x[i] - x, dy = (int64_t)t->y[i] - y;
 
@@ -105,14 +105,14 @@ void bullets_step_freeze(struct bullets *b);
 
 static inline fx bullets_block_max_speed(const fx *restrict vx, const fx *restrict vy)
 {
-    fx max_speed = 0;
+    fx max_component = 0;
 
     for (int i = 0; i < SLOTS_BLOCK; i++) {
         fx ax = vx[i] < 0 ? -vx[i] : vx[i], ay = vy[i] < 0 ? -vy[i] : vy[i];
-        max_speed = ax > max_speed ? ax : max_speed;
-        max_speed = ay > max_speed ? ay : max_speed;
+        max_component = ax > max_component ? ax : max_component;
+        max_component = ay > max_component ? ay : max_component;
     }
-    return max_speed;
+    return max_component;
 }
 
 #endif

@@ -6,7 +6,7 @@
 
 enum program_state {
     PROGRAM_NEXT,  /* the next step follows in this frame */
-    PROGRAM_OVER,  /* the program ended, or the bullet was removed */
+    PROGRAM_ENDED, /* the program ended, or the bullet was removed */
     PROGRAM_RUNS,  /* the program runs in the next frame too */
     PROGRAM_WAITS, /* the program does nothing until the clock reaches `step_end` */
 };
@@ -14,7 +14,7 @@ enum program_state {
 /* Returns the cost of a search for the nearest target, in motion steps. */
 static uint64_t aim_cost(const struct targets *t)
 {
-    return t->s->used ? t->s->top / (SLOTS_BLOCK / 2) : 0;
+    return t->s->live_bits ? t->s->top / (SLOTS_BLOCK / 2) : 0;
 }
 
 static ang turn_toward(ang dir, ang goal, ang limit)
@@ -72,14 +72,14 @@ static void prepare_fine_move(struct bullets *b, uint32_t i, int64_t travel, int
 {
     int64_t x, y;
 
-    bullets_position(b, i, &x, &y);
-    const fx nx = bullets_split(x + dx, &b->x_low[i]), ny = bullets_split(y + dy, &b->y_low[i]);
+    bullets_get_position(b, i, &x, &y);
+    const fx nx = bullets_split_coordinate(x + dx, &b->x_low[i]), ny = bullets_split_coordinate(y + dy, &b->y_low[i]);
     bullets_store_velocity(b, i, nx - b->x[i], ny - b->y[i]);
     b->travel_q32[i] = (int64_t)((uint64_t)travel << 16) >> 16;
 }
 
 /* Prepares a move of fine bullet i along dir by its speed. */
-static void fly(struct bullets *b, uint32_t i)
+static void prepare_flight(struct bullets *b, uint32_t i)
 {
     const int64_t to = b->travel_q32[i] + b->speed_q32[i];
     int64_t dx, dy;
@@ -89,7 +89,7 @@ static void fly(struct bullets *b, uint32_t i)
 }
 
 /* Sets bullet i's kind and bank as step st specifies. */
-static void restyle(struct bullets *b, const struct motion_world *w, uint32_t i, uint32_t st)
+static void set_kind_and_bank(struct bullets *b, const struct motion_world *w, uint32_t i, uint32_t st)
 {
     const struct steps *s = w->steps;
 
@@ -121,16 +121,16 @@ static void resolve_step(struct bullets *b, const struct motion_world *w, uint32
 {
     struct motion_step *p = &resolved->step;
 
-    for (int k = 0; !begun && k < MAX_VALUES && bullets_value(b, k); k++)
-        bullets_value_at_step(b, k)[i] = bullets_value(b, k)[i];
+    for (int k = 0; !begun && k < MAX_VALUES && bullets_value_column(b, k); k++)
+        bullets_step_value_column(b, k)[i] = bullets_value_column(b, k)[i];
     motion_get_step(w->steps, st, p);
-    for (uint64_t left = p->named; left;) {
-        const int n = (int)bits_lowest(left) / NAMED_BITS;
+    for (uint64_t remaining = p->named_values; remaining;) {
+        const int n = (int)bits_lowest(remaining) / NAMED_VALUE_BITS;
         bool is_named;
-        const int k = motion_named_column(left, n, w->is_shots, &is_named);
+        const int k = motion_value_column(remaining, n, w->is_shots, &is_named);
         motion_set_number(p, (enum step_number)n,
-                          k < 0 || !bullets_value_at_step(b, k) ? 0 : bullets_value_at_step(b, k)[i]);
-        left &= ~(((uint64_t)(1 << NAMED_BITS) - 1) << n * NAMED_BITS);
+                          k < 0 || !bullets_step_value_column(b, k) ? 0 : bullets_step_value_column(b, k)[i]);
+        remaining &= ~(((uint64_t)(1 << NAMED_VALUE_BITS) - 1) << n * NAMED_VALUE_BITS);
     }
     resolved->steps = (struct steps){ .actions = &p->actions,
                                       .duration = &p->duration,
@@ -144,7 +144,7 @@ static void resolve_step(struct bullets *b, const struct motion_world *w, uint32
                                       .count = &p->count,
                                       .jump = &p->jump,
                                       .depth = &p->depth,
-                                      .named = &p->named,
+                                      .named_values = &p->named_values,
                                       .x = &p->x,
                                       .y = &p->y,
                                       .size = &p->size,
@@ -202,11 +202,11 @@ static uint32_t begin_lead(struct bullets *b, const struct motion_world *w, uint
 {
     const struct steps *s = w->steps;
     const uint32_t actions = s->actions[st];
-    const bool has_centre = actions & DOES_ORBIT || s->mode[st] & MODE_AT;
+    const bool has_centre = actions & DOES_ORBIT || s->mode[st] & MODE_HAS_CENTRE;
     struct motion_lead l = { .x = b->x[i], .y = b->y[i], .angle = b->dir[i] };
     uint32_t n = s->duration[st];
 
-    if (s->mode[st] & MODE_AT) {
+    if (s->mode[st] & MODE_HAS_CENTRE) {
         l.x = s->x[st];
         l.y = s->y[st];
     } else if (actions & DOES_ORBIT && !find_orbit_centre(b, w, i, true, &l.x, &l.y))
@@ -251,7 +251,8 @@ static bool lead_frame(struct bullets *b, const struct motion_world *w, uint32_t
     struct motion_lead l = load_lead(b, i);
     fx x, y;
 
-    if (s->actions[st] & DOES_ORBIT && !(s->mode[st] & MODE_AT) && !find_orbit_centre(b, w, i, false, &l.x, &l.y))
+    if (s->actions[st] & DOES_ORBIT && !(s->mode[st] & MODE_HAS_CENTRE) &&
+        !find_orbit_centre(b, w, i, false, &l.x, &l.y))
         return false;
     motion_lead_position(s, st, &l, k, n, &x, &y);
     lead_to(b, i, s->actions[st] & DOES_WAVE, x, y);
@@ -365,10 +366,10 @@ static bool wait_condition_holds(struct bullets *b, const struct motion_world *w
         return has_crossed((fx)(b->step_start[i] >> 32), b->x[i], s->x[st]);
     case MODE_Y:
         return has_crossed((fx)b->step_start[i], b->y[i], s->y[st]);
-    case MODE_NEAR: {
-        const int32_t t = targets_nearest(&w->targets, b->x[i], b->y[i]);
+    case MODE_TARGET_NEAR: {
+        const int32_t t = targets_find_nearest(&w->targets, b->x[i], b->y[i]);
         b->work_done += aim_cost(&w->targets);
-        return t != NO_SLOT && bullets_target_distance(&w->targets, (uint32_t)t, b->x[i], b->y[i]) <
+        return t != NO_SLOT && bullets_target_distance_squared(&w->targets, (uint32_t)t, b->x[i], b->y[i]) <
                                    (uint64_t)((int64_t)s->size[st] * s->size[st]);
     }
     default:
@@ -416,7 +417,7 @@ static void save_program(struct bullets *b, uint32_t i, const struct program_run
     b->step_flags[i] = (uint8_t)r->step_flags;
 }
 
-static enum program_state next_step(struct program_run *r)
+static enum program_state advance_to_next_step(struct program_run *r)
 {
     r->step_flags = 0;
     r->pc++;
@@ -430,14 +431,14 @@ static enum program_state run_control_step(struct bullets *b, const struct motio
     const unsigned actions = w->steps->actions[st];
 
     if (actions & (DOES_LOOP | DOES_LOOP_END)) {
-        r->pc = run_loop_step(w->steps, &b->rounds[i * MOTION_DEPTH], st, r->pc);
+        r->pc = run_loop_step(w->steps, &b->rounds_left[i * MOTION_MAX_DEPTH], st, r->pc);
         if (actions & DOES_BOUNCE)
             b->speed_q32[i] = (int64_t)w->clock + 1;
         return PROGRAM_NEXT;
     }
     if (actions & DOES_EMIT) {
         w->emit(w, b, i, st);
-        r->pc += EMIT_ROWS;
+        r->pc += EMIT_STEPS;
         return PROGRAM_NEXT;
     }
     const uint32_t next = fly_to_wall(b, w, i, r->step_flags, r->pc);
@@ -461,7 +462,7 @@ static inline uint32_t begin_step(struct bullets *b, const struct motion_world *
         b->step_start[i] = (int64_t)((uint64_t)(uint32_t)b->x[i] << 32 | (uint32_t)b->y[i]);
     b->step_end[i] = w->clock + n;
     if (actions & (DOES_KIND | DOES_BANK))
-        restyle(b, w, i, st);
+        set_kind_and_bank(b, w, i, st);
     return n;
 }
 
@@ -479,7 +480,7 @@ __attribute__((always_inline)) static inline enum program_state do_step(struct b
         n = actions & DOES_LEAD ? lead_duration(b, w->steps, i, st) : w->steps->duration[st];
     if (actions & DOES_DIE) {
         bullets_drop(b, i);
-        return PROGRAM_OVER;
+        return PROGRAM_ENDED;
     }
     if (n && b->step_end[i] != w->clock) {
         r->step_flags |= STEP_BEGUN;
@@ -489,7 +490,7 @@ __attribute__((always_inline)) static inline enum program_state do_step(struct b
         else if (actions & (DOES_LEAD | DOES_AWAIT)) {
             if (actions & DOES_LEAD ? !run_lead(b, w, i, r->step_flags, st, n)
                                     : wait_condition_holds(b, w, i, r->step_flags, st))
-                return next_step(r);
+                return advance_to_next_step(r);
         }
         b->step_end_low[i] = (uint8_t)b->step_end[i];
         const bool acts =
@@ -500,7 +501,7 @@ __attribute__((always_inline)) static inline enum program_state do_step(struct b
         drive(b, w, i, r->step_flags, st, 1, 1);
     if (actions & DOES_LEAD && n)
         end_lead(b, i, r->step_flags & OVERRIDE_POSITION ? 0 : actions);
-    return next_step(r);
+    return advance_to_next_step(r);
 }
 
 static enum program_state run_step(struct bullets *b, const struct motion_world *w, uint32_t i, uint32_t st,
@@ -536,14 +537,14 @@ static enum program_state run_program(struct bullets *b, const struct motion_wor
         if (!(actions & ~(unsigned)(DOES_DRIVE | DOES_WAIT))) /* most steps */
             state = do_step(b, w, i, st, actions & (DOES_DRIVE | DOES_WAIT), &r);
         else if (actions == DOES_LOOP_END && b->work_done <= w->work_limit)
-            r.pc = run_loop_step(w->steps, &b->rounds[i * MOTION_DEPTH], st, r.pc);
+            r.pc = run_loop_step(w->steps, &b->rounds_left[i * MOTION_MAX_DEPTH], st, r.pc);
         else if (b->work_done > w->work_limit) /* over the limit: the frame ends in a fault */
             return PROGRAM_RUNS;
         else {
             struct program_run copy = r; /* a copy, so that r stays in registers for most steps */
             if (actions & (DOES_LOOP | DOES_LOOP_END | DOES_BOUNCE | DOES_EMIT))
                 state = run_control_step(b, w, i, st, &copy);
-            else if (actions & DOES_NAMED)
+            else if (actions & DOES_USE_VALUES)
                 state = run_named_step(b, w, i, st, &copy);
             else
                 state = run_step(b, w, i, st, &copy);
@@ -555,7 +556,7 @@ static enum program_state run_program(struct bullets *b, const struct motion_wor
     save_program(b, i, &r);
     if (!fine)
         b->motion[i] = 0;
-    return fine ? PROGRAM_RUNS : PROGRAM_OVER;
+    return fine ? PROGRAM_RUNS : PROGRAM_ENDED;
 }
 
 /* Returns whether the wait of idle bullet i is over. If it was a delay, the bullet gets the row of its kind instead of
@@ -567,7 +568,7 @@ static inline bool finish_wait(struct bullets *b, const struct motion_world *w, 
     if (b->flags[i] & BULLET_DELAYED) {
         b->flags[i] &= (uint8_t)~BULLET_DELAYED;
         if (w->kinds)
-            bullets_change_kind(b, i, bullets_kind(b, w->kinds, i));
+            bullets_set_kind_row(b, i, bullets_kind(b, w->kinds, i));
         b->born[i] = w->clock;
         b->step_end[i] = 0;
         bullets_update_velocity(b, i);
@@ -578,12 +579,12 @@ static inline bool finish_wait(struct bullets *b, const struct motion_world *w, 
 /* Runs bullet i's program, if it has one, and prepares its fine move, if it is fine. */
 static enum program_state step_bullet(struct bullets *b, const struct motion_world *w, uint32_t i)
 {
-    enum program_state state = b->flags[i] & BULLET_FINE ? PROGRAM_RUNS : PROGRAM_OVER;
+    enum program_state state = b->flags[i] & BULLET_FINE ? PROGRAM_RUNS : PROGRAM_ENDED;
 
     if (b->motion[i])
         state = run_program(b, w, i);
     if (b->flags[i] & BULLET_FINE)
-        fly(b, i);
+        prepare_flight(b, i);
     return state;
 }
 
@@ -597,9 +598,9 @@ static enum program_state step_bullet(struct bullets *b, const struct motion_wor
 struct cohort {
     uint32_t motion, pc; /* motion, pc and step_flags of every bullet of the cohort */
     unsigned step_flags;
-    bool fine;
+    bool is_fine;
     bool exists, timed;   /* whether the cohort exists; whether it is in a step, which ends at `step_end` */
-    bool impossible;      /* no bullet at this step can be in a cohort */
+    bool is_unbatchable;  /* no bullet at this step can be in a cohort */
     uint32_t st, actions; /* the step, and its DOES_DRIVE actions that no script has overridden */
     bool has_steering;    /* the step has DOES_STEER actions, even if overridden */
 };
@@ -637,21 +638,21 @@ static void set_cohort(struct cohort *c, const struct bullets *b, const struct m
 {
     const struct steps *s = w->steps;
     const uint32_t excluded =
-        DOES_NAMED | DOES_DIE | DOES_LEAD | DOES_AWAIT | DOES_LOOP | DOES_LOOP_END | DOES_BOUNCE | DOES_EMIT;
+        DOES_USE_VALUES | DOES_DIE | DOES_LEAD | DOES_AWAIT | DOES_LOOP | DOES_LOOP_END | DOES_BOUNCE | DOES_EMIT;
 
     c->motion = b->motion[i];
     c->pc = b->pc[i];
     c->step_flags = b->step_flags[i];
-    c->fine = b->flags[i] & BULLET_FINE;
+    c->is_fine = b->flags[i] & BULLET_FINE;
     c->actions = 0;
-    c->has_steering = c->impossible = false;
+    c->has_steering = c->is_unbatchable = false;
     c->timed = c->motion && c->pc < w->motions->length[c->motion - 1];
-    c->exists = c->fine;
+    c->exists = c->is_fine;
     if (!c->timed)
         return;
     const uint32_t st = w->motions->first[c->motion - 1] + c->pc, actions = s->actions[st];
-    c->impossible = actions & excluded;
-    c->exists = c->step_flags & STEP_BEGUN && !c->impossible && (c->fine || actions & DOES_DRIVE);
+    c->is_unbatchable = actions & excluded;
+    c->exists = c->step_flags & STEP_BEGUN && !c->is_unbatchable && (c->is_fine || actions & DOES_DRIVE);
     if (!c->exists)
         return;
     c->actions = actions & DOES_DRIVE;
@@ -666,7 +667,7 @@ static void set_cohort(struct cohort *c, const struct bullets *b, const struct m
 static inline bool is_in_cohort(const struct bullets *b, const struct cohort *c, uint32_t i)
 {
     return b->motion[i] == c->motion && b->pc[i] == c->pc && b->step_flags[i] == c->step_flags &&
-           !(b->flags[i] & BULLET_FINE) == !c->fine;
+           !(b->flags[i] & BULLET_FINE) == !c->is_fine;
 }
 
 /* Sets out[k] to 1 for the bullets of a block in cohort c, otherwise to 0. */
@@ -675,7 +676,7 @@ static void match_cohort(const uint16_t *restrict motion, const uint16_t *restri
                          uint8_t *restrict out)
 {
     const uint16_t want_motion = (uint16_t)c->motion, want_pc = (uint16_t)c->pc;
-    const uint8_t want_flags = (uint8_t)c->step_flags, want_fine = c->fine ? BULLET_FINE : 0;
+    const uint8_t want_flags = (uint8_t)c->step_flags, want_fine = c->is_fine ? BULLET_FINE : 0;
 
     for (int k = 0; k < SLOTS_BLOCK; k++)
         out[k] = (uint8_t)((motion[k] == want_motion) & (pc[k] == want_pc));
@@ -725,7 +726,7 @@ static uint64_t same_step_mask(const struct bullets *b, const struct motion_worl
 {
     const uint32_t first = i / SLOTS_BLOCK * SLOTS_BLOCK;
 
-    if (c->impossible && b->motion[i] == c->motion && b->pc[i] == c->pc)
+    if (c->is_unbatchable && b->motion[i] == c->motion && b->pc[i] == c->pc)
         return 0;
     if (!is_in_cohort(b, c, i))
         set_cohort(c, b, w, i);
@@ -744,12 +745,12 @@ enum { MAX_FEW_TARGETS = 4 };
  * MAX_FEW_TARGETS. */
 static int collect_few_targets(const struct targets *t, uint32_t found[MAX_FEW_TARGETS])
 {
-    const uint32_t end = t->s->used ? t->s->top : t->s->live;
+    const uint32_t end = t->s->live_bits ? t->s->top : t->s->live;
     int n = 0;
 
     for (uint32_t i = 0; i < end && n <= MAX_FEW_TARGETS; i++) {
-        if (t->s->used && !(t->s->used[i / SLOTS_BLOCK] & bullets_bit(i))) {
-            if (!t->s->used[i / SLOTS_BLOCK])
+        if (t->s->live_bits && !(t->s->live_bits[i / SLOTS_BLOCK] & bullets_bit(i))) {
+            if (!t->s->live_bits[i / SLOTS_BLOCK])
                 i |= SLOTS_BLOCK - 1;
         } else if (!t->included || t->included[i]) {
             if (n < MAX_FEW_TARGETS)
@@ -780,7 +781,7 @@ static void aim_batch(const struct bullets *b, const struct targets *t, const st
         const fx x = b->x[batch_slot(s, k)], y = b->y[batch_slot(s, k)];
         uint32_t nearest = target[0];
         for (int m = 1; m < n; m++)
-            if (bullets_target_distance(t, target[m], x, y) < bullets_target_distance(t, nearest, x, y))
+            if (bullets_target_distance_squared(t, target[m], x, y) < bullets_target_distance_squared(t, nearest, x, y))
                 nearest = target[m];
         dx[k] = fx_sub(t->x[nearest], x);
         dy[k] = fx_sub(t->y[nearest], y);
@@ -816,15 +817,15 @@ static void turn_batch(const struct bullets *b, const struct motion_world *w, co
 static void change_batch_speed(struct bullets *b, const struct motion_world *w, const struct cohort *c,
                                const struct batch *s)
 {
-    const int shift = c->fine ? 0 : Q32_EXTRA_BITS;
-    const int64_t limit = (int64_t)MAX_SPEED << (c->fine ? 32 : 16);
+    const int shift = c->is_fine ? 0 : Q32_EXTRA_BITS;
+    const int64_t limit = (int64_t)MAX_SPEED << (c->is_fine ? 32 : 16);
     const int64_t goal = w->steps->speed[c->st] >> shift, accel = w->steps->accel[c->st] >> shift;
     const uint32_t duration = w->steps->duration[c->st];
     int64_t from = 0, reached = 0;
     uint32_t end = w->clock; /* matches no bullet: a bullet whose step ends now is in no cohort */
     for (int k = 0; k < s->n; k++) {
         const uint32_t i = batch_slot(s, k);
-        int64_t v = c->fine ? b->speed_q32[i] : b->speed[i];
+        int64_t v = c->is_fine ? b->speed_q32[i] : b->speed[i];
         if (c->actions & DOES_SPEED) {
             const int64_t start = b->step_start[i] >> shift;
             if (b->step_end[i] != end || start != from) {
@@ -835,14 +836,14 @@ static void change_batch_speed(struct bullets *b, const struct motion_world *w, 
             v = reached;
         }
         v = int64_clamp(c->actions & DOES_ACCEL ? v + accel : v, -limit, limit);
-        if (c->fine)
+        if (c->is_fine)
             b->speed_q32[i] = v;
-        b->speed[i] = c->fine ? bullets_speed_to_fx(v) : (fx)v;
+        b->speed[i] = c->is_fine ? bullets_speed_to_fx(v) : (fx)v;
     }
 }
 
-/* Runs `fly` for all bullets of s. */
-static void fly_batch(struct bullets *b, const struct batch *s, const ang *dir)
+/* Runs prepare_flight for all bullets of s. */
+static void prepare_batch_flight(struct bullets *b, const struct batch *s, const ang *dir)
 {
     int64_t from[SLOTS_BLOCK], to[SLOTS_BLOCK], dx[SLOTS_BLOCK], dy[SLOTS_BLOCK];
 
@@ -856,7 +857,7 @@ static void fly_batch(struct bullets *b, const struct batch *s, const ang *dir)
 }
 
 /* Like bullets_update_velocity, for all bullets of s. None of them is frozen, because frozen bullets run no program. */
-static void steer_batch(struct bullets *b, const struct batch *s, const ang *dir)
+static void update_batch_velocity(struct bullets *b, const struct batch *s, const ang *dir)
 {
     fx speed[SLOTS_BLOCK], to_x[SLOTS_BLOCK], to_y[SLOTS_BLOCK], bound = b->speed_bound;
     fx *vx = s->is_contiguous ? b->vx + s->first : to_x, *vy = s->is_contiguous ? b->vy + s->first : to_y;
@@ -895,10 +896,10 @@ __attribute__((noinline)) static void step_batch(struct bullets *b, const struct
     }
     if (c->actions & (DOES_SPEED | DOES_ACCEL))
         change_batch_speed(b, w, c, s);
-    if (c->fine)
-        fly_batch(b, s, dir);
+    if (c->is_fine)
+        prepare_batch_flight(b, s, dir);
     else if (c->has_steering || c->actions & (DOES_SPEED | DOES_ACCEL))
-        steer_batch(b, s, dir);
+        update_batch_velocity(b, s, dir);
 }
 
 /* Runs a frame of bullet i, alone in cohort c. Adds the bullet to `deferred` if its velocity must be recomputed. */
@@ -912,13 +913,13 @@ static void step_alone(struct bullets *b, const struct motion_world *w, const st
         deferred->slot[deferred->n++] = i;
 }
 
-static void steer_deferred(struct bullets *b, struct batch *deferred)
+static void update_deferred_velocity(struct bullets *b, struct batch *deferred)
 {
     ang dir[SLOTS_BLOCK];
 
     for (int k = 0; k < deferred->n; k++)
         dir[k] = b->dir[deferred->slot[k]];
-    steer_batch(b, deferred, dir);
+    update_batch_velocity(b, deferred, dir);
 }
 
 /* Runs the woken bullets of a block that has no busy bullets, the most common case. */
@@ -950,7 +951,7 @@ static void run_programs(struct bullets *b, const struct motion_world *w, uint32
         const uint32_t i = first + bits_lowest(m);
         const uint64_t peers = woken & bullets_bit(i) ? 0 : same_step_mask(b, w, &c, i, m & ~woken, &probes);
         if (peers) { /* the bullets in `peers` are busy and stay busy */
-            if (peers == bullets_bit(i) && !c.fine)
+            if (peers == bullets_bit(i) && !c.is_fine)
                 step_alone(b, w, &c, i, &deferred);
             else {
                 fill_batch(&batch, first, peers);
@@ -967,7 +968,7 @@ static void run_programs(struct bullets *b, const struct motion_world *w, uint32
         m &= m - 1;
     }
     if (deferred.n)
-        steer_deferred(b, &deferred);
+        update_deferred_velocity(b, &deferred);
     b->busy[block] = busy;
     b->idle[block] = idle;
 }
@@ -986,7 +987,7 @@ bool bullets_move_one(struct bullets *b, const struct motion_world *w, uint32_t 
 
     if (b->busy[block] & bullets_bit(i) || (b->idle[block] & bullets_bit(i) && finish_wait(b, w, i))) {
         enum program_state state = step_bullet(b, w, i);
-        if (!(b->s.used[block] & bullets_bit(i)))
+        if (!(b->s.live_bits[block] & bullets_bit(i)))
             return false;
         bullets_set_busy(b, i, state == PROGRAM_RUNS);
         b->idle[block] |= state == PROGRAM_WAITS ? bullets_bit(i) : 0;

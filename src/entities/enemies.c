@@ -14,8 +14,8 @@ static const struct column kind_columns[] = {
 static const struct column columns[] = {
     COLUMN(enemies, x),
     COLUMN(enemies, y),
-    DERIVED(enemies, prev_x, "written by every move before hit tests read it"),
-    DERIVED(enemies, prev_y, "written by every move before hit tests read it"),
+    DERIVED_COLUMN(enemies, prev_x, "written by every move before hit tests read it"),
+    DERIVED_COLUMN(enemies, prev_y, "written by every move before hit tests read it"),
     COLUMN(enemies, hp),
     COLUMN(enemies, kind),
     COLUMN(enemies, bank),
@@ -47,8 +47,8 @@ static const struct column columns[] = {
     GROUP_COLUMN(enemies, n_parts, GROUP_BODIES),
     GROUP_COLUMN(enemies, dx, GROUP_BODIES),
     GROUP_COLUMN(enemies, dy, GROUP_BODIES),
-    GROUP_COLUMN(enemies, share, GROUP_BODIES),
-    GROUP_COLUMN(enemies, lead, GROUP_BODIES),
+    GROUP_COLUMN(enemies, damage_share, GROUP_BODIES),
+    GROUP_COLUMN(enemies, lead_mode, GROUP_BODIES),
     GROUP_COLUMN(enemies, cx, GROUP_BODIES),
     GROUP_COLUMN(enemies, cy, GROUP_BODIES),
     GROUP_COLUMN(enemies, reach_x, GROUP_BODIES),
@@ -59,7 +59,7 @@ static const struct column columns[] = {
     GROUP_COLUMN(enemies, leg_interval, GROUP_BODIES),
     GROUP_COLUMN(enemies, leg_wait, GROUP_BODIES),
     GROUP_COLUMN(enemies, leg_duration, GROUP_BODIES),
-    GROUP_DERIVED(enemies, move_begun, GROUP_BODIES, "rewritten by every move"),
+    GROUP_DERIVED_COLUMN(enemies, move_begun, GROUP_BODIES, "rewritten by every move"),
 };
 
 const struct chip enemies_chip = { .name = "enemies", CHIP_COLUMNS(columns) };
@@ -67,7 +67,7 @@ const struct chip enemy_kinds_chip = { .name = "enemy_kinds", CHIP_COLUMNS(kind_
 
 static void park(struct enemies *e, uint32_t i)
 {
-    e->x[i] = e->y[i] = PARK;
+    e->x[i] = e->y[i] = PARK_COORDINATE;
     e->move_duration[i] = 0;
 }
 
@@ -78,10 +78,10 @@ static void init_body(struct enemies *e, const struct enemy_kinds *kinds, uint32
     e->hp_deficit[i] = 0;
     e->body[i] = e->n_parts[i] = 0;
     e->dx[i] = e->dy[i] = e->cx[i] = e->cy[i] = e->reach_x[i] = e->reach_y[i] = 0;
-    e->share[i] = e->spin[i] = 0;
+    e->damage_share[i] = e->spin[i] = 0;
     e->angle[i] = 0;
     e->leg_interval[i] = e->leg_wait[i] = e->leg_duration[i] = 0;
-    e->lead[i] = 0;
+    e->lead_mode[i] = 0;
     e->orbit_target[i] = 0;
 }
 
@@ -108,8 +108,8 @@ int32_t enemies_spawn(struct enemies *e, const struct enemy_kinds *kinds, uint16
     e->move_elapsed[i] = 0;
     e->move_duration[i] = 0;
     e->ease[i] = EASE_LINEAR;
-    for (int k = 0; k < MAX_VALUES && enemies_value(e, k); k++)
-        enemies_value(e, k)[i] = e->initial_value[k];
+    for (int k = 0; k < MAX_VALUES && enemies_value_column(e, k); k++)
+        enemies_value_column(e, k)[i] = e->initial_value[k];
     if (e->frozen_left)
         e->frozen_left[i] = e->freeze_flags[i] = 0;
     if (e->rate)
@@ -170,7 +170,7 @@ static fx *local_y(const struct enemies *e, uint32_t i)
 }
 
 /* Converts (*x, *y) from a position in the field to the coordinates that enemy i's moves change (local_x, local_y). */
-static void to_local(const struct enemies *e, uint32_t i, fx *x, fx *y)
+static void convert_to_local(const struct enemies *e, uint32_t i, fx *x, fx *y)
 {
     if (!is_part(e, i))
         return;
@@ -192,8 +192,8 @@ static void begin_move(struct enemies *e, uint32_t i, fx x, fx y, uint32_t durat
 void enemies_halt(struct enemies *e, uint32_t i)
 {
     e->move_duration[i] = 0;
-    if (e->lead) {
-        e->lead[i] = 0;
+    if (e->lead_mode) {
+        e->lead_mode[i] = 0;
         e->orbit_target[i] = 0;
     }
 }
@@ -201,7 +201,7 @@ void enemies_halt(struct enemies *e, uint32_t i)
 void enemies_move_to(struct enemies *e, uint32_t i, fx x, fx y, uint32_t duration, enum ease ease)
 {
     enemies_halt(e, i);
-    to_local(e, i, &x, &y);
+    convert_to_local(e, i, &x, &y);
     begin_move(e, i, x, y, duration, ease);
 }
 
@@ -219,7 +219,7 @@ void enemies_set_position(struct enemies *e, uint32_t i, fx x, fx y)
     enemies_halt(e, i);
     e->x[i] = x;
     e->y[i] = y;
-    to_local(e, i, &x, &y);
+    convert_to_local(e, i, &x, &y);
     *local_x(e, i) = x;
     *local_y(e, i) = y;
 }
@@ -232,7 +232,7 @@ void enemies_shift(struct enemies *e, uint32_t i, fx dx, fx dy)
         e->dx[i] = motion_shift(e->dx[i], dx);
         e->dy[i] = motion_shift(e->dy[i], dy);
     }
-    if (e->lead && e->lead[i]) {
+    if (e->lead_mode && e->lead_mode[i]) {
         e->cx[i] = motion_shift(e->cx[i], dx);
         e->cy[i] = motion_shift(e->cy[i], dy);
     }
@@ -276,8 +276,8 @@ static void step_move(struct enemies *e, uint32_t i, fx *x, fx *y)
 {
     struct motion_share s = motion_ease((enum ease)e->ease[i], ++e->move_elapsed[i], e->move_duration[i]);
 
-    *x = motion_between(e->x0[i], e->x1[i], s);
-    *y = motion_between(e->y0[i], e->y1[i], s);
+    *x = motion_lerp_share(e->x0[i], e->x1[i], s);
+    *y = motion_lerp_share(e->y0[i], e->y1[i], s);
     if (e->move_elapsed[i] == e->move_duration[i])
         e->move_duration[i] = 0;
 }
@@ -337,12 +337,12 @@ void enemies_attach(struct enemies *e, uint32_t i, uint32_t body, fx dx, fx dy, 
     e->n_parts[body]++;
     e->dx[i] = dx;
     e->dy[i] = dy;
-    e->share[i] = share;
+    e->damage_share[i] = share;
     e->x[i] = e->prev_x[i] = motion_shift(e->x[body], dx);
     e->y[i] = e->prev_y[i] = motion_shift(e->y[body], dy);
 }
 
-int enemies_depth(const struct enemies *e, uint32_t i)
+int enemies_part_depth(const struct enemies *e, uint32_t i)
 {
     int n = 0;
 
@@ -364,17 +364,17 @@ uint64_t enemies_damage(struct enemies *e, uint32_t i, uint64_t amount)
 {
     const uint64_t exact_hp = ((uint64_t)e->hp[i] << 32) - e->hp_deficit[i],
                    n = enemies_scale_damage(amount, e->rate[i]);
-    const uint64_t left = n < exact_hp ? exact_hp - n : 0;
+    const uint64_t remaining_hp = n < exact_hp ? exact_hp - n : 0;
 
-    e->hp[i] = (int32_t)((left + UINT32_MAX) >> 32);
-    e->hp_deficit[i] = (uint32_t)(((uint64_t)e->hp[i] << 32) - left);
-    return exact_hp - left;
+    e->hp[i] = (int32_t)((remaining_hp + UINT32_MAX) >> 32);
+    e->hp_deficit[i] = (uint32_t)(((uint64_t)e->hp[i] << 32) - remaining_hp);
+    return exact_hp - remaining_hp;
 }
 
 void enemies_start_orbit(struct enemies *e, uint32_t i, const struct enemies_orbit *o)
 {
     enemies_halt(e, i);
-    e->lead[i] = LEAD_ORBIT;
+    e->lead_mode[i] = LEAD_ORBIT;
     e->orbit_target[i] = o->orbit_target;
     e->cx[i] = o->x;
     e->cy[i] = o->y;
@@ -386,21 +386,21 @@ void enemies_start_orbit(struct enemies *e, uint32_t i, const struct enemies_orb
     e->move_duration[i] = o->duration;
 }
 
-void enemies_start_wandering(struct enemies *e, uint32_t i, const struct enemies_wander_area *g)
+void enemies_start_wandering(struct enemies *e, uint32_t i, const struct enemies_wander_area *area)
 {
     enemies_halt(e, i);
-    e->lead[i] = LEAD_WANDER;
-    e->cx[i] = g->x;
-    e->cy[i] = g->y;
-    e->reach_x[i] = g->reach_x;
-    e->reach_y[i] = g->reach_y;
-    e->leg_interval[i] = g->leg_interval;
-    e->leg_duration[i] = g->leg_duration;
+    e->lead_mode[i] = LEAD_WANDER;
+    e->cx[i] = area->x;
+    e->cy[i] = area->y;
+    e->reach_x[i] = area->reach_x;
+    e->reach_y[i] = area->reach_y;
+    e->leg_interval[i] = area->leg_interval;
+    e->leg_duration[i] = area->leg_duration;
     e->leg_wait[i] = 0;
-    e->ease[i] = (uint8_t)g->ease;
+    e->ease[i] = (uint8_t)area->ease;
 }
 
-static fx random_within(const struct enemies_world *w, fx middle, fx reach)
+static fx random_coordinate(const struct enemies_world *w, fx middle, fx reach)
 {
     return motion_shift(middle, (fx)((int64_t)w->random_below(w->context, 2 * (uint64_t)reach + 1) - reach));
 }
@@ -410,11 +410,11 @@ static void begin_legs(struct enemies *e, const struct enemies_world *w)
 {
     EACH_LIVE (i, &e->s) {
         e->move_begun[i] = 0;
-        if (e->lead[i] != LEAD_WANDER || (e->frozen_left && e->frozen_left[i]))
+        if (e->lead_mode[i] != LEAD_WANDER || (e->frozen_left && e->frozen_left[i]))
             continue;
         if (!e->leg_wait[i]) {
-            fx x = random_within(w, e->cx[i], e->reach_x[i]), y = random_within(w, e->cy[i], e->reach_y[i]);
-            to_local(e, i, &x, &y);
+            fx x = random_coordinate(w, e->cx[i], e->reach_x[i]), y = random_coordinate(w, e->cy[i], e->reach_y[i]);
+            convert_to_local(e, i, &x, &y);
             begin_move(e, i, x, y, e->leg_duration[i], (enum ease)e->ease[i]);
             e->leg_wait[i] = e->leg_interval[i];
         }
@@ -434,7 +434,7 @@ static void step_orbit(struct enemies *e, uint32_t i, struct enemies_world *w, f
         e->orbit_target[i] = 0;
     motion_offset_polar(e->cx[i], e->cy[i], n ? motion_lerp(from, to, k, n) : from, e->angle[i] + (ang)e->spin[i] * k,
                         x, y);
-    to_local(e, i, x, y);
+    convert_to_local(e, i, x, y);
     if (k == n)
         enemies_halt(e, i);
 }
@@ -459,7 +459,7 @@ void enemies_ensure_moved(struct enemies *e, uint32_t i, struct enemies_world *w
         enemies_ensure_moved(e, e->body[i] - 1u, w);
     fx *x = local_x(e, i), *y = local_y(e, i), prev_x = *x, prev_y = *y;
     if (!step_freeze(e, i)) {
-        if (e->lead[i] == LEAD_ORBIT)
+        if (e->lead_mode[i] == LEAD_ORBIT)
             step_orbit(e, i, w, x, y);
         else if (e->move_duration[i])
             step_move(e, i, x, y);
@@ -470,7 +470,7 @@ void enemies_ensure_moved(struct enemies *e, uint32_t i, struct enemies_world *w
         save_previous(e, i, prev_x, prev_y);
 }
 
-/* ---- the move of all enemies ---- */
+/* ---- moving the enemies ---- */
 
 static bool is_inside(const struct enemies *e, uint32_t i, const struct box *keep_box)
 {

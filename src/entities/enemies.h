@@ -13,9 +13,9 @@ enum {
     ENEMY_SWEPT = 1 << 1, /* kinds: uses swept collision against players: hit tests cover the whole path of a frame */
     ENEMY_BLEND = 3 << 2, /* kinds: blend mode + 1, or 0: drawn opaque; in units of ENEMY_BLEND_ONE */
     ENEMY_BLEND_ONE = 1 << 2,
-    ENEMY_BLOCKS = 1 << 4,       /* kinds: the enemy removes bullets that touch it */
-    ENEMY_HURT_PICTURE = 1 << 5, /* kinds: picture 1 replaces picture 0 while the enemy blinks */
-    ENEMY_RIM_BLINK = 1 << 6,    /* kinds: only a rim around the sprite blinks white */
+    ENEMY_BLOCKS_BULLETS = 1 << 4, /* kinds: the enemy removes bullets that touch it */
+    ENEMY_HURT_PICTURE = 1 << 5,   /* kinds: picture 1 replaces picture 0 while the enemy blinks */
+    ENEMY_RIM_BLINK = 1 << 6,      /* kinds: only a rim around the sprite blinks white */
 
     ENEMY_UNDYING = 1 << 0, /* enemies: waits at hp 0 instead of dying (a boss between phases) */
     ENEMY_DYING = 1 << 1,   /* enemies: died; despawns after its handlers have run */
@@ -35,10 +35,10 @@ enum {
 
     SAFE_FOREVER = -1,
 
-    LEAD_ORBIT = 1,  /* in the column `lead`: the enemy orbits; 0: the enemy neither orbits nor wanders */
-    LEAD_WANDER = 2, /* in the column `lead`: the enemy wanders */
+    LEAD_ORBIT = 1,  /* in the column `lead_mode`: the enemy orbits; 0: the enemy neither orbits nor wanders */
+    LEAD_WANDER = 2, /* in the column `lead_mode`: the enemy wanders */
 
-    MAX_PART_DEPTH = 8,         /* limit of the depth of nested parts (enemies_depth) */
+    MAX_PART_DEPTH = 8,         /* limit of the depth of nested parts (enemies_part_depth) */
     ENEMY_RATE_ONE = 1 << 16,   /* the value 1 in rates and shares */
     ENEMY_MAX_RATE = 100 << 16, /* limit of `rate` */
 
@@ -89,8 +89,8 @@ struct enemies {
     uint16_t *body;        /* slot + 1 of the part's body; 0: not a part */
     uint16_t *n_parts;     /* number of the enemy's direct parts */
     fx *dx, *dy;           /* a part's offset from its body */
-    int32_t *share;        /* share of the damage to a part that its body takes too */
-    uint8_t *lead;         /* LEAD_ORBIT, LEAD_WANDER or 0 */
+    int32_t *damage_share; /* share of the damage to a part that its body takes too */
+    uint8_t *lead_mode;    /* LEAD_ORBIT, LEAD_WANDER or 0 */
     fx *cx, *cy;           /* centre of the orbit, or of the area to wander in */
     fx *reach_x, *reach_y; /* radii at the start and end of the orbit; or half the area's width and height */
     int64_t *orbit_target; /* the board's handle of the orbit centre; 0: (cx, cy) is fixed */
@@ -127,7 +127,7 @@ struct enemies_wander_area {
 };
 
 /* Returns the column that stores value k, 0 <= k < MAX_VALUES, or NULL if value k is not declared. */
-static inline fx *enemies_value(const struct enemies *e, int k)
+static inline fx *enemies_value_column(const struct enemies *e, int k)
 {
     fx *const value[MAX_VALUES] = { e->value1, e->value2, e->value3, e->value4 };
 
@@ -147,7 +147,7 @@ void enemies_drop(struct enemies *e, uint32_t i);
 void enemies_attach(struct enemies *e, uint32_t i, uint32_t body, fx dx, fx dy, int32_t share);
 
 /* Returns enemy i's depth of nesting: 0 if it is not a part, otherwise its body's depth + 1. */
-int enemies_depth(const struct enemies *e, uint32_t i);
+int enemies_part_depth(const struct enemies *e, uint32_t i);
 
 /* Damages enemy i by `amount` times its rate, rounded down, but by at most its exact hp. Returns the damage taken. Both
  * are in 2^-32 hp. Sets hp to the rest, rounded up. */

@@ -7,7 +7,7 @@
 #include "../base/slots.h"
 
 enum {
-    FIX_CELL = 8,
+    FIX_CELL_SIZE = 8,
     FIX_UNKNOWN = 1,     /* code of an unknown character; no font has a glyph for it */
     FIX_MAX_TEXT = 1024, /* maximum characters per write */
     FIX_GROUP_WIDE = 1,  /* column group */

@@ -26,8 +26,8 @@ static const struct column columns[] = {
     COLUMN(items, y),
     COLUMN(items, vx),
     COLUMN(items, vy),
-    DERIVED(items, prev_x, "written by every move before hit tests read it"),
-    DERIVED(items, prev_y, "written by every move before hit tests read it"),
+    DERIVED_COLUMN(items, prev_x, "written by every move before hit tests read it"),
+    DERIVED_COLUMN(items, prev_y, "written by every move before hit tests read it"),
     COLUMN(items, kind),
     COLUMN(items, tag),
     COLUMN(items, born),
@@ -59,7 +59,7 @@ int32_t items_spawn(struct items *s, uint16_t kind, fx x, fx y, uint32_t clock)
     return i;
 }
 
-ang items_direction(ang dir, uint64_t spread, uint32_t k, uint32_t n)
+ang items_spread_direction(ang dir, uint64_t spread, uint32_t k, uint32_t n)
 {
     return dir - (ang)(spread / 2) + (ang)(spread * (2 * (uint64_t)k + 1) / (2 * (uint64_t)n));
 }

@@ -66,7 +66,7 @@ int32_t items_spawn(struct items *s, uint16_t kind, fx x, fx y, uint32_t clock);
 
 /* Returns the direction of item k of n, spread evenly over `spread` (2^32: full circle) around dir: the middle of the
  * k-th of n equal sectors. */
-ang items_direction(ang dir, uint64_t spread, uint32_t k, uint32_t n);
+ang items_spread_direction(ang dir, uint64_t spread, uint32_t k, uint32_t n);
 
 /* Makes item i fly to player p (0 or 1) from the next move on. */
 void items_pull(struct items *s, uint32_t i, uint32_t p);

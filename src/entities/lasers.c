@@ -9,7 +9,7 @@
 #include "../base/int.h"
 
 static const struct column kind_columns[] = {
-    COLUMN(laser_kinds, strip),  COLUMN(laser_kinds, head),           COLUMN(laser_kinds, tail),
+    COLUMN(laser_kinds, strip),  COLUMN(laser_kinds, head_sprite),    COLUMN(laser_kinds, tail_sprite),
     COLUMN(laser_kinds, width),  COLUMN(laser_kinds, hit_share),      COLUMN(laser_kinds, bank),
     COLUMN(laser_kinds, flags),  COLUMN(laser_kinds, graze_interval), COLUMN(laser_kinds, hit_interval),
     COLUMN(laser_kinds, damage), COLUMN(laser_kinds, vanish_spark),
@@ -28,9 +28,9 @@ static const struct column columns[] = {
     COLUMN(lasers, grown_length),
     COLUMN(lasers, width),
     COLUMN(lasers, spin),
-    COLUMN(lasers, warn),
-    COLUMN(lasers, grow),
-    COLUMN(lasers, fade),
+    COLUMN(lasers, warn_frames),
+    COLUMN(lasers, grow_frames),
+    COLUMN(lasers, fade_frames),
     COLUMN(lasers, fade_age),
     COLUMN(lasers, follow_target),
     COLUMN(lasers, dx),
@@ -39,7 +39,7 @@ static const struct column columns[] = {
     COLUMNS(lasers, rehit_clock, MAX_PLAYERS),
     COLUMN(lasers, max_points),
     COLUMN(lasers, n_points),
-    COLUMN(lasers, newest),
+    COLUMN(lasers, newest_point),
     COLUMNS(lasers, chunk, LASER_MAX_CHUNKS),
 };
 
@@ -93,7 +93,7 @@ int32_t lasers_add(struct lasers *l, struct laser_points *p, const struct laser_
     *full_pool = &l->s;
     if (slot == NO_SLOT)
         return slot;
-    if (!alloc_chunks(l, p, i, chunk_count(spec->points))) {
+    if (!alloc_chunks(l, p, i, chunk_count(spec->max_points))) {
         slots_drop(&l->s, i);
         *full_pool = &p->s;
         return NO_SLOT;
@@ -106,19 +106,20 @@ int32_t lasers_add(struct lasers *l, struct laser_points *p, const struct laser_
     l->grown_length[i] = 0;
     l->width[i] = spec->width;
     l->spin[i] = spec->spin;
-    l->warn[i] = spec->warn;
-    l->grow[i] = spec->grow;
-    l->fade[i] = spec->fade;
-    l->fade_age[i] = spec->hold == LASER_FOREVER ? LASER_FOREVER : spec->warn + spec->grow + spec->hold;
+    l->warn_frames[i] = spec->warn_frames;
+    l->grow_frames[i] = spec->grow_frames;
+    l->fade_frames[i] = spec->fade_frames;
+    l->fade_age[i] =
+        spec->hold_frames == LASER_FOREVER ? LASER_FOREVER : spec->warn_frames + spec->grow_frames + spec->hold_frames;
     l->follow_target[i] = spec->follow_target;
     l->dx[i] = spec->dx;
     l->dy[i] = spec->dy;
     l->target_dir[i] = 0;
     memset(&l->rehit_clock[i * MAX_PLAYERS], 0, MAX_PLAYERS * sizeof *l->rehit_clock);
-    l->max_points[i] = spec->points;
-    l->n_points[i] = spec->points > 0;
-    l->newest[i] = 0;
-    if (spec->points)
+    l->max_points[i] = spec->max_points;
+    l->n_points[i] = spec->max_points > 0;
+    l->newest_point[i] = 0;
+    if (spec->max_points)
         set_point(l, p, i, 0, x, y);
     return slot;
 }
@@ -133,7 +134,7 @@ void lasers_drop(struct lasers *l, struct laser_points *p, uint32_t i)
 }
 
 /* While a ring is not full, its points are in the first `n_points` entries. */
-void lasers_box(const struct lasers *l, const struct laser_points *p, uint32_t i, struct box *box)
+void lasers_get_box(const struct lasers *l, const struct laser_points *p, uint32_t i, struct box *box)
 {
     fx x0 = l->x0[i], x1 = x0, y0 = l->y0[i], y1 = y0;
 
@@ -152,10 +153,10 @@ void lasers_box(const struct lasers *l, const struct laser_points *p, uint32_t i
 
 void lasers_advance(struct lasers *l, struct laser_points *p, uint32_t i, fx x, fx y)
 {
-    lasers_point(l, p, i, l->n_points[i] - 1u, &l->x0[i], &l->y0[i]);
-    l->newest[i] = (uint16_t)(l->newest[i] + 1u == l->max_points[i] ? 0 : l->newest[i] + 1u);
+    lasers_get_point(l, p, i, l->n_points[i] - 1u, &l->x0[i], &l->y0[i]);
+    l->newest_point[i] = (uint16_t)(l->newest_point[i] + 1u == l->max_points[i] ? 0 : l->newest_point[i] + 1u);
     l->n_points[i] = (uint16_t)(l->n_points[i] < l->max_points[i] ? l->n_points[i] + 1u : l->max_points[i]);
-    set_point(l, p, i, l->newest[i], x, y);
+    set_point(l, p, i, l->newest_point[i], x, y);
 }
 
 void lasers_shift(struct lasers *l, struct laser_points *p, uint32_t i, fx dx, fx dy)
@@ -179,9 +180,9 @@ enum laser_state lasers_state(const struct lasers *l, uint32_t i, uint32_t age)
 {
     if (is_fading(l, i, age))
         return LASER_FADE;
-    if (age < (uint32_t)l->warn[i])
+    if (age < (uint32_t)l->warn_frames[i])
         return LASER_WARN;
-    return age - (uint32_t)l->warn[i] < (uint32_t)l->grow[i] ? LASER_GROW : LASER_ON;
+    return age - (uint32_t)l->warn_frames[i] < (uint32_t)l->grow_frames[i] ? LASER_GROW : LASER_ON;
 }
 
 /* Returns k / n of a width, 0 <= k <= n. */
@@ -194,11 +195,11 @@ fx lasers_width(const struct lasers *l, uint32_t i, uint32_t age)
 {
     switch (lasers_state(l, i, age)) {
     case LASER_GROW:
-        return scale_width(l->width[i], (int64_t)age - l->warn[i] + 1, (int64_t)l->grow[i] + 1);
+        return scale_width(l->width[i], (int64_t)age - l->warn_frames[i] + 1, (int64_t)l->grow_frames[i] + 1);
     case LASER_FADE:
-        return lasers_has_faded(l, i, age)
-                   ? 0
-                   : scale_width(l->width[i], (int64_t)l->fade_age[i] + l->fade[i] - age, (int64_t)l->fade[i] + 1);
+        return lasers_has_faded(l, i, age) ? 0
+                                           : scale_width(l->width[i], (int64_t)l->fade_age[i] + l->fade_frames[i] - age,
+                                                         (int64_t)l->fade_frames[i] + 1);
     default:
         return l->width[i];
     }
@@ -206,7 +207,7 @@ fx lasers_width(const struct lasers *l, uint32_t i, uint32_t age)
 
 bool lasers_has_faded(const struct lasers *l, uint32_t i, uint32_t age)
 {
-    return is_fading(l, i, age) && (int64_t)age - l->fade_age[i] >= l->fade[i];
+    return is_fading(l, i, age) && (int64_t)age - l->fade_age[i] >= l->fade_frames[i];
 }
 
 /* A laser that is still warning disappears at once; one that is growing fades from its current width. */
@@ -215,7 +216,7 @@ void lasers_fade(struct lasers *l, uint32_t i, uint32_t age)
     if (is_fading(l, i, age))
         return;
     if (lasers_state(l, i, age) == LASER_WARN)
-        l->fade[i] = 0;
+        l->fade_frames[i] = 0;
     l->width[i] = lasers_width(l, i, age);
     l->fade_age[i] = (int32_t)age;
 }

@@ -20,9 +20,9 @@ enum laser_form { LASER_BEAM, LASER_BOLT, LASER_CURVE };
 enum laser_state { LASER_WARN, LASER_GROW, LASER_ON, LASER_FADE, LASER_STATES };
 
 enum {
-    LASER_FIXED = 1 << 0,  /* of a kind: immune to clears, unless a clear has `all` */
-    LASER_SHOOTS = 1 << 1, /* of a kind: a player's laser, which hits enemies, not players */
-    LASER_BLEND = 3 << 2,  /* of a kind: blend mode in units of LASER_BLEND_ONE: 0 opaque, otherwise blend + 1 */
+    LASER_FIXED = 1 << 0,        /* of a kind: immune to clears, unless a clear has `all` */
+    LASER_HITS_ENEMIES = 1 << 1, /* of a kind: a player's laser, which hits enemies, not players */
+    LASER_BLEND = 3 << 2,        /* of a kind: blend mode in units of LASER_BLEND_ONE: 0 opaque, otherwise blend + 1 */
     LASER_BLEND_ONE = 1 << 2,
 
     /* in the column `flags` of lasers */
@@ -46,9 +46,9 @@ enum {
 struct laser_kinds {
     struct slots s;
     uint16_t *strip;
-    uint16_t *head, *tail; /* sprite + 1; 0: none */
-    fx *width;             /* px */
-    fx *hit_share;         /* share of the width that hits, 0 to 1; negative: it never hits */
+    uint16_t *head_sprite, *tail_sprite; /* sprite + 1; 0: none */
+    fx *width;                           /* px */
+    fx *hit_share;                       /* share of the width that hits, 0 to 1; negative: it never hits */
     uint8_t *bank;
     uint8_t *flags;
     uint16_t *graze_interval; /* frames between two grazes; 0: no grazing */
@@ -67,17 +67,17 @@ struct lasers {
     fx *grown_length;      /* bolts: px that have emerged */
     fx *width;             /* px */
     ang *spin;             /* rotation per frame, once the laser is dangerous */
-    int32_t *warn, *grow, *fade; /* frames */
-    int32_t *fade_age;           /* age at which it starts to fade, or LASER_FOREVER */
-    int64_t *follow_target;      /* entity it follows, defined by the board; 0: none */
-    fx *dx, *dy;                 /* offset from that entity */
-    ang *target_dir;             /* direction in which that entity last faced */
-    uint32_t *rehit_clock; /* MAX_PLAYERS per laser: clock from which that player can graze it again; in a player's
+    int32_t *warn_frames, *grow_frames, *fade_frames; /* frames */
+    int32_t *fade_age;                                /* age at which it starts to fade, or LASER_FOREVER */
+    int64_t *follow_target;                           /* entity it follows, defined by the board; 0: none */
+    fx *dx, *dy;                                      /* offset from that entity */
+    ang *target_dir;                                  /* direction in which that entity last faced */
+    uint32_t *rehit_clock;  /* MAX_PLAYERS per laser: clock from which that player can graze it again; in a player's
                                   * laser, the first entry is the clock from which it can hit again */
-    uint16_t *max_points;  /* curves: capacity of the ring, in points */
-    uint16_t *n_points;    /* number of points in the ring */
-    uint16_t *newest;      /* ring index of the newest point */
-    uint16_t *chunk;       /* LASER_MAX_CHUNKS per laser: slots of its chunks */
+    uint16_t *max_points;   /* curves: capacity of the ring, in points */
+    uint16_t *n_points;     /* number of points in the ring */
+    uint16_t *newest_point; /* ring index of the newest point */
+    uint16_t *chunk;        /* LASER_MAX_CHUNKS per laser: slots of its chunks */
 };
 
 /* The chunks that hold the curves' points. */
@@ -92,24 +92,24 @@ extern const struct chip lasers_chip, laser_kinds_chip, laser_points_chip;
 struct laser_spec {
     enum laser_form form;
     uint8_t flags;
-    uint16_t points;
+    uint16_t max_points;
     fx length, width, dx, dy;
     ang spin;
-    int32_t warn, grow, hold, fade; /* frames; hold may be LASER_FOREVER */
+    int32_t warn_frames, grow_frames, hold_frames, fade_frames; /* frames; hold may be LASER_FOREVER */
     int64_t follow_target;
 };
 
-/* Spawns a laser in the lowest free slot, with all its ends at (x, y). Returns the slot, or NO_SLOT when a pool is
- * full; *full_pool then points to the slots of that pool (lasers or points). */
+/* Spawns a laser in the lowest free slot, with both ends, or all points of a curve, at (x, y). Returns the slot, or
+ * NO_SLOT when a pool is full; *full_pool then points to the slots of that pool (lasers or points). */
 int32_t lasers_add(struct lasers *l, struct laser_points *p, const struct laser_spec *spec, fx x, fx y,
                    struct slots **full_pool);
 void lasers_drop(struct lasers *l, struct laser_points *p, uint32_t i);
 
 /* Gets point k of curve i, 0 <= k < n_points; point 0 is the newest. */
-static inline void lasers_point(const struct lasers *l, const struct laser_points *p, uint32_t i, uint32_t k, fx *x,
-                                fx *y)
+static inline void lasers_get_point(const struct lasers *l, const struct laser_points *p, uint32_t i, uint32_t k, fx *x,
+                                    fx *y)
 {
-    uint32_t at = l->newest[i] >= k ? l->newest[i] - k : l->newest[i] + l->max_points[i] - k;
+    uint32_t at = l->newest_point[i] >= k ? l->newest_point[i] - k : l->newest_point[i] + l->max_points[i] - k;
     uint32_t entry = l->chunk[i * LASER_MAX_CHUNKS + at / LASER_CHUNK_POINTS] * (uint32_t)LASER_CHUNK_POINTS +
                      at % LASER_CHUNK_POINTS;
 
@@ -118,7 +118,7 @@ static inline void lasers_point(const struct lasers *l, const struct laser_point
 }
 
 /* Gets the smallest box around a curve's points and the position of its tail before this frame's move. */
-void lasers_box(const struct lasers *l, const struct laser_points *p, uint32_t i, struct box *box);
+void lasers_get_box(const struct lasers *l, const struct laser_points *p, uint32_t i, struct box *box);
 
 /* Adds the head's new position (x, y) to a curve. */
 void lasers_advance(struct lasers *l, struct laser_points *p, uint32_t i, fx x, fx y);

@@ -14,13 +14,13 @@ static const struct column columns[] = {
     COLUMN(lines, owner),
     COLUMNS(lines, code, LINE_MAX_TEXT),
     COLUMN(lines, length),
-    COLUMN(lines, width),
+    COLUMN(lines, wrap_width),
     COLUMN(lines, letter_frames),
     COLUMN(lines, font),
     COLUMN(lines, align),
     COLUMN(lines, bank),
     COLUMN(lines, flags),
-    COLUMN(lines, born),
+    COLUMN(lines, text_clock),
 };
 
 const struct chip lines_chip = { .name = "lines", CHIP_COLUMNS(columns) };
@@ -37,13 +37,13 @@ bool lines_set_text(struct lines *l, uint32_t i, const char *text, size_t n, uin
     while (text < end)
         *to++ = utf8_next(&text, end);
     l->length[i] = (uint16_t)count;
-    l->born[i] = clock;
+    l->text_clock[i] = clock;
     return true;
 }
 
 uint32_t lines_visible_letters(const struct lines *l, uint32_t i, uint32_t clock)
 {
-    uint32_t n = l->letter_frames[i] ? (clock - l->born[i]) / l->letter_frames[i] : l->length[i];
+    uint32_t n = l->letter_frames[i] ? (clock - l->text_clock[i]) / l->letter_frames[i] : l->length[i];
 
     return n < l->length[i] ? n : l->length[i];
 }

@@ -26,17 +26,17 @@ struct lines {
     struct slots s;
     fx *x, *y;              /* position; unused if it follows an entity */
     fx *dx, *dy;            /* offset from (x, y), or from the entity it follows */
-    int64_t *follow_target; /* entity it follows and despawns with, defined by the board; 0: none */
-    int64_t *owner;         /* entity or scope it despawns with, defined by the board; 0: none */
+    int64_t *follow_target; /* handle of the entity it follows and despawns with; 0: none */
+    int64_t *owner;         /* handle of the entity or scope it despawns with; 0: none */
     uint32_t *code;         /* LINE_MAX_TEXT per slot: code points, followed by zeroes */
     uint16_t *length;
-    uint16_t *width;         /* px at which rows wrap; 0: only newlines break rows */
+    uint16_t *wrap_width;    /* px at which rows wrap; 0: only newlines break rows */
     uint16_t *letter_frames; /* frames per letter; 0: all at once */
     uint8_t *font;           /* font + 1; 0: the font of the fixed text layer */
     uint8_t *align;
     uint8_t *bank;
     uint8_t *flags;
-    uint32_t *born; /* clock when its text was set */
+    uint32_t *text_clock; /* clock when its text was set */
 };
 
 extern const struct chip lines_chip;

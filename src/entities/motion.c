@@ -8,14 +8,16 @@
 #include "../base/trig.h"
 
 static const struct column step_columns[] = {
-    COLUMN(steps, actions), COLUMN(steps, duration), COLUMN(steps, kind),  COLUMN(steps, bank),  COLUMN(steps, dir),
-    COLUMN(steps, turn),    COLUMN(steps, home),     COLUMN(steps, speed), COLUMN(steps, accel), COLUMN(steps, count),
-    COLUMN(steps, jump),    COLUMN(steps, depth),    COLUMN(steps, x),     COLUMN(steps, y),     COLUMN(steps, size),
-    COLUMN(steps, size_to), COLUMN(steps, mode),     COLUMN(steps, named),
+    COLUMN(steps, actions), COLUMN(steps, duration), COLUMN(steps, kind),
+    COLUMN(steps, bank),    COLUMN(steps, dir),      COLUMN(steps, turn),
+    COLUMN(steps, home),    COLUMN(steps, speed),    COLUMN(steps, accel),
+    COLUMN(steps, count),   COLUMN(steps, jump),     COLUMN(steps, depth),
+    COLUMN(steps, x),       COLUMN(steps, y),        COLUMN(steps, size),
+    COLUMN(steps, size_to), COLUMN(steps, mode),     COLUMN(steps, named_values),
 };
 
 static const struct column motion_columns[] = { COLUMN(motions, first), COLUMN(motions, length),
-                                                COLUMN(motions, fine) };
+                                                COLUMN(motions, is_fine) };
 
 const struct chip steps_chip = { .name = "steps", CHIP_COLUMNS(step_columns), .is_list = true };
 const struct chip motions_chip = { .name = "motions", CHIP_COLUMNS(motion_columns), .is_list = true };
@@ -34,7 +36,7 @@ void motion_get_step(const struct steps *s, uint32_t i, struct motion_step *out)
                                  .turn = s->turn[i],
                                  .speed = s->speed[i],
                                  .accel = s->accel[i],
-                                 .named = s->named[i],
+                                 .named_values = s->named_values[i],
                                  .x = s->x[i],
                                  .y = s->y[i],
                                  .size = s->size[i],
@@ -43,19 +45,19 @@ void motion_get_step(const struct steps *s, uint32_t i, struct motion_step *out)
 }
 
 /* A full turn is 360 * 2^16 units of fx, so one unit is 2^13 / 45 units of ang. 45 is odd, so there are no ties. */
-ang motion_angle(fx degrees)
+ang motion_angle_from_degrees(fx degrees)
 {
     const int64_t product = (int64_t)degrees * 8192;
 
     return (ang)((product + (product < 0 ? -22 : 22)) / 45);
 }
 
-static bool same_step(const struct steps *s, uint32_t i, const struct motion_step *p)
+static bool is_same_step(const struct steps *s, uint32_t i, const struct motion_step *p)
 {
     return s->actions[i] == p->actions && s->duration[i] == p->duration && s->kind[i] == p->kind &&
            s->bank[i] == p->bank && s->dir[i] == p->dir && s->turn[i] == p->turn && s->home[i] == p->home &&
            s->speed[i] == p->speed && s->accel[i] == p->accel && s->count[i] == p->count && s->jump[i] == p->jump &&
-           s->depth[i] == p->depth && s->named[i] == p->named && s->x[i] == p->x && s->y[i] == p->y &&
+           s->depth[i] == p->depth && s->named_values[i] == p->named_values && s->x[i] == p->x && s->y[i] == p->y &&
            s->size[i] == p->size && s->size_to[i] == p->size_to && s->mode[i] == p->mode;
 }
 
@@ -73,7 +75,7 @@ static void store_step(struct steps *s, uint32_t i, const struct motion_step *p)
     s->count[i] = p->count;
     s->jump[i] = p->jump;
     s->depth[i] = p->depth;
-    s->named[i] = p->named;
+    s->named_values[i] = p->named_values;
     s->x[i] = p->x;
     s->y[i] = p->y;
     s->size[i] = p->size;
@@ -85,9 +87,9 @@ int32_t motion_define(struct motions *m, struct steps *s, const struct motion_st
 {
     for (uint32_t k = 0; k < m->s.live; k++) {
         uint32_t i = 0;
-        if (m->length[k] != n || m->fine[k] != fine)
+        if (m->length[k] != n || m->is_fine[k] != fine)
             continue;
-        while (i < n && same_step(s, m->first[k] + i, &steps[i]))
+        while (i < n && is_same_step(s, m->first[k] + i, &steps[i]))
             i++;
         if (i == n)
             return (int32_t)k;
@@ -101,7 +103,7 @@ int32_t motion_define(struct motions *m, struct steps *s, const struct motion_st
         return NO_SLOT;
     m->first[program] = s->s.live;
     m->length[program] = (uint16_t)n;
-    m->fine[program] = fine;
+    m->is_fine[program] = fine;
     for (uint32_t i = 0; i < n; i++)
         store_step(s, (uint32_t)slots_append(&s->s), &steps[i]);
     return program;
@@ -123,7 +125,7 @@ static double double_of(int64_t bits)
     return v;
 }
 
-void motion_pack_emit(const struct motion_emit *e, struct motion_step out[EMIT_ROWS])
+void motion_pack_emit(const struct motion_emit *e, struct motion_step out[EMIT_STEPS])
 {
     out[0] = (struct motion_step){ .actions = DOES_EMIT,
                                    .duration = e->delay,
@@ -138,11 +140,11 @@ void motion_pack_emit(const struct motion_emit *e, struct motion_step out[EMIT_R
                                    .size = e->value[2],
                                    .size_to = e->value[3],
                                    .dir = (ang)e->first,
-                                   .home = (ang)e->last,
+                                   .home = (ang)e->skip_last,
                                    .turn = e->motion,
                                    .speed = bits_of(e->speed),
                                    .accel = bits_of(e->size),
-                                   .named = e->named };
+                                   .named_values = e->named_values };
     out[1] = (struct motion_step){ .actions = DOES_EMIT, .speed = bits_of(e->dir), .accel = e->orbit_target };
 }
 
@@ -156,14 +158,14 @@ void motion_unpack_emit(const struct steps *s, uint32_t i, struct motion_emit *o
                                  .motion = (uint16_t)s->turn[i],
                                  .n = s->count[i],
                                  .first = (int32_t)s->dir[i],
-                                 .last = (int32_t)s->home[i],
+                                 .skip_last = (int32_t)s->home[i],
                                  .delay = s->duration[i],
                                  .dir = double_of(s->speed[i + 1]),
                                  .speed = double_of(s->speed[i]),
                                  .size = double_of(s->accel[i]),
                                  .value = { s->x[i], s->y[i], s->size[i], s->size_to[i] },
                                  .orbit_target = s->accel[i + 1],
-                                 .named = s->named[i] };
+                                 .named_values = s->named_values[i] };
 }
 
 struct motion_share motion_ease(enum ease ease, uint64_t k, uint64_t n)
@@ -207,7 +209,7 @@ static uint32_t multiply_share(uint32_t d, struct motion_share s, uint64_t *rema
     return (uint32_t)(product / s.whole);
 }
 
-fx motion_between(fx a, fx b, struct motion_share s)
+fx motion_lerp_share(fx a, fx b, struct motion_share s)
 {
     uint32_t d = a < b ? (uint32_t)b - (uint32_t)a : (uint32_t)a - (uint32_t)b;
     uint64_t remainder;
@@ -220,8 +222,8 @@ fx motion_between(fx a, fx b, struct motion_share s)
 
 int64_t motion_lerp(int64_t from, int64_t to, uint32_t k, uint32_t n)
 {
-    uint64_t d = (uint64_t)(to < from ? from - to : to - from), part = d % n * k;
-    uint64_t q = d / n * k + part / n, twice = part % n * 2;
+    uint64_t d = (uint64_t)(to < from ? from - to : to - from), share = d % n * k;
+    uint64_t q = d / n * k + share / n, twice = share % n * 2;
 
     q += (twice > n) | ((twice == n) & (q & 1));
     return to < from ? from - (int64_t)q : from + (int64_t)q;
@@ -283,10 +285,10 @@ void motion_lead_position(const struct steps *s, uint32_t st, const struct motio
     int64_t px = (int64_t)l->x * (1 << Q32_EXTRA_BITS), py = (int64_t)l->y * (1 << Q32_EXTRA_BITS);
 
     if (s->actions[st] & DOES_GO_TO) {
-        struct motion_share part = motion_ease((enum ease)(s->mode[st] & MODE_EASE), k, n);
+        struct motion_share share = motion_ease((enum ease)(s->mode[st] & MODE_EASE), k, n);
         const bool is_relative = s->mode[st] & MODE_RELATIVE;
-        *x = motion_between(l->x, is_relative ? motion_clamp_to_world((int64_t)l->x + s->x[st]) : s->x[st], part);
-        *y = motion_between(l->y, is_relative ? motion_clamp_to_world((int64_t)l->y + s->y[st]) : s->y[st], part);
+        *x = motion_lerp_share(l->x, is_relative ? motion_clamp_to_world((int64_t)l->x + s->x[st]) : s->x[st], share);
+        *y = motion_lerp_share(l->y, is_relative ? motion_clamp_to_world((int64_t)l->y + s->y[st]) : s->y[st], share);
         return;
     }
     if (s->actions[st] & DOES_POLAR)
@@ -294,7 +296,7 @@ void motion_lead_position(const struct steps *s, uint32_t st, const struct motio
     else if (s->actions[st] & DOES_ORBIT) {
         int64_t from = (int64_t)s->size[st] * (1 << Q32_EXTRA_BITS),
                 to = (int64_t)s->size_to[st] * (1 << Q32_EXTRA_BITS);
-        add_polar(s->mode[st] & MODE_TO ? motion_lerp(from, to, k, n) : from, a, &px, &py);
+        add_polar(s->mode[st] & MODE_HAS_SIZE_TO ? motion_lerp(from, to, k, n) : from, a, &px, &py);
     } else {
         add_polar(distance_flown((int64_t)l->speed * (1 << Q32_EXTRA_BITS), k), l->angle, &px, &py);
         add_polar(wave_offset(s, st, k), l->angle + ANG_QUARTER, &px, &py);
@@ -342,13 +344,13 @@ void motion_set_number(struct motion_step *p, enum step_number number, fx v)
         p->bank = (uint8_t)(v >> 16 & 15);
         break;
     case NUMBER_DIR:
-        p->dir = motion_angle(v);
+        p->dir = motion_angle_from_degrees(v);
         break;
     case NUMBER_TURN:
-        p->turn = (int32_t)motion_angle(v);
+        p->turn = (int32_t)motion_angle_from_degrees(v);
         break;
     case NUMBER_HOME:
-        p->home = motion_angle(clamp_to_range(v, 0, 180));
+        p->home = motion_angle_from_degrees(clamp_to_range(v, 0, 180));
         break;
     case NUMBER_SPEED:
         p->speed = (int64_t)speed * (1 << Q32_EXTRA_BITS);

@@ -11,10 +11,11 @@
 #include "../base/slots.h"
 
 enum {
-    PARK = -(16384 << 16), /* x and y of dead slots: one pixel past the edge of the world (bullets: see bullets.h) */
-    WORLD_EDGE = 16383,    /* positions are from -WORLD_EDGE to WORLD_EDGE px */
-    MAX_SPEED = 8191,      /* px/frame; also the limit of radii, in px */
-    Q32_EXTRA_BITS = 16    /* number of fraction bits that Q32 has in addition to those of fx */
+    PARK_COORDINATE =
+        -(16384 << 16), /* x and y of dead slots: one pixel past the edge of the world (bullets: see bullets.h) */
+    WORLD_EDGE = 16383, /* positions are from -WORLD_EDGE to WORLD_EDGE px */
+    MAX_SPEED = 8191,   /* px/frame; also the limit of radii, in px */
+    Q32_EXTRA_BITS = 16 /* number of fraction bits that Q32 has in addition to those of fx */
 };
 
 /* Clamps a coordinate, in fx, to the world. */
@@ -26,9 +27,9 @@ static inline fx motion_clamp_to_world(int64_t v)
 }
 
 /* Returns a coordinate moved by `delta`, clamped to the world. */
-static inline fx motion_shift(fx at, fx delta)
+static inline fx motion_shift(fx coordinate, fx delta)
 {
-    return motion_clamp_to_world((int64_t)at + delta);
+    return motion_clamp_to_world((int64_t)coordinate + delta);
 }
 
 /* The hit shape of a kind. */
@@ -39,7 +40,7 @@ enum {
     SHAPE_CAPSULE = 4,    /* all points at most a from a line: from (x, y) to (-x, -y); for bullets: along dir, from -b
                         * to b */
     SHAPE_CIRCLES = 8,    /* a circle of radius a at (x, y), and b more circles in the rows from ROW_CIRCLES on */
-    SHAPE_MAX_PLAIN = 3,  /* shapes without a capsule or circles, ORed together, are at most this */
+    SHAPE_MAX_SIMPLE = 3, /* shapes without a capsule or circles, ORed together, are at most this */
     SHAPE_MAX_CIRCLES = 4 /* most circles of a shape */
 };
 
@@ -92,19 +93,19 @@ enum {
     DOES_SPEED = 1 << 7,
     DOES_ACCEL = 1 << 8,
     DOES_DIE = 1 << 9,
-    DOES_LOOP = 1 << 10,     /* opens a loop of `count` rounds; `jump`: the step after the loop */
-    DOES_LOOP_END = 1 << 11, /* closes a loop; `jump`: the loop's first step */
-    DOES_NAMED = 1 << 12,    /* takes some of its numbers from the bullet's values, as `named` specifies */
-    DOES_GO_TO = 1 << 13,    /* this and the next three lead the bullet along positions from motion_lead_position */
+    DOES_LOOP = 1 << 10,       /* opens a loop of `count` rounds; `jump`: the step after the loop */
+    DOES_LOOP_END = 1 << 11,   /* closes a loop; `jump`: the loop's first step */
+    DOES_USE_VALUES = 1 << 12, /* takes some of its numbers from the bullet's values, as `named_values` specifies */
+    DOES_GO_TO = 1 << 13,      /* this and the next three lead the bullet along positions from motion_lead_position */
     DOES_POLAR = 1 << 14,
     DOES_WAVE = 1 << 15,
     DOES_ORBIT = 1 << 16,
     DOES_LEAD = DOES_GO_TO | DOES_POLAR | DOES_WAVE | DOES_ORBIT,
     DOES_BOUNCE = 1 << 17, /* with DOES_LOOP: opens a loop of bounces; alone: flies to the next bounce */
-    DOES_EMIT = 1 << 18,   /* fires bullets; takes EMIT_ROWS steps (motion_unpack_emit) */
+    DOES_EMIT = 1 << 18,   /* fires bullets; takes EMIT_STEPS steps (motion_unpack_emit) */
     DOES_AWAIT = 1 << 19,  /* waits in flight until the condition in `mode` holds, for at most `duration` frames */
     DOES_ALL = (1 << 20) - 1,
-    MOTION_DEPTH = 4, /* limit of nested loops */
+    MOTION_MAX_DEPTH = 4, /* limit of nested loops */
     MOTION_FOREVER = 0xffff,
     MOTION_STEPS_PER_PROGRAM = 16 /* RAM reserved per program, in steps */
 };
@@ -113,25 +114,26 @@ enum ease { EASE_LINEAR, EASE_IN, EASE_OUT, EASE_BOTH };
 
 /* Bits of `mode`, whose meaning depends on the step's action. */
 enum {
-    MODE_EASE = 3,       /* enum ease */
-    MODE_AT = 1 << 2,    /* the centre is (x, y); if unset: polar: the bullet's position; orbit: its `orbit_target` */
-    MODE_TO = 1 << 3,    /* orbit: the radius changes to size_to */
-    MODE_SPEED = 1 << 4, /* go_to: flies at `speed`, for as many frames as needed */
-    MODE_RELATIVE = 1 << 5, /* go_to: (x, y) is relative to the bullet's position when the step began */
-    MODE_LEFT = 1 << 0,     /* DOES_BOUNCE: the edges of the field that are walls */
+    MODE_EASE = 3, /* enum ease */
+    MODE_HAS_CENTRE =
+        1 << 2, /* the centre is (x, y); if unset: polar: the bullet's position; orbit: its `orbit_target` */
+    MODE_HAS_SIZE_TO = 1 << 3, /* orbit: the radius changes to size_to */
+    MODE_SPEED = 1 << 4,       /* go_to: flies at `speed`, for as many frames as needed */
+    MODE_RELATIVE = 1 << 5,    /* go_to: (x, y) is relative to the bullet's position when the step began */
+    MODE_LEFT = 1 << 0,        /* DOES_BOUNCE: the edges of the field that are walls */
     MODE_RIGHT = 1 << 1,
     MODE_TOP = 1 << 2,
     MODE_BOTTOM = 1 << 3,
     MODE_WALLS = 15,
     MODE_X = 1 << 0, /* DOES_AWAIT: the bullet has reached or passed x since the step began */
     MODE_Y = 1 << 1,
-    MODE_NEAR = 1 << 2,  /* DOES_AWAIT: the nearest target is closer than size */
-    MODE_SIGNAL = 1 << 3 /* DOES_AWAIT: a signal for the tag `count` has arrived (bullets_signal) */
+    MODE_TARGET_NEAR = 1 << 2, /* DOES_AWAIT: the nearest target is closer than size */
+    MODE_SIGNAL = 1 << 3       /* DOES_AWAIT: a signal for the tag `count` has arrived (bullets_signal) */
 };
 
-/* The numbers of a step that a named value can replace. `named` has NAMED_BITS bits per number, which store b +
- * NAMED_SHOT_STRIDE * s. b is 1 + the value's column for bullets, s is 1 + the value's column for shots; 0: no value.
- * If all bits are 0, the step's own number is used. */
+/* The numbers of a step that a named value can replace. `named_values` has NAMED_VALUE_BITS bits per number, which
+ * store b + NAMED_SHOT_STRIDE * s. b is 1 + the value's column for bullets, s is 1 + the value's column for shots; 0:
+ * no value. If all bits are 0, the step's own number is used. */
 enum step_number {
     NUMBER_DURATION, /* truncated to whole frames, at least 1 */
     NUMBER_BANK,     /* the low 4 bits of the whole number */
@@ -145,11 +147,11 @@ enum step_number {
     NUMBER_SIZE,    /* clamped to 0 to MAX_SPEED; for a wave to -MAX_SPEED to MAX_SPEED */
     NUMBER_SIZE_TO, /* clamped to 0 to MAX_SPEED */
     NUMBER_COUNT,   /* period of a wave, truncated to whole frames, at least 1 */
-    STEP_NUMBERS,
-    NAMED_BITS = 5,
+    STEP_NUMBER_COUNT,
+    NAMED_VALUE_BITS = 5,
     NAMED_SHOT_STRIDE = MAX_VALUES + 1
 };
-_Static_assert(STEP_NUMBERS *NAMED_BITS <= 64, "a step's `named` has no room for another number");
+_Static_assert(STEP_NUMBER_COUNT *NAMED_VALUE_BITS <= 64, "a step's `named` has no room for another number");
 
 /* The steps of all programs, one program after the other. */
 struct steps {
@@ -166,19 +168,19 @@ struct steps {
     uint16_t *count; /* rounds of a loop, or MOTION_FOREVER; a wave's period in frames; a signal's tag */
     uint16_t *jump; /* target of a jump, see DOES_LOOP, DOES_LOOP_END; DOES_BOUNCE: the step after the loop; relative to
                       * the program's first step */
-    uint8_t *depth; /* nesting depth of a loop, 0 to MOTION_DEPTH - 1 */
-    fx *x, *y;      /* goal of go_to; centre of polar and orbit with MODE_AT; the x or y awaited by DOES_AWAIT */
-    fx *size;       /* px: amplitude of a wave; radius of an orbit; distance from a target for MODE_NEAR */
-    fx *size_to;    /* px: radius at the end of an orbit with MODE_TO */
-    uint8_t *mode;  /* enum ease and MODE_ bits */
-    uint64_t *named; /* NAMED_BITS bits for each enum step_number */
+    uint8_t *depth; /* nesting depth of a loop, 0 to MOTION_MAX_DEPTH - 1 */
+    fx *x, *y;     /* goal of go_to; centre of polar and orbit with MODE_HAS_CENTRE; the x or y awaited by DOES_AWAIT */
+    fx *size;      /* px: amplitude of a wave; radius of an orbit; distance from a target for MODE_TARGET_NEAR */
+    fx *size_to;   /* px: radius at the end of an orbit with MODE_HAS_SIZE_TO */
+    uint8_t *mode; /* enum ease and MODE_ bits */
+    uint64_t *named_values; /* NAMED_VALUE_BITS bits for each enum step_number */
 };
 
 struct motions {
     struct slots s;
     uint32_t *first; /* index into steps */
     uint16_t *length;
-    uint8_t *fine; /* whether bullets that run the program have 32 fraction bits */
+    uint8_t *is_fine; /* whether bullets that run the program have 32 fraction bits */
 };
 
 struct motion_step {
@@ -189,7 +191,7 @@ struct motion_step {
     ang dir, home;
     int32_t turn;
     int64_t speed, accel;
-    uint64_t named;
+    uint64_t named_values;
 };
 
 enum emit_pattern { EMIT_ONE, EMIT_RING, EMIT_FAN, EMIT_ARC, EMIT_STACK, EMIT_LINE, EMIT_PATTERNS };
@@ -211,7 +213,7 @@ enum emit_number {
     EMIT_NUMBER_SPEED, /* clamped to -MAX_SPEED to MAX_SPEED, as is the EMIT_NUMBER_SIZE of a stack */
     EMIT_NUMBER_SIZE,
     EMIT_NUMBER_VALUE, /* first of MAX_VALUES numbers */
-    EMIT_NUMBERS = EMIT_NUMBER_VALUE + MAX_VALUES
+    EMIT_NUMBER_COUNT = EMIT_NUMBER_VALUE + MAX_VALUES
 };
 
 /* The arguments of an emit: the pattern's and bullet.fire's. Numbers that the Lua patterns calculate with are doubles
@@ -221,13 +223,13 @@ struct motion_emit {
     uint8_t bank;
     uint16_t kind, tag, motion; /* motion: program + 1, 0: none */
     uint16_t n;
-    int32_t first, last; /* range of bullets to skip, counted from 1 */
-    uint32_t delay;      /* frames */
-    double dir, speed;   /* degrees, px/frame */
-    double size;         /* spread of a fan, sweep of an arc, speed_to of a stack, width of a line */
+    int32_t first, skip_last; /* range of bullets to skip, counted from 1 */
+    uint32_t delay;           /* frames */
+    double dir, speed;        /* degrees, px/frame */
+    double size;              /* spread of a fan, sweep of an arc, speed_to of a stack, width of a line */
     fx value[MAX_VALUES];
     int64_t orbit_target;
-    uint64_t named; /* NAMED_BITS bits for each enum emit_number */
+    uint64_t named_values; /* NAMED_VALUE_BITS bits for each enum emit_number */
 };
 
 /* The state saved at the start of a step that leads a bullet. */
@@ -273,10 +275,10 @@ struct motion_share {
 struct motion_share motion_ease(enum ease ease, uint64_t k, uint64_t n);
 
 /* Returns a plus share s of the way to b, rounded to the nearest fx, ties to even. */
-fx motion_between(fx a, fx b, struct motion_share s);
+fx motion_lerp_share(fx a, fx b, struct motion_share s);
 
 /* Converts degrees to the nearest angle. */
-ang motion_angle(fx degrees);
+ang motion_angle_from_degrees(fx degrees);
 
 extern const struct chip steps_chip, motions_chip;
 
@@ -287,17 +289,17 @@ int32_t motion_define(struct motions *m, struct steps *s, const struct motion_st
 /* Copies step i of the list to *out. */
 void motion_get_step(const struct steps *s, uint32_t i, struct motion_step *out);
 
-/* Convert an emit to EMIT_ROWS steps of a program, and back from the steps of s that start at i. Stored as steps, emits
- * are shared like the rest of their programs and need no separate memory. */
-enum { EMIT_ROWS = 2 };
-void motion_pack_emit(const struct motion_emit *e, struct motion_step out[EMIT_ROWS]);
+/* Convert an emit to EMIT_STEPS steps of a program, and back from the steps of s that start at i. Stored as steps,
+ * emits are shared like the rest of their programs and need no separate memory. */
+enum { EMIT_STEPS = 2 };
+void motion_pack_emit(const struct motion_emit *e, struct motion_step out[EMIT_STEPS]);
 void motion_unpack_emit(const struct steps *s, uint32_t i, struct motion_emit *out);
 
-/* Returns the column of the value that replaces a number according to `named`, or -1 if no value does in this pool
- * (shots, otherwise bullets). Sets *is_named to whether a value replaces the number in either pool. */
-static inline int motion_named_column(uint64_t named, int number, bool is_shots, bool *is_named)
+/* Returns the column of the value that replaces a number according to `named_values`, or -1 if no value does in this
+ * pool (shots, otherwise bullets). Sets *is_named to whether a value replaces the number in either pool. */
+static inline int motion_value_column(uint64_t named_values, int number, bool is_shots, bool *is_named)
 {
-    const uint64_t code = named >> number * NAMED_BITS & ((1 << NAMED_BITS) - 1);
+    const uint64_t code = named_values >> number * NAMED_VALUE_BITS & ((1 << NAMED_VALUE_BITS) - 1);
 
     *is_named = code != 0;
     return (int)(is_shots ? code / NAMED_SHOT_STRIDE : code % NAMED_SHOT_STRIDE) - 1;

@@ -8,8 +8,8 @@
 static const struct column columns[] = {
     COLUMN(options, x),
     COLUMN(options, y),
-    DERIVED(options, prev_x, "written by every move before it is read"),
-    DERIVED(options, prev_y, "written by every move before it is read"),
+    DERIVED_COLUMN(options, prev_x, "written by every move before it is read"),
+    DERIVED_COLUMN(options, prev_y, "written by every move before it is read"),
     COLUMN(options, kind),
     COLUMN(options, player),
     COLUMN(options, index),
@@ -108,16 +108,16 @@ static void approach(struct options *o, uint32_t i, const struct option_ship *sh
         target[1] = b;
         o->frames_left[i] = ship->plan->move_duration;
     }
-    const int32_t left = o->frames_left[i] ? (int32_t)o->frames_left[i]-- : 1;
+    const int32_t frames_left = o->frames_left[i] ? (int32_t)o->frames_left[i]-- : 1;
     for (int k = 0; k < 2; k++)
-        offset[k] = (int32_t)((uint32_t)offset[k] + (uint32_t)(wrapping_subtract(target[k], offset[k]) / left));
+        offset[k] = (int32_t)((uint32_t)offset[k] + (uint32_t)(wrapping_subtract(target[k], offset[k]) / frames_left));
 }
 
 static void move_fixed(struct options *o, uint32_t i, const struct option_ship *ship)
 {
-    const fx *place = (ship->is_focused ? ship->level->close : ship->level->wide)[o->index[i]];
+    const fx *target = (ship->is_focused ? ship->level->focused_offset : ship->level->unfocused_offset)[o->index[i]];
 
-    approach(o, i, ship, place[0], place[1]);
+    approach(o, i, ship, target[0], target[1]);
     o->x[i] = fx_add(ship->x, o->offset[2 * i]);
     o->y[i] = fx_add(ship->y, o->offset[2 * i + 1]);
 }
@@ -127,7 +127,7 @@ static void move_orbit(struct options *o, uint32_t i, const struct option_ship *
     const ang share = (ang)(((uint64_t)o->index[i] << 32) / ship->level->n);
     fx dx, dy;
 
-    approach(o, i, ship, ship->is_focused ? ship->plan->close : ship->plan->wide, (int32_t)share);
+    approach(o, i, ship, ship->is_focused ? ship->plan->focused_offset : ship->plan->unfocused_offset, (int32_t)share);
     trig_polar(o->offset[2 * i], phase + (ang)o->offset[2 * i + 1], &dx, &dy);
     o->x[i] = fx_add(ship->x, dx);
     o->y[i] = fx_add(ship->y, dy);

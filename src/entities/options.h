@@ -23,20 +23,20 @@ enum option_style { OPTION_FIXED, OPTION_TRAIL, OPTION_ORBIT };
 struct option_level {
     int32_t min_value; /* value of the register from which this level applies */
     uint32_t n;
-    fx wide[OPTION_MAX_PER_SHIP][2],
-        close[OPTION_MAX_PER_SHIP][2]; /* OPTION_FIXED: px from the ship, unfocused and focused */
+    fx unfocused_offset[OPTION_MAX_PER_SHIP][2],
+        focused_offset[OPTION_MAX_PER_SHIP][2]; /* OPTION_FIXED: px from the ship, unfocused and focused */
 };
 
 /* The options of a kind of ship, from player.def. */
 struct option_plan {
     uint16_t kind;
     enum option_style style;
-    int32_t level_register; /* register that selects the level; -1: none, always the last level */
-    uint32_t move_duration; /* frames to reach a new position */
-    uint32_t spacing;       /* OPTION_TRAIL: frames of flight between two options */
-    fx wide, close;         /* OPTION_ORBIT: radius, unfocused and focused */
-    ang spin;               /* rotation per frame */
-    uint32_t n_levels;      /* number of levels; they are sorted by `min_value`, ascending */
+    int32_t level_register;              /* register that selects the level; -1: none, always the last level */
+    uint32_t move_duration;              /* frames to reach a new position */
+    uint32_t spacing;                    /* OPTION_TRAIL: frames of flight between two options */
+    fx unfocused_offset, focused_offset; /* OPTION_ORBIT: radius, unfocused and focused */
+    ang spin;                            /* rotation per frame */
+    uint32_t n_levels;                   /* number of levels; they are sorted by `min_value`, ascending */
     struct option_level level[];
 };
 

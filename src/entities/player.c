@@ -11,11 +11,11 @@ static const struct column kind_columns[] = {
     COLUMN(player_kinds, focus_speed),
     COLUMN(player_kinds, lives),
     COLUMN(player_kinds, safe_frames),
-    DERIVED(player_kinds, first_register, "set only while scripts load, like names"),
-    DERIVED(player_kinds, n_registers, "set while scripts load"),
-    DERIVED(player_kinds, deathbomb_frames, "set while scripts load"),
-    DERIVED(player_kinds, bomb, "set while scripts load"),
-    DERIVED(player_kinds, bomb_focus, "set while scripts load"),
+    DERIVED_COLUMN(player_kinds, first_register, "set only while scripts load, like names"),
+    DERIVED_COLUMN(player_kinds, n_registers, "set while scripts load"),
+    DERIVED_COLUMN(player_kinds, deathbomb_frames, "set while scripts load"),
+    DERIVED_COLUMN(player_kinds, bomb, "set while scripts load"),
+    DERIVED_COLUMN(player_kinds, bomb_focus, "set while scripts load"),
     GROUP_COLUMN(player_kinds, magnet_radius, GROUP_ITEMS),
     GROUP_COLUMN(player_kinds, collect_line, GROUP_ITEMS),
     GROUP_COLUMN(player_kinds, pull_speed, GROUP_ITEMS),
@@ -28,8 +28,8 @@ static const struct column columns[] = {
     COLUMN(player, kind),
     COLUMN(player, x),
     COLUMN(player, y),
-    DERIVED(player, prev_x, "written by every move before hit tests read it"),
-    DERIVED(player, prev_y, "written by every move before hit tests read it"),
+    DERIVED_COLUMN(player, prev_x, "written by every move before hit tests read it"),
+    DERIVED_COLUMN(player, prev_y, "written by every move before hit tests read it"),
     COLUMN(player, lives),
     COLUMN(player, safe_left),
     COLUMN(player, grazes),
@@ -79,7 +79,7 @@ void player_leave(struct player *p, uint32_t i)
 {
     p->in_game[i] = 0;
     p->gen[i] += p->gen[i] < RETIRED_GENERATION;
-    player_set_position(p, i, PARK, PARK);
+    player_set_position(p, i, PARK_COORDINATE, PARK_COORDINATE);
 }
 
 /* Selects the picture for the horizontal direction, if the kind has pictures and no script has chosen one. */
@@ -88,7 +88,7 @@ static void select_picture(struct player *p, const struct player_kinds *kinds, u
     uint16_t kind = p->kind[i];
     int picture = dx < 0 ? PICTURE_LEFT : dx > 0 ? PICTURE_RIGHT : 0;
 
-    if (p->flags[i] & PLAYER_POSED || kind == 0 || kinds->radius[kind - 1] != PICTURE_ROW)
+    if (p->flags[i] & PLAYER_PICTURE_LOCKED || kind == 0 || kinds->radius[kind - 1] != PICTURE_ROW_RADIUS)
         return;
     p->flags[i] = (uint8_t)((p->flags[i] & ~PLAYER_PICTURE) | picture * PLAYER_PICTURE_ONE);
 }
@@ -98,17 +98,18 @@ uint16_t player_sprite(const struct player *p, const struct player_kinds *kinds,
     return kinds->sprite[p->kind[i] - p->flags[i] / PLAYER_PICTURE_ONE];
 }
 
-static void move_one(struct player *p, const struct player_kinds *kinds, uint32_t i, uint16_t held,
+static void move_one(struct player *p, const struct player_kinds *kinds, uint32_t i, uint16_t held_buttons,
                      const struct box *area)
 {
     uint16_t kind = p->kind[i];
-    int dx = !!(held & PAD_RIGHT) - !!(held & PAD_LEFT), dy = !!(held & PAD_DOWN) - !!(held & PAD_UP);
+    int dx = !!(held_buttons & PAD_RIGHT) - !!(held_buttons & PAD_LEFT),
+        dy = !!(held_buttons & PAD_DOWN) - !!(held_buttons & PAD_UP);
 
-    p->flags[i] = (uint8_t)((p->flags[i] & ~PLAYER_FOCUS) | (held & PAD_FOCUS ? PLAYER_FOCUS : 0));
+    p->flags[i] = (uint8_t)((p->flags[i] & ~PLAYER_FOCUS) | (held_buttons & PAD_FOCUS ? PLAYER_FOCUS : 0));
     select_picture(p, kinds, i, dx);
     fx speed = p->flags[i] & PLAYER_FOCUS ? kinds->focus_speed[kind] : kinds->speed[kind];
     if (dx && dy)
-        speed = fx_mul(speed, PLAYER_DIAGONAL);
+        speed = fx_mul(speed, PLAYER_DIAGONAL_FACTOR);
     p->prev_x[i] = fx_clamp(p->x[i], area->x0, area->x1); /* clamping moves the ship without a sweep */
     p->prev_y[i] = fx_clamp(p->y[i], area->y0, area->y1);
     p->x[i] = fx_clamp(p->prev_x[i] + dx * speed, area->x0, area->x1);
@@ -122,12 +123,12 @@ void player_step_invulnerability(struct player *p)
             p->safe_left[i]--;
 }
 
-void player_move(struct player *p, const struct player_kinds *kinds, const uint16_t held[MAX_PLAYERS],
+void player_move(struct player *p, const struct player_kinds *kinds, const uint16_t held_buttons[MAX_PLAYERS],
                  const struct box *area)
 {
     for (uint32_t i = 0; i < MAX_PLAYERS; i++)
         if (p->in_game[i] && p->deathbomb_left[i])
             player_set_position(p, i, p->x[i], p->y[i]);
         else if (p->in_game[i])
-            move_one(p, kinds, i, held[i], area);
+            move_one(p, kinds, i, held_buttons[i], area);
 }

@@ -9,23 +9,24 @@
 #include "motion.h"
 #include "../base/slots.h"
 
-enum { PLAYER_DIAGONAL = 46341 }; /* 1/sqrt(2) in Q15.16, so that ships fly equally fast in every direction */
+enum { PLAYER_DIAGONAL_FACTOR = 46341 }; /* 1/sqrt(2) in Q15.16, so that ships fly equally fast in every direction */
 
 enum {
     PLAYER_IN_GAME = 1 << 0, /* in the game */
     PLAYER_NO_FIRE = 1 << 1, /* the game ignores fire, bomb and special */
     PLAYER_NO_MOVE = 1 << 2, /* the game ignores movement and focus */
 
-    PLAYER_MAX_REGISTERS = 16, /* maximum number of registers of a kind, and of the run */
-    PLAYER_RUN_REGISTER = 128, /* in column `full_register`: offset for registers of the run */
+    PLAYER_MAX_REGISTERS = 16,        /* maximum number of registers of a kind, and of the run */
+    PLAYER_RUN_REGISTER_OFFSET = 128, /* in column `full_register`: offset for registers of the run */
     MAX_LIVES = 99,
-    PICTURE_ROW = -1, /* `radius` of a row that is not a kind but holds a picture of the kind declared after it */
+    PICTURE_ROW_RADIUS =
+        -1, /* `radius` of a row that is not a kind but holds a picture of the kind declared after it */
 
     PLAYER_FOCUS = 1 << 0, /* moving slowly */
     PLAYER_FLIP = 1 << 1,  /* drawn mirrored left to right */
     PLAYER_HIDDEN = 1 << 2,
-    PLAYER_POSED = 1 << 3,    /* a script has chosen the picture; otherwise the movement does */
-    PLAYER_PICTURE = 15 << 4, /* picture number in units of PLAYER_PICTURE_ONE, like ENEMY_PICTURE */
+    PLAYER_PICTURE_LOCKED = 1 << 3, /* a script has chosen the picture; otherwise the movement does */
+    PLAYER_PICTURE = 15 << 4,       /* picture number in units of PLAYER_PICTURE_ONE, like ENEMY_PICTURE */
     PLAYER_PICTURE_ONE = 1 << 4,
     PLAYER_MAX_PICTURES = 15,
     PICTURE_LEFT = 1, /* every kind that has pictures has these two */
@@ -36,7 +37,7 @@ enum {
 struct player_kinds {
     struct slots s;
     uint16_t *sprite;
-    fx *radius;       /* hit circle, px; or PICTURE_ROW */
+    fx *radius;       /* hit circle, px; or PICTURE_ROW_RADIUS */
     fx *graze_radius; /* graze circle, px */
     fx *speed, *focus_speed;
     int32_t *lives;
@@ -49,7 +50,7 @@ struct player_kinds {
                                  * game has no items */
     fx *collect_line;           /* y in px at or above which all items are attracted; FX_MIN: none */
     fx *pull_speed;             /* px/frame at which attracted items fly */
-    uint8_t *full_register;     /* register + 1, or PLAYER_RUN_REGISTER + a register of the run: at its maximum, all
+    uint8_t *full_register; /* register + 1, or PLAYER_RUN_REGISTER_OFFSET + a register of the run: at its maximum, all
                                  * items are attracted */
 };
 

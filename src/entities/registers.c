@@ -8,7 +8,7 @@
 static const struct column columns[] = {
     DERIVED_COLUMNS(registers, rule, RULE_FIELDS, "set only while scripts load, like names"),
     COLUMNS(registers, value, MAX_PLAYERS),
-    COLUMNS(registers, wait, MAX_PLAYERS),
+    COLUMNS(registers, drain_wait, MAX_PLAYERS),
     DERIVED_REGISTER(registers, first_run_row, "set while scripts load"),
     DERIVED_REGISTER(registers, n_run_rows, "set while scripts load"),
     DERIVED_REGISTER(registers, n_draining, "set while scripts load"),
@@ -46,13 +46,14 @@ struct register_rule registers_rule(const struct registers *r, uint32_t row)
 /* Returns whether the change from `old_value` to `new_value` goes against the drain. */
 static bool opposes_drain(int32_t drain, int32_t old_value, int32_t new_value)
 {
-    return drain < 0 && drain != DRAIN_FOREVER ? new_value < old_value : new_value > old_value;
+    return drain < 0 && drain != DRAIN_TO_START ? new_value < old_value : new_value > old_value;
 }
 
 void registers_set(struct registers *r, uint32_t row, uint32_t p, int64_t v)
 {
     const int32_t *rule = r->rule + row * RULE_FIELDS;
-    int32_t *value = &r->value[row * MAX_PLAYERS + p], *wait = &r->wait[row * MAX_PLAYERS + p], old_value = *value;
+    int32_t *value = &r->value[row * MAX_PLAYERS + p], *wait = &r->drain_wait[row * MAX_PLAYERS + p],
+            old_value = *value;
 
     *value = (int32_t)int64_clamp(v, rule[RULE_MIN], rule[RULE_MAX]);
     if (rule[RULE_DRAIN] && opposes_drain(rule[RULE_DRAIN], old_value, *value) && *wait < rule[RULE_HOLD])
@@ -71,7 +72,7 @@ void registers_reset(struct registers *r, uint32_t first, uint32_t n, uint32_t p
     for (uint32_t row = first; row < first + n; row++) {
         const int32_t *rule = r->rule + row * RULE_FIELDS;
         r->value[row * MAX_PLAYERS + p] = rule[RULE_START];
-        r->wait[row * MAX_PLAYERS + p] = rule[RULE_DRAIN] ? rule[RULE_INTERVAL] : 0;
+        r->drain_wait[row * MAX_PLAYERS + p] = rule[RULE_DRAIN] ? rule[RULE_INTERVAL] : 0;
     }
 }
 
@@ -79,11 +80,11 @@ void registers_drain(struct registers *r, uint32_t first, uint32_t n, uint32_t p
 {
     for (uint32_t row = first; row < first + n; row++) {
         const int32_t *rule = r->rule + row * RULE_FIELDS;
-        int32_t *value = &r->value[row * MAX_PLAYERS + p], *wait = &r->wait[row * MAX_PLAYERS + p];
+        int32_t *value = &r->value[row * MAX_PLAYERS + p], *wait = &r->drain_wait[row * MAX_PLAYERS + p];
         if (!rule[RULE_DRAIN] || --*wait > 0)
             continue;
         *wait = rule[RULE_INTERVAL];
-        *value = rule[RULE_DRAIN] == DRAIN_FOREVER
+        *value = rule[RULE_DRAIN] == DRAIN_TO_START
                      ? rule[RULE_START]
                      : (int32_t)int64_clamp((int64_t)*value - rule[RULE_DRAIN], rule[RULE_MIN], rule[RULE_MAX]);
     }

@@ -13,16 +13,16 @@
 #include "../base/slots.h"
 
 enum {
-    DRAIN_FOREVER = INT32_MIN,   /* value of `drain`: the register returns to its start value at once */
-    REGISTER_NO_MAX = INT32_MAX, /* value of `max_value`: no maximum */
-    DEFAULT_REGISTERS = 64,      /* number of rows, unless rom.lua sets it */
+    DRAIN_TO_START = INT32_MIN,     /* value of `drain`: the register returns to its start value at once */
+    REGISTER_NO_MAX = INT32_MAX,    /* value of `max_value`: no maximum */
+    DEFAULT_REGISTER_CAPACITY = 64, /* number of rows, unless rom.lua sets it */
     MAX_REGISTERS = 1024
 };
 
 /* Declared by a script. */
 struct register_rule {
     int32_t start, min_value, max_value;
-    int32_t drain; /* amount subtracted every `interval` frames (negative: added), or DRAIN_FOREVER */
+    int32_t drain; /* amount subtracted every `interval` frames (negative: added), or DRAIN_TO_START */
     int32_t interval;
     int32_t hold; /* frames without draining after a change in the opposite direction */
 };
@@ -33,7 +33,7 @@ struct registers {
     struct slots s;
     int32_t *rule;                      /* RULE_FIELDS per row */
     int32_t *value;                     /* MAX_PLAYERS per row */
-    int32_t *wait;                      /* MAX_PLAYERS per row: frames until the register drains again */
+    int32_t *drain_wait;                /* MAX_PLAYERS per row: frames until the register drains again */
     uint32_t first_run_row, n_run_rows; /* the run's rows */
     uint32_t n_draining;                /* number of rows whose rule has a drain */
 };

@@ -6,7 +6,7 @@
 #include "../base/trig.h"
 
 static const struct column kind_columns[] = {
-    COLUMN(spark_kinds, sprite), COLUMN(spark_kinds, life), COLUMN(spark_kinds, gravity),
+    COLUMN(spark_kinds, sprite), COLUMN(spark_kinds, lifetime), COLUMN(spark_kinds, gravity),
     COLUMN(spark_kinds, drag),   COLUMN(spark_kinds, bank),
 };
 
@@ -18,7 +18,8 @@ static const struct column columns[] = {
 const struct chip sparks_chip = { .name = "sparks", CHIP_COLUMNS(columns), .unhashed = true };
 const struct chip spark_kinds_chip = { .name = "spark_kinds", CHIP_COLUMNS(kind_columns), .is_list = true };
 
-/* Sets the start position of spark k of a burst, in slot i, and sets *outwards to the angle to add to its direction. */
+/* Sets the start position of spark k of a burst, in slot i, and sets *outward_angle to the angle to add to its
+ * direction. */
 static void place_spark(struct sparks *s, uint32_t i, const struct spark_burst *burst, uint32_t k, ang *outward_angle)
 {
     fx x = 0, y = 0;
@@ -39,11 +40,11 @@ uint8_t sparks_bank(const struct spark_kinds *kinds, uint16_t kind, uint16_t age
 {
     uint32_t n = 1;
 
-    if (kind + n == kinds->s.live || kinds->life[kind + n]) /* most kinds have one bank */
+    if (kind + n == kinds->s.live || kinds->lifetime[kind + n]) /* most kinds have one bank */
         return kinds->bank[kind];
-    while (kind + n < kinds->s.live && kinds->life[kind + n] == 0)
+    while (kind + n < kinds->s.live && kinds->lifetime[kind + n] == 0)
         n++;
-    uint32_t at = age * n / kinds->life[kind];
+    uint32_t at = age * n / kinds->lifetime[kind];
     return kinds->bank[kind + (at < n ? at : n - 1)];
 }
 
@@ -56,13 +57,13 @@ void sparks_burst(struct sparks *s, const struct spark_burst *burst)
         int32_t i = slots_take(&s->s);
         if (i == NO_SLOT)
             break;
-        ang off = (ang)rng_below(&r, (uint64_t)burst->spread + 1) - burst->spread / 2;
+        ang deviation = (ang)rng_below(&r, (uint64_t)burst->spread + 1) - burst->spread / 2;
         fx speed = burst->speed / 2 + fx_mul(burst->speed / 2, (fx)rng_below(&r, FX_ONE + 1));
-        ang outwards;
-        place_spark(s, (uint32_t)i, burst, k, &outwards);
+        ang outward_angle;
+        place_spark(s, (uint32_t)i, burst, k, &outward_angle);
         s->kind[i] = burst->kind;
         s->age[i] = 0;
-        trig_polar(speed, burst->dir + off + outwards, &s->vx[i], &s->vy[i]);
+        trig_polar(speed, burst->dir + deviation + outward_angle, &s->vx[i], &s->vy[i]);
     }
     memcpy(s->stream, r.s, sizeof r.s);
 }
@@ -78,7 +79,7 @@ void sparks_move(struct sparks *s, const struct spark_kinds *kinds, const struct
         s->vy[i] = fx_add(s->vy[i], kinds->gravity[kind]);
         s->x[i] = fx_add(s->x[i], s->vx[i]);
         s->y[i] = fx_add(s->y[i], s->vy[i]);
-        if (++s->age[i] >= kinds->life[kind] || s->x[i] < keep_box->x0 || s->x[i] > keep_box->x1 ||
+        if (++s->age[i] >= kinds->lifetime[kind] || s->x[i] < keep_box->x0 || s->x[i] > keep_box->x1 ||
             s->y[i] < keep_box->y0 || s->y[i] > keep_box->y1)
             slots_drop(&s->s, i);
     }

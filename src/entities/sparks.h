@@ -14,8 +14,8 @@ enum {
     SPARK_BANK = 15,      /* in a kind's `bank`: the palette banks to add */
     SPARK_BLEND = 3 << 4, /* blend mode in units of SPARK_BLEND_ONE: 0 opaque, otherwise blend + 1 */
     SPARK_BLEND_ONE = 1 << 4,
-    SPARK_UNDER = 1 << 6, /* drawn under players and bullets */
-    SPARK_MAX_BANKS = 8   /* maximum banks of a kind over a spark's lifetime; the second and later ones are in the rows
+    SPARK_UNDER_PLAYERS = 1 << 6, /* drawn under players and bullets */
+    SPARK_MAX_BANKS = 8 /* maximum banks of a kind over a spark's lifetime; the second and later ones are in the rows
                            * after the kind's, which have life 0 */
 };
 
@@ -23,10 +23,10 @@ enum {
 struct spark_kinds {
     struct slots s;
     uint16_t *sprite;
-    uint16_t *life; /* frames */
-    fx *gravity;    /* downward acceleration, px/frame^2 */
-    fx *drag;       /* share of the velocity lost each frame, 0 to 1 */
-    uint8_t *bank;  /* bank and blend: SPARK_ bits */
+    uint16_t *lifetime; /* frames */
+    fx *gravity;        /* downward acceleration, px/frame^2 */
+    fx *drag;           /* share of the velocity lost each frame, 0 to 1 */
+    uint8_t *bank;      /* bank and blend: SPARK_ bits */
 };
 
 struct sparks {

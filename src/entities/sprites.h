@@ -12,9 +12,9 @@ enum {
     LAYER_MIDDLE, /* above enemies and shots, below players and bullets */
     LAYER_FRONT,  /* above everything except text */
     LAYER_OVER,   /* above the dimmed picture and its plates, below text */
-    LAYERS,
-    LAYER_PLATE = LAYERS, /* a plate, which has no picture: below LAYER_OVER */
-    LAYER_PLATE_FRONT,    /* above LAYER_OVER */
+    SPRITE_LAYER_COUNT,
+    LAYER_PLATE = SPRITE_LAYER_COUNT, /* a plate, which has no picture: below LAYER_OVER */
+    LAYER_PLATE_FRONT,                /* above LAYER_OVER */
 
     SPRITE_FLIP_X = 1 << 0, /* same value as BLIT_FLIP_X */
     SPRITE_FLIP_Y = 1 << 1,

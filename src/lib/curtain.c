@@ -32,7 +32,7 @@ static void *allocate(struct arena *p, size_t size)
 
 static uint32_t snapshot_count(const struct curtain_config *config)
 {
-    return config->snapshots == 0 ? LIB_SNAPSHOTS : config->snapshots;
+    return config->snapshots == 0 ? LIB_DEFAULT_SNAPSHOTS : config->snapshots;
 }
 
 /* Lays out all memory after *c. ram_size: size of the board's RAM in bytes. */
@@ -40,7 +40,7 @@ static void lay_out(struct curtain *c, struct arena *p, const struct curtain_con
 {
     const struct manifest *m = &c->cart.manifest;
     const size_t nvram = (size_t)m->nvram_kib << 10,
-                 log_size = config->state_room ? config->state_room : LIB_STATE_BYTES;
+                 log_size = config->state_room ? config->state_room : LIB_DEFAULT_STATE_BYTES;
 
     c->n_snapshots = snapshot_count(config);
     c->n_key_snapshots = c->n_snapshots / 4;
@@ -56,10 +56,10 @@ static void lay_out(struct curtain *c, struct arena *p, const struct curtain_con
     }
     c->run_start = (struct lib_start){ .nvram = allocate(p, nvram), .nvram_cap = nvram };
     c->state_start = (struct lib_start){ .nvram = allocate(p, nvram), .nvram_cap = nvram };
-    c->log = (struct pads_log){ .bytes = allocate(p, log_size), .cap = log_size };
-    c->state_log = (struct pads_log){ .bytes = allocate(p, log_size), .cap = log_size };
-    c->scratch = allocate(p, board_scratch_size_for(&c->cart));
-    c->sound_tables = m->sound ? allocate(p, board_sound_tables_size()) : NULL;
+    c->run_pads = (struct pads_log){ .bytes = allocate(p, log_size), .cap = log_size };
+    c->state_pads = (struct pads_log){ .bytes = allocate(p, log_size), .cap = log_size };
+    c->scratch = allocate(p, board_cart_scratch_size(&c->cart));
+    c->sound_tables = m->has_sound ? allocate(p, board_sound_tables_size()) : NULL;
     uint8_t *pixels = allocate(p, fb_size(m->screen_w, m->screen_h));
     if (p->base)
         fb_init(&c->fb, pixels, m->screen_w, m->screen_h);
@@ -74,7 +74,7 @@ static size_t plain_size(const struct curtain_config *config, size_t *unpack_siz
         err_set(err, err_size, "rom: expected a ROM, got NULL");
         return 0;
     }
-    if (!compressed_detect(config->rom, config->rom_size))
+    if (!compressed_has_magic(config->rom, config->rom_size))
         return config->rom_size;
     return *unpack_size = compressed_plain_size(config->rom, config->rom_size, err, err_size);
 }
@@ -99,8 +99,8 @@ size_t curtain_plain(const void *rom, size_t rom_size, void *out, size_t out_siz
 
 /* Opens the plain ROM into c->rom and c->cart, and computes *total, the total memory in bytes, including `unpack_size`
  * bytes to unpack the ROM into. */
-static bool measure(struct curtain *c, const struct curtain_config *config, const void *rom, size_t size,
-                    size_t unpack_size, size_t *ram_size, size_t *total, char *err, size_t err_size)
+static bool open_and_measure(struct curtain *c, const struct curtain_config *config, const void *rom, size_t size,
+                             size_t unpack_size, size_t *ram_size, size_t *total, char *err, size_t err_size)
 {
     if (config->snapshots > LIB_MAX_SNAPSHOTS)
         return err_set(err, err_size, "snapshots: expected at most %d, got %lu", LIB_MAX_SNAPSHOTS,
@@ -132,7 +132,8 @@ size_t curtain_memory(const struct curtain_config *config, char *err, size_t err
     if (unpack_size > 0 && !plain)
         err_set(err, err_size, "out of memory (%zu bytes for the plain ROM)", unpack_size);
     else if (size > 0 && (!plain || compressed_unpack(config->rom, config->rom_size, plain, err, err_size)) &&
-             !measure(&c, config, plain ? plain : config->rom, size, unpack_size, &ram_size, &total, err, err_size))
+             !open_and_measure(&c, config, plain ? plain : config->rom, size, unpack_size, &ram_size, &total, err,
+                               err_size))
         total = 0;
     free(plain);
     return total;
@@ -176,7 +177,7 @@ struct curtain *curtain_open(const struct curtain_config *config, void *memory, 
         rom = plain;
     }
     memset(c, 0, sizeof *c);
-    if (!measure(c, config, rom, rom_size, unpack_size, &ram_size, &need, err, err_size))
+    if (!open_and_measure(c, config, rom, rom_size, unpack_size, &ram_size, &need, err, err_size))
         return NULL;
     if (size < need)
         return refuse_memory(config, memory, size, err, err_size);
@@ -191,7 +192,7 @@ struct curtain *curtain_open(const struct curtain_config *config, void *memory, 
         return NULL;
     }
     board_nvram(c->board, &(size_t){ 0 }, &c->nvram_writes);
-    pads_log_begin(&c->log, c->run_start.hash);
+    pads_log_begin(&c->run_pads, c->run_start.hash);
     if (c->sound_tables)
         board_sound_init_tables(c->sound_tables);
     return c;
@@ -223,7 +224,7 @@ static unsigned collect_events(struct curtain *c)
     events |= out->menu_shown ? CURTAIN_MENU : 0;
     events |= out->request == REQUEST_QUIT ? CURTAIN_QUIT : 0;
     events |= out->request == REQUEST_ATTRACT ? CURTAIN_ATTRACT : 0;
-    events |= c->demo.frames > 0 && c->log.frames >= c->demo.frames ? CURTAIN_ENDED : 0;
+    events |= c->demo.frames > 0 && c->run_pads.frames >= c->demo.frames ? CURTAIN_ENDED : 0;
     return events | (out->request == REQUEST_HOST_SCREEN ? CURTAIN_ASK : 0);
 }
 
@@ -234,12 +235,12 @@ unsigned curtain_frame(struct curtain *c, const uint16_t pads[CURTAIN_PADS])
     if (board_last_output(c->board)->fault)
         return CURTAIN_FAULT;
     if (!pads)
-        demo_pads(&c->demo, c->log.frames, held);
+        demo_pads(&c->demo, c->run_pads.frames, held);
     for (int i = 0; i < MAX_PLAYERS; i++)
         held[i] = (pads ? pads : held)[i] & PAD_ALL;
     lib_take_key_snapshot(c);
     board_tick(c->board, held);
-    pads_log_add(&c->log, held);
+    pads_log_add(&c->run_pads, held);
     c->drawn = c->mixed = false;
     return collect_events(c);
 }

@@ -12,10 +12,10 @@
 
 enum {
     LIB_ALIGN = 64,
-    LIB_STATE_BYTES = 128 << 10, /* defaults for config.state_room and config.snapshots */
-    LIB_SNAPSHOTS = 16,
+    LIB_DEFAULT_STATE_BYTES = 128 << 10, /* defaults for config.state_room and config.snapshots */
+    LIB_DEFAULT_SNAPSHOTS = 16,
     LIB_MAX_SNAPSHOTS = 4096,
-    LIB_KEY_INTERVAL = 600 /* frames between key snapshots, which are taken during play */
+    LIB_KEY_SNAPSHOT_INTERVAL = 600 /* frames between key snapshots, which are taken during play */
 };
 
 /* A saved frame: the board after `frame` ticks, and the digest of the pads log at that frame. */
@@ -48,10 +48,10 @@ struct curtain {
     bool mixed;         /* lr holds this frame's sound */
     size_t frames_read; /* stereo frames of lr the host has read */
     int16_t lr[2 * BOARD_SOUND_FRAMES];
-    uint32_t nvram_writes;          /* number of writes to nvram when last checked */
-    bool nvram_changed;             /* loading a state has changed nvram, which the next frame reports */
-    struct demo demo;               /* the demo that is playing; frames 0: none */
-    struct pads_log log, state_log; /* log of this run; buffer for the log of a state that is being loaded */
+    uint32_t nvram_writes;                /* number of writes to nvram when last checked */
+    bool nvram_changed;                   /* loading a state has changed nvram, which the next frame reports */
+    struct demo demo;                     /* the demo that is playing; frames 0: none */
+    struct pads_log run_pads, state_pads; /* log of this run; buffer for the log of a state that is being loaded */
     struct lib_snapshot
         *snapshot; /* n_snapshots of them: first n_key_snapshots key snapshots, then snapshots of saved states */
     uint32_t n_snapshots, n_key_snapshots;
@@ -69,10 +69,10 @@ struct curtain {
 bool lib_start_init(struct lib_start *out, const struct cart *cart, const struct curtain_config *config,
                     const struct demo *demo, char *err, size_t err_size);
 
-/* The start in serialized form. lib_start_max_size returns its maximum size in bytes, lib_start_write the size written.
- * lib_start_read returns false when the bytes are not a valid start. */
+/* The start in serialized form. lib_start_max_size returns its maximum size in bytes, lib_start_serialize the size
+ * written. lib_start_read returns false when the bytes are not a valid start. */
 size_t lib_start_max_size(const struct lib_start *s);
-size_t lib_start_write(const struct lib_start *s, uint8_t *out);
+size_t lib_start_serialize(const struct lib_start *s, uint8_t *out);
 bool lib_start_read(struct lib_start *out, const uint8_t *bytes, size_t size);
 
 /* ---- curtain.c ---- */
@@ -82,7 +82,7 @@ bool lib_power_on(struct curtain *c, char *err, size_t err_size);
 
 /* ---- states.c ---- */
 
-/* Takes a key snapshot of the current frame if one is due (every LIB_KEY_INTERVAL frames). */
+/* Takes a key snapshot of the current frame if one is due (every LIB_KEY_SNAPSHOT_INTERVAL frames). */
 void lib_take_key_snapshot(struct curtain *c);
 
 #endif

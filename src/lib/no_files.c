@@ -25,7 +25,7 @@ const char *files_display_name(const char *name, char path[FILES_PATH_SIZE])
     return name;
 }
 
-long plat_size(const char *name)
+long plat_file_size(const char *name)
 {
     (void)name;
     return -1;

@@ -36,7 +36,7 @@ void pads_log_add(struct pads_log *log, const uint16_t pads[MAX_PLAYERS])
     log->run_frames++;
     log->frames++;
     log->incomplete = log->incomplete || log->frames > PADS_LOG_MAX_FRAMES;
-    log->digest = pads_log_fold(log->digest, pads);
+    log->digest = pads_log_update_digest(log->digest, pads);
 }
 
 size_t pads_log_write(const struct pads_log *log, uint8_t *out)

@@ -34,7 +34,7 @@ void pads_log_begin(struct pads_log *log, uint64_t start_hash);
 
 void pads_log_add(struct pads_log *log, const uint16_t pads[MAX_PLAYERS]);
 
-static inline uint64_t pads_log_fold(uint64_t digest, const uint16_t pads[MAX_PLAYERS])
+static inline uint64_t pads_log_update_digest(uint64_t digest, const uint16_t pads[MAX_PLAYERS])
 {
     return hash_fold(digest, (uint64_t)pads[0] << 16 | pads[1]);
 }

@@ -9,7 +9,7 @@
  * the last frame. */
 static bool record_replay(struct curtain *c, struct demo_writer *w, char *err, size_t err_size)
 {
-    struct pads_reader pads = pads_log_reader(&c->log);
+    struct pads_reader pads = pads_log_reader(&c->run_pads);
     bool good = demo_begin(w, NULL, &c->cart, c->board, &c->run_start.start, 0);
 
     while (good && pads_reader_next(&pads))
@@ -28,7 +28,7 @@ void *curtain_demo(struct curtain *c, size_t *size, char *err, size_t err_size)
     struct demo_writer *w = calloc(1, sizeof *w);
     uint8_t *bytes = NULL;
 
-    if (c->log.incomplete) {
+    if (c->run_pads.incomplete) {
         free(w);
         err_set(err, err_size, "too many input changes to record; raise state_room");
         return NULL;

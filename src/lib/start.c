@@ -121,7 +121,7 @@ static bool copy_nvram(struct lib_start *out, const void *nvram, size_t size, ch
 static void set_hash(struct lib_start *s)
 {
     uint8_t encoded[1024];
-    size_t n = lib_start_write(&(struct lib_start){ .start = s->start, .nvram_cap = 0 }, encoded);
+    size_t n = lib_start_serialize(&(struct lib_start){ .start = s->start, .nvram_cap = 0 }, encoded);
 
     s->hash = hash_bytes(hash_bytes(HASH_START, encoded, n), s->nvram, s->start.nvram_size);
 }
@@ -175,7 +175,7 @@ enum {
     LANG_SIZE = sizeof((struct board_start *)0)->lang,
     SECTION_SIZE = sizeof((struct practice *)0)->section,
     NAME_SIZE = sizeof((struct practice *)0)->reg[0].name,
-    HEAD_SIZE = 8 + 4 + 4 * N_DIPS + LANG_SIZE + SECTION_SIZE + 4 + 1 + 1 + (NAME_SIZE + 4) * PRACTICE_REGISTERS + 4
+    HEAD_SIZE = 8 + 4 + 4 * N_DIPS + LANG_SIZE + SECTION_SIZE + 4 + 1 + 1 + (NAME_SIZE + 4) * PRACTICE_MAX_REGISTERS + 4
 };
 
 static void put_text(uint8_t *at, const char *text, size_t size)
@@ -199,7 +199,7 @@ size_t lib_start_max_size(const struct lib_start *s)
     return HEAD_SIZE + s->nvram_cap;
 }
 
-size_t lib_start_write(const struct lib_start *s, uint8_t *out)
+size_t lib_start_serialize(const struct lib_start *s, uint8_t *out)
 {
     const struct board_start *start = &s->start;
     const struct practice *p = &start->practice;
@@ -218,7 +218,7 @@ size_t lib_start_write(const struct lib_start *s, uint8_t *out)
     at[4] = p->invincible;
     at[5] = (uint8_t)p->register_count;
     at += 6;
-    for (int i = 0; i < PRACTICE_REGISTERS; i++, at += NAME_SIZE + 4) {
+    for (int i = 0; i < PRACTICE_MAX_REGISTERS; i++, at += NAME_SIZE + 4) {
         put_text(at, p->reg[i].name, NAME_SIZE);
         bytes_put32(at + NAME_SIZE, (uint32_t)p->reg[i].value);
     }
@@ -230,14 +230,14 @@ size_t lib_start_write(const struct lib_start *s, uint8_t *out)
 
 static bool read_practice(struct practice *p, const uint8_t *at)
 {
-    bool good = at[SECTION_SIZE + 4] <= 1 && at[SECTION_SIZE + 5] <= PRACTICE_REGISTERS &&
+    bool good = at[SECTION_SIZE + 4] <= 1 && at[SECTION_SIZE + 5] <= PRACTICE_MAX_REGISTERS &&
                 get_text(p->section, at, SECTION_SIZE);
 
     p->lives = (int32_t)bytes_get32(at + SECTION_SIZE);
     p->invincible = at[SECTION_SIZE + 4] == 1;
     p->register_count = at[SECTION_SIZE + 5];
     at += SECTION_SIZE + 6;
-    for (int i = 0; good && i < PRACTICE_REGISTERS; i++, at += NAME_SIZE + 4) {
+    for (int i = 0; good && i < PRACTICE_MAX_REGISTERS; i++, at += NAME_SIZE + 4) {
         good = get_text(p->reg[i].name, at, NAME_SIZE);
         p->reg[i].value = (int32_t)bytes_get32(at + NAME_SIZE);
     }

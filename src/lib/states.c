@@ -60,7 +60,7 @@ static struct lib_snapshot *find_expendable_key(struct curtain *c, uint32_t curr
             before = frame < s->frame && frame > before ? frame : before;
             after = frame > s->frame && frame < after ? frame : after;
         }
-        const uint64_t gap = after - before, age = (uint64_t)(current_frame - s->frame) + LIB_KEY_INTERVAL;
+        const uint64_t gap = after - before, age = (uint64_t)(current_frame - s->frame) + LIB_KEY_SNAPSHOT_INTERVAL;
         if (!best || gap * best_age < best_gap * age) {
             best = s;
             best_gap = gap;
@@ -73,16 +73,16 @@ static struct lib_snapshot *find_expendable_key(struct curtain *c, uint32_t curr
 static void take_snapshot(struct curtain *c, struct lib_snapshot *s)
 {
     board_save(c->board, s->data);
-    s->frame = c->log.frames;
-    s->digest = c->log.digest;
+    s->frame = c->run_pads.frames;
+    s->digest = c->run_pads.digest;
     s->last_used = ++c->use_clock;
 }
 
 void lib_take_key_snapshot(struct curtain *c)
 {
-    if (c->n_key_snapshots > 0 && c->log.frames > 0 && c->log.frames % LIB_KEY_INTERVAL == 0 && !c->log.incomplete &&
-        !find_snapshot(c, c->log.frames, c->log.digest))
-        take_snapshot(c, find_expendable_key(c, c->log.frames));
+    if (c->n_key_snapshots > 0 && c->run_pads.frames > 0 && c->run_pads.frames % LIB_KEY_SNAPSHOT_INTERVAL == 0 &&
+        !c->run_pads.incomplete && !find_snapshot(c, c->run_pads.frames, c->run_pads.digest))
+        take_snapshot(c, find_expendable_key(c, c->run_pads.frames));
 }
 
 /* ---- seeking ---- */
@@ -109,7 +109,7 @@ static struct replay_start find_replay_start(struct curtain *c, struct pads_read
     start.is_current = current && current->frames == 0 && current->digest == digest;
     while (pads_reader_next(&pads))
         for (uint32_t i = 0; i < pads.frames; i++) {
-            digest = pads_log_fold(digest, pads.pads);
+            digest = pads_log_update_digest(digest, pads.pads);
             frame++;
             const bool is_current = current && current->frames == frame && current->digest == digest;
             struct lib_snapshot *s = is_current ? NULL : find_snapshot(c, frame, digest);
@@ -141,18 +141,18 @@ static bool seek_to_start(struct curtain *c, const struct replay_start *start, c
 static bool replay(struct curtain *c, struct pads_reader pads, const struct replay_start *start, char *err,
                    size_t err_size)
 {
-    pads_log_begin(&c->log, c->run_start.hash);
+    pads_log_begin(&c->run_pads, c->run_start.hash);
     if (!seek_to_start(c, start, err, err_size))
         return false;
     while (pads_reader_next(&pads))
         for (uint32_t i = 0; i < pads.frames; i++) {
-            if (c->log.frames >= start->frame) {
+            if (c->run_pads.frames >= start->frame) {
                 if (board_last_output(c->board)->fault)
                     return err_set(err, err_size, "invalid state: it has input after a fault in the game");
                 lib_take_key_snapshot(c);
                 board_tick(c->board, pads.pads);
             }
-            pads_log_add(&c->log, pads.pads);
+            pads_log_add(&c->run_pads, pads.pads);
         }
     return true;
 }
@@ -161,29 +161,29 @@ static bool replay(struct curtain *c, struct pads_reader pads, const struct repl
 
 size_t curtain_state_size(const struct curtain *c)
 {
-    return HEADER_SIZE + lib_start_max_size(&c->run_start) + c->log.cap + PADS_LOG_RUN_BYTES;
+    return HEADER_SIZE + lib_start_max_size(&c->run_start) + c->run_pads.cap + PADS_LOG_RUN_BYTES;
 }
 
 size_t curtain_save(struct curtain *c, void *state, size_t size, char *err, size_t err_size)
 {
     uint8_t *out = state;
 
-    if (c->log.incomplete) {
+    if (c->run_pads.incomplete) {
         err_set(err, err_size, "too many input changes for a state of %zu bytes; raise state_room",
                 curtain_state_size(c));
         return 0;
     }
-    if (size < HEADER_SIZE + lib_start_max_size(&c->run_start) + c->log.used + PADS_LOG_RUN_BYTES) {
+    if (size < HEADER_SIZE + lib_start_max_size(&c->run_start) + c->run_pads.used + PADS_LOG_RUN_BYTES) {
         err_set(err, err_size, "buffer for the state: expected %zu bytes, got %zu", curtain_state_size(c), size);
         return 0;
     }
-    const size_t start = lib_start_write(&c->run_start, out + HEADER_SIZE),
-                 pads = pads_log_write(&c->log, out + HEADER_SIZE + start);
+    const size_t start = lib_start_serialize(&c->run_start, out + HEADER_SIZE),
+                 pads = pads_log_write(&c->run_pads, out + HEADER_SIZE + start);
     memcpy(out, magic, sizeof magic);
     bytes_put32(out + 8, STATE_FORMAT);
     bytes_put32(out + 12, CORE_VERSION);
     bytes_put64(out + 16, c->game_hash);
-    bytes_put32(out + 24, c->log.frames);
+    bytes_put32(out + 24, c->run_pads.frames);
     bytes_put32(out + 28, (uint32_t)start);
     bytes_put32(out + 32, (uint32_t)pads);
     bytes_put32(out + 36, 0);
@@ -191,7 +191,7 @@ size_t curtain_save(struct curtain *c, void *state, size_t size, char *err, size
     bytes_put32(out + 48, hash_crc32(out + HEADER_SIZE, start + pads));
     bytes_put32(out + 52, hash_crc32(out, 52));
     if (c->n_snapshots > c->n_key_snapshots && !board_last_output(c->board)->fault &&
-        !find_snapshot(c, c->log.frames, c->log.digest))
+        !find_snapshot(c, c->run_pads.frames, c->run_pads.digest))
         take_snapshot(c, find_least_recent(c, c->n_key_snapshots, c->n_snapshots));
     return HEADER_SIZE + start + pads;
 }
@@ -226,7 +226,7 @@ static bool read_state(struct curtain *c, const uint8_t *in, size_t size, struct
         frames += scan.frames;
     if (scan.at != scan.end || frames != bytes_get32(in + 24) || frames > PADS_LOG_MAX_FRAMES)
         return err_set(err, err_size, "invalid state: bad input data");
-    return length <= c->log.cap ? true : err_set(err, err_size, "the state's run is too long; raise state_room");
+    return length <= c->run_pads.cap ? true : err_set(err, err_size, "the state's run is too long; raise state_room");
 }
 
 /* Returns a hash of nvram, and sets *writes to the number of writes to nvram. If the hash differs after a load, the
@@ -249,10 +249,10 @@ static void swap_starts(struct curtain *c)
 
 static void swap_logs(struct curtain *c)
 {
-    struct pads_log log = c->log;
+    struct pads_log log = c->run_pads;
 
-    c->log = c->state_log;
-    c->state_log = log;
+    c->run_pads = c->state_pads;
+    c->state_pads = log;
 }
 
 bool curtain_load(struct curtain *c, const void *state, size_t size, char *err, size_t err_size)
@@ -266,7 +266,7 @@ bool curtain_load(struct curtain *c, const void *state, size_t size, char *err, 
     board_output_save(c->board, c->backup_output);
     const uint64_t old_hash = hash_nvram(c, &c->nvram_writes);
     const struct replay_start start =
-        find_replay_start(c, pads, c->state_start.hash, board_last_output(c->board)->fault ? NULL : &c->log);
+        find_replay_start(c, pads, c->state_start.hash, board_last_output(c->board)->fault ? NULL : &c->run_pads);
     swap_starts(c);
     swap_logs(c);
     if (replay(c, pads, &start, err, err_size) &&

@@ -31,17 +31,17 @@ struct board_fault {
 /* A practice start: @std/boot plays one section of the game repeatedly. All zero: the game starts at its title.
  * If the section is PRACTICE_LIST, nothing is played: starting at the first tick, the board lists every section as
  * markers, followed by MARKER_LISTED. The other fields need a section. */
-enum { PRACTICE_REGISTERS = 16, PRACTICE_LIVES = 99 };
+enum { PRACTICE_MAX_REGISTERS = 16, PRACTICE_MAX_LIVES = 99 };
 #define PRACTICE_LIST "?"
 struct practice {
     char section[64]; /* "", "one", "one:mark", "queen/bloom", PRACTICE_LIST */
-    int32_t lives;    /* total lives, 1 to PRACTICE_LIVES, counted as in player.def; 0: the ship kind's default */
+    int32_t lives;    /* total lives, 1 to PRACTICE_MAX_LIVES, counted as in player.def; 0: the ship kind's default */
     bool invincible;  /* players cannot be hit: bullets pass through them; grazes still count */
     int32_t register_count;
     struct {
         char name[32];
         int32_t value;
-    } reg[PRACTICE_REGISTERS]; /* starting values of the ship's registers; the first `registers` entries are used */
+    } reg[PRACTICE_MAX_REGISTERS]; /* starting values of the ship's registers; the first `registers` entries are used */
 };
 
 /* Every input of a board other than ROM and pads; the demo header stores all fields. Zero is a good default for every

@@ -16,7 +16,7 @@ void emit_clear(struct board *b)
 
 /* Grows the queue. The first block of a frame is the one that an earlier frame allocated, if any:
  * vm_calls.alloc_emissions finds it, because a restore loses the pointer `list`. */
-static void grow(const struct board *b, struct emissions *q)
+static void grow_queue(const struct board *b, struct emissions *q)
 {
     size_t size = (q->cap ? 2 * q->cap : INITIAL_CAPACITY) * sizeof *q->list;
     struct emission *list = b->calls->alloc_emissions(b, q->list, &size);
@@ -32,7 +32,7 @@ static void grow(const struct board *b, struct emissions *q)
 static bool get_named_value(const struct motion_emit *e, const struct emission *m, int number, fx *v)
 {
     bool is_named;
-    const int k = motion_named_column(e->named, number, m->is_shot, &is_named);
+    const int k = motion_value_column(e->named_values, number, m->is_shot, &is_named);
 
     *v = k < 0 ? 0 : m->value[k];
     return is_named;
@@ -56,7 +56,7 @@ static void load_emit(const struct board *b, const struct emission *m, struct mo
     fx v;
 
     motion_unpack_emit(&b->steps, m->step, e);
-    if (!e->named)
+    if (!e->named_values)
         return;
     if (get_named_value(e, m, EMIT_NUMBER_N, &v))
         e->n = (uint16_t)to_count(v);
@@ -79,7 +79,7 @@ static void load_emit(const struct board *b, const struct emission *m, struct mo
 /* Returns how many bullets the step fires from bullet i on, i < n, not counting the skipped ones. */
 static uint32_t count_bullets_left(const struct motion_emit *e, int32_t i)
 {
-    const int32_t first = e->first > i + 1 ? e->first : i + 1, last = e->last < e->n ? e->last : e->n;
+    const int32_t first = e->first > i + 1 ? e->first : i + 1, last = e->skip_last < e->n ? e->skip_last : e->n;
 
     return (uint32_t)(e->n - i - (last >= first ? last - first + 1 : 0));
 }
@@ -93,21 +93,21 @@ void emit_queue(const struct motion_world *w, const struct bullets *s, uint32_t 
     };
     struct motion_emit e;
 
-    bullets_position(s, i, &m.x, &m.y);
-    for (int k = 0; k < MAX_VALUES && bullets_value(s, k); k++)
-        m.value[k] = bullets_value(s, k)[i];
+    bullets_get_position(s, i, &m.x, &m.y);
+    for (int k = 0; k < MAX_VALUES && bullets_value_column(s, k); k++)
+        m.value[k] = bullets_value_column(s, k)[i];
     load_emit(b, &m, &e);
     const bool fires_shots = e.flags & EMIT_SHOTS;
     const uint32_t n = count_bullets_left(&e, 0);
     if (!n)
         return;
-    if (q->queued[fires_shots] == (fires_shots ? &b->shots : &b->bullets)->s.cap) {
-        q->dropped[fires_shots] += n;
+    if (q->queued_count[fires_shots] == (fires_shots ? &b->shots : &b->bullets)->s.cap) {
+        q->dropped_count[fires_shots] += n;
         return;
     }
     if (q->n == q->cap)
-        grow(b, q);
-    q->queued[fires_shots]++;
+        grow_queue(b, q);
+    q->queued_count[fires_shots]++;
     q->list[q->n++] = m;
 }
 
@@ -117,12 +117,12 @@ int32_t emit_fire(struct board *b, bool is_shot, struct bullet_spec *s, int64_t 
     const struct bullet_kinds *kinds = is_shot ? &b->shot_kinds : &b->bullet_kinds;
 
     s->hp = kinds->hp ? kinds->hp[s->kind] : 0;
-    s->pierce = kinds->pierce ? kinds->pierce[s->kind] : 0;
-    s->clouded = s->delay && kinds->flags[s->kind] & KIND_CLOUDED;
+    s->pierce_hits = kinds->pierce_hits ? kinds->pierce_hits[s->kind] : 0;
+    s->is_clouded = s->delay && kinds->flags[s->kind] & KIND_HAS_CLOUD;
     int32_t i = bullets_fire(pool, s, clock);
     if (i == NO_SLOT)
         board_report_full(b, &pool->s);
-    else if (s->fine)
+    else if (s->is_fine)
         bullets_set_speed(pool, (uint32_t)i, speed_q32);
     return i;
 }
@@ -179,7 +179,7 @@ void emit_compute_bullet(const struct emit_pattern_params *f, int32_t i, struct 
 /* The bullets of one emission: the data they share, and the shape of the next bullet. */
 struct volley {
     struct motion_emit e;
-    struct bullet_spec shape;
+    struct bullet_spec spec;
     struct emit_pattern_params f;
     fx x, y;       /* origin */
     bool is_aimed; /* aim each bullet at the nearest target */
@@ -222,15 +222,15 @@ static void init_volley(struct board *b, const struct emission *m, struct volley
                                          .size = e->size };
     v->x = (fx)((m->x - (int16_t)m->x) >> Q32_EXTRA_BITS);
     v->y = (fx)((m->y - (int16_t)m->y) >> Q32_EXTRA_BITS);
-    v->shape = (struct bullet_spec){ .kind = e->kind,
-                                     .tag = e->tag,
-                                     .motion = e->motion,
-                                     .fine = e->motion && b->motions.fine[e->motion - 1],
-                                     .player = (uint8_t)m->player,
-                                     .delay = e->delay,
-                                     .orbit_target = e->orbit_target,
-                                     .owner_task = m->owner_task };
-    v->shape.bank = e->flags & EMIT_BANK ? e->bank : (fires_shots ? &b->shot_kinds : &b->bullet_kinds)->bank[e->kind];
+    v->spec = (struct bullet_spec){ .kind = e->kind,
+                                    .tag = e->tag,
+                                    .motion = e->motion,
+                                    .is_fine = e->motion && b->motions.is_fine[e->motion - 1],
+                                    .player = (uint8_t)m->player,
+                                    .delay = e->delay,
+                                    .orbit_target = e->orbit_target,
+                                    .owner_task = m->owner_task };
+    v->spec.bank = e->flags & EMIT_BANK ? e->bank : (fires_shots ? &b->shot_kinds : &b->bullet_kinds)->bank[e->kind];
     if (e->pattern == EMIT_LINE)
         prepare_line(b, m, v);
 }
@@ -238,7 +238,7 @@ static void init_volley(struct board *b, const struct emission *m, struct volley
 static bool fire_one(struct board *b, struct volley *v, int32_t i)
 {
     const bool fires_shots = v->e.flags & EMIT_SHOTS;
-    struct bullet_spec *s = &v->shape;
+    struct bullet_spec *s = &v->spec;
     struct bullets *pool = fires_shots ? &b->shots : &b->bullets;
     struct emit_bullet w;
 
@@ -253,8 +253,8 @@ static bool fire_one(struct board *b, struct volley *v, int32_t i)
     }
     const int32_t at = emit_fire(b, fires_shots, s, fx_nearest(w.speed * 4294967296.0), b->core.clock + 1);
     for (int k = 0; at != NO_SLOT && k < MAX_VALUES; k++)
-        if (v->e.flags & EMIT_VALUE << k && bullets_value(pool, k))
-            bullets_value(pool, k)[at] = v->e.value[k];
+        if (v->e.flags & EMIT_VALUE << k && bullets_value_column(pool, k))
+            bullets_value_column(pool, k)[at] = v->e.value[k];
     return at != NO_SLOT;
 }
 
@@ -270,7 +270,7 @@ static void charge_work(struct board *b, const struct volley *v, uint32_t n)
             b->output->emissions.n);
 }
 
-static void fire(struct board *b, const struct emission *m)
+static void fire_emission(struct board *b, const struct emission *m)
 {
     struct volley v;
     uint32_t n = 0;
@@ -278,7 +278,7 @@ static void fire(struct board *b, const struct emission *m)
     load_emit(b, m, &v.e);
     init_volley(b, m, &v);
     for (int32_t i = 0; i < v.e.n; i++) {
-        if (i + 1 >= v.e.first && i + 1 <= v.e.last)
+        if (i + 1 >= v.e.first && i + 1 <= v.e.skip_last)
             continue;
         if (!fire_one(b, &v, i)) { /* the pool is full for the remaining bullets, too */
             emit_count_refused(b, v.e.flags & EMIT_SHOTS, count_bullets_left(&v.e, i) - 1);
@@ -294,8 +294,8 @@ void emit_run(struct board *b)
     const struct emissions *q = &b->output->emissions;
 
     for (uint32_t k = 0; k < q->n; k++)
-        fire(b, &q->list[k]);
-    emit_count_refused(b, false, q->dropped[0]);
-    emit_count_refused(b, true, q->dropped[1]);
+        fire_emission(b, &q->list[k]);
+    emit_count_refused(b, false, q->dropped_count[0]);
+    emit_count_refused(b, true, q->dropped_count[1]);
     emit_clear(b);
 }

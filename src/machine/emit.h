@@ -32,10 +32,10 @@ struct emission {
 _Static_assert(sizeof(struct emission) == 48, "snapshots of Lua's heap copy this struct, so it must not have padding");
 
 struct emissions {
-    struct emission *list; /* NULL: nothing has been queued in this frame */
-    uint32_t n, cap;       /* number of emissions in the list; capacity of the list */
-    uint32_t queued[2];    /* number of queued emits that fire bullets ([0]) and shots ([1]) */
-    uint64_t dropped[2];   /* number of bullets ([0]) and shots ([1]) in emits that did not fit in the queue */
+    struct emission *list;     /* NULL: nothing has been queued in this frame */
+    uint32_t n, cap;           /* number of emissions in the list; capacity of the list */
+    uint32_t queued_count[2];  /* number of queued emits that fire bullets ([0]) and shots ([1]) */
+    uint64_t dropped_count[2]; /* number of bullets ([0]) and shots ([1]) in emits that did not fit in the queue */
 };
 
 /* Empties the queue. */
@@ -73,8 +73,8 @@ void emit_set_direction(struct emit_pattern_params *f);
 void emit_count_refused(struct board *b, bool is_shot, uint64_t n);
 
 /* Fires a bullet or shot, after setting the shape's hp, pierce and clouded from its kind. Returns the new slot, or
- * NO_SLOT if the pool is full, which is counted and logged. speed_q32: the speed in Q32, used only if shape->fine is
- * set; otherwise the speed is shape->speed. clock: the clock of the frame in which the bullet or shot first moves. */
+ * NO_SLOT if the pool is full, which is counted and logged. speed_q32: the speed in Q32, used only if spec->is_fine is
+ * set; otherwise the speed is spec->speed. clock: the clock of the frame in which the bullet or shot first moves. */
 int32_t emit_fire(struct board *b, bool is_shot, struct bullet_spec *shape, int64_t speed_q32, uint32_t clock);
 
 #endif

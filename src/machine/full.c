@@ -38,7 +38,7 @@ static const struct wording wordings[] = {
 static const struct wording *wording_of(const struct board *b, const struct slots *s)
 {
     for (size_t i = 0; i < sizeof wordings / sizeof *wordings; i++)
-        for (int k = 0; k < PARTS; k++)
+        for (int k = 0; k < PART_COUNT; k++)
             if (machine_parts[k].chip == wordings[i].chip &&
                 (const uint8_t *)s == (const uint8_t *)b + machine_parts[k].offset)
                 return &wordings[i];
@@ -49,11 +49,11 @@ static const struct wording *wording_of(const struct board *b, const struct slot
  * output was cut off, its last byte becomes \n. */
 static void add_line(struct output *o, const char *line)
 {
-    size_t n = strlen(line), room = sizeof o->log - o->log_size;
+    size_t n = strlen(line), free_bytes = sizeof o->log - o->log_size;
 
     if (o->log_size == LOG_BYTES && o->log[LOG_BYTES - 1] != '\n')
         o->log[LOG_BYTES - 1] = '\n';
-    if (n + 1 > room)
+    if (n + 1 > free_bytes)
         return;
     memcpy(o->log + o->log_size, line, n);
     o->log[o->log_size + n] = '\n';
@@ -88,16 +88,16 @@ void board_report_full(struct board *b, const struct slots *s)
     const struct wording *w = s->refused == 1 ? wording_of(b, s) : NULL;
     struct output *o = b->output;
     struct board_full_pool *f, discarded;
-    char place[VM_PLACE_SIZE];
+    char location[VM_LOCATION_SIZE];
 
     if (!w)
         return;
     const uint32_t units_per_slot =
         w->chip == &laser_points_chip ? LASER_CHUNK_POINTS : 1; /* capacity units of `board` per slot */
-    b->calls->get_place(b, place, sizeof place);
+    b->calls->get_location(b, location, sizeof location);
     f = o->out.full_pool_count < MAX_FULL_POOLS ? &o->out.full_pool[o->out.full_pool_count++] : &discarded;
     f->part = w->chip->name;
-    snprintf(f->line, sizeof f->line, "%s%s pool full (%u): %s; raise `board.%s` in rom.lua", place, w->pool,
+    snprintf(f->line, sizeof f->line, "%s%s pool full (%u): %s; raise `board.%s` in rom.lua", location, w->pool,
              s->cap * units_per_slot, w->effect, w->capacity);
     add_line(o, f->line);
 }

@@ -8,13 +8,13 @@ static const struct column columns[] = {
     COLUMN(input, pressed),
     COLUMN(input, released),
     COLUMN(input, repeated),
-    COLUMNS(input, held_frames, PAD_BUTTONS),
-    COLUMNS(input, presses, PRESS_SIDES *PAD_BUTTONS),
+    COLUMNS(input, held_frames, PAD_BUTTON_COUNT),
+    COLUMNS(input, presses, PRESS_SIDES *PAD_BUTTON_COUNT),
 };
 
 const struct chip input_chip = { .name = "input", CHIP_COLUMNS(columns), .is_list = true };
 
-static uint16_t without_opposites(uint16_t pads)
+static uint16_t cancel_opposites(uint16_t pads)
 {
     const unsigned horizontal = PAD_LEFT | PAD_RIGHT, vertical = PAD_UP | PAD_DOWN;
     unsigned v = pads & PAD_ALL;
@@ -28,7 +28,7 @@ static uint16_t without_opposites(uint16_t pads)
 
 static uint64_t *presses_of(struct input *in, uint32_t p, uint32_t button, enum press_side side)
 {
-    return &in->presses[(p * PRESS_SIDES + (uint32_t)side) * PAD_BUTTONS + button];
+    return &in->presses[(p * PRESS_SIDES + (uint32_t)side) * PAD_BUTTON_COUNT + button];
 }
 
 /* Returns the mask of presses that are at most n frames old. */
@@ -43,7 +43,7 @@ static void count_frames(struct input *in, uint32_t p, unsigned now, unsigned wa
 {
     for (unsigned m = now | was; m; m &= m - 1) {
         const uint32_t i = bits_lowest(m);
-        uint32_t *held_frames = &in->held_frames[p * PAD_BUTTONS + i];
+        uint32_t *held_frames = &in->held_frames[p * PAD_BUTTON_COUNT + i];
         const bool down = now >> i & 1;
         if (down &&
             (*held_frames == 0 || (*held_frames >= REPEAT_AFTER && (*held_frames - REPEAT_AFTER) % REPEAT_EVERY == 0)))
@@ -56,7 +56,7 @@ static void record_presses(struct input *in, uint32_t p, enum press_side side)
 {
     uint64_t *buffer = presses_of(in, p, 0, side);
 
-    for (uint32_t i = 0; i < PAD_BUTTONS; i++)
+    for (uint32_t i = 0; i < PAD_BUTTON_COUNT; i++)
         buffer[i] = buffer[i] << 1 & age_mask(MAX_PRESS_AGE);
     for (unsigned m = in->pressed[p]; m; m &= m - 1)
         buffer[bits_lowest(m)] |= 1;
@@ -73,7 +73,7 @@ void input_latch(struct input *in, const uint16_t pads[MAX_PLAYERS], enum press_
     if (!carry)
         input_clear_edges(in);
     for (int p = 0; p < MAX_PLAYERS; p++) {
-        unsigned now = without_opposites(pads[p]), was = in->held[p];
+        unsigned now = cancel_opposites(pads[p]), was = in->held[p];
         in->held[p] = (uint16_t)now;
         in->pressed[p] |= (uint16_t)(now & ~was);
         in->released[p] |= (uint16_t)(was & ~now);
@@ -97,7 +97,7 @@ bool input_take(struct input *in, uint32_t p, uint32_t button, uint32_t n, enum 
 
 void input_drop_presses(struct input *in, uint32_t p, enum press_side side, unsigned buttons)
 {
-    for (uint32_t i = 0; i < PAD_BUTTONS; i++)
+    for (uint32_t i = 0; i < PAD_BUTTON_COUNT; i++)
         if (buttons >> i & 1u)
             *presses_of(in, p, i, side) = 0;
 }

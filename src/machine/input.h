@@ -21,8 +21,9 @@ struct input {
     uint16_t *pressed; /* down in this frame, up in the previous one */
     uint16_t *released;
     uint16_t *repeated;    /* pressed, and again every few frames while held */
-    uint32_t *held_frames; /* PAD_BUTTONS values per player: frames held */
-    uint64_t *presses;     /* PRESS_SIDES * PAD_BUTTONS values per player; bit k: pressed k frames ago, not yet taken */
+    uint32_t *held_frames; /* PAD_BUTTON_COUNT values per player: frames held */
+    uint64_t
+        *presses; /* PRESS_SIDES * PAD_BUTTON_COUNT values per player; bit k: pressed k frames ago, not yet taken */
 };
 
 extern const struct chip input_chip;

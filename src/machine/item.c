@@ -13,19 +13,20 @@ static int32_t spawn_item(struct board *b, uint16_t kind, fx x, fx y)
     return i;
 }
 
-void board_drop_items(struct board *b, const struct item_drop *d, const uint16_t *kind, const uint16_t *n, int kinds)
+void board_drop_items(struct board *b, const struct item_drop *d, const uint16_t *kind, const uint16_t *n,
+                      int kind_count)
 {
     uint32_t total = 0, k = 0;
 
-    for (int j = 0; j < kinds; j++)
+    for (int j = 0; j < kind_count; j++)
         total += n[j];
-    for (int j = 0; j < kinds; j++)
+    for (int j = 0; j < kind_count; j++)
         for (uint32_t left = n[j]; left > 0; left--, k++) {
             int32_t i = spawn_item(b, kind[j], d->x, d->y);
             if (i == NO_SLOT)
                 continue;
             b->items.tag[i] = d->tag;
-            trig_polar(d->speed, items_direction(d->dir, d->spread, k, total), &b->items.vx[i], &b->items.vy[i]);
+            trig_polar(d->speed, items_spread_direction(d->dir, d->spread, k, total), &b->items.vx[i], &b->items.vy[i]);
         }
 }
 
@@ -38,11 +39,11 @@ void board_replace_with_item(struct board *b, uint16_t kind, fx x, fx y)
  * that, at its maximum, has this effect. */
 static bool attracts_all(const struct board *b, uint32_t i)
 {
-    const uint8_t full = b->player_kinds.full_register[b->player.kind[i]];
+    const uint8_t full_register = b->player_kinds.full_register[b->player.kind[i]];
 
-    if (full >= PLAYER_RUN_REGISTER)
-        return board_run_register_is_full(b, full - (uint32_t)PLAYER_RUN_REGISTER);
-    return full && registers_is_full(&b->registers, board_register_row(b, i, full - 1u), i);
+    if (full_register >= PLAYER_RUN_REGISTER_OFFSET)
+        return board_run_register_is_full(b, full_register - (uint32_t)PLAYER_RUN_REGISTER_OFFSET);
+    return full_register && registers_is_full(&b->registers, board_register_row(b, i, full_register - 1u), i);
 }
 
 void board_get_pulls(const struct board *b, struct item_pull pull[MAX_PLAYERS])

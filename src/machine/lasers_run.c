@@ -66,10 +66,10 @@ void lasers_move_to(struct board *b, uint32_t i, fx x, fx y)
     update_tail(b, i);
 }
 
-int32_t lasers_fire(struct board *b, const struct bullet_spec *head, struct laser_spec *shape)
+int32_t lasers_fire(struct board *b, const struct bullet_spec *head, struct laser_spec *spec)
 {
     struct slots *full_pool;
-    int32_t i = lasers_add(&b->lasers, &b->laser_points, shape, head->x, head->y, &full_pool);
+    int32_t i = lasers_add(&b->lasers, &b->laser_points, spec, head->x, head->y, &full_pool);
 
     if (i == NO_SLOT) {
         board_report_full(b, full_pool);
@@ -94,8 +94,8 @@ void lasers_remove(struct board *b, uint32_t i)
 /* Stores the present position of an entity or, with `before_move`, its position before this frame's move. Entities
  * other than lasers have already moved. For a laser both are the position before the move, so that the order of slots
  * does not matter. */
-static bool entity_position(const struct motion_world *w, int64_t entity, uint32_t moved, bool before_move, fx *x,
-                            fx *y)
+static bool get_entity_position(const struct motion_world *w, int64_t entity, uint32_t moved, bool before_move, fx *x,
+                                fx *y)
 {
     const struct board *b = w->context;
     const enum handle_kind kind = handle_kind(entity);
@@ -135,7 +135,7 @@ static struct motion_world laser_world(const struct board *b, bool shoots)
     struct motion_world w = board_motion_world(b, shoots);
 
     w.kinds = NULL;
-    w.get_position = entity_position;
+    w.get_position = get_entity_position;
     return w;
 }
 
@@ -244,7 +244,7 @@ static bool fly(struct board *b, const struct motion_world *w, uint32_t i, uint3
     struct lasers *l = &b->lasers;
     struct bullets *h = &b->laser_heads;
 
-    if (l->spin[i] && age >= (uint32_t)l->warn[i]) {
+    if (l->spin[i] && age >= (uint32_t)l->warn_frames[i]) {
         h->dir[i] += l->spin[i];
         bullets_update_velocity(h, i);
     }
@@ -303,10 +303,10 @@ void lasers_move(struct board *b)
     save_old_positions(l, &b->laser_heads);
     for (int follows = 0; follows < 2; follows++) /* lasers that follow an entity move last */
         EACH_LIVE (i, &l->s) {
-            const bool shoots = b->laser_kinds.flags[b->laser_heads.kind[i]] & LASER_SHOOTS;
+            const bool shoots = b->laser_kinds.flags[b->laser_heads.kind[i]] & LASER_HITS_ENEMIES;
             if ((l->follow_target[i] != 0) != follows || move_laser(b, &w[shoots], i))
                 continue;
-            if (b->laser_heads.s.used[i / SLOTS_BLOCK] >> (i % SLOTS_BLOCK) & 1)
+            if (b->laser_heads.s.live_bits[i / SLOTS_BLOCK] >> (i % SLOTS_BLOCK) & 1)
                 bullets_drop(&b->laser_heads, i);
             lasers_drop(l, &b->laser_points, i);
         }
@@ -332,7 +332,7 @@ void lasers_get_corner(const struct board *b, uint32_t i, uint32_t k, fx *x, fx 
     const struct lasers *l = &b->lasers;
 
     if (l->form[i] == LASER_CURVE)
-        lasers_point(l, &b->laser_points, i, k, x, y);
+        lasers_get_point(l, &b->laser_points, i, k, x, y);
     else if (k == 0)
         *x = b->laser_heads.x[i], *y = b->laser_heads.y[i];
     else
@@ -350,16 +350,16 @@ void lasers_get_old_corner(const struct board *b, uint32_t i, uint32_t k, fx *x,
     else if (l->form[i] != LASER_CURVE)
         *x = l->prev_x0[i], *y = l->prev_y0[i];
     else if (k + 1 < l->n_points[i])
-        lasers_point(l, &b->laser_points, i, k + 1, x, y);
+        lasers_get_point(l, &b->laser_points, i, k + 1, x, y);
     else
         *x = l->x0[i], *y = l->y0[i];
 }
 
-uint32_t lasers_each_position(struct board *b, uint32_t i, fx spacing,
-                              void (*each)(struct board *b, fx x, fx y, void *context), void *context)
+uint32_t lasers_visit_positions(struct board *b, uint32_t i, fx spacing,
+                                void (*visit)(struct board *b, fx x, fx y, void *context), void *context)
 {
     const uint32_t n = lasers_corner_count(b, i);
-    uint32_t places = 0;
+    uint32_t position_count = 0;
     int64_t next = spacing / 2; /* fx from the last corner to the next position */
     fx x, y, to_x, to_y;
 
@@ -367,14 +367,14 @@ uint32_t lasers_each_position(struct board *b, uint32_t i, fx spacing,
     for (uint32_t k = 1; k < n; k++, x = to_x, y = to_y) {
         lasers_get_corner(b, i, k, &to_x, &to_y);
         const int64_t dx = (int64_t)to_x - x, dy = (int64_t)to_y - y, length = fx_hypot(fx_sat(dx), fx_sat(dy));
-        for (; next < length; next += spacing, places++)
-            each(b, (fx)(x + dx * next / length), (fx)(y + dy * next / length), context);
+        for (; next < length; next += spacing, position_count++)
+            visit(b, (fx)(x + dx * next / length), (fx)(y + dy * next / length), context);
         next -= length;
     }
-    if (places)
-        return places;
+    if (position_count)
+        return position_count;
     lasers_get_corner(b, i, 0, &x, &y);
-    each(b, x, y, context);
+    visit(b, x, y, context);
     return 1;
 }
 
@@ -423,7 +423,7 @@ static void nearest_on_segment(fx x, fx y, fx ax, fx ay, fx *to_x, fx *to_y)
     *to_y = (fx)(ay + ((int64_t)*to_y - ay) * fraction / 65536);
 }
 
-void lasers_nearest(const struct board *b, uint32_t i, fx x, fx y, fx *to_x, fx *to_y)
+void lasers_get_nearest_point(const struct board *b, uint32_t i, fx x, fx y, fx *to_x, fx *to_y)
 {
     const uint32_t n = lasers_corner_count(b, i);
     fx ax, ay, px, py, bx, by;

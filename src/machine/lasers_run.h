@@ -44,11 +44,11 @@ void lasers_get_old_corner(const struct board *b, uint32_t i, uint32_t k, fx *x,
 
 /* Calls `each` for positions along the line of laser i, `spacing` px apart, starting half that distance from the head.
  * Returns the number of calls. If the line is too short, calls `each` once, for the head. spacing > 0. */
-uint32_t lasers_each_position(struct board *b, uint32_t i, fx spacing,
-                              void (*each)(struct board *b, fx x, fx y, void *context), void *context);
+uint32_t lasers_visit_positions(struct board *b, uint32_t i, fx spacing,
+                                void (*each)(struct board *b, fx x, fx y, void *context), void *context);
 
 /* Stores the point of laser i's line that is nearest to (x, y), to within 1/256 px. */
-void lasers_nearest(const struct board *b, uint32_t i, fx x, fx y, fx *to_x, fx *to_y);
+void lasers_get_nearest_point(const struct board *b, uint32_t i, fx x, fx y, fx *to_x, fx *to_y);
 
 /* Returns whether laser i, as it is drawn now (all points within half its width of the line), overlaps the circle
  * of radius a around (x, y), the box around (x, y) with half extents (w, h), or the set of all points within a of the

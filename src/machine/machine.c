@@ -14,8 +14,8 @@ struct targets board_player_targets(const struct board *b)
 /* Stores the present position of an entity, for the motion of bullets or shots, or, with `before_move`, its position
  * before this frame's move. Enemies and players move before shots, and shots before bullets. For an entity of the pool
  * that is moving now, both are the position before the move: slots below `moved` have moved already. */
-static bool entity_position(const struct motion_world *w, int64_t entity, uint32_t moved, bool before_move, fx *x,
-                            fx *y)
+static bool get_entity_position(const struct motion_world *w, int64_t entity, uint32_t moved, bool before_move, fx *x,
+                                fx *y)
 {
     const struct board *b = w->context;
     const enum handle_kind kind = handle_kind(entity), moving_kind = w->is_shots ? H_SHOT : H_BULLET;
@@ -48,7 +48,7 @@ struct motion_world board_motion_world(const struct board *b, bool for_shots)
                               board_player_targets(b),
                               b->core.clock,
                               for_shots,
-                              entity_position,
+                              get_entity_position,
                               b,
                               { 0, 0, (fx)(b->cart.manifest.field_w * FX_ONE),
                                 (fx)(b->cart.manifest.field_h * FX_ONE) },
@@ -70,13 +70,13 @@ void board_raise_event(struct board *b, enum event_kind kind, int64_t a, int64_t
         board_raise_fault(b, FAULT_SCRIPT, "too many events in one frame (at most %d)", (int)b->events.cap);
 }
 
-uint64_t board_random(void *board, uint64_t below)
+uint64_t board_random(void *board, uint64_t limit)
 {
     struct board *b = board;
     struct rng r;
 
     memcpy(r.s, b->core.random, sizeof r.s);
-    uint64_t v = below ? rng_below(&r, below) : rng_next(&r);
+    uint64_t v = limit ? rng_below(&r, limit) : rng_next(&r);
     memcpy(b->core.random, r.s, sizeof r.s);
     b->core.drawn++;
     return v;
@@ -187,7 +187,7 @@ bool board_is_alive(const struct board *b, int64_t h)
     if (kind == H_PLAYER)
         return slot < MAX_PLAYERS && b->player.in_game[slot] && b->player.gen[slot] == gen;
     if (kind == H_TASK)
-        return tasks_alive(b, slot, gen);
+        return tasks_is_alive(b, slot, gen);
     if (kind == H_LAYER || kind == H_PLANE)
         return gen == 1 && slot < b->bg.s.live && (slot == BG_PLANE) == (kind == H_PLANE);
     if (kind == H_BULLETML && slots_has(s, slot, gen))
@@ -209,7 +209,7 @@ bool board_is_readable(const struct board *b, int64_t h)
     return board_is_alive(b, h);
 }
 
-int64_t board_followed_by_sprite(const struct board *b, uint32_t i)
+int64_t board_sprite_follow_target(const struct board *b, uint32_t i)
 {
     int follow = (b->sprites.flags[i] & SPRITE_FOLLOW) / SPRITE_FOLLOW_ONE;
 
@@ -230,7 +230,7 @@ uint8_t board_player_of(const struct board *b, int64_t h)
 /* Stores the position of sprite i. If the entity it follows no longer exists, the position is relative to (0, 0). */
 static void get_sprite_position(const struct board *b, uint32_t i, fx *x, fx *y)
 {
-    int64_t followed = board_followed_by_sprite(b, i);
+    int64_t followed = board_sprite_follow_target(b, i);
 
     *x = *y = 0;
     if (followed)

@@ -74,16 +74,16 @@ struct output {
     size_t log_size;
     /* output of print, then a line per full pool */
     char log[LOG_BYTES + MAX_FULL_POOLS * sizeof(((struct board_full_pool *)0)->line)];
-    char shortage_place[VM_PLACE_SIZE]; /* "FILE:LINE: " of the last failed allocation */
-    size_t too_long_size;               /* size in bytes of a string that was too long, 0: none */
-    char dead_field[32];                /* last property read from a despawned entity; dead_place: where it was read */
-    char dead_place[VM_PLACE_SIZE];
+    char shortage_location[VM_LOCATION_SIZE]; /* "FILE:LINE: " of the last failed allocation */
+    size_t too_long_size;                     /* size in bytes of a string that was too long, 0: none */
+    char dead_field[32]; /* last property read from a despawned entity; dead_location: where it was read */
+    char dead_location[VM_LOCATION_SIZE];
     bool in_deep_calls;        /* the last failed allocation happened in deeply nested calls */
     const struct force *force; /* event that force_run is forcing now */
     const char *eval_line;     /* the line that board_eval is running now */
     struct values *values;     /* output of board_eval_values */
     struct emissions emissions;
-    board_phase_done *phase_done; /* set by board_on_phase; may be NULL */
+    board_phase_done *phase_done; /* set by board_set_phase_callback; may be NULL */
     void *phase_context;
 };
 
@@ -92,10 +92,10 @@ struct board {
     struct board_start start;
     uint8_t *ram;
     size_t ram_size;
-    bool reset_requested;         /* board.reset was called in this frame */
-    struct box keep_box, area;    /* entities outside `keep_box` despawn; players stay inside `area` */
-    struct sprite *sprite_images; /* the ROM's sprite images, by index */
-    struct words words;           /* text in the language of start.lang */
+    bool reset_requested;             /* board.reset was called in this frame */
+    struct box keep_box, player_area; /* entities outside `keep_box` despawn; players stay inside `player_area` */
+    struct sprite *sprite_images;     /* the ROM's sprite images, by index */
+    struct words words;               /* text in the language of start.lang */
     struct output *output;
     struct vm vm;
     const struct vm_calls *calls;
@@ -156,14 +156,14 @@ struct part {
     size_t offset, size; /* offset and size, in bytes */
 };
 enum {
-    PARTS = 42,
-    PARTS_ALWAYS_HASHED = 20 /* the first parts always have a hash; the others, only in games that use them */
+    PART_COUNT = 42,
+    FIRST_OPTIONAL_PART = 20 /* the first parts always have a hash; the others, only in games that use them */
 };
-extern const struct part machine_parts[PARTS];
+extern const struct part machine_parts[PART_COUNT];
 
 /* The number of slots and the column groups of each part. */
 struct part_capacities {
-    uint32_t slots[PARTS], groups[PARTS];
+    uint32_t slots[PART_COUNT], groups[PART_COUNT];
 };
 struct part_capacities parts_capacities(const struct manifest *m);
 
@@ -174,7 +174,7 @@ static inline void *part_of(const struct board *b, int i)
 }
 
 /* Returns the slots of the part with this name ("bullets"), or NULL if there is none. */
-const struct slots *part_named(const struct board *b, const char *name);
+const struct slots *part_find(const struct board *b, const char *name);
 
 enum { MOTION_WORK = 8 /* work per motion step */ };
 
@@ -314,7 +314,7 @@ static inline const char *board_name(const struct board *b, enum name_kind kind,
 }
 
 /* Folds v into the script digest. */
-static inline void script_fold(struct board *b, uint64_t v)
+static inline void script_update_digest(struct board *b, uint64_t v)
 {
     b->script.digest = (b->script.digest ^ v) * 0x9e3779b97f4a7c15u;
     b->script.digest ^= b->script.digest >> 29;
@@ -331,7 +331,7 @@ bool board_is_alive(const struct board *b, int64_t h);
 bool board_is_readable(const struct board *b, int64_t h);
 
 /* Returns the handle of the entity that sprite i follows, or 0. */
-int64_t board_followed_by_sprite(const struct board *b, uint32_t i);
+int64_t board_sprite_follow_target(const struct board *b, uint32_t i);
 
 /* Returns the player number, 1 or 2, for a live player or option handle; otherwise 0. */
 uint8_t board_player_of(const struct board *b, int64_t h);

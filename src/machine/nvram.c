@@ -19,8 +19,8 @@ enum {
     MAGIC_SIZE = 4,
     HEADER_SIZE = 3,
     ROW_SIZE = 24,
-    ROW_PROGRESS = NV_MAX_NAME, /* offset in a row of the progress byte */
-    ROW_SCORE = 16,
+    ROW_PROGRESS_OFFSET = NV_MAX_NAME, /* offset in a row of the progress byte */
+    ROW_SCORE_OFFSET = 16,
     MAX_RECORD_NAME = 2 * NV_MAX_KEY + 1 /* most bytes of the name of a table record, which may include a ship */
 };
 
@@ -109,7 +109,7 @@ static bool record_is_valid(const uint8_t *r, size_t left)
     }
 }
 
-static bool all_records_valid(const uint8_t *image, size_t size)
+static bool are_all_records_valid(const uint8_t *image, size_t size)
 {
     for (size_t at = MAGIC_SIZE; at < size; at += record_size(image + at))
         if (!record_is_valid(image + at, size - at))
@@ -118,28 +118,29 @@ static bool all_records_valid(const uint8_t *image, size_t size)
 }
 
 enum {
-    OLD_SAVES = 256,
+    OLD_SAVE_COUNT = 256,
     OLD_SAVE_SIZE = 96,
-    OLD_TYPE = 32,
-    OLD_LENGTH = 33,
-    OLD_VALUE = 36,
-    OLD_TABLES = 16,
-    OLD_ROWS = 32,
-    OLD_TABLE_SIZE = OLD_ROWS + NV_MAX_ROWS * ROW_SIZE,
-    OLD_FIRST_TABLE = MAGIC_SIZE + OLD_SAVES * OLD_SAVE_SIZE
+    OLD_TYPE_OFFSET = 32,
+    OLD_LENGTH_OFFSET = 33,
+    OLD_VALUE_OFFSET = 36,
+    OLD_TABLE_COUNT = 16,
+    OLD_ROWS_OFFSET = 32,
+    OLD_TABLE_SIZE = OLD_ROWS_OFFSET + NV_MAX_ROWS * ROW_SIZE,
+    OLD_TABLES_OFFSET = MAGIC_SIZE + OLD_SAVE_COUNT * OLD_SAVE_SIZE
 };
 
 static bool old_image_is_valid(const uint8_t *image)
 {
-    for (int i = 0; i < OLD_SAVES; i++) {
+    for (int i = 0; i < OLD_SAVE_COUNT; i++) {
         const uint8_t *r = image + MAGIC_SIZE + i * OLD_SAVE_SIZE;
-        if (r[NV_MAX_KEY] || r[OLD_TYPE] > NV_BOOL || r[OLD_LENGTH] > NV_MAX_STRING || (r[0] && r[OLD_TYPE] == NV_NONE))
+        if (r[NV_MAX_KEY] || r[OLD_TYPE_OFFSET] > NV_BOOL || r[OLD_LENGTH_OFFSET] > NV_MAX_STRING ||
+            (r[0] && r[OLD_TYPE_OFFSET] == NV_NONE))
             return false;
     }
-    for (int t = 0; t < OLD_TABLES; t++) {
-        const uint8_t *p = image + OLD_FIRST_TABLE + t * OLD_TABLE_SIZE;
+    for (int t = 0; t < OLD_TABLE_COUNT; t++) {
+        const uint8_t *p = image + OLD_TABLES_OFFSET + t * OLD_TABLE_SIZE;
         for (int row = 0; row < NV_MAX_ROWS; row++)
-            if (p[NV_MAX_KEY] || p[OLD_ROWS + row * ROW_SIZE + NV_MAX_NAME])
+            if (p[NV_MAX_KEY] || p[OLD_ROWS_OFFSET + row * ROW_SIZE + NV_MAX_NAME])
                 return false;
     }
     return true;
@@ -147,32 +148,32 @@ static bool old_image_is_valid(const uint8_t *image)
 
 bool nvram_is_valid(const uint8_t *image, size_t size)
 {
-    if (size == NV_OLD_BYTES && !memcmp(image, old_magic, MAGIC_SIZE))
+    if (size == NV_OLD_IMAGE_SIZE && !memcmp(image, old_magic, MAGIC_SIZE))
         return old_image_is_valid(image);
     return size >= MAGIC_SIZE && size <= NV_MAX_KIB * 1024 && !memcmp(image, magic, MAGIC_SIZE) &&
-           all_records_valid(image, size);
+           are_all_records_valid(image, size);
 }
 
-static struct nv_value old_value(const uint8_t *r)
+static struct nv_value read_old_value(const uint8_t *r)
 {
-    struct nv_value v = { .type = (enum nv_type)r[OLD_TYPE], .bits = bytes_get64(r + OLD_VALUE) };
+    struct nv_value v = { .type = (enum nv_type)r[OLD_TYPE_OFFSET], .bits = bytes_get64(r + OLD_VALUE_OFFSET) };
 
-    v.length = r[OLD_LENGTH];
-    memcpy(v.text, r + OLD_VALUE, NV_MAX_STRING);
+    v.length = r[OLD_LENGTH_OFFSET];
+    memcpy(v.text, r + OLD_VALUE_OFFSET, NV_MAX_STRING);
     return v;
 }
 
 /* Loads an old image. Of several records with the same key, the first is loaded, as in the versions that wrote them. */
-static void load_old(struct nvram *nv, const uint8_t *image)
+static void load_old_image(struct nvram *nv, const uint8_t *image)
 {
-    for (int i = 0; i < OLD_SAVES; i++) {
+    for (int i = 0; i < OLD_SAVE_COUNT; i++) {
         const uint8_t *r = image + MAGIC_SIZE + i * OLD_SAVE_SIZE;
-        struct nv_value v = old_value(r);
+        struct nv_value v = read_old_value(r);
         if (r[0] && !find_record(nv, false, (const char *)r))
             nvram_set(nv, (const char *)r, &v);
     }
-    for (int t = 0; t < OLD_TABLES; t++) {
-        const uint8_t *p = image + OLD_FIRST_TABLE + t * OLD_TABLE_SIZE, *rows = p + OLD_ROWS;
+    for (int t = 0; t < OLD_TABLE_COUNT; t++) {
+        const uint8_t *p = image + OLD_TABLES_OFFSET + t * OLD_TABLE_SIZE, *rows = p + OLD_ROWS_OFFSET;
         size_t n = 0;
         while (n < NV_MAX_ROWS && rows[n * ROW_SIZE])
             n++;
@@ -193,7 +194,7 @@ void nvram_load(struct nvram *nv, const uint8_t *image, size_t size)
     nv->s.live = MAGIC_SIZE;
     if (image && nvram_is_valid(image, size)) {
         if (!memcmp(image, old_magic, MAGIC_SIZE)) {
-            load_old(nv, image);
+            load_old_image(nv, image);
         } else {
             while (n < size && n + record_size(image + n) <= nv->s.cap)
                 n += record_size(image + n);
@@ -250,7 +251,7 @@ bool nvram_set(struct nvram *nv, const char *key, const struct nv_value *v)
 
 static int64_t score_of(const uint8_t *row)
 {
-    return (int64_t)bytes_get64(row + ROW_SCORE);
+    return (int64_t)bytes_get64(row + ROW_SCORE_OFFSET);
 }
 
 /* Returns whether record r belongs to this score table, with or without a ship; stores the ship's name, or "". */
@@ -282,8 +283,8 @@ static int insert_row(struct nv_row rows[NV_MAX_ROWS], int n, const uint8_t *fro
     n = n < NV_MAX_ROWS ? n + 1 : n;
     memmove(rows + at + 1, rows + at, (size_t)(n - 1 - at) * sizeof *rows);
     rows[at] = (struct nv_row){ .score = score_of(from),
-                                .stage = from[ROW_PROGRESS] & 15,
-                                .continues = from[ROW_PROGRESS] >> 4 };
+                                .stage = from[ROW_PROGRESS_OFFSET] & 15,
+                                .continues = from[ROW_PROGRESS_OFFSET] >> 4 };
     memcpy(rows[at].name, from, NV_MAX_NAME);
     memcpy(rows[at].ship, ship, sizeof rows[at].ship);
     return n;
@@ -325,7 +326,7 @@ int nvram_enter_row(struct nvram *nv, const char *table, const struct nv_row *ro
     to += r * ROW_SIZE;
     memset(to, 0, ROW_SIZE);
     memcpy(to, row->name, strlen(row->name));
-    to[ROW_PROGRESS] = (uint8_t)(row->stage | row->continues << 4);
-    bytes_put64(to + ROW_SCORE, (uint64_t)row->score);
+    to[ROW_PROGRESS_OFFSET] = (uint8_t)(row->stage | row->continues << 4);
+    bytes_put64(to + ROW_SCORE_OFFSET, (uint64_t)row->score);
     return r;
 }

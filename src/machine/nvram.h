@@ -28,9 +28,9 @@ enum {
     NV_MAX_STRING = 60,       /* most bytes of a string value */
     NV_MAX_ROWS = 10,
     NV_MAX_NAME = 15,      /* most bytes of a name in a score table */
-    NV_CLEARED = 15,       /* stage value: all stages cleared */
+    NV_STAGE_CLEARED = 15, /* stage value: all stages cleared */
     NV_MAX_CONTINUES = 15, /* this many continues or more */
-    NV_OLD_BYTES = 32768
+    NV_OLD_IMAGE_SIZE = 32768
 };
 
 enum nv_type { NV_NONE, NV_INT, NV_FLOAT, NV_TEXT, NV_BOOL, NV_TABLE };
@@ -45,7 +45,7 @@ struct nv_value {
 struct nv_row {
     char name[NV_MAX_NAME + 1], ship[NV_MAX_KEY + 1]; /* ship "": unknown */
     int64_t score;
-    uint8_t stage, continues; /* stage: 0 to NV_CLEARED; continues: 0 to NV_MAX_CONTINUES */
+    uint8_t stage, continues; /* stage: 0 to NV_STAGE_CLEARED; continues: 0 to NV_MAX_CONTINUES */
 };
 
 struct nvram {

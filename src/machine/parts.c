@@ -35,7 +35,7 @@ static uint32_t value_groups(int32_t n)
 /* These functions return the column groups that manifest m requires in each pool. */
 static uint32_t bullet_groups(const struct manifest *m)
 {
-    return value_groups(m->bullet_values) | (m->hp ? SLOTS_GROUP(GROUP_HP) : 0) |
+    return value_groups(m->bullet_values) | (m->has_hp ? SLOTS_GROUP(GROUP_HP) : 0) |
            (m->has_orbit ? SLOTS_GROUP(GROUP_ORBIT) : 0) | (m->has_freeze ? SLOTS_GROUP(GROUP_FROZEN) : 0) |
            (m->bullets_can_meet ? SLOTS_GROUP(GROUP_MEET) : 0);
 }
@@ -43,13 +43,13 @@ static uint32_t bullet_groups(const struct manifest *m)
 static uint32_t shot_groups(const struct manifest *m)
 {
     return value_groups(m->shot_values) | (m->has_orbit ? SLOTS_GROUP(GROUP_ORBIT) : 0) |
-           (m->has_freeze ? SLOTS_GROUP(GROUP_FROZEN) : 0) | (m->pierce ? SLOTS_GROUP(GROUP_PIERCE) : 0);
+           (m->has_freeze ? SLOTS_GROUP(GROUP_FROZEN) : 0) | (m->has_pierce ? SLOTS_GROUP(GROUP_PIERCE) : 0);
 }
 
 static uint32_t enemy_groups(const struct manifest *m)
 {
     return value_groups(m->enemy_values) | (m->has_freeze ? SLOTS_GROUP(GROUP_FROZEN) : 0) |
-           (m->bodies ? SLOTS_GROUP(GROUP_BODIES) : 0);
+           (m->has_bodies ? SLOTS_GROUP(GROUP_BODIES) : 0);
 }
 
 static uint32_t laser_groups(const struct manifest *m)
@@ -75,7 +75,8 @@ static uint32_t laser_groups(const struct manifest *m)
     PART(motions_chip, motions, m->motions, 0)                                                                         \
     PART(steps_chip, steps, MOTION_STEPS_PER_PROGRAM * m->motions, 0)                                                  \
     PART(sprites_chip, sprites, m->sprites, 0)                                                                         \
-    PART(fix_chip, fix, m->screen_w / FIX_CELL * (m->screen_h / FIX_CELL), m->wide ? SLOTS_GROUP(FIX_GROUP_WIDE) : 0)  \
+    PART(fix_chip, fix, m->screen_w / FIX_CELL_SIZE * (m->screen_h / FIX_CELL_SIZE),                                   \
+         m->has_wide_text ? SLOTS_GROUP(FIX_GROUP_WIDE) : 0)                                                           \
     PART(pal_chip, pal, COLOURS, 0)                                                                                    \
     PART(nvram_chip, nvram, m->nvram_kib * 1024, 0)                                                                    \
     PART(sparks_chip, sparks, m->sparks, 0)                                                                            \
@@ -83,9 +84,9 @@ static uint32_t laser_groups(const struct manifest *m)
     PART(items_chip, items, m->items, m->has_freeze ? SLOTS_GROUP(GROUP_FROZEN) : 0)                                   \
     PART(item_kinds_chip, item_kinds, m->items ? MAX_ITEM_KINDS : 0, 0)                                                \
     PART(lines_chip, lines, m->lines, 0)                                                                               \
-    PART(bg_chip, bg, m->bg ? BG_SLOTS : 0, 0)                                                                         \
-    PART(bg_lines_chip, bg_lines, m->bg ? BG_LAYERS * m->field_h : 0, 0)                                               \
-    PART(bg_shades_chip, bg_shades, m->bg ? BG_TABLES_SIZE : 0, 0)                                                     \
+    PART(bg_chip, bg, m->has_backgrounds ? BG_SLOTS : 0, 0)                                                            \
+    PART(bg_lines_chip, bg_lines, m->has_backgrounds ? BG_LAYERS * m->field_h : 0, 0)                                  \
+    PART(bg_shades_chip, bg_shades, m->has_backgrounds ? BG_TABLES_SIZE : 0, 0)                                        \
     PART(screen_chip, screen, 0, 0)                                                                                    \
     PART(lasers_chip, lasers, m->lasers, 0)                                                                            \
     PART(laser_heads_chip, laser_heads, m->lasers, laser_groups(m))                                                    \
@@ -96,30 +97,30 @@ static uint32_t laser_groups(const struct manifest *m)
     PART(options_chip, options, m->options, 0)                                                                         \
     PART(option_kinds_chip, option_kinds, m->options ? MAX_OPTION_KINDS : 0, 0)                                        \
     PART(option_paths_chip, option_paths, m->options ? MAX_PLAYERS : 0, 0)                                             \
-    PART(seq_chip, music, m->sound ? SEQ_SLOTS : 0, 0)                                                                 \
-    PART(cues_chip, cues, m->sound ? CUES : 0, 0)                                                                      \
-    PART(voices_chip, voices, m->sound ? VOICE_CAPACITY : 0, 0)                                                        \
-    PART(ml_roots_chip, ml_roots, int_min(m->bulletml, ML_MAX_ROOTS), 0)                                               \
-    PART(ml_runners_chip, ml_runners, m->bulletml, 0)                                                                  \
-    PART(ml_frames_chip, ml_frames, ML_FRAMES_PER_RUNNER * m->bulletml, 0)                                             \
-    PART(ml_params_chip, ml_params, m->bulletml, 0)
+    PART(seq_chip, music, m->has_sound ? SEQ_SLOTS : 0, 0)                                                             \
+    PART(cues_chip, cues, m->has_sound ? CUE_SLOTS : 0, 0)                                                             \
+    PART(voices_chip, voices, m->has_sound ? VOICE_CAPACITY : 0, 0)                                                    \
+    PART(ml_roots_chip, ml_roots, int_min(m->bulletml_runners, ML_MAX_ROOTS), 0)                                       \
+    PART(ml_runners_chip, ml_runners, m->bulletml_runners, 0)                                                          \
+    PART(ml_frames_chip, ml_frames, ML_FRAMES_PER_RUNNER * m->bulletml_runners, 0)                                     \
+    PART(ml_params_chip, ml_params, m->bulletml_runners, 0)
 
 #define AS_PART(chip, name, slots, groups)     { &chip, offsetof(struct board, name), sizeof((struct board *)0)->name },
 #define AS_CAPACITY(chip, name, slots, groups) (uint32_t)(slots),
 #define AS_GROUPS(chip, name, slots, groups)   (uint32_t)(groups),
 #define AS_ONE(chip, name, slots, groups)      +1
 
-const struct part machine_parts[PARTS] = { PART_LIST(AS_PART) };
-_Static_assert(PART_LIST(AS_ONE) == PARTS, "PART_LIST must have PARTS lines");
+const struct part machine_parts[PART_COUNT] = { PART_LIST(AS_PART) };
+_Static_assert(PART_LIST(AS_ONE) == PART_COUNT, "PART_LIST must have PART_COUNT lines");
 
 struct part_capacities parts_capacities(const struct manifest *m)
 {
     return (struct part_capacities){ { PART_LIST(AS_CAPACITY) }, { PART_LIST(AS_GROUPS) } };
 }
 
-const struct slots *part_named(const struct board *b, const char *name)
+const struct slots *part_find(const struct board *b, const char *name)
 {
-    for (int i = 0; i < PARTS; i++)
+    for (int i = 0; i < PART_COUNT; i++)
         if (!strcmp(machine_parts[i].chip->name, name))
             return part_of(b, i);
     return NULL;

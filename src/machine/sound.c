@@ -37,12 +37,12 @@ static void begin_note(const struct voice_target *g, int32_t pitch, int sample)
     if (g->inst >= t.n_insts)
         return;
     const uint8_t *inst = tune_inst(&t, g->inst);
-    const struct voice_note n = { (uint32_t)(inst - tune_data(g->b)), cart_recording_place(&g->b->cart, g->tune, inst),
+    const struct voice_note n = { (uint32_t)(inst - tune_data(g->b)), cart_recording_offset(&g->b->cart, g->tune, inst),
                                   pitch, g->vol, g->pan };
     voices_start_note(&g->b->voices, tune_data(g->b), g->voice, &n, sample);
 }
 
-static void apply_event(const struct voice_target *g, const struct tune_played *p)
+static void apply_event(const struct voice_target *g, const struct tune_played_event *p)
 {
     struct voices *v = &g->b->voices;
     const int32_t pitch = p->value * (PITCH_ONE / 256) + g->transpose;
@@ -73,7 +73,7 @@ static void apply_event(const struct voice_target *g, const struct tune_played *
 static struct voice_target music_target(struct board *b, int track)
 {
     const struct seq *s = &b->music;
-    const uint32_t at = cart_place(&b->cart, CART_TUNES, s->tune - 1);
+    const uint32_t at = cart_tune_offset(&b->cart, CART_TUNES, s->tune - 1);
 
     return (struct voice_target){ b,
                                   at,
@@ -108,7 +108,7 @@ static struct voice_target cue_target(struct board *b, int slot)
 static void cut_music(struct board *b, int sample)
 {
     for (int i = 0; i < VOICES_MUSIC; i++)
-        voices_cut(&b->voices, i, sample);
+        voices_fade_out(&b->voices, i, sample);
 }
 
 static void start_music(struct board *b, uint16_t index)
@@ -116,9 +116,9 @@ static void start_music(struct board *b, uint16_t index)
     struct tune t = { 0 };
 
     if (index)
-        t = tune_of(tune_data(b) + cart_place(&b->cart, CART_TUNES, index - 1));
+        t = tune_of(tune_data(b) + cart_tune_offset(&b->cart, CART_TUNES, index - 1));
     if (index > 0 && index <= SEQ_MAX_PIECES)
-        b->music.started[(index - 1) / 64] |= (uint64_t)1 << (index - 1) % 64;
+        b->music.started_tunes[(index - 1) / 64] |= (uint64_t)1 << (index - 1) % 64;
     seq_start(&b->music, index, &t);
 }
 
@@ -153,19 +153,19 @@ static void resume_music(struct board *b)
 static void change_music(struct board *b, int sample)
 {
     struct seq *s = &b->music;
-    const int suspended = s->next && !s->next_suspends ? seq_find_suspended(s, s->next) : -1;
+    const int suspended = s->next_tune && !s->next_suspends ? seq_find_suspended(s, s->next_tune) : -1;
 
     if (s->next_suspends)
         suspend_music(b);
     else
-        seq_drop_from(s, suspended + 1);
+        seq_drop_suspended_from(s, suspended + 1);
     if (b->voices.gain0 == 0 && sample == 0)
         silence_music(b);
     cut_music(b, sample);
     if (suspended >= 0)
         resume_music(b);
     else
-        start_music(b, s->next);
+        start_music(b, s->next_tune);
 }
 
 /* Ducks the music within a few frames while a sound requires it; afterwards, its volume rises again slowly. */
@@ -174,7 +174,7 @@ static void step_duck(struct board *b)
     struct voices *v = &b->voices;
     int32_t max_duck = 0;
 
-    for (int i = 0; i < CUES; i++)
+    for (int i = 0; i < CUE_SLOTS; i++)
         if (b->cues.tune[i]) {
             const int32_t duck = tune_of(tune_data(b) + b->cues.tune[i]).duck * VOICE_FULL_GAIN / 255;
             max_duck = duck > max_duck ? duck : max_duck;
@@ -189,7 +189,8 @@ static void step_duck(struct board *b)
 static uint16_t music_gain(const struct board *b)
 {
     const struct seq *s = &b->music;
-    const int32_t fade_gain = s->fade_length ? VOICE_FULL_GAIN * (int32_t)s->fade / s->fade_length : VOICE_FULL_GAIN;
+    const int32_t fade_gain =
+        s->fade_length ? VOICE_FULL_GAIN * (int32_t)s->fade_frames_left / s->fade_length : VOICE_FULL_GAIN;
 
     if (b->voices.music_paused)
         return 0;
@@ -229,17 +230,17 @@ static void step_music(struct board *b)
     if (b->voices.music_paused)
         return;
     step_level(s);
-    if (s->fade_length && s->fade == 0)
+    if (s->fade_length && s->fade_frames_left == 0)
         change_music(b, 0);
     else if (s->tune && !is_ending(s) && seq_has_ended(s))
         end_piece(b);
-    if (s->fade)
-        s->fade--;
+    if (s->fade_frames_left)
+        s->fade_frames_left--;
     for (int first = 0; s->tune && first < SND_FRAME;) {
-        const struct tune t = tune_of(tune_data(b) + cart_place(&b->cart, CART_TUNES, s->tune - 1));
+        const struct tune t = tune_of(tune_data(b) + cart_tune_offset(&b->cart, CART_TUNES, s->tune - 1));
         struct seq_run run = { .s = s, .t = &t, .first = first };
-        struct tune_played e;
-        while (seq_next(&run, &e)) {
+        struct tune_played_event e;
+        while (seq_next_event(&run, &e)) {
             const struct voice_target target = music_target(b, run.slot - 1);
             apply_event(&target, &e);
         }
@@ -258,9 +259,9 @@ void sound_begin_tick(struct board *b)
 static void step_cues(struct board *b)
 {
     struct cues_run run = { 0 };
-    struct tune_played e;
+    struct tune_played_event e;
 
-    while (cues_next(&b->cues, tune_data(b), &run, &e)) {
+    while (cues_next_event(&b->cues, tune_data(b), &run, &e)) {
         const struct voice_target target = cue_target(b, run.slot);
         apply_event(&target, &e);
     }
@@ -280,7 +281,7 @@ static uint32_t ringing_mask(const struct board *b)
 {
     uint32_t busy = 0;
 
-    for (int i = 0; i < CUES; i++)
+    for (int i = 0; i < CUE_SLOTS; i++)
         busy |= (uint32_t)voices_is_busy(&b->voices, VOICES_MUSIC + i) << i;
     return busy;
 }
@@ -289,27 +290,27 @@ void sound_play(struct board *b, const struct cue *cue)
 {
     const uint32_t ended = cues_start(&b->cues, tune_data(b), cue, b->core.frame, ringing_mask(b));
 
-    for (int i = 0; i < CUES; i++)
+    for (int i = 0; i < CUE_SLOTS; i++)
         if (ended >> i & 1)
-            voices_cut(&b->voices, VOICES_MUSIC + i, 0);
+            voices_fade_out(&b->voices, VOICES_MUSIC + i, 0);
 }
 
 void sound_stop(struct board *b, uint32_t tune)
 {
     const uint32_t ended = cues_stop(&b->cues, tune);
 
-    for (int i = 0; i < CUES; i++)
+    for (int i = 0; i < CUE_SLOTS; i++)
         if (ended >> i & 1)
-            voices_cut(&b->voices, VOICES_MUSIC + i, 0);
+            voices_fade_out(&b->voices, VOICES_MUSIC + i, 0);
 }
 
 int16_t sound_pan_at(const struct board *b, fx x)
 {
     const int64_t half = (int64_t)b->cart.manifest.field_w << 15;
-    int64_t place = (x - half) * TUNE_PAN_CENTRE * 2 / (3 * half);
+    int64_t pan = (x - half) * TUNE_PAN_CENTRE * 2 / (3 * half);
 
-    place = place > TUNE_PAN_CENTRE ? TUNE_PAN_CENTRE : place < -TUNE_PAN_CENTRE ? -TUNE_PAN_CENTRE : place;
-    return (int16_t)place;
+    pan = pan > TUNE_PAN_CENTRE ? TUNE_PAN_CENTRE : pan < -TUNE_PAN_CENTRE ? -TUNE_PAN_CENTRE : pan;
+    return (int16_t)pan;
 }
 
 /* Least frames from one cue of a kind to the next, because many in quick succession sound like noise. */
@@ -322,7 +323,7 @@ void sound_start_cue(struct board *b, enum cart_cue cue, fx x)
     if (b->cues.last_played[cue] && since > 0 && since < min_interval[cue])
         return;
     b->cues.last_played[cue] = next;
-    sound_play(b, &(struct cue){ b->cart.cue_place[cue], 256, sound_pan_at(b, x), 0 });
+    sound_play(b, &(struct cue){ b->cart.cue_offset[cue], 256, sound_pan_at(b, x), 0 });
 }
 
 /* ---- music ---- */
@@ -333,11 +334,11 @@ static void begin_fade(struct board *b, int32_t fade)
 {
     struct seq *s = &b->music;
 
-    if (s->fade_length && s->fade <= fade)
+    if (s->fade_length && s->fade_frames_left <= fade)
         return;
-    const int64_t over = s->fade_length ? (int64_t)s->fade_length * fade / s->fade : fade;
-    s->fade_length = (uint16_t)(over > fade ? over : fade);
-    s->fade = (uint16_t)fade;
+    const int64_t full_length = s->fade_length ? (int64_t)s->fade_length * fade / s->fade_frames_left : fade;
+    s->fade_length = (uint16_t)(full_length > fade ? full_length : fade);
+    s->fade_frames_left = (uint16_t)fade;
 }
 
 /* Requests a piece, or silence if index is 0, which starts now, at a beat or bar, or after a fade. */
@@ -346,13 +347,13 @@ static void request_music(struct board *b, uint16_t index, const struct music_op
     struct seq *s = &b->music;
 
     s->next_suspends = options->suspend_current &&
-                       !(s->fade_length && !s->next); /* a piece that is fading to silence is not set aside */
-    s->next = index;
+                       !(s->fade_length && !s->next_tune); /* a piece that is fading to silence is not set aside */
+    s->next_tune = index;
     s->next_is_scheduled = 0;
     s->next_start = 0;
     if (s->tune && options->start_at) {
-        const struct tune t = tune_of(tune_data(b) + cart_place(&b->cart, CART_TUNES, s->tune - 1));
-        s->fade = s->fade_length = 0;
+        const struct tune t = tune_of(tune_data(b) + cart_tune_offset(&b->cart, CART_TUNES, s->tune - 1));
+        s->fade_frames_left = s->fade_length = 0;
         seq_schedule_next(s, options->start_at == MUSIC_AT_BAR ? t.beats_per_bar : 1);
     } else if (s->tune && options->fade > 0)
         begin_fade(b, options->fade);
@@ -363,7 +364,7 @@ static void request_music(struct board *b, uint16_t index, const struct music_op
 /* Cancels the requested piece; the current one continues. */
 static void cancel_next(struct seq *s)
 {
-    s->next = s->fade = s->fade_length = 0;
+    s->next_tune = s->fade_frames_left = s->fade_length = 0;
     s->next_suspends = s->next_is_scheduled = 0;
     s->next_start = 0;
 }
@@ -374,10 +375,11 @@ bool sound_start_music(struct board *b, int tune, const struct music_options *op
     const uint16_t index = (uint16_t)(tune + 1);
 
     if (options->restart && !options->suspend_current && seq_find_suspended(s, index) >= 0)
-        seq_drop_from(s, 0);
-    if (!options->restart && is_ending(s) && s->next == index && s->next_suspends == options->suspend_current)
+        seq_drop_suspended_from(s, 0);
+    if (!options->restart && is_ending(s) && s->next_tune == index && s->next_suspends == options->suspend_current)
         return false;
-    if (!options->restart && s->tune == index && (!is_ending(s) || s->next_is_scheduled || s->fade == s->fade_length)) {
+    if (!options->restart && s->tune == index &&
+        (!is_ending(s) || s->next_is_scheduled || s->fade_frames_left == s->fade_length)) {
         cancel_next(s);
         return false;
     }
@@ -390,7 +392,7 @@ void sound_stop_music(struct board *b, int32_t fade)
     struct seq *s = &b->music;
 
     if (fade == 0 || !s->tune) {
-        seq_drop_from(s, 0);
+        seq_drop_suspended_from(s, 0);
         cancel_next(s);
     }
     if (s->tune)
@@ -400,7 +402,7 @@ void sound_stop_music(struct board *b, int32_t fade)
 static void drop_suspended(struct board *b, int i)
 {
     for (int k = i; k + 1 < b->music.suspended_count; k++)
-        voices_move_saved(&b->voices, k, k + 1);
+        voices_move_saved_music(&b->voices, k, k + 1);
     seq_drop_suspended(&b->music, i);
 }
 
@@ -410,11 +412,11 @@ void sound_end_music(struct board *b, int tune, int32_t fade)
     const uint16_t index = (uint16_t)(tune + 1);
     const int suspended = seq_find_suspended(s, index);
 
-    if (is_ending(s) && s->next == index && s->next_suspends)
+    if (is_ending(s) && s->next_tune == index && s->next_suspends)
         cancel_next(s);
-    else if (is_ending(s) && s->next == index && suspended >= 0) { /* the piece was about to resume */
+    else if (is_ending(s) && s->next_tune == index && suspended >= 0) { /* the piece was about to resume */
         drop_suspended(b, suspended);
-        s->next = s->suspended_count ? s->suspended_tune[s->suspended_count - 1] : 0;
+        s->next_tune = s->suspended_count ? s->suspended_tune[s->suspended_count - 1] : 0;
     } else if (s->tune == index && is_ending(s) && s->next_suspends) /* end this piece instead of setting it aside */
         s->next_suspends = 0;
     else if (s->tune == index && !is_ending(s))
@@ -444,7 +446,7 @@ void sound_start_game(struct board *b)
 {
     struct seq *s = &b->music;
 
-    memset(s->started, 0, sizeof s->started);
+    memset(s->started_tunes, 0, sizeof s->started_tunes);
     sound_set_skipping(b, false);
     s->level = s->level_target = SEQ_FULL_VOLUME;
     s->level_frames = 0;

@@ -25,7 +25,7 @@ void sound_stop(struct board *b, uint32_t tune);
 void sound_start_cue(struct board *b, enum cart_cue cue, fx x);
 static inline void sound_play_cue(struct board *b, enum cart_cue cue, fx x)
 {
-    if (b->cart.cue_place[cue])
+    if (b->cart.cue_offset[cue])
         sound_start_cue(b, cue, x);
 }
 
@@ -35,12 +35,12 @@ int16_t sound_pan_at(const struct board *b, fx x);
 
 /* ---- music; `tune` is the index of a piece ---- */
 
-enum music_at { MUSIC_AT_ONCE, MUSIC_AT_BEAT, MUSIC_AT_BAR };
+enum music_start_point { MUSIC_AT_ONCE, MUSIC_AT_BEAT, MUSIC_AT_BAR };
 struct music_options {
-    int32_t fade;           /* frames in which the current piece fades out first */
-    enum music_at start_at; /* instead of a fade, start on a beat or bar of the current piece */
-    bool restart;           /* start the piece from its beginning, even if it is playing or set aside */
-    bool suspend_current;   /* set the current piece aside until the new piece ends, by itself or by sound_end_music */
+    int32_t fade;                    /* frames in which the current piece fades out first */
+    enum music_start_point start_at; /* instead of a fade, start on a beat or bar of the current piece */
+    bool restart;                    /* start the piece from its beginning, even if it is playing or set aside */
+    bool suspend_current; /* set the current piece aside until the new piece ends, by itself or by sound_end_music */
 };
 
 /* Starts a piece. Unless options->restart is set, a piece that was set aside resumes where it was interrupted. Returns

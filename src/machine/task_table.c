@@ -10,35 +10,35 @@ static const struct column columns[] = {
     COLUMN(tasks, wait),
     COLUMN(tasks, flags),
     COLUMN(tasks, born),
-    DERIVED(tasks, thread, "refers to a thread in the registry"),
-    DERIVED(tasks, origin, "refers to a string in the registry"),
-    DERIVED(tasks, next, "links the live slots in the order of their serials"),
-    DERIVED(tasks, prev, "links the live slots in the order of their serials"),
+    DERIVED_COLUMN(tasks, thread, "refers to a thread in the registry"),
+    DERIVED_COLUMN(tasks, origin, "refers to a string in the registry"),
+    DERIVED_COLUMN(tasks, next, "links the live slots in the order of their serials"),
+    DERIVED_COLUMN(tasks, prev, "links the live slots in the order of their serials"),
     DERIVED_REGISTER(tasks, first, "the live slot with the lowest serial"),
     DERIVED_REGISTER(tasks, last, "the live slot with the highest serial"),
     REGISTER(tasks, serial_count),
     DERIVED_REGISTER(tasks, current, "NO_SLOT between frames"),
     DERIVED_REGISTER(tasks, skipped_waits, "0 when a turn begins"),
-    DERIVED_REGISTER(tasks, now_owner, "0 between frames"),
-    DERIVED_REGISTER(tasks, now_scene, "0 between frames"),
+    DERIVED_REGISTER(tasks, current_owner, "0 between frames"),
+    DERIVED_REGISTER(tasks, current_scene, "0 between frames"),
 };
 
 const struct chip tasks_chip = { .name = "tasks", CHIP_COLUMNS(columns) };
 
-bool tasks_owner_alive(const struct board *b, int64_t owner)
+bool tasks_is_owner_alive(const struct board *b, int64_t owner)
 {
     return !owner || board_is_alive(b, owner);
 }
 
 /* A loop rather than recursion: a chain of owners may contain MAX_OWNER_DEPTH tasks. */
-bool tasks_alive(const struct board *b, uint32_t slot, uint32_t gen)
+bool tasks_is_alive(const struct board *b, uint32_t slot, uint32_t gen)
 {
     const struct tasks *t = &b->tasks;
 
     while (slots_has(&t->s, slot, gen) && !(t->flags[slot] & TASK_STOP)) {
         int64_t owner = t->owner[slot];
         if (!owner || handle_kind(owner) != H_TASK)
-            return tasks_owner_alive(b, owner);
+            return tasks_is_owner_alive(b, owner);
         slot = handle_slot(owner);
         gen = handle_gen(owner);
     }
@@ -54,18 +54,18 @@ const char *tasks_origin(const struct board *b, const struct lua_State *L)
 
 int64_t tasks_current_owner(const struct board *b)
 {
-    return b->tasks.now_owner;
+    return b->tasks.current_owner;
 }
 
-bool tasks_get_owner_of_new(const struct board *b, bool outlives_scene, int64_t *owner)
+bool tasks_get_spawn_owner(const struct board *b, bool outlives_scene, int64_t *owner)
 {
-    *owner = outlives_scene ? 0 : b->tasks.now_scene;
-    return tasks_owner_alive(b, *owner);
+    *owner = outlives_scene ? 0 : b->tasks.current_scene;
+    return tasks_is_owner_alive(b, *owner);
 }
 
 struct tasks_context tasks_enter_scene(struct board *b, int64_t scene)
 {
-    struct tasks_context was = { b->tasks.now_owner, b->tasks.now_scene };
+    struct tasks_context was = { b->tasks.current_owner, b->tasks.current_scene };
 
     /* entities spawned by an enemy without a scene must not end with the scene of its killer */
     tasks_set_context(b, (struct tasks_context){ scene ? scene : was.scene ? 0 : was.owner, scene });
@@ -74,8 +74,8 @@ struct tasks_context tasks_enter_scene(struct board *b, int64_t scene)
 
 void tasks_set_context(struct board *b, struct tasks_context context)
 {
-    b->tasks.now_owner = context.owner;
-    b->tasks.now_scene = context.scene;
+    b->tasks.current_owner = context.owner;
+    b->tasks.current_scene = context.scene;
 }
 
 void tasks_set_task_context(struct board *b, uint32_t i)

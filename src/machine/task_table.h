@@ -39,16 +39,16 @@ struct tasks {
     uint32_t serial_count;  /* number of serials given out so far */
     int32_t current;        /* slot of the running task, NO_SLOT: none */
     uint32_t skipped_waits; /* waits the running task has skipped in this turn */
-    int64_t now_owner,
-        now_scene; /* owner of the tasks that the running script starts; scene of the entities that it spawns */
+    int64_t current_owner,
+        current_scene; /* owner of the tasks that the running script starts; scene of the entities that it spawns */
 };
 
 extern const struct chip tasks_chip;
 
 /* Returns whether this owner (0: the board) is alive. A task is alive if it has not been stopped and its owner is
  * alive, up the whole chain of owners. */
-bool tasks_owner_alive(const struct board *b, int64_t owner);
-bool tasks_alive(const struct board *b, uint32_t slot, uint32_t gen);
+bool tasks_is_owner_alive(const struct board *b, int64_t owner);
+bool tasks_is_alive(const struct board *b, uint32_t slot, uint32_t gen);
 
 /* The owner and scene on whose behalf a script runs. */
 struct tasks_context {
@@ -61,7 +61,7 @@ int64_t tasks_current_owner(const struct board *b);
 /* Stores the owner of an enemy or sprite that the running script spawns: the script's scene or, with `outlives_scene`,
  * none, so that the enemy or sprite outlives the scene. Returns false if the owner is a scene that has ended: scripts
  * cannot spawn entities in it. */
-bool tasks_get_owner_of_new(const struct board *b, bool outlives_scene, int64_t *owner);
+bool tasks_get_spawn_owner(const struct board *b, bool outlives_scene, int64_t *owner);
 
 /* Sets the owner and scene for an enemy's handler. If the enemy has a scene, the handler runs in that scene, which is
  * also the owner. Otherwise the handler runs in no scene, and the owner stays that of the script that caused the event,
@@ -76,7 +76,7 @@ void tasks_set_task_context(struct board *b, uint32_t slot);
 /* Restores the owner and scene of the running task, after the task caught an error raised in an enemy's handler. */
 void tasks_restore_context(struct board *b);
 
-/* Returns the "FILE:LINE: " of the author's line that started the @std task running in L, or NULL if L is not running
+/* Returns the "FILE:LINE: " in the game's scripts that started the @std task running in L, or NULL if L is not running
  * an @std task. */
 const char *tasks_origin(const struct board *b, const struct lua_State *L);
 

@@ -18,10 +18,10 @@ struct profile;
 #endif
 
 enum {
-    WORK_TASK = 1000,  /* work of starting a task */
-    WORK_CALL = 100,   /* work of calling an API function */
-    WORK_FIRE = 20,    /* work of firing one bullet from a motion program */
-    VM_PLACE_SIZE = 80 /* size of a buffer for "FILE:LINE: " */
+    WORK_TASK = 1000,     /* work of starting a task */
+    WORK_CALL = 100,      /* work of calling an API function */
+    WORK_FIRE = 20,       /* work of firing one bullet from a motion program */
+    VM_LOCATION_SIZE = 80 /* size of a buffer for "FILE:LINE: " */
 };
 
 /* A VM instruction counts as 1 + `extra` instructions if it may have to process n items of the kind `kind`. */
@@ -43,10 +43,10 @@ struct vm_weight {
 
 /* A cache of name lookups, indexed by api_guess_index: each entry holds where the last name with that index was found.
  * The cache affects only the speed of lookups. */
-enum { VM_GUESSES = 128 };
+enum { VM_GUESS_COUNT = 128 };
 struct vm_guesses {
-    uint8_t props[VM_GUESSES];
-    uint16_t names[VM_GUESSES];
+    uint8_t props[VM_GUESS_COUNT];
+    uint16_t names[VM_GUESS_COUNT];
 };
 
 struct vm {
@@ -79,7 +79,7 @@ struct vm_calls {
     /* Raises a fault that pcall does not catch, prefixed with the location of the nearest caller. Does not return. */
     void (*fault)(struct board *b, enum board_fault_kind kind, const char *message);
     /* Stores "FILE:LINE: " of the running script, or "". */
-    void (*get_place)(struct board *b, char *place, size_t size);
+    void (*get_location)(struct board *b, char *place, size_t size);
     /* Returns a block in Lua's heap for the queue of emits. old_block: the queue's present block, or NULL if the queue
      * has none in this frame yet. If `old_block` is NULL and a block of an earlier frame exists, returns that block and
      * stores its size in *size; otherwise returns a new, zeroed block of *size bytes. Raises a Lua error if out of

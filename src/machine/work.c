@@ -45,6 +45,6 @@ void board_charge_picture(struct board *b)
     if (video_fits(b, vm->limit - vm->work, &w))
         board_charge_work(b, w.work);
     else
-        board_raise_overload(b, "drawing: too much work in one frame (mostly %s); %s or make them smaller", w.largest,
-                             w.advice);
+        board_raise_overload(b, "drawing: too much work in one frame (mostly %s); %s or make them smaller",
+                             w.largest_name, w.advice);
 }

@@ -20,14 +20,14 @@ const char *const ml_operands[ML_OPS] = {
 };
 
 /* Finds the sections of the lump, without checking their contents. Returns the size that the header implies. */
-static uint64_t layout(struct ml *m, const uint8_t *data)
+static uint64_t find_sections(struct ml *m, const uint8_t *data)
 {
     const uint64_t counts[] = { bytes_get32(data + 8),  bytes_get32(data + 12), bytes_get32(data + 16),
                                 bytes_get32(data + 20), bytes_get32(data + 24), bytes_get32(data + 28) };
-    const uint64_t number = ML_HEADER, top = number + 8 * counts[2], label = top + 4 * counts[0],
+    const uint64_t number = ML_HEADER_SIZE, top = number + 8 * counts[2], label = top + 4 * counts[0],
                    word = label + 4 * counts[1], step = word + 4 * counts[3], text = step + 4 * counts[4];
 
-    *m = (struct ml){ .n_tops = (uint32_t)counts[0],
+    *m = (struct ml){ .n_top_actions = (uint32_t)counts[0],
                       .n_labels = (uint32_t)counts[1],
                       .n_numbers = (uint32_t)counts[2],
                       .n_words = (uint32_t)counts[3],
@@ -35,7 +35,7 @@ static uint64_t layout(struct ml *m, const uint8_t *data)
                       .text_size = (uint32_t)counts[5],
                       .horizontal = bytes_get32(data + 4) };
     m->number = data + number;
-    m->top = data + top;
+    m->top_action = data + top;
     m->label = data + label;
     m->word = data + word;
     m->step = data + step;
@@ -45,7 +45,7 @@ static uint64_t layout(struct ml *m, const uint8_t *data)
 
 void ml_open(struct ml *m, const uint8_t *data)
 {
-    layout(m, data);
+    find_sections(m, data);
 }
 
 static bool is_command_at(const struct ml *m, uint32_t at)
@@ -83,8 +83,8 @@ static bool command_ok(const struct ml *m, uint32_t *at)
     const uint32_t w = ml_word(m, *at);
     uint32_t n = 0;
 
-    if (!(w & ML_COMMAND) || ML_OP(w) >= ML_OPS || ML_TYPE(w) >= ML_TYPES * ML_TYPE_Y ||
-        ML_TYPE(w) % ML_TYPE_Y >= ML_TYPES)
+    if (!(w & ML_COMMAND) || ML_OP(w) >= ML_OPS || ML_TYPE(w) >= ML_TYPES * ML_Y_TYPE_FACTOR ||
+        ML_TYPE(w) % ML_Y_TYPE_FACTOR >= ML_TYPES)
         return false;
     ++*at;
     for (const char *type = ml_operands[ML_OP(w)]; *type && *type != '*'; type++, ++*at)
@@ -153,8 +153,8 @@ static bool steps_ok(const struct ml *m)
 
 static bool tables_ok(const struct ml *m)
 {
-    for (uint32_t i = 0; i < m->n_tops; i++)
-        if (!is_command_at(m, ml_top(m, i)))
+    for (uint32_t i = 0; i < m->n_top_actions; i++)
+        if (!is_command_at(m, ml_top_action(m, i)))
             return false;
     for (uint32_t i = 0; i < m->n_labels; i++)
         if (bytes_get32(m->label + 4 * (size_t)i) >= m->text_size)
@@ -166,12 +166,12 @@ bool ml_check(const uint8_t *data, size_t size, char *err, size_t err_size)
 {
     struct ml m;
 
-    if (size < ML_HEADER || bytes_get32(data) != ML_MAGIC)
+    if (size < ML_HEADER_SIZE || bytes_get32(data) != ML_MAGIC)
         return err_set(err, err_size, "not a BulletML program");
     if (bytes_get32(data + 4) > 1)
         return err_set(err, err_size, "unknown format");
-    const uint64_t expected = layout(&m, data);
-    if (m.n_tops > ML_MAX_TOPS || m.n_labels > ML_MAX_LABELS || m.n_numbers > ML_MAX_NUMBERS ||
+    const uint64_t expected = find_sections(&m, data);
+    if (m.n_top_actions > ML_MAX_TOP_ACTIONS || m.n_labels > ML_MAX_LABELS || m.n_numbers > ML_MAX_NUMBERS ||
         m.n_words > ML_MAX_WORDS || m.n_steps > ML_MAX_WORDS || m.text_size > ML_MAX_TEXT)
         return err_set(err, err_size, "too large for a BulletML program");
     if (expected != size)

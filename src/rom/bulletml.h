@@ -34,11 +34,11 @@
 #define ML_COMPUTED 0x40000000u
 
 enum {
-    ML_HEADER = 32,     /* bytes */
-    ML_STACK_SIZE = 16, /* maximum numbers on the stack while a value is computed */
-    ML_PARAMS = 9,      /* $1 to $9 */
-    ML_MAX_PARAMS = 64, /* maximum parameters that a reference can give; all are computed */
-    ML_MAX_TOPS = 64,
+    ML_HEADER_SIZE = 32, /* bytes */
+    ML_STACK_SIZE = 16,  /* maximum numbers on the stack while a value is computed */
+    ML_PARAMS = 9,       /* $1 to $9 */
+    ML_MAX_PARAMS = 64,  /* maximum parameters that a reference can give; all are computed */
+    ML_MAX_TOP_ACTIONS = 64,
     ML_MAX_LABELS = 4096,
     ML_MAX_NUMBERS = 1 << 20,
     ML_MAX_WORDS = 1 << 20,
@@ -69,10 +69,10 @@ enum ml_op {
     ML_VANISH,
     ML_TURN,  /* v v: term, direction, with its ML_TYPE */
     ML_SPEED, /* v v: term, speed, with its ML_TYPE */
-    ML_ACCEL, /* v v v: term, x, y; ML_TYPE: x's type + ML_TYPE_Y * y's type; ML_NONE: component absent */
+    ML_ACCEL, /* v v v: term, x, y; ML_TYPE: x's type + ML_Y_TYPE_FACTOR * y's type; ML_NONE: component absent */
     ML_OPS
 };
-enum { ML_TYPE_Y = 8 };
+enum { ML_Y_TYPE_FACTOR = 8 };
 
 /* ML_OP is a command's operation, ML_TYPE its enum ml_type, ML_LINE the line of its element in the document
  * (ML_MAX_LINE: that line or a later one). */
@@ -105,8 +105,8 @@ enum ml_step {
 
 /* The sections of a program. */
 struct ml {
-    const uint8_t *number, *top, *label, *word, *step, *text;
-    uint32_t n_tops, n_labels, n_numbers, n_words, n_steps, text_size;
+    const uint8_t *number, *top_action, *label, *word, *step, *text;
+    uint32_t n_top_actions, n_labels, n_numbers, n_words, n_steps, text_size;
     bool horizontal;
 };
 
@@ -129,9 +129,9 @@ static inline uint32_t ml_step(const struct ml *m, uint32_t at)
     return bytes_get32(m->step + 4 * (size_t)at);
 }
 
-static inline uint32_t ml_top(const struct ml *m, uint32_t i)
+static inline uint32_t ml_top_action(const struct ml *m, uint32_t i)
 {
-    return bytes_get32(m->top + 4 * (size_t)i);
+    return bytes_get32(m->top_action + 4 * (size_t)i);
 }
 
 static inline int64_t ml_number(const struct ml *m, uint32_t at)
@@ -174,7 +174,7 @@ static inline int64_t ml_subtract(int64_t a, int64_t b)
 
 /* Converts a count of frames or repeats to a whole number by truncation, except that a value at most 2^-20 short of a
  * whole number is rounded to it. INT64_MAX, the result of an overflow, becomes 0, as documents expect. */
-static inline int32_t ml_whole(int64_t v)
+static inline int32_t ml_to_whole(int64_t v)
 {
     const int64_t tolerance = 1 << 12;
 
@@ -225,14 +225,14 @@ static inline int64_t ml_wrap(int64_t d)
     return d < 0 ? d + ML_FULL_TURN : d;
 }
 
-/* ml_angle converts degrees, 0 <= d < 360, to the nearest angle (2^32 per turn). ml_degrees converts an angle to
- * degrees exactly. */
-static inline ang ml_angle(int64_t d)
+/* ml_degrees_to_angle converts degrees, 0 <= d < 360, to the nearest angle (2^32 per turn). ml_angle_to_degrees
+ * converts an angle to degrees exactly. */
+static inline ang ml_degrees_to_angle(int64_t d)
 {
     return (ang)(((uint64_t)d + 180) / 360);
 }
 
-static inline int64_t ml_degrees(ang a)
+static inline int64_t ml_angle_to_degrees(ang a)
 {
     return (int64_t)((uint64_t)a * 360);
 }

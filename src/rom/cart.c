@@ -37,7 +37,7 @@ static bool find_lump_in(const struct rom *rom, const char *folder, const char *
 }
 
 static const struct {
-    const char *prefix, *after; /* after: the prefix with its last byte incremented */
+    const char *prefix, *upper_bound; /* upper_bound: the prefix with its last byte incremented */
     int max_lumps;
 } folders[CART_FOLDERS] = {
     [CART_SPRITES] = { "gfx/", "gfx0", INT_MAX },
@@ -51,14 +51,14 @@ static const struct {
     [CART_SOUNDS] = { "sound/", "sound0", INT_MAX },
     [CART_SHADE_TABLES] = { "shade/", "shade0", INT_MAX },
     [CART_BLEND_TABLES] = { "blends/", "blends0", INT_MAX },
-    [CART_HITS] = { "hit/", "hit0", INT_MAX },
+    [CART_HITBOXES] = { "hit/", "hit0", INT_MAX },
 };
 
 static void find_folders(struct cart *c)
 {
     for (int f = 0; f < CART_FOLDERS; f++) {
         c->first[f] = rom_find_first(c->rom, folders[f].prefix);
-        c->count[f] = rom_find_first(c->rom, folders[f].after) - c->first[f];
+        c->count[f] = rom_find_first(c->rom, folders[f].upper_bound) - c->first[f];
     }
 }
 
@@ -142,10 +142,10 @@ static bool open_shades(struct cart *c, char *err, size_t err_size)
 {
     struct lump l;
 
-    c->main_look.shades = NULL;
+    c->main_tables.shades = NULL;
     if (!find_lump(c->rom, "shades", &l))
         return true;
-    c->main_look.shades = l.data;
+    c->main_tables.shades = l.data;
     return check_size(&l, CART_SHADES_SIZE, err, err_size);
 }
 
@@ -159,20 +159,20 @@ static bool open_blends(struct cart *c, char *err, size_t err_size)
         get_lump(c, CART_BLENDS, i, &l);
         if (!check_size(&l, CART_BLEND_SIZE, err, err_size))
             return false;
-        c->main_look.blend[i] = l.data;
-        c->main_look.mix[i] = find_rule(l.data);
+        c->main_tables.blend[i] = l.data;
+        c->main_tables.mix[i] = find_rule(l.data);
     }
     return true;
 }
 
 /* Opens the tables of palette i. In place of missing tables, it uses those of palette/main. */
-static bool open_look(struct cart *c, int i, char *err, size_t err_size)
+static bool open_palette_tables(struct cart *c, int i, char *err, size_t err_size)
 {
-    struct cart_look *look = &c->looks[i];
+    struct cart_colour_tables *look = &c->palette_tables[i];
     char folder[2 * ROM_MAX_NAME];
     struct lump l;
 
-    *look = c->main_look;
+    *look = c->main_tables;
     if (find_lump_in(c->rom, "shade/", cart_name(c, CART_PALETTES, i), "", &l)) {
         look->shades = l.data;
         if (!check_size(&l, CART_SHADES_SIZE, err, err_size))
@@ -190,14 +190,14 @@ static bool open_look(struct cart *c, int i, char *err, size_t err_size)
     return true;
 }
 
-static bool open_looks(struct cart *c, char *err, size_t err_size)
+static bool open_all_palette_tables(struct cart *c, char *err, size_t err_size)
 {
-    c->has_looks = c->count[CART_SHADE_TABLES] + c->count[CART_BLEND_TABLES] > 0;
-    if (c->has_looks && c->count[CART_PALETTES] > CART_MAX_LOOKS)
+    c->has_palette_tables = c->count[CART_SHADE_TABLES] + c->count[CART_BLEND_TABLES] > 0;
+    if (c->has_palette_tables && c->count[CART_PALETTES] > CART_MAX_TABLED_PALETTES)
         return err_set(err, err_size, "%d lumps named \"palette/...\" with shade or blend tables, expected at most %d",
-                       c->count[CART_PALETTES], CART_MAX_LOOKS);
-    for (int i = 0; i < c->count[CART_PALETTES] && c->has_looks; i++)
-        if (!open_look(c, i, err, err_size))
+                       c->count[CART_PALETTES], CART_MAX_TABLED_PALETTES);
+    for (int i = 0; i < c->count[CART_PALETTES] && c->has_palette_tables; i++)
+        if (!open_palette_tables(c, i, err, err_size))
             return false;
     return true;
 }
@@ -269,7 +269,7 @@ static void read_sprite(const struct lump *l, struct sprite *s)
     s->frame_ticks = bytes_get16(p + 12);
     s->rotations = bytes_get16(p + 14);
     s->bank = bytes_get16(p + 16);
-    s->pix = p + CART_GFX_HEADER;
+    s->pix = p + CART_GFX_HEADER_SIZE;
 }
 
 static bool in_range(int v, int lo, int hi)
@@ -308,15 +308,15 @@ static bool check_sprite(const struct lump *l, char *err, size_t err_size)
 {
     struct sprite s;
 
-    if (l->size < CART_GFX_HEADER)
+    if (l->size < CART_GFX_HEADER_SIZE)
         return err_set(err, err_size, "lump \"%s\": too short for a sprite (%" PRIu32 " bytes)", l->name, l->size);
     read_sprite(l, &s);
     if (!header_ok(&s) || bytes_get16(l->data + 18) != 0 || bytes_get32(l->data + 20) != 0)
         return err_set(err, err_size, "lump \"%s\": its header is out of range", l->name);
     uint64_t rows = (uint64_t)s.frames * s.rotations * s.h;
-    if (l->size != CART_GFX_HEADER + rows * s.pitch)
+    if (l->size != CART_GFX_HEADER_SIZE + rows * s.pitch)
         return err_set(err, err_size, "lump \"%s\": %" PRIu32 " bytes long, its header says %" PRIu64, l->name, l->size,
-                       CART_GFX_HEADER + rows * s.pitch);
+                       CART_GFX_HEADER_SIZE + rows * s.pitch);
     for (uint64_t y = 0; y < rows; y++)
         if (!row_ok(s.pix + y * s.pitch, &s))
             return err_set(err, err_size,
@@ -339,7 +339,7 @@ static bool open_sprites(struct cart *c, char *err, size_t err_size)
 
 /* ---- hitboxes ---- */
 
-void cart_pack_hit(const struct cart_hitbox *hit, uint8_t out[CART_HIT_SIZE])
+void cart_pack_hitbox(const struct cart_hitbox *hit, uint8_t out[CART_HITBOX_SIZE])
 {
     bytes_put32(out, hit->shape);
     bytes_put32(out + 4, hit->rows);
@@ -351,7 +351,7 @@ void cart_pack_hit(const struct cart_hitbox *hit, uint8_t out[CART_HIT_SIZE])
     }
 }
 
-static void read_hit(const uint8_t *p, struct cart_hitbox *hit)
+static void read_hitbox(const uint8_t *p, struct cart_hitbox *hit)
 {
     hit->shape = bytes_get32(p);
     hit->rows = bytes_get32(p + 4);
@@ -365,7 +365,7 @@ static void read_hit(const uint8_t *p, struct cart_hitbox *hit)
 
 /* Returns whether row i of a hitbox is valid: lengths are not negative, nothing is too large, and values that the shape
  * does not use are 0. */
-static bool hit_row_ok(const struct cart_hitbox *h, uint32_t i)
+static bool hitbox_row_ok(const struct cart_hitbox *h, uint32_t i)
 {
     const int64_t limit = (int64_t)MAX_SPEED << 16, a = h->row[i].a, b = h->row[i].b;
     const int64_t x = h->row[i].x, y = h->row[i].y, reach = (x < 0 ? -x : x) + (y < 0 ? -y : y) + a;
@@ -378,42 +378,42 @@ static bool hit_row_ok(const struct cart_hitbox *h, uint32_t i)
            (h->shape == SHAPE_CAPSULE || h->shape == SHAPE_CIRCLES || (x == 0 && y == 0));
 }
 
-static bool hit_ok(const struct cart_hitbox *h)
+static bool hitbox_ok(const struct cart_hitbox *h)
 {
     if (h->shape != SHAPE_CIRCLE && h->shape != SHAPE_BOX && h->shape != SHAPE_CAPSULE && h->shape != SHAPE_CIRCLES)
         return false;
     if (h->rows < 1 || h->rows > (h->shape == SHAPE_CIRCLES ? SHAPE_MAX_CIRCLES : 1))
         return false;
     for (uint32_t i = 0; i < SHAPE_MAX_CIRCLES; i++)
-        if (!hit_row_ok(h, i))
+        if (!hitbox_row_ok(h, i))
             return false;
     return true;
 }
 
-static bool open_hits(struct cart *c, char *err, size_t err_size)
+static bool open_hitboxes(struct cart *c, char *err, size_t err_size)
 {
     struct cart_hitbox h;
     struct lump l;
 
-    for (int i = 0; i < c->count[CART_HITS]; i++) {
-        get_lump(c, CART_HITS, i, &l);
-        if (cart_find(c, CART_SPRITES, cart_name(c, CART_HITS, i)) < 0)
+    for (int i = 0; i < c->count[CART_HITBOXES]; i++) {
+        get_lump(c, CART_HITBOXES, i, &l);
+        if (cart_find(c, CART_SPRITES, cart_name(c, CART_HITBOXES, i)) < 0)
             return err_set(err, err_size, "lump \"%s\": no sprite has this name", l.name);
-        if (l.size == CART_HIT_SIZE)
-            read_hit(l.data, &h);
-        if (l.size != CART_HIT_SIZE || !hit_ok(&h))
+        if (l.size == CART_HITBOX_SIZE)
+            read_hitbox(l.data, &h);
+        if (l.size != CART_HITBOX_SIZE || !hitbox_ok(&h))
             return err_set(err, err_size, "lump \"%s\": not a hitbox", l.name);
     }
     return true;
 }
 
-bool cart_find_hit(const struct cart *cart, const char *name, struct cart_hitbox *out)
+bool cart_find_hitbox(const struct cart *cart, const char *name, struct cart_hitbox *out)
 {
     struct lump l;
 
     if (!find_lump_in(cart->rom, "hit/", name, "", &l))
         return false;
-    read_hit(l.data, out);
+    read_hitbox(l.data, out);
     return true;
 }
 
@@ -427,7 +427,7 @@ static void read_map(const struct lump *l, struct map *m)
     m->n_tiles = bytes_get16(p + 6);
     m->bank = bytes_get16(p + 8);
     m->all_solid = bytes_get16(p + 10) != 0;
-    m->cells = p + CART_MAP_HEADER;
+    m->cells = p + CART_MAP_HEADER_SIZE;
     m->solid = m->cells + 2 * (size_t)m->cols * (size_t)m->rows;
     m->pix = m->solid + m->n_tiles;
 }
@@ -460,14 +460,14 @@ static bool check_map(const struct lump *l, char *err, size_t err_size)
 {
     struct map m;
 
-    if (l->size < CART_MAP_HEADER)
+    if (l->size < CART_MAP_HEADER_SIZE)
         return err_set(err, err_size, "lump \"%s\": too short for a map (%" PRIu32 " bytes)", l->name, l->size);
     read_map(l, &m);
     if (!map_header_ok(&m) || bytes_get16(l->data + 10) > 1 || bytes_get32(l->data + 12) != 0)
         return err_set(err, err_size, "lump \"%s\": its header is out of range", l->name);
     uint64_t cells = (uint64_t)m.cols * (uint64_t)m.rows;
     uint64_t size =
-        CART_MAP_HEADER + 2 * cells + (uint64_t)m.n_tiles * (1 + (uint64_t)m.tile_side * (uint64_t)m.tile_side);
+        CART_MAP_HEADER_SIZE + 2 * cells + (uint64_t)m.n_tiles * (1 + (uint64_t)m.tile_side * (uint64_t)m.tile_side);
     if (l->size != size)
         return err_set(err, err_size, "lump \"%s\": %" PRIu32 " bytes long, its header says %" PRIu64, l->name, l->size,
                        size);
@@ -545,9 +545,9 @@ static bool open_tunes(struct cart *c, enum cart_folder folder, char *err, size_
     return true;
 }
 
-const char *const cart_cues[CART_CUES] = { "shot",  "hit",    "graze",    "kill",    "item",  "bomb",   "warning",
-                                           "menu",  "extend", "spell",    "bonus",   "time",  "select", "back",
-                                           "wrong", "pause",  "continue", "mission", "failed" };
+const char *const cart_cue_names[CART_CUES] = { "shot",  "hit",    "graze",    "kill",    "item",  "bomb",   "warning",
+                                                "menu",  "extend", "spell",    "bonus",   "time",  "select", "back",
+                                                "wrong", "pause",  "continue", "mission", "failed" };
 
 static bool open_sounds(struct cart *c, char *err, size_t err_size)
 {
@@ -555,11 +555,11 @@ static bool open_sounds(struct cart *c, char *err, size_t err_size)
 
     if (c->count[CART_SOUNDS] + c->count[CART_TUNES] > 0) { /* sounds and music are adjacent in the ROM */
         get_lump(c, c->count[CART_SOUNDS] > 0 ? CART_SOUNDS : CART_TUNES, 0, &first);
-        c->tune_data = first.data - TUNES_FIRST_PLACE;
+        c->tune_data = first.data - CART_FIRST_TUNE_OFFSET;
     }
     for (int i = 0; i < CART_CUES; i++) {
-        const int sound = cart_find(c, CART_SOUNDS, cart_cues[i]);
-        c->cue_place[i] = sound < 0 ? 0 : cart_place(c, CART_SOUNDS, sound);
+        const int sound = cart_find(c, CART_SOUNDS, cart_cue_names[i]);
+        c->cue_offset[i] = sound < 0 ? 0 : cart_tune_offset(c, CART_SOUNDS, sound);
     }
     return open_tunes(c, CART_TUNES, err, err_size) && open_tunes(c, CART_SOUNDS, err, err_size);
 }
@@ -569,10 +569,11 @@ bool cart_open(struct cart *cart, const struct rom *rom, char *err, size_t err_s
     cart->rom = rom;
     find_folders(cart);
     return open_manifest(cart, err, err_size) && open_palettes(cart, err, err_size) &&
-           open_shades(cart, err, err_size) && open_blends(cart, err, err_size) && open_looks(cart, err, err_size) &&
-           open_langs(cart, err, err_size) && open_faces(cart, err, err_size) && open_font(cart, err, err_size) &&
-           open_sprites(cart, err, err_size) && open_hits(cart, err, err_size) && open_maps(cart, err, err_size) &&
-           open_bulletml(cart, err, err_size) && open_sounds(cart, err, err_size);
+           open_shades(cart, err, err_size) && open_blends(cart, err, err_size) &&
+           open_all_palette_tables(cart, err, err_size) && open_langs(cart, err, err_size) &&
+           open_faces(cart, err, err_size) && open_font(cart, err, err_size) && open_sprites(cart, err, err_size) &&
+           open_hitboxes(cart, err, err_size) && open_maps(cart, err, err_size) && open_bulletml(cart, err, err_size) &&
+           open_sounds(cart, err, err_size);
 }
 
 void cart_sprite(const struct cart *cart, int i, struct sprite *out)
@@ -645,7 +646,7 @@ bool cart_has_glyph(const struct cart *cart, uint32_t code)
     return is_found;
 }
 
-uint32_t cart_place(const struct cart *cart, enum cart_folder folder, int i)
+uint32_t cart_tune_offset(const struct cart *cart, enum cart_folder folder, int i)
 {
     struct lump l;
 
@@ -654,7 +655,7 @@ uint32_t cart_place(const struct cart *cart, enum cart_folder folder, int i)
 }
 
 /* Returns the place of the samples of the tune at place `tune`, which is a recording; 0: none. */
-static uint32_t samples_place(const struct cart *cart, uint32_t tune)
+static uint32_t find_samples_offset(const struct cart *cart, uint32_t tune)
 {
     const uint32_t at = bytes_get32(cart->tune_data + tune + 12);
     struct lump l;
@@ -662,7 +663,7 @@ static uint32_t samples_place(const struct cart *cart, uint32_t tune)
 
     if (at)
         return tune + at;
-    while (i < cart->count[CART_TUNES] && cart_place(cart, CART_TUNES, i) != tune)
+    while (i < cart->count[CART_TUNES] && cart_tune_offset(cart, CART_TUNES, i) != tune)
         i++;
     if (i == cart->count[CART_TUNES] || !find_lump_in(cart->rom, "wave/", cart_name(cart, CART_TUNES, i), "", &l))
         return 0;
@@ -676,16 +677,16 @@ size_t cart_wave_size(const struct cart *cart, int i)
     return i >= 0 && find_lump_in(cart->rom, "wave/", cart_name(cart, CART_TUNES, i), "", &l) ? l.size : 0;
 }
 
-uint32_t cart_recording_place(const struct cart *cart, uint32_t tune, const uint8_t *inst)
+uint32_t cart_recording_offset(const struct cart *cart, uint32_t tune, const uint8_t *inst)
 {
     const bool is_named = inst_sample_name(inst)[0] != 0;
     const int sound = is_named ? cart_find(cart, CART_SOUNDS, inst_sample_name(inst)) : -1;
-    const uint32_t source = sound < 0 ? tune : cart_place(cart, CART_SOUNDS, sound);
+    const uint32_t source = sound < 0 ? tune : cart_tune_offset(cart, CART_SOUNDS, sound);
     const struct tune t = tune_of(cart->tune_data + source);
 
     if (inst[0] != INST_SAMPLE || (is_named && sound < 0) || t.channels == 0)
         return 0;
-    const uint32_t first = samples_place(cart, source);
+    const uint32_t first = find_samples_offset(cart, source);
     if (first == 0 || t.channels == 1 || is_named || inst == tune_inst(&t, 0))
         return first;
     const struct sample s = sample_of(cart->tune_data + first);

@@ -13,15 +13,17 @@
  *         blends/P/X      the table of blend X while palette/P is loaded; only if it differs from blend/X
  *         fonts/X         a proportional font: face.h
  *         font            64 bytes a character from 32 on, 8x8 shades 0..15
- *         gfx/X           a sprite: CART_GFX_HEADER bytes (u16 w h pitch, i16 ox oy, u16 frames frame_ticks rotations
+ *         gfx/X           a sprite: CART_GFX_HEADER_SIZE bytes (u16 w h pitch, i16 ox oy, u16 frames frame_ticks
+ * rotations
  *                         bank, 6 zero bytes; struct sprite), then frames * rotations pictures of pitch * h bytes;
  *                         picture = frame * rotations + rotation
- *         hit/X           the hitbox drawn with sprite X, CART_HIT_SIZE bytes: u32 shape (motion.h), u32 rows, then
+ *         hit/X           the hitbox drawn with sprite X, CART_HITBOX_SIZE bytes: u32 shape (motion.h), u32 rows, then
  *                         four times i32 a b x y, as in the rows of a kind (a capsule: x, y is one end of its axis);
  *                         unused rows are 0. Ticks read this lump
  *         lang/X          a language: words.h
  *         bulletml/X      a BulletML document's program: bulletml.h
- *         map/X           a map of tiles: CART_MAP_HEADER bytes (u16 cols rows tile_side tiles bank all_solid, 4 zero
+ *         map/X           a map of tiles: CART_MAP_HEADER_SIZE bytes (u16 cols rows tile_side tiles bank all_solid, 4
+ * zero
  *                         bytes; struct map); cols * rows tile numbers, u16, row by row; a byte per tile, 1: solid,
  *                         none of its pixels is transparent; then the tiles, tile_side * tile_side bytes each. Tile 0
  *                         is empty; all_solid: 1 if the tiles of all cells are solid
@@ -44,13 +46,13 @@
 #include "words.h"
 
 enum {
-    CART_GFX_HEADER = 24,
-    CART_HIT_SIZE = 72,
+    CART_GFX_HEADER_SIZE = 24,
+    CART_HITBOX_SIZE = 72,
     CART_PALETTE_SIZE = 768, /* bytes */
     CART_BLEND_SIZE = 65536, /* bytes */
     CART_SHADES_SIZE = 768,  /* bytes */
     CART_MAX_BLENDS = 3,
-    CART_MAX_LOOKS = 65, /* maximum number of palettes if any palette has its own tables */
+    CART_MAX_TABLED_PALETTES = 65, /* maximum number of palettes if any palette has its own tables */
     CART_MAX_FACES = 8,
     CART_GLYPH_SIZE = 64, /* bytes per character */
     CART_FIRST_CHAR = 32,
@@ -58,7 +60,7 @@ enum {
     CART_MAX_SIDE = 1024, /* maximum width, height and pitch of a sprite's picture, px */
     CART_MAX_FRAMES = 256,
     CART_MAX_ROTATIONS = 256,
-    CART_MAP_HEADER = 16,
+    CART_MAP_HEADER_SIZE = 16,
     CART_MAX_MAPS = 1024,
     CART_MAX_MAP_SIDE = 16384, /* maximum width and height of a map, px */
     CART_MAX_MAP_CELLS = 1 << 20,
@@ -66,9 +68,9 @@ enum {
     CART_MAX_BULLETML = 1024
 };
 
-enum { TUNES_FIRST_PLACE = 16 /* the place of the first sound or piece of music */ };
+enum { CART_FIRST_TUNE_OFFSET = 16 /* offset of the first tune: a sound or a piece of music */ };
 
-/* Sounds that play automatically if the game has them; cart_cues has their names. */
+/* Sounds that play automatically if the game has them; cart_cue_names has their names. */
 enum cart_cue {
     CUE_SHOT,
     CUE_HIT,
@@ -92,10 +94,10 @@ enum cart_cue {
     CUE_FAILED,
     CART_CUES
 };
-extern const char *const cart_cues[CART_CUES]; /* names of the automatic sounds, such as "shot" */
+extern const char *const cart_cue_names[CART_CUES]; /* names of the automatic sounds, such as "shot" */
 
 /* The colour tables of one palette. */
-struct cart_look {
+struct cart_colour_tables {
     const uint8_t *shades;                 /* NULL: none */
     const uint8_t *blend[CART_MAX_BLENDS]; /* in ascending order of the blends' names */
     uint8_t mix[CART_MAX_BLENDS]; /* enum blit_mix: the rule with the same results as the table, or BLIT_TABLE */
@@ -114,7 +116,7 @@ enum cart_folder {
     CART_SOUNDS,
     CART_SHADE_TABLES,
     CART_BLEND_TABLES,
-    CART_HITS,
+    CART_HITBOXES,
     CART_FOLDERS
 };
 
@@ -122,13 +124,14 @@ struct cart {
     const struct rom *rom;
     struct manifest manifest;
     int first[CART_FOLDERS], count[CART_FOLDERS]; /* entry i of folder f is lump first[f] + i, 0 <= i < count[f] */
-    bool has_looks;                         /* a palette has its own tables; otherwise all palettes use `main_look` */
-    struct cart_look main_look;             /* tables of palette/main, and of palettes that have none */
-    struct cart_look looks[CART_MAX_LOOKS]; /* tables of each palette, if has_looks */
-    const uint8_t *glyphs;                  /* NULL: no font */
+    bool has_palette_tables;               /* a palette has its own tables; otherwise all palettes use `main_tables` */
+    struct cart_colour_tables main_tables; /* tables of palette/main, and of palettes that have none */
+    struct cart_colour_tables
+        palette_tables[CART_MAX_TABLED_PALETTES]; /* tables of each palette, if has_palette_tables */
+    const uint8_t *glyphs;                        /* NULL: no font */
     int n_glyphs;
-    const uint8_t *tune_data;      /* the address of place 0 of sounds and music */
-    uint32_t cue_place[CART_CUES]; /* place of each automatic sound; 0: not in the game */
+    const uint8_t *tune_data;       /* the address of place 0 of sounds and music */
+    uint32_t cue_offset[CART_CUES]; /* place of each automatic sound; 0: not in the game */
 };
 
 struct sprite {
@@ -171,10 +174,10 @@ struct cart_hitbox {
         int32_t a, b, x, y;
     } row[4];
 };
-void cart_pack_hit(const struct cart_hitbox *hit, uint8_t out[CART_HIT_SIZE]);
+void cart_pack_hitbox(const struct cart_hitbox *hit, uint8_t out[CART_HITBOX_SIZE]);
 
 /* Reads the hitbox of the sprite with that name. Returns false if the sprite has no drawn hitbox. */
-bool cart_find_hit(const struct cart *cart, const char *name, struct cart_hitbox *out);
+bool cart_find_hitbox(const struct cart *cart, const char *name, struct cart_hitbox *out);
 
 /* Opens the translations of the language with that name; "" opens an empty table. Returns false if the game has no such
  * language. */
@@ -190,7 +193,7 @@ struct face cart_face(const struct cart *cart, int i);
 
 /* Returns the place of piece of music or sound i: the offset of its lump (tune.h) from tune_data, never 0. Ticks
  * compute with places, so places must depend on no lumps other than sounds and music. */
-uint32_t cart_place(const struct cart *cart, enum cart_folder folder, int i);
+uint32_t cart_tune_offset(const struct cart *cart, enum cart_folder folder, int i);
 
 /* Returns the size in bytes of the samples of a stream, piece of music i; 0 if the piece is not a stream or i is
  * negative. */
@@ -198,7 +201,7 @@ size_t cart_wave_size(const struct cart *cart, int i);
 
 /* Returns the place of the recording that an instrument of the tune at place `tune` plays; 0: none. inst: the
  * instrument's bytes in the tune. */
-uint32_t cart_recording_place(const struct cart *cart, uint32_t tune, const uint8_t *inst);
+uint32_t cart_recording_offset(const struct cart *cart, uint32_t tune, const uint8_t *inst);
 
 /* Returns whether a font of the game can show the character. Blanks can always be shown. */
 bool cart_has_glyph(const struct cart *cart, uint32_t code);

@@ -19,13 +19,13 @@
 /* A file whose header exceeds these maximums is rejected, because decompressing it could exhaust memory. The packer
  * leaves a ROM that would exceed them uncompressed. */
 enum {
-    COMPRESSED_HEADER = 32,
+    COMPRESSED_HEADER_SIZE = 32,
     COMPRESSED_MAX_SIZE = 256 << 20, /* maximum bytes of the plain ROM */
     COMPRESSED_MAX_RATIO = 1000      /* maximum ratio of the plain ROM's size to the file's size */
 };
 
 /* Returns whether data starts like a compressed ROM, which a plain ROM never does. */
-bool compressed_detect(const void *data, size_t size);
+bool compressed_has_magic(const void *data, size_t size);
 
 /* Returns the bytes of the plain ROM; 0, with one sentence in err (without the file's name), if the file is damaged or
  * its header exceeds the maximums. */
@@ -36,7 +36,7 @@ size_t compressed_plain_size(const void *data, size_t size, char *err, size_t er
 bool compressed_unpack(const void *data, size_t size, void *out, char *err, size_t err_size);
 
 /* Writes the header of a compressed file of `size` bytes at out. The LZMA stream must already be at out +
- * COMPRESSED_HEADER. rom is the plain ROM. */
+ * COMPRESSED_HEADER_SIZE. rom is the plain ROM. */
 void compressed_write_header(uint8_t *out, size_t size, const void *rom, size_t rom_size);
 
 #endif

@@ -10,7 +10,7 @@
 
 static const uint8_t *entry(const struct face *f, uint32_t i)
 {
-    return f->data + FACE_HEADER + (size_t)i * FACE_GLYPH_SIZE;
+    return f->data + FACE_HEADER_SIZE + (size_t)i * FACE_GLYPH_SIZE;
 }
 
 static uint32_t code_at(const struct face *f, uint32_t i)
@@ -48,7 +48,7 @@ static bool pixels_ok(const struct face_glyph *g)
 static bool glyph_ok(const struct face *f, uint32_t i, size_t size)
 {
     const uint8_t *p = entry(f, i);
-    const size_t first = FACE_HEADER + (size_t)f->n * FACE_GLYPH_SIZE, at = bytes_get32(p + 4);
+    const size_t first = FACE_HEADER_SIZE + (size_t)f->n * FACE_GLYPH_SIZE, at = bytes_get32(p + 4);
     struct face_glyph g;
 
     glyph_at(f, i, &g);
@@ -58,11 +58,11 @@ static bool glyph_ok(const struct face *f, uint32_t i, size_t size)
 
 bool face_open(struct face *f, const uint8_t *data, size_t size, char *err, size_t err_size)
 {
-    if (size < FACE_HEADER)
+    if (size < FACE_HEADER_SIZE)
         return err_set(err, err_size, "not a font (%zu bytes)", size);
     *f = face_of(data);
     if (f->height < 1 || f->height > FACE_MAX_HEIGHT || bytes_get16(data + 2) != 0 || f->n > FACE_MAX_GLYPHS ||
-        size - FACE_HEADER < (size_t)f->n * FACE_GLYPH_SIZE)
+        size - FACE_HEADER_SIZE < (size_t)f->n * FACE_GLYPH_SIZE)
         return err_set(err, err_size, "its header is out of range");
     for (uint32_t i = 0; i < f->n; i++) {
         if (i > 0 && code_at(f, i) <= code_at(f, i - 1))

@@ -14,7 +14,7 @@
 #include <stdint.h>
 
 enum {
-    FACE_HEADER = 8,
+    FACE_HEADER_SIZE = 8,
     FACE_GLYPH_SIZE = 16, /* bytes */
     FACE_MAX_GLYPHS = 65536,
     FACE_MAX_SIDE = 64, /* maximum width and height of a glyph, px */

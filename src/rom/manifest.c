@@ -20,8 +20,8 @@
 /* The lump's first word is its format. numbers_in_format: how many fields of manifest_numbers each format contains.
  * Core versions up to 4 wrote format 1, core version 5 format 2, core version 6 format 3. The current version writes
  * format 5 for games that run BulletML documents, and format 4 for other games. */
-enum { FORMAT = 5, FORMAT_PLAIN = 4, NUMBERS_1 = 17 };
-static const int numbers_in_format[FORMAT + 1] = { 0, NUMBERS_1, 24, 31, 36, MANIFEST_NUMBERS };
+enum { FORMAT = 5, FORMAT_WITHOUT_BULLETML = 4, FORMAT_1_NUMBERS = 17 };
+static const int numbers_in_format[FORMAT + 1] = { 0, FORMAT_1_NUMBERS, 24, 31, 36, MANIFEST_NUMBERS };
 
 static const int64_t max_extend = (int64_t)1 << 53;
 
@@ -55,26 +55,26 @@ const struct manifest_number manifest_numbers[MANIFEST_NUMBERS] = {
     NUMBER("board.values.bullet", bullet_values, 0, MAX_VALUES),
     NUMBER("board.values.shot", shot_values, 0, MAX_VALUES),
     NUMBER("board.values.enemy", enemy_values, 0, MAX_VALUES),
-    FLAG("board.hp", hp),
+    FLAG("board.hp", has_hp),
     FLAG("board.around", has_orbit),
     FLAG("board.frozen", has_freeze),
     NUMBER("board.nvram", nvram_kib, 1, NV_MAX_KIB),
     FLAG("board.meet", bullets_can_meet),
     NUMBER("board.items", items, 0, 1 << 16),
     NUMBER("board.lines", lines, 0, 4096),
-    FLAG("board.wide", wide),
-    FLAG("board.bg", bg),
+    FLAG("board.wide", has_wide_text),
+    FLAG("board.bg", has_backgrounds),
     NUMBER("board.lasers", lasers, 0, MAX_LASERS),
     NUMBER("board.curve_points", curve_points, 0, 1 << 20),
     NUMBER("board.registers", registers, 0, MAX_REGISTERS),
     NUMBER("board.options", options, 0, MAX_OPTIONS),
-    FLAG("board.bodies", bodies),
-    FLAG("board.pierce", pierce),
-    FLAG("board.sound", sound),
-    NUMBER("board.bulletml", bulletml, 0, 1 << 16),
+    FLAG("board.bodies", has_bodies),
+    FLAG("board.pierce", has_pierce),
+    FLAG("board.sound", has_sound),
+    NUMBER("board.bulletml", bulletml_runners, 0, 1 << 16),
 };
 
-void manifest_default(struct manifest *m)
+void manifest_set_defaults(struct manifest *m)
 {
     memset(m, 0, sizeof *m);
     strcpy(m->id, "game");
@@ -93,7 +93,7 @@ void manifest_default(struct manifest *m)
     m->tasks = 1024;
     m->lua_kib = 4096;
     m->nvram_kib = NV_DEFAULT_KIB;
-    m->registers = DEFAULT_REGISTERS;
+    m->registers = DEFAULT_REGISTER_CAPACITY;
     m->players = 1;
     strcpy(m->difficulties[0], "normal");
     m->n_difficulties = 1;
@@ -338,7 +338,7 @@ static void walk_manifest(struct walk *w, struct manifest *m, int32_t expected)
     walk_text(w, m->title, sizeof m->title);
     walk_text(w, m->author, sizeof m->author);
     walk_text(w, m->entry, sizeof m->entry);
-    walk_numbers(w, m, 0, NUMBERS_1);
+    walk_numbers(w, m, 0, FORMAT_1_NUMBERS);
     for (int i = 0; i < MAX_EXTENDS; i++)
         walk_64(w, &m->extends[i]);
     walk_32(w, &m->n_extends);
@@ -348,7 +348,7 @@ static void walk_manifest(struct walk *w, struct manifest *m, int32_t expected)
     for (int i = 0; i < MAX_DIPS; i++)
         walk_dip(w, &m->dips[i]);
     walk_32(w, &m->n_dips);
-    walk_numbers(w, m, NUMBERS_1, numbers_in_format[expected]);
+    walk_numbers(w, m, FORMAT_1_NUMBERS, numbers_in_format[expected]);
 }
 
 static size_t format_size(int format)
@@ -358,7 +358,7 @@ static size_t format_size(int format)
 
 uint32_t manifest_pack(const struct manifest *m, uint8_t out[MANIFEST_BYTES])
 {
-    const int format = m->bulletml ? FORMAT : FORMAT_PLAIN;
+    const int format = m->bulletml_runners ? FORMAT : FORMAT_WITHOUT_BULLETML;
     struct manifest copy = *m;
     struct walk w = { out, NULL, true };
 
@@ -394,8 +394,9 @@ bool manifest_unpack(const uint8_t *data, size_t size, struct manifest *m, char 
     walk_manifest(&w, m, format);
     if (!w.is_valid)
         return err_set(err, err_size, "unknown format");
-    if (format == FORMAT && !m->bulletml)
-        return err_set(err, err_size, "board.bulletml: 0 is not allowed in a manifest of format %d", FORMAT_PLAIN);
+    if (format == FORMAT && !m->bulletml_runners)
+        return err_set(err, err_size, "board.bulletml: 0 is not allowed in a manifest of format %d",
+                       FORMAT_WITHOUT_BULLETML);
     if (!manifest_check(m, err, err_size))
         return false;
     return unused_dips_zero(m) ? true : err_set(err, err_size, "dip: unused switches are not zero");

@@ -44,19 +44,19 @@ struct manifest {
     int32_t margin; /* px between the field and the keep box, on each side; entities outside the keep box despawn */
     int32_t bullets, shots, enemies, sparks, sprites, motions, tasks; /* capacities; 0: the chip is absent */
     int32_t bullet_values, shot_values, enemy_values;                 /* number of values that each entity has */
-    int32_t hp, has_orbit, has_freeze; /* 1: stored for bullets and other entities that support it; 0: not stored */
-    int32_t bullets_can_meet;          /* 1: bullets can meet other bullets */
-    int32_t items;                     /* capacity; default 0 */
-    int32_t lines;                     /* capacity for lines of text; default 0 */
-    int32_t wide;                      /* 1: a text cell stores a font and any character; 0: codes up to 255 */
-    int32_t bg;                        /* 1: the game has backgrounds, which need maps */
-    int32_t lasers, curve_points;      /* capacities; curve_points: of all curves together, allocated in units of 32 */
-    int32_t registers;                 /* capacity: of all ships and the run together */
-    int32_t options;                   /* capacity: options active at a time; default 0 */
-    int32_t bodies;                    /* 1: enemies have rates and parts, and can orbit and wander */
-    int32_t pierce;                    /* 1: shots can pierce */
-    int32_t sound;                     /* 1: the game has sounds or music */
-    int32_t bulletml;                  /* capacity for runners of BulletML documents; default 0 */
+    int32_t has_hp, has_orbit, has_freeze; /* 1: stored for bullets and other entities that support it; 0: not stored */
+    int32_t bullets_can_meet;              /* 1: bullets can meet other bullets */
+    int32_t items;                         /* capacity; default 0 */
+    int32_t lines;                         /* capacity for lines of text; default 0 */
+    int32_t has_wide_text;                 /* 1: a text cell stores a font and any character; 0: codes up to 255 */
+    int32_t has_backgrounds;               /* 1: the game has backgrounds, which need maps */
+    int32_t lasers, curve_points; /* capacities; curve_points: of all curves together, allocated in units of 32 */
+    int32_t registers;            /* capacity: of all ships and the run together */
+    int32_t options;              /* capacity: options active at a time; default 0 */
+    int32_t has_bodies;           /* 1: enemies have rates and parts, and can orbit and wander */
+    int32_t has_pierce;           /* 1: shots can pierce */
+    int32_t has_sound;            /* 1: the game has sounds or music */
+    int32_t bulletml_runners;     /* capacity for runners of BulletML documents; default 0 */
     int32_t lua_kib;
     int32_t nvram_kib; /* capacity for score tables and saves */
     int32_t players;
@@ -81,44 +81,44 @@ enum {
     MAX_ART_SOUNDS = 256,
     MAX_ART_TUNES = 64,
     MAX_ART_MARKERS = 512, /* in all recordings */
-    ART_MML = 2048,        /* bytes of a sound's MML in rom.lua, with its NUL */
-    ART_CHARS = 8192,      /* bytes of a list of characters, with its NUL */
-    ART_NAME = 32,
-    ART_FILE = 96,
-    MAX_ART_TILES = 4 /* maximum pictures of tiles per map */
+    ART_MML_SIZE = 2048,   /* bytes of a sound's MML in rom.lua, with its NUL */
+    ART_CHARS_SIZE = 8192, /* bytes of a list of characters, with its NUL */
+    ART_NAME_SIZE = 32,
+    ART_FILE_SIZE = 96,
+    MAX_ART_TILE_FILES = 4 /* maximum pictures of tiles per map */
 };
 
 struct art_palette {
-    char name[ART_NAME], file[ART_FILE];
+    char name[ART_NAME_SIZE], file[ART_FILE_SIZE];
 };
 
 struct art_blend {
-    char name[ART_NAME];
+    char name[ART_NAME_SIZE];
     int32_t mix; /* percent of the upper colour, 1 to 99; 0: the sum; -1, -2, -3: ramp rules add, half, max */
 };
 
 struct art_font {
-    char name[ART_NAME], file[ART_FILE];
-    int32_t w, h;                /* of a character's cell, px; 0: the file is a BDF font */
-    char chars[ART_CHARS];       /* characters of the cells, in reading order */
-    char extra_chars[ART_CHARS]; /* characters to pack even if no text uses them */
-    bool fixed;                  /* all cells have the same width */
+    char name[ART_NAME_SIZE], file[ART_FILE_SIZE];
+    int32_t w, h;                     /* of a character's cell, px; 0: the file is a BDF font */
+    char chars[ART_CHARS_SIZE];       /* characters of the cells, in reading order */
+    char extra_chars[ART_CHARS_SIZE]; /* characters to pack even if no text uses them */
+    bool fixed;                       /* all cells have the same width */
     bool shadow;
     bool by_index;
 };
 
 struct art_sheet {
-    char name[ART_NAME], file[ART_FILE];
-    char palette[ART_NAME]; /* name in art.palettes of the picture's palette; "": art.palette */
+    char name[ART_NAME_SIZE], file[ART_FILE_SIZE];
+    char palette[ART_NAME_SIZE]; /* name in art.palettes of the picture's palette; "": art.palette */
     int32_t bank;
     bool by_index; /* shades come from the picture's palette indices, not from its colours */
 };
 
 /* For an Aseprite file, w, h, frames or frame_ticks 0: the file's value. */
 struct art_sprite {
-    char name[ART_NAME];
-    int32_t sheet;      /* index in art.sheets */
-    char tag[ART_NAME]; /* selects the frames of an Aseprite file; "": all */
+    char name[ART_NAME_SIZE];
+    int32_t sheet;           /* index in art.sheets */
+    char tag[ART_NAME_SIZE]; /* selects the frames of an Aseprite file; "": all */
     int32_t x, y, w, h;
     int32_t frames, frame_ticks, rotations;
     int32_t scale_percent; /* percent of the size on the sheet */
@@ -128,16 +128,18 @@ struct art_sprite {
 
 /* A tile map. Its cells are in a file, or in art.cells from index `first_cell` on. */
 struct art_map {
-    char name[ART_NAME], file[ART_FILE], layer[ART_NAME]; /* file "": cells are in art.cells; layer: of a .tmx file */
-    char tiles[MAX_ART_TILES][ART_FILE];          /* n_tiles pictures of tiles; only a .tmx file can have several */
-    char palette[ART_NAME];                       /* as in struct art_sheet */
-    int32_t n_tiles, tile_size, bank, first_tile; /* tile_size: px of a tile; 0: given by the file */
+    char name[ART_NAME_SIZE], file[ART_FILE_SIZE],
+        layer[ART_NAME_SIZE]; /* file "": cells are in art.cells; layer: of a .tmx file */
+    char tile_files[MAX_ART_TILE_FILES]
+                   [ART_FILE_SIZE]; /* n_tile_files pictures of tiles; only a .tmx file can have several */
+    char palette[ART_NAME_SIZE];    /* as in struct art_sheet */
+    int32_t n_tile_files, tile_size, bank, first_tile; /* tile_size: px of a tile; 0: given by the file */
     bool by_index;
     int32_t first_cell, cols, rows;
 };
 
 /* Which part of a sample loops. */
-enum art_loop_kind { LOOP_OF_FILE, LOOP_NONE, LOOP_WHOLE, LOOP_GIVEN };
+enum art_loop_kind { LOOP_FROM_FILE, LOOP_NONE, LOOP_WHOLE, LOOP_RANGE };
 struct art_loop {
     enum art_loop_kind kind;
     bool in_seconds;      /* start and length are in seconds; otherwise in sample frames of the file */
@@ -146,14 +148,14 @@ struct art_loop {
 
 /* A marker in a piece of music. */
 struct art_marker {
-    char name[ART_NAME];
+    char name[ART_NAME_SIZE];
     double beat;
 };
 
 /* A sound or a piece of music: a file or, for a sound, MML text. */
 struct art_sound {
-    char name[ART_NAME], file[ART_FILE]; /* file "": the sound is in mml */
-    char mml[ART_MML];
+    char name[ART_NAME_SIZE], file[ART_FILE_SIZE]; /* file "": the sound is in mml */
+    char mml[ART_MML_SIZE];
     char title[64];
     int32_t volume, priority, limit; /* volume: of 255 */
     int32_t duck;                    /* how much softer music is while the sound plays, of 255 */
@@ -174,9 +176,9 @@ bool art_is_recording(const char *file);
 bool art_is_ase(const char *file);
 
 struct art {
-    char palette[ART_FILE], font[ART_FILE], border[ART_FILE]; /* "": none */
-    bool by_index;                                            /* of the font, and the default for other pictures */
-    char icon[ART_FILE];                                      /* a .png file, or the name of a sprite; "": none */
+    char palette[ART_FILE_SIZE], font[ART_FILE_SIZE], border[ART_FILE_SIZE]; /* "": none */
+    bool by_index;            /* of the font, and the default for other pictures */
+    char icon[ART_FILE_SIZE]; /* a .png file, or the name of a sprite; "": none */
     struct art_palette palettes[MAX_ART_PALETTES];
     struct art_blend blends[MAX_ART_BLENDS];
     struct art_font fonts[MAX_ART_FONTS];
@@ -201,7 +203,7 @@ enum { MANIFEST_NUMBERS = 37 };
 extern const struct manifest_number manifest_numbers[MANIFEST_NUMBERS];
 
 /* Sets all fields to their defaults; the id is "game". */
-void manifest_default(struct manifest *m);
+void manifest_set_defaults(struct manifest *m);
 
 /* Returns whether every field is in range. If not, stores one sentence in err ("board.bullets: ..."). */
 bool manifest_check(const struct manifest *m, char *err, size_t err_size);

@@ -15,11 +15,11 @@
 static const uint8_t magic[8] = { 'C', 'U', 'R', 'T', 'A', 'I', 'N', 0x1a };
 
 /* The offset of the first byte that the header's checksum covers. */
-enum { CRC_FROM = 16 };
+enum { CRC_START = 16 };
 
 static const uint8_t *entry(const struct rom *rom, uint32_t i)
 {
-    return rom->data + ROM_HEADER + (size_t)i * ROM_ENTRY;
+    return rom->data + ROM_HEADER_SIZE + (size_t)i * ROM_ENTRY_SIZE;
 }
 
 static const char *name_of(const struct rom *rom, uint32_t i)
@@ -39,7 +39,7 @@ bool rom_name_ok(const char *name)
 
 static bool check_header(const uint8_t *p, size_t size, char *err, size_t err_size)
 {
-    if (size < ROM_HEADER)
+    if (size < ROM_HEADER_SIZE)
         return err_set(err, err_size, "too short for a ROM (%zu bytes)", size);
     if (memcmp(p, magic, sizeof magic) != 0)
         return err_set(err, err_size, "not a Curtain ROM");
@@ -48,18 +48,18 @@ static bool check_header(const uint8_t *p, size_t size, char *err, size_t err_si
                        bytes_get32(p + 8), ROM_VERSION);
     if (bytes_get32(p + 20) != size)
         return err_set(err, err_size, "%zu bytes long, but its header says %" PRIu32, size, bytes_get32(p + 20));
-    if (bytes_get32(p + 12) != hash_crc32(p + CRC_FROM, size - CRC_FROM))
+    if (bytes_get32(p + 12) != hash_crc32(p + CRC_START, size - CRC_START))
         return err_set(err, err_size, "damaged: the checksum does not match");
     if (bytes_get64(p + 24) != 0)
         return err_set(err, err_size, "reserved header bytes are not zero");
-    if (bytes_get32(p + 16) > (size - ROM_HEADER) / ROM_ENTRY)
+    if (bytes_get32(p + 16) > (size - ROM_HEADER_SIZE) / ROM_ENTRY_SIZE)
         return err_set(err, err_size, "the directory of %" PRIu32 " lumps runs past the end", bytes_get32(p + 16));
     return true;
 }
 
 static bool check_name(const struct rom *rom, uint32_t i, char *err, size_t err_size)
 {
-    size_t at = bytes_get32(entry(rom, i)), names_start = ROM_HEADER + (size_t)rom->count * ROM_ENTRY;
+    size_t at = bytes_get32(entry(rom, i)), names_start = ROM_HEADER_SIZE + (size_t)rom->count * ROM_ENTRY_SIZE;
 
     if (at < names_start || at >= rom->size || memchr(rom->data + at, 0, rom->size - at) == NULL)
         return err_set(err, err_size, "lump %" PRIu32 ": its name is outside the file", i);
@@ -97,7 +97,7 @@ bool rom_open(struct rom *rom, const void *data, size_t size, char *err, size_t 
     if (!check_header(p, size, err, err_size))
         return false;
     struct rom r = { p, size, bytes_get32(p + 16), bytes_get32(p + 12) };
-    size_t end = ROM_HEADER + (size_t)r.count * ROM_ENTRY;
+    size_t end = ROM_HEADER_SIZE + (size_t)r.count * ROM_ENTRY_SIZE;
     for (uint32_t i = 0; i < r.count; i++) {
         size_t name_end;
         if (!check_name(&r, i, err, err_size))
@@ -141,7 +141,7 @@ void rom_lump(const struct rom *rom, int i, struct lump *out)
     *out = (struct lump){ name_of(rom, (uint32_t)i), rom->data + bytes_get32(e + 4), bytes_get32(e + 8) };
 }
 
-static uint64_t fold_lump(uint64_t h, const struct rom *rom, uint32_t i)
+static uint64_t hash_lump(uint64_t h, const struct rom *rom, uint32_t i)
 {
     struct lump l;
 
@@ -155,7 +155,7 @@ uint64_t rom_hash(const struct rom *rom)
     uint64_t h = HASH_START;
 
     for (uint32_t i = 0; i < rom->count; i++)
-        h = fold_lump(h, rom, i);
+        h = hash_lump(h, rom, i);
     return h;
 }
 
@@ -171,7 +171,7 @@ uint64_t rom_game_hash(const struct rom *rom)
 
     for (uint32_t i = 0; i < rom->count; i++)
         if (is_read_by_ticks(name_of(rom, i)))
-            h = fold_lump(h, rom, i);
+            h = hash_lump(h, rom, i);
     return h;
 }
 
@@ -183,7 +183,7 @@ static uint64_t align_up(uint64_t n)
 /* Returns the offset of the first lump's data in a ROM of n lumps. */
 static uint64_t data_start(const struct lump *lumps, int n)
 {
-    uint64_t at = ROM_HEADER + (uint64_t)n * ROM_ENTRY;
+    uint64_t at = ROM_HEADER_SIZE + (uint64_t)n * ROM_ENTRY_SIZE;
 
     for (int i = 0; i < n; i++)
         at += strlen(lumps[i].name) + 1;
@@ -205,19 +205,19 @@ static void write_header(uint8_t *p, size_t size, int n)
     bytes_put32(p + 8, ROM_VERSION);
     bytes_put32(p + 16, (uint32_t)n);
     bytes_put32(p + 20, (uint32_t)size);
-    bytes_put32(p + 12, hash_crc32(p + CRC_FROM, size - CRC_FROM));
+    bytes_put32(p + 12, hash_crc32(p + CRC_START, size - CRC_START));
 }
 
 void rom_write(void *out, const struct lump *lumps, int n)
 {
     uint8_t *p = out;
-    size_t size = rom_write_size(lumps, n), name_at = ROM_HEADER + (size_t)n * ROM_ENTRY;
+    size_t size = rom_write_size(lumps, n), name_at = ROM_HEADER_SIZE + (size_t)n * ROM_ENTRY_SIZE;
     size_t at = (size_t)data_start(lumps, n);
 
     memset(p, 0, size);
     for (int i = 0; i < n; i++) {
         const struct lump *l = &lumps[i];
-        uint8_t *e = p + ROM_HEADER + (size_t)i * ROM_ENTRY;
+        uint8_t *e = p + ROM_HEADER_SIZE + (size_t)i * ROM_ENTRY_SIZE;
         assert(rom_name_ok(l->name) && (i == 0 || strcmp(lumps[i - 1].name, l->name) < 0));
         at = (size_t)align_up(at);
         bytes_put32(e, (uint32_t)name_at);

@@ -18,8 +18,8 @@
 
 enum {
     ROM_VERSION = 1,
-    ROM_HEADER = 32, /* bytes before the directory */
-    ROM_ENTRY = 16,  /* bytes per lump in the directory */
+    ROM_HEADER_SIZE = 32, /* bytes before the directory */
+    ROM_ENTRY_SIZE = 16,  /* bytes per lump in the directory */
     ROM_ALIGN = 16,
     ROM_MAX_NAME = 128 /* maximum bytes of a name, with its NUL */
 };

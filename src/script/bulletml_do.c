@@ -23,7 +23,7 @@ struct work_state {
     struct turn *t;
     struct ml_runners *r;
     uint32_t at;
-    struct pending_fire shot;
+    struct pending_fire pending_fire;
     struct param_values action_params, fire_params,
         bullet_params;           /* parameters of the action, the fireRef and the bulletRef */
     struct param_values *params; /* the parameters that expressions use now: one of the three above */
@@ -158,7 +158,7 @@ static void begin_change(const struct work_state *w, int change, int64_t from, i
 {
     struct ml_runners *r = w->r;
     const uint32_t i = w->t->runner;
-    const size_t c = (size_t)i * CHANGES + (size_t)change;
+    const size_t c = (size_t)i * CHANGE_COUNT + (size_t)change;
     const int64_t scale = bulletml_step_scale(change), limit = ((int64_t)1 << 62) / scale,
                   difference = ml_subtract(to, from);
     const uint32_t frames = term > MAX_DURATION ? MAX_DURATION : term > 1 ? (uint32_t)term : 1;
@@ -177,7 +177,7 @@ static void begin_change(const struct work_state *w, int change, int64_t from, i
  * exactly half a turn, the side is opposite in sign to the plain difference. */
 static void begin_direction_change(struct work_state *w, enum ml_type type)
 {
-    const int32_t term = ml_whole(next_value(w));
+    const int32_t term = ml_to_whole(next_value(w));
     const int64_t v = next_value(w), current = w->r->direction[w->t->body];
 
     if (type == ML_SEQUENCE) {
@@ -193,7 +193,7 @@ static void begin_direction_change(struct work_state *w, enum ml_type type)
 
 static void begin_speed_change(struct work_state *w, enum ml_type type)
 {
-    const int32_t term = ml_whole(next_value(w));
+    const int32_t term = ml_to_whole(next_value(w));
     const int64_t v = next_value(w), current = w->r->speed[w->t->body];
 
     begin_change(w, CHANGE_SPEED, current,
@@ -212,8 +212,8 @@ static void begin_acceleration(struct work_state *w, int change, enum ml_type ty
 
 static void begin_accelerations(struct work_state *w, uint32_t types)
 {
-    const uint32_t x = types % ML_TYPE_Y, y = types / ML_TYPE_Y;
-    const int32_t term = ml_whole(next_value(w));
+    const uint32_t x = types % ML_Y_TYPE_FACTOR, y = types / ML_Y_TYPE_FACTOR;
+    const int32_t term = ml_to_whole(next_value(w));
 
     for (int change = CHANGE_X; change <= CHANGE_Y; change++) {
         const uint32_t type = change == CHANGE_X ? x : y, v = next_word(w);
@@ -264,7 +264,7 @@ static void set_params(struct work_state *w, uint32_t list)
 
     w->r->params[w->t->runner] = list;
     w->action_params = (struct param_values){ list ? p->n[list - 1] : 0,
-                                              list ? p->value + (size_t)(list - 1) * ML_VALUES : NULL, list };
+                                              list ? p->value + (size_t)(list - 1) * ML_MAX_VALUES : NULL, list };
 }
 
 /* Evaluates the n parameters of a call and sets *list to a new list of them (slot + 1; 0: no parameters). If the pool
@@ -280,7 +280,7 @@ static bool make_params(struct work_state *w, uint32_t n, uint32_t *list)
     return !k || *list;
 }
 
-static void call(struct work_state *w, uint32_t command)
+static void call_action(struct work_state *w, uint32_t command)
 {
     const uint32_t i = w->t->runner, target = next_word(w), n = next_word(w), old_list = w->r->params[i];
     uint32_t list;
@@ -319,7 +319,7 @@ static void return_from_call(struct work_state *w)
 
 static void begin_repeat(struct work_state *w, uint32_t command)
 {
-    const int32_t times = ml_whole(next_value(w));
+    const int32_t times = ml_to_whole(next_value(w));
 
     push_frame(w, command, times, 0, 0);
 }
@@ -342,7 +342,7 @@ static void call_fire_ref(struct work_state *w)
     const uint32_t target = next_word(w), n = next_word(w);
 
     w->fire_params = (struct param_values){ next_values(w, n, w->fire_value), w->fire_value, 0 };
-    w->shot.after_fire = w->at;
+    w->pending_fire.after_fire = w->at;
     w->params = &w->fire_params;
     w->at = target;
 }
@@ -352,20 +352,20 @@ static void call_bullet_ref(struct work_state *w)
     const uint32_t target = next_word(w), n = next_word(w);
 
     w->bullet_params = (struct param_values){ next_values(w, n, w->bullet_value), w->bullet_value, 0 };
-    w->shot.after_bullet = w->at;
+    w->pending_fire.after_bullet = w->at;
     w->params = &w->bullet_params;
     w->at = target;
 }
 
 static void begin_fire(struct work_state *w)
 {
-    w->shot.has_speed = w->shot.has_direction = false;
+    w->pending_fire.has_speed = w->pending_fire.has_direction = false;
 }
 
 /* Fires the bullet. Unset speed and direction get their defaults: speed 1, aimed at the player. */
 static void fire_bullet(struct work_state *w)
 {
-    struct pending_fire *s = &w->shot;
+    struct pending_fire *s = &w->pending_fire;
     const uint32_t label = next_word(w), at = next_word(w);
 
     if (!s->has_speed)
@@ -383,24 +383,24 @@ static void fire_bullet(struct work_state *w)
 
 static void end_fire(struct work_state *w)
 {
-    if (w->shot.after_fire) {
-        w->at = w->shot.after_fire;
-        w->shot.after_fire = 0;
+    if (w->pending_fire.after_fire) {
+        w->at = w->pending_fire.after_fire;
+        w->pending_fire.after_fire = 0;
         w->params = &w->action_params;
     }
 }
 
 static void begin_wait(struct work_state *w)
 {
-    const int32_t n = ml_whole(next_value(w));
+    const int32_t n = ml_to_whole(next_value(w));
 
     if (n > 0)
         w->r->wake_clock[w->t->runner] += (uint32_t)(n > MAX_DURATION ? MAX_DURATION : n);
 }
 
-static void execute(struct work_state *w, uint32_t c)
+static void execute_command(struct work_state *w, uint32_t c)
 {
-    const enum ml_type type = (enum ml_type)(ML_TYPE(c) % ML_TYPE_Y);
+    const enum ml_type type = (enum ml_type)(ML_TYPE(c) % ML_Y_TYPE_FACTOR);
 
     switch ((enum ml_op)ML_OP(c)) {
     case ML_NEXT:
@@ -418,7 +418,7 @@ static void execute(struct work_state *w, uint32_t c)
     case ML_CALL:
     case ML_TAIL_CALL:
     case ML_LEAVE:
-        call(w, c);
+        call_action(w, c);
         break;
     case ML_RETURN:
         return_from_call(w);
@@ -433,12 +433,12 @@ static void execute(struct work_state *w, uint32_t c)
         end_fire(w);
         break;
     case ML_SHOT_SPEED:
-        w->shot.speed = resolve_speed(w, type, next_value(w));
-        w->shot.has_speed = true;
+        w->pending_fire.speed = resolve_speed(w, type, next_value(w));
+        w->pending_fire.has_speed = true;
         break;
     case ML_SHOT_DIRECTION:
-        w->shot.direction = resolve_direction(w, type, next_value(w));
-        w->shot.has_direction = true;
+        w->pending_fire.direction = resolve_direction(w, type, next_value(w));
+        w->pending_fire.has_direction = true;
         break;
     case ML_BULLET_REF:
         call_bullet_ref(w);
@@ -492,7 +492,7 @@ void bulletml_execute(struct turn *t)
         w.at++;
         if (++n > MAX_COMMANDS)
             bulletml_fault(t, c, "more than 100000 commands in one frame (repeat without a wait?)");
-        execute(&w, c);
+        execute_command(&w, c);
         charge_command(&w, c);
     }
     r->pc[t->runner] = w.at;

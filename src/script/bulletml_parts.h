@@ -43,9 +43,9 @@ struct param_values {
 
 /* A bullet about to be fired. */
 struct new_bullet {
-    int64_t direction, speed; /* degrees in [0, 360), and document speed; both Q31.32 */
-    uint32_t label;           /* label + 1; 0: none */
-    uint32_t at;              /* program position of the bullet's actions; 0: none */
+    int64_t direction, speed;  /* degrees in [0, 360), and document speed; both Q31.32 */
+    uint32_t label;            /* label + 1; 0: none */
+    uint32_t actions_position; /* program position of the bullet's actions; 0: none */
 };
 
 /* Executes the runner's due commands. */

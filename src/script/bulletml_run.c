@@ -46,8 +46,8 @@ uint32_t bulletml_new_list(struct board *b, const int64_t *value, int n)
     }
     p->refs[k] = 1;
     p->n[k] = (uint8_t)n;
-    memset(p->value + (size_t)k * ML_VALUES, 0, ML_VALUES * sizeof *p->value);
-    memcpy(p->value + (size_t)k * ML_VALUES, value, (size_t)n * sizeof *value);
+    memset(p->value + (size_t)k * ML_MAX_VALUES, 0, ML_MAX_VALUES * sizeof *p->value);
+    memcpy(p->value + (size_t)k * ML_MAX_VALUES, value, (size_t)n * sizeof *value);
     return (uint32_t)k + 1;
 }
 
@@ -55,7 +55,7 @@ uint32_t bulletml_new_list(struct board *b, const int64_t *value, int n)
 
 static ang direction_to_board(const struct ml_roots *o, uint32_t root, int64_t direction)
 {
-    const ang a = ml_angle(direction);
+    const ang a = ml_degrees_to_angle(direction);
 
     return o->up_dir[root] + (o->flags[root] & ROOT_MIRRORED ? 0 - a : a);
 }
@@ -64,13 +64,13 @@ static int64_t direction_from_board(const struct ml_roots *o, uint32_t root, ang
 {
     const ang a = dir - o->up_dir[root];
 
-    return ml_degrees(o->flags[root] & ROOT_MIRRORED ? 0 - a : a);
+    return ml_angle_to_degrees(o->flags[root] & ROOT_MIRRORED ? 0 - a : a);
 }
 
 int64_t bulletml_aim_direction(const struct turn *t)
 {
     const struct targets players = board_player_targets(t->b);
-    const int32_t i = targets_nearest(&players, t->x, t->y);
+    const int32_t i = targets_find_nearest(&players, t->x, t->y);
 
     if (i != NO_SLOT && players.x[i] == t->x && players.y[i] == t->y)
         return 0;
@@ -100,7 +100,7 @@ void bulletml_raise_overload(const struct turn *t, uint32_t w)
 /* A document's polar speed and extra velocity, converted to the board: px a frame. */
 struct flight {
     fx speed, vx, vy;
-    int64_t fine_x, fine_y; /* vx, vy in Q31.32 */
+    int64_t vx_q32, vy_q32; /* vx, vy in Q31.32 */
 };
 
 /* A direction on the board, with its cosine and sine in Q30. */
@@ -177,10 +177,10 @@ static void add_velocity(struct flight *f, const struct ml_roots *o, uint32_t ro
         added_x = ml_scale(x, c, 40) - ml_scale(y, s, 40);
         added_y = ml_scale(x, s, 40) + ml_scale(y, c, 40);
     }
-    f->fine_x = clamp_speed(f->fine_x + added_x);
-    f->fine_y = clamp_speed(f->fine_y + added_y);
-    f->vx = round_to_fx(f->fine_x);
-    f->vy = round_to_fx(f->fine_y);
+    f->vx_q32 = clamp_speed(f->vx_q32 + added_x);
+    f->vy_q32 = clamp_speed(f->vy_q32 + added_y);
+    f->vx = round_to_fx(f->vx_q32);
+    f->vy = round_to_fx(f->vy_q32);
 }
 
 /* Converts body i's speed, direction and velocity from the document's units and axes to the board's. */
@@ -209,7 +209,7 @@ static int32_t new_runner(struct board *b, uint32_t root, int64_t bullet, uint32
     r->bullet[i] = bullet;
     r->serial[i] = ++r->last_serial;
     r->root[i] = root;
-    r->body[i] = (uint32_t)i;
+    r->body_runner[i] = (uint32_t)i;
     r->order[r->n++] = (uint32_t)i;
     r->pc[i] = at;
     r->wake_clock[i] = wake;
@@ -218,7 +218,7 @@ static int32_t new_runner(struct board *b, uint32_t root, int64_t bullet, uint32
     r->flags[i] = bullet ? 0 : RUNNER_TOP;
     r->last_direction[i] = r->last_speed[i] = 0;
     r->direction[i] = r->speed[i] = r->vx[i] = r->vy[i] = 0;
-    for (size_t c = (size_t)i * CHANGES; c < ((size_t)i + 1) * CHANGES; c++) {
+    for (size_t c = (size_t)i * CHANGE_COUNT; c < ((size_t)i + 1) * CHANGE_COUNT; c++) {
         r->change_from[c] = r->change_to[c] = r->change_step[c] = 0;
         r->change_start[c] = r->change_end[c] = 0;
     }
@@ -265,7 +265,8 @@ static uint32_t create_fired_runner(const struct turn *t, const struct new_bulle
         params->list = bulletml_new_list(t->b, params->value, params->n);
     else
         bulletml_retain_list(t->b, params->list);
-    const int32_t i = params->n && !params->list ? NO_SLOT : new_runner(t->b, t->root, NO_BULLET, f->at, t->now + 1);
+    const int32_t i =
+        params->n && !params->list ? NO_SLOT : new_runner(t->b, t->root, NO_BULLET, f->actions_position, t->now + 1);
     if (i == NO_SLOT) {
         bulletml_release_list(t->b, params->list);
         return 0;
@@ -286,15 +287,15 @@ void bulletml_fire(const struct turn *t, const struct new_bullet *f, struct para
 {
     const struct ml_roots *o = &t->b->ml_roots;
     const bool has_kind = f->label && f->label <= ML_MAX_KINDS;
-    struct ml_fired_list *fresh = &t->b->ml_fired;
+    struct ml_fired_list *fired = &t->b->ml_fired;
 
-    if (fresh->n == fresh->cap) {
+    if (fired->n == fired->cap) {
         emit_count_refused(t->b, false, 1);
         return;
     }
     const struct heading h = heading_of(o, t->root, f->direction);
     const struct flight velocity = polar_flight(o, t->root, h.cosine, h.sine, f->speed);
-    fresh->entries[fresh->n++] = (struct ml_fired_bullet){
+    fired->entries[fired->n++] = (struct ml_fired_bullet){
         .x = t->x,
         .y = t->y,
         .vx = velocity.vx,
@@ -304,11 +305,11 @@ void bulletml_fire(const struct turn *t, const struct new_bullet *f, struct para
         .kind = has_kind ? o->label_kind[(size_t)t->root * ML_MAX_KINDS + f->label - 1] : o->kind[t->root],
         .root = t->root,
         .label = f->label,
-        .runner = f->at ? create_fired_runner(t, f, &velocity, &h, params) : 0,
+        .runner = f->actions_position ? create_fired_runner(t, f, &velocity, &h, params) : 0,
     };
 }
 
-static int32_t spawn_fired(struct board *b, const struct ml_fired_bullet *f)
+static int32_t spawn_fired_bullet(struct board *b, const struct ml_fired_bullet *f)
 {
     const struct ml_roots *o = &b->ml_roots;
     struct bullet_spec s = { .x = f->x,
@@ -327,20 +328,20 @@ static int32_t spawn_fired(struct board *b, const struct ml_fired_bullet *f)
     return i;
 }
 
-void bulletml_spawn_fired(struct board *b)
+void bulletml_spawn_fired_bullets(struct board *b)
 {
-    struct ml_fired_list *fresh = &b->ml_fired;
+    struct ml_fired_list *fired = &b->ml_fired;
 
-    for (uint32_t k = 0; k < fresh->n; k++) {
-        const struct ml_fired_bullet *f = &fresh->entries[k];
-        const int32_t i = spawn_fired(b, f);
+    for (uint32_t k = 0; k < fired->n; k++) {
+        const struct ml_fired_bullet *f = &fired->entries[k];
+        const int32_t i = spawn_fired_bullet(b, f);
         if (f->runner && i != NO_SLOT)
             b->ml_runners.bullet[f->runner - 1] = board_handle(b, H_BULLET, i);
         if (i != NO_SLOT && b->ml_roots.flags[f->root] & ROOT_HAS_HANDLER)
             board_raise_event(b, EV_FIRED, board_handle(b, H_BULLET, i), (int64_t)f->root << 32 | f->label);
     }
-    vm_charge(b->vm.running, WORK_FIRE * (uint64_t)fresh->n);
-    fresh->n = 0;
+    vm_charge(b->vm.running, WORK_FIRE * (uint64_t)fired->n);
+    fired->n = 0;
 }
 
 /* ---- turns ---- */
@@ -371,7 +372,7 @@ static inline int64_t wrap_direction_change(struct ml_runners *r, size_t c, int6
 
 static inline void apply_change(struct ml_runners *r, const struct turn *t, int change, int64_t *values)
 {
-    const size_t c = (size_t)t->runner * CHANGES + (size_t)change;
+    const size_t c = (size_t)t->runner * CHANGE_COUNT + (size_t)change;
     const bool finished = (int32_t)(t->now - r->change_end[c]) >= 0;
     const int64_t v = finished ? r->change_to[c] : current_change_value(r, c, change, t->now);
 
@@ -462,7 +463,7 @@ static void steer_bullet(const struct turn *t, uint32_t bullet)
 static void postpone_runner(struct ml_runners *r, uint32_t i)
 {
     r->wake_clock[i]++;
-    for (size_t c = (size_t)i * CHANGES; c < ((size_t)i + 1) * CHANGES; c++) {
+    for (size_t c = (size_t)i * CHANGE_COUNT; c < ((size_t)i + 1) * CHANGE_COUNT; c++) {
         r->change_start[c]++;
         r->change_end[c]++;
     }
@@ -526,7 +527,7 @@ static inline bool run_fast_turn(struct board *b, uint32_t i, uint32_t now)
     struct bullets *s = &b->bullets;
     const unsigned flags = r->flags[i];
     const uint32_t k = handle_slot(r->bullet[i]), root = r->root[i];
-    const size_t c = (size_t)i * CHANGES;
+    const size_t c = (size_t)i * CHANGE_COUNT;
     int64_t direction = 0, speed = r->speed[i], vx = r->vx[i], vy = r->vy[i];
 
     if (flags & RUNNER_TOP || s->freeze_flags || !is_unmodified(r, s, i, k))
@@ -572,23 +573,23 @@ static void restart_root(struct board *b, uint32_t root, const struct ml *ml, ui
     uint32_t top = 0;
 
     charge_search(b);
-    for (uint32_t k = 0; k < r->n && top < ml->n_tops; k++) {
+    for (uint32_t k = 0; k < r->n && top < ml->n_top_actions; k++) {
         const uint32_t i = r->order[k];
         if (r->root[i] != root || !(r->flags[i] & RUNNER_TOP))
             continue;
         clear_runner(b, i);
         r->flags[i] = RUNNER_TOP;
-        r->pc[i] = ml_top(ml, top++);
+        r->pc[i] = ml_top_action(ml, top++);
         r->wake_clock[i] = now;
         r->params[i] = b->ml_roots.params[root];
         bulletml_retain_list(b, r->params[i]);
-        memset(&r->change_from[(size_t)i * CHANGES], 0, CHANGES * sizeof *r->change_from);
+        memset(&r->change_from[(size_t)i * CHANGE_COUNT], 0, CHANGE_COUNT * sizeof *r->change_from);
     }
     b->ml_roots.flags[root] &= (uint8_t)~ROOT_TOP_ENDED;
 }
 
 /* Runs the turn of one of a root's top-level runners. Returns false if the root is over. */
-static bool run_top(struct turn *t)
+static bool run_top_runner(struct turn *t)
 {
     struct board *b = t->b;
     struct ml_roots *o = &b->ml_roots;
@@ -597,7 +598,7 @@ static bool run_top(struct turn *t)
 
     if (o->flags[t->root] & ROOT_DESPAWNED)
         return false;
-    if (i == o->body[t->root] && o->flags[t->root] & ROOT_TOP_ENDED && o->flags[t->root] & ROOT_LOOPS)
+    if (i == o->body_runner[t->root] && o->flags[t->root] & ROOT_TOP_ENDED && o->flags[t->root] & ROOT_LOOPS)
         restart_root(b, t->root, t->ml, t->now);
     t->x = o->x[t->root];
     t->y = o->y[t->root];
@@ -678,7 +679,8 @@ static void update_roots(struct board *b)
     EACH_LIVE (i, &o->s) {
         if (o->flags[i] & ROOT_DESPAWNED && !o->n_runners[i])
             drop_root(b, i);
-        else if (!tasks_owner_alive(b, o->owner[i]) || (o->follow_target[i] && !board_is_alive(b, o->follow_target[i])))
+        else if (!tasks_is_owner_alive(b, o->owner[i]) ||
+                 (o->follow_target[i] && !board_is_alive(b, o->follow_target[i])))
             bulletml_stop(b, i);
         else if (o->follow_target[i])
             follow_entity(b, i);
@@ -702,18 +704,18 @@ static void move_root(struct board *b, uint32_t i)
 {
     struct ml_roots *o = &b->ml_roots;
     const struct ml_runners *r = &b->ml_runners;
-    const uint32_t k = o->body[i];
+    const uint32_t k = o->body_runner[i];
 
     if (o->follow_target[i] && !(o->flags[i] & ROOT_STEERS))
         return;
     if (!(r->speed[k] | r->vx[k] | r->vy[k]))
         return;
     const int64_t v = scale_speed(r->speed[k], o->speed_scale[i]);
-    struct flight f = { .fine_x = ml_scale(v, trig_cos30(r->written_dir[k]), 30),
-                        .fine_y = ml_scale(v, trig_sin30(r->written_dir[k]), 30) };
+    struct flight f = { .vx_q32 = ml_scale(v, trig_cos30(r->written_dir[k]), 30),
+                        .vy_q32 = ml_scale(v, trig_sin30(r->written_dir[k]), 30) };
     add_velocity(&f, o, i, r->vx[k], r->vy[k]);
-    move_coordinate(&o->x[i], &o->x_low[i], f.fine_x);
-    move_coordinate(&o->y[i], &o->y_low[i], f.fine_y);
+    move_coordinate(&o->x[i], &o->x_low[i], f.vx_q32);
+    move_coordinate(&o->y[i], &o->y_low[i], f.vy_q32);
     if (o->follow_target[i]) {
         b->enemies.x[handle_slot(o->follow_target[i])] = motion_clamp_to_world((int64_t)o->x[i] - o->dx[i]);
         b->enemies.y[handle_slot(o->follow_target[i])] = motion_clamp_to_world((int64_t)o->y[i] - o->dy[i]);
@@ -721,7 +723,7 @@ static void move_root(struct board *b, uint32_t i)
 }
 
 /* Returns whether all top-level runners of a root have ended. */
-static bool all_tops_ended(struct board *b, uint32_t root)
+static bool have_all_top_runners_ended(struct board *b, uint32_t root)
 {
     const struct ml_runners *r = &b->ml_runners;
 
@@ -742,7 +744,8 @@ static void end_or_move_roots(struct board *b)
             bulletml_stop(b, i);
         else if (!(o->flags[i] & ROOT_DESPAWNED))
             move_root(b, i);
-        if (o->flags[i] & ROOT_TOP_ENDED && !(o->flags[i] & (ROOT_LOOPS | ROOT_DESPAWNED)) && all_tops_ended(b, i))
+        if (o->flags[i] & ROOT_TOP_ENDED && !(o->flags[i] & (ROOT_LOOPS | ROOT_DESPAWNED)) &&
+            have_all_top_runners_ended(b, i))
             bulletml_stop(b, i);
     }
     slots_trim(&o->s);
@@ -757,15 +760,18 @@ struct cached_document {
 /* Runs one turn. Returns false if the runner is to be dropped. */
 static bool run_turn(struct board *b, uint32_t i, uint32_t now, struct cached_document *cache)
 {
-    struct turn t = {
-        .b = b, .ml = &cache->ml, .runner = i, .root = b->ml_runners.root[i], .body = b->ml_runners.body[i], .now = now
-    };
+    struct turn t = { .b = b,
+                      .ml = &cache->ml,
+                      .runner = i,
+                      .root = b->ml_runners.root[i],
+                      .body = b->ml_runners.body_runner[i],
+                      .now = now };
 
     if (cache->program != b->ml_roots.program[t.root]) {
         cache->program = b->ml_roots.program[t.root];
         cart_bulletml(&b->cart, (int)cache->program, &cache->ml);
     }
-    return b->ml_runners.flags[i] & RUNNER_TOP ? run_top(&t) : run_bullet(&t);
+    return b->ml_runners.flags[i] & RUNNER_TOP ? run_top_runner(&t) : run_bullet(&t);
 }
 
 void bulletml_run(struct board *b)
@@ -804,7 +810,7 @@ int32_t bulletml_begin(struct board *b, const struct bulletml_start *start)
     struct ml ml;
 
     cart_bulletml(&b->cart, start->program, &ml);
-    if (!ml.n_tops)
+    if (!ml.n_top_actions)
         return NO_SLOT;
     const int32_t i = slots_take(&o->s);
     if (i == NO_SLOT) {
@@ -831,17 +837,17 @@ int32_t bulletml_begin(struct board *b, const struct bulletml_start *start)
     o->rank[i] = start->rank;
     o->speed_scale[i] = start->speed_scale;
     o->up_dir[i] = ANG_UP + start->angle;
-    for (uint32_t top = 0; top < ml.n_tops; top++) {
-        const int32_t k = new_runner(b, (uint32_t)i, 0, ml_top(&ml, top), b->core.clock);
+    for (uint32_t top = 0; top < ml.n_top_actions; top++) {
+        const int32_t k = new_runner(b, (uint32_t)i, 0, ml_top_action(&ml, top), b->core.clock);
         if (k == NO_SLOT) {
             bulletml_stop(b, (uint32_t)i);
             return NO_SLOT;
         }
         if (!top) {
-            o->body[i] = (uint32_t)k;
+            o->body_runner[i] = (uint32_t)k;
             set_heading(r, o, (uint32_t)i, (uint32_t)k, 180 * ML_ONE);
         }
-        r->body[k] = o->body[i];
+        r->body_runner[k] = o->body_runner[i];
         r->params[k] = o->params[i];
         bulletml_retain_list(b, o->params[i]);
     }

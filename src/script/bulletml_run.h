@@ -7,10 +7,10 @@
 #include <lua.h>
 #include "../machine/machine.h"
 
-/* bulletml_run runs all documents for one frame; it is called before bullets move. bulletml_spawn_fired spawns the
- * bullets that the documents fired in the frame; it is called after the frame's hits. */
+/* bulletml_run runs all documents for one frame; it is called before bullets move. bulletml_spawn_fired_bullets spawns
+ * the bullets that the documents fired in the frame; it is called after the frame's hits. */
 void bulletml_run(struct board *b);
-void bulletml_spawn_fired(struct board *b);
+void bulletml_spawn_fired_bullets(struct board *b);
 
 /* The arguments for starting a document. */
 struct bulletml_start {

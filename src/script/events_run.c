@@ -21,9 +21,9 @@
 const char *const events_names[] = { "graze",  "hit",  NULL,   "death",    "game_over", "kill",  "leave",
                                      "extend", "take", "bomb", "continue", "phase",     "stage", "start" };
 
-enum { EVENT_NAMES = sizeof events_names / sizeof *events_names };
+enum { EVENT_NAME_COUNT = sizeof events_names / sizeof *events_names };
 
-static const char handlers_key = 0, functions_key = 0, emitted_key = 0;
+static const char handlers_key = 0, functions_key = 0, emitted_arguments_key = 0;
 
 static void new_registry_table(lua_State *L, const void *key)
 {
@@ -35,7 +35,7 @@ void events_open(lua_State *L)
 {
     new_registry_table(L, &handlers_key);
     new_registry_table(L, &functions_key);
-    new_registry_table(L, &emitted_key);
+    new_registry_table(L, &emitted_arguments_key);
 }
 
 void events_add_handler(lua_State *L, int kind)
@@ -54,7 +54,7 @@ void events_add_handler(lua_State *L, int kind)
 
 static int find_kind(const char *name)
 {
-    for (int k = 0; k < EVENT_NAMES; k++)
+    for (int k = 0; k < EVENT_NAME_COUNT; k++)
         if (events_names[k] && !strcmp(events_names[k], name))
             return k;
     return -1;
@@ -70,7 +70,7 @@ bool events_emit(struct board *b, lua_State *L, const char *name, int n)
     lua_insert(L, -n - 1);
     for (int i = n; i >= 1; i--)
         lua_rawseti(L, -i - 1, i);
-    lua_rawgetp(L, LUA_REGISTRYINDEX, &emitted_key);
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &emitted_arguments_key);
     lua_insert(L, -2);
     lua_Integer at = (lua_Integer)lua_rawlen(L, -2) + 1;
     lua_rawseti(L, -2, at);
@@ -280,16 +280,16 @@ static uint64_t hurt_one_enemy(struct board *b, lua_State *L, uint32_t i, uint64
     *body = e->body[i] ? board_handle(b, H_ENEMY, e->body[i] - 1) : 0;
     if (e->safe_left[i] || !enemies_scale_damage(amount, e->rate[i]))
         return 0;
-    const uint64_t passed_on = enemies_scale_damage(enemies_damage(e, i, amount), e->share[i]);
+    const uint64_t passed_on = enemies_scale_damage(enemies_damage(e, i, amount), e->damage_share[i]);
     enemies_blink(e, &b->enemy_kinds, i);
     if (!e->hp[i] && !(e->flags[i] & ENEMY_UNDYING))
         events_kill_enemy(b, L, i, player);
     return passed_on;
 }
 
-/* Like events_hurt_enemy, for boards on which enemies may be parts. A handler may remove the body before the body takes
- * its share. */
-static bool hurt_bodies(struct board *b, lua_State *L, uint32_t i, int32_t n, uint32_t player)
+/* Like events_hurt_enemy, for games in which an enemy may be a part of another one, its body, and passes damage on to
+ * it. A handler may remove the body first. */
+static bool hurt_enemy_and_body(struct board *b, lua_State *L, uint32_t i, int32_t n, uint32_t player)
 {
     const int64_t first = board_handle(b, H_ENEMY, (int32_t)i);
     uint64_t amount = (uint64_t)n << 32;
@@ -306,7 +306,7 @@ bool events_hurt_enemy(struct board *b, lua_State *L, uint32_t i, int32_t n, uin
     if (e->safe_left[i] || n <= 0 || e->flags[i] & ENEMY_DYING)
         return false;
     if (e->rate)
-        return hurt_bodies(b, L, i, n, player);
+        return hurt_enemy_and_body(b, L, i, n, player);
     e->hp[i] = n >= e->hp[i] ? 0 : e->hp[i] - n;
     enemies_blink(e, &b->enemy_kinds, i);
     if (e->hp[i] || e->flags[i] & ENEMY_UNDYING)
@@ -608,7 +608,8 @@ static void fade_beams(struct board *b, uint32_t p)
     const struct bullets *h = &b->laser_heads;
 
     EACH_LIVE (i, &b->lasers.s)
-        if (h->player[i] == p + 1 && b->lasers.form[i] == LASER_BEAM && b->laser_kinds.flags[h->kind[i]] & LASER_SHOOTS)
+        if (h->player[i] == p + 1 && b->lasers.form[i] == LASER_BEAM &&
+            b->laser_kinds.flags[h->kind[i]] & LASER_HITS_ENEMIES)
             lasers_fade(&b->lasers, i, lasers_age(b, i));
 }
 
@@ -663,11 +664,11 @@ static void apply_enemy_end(struct board *b, lua_State *L, const struct event *e
         enemies_drop(&b->enemies, handle_slot(e->a));
 }
 
-static void apply_emitted(lua_State *L, const struct event *e)
+static void apply_script_event(lua_State *L, const struct event *e)
 {
     int n = (int)(e->b & 255), kind = (int)(e->b >> 8);
 
-    lua_rawgetp(L, LUA_REGISTRYINDEX, &emitted_key);
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &emitted_arguments_key);
     lua_rawgeti(L, -1, e->a);
     int args = lua_gettop(L);
     for (int i = 1; i <= n; i++)
@@ -716,7 +717,7 @@ static void apply_event(struct board *b, lua_State *L, const struct event *e)
         apply_bomb(L, e);
         break;
     case EV_SCRIPT:
-        apply_emitted(L, e);
+        apply_script_event(L, e);
         break;
     case EV_FIRED:
         if (board_is_alive(b, e->a))
@@ -737,10 +738,10 @@ static void apply_event(struct board *b, lua_State *L, const struct event *e)
     }
 }
 
-void events_call_start(lua_State *L, int64_t game)
+void events_call_start_handlers(lua_State *L, int64_t game)
 {
     struct board *b = vm_board(L);
-    const struct tasks_context saved = { b->tasks.now_owner, b->tasks.now_scene };
+    const struct tasks_context saved = { b->tasks.current_owner, b->tasks.current_scene };
     const int32_t current = b->tasks.current;
 
     b->tasks.current = NO_SLOT; /* a handler cannot wait */

@@ -33,7 +33,7 @@ enum { EV_PHASE = EV_SCRIPT, EV_STAGE, EV_START };
 void events_check_game_over(struct board *b);
 
 /* Calls the on.start handlers immediately. Tasks started by the handlers belong to the scope `game`. */
-void events_call_start(lua_State *L, int64_t game);
+void events_call_start_handlers(lua_State *L, int64_t game);
 
 /* Takes a life from player p and raises EV_DEATH. */
 void events_kill_player(struct board *b, uint32_t p);

@@ -5,7 +5,7 @@
 #include "events_run.h"
 #include "api/api.h"
 
-enum { BUTTON_BOMB = 5 }; /* index in PAD_NAMES */
+enum { BUTTON_BOMB = 5 }; /* index in PAD_BUTTON_NAMES */
 _Static_assert(1 << BUTTON_BOMB == PAD_BOMB, "BUTTON_BOMB is the bit of PAD_BOMB");
 
 /* Counts down player p's bomb. When the bomb ends, stops its scope. */

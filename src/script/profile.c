@@ -16,32 +16,32 @@
 
 uint64_t profile_work(const struct profile_line *line)
 {
-    return line->instructions + line->calls;
+    return line->instructions + line->call_work;
 }
 
-/* Returns the entry for `place`, adding it if it is new, or `overflow` if there is no space for it. */
-static struct profile_line *find_entry(struct profile *p, const char *place, size_t n)
+/* Returns the entry for `location`, adding it if it is new, or `overflow` if there is no space for it. */
+static struct profile_line *find_entry(struct profile *p, const char *location, size_t n)
 {
-    uint32_t i = (uint32_t)hash_bytes(HASH_START, place, n) % PROFILE_CAPACITY;
+    uint32_t i = (uint32_t)hash_bytes(HASH_START, location, n) % PROFILE_CAPACITY;
 
     for (int tries = 0; tries < PROFILE_CAPACITY / 4; tries++, i = (i + 1) % PROFILE_CAPACITY) {
         struct profile_line *line = &p->line[i];
-        if (!line->place[0]) {
-            memcpy(line->place, place, n + 1);
+        if (!line->location[0]) {
+            memcpy(line->location, location, n + 1);
             return line;
         }
-        if (strcmp(line->place, place) == 0)
+        if (strcmp(line->location, location) == 0)
             return line;
     }
     return &p->overflow;
 }
 
-static struct profile_line *find_entry_for(struct profile *p, const lua_Debug *ar)
+static struct profile_line *find_frame_entry(struct profile *p, const lua_Debug *ar)
 {
-    char place[PROFILE_PLACE_BYTES];
-    const int n = snprintf(place, sizeof place, "%.58s:%d", ar->short_src, ar->currentline);
+    char location[PROFILE_LOCATION_SIZE];
+    const int n = snprintf(location, sizeof location, "%.58s:%d", ar->short_src, ar->currentline);
 
-    return find_entry(p, place, (size_t)n);
+    return find_entry(p, location, (size_t)n);
 }
 
 static bool is_library(const lua_Debug *ar)
@@ -53,20 +53,21 @@ static bool is_library(const lua_Debug *ar)
 static struct profile_line *find_caller(struct profile *p, lua_State *L)
 {
     lua_Debug ar, nearest = { .currentline = 0 };
-    char place[PROFILE_PLACE_BYTES];
+    char location[PROFILE_LOCATION_SIZE];
 
     for (int level = 0; lua_getstack(L, level, &ar); level++) {
         lua_getinfo(L, "Sl", &ar);
         if (ar.currentline > 0 && !is_library(&ar))
-            return find_entry_for(p, &ar);
+            return find_frame_entry(p, &ar);
         if (ar.currentline > 0 && nearest.currentline == 0)
             nearest = ar;
     }
-    const char *start_place = tasks_origin(vm_board(L), L);
-    if (!start_place)
-        return find_entry_for(p, &nearest);
-    const int n = snprintf(place, sizeof place, "%.*s", (int)strlen(start_place) - 2, start_place); /* ends in ": " */
-    return find_entry(p, place, n < PROFILE_PLACE_BYTES ? (size_t)n : PROFILE_PLACE_BYTES - 1);
+    const char *start_location = tasks_origin(vm_board(L), L);
+    if (!start_location)
+        return find_frame_entry(p, &nearest);
+    const int n =
+        snprintf(location, sizeof location, "%.*s", (int)strlen(start_location) - 2, start_location); /* ends in ": " */
+    return find_entry(p, location, n < PROFILE_LOCATION_SIZE ? (size_t)n : PROFILE_LOCATION_SIZE - 1);
 }
 
 /* Returns the line that the next instruction counts for. This is usually the previous instruction's line. */
@@ -76,15 +77,15 @@ static struct profile_line *find_line(struct profile *p, lua_State *L, lua_Debug
     if (is_library(ar)) {
         struct profile_line *line = find_caller(p, L);
         p->source = NULL;
-        line->library++;
-        p->total.library++;
+        line->library_instructions++;
+        p->total.library_instructions++;
         return line;
     }
     if (ar->source == p->source && ar->currentline == p->source_line)
         return p->current;
     p->source = ar->source;
     p->source_line = ar->currentline;
-    return find_entry_for(p, ar);
+    return find_frame_entry(p, ar);
 }
 
 /* Adds the work and allocations since the previous call to the last instruction's line. A board that was reset has a
@@ -96,10 +97,10 @@ static void attribute_work(struct profile *p, const struct vm *vm)
     if (p->current) {
         const uint64_t calls = vm->work - p->counted_work,
                        bytes = allocated >= p->counted_bytes ? allocated - p->counted_bytes : 0;
-        p->current->calls += calls;
-        p->total.calls += calls;
-        p->current->bytes += bytes;
-        p->total.bytes += bytes;
+        p->current->call_work += calls;
+        p->total.call_work += calls;
+        p->current->allocated_bytes += bytes;
+        p->total.allocated_bytes += bytes;
     }
     p->counted_work = vm->work;
     p->counted_bytes = allocated;

@@ -15,17 +15,17 @@ struct board;
 
 enum {
     PROFILE_CAPACITY = 1 << 14, /* lines, a power of two; further lines are counted in `overflow` */
-    PROFILE_PLACE_BYTES = 72    /* bytes of "stages/one.lua:42" */
+    PROFILE_LOCATION_SIZE = 72  /* bytes of "stages/one.lua:42" */
 };
 
 /* Work is in instructions, counted as for the infinite-loop guard (vm_count.c). */
 struct profile_line {
-    char place
-        [PROFILE_PLACE_BYTES]; /* the author's line if the call chain has one, otherwise a line of @std; "": unused */
-    uint64_t instructions;     /* Lua instructions */
-    uint64_t calls;            /* work of C functions called: 100 per API function, more for costly ones */
-    uint64_t bytes;            /* allocated; approximate, because table growth depends on hash order */
-    uint64_t library;          /* the part of `instructions` executed in @std functions that the line called */
+    char location
+        [PROFILE_LOCATION_SIZE]; /* the author's line if the call chain has one, otherwise a line of @std; "": unused */
+    uint64_t instructions;       /* Lua instructions */
+    uint64_t call_work;          /* work of C functions called: 100 per API function, more for costly ones */
+    uint64_t allocated_bytes;    /* allocated; approximate, because table growth depends on hash order */
+    uint64_t library_instructions; /* the part of `instructions` executed in @std functions that the line called */
 };
 
 struct profile {

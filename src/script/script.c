@@ -13,12 +13,13 @@
 #include "../base/heap.h"
 #include "../base/host.h"
 
-static const char no_power[] = "operator ^ is not available (results differ between machines); use x*x or math.sqrt";
-static const char no_gc[] = "__gc is not available (finalizers run at different times on different machines)";
-static const char no_mode[] = "__mode is not available (weak tables hold different entries on different machines)";
+static const char power_message[] =
+    "operator ^ is not available (results differ between machines); use x*x or math.sqrt";
+static const char gc_message[] = "__gc is not available (finalizers run at different times on different machines)";
+static const char mode_message[] = "__mode is not available (weak tables hold different entries on different machines)";
 
 struct scan {
-    struct cursor at;
+    struct cursor cursor;
     char word[8]; /* the first bytes of the last name or string */
     size_t size;  /* bytes in the whole name or string */
 };
@@ -33,36 +34,36 @@ static void append_byte(struct scan *s, unsigned c)
 static const char *find_forbidden(const struct scan *s)
 {
     if (s->size == 4 && memcmp(s->word, "__gc", 4) == 0)
-        return no_gc;
-    return s->size == 6 && memcmp(s->word, "__mode", 6) == 0 ? no_mode : NULL;
+        return gc_message;
+    return s->size == 6 && memcmp(s->word, "__mode", 6) == 0 ? mode_message : NULL;
 }
 
 /* Scans a long bracket to its end. A newline right after the opening bracket is not part of the string. */
 static void scan_long_string(struct scan *s, int level)
 {
-    s->at.p += level + 2;
+    s->cursor.p += level + 2;
     s->size = 0;
-    if (cursor_peek(&s->at, 0) == '\n' || cursor_peek(&s->at, 0) == '\r')
-        cursor_step(&s->at);
-    while (s->at.p < s->at.end && !cursor_at_long_close(&s->at, level)) {
-        append_byte(s, (unsigned char)*s->at.p);
-        cursor_step(&s->at);
+    if (cursor_peek(&s->cursor, 0) == '\n' || cursor_peek(&s->cursor, 0) == '\r')
+        cursor_step(&s->cursor);
+    while (s->cursor.p < s->cursor.end && !cursor_is_at_long_close(&s->cursor, level)) {
+        append_byte(s, (unsigned char)*s->cursor.p);
+        cursor_step(&s->cursor);
     }
-    if (s->at.p < s->at.end)
-        s->at.p += level + 2;
+    if (s->cursor.p < s->cursor.end)
+        s->cursor.p += level + 2;
 }
 
 static void scan_comment(struct scan *s)
 {
-    s->at.p += 2;
-    int level = cursor_peek(&s->at, 0) == '[' ? cursor_long_level(&s->at) : -1;
+    s->cursor.p += 2;
+    int level = cursor_peek(&s->cursor, 0) == '[' ? cursor_long_level(&s->cursor) : -1;
 
     if (level >= 0) {
         scan_long_string(s, level);
         return;
     }
-    while (s->at.p < s->at.end && *s->at.p != '\n' && *s->at.p != '\r')
-        s->at.p++;
+    while (s->cursor.p < s->cursor.end && *s->cursor.p != '\n' && *s->cursor.p != '\r')
+        s->cursor.p++;
 }
 
 /* \u{XXX}: the forbidden names are ASCII, so any other character counts as one byte, 255. */
@@ -70,13 +71,13 @@ static void scan_unicode_escape(struct scan *s)
 {
     unsigned v = 0;
 
-    s->at.p++;
-    if (cursor_peek(&s->at, 0) == '{')
-        s->at.p++;
-    for (; cursor_hex_value(cursor_peek(&s->at, 0)) >= 0; s->at.p++)
-        v = v > 255 ? v : v * 16 + (unsigned)cursor_hex_value(*s->at.p);
-    if (cursor_peek(&s->at, 0) == '}')
-        s->at.p++;
+    s->cursor.p++;
+    if (cursor_peek(&s->cursor, 0) == '{')
+        s->cursor.p++;
+    for (; cursor_hex_value(cursor_peek(&s->cursor, 0)) >= 0; s->cursor.p++)
+        v = v > 255 ? v : v * 16 + (unsigned)cursor_hex_value(*s->cursor.p);
+    if (cursor_peek(&s->cursor, 0) == '}')
+        s->cursor.p++;
     append_byte(s, v > 127 ? 255 : v);
 }
 
@@ -84,8 +85,8 @@ static void scan_decimal_escape(struct scan *s)
 {
     unsigned v = 0;
 
-    for (int i = 0; i < 3 && cursor_is_digit(cursor_peek(&s->at, 0)); i++)
-        v = v * 10 + (unsigned)(*s->at.p++ - '0');
+    for (int i = 0; i < 3 && cursor_is_digit(cursor_peek(&s->cursor, 0)); i++)
+        v = v * 10 + (unsigned)(*s->cursor.p++ - '0');
     append_byte(s, v);
 }
 
@@ -93,16 +94,16 @@ static void scan_hex_escape(struct scan *s)
 {
     unsigned v = 0;
 
-    s->at.p++;
-    for (int i = 0; i < 2 && cursor_hex_value(cursor_peek(&s->at, 0)) >= 0; i++)
-        v = v * 16 + (unsigned)cursor_hex_value(*s->at.p++);
+    s->cursor.p++;
+    for (int i = 0; i < 2 && cursor_hex_value(cursor_peek(&s->cursor, 0)) >= 0; i++)
+        v = v * 16 + (unsigned)cursor_hex_value(*s->cursor.p++);
     append_byte(s, v);
 }
 
 /* Scans an escape sequence in quotes, after its backslash. */
 static void scan_escape(struct scan *s)
 {
-    char c = cursor_peek(&s->at, 0);
+    char c = cursor_peek(&s->cursor, 0);
 
     if (cursor_is_digit(c)) {
         scan_decimal_escape(s);
@@ -111,74 +112,75 @@ static void scan_escape(struct scan *s)
     } else if (c == 'u') {
         scan_unicode_escape(s);
     } else if (c == 'z') {
-        for (s->at.p++; s->at.p < s->at.end && strchr(" \t\n\v\f\r", *s->at.p) != NULL && *s->at.p != '\0';)
-            cursor_step(&s->at);
-    } else if (s->at.p < s->at.end) {
+        for (s->cursor.p++;
+             s->cursor.p < s->cursor.end && strchr(" \t\n\v\f\r", *s->cursor.p) != NULL && *s->cursor.p != '\0';)
+            cursor_step(&s->cursor);
+    } else if (s->cursor.p < s->cursor.end) {
         append_byte(s, '\n'); /* a letter or a line end: recorded as \n, since no forbidden name contains its value */
-        cursor_step(&s->at);
+        cursor_step(&s->cursor);
     }
 }
 
-static void scan_quoted(struct scan *s)
+static void scan_quoted_string(struct scan *s)
 {
-    char quote = *s->at.p++;
+    char quote = *s->cursor.p++;
 
     s->size = 0;
-    while (s->at.p < s->at.end && *s->at.p != quote && *s->at.p != '\n' && *s->at.p != '\r') {
-        if (*s->at.p == '\\') {
-            s->at.p++;
+    while (s->cursor.p < s->cursor.end && *s->cursor.p != quote && *s->cursor.p != '\n' && *s->cursor.p != '\r') {
+        if (*s->cursor.p == '\\') {
+            s->cursor.p++;
             scan_escape(s);
         } else {
-            append_byte(s, (unsigned char)*s->at.p++);
+            append_byte(s, (unsigned char)*s->cursor.p++);
         }
     }
-    if (s->at.p < s->at.end && *s->at.p == quote)
-        s->at.p++;
+    if (s->cursor.p < s->cursor.end && *s->cursor.p == quote)
+        s->cursor.p++;
 }
 
 static void scan_name(struct scan *s)
 {
     s->size = 0;
-    while (cursor_is_letter(cursor_peek(&s->at, 0)) || cursor_is_digit(cursor_peek(&s->at, 0)))
-        append_byte(s, (unsigned char)*s->at.p++);
+    while (cursor_is_letter(cursor_peek(&s->cursor, 0)) || cursor_is_digit(cursor_peek(&s->cursor, 0)))
+        append_byte(s, (unsigned char)*s->cursor.p++);
 }
 
 /* Scans one token. Returns what is wrong with it, or NULL. */
 static const char *scan_token(struct scan *s)
 {
-    char c = *s->at.p;
+    char c = *s->cursor.p;
 
-    if (c == '-' && cursor_peek(&s->at, 1) == '-') {
+    if (c == '-' && cursor_peek(&s->cursor, 1) == '-') {
         scan_comment(s);
         return NULL;
     }
     if (c == '^') {
-        s->at.p++;
-        return no_power;
+        s->cursor.p++;
+        return power_message;
     }
     if (cursor_is_letter(c))
         scan_name(s);
     else if (c == '"' || c == '\'')
-        scan_quoted(s);
-    else if (c == '[' && cursor_long_level(&s->at) >= 0)
-        scan_long_string(s, cursor_long_level(&s->at));
+        scan_quoted_string(s);
+    else if (c == '[' && cursor_long_level(&s->cursor) >= 0)
+        scan_long_string(s, cursor_long_level(&s->cursor));
     else {
-        cursor_step(&s->at);
+        cursor_step(&s->cursor);
         return NULL;
     }
     return find_forbidden(s);
 }
 
-bool script_scan_from(const char *text, size_t n, struct script_place *place, int *line, const char **message)
+bool script_scan_from(const char *text, size_t n, struct script_position *position, int *line, const char **message)
 {
-    struct scan s = { .at = { text + place->at, text + n, place->line } };
+    struct scan s = { .cursor = { text + position->at, text + n, position->line } };
 
-    while (s.at.p < s.at.end) {
-        *line = s.at.line;
+    while (s.cursor.p < s.cursor.end) {
+        *line = s.cursor.line;
         *message = scan_token(&s);
         if (*message == NULL)
             continue;
-        *place = (struct script_place){ (size_t)(s.at.p - text), s.at.line };
+        *position = (struct script_position){ (size_t)(s.cursor.p - text), s.cursor.line };
         return false;
     }
     return true;
@@ -186,7 +188,7 @@ bool script_scan_from(const char *text, size_t n, struct script_place *place, in
 
 bool script_scan(const char *text, size_t n, int *line, const char **message)
 {
-    struct script_place start = { 0, 1 };
+    struct script_position start = { 0, 1 };
 
     return script_scan_from(text, n, &start, line, message);
 }
@@ -207,9 +209,9 @@ static void skip_numeral(struct cursor *at)
 
 static bool skip_space(struct scan *s)
 {
-    if (cursor_is_blank(*s->at.p))
-        cursor_step(&s->at);
-    else if (*s->at.p == '-' && cursor_peek(&s->at, 1) == '-')
+    if (cursor_is_blank(*s->cursor.p))
+        cursor_step(&s->cursor);
+    else if (*s->cursor.p == '-' && cursor_peek(&s->cursor, 1) == '-')
         scan_comment(s);
     else
         return false;
@@ -219,34 +221,34 @@ static bool skip_space(struct scan *s)
 /* Returns whether a single = follows. */
 static bool is_assigned(struct scan s)
 {
-    while (s.at.p < s.at.end && skip_space(&s))
+    while (s.cursor.p < s.cursor.end && skip_space(&s))
         continue;
-    return cursor_peek(&s.at, 0) == '=' && cursor_peek(&s.at, 1) != '=';
+    return cursor_peek(&s.cursor, 0) == '=' && cursor_peek(&s.cursor, 1) != '=';
 }
 
-bool script_next_global(const char *text, size_t n, size_t *at, const char **first, size_t *size)
+bool script_next_global(const char *text, size_t n, size_t *at, const char **name, size_t *size)
 {
-    struct scan s = { .at = { text + *at, text + n, 1 } };
+    struct scan s = { .cursor = { text + *at, text + n, 1 } };
     int dots = 0; /* dots or colons directly before; exactly one means a field follows */
 
-    while (s.at.p < s.at.end) {
-        char c = *s.at.p;
+    while (s.cursor.p < s.cursor.end) {
+        char c = *s.cursor.p;
         if (skip_space(&s))
             continue;
         if (cursor_is_letter(c)) {
-            *first = s.at.p;
+            *name = s.cursor.p;
             scan_name(&s);
-            *at = (size_t)(s.at.p - text);
+            *at = (size_t)(s.cursor.p - text);
             *size = s.size;
             if (dots != 1 && !is_assigned(s))
                 return true;
             dots = 0;
-        } else if (cursor_is_digit(c) || (c == '.' && cursor_is_digit(cursor_peek(&s.at, 1)))) {
-            skip_numeral(&s.at);
+        } else if (cursor_is_digit(c) || (c == '.' && cursor_is_digit(cursor_peek(&s.cursor, 1)))) {
+            skip_numeral(&s.cursor);
             dots = 0;
         } else if (c == '.' || c == ':') {
-            for (dots = 0; cursor_peek(&s.at, 0) == c; dots++)
-                s.at.p++;
+            for (dots = 0; cursor_peek(&s.cursor, 0) == c; dots++)
+                s.cursor.p++;
         } else {
             scan_token(&s);
             dots = 0;
@@ -255,20 +257,20 @@ bool script_next_global(const char *text, size_t n, size_t *at, const char **fir
     return false;
 }
 
-const char *script_field(const char *text, size_t n, size_t at, size_t *size)
+const char *script_find_field(const char *text, size_t n, size_t at, size_t *size)
 {
-    struct scan s = { .at = { text + at, text + n, 1 } };
+    struct scan s = { .cursor = { text + at, text + n, 1 } };
 
-    while (s.at.p < s.at.end && skip_space(&s))
+    while (s.cursor.p < s.cursor.end && skip_space(&s))
         continue;
-    if (cursor_peek(&s.at, 0) != '.' || cursor_peek(&s.at, 1) == '.')
+    if (cursor_peek(&s.cursor, 0) != '.' || cursor_peek(&s.cursor, 1) == '.')
         return NULL;
-    s.at.p++;
-    while (s.at.p < s.at.end && skip_space(&s))
+    s.cursor.p++;
+    while (s.cursor.p < s.cursor.end && skip_space(&s))
         continue;
-    if (!cursor_is_letter(cursor_peek(&s.at, 0)))
+    if (!cursor_is_letter(cursor_peek(&s.cursor, 0)))
         return NULL;
-    const char *first = s.at.p;
+    const char *first = s.cursor.p;
     scan_name(&s);
     *size = s.size;
     return first;
@@ -288,7 +290,7 @@ struct block {
 struct blocks {
     struct scan s;
     const char *text;
-    struct block open[MAX_BLOCKS];
+    struct block stack[MAX_BLOCKS];
     int n;
 };
 
@@ -310,7 +312,7 @@ static bool open_block(struct blocks *b, const char *word, int line, int indent)
 {
     if (b->n == MAX_BLOCKS)
         return false;
-    struct block *opened = &b->open[b->n++];
+    struct block *opened = &b->stack[b->n++];
     *opened = (struct block){ .line = line,
                               .indent = indent,
                               .awaits_do = strcmp(word, "for") == 0 || strcmp(word, "while") == 0 };
@@ -322,11 +324,11 @@ static bool open_block(struct blocks *b, const char *word, int line, int indent)
  * is then the block that lacks its end, or NULL. */
 static bool scan_block_word(struct blocks *b, const struct block **unclosed)
 {
-    const char *at = b->s.at.p;
-    struct block *top = b->n > 0 ? &b->open[b->n - 1] : NULL;
+    const char *at = b->s.cursor.p;
+    struct block *top = b->n > 0 ? &b->stack[b->n - 1] : NULL;
     char word[9] = "";
     bool is_first;
-    int line = b->s.at.line, indent = indent_of(b->text, at, &is_first);
+    int line = b->s.cursor.line, indent = indent_of(b->text, at, &is_first);
 
     scan_name(&b->s);
     if (b->s.size >= sizeof word)
@@ -353,16 +355,16 @@ static bool scan_block_word(struct blocks *b, const struct block **unclosed)
  * block lacks its end. */
 static bool scan_block_token(struct blocks *b, const struct block **unclosed)
 {
-    const char c = *b->s.at.p;
-    bool opening = c == '(' || c == '{' || (c == '[' && cursor_long_level(&b->s.at) < 0);
+    const char c = *b->s.cursor.p;
+    bool opening = c == '(' || c == '{' || (c == '[' && cursor_long_level(&b->s.cursor) < 0);
 
-    if (opening && !open_block(b, "", b->s.at.line, 0))
+    if (opening && !open_block(b, "", b->s.cursor.line, 0))
         return false;
     if (c == ')' || c == '}' || c == ']') {
         if (b->n == 0)
             return false;
-        if (b->open[--b->n].word[0] != '\0') {
-            *unclosed = &b->open[b->n];
+        if (b->stack[--b->n].word[0] != '\0') {
+            *unclosed = &b->stack[b->n];
             return false;
         }
     }
@@ -377,18 +379,18 @@ static const struct block *find_unclosed_block(struct blocks *b, const char *tex
 {
     const struct block *unclosed = NULL;
 
-    b->s = (struct scan){ .at = { text, text + n, 1 } };
+    b->s = (struct scan){ .cursor = { text, text + n, 1 } };
     b->text = text;
     b->n = 0;
-    while (b->s.at.p < b->s.at.end)
-        if (!(cursor_is_letter(*b->s.at.p) ? scan_block_word(b, &unclosed) : scan_block_token(b, &unclosed)))
+    while (b->s.cursor.p < b->s.cursor.end)
+        if (!(cursor_is_letter(*b->s.cursor.p) ? scan_block_word(b, &unclosed) : scan_block_token(b, &unclosed)))
             return unclosed;
-    return b->n > 0 && b->open[b->n - 1].word[0] != '\0' ? &b->open[b->n - 1] : NULL;
+    return b->n > 0 && b->stack[b->n - 1].word[0] != '\0' ? &b->stack[b->n - 1] : NULL;
 }
 
 /* Parses Lua's message: 'end' expected (to close 'function' at line 3) near <eof>. The parenthesized part is absent
  * if the block starts on the same line. */
-static void parse_expected(const char *at, char word[16], int *line, char near_token[64])
+static void parse_end_message(const char *at, char word[16], int *line, char near_token[64])
 {
     const char *opener = strstr(at, "to close '"), *number = strstr(at, "' at line "), *near_text = strstr(at, "near ");
 
@@ -425,7 +427,7 @@ static void explain_end(const char *text, size_t n, char *err, size_t err_size)
     if (at == NULL)
         return;
     const struct block *unclosed = find_unclosed_block(&b, text, n);
-    parse_expected(at, word, &line, near_token);
+    parse_end_message(at, word, &line, near_token);
     if (line == 0 && unclosed != NULL) {
         snprintf(word, sizeof word, "%s", unclosed->word);
         line = unclosed->line;

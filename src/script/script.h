@@ -14,11 +14,11 @@ bool script_scan(const char *text, size_t n, int *line, const char **message);
 
 /* Like script_scan, but starts at *place. When it returns false, it has moved *place past the match, so that the next
  * call continues there. */
-struct script_place {
+struct script_position {
     size_t at;
     int line; /* line of byte `at`; a scan starts at { 0, 1 } */
 };
-bool script_scan_from(const char *text, size_t n, struct script_place *place, int *line, const char **message);
+bool script_scan_from(const char *text, size_t n, struct script_position *place, int *line, const char **message);
 
 /* Finds the next name at or after *at that may be a global being read, and moves *at past it. Returns false if there
  * is none. Fields (after . or :), assigned names (before =), comments and strings are skipped. No global that a Lua
@@ -27,7 +27,7 @@ bool script_next_global(const char *text, size_t n, size_t *at, const char **nam
 
 /* Returns the field read from the name that ends at `at`, i.e. the name after the dot, and sets *size to its bytes;
  * or NULL if no dot and name follow, so that any field may be read. */
-const char *script_field(const char *text, size_t n, size_t at, size_t *size);
+const char *script_find_field(const char *text, size_t n, size_t at, size_t *size);
 
 /* Converts `name` to the form `require` expects: "a.b", "a\\b", "./a/b" and "a/b.lua" become "a/b". Returns false if
  * it already has that form or is too long. */

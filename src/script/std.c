@@ -6,14 +6,14 @@
 #include <string.h>
 #include "script.h"
 
-enum { ALL_MODULES = (1 << STD_MODULES) - 1 };
+enum { ALL_MODULES = (1 << STD_MODULE_COUNT) - 1 };
 
 /* globals: the global variables through which scripts reach the module: the one bound to its table or, for the prelude,
  * one for each of its functions. A module with `fields` has no variable of its own: it adds those fields to the table
  * `extended_table`, and its `globals` is that table. */
 static const struct {
     const char *name, *globals, *fields, *extended_table;
-} modules[STD_MODULES] = {
+} modules[STD_MODULE_COUNT] = {
     { "prelude", " wait_until wait_for by_difficulty ", NULL, NULL },
     { "pattern", " pattern ", NULL, NULL },
     { "figure", " pattern ", " whip scatter rose polygon star ellipse points picture ", "pattern" },
@@ -35,7 +35,7 @@ static const struct {
     { "boot", " boot ", NULL, NULL },
 };
 
-static const char computing_names[] = " _G _ENV load ";
+static const char dynamic_globals[] = " _G _ENV load ";
 
 const char *std_module_name(int i)
 {
@@ -46,12 +46,12 @@ const char *std_module_name(int i)
 static int is_in_list(const char *list, const char *word, size_t n)
 {
     for (const char *p = list + 1; *p != '\0'; p++) {
-        size_t same = 0;
-        while (same < n && p[same] == word[same])
-            same++;
-        if (same == n && p[n] == ' ')
+        size_t matched = 0;
+        while (matched < n && p[matched] == word[matched])
+            matched++;
+        if (matched == n && p[n] == ' ')
             return 1;
-        for (p += same; *p != ' ';)
+        for (p += matched; *p != ' ';)
             p++;
     }
     return 0;
@@ -67,7 +67,7 @@ int std_module_of_file(const char *name)
         return -1;
     if (n == strlen("screens") && memcmp(name, "screens", n) == 0)
         return std_module_of_global("boot");
-    for (int i = 0; i < STD_MODULES; i++)
+    for (int i = 0; i < STD_MODULE_COUNT; i++)
         if (strlen(modules[i].name) == n && memcmp(modules[i].name, name, n) == 0)
             return i;
     return -1;
@@ -78,11 +78,11 @@ const char *std_extended_table(int i)
     return modules[i].extended_table;
 }
 
-uint64_t std_modules_needed(int i, const char *text, size_t n)
+uint64_t std_find_needed_modules(int i, const char *text, size_t n)
 {
-    uint64_t others = std_modules_used(text, n);
+    uint64_t others = std_find_used_modules(text, n);
 
-    for (int k = 0; k < STD_MODULES; k++)
+    for (int k = 0; k < STD_MODULE_COUNT; k++)
         if (modules[k].extended_table && strcmp(modules[k].extended_table, modules[i].name) == 0)
             others &= ~((uint64_t)1 << k);
     others &= ~((uint64_t)1 << std_module_of_global("game")); /* no module needs it, and many locals have its name */
@@ -91,7 +91,7 @@ uint64_t std_modules_needed(int i, const char *text, size_t n)
 
 int std_module_of_global(const char *name)
 {
-    for (int i = 0; i < STD_MODULES; i++)
+    for (int i = 0; i < STD_MODULE_COUNT; i++)
         if (!modules[i].fields && is_in_list(modules[i].globals, name, strlen(name)))
             return i;
     return -1;
@@ -99,7 +99,7 @@ int std_module_of_global(const char *name)
 
 int std_module_of_field(const char *table, const char *field)
 {
-    for (int i = 0; i < STD_MODULES; i++)
+    for (int i = 0; i < STD_MODULE_COUNT; i++)
         if (modules[i].extended_table && strcmp(modules[i].extended_table, table) == 0 &&
             is_in_list(modules[i].fields, field, strlen(field)))
             return i;
@@ -111,22 +111,22 @@ static uint64_t modules_of_field(const char *name, size_t n, const char *field, 
 {
     uint64_t m = 0;
 
-    for (int i = 0; i < STD_MODULES; i++)
+    for (int i = 0; i < STD_MODULE_COUNT; i++)
         if (is_in_list(modules[i].globals, name, n) &&
             (!modules[i].fields || !field || is_in_list(modules[i].fields, field, field_n)))
             m |= (uint64_t)1 << i;
     return m;
 }
 
-uint64_t std_modules_used(const char *text, size_t n)
+uint64_t std_find_used_modules(const char *text, size_t n)
 {
     uint64_t used = 0;
     size_t at = 0, size, field_size;
     const char *name, *field;
 
     while (script_next_global(text, n, &at, &name, &size)) {
-        field = script_field(text, n, at, &field_size);
-        used |= is_in_list(computing_names, name, size) ? ALL_MODULES : modules_of_field(name, size, field, field_size);
+        field = script_find_field(text, n, at, &field_size);
+        used |= is_in_list(dynamic_globals, name, size) ? ALL_MODULES : modules_of_field(name, size, field, field_size);
     }
     return used;
 }

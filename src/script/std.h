@@ -14,10 +14,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { STD_MODULES = 19 };
+enum { STD_MODULE_COUNT = 19 };
 
 /* The hint in the error for using (in the console) the global of a module that no script of the game names. */
-#define STD_NOT_HERE "not packed in this ROM; a library module is packed if a script names it"
+#define STD_NOT_PACKED "not packed in this ROM; a library module is packed if a script names it"
 
 /* Returns the name of module i in load order, e.g. "pattern". Module 0 is the prelude, which all others need. */
 const char *std_module_name(int i);
@@ -36,10 +36,10 @@ int std_module_of_field(const char *table, const char *field);
 
 /* Returns the modules whose globals or fields a script with this text may read: bit i for module i. A text that can
  * compute names (_G, _ENV, load) needs them all. */
-uint64_t std_modules_used(const char *text, size_t n);
+uint64_t std_find_used_modules(const char *text, size_t n);
 
-/* Like std_modules_used, for the text of module i itself: omits the modules that add fields to i's own table, and game,
- * which no module needs. */
-uint64_t std_modules_needed(int i, const char *text, size_t n);
+/* Like std_find_used_modules, for the text of module i itself: omits the modules that add fields to i's own table, and
+ * game, which no module needs. */
+uint64_t std_find_needed_modules(int i, const char *text, size_t n);
 
 #endif

@@ -19,13 +19,13 @@ static void push_threads(lua_State *L)
     lua_rawsetp(L, LUA_REGISTRYINDEX, &threads_key);
 }
 
-static const uint32_t NONE = UINT32_MAX;
+static const uint32_t NO_TASK = UINT32_MAX;
 
-static void link_last(struct tasks *t, uint32_t i)
+static void append_task(struct tasks *t, uint32_t i)
 {
-    t->next[i] = NONE;
+    t->next[i] = NO_TASK;
     t->prev[i] = t->last;
-    if (t->last == NONE)
+    if (t->last == NO_TASK)
         t->first = i;
     else
         t->next[t->last] = i;
@@ -34,11 +34,11 @@ static void link_last(struct tasks *t, uint32_t i)
 
 static void unlink_task(struct tasks *t, uint32_t i)
 {
-    if (t->prev[i] == NONE)
+    if (t->prev[i] == NO_TASK)
         t->first = t->next[i];
     else
         t->next[t->prev[i]] = t->next[i];
-    if (t->next[i] == NONE)
+    if (t->next[i] == NO_TASK)
         t->last = t->prev[i];
     else
         t->prev[t->next[i]] = t->prev[i];
@@ -46,7 +46,7 @@ static void unlink_task(struct tasks *t, uint32_t i)
 
 void tasks_init(struct tasks *t)
 {
-    t->first = t->last = NONE;
+    t->first = t->last = NO_TASK;
     t->current = NO_SLOT;
 }
 
@@ -83,7 +83,7 @@ static int64_t scene_for_owner(const struct board *b, int64_t owner)
     case H_BULLET:
     case H_SHOT:
     case H_LASER:
-        return b->tasks.now_scene;
+        return b->tasks.current_scene;
     default:
         return 0;
     }
@@ -108,8 +108,8 @@ static int32_t take_task(struct board *b, int64_t owner, uint8_t flags)
     t->born[i] = b->core.clock;
     t->thread[i] = NULL;
     t->origin[i] = NULL;
-    link_last(t, (uint32_t)i);
-    script_fold(b, (uint64_t)t->serial[i] << 8 | 0x51);
+    append_task(t, (uint32_t)i);
+    script_update_digest(b, (uint64_t)t->serial[i] << 8 | 0x51);
     return i;
 }
 
@@ -123,25 +123,25 @@ static void drop_task(struct board *b, lua_State *L, uint32_t i)
         lua_rawseti(L, -2, -(lua_Integer)i - 1);
     }
     lua_pop(L, 1);
-    script_fold(b, (uint64_t)b->tasks.serial[i] << 8 | 0x52);
+    script_update_digest(b, (uint64_t)b->tasks.serial[i] << 8 | 0x52);
     unlink_task(&b->tasks, i);
     slots_drop(&b->tasks.s, i);
 }
 
 /* If the function at stack index `at` is from @std, stores the author's line that starts it as task i. The table of
  * threads is on top of the stack. */
-static void store_start_place(struct board *b, lua_State *L, int at, uint32_t i)
+static void store_origin(struct board *b, lua_State *L, int at, uint32_t i)
 {
-    char place[VM_PLACE_SIZE];
+    char location[VM_LOCATION_SIZE];
     lua_Debug ar;
 
     lua_pushvalue(L, at);
     if (!lua_getinfo(L, ">S", &ar) || strncmp(ar.source, "@@std/", 6))
         return;
-    vm_where(L, place, sizeof place);
-    if (!place[0] || !strncmp(place, "@std/", 5))
+    vm_get_location(L, location, sizeof location);
+    if (!location[0] || !strncmp(location, "@std/", 5))
         return;
-    b->tasks.origin[i] = lua_pushstring(L, place);
+    b->tasks.origin[i] = lua_pushstring(L, location);
     lua_rawseti(L, -2, -(lua_Integer)i - 1);
 }
 
@@ -156,7 +156,7 @@ int64_t tasks_start(struct board *b, lua_State *L, int64_t owner, int n)
     luaL_checkstack(L, 4, "too many arguments");
     int f = lua_gettop(L) - n;
     push_threads(L);
-    store_start_place(b, L, f, (uint32_t)i);
+    store_origin(b, L, f, (uint32_t)i);
     lua_State *co = lua_newthread(L);
     lua_rawseti(L, -2, (lua_Integer)i + 1);
     lua_pop(L, 1);
@@ -171,7 +171,7 @@ int64_t tasks_start(struct board *b, lua_State *L, int64_t owner, int n)
  * itself. */
 int64_t tasks_new_scope(struct board *b, int64_t owner, bool is_scene)
 {
-    if (!tasks_owner_alive(b, owner))
+    if (!tasks_is_owner_alive(b, owner))
         return board_handle(b, H_TASK, NO_SLOT);
     return board_handle(b, H_TASK, take_task(b, owner, is_scene ? TASK_SCOPE | TASK_SCENE : TASK_SCOPE));
 }
@@ -235,7 +235,7 @@ static bool owner_was_frozen(const struct board *b, uint32_t slot)
 /* Turns a task's error into the board's fault, which ends the run. */
 static void raise_task_fault(struct board *b, lua_State *L, lua_State *co, int status)
 {
-    vm_report(b, co, status);
+    vm_report_fault(b, co, status);
     b->tasks.current = NO_SLOT;
     if (status != LUA_ERRMEM)
         vm_add_traceback(b, L, co);
@@ -251,16 +251,16 @@ static void close_task(struct board *b, lua_State *L, uint32_t i)
     if (!co || !(b->tasks.flags[i] & TASK_BEGUN))
         return;
     tasks_set_task_context(b, i);
-    const uint32_t left = vm_enter(b, co);
+    const uint32_t until_check = vm_enter(b, co);
     int status = lua_resetthread(co);
-    vm_leave(b, L, left);
+    vm_leave(b, L, until_check);
     tasks_set_context(b, (struct tasks_context){ 0, 0 });
     if (status != LUA_OK)
         raise_task_fault(b, L, co, status);
 }
 
 /* Resumes a task. Returns whether it has ended. */
-static bool resume(struct board *b, lua_State *L, uint32_t i)
+static bool resume_task(struct board *b, lua_State *L, uint32_t i)
 {
     struct tasks *t = &b->tasks;
     lua_State *co = t->thread[i];
@@ -270,9 +270,9 @@ static bool resume(struct board *b, lua_State *L, uint32_t i)
     t->current = (int32_t)i;
     t->skipped_waits = 0;
     tasks_set_task_context(b, i);
-    const uint32_t left = vm_enter(b, co);
+    const uint32_t until_check = vm_enter(b, co);
     int status = lua_resume(co, L, n, &results);
-    vm_leave(b, L, left);
+    vm_leave(b, L, until_check);
     tasks_set_context(b, (struct tasks_context){ 0, 0 });
     if (status != LUA_OK && status != LUA_YIELD)
         raise_task_fault(b, L, co, status); /* reads tasks.current */
@@ -280,8 +280,8 @@ static bool resume(struct board *b, lua_State *L, uint32_t i)
     if (status == LUA_OK)
         return true;
     lua_pop(co, results);
-    script_fold(b, (uint64_t)t->serial[i] << 8 | 0x53);
-    script_fold(b, (uint64_t)t->wait[i]);
+    script_update_digest(b, (uint64_t)t->serial[i] << 8 | 0x53);
+    script_update_digest(b, (uint64_t)t->wait[i]);
     return false;
 }
 
@@ -290,7 +290,7 @@ static bool run_task_turn(struct board *b, lua_State *L, uint32_t i)
 {
     struct tasks *t = &b->tasks;
 
-    if (!tasks_owner_alive(b, t->owner[i]))
+    if (!tasks_is_owner_alive(b, t->owner[i]))
         tasks_stop(b, i);
     if (t->flags[i] & TASK_STOP) {
         close_task(b, L, i);
@@ -300,7 +300,7 @@ static bool run_task_turn(struct board *b, lua_State *L, uint32_t i)
         return false;
     if (t->wait[i] > 0 && --t->wait[i] > 0)
         return false;
-    if (resume(b, L, i))
+    if (resume_task(b, L, i))
         return true;
     if (t->flags[i] & TASK_STOP) /* the task stopped itself: close it now */
         close_task(b, L, i);
@@ -312,7 +312,7 @@ int tasks_run(lua_State *L)
     struct board *b = vm_board(L);
     uint32_t next;
 
-    for (uint32_t i = b->tasks.first; i != NONE; i = next) {
+    for (uint32_t i = b->tasks.first; i != NO_TASK; i = next) {
         bool ended = run_task_turn(b, L, i);
         next = b->tasks.next[i]; /* read after the turn, which may have started tasks */
         if (ended)
@@ -327,7 +327,7 @@ void tasks_run_turn(struct board *b, lua_State *L, uint32_t slot)
     struct tasks *t = &b->tasks;
     const int32_t current = t->current;
     const uint32_t skipped = t->skipped_waits;
-    const struct tasks_context saved = { t->now_owner, t->now_scene };
+    const struct tasks_context saved = { t->current_owner, t->current_scene };
     lua_State *running = b->vm.running;
 
     if (run_task_turn(b, L, slot))

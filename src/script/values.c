@@ -13,7 +13,7 @@
 
 enum tag { TAG_NIL, TAG_FALSE, TAG_TRUE, TAG_INTEGER, TAG_FLOAT, TAG_TEXT, TAG_TABLE, TAG_END };
 
-static void put(lua_State *L, struct values *v, const void *bytes, size_t n)
+static void put_bytes(lua_State *L, struct values *v, const void *bytes, size_t n)
 {
     if (n > v->capacity - v->n)
         luaL_error(L, "values too large for a test (at most %d bytes)", (int)v->capacity);
@@ -26,7 +26,7 @@ static void put_tag(lua_State *L, struct values *v, enum tag tag)
 {
     const uint8_t byte = (uint8_t)tag;
 
-    put(L, v, &byte, 1);
+    put_bytes(L, v, &byte, 1);
 }
 
 static void put_text(lua_State *L, struct values *v, int idx)
@@ -35,8 +35,8 @@ static void put_text(lua_State *L, struct values *v, int idx)
     const char *text = lualib_tolstring(L, idx, &n);
 
     put_tag(L, v, TAG_TEXT);
-    put(L, v, &n, sizeof n);
-    put(L, v, text, n);
+    put_bytes(L, v, &n, sizeof n);
+    put_bytes(L, v, text, n);
     lua_pop(L, 1);
 }
 
@@ -47,10 +47,10 @@ static void put_number(lua_State *L, struct values *v, int idx)
 
     if (lua_isinteger(L, idx)) {
         put_tag(L, v, TAG_INTEGER);
-        put(L, v, &integer, sizeof integer);
+        put_bytes(L, v, &integer, sizeof integer);
     } else {
         put_tag(L, v, TAG_FLOAT);
-        put(L, v, &number, sizeof number);
+        put_bytes(L, v, &number, sizeof number);
     }
 }
 

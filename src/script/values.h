@@ -9,8 +9,8 @@
 #include <stdint.h>
 
 enum {
-    VALUES_BYTES = 1 << 18, /* capacity, enough for the values a test inspects */
-    VALUES_MAX_DEPTH = 8    /* nesting depth of tables */
+    VALUES_CAPACITY = 1 << 18, /* capacity, enough for the values a test inspects */
+    VALUES_MAX_DEPTH = 8       /* nesting depth of tables */
 };
 
 struct values {

@@ -26,7 +26,7 @@ static void note_shortage(struct board *b)
     b->vm.work += heap_used(b->vm.heap) / 2;
     if (!b->vm.running)
         return;
-    vm_where(b->vm.running, o->shortage_place, sizeof o->shortage_place);
+    vm_get_location(b->vm.running, o->shortage_location, sizeof o->shortage_location);
     o->in_deep_calls = lua_getstack(b->vm.running, DEEP_CALLS, &ar);
 }
 
@@ -52,10 +52,10 @@ static void *allocate(void *ud, void *p, size_t old, size_t size)
     return q;
 }
 
-/* The collector's pace. A step does the work of allocating STEP_PERCENT of 2^STEP_SHIFT bytes. vm_collect takes one
- * step, plus one for each BYTES_PER_STEP bytes allocated since its last call. After a cycle that leaves U bytes in use,
- * the next one starts when PAUSE_BYTES + U / PAUSE_USED_DIVISOR more are in use, or 1 / PAUSE_FREE_DIVISOR of the free
- * bytes if that is less. */
+/* The collector's pace. A step does the work of allocating STEP_PERCENT of 2^STEP_SHIFT bytes. vm_collect_garbage takes
+ * one step, plus one for each BYTES_PER_STEP bytes allocated since its last call. After a cycle that leaves U bytes in
+ * use, the next one starts when PAUSE_BYTES + U / PAUSE_USED_DIVISOR more are in use, or 1 / PAUSE_FREE_DIVISOR of the
+ * free bytes if that is less. */
 enum {
     STEP_PERCENT = 100,
     STEP_SHIFT = 8,
@@ -86,7 +86,7 @@ static void collect(lua_State *L, struct vm *vm, uint64_t allocated)
         }
 }
 
-int vm_collect(lua_State *L)
+int vm_collect_garbage(lua_State *L)
 {
     struct vm *vm = &vm_board(L)->vm;
     const uint64_t allocated = heap_work(vm->heap) - vm->swept_heap_work;
@@ -146,7 +146,7 @@ static int fault_undeclared_global(lua_State *L)
         return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\" (not available: %s)", name,
                         api_replacement(NULL, name));
     if (std_module_of_global(name) >= 0)
-        return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\" (%s)", name, STD_NOT_HERE);
+        return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\" (%s)", name, STD_NOT_PACKED);
     return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\"%s", name, api_push_suggestion(L, name, true));
 }
 
@@ -175,7 +175,7 @@ static void seal_globals(lua_State *L)
 static void limit_string_size(lua_State *L)
 {
     struct vm *vm = &vm_board(L)->vm;
-    char text[VM_PLACE_SIZE] = "";
+    char text[VM_LOCATION_SIZE] = "";
 
     lua_pushlstring(L, text, sizeof text);
     vm->max_text_block = vm->text_block_size - sizeof text + MAX_TEXT;
@@ -208,16 +208,16 @@ int vm_boot(lua_State *L)
     lua_gc(L, LUA_GCSTOP);
     limit_string_size(L);
     open_libraries(L);
-    api_open(L); /* pushes the sys table */
+    api_open_globals(L); /* pushes the sys table */
     int sys = lua_gettop(L);
     vm_open_scripts(L, sys);
-    for (int i = 0; i < STD_MODULES; i++)
+    for (int i = 0; i < STD_MODULE_COUNT; i++)
         vm_load_std(L, i, sys);
     /* Free the garbage left by loading the library, so that the game's scripts get that memory. */
     lua_gc(L, LUA_GCCOLLECT);
-    api_reserved_install(L);
+    api_explain_missing_fields(L);
     seal_globals(L);
-    vm_load(L, b->cart.manifest.entry);
+    vm_load_script(L, b->cart.manifest.entry);
     lua_call(L, 0, 0);
     lua_gc(L, LUA_GCCOLLECT); /* a run starts without garbage from loading */
     end_gc_cycle(&b->vm);
@@ -242,11 +242,11 @@ static void raise_fault(struct board *b, enum board_fault_kind kind, const char 
     vm_fault(b->vm.running, kind, "%s", message);
 }
 
-static void write_place(struct board *b, char *place, size_t size)
+static void write_location(struct board *b, char *location, size_t size)
 {
-    place[0] = 0;
+    location[0] = 0;
     if (b->vm.running)
-        vm_where(b->vm.running, place, size);
+        vm_get_location(b->vm.running, location, size);
 }
 
 static const char emits_key = 0; /* registry: the memory of the emit queue */
@@ -269,7 +269,7 @@ static void *provide_emit_queue(const struct board *b, const void *old, size_t *
     return block;
 }
 
-static const struct vm_calls callbacks = { raise_fault, write_place, provide_emit_queue };
+static const struct vm_calls callbacks = { raise_fault, write_location, provide_emit_queue };
 
 bool vm_open(struct board *b, void *block, size_t size)
 {

@@ -27,7 +27,7 @@ static inline struct board *vm_board(lua_State *L)
     return *(struct board **)lua_getextraspace(L);
 }
 
-/* Raises a fault that no pcall catches. Prefixes the message with the "FILE:LINE: " that vm_where writes. */
+/* Raises a fault that no pcall catches. Prefixes the message with the "FILE:LINE: " that vm_get_location writes. */
 int vm_fault(lua_State *L, enum board_fault_kind kind, const char *format, ...);
 
 /* Raises FAULT_SCRIPT with the given place ("FILE:LINE: ") as prefix. */
@@ -35,15 +35,15 @@ int vm_fault_at(lua_State *L, const char *place, const char *format, ...);
 
 /* Records that a script read a property of a despawned thing. If using the nil result causes a fault, its message says
  * so. */
-void vm_note_dead(lua_State *L, const char *field);
+void vm_note_dead_read(lua_State *L, const char *field);
 
 /* Writes the current place as "FILE:LINE: ": the nearest caller outside @std or, if there is none, the author's line
  * that started the library's task or, if that is unknown, the nearest caller. Writes "" without any caller. Does not
  * change L. */
-void vm_where(lua_State *L, char *place, size_t size);
+void vm_get_location(lua_State *L, char *place, size_t size);
 
 /* Prefixes the message on top of the stack with the author's "FILE:LINE: " unless it has one. */
-void vm_add_place(lua_State *L);
+void vm_add_location(lua_State *L);
 
 /* Resets the work counter at the start of a tick, of power-on or of a console line. Work beyond `limit` raises
  * FAULT_LOOP. */
@@ -71,13 +71,13 @@ void vm_profile_reset_work(struct vm *vm);
 void vm_on_allocation(struct board *b);
 
 /* Fills in the board's fault from the error value on top of `thread`, the thread that failed. */
-void vm_report(struct board *b, lua_State *thread, int status);
+void vm_report_fault(struct board *b, lua_State *thread, int status);
 
 /* Adds the traceback of `thread` to the fault, unless it has one. */
 void vm_add_traceback(struct board *b, lua_State *L, lua_State *thread);
 
 /* Runs the garbage collector for its share of a frame. Called between frames only, through vm_call. */
-int vm_collect(lua_State *L);
+int vm_collect_garbage(lua_State *L);
 
 /* Appends n bytes to the frame's log; cuts off what does not fit. */
 void vm_log(struct board *b, const char *s, size_t n);
@@ -90,7 +90,7 @@ int vm_print(lua_State *L);
 void vm_run_library_file(lua_State *L, const char *name);
 
 /* Loads a script such as "stages/one" or "@std/pattern" and pushes its function. Raises a fault on failure. */
-void vm_load(lua_State *L, const char *name);
+void vm_load_script(lua_State *L, const char *name);
 
 /* The Lua function require: runs a script of the game, such as "stages/one", once, while loading. */
 int vm_require(lua_State *L);
@@ -100,7 +100,7 @@ int vm_require(lua_State *L);
  * the module's name. */
 void vm_load_std(lua_State *L, int i, int sys);
 
-/* Prepares for loading scripts; called before the first vm_load. sys: stack index of the sys table. */
+/* Prepares for loading scripts; called before the first vm_load_script. sys: stack index of the sys table. */
 void vm_open_scripts(lua_State *L, int sys);
 
 /* Loads the standard library, then runs the entry script. Called through vm_call. */

@@ -21,9 +21,9 @@
 #include "vm.h"
 
 enum {
-    STEP = 1024,          /* instructions between two looks, on average */
-    MAX_CHAIN = 2000,     /* the longest chain Lua follows */
-    CHECK_BYTES = 1 << 22 /* bytes allocated since the last look that force another one */
+    CHECK_INTERVAL = 1024, /* instructions between two looks, on average */
+    MAX_CHAIN = 2000,      /* the longest chain Lua follows */
+    CHECK_BYTES = 1 << 22  /* bytes allocated since the last look that force another one */
 };
 
 /* The work of a look itself. */
@@ -48,7 +48,7 @@ enum {
 };
 
 /* Returns how many bytes of a string Lua reads to convert it to a number. */
-static size_t numeral_bytes(const char *s)
+static size_t count_numeral_bytes(const char *s)
 {
     size_t blanks = strspn(s, " \t\n\v\f\r"), sign = s[blanks] == '-' || s[blanks] == '+';
     const char *first = s + blanks + sign;
@@ -70,7 +70,7 @@ static struct vm_weight text_weight(lua_State *L, uint64_t *weighing_work)
     size_t n;
     const char *s = lua_tolstring(L, -1, &n);
 
-    size_t zeros = count_zeros(s, n), numeral = numeral_bytes(s);
+    size_t zeros = count_zeros(s, n), numeral = count_numeral_bytes(s);
     *weighing_work += n / WEIGH_BYTES_PER_UNIT;
     if (numeral > NUMERAL_BYTES_PER_UNIT)
         return (struct vm_weight){ numeral / NUMERAL_BYTES_PER_UNIT, WEIGHT_NUMERAL, numeral };
@@ -171,8 +171,8 @@ static int count_arguments(lua_State *L, lua_Debug *ar)
  * determining this weight to *weighing_work. */
 static struct vm_weight weigh_function(lua_State *L, lua_Debug *ar, uint64_t *weighing_work)
 {
-    int arguments = count_arguments(L, ar);
-    struct vm_weight w = { (unsigned)arguments / ARGUMENTS_PER_UNIT, WEIGHT_ARGUMENTS, (unsigned)arguments };
+    int argument_count = count_arguments(L, ar);
+    struct vm_weight w = { (unsigned)argument_count / ARGUMENTS_PER_UNIT, WEIGHT_ARGUMENTS, (unsigned)argument_count };
 
     for (int i = 1; lua_getlocal(L, ar, i); i++)
         *weighing_work += weigh(L, &w);
@@ -200,7 +200,7 @@ static void schedule_check(struct vm *vm, lua_State *L, uint32_t n)
 static void schedule_random_check(struct vm *vm, lua_State *L)
 {
     vm->rng_state = vm->rng_state * 1103515245 + 12345;
-    schedule_check(vm, L, 1 + (vm->rng_state >> 16) % (2 * STEP));
+    schedule_check(vm, L, 1 + (vm->rng_state >> 16) % (2 * CHECK_INTERVAL));
 }
 
 void vm_check_work(lua_State *L, lua_Debug *ar)
@@ -213,7 +213,7 @@ void vm_check_work(lua_State *L, lua_Debug *ar)
     if (w.extra > vm->heaviest.extra && w.kind != WEIGHT_FLOAT)
         vm->heaviest = w;
     vm->checked_heap_work += allocated;
-    vm_charge(L, STEP * (1 + (uint64_t)w.extra) + allocated / ALLOCATED_BYTES_PER_UNIT + weighing_work);
+    vm_charge(L, CHECK_INTERVAL * (1 + (uint64_t)w.extra) + allocated / ALLOCATED_BYTES_PER_UNIT + weighing_work);
     schedule_random_check(vm, L);
 }
 
@@ -274,19 +274,19 @@ void vm_reset_work(struct board *b, uint64_t limit)
 uint32_t vm_enter(struct board *b, lua_State *L)
 {
     struct vm *vm = &b->vm;
-    const uint32_t left = vm->until_check;
+    const uint32_t until_check = vm->until_check;
 
     vm->running = L;
     if (vm->profile)
         vm_profile_begin_turn(vm, L);
     schedule_random_check(vm, L);
-    return left;
+    return until_check;
 }
 
-void vm_leave(struct board *b, lua_State *L, uint32_t left)
+void vm_leave(struct board *b, lua_State *L, uint32_t until_check)
 {
     b->vm.running = L;
-    b->vm.until_check = left;
+    b->vm.until_check = until_check;
 }
 
 void vm_on_allocation(struct board *b)

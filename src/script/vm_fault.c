@@ -11,29 +11,29 @@
 
 /* Level 0 is a C function or, in a hook, the interrupted function. If only the library is on the stack of a task,
  * the place is the author's line that started the task. */
-void vm_where(lua_State *L, char *place, size_t size)
+void vm_get_location(lua_State *L, char *location, size_t size)
 {
     lua_Debug ar;
 
-    place[0] = 0;
+    location[0] = 0;
     for (int level = 0; lua_getstack(L, level, &ar); level++) {
         lua_getinfo(L, "Sl", &ar);
         bool is_std = strncmp(ar.short_src, "@std/", 5) == 0;
-        if (ar.currentline <= 0 || (is_std && place[0]))
+        if (ar.currentline <= 0 || (is_std && location[0]))
             continue;
-        snprintf(place, size, "%s:%d: ", ar.short_src, ar.currentline);
+        snprintf(location, size, "%s:%d: ", ar.short_src, ar.currentline);
         if (!is_std)
             return;
     }
-    const char *start_place = tasks_origin(vm_board(L), L);
-    if (start_place)
-        snprintf(place, size, "%s", start_place);
+    const char *start_location = tasks_origin(vm_board(L), L);
+    if (start_location)
+        snprintf(location, size, "%s", start_location);
 }
 
-/* Returns whether the message has a place: ":LINE:" within its first VM_PLACE_SIZE bytes. */
-static bool has_place(const char *message)
+/* Returns whether the message has a location: ":LINE:" within its first VM_LOCATION_SIZE bytes. */
+static bool has_location(const char *message)
 {
-    for (const char *p = message; (p = strchr(p, ':')) != NULL && p - message < VM_PLACE_SIZE; p++) {
+    for (const char *p = message; (p = strchr(p, ':')) != NULL && p - message < VM_LOCATION_SIZE; p++) {
         size_t digits = strspn(p + 1, "0123456789");
         if (digits && p[digits + 1] == ':')
             return true;
@@ -43,38 +43,38 @@ static bool has_place(const char *message)
 
 /* Writes the author's place to prefix the message with, if the message has no place or the library's. Writes "" if the
  * message has the author's place already, or if the author's place is unknown and the message has the library's. */
-static void write_missing_place(lua_State *L, const char *message, char *place, size_t size)
+static void write_missing_location(lua_State *L, const char *message, char *location, size_t size)
 {
     bool is_std = strncmp(message, "@std/", 5) == 0;
 
-    place[0] = 0;
-    if (!has_place(message) || is_std)
-        vm_where(L, place, size);
-    if (is_std && strncmp(place, "@std/", 5) == 0)
-        place[0] = 0;
+    location[0] = 0;
+    if (!has_location(message) || is_std)
+        vm_get_location(L, location, size);
+    if (is_std && strncmp(location, "@std/", 5) == 0)
+        location[0] = 0;
 }
 
-void vm_add_place(lua_State *L)
+void vm_add_location(lua_State *L)
 {
-    char place[VM_PLACE_SIZE];
+    char location[VM_LOCATION_SIZE];
 
     if (lua_type(L, -1) != LUA_TSTRING)
         return;
-    write_missing_place(L, lua_tostring(L, -1), place, sizeof place);
-    lua_pushstring(L, place);
+    write_missing_location(L, lua_tostring(L, -1), location, sizeof location);
+    lua_pushstring(L, location);
     lua_insert(L, -2);
     lua_concat(L, 2);
 }
 
 int vm_fault(lua_State *L, enum board_fault_kind kind, const char *format, ...)
 {
-    char place[VM_PLACE_SIZE];
+    char location[VM_LOCATION_SIZE];
     va_list args;
 
     vm_board(L)->vm.raised_kind = kind;
     lua_checkstack(L, 4);
-    vm_where(L, place, sizeof place);
-    lua_pushstring(L, place);
+    vm_get_location(L, location, sizeof location);
+    lua_pushstring(L, location);
     va_start(args, format);
     lua_pushvfstring(L, format, args);
     va_end(args);
@@ -82,21 +82,21 @@ int vm_fault(lua_State *L, enum board_fault_kind kind, const char *format, ...)
     return lua_error(L);
 }
 
-void vm_note_dead(lua_State *L, const char *field)
+void vm_note_dead_read(lua_State *L, const char *field)
 {
     struct output *o = vm_board(L)->output;
 
     snprintf(o->dead_field, sizeof o->dead_field, "%s", field);
-    vm_where(L, o->dead_place, sizeof o->dead_place);
+    vm_get_location(L, o->dead_location, sizeof o->dead_location);
 }
 
-int vm_fault_at(lua_State *L, const char *place, const char *format, ...)
+int vm_fault_at(lua_State *L, const char *location, const char *format, ...)
 {
     va_list args;
 
     vm_board(L)->vm.raised_kind = FAULT_SCRIPT;
     luaL_checkstack(L, 4, NULL);
-    lua_pushstring(L, place);
+    lua_pushstring(L, location);
     va_start(args, format);
     lua_pushvfstring(L, format, args);
     va_end(args);
@@ -128,13 +128,13 @@ static bool can_wait(const struct board *b)
 static void report_shortage(const struct board *b, struct board_fault *f)
 {
     if (b->output->too_long_size) {
-        snprintf(f->message, sizeof f->message, "%sstring too long: %zu bytes (at most %d)", b->output->shortage_place,
-                 b->output->too_long_size, (int)MAX_TEXT);
+        snprintf(f->message, sizeof f->message, "%sstring too long: %zu bytes (at most %d)",
+                 b->output->shortage_location, b->output->too_long_size, (int)MAX_TEXT);
         return;
     }
     const bool in_one_frame = can_wait(b) && heap_work(b->vm.heap) - b->vm.swept_heap_work > b->vm.heap_size / 2;
     snprintf(f->message, sizeof f->message, "%sout of Lua memory (%d KiB); raise `board.lua_kib` in rom.lua%s",
-             b->output->shortage_place, b->cart.manifest.lua_kib,
+             b->output->shortage_location, b->cart.manifest.lua_kib,
              b->output->in_deep_calls ? " (calls nested deeply: infinite recursion?)"
              : in_one_frame           ? " (most of it allocated in one frame: infinite loop, missing wait?)"
                                       : "");
@@ -160,23 +160,23 @@ static bool parse_nil_field(const char *message, char *name, size_t size)
 static void write_hint(lua_State *L, const char *message, char *out, size_t size)
 {
     const struct output *o = vm_board(L)->output;
-    char name[32], calls[100], place[VM_PLACE_SIZE];
+    char name[32], calls[100], location[VM_LOCATION_SIZE];
     const char *library, *replacement;
 
     out[0] = 0;
     if (!parse_nil_field(message, name, sizeof name))
         return;
-    vm_where(L, place, sizeof place);
+    vm_get_location(L, location, sizeof location);
     if ((replacement = api_find_replacement(name, &library)) != NULL)
         snprintf(out, size, " (%s.%s is not available: %s)", library, name, replacement);
     else if (strstr(message, "to call") && api_suggest_calls(vm_board(L)->vm.api, name, calls, sizeof calls))
         snprintf(out, size, " (did you mean %s?)", calls);
-    else if (!strcmp(name, o->dead_field) && !strcmp(o->dead_place, place))
+    else if (!strcmp(name, o->dead_field) && !strcmp(o->dead_location, location))
         snprintf(out, size, " (%s is nil once the thing has despawned; check `alive` first)", name);
 }
 
 /* Returns the likely cause of calls nested too deeply or of a frame that does not end, or "". */
-static const char *likely_cause(const struct board *b, enum board_fault_kind kind)
+static const char *find_likely_cause(const struct board *b, enum board_fault_kind kind)
 {
     if (kind == FAULT_STACK)
         return " (calls nested too deeply: infinite recursion?)";
@@ -188,11 +188,11 @@ static const char *likely_cause(const struct board *b, enum board_fault_kind kin
 /* Reports any error other than lack of memory. */
 static void report_error(struct board *b, lua_State *thread, int status, struct board_fault *f)
 {
-    char place[VM_PLACE_SIZE] = "", substitute[80], reason[160] = "";
+    char location[VM_LOCATION_SIZE] = "", substitute[80], reason[160] = "";
     bool is_raised = lualib_is_raised(thread, -1);
 
     if (is_raised)
-        lualib_push_unwrapped(thread, -1);
+        lualib_push_error_value(thread, -1);
     int type = lua_type(thread, -1);
     const char *message = substitute;
     if (type == LUA_TSTRING || type == LUA_TNUMBER)
@@ -200,16 +200,16 @@ static void report_error(struct board *b, lua_State *thread, int status, struct 
     else
         snprintf(substitute, sizeof substitute, "error: expected a string as the error value, got a %s",
                  lua_typename(thread, type));
-    write_missing_place(thread, message, place, sizeof place);
+    write_missing_location(thread, message, location, sizeof location);
     if (!is_raised && b->vm.raised_kind == FAULT_NONE)
         write_hint(thread, message, reason, sizeof reason);
     f->kind = is_raised ? FAULT_SCRIPT : fault_kind_of(b, status, message);
-    snprintf(f->message, sizeof f->message, "%s%s%s%s", place, message, reason, likely_cause(b, f->kind));
+    snprintf(f->message, sizeof f->message, "%s%s%s%s", location, message, reason, find_likely_cause(b, f->kind));
     if (f->kind == FAULT_LOOP)
         board_withdraw_full_reports(b);
 }
 
-void vm_report(struct board *b, lua_State *thread, int status)
+void vm_report_fault(struct board *b, lua_State *thread, int status)
 {
     struct board_fault *f = &b->output->fault;
 
@@ -239,7 +239,7 @@ static int on_error(lua_State *L)
 {
     struct board *b = vm_board(L);
 
-    vm_report(b, L, LUA_ERRRUN);
+    vm_report_fault(b, L, LUA_ERRRUN);
     lua_settop(L, 1);
     vm_add_traceback(b, L, L);
     return 1;
@@ -255,7 +255,7 @@ bool vm_call(struct board *b, lua_CFunction f)
     lua_pushcfunction(L, f);
     int status = lua_pcall(L, 0, 0, 1);
     if (status != LUA_OK)
-        vm_report(b, L, status);
+        vm_report_fault(b, L, status);
     lua_settop(L, 0);
     return status == LUA_OK;
 }

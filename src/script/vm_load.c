@@ -13,7 +13,7 @@
 /* Registry keys. modules_key: the table of require's results by script name; sys_key: the sys table. */
 static const char modules_key = 0, sys_key = 0;
 
-void vm_load(lua_State *L, const char *name)
+void vm_load_script(lua_State *L, const char *name)
 {
     const struct cart *cart = &vm_board(L)->cart;
     const char *text, *message;
@@ -52,7 +52,7 @@ int vm_require(lua_State *L)
         return vm_fault(L, FAULT_SCRIPT, "require: \"%s\" is not loaded; scripts can only be loaded at startup", name);
     lua_pushlightuserdata(L, b);
     lua_setfield(L, 2, name);
-    vm_load(L, name);
+    vm_load_script(L, name);
     lua_pushvalue(L, 1);
     lua_call(L, 1, 1);
     if (lua_isnil(L, -1)) {
@@ -74,7 +74,7 @@ void vm_run_library_file(lua_State *L, const char *name)
     if (!cart_find_script(&vm_board(L)->cart, path, &text, &size))
         vm_fault(L, FAULT_SCRIPT, "sys.read: no library file \"%s\" in this ROM", name);
     vm_charge(L, size);
-    vm_load(L, path);
+    vm_load_script(L, path);
     lua_rawgetp(L, LUA_REGISTRYINDEX, &sys_key);
     lua_call(L, 1, 1);
 }
@@ -91,7 +91,7 @@ void vm_load_std(lua_State *L, int i, int sys)
         return;
     if (std_extended_table(i) && api_disabled_reason(&vm_board(L)->cart.manifest, std_extended_table(i)))
         return;
-    vm_load(L, path);
+    vm_load_script(L, path);
     snprintf(path, sizeof path, "@@std/%s.lua", name);
     lualib_strip_locals(L, path);
     lua_pushvalue(L, sys);

@@ -20,7 +20,7 @@ const int16_t adpcm_steps[ADPCM_STEPS] = {
 /* Decodes n samples of a block, starting at index `from`. */
 static void decode_block(const uint8_t *block, int from, int n, int16_t *out)
 {
-    struct adpcm s = { (int16_t)bytes_get16(block), block[2] };
+    struct adpcm_state s = { (int16_t)bytes_get16(block), block[2] };
     int i = 0;
 
     for (; i < from; i++)
@@ -31,14 +31,14 @@ static void decode_block(const uint8_t *block, int from, int n, int16_t *out)
     }
 }
 
-static uint32_t blocks_of(uint32_t n)
+static uint32_t count_blocks(uint32_t n)
 {
     return (n + ADPCM_BLOCK_SAMPLES - 1) / ADPCM_BLOCK_SAMPLES;
 }
 
 size_t sample_size(uint32_t n, enum sample_coding coding)
 {
-    return SAMPLE_HEADER_SIZE + (coding == SAMPLE_EXACT ? 2 * (size_t)n : (size_t)blocks_of(n) * ADPCM_BLOCK_BYTES);
+    return SAMPLE_HEADER_SIZE + (coding == SAMPLE_PCM16 ? 2 * (size_t)n : (size_t)count_blocks(n) * ADPCM_BLOCK_BYTES);
 }
 
 struct sample sample_of(const uint8_t *data)
@@ -53,9 +53,9 @@ bool sample_open(const uint8_t *data, size_t size, struct sample *s)
         return false;
     *s = sample_of(data);
     if (s->rate < SAMPLE_MIN_RATE || s->rate > SND_RATE || s->n < 1 || s->n > SAMPLE_MAX_LENGTH ||
-        (s->loop != SAMPLE_NO_LOOP && s->loop >= s->n) || size != sample_size(s->n, s->coding))
+        (s->loop_start != SAMPLE_NO_LOOP && s->loop_start >= s->n) || size != sample_size(s->n, s->coding))
         return false;
-    for (uint32_t i = 0; s->coding == SAMPLE_PACKED && i < blocks_of(s->n); i++)
+    for (uint32_t i = 0; s->coding == SAMPLE_ADPCM && i < count_blocks(s->n); i++)
         if (s->data[i * ADPCM_BLOCK_BYTES + 2] >= ADPCM_STEPS || s->data[i * ADPCM_BLOCK_BYTES + 3] != 0)
             return false;
     return true;
@@ -73,14 +73,14 @@ bool samples_are_valid(const uint8_t *data, size_t size, int n)
         if (bytes > size - at || !sample_open(data + at, bytes, &s))
             return false;
         first = i == 0 ? s : first;
-        if (s.n != first.n || s.rate != first.rate || s.loop != first.loop)
+        if (s.n != first.n || s.rate != first.rate || s.loop_start != first.loop_start)
             return false;
         at += bytes;
     }
     return at == size;
 }
 
-static void read_exact(const uint8_t *data, int n, int16_t *out)
+static void read_pcm16(const uint8_t *data, int n, int16_t *out)
 {
     if (__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__) {
         memcpy(out, data, (size_t)n * sizeof *out);
@@ -93,8 +93,8 @@ static void read_exact(const uint8_t *data, int n, int16_t *out)
 /* Reads n samples, starting at index `from`; all n must be in the recording. */
 static void read_samples(const struct sample *s, uint32_t from, int n, int16_t *out)
 {
-    if (s->coding == SAMPLE_EXACT) {
-        read_exact(s->data + 2 * (size_t)from, n, out);
+    if (s->coding == SAMPLE_PCM16) {
+        read_pcm16(s->data + 2 * (size_t)from, n, out);
         return;
     }
     while (n > 0) {
@@ -109,11 +109,11 @@ static void read_samples(const struct sample *s, uint32_t from, int n, int16_t *
 
 void sample_read(const struct sample *s, int64_t from, int n, int16_t *out)
 {
-    const int64_t length = s->n, loop = s->loop;
+    const int64_t length = s->n, loop = s->loop_start;
 
     while (n > 0) {
         int64_t count = n;
-        if (from >= length && s->loop != SAMPLE_NO_LOOP)
+        if (from >= length && s->loop_start != SAMPLE_NO_LOOP)
             from = loop + (from - loop) % (length - loop);
         if (from < 0) {
             count = -from < n ? -from : n;

@@ -3,7 +3,7 @@
  *
  * A recording in a ROM is a header of SAMPLE_HEADER_SIZE bytes (u32 sample rate in Hz, u32 number of samples, u32 index
  * of the first sample of the loop or SAMPLE_NO_LOOP, u8 coding, three zero bytes), followed by the samples.
- * SAMPLE_EXACT: an i16 per sample. SAMPLE_PACKED: blocks of ADPCM_BLOCK_BYTES: i16 first sample, u8 step index, a zero
+ * SAMPLE_PCM16: an i16 per sample. SAMPLE_ADPCM: blocks of ADPCM_BLOCK_BYTES: i16 first sample, u8 step index, a zero
  * byte, then two samples per byte, low half first, as in WAV files. A loop always ends at the last sample.
  */
 #ifndef SOUND_ADPCM_H
@@ -23,10 +23,10 @@ enum {
 };
 #define SAMPLE_NO_LOOP UINT32_MAX
 
-enum sample_coding { SAMPLE_PACKED, SAMPLE_EXACT, SAMPLE_CODINGS };
+enum sample_coding { SAMPLE_ADPCM, SAMPLE_PCM16, SAMPLE_CODINGS };
 
 struct sample {
-    uint32_t rate, n, loop;
+    uint32_t rate, n, loop_start;
     enum sample_coding coding;
     const uint8_t *data;
 };
@@ -49,8 +49,8 @@ size_t sample_size(uint32_t n, enum sample_coding coding);
 
 /* ---- decoding ADPCM ---- */
 
-struct adpcm {
-    int32_t value, index;
+struct adpcm_state {
+    int32_t value, step_index;
 };
 extern const int16_t adpcm_steps[ADPCM_STEPS];
 
@@ -60,13 +60,13 @@ static inline int32_t adpcm_clamp(int32_t v, int32_t lo, int32_t hi)
 }
 
 /* Returns the decoder state that follows s after a 4-bit code. */
-static inline struct adpcm adpcm_next(struct adpcm s, int code)
+static inline struct adpcm_state adpcm_next(struct adpcm_state s, int code)
 {
     static const int8_t index_steps[8] = { -1, -1, -1, -1, 2, 4, 6, 8 };
-    const int32_t d = ((code & 7) * 2 + 1) * adpcm_steps[s.index] >> 3;
+    const int32_t d = ((code & 7) * 2 + 1) * adpcm_steps[s.step_index] >> 3;
 
     s.value = adpcm_clamp(code & 8 ? s.value - d : s.value + d, -32768, 32767);
-    s.index = adpcm_clamp(s.index + index_steps[code & 7], 0, ADPCM_STEPS - 1);
+    s.step_index = adpcm_clamp(s.step_index + index_steps[code & 7], 0, ADPCM_STEPS - 1);
     return s;
 }
 

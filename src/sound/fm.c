@@ -20,7 +20,7 @@ static uint16_t mul_high(uint16_t a, uint16_t b)
     return (uint16_t)((uint32_t)a * b >> 16);
 }
 
-void fm_sines_plain(const uint32_t phase[FM_BLOCK], int16_t out[FM_BLOCK])
+void fm_sines_portable(const uint32_t phase[FM_BLOCK], int16_t out[FM_BLOCK])
 {
     for (int n = 0; n < FM_BLOCK; n++) {
         const int16_t x = (int16_t)(phase[n] >> 16), sign = (int16_t)(x >> 15);
@@ -72,12 +72,12 @@ void fm_sines(const uint32_t phase[FM_BLOCK], int16_t out[FM_BLOCK])
 
 void fm_sines(const uint32_t phase[FM_BLOCK], int16_t out[FM_BLOCK])
 {
-    fm_sines_plain(phase, out);
+    fm_sines_portable(phase, out);
 }
 
 #endif
 
-/* Interpolates between two rows and two columns of the feedback table. feedback: as for fm_block. */
+/* Interpolates between two rows and two columns of the feedback table. feedback: as for fm_compute_block. */
 static void feedback_sines(const struct snd_tables *t, const uint32_t phase[FM_BLOCK], const int32_t feedback[2],
                            int16_t out[FM_BLOCK])
 {
@@ -116,10 +116,10 @@ static void add_audible(const int16_t sine[FM_BLOCK], const struct fm_op *op, in
         out[n] = (int16_t)(out[n] + ((sine[n] * op->gain[n] + (1 << 14)) >> 15));
 }
 
-void fm_block(const struct snd_tables *t, int ops, int algorithm, const struct fm_op *op, const int32_t feedback[2],
-              int16_t out[FM_BLOCK])
+void fm_compute_block(const struct snd_tables *t, int ops, int algorithm, const struct fm_op *op,
+                      const int32_t feedback[2], int16_t out[FM_BLOCK])
 {
-    const unsigned audible = inst_audible(ops, algorithm);
+    const unsigned audible = inst_audible_ops(ops, algorithm);
     int32_t modulation[FM_OPS][FM_BLOCK] = { { 0 } };
     uint32_t phase[FM_BLOCK];
     int16_t sine[FM_BLOCK];
@@ -189,26 +189,26 @@ int32_t fm_equivalent_feedback(int32_t b, uint64_t step)
 
 /* ---- notes ---- */
 
-/* Returns the age at which an operator is released; NOTE_HELD if it ignores the note's release at age `off`. */
-static int32_t op_release_age(const struct op *o, int32_t off)
+/* Returns the age at which an operator is released; AGE_NEVER if it ignores the note's release at age `release_age`. */
+static int32_t op_release_age(const struct op *o, int32_t release_age)
 {
-    return o->env.release ? off : NOTE_HELD;
+    return o->env.release ? release_age : AGE_NEVER;
 }
 
-static void store_levels(struct fm_note *f, int32_t age, int32_t off)
+static void store_levels(struct fm_note *f, int32_t age, int32_t release_age)
 {
-    f->at = age;
-    for (int k = 0; k < f->ops; k++)
-        f->level[k] = wave_level(&f->op[k].env, age, op_release_age(&f->op[k], off));
+    f->level_age = age;
+    for (int k = 0; k < f->n_ops; k++)
+        f->level[k] = wave_level(&f->op[k].env, age, op_release_age(&f->op[k], release_age));
 }
 
 void fm_begin(struct fm_note *f, const struct inst *inst, const uint8_t *bytes)
 {
-    f->ops = inst_op_count(inst->kind);
+    f->n_ops = inst_op_count(inst->kind);
     f->algorithm = inst->algorithm;
     f->feedback = inst->feedback;
-    f->at = INT32_MIN;
-    for (int k = 0; k < f->ops; k++)
+    f->level_age = INT32_MIN;
+    for (int k = 0; k < f->n_ops; k++)
         f->op[k] = inst_read_op(bytes, k);
 }
 
@@ -222,7 +222,7 @@ static int32_t gain_of(int32_t unit, int32_t level)
 
 /* Computes an operator's gains in a block: its own level times its envelope. level: the envelope's level at `age` and
  * at the block's end. */
-static void make_gains(const struct op *o, bool is_audible, int32_t age, int32_t off, const int32_t level[2],
+static void make_gains(const struct op *o, bool is_audible, int32_t age, int32_t release_age, const int32_t level[2],
                        struct fm_op *out)
 {
     const struct env *e = &o->env;
@@ -234,9 +234,9 @@ static void make_gains(const struct op *o, bool is_audible, int32_t age, int32_t
             out->scale++;
         unit = o->level * 32 >> out->scale;
     }
-    if (wave_has_corner(e, age, age + FM_BLOCK, off)) {
+    if (wave_has_corner(e, age, age + FM_BLOCK, release_age)) {
         for (int n = 0; n < FM_BLOCK; n++)
-            out->gain[n] = (int16_t)gain_of(unit, wave_level(e, age + n, off));
+            out->gain[n] = (int16_t)gain_of(unit, wave_level(e, age + n, release_age));
         return;
     }
     const int32_t from = gain_of(unit, level[0]), delta = gain_of(unit, level[1]) - from;
@@ -244,26 +244,26 @@ static void make_gains(const struct op *o, bool is_audible, int32_t age, int32_t
         out->gain[n] = (int16_t)(v >> 5);
 }
 
-void fm_play(struct fm_note *f, const struct snd_tables *t, int32_t age, int32_t off, uint64_t phase, uint64_t step,
-             int16_t out[FM_BLOCK])
+void fm_compute_note_block(struct fm_note *f, const struct snd_tables *t, int32_t age, int32_t release_age,
+                           uint64_t phase, uint64_t step, int16_t out[FM_BLOCK])
 {
-    const unsigned audible = inst_audible(f->ops, f->algorithm);
+    const unsigned audible = inst_audible_ops(f->n_ops, f->algorithm);
     struct fm_op op[FM_OPS];
     int32_t from[FM_OPS], feedback[2] = { 0, 0 };
 
-    if (f->at != age)
-        store_levels(f, age, off);
+    if (f->level_age != age)
+        store_levels(f, age, release_age);
     memcpy(from, f->level, sizeof from);
-    store_levels(f, age + FM_BLOCK, off);
-    for (int k = 0; k < f->ops; k++) {
+    store_levels(f, age + FM_BLOCK, release_age);
+    for (int k = 0; k < f->n_ops; k++) {
         const struct op *o = &f->op[k];
         const int32_t level[2] = { from[k], f->level[k] };
         op[k].phase = (uint32_t)(phase * o->ratio >> 32) + (uint32_t)age * (uint32_t)o->detune;
         op[k].step = (uint32_t)(step * o->ratio >> 32) + (uint32_t)o->detune;
-        make_gains(o, audible >> k & 1, age, op_release_age(o, off), level, &op[k]);
+        make_gains(o, audible >> k & 1, age, op_release_age(o, release_age), level, &op[k]);
         if (k == 0 && f->feedback)
             for (int end = 0; end < 2; end++)
                 feedback[end] = fm_equivalent_feedback(f->feedback * level[end] >> 15, (step >> 8) * o->ratio);
     }
-    fm_block(t, f->ops, f->algorithm, op, feedback, out);
+    fm_compute_block(t, f->n_ops, f->algorithm, op, feedback, out);
 }

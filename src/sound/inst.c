@@ -69,7 +69,7 @@ void inst_write(uint8_t p[INST_BYTES], const struct inst *i, const struct op ops
 /* ---- operators ---- */
 
 static const uint8_t audible_ops[FM_ALGORITHMS] = { 8, 8, 8, 8, 10, 14, 14, 15 };
-static const uint8_t modulates[FM_ALGORITHMS][FM_OPS] = {
+static const uint8_t modulated_ops[FM_ALGORITHMS][FM_OPS] = {
     { 2, 4, 8, 0 },  /* 1 modulates 2, which modulates 3, which modulates 4 */
     { 4, 4, 8, 0 },  /* 1 and 2 modulate 3, which modulates 4 */
     { 8, 4, 8, 0 },  /* 2 modulates 3; 1 and 3 modulate 4 */
@@ -80,14 +80,14 @@ static const uint8_t modulates[FM_ALGORITHMS][FM_OPS] = {
     { 0, 0, 0, 0 },  /* no modulation */
 };
 
-unsigned inst_audible(int ops, int algorithm)
+unsigned inst_audible_ops(int ops, int algorithm)
 {
     return ops == 2 ? 2 : audible_ops[algorithm];
 }
 
 unsigned inst_modulated_ops(int ops, int algorithm, int k)
 {
-    return ops == 2 ? (k == 0 ? 2 : 0) : modulates[algorithm][k];
+    return ops == 2 ? (k == 0 ? 2 : 0) : modulated_ops[algorithm][k];
 }
 
 /* ---- curves and waves ---- */
@@ -119,7 +119,7 @@ bool inst_curve_has_corner(const uint8_t *curve, int32_t from, int32_t to)
 /* A period of the highest harmonic has at least 128 samples, so the error of linear interpolation is below -84 dB. */
 int inst_wave_bits(int version)
 {
-    static const uint8_t bits[WAVE_VERSIONS] = { 8, 8, 9, 9, 10, 10, 11, 11, 12, 12 };
+    static const uint8_t bits[WAVE_MAX_VERSIONS] = { 8, 8, 9, 9, 10, 10, 11, 11, 12, 12 };
 
     return bits[version];
 }
@@ -162,8 +162,8 @@ static bool wave_ok(const uint8_t *p, const struct inst *i, size_t end)
 {
     if (i->kind != INST_WAVE)
         return i->wave == 0;
-    return i->wave >= INST_BYTES && end >= 2 && i->wave <= end - 2 && p[i->wave] >= 1 && p[i->wave] <= WAVE_VERSIONS &&
-           p[i->wave + 1] == 0 && inst_wave_size(p[i->wave]) <= end - i->wave;
+    return i->wave >= INST_BYTES && end >= 2 && i->wave <= end - 2 && p[i->wave] >= 1 &&
+           p[i->wave] <= WAVE_MAX_VERSIONS && p[i->wave + 1] == 0 && inst_wave_size(p[i->wave]) <= end - i->wave;
 }
 
 static bool ops_ok(const uint8_t *p, const struct inst *i)
@@ -173,7 +173,7 @@ static bool ops_ok(const uint8_t *p, const struct inst *i)
 
     for (int k = 0; k < n; k++) {
         const struct op o = inst_read_op(p, k);
-        const bool is_audible = inst_audible(n, i->algorithm) >> k & 1;
+        const bool is_audible = inst_audible_ops(n, i->algorithm) >> k & 1;
         total_level += is_audible ? o.level : 0;
         if (!env_ok(&o.env) || o.level > (is_audible ? 32767 : FM_MAX_MODULATION))
             return false;
@@ -196,7 +196,7 @@ bool inst_is_valid(const uint8_t *p, size_t end, bool has_own_sample)
 {
     const struct inst i = inst_read(p);
 
-    if (i.kind >= INST_KINDS || i.algorithm >= FM_ALGORITHMS || i.arpeggio_count > ARPEGGIO_MAX ||
+    if (i.kind >= INST_KINDS || i.algorithm >= FM_ALGORITHMS || i.arpeggio_count > ARPEGGIO_MAX_NOTES ||
         memchr(inst_sample_name(p), 0, INST_NAME_SIZE) == NULL || !round_trips(p, &i) || !env_ok(&i.env))
         return false;
     if (i.kind == INST_SAMPLE && !inst_sample_name(p)[0] && !has_own_sample)

@@ -8,8 +8,9 @@
  * A curve: u8 number of values, 1 to CURVE_MAX_VALUES; u8 index of the value that follows the last one, or
  * CURVE_NO_LOOP; u16 frames from one value to the next; then the values, i16 each. Values are interpolated linearly.
  *
- * A wave: u8 number of versions, 1 to WAVE_VERSIONS; a zero byte; then the versions. Version v is 2^inst_wave_bits(v)
- * samples, i16 each, followed by a copy of its first sample; it has as many harmonics as version v in snd_tables.
+ * A wave: u8 number of versions, 1 to WAVE_MAX_VERSIONS; a zero byte; then the versions. Version v is
+ * 2^inst_wave_bits(v) samples, i16 each, followed by a copy of its first sample; it has as many harmonics as version v
+ * in snd_tables.
  */
 #ifndef SOUND_INST_H
 #define SOUND_INST_H
@@ -34,9 +35,9 @@ enum {
     CURVE_MAX_VALUES = 64,
     CURVE_NO_LOOP = 255,
     CURVE_MAX_FRAMES = 3600,
-    ARPEGGIO_MAX = 16,
-    WAVE_VERSIONS = 10, /* the last one has 32 harmonics */
-    WAVE_HARMONICS = 32
+    ARPEGGIO_MAX_NOTES = 16,
+    WAVE_MAX_VERSIONS = 10, /* the last one has 32 harmonics */
+    WAVE_MAX_HARMONICS = 32
 };
 
 enum inst_kind {
@@ -130,9 +131,9 @@ static inline int inst_op_count(int kind)
     return kind == INST_FM4 ? 4 : kind == INST_FM ? 2 : 0;
 }
 
-/* inst_audible returns the set of audible operators, inst_modulated_ops the set of operators that operator k modulates.
- * Bit i of a set is operator i. */
-unsigned inst_audible(int ops, int algorithm);
+/* inst_audible_ops returns the set of audible operators, inst_modulated_ops the set of operators that operator k
+ * modulates. Bit i of a set is operator i. */
+unsigned inst_audible_ops(int ops, int algorithm);
 unsigned inst_modulated_ops(int ops, int algorithm, int k);
 
 /* Returns the size of a curve in bytes. */

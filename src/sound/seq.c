@@ -9,11 +9,11 @@
 #define WHY_DERIVED "computed from tune and pos"
 static const struct column seq_columns[] = {
     REGISTER(seq, tune),
-    REGISTER(seq, next),
-    REGISTER(seq, fade),
+    REGISTER(seq, next_tune),
+    REGISTER(seq, fade_frames_left),
     REGISTER(seq, fade_length),
-    REGISTER(seq, mark),
-    REGISTER(seq, marks_passed),
+    REGISTER(seq, marker),
+    REGISTER(seq, markers_passed),
     REGISTER(seq, tempo),
     REGISTER(seq, pos),
     REGISTER(seq, next_suspends),
@@ -25,18 +25,18 @@ static const struct column seq_columns[] = {
     REGISTER(seq, is_skipping),
     REGISTER(seq, frames_ahead),
     REGISTER(seq, frames_skipped),
-    REGISTERS(seq, started),
+    REGISTERS(seq, started_tunes),
     REGISTER(seq, suspended_count),
     REGISTERS(seq, suspended_tune),
-    REGISTERS(seq, suspended_mark),
-    REGISTERS(seq, suspended_marks_passed),
+    REGISTERS(seq, suspended_marker),
+    REGISTERS(seq, suspended_markers_passed),
     REGISTERS(seq, suspended_tempo),
     REGISTERS(seq, suspended_pos),
-    DERIVED(seq, at, WHY_DERIVED),
-    DERIVED(seq, units_left, WHY_DERIVED),
-    DERIVED(seq, inst, WHY_DERIVED),
-    DERIVED(seq, volume, WHY_DERIVED),
-    DERIVED(seq, pan, WHY_DERIVED),
+    DERIVED_COLUMN(seq, at, WHY_DERIVED),
+    DERIVED_COLUMN(seq, units_left, WHY_DERIVED),
+    DERIVED_COLUMN(seq, inst, WHY_DERIVED),
+    DERIVED_COLUMN(seq, volume, WHY_DERIVED),
+    DERIVED_COLUMN(seq, pan, WHY_DERIVED),
 };
 static const struct column cues_columns[] = {
     COLUMN(cues, tune),       COLUMN(cues, start_frame), COLUMN(cues, track),  COLUMN(cues, at),
@@ -47,11 +47,11 @@ static const struct column cues_columns[] = {
 const struct chip seq_chip = { .name = "music", CHIP_COLUMNS(seq_columns), .is_list = true };
 const struct chip cues_chip = { .name = "cues", CHIP_COLUMNS(cues_columns), .is_list = true, .unhashed = true };
 
-enum { FIRST_VOLUME = 100 };
+enum { INITIAL_VOLUME = 100 };
 
 static void clear_next(struct seq *s)
 {
-    s->next = s->fade = s->fade_length = 0;
+    s->next_tune = s->fade_frames_left = s->fade_length = 0;
     s->next_suspends = s->next_is_scheduled = 0;
     s->next_start = 0;
 }
@@ -60,17 +60,17 @@ void seq_start(struct seq *s, uint16_t index, const struct tune *t)
 {
     s->tune = index;
     clear_next(s);
-    s->mark = 0;
-    s->marks_passed = 0;
+    s->marker = 0;
+    s->markers_passed = 0;
     s->pos = index ? 0 - (uint64_t)t->lead * t->tempo : 0;
     s->tempo = index ? t->tempo : 0;
     for (int i = 0; i < SEQ_TRACKS; i++) {
         const struct track_cursor c =
             index && i <= t->n_tracks ? tune_track_start(t, i - 1) : (struct track_cursor){ 0, 0 };
-        s->at[i] = c.at;
-        s->units_left[i] = c.left;
+        s->at[i] = c.cursor;
+        s->units_left[i] = c.units_left;
         s->inst[i] = 0;
-        s->volume[i] = FIRST_VOLUME;
+        s->volume[i] = INITIAL_VOLUME;
         s->pan[i] = TUNE_PAN_CENTRE;
     }
 }
@@ -89,8 +89,8 @@ static void copy_tracks(struct seq *s, int to, int from)
 
 static void clear_suspended(struct seq *s, int i)
 {
-    s->suspended_tune[i] = s->suspended_mark[i] = 0;
-    s->suspended_marks_passed[i] = s->suspended_tempo[i] = 0;
+    s->suspended_tune[i] = s->suspended_marker[i] = 0;
+    s->suspended_markers_passed[i] = s->suspended_tempo[i] = 0;
     s->suspended_pos[i] = 0;
     for (int k = (1 + i) * SEQ_TRACKS; k < (2 + i) * SEQ_TRACKS; k++) {
         s->at[k] = 0;
@@ -106,15 +106,15 @@ void seq_suspend(struct seq *s)
     if (i == SEQ_MAX_SUSPENDED || !s->tune)
         return;
     s->suspended_tune[i] = s->tune;
-    s->suspended_mark[i] = s->mark;
-    s->suspended_marks_passed[i] = s->marks_passed;
+    s->suspended_marker[i] = s->marker;
+    s->suspended_markers_passed[i] = s->markers_passed;
     s->suspended_tempo[i] = s->tempo;
     s->suspended_pos[i] = s->pos;
     copy_tracks(s, 1 + i, 0);
     s->suspended_count++;
 }
 
-void seq_drop_from(struct seq *s, int i)
+void seq_drop_suspended_from(struct seq *s, int i)
 {
     while (s->suspended_count > i)
         clear_suspended(s, --s->suspended_count);
@@ -124,13 +124,13 @@ void seq_drop_suspended(struct seq *s, int i)
 {
     for (; i + 1 < s->suspended_count; i++) {
         s->suspended_tune[i] = s->suspended_tune[i + 1];
-        s->suspended_mark[i] = s->suspended_mark[i + 1];
-        s->suspended_marks_passed[i] = s->suspended_marks_passed[i + 1];
+        s->suspended_marker[i] = s->suspended_marker[i + 1];
+        s->suspended_markers_passed[i] = s->suspended_markers_passed[i + 1];
         s->suspended_tempo[i] = s->suspended_tempo[i + 1];
         s->suspended_pos[i] = s->suspended_pos[i + 1];
         copy_tracks(s, 1 + i, 2 + i);
     }
-    seq_drop_from(s, i);
+    seq_drop_suspended_from(s, i);
 }
 
 void seq_resume(struct seq *s)
@@ -138,13 +138,13 @@ void seq_resume(struct seq *s)
     const int i = s->suspended_count - 1;
 
     s->tune = s->suspended_tune[i];
-    s->mark = s->suspended_mark[i];
-    s->marks_passed = s->suspended_marks_passed[i];
+    s->marker = s->suspended_marker[i];
+    s->markers_passed = s->suspended_markers_passed[i];
     s->tempo = s->suspended_tempo[i];
     s->pos = s->suspended_pos[i];
     clear_next(s);
     copy_tracks(s, 0, 1 + i);
-    seq_drop_from(s, i);
+    seq_drop_suspended_from(s, i);
 }
 
 int seq_find_suspended(const struct seq *s, uint16_t index)
@@ -167,27 +167,27 @@ bool seq_has_ended(const struct seq *s)
 /* Reads the conductor's events from the current position on, ignoring their times: up to the end of the loop, then the
  * whole loop again. A run of simultaneous events that wraps around stops before the position where it started,
  * because a loop has a length; so the run passes the loop's end only once. */
-bool seq_has_mark_ahead(const struct seq *s, const struct tune *t, int mark, uint32_t *work)
+bool seq_has_marker_ahead(const struct seq *s, const struct tune *t, int mark, uint32_t *work)
 {
     struct track_cursor c = { s->at[0], 0 };
-    struct tune_played e;
+    struct tune_played_event e;
     bool found = false;
     int loops = 0;
 
     *work = 0;
-    while (c.at != 0 && loops < 2 && !found) {
-        struct tune_run r = { t, -1, { c.at, 0 }, 1, 0, 1, 0 };
+    while (c.cursor != 0 && loops < 2 && !found) {
+        struct tune_run r = { t, -1, { c.cursor, 0 }, 1, 0, 1, 0 };
         for (; tune_next_event(&r, &e); ++*work)
-            found = found || (e.event == TUNE_MARK && e.value == mark);
+            found = found || (e.event == TUNE_MARKER && e.value == mark);
         ++*work;
-        loops += r.at.at <= c.at;
-        c = r.at;
+        loops += r.cursor.cursor <= c.cursor;
+        c = r.cursor;
     }
     return found;
 }
 
 /* Stores the setting that an event changes. slot: 0: the conductor, 1 + i: track i. */
-static void store_setting(struct seq *s, int slot, const struct tune_played *e)
+static void store_setting(struct seq *s, int slot, const struct tune_played_event *e)
 {
     if (e->event == TUNE_INST)
         s->inst[slot] = (uint8_t)e->value;
@@ -197,9 +197,9 @@ static void store_setting(struct seq *s, int slot, const struct tune_played *e)
         s->pan[slot] = (uint8_t)e->value;
     if (e->event == TUNE_TEMPO)
         s->tempo = (uint32_t)e->value;
-    if (e->event == TUNE_MARK) {
-        s->mark = (uint16_t)(e->value + 1);
-        s->marks_passed++;
+    if (e->event == TUNE_MARKER) {
+        s->marker = (uint16_t)(e->value + 1);
+        s->markers_passed++;
     }
 }
 
@@ -212,8 +212,8 @@ static struct tune_run run_of(const struct seq *s, const struct tune *t, int slo
 
 static void store_cursor(struct seq *s, int slot, const struct tune_run *r)
 {
-    s->at[slot] = r->at.at;
-    s->units_left[slot] = r->at.left;
+    s->at[slot] = r->cursor.cursor;
+    s->units_left[slot] = r->cursor.units_left;
 }
 
 /* Executes the conductor's events that are due at sample `first`. Returns the number of samples until its next event,
@@ -222,7 +222,7 @@ static int step_conductor(struct seq *s, const struct tune *t, int first)
 {
     const uint32_t tempo = s->tempo;
     struct tune_run r = run_of(s, t, 0, first, 1);
-    struct tune_played e;
+    struct tune_played_event e;
 
     while (tune_next_event(&r, &e))
         store_setting(s, 0, &e);
@@ -265,7 +265,7 @@ static void begin_section(struct seq_run *w)
     w->run = run_of(s, w->t, 1, w->first, n);
 }
 
-bool seq_next(struct seq_run *w, struct tune_played *e)
+bool seq_next_event(struct seq_run *w, struct tune_played_event *e)
 {
     struct seq *s = w->s;
 
@@ -297,13 +297,13 @@ static void end_cue(struct cues *c, int i)
     c->units_left[i] = 0;
 }
 
-/* Ends the instance of a sound that started in frame `born`. Returns a bit for each of its slots. */
-static uint32_t end_sound(struct cues *c, uint32_t tune, uint32_t born)
+/* Ends the instance of a sound that started in frame `start_frame`. Returns a bit for each of its slots. */
+static uint32_t end_sound(struct cues *c, uint32_t tune, uint32_t start_frame)
 {
     uint32_t ended = 0;
 
-    for (int i = 0; i < CUES; i++)
-        if (c->tune[i] == tune && c->start_frame[i] == born) {
+    for (int i = 0; i < CUE_SLOTS; i++)
+        if (c->tune[i] == tune && c->start_frame[i] == start_frame) {
             end_cue(c, i);
             ended |= 1u << i;
         }
@@ -316,7 +316,7 @@ static bool join_same_cue(struct cues *c, const struct cue *cue, uint32_t frame)
 {
     bool found = false;
 
-    for (int i = 0; i < CUES; i++)
+    for (int i = 0; i < CUE_SLOTS; i++)
         if (c->tune[i] == cue->tune && c->start_frame[i] == frame) {
             found = true;
             if (cue->volume > c->cue_volume[i])
@@ -331,7 +331,7 @@ static int find_oldest(const struct cues *c, uint32_t tune, int *n)
     int oldest = -1;
 
     *n = 0;
-    for (int i = 0; i < CUES; i++) {
+    for (int i = 0; i < CUE_SLOTS; i++) {
         if (c->tune[i] != tune || c->track[i] != 0)
             continue;
         ++*n;
@@ -353,12 +353,12 @@ static int find_slot(const struct cues *c, const uint8_t *rom, int priority, uin
 {
     int replaceable = -1, free_slot = -1;
 
-    for (int i = CUES - 1; i >= 0; i--)
+    for (int i = CUE_SLOTS - 1; i >= 0; i--)
         if (c->tune[i] == 0 && (free_slot < 0 || !(ringing >> i & 1) || ringing >> free_slot & 1))
             free_slot = i;
     if (free_slot >= 0)
         return free_slot;
-    for (int i = 0; i < CUES; i++) {
+    for (int i = 0; i < CUE_SLOTS; i++) {
         const int p = priority_of(c, rom, i);
         if (p > priority || (p == priority && c->start_frame[i] == frame))
             continue;
@@ -376,10 +376,10 @@ static void set_cue(struct cues *c, int i, const struct tune *t, int track, cons
     c->tune[i] = cue->tune;
     c->start_frame[i] = frame;
     c->track[i] = (uint8_t)track;
-    c->at[i] = cursor.at;
-    c->units_left[i] = cursor.left;
+    c->at[i] = cursor.cursor;
+    c->units_left[i] = cursor.units_left;
     c->inst[i] = 0;
-    c->volume[i] = FIRST_VOLUME;
+    c->volume[i] = INITIAL_VOLUME;
     c->pan[i] = TUNE_PAN_CENTRE;
     c->cue_volume[i] = cue->volume;
     c->pan_offset[i] = cue->pan_offset;
@@ -411,15 +411,15 @@ uint32_t cues_stop(struct cues *c, uint32_t tune)
 {
     uint32_t ended = 0;
 
-    for (int i = 0; i < CUES; i++)
+    for (int i = 0; i < CUE_SLOTS; i++)
         if (c->tune[i] && (!tune || c->tune[i] == tune))
             ended |= end_sound(c, c->tune[i], c->start_frame[i]);
     return ended;
 }
 
-bool cues_next(struct cues *c, const uint8_t *rom, struct cues_run *w, struct tune_played *e)
+bool cues_next_event(struct cues *c, const uint8_t *rom, struct cues_run *w, struct tune_played_event *e)
 {
-    for (; w->slot < CUES; w->slot++, w->begun = false) {
+    for (; w->slot < CUE_SLOTS; w->slot++, w->begun = false) {
         const int i = w->slot;
         if (!c->tune[i])
             continue;
@@ -438,8 +438,8 @@ bool cues_next(struct cues *c, const uint8_t *rom, struct cues_run *w, struct tu
                 c->pan[i] = (uint8_t)e->value;
             return true;
         }
-        c->at[i] = w->run.at.at;
-        c->units_left[i] = w->run.at.left;
+        c->at[i] = w->run.cursor.cursor;
+        c->units_left[i] = w->run.cursor.units_left;
         if (c->at[i] == 0)
             end_cue(c, i);
     }

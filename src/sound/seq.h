@@ -20,31 +20,32 @@ enum {
     SEQ_SLOTS = (1 + SEQ_MAX_SUSPENDED) * SEQ_TRACKS,
     SEQ_FULL_VOLUME = 32767, /* full volume of the music */
     SEQ_MAX_PIECES = 1024,
-    CUES = 8,
+    CUE_SLOTS = 8,
     CUE_KINDS = 32
 };
 
 struct seq {
     struct slots s;
-    uint16_t tune;              /* the current piece, index in the ROM's music + 1; 0: none */
-    uint16_t next;              /* the piece that starts after the fade, index + 1; 0: none */
-    uint16_t fade, fade_length; /* frames left of the fade-out, and its length; 0: no fade */
-    uint16_t mark;              /* the last marker passed, index + 1; 0: none yet */
-    uint32_t marks_passed;      /* number of markers passed */
-    uint32_t tempo;             /* hundredths of a quarter note a minute */
+    uint16_t tune;                          /* the current piece, index in the ROM's music + 1; 0: none */
+    uint16_t next_tune;                     /* the piece that starts after the fade, index + 1; 0: none */
+    uint16_t fade_frames_left, fade_length; /* frames left of the fade-out, and its length; 0: no fade */
+    uint16_t marker;                        /* the last marker passed, index + 1; 0: none yet */
+    uint32_t markers_passed;                /* number of markers passed */
+    uint32_t tempo;                         /* hundredths of a quarter note a minute */
     uint64_t pos; /* units since the first beat (TUNE_TICK per tick); negative in two's complement before that beat */
-    uint8_t next_suspends;     /* 1: the current piece is suspended when `next` starts */
-    uint8_t next_is_scheduled; /* 1: `next` starts at the sample where pos reaches `next_start` */
+    uint8_t next_suspends;     /* 1: the current piece is suspended when `next_tune` starts */
+    uint8_t next_is_scheduled; /* 1: `next_tune` starts at the sample where pos reaches `next_start` */
     uint64_t next_start;
     uint16_t level, level_target; /* volume and target volume, of SEQ_FULL_VOLUME */
     uint16_t level_frames;        /* frames until the target volume is reached */
     uint8_t is_skipping;          /* 1: a stage is skipping to a mark, and the music skips too */
     uint32_t frames_ahead,
         frames_skipped; /* frames by which the music is ahead of the stage's clock; frames skipped in total */
-    uint64_t started[SEQ_MAX_PIECES / 64]; /* a bit for each piece that has started in this game */
-    uint16_t suspended_count; /* number of suspended pieces; their tune, mark, marks_passed, tempo and pos are below */
-    uint16_t suspended_tune[SEQ_MAX_SUSPENDED], suspended_mark[SEQ_MAX_SUSPENDED];
-    uint32_t suspended_marks_passed[SEQ_MAX_SUSPENDED], suspended_tempo[SEQ_MAX_SUSPENDED];
+    uint64_t started_tunes[SEQ_MAX_PIECES / 64]; /* a bit for each piece that has started in this game */
+    uint16_t
+        suspended_count; /* number of suspended pieces; their tune, marker, markers_passed, tempo and pos are below */
+    uint16_t suspended_tune[SEQ_MAX_SUSPENDED], suspended_marker[SEQ_MAX_SUSPENDED];
+    uint32_t suspended_markers_passed[SEQ_MAX_SUSPENDED], suspended_tempo[SEQ_MAX_SUSPENDED];
     uint64_t suspended_pos[SEQ_MAX_SUSPENDED];
     uint32_t *at; /* track positions (struct track_cursor): of the current piece, then of the suspended ones */
     int64_t *units_left;
@@ -71,11 +72,11 @@ extern const struct chip seq_chip, cues_chip;
 /* Starts piece t from its beginning. index: t's index in the ROM's music + 1; 0: stops the music, and t is not used. */
 void seq_start(struct seq *s, uint16_t index, const struct tune *t);
 
-/* seq_suspend suspends the current piece unless SEQ_MAX_SUSPENDED pieces are suspended already. seq_drop_from drops the
- * i-th suspended piece and all later ones, seq_drop_suspended only the i-th. seq_resume resumes the last suspended
- * piece; there must be one. */
+/* seq_suspend suspends the current piece unless SEQ_MAX_SUSPENDED pieces are suspended already. seq_drop_suspended_from
+ * drops the i-th suspended piece and all later ones, seq_drop_suspended only the i-th. seq_resume resumes the last
+ * suspended piece; there must be one. */
 void seq_suspend(struct seq *s);
-void seq_drop_from(struct seq *s, int i);
+void seq_drop_suspended_from(struct seq *s, int i);
 void seq_drop_suspended(struct seq *s, int i);
 void seq_resume(struct seq *s);
 
@@ -88,24 +89,24 @@ bool seq_has_ended(const struct seq *s);
 
 /* Returns whether the current piece, which is tune t, has marker `mark` ahead of its position, including after its loop
  * restarts. Stores in *work the number of events examined. */
-bool seq_has_mark_ahead(const struct seq *s, const struct tune *t, int mark, uint32_t *work);
+bool seq_has_marker_ahead(const struct seq *s, const struct tune *t, int mark, uint32_t *work);
 
-/* Iterates over the events of tune t in a frame, from sample `first` on. slot and run are private to seq_next and start
- * zeroed. */
+/* Iterates over the events of tune t in a frame, from sample `first` on. slot and run are private to seq_next_event and
+ * start zeroed. */
 struct seq_run {
     struct seq *s;
     const struct tune *t;
-    int first; /* once seq_next has returned false: the sample at which `next` must start, or SND_FRAME */
+    int first; /* once seq_next_event has returned false: the sample at which `next_tune` must start, or SND_FRAME */
     int slot;  /* the last event is from track slot - 1 */
     struct tune_run run;
 };
 
 /* Reads the next event of any track and stores the settings it changes in w->s. Returns false if no event is left in
  * the frame. */
-bool seq_next(struct seq_run *w, struct tune_played *e);
+bool seq_next_event(struct seq_run *w, struct tune_played_event *e);
 
-/* Delays the start of `next` to the next multiple of `beats` beats in the current piece: 1 waits for a beat, the number
- * of beats in a bar waits for a bar. */
+/* Delays the start of `next_tune` to the next multiple of `beats` beats in the current piece: 1 waits for a beat, the
+ * number of beats in a bar waits for a bar. */
 void seq_schedule_next(struct seq *s, int beats);
 
 /* Returns the number of whole quarter notes since the first beat; 0 before the first beat. */
@@ -141,6 +142,6 @@ struct cues_run {
 
 /* Reads the next event of any cue into *e. If it sets an instrument, volume or pan, also stores the new value in c.
  * Returns false if no event is left in the frame. */
-bool cues_next(struct cues *c, const uint8_t *rom, struct cues_run *w, struct tune_played *e);
+bool cues_next_event(struct cues *c, const uint8_t *rom, struct cues_run *w, struct tune_played_event *e);
 
 #endif

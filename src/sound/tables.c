@@ -119,15 +119,15 @@ int snd_low_pass_row(uint64_t step)
     return row;
 }
 
-static void make_low_pass(int16_t out[LOW_PASS_TAPS], uint32_t edge)
+static void make_low_pass(int16_t out[LOW_PASS_TAPS], uint32_t cutoff)
 {
     int64_t weight[LOW_PASS_TAPS] = { 0 }, sum = 0;
     int32_t deficit = 1 << 14;
 
     for (int j = 1; j < LOW_PASS_TAPS; j++) {
         const int32_t x = j - LOW_PASS_TAPS / 2;
-        const int64_t ideal =
-            x ? (int64_t)trig_sin30((ang)x * edge) * ((int64_t)1 << 16) / (x * (int64_t)205887) : (int64_t)edge >> 1;
+        const int64_t ideal = x ? (int64_t)trig_sin30((ang)x * cutoff) * ((int64_t)1 << 16) / (x * (int64_t)205887)
+                                : (int64_t)cutoff >> 1;
         weight[j] = (ideal * kaiser(x * (8192 / LOW_PASS_TAPS))) >> WEIGHT_SHIFT;
         sum += weight[j];
     }

@@ -16,19 +16,19 @@ enum { MAX_EVENTS_PER_RUN = 64 };
 
 static const uint8_t value_bytes[TUNE_EVENTS] = {
     [TUNE_NOTE] = 2,   [TUNE_SLUR] = 2,    [TUNE_GLIDE] = 4, [TUNE_INST] = 1,
-    [TUNE_VOLUME] = 1, [TUNE_PANNING] = 1, [TUNE_TEMPO] = 2, [TUNE_MARK] = 1,
+    [TUNE_VOLUME] = 1, [TUNE_PANNING] = 1, [TUNE_TEMPO] = 2, [TUNE_MARKER] = 1,
 };
 
 /* ---- sections ---- */
 
-enum { TRACK_TABLE = TUNE_HEADER_SIZE + TUNE_TITLE_SIZE, TRACK_ENTRY_BYTES = 8 };
+enum { TRACK_TABLE_OFFSET = TUNE_HEADER_SIZE + TUNE_TITLE_SIZE, TRACK_ENTRY_BYTES = 8 };
 
 static size_t insts_offset(const struct tune *t)
 {
-    return TRACK_TABLE + TRACK_ENTRY_BYTES * ((size_t)t->n_tracks + 1);
+    return TRACK_TABLE_OFFSET + TRACK_ENTRY_BYTES * ((size_t)t->n_tracks + 1);
 }
 
-static size_t marks_offset(const struct tune *t)
+static size_t markers_offset(const struct tune *t)
 {
     return insts_offset(t) + INST_BYTES * (size_t)t->n_insts;
 }
@@ -38,7 +38,7 @@ struct tune tune_of(const uint8_t *p)
     return (struct tune){ .data = p,
                           .n_tracks = p[5],
                           .n_insts = p[6],
-                          .n_marks = p[7],
+                          .n_markers = p[7],
                           .volume = p[1],
                           .priority = p[2],
                           .limit = p[3],
@@ -57,7 +57,7 @@ const char *tune_title(const struct tune *t)
 
 const char *tune_marker_name(const struct tune *t, int i)
 {
-    return (const char *)t->data + marks_offset(t) + TUNE_NAME_SIZE * (size_t)i;
+    return (const char *)t->data + markers_offset(t) + TUNE_NAME_SIZE * (size_t)i;
 }
 
 const uint8_t *tune_inst(const struct tune *t, int i)
@@ -69,12 +69,12 @@ const uint8_t *tune_inst(const struct tune *t, int i)
  * starts, or 0 if it has none. */
 static uint32_t track_start(const struct tune *t, int i)
 {
-    return bytes_get32(t->data + TRACK_TABLE + TRACK_ENTRY_BYTES * (i + 1));
+    return bytes_get32(t->data + TRACK_TABLE_OFFSET + TRACK_ENTRY_BYTES * (i + 1));
 }
 
 static uint32_t track_loop(const struct tune *t, int i)
 {
-    return bytes_get32(t->data + TRACK_TABLE + TRACK_ENTRY_BYTES * (i + 1) + 4);
+    return bytes_get32(t->data + TRACK_TABLE_OFFSET + TRACK_ENTRY_BYTES * (i + 1) + 4);
 }
 
 bool tune_is_recording(const struct tune *t)
@@ -115,50 +115,50 @@ struct track_cursor tune_track_start(const struct tune *t, int i)
 {
     struct track_cursor c = { track_start(t, i), 0 };
 
-    c.left = (int64_t)read_ticks(t->data, &c.at) * TUNE_TICK + (i < 0 ? (int64_t)t->lead * t->tempo : 0);
+    c.units_left = (int64_t)read_ticks(t->data, &c.cursor) * TUNE_TICK + (i < 0 ? (int64_t)t->lead * t->tempo : 0);
     return c;
 }
 
 /* Reads the event at c and moves c to the next one. Returns false for the end of a loop, which is not reported as an
  * event. */
-static bool read_event(const struct tune *t, int track, struct track_cursor *c, struct tune_played *e)
+static bool read_event(const struct tune *t, int track, struct track_cursor *c, struct tune_played_event *e)
 {
-    const uint8_t *p = t->data + c->at;
+    const uint8_t *p = t->data + c->cursor;
 
     e->event = p[0];
     e->value = p[1];
     e->value2 = 0;
     if (e->event == TUNE_END) {
-        c->at = track_loop(t, track);
-        if (c->at == 0)
+        c->cursor = track_loop(t, track);
+        if (c->cursor == 0)
             return true;
-        c->left += t->loop_units;
+        c->units_left += t->loop_units;
     } else {
-        c->at += 1u + value_bytes[e->event];
+        c->cursor += 1u + value_bytes[e->event];
         if (value_bytes[e->event] >= 2)
             e->value = bytes_get16(p + 1);
         if (value_bytes[e->event] == 4)
             e->value2 = bytes_get16(p + 3);
     }
-    c->left += (int64_t)read_ticks(t->data, &c->at) * TUNE_TICK;
+    c->units_left += (int64_t)read_ticks(t->data, &c->cursor) * TUNE_TICK;
     return p[0] != TUNE_END;
 }
 
-bool tune_next_event(struct tune_run *r, struct tune_played *e)
+bool tune_next_event(struct tune_run *r, struct tune_played_event *e)
 {
-    struct track_cursor *c = &r->at;
+    struct track_cursor *c = &r->cursor;
 
-    for (; c->at != 0 && r->events < MAX_EVENTS_PER_RUN; r->events++) {
-        const int64_t at = c->left <= 0 ? 0 : (c->left + r->tempo - 1) / r->tempo;
+    for (; c->cursor != 0 && r->events_read < MAX_EVENTS_PER_RUN; r->events_read++) {
+        const int64_t at = c->units_left <= 0 ? 0 : (c->units_left + r->tempo - 1) / r->tempo;
         if (at >= r->n)
             break;
         e->sample = r->first + (int)at;
         if (read_event(r->t, r->track, c, e)) {
-            r->events++;
+            r->events_read++;
             return true;
         }
     }
-    c->left -= (int64_t)r->n * r->tempo;
+    c->units_left -= (int64_t)r->n * r->tempo;
     return false;
 }
 
@@ -209,8 +209,8 @@ static bool values_ok(const struct tune *t, int track, const uint8_t *p)
         return track >= 0 && p[1] <= 2 * TUNE_PAN_CENTRE;
     case TUNE_TEMPO:
         return track < 0 && bytes_get16(p + 1) >= TEMPO_MIN && bytes_get16(p + 1) <= TEMPO_MAX;
-    case TUNE_MARK:
-        return track < 0 && p[1] < t->n_marks;
+    case TUNE_MARKER:
+        return track < 0 && p[1] < t->n_markers;
     default:
         return true;
     }
@@ -223,7 +223,7 @@ static bool track_ok(const struct check *c, int track)
     uint64_t loop_ticks = 0; /* ticks since the loop's start */
     bool loop_found = loop == 0;
 
-    if (at < marks_offset(c->t) + TUNE_NAME_SIZE * (size_t)c->t->n_marks || at >= c->end)
+    if (at < markers_offset(c->t) + TUNE_NAME_SIZE * (size_t)c->t->n_markers || at >= c->end)
         return fail(c, track, "its start is out of range");
     for (;;) {
         if (at == loop) {
@@ -270,13 +270,13 @@ bool tune_validate(const uint8_t *data, size_t size, char *err, size_t err_size)
     const struct tune t = tune_of(data);
     const uint32_t sample_at = bytes_get32(data + 12);
     struct check c = { &t, sample_at ? sample_at : (uint32_t)size, err, err_size };
-    if (t.n_tracks < 1 || t.n_tracks > TUNE_MAX_TRACKS || t.n_insts > TUNE_MAX_INSTS || t.n_marks > TUNE_MAX_MARKS ||
-        t.priority > 7 || t.limit < 1 || t.limit > 8 || t.beats_per_bar < 1 || t.tempo < TEMPO_MIN ||
-        t.tempo > TEMPO_MAX || t.channels > TUNE_MAX_CHANNELS || (t.channels == 0 && sample_at) ||
-        t.loop_units >= TUNE_TICK || t.lead > TUNE_MAX_LEAD)
+    if (t.n_tracks < 1 || t.n_tracks > TUNE_MAX_TRACKS || t.n_insts > TUNE_MAX_INSTS ||
+        t.n_markers > TUNE_MAX_MARKERS || t.priority > 7 || t.limit < 1 || t.limit > 8 || t.beats_per_bar < 1 ||
+        t.tempo < TEMPO_MIN || t.tempo > TEMPO_MAX || t.channels > TUNE_MAX_CHANNELS ||
+        (t.channels == 0 && sample_at) || t.loop_units >= TUNE_TICK || t.lead > TUNE_MAX_LEAD)
         return err_set(err, err_size, "its header is out of range");
     if (size > UINT32_MAX / 2 || c.end > size || c.end > TUNE_MAX_BYTES + 4 ||
-        marks_offset(&t) + TUNE_NAME_SIZE * (size_t)t.n_marks > c.end || sample_at % 4 != 0)
+        markers_offset(&t) + TUNE_NAME_SIZE * (size_t)t.n_markers > c.end || sample_at % 4 != 0)
         return err_set(err, err_size, "shorter than its header says");
     if (!name_ok(tune_title(&t), TUNE_TITLE_SIZE))
         return err_set(err, err_size, "its title is not a single line of text");
@@ -286,7 +286,7 @@ bool tune_validate(const uint8_t *data, size_t size, char *err, size_t err_size)
         if (!inst_is_valid(tune_inst(&t, i), (size_t)(data + c.end - tune_inst(&t, i)), tune_is_recording(&t)) ||
             !name_ok(inst_sample_name(tune_inst(&t, i)), INST_NAME_SIZE))
             return err_set(err, err_size, "instrument %d is out of range", i + 1);
-    for (int i = 0; i < t.n_marks; i++)
+    for (int i = 0; i < t.n_markers; i++)
         if (!name_ok(tune_marker_name(&t, i), TUNE_NAME_SIZE))
             return err_set(err, err_size, "marker %d has no name", i + 1);
     for (int i = -1; i < t.n_tracks; i++)

@@ -37,7 +37,7 @@ enum {
     TUNE_TITLE_SIZE = 64,
     TUNE_MAX_TRACKS = 16,
     TUNE_MAX_INSTS = 64,
-    TUNE_MAX_MARKS = 64,
+    TUNE_MAX_MARKERS = 64,
     TUNE_NAME_SIZE = INST_NAME_SIZE, /* bytes of a marker's name, with its NUL */
     TUNE_QUARTER = 480,
     TUNE_TICK = 600000,
@@ -63,14 +63,14 @@ enum tune_event {
     TUNE_VOLUME,  /* u8, 0 to TUNE_MAX_VOLUME */
     TUNE_PANNING, /* u8, 0 to 128: pan */
     TUNE_TEMPO,   /* u16, hundredths of a quarter note a minute */
-    TUNE_MARK,    /* u8: marker index */
+    TUNE_MARKER,  /* u8: marker index */
     TUNE_EVENTS
 };
 
 /* The header of a tune that tune_validate has accepted. */
 struct tune {
     const uint8_t *data;
-    int n_tracks, n_insts, n_marks, volume, priority, limit, beats_per_bar, channels;
+    int n_tracks, n_insts, n_markers, volume, priority, limit, beats_per_bar, channels;
     int duck;                         /* how much softer music is while the tune plays, of 255 */
     uint32_t tempo, loop_units, lead; /* loop_units: units added to a loop; lead: samples before the first beat */
 };
@@ -91,14 +91,14 @@ bool tune_validate(const uint8_t *data, size_t size, char *err, size_t err_size)
 
 /* A position in a track. */
 struct track_cursor {
-    uint32_t at;  /* byte offset of the next event in the tune; 0: the track has ended */
-    int64_t left; /* units until the next event */
+    uint32_t cursor;    /* byte offset of the next event in the tune; 0: the track has ended */
+    int64_t units_left; /* units until the next event */
 };
 
 /* Returns the position at the start of track i; -1: the conductor. */
 struct track_cursor tune_track_start(const struct tune *t, int i);
 
-struct tune_played {
+struct tune_played_event {
     enum tune_event event;
     int32_t value, value2; /* the event's first and second value */
     int sample;            /* index in the frame */
@@ -108,13 +108,14 @@ struct tune_played {
 struct tune_run {
     const struct tune *t;
     int track;
-    struct track_cursor at; /* current position; once tune_next_event has returned false, where the next run starts */
+    /* Current position; once tune_next_event has returned false, where the next run starts. */
+    struct track_cursor cursor;
     uint32_t tempo;
     int first, n;
-    int events; /* private to tune_next_event: number of events read, which is limited; starts as 0 */
+    int events_read; /* private to tune_next_event: number of events read, which is limited; starts as 0 */
 };
 
-/* Reads the next event of the run. Returns false if none is left; r->at is then at the end of the run. */
-bool tune_next_event(struct tune_run *r, struct tune_played *e);
+/* Reads the next event of the run. Returns false if none is left; r->cursor is then at the end of the run. */
+bool tune_next_event(struct tune_run *r, struct tune_played_event *e);
 
 #endif

@@ -1,7 +1,7 @@
 /*
- * voices.c - see voices.h. The state advances a frame at a time; a frame is mixed in SND_BLOCKS blocks of SND_BLOCK
- * samples. Each block starts at its exact phase. The level is interpolated linearly from the block's start to its end,
- * unless the level's slope jumps inside the block; then the level is computed for each sample.
+ * voices.c - see voices.h. The state advances a frame at a time; a frame is mixed in SND_FRAME_BLOCKS blocks of
+ * SND_BLOCK samples. Each block starts at its exact phase. The level is interpolated linearly from the block's start to
+ * its end, unless the level's slope jumps inside the block; then the level is computed for each sample.
  */
 #include "voices.h"
 
@@ -10,12 +10,12 @@
 #include "fm.h"
 
 static const struct column columns[] = {
-    COLUMN(voices, phase),        COLUMN(voices, step0),      COLUMN(voices, step1),
-    COLUMN(voices, age),          COLUMN(voices, off),        COLUMN(voices, fade_age),
-    COLUMN(voices, pitch),        COLUMN(voices, goal_pitch), COLUMN(voices, glide_step),
-    COLUMN(voices, inst),         COLUMN(voices, wave),       COLUMN(voices, vol0),
-    COLUMN(voices, vol1),         COLUMN(voices, pan0),       COLUMN(voices, pan1),
-    REGISTER(voices, gain0),      REGISTER(voices, gain1),    REGISTER(voices, music_paused),
+    COLUMN(voices, phase),        COLUMN(voices, step0),        COLUMN(voices, step1),
+    COLUMN(voices, age),          COLUMN(voices, release_age),  COLUMN(voices, fade_age),
+    COLUMN(voices, pitch),        COLUMN(voices, target_pitch), COLUMN(voices, glide_step),
+    COLUMN(voices, inst),         COLUMN(voices, wave),         COLUMN(voices, vol0),
+    COLUMN(voices, vol1),         COLUMN(voices, pan0),         COLUMN(voices, pan1),
+    REGISTER(voices, gain0),      REGISTER(voices, gain1),      REGISTER(voices, music_paused),
     REGISTER(voices, duck_depth),
 };
 
@@ -86,10 +86,10 @@ static void copy_slot(struct voices *s, int to, int from)
     s->step0[to] = s->step0[from];
     s->step1[to] = s->step1[from];
     s->age[to] = s->age[from];
-    s->off[to] = s->off[from];
+    s->release_age[to] = s->release_age[from];
     s->fade_age[to] = s->fade_age[from];
     s->pitch[to] = s->pitch[from];
-    s->goal_pitch[to] = s->goal_pitch[from];
+    s->target_pitch[to] = s->target_pitch[from];
     s->glide_step[to] = s->glide_step[from];
     s->inst[to] = s->inst[from];
     s->wave[to] = s->wave[from];
@@ -105,11 +105,11 @@ void voices_start_note(struct voices *s, const uint8_t *rom, int voice, const st
 
     if (voices_is_busy(s, voice)) {
         copy_slot(s, VOICES + voice, voice);
-        voices_cut(s, VOICES + voice, at);
+        voices_fade_out(s, VOICES + voice, at);
     }
     s->age[voice] = -at;
-    s->off[voice] = s->fade_age[voice] = NOTE_HELD;
-    s->pitch[voice] = s->goal_pitch[voice] = n->pitch;
+    s->release_age[voice] = s->fade_age[voice] = AGE_NEVER;
+    s->pitch[voice] = s->target_pitch[voice] = n->pitch;
     s->glide_step[voice] = 0;
     s->inst[voice] = n->inst;
     s->wave[voice] = n->wave;
@@ -124,14 +124,14 @@ void voices_slur(struct voices *s, const uint8_t *rom, int voice, int32_t pitch)
     if (!voices_is_busy(s, voice))
         return;
     const struct inst i = inst_read(rom + s->inst[voice]);
-    s->pitch[voice] = s->goal_pitch[voice] = pitch;
+    s->pitch[voice] = s->target_pitch[voice] = pitch;
     s->glide_step[voice] = 0;
     s->step1[voice] = step_at(s, rom, &i, voice, s->age[voice], s->age[voice] + SND_FRAME);
 }
 
 void voices_glide(struct voices *s, int voice, int32_t pitch, int32_t frames)
 {
-    s->goal_pitch[voice] = pitch;
+    s->target_pitch[voice] = pitch;
     s->glide_step[voice] = (pitch - s->pitch[voice]) / (frames > 0 ? frames : 1);
     if (s->glide_step[voice] == 0)
         s->pitch[voice] = pitch;
@@ -141,11 +141,11 @@ void voices_release(struct voices *s, int voice, int at)
 {
     const int32_t age = s->age[voice] + at;
 
-    if (voices_is_busy(s, voice) && s->off[voice] == NOTE_HELD)
-        s->off[voice] = age > 0 ? age : 0;
+    if (voices_is_busy(s, voice) && s->release_age[voice] == AGE_NEVER)
+        s->release_age[voice] = age > 0 ? age : 0;
 }
 
-void voices_cut(struct voices *s, int voice, int at)
+void voices_fade_out(struct voices *s, int voice, int at)
 {
     const int32_t age = s->age[voice] + at;
 
@@ -161,35 +161,35 @@ void voices_set_volume_and_pan(struct voices *s, int voice, uint16_t vol, uint8_
 
 /* ---- suspended music ---- */
 
-static int saved_slot(int place, int voice)
+static int saved_slot(int save_index, int voice)
 {
-    return VOICE_SLOTS + place * VOICES_MUSIC + voice;
+    return VOICE_SLOTS + save_index * VOICES_MUSIC + voice;
 }
 
-void voices_save_music(struct voices *s, int place)
+void voices_save_music(struct voices *s, int save_index)
 {
     for (int i = 0; i < VOICES_MUSIC; i++)
-        copy_slot(s, saved_slot(place, i), i);
+        copy_slot(s, saved_slot(save_index, i), i);
 }
 
-void voices_move_saved(struct voices *s, int to, int from)
+void voices_move_saved_music(struct voices *s, int to, int from)
 {
     for (int i = 0; i < VOICES_MUSIC; i++)
         copy_slot(s, saved_slot(to, i), saved_slot(from, i));
 }
 
-void voices_restore_music(struct voices *s, int place)
+void voices_restore_music(struct voices *s, int save_index)
 {
     for (int i = 0; i < VOICES_MUSIC; i++) {
-        if (!voices_is_busy(s, saved_slot(place, i)))
+        if (!voices_is_busy(s, saved_slot(save_index, i)))
             continue;
         if (voices_is_busy(s, i)) {
             copy_slot(s, VOICES + i, i);
-            voices_cut(s, VOICES + i, 0);
+            voices_fade_out(s, VOICES + i, 0);
         }
-        copy_slot(s, i, saved_slot(place, i));
+        copy_slot(s, i, saved_slot(save_index, i));
         s->vol0[i] = 0;
-        s->inst[saved_slot(place, i)] = 0;
+        s->inst[saved_slot(save_index, i)] = 0;
     }
 }
 
@@ -198,7 +198,7 @@ void voices_restore_music(struct voices *s, int place)
 /* Advances the pitch by a frame of its slide. */
 static void step_glide(struct voices *s, int i)
 {
-    const int32_t step = s->glide_step[i], to = s->goal_pitch[i];
+    const int32_t step = s->glide_step[i], to = s->target_pitch[i];
 
     if (step == 0)
         return;
@@ -211,14 +211,14 @@ static void step_glide(struct voices *s, int i)
 
 static bool has_ended(const struct voices *s, const uint8_t *rom, const struct inst *inst, int i)
 {
-    if (s->fade_age[i] != NOTE_HELD && s->age[i] - s->fade_age[i] >= VOICE_FADE)
+    if (s->fade_age[i] != AGE_NEVER && s->age[i] - s->fade_age[i] >= VOICE_FADE)
         return true;
-    if (wave_is_silent(&inst->env, s->age[i], s->off[i]))
+    if (wave_is_silent(&inst->env, s->age[i], s->release_age[i]))
         return true;
     if (inst->kind != INST_SAMPLE || s->wave[i] == 0)
         return false;
     const struct sample sample = sample_of(rom + s->wave[i]);
-    return sample.loop == SAMPLE_NO_LOOP && (int64_t)s->phase[i] >> 32 > (int64_t)sample.n + SINC_TAPS;
+    return sample.loop_start == SAMPLE_NO_LOOP && (int64_t)s->phase[i] >> 32 > (int64_t)sample.n + SINC_TAPS;
 }
 
 enum { MAX_AGE = 1 << 30 /* samples, 6 hours: ages stop here, and positions in loops move back */ };
@@ -227,9 +227,9 @@ enum { MAX_AGE = 1 << 30 /* samples, 6 hours: ages stop here, and positions in l
  * end, otherwise 0. Recordings are far shorter than OLDEST. */
 static uint64_t loop_rewind(const struct sample *s, uint64_t phase)
 {
-    const int64_t beyond = ((int64_t)phase >> 32) - s->n - SINC_TAPS, loop = (int64_t)s->n - s->loop;
+    const int64_t beyond = ((int64_t)phase >> 32) - s->n - SINC_TAPS, loop = (int64_t)s->n - s->loop_start;
 
-    return s->loop == SAMPLE_NO_LOOP || beyond < MAX_AGE ? 0 : (uint64_t)(beyond / loop * loop) << 32;
+    return s->loop_start == SAMPLE_NO_LOOP || beyond < MAX_AGE ? 0 : (uint64_t)(beyond / loop * loop) << 32;
 }
 
 static void step_slot(struct voices *s, const uint8_t *rom, int i)
@@ -277,7 +277,7 @@ struct note {
     const uint8_t *bytes; /* the packed instrument */
     struct inst inst;
     struct fm_note fm;
-    int32_t age, off, fade_age;
+    int32_t age, release_age, fade_age;
     int64_t step_delta; /* change of the step per sample */
     int mip0, mip1;
     int64_t first; /* sample index of filtered[0] in the recording */
@@ -306,7 +306,7 @@ static void read_sample(struct note *n, const uint8_t *rom)
         return;
     }
     sample_read(&sample, n->first - LOW_PASS_TAPS / 2, ((count + 3) & ~3) + LOW_PASS_TAPS, n->raw);
-    wave_low_pass(n->t, n->raw + LOW_PASS_TAPS / 2, count, s->step0[n->i], s->step1[n->i], n->filtered);
+    wave_filter_low_pass(n->t, n->raw + LOW_PASS_TAPS / 2, count, s->step0[n->i], s->step1[n->i], n->filtered);
 }
 
 static void make_block(struct note *n, int b, int16_t out[SND_BLOCK])
@@ -316,11 +316,11 @@ static void make_block(struct note *n, int b, int16_t out[SND_BLOCK])
     const struct wave_params params = { from, step, n->mip0, n->mip1, b, (uint32_t)n->i, n->bytes + n->inst.wave };
 
     if (n->inst.kind == INST_SAMPLE)
-        wave_sample(n->t, n->filtered + (((int64_t)from >> 32) - n->first), (uint32_t)from, step, out);
+        wave_resample_block(n->t, n->filtered + (((int64_t)from >> 32) - n->first), (uint32_t)from, step, out);
     else if (inst_op_count(n->inst.kind))
-        fm_play(&n->fm, n->t, n->age + b * SND_BLOCK, n->off, from, step, out);
+        fm_compute_note_block(&n->fm, n->t, n->age + b * SND_BLOCK, n->release_age, from, step, out);
     else
-        wave_block(n->t, &n->inst, &params, out);
+        wave_compute_block(n->t, &n->inst, &params, out);
 }
 
 /* ---- levels ---- */
@@ -329,7 +329,7 @@ static void make_block(struct note *n, int b, int16_t out[SND_BLOCK])
 static int32_t level_at(const struct note *n, int32_t age)
 {
     const struct lfo *tremolo = &n->inst.tremolo;
-    int32_t level = wave_level(&n->inst.env, age, n->off);
+    int32_t level = wave_level(&n->inst.env, age, n->release_age);
 
     if (tremolo->depth) {
         const int32_t attenuation =
@@ -338,15 +338,15 @@ static int32_t level_at(const struct note *n, int32_t age)
     }
     if (n->inst.volume_curve)
         level = level * inst_curve_value(n->bytes + n->inst.volume_curve, age) / 32767;
-    if (n->fade_age == NOTE_HELD || age <= n->fade_age)
+    if (n->fade_age == AGE_NEVER || age <= n->fade_age)
         return level;
     return age - n->fade_age >= VOICE_FADE ? 0 : level * (VOICE_FADE - (age - n->fade_age)) / VOICE_FADE;
 }
 
 static bool has_corner(const struct note *n, int32_t from, int32_t to)
 {
-    return wave_has_corner(&n->inst.env, from, to, n->off) ||
-           (n->fade_age != NOTE_HELD && ((from < n->fade_age && to > n->fade_age) ||
+    return wave_has_corner(&n->inst.env, from, to, n->release_age) ||
+           (n->fade_age != AGE_NEVER && ((from < n->fade_age && to > n->fade_age) ||
                                          (from < n->fade_age + VOICE_FADE && to > n->fade_age + VOICE_FADE))) ||
            (n->inst.volume_curve && inst_curve_has_corner(n->bytes + n->inst.volume_curve, from, to));
 }
@@ -372,15 +372,16 @@ static struct wave_gains gains_at(const struct note *n, int b)
 {
     const struct voices *s = n->s;
     const int i = n->i;
-    int32_t pan = 2 * (s->pan0[i] + (s->pan1[i] - s->pan0[i]) * b / SND_BLOCKS);
-    int32_t vol = s->vol0[i] + (s->vol1[i] - s->vol0[i]) * b / SND_BLOCKS;
+    int32_t pan = 2 * (s->pan0[i] + (s->pan1[i] - s->pan0[i]) * b / SND_FRAME_BLOCKS);
+    int32_t vol = s->vol0[i] + (s->vol1[i] - s->vol0[i]) * b / SND_FRAME_BLOCKS;
 
     if (n->inst.pan_curve) {
         pan += 2 * inst_curve_value(n->bytes + n->inst.pan_curve, n->age + b * SND_BLOCK);
         pan = pan < 0 ? 0 : pan > 256 ? 256 : pan;
     }
     if (i % VOICES < VOICES_MUSIC)
-        vol = vol * (s->gain0 + (s->gain1 - s->gain0) * b / SND_BLOCKS) / VOICE_FULL_GAIN * n->t->music_volume / 100;
+        vol = vol * (s->gain0 + (s->gain1 - s->gain0) * b / SND_FRAME_BLOCKS) / VOICE_FULL_GAIN * n->t->music_volume /
+              100;
     else
         vol = vol * n->t->sound_volume / 100;
     return (struct wave_gains){ vol * n->t->pan[256 - pan] >> 15, vol * n->t->pan[pan] >> 15 };
@@ -404,7 +405,7 @@ static void add_note(struct note *n, const uint8_t *rom, int32_t left[SND_FRAME]
     n->bytes = rom + s->inst[i];
     n->inst = inst_read(n->bytes);
     n->age = s->age[i];
-    n->off = s->off[i];
+    n->release_age = s->release_age[i];
     n->fade_age = s->fade_age[i];
     n->step_delta = (int64_t)(s->step1[i] - s->step0[i]) / SND_FRAME;
     n->mip0 = snd_mip(n->t, (uint32_t)(s->step0[i] >> 24));
@@ -417,14 +418,14 @@ static void add_note(struct note *n, const uint8_t *rom, int32_t left[SND_FRAME]
         fm_begin(&n->fm, &n->inst, n->bytes);
     const bool is_constant = has_constant_gains(n);
     struct wave_gains from, to = gains_at(n, 0);
-    for (int b = 0; b < SND_BLOCKS; b++) {
+    for (int b = 0; b < SND_FRAME_BLOCKS; b++) {
         from = to;
         if (!is_constant)
             to = gains_at(n, b + 1);
         if (!make_levels(n, b, level))
             continue;
         make_block(n, b, wave);
-        wave_add(wave, level, &from, &to, left + b * SND_BLOCK, right + b * SND_BLOCK);
+        wave_add_to_mix(wave, level, &from, &to, left + b * SND_BLOCK, right + b * SND_BLOCK);
     }
 }
 

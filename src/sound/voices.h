@@ -34,10 +34,10 @@ struct voices {
     uint64_t *phase; /* at the frame's first sample: 2^-56 turns; noise: 2^-44 turns; recording: sample index, Q32 */
     uint64_t *step0, *step1; /* phase per sample, at the frame's start and end */
     int32_t *age; /* samples since the note's start, at the frame's start; negative: the note starts in this frame */
-    int32_t *off,
-        *fade_age; /* ages at which the note is released, and at which it starts to fade out; NOTE_HELD: never */
-    int32_t *pitch, *goal_pitch; /* pitch without vibrato, and target of a slide; 65536ths of a semitone */
-    int32_t *glide_step;         /* pitch change per frame; 0: no slide */
+    int32_t *release_age,
+        *fade_age; /* ages at which the note is released, and at which it starts to fade out; AGE_NEVER: never */
+    int32_t *pitch, *target_pitch; /* pitch without vibrato, and target of a slide; 65536ths of a semitone */
+    int32_t *glide_step;           /* pitch change per frame; 0: no slide */
     uint32_t *inst, *wave;
     uint16_t *vol0, *vol1; /* volume, of VOICE_FULL_VOLUME, at the frame's start and end */
     uint8_t *pan0, *pan1;  /* pan at the frame's start and end; 0: left, 128: right */
@@ -59,19 +59,19 @@ struct voice_note {
 void voices_start_note(struct voices *s, const uint8_t *rom, int voice, const struct voice_note *n, int at);
 
 /* voices_slur continues a voice's note at another pitch; voices_glide slides the note to that pitch within `frames`
- * frames. voices_release releases the note at sample `at` of the frame; voices_cut fades it out from that sample on.
- * voices_set_volume_and_pan sets the note's volume and pan at the frame's end. */
+ * frames. voices_release releases the note at sample `at` of the frame; voices_fade_out fades it out from that sample
+ * on. voices_set_volume_and_pan sets the note's volume and pan at the frame's end. */
 void voices_slur(struct voices *s, const uint8_t *rom, int voice, int32_t pitch);
 void voices_glide(struct voices *s, int voice, int32_t pitch, int32_t frames);
 void voices_release(struct voices *s, int voice, int at);
-void voices_cut(struct voices *s, int voice, int at);
+void voices_fade_out(struct voices *s, int voice, int at);
 void voices_set_volume_and_pan(struct voices *s, int voice, uint16_t vol, uint8_t pan);
 
 /* voices_save_music saves the notes of the music at a place for suspended music, 0 to VOICE_MAX_SUSPENDED - 1;
- * voices_move_saved copies saved notes from one place to another; voices_restore_music restores the notes saved at a
- * place, fading in from silence. */
+ * voices_move_saved_music copies saved notes from one place to another; voices_restore_music restores the notes saved
+ * at a place, fading in from silence. */
 void voices_save_music(struct voices *s, int place);
-void voices_move_saved(struct voices *s, int to, int from);
+void voices_move_saved_music(struct voices *s, int to, int from);
 void voices_restore_music(struct voices *s, int place);
 
 /* Advances all voices by a frame, except those of the music while it is paused. */

@@ -88,8 +88,8 @@ static void read_noise(const struct wave_params *params, int16_t out[SND_BLOCK])
     }
 }
 
-void wave_block(const struct snd_tables *t, const struct inst *inst, const struct wave_params *params,
-                int16_t out[SND_BLOCK])
+void wave_compute_block(const struct snd_tables *t, const struct inst *inst, const struct wave_params *params,
+                        int16_t out[SND_BLOCK])
 {
     switch (inst->kind) {
     case INST_SINE:
@@ -105,10 +105,10 @@ void wave_block(const struct snd_tables *t, const struct inst *inst, const struc
 
 /* ---- sums of products ---- */
 
-enum { GROUP = 4, SINC_SHIFT = 15, LOW_SHIFT = 14 };
+enum { GROUP_SIZE = 4, SINC_SHIFT = 15, LOW_PASS_SHIFT = 14 };
 
 /* One pointer for each sample of a group. */
-typedef const int16_t *group[GROUP];
+typedef const int16_t *group[GROUP_SIZE];
 
 #if defined(__SSE2__) && defined(__has_builtin)
 #if __has_builtin(__builtin_shufflevector)
@@ -142,7 +142,7 @@ static inline sums multiply_add(sums sum, const int16_t *x, const int16_t *weigh
 /* Computes a group of samples, each the sum of `taps` values of x times their weights, shifted right by `shift` and
  * rounded. Gives the same results as the version below, but adds up the lanes of four samples together; compilers add
  * up the lanes of each sample separately. */
-static inline void weighted_sums(const group x, const group weights, int taps, int shift, int16_t out[GROUP])
+static inline void weighted_sums(const group x, const group weights, int taps, int shift, int16_t out[GROUP_SIZE])
 {
     sums a = { 0 }, b = a, c = a, d = a;
 
@@ -155,14 +155,14 @@ static inline void weighted_sums(const group x, const group weights, int taps, i
     const int32_t half = 1 << (shift - 1);
     const sums halves = { half, half, half, half }, sum = (sum_lanes(a, b, c, d) + halves) >> shift;
     const lanes packed = (lanes)__builtin_ia32_packssdw128(sum, sum);
-    memcpy(out, &packed, GROUP * sizeof *out);
+    memcpy(out, &packed, GROUP_SIZE * sizeof *out);
 }
 
 #else
 
-static inline void weighted_sums(const group x, const group weights, int taps, int shift, int16_t out[GROUP])
+static inline void weighted_sums(const group x, const group weights, int taps, int shift, int16_t out[GROUP_SIZE])
 {
-    for (int k = 0; k < GROUP; k++) {
+    for (int k = 0; k < GROUP_SIZE; k++) {
         int32_t sum = 1 << (shift - 1);
         for (int j = 0; j < taps; j++)
             sum += x[k][j] * weights[k][j];
@@ -173,13 +173,14 @@ static inline void weighted_sums(const group x, const group weights, int taps, i
 
 #endif
 
-void wave_sample(const struct snd_tables *t, const int16_t *x, uint32_t phase, uint64_t step, int16_t out[SND_BLOCK])
+void wave_resample_block(const struct snd_tables *t, const int16_t *x, uint32_t phase, uint64_t step,
+                         int16_t out[SND_BLOCK])
 {
     uint64_t at = phase;
     group from, weights;
 
-    for (int n = 0; n < SND_BLOCK; n += GROUP) {
-        for (int k = 0; k < GROUP; k++, at += step) {
+    for (int n = 0; n < SND_BLOCK; n += GROUP_SIZE) {
+        for (int k = 0; k < GROUP_SIZE; k++, at += step) {
             from[k] = x + (at >> 32) - 3;
             weights[k] = t->sinc[((at & 0xffffffff) + (1 << 21)) >> 22];
         }
@@ -190,23 +191,25 @@ void wave_sample(const struct snd_tables *t, const int16_t *x, uint32_t phase, u
 /* ---- low-pass filters ---- */
 
 /* Filters the group of samples that starts at x with a row of `low_pass`; -1: copies the group unchanged. */
-static void filter_group(const struct snd_tables *t, int row, const int16_t *x, int16_t out[GROUP])
+static void filter_group(const struct snd_tables *t, int row, const int16_t *x, int16_t out[GROUP_SIZE])
 {
     if (row < 0) {
-        memcpy(out, x, GROUP * sizeof *out);
+        memcpy(out, x, GROUP_SIZE * sizeof *out);
         return;
     }
     const int16_t *w = t->low_pass[row], *from = x - LOW_PASS_TAPS / 2;
-    weighted_sums((group){ from, from + 1, from + 2, from + 3 }, (group){ w, w, w, w }, LOW_PASS_TAPS, LOW_SHIFT, out);
+    weighted_sums((group){ from, from + 1, from + 2, from + 3 }, (group){ w, w, w, w }, LOW_PASS_TAPS, LOW_PASS_SHIFT,
+                  out);
 }
 
-void wave_low_pass(const struct snd_tables *t, const int16_t *x, int n, uint64_t step0, uint64_t step1, int16_t *out)
+void wave_filter_low_pass(const struct snd_tables *t, const int16_t *x, int n, uint64_t step0, uint64_t step1,
+                          int16_t *out)
 {
     const int row0 = snd_low_pass_row(step0), row1 = snd_low_pass_row(step1);
-    int16_t group0[GROUP], group1[GROUP];
+    int16_t group0[GROUP_SIZE], group1[GROUP_SIZE];
 
-    for (int i = 0; i < n; i += GROUP) {
-        const int count = n - i < GROUP ? n - i : GROUP;
+    for (int i = 0; i < n; i += GROUP_SIZE) {
+        const int count = n - i < GROUP_SIZE ? n - i : GROUP_SIZE;
         filter_group(t, row0, x + i, group0);
         if (row0 != row1)
             filter_group(t, row1, x + i, group1);
@@ -243,20 +246,22 @@ static uint32_t release_half_life(const struct env *e)
     return e->release > 16 ? e->release : 16;
 }
 
-int32_t wave_level(const struct env *e, int32_t age, int32_t off)
+int32_t wave_level(const struct env *e, int32_t age, int32_t release_age)
 {
     if (age < 0)
         return 0;
-    return age < off ? held_level(e, age) : decay_level(held_level(e, off), age - off, release_half_life(e));
+    return age < release_age ? held_level(e, age)
+                             : decay_level(held_level(e, release_age), age - release_age, release_half_life(e));
 }
 
 enum { HALVINGS = 15 /* halvings from full level to silence */ };
 
-bool wave_is_silent(const struct env *e, int32_t age, int32_t off)
+bool wave_is_silent(const struct env *e, int32_t age, int32_t release_age)
 {
     const uint32_t attack = e->attack;
 
-    if (off != NOTE_HELD && age > off && (uint32_t)(age - off) / HALVINGS > release_half_life(e))
+    if (release_age != AGE_NEVER && age > release_age &&
+        (uint32_t)(age - release_age) / HALVINGS > release_half_life(e))
         return true;
     if (age < 0 || (uint32_t)age < attack)
         return false;
@@ -265,14 +270,14 @@ bool wave_is_silent(const struct env *e, int32_t age, int32_t off)
            (e->decay && !e->sustain && since_attack / HALVINGS > e->decay);
 }
 
-bool wave_has_corner(const struct env *e, int32_t from, int32_t to, int32_t off)
+bool wave_has_corner(const struct env *e, int32_t from, int32_t to, int32_t release_age)
 {
     const int32_t attack = (int32_t)e->attack;
 
-    return (from < 0 && to > 0) || (from < attack && to > attack) || (from < off && to > off);
+    return (from < 0 && to > 0) || (from < attack && to > attack) || (from < release_age && to > release_age);
 }
 
-static void add_side(const int16_t wave[SND_BLOCK], int32_t g0, int32_t g1, int32_t mix[SND_BLOCK])
+static void add_channel(const int16_t wave[SND_BLOCK], int32_t g0, int32_t g1, int32_t mix[SND_BLOCK])
 {
     int16_t gain[SND_BLOCK];
 
@@ -282,15 +287,15 @@ static void add_side(const int16_t wave[SND_BLOCK], int32_t g0, int32_t g1, int3
         mix[k] += wave[k] * gain[k] >> 8;
 }
 
-void wave_add(const int16_t wave[SND_BLOCK], const int16_t level[SND_BLOCK], const struct wave_gains *from,
-              const struct wave_gains *to, int32_t left[SND_BLOCK], int32_t right[SND_BLOCK])
+void wave_add_to_mix(const int16_t wave[SND_BLOCK], const int16_t level[SND_BLOCK], const struct wave_gains *from,
+                     const struct wave_gains *to, int32_t left[SND_BLOCK], int32_t right[SND_BLOCK])
 {
     int16_t scaled[SND_BLOCK];
 
     for (int k = 0; k < SND_BLOCK; k++)
         scaled[k] = (int16_t)((wave[k] * level[k] + (1 << 14)) >> 15);
-    add_side(scaled, from->left, to->left, left);
-    add_side(scaled, from->right, to->right, right);
+    add_channel(scaled, from->left, to->left, left);
+    add_channel(scaled, from->right, to->right, right);
 }
 
 /* The curve is (2 - (3 - u)^3 / 27) / 2, where u is the excess over one half of full scale, in halves. It starts with

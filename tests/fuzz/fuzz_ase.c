@@ -42,7 +42,7 @@ static void make(const struct sheet *sheet, const struct art_sheet *asked, struc
     }
     look(&made);
     bool good = art_make_sprite(&made.picture, &made.sprite, 0, rgb, true, &lump, &size, NULL, err, sizeof err);
-    if (good ? size < CART_GFX_HEADER : err[0] == '\0')
+    if (good ? size < CART_GFX_HEADER_SIZE : err[0] == '\0')
         abort();
     free(lump);
     sheet_sprite_close(sheet, &made);

@@ -75,7 +75,7 @@ int LLVMFuzzerInitialize(int *argc, char ***argv)
     struct manifest m = rig_manifest();
 
     (void)argc, (void)argv;
-    m.bulletml = 128;
+    m.bulletml_runners = 128;
     rig_script(&game, &m,
                "bullet.def('dot', { sprite = 'dot', hit = { circle = 2 } })\n"
                "if #bullet.documents() == 1 then\n"

@@ -34,8 +34,8 @@ static void check(const struct demo *d, size_t file_size)
          memchr(d->id, 0, sizeof d->id) != NULL);
     must(d->frames <= (d->sparse ? 3 : 1) * file_size && d->n_rows <= file_size);
     must(d->checksum_parts != 0 && (d->checksum_frames == d->frames || d->checksum_frames + 1 == d->frames));
-    must(!d->complete || d->fault || d->n_rows == 1 + (d->frames + DEMO_SECOND - 1) / DEMO_SECOND);
-    must(d->start.practice.register_count >= 0 && d->start.practice.register_count <= PRACTICE_REGISTERS);
+    must(!d->complete || d->fault || d->n_rows == 1 + (d->frames + DEMO_SECOND_FRAMES - 1) / DEMO_SECOND_FRAMES);
+    must(d->start.practice.register_count >= 0 && d->start.practice.register_count <= PRACTICE_MAX_REGISTERS);
     for (int i = 0; i < d->start.practice.register_count; i++)
         must(memchr(d->start.practice.reg[i].name, 0, sizeof d->start.practice.reg[i].name) != NULL);
     must(!d->sparse || d->format > 4);

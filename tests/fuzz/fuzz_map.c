@@ -37,7 +37,7 @@ static void make(const struct map_cells *c)
             abort();
     }
     bool good = map_make(c, "m.tmx", c->side ? c->side : 8, picture, 3, rgb, true, &lump, &size, err, sizeof err);
-    if (good ? size < CART_MAP_HEADER : err[0] == '\0')
+    if (good ? size < CART_MAP_HEADER_SIZE : err[0] == '\0')
         abort();
     if (good)
         free(lump);

@@ -22,13 +22,13 @@ static void need(bool good)
 
 static void edit(uint8_t *image, const uint8_t *data, size_t size)
 {
-    memset(image, 0, NV_OLD_BYTES);
+    memset(image, 0, NV_OLD_IMAGE_SIZE);
     memcpy(image, "NV01", 4);
     for (size_t at = 0; size - at >= 3;) {
-        size_t to = bytes_get16(data + at) % NV_OLD_BYTES, n = data[at + 2] % 64u;
+        size_t to = bytes_get16(data + at) % NV_OLD_IMAGE_SIZE, n = data[at + 2] % 64u;
         at += 3;
         n = n < size - at ? n : size - at;
-        n = n < NV_OLD_BYTES - to ? n : NV_OLD_BYTES - to;
+        n = n < NV_OLD_IMAGE_SIZE - to ? n : NV_OLD_IMAGE_SIZE - to;
         if (n)
             memcpy(image + to, data + at, n);
         at += n;
@@ -114,7 +114,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    static uint8_t image[NV_OLD_BYTES];
+    static uint8_t image[NV_OLD_IMAGE_SIZE];
     uint32_t room = size ? 1024u * (1 + data[0] / 2 % 32) : 0;
     struct nvram nv = { .bytes = malloc(room + 1), .s = { .cap = room } };
     bool whole = size && data[0] % 2;
@@ -129,13 +129,13 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     if (!whole)
         edit(image, copy, size - 1);
     const uint8_t *from = whole ? copy : image;
-    size_t n = whole ? size - 1 : NV_OLD_BYTES;
-    bool good = nvram_is_valid(from, n), old = n == NV_OLD_BYTES && !memcmp(from, "NV01", 4);
+    size_t n = whole ? size - 1 : NV_OLD_IMAGE_SIZE;
+    bool good = nvram_is_valid(from, n), old = n == NV_OLD_IMAGE_SIZE && !memcmp(from, "NV01", 4);
     nvram_load(&nv, from, n);
     need(nvram_is_valid(nv.bytes, nv.s.live) && nv.s.live <= room && nv.s.live >= 4 && (good || nv.s.live == 4));
     if (good && !old)
         need(memcmp(nv.bytes, from, nv.s.live) == 0 && (n > room || nv.s.live == n));
-    if (good && old && room == NV_OLD_BYTES)
+    if (good && old && room == NV_OLD_IMAGE_SIZE)
         compare_old(&nv, from);
     if (good)
         use(&nv);

@@ -22,7 +22,7 @@ static bool dress(const uint8_t *data, size_t size, uint8_t **out, size_t *out_s
     struct cart cart = { .rom = &rom };
     char err[256] = "";
 
-    manifest_default(&cart.manifest);
+    manifest_set_defaults(&cart.manifest);
     *out = malloc(size + (size == 0)); /* of exactly this size */
     *out_size = size;
     need(*out != NULL);

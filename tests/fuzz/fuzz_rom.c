@@ -58,7 +58,7 @@ static bool plain(uint8_t **bytes, size_t *size, bool repair, char *err, size_t 
     uint8_t *out = n > 0 ? malloc(n) : NULL;
     bool good = out && (n <= MOST || !repair) && compressed_unpack(*bytes, *size, out, err, err_size);
     if (out && !good && repair && n <= MOST)
-        good = lzma_read(*bytes + COMPRESSED_HEADER, *size - COMPRESSED_HEADER, out, n);
+        good = lzma_read(*bytes + COMPRESSED_HEADER_SIZE, *size - COMPRESSED_HEADER_SIZE, out, n);
     free(good ? *bytes : out);
     if (!good)
         return false;
@@ -97,11 +97,11 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     if (n > 0)
         memcpy(copy, data + 1, n);
     there_and_back(copy, n);
-    if (compressed_detect(copy, n) && !plain(&copy, &n, data[0] % 2 == 0, err, sizeof err)) {
+    if (compressed_has_magic(copy, n) && !plain(&copy, &n, data[0] % 2 == 0, err, sizeof err)) {
         free(copy);
         return 0;
     }
-    if (n >= ROM_HEADER && data[0] % 2 == 0)
+    if (n >= ROM_HEADER_SIZE && data[0] % 2 == 0)
         repair_rom(copy, n);
     if (rom_open(&rom, copy, n, err, sizeof err)) {
         read_rom(&rom);

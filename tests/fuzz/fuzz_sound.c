@@ -29,10 +29,10 @@ static void play(const uint8_t *bytes)
         struct track_cursor c = tune_track_start(&t, k);
         for (int f = 0; f < 20; f++) {
             struct tune_run run = { &t, k, c, t.tempo, 0, SND_FRAME, 0 };
-            struct tune_played e;
+            struct tune_played_event e;
             while (tune_next_event(&run, &e))
                 need(e.event < TUNE_EVENTS && e.sample >= 0 && e.sample < SND_FRAME);
-            c = run.at;
+            c = run.cursor;
         }
     }
 }

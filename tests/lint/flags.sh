@@ -9,7 +9,7 @@ cat >"$scratch/main.c" <<'EOL'
 #include "src/base/ieee.h"
 int main(void)
 {
-    const char *wrong = ieee_fault();
+    const char *wrong = ieee_find_fault();
     if (wrong)
         puts(wrong);
     return wrong ? 3 : 0;

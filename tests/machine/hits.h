@@ -37,7 +37,7 @@ static inline void open_pools(struct rig *r, struct rig_game *game, int bullets,
     m.bullets = bullets;
     m.shots = shots;
     m.enemies = enemies;
-    m.hp = hp;
+    m.has_hp = hp;
     rig_script(game, &m, "");
     rig_power(r, game, NULL);
 }
@@ -300,7 +300,7 @@ static inline void hit_now(struct board *b)
     b->events.n = 0;
     hit_get_queries(b, query);
     for (uint32_t k = 0; k < b->bullets.s.top / SLOTS_BLOCK * MAX_PLAYERS; k++)
-        b->bullets.near[k] = query[k % MAX_PLAYERS].reach < 0 ? 0 : b->bullets.s.used[k / MAX_PLAYERS];
+        b->bullets.near_player[k] = query[k % MAX_PLAYERS].reach < 0 ? 0 : b->bullets.s.live_bits[k / MAX_PLAYERS];
     b->bullets.holds_all = true;
     hit_run(b);
 }
@@ -321,7 +321,7 @@ static inline void player_reference(const struct board *b, uint32_t p)
     uint16_t kind = b->player.kind[p], k;
 
     for (uint32_t i = 0; i < b->bullets.s.cap; i++) {
-        if (i >= b->bullets.s.top || !(b->bullets.s.used[i / 64] >> (i & 63) & 1))
+        if (i >= b->bullets.s.top || !(b->bullets.s.live_bits[i / 64] >> (i & 63) & 1))
             continue;
         k = b->bullets.kind[i];
         if (b->bullet_kinds.shape[k] == SHAPE_NONE)
@@ -343,13 +343,14 @@ static inline void player_reference(const struct board *b, uint32_t p)
             seen.bullet_misses++;
     }
     for (uint32_t e = 0; e < b->enemies.s.top; e++) {
-        if (!(b->enemies.s.used[e / 64] >> (e & 63) & 1) || !(b->enemy_kinds.flags[b->enemies.kind[e]] & ENEMY_TOUCH))
+        if (!(b->enemies.s.live_bits[e / 64] >> (e & 63) & 1) ||
+            !(b->enemy_kinds.flags[b->enemies.kind[e]] & ENEMY_TOUCH))
             continue;
         k = b->enemies.kind[e];
         if (meets(foe(b, e), pilot(b, p, b->player_kinds.radius[kind]), b->enemy_kinds.flags[k] & ENEMY_SWEPT)) {
             expect(b, EV_HIT, H_PLAYER, p, H_ENEMY, e);
             seen.touches++;
-            seen.long_touches += b->enemy_kinds.shape[k] > SHAPE_MAX_PLAIN;
+            seen.long_touches += b->enemy_kinds.shape[k] > SHAPE_MAX_SIMPLE;
         } else
             seen.touch_misses++;
     }
@@ -402,7 +403,7 @@ static inline void pool_reference(const struct board *b, const struct bullets *p
             apart = square((wide)pool->x[i] - pool->vx[i] - b->enemies.prev_x[e]) +
                     square((wide)pool->y[i] - pool->vy[i] - b->enemies.prev_y[e]);
             if ((best >= 0 && apart > best) || b->enemies.flags[e] & ENEMY_DYING ||
-                (event == EV_BLOCK && !(b->enemy_kinds.flags[b->enemies.kind[e]] & ENEMY_BLOCKS)))
+                (event == EV_BLOCK && !(b->enemy_kinds.flags[b->enemies.kind[e]] & ENEMY_BLOCKS_BULLETS)))
                 continue;
             if (!meets(shot, f, kinds->flags[pool->kind[i]] & KIND_SWEPT)) {
                 seen.shot_misses++;
@@ -423,7 +424,7 @@ static inline void pool_reference(const struct board *b, const struct bullets *p
             *(event == EV_BLOCK ? &seen.blocks : &seen.shots) += 1;
             seen.capsule_shots += kinds->shape[pool->kind[i]] == SHAPE_CAPSULE;
             seen.circles_shots += kinds->shape[pool->kind[i]] == SHAPE_CIRCLES;
-            seen.long_foes += b->enemy_kinds.shape[b->enemies.kind[found]] > SHAPE_MAX_PLAIN;
+            seen.long_foes += b->enemy_kinds.shape[b->enemies.kind[found]] > SHAPE_MAX_SIMPLE;
         }
     }
 }

@@ -21,8 +21,8 @@ static uint64_t now = 1000000;
 static bool text; /* is wanted */
 static char dropped[256];
 
-static struct plat_controller plugged[PLAT_CONTROLLERS];
-static bool there[PLAT_CONTROLLERS], plugs; /* plugs: the script says what is there */
+static struct plat_controller plugged[PLAT_MAX_CONTROLLERS];
+static bool there[PLAT_MAX_CONTROLLERS], plugs; /* plugs: the script says what is there */
 
 static void plug(const char *word)
 {
@@ -36,7 +36,7 @@ static void plug(const char *word)
     static uint32_t id;
     unsigned which = 0, kind = 0;
 
-    if (sscanf(word + 1, "%u:%u", &which, &kind) < 1 || which < 1 || which > PLAT_CONTROLLERS ||
+    if (sscanf(word + 1, "%u:%u", &which, &kind) < 1 || which < 1 || which > PLAT_MAX_CONTROLLERS ||
         kind >= PLAT_CONTROLLER_KINDS)
         return;
     struct plat_controller *c = &plugged[which - 1];
@@ -46,7 +46,7 @@ static void plug(const char *word)
     snprintf(c->name, sizeof c->name, "%s", names[kind]);
 }
 
-bool plat_controller(int i, struct plat_controller *controller)
+bool plat_get_controller(int i, struct plat_controller *controller)
 {
     *controller = plugged[i];
     controller->id += plugs ? 0 : (uint32_t)i;
@@ -96,7 +96,7 @@ void plat_poll(struct plat_input *in)
             snprintf(dropped, sizeof dropped, "%s", word + 1);
         } else if (word[0] == 'c') {
             unsigned which = 1, bits = 0;
-            if (sscanf(word, "c%u:%x", &which, &bits) == 2 && which >= 1 && which <= PLAT_CONTROLLERS)
+            if (sscanf(word, "c%u:%x", &which, &bits) == 2 && which >= 1 && which <= PLAT_MAX_CONTROLLERS)
                 in->controllers[which - 1] = bits;
         } else if (word[0] == 'f') {
             in->has_focus = false;
@@ -143,15 +143,15 @@ void plat_show(const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[2
 {
     static uint32_t colour[1024 * 1024];
 
-    plat_rgb(colour, w, pix, pitch, w, h, rgb);
+    plat_convert_to_rgb(colour, w, pix, pitch, w, h, rgb);
     shown(colour, w, h, getenv("KEYS_WHOLE") ? w * h : w * (h - 26));
 }
 
-bool plat_window(struct plat_window *out)
+bool plat_get_window(struct plat_window *out)
 {
     const char *size = getenv("KEYS_WINDOW"), *vsync = getenv("KEYS_VSYNC");
 
-    *out = (struct plat_window){ .refresh = vsync ? atoi(vsync) * 1000 : 0, .vsync = vsync };
+    *out = (struct plat_window){ .refresh_rate = vsync ? atoi(vsync) * 1000 : 0, .vsync = vsync };
     return size && sscanf(size, "%dx%d", &out->w, &out->h) == 2;
 }
 

@@ -42,7 +42,7 @@ static SDL_Joystick *plug(int *device)
 static void known(const char *what, int i, bool there, enum plat_controller_kind kind, const char *name)
 {
     struct plat_controller c;
-    bool is = plat_controller(i, &c);
+    bool is = plat_get_controller(i, &c);
 
     check(what, is, there);
     check(what, c.kind, kind);
@@ -68,7 +68,7 @@ static void is_of_kind(Uint16 vendor, Uint16 product, enum plat_controller_kind 
     known("one of a kind", 0, true, kind, "one of a kind");
     SDL_JoystickDetachVirtual(device);
     polled("and away", 0, 0);
-    known("and away", 0, false, PLAT_UNKNOWN, "");
+    known("and away", 0, false, PLAT_UNKNOWN_CONTROLLER, "");
 }
 
 static void kinds(void)
@@ -79,7 +79,7 @@ static void kinds(void)
     is_of_kind(0x054c, 0x09cc, PLAT_PS4);
     is_of_kind(0x054c, 0x0ce6, PLAT_PS5);
     is_of_kind(0x057e, 0x2009, PLAT_NINTENDO);
-    is_of_kind(0x1111, 0x2222, PLAT_UNKNOWN);
+    is_of_kind(0x1111, 0x2222, PLAT_UNKNOWN_CONTROLLER);
 }
 #else
 static void kinds(void)
@@ -90,30 +90,30 @@ static void kinds(void)
 /* All numbers are used, one more stays out, and a number is given again under another id. */
 static void four(void)
 {
-    SDL_Joystick *one[PLAT_CONTROLLERS + 1];
+    SDL_Joystick *one[PLAT_MAX_CONTROLLERS + 1];
     struct plat_controller was, is;
-    int device[PLAT_CONTROLLERS + 1];
+    int device[PLAT_MAX_CONTROLLERS + 1];
 
-    for (int i = 0; i <= PLAT_CONTROLLERS; i++)
+    for (int i = 0; i <= PLAT_MAX_CONTROLLERS; i++)
         one[i] = plug(&device[i]);
     polled("four, and one more", 0, 0);
-    for (int i = 0; i < PLAT_CONTROLLERS; i++)
-        check("each is there", plat_controller(i, &is), true);
-    check("and no more", plat_controller(PLAT_CONTROLLERS, &is), false);
-    check("nor before the first", plat_controller(-1, &is), false);
-    plat_controller(2, &was);
+    for (int i = 0; i < PLAT_MAX_CONTROLLERS; i++)
+        check("each is there", plat_get_controller(i, &is), true);
+    check("and no more", plat_get_controller(PLAT_MAX_CONTROLLERS, &is), false);
+    check("nor before the first", plat_get_controller(-1, &is), false);
+    plat_get_controller(2, &was);
     SDL_JoystickDetachVirtual(device[2]);
     polled("the third is pulled out", 0, 0);
-    check("the one more has its place", plat_controller(2, &is), true);
+    check("the one more has its place", plat_get_controller(2, &is), true);
     check("and is not the same", is.id != was.id, true);
-    SDL_JoystickSetVirtualButton(one[PLAT_CONTROLLERS], SDL_CONTROLLER_BUTTON_A, 1);
+    SDL_JoystickSetVirtualButton(one[PLAT_MAX_CONTROLLERS], SDL_CONTROLLER_BUTTON_A, 1);
     struct plat_input in;
     SDL_JoystickUpdate();
     plat_poll(&in);
     check("and its switches", in.controllers[2], 1u << PLAT_SOUTH);
-    SDL_JoystickSetVirtualButton(one[PLAT_CONTROLLERS], SDL_CONTROLLER_BUTTON_A, 0);
+    SDL_JoystickSetVirtualButton(one[PLAT_MAX_CONTROLLERS], SDL_CONTROLLER_BUTTON_A, 0);
     polled("let go", 0, 0);
-    for (int i = 0; i <= PLAT_CONTROLLERS; i++)
+    for (int i = 0; i <= PLAT_MAX_CONTROLLERS; i++)
         SDL_JoystickClose(one[i]);
     while (SDL_NumJoysticks() > 0)
         SDL_JoystickDetachVirtual(0);
@@ -130,7 +130,7 @@ int main(int argc, char **argv)
     if (!plat_open(&want))
         return 3;
     polled("nothing plugged in", 0, 0);
-    known("nothing plugged in", 0, false, PLAT_UNKNOWN, "");
+    known("nothing plugged in", 0, false, PLAT_UNKNOWN_CONTROLLER, "");
     kinds();
     four();
     SDL_Joystick *one = plug(&a);
@@ -148,7 +148,7 @@ int main(int argc, char **argv)
     polled("is seen once", 0, 0);
     SDL_JoystickSetVirtualAxis(one, SDL_CONTROLLER_AXIS_LEFTX, -30000);
     SDL_JoystickSetVirtualAxis(one, SDL_CONTROLLER_AXIS_LEFTY, 30000);
-    polled("stick", 1u << PLAT_LEFT_LEFT | 1u << PLAT_LEFT_DOWN, 0);
+    polled("stick", 1u << PLAT_LEFT_STICK_LEFT | 1u << PLAT_LEFT_STICK_DOWN, 0);
     SDL_JoystickSetVirtualAxis(one, SDL_CONTROLLER_AXIS_LEFTX, 9000);
     SDL_JoystickSetVirtualAxis(one, SDL_CONTROLLER_AXIS_LEFTY, 0);
     SDL_JoystickSetVirtualAxis(one, SDL_CONTROLLER_AXIS_TRIGGERRIGHT, 32767);

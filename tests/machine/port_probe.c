@@ -49,9 +49,9 @@ static void report(const struct plat_input *in)
     char label[32];
 
     for (unsigned u = 0; u < PLAT_KEYS; u++)
-        if (plat_key_held(in, u) != plat_key_held(&was, u)) {
-            printf("key %u %s\n", u, plat_key_held(in, u) ? "down" : "up");
-            if (plat_key_held(in, u) && plat_key_label(u, label, sizeof label))
+        if (plat_is_key_held(in, u) != plat_is_key_held(&was, u)) {
+            printf("key %u %s\n", u, plat_is_key_held(in, u) ? "down" : "up");
+            if (plat_is_key_held(in, u) && plat_key_label(u, label, sizeof label))
                 printf("label %s\n", label);
         }
     if (in->text[0])
@@ -71,15 +71,15 @@ static int show(struct plat_config *want)
     bool held = false;
     if (!plat_open(want))
         return 1;
-    printf("sound %d\n", plat_sound(silence, 800) < 0 ? 0 : 1);
-    for (uint64_t due = plat_usec(); !in.quit && !plat_key_held(&in, KEY_ESCAPE); due += 16667) {
+    printf("sound %d\n", plat_queue_sound(silence, 800) < 0 ? 0 : 1);
+    for (uint64_t due = plat_usec(); !in.quit && !plat_is_key_held(&in, KEY_ESCAPE); due += 16667) {
         plat_poll(&in);
         report(&in);
-        if (plat_key_held(&in, KEY_F) && !held) {
+        if (plat_is_key_held(&in, KEY_F) && !held) {
             want->fullscreen = !want->fullscreen;
             plat_open(want);
         }
-        held = plat_key_held(&in, KEY_F);
+        held = plat_is_key_held(&in, KEY_F);
         plat_show(pix, SIDE, want->w, want->h, rgb);
         plat_wait(due);
     }

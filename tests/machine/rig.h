@@ -68,13 +68,13 @@ static inline void rig_sprite(uint8_t *out, int side, int frames, int every, int
 {
     const int fields[] = { side, side, side, side / 2, side / 2, frames, every, rotations, bank };
 
-    memset(out, 0, CART_GFX_HEADER);
+    memset(out, 0, CART_GFX_HEADER_SIZE);
     for (int i = 0; i < 9; i++) {
         out[2 * i] = (uint8_t)fields[i];
         out[2 * i + 1] = (uint8_t)(fields[i] >> 8);
     }
     for (int i = 0; i < frames * rotations * side * side; i++)
-        out[CART_GFX_HEADER + i] = (uint8_t)((i * 7 + i / side) % 5 ? bank * 16 + 1 + i % 15 : 0);
+        out[CART_GFX_HEADER_SIZE + i] = (uint8_t)((i * 7 + i / side) % 5 ? bank * 16 + 1 + i % 15 : 0);
 }
 
 static inline int rig_by_name(const void *a, const void *b)
@@ -101,7 +101,7 @@ static inline struct manifest rig_manifest(void)
 {
     struct manifest m;
 
-    manifest_default(&m);
+    manifest_set_defaults(&m);
     snprintf(m.id, sizeof m.id, "rig");
     m.bullets = 256;
     m.shots = 64;
@@ -119,14 +119,15 @@ static inline struct manifest rig_manifest(void)
 static inline void rig_scripts(struct rig_game *g, const struct manifest *m, const struct rig_script *s, int n)
 {
     static uint8_t manifest[MANIFEST_BYTES], palette[CART_PALETTE_SIZE], font[96 * CART_GLYPH_SIZE];
-    static uint8_t dot[CART_GFX_HEADER + 64], arrow[CART_GFX_HEADER + 16 * 256], wink[CART_GFX_HEADER + 4 * 64];
+    static uint8_t dot[CART_GFX_HEADER_SIZE + 64], arrow[CART_GFX_HEADER_SIZE + 16 * 256],
+        wink[CART_GFX_HEADER_SIZE + 4 * 64];
     struct manifest own = m ? *m : rig_manifest();
     char names[RIG_LUMPS][80];
     struct lump lumps[RIG_LUMPS];
     int k = 0;
 
     /* "tiny": A, 3 x 4 px, and U+5F3E, 5 x 5 */
-    static const uint8_t tiny[FACE_HEADER + 2 * FACE_GLYPH_SIZE + 32 + 40] = {
+    static const uint8_t tiny[FACE_HEADER_SIZE + 2 * FACE_GLYPH_SIZE + 32 + 40] = {
         6, 0, 0,  0, 2, 0, 0, 0, 'A', 0,    0, 0, 40, 0, 0,  0, 3,  4, 0, 1, 4, 0, 0, 0, 0x3e, 0x5f,
         0, 0, 72, 0, 0, 0, 5, 5, 1,   0xff, 7, 0, 0,  0, 15, 0, 15, 0, 0, 0, 0, 0, 3, 3, 3,    [81] = 3,
     };
@@ -215,7 +216,8 @@ static inline void rig_blends(struct rig_game *g)
 static inline void rig_maps(struct rig_game *g)
 {
     enum { TILES = 4 };
-    static uint8_t sea[CART_MAP_HEADER + 2 * 6 + TILES * (1 + 64)], reef[CART_MAP_HEADER + 2 * 20 + TILES * (1 + 256)];
+    static uint8_t sea[CART_MAP_HEADER_SIZE + 2 * 6 + TILES * (1 + 64)],
+        reef[CART_MAP_HEADER_SIZE + 2 * 20 + TILES * (1 + 256)];
     struct {
         uint8_t *at;
         int cols, rows, side, bank;
@@ -225,7 +227,7 @@ static inline void rig_maps(struct rig_game *g)
     int n = (int)had.image.rom.count;
 
     for (int k = 0; k < 2; k++) {
-        uint8_t *p = maps[k].at, *solid = p + CART_MAP_HEADER + 2 * maps[k].cols * maps[k].rows;
+        uint8_t *p = maps[k].at, *solid = p + CART_MAP_HEADER_SIZE + 2 * maps[k].cols * maps[k].rows;
         const int tile = maps[k].side * maps[k].side, cells = maps[k].cols * maps[k].rows;
         bytes_put16(p, (uint16_t)maps[k].cols);
         bytes_put16(p + 2, (uint16_t)maps[k].rows);
@@ -234,7 +236,7 @@ static inline void rig_maps(struct rig_game *g)
         bytes_put16(p + 8, (uint16_t)maps[k].bank);
         bytes_put16(p + 10, k == 0);
         for (int i = 0; i < cells; i++)
-            bytes_put16(p + CART_MAP_HEADER + 2 * i, (uint16_t)(k == 0 ? 1 + i % 3 : i * 7 % TILES));
+            bytes_put16(p + CART_MAP_HEADER_SIZE + 2 * i, (uint16_t)(k == 0 ? 1 + i % 3 : i * 7 % TILES));
         for (int t = 1; t < TILES; t++) {
             solid[t] = k == 0 || t == 2;
             for (int i = 0; i < tile; i++)
@@ -516,12 +518,12 @@ static inline uint64_t rig_picture(struct rig *r)
 }
 
 /* One of RIG_VIEWS, 0 the plain one. shades: for a ROM that has none. */
-enum { RIG_VIEWS = VIEW_DIMS * VIEW_COLOURS * 2 };
+enum { RIG_VIEWS = VIEW_DIMS * COLOUR_BLIND_MODES * 2 };
 static inline struct view rig_view(int i, const uint8_t *shades)
 {
     return (struct view){ .dim = (enum view_dim)(i % VIEW_DIMS),
-                          .colours = (enum colour_blind_mode)(i / VIEW_DIMS % VIEW_COLOURS),
-                          .softens_flashes = i / VIEW_DIMS / VIEW_COLOURS,
+                          .colour_blind_mode = (enum colour_blind_mode)(i / VIEW_DIMS % COLOUR_BLIND_MODES),
+                          .softens_flashes = i / VIEW_DIMS / COLOUR_BLIND_MODES,
                           .shades = shades };
 }
 
@@ -532,7 +534,7 @@ static inline const char *rig_differs(const struct rig *a, const struct rig *b)
 
     board_hashes(a->b, ha);
     board_hashes(b->b, hb);
-    for (int i = 0; i < board_parts(a->b); i++)
+    for (int i = 0; i < board_part_count(a->b); i++)
         if (ha[i] != hb[i])
             return board_part_name(a->b, i);
     return NULL;

@@ -394,7 +394,7 @@ static void push_steps(lua_State *L, int depth);
 static void push_value(lua_State *L, const struct api_param *p)
 {
     static const char *const
-        buttons[] = PAD_NAMES,
+        buttons[] = PAD_BUTTON_NAMES,
         *const eases[] = { "linear", "in", "out", "both" }, *const layers[] = { "back", "middle", "front" },
         *const aligns[] = { "left", "center", "right" }, *const bullets[] = { "dot", "slab", "air" },
         *const foes[] = { "foe", "brief" }, *const sprites[] = { "dot", "arrow", "wink" },
@@ -473,7 +473,7 @@ static void push_value(lua_State *L, const struct api_param *p)
         else if (!strcmp(p->name, "to"))
             lua_pushstring(L, one_in(2) ? "main" : "other");
         else
-            push_thing(L, PLACE_KINDS);
+            push_thing(L, POSITION_HANDLE_KINDS);
         break;
     case A_ROUTE:
         push_string_field(L, "route");
@@ -481,7 +481,7 @@ static void push_value(lua_State *L, const struct api_param *p)
     case A_THING:
         push_thing(L, (unsigned)p->lo);
         break;
-    case A_HIT:
+    case A_HIT_SHAPE:
         push_hit(L, entry && !strcmp(entry->name, "laser.def"));
         break;
     case A_MOTION:
@@ -518,9 +518,9 @@ static void push_value(lua_State *L, const struct api_param *p)
         lua_pushliteral(L, "tiny");
         break;
     case A_BUTTON:
-        push_from(L, buttons, PAD_BUTTONS);
+        push_from(L, buttons, PAD_BUTTON_COUNT);
         break;
-    case A_PAD:
+    case A_PLAYER:
         if (one_in(2))
             lua_pushinteger(L, 1 + (lua_Integer)below(2));
         else
@@ -551,7 +551,7 @@ static void push_value(lua_State *L, const struct api_param *p)
     case A_HOST_SCREEN:
         push_from(L, asks, HOST_SCREENS);
         break;
-    case A_DOWN:
+    case A_BARS_DOWN:
         push_from(L, downs, 2);
         break;
     case A_MAP:
@@ -606,8 +606,8 @@ static void push_place(lua_State *L)
 static const struct api_entry *entry_named(const char *name)
 {
     for (int i = 0; i < api_count_entries(&api_table); i++)
-        if (!strcmp(api_entry(&api_table, i)->name, name))
-            return api_entry(&api_table, i);
+        if (!strcmp(api_get_entry(&api_table, i)->name, name))
+            return api_get_entry(&api_table, i);
     return NULL;
 }
 
@@ -785,7 +785,7 @@ static int push_arguments(lua_State *L, const struct api_entry *e)
     if (e->flags & API_VARARGS)
         for (uint64_t k = below(4); k--; n++)
             push_any(L, 0);
-    if (e->count == e->positional_count && !(e->flags & API_FIRE))
+    if (e->count == e->positional_count && !(e->flags & API_PATTERN))
         return n;
     if (one_in(20)) {
         push_any(L, 0);
@@ -793,10 +793,10 @@ static int push_arguments(lua_State *L, const struct api_entry *e)
     }
     lua_newtable(L);
     const char *of = one_in(3) ? "shot" : "bullet";
-    for (int i = 0; e->flags & API_FIRE && i < api_count_entries(&api_table); i++)
-        if (!strncmp(api_entry(&api_table, i)->name, of, strlen(of)) &&
-            !strcmp(strchr(api_entry(&api_table, i)->name, 0) - 5, ".fire"))
-            fire = api_entry(&api_table, i);
+    for (int i = 0; e->flags & API_PATTERN && i < api_count_entries(&api_table); i++)
+        if (!strncmp(api_get_entry(&api_table, i)->name, of, strlen(of)) &&
+            !strcmp(strchr(api_get_entry(&api_table, i)->name, 0) - 5, ".fire"))
+            fire = api_get_entry(&api_table, i);
     bool place = one_in(2);
     uint64_t shape = below(4);
     for (int i = e->positional_count; i < e->count + (fire ? fire->count : 0); i++) {
@@ -807,7 +807,7 @@ static int push_arguments(lua_State *L, const struct api_entry *e)
             lua_setfield(L, -2, p->name);
         }
     }
-    if (e->flags & (API_FIRE | API_VALUES) && one_in(6)) {
+    if (e->flags & (API_PATTERN | API_TAKES_VALUES) && one_in(6)) {
         static const struct api_param heat = { "heat", A_FX, OPT, -32768, 32767, NULL, NULL, NULL };
         push_value(L, &heat);
         lua_setfield(L, -2, one_in(6) ? "mood" : one_in(2) ? "heat" : "goal");
@@ -940,17 +940,17 @@ static void test_entries(void **state)
     prop = NULL;
     for (int i = 0; i < api_count_entries(&api_table); i++) {
         struct tally t = { 0 };
-        entry = api_entry(&api_table, i);
+        entry = api_get_entry(&api_table, i);
         if (strchr(entry->name, ' ')) /* a part of another's arguments */
             continue;
-        int n = trials(entry->flags & API_FIRE ? 3000
-                       : entry->count > 18     ? 9000
-                       : entry->count > 16     ? 1500
-                       : entry->count > 8      ? 600
-                       : entry->count > 4      ? 260
-                                               : 240);
+        int n = trials(entry->flags & API_PATTERN ? 3000
+                       : entry->count > 18        ? 9000
+                       : entry->count > 16        ? 1500
+                       : entry->count > 8         ? 600
+                       : entry->count > 4         ? 260
+                                                  : 240);
         for (int k = 0; k < n; k++)
-            try_once(entry->name, entry->flags & API_LOAD, &t);
+            try_once(entry->name, entry->flags & API_LOAD_ONLY, &t);
         bool never = !strcmp(entry->name, "sys.fail") || !strcmp(entry->name, "boss.fight") || /* too long */
                      !strcmp(entry->name, "sys.text_back"); /* takes what sys.keep_text returned alone */
         if (!t.good && !never)
@@ -1109,7 +1109,7 @@ static void test_made_when_read(void **state)
 
     (void)state;
     for (int i = 0; i < api_count_entries(&api_table); i++)
-        members += !strncmp(api_entry(&api_table, i)->name, "query.", 6);
+        members += !strncmp(api_get_entry(&api_table, i)->name, "query.", 6);
     assert_true(members >= 3);
     snprintf(text, sizeof text,
              "local near, n = query.near, 0\n"
@@ -1173,7 +1173,7 @@ static int setup(void **state)
     struct manifest m = rig_manifest();
 
     m.bullet_values = m.shot_values = m.enemy_values = 4;
-    m.has_orbit = m.wide = 1;
+    m.has_orbit = m.has_wide_text = 1;
     m.lines = 16;
 
     (void)state;
@@ -1182,12 +1182,12 @@ static int setup(void **state)
     m.dips[0].is_number = true;
     m.dips[0].hi = 9;
     m.lua_kib = 512;
-    m.has_freeze = m.bullets_can_meet = m.bg = m.bodies = m.pierce = m.sound = 1;
+    m.has_freeze = m.bullets_can_meet = m.has_backgrounds = m.has_bodies = m.has_pierce = m.has_sound = 1;
     m.items = 40;
     m.lasers = 12;
     m.curve_points = 512;
     m.options = 12;
-    m.bulletml = 24;
+    m.bulletml_runners = 24;
     snprintf(script, sizeof script, "%s%s%s", rays, world, things);
     rig_with_sys(&g, &m, script); /* the fuzz calls sys too */
     rig_blends(&g);

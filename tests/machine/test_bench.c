@@ -168,7 +168,7 @@ static void paint_bullets(const struct board *b, uint8_t *out, int w, int h)
             if (s->w != size)
                 continue;
             for (uint32_t i = 0; i < b->bullets.s.top; i++)
-                if (b->bullets.s.used[i / 64] >> (i & 63) & 1 && b->bullets.kind[i] == k)
+                if (b->bullets.s.live_bits[i / 64] >> (i & 63) & 1 && b->bullets.kind[i] == k)
                     paint(out, w, h, s, (b->bullets.x[i] >> 16) - s->ox, (b->bullets.y[i] >> 16) - s->oy,
                           b->bullets.bank[i]);
         }

@@ -51,12 +51,12 @@ static uint8_t put_over(const struct board *b, uint32_t i, uint8_t under, uint8_
         return under;
     over = to ? to[over] : over;
     over = shade && b->bg.flags[i] & BG_FRONT ? shade[over] : over;
-    return blend ? b->cart.main_look.blend[blend - 1][under * 256 + over] : over;
+    return blend ? b->cart.main_tables.blend[blend - 1][under * 256 + over] : over;
 }
 
 static const uint8_t *black(const struct board *b)
 {
-    return bg_darkness(&b->bg) ? b->bg_shades.table + BG_BLACK_TABLES + 256 * (bg_darkness(&b->bg) - 1) : NULL;
+    return bg_darkness(&b->bg) ? b->bg_shades.table + BG_BLACK_OFFSET + 256 * (bg_darkness(&b->bg) - 1) : NULL;
 }
 
 static uint8_t layer_pixel(const struct board *b, uint32_t i, int x, int y, uint8_t under)
@@ -102,7 +102,7 @@ static uint8_t plane_pixel(const struct board *b, int x, int y, uint8_t under)
         int64_t k = s * w * BG_SHADES / g->fog_end[BG_PLANE];
         k = k > BG_SHADES ? BG_SHADES : k;
         for (int i = 0; i < 256; i++) {
-            uint8_t fogged = k ? b->bg_shades.table[BG_FOG_TABLES + (k - 1) * 256 + i] : (uint8_t)i;
+            uint8_t fogged = k ? b->bg_shades.table[BG_FOG_OFFSET + (k - 1) * 256 + i] : (uint8_t)i;
             both[i] = to ? to[fogged] : fogged;
         }
         to = both;
@@ -163,7 +163,7 @@ static void power(struct rig_game *g, struct rig *r, const char *text)
 {
     struct manifest m = rig_manifest();
 
-    m.bg = 1;
+    m.has_backgrounds = 1;
     m.screen_w = 96;
     m.screen_h = 70;
     m.field_x = 9;
@@ -191,7 +191,7 @@ static void random_layer(struct board *b, uint32_t i)
     g->bank[i] = (uint8_t)(within(0, 1) ? 0 : within(0, 15));
     g->x[i] = within(0, 1) ? within(-99 * 65536, 99 * 65536) : any_of(places, 9);
     g->y[i] = within(0, 1) ? within(-99 * 65536, 99 * 65536) : any_of(places, 9);
-    g->wave[i] = (fx)any_of(waves, 6);
+    g->wave_amplitude[i] = (fx)any_of(waves, 6);
     g->wave_period[i] = (fx)(within(0, 1) ? within(65536, 99 * 65536) : 65536);
     g->phase[i] = within(0, 1) ? within(-999999, 999999) : any_of(places, 9);
     int n = within(0, 2) ? 0 : (int)within(1, 61);
@@ -239,7 +239,7 @@ static void test_plain(void **state)
 
     (void)state;
     power(&g, &r, "bg.plane().fog = { to = 0x123456, far = 9 }");
-    bg_fill_shades(r.b->bg_shades.table + BG_BLACK_TABLES, cart_palette(&r.b->cart, "main"), 0);
+    bg_fill_shades(r.b->bg_shades.table + BG_BLACK_OFFSET, cart_palette(&r.b->cart, "main"), 0);
     rng_seed(&rng, 77);
     for (int round = 0; round < 400; round++) {
         for (uint32_t i = 0; i < BG_LAYERS; i++)
@@ -469,7 +469,7 @@ static void test_phase(void **state)
     struct rig r;
 
     (void)state;
-    m.bg = 1;
+    m.has_backgrounds = 1;
     rig_script(&g, &m, bosses);
     rig_maps(&g);
     rig_power(&r, &g, &start);
@@ -523,7 +523,7 @@ static void test_practice(void **state)
     struct rig run, practice;
 
     (void)state;
-    m.bg = 1;
+    m.has_backgrounds = 1;
     rig_script(&g, &m, marked);
     rig_maps(&g);
     rig_power(&run, &g, &start);
@@ -569,7 +569,7 @@ static void test_boss(void **state)
     struct rig r;
 
     (void)state;
-    m.bg = 1;
+    m.has_backgrounds = 1;
     rig_script(&g, &m, text);
     rig_maps(&g);
     for (size_t i = 0; i < sizeof practised / sizeof *practised; i++) {
@@ -602,7 +602,7 @@ static void test_off(void **state)
     rig_script(&g, NULL, "local a = 1");
     rig_power(&r, &g, NULL);
     assert_int_equal(r.b->bg.s.cap + r.b->bg_lines.s.cap + r.b->bg_shades.s.cap, 0);
-    for (int i = 0; i < PARTS; i++)
+    for (int i = 0; i < PART_COUNT; i++)
         if (machine_parts[i].chip == &bg_chip)
             assert_true(board_part_hash(r.b, i) == 0 && slots_save(&bg_chip, &r.b->bg, NULL) == 0);
     rig_free(&r);
@@ -644,7 +644,7 @@ static void test_lumps(void **state)
         struct lump lumps[RIG_LUMPS];
         struct cart cart;
         char err[256] = "";
-        m.bg = 1;
+        m.has_backgrounds = 1;
         rig_script(&g, &m, "local a = 1");
         rig_maps(&g);
         struct rig_game had = g;
@@ -699,7 +699,7 @@ static void test_said(void **state)
     struct rig r;
 
     (void)state;
-    m.bg = 1;
+    m.has_backgrounds = 1;
     for (size_t i = 0; i < sizeof said / sizeof *said; i++) {
         char want[200];
         rig_script(&g, &m, said[i][0]);

@@ -49,7 +49,7 @@ static void expect_one(const char *thing, const char *sprite, int picture, int b
     rig_script(&g, NULL, "");
     rig_ruled_blends(&g, ghost, glow);
     cart_sprite(&g.cart, cart_find(&g.cart, CART_SPRITES, sprite), &s);
-    const uint8_t *table = g.cart.main_look.blend[cart_find(&g.cart, CART_BLENDS, blend)];
+    const uint8_t *table = g.cart.main_tables.blend[cart_find(&g.cart, CART_BLENDS, blend)];
     for (int y = 0; y < H; y++)
         for (int x = 0; x < W; x++) {
             int u = x - X + s.ox, v = y - Y + s.oy, want = under[y][x];
@@ -201,7 +201,7 @@ static void state_differs_where_it_should(void **state)
     }
     board_hashes(r[0].b, a);
     board_hashes(r[1].b, b);
-    for (int i = 0; i < board_parts(r[0].b); i++) {
+    for (int i = 0; i < board_part_count(r[0].b); i++) {
         const char *name = board_part_name(r[0].b, i);
         bool may = !strcmp(name, "script") || !strcmp(name, "bullet_kinds") || !strcmp(name, "spark_kinds");
         if ((a[i] != b[i]) != may)

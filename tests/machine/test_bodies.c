@@ -113,8 +113,8 @@ static void reference_place(int i)
             r->mode = STILL;
     } else if (r->mode != STILL && r->k < r->n) {
         struct motion_share s = motion_ease(r->ease, ++r->k, r->n);
-        *(b ? &r->dx : &x) = motion_between(r->x0, r->x1, s);
-        *(b ? &r->dy : &y) = motion_between(r->y0, r->y1, s);
+        *(b ? &r->dx : &x) = motion_lerp_share(r->x0, r->x1, s);
+        *(b ? &r->dy : &y) = motion_lerp_share(r->y0, r->y1, s);
     }
     r->was_x = b ? b->was_x + dx : r->x;
     r->was_y = b ? b->was_y + dy : r->y;
@@ -145,7 +145,7 @@ static void bring(struct board *b)
     if (i == NO_SLOT)
         return;
     ref[i] = (struct ref){ .live = true, .body = -1, .around = -1, .x = x, .y = y };
-    if (body == i || !ref[body].live || enemies_depth(e, (uint32_t)body) == MAX_PART_DEPTH || below(4) == 0)
+    if (body == i || !ref[body].live || enemies_part_depth(e, (uint32_t)body) == MAX_PART_DEPTH || below(4) == 0)
         return;
     ref[i].body = body;
     ref[i].dx = within(30);
@@ -154,7 +154,7 @@ static void bring(struct board *b)
     ref[i].y = ref[body].y + ref[i].dy;
     enemies_attach(e, (uint32_t)i, (uint32_t)body, ref[i].dx, ref[i].dy, 0);
     parts++;
-    deep += enemies_depth(e, (uint32_t)i) > 2;
+    deep += enemies_part_depth(e, (uint32_t)i) > 2;
 }
 
 static void forget(int i)
@@ -282,7 +282,7 @@ static void test_places(void **state)
 
     (void)state;
     m.enemies = FOES;
-    m.bodies = m.has_freeze = 1;
+    m.has_bodies = m.has_freeze = 1;
     rig_script(&g, &m, "enemy.def('foe', { sprite = 'dot', hit = { circle = 4 } })");
     rig_power(&r, &g, NULL);
     for (uint64_t seed = 1; seed < (rig_long() ? 400 : 40); seed++) {
@@ -322,7 +322,7 @@ static void hurt_reference(whole left[], const struct enemies *e, int i, whole a
             return;
         took = took < left[i] ? took : left[i];
         left[i] -= took;
-        amount = took * (uint32_t)e->share[i] >> 16;
+        amount = took * (uint32_t)e->damage_share[i] >> 16;
     }
 }
 
@@ -336,7 +336,7 @@ static void test_damage(void **state)
 
     (void)state;
     rng_seed(&rng, 3);
-    m.bodies = 1;
+    m.has_bodies = 1;
     rig_script(&g, &m, "enemy.def('foe', { sprite = 'dot', hit = { circle = 4 } })");
     rig_power(&r, &g, NULL);
     struct enemies *e = &r.b->enemies;
@@ -353,7 +353,7 @@ static void test_damage(void **state)
             e->rate[i] = (int32_t)(below(3)   ? ENEMY_RATE_ONE
                                    : below(4) ? below(2 * ENEMY_RATE_ONE)
                                               : below(ENEMY_MAX_RATE + 1));
-            e->share[i] = (int32_t)(below(3) ? below(ENEMY_RATE_ONE + 1) : ENEMY_RATE_ONE);
+            e->damage_share[i] = (int32_t)(below(3) ? below(ENEMY_RATE_ONE + 1) : ENEMY_RATE_ONE);
             e->safe_left[i] = below(9) == 0;
             left[i] = ((whole)e->hp[i] << 32) - e->hp_deficit[i];
         }
@@ -383,7 +383,7 @@ static const char *says(bool on, const char *text)
     static struct rig_game g;
     struct manifest m = rig_manifest();
 
-    m.bodies = on;
+    m.has_bodies = on;
     m.items = 16;
     m.has_freeze = 1;
     snprintf(script, sizeof script,
@@ -561,7 +561,7 @@ static void refuses(bool on, const char *of, const char *words)
     struct rig_game g;
     char script[400];
 
-    m.bodies = on;
+    m.has_bodies = on;
     snprintf(script, sizeof script, "enemy.def('foe', { sprite = 'dot', hit = { circle = 2 } })\n%s", of);
     rig_script(&g, &m, script);
     assert_string_equal(rig_said(&g, 1, false), words);

@@ -206,7 +206,7 @@ static void open_with(const char *code, const struct board_start *start)
     static char text[1 << 14];
     struct manifest m = rig_manifest();
 
-    m.bodies = m.bg = 1;
+    m.has_bodies = m.has_backgrounds = 1;
     snprintf(text, sizeof text, "%s%s", game, code);
     rig_with_sys(&g, &m, text);
     rig_power(&r, &g, start);

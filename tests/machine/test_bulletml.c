@@ -425,7 +425,7 @@ static struct manifest manifest(void)
     struct manifest m = rig_manifest();
 
     m.bullets = 512;
-    m.bulletml = 512;
+    m.bulletml_runners = 512;
     m.bullet_values = 1;
     m.screen_w = m.field_w = FIELD_W;
     m.screen_h = m.field_h = FIELD_H;

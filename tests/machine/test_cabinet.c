@@ -32,10 +32,10 @@ static struct {
     struct rng rng;
     int polls, left; /* polls until it asks to quit */
     uint8_t held[KEYS_AT_ONCE];
-    uint32_t pad[PLAT_CONTROLLERS];
-    struct plat_controller plugged[PLAT_CONTROLLERS]; /* id 0: nothing is */
-    uint32_t ids;                                     /* that were given */
-    int hold;                                         /* polls that these stay held */
+    uint32_t pad[PLAT_MAX_CONTROLLERS];
+    struct plat_controller plugged[PLAT_MAX_CONTROLLERS]; /* id 0: nothing is */
+    uint32_t ids;                                         /* that were given */
+    int hold;                                             /* polls that these stay held */
     bool console, files, text, focus, hidden;
     bool walks; /* presses the keys of the screens, one at a time: those of step */
     uint8_t step[16];
@@ -61,7 +61,7 @@ static void resize(void)
     port.w = 1 + (int)below(ROOM_MOST);
     port.h = 1 + (int)below(ROOM_MOST);
     if (below(4) == 0)
-        plat_fit(&port.want, (int)below(ROOM_MOST), (int)below(ROOM_MOST), &port.w, &port.h);
+        plat_fit_window(&port.want, (int)below(ROOM_MOST), (int)below(ROOM_MOST), &port.w, &port.h);
 }
 
 bool plat_open(const struct plat_config *want)
@@ -73,11 +73,11 @@ bool plat_open(const struct plat_config *want)
     if (want->fullscreen)
         resize();
     else
-        plat_fit(&port.want, ROOM_MOST, ROOM_MOST, &port.w, &port.h);
+        plat_fit_window(&port.want, ROOM_MOST, ROOM_MOST, &port.w, &port.h);
     return true;
 }
 
-bool plat_window(struct plat_window *out)
+bool plat_get_window(struct plat_window *out)
 {
     static const int rates[] = { 0, 50000, 59940, 60000, 75000, 144000 };
 
@@ -102,10 +102,10 @@ bool plat_paint(const uint32_t *rgb, int pitch, int w, int h)
     return true;
 }
 
-bool plat_controller(int i, struct plat_controller *controller)
+bool plat_get_controller(int i, struct plat_controller *controller)
 {
     memset(controller, 0, sizeof *controller);
-    if (i < 0 || i >= PLAT_CONTROLLERS || !port.plugged[i].id)
+    if (i < 0 || i >= PLAT_MAX_CONTROLLERS || !port.plugged[i].id)
         return false;
     *controller = port.plugged[i];
     return true;
@@ -182,7 +182,7 @@ static void choose_steps(void)
 /* A controller comes or goes, or another takes its place between two polls; the same model may come back. */
 static void plug(void)
 {
-    const uint32_t i = below(PLAT_CONTROLLERS);
+    const uint32_t i = below(PLAT_MAX_CONTROLLERS);
     struct plat_controller *c = &port.plugged[i];
 
     port.pad[i] = 0;
@@ -216,7 +216,7 @@ static void choose_hands(void)
         port.held[i] = any_key();
     if (below(30) == 0)
         plug();
-    for (int i = 0; i < PLAT_CONTROLLERS; i++)
+    for (int i = 0; i < PLAT_MAX_CONTROLLERS; i++)
         if (port.plugged[i].id && below(4) == 0)
             port.pad[i] = (uint32_t)1 << below(PLAT_BUTTONS);
     port.focus = below(port.focus ? 50 : 3) != 0; /* a game waits for who is away: seldom, and not for long */
@@ -336,7 +336,7 @@ static void choose_port(void)
     port.paints = below(8) != 0;
     port.waits = below(2) == 0;
     port.calm = below(2) ? 3 : 60;
-    for (uint32_t i = 0, n = below(PLAT_CONTROLLERS); i < n; i++)
+    for (uint32_t i = 0, n = below(PLAT_MAX_CONTROLLERS); i < n; i++)
         plug();
 }
 

@@ -179,7 +179,7 @@ static void test_nothing_is_kept(void **state)
 
 static uint8_t *file_bytes(const char *name, size_t *size)
 {
-    const long n = plat_size(name);
+    const long n = plat_file_size(name);
 
     assert_true(n > 0);
     uint8_t *bytes = malloc((size_t)n);
@@ -276,7 +276,7 @@ static void test_endless_loop(void **state)
 
 /* ---- crashes ---- */
 
-static void look(void *user, const struct plat_file *file)
+static void look(void *user, const struct plat_folder_entry *file)
 {
     snprintf(user, 64, "%s", file->name);
 }

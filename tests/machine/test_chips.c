@@ -78,7 +78,8 @@ static void test_slots(void **state)
             slots_trim(&t.s);
         assert_int_equal(t.s.live, live);
         assert_int_equal(t.s.refused, refused);
-        assert_true(t.s.top % 64 == 0 && t.s.high % 64 == 0 && t.s.top <= t.s.high && t.s.high <= 256);
+        assert_true(t.s.top % 64 == 0 && t.s.high_water % 64 == 0 && t.s.top <= t.s.high_water &&
+                    t.s.high_water <= 256);
         uint32_t at = 0;
         for (uint32_t i = 0; i < CAP; i++) {
             assert_int_equal(slots_has(&t.s, i, gen[i]), used[i]);
@@ -234,7 +235,7 @@ static void test_bullets(void **state)
         s.y = at[i].y;
         assert_int_equal(bullets_fire(&b->bullets, &s, 0), 2);
         rig_run(&r, 1);
-        assert_int_equal(b->bullets.s.used[0] >> 2 & 1, at[i].in);
+        assert_int_equal(b->bullets.s.live_bits[0] >> 2 & 1, at[i].in);
         if (at[i].in)
             bullets_drop(&b->bullets, 2);
         assert_int_equal(b->bullets.x[2], 0);
@@ -535,7 +536,7 @@ static void test_enemies(void **state)
     b->enemies.x0[1] = px(16383);
     b->enemies.move_elapsed[1] = 999999999;
     rig_run(&r, 1);
-    assert_int_equal(b->enemies.s.used[0] >> 1 & 1, 0); /* outside: it left */
+    assert_int_equal(b->enemies.s.live_bits[0] >> 1 & 1, 0); /* outside: it left */
     rig_free(&r);
     rig_game_free(&g);
 
@@ -721,7 +722,7 @@ static void test_player(void **state)
     assert_int_equal(p->x[0], px(w / 2.0));
     assert_int_equal(p->y[0], px(h * 7 / 8.0));
     assert_int_equal(p->lives[0], 2);
-    assert_int_equal(p->x[1], PARK);
+    assert_int_equal(p->x[1], PARK_COORDINATE);
     fx x = p->x[0], y = p->y[0];
     rig_tick(&r, right);
     assert_int_equal(p->x[0], x += px(4));
@@ -1132,12 +1133,12 @@ static void test_nvram_ships(void **state)
     }
     assert_int_equal(nvram_size(&r), 4 + 4 + 24 + (3 + 6) + 24 * NV_MAX_ROWS);
     strcpy(row.ship, "heron");
-    row.score = 60, row.stage = NV_CLEARED, row.continues = NV_MAX_CONTINUES;
+    row.score = 60, row.stage = NV_STAGE_CLEARED, row.continues = NV_MAX_CONTINUES;
     assert_int_equal(nvram_enter_row(nv, "t", &row), 0);
     assert_int_equal(nvram_get_rows(nv, "t", "crow", rows), NV_MAX_ROWS);
     assert_true(rows[0].score == 90 && rows[9].score == 0 && rows[0].stage == 3 && rows[0].continues == 2);
     assert_int_equal(nvram_get_rows(nv, "t", "heron", rows), 1);
-    assert_true(rows[0].stage == NV_CLEARED && rows[0].continues == NV_MAX_CONTINUES);
+    assert_true(rows[0].stage == NV_STAGE_CLEARED && rows[0].continues == NV_MAX_CONTINUES);
     assert_int_equal(nvram_get_rows(nv, "t", "her", rows), 0);
     assert_int_equal(nvram_get_rows(nv, "t", "", rows), 1);
     assert_int_equal(nvram_get_rows(nv, "t\ncrow", NULL, rows), NV_MAX_ROWS); /* its name in the image */
@@ -1246,7 +1247,7 @@ static void test_nvram_image(void **state)
  * it comes into less room as fits. */
 static void test_nvram_old(void **state)
 {
-    static uint8_t image[NV_OLD_BYTES];
+    static uint8_t image[NV_OLD_IMAGE_SIZE];
     struct board_start start = { .difficulty = -1, .nvram = image, .nvram_size = sizeof image };
     struct rig_game g;
     struct rig r;

@@ -159,12 +159,12 @@ static void check_bytes(const struct chip *chip, const struct home *home)
     for (int i = 0; i < chip->count; i++) {
         const struct column *c = &chip->columns[i];
         size_t n = c->is_register ? (size_t)c->width * c->n : sizeof(void *);
-        assert_true(c->at >= sizeof(struct slots) && c->at + n <= home->size);
+        assert_true(c->offset >= sizeof(struct slots) && c->offset + n <= home->size);
         assert_true(c->width == 1 || c->width == 2 || c->width == 4 || c->width == 8);
         for (size_t k = 0; k < n; k++) {
-            if (of[c->at + k])
+            if (of[c->offset + k])
                 fail_msg("chip %s: column %s lies on another", chip->name, c->name);
-            of[c->at + k] = 1;
+            of[c->offset + k] = 1;
         }
     }
     for (size_t k = 0; k < home->size; k++) {
@@ -180,8 +180,8 @@ static void test_tables(void **state)
     char names[64][40];
 
     (void)state;
-    assert_int_equal(sizeof homes / sizeof *homes, PARTS);
-    for (int i = 0; i < PARTS; i++) {
+    assert_int_equal(sizeof homes / sizeof *homes, PART_COUNT);
+    for (int i = 0; i < PART_COUNT; i++) {
         const struct chip *chip = machine_parts[i].chip;
         assert_string_equal(homes[i].chip, chip->name);
         int n = members(homes[i].file, homes[i].name, names, NULL, 64);
@@ -202,12 +202,12 @@ static void test_parts(void **state)
     int n, first = 0;
 
     (void)state;
-    assert_true((int)PARTS <= (int)MAX_PARTS);
+    assert_true((int)PART_COUNT <= (int)MAX_PARTS);
     n = members("src/machine/machine.h", "board", names, types, 64);
     while (first < n && strcmp(names[first], "script"))
         first++;
-    assert_int_equal(n - first, PARTS);
-    for (int i = 0; i < PARTS; i++) {
+    assert_int_equal(n - first, PART_COUNT);
+    for (int i = 0; i < PART_COUNT; i++) {
         assert_string_equal(types[first + i], homes[i].name);
         if (i)
             assert_true(machine_parts[i].offset > machine_parts[i - 1].offset);
@@ -218,7 +218,7 @@ static void test_parts(void **state)
 static void test_reasons(void **state)
 {
     (void)state;
-    for (int i = 0; i < PARTS; i++)
+    for (int i = 0; i < PART_COUNT; i++)
         for (int k = 0; k < machine_parts[i].chip->count; k++) {
             const struct column *c = &machine_parts[i].chip->columns[k];
             assert_int_equal(c->kind == COL_DERIVED, c->reason != NULL);
@@ -248,7 +248,7 @@ static struct slots *slots_at(struct board *b, int i)
 
 static uint8_t *bytes_at(struct board *b, int i, const struct column *c)
 {
-    uint8_t *at = (uint8_t *)b + machine_parts[i].offset + c->at;
+    uint8_t *at = (uint8_t *)b + machine_parts[i].offset + c->offset;
 
     if (!c->is_register)
         memcpy(&at, at, sizeof(uint8_t *));
@@ -261,7 +261,7 @@ static void flip(struct board *b, const struct sums *was, uint8_t *byte, int bit
     *byte ^= (uint8_t)(1 << bit);
     struct sums now = sums_of(b);
     *byte ^= (uint8_t)(1 << bit);
-    for (int k = 0; k < PARTS; k++)
+    for (int k = 0; k < PART_COUNT; k++)
         if ((now.part[k] != was->part[k]) != (k == i))
             fail_msg("%s: a flipped bit: the hash of %s %s", what, machine_parts[k].chip->name,
                      k == i ? "stays" : "changes");
@@ -273,7 +273,7 @@ static void flip(struct board *b, const struct sums *was, uint8_t *byte, int bit
 static int32_t live_slot(struct board *b, int i, uint64_t skip)
 {
     const struct slots *s = slots_at(b, i);
-    uint32_t end = s->used ? s->top : s->live, at = slots_next(s, 0);
+    uint32_t end = s->live_bits ? s->top : s->live, at = slots_next(s, 0);
 
     if (!s->live)
         return NO_SLOT;
@@ -288,8 +288,8 @@ static int32_t dead_slot(struct board *b, int i)
 {
     const struct slots *s = slots_at(b, i);
 
-    for (uint32_t k = 0; s->used && k < s->top; k++)
-        if (!(s->used[k / 64] >> (k & 63) & 1))
+    for (uint32_t k = 0; s->live_bits && k < s->top; k++)
+        if (!(s->live_bits[k / 64] >> (k & 63) & 1))
             return (int32_t)k;
     return NO_SLOT;
 }
@@ -321,19 +321,19 @@ static bool check_slots(struct board *b, const struct sums *was, struct rng *rng
     snprintf(what, sizeof what, "slots of %s", machine_parts[i].chip->name);
     flip(b, was, (uint8_t *)&s->refused, (int)rng_below(rng, 8), i, what);
     flip(b, was, (uint8_t *)&s->cap, (int)rng_below(rng, 8), -1, what);
-    flip(b, was, (uint8_t *)&s->high, (int)rng_below(rng, 8), -1, what);
+    flip(b, was, (uint8_t *)&s->high_water, (int)rng_below(rng, 8), -1, what);
     flip(b, was, (uint8_t *)&s->first_free_word, (int)rng_below(rng, 8), -1, what);
-    if (s->used && s->top) {
+    if (s->live_bits && s->top) {
         int32_t slot = live_slot(b, i, rng_next(rng)), dead = dead_slot(b, i);
         s->top += 64; /* nothing lives there */
-        s->used[s->top / 64 - 1] = 0;
+        s->live_bits[s->top / 64 - 1] = 0;
         struct sums now = sums_of(b);
         s->top -= 64;
         assert_memory_equal(&now, was, sizeof now);
         if (slot == NO_SLOT)
             return false;
         flip(b, was, (uint8_t *)&s->gen[slot], (int)rng_below(rng, 8), i, what);
-        flip(b, was, (uint8_t *)&s->used[slot / 64] + slot % 64 / 8, slot % 8, i, what);
+        flip(b, was, (uint8_t *)&s->live_bits[slot / 64] + slot % 64 / 8, slot % 8, i, what);
         if (dead != NO_SLOT)
             flip(b, was, (uint8_t *)&s->gen[dead], (int)rng_below(rng, 8), -1, what);
     }
@@ -343,8 +343,8 @@ static bool check_slots(struct board *b, const struct sums *was, struct rng *rng
 /* Room for `top += 64` above. */
 static bool has_room(struct board *b)
 {
-    for (int i = 0; i < PARTS; i++)
-        if (slots_at(b, i)->used && slots_at(b, i)->top + 64 > (slots_at(b, i)->cap + 63) / 64 * 64)
+    for (int i = 0; i < PART_COUNT; i++)
+        if (slots_at(b, i)->live_bits && slots_at(b, i)->top + 64 > (slots_at(b, i)->cap + 63) / 64 * 64)
             return false;
     return true;
 }
@@ -414,12 +414,13 @@ static void test_flips(void **state)
     m.sprites = 128;
     m.shots = m.enemies = 128;
     m.bullet_values = m.shot_values = m.enemy_values = MAX_VALUES;
-    m.hp = m.has_orbit = m.has_freeze = m.bullets_can_meet = m.wide = m.bg = m.bodies = m.pierce = 1;
+    m.has_hp = m.has_orbit = m.has_freeze = m.bullets_can_meet = m.has_wide_text = m.has_backgrounds = m.has_bodies =
+        m.has_pierce = 1;
     m.options = 192;
     m.items = m.lines = m.lasers = 192; /* of two bits: with one flipped the part is still there */
     m.curve_points = 96 * 64;
-    m.sound = 1;
-    m.bulletml = 192;
+    m.has_sound = 1;
+    m.bulletml_runners = 192;
     rig_script(&g, &m, scene);
     rig_sounds(&g);
     rig_document(&g, "doc", document);
@@ -428,7 +429,7 @@ static void test_flips(void **state)
     assert_true(has_room(r.b));
     rng_seed(&rng, 3);
     struct sums was = sums_of(r.b);
-    for (int i = 0; i < PARTS; i++) {
+    for (int i = 0; i < PART_COUNT; i++) {
         const struct chip *chip = machine_parts[i].chip;
         if (!check_slots(r.b, &was, &rng, i))
             fail_msg("part %s has no live slot", chip->name);
@@ -436,7 +437,7 @@ static void test_flips(void **state)
             if (slots_has_column(&chip->columns[k], slots_at(r.b, i)->groups) &&
                 !check_column(r.b, &was, &rng, i, &chip->columns[k]))
                 fail_msg("part %s has no live slot", chip->name);
-        if (slots_at(r.b, i)->used)
+        if (slots_at(r.b, i)->live_bits)
             assert_true(dead_slot(r.b, i) != NO_SLOT);
     }
     assert_true(was.all == board_hash(r.b));
@@ -459,16 +460,17 @@ static void test_groups(void **state)
     m.options = 64;
     all = m;
     all.bullet_values = all.shot_values = all.enemy_values = MAX_VALUES;
-    all.hp = all.has_orbit = all.has_freeze = all.bullets_can_meet = all.bg = all.bodies = all.pierce = 1;
+    all.has_hp = all.has_orbit = all.has_freeze = all.bullets_can_meet = all.has_backgrounds = all.has_bodies =
+        all.has_pierce = 1;
     all.items = 64;
-    all.bulletml = 64;
+    all.bulletml_runners = 64;
     rig_script(&few, &m, without_items);
     rig_script(&many, &all, scene);
     rig_document(&many, "doc", document);
     rig_power(&a, &few, &start);
     rig_power(&b, &many, &start);
     const struct sums was = sums_of(a.b);
-    for (int i = 0; i < PARTS; i++) {
+    for (int i = 0; i < PART_COUNT; i++) {
         const struct chip *chip = machine_parts[i].chip;
         const struct slots *s = slots_at(a.b, i), *t = slots_at(b.b, i);
         for (int k = 0; k < chip->count; k++) {
@@ -476,7 +478,7 @@ static void test_groups(void **state)
             if (c->group == 0)
                 continue;
             assert_false(slots_has_column(c, s->groups));
-            if (c->is_register) { /* it stands in the struct, but is not hashed */
+            if (c->is_register) { /* it is in the struct, but is not hashed */
                 flip(a.b, &was, bytes_at(a.b, i, c), 0, -1, c->name);
                 continue;
             }
@@ -505,12 +507,12 @@ static void test_derived(void **state)
 
     (void)state;
     m.items = 64;
-    m.bg = 1;
+    m.has_backgrounds = 1;
     m.lines = 32;
     m.lasers = 128;
     m.curve_points = 4096;
     m.options = 64;
-    m.bulletml = 64;
+    m.bulletml_runners = 64;
     rig_script(&g, &m, scene);
     rig_document(&g, "doc", document);
     rig_power(&a, &g, &start);
@@ -584,7 +586,7 @@ static void test_counts(void **state)
     int some = 0;
 
     (void)state;
-    m.hp = 1;
+    m.has_hp = 1;
     rig_with_sys(&g, &m, script);
     rig_power(&r, &g, NULL);
     for (int f = 0; f < 300; f++) {

@@ -75,7 +75,7 @@ static void fire(const bool fine[PROGRAMS + 1], uint32_t clock)
     const int n = below(3) ? 1 + (int)below(40) : 1;
 
     s.motion = (uint16_t)below(PROGRAMS + 1);
-    s.fine = s.motion && fine[s.motion];
+    s.is_fine = s.motion && fine[s.motion];
     s.speed = (fx)(any_speed() >> 16);
     s.delay = below(5) ? 0 : (uint32_t)(1 + below(5));
     for (int k = 0; k < n; k++, s.dir += 0x6789abc) {
@@ -105,7 +105,7 @@ static struct slots crowd;
 
 static void gather_crowd(const struct bullets *b)
 {
-    crowd = (struct slots){ .used = crowd_used, .top = CROWD, .cap = CROWD };
+    crowd = (struct slots){ .live_bits = crowd_used, .top = CROWD, .cap = CROWD };
     memset(crowd_used, 0, sizeof crowd_used);
     for (int64_t n = below(8); n > 0; n--) {
         const uint32_t i = (uint32_t)below(CROWD), at = (uint32_t)below(b->s.top + 1);

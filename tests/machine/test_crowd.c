@@ -15,7 +15,7 @@ static int below(int n)
 
 static bool is_used(const struct slots *s, uint32_t i)
 {
-    return s->used[i / SLOTS_BLOCK] >> (i % SLOTS_BLOCK) & 1;
+    return s->live_bits[i / SLOTS_BLOCK] >> (i % SLOTS_BLOCK) & 1;
 }
 
 /* ---- pictures ---- */
@@ -48,7 +48,7 @@ static struct image image_of(const struct board *b, const struct bullets *s, con
 
     if (s->flags[i] & BULLET_DELAYED) {
         int64_t at = age < 1 ? 0 : age > delay ? delay - 1 : age - 1;
-        age = flags & KIND_CLOUD ? at * pic->frames * pic->frame_ticks / delay : 0;
+        age = flags & KIND_IS_CLOUD_ROW ? at * pic->frames * pic->frame_ticks / delay : 0;
     }
     ang way = flags & KIND_TURNS ? s->dir[i] : 0, spin = k->spin[s->kind[i]];
     return video_image(pic, (uint32_t)age, flags & KIND_TURNS || spin, (ang)((int64_t)way + age * spin));
@@ -64,7 +64,7 @@ static void paint_kind(const struct board *b, const struct bullets *s, const str
         if (is_used(&s->s, i) && s->kind[i] == kind) {
             struct image image = image_of(b, s, k, i);
             paint(b, out, &image, (s->x[i] >> 16) - pic->ox, (s->y[i] >> 16) - pic->oy, s->bank[i],
-                  blend ? b->cart.main_look.blend[blend - 1] : NULL);
+                  blend ? b->cart.main_tables.blend[blend - 1] : NULL);
         }
 }
 
@@ -98,7 +98,7 @@ static uint8_t *noise_sprite(uint32_t *size, int most)
     int oy = below(3) ? h / 2 : below(8) ? below(4 * h) - h : below(3073) - 1024;
     const int every = 1 + (below(4) ? below(3) : below(1 << below(17)));
     const int header[] = { w, h, pitch, ox, oy, frames, every < 65536 ? every : 65535, turns, bank };
-    *size = (uint32_t)(CART_GFX_HEADER + frames * turns * h * pitch);
+    *size = (uint32_t)(CART_GFX_HEADER_SIZE + frames * turns * h * pitch);
     uint8_t *lump = calloc(1, *size);
 
     assert_non_null(lump);
@@ -106,7 +106,7 @@ static uint8_t *noise_sprite(uint32_t *size, int most)
         bytes_put16(lump + 2 * i, (uint16_t)header[i]);
     for (int y = 0; y < frames * turns * h; y++)
         for (int x = 0; x < w; x++)
-            lump[CART_GFX_HEADER + y * pitch + x] = (uint8_t)(below(100) < solid ? bank * 16 + 1 + below(15) : 0);
+            lump[CART_GFX_HEADER_SIZE + y * pitch + x] = (uint8_t)(below(100) < solid ? bank * 16 + 1 + below(15) : 0);
     return lump;
 }
 
@@ -159,7 +159,7 @@ static void random_bullets(struct board *b, struct bullets *s, struct bullet_kin
         k->draw_order[i] = (int8_t)(below(4) ? 0 : below(201) - 100);
         k->spin[i] = below(3) ? 0 : (ang)rng_next(&rng);
         k->flags[i] = (uint16_t)((below(2) ? KIND_TURNS : 0) | (blended ? below(3) * KIND_BLEND_ONE : 0) |
-                                 (below(4) ? 0 : KIND_CLOUD));
+                                 (below(4) ? 0 : KIND_IS_CLOUD_ROW));
     }
     EACH_LIVE (i, &s->s)
         bullets_drop(s, i);
@@ -179,7 +179,7 @@ static void random_bullets(struct board *b, struct bullets *s, struct bullet_kin
             shape.x = (below(2 * WORLD_EDGE + 1) - WORLD_EDGE) * 65536;
         if (far && below(9) == 0)
             shape.y = (below(2 * WORLD_EDGE + 1) - WORLD_EDGE) * 65536;
-        if (k->flags[shape.kind] & KIND_CLOUD || below(5) == 0)
+        if (k->flags[shape.kind] & KIND_IS_CLOUD_ROW || below(5) == 0)
             shape.delay = (uint32_t)(1 + below(150));
         const bool old = !shape.delay && below(9) == 0;
         bullets_fire(s, &shape, b->core.clock - (old ? (uint32_t)rng_next(&rng) >> below(32) : (uint32_t)below(100)));
@@ -197,7 +197,7 @@ static struct {
 
 static void picture(struct rig *r, const struct bullets *s, const struct bullet_kinds *k)
 {
-    static const int overdraw[] = { VIDEO_NO_LAYERS, 0, 1, 5, VIDEO_OVERDRAW };
+    static const int overdraw[] = { VIDEO_BACK_TO_FRONT, 0, 1, 5, VIDEO_MIN_OVERDRAW };
     const struct board *b = r->b;
     const struct manifest *m = &b->cart.manifest;
     size_t w = (size_t)m->screen_w, size = w * (size_t)m->screen_h;
@@ -214,7 +214,7 @@ static void picture(struct rig *r, const struct bullets *s, const struct bullet_
                                  .y = m->field_y,
                                  .scratch = r->scratch,
                                  .min_overdraw = overdraw[i],
-                                 .look = b->cart.main_look };
+                                 .palette_tables = b->cart.main_tables };
         for (int y = 0; y < m->screen_h; y++)
             memcpy(r->fb.pix + y * r->fb.pitch, backdrop + (size_t)y * w, w);
         fb_set_clip(&r->fb, m->field_x, m->field_y, m->field_w, m->field_h);
@@ -224,7 +224,7 @@ static void picture(struct rig *r, const struct bullets *s, const struct bullet_
             if (memcmp(r->fb.pix + y * r->fb.pitch, want + (size_t)y * w, w))
                 fail_msg("%u bullets, overdraw %d: row %d differs", s->s.live, overdraw[i], y);
         assert_int_equal(c.drawn_count, s->s.live);
-        assert_true(c.hidden_count <= c.drawn_count && (overdraw[i] != VIDEO_NO_LAYERS || !c.hidden_count));
+        assert_true(c.hidden_count <= c.drawn_count && (overdraw[i] != VIDEO_BACK_TO_FRONT || !c.hidden_count));
         seen.drawn += (long)c.drawn_count;
         seen.hidden += (long)c.hidden_count;
         seen.layered += c.hidden_count > 0;
@@ -356,14 +356,14 @@ static void move(struct board *b, const struct box *keep, const struct bullets_q
         bool in = was[i] && x[i] >= keep->x0 && x[i] <= keep->x1 && y[i] >= keep->y0 && y[i] <= keep->y1;
         assert_int_equal(i < s->s.top && is_used(&s->s, i), in);
         if (!in) { /* it is held if it is near a player */
-            const uint64_t *near = &s->near[i / SLOTS_BLOCK * MAX_PLAYERS];
+            const uint64_t *near = &s->near_player[i / SLOTS_BLOCK * MAX_PLAYERS];
             assert_int_equal(slots_has_held(&s->s, i, s->s.gen[i]),
                              was[i] && (near[0] | near[1]) >> (i % SLOTS_BLOCK) & 1);
             continue;
         }
         assert_true(s->x[i] == x[i] && s->y[i] == y[i] && vx[i] <= s->speed_bound && vy[i] <= s->speed_bound);
         for (uint32_t p = 0; p < MAX_PLAYERS; p++) {
-            bool near = s->near[i / SLOTS_BLOCK * MAX_PLAYERS + p] >> (i % SLOTS_BLOCK) & 1;
+            bool near = s->near_player[i / SLOTS_BLOCK * MAX_PLAYERS + p] >> (i % SLOTS_BLOCK) & 1;
             bool must = query[p].reach >= 0 && gap(x[i], query[p].x) <= query[p].reach + vx[i] &&
                         gap(y[i], query[p].y) <= query[p].reach + vy[i];
             bool may = query[p].reach >= 0 && gap(x[i], query[p].x) <= query[p].reach + s->speed_bound &&

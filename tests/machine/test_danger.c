@@ -125,7 +125,7 @@ static uint64_t fly(const struct forecast *f, const struct reach *r, uint32_t fr
         if (rng_below(&rng, 6) == 0)
             choice = (int)rng_below(&rng, REACH_WAYS);
         way.prev_x = way.x;
-        way.was_y = way.y;
+        way.prev_y = way.y;
         way.radius = at->ship.path.radius;
         reach_step(&at->ship, choice, &way.x, &way.y);
         if (plan_hits(f, i, &way, 0))

@@ -33,7 +33,7 @@ static uint64_t bullets_hash(const struct rig *r)
     uint64_t part[MAX_PARTS];
 
     board_hashes(r->b, part);
-    for (int i = 0; i < board_parts(r->b); i++)
+    for (int i = 0; i < board_part_count(r->b); i++)
         if (!strcmp(board_part_name(r->b, i), "bullets"))
             return part[i];
     return 0;
@@ -201,7 +201,7 @@ static void test_cloud(void **state)
         assert_true(opaque > 30);
     }
     rig_run(&r, 2);
-    assert_true(r.b->bullets.vy[0] == 65536 && !(r.b->bullet_kinds.flags[r.b->bullets.kind[0]] & KIND_CLOUD));
+    assert_true(r.b->bullets.vy[0] == 65536 && !(r.b->bullet_kinds.flags[r.b->bullets.kind[0]] & KIND_IS_CLOUD_ROW));
     rig_free(&r);
     rig_game_free(&g);
 }

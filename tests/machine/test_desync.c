@@ -37,7 +37,7 @@ static int setup(void **state)
         return -1;
     struct demo *first = &again.demo; /* of it the first frames will do */
     first->frames = first->checksum_frames = FRAMES;
-    first->n_rows = FRAMES / DEMO_SECOND + 1;
+    first->n_rows = FRAMES / DEMO_SECOND_FRAMES + 1;
     while (first->n_markers > 0 && first->markers[first->n_markers - 1].frame > FRAMES)
         first->n_markers--;
     if (!demo_save(first, path, err, sizeof err))
@@ -91,7 +91,7 @@ static uint64_t differing(struct runner *a, struct runner *b)
 
     board_hashes_cached(a->rig.b, a->copies, a->hashes);
     board_hashes_cached(b->rig.b, b->copies, b->hashes);
-    for (int i = 0; i < PARTS; i++)
+    for (int i = 0; i < PART_COUNT; i++)
         parts_differ |= (uint64_t)(a->hashes[i] != b->hashes[i]) << i;
     return parts_differ;
 }
@@ -154,7 +154,7 @@ static size_t some_pad(struct rng *rng, uint8_t *bit)
 {
     size_t at = second_at(1 + (uint32_t)rng_below(rng, FRAMES / 60)) + 8;
     size_t run = at + 8 + 6 * rng_below(rng, bytes[at + 5]), player = rng_below(rng, 2),
-           b = rng_below(rng, PAD_BUTTONS);
+           b = rng_below(rng, PAD_BUTTON_COUNT);
 
     *bit = (uint8_t)(1 << b % 8);
     return run + 2 + 2 * player + b / 8;
@@ -276,19 +276,19 @@ static void test_parts(void **state)
 {
     static struct replay r;
     struct verdict got;
-    char was[sizeof original.part[0]];
+    char was[sizeof original.part_name[0]];
     uint64_t *first = original.rows + 3, hash = *first;
 
     (void)state;
-    memcpy(was, original.part[3], sizeof was);
-    snprintf(original.part[3], sizeof was, "parrots");
+    memcpy(was, original.part_name[3], sizeof was);
+    snprintf(original.part_name[3], sizeof was, "parrots");
     assert_int_equal(replay_run(&r, &game.cart, &original, NULL, &got, err, sizeof err), RESULT_DONE);
     assert_true(got.kind == VERDICT_DIFFERS && got.frame == 0 && got.parts == 1u << 3 && got.missing == 1u << 3);
     *first = 0;
     assert_int_equal(replay_run(&r, &game.cart, &original, NULL, &got, err, sizeof err), RESULT_DONE);
     assert_true(got.kind == VERDICT_DIFFERS && got.frame == 0 && got.parts == 1u << 3 && got.missing == 1u << 3);
     *first = hash;
-    memcpy(original.part[3], was, sizeof was);
+    memcpy(original.part_name[3], was, sizeof was);
     assert_int_equal(replay_run(&r, &game.cart, &original, NULL, &got, err, sizeof err), RESULT_DONE);
     assert_true(got.kind == VERDICT_HOLDS && got.missing == 0);
     replay_close(&r);

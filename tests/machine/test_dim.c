@@ -125,11 +125,11 @@ static void test_frozen(void **state)
     rig_power(&r, &g, NULL);
     rig_run(&r, 5);
     assert_int_equal(r.b->core.clock, 0);
-    assert_int_equal(screen_dim(&r.b->screen, r.b->core.frame), FX_ONE / 4);
+    assert_int_equal(screen_get_dim(&r.b->screen, r.b->core.frame), FX_ONE / 4);
     rig_run(&r, 10);
-    assert_int_equal(screen_dim(&r.b->screen, r.b->core.frame), FX_ONE / 2);
+    assert_int_equal(screen_get_dim(&r.b->screen, r.b->core.frame), FX_ONE / 2);
     rig_run(&r, 10);
-    assert_int_equal(screen_dim(&r.b->screen, r.b->core.frame), 0);
+    assert_int_equal(screen_get_dim(&r.b->screen, r.b->core.frame), 0);
     rig_free(&r);
     rig_game_free(&g);
 }

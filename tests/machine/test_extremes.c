@@ -150,7 +150,7 @@ static void check_pool(const struct bullets *s, const struct bullet_kinds *k, co
         assert_true(s->vx[i] <= most + 1 && s->vx[i] >= -most - 1 && s->vy[i] <= most + 1 && s->vy[i] >= -most - 1);
     }
     for (uint32_t i = 0; i < s->s.top; i++)
-        if (!(s->s.used[i / 64] >> (i & 63) & 1))
+        if (!(s->s.live_bits[i / 64] >> (i & 63) & 1))
             assert_true(!s->x[i] && !s->y[i] && !s->vx[i] && !s->vy[i]);
 }
 

@@ -33,7 +33,7 @@ static double off(uint32_t i, __float128 way)
     __float128 turn = 2 * M_PIq * b->dir[i] / Q32;
     int64_t x, y;
 
-    bullets_position(b, i, &x, &y);
+    bullets_get_position(b, i, &x, &y);
     return (double)(hypotq(x / Q32 - 100 - way * cosq(turn), y / Q32 - 100 - way * sinq(turn)) * FX_ONE);
 }
 
@@ -88,7 +88,7 @@ static __float128 magnitude(__float128 v)
 static void set_off(const struct motion_step *step, int64_t pace, ang dir)
 {
     struct board *b = rig.b;
-    struct bullet_spec s = { .dir = dir, .fine = true };
+    struct bullet_spec s = { .dir = dir, .is_fine = true };
 
     if (b->bullets.s.live)
         bullets_drop(&b->bullets, 0);
@@ -112,7 +112,7 @@ static void fly(uint32_t n, __float128 way, ang dir)
     for (uint32_t k = 0; k < n; k++, w.clock++)
         bullets_move(&b->bullets, &w, &world, NULL, false);
     assert_int_equal(b->bullets.s.live, 1);
-    bullets_position(&b->bullets, 0, &x, &y);
+    bullets_get_position(&b->bullets, 0, &x, &y);
     if (magnitude(x - way * cosq(turn)) > (axis ? 0.5001 : 1) || magnitude(y - way * sinq(turn)) > (axis ? 0.5001 : 1))
         fail_msg("%u frames: at (%lld, %lld), expected (%.3f, %.3f)", n, (long long)x, (long long)y,
                  (double)(way * cosq(turn)), (double)(way * sinq(turn)));
@@ -168,7 +168,7 @@ static void test_ends(void **state)
                      NULL, false);
         s->dir[0] += 0x80000000;
     }
-    bullets_position(s, 0, &x, &y);
+    bullets_get_position(s, 0, &x, &y);
     assert_in_range(x + 4096, 0, 8192);
     assert_in_range(y + 4096, 0, 8192);
 
@@ -204,7 +204,7 @@ static void test_parts(void **state)
         struct bullets *s = &rig.b->bullets;
         int64_t vx = number((int64_t)1 << (4 + run % 40)), vy = number((int64_t)1 << (4 + run * 7 % 40)), x, y;
         bullets_set_velocity(s, 0, vx, vy);
-        bullets_velocity(s, 0, &x, &y);
+        bullets_get_velocity(s, 0, &x, &y);
         double size = sqrt((double)vx * (double)vx + (double)vy * (double)vy), slack = 1 + size / (1 << 29);
         if (fabs((double)(x - vx)) > slack || fabs((double)(y - vy)) > slack)
             fail_msg("set (%lld, %lld), is (%lld, %lld)", (long long)vx, (long long)vy, (long long)x, (long long)y);

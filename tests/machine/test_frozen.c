@@ -16,7 +16,7 @@ struct state {
     int64_t x, y, vx, vy, speed, pace, way, from;
     ang dir;
     uint32_t age, left, made, over;
-    uint16_t kind, bank, motion, pc, mute, rounds[MOTION_DEPTH];
+    uint16_t kind, bank, motion, pc, mute, rounds[MOTION_MAX_DEPTH];
 };
 
 static struct state plain[3][FRAMES + 1][THINGS]; /* bullets, shots, enemies: after so many moves */
@@ -33,11 +33,11 @@ static struct state of_bullet(const struct board *b, const struct bullets *s, ui
     struct state v;
 
     memset(&v, 0, sizeof v);
-    if (i >= s->s.top || !(s->s.used[i / 64] >> i % 64 & 1))
+    if (i >= s->s.top || !(s->s.live_bits[i / 64] >> i % 64 & 1))
         return v;
     v.alive = true;
-    bullets_position(s, i, &v.x, &v.y);
-    bullets_velocity(s, i, &v.vx, &v.vy);
+    bullets_get_position(s, i, &v.x, &v.y);
+    bullets_get_velocity(s, i, &v.vx, &v.vy);
     v.speed = bullets_speed(s, i);
     v.pace =
         s->flags[i] & BULLET_FINE || !s->speed_q32[i] ? s->speed_q32[i] : b->core.clock - s->speed_q32[i]; /* a clock */
@@ -51,7 +51,7 @@ static struct state of_bullet(const struct board *b, const struct bullets *s, ui
     v.motion = s->motion[i];
     v.pc = s->pc[i];
     v.mute = s->step_flags[i];
-    memcpy(v.rounds, &s->rounds[i * MOTION_DEPTH], sizeof v.rounds);
+    memcpy(v.rounds, &s->rounds_left[i * MOTION_MAX_DEPTH], sizeof v.rounds);
     return v;
 }
 
@@ -61,7 +61,7 @@ static struct state of_enemy(const struct board *b, uint32_t i)
     struct state v;
 
     memset(&v, 0, sizeof v);
-    if (i >= e->s.top || !(e->s.used[i / 64] >> i % 64 & 1))
+    if (i >= e->s.top || !(e->s.live_bits[i / 64] >> i % 64 & 1))
         return v;
     v.alive = true;
     v.x = e->x[i];

@@ -93,7 +93,7 @@ static void power(struct rig_game *game, struct rig *r, const char *first, const
 
 static int part(const char *name)
 {
-    for (int i = 0; i < PARTS; i++)
+    for (int i = 0; i < PART_COUNT; i++)
         if (!strcmp(machine_parts[i].chip->name, name))
             return i;
     fail_msg("no part %s", name);

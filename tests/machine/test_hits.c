@@ -42,8 +42,8 @@ static void draw_kinds(struct board *b, fx scale)
         b->enemy_kinds.shape[k] = (uint8_t)(one_in(9) ? SHAPE_NONE : one_in(3) ? SHAPE_CIRCLE : SHAPE_BOX);
         b->enemy_kinds.a[k] = length(scale);
         b->enemy_kinds.b[k] = length(scale);
-        b->enemy_kinds.flags[k] =
-            (uint8_t)((one_in(4) ? 0 : ENEMY_TOUCH) | (one_in(4) ? ENEMY_BLOCKS : 0) | (one_in(4) ? 0 : ENEMY_SWEPT));
+        b->enemy_kinds.flags[k] = (uint8_t)((one_in(4) ? 0 : ENEMY_TOUCH) | (one_in(4) ? ENEMY_BLOCKS_BULLETS : 0) |
+                                            (one_in(4) ? 0 : ENEMY_SWEPT));
     }
     struct shape_columns all[] = {
         { b->bullet_kinds.shape, b->bullet_kinds.a, b->bullet_kinds.b, b->bullet_kinds.x, b->bullet_kinds.y },
@@ -71,7 +71,7 @@ static void draw_players(struct board *b, fx scale, fx place)
         pl->prev_x[p] = clamped((int64_t)pl->x[p] + either_way(length(scale)), edge);
         pl->prev_y[p] = clamped((int64_t)pl->y[p] + either_way(length(scale)), edge);
         if (!pl->in_game[p])
-            pl->x[p] = pl->y[p] = pl->prev_x[p] = pl->prev_y[p] = PARK;
+            pl->x[p] = pl->y[p] = pl->prev_x[p] = pl->prev_y[p] = PARK_COORDINATE;
     }
 }
 

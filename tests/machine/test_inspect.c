@@ -91,7 +91,7 @@ static void shapes_are_those_of_the_tests(void **state)
     const struct inspect_body *brick = &l.body[3], *mist = &l.body[4], *still = &l.body[5], *rice = &l.body[6];
     assert_true(brick->kind == INSPECT_BULLET && brick->shape == INSPECT_BOX && brick->is_dimmed);
     assert_true(brick->a == PX(6) && brick->b == PX(3) && brick->x == PX(76) && brick->y == PX(98));
-    assert_true(mist->shape == INSPECT_NONE && mist->a == 0);
+    assert_true(mist->shape == INSPECT_NO_SHAPE && mist->a == 0);
     assert_true(still->shape == INSPECT_CIRCLE && still->a == PX(2.5) && !still->is_dimmed);
     assert_true(rice->x == PX(116.25) && rice->y == PX(58.5) && rice->slot == 3);
     assert_true(l.body[2].kind == INSPECT_SHOT && l.body[2].a == PX(3) && l.body[2].x == PX(46));
@@ -127,10 +127,10 @@ static void capsules_lie_as_they_fly(void **state)
     assert_true(l.body[2].b == PX(13) && l.body[2].circle[1].y == PX(160) && l.body[2].circle[1].r == PX(3));
     assert_true(l.body[0].shape == INSPECT_CAPSULE && l.body[0].a == PX(3));
     assert_true(l.body[0].b == PX(20) && l.body[0].c == 0 && l.body[1].b == 0 && l.body[1].c == PX(20));
-    assert_true(inspect_at(r.b, 72, 60, 0, &thing) && thing.body.slot == 0);
-    assert_true(inspect_at(r.b, 150, 82, 0, &thing) && thing.body.slot == 1);
-    assert_true(inspect_at(r.b, 150, 161, 0, &thing) && thing.body.slot == 2);
-    assert_false(inspect_at(r.b, 50, 66, 0, &thing));
+    assert_true(inspect_entity_at(r.b, 72, 60, 0, &thing) && thing.body.slot == 0);
+    assert_true(inspect_entity_at(r.b, 150, 82, 0, &thing) && thing.body.slot == 1);
+    assert_true(inspect_entity_at(r.b, 150, 161, 0, &thing) && thing.body.slot == 2);
+    assert_false(inspect_entity_at(r.b, 50, 66, 0, &thing));
     rig_free(&r);
     rig_game_free(&g);
 }
@@ -152,12 +152,12 @@ static void gauges_show_how_full_it_is(void **state)
 
     rig_run(&t->r, 1);
     int n = inspect_gauges(t->r.b, g);
-    assert_int_equal(n, board_parts(t->r.b));
+    assert_int_equal(n, board_part_count(t->r.b));
     const struct inspect_gauge *bullets = gauge(g, n, "bullets"), *kinds = gauge(g, n, "bullet_kinds");
     assert_true(bullets->live == 4 && bullets->top == 64 && bullets->high == 64 && bullets->cap == 256);
-    assert_true(bullets->refused == 0 && !bullets->fixed);
-    assert_true(kinds->live == 3 && kinds->top == 3 && kinds->cap == 1024 && !kinds->fixed);
-    assert_true(gauge(g, n, "pal")->fixed && gauge(g, n, "script")->fixed && !gauge(g, n, "tasks")->fixed);
+    assert_true(bullets->refused == 0 && !bullets->is_fixed);
+    assert_true(kinds->live == 3 && kinds->top == 3 && kinds->cap == 1024 && !kinds->is_fixed);
+    assert_true(gauge(g, n, "pal")->is_fixed && gauge(g, n, "script")->is_fixed && !gauge(g, n, "tasks")->is_fixed);
     for (int i = 0; i < n; i++)
         assert_true(g[i].live == board_live_count(t->r.b, g[i].name) &&
                     g[i].refused == board_refused_count(t->r.b, g[i].name));
@@ -205,19 +205,19 @@ static void tasks_say_where_they_wait(void **state)
     struct inspect_task k[8];
 
     assert_int_equal(inspect_tasks(t->r.b, 0, k, 8), 2);
-    assert_true(!k[0].begun && k[0].place[0] == 0 && k[0].serial == 1 && k[0].wait == 1);
+    assert_true(!k[0].has_begun && k[0].location[0] == 0 && k[0].serial == 1 && k[0].wait == 1);
     rig_run(&t->r, 1);
     assert_int_equal(inspect_tasks(t->r.b, 0, k, 8), 4);
-    assert_string_equal(k[0].place, "main.lua:25");
-    assert_true(k[0].begun && k[0].wait == 3 && !k[0].waits_forever && k[0].owner == OWNER_BOARD);
-    assert_string_equal(k[1].place, "main.lua:27");
+    assert_string_equal(k[0].location, "main.lua:25");
+    assert_true(k[0].has_begun && k[0].wait == 3 && !k[0].waits_forever && k[0].owner == OWNER_BOARD);
+    assert_string_equal(k[1].location, "main.lua:27");
     assert_true(k[1].waits_forever);
-    assert_string_equal(k[2].place, "main.lua:13");
+    assert_string_equal(k[2].location, "main.lua:13");
     assert_true(k[2].owner == OWNER_ENEMY && k[2].owner_number == 0 && k[2].wait == 1000 && k[2].age == 1);
-    assert_true(k[3].is_scope && k[3].place[0] == 0 && k[3].serial == 4 && k[3].owner == OWNER_BOARD);
+    assert_true(k[3].is_scope && k[3].location[0] == 0 && k[3].serial == 4 && k[3].owner == OWNER_BOARD);
     rig_run(&t->r, 1);
     assert_int_equal(inspect_tasks(t->r.b, 2, k, 1), 4);
-    assert_true(k[0].serial == 3 && k[0].wait == 999 && k[0].age == 2 && !k[0].stopped && !k[0].frozen);
+    assert_true(k[0].serial == 3 && k[0].wait == 999 && k[0].age == 2 && !k[0].is_stopped && !k[0].is_frozen);
     assert_true(inspect_task(t->r.b, 4, k) && k[0].is_scope);
     assert_false(inspect_task(t->r.b, 5, k));
     assert_false(inspect_task(t->r.b, 0, k));
@@ -239,7 +239,7 @@ static void frozen_and_stopped_tasks(void **state)
     rig_power(&r, &game, NULL);
     rig_run(&r, 3);
     assert_true(inspect_tasks(r.b, 0, k, 4) >= 3);
-    assert_true(k[0].frozen && k[1].frozen && k[1].owner == OWNER_TASK && k[1].owner_number == k[0].serial);
+    assert_true(k[0].is_frozen && k[1].is_frozen && k[1].owner == OWNER_TASK && k[1].owner_number == k[0].serial);
     rig_free(&r);
     rig_game_free(&game);
 }
@@ -250,7 +250,7 @@ static void what_is_under_a_point(void **state)
     struct inspect_entity at;
 
     rig_run(&t->r, 11); /* the rice turns: 6 frames went, of 30 */
-    assert_true(inspect_at(t->r.b, 116, 63, 6, &at));
+    assert_true(inspect_entity_at(t->r.b, 116, 63, 6, &at));
     assert_true(at.body.kind == INSPECT_BULLET && at.body.slot == 3);
     assert_string_equal(at.name, "rice");
     assert_string_equal(at.tag, "first");
@@ -261,21 +261,21 @@ static void what_is_under_a_point(void **state)
     assert_string_equal(at.motion, "swerve");
     assert_int_equal(at.owner_task, 3);
 
-    assert_true(inspect_at(t->r.b, 141, 49, 6, &at)); /* a bullet in front of a wall: the smaller of the two */
+    assert_true(inspect_entity_at(t->r.b, 141, 49, 6, &at)); /* a bullet in front of a wall: the smaller of the two */
     assert_true(at.body.kind == INSPECT_BULLET && at.body.slot == 2 && !at.tag && !at.has_motion && at.owner_task == 1);
-    assert_true(inspect_at(t->r.b, 120, 50, 6, &at));
-    assert_true(at.body.kind == INSPECT_ENEMY && at.hp == 70 && at.safe == 0 && at.owner_task == 1);
+    assert_true(inspect_entity_at(t->r.b, 120, 50, 6, &at));
+    assert_true(at.body.kind == INSPECT_ENEMY && at.hp == 70 && at.safe_left == 0 && at.owner_task == 1);
     assert_string_equal(at.name, "wall");
-    assert_true(inspect_at(t->r.b, 46, 68, 0, &at));
+    assert_true(inspect_entity_at(t->r.b, 46, 68, 0, &at));
     assert_true(at.body.kind == INSPECT_SHOT && at.player == 1);
     assert_string_equal(at.name, "bolt");
-    assert_true(inspect_at(t->r.b, 136, 208, 0, &at));
+    assert_true(inspect_entity_at(t->r.b, 136, 208, 0, &at));
     assert_true(at.body.kind == INSPECT_PLAYER);
     assert_string_equal(at.name, "ship");
-    assert_true(inspect_at(t->r.b, 166 + 4, 98, 6, &at)); /* a mist has no shape: near it is enough */
+    assert_true(inspect_entity_at(t->r.b, 166 + 4, 98, 6, &at)); /* a mist has no shape: near it is enough */
     assert_string_equal(at.name, "mist");
-    assert_false(inspect_at(t->r.b, 166 + 9, 98, 6, &at));
-    assert_false(inspect_at(t->r.b, 20, 280, 6, &at));
+    assert_false(inspect_entity_at(t->r.b, 166 + 9, 98, 6, &at));
+    assert_false(inspect_entity_at(t->r.b, 20, 280, 6, &at));
 }
 
 /* ---- nothing changes ---- */
@@ -295,7 +295,7 @@ static void ask_everything(const struct board *b)
     for (uint32_t i = 0; i < n && i < 64; i++)
         inspect_task(b, tasks[i].serial, &tasks[0]);
     for (int i = 0; i < 40; i++)
-        if (inspect_at(b, i * 53 % 240, i * 31 % 320, 8, &thing))
+        if (inspect_entity_at(b, i * 53 % 240, i * 31 % 320, 8, &thing))
             inspect_task(b, thing.owner_task, &tasks[0]);
     free(l);
 }
@@ -387,7 +387,7 @@ static void names_stay(void **state)
     }
     for (int i = 1; i <= 100; i++) {
         snprintf(want, sizeof want, "t%d", i);
-        assert_true(inspect_at(r.b, 2 * i, 9, 0, &at));
+        assert_true(inspect_entity_at(r.b, 2 * i, 9, 0, &at));
         assert_string_equal(at.tag, want);
         assert_string_equal(at.name, "b");
     }
@@ -409,7 +409,7 @@ static void what_sounds(void **state)
 
     (void)state;
     board_sound_init_tables(tables);
-    m.sound = 1;
+    m.has_sound = 1;
     rig_script(
         &game, &m,
         "function string.told() return ('%d %d %s'):format(music.bar(), music.beat(), music.marker() or '') end\n"
@@ -420,16 +420,16 @@ static void what_sounds(void **state)
     inspect_music(r.b, &music);
     assert_string_equal(music.name, "");
     inspect_voice(r.b, 0, &v);
-    assert_true(v.is_music && !v.busy);
+    assert_true(v.is_music && !v.is_busy);
     int busy = 0;
     for (int i = 0; i < VOICES; i++) {
         inspect_voice(r.b, i, &v);
-        if (!v.busy)
+        if (!v.is_busy)
             continue;
         busy++;
         assert_false(v.is_music);
         assert_string_equal(v.source, "hit");
-        assert_string_equal(v.wave, "noise");
+        assert_string_equal(v.instrument_kind, "noise");
         assert_int_equal(v.pan, -64);
         int peak = 0;
         board_mix_sound(r.b, tables, sound);
@@ -455,12 +455,12 @@ static void what_sounds(void **state)
         assert_string_equal(rig_told(&r), want);
     }
     inspect_voice(r.b, 0, &v);
-    assert_true(v.is_music && v.busy);
+    assert_true(v.is_music && v.is_busy);
     assert_string_equal(v.source, "tide");
-    assert_string_equal(v.wave, "fm");
+    assert_string_equal(v.instrument_kind, "fm");
     assert_int_equal(inspect_voice_peak(r.b, 20, tables), 0);
     inspect_voice(r.b, 1, &v);
-    assert_true(v.busy && strcmp(v.wave, "tri") == 0);
+    assert_true(v.is_busy && strcmp(v.instrument_kind, "tri") == 0);
     assert_true(inspect_voice_peak(r.b, 0, tables) != inspect_voice_peak(r.b, 1, tables));
     rig_free(&r);
     rig_game_free(&game);
@@ -480,7 +480,7 @@ static void silence(void **state)
     rig_power(&r, &game, NULL);
     inspect_voice(r.b, 3, &v);
     inspect_music(r.b, &music);
-    assert_true(!v.busy && !music.name[0]);
+    assert_true(!v.is_busy && !music.name[0]);
     assert_int_equal(inspect_voice_peak(r.b, 3, NULL), 0);
     rig_free(&r);
     rig_game_free(&game);
@@ -519,8 +519,8 @@ static void who_plays(void **state)
     rig_power(&r, &game, NULL);
     for (int frame = 0; frame < 40; frame++) {
         const struct inspect_controls one = inspect_player_controls(r.b, 0), two = inspect_player_controls(r.b, 1);
-        assert_true(one.steers == steps[step].has.steers && one.fires == steps[step].has.fires);
-        assert_false(two.steers || two.fires);
+        assert_true(one.can_steer == steps[step].has.can_steer && one.can_fire == steps[step].has.can_fire);
+        assert_false(two.can_steer || two.can_fire);
         rig_run(&r, 1);
         const struct board_out *out = board_last_output(r.b);
         if (step + 1 < STEPS && out->log_size && strncmp(out->log, steps[step + 1].said, out->log_size) == 0)

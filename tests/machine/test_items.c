@@ -37,7 +37,7 @@ static void power(const char *text)
     static char script[8192];
 
     m.items = 64;
-    m.hp = m.has_freeze = 1;
+    m.has_hp = m.has_freeze = 1;
     snprintf(script, sizeof script, "%s%s", kinds, text);
     rig_with_sys(&g, &m, script);
     rig_power(&rig, &g, NULL);
@@ -272,15 +272,16 @@ static void test_directions(void **state)
     for (uint32_t n = 1; n < 40; n++)
         for (uint64_t spread = 0; spread <= 1ull << 32; spread += 1u << 28) {
             for (uint32_t k = 0; k < n; k++) {
-                int32_t off = (int32_t)items_direction(7, spread, k, n) - 7;
-                int32_t other = (int32_t)items_direction(7, spread, n - 1 - k, n) - 7;
+                int32_t off = (int32_t)items_spread_direction(7, spread, k, n) - 7;
+                int32_t other = (int32_t)items_spread_direction(7, spread, n - 1 - k, n) - 7;
                 assert_true((uint32_t)(off + other + 1) <= 2); /* cut to whole units */
                 if (k + 1 < n) {
-                    int64_t apart = (uint32_t)(items_direction(7, spread, k + 1, n) - items_direction(7, spread, k, n));
+                    int64_t apart = (uint32_t)(items_spread_direction(7, spread, k + 1, n) -
+                                               items_spread_direction(7, spread, k, n));
                     assert_true(apart - (int64_t)(spread / n) <= 1 && apart >= (int64_t)(spread / n));
                 }
             }
-            assert_int_equal(items_direction(7, spread, 0, 1), 7);
+            assert_int_equal(items_spread_direction(7, spread, 0, 1), 7);
         }
     power("item.drop { kind = 'rock', x = 100, y = 100, n = 5, spread = 90 }");
     assert_int_equal(rig.b->core.drawn, 0);
@@ -569,7 +570,7 @@ static void test_refused(void **state)
         struct manifest m = rig_manifest();
         char script[4096], want[300];
         m.items = 4;
-        m.hp = 1;
+        m.has_hp = 1;
         snprintf(script, sizeof script, "%s%s", kinds, wrong[i][0]);
         rig_with_sys(&g, &m, script);
         rig_power_any(&rig, &g, NULL);
@@ -616,7 +617,7 @@ static void test_absent(void **state)
         rig_script(&g, &m, text);
         rig_power(&rig, &g, NULL);
         board_hashes(rig.b, hashes);
-        for (int i = PARTS_ALWAYS_HASHED; i < PARTS; i++)
+        for (int i = FIRST_OPTIONAL_PART; i < PART_COUNT; i++)
             if (!strncmp(board_part_name(rig.b, i), "item", 4))
                 assert_true(with ? hashes[i] != 0 : hashes[i] == 0);
         all[with] = board_hash(rig.b);

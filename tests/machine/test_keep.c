@@ -11,7 +11,7 @@
 
 enum { MOST = 1 << 21 };
 
-static char dir[256], file[300], spare[300], err[DEMO_ERR];
+static char dir[256], file[300], spare[300], err[DEMO_ERR_SIZE];
 static struct rig_game game;
 static uint8_t a[MOST], b[MOST];
 
@@ -80,16 +80,16 @@ static void test_spare(void **state)
     rng_seed(&rng, 1);
     rig_power(&r, &game, &start);
     assert_true(demo_begin(&w, file, &game.cart, r.b, &start, 0));
-    demo_record_spare(&w, spare);
+    demo_record_to_spare_file(&w, spare);
     same_files();
     play(&w, &r, &rng, 130);
     same_files();
     assert_true(demo_add_flags(&w, DEMO_ASSISTED));
     same_files();
-    demo_record_spare(&w, NULL);
+    demo_record_to_spare_file(&w, NULL);
     play(&w, &r, &rng, 77);
-    assert_true(plat_size(spare) < plat_size(file)); /* it was left as it was */
-    demo_record_spare(&w, spare);
+    assert_true(plat_file_size(spare) < plat_file_size(file)); /* it was left as it was */
+    demo_record_to_spare_file(&w, spare);
     play(&w, &r, &rng, 120);
     assert_true(demo_load(&d, spare, err, sizeof err));
     assert_true(d.frames == 300 && !d.complete && d.flags == DEMO_ASSISTED && d.n_markers > 4);
@@ -114,11 +114,11 @@ static void test_spare_ends(void **state)
     rng_seed(&rng, 2);
     rig_power(&r, &game, &start);
     assert_true(demo_begin(&w, NULL, &game.cart, r.b, &start, DEMO_RESUMED));
-    demo_record_spare(&w, "/proc/nothing/b.demo");
+    demo_record_to_spare_file(&w, "/proc/nothing/b.demo");
     assert_string_equal(w.spare_err, "/proc/nothing/b.demo: cannot be written (No such file or directory)");
-    assert_true(w.spare.write_failed);
+    assert_true(w.spare_file.write_failed);
     play(&w, &r, &rng, 100);
-    demo_record_spare(&w, spare);
+    demo_record_to_spare_file(&w, spare);
     assert_string_equal(w.spare_err, "");
     play(&w, &r, &rng, 99);
     assert_true(demo_end(&w, r.b));
@@ -213,7 +213,7 @@ static void test_go_on(void **state)
     assert_null(s.demo);
     for (int i = 0; i < 100; i++)
         assert_true(session_tick(&s, bomb));
-    demo_record_spare(&s.now->writer, spare);
+    demo_record_to_spare_file(&s.now->writer, spare);
     assert_true(session_close(&s));
     demo_free(&d);
 

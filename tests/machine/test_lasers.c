@@ -676,7 +676,7 @@ static void test_nearest(void **state)
         for (int n = 0; n < 2000; n++) {
             const fx x = (fx)rng_below(&rng, 400 << 16) - (80 << 16), y = (fx)rng_below(&rng, 400 << 16) - (40 << 16);
             fx at_x, at_y, ax, ay, bx, by;
-            lasers_nearest(r.b, i, x, y, &at_x, &at_y);
+            lasers_get_nearest_point(r.b, i, x, y, &at_x, &at_y);
             const double d = hypot((double)at_x - x, (double)at_y - y);
             double best = 1e18;
             for (uint32_t k = 0; k + 1 < lasers_corner_count(r.b, i); k++) {
@@ -901,7 +901,7 @@ static void test_without(void **state)
     rig_power(&r, &g, NULL);
     rig_run(&r, 3);
     board_hashes(r.b, hashes);
-    for (int i = PARTS_ALWAYS_HASHED; i < PARTS; i++) {
+    for (int i = FIRST_OPTIONAL_PART; i < PART_COUNT; i++) {
         assert_int_equal(slots_size(machine_parts[i].chip, 0, 0), 0);
         assert_int_equal(hashes[i], 0);
     }

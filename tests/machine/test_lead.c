@@ -71,7 +71,7 @@ static void formula(const struct motion_step *p, const struct start *a, uint32_t
         *y = a->y + way * sine(angle) + side * cosine(angle);
         return;
     }
-    if (p->mode & MODE_AT) {
+    if (p->mode & MODE_HAS_CENTRE) {
         cx = p->x;
         cy = p->y;
         r = fx_hypot(a->x - p->x, a->y - p->y);
@@ -81,7 +81,7 @@ static void formula(const struct motion_step *p, const struct start *a, uint32_t
     if (p->actions & DOES_POLAR)
         r += (__float128)p->speed / 65536 * k;
     else
-        r = p->size + (p->mode & MODE_TO ? ((__float128)p->size_to - p->size) * t : 0);
+        r = p->size + (p->mode & MODE_HAS_SIZE_TO ? ((__float128)p->size_to - p->size) * t : 0);
     angle += (__float128)p->turn / TURN * k;
     *x = cx + r * cosine(angle);
     *y = cy + r * sine(angle);
@@ -166,7 +166,7 @@ static void test_formulas(void **state)
             break;
         case 3:
             p.actions = DOES_POLAR;
-            p.mode = MODE_AT;
+            p.mode = MODE_HAS_CENTRE;
             p.x = number(far * px), p.y = number(far * px);
             p.speed = (int64_t)number(px) * 65536;
             p.turn = number((1 << 27));
@@ -179,7 +179,7 @@ static void test_formulas(void **state)
             break;
         default:
             p.actions = DOES_ORBIT;
-            p.mode = MODE_AT | (run % 4 ? MODE_TO : 0);
+            p.mode = MODE_HAS_CENTRE | (run % 4 ? MODE_HAS_SIZE_TO : 0);
             p.x = number(far * px), p.y = number(far * px);
             p.size = abs(number(far * px)), p.size_to = abs(number(far * px));
             p.turn = number(INT32_MAX);

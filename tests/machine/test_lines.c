@@ -16,7 +16,7 @@ static struct manifest with_lines(int n)
     struct manifest m = rig_manifest();
 
     m.lines = n;
-    m.wide = 1;
+    m.has_wide_text = 1;
     return m;
 }
 
@@ -293,7 +293,7 @@ static void test_cells(void **state)
     assert_int_equal(pixel(16, 41), 2 * 16 + 15);
     end();
     struct manifest m = with_lines(0);
-    m.wide = 0;
+    m.has_wide_text = 0;
     rig_script(&g, &m, "text.put { col = 2, row = 3, text = 'A', font = 'tiny' }");
     rig_power_any(&rig, &g, NULL);
     assert_string_equal(
@@ -324,7 +324,7 @@ static void test_no_widths(void **state)
     int i = rom_find(&g.image.rom, "fonts/tiny");
     struct lump l;
     rom_lump(&g.image.rom, i, &l);
-    ((uint8_t *)(uintptr_t)l.data)[FACE_HEADER + 12] = 60;
+    ((uint8_t *)(uintptr_t)l.data)[FACE_HEADER_SIZE + 12] = 60;
     rig_power(&rig, &g, NULL);
     rig_run(&rig, 9);
     assert_true(board_hash(rig.b) == hash);

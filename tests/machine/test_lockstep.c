@@ -115,7 +115,7 @@ static int play(const struct rig_game *g, const struct demo *d, const struct boa
         for (int i = d->n_parts - 1; i >= 0; i--)
             if (differ >> i & 1) {
                 wrong = (int)f;
-                *part = d->part[i];
+                *part = d->part_name[i];
             }
         demo_pads(d, f, pads);
         if (f < d->frames)
@@ -229,7 +229,7 @@ static void diverges(const struct act *act)
     rig_run(&b, 1);
     board_hashes(a.b, ha);
     board_hashes(b.b, hb);
-    for (int i = 0; i < board_parts(a.b); i++) {
+    for (int i = 0; i < board_part_count(a.b); i++) {
         const char *part = board_part_name(a.b, i);
         bool may = act->other && !strcmp(part, act->other), must = !strcmp(part, "script");
         if (must ? ha[i] == hb[i] : ha[i] != hb[i] && !may)

@@ -311,7 +311,7 @@ static void test_state(void **state)
         close_it();
     }
     open_with("");
-    for (int i = 0; i < PARTS; i++) {
+    for (int i = 0; i < PART_COUNT; i++) {
         const char *name = board_part_name(r.b, i);
         bool may = !strcmp(name, "script") || !strcmp(name, "enemies") || !strcmp(name, "player");
         if ((h[0][i] != h[1][i]) != may)

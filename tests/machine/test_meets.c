@@ -37,8 +37,8 @@ static void draw_kinds(struct bullet_kinds *k, fx size)
 
 static void draw_pairs(struct bullets *s)
 {
-    s->n_meets = 1 + (uint32_t)rng_below(&rng, 4);
-    for (uint32_t p = 0; p < s->n_meets; p++) {
+    s->n_meet_pairs = 1 + (uint32_t)rng_below(&rng, 4);
+    for (uint32_t p = 0; p < s->n_meet_pairs; p++) {
         s->meet_first[p] = (uint16_t)(1 + rng_below(&rng, TAGS));
         s->meet_second[p] = (uint16_t)(1 + rng_below(&rng, TAGS));
         s->meet_flags[p] = (uint8_t)rng_below(&rng, 8);
@@ -96,7 +96,7 @@ static struct {
 static bool there(const struct board *b, uint32_t i, uint16_t tag)
 {
     const struct bullets *s = &b->bullets;
-    bool live = s->s.used[i / 64] >> (i & 63) & 1, held = i < s->s.held_top && s->s.held[i / 64] >> (i & 63) & 1;
+    bool live = s->s.live_bits[i / 64] >> (i & 63) & 1, held = i < s->s.held_top && s->s.held[i / 64] >> (i & 63) & 1;
 
     return (live || held) && s->tag[i] == tag && !(s->flags[i] & BULLET_DELAYED) && !plain.gone[i];
 }
@@ -151,7 +151,7 @@ static void mark(const struct board *b, uint32_t p, uint32_t i, uint32_t k)
     plain.alone += alone;
     plain.held += i < s->s.held_top && s->s.held[i / 64] >> (i & 63) & 1;
     plain.stood += !(flags[s->kind[i]] & KIND_SWEPT) != !(flags[s->kind[k]] & KIND_SWEPT);
-    plain.pieces += (b->bullet_kinds.shape[s->kind[i]] | b->bullet_kinds.shape[s->kind[k]]) > SHAPE_MAX_PLAIN;
+    plain.pieces += (b->bullet_kinds.shape[s->kind[i]] | b->bullet_kinds.shape[s->kind[k]]) > SHAPE_MAX_SIMPLE;
 }
 
 static void reference_meets(const struct board *b)
@@ -161,7 +161,7 @@ static void reference_meets(const struct board *b)
     expected_n = 0;
     memset(plain.first, 0, sizeof plain.first);
     memset(plain.gone, 0, sizeof plain.gone);
-    for (uint32_t p = 0; p < s->n_meets; p++)
+    for (uint32_t p = 0; p < s->n_meet_pairs; p++)
         for (uint32_t i = 0; i < s->s.top; i++) {
             int32_t k = there(b, i, s->meet_first[p]) && !plain.first[i] ? plain_partner(b, p, i) : NO_SLOT;
             if (k == NO_SLOT)
@@ -278,7 +278,7 @@ static void holds(const char *pairs, const char *task, int pings, int pongs)
     struct rig r;
     int sparks[2] = { 0 };
 
-    m.bullets_can_meet = m.has_freeze = m.hp = 1;
+    m.bullets_can_meet = m.has_freeze = m.has_hp = 1;
     snprintf(text, sizeof text, "%s%s\ntask.go(function() wait(1) %s string.good = 1 end)\n", kinds, pairs, task);
     rig_with_sys(&g, &m, text);
     rig_power(&r, &g, NULL);
@@ -448,9 +448,9 @@ static void see(void *context, const struct slots_value *v)
 {
     struct pair_seen *s = context;
 
-    s->meets += !strcmp(v->column, "n_meets");
+    s->meets += !strcmp(v->column, "n_meet_pairs");
     s->firsts += !strcmp(v->column, "meet_first");
-    if (!strcmp(v->column, "n_meets"))
+    if (!strcmp(v->column, "n_meet_pairs"))
         s->last = v->value;
 }
 
@@ -466,12 +466,12 @@ static void test_trace(void **state)
         rig_script(&g, &m,
                    on ? "bullet.meet('a', 'b', { clear = 'both' }) bullet.meet('b', 'a', { clear = 'both' })" : "");
         rig_power(&r, &g, NULL);
-        for (int i = 0; i < PARTS; i++)
+        for (int i = 0; i < PART_COUNT; i++)
             board_trace(r.b, i, see, &s);
         assert_int_equal(s.meets, on);
-        assert_int_equal(s.firsts, on * MAX_MEETS);
+        assert_int_equal(s.firsts, on * MAX_MEET_PAIRS);
         assert_int_equal(s.last, 2 * on);
-        assert_int_equal(r.b->bullets.next != NULL, on);
+        assert_int_equal(r.b->bullets.meet_next != NULL, on);
         rig_free(&r);
         rig_game_free(&g);
     }

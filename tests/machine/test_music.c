@@ -32,7 +32,7 @@ static void power_from(const char *script, const char *section)
     struct board_start start = { .seed = 1, .difficulty = -1 };
     static char text[1 << 13];
 
-    m.sound = 1;
+    m.has_sound = 1;
     snprintf(start.practice.section, sizeof start.practice.section, "%s", section);
     snprintf(text, sizeof text, "%s%s", ship, script);
     rig_with_sys(&game, &m, text);
@@ -326,7 +326,7 @@ static void run_from(const char *script, const char *section, uint64_t out[AFTER
     assert_true(until_told(4000));
     for (int f = 0; f < AFTER; f++) {
         const struct seq *s = &rig.b->music;
-        out[f] = hash_fold(hash_fold(heard(rig.b), s->pos), s->tune + 100u * s->mark + 10000u * s->suspended_count);
+        out[f] = hash_fold(hash_fold(heard(rig.b), s->pos), s->tune + 100u * s->marker + 10000u * s->suspended_count);
         rig_run(&rig, 1);
     }
     done();
@@ -594,7 +594,7 @@ static void power_sound(const char *name, const char *script)
     size_t size;
     int n;
 
-    m.sound = 1;
+    m.has_sound = 1;
     m.items = 8;
     m.extends[0] = 500;
     m.n_extends = 1;
@@ -622,7 +622,7 @@ static int begun(int frames, bool presses_any)
         static const uint16_t presses[] = { PAD_DOWN, PAD_FIRE, PAD_BOMB, PAD_START };
         const uint16_t pads[MAX_PLAYERS] = { f % 2 && presses_any ? presses[f / 4 % 4] : 0, 0 };
         rig_tick(&rig, pads);
-        for (int i = 0; i < CUES; i++)
+        for (int i = 0; i < CUE_SLOTS; i++)
             n += rig.b->cues.tune[i] && rig.b->cues.start_frame[i] + 1 == rig.b->core.frame;
     }
     return n;
@@ -633,10 +633,10 @@ static void test_cues(void **state)
 {
     (void)state;
     for (int i = 0; i < CART_CUES; i++) {
-        assert_string_equal(deeds[i].name, cart_cues[i]);
+        assert_string_equal(deeds[i].name, cart_cue_names[i]);
         power_sound(deeds[i].name, deeds[i].script);
         for (int k = 0; k < CART_CUES; k++)
-            assert_true((rig.b->cart.cue_place[k] != 0) == (k == i));
+            assert_true((rig.b->cart.cue_offset[k] != 0) == (k == i));
         const int n = begun(200, true);
         if (n == 0)
             fail_msg("no sound of \"%s\"", deeds[i].name);
@@ -678,14 +678,14 @@ static void test_slots(void **state)
 
     (void)state;
     power("sound.play('hit')");
-    for (; rig_run(&rig, 1), board_cue(rig.b, 0, &cue) && cue.name; frames++) {
+    for (; rig_run(&rig, 1), board_get_cue(rig.b, 0, &cue) && cue.name; frames++) {
         assert_string_equal(cue.name, "hit");
         assert_int_equal(lasts, 0);
         lasts += cue.ends_next_frame;
     }
     assert_true(frames > 1 && lasts == 1);
     rig.b->cues.tune[0] = 1; /* no sound begins there */
-    assert_true(board_cue(rig.b, 0, &cue) && cue.name == NULL);
+    assert_true(board_get_cue(rig.b, 0, &cue) && cue.name == NULL);
     done();
 }
 
@@ -696,9 +696,9 @@ static void test_long_fades(void **state)
     power("music.play('tide')");
     rig_run(&rig, 2);
     sound_stop_music(rig.b, 65535);
-    rig.b->music.fade = 50000;
+    rig.b->music.fade_frames_left = 50000;
     sound_start_music(rig.b, cart_find(&rig.b->cart, CART_TUNES, "deep"), &(struct music_options){ .fade = 40000 });
-    assert_int_equal(rig.b->music.fade, 40000);
+    assert_int_equal(rig.b->music.fade_frames_left, 40000);
     assert_int_equal(rig.b->music.fade_length, 52428);
     done();
 }
@@ -709,7 +709,7 @@ static void refuses(const char *script, const char *message)
 {
     struct manifest m = rig_manifest();
 
-    m.sound = 1;
+    m.has_sound = 1;
     rig_script(&game, &m, script);
     rig_sounds(&game);
     assert_string_equal(rig_said(&game, 60, true), message);

@@ -34,7 +34,7 @@ static bool in_mind(const struct board *b, uint32_t i, int64_t thing, int *n)
 
     *n = 0;
     for (uint32_t k = 0; k < MAX_PIERCED_TARGETS; k++) {
-        int64_t h = b->shots.pierced[i * MAX_PIERCED_TARGETS + k];
+        int64_t h = b->shots.pierced_targets[i * MAX_PIERCED_TARGETS + k];
         if (!h || b->shots.rehit_clock[i * MAX_PIERCED_TARGETS + k] <= CLOCK || !board_is_readable(b, h))
             continue;
         is |= h == thing;
@@ -73,13 +73,13 @@ static void expect_of(const struct board *b, uint32_t i)
     in_mind(b, i, 0, &known);
     for (int k = 0; k < n; k++) {
         int unused;
-        if (b->shot_kinds.pierce[b->shots.kind[i]] && in_mind(b, i, t[k].thing, &unused)) {
+        if (b->shot_kinds.pierce_hits[b->shots.kind[i]] && in_mind(b, i, t[k].thing, &unused)) {
             kept_out++;
             continue;
         }
         if (left != PIERCE_FOREVER && hits > left)
             break;
-        if (b->shot_kinds.pierce[b->shots.kind[i]] && known + hits == MAX_PIERCED_TARGETS) {
+        if (b->shot_kinds.pierce_hits[b->shots.kind[i]] && known + hits == MAX_PIERCED_TARGETS) {
             full++;
             break;
         }
@@ -101,7 +101,7 @@ static void draw_kinds(struct bullet_kinds *k, fx span, bool shots)
         k->b[i] = k->shape[i] == SHAPE_BOX ? k->a[i] : 0;
         k->flags[i] = (uint16_t)((one_in(4) ? 0 : KIND_SWEPT) | (shots && one_in(3) ? KIND_CANCELS : 0));
         if (shots) {
-            k->pierce[i] = one_in(4) ? 0 : one_in(3) ? PIERCE_FOREVER : 1 + (int32_t)rng_below(&rng, 4);
+            k->pierce_hits[i] = one_in(4) ? 0 : one_in(3) ? PIERCE_FOREVER : 1 + (int32_t)rng_below(&rng, 4);
             k->rehit_interval[i] = 6;
         }
     }
@@ -134,14 +134,14 @@ static int64_t any_thing(const struct board *b)
 static void draw_memory(struct board *b)
 {
     EACH_LIVE (i, &b->shots.s) {
-        const int32_t of = b->shot_kinds.pierce[b->shots.kind[i]];
+        const int32_t of = b->shot_kinds.pierce_hits[b->shots.kind[i]];
         b->shots.pierce_left[i] = of <= 0 ? of : (int32_t)rng_below(&rng, (uint64_t)of + 1);
         for (uint32_t k = 0; of && k < MAX_PIERCED_TARGETS; k++) {
             bool twice = false;
             int64_t h = one_in(3) ? any_thing(b) : 0;
             for (uint32_t j = 0; j < k; j++)
-                twice |= b->shots.pierced[i * MAX_PIERCED_TARGETS + j] == h;
-            b->shots.pierced[i * MAX_PIERCED_TARGETS + k] = twice ? 0 : h;
+                twice |= b->shots.pierced_targets[i * MAX_PIERCED_TARGETS + j] == h;
+            b->shots.pierced_targets[i * MAX_PIERCED_TARGETS + k] = twice ? 0 : h;
             b->shots.rehit_clock[i * MAX_PIERCED_TARGETS + k] = CLOCK - 2 + (uint32_t)rng_below(&rng, 6);
         }
     }
@@ -190,7 +190,7 @@ static void test_random(void **state)
     m.bullets = BULLETS;
     m.shots = SHOTS;
     m.enemies = FOES;
-    m.hp = m.pierce = 1;
+    m.has_hp = m.has_pierce = 1;
     rig_script(&g, &m, "");
     rig_power(&r, &g, NULL);
     for (int i = 0; i < n; i++)
@@ -209,7 +209,7 @@ static const char *says(const char *text)
     static struct rig_game g;
     struct manifest m = rig_manifest();
 
-    m.pierce = m.hp = 1;
+    m.has_pierce = m.has_hp = 1;
     snprintf(script, sizeof script,
              "enemy.def('foe', { sprite = 'dot', hit = { circle = 4 }, hp = 9, touch = false })\n"
              "bullet.def('nut', { sprite = 'dot', hit = { circle = 4 }, hp = 9 })\n"
@@ -286,7 +286,7 @@ static void refuses(bool on, const char *of, const char *words)
     struct rig_game g;
     char script[256];
 
-    m.pierce = on;
+    m.has_pierce = on;
     snprintf(script, sizeof script, "shot.def('bolt', { sprite = 'dot', hit = { circle = 2 }, %s })", of);
     rig_script(&g, &m, script);
     assert_string_equal(rig_said(&g, 1, false), words);

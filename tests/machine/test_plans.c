@@ -216,8 +216,8 @@ static void put_odd(struct bed *t, const char *name)
 /* Does the function take arguments by name, and can it be called whenever it is? */
 static bool fits(const struct api_entry *e)
 {
-    const unsigned never = API_LOAD | API_METHOD | API_SYS | API_VARARGS;
-    const bool lua = e->flags & API_LUA && !(e->flags & API_FIRE); /* volleys are patterns' */
+    const unsigned never = API_LOAD_ONLY | API_METHOD | API_SYS | API_VARARGS;
+    const bool lua = e->flags & API_LUA && !(e->flags & API_PATTERN); /* volleys are patterns' */
 
     return e->count > e->positional_count && !(e->flags & never) && !lua &&
            !api_disabled_reason(&(struct manifest){ 0 }, e->name);
@@ -232,8 +232,8 @@ static const struct api_param *param(const struct api_entry *e, const struct api
 static const struct api_entry *entry_named(const char *name)
 {
     for (int i = 0; i < api_count_entries(&api_table); i++)
-        if (!strcmp(api_entry(&api_table, i)->name, name))
-            return api_entry(&api_table, i);
+        if (!strcmp(api_get_entry(&api_table, i)->name, name))
+            return api_get_entry(&api_table, i);
     return NULL;
 }
 
@@ -251,7 +251,7 @@ static bool seldom(const struct api_param *p)
 /* `local t = { .. } .. print(f(t))`; good: nothing of it is wrong on purpose. */
 static void put_call(struct bed *t, const struct api_entry *e, bool good)
 {
-    const struct api_entry *fire = e->flags & API_FIRE ? entry_named("bullet.fire") : NULL;
+    const struct api_entry *fire = e->flags & API_PATTERN ? entry_named("bullet.fire") : NULL;
     const int n = e->count + (fire ? fire->count : 0), from = (int)below(t, (uint32_t)n);
 
     put(t, "do local t = { ");
@@ -339,10 +339,10 @@ static void test_random(void **state)
     uint32_t used = 0;
 
     for (int i = 0; i < api_count_entries(&api_table); i++)
-        if (fits(api_entry(&api_table, i)))
-            warm(t, api_entry(&api_table, i));
+        if (fits(api_get_entry(&api_table, i)))
+            warm(t, api_get_entry(&api_table, i));
     for (int i = 0; i < api_count_entries(&api_table); i++) {
-        const struct api_entry *e = api_entry(&api_table, i);
+        const struct api_entry *e = api_get_entry(&api_table, i);
         for (int k = 0; fits(e) && k < lines; k++) {
             t->n = 0;
             for (uint32_t calls = 1 + below(t, 3); calls > 0; calls--)

@@ -12,10 +12,10 @@ static struct profile profile;
 
 static const struct profile_line *line_of(const char *place)
 {
-    static const struct profile_line none = { .place = "" };
+    static const struct profile_line none = { .location = "" };
 
     for (int i = 0; i < PROFILE_CAPACITY; i++)
-        if (strcmp(profile.line[i].place, place) == 0)
+        if (strcmp(profile.line[i].location, place) == 0)
             return &profile.line[i];
     return &none;
 }
@@ -67,11 +67,11 @@ static void exact(void **state)
     const uint64_t once = line_of("main.lua:4")->instructions, twice = line_of("main.lua:5")->instructions;
     assert_int_equal(twice - once, FRAMES * 100 * 2); /* an addition and the loop's own instruction */
     assert_in_range(once, FRAMES * 200, FRAMES * 210);
-    assert_int_equal(line_of("main.lua:4")->calls, 0);
+    assert_int_equal(line_of("main.lua:4")->call_work, 0);
     assert_int_equal(line_of("main.lua:3")->instructions, FRAMES);
-    assert_in_range(line_of("main.lua:6")->calls, FRAMES * WORK_CALL, FRAMES * (WORK_CALL + 10));
-    assert_int_equal(line_of("main.lua:7")->calls, 2 * line_of("main.lua:6")->calls);
-    assert_true(line_of("main.lua:8")->calls >= FRAMES * WORK_CALL);
+    assert_in_range(line_of("main.lua:6")->call_work, FRAMES * WORK_CALL, FRAMES * (WORK_CALL + 10));
+    assert_int_equal(line_of("main.lua:7")->call_work, 2 * line_of("main.lua:6")->call_work);
+    assert_true(line_of("main.lua:8")->call_work >= FRAMES * WORK_CALL);
     assert_int_equal(line_of("main.lua:1")->instructions, 0);
     assert_int_equal(sum(), profile_work(&profile.total));
     assert_int_equal(profile_work(&profile.overflow), 0);
@@ -124,12 +124,13 @@ static void of_author(void **state)
     rig_run(&r, 4 * FRAMES);
     board_set_profile(r.b, NULL);
     assert_true(r.b->bullets.s.live > 40);
-    assert_true(line_of("main.lua:4")->library >= 8 * 2);
-    assert_true(line_of("main.lua:8")->library > (4 * FRAMES - 1) * 3);
-    assert_int_equal(line_of("main.lua:5")->library, 0);
+    assert_true(line_of("main.lua:4")->library_instructions >= 8 * 2);
+    assert_true(line_of("main.lua:8")->library_instructions > (4 * FRAMES - 1) * 3);
+    assert_int_equal(line_of("main.lua:5")->library_instructions, 0);
     for (int i = 0; i < PROFILE_CAPACITY; i++)
-        assert_true(strncmp(profile.line[i].place, "@std/", 5) != 0);
-    assert_int_equal(profile.total.library, line_of("main.lua:4")->library + line_of("main.lua:8")->library);
+        assert_true(strncmp(profile.line[i].location, "@std/", 5) != 0);
+    assert_int_equal(profile.total.library_instructions,
+                     line_of("main.lua:4")->library_instructions + line_of("main.lua:8")->library_instructions);
     end(&g, &r);
 }
 
@@ -188,8 +189,9 @@ static void changes_nothing(void **state)
         assert_true(board_hash(r.b) == board_hash(other.b));
         assert_in_range(r.b->vm.work + STACK, other.b->vm.work, other.b->vm.work + 2 * STACK);
     }
-    assert_true(line_of("main.lua:5")->calls >= 119 * WORK_CALL);
-    assert_true(line_of("main.lua:4")->bytes > 119 * 100 && line_of("main.lua:4")->bytes < 119 * 4000);
+    assert_true(line_of("main.lua:5")->call_work >= 119 * WORK_CALL);
+    assert_true(line_of("main.lua:4")->allocated_bytes > 119 * 100 &&
+                line_of("main.lua:4")->allocated_bytes < 119 * 4000);
     assert_int_equal(sum(), profile_work(&profile.total));
     assert_in_range(profile_work(&profile.total), 119 * 500, 119 * 9000);
     rig_free(&other);

@@ -199,7 +199,7 @@ static void mutate_rom(uint8_t *p, size_t size, struct rng *r)
             spoil(p, size < 2000 ? size : 2000, r); /* header, directory, names */
             continue;
         }
-        if (ROM_HEADER + (size_t)lumps * ROM_ENTRY > size)
+        if (ROM_HEADER_SIZE + (size_t)lumps * ROM_ENTRY_SIZE > size)
             continue;
         spoil_lump(p, (uint32_t)rng_below(r, lumps), &at, &n);
         if (at < size && n > 0 && n <= size - at)
@@ -342,7 +342,7 @@ static void test_demo_truncated(void **state)
         free(p);
     }
     assert_true(t.n[SPOIL_REFUSED] > 0);
-    assert_int_equal(t.n[SPOIL_RAN], 1 + SPOIL_FRAMES / DEMO_SECOND);
+    assert_int_equal(t.n[SPOIL_RAN], 1 + SPOIL_FRAMES / DEMO_SECOND_FRAMES);
     free(whole);
 }
 

@@ -223,7 +223,7 @@ static void test_state(void **state)
     }
     board_hashes(r[0].b, a);
     board_hashes(r[1].b, b);
-    for (int i = 0; i < board_parts(r[0].b); i++) {
+    for (int i = 0; i < board_part_count(r[0].b); i++) {
         const char *name = board_part_name(r[0].b, i);
         if ((a[i] != b[i]) != (!strcmp(name, "script") || !strcmp(name, "screen")))
             fail_msg("part %s", name);
@@ -234,8 +234,8 @@ static void test_state(void **state)
     screen_reset(&r[1].b->screen);
     screen_get_shake(&r[1].b->screen, r[1].b->core.clock, &dx, &dy);
     assert_true(dx == 0 && dy == 0);
-    assert_true(screen_flash(&r[1].b->screen, r[1].b->core.clock) == 0);
-    assert_true(screen_bars(&r[1].b->screen, r[1].b->core.clock) == 0);
+    assert_true(screen_get_flash(&r[1].b->screen, r[1].b->core.clock) == 0);
+    assert_true(screen_get_bars(&r[1].b->screen, r[1].b->core.clock) == 0);
     assert_true(rig_picture(&r[0]) == rig_picture(&r[1]));
     for (int i = 0; i < 2; i++) {
         rig_free(&r[i]);
@@ -264,7 +264,7 @@ static void test_hashes(void **state)
         rig_run(&r, 1);
         board_hashes(r.b, plain);
         board_hashes_cached(r.b, copies, cached);
-        assert_memory_equal(plain, cached, sizeof plain[0] * PARTS);
+        assert_memory_equal(plain, cached, sizeof plain[0] * PART_COUNT);
         assert_int_equal(board_hash_cache_size(r.b), size);
         there += plain[part] != 0;
         for (int k = 0; k < 64; k++)
@@ -291,10 +291,10 @@ static void test_wipe(void **state)
                  "string.sys.wipe() end)");
     rig_power(&r, &g, NULL);
     rig_run(&r, 1);
-    assert_int_equal(screen_bars(&r.b->screen, 1), 50);
+    assert_int_equal(screen_get_bars(&r.b->screen, 1), 50);
     rig_run(&r, 1);
-    assert_int_equal(screen_bars(&r.b->screen, 2), 0);
-    assert_int_equal(screen_flash(&r.b->screen, 2), 0);
+    assert_int_equal(screen_get_bars(&r.b->screen, 2), 0);
+    assert_int_equal(screen_get_flash(&r.b->screen, 2), 0);
     assert_int_equal(r.b->screen.shake_frames, 0);
     rig_free(&r);
     rig_game_free(&g);

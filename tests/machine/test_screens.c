@@ -31,7 +31,7 @@ static void open_sized(const char *text, int w, int h, int field_w, int players)
     m.field_h = (int16_t)h;
     m.players = (uint8_t)players;
     m.n_difficulties = 2;
-    m.wide = widens;
+    m.has_wide_text = widens;
     m.lines = lines_of_board;
     memcpy(m.difficulties[0], "calm\0\0", 7);
     memcpy(m.difficulties[1], "wild", 5);
@@ -120,14 +120,14 @@ static void pause_and_go_on(void)
     clock = r.b->core.clock;
     frames(100);
     assert_int_equal(r.b->core.clock, clock);
-    assert_true(screen_dim(&r.b->screen, r.b->core.frame) > FX_ONE / 4);
+    assert_true(screen_get_dim(&r.b->screen, r.b->core.frame) > FX_ONE / 4);
     press(PAD_DOWN, 0);
     press(PAD_BOMB, 0); /* goes on, wherever the bar stands */
     frames(10);
     gone("PAUSE");
     assert_true(r.b->core.clock > clock);
     assert_int_equal(r.b->player.gen[0], game);
-    assert_int_equal(screen_dim(&r.b->screen, r.b->core.frame), 0);
+    assert_int_equal(screen_get_dim(&r.b->screen, r.b->core.frame), 0);
 }
 
 static void through_all(int w, int h, int field_w, int players)
@@ -223,11 +223,11 @@ static void test_back(void **state)
     soon("DIFFICULTY", 30);
     press(PAD_BOMB, 0);
     soon("STORY", 30);
-    assert_true(screen_dim(&r.b->screen, r.b->core.frame) > 0);
+    assert_true(screen_get_dim(&r.b->screen, r.b->core.frame) > 0);
     press(PAD_BOMB, 0);
     soon("PRESS START", 30);
     frames(10);
-    assert_int_equal(screen_dim(&r.b->screen, r.b->core.frame), 0);
+    assert_int_equal(screen_get_dim(&r.b->screen, r.b->core.frame), 0);
     press(PAD_START, 0);
     soon("2 PLAYERS", 30);
     frames(1801);
@@ -440,7 +440,7 @@ static void test_puts_back(void **state)
         for (int c = 0; c < 4; c++)
             assert_memory_equal(before[c], columns[c], sizeof before[c]);
         frames(10);
-        assert_int_equal(screen_dim(&r.b->screen, r.b->core.frame), FX_ONE / 4);
+        assert_int_equal(screen_get_dim(&r.b->screen, r.b->core.frame), FX_ONE / 4);
         close_game();
     }
 }

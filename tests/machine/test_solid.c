@@ -137,7 +137,7 @@ static void holds(bool hp, const char *task, int pings, int pongs)
     struct rig r;
     int sparks[2] = { 0 };
 
-    m.hp = hp;
+    m.has_hp = hp;
     snprintf(text, sizeof text, "%s%s\ntask.go(function() wait(1) %s string.good = 1 end)\n", kinds, hp ? with_hp : "",
              task);
     rig_with_sys(&g, &m, text);

@@ -21,7 +21,7 @@ static void power_with(void (*write)(struct rig_game *, const struct manifest *,
 {
     struct manifest m = rig_manifest();
 
-    m.sound = 1;
+    m.has_sound = 1;
     write(&game, &m, script);
     rig_sounds(&game);
     rig_power(&rig, &game, NULL);
@@ -180,7 +180,7 @@ static void test_beats(void **state)
     if (left > first + second)
         beats += (left - first - second) * 133.25;
     assert_int_equal(seq_beats(&rig.b->music), (int)beats);
-    assert_true(rig.b->music.marks_passed > 3);
+    assert_true(rig.b->music.markers_passed > 3);
     done();
 }
 
@@ -216,7 +216,7 @@ static void test_skipped(void **state)
     struct board_start start = { .seed = 1, .difficulty = -1, .practice.section = "s:here" };
 
     (void)state;
-    m.sound = 1;
+    m.has_sound = 1;
     rig_script(&game, &m,
                "player.def('ship', { sprite = 'dot', hit = { circle = 1 } })\n"
                "stage.def('s', function()\n"
@@ -233,7 +233,7 @@ static void test_skipped(void **state)
     rig_power(&rig, &game, &start);
     for (int f = 0; f < 3; f++) {
         rig_run(&rig, 1);
-        for (int i = 0; i < CUES; i++)
+        for (int i = 0; i < CUE_SLOTS; i++)
             assert_int_equal(rig.b->cues.tune[i], 0);
     }
     assert_int_equal(rig.b->music.tune, cart_find(&rig.b->cart, CART_TUNES, "tide") + 1);
@@ -244,7 +244,7 @@ static void refuses(const char *script, const char *message)
 {
     struct manifest m = rig_manifest();
 
-    m.sound = 1;
+    m.has_sound = 1;
     rig_script(&game, &m, script);
     rig_sounds(&game);
     rig_power_any(&rig, &game, NULL);
@@ -281,25 +281,25 @@ static void test_cues(void **state)
     power("");
     c = &rig.b->cues;
     for (int i = 0; i < 3; i++)
-        sound_play(rig.b,
-                   &(struct cue){ cart_place(&rig.b->cart, CART_SOUNDS, cart_find(&rig.b->cart, CART_SOUNDS, "hit")),
-                                  (uint16_t)(100 + i), 0, 0 });
-    for (int i = 0; i < CUES; i++)
+        sound_play(rig.b, &(struct cue){
+                              cart_tune_offset(&rig.b->cart, CART_SOUNDS, cart_find(&rig.b->cart, CART_SOUNDS, "hit")),
+                              (uint16_t)(100 + i), 0, 0 });
+    for (int i = 0; i < CUE_SLOTS; i++)
         n += c->tune[i] != 0;
     assert_int_equal(n, 1);
     assert_int_equal(c->cue_volume[0], 102);
     for (int i = 0; i < 3; i++) {
         rig_run(&rig, 1);
-        sound_play(rig.b,
-                   &(struct cue){ cart_place(&rig.b->cart, CART_SOUNDS, cart_find(&rig.b->cart, CART_SOUNDS, "hit")),
-                                  256, 0, 0 });
+        sound_play(rig.b, &(struct cue){
+                              cart_tune_offset(&rig.b->cart, CART_SOUNDS, cart_find(&rig.b->cart, CART_SOUNDS, "hit")),
+                              256, 0, 0 });
     }
     n = 0;
-    for (int i = 0; i < CUES; i++)
+    for (int i = 0; i < CUE_SLOTS; i++)
         n += c->tune[i] != 0;
     assert_int_equal(n, 2);
     rig_run(&rig, 200);
-    for (int i = 0; i < CUES; i++)
+    for (int i = 0; i < CUE_SLOTS; i++)
         assert_int_equal(c->tune[i], 0);
     for (int i = 0; i < VOICE_SLOTS; i++)
         assert_false(voices_is_busy(&rig.b->voices, i));
@@ -377,7 +377,7 @@ static void test_none(void **state)
     board_mix_sound(r.b, NULL, sound);
     for (int i = 0; i < 2 * BOARD_SOUND_FRAMES; i++)
         assert_int_equal(sound[i], 0);
-    for (int i = 0; i < PARTS; i++)
+    for (int i = 0; i < PART_COUNT; i++)
         if (machine_parts[i].chip == &seq_chip || machine_parts[i].chip == &cues_chip ||
             machine_parts[i].chip == &voices_chip)
             assert_true(board_part_hash(r.b, i) == 0 &&

@@ -1,7 +1,7 @@
 /*
- * test_speaker.c - what goes to the host's speaker, with simulated clocks: the card is this file's plat_sound, and time
- * is what the tests say. Sound is unbroken whatever the clocks do, joints do not click and are over when they say, and
- * with the rate held at 1 what is played is what board_mix_sound makes.
+ * test_speaker.c - what goes to the host's speaker, with simulated clocks: the card is this file's plat_queue_sound,
+ * and time is what the tests say. Sound is unbroken whatever the clocks do, joints do not click and are over when they
+ * say, and with the rate held at 1 what is played is what board_mix_sound makes.
  */
 #include <math.h>
 #include "rig.h"
@@ -23,7 +23,7 @@ static struct {
     double rate;
 } card;
 
-int plat_sound(const int16_t *lr, int frames)
+int plat_queue_sound(const int16_t *lr, int frames)
 {
     const int waiting = card.waiting;
 
@@ -65,7 +65,7 @@ static void power(const char *script)
 {
     struct manifest m = rig_manifest();
 
-    m.sound = 1;
+    m.has_sound = 1;
     rig_script(&game, &m, script);
     rig_sounds(&game);
     rig_power(&rig, &game, NULL);

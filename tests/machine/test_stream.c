@@ -54,7 +54,7 @@ static void power(const char *script, bool exact)
     struct pcm p;
     char err[256];
 
-    m.sound = 1;
+    m.has_sound = 1;
     rig_script(&game, &m, script);
     struct rig_game had = game;
     int n = (int)had.image.rom.count;

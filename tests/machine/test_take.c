@@ -23,7 +23,7 @@ static void model_latch(const struct input *in, enum press_side side)
     for (int i = 0; i < model.n; i++)
         model.list[i].age += model.list[i].side == side;
     for (uint32_t p = 0; p < MAX_PLAYERS; p++)
-        for (uint32_t k = 0; k < PAD_BUTTONS; k++)
+        for (uint32_t k = 0; k < PAD_BUTTON_COUNT; k++)
             if (in->pressed[p] >> k & 1) {
                 assert_true(model.n < MOST);
                 model.list[model.n++] = (struct press){ p, k, 0, side, false };
@@ -68,7 +68,7 @@ static void test_model(void **state)
         input_latch(in, pads, side, false);
         model_latch(in, side);
         for (int i = 0; i < 6; i++) {
-            uint32_t p = (uint32_t)rng_below(&rng, MAX_PLAYERS), k = (uint32_t)rng_below(&rng, PAD_BUTTONS);
+            uint32_t p = (uint32_t)rng_below(&rng, MAX_PLAYERS), k = (uint32_t)rng_below(&rng, PAD_BUTTON_COUNT);
             uint32_t n =
                 rng_below(&rng, 3) ? (uint32_t)rng_below(&rng, 6) : (uint32_t)rng_below(&rng, MAX_PRESS_AGE + 1);
             bool want = model_take(p, k, n, side);
@@ -416,15 +416,15 @@ enum { PRESSES = 36, LONG = 29 /* frames from press to press: it meets every pha
 /* Presses the button at every phase of the loop; every press must be told once. */
 static void press_all(const char *page, const char *text, const char *ask, const char *button)
 {
-    static const char *const names[] = PAD_NAMES;
+    static const char *const names[] = PAD_BUTTON_NAMES;
     struct board_start start = { .seed = 1, .difficulty = -1, .practice = { .section = "drive", .invincible = true } };
     char words[64];
     int k = 0, n = 0;
 
     snprintf(words, sizeof words, "%s %s", ask, button);
-    while (k < PAD_BUTTONS && strcmp(names[k], button))
+    while (k < PAD_BUTTON_COUNT && strcmp(names[k], button))
         k++;
-    assert_true(k < PAD_BUTTONS);
+    assert_true(k < PAD_BUTTON_COUNT);
     sandbox(text);
     for (int i = 0; i < g.cart.manifest.n_dips; i++)
         start.dip[i] = g.cart.manifest.dips[i].default_value;

@@ -212,7 +212,7 @@ static void test_faces(void **state)
     assert_string_equal(cells(NAME_ROW, BOX_COL, BOX_COLS), " IRI");
     int iri = standing(LAYER_OVER, false, &seen);
     assert_true(iri >= 0 && seen == 3);
-    assert_int_equal(screen_dim(&r.b->screen, r.b->core.frame), r.b->screen.dim);
+    assert_int_equal(screen_get_dim(&r.b->screen, r.b->core.frame), r.b->screen.dim);
     press(PAD_FIRE, 0);
     rig_run(&r, 40);
     assert_string_equal(cells(NAME_ROW, BOX_COL + BOX_COLS - 4, 4), "SEN");
@@ -530,7 +530,7 @@ static void test_snapshots(void **state)
             if (!twice)
                 rig_restore(&r);
         }
-        assert_memory_equal(hash, again, sizeof *hash * (size_t)board_parts(r.b));
+        assert_memory_equal(hash, again, sizeof *hash * (size_t)board_part_count(r.b));
     }
     close_it();
 }
@@ -557,19 +557,19 @@ static void test_packed(void **state)
     int others = 0;
 
     (void)state;
-    for (int i = 0; i < STD_MODULES; i++)
+    for (int i = 0; i < STD_MODULE_COUNT; i++)
         if (!strcmp(std_module_name(i), "talk") || !strcmp(std_module_name(i), "say") ||
             !strcmp(std_module_name(i), "choose"))
             dialogue |= (uint64_t)1 << i;
-    for (int i = 0; i < STD_MODULES; i++)
+    for (int i = 0; i < STD_MODULE_COUNT; i++)
         for (int k = 0; k < std_script_count; k++) {
             if (strcmp(std_scripts[k].name, std_module_name(i)) || dialogue >> i & 1)
                 continue;
             others++;
-            if (std_modules_needed(i, (const char *)std_scripts[k].data, std_scripts[k].size) & dialogue)
+            if (std_find_needed_modules(i, (const char *)std_scripts[k].data, std_scripts[k].size) & dialogue)
                 fail_msg("%s names a word of dialogue", std_module_name(i));
         }
-    assert_int_equal(others, STD_MODULES - 3);
+    assert_int_equal(others, STD_MODULE_COUNT - 3);
 }
 
 static void says(const char *lines, const char *want)

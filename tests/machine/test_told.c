@@ -182,7 +182,7 @@ static bool is_there(const char *of, char how, const char *name)
 
     snprintf(full, sizeof full, "%s%s%s", of, *of ? (how == ':' ? ":" : ".") : "", name);
     for (int i = 0; i < api_count_entries(&api_table); i++) {
-        const struct api_entry *e = api_entry(&api_table, i);
+        const struct api_entry *e = api_get_entry(&api_table, i);
         size_t n = strlen(full);
         if (how != '{' && (!strcmp(e->name, full) || (!*of && !strncmp(e->name, full, n) && e->name[n] == '.')))
             return true;
@@ -229,7 +229,7 @@ static void test_off(void **state)
     struct manifest m;
 
     (void)state;
-    manifest_default(&m);
+    manifest_set_defaults(&m);
     assert_string_equal(api_disabled_reason(&m, "item"), "items are disabled; add `items = 512` to `board`");
     assert_string_equal(api_disabled_reason(&m, "items"), "items are disabled; add `items = 512` to `board`");
     assert_null(api_disabled_reason(&m, "ite"));
@@ -641,7 +641,7 @@ static void test_players(void **state)
 
     (void)state;
     for (int players = 0; players <= 2; players++) {
-        manifest_default(&m);
+        manifest_set_defaults(&m);
         m.players = players ? players : m.players; /* 0: rom.lua says nothing */
         rig_script(&g, &m, text);
         rig_power(&rig, &g, NULL);
@@ -742,7 +742,7 @@ static const char *fits(const struct api_entry *e, const struct api_param *p)
         [A_ANY] = "1",
         [A_SPAN] = "{ 1, 2 }",
         [A_ROUTE] = "string.route",
-        [A_HIT] = "{ circle = 2 }",
+        [A_HIT_SHAPE] = "{ circle = 2 }",
         [A_MOTION] = "'way'",
         [A_BULLET_KIND] = "'dot'",
         [A_SHOT_KIND] = "'bolt'",
@@ -758,7 +758,7 @@ static const char *fits(const struct api_entry *e, const struct api_param *p)
         [A_MAP] = "'sea'",
         [A_SOUND] = "'hit'",
         [A_TUNE] = "'tide'",
-        [A_PAD] = "1",
+        [A_PLAYER] = "1",
     };
     static char text[64];
     int words;
@@ -766,8 +766,8 @@ static const char *fits(const struct api_entry *e, const struct api_param *p)
     for (size_t i = 0; i < sizeof fitting / sizeof *fitting; i++)
         if (!strcmp(fitting[i].entry, e->name) && !strcmp(fitting[i].param, p->name))
             return fitting[i].text;
-    if (api_type_list(p->type, &words)) {
-        snprintf(text, sizeof text, "'%s'", api_type_list(p->type, &words)[0]);
+    if (api_get_type_words(p->type, &words)) {
+        snprintf(text, sizeof text, "'%s'", api_get_type_words(p->type, &words)[0]);
         return text;
     }
     if (p->type == A_THING) {
@@ -929,7 +929,7 @@ static void mistake_all(struct blame *t, const struct api_entry *e, const struct
 
 static void test_blame(void **state)
 {
-    static const char *const words[FIRES] = { "bullet", "shot", "bolt", "curve", "beam" };
+    static const char *const words[FIRE_ENTRY_COUNT] = { "bullet", "shot", "bolt", "curve", "beam" };
     struct blame t = { 0 };
     struct manifest m = rig_manifest();
     char script[8192];
@@ -939,7 +939,7 @@ static void test_blame(void **state)
     m.curve_points = 64;
     m.options = 4;
     m.bullet_values = 1;
-    m.has_freeze = m.bullets_can_meet = m.bg = m.bodies = m.pierce = m.sound = m.has_orbit = 1;
+    m.has_freeze = m.bullets_can_meet = m.has_backgrounds = m.has_bodies = m.has_pierce = m.has_sound = m.has_orbit = 1;
     m.lua_kib = 512;
     snprintf(script, sizeof script, "%s%s", kinds, scene);
     rig_with_sys(&g, &m, script);
@@ -949,14 +949,14 @@ static void test_blame(void **state)
     rig_run(&t.rig, 3);
     rig_save(&t.rig);
     for (int i = 0; i < api_count_entries(&api_table); i++) {
-        const struct api_entry *e = api_entry(&api_table, i);
-        t.loading = e->flags & API_LOAD || is_inner(e);
+        const struct api_entry *e = api_get_entry(&api_table, i);
+        t.loading = e->flags & API_LOAD_ONLY || is_inner(e);
         if ((e->flags & API_SYS && !is_inner(e)) || api_disabled_reason(&m, e->name))
             continue;
-        for (int f = 0; e->flags & API_FIRE && f < FIRES; f++)
+        for (int f = 0; e->flags & API_PATTERN && f < FIRE_ENTRY_COUNT; f++)
             for (int each = 0; each < 2; each++)
                 mistake_all(&t, e, api_table.fire_entries[f], words[f], each);
-        if (!(e->flags & API_FIRE))
+        if (!(e->flags & API_PATTERN))
             mistake_all(&t, e, NULL, NULL, false);
     }
     assert_true(t.lines > 5000);
@@ -1108,16 +1108,16 @@ static void test_words(void **state)
     assert_string_equal(said("spark.def('a', { sprite = 'dot', life = 9, layer = 'back' })", 1),
                         "main.lua:1: spark.def: layer: expected middle or front, got \"back\"");
     for (int i = 0; i < api_count_entries(&api_table); i++)
-        for (int k = 0; k < api_entry(&api_table, i)->count; k++) {
-            const struct api_param *p = &api_entry(&api_table, i)->params[k];
+        for (int k = 0; k < api_get_entry(&api_table, i)->count; k++) {
+            const struct api_param *p = &api_get_entry(&api_table, i)->params[k];
             struct api_value v = { 0 };
             int n;
-            const char *const *words = api_type_list(p->type, &n);
+            const char *const *words = api_get_type_words(p->type, &n);
             if (!words || !p->def)
                 continue;
             api_fill_default(p, &v);
             if (v.i >= n || strcmp(words[v.i], p->def) != 0)
-                fail_msg("%s: %s: \"%s\" is %s", api_entry(&api_table, i)->name, p->name, p->def, words[v.i]);
+                fail_msg("%s: %s: \"%s\" is %s", api_get_entry(&api_table, i)->name, p->name, p->def, words[v.i]);
         }
 }
 

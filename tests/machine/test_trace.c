@@ -84,11 +84,11 @@ static void test_all_of_the_hash(void **state)
         struct rig r;
         rig_folder(&g, rows[k].game);
         play(&r, &g, rows[k].demo, rows[k].frames);
-        for (int i = 0; i < PARTS; i++) {
+        for (int i = 0; i < PART_COUNT; i++) {
             struct folded f = { .h = HASH_START, .slot = NO_SLOT };
             board_trace(r.b, i, fold, &f);
             if (!board_part_hash(r.b, i)) { /* a part that this game has no room for */
-                assert_true(i >= PARTS_ALWAYS_HASHED && f.values == 0);
+                assert_true(i >= FIRST_OPTIONAL_PART && f.values == 0);
                 continue;
             }
             if (f.h != board_part_hash(r.b, i))
@@ -218,7 +218,7 @@ static void plant(struct rig *r, int part, int64_t slot, const struct column *c,
 /* A live slot, any of them. */
 static int64_t some_slot(const struct slots *s, struct rng *rng)
 {
-    uint32_t end = s->used ? s->top : s->live, i;
+    uint32_t end = s->live_bits ? s->top : s->live, i;
 
     if (s->live == 0)
         return NO_SLOT;
@@ -244,12 +244,12 @@ static int plant_part(struct rig *r, int part, struct rng *rng)
         const struct column *c = &chip->columns[k];
         int64_t slot = c->is_register ? NO_SLOT : some_slot((struct slots *)self, rng);
         int i = (int)rng_below(rng, c->n);
-        uint8_t *column = self + c->at;
+        uint8_t *column = self + c->offset;
         if (!slots_has_column(c, ((struct slots *)self)->groups) || c->kind != COL_GAME ||
             (!c->is_register && slot < 0) || column == (uint8_t *)&r->b->core.frame)
             continue; /* the frame is what lines are compared by */
         if (!c->is_register)
-            memcpy(&column, self + c->at, sizeof column);
+            memcpy(&column, self + c->offset, sizeof column);
         plant(r, part, slot, c, i, column + ((size_t)(slot < 0 ? 0 : slot) * c->n + (size_t)i) * c->width, rng);
         planted++;
     }
@@ -268,7 +268,7 @@ static void test_planted(void **state)
     rng_seed(&rng, 5);
     for (uint32_t frame = 700; frame <= 2000; frame += 650) {
         play(&r, &g, "run", frame);
-        for (int part = 0; part < PARTS; part++)
+        for (int part = 0; part < PART_COUNT; part++)
             if (board_part_hash(r.b, part)) /* else it is not there */
                 planted += plant_part(&r, part, &rng);
         rig_free(&r);
@@ -333,9 +333,9 @@ static void test_who_lives(void **state)
     assert_string_equal(out, want);
     r.b->bullets.s.gen[4] = 1;
     for (uint32_t slot = 0; slot < 20; slot += 19) {
-        r.b->bullets.s.used[0] ^= 1ull << slot;
+        r.b->bullets.s.live_bits[0] ^= 1ull << slot;
         print_trace("b", "w", r.b, UINT64_MAX);
-        r.b->bullets.s.used[0] ^= 1ull << slot;
+        r.b->bullets.s.live_bits[0] ^= 1ull << slot;
         assert_int_equal(bisect("a", "b"), RESULT_DIFFERS);
         snprintf(want, sizeof want, "first difference: frame 5\n  bullets %u is alive only in %s (generation 1)\n",
                  (unsigned)slot, file("a"));

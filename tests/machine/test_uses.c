@@ -63,7 +63,7 @@ static int count_run(lua_State *L, struct board *b, struct api_value *v)
         if (!strcmp(e->name, "motion.def"))
             note_steps(L, v[0].at);
     }
-    return api_entry(&api_table, i)->run(L, b, v);
+    return api_get_entry(&api_table, i)->run(L, b, v);
 }
 
 /* Upvalue 1: the entry's number. Called by a wrapper. */
@@ -106,7 +106,7 @@ static int number_of(const struct api_entry *e)
 {
     int i = 0;
 
-    while (i < api_count_entries(&api_table) && api_entry(&api_table, i) != e)
+    while (i < api_count_entries(&api_table) && api_get_entry(&api_table, i) != e)
         i++;
     assert_true(i < api_count_entries(&api_table));
     return i;
@@ -158,7 +158,7 @@ static void make_all(lua_State *L)
     }
     for (int i = 0; i < api_count_entries(&api_table); i++)
         for (int k = 1; k < HANDLE_KINDS; k++) {
-            const char *name = api_entry(&api_table, i)->name, *verb = strchr(name, ':');
+            const char *name = api_get_entry(&api_table, i)->name, *verb = strchr(name, ':');
             if (!verb || (size_t)(verb - name) != strlen(api_table.things[k]->name) ||
                 strncmp(name, api_table.things[k]->name, (size_t)(verb - name)) != 0)
                 continue;
@@ -180,8 +180,8 @@ static void patch_all(lua_State *L)
     patch(L, lua_gettop(L), call, seen);
     lua_settop(L, 0);
     for (int i = 0; i < api_count_entries(&api_table); i++) {
-        const char *name = api_entry(&api_table, i)->name, *dot = strchr(name, '.');
-        if (!(api_entry(&api_table, i)->flags & API_LUA) || strchr(name, ' '))
+        const char *name = api_get_entry(&api_table, i)->name, *dot = strchr(name, '.');
+        if (!(api_get_entry(&api_table, i)->flags & API_LUA) || strchr(name, ' '))
             continue;
         lua_pushglobaltable(L);
         if (dot) {
@@ -212,7 +212,7 @@ static void patch_all(lua_State *L)
 static int start(lua_State *L)
 {
     patch_all(L);
-    vm_load(L, "main");
+    vm_load_script(L, "main");
     lua_call(L, 0, 0);
     return 0;
 }
@@ -334,7 +334,7 @@ static void test_demo_holds(void **state)
         uint64_t differ = demo_differing_parts(&d, f, hashes);
         if (differ)
             fail_msg("frame %u: part %s differs (CURTAIN_UPDATE=1 records the demo anew)", f,
-                     d.part[bits_lowest(differ)]);
+                     d.part_name[bits_lowest(differ)]);
         demo_pads(&d, f, pads);
         if (f < d.frames)
             rig_tick(&r, pads);
@@ -345,8 +345,8 @@ static void test_demo_holds(void **state)
 /* ---- what the demo must reach ---- */
 
 struct reached {
-    uint32_t most[PARTS], cap[PARTS];
-    int64_t refused[PARTS];
+    uint32_t most[PART_COUNT], cap[PART_COUNT];
+    int64_t refused[PART_COUNT];
     uint32_t does;
     bool in[MAX_PLAYERS], grazed[MAX_PLAYERS], scored[MAX_PLAYERS], hurt[MAX_PLAYERS], focused[MAX_PLAYERS];
     unsigned shapes[3],
@@ -370,7 +370,7 @@ static void look_at_bullets(struct reached *at, int pool, const struct bullets *
 
 static void look(const struct board *b, struct reached *at)
 {
-    for (int i = 0; i < PARTS; i++) {
+    for (int i = 0; i < PART_COUNT; i++) {
         const struct slots *s = (const struct slots *)((const uint8_t *)b + machine_parts[i].offset);
         at->most[i] = s->live > at->most[i] ? s->live : at->most[i];
         at->cap[i] = s->cap;
@@ -406,7 +406,7 @@ static int play(void **state)
         return -1;
     assert_true(api_count_entries(&api_table) <= MOST);
     for (int i = 0; i < api_count_entries(&api_table); i++) {
-        copies[i] = *api_entry(&api_table, i);
+        copies[i] = *api_get_entry(&api_table, i);
         if (copies[i].run)
             copies[i].run = count_run;
     }
@@ -441,12 +441,12 @@ static void test_functions(void **state)
     (void)state;
     for (int i = 0; i < api_count_entries(&api_table); i++)
         /* missions are another way through the menus: test_missions.c; its ROM has no documents: test_bulletml.c */
-        if (!(api_entry(&api_table, i)->flags & API_SYS) && !uses[i] &&
-            strncmp(api_entry(&api_table, i)->name, "mission.", 8) != 0 &&
-            strcmp(api_entry(&api_table, i)->name, "bullet.ml") &&
-            strcmp(api_entry(&api_table, i)->name, "bullet.documents") &&
-            strcmp(api_entry(&api_table, i)->name, "bulletml:stop"))
-            append(missing, sizeof missing, api_entry(&api_table, i)->name, "");
+        if (!(api_get_entry(&api_table, i)->flags & API_SYS) && !uses[i] &&
+            strncmp(api_get_entry(&api_table, i)->name, "mission.", 8) != 0 &&
+            strcmp(api_get_entry(&api_table, i)->name, "bullet.ml") &&
+            strcmp(api_get_entry(&api_table, i)->name, "bullet.documents") &&
+            strcmp(api_get_entry(&api_table, i)->name, "bulletml:stop"))
+            append(missing, sizeof missing, api_get_entry(&api_table, i)->name, "");
     if (missing[0])
         fail_msg("roms/torture does not use:%s", missing);
 }
@@ -490,7 +490,7 @@ static void test_steps(void **state)
 static void test_pools(void **state)
 {
     (void)state;
-    for (int i = 0; i < PARTS; i++) {
+    for (int i = 0; i < PART_COUNT; i++) {
         const char *name = machine_parts[i].chip->name;
         bool kinds = strstr(name, "_kinds") != NULL;
         if (!at.cap[i] || kinds || !strcmp(name, "steps") || !strcmp(name, "laser_heads")) /* are as many as lasers */

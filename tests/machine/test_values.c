@@ -155,7 +155,7 @@ static void test_state(void **state)
                      "end end)\n");
     rig_power(&rig, &g, NULL);
     rig_run(&rig, 4);
-    for (int i = 0; i < PARTS; i++)
+    for (int i = 0; i < PART_COUNT; i++)
         if (machine_parts[i].chip == &bullets_chip)
             board_trace(rig.b, i, note, &seen);
     assert_int_equal(seen, FX_ONE);

@@ -1,6 +1,7 @@
 /*
  * test_view.c - how a player sees the picture. By every view: a run is what it is, each way of drawing makes the same
- * picture, a dim darkens what lies behind and nothing else, a soft flash is a quarter, colours are view_colour's.
+ * picture, a dim darkens what lies behind and nothing else, a soft flash is a quarter, colours are
+ * view_adjust_colour's.
  */
 #include "../../src/machine/video/video.h"
 #include "../../src/cab/tables/shade.h"
@@ -51,7 +52,7 @@ static void coloured(const struct rig *r, const struct picture *plain, const str
                      enum colour_blind_mode kind)
 {
     for (int i = 0; i < p->w * p->h; i++)
-        if (p->rgb[p->pix[i]] != view_colour(kind, plain->rgb[plain->pix[i]]))
+        if (p->rgb[p->pix[i]] != view_adjust_colour(kind, plain->rgb[plain->pix[i]]))
             fail_msg("frame %u: colours %d: pixel %d, %d", board_frame(r->b), kind, i % p->w, i / p->w);
 }
 
@@ -66,14 +67,14 @@ static void all_views(struct rig *r)
     for (int i = 0; i < RIG_VIEWS; i++) {
         const struct view view = rig_view(i, shades), was = view;
         draw(r, &view, VIEW_AS_EVER, &ever);
-        draw(r, &view, VIDEO_NO_LAYERS, &over);
+        draw(r, &view, VIDEO_BACK_TO_FRONT, &over);
         draw(r, &view, 0, &front);
         same("back to front", r, &ever, &over);
         same("front to back", r, &ever, &front);
         if (i == 0)
             same("a view of zeroes", r, &plain, &ever);
         if (!view.dim && !view.softens_flashes)
-            coloured(r, &plain, &ever, view.colours);
+            coloured(r, &plain, &ever, view.colour_blind_mode);
         assert_memory_equal(&view, &was, sizeof view);
     }
     assert_true(hash_bytes(HASH_START, r->ram, r->ram_size) == before); /* not a byte of RAM */
@@ -86,7 +87,8 @@ static long covered, behind, mixed;
 /* Where the table of shades of the palette that is loaded stands. */
 static const uint8_t **shades_at(struct board *b)
 {
-    return b->cart.has_looks ? &b->cart.looks[board_loaded_palette(b)].shades : &b->cart.main_look.shades;
+    return b->cart.has_palette_tables ? &b->cart.palette_tables[board_loaded_palette(b)].shades
+                                      : &b->cart.main_tables.shades;
 }
 
 /* What covers the background is what is the same whatever that is shown as. There the dim changes nothing, else it
@@ -99,7 +101,7 @@ static void dims(struct rig *r)
     const uint8_t **at = shades_at(r->b), *made = *at, *shades = made ? made : shade_for(&kept, &r->game->cart);
     struct view view = { .dim = VIEW_DIM_QUARTER, .shades = one };
 
-    if (screen_dim(&r->b->screen, r->b->core.frame)) /* it moves entries */
+    if (screen_get_dim(&r->b->screen, r->b->core.frame)) /* it moves entries */
         return;
     memset(one, 0x30, sizeof one); /* the ends of two ramps: few blends show both as one */
     memset(other, 0xcf, sizeof other);
@@ -141,8 +143,8 @@ static void play(const char *name, const char *section, const char *demo, uint32
 
     rig_folder(&g, name);
     shade_make(cart_palette(&g.cart, "main"), made);
-    assert_non_null(g.cart.main_look.shades); /* what is packed has them */
-    assert_memory_equal(g.cart.main_look.shades, made, CART_SHADES_SIZE);
+    assert_non_null(g.cart.main_tables.shades); /* what is packed has them */
+    assert_memory_equal(g.cart.main_tables.shades, made, CART_SHADES_SIZE);
     if (section)
         snprintf(start.practice.section, sizeof start.practice.section, "%s", section);
     for (int i = 0; i < g.cart.manifest.n_dips; i++)
@@ -225,7 +227,7 @@ static void things_power(struct rig_game *g, struct rig *r)
 {
     struct manifest m = rig_manifest();
 
-    m.bg = 1;
+    m.has_backgrounds = 1;
     m.items = 8;
     m.options = 8;
     rig_with_sys(g, &m, things);
@@ -303,7 +305,7 @@ static void test_none(void **state)
     (void)state;
     things_power(&g, &r);
     rig_run(&r, 2);
-    assert_null(g.cart.main_look.shades);
+    assert_null(g.cart.main_tables.shades);
     draw(&r, NULL, VIEW_AS_EVER, &plain);
     draw(&r, &view, VIEW_AS_EVER, &p);
     same("no tables", &r, &plain, &p);
@@ -361,7 +363,7 @@ static void test_flash(void **state)
     things_power(&g, &r);
     for (int f = 0; f < 16; f++) {
         rig_run(&r, 1);
-        const fx share = screen_flash(&r.b->screen, r.b->core.clock);
+        const fx share = screen_get_flash(&r.b->screen, r.b->core.clock);
         draw(&r, NULL, VIEW_AS_EVER, &full);
         draw(&r, &soft, VIEW_AS_EVER, &p);
         assert_memory_equal(p.pix, full.pix, (size_t)(p.w * p.h));

@@ -490,7 +490,7 @@ static void stamps_are_sprites(void **state)
         large += !fits;
         const enum blit_mix mix = any_mix(&b->r);
         const uint32_t less = any_less(b);
-        struct stamp_corners c = stamp_corners(&b->fb, b->image.w, b->image.h);
+        struct stamp_unclipped_area c = stamp_find_unclipped_area(&b->fb, b->image.w, b->image.h);
         begin(b);
         for (size_t i = 0; i < n; i++) {
             int x = any_place(&b->r, W, b->image.w), y = any_place(&b->r, H, b->image.h);
@@ -515,7 +515,7 @@ static void stamps_are_sprites(void **state)
 }
 
 /* Anywhere, or not far beside the last one, as bullets that have just been fired. */
-static void place_copy(struct bed *b, const struct stamp_corners *c, uint32_t *x, uint32_t *y)
+static void place_copy(struct bed *b, const struct stamp_unclipped_area *c, uint32_t *x, uint32_t *y)
 {
     const uint32_t beside = *x + (uint32_t)rng_below(&b->r, 21) - 10;
 
@@ -550,7 +550,7 @@ static void stamps_of_copies(void **state)
             pix[i] = (int)(i % (uint32_t)b->image.pitch) < w && rng_below(&b->r, 3) ? (uint8_t)rng_next(&b->r) : 0;
         fb_reset_clip(&b->fb);
         const struct stamp_list all = { list, n, any_less(b) };
-        struct stamp_corners c = stamp_corners(&b->fb, w, h);
+        struct stamp_unclipped_area c = stamp_find_unclipped_area(&b->fb, w, h);
         begin(b);
         for (uint32_t i = 0; i < n; i++) {
             place_copy(b, &c, &dx, &dy);
@@ -650,7 +650,7 @@ static void layers_are_sprites(void **state)
         const uint32_t less = one_by_one ? 0 : any_less(b);
         random_solid(b, w, k % 8 == 4 ? FB_GUARD : k % 3 ? 8 : 1 + (int)rng_below(&b->r, FB_GUARD), k % 4);
         stamp_layer_init(&l, mem, W, H);
-        struct stamp_corners c = stamp_corners(&l.fb, w, b->image.h);
+        struct stamp_unclipped_area c = stamp_find_unclipped_area(&l.fb, w, b->image.h);
         assert_true(stamp_make(&stamp, &b->image, 0xffff));
         for (int i = 0; i < n; i++) {
             uint32_t dx = (uint32_t)rng_below(&b->r, c.width), dy = (uint32_t)rng_below(&b->r, c.height);

@@ -251,7 +251,7 @@ static void words_are_readable_by_each_view(void **state)
 {
     struct bed *b = *state;
 
-    for (int view = 0; view < VIEW_COLOURS; view++) {
+    for (int view = 0; view < COLOUR_BLIND_MODES; view++) {
         uint32_t was[256];
         canvas_open(&b->canvas, &b->fb, b->rgb);
         memcpy(was, b->rgb, sizeof was);
@@ -260,7 +260,7 @@ static void words_are_readable_by_each_view(void **state)
             bool own = false;
             for (int c = 0; c < CANVAS_COLOURS; c++)
                 own = own || b->canvas.colour[c] == i;
-            assert_int_equal(b->rgb[i], own ? view_colour((enum colour_blind_mode)view, was[i]) : was[i]);
+            assert_int_equal(b->rgb[i], own ? view_adjust_colour((enum colour_blind_mode)view, was[i]) : was[i]);
         }
         const double dark = light_of(b->rgb[b->canvas.colour[CANVAS_DARK]]);
         for (int c = CANVAS_DARK + 1; c < CANVAS_COLOURS; c++)

@@ -477,7 +477,7 @@ static int setup(void **state)
     return 0;
 }
 
-static void remove_all(void *user, const struct plat_file *file)
+static void remove_all(void *user, const struct plat_folder_entry *file)
 {
     char path[600];
 
@@ -622,10 +622,10 @@ static void test_render(void **state)
     runs("render @/g --frames 0,3:9:3 -o @/deep/er --sheet @/sheet.png", EXIT_DONE);
     for (int f = 0; f <= 10; f++) {
         snprintf(path, sizeof path, "%s/deep/er/%06d.png", dir, f);
-        assert_int_equal(plat_size(path) > 0, f % 3 == 0 && f < 10);
+        assert_int_equal(plat_file_size(path) > 0, f % 3 == 0 && f < 10);
     }
     snprintf(path, sizeof path, "%s/sheet.png", dir);
-    assert_true(plat_size(path) > 0);
+    assert_true(plat_file_size(path) > 0);
 }
 
 static void test_rom_commands(void **state)

@@ -33,7 +33,7 @@ static size_t there_and_back(const uint8_t *bytes, size_t size)
         free(back);
         return 0;
     }
-    assert_true(n < size && compressed_detect(small, n));
+    assert_true(n < size && compressed_has_magic(small, n));
     assert_int_equal(compressed_plain_size(small, n, err, sizeof err), size);
     assert_true(compressed_unpack(small, n, back, err, sizeof err));
     assert_memory_equal(back, bytes, size);
@@ -137,7 +137,7 @@ static void test_refused(void **state)
 
     (void)state;
     refused(p, 8, "too short for a compressed ROM (8 bytes)");
-    for (size_t cut = COMPRESSED_HEADER; cut < n; cut++) {
+    for (size_t cut = COMPRESSED_HEADER_SIZE; cut < n; cut++) {
         snprintf(why, sizeof why, "%zu bytes long, but its header says %zu", cut, n);
         refused(p, cut, why);
     }
@@ -184,7 +184,7 @@ static void test_streams(void **state)
 {
     enum { SIZE = 4000, TIMES = 30000 };
     uint8_t bytes[SIZE], *p;
-    const size_t n = a_file(&p, bytes, SIZE) - COMPRESSED_HEADER;
+    const size_t n = a_file(&p, bytes, SIZE) - COMPRESSED_HEADER_SIZE;
     int good = 0, other = 0;
 
     (void)state;
@@ -192,7 +192,7 @@ static void test_streams(void **state)
         const size_t cut = below(4) ? n : below(n), size = below(4) ? SIZE : below(SIZE);
         uint8_t *in = malloc(cut + !cut), *out = malloc(size + !size);
         assert_true(in && out);
-        memcpy(in, p + COMPRESSED_HEADER, cut);
+        memcpy(in, p + COMPRESSED_HEADER_SIZE, cut);
         for (uint32_t k = below(3); cut > 0 && k > 0; k--)
             in[below(cut)] = (uint8_t)below(256);
         if (lzma_read(in, cut, out, size)) {
@@ -203,9 +203,9 @@ static void test_streams(void **state)
         free(out);
     }
     uint8_t whole[SIZE];
-    assert_true(lzma_read(p + COMPRESSED_HEADER, n, whole, SIZE));
-    p[COMPRESSED_HEADER + n - 1] ^= 1; /* all comes out, and then the stream does not end as it should */
-    assert_false(lzma_read(p + COMPRESSED_HEADER, n, whole, SIZE));
+    assert_true(lzma_read(p + COMPRESSED_HEADER_SIZE, n, whole, SIZE));
+    p[COMPRESSED_HEADER_SIZE + n - 1] ^= 1; /* all comes out, and then the stream does not end as it should */
+    assert_false(lzma_read(p + COMPRESSED_HEADER_SIZE, n, whole, SIZE));
     assert_true(good > TIMES / 10 && good < TIMES / 2);
     assert_true(other < good / 10); /* that the checksum of what came out is there for */
     free(p);

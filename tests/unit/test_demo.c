@@ -55,7 +55,7 @@ static void make_rom(void)
     struct manifest m;
     int n = 0;
 
-    manifest_default(&m);
+    manifest_set_defaults(&m);
     m.n_dips = 2;
     m.dips[0] = (struct dip){ .name = "coins", .hi = 1, .n_values = 2, .value_name = { "free", "one" } };
     m.dips[1] = (struct dip){ .name = "lives", .is_number = true, .lo = 0, .hi = 9 };
@@ -133,10 +133,10 @@ static void play(struct demo_writer *w, struct board *b, struct rng *r, uint32_t
 
 static void same(const struct demo *a, const struct demo *b)
 {
-    assert_int_equal(a->core, b->core);
+    assert_int_equal(a->core_version, b->core_version);
     assert_true(a->game_hash == b->game_hash && a->rom_hash == b->rom_hash);
     assert_string_equal(a->id, b->id);
-    assert_string_equal(a->lua, b->lua);
+    assert_string_equal(a->lua_release, b->lua_release);
     assert_true(a->start.seed == b->start.seed);
     assert_memory_equal(a->start.dip, b->start.dip, sizeof a->start.dip);
     assert_int_equal(a->start.difficulty, b->start.difficulty);
@@ -147,7 +147,7 @@ static void same(const struct demo *a, const struct demo *b)
     assert_int_equal(a->flags, b->flags);
     assert_int_equal(a->n_parts, b->n_parts);
     for (int i = 0; i < a->n_parts; i++)
-        assert_string_equal(a->part[i], b->part[i]);
+        assert_string_equal(a->part_name[i], b->part_name[i]);
     assert_int_equal(a->frames, b->frames);
     if (a->frames)
         assert_memory_equal(a->pads, b->pads, a->frames * sizeof a->pads[0]);
@@ -562,8 +562,8 @@ static void test_practice(void **state)
     snprintf(p->section, sizeof p->section, "%063d", 0);
     p->lives = 99;
     p->invincible = true;
-    p->register_count = PRACTICE_REGISTERS;
-    for (int i = 0; i < PRACTICE_REGISTERS; i++) {
+    p->register_count = PRACTICE_MAX_REGISTERS;
+    for (int i = 0; i < PRACTICE_MAX_REGISTERS; i++) {
         snprintf(p->reg[i].name, sizeof p->reg[i].name, "%0*d", 1 + 2 * i, i);
         p->reg[i].value = i % 2 ? INT32_MIN + i : INT32_MAX - i;
     }
@@ -573,12 +573,12 @@ static void test_practice(void **state)
     assert_memory_equal(&d.start.practice, p, sizeof *p);
     size_t n = file_bytes(), at = practice_at();
     assert_int_equal(file[at], 99);
-    assert_int_equal(file[at + 5], PRACTICE_REGISTERS);
+    assert_int_equal(file[at + 5], PRACTICE_MAX_REGISTERS);
     refused_with(n, at, 100, "(header)");
     refused_with(n, at + 3, 0x80, "(header)");
     refused_with(n, at + 4, 2, "(header)");
-    refused_with(n, at + 5, PRACTICE_REGISTERS + 1, "damaged");
-    refused_with(n, at + 5, PRACTICE_REGISTERS - 1, "damaged");
+    refused_with(n, at + 5, PRACTICE_MAX_REGISTERS + 1, "damaged");
+    refused_with(n, at + 5, PRACTICE_MAX_REGISTERS - 1, "damaged");
     refused_with(n, at + 7, 31, "(header)"); /* a register's name */
     refused_with(n, at + 6, 32, "damaged");
     demo_free(&d);
@@ -826,7 +826,9 @@ static void test_many_parts(void **state)
     rng_seed(&r, 64);
     for (size_t k = 0; k < sizeof counts / sizeof *counts; k++) {
         int parts = counts[k];
-        d = (struct demo){ .core = 9, .id = "many", .lua = "5.4", .n_parts = parts, .complete = true, .frames = 59 };
+        d = (struct demo){
+            .core_version = 9, .id = "many", .lua_release = "5.4", .n_parts = parts, .complete = true, .frames = 59
+        };
         d.start.difficulty = -1;
         d.checksum_parts = UINT64_MAX;
         d.checksum_frames = 59;
@@ -835,7 +837,7 @@ static void test_many_parts(void **state)
         d.rows = track;
         d.checksums = checksums;
         for (int i = 0; i < parts; i++)
-            snprintf(d.part[i], sizeof d.part[i], i ? "part%d" : "script", i);
+            snprintf(d.part_name[i], sizeof d.part_name[i], i ? "part%d" : "script", i);
         for (int i = 0; i < 2 * parts; i++)
             track[i] = rng_next(&r);
         for (int i = 0; i < 58 * parts; i++) /* some as in the frame before */
@@ -871,7 +873,7 @@ static void test_format_3(void **state)
     loads(&is);
     assert_int_equal(is.format, DEMO_FORMAT);
     same(&is, &was);
-    long old = plat_size("tests/demos/frozen-3.demo");
+    long old = plat_file_size("tests/demos/frozen-3.demo");
     size_t now = file_bytes();
     print_message("# format 3: %ld bytes, format %d: %zu\n", old, (int)DEMO_FORMAT, now);
     assert_int_equal(now, (size_t)old + 2 -
@@ -892,7 +894,7 @@ static void test_old_format(void **state)
     assert_int_equal(d.format, 2);
     assert_true(d.complete && d.frames == 905 && d.checksum_frames == 905 && d.n_rows == 17 && d.n_markers == 0);
     assert_int_equal(d.checksum_parts, 1u << 0); /* script, the first */
-    assert_string_equal(d.part[0], "script");
+    assert_string_equal(d.part_name[0], "script");
     assert_true(d.start.practice.lives == 0 && !d.start.practice.invincible && d.start.practice.register_count == 0);
     for (uint32_t f = 0; f <= d.frames; f++) {
         const uint64_t *row = demo_hashes(&d, f);
@@ -1065,7 +1067,7 @@ static void test_sparse_differs(void **state)
         assert_null(demo_checksums(&d, f));
         assert_int_equal(demo_differing_parts(&d, f, hashes), 0);
         for (int i = 0; i < d.n_parts; i++) {
-            assert_int_equal(demo_checksum(&d, f, i, &print), told);
+            assert_int_equal(demo_get_checksum(&d, f, i, &print), told);
             hashes[i] ^= 0x8000;
             assert_int_equal(demo_differing_parts(&d, f, hashes), told ? (uint64_t)1 << i : 0);
             hashes[i] ^= 0x10000 | 0x8000;
@@ -1319,7 +1321,7 @@ static void to_file(void *user, const uint8_t *bytes, size_t n)
 }
 
 /* Hands w's recording out, as `how` says, and reads that. */
-static void dump(const struct demo_writer *w, struct demo_dump how, struct demo *d)
+static void dump(const struct demo_writer *w, struct demo_dump_request how, struct demo *d)
 {
     size_t n = 0;
 
@@ -1351,7 +1353,7 @@ static void test_dump(void **state)
             nvram[k] = (uint8_t)rng_below(&r, i % 2 ? 256 : 2);
         assert_true(demo_begin(&w, NULL, &cart, b, &start, DEMO_TOUCHED));
         mark_frames(&w, b, lengths[i]);
-        dump(&w, (struct demo_dump){ .frames = lengths[i] }, &d);
+        dump(&w, (struct demo_dump_request){ .frames = lengths[i] }, &d);
         assert_true(demo_end(&w, b));
         w.demo.n_markers -= MAX_PLAYERS; /* the points, which it does not tell */
         same(&d, &w.demo);
@@ -1379,7 +1381,7 @@ static void test_dump_in_a_tick(void **state)
         assert_true(demo_begin(&w, NULL, &cart, b, &start, 0));
         play(&w, b, &r, n);
         demo_begin_tick(&w, last);
-        dump(&w, (struct demo_dump){ .frames = n, .ticking = true }, &d);
+        dump(&w, (struct demo_dump_request){ .frames = n, .ticking = true }, &d);
         assert_false(d.complete);
         assert_int_equal(d.frames, n + 1);
         assert_int_equal(d.checksum_frames, n);
@@ -1406,7 +1408,7 @@ static void test_dump_of_the_past(void **state)
     assert_true(demo_begin(&w, NULL, &cart, b, &start, 0));
     play(&w, b, &r, 250);
     for (uint32_t n = 0; n < 250; n += 10) {
-        dump(&w, (struct demo_dump){ .frames = n }, &d);
+        dump(&w, (struct demo_dump_request){ .frames = n }, &d);
         assert_false(d.complete);
         assert_int_equal(d.frames, n);
         assert_int_equal(d.n_rows, n / 60 + 1);
@@ -1433,7 +1435,7 @@ static void test_dump_of_a_fault(void **state)
         play(&w, b, &r, at[i]);
         board_tick(b, select);
         assert_true(demo_record_frame(&w, b, select));
-        dump(&w, (struct demo_dump){ .frames = at[i] + 1, .fault = FAULT_SCRIPT }, &d);
+        dump(&w, (struct demo_dump_request){ .frames = at[i] + 1, .fault = FAULT_SCRIPT }, &d);
         assert_true(demo_end(&w, b));
         w.demo.n_markers -= MAX_PLAYERS;
         same(&d, &w.demo);
@@ -1563,7 +1565,7 @@ static void test_fits(void **state)
     assert_null(demo_replay_warning(&d, &cart, buf, sizeof buf));
     d.game_hash++;
     assert_string_equal(demo_replay_warning(&d, &cart, buf, sizeof buf), "recorded with another game version");
-    d.core += 6;
+    d.core_version += 6;
     assert_non_null(strstr(demo_replay_warning(&d, &cart, buf, sizeof buf), "recorded with core version"));
     d.id[0] = 'z';
     assert_false(demo_check_cart(&d, &cart, err, sizeof err));

@@ -188,7 +188,7 @@ static void rects_and_frames(void **state)
                 bool edge = px == x || py == y || px == x + w - 1 || py == y + h - 1;
                 want[py][px] = inside && (edge || !frame) && in_clip(&b.fb, px, py);
             }
-        (frame ? fb_outline : fb_rect)(&b.fb, (int)x, (int)y, (int)w, (int)h, PAINT);
+        (frame ? fb_outline : fb_fill_rect)(&b.fb, (int)x, (int)y, (int)w, (int)h, PAINT);
         bed_expect(&b, want);
     }
     bed_close(&b);
@@ -312,7 +312,7 @@ static void lines_known(void **state)
     bed_reset(&b);
     fb_set_clip(&b.fb, 3, 3, 0, 5);
     fb_line(&b.fb, 0, 0, 40, 40, PAINT);
-    fb_rect(&b.fb, 0, 0, 40, 40, PAINT);
+    fb_fill_rect(&b.fb, 0, 0, 40, 40, PAINT);
     fb_outline(&b.fb, 0, 0, 40, 40, PAINT);
     bed_expect(&b, none);
     bed_close(&b);

@@ -90,7 +90,7 @@ static void controllers_are_the_players(void **state)
 {
     struct keys k;
     struct keys_read r;
-    struct plat_input in = { .controllers = { 1u << PLAT_SOUTH, 1u << PLAT_LEFT_UP } };
+    struct plat_input in = { .controllers = { 1u << PLAT_SOUTH, 1u << PLAT_LEFT_STICK_UP } };
     (void)state;
     keys_defaults(&k);
     read_keys(&k, &in, &r);
@@ -201,7 +201,7 @@ static void a_settings_file(void **state)
     assert_int_equal(c.one_hand[1], HAND_LEFT);
     assert_int_equal(c.dim, VIEW_DIM_HALF);
     assert_int_equal(c.flashes, 1);
-    assert_int_equal(c.colours, VIEW_TRITAN);
+    assert_int_equal(c.colours, COLOUR_BLIND_TRITAN);
     assert_int_equal(c.hitbox, 1);
     assert_int_equal(c.keys.code[4][0], 44);
     assert_int_equal(c.keys.code[4][1], 0x100 | PLAT_TRIGGER_LEFT);
@@ -298,7 +298,7 @@ static void hints_name_what_is_used(void **state)
 
     (void)state;
     keys_defaults(&k);
-    in.controllers[0] = 1u << PLAT_LEFT_UP;
+    in.controllers[0] = 1u << PLAT_LEFT_STICK_UP;
     read_keys(&k, &in, &r);
     keys_first(&k, "p1.fire", name, sizeof name);
     assert_string_equal(name, "cross");
@@ -431,7 +431,7 @@ static void a_switch_is_captured(void **state)
     release(&in, 230); /* and is itself when nothing does */
     assert_int_equal(keys_capture(&c, &in), 230);
     keys_capture_begin(&c, &in);
-    in.controllers[3] = 1u << PLAT_STICK_LEFT;
+    in.controllers[3] = 1u << PLAT_LEFT_STICK_PRESS;
     assert_int_equal(keys_capture(&c, &in), switch_code("pad.l3"));
     assert_int_equal(keys_capture(&c, &in), 0);
 }
@@ -520,14 +520,14 @@ static void a_hand_has_its_half(void **state)
     assert_string_equal(name, "w");
     memset(&in, 0, sizeof in);
     press(&in, 29); /* z is still there */
-    in.controllers[0] = 1u << PLAT_STICK_LEFT | 1u << PLAT_TRIGGER_LEFT;
+    in.controllers[0] = 1u << PLAT_LEFT_STICK_PRESS | 1u << PLAT_TRIGGER_LEFT;
     in.controllers[1] = 1u << PLAT_SELECT; /* player 2 has two hands */
     read_keys(&k, &in, &r);
     assert_int_equal(r.pads[0], PAD_FIRE | PAD_BOMB | PAD_FOCUS);
     assert_int_equal(r.pads[1], PAD_SELECT);
     keys_hand(&k, 0, HAND_RIGHT);
     memset(&in, 0, sizeof in);
-    in.controllers[0] = 1u << PLAT_SHOULDER_RIGHT | 1u << PLAT_RIGHT_LEFT;
+    in.controllers[0] = 1u << PLAT_SHOULDER_RIGHT | 1u << PLAT_RIGHT_STICK_LEFT;
     press(&in, 98); /* kp0, player 2's fire */
     read_keys(&k, &in, &r);
     assert_int_equal(r.pads[0], PAD_FIRE | PAD_SPECIAL | PAD_LEFT);
@@ -546,7 +546,7 @@ static void each_hand_reaches_everything(void **state)
         struct keys k;
         keys_defaults(&k);
         keys_hand(&k, 0, (enum keys_hand)hand);
-        for (int i = 0; i < PAD_BUTTONS; i++) {
+        for (int i = 0; i < PAD_BUTTON_COUNT; i++) {
             bool key = false, pad = false;
             for (int n = 0; n < KEYS_HAND; n++) {
                 pad = pad || k.hand[0][i][n] & SWITCH_CONTROLLER;

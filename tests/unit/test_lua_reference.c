@@ -125,7 +125,7 @@ static void dump_values(struct out *o, lua_State *L, int from)
 static void dump_error(struct out *o, lua_State *L)
 {
     if (lualib_is_raised(L, -1))
-        lualib_push_unwrapped(L, -1);
+        lualib_push_error_value(L, -1);
     dump(o, L, lua_gettop(L), 0);
 }
 

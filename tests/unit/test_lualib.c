@@ -105,7 +105,7 @@ static bool run(lua_State *L, const char *chunk, const struct arg *args, char ou
     }
     int status = lua_pcall(L, n, LUA_MULTRET, 0);
     if (status != LUA_OK && lualib_is_raised(L, -1)) {
-        lualib_push_unwrapped(L, -1);
+        lualib_push_error_value(L, -1);
         lua_replace(L, 1);
         lua_settop(L, 1);
     }

@@ -270,14 +270,14 @@ static void test_sounds(void **state)
         " music = { t = { file = 'm/t.mml', title = 'T' } } }");
 
     (void)state;
-    assert_true(r->m.sound == 1 && r->art.n_sounds == 2 && r->art.n_tunes == 1);
+    assert_true(r->m.has_sound == 1 && r->art.n_sounds == 2 && r->art.n_tunes == 1);
     assert_string_equal(r->art.sounds[0].mml, "c");
     assert_true(r->art.sounds[1].volume == 128 && r->art.sounds[1].limit == 3 && r->art.sounds[1].duck == 102 &&
                 r->art.sounds[1].priority == 4);
     assert_string_equal(r->art.tunes[0].title, "T");
     free(r);
     r = read_good("return {}");
-    assert_int_equal(r->m.sound, 0);
+    assert_int_equal(r->m.has_sound, 0);
     free(r);
     entry_refused("sounds = { a = { mml = 'c', volum = 1 } }",
                   "sounds.a.volum: unknown key (did you mean \"volume\"?)");
@@ -301,10 +301,10 @@ static void test_recordings(void **state)
     const struct art_sound *b = &r->art.sounds[0], *s = &r->art.tunes[0], *t = &r->art.tunes[1];
 
     (void)state;
-    assert_true(b->exact && b->stereo && b->loop.kind == LOOP_OF_FILE);
+    assert_true(b->exact && b->stereo && b->loop.kind == LOOP_FROM_FILE);
     assert_true(!s->exact && !s->stereo && s->loop.kind == LOOP_NONE && s->tempo == 0 && s->beats_per_bar == 4);
     assert_true(t->stereo && t->tempo == 9725 && t->beats_per_bar == 3 && t->offset == 0.5 && t->n_markers == 2);
-    assert_true(t->loop.kind == LOOP_GIVEN && t->loop.in_seconds && t->loop.start == 1.5 && t->loop.length == 2);
+    assert_true(t->loop.kind == LOOP_RANGE && t->loop.in_seconds && t->loop.start == 1.5 && t->loop.length == 2);
     assert_string_equal(r->art.markers[t->first_marker].name, "back");
     assert_true(r->art.markers[t->first_marker + 1].beat == 8.5);
     free(r);
@@ -631,7 +631,7 @@ static void test_unpack_old(void **state)
     char err[256] = "";
 
     (void)state;
-    assert_true(r->m.bullet_values == 2 && r->m.hp && !r->m.has_orbit && r->m.has_freeze);
+    assert_true(r->m.bullet_values == 2 && r->m.has_hp && !r->m.has_orbit && r->m.has_freeze);
     const uint32_t size = manifest_pack(&r->m, bytes);
     assert_int_equal(size, 5252);
     assert_true(manifest_unpack(bytes, size, &m, err, sizeof err));
@@ -642,21 +642,21 @@ static void test_unpack_old(void **state)
     assert_true(manifest_unpack(bytes, 5232, &m, err, sizeof err));
     assert_int_equal(m.registers, 1024);
     r->m.registers = 1024; /* as many as a ship could have then */
-    assert_true(r->m.bodies == 1 && r->m.pierce == 1);
-    r->m.bodies = r->m.pierce = 0;
+    assert_true(r->m.has_bodies == 1 && r->m.has_pierce == 1);
+    r->m.has_bodies = r->m.has_pierce = 0;
     assert_memory_equal(&m, &r->m, sizeof m);
     bytes[0] = 2;
     assert_false(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));
     assert_true(manifest_unpack(bytes, 5204, &m, err, sizeof err));
     assert_int_equal(r->m.items, 9);
     assert_int_equal(r->m.bullets_can_meet, 1);
-    assert_int_equal(r->m.bg, 1);
+    assert_int_equal(r->m.has_backgrounds, 1);
     assert_true(r->m.lasers == 64 && r->m.curve_points == 4096);
-    r->m.items = r->m.bullets_can_meet = r->m.bg = r->m.lasers = r->m.curve_points = 0;
+    r->m.items = r->m.bullets_can_meet = r->m.has_backgrounds = r->m.lasers = r->m.curve_points = 0;
     assert_memory_equal(&m, &r->m, sizeof m);
     bytes[0] = 1;
     assert_true(manifest_unpack(bytes, 5176, &m, err, sizeof err));
-    r->m.bullet_values = r->m.hp = r->m.has_freeze = 0;
+    r->m.bullet_values = r->m.has_hp = r->m.has_freeze = 0;
     assert_memory_equal(&m, &r->m, sizeof m);
     bytes[0] = 2;
     assert_false(manifest_unpack(bytes, 5176, &m, err, sizeof err));
@@ -693,7 +693,7 @@ static void test_maps(void **state)
         read_good("return { maps = { b = { tiles = 't.png', size = 8, first = 0, rows = { { -1, 0, 5 } } },"
                   " a = { tiles = 't.png', bank = 3, rows = { { 7 }, { 0 } } },"
                   " c = { tiles = 't.png', file = 'm.tmx', layer = 'x' } } }");
-    assert_int_equal(r->m.bg, 1);
+    assert_int_equal(r->m.has_backgrounds, 1);
     assert_int_equal(r->art.n_maps, 3);
     const struct art_map *a = &r->art.maps[0], *b = &r->art.maps[1], *c = &r->art.maps[2];
     assert_int_equal(a->cols * 10 + a->rows, 12);
@@ -736,10 +736,10 @@ static void test_unpack_refuses(void **state)
     bytes[0] = 5; /* which only a game has that runs documents */
     assert_false(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));
     assert_string_equal(err, "board.bulletml: 0 is not allowed in a manifest of format 4");
-    r->m.bulletml = 300;
+    r->m.bulletml_runners = 300;
     assert_int_equal(manifest_pack(&r->m, bytes), sizeof bytes);
     assert_true(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));
-    assert_int_equal(m.bulletml, 300);
+    assert_int_equal(m.bulletml_runners, 300);
     free(r);
 }
 
@@ -752,7 +752,7 @@ static void test_format_1(void **state)
     char err[256] = "";
 
     (void)state;
-    manifest_default(&plain);
+    manifest_set_defaults(&plain);
     assert_int_equal(r->m.nvram_kib, 3);
     manifest_pack(&r->m, bytes);
     bytes[0] = 1;
@@ -844,7 +844,7 @@ static void test_unpack_mutations(void **state)
     int good = 0;
 
     (void)state;
-    r->m.bulletml = 300; /* the format with all numbers */
+    r->m.bulletml_runners = 300; /* the format with all numbers */
     manifest_pack(&r->m, bytes);
     rng_seed(&rng, 3);
     for (int at = 0; at < MANIFEST_BYTES; at++) {

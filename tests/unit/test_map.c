@@ -512,8 +512,8 @@ static void test_lump(void **state)
     assert_int_equal(tiles, 1 + 1 + 2 + 4);
     assert_int_equal(bytes_get16(lump + 8), 5);
     assert_int_equal(bytes_get16(lump + 10), 0);
-    assert_int_equal(size, CART_MAP_HEADER + 20 + tiles * 65);
-    const uint8_t *cells = lump + CART_MAP_HEADER, *solid = cells + 20, *pix = solid + tiles;
+    assert_int_equal(size, CART_MAP_HEADER_SIZE + 20 + tiles * 65);
+    const uint8_t *cells = lump + CART_MAP_HEADER_SIZE, *solid = cells + 20, *pix = solid + tiles;
     assert_int_equal(bytes_get16(cells), bytes_get16(cells + 2));
     assert_int_equal(bytes_get16(cells + 4), 0);
     for (int i = 0; i < 10; i++) {
@@ -563,7 +563,7 @@ static void test_lump_sheets(void **state)
             at[3] = 255;
         }
     assert_true(map_make(&c, "m.tmx", 8, picture, 0, rgb, false, &lump, &size, err, sizeof err));
-    const uint8_t *cells = lump + CART_MAP_HEADER, *pix = cells + 8 + 5;
+    const uint8_t *cells = lump + CART_MAP_HEADER_SIZE, *pix = cells + 8 + 5;
     assert_int_equal(bytes_get16(lump + 6), 5);
     for (int i = 0; i < 4; i++)
         for (int k = 0; k < 64; k++)

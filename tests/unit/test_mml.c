@@ -25,7 +25,7 @@ struct list {
     int64_t at;
 };
 
-static void write_down(struct list *l, const struct tune_played *p)
+static void write_down(struct list *l, const struct tune_played_event *p)
 {
     static const char names[] = ".nso/ivp";
     const size_t n = strlen(l->text);
@@ -40,11 +40,11 @@ static void write_down(struct list *l, const struct tune_played *p)
 
 static void write_run(struct list *l, struct tune_run run, struct track_cursor *at)
 {
-    struct tune_played e;
+    struct tune_played_event e;
 
     while (tune_next_event(&run, &e))
         write_down(l, &e);
-    *at = run.at;
+    *at = run.cursor;
 }
 
 /* The events of track A, at a tempo at which a tick is a sample. */
@@ -61,7 +61,7 @@ static const char *events(const char *text)
     const struct tune t = tune_of(bytes);
     assert_true(tune_validate(bytes, size, err, sizeof err));
     struct track_cursor c = tune_track_start(&t, 0);
-    for (; l.at < 6000 && c.at; l.at += 1000)
+    for (; l.at < 6000 && c.cursor; l.at += 1000)
         write_run(&l, (struct tune_run){ &t, 0, c, TUNE_TICK, 0, 1000, 0 }, &c);
     free(bytes);
     return l.text;
@@ -135,7 +135,7 @@ static void test_header(void **state)
     assert_int_equal(t.beats_per_bar, 3);
     assert_int_equal(t.tempo, 9950);
     assert_int_equal(t.n_tracks, 3);
-    assert_int_equal(t.n_marks, 2);
+    assert_int_equal(t.n_markers, 2);
     assert_string_equal(tune_marker_name(&t, 1), "down");
     assert_true(t.volume == 200 && t.priority == 3 && t.limit == 5);
     const struct inst i = inst_read(tune_inst(&t, 0));

@@ -40,7 +40,7 @@ struct names {
     int n;
 };
 
-static void note_name(void *user, const struct plat_file *file)
+static void note_name(void *user, const struct plat_folder_entry *file)
 {
     struct names *l = user;
 
@@ -410,9 +410,9 @@ static void test_library(void **state)
     (void)state;
     for (int k = 0; k < std_script_count; k++)
         pieces += std_module_of_file(std_scripts[k].name) >= 0;
-    assert_int_equal(std_script_count, STD_MODULES + pieces);
+    assert_int_equal(std_script_count, STD_MODULE_COUNT + pieces);
     assert_true(pieces > 0);
-    for (int i = 0; i < STD_MODULES; i++) {
+    for (int i = 0; i < STD_MODULE_COUNT; i++) {
         int found = 0;
         for (int k = 0; k < std_script_count; k++)
             found += strcmp(std_scripts[k].name, std_module_name(i)) == 0;
@@ -535,7 +535,8 @@ static void test_globals(void **state)
         assert_int_equal(everywhere, std_module_of_global(lua_tostring(L, -2)) < 0);
         bound += !everywhere;
     }
-    assert_int_equal(bound, STD_MODULES - 6 + 3); /* but prelude, which binds 3, figure, sweep, bg, trail, scoring */
+    assert_int_equal(bound,
+                     STD_MODULE_COUNT - 6 + 3); /* but prelude, which binds 3, figure, sweep, bg, trail, scoring */
     bed_close(&none);
     bed_close(&all);
 }
@@ -626,12 +627,12 @@ static void shown_as(const char *lines, const char *palette)
 
     t.b->cart.rom = &t.image.rom; /* it has moved */
     assert_string_equal(cart_name(&t.b->cart, CART_PALETTES, board_loaded_palette(t.b)), palette);
-    const struct cart_look look = video_look(t.b);
+    const struct cart_colour_tables look = video_get_palette_tables(t.b);
     const bool main = !strcmp(palette, "main");
     assert_ptr_equal(look.shades, find(&t.image.rom, main ? "shades" : "shade/dusk").data);
     assert_ptr_equal(look.blend[0], find(&t.image.rom, main ? "blend/glow" : "blends/dusk/glow").data);
     bg_fill_shades(fog, cart_palette(&t.b->cart, palette), 0x123456);
-    assert_memory_equal(t.b->bg_shades.table + BG_FOG_TABLES, fog, sizeof fog);
+    assert_memory_equal(t.b->bg_shades.table + BG_FOG_OFFSET, fog, sizeof fog);
     bed_close(&t);
 }
 
@@ -715,7 +716,7 @@ static void test_foreign_colour(void **state)
 /* The shade of the first pixel of cell i of a map with 8 px tiles. */
 static int map_shade(const struct rom *rom, const char *name, int i)
 {
-    const uint8_t *p = find(rom, name).data, *cells = p + CART_MAP_HEADER;
+    const uint8_t *p = find(rom, name).data, *cells = p + CART_MAP_HEADER_SIZE;
     const int n = bytes_get16(p) * bytes_get16(p + 2), tiles = bytes_get16(p + 6);
 
     return cells[2 * n + tiles + 64 * bytes_get16(cells + 2 * i)] % 16;
@@ -1130,7 +1131,7 @@ static void assert_file(const char *name, const struct lump *l)
 {
     uint8_t *data = malloc(l->size + 1);
 
-    assert_int_equal(plat_size(in_dir(name)), l->size);
+    assert_int_equal(plat_file_size(in_dir(name)), l->size);
     assert_int_equal(plat_load(in_dir(name), data, l->size + 1), l->size);
     assert_memory_equal(data, l->data, l->size);
     free(data);
@@ -1193,7 +1194,7 @@ static void test_unpack_refuses(void **state)
         struct rom_image image = loose(lumps, 2);
         assert_false(pack_unpack(&image.rom, out, err, sizeof err));
         assert_non_null(strstr(err, "\" is not a valid file name"));
-        assert_int_equal(plat_size(in_dir("out/lumps/aaa")), -1); /* nothing was written */
+        assert_int_equal(plat_file_size(in_dir("out/lumps/aaa")), -1); /* nothing was written */
         rom_image_free(&image);
     }
     struct lump twice[] = { { "data/main.lua", (const uint8_t *)"x", 1 },

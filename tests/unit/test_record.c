@@ -53,7 +53,7 @@ static uint8_t *load(const char *name, size_t *n)
     return data;
 }
 
-static const struct art_loop own_loop = { .kind = LOOP_OF_FILE }, no_loop = { .kind = LOOP_NONE };
+static const struct art_loop own_loop = { .kind = LOOP_FROM_FILE }, no_loop = { .kind = LOOP_NONE };
 
 static struct pcm read_seed(const char *name, const struct art_loop *loop)
 {
@@ -429,24 +429,24 @@ static void test_encoder(void **state)
     static int16_t in[N], out[N], greedy[N];
     static uint8_t bytes[SAMPLE_HEADER_SIZE + 2 * N];
     struct sample s;
-    struct adpcm a = { 0, 0 };
+    struct adpcm_state a = { 0, 0 };
 
     (void)state;
     for (int i = 0; i < N; i++)
         in[i] = (int16_t)(9000 * sin(i * 0.11) * exp(-(i % 1700) / 600.0) + 3000 * sin(i * 0.47 + sin(i * 0.013)));
-    assert_int_equal(sample_size(N, SAMPLE_EXACT), sizeof bytes);
-    encode_sample(bytes, in, N, 44100, 50, SAMPLE_EXACT);
-    assert_true(sample_open(bytes, sizeof bytes, &s) && s.loop == 50 && s.coding == SAMPLE_EXACT);
+    assert_int_equal(sample_size(N, SAMPLE_PCM16), sizeof bytes);
+    encode_sample(bytes, in, N, 44100, 50, SAMPLE_PCM16);
+    assert_true(sample_open(bytes, sizeof bytes, &s) && s.loop_start == 50 && s.coding == SAMPLE_PCM16);
     sample_read(&s, 0, N, out);
     assert_memory_equal(in, out, sizeof in);
     sample_read(&s, N + 49, 100, out);
     assert_memory_equal(in + 50 + 49, out, 200);
-    encode_sample(bytes, in, N, 44100, SAMPLE_NO_LOOP, SAMPLE_PACKED);
-    assert_true(sample_open(bytes, sample_size(N, SAMPLE_PACKED), &s));
+    encode_sample(bytes, in, N, 44100, SAMPLE_NO_LOOP, SAMPLE_ADPCM);
+    assert_true(sample_open(bytes, sample_size(N, SAMPLE_ADPCM), &s));
     sample_read(&s, 0, N, out);
     for (int i = 0; i < N; i++) {
         int best = 0;
-        a = i % ADPCM_BLOCK_SAMPLES ? a : (struct adpcm){ in[i], a.index };
+        a = i % ADPCM_BLOCK_SAMPLES ? a : (struct adpcm_state){ in[i], a.step_index };
         for (int code = 1; code < 16; code++)
             if (abs(adpcm_next(a, code).value - in[i]) < abs(adpcm_next(a, best).value - in[i]))
                 best = code;
@@ -519,7 +519,7 @@ static void refused(const struct art_loop *loop, const char *message)
 
 static void test_loops(void **state)
 {
-    struct art_loop loop = { LOOP_GIVEN, true, 0.02, 0.05 };
+    struct art_loop loop = { LOOP_RANGE, true, 0.02, 0.05 };
     struct pcm p = sine(10000, 1000, 500, 300);
     char err[256];
 
@@ -532,9 +532,9 @@ static void test_loops(void **state)
     p = sine(10000, 1000, 500, 300);
     assert_true(recording_prepare(&p, &(struct art_loop){ .kind = LOOP_NONE }, err, sizeof err) && p.loop == -1);
     pcm_free(&p);
-    refused(&(struct art_loop){ LOOP_GIVEN, false, 1000, 0 },
+    refused(&(struct art_loop){ LOOP_RANGE, false, 1000, 0 },
             "the loop from frame 1000 to 1000 is not inside its 1000 frames");
-    refused(&(struct art_loop){ LOOP_GIVEN, true, 0.01, 0.5 },
+    refused(&(struct art_loop){ LOOP_RANGE, true, 0.01, 0.5 },
             "the loop from frame 100 to 5100 is not inside its 1000 frames");
 }
 
@@ -570,7 +570,7 @@ struct list {
     int64_t at;
 };
 
-static void write_down(struct list *l, const struct tune_played *p)
+static void write_down(struct list *l, const struct tune_played_event *p)
 {
     static const char names[] = ".nso/ivptm";
     const size_t n = strlen(l->text);
@@ -586,12 +586,12 @@ static const char *events(const uint8_t *tune, int track, int64_t n)
     struct track_cursor c = tune_track_start(&t, track);
 
     memset(&l, 0, sizeof l);
-    for (; l.at < n && c.at; l.at += 800) {
+    for (; l.at < n && c.cursor; l.at += 800) {
         struct tune_run run = { &t, track, c, t.tempo, 0, 800, 0 };
-        struct tune_played e;
+        struct tune_played_event e;
         while (tune_next_event(&run, &e))
             write_down(&l, &e);
-        c = run.at;
+        c = run.cursor;
     }
     return l.text;
 }

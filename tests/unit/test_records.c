@@ -208,7 +208,7 @@ static void test_file(void **state)
     records_load(&r, "probe"); /* none */
     assert_false(r.damaged);
     saves(&r);
-    assert_int_equal(plat_size("user:probe.practice"), -1); /* nothing to say */
+    assert_int_equal(plat_file_size("user:probe.practice"), -1); /* nothing to say */
     records_attempt(&r, "one", "easy");
     saves(&r);
     expect_file("practice 1\n0 1 easy one\n");
@@ -253,7 +253,7 @@ static void test_unsaved(void **state)
     assert_true(plat_remove("user:other.practice/in_the_way") && plat_remove("user:other.practice"));
     assert_true(unsaved_retry(&unsaved, take_sentence, again));
     assert_null(unsaved);
-    assert_int_equal(plat_size("user:other.practice"), size);
+    assert_int_equal(plat_file_size("user:other.practice"), size);
     records_free(&r);
 }
 

@@ -50,7 +50,7 @@ static struct block make_small(void)
 
 static uint8_t *entry(struct block b, uint32_t i)
 {
-    return b.p + ROM_HEADER + (size_t)i * ROM_ENTRY;
+    return b.p + ROM_HEADER_SIZE + (size_t)i * ROM_ENTRY_SIZE;
 }
 
 /* Makes the header's checksum good again. */
@@ -64,7 +64,7 @@ static void repair_all(struct block b)
 {
     uint32_t count = bytes_get32(b.p + 16);
 
-    for (uint32_t i = 0; i < count && i < (b.size - ROM_HEADER) / ROM_ENTRY; i++) {
+    for (uint32_t i = 0; i < count && i < (b.size - ROM_HEADER_SIZE) / ROM_ENTRY_SIZE; i++) {
         size_t at = bytes_get32(entry(b, i) + 4), size = bytes_get32(entry(b, i) + 8);
         if (at <= b.size && size <= b.size - at)
             bytes_put32(entry(b, i) + 12, hash_crc32(b.p + at, size));
@@ -123,7 +123,7 @@ static void test_empty(void **state)
     struct rom rom;
 
     (void)state;
-    assert_int_equal(b.size, ROM_HEADER);
+    assert_int_equal(b.size, ROM_HEADER_SIZE);
     opened(&rom, b);
     assert_int_equal(rom_find(&rom, "a"), -1);
     free(b.p);
@@ -181,7 +181,7 @@ static void test_cut_anywhere(void **state)
         memcpy(cut, whole.p, n);
         assert_false(rom_open(&rom, cut, n, err, sizeof err));
         assert_string_not_equal(err, "");
-        if (n >= ROM_HEADER) { /* also when only the end of the data is gone, and the header was told so */
+        if (n >= ROM_HEADER_SIZE) { /* also when only the end of the data is gone, and the header was told so */
             bytes_put32(cut + 20, (uint32_t)n);
             repair((struct block){ cut, n });
             assert_false(rom_open(&rom, cut, n, err, sizeof err));
@@ -253,7 +253,7 @@ static void test_directory(void **state)
 
     (void)state;
     free(b.p);
-    refused(with(1, 0, ROM_HEADER), "lump 1: its name is outside the file");
+    refused(with(1, 0, ROM_HEADER_SIZE), "lump 1: its name is outside the file");
     refused(with(1, 0, size), "lump 1: its name is outside the file");
     refused(with(1, 0, size + 4), "lump 1: its name is outside the file");
     refused(with(1, 0, 0xffffffff), "lump 1: its name is outside the file");
@@ -267,7 +267,7 @@ static void test_directory(void **state)
     refused(with(2, 2, 0xffffffff), "lump 2 \"script/main.lua\" runs past the end");
     refused(with(2, 1, data0), "lump 2 \"script/main.lua\" overlaps the lump before it");
     refused(with(0, 1, 0), "lump 0 \"data/a.txt\" overlaps the lump before it");
-    refused(with(0, 1, ROM_HEADER + 4 * ROM_ENTRY), "lump 0 \"data/a.txt\" overlaps the lump before it");
+    refused(with(0, 1, ROM_HEADER_SIZE + 4 * ROM_ENTRY_SIZE), "lump 0 \"data/a.txt\" overlaps the lump before it");
     refused(with(2, 3, 0), "lump 2 \"script/main.lua\" is damaged: its checksum does not match");
 }
 
@@ -303,7 +303,7 @@ static void test_hashes(void **state)
 
 /* ---- carts ---- */
 
-enum { FULL = 7, GFX = 4 * 8 + CART_GFX_HEADER };
+enum { FULL = 7, GFX = 4 * 8 + CART_GFX_HEADER_SIZE };
 
 /* The lumps of a ROM that runs; a test spoils one. */
 struct full {
@@ -318,7 +318,7 @@ static void full_init(struct full *f)
     uint8_t *g = f->gfx;
 
     memset(f, 0, sizeof *f);
-    manifest_default(&f->m);
+    manifest_set_defaults(&f->m);
     f->manifest_size = manifest_pack(&f->m, f->manifest);
     f->palette[3] = 0xaa;
     f->font[64] = 15;
@@ -453,7 +453,7 @@ static void test_cart_blends(void **state)
     assert_true(open_blends(&f, 3, CART_BLEND_SIZE, &cart, &rom, &b, err, sizeof err));
     assert_int_equal(cart.count[CART_BLENDS], 3);
     for (int i = 0; i < 3; i++) {
-        assert_int_equal(cart.main_look.blend[i][65535], i + 1);
+        assert_int_equal(cart.main_tables.blend[i][65535], i + 1);
         assert_int_equal(cart_find(&cart, CART_BLENDS, cart_name(&cart, CART_BLENDS, i)), i);
     }
     assert_string_equal(cart_name(&cart, CART_BLENDS, 2), "c/d");
@@ -491,8 +491,8 @@ static void test_cart_shades(void **state)
         b = make(lumps, there ? FULL + 1 : FULL);
         opened(&rom, b);
         assert_int_equal(cart_open(&cart, &rom, err, sizeof err), good);
-        assert_true(!good || (cart.main_look.shades != NULL) == there);
-        assert_true(!good || !there || cart.main_look.shades[CART_SHADES_SIZE - 1] == 77);
+        assert_true(!good || (cart.main_tables.shades != NULL) == there);
+        assert_true(!good || !there || cart.main_tables.shades[CART_SHADES_SIZE - 1] == 77);
         free(b.p);
     }
     assert_string_equal(err, "lump \"shades\": 769 bytes long, expected 768");
@@ -501,7 +501,7 @@ static void test_cart_shades(void **state)
 /* Opens a cart with the hit shape for the sprite of that name, in `size` bytes. */
 static bool open_hit(const struct cart_hitbox *hit, const char *name, uint32_t size, char *err, size_t err_size)
 {
-    uint8_t lump[CART_HIT_SIZE + 1] = { 0 };
+    uint8_t lump[CART_HITBOX_SIZE + 1] = { 0 };
     struct lump lumps[FULL + 1];
     struct full f;
     struct cart cart;
@@ -509,7 +509,7 @@ static bool open_hit(const struct cart_hitbox *hit, const char *name, uint32_t s
     struct rom rom;
 
     full_init(&f);
-    cart_pack_hit(hit, lump);
+    cart_pack_hitbox(hit, lump);
     for (int i = 0, n = 0; i < FULL; i++) {
         lumps[n++] = f.lumps[i];
         if (strcmp(f.lumps[i].name, "gfx/orb") == 0)
@@ -519,9 +519,9 @@ static bool open_hit(const struct cart_hitbox *hit, const char *name, uint32_t s
     opened(&rom, b);
     bool good = cart_open(&cart, &rom, err, err_size);
     if (good) {
-        assert_true(cart_find_hit(&cart, "orb", &found));
+        assert_true(cart_find_hitbox(&cart, "orb", &found));
         assert_memory_equal(&found, hit, sizeof found);
-        assert_false(cart_find_hit(&cart, "a", &found));
+        assert_false(cart_find_hitbox(&cart, "a", &found));
     }
     free(b.p);
     return good;
@@ -568,12 +568,12 @@ static void test_cart_hits(void **state)
 
     (void)state;
     for (size_t i = 0; i < sizeof good / sizeof *good; i++)
-        assert_true(open_hit(&good[i], "hit/orb", CART_HIT_SIZE, err, sizeof err));
+        assert_true(open_hit(&good[i], "hit/orb", CART_HITBOX_SIZE, err, sizeof err));
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
-        hit_refused(wrong[i], "hit/orb", CART_HIT_SIZE, bad);
-    hit_refused(good[0], "hit/orb", CART_HIT_SIZE - 1, bad);
-    hit_refused(good[0], "hit/orb", CART_HIT_SIZE + 1, bad);
-    hit_refused(good[0], "hit/other", CART_HIT_SIZE, "lump \"hit/other\": no sprite has this name");
+        hit_refused(wrong[i], "hit/orb", CART_HITBOX_SIZE, bad);
+    hit_refused(good[0], "hit/orb", CART_HITBOX_SIZE - 1, bad);
+    hit_refused(good[0], "hit/orb", CART_HITBOX_SIZE + 1, bad);
+    hit_refused(good[0], "hit/other", CART_HITBOX_SIZE, "lump \"hit/other\": no sprite has this name");
 }
 
 static void test_cart_without_font(void **state)
@@ -701,7 +701,7 @@ static void test_mutations(void **state)
         struct block b = { malloc(whole.size), whole.size };
         memcpy(b.p, whole.p, b.size);
         for (uint64_t k = rng_below(&r, 4); k < 4; k++) {
-            uint64_t at = rng_below(&r, rng_below(&r, 2) ? b.size : ROM_HEADER + FULL * (ROM_ENTRY + 12));
+            uint64_t at = rng_below(&r, rng_below(&r, 2) ? b.size : ROM_HEADER_SIZE + FULL * (ROM_ENTRY_SIZE + 12));
             b.p[at] = (uint8_t)(rng_below(&r, 2) ? rng_next(&r) : b.p[at] + 1u);
         }
         repair_all(b);

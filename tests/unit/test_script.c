@@ -249,7 +249,7 @@ static void test_all(void **state)
         int line;
         const char *what;
     } want[] = { { 1, POWER }, { 2, GC }, { 3, POWER }, { 4, MODE } };
-    struct script_place place = { 0, 1 };
+    struct script_position place = { 0, 1 };
     const char *what;
     int line;
 
@@ -300,10 +300,10 @@ static void test_reads(void **state)
 
 static void test_modules(void **state)
 {
-    const uint64_t all = ((uint64_t)1 << STD_MODULES) - 1;
+    const uint64_t all = ((uint64_t)1 << STD_MODULE_COUNT) - 1;
 
     (void)state;
-    for (int i = 1; i < STD_MODULES; i++) {
+    for (int i = 1; i < STD_MODULE_COUNT; i++) {
         char text[64];
         int n = snprintf(text, sizeof text, "x = %s.y", std_module_name(i));
         if (std_extended_table(i)) {
@@ -311,10 +311,10 @@ static void test_modules(void **state)
             continue;
         }
         assert_int_equal(std_module_of_global(std_module_name(i)), i);
-        assert_true(std_modules_used(text, (size_t)n) == (uint64_t)1 << i);
+        assert_true(std_find_used_modules(text, (size_t)n) == (uint64_t)1 << i);
         n = snprintf(text, sizeof text, "x.%s = '%s' -- %s\n%sx()", std_module_name(i), std_module_name(i),
                      std_module_name(i), std_module_name(i));
-        assert_true(std_modules_used(text, (size_t)n) == 0);
+        assert_true(std_find_used_modules(text, (size_t)n) == 0);
     }
     assert_int_equal(std_module_of_file("boss"), -1);
     assert_int_equal(std_module_of_file("bosses/cast"), -1);
@@ -328,19 +328,19 @@ static void test_modules(void **state)
     assert_int_equal(std_module_of_global("wait"), -1);
     assert_int_equal(std_module_of_global(""), -1);
     assert_int_equal(std_module_of_global(" pattern "), -1);
-    assert_true(std_modules_used("wait_until(f)", 13) == 1);
-    assert_true(std_modules_used("boss.def(hud)", 13) ==
+    assert_true(std_find_used_modules("wait_until(f)", 13) == 1);
+    assert_true(std_find_used_modules("boss.def(hud)", 13) ==
                 (1u << std_module_of_global("boss") | 1u << std_module_of_global("hud")));
     assert_int_equal(std_module_of_field("pattern", "star"), 2);
     assert_int_equal(std_module_of_field("pattern", "ring"), -1);
     assert_int_equal(std_module_of_field("bullet", "star"), -1);
-    assert_true(std_modules_used("pattern.star", 12) == (1 << 1 | 1 << 2) &&
-                std_modules_used("f(pattern)", 10) == (1 << 1 | 1 << 2));
-    assert_true(std_modules_used("x(pattern..star)", 16) == (1 << 1 | 1 << 2));
-    assert_true(std_modules_needed(1, "return pattern", 14) == 1 << 1);
-    assert_true(std_modules_used("_G[k]", 5) == all && std_modules_used("_ENV[k]", 7) == all &&
-                std_modules_used("load(k)", 7) == all);
-    assert_true(std_modules_used("stages._G = s:load()", 20) == 0);
+    assert_true(std_find_used_modules("pattern.star", 12) == (1 << 1 | 1 << 2) &&
+                std_find_used_modules("f(pattern)", 10) == (1 << 1 | 1 << 2));
+    assert_true(std_find_used_modules("x(pattern..star)", 16) == (1 << 1 | 1 << 2));
+    assert_true(std_find_needed_modules(1, "return pattern", 14) == 1 << 1);
+    assert_true(std_find_used_modules("_G[k]", 5) == all && std_find_used_modules("_ENV[k]", 7) == all &&
+                std_find_used_modules("load(k)", 7) == all);
+    assert_true(std_find_used_modules("stages._G = s:load()", 20) == 0);
 }
 
 int main(void)

@@ -10,9 +10,9 @@
 enum { START = 1 << PLAT_START, SOUTH = 1 << PLAT_SOUTH, UP = 1 << PLAT_DPAD_UP };
 
 static struct seats s;
-static struct plat_controller in_it[PLAT_CONTROLLERS];
-static const struct plat_controller *plugged[PLAT_CONTROLLERS];
-static uint32_t held[PLAT_CONTROLLERS];
+static struct plat_controller in_it[PLAT_MAX_CONTROLLERS];
+static const struct plat_controller *plugged[PLAT_MAX_CONTROLLERS];
+static uint32_t held[PLAT_MAX_CONTROLLERS];
 static int players;
 static uint32_t next_id;
 
@@ -258,12 +258,12 @@ static void a_port_that_knows_nothing(void **state)
 {
     (void)state;
     begin(2);
-    for (int i = 0; i < PLAT_CONTROLLERS; i++) {
-        assert_true(plat_controller(i, &in_it[i]));
+    for (int i = 0; i < PLAT_MAX_CONTROLLERS; i++) {
+        assert_true(plat_get_controller(i, &in_it[i]));
         plugged[i] = &in_it[i];
     }
-    assert_false(plat_controller(PLAT_CONTROLLERS, &in_it[0]));
-    assert_true(plat_controller(0, &in_it[0]));
+    assert_false(plat_get_controller(PLAT_MAX_CONTROLLERS, &in_it[0]));
+    assert_true(plat_get_controller(0, &in_it[0]));
     poll();
     nothing_is_told();
     hold(0, SOUTH);

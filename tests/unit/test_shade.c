@@ -102,7 +102,7 @@ static void test_kept(void **state)
 
     (void)state;
     art_default_palette(rgb);
-    manifest_default(&m);
+    manifest_set_defaults(&m);
     const uint32_t manifest_size = manifest_pack(&m, manifest);
     for (int with = 0; with < 3; with++) {
         struct lump lumps[] = { { "manifest", manifest, manifest_size },
@@ -115,7 +115,7 @@ static void test_kept(void **state)
         rom_write(bytes, lumps, n);
         assert_true(rom_open(&rom, bytes, rom_write_size(lumps, n), err, sizeof err));
         assert_true(cart_open(&cart, &rom, err, sizeof err));
-        assert_int_equal(cart.main_look.shades != NULL, with == 2);
+        assert_int_equal(cart.main_tables.shades != NULL, with == 2);
         const uint8_t *got = shade_for(&kept, &cart);
         assert_ptr_equal(got, with == 2 ? NULL : kept.tables);
         shade_make(rgb, want);

@@ -17,8 +17,8 @@ static uint8_t *itself(size_t *size)
 {
     char name[256];
 
-    assert_true(plat_program(name, sizeof name));
-    *size = (size_t)plat_size(name);
+    assert_true(plat_program_file(name, sizeof name));
+    *size = (size_t)plat_file_size(name);
     uint8_t *file = malloc(2 * *size);
     assert_non_null(file);
     assert_int_equal(plat_load(name, file, *size), *size);

@@ -80,7 +80,7 @@ static double snr(double hz, double ratio)
         in[i] = (int16_t)lrint(30000 * sin(2 * M_PI * hz * i / SND_RATE));
     for (uint64_t at = (uint64_t)10 << 32; at >> 32 < N; at += SND_BLOCK * step) {
         int16_t out[SND_BLOCK];
-        wave_sample(&tables, in + (at >> 32), (uint32_t)at, step, out);
+        wave_resample_block(&tables, in + (at >> 32), (uint32_t)at, step, out);
         for (int n = 0; n < SND_BLOCK; n++) {
             const double x = (double)(at + (uint64_t)n * step) / 4294967296.0;
             const double right = 30000 * sin(2 * M_PI * hz * x / SND_RATE);
@@ -115,7 +115,7 @@ static void test_alias(void **state)
         at.mip0 = at.mip1 = snd_mip(&tables, (uint32_t)(step >> 24));
         for (int i = 0; i < N; i += SND_BLOCK, at.phase += SND_BLOCK * step) {
             int16_t out[SND_BLOCK];
-            wave_block(&tables, &saw, &at, out);
+            wave_compute_block(&tables, &saw, &at, out);
             for (int n = 0; n < SND_BLOCK; n++)
                 re[i + n] = out[n];
         }
@@ -160,10 +160,10 @@ static void test_level(void **state)
         assert_true(level >= 0 && level <= 32767 && abs(level - last) <= 32767 / 480 + 2);
         last = level;
     }
-    assert_int_equal(wave_level(&i, 480, NOTE_HELD), 32767);
-    assert_true(abs(wave_level(&i, 1480, NOTE_HELD) - (int)(lrint((8000 + 24767 / 2) * exp2(-1000.0 / 48000)))) <= 3);
+    assert_int_equal(wave_level(&i, 480, AGE_NEVER), 32767);
+    assert_true(abs(wave_level(&i, 1480, AGE_NEVER) - (int)(lrint((8000 + 24767 / 2) * exp2(-1000.0 / 48000)))) <= 3);
     assert_true(abs(wave_level(&i, 22000, 20000) * 2 - wave_level(&i, 20000, 20000)) <= 2);
-    assert_true(wave_is_silent(&i, 20000 + 16 * 2000, 20000) && !wave_is_silent(&i, 20000, NOTE_HELD));
+    assert_true(wave_is_silent(&i, 20000 + 16 * 2000, 20000) && !wave_is_silent(&i, 20000, AGE_NEVER));
 }
 
 /* What is read does not depend on where reading begins, nor on loops that are read at once or piece by piece. */
@@ -171,7 +171,7 @@ static void test_adpcm(void **state)
 {
     enum { N = 3000 };
     static int16_t in[N], all[4 * N], part[200];
-    uint8_t *bytes = malloc(sample_size(N, SAMPLE_PACKED));
+    uint8_t *bytes = malloc(sample_size(N, SAMPLE_ADPCM));
     struct sample s;
     struct rng r;
 
@@ -181,8 +181,8 @@ static void test_adpcm(void **state)
         in[i] = (int16_t)(12000 * sin(i * 0.05) + 4000 * sin(i * 0.31));
     for (int looped = 0; looped < 2; looped++) {
         double wrong = 0, loud = 0;
-        encode_sample(bytes, in, N, 44100, looped ? 700 : SAMPLE_NO_LOOP, SAMPLE_PACKED);
-        assert_true(sample_open(bytes, sample_size(N, SAMPLE_PACKED), &s));
+        encode_sample(bytes, in, N, 44100, looped ? 700 : SAMPLE_NO_LOOP, SAMPLE_ADPCM);
+        assert_true(sample_open(bytes, sample_size(N, SAMPLE_ADPCM), &s));
         sample_read(&s, 0, 4 * N, all);
         for (int i = 0; i < N; i++) {
             wrong += (all[i] - in[i]) * (double)(all[i] - in[i]);
@@ -199,8 +199,8 @@ static void test_adpcm(void **state)
         }
     }
     bytes[SAMPLE_HEADER_SIZE + 2] = 89;
-    assert_false(sample_open(bytes, sample_size(N, SAMPLE_PACKED), &s));
-    assert_false(sample_open(bytes, sample_size(N, SAMPLE_PACKED) - 1, &s));
+    assert_false(sample_open(bytes, sample_size(N, SAMPLE_ADPCM), &s));
+    assert_false(sample_open(bytes, sample_size(N, SAMPLE_ADPCM) - 1, &s));
     free(bytes);
 }
 
@@ -228,7 +228,7 @@ static void test_sines(void **state)
         for (uint32_t n = 0; n < FM_BLOCK; n++)
             phase[n] = (p + n) << 16 | (n * 2114 & 0xffff);
         fm_sines(phase, fast);
-        fm_sines_plain(phase, plain);
+        fm_sines_portable(phase, plain);
         assert_memory_equal(fast, plain, sizeof fast);
         for (uint32_t n = 0; n < FM_BLOCK; n++)
             assert_true(fabs(plain[n] - 32767 * sin(2 * M_PI * (p + n + 0.5) / 65536)) < 2);
@@ -248,7 +248,7 @@ static void same_sample(int round)
     const uint32_t phase = (uint32_t)rng_next(&chance) | (round % 4 ? 0 : 0xfff00000u);
     int16_t out[SND_BLOCK];
 
-    wave_sample(&tables, x + LOW_PASS_TAPS, phase, step, out);
+    wave_resample_block(&tables, x + LOW_PASS_TAPS, phase, step, out);
     for (int n = 0; n < SND_BLOCK; n++) {
         const uint64_t at = phase + (uint64_t)n * step, place = ((at & 0xffffffff) + (1 << 21)) >> 22;
         int64_t sum = 1 << 14;
@@ -274,7 +274,7 @@ static void same_low(int round)
     int16_t out[SND_BLOCK + 1];
 
     out[many] = 12345;
-    wave_low_pass(&tables, x + LOW_PASS_TAPS, many, step0, step1, out);
+    wave_filter_low_pass(&tables, x + LOW_PASS_TAPS, many, step0, step1, out);
     for (int n = 0; n < many; n++) {
         const int64_t a = passed(row0, n), b = passed(row1, n);
         assert_int_equal(out[n], row0 == row1 ? a : a + (b - a) * n / many);
@@ -298,7 +298,7 @@ static void same_mix(void)
         level[n] = any16() & 32767;
         was[n] = left[n] = right[n] = (int32_t)rng_next(&chance) >> 6;
     }
-    wave_add(wave, level, &from, &to, left, right);
+    wave_add_to_mix(wave, level, &from, &to, left, right);
     for (int n = 0; n < SND_BLOCK; n++) {
         const int32_t heard = (wave[n] * level[n] + (1 << 14)) >> 15;
         assert_int_equal(left[n], was[n] + (heard * between(from.left, to.left, n) >> 8));
@@ -330,7 +330,7 @@ static void test_operators(void **state)
     rng_seed(&chance, 9);
     for (int round = 0; round < 4000; round++) {
         const int algorithm = round % FM_ALGORITHMS, ops = round % 5 ? 4 : 2;
-        const unsigned heard = inst_audible(ops, algorithm);
+        const unsigned heard = inst_audible_ops(ops, algorithm);
         int n_heard = 0;
         for (int k = 0; k < ops; k++)
             n_heard += heard >> k & 1 ? 1 : 0;
@@ -343,7 +343,7 @@ static void test_operators(void **state)
         }
         const int32_t top = (FEEDBACK_ROWS - 1) * FEEDBACK_ROW_UNITS,
                       rows[2] = { round % 3 ? top : 0, round % 2 ? top : 0 };
-        fm_block(&tables, ops, algorithm, op, rows, out);
+        fm_compute_block(&tables, ops, algorithm, op, rows, out);
         for (int n = 0; n < FM_BLOCK; n++) {
             int32_t sum = 0; /* each operator alone can be no louder than its gain */
             for (int k = 0; k < ops; k++)
@@ -364,7 +364,7 @@ struct played {
     int64_t base;
 };
 
-static void note_down(struct played *d, const struct tune_played *p)
+static void note_down(struct played *d, const struct tune_played_event *p)
 {
     if (d->n < 4000) {
         d->e[d->n].at = d->base + p->sample;
@@ -380,10 +380,10 @@ static void run_in(const struct tune *t, uint32_t tempo, int piece, int64_t samp
     d->n = 0;
     for (d->base = 0; d->base < samples; d->base += piece) {
         struct tune_run run = { t, 0, c, tempo, 0, (int)(samples - d->base < piece ? samples - d->base : piece), 0 };
-        struct tune_played e;
+        struct tune_played_event e;
         while (tune_next_event(&run, &e))
             note_down(d, &e);
-        c = run.at;
+        c = run.cursor;
     }
 }
 

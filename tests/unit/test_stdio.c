@@ -40,7 +40,7 @@ static void fits(int picture_w, int picture_h, int scale, bool any, int room_w, 
     const struct plat_config want = { .w = picture_w, .h = picture_h, .scale = scale, .fractional = any };
     int w, h;
 
-    plat_fit(&want, room_w, room_h, &w, &h);
+    plat_fit_window(&want, room_w, room_h, &w, &h);
     assert_int_equal(w, want_w);
     assert_int_equal(h, want_h);
 }
@@ -63,7 +63,7 @@ static void windows_fit(void **state)
                     const struct plat_config want = { .w = w, .h = h, .fractional = any };
                     const int room_h = room * 9 / 16, step = any ? 1 : 4;
                     int ww, wh;
-                    plat_fit(&want, room, room_h, &ww, &wh);
+                    plat_fit_window(&want, room, room_h, &ww, &wh);
                     assert_true((ww <= room && wh <= room_h) || (ww == w && wh == h));
                     assert_true(4 * ww / w >= 4 && (any || (ww % w == 0 && wh % h == 0)));
                     const int quarters = 4 * ww / w + step; /* one more does not fit */
@@ -75,19 +75,19 @@ static void save_load_append(void **state)
 {
     char buf[16] = { 0 };
     (void)state;
-    assert_int_equal(plat_size("a"), -1);
+    assert_int_equal(plat_file_size("a"), -1);
     assert_int_equal(plat_load("a", buf, sizeof buf), -1);
     assert_true(plat_save("a", "hello", 5));
-    assert_int_equal(plat_size("a"), 5);
+    assert_int_equal(plat_file_size("a"), 5);
     assert_int_equal(plat_load("a", buf, 3), 3);
     assert_int_equal(plat_load("a", buf, sizeof buf), 5);
     assert_memory_equal(buf, "hello", 5);
     assert_true(plat_append("a", "!!", 2));
     assert_true(plat_append("b", "new", 3));
-    assert_int_equal(plat_size("a"), 7);
-    assert_int_equal(plat_size("b"), 3);
+    assert_int_equal(plat_file_size("a"), 7);
+    assert_int_equal(plat_file_size("b"), 3);
     assert_true(plat_save("a", "", 0));
-    assert_int_equal(plat_size("a"), 0);
+    assert_int_equal(plat_file_size("a"), 0);
 }
 
 /* What is no regular file is written to and stays what it is; reading one is refused, not waited for. */
@@ -102,11 +102,11 @@ static void devices_and_pipes(void **state)
     assert_true(plat_save(null, "gone", 4));
     assert_int_equal(stat(null, &st), 0);
     assert_true(S_ISCHR(st.st_mode));
-    assert_int_equal(plat_size(null), 0);
+    assert_int_equal(plat_file_size(null), 0);
     assert_int_equal(plat_load(null, buf, sizeof buf), -1);
     assert_false(plat_save(full, "no room", 7));
     assert_int_equal(mkfifo("fifo", 0600), 0);
-    assert_int_equal(plat_size("fifo"), 0);
+    assert_int_equal(plat_file_size("fifo"), 0);
     assert_int_equal(plat_load("fifo", buf, sizeof buf), -1);
     int reader = open("fifo", O_RDONLY | O_NONBLOCK);
     assert_true(plat_save("fifo", "piped", 5));
@@ -117,7 +117,7 @@ static void devices_and_pipes(void **state)
     assert_true(S_ISFIFO(st.st_mode));
     assert_int_equal(mkdir("folder", 0777), 0);
     assert_false(plat_save("folder", "x", 1));
-    assert_int_equal(plat_size("folder"), -1);
+    assert_int_equal(plat_file_size("folder"), -1);
 }
 
 static bool is_link(const char *path)
@@ -144,13 +144,13 @@ static void links_stay(void **state)
     assert_int_equal(symlink(far, "dangling"), 0);
     assert_true(plat_save("dangling", "made", 4));
     assert_true(is_link("dangling"));
-    assert_int_equal(plat_size("e/there"), 4);
+    assert_int_equal(plat_file_size("e/there"), 4);
     assert_int_equal(symlink("loop", "loop"), 0);
     assert_false(plat_save("loop", "x", 1));
     assert_true(is_link("loop"));
 }
 
-static void count_entry(void *user, const struct plat_file *file)
+static void count_entry(void *user, const struct plat_folder_entry *file)
 {
     (void)file;
     ++*(int *)user;
@@ -174,12 +174,12 @@ static void folders_are_made(void **state)
 {
     (void)state;
     assert_true(plat_save("x/y/z", "1", 1));
-    assert_int_equal(plat_size("x/y/z"), 1);
-    assert_int_equal(plat_size("x/y"), -1);
+    assert_int_equal(plat_file_size("x/y/z"), 1);
+    assert_int_equal(plat_file_size("x/y"), -1);
     assert_int_equal(plat_load("x/y", name, 1), -1);
     assert_true(plat_save("user:game.nv", "12", 2));
-    assert_int_equal(plat_size("curtain/game.nv"), 2);
-    assert_int_equal(plat_size("user:game.nv"), 2);
+    assert_int_equal(plat_file_size("curtain/game.nv"), 2);
+    assert_int_equal(plat_file_size("user:game.nv"), 2);
 }
 
 static void the_users_folder(void **state)
@@ -188,10 +188,10 @@ static void the_users_folder(void **state)
     setenv("XDG_DATA_HOME", "relative", 1);
     setenv("HOME", home, 1);
     assert_true(plat_save("user:h", "123", 3));
-    assert_int_equal(plat_size(".local/share/curtain/h"), 3);
+    assert_int_equal(plat_file_size(".local/share/curtain/h"), 3);
     unsetenv("HOME");
     assert_false(plat_save("user:h", "123", 3));
-    assert_int_equal(plat_size("user:h"), -1);
+    assert_int_equal(plat_file_size("user:h"), -1);
     setenv("XDG_DATA_HOME", home, 1);
 }
 
@@ -246,8 +246,8 @@ static void programs(void **state)
     struct stat st;
 
     (void)state;
-    assert_true(plat_program(own, sizeof own) && plat_size(own) > 1000);
-    assert_false(plat_program(own, 3));
+    assert_true(plat_program_file(own, sizeof own) && plat_file_size(own) > 1000);
+    assert_false(plat_program_file(own, 3));
     assert_true(plat_save("tool", "x", 1) && chmod("tool", 0640) == 0);
     assert_true(plat_make_executable("tool") && stat("tool", &st) == 0);
     assert_int_equal(st.st_mode & 0777, 0750);
@@ -259,9 +259,10 @@ static void same_files(void **state)
 {
     (void)state;
     assert_true(plat_save("one", "x", 1) && plat_save("two", "x", 1) && symlink("one", "also") == 0);
-    assert_true(plat_same_file("one", "one") && plat_same_file("one", "./one") && plat_same_file("also", "one"));
-    assert_false(plat_same_file("one", "two") || plat_same_file("one", "none") ||
-                 plat_same_file("/dev/null", "/dev/null"));
+    assert_true(plat_is_same_file("one", "one") && plat_is_same_file("one", "./one") &&
+                plat_is_same_file("also", "one"));
+    assert_false(plat_is_same_file("one", "two") || plat_is_same_file("one", "none") ||
+                 plat_is_same_file("/dev/null", "/dev/null"));
 }
 
 /* Of files that are not there yet: the same one by another way, a link that leads to it, another case. */
@@ -270,12 +271,12 @@ static void same_files_to_be(void **state)
     (void)state;
     assert_true(plat_save("to/be/x", "", 0) && symlink("to/be", "to_be") == 0 &&
                 symlink("to/be/none", "none_yet") == 0);
-    assert_true(plat_same_file("none", "none") && plat_same_file("none", "./NONE") &&
-                plat_same_file("to_be/none", "to/be/none"));
-    assert_true(plat_same_file("none_yet", "to_be/none"));
-    assert_false(plat_same_file("none", "to/be/none") || plat_same_file("none", "nine") ||
-                 plat_same_file("none", "none.x"));
-    assert_false(plat_same_file("no/folder", "no/folder"));
+    assert_true(plat_is_same_file("none", "none") && plat_is_same_file("none", "./NONE") &&
+                plat_is_same_file("to_be/none", "to/be/none"));
+    assert_true(plat_is_same_file("none_yet", "to_be/none"));
+    assert_false(plat_is_same_file("none", "to/be/none") || plat_is_same_file("none", "nine") ||
+                 plat_is_same_file("none", "none.x"));
+    assert_false(plat_is_same_file("no/folder", "no/folder"));
 }
 
 /* The file that a save goes by way of is a new one: another's of that name stays. */
@@ -324,7 +325,7 @@ static void the_users_pictures(void **state)
     is_below("/P/Curtain/a.png", "pictures:a.png");
     setenv("XDG_PICTURES_DIR", config, 1);
     assert_true(plat_save("pictures:a.png", "png", 3));
-    assert_int_equal(plat_size("conf/Curtain/a.png"), 3);
+    assert_int_equal(plat_file_size("conf/Curtain/a.png"), 3);
     unsetenv("XDG_PICTURES_DIR");
 }
 
@@ -413,7 +414,7 @@ static void a_crash_is_told(void **state)
     }
     waitpid(child, &status, 0);
     assert_true(WIFSIGNALED(status) && WTERMSIG(status) == SIGSEGV);
-    assert_true(plat_size("user:full-1.txt") == (long)strlen("full: SIGSEGV"));
+    assert_true(plat_file_size("user:full-1.txt") == (long)strlen("full: SIGSEGV"));
     assert_true(plat_set_crash_handler("user:none", tell, NULL) && plat_set_crash_handler("user:none", NULL, NULL));
 }
 
@@ -438,7 +439,7 @@ static void what_is_beside(void **state)
                                      sizeof path));
 }
 
-static void count(void *user, const struct plat_file *file)
+static void count(void *user, const struct plat_folder_entry *file)
 {
     int *seen = user;
     assert_true(file->time > 0);
@@ -465,10 +466,10 @@ static void a_failed_save_leaves_all(void **state)
     (void)state;
     assert_true(plat_save("dir/taken/file", "1", 1));
     assert_false(plat_save("dir/taken", "22", 2)); /* a folder is in the way */
-    assert_int_equal(plat_size("dir/taken/file"), 1);
+    assert_int_equal(plat_file_size("dir/taken/file"), 1);
     assert_int_equal(plat_list("dir", count, seen), 1);
     assert_false(plat_save("dir/taken/file/below", "3", 1));
-    assert_int_equal(plat_size("dir/taken/file"), 1);
+    assert_int_equal(plat_file_size("dir/taken/file"), 1);
 }
 
 /* Sizes, pitches and places of any kind: as pixel by pixel, and nothing between the rows. */
@@ -491,7 +492,7 @@ static void pictures_become_colours(void **state)
             rgb[i] = (uint32_t)rng_next(&r) | 1;
         for (int i = 0; i < OUT; i++)
             out[i] = NONE;
-        plat_rgb(out + to, out_pitch, pix + from, pitch, w, h, rgb);
+        plat_convert_to_rgb(out + to, out_pitch, pix + from, pitch, w, h, rgb);
         for (int i = 0; i < OUT; i++) {
             int x = out_pitch ? (i - to) % out_pitch : 0, y = out_pitch ? (i - to) / out_pitch : h;
             bool in = i >= to && x < w && y < h;

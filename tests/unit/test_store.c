@@ -356,7 +356,7 @@ static void test_folder(void **state)
     assert_string_equal(r.list[2].card.name, "kept");
     assert_true(replays_thumb(&r, 2, &t) && t.w == 72); /* a name leaves the picture */
     replays_path(&r, 2, path);
-    assert_int_equal(plat_size(path), 64);
+    assert_int_equal(plat_file_size(path), 64);
     replays_close(&r);
     assert_true(replays_open(&r, "other")); /* each game has a folder of its own */
     assert_int_equal(r.n, 0);

@@ -138,7 +138,7 @@ static void test_once(void **state)
         const struct image img = { tall, 1, ROWS, 8 };
         struct strip_corner c[6];
         const int n = random_line(&rng, c, 5);
-        const struct strip s = { .image = &img, .blend = count, .width = 7 << 16 };
+        const struct strip s = { .image = &img, .blend_table = count, .width = 7 << 16 };
         fb_fill(&fb, 0);
         for (int k = 1; k < n; k++) { /* a line that comes back to itself is another matter */
             double side, far = far_from(c, k, x_of(&c[k]), y_of(&c[k]), &side);

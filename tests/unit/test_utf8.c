@@ -13,7 +13,7 @@
 static void test_all(void **state)
 {
     (void)state;
-    for (uint32_t code = 0; code <= UTF8_MAX; code++) {
+    for (uint32_t code = 0; code <= UTF8_MAX_CODE; code++) {
         char s[UTF8_MAX_BYTES + 1];
         const char *at = s;
         if (code >= 0xd800 && code <= 0xdfff)

@@ -14,23 +14,23 @@
 #include "../../src/cab/pack/art.h"
 
 /* Machado, Oliveira, Fernandes 2009, severity 1.0. */
-static const double seen[VIEW_COLOURS][3][3] = {
-    [VIEW_PROTAN] = { { 0.152286, 1.052583, -0.204868 },
-                      { 0.114503, 0.786281, 0.099216 },
-                      { -0.003882, -0.048116, 1.051998 } },
-    [VIEW_DEUTAN] = { { 0.367322, 0.860646, -0.227968 },
-                      { 0.280085, 0.672501, 0.047413 },
-                      { -0.011820, 0.042940, 0.968881 } },
-    [VIEW_TRITAN] = { { 1.255528, -0.076749, -0.178779 },
-                      { -0.078411, 0.930809, 0.147602 },
-                      { 0.004733, 0.691367, 0.303900 } },
+static const double seen[COLOUR_BLIND_MODES][3][3] = {
+    [COLOUR_BLIND_PROTAN] = { { 0.152286, 1.052583, -0.204868 },
+                              { 0.114503, 0.786281, 0.099216 },
+                              { -0.003882, -0.048116, 1.051998 } },
+    [COLOUR_BLIND_DEUTAN] = { { 0.367322, 0.860646, -0.227968 },
+                              { 0.280085, 0.672501, 0.047413 },
+                              { -0.011820, 0.042940, 0.968881 } },
+    [COLOUR_BLIND_TRITAN] = { { 1.255528, -0.076749, -0.178779 },
+                              { -0.078411, 0.930809, 0.147602 },
+                              { 0.004733, 0.691367, 0.303900 } },
 };
 
 /* What share of the red, green and blue that are lost goes to each channel. */
-static const double moved[VIEW_COLOURS][3][3] = {
-    [VIEW_PROTAN] = { [2] = { 0.5, 0, 0.5 } },
-    [VIEW_DEUTAN] = { [2] = { 0.5, 0, 0.5 } },
-    [VIEW_TRITAN] = { { 0.5, 0, 0.5 }, { 0, 0, -0.5 } },
+static const double moved[COLOUR_BLIND_MODES][3][3] = {
+    [COLOUR_BLIND_PROTAN] = { [2] = { 0.5, 0, 0.5 } },
+    [COLOUR_BLIND_DEUTAN] = { [2] = { 0.5, 0, 0.5 } },
+    [COLOUR_BLIND_TRITAN] = { { 0.5, 0, 0.5 }, { 0, 0, -0.5 } },
 };
 
 static double light_of(int level)
@@ -62,7 +62,7 @@ static void see(enum colour_blind_mode kind, const double light[3], double out[3
 
 static void as_published(enum colour_blind_mode kind, uint32_t rgb)
 {
-    const uint32_t got = view_colour(kind, rgb);
+    const uint32_t got = view_adjust_colour(kind, rgb);
     double light[3], lost[3];
 
     assert_true(got <= 0xffffff);
@@ -84,7 +84,7 @@ static void test_published(void **state)
 
     (void)state;
     rng_seed(&r, 3);
-    for (int kind = VIEW_PROTAN; kind < VIEW_COLOURS; kind++) {
+    for (int kind = COLOUR_BLIND_PROTAN; kind < COLOUR_BLIND_MODES; kind++) {
         for (uint32_t i = 0; i < 4096; i++) /* each of the cube's 16 x 16 x 16 corners */
             as_published((enum colour_blind_mode)kind, (i >> 8) * 0x110000 | (i >> 4 & 15) * 0x1100 | (i & 15) * 0x11);
         for (int i = 0; i < 20000; i++)
@@ -97,16 +97,16 @@ static void test_stays(void **state)
     struct rng r;
 
     (void)state;
-    for (int kind = 0; kind < VIEW_COLOURS; kind++)
+    for (int kind = 0; kind < COLOUR_BLIND_MODES; kind++)
         for (uint32_t grey = 0; grey < 256; grey++)
-            assert_int_equal(view_colour((enum colour_blind_mode)kind, grey * 0x10101), grey * 0x10101);
+            assert_int_equal(view_adjust_colour((enum colour_blind_mode)kind, grey * 0x10101), grey * 0x10101);
     rng_seed(&r, 5);
     for (int i = 0; i < 1000; i++) {
         const uint32_t rgb = (uint32_t)rng_next(&r) & 0xffffff;
-        assert_int_equal(view_colour(VIEW_NORMAL, rgb), rgb);
-        assert_int_equal(view_colour(VIEW_PROTAN, rgb) >> 8, rgb >> 8); /* blue alone is another */
-        assert_int_equal(view_colour(VIEW_DEUTAN, rgb) >> 8, rgb >> 8);
-        assert_int_equal(view_colour(VIEW_TRITAN, rgb) & 255, rgb & 255);
+        assert_int_equal(view_adjust_colour(COLOUR_BLIND_OFF, rgb), rgb);
+        assert_int_equal(view_adjust_colour(COLOUR_BLIND_PROTAN, rgb) >> 8, rgb >> 8); /* blue alone is another */
+        assert_int_equal(view_adjust_colour(COLOUR_BLIND_DEUTAN, rgb) >> 8, rgb >> 8);
+        assert_int_equal(view_adjust_colour(COLOUR_BLIND_TRITAN, rgb) & 255, rgb & 255);
     }
 }
 
@@ -142,7 +142,7 @@ static void test_parts(void **state)
     art_default_palette(rgb);
     for (int i = 0; i < 256; i++)
         colour[i] = (uint32_t)(rgb[3 * i] << 16 | rgb[3 * i + 1] << 8 | rgb[3 * i + 2]);
-    for (int k = VIEW_PROTAN; k < VIEW_COLOURS; k++) {
+    for (int k = COLOUR_BLIND_PROTAN; k < COLOUR_BLIND_MODES; k++) {
         const enum colour_blind_mode kind = (enum colour_blind_mode)k;
         double was = 0, is = 0;
         int n = 0;
@@ -155,7 +155,7 @@ static void test_parts(void **state)
                     continue;
                 n++;
                 was += before;
-                is += apart_seen(kind, view_colour(kind, colour[i]), view_colour(kind, colour[j]));
+                is += apart_seen(kind, view_adjust_colour(kind, colour[i]), view_adjust_colour(kind, colour[j]));
             }
         print_message("# view %d: %d pairs, %.3f apart, then %.3f\n", k, n, was / n, is / n);
         assert_true(n > 100 && is > 2 * was);
@@ -169,13 +169,13 @@ static void test_light(void **state)
 
     (void)state;
     rng_seed(&r, 6);
-    for (int kind = VIEW_PROTAN; kind < VIEW_COLOURS; kind++) {
+    for (int kind = COLOUR_BLIND_PROTAN; kind < COLOUR_BLIND_MODES; kind++) {
         double off = 0;
         for (int i = 0; i < 10000; i++) {
             const uint32_t rgb = (uint32_t)rng_next(&r) & 0xffffff;
             double a[3], b[3];
             lights(rgb, a);
-            lights(view_colour((enum colour_blind_mode)kind, rgb), b);
+            lights(view_adjust_colour((enum colour_blind_mode)kind, rgb), b);
             off += fabs(0.2126 * (b[0] - a[0]) + 0.7152 * (b[1] - a[1]) + 0.0722 * (b[2] - a[2]));
         }
         assert_true(off / 10000 < 0.05);

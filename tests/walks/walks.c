@@ -134,7 +134,7 @@ QUIET static void walk_cue(bool with)
     struct manifest m = rig_manifest();
     struct rig_game g;
 
-    m.sound = 1;
+    m.has_sound = 1;
     rig_script(&g, &m,
                with ? "task.go(function() wait(2) sound.play 'hit' end)"
                     : "task.go(function() wait(2) board.frame() end)");

@@ -65,7 +65,7 @@ static void count_pairs(void *context, enum board_phase phase)
     if (phase != PHASE_HITS)
         return;
     for (uint32_t i = 0; i < b->shots.s.top; i++) {
-        if (!(b->shots.s.used[i / 64] >> (i & 63) & 1))
+        if (!(b->shots.s.live_bits[i / 64] >> (i & 63) & 1))
             continue;
         int32_t enemy = target(a, i);
         a->shots++;
@@ -92,11 +92,11 @@ void section_battle(void)
     bench_scene(&with, &(struct scene_want){ .does = "battle", .n = ENEMIES, .bullets = 64 });
     bench_scene(&without, &(struct scene_want){ .does = "battle", .n = 0, .bullets = 64 });
     struct pair_count counted = { .b = with.b };
-    board_on_phase(with.b, count_pairs, &counted);
+    board_set_phase_callback(with.b, count_pairs, &counted);
     for (int f = 0; f < CHECKED; f++)
         bench_tick(&with);
-    board_on_phase(with.b, laps_phase, &l);
-    board_on_phase(without.b, laps_phase, &l);
+    board_set_phase_callback(with.b, laps_phase, &l);
+    board_set_phase_callback(without.b, laps_phase, &l);
     for (int round = -1; round < ROUNDS; round++)
         for (int i = 0; i < 2; i++)
             for (int f = 0; f < FRAMES; f++) {

@@ -80,7 +80,7 @@ struct laps {
     double last, ns[LAPS];
 };
 
-/* board_on_phase's: pass it with a struct laps. */
+/* board_set_phase_callback's: pass it with a struct laps. */
 void laps_phase(void *laps, enum board_phase phase);
 
 /* A frame begins. */

@@ -39,7 +39,7 @@ static void open_fight(struct fight *f, int n, const char *part)
         report_fail("out of memory");
     for (int k = 0; k < WARM; k++)
         bench_tick(&f->scene);
-    board_on_phase(f->scene.b, laps_phase, &f->laps);
+    board_set_phase_callback(f->scene.b, laps_phase, &f->laps);
 }
 
 static void close_fight(struct fight *f)
@@ -60,7 +60,7 @@ static void frame(struct fight *f, bool counts)
     bench_tick(&f->scene);
     scene_draw(&f->scene);
     laps_end(&f->laps, LAP_DRAW);
-    plat_rgb(f->shown, fb->w, fb->pix, fb->pitch, fb->w, fb->h, f->scene.rgb);
+    plat_convert_to_rgb(f->shown, fb->w, fb->pix, fb->pitch, fb->w, fb->h, f->scene.rgb);
     laps_end(&f->laps, LAP_PRESENT);
     if (!counts)
         return;

@@ -20,7 +20,7 @@ static bool fits(const struct board *b, int w, int h)
     const struct manifest *m = &b->cart.manifest;
 
     for (uint32_t i = 0; i < b->bullets.s.live; i++) /* nothing is free among them */
-        if (!(b->bullets.s.used[i / 64] >> (i & 63) & 1))
+        if (!(b->bullets.s.live_bits[i / 64] >> (i & 63) & 1))
             return false;
     if (b->bullet_kinds.s.live != CROWD_KINDS || m->field_w != w || m->field_h != h || !b->player.in_game[0])
         return false;

@@ -64,7 +64,7 @@ static void open_arena(struct arena *a, int n)
     for (int i = 0; i < RIVALS; i++)
         if (!(a->shown[i] = calloc((size_t)(a->crowd.w * a->crowd.h), sizeof **a->shown)))
             report_fail("out of memory");
-    board_on_phase(a->scene.b, laps_phase, &a->laps);
+    board_set_phase_callback(a->scene.b, laps_phase, &a->laps);
 }
 
 static void close_arena(struct arena *a)
@@ -86,7 +86,8 @@ static void engine_frame(struct arena *a, struct size *s, bool count)
     bench_tick(&a->scene);
     scene_draw(&a->scene);
     laps_end(l, LAP_DRAW);
-    plat_rgb(a->shown[0], a->crowd.w, a->scene.fb.pix, a->scene.fb.pitch, a->crowd.w, a->crowd.h, a->scene.rgb);
+    plat_convert_to_rgb(a->shown[0], a->crowd.w, a->scene.fb.pix, a->scene.fb.pitch, a->crowd.w, a->crowd.h,
+                        a->scene.rgb);
     laps_end(l, LAP_PRESENT);
     crowd_count(&s->counts[0], &a->scene, true);
     for (int i = 0; i < LAPS; i++)
@@ -132,7 +133,7 @@ static void draw_over(struct arena *a, struct size *s, bool count)
 
     for (int k = 0; k < 3; k++) {
         double from = bench_now();
-        video_draw(scene->b, NULL, &scene->fb, scene->rgb, scene->scratch, VIDEO_NO_LAYERS);
+        video_draw(scene->b, NULL, &scene->fb, scene->rgb, scene->scratch, VIDEO_BACK_TO_FRONT);
         if (count && k > 0)
             samples_add(&s->over, bench_since(from));
     }
@@ -200,7 +201,7 @@ static struct size *run(int n)
     bench_own_clock(n >= OWN_CLOCK);
     for (int round = -1; round < rounds; round++) /* the first warms up */
         slice(&a, s, frames, round >= 0);
-    s->hidden = video_draw(a.scene.b, NULL, &a.scene.fb, a.scene.rgb, a.scene.scratch, VIDEO_OVERDRAW).hidden_count;
+    s->hidden = video_draw(a.scene.b, NULL, &a.scene.fb, a.scene.rgb, a.scene.scratch, VIDEO_MIN_OVERDRAW).hidden_count;
     bench_own_clock(false);
     check(&a, s);
     close_arena(&a);
@@ -371,7 +372,7 @@ static void limits_table(void)
     report_text("When the bullets have enough opaque pixels to cover the field %d times, the engine draws them front "
                 "to back and skips the *hidden* ones. The column *hidden* is the share of hidden bullets in the last "
                 "picture. The last column is the draw time per bullet, with hidden bullets skipped.",
-                VIDEO_OVERDRAW);
+                VIDEO_MIN_OVERDRAW);
     report_table(NULL, "n> | motion + hits> | share of the limit> | drawing all> | share of the limit> | hidden> | "
                        "draw, hidden skipped>");
     for (int i = 0; i < n_sizes; i++) {
@@ -466,7 +467,7 @@ static void without_programs(void)
     struct samples ns = { 0 };
 
     bench_scene(&s, &(struct scene_want){ .does = "creep", .n = N, .bullets = N, .seed = 5 });
-    board_on_phase(s.b, laps_phase, &l);
+    board_set_phase_callback(s.b, laps_phase, &l);
     for (int f = 0; f < FRAMES; f++) {
         laps_begin(&l);
         bench_tick(&s);

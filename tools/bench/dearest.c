@@ -26,7 +26,7 @@ static void wide_pools(struct manifest *m)
     m->enemies = 4096;
     m->lasers = 4096;
     m->curve_points = 4096 * 32;
-    m->pierce = 1;
+    m->has_pierce = 1;
     m->lua_kib = 65536;
 }
 
@@ -37,7 +37,7 @@ static void meets(struct manifest *m)
 
 static void documents(struct manifest *m)
 {
-    m->bulletml = 8192;
+    m->bulletml_runners = 8192;
 }
 
 static void shown(struct manifest *m)

@@ -68,7 +68,7 @@ static void piano_check(const struct player_piano *p)
     const uint64_t *row = d->rows + (size_t)(d->n_rows - 1) * (size_t)d->n_parts;
 
     board_hashes(p->b, hashes);
-    bench_claim(d->n_parts == board_parts(p->b) && !memcmp(hashes, row, (size_t)d->n_parts * sizeof *row)
+    bench_claim(d->n_parts == board_part_count(p->b) && !memcmp(hashes, row, (size_t)d->n_parts * sizeof *row)
                     ? NULL
                     : "the demo did not hold",
                 BENCH_DEMO);

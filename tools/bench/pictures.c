@@ -76,7 +76,7 @@ static void presenting(void)
     scene_draw(&s);
     for (int i = 0; i < TIMES; i++) {
         double from = bench_now();
-        plat_rgb(out, W, s.fb.pix, s.fb.pitch, W, H, s.rgb);
+        plat_convert_to_rgb(out, W, s.fb.pix, s.fb.pitch, W, H, s.rgb);
         samples_add(&ns, bench_since(from));
     }
     double us = samples_median(&ns) / 1e3;

@@ -27,7 +27,7 @@ static void shuffle(uint8_t *pix, int n, struct rng *r)
 static uint8_t *large_picture(int side, uint32_t *size, struct rng *r)
 {
     int pitch = (side + 7) / 8 * 8, n = side * side, opaque = n * 13 / 16;
-    uint8_t *out = calloc(1, *size = (uint32_t)(CART_GFX_HEADER + ROTATIONS * pitch * side));
+    uint8_t *out = calloc(1, *size = (uint32_t)(CART_GFX_HEADER_SIZE + ROTATIONS * pitch * side));
     uint8_t *pix = malloc((size_t)n);
 
     if (out && pix) {
@@ -39,7 +39,7 @@ static uint8_t *large_picture(int side, uint32_t *size, struct rng *r)
                 pix[i] = (uint8_t)(i < opaque ? 1 + i % 15 : 0);
             shuffle(pix, n, r);
             for (int y = 0; y < side; y++)
-                memcpy(out + CART_GFX_HEADER + (k * side + y) * pitch, pix + y * side, (size_t)side);
+                memcpy(out + CART_GFX_HEADER_SIZE + (k * side + y) * pitch, pix + y * side, (size_t)side);
         }
     }
     free(pix);
@@ -53,7 +53,7 @@ static uint8_t *shuffled_picture(const struct lump *l, struct rng *r)
 
     if (out) {
         memcpy(out, l->data, l->size);
-        shuffle(out + CART_GFX_HEADER, (int)l->size - CART_GFX_HEADER, r);
+        shuffle(out + CART_GFX_HEADER_SIZE, (int)l->size - CART_GFX_HEADER_SIZE, r);
     }
     return out;
 }
@@ -95,8 +95,8 @@ static bool remake(struct rom_image *image, const struct rom *rom, const struct 
         if (!strcmp(l->name, "manifest")) {
             cart.manifest.bullets = want->bullets ? want->bullets : cart.manifest.bullets;
             cart.manifest.sparks = want->sparks;
-            cart.manifest.bg = want->scenery;
-            cart.manifest.hp = cart.manifest.has_orbit = cart.manifest.has_freeze = cart.manifest.bullet_values =
+            cart.manifest.has_backgrounds = want->scenery;
+            cart.manifest.has_hp = cart.manifest.has_orbit = cart.manifest.has_freeze = cart.manifest.bullet_values =
                 want->groups;
             if (want->manifest)
                 want->manifest(&cart.manifest);
@@ -192,7 +192,7 @@ static bool power(struct scene *s, const struct scene_want *want, char *err, siz
         return false;
     }
     board_screen_size(s->b, &w, &h);
-    s->mem = aligned_alloc(64, (fb_size(w, h) + 63) / 64 * 64); /* its place in a cache line changes draw times */
+    s->mem = aligned_alloc(64, (fb_size(w, h) + 63) / 64 * 64); /* its offset in a cache line changes draw times */
     s->scratch = malloc(board_scratch_size(s->b));
     if (!s->mem || !s->scratch)
         return false;

@@ -68,7 +68,7 @@ static void show(struct board *b, const struct landscape *v)
         g->map[i] = map_named(b, v->map[i]);
         g->vx[i] = 9999 * (i + 1);
         g->vy[i] = 65536;
-        g->wave[i] = v->lines ? 5 << 16 : 0;
+        g->wave_amplitude[i] = v->lines ? 5 << 16 : 0;
         g->wave_period[i] = 64 << 16;
         g->flags[i] |= v->blend ? BG_BLEND_ONE : 0;
     }
@@ -77,7 +77,7 @@ static void show(struct board *b, const struct landscape *v)
     g->height[BG_PLANE] = 24 << 16;
     if (v->lines && v->plane) {
         b->bg_shades.s.live = b->bg_shades.s.cap;
-        bg_fill_shades(b->bg_shades.table + BG_FOG_TABLES, cart_palette(&b->cart, "main"), 0x3c4c88);
+        bg_fill_shades(b->bg_shades.table + BG_FOG_OFFSET, cart_palette(&b->cart, "main"), 0x3c4c88);
         g->fog[BG_PLANE] = 0x3c4c88;
         g->fog_end[BG_PLANE] = 900 << 16;
     }

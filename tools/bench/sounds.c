@@ -47,7 +47,7 @@ static void make_rom(void)
 
     if (!mml_compile(PIECE, strlen(PIECE), "bench", &about, &tune, &n, err, sizeof err))
         report_fail(err);
-    const size_t exact = sample_size(LONG, SAMPLE_EXACT), packed = sample_size(LONG, SAMPLE_PACKED);
+    const size_t exact = sample_size(LONG, SAMPLE_PCM16), packed = sample_size(LONG, SAMPLE_ADPCM);
     rom.bytes = realloc(tune, n + exact + packed);
     if (!rom.bytes)
         report_fail("out of memory");
@@ -55,8 +55,8 @@ static void make_rom(void)
     rom.insts = (uint32_t)(tune_inst(&t, 0) - rom.bytes);
     rom.exact = (uint32_t)n;
     rom.packed = (uint32_t)(n + exact);
-    write_recording(rom.bytes + rom.exact, SAMPLE_EXACT);
-    write_recording(rom.bytes + rom.packed, SAMPLE_PACKED);
+    write_recording(rom.bytes + rom.exact, SAMPLE_PCM16);
+    write_recording(rom.bytes + rom.packed, SAMPLE_ADPCM);
 }
 
 /* ---- voices ---- */
@@ -148,7 +148,7 @@ static double mean(const struct samples *s)
 }
 
 /* What its events do to voices. */
-static void play(struct voices *v, int voice, const struct tune_played *p)
+static void play(struct voices *v, int voice, const struct tune_played_event *p)
 {
     const struct voice_note n = { rom.insts + INST_BYTES * (uint32_t)(1 + voice % 8), 0, p->value * (PITCH_ONE / 256),
                                   900, 64 };
@@ -186,8 +186,8 @@ static void measure_seq(struct samples *s)
         const double from = bench_now();
         voices_step(&band.v, rom.bytes);
         struct seq_run run = { .s = &q, .t = &t };
-        struct tune_played e;
-        while (seq_next(&run, &e))
+        struct tune_played_event e;
+        while (seq_next_event(&run, &e))
             play(&band.v, run.slot - 1, &e);
         samples_add(s, bench_since(from));
     }

@@ -12,7 +12,7 @@ struct run {
     const struct cart *cart;
     struct board_start start;
     uint32_t limit;                /* frames, at most */
-    uint16_t (*pads)[MAX_PLAYERS]; /* so many */
+    uint16_t (*pads)[MAX_PLAYERS]; /* per frame */
     bool quiet;
 };
 

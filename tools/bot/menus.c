@@ -78,7 +78,7 @@ static uint64_t shown(const struct board *b)
     uint64_t hashes[MAX_PARTS], sum = 0;
 
     board_hashes(b, hashes);
-    for (int i = 0; i < board_parts(b); i++)
+    for (int i = 0; i < board_part_count(b); i++)
         for (size_t k = 0; k < sizeof parts / sizeof *parts; k++)
             if (!strcmp(board_part_name(b, i), parts[k]))
                 sum = (sum ^ hashes[i]) * 0x9e3779b97f4a7c15u;
@@ -154,7 +154,7 @@ static bool is_wished(const struct menus *m)
     const struct menus_wish *w = m->wish;
 
     return m->stage[0] && (!w->first || !strcmp(m->stage, w->first)) && is_ship(b, 0, w->ship[0]) &&
-           (w->difficulty < 0 || board_difficulty_now(b) == w->difficulty) &&
+           (w->difficulty < 0 || board_current_difficulty(b) == w->difficulty) &&
            !!b->player.in_game[1] == (w->players > 1) && (w->players < 2 || is_ship(b, 1, w->ship[1]));
 }
 

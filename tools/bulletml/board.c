@@ -203,7 +203,7 @@ static void look(struct on_board *o)
 
     o->n = 0;
     for (uint32_t i = 0; i < b->s.top; i++) {
-        if (!(b->s.used[i / SLOTS_BLOCK] >> i % SLOTS_BLOCK & 1))
+        if (!(b->s.live_bits[i / SLOTS_BLOCK] >> i % SLOTS_BLOCK & 1))
             continue;
         const struct side_bullet at = { .id = fx_floor(b->value1[i]) + THOUSAND * fx_floor(b->value2[i]),
                                         .x = middle(b->x[i], MIDDLE_X),

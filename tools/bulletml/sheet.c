@@ -41,7 +41,7 @@ static int in_field(const struct board *b)
     int n = 0;
 
     for (uint32_t i = 0; i < b->bullets.s.top; i++)
-        n += (b->bullets.s.used[i / SLOTS_BLOCK] >> i % SLOTS_BLOCK & 1) && b->bullets.x[i] > 0 &&
+        n += (b->bullets.s.live_bits[i / SLOTS_BLOCK] >> i % SLOTS_BLOCK & 1) && b->bullets.x[i] > 0 &&
              b->bullets.x[i] < w && b->bullets.y[i] > 0 && b->bullets.y[i] < h;
     return n;
 }

@@ -49,7 +49,8 @@ weigher() {
         for own in names.h weigh.c rows.c; do
             [ "$1" = . ] || cmp -s "$here/$own" tools/compare/$own || cp "$here/$own" tools/compare/
         done
-        grep -q board_power_on src/board/board.h || FLAGS="$FLAGS -DOLDER_NAMES"
+        grep -q MAX_PLAYERS src/base/pads.h || FLAGS="$FLAGS -DHAS_PADS"
+        grep -q board_power_on src/board/board.h || FLAGS="$FLAGS -DHAS_BOARD_POWER"
         if [ -n "$TABLE" ]; then
             objects=$(find src fb -name '*.c' ! -path src/cab/main.c ! -path 'src/lib/*' |
                 sed "s|^\(.*\)\.c\$|$OUT/\1.o|")

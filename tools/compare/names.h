@@ -1,8 +1,12 @@
-/* names.h - for rows.c and weigh.c, built with a commit that has older names: those for the ones of today. */
+/* names.h - lets rows.c and weigh.c, which use today's names, build with a commit that has older ones. */
 #ifndef TOOLS_COMPARE_NAMES_H
 #define TOOLS_COMPARE_NAMES_H
 
-#ifdef OLDER_NAMES
+#ifdef HAS_PADS
+#define MAX_PLAYERS PADS
+#endif
+
+#ifdef HAS_BOARD_POWER
 #define manifest           m
 #define n_values           values
 #define default_value      value

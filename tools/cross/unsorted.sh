@@ -11,10 +11,10 @@ out=$1 demo=$2
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
-sorted='if (k.has_strings || !k.ascending)'
+sorted='if (k.has_strings || !k.is_ascending)'
 [ "$(grep -cF "$sorted" src/script/lua/luatable.c)" = 1 ] ||
     { echo "unsorted.sh: src/script/lua/luatable.c has no line to change"; exit 1; }
-sed 's/if (k\.has_strings || !k\.ascending)/if (!k.has_strings \&\& !k.ascending)/' src/script/lua/luatable.c \
+sed 's/if (k\.has_strings || !k\.is_ascending)/if (!k.has_strings \&\& !k.is_ascending)/' src/script/lua/luatable.c \
     >"$scratch/luatable.c"
 # shellcheck disable=SC2046
 ${CC:-cc} -std=c11 -fwrapv -ffp-contract=off -O2 -D_DEFAULT_SOURCE -iquote src/script/lua \

@@ -92,7 +92,7 @@ static struct motion_step program(const struct scene *s, bool by_accel, bool fin
 static void fire(struct board *b, const struct scene *s, bool by_accel, bool fine, int n)
 {
     struct motion_step p = program(s, by_accel, fine);
-    struct bullet_spec shape = { .speed = PX(s->from), .fine = fine };
+    struct bullet_spec shape = { .speed = PX(s->from), .is_fine = fine };
 
     shape.motion = engine_motion(b, &p, 1, fine);
     for (int i = 0; i < n; i++)
@@ -107,7 +107,7 @@ static void engine_flight(const struct scene *s, double *way, bool by_accel, boo
     for (int t = 1; t <= s->frames; t++) {
         int64_t x, y;
         engine_move(b, &ENGINE_EVERYWHERE);
-        bullets_position(&b->bullets, 0, &x, &y);
+        bullets_get_position(&b->bullets, 0, &x, &y);
         way[t] = (double)x / 4294967296.0;
     }
     engine_free(b);

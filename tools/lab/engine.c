@@ -147,7 +147,7 @@ uint32_t engine_board_frame(struct board *b, const struct box *keep)
 {
     begin_frame(b);
     b->keep_box = *keep;
-    b->area = ENGINE_EVERYWHERE;
+    b->player_area = ENGINE_EVERYWHERE;
     board_move_entities(b);
     hit_run(b);
     b->core.clock++;
@@ -162,7 +162,7 @@ uint32_t engine_hits(struct board *b)
     begin_frame(b);
     hit_get_queries(b, query);
     for (uint32_t k = 0; k < b->bullets.s.top / SLOTS_BLOCK * MAX_PLAYERS; k++) /* all are asked */
-        b->bullets.near[k] = query[k % MAX_PLAYERS].reach < 0 ? 0 : b->bullets.s.used[k / MAX_PLAYERS];
+        b->bullets.near_player[k] = query[k % MAX_PLAYERS].reach < 0 ? 0 : b->bullets.s.live_bits[k / MAX_PLAYERS];
     b->bullets.holds_all = true;
     hit_run(b);
     return b->events.n;
@@ -171,7 +171,7 @@ uint32_t engine_hits(struct board *b)
 const char *engine_default(const char *entry, const char *argument)
 {
     for (int i = 0; i < api_count_entries(&api_table); i++) {
-        const struct api_entry *e = api_entry(&api_table, i);
+        const struct api_entry *e = api_get_entry(&api_table, i);
         for (int k = 0; k < e->count && !strcmp(e->name, entry); k++)
             if (!strcmp(e->params[k].name, argument) && e->params[k].def)
                 return e->params[k].def;

@@ -227,13 +227,13 @@ static int edges_polar(struct sample *out)
 
 static int edges_lerp(struct sample *out)
 {
-    static const fx PARTS[] = { FX_MIN, -FX_ONE, -1, 0, 1, 32768, 65535, FX_ONE, FX_MAX };
+    static const fx PART_COUNT[] = { FX_MIN, -FX_ONE, -1, 0, 1, 32768, 65535, FX_ONE, FX_MAX };
     int n = 0;
 
     for (int i = 0; i < N_EDGES; i++)
         for (int j = 0; j < N_EDGES; j++)
-            for (size_t k = 0; k < sizeof PARTS / sizeof *PARTS; k++, n++)
-                out[n] = (struct sample){ .a = EDGES[i], .b = EDGES[j], .t = PARTS[k] };
+            for (size_t k = 0; k < sizeof PART_COUNT / sizeof *PART_COUNT; k++, n++)
+                out[n] = (struct sample){ .a = EDGES[i], .b = EDGES[j], .t = PART_COUNT[k] };
     return n;
 }
 

@@ -142,7 +142,7 @@ enum { N_FLIGHTS = sizeof FLIGHTS / sizeof *FLIGHTS };
 static struct board *flying_crowd(const struct flight *f, int n, double speed)
 {
     struct board *b = engine_power((uint32_t)n, 0, 0);
-    struct bullet_spec s = { .kind = engine_circle(&b->bullet_kinds, 0, true), .fine = f->fine };
+    struct bullet_spec s = { .kind = engine_circle(&b->bullet_kinds, 0, true), .is_fine = f->fine };
 
     if (f->program)
         s.motion = (uint16_t)(motion_define(&b->motions, &b->steps, f->steps, (uint32_t)f->n, f->fine) + 1);
@@ -173,7 +173,7 @@ static double drift(const struct flight *f, int frames)
         double c, s;
         int64_t x, y;
         lab_direction(b->bullets.dir[i] / 4294967296.0, &c, &s);
-        bullets_position(&b->bullets, i, &x, &y);
+        bullets_get_position(&b->bullets, i, &x, &y);
         double ex = (double)x / 4294967296.0 - speed * frames * c, ey = (double)y / 4294967296.0 - speed * frames * s;
         double e = sqrt(ex * ex + ey * ey);
         worst = e > worst ? e : worst;

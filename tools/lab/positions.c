@@ -185,7 +185,7 @@ static void fire(struct board *b, uint16_t motion, bool is_fine)
                                            .speed = lanes.speed[i],
                                            .dir = lanes.dir[i],
                                            .motion = motion,
-                                           .fine = is_fine };
+                                           .is_fine = is_fine };
         bullets_fire(&b->bullets, &shape, 0);
     }
 }
@@ -234,7 +234,7 @@ static double fine_lane(int i, int axis)
 {
     int64_t place[2];
 
-    bullets_position(&fine->bullets, (uint32_t)i, &place[0], &place[1]);
+    bullets_get_position(&fine->bullets, (uint32_t)i, &place[0], &place[1]);
     return (double)place[axis] / 4294967296.0;
 }
 

@@ -89,7 +89,7 @@ static void windows(void)
 static void read_demo(const char *path, struct demo *demo)
 {
     char err[256];
-    const long size = plat_size(path);
+    const long size = plat_file_size(path);
     uint8_t *data = size > 0 ? malloc((size_t)size) : NULL;
 
     if (!data || plat_load(path, data, (size_t)size) != size || !demo_read(demo, data, (size_t)size, err, sizeof err))

@@ -85,7 +85,7 @@ void plat_poll(struct plat_input *in)
     in->keys[KEY_Z >> 3] |= 1 << (KEY_Z & 7);
 }
 
-bool plat_window(struct plat_window *out)
+bool plat_get_window(struct plat_window *out)
 {
     *out = (struct plat_window){ W, H, (int)lrint(port.hz * 1000), port.waits };
     return true;

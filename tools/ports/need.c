@@ -193,7 +193,7 @@ static void print_game(const char *path)
         if (is_capacity(i))
             slots += *number((struct manifest *)m, i) * each(n, i);
     n->ram = room_for(n->ram_size);
-    n->scratch = room_for(board_scratch_size_for(&n->cart));
+    n->scratch = room_for(board_cart_scratch_size(&n->cart));
     n->tables = room_for(board_sound_tables_size());
     board_sound_init_tables(n->tables);
     uint8_t *pixels = room_for(fb_size(m->screen_w, m->screen_h));
@@ -211,14 +211,14 @@ static void print_game(const char *path)
         if (board_last_output(n->board)->fault)
             fail(board_last_output(n->board)->fault->message);
         run(n, S_DRAW, draw);
-        if (m->sound)
+        if (m->has_sound)
             run(n, S_SOUND, sound);
     }
     printf("| %s | %zu | %d | %.0f | %.0f | %zu | %zu | %zu |", m->title, (n->ram_size + 1023) >> 10, m->lua_kib,
            slots / 1024, ((double)n->ram_size - slots) / 1024 - m->lua_kib,
            (board_snapshot_size(n->board) + 1023) >> 10,
-           (fb_size(m->screen_w, m->screen_h) + board_scratch_size_for(&n->cart) + 1023) >> 10,
-           m->sound ? (board_sound_tables_size() + 1023) >> 10 : 0);
+           (fb_size(m->screen_w, m->screen_h) + board_cart_scratch_size(&n->cart) + 1023) >> 10,
+           m->has_sound ? (board_sound_tables_size() + 1023) >> 10 : 0);
     for (int i = 0; i < STACKS; i++)
         printf(" %.1f |", (double)(used(n->stack[i]) - thread) / 1024);
     printf("\n");

@@ -191,7 +191,7 @@ int main(int argc, char **argv)
     if (argc != 3)
         fail("expected ROM SECTION");
     const void *rom = read_file(argv[1], &size);
-    if (!compressed_detect(rom, size) || (plain_size = curtain_plain(rom, size, NULL, 0, err, sizeof err)) == 0)
+    if (!compressed_has_magic(rom, size) || (plain_size = curtain_plain(rom, size, NULL, 0, err, sizeof err)) == 0)
         fail("expected a compressed ROM");
     void *plain = room_for(plain_size);
     if (curtain_plain(rom, size, plain, plain_size, err, sizeof err) == 0)

@@ -45,14 +45,14 @@ static int loop_apart(void)
 {
     enum { LONG = 3000, LOOP = 700, READ = 20000 };
     static int16_t in[LONG], out[READ];
-    uint8_t *bytes = malloc(sample_size(LONG, SAMPLE_PACKED));
+    uint8_t *bytes = malloc(sample_size(LONG, SAMPLE_ADPCM));
     int apart = 0;
 
     if (!bytes)
         report_fail("out of memory");
     for (int i = 0; i < LONG; i++)
         in[i] = (int16_t)lrint(20000 * tone(i, 500));
-    encode_sample(bytes, in, LONG, SND_RATE, LOOP, SAMPLE_PACKED);
+    encode_sample(bytes, in, LONG, SND_RATE, LOOP, SAMPLE_ADPCM);
     const struct sample s = sample_of(bytes);
     sample_read(&s, 0, READ, out);
     for (int i = LONG; i < READ; i++)
@@ -111,8 +111,8 @@ void section_adpcm(void)
                 (int)ADPCM_BLOCK_SAMPLES, equal ? "none" : "some", report_count(DECODED));
     report_table(NULL, "sound|ADPCM, SNR, dB>|16 bits, SNR, dB>");
     for (size_t k = 0; k < sizeof TONES / sizeof *TONES; k++)
-        report_row(1, TONES[k].what, ear_db(packed(TONES[k].hertz, TONES[k].n, SAMPLE_PACKED)),
-                   ear_db(packed(TONES[k].hertz, TONES[k].n, SAMPLE_EXACT)), NULL);
+        report_row(1, TONES[k].what, ear_db(packed(TONES[k].hertz, TONES[k].n, SAMPLE_ADPCM)),
+                   ear_db(packed(TONES[k].hertz, TONES[k].n, SAMPLE_PCM16)), NULL);
     report_table_end();
     const int apart = loop_apart();
     report_text("Loops are exact: in eight passes of a loop, %d of 17,000 values differ from the first pass.", apart);

@@ -24,7 +24,7 @@ static double worst_level(const char *settings)
     double most = 0;
 
     for (int32_t age = 0; age < N; age++) {
-        const double apart = fabs(wave_level(&inst.inst.env, age, NOTE_HELD) / 32767.0 - exact(&inst.inst.env, age));
+        const double apart = fabs(wave_level(&inst.inst.env, age, AGE_NEVER) / 32767.0 - exact(&inst.inst.env, age));
         most = apart > most ? apart : most;
     }
     free(inst.rom);

@@ -107,9 +107,9 @@ void ear_wave(const struct ear_inst *i, uint64_t step, double *out, int n)
     fm_begin(&fm, &i->inst, bytes);
     for (int from = 0; from < n; from += SND_BLOCK, at.phase += SND_BLOCK * step) {
         if (inst_op_count(i->inst.kind))
-            fm_play(&fm, &ear_tables, from, NOTE_HELD, at.phase, step, block);
+            fm_compute_note_block(&fm, &ear_tables, from, AGE_NEVER, at.phase, step, block);
         else
-            wave_block(&ear_tables, &i->inst, &at, block);
+            wave_compute_block(&ear_tables, &i->inst, &at, block);
         for (int k = 0; k < SND_BLOCK && from + k < n; k++)
             out[from + k] = block[k];
     }

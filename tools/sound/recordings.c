@@ -22,13 +22,13 @@ static void read_at(uint64_t step, bool pass, double *out, int n)
     static int16_t passed[ROOM];
 
     if (pass)
-        wave_low_pass(&ear_tables, in + EDGE - 8, ROOM - 2 * EDGE + 8, step, step, passed);
+        wave_filter_low_pass(&ear_tables, in + EDGE - 8, ROOM - 2 * EDGE + 8, step, step, passed);
     else
         memcpy(passed, in + EDGE - 8, (ROOM - 2 * EDGE) * sizeof *in);
     for (int k = 0; k < n; k += SND_BLOCK) {
         int16_t block[SND_BLOCK];
         const uint64_t at = (uint64_t)k * step;
-        wave_sample(&ear_tables, passed + 8 + (at >> 32), (uint32_t)at, step, block);
+        wave_resample_block(&ear_tables, passed + 8 + (at >> 32), (uint32_t)at, step, block);
         for (int i = 0; i < SND_BLOCK; i++)
             out[k + i] = block[i];
     }

@@ -61,7 +61,7 @@ static void add_drawn(struct art_game *g)
     for (int i = 0; i < g->cart.count[CART_SPRITES]; i++) {
         const char *name = cart_name(&g->cart, CART_SPRITES, i);
         struct cart_hitbox hit;
-        if (!cart_find_hit(&g->cart, name, &hit) || in_use(&g->shapes, name))
+        if (!cart_find_hitbox(&g->cart, name, &hit) || in_use(&g->shapes, name))
             continue;
         const struct inspect_kind_shape shape = drawn_shape(&hit, name);
         atlas_shapes_add(&g->shapes, &shape);

@@ -354,7 +354,7 @@ static void accel(struct compiler *c, int32_t node)
     const unsigned type_x = x == DOCUMENT_NONE ? ML_NONE : type_of(c, x),
                    type_y = y == DOCUMENT_NONE ? ML_NONE : type_of(c, y);
 
-    command(c, ML_ACCEL, type_x + ML_TYPE_Y * type_y, node);
+    command(c, ML_ACCEL, type_x + ML_Y_TYPE_FACTOR * type_y, node);
     word(c, value_of(c, node, NODE_TERM));
     word(c, x == DOCUMENT_NONE ? number(c, 0) : value(c, x, false));
     word(c, y == DOCUMENT_NONE ? number(c, 0) : value(c, y, across));
@@ -459,7 +459,7 @@ static void piece(struct compiler *c, int32_t node, enum piece piece)
 }
 
 /* All that begins by itself, then all that something leads to. */
-static uint32_t compile(struct compiler *c, uint32_t tops[ML_MAX_TOPS])
+static uint32_t compile(struct compiler *c, uint32_t tops[ML_MAX_TOP_ACTIONS])
 {
     uint32_t n = 0;
 
@@ -467,7 +467,7 @@ static uint32_t compile(struct compiler *c, uint32_t tops[ML_MAX_TOPS])
     for (int32_t k = 0; k < c->d->n && !c->failed; k++) {
         if (!document_is_top(c->d, k))
             continue;
-        if (n == ML_MAX_TOPS) {
+        if (n == ML_MAX_TOP_ACTIONS) {
             fail(c, k, "more than 64 actions whose labels start with \"top\"");
             break;
         }
@@ -501,7 +501,7 @@ static uint8_t *lump(struct compiler *c, const uint32_t *tops, uint32_t n, size_
                               (uint32_t)c->step.n,
                               (uint32_t)c->bytes };
 
-    *size = ML_HEADER + 8 * c->numbers + 4 * (n + c->label.n + c->word.n + c->step.n) + c->bytes;
+    *size = ML_HEADER_SIZE + 8 * c->numbers + 4 * (n + c->label.n + c->word.n + c->step.n) + c->bytes;
     uint8_t *out = malloc(*size), *to = out;
     if (!out) {
         result_set_host_failed();
@@ -524,7 +524,7 @@ bool bulletml_compile(const struct document *d, const char *file, uint8_t **out,
                       size_t err_size)
 {
     struct compiler c = { .d = d, .place = calloc((size_t)d->n * PIECES, sizeof *c.place) };
-    uint32_t tops[ML_MAX_TOPS];
+    uint32_t tops[ML_MAX_TOP_ACTIONS];
 
     *out = NULL;
     if (!c.place) {

@@ -133,7 +133,7 @@ int32_t document_add(struct document_reader *r, int32_t parent, enum document_el
 
 enum document_element document_element_of(const char *name, const char **near)
 {
-    int best = EDIT_FAR;
+    int best = EDIT_TOO_FAR;
 
     *near = "";
     for (int i = 0; i < NODE_ELEMENTS; i++) {

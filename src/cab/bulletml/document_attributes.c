@@ -28,7 +28,7 @@ static void bad_type(struct document_reader *r, const struct document_node *node
 {
     char list[80] = "";
     const char *near = NULL;
-    int best = EDIT_FAR;
+    int best = EDIT_TOO_FAR;
 
     for (int i = 0; i < n; i++) {
         const size_t at = strlen(list);

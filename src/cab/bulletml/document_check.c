@@ -127,10 +127,11 @@ static void bad_label(struct document_reader *r, int32_t ref, const struct label
     const struct document_node *at = &r->d->node[ref];
     const enum document_element meant = document_meant(at->element);
     const char *near = "";
-    int best = EDIT_FAR;
+    int best = EDIT_TOO_FAR;
 
     for (int i = 0; i < n; i++) {
-        const int far = labels[i].node->element == meant ? edit_distance(at->label, labels[i].node->label) : EDIT_FAR;
+        const int far =
+            labels[i].node->element == meant ? edit_distance(at->label, labels[i].node->label) : EDIT_TOO_FAR;
         if (far < best) {
             best = far;
             near = labels[i].node->label;

@@ -52,12 +52,12 @@ void name_set_add(struct name_set *s, const char *space, const char *name)
 
 const char *name_set_near(const struct name_set *s, const char *space, const char *name)
 {
-    int best = (int)strlen(name) < 3 ? 0 : EDIT_FAR - 1;
+    int best = (int)strlen(name) < 3 ? 0 : EDIT_TOO_FAR - 1;
     const char *found = NULL;
 
     for (int i = 0; i < s->n; i++) {
         const struct name_set_entry *n = &s->list[i];
-        int distance = same(n->space, space) ? edit_distance(name, n->name) : EDIT_FAR;
+        int distance = same(n->space, space) ? edit_distance(name, n->name) : EDIT_TOO_FAR;
         if (distance > best || (distance == best && (found == NULL || strcmp(n->name, found) >= 0)))
             continue;
         best = distance;
@@ -121,7 +121,7 @@ void builtins_open(struct name_set *s)
     for (size_t i = 0; i < COUNT(rom_fields); i++)
         name_set_add(s, "rom", rom_fields[i]);
     for (int i = 0; i < api_count_entries(&api_table); i++)
-        add_entry(s, api_entry(&api_table, i));
+        add_entry(s, api_get_entry(&api_table, i));
 }
 
 void name_set_close(struct name_set *s)
@@ -134,7 +134,7 @@ void name_set_close(struct name_set *s)
 /* Is it a module that adds to a table which another one, or the board, hands out; or a piece of one? */
 static bool adds_only(const char *script)
 {
-    for (int i = 0; i < STD_MODULES; i++)
+    for (int i = 0; i < STD_MODULE_COUNT; i++)
         if (strcmp(script, std_module_name(i)) == 0)
             return std_extended_table(i) != NULL;
     return std_module_of_file(script) >= 0;
@@ -180,8 +180,8 @@ bool builtins_global(const char *name)
         if (strcmp(std_scripts[i].name, name) == 0 && !adds_only(name))
             return true;
     for (int i = 0; i < api_count_entries(&api_table); i++)
-        if (strncmp(api_entry(&api_table, i)->name, name, n) == 0 &&
-            strchr(".", api_entry(&api_table, i)->name[n]) != NULL)
+        if (strncmp(api_get_entry(&api_table, i)->name, name, n) == 0 &&
+            strchr(".", api_get_entry(&api_table, i)->name[n]) != NULL)
             return true;
     return false;
 }
@@ -204,7 +204,7 @@ const char *builtins_handle(const char *space, const char *name)
     char full[64];
 
     snprintf(full, sizeof full, "%s%s%s", space != NULL ? space : "", space != NULL ? "." : "", name);
-    const struct api_entry *e = api_find(&api_table, full);
+    const struct api_entry *e = api_find_entry(&api_table, full);
     return e && is_handle(e->returns) ? e->returns : NULL;
 }
 

@@ -64,7 +64,7 @@ static void check_id(struct check *c)
 
 /* ---- the folder ---- */
 
-static void ignore_file(void *user, const struct plat_file *file)
+static void ignore_file(void *user, const struct plat_folder_entry *file)
 {
     (void)user;
     (void)file;

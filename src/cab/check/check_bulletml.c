@@ -27,7 +27,7 @@ static void check_document(struct check *c, const char *path)
     if (!document_read(&d, (const char *)text, size, path, told, c, err, sizeof err) ||
         !bulletml_compile(&d, path, &program, &size, err, sizeof err)) {
         diagnostics_add_sentence(&c->found, path, err);
-        c->broken = c->broken || c->m.bulletml > 0;
+        c->broken = c->broken || c->m.bulletml_runners > 0;
     }
     document_close(&d);
     free(program);
@@ -43,10 +43,10 @@ void check_bulletml(struct check *c)
             check_document(c, c->files.name[i]);
             n++;
         }
-    if (n > 0 && c->manifest && c->m.bulletml == 0)
+    if (n > 0 && c->manifest && c->m.bulletml_runners == 0)
         diagnostics_add(&c->found, "rom.lua", 0,
                         "documents in bulletml/ are not packed: BulletML is disabled; add bulletml = 1024 to board");
-    if (n == 0 && c->manifest && c->m.bulletml > 0)
+    if (n == 0 && c->manifest && c->m.bulletml_runners > 0)
         diagnostics_add(&c->found, "rom.lua", CHECK_LINE(c, "board", "bulletml"),
                         "board.bulletml is set, but the game has no document bulletml/NAME.xml");
 }

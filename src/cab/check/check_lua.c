@@ -25,7 +25,7 @@ static bool same(const char *a, const char *b)
 
 static void scan(struct check *c, const struct check_script *s, size_t size)
 {
-    struct script_place place = { 0, 1 };
+    struct script_position place = { 0, 1 };
     const char *what;
     int line;
 
@@ -229,7 +229,7 @@ static const struct api_entry *entry(const char *space, const char *name)
     char full[96];
 
     snprintf(full, sizeof full, "%s%s%s", space != NULL ? space : "", space != NULL ? "." : "", name);
-    return api_find(&api_table, full);
+    return api_find_entry(&api_table, full);
 }
 
 /* What load runs may do anything too. */
@@ -364,7 +364,7 @@ static void judge_name(struct check *c, const struct check_script *s, int line, 
 {
     const char *near = NULL, *at = have.first;
     char meant[96];
-    int best = EDIT_FAR;
+    int best = EDIT_TOO_FAR;
 
     if (!c->manifest || is_asked_for(c, name))
         return;

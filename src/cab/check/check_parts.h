@@ -43,15 +43,15 @@ struct check {
     struct check_text *texts;
     int n_scripts, n_library, n_texts;
     struct name_set builtins;
-    struct name_set open;            /* globals handed around */
-    struct name_set changed;         /* what scripts have put into places */
-    bool any_global;                 /* scripts may have made new ones */
-    int demos;                       /* that were played */
-    int sections;                    /* stages and phases that were */
-    int forced;                      /* other runs, of check_forced.c */
-    int samples;                     /* frames of all of them whose bullets' contrast was looked at */
-    uint8_t shown[UTF8_MAX / 8 + 1]; /* a bit for each character that was on the screen in a run */
-    size_t lua_most;                 /* bytes of Lua RAM, at most at one time in any run */
+    struct name_set open;                 /* globals handed around */
+    struct name_set changed;              /* what scripts have put into places */
+    bool any_global;                      /* scripts may have made new ones */
+    int demos;                            /* that were played */
+    int sections;                         /* stages and phases that were */
+    int forced;                           /* other runs, of check_forced.c */
+    int samples;                          /* frames of all of them whose bullets' contrast was looked at */
+    uint8_t shown[UTF8_MAX_CODE / 8 + 1]; /* a bit for each character that was on the screen in a run */
+    size_t lua_most;                      /* bytes of Lua RAM, at most at one time in any run */
 };
 
 /* A file of the game; false, with a diagnostic, when it cannot be read. */

@@ -29,13 +29,13 @@ static const struct room {
     { { "board", "curve_points" }, BOARD(curve_points), "curve" },
     { { "board", "registers" }, BOARD(registers), "registers" },
     { { "board", "options" }, BOARD(options), "option" },
-    { { "board", "bulletml" }, BOARD(bulletml), "ml" },
-    { { "board", "hp" }, BOARD(hp), "hp cancels" },
+    { { "board", "bulletml" }, BOARD(bulletml_runners), "ml" },
+    { { "board", "hp" }, BOARD(has_hp), "hp cancels" },
     { { "board", "around" }, BOARD(has_orbit), "around" },
     { { "board", "frozen" }, BOARD(has_freeze), "frozen" },
     { { "board", "meet" }, BOARD(bullets_can_meet), "meet" },
-    { { "board", "bodies" }, BOARD(bodies), "parts follow orbit wander rate share" },
-    { { "board", "pierce" }, BOARD(pierce), "pierce" },
+    { { "board", "bodies" }, BOARD(has_bodies), "parts follow orbit wander rate share" },
+    { { "board", "pierce" }, BOARD(has_pierce), "pierce" },
     { { "board", "values", "bullet" }, BOARD(bullet_values), "value" },
     { { "board", "values", "shot" }, BOARD(shot_values), "value" },
     { { "board", "values", "enemy" }, BOARD(enemy_values), "value" },
@@ -93,7 +93,7 @@ void check_rooms(struct check *c, const struct cart *cart)
 
     if (!all_whole(c))
         return;
-    manifest_default(&plain);
+    manifest_set_defaults(&plain);
     for (size_t i = 0; i < sizeof rooms / sizeof *rooms; i++) {
         const struct room *room = &rooms[i];
         if (asked(&c->m, room) == 0 || asked(&c->m, room) == asked(&plain, room) || may_use(c, room->words))

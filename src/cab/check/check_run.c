@@ -126,7 +126,7 @@ static void note_large(void *context, const struct inspect_kind_shape *kind)
         int pic_w, pic_h;
         drawn_size(r, s, &pic_w, &pic_h);
         int side = pic_w > pic_h ? pic_w : pic_h;
-        bool any_way = kind->turns && kind->shape == INSPECT_BOX;
+        bool any_way = kind->is_rotated && kind->shape == INSPECT_BOX;
         if (w <= (int64_t)(any_way ? side : pic_w) << 16 && h <= (int64_t)(any_way ? side : pic_h) << 16)
             continue;
         const char *file = declared(c, kind->entity, kind->name, &line);
@@ -432,7 +432,7 @@ static void note_bullet(void *context, const struct contrast_bullet *b)
     if (look == NULL)
         return;
     look->seen++;
-    if (b->share > CONTRAST_FAINT)
+    if (b->share > CONTRAST_FAINT_SHARE)
         return;
     if (look->faint++ == 0) {
         look->frame = k->frame;

@@ -41,7 +41,7 @@ static void look_up(struct check *c, const char *path, const struct symbol_call 
 
 void check_sounds(struct check *c)
 {
-    if (!c->manifest || !c->m.sound)
+    if (!c->manifest || !c->m.has_sound)
         return;
     for (int i = 0; i < c->n_scripts; i++)
         for (int k = 0; k < c->scripts[i].symbols.n_calls; k++) {
@@ -153,7 +153,7 @@ void check_heard_frame(struct check_heard *h, const struct board *b)
 
     if (!board_has_sound(b))
         return;
-    while (n < SLOTS && board_cue(b, n, &cues[n]))
+    while (n < SLOTS && board_get_cue(b, n, &cues[n]))
         n++;
     note_slots(h, cues, n, board_frame(b) - 1);
     board_mix_sound(b, h->tables, sound);

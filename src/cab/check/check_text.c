@@ -26,14 +26,14 @@ struct place {
 
 void check_shown(struct check *c, uint32_t code)
 {
-    if (code <= UTF8_MAX)
+    if (code <= UTF8_MAX_CODE)
         c->shown[code / 8] |= (uint8_t)(1 << code % 8);
 }
 
 /* Did a run show it? A cell that has no room for a code does not tell which one it is. */
 static bool was_shown(const struct check *c, uint32_t code)
 {
-    const bool other = !c->m.wide && code > 255 && c->shown[FIX_UNKNOWN / 8] >> FIX_UNKNOWN % 8 & 1;
+    const bool other = !c->m.has_wide_text && code > 255 && c->shown[FIX_UNKNOWN / 8] >> FIX_UNKNOWN % 8 & 1;
 
     return other || c->shown[code / 8] >> code % 8 & 1;
 }
@@ -135,13 +135,13 @@ static bool is_in_cells(const struct check *c, const struct symbols *f, const st
 
 static struct place cells(const struct check *c, uint32_t from)
 {
-    return (struct place){ from, c->m.wide ? UTF8_MAX : 255, true };
+    return (struct place){ from, c->m.has_wide_text ? UTF8_MAX_CODE : 255, true };
 }
 
 /* Text of any width, in a font. */
 static struct place font(bool sure)
 {
-    return (struct place){ 128, UTF8_MAX, sure };
+    return (struct place){ 128, UTF8_MAX_CODE, sure };
 }
 
 /* What a call shows in the language of the run: text.lang, say; or NULL. */
@@ -298,7 +298,7 @@ static void judge_tongue(struct check *c, const struct cart *cart, const struct 
     for (int k = 0; k < t->lang.n; k++) {
         const struct lang_line *one = &t->lang.list[k];
         if (text == NULL)
-            judge(c, cart, t->path, one->line, one->words, (struct place){ 33, UTF8_MAX, is_shown(c, one->text) });
+            judge(c, cart, t->path, one->line, one->words, (struct place){ 33, UTF8_MAX_CODE, is_shown(c, one->text) });
         else if (is(text, one->text))
             judge(c, cart, t->path, one->line, one->words, cells(c, 128));
     }

@@ -237,7 +237,7 @@ static bool in_music(struct check *c, const char *name)
 static bool sound_used(struct check *c, const char *name)
 {
     for (int i = 0; i < CART_CUES; i++)
-        if (strcmp(name, cart_cues[i]) == 0)
+        if (strcmp(name, cart_cue_names[i]) == 0)
             return true;
     return check_mentioned(c, name) || in_music(c, name);
 }
@@ -278,8 +278,8 @@ static bool picture_used(const struct check *c, const char *path)
     for (int i = 0; i < c->art.n_sheets; i++)
         used = used || strcmp(path, c->art.sheets[i].file) == 0;
     for (int i = 0; i < c->art.n_maps; i++)
-        for (int k = 0; k < c->art.maps[i].n_tiles; k++)
-            used = used || strcmp(path, c->art.maps[i].tiles[k]) == 0;
+        for (int k = 0; k < c->art.maps[i].n_tile_files; k++)
+            used = used || strcmp(path, c->art.maps[i].tile_files[k]) == 0;
     return used;
 }
 

@@ -76,7 +76,7 @@ static bool long_string(struct lex *l, int level)
     l->n = 0;
     if (cursor_peek(&l->at, 0) == '\n' || cursor_peek(&l->at, 0) == '\r')
         cursor_step(&l->at);
-    while (l->at.p < l->at.end && !cursor_at_long_close(&l->at, level)) {
+    while (l->at.p < l->at.end && !cursor_is_at_long_close(&l->at, level)) {
         keep(l, *l->at.p == '\r' ? '\n' : (unsigned char)*l->at.p);
         cursor_step(&l->at);
     }

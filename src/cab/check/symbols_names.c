@@ -75,7 +75,7 @@ int symbols_find_local(const struct parse *p, const char *s, size_t n)
 /* The nearest local in sight of a name that is none, the innermost of equals. */
 static const char *near_local(struct parse *p, const char *name)
 {
-    int best = (int)strlen(name) < 3 ? 0 : EDIT_FAR - 1;
+    int best = (int)strlen(name) < 3 ? 0 : EDIT_TOO_FAR - 1;
     const struct local *found = NULL;
     char word[33];
 

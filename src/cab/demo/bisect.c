@@ -44,7 +44,7 @@ struct bisect {
     struct side a, b;
     uint32_t first;  /* frame of the first line */
     uint32_t frame;  /* the last frame looked at */
-    uint32_t frames; /* so many */
+    uint32_t frames; /* number of frames */
     unsigned long found;
     char err[2200];
 };
@@ -447,9 +447,9 @@ static enum result print_report(const struct bisect *s)
 }
 
 /* A path as it is printed. */
-static const char *shown(char out[DEMO_PATH], const char *path)
+static const char *shown(char out[DEMO_PATH_SIZE], const char *path)
 {
-    snprintf(out, DEMO_PATH, "%s", path);
+    snprintf(out, DEMO_PATH_SIZE, "%s", path);
     clean_line(out);
     return out;
 }
@@ -457,7 +457,7 @@ static const char *shown(char out[DEMO_PATH], const char *path)
 enum result bisect_files(FILE *a, const char *a_name, FILE *b, const char *b_name, char *err, size_t err_size)
 {
     struct bisect *s = calloc(1, sizeof *s);
-    char *lines = malloc((size_t)LINE * 2), names[2][DEMO_PATH];
+    char *lines = malloc((size_t)LINE * 2), names[2][DEMO_PATH_SIZE];
     enum result result = RESULT_HOST_FAILED;
 
     if (s && lines) {

@@ -26,7 +26,7 @@ static enum result power(struct replay *r, const struct cart *cart, const struct
         return out_of_memory(err, err_size);
     memset(r->hash_cache, 0, size);
     memset(r->board, 0, sizeof r->board);
-    r->difficulty = board_difficulty_now(r->guard.board);
+    r->difficulty = board_current_difficulty(r->guard.board);
     return RESULT_DONE;
 }
 
@@ -37,7 +37,7 @@ static void note_difficulty(struct replay *r)
 
     for (int i = 0; i < out->marker_count; i++)
         if (out->marker[i].kind == MARKER_GAME)
-            r->difficulty = board_difficulty_now(r->guard.board);
+            r->difficulty = board_current_difficulty(r->guard.board);
 }
 
 /* The first frame in which these parts, found to differ at `frame`, may have come to: after the row before, unless one
@@ -46,7 +46,7 @@ static uint32_t first_of(const struct demo *d, uint32_t frame, uint64_t parts)
 {
     if (frame == 0 || (!d->sparse && parts & d->checksum_parts))
         return frame;
-    return (frame - 1) / DEMO_SECOND * DEMO_SECOND + 1;
+    return (frame - 1) / DEMO_SECOND_FRAMES * DEMO_SECOND_FRAMES + 1;
 }
 
 /* Compares the board with checksums and track; true: it is as recorded. */
@@ -108,7 +108,7 @@ static int part_of_points(const struct demo *d)
 {
     int i = 0;
 
-    while (i < d->n_parts && strcmp(d->part[i], "player") != 0)
+    while (i < d->n_parts && strcmp(d->part_name[i], "player") != 0)
         i++;
     return i < d->n_parts ? i : MAX_PARTS;
 }
@@ -128,7 +128,7 @@ static void look(struct replay *r, const struct demo *d, uint32_t f, int *points
         return;
     if (v.parts >> *points & 1) {
         *points = MAX_PARTS;
-    } else if (demo_checksum(d, f, *points, &print)) {
+    } else if (demo_get_checksum(d, f, *points, &print)) {
         o->held = true;
         o->alike = f;
         for (int p = 0; p < MAX_PLAYERS; p++)
@@ -213,7 +213,7 @@ static void list_parts(const struct demo *d, uint64_t parts, char *out, size_t s
     out[0] = 0;
     for (int i = 0; i < d->n_parts; i++) {
         if (parts >> i & 1 && n < size)
-            n += (size_t)snprintf(out + n, size - n, "%s%s", n ? ", " : "", d->part[i]);
+            n += (size_t)snprintf(out + n, size - n, "%s%s", n ? ", " : "", d->part_name[i]);
     }
 }
 

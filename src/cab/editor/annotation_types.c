@@ -26,7 +26,7 @@ static const char *const types[] = {
     [A_SPAN] = "integer[]",
     [A_ROUTE] = "route",
     [A_THING] = NULL,
-    [A_HIT] = NULL,
+    [A_HIT_SHAPE] = NULL,
     [A_MOTION] = "motion|motion_name",
     [A_BULLET_KIND] = "bullet_kind",
     [A_SHOT_KIND] = "shot_kind",
@@ -43,7 +43,7 @@ static const char *const types[] = {
     [A_SOUND] = "sound_name",
     [A_TUNE] = "music_name",
     [A_BUTTON] = "button_word",
-    [A_PAD] = "player|1|2",
+    [A_PLAYER] = "player|1|2",
     [A_EASE] = "ease_word",
     [A_LAYER] = "layer_word",
     [A_SPARK_LAYER] = "spark_layer_word",
@@ -53,7 +53,7 @@ static const char *const types[] = {
     [A_EMIT_FIRE] = "shoot_word",
     [A_MEET] = "meet_word",
     [A_EMIT_PATTERN] = "emit_word",
-    [A_DOWN] = "down_word",
+    [A_BARS_DOWN] = "down_word",
     [A_HOST_SCREEN] = "ask_word",
 };
 
@@ -63,7 +63,7 @@ void annotation_aliases(struct prose *to)
     int n;
 
     for (size_t t = 0; t < COUNT(types); t++) {
-        words = api_type_list((enum api_type)t, &n);
+        words = api_get_type_words((enum api_type)t, &n);
         if (words) {
             prose_add(to, "---@alias %s ", types[t]);
             for (int i = 0; i < n; i++)
@@ -180,7 +180,7 @@ static bool parts(const struct api_entry *e, const struct api_param *p, char *ou
     const size_t n = strcspn(e->name, " ");
 
     for (int i = 0; i < api_count_entries(&api_table); i++) {
-        const struct api_entry *part = api_entry(&api_table, i);
+        const struct api_entry *part = api_get_entry(&api_table, i);
         const char *word = part->name + n + 1;
         if (strncmp(part->name, e->name, n) || part->name[n] != ' ')
             continue;
@@ -203,7 +203,7 @@ void annotation_type(const struct api_entry *e, const struct api_param *p, char 
 {
     if (p->type == A_THING)
         things((unsigned)p->lo, out, size);
-    else if (p->type == A_HIT)
+    else if (p->type == A_HIT_SHAPE)
         hits(p, out, size);
     else if (p->type == A_FUNC)
         functions(e, p, out, size);

@@ -75,7 +75,7 @@ static void field(struct prose *to, const struct api_entry *e, const struct api_
 static bool fired_before(int maker, const char *name)
 {
     for (int i = 0; i < maker; i++)
-        if (find_param(api_find(&api_table, makers[i]), name))
+        if (find_param(api_find_entry(&api_table, makers[i]), name))
             return true;
     return false;
 }
@@ -100,7 +100,7 @@ static void fired(struct prose *to)
 {
     prose_add(to, "\n---arguments that a pattern passes on to each bullet, shot or laser\n---@class fired\n");
     for (int m = 0; m < MAKERS; m++) {
-        const struct api_entry *e = api_find(&api_table, makers[m]);
+        const struct api_entry *e = api_find_entry(&api_table, makers[m]);
         for (int i = e->positional_count; i < e->count; i++)
             if (!fired_before(m, e->params[i].name))
                 fired_field(to, e, &e->params[i]);
@@ -109,7 +109,7 @@ static void fired(struct prose *to)
 
 static bool has_table(const struct api_entry *e)
 {
-    return e->count > e->positional_count || e->flags & API_FIRE;
+    return e->count > e->positional_count || e->flags & API_PATTERN;
 }
 
 static void arguments_class(struct prose *to, const struct api_entry *e)
@@ -118,7 +118,7 @@ static void arguments_class(struct prose *to, const struct api_entry *e)
 
     class_name(e, name);
     prose_add(to, "\n---%s%s\n---@class %s%s\n", is_part(e) ? e->help : "arguments of ", is_part(e) ? "" : e->name,
-              name, e->flags & API_FIRE ? ": fired" : "");
+              name, e->flags & API_PATTERN ? ": fired" : "");
     for (int i = is_part(e) ? 0 : e->positional_count; i < e->count; i++)
         field(to, e, &e->params[i], e->params[i].optional);
 }
@@ -127,7 +127,7 @@ static void argument_classes(struct prose *to)
 {
     fired(to);
     for (int i = 0; i < api_count_entries(&api_table); i++) {
-        const struct api_entry *e = api_entry(&api_table, i);
+        const struct api_entry *e = api_get_entry(&api_table, i);
         if (is_public(e) && (is_part(e) || has_table(e)))
             arguments_class(to, e);
     }
@@ -153,7 +153,7 @@ static void function_params(struct prose *to, const struct api_entry *e)
     bool must = false;
     for (int i = e->positional_count; i < e->count; i++)
         must = must || !e->params[i].optional;
-    prose_add(to, "---@param args%s %s\n", must || e->flags & API_FIRE ? "" : "?", name);
+    prose_add(to, "---@param args%s %s\n", must || e->flags & API_PATTERN ? "" : "?", name);
 }
 
 /* owner: the local that a kind of handle's methods stand in; NULL: the entry's own name. */
@@ -162,7 +162,7 @@ static void function(struct prose *to, const struct api_entry *e, const char *ow
     const int first = e->flags & API_METHOD ? 1 : 0;
     const char *comma = "";
 
-    prose_add(to, "\n---%s%s\n", e->help, e->flags & API_LOAD ? " (only while scripts load)" : "");
+    prose_add(to, "\n---%s%s\n", e->help, e->flags & API_LOAD_ONLY ? " (only while scripts load)" : "");
     function_params(to, e);
     annotation_returns(to, e->returns);
     prose_add(to, "function %s%s(", owner ? owner : "", owner ? strchr(e->name, ':') : e->name);
@@ -202,7 +202,7 @@ static void handle(struct prose *to, enum handle_kind kind)
     snprintf(owner, sizeof owner, "a_%s", t->name);
     prose_add(to, "local %s = {}\n", owner);
     for (int i = 0; i < api_count_entries(&api_table); i++) {
-        const struct api_entry *e = api_entry(&api_table, i);
+        const struct api_entry *e = api_get_entry(&api_table, i);
         if (!strncmp(e->name, t->name, n) && e->name[n] == ':' && is_public(e))
             function(to, e, owner);
     }
@@ -225,7 +225,7 @@ static const char *any_name(int i)
 
     if (k >= 0)
         return k < api_table.doc_name_count ? api_table.doc_names[k].name : NULL;
-    const struct api_entry *e = api_entry(&api_table, i);
+    const struct api_entry *e = api_get_entry(&api_table, i);
     return is_public(e) && !strpbrk(e->name, ": ") ? e->name : "";
 }
 
@@ -320,6 +320,6 @@ void annotations_write(struct prose *to)
     spaces(to);
     for (int i = 0; i < api_count_entries(&api_table); i++)
         if (any_name(i)[0])
-            function(to, api_entry(&api_table, i), NULL);
+            function(to, api_get_entry(&api_table, i), NULL);
     plain_names(to);
 }

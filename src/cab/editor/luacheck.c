@@ -47,7 +47,7 @@ static void add_plain(struct name_set *s)
 /* Modules of the library whose functions have no entries: a global of their own. */
 static void add_modules(struct name_set *s)
 {
-    for (int i = 1; i < STD_MODULES; i++)
+    for (int i = 1; i < STD_MODULE_COUNT; i++)
         if (!std_extended_table(i))
             name_set_add(s, NULL, std_module_name(i));
 }
@@ -65,7 +65,7 @@ static bool is_librarys(const char *space)
 {
     if (std_module_of_global(space) > 0)
         return true;
-    for (int i = 0; i < STD_MODULES; i++)
+    for (int i = 0; i < STD_MODULE_COUNT; i++)
         if (std_extended_table(i) && !strcmp(std_extended_table(i), space))
             return true;
     return false;

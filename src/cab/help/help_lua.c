@@ -38,7 +38,7 @@ static const char *type_words(const struct api_param *p)
         [A_SOUND] = "name of a sound",
         [A_TUNE] = "name of a piece of music",
         [A_BUTTON] = "up, down, left, right, fire, bomb, focus, special, start or select",
-        [A_PAD] = "1, 2 or a player",
+        [A_PLAYER] = "1, 2 or a player",
         [A_EASE] = "linear, in, out or both",
         [A_LAYER] = "back, middle, front or over",
         [A_SPARK_LAYER] = "middle or front",
@@ -48,13 +48,13 @@ static const char *type_words(const struct api_param *p)
         [A_FIRE] = "bullet, shot, bolt, curve or beam",
         [A_MEET] = "none, first, second or both",
         [A_EMIT_PATTERN] = "one, ring, fan, arc, stack or line",
-        [A_DOWN] = "all or any",
+        [A_BARS_DOWN] = "all or any",
         [A_HOST_SCREEN] = "settings, replays, practice or keys",
     };
 
     if (p->type == A_ANY && p->unit) /* the entry checks the value itself */
         return p->unit;
-    return p->type == A_HIT ? api_hit_forms[(int)p->lo] : words[p->type];
+    return p->type == A_HIT_SHAPE ? api_hit_forms[(int)p->lo] : words[p->type];
 }
 
 /* A mask of kinds in words: "player", or "thing: bullet, shot or enemy". */
@@ -154,7 +154,7 @@ static void help_signature(const struct api_entry *e, char *out, size_t size)
 {
     int first = e->flags & API_METHOD ? 1 : 0;
     size_t n = (size_t)snprintf(out, size, "%s", e->name);
-    bool table = e->count > e->positional_count || e->flags & API_FIRE;
+    bool table = e->count > e->positional_count || e->flags & API_PATTERN;
 
     if (!table || e->positional_count > first)
         n += (size_t)snprintf(out + n, size - n, "(");
@@ -178,7 +178,7 @@ static void help_parts(const struct api_entry *e, void (*line)(const char *))
     char text[1024];
 
     for (int i = 0; i < api_count_entries(&api_table); i++) {
-        const struct api_entry *part = api_entry(&api_table, i);
+        const struct api_entry *part = api_get_entry(&api_table, i);
         if (strncmp(part->name, e->name, n) || part->name[n] != ' ')
             continue;
         line("");
@@ -201,13 +201,13 @@ void help_entry(const struct api_entry *e, bool whole, void (*line)(const char *
         return;
     }
     line(signature);
-    snprintf(text, sizeof text, "  %s%s", e->help, e->flags & API_LOAD ? " (only while scripts load)" : "");
+    snprintf(text, sizeof text, "  %s%s", e->help, e->flags & API_LOAD_ONLY ? " (only while scripts load)" : "");
     help_wrapped(text, 2, line);
-    if (e->count > first || e->flags & API_FIRE)
+    if (e->count > first || e->flags & API_PATTERN)
         line("");
     for (int i = first; i < e->count; i++)
         help_param(&e->params[i], line);
-    if (e->flags & API_FIRE)
+    if (e->flags & API_PATTERN)
         line("    ...        all arguments of bullet.fire, shot.fire or laser.NAME, depending on `fire`");
     help_parts(e, line);
 }
@@ -263,14 +263,14 @@ static bool help_thing(int kind, void (*line)(const char *))
 const char *help_nearest(const char *name)
 {
     const char *found = NULL;
-    int best = EDIT_FAR;
+    int best = EDIT_TOO_FAR;
 
     for (int i = 0; i < api_count_entries(&api_table); i++)
-        if (!(api_entry(&api_table, i)->flags & API_SYS))
-            api_suggest_nearer(name, api_entry(&api_table, i)->name, &best, &found);
+        if (!(api_get_entry(&api_table, i)->flags & API_SYS))
+            api_consider_suggestion(name, api_get_entry(&api_table, i)->name, &best, &found);
     for (int i = 0; i < api_table.doc_name_count; i++)
         if (!strchr(api_table.doc_names[i].name, '('))
-            api_suggest_nearer(name, api_table.doc_names[i].name, &best, &found);
+            api_consider_suggestion(name, api_table.doc_names[i].name, &best, &found);
     return found;
 }
 
@@ -280,7 +280,7 @@ static bool is_table(const char *name)
     const size_t n = strlen(name);
 
     for (int i = 0; i < api_count_entries(&api_table); i++) {
-        const struct api_entry *e = api_entry(&api_table, i);
+        const struct api_entry *e = api_get_entry(&api_table, i);
         if (!(e->flags & API_SYS) && !strncmp(e->name, name, n) && (strpbrk(name, ".:") || strchr(".:", e->name[n])))
             return true;
     }
@@ -298,7 +298,7 @@ static bool help_all(const char *name, bool exact, void (*line)(const char *))
     bool any = false;
 
     for (int i = 0; i < api_count_entries(&api_table); i++) {
-        const struct api_entry *e = api_entry(&api_table, i);
+        const struct api_entry *e = api_get_entry(&api_table, i);
         if (e->flags & API_SYS || (exact && strcmp(e->name, name)) || strncmp(e->name, name, n))
             continue;
         help_entry(e, exact, line);
@@ -311,7 +311,7 @@ static bool help_all(const char *name, bool exact, void (*line)(const char *))
 
 bool help_write(const char *name, void (*line)(const char *))
 {
-    const bool exact = name && api_find(&api_table, name);
+    const bool exact = name && api_find_entry(&api_table, name);
     bool any = false;
 
     if (!name) {

@@ -96,7 +96,7 @@ static bool search_entries(const char *word, enum rank rank, void (*line)(const 
     bool any = false;
 
     for (int i = 0; i < api_count_entries(&api_table); i++) {
-        const struct api_entry *e = api_entry(&api_table, i);
+        const struct api_entry *e = api_get_entry(&api_table, i);
         if (strchr(e->name, ' '))
             any |= search_part(e, word, rank, line);
         else if (!(e->flags & API_SYS) && rank_entry(e, word) == rank) {

@@ -250,7 +250,7 @@ bool config_load(struct config *c, char *err, size_t err_size)
 {
     config_defaults(c);
     char shown[FILES_PATH_SIZE];
-    long size = plat_size(CONFIG_FILE);
+    long size = plat_file_size(CONFIG_FILE);
     if (size < 0)
         return true;
     files_display_name(CONFIG_FILE, shown);

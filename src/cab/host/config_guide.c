@@ -27,7 +27,7 @@ void config_guide(void (*line)(const char *))
     snprintf(text, sizeof text, "    %s", files_display_name(CONFIG_FILE, path));
     line(text);
     line("");
-    line(plat_size(CONFIG_FILE) < 0
+    line(plat_file_size(CONFIG_FILE) < 0
              ? "The file does not exist yet, so all settings have their default values. The Settings menu creates it."
              : "The Settings menu updates the file. Settings that are not in the file have their default values.");
     line("You can also edit the file by hand. Each line has the form NAME = VALUE, and # starts a comment.");

@@ -23,7 +23,7 @@ static bool into(const struct look *l, const char *name)
     return l->depth < DEEPEST && !(l->depth == 0 && no_games);
 }
 
-static void add(void *user, const struct plat_file *file)
+static void add(void *user, const struct plat_folder_entry *file)
 {
     struct look *l = user;
     size_t n = strlen(l->path);

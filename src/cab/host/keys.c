@@ -70,7 +70,7 @@ static const struct action {
 /* What one hand reaches, by the order of buttons: of a keyboard one side, of a controller one stick and what lies round
  * it. A controller has fewer switches there than a player has buttons, but fire is held by itself (press.h), so special
  * shares its switch. */
-static const char *const hands[][PAD_BUTTONS] = {
+static const char *const hands[][PAD_BUTTON_COUNT] = {
     [HAND_LEFT] = { "w pad.up pad.lup", "s pad.down pad.ldown", "a pad.left pad.lleft", "d pad.right pad.lright",
                     "space pad.l1", "q pad.l3", "lshift pad.l2", "e pad.l1", "1 pad.select", "tab" },
     [HAND_RIGHT] = { "up pad.rup", "down pad.rdown", "left pad.rleft", "right pad.rright", "pagedown kp0 pad.r1",
@@ -142,7 +142,7 @@ void keys_hand(struct keys *k, int player, enum keys_hand hand)
     char err[128];
 
     memset(k->hand[player], 0, sizeof k->hand[player]);
-    for (int i = 0; i < PAD_BUTTONS && hand != HAND_BOTH; i++)
+    for (int i = 0; i < PAD_BUTTON_COUNT && hand != HAND_BOTH; i++)
         read_list(actions[i].name, hands[hand][i], k->hand[player][i], KEYS_HAND, err, sizeof err);
 }
 
@@ -159,7 +159,7 @@ void keys_defaults(struct keys *k)
 /* The player of an action, from 0; -1: it is the cabinet's. */
 static int player_of(int action)
 {
-    return action < MAX_PLAYERS * PAD_BUTTONS ? action / PAD_BUTTONS : -1;
+    return action < MAX_PLAYERS * PAD_BUTTON_COUNT ? action / PAD_BUTTON_COUNT : -1;
 }
 
 /* Switch i of an action, those that a hand has first; 0: none. */
@@ -169,7 +169,7 @@ static unsigned nth_code(const struct keys *k, int action, int i)
 
     if (i >= KEYS_HAND)
         return k->code[action][i - KEYS_HAND];
-    return player < 0 ? 0 : k->hand[player][action % PAD_BUTTONS][i];
+    return player < 0 ? 0 : k->hand[player][action % PAD_BUTTON_COUNT][i];
 }
 
 /* The first that is a controller's, or a key; 0: none. */
@@ -254,20 +254,20 @@ static unsigned captured_key(struct keys_capture *c, const struct plat_input *in
     unsigned with = c->modifier == KEY_LEFT_ALT || c->modifier == KEY_RIGHT_ALT ? SWITCH_ALT : SWITCH_CTRL;
 
     for (unsigned u = 4; u < PLAT_KEYS; u++) {
-        if (!plat_key_held(in, u) || c->keys[u >> 3] >> (u & 7) & 1)
+        if (!plat_is_key_held(in, u) || c->keys[u >> 3] >> (u & 7) & 1)
             continue;
         if (!is_modifier(u))
             return c->modifier ? u | with : u;
         c->modifier = u;
     }
-    return c->modifier && !plat_key_held(in, c->modifier) ? c->modifier : 0;
+    return c->modifier && !plat_is_key_held(in, c->modifier) ? c->modifier : 0;
 }
 
 uint16_t keys_capture(struct keys_capture *c, const struct plat_input *in)
 {
     unsigned code = captured_key(c, in);
 
-    for (int i = 0; i < PLAT_CONTROLLERS && !code; i++)
+    for (int i = 0; i < PLAT_MAX_CONTROLLERS && !code; i++)
         for (unsigned bit = 0; bit < PLAT_BUTTONS && !code; bit++)
             if ((in->controllers[i] & ~c->controllers[i]) >> bit & 1)
                 code = SWITCH_CONTROLLER | bit;
@@ -339,8 +339,8 @@ bool keys_reserved(uint16_t code)
 /* A modifier counts for a poll longer than it is held: both keys of a quick chord may be up when the second is read. */
 static void note_modifiers(struct keys *k, const struct plat_input *in)
 {
-    const bool alt = plat_key_held(in, KEY_LEFT_ALT) || plat_key_held(in, KEY_RIGHT_ALT);
-    const bool ctrl = plat_key_held(in, KEY_LEFT_CTRL) || plat_key_held(in, KEY_RIGHT_CTRL);
+    const bool alt = plat_is_key_held(in, KEY_LEFT_ALT) || plat_is_key_held(in, KEY_RIGHT_ALT);
+    const bool ctrl = plat_is_key_held(in, KEY_LEFT_CTRL) || plat_is_key_held(in, KEY_RIGHT_CTRL);
 
     k->alt = alt || k->had_alt;
     k->ctrl = ctrl || k->had_ctrl;
@@ -370,10 +370,10 @@ static uint32_t controller(const struct seats *seats, unsigned which, int player
     uint32_t all = 0;
 
     if (which)
-        return which <= PLAT_CONTROLLERS ? seats->switches[which - 1] : 0;
+        return which <= PLAT_MAX_CONTROLLERS ? seats->switches[which - 1] : 0;
     if (player >= 0)
         return seats_switches(seats, player);
-    for (int i = 0; i < PLAT_CONTROLLERS; i++)
+    for (int i = 0; i < PLAT_MAX_CONTROLLERS; i++)
         all |= seats->switches[i];
     return all;
 }
@@ -383,15 +383,15 @@ static bool key_held(const struct keys *k, const struct plat_input *in, unsigned
     unsigned usage = code & 255;
 
     if (switch_is_chord(code))
-        return plat_key_held(in, usage) && modifier(k, code);
-    return plat_key_held(in, usage) && !(k->eaten[usage >> 3] >> (usage & 7) & 1);
+        return plat_is_key_held(in, usage) && modifier(k, code);
+    return plat_is_key_held(in, usage) && !(k->eaten[usage >> 3] >> (usage & 7) & 1);
 }
 
 /* Does a hand's layout say what this switch is? To its own player of any switch, to the other of a key. */
 static bool hand_has(const struct keys *k, unsigned code, int player)
 {
     const uint16_t *list = &k->hand[0][0][0];
-    enum { EACH = PAD_BUTTONS * KEYS_HAND };
+    enum { EACH = PAD_BUTTON_COUNT * KEYS_HAND };
 
     for (int i = 0; i < MAX_PLAYERS * EACH; i++)
         if (list[i] == code && (i / EACH == player || !(code & SWITCH_CONTROLLER)))
@@ -428,7 +428,7 @@ static void note_device(struct keys *k, const struct seats *seats, int player, s
     if (!fresh.key && !fresh.controller)
         return;
     k->player[player].controller = !fresh.key;
-    k->player[player].kind = i == SEAT_EMPTY ? PLAT_UNKNOWN : seats->is[i].kind;
+    k->player[player].kind = i == SEAT_EMPTY ? PLAT_UNKNOWN_CONTROLLER : seats->is[i].kind;
     k->cabinet = k->player[player];
 }
 
@@ -436,8 +436,8 @@ static uint16_t read_pad(struct keys *k, const struct plat_input *in, const stru
 {
     unsigned keys = 0, switches = 0;
 
-    for (int i = 0; i < PAD_BUTTONS; i++) {
-        struct by by = action_held(k, in, seats, player * PAD_BUTTONS + i);
+    for (int i = 0; i < PAD_BUTTON_COUNT; i++) {
+        struct by by = action_held(k, in, seats, player * PAD_BUTTON_COUNT + i);
         keys |= (unsigned)by.key << i;
         switches |= (unsigned)by.controller << i;
     }
@@ -460,7 +460,7 @@ void keys_read(struct keys *k, const struct plat_input *in, const struct seats *
         out->fresh = out->fresh || out->pads_fresh[p];
     }
     for (int i = 0; i < CAB_KEYS; i++) {
-        struct by by = action_held(k, in, seats, MAX_PLAYERS * PAD_BUTTONS + i);
+        struct by by = action_held(k, in, seats, MAX_PLAYERS * PAD_BUTTON_COUNT + i);
         out->held |= (uint32_t)(by.key || by.controller) << i;
     }
     out->pressed = out->held & ~k->held;
@@ -471,7 +471,7 @@ void keys_help(uint32_t without, void (*line)(const char *))
 {
     char text[128];
     for (int i = 0; i < KEYS_ACTIONS; i++) {
-        if (player_of(i) < 0 && without >> (i - MAX_PLAYERS * PAD_BUTTONS) & 1)
+        if (player_of(i) < 0 && without >> (i - MAX_PLAYERS * PAD_BUTTON_COUNT) & 1)
             continue;
         int n = snprintf(text, sizeof text, "  %-11s %-30s %s", actions[i].name, actions[i].switches, actions[i].help);
         while (n > 0 && text[n - 1] == ' ')

@@ -25,7 +25,7 @@
 #include "../pads/seats.h"
 #include "../pads/switch.h"
 
-/* The cabinet's actions, after the players' MAX_PLAYERS * PAD_BUTTONS. */
+/* The cabinet's actions, after the players' MAX_PLAYERS * PAD_BUTTON_COUNT. */
 enum cab_key {
     CAB_PAUSE,
     CAB_STEP,
@@ -68,7 +68,7 @@ enum cab_key {
     (1u << CAB_RELOAD | 1u << CAB_SHAPES | 1u << CAB_GAUGES | 1u << CAB_SPLIT | 1u << CAB_TASKS | 1u << CAB_MIXER |    \
      1u << CAB_CONSOLE)
 
-enum { KEYS_EACH = 6, KEYS_HAND = 3, KEYS_ACTIONS = MAX_PLAYERS * PAD_BUTTONS + CAB_KEYS };
+enum { KEYS_EACH = 6, KEYS_HAND = 3, KEYS_ACTIONS = MAX_PLAYERS * PAD_BUTTON_COUNT + CAB_KEYS };
 
 enum keys_hand { HAND_BOTH, HAND_LEFT, HAND_RIGHT };
 
@@ -79,12 +79,12 @@ struct keys_device {
 };
 
 struct keys {
-    uint16_t code[KEYS_ACTIONS][KEYS_EACH];               /* as in switch.h; 0: none */
-    uint16_t hand[MAX_PLAYERS][PAD_BUTTONS][KEYS_HAND];   /* the layout of a player with one hand; 0: none */
-    uint8_t eaten[PLAT_KEYS / 8];                         /* keys a chord has used, until they are released */
-    bool alt, ctrl, had_alt, had_ctrl;                    /* held at this poll or the last one; at the last one */
-    uint16_t by_key[MAX_PLAYERS], by_switch[MAX_PLAYERS]; /* of the last read: held by keys, by a controller */
-    struct keys_device player[MAX_PLAYERS], cabinet;      /* cabinet: whichever player pressed last */
+    uint16_t code[KEYS_ACTIONS][KEYS_EACH];                  /* as in switch.h; 0: none */
+    uint16_t hand[MAX_PLAYERS][PAD_BUTTON_COUNT][KEYS_HAND]; /* the layout of a player with one hand; 0: none */
+    uint8_t eaten[PLAT_KEYS / 8];                            /* keys a chord has used, until they are released */
+    bool alt, ctrl, had_alt, had_ctrl;                       /* held at this poll or the last one; at the last one */
+    uint16_t by_key[MAX_PLAYERS], by_switch[MAX_PLAYERS];    /* of the last read: held by keys, by a controller */
+    struct keys_device player[MAX_PLAYERS], cabinet;         /* cabinet: whichever player pressed last */
     uint32_t held;
 };
 
@@ -130,7 +130,7 @@ void keys_text(const struct keys *k, const char *action, char *out, size_t size)
 /* Waits for a switch that is pressed anew. */
 struct keys_capture {
     uint8_t keys[PLAT_KEYS / 8];
-    uint32_t controllers[PLAT_CONTROLLERS];
+    uint32_t controllers[PLAT_MAX_CONTROLLERS];
     unsigned modifier; /* usage of Alt or Ctrl that is held, and may become a chord */
 };
 

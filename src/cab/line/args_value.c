@@ -77,7 +77,7 @@ static bool in_span(const struct span *s, uint32_t frame)
     return frame >= s->first && frame <= s->last && (frame - s->first) % s->step == 0;
 }
 
-static const char *const buttons[PAD_BUTTONS] = PAD_NAMES;
+static const char *const buttons[PAD_BUTTON_COUNT] = PAD_BUTTON_NAMES;
 
 /* BUTTON or BUTTON@FRAMES, of player 2: 2.BUTTON. */
 static bool read_press(struct press *out, const char *p, const char *end)
@@ -88,7 +88,7 @@ static bool read_press(struct press *out, const char *p, const char *end)
     const char *at = memchr(p, '@', (size_t)(end - p));
     const size_t n = (size_t)((at ? at : end) - p);
     *out = (struct press){ .player = second, .when = { 0, ARGS_MAX_FRAME, 1 } };
-    for (int i = 0; i < PAD_BUTTONS; i++)
+    for (int i = 0; i < PAD_BUTTON_COUNT; i++)
         if (strlen(buttons[i]) == n && memcmp(buttons[i], p, n) == 0)
             out->pad = (uint16_t)(1 << i);
     return out->pad && (!at || read_span(&out->when, at + 1, end));

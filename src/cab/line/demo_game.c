@@ -57,10 +57,10 @@ static bool may_be_game(const struct search *s, const char *path)
     uint8_t *text;
     size_t size;
 
-    if (plat_size(path) >= 0)
+    if (plat_file_size(path) >= 0)
         return plat_load(path, head, sizeof head) == sizeof head && memcmp(head, magic, sizeof head) == 0;
     snprintf(file, sizeof file, "%s/rom.lua", path);
-    if (plat_size(file) < 0 || !files_read_text(file, file, ROM_LUA, &text, &size, err, sizeof err))
+    if (plat_file_size(file) < 0 || !files_read_text(file, file, ROM_LUA, &text, &size, err, sizeof err))
         return false;
     const bool names = strstr((const char *)text, s->demo->id) != NULL;
     free(text);
@@ -73,7 +73,7 @@ static void try_path(struct search *s, const char *path)
         try_game(s, path);
 }
 
-static void try_entry(void *of, const struct plat_file *file)
+static void try_entry(void *of, const struct plat_folder_entry *file)
 {
     struct search *s = of;
     char path[FILES_PATH_SIZE];
@@ -140,7 +140,7 @@ static bool is_demo(const char *file)
     char head[4];
 
     return (plat_load(file, head, sizeof head) == sizeof head && memcmp(head, DEMO_MAGIC, sizeof head) == 0) ||
-           (dot && strcmp(dot, ".demo") == 0 && plat_size(file) >= 0);
+           (dot && strcmp(dot, ".demo") == 0 && plat_file_size(file) >= 0);
 }
 
 /* An option that sets what the demo sets; NULL: none is given. */

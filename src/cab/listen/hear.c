@@ -71,7 +71,7 @@ bool hear_frame(struct hear *h)
     speaker_frame(&h->speaker, &time);
     overlay_listen(&h->overlay, h->b, &h->speaker);
     show(h);
-    return !h->over && !in.quit && !plat_key_held(&in, KEY_ESCAPE);
+    return !h->over && !in.quit && !plat_is_key_held(&in, KEY_ESCAPE);
 }
 
 static enum result open_window(struct hear *h, const char *name)

@@ -69,7 +69,7 @@ static enum result list(void *block, const struct rom *rom)
     char err[256];
     struct board *b = board_jukebox_open(block, rom, err, sizeof err);
 
-    for (int i = 0; b && board_jukebox_tune(b, i, &t); i++) {
+    for (int i = 0; b && board_jukebox_get_tune(b, i, &t); i++) {
         report_print("%s %s: ", t.is_music ? "music" : "sound", t.name);
         if (!print_measured(b, &t))
             return report_line(RESULT_HOST_FAILED, "out of memory");
@@ -96,9 +96,9 @@ static enum result unknown(const struct board *b, const char *name)
 {
     struct board_tune t;
     const char *near = NULL;
-    int best = EDIT_FAR;
+    int best = EDIT_TOO_FAR;
 
-    for (int i = 0; board_jukebox_tune(b, i, &t); i++)
+    for (int i = 0; board_jukebox_get_tune(b, i, &t); i++)
         if (edit_distance(name, t.name) < best) {
             best = edit_distance(name, t.name);
             near = t.name;
@@ -153,7 +153,7 @@ static bool has(const struct board *b, const char *name)
 {
     struct board_tune t;
 
-    for (int i = 0; board_jukebox_tune(b, i, &t); i++)
+    for (int i = 0; board_jukebox_get_tune(b, i, &t); i++)
         if (strcmp(t.name, name) == 0)
             return true;
     return false;

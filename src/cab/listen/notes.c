@@ -24,7 +24,7 @@ static void print_inst(const struct walk *w, int i)
     report_print("inst %d %s\n", i, inst.kind < INST_KINDS ? kinds[inst.kind] : "other");
 }
 
-static void print_event(const struct walk *w, const struct tune_played *e)
+static void print_event(const struct walk *w, const struct tune_played_event *e)
 {
     if (w->quiet)
         return;
@@ -55,7 +55,7 @@ static void print_event(const struct walk *w, const struct tune_played *e)
     case TUNE_TEMPO:
         report_print("tempo %.2f\n", e->value / 100.0);
         break;
-    case TUNE_MARK:
+    case TUNE_MARKER:
         report_print("mark %s\n", tune_marker_name(w->t, e->value));
         break;
     default: /* what shapes a note and is none */
@@ -68,19 +68,19 @@ static uint32_t walk(struct walk *w, int track, uint32_t until)
 {
     struct track_cursor c = tune_track_start(w->t, track);
 
-    for (w->tick = 0; c.at != 0; w->tick++) {
+    for (w->tick = 0; c.cursor != 0; w->tick++) {
         const struct track_cursor before = c;
         struct tune_run run = { w->t, track, c, TUNE_TICK, 0, 1, 0 };
-        struct tune_played e;
+        struct tune_played_event e;
         while (tune_next_event(&run, &e))
             print_event(w, &e);
-        c = run.at;
+        c = run.cursor;
         /* One event that repeats leads to the same place again, with all its time left. */
-        const bool back = c.at < before.at || (c.at == before.at && c.left > before.left);
-        if (c.at == until || (c.at != 0 && back))
+        const bool back = c.cursor < before.cursor || (c.cursor == before.cursor && c.units_left > before.units_left);
+        if (c.cursor == until || (c.cursor != 0 && back))
             break;
     }
-    return c.at;
+    return c.cursor;
 }
 
 void notes_print(const char *name, const struct tune *t)

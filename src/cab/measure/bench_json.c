@@ -61,15 +61,15 @@ static void put_line(struct json *j, const struct measure *m, const struct profi
 {
     char text[TEXT];
 
-    bench_text(m, line->place, text, sizeof text);
+    bench_text(m, line->location, text, sizeof text);
     json_open(j, NULL, '{');
-    json_text(j, "line", line->place);
+    json_text(j, "line", line->location);
     json_text(j, "text", text);
     json_number(j, "work", (int64_t)profile_work(line));
     json_number(j, "instructions", (int64_t)line->instructions);
-    json_number(j, "calls", (int64_t)line->calls);
-    json_number(j, "bytes", (int64_t)line->bytes);
-    json_number(j, "library", (int64_t)line->library);
+    json_number(j, "calls", (int64_t)line->call_work);
+    json_number(j, "bytes", (int64_t)line->allocated_bytes);
+    json_number(j, "library", (int64_t)line->library_instructions);
     json_close(j, '}');
 }
 

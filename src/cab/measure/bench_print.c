@@ -143,7 +143,7 @@ static int dearer(const void *a, const void *b)
     const struct profile_line *x = *(const struct profile_line *const *)a, *y = *(const struct profile_line *const *)b;
     const uint64_t v = profile_work(x), w = profile_work(y);
 
-    return v != w ? (v < w ? 1 : -1) : strcmp(x->place, y->place);
+    return v != w ? (v < w ? 1 : -1) : strcmp(x->location, y->location);
 }
 
 int bench_lines(const struct measure *m, const struct profile_line *out[], int n)
@@ -166,7 +166,7 @@ int bench_lines(const struct measure *m, const struct profile_line *out[], int n
 void bench_text(const struct measure *m, const char *place, char *text, size_t size)
 {
     const char *colon = strrchr(place, ':'), *from, *end;
-    char name[PROFILE_PLACE_BYTES];
+    char name[PROFILE_LOCATION_SIZE];
     size_t left;
 
     text[0] = 0;
@@ -201,10 +201,10 @@ static void print_line(const struct measure *m, const struct profile_line *line)
     const uint64_t work = profile_work(line), all = profile_work(&m->profile.total);
     char text[TEXT + 1];
 
-    bench_text(m, line->place, text, sizeof text);
+    bench_text(m, line->location, text, sizeof text);
     report_print("%6.1f %% %8.1f %5d %% %5d %%   %-24s %s\n", 100.0 * (double)work / (double)all,
-                 (double)work / m->all.frames, part_of(line->calls, work), part_of(line->library, work), line->place,
-                 text);
+                 (double)work / m->all.frames, part_of(line->call_work, work),
+                 part_of(line->library_instructions, work), line->location, text);
 }
 
 static void print_lines(const struct measure *m)

@@ -122,7 +122,7 @@ static void phase_ends(void *context, enum board_phase phase)
 
 static const struct board_out *timed_tick(struct player *p, const uint16_t pads[MAX_PLAYERS], struct times *t)
 {
-    board_on_phase(p->guard.board, phase_ends, p);
+    board_set_phase_callback(p->guard.board, phase_ends, p);
     const struct board_out *out = guard_tick(&p->guard, pads);
     *t = (struct times){ .tick = (uint32_t)(p->last - p->began) };
     if (out->fault)

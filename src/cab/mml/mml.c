@@ -232,7 +232,7 @@ static uint32_t write_macro(struct mml *m, uint32_t at, uint32_t end, int depth)
 {
     char name[MML_NAME];
     const char *near = NULL;
-    int best = EDIT_FAR;
+    int best = EDIT_TOO_FAR;
     uint32_t p = at + 1;
 
     read_name(m, &p, end, name, "a macro name");
@@ -389,11 +389,11 @@ static void read_marks(struct mml *m)
         const uint32_t tick = (uint32_t)((bar - 1) * m->bar + beat - 1) * TUNE_QUARTER;
         const int mark = mml_mark(m, name);
         if (mark < 0)
-            mml_bad(m, at, "more than %d markers", (int)TUNE_MAX_MARKS);
+            mml_bad(m, at, "more than %d markers", (int)TUNE_MAX_MARKERS);
         if (tick >= last_tick(m))
             mml_bad(m, at, "bar %d is after the end", (int)bar);
         m->now = at;
-        mml_add(m, &m->conductor, tick, TUNE_MARK, mark, 0);
+        mml_add(m, &m->conductor, tick, TUNE_MARKER, mark, 0);
     }
 }
 
@@ -476,7 +476,7 @@ static void look_at_marks(struct mml *m)
     mml_sort(c);
     for (uint32_t i = 0; i < c->n; i++) {
         const struct mml_event *e = &c->events[i];
-        if (e->event != TUNE_MARK)
+        if (e->event != TUNE_MARKER)
             continue;
         if (last && last->value != e->value &&
             (uint64_t)(e->tick - last->tick) * TUNE_TICK < (uint64_t)SND_FRAME * (uint64_t)mml_tempo_at(c, last->tick))

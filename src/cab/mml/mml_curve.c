@@ -131,13 +131,13 @@ uint32_t mml_find_curve(const struct mml *m, char kind, const char *name)
 /* A wave's harmonics, Q20: what the first of the pair is to the sine, the second to the cosine. */
 struct harmonics {
     int n;
-    int64_t part[WAVE_HARMONICS + 1][2];
+    int64_t part[WAVE_MAX_HARMONICS + 1][2];
 };
 
 /* Up to which harmonic version v goes. */
 static int reaches(int v)
 {
-    static const uint8_t harmonics[WAVE_VERSIONS] = { 1, 2, 3, 4, 6, 8, 11, 16, 23, 32 };
+    static const uint8_t harmonics[WAVE_MAX_VERSIONS] = { 1, 2, 3, 4, 6, 8, 11, 16, 23, 32 };
 
     return harmonics[v];
 }
@@ -186,8 +186,8 @@ uint32_t mml_read_harmonics(struct mml *m, uint32_t *at, uint32_t end)
     struct harmonics h = { 0 };
 
     do {
-        if (h.n == WAVE_HARMONICS)
-            mml_bad(m, from, "expected at most %d harmonics", (int)WAVE_HARMONICS);
+        if (h.n == WAVE_MAX_HARMONICS)
+            mml_bad(m, from, "expected at most %d harmonics", (int)WAVE_MAX_HARMONICS);
         h.part[++h.n][0] = (mml_decimal(m, at, end, "percent", -100000, 100000) << 20) / 100000;
     } while (comma(m, at, end));
     while (h.n > 0 && h.part[h.n][0] == 0)
@@ -197,7 +197,7 @@ uint32_t mml_read_harmonics(struct mml *m, uint32_t *at, uint32_t end)
     return keep_wave(m, from, &h);
 }
 
-enum { POINTS = 2 * WAVE_HARMONICS };
+enum { POINTS = 2 * WAVE_MAX_HARMONICS };
 
 /* The harmonics of a turn through those points. */
 static struct harmonics through(const int64_t *point, int n)

@@ -99,9 +99,9 @@ static void balance(struct mml_inst *i)
     uint32_t loud = 0;
 
     for (int k = 0; k < n; k++)
-        loud += inst_audible(n, i->inst.algorithm) >> k & 1 ? i->ops[k].level : 0;
+        loud += inst_audible_ops(n, i->inst.algorithm) >> k & 1 ? i->ops[k].level : 0;
     for (int k = 0; k < n && loud > 32767; k++)
-        if (inst_audible(n, i->inst.algorithm) >> k & 1)
+        if (inst_audible_ops(n, i->inst.algorithm) >> k & 1)
             i->ops[k].level = (uint16_t)((uint32_t)i->ops[k].level * 32767 / loud);
 }
 
@@ -213,7 +213,7 @@ static void read_op(struct setting *s, int k)
     if (!next(s))
         return;
     o->level =
-        inst_audible(n, s->i->inst.algorithm) >> k & 1 ? share(s, "percent (for an audible operator)") : radians(s);
+        inst_audible_ops(n, s->i->inst.algorithm) >> k & 1 ? share(s, "percent (for an audible operator)") : radians(s);
     if (!next(s))
         return;
     o->env.attack = time_of(s);
@@ -237,7 +237,7 @@ static void read_algorithm(struct setting *s)
         mml_bad(s->m, s->key_at, "only fm4 has an algorithm");
     s->i->inst.algorithm = (uint8_t)(number(s, "an algorithm", 0, 7000) / 1000);
     for (int k = 0; k < FM_OPS; k++) {
-        const bool heard = inst_audible(FM_OPS, s->i->inst.algorithm) >> k & 1;
+        const bool heard = inst_audible_ops(FM_OPS, s->i->inst.algorithm) >> k & 1;
         const struct op *o = &s->i->ops[k];
         if (o->ratio != 256 || o->env.attack || o->env.decay)
             mml_bad(s->m, from, "expected the algorithm before the operators: it decides which of them are audible");
@@ -254,8 +254,8 @@ static void read_arpeggio(struct setting *s)
     if (s->at == s->end || s->m->text[s->at++] != ':')
         mml_bad(s->m, s->key_at, "expected arpeggio=FRAMES:SEMITONES,SEMITONES..., as in arpeggio=2:0,4,7");
     do {
-        if (i->arpeggio_count == ARPEGGIO_MAX)
-            mml_bad(s->m, s->key_at, "expected at most %d pitches", (int)ARPEGGIO_MAX);
+        if (i->arpeggio_count == ARPEGGIO_MAX_NOTES)
+            mml_bad(s->m, s->key_at, "expected at most %d pitches", (int)ARPEGGIO_MAX_NOTES);
         s->i->arpeggio[i->arpeggio_count++] = (uint8_t)(number(s, "semitones", -48000, 48000) / 1000);
     } while (next(s));
 }
@@ -332,7 +332,7 @@ _Noreturn static void unknown(const struct setting *s)
                                          "feedback", "algorithm", "op1",    "detune1",  "arpeggio", "volume",
                                          "pitch",    "pan",       "points", "harmonics" };
     const char *near = NULL;
-    int best = EDIT_FAR;
+    int best = EDIT_TOO_FAR;
 
     if (strcmp(s->key, "harmonics") == 0 || strcmp(s->key, "points") == 0)
         mml_bad(s->m, s->key_at, "only wave instruments have %s", s->key);

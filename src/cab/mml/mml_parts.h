@@ -38,7 +38,7 @@ struct mml_line {
 struct mml_inst {
     struct inst inst;
     struct op ops[FM_OPS];
-    uint8_t arpeggio[ARPEGGIO_MAX];
+    uint8_t arpeggio[ARPEGGIO_MAX_NOTES];
     char sample[INST_NAME_SIZE];
 };
 
@@ -81,7 +81,7 @@ struct mml {
     uint32_t n_pieces;
     uint8_t insts[TUNE_MAX_INSTS][INST_BYTES]; /* that notes use */
     int n_insts;
-    char marks[TUNE_MAX_MARKS][TUNE_NAME_SIZE];
+    char marks[TUNE_MAX_MARKERS][TUNE_NAME_SIZE];
     int n_marks;
     char title[TUNE_TITLE_SIZE];
     int bar;

@@ -547,7 +547,7 @@ static void set_inst(struct reader *r)
     const uint32_t from = r->p++;
     char name[MML_NAME] = "";
     const char *near = NULL;
-    int n = 0, best = EDIT_FAR;
+    int n = 0, best = EDIT_TOO_FAR;
 
     for (; mml_name_char(peek(r)) && n < MML_NAME - 1; r->p++)
         name[n++] = peek(r);
@@ -752,7 +752,7 @@ int mml_mark(struct mml *m, const char name[TUNE_NAME_SIZE])
 
     while (i < m->n_marks && strcmp(m->marks[i], name) != 0)
         i++;
-    if (i == TUNE_MAX_MARKS)
+    if (i == TUNE_MAX_MARKERS)
         return -1;
     if (i == m->n_marks)
         memcpy(m->marks[m->n_marks++], name, TUNE_NAME_SIZE);
@@ -776,8 +776,8 @@ static void set_mark(struct reader *r)
     r->p++;
     i = mml_mark(m, name);
     if (i < 0)
-        BAD(r, from, "more than %d markers", (int)TUNE_MAX_MARKS);
-    mml_add(m, &m->conductor, r->tick, TUNE_MARK, i, 0);
+        BAD(r, from, "more than %d markers", (int)TUNE_MAX_MARKERS);
+    mml_add(m, &m->conductor, r->tick, TUNE_MARKER, i, 0);
 }
 
 /* Commands that set a number. */

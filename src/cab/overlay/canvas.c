@@ -102,7 +102,7 @@ void canvas_open(struct canvas *canvas, struct fb *fb, uint32_t rgb[256])
 void canvas_view(const struct canvas *canvas, enum colour_blind_mode view)
 {
     for (int i = 0; i < CANVAS_COLOURS; i++)
-        canvas->rgb[canvas->colour[i]] = view_colour(view, colours[i]);
+        canvas->rgb[canvas->colour[i]] = view_adjust_colour(view, colours[i]);
 }
 
 static uint32_t glyph(unsigned char c)
@@ -114,7 +114,7 @@ static void letter(struct fb *fb, int x, int y, uint32_t rows, uint8_t colour)
 {
     for (int i = 0; i < ROWS * COLUMNS; i++)
         if (rows >> (ROWS * COLUMNS - 1 - i) & 1)
-            fb_rect(fb, x + i % COLUMNS, y + i / COLUMNS, 1, 1, colour);
+            fb_fill_rect(fb, x + i % COLUMNS, y + i / COLUMNS, 1, 1, colour);
 }
 
 /* Columns a byte takes: none when it continues a UTF-8 character. */
@@ -164,7 +164,7 @@ int canvas_fit(const char *text, int width)
 
 void canvas_rect(const struct canvas *canvas, int x, int y, int w, int h, enum canvas_colour c)
 {
-    fb_rect(canvas->fb, x, y, w, h, canvas->colour[c]);
+    fb_fill_rect(canvas->fb, x, y, w, h, canvas->colour[c]);
 }
 
 void canvas_frame(const struct canvas *canvas, int x, int y, int w, int h, enum canvas_colour c)
@@ -215,7 +215,7 @@ static void row_of_dots(const struct canvas *canvas, int64_t row, int64_t x0, in
     x0 = x0 < fb->x0 ? fb->x0 : x0;
     x1 = x1 >= fb->x1 ? fb->x1 - 1 : x1;
     if (x0 <= x1)
-        fb_rect(canvas->fb, (int)x0, (int)row, (int)(x1 - x0 + 1), 1, canvas->colour[c]);
+        fb_fill_rect(canvas->fb, (int)x0, (int)row, (int)(x1 - x0 + 1), 1, canvas->colour[c]);
 }
 
 /* Draws the pixels of a row that the next row, away from the middle, does not have, and its two ends. */

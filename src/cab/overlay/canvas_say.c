@@ -31,7 +31,7 @@ static void draw_row(struct fb *fb, int x, int y, unsigned bits, uint8_t colour)
         for (n = 0; bits >> n && (bool)(bits >> n & 1) == ink;)
             n++;
         if (ink)
-            fb_rect(fb, x, y, n, 1, colour);
+            fb_fill_rect(fb, x, y, n, 1, colour);
     }
 }
 

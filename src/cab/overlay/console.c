@@ -192,10 +192,10 @@ static void read_keys(struct console *c, const struct plat_input *in, struct boa
 {
     static const uint8_t keys[] = { KEY_ENTER, KEY_ESCAPE, KEY_BACKSPACE, KEY_HOME, KEY_DELETE,   KEY_END,
                                     KEY_RIGHT, KEY_LEFT,   KEY_DOWN,      KEY_UP,   KEY_PAD_ENTER };
-    if (!plat_key_held(in, c->repeats))
+    if (!plat_is_key_held(in, c->repeats))
         c->repeats = 0;
     for (size_t i = 0; i < sizeof keys && c->open; i++) {
-        if (!plat_key_held(in, keys[i]))
+        if (!plat_is_key_held(in, keys[i]))
             continue;
         if (!was_held(c, keys[i])) {
             press(c, keys[i], b, keeps);

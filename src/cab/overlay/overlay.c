@@ -64,7 +64,7 @@ static void before_tick(void *context)
 void overlay_begin(struct overlay *o, struct guard *g)
 {
     bool on = o->on[OVERLAY_SPLIT];
-    board_on_phase(g->board, on ? phase_ended : 0, o);
+    board_set_phase_callback(g->board, on ? phase_ended : 0, o);
     g->before = on ? before_tick : 0;
     g->context = o;
     memset(o->split.now, 0, sizeof o->split.now);
@@ -268,7 +268,7 @@ static enum canvas_colour colour_of(const struct inspect_body *s)
     switch (s->kind) {
     case INSPECT_BULLET:
     case INSPECT_LASER:
-        return s->shape == INSPECT_NONE ? CANVAS_GREY : s->is_dimmed ? CANVAS_MAGENTA : CANVAS_RED;
+        return s->shape == INSPECT_NO_SHAPE ? CANVAS_GREY : s->is_dimmed ? CANVAS_MAGENTA : CANVAS_RED;
     case INSPECT_SHOT:
         return CANVAS_CYAN;
     case INSPECT_ENEMY:
@@ -287,7 +287,7 @@ static void draw_shade(void *context, const struct inspect_body *s)
     around.b += s->shape == INSPECT_CAPSULE ? 0 : WIDER;
     for (int i = 0; i < s->n; i++)
         around.circle[i].r += WIDER;
-    around.shape = s->shape == INSPECT_NONE ? INSPECT_BOX : s->shape;
+    around.shape = s->shape == INSPECT_NO_SHAPE ? INSPECT_BOX : s->shape;
     draw_shape(context, &around, CANVAS_DARK);
     if (s->graze)
         canvas_ring(context, s->x, s->y, s->graze + WIDER, CANVAS_DARK);
@@ -355,7 +355,7 @@ static void place_gauges(struct layout *l, const struct canvas *canvas, const st
     int n = inspect_gauges(b, g);
     add(&s, CANVAS_CYAN, "%-12s %5s %5s %5s %7s", "part", "live", "top", "cap", "refused");
     for (int i = 0; i < n; i++)
-        if (!g[i].fixed)
+        if (!g[i].is_fixed)
             gauge_line(&s, g[i].name, g[i].live, g[i].top, g[i].cap, g[i].refused);
     inspect_memory(b, &used, &size);
     add(&s, used * 10 > size * 9 ? CANVAS_YELLOW : CANVAS_WHITE, "%-12s %5u %5s %5u", "Lua KiB",
@@ -381,13 +381,13 @@ static void place_split(struct layout *l, const struct canvas *canvas, const str
 
 static const char *state_of(const struct inspect_task *t, char *buf, size_t size)
 {
-    if (t->stopped)
+    if (t->is_stopped)
         return "ends";
     if (t->is_scope)
         return "scope";
-    if (t->frozen)
+    if (t->is_frozen)
         return "pause";
-    if (!t->begun)
+    if (!t->has_begun)
         return "new";
     if (t->waits_forever)
         return "ever";
@@ -413,7 +413,7 @@ static void place_tasks(struct layout *l, const struct canvas *canvas, const str
     add(&s, CANVAS_CYAN, "%6s %5s %-11s %s", "task", "wait", "owner", "line");
     for (uint32_t i = 0; i < listed; i++)
         add(&s, t[i].is_scope ? CANVAS_GREY : CANVAS_WHITE, "%6u %5s %-11s %s", (unsigned)t[i].serial,
-            state_of(&t[i], state, sizeof state), owner_of(&t[i], owner, sizeof owner), t[i].place);
+            state_of(&t[i], state, sizeof state), owner_of(&t[i], owner, sizeof owner), t[i].location);
     place(l, canvas, &s);
 }
 
@@ -487,10 +487,10 @@ static void add_voice(struct panel *s, int i, const struct board *b, int level)
 
     inspect_voice(b, i, &v);
     const int semitone = (v.pitch + 32768) >> 16;
-    if (v.busy)
+    if (v.is_busy)
         add(s, v.is_ending ? CANVAS_GREY : CANVAS_WHITE, "%c%-2d  %-16.16s %-6s o%d%-2s  %4d", v.is_music ? 'm' : 's',
-            v.is_music ? i + 1 : i + 1 - VOICES_MUSIC, v.source, v.wave, semitone / 12 - 1, notes[semitone % 12],
-            v.pan);
+            v.is_music ? i + 1 : i + 1 - VOICES_MUSIC, v.source, v.instrument_kind, semitone / 12 - 1,
+            notes[semitone % 12], v.pan);
     else
         add(s, CANVAS_GREY, "%c%d", v.is_music ? 'm' : 's', v.is_music ? i + 1 : i + 1 - VOICES_MUSIC);
     add_level(s, level);
@@ -530,7 +530,7 @@ static void add_author(struct panel *s, const struct board *b, uint32_t by)
     if (!by)
         return;
     if (inspect_task(b, by, &task))
-        add(s, CANVAS_WHITE, "by     task %u %s", (unsigned)by, task.place);
+        add(s, CANVAS_WHITE, "by     task %u %s", (unsigned)by, task.location);
     else
         add(s, CANVAS_WHITE, "by     task %u, ended", (unsigned)by);
 }
@@ -565,8 +565,8 @@ static void add_health(struct panel *s, const struct inspect_entity *t)
     if (enemy)
         add(s, CANVAS_WHITE, "age    %u", (unsigned)t->age);
     add(s, CANVAS_WHITE, enemy ? "hp     %d" : "lives  %d", (int)(enemy ? t->hp : t->lives));
-    if (t->safe)
-        add(s, CANVAS_WHITE, t->safe < 0 ? "safe   always" : "safe   %d", (int)t->safe);
+    if (t->safe_left)
+        add(s, CANVAS_WHITE, t->safe_left < 0 ? "safe   always" : "safe   %d", (int)t->safe_left);
 }
 
 static void describe(struct panel *s, const struct board *b, const struct inspect_entity *t)
@@ -609,7 +609,7 @@ static void place_thing(struct layout *l, const struct overlay_place *at, const 
     if (x < 0 || y < y0 || y >= y1 || (!at->beside && on_panel(l, x, y)))
         return;
     draw_pointer(at->picture, x, y);
-    if (!inspect_at(b, x, y, MOUSE, &t))
+    if (!inspect_entity_at(b, x, y, MOUSE, &t))
         return;
     draw_shape(at->picture, &t.body, CANVAS_WHITE);
     describe(&s, b, &t);

@@ -16,7 +16,7 @@ void prompt_open(struct prompt *p, const struct plat_input *in)
 
 static bool pressed(const struct prompt *p, const struct plat_input *in, unsigned usage)
 {
-    return plat_key_held(in, usage) && !(p->held[usage >> 3] >> (usage & 7) & 1);
+    return plat_is_key_held(in, usage) && !(p->held[usage >> 3] >> (usage & 7) & 1);
 }
 
 /* 1 to 9 lie before 0, in both rows. */

@@ -396,7 +396,7 @@ static struct box used_box(const struct stack *s)
 
 static void write_header(uint8_t *p, const struct art_sprite *sprite, struct box b, int pitch, int ox, int oy, int bank)
 {
-    memset(p, 0, CART_GFX_HEADER);
+    memset(p, 0, CART_GFX_HEADER_SIZE);
     bytes_put16(p, (uint16_t)(b.x1 - b.x0));
     bytes_put16(p + 2, (uint16_t)(b.y1 - b.y0));
     bytes_put16(p + 4, (uint16_t)pitch);
@@ -414,12 +414,12 @@ static bool write_lump(const struct stack *s, const struct art_sprite *sprite, s
 {
     int w = b.x1 - b.x0, h = b.y1 - b.y0, pitch = (w + 7) / 8 * 8;
 
-    *size = CART_GFX_HEADER + (size_t)pitch * (size_t)h * (size_t)s->n;
+    *size = CART_GFX_HEADER_SIZE + (size_t)pitch * (size_t)h * (size_t)s->n;
     *out = calloc(1, *size);
     if (*out == NULL)
         return false;
     write_header(*out, sprite, b, pitch, ox, oy, bank);
-    uint8_t *row = *out + CART_GFX_HEADER;
+    uint8_t *row = *out + CART_GFX_HEADER_SIZE;
     for (int i = 0; i < s->n; i++)
         for (int y = b.y0; y < b.y1; y++, row += pitch)
             memcpy(row, stack_picture(s, i) + y * s->w + b.x0, (size_t)w);

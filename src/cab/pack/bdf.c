@@ -22,9 +22,9 @@ struct charset {
 };
 
 static const struct charset charsets[] = {
-    { "ISO10646", UTF8_MAX + 1, NULL },
-    { "ISO10646-1", UTF8_MAX + 1, NULL },
-    { "FONTSPECIFIC", UTF8_MAX + 1, NULL }, /* numbers of its own, or names that tell the code */
+    { "ISO10646", UTF8_MAX_CODE + 1, NULL },
+    { "ISO10646-1", UTF8_MAX_CODE + 1, NULL },
+    { "FONTSPECIFIC", UTF8_MAX_CODE + 1, NULL }, /* its own numbers, or names that give the code */
     { "ISO8859-1", 0x100, NULL },
     { "US-ASCII", 0x80, NULL },
     { "ASCII", 0x80, NULL },
@@ -297,7 +297,7 @@ static int64_t code_of_name(const char *name)
 
     for (; cursor_hex_value(name[head + n]) >= 0 && n < 7; n++)
         code = code * 16 + cursor_hex_value(name[head + n]);
-    return head > 0 && n >= 4 && n <= 6 && name[head + n] == '\0' && code <= UTF8_MAX ? code : -1;
+    return head > 0 && n >= 4 && n <= 6 && name[head + n] == '\0' && code <= UTF8_MAX_CODE ? code : -1;
 }
 
 /* One row of hexadecimal digits into w shades; NULL: nobody wants it. */
@@ -384,7 +384,7 @@ static bool read_letter_line(struct reader *r, struct letter *l, int64_t named)
     int64_t v[NUMBERS];
 
     if ((s = behind(r, "ENCODING")) != NULL) {
-        if (!numbers(r, s, 1, -1, UTF8_MAX, v))
+        if (!numbers(r, s, 1, -1, UTF8_MAX_CODE, v))
             return false;
         l->encoded = true;
         l->code = strcmp(r->charset->name, "FONTSPECIFIC") == 0 && named >= 0 ? named : code_of(r->charset, v[0]);

@@ -365,12 +365,12 @@ bool compress_rom(const void *rom, size_t rom_size, uint8_t **out, size_t *size)
 
     *out = NULL;
     *size = 0;
-    if (!w || rom_size <= COMPRESSED_HEADER || rom_size > COMPRESSED_MAX_SIZE) {
+    if (!w || rom_size <= COMPRESSED_HEADER_SIZE || rom_size > COMPRESSED_MAX_SIZE) {
         free(w);
         return w != NULL;
     }
     *w = (struct writer){ .in = rom, .size = rom_size, .range = UINT32_MAX, .pending = 1 };
-    w->room = rom_size - COMPRESSED_HEADER;
+    w->room = rom_size - COMPRESSED_HEADER_SIZE;
     w->out = malloc(rom_size);
     w->two = calloc((1 << 16) + 2 * ((size_t)1 << HASH_BITS) + rom_size, sizeof *w->two);
     if (w->out && w->two) {
@@ -383,8 +383,8 @@ bool compress_rom(const void *rom, size_t rom_size, uint8_t **out, size_t *size)
     }
     free(w->two);
     if (good && w->n < w->room && rom_size / COMPRESSED_MAX_RATIO <= w->n) {
-        memmove(w->out + COMPRESSED_HEADER, w->out, w->n);
-        *size = COMPRESSED_HEADER + w->n;
+        memmove(w->out + COMPRESSED_HEADER_SIZE, w->out, w->n);
+        *size = COMPRESSED_HEADER_SIZE + w->n;
         compressed_write_header(w->out, *size, rom, rom_size);
         *out = w->out;
         w->out = NULL;

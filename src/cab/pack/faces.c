@@ -32,7 +32,7 @@ static void skip_comment(struct cursor *at)
             at->p++;
         return;
     }
-    while (at->p < at->end && !cursor_at_long_close(at, level))
+    while (at->p < at->end && !cursor_is_at_long_close(at, level))
         at->p++;
 }
 
@@ -43,7 +43,7 @@ static void add_escape(struct faces_set *s, const struct cursor *at)
 
     if (cursor_peek(at, 1) != 'u' || cursor_peek(at, 2) != '{')
         return;
-    for (size_t i = 3; cursor_hex_value(cursor_peek(at, i)) >= 0 && code <= UTF8_MAX; i++)
+    for (size_t i = 3; cursor_hex_value(cursor_peek(at, i)) >= 0 && code <= UTF8_MAX_CODE; i++)
         code = code * 16 + (uint32_t)cursor_hex_value(cursor_peek(at, i));
     faces_add(s, code);
 }
@@ -160,7 +160,7 @@ bool faces_shadow(struct faces *f)
 
 size_t faces_make(const struct faces *f, uint8_t **out)
 {
-    size_t at = FACE_HEADER + (size_t)f->n * FACE_GLYPH_SIZE, size = at;
+    size_t at = FACE_HEADER_SIZE + (size_t)f->n * FACE_GLYPH_SIZE, size = at;
 
     for (int i = 0; i < f->n; i++)
         size += (size_t)((f->list[i].w + 7) / 8 * 8) * (size_t)f->list[i].h;
@@ -172,7 +172,7 @@ size_t faces_make(const struct faces *f, uint8_t **out)
     for (int i = 0; i < f->n; i++) {
         const struct faces_glyph *g = &f->list[i];
         const int pitch = (g->w + 7) / 8 * 8;
-        uint8_t *p = *out + FACE_HEADER + (size_t)i * FACE_GLYPH_SIZE;
+        uint8_t *p = *out + FACE_HEADER_SIZE + (size_t)i * FACE_GLYPH_SIZE;
         bytes_put32(p, g->code);
         bytes_put32(p + 4, (uint32_t)at);
         p[8] = (uint8_t)g->w;

@@ -13,17 +13,17 @@
 
 /* A set of code points. */
 struct faces_set {
-    uint8_t bits[UTF8_MAX / 8 + 1];
+    uint8_t bits[UTF8_MAX_CODE / 8 + 1];
 };
 
 static inline bool faces_has(const struct faces_set *s, uint32_t code)
 {
-    return code <= UTF8_MAX && (s->bits[code / 8] >> (code % 8) & 1);
+    return code <= UTF8_MAX_CODE && (s->bits[code / 8] >> (code % 8) & 1);
 }
 
 static inline void faces_add(struct faces_set *s, uint32_t code)
 {
-    if (code <= UTF8_MAX)
+    if (code <= UTF8_MAX_CODE)
         s->bits[code / 8] = (uint8_t)(s->bits[code / 8] | 1u << code % 8);
 }
 

@@ -48,7 +48,7 @@ bool icon_check(const uint8_t *png, size_t size, char *err, size_t err_size)
 /* The first picture of a sprite, in the colours of palette/main. */
 static bool read_sprite(const struct cart *cart, const struct lump *lump, struct rgba *out)
 {
-    char name[ART_NAME];
+    char name[ART_NAME_SIZE];
     struct sprite s;
 
     snprintf(name, sizeof name, "%.*s", (int)lump->size, (const char *)lump->data);

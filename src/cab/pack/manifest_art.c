@@ -15,7 +15,7 @@ static void read_palettes(const struct at *root, struct art *art)
     at_file(root, "border", art->border);
     if (!at_table(root, "palettes", &a))
         return;
-    art->n_palettes = at_keys(&a, art->palettes, MAX_ART_PALETTES, sizeof art->palettes[0], ART_NAME);
+    art->n_palettes = at_keys(&a, art->palettes, MAX_ART_PALETTES, sizeof art->palettes[0], ART_NAME_SIZE);
     for (int i = 0; i < art->n_palettes; i++) {
         at_file(&a, art->palettes[i].name, art->palettes[i].file);
         if (strcmp(art->palettes[i].name, "main") == 0)
@@ -75,7 +75,7 @@ static void read_blends(const struct at *root, struct art *art)
 
     if (!at_table(root, "blends", &a))
         return;
-    art->n_blends = at_keys(&a, art->blends, MAX_ART_BLENDS, sizeof art->blends[0], ART_NAME);
+    art->n_blends = at_keys(&a, art->blends, MAX_ART_BLENDS, sizeof art->blends[0], ART_NAME_SIZE);
     for (int i = 0; i < art->n_blends; i++)
         art->blends[i].mix = read_blend(&a, art->blends[i].name);
     lua_pop(a.lua, 1);
@@ -99,12 +99,12 @@ static bool get_match(const struct at *a, bool usual)
 }
 
 /* palette = NAME: the picture is drawn in the colours of that one. */
-static void get_palette(const struct at *a, const struct art *art, char name[ART_NAME])
+static void get_palette(const struct at *a, const struct art *art, char name[ART_NAME_SIZE])
 {
     char path[MAX_PATH];
 
     at_path(a, "palette", path);
-    if (!at_text(a, "palette", "a palette's name", name, ART_NAME) || strcmp(name, "main") == 0) {
+    if (!at_text(a, "palette", "a palette's name", name, ART_NAME_SIZE) || strcmp(name, "main") == 0) {
         name[0] = '\0';
         return;
     }
@@ -143,7 +143,7 @@ static void read_fonts(const struct at *root, struct art *art)
 
     if (!at_table(root, "fonts", &a))
         return;
-    art->n_fonts = at_keys(&a, art->fonts, MAX_ART_FONTS, sizeof art->fonts[0], ART_NAME);
+    art->n_fonts = at_keys(&a, art->fonts, MAX_ART_FONTS, sizeof art->fonts[0], ART_NAME_SIZE);
     for (int i = 0; i < art->n_fonts; i++) {
         struct art_font *f = &art->fonts[i];
         at_table(&a, f->name, &one);
@@ -167,7 +167,7 @@ static void read_sheets(const struct at *root, struct art *art)
 
     if (!at_table(root, "sheets", &a))
         return;
-    art->n_sheets = at_keys(&a, art->sheets, MAX_ART_SHEETS, sizeof art->sheets[0], ART_NAME);
+    art->n_sheets = at_keys(&a, art->sheets, MAX_ART_SHEETS, sizeof art->sheets[0], ART_NAME_SIZE);
     for (int i = 0; i < art->n_sheets; i++) {
         struct art_sheet *s = &art->sheets[i];
         at_table(&a, s->name, &one);
@@ -184,7 +184,7 @@ static void read_sheets(const struct at *root, struct art *art)
 
 static int32_t sheet_index(const struct at *a, const struct art *art)
 {
-    char name[ART_NAME] = "", path[MAX_PATH];
+    char name[ART_NAME_SIZE] = "", path[MAX_PATH];
 
     at_path(a, "sheet", path);
     if (!at_text(a, "sheet", "a sheet's name", name, sizeof name))
@@ -289,8 +289,8 @@ static void read_sprite_sizes(const struct at *a, struct art *art, const struct 
         struct art_sprite *more = &art->sprites[art->n_sprites++];
         *more = *s;
         more->scale_percent = percent;
-        if (snprintf(more->name, ART_NAME, "%s_%d", s->name, percent) >= ART_NAME)
-            at_bad(a->lua, path, "sprite name %s_%d is longer than %d bytes", s->name, percent, ART_NAME - 1);
+        if (snprintf(more->name, ART_NAME_SIZE, "%s_%d", s->name, percent) >= ART_NAME_SIZE)
+            at_bad(a->lua, path, "sprite name %s_%d is longer than %d bytes", s->name, percent, ART_NAME_SIZE - 1);
     }
     lua_pop(a->lua, 1);
 }
@@ -317,7 +317,7 @@ static void read_sprites(const struct at *root, struct art *art)
 
     if (!at_table(root, "sprites", &a))
         return;
-    art->n_sprites = at_keys(&a, art->sprites, MAX_ART_SPRITES, sizeof art->sprites[0], ART_NAME);
+    art->n_sprites = at_keys(&a, art->sprites, MAX_ART_SPRITES, sizeof art->sprites[0], ART_NAME_SIZE);
     const int n = art->n_sprites;
     for (int i = 0; i < n; i++) {
         at_table(&a, art->sprites[i].name, &one);
@@ -379,17 +379,17 @@ static void read_tiles(const struct at *a, struct art_map *map)
     const bool several = lua_istable(a->lua, -1);
     lua_pop(a->lua, 1);
     if (!several) {
-        at_file(a, "tiles", map->tiles[0]);
-        map->n_tiles = 1;
+        at_file(a, "tiles", map->tile_files[0]);
+        map->n_tile_files = 1;
         return;
     }
     at_table(a, "tiles", &pictures);
-    map->n_tiles = at_list(&pictures, MAX_ART_TILES);
-    for (int i = 0; i < map->n_tiles; i++) {
+    map->n_tile_files = at_list(&pictures, MAX_ART_TILE_FILES);
+    for (int i = 0; i < map->n_tile_files; i++) {
         at_item(&pictures, i + 1, path);
-        at_to_file(a->lua, path, map->tiles[i]);
+        at_to_file(a->lua, path, map->tile_files[i]);
     }
-    if (map->n_tiles == 0)
+    if (map->n_tile_files == 0)
         at_bad(a->lua, pictures.path, "expected at least one picture");
     lua_pop(a->lua, 1);
 }
@@ -413,7 +413,7 @@ static void read_map(const struct at *a, struct art *art, struct art_map *map)
     const bool file = at_file(a, "file", map->file), tmx = files_has_suffix(map->file, ".tmx");
     if (file && !tmx && !files_has_suffix(map->file, ".csv"))
         at_bad(a->lua, a->path, "file: expected a .csv or .tmx file, got \"%s\"", map->file);
-    if (map->n_tiles > 1 && !tmx)
+    if (map->n_tile_files > 1 && !tmx)
         at_bad(a->lua, a->path, "tiles: only a .tmx map can use tiles from several pictures");
     if (map->layer[0] != '\0' && !tmx)
         at_bad(a->lua, a->path, "layer: only a .tmx map has layers");
@@ -452,13 +452,13 @@ static void read_maps(const struct at *root, struct manifest *m, struct art *art
 
     if (!at_table(root, "maps", &a))
         return;
-    art->n_maps = at_keys(&a, art->maps, MAX_ART_MAPS, sizeof art->maps[0], ART_NAME);
+    art->n_maps = at_keys(&a, art->maps, MAX_ART_MAPS, sizeof art->maps[0], ART_NAME_SIZE);
     for (int i = 0; i < art->n_maps; i++) {
         at_table(&a, art->maps[i].name, &one);
         read_map(&one, art, &art->maps[i]);
         lua_pop(a.lua, 1);
     }
-    m->bg = m->bg || art->n_maps > 0;
+    m->has_backgrounds = m->has_backgrounds || art->n_maps > 0;
     lua_pop(a.lua, 1);
 }
 

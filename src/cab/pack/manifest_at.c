@@ -132,14 +132,14 @@ bool at_text(const struct at *a, const char *key, const char *what, char *out, s
 }
 
 /* The value on top as the path of a file in the game's folder; popped. */
-void at_to_file(lua_State *lua, const char *path, char out[ART_FILE])
+void at_to_file(lua_State *lua, const char *path, char out[ART_FILE_SIZE])
 {
-    at_to_text(lua, path, "a file", out, ART_FILE);
+    at_to_text(lua, path, "a file", out, ART_FILE_SIZE);
     if (!manifest_path_ok(out))
         at_bad(lua, path, "expected a file inside the folder (letters, digits, _ - . /), got \"%s\"", out);
 }
 
-bool at_file(const struct at *a, const char *key, char out[ART_FILE])
+bool at_file(const struct at *a, const char *key, char out[ART_FILE_SIZE])
 {
     char path[MAX_PATH];
 

@@ -32,13 +32,13 @@ bool at_table(const struct at *a, const char *key, struct at *out);
 
 /* The value on top as a whole number, or as the path of a file in the game's folder; popped. */
 int64_t at_to_whole(lua_State *lua, const char *path, int64_t lo, int64_t hi);
-void at_to_file(lua_State *lua, const char *path, char out[ART_FILE]);
+void at_to_file(lua_State *lua, const char *path, char out[ART_FILE_SIZE]);
 
 /* a[key] into what is passed, which stays when it is nil. what: "a file", "a word". */
 void at_whole(const struct at *a, const char *key, int32_t lo, int32_t hi, int32_t *v);
 void at_need_whole(const struct at *a, const char *key, int32_t lo, int32_t hi, int32_t *v);
 bool at_text(const struct at *a, const char *key, const char *what, char *out, size_t size);
-bool at_file(const struct at *a, const char *key, char out[ART_FILE]);
+bool at_file(const struct at *a, const char *key, char out[ART_FILE_SIZE]);
 bool at_real(const struct at *a, const char *key, double lo, double hi, double *v);
 bool at_flag(const struct at *a, const char *key);
 

@@ -195,7 +195,7 @@ static void read_loop_table(const struct at *a, struct art_loop *loop)
     char unit[16] = "frames";
 
     at_only(a, names);
-    loop->kind = LOOP_GIVEN;
+    loop->kind = LOOP_RANGE;
     at_text(a, "unit", "a word", unit, sizeof unit);
     loop->in_seconds = strcmp(unit, "seconds") == 0;
     if (!loop->in_seconds && strcmp(unit, "frames") != 0)
@@ -229,7 +229,7 @@ static void read_markers(const struct at *a, struct art_sound *s, struct art *ar
         return;
     s->first_marker = art->n_markers;
     s->n_markers = at_keys(&table, art->markers + art->n_markers, room < MAX_MARKERS ? room : MAX_MARKERS,
-                           sizeof art->markers[0], ART_NAME);
+                           sizeof art->markers[0], ART_NAME_SIZE);
     for (int i = 0; i < s->n_markers; i++)
         at_real(&table, art->markers[s->first_marker + i].name, 0, 1 << 20, &art->markers[s->first_marker + i].beat);
     art->n_markers += s->n_markers;
@@ -311,7 +311,7 @@ static int read_sound_list(const struct at *root, const char *key, struct art_so
 
     if (!at_table(root, key, &a))
         return 0;
-    const int n = at_keys(&a, list_, most, sizeof *list_, ART_NAME);
+    const int n = at_keys(&a, list_, most, sizeof *list_, ART_NAME_SIZE);
     for (int i = 0; i < n; i++) {
         at_table(&a, list_[i].name, &one);
         read_sound(&one, &list_[i], strcmp(key, "music") == 0, art);
@@ -326,7 +326,7 @@ static void read_sounds(const struct at *root, struct manifest *m, struct art *a
 {
     art->n_sounds = read_sound_list(root, "sounds", art->sounds, MAX_ART_SOUNDS, art);
     art->n_tunes = read_sound_list(root, "music", art->tunes, MAX_ART_TUNES, art);
-    m->sound = m->sound || art->n_sounds > 0 || art->n_tunes > 0;
+    m->has_sound = m->has_sound || art->n_sounds > 0 || art->n_tunes > 0;
 }
 
 static void read_root(const struct at *root, struct manifest *m, struct art *art)
@@ -422,7 +422,7 @@ static void explain(lua_State *lua, int status, int line, const char *file, char
         snprintf(err, err_size, "%s", message);
     else
         snprintf(err, err_size, "%s: %s", file, message);
-    utf8_blank(err, false); /* a sentence stays one line, whatever the text quotes */
+    utf8_replace_hidden(err, false); /* a sentence stays one line, whatever the text quotes */
 }
 
 /* A folder's name as an id: lower case, _ for what an id may not hold. */
@@ -460,7 +460,7 @@ bool manifest_read(const char *text, size_t n, const char *file, const char *fol
     struct host host;
     char why[256];
 
-    manifest_default(m);
+    manifest_set_defaults(m);
     if (folder[0] != '\0')
         id_from(folder, m->id);
     memset(art, 0, sizeof *art);

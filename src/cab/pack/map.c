@@ -146,11 +146,11 @@ static bool join(const struct making *m, const uint8_t *cells, uint8_t **out, si
     const size_t n = (size_t)m->cells->cols * (size_t)m->cells->rows, tile = tile_bytes(m);
     bool whole = true;
 
-    *size = CART_MAP_HEADER + 2 * n + (size_t)m->tiles * (1 + tile);
+    *size = CART_MAP_HEADER_SIZE + 2 * n + (size_t)m->tiles * (1 + tile);
     uint8_t *p = *out = calloc(1, *size);
     if (p == NULL)
         return result_set_host_error(m->err, m->err_size, "out of memory");
-    uint8_t *solid = p + CART_MAP_HEADER + 2 * n;
+    uint8_t *solid = p + CART_MAP_HEADER_SIZE + 2 * n;
     for (int i = 0; i < m->tiles; i++)
         solid[i] = memchr(m->pix + (size_t)i * tile, 0, tile) == NULL;
     for (size_t i = 0; i < n; i++)
@@ -161,7 +161,7 @@ static bool join(const struct making *m, const uint8_t *cells, uint8_t **out, si
     bytes_put16(p + 6, (uint16_t)m->tiles);
     bytes_put16(p + 8, (uint16_t)m->bank);
     bytes_put16(p + 10, whole);
-    memcpy(p + CART_MAP_HEADER, cells, 2 * n);
+    memcpy(p + CART_MAP_HEADER_SIZE, cells, 2 * n);
     memcpy(solid + m->tiles, m->pix, (size_t)m->tiles * tile);
     return true;
 }

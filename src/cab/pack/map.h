@@ -28,7 +28,7 @@ static inline uint32_t map_turns(uint32_t gid)
     return (gid >> 31 & 1 ? MAP_FLIP_X : 0u) | (gid >> 30 & 1 ? MAP_FLIP_Y : 0u) | (gid >> 29 & 1 ? MAP_DIAGONAL : 0u);
 }
 
-enum { MAP_SHEETS = MAX_ART_TILES, MAP_PLACE = TREE_PATH + 16 };
+enum { MAP_SHEETS = MAX_ART_TILE_FILES, MAP_PLACE = TREE_PATH + 16 };
 
 /* A sheet of tiles that cells are cut from. */
 struct map_sheet {

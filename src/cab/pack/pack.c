@@ -212,7 +212,7 @@ static bool add_script(struct packer *p, const char *path)
         free(text);
         return false;
     }
-    p->std |= std_modules_used((const char *)text, size);
+    p->std |= std_find_used_modules((const char *)text, size);
     if (p->art.n_fonts > 0)
         faces_add_script(&p->shown, (const char *)text, size);
     return std ? pack_add(p, "script/@std/", path + 4, text, size) : pack_add(p, "script/", path, text, size);
@@ -326,7 +326,7 @@ static bool add_bulletml(struct packer *p, const char *path)
 /* Documents are there for a game that has room to run them. */
 static bool goes_in(const struct packer *p, const char *path)
 {
-    return files_has_suffix(path, ".txt") || (p->m.bulletml > 0 && pack_is_bulletml(path));
+    return files_has_suffix(path, ".txt") || (p->m.bulletml_runners > 0 && pack_is_bulletml(path));
 }
 
 static bool add_file(struct packer *p, const char *path)
@@ -387,7 +387,7 @@ static uint64_t own_modules(const struct packer *p)
 {
     uint64_t own = 0;
 
-    for (int i = 0; i < STD_MODULES; i++)
+    for (int i = 0; i < STD_MODULE_COUNT; i++)
         own |= (uint64_t)replaced(p, std_module_name(i)) << i;
     return own;
 }
@@ -422,7 +422,7 @@ static bool add_std(struct packer *p)
         const struct embedded *s = library(std_module_name(i));
         if (!add_module(p, s))
             return false;
-        p->std |= std_modules_needed(i, (const char *)s->data, s->size);
+        p->std |= std_find_needed_modules(i, (const char *)s->data, s->size);
         in |= (uint64_t)1 << i;
     }
     return add_pieces(p);

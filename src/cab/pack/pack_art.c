@@ -35,7 +35,7 @@
 static void tell_faint(struct packer *p, const char *file, const struct art_picture *picture, const uint8_t *marked)
 {
     const struct art_faint f = art_find_faint(picture, marked);
-    char why[128], sentence[ART_FILE + 160];
+    char why[128], sentence[ART_FILE_SIZE + 160];
 
     if (f.n == 0 || p->warn == NULL)
         return;
@@ -239,7 +239,7 @@ static bool add_faces(struct packer *p)
 /* Adds what became of a sprite, and its hit shape if one was drawn. */
 static bool add_made(struct packer *p, const struct ase_sprite *made, const struct art_sheet *s)
 {
-    uint8_t hit[CART_HIT_SIZE], *data;
+    uint8_t hit[CART_HITBOX_SIZE], *data;
     size_t size;
     char why[256];
     bool pixel;
@@ -251,7 +251,7 @@ static bool add_made(struct packer *p, const struct ase_sprite *made, const stru
                    : err_set(p->err, p->err_size, "%s: sprite \"%s\": %s", s->file, made->sprite.name, why);
     if (!pack_add(p, "gfx/", made->sprite.name, data, size))
         return false;
-    cart_pack_hit(&made->hit, hit);
+    cart_pack_hitbox(&made->hit, hit);
     return made->hit.rows == 0 || pack_add_copy(p, "hit/", made->sprite.name, hit, sizeof hit);
 }
 
@@ -347,10 +347,10 @@ static int picture_of(struct packer *p, const struct art_map *m, const struct ma
 {
     const struct map_sheet *s = &cells->sheet[i];
 
-    if (!cells->named && m->n_tiles == 1)
+    if (!cells->named && m->n_tile_files == 1)
         return 0;
-    for (int k = 0; k < m->n_tiles; k++)
-        if (strcmp(m->tiles[k], s->picture) == 0)
+    for (int k = 0; k < m->n_tile_files; k++)
+        if (strcmp(m->tile_files[k], s->picture) == 0)
             return k;
     if (s->picture[0] == '\0')
         err_set(p->err, p->err_size, "%s: the tileset's picture is outside the game's folder", s->place);
@@ -365,7 +365,7 @@ static bool make_map(struct packer *p, const struct art_map *m, const struct map
                      const struct art_picture *art)
 {
     struct map_picture picture[MAP_SHEETS];
-    char where[ART_FILE + ART_NAME + 16];
+    char where[ART_FILE_SIZE + ART_NAME_SIZE + 16];
     uint8_t *data;
     size_t size;
 
@@ -374,7 +374,7 @@ static bool make_map(struct packer *p, const struct art_map *m, const struct map
         const int k = picture_of(p, m, cells, i);
         if (k < 0)
             return false;
-        picture[i] = (struct map_picture){ &art[k], m->tiles[k] };
+        picture[i] = (struct map_picture){ &art[k], m->tile_files[k] };
         if (!map_fits(cells, i, &picture[i], p->err, p->err_size))
             return false;
     }
@@ -385,19 +385,19 @@ static bool make_map(struct packer *p, const struct art_map *m, const struct map
 
 static bool add_map(struct packer *p, const struct art_map *m)
 {
-    struct art_picture pictures[MAX_ART_TILES] = { 0 };
+    struct art_picture pictures[MAX_ART_TILE_FILES] = { 0 };
     struct map_cells cells;
 
     if (!load_cells(p, m, &cells))
         return false;
     bool good = true;
-    for (int i = 0; good && i < m->n_tiles; i++) {
-        good = load_picture(p, m->tiles[i], m->by_index, &pictures[i]);
+    for (int i = 0; good && i < m->n_tile_files; i++) {
+        good = load_picture(p, m->tile_files[i], m->by_index, &pictures[i]);
         if (good)
-            tell_faint(p, m->tiles[i], &pictures[i], NULL);
+            tell_faint(p, m->tile_files[i], &pictures[i], NULL);
     }
     good = good && make_map(p, m, &cells, pictures);
-    for (int i = 0; i < m->n_tiles; i++)
+    for (int i = 0; i < m->n_tile_files; i++)
         art_picture_free(&pictures[i]);
     free(cells.cell);
     return good;

@@ -32,7 +32,7 @@
 
 bool rom_image_plain(uint8_t **bytes, size_t *size, char *err, size_t err_size)
 {
-    if (!compressed_detect(*bytes, *size))
+    if (!compressed_has_magic(*bytes, *size))
         return true;
     const size_t plain_size = compressed_plain_size(*bytes, *size, err, err_size);
     if (plain_size == 0)
@@ -63,7 +63,7 @@ static bool load_file(const char *path, struct rom_image *out, char *err, size_t
     return err_set(err, err_size, "%s: %s", path, why);
 }
 
-static void ignore_entry(void *user, const struct plat_file *file)
+static void ignore_entry(void *user, const struct plat_folder_entry *file)
 {
     (void)user;
     (void)file;
@@ -137,7 +137,7 @@ static bool folders_free(const struct tree *files, const char *name, const char 
         *slash = '\0';
         if (tree_has(files, folder))
             return err_set(err, err_size, "%s would be both a file and a folder (for %s)", folder, name);
-        if (tree_join(path, dir, folder) && plat_size(path) >= 0)
+        if (tree_join(path, dir, folder) && plat_file_size(path) >= 0)
             return err_set(err, err_size, "%s: a file with this name exists, but %s needs a folder there", path, name);
     }
     return true;
@@ -156,7 +156,7 @@ static bool may_unpack(const struct tree *files, const char *dir, char *err, siz
             return err_set(err, err_size, "\"%s\" is not a valid file name", name);
         if (i > 0 && strcmp(files->name[i - 1], name) == 0)
             return err_set(err, err_size, "two lumps would be written to %s", name);
-        if (plat_size(path) >= 0)
+        if (plat_file_size(path) >= 0)
             return err_set(err, err_size, "%s: already exists", path);
         if (!folders_free(files, name, dir, err, err_size))
             return false;

@@ -72,7 +72,7 @@ struct listing {
     struct tree folders;
 };
 
-static void list_entry(void *user, const struct plat_file *file)
+static void list_entry(void *user, const struct plat_folder_entry *file)
 {
     struct listing *l = user;
 

@@ -103,18 +103,18 @@ static void pressed(struct seats *s, int i, int players, uint32_t fresh)
     s->waits[player] = false;
 }
 
-void seats_poll(struct seats *s, int players, const uint32_t held[PLAT_CONTROLLERS],
-                const struct plat_controller *const plugged[PLAT_CONTROLLERS])
+void seats_poll(struct seats *s, int players, const uint32_t held[PLAT_MAX_CONTROLLERS],
+                const struct plat_controller *const plugged[PLAT_MAX_CONTROLLERS])
 {
     s->events = 0;
     players = players < 1 ? 1 : players > MAX_PLAYERS ? MAX_PLAYERS : players;
-    for (int i = 0; i < PLAT_CONTROLLERS; i++)
+    for (int i = 0; i < PLAT_MAX_CONTROLLERS; i++)
         if (s->there[i] && (!plugged[i] || plugged[i]->id != s->is[i].id))
             goes(s, i);
-    for (int i = 0; i < PLAT_CONTROLLERS; i++)
+    for (int i = 0; i < PLAT_MAX_CONTROLLERS; i++)
         if (!s->there[i] && plugged[i])
             comes(s, i, plugged[i], held[i]);
-    for (int i = 0; i < PLAT_CONTROLLERS; i++) {
+    for (int i = 0; i < PLAT_MAX_CONTROLLERS; i++) {
         uint32_t now = s->there[i] ? held[i] : 0, fresh = now & ~s->held[i];
 
         s->held[i] = now;

@@ -16,7 +16,7 @@
 #include "../../../platform/platform.h"
 #include "../../base/pads.h"
 
-enum { SEAT_EMPTY = -1, SEATS_EVENTS = 3 * PLAT_CONTROLLERS /* one may go, another come, and be pressed */ };
+enum { SEAT_EMPTY = -1, SEATS_EVENTS = 3 * PLAT_MAX_CONTROLLERS /* one may go, another come, and be pressed */ };
 
 enum seats_what {
     SEATS_TAKEN, /* a player has this controller now */
@@ -34,13 +34,13 @@ struct seats_event {
 };
 
 struct seats {
-    struct plat_controller is[PLAT_CONTROLLERS];
-    bool there[PLAT_CONTROLLERS];
-    uint32_t held[PLAT_CONTROLLERS];     /* at the last poll */
-    uint32_t ignored[PLAT_CONTROLLERS];  /* until they are let go */
-    uint32_t switches[PLAT_CONTROLLERS]; /* what this poll hands on: held and not ignored */
-    int seat[MAX_PLAYERS];               /* controller of each player, or SEAT_EMPTY */
-    bool waits[MAX_PLAYERS];             /* an empty one: for the return of was */
+    struct plat_controller is[PLAT_MAX_CONTROLLERS];
+    bool there[PLAT_MAX_CONTROLLERS];
+    uint32_t held[PLAT_MAX_CONTROLLERS];     /* at the last poll */
+    uint32_t ignored[PLAT_MAX_CONTROLLERS];  /* until they are released */
+    uint32_t switches[PLAT_MAX_CONTROLLERS]; /* what this poll hands on: held and not ignored */
+    int seat[MAX_PLAYERS];                   /* controller of each player, or SEAT_EMPTY */
+    bool waits[MAX_PLAYERS];                 /* an empty one: for the return of was */
     struct plat_controller was[MAX_PLAYERS];
     struct seats_event event[SEATS_EVENTS]; /* of the last poll */
     int events;
@@ -48,10 +48,10 @@ struct seats {
 
 void seats_open(struct seats *s);
 
-/* A poll: what is held, and what plat_controller says of each (NULL: it is not there). players: how many the game is
- * for. Afterwards s->switches, s->seat and s->event are this poll's. */
-void seats_poll(struct seats *s, int players, const uint32_t held[PLAT_CONTROLLERS],
-                const struct plat_controller *const plugged[PLAT_CONTROLLERS]);
+/* A poll: the held buttons, and the description of each controller from plat_get_controller (NULL: not connected).
+ * players: number of players of the game. Afterwards s->switches, s->seat and s->event are this poll's. */
+void seats_poll(struct seats *s, int players, const uint32_t held[PLAT_MAX_CONTROLLERS],
+                const struct plat_controller *const plugged[PLAT_MAX_CONTROLLERS]);
 
 /* The player that a controller plays for; -1: none. */
 int seats_player(const struct seats *s, int controller);

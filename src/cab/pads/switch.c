@@ -66,7 +66,7 @@ static unsigned key_code(const char *s)
 
 static unsigned controller_code(const char *s)
 {
-    unsigned which = s[3] >= '1' && s[3] < '1' + PLAT_CONTROLLERS ? (unsigned)(s[3] - '0') : 0;
+    unsigned which = s[3] >= '1' && s[3] < '1' + PLAT_MAX_CONTROLLERS ? (unsigned)(s[3] - '0') : 0;
     s += which ? 4 : 3;
     if (*s++ != '.')
         return 0;
@@ -189,24 +189,24 @@ static const char *const common[PLAT_BUTTONS] = {
     [PLAT_START] = "Start",
     [PLAT_SELECT] = "Select",
     [PLAT_GUIDE] = "Guide",
-    [PLAT_STICK_LEFT] = "L3",
-    [PLAT_STICK_RIGHT] = "R3",
-    [PLAT_LEFT_UP] = "stick up",
-    [PLAT_LEFT_DOWN] = "stick down",
-    [PLAT_LEFT_LEFT] = "stick left",
-    [PLAT_LEFT_RIGHT] = "stick right",
-    [PLAT_RIGHT_UP] = "right stick up",
-    [PLAT_RIGHT_DOWN] = "right stick down",
-    [PLAT_RIGHT_LEFT] = "right stick left",
-    [PLAT_RIGHT_RIGHT] = "right stick right",
+    [PLAT_LEFT_STICK_PRESS] = "L3",
+    [PLAT_RIGHT_STICK_PRESS] = "R3",
+    [PLAT_LEFT_STICK_UP] = "stick up",
+    [PLAT_LEFT_STICK_DOWN] = "stick down",
+    [PLAT_LEFT_STICK_LEFT] = "stick left",
+    [PLAT_LEFT_STICK_RIGHT] = "stick right",
+    [PLAT_RIGHT_STICK_UP] = "right stick up",
+    [PLAT_RIGHT_STICK_DOWN] = "right stick down",
+    [PLAT_RIGHT_STICK_LEFT] = "right stick left",
+    [PLAT_RIGHT_STICK_RIGHT] = "right stick right",
 };
 
 /* What differs: the buttons of a kind, NULL where it is as above. */
-enum { BUTTONS = PLAT_STICK_RIGHT + 1 };
+enum { BUTTONS = PLAT_RIGHT_STICK_PRESS + 1 };
 #define XBOX                                                                                                           \
     [PLAT_SOUTH] = "A", [PLAT_EAST] = "B", [PLAT_WEST] = "X", [PLAT_NORTH] = "Y", [PLAT_SHOULDER_LEFT] = "LB",         \
-    [PLAT_SHOULDER_RIGHT] = "RB", [PLAT_TRIGGER_LEFT] = "LT", [PLAT_TRIGGER_RIGHT] = "RT", [PLAT_STICK_LEFT] = "LS",   \
-    [PLAT_STICK_RIGHT] = "RS"
+    [PLAT_SHOULDER_RIGHT] = "RB", [PLAT_TRIGGER_LEFT] = "LT", [PLAT_TRIGGER_RIGHT] = "RT",                             \
+    [PLAT_LEFT_STICK_PRESS] = "LS", [PLAT_RIGHT_STICK_PRESS] = "RS"
 #define PLAYSTATION                                                                                                    \
     [PLAT_SOUTH] = "cross", [PLAT_EAST] = "circle", [PLAT_WEST] = "square", [PLAT_NORTH] = "triangle",                 \
     [PLAT_GUIDE] = "PS"
@@ -244,8 +244,12 @@ void switch_label(unsigned code, enum plat_controller_kind kind, char *out, size
 const char *switch_kind_name(enum plat_controller_kind kind)
 {
     static const char *const names[PLAT_CONTROLLER_KINDS] = {
-        [PLAT_UNKNOWN] = "controller", [PLAT_XBOX] = "Xbox",         [PLAT_XBOX_360] = "Xbox 360",
-        [PLAT_PS3] = "PlayStation 3",  [PLAT_PS4] = "PlayStation 4", [PLAT_PS5] = "PlayStation 5",
+        [PLAT_UNKNOWN_CONTROLLER] = "controller",
+        [PLAT_XBOX] = "Xbox",
+        [PLAT_XBOX_360] = "Xbox 360",
+        [PLAT_PS3] = "PlayStation 3",
+        [PLAT_PS4] = "PlayStation 4",
+        [PLAT_PS5] = "PlayStation 5",
         [PLAT_NINTENDO] = "Nintendo",
     };
 

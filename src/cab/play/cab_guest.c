@@ -115,7 +115,7 @@ static bool open_demo(struct cab *cab, const char *path, const char *what, bool 
     struct demo *d = calloc(1, sizeof *d);
     const struct cart *cart = NULL;
     struct session_rom *rom = NULL;
-    char err[DEMO_ERR] = "out of memory", why[256];
+    char err[DEMO_ERR_SIZE] = "out of memory", why[256];
 
     bool good = d && demo_load(d, path, err, sizeof err);
     if (good && !find_cart(cab, d, &cart, &rom, err, sizeof err)) {
@@ -183,10 +183,10 @@ void cab_home(struct cab *cab)
 bool cab_was_left(struct cab *cab, struct card *c)
 {
     struct demo d;
-    char path[CAB_NAME], err[DEMO_ERR];
+    char path[CAB_NAME], err[DEMO_ERR_SIZE];
 
     cab_resume_path(cab, path);
-    if (plat_size(path) < 0)
+    if (plat_file_size(path) < 0)
         return false;
     if (!demo_load(&d, path, err, sizeof err)) {
         cab_say(cab, "curtain: %s; the unfinished run is lost", err);

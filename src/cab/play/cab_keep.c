@@ -189,7 +189,7 @@ static bool add(struct cab *cab, const uint8_t *bytes, size_t size, const struct
 static void describe(struct cab *cab, struct card *c, enum card_end end)
 {
     const struct manifest *m = &cab_cart(cab)->manifest;
-    const int difficulty = board_difficulty_now(cab_live(cab));
+    const int difficulty = board_current_difficulty(cab_live(cab));
 
     card_of_demo(c, &writer(cab)->demo);
     c->end = end;
@@ -251,7 +251,7 @@ static bool keep_run(struct cab *cab, enum card_end end)
 
 static void drop_spare(struct cab *cab)
 {
-    demo_remove_spare(writer(cab));
+    demo_remove_spare_file(writer(cab));
     cab->keep.spare = false;
 }
 
@@ -259,7 +259,7 @@ static void drop_spare(struct cab *cab)
 static void leave_spare(struct cab *cab)
 {
     cab->unsaved.left_run = cab->keep.spare;
-    demo_record_spare(writer(cab), NULL);
+    demo_record_to_spare_file(writer(cab), NULL);
     cab->keep.spare = false;
 }
 
@@ -269,11 +269,11 @@ static bool spare_failed(struct cab *cab)
 
     if (!w->spare_err[0])
         return false;
-    if (w->spare.write_failed)
+    if (w->spare_file.write_failed)
         cab_save_failed(cab, w->spare_err);
     else /* it is another program's now */
         complain(cab, w->spare_err, "Progress is no longer being saved");
-    cab->unsaved.spare = w->spare.write_failed;
+    cab->unsaved.spare = w->spare_file.write_failed;
     w->spare_err[0] = 0;
     return true;
 }
@@ -289,7 +289,7 @@ void cab_keep_left(struct cab *cab)
     bool there = false;
 
     cab_resume_path(cab, path);
-    cab->unsaved.left_run = plat_size(path) >= 0;
+    cab->unsaved.left_run = plat_file_size(path) >= 0;
     if (!cab->unsaved.left_run)
         return;
     if (!files_read(path, path, DEMO_MAX_BYTES, &bytes, &size, err, sizeof err)) {
@@ -329,8 +329,8 @@ void cab_keep_here(struct cab *cab)
         return;
     cab->unsaved.spare = !keep_rom(cab);
     if (!cab->unsaved.spare)
-        demo_record_spare(writer(cab), path);
-    cab->keep.spare = writer(cab)->spare.path[0] != 0 && !spare_failed(cab);
+        demo_record_to_spare_file(writer(cab), path);
+    cab->keep.spare = writer(cab)->spare_file.path[0] != 0 && !spare_failed(cab);
 }
 
 static void begin(struct cab *cab, uint32_t frame)

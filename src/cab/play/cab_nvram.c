@@ -32,7 +32,7 @@ static void keep_damaged(struct cab *cab, const char *name, const uint8_t *image
     char beside[CAB_NAME + 32], shown[FILES_PATH_SIZE], shown_beside[FILES_PATH_SIZE];
 
     snprintf(beside, sizeof beside, "%s.damaged", name);
-    for (int i = 2; plat_size(beside) >= 0; i++)
+    for (int i = 2; plat_file_size(beside) >= 0; i++)
         snprintf(beside, sizeof beside, "%s.damaged-%d", name, i);
     bool kept = plat_save(beside, image, size);
     cab->no_scores = !kept; /* then the file is not written either */
@@ -48,7 +48,7 @@ uint8_t *cab_load_nvram(struct cab *cab, struct board_start *start)
     size_t waits;
     nvram_name(cab, name);
     const uint8_t *newer = unsaved_bytes(cab->unsaved.files, name, &waits);
-    long size = newer ? (long)waits : plat_size(name);
+    long size = newer ? (long)waits : plat_file_size(name);
     if (start->nvram || start->practice.section[0] || cab->options.demo || size < 0)
         return NULL;
     size = size < MAX_NVRAM_KEPT ? size : MAX_NVRAM_KEPT;

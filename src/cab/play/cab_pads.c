@@ -56,8 +56,8 @@ void cab_pads_tick(struct cab *cab, uint16_t pads[MAX_PLAYERS])
     cab->pressed_to = frame + 1;
     for (int p = 0; p < MAX_PLAYERS; p++) {
         const struct inspect_controls ship = inspect_player_controls(b, p);
-        pads[p] =
-            press_tick(&cab->press[p], &cab->modes[p], (struct press_ship){ ship.steers, ship.fires }, cab->pads[p]);
+        pads[p] = press_tick(&cab->press[p], &cab->modes[p], (struct press_ship){ ship.can_steer, ship.can_fire },
+                             cab->pads[p]);
     }
 }
 
@@ -65,11 +65,11 @@ void cab_pads_tick(struct cab *cab, uint16_t pads[MAX_PLAYERS])
 
 void cab_seats_poll(struct cab *cab, const struct plat_input *in)
 {
-    struct plat_controller is[PLAT_CONTROLLERS];
-    const struct plat_controller *plugged[PLAT_CONTROLLERS];
+    struct plat_controller is[PLAT_MAX_CONTROLLERS];
+    const struct plat_controller *plugged[PLAT_MAX_CONTROLLERS];
 
-    for (int i = 0; i < PLAT_CONTROLLERS; i++)
-        plugged[i] = plat_controller(i, &is[i]) ? &is[i] : NULL;
+    for (int i = 0; i < PLAT_MAX_CONTROLLERS; i++)
+        plugged[i] = plat_get_controller(i, &is[i]) ? &is[i] : NULL;
     seats_poll(&cab->seats, cab->session.now ? cab_cart(cab)->manifest.players : 1, in->controllers, plugged);
 }
 

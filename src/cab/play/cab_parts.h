@@ -183,11 +183,12 @@ struct cab {
     struct replays_view view;
     struct resume_left left;
     struct settings_list list;
-    uint32_t pressed[PLAT_CONTROLLERS]; /* at the last poll of the screen of controllers, also what no player gets */
-    bool stands;                        /* the board does in this frame, for a screen is open or was */
-    bool here;                          /* at the last poll the window had the keys, and was seen */
-    uint16_t pads[MAX_PLAYERS];         /* buttons held since the last tick, before press */
-    uint16_t stale[MAX_PLAYERS];        /* held since the menu was open: the game does not get them */
+    /* At the last poll of the screen of controllers, also what no player gets. */
+    uint32_t pressed[PLAT_MAX_CONTROLLERS];
+    bool stands;                 /* the board does in this frame, for a screen is open or was */
+    bool here;                   /* at the last poll the window had the keys, and was seen */
+    uint16_t pads[MAX_PLAYERS];  /* buttons held since the last tick, before press */
+    uint16_t stale[MAX_PLAYERS]; /* held since the menu was open: the game does not get them */
     struct seats seats;
     struct press_modes modes[MAX_PLAYERS];
     struct press press[MAX_PLAYERS];

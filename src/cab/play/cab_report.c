@@ -32,14 +32,14 @@ struct found {
     char name[256];
 };
 
-static bool comes_before(const struct found *f, const struct plat_file *file)
+static bool comes_before(const struct found *f, const struct plat_folder_entry *file)
 {
     if (file->time != f->time)
         return file->time < f->time;
     return strcmp(file->name, f->name) < 0;
 }
 
-static void look_at(void *user, const struct plat_file *file)
+static void look_at(void *user, const struct plat_folder_entry *file)
 {
     struct found *f = user;
     size_t n = strlen(file->name);
@@ -172,7 +172,9 @@ static void put_demo(struct cab *cab, const struct sink *out, const struct board
     const struct session *s = &cab->session;
     const struct demo_writer *w = &s->now->writer;
     struct demo_text text;
-    struct demo_dump how = { .memory = cab->report.memory, .size = cab->report.size, .write = to_text, .user = &text };
+    struct demo_dump_request how = {
+        .memory = cab->report.memory, .size = cab->report.size, .write = to_text, .user = &text
+    };
 
     how.ticking = s->ticking;
     how.frames = s->ticking ? s->at : fault ? w->demo.frames : board_frame(s->now->guard.board);
@@ -328,7 +330,7 @@ static bool save(struct cab *cab, struct report *r, const struct board_fault *fa
     remove_oldest();
     do
         snprintf(name, sizeof name, "%s-%d.txt", r->stem, i++);
-    while (plat_size(name) >= 0 || unsaved_bytes(cab->unsaved.files, name, &waits));
+    while (plat_file_size(name) >= 0 || unsaved_bytes(cab->unsaved.files, name, &waits));
     if (r->failed) {
         cab_say(cab, "curtain: cannot write a report: out of memory");
         return false;

@@ -56,7 +56,7 @@ static struct view view_now(struct cab *cab, struct picture *p)
 {
     return (struct view){ .dim = (enum view_dim)cab->config.dim,
                           .softens_flashes = cab->config.flashes,
-                          .colours = (enum colour_blind_mode)cab->config.colours,
+                          .colour_blind_mode = (enum colour_blind_mode)cab->config.colours,
                           .shades = cab->config.dim ? shade_for(&p->shades, cab_cart(cab)) : NULL };
 }
 

@@ -66,7 +66,7 @@ void cab_free_name(struct cab *cab, char name[CAB_NAME], const char *where, cons
     int i = 1;
     do
         snprintf(name, CAB_NAME, "%s%s-%d.%s", where, cab_cart(cab)->manifest.id, i++, what);
-    while (plat_size(name) >= 0 || unsaved_bytes(cab->unsaved.files, name, &size));
+    while (plat_file_size(name) >= 0 || unsaved_bytes(cab->unsaved.files, name, &size));
 }
 
 void cab_attract_end(struct cab *cab)

@@ -132,7 +132,7 @@ static void poll(struct cab *cab)
     plat_poll(&in);
     cab_seats_poll(cab, &in);
     keys_read(&cab->config.keys, &in, &cab->seats, &k);
-    cab->quit = cab->quit || in.quit || k.pressed & leaves || plat_key_held(&in, ESCAPE);
+    cab->quit = cab->quit || in.quit || k.pressed & leaves || plat_is_key_held(&in, ESCAPE);
     if (k.pressed & (uint32_t)1 << CAB_FULLSCREEN) {
         cab->config.fullscreen = !cab->config.fullscreen;
         cab->want.fullscreen = cab->config.fullscreen;
@@ -140,7 +140,7 @@ static void poll(struct cab *cab)
     }
     cab_scroll(cab, &cab->waiting.top, cab->waiting.most, k.pads[0], in.wheel);
     cab_drop(cab);
-    if (cab->waiting.settings && !cab->quit && (plat_key_held(&in, ENTER) || k.pads[0] & PAD_START))
+    if (cab->waiting.settings && !cab->quit && (plat_is_key_held(&in, ENTER) || k.pads[0] & PAD_START))
         end_settings(cab);
 }
 

@@ -135,9 +135,9 @@ void cab_window_begin(struct cab *cab, int w, int h)
 {
     const struct config *c = &cab->config;
     struct plat_window host = { 0 };
-    const bool known = plat_window(&host);
+    const bool known = plat_get_window(&host);
 
-    cab->window.refresh = known && host.vsync ? host.refresh : 0;
+    cab->window.refresh = known && host.vsync ? host.refresh_rate : 0;
     cab->window.composes = cab->window.has_side = false;
     if (!known || cab->window.cannot)
         return;

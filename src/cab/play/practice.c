@@ -213,7 +213,7 @@ static void change(void *of, int at, int by)
         m->difficulty = round_to(m->difficulty + direction, 0, m->cart->manifest.n_difficulties - 1);
         break;
     case ROW_LIVES:
-        m->lives = round_to(m->lives + by, 0, PRACTICE_LIVES);
+        m->lives = round_to(m->lives + by, 0, PRACTICE_MAX_LIVES);
         break;
     case ROW_REGISTER:
         m->value[r.i] = add_within(m->value[r.i], by);

@@ -29,10 +29,10 @@ struct practice_menu {
     bool listed;
     bool start_chosen; /* since it was opened: the caller powers the board with practice_chosen's start */
     struct sections sections;
-    int difficulty, lives, slow;       /* lives 0: the ship's own; slow: 1, 2, 4 frames a tick */
-    int32_t value[PRACTICE_REGISTERS]; /* of sections.reg */
-    bool invincible, hitbox;           /* hitbox: show hit shapes over the picture */
-    char section[64];                  /* of the section last started; "": none, or the game from its title */
+    int difficulty, lives, slow;           /* lives 0: the ship's own; slow: 1, 2, 4 frames a tick */
+    int32_t value[PRACTICE_MAX_REGISTERS]; /* of sections.reg */
+    bool invincible, hitbox;               /* hitbox: show hit shapes over the picture */
+    char section[64];                      /* of the section last started; "": none, or the game from its title */
 };
 
 /* Reads the records of the game. start: how the run was started. The cart must outlive the menu, or be replaced with

@@ -15,7 +15,7 @@ static int players(struct cab *cab)
 /* The controller of a row; -1: none is plugged in. */
 static int controller_at(struct cab *cab, int at)
 {
-    for (int i = 0; i < PLAT_CONTROLLERS; i++)
+    for (int i = 0; i < PLAT_MAX_CONTROLLERS; i++)
         if (cab->seats.there[i] && at-- == 0)
             return i;
     return -1;
@@ -26,7 +26,7 @@ static int rows(void *of)
     struct cab *cab = of;
     int n = 0;
 
-    for (int i = 0; i < PLAT_CONTROLLERS; i++)
+    for (int i = 0; i < PLAT_MAX_CONTROLLERS; i++)
         n += cab->seats.there[i];
     return n > 0 ? n : 1;
 }
@@ -60,7 +60,7 @@ static void describe_pressed(struct cab *cab, char *out, size_t size)
     size_t n = 0;
 
     snprintf(out, size, "Press a button to identify a controller.");
-    for (int i = 0; i < PLAT_CONTROLLERS && n < size; i++)
+    for (int i = 0; i < PLAT_MAX_CONTROLLERS && n < size; i++)
         n += describe_one(cab, i, out + n, size - n);
 }
 
@@ -103,7 +103,7 @@ static bool listen(void *of, const struct plat_input *in)
     uint32_t all = 0;
 
     memcpy(cab->pressed, in->controllers, sizeof cab->pressed);
-    for (int i = 0; i < PLAT_CONTROLLERS; i++)
+    for (int i = 0; i < PLAT_MAX_CONTROLLERS; i++)
         all |= in->controllers[i];
     return all >> PLAT_START & 1;
 }

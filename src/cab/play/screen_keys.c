@@ -37,18 +37,19 @@ static int cabinet_key(struct cab *cab, int n)
 /* The last row, which makes all as it was. */
 static int standard_row(struct cab *cab)
 {
-    return MAX_PLAYERS * (PAD_BUTTONS + 1) + 1 + cabinet_keys(cab);
+    return MAX_PLAYERS * (PAD_BUTTON_COUNT + 1) + 1 + cabinet_keys(cab);
 }
 
 /* The action of a row; -1: a heading, or the last row. Each group has a heading: the players, then the cabinet. */
 static int action_at(struct cab *cab, int at)
 {
-    const int group = at / (PAD_BUTTONS + 1), row = at % (PAD_BUTTONS + 1);
-    const int cabinet = at - MAX_PLAYERS * (PAD_BUTTONS + 1);
+    const int group = at / (PAD_BUTTON_COUNT + 1), row = at % (PAD_BUTTON_COUNT + 1);
+    const int cabinet = at - MAX_PLAYERS * (PAD_BUTTON_COUNT + 1);
 
     if (group < MAX_PLAYERS)
-        return row == 0 ? -1 : group * PAD_BUTTONS + row - 1;
-    return cabinet == 0 || at >= standard_row(cab) ? -1 : MAX_PLAYERS * PAD_BUTTONS + cabinet_key(cab, cabinet - 1);
+        return row == 0 ? -1 : group * PAD_BUTTON_COUNT + row - 1;
+    return cabinet == 0 || at >= standard_row(cab) ? -1
+                                                   : MAX_PLAYERS * PAD_BUTTON_COUNT + cabinet_key(cab, cabinet - 1);
 }
 
 static int rows(void *of)
@@ -62,7 +63,8 @@ static int rows(void *of)
 static void labels_of(struct cab *cab, int action, char *out, size_t size)
 {
     const struct keys *k = &cab->config.keys;
-    const struct keys_device *d = action < MAX_PLAYERS * PAD_BUTTONS ? &k->player[action / PAD_BUTTONS] : &k->cabinet;
+    const struct keys_device *d =
+        action < MAX_PLAYERS * PAD_BUTTON_COUNT ? &k->player[action / PAD_BUTTON_COUNT] : &k->cabinet;
     char label[SWITCH_NAME];
     size_t n = 0;
 
@@ -81,8 +83,8 @@ static void describe_heading(struct cab *cab, int at, struct screen_row *row)
     if (!row->heading) {
         snprintf(row->label, sizeof row->label, "Reset All");
         snprintf(row->help, sizeof row->help, "Restore the default keys and buttons.");
-    } else if (at < MAX_PLAYERS * (PAD_BUTTONS + 1)) {
-        snprintf(row->label, sizeof row->label, "Player %d", at / (PAD_BUTTONS + 1) + 1);
+    } else if (at < MAX_PLAYERS * (PAD_BUTTON_COUNT + 1)) {
+        snprintf(row->label, sizeof row->label, "Player %d", at / (PAD_BUTTON_COUNT + 1) + 1);
     } else {
         snprintf(row->label, sizeof row->label, "General");
     }
@@ -113,8 +115,8 @@ static void describe(void *of, int at, struct screen_row *row)
         describe_heading(cab, at, row);
         return;
     }
-    const int same =
-        action < MAX_PLAYERS * PAD_BUTTONS ? action % PAD_BUTTONS : action; /* both players' buttons mean the same */
+    const int same = action < MAX_PLAYERS * PAD_BUTTON_COUNT ? action % PAD_BUTTON_COUNT
+                                                             : action; /* both players' buttons mean the same */
     snprintf(row->label, sizeof row->label, "%s", keys_label(action));
     labels_of(cab, action, row->value, sizeof row->value);
     if (cab->wait.listening && cab->wait.action == action)

@@ -184,7 +184,7 @@ static void keep_name(struct cab *cab)
 /* Pressed now and not at the last look. */
 static bool key(struct cab *cab, const struct plat_input *in, unsigned usage)
 {
-    return plat_key_held(in, usage) && !(cab->view.held[usage >> 3 & 31] >> (usage & 7) & 1);
+    return plat_is_key_held(in, usage) && !(cab->view.held[usage >> 3 & 31] >> (usage & 7) & 1);
 }
 
 static bool listen(void *of, const struct plat_input *in)

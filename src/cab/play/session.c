@@ -69,7 +69,7 @@ bool session_open(struct session *s, const struct cart *cart, const struct board
     *s = (struct session){ .start = *start, .demo = demo, .record = record };
     s->now = run_power(s, cart, NULL, start);
     if (s->now && record)
-        check_written(s, demo_record_to(&s->now->writer, record));
+        check_written(s, demo_record_to_file(&s->now->writer, record));
     return s->now != NULL;
 }
 
@@ -111,7 +111,7 @@ bool session_restart(struct session *s, const struct board_start *start)
     s->demo = NULL;
     s->differs = 0;
     s->rewound = false;
-    return !s->record || check_written(s, demo_record_to(&r->writer, s->record));
+    return !s->record || check_written(s, demo_record_to_file(&r->writer, s->record));
 }
 
 /* ---- forward ---- */
@@ -244,7 +244,7 @@ bool session_take_over(struct session *s, const char *record)
     s->record = record ? record : s->record;
     if (!check_written(s, demo_rewind(&s->now->writer, frame)))
         return false;
-    return !s->record || check_written(s, demo_record_to(&s->now->writer, s->record));
+    return !s->record || check_written(s, demo_record_to_file(&s->now->writer, s->record));
 }
 
 bool session_go_on(struct session *s, unsigned flags)
@@ -358,7 +358,7 @@ static bool finish_reload(struct session *s)
     snprintf(s->gone, sizeof s->gone, "%s", song[0] && cart_find(s->now->cart, CART_TUNES, song) < 0 ? song : "");
     run_free(old);
     demo_add_flags(&s->now->writer, flags);
-    return !s->record || check_written(s, demo_record_to(&s->now->writer, s->record));
+    return !s->record || check_written(s, demo_record_to_file(&s->now->writer, s->record));
 }
 
 /* ---- work ---- */

@@ -52,8 +52,8 @@ struct session {
     bool rewound;          /* a live run went back once: scores do not count any more */
     void (*ticked)(void *of, const struct session *s); /* called after each tick of the board; may be NULL */
     void *of;
-    char gone[64];            /* the piece of music that played when a reload took its name away; "" */
-    char err[DEMO_PATH + 64]; /* one sentence: why the last session_* call failed */
+    char gone[64];                 /* the piece of music that played when a reload took its name away; "" */
+    char err[DEMO_PATH_SIZE + 64]; /* one sentence: why the last session_* call failed */
 };
 
 /* Powers the board and begins to record. start is the demo's if there is one; cart, start.nvram, demo and record must

@@ -70,7 +70,7 @@ const struct board_out *guard_tick(struct guard *g, const uint16_t pads[MAX_PLAY
 
 bool guard_ahead(struct guard *g, const uint16_t pads[MAX_PLAYERS])
 {
-    board_on_phase(g->board, NULL, NULL);
+    board_set_phase_callback(g->board, NULL, NULL);
     return !board_tick(g->board, pads)->fault;
 }
 

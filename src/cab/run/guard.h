@@ -20,7 +20,7 @@ struct guard {
 };
 
 /* Takes RAM and powers a board in it. False and one sentence for a ROM that cannot run or too little memory; a script
- * fault stands in board_last_output(g->board)->fault as after board_power_on. The ROM must outlive the guard. */
+ * fault is in board_last_output(g->board)->fault, as after board_power_on. The ROM must outlive the guard. */
 bool guard_power(struct guard *g, const struct rom *rom, const struct board_start *start, char *err, size_t err_size);
 
 /* The same once more, in the RAM that guard_power took: for one run after another of the same ROM. Without a board

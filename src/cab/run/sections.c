@@ -66,7 +66,7 @@ static void add(struct sections *p, enum section_kind kind, const struct board_m
 
 static void add_register(struct sections *p, const struct board_marker *m)
 {
-    if (p->registers == PRACTICE_REGISTERS)
+    if (p->registers == PRACTICE_MAX_REGISTERS)
         return;
     memcpy(p->reg[p->registers].name, m->name, sizeof m->name);
     p->reg[p->registers++].value = m->value;

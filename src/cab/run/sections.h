@@ -34,7 +34,7 @@ struct sections {
     struct {
         char name[32];
         int32_t value;
-    } reg[PRACTICE_REGISTERS];
+    } reg[PRACTICE_MAX_REGISTERS];
     char why[512]; /* one sentence when the list ends early, or nothing can be listed; "": it is whole */
 };
 

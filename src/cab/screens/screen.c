@@ -204,7 +204,7 @@ static uint32_t of_keyboard(const struct plat_input *in)
     uint32_t held = 0;
 
     for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
-        held |= plat_key_held(in, keys[i].usage) ? keys[i].does : 0;
+        held |= plat_is_key_held(in, keys[i].usage) ? keys[i].does : 0;
     return held;
 }
 
@@ -215,10 +215,10 @@ static uint32_t of_controllers(const struct plat_input *in)
         [PLAT_DPAD_DOWN] = DOWN,
         [PLAT_DPAD_LEFT] = LEFT,
         [PLAT_DPAD_RIGHT] = RIGHT,
-        [PLAT_LEFT_UP] = UP,
-        [PLAT_LEFT_DOWN] = DOWN,
-        [PLAT_LEFT_LEFT] = LEFT,
-        [PLAT_LEFT_RIGHT] = RIGHT,
+        [PLAT_LEFT_STICK_UP] = UP,
+        [PLAT_LEFT_STICK_DOWN] = DOWN,
+        [PLAT_LEFT_STICK_LEFT] = LEFT,
+        [PLAT_LEFT_STICK_RIGHT] = RIGHT,
         [PLAT_SOUTH] = YES,
         [PLAT_EAST] = NO,
         [PLAT_START] = YES,
@@ -229,7 +229,7 @@ static uint32_t of_controllers(const struct plat_input *in)
     };
     uint32_t held = 0;
 
-    for (int c = 0; c < PLAT_CONTROLLERS; c++)
+    for (int c = 0; c < PLAT_MAX_CONTROLLERS; c++)
         for (int i = 0; i < PLAT_BUTTONS; i++)
             held |= in->controllers[c] >> i & 1 ? does[i] : 0;
     return held;

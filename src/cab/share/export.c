@@ -92,7 +92,7 @@ static bool load_program(struct export *e)
     char name[FILES_PATH_SIZE];
 
     snprintf(e->from, sizeof e->from, "export: this program's own file");
-    if (!plat_program(name, sizeof name))
+    if (!plat_program_file(name, sizeof name))
         return err_set(e->err, e->err_size, "export: cannot find this program's own file");
     return files_read(name, e->from, PROGRAM, &e->file, &e->size, e->err, e->err_size);
 }
@@ -106,7 +106,7 @@ static bool load_player(struct export *e)
 
     for (size_t i = 0; i < sizeof folders / sizeof *folders; i++) {
         snprintf(name, sizeof name, "%s/%s", folders[i], player);
-        if (plat_installed_file(name, e->from, sizeof e->from) && plat_size(e->from) >= 0)
+        if (plat_installed_file(name, e->from, sizeof e->from) && plat_file_size(e->from) >= 0)
             return files_read(e->from, e->from, PROGRAM, &e->file, &e->size, e->err, e->err_size);
     }
     return err_set(e->err, e->err_size,
@@ -177,7 +177,7 @@ static bool append_game(struct export *e)
 
 /* ---- files ---- */
 
-static void ignore(void *user, const struct plat_file *file)
+static void ignore(void *user, const struct plat_folder_entry *file)
 {
     (void)user;
     (void)file;
@@ -217,9 +217,9 @@ static bool may_replace(struct export *e, const char *path, enum export_kind kin
     uint8_t *there;
     size_t size;
 
-    if (plat_size(path) < 0 && plat_list(path, ignore, NULL) >= 0)
+    if (plat_file_size(path) < 0 && plat_list(path, ignore, NULL) >= 0)
         return err_set(e->err, e->err_size, "%s: a folder with this name exists; choose another file with -o", path);
-    if (plat_size(path) < 0)
+    if (plat_file_size(path) < 0)
         return true;
     if (!files_read(path, path, PROGRAM, &there, &size, e->err, e->err_size))
         return false;
@@ -323,7 +323,7 @@ static const char *program_ending(void)
     static const char exe[] = ".exe";
     char name[FILES_PATH_SIZE];
 
-    if (!plat_program(name, sizeof name))
+    if (!plat_program_file(name, sizeof name))
         return "";
     const size_t n = strlen(name);
     return n > strlen(exe) && strcmp(name + n - strlen(exe), exe) == 0 ? exe : "";

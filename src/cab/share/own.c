@@ -63,7 +63,7 @@ enum result own_open(char *err, size_t err_size)
 
     if (!m.size || own.rom)
         return RESULT_DONE;
-    if (!plat_program(name, sizeof name)) {
+    if (!plat_program_file(name, sizeof name)) {
         err_set(err, err_size, "%s, which contains the game, cannot be found on this system", itself);
         return RESULT_HOST_FAILED;
     }

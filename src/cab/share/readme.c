@@ -83,7 +83,7 @@ static void add_keys(char *list, size_t size, const struct keys *k, int action)
 /* A line for each of n actions from the first on; those that follow one another and mean the same share one. */
 static void put_keys(struct reel *out, const struct keys *k, int first, int n)
 {
-    const int player = PAD_BUTTONS; /* the actions of the first explain those of the others */
+    const int player = PAD_BUTTON_COUNT; /* the actions of the first explain those of the others */
 
     for (int i = 0, last; i < n; i = last) {
         char list[128] = "";
@@ -107,11 +107,11 @@ static void put_all_keys(struct reel *out, const struct manifest *m, bool window
     for (int p = 0; p < m->players && p < MAX_PLAYERS; p++) {
         if (p > 0)
             reel_print(out, "\nPlayer %d:\n\n", p + 1);
-        put_keys(out, &k, p * PAD_BUTTONS, PAD_BUTTONS);
+        put_keys(out, &k, p * PAD_BUTTON_COUNT, PAD_BUTTON_COUNT);
     }
     reel_print(out, "\n");
     for (size_t i = 0; window && i < sizeof shown / sizeof *shown; i++)
-        put_keys(out, &k, MAX_PLAYERS * PAD_BUTTONS + (int)shown[i], 1);
+        put_keys(out, &k, MAX_PLAYERS * PAD_BUTTON_COUNT + (int)shown[i], 1);
     reel_print(out, "%sControllers work too.%s\n\n", window ? "\n" : "",
                window ? " You can change keys and buttons in the settings." : "");
 }

@@ -45,13 +45,13 @@ struct registration {
 static void print_type(int i, bool remove, bool second)
 {
     if (remove)
-        report_print("Curtain %s (.%s) no longer open with this program.\n", types[i].plural, types[i].file.ending);
+        report_print("Curtain %s (.%s) no longer open with this program.\n", types[i].plural, types[i].file.extension);
     else if (second)
         report_print("Another program still opens Curtain %s (.%s). To choose Curtain, right-click a file and "
                      "select \"Open With\".\n",
-                     types[i].plural, types[i].file.ending);
+                     types[i].plural, types[i].file.extension);
     else
-        report_print("Curtain %s (.%s) now open with this program.\n", types[i].plural, types[i].file.ending);
+        report_print("Curtain %s (.%s) now open with this program.\n", types[i].plural, types[i].file.extension);
 }
 
 /* ---- files of the desktop ---- */
@@ -69,7 +69,7 @@ static char *read_text(struct registration *r, const char *name)
     size_t size;
 
     place(r, name, path);
-    if (plat_size(path) < 0)
+    if (plat_file_size(path) < 0)
         return calloc(1, 1);
     return files_read(path, path, TEXT_MOST, &text, &size, r->err, sizeof r->err) ? (char *)text : NULL;
 }
@@ -108,7 +108,7 @@ static bool remove_files(struct registration *r)
 
     for (int i = desktop_file_count - 1; i >= 0; i--) {
         place(r, desktop_files[i].name, path);
-        if (!plat_remove(path) && plat_size(path) >= 0)
+        if (!plat_remove(path) && plat_file_size(path) >= 0)
             return result_set_host_error(r->err, sizeof r->err, "%s: cannot be removed", path);
     }
     return true;
@@ -271,7 +271,7 @@ enum result register_command(bool remove)
             return register_desktop(&r);
         if (is == PLAT_NOT_REGISTERED)
             return report_line(RESULT_HOST_FAILED, "register: .%s: the registry cannot be changed",
-                               types[i].file.ending);
+                               types[i].file.extension);
         print_type(i, remove, is == PLAT_NOT_DEFAULT);
     }
     return report_stdout(RESULT_DONE);

@@ -10,7 +10,7 @@
 enum { WAYS = 4, TRIED = 3 /* codes of each way */, CODES = ADPCM_BLOCK_SAMPLES - 1 };
 
 struct way {
-    struct adpcm at;
+    struct adpcm_state at;
     int64_t wrong; /* sum of squares */
 };
 
@@ -28,7 +28,7 @@ static void offer(struct search *s, const struct way *w, int i, int from, int co
     if (last == WAYS && w->wrong >= s->next[last - 1].wrong)
         return;
     for (int k = 0; k < s->nexts; k++)
-        if (s->next[k].at.value == w->at.value && s->next[k].at.index == w->at.index) {
+        if (s->next[k].at.value == w->at.value && s->next[k].at.step_index == w->at.step_index) {
             if (s->next[k].wrong <= w->wrong)
                 return;
             last = k;
@@ -53,7 +53,7 @@ static void go_on(struct search *s, int i, int from, int32_t wanted)
 {
     const struct way *w = &s->way[from];
     const int32_t far = wanted - w->at.value, size = far < 0 ? -far : far;
-    const int sign = far < 0 ? 8 : 0, near = adpcm_clamp(size * 4 / adpcm_steps[w->at.index], 0, 7);
+    const int sign = far < 0 ? 8 : 0, near = adpcm_clamp(size * 4 / adpcm_steps[w->at.step_index], 0, 7);
 
     for (int k = 0; k < TRIED; k++) {
         const int n = near + k - TRIED / 2;
@@ -109,7 +109,7 @@ void encode_sample(uint8_t *out, const int16_t *in, uint32_t n, uint32_t rate, u
     bytes_put32(out + 8, loop);
     out[12] = (uint8_t)coding;
     out += SAMPLE_HEADER_SIZE;
-    if (coding == SAMPLE_EXACT)
+    if (coding == SAMPLE_PCM16)
         for (uint32_t i = 0; i < n; i++)
             bytes_put16(out + 2 * (size_t)i, (uint16_t)in[i]);
     else

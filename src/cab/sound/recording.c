@@ -53,7 +53,7 @@ bool recording_read(const char *file, const uint8_t *data, size_t n, const struc
     for (size_t i = 0; i < sizeof library / sizeof *library; i++)
         sndfile |= files_has_suffix(file, library[i]);
     if (!wav && !sndfile)
-        return module_read(data, n, loop->kind == LOOP_OF_FILE, out, err, err_size);
+        return module_read(data, n, loop->kind == LOOP_FROM_FILE, out, err, err_size);
     skip_id3(&data, &n);
     return (wav ? wav_read : sndfile_read)(data, n, out, err, err_size);
 }
@@ -62,11 +62,11 @@ bool recording_prepare(struct pcm *p, const struct art_loop *loop, char *err, si
 {
     const double each = loop->in_seconds ? p->rate : 1;
 
-    if (loop->kind != LOOP_OF_FILE) {
+    if (loop->kind != LOOP_FROM_FILE) {
         p->loop = loop->kind == LOOP_NONE ? -1 : 0;
         p->loop_end = -1;
     }
-    if (loop->kind == LOOP_GIVEN) {
+    if (loop->kind == LOOP_RANGE) {
         p->loop = llrint(loop->start * each);
         if (loop->length > 0)
             p->loop_end = p->loop + llrint(loop->length * each);
@@ -86,7 +86,7 @@ static int sides_of(const struct pcm *p, const struct art_sound *s)
 /* Behind `before` bytes. */
 static bool write_samples(const struct pcm *p, const struct art_sound *s, size_t before, struct recording_bytes *out)
 {
-    const enum sample_coding coding = s->exact ? SAMPLE_EXACT : SAMPLE_PACKED;
+    const enum sample_coding coding = s->exact ? SAMPLE_PCM16 : SAMPLE_ADPCM;
     const int sides = sides_of(p, s);
     const size_t one = sample_size(p->n, coding);
     int16_t *side = malloc(p->n * sizeof *side);
@@ -290,7 +290,7 @@ static void add_conductor(struct writer *w, const struct art_sound *s, uint32_t 
             now = from;
             begin_loop(w);
         }
-        add_event(w, places[i].tick - now, TUNE_MARK, places[i].i);
+        add_event(w, places[i].tick - now, TUNE_MARKER, places[i].i);
         now = places[i].tick;
     }
     add_event(w, looping ? loop_ticks - (now - from) : 0, TUNE_END, 0);
@@ -326,7 +326,7 @@ bool recording_music(const struct pcm *p, const struct art_sound *s, const struc
     const uint64_t once = units_of(p, endless ? p->n - (uint64_t)p->loop : 0, tempo);
     const struct span span = { end - (int64_t)once, end };
     const uint32_t loop_ticks = (uint32_t)(loop / TUNE_TICK);
-    struct place places[TUNE_MAX_MARKS];
+    struct place places[TUNE_MAX_MARKERS];
     struct writer w;
 
     if (ticks_up(all) > TUNE_MAX_PAUSE)

@@ -23,26 +23,26 @@ static struct walk begin(const struct tune *t, int track)
 {
     struct walk w = { t, track, tune_track_start(t, track), 0, 0, t->tempo };
 
-    w.units = w.at.left;
+    w.units = w.at.units_left;
     return w;
 }
 
 /* The events of that moment; false: it is over. */
 static bool step(struct walk *w)
 {
-    const uint32_t was = w->at.at;
+    const uint32_t was = w->at.cursor;
     struct tune_run run = { w->t, w->track, { was, 0 }, 1, 0, 1, 0 };
-    struct tune_played e;
+    struct tune_played_event e;
 
     if (was == 0)
         return false;
     while (tune_next_event(&run, &e))
         if (e.event == TUNE_TEMPO)
             w->tempo = (uint32_t)e.value;
-    w->at = run.at;
-    w->loops += w->at.at <= was;
-    if (w->at.at != 0)
-        w->units += w->at.left + 1;
+    w->at = run.cursor;
+    w->loops += w->at.cursor <= was;
+    if (w->at.cursor != 0)
+        w->units += w->at.units_left + 1;
     return true;
 }
 
@@ -59,7 +59,7 @@ static int64_t units_of(const struct tune *t, int track, int64_t *loop)
         end = w.units;
         if (!step(&w))
             return end;
-        if (w.at.at != 0 && w.loops > before)
+        if (w.at.cursor != 0 && w.loops > before)
             ends[seen++] = end;
     }
     *loop = ends[1] - ends[0];
@@ -73,7 +73,7 @@ static double seconds(const struct tune *t, int64_t units)
     int64_t at = 0;
     double sum = 0;
 
-    for (int i = 0; i < MOST_EVENTS && w.at.at != 0 && w.units < units; i++) {
+    for (int i = 0; i < MOST_EVENTS && w.at.cursor != 0 && w.units < units; i++) {
         const uint32_t tempo = w.tempo;
         const int64_t next = w.units;
         sum += (double)(next - at) / tempo / SND_RATE;

@@ -187,8 +187,8 @@ static void prime(struct speaker *s, int sixtieths)
         s->seen.dry++;
         s->rises = s->exact ? 0 : SPEAKER_JOIN;
     }
-    for (int has = 0, i = 0; has < want && i < SPEAKER_AHEAD / PRIME; i++, has = plat_sound(NULL, 0))
-        plat_sound(silence, int_min(want - has, PRIME));
+    for (int has = 0, i = 0; has < want && i < SPEAKER_AHEAD / PRIME; i++, has = plat_queue_sound(NULL, 0))
+        plat_queue_sound(silence, int_min(want - has, PRIME));
     drift_jump(&s->drift);
 }
 
@@ -243,7 +243,7 @@ static void send(struct speaker *s, const struct speaker_time *t)
     for (int i = 0; i < n && s->rises > 0; i++, s->rises--)
         for (int c = 0; c < 2; c++)
             out[2 * i + c] = (int16_t)(out[2 * i + c] * (32768 - old_share(s->rises)) / 32768);
-    plat_sound(out, n);
+    plat_queue_sound(out, n);
 }
 
 /* What has not passed is silence; frames that are taken in slow motion last longer. */
@@ -285,7 +285,7 @@ void speaker_frame(struct speaker *s, const struct speaker_time *t)
 {
     if (!s->memory && s->state == SPEAKER_OFF) /* nothing was ever heard */
         return;
-    s->waiting = plat_sound(NULL, 0);
+    s->waiting = plat_queue_sound(NULL, 0);
     if (s->waiting < 0 || !ready(s)) {
         s->state = SPEAKER_GONE;
         return;
@@ -308,7 +308,7 @@ bool speaker_leads(const struct speaker *s)
 
 bool speaker_due(const struct speaker *s)
 {
-    return !speaker_leads(s) || plat_sound(NULL, 0) <= SPEAKER_AHEAD;
+    return !speaker_leads(s) || plat_queue_sound(NULL, 0) <= SPEAKER_AHEAD;
 }
 
 void speaker_report(const struct speaker *s, char *line, size_t size)
@@ -330,7 +330,8 @@ void speaker_report(const struct speaker *s, char *line, size_t size)
 /* Waits until all is heard, `most` usec at most, also of a clock that is set back meanwhile. */
 static void drain(uint64_t most)
 {
-    for (uint64_t passed = 0, last = plat_usec(); passed < most && plat_sound(NULL, 0) > 0; passed += clock_lap(&last))
+    for (uint64_t passed = 0, last = plat_usec(); passed < most && plat_queue_sound(NULL, 0) > 0;
+         passed += clock_lap(&last))
         plat_wait(last + DRAIN_STEP);
 }
 

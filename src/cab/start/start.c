@@ -70,7 +70,7 @@ static void list_games(char *out, size_t size)
     views_list(list, out, size);
 }
 
-static void ignore_file(void *user, const struct plat_file *file)
+static void ignore_file(void *user, const struct plat_folder_entry *file)
 {
     (void)user;
     (void)file;

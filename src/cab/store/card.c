@@ -218,7 +218,7 @@ bool card_of_demo(struct card *c, const struct demo *d)
     c->rom = d->rom_hash;
     c->game = d->game_hash;
     c->seed = d->start.seed;
-    c->core = d->core;
+    c->core = d->core_version;
     c->flags = d->flags;
     c->first = game->frame;
     c->last = d->frames;

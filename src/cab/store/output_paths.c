@@ -35,7 +35,7 @@ static void add_named(struct game_files *g, const char *game, char *rom)
         if (!end)
             return;
         *end = '\0';
-        if (at[1] && tree_join(path, game, at + 1) && plat_size(path) >= 0)
+        if (at[1] && tree_join(path, game, at + 1) && plat_file_size(path) >= 0)
             tree_add(&g->paths, "", path);
     }
 }
@@ -60,7 +60,7 @@ void game_files_open(struct game_files *g, const char *game)
     size_t size;
 
     *g = (struct game_files){ 0 };
-    if (!game || !tree_join(rom, game, "rom.lua") || plat_size(rom) < 0)
+    if (!game || !tree_join(rom, game, "rom.lua") || plat_file_size(rom) < 0)
         return;
     add_sources(g, game);
     if (tree_join(tests, game, "tests"))
@@ -74,7 +74,7 @@ void game_files_open(struct game_files *g, const char *game)
 bool game_files_have(const struct game_files *g, const char *path)
 {
     for (int i = 0; i < g->paths.n; i++)
-        if (plat_same_file(g->paths.name[i], path))
+        if (plat_is_same_file(g->paths.name[i], path))
             return true;
     return false;
 }
@@ -97,9 +97,9 @@ static bool is_ours(const char *path, output_ours *ours)
 static bool check_one(const struct game_files *files, const char *game, const char *demo, const struct output_path *out,
                       char *err, size_t err_size)
 {
-    if (game && plat_same_file(game, out->path))
+    if (game && plat_is_same_file(game, out->path))
         return err_set(err, err_size, "%s: %s is the game being read; choose another file", out->option, out->path);
-    if (demo && plat_same_file(demo, out->path))
+    if (demo && plat_is_same_file(demo, out->path))
         return err_set(err, err_size, "%s: %s is the demo being played; choose another file", out->option, out->path);
     if (game_files_have(files, out->path) && !(out->ours && is_ours(out->path, out->ours)))
         return err_set(err, err_size, "%s: %s is one of the game's files; choose another one", out->option, out->path);
@@ -108,7 +108,7 @@ static bool check_one(const struct game_files *files, const char *game, const ch
 
 static bool check_two(const struct output_path *a, const struct output_path *b, char *err, size_t err_size)
 {
-    if (strcmp(a->path, b->path) != 0 && !plat_same_file(a->path, b->path))
+    if (strcmp(a->path, b->path) != 0 && !plat_is_same_file(a->path, b->path))
         return true;
     return err_set(err, err_size, "%s: %s is also written by %s; choose another file", b->option, b->path, a->option);
 }
@@ -133,7 +133,7 @@ bool output_paths_check(const char *game, const char *demo, const struct output_
 
 bool output_path_available(const char *path, output_ours *ours)
 {
-    return plat_size(path) < 0 || is_ours(path, ours);
+    return plat_file_size(path) < 0 || is_ours(path, ours);
 }
 
 bool output_path_derived(const char *game, const char *path, output_ours *ours, char *err, size_t err_size)
@@ -151,7 +151,7 @@ bool output_path_temporary(const char *path, const char *ending, char *out, size
 {
     int n = snprintf(out, size, "%s%s", path, ending);
 
-    for (int i = 2; n < (int)size && plat_size(out) >= 0; i++)
+    for (int i = 2; n < (int)size && plat_file_size(out) >= 0; i++)
         n = snprintf(out, size, "%s-%d%s", path, i, ending);
     return n < (int)size;
 }

@@ -212,7 +212,7 @@ void records_load(struct records *r, const char *id)
     char file[sizeof r->file], why[128], line[256];
 
     snprintf(file, sizeof file, "user:%s.practice", id);
-    long size = plat_size(file);
+    long size = plat_file_size(file);
     *r = (struct records){ 0 };
     bool good = size < 0 || read_file(r, file, (size_t)size, why, sizeof why);
     memcpy(r->file, file, sizeof file);

@@ -57,7 +57,7 @@ static void free_stem(const struct replays *r, int64_t date, char stem[REPLAY_ST
             snprintf(stem + n, REPLAY_STEM - n, "-%03d", last + 1);
         path_of(r, stem, "demo", path);
         last++;
-    } while (plat_size(path) >= 0 && last < 999);
+    } while (plat_file_size(path) >= 0 && last < 999);
 }
 
 /* Days from 1970 to a date, as the calendar goes now. */
@@ -144,7 +144,7 @@ static void find_card(struct found *f, const char *stem)
     snprintf(f->card[f->cards++], REPLAY_STEM, "%s", stem);
 }
 
-static void find(void *user, const struct plat_file *file)
+static void find(void *user, const struct plat_folder_entry *file)
 {
     struct found *f = user;
     char stem[REPLAY_STEM];
@@ -182,7 +182,7 @@ static bool load_card(struct replays *r, struct replay_entry *e)
     r->loads++;
     r->loaded += n > 0 ? (uint32_t)n : 0;
     return n > 0 && card_read(&e->card, head, (size_t)n) && strcmp(e->card.id, r->id) == 0 &&
-           plat_size(demo) == (long)e->card.bytes;
+           plat_file_size(demo) == (long)e->card.bytes;
 }
 
 static bool save_card(const struct replays *r, const char *stem, const struct card *c, const struct thumb *t,
@@ -203,12 +203,12 @@ static bool save_card(const struct replays *r, const char *stem, const struct ca
 static bool repair(struct replays *r, struct replay_entry *e)
 {
     struct demo d;
-    char path[REPLAY_PATH], err[DEMO_ERR];
+    char path[REPLAY_PATH], err[DEMO_ERR_SIZE];
     uint8_t *bytes;
     size_t size;
 
     path_of(r, e->stem, "card", path);
-    const bool damaged = plat_size(path) >= 0;
+    const bool damaged = plat_file_size(path) >= 0;
     path_of(r, e->stem, "demo", path);
     if (!files_read(path, path, DEMO_MAX_BYTES, &bytes, &size, err, sizeof err))
         return false;
@@ -360,7 +360,7 @@ bool replays_delete(struct replays *r, int i, char *err, size_t err_size)
     replays_path(r, i, demo);
     path_of(r, r->list[i].stem, "card", card);
     errno = 0;
-    if (!plat_remove(demo) && plat_size(demo) >= 0) {
+    if (!plat_remove(demo) && plat_file_size(demo) >= 0) {
         snprintf(err, err_size, "%s: cannot be removed%s%s%s", demo, errno ? " (" : "", errno ? strerror(errno) : "",
                  errno ? ")" : "");
         return false;

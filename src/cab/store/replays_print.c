@@ -106,7 +106,7 @@ static void print_json(const char *path, const struct card *c)
 bool replays_print(const char *id, bool json)
 {
     struct replays r;
-    char path[REPLAY_PATH], file[DEMO_PATH];
+    char path[REPLAY_PATH], file[DEMO_PATH_SIZE];
     const bool all = replays_open(&r, id);
 
     for (int i = 0; i < r.n; i++) {

@@ -23,7 +23,7 @@ bool roms_has(const char *id, uint64_t hash)
     char path[ROMS_PATH];
 
     roms_path(path, id, hash);
-    return plat_size(path) > 0;
+    return plat_file_size(path) > 0;
 }
 
 bool roms_keep(struct unsaved **unsaved, const char *id, const struct rom *rom, char *err, size_t err_size)
@@ -31,7 +31,7 @@ bool roms_keep(struct unsaved **unsaved, const char *id, const struct rom *rom, 
     char path[ROMS_PATH];
 
     roms_path(path, id, rom_hash(rom));
-    return plat_size(path) == (long)rom->size || unsaved_save(unsaved, path, rom->data, rom->size, err, err_size);
+    return plat_file_size(path) == (long)rom->size || unsaved_save(unsaved, path, rom->data, rom->size, err, err_size);
 }
 
 struct collection {
@@ -53,7 +53,7 @@ static bool hash_in(const char *name, const char *id, uint64_t *hash)
     return sscanf(name + n + 1, "%16" SCNx64 "%7s", hash, rest) == 2 && strcmp(rest, ".rom") == 0;
 }
 
-static void look(void *user, const struct plat_file *file)
+static void look(void *user, const struct plat_folder_entry *file)
 {
     struct collection *c = user;
     uint64_t hash;

@@ -79,7 +79,7 @@ static int until_hit(const struct forecast *f, uint32_t frame, const struct dang
     struct danger_path stay = f->frame[frame].ship.path;
 
     stay.prev_x = stay.x;
-    stay.was_y = stay.y;
+    stay.prev_y = stay.y;
     for (uint32_t i = 1; i < LOOK && frame + i < f->frames; i++) {
         if (f->frame[frame + i].n == 0)
             continue;

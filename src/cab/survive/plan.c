@@ -28,7 +28,7 @@ bool plan_hits(const struct forecast *f, uint32_t frame, const struct danger_pat
 {
     const struct forecast_frame *at = &f->frame[frame];
     struct danger_path wide = *way;
-    const fx far = fx_max(fx_abs(way->x - way->prev_x), fx_abs(way->y - way->was_y));
+    const fx far = fx_max(fx_abs(way->x - way->prev_x), fx_abs(way->y - way->prev_y));
 
     wide.radius += grown;
     if (at->safe)
@@ -123,7 +123,7 @@ static bool go_on(struct search *s, uint32_t t)
     const struct forecast_frame *frame = &s->r->f->frame[t];
     struct step *at = &s->step[t];
     const int way = at->order[at->next++];
-    struct danger_path move = { .prev_x = at->x, .was_y = at->y, .x = at->x, .y = at->y };
+    struct danger_path move = { .prev_x = at->x, .prev_y = at->y, .x = at->x, .y = at->y };
 
     move.radius = frame->ship.path.radius;
     if (frame->moves)

@@ -40,7 +40,7 @@ static void move_of(const struct danger_ship *ship, int way, fx *mx, fx *my)
     fx speed = pads & PAD_FOCUS ? ship->focused_speed : ship->speed;
 
     if (dx && dy)
-        speed = fx_mul(speed, PLAYER_DIAGONAL);
+        speed = fx_mul(speed, PLAYER_DIAGONAL_FACTOR);
     *mx = dx * speed;
     *my = dy * speed;
 }

@@ -114,7 +114,7 @@ static void write_frame(struct trial *t)
     fold(&frame->print, (uint64_t)frame->moves << 2 | (uint64_t)frame->safe << 1 | frame->ship.in_game);
     fold(&frame->print, (uint64_t)(uint32_t)frame->ship.speed << 32 | (uint32_t)frame->ship.focused_speed);
     fold(&frame->print, (uint64_t)(uint32_t)frame->ship.path.radius);
-    danger_each(t->b, add_danger, f);
+    danger_visit_shapes(t->b, add_danger, f);
     struct foe foe = { .away = FX_MAX, .ship = &frame->ship, .field = inspect_field(t->b) };
     foe.x = foe.field.w * (FX_ONE / 2);
     inspect_bodies(t->b, look_for_foe, &foe);
@@ -162,9 +162,9 @@ static void steered(const struct danger_ship *s, uint16_t pads, fx *x, fx *y)
     fx speed = pads & PAD_FOCUS ? s->focused_speed : s->speed;
 
     if (dx && dy)
-        speed = fx_mul(speed, PLAYER_DIAGONAL);
+        speed = fx_mul(speed, PLAYER_DIAGONAL_FACTOR);
     *x = fx_clamp(s->path.prev_x + dx * speed, s->area.x0, s->area.x1);
-    *y = fx_clamp(s->path.was_y + dy * speed, s->area.y0, s->area.y1);
+    *y = fx_clamp(s->path.prev_y + dy * speed, s->area.y0, s->area.y1);
 }
 
 struct tick {
@@ -177,7 +177,7 @@ static void look_for_touch(void *context, const struct danger *d)
     struct tick *tick = context;
     const struct danger_path *way = &tick->t->ship.path;
     const int64_t reach = (int64_t)d->a + fx_max(fx_abs(d->b), fx_abs(d->c)) + way->radius +
-                          fx_max(fx_abs(way->x - way->prev_x), fx_abs(way->y - way->was_y));
+                          fx_max(fx_abs(way->x - way->prev_x), fx_abs(way->y - way->prev_y));
 
     if (d->shape != DANGER_LASER_SEGMENT && ((int64_t)fx_abs(d->x - way->x) > reach + fx_abs(d->mx) ||
                                              (int64_t)fx_abs(d->y - way->y) > reach + fx_abs(d->my)))
@@ -200,12 +200,12 @@ static void motion_done(void *context, enum board_phase phase)
     if (t->into)
         write_frame(t);
     if (t->ship.in_game && !t->ship.is_safe)
-        danger_each(t->b, look_for_touch, tick);
+        danger_visit_shapes(t->b, look_for_touch, tick);
     if (!t->ship.in_game || !was_in || !t->ship.can_steer)
         return;
     steered(&t->ship, tick->pads, &x, &y);
-    t->astray |=
-        t->ship.path.prev_x != before.x || t->ship.path.was_y != before.y || x != t->ship.path.x || y != t->ship.path.y;
+    t->astray |= t->ship.path.prev_x != before.x || t->ship.path.prev_y != before.y || x != t->ship.path.x ||
+                 y != t->ship.path.y;
 }
 
 /* Does a part of a stage end there? Practice at a mark passes that mark first. */
@@ -262,9 +262,9 @@ enum trial_end trial_tick(struct trial *t, const uint16_t pads[MAX_PLAYERS])
 
     danger_get_ship(t->b, t->who, &before);
     t->moved = t->touched = false;
-    board_on_phase(t->b, motion_done, &tick);
+    board_set_phase_callback(t->b, motion_done, &tick);
     const struct board_out *out = board_tick(t->b, pads);
-    board_on_phase(t->b, NULL, NULL);
+    board_set_phase_callback(t->b, NULL, NULL);
     t->ticks++;
     if (t->into && !t->moved)
         if (room_for_frame(t->into))

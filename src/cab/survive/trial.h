@@ -87,8 +87,8 @@ uint16_t trial_press(const struct trial *t);
 /* Can the ship be steered now? Between frames. */
 bool trial_steers(const struct trial *t);
 
-/* A demo of so many frames of pads (of player 1) from power-on, to that path, with such prints (enum
- * demo_checksum_rate). False and one sentence. */
+/* Saves a demo of `frames` frames of pads (player 1) from power-on to that path, with the checksums `prints` (enum
+ * demo_checksum_rate). Returns false and one sentence on failure. */
 struct cart;
 bool trial_record(struct trial *t, const struct cart *cart, const uint16_t *pads, uint32_t frames, const char *path,
                   int prints, char *err, size_t err_size);

@@ -56,7 +56,7 @@ const uint8_t *shade_for(struct shade_kept *k, const struct cart *cart)
 {
     const uint8_t *palette = cart_palette(cart, "main");
 
-    if (cart->main_look.shades)
+    if (cart->main_tables.shades)
         return NULL;
     if (!k->made || memcmp(k->of, palette, sizeof k->of) != 0) {
         memcpy(k->of, palette, sizeof k->of);

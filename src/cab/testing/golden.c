@@ -201,7 +201,7 @@ static bool compare_picture(const struct golden *g, const char *name, const stru
         return err_set(err, err_size, "path too long");
     snprintf(shown, sizeof shown, GOLDEN "/%s.png", name);
     outcome_say(g->out, SAYS_TAKEN, "%s", shown);
-    if (plat_size(path) < 0) {
+    if (plat_file_size(path) < 0) {
         if (g->update)
             return keep_picture(g, name, got);
         if (save_picture(g, FAILED, name, ".got.png", got))
@@ -246,7 +246,7 @@ static size_t write_hashes(const struct board *b, char *text, size_t size)
 {
     size_t n = 0;
 
-    for (int i = 0; i < board_parts(b); i++) {
+    for (int i = 0; i < board_part_count(b); i++) {
         const uint64_t hash = board_part_hash(b, i);
         if (hash)
             n += (size_t)snprintf(text + n, size - n, "%s %016" PRIx64 "\n", board_part_name(b, i), hash);
@@ -271,7 +271,7 @@ static bool compare_hashes(const struct board *b, const char *shown, const char 
     size_t n = 0;
     int parts = 0;
 
-    for (int i = 0; i < board_parts(b); i++) {
+    for (int i = 0; i < board_part_count(b); i++) {
         if (find_hash(kept, board_part_name(b, i)) == board_part_hash(b, i))
             continue;
         n += (size_t)snprintf(list + n, sizeof list - n, "%s%s", n ? ", " : "", board_part_name(b, i));
@@ -293,7 +293,7 @@ bool golden_hash(const struct golden *g, const struct board *b, const char *name
     snprintf(shown, sizeof shown, GOLDEN "/%s.hash", name);
     outcome_say(g->out, SAYS_TAKEN, "%s", shown);
     const size_t n = write_hashes(b, now, sizeof now);
-    const bool there = plat_size(path) >= 0;
+    const bool there = plat_file_size(path) >= 0;
     if (!there && !g->update)
         return err_set(err, err_size, "no %s yet: run with --update to save the hashes of this frame", shown);
     bool same = false;

@@ -69,7 +69,7 @@ static uint32_t judge(const struct testing *t, const char *name, struct demo_tes
 void one_demo(const struct testing *t, const char *name, FILE *out)
 {
     const uint64_t begun = plat_usec();
-    char path[DEMO_PATH], err[DEMO_ERR + 200];
+    char path[DEMO_PATH_SIZE], err[DEMO_ERR_SIZE + 200];
     struct demo_test *d = calloc(1, sizeof *d);
     uint32_t frames = 0;
 

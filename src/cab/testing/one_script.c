@@ -75,7 +75,7 @@ static const char *required(void *context, const char *name, size_t *n)
 
 static bool load_demo(struct stage *s, struct run *r, const char *name, char *err, size_t err_size)
 {
-    char path[DEMO_PATH], why[300];
+    char path[DEMO_PATH_SIZE], why[300];
 
     if (!manifest_path_ok(name))
         return err_set(err, err_size, "demo: expected a file of the game, as in \"demos/run.demo\", got \"%s\"", name);

@@ -62,7 +62,7 @@ static void figure(const struct page *p, const char *name, const char *which)
     size_t n;
 
     if (snprintf(path, sizeof path, "%s/" FAILED "/%s.%s.png", p->dir, name, which) >= (int)sizeof path ||
-        plat_size(path) < SIZES || !files_read(path, path, PNG_MAX_BYTES, &data, &n, err, sizeof err))
+        plat_file_size(path) < SIZES || !files_read(path, path, PNG_MAX_BYTES, &data, &n, err, sizeof err))
         return;
     fputs("<figure><figcaption>", p->out);
     told_escaped(p->out, name);

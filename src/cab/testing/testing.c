@@ -33,7 +33,7 @@ struct listing {
     const char *folder, *ending;
 };
 
-static void list_file(void *user, const struct plat_file *file)
+static void list_file(void *user, const struct plat_folder_entry *file)
 {
     struct listing *l = user;
 
@@ -62,7 +62,7 @@ static bool is_named(const char *name, const char *word)
 static enum result unknown_test(const struct all *a, const struct tree *files, const char *word)
 {
     const char *near = NULL;
-    int best = EDIT_FAR;
+    int best = EDIT_TOO_FAR;
     char stem[TREE_PATH];
 
     for (int i = 0; i < files->n; i++) {
@@ -133,7 +133,7 @@ struct stale {
     struct tree files;
 };
 
-static void list_stale(void *user, const struct plat_file *file)
+static void list_stale(void *user, const struct plat_folder_entry *file)
 {
     struct stale *s = user;
     const bool ours = files_has_suffix(file->name, ".expected.png") || files_has_suffix(file->name, ".got.png") ||
@@ -163,7 +163,7 @@ static void ignore_failed(const struct testing *t)
     static const char ignore[] = "*\n";
     char path[TREE_PATH];
 
-    if (tree_join(path, t->dir, FAILED "/.gitignore") && plat_size(path) < 0)
+    if (tree_join(path, t->dir, FAILED "/.gitignore") && plat_file_size(path) < 0)
         plat_save(path, ignore, sizeof ignore - 1);
 }
 
@@ -344,14 +344,14 @@ static enum result reports(struct all *a)
 
 static enum result run_all(struct all *a)
 {
-    const struct plat_work work = { .context = a, .run = do_one, .done = done, .on_wait = waits };
+    const struct plat_job_callbacks work = { .context = a, .run = do_one, .on_done = done, .on_wait = waits };
     const uint64_t begun = plat_usec();
 
     clear_failed(a->t);
     if (a->t->tap)
         told_tap_plan(a->n);
     progress_begin();
-    const bool good = plat_run_jobs(a->n, a->t->jobs ? a->t->jobs : plat_cores(), &work);
+    const bool good = plat_run_jobs(a->n, a->t->jobs ? a->t->jobs : plat_processor_count(), &work);
     progress_end();
     a->sums.usec = clock_since(begun);
     if (!good || a->no_memory)

@@ -81,7 +81,7 @@ static enum result test_game(struct tested *t)
                                      .pressed = test_pressed };
     char err[1024];
 
-    if (plat_size(a->words[0]) >= 0)
+    if (plat_file_size(a->words[0]) >= 0)
         return report_line(RESULT_REFUSED, "%s: expected a game's folder, got a file", a->words[0]);
     if (!game_open(&t->game, a->words[0], a, err, sizeof err))
         return report_error(err);

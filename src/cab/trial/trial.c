@@ -151,7 +151,7 @@ static void reword(struct board_fault *f, const struct output *o)
     if (f->kind == FAULT_LOOP && loop)
         snprintf(loop, sizeof f->message - at, "infinite loop: more than %d instructions in one test", TRIAL_WORK);
     else if (f->kind == FAULT_MEMORY)
-        snprintf(f->message, sizeof f->message, "%sout of memory (%d MiB for a test)%s", o->shortage_place,
+        snprintf(f->message, sizeof f->message, "%sout of memory (%d MiB for a test)%s", o->shortage_location,
                  TRIAL_HEAP >> 20, o->in_deep_calls ? " (calls nested deeply: infinite recursion?)" : "");
 }
 

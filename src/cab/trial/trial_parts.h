@@ -9,7 +9,7 @@
 #include "../../script/vm.h"
 #include "trial.h"
 
-enum { TRIAL_ERR = 700, TRIAL_CUES = CUES };
+enum { TRIAL_ERR = 700, TRIAL_CUES = CUE_SLOTS };
 
 /* A run that a script looks into. What it has printed, and its moments and sounds, are tables of Lua (trial_run.c). */
 struct trial_run {
@@ -33,7 +33,7 @@ struct trial {
     lua_Integer runs;
     uint32_t frames;
     struct values values;
-    uint8_t value_bytes[VALUES_BYTES];
+    uint8_t value_bytes[VALUES_CAPACITY];
 };
 
 static inline struct trial *trial_of(lua_State *L)

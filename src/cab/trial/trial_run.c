@@ -139,7 +139,7 @@ static void gather_sounds(lua_State *L, struct trial_run *r)
 {
     struct board_cue cue;
 
-    for (int i = 0; i < TRIAL_CUES && board_cue(r->b, i, &cue); i++) {
+    for (int i = 0; i < TRIAL_CUES && board_get_cue(r->b, i, &cue); i++) {
         const uint32_t began = cue.name && cue.is_first_track ? cue.start_frame + 1 : 0;
         if (began && began != r->began[i])
             count_sound(L, r, cue.name);
@@ -510,7 +510,7 @@ static int field(lua_State *L)
     else if (!strcmp(name, "music"))
         push_name(L, board_music_name(r->b));
     else if (!strcmp(name, "difficulty"))
-        push_name(L, r->b->cart.manifest.difficulties[board_difficulty_now(r->b)]);
+        push_name(L, r->b->cart.manifest.difficulties[board_current_difficulty(r->b)]);
     else if (!strcmp(name, "log"))
         push_kept(L, r, KEPT_LOG);
     else if (!strcmp(name, "moments"))

@@ -110,7 +110,7 @@ static void read_lang(lua_State *L, struct trial_options *o)
 
 static void read_lives(lua_State *L, struct trial_options *o)
 {
-    o->start.lives = (int)whole(L, "lives", 1, PRACTICE_LIVES);
+    o->start.lives = (int)whole(L, "lives", 1, PRACTICE_MAX_LIVES);
 }
 
 static void read_invincible(lua_State *L, struct trial_options *o)

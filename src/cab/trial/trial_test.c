@@ -14,9 +14,9 @@
 static void fails(lua_State *L)
 {
     const struct trial_host *host = trial_of(L)->host;
-    char place[VM_PLACE_SIZE];
+    char place[VM_LOCATION_SIZE];
 
-    vm_where(L, place, sizeof place);
+    vm_get_location(L, place, sizeof place);
     lua_pushfstring(L, "%s%s", place, lua_tostring(L, -1));
     host->fails(host->context, lua_tostring(L, -1));
     lua_pop(L, 2);

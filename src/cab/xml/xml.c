@@ -33,8 +33,8 @@ static bool is_space(char c)
 
 static bool is_character(uint32_t code)
 {
-    return (code >= ' ' && code < 0xd800) || (code >= 0xe000 && code <= UTF8_MAX) || code == '\t' || code == '\n' ||
-           code == '\r';
+    return (code >= ' ' && code < 0xd800) || (code >= 0xe000 && code <= UTF8_MAX_CODE) || code == '\t' ||
+           code == '\n' || code == '\r';
 }
 
 static bool check_text(struct xml *x)
@@ -124,7 +124,7 @@ static uint32_t reference(const char *s, size_t n)
         return 0;
     for (size_t i = 1 + (size_t)hex; i < n; i++) {
         const int digit = cursor_hex_value(s[i]);
-        if (digit < 0 || (!hex && digit > 9) || code > UTF8_MAX)
+        if (digit < 0 || (!hex && digit > 9) || code > UTF8_MAX_CODE)
             return 0;
         code = code * (hex ? 16 : 10) + (uint32_t)digit;
     }

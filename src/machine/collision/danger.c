@@ -6,7 +6,7 @@
 #include "hit_parts.h"
 
 struct visitor {
-    void (*each)(void *context, const struct danger *d);
+    void (*visit)(void *context, const struct danger *d);
     void *context;
 };
 
@@ -17,8 +17,8 @@ static uint16_t age_of(const struct board *b, uint32_t born)
     return (uint16_t)(age < UINT16_MAX ? age : UINT16_MAX);
 }
 
-/* Calls v->each for each piece of an entity. d: the members that all pieces share. */
-static void visit_pieces(const struct visitor *v, struct danger d, const struct body *piece, uint32_t n)
+/* Calls v->visit for each piece of an entity. d: the members that all pieces share. */
+static void visit_bodies(const struct visitor *v, struct danger d, const struct body *piece, uint32_t n)
 {
     for (uint32_t i = 0; i < n; i++) {
         if (piece[i].shape == SHAPE_NONE)
@@ -33,7 +33,7 @@ static void visit_pieces(const struct visitor *v, struct danger d, const struct 
         d.a = piece[i].a;
         d.b = piece[i].b;
         d.c = piece[i].c;
-        v->each(v->context, &d);
+        v->visit(v->context, &d);
     }
 }
 
@@ -47,8 +47,8 @@ static void visit_bullets(const struct board *b, const struct visitor *v)
         const unsigned flags = k->flags[s->kind[i]];
         if (s->flags[i] & BULLET_DELAYED || flags & KIND_HARMLESS)
             continue;
-        const uint32_t n = hit_bullet_pieces(s, k, i, piece);
-        visit_pieces(
+        const uint32_t n = hit_split_bullet(s, k, i, piece);
+        visit_bodies(
             v,
             (struct danger){
                 .source = DANGER_BULLET, .swept = flags & KIND_SWEPT, .age = age_of(b, s->born[i]), .slot = i },
@@ -64,8 +64,8 @@ static void visit_enemies(const struct board *b, const struct visitor *v)
         const unsigned flags = b->enemy_kinds.flags[b->enemies.kind[i]];
         if (!(flags & ENEMY_TOUCH) || b->enemies.flags[i] & ENEMY_DYING)
             continue;
-        const uint32_t n = hit_enemy_pieces(b, i, piece);
-        visit_pieces(v, (struct danger){ .source = DANGER_ENEMY, .swept = flags & ENEMY_SWEPT, .slot = i }, piece, n);
+        const uint32_t n = hit_split_enemy(b, i, piece);
+        visit_bodies(v, (struct danger){ .source = DANGER_ENEMY, .swept = flags & ENEMY_SWEPT, .slot = i }, piece, n);
     }
 }
 
@@ -74,7 +74,7 @@ static void visit_laser(const struct board *b, const struct visitor *v, uint32_t
     const uint32_t n = lasers_corner_count(b, i), segments = n > 1 ? n - 1 : 1, age = lasers_age(b, i);
     const fx reach = hit_laser_reach(b, i, age);
 
-    if (reach < 0 || b->laser_kinds.flags[b->laser_heads.kind[i]] & LASER_SHOOTS)
+    if (reach < 0 || b->laser_kinds.flags[b->laser_heads.kind[i]] & LASER_HITS_ENEMIES)
         return;
     for (uint32_t k = 0; k < segments; k++) {
         const uint32_t next = k + 1 < n ? k + 1 : k;
@@ -91,13 +91,13 @@ static void visit_laser(const struct board *b, const struct visitor *v, uint32_t
         d.my = d.y - was_y;
         d.d = d.b - was_to_x;
         d.e = d.c - was_to_y;
-        v->each(v->context, &d);
+        v->visit(v->context, &d);
     }
 }
 
-void danger_each(const struct board *b, void (*each)(void *context, const struct danger *d), void *context)
+void danger_visit_shapes(const struct board *b, void (*visit)(void *context, const struct danger *d), void *context)
 {
-    const struct visitor v = { each, context };
+    const struct visitor v = { visit, context };
 
     visit_bullets(b, &v);
     EACH_LIVE (i, &b->lasers.s)
@@ -105,12 +105,12 @@ void danger_each(const struct board *b, void (*each)(void *context, const struct
     visit_enemies(b, &v);
 }
 
-static bool bar_would_hit(const struct danger *d, const struct danger_path *path)
+static bool segment_would_hit(const struct danger *d, const struct danger_path *path)
 {
-    const int64_t mx = (int64_t)path->x - path->prev_x, my = (int64_t)path->y - path->was_y;
+    const int64_t mx = (int64_t)path->x - path->prev_x, my = (int64_t)path->y - path->prev_y;
     const struct geom_bar bar = {
-        (int64_t)d->x - d->mx - path->prev_x, (int64_t)d->y - d->my - path->was_y, d->mx - mx, d->my - my,
-        (int64_t)d->b - d->d - path->prev_x,  (int64_t)d->c - d->e - path->was_y,  d->d - mx,  d->e - my
+        (int64_t)d->x - d->mx - path->prev_x, (int64_t)d->y - d->my - path->prev_y, d->mx - mx, d->my - my,
+        (int64_t)d->b - d->d - path->prev_x,  (int64_t)d->c - d->e - path->prev_y,  d->d - mx,  d->e - my
     };
 
     return geom_swept_bar(&bar, (int64_t)d->a + path->radius);
@@ -121,15 +121,15 @@ bool danger_would_hit(const struct danger *d, const struct danger_path *path)
     static const uint8_t shapes[] = { SHAPE_CIRCLE, SHAPE_BOX, SHAPE_CAPSULE };
 
     if (d->shape == DANGER_LASER_SEGMENT)
-        return bar_would_hit(d, path);
+        return segment_would_hit(d, path);
     const struct body p = { shapes[d->shape], d->a, d->b, d->x, d->y, d->mx, d->my, d->c };
     const struct body q = { .shape = SHAPE_CIRCLE,
                             .a = path->radius,
                             .x = path->x,
                             .y = path->y,
                             .mx = path->x - path->prev_x,
-                            .my = path->y - path->was_y };
-    return hit_pieces_touch(&p, 1, &q, 1, d->swept);
+                            .my = path->y - path->prev_y };
+    return hit_any_bodies_touch(&p, 1, &q, 1, d->swept);
 }
 
 void danger_get_ship(const struct board *b, int i, struct danger_ship *out)
@@ -138,7 +138,7 @@ void danger_get_ship(const struct board *b, int i, struct danger_ship *out)
     const struct player_kinds *k = &b->player_kinds;
     const uint16_t kind = p->kind[i];
 
-    *out = (struct danger_ship){ .in_game = p->in_game[i], .area = b->area };
+    *out = (struct danger_ship){ .in_game = p->in_game[i], .area = b->player_area };
     if (!out->in_game)
         return;
     out->can_steer = !b->core.frozen && !p->deathbomb_left[i] && !(board_ignored_buttons(b, (uint32_t)i) & PAD_UP);

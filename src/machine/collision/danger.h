@@ -2,8 +2,8 @@
  * danger.h - the shapes that could hit a player in the current frame, with their moves, exactly as hit_run tests them,
  * and the state of a player's ship. For code that searches for a safe path.
  *
- * Call these functions at the end of PHASE_MOTION (board_on_phase), when all entities have moved and no hit has been
- * detected yet. Only danger_set_invincible changes the board.
+ * Call these functions at the end of PHASE_MOTION (board_set_phase_callback), when all entities have moved and no hit
+ * has been detected yet. Only danger_set_invincible changes the board.
  */
 #ifndef MACHINE_DANGER_H
 #define MACHINE_DANGER_H
@@ -35,7 +35,7 @@ struct danger {
 
 /* The path of a ship in a frame. */
 struct danger_path {
-    fx prev_x, was_y, x, y, radius;
+    fx prev_x, prev_y, x, y, radius;
 };
 
 /* The state and abilities of a player's ship. */
@@ -51,7 +51,7 @@ struct danger_ship {
 };
 
 /* Calls `each` for every shape that could hit a player in this frame. */
-void danger_each(const struct board *b, void (*each)(void *context, const struct danger *d), void *context);
+void danger_visit_shapes(const struct board *b, void (*each)(void *context, const struct danger *d), void *context);
 
 /* Returns whether this shape would hit a ship on this path, by the test that hit_run uses. */
 bool danger_would_hit(const struct danger *d, const struct danger_path *path);

@@ -12,7 +12,7 @@
  * Entities that leave the field are tested too, because they may touch something on the way out. bullets_move holds the
  * bullets that leave near a player (all that leave, if shots or bullets can hit them), and all shots that leave while
  * there is anything to hit. If only bullets near a player are held, hit_run releases those that touch no player.
- * hit_shots releases the held shots that hit nothing, and events_run all others.
+ * hit_test_shots releases the held shots that hit nothing, and events_run all others.
  */
 #include "../../base/int.h"
 #include "hit.h"
@@ -88,14 +88,14 @@ static inline enum verdict test_bullet(struct board *b, uint32_t p, const struct
 }
 
 /* The narrow phase: tests the bullets that bullets_move found near player p, raises an event for each that hits or
- * grazes, and clears the `near` bits of the others. */
+ * grazes, and clears the `near_player` bits of the others. */
 static void raise_bullet_hits(struct board *b, uint32_t p, const struct body *c)
 {
     struct bullets *s = &b->bullets;
     int64_t reach = -1;
 
     for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++) {
-        uint64_t *near = &s->near[block * MAX_PLAYERS + p];
+        uint64_t *near = &s->near_player[block * MAX_PLAYERS + p];
         if (*near && reach < 0)
             reach = reach_of(b, c, b->player_kinds.graze_radius[b->player.kind[p]]);
         for (uint64_t m = *near; m; m &= m - 1) {
@@ -119,7 +119,7 @@ static void release_missed(struct bullets *s)
     for (uint32_t block = 0; block < s->s.held_top / SLOTS_BLOCK; block++) {
         uint64_t missed = s->s.held[block];
         for (uint32_t p = 0; p < MAX_PLAYERS; p++)
-            missed &= ~s->near[block * MAX_PLAYERS + p];
+            missed &= ~s->near_player[block * MAX_PLAYERS + p];
         for (; missed; missed &= missed - 1)
             bullets_release(s, block * SLOTS_BLOCK + bits_lowest(missed));
     }
@@ -130,7 +130,7 @@ static void raise_enemy_hits(struct board *b, uint32_t p, const struct body *c)
     const struct slots *s = &b->enemies.s;
 
     for (uint32_t word = 0; word < s->top / SLOTS_BLOCK; word++)
-        for (uint64_t m = s->used[word]; m; m &= m - 1) {
+        for (uint64_t m = s->live_bits[word]; m; m &= m - 1) {
             uint32_t i = word * SLOTS_BLOCK + bits_lowest(m);
             uint8_t flags = b->enemy_kinds.flags[b->enemies.kind[i]];
             if (!(flags & ENEMY_TOUCH) || b->enemies.flags[i] & ENEMY_DYING)
@@ -167,19 +167,19 @@ void hit_run(struct board *b)
             continue;
         raise_bullet_hits(b, p, &c);
         if (b->lasers.s.live)
-            hit_lasers(b, p, &c);
+            hit_test_lasers(b, p, &c);
         raise_enemy_hits(b, p, &c);
     }
     if (!b->bullets.holds_all)
         release_missed(&b->bullets);
-    hit_shots(b);
+    hit_test_shots(b);
     if (b->lasers.s.live)
-        hit_player_lasers(b);
-    hit_blocks(b);
-    if (b->bullets.n_meets)
-        hit_meets(b);
+        hit_test_player_lasers(b);
+    hit_test_blocks(b);
+    if (b->bullets.n_meet_pairs)
+        hit_test_meets(b);
     if (b->enemies.n_leaving)
         raise_enemy_leaves(b);
     if (b->items.s.top)
-        hit_items(b);
+        hit_test_items(b);
 }

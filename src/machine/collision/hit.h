@@ -31,9 +31,9 @@ struct body {
 /* Splits the body of bullet or enemy i, in its present rotation, into circles, boxes and capsules; returns the number
  * of pieces. The ends of a bullet's capsule are computed by one trig_polar, the position of a rotated circle by the sum
  * of two. */
-uint32_t hit_bullet_pieces(const struct bullets *s, const struct bullet_kinds *k, uint32_t i,
-                           struct body piece[SHAPE_MAX_CIRCLES]);
-uint32_t hit_enemy_pieces(const struct board *b, uint32_t i, struct body piece[SHAPE_MAX_CIRCLES]);
+uint32_t hit_split_bullet(const struct bullets *s, const struct bullet_kinds *k, uint32_t i,
+                          struct body piece[SHAPE_MAX_CIRCLES]);
+uint32_t hit_split_enemy(const struct board *b, uint32_t i, struct body piece[SHAPE_MAX_CIRCLES]);
 
 /* Stores the queries by which bullets_move, the broad phase, finds the bullets near each player. Call when the players
  * have moved. */

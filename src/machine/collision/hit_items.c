@@ -1,6 +1,6 @@
 /*
- * hit_items.c - players against items, as swept circles. If both players touch an item, the one that was nearer to it
- * before the move takes it; ties go to player 1.
+ * hit_items.c - players against items, as swept circles. If both players touch an item, the one that was nearer to
+ * it before the move takes it; ties go to player 1.
  */
 #include "hit_parts.h"
 
@@ -43,7 +43,7 @@ static uint32_t find_taker(const struct board *b, uint32_t i, const struct body 
     return found;
 }
 
-void hit_items(struct board *b)
+void hit_test_items(struct board *b)
 {
     const struct body body[MAX_PLAYERS] = { hit_player_body(b, 0), hit_player_body(b, 1) };
     const struct items *s = &b->items;

@@ -63,7 +63,7 @@ static bool curve_is_near(const struct board *b, uint32_t i, const struct box *w
 {
     struct box box;
 
-    lasers_box(&b->lasers, &b->laser_points, i, &box);
+    lasers_get_box(&b->lasers, &b->laser_points, i, &box);
     return box.x0 <= w->x1 && box.x1 >= w->x0 && box.y0 <= w->y1 && box.y1 >= w->y0;
 }
 
@@ -138,7 +138,7 @@ bool hit_laser_touches_enemy(const struct board *b, uint32_t i, uint32_t enemy)
 {
     const int64_t reach = reach_of(b, i);
     struct body piece[SHAPE_MAX_CIRCLES];
-    const uint32_t n = hit_enemy_pieces(b, enemy, piece);
+    const uint32_t n = hit_split_enemy(b, enemy, piece);
 
     for (uint32_t k = 0; k < n && reach >= 0; k++) {
         if (piece[k].shape == SHAPE_NONE)
@@ -176,7 +176,7 @@ static void raise_hit(struct board *b, uint32_t p, const struct body *c, uint32_
     const int64_t reach = reach_of(b, i), laser = board_handle(b, H_LASER, (int32_t)i);
     struct body ring = *c;
 
-    if (reach < 0 || k->flags[kind] & LASER_SHOOTS)
+    if (reach < 0 || k->flags[kind] & LASER_HITS_ENEMIES)
         return;
     b->counts.tested++;
     if (hit_laser_touches_circle(b, i, c, reach)) {
@@ -192,7 +192,7 @@ static void raise_hit(struct board *b, uint32_t p, const struct body *c, uint32_
     board_raise_event(b, EV_GRAZE, board_handle(b, H_PLAYER, (int32_t)p), laser);
 }
 
-void hit_lasers(struct board *b, uint32_t p, const struct body *c)
+void hit_test_lasers(struct board *b, uint32_t p, const struct body *c)
 {
     EACH_LIVE (i, &b->lasers.s)
         raise_hit(b, p, c, i);
@@ -210,10 +210,10 @@ static bool touches_any_enemy(struct board *b, uint32_t i)
     return false;
 }
 
-void hit_player_lasers(struct board *b)
+void hit_test_player_lasers(struct board *b)
 {
     EACH_LIVE (i, &b->lasers.s)
-        if (b->laser_kinds.flags[b->laser_heads.kind[i]] & LASER_SHOOTS &&
+        if (b->laser_kinds.flags[b->laser_heads.kind[i]] & LASER_HITS_ENEMIES &&
             b->core.clock >= b->lasers.rehit_clock[i * MAX_PLAYERS] && touches_any_enemy(b, i))
             board_raise_event(b, EV_LASER, board_handle(b, H_LASER, (int32_t)i), 0);
 }

@@ -57,7 +57,7 @@ static inline struct body hit_enemy_body(const struct board *b, uint32_t i)
 }
 
 /* Returns whether any of the n pieces p touches any of the m pieces q. swept: as in hit_touches. */
-bool hit_pieces_touch(const struct body *p, uint32_t n, const struct body *q, uint32_t m, bool swept);
+bool hit_any_bodies_touch(const struct body *p, uint32_t n, const struct body *q, uint32_t m, bool swept);
 
 /* Returns whether bullet i, of any shape, touches a circle; like hit_touches. */
 static inline bool hit_bullet_touches(const struct bullets *s, const struct bullet_kinds *k, uint32_t i,
@@ -65,9 +65,9 @@ static inline bool hit_bullet_touches(const struct bullets *s, const struct bull
 {
     struct body piece[SHAPE_MAX_CIRCLES];
 
-    if (bullet->shape <= SHAPE_MAX_PLAIN)
+    if (bullet->shape <= SHAPE_MAX_SIMPLE)
         return hit_touches(bullet, circle, swept);
-    return hit_pieces_touch(piece, hit_bullet_pieces(s, k, i, piece), circle, 1, swept);
+    return hit_any_bodies_touch(piece, hit_split_bullet(s, k, i, piece), circle, 1, swept);
 }
 
 /* Returns whether enemy i, of any shape, touches a circle; like hit_touches. */
@@ -76,9 +76,9 @@ static inline bool hit_enemy_touches(const struct board *b, uint32_t i, const st
 {
     struct body piece[SHAPE_MAX_CIRCLES];
 
-    if (enemy->shape <= SHAPE_MAX_PLAIN)
+    if (enemy->shape <= SHAPE_MAX_SIMPLE)
         return hit_touches(enemy, circle, swept);
-    return hit_pieces_touch(piece, hit_enemy_pieces(b, i, piece), circle, 1, swept);
+    return hit_any_bodies_touch(piece, hit_split_enemy(b, i, piece), circle, 1, swept);
 }
 
 /* Returns whether bullet or shot i touches enemy `enemy_slot`, both of any shape; like hit_touches. */
@@ -88,28 +88,28 @@ static inline bool hit_shot_touches(const struct board *b, const struct bullets 
 {
     struct body p[SHAPE_MAX_CIRCLES], q[SHAPE_MAX_CIRCLES];
 
-    if ((shot->shape | enemy->shape) <= SHAPE_MAX_PLAIN)
+    if ((shot->shape | enemy->shape) <= SHAPE_MAX_SIMPLE)
         return hit_touches(shot, enemy, swept);
-    return hit_pieces_touch(p, hit_bullet_pieces(pool, kinds, i, p), q, hit_enemy_pieces(b, enemy_slot, q), swept);
+    return hit_any_bodies_touch(p, hit_split_bullet(pool, kinds, i, p), q, hit_split_enemy(b, enemy_slot, q), swept);
 }
 
 /*
- * x, y: the farthest that a shape extends from its position on each axis, in any rotation. inner: the inner radius,
+ * x, y: the farthest that a shape extends from its position on each axis, in any rotation. inner_radius:
  * that of a circle around the position that lies inside the shape or, if negative, minus the distance from the position
  * to the nearest circle of the shape. Two shapes touch if their positions are no further apart than the sum of their
  * inner radii.
  */
 struct extent {
-    fx x, y, inner;
+    fx x, y, inner_radius;
 };
-struct extent hit_pieces_extent(const struct shape_columns *k, uint32_t kind);
+struct extent hit_compute_extent(const struct shape_columns *k, uint32_t kind);
 
 static inline struct extent hit_extent(const struct shape_columns *k, uint32_t kind)
 {
     fx a = k->a[kind], h = k->shape[kind] == SHAPE_BOX ? k->b[kind] : a;
 
-    if (k->shape[kind] > SHAPE_MAX_PLAIN)
-        return hit_pieces_extent(k, kind);
+    if (k->shape[kind] > SHAPE_MAX_SIMPLE)
+        return hit_compute_extent(k, kind);
     return (struct extent){ a, h, fx_min(a, h) };
 }
 
@@ -133,16 +133,16 @@ struct hit_solids {
 bool hit_find_solids(struct board *b, struct hit_solids *f);
 
 /* Handles of the targets that a piercing shot cannot hit again yet, because it hit them recently or in this frame. */
-struct hit_passed {
+struct hit_pierced_targets {
     int n;
     int64_t entity[MAX_PIERCED_TARGETS];
 };
 
-/* Returns whether `passed` contains the entity of this kind and slot. A NULL `passed` is empty. */
-static inline bool hit_passed_contains(const struct hit_passed *passed, enum handle_kind kind, uint32_t slot)
+/* Returns whether `pierced` contains the entity of this kind and slot. A NULL `pierced` is empty. */
+static inline bool hit_pierced_contains(const struct hit_pierced_targets *pierced, enum handle_kind kind, uint32_t slot)
 {
-    for (int k = 0; passed && k < passed->n; k++)
-        if (handle_kind(passed->entity[k]) == kind && handle_slot(passed->entity[k]) == slot)
+    for (int k = 0; pierced && k < pierced->n; k++)
+        if (handle_kind(pierced->entity[k]) == kind && handle_slot(pierced->entity[k]) == slot)
             return true;
     return false;
 }
@@ -150,17 +150,17 @@ static inline bool hit_passed_contains(const struct hit_passed *passed, enum han
 /* Returns the bullet that shot i hits, or NO_SLOT: of the bullets it touches, the one that was nearest before both
  * moved; ties go to the lowest slot. Only bullets whose squared distance from the shot was below *distance_sq count. If
  * there is one, its squared distance is stored in *distance_sq. */
-int32_t hit_find_nearest_solid(struct board *b, const struct hit_solids *f, uint32_t i, const struct hit_passed *passed,
-                               uint64_t *distance_sq);
+int32_t hit_find_nearest_solid(struct board *b, const struct hit_solids *f, uint32_t i,
+                               const struct hit_pierced_targets *pierced, uint64_t *distance_sq);
 
 /* Tests shots against enemies and bullets: raises an event for each shot that hits. A piercing shot raises one for each
  * target it passes through, nearest first, and one for the target that stops it. It stores at most MAX_PIERCED_TARGETS
  * targets that it cannot hit again yet; while that list is full, the shot hits nothing. Targets that no longer exist
  * are removed from the list here. */
-void hit_shots(struct board *b);
+void hit_test_shots(struct board *b);
 
 /* Tests bullets against enemies that block: raises an event for each bullet that touches one. */
-void hit_blocks(struct board *b);
+void hit_test_blocks(struct board *b);
 
 /*
  * Tests bullets against bullets. For each pair of tags, in the order of declaration, each bullet of the first tag, by
@@ -169,18 +169,19 @@ void hit_blocks(struct board *b);
  * that a pair removes meets no more bullets. For a pair of equal tags, each bullet meets at most one other. Delayed
  * bullets and bullets without a shape meet none.
  */
-void hit_meets(struct board *b);
+void hit_test_meets(struct board *b);
 
 /* Tests players against items: raises an event for each item taken, and removes the others that left the field. */
-void hit_items(struct board *b);
+void hit_test_items(struct board *b);
 
 /* Returns whether laser i, which hits within `reach` of its line, touches circle c at any time during this frame's
  * movement. */
 bool hit_laser_touches_circle(const struct board *b, uint32_t i, const struct body *c, int64_t reach);
 
-/* hit_lasers tests lasers against player p, whose body is c, and raises an event for each laser that hits or grazes.
- * hit_player_lasers tests players' lasers against enemies, and raises an event for each laser that touches one. */
-void hit_lasers(struct board *b, uint32_t p, const struct body *c);
-void hit_player_lasers(struct board *b);
+/* hit_test_lasers tests lasers against player p, whose body is c, and raises an event for each laser that hits or
+ * grazes. hit_test_player_lasers tests players' lasers against enemies, and raises an event for each laser that touches
+ * one. */
+void hit_test_lasers(struct board *b, uint32_t p, const struct body *c);
+void hit_test_player_lasers(struct board *b);
 
 #endif

@@ -36,8 +36,8 @@ static uint32_t split_circles(const struct shape_columns *k, uint32_t kind, bool
     return n;
 }
 
-uint32_t hit_bullet_pieces(const struct bullets *s, const struct bullet_kinds *k, uint32_t i,
-                           struct body piece[SHAPE_MAX_CIRCLES])
+uint32_t hit_split_bullet(const struct bullets *s, const struct bullet_kinds *k, uint32_t i,
+                          struct body piece[SHAPE_MAX_CIRCLES])
 {
     const struct shape_columns shapes = hit_bullet_shapes(k);
 
@@ -49,7 +49,7 @@ uint32_t hit_bullet_pieces(const struct bullets *s, const struct bullet_kinds *k
     return 1;
 }
 
-uint32_t hit_enemy_pieces(const struct board *b, uint32_t i, struct body piece[SHAPE_MAX_CIRCLES])
+uint32_t hit_split_enemy(const struct board *b, uint32_t i, struct body piece[SHAPE_MAX_CIRCLES])
 {
     const struct shape_columns shapes = hit_enemy_shapes(&b->enemy_kinds);
     uint16_t kind = b->enemies.kind[i];
@@ -64,7 +64,7 @@ uint32_t hit_enemy_pieces(const struct board *b, uint32_t i, struct body piece[S
     return 1;
 }
 
-struct extent hit_pieces_extent(const struct shape_columns *k, uint32_t kind)
+struct extent hit_compute_extent(const struct shape_columns *k, uint32_t kind)
 {
     const fx slack = 2; /* most rounding error of a rotated position */
     struct extent e = { 0, 0, FX_MIN };
@@ -76,12 +76,12 @@ struct extent hit_pieces_extent(const struct shape_columns *k, uint32_t kind)
     for (uint32_t i = kind, end = kind + (uint32_t)k->b[kind] + 1; i < end; i++) {
         fx distance = fx_abs(k->x[i]) + fx_abs(k->y[i]) + slack;
         e.x = e.y = fx_max(e.x, distance + k->a[i]);
-        e.inner = fx_max(e.inner, k->a[i] - distance);
+        e.inner_radius = fx_max(e.inner_radius, k->a[i] - distance);
     }
     return e;
 }
 
-static bool pieces_touch(const struct body *p, const struct body *q, bool swept)
+static bool bodies_touch(const struct body *p, const struct body *q, bool swept)
 {
     const struct body *capsule = p->shape == SHAPE_CAPSULE ? p : q, *other = capsule == p ? q : p;
     int64_t wx = swept ? (int64_t)capsule->mx - other->mx : 0, wy = swept ? (int64_t)capsule->my - other->my : 0;
@@ -102,11 +102,11 @@ static bool pieces_touch(const struct body *p, const struct body *q, bool swept)
     }
 }
 
-bool hit_pieces_touch(const struct body *p, uint32_t n, const struct body *q, uint32_t m, bool swept)
+bool hit_any_bodies_touch(const struct body *p, uint32_t n, const struct body *q, uint32_t m, bool swept)
 {
     for (uint32_t i = 0; i < n; i++)
         for (uint32_t k = 0; k < m; k++)
-            if (pieces_touch(&p[i], &q[k], swept))
+            if (bodies_touch(&p[i], &q[k], swept))
                 return true;
     return false;
 }

@@ -11,9 +11,9 @@
  * row, which are contiguous in memory, then list the enemies of the nine cells around a shot.
  *
  * In a dense crowd, where the search box is larger than a cell, most shots touch some enemy, and the enemy nearest to a
- * shot is nearly always one that the shot touches. There, target_nearest finds the nearest enemy, among nine cells in
- * batches of eight places, and tests only this enemy. Invariant: if target_nearest finds a hit, the ring search would
- * find the same one; if not, the ring search decides.
+ * shot is nearly always one that the shot touches. There, find_nearest_target finds the nearest enemy, among nine cells
+ * in batches of eight places, and tests only this enemy. Invariant: if find_nearest_target finds a hit, the ring search
+ * would find the same one; if not, the ring search decides.
  */
 #include "hit_parts.h"
 #include <assert.h>
@@ -24,21 +24,21 @@
 enum {
     MIN_GRID_SHOTS = 4,       /* with fewer shots, the grid has one cell */
     MAX_ENEMIES_PER_SHOT = 4, /* most enemies per shot for which listing each enemy in three rows pays off */
-    BATCH = 8,                /* places compared at a time; nine cells nearly always hold fewer */
+    BATCH_SIZE = 8,           /* places compared at a time; nine cells nearly always hold fewer */
     MAX_INNER_CELLS = MAX_ENEMIES * 5 / 4, /* most cells in the box around all enemies: five per four enemies */
     MAX_CELLS = 4 * (MAX_INNER_CELLS + 3),
     NO_ENEMY = MAX_ENEMIES,
     /* work: WORK_PER_RUN per run of cells searched and per PLACES_PER_WORK places in the run, WORK_PER_TEST and
      * WORK_PER_LONG_TEST per test of shapes */
     WORK_PER_RUN = 1,
-    PLACES_PER_WORK = 2,
+    POSITIONS_PER_WORK = 2,
     WORK_PER_TEST = 4,
     WORK_PER_LONG_TEST = 4 * SHAPE_MAX_CIRCLES * SHAPE_MAX_CIRCLES
 };
 
 /* The position of an enemy before its move, relative to the grid's top left corner. distance_key: the squared distance
  * from that corner times 2^slot_bits, with the enemy's slot in the low bits. */
-struct place {
+struct enemy_position {
     uint32_t x, y;
     int64_t distance_key;
 };
@@ -49,7 +49,7 @@ struct grid {
     int64_t left, top;        /* the grid's top left corner */
     int64_t width, height;    /* size of the grid */
     int64_t reach_x, reach_y; /* farthest that an enemy extends from its position before the move */
-    int64_t inner;            /* a point nearer than this to an enemy's position is inside the enemy */
+    int64_t inner_radius;     /* a point nearer than this to an enemy's position is inside the enemy */
     int64_t scale;            /* factor from fx to 2^-32 of a cell */
     int64_t cell_size;        /* 2^32 / scale, rounded down: the width and height of a cell */
     int64_t cols, rows;
@@ -57,12 +57,12 @@ struct grid {
     int slot_bits;              /* number of bits of a slot number */
     uint32_t slot_mask;         /* mask of a slot number */
     int64_t key_factor;         /* -2 * 2^slot_bits */
-    bool dense;                 /* use target_nearest */
+    bool is_dense;              /* use find_nearest_target */
     uint16_t slot[MAX_ENEMIES]; /* slots of the enemies, not sorted */
-    struct place place[MAX_ENEMIES + BATCH];
-    uint16_t begin[MAX_CELLS + 1]; /* index of each cell's first place; at the end, the number of places */
-    int64_t sure_hit_sq
-        [MAX_KINDS]; /* if dense: a shot of this kind hits every enemy whose squared distance from it is below this */
+    struct enemy_position positions[MAX_ENEMIES + BATCH_SIZE];
+    uint16_t cell_start[MAX_CELLS + 1]; /* index of each cell's first place; at the end, the number of places */
+    /* If is_dense: a shot of this kind hits every enemy whose squared distance from it is below this. */
+    int64_t sure_hit_sq[MAX_KINDS];
 };
 
 /* A search by a shot or bullet. */
@@ -72,8 +72,8 @@ struct search {
     const struct bullets *pool;
     const struct bullet_kinds *kinds;
     struct body shot;
-    const struct hit_passed *passed; /* targets to skip; NULL: none */
-    uint32_t slot;                   /* of the shot or bullet that searches */
+    const struct hit_pierced_targets *pierced; /* targets to skip; NULL: none */
+    uint32_t slot;                             /* of the shot or bullet that searches */
     bool swept;
     int64_t x, y;           /* position of the shot before its move, relative to the grid's corner */
     int64_t x0, y0, x1, y1; /* the search box: enemies that were outside it before the move are skipped */
@@ -114,12 +114,12 @@ static void list_enemies(struct grid *g, const struct board *b, uint8_t flags)
     const struct enemy_kinds *k = &b->enemy_kinds;
     const struct shape_columns shapes = hit_enemy_shapes(k);
     fx left = FX_MAX, top = FX_MAX, right = FX_MIN, bottom = FX_MIN;
-    int64_t reach_x = 0, reach_y = 0, inner = FX_MAX;
+    int64_t reach_x = 0, reach_y = 0, inner_radius = FX_MAX;
     uint32_t n = 0;
 
     assert(e->s.top <= MAX_ENEMIES);
     for (uint32_t word = 0; word < e->s.top / 64; word++)
-        for (uint64_t bits = e->s.used[word]; bits; bits &= bits - 1) {
+        for (uint64_t bits = e->s.live_bits[word]; bits; bits &= bits - 1) {
             uint32_t i = word * 64 + bits_lowest(bits);
             uint16_t kind = e->kind[i];
             fx x = e->prev_x[i], y = e->prev_y[i];
@@ -131,7 +131,7 @@ static void list_enemies(struct grid *g, const struct board *b, uint8_t flags)
             right = x > right ? x : right;
             top = y < top ? y : top;
             bottom = y > bottom ? y : bottom;
-            inner = int64_min(inner, extent.inner);
+            inner_radius = int64_min(inner_radius, extent.inner_radius);
             reach_x = int64_max(reach_x, extent.x + int64_abs((int64_t)e->x[i] - x));
             reach_y = int64_max(reach_y, extent.y + int64_abs((int64_t)e->y[i] - y));
         }
@@ -142,7 +142,7 @@ static void list_enemies(struct grid *g, const struct board *b, uint8_t flags)
     g->height = (int64_t)bottom - top;
     g->reach_x = reach_x;
     g->reach_y = reach_y;
-    g->inner = inner;
+    g->inner_radius = inner_radius;
 }
 
 /* Makes the cells as small as the maximum number of cells allows. slot_end: all enemies' slots are below this. */
@@ -168,15 +168,15 @@ static void set_cells(struct grid *g, uint32_t shots, uint32_t slot_end)
     g->slot_mask = ((uint32_t)1 << g->slot_bits) - 1;
     g->key_factor = -2 * ((int64_t)1 << g->slot_bits);
     g->spread = g->n <= MAX_ENEMIES / 3 && g->n <= shots * MAX_ENEMIES_PER_SHOT;
-    g->dense = g->spread && int64_max(g->width, g->height) <= INT32_MAX &&
-               sum_of_squares(g->width, g->height) < (uint64_t)INT64_MAX >> g->slot_bits &&
-               g->reach_x * 2 > g->cell_size && g->reach_y * 2 > g->cell_size;
+    g->is_dense = g->spread && int64_max(g->width, g->height) <= INT32_MAX &&
+                  sum_of_squares(g->width, g->height) < (uint64_t)INT64_MAX >> g->slot_bits &&
+                  g->reach_x * 2 > g->cell_size && g->reach_y * 2 > g->cell_size;
 }
 
 /* Sorts the enemies into the cells, with a counting sort. */
 static void sort_into_cells(struct grid *g, const struct enemies *e)
 {
-    uint16_t cell[MAX_ENEMIES], *begin = g->begin;
+    uint16_t cell[MAX_ENEMIES], *begin = g->cell_start;
     const size_t cells = (size_t)(g->cols * g->rows), n = g->n;
     const int64_t left = g->left, top = g->top, cols = g->cols;
     const int64_t scale = g->scale;
@@ -200,16 +200,16 @@ static void sort_into_cells(struct grid *g, const struct enemies *e)
     for (size_t i = n; i-- > 0;) {
         uint32_t slot = g->slot[i];
         int64_t x = e->prev_x[slot] - left, y = e->prev_y[slot] - top;
-        struct place p = { (uint32_t)x, (uint32_t)y, (int64_t)(sum_of_squares(x, y) << bits | slot) };
-        g->place[--begin[cell[i]]] = p;
+        struct enemy_position p = { (uint32_t)x, (uint32_t)y, (int64_t)(sum_of_squares(x, y) << bits | slot) };
+        g->positions[--begin[cell[i]]] = p;
         if (g->spread) {
-            g->place[--begin[cell[i] - cols]] = p;
-            g->place[--begin[cell[i] + cols]] = p;
+            g->positions[--begin[cell[i] - cols]] = p;
+            g->positions[--begin[cell[i] + cols]] = p;
         }
     }
     /* a batch may read past the last place: these places are never the nearest */
-    for (size_t i = sum; i < sum + BATCH; i++)
-        g->place[i] = (struct place){ 0, 0, INT64_MAX };
+    for (size_t i = sum; i < sum + BATCH_SIZE; i++)
+        g->positions[i] = (struct enemy_position){ 0, 0, INT64_MAX };
 }
 
 /* ---- the ring search ---- */
@@ -217,20 +217,20 @@ static void sort_into_cells(struct grid *g, const struct enemies *e)
 /* Searches the cells from..to of a row for the nearest enemy that the shot touches; ties go to the lower slot. */
 static void search_run(struct search *s, int64_t row, int64_t from, int64_t to)
 {
-    const uint16_t *begin = s->g->begin + row * s->g->cols;
+    const uint16_t *begin = s->g->cell_start + row * s->g->cols;
 
-    s->work += WORK_PER_RUN + (uint32_t)(begin[to + 1] - begin[from]) / PLACES_PER_WORK;
+    s->work += WORK_PER_RUN + (uint32_t)(begin[to + 1] - begin[from]) / POSITIONS_PER_WORK;
     for (uint32_t i = begin[from]; i < begin[to + 1]; i++) {
-        const struct place *p = &s->g->place[i];
+        const struct enemy_position *p = &s->g->positions[i];
         const int64_t x = p->x, y = p->y;
         uint32_t slot = slot_of(s->g, p->distance_key);
         if (x < s->x0 || x > s->x1 || y < s->y0 || y > s->y1)
             continue;
         uint64_t d = sum_of_squares(s->x - x, s->y - y);
-        if (d > s->best || (d == s->best && slot > s->found) || hit_passed_contains(s->passed, H_ENEMY, slot))
+        if (d > s->best || (d == s->best && slot > s->found) || hit_pierced_contains(s->pierced, H_ENEMY, slot))
             continue;
         struct body e = hit_enemy_body(s->b, slot);
-        s->work += (s->shot.shape | e.shape) <= SHAPE_MAX_PLAIN ? WORK_PER_TEST : WORK_PER_LONG_TEST;
+        s->work += (s->shot.shape | e.shape) <= SHAPE_MAX_SIMPLE ? WORK_PER_TEST : WORK_PER_LONG_TEST;
         if (hit_shot_touches(s->b, s->pool, s->kinds, s->slot, &s->shot, slot, &e, s->swept)) {
             s->best = d;
             s->found = slot;
@@ -315,12 +315,18 @@ static void raise_overload(struct board *b, bool is_blocking)
                          b->shots.s.live, b->enemies.s.live);
 }
 
-static uint32_t target_by_rings(struct board *b, const struct grid *g, const struct bullets *pool,
-                                const struct bullet_kinds *kinds, uint32_t i, const struct hit_passed *passed)
+static uint32_t find_target_by_rings(struct board *b, const struct grid *g, const struct bullets *pool,
+                                     const struct bullet_kinds *kinds, uint32_t i,
+                                     const struct hit_pierced_targets *pierced)
 {
-    struct search s = {
-        .b = b, .g = g, .pool = pool, .kinds = kinds, .passed = passed, .slot = i, .best = UINT64_MAX, .found = NO_ENEMY
-    };
+    struct search s = { .b = b,
+                        .g = g,
+                        .pool = pool,
+                        .kinds = kinds,
+                        .pierced = pierced,
+                        .slot = i,
+                        .best = UINT64_MAX,
+                        .found = NO_ENEMY };
 
     s.shot = hit_bullet_body(pool, kinds, i);
     s.swept = kinds->flags[pool->kind[i]] & KIND_SWEPT;
@@ -340,22 +346,22 @@ static uint32_t target_by_rings(struct board *b, const struct grid *g, const str
  * enemy's slot in the low bits. (x, y): the shot's position relative to the corner, times key_factor. The sum fits in
  * an int64_t; its terms may not.
  */
-static inline int64_t place_key(const struct place *p, int64_t x, int64_t y)
+static inline int64_t position_key(const struct enemy_position *p, int64_t x, int64_t y)
 {
     return (int64_t)((uint64_t)p->distance_key + p->x * (uint64_t)x + p->y * (uint64_t)y);
 }
 
 /* Returns the lowest key of BATCH places. Two independent chains of comparisons run in parallel, because within a chain
  * each comparison waits for the previous one. */
-static inline int64_t lowest_of_batch(const struct place *p, int64_t x, int64_t y)
+static inline int64_t lowest_of_batch(const struct enemy_position *p, int64_t x, int64_t y)
 {
-    int64_t a = int64_min(place_key(p, x, y), place_key(p + 1, x, y)),
-            b = int64_min(place_key(p + 2, x, y), place_key(p + 3, x, y));
+    int64_t a = int64_min(position_key(p, x, y), position_key(p + 1, x, y)),
+            b = int64_min(position_key(p + 2, x, y), position_key(p + 3, x, y));
 
-    a = int64_min(a, place_key(p + 4, x, y));
-    b = int64_min(b, place_key(p + 5, x, y));
-    a = int64_min(a, place_key(p + 6, x, y));
-    b = int64_min(b, place_key(p + 7, x, y));
+    a = int64_min(a, position_key(p + 4, x, y));
+    b = int64_min(b, position_key(p + 5, x, y));
+    a = int64_min(a, position_key(p + 6, x, y));
+    b = int64_min(b, position_key(p + 7, x, y));
     return int64_min(a, b);
 }
 
@@ -366,18 +372,19 @@ static inline int64_t lowest_of_batch(const struct place *p, int64_t x, int64_t 
  */
 static inline int64_t lowest_key(const struct grid *g, uint32_t i, uint32_t end, int64_t x, int64_t y, int64_t best)
 {
-    for (; i < end; i += BATCH)
-        best = int64_min(best, lowest_of_batch(&g->place[i], x, y));
+    for (; i < end; i += BATCH_SIZE)
+        best = int64_min(best, lowest_of_batch(&g->positions[i], x, y));
     return best;
 }
 
 /* Positions of a block of shots before their moves, relative to the corner of a dense crowd's grid, modulo 2^32:
  * positions far outside the grid wrap around. */
-struct starts {
+struct start_positions {
     uint32_t x[SLOTS_BLOCK], y[SLOTS_BLOCK];
 };
 
-static void find_starts(struct starts *f, const struct bullets *s, uint32_t first, uint32_t left, uint32_t top)
+static void find_start_positions(struct start_positions *f, const struct bullets *s, uint32_t first, uint32_t left,
+                                 uint32_t top)
 {
     const fx *x = s->x + first, *y = s->y + first, *vx = s->vx + first, *vy = s->vy + first;
 
@@ -389,19 +396,20 @@ static void find_starts(struct starts *f, const struct bullets *s, uint32_t firs
 
 /* Returns the slot of the enemy nearest to shot i if the shot hits that enemy. Returns NO_ENEMY if not, or if the
  * nearest enemy may be outside the cells searched. (x, y): the shot's position, from struct starts. */
-static inline uint32_t target_nearest(const struct board *b, const struct grid *g, uint32_t i, int64_t x, int64_t y)
+static inline uint32_t find_nearest_target(const struct board *b, const struct grid *g, uint32_t i, int64_t x,
+                                           int64_t y)
 {
     const int64_t x_q32 = x * g->scale, y_q32 = y * g->scale, one = (int64_t)1 << 32;
     const int64_t col = x_q32 >> 32, row = y_q32 >> 32;
 
     if ((uint64_t)(col - 1) >= (uint64_t)(g->cols - 2) || (uint64_t)(row - 1) >= (uint64_t)(g->rows - 2))
         return NO_ENEMY;
-    const uint16_t *begin = g->begin + row * g->cols + col;
+    const uint16_t *begin = g->cell_start + row * g->cols + col;
     const uint32_t from = begin[-1], to = begin[2];
     const int64_t kx = x * g->key_factor, ky = y * g->key_factor;
     const int64_t off_x = x_q32 & (one - 1), off_y = y_q32 & (one - 1);
     const int64_t edge = cells_to_fx(g, int64_min(int64_min(off_x, one - off_x), int64_min(off_y, one - off_y)) + one);
-    int64_t best = lowest_key(g, from + BATCH, to, kx, ky, lowest_of_batch(&g->place[from], kx, ky));
+    int64_t best = lowest_key(g, from + BATCH_SIZE, to, kx, ky, lowest_of_batch(&g->positions[from], kx, ky));
     const int64_t corner_sq = x * x + y * y;
     int64_t d = (best >> g->slot_bits) + corner_sq; /* squared distance between shot and enemy */
     if (d >= edge * edge) {
@@ -429,7 +437,7 @@ static void find_sure_radii(struct grid *g, const struct bullet_kinds *k)
 
     for (uint32_t i = 0; i < k->s.live; i++) {
         bool sure = k->shape[i] != SHAPE_NONE && k->flags[i] & KIND_SWEPT;
-        int64_t r = sure ? int64_clamp(hit_extent(&shapes, i).inner + g->inner, 0, FX_MAX) : 0;
+        int64_t r = sure ? int64_clamp(hit_extent(&shapes, i).inner_radius + g->inner_radius, 0, FX_MAX) : 0;
         g->sure_hit_sq[i] = r * r;
     }
 }
@@ -444,17 +452,17 @@ static inline void raise_shot(struct board *b, uint32_t shot, int64_t target)
 }
 
 /* Returns the slot of the enemy that shot i hits, or NO_ENEMY. */
-static inline uint32_t find_target(struct board *b, const struct grid *g, const struct starts *f, uint32_t i)
+static inline uint32_t find_target(struct board *b, const struct grid *g, const struct start_positions *f, uint32_t i)
 {
-    uint32_t at = i % SLOTS_BLOCK, slot = g->dense ? target_nearest(b, g, i, f->x[at], f->y[at]) : NO_ENEMY;
+    uint32_t at = i % SLOTS_BLOCK, slot = g->is_dense ? find_nearest_target(b, g, i, f->x[at], f->y[at]) : NO_ENEMY;
 
-    return slot == NO_ENEMY ? target_by_rings(b, g, &b->shots, &b->shot_kinds, i, NULL) : slot;
+    return slot == NO_ENEMY ? find_target_by_rings(b, g, &b->shots, &b->shot_kinds, i, NULL) : slot;
 }
 
 /* Returns the bullet that shot i hits if that bullet was nearer than enemy `enemy`, otherwise NO_SLOT. enemy: NO_ENEMY
  * if the shot hits no enemy. */
 static int32_t find_nearer_solid(struct board *b, const struct hit_solids *f, uint32_t i, uint32_t enemy,
-                                 const struct hit_passed *passed)
+                                 const struct hit_pierced_targets *pierced)
 {
     const struct bullets *s = &b->shots;
     const struct enemies *e = &b->enemies;
@@ -463,12 +471,12 @@ static int32_t find_nearer_solid(struct board *b, const struct hit_solids *f, ui
     if (enemy != NO_ENEMY)
         distance_sq = sum_of_squares((int64_t)s->x[i] - s->vx[i] - e->prev_x[enemy],
                                      (int64_t)s->y[i] - s->vy[i] - e->prev_y[enemy]);
-    return hit_find_nearest_solid(b, f, i, passed, &distance_sq);
+    return hit_find_nearest_solid(b, f, i, pierced, &distance_sq);
 }
 
 /* If shot i hits a bullet that was nearer than enemy `enemy` (see find_nearer_solid), raises the event and returns
  * true. */
-static bool raise_solid(struct board *b, const struct hit_solids *f, uint32_t i, uint32_t enemy)
+static bool raise_solid_hit(struct board *b, const struct hit_solids *f, uint32_t i, uint32_t enemy)
 {
     int32_t bullet = find_nearer_solid(b, f, i, enemy, NULL);
 
@@ -479,29 +487,30 @@ static bool raise_solid(struct board *b, const struct hit_solids *f, uint32_t i,
 
 /* ---- shots that pierce ---- */
 
-/* Lists in *passed the targets that shot i cannot hit again yet, and removes the others from its `pierced` list. */
-static void find_passed(struct board *b, uint32_t i, struct hit_passed *passed)
+/* Lists in *pierced the targets that shot i cannot hit again yet, and removes the others from its `pierced_targets`
+ * list. */
+static void find_pierced_targets(struct board *b, uint32_t i, struct hit_pierced_targets *pierced)
 {
-    int64_t *entity = b->shots.pierced + (size_t)i * MAX_PIERCED_TARGETS;
+    int64_t *entity = b->shots.pierced_targets + (size_t)i * MAX_PIERCED_TARGETS;
     const uint32_t *rehit_clock = b->shots.rehit_clock + (size_t)i * MAX_PIERCED_TARGETS;
 
-    passed->n = 0;
+    pierced->n = 0;
     for (int k = 0; k < MAX_PIERCED_TARGETS; k++) {
         if (!entity[k])
             continue;
         if (rehit_clock[k] <= b->core.clock || !board_is_readable(b, entity[k]))
             entity[k] = 0;
         else
-            passed->entity[passed->n++] = entity[k];
+            pierced->entity[pierced->n++] = entity[k];
     }
 }
 
 /* Returns the handle of the nearest target that shot i hits and has not passed, or 0. */
 static int64_t find_next_target(struct board *b, const struct grid *g, const struct hit_solids *solids, uint32_t i,
-                                const struct hit_passed *passed)
+                                const struct hit_pierced_targets *pierced)
 {
-    uint32_t enemy = g->n ? target_by_rings(b, g, &b->shots, &b->shot_kinds, i, passed) : NO_ENEMY;
-    int32_t bullet = solids ? find_nearer_solid(b, solids, i, enemy, passed) : NO_SLOT;
+    uint32_t enemy = g->n ? find_target_by_rings(b, g, &b->shots, &b->shot_kinds, i, pierced) : NO_ENEMY;
+    int32_t bullet = solids ? find_nearer_solid(b, solids, i, enemy, pierced) : NO_SLOT;
 
     if (bullet != NO_SLOT)
         return board_handle(b, H_BULLET, bullet);
@@ -514,19 +523,19 @@ static bool stops_any_shot(const struct board *b, int64_t entity)
 }
 
 /* Raises the events of piercing shot i. Returns false if the shot hits nothing. */
-static bool raise_piercing(struct board *b, const struct grid *g, const struct hit_solids *solids, uint32_t i)
+static bool raise_piercing_hits(struct board *b, const struct grid *g, const struct hit_solids *solids, uint32_t i)
 {
     const int32_t pierce = b->shots.pierce_left[i];
-    struct hit_passed passed;
+    struct hit_pierced_targets pierced;
     int n = 0;
 
-    find_passed(b, i, &passed);
-    while (passed.n < MAX_PIERCED_TARGETS && (pierce == PIERCE_FOREVER || n <= pierce)) {
-        int64_t entity = find_next_target(b, g, solids, i, &passed);
+    find_pierced_targets(b, i, &pierced);
+    while (pierced.n < MAX_PIERCED_TARGETS && (pierce == PIERCE_FOREVER || n <= pierce)) {
+        int64_t entity = find_next_target(b, g, solids, i, &pierced);
         if (!entity)
             break;
         raise_shot(b, i, entity);
-        passed.entity[passed.n++] = entity;
+        pierced.entity[pierced.n++] = entity;
         n++;
         if (stops_any_shot(b, entity))
             break;
@@ -534,9 +543,9 @@ static bool raise_piercing(struct board *b, const struct grid *g, const struct h
     return n > 0;
 }
 
-static bool pierces(const struct board *b, uint32_t i)
+static bool can_pierce(const struct board *b, uint32_t i)
 {
-    return b->shot_kinds.pierce && b->shot_kinds.pierce[b->shots.kind[i]];
+    return b->shot_kinds.pierce_hits && b->shot_kinds.pierce_hits[b->shots.kind[i]];
 }
 
 /* Raises the events of all shots, and releases the shots that left the field and hit nothing. solids: NULL if shots can
@@ -544,32 +553,32 @@ static bool pierces(const struct board *b, uint32_t i)
 static void raise_all_shots(struct board *b, const struct grid *g, const struct hit_solids *solids)
 {
     const struct slots *s = &b->shots.s;
-    struct starts f;
+    struct start_positions f;
 
     for (uint32_t word = 0; word < s->top / 64; word++) {
         uint64_t missed = 0;
-        if (g->dense)
-            find_starts(&f, &b->shots, word * 64, (uint32_t)g->left, (uint32_t)g->top);
-        for (uint64_t bits = slots_live_or_held(s, word); bits; bits &= bits - 1) {
+        if (g->is_dense)
+            find_start_positions(&f, &b->shots, word * 64, (uint32_t)g->left, (uint32_t)g->top);
+        for (uint64_t bits = slots_live_or_held_mask(s, word); bits; bits &= bits - 1) {
             uint32_t i = word * 64 + bits_lowest(bits);
-            if (pierces(b, i)) {
-                missed |= raise_piercing(b, g, solids, i) ? 0 : bits & -bits;
+            if (can_pierce(b, i)) {
+                missed |= raise_piercing_hits(b, g, solids, i) ? 0 : bits & -bits;
                 continue;
             }
             uint32_t slot = g->n ? find_target(b, g, &f, i) : NO_ENEMY;
-            if (solids && raise_solid(b, solids, i, slot))
+            if (solids && raise_solid_hit(b, solids, i, slot))
                 continue;
             if (slot != NO_ENEMY)
                 raise_shot(b, i, handle_make(H_ENEMY, b->enemies.s.gen[slot], slot));
             else
                 missed |= bits & -bits;
         }
-        for (missed &= ~s->used[word]; missed; missed &= missed - 1)
+        for (missed &= ~s->live_bits[word]; missed; missed &= missed - 1)
             bullets_release(&b->shots, word * 64 + bits_lowest(missed));
     }
 }
 
-void hit_shots(struct board *b)
+void hit_test_shots(struct board *b)
 {
     const struct slots *s = &b->shots.s;
     struct hit_solids solids;
@@ -577,7 +586,7 @@ void hit_shots(struct board *b)
     bool hits_solids = hit_solid_is_possible(b) && hit_find_solids(b, &solids);
 
     g.n = 0;
-    g.dense = false;
+    g.is_dense = false;
     if ((s->live || s->held_count) && b->enemies.s.live)
         list_enemies(&g, b, 0);
     if (!g.n && !hits_solids) {
@@ -587,7 +596,7 @@ void hit_shots(struct board *b)
     if (g.n) {
         set_cells(&g, s->live + s->held_count, b->enemies.s.top);
         sort_into_cells(&g, &b->enemies);
-        if (g.dense)
+        if (g.is_dense)
             find_sure_radii(&g, &b->shot_kinds);
     }
     raise_all_shots(b, &g, hits_solids ? &solids : NULL);
@@ -598,18 +607,18 @@ void hit_shots(struct board *b)
 static bool any_enemy_blocks(const struct board *b)
 {
     for (uint32_t i = 0; i < b->enemy_kinds.s.live; i++)
-        if (b->enemy_kinds.flags[i] & ENEMY_BLOCKS)
+        if (b->enemy_kinds.flags[i] & ENEMY_BLOCKS_BULLETS)
             return b->bullets.s.live && b->enemies.s.live;
     return false;
 }
 
-void hit_blocks(struct board *b)
+void hit_test_blocks(struct board *b)
 {
     struct grid g;
 
     if (!any_enemy_blocks(b))
         return;
-    list_enemies(&g, b, ENEMY_BLOCKS);
+    list_enemies(&g, b, ENEMY_BLOCKS_BULLETS);
     if (!g.n)
         return;
     set_cells(&g, b->bullets.s.live, b->enemies.s.top);
@@ -617,7 +626,7 @@ void hit_blocks(struct board *b)
     EACH_LIVE (i, &b->bullets.s) {
         if (b->bullets.flags[i] & BULLET_DELAYED)
             continue;
-        uint32_t enemy = target_by_rings(b, &g, &b->bullets, &b->bullet_kinds, i, NULL);
+        uint32_t enemy = find_target_by_rings(b, &g, &b->bullets, &b->bullet_kinds, i, NULL);
         if (enemy != NO_ENEMY)
             board_raise_event(b, EV_BLOCK, board_handle(b, H_BULLET, (int32_t)i),
                               board_handle(b, H_ENEMY, (int32_t)enemy));

@@ -51,14 +51,14 @@ static bool shot_touches(struct board *b, uint32_t i, const struct body *shot, u
 {
     struct body p[SHAPE_MAX_CIRCLES], q[SHAPE_MAX_CIRCLES];
 
-    if ((shot->shape | bullet->shape) <= SHAPE_MAX_PLAIN) {
+    if ((shot->shape | bullet->shape) <= SHAPE_MAX_SIMPLE) {
         add_work(b, WORK_PER_TEST);
         return hit_touches(shot, bullet, swept);
     }
-    const uint32_t n = hit_bullet_pieces(&b->shots, &b->shot_kinds, i, p),
-                   m = hit_bullet_pieces(&b->bullets, &b->bullet_kinds, k, q);
+    const uint32_t n = hit_split_bullet(&b->shots, &b->shot_kinds, i, p),
+                   m = hit_split_bullet(&b->bullets, &b->bullet_kinds, k, q);
     add_work(b, (uint64_t)WORK_PER_TEST * n * m);
-    return hit_pieces_touch(p, n, q, m, swept);
+    return hit_any_bodies_touch(p, n, q, m, swept);
 }
 
 bool hit_find_solids(struct board *b, struct hit_solids *f)
@@ -85,8 +85,8 @@ static uint64_t hittable_mask(const struct bullets *s, const struct bullet_kinds
     return found;
 }
 
-int32_t hit_find_nearest_solid(struct board *b, const struct hit_solids *f, uint32_t i, const struct hit_passed *passed,
-                               uint64_t *distance_sq)
+int32_t hit_find_nearest_solid(struct board *b, const struct hit_solids *f, uint32_t i,
+                               const struct hit_pierced_targets *pierced, uint64_t *distance_sq)
 {
     const struct bullets *s = &b->bullets;
     const struct body shot = hit_bullet_body(&b->shots, &b->shot_kinds, i);
@@ -108,7 +108,7 @@ int32_t hit_find_nearest_solid(struct board *b, const struct hit_solids *f, uint
             int64_t dx = ((int64_t)shot.x - shot.mx) - ((int64_t)body.x - body.mx);
             int64_t dy = ((int64_t)shot.y - shot.my) - ((int64_t)body.y - body.my);
             uint64_t d = (uint64_t)dx * (uint64_t)dx + (uint64_t)dy * (uint64_t)dy;
-            if (d >= *distance_sq || hit_passed_contains(passed, H_BULLET, k))
+            if (d >= *distance_sq || hit_pierced_contains(pierced, H_BULLET, k))
                 continue;
             if (!shot_touches(b, i, &shot, k, &body, flags & KIND_SWEPT))
                 continue;

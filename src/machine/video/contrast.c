@@ -34,7 +34,7 @@ static struct image image_of(const struct board *b, uint32_t i)
 /* Returns the percent of bullet i's pixels inside the clip that stand out; -1: the bullet has no pixel inside the
  * clip. */
 static int distinct_percent(const struct board *b, const struct fb *fb, const uint32_t rgb[256],
-                            const struct cart_look *look, uint32_t i)
+                            const struct cart_colour_tables *look, uint32_t i)
 {
     const struct sprite *pic = &b->sprite_images[b->bullet_kinds.sprite[b->bullets.kind[i]]];
     unsigned blend = (b->bullet_kinds.flags[b->bullets.kind[i]] & KIND_BLEND) / KIND_BLEND_ONE;
@@ -48,11 +48,12 @@ static int distinct_percent(const struct board *b, const struct fb *fb, const ui
             uint8_t p = image.pix[y * image.pitch + x];
             if (!p || x0 + x < fb->x0 || x0 + x >= fb->x1 || y0 + y < fb->y0 || y0 + y >= fb->y1)
                 continue;
-            uint8_t under = fb->pix[(y0 + y) * fb->pitch + x0 + x], over = (uint8_t)(p + 16 * b->bullets.bank[i]);
+            uint8_t behind_entry = fb->pix[(y0 + y) * fb->pitch + x0 + x],
+                    bullet_entry = (uint8_t)(p + 16 * b->bullets.bank[i]);
             if (blend)
-                over = look->blend[blend - 1][under << 8 | over];
+                bullet_entry = look->blend[blend - 1][behind_entry << 8 | bullet_entry];
             total++;
-            distinct += colour_difference(rgb[under], rgb[over]) >= CONTRAST_THRESHOLD;
+            distinct += colour_difference(rgb[behind_entry], rgb[bullet_entry]) >= CONTRAST_THRESHOLD;
         }
     return total ? 100 * distinct / total : -1;
 }
@@ -60,14 +61,14 @@ static int distinct_percent(const struct board *b, const struct fb *fb, const ui
 void contrast_sample(const struct board *b, struct fb *fb, void *scratch, contrast_visit *visit, void *context)
 {
     const struct bullets *s = &b->bullets;
-    const struct cart_look look = video_look(b);
+    const struct cart_colour_tables look = video_get_palette_tables(b);
     uint32_t rgb[256];
     int n = 0;
 
-    video_draw_behind(b, fb, rgb, scratch);
+    video_draw_behind_bullets(b, fb, rgb, scratch);
     EACH_LIVE (i, &s->s) {
         uint16_t kind = s->kind[i];
-        if (b->bullet_kinds.flags[kind] & KIND_CLOUD || b->bullet_kinds.shape[kind] == SHAPE_NONE)
+        if (b->bullet_kinds.flags[kind] & KIND_IS_CLOUD_ROW || b->bullet_kinds.shape[kind] == SHAPE_NONE)
             continue;
         struct contrast_bullet bullet = { .kind = board_name(b, N_BULLET, kind),
                                           .bank = s->bank[i],

@@ -15,8 +15,8 @@ static const struct column columns[] = {
 
 const struct chip screen_chip = { .name = "screen", CHIP_COLUMNS(columns), .is_list = true };
 
-enum { QUARTER = 1 << 30 };
-static const ang GOLDEN = 0x61c88647; /* golden angle, so that directions do not soon repeat */
+enum { QUARTER_TURN = 1 << 30 };
+static const ang GOLDEN_ANGLE = 0x61c88647; /* golden angle, so that directions do not soon repeat */
 
 void screen_reset(struct screen *s)
 {
@@ -25,7 +25,7 @@ void screen_reset(struct screen *s)
 
 void screen_move_bars(struct screen *s, uint32_t clock, int32_t h, uint32_t n)
 {
-    s->bars_from = screen_bars(s, clock);
+    s->bars_from = screen_get_bars(s, clock);
     s->bars = h;
     s->bars_frames = n;
     s->bars_start = clock;
@@ -57,14 +57,14 @@ void screen_get_shake(const struct screen *s, uint32_t clock, int *dx, int *dy)
     if (!amplitude)
         return;
     if (!s->shake_aimed)
-        trig_polar(amplitude, age * GOLDEN, &x, &y);
+        trig_polar(amplitude, age * GOLDEN_ANGLE, &x, &y);
     else
-        trig_polar(age & 1 ? 0 : amplitude, s->shake_dir + (age & 2 ? 2u * QUARTER : 0), &x, &y);
+        trig_polar(age & 1 ? 0 : amplitude, s->shake_dir + (age & 2 ? 2u * QUARTER_TURN : 0), &x, &y);
     *dx = round_to_px(x);
     *dy = round_to_px(y);
 }
 
-fx screen_flash(const struct screen *s, uint32_t clock)
+fx screen_get_flash(const struct screen *s, uint32_t clock)
 {
     return current_strength(s->flash_share, s->flash_frames, s->flash_start, clock);
 }
@@ -75,20 +75,20 @@ static int32_t interpolate(int32_t from, int32_t to, uint32_t age, uint32_t n)
     return age >= n ? to : from + (int32_t)((int64_t)(to - from) * age / n);
 }
 
-int screen_bars(const struct screen *s, uint32_t clock)
+int screen_get_bars(const struct screen *s, uint32_t clock)
 {
     return interpolate(s->bars_from, s->bars, clock - s->bars_start, s->bars_frames);
 }
 
 void screen_set_dim(struct screen *s, uint32_t frame, fx share, uint32_t n)
 {
-    s->dim_from = screen_dim(s, frame);
+    s->dim_from = screen_get_dim(s, frame);
     s->dim = share;
     s->dim_frames = n;
     s->dim_start = frame;
 }
 
-fx screen_dim(const struct screen *s, uint32_t frame)
+fx screen_get_dim(const struct screen *s, uint32_t frame)
 {
     return interpolate(s->dim_from, s->dim, frame - s->dim_start, s->dim_frames);
 }

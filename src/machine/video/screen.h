@@ -12,7 +12,7 @@
 #include "../../base/fx.h"
 #include "../../base/slots.h"
 
-enum { MAX_SHAKE = 64 /* px */, MAX_BARS = 2048 /* px */, MAX_EFFECT_FRAMES = 65535 };
+enum { MAX_SHAKE = 64 /* px */, MAX_BAR_HEIGHT = 2048 /* px */, MAX_EFFECT_FRAMES = 65535 };
 
 struct screen {
     struct slots s;
@@ -44,15 +44,15 @@ void screen_get_shake(const struct screen *s, uint32_t clock, int *dx, int *dy);
 
 /* Returns the share of the flash's colour to mix into every palette entry, 0 to 1. In frame k of n, k from 1, it is
  * flash_share * (n - k + 1) / n. */
-fx screen_flash(const struct screen *s, uint32_t clock);
+fx screen_get_flash(const struct screen *s, uint32_t clock);
 
 /* Returns the height of each bar, px. After k of n frames it is from + (to - from) * k / n, where the quotient is
  * truncated towards 0. */
-int screen_bars(const struct screen *s, uint32_t clock);
+int screen_get_bars(const struct screen *s, uint32_t clock);
 
-/* screen_set_dim changes the dim from its current share of black to `share` over n frames, starting now. screen_dim
+/* screen_set_dim changes the dim from its current share of black to `share` over n frames, starting now. screen_get_dim
  * returns the current share, interpolated like the bars' height. frame: frames since power-on. */
 void screen_set_dim(struct screen *s, uint32_t frame, fx share, uint32_t n);
-fx screen_dim(const struct screen *s, uint32_t frame);
+fx screen_get_dim(const struct screen *s, uint32_t frame);
 
 #endif

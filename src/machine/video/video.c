@@ -31,8 +31,9 @@ void video_paint(struct draw_target *c, const struct image *img, int x, int y, u
 {
     if (!blend)
         blit_sprite(c->fb, img, x, y, bank, flip);
-    else if (c->look.mix[blend - 1] == BLIT_TABLE || !blit_ramped(c->fb, img, x, y, bank, flip, c->look.mix[blend - 1]))
-        blit_blended(c->fb, img, x, y, bank, flip, c->look.blend[blend - 1]);
+    else if (c->palette_tables.mix[blend - 1] == BLIT_TABLE ||
+             !blit_ramped(c->fb, img, x, y, bank, flip, c->palette_tables.mix[blend - 1]))
+        blit_blended(c->fb, img, x, y, bank, flip, c->palette_tables.blend[blend - 1]);
 }
 
 void video_batch_begin(struct video_batch *q, struct draw_target *c)
@@ -55,14 +56,14 @@ static void restart_batch(struct video_batch *q, const struct image *image, enum
     video_batch_end(q);
     q->size = *image;
     q->mix = mix;
-    q->unclipped = stamp_corners(q->c->fb, image->w, image->h);
+    q->unclipped = stamp_find_unclipped_area(q->c->fb, image->w, image->h);
 }
 
 void video_batch_put(struct video_batch *q, const struct image *image, int x, int y, uint8_t bank, unsigned flip,
                      unsigned blend)
 {
     const struct fb *fb = q->c->fb;
-    const enum blit_mix mix = blend ? (enum blit_mix)q->c->look.mix[blend - 1] : BLIT_OPAQUE;
+    const enum blit_mix mix = blend ? (enum blit_mix)q->c->palette_tables.mix[blend - 1] : BLIT_OPAQUE;
 
     if (image->w != q->size.w || image->h != q->size.h || image->pitch != q->size.pitch || mix != q->mix)
         restart_batch(q, image, mix);
@@ -73,7 +74,7 @@ void video_batch_put(struct video_batch *q, const struct image *image, int x, in
         return;
     }
     q->items[q->n++] = (struct blit_item){ image->pix, fb->pix + (ptrdiff_t)y * fb->pitch + x, bank };
-    if (q->n == VIDEO_BATCH)
+    if (q->n == VIDEO_BATCH_SIZE)
         video_batch_end(q);
 }
 
@@ -179,7 +180,7 @@ static void draw_items(struct draw_target *c)
 }
 
 /* Returns the brightest or the darkest palette entry; of several equal ones, the first. */
-static uint8_t extreme_entry(const struct board *b, bool brightest)
+static uint8_t find_extreme_entry(const struct board *b, bool brightest)
 {
     uint32_t best = brightest ? 0 : UINT32_MAX;
     int at = 0;
@@ -200,7 +201,7 @@ static void paint_white(struct draw_target *c, uint32_t i, int dx, int dy, unsig
     struct image img = video_image(s, c->b->core.clock - e->born[i], false, 0);
 
     blit_solid(c->fb, &img, c->x + fx_floor(e->x[i]) - s->ox + dx, c->y + fx_floor(e->y[i]) - s->oy + dy,
-               extreme_entry(c->b, true), (e->flags[i] & ENEMY_FLIP ? BLIT_FLIP_X : 0) | dots);
+               find_extreme_entry(c->b, true), (e->flags[i] & ENEMY_FLIP ? BLIT_FLIP_X : 0) | dots);
 }
 
 /* Draws enemy i in white four times, shifted by 1 px in each direction. The caller draws the enemy's picture over that,
@@ -222,7 +223,7 @@ static void draw_enemies(struct draw_target *c)
         if (e->flags[i] & ENEMY_HIDDEN)
             continue;
         const bool white = e->bank[i] >= ENEMY_BLINK_ONE && enemies_is_flashing(e, k, i);
-        const bool soft = c->soft || k->flags[e->kind[i]] & ENEMY_RIM_BLINK;
+        const bool soft = c->blinks_softly || k->flags[e->kind[i]] & ENEMY_RIM_BLINK;
         const unsigned blend = (k->flags[e->kind[i]] & ENEMY_BLEND) / ENEMY_BLEND_ONE;
         if (white && soft && !blend)
             paint_white_rim(c, i);
@@ -248,7 +249,7 @@ static void draw_players(struct draw_target *c)
 }
 
 /* Draws the sparks under the players (under), or those over the bullets (!under). */
-static void draw_sparks(struct draw_target *c, bool under)
+static void draw_sparks(struct draw_target *c, bool under_players)
 {
     const struct sparks *s = &c->b->sparks;
     struct video_batch q;
@@ -258,7 +259,7 @@ static void draw_sparks(struct draw_target *c, bool under)
         uint16_t kind = s->kind[i];
         const struct sprite *pic = &c->b->sprite_images[c->b->spark_kinds.sprite[kind]];
         uint8_t bank = sparks_bank(&c->b->spark_kinds, kind, s->age[i]);
-        if (under != (bool)(bank & SPARK_UNDER))
+        if (under_players != (bool)(bank & SPARK_UNDER_PLAYERS))
             continue;
         uint32_t last = pic->frames * (pic->frame_ticks ? pic->frame_ticks : 1u) - 1u; /* the animation plays once */
         queue_sprite(&q, c->b->spark_kinds.sprite[kind], s->age[i] < last ? s->age[i] : last, s->x[i], s->y[i],
@@ -270,7 +271,7 @@ static void draw_sparks(struct draw_target *c, bool under)
 enum { FEW_CELLS = 8, MANY_CELLS = 64 };
 
 /* Return whether any of MANY_CELLS entries of a column is not 0. */
-static bool any_code(const uint8_t *restrict code)
+static bool has_code(const uint8_t *restrict code)
 {
     uint8_t any = 0;
 
@@ -279,7 +280,7 @@ static bool any_code(const uint8_t *restrict code)
     return any;
 }
 
-static bool any_page(const uint16_t *restrict page)
+static bool has_page(const uint16_t *restrict page)
 {
     uint16_t any = 0;
 
@@ -290,11 +291,11 @@ static bool any_page(const uint16_t *restrict page)
 
 /* Returns how many cells from i can be skipped because they are empty: MANY_CELLS, FEW_CELLS or 1. Cell i must be
  * empty. */
-static uint32_t empty_cells(const struct fix *f, uint32_t i)
+static uint32_t count_empty_cells(const struct fix *f, uint32_t i)
 {
     const uint16_t *page = f->page ? f->page + i : NULL;
 
-    if (i + MANY_CELLS <= f->s.live && !any_code(f->code + i) && !(page && any_page(page)))
+    if (i + MANY_CELLS <= f->s.live && !has_code(f->code + i) && !(page && has_page(page)))
         return MANY_CELLS;
     if (i + FEW_CELLS <= f->s.live && !bytes_get64(f->code + i) &&
         !(page && (page[0] | page[1] | page[2] | page[3] | page[4] | page[5] | page[6] | page[7])))
@@ -306,7 +307,7 @@ static uint32_t empty_cells(const struct fix *f, uint32_t i)
 static uint32_t next_cell(const struct fix *f, uint32_t i)
 {
     while (i < f->s.live && !fix_code(f, i))
-        i += empty_cells(f, i);
+        i += count_empty_cells(f, i);
     return i;
 }
 
@@ -319,12 +320,12 @@ static void draw_rims(struct draw_target *c, const struct font *font, uint32_t f
     for (uint32_t i = first; i < f->s.live; i = next_cell(f, i + 1)) {
         if (!(f->bank[i] & FIX_RIM))
             continue;
-        dark = dark < 0 ? extreme_entry(c->b, false) : dark;
+        dark = dark < 0 ? find_extreme_entry(c->b, false) : dark;
         if (f->page || f->bank[i] & FIX_QUARTERS)
             video_draw_cell_rim(c, i, (uint8_t)dark);
         else
-            text_draw_rim(c->fb, font, (int)(i % f->cols) * FIX_CELL, (int)(i / f->cols) * FIX_CELL, f->code[i],
-                          (uint8_t)dark);
+            text_draw_rim(c->fb, font, (int)(i % f->cols) * FIX_CELL_SIZE, (int)(i / f->cols) * FIX_CELL_SIZE,
+                          f->code[i], (uint8_t)dark);
     }
 }
 
@@ -342,8 +343,8 @@ static void draw_text(struct draw_target *c)
         if (f->page || f->bank[i] & FIX_QUARTERS)
             video_draw_cell(c, i);
         else
-            text_draw_glyph(c->fb, &font, (int)(i % f->cols) * FIX_CELL, (int)(i / f->cols) * FIX_CELL, f->code[i],
-                            f->bank[i] & FIX_BANK);
+            text_draw_glyph(c->fb, &font, (int)(i % f->cols) * FIX_CELL_SIZE, (int)(i / f->cols) * FIX_CELL_SIZE,
+                            f->code[i], f->bank[i] & FIX_BANK);
 }
 
 /* Clears the screen outside the field. */
@@ -352,18 +353,18 @@ static void clear_sides(struct draw_target *c)
     const struct manifest *m = &c->b->cart.manifest;
     const int right = m->field_x + m->field_w, bottom = m->field_y + m->field_h;
 
-    fb_rect(c->fb, 0, 0, m->screen_w, m->field_y, 0);
-    fb_rect(c->fb, 0, m->field_y, m->field_x, m->field_h, 0);
-    fb_rect(c->fb, right, m->field_y, m->screen_w - right, m->field_h, 0);
-    fb_rect(c->fb, 0, bottom, m->screen_w, m->screen_h - bottom, 0);
+    fb_fill_rect(c->fb, 0, 0, m->screen_w, m->field_y, 0);
+    fb_fill_rect(c->fb, 0, m->field_y, m->field_x, m->field_h, 0);
+    fb_fill_rect(c->fb, right, m->field_y, m->screen_w - right, m->field_h, 0);
+    fb_fill_rect(c->fb, 0, bottom, m->screen_w, m->screen_h - bottom, 0);
 }
 
 /* Fills the empty pixels of a strip n px wide, outside the field's shaken edge, with the mirror image of the pixels
  * inside the edge. from: first pixel of the strip, next to the edge. step: offset of the next pixel away from the edge.
- * lines: length of the strip. along: offset of the next pixel along the edge. */
-static void mirror(uint8_t *from, int n, ptrdiff_t step, int lines, ptrdiff_t along)
+ * line_count: length of the strip. line_step: offset of the next pixel along the edge. */
+static void mirror(uint8_t *from, int n, ptrdiff_t step, int line_count, ptrdiff_t line_step)
 {
-    for (int i = 0; i < lines; i++, from += along)
+    for (int i = 0; i < line_count; i++, from += line_step)
         for (int k = 0; k < n; k++)
             if (!from[k * step])
                 from[k * step] = from[(-1 - k) * step];
@@ -397,7 +398,7 @@ static void draw_plates(struct draw_target *c, int layer)
 }
 
 /* Draws everything that a dim does not darken. */
-static void draw_over(struct draw_target *c)
+static void draw_above_dim(struct draw_target *c)
 {
     draw_plates(c, LAYER_PLATE);
     draw_sprites(c, LAYER_OVER);
@@ -407,13 +408,13 @@ static void draw_over(struct draw_target *c)
         video_draw_lines(c);
 }
 
-/* Finds the palette entries that draw_over uses, by drawing it. The caller redraws the picture afterwards. */
+/* Finds the palette entries that draw_above_dim uses, by drawing it. The caller redraws the picture afterwards. */
 static void find_reserved_entries(struct draw_target c, bool reserved[COLOURS])
 {
     memset(reserved, 0, COLOURS * sizeof *reserved);
     fb_fill(c.fb, 0);
     video_clip_field(&c);
-    draw_over(&c);
+    draw_above_dim(&c);
     for (int y = 0; y < c.fb->h; y++)
         for (int x = 0; x < c.fb->w; x++)
             reserved[c.fb->pix[y * c.fb->pitch + x]] = true;
@@ -423,15 +424,15 @@ static void find_reserved_entries(struct draw_target c, bool reserved[COLOURS])
 static void draw_bars(struct draw_target *c)
 {
     const struct manifest *m = &c->b->cart.manifest;
-    int h = screen_bars(&c->b->screen, c->b->core.clock);
+    int h = screen_get_bars(&c->b->screen, c->b->core.clock);
 
-    fb_rect(c->fb, m->field_x, m->field_y, m->field_w, h, 0);
-    fb_rect(c->fb, m->field_x, m->field_y + m->field_h - h, m->field_w, h, 0);
+    fb_fill_rect(c->fb, m->field_x, m->field_y, m->field_w, h, 0);
+    fb_fill_rect(c->fb, m->field_x, m->field_y + m->field_h - h, m->field_w, h, 0);
 }
 
 static void draw_flash(const struct board *b, bool soft, uint32_t rgb[256])
 {
-    fx share = screen_flash(&b->screen, b->core.clock) / (soft ? VIEW_SOFT_DIVISOR : 1);
+    fx share = screen_get_flash(&b->screen, b->core.clock) / (soft ? VIEW_SOFT_DIVISOR : 1);
 
     for (int i = 0; share && i < COLOURS; i++)
         rgb[i] = pal_mix(rgb[i], b->screen.flash_colour, share, FX_ONE);
@@ -440,7 +441,7 @@ static void draw_flash(const struct board *b, bool soft, uint32_t rgb[256])
 static_assert(CART_SHADES_SIZE == (VIEW_DIMS - 1) * COLOURS, "expected one table for each dim level except `none`");
 
 /* Returns the table with which a view dims backgrounds, the ROM's if it has one; NULL: no dimming. */
-static const uint8_t *shade_of(const struct cart_look *look, const struct view *view)
+static const uint8_t *shade_of(const struct cart_colour_tables *look, const struct view *view)
 {
     const uint8_t *shades = look->shades ? look->shades : view->shades;
 
@@ -452,10 +453,18 @@ static struct draw_target make_target(const struct board *b, struct fb *fb, void
                                       bool *shaken)
 {
     const struct manifest *m = &b->cart.manifest;
-    struct draw_target c = {
-        b,    fb, m->field_x, m->field_y, scratch, min_overdraw, 0, 0, sprite_layers(&b->sprites), NULL, video_look(b),
-        false
-    };
+    struct draw_target c = { b,
+                             fb,
+                             m->field_x,
+                             m->field_y,
+                             scratch,
+                             min_overdraw,
+                             0,
+                             0,
+                             sprite_layers(&b->sprites),
+                             NULL,
+                             video_get_palette_tables(b),
+                             false };
     int dx, dy;
 
     screen_get_shake(&b->screen, b->core.clock, &dx, &dy);
@@ -463,12 +472,12 @@ static struct draw_target make_target(const struct board *b, struct fb *fb, void
     c.x += dx;
     c.y += dy;
     if (*shaken)
-        c.min_overdraw = VIDEO_NO_LAYERS; /* a layer covers only the field, not the edges that a shake exposes */
+        c.min_overdraw = VIDEO_BACK_TO_FRONT; /* a layer covers only the field, not the edges that a shake exposes */
     return c;
 }
 
 /* Draws everything under the bullets. */
-static void draw_behind(struct draw_target *c, bool shaken)
+static void draw_behind_bullets(struct draw_target *c, bool shaken)
 {
     const struct board *b = c->b;
     const bool covered = video_bg_covers(b);
@@ -499,31 +508,31 @@ static void draw_behind(struct draw_target *c, bool shaken)
     draw_players(c);
 }
 
-void video_draw_behind(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch)
+void video_draw_behind_bullets(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch)
 {
     bool shaken;
-    struct draw_target c = make_target(b, fb, scratch, VIDEO_OVERDRAW, &shaken);
+    struct draw_target c = make_target(b, fb, scratch, VIDEO_MIN_OVERDRAW, &shaken);
 
     memcpy(rgb, b->pal.rgb, COLOURS * sizeof *rgb);
-    draw_behind(&c, shaken);
+    draw_behind_bullets(&c, shaken);
 }
 
 struct draw_target video_draw(const struct board *b, const struct view *view, struct fb *fb, uint32_t rgb[256],
                               void *scratch, int min_overdraw)
 {
-    static const struct view plain;
-    const struct view *v = view ? view : &plain;
-    const fx dim = screen_dim(&b->screen, b->core.frame);
+    static const struct view unadjusted_view;
+    const struct view *v = view ? view : &unadjusted_view;
+    const fx dim = screen_get_dim(&b->screen, b->core.frame);
     bool shaken, reserved[COLOURS];
     struct draw_target c = make_target(b, fb, scratch, min_overdraw, &shaken);
 
-    c.shade = shade_of(&c.look, v);
-    c.soft = v->softens_flashes;
+    c.shade = shade_of(&c.palette_tables, v);
+    c.blinks_softly = v->softens_flashes;
     memcpy(rgb, b->pal.rgb, COLOURS * sizeof *rgb);
     draw_flash(b, v->softens_flashes, rgb);
     if (dim)
         find_reserved_entries(c, reserved);
-    draw_behind(&c, shaken);
+    draw_behind_bullets(&c, shaken);
     video_draw_bullets(&c, &b->bullets, &b->bullet_kinds);
     video_draw_lasers(&c, false);
     draw_sparks(&c, false);
@@ -533,8 +542,8 @@ struct draw_target video_draw(const struct board *b, const struct view *view, st
     draw_bars(&c);
     if (dim)
         video_dim(&c, rgb, reserved, dim);
-    draw_over(&c);
-    for (int i = 0; v->colours && i < COLOURS; i++)
-        rgb[i] = view_colour(v->colours, rgb[i]);
+    draw_above_dim(&c);
+    for (int i = 0; v->colour_blind_mode && i < COLOURS; i++)
+        rgb[i] = view_adjust_colour(v->colour_blind_mode, rgb[i]);
     return c;
 }

@@ -14,30 +14,30 @@ struct draw_target {
     struct fb *fb;
     int x, y; /* px: the field's top left corner on the screen plus a shake's offset */
     void *scratch;
-    int min_overdraw; /* overdraw from which bullets are drawn front to back; VIDEO_NO_LAYERS: never */
+    int min_overdraw; /* overdraw from which bullets are drawn front to back; VIDEO_BACK_TO_FRONT: never */
     uint64_t drawn_count,
-        hidden_count;      /* pictures drawn, including `hidden_count`; pictures skipped because others cover them */
-    unsigned layers;       /* sprite layers that are not empty, 1 << layer */
-    const uint8_t *shade;  /* palette entry that backgrounds show for each of 256; NULL: backgrounds are not dimmed */
-    struct cart_look look; /* tables of the loaded palette */
-    bool soft;             /* hurt enemies blink softly */
+        hidden_count;     /* pictures drawn, including `hidden_count`; pictures skipped because others cover them */
+    unsigned layers;      /* sprite layers that are not empty, 1 << layer */
+    const uint8_t *shade; /* palette entry that backgrounds show for each of 256; NULL: backgrounds are not dimmed */
+    struct cart_colour_tables palette_tables; /* tables of the loaded palette */
+    bool blinks_softly;                       /* hurt enemies blink softly */
 };
 
-/* Overdraw is how many times the bullets' opaque pixels would cover the field. From VIDEO_OVERDRAW on, bullets are
+/* Overdraw is how many times the bullets' opaque pixels would cover the field. From VIDEO_MIN_OVERDRAW on, bullets are
  * drawn front to back. Measurements: docs/measured/speed.md. */
-enum { VIDEO_OVERDRAW = 50, VIDEO_NO_LAYERS = -1 };
+enum { VIDEO_MIN_OVERDRAW = 50, VIDEO_BACK_TO_FRONT = -1 };
 
-/* Draws the same picture as board_draw, but draws bullets front to back from another overdraw on (VIDEO_NO_LAYERS:
- * never). Returns the target, with its counts of pictures. */
+/* Draws the same picture as board_draw, but starts to draw bullets front to back at an overdraw of `min_overdraw`
+ * (VIDEO_BACK_TO_FRONT: never). Returns the target, with its counts of pictures. */
 struct draw_target video_draw(const struct board *b, const struct view *view, struct fb *fb, uint32_t rgb[256],
                               void *scratch, int min_overdraw);
 
 /* Draws only what is behind the bullets, and sets rgb to the colours without a flash. Leaves the clip set to the
  * field. */
-void video_draw_behind(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch);
+void video_draw_behind_bullets(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch);
 
 /* Returns the tables of the ROM palette that is loaded (board_loaded_palette). */
-struct cart_look video_look(const struct board *b);
+struct cart_colour_tables video_get_palette_tables(const struct board *b);
 
 /* Returns the picture of a sprite that has been shown for `age` frames. is_rotated: selects the rotated copy nearest to
  * dir. */
@@ -51,14 +51,14 @@ void video_paint(struct draw_target *c, const struct image *image, int x, int y,
                  unsigned blend);
 
 /* A queue of pictures that are painted in order; consecutive pictures of the same size and mix are painted together. */
-enum { VIDEO_BATCH = 64 };
+enum { VIDEO_BATCH_SIZE = 64 };
 struct video_batch {
     struct draw_target *c;
-    struct image size;              /* size of the queued pictures; pix is not used */
-    enum blit_mix mix;              /* mix of the queued pictures */
-    struct stamp_corners unclipped; /* positions at which a picture of that size needs no clipping */
+    struct image size;                     /* size of the queued pictures; pix is not used */
+    enum blit_mix mix;                     /* mix of the queued pictures */
+    struct stamp_unclipped_area unclipped; /* positions at which a picture of that size needs no clipping */
     size_t n;
-    struct blit_item items[VIDEO_BATCH];
+    struct blit_item items[VIDEO_BATCH_SIZE];
 };
 
 /* Starts an empty queue, without writing `items`. The clip must not change while pictures are queued. */
@@ -106,11 +106,11 @@ void video_draw_lasers(struct draw_target *c, bool shoots);
  * bound was low enough, so that nothing was counted. video_fits returns whether the work is at most `limit`. */
 struct video_work {
     uint64_t work;
-    const char *largest, *advice;
+    const char *largest_name, *advice;
 };
 bool video_fits(const struct board *b, uint64_t limit, struct video_work *out);
 
 /* Returns the bytes of scratch memory that video_draw_bullets needs. */
-size_t video_bullets_scratch(const struct manifest *m);
+size_t video_bullets_scratch_size(const struct manifest *m);
 
 #endif

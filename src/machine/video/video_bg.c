@@ -21,13 +21,13 @@
 #include "video.h"
 #include <string.h>
 
-enum { MAX_ROW = 1024 + 64 /* px: the widest field plus one of the largest tiles on each side */ };
+enum { MAX_ROW_WIDTH = 1024 + 64 /* px: the widest field plus one of the largest tiles on each side */ };
 
 /* How rows of a layer or of the plane are drawn onto the surface. */
 struct brush {
     uint8_t bank;
-    const uint8_t *remap; /* palette entry shown for each of 256; NULL: unchanged */
-    const uint8_t *table; /* table of a blend; NULL: opaque */
+    const uint8_t *remap;       /* palette entry shown for each of 256; NULL: unchanged */
+    const uint8_t *blend_table; /* table of a blend; NULL: opaque */
 };
 
 static int64_t modulo(int64_t a, int64_t n)
@@ -43,8 +43,8 @@ static void draw_pixels(struct draw_target *c, const struct brush *b, const uint
     const struct manifest *m = &c->b->cart.manifest;
     uint8_t *d = c->fb->pix + (m->field_y + y) * c->fb->pitch + m->field_x + x;
 
-    if (b->remap || b->table)
-        row_mix(d, s, n, b->bank, b->remap, b->table);
+    if (b->remap || b->blend_table)
+        row_mix(d, s, n, b->bank, b->remap, b->blend_table);
     else if (solid)
         row_copy(d, s, n, b->bank);
     else
@@ -53,9 +53,9 @@ static void draw_pixels(struct draw_target *c, const struct brush *b, const uint
 
 /* The tiles shown by one or more rows of a layer. offset: offset of each tile in the map's pixels. */
 struct tiles {
-    uint32_t offset[MAX_ROW / 8];
-    uint8_t kind[MAX_ROW / 8]; /* enum tile */
-    int n, col, row;           /* number of tiles; map cell of the first */
+    uint32_t offset[MAX_ROW_WIDTH / 8];
+    uint8_t kind[MAX_ROW_WIDTH / 8]; /* enum tile */
+    int n, col, row;                 /* number of tiles; map cell of the first */
 };
 
 /* Finds n tiles from map cell (col, row), wrapping at the map's right edge. */
@@ -70,7 +70,7 @@ static void find_tiles(const struct map *m, int col, int row, int n, struct tile
     for (int k = 0; k < n; k++) {
         size_t tile = bytes_get16(cells + 2 * col);
         t->offset[k] = (uint32_t)tile * size;
-        t->kind[k] = m->solid[tile] ? TILE_SOLID : tile ? TILE_HOLES : TILE_EMPTY;
+        t->kind[k] = m->solid[tile] ? TILE_SOLID : tile ? TILE_MASKED : TILE_EMPTY;
         if (++col == m->cols)
             col = 0;
     }
@@ -83,14 +83,14 @@ static void copy_tiles(const struct map *m, const struct tiles *t, int tile_row,
         memcpy(to + k * m->tile_side, m->pix + t->offset[k] + tile_row * m->tile_side, (size_t)m->tile_side);
 }
 
-/* Returns a table that applies `first`, then `then`; a NULL table changes nothing. May store the result in
+/* Returns a table that applies `first`, then `second`; a NULL table changes nothing. May store the result in
  * `composed`. */
-static const uint8_t *compose_tables(const uint8_t *first, const uint8_t *then, uint8_t composed[256])
+static const uint8_t *compose_tables(const uint8_t *first, const uint8_t *second, uint8_t composed[256])
 {
-    if (!first || !then)
-        return first ? first : then;
+    if (!first || !second)
+        return first ? first : second;
     for (int k = 0; k < 256; k++)
-        composed[k] = then[first[k]];
+        composed[k] = second[first[k]];
     return composed;
 }
 
@@ -98,21 +98,21 @@ static struct brush brush_of(const struct draw_target *c, uint32_t i)
 {
     const struct board *b = c->b;
     const unsigned blend = (b->bg.flags[i] & BG_BLEND) / BG_BLEND_ONE;
-    struct brush brush = { (uint8_t)(b->bg.bank[i] * 16), NULL, blend ? c->look.blend[blend - 1] : NULL };
+    struct brush brush = { (uint8_t)(b->bg.bank[i] * 16), NULL, blend ? c->palette_tables.blend[blend - 1] : NULL };
 
     if (bg_darkness(&b->bg))
-        brush.remap = b->bg_shades.table + BG_BLACK_TABLES + (bg_darkness(&b->bg) - 1) * 256;
+        brush.remap = b->bg_shades.table + BG_BLACK_OFFSET + (bg_darkness(&b->bg) - 1) * 256;
     return brush;
 }
 
 /* Return the shake's offset, px. A shake moves the maps within the field, so that the maps still reach the field's
  * edges. */
-static int shaken_x(const struct draw_target *c)
+static int shake_dx(const struct draw_target *c)
 {
     return c->x - c->b->cart.manifest.field_x;
 }
 
-static int shaken_y(const struct draw_target *c)
+static int shake_dy(const struct draw_target *c)
 {
     return c->y - c->b->cart.manifest.field_y;
 }
@@ -189,7 +189,7 @@ static void draw_mixed_rows(struct draw_target *c, const struct brush *b, const 
                             const struct shown_rows *r)
 {
     const int skip = (int)r->map_x & (m->tile_side - 1), tile_row = (int)r->map_y & (m->tile_side - 1);
-    uint8_t row[MAX_ROW];
+    uint8_t row[MAX_ROW_WIDTH];
 
     for (int k = 0; k < r->n; k++) {
         copy_tiles(m, t, tile_row + k, row);
@@ -206,7 +206,7 @@ static void draw_rows(struct draw_target *c, const struct brush *b, const struct
 
     if (t->n != n || t->col != col || t->row != row)
         find_tiles(m, col, row, n, t);
-    if (b->remap || b->table)
+    if (b->remap || b->blend_table)
         draw_mixed_rows(c, b, m, t, r);
     else
         draw_tiles(c, b->bank, m, t, r);
@@ -216,7 +216,7 @@ static void draw_layer(struct draw_target *c, uint32_t i, const uint8_t *shade)
 {
     const struct bg *g = &c->b->bg;
     struct brush brush = brush_of(c, i);
-    const int w = c->b->cart.manifest.field_w, h = c->b->cart.manifest.field_h, dx = shaken_x(c), dy = shaken_y(c);
+    const int w = c->b->cart.manifest.field_w, h = c->b->cart.manifest.field_h, dx = shake_dx(c), dy = shake_dy(c);
     const bool wraps = g->flags[i] & BG_WRAP;
     struct tiles tiles = { .n = -1 };
     uint8_t composed[256];
@@ -295,23 +295,23 @@ static int fog_at(const struct bg *g, int field_w, int64_t s)
 }
 
 /* Returns a table that applies fog, then the fade to black, then the shade; NULL: none of them applies. May store the
- * result in `two` or `three`. */
-static const uint8_t *plane_table(const struct draw_target *c, int fog, const uint8_t *shade, uint8_t two[256],
-                                  uint8_t three[256])
+ * result in `composed2` or `composed3`. */
+static const uint8_t *plane_table(const struct draw_target *c, int fog, const uint8_t *shade, uint8_t composed2[256],
+                                  uint8_t composed3[256])
 {
-    const uint8_t *first = fog ? c->b->bg_shades.table + BG_FOG_TABLES + (fog - 1) * 256 : NULL;
+    const uint8_t *first = fog ? c->b->bg_shades.table + BG_FOG_OFFSET + (fog - 1) * 256 : NULL;
 
-    return compose_tables(compose_tables(first, brush_of(c, BG_PLANE).remap, two), shade, three);
+    return compose_tables(compose_tables(first, brush_of(c, BG_PLANE).remap, composed2), shade, composed3);
 }
 
 static void draw_plane(struct draw_target *c, const uint8_t *shade)
 {
     const struct bg *g = &c->b->bg;
     const int w = c->b->cart.manifest.field_w, h = c->b->cart.manifest.field_h,
-              horizon = g->horizon[BG_PLANE] + shaken_y(c);
+              horizon = g->horizon[BG_PLANE] + shake_dy(c);
     const bool is_ceiling = g->flags[BG_PLANE] & BG_CEILING;
     struct brush brush = brush_of(c, BG_PLANE);
-    uint8_t row[MAX_ROW], two[256], three[256];
+    uint8_t row[MAX_ROW_WIDTH], composed2[256], composed3[256];
     struct map m;
     int current_fog = -1;
 
@@ -323,8 +323,8 @@ static void draw_plane(struct draw_target *c, const uint8_t *shade)
         int64_t s = (4 * (int64_t)g->height[BG_PLANE] + half_rows) / (2 * half_rows);
         int fog = fog_at(g, w, s);
         if (fog != current_fog)
-            brush.remap = plane_table(c, current_fog = fog, shade, two, three);
-        bool solid = walk_row(&m, advance_walk(walk_of(g, &m, w, s), &m, -shaken_x(c)), w, row);
+            brush.remap = plane_table(c, current_fog = fog, shade, composed2, composed3);
+        bool solid = walk_row(&m, advance_walk(walk_of(g, &m, w, s), &m, -shake_dx(c)), w, row);
         draw_pixels(c, &brush, row, 0, y, w, solid);
     }
     c->drawn_count++;

@@ -14,7 +14,7 @@
 #include "video.h"
 
 enum {
-    BATCH = 64,                  /* pictures per batch */
+    BATCH_SIZE = 64,             /* pictures per batch */
     ALL_BANKS_MIN_BULLETS = 512, /* with this many bullets of a kind, all banks are assumed to be in use */
 
     /* The topmost kinds are drawn without a visibility test until their opaque pixels reach this many field areas. */
@@ -24,29 +24,29 @@ enum {
 /* How a kind is drawn this frame. */
 struct style {
     const struct sprite *pic;
-    bool turns;      /* each bullet shows one of several rotated copies */
-    bool uses_dir;   /* the copy depends on the bullet's dir */
-    ang spin;        /* rotation per frame */
-    int order, area; /* area: px of its picture */
+    bool has_rotations; /* each bullet shows one of several rotated copies */
+    bool uses_dir;      /* the copy depends on the bullet's dir */
+    ang spin;           /* rotation per frame */
+    int order, area;    /* area: px of its picture */
     bool is_cloud;
     unsigned blend; /* index + 1, 0: opaque */
     enum blit_mix mix;
-    bool same_picture;   /* all bullets show the same picture, opaque or blended by a rule */
-    bool one_by_one;     /* bullets are drawn one by one: blended through a table, or clouds whose ages are stretched */
-    uint32_t n;          /* live bullets */
-    size_t pixels;       /* opaque px of the picture; set for layered kinds */
-    uint32_t list_start; /* index in lists.list of the kind's first entry */
-    uint32_t less;       /* as in struct stamp_list */
+    bool shares_picture;      /* all bullets show the same picture, opaque or blended by a rule */
+    bool is_drawn_one_by_one; /* blended through a table, or clouds whose ages are stretched */
+    uint32_t n;               /* live bullets */
+    size_t opaque_count;      /* opaque px of the picture; set for layered kinds */
+    uint32_t list_start;      /* index in lists.list of the kind's first entry */
+    uint32_t less;            /* as in struct stamp_list */
 };
 
 struct lists {
     struct style style[MAX_KINDS];
-    uint32_t next[MAX_KINDS];     /* index in `list` for the kind's next bullet */
-    uint8_t is_listed[MAX_KINDS]; /* 1: the kind's bullets are to be listed; used only for layers */
-    uint8_t by_slot[MAX_KINDS];   /* 1: all the kind's bullets are listed by slot */
-    bool any_by_slot,
-        any_varied; /* whether any kind has `by_slot` set; whether any kind's style has `same_picture` unset */
-    uint16_t order[MAX_KINDS]; /* kinds that have bullets, in draw order */
+    uint32_t next[MAX_KINDS];             /* index in `list` for the kind's next bullet */
+    uint8_t is_listed[MAX_KINDS];         /* 1: the kind's bullets are to be listed; used only for layers */
+    uint8_t is_listed_by_slot[MAX_KINDS]; /* 1: all the kind's bullets are listed by slot */
+    bool any_listed_by_slot;              /* any kind has `is_listed_by_slot` set */
+    bool any_varied;                      /* any kind's style has `shares_picture` unset */
+    uint16_t order[MAX_KINDS];            /* kinds that have bullets, in draw order */
     uint32_t kind_count;
     struct stamp stamp;
     uint32_t *list, *slots; /* slots: slot of each bullet in `list`; complete only if any_varied is set */
@@ -62,7 +62,7 @@ struct window {
     uint32_t base;      /* added to the offset of a bullet's pixel to get its list entry */
 
     /* Whether bullets listed by slot are clipped when they are drawn. If so, any bullet may be listed by slot, and
-     * bullets of kinds without `same_picture` may also be listed as destinations. False for a layer. */
+     * bullets of kinds without `shares_picture` may also be listed as destinations. False for a layer. */
     bool clips;
 };
 
@@ -71,22 +71,25 @@ static size_t max_bullets(const struct manifest *m)
     return (size_t)(m->bullets > m->shots ? m->bullets : m->shots);
 }
 
-size_t video_bullets_scratch(const struct manifest *m)
+size_t video_bullets_scratch_size(const struct manifest *m)
 {
-    return (size_t)int_align(sizeof(struct lists)) + 2 * (size_t)int_align(max_bullets(m) * sizeof(uint32_t)) +
-           (size_t)int_align(stamp_layer_size(m->field_w, m->field_h)) + stamp_cells_size(m->field_w, m->field_h) + 64;
+    return (size_t)int_align_cache_line(sizeof(struct lists)) +
+           2 * (size_t)int_align_cache_line(max_bullets(m) * sizeof(uint32_t)) +
+           (size_t)int_align_cache_line(stamp_layer_size(m->field_w, m->field_h)) +
+           stamp_cells_size(m->field_w, m->field_h) + 64;
 }
 
 static struct lists *init_lists(const struct draw_target *c)
 {
-    uint8_t *at = (uint8_t *)(uintptr_t)int_align((uintptr_t)c->scratch);
+    uint8_t *at = (uint8_t *)(uintptr_t)int_align_cache_line((uintptr_t)c->scratch);
     struct lists *l = (struct lists *)at;
 
-    l->list = (uint32_t *)(at + (size_t)int_align(sizeof *l));
-    l->slots =
-        (uint32_t *)((uint8_t *)l->list + (size_t)int_align(max_bullets(&c->b->cart.manifest) * sizeof *l->list));
-    l->layer = (uint8_t *)l->slots + (size_t)int_align(max_bullets(&c->b->cart.manifest) * sizeof *l->slots);
-    l->cells = l->layer + (size_t)int_align(stamp_layer_size(c->b->cart.manifest.field_w, c->b->cart.manifest.field_h));
+    l->list = (uint32_t *)(at + (size_t)int_align_cache_line(sizeof *l));
+    l->slots = (uint32_t *)((uint8_t *)l->list +
+                            (size_t)int_align_cache_line(max_bullets(&c->b->cart.manifest) * sizeof *l->list));
+    l->layer = (uint8_t *)l->slots + (size_t)int_align_cache_line(max_bullets(&c->b->cart.manifest) * sizeof *l->slots);
+    l->cells = l->layer +
+               (size_t)int_align_cache_line(stamp_layer_size(c->b->cart.manifest.field_w, c->b->cart.manifest.field_h));
     return l;
 }
 
@@ -96,8 +99,8 @@ static void find_style(const struct draw_target *c, const struct bullet_kinds *k
 {
     const struct sprite *pic = &c->b->sprite_images[k->sprite[kind]];
     const unsigned flags = k->flags[kind], blend = (flags & KIND_BLEND) / KIND_BLEND_ONE;
-    const enum blit_mix mix = blend ? (enum blit_mix)c->look.mix[blend - 1] : BLIT_OPAQUE;
-    const bool uses_dir = flags & KIND_TURNS, is_cloud = flags & KIND_CLOUD;
+    const enum blit_mix mix = blend ? (enum blit_mix)c->palette_tables.mix[blend - 1] : BLIT_OPAQUE;
+    const bool uses_dir = flags & KIND_TURNS, is_cloud = flags & KIND_IS_CLOUD_ROW;
     const ang spin = k->spin[kind];
     const bool turns = (uses_dir || spin) && pic->rotations > 1;
 
@@ -105,19 +108,19 @@ static void find_style(const struct draw_target *c, const struct bullet_kinds *k
     style->pic = pic;
     style->uses_dir = uses_dir;
     style->spin = spin;
-    style->turns = turns;
+    style->has_rotations = turns;
     style->order = k->draw_order[kind];
     style->area = pic->w * pic->h;
     style->blend = blend;
     style->is_cloud = is_cloud;
     style->mix = mix;
-    style->same_picture = !turns && pic->frames == 1 && mix != BLIT_TABLE;
-    style->one_by_one = mix == BLIT_TABLE || (is_cloud && (pic->frames > 1 || spin));
+    style->shares_picture = !turns && pic->frames == 1 && mix != BLIT_TABLE;
+    style->is_drawn_one_by_one = mix == BLIT_TABLE || (is_cloud && (pic->frames > 1 || spin));
 }
 
 /* Returns whether kind a is drawn below kind b, which was declared before a: a has the lower `order` or, if they are
  * equal, the larger picture. */
-static bool is_lower(const struct style *a, const struct style *b)
+static bool is_drawn_below(const struct style *a, const struct style *b)
 {
     if (a->order != b->order)
         return a->order < b->order;
@@ -129,7 +132,7 @@ static void insert_kind(struct lists *l, uint16_t kind)
     uint32_t at = l->kind_count++;
 
     for (; at > 0; at--) {
-        if (!is_lower(&l->style[kind], &l->style[l->order[at - 1]]))
+        if (!is_drawn_below(&l->style[kind], &l->style[l->order[at - 1]]))
             break;
         l->order[at] = l->order[at - 1];
     }
@@ -183,12 +186,12 @@ static struct image image_of(const struct draw_target *c, const struct lists *l,
 
     uint32_t age = picture_age(style, s, i, c->b->core.clock);
 
-    return video_image(style->pic, age, style->turns, (style->uses_dir ? s->dir[i] : 0) + style->spin * age);
+    return video_image(style->pic, age, style->has_rotations, (style->uses_dir ? s->dir[i] : 0) + style->spin * age);
 }
 
 /* The positions at which bullets with pictures of one size and anchor need no clipping. */
 struct fit {
-    struct stamp_corners c;
+    struct stamp_unclipped_area c;
 
     /* From a bullet's pixel to its picture's corner, minus (c.x0, c.y0): in px (dx, dy), and as an offset in bytes
      * (offset). */
@@ -197,7 +200,7 @@ struct fit {
 
 static struct fit fit_of(const struct fb *fb, const struct sprite *pic, int x, int y)
 {
-    struct fit f = { .c = stamp_corners(fb, pic->w, pic->h) };
+    struct fit f = { .c = stamp_find_unclipped_area(fb, pic->w, pic->h) };
 
     f.dx = x - pic->ox - f.c.x0;
     f.dy = y - pic->oy - f.c.y0;
@@ -205,7 +208,7 @@ static struct fit fit_of(const struct fb *fb, const struct sprite *pic, int x, i
     return f;
 }
 
-static bool same_size_and_anchor(const struct sprite *a, const struct sprite *b)
+static bool have_same_size_and_anchor(const struct sprite *a, const struct sprite *b)
 {
     return a->w == b->w && a->h == b->h && a->ox == b->ox && a->oy == b->oy;
 }
@@ -235,18 +238,18 @@ static struct window init_window(struct lists *l, uint32_t first, uint32_t to, c
 
     if (!clips)
         memset(l->is_listed, 0, sizeof l->is_listed);
-    l->any_by_slot = l->any_varied = false;
+    l->any_listed_by_slot = l->any_varied = false;
     for (uint32_t o = first; o < to; o++) {
         const uint16_t kind = l->order[o];
         struct style *style = &l->style[kind];
-        const bool known = fit_sprite && same_size_and_anchor(fit_sprite, style->pic);
+        const bool known = fit_sprite && have_same_size_and_anchor(fit_sprite, style->pic);
         if (!known)
             f = fit_of(fb, style->pic, x, y);
-        const bool by_slot = !style->same_picture && (!clips || !f.c.width || !f.c.height);
+        const bool by_slot = !style->shares_picture && (!clips || !f.c.width || !f.c.height);
         l->is_listed[kind] = 1;
-        l->by_slot[kind] = by_slot;
-        l->any_by_slot |= by_slot;
-        l->any_varied |= !style->same_picture;
+        l->is_listed_by_slot[kind] = by_slot;
+        l->any_listed_by_slot |= by_slot;
+        l->any_varied |= !style->shares_picture;
         l->next[kind] = style->list_start;
         style->less = (uint32_t)f.offset;
         fit_sprite = by_slot ? NULL : style->pic;
@@ -315,11 +318,11 @@ static inline void append_bullet(struct lists *l, const struct bullets *s, uint3
 static void list_edge_bullet(struct lists *l, const struct bullets *s, const struct window *t, uint32_t i)
 {
     const struct style *style = &l->style[s->kind[i]];
-    struct stamp_corners c = stamp_corners(t->fb, style->pic->w, style->pic->h);
+    struct stamp_unclipped_area c = stamp_find_unclipped_area(t->fb, style->pic->w, style->pic->h);
     int x, y;
 
     find_corner(t, l, s, i, &x, &y);
-    if (!l->by_slot[s->kind[i]] && (uint32_t)(x - c.x0) < c.width && (uint32_t)(y - c.y0) < c.height)
+    if (!l->is_listed_by_slot[s->kind[i]] && (uint32_t)(x - c.x0) < c.width && (uint32_t)(y - c.y0) < c.height)
         append_bullet(l, s, i, stamp_dest(t->fb, (uint32_t)(x - c.x0), (uint32_t)(y - c.y0), s->bank[i]) + style->less);
     else if (x < t->fb->x1 && x + style->pic->w > t->fb->x0 && y < t->fb->y1 && y + style->pic->h > t->fb->y0)
         append_bullet(l, s, i, STAMP_CALLER_ENTRY | i);
@@ -330,9 +333,9 @@ static void list_masked(struct lists *l, const struct bullets *s, const struct w
 {
     for (; m; m &= m - 1) {
         uint32_t i = block * SLOTS_BLOCK + bits_lowest(m);
-        if (t->clips && l->by_slot[s->kind[i]])
+        if (t->clips && l->is_listed_by_slot[s->kind[i]])
             append_bullet(l, s, i, STAMP_CALLER_ENTRY | i);
-        else if (!l->by_slot[s->kind[i]] && is_unclipped(t, s->x[i], s->y[i]))
+        else if (!l->is_listed_by_slot[s->kind[i]] && is_unclipped(t, s->x[i], s->y[i]))
             append_bullet(l, s, i,
                           ((uint32_t)s->bank[i] << 28) + (uint32_t)fx_floor(s->y[i]) * (uint32_t)t->fb->pitch +
                               (uint32_t)fx_floor(s->x[i]) + t->base);
@@ -341,7 +344,7 @@ static void list_masked(struct lists *l, const struct bullets *s, const struct w
     }
 }
 
-enum { RUN = 8 };
+enum { RUN_LENGTH = 8 };
 
 /* Returns whether RUN bullets are of one kind, as in rings. Such bullets are listed together, with one update of the
  * kind's counter, because waiting for an update per bullet is slow. */
@@ -349,7 +352,7 @@ static bool is_run(const uint16_t *kinds)
 {
     uint64_t a, b;
 
-    if (kinds[0] != kinds[RUN - 1]) /* the usual result when kinds are mixed */
+    if (kinds[0] != kinds[RUN_LENGTH - 1]) /* the usual result when kinds are mixed */
         return false;
     memcpy(&a, kinds, sizeof a);
     memcpy(&b, kinds + 4, sizeof b);
@@ -358,29 +361,29 @@ static bool is_run(const uint16_t *kinds)
 
 static inline void list_slots(uint32_t *restrict slots, uint32_t first)
 {
-    for (uint32_t k = 0; k < RUN; k++)
+    for (uint32_t k = 0; k < RUN_LENGTH; k++)
         slots[k] = first + k;
 }
 
 /* Lists a block in which no bullet needs clipping. with_slots: whether to list the slots as well, a constant at each
  * call. */
-__attribute__((always_inline)) static inline void list_all_slots(struct lists *l, const uint16_t *kinds,
-                                                                 const uint32_t entries[SLOTS_BLOCK], uint32_t first,
-                                                                 bool with_slots)
+__attribute__((always_inline)) static inline void list_unclipped_block(struct lists *l, const uint16_t *kinds,
+                                                                       const uint32_t entries[SLOTS_BLOCK],
+                                                                       uint32_t first, bool with_slots)
 {
     uint32_t *list = l->list, *slots = l->slots;
 
-    for (uint32_t k = 0; k < SLOTS_BLOCK; k += RUN) {
+    for (uint32_t k = 0; k < SLOTS_BLOCK; k += RUN_LENGTH) {
         if (is_run(kinds + k)) {
             uint32_t *next = &l->next[kinds[k]];
-            memcpy(list + *next, entries + k, RUN * sizeof *list);
+            memcpy(list + *next, entries + k, RUN_LENGTH * sizeof *list);
             if (with_slots)
                 list_slots(slots + *next, first + k);
-            *next += RUN;
+            *next += RUN_LENGTH;
             continue;
         }
 #pragma GCC unroll 8
-        for (uint32_t i = 0; i < RUN; i++) {
+        for (uint32_t i = 0; i < RUN_LENGTH; i++) {
             const uint32_t next = l->next[kinds[k + i]]++;
             list[next] = entries[k + i];
             if (with_slots)
@@ -396,13 +399,14 @@ static bool list_block(struct lists *l, const struct bullets *s, const struct wi
     const uint32_t first = block * SLOTS_BLOCK;
     uint32_t entries[SLOTS_BLOCK];
 
-    if (l->any_by_slot || ~s->s.used[block] || t->x0 > t->x1 || !find_entries(s->x + first, s->y + first, entries, t))
+    if (l->any_listed_by_slot || ~s->s.live_bits[block] || t->x0 > t->x1 ||
+        !find_entries(s->x + first, s->y + first, entries, t))
         return false;
     add_banks(s->bank + first, entries);
     if (l->any_varied)
-        list_all_slots(l, s->kind + first, entries, first, true);
+        list_unclipped_block(l, s->kind + first, entries, first, true);
     else
-        list_all_slots(l, s->kind + first, entries, first, false);
+        list_unclipped_block(l, s->kind + first, entries, first, false);
     return true;
 }
 
@@ -410,7 +414,7 @@ static void list_all(struct lists *l, const struct bullets *s, const struct wind
 {
     for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++)
         if (!list_block(l, s, t, block))
-            list_masked(l, s, t, block, s->s.used[block]);
+            list_masked(l, s, t, block, s->s.live_bits[block]);
 }
 
 /* Returns a mask of a block's live bullets whose kinds are listed. */
@@ -421,10 +425,10 @@ static uint64_t listed_bullets_mask(const struct lists *l, const struct bullets 
 
     for (int i = 0; i < SLOTS_BLOCK; i++)
         is_listed[i] = l->is_listed[kinds[i] % MAX_KINDS]; /* a dead slot's kind may be anything */
-    return slots_pack_flags(is_listed) & s->s.used[block];
+    return slots_pack_flags(is_listed) & s->s.live_bits[block];
 }
 
-static void list_kinds(struct lists *l, const struct bullets *s, const struct window *t)
+static void list_bullets_of_listed_kinds(struct lists *l, const struct bullets *s, const struct window *t)
 {
     for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++)
         list_masked(l, s, t, block, listed_bullets_mask(l, s, block));
@@ -448,8 +452,8 @@ static void draw_bullet(struct draw_target *c, const struct bullets *s, const st
  * and ticks_per_frame < 2^16. */
 struct picker {
     uint32_t size; /* bytes of a picture */
-    uint32_t rotations, copies, frames,
-        ticks_per_frame; /* copies: copies per animation frame; ticks_per_frame: ticks per animation frame */
+    uint32_t rotations, copies_per_frame, frames,
+        ticks_per_frame; /* copies_per_frame: copies per animation frame; ticks_per_frame: ticks per animation frame */
     uint64_t ticks_reciprocal, frames_reciprocal; /* reciprocals of `ticks_per_frame` and of `frames` */
     ang dir_mask, spin;                           /* dir_mask: mask for dir, all bits or none */
     bool uses_age;                                /* the picture depends on the bullet's age */
@@ -479,8 +483,8 @@ static struct picker picker_of(const struct style *style)
     const unsigned shift = shift_of(pic->rotations);
 
     return (struct picker){ .size = (uint32_t)pic->pitch * (uint32_t)pic->h,
-                            .rotations = style->turns ? pic->rotations : 0,
-                            .copies = pic->rotations,
+                            .rotations = style->has_rotations ? pic->rotations : 0,
+                            .copies_per_frame = pic->rotations,
                             .frames = pic->frames,
                             .ticks_per_frame = pic->frame_ticks ? pic->frame_ticks : 1,
                             .ticks_reciprocal = reciprocal(pic->frame_ticks ? pic->frame_ticks : 1),
@@ -501,7 +505,8 @@ static inline uint32_t picture_offset(const struct picker *p, const struct bulle
     const uint32_t frame =
         at < MAX_FAST_AGE ? at - (uint32_t)(at * p->frames_reciprocal >> AGE_BITS) * p->frames : at % p->frames;
 
-    return (frame * p->copies + stamp_turn_index((s->dir[i] & p->dir_mask) + p->spin * age, p->rotations)) * p->size;
+    return (frame * p->copies_per_frame + stamp_turn_index((s->dir[i] & p->dir_mask) + p->spin * age, p->rotations)) *
+           p->size;
 }
 
 /* Finds the offsets in bytes of the pictures of n bullets. Bullets listed by slot are included, but their offsets are
@@ -531,7 +536,7 @@ static void draw_turned(struct draw_target *c, const struct bullets *s, const st
 {
     const uint32_t *list = l->list + style->list_start, *slots = l->slots + style->list_start;
     const struct image image = video_image(style->pic, 0, false, 0);
-    struct stamp_turns turns = { .dir = s->dir, .size = p->size, .rotations = p->rotations };
+    struct stamp_turns turns = { .dir = s->dir, .size = p->size, .n_copies = p->rotations };
 
     for (uint32_t k = 0; k < n; k++) {
         turns.dir_index = slots + k;
@@ -549,14 +554,14 @@ static void draw_varied(struct draw_target *c, const struct bullets *s, const st
     const uint32_t *list = l->list + style->list_start, *slots = l->slots + style->list_start;
     const struct image image = video_image(style->pic, 0, false, 0);
     const struct picker p = picker_of(style);
-    uint32_t offsets[BATCH];
+    uint32_t offsets[BATCH_SIZE];
 
     if (!p.uses_age && image.pitch == 8) {
         draw_turned(c, s, l, t, style, &p, n);
         return;
     }
     for (uint32_t k = 0, batch; k < n; k += batch) {
-        batch = n - k < BATCH ? n - k : BATCH;
+        batch = n - k < BATCH_SIZE ? n - k : BATCH_SIZE;
         find_picture_offsets(c, s, &p, slots + k, batch, offsets);
         for (uint32_t j = 0; j < batch; j++) {
             j += (uint32_t)stamp_draw_each(c->fb, &image, offsets + j, style->mix,
@@ -601,9 +606,9 @@ static void draw_kind(struct draw_target *c, const struct bullets *s, const stru
     const struct style *style = &l->style[kind];
     const uint32_t n = listed_count(l, kind);
 
-    if (style->same_picture)
+    if (style->shares_picture)
         draw_same_picture(c, s, l, t, style, n);
-    else if (style->one_by_one)
+    else if (style->is_drawn_one_by_one)
         draw_one_by_one(c, s, l, t, style, n);
     else
         draw_varied(c, s, l, t, style, n);
@@ -632,20 +637,20 @@ static bool make_stamp(struct lists *l, const struct style *style, uint32_t n)
 }
 
 /* Draws the listed bullets of a kind on the layer. The layer's band has space for every picture that reaches into the
- * field, so all bullets of a kind with `same_picture` set are listed as destinations. */
+ * field, so all bullets of a kind with `shares_picture` set are listed as destinations. */
 static void draw_kind_on_layer(const struct draw_target *c, struct stamp_layer *layer, const struct bullets *s,
                                struct lists *l, const struct window *t, uint16_t kind)
 {
     const struct style *style = &l->style[kind];
-    struct stamp_corners corners = stamp_corners(&layer->fb, style->pic->w, style->pic->h);
+    struct stamp_unclipped_area corners = stamp_find_unclipped_area(&layer->fb, style->pic->w, style->pic->h);
     const uint32_t *list = l->list + style->list_start;
     uint32_t n = listed_count(l, kind);
     int x, y;
 
-    if (style->same_picture) {
+    if (style->shares_picture) {
         bool made = make_stamp(l, style, n);
         assert(made); /* a picture that fits in the band always fits in a stamp */
-        stamp_layer_draw(layer, &l->stamp, &(struct stamp_list){ list, n, style->less }, style->pixels);
+        stamp_layer_draw(layer, &l->stamp, &(struct stamp_list){ list, n, style->less }, style->opaque_count);
         return;
     }
     while (n-- > 0) {
@@ -654,7 +659,7 @@ static void draw_kind_on_layer(const struct draw_target *c, struct stamp_layer *
         find_corner(t, l, s, i, &x, &y);
         stamp_layer_draw_sprite(
             layer, &image, stamp_dest(&layer->fb, (uint32_t)(x - corners.x0), (uint32_t)(y - corners.y0), s->bank[i]),
-            style->pixels);
+            style->opaque_count);
     }
 }
 
@@ -695,7 +700,7 @@ static uint64_t visible_mask(const struct stamp_cells *cells, const struct bulle
     stamp_cells_index(cells, s->x + block * SLOTS_BLOCK, s->y + block * SLOTS_BLOCK, at);
     for (int i = 0; i < SLOTS_BLOCK; i++)
         is_visible[i] = cells->visible[at[i]];
-    return slots_pack_flags(is_visible) & s->s.used[block];
+    return slots_pack_flags(is_visible) & s->s.live_bits[block];
 }
 
 static void list_visible(struct lists *l, const struct bullets *s, const struct window *t,
@@ -708,7 +713,7 @@ static void list_visible(struct lists *l, const struct bullets *s, const struct 
     }
 }
 
-static void draw_layered(struct draw_target *c, const struct bullets *s, struct lists *l)
+static void draw_front_to_back(struct draw_target *c, const struct bullets *s, struct lists *l)
 {
     const struct manifest *m = &c->b->cart.manifest;
     uint32_t top = l->kind_count, drawn;
@@ -719,10 +724,10 @@ static void draw_layered(struct draw_target *c, const struct bullets *s, struct 
     stamp_layer_init(&layer, l->layer, m->field_w, m->field_h);
     while (top > 0 && pixels < TOP_OVERDRAW * (uint64_t)(m->field_w * m->field_h)) {
         const struct style *style = &l->style[l->order[--top]];
-        pixels += style->n * (uint64_t)style->pixels;
+        pixels += style->n * (uint64_t)style->opaque_count;
     }
     t = init_window(l, top, l->kind_count, &layer.fb, 0, 0, false);
-    list_kinds(l, s, &t);
+    list_bullets_of_listed_kinds(l, s, &t);
     drawn = draw_kinds_on_layer(c, &layer, s, l, &t, top, l->kind_count);
     stamp_layer_update_map(&layer);
     if (!layer.covered && top > 0) {
@@ -736,7 +741,7 @@ static void draw_layered(struct draw_target *c, const struct bullets *s, struct 
     c->hidden_count += s->s.live - drawn + layer.hidden_count;
 }
 
-static size_t opaque_pixels(const struct image *image)
+static size_t count_opaque_pixels(const struct image *image)
 {
     size_t n = 0;
 
@@ -764,8 +769,8 @@ static bool should_use_layer(struct lists *l, uint64_t min_pixels)
     for (uint32_t o = 0; o < l->kind_count; o++) {
         struct style *style = &l->style[l->order[o]];
         struct image image = video_image(style->pic, 0, false, 0);
-        style->pixels = opaque_pixels(&image);
-        sum += style->n * (uint64_t)style->pixels;
+        style->opaque_count = count_opaque_pixels(&image);
+        sum += style->n * (uint64_t)style->opaque_count;
     }
     return sum >= min_pixels;
 }
@@ -780,8 +785,8 @@ void video_draw_bullets(struct draw_target *c, const struct bullets *s, const st
         return;
     find_kinds(c, k, l);
     c->drawn_count += s->s.live;
-    if (c->min_overdraw != VIDEO_NO_LAYERS && should_use_layer(l, min_pixels))
-        draw_layered(c, s, l);
+    if (c->min_overdraw != VIDEO_BACK_TO_FRONT && should_use_layer(l, min_pixels))
+        draw_front_to_back(c, s, l);
     else
         draw_back_to_front(c, s, l);
 }

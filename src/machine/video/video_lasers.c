@@ -28,14 +28,14 @@ static void draw_ends(struct draw_target *c, uint32_t i)
     const uint32_t n = lasers_corner_count(c->b, i);
     fx x, y, ax, ay;
 
-    if (k->tail[kind]) {
+    if (k->tail_sprite[kind]) {
         lasers_get_corner(c->b, i, n - 1, &x, &y);
         lasers_get_corner(c->b, i, n > 1 ? n - 2 : 0, &ax, &ay);
         ang dir = x != ax || y != ay ? trig_atan2(fx_sub(ay, y), fx_sub(ax, x)) : h->dir[i];
-        draw_end_sprite(c, i, k->tail[kind], x, y, c->b->lasers.form[i] == LASER_BEAM ? h->dir[i] : dir);
+        draw_end_sprite(c, i, k->tail_sprite[kind], x, y, c->b->lasers.form[i] == LASER_BEAM ? h->dir[i] : dir);
     }
-    if (k->head[kind])
-        draw_end_sprite(c, i, k->head[kind], h->x[i], h->y[i], h->dir[i]);
+    if (k->head_sprite[kind])
+        draw_end_sprite(c, i, k->head_sprite[kind], h->x[i], h->y[i], h->dir[i]);
 }
 
 static int32_t to_surface(fx v, int corner)
@@ -67,7 +67,7 @@ static bool is_straight(const struct strip_corner *c, int from, int to)
 
 /* Removes corners along nearly straight runs of up to MAX_RUN segments, because a curve has a corner per frame, far
  * more than are needed to draw it. Returns the number of corners left. */
-static uint32_t thin_out(struct strip_corner *c, uint32_t n)
+static uint32_t thin_out_corners(struct strip_corner *c, uint32_t n)
 {
     uint32_t corner_count = 0, from = 0;
 
@@ -93,7 +93,7 @@ static void draw_line(struct draw_target *c, uint32_t i, int32_t width, bool das
     struct strip_corner corner[LASER_MAX_POINTS];
     const struct strip s = { .image = &img,
                              .bank = c->b->laser_heads.bank[i],
-                             .blend = blend ? c->look.blend[blend - 1] : NULL,
+                             .blend_table = blend ? c->palette_tables.blend[blend - 1] : NULL,
                              .width = width,
                              .offset_along = dashed ? 8 - age / 2 % 8 : 0,
                              .dashed = dashed };
@@ -104,7 +104,7 @@ static void draw_line(struct draw_target *c, uint32_t i, int32_t width, bool das
         corner[c->b->lasers.form[i] == LASER_BEAM ? p : n - 1 - p] =
             (struct strip_corner){ to_surface(x, c->x), to_surface(y, c->y) };
     }
-    strip_draw(c->fb, &s, corner, (int)thin_out(corner, n));
+    strip_draw(c->fb, &s, corner, (int)thin_out_corners(corner, n));
     c->drawn_count++;
 }
 
@@ -118,7 +118,7 @@ void video_draw_lasers(struct draw_target *c, bool shoots)
     host_enter(&host); /* square roots and angles start from an estimate in doubles */
     EACH_LIVE (i, &b->lasers.s) {
         const uint32_t age = lasers_shown_age(b, i);
-        if (!(b->laser_kinds.flags[b->laser_heads.kind[i]] & LASER_SHOOTS) == shoots)
+        if (!(b->laser_kinds.flags[b->laser_heads.kind[i]] & LASER_HITS_ENEMIES) == shoots)
             continue;
         if (lasers_state_of(b, i, age) == LASER_WARN) {
             if (b->lasers.form[i] == LASER_BEAM)

@@ -123,7 +123,7 @@ static void draw_code(struct draw_target *c, const struct page *p, uint32_t code
 }
 
 /* Returns the number of rows of the whole text. Sets *widest to the width of the widest row, px. */
-static int measure(const struct page *p, int *widest)
+static int measure_text(const struct page *p, int *widest)
 {
     int rows = 0;
 
@@ -143,7 +143,7 @@ static int align_offset(int align, int px)
 
 static void draw_box(struct draw_target *c, const struct page *p, const struct lines *l, uint32_t i, int x, int y)
 {
-    int widest, rows = measure(p, &widest);
+    int widest, rows = measure_text(p, &widest);
 
     if (p->row_width)
         widest = p->row_width;
@@ -168,18 +168,18 @@ static struct page page_of(const struct draw_target *c, int font)
 static void draw_line(struct draw_target *c, uint32_t i, int x, int y)
 {
     const struct lines *l = &c->b->lines;
-    const uint32_t shown = lines_visible_letters(l, i, c->b->core.clock);
+    const uint32_t visible_count = lines_visible_letters(l, i, c->b->core.clock);
     struct page p = page_of(c, l->font[i]);
 
     p.code = l->code + (size_t)i * LINE_MAX_TEXT;
     p.n = l->length[i];
-    p.row_width = l->width[i];
+    p.row_width = l->wrap_width[i];
     if (l->flags[i] & LINE_BOX)
         draw_box(c, &p, l, i, x, y);
-    for (uint32_t k = 0; k < shown; y += p.row_height) {
+    for (uint32_t k = 0; k < visible_count; y += p.row_height) {
         struct row row = row_at(&p, k);
         int pen_x = x - align_offset(l->align[i], row.width);
-        for (; k < row.end && k < shown; k++) {
+        for (; k < row.end && k < visible_count; k++) {
             draw_code(c, &p, p.code[k], pen_x, y, l->bank[i]);
             pen_x += glyph_advance(&p, p.code[k]);
         }
@@ -195,15 +195,15 @@ static void enlarge(const uint8_t *from, int quarter, uint8_t out[CART_GLYPH_SIZ
 
     for (int y = y0; y < y0 + 4; y++)
         for (int x = x0; x < x0 + 4; x++) {
-            const uint8_t *p = from + y * FIX_CELL + x;
-            uint8_t *to = out + (y - y0) * 2 * FIX_CELL + (x - x0) * 2;
-            const int centre = *p, up = y > 0 ? p[-FIX_CELL] : 0, down = y < 7 ? p[FIX_CELL] : 0;
+            const uint8_t *p = from + y * FIX_CELL_SIZE + x;
+            uint8_t *to = out + (y - y0) * 2 * FIX_CELL_SIZE + (x - x0) * 2;
+            const int centre = *p, up = y > 0 ? p[-FIX_CELL_SIZE] : 0, down = y < 7 ? p[FIX_CELL_SIZE] : 0;
             const int left = x > 0 ? p[-1] : 0, right = x < 7 ? p[1] : 0;
             const bool is_slanted = up != down && left != right;
             to[0] = (uint8_t)(is_slanted && left == up ? up : centre);
             to[1] = (uint8_t)(is_slanted && right == up ? up : centre);
-            to[FIX_CELL] = (uint8_t)(is_slanted && left == down ? down : centre);
-            to[FIX_CELL + 1] = (uint8_t)(is_slanted && right == down ? down : centre);
+            to[FIX_CELL_SIZE] = (uint8_t)(is_slanted && left == down ? down : centre);
+            to[FIX_CELL_SIZE + 1] = (uint8_t)(is_slanted && right == down ? down : centre);
         }
 }
 
@@ -211,14 +211,14 @@ static void enlarge(const uint8_t *from, int quarter, uint8_t out[CART_GLYPH_SIZ
  * `buffer`. */
 static const uint8_t *crop_to_cell(const struct face_glyph *g, uint8_t buffer[CART_GLYPH_SIZE])
 {
-    if (g->w == FIX_CELL && g->h == FIX_CELL && g->pitch == FIX_CELL && g->x == 0 && g->y == 0)
+    if (g->w == FIX_CELL_SIZE && g->h == FIX_CELL_SIZE && g->pitch == FIX_CELL_SIZE && g->x == 0 && g->y == 0)
         return g->pix;
     memset(buffer, 0, CART_GLYPH_SIZE);
-    for (int y = 0; y < FIX_CELL; y++)
-        for (int x = 0; x < FIX_CELL; x++) {
+    for (int y = 0; y < FIX_CELL_SIZE; y++)
+        for (int x = 0; x < FIX_CELL_SIZE; x++) {
             const int u = x - g->x, v = y - g->y;
             if (u >= 0 && v >= 0 && u < g->w && v < g->h)
-                buffer[y * FIX_CELL + x] = g->pix[v * g->pitch + u];
+                buffer[y * FIX_CELL_SIZE + x] = g->pix[v * g->pitch + u];
         }
     return buffer;
 }
@@ -235,7 +235,7 @@ static bool find_cell_glyph(const struct page *p, const struct fix *f, uint32_t 
     if (!(f->bank[i] & FIX_QUARTERS))
         return true;
     enlarge(crop_to_cell(g, whole), f->bank[i] / FIX_BIG - 1, buffer);
-    *g = (struct face_glyph){ buffer, FIX_CELL, FIX_CELL, FIX_CELL, 0, 0, FIX_CELL };
+    *g = (struct face_glyph){ buffer, FIX_CELL_SIZE, FIX_CELL_SIZE, FIX_CELL_SIZE, 0, 0, FIX_CELL_SIZE };
     return true;
 }
 
@@ -243,7 +243,8 @@ void video_draw_cell(struct draw_target *c, uint32_t i)
 {
     const struct fix *f = &c->b->fix;
     const struct page p = page_of(c, f->page ? f->font[i] : 0);
-    const int x = (int)(i % f->cols) * FIX_CELL, y = (int)(i / f->cols) * FIX_CELL, bank = f->bank[i] & FIX_BANK;
+    const int x = (int)(i % f->cols) * FIX_CELL_SIZE, y = (int)(i / f->cols) * FIX_CELL_SIZE,
+              bank = f->bank[i] & FIX_BANK;
     uint8_t buffer[CART_GLYPH_SIZE];
     struct face_glyph g;
 
@@ -260,7 +261,7 @@ void video_draw_cell_rim(struct draw_target *c, uint32_t i, uint8_t rim)
 {
     const struct fix *f = &c->b->fix;
     const struct page p = page_of(c, f->page ? f->font[i] : 0);
-    const int x = (int)(i % f->cols) * FIX_CELL, y = (int)(i / f->cols) * FIX_CELL;
+    const int x = (int)(i % f->cols) * FIX_CELL_SIZE, y = (int)(i / f->cols) * FIX_CELL_SIZE;
     uint8_t buffer[CART_GLYPH_SIZE];
     struct face_glyph g;
 

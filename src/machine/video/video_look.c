@@ -1,6 +1,6 @@
 /*
- * video_look.c - finds the ROM palette that is loaded, and its tables. RAM stores colours but not which palette they
- * came from, so the palette that matches the most colours counts as loaded.
+ * video_look.c - finds the ROM palette that is loaded, and its tables. RAM stores colours but not which
+ * palette they came from, so the palette that matches the most colours counts as loaded.
  */
 #include "video.h"
 
@@ -18,7 +18,7 @@ int board_loaded_palette(const struct board *b)
     return best;
 }
 
-struct cart_look video_look(const struct board *b)
+struct cart_colour_tables video_get_palette_tables(const struct board *b)
 {
-    return b->cart.has_looks ? b->cart.looks[board_loaded_palette(b)] : b->cart.main_look;
+    return b->cart.has_palette_tables ? b->cart.palette_tables[board_loaded_palette(b)] : b->cart.main_tables;
 }

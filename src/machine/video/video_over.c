@@ -13,7 +13,7 @@
 #include "../../../fb/fb.h"
 #include "video.h"
 
-static void find_drawn(const struct fb *fb, bool drawn[COLOURS])
+static void find_drawn_entries(const struct fb *fb, bool drawn[COLOURS])
 {
     memset(drawn, 0, COLOURS * sizeof *drawn);
     for (int y = 0; y < fb->h; y++)
@@ -29,7 +29,7 @@ static int squared_difference(uint32_t a, uint32_t b, int shift)
 }
 
 /* Returns the entry nearest to a colour; of several equally near ones, the first. */
-static uint8_t nearest(const uint32_t rgb[COLOURS], uint32_t colour)
+static uint8_t find_nearest_entry(const uint32_t rgb[COLOURS], uint32_t colour)
 {
     int best = 0, best_distance = 3 * 256 * 256;
 
@@ -43,7 +43,7 @@ static uint8_t nearest(const uint32_t rgb[COLOURS], uint32_t colour)
 }
 
 /* Returns the first entry from i that is neither in the picture nor used by what is drawn over it, or COLOURS. */
-static int next_free(const bool drawn[COLOURS], const bool reserved[COLOURS], int i)
+static int find_free_entry(const bool drawn[COLOURS], const bool reserved[COLOURS], int i)
 {
     while (i < COLOURS && (drawn[i] || reserved[i]))
         i++;
@@ -57,7 +57,7 @@ static void assign_entries(uint32_t rgb[COLOURS], const bool drawn[COLOURS], con
 {
     bool lost[COLOURS] = { false };
     uint32_t dark[COLOURS];
-    int spare = next_free(drawn, reserved, 0);
+    int spare = find_free_entry(drawn, reserved, 0);
 
     for (int i = 0; i < COLOURS; i++)
         dark[i] = pal_mix(rgb[i], 0, share, FX_ONE);
@@ -72,11 +72,11 @@ static void assign_entries(uint32_t rgb[COLOURS], const bool drawn[COLOURS], con
             continue;
         replacement[i] = (uint8_t)spare;
         rgb[spare] = dark[i];
-        spare = next_free(drawn, reserved, spare + 1);
+        spare = find_free_entry(drawn, reserved, spare + 1);
     }
     for (int i = 0; i < COLOURS; i++)
         if (lost[i])
-            replacement[i] = nearest(rgb, dark[i]);
+            replacement[i] = find_nearest_entry(rgb, dark[i]);
 }
 
 void video_dim(const struct draw_target *c, uint32_t rgb[COLOURS], const bool reserved[COLOURS], fx share)
@@ -85,7 +85,7 @@ void video_dim(const struct draw_target *c, uint32_t rgb[COLOURS], const bool re
     bool drawn[COLOURS];
     uint8_t replacement[COLOURS];
 
-    find_drawn(fb, drawn);
+    find_drawn_entries(fb, drawn);
     assign_entries(rgb, drawn, reserved, share, replacement);
     for (int y = 0; y < fb->h; y++)
         for (int x = 0; x < fb->w; x++) {
@@ -110,10 +110,10 @@ void video_shade(const struct draw_target *c)
 static void draw_rounded_rect(struct fb *fb, int x, int y, int w, int h, const int inset[3], uint8_t colour)
 {
     for (int k = 0; k < 3; k++) {
-        fb_rect(fb, x + inset[k], y + k, w - 2 * inset[k], 1, colour);
-        fb_rect(fb, x + inset[k], y + h - 1 - k, w - 2 * inset[k], 1, colour);
+        fb_fill_rect(fb, x + inset[k], y + k, w - 2 * inset[k], 1, colour);
+        fb_fill_rect(fb, x + inset[k], y + h - 1 - k, w - 2 * inset[k], 1, colour);
     }
-    fb_rect(fb, x, y + 3, w, h - 6, colour);
+    fb_fill_rect(fb, x, y + 3, w, h - 6, colour);
 }
 
 void video_draw_plate(struct draw_target *c, int x, int y, int w, int h, uint8_t bank)

@@ -223,7 +223,7 @@ bool video_fits(const struct board *b, uint64_t limit, struct video_work *out)
         if (work < largest)
             continue;
         largest = work;
-        out->largest = parts[i].name;
+        out->largest_name = parts[i].name;
         out->advice = parts[i].advice;
     }
     return out->work <= limit;

@@ -14,7 +14,13 @@ enum view_dim { VIEW_DIM_NONE, VIEW_DIM_QUARTER, VIEW_DIM_HALF, VIEW_DIM_MOST, V
 
 /* Colour-blind mode: off, or for players without the cones for long (protanopia), medium (deuteranopia) or short
  * wavelengths (tritanopia). */
-enum colour_blind_mode { VIEW_NORMAL, VIEW_PROTAN, VIEW_DEUTAN, VIEW_TRITAN, VIEW_COLOURS };
+enum colour_blind_mode {
+    COLOUR_BLIND_OFF,
+    COLOUR_BLIND_PROTAN,
+    COLOUR_BLIND_DEUTAN,
+    COLOUR_BLIND_TRITAN,
+    COLOUR_BLIND_MODES
+};
 
 enum { VIEW_SOFT_DIVISOR = 4 /* divisor of a flash's opacity with softens_flashes */ };
 
@@ -22,12 +28,12 @@ enum { VIEW_SOFT_DIVISOR = 4 /* divisor of a flash's opacity with softens_flashe
 struct view {
     enum view_dim dim;
     bool softens_flashes; /* weakens `screen.flash` and the white blinking of hurt enemies */
-    enum colour_blind_mode colours;
+    enum colour_blind_mode colour_blind_mode;
     const uint8_t *shades; /* CART_SHADES_SIZE bytes (cart.h) for a ROM without its own; NULL: the backgrounds of such a
                               ROM are not dimmed */
 };
 
 /* Returns the colour (0xRRGGBB) shown for rgb. Greys do not change. */
-uint32_t view_colour(enum colour_blind_mode colours, uint32_t rgb);
+uint32_t view_adjust_colour(enum colour_blind_mode colours, uint32_t rgb);
 
 #endif

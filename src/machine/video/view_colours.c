@@ -26,7 +26,7 @@
 enum { LEVELS = 256, ONE = 65536 };
 
 /* Linear light of each level of sRGB (IEC 61966-2-1), in 65535ths, rounded to the nearest. */
-static const uint16_t linear[LEVELS] = {
+static const uint16_t linear_light[LEVELS] = {
     0,     20,    40,    60,    80,    99,    119,   139,   159,   179,   199,   219,   241,   264,   288,   313,
     340,   367,   396,   427,   458,   491,   526,   562,   599,   637,   677,   718,   761,   805,   851,   898,
     947,   997,   1048,  1101,  1156,  1212,  1270,  1330,  1391,  1453,  1517,  1583,  1651,  1720,  1790,  1863,
@@ -46,10 +46,10 @@ static const uint16_t linear[LEVELS] = {
 };
 
 /* The amounts added to red, green and blue (rows), in 65536ths of red, green and blue (columns). */
-static const int32_t added[VIEW_COLOURS][3][3] = {
-    [VIEW_PROTAN] = { [2] = { 27905, -32914, 5009 } },
-    [VIEW_DEUTAN] = { [2] = { 21119, -29609, 8490 } },
-    [VIEW_TRITAN] = { { -8528, -20140, 28668 }, { 155, 22655, -22810 } },
+static const int32_t channel_corrections[COLOUR_BLIND_MODES][3][3] = {
+    [COLOUR_BLIND_PROTAN] = { [2] = { 27905, -32914, 5009 } },
+    [COLOUR_BLIND_DEUTAN] = { [2] = { 21119, -29609, 8490 } },
+    [COLOUR_BLIND_TRITAN] = { { -8528, -20140, 28668 }, { 155, 22655, -22810 } },
 };
 
 /* Returns the sRGB level nearest to a linear light; of two equally near levels, the darker. For a light out of range,
@@ -60,9 +60,9 @@ static uint32_t level_of(int32_t light)
 
     while (hi - lo > 1) { /* linear[lo] <= light < linear[hi], where it is in range */
         int middle = (lo + hi) / 2;
-        *(light < linear[middle] ? &hi : &lo) = middle;
+        *(light < linear_light[middle] ? &hi : &lo) = middle;
     }
-    return (uint32_t)(light - linear[lo] > linear[hi] - light ? hi : lo);
+    return (uint32_t)(light - linear_light[lo] > linear_light[hi] - light ? hi : lo);
 }
 
 static int64_t round_scaled(int64_t v)
@@ -70,15 +70,15 @@ static int64_t round_scaled(int64_t v)
     return (v < 0 ? v - ONE / 2 : v + ONE / 2) / ONE;
 }
 
-uint32_t view_colour(enum colour_blind_mode colours, uint32_t rgb)
+uint32_t view_adjust_colour(enum colour_blind_mode mode, uint32_t rgb)
 {
-    const int64_t light[3] = { linear[rgb >> 16 & 255], linear[rgb >> 8 & 255], linear[rgb & 255] };
+    const int64_t light[3] = { linear_light[rgb >> 16 & 255], linear_light[rgb >> 8 & 255], linear_light[rgb & 255] };
     uint32_t out = 0;
 
-    if (colours == VIEW_NORMAL)
+    if (mode == COLOUR_BLIND_OFF)
         return rgb;
     for (int c = 0; c < 3; c++) {
-        const int32_t *weight = added[colours][c];
+        const int32_t *weight = channel_corrections[mode][c];
         int64_t correction = round_scaled(weight[0] * light[0] + weight[1] * light[1] + weight[2] * light[2]);
         out = out << 8 | level_of((int32_t)(light[c] + correction));
     }

@@ -33,7 +33,7 @@ struct api_value {
 };
 
 /* The error message when the nvram is full; %d is the size of the nvram in KiB. */
-#define NVRAM_FULL "nvram full (%d KiB); raise `board.nvram` in rom.lua"
+#define NVRAM_FULL_MESSAGE "nvram full (%d KiB); raise `board.nvram` in rom.lua"
 
 enum { NVRAM_BYTES_PER_WORK = 32 /* bytes of nvram scanned or moved per VM instruction charged */ };
 
@@ -41,7 +41,7 @@ enum { NVRAM_BYTES_PER_WORK = 32 /* bytes of nvram scanned or moved per VM instr
 #define NO_PARAMS    NULL, 0
 
 /* Sets the globals of the API and leaves the sys table on the stack. */
-void api_open(lua_State *L);
+void api_open_globals(lua_State *L);
 
 /* If `name` is an API table that is created on first use, pushes it and returns true. Otherwise returns false and
  * pushes nothing. */
@@ -64,7 +64,7 @@ void api_names_push(lua_State *L, enum name_kind kind, int index);
 
 /* Makes later reads of missing fields of library tables explain why the field is missing (api_fault_missing_field).
  * Call this after all tables have been created. */
-void api_reserved_install(lua_State *L);
+void api_explain_missing_fields(lua_State *L);
 
 /* api_intern_tag returns the number of the tag whose name is at stack index `at`, and assigns a number to a new tag;
  * raises an error when all 4,095 are used. api_push_tag pushes a tag's name, or nil for 0. */
@@ -91,26 +91,26 @@ void api_drop_items(lua_State *L, struct board *b, fx x, fx y);
 
 /* Indices of the parameters PLACE, which are consecutive in every entry: the position x, y or the thing `from`, offset
  * by dx, dy. */
-enum { PLACE_X, PLACE_Y, PLACE_FROM, PLACE_DX, PLACE_DY, PLACE_PARAMS };
-#define PLACE                                                                                                          \
+enum { POSITION_X, POSITION_Y, POSITION_FROM, POSITION_DX, POSITION_DY, POSITION_PARAM_COUNT };
+#define POSITION_PARAMS                                                                                                \
     PARAM("x", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL,                                                         \
           "horizontal position in the field; give `x` and `y`, or `from`"),                                            \
         PARAM("y", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "vertical position in the field"),                  \
-        PARAM("from", A_THING, OPT, PLACE_KINDS, 0, NULL, NULL,                                                        \
+        PARAM("from", A_THING, OPT, POSITION_HANDLE_KINDS, 0, NULL, NULL,                                              \
               "thing whose position is used instead of `x` and `y`"),                                                  \
         PARAM("dx", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", "0",                                                     \
               "distance added to `x`, or to the position of `from`"),                                                  \
         PARAM("dy", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", "0",                                                     \
               "distance added to `y`, or to the position of `from`")
 enum {
-    PLACE_KINDS = 1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_PLAYER | 1 << H_SPRITE | 1 << H_ITEM |
-                  1 << H_LASER | 1 << H_OPTION,
-    OWNER_KINDS = 1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_PLAYER | 1 << H_SPRITE | 1 << H_TASK |
-                  1 << H_LASER | 1 << H_OPTION,
+    POSITION_HANDLE_KINDS = 1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_PLAYER | 1 << H_SPRITE | 1 << H_ITEM |
+                            1 << H_LASER | 1 << H_OPTION,
+    OWNER_HANDLE_KINDS = 1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_PLAYER | 1 << H_SPRITE | 1 << H_TASK |
+                         1 << H_LASER | 1 << H_OPTION,
 };
 
 /* Reads a position from v, the values of the PLACE parameters. Returns false if the thing `from` is dead. */
-bool api_read_place(lua_State *L, struct board *b, const char *entry, const struct api_value *v, fx *x, fx *y);
+bool api_read_position(lua_State *L, struct board *b, const char *entry, const struct api_value *v, fx *x, fx *y);
 
 enum { ALIGN_LEFT, ALIGN_CENTER, ALIGN_RIGHT }; /* values of A_ALIGN */
 
@@ -120,7 +120,7 @@ enum { ALIGN_LEFT, ALIGN_CENTER, ALIGN_RIGHT }; /* values of A_ALIGN */
 bool api_run_between_frames(struct board *b, lua_CFunction f, uint64_t limit);
 
 /* Fills the table rom (api_board.c). */
-void api_rom_open(lua_State *L);
+void api_open_rom(lua_State *L);
 
 /* Pushes " (did you mean "x"?)" for an unknown global name, or "" if no name is near. The suggestion is a visible local
  * or, if the script reads the name instead of assigning it, a global. */

@@ -24,7 +24,7 @@ static void push_string_or_nil(lua_State *L, const char *name)
 
 /* ---- shared by layers and the plane ---- */
 
-enum { P_MAP, P_X, P_Y, P_VX, P_VY, P_LAYER, P_BANK, P_BLEND, P_HIDDEN, P_SHARED };
+enum { P_MAP, P_X, P_Y, P_VX, P_VY, P_LAYER, P_BANK, P_BLEND, P_HIDDEN, SHARED_PROP_COUNT };
 
 #define SHARED_PROPS                                                                                                   \
     { PARAM("map", A_MAP, OPT, 0, 0, NULL, NULL, "name of its map in rom.lua; nil turns it off"), PROP_WRITE,          \
@@ -80,22 +80,22 @@ static void set_layer(lua_State *L, struct board *b, uint32_t i, int p, const st
 
 /* ---- layers ---- */
 
-enum { P_WRAP = P_SHARED, LAYER_PROPS };
+enum { P_WRAP = SHARED_PROP_COUNT, LAYER_PROP_COUNT };
 
-static const struct api_prop layer_props[LAYER_PROPS] = {
+static const struct api_prop layer_props[LAYER_PROP_COUNT] = {
     SHARED_PROPS,
     { PARAM("wrap", A_BOOL, REQ, 0, 0, NULL, NULL, "true if its map repeats in all directions"), PROP_WRITE,
       FLAG_OF(bg.flags, BG_WRAP) },
 };
 
-const struct api_thing api_layer_thing = { "layer", layer_props, LAYER_PROPS, .get = get_layer, .set = set_layer };
+const struct api_thing api_layer_thing = { "layer", layer_props, LAYER_PROP_COUNT, .get = get_layer, .set = set_layer };
 
 /* ---- the plane ---- */
 
-enum { P_HORIZON = P_SHARED, P_HEIGHT, P_DIR, P_CEILING, P_FOG, PLANE_PROPS };
-enum { FOG_TO, FOG_FAR, FOG_PARAMS };
+enum { P_HORIZON = SHARED_PROP_COUNT, P_HEIGHT, P_DIR, P_CEILING, P_FOG, PLANE_PROP_COUNT };
+enum { FOG_COLOUR, FOG_END, FOG_PARAM_COUNT };
 
-static const struct api_prop plane_props[PLANE_PROPS] = {
+static const struct api_prop plane_props[PLANE_PROP_COUNT] = {
     SHARED_PROPS,
     { PARAM("horizon", A_INT, REQ, -1024, 1024, "px", NULL, "distance of the horizon from the top of the field"),
       PROP_WRITE, STORED(STORED_I16, bg.horizon) },
@@ -112,7 +112,7 @@ static const struct api_prop plane_props[PLANE_PROPS] = {
       PROP_WRITE, COMPUTED },
 };
 
-static const struct api_param fog_params[FOG_PARAMS] = {
+static const struct api_param fog_params[FOG_PARAM_COUNT] = {
     PARAM("to", A_INT, REQ, 0, 0xffffff, NULL, NULL, ""),
     PARAM("far", A_FX, REQ, 1, WORLD_EDGE, "px", NULL, ""),
 };
@@ -123,7 +123,7 @@ static void push_fog(lua_State *L, const struct bg *g)
         lua_pushnil(L);
         return;
     }
-    lua_createtable(L, 0, FOG_PARAMS);
+    lua_createtable(L, 0, FOG_PARAM_COUNT);
     lua_pushinteger(L, g->fog[BG_PLANE]);
     lua_setfield(L, -2, "to");
     lua_pushnumber(L, fx_to_double(g->fog_end[BG_PLANE]));
@@ -145,8 +145,8 @@ static void build_shades(struct board *b, int at, uint32_t colour)
         memset(b->bg_shades.table, 0, BG_TABLES_SIZE);
     b->bg_shades.s.live = b->bg_shades.s.cap;
     bg_fill_shades(b->bg_shades.table + at,
-                   b->cart.has_looks ? cart_palette_at(&b->cart, board_loaded_palette(b))
-                                     : cart_palette(&b->cart, "main"),
+                   b->cart.has_palette_tables ? cart_palette_at(&b->cart, board_loaded_palette(b))
+                                              : cart_palette(&b->cart, "main"),
                    colour);
 }
 
@@ -159,26 +159,26 @@ void api_bg_rebuild_shades(lua_State *L, struct board *b, bool changed)
     if (is_fading)
         vm_charge(L, SHADE_WORK);
     if (changed && has_fog)
-        build_shades(b, BG_FOG_TABLES, b->bg.fog[BG_PLANE]);
+        build_shades(b, BG_FOG_OFFSET, b->bg.fog[BG_PLANE]);
     if (changed && is_fading)
-        build_shades(b, BG_BLACK_TABLES, 0);
+        build_shades(b, BG_BLACK_OFFSET, 0);
 }
 
 static void set_fog(lua_State *L, struct board *b, const struct api_value *v)
 {
-    struct api_value f[FOG_PARAMS];
+    struct api_value f[FOG_PARAM_COUNT];
 
     if (!v->given) {
         b->bg.fog[BG_PLANE] = BG_NO_FOG;
         return;
     }
-    api_read_fields(L, fog_entry, NULL, &(struct api_fields){ fog_params, FOG_PARAMS, NAME_LISTS }, v->at, f);
-    if ((uint32_t)f[FOG_TO].i != b->bg.fog[BG_PLANE]) {
+    api_read_fields(L, fog_entry, NULL, &(struct api_fields){ fog_params, FOG_PARAM_COUNT, NAME_LISTS }, v->at, f);
+    if ((uint32_t)f[FOG_COLOUR].i != b->bg.fog[BG_PLANE]) {
         vm_charge(L, SHADE_WORK);
-        build_shades(b, BG_FOG_TABLES, (uint32_t)f[FOG_TO].i);
+        build_shades(b, BG_FOG_OFFSET, (uint32_t)f[FOG_COLOUR].i);
     }
-    b->bg.fog[BG_PLANE] = (uint32_t)f[FOG_TO].i;
-    b->bg.fog_end[BG_PLANE] = f[FOG_FAR].f;
+    b->bg.fog[BG_PLANE] = (uint32_t)f[FOG_COLOUR].i;
+    b->bg.fog_end[BG_PLANE] = f[FOG_END].f;
 }
 
 static void set_plane(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
@@ -189,7 +189,7 @@ static void set_plane(lua_State *L, struct board *b, uint32_t i, int p, const st
         set_layer(L, b, i, p, v);
 }
 
-const struct api_thing api_plane_thing = { "plane", plane_props, PLANE_PROPS, .get = get_plane, .set = set_plane };
+const struct api_thing api_plane_thing = { "plane", plane_props, PLANE_PROP_COUNT, .get = get_plane, .set = set_plane };
 
 /* ---- bg.layer, bg.plane, bg.lines ---- */
 
@@ -204,9 +204,9 @@ static const struct api_param lines_params[] = {
           "omitted, the layer becomes straight again")
 };
 
-enum { WAVE_WIDTH, WAVE_EVERY, WAVE_SPEED, WAVE_PARAMS };
+enum { WAVE_WIDTH, WAVE_EVERY, WAVE_SPEED, WAVE_PARAM_COUNT };
 
-static const struct api_param wave_params[WAVE_PARAMS] = {
+static const struct api_param wave_params[WAVE_PARAM_COUNT] = {
     PARAM("wave", A_FX, REQ, -1024, 1024, "px", NULL, "distance the lines sway to each side"),
     PARAM("every", A_FX, REQ, 1, WORLD_EDGE, "px", NULL, "distance from one crest to the next"),
     PARAM("speed", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", "0", "speed at which the wave moves down"),
@@ -256,7 +256,7 @@ static void set_line_offsets(lua_State *L, struct board *b, uint32_t i, int at)
     const uint32_t n = read_line_offsets(L, at, offsets, b->bg_lines.s.cap / BG_LAYERS);
 
     for (uint32_t k = 0; k < n; k++)
-        script_fold(b, (uint32_t)offsets[k]);
+        script_update_digest(b, (uint32_t)offsets[k]);
     bg_set_lines(&b->bg, &b->bg_lines, i, offsets, n);
 }
 
@@ -264,17 +264,17 @@ static void set_wave(struct board *b, uint32_t i, const struct api_value *v)
 {
     struct bg *g = &b->bg;
 
-    g->wave[i] = v[WAVE_WIDTH].f;
+    g->wave_amplitude[i] = v[WAVE_WIDTH].f;
     g->wave_period[i] = v[WAVE_EVERY].f;
     g->wave_speed[i] = v[WAVE_SPEED].f;
-    for (int k = 0; k < WAVE_PARAMS; k++)
-        script_fold(b, (uint32_t)v[k].f);
+    for (int k = 0; k < WAVE_PARAM_COUNT; k++)
+        script_update_digest(b, (uint32_t)v[k].f);
 }
 
 static int bg_lines(lua_State *L, struct board *b, struct api_value *v)
 {
     const uint32_t i = (uint32_t)v[ARG_I].i - 1;
-    struct api_value wave[WAVE_PARAMS] = { { 0 } };
+    struct api_value wave[WAVE_PARAM_COUNT] = { { 0 } };
 
     if (v[ARG_LINES].given && lua_rawlen(L, v[ARG_LINES].at)) {
         set_wave(b, i, wave);
@@ -282,7 +282,7 @@ static int bg_lines(lua_State *L, struct board *b, struct api_value *v)
         return 0;
     }
     if (v[ARG_LINES].given)
-        api_read_fields(L, lines_entry, NULL, &(struct api_fields){ wave_params, WAVE_PARAMS, NAME_LISTS },
+        api_read_fields(L, lines_entry, NULL, &(struct api_fields){ wave_params, WAVE_PARAM_COUNT, NAME_LISTS },
                         v[ARG_LINES].at, wave);
     bg_set_lines(&b->bg, &b->bg_lines, i, NULL, 0);
     set_wave(b, i, wave);
@@ -301,7 +301,7 @@ static int sys_bg_fade(lua_State *L, struct board *b, struct api_value *v)
 {
     if (v[ARG_I].i && !b->bg.fade_length[0]) {
         vm_charge(L, SHADE_WORK);
-        build_shades(b, BG_BLACK_TABLES, 0);
+        build_shades(b, BG_BLACK_OFFSET, 0);
     }
     lua_pushinteger(L, bg_fade(&b->bg, (uint32_t)v[ARG_I].i));
     return 1;

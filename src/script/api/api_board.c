@@ -12,27 +12,28 @@
 /* Parameter indices: each entry has only one parameter. */
 enum { ARG_FRAMES = 0, ARG_NAME = 0, ARG_CHIP = 0, ARG_DEMO = 0, ARG_VALUE = 0, ARG_SCREEN = 0 };
 
-static const struct api_param name_opt[] = { PARAM(
+static const struct api_param difficulty_params[] = { PARAM(
     "name", A_STR, OPT, 0, 0, NULL, NULL,
     "difficulty from rom.lua to switch to; if omitted, the difficulty doesn't change") };
-static const struct api_param dip_req[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL,
-                                                  "name of a switch declared in `dip` in rom.lua") };
-static const struct api_param file_req[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL,
-                                                   "name of a sprite, or of a file in the game's folder") };
-static const struct api_param text_req[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL,
-                                                   "name of a .txt file in the game's folder") };
-static const struct api_param chip_req[] = { PARAM("chip", A_STR, REQ, 0, 0, NULL, NULL,
-                                                   "name of a pool, such as bullets, enemies, sparks or tasks") };
-static const struct api_param demo_req[] = { PARAM("demo", A_STR, REQ, 1, 63, NULL, NULL,
-                                                   "name of a demo in the ROM") };
-static const struct api_param screen_req[] = { PARAM("what", A_HOST_SCREEN, REQ, 0, 0, NULL, NULL, "screen to open") };
-static const struct api_param frames_req[] = { PARAM(
+static const struct api_param dip_params[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL,
+                                                     "name of a switch declared in `dip` in rom.lua") };
+static const struct api_param file_params[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL,
+                                                      "name of a sprite, or of a file in the game's folder") };
+static const struct api_param text_params[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL,
+                                                      "name of a .txt file in the game's folder") };
+static const struct api_param chip_params[] = { PARAM("chip", A_STR, REQ, 0, 0, NULL, NULL,
+                                                      "name of a pool, such as bullets, enemies, sparks or tasks") };
+static const struct api_param demo_params[] = { PARAM("demo", A_STR, REQ, 1, 63, NULL, NULL,
+                                                      "name of a demo in the ROM") };
+static const struct api_param screen_params[] = { PARAM("what", A_HOST_SCREEN, REQ, 0, 0, NULL, NULL,
+                                                        "screen to open") };
+static const struct api_param stop_params[] = { PARAM(
     "n", A_INT, REQ, 1, 60, "frames", NULL,
     "length of the stop; of several stops in the same frame, the longest counts") };
-static const struct api_param value_req[] = { PARAM("v", A_ANY, REQ, 0, 0, NULL, NULL,
-                                                    "number, string or boolean to fold in") };
+static const struct api_param note_params[] = { PARAM("v", A_ANY, REQ, 0, 0, NULL, NULL,
+                                                      "number, string or boolean to fold in") };
 
-static int board_frame_run(lua_State *L, struct board *b, struct api_value *v)
+static int push_frame_number(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)v;
     lua_pushinteger(L, b->core.frame);
@@ -85,7 +86,7 @@ static int board_dip(lua_State *L, struct board *b, struct api_value *v)
     return api_error(L, "board.dip", "unknown DIP switch \"%s\"%s", hint.word, api_hint_push(L, &hint, "in rom.lua"));
 }
 
-static int board_reset_run(lua_State *L, struct board *b, struct api_value *v)
+static int request_board_reset(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L, (void)v;
     b->reset_requested = true;
@@ -95,25 +96,25 @@ static int board_reset_run(lua_State *L, struct board *b, struct api_value *v)
 /* Returns the slots of the pool named at stack index `at`; raises an error if there is no such pool. */
 static const struct slots *check_pool(lua_State *L, struct board *b, const char *entry, int at)
 {
-    const struct slots *s = part_named(b, lua_tostring(L, at));
+    const struct slots *s = part_find(b, lua_tostring(L, at));
 
     if (!s) {
         struct api_hint hint;
         api_hint_begin(&hint, lua_tostring(L, at));
-        for (int i = 0; i < PARTS; i++)
+        for (int i = 0; i < PART_COUNT; i++)
             api_hint_add(&hint, machine_parts[i].chip->name);
         api_error(L, entry, "unknown pool \"%s\"%s", hint.word, api_hint_push(L, &hint, "chips"));
     }
     return s;
 }
 
-static int board_live_run(lua_State *L, struct board *b, struct api_value *v)
+static int push_live_count(lua_State *L, struct board *b, struct api_value *v)
 {
     lua_pushinteger(L, check_pool(L, b, "board.live", v[ARG_CHIP].at)->live);
     return 1;
 }
 
-static int board_refused_run(lua_State *L, struct board *b, struct api_value *v)
+static int push_refused_count(lua_State *L, struct board *b, struct api_value *v)
 {
     lua_pushinteger(L, check_pool(L, b, "board.refused", v[ARG_CHIP].at)->refused);
     return 1;
@@ -138,7 +139,7 @@ static int board_attract(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-static int board_ask_run(lua_State *L, struct board *b, struct api_value *v)
+static int request_host_screen(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
     b->output->out.request = REQUEST_HOST_SCREEN;
@@ -207,7 +208,7 @@ static int raise_read_only(lua_State *L)
 }
 
 /* Replaces the table on top of the stack with a read-only view of that table. */
-static void seal(lua_State *L, const char *name)
+static void make_read_only(lua_State *L, const char *name)
 {
     lua_newtable(L);
     lua_rotate(L, -2, 1);
@@ -228,11 +229,11 @@ static void set_rect(lua_State *L, const char *name, int x, int y, int w, int h)
         lua_setfield(L, -2, keys[i]);
     }
     snprintf(full_name, sizeof full_name, "rom.%s", name);
-    seal(L, full_name);
+    make_read_only(L, full_name);
     lua_setfield(L, -2, name);
 }
 
-void api_rom_open(lua_State *L)
+void api_open_rom(lua_State *L)
 {
     const struct manifest *m = &vm_board(L)->cart.manifest;
 
@@ -241,34 +242,36 @@ void api_rom_open(lua_State *L)
     lua_setfield(L, -2, "title");
     set_rect(L, "screen", 0, 0, m->screen_w, m->screen_h);
     set_rect(L, "field", m->field_x, m->field_y, m->field_w, m->field_h);
-    seal(L, "rom");
+    make_read_only(L, "rom");
     lua_setglobal(L, "rom");
 }
 
 static const struct api_entry entries[] = {
-    { "board.frame", board_frame_run, NO_PARAMS, 0, 0, "frames", HELP("returns the number of frames since power-on") },
-    { "board.difficulty", board_difficulty, PARAMS(name_opt), 1, API_CHANGES, "name",
+    { "board.frame", push_frame_number, NO_PARAMS, 0, 0, "frames",
+      HELP("returns the number of frames since power-on") },
+    { "board.difficulty", board_difficulty, PARAMS(difficulty_params), 1, API_CHANGES, "name",
       HELP("returns the name of the current difficulty; given a name, switches to that difficulty first") },
-    { "board.dip", board_dip, PARAMS(dip_req), 1, 0, "value",
+    { "board.dip", board_dip, PARAMS(dip_params), 1, 0, "value",
       HELP("returns the setting of a DIP switch, a name or a number") },
-    { "board.reset", board_reset_run, NO_PARAMS, 0, API_CHANGES, NULL,
+    { "board.reset", request_board_reset, NO_PARAMS, 0, API_CHANGES, NULL,
       HELP("restarts the board after this frame, as if power had been cut") },
-    { "board.live", board_live_run, PARAMS(chip_req), 1, 0, "count",
+    { "board.live", push_live_count, PARAMS(chip_params), 1, 0, "count",
       HELP("returns how many entries of a pool are in use") },
-    { "board.refused", board_refused_run, PARAMS(chip_req), 1, 0, "count",
+    { "board.refused", push_refused_count, PARAMS(chip_params), 1, 0, "count",
       HELP("returns how many entries weren't created because the pool was full") },
-    { "board.attract", board_attract, PARAMS(demo_req), 1, API_CHANGES, NULL,
+    { "board.attract", board_attract, PARAMS(demo_params), 1, API_CHANGES, NULL,
       HELP("shows a demo from the ROM and pauses this board until the demo ends") },
-    { "board.ask", board_ask_run, PARAMS(screen_req), 1, API_CHANGES, NULL,
+    { "board.ask", request_host_screen, PARAMS(screen_params), 1, API_CHANGES, NULL,
       HELP("opens one of the program's own screens and pauses the board until the player closes it; does nothing in a "
            "demo") },
-    { "board.stop", board_stop, PARAMS(frames_req), 1, API_CHANGES, NULL,
+    { "board.stop", board_stop, PARAMS(stop_params), 1, API_CHANGES, NULL,
       HELP("freezes the field and all tasks after this frame (hit-stop); button presses during the stop take effect "
            "after it") },
-    { "board.note", board_note, PARAMS(value_req), 1, API_CHANGES, NULL,
+    { "board.note", board_note, PARAMS(note_params), 1, API_CHANGES, NULL,
       HELP("folds a value into the state hash; a demo in which the value differs is reported as diverged") },
-    { "rom.has", rom_has, PARAMS(file_req), 1, 0, "boolean",
+    { "rom.has", rom_has, PARAMS(file_params), 1, 0, "boolean",
       HELP("returns true if the game has a sprite or a file with that name") },
-    { "rom.text", rom_text, PARAMS(text_req), 1, 0, "string", HELP("returns the contents of a text file in the game") },
+    { "rom.text", rom_text, PARAMS(text_params), 1, 0, "string",
+      HELP("returns the contents of a text file in the game") },
 };
 const struct api_module api_board = { entries, sizeof entries / sizeof *entries };

@@ -64,7 +64,7 @@ static const uint8_t *push_parts(lua_State *L, uint16_t kind, int *n)
 }
 
 /* Returns the nesting depth of a kind's parts; 0: no parts. */
-static int parts_depth(lua_State *L, uint16_t kind)
+static int get_parts_depth(lua_State *L, uint16_t kind)
 {
     int n;
     const uint8_t *list = push_parts(L, kind, &n);
@@ -111,13 +111,13 @@ void api_body_define(lua_State *L, int32_t kind, int at)
         lua_call(L, 1, 1);
         memcpy(list + DEPTH_BYTES + i * PART_BYTES, lua_tostring(L, -1), PART_BYTES);
         lua_pop(L, 1);
-        max_depth = (int)int64_max(max_depth, parts_depth(L, bytes_get16(list + DEPTH_BYTES + i * PART_BYTES)));
+        max_depth = (int)int64_max(max_depth, get_parts_depth(L, bytes_get16(list + DEPTH_BYTES + i * PART_BYTES)));
     }
     if (max_depth == MAX_PART_DEPTH)
         api_error(L, "enemy.def", "parts: nested more than %d deep", MAX_PART_DEPTH);
     bytes_put32(list, (uint32_t)max_depth + 1);
     lua_pushlstring(L, (const char *)list, DEPTH_BYTES + (size_t)n * PART_BYTES);
-    api_fold(L, vm_board(L), lua_gettop(L));
+    api_fold_stack_value(L, vm_board(L), lua_gettop(L));
     events_set_property(L, (uint16_t)kind, "parts");
 }
 
@@ -125,7 +125,7 @@ void api_body_define(lua_State *L, int32_t kind, int at)
 
 void api_body_check_depth(lua_State *L, const struct board *b, uint16_t kind, int64_t body)
 {
-    if (enemies_depth(&b->enemies, handle_slot(body)) + 1 + parts_depth(L, kind) > MAX_PART_DEPTH)
+    if (enemies_part_depth(&b->enemies, handle_slot(body)) + 1 + get_parts_depth(L, kind) > MAX_PART_DEPTH)
         api_error(L, "enemy.spawn", "follow: parts nested more than %d deep", MAX_PART_DEPTH);
 }
 
@@ -188,7 +188,7 @@ static int enemy_parts(lua_State *L, struct board *b, struct api_value *v)
 void api_body_get(lua_State *L, const struct board *b, uint32_t i, enum api_body_prop p)
 {
     const struct enemies *e = &b->enemies;
-    const fx values[] = { [BODY_DX] = e->dx[i], [BODY_DY] = e->dy[i], [BODY_SHARE] = e->share[i] };
+    const fx values[] = { [BODY_DX] = e->dx[i], [BODY_DY] = e->dy[i], [BODY_SHARE] = e->damage_share[i] };
 
     if (!e->body[i])
         lua_pushnil(L);
@@ -208,7 +208,7 @@ void api_body_set(lua_State *L, struct board *b, uint32_t i, enum api_body_prop 
         vm_fault(L, FAULT_SCRIPT, "enemy: %s: this enemy is not a part (enemy.spawn { follow = .. } spawns one)",
                  names[p]);
     if (p == BODY_SHARE)
-        e->share[i] = v;
+        e->damage_share[i] = v;
     else if (p == BODY_DX)
         enemies_set_position(e, i, fx_add(e->x[body], v), e->y[i]);
     else
@@ -222,7 +222,7 @@ void api_body_set(lua_State *L, struct board *b, uint32_t i, enum api_body_prop 
 enum { ARG_SELF, O_AROUND, O_X, O_Y, O_RADIUS, O_RADIUS_TO, O_SPIN, O_DIR, O_OVER };
 static const struct api_param orbit_params[] = {
     SELF_PARAM,
-    PARAM("around", A_THING, OPT, PLACE_KINDS, 0, NULL, NULL,
+    PARAM("around", A_THING, OPT, POSITION_HANDLE_KINDS, 0, NULL, NULL,
           "thing to circle; after it despawns, the enemy circles its last position; give `around`, or `x` and `y`"),
     PARAM("x", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "horizontal position of the circle's centre"),
     PARAM("y", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "vertical position of the circle's centre"),

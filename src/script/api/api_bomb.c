@@ -85,12 +85,12 @@ static const struct bomb *get_bomb(lua_State *L, int i)
 static void raise_unknown_bomb(lua_State *L, const char *param_name, const char *name)
 {
     const char *found = NULL;
-    int best = EDIT_FAR;
+    int best = EDIT_TOO_FAR;
 
     if (push_bombs(L))
         for (lua_pushnil(L); lua_next(L, -2); lua_pop(L, 1))
             if (lua_type(L, -2) == LUA_TSTRING)
-                api_suggest_nearer(name, lua_tostring(L, -2), &best, &found);
+                api_consider_suggestion(name, lua_tostring(L, -2), &best, &found);
     if (found)
         api_error(L, "player.def", "%s: unknown bomb \"%s\" (did you mean \"%s\"?)", param_name, name, found);
     api_error(L, "player.def", "%s: unknown bomb \"%s\" (declare it with bomb.def first)", param_name, name);
@@ -182,7 +182,7 @@ static int player_bomb(lua_State *L, struct board *b, struct api_value *v)
 }
 
 static const struct api_entry entries[] = {
-    { "bomb.def", bomb_def, PARAMS(def_params), 1, API_CHANGES | API_LOAD, NULL,
+    { "bomb.def", bomb_def, PARAMS(def_params), 1, API_CHANGES | API_LOAD_ONLY, NULL,
       HELP("declares a bomb: a task that a ship starts, at a cost deducted from a register") },
     API_VERB("player:bomb", player_bomb, self_params, 1, "boolean",
              "starts the bomb of the player's ship; returns false if the ship has no bomb, can't pay for it or is "

@@ -13,8 +13,8 @@
 /* State while reading a boss: stack indices, and whether a phase with `last = true` was found. */
 struct boss_reader {
     lua_State *L;
-    int boss, cast, ids; /* cast: set of the members' names; 0: no cast */
-    bool has_last;
+    int boss_at, cast_names_at, ids_at; /* cast_names_at: set of the members' names; 0: no cast */
+    bool has_last_phase;
 };
 
 /* Pushes a field of the table at `at` and returns the Lua type of the value. */
@@ -25,7 +25,7 @@ static int push_field(lua_State *L, int at, const char *name)
 }
 
 /* Replaces the table on top by the result of sys.check. */
-static void check_top(lua_State *L, const char *entry)
+static void check_table_on_top(lua_State *L, const char *entry)
 {
     lua_pushcfunction(L, api_sys_check);
     lua_pushstring(L, entry);
@@ -37,10 +37,10 @@ static void check_top(lua_State *L, const char *entry)
 /* Checks the arguments of a phase. Upvalue: the entry name for errors. */
 static int check_phase(lua_State *L)
 {
-    struct api_entry e = *api_find(api_of(L), "boss.def phase");
+    struct api_entry e = *api_find_entry(api_get_table(L), "boss.def phase");
 
     e.name = lua_tostring(L, lua_upvalueindex(1));
-    return api_push_checked(L, &e);
+    return api_push_checked_arguments(L, &e);
 }
 
 /* Replaces the phase on top by the result of sys.check; errors name the phase. */
@@ -72,14 +72,14 @@ static void check_field(lua_State *L, const char *entry, int at, const struct ap
 
 /* Requires kind and position of a boss without a cast. With a cast, raises an error if the boss itself has them,
  * because each member has its own. */
-static void check_kind_and_position(lua_State *L, int boss, bool alone)
+static void check_kind_and_position(lua_State *L, int boss, bool is_single)
 {
     static const struct api_param params[] = { PARAM("kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL, ""),
                                                PARAM("x", A_NUM, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, ""),
                                                PARAM("y", A_NUM, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "") };
 
     for (int i = 0; i < 3; i++)
-        if (alone)
+        if (is_single)
             check_field(L, "boss.def", boss, &params[i]);
         else if (push_field(L, boss, params[i].name) != LUA_TNIL)
             api_error(L, "boss.def", "%s: set it on each member of the cast instead", params[i].name);
@@ -88,7 +88,7 @@ static void check_kind_and_position(lua_State *L, int boss, bool alone)
 }
 
 /* Replaces the boss's `cast` with the list of checked members. Pushes that list, then the set of the members' names
- * (r->cast). */
+ * (r->cast_names_at). */
 static void read_cast(struct boss_reader *r, int list)
 {
     lua_State *L = r->L;
@@ -98,21 +98,21 @@ static void read_cast(struct boss_reader *r, int list)
         api_error(L, "boss.def", "cast: expected at least two members, got %d", (int)n);
     lua_newtable(L);
     lua_newtable(L);
-    r->cast = lua_gettop(L);
+    r->cast_names_at = lua_gettop(L);
     for (lua_Integer i = 1; i <= n; i++) {
         lua_rawgeti(L, list, i);
-        check_top(L, "boss.def cast");
+        check_table_on_top(L, "boss.def cast");
         push_field(L, lua_gettop(L), "name");
         lua_pushvalue(L, -1);
-        if (lua_rawget(L, r->cast) != LUA_TNIL)
+        if (lua_rawget(L, r->cast_names_at) != LUA_TNIL)
             api_error(L, "boss.def", "cast: duplicate name \"%s\"", lua_tostring(L, -2));
         lua_pop(L, 1);
         lua_pushboolean(L, 1);
-        lua_rawset(L, r->cast);
-        lua_rawseti(L, r->cast - 1, i);
+        lua_rawset(L, r->cast_names_at);
+        lua_rawseti(L, r->cast_names_at - 1, i);
     }
-    lua_pushvalue(L, r->cast - 1);
-    lua_setfield(L, r->boss, "cast");
+    lua_pushvalue(L, r->cast_names_at - 1);
+    lua_setfield(L, r->boss_at, "cast");
 }
 
 /* Raises the error for a word that is not the name of a cast member. */
@@ -120,11 +120,11 @@ static void raise_unknown_member(struct boss_reader *r, const char *phase, const
 {
     lua_State *L = r->L;
     const char *found = NULL;
-    int best = EDIT_FAR;
+    int best = EDIT_TOO_FAR;
 
     lua_pushnil(L);
-    while (lua_next(L, r->cast)) {
-        api_suggest_nearer(word, lua_tostring(L, -2), &best, &found);
+    while (lua_next(L, r->cast_names_at)) {
+        api_consider_suggestion(word, lua_tostring(L, -2), &best, &found);
         lua_pop(L, 1);
     }
     if (found)
@@ -133,7 +133,7 @@ static void raise_unknown_member(struct boss_reader *r, const char *phase, const
     api_error(L, "boss.def", "phase \"%s\": %s: no member of the cast is named \"%s\"", phase, field_name, word);
 }
 
-static bool knows_member(lua_State *L, const char *key, const void *reader)
+static bool is_known_member(lua_State *L, const char *key, const void *reader)
 {
     const struct boss_reader *r = reader;
 
@@ -141,7 +141,7 @@ static bool knows_member(lua_State *L, const char *key, const void *reader)
     if (!key)
         return false;
     lua_pushvalue(L, -1);
-    const bool is_member = lua_rawget(L, r->cast) != LUA_TNIL;
+    const bool is_member = lua_rawget(L, r->cast_names_at) != LUA_TNIL;
     lua_pop(L, 1);
     return is_member;
 }
@@ -152,31 +152,31 @@ static void check_cast_field(struct boss_reader *r, int at, const char *phase, c
 {
     lua_State *L = r->L;
     struct api_value v;
-    char where[64];
+    char context[64];
     int n = 0;
 
-    if (push_field(L, at, p->name) != LUA_TTABLE || !r->cast) {
-        snprintf(where, sizeof where, "boss.def: phase \"%s\"", phase);
-        api_check(L, where, p, lua_gettop(L), &v);
+    if (push_field(L, at, p->name) != LUA_TTABLE || !r->cast_names_at) {
+        snprintf(context, sizeof context, "boss.def: phase \"%s\"", phase);
+        api_check(L, context, p, lua_gettop(L), &v);
         lua_pop(L, 1);
         return;
     }
     const int given_at = lua_gettop(L), copy = given_at + 1;
-    if (luakeys_push_unknown(L, given_at, knows_member, r)) {
+    if (luakeys_push_unknown(L, given_at, is_known_member, r)) {
         if (!luakeys_text(L, -1))
             api_error(L, "boss.def", "phase \"%s\": %s: expected { NAME = value } with names from the cast", phase,
                       p->name);
         raise_unknown_member(r, phase, p->name, luakeys_text(L, -1));
     }
     lua_newtable(L);
-    snprintf(where, sizeof where, "boss.def: phase \"%s\": %s", phase, p->name);
-    for (lua_Integer i = 1; lua_rawgeti(L, r->cast - 1, i) == LUA_TTABLE; i++, lua_settop(L, copy)) {
+    snprintf(context, sizeof context, "boss.def: phase \"%s\": %s", phase, p->name);
+    for (lua_Integer i = 1; lua_rawgeti(L, r->cast_names_at - 1, i) == LUA_TTABLE; i++, lua_settop(L, copy)) {
         struct api_param member_param = *p;
         push_field(L, copy + 1, "name");
         member_param.name = lua_tostring(L, -1);
         if (push_field(L, given_at, member_param.name) == LUA_TNIL)
             continue;
-        api_check(L, where, &member_param, lua_gettop(L), &v);
+        api_check(L, context, &member_param, lua_gettop(L), &v);
         lua_rawset(L, copy);
         n++;
     }
@@ -187,7 +187,7 @@ static void check_cast_field(struct boss_reader *r, int at, const char *phase, c
     lua_pop(L, 1);
 }
 
-static bool is_true(lua_State *L, int at, const char *name)
+static bool is_field_true(lua_State *L, int at, const char *name)
 {
     push_field(L, at, name);
     bool value = lua_toboolean(L, -1);
@@ -222,7 +222,7 @@ static void push_leader(struct boss_reader *r, int at)
     lua_State *L = r->L;
     bool found = false;
 
-    push_field(L, r->boss, "cast");
+    push_field(L, r->boss_at, "cast");
     const int list = lua_gettop(L);
     const bool has_bars = push_field(L, at, "hp") == LUA_TTABLE;
     for (lua_Integer i = 1; has_bars && !found && i <= (lua_Integer)lua_rawlen(L, list); i++) {
@@ -241,7 +241,7 @@ static void push_leader(struct boss_reader *r, int at)
 
 /* Sets the portraits that the phase at `at` omits to those of the phase's leader or, failing that, of the boss. Returns
  * whether the phase then has a portrait. */
-static bool read_portrait(struct boss_reader *r, int at)
+static bool set_default_portraits(struct boss_reader *r, int at)
 {
     static const char *const names[] = { "portrait", "portrait_left" };
     lua_State *L = r->L;
@@ -250,25 +250,25 @@ static bool read_portrait(struct boss_reader *r, int at)
     const int leader = lua_gettop(L);
     for (int i = 0; i < 2; i++) {
         if (push_field(L, at, names[i]) == LUA_TNIL && push_field(L, leader, names[i]) == LUA_TNIL)
-            push_field(L, r->boss, names[i]);
+            push_field(L, r->boss_at, names[i]);
         lua_setfield(L, at, names[i]);
         lua_settop(L, leader);
     }
     lua_settop(L, leader - 1);
-    return is_true(L, at, "portrait");
+    return is_field_true(L, at, "portrait");
 }
 
 /* Sets `cut_in` in a spell with a portrait, unless the phase already has `cut_in`. */
-static void read_cut_in(struct boss_reader *r, int at, const char *id)
+static void set_default_cut_in(struct boss_reader *r, int at, const char *id)
 {
     lua_State *L = r->L;
-    const bool has_portrait = read_portrait(r, at), wants_cut_in = is_true(L, at, "cut_in");
+    const bool has_portrait = set_default_portraits(r, at), wants_cut_in = is_field_true(L, at, "cut_in");
 
     if (wants_cut_in && !has_portrait)
         api_error(L, "boss.def", "phase \"%s\": `cut_in` requires a portrait (`portrait = SPRITE`)", id);
-    if (wants_cut_in && !is_true(L, at, "spell"))
+    if (wants_cut_in && !is_field_true(L, at, "spell"))
         api_error(L, "boss.def", "phase \"%s\": `cut_in` requires a spell (it shows the spell's name)", id);
-    if (has_portrait && is_true(L, at, "spell") && push_field(L, at, "cut_in") == LUA_TNIL) {
+    if (has_portrait && is_field_true(L, at, "spell") && push_field(L, at, "cut_in") == LUA_TNIL) {
         lua_pushboolean(L, 1);
         lua_setfield(L, at, "cut_in");
     }
@@ -286,27 +286,27 @@ static void read_phase(struct boss_reader *r, int i)
     push_field(L, at, "id");
     const char *id = lua_tostring(L, -1);
     lua_pushvalue(L, -1);
-    if (lua_rawget(L, r->ids) != LUA_TNIL)
+    if (lua_rawget(L, r->ids_at) != LUA_TNIL)
         api_error(L, "boss.def", "duplicate phase \"%s\"", id);
     lua_pushvalue(L, -2);
     lua_pushboolean(L, 1);
-    lua_rawset(L, r->ids);
-    if (!is_true(L, at, "survive") || push_field(L, at, "hp") != LUA_TNIL)
+    lua_rawset(L, r->ids_at);
+    if (!is_field_true(L, at, "survive") || push_field(L, at, "hp") != LUA_TNIL)
         check_cast_field(r, at, id, &hp);
     check_cast_field(r, at, id, &run);
     check_bonus(L, at, id);
     if (push_field(L, at, "clear") != LUA_TNIL) {
-        check_top(L, "boss.def clear");
+        check_table_on_top(L, "boss.def clear");
         lua_setfield(L, at, "clear");
     }
     if (push_field(L, at, "drops") != LUA_TNIL) {
         api_push_folded_drops(L, "boss.def", lua_gettop(L));
         lua_setfield(L, at, "drops");
     }
-    read_cut_in(r, at, id);
+    set_default_cut_in(r, at, id);
     if (read_integer_field(L, at, "armour") > 0)
         api_check_bodies(L, "boss.def", "armour");
-    r->has_last |= is_true(L, at, "last");
+    r->has_last_phase |= is_field_true(L, at, "last");
     lua_settop(L, at);
 }
 
@@ -327,17 +327,17 @@ static void read_phases(struct boss_reader *r)
     lua_State *L = r->L;
     lua_Integer n_phases = 0;
 
-    push_field(L, r->boss, "phases");
+    push_field(L, r->boss_at, "phases");
     const int list = lua_gettop(L);
     lua_newtable(L);
     lua_newtable(L);
-    r->ids = list + 2;
+    r->ids_at = list + 2;
     lua_newtable(L);
     const int talks = list + 3;
     for (lua_Integer i = 1; i <= (lua_Integer)lua_rawlen(L, list); i++) {
         lua_rawgeti(L, list, i);
-        if (lua_istable(L, -1) && is_true(L, talks + 1, "talk")) {
-            check_top(L, "boss.def talk");
+        if (lua_istable(L, -1) && is_field_true(L, talks + 1, "talk")) {
+            check_table_on_top(L, "boss.def talk");
             push_field(L, talks + 1, "talk");
             lua_rawseti(L, talks, (lua_Integer)lua_rawlen(L, talks) + 1);
             lua_pop(L, 1);
@@ -352,33 +352,33 @@ static void read_phases(struct boss_reader *r)
     }
     if (!n_phases)
         api_error(L, "boss.def", "phases: expected at least one phase");
-    set_talks(L, r->boss);
+    set_talks(L, r->boss_at);
     lua_pushvalue(L, list + 1);
-    lua_setfield(L, r->boss, "phases");
+    lua_setfield(L, r->boss_at, "phases");
 }
 
-static const struct api_param table_req[] = { PARAM("boss", A_TABLE, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param boss_table_params[] = { PARAM("boss", A_TABLE, REQ, 0, 0, NULL, NULL, "") };
 
 /* Converts the table of checked boss.def arguments into the boss, in place. Returns whether the boss has a phase with
  * `last = true`. */
 static int sys_boss(lua_State *L, struct board *b, struct api_value *v)
 {
-    struct boss_reader r = { .L = L, .boss = v[0].at };
+    struct boss_reader r = { .L = L, .boss_at = v[0].at };
 
     (void)b;
     luaL_checkstack(L, 32, NULL);
-    const bool alone = push_field(L, r.boss, "cast") == LUA_TNIL;
-    check_kind_and_position(L, r.boss, alone);
-    if (!alone)
+    const bool is_single = push_field(L, r.boss_at, "cast") == LUA_TNIL;
+    check_kind_and_position(L, r.boss_at, is_single);
+    if (!is_single)
         read_cast(&r, lua_gettop(L));
     else {
         lua_createtable(L, 1, 0);
-        lua_pushvalue(L, r.boss);
+        lua_pushvalue(L, r.boss_at);
         lua_rawseti(L, -2, 1);
-        lua_setfield(L, r.boss, "cast");
+        lua_setfield(L, r.boss_at, "cast");
     }
     read_phases(&r);
-    lua_pushboolean(L, r.has_last);
+    lua_pushboolean(L, r.has_last_phase);
     return 1;
 }
 
@@ -426,7 +426,7 @@ static void increment_history(struct board *b, const char *key, int64_t counter)
 }
 
 /* Returns the ship of the first player in the game; without players, the first ship declared. */
-static const char *first_ship(const struct board *b)
+static const char *find_first_ship(const struct board *b)
 {
     uint16_t kind = 0;
 
@@ -450,7 +450,7 @@ static int sys_history(lua_State *L, struct board *b, struct api_value *v)
     char key[NV_MAX_KEY + 1];
 
     if (v[HISTORY_ADD].i && !b->start.practice.section[0]) {
-        format_history_key(key, spell_hash, difficulty, first_ship(b));
+        format_history_key(key, spell_hash, difficulty, find_first_ship(b));
         increment_history(b, key, v[HISTORY_ADD].i);
     }
     for (int k = 0; k < (int)b->player_kinds.s.live; k++) {
@@ -468,7 +468,7 @@ static int sys_history(lua_State *L, struct board *b, struct api_value *v)
 }
 
 static const struct api_entry entries[] = {
-    { "sys.boss", sys_boss, PARAMS(table_req), 1, API_SYS, "boolean",
+    { "sys.boss", sys_boss, PARAMS(boss_table_params), 1, API_SYS, "boolean",
       HELP("checks a boss's cast and phases; returns true if a phase has `last = true`") },
     { "sys.history", sys_history, PARAMS(history_params), 5, API_SYS | API_CHANGES, "tries, captures",
       HELP("returns how often a spell was tried and captured; add = 1 adds a try, add = 2 a capture") },

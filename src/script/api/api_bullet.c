@@ -24,7 +24,7 @@ static const char hp_disabled[] = "bullet hp is disabled; add `hp = true` to `bo
 static const struct api_param bullet_def_params[] = {
     PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the kind, used as `kind = NAME`; must be new"),
     PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "sprite to draw"),
-    PARAM("hit", A_HIT, REQ, HIT_BULLETS, 0, NULL, NULL,
+    PARAM("hit", A_HIT_SHAPE, REQ, HIT_BULLETS, 0, NULL, NULL,
           "hitbox, relative to the thing's position; \"none\" never hits"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of its sprite"),
     PARAM("graze", A_BOOL, OPT, 0, 0, NULL, "true", "whether players can graze it"),
@@ -58,7 +58,7 @@ static const struct api_param bullet_def_params[] = {
 static const struct api_param shot_def_params[] = {
     PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the kind, used as `kind = NAME`; must be new"),
     PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "sprite to draw"),
-    PARAM("hit", A_HIT, REQ, HIT_BULLETS, 0, NULL, NULL,
+    PARAM("hit", A_HIT_SHAPE, REQ, HIT_BULLETS, 0, NULL, NULL,
           "hitbox, relative to the thing's position; \"none\" never hits"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of its sprite"),
     PARAM("damage", A_INT, OPT, 0, 1000000, "hp", "1", "damage to each enemy or bullet it hits"),
@@ -98,8 +98,8 @@ static void set_cloud(struct bullet_kinds *k, int i, uint16_t sprite)
     k->sprite[cloud] = sprite;
     k->bank[cloud] = k->bank[i];
     k->draw_order[cloud] = k->draw_order[i];
-    k->flags[cloud] = (uint16_t)(KIND_CLOUD | (k->flags[i] & (KIND_TURNS | KIND_BLEND)));
-    k->flags[i] |= KIND_CLOUDED;
+    k->flags[cloud] = (uint16_t)(KIND_IS_CLOUD_ROW | (k->flags[i] & (KIND_TURNS | KIND_BLEND)));
+    k->flags[i] |= KIND_HAS_CLOUD;
 }
 
 /* Declares a kind of bullet or shot from the arguments common to bullet.def and shot.def; returns the kind's index. */
@@ -171,17 +171,17 @@ static int bullet_define(lua_State *L, struct board *b, struct api_value *v)
 /* Sets the piercing of a kind of shot (`pierce` and `every`). */
 static void define_pierce(lua_State *L, struct bullet_kinds *k, int i, const struct api_value *v)
 {
-    enum { DEFAULT_EVERY = 6 };
+    enum { DEFAULT_REHIT_INTERVAL = 6 };
 
-    if (v[D_PIERCE].i && !k->pierce)
+    if (v[D_PIERCE].i && !k->pierce_hits)
         api_error(L, "shot.def", "pierce: " API_DISABLED_FORMAT,
                   "piercing is disabled; add `pierce = true` to `board`");
     if (v[D_EVERY].given && !v[D_PIERCE].i)
         api_error(L, "shot.def", "every: requires `pierce`");
-    if (!k->pierce)
+    if (!k->pierce_hits)
         return;
-    k->pierce[i] = api_to_count(&v[D_PIERCE]);
-    k->rehit_interval[i] = v[D_EVERY].given ? api_to_count(&v[D_EVERY]) : DEFAULT_EVERY;
+    k->pierce_hits[i] = api_to_count(&v[D_PIERCE]);
+    k->rehit_interval[i] = v[D_EVERY].given ? api_to_count(&v[D_EVERY]) : DEFAULT_REHIT_INTERVAL;
 }
 
 static int shot_define(lua_State *L, struct board *b, struct api_value *v)
@@ -207,7 +207,7 @@ void api_check_around(lua_State *L, const struct bullets *s, const char *entry, 
     PARAM("kind", kind_type, REQ, 0, 0, NULL, NULL, "declared kind to fire"),                                          \
         PARAM("speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,                                             \
               "speed of flight; if negative, it flies backwards"),                                                     \
-        PLACE,                                                                                                         \
+        POSITION_PARAMS,                                                                                               \
         PARAM("dir", A_DIR, OPT, 0, 0, NULL, def_dir,                                                                  \
               "direction of flight, clockwise from the right; with `aim`, the default is 0, and the angle is added "   \
               "to the direction towards the target"),                                                                  \
@@ -218,7 +218,7 @@ void api_check_around(lua_State *L, const struct bullets *s, const char *entry, 
         PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put it in"),                                   \
         PARAM("motion", A_MOTION, OPT, 0, 0, NULL, NULL, "motion program that steers it")
 #define AROUND_PARAM                                                                                                   \
-    PARAM("around", A_THING, OPT, PLACE_KINDS, 0, NULL, NULL,                                                          \
+    PARAM("around", A_THING, OPT, POSITION_HANDLE_KINDS, 0, NULL, NULL,                                                \
           "thing that it circles in the `orbit` steps of its motion; needs `board = { around = true }`")
 
 static const struct api_param bullet_fire_params[] = {
@@ -247,7 +247,7 @@ ang api_aim_direction(struct board *b, bool is_shot, fx x, fx y)
 /* Returns the number, 1 or 2, of the player who fires the shot, or 0. */
 static uint8_t find_shooter(const struct board *b, const struct api_value *v)
 {
-    const struct api_value *owner = v[FIRE_OWNER].given ? &v[FIRE_OWNER] : &v[FIRE_PLACE + PLACE_FROM];
+    const struct api_value *owner = v[FIRE_OWNER].given ? &v[FIRE_OWNER] : &v[FIRE_POSITION + POSITION_FROM];
 
     return owner->given ? board_player_of(b, owner->i) : 0;
 }
@@ -262,11 +262,11 @@ bool api_read_flight(lua_State *L, struct board *b, const char *entry, const str
                                .kind = (uint16_t)v[FIRE_KIND].i,
                                .bank = v[FIRE_BANK].given ? (uint8_t)v[FIRE_BANK].i : kinds->bank[v[FIRE_KIND].i],
                                .motion = v[FIRE_MOTION].given ? (uint16_t)v[FIRE_MOTION].i : 0,
-                               .fine = v[FIRE_MOTION].given && api_motion_is_fine(b, (uint16_t)v[FIRE_MOTION].i),
+                               .is_fine = v[FIRE_MOTION].given && api_motion_is_fine(b, (uint16_t)v[FIRE_MOTION].i),
                                .player = is_shot ? find_shooter(b, v) : 0,
                                .delay = is_shot ? 0 : (uint32_t)v[FIRE_DELAY].i,
                                .owner_task = tasks_current_serial(b) };
-    if (!api_read_place(L, b, entry, v + FIRE_PLACE, &s->x, &s->y))
+    if (!api_read_position(L, b, entry, v + FIRE_POSITION, &s->x, &s->y))
         return false;
     if (s->player && b->player.deathbomb_left[s->player - 1]) /* a hit ship cannot fire */
         return false;
@@ -279,7 +279,7 @@ bool api_read_flight(lua_State *L, struct board *b, const char *entry, const str
     return true;
 }
 
-static int fire(lua_State *L, struct board *b, const struct api_value *v, bool is_shot)
+static int fire_bullet_or_shot(lua_State *L, struct board *b, const struct api_value *v, bool is_shot)
 {
     struct bullet_spec s;
     int32_t i = NO_SLOT;
@@ -290,26 +290,26 @@ static int fire(lua_State *L, struct board *b, const struct api_value *v, bool i
         i = emit_fire(b, is_shot, &s, api_value_to_q32(true, &v[FIRE_SPEED]), b->core.clock);
     }
     if (i != NO_SLOT)
-        api_set_values(b, is_shot ? N_SHOT_VALUE : N_BULLET_VALUE, (uint32_t)i, v + FIRE_VALUES);
+        api_set_values(b, is_shot ? N_SHOT_VALUE : N_BULLET_VALUE, (uint32_t)i, v + FIRE_FIRST_VALUE);
     lua_pushinteger(L, board_handle(b, is_shot ? H_SHOT : H_BULLET, i));
     return 1;
 }
 
-static int bullet_fire_run(lua_State *L, struct board *b, struct api_value *v)
+static int bullet_fire(lua_State *L, struct board *b, struct api_value *v)
 {
-    return fire(L, b, v, false);
+    return fire_bullet_or_shot(L, b, v, false);
 }
 
-static int shot_fire_run(lua_State *L, struct board *b, struct api_value *v)
+static int shot_fire(lua_State *L, struct board *b, struct api_value *v)
 {
-    return fire(L, b, v, true);
+    return fire_bullet_or_shot(L, b, v, true);
 }
 
 /* ---- groups ---- */
 
-const struct api_param api_tag_params[TAG_PARAMS] = { PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL,
-                                                            "tag to select by; if omitted, all are included") };
-const struct api_param api_each_params[EACH_PARAMS] = {
+const struct api_param api_tag_params[TAG_PARAM_COUNT] = { PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL,
+                                                                 "tag to select by; if omitted, all are included") };
+const struct api_param api_each_params[EACH_PARAM_COUNT] = {
     PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "tag to select by; nil selects all"),
     PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL, "function to call; it cannot wait")
 };
@@ -336,8 +336,8 @@ enum { VISIT_WORK = 4 /* VM instructions charged per visit, in addition to the f
 
 /* Pushes a userdata with the handles of the live entities that have the tag. Returns the array and stores the number of
  * handles in *n. */
-static const int64_t *list_tagged(lua_State *L, const struct board *b, enum handle_kind kind, const struct slots *s,
-                                  const uint16_t *tags, uint32_t tag, uint32_t *n)
+static const int64_t *list_tagged_handles(lua_State *L, const struct board *b, enum handle_kind kind,
+                                          const struct slots *s, const uint16_t *tags, uint32_t tag, uint32_t *n)
 {
     int64_t *list = lua_newuserdatauv(L, s->live * sizeof *list, 0);
 
@@ -349,11 +349,11 @@ static const int64_t *list_tagged(lua_State *L, const struct board *b, enum hand
 }
 
 int api_call_each(lua_State *L, struct board *b, enum handle_kind kind, const char *entry, const struct slots *s,
-                  const uint16_t *tags, const struct api_value v[EACH_PARAMS])
+                  const uint16_t *tags, const struct api_value v[EACH_PARAM_COUNT])
 {
     uint32_t tag = v[EACH_TAG].given ? api_intern_tag(L, entry, v[EACH_TAG].at) : 0;
     uint32_t n;
-    const int64_t *list = list_tagged(L, b, kind, s, tags, tag, &n);
+    const int64_t *list = list_tagged_handles(L, b, kind, s, tags, tag, &n);
 
     vm_charge(L, VISIT_WORK * (uint64_t)n);
     for (uint32_t k = 0; k < n; k++) {
@@ -377,8 +377,8 @@ static int shot_each(lua_State *L, struct board *b, struct api_value *v)
 }
 
 static const struct api_param bullet_sweep_params[] = {
-    PLACE,
-    PARAM("follow", A_THING, OPT, PLACE_KINDS, 0, NULL, NULL,
+    POSITION_PARAMS,
+    PARAM("follow", A_THING, OPT, POSITION_HANDLE_KINDS, 0, NULL, NULL,
           "thing that the circle moves with; the sweep ends when the thing dies"),
     PARAM("radius", A_FX, OPT, 0, MAX_SPEED, "px", "0", "radius of the circle at the start"),
     PARAM("radius_to", A_FX, REQ, 0, MAX_SPEED, "px", NULL, "radius of the circle at the end"),
@@ -386,7 +386,7 @@ static const struct api_param bullet_sweep_params[] = {
     PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "remove only bullets with this tag"),
     PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "kind of spark that each bullet leaves; overrides `vanish`"),
     PARAM("hurt", A_INT, OPT, 0, INT32_MAX, "hp", "0", "damage dealt once to each enemy the circle reaches"),
-    PARAM("by", A_PAD, OPT, 0, 0, NULL, NULL, "player who gets the score for enemies that `hurt` kills"),
+    PARAM("by", A_PLAYER, OPT, 0, 0, NULL, NULL, "player who gets the score for enemies that `hurt` kills"),
     PARAM("all", A_BOOL, OPT, 0, 0, NULL, "false", "also remove bullets with `clearable = false`"),
     PARAM("items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL, "kind of item that replaces each bullet"),
     PARAM("lasers", A_BOOL, OPT, 0, 0, NULL, "true", "also remove lasers that the circle touches"),
@@ -402,7 +402,7 @@ static const struct api_param bullet_sweep_params[] = {
                 "vertical position in the field; a write teleports it, without collisions on the way"),                \
           PROP_WRITE, COMPUTED },                                                                                      \
         { PARAM("dir", A_DIR, REQ, 0, 0, NULL, NULL, "direction of flight, 0 to 360; unchanged at speed 0"),           \
-          PROP_WRITE, STORED(STORED_ANG, pool.dir), .is_set = true },                                                  \
+          PROP_WRITE, STORED(STORED_ANG, pool.dir), .has_setter = true },                                              \
         { PARAM("speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,                                           \
                 "speed of flight; if negative, it flies backwards"),                                                   \
           PROP_WRITE, COMPUTED },                                                                                      \
@@ -422,7 +422,8 @@ static const struct api_param bullet_sweep_params[] = {
         { PARAM("motion", A_MOTION, OPT, 0, 0, NULL, NULL,                                                             \
                 "motion program it runs, or nil; a write starts the program from its first step"),                     \
           PROP_WRITE, COMPUTED },                                                                                      \
-        { PARAM("around", A_THING, OPT, PLACE_KINDS, 0, NULL, NULL, "thing that it circles in `orbit` steps, or nil"), \
+        { PARAM("around", A_THING, OPT, POSITION_HANDLE_KINDS, 0, NULL, NULL,                                          \
+                "thing that it circles in `orbit` steps, or nil"),                                                     \
           PROP_WRITE, COMPUTED },                                                                                      \
         { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL,                                                                   \
                 "frames since it was fired, not counting its delay or frozen frames"),                                 \
@@ -430,7 +431,7 @@ static const struct api_param bullet_sweep_params[] = {
     {                                                                                                                  \
         PARAM("frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL,                                                    \
               "frames it stays frozen, or forever; 0 unfreezes it"),                                                   \
-            PROP_WRITE, STORED(STORED_COUNT, pool.frozen_left), .is_set = true                                         \
+            PROP_WRITE, STORED(STORED_COUNT, pool.frozen_left), .has_setter = true                                     \
     }
 
 #define HP_PROP                                                                                                        \
@@ -457,7 +458,8 @@ static void push_q32(lua_State *L, int64_t v)
     lua_pushnumber(L, (double)v / 4294967296.0);
 }
 
-void api_get_flight(lua_State *L, struct board *b, const struct bullets *s, enum name_kind names, uint32_t i, int p)
+void api_get_flight_prop(lua_State *L, struct board *b, const struct bullets *s, enum name_kind names, uint32_t i,
+                         int p)
 {
     const struct bullet_kinds *kinds = names == N_SHOT ? &b->shot_kinds : &b->bullet_kinds;
     int64_t x, y;
@@ -465,7 +467,7 @@ void api_get_flight(lua_State *L, struct board *b, const struct bullets *s, enum
     switch (p) {
     case FLIGHT_X:
     case FLIGHT_Y:
-        bullets_position(s, i, &x, &y);
+        bullets_get_position(s, i, &x, &y);
         push_q32(L, p == FLIGHT_X ? x : y);
         break;
     case FLIGHT_SPEED:
@@ -473,7 +475,7 @@ void api_get_flight(lua_State *L, struct board *b, const struct bullets *s, enum
         break;
     case FLIGHT_VX:
     case FLIGHT_VY:
-        bullets_velocity(s, i, &x, &y);
+        bullets_get_velocity(s, i, &x, &y);
         push_q32(L, p == FLIGHT_VX ? x : y);
         break;
     case FLIGHT_KIND:
@@ -503,7 +505,7 @@ void api_get_flight(lua_State *L, struct board *b, const struct bullets *s, enum
 }
 
 /* Ends the running motion step's control of a property that a script wrote. */
-void api_override(struct bullets *s, uint32_t i, unsigned property)
+void api_override_property(struct bullets *s, uint32_t i, unsigned property)
 {
     if (s->step_flags[i] & STEP_BEGUN)
         s->step_flags[i] |= (uint8_t)property;
@@ -515,10 +517,10 @@ static void set_coordinate(struct bullets *s, uint32_t i, int p, int64_t v)
     int64_t x, y;
 
     if (p == FLIGHT_X || p == FLIGHT_Y) {
-        bullets_position(s, i, &x, &y);
+        bullets_get_position(s, i, &x, &y);
         bullets_set_position(s, i, p == FLIGHT_X ? v : x, p == FLIGHT_Y ? v : y);
     } else {
-        bullets_velocity(s, i, &x, &y);
+        bullets_get_velocity(s, i, &x, &y);
         bullets_set_velocity(s, i, p == FLIGHT_VX ? v : x, p == FLIGHT_VY ? v : y);
     }
 }
@@ -529,13 +531,13 @@ static void end_lead(const struct board *b, struct bullets *s, uint32_t i)
     if (!s->motion[i] || !(s->step_flags[i] & STEP_BEGUN))
         return;
     if (b->steps.actions[b->motions.first[s->motion[i] - 1] + s->pc[i]] & DOES_LEAD) {
-        api_override(s, i, OVERRIDE_POSITION);
+        api_override_property(s, i, OVERRIDE_POSITION);
         bullets_update_velocity(s, i);
     }
 }
 
-void api_set_flight(lua_State *L, struct board *b, struct bullets *s, const struct bullet_kinds *kinds, uint32_t i,
-                    int p, const struct api_value *v)
+void api_set_flight_prop(lua_State *L, struct board *b, struct bullets *s, const struct bullet_kinds *kinds, uint32_t i,
+                         int p, const struct api_value *v)
 {
     bool fine = s->flags[i] & BULLET_FINE;
 
@@ -547,16 +549,16 @@ void api_set_flight(lua_State *L, struct board *b, struct bullets *s, const stru
         break;
     case FLIGHT_DIR:
         s->dir[i] = v->a;
-        api_override(s, i, OVERRIDE_DIR);
+        api_override_property(s, i, OVERRIDE_DIR);
         bullets_update_velocity(s, i);
         break;
     case FLIGHT_SPEED:
-        api_override(s, i, OVERRIDE_SPEED);
+        api_override_property(s, i, OVERRIDE_SPEED);
         bullets_set_speed(s, i, api_value_to_q32(fine, v));
         break;
     case FLIGHT_VX:
     case FLIGHT_VY:
-        api_override(s, i, OVERRIDE_DIR | OVERRIDE_SPEED);
+        api_override_property(s, i, OVERRIDE_DIR | OVERRIDE_SPEED);
         set_coordinate(s, i, p, api_value_to_q32(fine, v));
         break;
     case FLIGHT_KIND:
@@ -586,7 +588,7 @@ static int32_t *get_hp_column(lua_State *L, struct board *b)
     return b->bullets.hp;
 }
 
-static void get_bullet(lua_State *L, struct board *b, uint32_t i, int p)
+static void get_bullet_prop(lua_State *L, struct board *b, uint32_t i, int p)
 {
     const struct bullets *s = &b->bullets;
 
@@ -595,25 +597,25 @@ static void get_bullet(lua_State *L, struct board *b, uint32_t i, int p)
     else if (p == FLIGHT_HP)
         api_push_count(L, get_hp_column(L, b)[i]);
     else
-        api_get_flight(L, b, &b->bullets, N_BULLET, i, p);
+        api_get_flight_prop(L, b, &b->bullets, N_BULLET, i, p);
 }
 
-static void set_bullet(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
+static void set_bullet_prop(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
 {
     if (p == FLIGHT_HP)
         get_hp_column(L, b)[i] = api_to_count(v);
     else
-        api_set_flight(L, b, &b->bullets, &b->bullet_kinds, i, p, v);
+        api_set_flight_prop(L, b, &b->bullets, &b->bullet_kinds, i, p, v);
 }
 
-static void get_shot(lua_State *L, struct board *b, uint32_t i, int p)
+static void get_shot_prop(lua_State *L, struct board *b, uint32_t i, int p)
 {
-    api_get_flight(L, b, &b->shots, N_SHOT, i, p);
+    api_get_flight_prop(L, b, &b->shots, N_SHOT, i, p);
 }
 
-static void set_shot(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
+static void set_shot_prop(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
 {
-    api_set_flight(L, b, &b->shots, &b->shot_kinds, i, p, v);
+    api_set_flight_prop(L, b, &b->shots, &b->shot_kinds, i, p, v);
 }
 
 /* ---- groups' properties ---- */
@@ -623,39 +625,39 @@ static const struct api_prop shots_props[] = { FLIGHT_PROPS(A_SHOT_KIND, shots),
 
 enum { WRITE_WORK = 10, ACT_WORK = 2, AIM_WORK = 4 /* work per entity of a group */ };
 
-const struct api_thing api_bullet_thing = {
-    "bullet", bullet_props, FLIGHT_HP + 1, get_bullet, set_bullet, POOL(bullets)
+const struct api_thing api_bullet_thing = { "bullet",        bullet_props,    FLIGHT_HP + 1,
+                                            get_bullet_prop, set_bullet_prop, POOL(bullets) };
+const struct api_thing api_shot_thing = {
+    "shot", shot_props, FLIGHT_SHARED_COUNT + 1, .get = get_shot_prop, .set = set_shot_prop, POOL(shots)
 };
-const struct api_thing api_shot_thing = { "shot",          shot_props,      FLIGHT_SHARED + 1,
-                                          .get = get_shot, .set = set_shot, POOL(shots) };
 const struct api_thing api_group_thing = {
     "group", group_props, FLIGHT_HP + 1, POOL(bullets), .member = &api_bullet_thing, .write_work = WRITE_WORK
 };
 const struct api_thing api_shots_thing = {
-    "shots", shots_props, FLIGHT_SHARED + 1, POOL(shots), .member = &api_shot_thing, .write_work = WRITE_WORK
+    "shots", shots_props, FLIGHT_SHARED_COUNT + 1, POOL(shots), .member = &api_shot_thing, .write_work = WRITE_WORK
 };
 
 /* ---- verbs of bullets, shots and groups ---- */
 
 enum verb { V_AIM, V_TURN, V_SHIFT, V_REMOVE };
-enum { ARG_SELF, ARG_BY /* aim: its parameter `add` */, ARG_DX = ARG_BY, ARG_DY };
+enum { ARG_SELF, ARG_ANGLE /* aim: its parameter `add` */, ARG_DX = ARG_ANGLE, ARG_DY };
 
-/* Returns a Q32 coordinate moved by `by`, clamped to the world. */
-static int64_t shifted(int64_t at, int64_t by)
+/* Returns a Q32 coordinate moved by `distance`, clamped to the world. */
+static int64_t shift_coordinate(int64_t coordinate, int64_t distance)
 {
     const int64_t edge = (int64_t)WORLD_EDGE << 32;
 
-    return int64_clamp(at + by, -edge, edge);
+    return int64_clamp(coordinate + distance, -edge, edge);
 }
 
-static void shift(const struct board *b, struct bullets *s, uint32_t i, const struct api_value *v)
+static void shift_bullet(const struct board *b, struct bullets *s, uint32_t i, const struct api_value *v)
 {
     bool fine = s->flags[i] & BULLET_FINE;
     int64_t x, y;
 
-    bullets_position(s, i, &x, &y);
-    bullets_set_position(s, i, shifted(x, api_value_to_q32(fine, &v[ARG_DX])),
-                         shifted(y, api_value_to_q32(fine, &v[ARG_DY])));
+    bullets_get_position(s, i, &x, &y);
+    bullets_set_position(s, i, shift_coordinate(x, api_value_to_q32(fine, &v[ARG_DX])),
+                         shift_coordinate(y, api_value_to_q32(fine, &v[ARG_DY])));
     end_lead(b, s, i);
 }
 
@@ -666,19 +668,19 @@ static void act_on_one(struct board *b, bool is_shot, const struct targets *targ
 
     switch (verb) {
     case V_AIM:
-        s->dir[i] = targets_aim(targets, s->x[i], s->y[i], is_shot ? ANG_UP : ANG_DOWN) + v[ARG_BY].a;
+        s->dir[i] = targets_aim(targets, s->x[i], s->y[i], is_shot ? ANG_UP : ANG_DOWN) + v[ARG_ANGLE].a;
         break;
     case V_TURN:
-        s->dir[i] += v[ARG_BY].a;
+        s->dir[i] += v[ARG_ANGLE].a;
         break;
     case V_SHIFT:
-        shift(b, s, i, v);
+        shift_bullet(b, s, i, v);
         return;
     case V_REMOVE:
         bullets_drop(s, i);
         return;
     }
-    api_override(s, i, OVERRIDE_DIR);
+    api_override_property(s, i, OVERRIDE_DIR);
     bullets_update_velocity(s, i);
 }
 
@@ -745,31 +747,32 @@ static int verb_signal(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-enum { FLYING_KINDS = 1 << H_BULLET | 1 << H_SHOT | 1 << H_GROUP | 1 << H_SHOTS };
-static const struct api_param aim_params[] = { SELF_PARAM_OF(FLYING_KINDS), AIM_ADD_PARAM };
-static const struct api_param turn_params[] = { SELF_PARAM_OF(FLYING_KINDS), TURN_BY_PARAM };
-static const struct api_param shift_params[] = { SELF_PARAM_OF(FLYING_KINDS), SHIFT_DX_PARAM, SHIFT_DY_PARAM };
-static const struct api_param self_params[] = { SELF_PARAM_OF(FLYING_KINDS) };
+enum { FLYING_HANDLE_KINDS = 1 << H_BULLET | 1 << H_SHOT | 1 << H_GROUP | 1 << H_SHOTS };
+static const struct api_param aim_params[] = { SELF_PARAM_OF(FLYING_HANDLE_KINDS), AIM_ADD_PARAM };
+static const struct api_param turn_params[] = { SELF_PARAM_OF(FLYING_HANDLE_KINDS), TURN_BY_PARAM };
+static const struct api_param shift_params[] = { SELF_PARAM_OF(FLYING_HANDLE_KINDS), SHIFT_DX_PARAM, SHIFT_DY_PARAM };
+static const struct api_param self_params[] = { SELF_PARAM_OF(FLYING_HANDLE_KINDS) };
 static const struct api_param signal_params[] = { SELF_PARAM_OF(1 << H_GROUP | 1 << H_SHOTS) };
 
 /* The entries bullet.fire and shot.fire. Patterns take their parameters through api_bullet_fire_entry and
  * api_shot_fire_entry. */
 #define BULLET_FIRE                                                                                                    \
     {                                                                                                                  \
-        "bullet.fire", bullet_fire_run, PARAMS(bullet_fire_params), 0, API_CHANGES | API_VALUES, "bullet",             \
+        "bullet.fire", bullet_fire, PARAMS(bullet_fire_params), 0, API_CHANGES | API_TAKES_VALUES, "bullet",           \
             HELP("fires one bullet from a position or a thing")                                                        \
     }
 #define SHOT_FIRE                                                                                                      \
     {                                                                                                                  \
-        "shot.fire", shot_fire_run, PARAMS(shot_fire_params), 0, API_CHANGES | API_VALUES, "shot",                     \
+        "shot.fire", shot_fire, PARAMS(shot_fire_params), 0, API_CHANGES | API_TAKES_VALUES, "shot",                   \
             HELP("fires one player shot from a position or a thing")                                                   \
     }
 const struct api_entry api_bullet_fire_entry = BULLET_FIRE, api_shot_fire_entry = SHOT_FIRE;
 
 #define CLEAR_ONE(thing)                                                                                               \
-    API_VERB(thing ":clear", api_clear_self, api_clear_self_params, 1, NULL, "removes it and leaves a spark or an item")
+    API_VERB(thing ":clear", api_bullet_clear_self, api_bullet_clear_self_params, 1, NULL,                             \
+             "removes it and leaves a spark or an item")
 #define CLEAR_GROUP(thing)                                                                                             \
-    API_VERB(thing ":clear", api_clear_group, api_clear_group_params, 1, "count",                                      \
+    API_VERB(thing ":clear", api_bullet_clear_group, api_bullet_clear_group_params, 1, "count",                        \
              "removes the entire group, or only its members in a circle, a box or a line; returns the number removed")
 /* The verbs of a single entity or of a group; the macro parameter `it` is how the help refers to the entity or
  * group. */
@@ -782,13 +785,13 @@ const struct api_entry api_bullet_fire_entry = BULLET_FIRE, api_shot_fire_entry 
         API_VERB(thing ":remove", verb_remove, self_params, 1, NULL, "removes " it " and leaves nothing")
 
 static const struct api_entry entries[] = {
-    { "bullet.def", bullet_define, PARAMS(bullet_def_params), 1, API_CHANGES | API_LOAD, NULL,
+    { "bullet.def", bullet_define, PARAMS(bullet_def_params), 1, API_CHANGES | API_LOAD_ONLY, NULL,
       HELP("declares a kind of bullet: its sprite, its hitbox and its rules") },
     BULLET_FIRE,
     API_GROUPS("bullet", bullet_group, bullet_each),
-    { "bullet.clear", api_clear, PARAMS(api_clear_params), 0, API_CHANGES, "count",
+    { "bullet.clear", api_bullet_clear, PARAMS(api_bullet_clear_params), 0, API_CHANGES, "count",
       HELP("removes all bullets, or only those in a circle, a box or a line; returns the number removed") },
-    { "bullet.meet", api_meet, PARAMS(api_meet_params), 2, API_CHANGES | API_LOAD, NULL,
+    { "bullet.meet", api_bullet_meet, PARAMS(api_bullet_meet_params), 2, API_CHANGES | API_LOAD_ONLY, NULL,
       HELP("makes bullets with one tag collide with bullets with another tag; needs `board = { meet = true }`") },
     { "bullet.sweep", NULL, PARAMS(bullet_sweep_params), 0, API_LUA, "task",
       HELP("starts a task that removes the bullets in a growing circle; the task has the same owner as the calling "
@@ -798,7 +801,7 @@ static const struct api_entry entries[] = {
     API_VERB("group:signal", verb_signal, signal_params, 1, NULL,
              "resumes every bullet whose motion waits for a signal to the group's tag (`wait_for`); a group without a "
              "tag signals all tags"),
-    { "shot.def", shot_define, PARAMS(shot_def_params), 1, API_CHANGES | API_LOAD, NULL,
+    { "shot.def", shot_define, PARAMS(shot_def_params), 1, API_CHANGES | API_LOAD_ONLY, NULL,
       HELP("declares a kind of player shot: its sprite, its hitbox and its damage") },
     SHOT_FIRE,
     API_GROUPS("shot", shot_group, shot_each),

@@ -9,8 +9,8 @@
 enum {
     P_NAME,
     P_KIND,
-    P_PLACE,
-    P_KINDS = P_PLACE + PLACE_PARAMS,
+    P_POSITION,
+    P_KINDS = P_POSITION + POSITION_PARAM_COUNT,
     P_RANK,
     P_SEED,
     P_SPEED,
@@ -31,7 +31,7 @@ enum { MAX_UNIT_SPEED = 64 /* px per frame for speed 1 */ };
 static const struct api_param params[] = {
     PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the document; NAME runs bulletml/NAME.xml"),
     PARAM("kind", A_BULLET_KIND, REQ, 0, 0, NULL, NULL, "declared kind of its bullets"),
-    PLACE,
+    POSITION_PARAMS,
     PARAM("kinds", A_TABLE, OPT, 0, 0, NULL, NULL, "kinds for bullets with a label, { LABEL = kind }"),
     PARAM("rank", A_NUM, OPT, 0, 1, NULL, "0.5", "value of $rank in the document"),
     PARAM("seed", A_INT, OPT, 0, UINT32_MAX, NULL, "0",
@@ -73,7 +73,7 @@ static uint16_t find_program(lua_State *L, const struct board *b, const char *na
     return 0;
 }
 
-static bool knows_label(lua_State *L, const char *key, const void *context)
+static bool is_known_label(lua_State *L, const char *key, const void *context)
 {
     const struct ml *ml = context;
 
@@ -108,7 +108,7 @@ static void read_kinds(lua_State *L, const struct ml *ml, int at, uint16_t out[M
     static const struct api_param kind = { "kinds", A_BULLET_KIND, REQ, 0, 0, NULL, NULL, NULL };
     struct api_value v = { 0 };
 
-    if (luakeys_push_unknown(L, at, knows_label, ml))
+    if (luakeys_push_unknown(L, at, is_known_label, ml))
         raise_bad_label(L, ml);
     for (uint32_t i = 0; i < ml->n_labels && i < ML_MAX_KINDS; i++, lua_pop(L, 1)) {
         if (lua_getfield(L, at, ml_label(ml, i)) == LUA_TNIL)
@@ -132,7 +132,7 @@ static int read_params(lua_State *L, struct board *b, int at, int64_t out[ML_PAR
             api_error(L, entry_name, "params: expected a list of numbers");
     for (lua_Unsigned i = 0; i < n; i++, lua_pop(L, 1)) {
         lua_rawgeti(L, at, (lua_Integer)i + 1);
-        api_fold(L, b, -1);
+        api_fold_stack_value(L, b, -1);
         api_check(L, entry_name, &param, lua_gettop(L), &v);
         const int64_t whole = (int64_t)v.n; /* the whole part is converted separately: to_q32 requires |v| < 2^19 */
         out[i] = whole * ML_ONE + to_q32(v.n - (double)whole);
@@ -155,12 +155,12 @@ static uint8_t make_root_flags(const struct api_value *v)
 
 static int start_document(lua_State *L, struct board *b, struct api_value *v)
 {
-    const struct api_value *from = &v[P_PLACE + PLACE_FROM];
+    const struct api_value *from = &v[P_POSITION + POSITION_FROM];
     struct bulletml_start s = { .program = find_program(L, b, lua_tostring(L, v[P_NAME].at)),
                                 .owner = tasks_current_owner(b),
                                 .follow = from->given ? from->i : 0,
-                                .dx = from->given ? v[P_PLACE + PLACE_DX].f : 0,
-                                .dy = from->given ? v[P_PLACE + PLACE_DY].f : 0,
+                                .dx = from->given ? v[P_POSITION + POSITION_DX].f : 0,
+                                .dy = from->given ? v[P_POSITION + POSITION_DY].f : 0,
                                 .kind = (uint16_t)v[P_KIND].i,
                                 .flags = make_root_flags(v),
                                 .rank = to_q32(v[P_RANK].n),
@@ -184,7 +184,7 @@ static int start_document(lua_State *L, struct board *b, struct api_value *v)
     s.bank = v[P_BANK].given ? (uint8_t)v[P_BANK].i : 0;
     s.tag = v[P_TAG].given ? api_intern_tag(L, entry_name, v[P_TAG].at) : 0;
     int32_t i = NO_SLOT;
-    if (api_read_place(L, b, entry_name, v + P_PLACE, &s.x, &s.y) && tasks_owner_alive(b, s.owner)) {
+    if (api_read_position(L, b, entry_name, v + P_POSITION, &s.x, &s.y) && tasks_is_owner_alive(b, s.owner)) {
         s.seed = pick_seed(b, &v[P_SEED]);
         i = bulletml_begin(b, &s);
     }
@@ -194,7 +194,7 @@ static int start_document(lua_State *L, struct board *b, struct api_value *v)
     }
     if (i != NO_SLOT)
         for (int k = 0; k < ML_MAX_KINDS; k++)
-            script_fold(b, kinds[k]);
+            script_update_digest(b, kinds[k]);
     lua_pushinteger(L, board_handle(b, H_BULLETML, i));
     return 1;
 }

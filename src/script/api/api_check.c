@@ -204,12 +204,12 @@ static void check_thing(lua_State *L, const char *entry, const struct api_param 
 
 static const char *const kind_nouns[] = { "bullet kind", "shot kind", "enemy kind", "player kind",
                                           "spark kind",  "item kind", "laser kind", "option kind" };
-enum { KIND_NOUNS = sizeof kind_nouns / sizeof *kind_nouns };
+enum { KIND_NOUN_COUNT = sizeof kind_nouns / sizeof *kind_nouns };
 
 /* Returns the noun ("bullet kind") of the sort of kind that is declared under that name, or NULL. */
 static const char *find_kind_noun(lua_State *L, const char *name)
 {
-    for (int k = 0; k < KIND_NOUNS; k++)
+    for (int k = 0; k < KIND_NOUN_COUNT; k++)
         if (api_names_find(L, (enum name_kind)k, name) != NO_SLOT)
             return kind_nouns[k];
     return NULL;
@@ -223,10 +223,10 @@ static void check_name(lua_State *L, const char *entry, const struct api_param *
     v->i = api_names_find(L, kind, lua_tostring(L, at));
     if (v->i != NO_SLOT)
         return;
-    const char *off_text = api_names_off_text(L, kind);
-    if (off_text)
-        api_error(L, entry, "%s: " API_DISABLED_FORMAT, p->name, off_text);
-    const char *other_noun = (int)kind < KIND_NOUNS ? find_kind_noun(L, lua_tostring(L, at)) : NULL;
+    const char *disabled_reason = api_names_disabled_reason(L, kind);
+    if (disabled_reason)
+        api_error(L, entry, "%s: " API_DISABLED_FORMAT, p->name, disabled_reason);
+    const char *other_noun = (int)kind < KIND_NOUN_COUNT ? find_kind_noun(L, lua_tostring(L, at)) : NULL;
     if (other_noun)
         api_error(L, entry, "unknown %s \"%s\" (found %s \"%s\")", noun, lua_tostring(L, at), other_noun,
                   lua_tostring(L, at));
@@ -240,7 +240,7 @@ static void check_name(lua_State *L, const char *entry, const struct api_param *
     api_error(L, entry, "unknown %s \"%s\"%s", noun, lua_tostring(L, at), api_hint_push(L, &hint, "declared"));
 }
 
-/* The names that rom.lua declares: the list of the ROM, and in messages the noun and a name's place in the sentence. */
+/* The types that are names declared in rom.lua: the list in the ROM, and the words of error messages. */
 static const struct cart_type {
     enum cart_folder folder;
     const char *noun, *form;
@@ -254,7 +254,7 @@ static const struct cart_type {
     [A_TUNE] = { CART_TUNES, "music", "a music name", false },
 };
 
-/* Sets v->i to the index of a name declared in rom.lua, or to 1 + it (see enum api_type). */
+/* Sets v->i to the index of a name declared in rom.lua; except for sprites, to that index + 1. */
 static void check_cart_name(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
     const struct cart *cart = &vm_board(L)->cart;
@@ -279,13 +279,14 @@ static void check_cart_name(lua_State *L, const char *entry, const struct api_pa
     api_error(L, entry, "unknown %s \"%s\"%s", type->noun, name, api_hint_push(L, &hint, "in rom.lua"));
 }
 
-const char *const api_layers[LAYERS] = { "back", "middle", "front", "over" };
-static const char *const buttons[] = PAD_NAMES, *const eases[] = { "linear", "in", "out", "both" },
-                         *const depths[] = { "back", "front" }, *const aligns[] = { "left", "center", "right" },
-                         *const fire_words[FIRES] = { "bullet", "shot", "bolt", "curve", "beam" },
+const char *const api_layer_names[SPRITE_LAYER_COUNT] = { "back", "middle", "front", "over" };
+static const char *const button_words[] = PAD_BUTTON_NAMES, *const ease_words[] = { "linear", "in", "out", "both" },
+                         *const depth_words[] = { "back", "front" },
+                         *const align_words[] = { "left", "center", "right" },
+                         *const fire_words[FIRE_ENTRY_COUNT] = { "bullet", "shot", "bolt", "curve", "beam" },
                          *const meet_words[] = { "none", "first", "second", "both" },
                          *const emit_words[] = { "one", "ring", "fan", "arc", "stack", "line" },
-                         *const down_words[] = { "all", "any" },
+                         *const bars_down_words[] = { "all", "any" },
                          *const host_screen_words[] = { "settings", "replays", "practice", "keys" };
 
 /* Word lists, indexed by enum api_type. fire_words is indexed by FIRES_. */
@@ -293,20 +294,20 @@ static const char *const buttons[] = PAD_NAMES, *const eases[] = { "linear", "in
 static const struct word_list {
     const char *const *words;
     int n;
-} word_lists[] = { [A_BUTTON] = { buttons, PAD_BUTTONS },
-                   [A_EASE] = { eases, 4 },
-                   [A_LAYER] = { api_layers, LAYERS },
-                   [A_SPARK_LAYER] = { api_layers + LAYER_MIDDLE, 2 },
-                   [A_DEPTH] = { depths, 2 },
-                   [A_ALIGN] = { aligns, 3 },
-                   [A_FIRE] = { fire_words, FIRES },
+} word_lists[] = { [A_BUTTON] = { button_words, PAD_BUTTON_COUNT },
+                   [A_EASE] = { ease_words, 4 },
+                   [A_LAYER] = { api_layer_names, SPRITE_LAYER_COUNT },
+                   [A_SPARK_LAYER] = { api_layer_names + LAYER_MIDDLE, 2 },
+                   [A_DEPTH] = { depth_words, 2 },
+                   [A_ALIGN] = { align_words, 3 },
+                   [A_FIRE] = { fire_words, FIRE_ENTRY_COUNT },
                    [A_EMIT_FIRE] = { fire_words, FIRES_SHOTS + 1 },
                    [A_MEET] = { meet_words, 4 },
                    [A_EMIT_PATTERN] = { emit_words, EMIT_PATTERNS },
-                   [A_DOWN] = { down_words, 2 },
+                   [A_BARS_DOWN] = { bars_down_words, 2 },
                    [A_HOST_SCREEN] = { host_screen_words, HOST_SCREENS } };
 
-const char *const *api_type_list(enum api_type type, int *n)
+const char *const *api_get_type_words(enum api_type type, int *n)
 {
     const bool is_listed = (size_t)type < sizeof word_lists / sizeof *word_lists && word_lists[type].n > 0;
 
@@ -332,7 +333,7 @@ static void check_word(lua_State *L, const char *entry, const struct api_param *
     raise_expected(L, entry, p, at, lua_tostring(L, -1));
 }
 
-static void check_pad(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
+static void check_player(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
     v->i = v->is_integer ? v->bits : 0;
     if (handle_is_well_formed(v->i) && handle_kind(v->i) == H_PLAYER) {
@@ -398,7 +399,7 @@ static void check_any(lua_State *L, const char *entry, const struct api_param *p
 }
 
 /* Accepts a table or a string; api_read_hit_shape checks the contents. */
-static void check_hit(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
+static void check_hit_shape(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
     (void)v;
     if (lua_type(L, at) != LUA_TTABLE && lua_type(L, at) != LUA_TSTRING)
@@ -422,7 +423,7 @@ static check_function *const checks[] = {
     [A_SPAN] = check_span,
     [A_ROUTE] = check_lua_type,
     [A_THING] = check_thing,
-    [A_HIT] = check_hit,
+    [A_HIT_SHAPE] = check_hit_shape,
     [A_MOTION] = check_motion,
     [A_BULLET_KIND] = check_declared,
     [A_SHOT_KIND] = check_declared,
@@ -439,7 +440,7 @@ static check_function *const checks[] = {
     [A_SOUND] = check_cart_name,
     [A_TUNE] = check_cart_name,
     [A_BUTTON] = check_word,
-    [A_PAD] = check_pad,
+    [A_PLAYER] = check_player,
     [A_EASE] = check_word,
     [A_LAYER] = check_word,
     [A_SPARK_LAYER] = check_word,
@@ -449,7 +450,7 @@ static check_function *const checks[] = {
     [A_EMIT_FIRE] = check_word,
     [A_MEET] = check_word,
     [A_EMIT_PATTERN] = check_word,
-    [A_DOWN] = check_word,
+    [A_BARS_DOWN] = check_word,
     [A_HOST_SCREEN] = check_word,
 };
 
@@ -510,26 +511,26 @@ const struct api_param *api_param_at(const struct api_entry *e, const struct api
 
 /* If e is a pattern, returns the entry selected by the field `fire` of the table at `at`. An unknown word selects
  * bullet.fire here and is reported when the argument `fire` is checked. */
-const struct api_entry *api_fired_entry(lua_State *L, const struct api_entry *e, int at)
+const struct api_entry *api_find_fired_entry(lua_State *L, const struct api_entry *e, int at)
 {
-    if (!(e->flags & API_FIRE))
+    if (!(e->flags & API_PATTERN))
         return NULL;
     if (lua_type(L, at) != LUA_TTABLE)
-        return api_of(L)->fire_entries[FIRES_BULLETS];
+        return api_get_table(L)->fire_entries[FIRES_BULLETS];
     lua_pushliteral(L, "fire");
     const char *word = lua_rawget(L, at) == LUA_TSTRING ? lua_tostring(L, -1) : "";
     int found = FIRES_BULLETS;
-    for (int k = 0; k < FIRES; k++)
+    for (int k = 0; k < FIRE_ENTRY_COUNT; k++)
         if (!strcmp(word, fire_words[k]))
             found = k;
     lua_pop(L, 1);
     const struct manifest *m = &vm_board(L)->cart.manifest;
-    const char *off_text = found < FIRES_BOLTS ? NULL : api_disabled_reason(m, "laser");
-    if (!off_text)
-        off_text = api_disabled_reason(m, api_of(L)->fire_entries[found]->name);
-    if (off_text)
-        api_error(L, e->name, "fire: " API_DISABLED_FORMAT, off_text);
-    return api_of(L)->fire_entries[found];
+    const char *disabled_reason = found < FIRES_BOLTS ? NULL : api_disabled_reason(m, "laser");
+    if (!disabled_reason)
+        disabled_reason = api_disabled_reason(m, api_get_table(L)->fire_entries[found]->name);
+    if (disabled_reason)
+        api_error(L, e->name, "fire: " API_DISABLED_FORMAT, disabled_reason);
+    return api_get_table(L)->fire_entries[found];
 }
 
 /* Searches e's own parameters first, so they take precedence over parameters of `fired_entry` with the same name. */
@@ -547,14 +548,14 @@ int api_search_param(const struct api_entry *e, const struct api_entry *fired_en
 
 bool api_is_step_key(lua_State *L, const char *name)
 {
-    return api_search_param(api_find(api_of(L), "motion.def step"), NULL, name) >= 0;
+    return api_search_param(api_find_entry(api_get_table(L), "motion.def step"), NULL, name) >= 0;
 }
 
 /* Raises the error for the unknown key on top of the stack. */
 static void raise_unknown_argument(lua_State *L, const struct api_entry *e, const struct api_entry *fired_entry)
 {
     const struct board *b = vm_board(L);
-    enum name_kind value_names = api_value_names(fired_entry ? fired_entry : e);
+    enum name_kind value_names = api_entry_value_names(fired_entry ? fired_entry : e);
     struct api_hint hint;
 
     if (lua_type(L, -1) != LUA_TSTRING)
@@ -562,8 +563,8 @@ static void raise_unknown_argument(lua_State *L, const struct api_entry *e, cons
     const char *name = lua_tostring(L, -1);
     if (api_is_reserved(e->name, '{', name) || (fired_entry && api_is_reserved(fired_entry->name, '{', name)))
         api_error(L, e->name, "%s %s", name, RESERVED_MESSAGE);
-    if (fired_entry == api_of(L)->fire_entries[FIRES_BULLETS] &&
-        api_search_param(api_of(L)->fire_entries[FIRES_SHOTS], NULL, name) >= 0)
+    if (fired_entry == api_get_table(L)->fire_entries[FIRES_BULLETS] &&
+        api_search_param(api_get_table(L)->fire_entries[FIRES_SHOTS], NULL, name) >= 0)
         api_error(L, e->name, "`%s` requires a shot (did you forget `fire = \"shot\"`?)", name);
     if (api_is_step_key(L, name) && api_search_param(e, fired_entry, "motion") >= 0)
         api_error(L, e->name,
@@ -595,7 +596,7 @@ static int find_argument(lua_State *L, const struct accepted_arguments *t, const
     return k == NO_SLOT ? -1 : api_param_count(t->e, t->fired_entry) + k;
 }
 
-static bool knows_argument(lua_State *L, const char *key, const void *context)
+static bool is_known_argument(lua_State *L, const char *key, const void *context)
 {
     vm_charge(L, 1);
     return find_argument(L, context, key) >= 0;
@@ -606,22 +607,22 @@ static bool knows_argument(lua_State *L, const char *key, const void *context)
 static void spread_arguments(lua_State *L, const struct api_entry *e, const struct api_entry *fired_entry, int at,
                              struct api_value *v)
 {
-    const struct accepted_arguments accepted = { e, fired_entry, api_value_names(fired_entry ? fired_entry : e) };
+    const struct accepted_arguments accepted = { e, fired_entry, api_entry_value_names(fired_entry ? fired_entry : e) };
     const int n = api_param_count(e, fired_entry), first = at + 1;
-    bool has_stray = false;
+    bool has_unknown_key = false;
 
     lua_pushnil(L);
     while (lua_next(L, at)) {
         const int i = find_argument(L, &accepted, luakeys_text(L, -2));
         if (i >= 0 && i < n)
             api_read_value(L, first + i - e->positional_count, -1, &v[i]);
-        has_stray |= i < 0;
+        has_unknown_key |= i < 0;
         if (i >= 0)
             lua_replace(L, first + i - e->positional_count);
         else
             lua_pop(L, 1);
     }
-    if (has_stray && luakeys_push_unknown(L, at, knows_argument, &accepted))
+    if (has_unknown_key && luakeys_push_unknown(L, at, is_known_argument, &accepted))
         raise_unknown_argument(L, e, fired_entry);
 }
 
@@ -650,14 +651,14 @@ static bool is_called_by_task(lua_State *L)
 }
 
 enum {
-    MAX_UNCHECKED_ARGUMENTS = LUA_MINSTACK - 17
+    MAX_ARGS_WITHOUT_CHECKSTACK = LUA_MINSTACK - 17
 }; /* arguments that leave enough free slots in a C function's guaranteed stack */
 
 int api_read_arguments(lua_State *L, const struct api_entry *e, struct api_value *v,
                        const struct api_entry **fired_entry_out)
 {
-    const struct api_entry *fired_entry = *fired_entry_out = api_fired_entry(L, e, e->positional_count + 1);
-    const enum name_kind names = api_value_names(fired_entry ? fired_entry : e);
+    const struct api_entry *fired_entry = *fired_entry_out = api_find_fired_entry(L, e, e->positional_count + 1);
+    const enum name_kind names = api_entry_value_names(fired_entry ? fired_entry : e);
     int n = api_param_count(e, fired_entry), top = lua_gettop(L), n_values = api_value_count(vm_board(L), names);
     int n_named = n - e->positional_count;
 
@@ -670,7 +671,7 @@ int api_read_arguments(lua_State *L, const struct api_entry *e, struct api_value
             api_error(L, e->name, "expected no arguments, got %d", got);
         api_error(L, e->name, "expected at most %d argument%s, got %d", max, max == 1 ? "" : "s", got);
     }
-    if (n + n_values > MAX_UNCHECKED_ARGUMENTS)
+    if (n + n_values > MAX_ARGS_WITHOUT_CHECKSTACK)
         luaL_checkstack(L, n + 16, NULL);
     memset(v, 0, (size_t)n * sizeof *v);
     if (n_named > 0) {
@@ -687,16 +688,16 @@ int api_read_arguments(lua_State *L, const struct api_entry *e, struct api_value
         }
     } else if (top < e->positional_count)
         lua_settop(L, e->positional_count);
-    bool lenient = false; /* set once `each` is given: its function need not use the arguments of `fire` */
+    bool is_lenient = false; /* set once `each` is given: its function need not use the arguments of `fire` */
     for (int i = 0; i < n; i++) {
         const struct api_param *p = api_param_at(e, fired_entry, i);
         if (i < e->positional_count)
             api_read_value(L, i + 1, i + 1, &v[i]);
         else
             v[i].at = i + 2;
-        if (v[i].given && i < e->count && e->flags & API_FIRE && !strcmp(p->name, "each"))
-            lenient = true;
-        if (v[i].given || !(p->optional || (lenient && i >= e->count)))
+        if (v[i].given && i < e->count && e->flags & API_PATTERN && !strcmp(p->name, "each"))
+            is_lenient = true;
+        if (v[i].given || !(p->optional || (is_lenient && i >= e->count)))
             api_check_value(L, e->name, p, &v[i]);
         else
             api_fill_default(p, &v[i]);

@@ -38,12 +38,12 @@ static const struct item_drop default_drop = { .dir = ANG_UP, .spread = (1ull <<
 void api_push_drops(lua_State *L, const char *entry, int at)
 {
     const struct api_param kind = { "drops", A_ITEM_KIND, REQ, 0, 0, NULL, NULL, NULL };
-    const char *off_text = api_disabled_reason(&vm_board(L)->cart.manifest, "item"), *names[MAX_ITEM_NAMES];
+    const char *disabled_reason = api_disabled_reason(&vm_board(L)->cart.manifest, "item"), *names[MAX_ITEM_NAMES];
     uint8_t list[MAX_ITEM_NAMES * DROP_BYTES];
     struct api_value v;
 
-    if (off_text)
-        api_error(L, entry, "drops: " API_DISABLED_FORMAT, off_text);
+    if (disabled_reason)
+        api_error(L, entry, "drops: " API_DISABLED_FORMAT, disabled_reason);
     int n = api_read_sorted_keys(L, entry, "drops", ITEM_TABLE_FORM, at, names, MAX_ITEM_NAMES);
     for (int i = 0; i < n; i++) {
         lua_pushstring(L, names[i]);
@@ -59,7 +59,7 @@ void api_push_drops(lua_State *L, const char *entry, int at)
 void api_push_folded_drops(lua_State *L, const char *entry, int at)
 {
     api_push_drops(L, entry, at);
-    api_fold(L, vm_board(L), lua_gettop(L));
+    api_fold_stack_value(L, vm_board(L), lua_gettop(L));
 }
 
 void api_drop_items(lua_State *L, struct board *b, fx x, fx y)

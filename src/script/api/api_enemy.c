@@ -31,7 +31,7 @@ enum {
 static const struct api_param def_params[] = {
     PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the kind, used as `kind = NAME`; must be new"),
     PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "sprite to draw"),
-    PARAM("hit", A_HIT, REQ, HIT_ENEMIES, 0, NULL, NULL,
+    PARAM("hit", A_HIT_SHAPE, REQ, HIT_ENEMIES, 0, NULL, NULL,
           "hitbox, relative to the thing's position; \"none\" never hits"),
     PARAM("hp", A_INT, OPT, 1, INT32_MAX, NULL, "1", "damage it takes before it dies"),
     PARAM("score", A_INT, OPT, 0, 1e12, "points", "0", "points for the player who kills it"),
@@ -65,7 +65,7 @@ static const struct api_param def_params[] = {
     PARAM("blink_soft", A_BOOL, OPT, 0, 0, NULL, "false", "blink only along the outline of the sprite"),
 };
 
-static const char *const first_pictures[] = { "hurt", NULL };
+static const char *const first_picture_names[] = { "hurt", NULL };
 
 static void store_function(lua_State *L, const struct api_value *v, int32_t kind, const char *name)
 {
@@ -93,7 +93,7 @@ static int enemy_def(lua_State *L, struct board *b, struct api_value *v)
     const struct shape_columns columns = { k->shape, k->a, k->b, k->x, k->y };
     struct api_pictures pictures;
 
-    api_pictures_read(L, "enemy.def", &v[D_PICTURES], (uint16_t)v[D_SPRITE].i, first_pictures, ENEMY_MAX_PICTURES,
+    api_pictures_read(L, "enemy.def", &v[D_PICTURES], (uint16_t)v[D_SPRITE].i, first_picture_names, ENEMY_MAX_PICTURES,
                       &pictures);
     api_pictures_append_rows(L, "enemy.def", &k->s, k->sprite, &pictures);
     int32_t i = api_declare_kind(L, "enemy.def", &k->s, &columns, &shape);
@@ -103,7 +103,7 @@ static int enemy_def(lua_State *L, struct board *b, struct api_value *v)
     k->score[i] = v[D_SCORE].i;
     k->bank[i] = (uint8_t)(v[D_BANK].i | v[D_BLINK].i * ENEMY_BLINK_ONE);
     k->flags[i] = (uint8_t)((v[D_TOUCH].i ? ENEMY_TOUCH : 0) | (v[D_SWEPT].i ? ENEMY_SWEPT : 0) |
-                            v[D_BLEND].i * ENEMY_BLEND_ONE | (v[D_BLOCKS].i ? ENEMY_BLOCKS : 0) |
+                            v[D_BLEND].i * ENEMY_BLEND_ONE | (v[D_BLOCKS].i ? ENEMY_BLOCKS_BULLETS : 0) |
                             (pictures.n ? ENEMY_HURT_PICTURE : 0) | (v[D_BLINK_SOFT].i ? ENEMY_RIM_BLINK : 0));
     api_pictures_store_names(L, N_ENEMY, i, &pictures);
     k->spark[i] = v[D_SPARK].given ? (uint16_t)(v[D_SPARK].i + 1) : 0;
@@ -120,8 +120,8 @@ static int enemy_def(lua_State *L, struct board *b, struct api_value *v)
 
 enum {
     S_KIND,
-    S_PLACE,
-    S_PATH = S_PLACE + PLACE_PARAMS,
+    S_POSITION,
+    S_PATH = S_POSITION + POSITION_PARAM_COUNT,
     S_MIRROR,
     S_HP,
     S_BANK,
@@ -133,12 +133,12 @@ enum {
     S_FOLLOW,
     S_SHARE,
     S_RATE,
-    S_VALUES
+    S_FIRST_VALUE
 };
 
 static const struct api_param spawn_params[] = {
     PARAM("kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL, "declared kind to spawn"),
-    PLACE,
+    POSITION_PARAMS,
     PARAM("path", A_ROUTE, OPT, 0, 0, NULL, NULL,
           "route to fly; the enemy is removed at the end of the route; use it instead of `x` and `y`, or `from`"),
     PARAM("mirror", A_BOOL, OPT, 0, 0, NULL, "false", "mirror the path left to right"),
@@ -198,8 +198,8 @@ static void get_path_start(lua_State *L, const struct api_value *v, fx *x, fx *y
     lua_getfield(L, -1, "place");
     lua_rawgeti(L, v[S_PATH].at, 1);
     lua_pushboolean(L, (int)v[S_MIRROR].i);
-    lua_pushnumber(L, v[S_PLACE + PLACE_DX].n);
-    lua_pushnumber(L, v[S_PLACE + PLACE_DY].n);
+    lua_pushnumber(L, v[S_POSITION + POSITION_DX].n);
+    lua_pushnumber(L, v[S_POSITION + POSITION_DY].n);
     lua_call(L, 4, 2);
     px = lua_tonumber(L, -2);
     py = lua_tonumber(L, -1);
@@ -215,8 +215,8 @@ static void start_path_task(lua_State *L, struct board *b, int64_t h, const stru
     lua_remove(L, -2);
     lua_pushvalue(L, v[S_PATH].at);
     lua_pushboolean(L, (int)v[S_MIRROR].i);
-    lua_pushnumber(L, v[S_PLACE + PLACE_DX].n);
-    lua_pushnumber(L, v[S_PLACE + PLACE_DY].n);
+    lua_pushnumber(L, v[S_POSITION + POSITION_DX].n);
+    lua_pushnumber(L, v[S_POSITION + POSITION_DY].n);
     start_task(L, b, h, 4);
 }
 
@@ -255,15 +255,15 @@ void api_enemy_start_task(lua_State *L, struct board *b, uint32_t i)
 }
 
 /* Reads the spawn position. Returns false if the thing `from` or `follow` is dead. */
-static bool read_spawn_place(lua_State *L, struct board *b, const struct api_value *v, fx *x, fx *y)
+static bool read_spawn_position(lua_State *L, struct board *b, const struct api_value *v, fx *x, fx *y)
 {
-    const struct api_value *at = v + S_PLACE;
-    const bool has_place = at[PLACE_X].given || at[PLACE_Y].given || at[PLACE_FROM].given;
+    const struct api_value *at = v + S_POSITION;
+    const bool has_position = at[POSITION_X].given || at[POSITION_Y].given || at[POSITION_FROM].given;
 
     if (v[S_FOLLOW].given || v[S_SHARE].given || v[S_RATE].given)
         api_check_bodies(L, "enemy.spawn", v[S_FOLLOW].given ? "follow" : v[S_SHARE].given ? "share" : "rate");
     if (v[S_FOLLOW].given) {
-        if (has_place || v[S_PATH].given)
+        if (has_position || v[S_PATH].given)
             api_error(L, "enemy.spawn", "`follow` cannot be combined with a position or a path");
         *x = *y = 0;
         return board_is_alive(b, v[S_FOLLOW].i);
@@ -271,8 +271,8 @@ static bool read_spawn_place(lua_State *L, struct board *b, const struct api_val
     if (v[S_SHARE].given)
         api_error(L, "enemy.spawn", "share: requires `follow`");
     if (!v[S_PATH].given)
-        return api_read_place(L, b, "enemy.spawn", at, x, y);
-    if (has_place)
+        return api_read_position(L, b, "enemy.spawn", at, x, y);
+    if (has_position)
         api_error(L, "enemy.spawn", "expected a position or a path, got both");
     get_path_start(L, v, x, y);
     return true;
@@ -292,9 +292,9 @@ static void apply_spawn_arguments(lua_State *L, struct board *b, uint32_t i, con
     if (v[S_RATE].given)
         e->rate[i] = v[S_RATE].f;
     if (v[S_FOLLOW].given)
-        enemies_attach(e, i, handle_slot(v[S_FOLLOW].i), v[S_PLACE + PLACE_DX].f, v[S_PLACE + PLACE_DY].f,
+        enemies_attach(e, i, handle_slot(v[S_FOLLOW].i), v[S_POSITION + POSITION_DX].f, v[S_POSITION + POSITION_DY].f,
                        v[S_SHARE].f);
-    api_set_values(b, N_ENEMY_VALUE, i, v + S_VALUES);
+    api_set_values(b, N_ENEMY_VALUE, i, v + S_FIRST_VALUE);
     lua_pushvalue(L, v[S_ON_DEATH].at);
     events_set_on_death(L, i);
     if (v[S_DROPS].given)
@@ -321,7 +321,7 @@ static int enemy_spawn(lua_State *L, struct board *b, struct api_value *v)
     int64_t owner;
     fx x, y;
 
-    if (read_spawn_place(L, b, v, &x, &y) && tasks_get_owner_of_new(b, v[S_STAY].i, &owner)) {
+    if (read_spawn_position(L, b, v, &x, &y) && tasks_get_spawn_owner(b, v[S_STAY].i, &owner)) {
         if (v[S_FOLLOW].given)
             api_body_check_depth(L, b, kind, v[S_FOLLOW].i);
         i = api_enemy_spawn(L, b, kind, x, y, owner);
@@ -356,7 +356,7 @@ static bool is_in_group(const struct board *b, uint32_t i, uint32_t tag)
     return !(b->enemies.flags[i] & ENEMY_NOT_ALIVE) && api_has_tag(b->enemies.tag, i, tag);
 }
 
-static void push_count(lua_State *L, struct board *b, uint32_t tag)
+static void push_enemy_count(lua_State *L, struct board *b, uint32_t tag)
 {
     lua_Integer n = 0;
 
@@ -368,7 +368,7 @@ static void push_count(lua_State *L, struct board *b, uint32_t tag)
 
 static int enemy_count(lua_State *L, struct board *b, struct api_value *v)
 {
-    push_count(L, b, v[EACH_TAG].given ? api_intern_tag(L, "enemy.count", v[EACH_TAG].at) : 0);
+    push_enemy_count(L, b, v[EACH_TAG].given ? api_intern_tag(L, "enemy.count", v[EACH_TAG].at) : 0);
     return 1;
 }
 
@@ -395,13 +395,13 @@ enum {
 static const struct api_prop props[PROPS + 1] = {
     { PARAM("x", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
             "horizontal position in the field; a write teleports the enemy and ends its move"),
-      PROP_WRITE, STORED(STORED_FX, enemies.x), .is_set = true },
+      PROP_WRITE, STORED(STORED_FX, enemies.x), .has_setter = true },
     { PARAM("y", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
             "vertical position in the field; a write teleports the enemy and ends its move"),
-      PROP_WRITE, STORED(STORED_FX, enemies.y), .is_set = true },
+      PROP_WRITE, STORED(STORED_FX, enemies.y), .has_setter = true },
     { PARAM("hp", A_INT, REQ, 0, INT32_MAX, NULL, NULL,
             "hit points left, rounded up; writing 0 doesn't kill the enemy"),
-      PROP_WRITE, STORED(STORED_I32, enemies.hp), .is_set = true },
+      PROP_WRITE, STORED(STORED_I32, enemies.hp), .has_setter = true },
     { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of its sprite"), PROP_WRITE,
       COMPUTED },
     { PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "tag of its group, or nil"), PROP_WRITE,
@@ -529,10 +529,10 @@ static const struct api_param shift_params[] = { SELF_PARAM,
                                                        "distance down; a negative distance moves up") };
 static const struct api_param hurt_params[] = {
     SELF_PARAM, PARAM("n", A_INT, REQ, 0, INT32_MAX, "hp", NULL, "damage to deal, before it is multiplied by `rate`"),
-    PARAM("p", A_PAD, OPT, 0, 0, NULL, NULL, "player who gets the score for a kill; defaults to the nearest player")
+    PARAM("p", A_PLAYER, OPT, 0, 0, NULL, NULL, "player who gets the score for a kill; defaults to the nearest player")
 };
 static const struct api_param kill_params[] = {
-    SELF_PARAM, PARAM("p", A_PAD, OPT, 0, 0, NULL, NULL, "player who gets its score; defaults to the nearest player")
+    SELF_PARAM, PARAM("p", A_PLAYER, OPT, 0, 0, NULL, NULL, "player who gets its score; defaults to the nearest player")
 };
 static const struct api_param self_params[] = { SELF_PARAM };
 
@@ -559,7 +559,8 @@ static uint32_t find_credited_player(const struct board *b, uint32_t i, const st
 {
     struct targets t = board_player_targets(b);
 
-    return player->given ? (uint32_t)player->i : (uint32_t)(targets_nearest(&t, b->enemies.x[i], b->enemies.y[i]) + 1);
+    return player->given ? (uint32_t)player->i
+                         : (uint32_t)(targets_find_nearest(&t, b->enemies.x[i], b->enemies.y[i]) + 1);
 }
 
 static void hurt_one(lua_State *L, struct board *b, uint32_t i, const struct api_value *v)
@@ -623,7 +624,7 @@ static int enemy_shift(lua_State *L, struct board *b, struct api_value *v)
     return api_enemy_apply_verb(L, b, shift_one, v);
 }
 
-static int enemy_hurt_run(lua_State *L, struct board *b, struct api_value *v)
+static int enemy_hurt(lua_State *L, struct board *b, struct api_value *v)
 {
     return api_enemy_apply_verb(L, b, hurt_one, v);
 }
@@ -658,16 +659,16 @@ static int enemy_remove(lua_State *L, struct board *b, struct api_value *v)
              "starts moving " it " to a position or by a distance, and returns immediately"),                          \
         API_VERB(thing ":shift", enemy_shift, shift_params, 3, NULL,                                                   \
                  "teleports " it " by a distance and shifts the rest of its move by the same distance"),               \
-        API_VERB(thing ":hurt", enemy_hurt_run, hurt_params, 3, NULL, "damages " it " unless it is safe"),             \
+        API_VERB(thing ":hurt", enemy_hurt, hurt_params, 3, NULL, "damages " it " unless it is safe"),                 \
         API_VERB(thing ":kill", enemy_kill, kill_params, 2, NULL,                                                      \
                  "kills " it order "; score, sparks, drops and on_death work as usual"),                               \
         API_VERB(thing ":remove", enemy_remove, self_params, 1, NULL,                                                  \
                  "removes " it " without score, sparks, drops or on_death")
 
 static const struct api_entry entries[] = {
-    { "enemy.def", enemy_def, PARAMS(def_params), 1, API_CHANGES | API_LOAD, NULL,
+    { "enemy.def", enemy_def, PARAMS(def_params), 1, API_CHANGES | API_LOAD_ONLY, NULL,
       HELP("declares a kind of enemy: its sprite, its hitbox and its rules") },
-    { "enemy.spawn", enemy_spawn, PARAMS(spawn_params), 0, API_CHANGES | API_VALUES, "enemy",
+    { "enemy.spawn", enemy_spawn, PARAMS(spawn_params), 0, API_CHANGES | API_TAKES_VALUES, "enemy",
       HELP("spawns an enemy at a position, on a path or as a part of another enemy") },
     API_GROUPS("enemy", enemy_group, enemy_each),
     { "enemy.count", enemy_count, PARAMS(api_tag_params), 1, 0, "count",

@@ -24,14 +24,14 @@ static const char locations_key = 0; /* registry: "ENTRY NAME" -> "FILE:LINE: " 
 void api_record_location(lua_State *L, const char *entry, const char *name)
 {
     const int top = lua_gettop(L);
-    char location[VM_PLACE_SIZE];
+    char location[VM_LOCATION_SIZE];
 
     if (lua_rawgetp(L, LUA_REGISTRYINDEX, &locations_key) != LUA_TTABLE) {
         lua_newtable(L);
         lua_pushvalue(L, -1);
         lua_rawsetp(L, LUA_REGISTRYINDEX, &locations_key);
     }
-    vm_where(L, location, sizeof location);
+    vm_get_location(L, location, sizeof location);
     lua_pushfstring(L, "%s %s", entry, name);
     lua_pushstring(L, location);
     lua_rawset(L, -3);
@@ -57,14 +57,14 @@ int api_error_at(lua_State *L, const char *entry, const char *name, const char *
 
 enum { FOLD_BYTES_PER_WORK = 8 /* bytes of text charged as one VM instruction */ };
 
-void api_fold_text(lua_State *L, struct board *b, const char *s, size_t n)
+void api_fold_bytes(lua_State *L, struct board *b, const char *s, size_t n)
 {
     if (n >= FOLD_BYTES_PER_WORK)
         vm_charge(L, n / FOLD_BYTES_PER_WORK);
     b->script.digest = hash_bytes(b->script.digest, s, n);
 }
 
-void api_fold(lua_State *L, struct board *b, int at)
+void api_fold_stack_value(lua_State *L, struct board *b, int at)
 {
     size_t n;
     double d;
@@ -73,23 +73,23 @@ void api_fold(lua_State *L, struct board *b, int at)
     switch (lua_type(L, at)) {
     case LUA_TNUMBER:
         if (lua_isinteger(L, at)) {
-            script_fold(b, (uint64_t)lua_tointeger(L, at));
+            script_update_digest(b, (uint64_t)lua_tointeger(L, at));
             break;
         }
         d = lua_tonumber(L, at);
         memcpy(&bits, &d, sizeof bits);
-        script_fold(b, isnan(d) ? 0x7ff8000000000000u : bits);
+        script_update_digest(b, isnan(d) ? 0x7ff8000000000000u : bits);
         break;
     case LUA_TSTRING: {
         const char *s = lua_tolstring(L, at, &n);
-        api_fold_text(L, b, s, n);
+        api_fold_bytes(L, b, s, n);
         break;
     }
     case LUA_TBOOLEAN:
-        script_fold(b, lua_toboolean(L, at) ? 3 : 2);
+        script_update_digest(b, lua_toboolean(L, at) ? 3 : 2);
         break;
     default:
-        script_fold(b, 16 + (uint64_t)lua_type(L, at));
+        script_update_digest(b, 16 + (uint64_t)lua_type(L, at));
     }
 }
 
@@ -98,20 +98,20 @@ void api_fold_value(lua_State *L, struct board *b, const struct api_value *v)
     double d;
 
     if (v->type != LUA_TNUMBER) {
-        api_fold(L, b, v->at);
+        api_fold_stack_value(L, b, v->at);
         return;
     }
     memcpy(&d, &v->bits, sizeof d);
-    script_fold(b, !v->is_integer && isnan(d) ? 0x7ff8000000000000u : (uint64_t)v->bits);
+    script_update_digest(b, !v->is_integer && isnan(d) ? 0x7ff8000000000000u : (uint64_t)v->bits);
 }
 
 void api_fold_call(lua_State *L, struct board *b, uint64_t entry_hash, const struct api_value *v, int n)
 {
     b->script.calls++;
-    script_fold(b, entry_hash);
+    script_update_digest(b, entry_hash);
     for (int i = 0; i < n; i++)
         if (v[i].given) {
-            script_fold(b, (uint64_t)i);
+            script_update_digest(b, (uint64_t)i);
             api_fold_value(L, b, &v[i]);
         }
 }

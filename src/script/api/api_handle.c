@@ -20,7 +20,7 @@ bool api_push_method(lua_State *L, int kind, const char *name)
     }
     if (lua_getfield(L, -1, name) == LUA_TNIL) {
         lua_pop(L, 1);
-        if (!api_push_member(L, api_of(L)->things[kind]->name, ':', name))
+        if (!api_push_member(L, api_get_table(L)->things[kind]->name, ':', name))
             lua_pushboolean(L, 0);
         lua_pushvalue(L, -1);
         lua_setfield(L, -3, name);
@@ -77,21 +77,21 @@ static const struct api_prop *find_prop(const struct api_thing *t, uint8_t *gues
 static int raise_unknown_property(lua_State *L, const struct api_thing *t, int kind, const char *name)
 {
     const char *found = NULL;
-    int best = EDIT_FAR;
+    int best = EDIT_TOO_FAR;
 
     if (api_is_reserved(t->name, ':', name) && !(kind == H_PLAYER && api_register_is_declared(L, name)))
         return vm_fault(L, FAULT_SCRIPT, "%s: %s %s", t->name, name, RESERVED_MESSAGE);
     for (int i = 0; i < t->n; i++)
-        api_suggest_nearer(name, t->props[i].param.name, &best, &found);
+        api_consider_suggestion(name, t->props[i].param.name, &best, &found);
     if (api_can_die((enum handle_kind)kind))
-        api_suggest_nearer(name, "alive", &best, &found);
-    enum name_kind value_names = api_value_names_of((enum handle_kind)kind);
+        api_consider_suggestion(name, "alive", &best, &found);
+    enum name_kind value_names = api_kind_value_names((enum handle_kind)kind);
     for (int k = 0; k < api_value_count(vm_board(L), value_names); k++)
-        api_suggest_nearer(name, board_name(vm_board(L), value_names, k), &best, &found);
-    for (int i = 0; i < api_count_entries(api_of(L)); i++) {
-        const char *verb = api_member_name(api_entry(api_of(L), i), t->name, ':');
+        api_consider_suggestion(name, board_name(vm_board(L), value_names, k), &best, &found);
+    for (int i = 0; i < api_count_entries(api_get_table(L)); i++) {
+        const char *verb = api_member_name(api_get_entry(api_get_table(L), i), t->name, ':');
         if (verb)
-            api_suggest_nearer(name, verb, &best, &found);
+            api_consider_suggestion(name, verb, &best, &found);
     }
     if (found)
         return vm_fault(L, FAULT_SCRIPT, "%s has no property \"%s\" (did you mean \"%s\"?)", api_thing_names[kind],
@@ -112,9 +112,9 @@ static int raise_read_only(lua_State *L, const struct api_thing *t, int kind, co
 }
 
 /* Returns the index of a declared value of that kind of thing, or NO_SLOT. */
-static int find_value(lua_State *L, const struct board *b, enum handle_kind kind, const char *name)
+static int find_declared_value(lua_State *L, const struct board *b, enum handle_kind kind, const char *name)
 {
-    enum name_kind names = api_value_names_of(kind);
+    enum name_kind names = api_kind_value_names(kind);
 
     return api_value_count(b, names) ? api_names_find(L, names, name) : NO_SLOT;
 }
@@ -122,7 +122,7 @@ static int find_value(lua_State *L, const struct board *b, enum handle_kind kind
 /* Returns the pool of a kind of thing, or of a group's members. */
 static const struct slots *get_pool(const struct board *b, const struct api_thing *t)
 {
-    return (const struct slots *)(const void *)((const char *)b + t->slots);
+    return (const struct slots *)(const void *)((const char *)b + t->slots_offset);
 }
 
 /* Returns the column at that offset in struct board. */
@@ -137,18 +137,18 @@ static void *get_column(const struct board *b, size_t offset)
 /* Returns whether slot i is in the group of members with the tag, for a read or a write of property p. */
 static bool is_member(const struct board *b, const struct api_thing *t, uint32_t tag, uint32_t i, int p)
 {
-    return api_has_tag(get_column(b, t->tags), i, tag) && (!t->has_member || t->has_member(b, i, p));
+    return api_has_tag(get_column(b, t->tags_offset), i, tag) && (!t->has_member || t->has_member(b, i, p));
 }
 
 int api_apply_verb(lua_State *L, struct board *b, const struct api_value *v, api_verb *verb)
 {
     const int64_t h = v[0].i;
-    const struct api_thing *t = api_of(L)->things[handle_kind(h)];
+    const struct api_thing *t = api_get_table(L)->things[handle_kind(h)];
 
     if (t->member) {
         vm_charge(L, get_pool(b, t)->live);
         EACH_LIVE (i, get_pool(b, t))
-            if (api_has_tag(get_column(b, t->tags), i, handle_slot(h)))
+            if (api_has_tag(get_column(b, t->tags_offset), i, handle_slot(h)))
                 verb(b, i, v);
     } else if (board_is_alive(b, h))
         verb(b, handle_slot(h), v);
@@ -157,32 +157,33 @@ int api_apply_verb(lua_State *L, struct board *b, const struct api_value *v, api
 
 static int push_nil_for_dead(lua_State *L, const char *name)
 {
-    vm_note_dead(L, name);
+    vm_note_dead_read(L, name);
     lua_pushnil(L);
     return 1;
 }
 
-static int get_value(lua_State *L, struct board *b, const struct api_thing *t, int64_t h, const char *name)
+static int get_declared_value(lua_State *L, struct board *b, const struct api_thing *t, int64_t h, const char *name)
 {
     enum handle_kind kind = handle_kind(h);
-    int k = find_value(L, b, kind, name);
+    int k = find_declared_value(L, b, kind, name);
 
     if (k == NO_SLOT)
         return raise_unknown_property(L, t, (int)kind, name);
     if (handle_kind_is_group(kind))
         return vm_fault(L, FAULT_SCRIPT, "%s: %s cannot be read from a group (only `count` can)", t->name, name);
     if (board_is_readable(b, h))
-        lua_pushnumber(L, fx_to_double(api_value_column(b, api_value_names_of(kind), k)[handle_slot(h)]));
+        lua_pushnumber(L, fx_to_double(api_value_column(b, api_kind_value_names(kind), k)[handle_slot(h)]));
     else
         push_nil_for_dead(L, name);
     return 1;
 }
 
-static int set_value(lua_State *L, struct board *b, const struct api_thing *t, int64_t h, int k, const char *name)
+static int set_declared_value(lua_State *L, struct board *b, const struct api_thing *t, int64_t h, int k,
+                              const char *name)
 {
     enum handle_kind kind = handle_kind(h);
     struct api_param p = api_value_param(name);
-    fx *column = api_value_column(b, api_value_names_of(kind), k);
+    fx *column = api_value_column(b, api_kind_value_names(kind), k);
     struct api_value v = { 0 };
 
     api_check(L, t->name, &p, 3, &v);
@@ -194,28 +195,28 @@ static int set_value(lua_State *L, struct board *b, const struct api_thing *t, i
     const struct slots *s = get_pool(b, t);
     vm_charge(L, s->live);
     EACH_LIVE (i, s)
-        if (api_has_tag(get_column(b, t->tags), i, handle_slot(h)))
+        if (api_has_tag(get_column(b, t->tags_offset), i, handle_slot(h)))
             column[i] = v.f;
     return 0;
 }
 
 /* Properties that must be enabled in rom.lua. */
-enum { ENEMY_KINDS = 1 << H_ENEMY | 1 << H_ENEMIES };
+enum { ENEMY_HANDLE_KINDS = 1 << H_ENEMY | 1 << H_ENEMIES };
 static const struct {
     const char *name;
-    unsigned kinds;      /* mask of handle kinds */
-    int group;           /* column group (GROUP_) */
-    const char *setting; /* the setting in rom.lua */
+    unsigned handle_kinds; /* mask of handle kinds */
+    int column_group;      /* column group (GROUP_) */
+    const char *setting;   /* the setting in rom.lua */
 } optional_props[] = {
     { "frozen",
       1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_ITEM | 1 << H_LASER | 1 << H_GROUP | 1 << H_SHOTS |
           1 << H_ENEMIES | 1 << H_ITEMS | 1 << H_LASERS,
       GROUP_FROZEN, "frozen" },
-    { "rate", ENEMY_KINDS, GROUP_BODIES, "bodies" },
-    { "share", ENEMY_KINDS, GROUP_BODIES, "bodies" },
-    { "follow", ENEMY_KINDS, GROUP_BODIES, "bodies" },
-    { "dx", ENEMY_KINDS, GROUP_BODIES, "bodies" },
-    { "dy", ENEMY_KINDS, GROUP_BODIES, "bodies" },
+    { "rate", ENEMY_HANDLE_KINDS, GROUP_BODIES, "bodies" },
+    { "share", ENEMY_HANDLE_KINDS, GROUP_BODIES, "bodies" },
+    { "follow", ENEMY_HANDLE_KINDS, GROUP_BODIES, "bodies" },
+    { "dx", ENEMY_HANDLE_KINDS, GROUP_BODIES, "bodies" },
+    { "dy", ENEMY_HANDLE_KINDS, GROUP_BODIES, "bodies" },
 };
 
 /* Raises a fault if the property is disabled in rom.lua, even if the thing does not exist. */
@@ -223,27 +224,23 @@ static void check_enabled(lua_State *L, const struct board *b, const struct api_
                           const char *name)
 {
     for (size_t i = 0; i < sizeof optional_props / sizeof *optional_props; i++)
-        if (optional_props[i].name[0] == name[0] && optional_props[i].kinds >> kind & 1 &&
-            !strcmp(optional_props[i].name, name) && !(get_pool(b, t)->groups & SLOTS_GROUP(optional_props[i].group)))
+        if (optional_props[i].name[0] == name[0] && optional_props[i].handle_kinds >> kind & 1 &&
+            !strcmp(optional_props[i].name, name) &&
+            !(get_pool(b, t)->groups & SLOTS_GROUP(optional_props[i].column_group)))
             vm_fault(L, FAULT_SCRIPT, "%s: %s is disabled; add `%s = true` to `board` in rom.lua", t->name, name,
                      optional_props[i].setting);
 }
 
-static double q16_to_double(int64_t q16)
+static void push_stored_value(lua_State *L, const struct board *b, const struct api_prop *prop, uint32_t i)
 {
-    return (double)q16 / 65536;
-}
-
-static void push_stored(lua_State *L, const struct board *b, const struct api_prop *prop, uint32_t i)
-{
-    const void *const column = get_column(b, prop->column);
+    const void *const column = get_column(b, prop->column_offset);
 
     switch (prop->storage) {
     case STORED_FX:
         lua_pushnumber(L, fx_to_double(((const fx *)column)[i]));
         break;
     case STORED_Q16:
-        lua_pushnumber(L, q16_to_double(((const int64_t *)column)[i]));
+        lua_pushnumber(L, (double)((const int64_t *)column)[i] / 65536);
         break;
     case STORED_ANG:
         lua_pushnumber(L, trig_to_degrees(((const ang *)column)[i]));
@@ -283,9 +280,10 @@ static void push_stored(lua_State *L, const struct board *b, const struct api_pr
     }
 }
 
-static void store(lua_State *L, struct board *b, const struct api_prop *prop, uint32_t i, const struct api_value *v)
+static void store_value(lua_State *L, struct board *b, const struct api_prop *prop, uint32_t i,
+                        const struct api_value *v)
 {
-    void *const column = get_column(b, prop->column);
+    void *const column = get_column(b, prop->column_offset);
     uint8_t *const flags = column;
 
     switch (prop->storage) {
@@ -310,9 +308,6 @@ static void store(lua_State *L, struct board *b, const struct api_prop *prop, ui
     case STORED_U32:
         ((uint32_t *)column)[i] = (uint32_t)v->i;
         break;
-    case STORED_I64:
-        ((int64_t *)column)[i] = v->i;
-        break;
     case STORED_COUNT:
         ((int32_t *)column)[i] = api_to_count(v);
         break;
@@ -322,15 +317,16 @@ static void store(lua_State *L, struct board *b, const struct api_prop *prop, ui
     case STORED_TAG:
         ((uint16_t *)column)[i] = v->given ? api_intern_tag(L, "tag", v->at) : 0;
         break;
+    case STORED_I64:
     case STORED_KIND:
     case STORED_BORN:
     case STORED_NOWHERE:
-        break; /* not written */
+        break; /* no property is written there */
     }
 }
 
 /* Pushes the number of members of a group. Other properties of a group cannot be read. */
-static void push_count(lua_State *L, struct board *b, const struct api_thing *t, uint32_t tag, int p)
+static void push_member_count(lua_State *L, struct board *b, const struct api_thing *t, uint32_t tag, int p)
 {
     const struct slots *s = get_pool(b, t);
     lua_Integer n = 0;
@@ -353,10 +349,10 @@ static void write_property(lua_State *L, struct board *b, const struct api_thing
         EACH_LIVE (i, s)
             if (is_member(b, t, slot, i, p))
                 write_property(L, b, t->member, i, p, v);
-    } else if (t->props[p].storage == STORED_NOWHERE || t->props[p].is_set)
+    } else if (t->props[p].storage == STORED_NOWHERE || t->props[p].has_setter)
         t->set(L, b, slot, p, v);
     else
-        store(L, b, &t->props[p], slot, v);
+        store_value(L, b, &t->props[p], slot, v);
 }
 
 /* Pushes property p of the thing of handle h if it can be read (board_is_readable), or if h is a player who is out and
@@ -369,9 +365,9 @@ static int push_property(lua_State *L, struct board *b, const struct api_thing *
     if (!board_is_readable(b, h) && !(prop->access == PROP_PERSISTENT && handle_gen(h) && handle_slot(h) < MAX_PLAYERS))
         return push_nil_for_dead(L, prop->param.name);
     if (t->member)
-        push_count(L, b, t, handle_slot(h), p);
+        push_member_count(L, b, t, handle_slot(h), p);
     else if (prop->storage != STORED_NOWHERE)
-        push_stored(L, b, prop, handle_slot(h));
+        push_stored_value(L, b, prop, handle_slot(h));
     else
         t->get(L, b, handle_slot(h), p);
     return 1;
@@ -391,9 +387,9 @@ static int get_property(lua_State *L)
         return vm_fault(L, FAULT_SCRIPT, "attempt to index a number value (it is not a thing)");
     if (lua_type(L, 2) != LUA_TSTRING)
         return vm_fault(L, FAULT_SCRIPT, "%s: expected a property name, got a %s",
-                        api_of(L)->things[handle_kind(h)]->name, luaL_typename(L, 2));
+                        api_get_table(L)->things[handle_kind(h)]->name, luaL_typename(L, 2));
     const char *name = lua_tolstring(L, 2, &bytes);
-    const struct api_thing *t = api_of(L)->things[handle_kind(h)];
+    const struct api_thing *t = api_get_table(L)->things[handle_kind(h)];
     uint8_t *guess = get_prop_guess(b, handle_kind(h), false, name, bytes);
     if (get_guessed_prop(t, guess, name))
         return push_property(L, b, t, h, *guess);
@@ -412,7 +408,7 @@ static int get_property(lua_State *L)
         }
     }
     if (!prop)
-        return get_value(L, b, t, h, name);
+        return get_declared_value(L, b, t, h, name);
     return push_property(L, b, t, h, p);
 }
 
@@ -437,12 +433,12 @@ static int set_property(lua_State *L)
     if (!handle_is_well_formed(h) || lua_type(L, 2) != LUA_TSTRING)
         return vm_fault(L, FAULT_SCRIPT, "attempt to index a number value (it is not a thing)");
     const char *name = lua_tolstring(L, 2, &bytes);
-    const struct api_thing *t = api_of(L)->things[handle_kind(h)];
+    const struct api_thing *t = api_get_table(L)->things[handle_kind(h)];
     const struct api_prop *prop = find_prop(t, get_prop_guess(b, handle_kind(h), true, name, bytes), name, &p);
     bool alive = board_is_alive(b, h);
-    script_fold(b, 0x2000);
-    script_fold(b, (uint64_t)h);
-    api_fold_text(L, b, name, bytes);
+    script_update_digest(b, 0x2000);
+    script_update_digest(b, (uint64_t)h);
+    api_fold_bytes(L, b, name, bytes);
     api_read_value(L, 3, 3, &v);
     api_fold_value(L, b, &v);
     if (handle_kind(h) == H_PLAYER && !prop) {
@@ -450,9 +446,9 @@ static int set_property(lua_State *L)
         if (reg >= 0)
             return alive ? set_register(L, b, handle_slot(h), reg, name) : 0;
     }
-    int value_index = prop ? NO_SLOT : find_value(L, b, handle_kind(h), name);
+    int value_index = prop ? NO_SLOT : find_declared_value(L, b, handle_kind(h), name);
     if (value_index != NO_SLOT)
-        return set_value(L, b, t, h, value_index, name);
+        return set_declared_value(L, b, t, h, value_index, name);
     if (!prop || prop->access != PROP_WRITE)
         return raise_read_only(L, t, (int)handle_kind(h), name);
     check_enabled(L, b, t, handle_kind(h), name);

@@ -7,23 +7,23 @@
 #include "../../base/edit.h"
 #include "api_parts.h"
 
-enum { MAX_LIST = 100 }; /* characters of the longest list worth printing */
+enum { MAX_LIST_LENGTH = 100 }; /* characters of the longest list worth printing */
 
 void api_hint_begin(struct api_hint *h, const char *word)
 {
-    *h = (struct api_hint){ .word = word, .best_distance = EDIT_FAR };
+    *h = (struct api_hint){ .word = word, .best_distance = EDIT_TOO_FAR };
 }
 
 void api_hint_add(struct api_hint *h, const char *name)
 {
     const size_t n = strlen(h->list);
 
-    api_suggest_nearer(h->word, name, &h->best_distance, &h->nearest);
+    api_consider_suggestion(h->word, name, &h->best_distance, &h->nearest);
     h->n++;
-    if (n + strlen(name) + 2 < MAX_LIST)
+    if (n + strlen(name) + 2 < MAX_LIST_LENGTH)
         snprintf(h->list + n, sizeof h->list - n, "%s%s", n ? ", " : "", name);
     else
-        h->is_long = true;
+        h->is_list_long = true;
 }
 
 const char *api_hint_push(lua_State *L, const struct api_hint *h, const char *label)
@@ -32,12 +32,12 @@ const char *api_hint_push(lua_State *L, const struct api_hint *h, const char *la
         return lua_pushfstring(L, " (did you mean \"%s\"?)", h->nearest);
     if (h->n == 0)
         return lua_pushfstring(L, " (%s: none)", label);
-    return h->is_long ? lua_pushliteral(L, "") : lua_pushfstring(L, " (%s: %s)", label, h->list);
+    return h->is_list_long ? lua_pushliteral(L, "") : lua_pushfstring(L, " (%s: %s)", label, h->list);
 }
 
 /* ---- suggestions for unknown globals ---- */
 
-enum { SHORT_NAME = 2 /* bytes; a name this short resembles too many others */ };
+enum { SHORT_NAME_LENGTH = 2 /* bytes; a name this short resembles too many others */ };
 
 /* Suggests the nearest local or upvalue visible to the code at level 1. */
 static void suggest_local(lua_State *L, const char *name, int *best, const char **found)
@@ -48,29 +48,29 @@ static void suggest_local(lua_State *L, const char *name, int *best, const char 
     if (!lua_getstack(L, 1, &ar))
         return;
     for (int i = 1; (local = lua_getlocal(L, &ar, i)) != NULL; i++, lua_pop(L, 1))
-        if (strlen(local) >= SHORT_NAME && local[0] != '(')
-            api_suggest_nearer(name, local, best, found);
+        if (strlen(local) >= SHORT_NAME_LENGTH && local[0] != '(')
+            api_consider_suggestion(name, local, best, found);
     lua_getinfo(L, "f", &ar);
     for (int i = 1; (local = lua_getupvalue(L, -1, i)) != NULL; i++, lua_pop(L, 1))
-        if (strlen(local) >= SHORT_NAME && strcmp(local, "_ENV"))
-            api_suggest_nearer(name, local, best, found);
+        if (strlen(local) >= SHORT_NAME_LENGTH && strcmp(local, "_ENV"))
+            api_consider_suggestion(name, local, best, found);
     lua_pop(L, 1);
 }
 
 const char *api_push_suggestion(lua_State *L, const char *name, bool is_read)
 {
     const char *found = NULL;
-    int best = EDIT_FAR;
+    int best = EDIT_TOO_FAR;
 
-    if (strlen(name) > SHORT_NAME)
+    if (strlen(name) > SHORT_NAME_LENGTH)
         suggest_local(L, name, &best, &found);
-    if (strlen(name) > SHORT_NAME && is_read) {
+    if (strlen(name) > SHORT_NAME_LENGTH && is_read) {
         const char *global = NULL;
         int global_best = best;
         lua_pushglobaltable(L);
         for (lua_pushnil(L); lua_next(L, -2); lua_pop(L, 1))
             if (lua_type(L, -2) == LUA_TSTRING)
-                api_suggest_nearer(name, lua_tostring(L, -2), &global_best, &global);
+                api_consider_suggestion(name, lua_tostring(L, -2), &global_best, &global);
         lua_pop(L, 1);
         found = global ? global : found;
     }
@@ -79,20 +79,20 @@ const char *api_push_suggestion(lua_State *L, const char *name, bool is_read)
 
 /* ---- tables of settings ---- */
 
-static const char *field_key(const struct api_param *p)
+static const char *get_field_key(const struct api_param *p)
 {
     const char *dot = strrchr(p->name, '.');
 
     return dot ? dot + 1 : p->name;
 }
 
-bool api_knows_field(lua_State *L, const char *key, const void *fields)
+bool api_is_known_field(lua_State *L, const char *key, const void *fields)
 {
     const struct api_fields *f = fields;
 
     vm_charge(L, 1);
     for (int i = 0; key && i < f->n; i++)
-        if (!strcmp(key, field_key(&f->params[i])))
+        if (!strcmp(key, get_field_key(&f->params[i])))
             return true;
     return key && f->value_names != NAME_LISTS && api_names_find(L, f->value_names, key) != NO_SLOT;
 }
@@ -106,7 +106,7 @@ void api_raise_unknown_key(lua_State *L, const char *entry, const struct api_fie
     const char *key = lua_tostring(L, -1);
     api_hint_begin(&hint, key);
     for (int i = 0; i < f->n; i++)
-        api_hint_add(&hint, field_key(&f->params[i]));
+        api_hint_add(&hint, get_field_key(&f->params[i]));
     for (int k = 0; f->value_names != NAME_LISTS && k < api_value_count(vm_board(L), f->value_names); k++)
         api_hint_add(&hint, board_name(vm_board(L), f->value_names, k));
     api_error(L, entry, "unknown argument \"%s\"%s", key, api_hint_push(L, &hint, "arguments"));
@@ -118,7 +118,7 @@ void api_read_fields(lua_State *L, const char *entry, const char *prefix, const 
     char full_name[80];
 
     luaL_checkstack(L, f->n + 8, NULL);
-    if (luakeys_push_unknown(L, at, api_knows_field, f)) {
+    if (luakeys_push_unknown(L, at, api_is_known_field, f)) {
         lua_pushfstring(L, "%s: %s", entry, prefix);
         lua_insert(L, -2);
         api_raise_unknown_key(L, prefix ? lua_tostring(L, -2) : entry, f);
@@ -126,11 +126,11 @@ void api_read_fields(lua_State *L, const char *entry, const char *prefix, const 
     for (int i = 0; i < f->n; i++) {
         struct api_param p = f->params[i];
         if (prefix) {
-            snprintf(full_name, sizeof full_name, "%s.%s", prefix, field_key(&p));
+            snprintf(full_name, sizeof full_name, "%s.%s", prefix, get_field_key(&p));
             p.name = full_name;
         }
         v[i] = (struct api_value){ 0 };
-        lua_getfield(L, at, field_key(&f->params[i]));
+        lua_getfield(L, at, get_field_key(&f->params[i]));
         api_check(L, entry, &p, lua_gettop(L), &v[i]);
     }
 }

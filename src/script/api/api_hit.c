@@ -23,7 +23,7 @@ static const char *find_hit_key(lua_State *L, const char *entry, int at, enum hi
     const struct api_fields known = { keys, owner == HIT_PLAYERS ? 2 : sizeof keys / sizeof *keys, NAME_LISTS };
     const char *key = NULL;
 
-    if (luakeys_push_unknown(L, at, api_knows_field, &known))
+    if (luakeys_push_unknown(L, at, api_is_known_field, &known))
         api_error(L, entry, "hit: expected %s, got a table with key %s", api_hit_forms[owner],
                   api_push_description(L, -1));
     for (int k = 0; k < known.n; k++) {
@@ -40,8 +40,8 @@ static const char *find_hit_key(lua_State *L, const char *entry, int at, enum hi
 
 /* Checks element i of the list on top of the stack against p (px or degrees) and returns it. The list stays on the
  * stack. */
-static struct api_value check_item(lua_State *L, const char *entry, enum hit_owner owner, int i,
-                                   const struct api_param *p)
+static struct api_value check_element(lua_State *L, const char *entry, enum hit_owner owner, int i,
+                                      const struct api_param *p)
 {
     struct api_value v = { 0 };
     int list = lua_gettop(L);
@@ -77,10 +77,10 @@ static void check_reach(lua_State *L, const char *entry, int64_t reach)
 static void read_capsule(lua_State *L, const char *entry, enum hit_owner owner, struct api_shape *s)
 {
     const struct api_param dir = { "hit.capsule dir", A_DIR, OPT, 0, 0, NULL, "90", NULL };
-    fx half = check_item(L, entry, owner, 1, LENGTH_PARAM("hit.capsule length")).f / 2;
+    fx half = check_element(L, entry, owner, 1, LENGTH_PARAM("hit.capsule length")).f / 2;
 
     s->shape = SHAPE_CAPSULE;
-    s->row[0].a = check_item(L, entry, owner, 2, LENGTH_PARAM("hit.capsule radius")).f;
+    s->row[0].a = check_element(L, entry, owner, 2, LENGTH_PARAM("hit.capsule radius")).f;
     check_reach(L, entry, (int64_t)s->row[0].a + half);
     if (owner == HIT_BULLETS) {
         if (lua_rawgeti(L, -1, 3) != LUA_TNIL)
@@ -90,7 +90,7 @@ static void read_capsule(lua_State *L, const char *entry, enum hit_owner owner, 
         s->row[0].b = half;
         return;
     }
-    struct api_value v = check_item(L, entry, owner, 3, &dir);
+    struct api_value v = check_element(L, entry, owner, 3, &dir);
     trig_polar(half, v.given ? v.a : ANG_DOWN, &s->row[0].x, &s->row[0].y);
 }
 
@@ -104,9 +104,9 @@ static void read_circles(lua_State *L, const char *entry, enum hit_owner owner, 
     s->rows = n;
     for (uint32_t i = 0; i < n; i++) {
         lua_rawgeti(L, -1, (int)i + 1);
-        s->row[i].x = check_item(L, entry, owner, 1, OFFSET_PARAM("hit.circles x")).f;
-        s->row[i].y = check_item(L, entry, owner, 2, OFFSET_PARAM("hit.circles y")).f;
-        s->row[i].a = check_item(L, entry, owner, 3, LENGTH_PARAM("hit.circles r")).f;
+        s->row[i].x = check_element(L, entry, owner, 1, OFFSET_PARAM("hit.circles x")).f;
+        s->row[i].y = check_element(L, entry, owner, 2, OFFSET_PARAM("hit.circles y")).f;
+        s->row[i].a = check_element(L, entry, owner, 3, LENGTH_PARAM("hit.circles r")).f;
         s->row[i].b = (fx)(n - 1 - i);
         check_reach(L, entry, (int64_t)fx_abs(s->row[i].x) + fx_abs(s->row[i].y) + s->row[i].a + 2);
         lua_pop(L, 1);
@@ -123,7 +123,7 @@ static void read_sprite_shape(lua_State *L, const char *entry, enum hit_owner ow
 
     api_check(L, entry, &sprite, at, &v);
     const char *name = lua_tostring(L, at);
-    if (!cart_find_hit(&vm_board(L)->cart, name, &hit))
+    if (!cart_find_hitbox(&vm_board(L)->cart, name, &hit))
         api_error(L, entry, "hit.sprite: sprite \"%s\" has no hit shape (add a slice named \"hit\" to its .ase file)",
                   name);
     if (owner == HIT_PLAYERS && hit.shape != SHAPE_CIRCLE)
@@ -172,8 +172,8 @@ struct api_shape api_read_hit_shape(lua_State *L, const char *entry, int at, enu
         read_circles(L, entry, owner, &s);
     else {
         s.shape = SHAPE_BOX;
-        s.row[0].a = check_item(L, entry, owner, 1, LENGTH_PARAM("hit.box width")).f / 2;
-        s.row[0].b = check_item(L, entry, owner, 2, LENGTH_PARAM("hit.box height")).f / 2;
+        s.row[0].a = check_element(L, entry, owner, 1, LENGTH_PARAM("hit.box width")).f / 2;
+        s.row[0].b = check_element(L, entry, owner, 2, LENGTH_PARAM("hit.box height")).f / 2;
     }
     lua_settop(L, top);
     return s;

@@ -134,7 +134,7 @@ static bool has_register_with_max(lua_State *L, const struct board *b, const cha
 static void raise_unknown_register(lua_State *L, const struct board *b, int r)
 {
     const struct item_kinds *k = &b->item_kinds;
-    const char *name = board_name(b, N_ITEM_REGISTER, r), *nearest = api_register_nearest(L, name);
+    const char *name = board_name(b, N_ITEM_REGISTER, r), *nearest = api_find_nearest_register(L, name);
     uint32_t i = 0;
 
     while (i + 1 < k->s.live && !k->register_amounts[i * ITEM_MAX_REGISTERS + (uint32_t)r] &&
@@ -166,11 +166,11 @@ void api_items_check(lua_State *L, struct board *b)
 
 /* ---- item.drop ---- */
 
-enum { P_KIND, P_PLACE, P_N = P_PLACE + PLACE_PARAMS, P_DIR, P_SPREAD, P_SPEED, P_TAG };
+enum { P_KIND, P_POSITION, P_N = P_POSITION + POSITION_PARAM_COUNT, P_DIR, P_SPREAD, P_SPEED, P_TAG };
 
 static const struct api_param drop_params[] = {
     PARAM("kind", A_ITEM_KIND, REQ, 0, 0, NULL, NULL, "declared kind to drop"),
-    PLACE,
+    POSITION_PARAMS,
     PARAM("n", A_INT, OPT, 0, UINT16_MAX, "items", "1", "number of items"),
     PARAM("dir", A_DIR, OPT, 0, 0, NULL, "270", "middle of the range of directions, clockwise from the right"),
     PARAM("spread", A_NUM, OPT, 0, 360, "degrees", "60",
@@ -189,7 +189,7 @@ static uint64_t spread_from_degrees(double degrees)
     return a;
 }
 
-static int item_drop_run(lua_State *L, struct board *b, struct api_value *v)
+static int drop_items(lua_State *L, struct board *b, struct api_value *v)
 {
     const uint16_t kind = (uint16_t)v[P_KIND].i, n = (uint16_t)v[P_N].i;
     struct item_drop d = { .dir = v[P_DIR].a, .spread = spread_from_degrees(v[P_SPREAD].n), .speed = v[P_SPEED].f };
@@ -197,7 +197,7 @@ static int item_drop_run(lua_State *L, struct board *b, struct api_value *v)
     if (v[P_TAG].given)
         d.tag = api_intern_tag(L, "item.drop", v[P_TAG].at);
     vm_charge(L, DROP_WORK * (uint64_t)n);
-    if (api_read_place(L, b, "item.drop", v + P_PLACE, &d.x, &d.y))
+    if (api_read_position(L, b, "item.drop", v + P_POSITION, &d.x, &d.y))
         board_drop_items(b, &d, &kind, &n, 1);
     return 0;
 }
@@ -236,17 +236,18 @@ static const struct api_prop props[] = {
     COUNT_PROP("items"),
 };
 
-enum { GROUP_PROPS = sizeof props / sizeof *props };
-const struct api_thing api_item_thing = { "item", props, GROUP_PROPS - 1, POOL(items) };
-const struct api_thing api_items_thing = { "items",        props, GROUP_PROPS, POOL(items), .member = &api_item_thing,
-                                           .write_work = 1 };
+enum { GROUP_PROP_COUNT = sizeof props / sizeof *props };
+const struct api_thing api_item_thing = { "item", props, GROUP_PROP_COUNT - 1, POOL(items) };
+const struct api_thing api_items_thing = {
+    "items", props, GROUP_PROP_COUNT, POOL(items), .member = &api_item_thing, .write_work = 1
+};
 
 /* ---- verbs ---- */
 
 enum { ARG_SELF, PULL_PLAYER };
 
 #define SELF_PARAM PARAM("self", A_THING, REQ, 1 << H_ITEM | 1 << H_ITEMS, 0, NULL, NULL, "the thing itself")
-static const struct api_param pull_params[] = { SELF_PARAM, PARAM("p", A_PAD, OPT, 0, 0, NULL, NULL,
+static const struct api_param pull_params[] = { SELF_PARAM, PARAM("p", A_PLAYER, OPT, 0, 0, NULL, NULL,
                                                                   "player to fly to; defaults to the nearest one") };
 static const struct api_param self_params[] = { SELF_PARAM };
 
@@ -256,7 +257,7 @@ static void pull_one(struct board *b, uint32_t i, const struct api_value *v)
 {
     const struct targets t = board_player_targets(b);
     int32_t p =
-        v[PULL_PLAYER].given ? (int32_t)v[PULL_PLAYER].i - 1 : targets_nearest(&t, b->items.x[i], b->items.y[i]);
+        v[PULL_PLAYER].given ? (int32_t)v[PULL_PLAYER].i - 1 : targets_find_nearest(&t, b->items.x[i], b->items.y[i]);
 
     if (p >= 0 && b->player.in_game[p])
         items_pull(&b->items, i, (uint32_t)p);
@@ -268,7 +269,7 @@ static void remove_one(struct board *b, uint32_t i, const struct api_value *v)
     slots_drop(&b->items.s, i);
 }
 
-static int item_pull_run(lua_State *L, struct board *b, struct api_value *v)
+static int pull_items(lua_State *L, struct board *b, struct api_value *v)
 {
     return api_apply_verb(L, b, v, pull_one);
 }
@@ -287,16 +288,16 @@ static const struct api_param gives_params[] = {
 #endif
 
 static const struct api_entry entries[] = {
-    { "item.def", item_def, PARAMS(def_params), 1, API_CHANGES | API_LOAD, NULL,
+    { "item.def", item_def, PARAMS(def_params), 1, API_CHANGES | API_LOAD_ONLY, NULL,
       HELP("declares a kind of item: its sprite, how it falls and what it gives; needs `board = { items = n }`") },
-    { "item.drop", item_drop_run, PARAMS(drop_params), 0, API_CHANGES, NULL,
+    { "item.drop", drop_items, PARAMS(drop_params), 0, API_CHANGES, NULL,
       HELP("drops items from a position or a thing, in evenly spread directions") },
     API_GROUPS("item", item_group, item_each),
-    { "item:pull", item_pull_run, PARAMS(pull_params), 2, API_CHANGES | API_METHOD, NULL,
+    { "item:pull", pull_items, PARAMS(pull_params), 2, API_CHANGES | API_METHOD, NULL,
       HELP("makes it fly to a player until it is taken; it falls again if that player dies") },
     { "item:remove", item_remove, PARAMS(self_params), 1, API_CHANGES | API_METHOD, NULL,
       HELP("removes it; no player gets anything") },
-    { "items:pull", item_pull_run, PARAMS(pull_params), 2, API_CHANGES | API_METHOD, NULL,
+    { "items:pull", pull_items, PARAMS(pull_params), 2, API_CHANGES | API_METHOD, NULL,
       HELP("makes each item fly to a player until it is taken; it falls again if that player dies") },
     { "items:remove", item_remove, PARAMS(self_params), 1, API_CHANGES | API_METHOD, NULL,
       HELP("removes each item; no player gets anything") },

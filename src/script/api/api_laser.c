@@ -32,7 +32,7 @@ static const struct api_param laser_def_params[] = {
     PARAM("strip", A_SPRITE, REQ, 0, 0, NULL, NULL,
           "sprite, drawn pointing right; repeated along the laser and stretched to its width"),
     PARAM("width", A_FX, REQ, 0, LASER_MAX_SIZE, "px", NULL, "full width, once it has grown"),
-    PARAM("hit", A_HIT, REQ, HIT_LASERS, 0, NULL, NULL, "fraction of the width that hits; \"none\" never hits"),
+    PARAM("hit", A_HIT_SHAPE, REQ, HIT_LASERS, 0, NULL, NULL, "fraction of the width that hits; \"none\" never hits"),
     PARAM("head", A_SPRITE, OPT, 0, 0, NULL, NULL,
           "sprite drawn where a beam starts or at the front of a bolt or curve; nil draws none"),
     PARAM("tail", A_SPRITE, OPT, 0, 0, NULL, NULL, "sprite drawn at the other end; nil draws none"),
@@ -51,7 +51,7 @@ static const struct api_param laser_def_params[] = {
 };
 
 /* Returns the share of the laser's width that hits, or -1 if it hits nothing. */
-static fx read_hit(lua_State *L, int at)
+static fx read_hit_share(lua_State *L, int at)
 {
     static const struct api_param share = { "hit.share", A_FX, REQ, 0, 1, NULL, NULL, NULL };
     static const struct api_fields fields = { &share, 1, NAME_LISTS };
@@ -62,7 +62,7 @@ static fx read_hit(lua_State *L, int at)
             api_error(L, "laser.def", "hit: expected %s, got \"%s\"", api_hit_forms[HIT_LASERS], lua_tostring(L, at));
         return -1;
     }
-    if (luakeys_push_unknown(L, at, api_knows_field, &fields))
+    if (luakeys_push_unknown(L, at, api_is_known_field, &fields))
         api_error(L, "laser.def", "hit: expected %s, got a table with key %s", api_hit_forms[HIT_LASERS],
                   api_push_description(L, -1));
     if (lua_getfield(L, at, "share") == LUA_TNIL)
@@ -77,10 +77,10 @@ static uint16_t encode_optional(const struct api_value *v)
     return v->given ? (uint16_t)(v->i + 1) : 0;
 }
 
-static int define_kind(lua_State *L, struct board *b, struct api_value *v)
+static int laser_define(lua_State *L, struct board *b, struct api_value *v)
 {
     struct laser_kinds *k = &b->laser_kinds;
-    const fx share = read_hit(L, v[D_HIT].at);
+    const fx share = read_hit_share(L, v[D_HIT].at);
 
     if (v[D_EVERY].given && !v[D_DAMAGE].given)
         api_error(L, "laser.def", "every: requires `damage`");
@@ -89,12 +89,12 @@ static int define_kind(lua_State *L, struct board *b, struct api_value *v)
         api_error(L, "laser.def", "too many kinds (at most %d)", MAX_LASER_KINDS);
     api_names_declare(L, N_LASER, "laser.def", lua_tostring(L, v[D_NAME].at), i);
     k->strip[i] = (uint16_t)v[D_STRIP].i;
-    k->head[i] = encode_optional(&v[D_HEAD]);
-    k->tail[i] = encode_optional(&v[D_TAIL]);
+    k->head_sprite[i] = encode_optional(&v[D_HEAD]);
+    k->tail_sprite[i] = encode_optional(&v[D_TAIL]);
     k->width[i] = v[D_WIDTH].f;
     k->hit_share[i] = share;
     k->bank[i] = (uint8_t)v[D_BANK].i;
-    k->flags[i] = (uint8_t)((v[D_CLEARABLE].i ? 0 : LASER_FIXED) | (v[D_DAMAGE].given ? LASER_SHOOTS : 0) |
+    k->flags[i] = (uint8_t)((v[D_CLEARABLE].i ? 0 : LASER_FIXED) | (v[D_DAMAGE].given ? LASER_HITS_ENEMIES : 0) |
                             v[D_BLEND].i * LASER_BLEND_ONE);
     k->graze_interval[i] = (uint16_t)v[D_GRAZE].i;
     k->hit_interval[i] = (uint16_t)v[D_EVERY].i;
@@ -105,10 +105,10 @@ static int define_kind(lua_State *L, struct board *b, struct api_value *v)
 
 /* ---- firing ---- */
 
-/* Parameters shared by beams, bolts and curves, in this order. `owners`: the arguments whose player owns the laser by
- * default, for the help. */
+/* Parameters shared by beams, bolts and curves, in this order. `owners`: the help's words for the
+ * arguments that determine the owner by default. */
 #define LASER_PARAMS(owners)                                                                                           \
-    PARAM("kind", A_LASER_KIND, REQ, 0, 0, NULL, NULL, "declared kind to fire"), PLACE,                                \
+    PARAM("kind", A_LASER_KIND, REQ, 0, 0, NULL, NULL, "declared kind to fire"), POSITION_PARAMS,                      \
         PARAM("dir", A_DIR, OPT, 0, 0, NULL, "90",                                                                     \
               "direction, clockwise from the right; with `aim`, the default is 0, and the angle is added to the "      \
               "direction towards the target"),                                                                         \
@@ -123,21 +123,21 @@ static int define_kind(lua_State *L, struct board *b, struct api_value *v)
               "player who owns it and gets its score; defaults to the owner of " owners)
 enum {
     F_KIND,
-    F_PLACE,
-    F_DIR = F_PLACE + PLACE_PARAMS,
+    F_POSITION,
+    F_DIR = F_POSITION + POSITION_PARAM_COUNT,
     F_AIM,
     F_BANK,
     F_TAG,
     F_WIDTH,
-    F_BY,
-    F_SHARED, /* the following parameters differ between beams, bolts and curves */
-    F_SPEED = F_SHARED,
+    F_PLAYER,
+    SHARED_PARAM_COUNT, /* the following parameters differ between beams, bolts and curves */
+    F_SPEED = SHARED_PARAM_COUNT,
     F_MOTION,
     F_DELAY,
     F_AROUND,
     F_LENGTH,
     F_POINTS = F_LENGTH,
-    F_FOLLOW = F_SHARED,
+    F_FOLLOW = SHARED_PARAM_COUNT,
     F_TURNS,
     F_BEAM_LENGTH,
     F_HOLD,
@@ -152,7 +152,7 @@ enum {
           "speed of flight; if negative, it flies backwards"),                                                         \
         PARAM("motion", A_MOTION, OPT, 0, 0, NULL, NULL, "motion program that steers its head"),                       \
         PARAM("delay", A_INT, OPT, 0, 1e9, "frames", "0", "frames the laser waits in place before it flies"),          \
-        PARAM("around", A_THING, OPT, PLACE_KINDS, 0, NULL, NULL,                                                      \
+        PARAM("around", A_THING, OPT, POSITION_HANDLE_KINDS, 0, NULL, NULL,                                            \
               "thing that it circles in the `orbit` steps of its motion; needs `board = { around = true }`")
 
 static const struct api_param bolt_params[] = { LASER_PARAMS("`from`"), FLIGHT_PARAMS,
@@ -163,7 +163,7 @@ static const struct api_param curve_params[] = { LASER_PARAMS("`from`"), FLIGHT_
                                                        "length of its body, in frames of flight") };
 static const struct api_param beam_params[] = {
     LASER_PARAMS("`from` or `follow`"),
-    PARAM("follow", A_THING, OPT, PLACE_KINDS, 0, NULL, NULL,
+    PARAM("follow", A_THING, OPT, POSITION_HANDLE_KINDS, 0, NULL, NULL,
           "thing to start from, at a distance of `dx` and `dy`; the beam ends with the thing; use it instead of `x` "
           "and `y`, or `from`"),
     PARAM("turns", A_BOOL, OPT, 0, 0, NULL, "false", "turn with the followed bullet, shot or laser; needs `follow`"),
@@ -178,7 +178,7 @@ static const struct api_param beam_params[] = {
     PARAM("spin", A_DIR, OPT, 0, 0, NULL, "0", "degrees the beam turns per frame once `warn` is over, clockwise"),
 };
 
-static uint8_t player_of(const struct board *b, const struct api_value *v)
+static uint8_t find_player(const struct board *b, const struct api_value *v)
 {
     return v->given ? board_player_of(b, v->i) : 0;
 }
@@ -189,26 +189,26 @@ static struct bullet_spec make_head(lua_State *L, struct board *b, const char *e
 {
     const struct laser_kinds *k = &b->laser_kinds;
     const uint16_t kind = (uint16_t)v[F_KIND].i;
-    const uint8_t from_player = player_of(b, &v[F_PLACE + PLACE_FROM]);
+    const uint8_t from_player = find_player(b, &v[F_POSITION + POSITION_FROM]);
     struct bullet_spec s = { .x = x,
                              .y = y,
                              .dir = v[F_DIR].a,
                              .kind = kind,
                              .bank = v[F_BANK].given ? (uint8_t)v[F_BANK].i : k->bank[kind],
-                             .player = v[F_BY].given ? player_of(b, &v[F_BY]) : from_player,
+                             .player = v[F_PLAYER].given ? find_player(b, &v[F_PLAYER]) : from_player,
                              .owner_task = tasks_current_serial(b) };
 
     if (v[F_AIM].i)
-        s.dir = api_aim_direction(b, k->flags[kind] & LASER_SHOOTS, x, y) + (v[F_DIR].given ? v[F_DIR].a : 0);
+        s.dir = api_aim_direction(b, k->flags[kind] & LASER_HITS_ENEMIES, x, y) + (v[F_DIR].given ? v[F_DIR].a : 0);
     if (v[F_TAG].given)
         s.tag = api_intern_tag(L, entry, v[F_TAG].at);
     return s;
 }
 
-/* Returns whether the laser must not be fired: it is a ship's laser (LASER_SHOOTS), and the ship was hit. */
+/* Returns whether the laser must not be fired: it is a ship's laser (LASER_HITS_ENEMIES), and the ship was hit. */
 static bool is_fire_blocked(const struct board *b, const struct bullet_spec *s)
 {
-    return s->player && b->player.deathbomb_left[s->player - 1] && b->laser_kinds.flags[s->kind] & LASER_SHOOTS;
+    return s->player && b->player.deathbomb_left[s->player - 1] && b->laser_kinds.flags[s->kind] & LASER_HITS_ENEMIES;
 }
 
 static fx get_width(const struct board *b, const struct api_value *v)
@@ -225,51 +225,53 @@ static int push_laser(lua_State *L, const struct board *b, int32_t i)
 enum { FADE_FRAMES = 12 /* frames, for bolts and curves */ };
 
 /* Fires a bolt or a curve. */
-static int fire_flying(lua_State *L, struct board *b, const char *entry, struct api_value *v, struct laser_spec *shape)
+static int fire_flying_laser(lua_State *L, struct board *b, const char *entry, struct api_value *v,
+                             struct laser_spec *shape)
 {
     fx x, y;
 
-    if (!api_read_place(L, b, entry, v + F_PLACE, &x, &y))
+    if (!api_read_position(L, b, entry, v + F_POSITION, &x, &y))
         return push_laser(L, b, NO_SLOT);
     struct bullet_spec s = make_head(L, b, entry, v, x, y);
     s.speed = v[F_SPEED].f;
     s.motion = v[F_MOTION].given ? (uint16_t)v[F_MOTION].i : 0;
-    s.fine = api_motion_is_fine(b, s.motion);
+    s.is_fine = api_motion_is_fine(b, s.motion);
     s.delay = (uint32_t)v[F_DELAY].i;
     api_check_around(L, &b->laser_heads, entry, &v[F_AROUND]);
     s.orbit_target = v[F_AROUND].given ? v[F_AROUND].i : 0;
     shape->width = get_width(b, v);
-    shape->hold = LASER_FOREVER;
-    shape->fade = FADE_FRAMES;
+    shape->hold_frames = LASER_FOREVER;
+    shape->fade_frames = FADE_FRAMES;
     int32_t i = is_fire_blocked(b, &s) ? NO_SLOT : lasers_fire(b, &s, shape);
-    if (i != NO_SLOT && s.fine)
+    if (i != NO_SLOT && s.is_fine)
         bullets_set_speed(&b->laser_heads, (uint32_t)i, api_value_to_q32(true, &v[F_SPEED]));
     return push_laser(L, b, i);
 }
 
 static int fire_bolt(lua_State *L, struct board *b, struct api_value *v)
 {
-    return fire_flying(L, b, "laser.bolt", v, &(struct laser_spec){ .form = LASER_BOLT, .length = v[F_LENGTH].f });
+    return fire_flying_laser(L, b, "laser.bolt", v,
+                             &(struct laser_spec){ .form = LASER_BOLT, .length = v[F_LENGTH].f });
 }
 
 static int fire_curve(lua_State *L, struct board *b, struct api_value *v)
 {
-    return fire_flying(L, b, "laser.curve", v,
-                       &(struct laser_spec){ .form = LASER_CURVE, .points = (uint16_t)v[F_POINTS].i });
+    return fire_flying_laser(L, b, "laser.curve", v,
+                             &(struct laser_spec){ .form = LASER_CURVE, .max_points = (uint16_t)v[F_POINTS].i });
 }
 
 /* Reads the start of a beam. Returns false if the thing `from` or `follow` is dead. */
-static bool read_beam_place(lua_State *L, struct board *b, const struct api_value *v, fx *x, fx *y)
+static bool read_beam_position(lua_State *L, struct board *b, const struct api_value *v, fx *x, fx *y)
 {
-    struct api_value place[PLACE_PARAMS];
+    struct api_value position[POSITION_PARAM_COUNT];
 
-    memcpy(place, v + F_PLACE, sizeof place);
+    memcpy(position, v + F_POSITION, sizeof position);
     if (v[F_FOLLOW].given) {
-        if (place[PLACE_X].given || place[PLACE_Y].given || place[PLACE_FROM].given)
+        if (position[POSITION_X].given || position[POSITION_Y].given || position[POSITION_FROM].given)
             api_error(L, "laser.beam", "`follow` cannot be combined with `x`, `y` or `from`");
-        place[PLACE_FROM] = v[F_FOLLOW];
+        position[POSITION_FROM] = v[F_FOLLOW];
     }
-    return api_read_place(L, b, "laser.beam", place, x, y);
+    return api_read_position(L, b, "laser.beam", position, x, y);
 }
 
 static int fire_beam(lua_State *L, struct board *b, struct api_value *v)
@@ -279,23 +281,23 @@ static int fire_beam(lua_State *L, struct board *b, struct api_value *v)
 
     if (v[F_TURNS].i && !follows)
         api_error(L, "laser.beam", "turns: requires `follow`");
-    if (!read_beam_place(L, b, v, &x, &y) || (follows && !board_is_alive(b, v[F_FOLLOW].i)))
+    if (!read_beam_position(L, b, v, &x, &y) || (follows && !board_is_alive(b, v[F_FOLLOW].i)))
         return push_laser(L, b, NO_SLOT);
     struct bullet_spec s = make_head(L, b, "laser.beam", v, x, y);
     struct laser_spec shape = { .form = LASER_BEAM,
                                 .flags = v[F_TURNS].i ? LASER_TURNS : 0,
                                 .length = v[F_BEAM_LENGTH].f,
                                 .width = get_width(b, v),
-                                .dx = follows ? v[F_PLACE + PLACE_DX].f : 0,
-                                .dy = follows ? v[F_PLACE + PLACE_DY].f : 0,
+                                .dx = follows ? v[F_POSITION + POSITION_DX].f : 0,
+                                .dy = follows ? v[F_POSITION + POSITION_DY].f : 0,
                                 .spin = v[F_SPIN].a,
-                                .warn = (int32_t)v[F_WARN].i,
-                                .grow = (int32_t)v[F_GROW].i,
-                                .hold = v[F_HOLD].i == LUA_MAXINTEGER ? LASER_FOREVER : (int32_t)v[F_HOLD].i,
-                                .fade = (int32_t)v[F_FADE].i,
+                                .warn_frames = (int32_t)v[F_WARN].i,
+                                .grow_frames = (int32_t)v[F_GROW].i,
+                                .hold_frames = v[F_HOLD].i == LUA_MAXINTEGER ? LASER_FOREVER : (int32_t)v[F_HOLD].i,
+                                .fade_frames = (int32_t)v[F_FADE].i,
                                 .follow_target = follows ? v[F_FOLLOW].i : 0 };
-    if (follows && !v[F_BY].given)
-        s.player = player_of(b, &v[F_FOLLOW]);
+    if (follows && !v[F_PLAYER].given)
+        s.player = find_player(b, &v[F_FOLLOW]);
     return push_laser(L, b, is_fire_blocked(b, &s) ? NO_SLOT : lasers_fire(b, &s, &shape));
 }
 
@@ -323,8 +325,8 @@ enum {
     L_STATE,
     L_FORM,
     L_FOLLOW,
-    L_BY,
-    L_PROPS
+    L_PLAYER,
+    LASER_PROP_COUNT
 };
 _Static_assert(L_FROZEN == (int)FLIGHT_FROZEN && L_X == (int)FLIGHT_X,
                "the first properties are those of all flying things");
@@ -339,7 +341,7 @@ _Static_assert(L_FROZEN == (int)FLIGHT_FROZEN && L_X == (int)FLIGHT_X,
           PROP_WRITE, COMPUTED },                                                                                      \
         { PARAM("dir", A_DIR, REQ, 0, 0, NULL, NULL,                                                                   \
                 "direction in which a beam points or a bolt or curve flies, 0 to 360"),                                \
-          PROP_WRITE, STORED(STORED_ANG, laser_heads.dir), .is_set = true },                                           \
+          PROP_WRITE, STORED(STORED_ANG, laser_heads.dir), .has_setter = true },                                       \
         { PARAM("speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "speed of flight; a beam has none"),      \
           PROP_WRITE, COMPUTED },                                                                                      \
         { PARAM("vx", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,                                              \
@@ -357,13 +359,14 @@ _Static_assert(L_FROZEN == (int)FLIGHT_FROZEN && L_X == (int)FLIGHT_X,
         { PARAM("motion", A_MOTION, OPT, 0, 0, NULL, NULL,                                                             \
                 "motion program of a bolt or curve, or nil; a write starts the program from its first step"),          \
           PROP_WRITE, COMPUTED },                                                                                      \
-        { PARAM("around", A_THING, OPT, PLACE_KINDS, 0, NULL, NULL, "thing that it circles in `orbit` steps, or nil"), \
+        { PARAM("around", A_THING, OPT, POSITION_HANDLE_KINDS, 0, NULL, NULL,                                          \
+                "thing that it circles in `orbit` steps, or nil"),                                                     \
           PROP_WRITE, COMPUTED },                                                                                      \
         { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL, "frames since it was fired, not counting frozen frames"),         \
           PROP_READ, COMPUTED },                                                                                       \
         { PARAM("frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL,                                                  \
                 "frames it stays frozen, or forever; 0 unfreezes it"),                                                 \
-          PROP_WRITE, STORED(STORED_COUNT, laser_heads.frozen_left), .is_set = true },                                 \
+          PROP_WRITE, STORED(STORED_COUNT, laser_heads.frozen_left), .has_setter = true },                             \
         { PARAM("length", A_FX, REQ, 0, LASER_MAX_SIZE, "px", NULL, "length; read-only for a curve"), PROP_WRITE,      \
           COMPUTED },                                                                                                  \
         { PARAM("width", A_FX, REQ, 0, LASER_MAX_SIZE, "px", NULL, "full width, once it has grown"), PROP_WRITE,       \
@@ -385,8 +388,8 @@ static const struct api_prop laser_props[] = {
             "\"warn\", \"grow\", \"on\" or \"fade\"; it hits only in \"grow\" and \"on\""),
       PROP_READ, COMPUTED },
     { PARAM("form", A_STR, REQ, 0, 0, NULL, NULL, "\"beam\", \"bolt\" or \"curve\""), PROP_READ, COMPUTED },
-    { PARAM("follow", A_THING, REQ, PLACE_KINDS, 0, NULL, NULL, "thing that a beam follows, or nil"), PROP_READ,
-      COMPUTED },
+    { PARAM("follow", A_THING, REQ, POSITION_HANDLE_KINDS, 0, NULL, NULL, "thing that a beam follows, or nil"),
+      PROP_READ, COMPUTED },
     { PARAM("by", A_THING, REQ, 1 << H_PLAYER, 0, NULL, NULL, "player who owns it, or nil"), PROP_READ, COMPUTED },
 };
 
@@ -395,7 +398,7 @@ static const struct api_prop lasers_props[] = {
     COUNT_PROP("lasers"),
 };
 
-static void push_thing(lua_State *L, int64_t h)
+static void push_handle_or_nil(lua_State *L, int64_t h)
 {
     if (h)
         lua_pushinteger(L, h);
@@ -437,13 +440,13 @@ static void get_laser(lua_State *L, struct board *b, uint32_t i, int p)
         lua_pushstring(L, forms[l->form[i]]);
         break;
     case L_FOLLOW:
-        push_thing(L, l->follow_target[i]);
+        push_handle_or_nil(L, l->follow_target[i]);
         break;
-    case L_BY:
-        push_thing(L, player ? board_handle(b, H_PLAYER, player - 1) : 0);
+    case L_PLAYER:
+        push_handle_or_nil(L, player ? board_handle(b, H_PLAYER, player - 1) : 0);
         break;
     default:
-        api_get_flight(L, b, &b->laser_heads, N_LASER, i, p);
+        api_get_flight_prop(L, b, &b->laser_heads, N_LASER, i, p);
     }
 }
 
@@ -465,29 +468,29 @@ static void set_laser(lua_State *L, struct board *b, uint32_t i, int p, const st
     switch (p) {
     case L_X:
         lasers_move_to(b, i, v->f, h->y[i]);
-        api_set_flight(L, b, h, NULL, i, p, v); /* also sets the fraction bits that an fx lacks */
+        api_set_flight_prop(L, b, h, NULL, i, p, v); /* also sets the fraction bits that an fx lacks */
         return;
     case L_Y:
         lasers_move_to(b, i, h->x[i], v->f);
-        api_set_flight(L, b, h, NULL, i, p, v);
+        api_set_flight_prop(L, b, h, NULL, i, p, v);
         return;
     case L_SPEED:
     case L_VX:
     case L_VY:
     case L_MOTION:
         if (l->form[i] != LASER_BEAM) /* a beam does not fly */
-            api_set_flight(L, b, h, NULL, i, p, v);
+            api_set_flight_prop(L, b, h, NULL, i, p, v);
         break;
     case L_LENGTH:
         set_length(L, b, i, v->f);
         break;
     default:
-        api_set_flight(L, b, h, NULL, i, p, v);
+        api_set_flight_prop(L, b, h, NULL, i, p, v);
     }
     lasers_update_tail(b, i);
 }
 
-const struct api_thing api_laser_thing = { "laser",          laser_props,      L_PROPS,
+const struct api_thing api_laser_thing = { "laser",          laser_props,      LASER_PROP_COUNT,
                                            .get = get_laser, .set = set_laser, POOL(laser_heads) };
 const struct api_thing api_lasers_thing = {
     "lasers", lasers_props, L_STATE + 1, POOL(laser_heads), .member = &api_laser_thing, .write_work = 1
@@ -495,12 +498,12 @@ const struct api_thing api_lasers_thing = {
 
 /* ---- verbs ---- */
 
-enum { ARG_SELF, ARG_BY /* aim: its parameter `add` */, ARG_DX = ARG_BY, ARG_DY };
+enum { ARG_SELF, ARG_ANGLE /* aim: its parameter `add` */, ARG_DX = ARG_ANGLE, ARG_DY };
 
 static void set_direction(struct board *b, uint32_t i, ang dir)
 {
     b->laser_heads.dir[i] = dir;
-    api_override(&b->laser_heads, i, OVERRIDE_DIR);
+    api_override_property(&b->laser_heads, i, OVERRIDE_DIR);
     bullets_update_velocity(&b->laser_heads, i);
     lasers_update_tail(b, i);
 }
@@ -508,14 +511,14 @@ static void set_direction(struct board *b, uint32_t i, ang dir)
 static void aim_one(struct board *b, uint32_t i, const struct api_value *v)
 {
     const struct bullets *h = &b->laser_heads;
-    const bool is_shot = b->laser_kinds.flags[h->kind[i]] & LASER_SHOOTS;
+    const bool is_shot = b->laser_kinds.flags[h->kind[i]] & LASER_HITS_ENEMIES;
 
-    set_direction(b, i, api_aim_direction(b, is_shot, h->x[i], h->y[i]) + v[ARG_BY].a);
+    set_direction(b, i, api_aim_direction(b, is_shot, h->x[i], h->y[i]) + v[ARG_ANGLE].a);
 }
 
 static void turn_one(struct board *b, uint32_t i, const struct api_value *v)
 {
-    set_direction(b, i, b->laser_heads.dir[i] + v[ARG_BY].a);
+    set_direction(b, i, b->laser_heads.dir[i] + v[ARG_ANGLE].a);
 }
 
 static void shift_one(struct board *b, uint32_t i, const struct api_value *v)
@@ -593,31 +596,31 @@ static int laser_each(lua_State *L, struct board *b, struct api_value *v)
 
 /* ---- entries ---- */
 
-#define BEAM                                                                                                           \
+#define BEAM_ENTRY                                                                                                     \
     {                                                                                                                  \
         "laser.beam", fire_beam, PARAMS(beam_params), 0, API_CHANGES, "laser",                                         \
             HELP("fires a straight laser from a position or a thing; it warns, grows, holds and fades")                \
     }
-#define BOLT                                                                                                           \
+#define BOLT_ENTRY                                                                                                     \
     {                                                                                                                  \
         "laser.bolt", fire_bolt, PARAMS(bolt_params), 0, API_CHANGES, "laser",                                         \
             HELP("fires a straight laser of a fixed length that flies like a bullet")                                  \
     }
-#define CURVE                                                                                                          \
+#define CURVE_ENTRY                                                                                                    \
     {                                                                                                                  \
         "laser.curve", fire_curve, PARAMS(curve_params), 0, API_CHANGES, "laser",                                      \
             HELP("fires a laser whose head flies like a bullet and whose body follows its path")                       \
     }
-const struct api_entry api_beam_entry = BEAM, api_bolt_entry = BOLT, api_curve_entry = CURVE;
+const struct api_entry api_beam_entry = BEAM_ENTRY, api_bolt_entry = BOLT_ENTRY, api_curve_entry = CURVE_ENTRY;
 
 static const struct api_entry entries[] = {
-    { "laser.def", define_kind, PARAMS(laser_def_params), 1, API_CHANGES | API_LOAD, NULL,
+    { "laser.def", laser_define, PARAMS(laser_def_params), 1, API_CHANGES | API_LOAD_ONLY, NULL,
       HELP("declares a kind of laser: its sprites, its width and its rules; needs `board = { lasers = n }`") },
-    BEAM,
-    BOLT,
-    CURVE,
+    BEAM_ENTRY,
+    BOLT_ENTRY,
+    CURVE_ENTRY,
     API_GROUPS("laser", laser_group, laser_each),
-    { "laser.clear", api_laser_clear, api_laser_clear_params, LASER_CLEAR_PARAMS, 0, API_CHANGES, "count",
+    { "laser.clear", api_laser_clear, api_laser_clear_params, LASER_CLEAR_PARAM_COUNT, 0, API_CHANGES, "count",
       HELP(
           "removes all enemy lasers, or only those that touch a circle, a box or a line; returns the number removed") },
     { "laser:aim", laser_aim, PARAMS(aim_params), 2, API_CHANGES | API_METHOD, NULL,
@@ -627,7 +630,7 @@ static const struct api_entry entries[] = {
       HELP("teleports the entire laser by a distance, without collisions on the way") },
     { "laser:fade", laser_fade, PARAMS(self_params), 1, API_CHANGES | API_METHOD, NULL,
       HELP("fades it out; it stops hitting immediately") },
-    { "laser:clear", api_laser_clear_self, api_laser_clear_self_params, LASER_CLEAR_SELF_PARAMS, 1,
+    { "laser:clear", api_laser_clear_self, api_laser_clear_self_params, LASER_CLEAR_SELF_PARAM_COUNT, 1,
       API_CHANGES | API_METHOD, NULL, HELP("removes it and leaves sparks or items along it") },
     { "laser:remove", laser_remove, PARAMS(self_params), 1, API_CHANGES | API_METHOD, NULL,
       HELP("removes it and leaves nothing") },
@@ -639,7 +642,7 @@ static const struct api_entry entries[] = {
       HELP("teleports each laser by a distance, without collisions on the way") },
     { "lasers:fade", laser_fade, PARAMS(self_params), 1, API_CHANGES | API_METHOD, NULL,
       HELP("fades each laser out; it stops hitting immediately") },
-    { "lasers:clear", api_laser_clear_group, api_laser_clear_group_params, LASER_CLEAR_GROUP_PARAMS, 1,
+    { "lasers:clear", api_laser_clear_group, api_laser_clear_group_params, LASER_CLEAR_GROUP_PARAM_COUNT, 1,
       API_CHANGES | API_METHOD, "count",
       HELP("removes all lasers of the group, or only those that touch a circle, a box or a line; returns the number "
            "removed") },

@@ -7,8 +7,8 @@
 #include "../lua/lualib.h"
 
 enum {
-    L_PLACE,
-    L_TEXT = L_PLACE + PLACE_PARAMS,
+    L_POSITION,
+    L_TEXT = L_POSITION + POSITION_PARAM_COUNT,
     L_FOLLOW,
     L_FONT,
     L_WIDTH,
@@ -22,10 +22,10 @@ enum {
 };
 
 static const struct api_param line_params[] = {
-    PLACE,
+    POSITION_PARAMS,
     PARAM("text", A_ANY, REQ, 0, 0, NULL, NULL,
           "string or number to write, up to 240 characters; \\n starts a new row"),
-    PARAM("follow", A_THING, OPT, PLACE_KINDS, 0, NULL, NULL,
+    PARAM("follow", A_THING, OPT, POSITION_HANDLE_KINDS, 0, NULL, NULL,
           "thing to follow, at a distance of `dx` and `dy`; the line is removed when the thing is; not with `x`, `y` "
           "or `from`"),
     PARAM("font", A_FONT, OPT, 0, 0, NULL, NULL, "font from rom.lua; defaults to the font of the cells"),
@@ -66,11 +66,11 @@ static void fill_line(struct lines *l, uint32_t i, const struct api_value *v, fx
 
     l->x[i] = follows ? 0 : x;
     l->y[i] = follows ? 0 : y;
-    l->dx[i] = follows ? v[L_PLACE + 3].f : 0;
-    l->dy[i] = follows ? v[L_PLACE + 4].f : 0;
+    l->dx[i] = follows ? v[L_POSITION + 3].f : 0;
+    l->dy[i] = follows ? v[L_POSITION + 4].f : 0;
     l->follow_target[i] = follows ? v[L_FOLLOW].i : 0;
     l->font[i] = (uint8_t)v[L_FONT].i;
-    l->width[i] = (uint16_t)(v[L_WIDTH].given ? v[L_WIDTH].i : 0);
+    l->wrap_width[i] = (uint16_t)(v[L_WIDTH].given ? v[L_WIDTH].i : 0);
     l->align[i] = (uint8_t)v[L_ALIGN].i;
     l->bank[i] = (uint8_t)v[L_BANK].i;
     l->letter_frames[i] = (uint16_t)v[L_LETTER].i;
@@ -79,12 +79,12 @@ static void fill_line(struct lines *l, uint32_t i, const struct api_value *v, fx
 }
 
 /* Reads the position of a line. Returns false if the thing `from` or `follow` is dead. */
-static bool read_place(lua_State *L, struct board *b, struct api_value *v, fx *x, fx *y)
+static bool read_line_position(lua_State *L, struct board *b, struct api_value *v, fx *x, fx *y)
 {
     *x = *y = 0;
     if (!v[L_FOLLOW].given)
-        return api_read_place(L, b, "text.line", v + L_PLACE, x, y);
-    if (v[L_PLACE].given || v[L_PLACE + 1].given || v[L_PLACE + 2].given)
+        return api_read_position(L, b, "text.line", v + L_POSITION, x, y);
+    if (v[L_POSITION].given || v[L_POSITION + 1].given || v[L_POSITION + 2].given)
         api_error(L, "text.line", "`follow` cannot be combined with `x`, `y` or `from`");
     if (v[L_SCREEN].i)
         api_error(L, "text.line", "`screen` cannot be combined with `follow`");
@@ -98,7 +98,7 @@ static int text_line(lua_State *L, struct board *b, struct api_value *v)
     const char *s = check_text(L, "text.line", v[L_TEXT].at, &n);
     int64_t owner;
     fx x, y;
-    bool can_create = read_place(L, b, v, &x, &y) && tasks_get_owner_of_new(b, v[L_STAY].i, &owner);
+    bool can_create = read_line_position(L, b, v, &x, &y) && tasks_get_spawn_owner(b, v[L_STAY].i, &owner);
     int32_t i = can_create ? slots_take(&l->s) : NO_SLOT;
 
     if (i == NO_SLOT && can_create)

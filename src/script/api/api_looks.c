@@ -33,7 +33,7 @@ static bool is_fixed_name(const struct api_pictures *p, int n_fixed, const char 
 }
 
 void api_pictures_read(lua_State *L, const char *entry, const struct api_value *table, uint16_t default_sprite,
-                       const char *const *first_names, int max, struct api_pictures *p)
+                       const char *const *fixed_names, int max, struct api_pictures *p)
 {
     const char *names[MAX_PICTURES];
     int n_fixed = 0;
@@ -41,9 +41,9 @@ void api_pictures_read(lua_State *L, const char *entry, const struct api_value *
     p->n = 0;
     if (!table->given)
         return;
-    for (; first_names[n_fixed]; n_fixed++) {
-        lua_getfield(L, table->at, first_names[n_fixed]);
-        add_picture(L, entry, p, first_names[n_fixed], lua_gettop(L), default_sprite);
+    for (; fixed_names[n_fixed]; n_fixed++) {
+        lua_getfield(L, table->at, fixed_names[n_fixed]);
+        add_picture(L, entry, p, fixed_names[n_fixed], lua_gettop(L), default_sprite);
         lua_pop(L, 1);
     }
     const int n = api_read_sorted_keys(L, entry, "pictures", "{ NAME = sprite }, such as { hurt = \"moth_hurt\" }",
@@ -93,7 +93,7 @@ void api_pictures_store_names(lua_State *L, enum name_kind names, int32_t kind, 
 }
 
 /* Pushes the table of a kind's picture names; returns false if the kind has none. */
-static bool push_names(lua_State *L, enum name_kind names, int32_t kind)
+static bool push_picture_names(lua_State *L, enum name_kind names, int32_t kind)
 {
     return lua_rawgetp(L, LUA_REGISTRYINDEX, &names_key[names]) == LUA_TTABLE && lua_rawgeti(L, -1, kind) == LUA_TTABLE;
 }
@@ -101,10 +101,10 @@ static bool push_names(lua_State *L, enum name_kind names, int32_t kind)
 static int raise_unknown_picture(lua_State *L, const char *thing, const char *name)
 {
     const char *found = NULL;
-    int best = EDIT_FAR, list = lua_gettop(L);
+    int best = EDIT_TOO_FAR, list = lua_gettop(L);
 
     for (int n = 1; lua_rawgeti(L, list, n) == LUA_TSTRING; n++)
-        api_suggest_nearer(name, lua_tostring(L, -1), &best, &found);
+        api_consider_suggestion(name, lua_tostring(L, -1), &best, &found);
     if (found)
         return api_error(L, thing, "its kind has no picture \"%s\" (did you mean \"%s\"?)", name, found);
     return api_error(L, thing, "its kind has no picture \"%s\"", name);
@@ -118,7 +118,7 @@ unsigned api_picture_find(lua_State *L, enum name_kind names, int32_t kind, cons
 
     if (!name->given)
         return 0;
-    if (!push_names(L, names, kind))
+    if (!push_picture_names(L, names, kind))
         api_error(L, thing, "its kind has no pictures (add `pictures` to its %s.def)", thing);
     lua_getfield(L, -1, lua_tostring(L, name->at));
     if (lua_isinteger(L, -1))
@@ -135,7 +135,7 @@ void api_picture_push(lua_State *L, enum name_kind names, int32_t kind, unsigned
 {
     int top = lua_gettop(L);
 
-    if (n && push_names(L, names, kind))
+    if (n && push_picture_names(L, names, kind))
         lua_rawgeti(L, -1, n);
     else
         lua_pushnil(L);

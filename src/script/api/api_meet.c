@@ -6,7 +6,7 @@
 
 enum { ARG_FIRST, ARG_SECOND, ARG_CLEAR, ARG_SPARK, ARG_ALL, ARG_ON_MEET };
 
-const struct api_param api_meet_params[MEET_PARAMS] = {
+const struct api_param api_bullet_meet_params[MEET_PARAM_COUNT] = {
     PARAM("first", A_STR, REQ, 0, 0, NULL, NULL, "tag of the first bullet of a pair"),
     PARAM("second", A_STR, REQ, 0, 0, NULL, NULL, "tag of the second bullet of a pair"),
     PARAM("clear", A_MEET, OPT, 0, 0, NULL, "none", "which of the two bullets to remove"),
@@ -30,15 +30,15 @@ static void check_meet(lua_State *L, const struct bullets *s, const struct api_v
         api_error(L, entry, "expected `clear` or `on_meet` (without either, a meeting has no effect)");
     for (int p = ARG_SPARK; p <= ARG_ALL; p++)
         if (v[p].given && !v[ARG_CLEAR].i)
-            api_error(L, entry, "%s: requires `clear`", api_meet_params[p].name);
-    if (s->n_meets == MAX_MEETS)
-        api_error(L, entry, "too many pairs of tags (at most %d)", MAX_MEETS);
+            api_error(L, entry, "%s: requires `clear`", api_bullet_meet_params[p].name);
+    if (s->n_meet_pairs == MAX_MEET_PAIRS)
+        api_error(L, entry, "too many pairs of tags (at most %d)", MAX_MEET_PAIRS);
 }
 
-int api_meet(lua_State *L, struct board *b, struct api_value *v)
+int api_bullet_meet(lua_State *L, struct board *b, struct api_value *v)
 {
     struct bullets *s = &b->bullets;
-    uint32_t n = s->n_meets;
+    uint32_t n = s->n_meet_pairs;
 
     check_meet(L, s, v);
     uint16_t first = api_intern_tag(L, "bullet.meet", v[ARG_FIRST].at),
@@ -51,7 +51,7 @@ int api_meet(lua_State *L, struct board *b, struct api_value *v)
     s->meet_second[n] = second;
     s->meet_spark[n] = v[ARG_SPARK].given ? (uint16_t)(v[ARG_SPARK].i + 1) : 0;
     s->meet_flags[n] = (uint8_t)(v[ARG_CLEAR].i | (v[ARG_ALL].i ? MEET_ALL : 0));
-    s->n_meets = n + 1;
+    s->n_meet_pairs = n + 1;
     if (v[ARG_ON_MEET].given) {
         lua_pushvalue(L, v[ARG_ON_MEET].at);
         events_set_property(L, (uint16_t)n, "on_meet");

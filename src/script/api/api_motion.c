@@ -37,10 +37,10 @@ enum {
     M_PATH,
     M_MIRROR,
     M_WAIT_FOR,
-    M_KEYS
+    M_KEY_COUNT
 };
 
-static const struct api_param step_keys[M_KEYS] = {
+static const struct api_param step_keys[M_KEY_COUNT] = {
     PARAM("wait", A_COUNT, OPT, 0, 1e9, "frames", NULL, "frames to fly unchanged before the next step"),
     PARAM("kind", A_BULLET_KIND, OPT, 0, 0, NULL, NULL, "kind of bullet to turn into"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL, "number added to the palette bank of its sprite from now on"),
@@ -87,9 +87,9 @@ enum { MAX_STEPS = 1024, MAX_ROUNDS = 4096 };
 struct program_reader {
     struct motion_step steps[MAX_STEPS];
     uint32_t n;
-    int open_bounces; /* number of bounces still open */
-    bool fine;
-    uint32_t instant_rows;      /* number of rows up to the last step that takes time, but may end at once */
+    int open_bounce_count; /* number of `bounce` steps whose end has not been read yet */
+    bool is_fine;
+    uint32_t instant_step_end;  /* number of rows up to the last step that takes time, but may end at once */
     const char *instant_reason; /* that step and the condition: "`orbit` takes no time once its thing has despawned";
                                  * NULL: none */
 };
@@ -104,17 +104,17 @@ static struct motion_step *add_step(lua_State *L, struct program_reader *r)
     return &r->steps[r->n++];
 }
 
-static void step_error(lua_State *L, int step, const char *message)
+static void raise_step_error(lua_State *L, int step, const char *message)
 {
     api_error(L, def_entry, "step %d: %s", step, message);
 }
 
-static const struct api_fields step_fields = { step_keys, M_KEYS, NAME_LISTS };
+static const struct api_fields step_fields = { step_keys, M_KEY_COUNT, NAME_LISTS };
 
-static bool knows_step_key(lua_State *L, const char *key, const void *context)
+static bool is_known_step_key(lua_State *L, const char *key, const void *context)
 {
     vm_charge(L, 1);
-    return lua_type(L, -1) == LUA_TNUMBER || api_knows_field(L, key, context);
+    return lua_type(L, -1) == LUA_TNUMBER || api_is_known_field(L, key, context);
 }
 
 /* Raises the error for the unknown key of a step on top of the stack. */
@@ -129,7 +129,7 @@ static void raise_unknown_key(lua_State *L, int step, const char *entry)
 }
 
 /* Returns which number of a step key k sets, if the name of a declared value may replace the number; otherwise
- * STEP_NUMBERS. */
+ * STEP_NUMBER_COUNT. */
 static enum step_number find_step_number(int k)
 {
     switch (k) {
@@ -162,7 +162,7 @@ static enum step_number find_step_number(int k)
     case M_PHASE:
         return NUMBER_DIR;
     default:
-        return STEP_NUMBERS;
+        return STEP_NUMBER_COUNT;
     }
 }
 
@@ -171,14 +171,14 @@ uint64_t api_find_step_value(lua_State *L, int step, const char *key, int at)
     const struct board *b = vm_board(L);
     const char *name = lua_tostring(L, at), *found = NULL;
     int bullet_value = api_names_find(L, N_BULLET_VALUE, name), shot_value = api_names_find(L, N_SHOT_VALUE, name);
-    int best = EDIT_FAR;
+    int best = EDIT_TOO_FAR;
 
     if (bullet_value != NO_SLOT || shot_value != NO_SLOT)
         return (uint64_t)(bullet_value + 1) + (uint64_t)(shot_value + 1) * NAMED_SHOT_STRIDE;
     for (int k = 0; k < api_value_count(b, N_BULLET_VALUE); k++)
-        api_suggest_nearer(name, board_name(b, N_BULLET_VALUE, k), &best, &found);
+        api_consider_suggestion(name, board_name(b, N_BULLET_VALUE, k), &best, &found);
     for (int k = 0; k < api_value_count(b, N_SHOT_VALUE); k++)
-        api_suggest_nearer(name, board_name(b, N_SHOT_VALUE, k), &best, &found);
+        api_consider_suggestion(name, board_name(b, N_SHOT_VALUE, k), &best, &found);
     if (found)
         api_error(L, def_entry, "step %d: %s: unknown value \"%s\" (did you mean \"%s\"?)", step, key, name, found);
     api_error(L, def_entry, "step %d: %s: expected a number or the name of a value (value.def), got \"%s\"", step, key,
@@ -186,22 +186,22 @@ uint64_t api_find_step_value(lua_State *L, int step, const char *key, int at)
     return 0;
 }
 
-/* Reads the keys of the step table at `at` into v, but not the nested steps of a loop. Returns the NAMED_BITS of all
- * declared values used in place of numbers. */
-static uint64_t read_keys(lua_State *L, int at, int step, struct api_value v[M_KEYS])
+/* Reads the keys of the step table at `at` into v, but not the nested steps of a loop. Returns the NAMED_VALUE_BITS of
+ * all declared values used in place of numbers. */
+static uint64_t read_keys(lua_State *L, int at, int step, struct api_value v[M_KEY_COUNT])
 {
     uint64_t named_bits = 0;
     char entry[40];
 
-    luaL_checkstack(L, M_KEYS + 8, NULL);
+    luaL_checkstack(L, M_KEY_COUNT + 8, NULL);
     snprintf(entry, sizeof entry, "%s: step %d", def_entry, step);
-    if (luakeys_push_unknown(L, at, knows_step_key, &step_fields))
+    if (luakeys_push_unknown(L, at, is_known_step_key, &step_fields))
         raise_unknown_key(L, step, entry);
-    for (int k = 0; k < M_KEYS; k++) {
+    for (int k = 0; k < M_KEY_COUNT; k++) {
         enum step_number number = find_step_number(k);
         v[k] = (struct api_value){ 0 };
-        if (lua_getfield(L, at, step_keys[k].name) == LUA_TSTRING && number != STEP_NUMBERS) {
-            named_bits |= api_find_step_value(L, step, step_keys[k].name, lua_gettop(L)) << number * NAMED_BITS;
+        if (lua_getfield(L, at, step_keys[k].name) == LUA_TSTRING && number != STEP_NUMBER_COUNT) {
+            named_bits |= api_find_step_value(L, step, step_keys[k].name, lua_gettop(L)) << number * NAMED_VALUE_BITS;
             v[k] = (struct api_value){ .given = true, .i = number == NUMBER_DURATION || number == NUMBER_COUNT };
         } else
             api_check(L, entry, &step_keys[k], lua_gettop(L), &v[k]);
@@ -219,26 +219,26 @@ static const struct {
     { M_WAVE, 1u << M_OVER | 1u << M_EVERY | 1u << M_PHASE, 1u << M_OVER | 1u << M_EVERY },
     { M_ORBIT, 1u << M_OVER | 1u << M_SPIN | 1u << M_RADIUS_TO | 1u << M_AT, 1u << M_OVER },
 };
-enum { LEAD_RULES = sizeof lead_rules / sizeof *lead_rules };
+enum { LEAD_RULE_COUNT = sizeof lead_rules / sizeof *lead_rules };
 
-static void check_go_to(lua_State *L, const struct api_value v[M_KEYS], int step)
+static void check_go_to(lua_State *L, const struct api_value v[M_KEY_COUNT], int step)
 {
     if (v[M_OVER].given == v[M_SPEED].given)
-        step_error(L, step, "`go_to` requires either `over` (frames) or `speed`");
+        raise_step_error(L, step, "`go_to` requires either `over` (frames) or `speed`");
     if (v[M_SPEED].given && v[M_EASE].given)
-        step_error(L, step, "go_to: `ease` requires `over` (with `speed`, the motion is linear)");
+        raise_step_error(L, step, "go_to: `ease` requires `over` (with `speed`, the motion is linear)");
     if (v[M_SPEED].given && v[M_SPEED].at && v[M_SPEED].f <= 0)
-        step_error(L, step, "go_to: speed: expected a number above 0");
+        raise_step_error(L, step, "go_to: speed: expected a number above 0");
     if (v[M_OVER].i == LUA_MAXINTEGER)
-        step_error(L, step, "`go_to` with `over = forever` never arrives");
+        raise_step_error(L, step, "`go_to` with `over = forever` never arrives");
 }
 
 /* Raises an error if a leading key is combined with anything but its settings, or a setting lacks its leading key. */
-static void check_lead(lua_State *L, const struct api_value v[M_KEYS], int step, bool fine)
+static void check_lead(lua_State *L, const struct api_value v[M_KEY_COUNT], int step, bool fine)
 {
     int found = -1;
 
-    for (int i = 0; i < LEAD_RULES; i++)
+    for (int i = 0; i < LEAD_RULE_COUNT; i++)
         if (v[lead_rules[i].key].given) {
             if (found >= 0)
                 api_error(L, def_entry, "step %d: `%s` and `%s` cannot be combined", step,
@@ -248,10 +248,10 @@ static void check_lead(lua_State *L, const struct api_value v[M_KEYS], int step,
     const uint32_t lead_settings =
         1u << M_EASE | 1u << M_SPIN | 1u << M_AT | 1u << M_EVERY | 1u << M_PHASE | 1u << M_RADIUS_TO;
     if (v[M_WALLS].given)
-        step_error(L, step, "`walls` requires `bounce`");
+        raise_step_error(L, step, "`walls` requires `bounce`");
     if (v[M_MIRROR].given)
-        step_error(L, step, "`mirror` requires `path`");
-    for (int k = 0; k < M_KEYS; k++) {
+        raise_step_error(L, step, "`mirror` requires `path`");
+    for (int k = 0; k < M_KEY_COUNT; k++) {
         if (found < 0 && v[k].given && lead_settings >> k & 1)
             api_error(L, def_entry, "step %d: `%s` requires `go_to`, `polar`, `wave` or `orbit`", step,
                       step_keys[k].name);
@@ -269,13 +269,13 @@ static void check_lead(lua_State *L, const struct api_value v[M_KEYS], int step,
     if (v[M_GO_TO].given)
         check_go_to(L, v, step);
     if (v[M_RADIUS_TO].given && v[M_OVER].i == LUA_MAXINTEGER)
-        step_error(L, step, "`radius_to` with `over = forever` never arrives");
+        raise_step_error(L, step, "`radius_to` with `over = forever` never arrives");
     if (v[M_ORBIT].given && !v[M_AT].given && !vm_board(L)->bullets.orbit_target && !vm_board(L)->shots.orbit_target)
-        step_error(L, step,
-                   "`orbit` requires `at = { x, y }`; to orbit a thing, add `around = true` to `board` in rom.lua");
+        raise_step_error(
+            L, step, "`orbit` requires `at = { x, y }`; to orbit a thing, add `around = true` to `board` in rom.lua");
 }
 
-/* Reads a coordinate: stores a number in *out, or returns the NAMED_BITS of a declared value. */
+/* Reads a coordinate: stores a number in *out, or returns the NAMED_VALUE_BITS of a declared value. */
 static uint64_t read_coordinate(lua_State *L, int step, const char *key, int at, enum step_number number, fx *out)
 {
     struct api_param p = { key, A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, NULL };
@@ -283,14 +283,14 @@ static uint64_t read_coordinate(lua_State *L, int step, const char *key, int at,
     char entry[40];
 
     if (lua_type(L, at) == LUA_TSTRING)
-        return api_find_step_value(L, step, key, at) << number * NAMED_BITS;
+        return api_find_step_value(L, step, key, at) << number * NAMED_VALUE_BITS;
     snprintf(entry, sizeof entry, "%s: step %d", def_entry, step);
     api_check(L, entry, &p, at, &v);
     *out = v.f;
     return 0;
 }
 
-/* Reads the { x, y } of `go_to` or `at`; returns the NAMED_BITS of the declared values used. */
+/* Reads the { x, y } of `go_to` or `at`; returns the NAMED_VALUE_BITS of the declared values used. */
 static uint64_t read_point(lua_State *L, int step, const struct api_value *v, const char *key, struct motion_step *s)
 {
     int n_keys = 0, top = lua_gettop(L);
@@ -309,14 +309,16 @@ static uint64_t read_point(lua_State *L, int step, const struct api_value *v, co
     return named_bits;
 }
 
-/* Sets the fields of a leading step; returns the NAMED_BITS of the declared values used. */
-static uint64_t fill_lead(lua_State *L, struct motion_step *s, const struct api_value v[M_KEYS], int step, bool fine)
+/* Sets the fields of a leading step; returns the NAMED_VALUE_BITS of the declared values used. */
+static uint64_t fill_lead(lua_State *L, struct motion_step *s, const struct api_value v[M_KEY_COUNT], int step,
+                          bool fine)
 {
     s->size = v[M_WAVE].given ? v[M_WAVE].f : v[M_ORBIT].f;
     s->size_to = v[M_RADIUS_TO].f;
     s->count = (uint16_t)v[M_EVERY].i;
-    s->mode = (uint8_t)(v[M_EASE].i | (v[M_AT].given ? MODE_AT : 0) | (v[M_RADIUS_TO].given ? MODE_TO : 0) |
-                        (v[M_GO_TO].given && v[M_SPEED].given ? MODE_SPEED : 0));
+    s->mode =
+        (uint8_t)(v[M_EASE].i | (v[M_AT].given ? MODE_HAS_CENTRE : 0) | (v[M_RADIUS_TO].given ? MODE_HAS_SIZE_TO : 0) |
+                  (v[M_GO_TO].given && v[M_SPEED].given ? MODE_SPEED : 0));
     if (v[M_SPIN].given)
         s->turn = (int32_t)v[M_SPIN].a;
     if (v[M_PHASE].given)
@@ -334,29 +336,29 @@ static uint32_t get_frames(const struct api_value *v)
     return v->i > 1000000000 ? UINT32_MAX : (uint32_t)v->i;
 }
 
-static void fill_step(lua_State *L, struct motion_step *s, const struct api_value v[M_KEYS], uint64_t named_bits,
+static void fill_step(lua_State *L, struct motion_step *s, const struct api_value v[M_KEY_COUNT], uint64_t named_bits,
                       int step, bool fine)
 {
-    static const uint32_t key_flags[M_KEYS] = { DOES_WAIT,  DOES_KIND,  DOES_BANK,  DOES_DIR,  DOES_AIM, DOES_TURN,
-                                                DOES_HOME,  DOES_SPEED, DOES_ACCEL, DOES_DIE,  0,        0,
-                                                DOES_GO_TO, DOES_POLAR, DOES_WAVE,  DOES_ORBIT };
+    static const uint32_t key_flags[M_KEY_COUNT] = { DOES_WAIT,  DOES_KIND,  DOES_BANK,  DOES_DIR,  DOES_AIM, DOES_TURN,
+                                                     DOES_HOME,  DOES_SPEED, DOES_ACCEL, DOES_DIE,  0,        0,
+                                                     DOES_GO_TO, DOES_POLAR, DOES_WAVE,  DOES_ORBIT };
 
-    for (int k = 0; k < M_KEYS; k++)
+    for (int k = 0; k < M_KEY_COUNT; k++)
         if (v[k].given && !(step_keys[k].type == A_BOOL && !v[k].i))
             s->actions |= key_flags[k];
     check_lead(L, v, step, fine);
     if (!s->actions)
-        step_error(L, step, "does nothing");
+        raise_step_error(L, step, "does nothing");
     if (s->actions & DOES_WAIT && (s->actions != DOES_WAIT || v[M_OVER].given))
-        step_error(L, step, "`wait` cannot be combined with anything else");
+        raise_step_error(L, step, "`wait` cannot be combined with anything else");
     if (s->actions & DOES_DIR && v[M_OVER].given)
-        step_error(L, step, "`dir` takes effect immediately; with `over`, use `turn`, `aim` or `home`");
+        raise_step_error(L, step, "`dir` takes effect immediately; with `over`, use `turn`, `aim` or `home`");
     if (s->actions & DOES_SPEED && !v[M_GO_TO].given && v[M_OVER].i == LUA_MAXINTEGER)
-        step_error(L, step, "`speed` with `over = forever` never arrives");
+        raise_step_error(L, step, "`speed` with `over = forever` never arrives");
     if (s->actions & DOES_DIE && v[M_OVER].given)
-        step_error(L, step, "`die` takes effect immediately; put a `wait` before it");
+        raise_step_error(L, step, "`die` takes effect immediately; put a `wait` before it");
     if (s->actions & DOES_HOME && !v[M_OVER].given)
-        step_error(L, step, "`home` requires `over` (frames)");
+        raise_step_error(L, step, "`home` requires `over` (frames)");
     s->duration = get_frames(&v[s->actions & DOES_WAIT ? M_WAIT : M_OVER]);
     s->kind = (uint16_t)v[M_KIND].i;
     s->bank = (uint8_t)v[M_BANK].i;
@@ -366,27 +368,27 @@ static void fill_step(lua_State *L, struct motion_step *s, const struct api_valu
     s->speed = api_value_to_q32(fine, &v[M_SPEED]);
     s->accel = api_value_to_q32(fine, &v[M_ACCEL]);
     named_bits |= fill_lead(L, s, v, step, fine);
-    s->named = named_bits;
-    s->actions |= named_bits ? DOES_NAMED : 0;
+    s->named_values = named_bits;
+    s->actions |= named_bits ? DOES_USE_VALUES : 0;
 }
 
 /* Raises the error for a loop, with first row `loop_row`, that could run without taking a frame. */
 static void raise_untimed_loop(lua_State *L, const struct program_reader *r, uint32_t loop_row, const char *message,
                                int step)
 {
-    if (r->instant_reason && r->instant_rows > loop_row)
+    if (r->instant_reason && r->instant_step_end > loop_row)
         api_error(L, def_entry, "step %d: %s (%s: add { wait = 1 })", step, message, r->instant_reason);
-    step_error(L, step, message);
+    raise_step_error(L, step, message);
 }
 
 /* Raises an error if a loop that takes no time does not end, or runs too many steps. Returns how many steps the loop
  * runs in one frame. */
-static uint64_t check_loop_work(lua_State *L, const struct program_reader *r, uint32_t loop_row, bool timed,
+static uint64_t check_loop_work(lua_State *L, const struct program_reader *r, uint32_t loop_row, bool is_timed,
                                 uint64_t inner_steps, int64_t count, int step)
 {
-    uint64_t rounds = timed ? 1 : (uint64_t)count;
+    uint64_t rounds = is_timed ? 1 : (uint64_t)count;
 
-    if (!timed && count == LUA_MAXINTEGER)
+    if (!is_timed && count == LUA_MAXINTEGER)
         raise_untimed_loop(L, r, loop_row, "infinite loop: with `loop = forever`, at least one step must take time",
                            step);
     if (rounds > MAX_ROUNDS || inner_steps * rounds > MAX_ROUNDS)
@@ -396,9 +398,9 @@ static uint64_t check_loop_work(lua_State *L, const struct program_reader *r, ui
 }
 
 /* Records that the last step read may end at once, under the condition `reason`; returns false. */
-static bool record_instant(struct program_reader *r, const char *reason)
+static bool record_instant_step(struct program_reader *r, const char *reason)
 {
-    r->instant_rows = r->n;
+    r->instant_step_end = r->n;
     r->instant_reason = reason;
     return false;
 }
@@ -406,51 +408,51 @@ static bool record_instant(struct program_reader *r, const char *reason)
 /* Returns whether the last step read takes time. */
 static bool takes_time(struct program_reader *r, const struct motion_step *s)
 {
-    if (s->actions & DOES_ORBIT && !(s->mode & MODE_AT))
-        return record_instant(r, "`orbit` takes no time once its thing has despawned");
+    if (s->actions & DOES_ORBIT && !(s->mode & MODE_HAS_CENTRE))
+        return record_instant_step(r, "`orbit` takes no time once its thing has despawned");
     return s->duration > 0 || s->mode & MODE_SPEED;
 }
 
 /* Raises an error if the key `key` is combined with a key that is not in the mask `allowed`. */
-static void check_key_alone(lua_State *L, const struct api_value v[M_KEYS], int step, int key, uint32_t allowed)
+static void check_key_alone(lua_State *L, const struct api_value v[M_KEY_COUNT], int step, int key, uint32_t allowed)
 {
-    for (int k = 0; k < M_KEYS; k++)
+    for (int k = 0; k < M_KEY_COUNT; k++)
         if (v[k].given && k != key && !(allowed >> k & 1))
             api_error(L, def_entry, "step %d: `%s` cannot be combined with `%s`", step, step_keys[k].name,
                       step_keys[key].name);
 }
 
 /* Adds the legs of a route; the first one sets kind and bank. */
-static void read_path(lua_State *L, struct program_reader *r, const struct api_value v[M_KEYS], int step)
+static void read_path(lua_State *L, struct program_reader *r, const struct api_value v[M_KEY_COUNT], int step)
 {
     const uint32_t first_row = r->n;
     struct motion_step leg = { .kind = (uint16_t)v[M_KIND].i, .bank = (uint8_t)v[M_BANK].i };
-    struct api_route_reader route = { .route = v[M_PATH].at, .mirrored = v[M_MIRROR].i };
+    struct api_route_reader route = { .route_at = v[M_PATH].at, .is_mirrored = v[M_MIRROR].i };
 
     check_key_alone(L, v, step, M_PATH, 1u << M_MIRROR | 1u << M_KIND | 1u << M_BANK);
-    if (r->fine)
-        step_error(L, step, "`path` cannot be used in a fine motion (this step is always exact)");
+    if (r->is_fine)
+        raise_step_error(L, step, "`path` cannot be used in a fine motion (this step is always exact)");
     leg.actions = (v[M_KIND].given ? DOES_KIND : 0u) | (v[M_BANK].given ? DOES_BANK : 0u);
     while (api_read_step_leg(L, step, &route, &leg)) {
         *add_step(L, r) = leg;
         leg = (struct motion_step){ 0 };
     }
     if (r->n == first_row)
-        step_error(L, step, "path: the route has no length; add a second point");
+        raise_step_error(L, step, "path: the route has no length; add a second point");
 }
 
 /* Reads a step without nested steps; returns whether it takes time. */
-static bool read_step(lua_State *L, struct program_reader *r, const struct api_value v[M_KEYS], uint64_t named_bits,
-                      int step)
+static bool read_step(lua_State *L, struct program_reader *r, const struct api_value v[M_KEY_COUNT],
+                      uint64_t named_bits, int step)
 {
-    struct motion_step *s, rows[EMIT_ROWS];
+    struct motion_step *s, rows[EMIT_STEPS];
     struct motion_emit e;
 
     if (v[M_EMIT].given) {
         check_key_alone(L, v, step, M_EMIT, 0);
         api_read_emit_step(L, step, v[M_EMIT].at, &e);
         motion_pack_emit(&e, rows);
-        for (int k = 0; k < EMIT_ROWS; k++)
+        for (int k = 0; k < EMIT_STEPS; k++)
             *add_step(L, r) = rows[k];
         return false;
     }
@@ -462,13 +464,14 @@ static bool read_step(lua_State *L, struct program_reader *r, const struct api_v
     if (v[M_WAIT_FOR].given) {
         check_key_alone(L, v, step, M_WAIT_FOR, 0);
         api_read_await_step(L, step, v[M_WAIT_FOR].at, s);
-        return s->mode == MODE_SIGNAL || record_instant(r, "`wait_for` takes no time if its condition already holds");
+        return s->mode == MODE_SIGNAL ||
+               record_instant_step(r, "`wait_for` takes no time if its condition already holds");
     }
-    fill_step(L, s, v, named_bits, step, r->fine);
+    fill_step(L, s, v, named_bits, step, r->is_fine);
     return takes_time(r, s);
 }
 
-static uint64_t read_steps(lua_State *L, struct program_reader *r, int at, int depth, bool *timed);
+static uint64_t read_steps(lua_State *L, struct program_reader *r, int at, int depth, bool *is_timed);
 
 /* Returns the walls named in a list of words. */
 static uint8_t read_walls(lua_State *L, int step, const struct api_value *v)
@@ -492,17 +495,17 @@ static uint8_t read_walls(lua_State *L, int step, const struct api_value *v)
         at += n;
     }
     if (!walls)
-        step_error(L, step, "walls: expected one or more of \"left right top bottom\"");
+        raise_step_error(L, step, "walls: expected one or more of \"left right top bottom\"");
     return walls;
 }
 
-/* Adds the step that flies to a wall, inside the loop of bounces whose row was just added. */
-static void add_bounce(lua_State *L, struct program_reader *r, const struct api_value v[M_KEYS], int step)
+/* Adds the step that moves the bullet to a wall, inside the loop whose step was just added. */
+static void add_bounce(lua_State *L, struct program_reader *r, const struct api_value v[M_KEY_COUNT], int step)
 {
-    if (r->fine)
-        step_error(L, step, "`bounce` cannot be used in a fine motion (this step is always exact)");
-    if (r->open_bounces++)
-        step_error(L, step, "`bounce` cannot be nested in `bounce`");
+    if (r->is_fine)
+        raise_step_error(L, step, "`bounce` cannot be used in a fine motion (this step is always exact)");
+    if (r->open_bounce_count++)
+        raise_step_error(L, step, "`bounce` cannot be nested in `bounce`");
     r->steps[r->n - 1].actions |= DOES_BOUNCE;
     struct motion_step *s = add_step(L, r);
     s->actions = DOES_BOUNCE;
@@ -512,17 +515,17 @@ static void add_bounce(lua_State *L, struct program_reader *r, const struct api_
 
 /* Reads a `loop` or `bounce` step and its nested steps from the table at `at`. Returns how many steps it can run in one
  * frame. */
-static uint64_t read_loop(lua_State *L, struct program_reader *r, int at, int depth, const struct api_value v[M_KEYS],
-                          int step, bool *timed)
+static uint64_t read_loop(lua_State *L, struct program_reader *r, int at, int depth,
+                          const struct api_value v[M_KEY_COUNT], int step, bool *is_timed)
 {
     const int key = v[M_BOUNCE].given ? M_BOUNCE : M_LOOP;
     const bool is_bounce = key == M_BOUNCE;
     const uint32_t loop_row = r->n;
     bool inner_timed;
 
-    if (depth == MOTION_DEPTH)
-        step_error(L, step, "loops nested more than 4 deep");
-    for (int k = 0; k < M_KEYS; k++)
+    if (depth == MOTION_MAX_DEPTH)
+        raise_step_error(L, step, "loops nested more than 4 deep");
+    for (int k = 0; k < M_KEY_COUNT; k++)
         if (v[k].given && k != key && !(is_bounce && (k == M_WALLS || k == M_OVER)))
             api_error(L, def_entry, "step %d: `%s` cannot be combined with `%s`", step, step_keys[k].name,
                       step_keys[key].name);
@@ -533,9 +536,9 @@ static uint64_t read_loop(lua_State *L, struct program_reader *r, int at, int de
     if (is_bounce)
         add_bounce(L, r, v, step);
     uint64_t inner_steps = read_steps(L, r, at, depth + 1, &inner_timed);
-    r->open_bounces -= is_bounce;
+    r->open_bounce_count -= is_bounce;
     inner_timed |= is_bounce;
-    *timed |= inner_timed && v[key].i > 0;
+    *is_timed |= inner_timed && v[key].i > 0;
     s = add_step(L, r);
     *s = (struct motion_step){ .actions = DOES_LOOP_END, .depth = (uint8_t)depth, .jump = (uint16_t)(loop_row + 1) };
     r->steps[loop_row].jump = (uint16_t)r->n;
@@ -545,88 +548,88 @@ static uint64_t read_loop(lua_State *L, struct program_reader *r, int at, int de
 }
 
 /* Reads the list of steps in the table at `at`. Returns an upper bound on the number of steps that the list runs in one
- * frame; sets *timed to whether the list takes time. */
-static uint64_t read_steps(lua_State *L, struct program_reader *r, int at, int depth, bool *timed)
+ * frame; sets *is_timed to whether the list takes time. */
+static uint64_t read_steps(lua_State *L, struct program_reader *r, int at, int depth, bool *is_timed)
 {
     uint64_t work = 1;
     int n = (int)lua_rawlen(L, at);
 
-    *timed = false;
+    *is_timed = false;
     for (int i = 1; i <= n; i++) {
-        struct api_value v[M_KEYS];
+        struct api_value v[M_KEY_COUNT];
         int top = lua_gettop(L);
         if (lua_rawgeti(L, at, i) != LUA_TTABLE)
-            step_error(L, i, "expected a table");
+            raise_step_error(L, i, "expected a table");
         uint64_t named_bits = read_keys(L, top + 1, i, v);
         if (!v[M_LOOP].given && !v[M_BOUNCE].given) {
             if (lua_rawlen(L, top + 1))
-                step_error(L, i, "nested steps require `loop = n` or `bounce = n`");
-            *timed |= read_step(L, r, v, named_bits, i);
+                raise_step_error(L, i, "nested steps require `loop = n` or `bounce = n`");
+            *is_timed |= read_step(L, r, v, named_bits, i);
         } else
-            work += read_loop(L, r, top + 1, depth, v, i, timed);
+            work += read_loop(L, r, top + 1, depth, v, i, is_timed);
         work++;
         lua_settop(L, top);
     }
     return work;
 }
 
-enum { HEAD_NAME, HEAD_FINE, HEAD_PARAMS };
+enum { HEAD_NAME, HEAD_FINE, HEAD_PARAM_COUNT };
 
 /* Initializes r and reads the named arguments of motion.def, `name` and `fine`. Returns the name, or NULL. */
 static const char *read_head(lua_State *L, struct program_reader *r)
 {
     static const struct api_param head_params[] = { PARAM("name", A_STR, OPT, 0, 0, NULL, NULL, ""),
                                                     PARAM("fine", A_BOOL, OPT, 0, 0, NULL, "false", "") };
-    static const struct api_fields fields = { head_params, HEAD_PARAMS, NAME_LISTS };
-    struct api_value v[HEAD_PARAMS] = { { 0 } };
+    static const struct api_fields fields = { head_params, HEAD_PARAM_COUNT, NAME_LISTS };
+    struct api_value v[HEAD_PARAM_COUNT] = { { 0 } };
 
-    if (luakeys_push_unknown(L, 1, knows_step_key, &fields)) {
+    if (luakeys_push_unknown(L, 1, is_known_step_key, &fields)) {
         const char *key = luakeys_text(L, -1);
         if (key && api_is_step_key(L, key))
             api_error(L, def_entry, "unknown argument \"%s\" (steps are tables: { { %s = ... } })", key, key);
         api_raise_unknown_key(L, def_entry, &fields);
     }
-    for (int i = 0; i < HEAD_PARAMS; i++) {
+    for (int i = 0; i < HEAD_PARAM_COUNT; i++) {
         lua_getfield(L, 1, head_params[i].name);
         api_check(L, def_entry, &head_params[i], lua_gettop(L), &v[i]);
     }
     r->n = 0;
-    r->open_bounces = 0;
+    r->open_bounce_count = 0;
     r->instant_reason = NULL;
-    r->fine = v[HEAD_FINE].i;
+    r->is_fine = v[HEAD_FINE].i;
     return v[HEAD_NAME].given ? lua_tostring(L, v[HEAD_NAME].at) : NULL;
 }
 
 static int motion_def(lua_State *L, struct board *b, struct api_value *v)
 {
     struct program_reader r;
-    bool timed;
+    bool is_timed;
 
     (void)v;
     luaL_checktype(L, 1, LUA_TTABLE);
     const char *name = read_head(L, &r);
-    if (!lua_rawlen(L, 1) && !r.fine)
+    if (!lua_rawlen(L, 1) && !r.is_fine)
         api_error(L, def_entry, "expected at least one step");
-    if (read_steps(L, &r, 1, 0, &timed) > MAX_ROUNDS)
+    if (read_steps(L, &r, 1, 0, &is_timed) > MAX_ROUNDS)
         api_error(L, def_entry, "too many steps in one frame");
     uint32_t refused_before = b->steps.s.refused; /* to find out which pool was full */
-    int32_t m = motion_define(&b->motions, &b->steps, r.steps, r.n, r.fine);
+    int32_t m = motion_define(&b->motions, &b->steps, r.steps, r.n, r.is_fine);
     if (m == NO_SLOT)
         board_report_full(b, b->steps.s.refused > refused_before ? &b->steps.s : &b->motions.s);
     if (name && api_names_find(L, N_MOTION, name) != (m == NO_SLOT ? NO_MOTION : m))
         api_names_declare(L, N_MOTION, def_entry, name, m == NO_SLOT ? NO_MOTION : m);
-    script_fold(b, (uint64_t)(uint32_t)m);
+    script_update_digest(b, (uint64_t)(uint32_t)m);
     lua_pushinteger(L, m == NO_SLOT ? handle_make(H_MOTION, 0, 0) : handle_make(H_MOTION, 1, (uint32_t)m));
     return 1;
 }
 
-static void get_nothing(lua_State *L, struct board *b, uint32_t slot, int p)
+static void push_nil_property(lua_State *L, struct board *b, uint32_t slot, int p)
 {
     (void)b, (void)slot, (void)p;
     lua_pushnil(L);
 }
 
-const struct api_thing api_motion_thing = { "motion", NULL, 0, .get = get_nothing, .set = NULL };
+const struct api_thing api_motion_thing = { "motion", NULL, 0, .get = push_nil_property, .set = NULL };
 
 static const struct api_param motion_params[] = { PARAM(
     "steps", A_TABLE, REQ, 0, 0, NULL, NULL,

@@ -11,12 +11,13 @@
  * strings of that table. */
 static const char names_key[NAME_LISTS] = { 0 }, strings_key[NAME_LISTS] = { 0 };
 
-static const char *const nouns[NAME_LISTS] = { "bullet", "shot",   "enemy", "player", "spark", "item",  "laser",
-                                               "option", "motion", "tag",   "value",  "value", "value", "item" };
+static const char *const name_list_nouns[NAME_LISTS] = { "bullet", "shot",  "enemy",  "player", "spark",
+                                                         "item",   "laser", "option", "motion", "tag",
+                                                         "value",  "value", "value",  "item" };
 
-const char *api_names_off_text(lua_State *L, enum name_kind kind)
+const char *api_names_disabled_reason(lua_State *L, enum name_kind kind)
 {
-    return api_disabled_reason(&vm_board(L)->cart.manifest, nouns[kind]);
+    return api_disabled_reason(&vm_board(L)->cart.manifest, name_list_nouns[kind]);
 }
 
 /* Creates a table for each sort of name, except those that rom.lua disables. */
@@ -26,7 +27,7 @@ void api_open_names(lua_State *L)
 
     memset(b->names, 0, sizeof b->names);
     for (int i = 0; i < NAME_LISTS; i++) {
-        if (api_disabled_reason(&b->cart.manifest, nouns[i]))
+        if (api_disabled_reason(&b->cart.manifest, name_list_nouns[i]))
             continue;
         lua_newtable(L);
         lua_rawsetp(L, LUA_REGISTRYINDEX, &names_key[i]);
@@ -56,7 +57,8 @@ static void reserve_names(lua_State *L, enum name_kind kind, uint32_t n)
 void api_names_declare(lua_State *L, enum name_kind kind, const char *entry, const char *name, int index)
 {
     if (api_names_find(L, kind, name) != NO_SLOT)
-        api_error(L, entry, "%s%s \"%s\" is already declared", nouns[kind], kind < N_MOTION ? " kind" : "", name);
+        api_error(L, entry, "%s%s \"%s\" is already declared", name_list_nouns[kind], kind < N_MOTION ? " kind" : "",
+                  name);
     if (index != NO_MOTION)
         reserve_names(L, kind, (uint32_t)index + 1);
     lua_rawgetp(L, LUA_REGISTRYINDEX, &names_key[kind]);
@@ -118,11 +120,11 @@ static int word_distance(const char *word, const char *candidate)
     return edit_distance(word, candidate);
 }
 
-void api_suggest_nearer(const char *word, const char *candidate, int *best_distance, const char **found)
+void api_consider_suggestion(const char *word, const char *candidate, int *best_distance, const char **found)
 {
     int d = word_distance(word, candidate);
 
-    if (d < *best_distance || (d == *best_distance && *found && d < EDIT_FAR && strcmp(candidate, *found) < 0)) {
+    if (d < *best_distance || (d == *best_distance && *found && d < EDIT_TOO_FAR && strcmp(candidate, *found) < 0)) {
         *best_distance = d;
         *found = candidate;
     }
@@ -161,7 +163,7 @@ const char *api_library_names(const char *library)
 
 /* ---- declared values ---- */
 
-enum name_kind api_value_names_of(enum handle_kind kind)
+enum name_kind api_kind_value_names(enum handle_kind kind)
 {
     switch (kind) {
     case H_BULLET:
@@ -178,9 +180,9 @@ enum name_kind api_value_names_of(enum handle_kind kind)
     }
 }
 
-enum name_kind api_value_names(const struct api_entry *e)
+enum name_kind api_entry_value_names(const struct api_entry *e)
 {
-    switch (e->flags & API_VALUES ? e->name[0] : '\0') {
+    switch (e->flags & API_TAKES_VALUES ? e->name[0] : '\0') {
     case 'b':
         return N_BULLET_VALUE;
     case 's':
@@ -205,8 +207,8 @@ struct api_param api_value_param(const char *name)
 fx *api_value_column(struct board *b, enum name_kind names, int k)
 {
     if (names == N_ENEMY_VALUE)
-        return enemies_value(&b->enemies, k);
-    return bullets_value(names == N_SHOT_VALUE ? &b->shots : &b->bullets, k);
+        return enemies_value_column(&b->enemies, k);
+    return bullets_value_column(names == N_SHOT_VALUE ? &b->shots : &b->bullets, k);
 }
 
 void api_set_values(struct board *b, enum name_kind names, uint32_t i, const struct api_value *v)

@@ -1,5 +1,6 @@
 /*
- * api_open.c - the globals of the API: its tables, whose functions are created when a script first reads their names.
+ * api_open.c - the globals of the API: its tables, whose functions are created when a script first reads their
+ * names.
  */
 #include <stdio.h>
 #include <string.h>
@@ -24,7 +25,7 @@ static int read_missing_field(lua_State *L)
 }
 
 /* Returns whether the API table is created on first use, because few games use it. */
-static bool is_lazy(const char *table_name)
+static bool is_lazy_table(const char *table_name)
 {
     return !strcmp(table_name, "bomb");
 }
@@ -43,7 +44,7 @@ static void make_namespace(lua_State *L, const char *table_name)
 
 bool api_push_lazy_table(lua_State *L, const char *name)
 {
-    if (!is_lazy(name))
+    if (!is_lazy_table(name))
         return false;
     make_namespace(L, name);
     return true;
@@ -51,7 +52,7 @@ bool api_push_lazy_table(lua_State *L, const char *name)
 
 /* Makes an entry available to scripts: "wait" becomes a global; for "bullet.fire", creates the global table bullet,
  * unless that table is disabled or created on first use. */
-static void install(lua_State *L, const struct api_entry *e)
+static void install_entry(lua_State *L, const struct api_entry *e)
 {
     const char *separator = strpbrk(e->name, ".:");
     char table_name[32];
@@ -64,7 +65,7 @@ static void install(lua_State *L, const struct api_entry *e)
         lua_setglobal(L, e->name);
     } else if (*separator == '.' && !(e->flags & API_SYS)) {
         snprintf(table_name, sizeof table_name, "%.*s", (int)(separator - e->name), e->name);
-        if (api_disabled_reason(&vm_board(L)->cart.manifest, table_name) || is_lazy(table_name))
+        if (api_disabled_reason(&vm_board(L)->cart.manifest, table_name) || is_lazy_table(table_name))
             return;
         if (lua_getglobal(L, table_name) != LUA_TTABLE)
             make_namespace(L, table_name);
@@ -72,7 +73,7 @@ static void install(lua_State *L, const struct api_entry *e)
     }
 }
 
-void api_open(lua_State *L)
+void api_open_globals(lua_State *L)
 {
     api_open_names(L);
     events_open(L);
@@ -83,12 +84,12 @@ void api_open(lua_State *L)
     lua_newtable(L);
     api_add_namespace(L, "sys");
     int sys = lua_gettop(L);
-    for (int m = 0; m < api_of(L)->n; m++)
-        for (int i = 0; i < api_of(L)->modules[m]->n; i++)
-            if (!(api_of(L)->modules[m]->entries[i].flags & API_LUA))
-                install(L, &api_of(L)->modules[m]->entries[i]);
+    for (int m = 0; m < api_get_table(L)->n; m++)
+        for (int i = 0; i < api_get_table(L)->modules[m]->n; i++)
+            if (!(api_get_table(L)->modules[m]->entries[i].flags & API_LUA))
+                install_entry(L, &api_get_table(L)->modules[m]->entries[i]);
     lua_pushcfunction(L, api_sys_check);
     lua_setfield(L, sys, "check");
-    api_rom_open(L);
+    api_open_rom(L);
     lua_settop(L, sys);
 }

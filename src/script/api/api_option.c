@@ -37,11 +37,11 @@ static int option_def(lua_State *L, struct board *b, struct api_value *v)
 
 /* ---- options of player.def ---- */
 
-static const char player_entry[] = "player.def", *const styles[] = { "fixed", "trail", "orbit" };
+static const char player_entry[] = "player.def", *const style_names[] = { "fixed", "trail", "orbit" };
 
-enum { O_KIND, O_BY, O_LEVELS, O_OVER, O_STYLE, O_APART, O_RADIUS, O_CLOSE, O_SPIN, O_PARAMS };
+enum { O_KIND, O_REGISTER, O_LEVELS, O_OVER, O_STYLE, O_SPACING, O_RADIUS, O_CLOSE, O_SPIN, O_PARAM_COUNT };
 
-static const struct api_param options_params[O_PARAMS] = {
+static const struct api_param options_params[O_PARAM_COUNT] = {
     PARAM("kind", A_OPTION_KIND, REQ, 0, 0, NULL, NULL, "declared kind of the options"),
     PARAM("by", A_STR, OPT, 1, 31, NULL, NULL,
           "register of the ship that selects the level; without it, the last level applies"),
@@ -60,9 +60,9 @@ static const struct api_param options_params[O_PARAMS] = {
     PARAM("spin", A_DIR, OPT, 0, 0, NULL, "0", "degrees the circle turns per frame, clockwise; only for style orbit"),
 };
 
-enum { L_AT, L_N, L_WIDE, L_CLOSE, L_PARAMS };
+enum { L_AT, L_N, L_WIDE, L_CLOSE, L_PARAM_COUNT };
 
-static const struct api_param level_params[L_PARAMS] = {
+static const struct api_param level_params[L_PARAM_COUNT] = {
     PARAM("at", A_INT, OPT, INT32_MIN, INT32_MAX, NULL, "0", "lowest value of the register at which the level applies"),
     PARAM("n", A_INT, OPT, 0, OPTION_MAX_PER_SHIP, "options", NULL,
           "number of options; only for styles trail and orbit, where it is required"),
@@ -114,12 +114,12 @@ static void read_fixed_level(lua_State *L, const char *setting, const struct api
                   "in `wide`",
                   setting);
     snprintf(full_name, sizeof full_name, "%s.wide", setting);
-    level->n = read_positions(L, full_name, v[L_WIDE].at, level->wide);
-    memcpy(level->close, level->wide, sizeof level->close);
+    level->n = read_positions(L, full_name, v[L_WIDE].at, level->unfocused_offset);
+    memcpy(level->focused_offset, level->unfocused_offset, sizeof level->focused_offset);
     if (!v[L_CLOSE].given)
         return;
     snprintf(full_name, sizeof full_name, "%s.close", setting);
-    const uint32_t n = read_positions(L, full_name, v[L_CLOSE].at, level->close);
+    const uint32_t n = read_positions(L, full_name, v[L_CLOSE].at, level->focused_offset);
     if (n != level->n)
         api_error(L, player_entry, "%s: expected as many positions as in `wide` (%d), got %d", full_name, (int)level->n,
                   (int)n);
@@ -130,7 +130,7 @@ static void read_counted_level(lua_State *L, const char *setting, const struct a
 {
     if (v[L_WIDE].given || v[L_CLOSE].given)
         api_error(L, player_entry, "%s: `%s` applies to style fixed; use `n` with style %s", setting,
-                  v[L_WIDE].given ? "wide" : "close", styles[plan->style]);
+                  v[L_WIDE].given ? "wide" : "close", style_names[plan->style]);
     if (!v[L_N].given)
         api_error(L, player_entry, "%s: n: expected a whole number from 0 to %d options, got nil", setting,
                   OPTION_MAX_PER_SHIP);
@@ -144,14 +144,15 @@ static void read_counted_level(lua_State *L, const char *setting, const struct a
 static void read_level(lua_State *L, int list, int i, struct option_plan *plan)
 {
     struct option_level *level = &plan->level[i];
-    struct api_value v[L_PARAMS];
+    struct api_value v[L_PARAM_COUNT];
     char setting[32];
     const int top = lua_gettop(L);
 
     snprintf(setting, sizeof setting, "options.levels[%d]", i + 1);
     if (lua_rawgeti(L, list, i + 1) != LUA_TTABLE)
         api_error(L, player_entry, "%s: expected { at = n, .. }, got %s", setting, luaL_typename(L, -1));
-    api_read_fields(L, player_entry, setting, &(struct api_fields){ level_params, L_PARAMS, NAME_LISTS }, top + 1, v);
+    api_read_fields(L, player_entry, setting, &(struct api_fields){ level_params, L_PARAM_COUNT, NAME_LISTS }, top + 1,
+                    v);
     level->min_value = v[L_AT].given ? (int32_t)v[L_AT].i : 0;
     if (i && level->min_value <= plan->level[i - 1].min_value)
         api_error(L, player_entry, "%s.at: expected more than the level before (%d), got %d", setting,
@@ -166,12 +167,12 @@ static void read_level(lua_State *L, int list, int i, struct option_plan *plan)
 static enum option_style read_style(lua_State *L, const struct api_value *v)
 {
     const char *found = NULL, *word = v->given ? lua_tostring(L, v->at) : "fixed";
-    int best = EDIT_FAR;
+    int best = EDIT_TOO_FAR;
 
     for (int i = 0; i <= OPTION_ORBIT; i++) {
-        if (!strcmp(word, styles[i]))
+        if (!strcmp(word, style_names[i]))
             return (enum option_style)i;
-        api_suggest_nearer(word, styles[i], &best, &found);
+        api_consider_suggestion(word, style_names[i], &best, &found);
     }
     if (found)
         api_error(L, player_entry, "options.style: expected fixed, trail or orbit, got \"%s\" (did you mean \"%s\"?)",
@@ -187,13 +188,13 @@ static void check_style(lua_State *L, const struct api_value *v, enum option_sty
         int param;
         enum option_style style;
     } style_settings[] = {
-        { O_APART, OPTION_TRAIL }, { O_RADIUS, OPTION_ORBIT }, { O_CLOSE, OPTION_ORBIT }, { O_SPIN, OPTION_ORBIT }
+        { O_SPACING, OPTION_TRAIL }, { O_RADIUS, OPTION_ORBIT }, { O_CLOSE, OPTION_ORBIT }, { O_SPIN, OPTION_ORBIT }
     };
 
     for (size_t i = 0; i < sizeof style_settings / sizeof *style_settings; i++)
         if (v[style_settings[i].param].given && style_settings[i].style != style)
             api_error(L, player_entry, "options.%s: requires style = \"%s\"",
-                      options_params[style_settings[i].param].name, styles[style_settings[i].style]);
+                      options_params[style_settings[i].param].name, style_names[style_settings[i].style]);
     if (style == OPTION_ORBIT && !v[O_RADIUS].given)
         api_error(L, player_entry, "options.radius: expected a number of px, got nil");
 }
@@ -220,15 +221,15 @@ static void store_plan(lua_State *L, struct board *b, int32_t ship, struct optio
 
 void api_options_read(lua_State *L, struct board *b, int32_t ship, const struct api_value *options)
 {
-    const char *off_text = api_disabled_reason(&b->cart.manifest, "option");
-    struct api_value v[O_PARAMS];
+    const char *disabled_reason = api_disabled_reason(&b->cart.manifest, "option");
+    struct api_value v[O_PARAM_COUNT];
     const int top = lua_gettop(L);
 
     if (!options->given)
         return;
-    if (off_text)
-        api_error(L, player_entry, "options: " API_DISABLED_FORMAT, off_text);
-    api_read_fields(L, player_entry, "options", &(struct api_fields){ options_params, O_PARAMS, NAME_LISTS },
+    if (disabled_reason)
+        api_error(L, player_entry, "options: " API_DISABLED_FORMAT, disabled_reason);
+    api_read_fields(L, player_entry, "options", &(struct api_fields){ options_params, O_PARAM_COUNT, NAME_LISTS },
                     options->at, v);
     const enum option_style style = read_style(L, &v[O_STYLE]);
     check_style(L, v, style);
@@ -241,12 +242,13 @@ void api_options_read(lua_State *L, struct board *b, int32_t ship, const struct 
     const int plan_at = lua_gettop(L);
     plan->kind = (uint16_t)v[O_KIND].i;
     plan->style = style;
-    plan->level_register =
-        v[O_BY].given ? api_register_expect(L, player_entry, "options.by", ship, lua_tostring(L, v[O_BY].at)) : -1;
+    plan->level_register = v[O_REGISTER].given ? api_register_expect(L, player_entry, "options.by", ship,
+                                                                     lua_tostring(L, v[O_REGISTER].at))
+                                               : -1;
     plan->move_duration = v[O_OVER].given ? (uint32_t)v[O_OVER].i : 8;
-    plan->spacing = v[O_APART].given ? (uint32_t)v[O_APART].i : 8;
-    plan->wide = v[O_RADIUS].f;
-    plan->close = v[O_CLOSE].given ? v[O_CLOSE].f : v[O_RADIUS].f;
+    plan->spacing = v[O_SPACING].given ? (uint32_t)v[O_SPACING].i : 8;
+    plan->unfocused_offset = v[O_RADIUS].f;
+    plan->focused_offset = v[O_CLOSE].given ? v[O_CLOSE].f : v[O_RADIUS].f;
     plan->spin = v[O_SPIN].given ? v[O_SPIN].a : 0;
     for (; plan->n_levels < n; plan->n_levels++)
         read_level(L, v[O_LEVELS].at, (int)plan->n_levels, plan);
@@ -257,7 +259,7 @@ void api_options_read(lua_State *L, struct board *b, int32_t ship, const struct 
 
 /* ---- properties ---- */
 
-enum { P_X, P_Y, P_BY, P_INDEX, P_FOCUS, P_AGE, P_KIND, P_BANK, P_HIDDEN, PROPS };
+enum { P_X, P_Y, P_PLAYER, P_INDEX, P_FOCUS, P_AGE, P_KIND, P_BANK, P_HIDDEN, PROPS };
 
 static const struct api_prop props[PROPS] = {
     { PARAM("x", A_FX, REQ, 0, 0, "px", NULL, "horizontal position in the field"), PROP_READ,
@@ -282,7 +284,7 @@ static void get_option(lua_State *L, struct board *b, uint32_t i, int p)
 {
     const struct options *o = &b->options;
 
-    if (p == P_BY)
+    if (p == P_PLAYER)
         lua_pushinteger(L, board_handle(b, H_PLAYER, o->player[i]));
     else if (p == P_INDEX)
         lua_pushinteger(L, o->index[i] + 1);
@@ -293,7 +295,7 @@ static void get_option(lua_State *L, struct board *b, uint32_t i, int p)
 const struct api_thing api_option_thing = { "option", props, PROPS, .get = get_option };
 
 static const struct api_entry entries[] = {
-    { "option.def", option_def, PARAMS(def_params), 1, API_CHANGES | API_LOAD, NULL,
+    { "option.def", option_def, PARAMS(def_params), 1, API_CHANGES | API_LOAD_ONLY, NULL,
       HELP("declares a kind of option, a thing that flies with a ship and fires; needs `board = { options = n }`") },
     { "player.def options", NULL, PARAMS(options_params), 0, API_LUA | API_SYS, NULL,
       HELP("which options fly with the ship, and how") },

@@ -13,16 +13,16 @@ enum { MAX_PARAMS = 40 };
 /* The upvalue of an API function: a userdata whose user value keeps `plan` alive. */
 struct api_binding {
     const struct api_entry *entry;
-    uint64_t hash;         /* of the entry's name */
-    struct api_plan *plan; /* api_plan.c; NULL: none made yet */
-    uint32_t table_calls;  /* number of calls, before the plan was made, that could have used one */
-    bool may_iterate;      /* the function may iterate over a table argument */
+    uint64_t hash;             /* of the entry's name */
+    struct api_plan *plan;     /* api_plan.c; NULL: none made yet */
+    uint32_t table_call_count; /* number of calls, before the plan was made, that could have used one */
+    bool may_iterate;          /* the function may iterate over a table argument */
 };
 
 /* Pushes f as a function bound to e. */
-void api_push_bound(lua_State *L, const struct api_entry *e, lua_CFunction f);
+void api_push_bound_function(lua_State *L, const struct api_entry *e, lua_CFunction f);
 
-static inline const struct api_table *api_of(lua_State *L)
+static inline const struct api_table *api_get_table(lua_State *L)
 {
     return vm_board(L)->vm.api;
 }
@@ -65,14 +65,14 @@ const char *api_push_description(lua_State *L, int at);
 void api_check_value(lua_State *L, const char *entry, const struct api_param *p, struct api_value *v);
 void api_fill_default(const struct api_param *p, struct api_value *v);
 
-/* Returns the element of a guess array (struct vm_guesses), below VM_GUESSES, that stores the index last found for a
- * name of n bytes in list `list`. The element depends on the name's bytes, never on addresses. The stored index is only
- * a guess: callers compare the whole name and search if it differs, so the guesses cannot change a result. */
+/* Returns the element of a guess array (struct vm_guesses), below VM_GUESS_COUNT, that stores the index last found for
+ * a name of n bytes in list `list`. The element depends on the name's bytes, never on addresses. The stored index is
+ * only a guess: callers compare the whole name and search if it differs, so the guesses cannot change a result. */
 static inline unsigned api_guess_index(const char *name, size_t n, unsigned list)
 {
     const uint8_t *c = (const uint8_t *)name;
 
-    return ((unsigned)n * 16u + c[0] + c[n - (n > 0)] * 5u + list * 41u) % VM_GUESSES;
+    return ((unsigned)n * 16u + c[0] + c[n - (n > 0)] * 5u + list * 41u) % VM_GUESS_COUNT;
 }
 
 /* The entries for what a pattern can fire; the pattern also takes their parameters. */
@@ -83,8 +83,8 @@ extern const struct api_entry api_bullet_fire_entry, api_shot_fire_entry, api_bo
 enum {
     FIRE_KIND,
     FIRE_SPEED,
-    FIRE_PLACE,
-    FIRE_DIR = FIRE_PLACE + PLACE_PARAMS,
+    FIRE_POSITION,
+    FIRE_DIR = FIRE_POSITION + POSITION_PARAM_COUNT,
     FIRE_AIM,
     FIRE_BANK,
     FIRE_TAG,
@@ -92,7 +92,7 @@ enum {
     FIRE_OWNER,              /* shots only */
     FIRE_DELAY = FIRE_OWNER, /* bullets only */
     FIRE_AROUND,             /* shots and bullets */
-    FIRE_VALUES
+    FIRE_FIRST_VALUE
 };
 
 /* Fills s from the arguments of bullet.fire (or shot.fire), except `aim`. Returns false if the thing `from` is dead or
@@ -115,20 +115,21 @@ enum {
     FLIGHT_AROUND,
     FLIGHT_AGE,
     FLIGHT_FROZEN,
-    FLIGHT_SHARED,
-    FLIGHT_DELAY = FLIGHT_SHARED,
+    FLIGHT_SHARED_COUNT,
+    FLIGHT_DELAY = FLIGHT_SHARED_COUNT,
     FLIGHT_HP
 };
 
-/* Get or set property p, below FLIGHT_SHARED, of bullet, shot or laser head i in s. */
-void api_get_flight(lua_State *L, struct board *b, const struct bullets *s, enum name_kind names, uint32_t i, int p);
-void api_set_flight(lua_State *L, struct board *b, struct bullets *s, const struct bullet_kinds *kinds, uint32_t i,
-                    int p, const struct api_value *v);
+/* Get or set property p, below FLIGHT_SHARED_COUNT, of bullet, shot or laser head i in s. */
+void api_get_flight_prop(lua_State *L, struct board *b, const struct bullets *s, enum name_kind names, uint32_t i,
+                         int p);
+void api_set_flight_prop(lua_State *L, struct board *b, struct bullets *s, const struct bullet_kinds *kinds, uint32_t i,
+                         int p, const struct api_value *v);
 
 /* Returns whether a motion (index + 1; 0: none) runs with 32 fraction bits (BULLET_FINE). */
 static inline bool api_motion_is_fine(const struct board *b, uint16_t motion)
 {
-    return motion && b->motions.fine[motion - 1];
+    return motion && b->motions.is_fine[motion - 1];
 }
 
 /* Converts a number from a script to Q32, rounding to nearest. The caller has checked a range within +-2^15. */
@@ -137,21 +138,21 @@ static inline int64_t api_to_q32(double v)
     return fx_nearest(v * 4294967296.0);
 }
 
-/* Converts a number to Q32. Unless `fine`, rounds it to fx first. */
-static inline int64_t api_value_to_q32(bool fine, const struct api_value *v)
+/* Converts a number to Q32. Unless `is_fine`, rounds it to fx first. */
+static inline int64_t api_value_to_q32(bool is_fine, const struct api_value *v)
 {
-    return fine ? api_to_q32(v->n) : (int64_t)v->f * (1 << Q32_EXTRA_BITS);
+    return is_fine ? api_to_q32(v->n) : (int64_t)v->f * (1 << Q32_EXTRA_BITS);
 }
 
 /* Records that a script wrote the property `property` (OVERRIDE_) of bullet i, so that the running motion step stops
  * controlling that property. */
-void api_override(struct bullets *s, uint32_t i, unsigned property);
+void api_override_property(struct bullets *s, uint32_t i, unsigned property);
 
 /* A search for the known name nearest to a misspelt word. `list` collects the known names for api_hint_push. */
 struct api_hint {
     const char *word, *nearest;
     int best_distance, n;
-    bool is_long; /* the list is too long for a sentence */
+    bool is_list_long; /* the list is too long for a sentence */
     char list[128];
 };
 void api_hint_begin(struct api_hint *h, const char *word);
@@ -167,7 +168,7 @@ struct api_fields {
     int n;
     enum name_kind value_names;
 };
-bool api_knows_field(lua_State *L, const char *key, const void *fields);
+bool api_is_known_field(lua_State *L, const char *key, const void *fields);
 
 /* Raises the error for the unknown key on top of the stack, suggesting the nearest key in f. */
 void api_raise_unknown_key(lua_State *L, const char *entry, const struct api_fields *f);
@@ -198,31 +199,31 @@ int api_read_arguments(lua_State *L, const struct api_entry *e, struct api_value
 int api_read_planned_arguments(lua_State *L, struct api_binding *f, struct api_value *v,
                                const struct api_entry **fired_entry);
 
-/* api_fired_entry returns the entry whose parameters a call of e takes in addition, chosen by the field `fire` of the
+/* api_find_fired_entry returns the entry whose parameters a call of e also accepts, selected by the field `fire` of the
  * table at `at`, or NULL. api_search_param returns the index of the named parameter, or -1. */
-const struct api_entry *api_fired_entry(lua_State *L, const struct api_entry *e, int at);
+const struct api_entry *api_find_fired_entry(lua_State *L, const struct api_entry *e, int at);
 int api_search_param(const struct api_entry *e, const struct api_entry *fired_entry, const char *name);
 
 /* Pushes a table of the call's arguments, checked against e, with defaults filled in; returns 1. Errors begin with e's
  * name, which may carry a quoted detail: "boss.def phase \"rain\"". */
-int api_push_checked(lua_State *L, const struct api_entry *e);
+int api_push_checked_arguments(lua_State *L, const struct api_entry *e);
 
 /* sys.check(name, ...): returns a table of the arguments, checked against the entry of that name, with its defaults. */
 int api_sys_check(lua_State *L);
 
 /* Folds the value at `at` into the script digest. */
-void api_fold(lua_State *L, struct board *b, int at);
+void api_fold_stack_value(lua_State *L, struct board *b, int at);
 
 /* api_fold_value folds the value at v->at, read by api_read_value, and uses the number in v instead of asking Lua
- * again; api_fold_text folds n bytes. */
+ * again; api_fold_bytes folds n bytes. */
 void api_fold_value(lua_State *L, struct board *b, const struct api_value *v);
-void api_fold_text(lua_State *L, struct board *b, const char *s, size_t n);
+void api_fold_bytes(lua_State *L, struct board *b, const char *s, size_t n);
 
 /* Folds a call: the hash of the entry's name, and the arguments that were given, before defaults. */
 void api_fold_call(lua_State *L, struct board *b, uint64_t entry_hash, const struct api_value *v, int n);
 
 /* The entry sys.volley (api_volley.c). */
-int api_volley(lua_State *L, struct board *b, struct api_value *v);
+int api_push_volley(lua_State *L, struct board *b, struct api_value *v);
 
 /* Pushes the function of the entry whose name is `owner`, the character `separator` and `name` in sequence
  * ("bullet.fire"). Returns false and pushes nothing if there is none. */
@@ -271,10 +272,10 @@ struct api_shape api_read_hit_shape(lua_State *L, const char *entry, int at, enu
 int32_t api_declare_kind(lua_State *L, const char *entry, struct slots *kinds, const struct shape_columns *k,
                          const struct api_shape *s);
 
-/* api_value_names returns the list of values declared for the things that entry e creates (API_VALUES, API_FIRE),
- * api_value_names_of the list for a kind of thing. NAME_LISTS: none. */
-enum name_kind api_value_names(const struct api_entry *e);
-enum name_kind api_value_names_of(enum handle_kind kind);
+/* api_entry_value_names returns the list of values declared for the things that entry e creates (API_TAKES_VALUES,
+ * API_PATTERN), api_kind_value_names the list for a kind of thing. NAME_LISTS: none. */
+enum name_kind api_entry_value_names(const struct api_entry *e);
+enum name_kind api_kind_value_names(enum handle_kind kind);
 
 /* Returns the number of values declared in list `names`; 0 for NAME_LISTS. */
 int api_value_count(const struct board *b, enum name_kind names);
@@ -311,12 +312,12 @@ static inline bool api_has_tag(const uint16_t *tags, uint32_t i, uint32_t tag)
 
 /* Arguments of the functions that only select by tag (`group`), and of those that call a function for each thing
  * (`each`). */
-enum { EACH_TAG, EACH_F, EACH_PARAMS, TAG_PARAMS = 1 };
-extern const struct api_param api_tag_params[TAG_PARAMS], api_each_params[EACH_PARAMS];
+enum { EACH_TAG, EACH_F, EACH_PARAM_COUNT, TAG_PARAM_COUNT = 1 };
+extern const struct api_param api_tag_params[TAG_PARAM_COUNT], api_each_params[EACH_PARAM_COUNT];
 
-/* Where a property's row says its value is: STORED(STORED_FX, enemies.x), FLAG_OF(enemies.flags, ENEMY_HIDDEN), or
+/* The storage in a property's row: STORED(STORED_FX, enemies.x), FLAG_OF(enemies.flags, ENEMY_HIDDEN), or
  * COMPUTED by a function. */
-#define STORED(type, columns)  .storage = type, .column = offsetof(struct board, columns)
+#define STORED(type, columns)  .storage = type, .column_offset = offsetof(struct board, columns)
 #define FLAG_OF(columns, bits) STORED(STORED_FLAG, columns), .flag = bits
 #define COMPUTED               .storage = STORED_NOWHERE
 
@@ -329,7 +330,7 @@ extern const struct api_param api_tag_params[TAG_PARAMS], api_each_params[EACH_P
     }
 
 /* Where the things of a kind, or a group's members, are stored: the struct's name in struct board. */
-#define POOL(pool) .slots = offsetof(struct board, pool.s), .tags = offsetof(struct board, pool.tag)
+#define POOL(pool) .slots_offset = offsetof(struct board, pool.s), .tags_offset = offsetof(struct board, pool.tag)
 
 /* Applies a verb to the thing before the colon, v[0], or to each live member of that group. Returns 0, the number of
  * results. */
@@ -362,7 +363,7 @@ int api_push_group(lua_State *L, enum handle_kind kind, const char *entry, const
 /* Calls the function in v with each live entity of a pool that has the tag in v (none: all), in slot order. Entities
  * spawned during the calls are not visited. */
 int api_call_each(lua_State *L, struct board *b, enum handle_kind kind, const char *entry, const struct slots *s,
-                  const uint16_t *tags, const struct api_value v[EACH_PARAMS]);
+                  const uint16_t *tags, const struct api_value v[EACH_PARAM_COUNT]);
 
 /* A region given by a place and shape words: everywhere, a circle, a box or a line with a width. */
 enum api_region_shape { REGION_ALL, REGION_CIRCLE, REGION_BOX, REGION_LINE };
@@ -388,7 +389,15 @@ struct api_region {
     PARAM("dy", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "distance down; a negative distance moves up")
 
 /* Indices of the shape words, which follow PLACE in this order. */
-enum { REGION_RADIUS = PLACE_PARAMS, REGION_W, REGION_H, REGION_TO_X, REGION_TO_Y, REGION_WIDTH, REGION_PARAMS };
+enum {
+    REGION_RADIUS = POSITION_PARAM_COUNT,
+    REGION_W,
+    REGION_H,
+    REGION_TO_X,
+    REGION_TO_Y,
+    REGION_WIDTH,
+    REGION_PARAM_COUNT
+};
 #define SHAPE_CIRCLE_PARAMS(must, most)                                                                                \
     PARAM("radius", A_FX, must, 0, most, "px", NULL, "radius of a circle around the position")
 /* The help of an optional argument of a box or line names the arguments it needs. */
@@ -404,7 +413,7 @@ enum { REGION_RADIUS = PLACE_PARAMS, REGION_W, REGION_H, REGION_TO_X, REGION_TO_
         PARAM("to_y", A_FX, must, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "y of the end of the line"),                    \
         PARAM("width", A_FX, must, 0, WORLD_EDGE, "px", NULL, "width of the line; its ends are round")
 
-/* Reads a region from REGION_PARAMS values. Returns false if the thing `from` is dead, so that the region has no
+/* Reads a region from REGION_PARAM_COUNT values. Returns false if the thing `from` is dead, so that the region has no
  * position. */
 bool api_read_region(lua_State *L, struct board *b, const char *entry, const struct api_value *v, struct api_region *r);
 
@@ -417,45 +426,47 @@ bool api_region_touches_laser(const struct board *b, const struct api_region *r,
 /* The parameters and functions of bullet.clear, laser.clear and the clear verbs of bullets, shots, lasers and
  * groups. */
 enum {
-    CLEAR_PARAMS = 16,
-    CLEAR_SELF_PARAMS = 3,
-    CLEAR_GROUP_PARAMS = 4 + REGION_PARAMS,
-    LASER_CLEAR_PARAMS = 16,
-    LASER_CLEAR_SELF_PARAMS = 4,
-    LASER_CLEAR_GROUP_PARAMS = 5 + REGION_PARAMS
+    BULLET_CLEAR_PARAM_COUNT = 16,
+    BULLET_CLEAR_SELF_PARAM_COUNT = 3,
+    BULLET_CLEAR_GROUP_PARAM_COUNT = 4 + REGION_PARAM_COUNT,
+    LASER_CLEAR_PARAM_COUNT = 16,
+    LASER_CLEAR_SELF_PARAM_COUNT = 4,
+    LASER_CLEAR_GROUP_PARAM_COUNT = 5 + REGION_PARAM_COUNT
 };
-extern const struct api_param api_clear_params[CLEAR_PARAMS], api_clear_self_params[CLEAR_SELF_PARAMS],
-    api_clear_group_params[CLEAR_GROUP_PARAMS], api_laser_clear_params[LASER_CLEAR_PARAMS],
-    api_laser_clear_self_params[LASER_CLEAR_SELF_PARAMS], api_laser_clear_group_params[LASER_CLEAR_GROUP_PARAMS];
-int api_clear(lua_State *L, struct board *b, struct api_value *v);
-int api_clear_self(lua_State *L, struct board *b, struct api_value *v);
-int api_clear_group(lua_State *L, struct board *b, struct api_value *v);
+extern const struct api_param api_bullet_clear_params[BULLET_CLEAR_PARAM_COUNT],
+    api_bullet_clear_self_params[BULLET_CLEAR_SELF_PARAM_COUNT],
+    api_bullet_clear_group_params[BULLET_CLEAR_GROUP_PARAM_COUNT], api_laser_clear_params[LASER_CLEAR_PARAM_COUNT],
+    api_laser_clear_self_params[LASER_CLEAR_SELF_PARAM_COUNT],
+    api_laser_clear_group_params[LASER_CLEAR_GROUP_PARAM_COUNT];
+int api_bullet_clear(lua_State *L, struct board *b, struct api_value *v);
+int api_bullet_clear_self(lua_State *L, struct board *b, struct api_value *v);
+int api_bullet_clear_group(lua_State *L, struct board *b, struct api_value *v);
 int api_laser_clear(lua_State *L, struct board *b, struct api_value *v);
 int api_laser_clear_self(lua_State *L, struct board *b, struct api_value *v);
 int api_laser_clear_group(lua_State *L, struct board *b, struct api_value *v);
 
 /* The parameters and the function of bullet.meet. */
-enum { MEET_PARAMS = 6 };
-extern const struct api_param api_meet_params[MEET_PARAMS];
-int api_meet(lua_State *L, struct board *b, struct api_value *v);
+enum { MEET_PARAM_COUNT = 6 };
+extern const struct api_param api_bullet_meet_params[MEET_PARAM_COUNT];
+int api_bullet_meet(lua_State *L, struct board *b, struct api_value *v);
 /* Raises an error if `around` is given but the pool has no column for it, because rom.lua does not enable it. */
 void api_check_around(lua_State *L, const struct bullets *s, const char *entry, const struct api_value *around);
 
 /* Reads the name of a declared value, at stack index `at`, that a motion step uses in place of a number. Returns the
- * value's NAMED_BITS (motion.h). */
+ * value's NAMED_VALUE_BITS (motion.h). */
 uint64_t api_find_step_value(lua_State *L, int step, const char *key, int at);
 
 /* Read the table of settings, at stack index `at`, of an `emit` or `wait_for` step (api_step.c). */
-enum { EMIT_PARAMS = 17, AWAIT_PARAMS = 5 };
-extern const struct api_param api_emit_params[EMIT_PARAMS], api_await_params[AWAIT_PARAMS];
+enum { EMIT_PARAM_COUNT = 17, AWAIT_PARAM_COUNT = 5 };
+extern const struct api_param api_emit_params[EMIT_PARAM_COUNT], api_await_params[AWAIT_PARAM_COUNT];
 void api_read_emit_step(lua_State *L, int step, int at, struct motion_emit *e);
 void api_read_await_step(lua_State *L, int step, int at, struct motion_step *s);
 
 /* State of reading the route at stack index `route`; i, x and y start at 0. Each call of api_read_step_leg reads the
  * next leg; returns false after the last one. */
 struct api_route_reader {
-    int route, i;
-    bool mirrored;
+    int route_at, i;
+    bool is_mirrored;
     fx x, y;
 };
 bool api_read_step_leg(lua_State *L, int step, struct api_route_reader *reader, struct motion_step *leg);
@@ -471,11 +482,11 @@ struct api_pictures {
     uint16_t sprite[MAX_PICTURES];
 };
 
-/* Reads at most `max` pictures from the table `pictures`: first the names in `first_names`, which ends with NULL (an
+/* Reads at most `max` pictures from the table `pictures`: first the names in `fixed_names`, which ends with NULL (an
  * omitted picture uses the kind's own sprite), then the other names in byte order. If the table is not given,
  * there are none. */
 void api_pictures_read(lua_State *L, const char *entry, const struct api_value *owner, uint16_t default_sprite,
-                       const char *const *first_names, int max, struct api_pictures *p);
+                       const char *const *fixed_names, int max, struct api_pictures *p);
 
 /* api_pictures_append_rows appends the pictures' rows to the list of kinds; the kind itself must be appended next.
  * api_pictures_store_names then stores the pictures' names. */
@@ -490,7 +501,7 @@ unsigned api_picture_find(lua_State *L, enum name_kind names, int32_t kind, cons
 void api_picture_push(lua_State *L, enum name_kind names, int32_t kind, unsigned n);
 
 /* If rom.lua disables names of that sort, returns the text for the %s of API_DISABLED_FORMAT, otherwise NULL. */
-const char *api_names_off_text(lua_State *L, enum name_kind kind);
+const char *api_names_disabled_reason(lua_State *L, enum name_kind kind);
 
 /* Returns whether that kind of thing has a property of that name. */
 bool api_has_property(const struct api_thing *t, const char *name);
@@ -526,8 +537,8 @@ enum { RUN_REGISTERS = -1 };
 int api_registers_define(lua_State *L, const char *entry, int32_t kind, int at);
 
 /* The settings a register's table may hold. */
-enum { REGISTER_SETTINGS = 10 };
-extern const struct api_param api_register_settings[REGISTER_SETTINGS];
+enum { REGISTER_SETTING_COUNT = 10 };
+extern const struct api_param api_register_settings[REGISTER_SETTING_COUNT];
 
 /* Returns the number of the register `name`; if there is none, raises an error about the argument `param_name`. */
 int api_register_expect(lua_State *L, const char *entry, const char *param_name, int32_t kind, const char *name);
@@ -550,7 +561,7 @@ void api_player_push_unlock(lua_State *L, int32_t kind);
 bool api_register_is_declared(lua_State *L, const char *name);
 
 /* Returns the register name nearest to a misspelt one, or NULL. */
-const char *api_register_nearest(lua_State *L, const char *name);
+const char *api_find_nearest_register(lua_State *L, const char *name);
 
 /* Fills `names` with the names of the registers of a kind of ship, indexed by register number; returns how many there
  * are. The strings are valid as long as the board is. */

@@ -15,10 +15,10 @@
 #include "api_parts.h"
 
 enum {
-    WARM_CALLS = 16, /* number of calls before a plan is made */
-    FREE_SLOTS =
-        LUA_MINSTACK - 3, /* stack slots a C function has above its arguments; odd, as the offsets of values are */
-    EXTRA_SLOTS = 16,     /* stack slots an API function may need in addition */
+    CALLS_BEFORE_PLAN = 16, /* number of calls before a plan is made */
+    FREE_STACK_SLOTS =
+        LUA_MINSTACK - 3,   /* stack slots a C function has above its arguments; odd, as the offsets of values are */
+    EXTRA_STACK_SLOTS = 16, /* stack slots an API function may need in addition */
     MAX_KEYS = MAX_PARAMS
 };
 
@@ -49,7 +49,7 @@ static void fill_plan(struct api_plan *p, const struct api_entry *e, const struc
 static struct api_plan *make_plan(lua_State *L, struct api_binding *f, const struct api_entry *fired_entry)
 {
     const struct api_entry *e = f->entry;
-    const enum name_kind names = api_value_names(fired_entry ? fired_entry : e);
+    const enum name_kind names = api_entry_value_names(fired_entry ? fired_entry : e);
     const int n = api_param_count(e, fired_entry), n_values = api_value_count(vm_board(L), names);
     struct api_plan *p = lua_newuserdatauv(L, sizeof *p + (size_t)(n + n_values) * sizeof *p->defaults, n + n_values);
 
@@ -69,11 +69,11 @@ static struct api_plan *get_plan(lua_State *L, struct api_binding *f, const stru
 
     if (e->flags & API_VARARGS || lua_gettop(L) != at || lua_type(L, at) != LUA_TTABLE || vm_board(L)->vm.skips_plans)
         return NULL;
-    *fired_entry = api_fired_entry(L, e, at);
+    *fired_entry = api_find_fired_entry(L, e, at);
     struct api_plan *p = f->plan;
     if (p && p->fired_entry == *fired_entry && p->n_values == api_value_count(vm_board(L), p->names))
         return p;
-    if ((p && p->fired_entry != *fired_entry) || ++f->table_calls < WARM_CALLS)
+    if ((p && p->fired_entry != *fired_entry) || ++f->table_call_count < CALLS_BEFORE_PLAN)
         return NULL;
     return make_plan(L, f, *fired_entry);
 }
@@ -90,7 +90,7 @@ static int learn_key(lua_State *L, const struct api_entry *e, struct api_plan *p
     if (i < p->n + p->n_values)
         return i;
     const char *name = luakeys_text(L, -2);
-    if (!name || (e->flags & API_FIRE && !strcmp(name, "each"))) /* `each` makes fewer arguments required */
+    if (!name || (e->flags & API_PATTERN && !strcmp(name, "each"))) /* `each` makes fewer arguments required */
         return -1;
     i = api_search_param(e, p->fired_entry, name);
     if (i < 0 && p->n_values > 0) {
@@ -117,7 +117,7 @@ static bool read_table(lua_State *L, const struct api_entry *e, struct api_plan 
     lua_pushnil(L);
     lua_pushnil(L);
     while (lua_next(L, at)) {
-        if (slot == at + FREE_SLOTS)
+        if (slot == at + FREE_STACK_SLOTS)
             luaL_checkstack(L, 2 * (p->n + p->n_values), NULL);
         int i = p->next_param[previous];
         if (lua_topointer(L, -2) != p->key[i]) {
@@ -165,7 +165,7 @@ int api_read_planned_arguments(lua_State *L, struct api_binding *f, struct api_v
     uint64_t given_mask = 0;
     const int at = e->positional_count + 1;
 
-    if (e->positional_count == e->count && !(e->flags & (API_FIRE | API_VARARGS | API_VALUES)) &&
+    if (e->positional_count == e->count && !(e->flags & (API_PATTERN | API_VARARGS | API_TAKES_VALUES)) &&
         lua_gettop(L) == e->count) {
         *fired_entry = NULL;
         memset(v, 0, e->count * sizeof *v);
@@ -179,7 +179,7 @@ int api_read_planned_arguments(lua_State *L, struct api_binding *f, struct api_v
         lua_settop(L, at);
         return api_read_arguments(L, e, v, fired_entry);
     }
-    luaL_checkstack(L, EXTRA_SLOTS, NULL);
+    luaL_checkstack(L, EXTRA_STACK_SLOTS, NULL);
     vm_board(L)->vm.plan_count++;
     for (int i = 0; i < e->positional_count; i++) {
         api_read_value(L, i + 1, i + 1, &v[i]);

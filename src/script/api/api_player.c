@@ -33,7 +33,7 @@ enum {
 static const struct api_param def_params[] = {
     PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the ship, used in `players` of boot.run; must be new"),
     PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "sprite to draw"),
-    PARAM("hit", A_HIT, REQ, HIT_PLAYERS, 0, NULL, NULL, "hitbox, a circle around its position"),
+    PARAM("hit", A_HIT_SHAPE, REQ, HIT_PLAYERS, 0, NULL, NULL, "hitbox, a circle around its position"),
     PARAM("graze", A_FX, OPT, 0, MAX_SPEED, "px", "16", "radius of the circle in which bullets graze it"),
     PARAM("speed", A_FX, OPT, 0, MAX_SPEED, "px/frame", "4", "speed of flight"),
     PARAM("focus", A_FX, OPT, 0, MAX_SPEED, "px/frame", "2", "speed of flight while the focus button is held"),
@@ -63,11 +63,11 @@ static const struct api_param def_params[] = {
     PARAM("needs", A_STR, OPT, 1, 31, NULL, NULL, "unlock (unlock.def) that makes the ship available to players"),
 };
 
-static const char *const first_pictures[] = { "left", "right", NULL };
+static const char *const first_picture_names[] = { "left", "right", NULL };
 
 static const char run_key = 0; /* registry: kind -> run */
 
-static const char needs_key = 0; /* registry: kind -> the unlock it needs */
+static const char unlock_key = 0; /* registry: kind -> the unlock it needs */
 
 /* Stores the value at `at` for a kind. Creates the table on first use. */
 static void store_for_kind(lua_State *L, const char *key, int32_t kind, int at)
@@ -88,7 +88,7 @@ void api_player_push_unlock(lua_State *L, int32_t kind)
     int top = lua_gettop(L);
 
     lua_pushnil(L);
-    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &needs_key) == LUA_TTABLE) {
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &unlock_key) == LUA_TTABLE) {
         lua_rawgeti(L, -1, kind);
         lua_replace(L, top + 1);
     }
@@ -96,8 +96,8 @@ void api_player_push_unlock(lua_State *L, int32_t kind)
 }
 
 /* Returns the register that, when at its max, collects all items: the register's number + 1 in the ship,
- * PLAYER_RUN_REGISTER + its number in the run, or 0 for none. If both the ship and the run have a register of that
- * name, the ship's is used. */
+ * PLAYER_RUN_REGISTER_OFFSET + its number in the run, or 0 for none. If both the ship and the run have a register of
+ * that name, the ship's is used. */
 static uint8_t find_full_register(lua_State *L, const struct board *b, int32_t kind,
                                   const struct api_value *collect_full)
 {
@@ -111,19 +111,19 @@ static uint8_t find_full_register(lua_State *L, const struct board *b, int32_t k
     if (registers_rule(&b->registers, first_row + (uint32_t)i).max_value == REGISTER_NO_MAX)
         api_error(L, "player.def", "collect_full: register \"%s\" has no max (write registers = { %s = { max = n } })",
                   name, name);
-    return (uint8_t)(run_register < 0 ? i + 1 : PLAYER_RUN_REGISTER + i);
+    return (uint8_t)(run_register < 0 ? i + 1 : PLAYER_RUN_REGISTER_OFFSET + i);
 }
 
 /* Sets how the ship attracts items. */
-static void define_items(lua_State *L, struct board *b, int32_t kind, const struct api_value *v)
+static void define_item_attraction(lua_State *L, struct board *b, int32_t kind, const struct api_value *v)
 {
     struct player_kinds *k = &b->player_kinds;
-    const char *off_text = api_disabled_reason(&b->cart.manifest, "item");
+    const char *disabled_reason = api_disabled_reason(&b->cart.manifest, "item");
 
     for (int p = D_MAGNET; p <= D_PULL; p++)
-        if (off_text && v[p].given)
-            api_error(L, "player.def", "%s: " API_DISABLED_FORMAT, def_params[p].name, off_text);
-    if (off_text)
+        if (disabled_reason && v[p].given)
+            api_error(L, "player.def", "%s: " API_DISABLED_FORMAT, def_params[p].name, disabled_reason);
+    if (disabled_reason)
         return;
     k->magnet_radius[kind] = v[D_MAGNET].f;
     k->collect_line[kind] = v[D_LINE].given ? v[D_LINE].f : FX_MIN;
@@ -139,11 +139,11 @@ static int player_def(lua_State *L, struct board *b, struct api_value *v)
     struct api_pictures pictures;
     uint32_t row = k->s.live;
 
-    api_pictures_read(L, "player.def", &v[D_PICTURES], (uint16_t)v[D_SPRITE].i, first_pictures, PLAYER_MAX_PICTURES,
-                      &pictures);
+    api_pictures_read(L, "player.def", &v[D_PICTURES], (uint16_t)v[D_SPRITE].i, first_picture_names,
+                      PLAYER_MAX_PICTURES, &pictures);
     api_pictures_append_rows(L, "player.def", &k->s, k->sprite, &pictures);
     for (; row < k->s.live; row++)
-        k->radius[row] = PICTURE_ROW;
+        k->radius[row] = PICTURE_ROW_RADIUS;
     int32_t i = slots_append(&k->s);
     if (i == NO_SLOT)
         return api_error(L, "player.def", "too many kinds (at most %d)", (int)k->s.cap);
@@ -158,7 +158,7 @@ static int player_def(lua_State *L, struct board *b, struct api_value *v)
     k->first_register[i] = (uint16_t)b->registers.s.live;
     if (v[D_REGISTERS].given)
         k->n_registers[i] = (uint8_t)api_registers_define(L, "player.def", i, v[D_REGISTERS].at);
-    define_items(L, b, i, v);
+    define_item_attraction(L, b, i, v);
     k->bomb[i] = api_find_bomb(L, "bomb", i, &v[D_BOMB]);
     k->bomb_focus[i] = api_find_bomb(L, "bomb_focus", i, &v[D_BOMB_FOCUS]);
     k->deathbomb_frames[i] = (uint16_t)v[D_DEATHBOMB].i;
@@ -167,7 +167,7 @@ static int player_def(lua_State *L, struct board *b, struct api_value *v)
     if (v[D_RUN].given)
         store_for_kind(L, &run_key, i, v[D_RUN].at);
     if (v[D_NEEDS].given) {
-        store_for_kind(L, &needs_key, i, v[D_NEEDS].at);
+        store_for_kind(L, &unlock_key, i, v[D_NEEDS].at);
         api_record_location(L, "player.def", lua_tostring(L, v[D_NAME].at));
     }
     return 0;
@@ -205,7 +205,7 @@ int api_player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind)
 
 enum { ARG_PLAYER = 0, ARG_X = 0, ARG_Y = 1, ARG_F = 0 };
 
-static const struct api_param get_params[] = { PARAM("i", A_PAD, REQ, 0, 0, NULL, NULL, "player to return") };
+static const struct api_param get_params[] = { PARAM("i", A_PLAYER, REQ, 0, 0, NULL, NULL, "player to return") };
 static const struct api_param nearest_params[] = {
     PARAM("x", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "horizontal position to measure from"),
     PARAM("y", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "vertical position to measure from")
@@ -223,7 +223,7 @@ static int player_nearest(lua_State *L, struct board *b, struct api_value *v)
 {
     struct targets t = board_player_targets(b);
 
-    lua_pushinteger(L, board_handle(b, H_PLAYER, targets_nearest(&t, v[ARG_X].f, v[ARG_Y].f)));
+    lua_pushinteger(L, board_handle(b, H_PLAYER, targets_find_nearest(&t, v[ARG_X].f, v[ARG_Y].f)));
     return 1;
 }
 
@@ -259,10 +259,10 @@ enum {
 static const struct api_prop props[PROPS] = {
     { PARAM("x", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
             "horizontal position in the field; a write teleports it, without collisions on the way"),
-      PROP_WRITE, STORED(STORED_FX, player.x), .is_set = true },
+      PROP_WRITE, STORED(STORED_FX, player.x), .has_setter = true },
     { PARAM("y", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
             "vertical position in the field; a write teleports it, without collisions on the way"),
-      PROP_WRITE, STORED(STORED_FX, player.y), .is_set = true },
+      PROP_WRITE, STORED(STORED_FX, player.y), .has_setter = true },
     { PARAM("lives", A_INT, REQ, 0, MAX_LIVES, NULL, NULL,
             "lives left after the one in play; reads as -1 in on.death when the last life is lost"),
       PROP_WRITE, STORED(STORED_I32, player.lives) },
@@ -312,9 +312,9 @@ static void set_player_prop(lua_State *L, struct board *b, uint32_t i, int p, co
     else if (p == P_Y)
         player_set_position(s, i, s->x[i], v->f);
     else
-        s->flags[i] = (uint8_t)((unsigned)(s->flags[i] & ~(PLAYER_PICTURE | PLAYER_POSED)) |
+        s->flags[i] = (uint8_t)((unsigned)(s->flags[i] & ~(PLAYER_PICTURE | PLAYER_PICTURE_LOCKED)) |
                                 api_picture_find(L, N_PLAYER, s->kind[i], "player", v) * PLAYER_PICTURE_ONE |
-                                (v->given ? PLAYER_POSED : 0));
+                                (v->given ? PLAYER_PICTURE_LOCKED : 0));
 }
 
 const struct api_thing api_player_thing = { "player", props, PROPS, .get = get_player_prop, .set = set_player_prop };
@@ -324,7 +324,7 @@ const struct api_thing api_player_thing = { "player", props, PROPS, .get = get_p
 enum { BUTTON_NAME, BUTTON_PLAYER };
 
 static const struct api_param button_params[] = { PARAM("button", A_BUTTON, REQ, 0, 0, NULL, NULL, "button to read"),
-                                                  PARAM("p", A_PAD, OPT, 0, 0, NULL, "1",
+                                                  PARAM("p", A_PLAYER, OPT, 0, 0, NULL, "1",
                                                         "player whose buttons to read") };
 
 enum { TAKE_BUTTON, TAKE_AGE, TAKE_PLAYER };
@@ -332,7 +332,7 @@ enum { TAKE_BUTTON, TAKE_AGE, TAKE_PLAYER };
 static const struct api_param take_params[] = { PARAM("button", A_BUTTON, REQ, 0, 0, NULL, NULL, "button to read"),
                                                 PARAM("n", A_INT, REQ, 0, MAX_PRESS_AGE, "frames", NULL,
                                                       "maximum age of the press; 0 accepts only a press in this frame"),
-                                                PARAM("p", A_PAD, OPT, 0, 0, NULL, "1",
+                                                PARAM("p", A_PLAYER, OPT, 0, 0, NULL, "1",
                                                       "player whose buttons to read") };
 
 static int read_pad(lua_State *L, const struct board *b, const uint16_t *button_masks, const struct api_value *v)
@@ -376,9 +376,10 @@ static int pad_repeated(lua_State *L, struct board *b, struct api_value *v)
 
 enum { ADD_POINTS, ADD_PLAYER };
 
-static const struct api_param add_params[] = { PARAM("n", A_INT, REQ, -1e12, 1e12, "points", NULL,
-                                                     "points to add; a negative number takes points away"),
-                                               PARAM("p", A_PAD, OPT, 0, 0, NULL, "1", "player who gets the points") };
+static const struct api_param add_params[] = {
+    PARAM("n", A_INT, REQ, -1e12, 1e12, "points", NULL, "points to add; a negative number takes points away"),
+    PARAM("p", A_PLAYER, OPT, 0, 0, NULL, "1", "player who gets the points")
+};
 
 enum { ROWS_TABLE, ROWS_SHIP };
 
@@ -398,7 +399,7 @@ static const struct api_param enter_params[] = {
     PARAM("score", A_INT, REQ, -1e15, 1e15, "points", NULL, "points to enter"),
     PARAM("ship", A_STR, OPT, 1, NV_MAX_KEY, NULL, NULL,
           "ship that earned the score; the score is entered into the ship's table"),
-    PARAM("stage", A_INT, OPT, 1, NV_CLEARED - 1, NULL, NULL, "number of the stage reached"),
+    PARAM("stage", A_INT, OPT, 1, NV_STAGE_CLEARED - 1, NULL, NULL, "number of the stage reached"),
     PARAM("clear", A_BOOL, OPT, 0, 0, NULL, "false", "true if all stages were cleared; use it instead of `stage`"),
     PARAM("continues", A_INT, OPT, 0, NV_MAX_CONTINUES, NULL, "0", "number of continues used")
 };
@@ -422,11 +423,11 @@ static void push_row(lua_State *L, const struct nv_row *row)
         lua_pushstring(L, row->ship);
         lua_setfield(L, -2, "ship");
     }
-    if (row->stage && row->stage != NV_CLEARED) {
+    if (row->stage && row->stage != NV_STAGE_CLEARED) {
         lua_pushinteger(L, row->stage);
         lua_setfield(L, -2, "stage");
     }
-    lua_pushboolean(L, row->stage == NV_CLEARED);
+    lua_pushboolean(L, row->stage == NV_STAGE_CLEARED);
     lua_setfield(L, -2, "clear");
     lua_pushinteger(L, row->continues);
     lua_setfield(L, -2, "continues");
@@ -459,10 +460,10 @@ static int score_enter(lua_State *L, struct board *b, struct api_value *v)
     if (v[ENTER_STAGE].given)
         row.stage = (uint8_t)v[ENTER_STAGE].i;
     if (v[ENTER_CLEAR].i)
-        row.stage = NV_CLEARED;
+        row.stage = NV_STAGE_CLEARED;
     int r = nvram_enter_row(&b->nvram, table, &row);
     if (r == -2)
-        return api_error(L, "score.enter", NVRAM_FULL, b->cart.manifest.nvram_kib);
+        return api_error(L, "score.enter", NVRAM_FULL_MESSAGE, b->cart.manifest.nvram_kib);
     if (r < 0)
         return lua_pushnil(L), 1;
     if (!board_is_listing(b))
@@ -472,7 +473,7 @@ static int score_enter(lua_State *L, struct board *b, struct api_value *v)
 }
 
 static const struct api_entry entries[] = {
-    { "player.def", player_def, PARAMS(def_params), 1, API_CHANGES | API_LOAD, NULL,
+    { "player.def", player_def, PARAMS(def_params), 1, API_CHANGES | API_LOAD_ONLY, NULL,
       HELP("declares a ship: its sprite, its hitbox, its speed and its rules") },
     { "player.get", player_get, PARAMS(get_params), 1, 0, "player",
       HELP("returns player 1 or 2, even if that player isn't in the game") },
@@ -498,9 +499,9 @@ static const struct api_entry entries[] = {
     { "score.enter", score_enter, PARAMS(enter_params), 1, API_CHANGES, "row",
       HELP("enters a score into a saved table of ten rows; returns the number of its row, or nil if the score is too "
            "low") },
-    { "player.def register", NULL, api_register_settings, REGISTER_SETTINGS, 0, API_LUA | API_SYS, NULL,
+    { "player.def register", NULL, api_register_settings, REGISTER_SETTING_COUNT, 0, API_LUA | API_SYS, NULL,
       HELP("one register of the ship; a plain number sets only `start`") },
-    { "game.def register", NULL, api_register_settings, REGISTER_SETTINGS, 0, API_LUA | API_SYS, NULL,
+    { "game.def register", NULL, api_register_settings, REGISTER_SETTING_COUNT, 0, API_LUA | API_SYS, NULL,
       HELP("one register of the run; a plain number sets only `start`") },
 };
 const struct api_module api_player = { entries, sizeof entries / sizeof *entries };

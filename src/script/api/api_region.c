@@ -7,7 +7,7 @@
 #include "../../machine/lasers_run.h"
 #include "api_parts.h"
 
-static bool all_given(const struct api_value *v, int first, int n)
+static bool are_all_given(const struct api_value *v, int first, int n)
 {
     for (int i = first; i < first + n; i++)
         if (!v[i].given)
@@ -15,7 +15,7 @@ static bool all_given(const struct api_value *v, int first, int n)
     return true;
 }
 
-static bool any_given(const struct api_value *v, int first, int n)
+static bool is_any_given(const struct api_value *v, int first, int n)
 {
     for (int i = first; i < first + n; i++)
         if (v[i].given)
@@ -23,14 +23,14 @@ static bool any_given(const struct api_value *v, int first, int n)
     return false;
 }
 
-enum { BOX_ARGS = 2, LINE_ARGS = 3 };
+enum { BOX_ARG_COUNT = 2, LINE_ARG_COUNT = 3 };
 
 /* Returns the shape whose arguments are given; raises an error for arguments of several shapes, or for only some of the
  * arguments of one shape. */
 static enum api_region_shape find_shape(lua_State *L, const char *entry, const struct api_value *v)
 {
-    bool has_circle = v[REGION_RADIUS].given, has_box = any_given(v, REGION_W, BOX_ARGS),
-         has_line = any_given(v, REGION_TO_X, LINE_ARGS);
+    bool has_circle = v[REGION_RADIUS].given, has_box = is_any_given(v, REGION_W, BOX_ARG_COUNT),
+         has_line = is_any_given(v, REGION_TO_X, LINE_ARG_COUNT);
 
     if (has_circle + has_box + has_line > 1)
         api_error(L, entry,
@@ -39,9 +39,9 @@ static enum api_region_shape find_shape(lua_State *L, const char *entry, const s
                   : !has_line   ? "a circle and a box"
                   : !has_circle ? "a box and a line"
                                 : "all three");
-    if (has_box && !all_given(v, REGION_W, BOX_ARGS))
+    if (has_box && !are_all_given(v, REGION_W, BOX_ARG_COUNT))
         api_error(L, entry, "shape: expected both `w` and `h`, got only `%s`", v[REGION_W].given ? "w" : "h");
-    if (has_line && !all_given(v, REGION_TO_X, LINE_ARGS))
+    if (has_line && !are_all_given(v, REGION_TO_X, LINE_ARG_COUNT))
         api_error(L, entry, "shape: expected all of `to_x`, `to_y` and `width`, got no `%s`",
                   !v[REGION_TO_X].given   ? "to_x"
                   : !v[REGION_TO_Y].given ? "to_y"
@@ -53,12 +53,12 @@ bool api_read_region(lua_State *L, struct board *b, const char *entry, const str
 {
     *r = (struct api_region){ .shape = find_shape(L, entry, v) };
     if (r->shape == REGION_ALL) {
-        if (any_given(v, 0, PLACE_PARAMS))
+        if (is_any_given(v, 0, POSITION_PARAM_COUNT))
             api_error(L, entry,
                       "shape: expected `radius`, or `w` and `h`, or `to_x`, `to_y` and `width`, got only a place");
         return true;
     }
-    if (!api_read_place(L, b, entry, v, &r->x, &r->y))
+    if (!api_read_position(L, b, entry, v, &r->x, &r->y))
         return false;
     r->a = r->shape == REGION_CIRCLE ? v[REGION_RADIUS].f : v[r->shape == REGION_BOX ? REGION_W : REGION_WIDTH].f / 2;
     r->b = v[REGION_H].f / 2;
@@ -97,7 +97,7 @@ bool api_region_touches_laser(const struct board *b, const struct api_region *r,
 
 /* ---- clears ---- */
 
-static const struct bullet_kinds *bullet_kinds_of(const struct board *b, const struct bullets *s)
+static const struct bullet_kinds *get_bullet_kinds(const struct board *b, const struct bullets *s)
 {
     return s == &b->bullets ? &b->bullet_kinds : &b->shot_kinds;
 }
@@ -121,14 +121,14 @@ static void leave_item(struct board *b, const struct bullets *s, const struct ap
 /* A clear removes entities that have the tag (0: any), are in the region, and are clearable unless `include_fixed`. */
 struct clear_filter {
     struct api_region region;
-    const struct api_value *spark, *items; /* arguments as given */
+    const struct api_value *spark, *item; /* arguments as given */
     uint32_t tag;
     bool include_fixed;
 };
 
 static bool matches_filter(const struct board *b, const struct bullets *s, const struct clear_filter *c, uint32_t i)
 {
-    const struct bullet_kinds *kinds = bullet_kinds_of(b, s);
+    const struct bullet_kinds *kinds = get_bullet_kinds(b, s);
 
     return api_has_tag(s->tag, i, c->tag) && api_region_contains(&c->region, s->x[i], s->y[i]) &&
            (c->include_fixed || !(kinds->flags[bullets_kind(s, kinds, i)] & KIND_FIXED));
@@ -147,7 +147,7 @@ static lua_Integer clear_bullets(lua_State *L, struct board *b, struct bullets *
         if (!matches_filter(b, s, c, i))
             continue;
         leave_spark(b, s, c->spark, i);
-        leave_item(b, s, c->items, i);
+        leave_item(b, s, c->item, i);
         bullets_drop(s, i);
         n++;
     }
@@ -187,7 +187,7 @@ enum {
         PARAM("y", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "vertical position of the shape"),                  \
         SHAPE_CIRCLE_PARAMS(OPT, MAX_SPEED),                                                                           \
         PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "kind of spark to leave behind; overrides `vanish`"),      \
-        PARAM("from", A_THING, OPT, PLACE_KINDS, 0, NULL, NULL,                                                        \
+        PARAM("from", A_THING, OPT, POSITION_HANDLE_KINDS, 0, NULL, NULL,                                              \
               "thing whose position is used instead of `x` and `y`"),                                                  \
         PARAM("dx", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", "0",                                                     \
               "distance added to `x`, or to the position of `from`"),                                                  \
@@ -197,7 +197,7 @@ enum {
         PARAM("all", A_BOOL, OPT, 0, 0, NULL, "false", "also remove kinds with `clearable = false`"),                  \
         PARAM("items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL, "kind of item that replaces each thing removed")
 
-const struct api_param api_clear_params[CLEAR_PARAMS] = {
+const struct api_param api_bullet_clear_params[BULLET_CLEAR_PARAM_COUNT] = {
     COMMON_CLEAR_PARAMS,
     PARAM("lasers", A_BOOL, OPT, 0, 0, NULL, "true",
           "also remove enemy lasers; with a shape, only lasers that touch it"),
@@ -205,13 +205,13 @@ const struct api_param api_clear_params[CLEAR_PARAMS] = {
 
 /* ---- clearing lasers ---- */
 
-enum { DEFAULT_EVERY = 12 /* px between the sparks and items along a cleared laser */ };
+enum { DEFAULT_REMAINS_SPACING = 12 /* px between the sparks and items along a cleared laser */ };
 
 /* The spark and item a cleared laser leaves. */
 struct remains {
     bool has_spark;
-    uint16_t kind;
-    const struct api_value *items;
+    uint16_t spark_kind;
+    const struct api_value *item;
 };
 
 /* Emits the spark and spawns the item at one position on a cleared laser. */
@@ -220,28 +220,28 @@ static void leave_remains(struct board *b, fx x, fx y, void *context)
     const struct remains *r = context;
 
     if (r->has_spark)
-        board_burst_sparks(b, &(struct spark_burst){ .x = x, .y = y, .kind = r->kind, .n = 1 });
-    if (r->items->given)
-        board_replace_with_item(b, (uint16_t)r->items->i, x, y);
+        board_burst_sparks(b, &(struct spark_burst){ .x = x, .y = y, .kind = r->spark_kind, .n = 1 });
+    if (r->item->given)
+        board_replace_with_item(b, (uint16_t)r->item->i, x, y);
 }
 
-/* Removes the whole of laser i. Every `every` px along it, emits the given spark (otherwise the one of its kind) and
+/* Removes the whole of laser i. Every `spacing` px along it, emits the given spark (otherwise the one of its kind) and
  * spawns the given item, if any. */
 static void clear_laser(lua_State *L, struct board *b, uint32_t i, const struct api_value *spark,
-                        const struct api_value *items, fx every)
+                        const struct api_value *item, fx spacing)
 {
     const uint16_t vanish = b->laser_kinds.vanish_spark[b->laser_heads.kind[i]];
-    struct remains r = { spark->given || vanish, (uint16_t)(spark->given ? spark->i : vanish - 1), items };
+    struct remains r = { spark->given || vanish, (uint16_t)(spark->given ? spark->i : vanish - 1), item };
 
     vm_charge(L, lasers_corner_count(b, i));
-    if (r.has_spark || items->given)
-        vm_charge(L, lasers_each_position(b, i, every, leave_remains, &r));
+    if (r.has_spark || item->given)
+        vm_charge(L, lasers_visit_positions(b, i, spacing, leave_remains, &r));
     lasers_remove(b, i);
 }
 
-/* Removes the lasers that match c and returns how many; includes players' lasers only if `include_shooting`. */
-static lua_Integer clear_lasers(lua_State *L, struct board *b, const struct clear_filter *c, fx every,
-                                bool include_shooting)
+/* Removes the lasers that match c and returns how many; includes players' lasers only if `include_player_lasers`. */
+static lua_Integer clear_lasers(lua_State *L, struct board *b, const struct clear_filter *c, fx spacing,
+                                bool include_player_lasers)
 {
     const struct laser_kinds *kinds = &b->laser_kinds;
     lua_Integer n = 0;
@@ -249,40 +249,48 @@ static lua_Integer clear_lasers(lua_State *L, struct board *b, const struct clea
     EACH_LIVE (i, &b->lasers.s) {
         const unsigned flags = kinds->flags[b->laser_heads.kind[i]];
         vm_charge(L, lasers_corner_count(b, i));
-        if (!api_has_tag(b->laser_heads.tag, i, c->tag) || (flags & LASER_SHOOTS && !include_shooting) ||
+        if (!api_has_tag(b->laser_heads.tag, i, c->tag) || (flags & LASER_HITS_ENEMIES && !include_player_lasers) ||
             (flags & LASER_FIXED && !c->include_fixed) || !api_region_touches_laser(b, &c->region, i))
             continue;
-        clear_laser(L, b, i, c->spark, c->items, every);
+        clear_laser(L, b, i, c->spark, c->item, spacing);
         n++;
     }
     return n;
 }
 
-int api_clear(lua_State *L, struct board *b, struct api_value *v)
+int api_bullet_clear(lua_State *L, struct board *b, struct api_value *v)
 {
-    const struct api_value region_args[REGION_PARAMS] = { v[C_X], v[C_Y], v[C_FROM], v[C_DX],   v[C_DY],   v[C_RADIUS],
-                                                          v[C_W], v[C_H], v[C_TO_X], v[C_TO_Y], v[C_WIDTH] };
-    struct clear_filter c = { .spark = &v[C_SPARK], .items = &v[C_ITEMS], .include_fixed = v[C_ALL].i };
+    const struct api_value region_args[REGION_PARAM_COUNT] = { v[C_X],    v[C_Y],      v[C_FROM], v[C_DX],
+                                                               v[C_DY],   v[C_RADIUS], v[C_W],    v[C_H],
+                                                               v[C_TO_X], v[C_TO_Y],   v[C_WIDTH] };
+    struct clear_filter c = { .spark = &v[C_SPARK], .item = &v[C_ITEMS], .include_fixed = v[C_ALL].i };
 
     if (v[C_TAG].given)
         c.tag = api_intern_tag(L, "bullet.clear", v[C_TAG].at);
     bool has_position = api_read_region(L, b, "bullet.clear", region_args, &c.region);
     lua_Integer n = has_position ? clear_bullets(L, b, &b->bullets, &c) : 0;
     if (has_position && v[C_LASERS].i)
-        n += clear_lasers(L, b, &c, DEFAULT_EVERY << 16, false);
+        n += clear_lasers(L, b, &c, DEFAULT_REMAINS_SPACING << 16, false);
     lua_pushinteger(L, n);
     return 1;
 }
 
-enum { ARG_SELF, ARG_SPARK, SELF_ITEMS, ARG_PLACE = SELF_ITEMS, ARG_ALL = ARG_PLACE + REGION_PARAMS, ARG_ITEMS };
+enum {
+    ARG_SELF,
+    ARG_SPARK,
+    SELF_ITEMS,
+    ARG_POSITION = SELF_ITEMS,
+    ARG_ALL = ARG_POSITION + REGION_PARAM_COUNT,
+    ARG_ITEMS
+};
 
-const struct api_param api_clear_self_params[CLEAR_SELF_PARAMS] = {
+const struct api_param api_bullet_clear_self_params[BULLET_CLEAR_SELF_PARAM_COUNT] = {
     PARAM("self", A_THING, REQ, 1 << H_BULLET | 1 << H_SHOT, 0, NULL, NULL, "the thing itself"),
     PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "kind of spark to leave behind; overrides `vanish`"),
     PARAM("items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL, "kind of item that replaces it"),
 };
 
-int api_clear_self(lua_State *L, struct board *b, struct api_value *v)
+int api_bullet_clear_self(lua_State *L, struct board *b, struct api_value *v)
 {
     int64_t h = v[ARG_SELF].i;
     uint32_t i = handle_slot(h);
@@ -298,10 +306,10 @@ int api_clear_self(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-const struct api_param api_clear_group_params[CLEAR_GROUP_PARAMS] = {
+const struct api_param api_bullet_clear_group_params[BULLET_CLEAR_GROUP_PARAM_COUNT] = {
     PARAM("self", A_THING, REQ, 1 << H_GROUP | 1 << H_SHOTS, 0, NULL, NULL, "the group itself"),
     PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "kind of spark to leave behind; overrides `vanish`"),
-    PLACE,
+    POSITION_PARAMS,
     SHAPE_CIRCLE_PARAMS(OPT, MAX_SPEED),
     SHAPE_BOX_PARAMS(OPT),
     SHAPE_LINE_PARAMS(OPT),
@@ -309,13 +317,13 @@ const struct api_param api_clear_group_params[CLEAR_GROUP_PARAMS] = {
     PARAM("items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL, "kind of item that replaces each thing removed"),
 };
 
-int api_clear_group(lua_State *L, struct board *b, struct api_value *v)
+int api_bullet_clear_group(lua_State *L, struct board *b, struct api_value *v)
 {
     bool is_shots = handle_kind(v[ARG_SELF].i) == H_SHOTS;
     struct clear_filter c = {
-        .spark = &v[ARG_SPARK], .items = &v[ARG_ITEMS], .tag = handle_slot(v[ARG_SELF].i), .include_fixed = v[ARG_ALL].i
+        .spark = &v[ARG_SPARK], .item = &v[ARG_ITEMS], .tag = handle_slot(v[ARG_SELF].i), .include_fixed = v[ARG_ALL].i
     };
-    bool has_position = api_read_region(L, b, is_shots ? "shots:clear" : "group:clear", v + ARG_PLACE, &c.region);
+    bool has_position = api_read_region(L, b, is_shots ? "shots:clear" : "group:clear", v + ARG_POSITION, &c.region);
 
     lua_pushinteger(L, has_position ? clear_bullets(L, b, is_shots ? &b->shots : &b->bullets, &c) : 0);
     return 1;
@@ -327,16 +335,17 @@ int api_clear_group(lua_State *L, struct board *b, struct api_value *v)
     PARAM("every", A_FX, OPT, 1, LASER_MAX_SIZE, "px", "12",                                                           \
           "distance along the laser between the sparks or items it leaves")
 
-const struct api_param api_laser_clear_params[LASER_CLEAR_PARAMS] = {
+const struct api_param api_laser_clear_params[LASER_CLEAR_PARAM_COUNT] = {
     COMMON_CLEAR_PARAMS,
     EVERY_PARAM,
 };
 
 int api_laser_clear(lua_State *L, struct board *b, struct api_value *v)
 {
-    const struct api_value region_args[REGION_PARAMS] = { v[C_X], v[C_Y], v[C_FROM], v[C_DX],   v[C_DY],   v[C_RADIUS],
-                                                          v[C_W], v[C_H], v[C_TO_X], v[C_TO_Y], v[C_WIDTH] };
-    struct clear_filter c = { .spark = &v[C_SPARK], .items = &v[C_ITEMS], .include_fixed = v[C_ALL].i };
+    const struct api_value region_args[REGION_PARAM_COUNT] = { v[C_X],    v[C_Y],      v[C_FROM], v[C_DX],
+                                                               v[C_DY],   v[C_RADIUS], v[C_W],    v[C_H],
+                                                               v[C_TO_X], v[C_TO_Y],   v[C_WIDTH] };
+    struct clear_filter c = { .spark = &v[C_SPARK], .item = &v[C_ITEMS], .include_fixed = v[C_ALL].i };
 
     if (v[C_TAG].given)
         c.tag = api_intern_tag(L, "laser.clear", v[C_TAG].at);
@@ -345,7 +354,7 @@ int api_laser_clear(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-const struct api_param api_laser_clear_self_params[LASER_CLEAR_SELF_PARAMS] = {
+const struct api_param api_laser_clear_self_params[LASER_CLEAR_SELF_PARAM_COUNT] = {
     PARAM("self", A_THING, REQ, 1 << H_LASER, 0, NULL, NULL, "the laser itself"),
     PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "kind of spark to leave behind; overrides `vanish`"),
     PARAM("items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL, "kind of item that replaces it"),
@@ -359,10 +368,10 @@ int api_laser_clear_self(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-const struct api_param api_laser_clear_group_params[LASER_CLEAR_GROUP_PARAMS] = {
+const struct api_param api_laser_clear_group_params[LASER_CLEAR_GROUP_PARAM_COUNT] = {
     PARAM("self", A_THING, REQ, 1 << H_LASERS, 0, NULL, NULL, "the group itself"),
     PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "kind of spark to leave behind; overrides `vanish`"),
-    PLACE,
+    POSITION_PARAMS,
     SHAPE_CIRCLE_PARAMS(OPT, MAX_SPEED),
     SHAPE_BOX_PARAMS(OPT),
     SHAPE_LINE_PARAMS(OPT),
@@ -374,9 +383,9 @@ const struct api_param api_laser_clear_group_params[LASER_CLEAR_GROUP_PARAMS] = 
 int api_laser_clear_group(lua_State *L, struct board *b, struct api_value *v)
 {
     struct clear_filter c = {
-        .spark = &v[ARG_SPARK], .items = &v[ARG_ITEMS], .tag = handle_slot(v[ARG_SELF].i), .include_fixed = v[ARG_ALL].i
+        .spark = &v[ARG_SPARK], .item = &v[ARG_ITEMS], .tag = handle_slot(v[ARG_SELF].i), .include_fixed = v[ARG_ALL].i
     };
-    bool has_position = api_read_region(L, b, "lasers:clear", v + ARG_PLACE, &c.region);
+    bool has_position = api_read_region(L, b, "lasers:clear", v + ARG_POSITION, &c.region);
 
     lua_pushinteger(L, has_position ? clear_lasers(L, b, &c, v[ARG_ITEMS + 1].f, true) : 0);
     return 1;

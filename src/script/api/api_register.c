@@ -10,13 +10,13 @@
  * registers that declare how they are shown. */
 static const char names_key = 0, displays_key = 0;
 
-static const char *const show_modes[] = { "none", "number", "icons", "bar", "times", NULL }, *const show_places[] = {
+static const char *const show_modes[] = { "none", "number", "icons", "bar", "times", NULL }, *const show_positions[] = {
     "top", "low", NULL
 };
 
 enum { S_START, S_MIN, S_MAX, S_DRAIN, S_EVERY, S_HOLD, S_SHOW, S_AT, S_LABEL, S_MARK };
 
-const struct api_param api_register_settings[REGISTER_SETTINGS] = {
+const struct api_param api_register_settings[REGISTER_SETTING_COUNT] = {
     PARAM("start", A_INT, OPT, -INT32_MAX, INT32_MAX, NULL, NULL,
           "value in a new game; defaults to 0, or to `min` if that is higher"),
     PARAM("min", A_INT, OPT, -INT32_MAX, INT32_MAX, NULL, NULL, "lowest value; defaults to 0"),
@@ -38,7 +38,7 @@ const struct api_param api_register_settings[REGISTER_SETTINGS] = {
 };
 
 struct register_declaration {
-    const char *name, *show, *place, *label; /* NULL: not given; the declared table keeps the strings alive */
+    const char *name, *show_mode, *position, *label; /* NULL: not given; the declared table keeps the strings alive */
     bool has_mark;
     int32_t mark;
     struct register_rule rule;
@@ -69,12 +69,12 @@ static const char *read_choice(lua_State *L, const char *entry, const char *name
     return NULL;
 }
 
-/* Returns the integer in v (DRAIN_FOREVER for forever), or `fallback` if v is not given. */
+/* Returns the integer in v (DRAIN_TO_START for forever), or `fallback` if v is not given. */
 static int32_t read_setting(const struct api_value *v, int32_t fallback)
 {
     if (!v->given)
         return fallback;
-    return v->i == LUA_MAXINTEGER ? DRAIN_FOREVER : (int32_t)v->i;
+    return v->i == LUA_MAXINTEGER ? DRAIN_TO_START : (int32_t)v->i;
 }
 
 static void check_rule(lua_State *L, const char *entry, const char *name, const struct register_declaration *r)
@@ -87,7 +87,7 @@ static void check_rule(lua_State *L, const char *entry, const char *name, const 
         api_error(L, entry, "%s: start %d is greater than max %d", name, (int)rule->start, (int)rule->max_value);
     if (rule->start < rule->min_value)
         api_error(L, entry, "%s: start %d is less than min %d", name, (int)rule->start, (int)rule->min_value);
-    if (rule->max_value == REGISTER_NO_MAX && r->show && !strcmp(r->show, "bar"))
+    if (rule->max_value == REGISTER_NO_MAX && r->show_mode && !strcmp(r->show_mode, "bar"))
         api_error(L, entry, "%s: `show = \"bar\"` requires `max`", name);
     if (!rule->drain && rule->hold)
         api_error(L, entry, "%s: `hold` requires `drain` (a number or forever)", name);
@@ -96,9 +96,9 @@ static void check_rule(lua_State *L, const char *entry, const char *name, const 
 /* Reads the rule { start = 3, max = 6, show = "icons" } at `at`. */
 static void read_rule(lua_State *L, const char *entry, const char *name, int at, struct register_declaration *r)
 {
-    static const struct api_fields fields = { api_register_settings, REGISTER_SETTINGS, NAME_LISTS };
+    static const struct api_fields fields = { api_register_settings, REGISTER_SETTING_COUNT, NAME_LISTS };
     struct register_rule *rule = &r->rule;
-    struct api_value v[REGISTER_SETTINGS];
+    struct api_value v[REGISTER_SETTING_COUNT];
 
     api_read_fields(L, entry, name, &fields, at, v);
     rule->min_value = read_setting(&v[S_MIN], 0);
@@ -107,8 +107,8 @@ static void read_rule(lua_State *L, const char *entry, const char *name, int at,
     rule->drain = read_setting(&v[S_DRAIN], 0);
     rule->interval = read_setting(&v[S_EVERY], 1);
     rule->hold = read_setting(&v[S_HOLD], 0);
-    r->show = read_choice(L, entry, name, v, S_SHOW, show_modes, "none, number, icons, bar or times");
-    r->place = read_choice(L, entry, name, v, S_AT, show_places, "top or low");
+    r->show_mode = read_choice(L, entry, name, v, S_SHOW, show_modes, "none, number, icons, bar or times");
+    r->position = read_choice(L, entry, name, v, S_AT, show_positions, "top or low");
     r->label = v[S_LABEL].given ? lua_tostring(L, v[S_LABEL].at) : NULL;
     r->has_mark = v[S_MARK].given;
     r->mark = read_setting(&v[S_MARK], 0);
@@ -116,7 +116,7 @@ static void read_rule(lua_State *L, const char *entry, const char *name, int at,
 }
 
 /* Raises an error if the name is already used by players or by the table game. */
-static void check_name(lua_State *L, const char *entry, int32_t kind, const char *name)
+static void check_register_name(lua_State *L, const char *entry, int32_t kind, const char *name)
 {
     static const char *const game_fields[] = { "def", "stage", "mode", "continues", "frames", NULL };
 
@@ -126,7 +126,7 @@ static void check_name(lua_State *L, const char *entry, int32_t kind, const char
                 api_error(L, entry, "registers: game.%s already exists", name);
         return;
     }
-    if (api_has_property(api_of(L)->things[H_PLAYER], name) || !strcmp(name, "alive"))
+    if (api_has_property(api_get_table(L)->things[H_PLAYER], name) || !strcmp(name, "alive"))
         api_error(L, entry, "registers: \"%s\" is already a property of players", name);
     if (api_push_method(L, H_PLAYER, name))
         api_error(L, entry, "registers: \"%s\" is already a method of players", name);
@@ -141,7 +141,7 @@ static struct register_declaration read_register(lua_State *L, const char *entry
     struct api_value v = { 0 };
     char name[64];
 
-    check_name(L, entry, kind, r.name);
+    check_register_name(L, entry, kind, r.name);
     snprintf(name, sizeof name, "registers.%s", r.name);
     if (lua_istable(L, -1)) {
         read_rule(L, entry, name, lua_gettop(L), &r);
@@ -166,7 +166,7 @@ static void store_display(lua_State *L, int32_t kind, int i, const struct regist
 {
     int top = lua_gettop(L);
 
-    if (!r->show)
+    if (!r->show_mode)
         return;
     push_registry_table(L, &displays_key);
     if (lua_rawgeti(L, -1, kind) != LUA_TTABLE) {
@@ -176,8 +176,8 @@ static void store_display(lua_State *L, int32_t kind, int i, const struct regist
         lua_rawseti(L, -3, kind);
     }
     lua_newtable(L);
-    set_string_field(L, "show", r->show);
-    set_string_field(L, "at", r->place);
+    set_string_field(L, "show", r->show_mode);
+    set_string_field(L, "at", r->position);
     set_string_field(L, "label", r->label);
     if (r->has_mark) {
         lua_pushinteger(L, r->mark);
@@ -201,7 +201,8 @@ void api_register_add_display(lua_State *L, int32_t kind, int i)
     lua_settop(L, top);
 }
 
-static void add_rows(lua_State *L, const char *entry, int32_t kind, const struct register_declaration *regs, int n)
+static void add_register_rows(lua_State *L, const char *entry, int32_t kind, const struct register_declaration *regs,
+                              int n)
 {
     struct registers *rows = &vm_board(L)->registers;
 
@@ -233,7 +234,7 @@ int api_registers_define(lua_State *L, const char *entry, int32_t kind, int at)
         regs[i] = read_register(L, entry, kind, names[i]);
         lua_settop(L, top);
     }
-    add_rows(L, entry, kind, regs, n);
+    add_register_rows(L, entry, kind, regs, n);
     return n;
 }
 
@@ -268,22 +269,22 @@ bool api_register_is_declared(lua_State *L, const char *name)
     return found;
 }
 
-static void suggest(lua_State *L, int32_t kind, const char *name, int *best_distance, const char **found)
+static void suggest_register(lua_State *L, int32_t kind, const char *name, int *best_distance, const char **found)
 {
     const char *names[PLAYER_MAX_REGISTERS];
 
     for (int n = api_player_register_names(L, kind, names), i = 0; i < n; i++)
-        api_suggest_nearer(name, names[i], best_distance, found);
+        api_consider_suggestion(name, names[i], best_distance, found);
 }
 
-const char *api_register_nearest(lua_State *L, const char *name)
+const char *api_find_nearest_register(lua_State *L, const char *name)
 {
     const char *found = NULL;
-    int best_distance = EDIT_FAR;
+    int best_distance = EDIT_TOO_FAR;
 
-    suggest(L, RUN_REGISTERS, name, &best_distance, &found);
+    suggest_register(L, RUN_REGISTERS, name, &best_distance, &found);
     for (uint32_t kind = 0; kind < vm_board(L)->player_kinds.s.live; kind++)
-        suggest(L, (int32_t)kind, name, &best_distance, &found);
+        suggest_register(L, (int32_t)kind, name, &best_distance, &found);
     return found;
 }
 
@@ -291,11 +292,11 @@ int api_register_expect(lua_State *L, const char *entry, const char *param_name,
 {
     const int i = api_find_ship_register(L, kind, name);
     const char *found = NULL;
-    int best_distance = EDIT_FAR;
+    int best_distance = EDIT_TOO_FAR;
 
     if (i >= 0)
         return i;
-    suggest(L, kind, name, &best_distance, &found);
+    suggest_register(L, kind, name, &best_distance, &found);
     if (found)
         return api_error(L, entry, "%s: unknown register \"%s\" (did you mean \"%s\"?)", param_name, name, found);
     return api_error(L, entry, "%s: unknown register \"%s\" (add registers = { %s = 0 } to player.def)", param_name,
@@ -316,8 +317,8 @@ int api_player_register_names(lua_State *L, int32_t kind, const char *names[PLAY
 
 int64_t api_read_register_value(lua_State *L, const char *entry, const char *name, uint32_t row, int at)
 {
-    const double least = registers_rule(&vm_board(L)->registers, row).min_value;
-    const struct api_param p = { name, A_INT, REQ, least, INT32_MAX, NULL, NULL, NULL };
+    const double min_value = registers_rule(&vm_board(L)->registers, row).min_value;
+    const struct api_param p = { name, A_INT, REQ, min_value, INT32_MAX, NULL, NULL, NULL };
     struct api_value v = { 0 };
     int is_integer = 0;
 

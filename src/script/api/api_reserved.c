@@ -10,7 +10,7 @@ static const struct {
     const char *owner; /* a table of the API, a function, or a thing; "": the globals */
     char separator;    /* '.' a field, '{' an argument, ':' a property or a verb */
     const char *names;
-} reserved[] = {
+} reserved_names[] = {
     { "", '.', "test" },
 };
 
@@ -24,7 +24,8 @@ static bool has_word(const char *words, const char *word)
     return false;
 }
 
-/* Returns whether `owner` is `row`, the owner of a row, or `row` followed by a quoted detail (api_push_checked). */
+/* Returns whether `owner` is `row`, the owner of a row, or `row` followed by a quoted detail
+ * (api_push_checked_arguments). */
 static bool is_owner(const char *row, const char *owner)
 {
     size_t n = strlen(row);
@@ -34,27 +35,27 @@ static bool is_owner(const char *row, const char *owner)
 
 bool api_is_reserved(const char *owner, char separator, const char *name)
 {
-    for (size_t i = 0; i < sizeof reserved / sizeof *reserved; i++)
-        if (reserved[i].separator == separator && is_owner(reserved[i].owner, owner))
-            return has_word(reserved[i].names, name);
+    for (size_t i = 0; i < sizeof reserved_names / sizeof *reserved_names; i++)
+        if (reserved_names[i].separator == separator && is_owner(reserved_names[i].owner, owner))
+            return has_word(reserved_names[i].names, name);
     return false;
 }
 
 const char *api_reserved_row(int i, const char **owner, char *separator)
 {
-    if (i >= (int)(sizeof reserved / sizeof *reserved))
+    if (i >= (int)(sizeof reserved_names / sizeof *reserved_names))
         return NULL;
-    *owner = reserved[i].owner;
-    *separator = reserved[i].separator;
-    return reserved[i].names;
+    *owner = reserved_names[i].owner;
+    *separator = reserved_names[i].separator;
+    return reserved_names[i].names;
 }
 
 /* Tables, things and fields that exist only if rom.lua enables them. */
 static const struct {
     const char *names;
-    size_t capacity; /* offset in struct manifest of an int32_t; 0: disabled */
+    size_t capacity_offset; /* offset in struct manifest of an int32_t; 0: disabled */
     const char *reason;
-} optional[] = {
+} optional_features[] = {
     { "item items on.take sys.drop", offsetof(struct manifest, items),
       "items are disabled; add `items = 512` to `board`" },
     { "text.line", offsetof(struct manifest, lines), "text lines are disabled; add `lines = 32` to `board`" },
@@ -62,10 +63,10 @@ static const struct {
     { "laser.curve", offsetof(struct manifest, curve_points),
       "curved lasers are disabled; add `curve_points = 2048` to `board`" },
     { "option", offsetof(struct manifest, options), "options are disabled; add `options = 16` to `board`" },
-    { "bullet.ml bullet.documents bulletml", offsetof(struct manifest, bulletml),
+    { "bullet.ml bullet.documents bulletml", offsetof(struct manifest, bulletml_runners),
       "BulletML is disabled; add `bulletml = 1024` to `board`" },
-    { "bg layer plane", offsetof(struct manifest, bg), "backgrounds are disabled; add `maps = { ... }`" },
-    { "sound music", offsetof(struct manifest, sound),
+    { "bg layer plane", offsetof(struct manifest, has_backgrounds), "backgrounds are disabled; add `maps = { ... }`" },
+    { "sound music", offsetof(struct manifest, has_sound),
       "sound is disabled; add `sounds = { ... }` or `music = { ... }`" },
 };
 
@@ -73,10 +74,10 @@ const char *api_disabled_reason(const struct manifest *m, const char *name)
 {
     int32_t capacity;
 
-    for (size_t i = 0; i < sizeof optional / sizeof *optional; i++) {
-        memcpy(&capacity, (const char *)m + optional[i].capacity, sizeof capacity);
-        if (!capacity && has_word(optional[i].names, name))
-            return optional[i].reason;
+    for (size_t i = 0; i < sizeof optional_features / sizeof *optional_features; i++) {
+        memcpy(&capacity, (const char *)m + optional_features[i].capacity_offset, sizeof capacity);
+        if (!capacity && has_word(optional_features[i].names, name))
+            return optional_features[i].reason;
     }
     return NULL;
 }
@@ -92,12 +93,12 @@ void api_fault_missing_field(lua_State *L, const char *owner, const char *name)
     if (api_is_reserved(owner, '.', name))
         vm_fault(L, FAULT_SCRIPT, "%s.%s %s", owner, name, RESERVED_MESSAGE);
     if (std_module_of_field(owner, name) >= 0)
-        vm_fault(L, FAULT_SCRIPT, "%s.%s: %s", owner, name, STD_NOT_HERE);
+        vm_fault(L, FAULT_SCRIPT, "%s.%s: %s", owner, name, STD_NOT_PACKED);
 }
 
 /* If the global `table` is a table without a metatable, makes reads of its missing fields raise an error that explains
  * why (api_fault_missing_field). */
-static void explain_missing(lua_State *L, const char *table)
+static void explain_missing_fields(lua_State *L, const char *table)
 {
     int top = lua_gettop(L);
 
@@ -106,13 +107,13 @@ static void explain_missing(lua_State *L, const char *table)
     lua_settop(L, top);
 }
 
-void api_reserved_install(lua_State *L)
+void api_explain_missing_fields(lua_State *L)
 {
-    for (size_t i = 0; i < sizeof reserved / sizeof *reserved; i++)
-        if (reserved[i].separator == '.' && reserved[i].owner[0])
-            explain_missing(L, reserved[i].owner);
-    explain_missing(L, "text"); /* for text.line, which rom.lua may disable */
-    for (int i = 0; i < STD_MODULES; i++)
+    for (size_t i = 0; i < sizeof reserved_names / sizeof *reserved_names; i++)
+        if (reserved_names[i].separator == '.' && reserved_names[i].owner[0])
+            explain_missing_fields(L, reserved_names[i].owner);
+    explain_missing_fields(L, "text"); /* for text.line, which rom.lua may disable */
+    for (int i = 0; i < STD_MODULE_COUNT; i++)
         if (std_extended_table(i))
-            explain_missing(L, std_extended_table(i));
+            explain_missing_fields(L, std_extended_table(i));
 }

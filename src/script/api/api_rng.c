@@ -6,34 +6,34 @@
 #include "../../base/trig.h"
 #include "api.h"
 
-static uint64_t draw(struct board *b, uint64_t below)
+static uint64_t draw_random_integer(struct board *b, uint64_t bound)
 {
-    return board_random(b, below);
+    return board_random(b, bound);
 }
 
 enum { ARG_A = 0, ARG_B = 1, ARG_P = 0, ARG_LIST = 0, ARG_DX = 0, ARG_DY = 1, ARG_D = 0 };
 
-static const struct api_param ab_int[] = { PARAM("a", A_INT, REQ, -9e15, 9e15, NULL, NULL, "lowest result"),
-                                           PARAM("b", A_INT, REQ, -9e15, 9e15, NULL, NULL, "highest result") };
-static const struct api_param ab_number[] = { PARAM("a", A_NUM, REQ, -1e15, 1e15, NULL, NULL, "lowest result"),
-                                              PARAM("b", A_NUM, REQ, -1e15, 1e15, NULL, NULL,
-                                                    "upper limit, which is never returned unless it equals `a`") };
-static const struct api_param p_only[] = { PARAM("p", A_NUM, REQ, 0, 1, NULL, NULL, "probability") };
-static const struct api_param list_only[] = { PARAM("list", A_TABLE, REQ, 0, 0, NULL, NULL,
-                                                    "list to pick from, not empty") };
+static const struct api_param int_params[] = { PARAM("a", A_INT, REQ, -9e15, 9e15, NULL, NULL, "lowest result"),
+                                               PARAM("b", A_INT, REQ, -9e15, 9e15, NULL, NULL, "highest result") };
+static const struct api_param number_params[] = { PARAM("a", A_NUM, REQ, -1e15, 1e15, NULL, NULL, "lowest result"),
+                                                  PARAM("b", A_NUM, REQ, -1e15, 1e15, NULL, NULL,
+                                                        "upper limit, which is never returned unless it equals `a`") };
+static const struct api_param chance_params[] = { PARAM("p", A_NUM, REQ, 0, 1, NULL, NULL, "probability") };
+static const struct api_param pick_params[] = { PARAM("list", A_TABLE, REQ, 0, 0, NULL, NULL,
+                                                      "list to pick from, not empty") };
 
 static int rng_int(lua_State *L, struct board *b, struct api_value *v)
 {
     if (v[ARG_A].i > v[ARG_B].i)
         return api_error(L, "rng.int", "`a` is greater than `b`");
-    lua_pushinteger(L, v[ARG_A].i + (int64_t)draw(b, (uint64_t)(v[ARG_B].i - v[ARG_A].i) + 1));
+    lua_pushinteger(L, v[ARG_A].i + (int64_t)draw_random_integer(b, (uint64_t)(v[ARG_B].i - v[ARG_A].i) + 1));
     return 1;
 }
 
 /* Returns a random fraction, 0 <= f < 1, of 53 bits, which a double represents exactly. */
 static double random_fraction(struct board *b)
 {
-    return (double)(draw(b, 0) >> 11) / 9007199254740992.0;
+    return (double)(draw_random_integer(b, 0) >> 11) / 9007199254740992.0;
 }
 
 static int rng_number(lua_State *L, struct board *b, struct api_value *v)
@@ -58,36 +58,39 @@ static int rng_pick(lua_State *L, struct board *b, struct api_value *v)
 
     if (!n)
         return api_error(L, "rng.pick", "list: expected at least one element");
-    lua_rawgeti(L, v[ARG_LIST].at, (lua_Integer)draw(b, n) + 1);
+    lua_rawgeti(L, v[ARG_LIST].at, (lua_Integer)draw_random_integer(b, n) + 1);
     return 1;
 }
 
 static int rng_dir(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)v;
-    lua_pushnumber(L, trig_to_degrees((ang)(draw(b, 0) >> 32)));
+    lua_pushnumber(L, trig_to_degrees((ang)(draw_random_integer(b, 0) >> 32)));
     return 1;
 }
 
 /* ---- angle ---- */
 
-static const struct api_param two_positions[] = {
+static const struct api_param angle_to_params[] = {
     PARAM("a", A_ANY, REQ, 0, 0, NULL, NULL, "thing or { x = , y = } to start from"),
     PARAM("b", A_ANY, REQ, 0, 0, NULL, NULL, "thing or { x = , y = } to point at")
 };
-static const struct api_param dxdy[] = { PARAM("dx", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
-                                               "distance to the right"),
-                                         PARAM("dy", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "distance down") };
-static const struct api_param two_dirs[] = { PARAM("a", A_DIR, REQ, 0, 0, NULL, NULL, "direction to start from"),
-                                             PARAM("b", A_DIR, REQ, 0, 0, NULL, NULL, "direction to arrive at") };
-static const struct api_param one_dir[] = { PARAM("d", A_DIR, REQ, 0, 0, NULL, NULL, "angle") };
+static const struct api_param vector_params[] = {
+    PARAM("dx", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "distance to the right"),
+    PARAM("dy", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "distance down")
+};
+static const struct api_param difference_params[] = {
+    PARAM("a", A_DIR, REQ, 0, 0, NULL, NULL, "direction to start from"),
+    PARAM("b", A_DIR, REQ, 0, 0, NULL, NULL, "direction to arrive at")
+};
+static const struct api_param angle_params[] = { PARAM("d", A_DIR, REQ, 0, 0, NULL, NULL, "angle") };
 
 /* Reads the position of a thing or of a table with x and y. Returns false for a dead thing. */
 static bool read_position(lua_State *L, struct board *b, const char *entry, const char *name, int at, fx *x, fx *y)
 {
     struct api_param x_param = { "x", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, NULL },
                      y_param = { "y", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, NULL },
-                     thing_param = { name, A_THING, REQ, PLACE_KINDS, 0, NULL, NULL, NULL };
+                     thing_param = { name, A_THING, REQ, POSITION_HANDLE_KINDS, 0, NULL, NULL, NULL };
     struct api_value v = { 0 };
 
     if (lua_type(L, at) != LUA_TTABLE) {
@@ -146,22 +149,22 @@ static int angle_cos(lua_State *L, struct board *b, struct api_value *v)
 }
 
 static const struct api_entry entries[] = {
-    { "rng.int", rng_int, PARAMS(ab_int), 2, API_CHANGES, "integer",
+    { "rng.int", rng_int, PARAMS(int_params), 2, API_CHANGES, "integer",
       HELP("returns a random whole number from `a` to `b`, including both") },
-    { "rng.number", rng_number, PARAMS(ab_number), 2, API_CHANGES, "number",
+    { "rng.number", rng_number, PARAMS(number_params), 2, API_CHANGES, "number",
       HELP("returns a random number from `a` to `b`") },
-    { "rng.chance", rng_chance, PARAMS(p_only), 1, API_CHANGES, "boolean",
+    { "rng.chance", rng_chance, PARAMS(chance_params), 1, API_CHANGES, "boolean",
       HELP("returns true with a given probability") },
-    { "rng.pick", rng_pick, PARAMS(list_only), 1, API_CHANGES, "value", HELP("returns a random entry of a list") },
+    { "rng.pick", rng_pick, PARAMS(pick_params), 1, API_CHANGES, "value", HELP("returns a random entry of a list") },
     { "rng.dir", rng_dir, NO_PARAMS, 0, API_CHANGES, "degrees", HELP("returns a random direction") },
-    { "angle.to", angle_to, PARAMS(two_positions), 2, 0, "degrees",
+    { "angle.to", angle_to, PARAMS(angle_to_params), 2, 0, "degrees",
       HELP("returns the direction from one position to another; 90 if the positions are equal or a thing is dead") },
-    { "angle.of", angle_of, PARAMS(dxdy), 2, 0, "degrees", HELP("returns the direction of a vector") },
-    { "angle.difference", angle_difference, PARAMS(two_dirs), 2, 0, "degrees",
+    { "angle.of", angle_of, PARAMS(vector_params), 2, 0, "degrees", HELP("returns the direction of a vector") },
+    { "angle.difference", angle_difference, PARAMS(difference_params), 2, 0, "degrees",
       HELP("returns the shortest turn from one direction to another, from -180 to 180") },
-    { "angle.sin", angle_sin, PARAMS(one_dir), 1, 0, "number",
+    { "angle.sin", angle_sin, PARAMS(angle_params), 1, 0, "number",
       HELP("returns the sine of an angle in degrees, the same on every machine") },
-    { "angle.cos", angle_cos, PARAMS(one_dir), 1, 0, "number",
+    { "angle.cos", angle_cos, PARAMS(angle_params), 1, 0, "number",
       HELP("returns the cosine of an angle in degrees, the same on every machine") },
 };
 const struct api_module api_rng = { entries, sizeof entries / sizeof *entries };

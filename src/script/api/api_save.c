@@ -16,7 +16,7 @@ static const struct api_param save_set_params[] = {
     PARAM("value", A_ANY, OPT, 0, 0, NULL, NULL, "number, boolean or string of up to 60 bytes; nil deletes it")
 };
 
-static int save_get_run(lua_State *L, struct board *b, struct api_value *v)
+static int save_get(lua_State *L, struct board *b, struct api_value *v)
 {
     vm_charge(L, b->nvram.s.live / NVRAM_BYTES_PER_WORK);
     struct nv_value value = nvram_get(&b->nvram, lua_tostring(L, v[ARG_KEY].at));
@@ -44,7 +44,7 @@ static int save_get_run(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-static int save_set_run(lua_State *L, struct board *b, struct api_value *v)
+static int save_set(lua_State *L, struct board *b, struct api_value *v)
 {
     struct nv_value value = { .type = NV_NONE };
     double d;
@@ -80,14 +80,14 @@ static int save_set_run(lua_State *L, struct board *b, struct api_value *v)
     }
     vm_charge(L, b->nvram.s.live / NVRAM_BYTES_PER_WORK);
     if (!nvram_set(&b->nvram, lua_tostring(L, v[ARG_KEY].at), &value))
-        return api_error(L, "save.set", NVRAM_FULL, b->cart.manifest.nvram_kib);
+        return api_error(L, "save.set", NVRAM_FULL_MESSAGE, b->cart.manifest.nvram_kib);
     return 0;
 }
 
 static const struct api_entry entries[] = {
-    { "save.get", save_get_run, PARAMS(save_get_params), 2, API_CHANGES, "value",
+    { "save.get", save_get, PARAMS(save_get_params), 2, API_CHANGES, "value",
       HELP("returns a value saved by this run or an earlier one") },
-    { "save.set", save_set_run, PARAMS(save_set_params), 2, API_CHANGES, NULL,
+    { "save.set", save_set, PARAMS(save_set_params), 2, API_CHANGES, NULL,
       HELP("saves a value that later runs can read; practice, demos and runs without a window save nothing") },
 };
 const struct api_module api_save = { entries, sizeof entries / sizeof *entries };

@@ -29,7 +29,7 @@ enum {
     PUT_DY
 };
 
-enum { FOLLOWABLE = 1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_PLAYER | 1 << H_OPTION };
+enum { FOLLOWABLE_HANDLE_KINDS = 1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_PLAYER | 1 << H_OPTION };
 
 static const struct api_param put_params[] = {
     PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "picture to show"),
@@ -46,7 +46,8 @@ static const struct api_param put_params[] = {
     PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL,
           "blend to draw it with, from `blends` in rom.lua; nil draws it opaque"),
     PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false", "keep the sprite when the boss phase that created it ends"),
-    PARAM("follow", A_THING, OPT, FOLLOWABLE, 0, NULL, NULL, "thing to follow; the sprite is removed together with it"),
+    PARAM("follow", A_THING, OPT, FOLLOWABLE_HANDLE_KINDS, 0, NULL, NULL,
+          "thing to follow; the sprite is removed together with it"),
     PARAM("dx", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", "0",
           "distance to the right of the followed thing; needs `follow`"),
     PARAM("dy", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", "0", "distance below the followed thing; needs `follow`"),
@@ -94,8 +95,8 @@ static int sprite_put(lua_State *L, struct board *b, struct api_value *v)
     int64_t owner;
 
     check_put(L, v);
-    bool can_spawn = tasks_get_owner_of_new(b, v[PUT_STAY].i, &owner) &&
-                     (!v[PUT_FOLLOW].given || board_is_alive(b, v[PUT_FOLLOW].i));
+    bool can_spawn =
+        tasks_get_spawn_owner(b, v[PUT_STAY].i, &owner) && (!v[PUT_FOLLOW].given || board_is_alive(b, v[PUT_FOLLOW].i));
     int32_t i = can_spawn ? slots_take(&s->s) : NO_SLOT;
 
     if (i == NO_SLOT && can_spawn)
@@ -123,8 +124,8 @@ enum { PLATE_X, PLATE_Y, PLATE_W, PLATE_H, PLATE_BANK, PLATE_HIDDEN, PLATE_FRONT
 static const struct api_param plate_params[] = {
     PARAM("x", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "left edge on the screen"),
     PARAM("y", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "top edge on the screen"),
-    PARAM("w", A_INT, REQ, 8, FB_MAX, "px", NULL, "width"),
-    PARAM("h", A_INT, REQ, 8, FB_MAX, "px", NULL, "height"),
+    PARAM("w", A_INT, REQ, 8, FB_MAX_SIDE, "px", NULL, "width"),
+    PARAM("h", A_INT, REQ, 8, FB_MAX_SIDE, "px", NULL, "height"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "palette bank; the plate is drawn in its colours 1 and 10"),
     PARAM("hidden", A_BOOL, OPT, 0, 0, NULL, "false", "create the sprite without drawing it"),
     PARAM("front", A_BOOL, OPT, 0, 0, NULL, "false", "draw the plate above sprites in layer `over`, too"),
@@ -140,7 +141,7 @@ static int sprite_plate(lua_State *L, struct board *b, struct api_value *v)
 {
     struct sprites *s = &b->sprites;
     int64_t owner;
-    bool can_spawn = tasks_get_owner_of_new(b, v[PLATE_STAY].i, &owner);
+    bool can_spawn = tasks_get_spawn_owner(b, v[PLATE_STAY].i, &owner);
     int32_t i = can_spawn ? slots_take(&s->s) : NO_SLOT;
 
     if (i == NO_SLOT && can_spawn)
@@ -174,9 +175,9 @@ static const struct api_prop props[PROPS] = {
     { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of the picture"), PROP_WRITE,
       STORED(STORED_U8, sprites.bank) },
     { PARAM("flip_x", A_BOOL, REQ, 0, 0, NULL, NULL, "true if mirrored left to right"), PROP_WRITE,
-      FLAG_OF(sprites.flags, SPRITE_FLIP_X), .is_set = true },
+      FLAG_OF(sprites.flags, SPRITE_FLIP_X), .has_setter = true },
     { PARAM("flip_y", A_BOOL, REQ, 0, 0, NULL, NULL, "true if mirrored top to bottom"), PROP_WRITE,
-      FLAG_OF(sprites.flags, SPRITE_FLIP_Y), .is_set = true },
+      FLAG_OF(sprites.flags, SPRITE_FLIP_Y), .has_setter = true },
     { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "true if not drawn"), PROP_WRITE,
       FLAG_OF(sprites.flags, SPRITE_HIDDEN) },
     { PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend it is drawn with, or nil"), PROP_WRITE, COMPUTED },
@@ -186,8 +187,10 @@ static const struct api_prop props[PROPS] = {
     { PARAM("dy", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
             "distance below the followed thing; nil if the sprite follows nothing"),
       PROP_WRITE, COMPUTED },
-    { PARAM("w", A_INT, REQ, 8, FB_MAX, "px", NULL, "width of a plate; nil for other sprites"), PROP_WRITE, COMPUTED },
-    { PARAM("h", A_INT, REQ, 8, FB_MAX, "px", NULL, "height of a plate; nil for other sprites"), PROP_WRITE, COMPUTED },
+    { PARAM("w", A_INT, REQ, 8, FB_MAX_SIDE, "px", NULL, "width of a plate; nil for other sprites"), PROP_WRITE,
+      COMPUTED },
+    { PARAM("h", A_INT, REQ, 8, FB_MAX_SIDE, "px", NULL, "height of a plate; nil for other sprites"), PROP_WRITE,
+      COMPUTED },
     { PARAM("layer", A_LAYER, REQ, 0, 0, NULL, NULL, "drawing order; nil for a plate"), PROP_WRITE, COMPUTED },
 };
 
@@ -226,7 +229,7 @@ static void get_sprite(lua_State *L, struct board *b, uint32_t i, int p)
         if (is_plate(s, i))
             lua_pushnil(L);
         else
-            lua_pushstring(L, api_layers[s->layer[i]]);
+            lua_pushstring(L, api_layer_names[s->layer[i]]);
         break;
     default: /* P_BLEND */
         if (s->flags[i] & SPRITE_BLEND)
@@ -237,7 +240,7 @@ static void get_sprite(lua_State *L, struct board *b, uint32_t i, int p)
 }
 
 /* Raises an error if property p cannot be set on sprite i. */
-static void check_set(lua_State *L, const struct sprites *s, uint32_t i, int p, const struct api_value *v)
+static void check_property_write(lua_State *L, const struct sprites *s, uint32_t i, int p, const struct api_value *v)
 {
     const bool drawn_as_plate = is_plate(s, i);
 
@@ -260,7 +263,7 @@ static void set_sprite(lua_State *L, struct board *b, uint32_t i, int p, const s
 {
     struct sprites *s = &b->sprites;
 
-    check_set(L, s, i, p, v);
+    check_property_write(L, s, i, p, v);
     switch (p) {
     case P_W:
         s->sprite[i] = (uint16_t)v->i;
@@ -334,7 +337,7 @@ static const char no_free_kind[] =
 
 /* Reads the list `banks`: the first element is the kind's own bank, each further one adds a row. `look_bits`: the other
  * bits of the column `bank`. */
-static void define_banks(lua_State *L, struct spark_kinds *k, int32_t i, int at, unsigned look_bits)
+static void define_banks(lua_State *L, struct spark_kinds *k, int32_t i, int at, unsigned flag_bits)
 {
     const struct api_param bank = { "banks", A_INT, REQ, 0, 15, NULL, NULL, NULL };
     lua_Unsigned n = lua_rawlen(L, at);
@@ -350,7 +353,7 @@ static void define_banks(lua_State *L, struct spark_kinds *k, int32_t i, int at,
         api_check(L, "spark.def", &bank, lua_gettop(L), &v);
         lua_pop(L, 1);
         k->sprite[row] = k->sprite[i];
-        k->bank[row] = (uint8_t)(v.i | look_bits);
+        k->bank[row] = (uint8_t)(v.i | flag_bits);
     }
 }
 
@@ -364,10 +367,10 @@ static int spark_define(lua_State *L, struct board *b, struct api_value *v)
     if (v[D_BANKS].given && v[D_BANK].given)
         return api_error(L, "spark.def", "expected either `bank` or `banks`, got both");
     const bool is_under = LAYER_MIDDLE + v[D_LAYER].i == LAYER_MIDDLE;
-    const unsigned look_bits = (unsigned)v[D_BLEND].i * SPARK_BLEND_ONE | (is_under ? SPARK_UNDER : 0);
+    const unsigned look_bits = (unsigned)v[D_BLEND].i * SPARK_BLEND_ONE | (is_under ? SPARK_UNDER_PLAYERS : 0);
     api_names_declare(L, N_SPARK, "spark.def", lua_tostring(L, v[D_NAME].at), i);
     k->sprite[i] = (uint16_t)v[D_SPRITE].i;
-    k->life[i] = (uint16_t)v[D_LIFE].i;
+    k->lifetime[i] = (uint16_t)v[D_LIFE].i;
     k->gravity[i] = v[D_GRAVITY].f;
     k->drag[i] = v[D_DRAG].f;
     k->bank[i] = (uint8_t)(v[D_BANK].i | look_bits);
@@ -377,11 +380,11 @@ static int spark_define(lua_State *L, struct board *b, struct api_value *v)
 }
 
 enum { SPARK_WORK = 6 /* work per spark */ };
-enum { B_KIND, B_PLACE, B_N = B_PLACE + 5, B_DIR, B_SPREAD, B_SPEED, B_RADIUS, B_TO_X, B_TO_Y };
+enum { B_KIND, B_POSITION, B_N = B_POSITION + 5, B_DIR, B_SPREAD, B_SPEED, B_RADIUS, B_TO_X, B_TO_Y };
 
 static const struct api_param burst_params[] = {
     PARAM("kind", A_SPARK_KIND, REQ, 0, 0, NULL, NULL, "declared kind to create"),
-    PLACE,
+    POSITION_PARAMS,
     PARAM("n", A_INT, OPT, 0, 65535, "sparks", "1", "number of sparks to create"),
     PARAM("dir", A_DIR, OPT, 0, 0, NULL, "0",
           "middle of the range of directions; with `radius`, an angle added to the outward direction"),
@@ -408,7 +411,7 @@ static int spark_burst(lua_State *L, struct board *b, struct api_value *v)
         return api_error(L, "spark.burst", "shape: expected `radius`, or `to_x` and `to_y`, or neither");
     if (s.radius && !v[B_SPREAD].given)
         s.spread = 0;
-    if (!api_read_place(L, b, "spark.burst", v + B_PLACE, &s.x, &s.y))
+    if (!api_read_position(L, b, "spark.burst", v + B_POSITION, &s.x, &s.y))
         return 0;
     if (v[B_TO_X].given) {
         s.line_dx = v[B_TO_X].f - s.x;
@@ -445,12 +448,12 @@ static const struct api_param text_clear_params[] = {
     PARAM("h", A_INT, OPT, 0, 1000, "cells", "1000", "height"),
 };
 
-static int text_put_run(lua_State *L, struct board *b, struct api_value *v)
+static int text_put(lua_State *L, struct board *b, struct api_value *v)
 {
     size_t n;
     int col = (int)v[TEXT_COL].i;
 
-    if (v[TEXT_FONT].given && !b->cart.manifest.wide)
+    if (v[TEXT_FONT].given && !b->cart.manifest.has_wide_text)
         return api_error(L, "text.put",
                          "font: fonts in text cells are disabled; add `wide = true` to `board` in rom.lua");
     if (lua_type(L, v[TEXT_TEXT].at) != LUA_TSTRING && lua_type(L, v[TEXT_TEXT].at) != LUA_TNUMBER)
@@ -467,7 +470,7 @@ static int text_put_run(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-static int text_clear_run(lua_State *L, struct board *b, struct api_value *v)
+static int text_clear(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
     fix_clear(&b->fix, (int)v[CLEAR_COL].i, (int)v[CLEAR_ROW].i, (int)v[CLEAR_W].i, (int)v[CLEAR_H].i);
@@ -477,7 +480,7 @@ static int text_clear_run(lua_State *L, struct board *b, struct api_value *v)
 static const struct api_param text_lang_params[] = { PARAM("text", A_STR, REQ, 0, 0, NULL, NULL,
                                                            "text in the language the game is written in") };
 
-static int text_lang_run(lua_State *L, struct board *b, struct api_value *v)
+static int translate_text(lua_State *L, struct board *b, struct api_value *v)
 {
     size_t n;
     const char *text = lua_tolstring(L, v[0].at, &n), *translation = words_find(&b->words, text, n);
@@ -503,7 +506,7 @@ enum { ARG_NAME };
 static const struct api_param load_params[] = { PARAM(
     "name", A_STR, REQ, 0, 0, NULL, NULL, "palette from rom.lua; the game starts with the palette `main`") };
 
-enum { FADE_TO, FADE_OVER, FADE_FIRST, FADE_LAST };
+enum { FADE_TARGET, FADE_OVER, FADE_FIRST, FADE_LAST };
 
 static const struct api_param fade_params[] = {
     PARAM("to", A_ANY, REQ, 0, 0, "colour 0xRRGGBB, or a palette", NULL,
@@ -542,25 +545,25 @@ static const uint8_t *find_palette(lua_State *L, struct board *b, const char *en
     return NULL;
 }
 
-static uint32_t colour(const uint8_t *p, int i)
+static uint32_t read_colour(const uint8_t *p, int i)
 {
     return (uint32_t)p[3 * i] << 16 | (uint32_t)p[3 * i + 1] << 8 | p[3 * i + 2];
 }
 
 /* Returns the loaded palette if the cart has looks, otherwise 0. */
-static int loaded_palette(const struct board *b)
+static int get_loaded_palette(const struct board *b)
 {
-    return b->cart.has_looks ? board_loaded_palette(b) : 0;
+    return b->cart.has_palette_tables ? board_loaded_palette(b) : 0;
 }
 
 static int palette_load(lua_State *L, struct board *b, struct api_value *v)
 {
     const uint8_t *p = find_palette(L, b, "palette.load", v[ARG_NAME].at);
-    const int old_palette = loaded_palette(b);
+    const int old_palette = get_loaded_palette(b);
 
     for (int i = 0; i < COLOURS; i++)
-        pal_set(&b->pal, i, colour(p, i));
-    api_bg_rebuild_shades(L, b, loaded_palette(b) != old_palette);
+        pal_set(&b->pal, i, read_colour(p, i));
+    api_bg_rebuild_shades(L, b, get_loaded_palette(b) != old_palette);
     return 0;
 }
 
@@ -569,16 +572,16 @@ static int palette_fade(lua_State *L, struct board *b, struct api_value *v)
     struct api_param number_param = { "to", A_INT, REQ, 0, 0xffffff, NULL, NULL, NULL };
     struct api_value target = { 0 };
     const uint8_t *p = NULL;
-    const int old_palette = loaded_palette(b);
+    const int old_palette = get_loaded_palette(b);
 
-    if (lua_type(L, v[FADE_TO].at) == LUA_TSTRING)
-        p = find_palette(L, b, "palette.fade", v[FADE_TO].at);
+    if (lua_type(L, v[FADE_TARGET].at) == LUA_TSTRING)
+        p = find_palette(L, b, "palette.fade", v[FADE_TARGET].at);
     else
-        api_check(L, "palette.fade", &number_param, v[FADE_TO].at, &target);
+        api_check(L, "palette.fade", &number_param, v[FADE_TARGET].at, &target);
     for (int i = (int)v[FADE_FIRST].i; i <= (int)v[FADE_LAST].i; i++)
-        pal_fade(&b->pal, i, p ? colour(p, i) : (uint32_t)target.i, (uint16_t)v[FADE_OVER].i);
+        pal_fade(&b->pal, i, p ? read_colour(p, i) : (uint32_t)target.i, (uint16_t)v[FADE_OVER].i);
     if (p)
-        api_bg_rebuild_shades(L, b, loaded_palette(b) != old_palette);
+        api_bg_rebuild_shades(L, b, get_loaded_palette(b) != old_palette);
     return 0;
 }
 
@@ -603,7 +606,7 @@ static const struct api_param shake_params[] = {
     PARAM("dir", A_DIR, OPT, 0, 0, NULL, NULL, "direction of the axis to shake along; all directions if omitted"),
 };
 
-enum { FLASH_TO, FLASH_OVER, FLASH_SHARE };
+enum { FLASH_COLOUR, FLASH_OVER, FLASH_SHARE };
 
 static const struct api_param flash_params[] = {
     PARAM("to", A_INT, OPT, 0, 0xffffff, NULL, "0xffffff", "colour as 0xRRGGBB"),
@@ -614,7 +617,7 @@ static const struct api_param flash_params[] = {
 enum { BARS_H, BARS_OVER };
 
 static const struct api_param bars_params[] = {
-    PARAM("h", A_INT, REQ, 0, MAX_BARS, "px", NULL, "height of each bar; 0 removes them"),
+    PARAM("h", A_INT, REQ, 0, MAX_BAR_HEIGHT, "px", NULL, "height of each bar; 0 removes them"),
     PARAM("over", A_INT, OPT, 0, MAX_EFFECT_FRAMES, "frames", "20", "frames the change takes"),
 };
 
@@ -625,7 +628,7 @@ static const struct api_param dim_params[] = {
     PARAM("over", A_INT, OPT, 0, MAX_EFFECT_FRAMES, "frames", "0", "frames the change takes"),
 };
 
-static int screen_shake_run(lua_State *L, struct board *b, struct api_value *v)
+static int shake_screen(lua_State *L, struct board *b, struct api_value *v)
 {
     struct screen *s = &b->screen;
 
@@ -638,12 +641,12 @@ static int screen_shake_run(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-static int screen_flash_run(lua_State *L, struct board *b, struct api_value *v)
+static int flash_screen(lua_State *L, struct board *b, struct api_value *v)
 {
     struct screen *s = &b->screen;
 
     (void)L;
-    s->flash_colour = (uint32_t)v[FLASH_TO].i;
+    s->flash_colour = (uint32_t)v[FLASH_COLOUR].i;
     s->flash_share = v[FLASH_SHARE].f;
     s->flash_frames = (uint32_t)v[FLASH_OVER].i;
     s->flash_start = b->core.clock;
@@ -657,7 +660,7 @@ static int screen_letterbox(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-static int screen_dim_run(lua_State *L, struct board *b, struct api_value *v)
+static int dim_screen(lua_State *L, struct board *b, struct api_value *v)
 {
     lua_pushnumber(L, fx_to_double(b->screen.dim));
     screen_set_dim(&b->screen, b->core.frame, v[DIM_SHARE].f, (uint32_t)v[DIM_OVER].i);
@@ -672,15 +675,15 @@ static const struct api_entry entries[] = {
            "the text") },
     { "sprite:remove", sprite_remove, PARAMS(self_params), 1, API_CHANGES | API_METHOD, NULL,
       HELP("removes the sprite") },
-    { "spark.def", spark_define, PARAMS(spark_def_params), 1, API_CHANGES | API_LOAD, NULL,
+    { "spark.def", spark_define, PARAMS(spark_def_params), 1, API_CHANGES | API_LOAD_ONLY, NULL,
       HELP("declares a kind of spark: a purely visual particle that never hits and that scripts can't read") },
     { "spark.burst", spark_burst, PARAMS(burst_params), 0, API_CHANGES, NULL,
       HELP("creates sparks that scatter from a point, a ring or a line") },
-    { "text.put", text_put_run, PARAMS(text_put_params), 0, API_CHANGES, NULL,
+    { "text.put", text_put, PARAMS(text_put_params), 0, API_CHANGES, NULL,
       HELP("writes text into the grid of 8x8 cells on the screen; the text stays until it is overwritten or cleared") },
-    { "text.clear", text_clear_run, PARAMS(text_clear_params), 0, API_CHANGES, NULL,
+    { "text.clear", text_clear, PARAMS(text_clear_params), 0, API_CHANGES, NULL,
       HELP("clears a rectangle of text cells; without arguments, all of them") },
-    { "text.lang", text_lang_run, PARAMS(text_lang_params), 1, 0, "string",
+    { "text.lang", translate_text, PARAMS(text_lang_params), 1, 0, "string",
       HELP("translates a text into the language of the run, using lang/NAME.txt; a text that has no translation is "
            "returned unchanged") },
     { "palette.set", palette_set, PARAMS(set_params), 2, API_CHANGES, NULL, HELP("sets one colour of the palette") },
@@ -690,13 +693,13 @@ static const struct api_entry entries[] = {
       HELP("fades colours to one colour or to a palette from rom.lua") },
     { "palette.cycle", palette_cycle, PARAMS(cycle_params), 0, API_CHANGES, NULL,
       HELP("rotates a range of colours by one entry every few frames; up to 8 ranges can rotate at the same time") },
-    { "screen.shake", screen_shake_run, PARAMS(shake_params), 0, API_CHANGES, NULL,
+    { "screen.shake", shake_screen, PARAMS(shake_params), 0, API_CHANGES, NULL,
       HELP("shakes the picture of the field; nothing really moves, so hits aren't affected") },
-    { "screen.flash", screen_flash_run, PARAMS(flash_params), 0, API_CHANGES, NULL,
+    { "screen.flash", flash_screen, PARAMS(flash_params), 0, API_CHANGES, NULL,
       HELP("tints the entire picture and fades the tint out") },
     { "screen.letterbox", screen_letterbox, PARAMS(bars_params), 0, API_CHANGES, NULL,
       HELP("slides in black bars at the top and the bottom of the field, under the text") },
-    { "screen.dim", screen_dim_run, PARAMS(dim_params), 0, API_CHANGES, "share",
+    { "screen.dim", dim_screen, PARAMS(dim_params), 0, API_CHANGES, "share",
       HELP("darkens everything except plates, text and sprites in layer `over`, even while the game is paused; returns "
            "the previous `share`") },
 };

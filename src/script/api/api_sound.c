@@ -8,7 +8,7 @@
 
 /* Parameter indices. */
 enum { P_NAME, P_VOLUME, P_PAN, P_FROM, P_PITCH };
-enum { M_NAME, M_FADE, M_AGAIN, M_BACK, M_AT };
+enum { M_NAME, M_FADE, M_RESTART, M_SUSPEND_CURRENT, M_AT };
 enum { VOL_SHARE, VOL_OVER };
 enum { ARG_NAME = 0, ARG_FADE = 0, ARG_BEATS = 0, ARG_N = 0 };
 
@@ -18,7 +18,7 @@ static const struct api_param sound_play_params[] = {
     PARAM("name", A_SOUND, REQ, 0, 0, NULL, NULL, "sound from rom.lua"),
     PARAM("volume", A_NUM, OPT, 0, 1, NULL, "1", "fraction of the sound's volume in rom.lua"),
     PARAM("pan", A_NUM, OPT, -1, 1, NULL, "0", "stereo position: -1 is left, 1 is right; give `pan` or `from`"),
-    PARAM("from", A_THING, OPT, PLACE_KINDS, 0, NULL, NULL,
+    PARAM("from", A_THING, OPT, POSITION_HANDLE_KINDS, 0, NULL, NULL,
           "thing whose position in the field sets the stereo position; if the thing is dead, nothing plays"),
     PARAM("pitch", A_NUM, OPT, -48, 48, "semitones", "0", "pitch shift"),
 };
@@ -43,8 +43,8 @@ static const struct api_param music_volume_params[] = {
 };
 static const struct api_param music_stop_params[] = { PARAM("fade", A_INT, OPT, 0, MAX_FADE, "frames", "0",
                                                             "frames the music takes to fade out") };
-static const struct api_param beats_req[] = { PARAM("beats", A_NUM, REQ, 0, 65536, NULL, NULL,
-                                                    "number of beats (quarter notes)") };
+static const struct api_param beats_params[] = { PARAM("beats", A_NUM, REQ, 0, 65536, NULL, NULL,
+                                                       "number of beats (quarter notes)") };
 static const struct api_param music_wait_params[] = { PARAM(
     "n", A_ANY, OPT, 0, 0, "whole number, or a marker", "1",
     "number of beats to wait for, or the name of a marker of the current piece") };
@@ -55,14 +55,15 @@ static bool is_skipping(const struct board *b)
     return b->tasks.current != NO_SLOT && b->tasks.flags[b->tasks.current] & TASK_SKIPS;
 }
 
-static int sound_play_run(lua_State *L, struct board *b, struct api_value *v)
+static int play_sound(lua_State *L, struct board *b, struct api_value *v)
 {
     fx x, y;
 
     if (v[P_PAN].given && v[P_FROM].given)
         return api_error(L, "sound.play", "expected either `pan` or `from`, got both");
-    struct cue cue = { cart_place(&b->cart, CART_SOUNDS, (int)v[P_NAME].i - 1), (uint16_t)(v[P_VOLUME].n * 256 + 0.5),
-                       (int16_t)(v[P_PAN].n * TUNE_PAN_CENTRE), (int32_t)(v[P_PITCH].n * PITCH_ONE) };
+    struct cue cue = { cart_tune_offset(&b->cart, CART_SOUNDS, (int)v[P_NAME].i - 1),
+                       (uint16_t)(v[P_VOLUME].n * 256 + 0.5), (int16_t)(v[P_PAN].n * TUNE_PAN_CENTRE),
+                       (int32_t)(v[P_PITCH].n * PITCH_ONE) };
     if (v[P_FROM].given) {
         if (!board_get_position(b, v[P_FROM].i, &x, &y))
             return 0;
@@ -73,17 +74,18 @@ static int sound_play_run(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-static int sound_stop_run(lua_State *L, struct board *b, struct api_value *v)
+static int stop_sound(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
-    sound_stop(b, v[ARG_NAME].given ? cart_place(&b->cart, CART_SOUNDS, (int)v[ARG_NAME].i - 1) : 0);
+    sound_stop(b, v[ARG_NAME].given ? cart_tune_offset(&b->cart, CART_SOUNDS, (int)v[ARG_NAME].i - 1) : 0);
     return 0;
 }
 
 static int music_play(lua_State *L, struct board *b, struct api_value *v)
 {
     static const char *const boundaries[] = { "beat", "bar" };
-    struct music_options options = { (int32_t)v[M_FADE].i, MUSIC_AT_ONCE, v[M_AGAIN].i != 0, v[M_BACK].i != 0 };
+    struct music_options options = { (int32_t)v[M_FADE].i, MUSIC_AT_ONCE, v[M_RESTART].i != 0,
+                                     v[M_SUSPEND_CURRENT].i != 0 };
     const char *at = v[M_AT].given ? lua_tostring(L, v[M_AT].at) : NULL;
 
     if (at && v[M_FADE].i)
@@ -119,7 +121,7 @@ static bool get_playing_tune(const struct board *b, struct tune *t)
 {
     if (!b->music.tune)
         return false;
-    *t = tune_of(b->cart.tune_data + cart_place(&b->cart, CART_TUNES, b->music.tune - 1));
+    *t = tune_of(b->cart.tune_data + cart_tune_offset(&b->cart, CART_TUNES, b->music.tune - 1));
     return true;
 }
 
@@ -154,8 +156,8 @@ static int music_marker(lua_State *L, struct board *b, struct api_value *v)
     struct tune t;
 
     (void)v;
-    if (get_playing_tune(b, &t) && b->music.mark)
-        lua_pushstring(L, tune_marker_name(&t, b->music.mark - 1));
+    if (get_playing_tune(b, &t) && b->music.marker)
+        lua_pushstring(L, tune_marker_name(&t, b->music.marker - 1));
     else
         lua_pushnil(L);
     return 1;
@@ -174,9 +176,9 @@ static int music_frames(lua_State *L, struct board *b, struct api_value *v)
 /* ---- music.wait ---- */
 
 /* Stack indices of the values of a waiting task. */
-enum { W_TUNE = 1, W_BEAT, W_MARK, W_MARKS, W_LEFT };
+enum { W_TUNE = 1, W_BEAT, W_MARKER, W_MARKERS_PASSED, W_FRAMES_LEFT };
 
-static int64_t wait_value(lua_State *L, int at)
+static int64_t get_wait_value(lua_State *L, int at)
 {
     return lua_tointeger(L, at);
 }
@@ -187,14 +189,15 @@ static bool wait_done(lua_State *L, struct board *b)
 {
     const struct seq *s = &b->music;
 
-    if (s->tune && s->tune == wait_value(L, W_TUNE)) {
-        if (wait_value(L, W_MARK))
-            return s->marks_passed != (uint32_t)wait_value(L, W_MARKS) && s->mark == wait_value(L, W_MARK);
-        return (int64_t)seq_beats(s) >= wait_value(L, W_BEAT);
+    if (s->tune && s->tune == get_wait_value(L, W_TUNE)) {
+        if (get_wait_value(L, W_MARKER))
+            return s->markers_passed != (uint32_t)get_wait_value(L, W_MARKERS_PASSED) &&
+                   s->marker == get_wait_value(L, W_MARKER);
+        return (int64_t)seq_beats(s) >= get_wait_value(L, W_BEAT);
     }
-    lua_pushinteger(L, wait_value(L, W_LEFT) - 1);
-    lua_replace(L, W_LEFT);
-    return wait_value(L, W_MARK) || wait_value(L, W_LEFT) < 0;
+    lua_pushinteger(L, get_wait_value(L, W_FRAMES_LEFT) - 1);
+    lua_replace(L, W_FRAMES_LEFT);
+    return get_wait_value(L, W_MARKER) || get_wait_value(L, W_FRAMES_LEFT) < 0;
 }
 
 static int continue_wait(lua_State *L, int status, lua_KContext context)
@@ -216,7 +219,7 @@ static int skip_wait(lua_State *L, struct board *b)
     uint64_t work = 1;
 
     if (!b->music.tune)
-        vm_charge(L, sound_skip_wait(b, wait_value(L, W_LEFT)));
+        vm_charge(L, sound_skip_wait(b, get_wait_value(L, W_FRAMES_LEFT)));
     while (b->music.is_skipping && b->music.tune && work > 0 && !wait_done(L, b)) {
         work = sound_skip_wait(b, 1);
         vm_charge(L, work);
@@ -230,15 +233,15 @@ static int skip_wait(lua_State *L, struct board *b)
 static int find_marker(lua_State *L, struct board *b, const char *name)
 {
     const char *found = NULL;
-    int best_distance = EDIT_FAR;
+    int best_distance = EDIT_TOO_FAR;
     struct tune t;
 
     if (!get_playing_tune(b, &t))
         return 0;
-    for (int i = 0; i < t.n_marks; i++) {
+    for (int i = 0; i < t.n_markers; i++) {
         if (!strcmp(tune_marker_name(&t, i), name))
             return i + 1;
-        api_suggest_nearer(name, tune_marker_name(&t, i), &best_distance, &found);
+        api_consider_suggestion(name, tune_marker_name(&t, i), &best_distance, &found);
     }
     const char *tune = cart_name(&b->cart, CART_TUNES, b->music.tune - 1);
     if (found)
@@ -248,11 +251,11 @@ static int find_marker(lua_State *L, struct board *b, const char *name)
 
 /* Returns whether the marker is still ahead. A marker before the start of the loop is passed only once; after the end
  * of the piece, no marker is ahead. */
-static bool is_marker_ahead(lua_State *L, struct board *b, int mark)
+static bool is_marker_ahead(lua_State *L, struct board *b, int marker)
 {
     struct tune t;
     uint32_t work = 0;
-    const bool is_ahead = get_playing_tune(b, &t) && seq_has_mark_ahead(&b->music, &t, mark - 1, &work);
+    const bool is_ahead = get_playing_tune(b, &t) && seq_has_marker_ahead(&b->music, &t, marker - 1, &work);
 
     vm_charge(L, work);
     return is_ahead;
@@ -262,16 +265,16 @@ static int music_wait(lua_State *L, struct board *b, struct api_value *v)
 {
     static const struct api_param count_param = { "n", A_INT, REQ, 1, 65536, "beats", NULL, NULL };
     struct api_value n = { .i = 1 };
-    int mark = 0;
+    int marker = 0;
 
     if (v[ARG_N].given && lua_type(L, v[ARG_N].at) == LUA_TSTRING) {
-        mark = find_marker(L, b, lua_tostring(L, v[ARG_N].at));
-        n.i = mark; /* 0 while nothing plays: no wait */
+        marker = find_marker(L, b, lua_tostring(L, v[ARG_N].at));
+        n.i = marker; /* 0 while nothing plays: no wait */
     } else if (v[ARG_N].given)
         api_check(L, "music.wait", &count_param, v[ARG_N].at, &n);
     if (b->tasks.current == NO_SLOT || !lua_isyieldable(L))
         return api_error(L, "music.wait", "only a task can wait; start one with task.go");
-    if (mark && !is_marker_ahead(L, b, mark))
+    if (marker && !is_marker_ahead(L, b, marker))
         return music_beat(L, b, v);
     const bool skipped = is_skipping(b);
     const int yields = skipped ? api_count_skipped_wait(L, b) : 0;
@@ -280,17 +283,16 @@ static int music_wait(lua_State *L, struct board *b, struct api_value *v)
     lua_settop(L, 0);
     lua_pushinteger(L, b->music.tune);
     lua_pushinteger(L, (lua_Integer)seq_beats(&b->music) + n.i);
-    lua_pushinteger(L, mark);
-    lua_pushinteger(L, b->music.marks_passed);
+    lua_pushinteger(L, marker);
+    lua_pushinteger(L, b->music.markers_passed);
     lua_pushinteger(L, n.i * (BEAT_FRAMES / DEFAULT_TEMPO));
     return skipped ? skip_wait(L, b) : continue_wait(L, LUA_OK, 0);
 }
 
 static const struct api_entry entries[] = {
-    { "sound.play", sound_play_run, PARAMS(sound_play_params), 1, API_CHANGES, NULL,
+    { "sound.play", play_sound, PARAMS(sound_play_params), 1, API_CHANGES, NULL,
       HELP("plays a sound from rom.lua; plays nothing while a stage skips ahead to a practice mark") },
-    { "sound.stop", sound_stop_run, PARAMS(sound_stop_params), 1, API_CHANGES, NULL,
-      HELP("stops a sound, or all sounds") },
+    { "sound.stop", stop_sound, PARAMS(sound_stop_params), 1, API_CHANGES, NULL, HELP("stops a sound, or all sounds") },
     { "music.play", music_play, PARAMS(music_play_params), 1, API_CHANGES, NULL,
       HELP("plays a piece of music from rom.lua instead of the current one") },
     { "music.stop", music_stop, PARAMS(music_stop_params), 0, API_CHANGES, NULL,
@@ -304,7 +306,7 @@ static const struct api_entry entries[] = {
       HELP("returns the number of bars since the piece started; 0 during the first bar") },
     { "music.marker", music_marker, NO_PARAMS, 0, 0, "name or nil",
       HELP("returns the name of the last marker the piece has passed") },
-    { "music.frames", music_frames, PARAMS(beats_req), 1, 0, "frames",
+    { "music.frames", music_frames, PARAMS(beats_params), 1, 0, "frames",
       HELP("converts beats to frames at the current tempo, or at 120 beats per minute if nothing is playing") },
     { "music.wait", music_wait, PARAMS(music_wait_params), 1, API_CHANGES, "integer",
       HELP("waits for a beat or a marker and returns the number of the beat; doesn't wait for a marker that won't come "

@@ -22,9 +22,9 @@ void api_fill_table(lua_State *L, int at)
     int top = lua_gettop(L);
     const char *table_name = api_push_namespace_name(L, at), *member;
 
-    for (int i = 0; table_name && i < api_count_entries(api_of(L)); i++)
-        if ((member = api_member_name(api_entry(api_of(L), i), table_name, '.')) != NULL &&
-            !api_disabled_reason(&vm_board(L)->cart.manifest, api_entry(api_of(L), i)->name)) {
+    for (int i = 0; table_name && i < api_count_entries(api_get_table(L)); i++)
+        if ((member = api_member_name(api_get_entry(api_get_table(L), i), table_name, '.')) != NULL &&
+            !api_disabled_reason(&vm_board(L)->cart.manifest, api_get_entry(api_get_table(L), i)->name)) {
             lua_getfield(L, at, member);
             lua_pop(L, 1);
         }

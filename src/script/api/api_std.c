@@ -3,27 +3,28 @@
  */
 #include "api_parts.h"
 
-#define BULLET_COUNT       PARAM("n", A_INT, REQ, 0, 65535, "bullets", NULL, "number of bullets to fire")
-#define REPEAT_COUNT(help) PARAM("n", A_COUNT, REQ, 0, 65535, "times", NULL, help)
-#define EVERY(help)        PARAM("every", A_INT, REQ, 0, 65535, "frames", NULL, help)
-#define SPEED_TO(help)     PARAM("speed_to", A_NUM, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, help)
-#define TURNS                                                                                                          \
+#define BULLET_COUNT_PARAM       PARAM("n", A_INT, REQ, 0, 65535, "bullets", NULL, "number of bullets to fire")
+#define REPEAT_COUNT_PARAM(help) PARAM("n", A_COUNT, REQ, 0, 65535, "times", NULL, help)
+#define EVERY_PARAM(help)        PARAM("every", A_INT, REQ, 0, 65535, "frames", NULL, help)
+#define SPEED_TO_PARAM(help)     PARAM("speed_to", A_NUM, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, help)
+#define TURNS_PARAM                                                                                                    \
     PARAM("turns", A_BOOL, OPT, 0, 0, NULL, "false",                                                                   \
           "rotate the figure so that its right side faces the direction of flight")
 /* Parameters of every pattern. */
-#define PATTERN                                                                                                        \
+#define PATTERN_PARAMS                                                                                                 \
     PARAM("skip", A_SPAN, OPT, -65535, 65535, NULL, NULL, "range of bullets to skip; the first bullet is number 1"),   \
         PARAM("fire", A_FIRE, OPT, 0, 0, NULL, "bullet", "what to fire"),                                              \
         PARAM("each", A_FUNC, OPT, 0, 0, NULL, NULL,                                                                   \
               "each(args, i): called instead of firing bullet i, with the bullet's arguments")
-#define NAME(help)  PARAM("name", A_STR, REQ, 1, 31, NULL, NULL, help)
-#define NEEDS(help) PARAM("needs", A_STR, OPT, 1, 31, NULL, NULL, help)
-#define LIMIT(help) PARAM("limit", A_COUNT, OPT, 0, INT32_MAX, "frames", NULL, help)
-#define MIRROR      PARAM("mirror", A_BOOL, OPT, 0, 0, NULL, "false", "mirror the route left to right in the field")
+#define NAME_PARAM(help)  PARAM("name", A_STR, REQ, 1, 31, NULL, NULL, help)
+#define NEEDS_PARAM(help) PARAM("needs", A_STR, OPT, 1, 31, NULL, NULL, help)
+#define LIMIT_PARAM(help) PARAM("limit", A_COUNT, OPT, 0, INT32_MAX, "frames", NULL, help)
+
+#define MIRROR_PARAM PARAM("mirror", A_BOOL, OPT, 0, 0, NULL, "false", "mirror the route left to right in the field")
 
 static const struct api_param trail_params[] = {
     PARAM("kind", A_SPARK_KIND, REQ, 0, 0, NULL, NULL, "declared kind of the sparks"),
-    PARAM("follow", A_THING, REQ, PLACE_KINDS, 0, NULL, NULL, "thing that leaves the sparks"),
+    PARAM("follow", A_THING, REQ, POSITION_HANDLE_KINDS, 0, NULL, NULL, "thing that leaves the sparks"),
     PARAM("every", A_INT, OPT, 1, 65535, "frames", "4", "frames from one spark to the next"),
     PARAM("over", A_COUNT, OPT, 1, INT32_MAX, "frames", "forever",
           "frames the trail lasts; it ends sooner if the thing despawns"),
@@ -32,77 +33,80 @@ static const struct api_param trail_params[] = {
 };
 static const struct api_param wait_until_params[] = {
     PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL, "f(): called immediately, then once per frame until it returns true"),
-    LIMIT("maximum number of frames to wait; no limit if omitted")
+    LIMIT_PARAM("maximum number of frames to wait; no limit if omitted")
 };
-static const struct api_param ring_params[] = { BULLET_COUNT, PATTERN };
-static const struct api_param fan_params[] = {
-    BULLET_COUNT,
-    PARAM("spread", A_NUM, REQ, -32767, 32767, "degrees", NULL, "angle between the first and the last bullet"), PATTERN
-};
-static const struct api_param arc_params[] = { BULLET_COUNT,
+static const struct api_param ring_params[] = { BULLET_COUNT_PARAM, PATTERN_PARAMS };
+static const struct api_param fan_params[] = { BULLET_COUNT_PARAM,
+                                               PARAM("spread", A_NUM, REQ, -32767, 32767, "degrees", NULL,
+                                                     "angle between the first and the last bullet"),
+                                               PATTERN_PARAMS };
+static const struct api_param arc_params[] = { BULLET_COUNT_PARAM,
                                                PARAM("sweep", A_NUM, REQ, -32767, 32767, "degrees", NULL,
                                                      "angle from the first to the last bullet, clockwise"),
-                                               PATTERN };
-static const struct api_param stack_params[] = { BULLET_COUNT,
-                                                 SPEED_TO("speed of the last bullet; the first flies at `speed`"),
-                                                 PATTERN };
-static const struct api_param line_params[] = { BULLET_COUNT,
+                                               PATTERN_PARAMS };
+static const struct api_param stack_params[] = { BULLET_COUNT_PARAM,
+                                                 SPEED_TO_PARAM("speed of the last bullet; the first flies at `speed`"),
+                                                 PATTERN_PARAMS };
+static const struct api_param line_params[] = { BULLET_COUNT_PARAM,
                                                 PARAM("width", A_NUM, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
                                                       "distance between the first and the last bullet"),
-                                                PATTERN };
-static const struct api_param polygon_params[] = {
-    BULLET_COUNT,
-    PARAM("sides", A_INT, REQ, 3, 65535, NULL, NULL, "number of sides; `n` must be a multiple of this number"), PATTERN
-};
+                                                PATTERN_PARAMS };
+static const struct api_param polygon_params[] = { BULLET_COUNT_PARAM,
+                                                   PARAM("sides", A_INT, REQ, 3, 65535, NULL, NULL,
+                                                         "number of sides; `n` must be a multiple of this number"),
+                                                   PATTERN_PARAMS };
 static const struct api_param star_params[] = {
-    BULLET_COUNT,
+    BULLET_COUNT_PARAM,
     PARAM("points", A_INT, REQ, 2, 32767, NULL, NULL, "number of tips; `n` must be a multiple of twice this number"),
     PARAM("inner", A_NUM, OPT, 0, 1, NULL, "0.5", "speed of the inner corners, as a fraction of the tips' speed"),
-    PATTERN
+    PATTERN_PARAMS
 };
 static const struct api_param ellipse_params[] = {
-    BULLET_COUNT, SPEED_TO("speed of bullets that fly across the axis"),
+    BULLET_COUNT_PARAM, SPEED_TO_PARAM("speed of bullets that fly across the axis"),
     PARAM("tilt", A_NUM, OPT, -32767, 32767, "degrees", "0",
           "angle from `dir` to the axis along which bullets fly at `speed`"),
-    PATTERN
+    PATTERN_PARAMS
 };
 static const struct api_param rose_params[] = {
-    BULLET_COUNT, PARAM("petals", A_INT, REQ, 1, 65535, NULL, NULL, "number of petals; the first points along `dir`"),
-    SPEED_TO("speed of the bullets between petals; the tips of the petals fly at `speed`"), PATTERN
+    BULLET_COUNT_PARAM,
+    PARAM("petals", A_INT, REQ, 1, 65535, NULL, NULL, "number of petals; the first points along `dir`"),
+    SPEED_TO_PARAM("speed of the bullets between petals; the tips of the petals fly at `speed`"), PATTERN_PARAMS
 };
 static const struct api_param whip_params[] = {
-    BULLET_COUNT, SPEED_TO("speed of the last bullet; the first flies at `speed`"),
+    BULLET_COUNT_PARAM, SPEED_TO_PARAM("speed of the last bullet; the first flies at `speed`"),
     PARAM("bend", A_NUM, REQ, -32767, 32767, "degrees", NULL,
           "angle from the direction of the first bullet to the direction of the last"),
-    PATTERN
+    PATTERN_PARAMS
 };
 static const struct api_param scatter_params[] = {
-    BULLET_COUNT,
+    BULLET_COUNT_PARAM,
     PARAM("spread", A_NUM, REQ, -32767, 32767, "degrees", NULL,
           "angle of the cone of random directions, centred on `dir`"),
-    SPEED_TO("other end of the range of random speeds, which starts at `speed`"), PATTERN
+    SPEED_TO_PARAM("other end of the range of random speeds, which starts at `speed`"), PATTERN_PARAMS
 };
 static const struct api_param pattern_points_params[] = {
     PARAM("list", A_TABLE, REQ, 0, 0, NULL, NULL,
           "list of points { x, y }, one for each bullet, in px relative to the position"),
-    PARAM("scale", A_NUM, OPT, -WORLD_EDGE, WORLD_EDGE, NULL, "1", "factor for all coordinates in the list"), TURNS,
-    PATTERN
+    PARAM("scale", A_NUM, OPT, -WORLD_EDGE, WORLD_EDGE, NULL, "1", "factor for all coordinates in the list"),
+    TURNS_PARAM, PATTERN_PARAMS
 };
 static const struct api_param picture_params[] = {
     PARAM("dots", A_STR, REQ, 1, 4096, NULL, NULL,
           "rows of characters, one per line; a dot or a space leaves a gap, and any other character is a bullet"),
-    PARAM("gap", A_NUM, OPT, 0, WORLD_EDGE, "px", "8", "distance between neighbouring bullets"), TURNS, PATTERN
+    PARAM("gap", A_NUM, OPT, 0, WORLD_EDGE, "px", "8", "distance between neighbouring bullets"), TURNS_PARAM,
+    PATTERN_PARAMS
 };
 static const struct api_param spiral_params[] = {
-    REPEAT_COUNT("number of volleys"),
+    REPEAT_COUNT_PARAM("number of volleys"),
     PARAM("step", A_NUM, REQ, -32767, 32767, "degrees", NULL, "angle added to `dir` after each volley"),
-    EVERY("frames from one volley to the next"),
-    PARAM("arms", A_INT, OPT, 1, 65535, "bullets", "1", "bullets in a volley, evenly spaced around the circle"), PATTERN
+    EVERY_PARAM("frames from one volley to the next"),
+    PARAM("arms", A_INT, OPT, 1, 65535, "bullets", "1", "bullets in a volley, evenly spaced around the circle"),
+    PATTERN_PARAMS
 };
 static const struct api_param aimed_params[] = {
-    REPEAT_COUNT("number of bullets to fire"), EVERY("frames from one bullet to the next"),
+    REPEAT_COUNT_PARAM("number of bullets to fire"), EVERY_PARAM("frames from one bullet to the next"),
     PARAM("lock", A_BOOL, OPT, 0, 0, NULL, "false", "aim only once, for the first bullet, instead of for each bullet"),
-    PATTERN
+    PATTERN_PARAMS
 };
 static const struct api_param path_def_params[] = { PARAM("list", A_TABLE, REQ, 0, 0, NULL, NULL,
                                                           "list of points and waits, from the start to the end") };
@@ -118,17 +122,17 @@ static const struct api_param path_point_params[] = {
 };
 static const struct api_param path_run_params[] = {
     PARAM("e", A_THING, REQ, 1 << H_ENEMY, 0, NULL, NULL, "enemy to move"),
-    PARAM("route", A_ROUTE, REQ, 0, 0, NULL, NULL, "result of path.def"), MIRROR
+    PARAM("route", A_ROUTE, REQ, 0, 0, NULL, NULL, "result of path.def"), MIRROR_PARAM
 };
 static const struct api_param bg_def_params[] = {
-    NAME("name for bg.show and for bosses"),
+    NAME_PARAM("name for bg.show and for bosses"),
     PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
           "f(): task that sets the background up; it stops when another background is shown")
 };
 static const struct api_param stage_def_params[] = {
-    NAME("name for boot.run and --stage"),
+    NAME_PARAM("name for boot.run and --stage"),
     PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL, "f(): task of the stage; the stage ends when f returns"),
-    NEEDS("unlock that opens the stage; until then, boot.run skips the stage"),
+    NEEDS_PARAM("unlock that opens the stage; until then, boot.run skips the stage"),
     PARAM("music", A_TUNE, OPT, 0, 0, NULL, NULL, "piece of music that starts with the stage")
 };
 static const struct api_param stage_at_params[] = { PARAM(
@@ -136,11 +140,11 @@ static const struct api_param stage_at_params[] = { PARAM(
     "frame of the stage's clock; raises an error if the clock has passed it") };
 static const struct api_param wave_params[] = {
     PARAM("n", A_INT, REQ, 0, 4096, "enemies", NULL, "number of enemies to spawn"),
-    EVERY("frames from one enemy to the next; 0 spawns all at once"),
+    EVERY_PARAM("frames from one enemy to the next; 0 spawns all at once"),
     PARAM("kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL, "declared kind to spawn"),
     PARAM("path", A_ROUTE, REQ, 0, 0, NULL, NULL,
           "route that each enemy follows; the enemy is removed at the end of the route"),
-    MIRROR,
+    MIRROR_PARAM,
     PARAM("dx", A_NUM, OPT, -WORLD_EDGE, WORLD_EDGE, "px", "0",
           "horizontal distance from each enemy's route to the next enemy's"),
     PARAM("dy", A_NUM, OPT, -WORLD_EDGE, WORLD_EDGE, "px", "0",
@@ -160,10 +164,11 @@ static const struct api_param wave_params[] = {
           "arrangement of the enemies; a list gives each enemy's distance from the route"),
     PARAM("gap", A_NUM, OPT, 0, WORLD_EDGE, "px", "24", "distance between neighbouring enemies in a named formation")
 };
-static const struct api_param limit_only[] = { LIMIT("maximum number of frames to wait; no limit if omitted") };
-static const struct api_param name_only[] = { NAME("name of the mark") };
+static const struct api_param stage_clear_params[] = { LIMIT_PARAM(
+    "maximum number of frames to wait; no limit if omitted") };
+static const struct api_param stage_mark_params[] = { NAME_PARAM("name of the mark") };
 static const struct api_param boss_def_params[] = {
-    NAME("name for boss.fight and --stage"),
+    NAME_PARAM("name for boss.fight and --stage"),
     PARAM("title", A_STR, REQ, 0, 63, NULL, NULL, "name shown on the screen"),
     PARAM("kind", A_ENEMY_KIND, OPT, 0, 0, NULL, NULL,
           "declared kind of the boss's enemy; give `kind` with `x` and `y`, or give `cast`"),
@@ -184,7 +189,7 @@ static const struct api_param boss_def_params[] = {
     PARAM("music", A_TUNE, OPT, 0, 0, NULL, NULL, "piece of music during the fight")
 };
 static const struct api_param boss_cast_params[] = {
-    NAME("name used in the `hp` and `run` tables of a phase"),
+    NAME_PARAM("name used in the `hp` and `run` tables of a phase"),
     PARAM("title", A_STR, REQ, 0, 63, NULL, NULL, "name shown with the member's bar"),
     PARAM("kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL, "declared kind of the member's enemy"),
     PARAM("x", A_NUM, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
@@ -198,11 +203,11 @@ static const struct api_param boss_cast_params[] = {
 static const struct api_param boss_talk_params[] = { PARAM(
     "talk", A_FUNC, REQ, 0, 0, NULL, NULL,
     "talk(e): called with the boss, or with all of the cast; it can call `say` and `choose`") };
-static const struct api_param boss_fight_params[] = { NAME("name of the boss"),
+static const struct api_param boss_fight_params[] = { NAME_PARAM("name of the boss"),
                                                       PARAM("clock", A_BOOL, OPT, 0, 0, NULL, "false",
                                                             "keep the stage's clock running during the fight") };
 static const struct api_param boss_history_params[] = {
-    NAME("name of the boss"), PARAM("id", A_STR, REQ, 1, 31, NULL, NULL, "id of the phase"),
+    NAME_PARAM("name of the boss"), PARAM("id", A_STR, REQ, 1, 31, NULL, NULL, "id of the phase"),
     PARAM("difficulty", A_STR, OPT, 0, 0, NULL, NULL,
           "difficulty whose tries are counted; defaults to the current one"),
     PARAM("ship", A_PLAYER_KIND, OPT, 0, 0, NULL, NULL, "ship whose tries are counted; all ships if omitted")
@@ -230,7 +235,7 @@ static const struct api_param phase_params[] = {
     PARAM("armour", A_INT, OPT, 0, 65535, "frames", "0",
           "frames after `safe` in which the boss takes less damage; needs `board = { bodies = true }`"),
     PARAM("rate", A_NUM, OPT, 0, 1, NULL, "0.25", "fraction of the damage that the boss takes during `armour`"),
-    PARAM("down", A_DOWN, OPT, 0, 0, NULL, "all",
+    PARAM("down", A_BARS_DOWN, OPT, 0, 0, NULL, "all",
           "if each member has a bar, which bars must be empty to beat the phase: all of them, or any one"),
     PARAM("cut_in", A_BOOL, OPT, 0, 0, NULL, NULL,
           "show the portrait when the spell starts; defaults to true if there is both a portrait and a spell"),
@@ -275,9 +280,9 @@ static const struct api_param score_rule_params[] = {
           "values to set registers to, { NAME = n }, after the points are counted")
 };
 static const struct api_param score_count_params[] = {
-    NAME("name of the event in score.rule"),
+    NAME_PARAM("name of the event in score.rule"),
     PARAM("n", A_INT, REQ, 0, INT32_MAX, NULL, NULL, "number of times the event happened"),
-    PARAM("p", A_PAD, OPT, 0, 0, NULL, "1", "player who caused the event")
+    PARAM("p", A_PLAYER, OPT, 0, 0, NULL, "1", "player who caused the event")
 };
 static const struct api_param tally_params[] = { PARAM("list", A_TABLE, REQ, 0, 0, NULL, NULL,
                                                        "list of lines, from top to bottom") };
@@ -289,9 +294,10 @@ static const struct api_param tally_line_params[] = {
     PARAM("stage", A_BOOL, OPT, 0, 0, NULL, "false", "count only what was added in this stage"),
     PARAM("last", A_BOOL, OPT, 0, 0, NULL, "false", "show the line only after the last stage")
 };
-#define UNLOCK_NAME(help) PARAM("name", A_STR, REQ, 1, NV_MAX_KEY - 7, NULL, NULL /* saved as "unlock/NAME" */, help)
+#define UNLOCK_NAME_PARAM(help)                                                                                        \
+    PARAM("name", A_STR, REQ, 1, NV_MAX_KEY - 7, NULL, NULL /* saved as "unlock/NAME" */, help)
 static const struct api_param unlock_def_params[] = {
-    UNLOCK_NAME("name for unlock.has and `needs`; saved as unlock/NAME"),
+    UNLOCK_NAME_PARAM("name for unlock.has and `needs`; saved as unlock/NAME"),
     PARAM("when", A_ANY, REQ, 0, 0, "conditions, or a function", NULL,
           "conditions that a run must meet, or a function when(run) that is called at the end of each run and returns "
           "true to earn the unlock"),
@@ -309,10 +315,11 @@ static const struct api_param unlock_when_params[] = {
     PARAM("spell", A_STR, OPT, 1, 63, NULL, NULL, "spell to capture, \"boss/id\", at the difficulty being played"),
     PARAM("heard", A_TUNE, OPT, 0, 0, NULL, NULL, "piece of music to hear during a game")
 };
-static const struct api_param unlock_has_params[] = { UNLOCK_NAME("name given to unlock.def") };
-#define MISSION_NAME(help) PARAM("name", A_STR, REQ, 1, NV_MAX_KEY - 8, NULL, NULL /* saved as "mission/NAME" */, help)
+static const struct api_param unlock_has_params[] = { UNLOCK_NAME_PARAM("name given to unlock.def") };
+#define MISSION_NAME_PARAM(help)                                                                                       \
+    PARAM("name", A_STR, REQ, 1, NV_MAX_KEY - 8, NULL, NULL /* saved as "mission/NAME" */, help)
 static const struct api_param mission_def_params[] = {
-    MISSION_NAME("name for mission.best; saved as mission/NAME"),
+    MISSION_NAME_PARAM("name for mission.best; saved as mission/NAME"),
     PARAM("title", A_STR, REQ, 1, 63, NULL, NULL, "name shown in the list of missions"),
     PARAM("text", A_STR, OPT, 0, 127, NULL, NULL, "line that tells the player what to do"),
     PARAM("stage", A_STR, OPT, 1, 31, NULL, NULL, "stage that contains the part to play; give `stage` or `boss`"),
@@ -336,9 +343,9 @@ static const struct api_param mission_def_params[] = {
     PARAM("by", A_STR, OPT, 1, 31, NULL, "time",
           "what the stars measure: time (less is better) or a count in `goal` (more is better)"),
     PARAM("medals", A_TABLE, OPT, 0, 0, NULL, NULL, "values of `by` that earn two and three stars, { a, b }"),
-    NEEDS("unlock that opens the mission")
+    NEEDS_PARAM("unlock that opens the mission")
 };
-static const struct api_param mission_best_params[] = { MISSION_NAME("name given to mission.def") };
+static const struct api_param mission_best_params[] = { MISSION_NAME_PARAM("name given to mission.def") };
 static const struct api_param boot_run_params[] = {
     PARAM("stages", A_TABLE, OPT, 0, 0, NULL, NULL, "names of the stages, in order; give `stages` or `modes`"),
     PARAM("players", A_TABLE, REQ, 0, 0, NULL, NULL, "list of player kinds to choose from"),
@@ -364,60 +371,63 @@ static const struct api_param boot_run_params[] = {
 static const struct api_param boot_music_params[] = {
     PARAM("name", A_TUNE, REQ, 0, 0, NULL, NULL, "piece to play"),
     PARAM("title", A_STR, OPT, 0, 63, NULL, NULL, "title in the list; defaults to the title in rom.lua"),
-    PARAM("text", A_STR, OPT, 0, 127, NULL, NULL, "text below the list"), NEEDS("unlock that opens the piece")
+    PARAM("text", A_STR, OPT, 0, 127, NULL, NULL, "text below the list"), NEEDS_PARAM("unlock that opens the piece")
 };
 #ifndef WITHOUT_HELP /* scripts/boot/check.lua checks these arguments */
 static const struct api_param boot_mode_params[] = {
-    NAME("name of the mode, which game.mode returns"),
+    NAME_PARAM("name of the mode, which game.mode returns"),
     PARAM("stages", A_TABLE, REQ, 0, 0, NULL, NULL, "names of the stages, in order"),
     PARAM("text", A_STR, OPT, 0, 0, NULL, NULL, "text below the name in the list"),
     PARAM("needs", A_STR, OPT, 0, 0, NULL, NULL, "unlock that opens the mode")
 };
-#define BOOT_SHIP(of)                                                                                                  \
+#define BOOT_SHIP_PARAMS(of)                                                                                           \
     PARAM("title", A_STR, OPT, 0, 0, NULL, NULL, "name shown; defaults to " of),                                       \
         PARAM("text", A_STR, OPT, 0, 0, NULL, NULL, "description shown in the ship menu"),                             \
         PARAM("figures", A_TABLE, OPT, 0, 0, NULL, NULL,                                                               \
               "list of { word, n }, where n is 0 to 5 stars; defaults to speed, lives and registers")
-static const struct api_param boot_ship_params[] = { BOOT_SHIP("the name of its kind"),
+static const struct api_param boot_ship_params[] = { BOOT_SHIP_PARAMS("the name of its kind"),
                                                      PARAM("forms", A_TABLE, OPT, 0, 0, NULL, NULL,
                                                            "list of forms to choose from after choosing the ship") };
 static const struct api_param boot_form_params[] = { PARAM("kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL,
                                                            "player kind that the form uses"),
-                                                     BOOT_SHIP("the title of the ship") };
-#define BOOT_WHEN                                                                                                      \
+                                                     BOOT_SHIP_PARAMS("the title of the ship") };
+#define BOOT_WHEN_PARAM                                                                                                \
     PARAM("when", A_ANY, OPT, 0, 0, "conditions, or a function", NULL,                                                 \
           "conditions that the run must meet (mode, difficulty, ship, players or continues), or a function when(run) " \
           "that returns true if the run meets them")
 static const struct api_param boot_ending_params[] = {
-    BOOT_WHEN,
+    BOOT_WHEN_PARAM,
     PARAM("show", A_FUNC, REQ, 0, 0, NULL, NULL, "show(run): shows the ending; return false to skip the credits"),
     PARAM("music", A_TUNE, OPT, 0, 0, NULL, NULL, "piece of music during the ending")
 };
-static const struct api_param boot_staff_params[] = { BOOT_WHEN };
+static const struct api_param boot_staff_params[] = { BOOT_WHEN_PARAM };
 static const struct api_param boot_page_params[] = {
     PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name in the title menu, and the heading of the page"),
     PARAM("show", A_FUNC, REQ, 0, 0, NULL, NULL, "show(row, rows): draws the page into `rows` rows, starting at `row`")
 };
-#define SCREEN(name, help) PARAM(name, A_FUNC, OPT, 0, 0, NULL, NULL, help)
+#define SCREEN_PARAM(name, help) PARAM(name, A_FUNC, OPT, 0, 0, NULL, NULL, help)
 static const struct api_param boot_screens_params[] = {
-    SCREEN("title", "title(limit, places, from): returns one of `places` and, for \"start\", the number of players; "
-                    "nil if no button was pressed"),
-    SCREEN("mode", "mode(modes): returns the name of one of `modes`, a list of { name, text, closed }; nil goes back"),
-    SCREEN("difficulty", "difficulty(names, present, texts): returns one of `names`; nil goes back"),
-    SCREEN("ship", "ship(kinds, players, about): returns a list with the kind of each player; nil goes back"),
-    SCREEN("pause", "pause(index, items, chosen): returns the number of an item; 1 resumes the game"),
-    SCREEN("continue", "continue(index, left): returns true to continue; `left` is the number of remaining continues"),
-    SCREEN("results", "results(title, players, stopped, lines, new, grades): ends once stopped() is true"),
-    SCREEN("name", "name(entries): returns a list with a name for each entry { p, points, rank }"),
-    SCREEN("ending", "ending(run): shown when all stages are cleared, unless boot.run has `ending`"),
-    SCREEN("staff", "staff(parts): shows the credits of this run"),
-    SCREEN("scores", "scores(difficulty, limit, row, ship): returns true if START was pressed"),
-    SCREEN("history", "history(difficulty): shows how often spells were captured"),
-    SCREEN("music", "music(list): shows the music room"),
-    SCREEN("unlocks", "unlocks(): shows the titles of the unlocks earned, and hints for the others"),
-    SCREEN("missions", "missions(last): returns the name of a mission; nil goes back"),
-    SCREEN("mission", "mission(result): shows the result of a mission; returns \"again\" or \"list\""),
-    SCREEN("page", "page(page): shows one of `pages`, given as { name, show }"),
+    SCREEN_PARAM("title",
+                 "title(limit, places, from): returns one of `places` and, for \"start\", the number of players; "
+                 "nil if no button was pressed"),
+    SCREEN_PARAM("mode",
+                 "mode(modes): returns the name of one of `modes`, a list of { name, text, closed }; nil goes back"),
+    SCREEN_PARAM("difficulty", "difficulty(names, present, texts): returns one of `names`; nil goes back"),
+    SCREEN_PARAM("ship", "ship(kinds, players, about): returns a list with the kind of each player; nil goes back"),
+    SCREEN_PARAM("pause", "pause(index, items, chosen): returns the number of an item; 1 resumes the game"),
+    SCREEN_PARAM("continue",
+                 "continue(index, left): returns true to continue; `left` is the number of remaining continues"),
+    SCREEN_PARAM("results", "results(title, players, stopped, lines, new, grades): ends once stopped() is true"),
+    SCREEN_PARAM("name", "name(entries): returns a list with a name for each entry { p, points, rank }"),
+    SCREEN_PARAM("ending", "ending(run): shown when all stages are cleared, unless boot.run has `ending`"),
+    SCREEN_PARAM("staff", "staff(parts): shows the credits of this run"),
+    SCREEN_PARAM("scores", "scores(difficulty, limit, row, ship): returns true if START was pressed"),
+    SCREEN_PARAM("history", "history(difficulty): shows how often spells were captured"),
+    SCREEN_PARAM("music", "music(list): shows the music room"),
+    SCREEN_PARAM("unlocks", "unlocks(): shows the titles of the unlocks earned, and hints for the others"),
+    SCREEN_PARAM("missions", "missions(last): returns the name of a mission; nil goes back"),
+    SCREEN_PARAM("mission", "mission(result): shows the result of a mission; returns \"again\" or \"list\""),
+    SCREEN_PARAM("page", "page(page): shows one of `pages`, given as { name, show }"),
 };
 #endif
 static const struct api_param game_def_params[] = { PARAM(
@@ -450,15 +460,15 @@ static const struct api_param say_params[] = {
     PARAM("side", A_STR, OPT, 0, 0, NULL, NULL, "side of the portrait, left or right; overrides the speaker's"),
     PARAM("letter", A_INT, OPT, 0, 600, "frames", "2",
           "frames from one letter to the next; 0 shows all letters immediately"),
-    LIMIT("frames until a complete page turns automatically; if omitted, the page waits for the fire button"),
+    LIMIT_PARAM("frames until a complete page turns automatically; if omitted, the page waits for the fire button"),
     PARAM("voice", A_SOUND, OPT, 0, 0, NULL, NULL, "sound for this line, played once; overrides the speaker's voice"),
 };
 static const struct api_param choose_params[] = {
     PARAM("list", A_TABLE, REQ, 0, 0, NULL, NULL, "list of texts to choose from"),
     PARAM("title", A_STR, OPT, 0, 0, NULL, NULL, "text above the list"),
     PARAM("chosen", A_INT, OPT, 1, 99, NULL, "1", "item selected at first; also the result if the talk is skipped"),
-    PARAM("p", A_PAD, OPT, 0, 0, NULL, NULL, "player whose buttons count; both players if omitted"),
-    LIMIT("frames until the selected item is chosen automatically; no limit if omitted"),
+    PARAM("p", A_PLAYER, OPT, 0, 0, NULL, NULL, "player whose buttons count; both players if omitted"),
+    LIMIT_PARAM("frames until the selected item is chosen automatically; no limit if omitted"),
     PARAM("back", A_INT, OPT, 1, 99, NULL, NULL,
           "result when the bomb button is pressed; if omitted, the bomb button does nothing")
 };
@@ -479,37 +489,38 @@ static const struct api_entry entries[] = {
         "by_difficulty", values_params, 1, API_GLOBAL, "value",
         "returns the value for the current difficulty; if there is none, the value for the nearest easier difficulty, "
         "or else the value for the easiest difficulty given"),
-    LUA_ENTRY("pattern.ring", ring_params, 0, API_FIRE, NULL,
+    LUA_ENTRY("pattern.ring", ring_params, 0, API_PATTERN, NULL,
               "fires `n` bullets in all directions, evenly spaced, the first bullet along `dir`"),
-    LUA_ENTRY("pattern.fan", fan_params, 0, API_FIRE, NULL, "fires `n` bullets in a fan, centred on `dir`"),
-    LUA_ENTRY("pattern.arc", arc_params, 0, API_FIRE, NULL, "fires `n` bullets over an arc that starts at `dir`"),
-    LUA_ENTRY("pattern.stack", stack_params, 0, API_FIRE, NULL,
+    LUA_ENTRY("pattern.fan", fan_params, 0, API_PATTERN, NULL, "fires `n` bullets in a fan, centred on `dir`"),
+    LUA_ENTRY("pattern.arc", arc_params, 0, API_PATTERN, NULL, "fires `n` bullets over an arc that starts at `dir`"),
+    LUA_ENTRY("pattern.stack", stack_params, 0, API_PATTERN, NULL,
               "fires `n` bullets in one direction, at speeds from `speed` to `speed_to`"),
-    LUA_ENTRY("pattern.line", line_params, 0, API_FIRE, NULL, "fires `n` bullets side by side, in a line across `dir`"),
-    LUA_ENTRY("pattern.polygon", polygon_params, 0, API_FIRE, NULL,
+    LUA_ENTRY("pattern.line", line_params, 0, API_PATTERN, NULL,
+              "fires `n` bullets side by side, in a line across `dir`"),
+    LUA_ENTRY("pattern.polygon", polygon_params, 0, API_PATTERN, NULL,
               "fires `n` bullets as a growing polygon; its corners fly at `speed`, the first corner along `dir`"),
-    LUA_ENTRY("pattern.star", star_params, 0, API_FIRE, NULL,
+    LUA_ENTRY("pattern.star", star_params, 0, API_PATTERN, NULL,
               "fires `n` bullets as a growing star; its tips fly at `speed`, the first tip along `dir`"),
     LUA_ENTRY(
-        "pattern.ellipse", ellipse_params, 0, API_FIRE, NULL,
+        "pattern.ellipse", ellipse_params, 0, API_PATTERN, NULL,
         "fires `n` bullets as a growing ellipse, the first bullet along `dir`; bullets along its axis fly at `speed`"),
-    LUA_ENTRY("pattern.rose", rose_params, 0, API_FIRE, NULL,
+    LUA_ENTRY("pattern.rose", rose_params, 0, API_PATTERN, NULL,
               "fires `n` bullets in all directions as a growing flower; the tip of the first petal flies along `dir`"),
-    LUA_ENTRY("pattern.whip", whip_params, 0, API_FIRE, NULL,
+    LUA_ENTRY("pattern.whip", whip_params, 0, API_PATTERN, NULL,
               "fires `n` bullets as a bent stack: speed and direction change from the first bullet to the last"),
-    LUA_ENTRY("pattern.scatter", scatter_params, 0, API_FIRE, NULL,
+    LUA_ENTRY("pattern.scatter", scatter_params, 0, API_PATTERN, NULL,
               "fires `n` bullets in random directions at random speeds; draws two random numbers for each bullet"),
-    LUA_ENTRY("pattern.points", pattern_points_params, 0, API_FIRE, NULL,
+    LUA_ENTRY("pattern.points", pattern_points_params, 0, API_PATTERN, NULL,
               "fires a bullet from each point of a list; all bullets fly in the same direction"),
-    LUA_ENTRY("pattern.picture", picture_params, 0, API_FIRE, NULL,
+    LUA_ENTRY("pattern.picture", picture_params, 0, API_PATTERN, NULL,
               "fires a bullet for each character of a picture made of text, centred on the position"),
-    LUA_ENTRY("pattern.spiral", spiral_params, 0, API_FIRE, NULL,
+    LUA_ENTRY("pattern.spiral", spiral_params, 0, API_PATTERN, NULL,
               "fires one volley after another, each turned by `step`; the pattern takes time, so call it in a task"),
     LUA_ENTRY(
-        "pattern.aimed", aimed_params, 0, API_FIRE, NULL,
+        "pattern.aimed", aimed_params, 0, API_PATTERN, NULL,
         "fires `n` bullets one after another at the nearest player, or shots at the nearest enemy; the pattern takes "
         "time, so call it in a task"),
-    LUA_ENTRY("path.def", path_def_params, 1, API_LOAD, "route",
+    LUA_ENTRY("path.def", path_def_params, 1, API_LOAD_ONLY, "route",
               "creates a route for enemies and bullets from a list of points"),
     LUA_ENTRY("path.def point", path_point_params, 0, API_SYS, NULL,
               "one entry of the list: first { x, y }, then { x, y, over } or { wait }"),
@@ -517,19 +528,19 @@ static const struct api_entry entries[] = {
               "moves an enemy along a route; returns when it arrives at the end"),
     LUA_ENTRY("spark.trail", trail_params, 0, 0, "task",
               "leaves a trail of sparks behind a thing, until the thing despawns or the task's owner ends"),
-    LUA_ENTRY("stage.def", stage_def_params, 2, API_LOAD, NULL,
+    LUA_ENTRY("stage.def", stage_def_params, 2, API_LOAD_ONLY, NULL,
               "declares a stage: one task that runs its waves and boss fights in order"),
     LUA_ENTRY("stage.at", stage_at_params, 1, 0, NULL,
               "waits for frame `n` of the stage's clock, which stops during boss.fight"),
     LUA_ENTRY("stage.wave", wave_params, 0, 0, NULL,
               "spawns `n` enemies that follow a route, one by one or in a formation, and returns immediately"),
-    LUA_ENTRY("stage.clear", limit_only, 1, 0, "boolean",
+    LUA_ENTRY("stage.clear", stage_clear_params, 1, 0, "boolean",
               "waits until all waves are spawned and no enemy is left; returns false if `limit` runs out first"),
-    LUA_ENTRY("stage.mark", name_only, 1, 0, NULL,
+    LUA_ENTRY("stage.mark", stage_mark_params, 1, 0, NULL,
               "marks a moment in the stage at which practice and --stage NAME:MARK can start"),
     { "stage.skipping", NULL, NULL, 0, 0, API_LUA, "boolean",
       HELP("returns true while the stage skips ahead to the mark where play starts") },
-    LUA_ENTRY("boss.def", boss_def_params, 1, API_LOAD, NULL,
+    LUA_ENTRY("boss.def", boss_def_params, 1, API_LOAD_ONLY, NULL,
               "declares a boss: one enemy, or a cast of several, that fights in phases"),
     LUA_ENTRY(
         "boss.def phase", phase_params, 0, API_SYS, NULL,
@@ -548,30 +559,31 @@ static const struct api_entry entries[] = {
     LUA_ENTRY("boss.history", boss_history_params, 2, 0, "tries, captures",
               "returns how often a spell has been tried and captured in all runs; practice doesn't count"),
     LUA_ENTRY(
-        "bg.def", bg_def_params, 2, API_LOAD, NULL,
+        "bg.def", bg_def_params, 2, API_LOAD_ONLY, NULL,
         "declares a background: a task that sets up bg.layer and bg.plane; all layers and the plane are off when the "
         "task starts"),
     LUA_ENTRY("bg.show", bg_show_params, 1, 0, NULL,
               "fades through black to a background declared with bg.def, whose task starts in the middle of the fade"),
     LUA_ENTRY(
-        "score.rule", score_rule_params, 0, API_LOAD, NULL,
+        "score.rule", score_rule_params, 0, API_LOAD_ONLY, NULL,
         "declares how many points an event earns and which registers it changes, for chains, multipliers and gauges"),
     LUA_ENTRY("score.count", score_count_params, 3, 0, NULL, "reports that a custom event happened `n` times"),
-    LUA_ENTRY("score.tally", tally_params, 1, API_LOAD, NULL, "declares the bonus lines in the results of a stage"),
+    LUA_ENTRY("score.tally", tally_params, 1, API_LOAD_ONLY, NULL,
+              "declares the bonus lines in the results of a stage"),
     LUA_ENTRY("score.tally line", tally_line_params, 0, API_SYS, NULL, "one line of the results"),
-    LUA_ENTRY("unlock.def", unlock_def_params, 1, API_LOAD, NULL,
+    LUA_ENTRY("unlock.def", unlock_def_params, 1, API_LOAD_ONLY, NULL,
               "declares an unlock: a permanent reward for a run that meets its conditions"),
     LUA_ENTRY("unlock.def when", unlock_when_params, 0, API_SYS, NULL, "conditions, all of which must hold"),
     LUA_ENTRY("unlock.has", unlock_has_params, 1, 0, "boolean", "returns true if an unlock has been earned"),
-    LUA_ENTRY("mission.def", mission_def_params, 1, API_LOAD, NULL,
+    LUA_ENTRY("mission.def", mission_def_params, 1, API_LOAD_ONLY, NULL,
               "declares a mission: a part of a stage, or a boss fight, with a goal and up to three stars"),
     LUA_ENTRY("mission.best", mission_best_params, 1, 0, "value, stars, ship",
               "returns a mission's best result, its stars and its ship; nil and 0 if the mission was never completed"),
     { "mission.stars", NULL, NULL, 0, 0, API_LUA, "got, most",
       HELP("returns the number of stars earned in all missions, and the number that can be earned") },
-    LUA_ENTRY("game.def", game_def_params, 0, API_LOAD, NULL,
+    LUA_ENTRY("game.def", game_def_params, 0, API_LOAD_ONLY, NULL,
               "declares the registers of a run, such as rank; read and write them as game.NAME"),
-    LUA_ENTRY("talk.def", talk_def_params, 1, API_LOAD, NULL,
+    LUA_ENTRY("talk.def", talk_def_params, 1, API_LOAD_ONLY, NULL,
               "declares a speaker for `say`, with a name, a portrait and a voice"),
     LUA_ENTRY("talk.def face", talk_face_params, 1, API_SYS, NULL,
               "one face of the portrait; its key is the name of the face"),
@@ -670,8 +682,9 @@ static const struct api_doc_name doc_names[] = {
     { "rom.screen", HELP("screen: w, h in px") },
 };
 
-static const struct api_entry *const fire_entries[FIRES] = { &api_bullet_fire_entry, &api_shot_fire_entry,
-                                                             &api_bolt_entry, &api_curve_entry, &api_beam_entry };
+static const struct api_entry *const fire_entries[FIRE_ENTRY_COUNT] = { &api_bullet_fire_entry, &api_shot_fire_entry,
+                                                                        &api_bolt_entry, &api_curve_entry,
+                                                                        &api_beam_entry };
 
 const struct api_table api_table = { modules,   sizeof modules / sizeof *modules,    things, fire_entries,
                                      doc_names, sizeof doc_names / sizeof *doc_names };

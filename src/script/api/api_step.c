@@ -27,7 +27,7 @@ enum {
     E_AROUND
 };
 
-const struct api_param api_emit_params[EMIT_PARAMS] = {
+const struct api_param api_emit_params[EMIT_PARAM_COUNT] = {
     PARAM("pattern", A_EMIT_PATTERN, OPT, 0, 0, NULL, "one",
           "arrangement of the bullets, as in pattern.NAME; \"one\" fires a single bullet"),
     PARAM("n", A_INT, OPT, 0, 65535, "bullets", NULL,
@@ -53,7 +53,7 @@ const struct api_param api_emit_params[EMIT_PARAMS] = {
     PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put the bullets in"),
     PARAM("motion", A_MOTION, OPT, 0, 0, NULL, NULL, "motion program that steers the bullets"),
     PARAM("delay", A_INT, OPT, 0, 1e9, "frames", "0", "frames the bullets wait in place before they fly"),
-    PARAM("around", A_THING, OPT, PLACE_KINDS, 0, NULL, NULL,
+    PARAM("around", A_THING, OPT, POSITION_HANDLE_KINDS, 0, NULL, NULL,
           "thing that the bullets circle in the `orbit` steps of their motion"),
 };
 
@@ -67,25 +67,25 @@ static const struct {
 };
 
 /* Returns which number of an emit argument k sets, if the name of a declared value may replace the number; otherwise
- * EMIT_NUMBERS. */
+ * EMIT_NUMBER_COUNT. */
 static enum emit_number find_emit_number(int k)
 {
-    static const uint8_t numbers[EMIT_PARAMS] = {
+    static const uint8_t numbers[EMIT_PARAM_COUNT] = {
         [E_N] = EMIT_NUMBER_N + 1,           [E_SPREAD] = EMIT_NUMBER_SIZE + 1, [E_SWEEP] = EMIT_NUMBER_SIZE + 1,
         [E_SPEED_TO] = EMIT_NUMBER_SIZE + 1, [E_WIDTH] = EMIT_NUMBER_SIZE + 1,  [E_SPEED] = EMIT_NUMBER_SPEED + 1,
         [E_DIR] = EMIT_NUMBER_DIR + 1,       [E_BANK] = EMIT_NUMBER_BANK + 1,   [E_DELAY] = EMIT_NUMBER_DELAY + 1,
     };
 
-    return numbers[k] ? (enum emit_number)(numbers[k] - 1) : EMIT_NUMBERS;
+    return numbers[k] ? (enum emit_number)(numbers[k] - 1) : EMIT_NUMBER_COUNT;
 }
 
 /* An emit being read. From stack index `first`: its arguments, then the values declared for what it fires. */
 struct emit_reader {
-    int step, first;
+    int step, first_at;
     bool fires_shots;
     enum name_kind value_kind;
-    struct api_value v[EMIT_PARAMS + MAX_VALUES];
-    uint64_t named_values;
+    struct api_value v[EMIT_PARAM_COUNT + MAX_VALUES];
+    uint64_t named_bits;
 };
 
 /* Raises the error for the unknown key on top of the stack. */
@@ -109,13 +109,13 @@ static void raise_unknown_key(lua_State *L, const struct emit_reader *r, const s
 /* Spreads the arguments and values of the table at `at` over the stack. */
 static void push_settings(lua_State *L, struct emit_reader *r, int at)
 {
-    const struct api_fields fields = { api_emit_params, EMIT_PARAMS, r->value_kind };
+    const struct api_fields fields = { api_emit_params, EMIT_PARAM_COUNT, r->value_kind };
 
-    luaL_checkstack(L, EMIT_PARAMS + MAX_VALUES + 16, NULL);
-    if (luakeys_push_unknown(L, at, api_knows_field, &fields))
+    luaL_checkstack(L, EMIT_PARAM_COUNT + MAX_VALUES + 16, NULL);
+    if (luakeys_push_unknown(L, at, api_is_known_field, &fields))
         raise_unknown_key(L, r, &fields);
-    r->first = lua_gettop(L) + 1;
-    for (int k = 0; k < EMIT_PARAMS; k++)
+    r->first_at = lua_gettop(L) + 1;
+    for (int k = 0; k < EMIT_PARAM_COUNT; k++)
         lua_getfield(L, at, api_emit_params[k].name);
     for (int k = 0; k < api_value_count(vm_board(L), r->value_kind); k++)
         lua_getfield(L, at, board_name(vm_board(L), r->value_kind, k));
@@ -124,12 +124,12 @@ static void push_settings(lua_State *L, struct emit_reader *r, int at)
 /* Checks argument k against its parameter, or reads the name of a declared value given in its place. */
 static void check_setting(lua_State *L, struct emit_reader *r, int k, const struct api_param *p, int number)
 {
-    const int at = r->first + k;
+    const int at = r->first_at + k;
     char context[48];
 
     r->v[k] = (struct api_value){ 0 };
-    if (number != EMIT_NUMBERS && lua_type(L, at) == LUA_TSTRING) {
-        r->named_values |= api_find_step_value(L, r->step, p->name, at) << number * NAMED_BITS;
+    if (number != EMIT_NUMBER_COUNT && lua_type(L, at) == LUA_TSTRING) {
+        r->named_bits |= api_find_step_value(L, r->step, p->name, at) << number * NAMED_VALUE_BITS;
         r->v[k].given = true;
         return;
     }
@@ -139,7 +139,7 @@ static void check_setting(lua_State *L, struct emit_reader *r, int k, const stru
 
 static void check_settings(lua_State *L, struct emit_reader *r)
 {
-    for (int k = 0; k < EMIT_PARAMS; k++) {
+    for (int k = 0; k < EMIT_PARAM_COUNT; k++) {
         struct api_param p = api_emit_params[k];
         if (k == E_KIND && r->fires_shots)
             p.type = A_SHOT_KIND;
@@ -148,7 +148,7 @@ static void check_settings(lua_State *L, struct emit_reader *r)
     for (int k = 0; k < api_value_count(vm_board(L), r->value_kind); k++) {
         struct api_param p = api_value_param(board_name(vm_board(L), r->value_kind, k));
         p.optional = OPT;
-        check_setting(L, r, EMIT_PARAMS + k, &p, EMIT_NUMBER_VALUE + k);
+        check_setting(L, r, EMIT_PARAM_COUNT + k, &p, EMIT_NUMBER_VALUE + k);
     }
 }
 
@@ -181,7 +181,7 @@ static void read_skip(lua_State *L, const struct api_value *v, struct motion_emi
     lua_rawgeti(L, v->at, 1);
     lua_rawgeti(L, v->at, 2);
     e->first = (int32_t)lua_tointeger(L, -2);
-    e->last = (int32_t)lua_tointeger(L, -1);
+    e->skip_last = (int32_t)lua_tointeger(L, -1);
     lua_pop(L, 2);
 }
 
@@ -202,14 +202,14 @@ static void fill_emit(lua_State *L, const struct emit_reader *r, struct motion_e
                                .speed = v[E_SPEED].n,
                                .size = size < 0 ? 0 : v[size].n,
                                .orbit_target = v[E_AROUND].given ? v[E_AROUND].i : 0,
-                               .named = r->named_values };
+                               .named_values = r->named_bits };
     if (v[E_TAG].given)
         e->tag = api_intern_tag(L, def_entry, v[E_TAG].at);
     read_skip(L, &v[E_SKIP], e);
     for (int k = 0; k < api_value_count(vm_board(L), r->value_kind); k++) {
-        if (v[EMIT_PARAMS + k].given)
+        if (v[EMIT_PARAM_COUNT + k].given)
             e->flags |= (uint8_t)(EMIT_VALUE << k);
-        e->value[k] = v[EMIT_PARAMS + k].f;
+        e->value[k] = v[EMIT_PARAM_COUNT + k].f;
     }
 }
 
@@ -233,7 +233,7 @@ void api_read_emit_step(lua_State *L, int step, int at, struct motion_emit *e)
 
 enum { W_X, W_Y, W_NEAR, W_TAG, W_LIMIT };
 
-const struct api_param api_await_params[AWAIT_PARAMS] = {
+const struct api_param api_await_params[AWAIT_PARAM_COUNT] = {
     PARAM("x", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
           "the motion continues once the bullet reaches or crosses this vertical line"),
     PARAM("y", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
@@ -243,23 +243,23 @@ const struct api_param api_await_params[AWAIT_PARAMS] = {
     PARAM("limit", A_COUNT, OPT, 1, 1e9, "frames", "forever", "frames after which the motion continues anyway"),
 };
 
-static const enum step_number await_numbers[AWAIT_PARAMS] = { NUMBER_X, NUMBER_Y, NUMBER_SIZE, STEP_NUMBERS,
-                                                              NUMBER_DURATION };
+static const enum step_number await_numbers[AWAIT_PARAM_COUNT] = { NUMBER_X, NUMBER_Y, NUMBER_SIZE, STEP_NUMBER_COUNT,
+                                                                   NUMBER_DURATION };
 
-static uint64_t read_await(lua_State *L, int step, int at, struct api_value v[AWAIT_PARAMS])
+static uint64_t read_await(lua_State *L, int step, int at, struct api_value v[AWAIT_PARAM_COUNT])
 {
-    static const struct api_fields fields = { api_await_params, AWAIT_PARAMS, NAME_LISTS };
+    static const struct api_fields fields = { api_await_params, AWAIT_PARAM_COUNT, NAME_LISTS };
     uint64_t named_values = 0;
     char context[48];
 
     snprintf(context, sizeof context, "%s: step %d: wait_for", def_entry, step);
-    if (luakeys_push_unknown(L, at, api_knows_field, &fields))
+    if (luakeys_push_unknown(L, at, api_is_known_field, &fields))
         api_raise_unknown_key(L, context, &fields);
-    for (int k = 0; k < AWAIT_PARAMS; k++) {
+    for (int k = 0; k < AWAIT_PARAM_COUNT; k++) {
         const struct api_param *p = &api_await_params[k];
         v[k] = (struct api_value){ 0 };
-        if (lua_getfield(L, at, p->name) == LUA_TSTRING && await_numbers[k] != STEP_NUMBERS) {
-            named_values |= api_find_step_value(L, step, p->name, lua_gettop(L)) << await_numbers[k] * NAMED_BITS;
+        if (lua_getfield(L, at, p->name) == LUA_TSTRING && await_numbers[k] != STEP_NUMBER_COUNT) {
+            named_values |= api_find_step_value(L, step, p->name, lua_gettop(L)) << await_numbers[k] * NAMED_VALUE_BITS;
             v[k] = (struct api_value){ .given = true, .i = 1 };
         } else
             api_check(L, context, p, lua_gettop(L), &v[k]);
@@ -269,7 +269,7 @@ static uint64_t read_await(lua_State *L, int step, int at, struct api_value v[AW
 
 void api_read_await_step(lua_State *L, int step, int at, struct motion_step *s)
 {
-    struct api_value v[AWAIT_PARAMS];
+    struct api_value v[AWAIT_PARAM_COUNT];
     const int top = lua_gettop(L);
     const uint64_t named_values = read_await(L, step, at, v);
     int n = 0;
@@ -278,16 +278,16 @@ void api_read_await_step(lua_State *L, int step, int at, struct motion_step *s)
         n += v[k].given;
     if (n != 1)
         api_error(L, def_entry, "step %d: wait_for: expected one of `x`, `y`, `near` and `tag`, got %d", step, n);
-    *s = (struct motion_step){ .actions = DOES_AWAIT | (named_values ? DOES_NAMED : 0u),
+    *s = (struct motion_step){ .actions = DOES_AWAIT | (named_values ? DOES_USE_VALUES : 0u),
                                .duration = UINT32_MAX,
                                .mode = (uint8_t)(v[W_X].given      ? MODE_X
                                                  : v[W_Y].given    ? MODE_Y
-                                                 : v[W_NEAR].given ? MODE_NEAR
+                                                 : v[W_NEAR].given ? MODE_TARGET_NEAR
                                                                    : MODE_SIGNAL),
                                .x = v[W_X].f,
                                .y = v[W_Y].f,
                                .size = v[W_NEAR].f,
-                               .named = named_values };
+                               .named_values = named_values };
     if (v[W_TAG].given)
         s->count = api_intern_tag(L, def_entry, v[W_TAG].at);
     if (v[W_LIMIT].given && v[W_LIMIT].i != LUA_MAXINTEGER)
@@ -331,7 +331,7 @@ static bool read_leg(lua_State *L, int step, int place_at, struct api_route_read
         api_check(L, def_entry, &ease_param, lua_gettop(L), &v);
         leg->mode |= (uint8_t)v.i;
         lua_pushvalue(L, point);
-        pop_position(L, step, place_at, reader->mirrored, &x, &y);
+        pop_position(L, step, place_at, reader->is_mirrored, &x, &y);
     }
     leg->x = x - reader->x;
     leg->y = y - reader->y;
@@ -349,14 +349,14 @@ bool api_read_step_leg(lua_State *L, int step, struct api_route_reader *reader, 
 
     luaL_checkstack(L, 16, NULL);
     snprintf(message, sizeof message, "step %d: path: expected a route (from path.def)", step);
-    api_push_path_module(L, def_entry, reader->route, message);
+    api_push_path_module(L, def_entry, reader->route_at, message);
     lua_getfield(L, -1, "place");
     if (!reader->i) {
-        lua_rawgeti(L, reader->route, reader->i = 1);
-        pop_position(L, step, top + 2, reader->mirrored, &reader->x, &reader->y);
+        lua_rawgeti(L, reader->route_at, reader->i = 1);
+        pop_position(L, step, top + 2, reader->is_mirrored, &reader->x, &reader->y);
     }
     bool found = false;
-    while (!found && lua_rawgeti(L, reader->route, ++reader->i) == LUA_TTABLE) {
+    while (!found && lua_rawgeti(L, reader->route_at, ++reader->i) == LUA_TTABLE) {
         leg->actions = initial;
         found = read_leg(L, step, top + 2, reader, leg);
     }

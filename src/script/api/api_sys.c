@@ -10,13 +10,21 @@
 #include "api_parts.h"
 
 /* Parameter indices; ARG_: the only parameter of its entry. */
-enum { ARG_NAME = 0, ARG_PLAYER = 0, ARG_KIND = 0, ARG_OWNER = 0, ARG_SCOPE = 0, ARG_KEEP = 0, ARG_HOW = 0 };
+enum {
+    ARG_NAME = 0,
+    ARG_PLAYER = 0,
+    ARG_KIND = 0,
+    ARG_OWNER = 0,
+    ARG_SCOPE = 0,
+    ARG_KEEP_SCENERY = 0,
+    ARG_HOLD_LEVEL = 0
+};
 enum { FAIL_ENTRY, FAIL_MESSAGE, FAIL_NAME };
 enum { NOTE_ENTRY, NOTE_NAME };
 enum { NEAR_WORD, NEAR_LIST };
 enum { JOIN_PLAYER, JOIN_KIND };
-enum { M_KIND, M_NAME, M_OF, M_TITLE, M_VALUE };
-enum { HOLD_ENEMY, HOLD_ON };
+enum { M_KIND, M_NAME, M_PARENT, M_TITLE, M_VALUE };
+enum { HOLD_ENEMY, HOLD_ENABLED };
 enum { AIM_X, AIM_Y, AIM_SHOTS };
 enum { DROPS_ENTRY, DROPS_LIST };
 enum { DROP_LIST, DROP_X, DROP_Y };
@@ -32,18 +40,18 @@ static const struct api_param note_place_params[] = { PARAM("name", A_STR, REQ, 
                                                       PARAM("of", A_STR, REQ, 0, 0, NULL, NULL, "") };
 static const struct api_param sys_near_params[] = { PARAM("word", A_ANY, REQ, 0, 0, NULL, NULL, ""),
                                                     PARAM("list", A_TABLE, REQ, 0, 0, NULL, NULL, "") };
-static const struct api_param join_params[] = { PARAM("i", A_PAD, REQ, 0, 0, NULL, NULL, ""),
+static const struct api_param join_params[] = { PARAM("i", A_PLAYER, REQ, 0, 0, NULL, NULL, ""),
                                                 PARAM("kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL, "") };
-static const struct api_param name_req[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "") };
-static const struct api_param pad_only[] = { PARAM("i", A_PAD, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param name_params[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param player_params[] = { PARAM("i", A_PLAYER, REQ, 0, 0, NULL, NULL, "") };
 static const struct api_param mark_params[] = { PARAM("kind", A_STR, REQ, 0, 0, NULL, NULL, ""),
                                                 PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, ""),
                                                 PARAM("of", A_STR, OPT, 0, 0, NULL, NULL, ""),
                                                 PARAM("title", A_STR, OPT, 0, 0, NULL, NULL, ""),
                                                 PARAM("value", A_INT, OPT, INT32_MIN, INT32_MAX, NULL, NULL, "") };
-static const struct api_param kind_req[] = { PARAM("kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL, "") };
-static const struct api_param owner_req[] = { PARAM("owner", A_THING, REQ, OWNER_KINDS, 0, NULL, NULL, "") };
-static const struct api_param scope_opt[] = { PARAM("scope", A_THING, OPT, 1 << H_TASK, 0, NULL, NULL, "") };
+static const struct api_param kind_params[] = { PARAM("kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param owner_params[] = { PARAM("owner", A_THING, REQ, OWNER_HANDLE_KINDS, 0, NULL, NULL, "") };
+static const struct api_param freeze_params[] = { PARAM("scope", A_THING, OPT, 1 << H_TASK, 0, NULL, NULL, "") };
 enum { MUSIC_FADE_FRAMES = 60 /* frames for music to fade out */ };
 static const struct api_param wipe_params[] = { PARAM("keep", A_BOOL, OPT, 0, 0, NULL, NULL, "") };
 static const struct api_param hold_params[] = { PARAM("e", A_THING, REQ, 1 << H_ENEMY, 0, NULL, NULL, ""),
@@ -55,15 +63,15 @@ static const struct api_param drop_params[] = { PARAM("list", A_ANY, REQ, 0, 0, 
                                                 PARAM("x", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, ""),
                                                 PARAM("y", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "") };
 
-static const struct api_param sys_value_params[] = { PARAM("i", A_PAD, REQ, 0, 0, NULL, NULL, ""),
+static const struct api_param sys_value_params[] = { PARAM("i", A_PLAYER, REQ, 0, 0, NULL, NULL, ""),
                                                      PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, ""),
                                                      PARAM("run", A_BOOL, OPT, 0, 0, NULL, NULL, "") };
-static const struct api_param any_name[] = { PARAM("name", A_ANY, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param any_name_params[] = { PARAM("name", A_ANY, REQ, 0, 0, NULL, NULL, "") };
 static const struct api_param run_set_params[] = { PARAM("name", A_ANY, REQ, 0, 0, NULL, NULL, ""),
                                                    PARAM("value", A_ANY, OPT, 0, 0, NULL, NULL, "") };
-static const struct api_param list_only[] = { PARAM("list", A_TABLE, REQ, 0, 0, NULL, NULL, "") };
-static const struct api_param scope_req[] = { PARAM("scope", A_THING, REQ, 1 << H_TASK, 0, NULL, NULL, "") };
-static const struct api_param continues_params[] = { PARAM("i", A_PAD, REQ, 0, 0, NULL, NULL, ""),
+static const struct api_param list_params[] = { PARAM("list", A_TABLE, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param start_params[] = { PARAM("scope", A_THING, REQ, 1 << H_TASK, 0, NULL, NULL, "") };
+static const struct api_param continues_params[] = { PARAM("i", A_PLAYER, REQ, 0, 0, NULL, NULL, ""),
                                                      PARAM("n", A_INT, OPT, 0, 99, NULL, NULL, "") };
 
 static int sys_fail(lua_State *L, struct board *b, struct api_value *v)
@@ -76,16 +84,16 @@ static int sys_fail(lua_State *L, struct board *b, struct api_value *v)
     return api_error(L, entry, "%s", message);
 }
 
-static int sys_note_place(lua_State *L, struct board *b, struct api_value *v)
+static int sys_record_location(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)b;
     api_record_location(L, lua_tostring(L, v[NOTE_ENTRY].at), lua_tostring(L, v[NOTE_NAME].at));
     return 0;
 }
 
-static int sys_near_run(lua_State *L, struct board *b, struct api_value *v)
+static int sys_find_nearest_word(lua_State *L, struct board *b, struct api_value *v)
 {
-    int best_distance = EDIT_FAR;
+    int best_distance = EDIT_TOO_FAR;
     lua_Integer nearest = 0, n = (lua_Integer)lua_rawlen(L, v[NEAR_LIST].at);
 
     (void)b;
@@ -142,7 +150,7 @@ static int sys_keys(lua_State *L, struct board *b, struct api_value *v)
 }
 
 /* Packs a list of drops into a string; raises an error in a game without items. */
-static int sys_drops(lua_State *L, struct board *b, struct api_value *v)
+static int sys_pack_drops(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)b;
     api_push_folded_drops(L, lua_tostring(L, v[DROPS_ENTRY].at), v[DROPS_LIST].at);
@@ -156,7 +164,7 @@ static int sys_drop(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-static int sys_read(lua_State *L, struct board *b, struct api_value *v)
+static int sys_run_library_file(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)b;
     vm_run_library_file(L, lua_tostring(L, v[ARG_NAME].at));
@@ -167,10 +175,10 @@ enum { WORTH_THING, WORTH_PLAYER };
 
 static const struct api_param worth_params[] = { PARAM("thing", A_THING, REQ, 1 << H_ENEMY | 1 << H_ITEM, 0, NULL, NULL,
                                                        ""),
-                                                 PARAM("p", A_PAD, REQ, 0, 0, NULL, NULL, "") };
+                                                 PARAM("p", A_PLAYER, REQ, 0, 0, NULL, NULL, "") };
 
 /* An item's points depend on the player's position, so call this while the player is still where the item was taken. */
-static int sys_worth(lua_State *L, struct board *b, struct api_value *v)
+static int sys_get_points(lua_State *L, struct board *b, struct api_value *v)
 {
     const uint32_t i = handle_slot(v[WORTH_THING].i);
 
@@ -199,7 +207,7 @@ static int sys_mark(lua_State *L, struct board *b, struct api_value *v)
     static const char *const kinds[MARKER_KINDS] = { "stage",  "point", "wave", "boss",  "phase", "death",
                                                      "clear",  "won",   "lost", "start", "ship",  "register",
                                                      "listed", "game",  "over", "row" };
-    const char *parent = v[M_OF].given ? lua_tostring(L, v[M_OF].at) : "",
+    const char *parent = v[M_PARENT].given ? lua_tostring(L, v[M_PARENT].at) : "",
                *title = v[M_TITLE].given ? lua_tostring(L, v[M_TITLE].at) : "";
 
     for (int k = 0; k < MARKER_KINDS; k++)
@@ -211,7 +219,7 @@ static int sys_mark(lua_State *L, struct board *b, struct api_value *v)
 }
 
 /* Changes no RAM: only reports to the cabinet that a pre-game menu is shown. */
-static int sys_tell_keys(lua_State *L, struct board *b, struct api_value *v)
+static int sys_report_menu(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
     (void)v;
@@ -316,7 +324,7 @@ static int sys_start(lua_State *L, struct board *b, struct api_value *v)
         sound_start_game(b);
     memset(b->core.continues_left, 0, sizeof b->core.continues_left);
     memset(b->core.continues_used, 0, sizeof b->core.continues_used);
-    events_call_start(L, v[ARG_SCOPE].i);
+    events_call_start_handlers(L, v[ARG_SCOPE].i);
     if (practice->lives > 0)
         b->player.lives[0] = practice->lives - 1;
     for (int i = 0; i < practice->register_count; i++)
@@ -338,7 +346,7 @@ static int find_run_register(lua_State *L, int at)
 }
 
 /* Returns a property of the run, or nil if the name is unknown. */
-static int sys_run(lua_State *L, struct board *b, struct api_value *v)
+static int sys_get_run_property(lua_State *L, struct board *b, struct api_value *v)
 {
     const char *name = lua_type(L, v[ARG_NAME].at) == LUA_TSTRING ? lua_tostring(L, v[ARG_NAME].at) : "";
     const int reg = find_run_register(L, v[ARG_NAME].at);
@@ -355,7 +363,7 @@ static int sys_run(lua_State *L, struct board *b, struct api_value *v)
 }
 
 /* Returns a register of a player's ship, or of the run; nil if there is no such register or the player is out. */
-static int sys_value_run(lua_State *L, struct board *b, struct api_value *v)
+static int sys_get_register(lua_State *L, struct board *b, struct api_value *v)
 {
     const uint32_t p = (uint32_t)v[VALUE_PLAYER].i - 1;
     const char *name = lua_tostring(L, v[VALUE_NAME].at);
@@ -476,7 +484,7 @@ static int sys_wipe(lua_State *L, struct board *b, struct api_value *v)
         slots_drop(&b->sprites.s, i);
     EACH_LIVE (i, &b->lines.s)
         slots_drop(&b->lines.s, i);
-    if (!v[ARG_KEEP].i)
+    if (!v[ARG_KEEP_SCENERY].i)
         wipe_scenery(b);
     fix_clear(&b->fix, 0, 0, (int)b->fix.cols, (int)b->fix.rows);
     return 0;
@@ -493,20 +501,20 @@ static int sys_freeze(lua_State *L, struct board *b, struct api_value *v)
 }
 
 /* Creates a scope owned by the board, which therefore outlives the task that creates it. */
-static int sys_scope(lua_State *L, struct board *b, struct api_value *v)
+static int sys_new_scope(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)v;
     lua_pushinteger(L, tasks_new_scope(b, 0, false));
     return 1;
 }
 
-static int sys_scene(lua_State *L, struct board *b, struct api_value *v)
+static int sys_new_scene(lua_State *L, struct board *b, struct api_value *v)
 {
     lua_pushinteger(L, tasks_new_scope(b, v[ARG_OWNER].i, true));
     return 1;
 }
 
-enum { SKIP_ON, SKIP_TASK };
+enum { SKIP_ENABLED, SKIP_TASK };
 static const struct api_param skip_params[] = { PARAM("on", A_BOOL, REQ, 0, 0, NULL, NULL, ""),
                                                 PARAM("task", A_THING, OPT, 1 << H_TASK, 0, NULL, NULL, "") };
 
@@ -518,17 +526,17 @@ static int sys_skip(lua_State *L, struct board *b, struct api_value *v)
     uint8_t *flags = &b->tasks.flags[i];
     if (v[SKIP_TASK].given && !board_is_alive(b, v[SKIP_TASK].i))
         return 0;
-    *flags = (uint8_t)(v[SKIP_ON].i ? *flags | TASK_SKIPS : *flags & ~TASK_SKIPS);
+    *flags = (uint8_t)(v[SKIP_ENABLED].i ? *flags | TASK_SKIPS : *flags & ~TASK_SKIPS);
     if (v[SKIP_TASK].given)
         b->tasks.wait[i] = 0;
     else if (b->voices.s.cap)
-        sound_set_skipping(b, v[SKIP_ON].i && !board_is_listing(b));
+        sound_set_skipping(b, v[SKIP_ENABLED].i && !board_is_listing(b));
     return 0;
 }
 
 static const struct api_param turn_params[] = { PARAM("task", A_THING, REQ, 1 << H_TASK, 0, NULL, NULL, "") };
 
-static int sys_turn(lua_State *L, struct board *b, struct api_value *v)
+static int sys_run_turn(lua_State *L, struct board *b, struct api_value *v)
 {
     if (b->tasks.current == NO_SLOT || !lua_isyieldable(L))
         return api_error(L, "sys.turn", "only a task can run another task");
@@ -557,22 +565,22 @@ static int sys_hold_players(lua_State *L, struct board *b, struct api_value *v)
 
     (void)L;
     for (uint32_t i = 0; i < MAX_PLAYERS; i++) {
-        unsigned withheld = player_ignored_buttons(p, i);
+        unsigned old_ignored = player_ignored_buttons(p, i);
         if (p->in_game[i])
-            p->in_game[i] = PLAYER_IN_GAME | hold_flags[v[ARG_HOW].i];
-        input_drop_presses(&b->input, i, PRESS_GAME, withheld | player_ignored_buttons(p, i));
+            p->in_game[i] = PLAYER_IN_GAME | hold_flags[v[ARG_HOLD_LEVEL].i];
+        input_drop_presses(&b->input, i, PRESS_GAME, old_ignored | player_ignored_buttons(p, i));
     }
     return 0;
 }
 
-enum { PAD_HOW, PAD_BUTTON, PAD_PLAYER };
+enum { PAD_STATE, PAD_BUTTON, PAD_PLAYER };
 static const struct api_param sys_pad_params[] = { PARAM("how", A_STR, REQ, 0, 0, NULL, NULL, ""),
                                                    PARAM("button", A_BUTTON, REQ, 0, 0, NULL, NULL, ""),
-                                                   PARAM("p", A_PAD, REQ, 0, 0, NULL, NULL, "") };
+                                                   PARAM("p", A_PLAYER, REQ, 0, 0, NULL, NULL, "") };
 
-static int sys_pad_run(lua_State *L, struct board *b, struct api_value *v)
+static int sys_read_button(lua_State *L, struct board *b, struct api_value *v)
 {
-    const char *state = lua_tostring(L, v[PAD_HOW].at);
+    const char *state = lua_tostring(L, v[PAD_STATE].at);
     const uint16_t *pads = !strcmp(state, "down")      ? b->input.held
                            : !strcmp(state, "pressed") ? b->input.pressed
                                                        : b->input.repeated;
@@ -583,7 +591,7 @@ static int sys_pad_run(lua_State *L, struct board *b, struct api_value *v)
 
 static const struct api_param sys_size_params[] = { PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "") };
 
-static int sys_size_run(lua_State *L, struct board *b, struct api_value *v)
+static int sys_get_sprite_size(lua_State *L, struct board *b, struct api_value *v)
 {
     const struct sprite *s = &b->sprite_images[v[ARG_NAME].i];
 
@@ -599,13 +607,13 @@ static const struct api_param cue_params[] = { PARAM("name", A_STR, REQ, 1, 32, 
                                                PARAM("pan", A_NUM, OPT, -1, 1, NULL, "0", "") };
 
 /* Not folded: sounds are outside the state hash. */
-static int sys_cue(lua_State *L, struct board *b, struct api_value *v)
+static int sys_play_cue(lua_State *L, struct board *b, struct api_value *v)
 {
     const int sound = b->voices.s.cap ? cart_find(&b->cart, CART_SOUNDS, lua_tostring(L, v[CUE_NAME].at)) : -1;
     const int16_t pan = (int16_t)(v[CUE_PAN].n * TUNE_PAN_CENTRE);
 
     if (sound >= 0 && !tasks_is_skipping(&b->tasks))
-        sound_play(b, &(struct cue){ cart_place(&b->cart, CART_SOUNDS, sound), 256, pan, 0 });
+        sound_play(b, &(struct cue){ cart_tune_offset(&b->cart, CART_SOUNDS, sound), 256, pan, 0 });
     return 0;
 }
 
@@ -620,7 +628,7 @@ static int32_t clamp_fade(const struct api_value *v)
     return !v->given ? 0 : v->i < MIN_FADE ? MIN_FADE : (int32_t)v->i;
 }
 
-static int sys_music_on(lua_State *L, struct board *b, struct api_value *v)
+static int sys_interrupt_music(lua_State *L, struct board *b, struct api_value *v)
 {
     const struct music_options options = { .fade = clamp_fade(&v[MUSIC_FADE]), .suspend_current = true };
 
@@ -628,7 +636,7 @@ static int sys_music_on(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-static int sys_music_back(lua_State *L, struct board *b, struct api_value *v)
+static int sys_resume_music(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
     sound_end_music(b, (int)v[MUSIC_NAME].i - 1, v[MUSIC_FADE].given ? (int32_t)v[MUSIC_FADE].i : MUSIC_FADE_FRAMES);
@@ -637,7 +645,7 @@ static int sys_music_back(lua_State *L, struct board *b, struct api_value *v)
 
 static const struct api_param music_clock_params[] = { PARAM("n", A_INT, REQ, 0, INT32_MAX, "frames", NULL, "") };
 
-static int sys_music_clock(lua_State *L, struct board *b, struct api_value *v)
+static int sys_skip_music_clock(lua_State *L, struct board *b, struct api_value *v)
 {
     if (b->music.is_skipping)
         vm_charge(L, sound_skip_clock(b, v[0].i));
@@ -645,7 +653,7 @@ static int sys_music_clock(lua_State *L, struct board *b, struct api_value *v)
 }
 
 /* While music fast-forwards to a mark, applies all music changes of boss/fight.lua at once; otherwise does nothing. */
-static int sys_music_fight(lua_State *L, struct board *b, struct api_value *v)
+static int sys_skip_fight_music(lua_State *L, struct board *b, struct api_value *v)
 {
     const struct music_options options = { .fade = clamp_fade(&v[MUSIC_FADE]), .suspend_current = true };
 
@@ -659,25 +667,25 @@ static int sys_music_fight(lua_State *L, struct board *b, struct api_value *v)
 }
 
 /* Returns { name, title, heard } for each piece in rom.lua, in order of name. */
-static int sys_pieces(lua_State *L, struct board *b, struct api_value *v)
+static int sys_list_tunes(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)v;
     lua_createtable(L, b->cart.count[CART_TUNES], 0);
     for (int i = 0; i < b->cart.count[CART_TUNES]; i++) {
-        const struct tune t = tune_of(b->cart.tune_data + cart_place(&b->cart, CART_TUNES, i));
+        const struct tune t = tune_of(b->cart.tune_data + cart_tune_offset(&b->cart, CART_TUNES, i));
         lua_createtable(L, 0, 3);
         lua_pushstring(L, cart_name(&b->cart, CART_TUNES, i));
         lua_setfield(L, -2, "name");
         lua_pushstring(L, tune_title(&t));
         lua_setfield(L, -2, "title");
-        lua_pushboolean(L, i < SEQ_MAX_PIECES && b->music.started[i / 64] >> i % 64 & 1);
+        lua_pushboolean(L, i < SEQ_MAX_PIECES && b->music.started_tunes[i / 64] >> i % 64 & 1);
         lua_setfield(L, -2, "heard");
         lua_rawseti(L, -2, i + 1);
     }
     return 1;
 }
 
-static int sys_skipping(lua_State *L, struct board *b, struct api_value *v)
+static int sys_is_skipping(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)v;
     lua_pushboolean(L, tasks_is_skipping(&b->tasks));
@@ -695,20 +703,20 @@ static int sys_task(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-static int sys_pass(lua_State *L, struct board *b, struct api_value *v)
+static int sys_skip_wait(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)v;
     return api_count_skipped_wait(L, b);
 }
 
-static int sys_hold(lua_State *L, struct board *b, struct api_value *v)
+static int sys_set_undying(lua_State *L, struct board *b, struct api_value *v)
 {
     uint32_t i = handle_slot(v[HOLD_ENEMY].i);
 
     (void)L;
     if (board_is_alive(b, v[HOLD_ENEMY].i))
         b->enemies.flags[i] =
-            (uint8_t)(v[HOLD_ON].i ? b->enemies.flags[i] | ENEMY_UNDYING : b->enemies.flags[i] & ~ENEMY_UNDYING);
+            (uint8_t)(v[HOLD_ENABLED].i ? b->enemies.flags[i] | ENEMY_UNDYING : b->enemies.flags[i] & ~ENEMY_UNDYING);
     return 0;
 }
 
@@ -752,7 +760,7 @@ static int sys_difficulties(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-static int sys_on(lua_State *L, struct board *b, struct api_value *v)
+static int sys_is_enabled(lua_State *L, struct board *b, struct api_value *v)
 {
     lua_pushboolean(L, api_disabled_reason(&b->cart.manifest, lua_tostring(L, v[ARG_NAME].at)) == NULL);
     return 1;
@@ -765,7 +773,7 @@ static const struct api_param sys_aim_params[] = {
     PARAM("shots", A_BOOL, REQ, 0, 0, NULL, NULL, "")
 };
 
-static int sys_aim_run(lua_State *L, struct board *b, struct api_value *v)
+static int sys_get_aim_direction(lua_State *L, struct board *b, struct api_value *v)
 {
     lua_pushnumber(L, trig_to_degrees(api_aim_direction(b, v[AIM_SHOTS].i, v[AIM_X].f, v[AIM_Y].f)));
     return 1;
@@ -781,100 +789,102 @@ static int sys_clock(lua_State *L, struct board *b, struct api_value *v)
 static const struct api_entry entries[] = {
     { "sys.fail", sys_fail, PARAMS(fail_params), 3, API_SYS, NULL,
       HELP("raises an entry's error; of: the name under which sys.note_place recorded the line to report") },
-    { "sys.note_place", sys_note_place, PARAMS(note_place_params), 2, API_SYS, NULL,
+    { "sys.note_place", sys_record_location, PARAMS(note_place_params), 2, API_SYS, NULL,
       HELP("records the author's line that calls an entry, for an error found later") },
-    { "sys.keys", sys_keys, PARAMS(list_only), 1, API_SYS, "list",
+    { "sys.keys", sys_keys, PARAMS(list_params), 1, API_SYS, "list",
       HELP("returns all keys of a table, of any type, in order") },
     { "sys.check_drops", sys_check_drops, PARAMS(drops_params), 2, API_SYS, NULL,
       HELP("raises an error unless drops is a list of items") },
-    { "sys.near", sys_near_run, PARAMS(sys_near_params), 2, API_SYS, "word",
+    { "sys.near", sys_find_nearest_word, PARAMS(sys_near_params), 2, API_SYS, "word",
       HELP("returns the nearest word in a list") },
     { "sys.loading", sys_loading, NO_PARAMS, 0, API_SYS, "boolean", HELP("returns true while scripts load") },
-    { "sys.read", sys_read, PARAMS(name_req), 1, API_SYS, "any",
+    { "sys.read", sys_run_library_file, PARAMS(name_params), 1, API_SYS, "any",
       HELP("runs a file of the library, such as \"screens/title\"") },
-    { "sys.emit", sys_emit, PARAMS(name_req), 1, API_SYS | API_VARARGS | API_CHANGES, NULL, HELP("queues an event") },
+    { "sys.emit", sys_emit, PARAMS(name_params), 1, API_SYS | API_VARARGS | API_CHANGES, NULL,
+      HELP("queues an event") },
     { "sys.mark", sys_mark, PARAMS(mark_params), 5, API_SYS, NULL, HELP("marks a moment of the run for the cabinet") },
-    { "sys.tell_keys", sys_tell_keys, NO_PARAMS, 0, API_SYS, NULL,
+    { "sys.tell_keys", sys_report_menu, NO_PARAMS, 0, API_SYS, NULL,
       HELP("called in every frame of a menu: tells the cabinet to show new players the keys") },
     { "sys.practice", sys_practice, NO_PARAMS, 0, API_SYS, "mark, more",
       HELP("returns the practice start; more: lives, registers") },
-    { "sys.ship", sys_ship, PARAMS(kind_req), 1, API_SYS, "table",
+    { "sys.ship", sys_ship, PARAMS(kind_params), 1, API_SYS, "table",
       HELP("returns what the screens show for a player kind: picture, speed, lives, needs, registers, then the run's "
            "registers") },
     { "sys.join", sys_join, PARAMS(join_params), 2, API_SYS | API_CHANGES, NULL,
       HELP("makes player i enter the game") },
-    { "sys.start", sys_start, PARAMS(scope_req), 1, API_SYS | API_CHANGES, NULL,
+    { "sys.start", sys_start, PARAMS(start_params), 1, API_SYS | API_CHANGES, NULL,
       HELP("starts a game in that scope; a practice start sets lives and registers") },
-    { "sys.run_registers", sys_run_registers, PARAMS(list_only), 1, API_SYS | API_CHANGES, NULL,
+    { "sys.run_registers", sys_run_registers, PARAMS(list_params), 1, API_SYS | API_CHANGES, NULL,
       HELP("declares the run's registers") },
-    { "sys.run", sys_run, PARAMS(any_name), 1, API_SYS, "number",
+    { "sys.run", sys_get_run_property, PARAMS(any_name_params), 1, API_SYS, "number",
       HELP("returns a register of the run, continues or frames") },
-    { "sys.value", sys_value_run, PARAMS(sys_value_params), 3, API_SYS, "number",
+    { "sys.value", sys_get_register, PARAMS(sys_value_params), 3, API_SYS, "number",
       HELP("returns a register of player i, or of the run; nil if the player is out") },
     { "sys.run_set", sys_run_set, PARAMS(run_set_params), 2, API_SYS | API_CHANGES, "boolean",
       HELP("sets a register of the run") },
     { "sys.run_names", sys_run_names, NO_PARAMS, 0, API_SYS, "list", HELP("returns the names of the run's registers") },
     { "sys.continues", sys_continues, PARAMS(continues_params), 2, API_SYS | API_CHANGES, "count",
       HELP("returns the number of continues player i has left; n sets it") },
-    { "sys.go_on", sys_use_continue, PARAMS(pad_only), 1, API_SYS | API_CHANGES, NULL,
+    { "sys.go_on", sys_use_continue, PARAMS(player_params), 1, API_SYS | API_CHANGES, NULL,
       HELP("uses one of player i's continues") },
-    { "sys.leave", sys_leave, PARAMS(pad_only), 1, API_SYS | API_CHANGES, NULL, HELP("makes player i leave the game") },
+    { "sys.leave", sys_leave, PARAMS(player_params), 1, API_SYS | API_CHANGES, NULL,
+      HELP("makes player i leave the game") },
     { "sys.wipe", sys_wipe, PARAMS(wipe_params), 1, API_SYS | API_CHANGES, NULL,
       HELP("empties the field and the screen; keep: leaves background and palette unchanged") },
-    { "sys.freeze", sys_freeze, PARAMS(scope_opt), 1, API_SYS | API_CHANGES, NULL,
+    { "sys.freeze", sys_freeze, PARAMS(freeze_params), 1, API_SYS | API_CHANGES, NULL,
       HELP("freezes the board except for that scope's tasks; nil unfreezes it") },
-    { "sys.scope", sys_scope, NO_PARAMS, 0, API_SYS | API_CHANGES, "scope",
+    { "sys.scope", sys_new_scope, NO_PARAMS, 0, API_SYS | API_CHANGES, "scope",
       HELP("returns a scope that the board owns") },
-    { "sys.scene", sys_scene, PARAMS(owner_req), 1, API_SYS | API_CHANGES, "scope",
+    { "sys.scene", sys_new_scene, PARAMS(owner_params), 1, API_SYS | API_CHANGES, "scope",
       HELP("returns a scope that, when it ends, removes everything spawned or put in it") },
     { "sys.skip", sys_skip, PARAMS(skip_params), 2, API_SYS | API_CHANGES, NULL,
       HELP("makes this task, or the given one, skip its waits from now on") },
-    { "sys.turn", sys_turn, PARAMS(turn_params), 1, API_SYS | API_CHANGES, NULL,
+    { "sys.turn", sys_run_turn, PARAMS(turn_params), 1, API_SYS | API_CHANGES, NULL,
       HELP("runs a task's turn immediately") },
     { "sys.faded", sys_finish_fades, NO_PARAMS, 0, API_SYS | API_CHANGES, NULL, HELP("completes all palette fades") },
     { "sys.hold_players", sys_hold_players, PARAMS(hold_players_params), 1, API_SYS | API_CHANGES, NULL,
       HELP("hides buttons from the game: 0 hides none, 1 hides fire buttons, 2 hides all buttons that control the "
            "ship") },
-    { "sys.pad", sys_pad_run, PARAMS(sys_pad_params), 3, API_SYS, "boolean",
+    { "sys.pad", sys_read_button, PARAMS(sys_pad_params), 3, API_SYS, "boolean",
       HELP("returns the state of a button, even if it is hidden from the game") },
-    { "sys.size", sys_size_run, PARAMS(sys_size_params), 1, API_SYS, "w, h, x, y",
+    { "sys.size", sys_get_sprite_size, PARAMS(sys_size_params), 1, API_SYS, "w, h, x, y",
       HELP("returns a sprite's size and origin in px") },
-    { "sys.skipping", sys_skipping, NO_PARAMS, 0, API_SYS, "boolean",
+    { "sys.skipping", sys_is_skipping, NO_PARAMS, 0, API_SYS, "boolean",
       HELP("returns true while the task skips its waits") },
-    { "sys.pass", sys_pass, NO_PARAMS, 0, API_SYS, NULL, HELP("skips one wait in a task that skips its waits") },
+    { "sys.pass", sys_skip_wait, NO_PARAMS, 0, API_SYS, NULL, HELP("skips one wait in a task that skips its waits") },
     { "sys.task", sys_task, NO_PARAMS, 0, API_SYS, "task", HELP("returns the running task") },
-    { "sys.hold", sys_hold, PARAMS(hold_params), 2, API_SYS | API_CHANGES, NULL,
+    { "sys.hold", sys_set_undying, PARAMS(hold_params), 2, API_SYS | API_CHANGES, NULL,
       HELP("lets an enemy's hp reach 0 without killing it") },
-    { "sys.kinds", sys_kinds, PARAMS(name_req), 1, API_SYS, "list", HELP("returns the declared names") },
+    { "sys.kinds", sys_kinds, PARAMS(name_params), 1, API_SYS, "list", HELP("returns the declared names") },
     { "sys.players", sys_players, NO_PARAMS, 0, API_SYS, "count",
       HELP("returns the number of players the manifest allows") },
     { "sys.difficulties", sys_difficulties, NO_PARAMS, 0, API_SYS, "list",
       HELP("returns the names of the difficulties, easiest first") },
-    { "sys.on", sys_on, PARAMS(name_req), 1, API_SYS, "boolean",
+    { "sys.on", sys_is_enabled, PARAMS(name_params), 1, API_SYS, "boolean",
       HELP("returns true if this board has the capacity for the entry with that name") },
-    { "sys.volley", api_volley, PARAMS(name_req), 1, API_SYS, "function",
+    { "sys.volley", api_push_volley, PARAMS(name_params), 1, API_SYS, "function",
       HELP("returns a function that fires an entire pattern at once; it fires nothing and returns false if the loop in "
            "Lua must do it") },
-    { "sys.aim", sys_aim_run, PARAMS(sys_aim_params), 3, API_SYS, "degrees",
+    { "sys.aim", sys_get_aim_direction, PARAMS(sys_aim_params), 3, API_SYS, "degrees",
       HELP("returns the direction in which `aim` points from x, y") },
-    { "sys.drops", sys_drops, PARAMS(drops_params), 2, API_SYS | API_CHANGES, "list",
+    { "sys.drops", sys_pack_drops, PARAMS(drops_params), 2, API_SYS | API_CHANGES, "list",
       HELP("checks drops and returns them as a list") },
     { "sys.drop", sys_drop, PARAMS(drop_params), 3, API_SYS | API_CHANGES, NULL,
       HELP("drops the items of a list from sys.drops") },
-    { "sys.worth", sys_worth, PARAMS(worth_params), 2, API_SYS, "points",
+    { "sys.worth", sys_get_points, PARAMS(worth_params), 2, API_SYS, "points",
       HELP("returns the points that a dead enemy or a taken item gave") },
-    { "sys.cue", sys_cue, PARAMS(cue_params), 2, API_SYS, NULL,
+    { "sys.cue", sys_play_cue, PARAMS(cue_params), 2, API_SYS, NULL,
       HELP("plays the sound with that name, if the game has one") },
-    { "sys.music_on", sys_music_on, PARAMS(music_on_params), 2, API_SYS | API_CHANGES, "boolean",
+    { "sys.music_on", sys_interrupt_music, PARAMS(music_on_params), 2, API_SYS | API_CHANGES, "boolean",
       HELP(
           "sets the current music aside for that piece, after a fade; returns false if the piece is already playing") },
-    { "sys.music_back", sys_music_back, PARAMS(music_on_params), 2, API_SYS | API_CHANGES, NULL,
+    { "sys.music_back", sys_resume_music, PARAMS(music_on_params), 2, API_SYS | API_CHANGES, NULL,
       HELP("ends that piece and resumes the music set aside") },
-    { "sys.music_clock", sys_music_clock, PARAMS(music_clock_params), 1, API_SYS | API_CHANGES, NULL,
+    { "sys.music_clock", sys_skip_music_clock, PARAMS(music_clock_params), 1, API_SYS | API_CHANGES, NULL,
       HELP("advances the stage's clock by that many frames on the way to a mark") },
-    { "sys.music_fight", sys_music_fight, PARAMS(music_fight_params), 2, API_SYS | API_CHANGES, NULL,
+    { "sys.music_fight", sys_skip_fight_music, PARAMS(music_fight_params), 2, API_SYS | API_CHANGES, NULL,
       HELP("notes that a fight with that music was skipped on the way to a mark") },
-    { "sys.pieces", sys_pieces, NO_PARAMS, 0, API_SYS, "list", HELP("returns the pieces of music from rom.lua") },
+    { "sys.pieces", sys_list_tunes, NO_PARAMS, 0, API_SYS, "list", HELP("returns the pieces of music from rom.lua") },
     { "sys.clock", sys_clock, NO_PARAMS, 0, API_SYS, "frames", HELP("returns the game time") },
 };
 const struct api_module api_sys = { entries, sizeof entries / sizeof *entries };

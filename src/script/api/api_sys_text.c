@@ -9,7 +9,7 @@
 
 static const struct api_param sys_glyph_params[] = { PARAM("code", A_INT, REQ, 0, 255, NULL, NULL, "") };
 
-static int sys_glyph_run(lua_State *L, struct board *b, struct api_value *v)
+static int sys_has_glyph(lua_State *L, struct board *b, struct api_value *v)
 {
     lua_pushboolean(L, text_has_glyph(&(struct font){ b->cart.glyphs, 32, b->cart.n_glyphs }, (uint32_t)v[0].i));
     return 1;
@@ -24,41 +24,41 @@ static int sys_glyphs(lua_State *L, struct board *b, struct api_value *v)
 }
 
 /* Returns the size in bytes of the saved text: the columns of the cells, one after the other, little-endian. */
-static size_t text_bytes(const struct fix *f)
+static size_t compute_saved_text_size(const struct fix *f)
 {
     return (size_t)f->cols * f->rows * (f->page ? 5 : 2);
 }
 
-static int sys_keep_text(lua_State *L, struct board *b, struct api_value *v)
+static int sys_save_text(lua_State *L, struct board *b, struct api_value *v)
 {
     const struct fix *f = &b->fix;
     const size_t cells = (size_t)f->cols * f->rows;
     luaL_Buffer out;
-    char *dst = luaL_buffinitsize(L, &out, text_bytes(f));
+    char *dst = luaL_buffinitsize(L, &out, compute_saved_text_size(f));
 
     (void)v;
-    vm_charge(L, text_bytes(f) / 64);
+    vm_charge(L, compute_saved_text_size(f) / 64);
     memcpy(dst, f->code, cells);
     memcpy(dst + cells, f->bank, cells);
     for (size_t i = 0; f->page && i < cells; i++) {
         dst[2 * cells + i] = (char)f->font[i];
         bytes_put16((uint8_t *)dst + 3 * cells + 2 * i, f->page[i]);
     }
-    luaL_pushresultsize(&out, text_bytes(f));
+    luaL_pushresultsize(&out, compute_saved_text_size(f));
     return 1;
 }
 
-static const struct api_param saved_text[] = { PARAM("kept", A_ANY, REQ, 0, 0, "what sys.keep_text returned", NULL,
-                                                     "") };
+static const struct api_param saved_text_params[] = { PARAM("kept", A_ANY, REQ, 0, 0, "what sys.keep_text returned",
+                                                            NULL, "") };
 
-static int sys_text_back(lua_State *L, struct board *b, struct api_value *v)
+static int sys_restore_text(lua_State *L, struct board *b, struct api_value *v)
 {
     struct fix *f = &b->fix;
     const size_t cells = (size_t)f->cols * f->rows;
     size_t n = 0;
     const char *src = lua_type(L, v[0].at) == LUA_TSTRING ? lua_tolstring(L, v[0].at, &n) : NULL;
 
-    if (!src || n != text_bytes(f))
+    if (!src || n != compute_saved_text_size(f))
         return api_error(L, "sys.text_back", "expected a value from sys.keep_text");
     vm_charge(L, n / 64);
     memcpy(f->code, src, cells);
@@ -79,7 +79,7 @@ static bool overlaps_field(const struct board *b, fx x, fx y, int w, int h)
     return left < m->field_w && left + w > 0 && top < m->field_h && top + h > 0;
 }
 
-static bool sprite_covers(const struct board *b, uint32_t i)
+static bool sprite_covers_field(const struct board *b, uint32_t i)
 {
     const struct sprites *s = &b->sprites;
     const struct sprite *p = &b->sprite_images[s->layer[i] < LAYER_PLATE ? s->sprite[i] : 0];
@@ -94,7 +94,7 @@ static bool sprite_covers(const struct board *b, uint32_t i)
 
 /* Returns whether a text line covers the field. A visible line does, unless it is positioned on the screen and outside
  * the field. */
-static bool line_covers(const struct lines *l, const struct board *b, uint32_t i)
+static bool line_covers_field(const struct lines *l, const struct board *b, uint32_t i)
 {
     return !(l->flags[i] & LINE_HIDDEN) &&
            (!(l->flags[i] & LINE_SCREEN) || overlaps_field(b, l->dx[i], l->dy[i], 1, 1));
@@ -115,18 +115,18 @@ static int sys_covers(lua_State *L, struct board *b, struct api_value *v)
     lua_newtable(L);
     const int others = lua_gettop(L), plates = others - 1;
     EACH_LIVE (i, &b->sprites.s)
-        if (sprite_covers(b, i))
+        if (sprite_covers_field(b, i))
             append_handle(L, b->sprites.layer[i] < LAYER_PLATE ? others : plates,
                           board_handle(b, H_SPRITE, (int32_t)i));
     EACH_LIVE (i, &b->lines.s)
-        if (line_covers(&b->lines, b, i))
+        if (line_covers_field(&b->lines, b, i))
             append_handle(L, others, board_handle(b, H_LINE, (int32_t)i));
     return 2;
 }
 
 static const struct api_param sys_cells_params[] = { PARAM("text", A_STR, REQ, 0, 0, NULL, NULL, "") };
 
-static int sys_cells_run(lua_State *L, struct board *b, struct api_value *v)
+static int sys_count_cells(lua_State *L, struct board *b, struct api_value *v)
 {
     size_t n;
     const char *s = lua_tolstring(L, v[0].at, &n);
@@ -175,7 +175,7 @@ static size_t count_fitting_bytes(const char *word, size_t n, size_t width)
     return bytes;
 }
 
-static int sys_wrap_run(lua_State *L, struct board *b, struct api_value *v)
+static int sys_wrap_text(lua_State *L, struct board *b, struct api_value *v)
 {
     static const char blanks[] = " \t\n\v\f\r";
     size_t n, bytes, width = (size_t)v[WRAP_WIDTH].i;
@@ -205,18 +205,18 @@ static int sys_wrap_run(lua_State *L, struct board *b, struct api_value *v)
 }
 
 static const struct api_entry entries[] = {
-    { "sys.glyph", sys_glyph_run, PARAMS(sys_glyph_params), 1, API_SYS, "boolean",
+    { "sys.glyph", sys_has_glyph, PARAMS(sys_glyph_params), 1, API_SYS, "boolean",
       HELP("returns true if the cells' font has a glyph for a character") },
     { "sys.glyphs", sys_glyphs, NO_PARAMS, 0, API_SYS, "count", HELP("returns the number of characters in the font") },
-    { "sys.keep_text", sys_keep_text, NO_PARAMS, 0, API_SYS, "string", HELP("returns the contents of all cells") },
-    { "sys.text_back", sys_text_back, PARAMS(saved_text), 1, API_SYS | API_CHANGES, NULL,
+    { "sys.keep_text", sys_save_text, NO_PARAMS, 0, API_SYS, "string", HELP("returns the contents of all cells") },
+    { "sys.text_back", sys_restore_text, PARAMS(saved_text_params), 1, API_SYS | API_CHANGES, NULL,
       HELP("restores the contents of the cells") },
     { "sys.covers", sys_covers, NO_PARAMS, 0, API_SYS, "plates, others",
       HELP("returns two lists of what would be drawn over a window in the field: plates; and lines with the sprites in "
            "layer `over`") },
-    { "sys.cells", sys_cells_run, PARAMS(sys_cells_params), 1, API_SYS, "count",
+    { "sys.cells", sys_count_cells, PARAMS(sys_cells_params), 1, API_SYS, "count",
       HELP("returns the number of cells a text takes") },
-    { "sys.wrap", sys_wrap_run, PARAMS(sys_wrap_params), 2, API_SYS, "list",
+    { "sys.wrap", sys_wrap_text, PARAMS(sys_wrap_params), 2, API_SYS, "list",
       HELP("breaks a text into rows of at most n characters; breaks only words that are longer than a row") },
 };
 const struct api_module api_sys_text = { entries, sizeof entries / sizeof *entries };

@@ -15,7 +15,7 @@ int api_count_entries(const struct api_table *t)
     return n;
 }
 
-const struct api_entry *api_entry(const struct api_table *t, int i)
+const struct api_entry *api_get_entry(const struct api_table *t, int i)
 {
     for (int m = 0; m < t->n; i -= t->modules[m++]->n)
         if (i < t->modules[m]->n)
@@ -23,7 +23,7 @@ const struct api_entry *api_entry(const struct api_table *t, int i)
     return NULL;
 }
 
-const struct api_entry *api_find(const struct api_table *t, const char *name)
+const struct api_entry *api_find_entry(const struct api_table *t, const char *name)
 {
     for (int m = 0; m < t->n; m++)
         for (int i = 0; i < t->modules[m]->n; i++) {
@@ -49,16 +49,16 @@ static size_t name_length(const char *name)
     return arguments ? (size_t)(arguments - name) : strlen(name);
 }
 
-enum { MAX_NEAR_CALLS = 3 };
+enum { MAX_NEAREST_CALLS = 3 };
 
 /* The names nearest to a word, all at the same distance, up to MAX_NEAR_CALLS of them. */
-struct near_calls {
-    const char *word, *names[MAX_NEAR_CALLS];
+struct nearest_calls {
+    const char *word, *names[MAX_NEAREST_CALLS];
     int best_distance, n; /* n = MAX_NEAR_CALLS + 1: more than MAX_NEAR_CALLS */
 };
 
 /* Adds `name` ("bullet.fire", "say" or "hud.centre(row, ...)") to c if no name so far is nearer. */
-static void consider_call(struct near_calls *c, const char *name)
+static void consider_call(struct nearest_calls *c, const char *name)
 {
     char last[32];
     const char *dot = strchr(name, '.'), *member = dot ? dot + 1 : name;
@@ -69,28 +69,28 @@ static void consider_call(struct near_calls *c, const char *name)
         c->best_distance = d;
         c->n = 0;
     }
-    if (d != c->best_distance || d == EDIT_FAR || c->n > MAX_NEAR_CALLS)
+    if (d != c->best_distance || d == EDIT_TOO_FAR || c->n > MAX_NEAREST_CALLS)
         return;
-    if (c->n < MAX_NEAR_CALLS)
+    if (c->n < MAX_NEAREST_CALLS)
         c->names[c->n] = name;
     c->n++;
 }
 
 bool api_suggest_calls(const struct api_table *t, const char *name, char *out, size_t size)
 {
-    struct near_calls c = { .word = name, .best_distance = EDIT_FAR };
+    struct nearest_calls c = { .word = name, .best_distance = EDIT_TOO_FAR };
     size_t n = 0;
 
     for (int i = 0; i < api_count_entries(t); i++)
-        if (!(api_entry(t, i)->flags & API_SYS))
-            consider_call(&c, api_entry(t, i)->name);
+        if (!(api_get_entry(t, i)->flags & API_SYS))
+            consider_call(&c, api_get_entry(t, i)->name);
     for (int i = 0; i < t->doc_name_count; i++)
         if (strchr(t->doc_names[i].name, '('))
             consider_call(&c, t->doc_names[i].name);
-    for (int i = 0; i < c.n && c.n <= MAX_NEAR_CALLS && n < size; i++)
+    for (int i = 0; i < c.n && c.n <= MAX_NEAREST_CALLS && n < size; i++)
         n += (size_t)snprintf(out + n, size - n, "%s%.*s", i ? i == c.n - 1 ? " or " : ", " : "",
                               (int)name_length(c.names[i]), c.names[i]);
-    return c.n > 0 && c.n <= MAX_NEAR_CALLS;
+    return c.n > 0 && c.n <= MAX_NEAREST_CALLS;
 }
 
 bool api_can_die(enum handle_kind kind)

@@ -30,7 +30,7 @@ enum api_type {
     A_SPAN,        /* { first, last }: two integers from lo to hi, in order */
     A_ROUTE,       /* a route returned by path.def */
     A_THING,       /* a handle; `lo` is a mask of 1 << handle_kind */
-    A_HIT,         /* a hit shape; lo is an enum hit_owner */
+    A_HIT_SHAPE,   /* a hit shape; lo is an enum hit_owner */
     A_MOTION,      /* a motion, by handle or name */
     A_BULLET_KIND, /* declared names; A_BULLET_KIND + k is category k of enum name_kind */
     A_SHOT_KIND,
@@ -47,7 +47,7 @@ enum api_type {
     A_SOUND, /* a sound or a piece of music in rom.lua, encoded as A_BLEND */
     A_TUNE,
     A_BUTTON,
-    A_PAD, /* a player: 1, 2 or a player's handle; 0 for a dead handle, which player.nearest may return */
+    A_PLAYER, /* a player: 1, 2 or a player's handle; 0 for a dead handle, which player.nearest may return */
     A_EASE,
     A_LAYER,
     A_SPARK_LAYER, /* i counts from LAYER_MIDDLE */
@@ -57,7 +57,7 @@ enum api_type {
     A_EMIT_FIRE,    /* what an `emit` step fires */
     A_MEET,         /* which of two colliding bullets are removed */
     A_EMIT_PATTERN, /* a pattern of an `emit` step */
-    A_DOWN,         /* how many bars of a cast must be emptied */
+    A_BARS_DOWN,    /* how many bars of a cast must be emptied */
     A_HOST_SCREEN,  /* a host screen */
 };
 
@@ -87,15 +87,16 @@ struct api_param {
     }
 
 enum {
-    API_CHANGES = 1 << 0, /* can change RAM: folded into the script digest */
-    API_LOAD = 1 << 1,    /* only callable while scripts load */
-    API_METHOD = 1 << 2,  /* the first argument is the thing before the colon */
-    API_LUA = 1 << 3,     /* written in Lua (@std); the table only lists its arguments */
-    API_SYS = 1 << 4,     /* only callable by @std */
-    API_VARARGS = 1 << 5, /* any further arguments are passed on */
-    API_FIRE = 1 << 6,    /* a pattern: also takes every argument of the entry for what it fires (FIRES_) */
-    API_GLOBAL = 1 << 7,  /* is a global */
-    API_VALUES = 1 << 8,  /* takes the values declared for what it creates; with API_FIRE, for what the pattern fires */
+    API_CHANGES = 1 << 0,   /* can change RAM: folded into the script digest */
+    API_LOAD_ONLY = 1 << 1, /* only callable while scripts load */
+    API_METHOD = 1 << 2,    /* the first argument is the thing before the colon */
+    API_LUA = 1 << 3,       /* written in Lua (@std); the table only lists its arguments */
+    API_SYS = 1 << 4,       /* only callable by @std */
+    API_VARARGS = 1 << 5,   /* any further arguments are passed on */
+    API_PATTERN = 1 << 6,   /* a pattern: also takes the arguments of the function that fires its bullets (FIRES_) */
+    API_GLOBAL = 1 << 7,    /* is a global */
+    API_TAKES_VALUES =
+        1 << 8, /* takes the values declared for what it creates; with API_PATTERN, for what the pattern fires */
 };
 
 struct api_entry {
@@ -126,7 +127,7 @@ enum api_storage {
     STORED_COUNT, /* int32, -1 for forever */
     STORED_FLAG,  /* bits of a uint8 */
     STORED_TAG,
-    STORED_KIND, /* index of the declared name; the parameter's type tells of which list */
+    STORED_KIND, /* index of the declared name, in the list of the parameter's type */
     STORED_BORN, /* the clock at birth; the property is the age */
 };
 
@@ -134,22 +135,22 @@ struct api_prop {
     struct api_param param; /* name, type, range, unit, meaning */
     int access;             /* PROP_READ, PROP_WRITE or PROP_PERSISTENT */
     enum api_storage storage;
-    size_t column; /* offset in struct board of the pointer to the column */
-    uint8_t flag;  /* STORED_FLAG: the bits */
-    bool is_set;   /* a write does more than store: it calls set of struct api_thing */
+    size_t column_offset; /* offset in struct board of the pointer to the column */
+    uint8_t flag;         /* STORED_FLAG: the bits */
+    bool has_setter;      /* a write does more than store: it calls set of struct api_thing */
 };
 
 /* The properties of a kind of handle. get pushes property p of a live thing, set writes property p; both only for
- * properties whose rows name no column. A group names its members' thing and pool instead. */
+ * properties whose rows name no column. A group has no get or set, but refers to its members' api_thing and pool. */
 struct api_thing {
     const char *name; /* "bullet" */
     const struct api_prop *props;
     int n;
     void (*get)(struct lua_State *L, struct board *b, uint32_t slot, int p);
     void (*set)(struct lua_State *L, struct board *b, uint32_t slot, int p, const struct api_value *v);
-    size_t slots, tags;             /* offset in struct board of the pool, and of the pointer to its tags */
-    const struct api_thing *member; /* of a group, whose properties have the same indices; NULL: not a group */
-    uint64_t write_work;            /* work per live slot of a write to a group */
+    size_t slots_offset, tags_offset; /* offset in struct board of the pool, and of the pointer to its tags */
+    const struct api_thing *member;   /* of a group, whose properties have the same indices; NULL: not a group */
+    uint64_t write_work;              /* work per live slot of a write to a group */
     bool (*has_member)(const struct board *b, uint32_t slot, int p); /* a further condition; NULL: none */
 };
 
@@ -164,9 +165,9 @@ struct api_doc_name {
     const char *name, *help;
 };
 
-/* What a pattern (API_FIRE) fires, selected by the pattern's argument `fire`. The pattern then also takes the
+/* What a pattern (API_PATTERN) fires, selected by the pattern's argument `fire`. The pattern then also takes the
  * parameters of the entry of that index in `fire_entries` of struct api_table. */
-enum { FIRES_BULLETS, FIRES_SHOTS, FIRES_BOLTS, FIRES_CURVES, FIRES_BEAMS, FIRES };
+enum { FIRES_BULLETS, FIRES_SHOTS, FIRES_BOLTS, FIRES_CURVES, FIRES_BEAMS, FIRE_ENTRY_COUNT };
 
 /* The whole API. The argument checks reach it through the board, which receives it at power-on (struct vm), not through
  * api_table: the table's entries need the checks, so a direct reference would be circular. */
@@ -181,13 +182,13 @@ struct api_table {
 extern const struct api_table api_table;
 
 /* The words accepted for a sprite's `layer`, indexed by LAYER_. */
-extern const char *const api_layers[];
+extern const char *const api_layer_names[];
 
-/* api_count_entries returns the number of entries, api_entry returns the i-th entry, and api_find returns the entry
- * with that name, or NULL. */
+/* api_count_entries returns the number of entries, api_get_entry returns the i-th entry, and api_find_entry returns the
+ * entry with that name, or NULL. */
 int api_count_entries(const struct api_table *t);
-const struct api_entry *api_entry(const struct api_table *t, int i);
-const struct api_entry *api_find(const struct api_table *t, const char *name);
+const struct api_entry *api_get_entry(const struct api_table *t, int i);
+const struct api_entry *api_find_entry(const struct api_table *t, const char *name);
 
 /* If the entry's name starts with `owner` and the character `separator`, returns the rest ("bullet.fire", "bullet",
  * '.': "fire"). Otherwise, and for entries written in Lua, returns NULL. */
@@ -195,15 +196,15 @@ const char *api_member_name(const struct api_entry *e, const char *owner, char s
 
 /* Returns the words that an argument of that type accepts and stores the number of words in *n. Returns NULL if the
  * type is not a word list. */
-const char *const *api_type_list(enum api_type type, int *n);
+const char *const *api_get_type_words(enum api_type type, int *n);
 
 /* Each kind of thing with its article, for use in a sentence: "a bullet", "an enemy". */
 extern const char *const api_thing_names[HANDLE_KINDS];
 
 /* Considers a candidate as the suggestion for a misspelt word. *found is the best candidate so far, *best_distance its
- * edit distance; on a tie, the first in byte order wins. Before the first call, *best_distance is EDIT_FAR and *found
- * is NULL. */
-void api_suggest_nearer(const char *word, const char *candidate, int *best_distance, const char **found);
+ * edit distance; on a tie, the first in byte order wins. Before the first call, *best_distance is EDIT_TOO_FAR and
+ * *found is NULL. */
+void api_consider_suggestion(const char *word, const char *candidate, int *best_distance, const char **found);
 
 /* The owner of a hit shape; owners accept different shapes. */
 enum hit_owner { HIT_PLAYERS, HIT_ENEMIES, HIT_BULLETS /* bullets and shots */, HIT_LASERS };

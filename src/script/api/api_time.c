@@ -9,14 +9,14 @@
 enum { ARG_FRAMES = 0, ARG_OWNER = 0, ARG_TASK = 0, ARG_F = 0 };
 enum { OWN_OWNER, OWN_F };
 
-static const struct api_param frames_req[] = { PARAM("n", A_COUNT, REQ, 0, 1e9, "frames", NULL,
-                                                     "number of frames; 0 continues immediately") };
+static const struct api_param wait_params[] = { PARAM("n", A_COUNT, REQ, 0, 1e9, "frames", NULL,
+                                                      "number of frames; 0 continues immediately") };
 
 int api_count_skipped_wait(lua_State *L, struct board *b)
 {
-    const bool is_listing = board_is_listing(b), spent = is_listing && b->vm.work > b->vm.limit / 2;
+    const bool is_listing = board_is_listing(b), is_work_spent = is_listing && b->vm.work > b->vm.limit / 2;
 
-    if (!tasks_is_skipping(&b->tasks) || (++b->tasks.skipped_waits <= MAX_SKIPS && !spent))
+    if (!tasks_is_skipping(&b->tasks) || (++b->tasks.skipped_waits <= MAX_SKIPS && !is_work_spent))
         return 0;
     if (!is_listing || !lua_isyieldable(L))
         return api_error(L, "wait",
@@ -26,7 +26,7 @@ int api_count_skipped_wait(lua_State *L, struct board *b)
     return lua_yield(L, 0);
 }
 
-static int wait_run(lua_State *L, struct board *b, struct api_value *v)
+static int wait_frames(lua_State *L, struct board *b, struct api_value *v)
 {
     if (b->tasks.current == NO_SLOT)
         return api_error(L, "wait", "only a task can wait; start one with task.go");
@@ -48,14 +48,14 @@ static int wait_run(lua_State *L, struct board *b, struct api_value *v)
 static const struct api_param go_params[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
                                                     "f(...): body of the task; called with the remaining arguments") };
 static const struct api_param own_params[] = {
-    PARAM("owner", A_THING, REQ, OWNER_KINDS, 0, NULL, NULL, "thing or task whose end also ends the new task"),
+    PARAM("owner", A_THING, REQ, OWNER_HANDLE_KINDS, 0, NULL, NULL, "thing or task whose end also ends the new task"),
     PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
           "f(owner, ...): body of the task; called with the owner and the remaining arguments")
 };
-static const struct api_param owner_opt[] = { PARAM(
-    "owner", A_THING, OPT, OWNER_KINDS, 0, NULL, NULL,
+static const struct api_param scope_params[] = { PARAM(
+    "owner", A_THING, OPT, OWNER_HANDLE_KINDS, 0, NULL, NULL,
     "thing or task whose end also ends the scope; defaults to the owner of the calling task") };
-static const struct api_param task_req[] = { PARAM("t", A_THING, REQ, 1 << H_TASK, 0, NULL, NULL, "task or scope") };
+static const struct api_param task_params[] = { PARAM("t", A_THING, REQ, 1 << H_TASK, 0, NULL, NULL, "task or scope") };
 
 static int task_go(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -103,13 +103,13 @@ static int task_alive(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-static void get_nil(lua_State *L, struct board *b, uint32_t slot, int p)
+static void push_nil_property(lua_State *L, struct board *b, uint32_t slot, int p)
 {
     (void)b, (void)slot, (void)p;
     lua_pushnil(L);
 }
 
-const struct api_thing api_task_thing = { "task", NULL, 0, .get = get_nil, .set = NULL };
+const struct api_thing api_task_thing = { "task", NULL, 0, .get = push_nil_property, .set = NULL };
 
 static const struct api_param on_graze_params[] = { PARAM(
     "f", A_FUNC, REQ, 0, 0, NULL, NULL, "f(player, bullet): called with the player and the grazed bullet") };
@@ -149,7 +149,7 @@ static const struct api_param on_stage_params[] = { PARAM(
     "f", A_FUNC, REQ, 0, 0, NULL, NULL,
     "f(name, state): called with the name of the stage; state is \"start\" or \"clear\"") };
 
-#define DEFINE_ON(name, index)                                                                                         \
+#define DEFINE_EVENT_FUNCTION(name, index)                                                                             \
     static int on_##name(lua_State *L, struct board *b, struct api_value *v)                                           \
     {                                                                                                                  \
         (void)b;                                                                                                       \
@@ -157,58 +157,58 @@ static const struct api_param on_stage_params[] = { PARAM(
         events_add_handler(L, index);                                                                                  \
         return 0;                                                                                                      \
     }
-DEFINE_ON(graze, EV_GRAZE)
-DEFINE_ON(hit, EV_HIT)
-DEFINE_ON(death, EV_DEATH)
-DEFINE_ON(game_over, EV_GAME_OVER)
-DEFINE_ON(kill, EV_KILL)
-DEFINE_ON(leave, EV_LEAVE)
-DEFINE_ON(extend, EV_EXTEND)
-DEFINE_ON(take, EV_TAKE)
-DEFINE_ON(bomb, EV_BOMB)
-DEFINE_ON(continue, EV_CONTINUE)
-DEFINE_ON(phase, EV_PHASE)
-DEFINE_ON(stage, EV_STAGE)
-DEFINE_ON(start, EV_START)
+DEFINE_EVENT_FUNCTION(graze, EV_GRAZE)
+DEFINE_EVENT_FUNCTION(hit, EV_HIT)
+DEFINE_EVENT_FUNCTION(death, EV_DEATH)
+DEFINE_EVENT_FUNCTION(game_over, EV_GAME_OVER)
+DEFINE_EVENT_FUNCTION(kill, EV_KILL)
+DEFINE_EVENT_FUNCTION(leave, EV_LEAVE)
+DEFINE_EVENT_FUNCTION(extend, EV_EXTEND)
+DEFINE_EVENT_FUNCTION(take, EV_TAKE)
+DEFINE_EVENT_FUNCTION(bomb, EV_BOMB)
+DEFINE_EVENT_FUNCTION(continue, EV_CONTINUE)
+DEFINE_EVENT_FUNCTION(phase, EV_PHASE)
+DEFINE_EVENT_FUNCTION(stage, EV_STAGE)
+DEFINE_EVENT_FUNCTION(start, EV_START)
 
-#define ON_FLAGS (API_CHANGES | API_LOAD)
+#define EVENT_ENTRY_FLAGS (API_CHANGES | API_LOAD_ONLY)
 static const struct api_entry entries[] = {
-    { "wait", wait_run, PARAMS(frames_req), 1, API_CHANGES | API_GLOBAL, NULL,
+    { "wait", wait_frames, PARAMS(wait_params), 1, API_CHANGES | API_GLOBAL, NULL,
       HELP("pauses the task for a number of frames") },
     { "task.go", task_go, PARAMS(go_params), 1, API_CHANGES | API_VARARGS, "task",
       HELP("starts a task with the same owner as the calling task; both end with that owner") },
     { "task.own", task_own, PARAMS(own_params), 2, API_CHANGES | API_VARARGS, "task",
       HELP("starts a task that ends with the given owner") },
-    { "task.scope", task_scope, PARAMS(owner_opt), 1, API_CHANGES, "scope",
+    { "task.scope", task_scope, PARAMS(scope_params), 1, API_CHANGES, "scope",
       HELP("creates a scope to own tasks; stopping the scope stops all of its tasks") },
-    { "task.stop", task_stop, PARAMS(task_req), 1, API_CHANGES, NULL,
+    { "task.stop", task_stop, PARAMS(task_params), 1, API_CHANGES, NULL,
       HELP("stops a task or a scope, and everything it owns") },
-    { "task.alive", task_alive, PARAMS(task_req), 1, 0, "boolean", HELP("returns true while the task runs") },
-    { "on.graze", on_graze, PARAMS(on_graze_params), 1, ON_FLAGS, NULL,
+    { "task.alive", task_alive, PARAMS(task_params), 1, 0, "boolean", HELP("returns true while the task runs") },
+    { "on.graze", on_graze, PARAMS(on_graze_params), 1, EVENT_ENTRY_FLAGS, NULL,
       HELP("calls a function each time a player grazes a bullet") },
-    { "on.hit", on_hit, PARAMS(on_hit_params), 1, ON_FLAGS, NULL,
+    { "on.hit", on_hit, PARAMS(on_hit_params), 1, EVENT_ENTRY_FLAGS, NULL,
       HELP("calls a function each time a bullet or an enemy hits a player who isn't safe") },
-    { "on.death", on_death, PARAMS(on_death_params), 1, ON_FLAGS, NULL,
+    { "on.death", on_death, PARAMS(on_death_params), 1, EVENT_ENTRY_FLAGS, NULL,
       HELP("calls a function each time a player loses a life") },
-    { "on.game_over", on_game_over, PARAMS(on_game_over_params), 1, ON_FLAGS, NULL,
+    { "on.game_over", on_game_over, PARAMS(on_game_over_params), 1, EVENT_ENTRY_FLAGS, NULL,
       HELP("calls a function when the last player is out") },
-    { "on.kill", on_kill, PARAMS(on_kill_params), 1, ON_FLAGS, NULL,
+    { "on.kill", on_kill, PARAMS(on_kill_params), 1, EVENT_ENTRY_FLAGS, NULL,
       HELP("calls a function each time an enemy is killed") },
-    { "on.leave", on_leave, PARAMS(on_leave_params), 1, ON_FLAGS, NULL,
+    { "on.leave", on_leave, PARAMS(on_leave_params), 1, EVENT_ENTRY_FLAGS, NULL,
       HELP("calls a function each time an enemy leaves the field") },
-    { "on.extend", on_extend, PARAMS(on_extend_params), 1, ON_FLAGS, NULL,
+    { "on.extend", on_extend, PARAMS(on_extend_params), 1, EVENT_ENTRY_FLAGS, NULL,
       HELP("calls a function each time the score or an item gives a player an extra life") },
-    { "on.take", on_take, PARAMS(on_take_params), 1, ON_FLAGS, NULL,
+    { "on.take", on_take, PARAMS(on_take_params), 1, EVENT_ENTRY_FLAGS, NULL,
       HELP("calls a function each time a player takes an item") },
-    { "on.bomb", on_bomb, PARAMS(on_bomb_params), 1, ON_FLAGS, NULL,
+    { "on.bomb", on_bomb, PARAMS(on_bomb_params), 1, EVENT_ENTRY_FLAGS, NULL,
       HELP("calls a function each time a player bombs") },
-    { "on.continue", on_continue, PARAMS(on_continue_params), 1, ON_FLAGS, NULL,
+    { "on.continue", on_continue, PARAMS(on_continue_params), 1, EVENT_ENTRY_FLAGS, NULL,
       HELP("calls a function each time a player continues after losing the last life") },
-    { "on.start", on_start, PARAMS(on_start_params), 1, ON_FLAGS, NULL,
+    { "on.start", on_start, PARAMS(on_start_params), 1, EVENT_ENTRY_FLAGS, NULL,
       HELP("calls a function when a game or a practice attempt starts; use it to reset script variables") },
-    { "on.phase", on_phase, PARAMS(on_phase_params), 1, ON_FLAGS, NULL,
+    { "on.phase", on_phase, PARAMS(on_phase_params), 1, EVENT_ENTRY_FLAGS, NULL,
       HELP("calls a function at the end of each phase of a boss") },
-    { "on.stage", on_stage, PARAMS(on_stage_params), 1, ON_FLAGS, NULL,
+    { "on.stage", on_stage, PARAMS(on_stage_params), 1, EVENT_ENTRY_FLAGS, NULL,
       HELP("calls a function when a stage starts and when it is cleared") },
 };
 const struct api_module api_time = { entries, sizeof entries / sizeof *entries };

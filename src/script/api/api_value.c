@@ -6,10 +6,10 @@
 #include "api_parts.h"
 
 /* Kinds of entity that can have values, in the order of the lists from N_BULLET_VALUE. */
-enum { KINDS = 3 };
-static const char *const kind_names[KINDS] = { "bullet", "shot", "enemy" };
-static const char *const creators[KINDS] = { "bullet.fire", "shot.fire", "enemy.spawn" };
-static const enum handle_kind handle_kinds[KINDS] = { H_BULLET, H_SHOT, H_ENEMY };
+enum { KIND_COUNT = 3 };
+static const char *const kind_names[KIND_COUNT] = { "bullet", "shot", "enemy" };
+static const char *const creator_entries[KIND_COUNT] = { "bullet.fire", "shot.fire", "enemy.spawn" };
+static const enum handle_kind handle_kinds[KIND_COUNT] = { H_BULLET, H_SHOT, H_ENEMY };
 
 static bool is_identifier(const char *name)
 {
@@ -20,27 +20,29 @@ static bool is_identifier(const char *name)
 
 /* Returns whether the name is already used: by a property or a verb of the thing, a reserved name, or an argument of
  * the function that creates the thing. */
-static bool is_taken(lua_State *L, int kind, const char *name)
+static bool is_name_taken(lua_State *L, int kind, const char *name)
 {
-    const struct api_entry *creator = api_find(api_of(L), creators[kind]);
+    const struct api_entry *creator = api_find_entry(api_get_table(L), creator_entries[kind]);
     const enum handle_kind group = kind == 0 ? H_GROUP : handle_kinds[kind];
     bool used = !strcmp(name, "alive") || api_is_reserved(kind_names[kind], ':', name) ||
                 api_is_reserved(creator->name, '{', name);
 
-    used |= api_has_property(api_of(L)->things[handle_kinds[kind]], name) ||
-            api_has_property(api_of(L)->things[group], name);
+    used |= api_has_property(api_get_table(L)->things[handle_kinds[kind]], name) ||
+            api_has_property(api_get_table(L)->things[group], name);
     for (int i = 0; i < creator->count; i++)
         used |= !strcmp(creator->params[i].name, name);
-    for (int i = 0; kind == 0 && i < api_count_entries(api_of(L));
+    for (int i = 0; kind == 0 && i < api_count_entries(api_get_table(L));
          i++) /* patterns pass on all arguments but their own */
-        for (int k = 0; api_entry(api_of(L), i)->flags & API_FIRE && k < api_entry(api_of(L), i)->count; k++)
-            used |= !strcmp(api_entry(api_of(L), i)->params[k].name, name);
+        for (int k = 0;
+             api_get_entry(api_get_table(L), i)->flags & API_PATTERN && k < api_get_entry(api_get_table(L), i)->count;
+             k++)
+            used |= !strcmp(api_get_entry(api_get_table(L), i)->params[k].name, name);
     used |= api_push_method(L, (int)handle_kinds[kind], name);
     lua_pop(L, 1);
     return used;
 }
 
-enum { D_NAME, D_OF, D_START };
+enum { D_NAME, D_KIND, D_START };
 
 static const struct api_param def_params[] = {
     PARAM("name", A_STR, REQ, 1, 31, NULL, NULL,
@@ -56,7 +58,7 @@ static int read_kind(lua_State *L, const struct api_value *owner)
 {
     const char *kind_name = owner->given ? lua_tostring(L, owner->at) : kind_names[0];
 
-    for (int k = 0; k < KINDS; k++)
+    for (int k = 0; k < KIND_COUNT; k++)
         if (!strcmp(kind_name, kind_names[k]))
             return k;
     return api_error(L, def_entry, "of: expected \"bullet\", \"shot\" or \"enemy\", got \"%s\"", kind_name);
@@ -65,8 +67,8 @@ static int read_kind(lua_State *L, const struct api_value *owner)
 /* Raises an error if all columns enabled in rom.lua are in use. */
 static void check_capacity(lua_State *L, const struct board *b, int kind, const char *name)
 {
-    const int32_t capacity[KINDS] = { b->cart.manifest.bullet_values, b->cart.manifest.shot_values,
-                                      b->cart.manifest.enemy_values };
+    const int32_t capacity[KIND_COUNT] = { b->cart.manifest.bullet_values, b->cart.manifest.shot_values,
+                                           b->cart.manifest.enemy_values };
     const int n = api_value_count(b, (enum name_kind)(N_BULLET_VALUE + kind));
 
     if (n < capacity[kind])
@@ -81,15 +83,15 @@ static void check_capacity(lua_State *L, const struct board *b, int kind, const 
 static int value_def(lua_State *L, struct board *b, struct api_value *v)
 {
     const char *name = lua_tostring(L, v[D_NAME].at);
-    const int kind = read_kind(L, &v[D_OF]);
+    const int kind = read_kind(L, &v[D_KIND]);
     const enum name_kind value_kind = (enum name_kind)(N_BULLET_VALUE + kind);
     const int k = api_value_count(b, value_kind);
 
     if (!is_identifier(name))
         api_error(L, def_entry, "name: expected a word of letters, digits and _, got \"%s\"", name);
-    if (is_taken(L, kind, name))
+    if (is_name_taken(L, kind, name))
         api_error(L, def_entry, "\"%s\" is already a property or a method of %s, or an argument of %s%s", name,
-                  api_thing_names[handle_kinds[kind]], creators[kind], kind == 0 ? " or a pattern" : "");
+                  api_thing_names[handle_kinds[kind]], creator_entries[kind], kind == 0 ? " or a pattern" : "");
     if (api_names_find(L, value_kind, name) != NO_SLOT)
         api_error(L, def_entry, "\"%s\" is already declared", name);
     check_capacity(L, b, kind, name);
@@ -102,7 +104,7 @@ static int value_def(lua_State *L, struct board *b, struct api_value *v)
 }
 
 static const struct api_entry entries[] = {
-    { "value.def", value_def, PARAMS(def_params), 1, API_CHANGES | API_LOAD, NULL,
+    { "value.def", value_def, PARAMS(def_params), 1, API_CHANGES | API_LOAD_ONLY, NULL,
       HELP("declares a number to store with each bullet, shot or enemy; needs `board = { values = { .. } }`") },
 };
 const struct api_module api_value = { entries, sizeof entries / sizeof *entries };

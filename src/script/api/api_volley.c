@@ -1,8 +1,8 @@
 /*
- * api_volley.c - pattern.ring, fan, arc, stack and line as one call that fires all their bullets. It fires exactly the
- * same bullets as the loops in scripts/pattern.lua, in a tenth of the time. Only the loops handle `each`, lasers, and
- * arguments that are invalid for only some of the bullets. The digest folds a volley as one call, because its arguments
- * determine all of its bullets.
+ * api_volley.c - pattern.ring, fan, arc, stack and line as one call that fires all their bullets. It fires exactly
+ * the same bullets as the loops in scripts/pattern.lua, in a tenth of the time. Only the loops handle `each`, lasers,
+ * and arguments that are invalid for only some of the bullets. The digest folds a volley as one call, because its
+ * arguments determine all of its bullets.
  */
 #include <string.h>
 #include "../../base/hash.h"
@@ -14,9 +14,9 @@
 enum { OWN_N, OWN_SIZE, OWN_SKIP_FROM_END = 3 /* counted from the end */ };
 
 struct volley {
-    struct emit_pattern_params f;
+    struct emit_pattern_params params;
     struct bullet_spec spec;
-    bool is_shots, is_aimed;
+    bool fires_shots, is_aimed;
     lua_Integer skip_first, skip_last; /* first and last skipped bullet, counted from 1 */
     fx x, y;                           /* line: the part of the position that is already rounded */
     double dx, dy;                     /* line: the part to which a bullet's own offset is added before rounding */
@@ -75,23 +75,23 @@ static lua_Integer read_skip_bound(lua_State *L, const struct api_value *skip, i
 static lua_Integer count_remaining(const struct volley *v, lua_Integer i)
 {
     const lua_Integer first = v->skip_first > i + 1 ? v->skip_first : i + 1,
-                      last = v->skip_last < v->f.n ? v->skip_last : v->f.n;
+                      last = v->skip_last < v->params.n ? v->skip_last : v->params.n;
 
-    return v->f.n - i - (last >= first ? last - first + 1 : 0);
+    return v->params.n - i - (last >= first ? last - first + 1 : 0);
 }
 
 /* Sets the base position of a line. A bullet's offset is added to the unrounded part, then the sum is rounded. */
 static void set_line_base(struct board *b, struct volley *v, const struct api_value *place)
 {
-    if (place[PLACE_FROM].given) {
-        board_get_position(b, place[PLACE_FROM].i, &v->x, &v->y);
-        v->dx = place[PLACE_DX].n;
-        v->dy = place[PLACE_DY].n;
+    if (place[POSITION_FROM].given) {
+        board_get_position(b, place[POSITION_FROM].i, &v->x, &v->y);
+        v->dx = place[POSITION_DX].n;
+        v->dy = place[POSITION_DY].n;
     } else {
-        v->x = place[PLACE_DX].f;
-        v->y = place[PLACE_DY].f;
-        v->dx = place[PLACE_X].n;
-        v->dy = place[PLACE_Y].n;
+        v->x = place[POSITION_DX].f;
+        v->y = place[POSITION_DY].f;
+        v->dx = place[POSITION_X].n;
+        v->dy = place[POSITION_Y].n;
     }
 }
 
@@ -102,10 +102,10 @@ static void aim_line(struct board *b, struct volley *v, bool is_from_thing)
     if (v->is_aimed) {
         const fx x = round_to_fx(is_from_thing ? fx_to_double(v->x) + v->dx : v->dx);
         const fx y = round_to_fx(is_from_thing ? fx_to_double(v->y) + v->dy : v->dy);
-        v->f.dir = trig_to_degrees(api_aim_direction(b, v->is_shots, x, y)) + v->f.dir;
+        v->params.dir = trig_to_degrees(api_aim_direction(b, v->fires_shots, x, y)) + v->params.dir;
         v->is_aimed = false;
     }
-    emit_set_direction(&v->f);
+    emit_set_direction(&v->params);
 }
 
 /* Returns whether bullet.fire would accept the arguments of the first and the last bullet. The arguments of every other
@@ -115,7 +115,7 @@ static bool ends_are_valid(const struct volley *v)
     for (int end = 0; end < 2; end++) {
         struct emit_bullet w;
         ang a;
-        emit_compute_bullet(&v->f, end ? v->f.n - 1 : 0, &w);
+        emit_compute_bullet(&v->params, end ? v->params.n - 1 : 0, &w);
         if (!trig_from_degrees(w.dir, &a) || !is_within(w.speed, MAX_SPEED) || !is_within(v->dx + w.dx, WORLD_EDGE) ||
             !is_within(v->dy + w.dy, WORLD_EDGE))
             return false;
@@ -129,29 +129,29 @@ static bool fire_one(struct board *b, struct volley *v, int32_t i, ang aim_dir, 
     struct bullet_spec *s = &v->spec;
     struct emit_bullet w;
 
-    emit_compute_bullet(&v->f, i, &w);
+    emit_compute_bullet(&v->params, i, &w);
     trig_from_degrees(w.dir, &s->dir);
     s->dir += aim_dir;
     s->speed = round_to_fx(w.speed);
-    if (v->f.pattern == EMIT_LINE) {
+    if (v->params.pattern == EMIT_LINE) {
         s->x = motion_shift(v->x, round_to_fx(v->dx + w.dx));
         s->y = motion_shift(v->y, round_to_fx(v->dy + w.dy));
     }
-    const int32_t slot = emit_fire(b, v->is_shots, s, fx_nearest(w.speed * 4294967296.0), b->core.clock);
+    const int32_t slot = emit_fire(b, v->fires_shots, s, fx_nearest(w.speed * 4294967296.0), b->core.clock);
     if (slot != NO_SLOT)
-        api_set_values(b, v->is_shots ? N_SHOT_VALUE : N_BULLET_VALUE, (uint32_t)slot, values);
+        api_set_values(b, v->fires_shots ? N_SHOT_VALUE : N_BULLET_VALUE, (uint32_t)slot, values);
     return slot != NO_SLOT;
 }
 
 static void fire_all(struct board *b, struct volley *v, const struct api_value *values)
 {
-    const ang aim_dir = v->is_aimed ? api_aim_direction(b, v->is_shots, v->spec.x, v->spec.y) : 0;
+    const ang aim_dir = v->is_aimed ? api_aim_direction(b, v->fires_shots, v->spec.x, v->spec.y) : 0;
 
-    for (int32_t i = 0; i < v->f.n; i++) {
+    for (int32_t i = 0; i < v->params.n; i++) {
         if (i + 1 >= v->skip_first && i + 1 <= v->skip_last)
             continue;
         if (!fire_one(b, v, i, aim_dir, values)) { /* the remaining bullets are refused too */
-            emit_count_refused(b, v->is_shots, (uint64_t)(count_remaining(v, i) - 1));
+            emit_count_refused(b, v->fires_shots, (uint64_t)(count_remaining(v, i) - 1));
             return;
         }
     }
@@ -163,13 +163,14 @@ static void read_volley(lua_State *L, const struct api_entry *e, const struct ap
     const struct api_value *fire_args = pattern_args + e->count, *skip = pattern_args + e->count - OWN_SKIP_FROM_END;
 
     *v = (struct volley){ .is_aimed = fire_args[FIRE_AIM].i, .skip_last = -1 };
-    v->is_shots = skip[1].given && !strcmp(lua_tostring(L, skip[1].at), "shot");
-    v->f = (struct emit_pattern_params){ .pattern = find_pattern(e->name),
-                                         .n = (int32_t)pattern_args[OWN_N].i,
-                                         .dir = fire_args[FIRE_DIR].given || !v->is_aimed ? fire_args[FIRE_DIR].n : 0,
-                                         .speed = fire_args[FIRE_SPEED].n };
-    if (v->f.pattern != EMIT_RING)
-        v->f.size = pattern_args[OWN_SIZE].n;
+    v->fires_shots = skip[1].given && !strcmp(lua_tostring(L, skip[1].at), "shot");
+    v->params =
+        (struct emit_pattern_params){ .pattern = find_pattern(e->name),
+                                      .n = (int32_t)pattern_args[OWN_N].i,
+                                      .dir = fire_args[FIRE_DIR].given || !v->is_aimed ? fire_args[FIRE_DIR].n : 0,
+                                      .speed = fire_args[FIRE_SPEED].n };
+    if (v->params.pattern != EMIT_RING)
+        v->params.size = pattern_args[OWN_SIZE].n;
     if (skip->given) {
         v->skip_first = read_skip_bound(L, skip, 1);
         v->skip_last = read_skip_bound(L, skip, 2);
@@ -185,16 +186,16 @@ static bool fire_volley(lua_State *L, struct board *b, const struct api_entry *e
     read_volley(L, e, pattern_args, &v);
     if (count_remaining(&v, 0) <= 0)
         return true;
-    if (!api_read_flight(L, b, e->name, fire_args, v.is_shots, &v.spec))
+    if (!api_read_flight(L, b, e->name, fire_args, v.fires_shots, &v.spec))
         return true; /* the thing `from` is dead, or the ship that would fire was hit */
-    if (v.f.pattern == EMIT_LINE) {
-        set_line_base(b, &v, fire_args + FIRE_PLACE);
-        aim_line(b, &v, fire_args[FIRE_PLACE + PLACE_FROM].given);
+    if (v.params.pattern == EMIT_LINE) {
+        set_line_base(b, &v, fire_args + FIRE_POSITION);
+        aim_line(b, &v, fire_args[FIRE_POSITION + POSITION_FROM].given);
     }
     if (!ends_are_valid(&v))
         return false;
     vm_charge(L, WORK_FIRE * (uint64_t)count_remaining(&v, 0));
-    fire_all(b, &v, fire_args + FIRE_VALUES);
+    fire_all(b, &v, fire_args + FIRE_FIRST_VALUE);
     return true;
 }
 
@@ -213,19 +214,19 @@ static int run_volley(lua_State *L)
     const struct api_value *skip = v + e->count - OWN_SKIP_FROM_END;
     api_fold_call(L, b, f->hash, v, n);
     for (int i = 1; skip->given && i <= 2; i++)
-        script_fold(b, (uint64_t)read_skip_bound(L, skip, i));
+        script_update_digest(b, (uint64_t)read_skip_bound(L, skip, i));
     lua_pushboolean(L, fire_volley(L, b, e, v));
     return luakeys_return(L, 1);
 }
 
-int api_volley(lua_State *L, struct board *b, struct api_value *v)
+int api_push_volley(lua_State *L, struct board *b, struct api_value *v)
 {
     const char *name = lua_tostring(L, v[0].at);
-    const struct api_entry *e = api_find(api_of(L), name);
+    const struct api_entry *e = api_find_entry(api_get_table(L), name);
 
     (void)b;
-    if (!e || !(e->flags & API_FIRE) || find_pattern(name) == EMIT_ONE)
+    if (!e || !(e->flags & API_PATTERN) || find_pattern(name) == EMIT_ONE)
         return api_error(L, "sys.volley", "unknown volley \"%s\"", name);
-    api_push_bound(L, e, run_volley);
+    api_push_bound_function(L, e, run_volley);
     return 1;
 }

@@ -16,9 +16,9 @@
 #include "../lua/lualib.h"
 #include "../script.h"
 
-static const char chunk_name[] = "=console", line_prefix[] = "console:1: ";
+static const char chunk_name[] = "=console", error_prefix[] = "console:1: ";
 
-static void compile(lua_State *L, const char *line)
+static void compile_line(lua_State *L, const char *line)
 {
     const char *message, *expression = lua_pushfstring(L, "return %s", line);
     int at;
@@ -51,7 +51,7 @@ static void push_thing_text(lua_State *L, int64_t h)
 }
 
 /* Pushes the value at idx as text. */
-static void push_text(lua_State *L, int idx)
+static void push_value_text(lua_State *L, int idx)
 {
     if (lua_isinteger(L, idx) && handle_is_well_formed(lua_tointeger(L, idx)))
         push_thing_text(L, lua_tointeger(L, idx));
@@ -59,7 +59,7 @@ static void push_text(lua_State *L, int idx)
         lualib_tolstring(L, idx, NULL);
 }
 
-enum { MAX_ENTRIES = 24 /* most entries of a table that are shown */ };
+enum { MAX_SHOWN_ENTRIES = 24 /* most entries of a table that are shown */ };
 
 /* Appends the entry whose key and value are on top of the stack to the text below them; pops the value. */
 static void append_entry(lua_State *L, lua_Integer n)
@@ -70,9 +70,9 @@ static void append_entry(lua_State *L, lua_Integer n)
     vm_charge(L, WORK_CALL);
     lua_pushvalue(L, text);
     lua_pushstring(L, n > 1 ? ", " : " ");
-    push_text(L, key);
+    push_value_text(L, key);
     lua_pushstring(L, " = ");
-    push_text(L, key + 1);
+    push_value_text(L, key + 1);
     if (is_list_item) {
         lua_replace(L, -3);
         lua_pop(L, 1);
@@ -91,7 +91,7 @@ static void push_table_text(lua_State *L, int idx)
     lua_pushliteral(L, "{");
     lua_pushnil(L);
     for (int key_count; (key_count = luakeys_next(L, idx)) > 0; n++) {
-        if (n > MAX_ENTRIES) {
+        if (n > MAX_SHOWN_ENTRIES) {
             lua_pop(L, 1);
             lua_pushliteral(L, ", ...");
             lua_concat(L, 2);
@@ -119,7 +119,7 @@ static void replace_with_text(lua_State *L, int idx)
     if (plain)
         push_table_text(L, idx);
     else
-        push_text(L, idx);
+        push_value_text(L, idx);
     lua_replace(L, idx);
 }
 
@@ -130,7 +130,7 @@ static int run_line(lua_State *L)
     struct output *o = vm_board(L)->output;
 
     lua_settop(L, 0);
-    compile(L, o->eval_line);
+    compile_line(L, o->eval_line);
     lua_call(L, 0, LUA_MULTRET);
     int n = lua_gettop(L);
     if (o->values) {
@@ -144,9 +144,9 @@ static int run_line(lua_State *L)
 }
 
 /* Returns the message without the prefix "console:1: ", which is the same for every line. */
-static const char *skip_prefix(const char *message)
+static const char *skip_error_prefix(const char *message)
 {
-    return strncmp(message, line_prefix, sizeof line_prefix - 1) ? message : message + sizeof line_prefix - 1;
+    return strncmp(message, error_prefix, sizeof error_prefix - 1) ? message : message + sizeof error_prefix - 1;
 }
 
 bool api_run_between_frames(struct board *b, lua_CFunction f, uint64_t limit)
@@ -169,7 +169,7 @@ bool api_run_between_frames(struct board *b, lua_CFunction f, uint64_t limit)
 }
 
 /* Implements board_eval_values; if `values` is NULL, prints the values as board_eval does. */
-static bool eval(struct board *b, const char *line, struct values *values, char *out, size_t size)
+static bool evaluate_line(struct board *b, const char *line, struct values *values, char *out, size_t size)
 {
     struct output *o = b->output;
 
@@ -180,7 +180,7 @@ static bool eval(struct board *b, const char *line, struct values *values, char 
     o->eval_line = line;
     o->values = values;
     bool ok = api_run_between_frames(b, run_line, EVAL_LIMIT);
-    snprintf(out, size, "%.*s", ok ? (int)o->log_size : -1, ok ? o->log : skip_prefix(o->fault.message));
+    snprintf(out, size, "%.*s", ok ? (int)o->log_size : -1, ok ? o->log : skip_error_prefix(o->fault.message));
     o->eval_line = NULL;
     o->values = NULL;
     o->log_size = 0;
@@ -189,10 +189,10 @@ static bool eval(struct board *b, const char *line, struct values *values, char 
 
 bool board_eval(struct board *b, const char *line, char *out, size_t size)
 {
-    return eval(b, line, NULL, out, size);
+    return evaluate_line(b, line, NULL, out, size);
 }
 
 bool board_eval_values(struct board *b, const char *line, struct values *v, char *out, size_t size)
 {
-    return eval(b, line, v, out, size);
+    return evaluate_line(b, line, v, out, size);
 }

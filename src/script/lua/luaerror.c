@@ -1,7 +1,7 @@
 /*
  * luaerror.c - error, assert and pcall.
  *
- * error wraps its value in a carrier, a userdata with its own metatable, so that pcall can distinguish errors raised by
+ * error wraps its value in a wrapper, a userdata with its own metatable, so that pcall can distinguish errors raised by
  * a script from faults raised by the VM. A fault that passes through a pcall is stored in the registry, so that a
  * __close handler cannot hide it by raising another error: from then on every failing pcall raises the fault again.
  */
@@ -12,21 +12,21 @@
 #include "lualib.h"
 #include "luaparts.h"
 
-/* Registry keys. carrier_key: the carriers' metatable; fault_key, trace_key: the first fault that passed through a
- * pcall, and its traceback. */
-static const char carrier_key, fault_key, trace_key;
+/* Registry keys. error_wrapper_key: the wrappers' metatable; fault_key, trace_key: the first fault that passed through
+ * a pcall, and its traceback. */
+static const char error_wrapper_key, fault_key, trace_key;
 
 bool lualib_is_raised(lua_State *L, int idx)
 {
     if (lua_type(L, idx) != LUA_TUSERDATA || !lua_getmetatable(L, idx))
         return false;
-    lua_rawgetp(L, LUA_REGISTRYINDEX, &carrier_key);
-    bool is_carrier = lua_rawequal(L, -1, -2);
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &error_wrapper_key);
+    bool is_wrapper = lua_rawequal(L, -1, -2);
     lua_pop(L, 2);
-    return is_carrier;
+    return is_wrapper;
 }
 
-void lualib_push_unwrapped(lua_State *L, int idx)
+void lualib_push_error_value(lua_State *L, int idx)
 {
     lua_getiuservalue(L, idx, 1);
 }
@@ -36,7 +36,7 @@ void lualib_push_trace(lua_State *L)
     lua_rawgetp(L, LUA_REGISTRYINDEX, &trace_key);
 }
 
-/* Raises the value on top, wrapped in a carrier. A carrier, which a __close handler may receive, is raised
+/* Raises the value on top, in a wrapper. A wrapper, which a __close handler may receive, is raised
  * unchanged. */
 static int throw_value(lua_State *L)
 {
@@ -44,7 +44,7 @@ static int throw_value(lua_State *L)
         lua_newuserdatauv(L, 0, 1);
         lua_insert(L, -2);
         lua_setiuservalue(L, -2, 1);
-        lua_rawgetp(L, LUA_REGISTRYINDEX, &carrier_key);
+        lua_rawgetp(L, LUA_REGISTRYINDEX, &error_wrapper_key);
         lua_setmetatable(L, -2);
     }
     return lua_error(L);
@@ -87,7 +87,7 @@ static int store_fault(lua_State *L)
         return 1;
     }
     lua_settop(L, 1);
-    vm_add_place(L);
+    vm_add_location(L);
     lua_pushvalue(L, 1);
     lua_rawsetp(L, LUA_REGISTRYINDEX, &fault_key);
     luaL_traceback(L, L, NULL, 1);
@@ -110,7 +110,7 @@ static int pcall_done(lua_State *L, int status, lua_KContext context)
     if (!lualib_is_raised(L, -1))
         return lua_error(L);
     lua_pushboolean(L, 0);
-    lualib_push_unwrapped(L, -2);
+    lualib_push_error_value(L, -2);
     return 2;
 }
 
@@ -124,18 +124,18 @@ static int base_pcall(lua_State *L)
     lua_insert(L, 1);
     lua_pushboolean(L, 1);
     lua_insert(L, 2);
-    struct tasks_context saved = { vm_board(L)->tasks.now_owner, vm_board(L)->tasks.now_scene };
+    struct tasks_context saved = { vm_board(L)->tasks.current_owner, vm_board(L)->tasks.current_scene };
     int status = lua_pcallk(L, lua_gettop(L) - 3, LUA_MULTRET, 1, IN_TASK, pcall_done);
     tasks_set_context(vm_board(L), saved); /* an error may have unwound an enemy's handler */
     return pcall_done(L, status, 0);
 }
 
-/* The __tostring of a carrier, which a __close handler may call: the text of the wrapped value. */
-static int carrier_tostring(lua_State *L)
+/* The __tostring of a wrapper, which a __close handler may call: the text of the wrapped value. */
+static int error_wrapper_tostring(lua_State *L)
 {
     if (!lualib_is_raised(L, 1))
         return luaL_argerror(L, 1, "error expected");
-    lualib_push_unwrapped(L, 1);
+    lualib_push_error_value(L, 1);
     lualib_tolstring(L, -1, NULL);
     return 1;
 }
@@ -148,11 +148,11 @@ void luaerror_open(lua_State *L)
 
     luaL_setfuncs(L, functions, 0);
     lua_createtable(L, 0, 3);
-    lua_pushcfunction(L, carrier_tostring);
+    lua_pushcfunction(L, error_wrapper_tostring);
     lua_setfield(L, -2, "__tostring");
     lua_pushliteral(L, "error");
     lua_setfield(L, -2, "__name");
     lua_pushboolean(L, 0);
     lua_setfield(L, -2, "__metatable");
-    lua_rawsetp(L, LUA_REGISTRYINDEX, &carrier_key);
+    lua_rawsetp(L, LUA_REGISTRYINDEX, &error_wrapper_key);
 }

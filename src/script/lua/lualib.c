@@ -179,7 +179,7 @@ static int base_load(lua_State *L)
 
 static const struct {
     const char *library, *names;
-} retained[] = {
+} retained_libraries[] = {
     { "", "_G _VERSION assert error getmetatable ipairs load math pairs pcall rawequal rawget rawlen rawset select "
           "setmetatable string table tonumber tostring type utf8 warn" },
     { "string", "byte char find format gmatch gsub len lower match rep reverse sub upper" },
@@ -191,14 +191,14 @@ static const struct {
 
 const char *lualib_retained_names(const char *library)
 {
-    for (size_t i = 0; i < sizeof retained / sizeof retained[0]; i++)
-        if (strcmp(retained[i].library, library) == 0)
-            return retained[i].names;
+    for (size_t i = 0; i < sizeof retained_libraries / sizeof retained_libraries[0]; i++)
+        if (strcmp(retained_libraries[i].library, library) == 0)
+            return retained_libraries[i].names;
     return NULL;
 }
 
 /* Calls a stock function whose work grows only with the length of the string in argument 1. */
-static int call_charged(lua_State *L)
+static int call_charging_length(lua_State *L)
 {
     if (lua_type(L, 1) == LUA_TSTRING)
         vm_charge(L, lua_rawlen(L, 1) / 4);
@@ -206,7 +206,7 @@ static int call_charged(lua_State *L)
 }
 
 /* Calls a stock function whose work grows with its number of results. */
-static int call_charged_results(lua_State *L)
+static int call_charging_results(lua_State *L)
 {
     int n = luaparts_call_stock(L);
 
@@ -251,7 +251,7 @@ static void open_base(lua_State *L)
     remove_unlisted(L, lualib_retained_names(""));
     luaL_setfuncs(L, functions, 0);
     luaerror_open(L);
-    luaparts_wrap(L, "tonumber", call_charged);
+    luaparts_wrap(L, "tonumber", call_charging_length);
     lua_pop(L, 1);
 }
 
@@ -261,10 +261,10 @@ static void open_string(lua_State *L)
     remove_unlisted(L, lualib_retained_names("string"));
     luapattern_open(L);
     luatext_open(L);
-    luaparts_wrap(L, "byte", call_charged_results);
-    luaparts_wrap(L, "lower", call_charged);
-    luaparts_wrap(L, "reverse", call_charged);
-    luaparts_wrap(L, "upper", call_charged);
+    luaparts_wrap(L, "byte", call_charging_results);
+    luaparts_wrap(L, "lower", call_charging_length);
+    luaparts_wrap(L, "reverse", call_charging_length);
+    luaparts_wrap(L, "upper", call_charging_length);
     lua_pop(L, 1);
 }
 

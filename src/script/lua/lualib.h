@@ -37,10 +37,10 @@ const char *lualib_retained_names(const char *library);
 /* Pushes and returns the string that tostring and print show for the value at idx. Honours __tostring and __name. */
 const char *lualib_tolstring(lua_State *L, int idx, size_t *size);
 
-/* lualib_is_raised returns whether the value at idx was raised by error or assert. It is then a carrier (luaerror.c),
- * and lualib_push_unwrapped pushes the script's value that it carries. */
+/* lualib_is_raised returns whether the value at idx was raised by error or assert. It is then a wrapper (luaerror.c),
+ * and lualib_push_error_value pushes the script's value that it carries. */
 bool lualib_is_raised(lua_State *L, int idx);
-void lualib_push_unwrapped(lua_State *L, int idx);
+void lualib_push_error_value(lua_State *L, int idx);
 
 /* Pushes the traceback, taken where the fault was raised, of the first fault that passed through a pcall, or nil if
  * there was none. */

@@ -113,7 +113,7 @@ struct dump_buffer {
     bool is_started;
 };
 
-static int collect(lua_State *L, const void *bytes, size_t n, void *context)
+static int append_dump(lua_State *L, const void *bytes, size_t n, void *context)
 {
     struct dump_buffer *c = context;
 
@@ -130,7 +130,7 @@ void lualib_strip_locals(lua_State *L, const char *chunk)
     struct dump_buffer c = { .is_started = false };
 
     luaL_checkstack(L, 8, NULL);
-    lua_dump(L, collect, &c, 0);
+    lua_dump(L, append_dump, &c, 0);
     unsigned char *bytes = (unsigned char *)luaL_buffaddr(&c.b);
     struct dump d = { bytes, bytes + luaL_bufflen(&c.b), bytes, false };
     copy_bytes(&d, HEADER_BYTES + 1);

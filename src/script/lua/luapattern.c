@@ -18,7 +18,7 @@
 
 enum {
     MAX_CAPTURES = 32,
-    STACK_OPS = 32,       /* a pattern with more is compiled into Lua memory */
+    MAX_STACK_OPS = 32,   /* a pattern with more is compiled into Lua memory */
     CHARGE_EVERY = 16384, /* work between two calls of vm_charge */
     ESCAPE = '%'
 };
@@ -41,13 +41,13 @@ struct op {
     uint8_t kind;
     uint8_t repeat; /* * + - ? or 0 (once); not 0 only for OP_CHAR, OP_ANY and OP_SET */
     uint8_t a, b;
-    int retry; /* index of the nearest repeated op before this one, or -1 */
+    int prev_repeat; /* index of the nearest repeated op before this one, or -1 */
     uint64_t set[4];
     const char *current, *low; /* while matching: how far a repeated op got, and how far back a greedy one may go */
 };
 
 struct capture {
-    const char *at;
+    const char *start;
     size_t size;
     bool is_position; /* a position, not a string */
 };
@@ -68,7 +68,7 @@ struct compiler {
     const char *p, *end;
     struct op *ops;
     int op_count, last_repeat, capture_count;
-    bool open[MAX_CAPTURES];
+    bool is_open[MAX_CAPTURES];
 };
 
 static void set_add(uint64_t set[4], unsigned c)
@@ -155,26 +155,26 @@ static struct op *emit(struct compiler *c, enum op_kind kind, unsigned a)
 {
     struct op *op = &c->ops[c->op_count++];
 
-    *op = (struct op){ .kind = (uint8_t)kind, .a = (uint8_t)a, .retry = c->last_repeat };
+    *op = (struct op){ .kind = (uint8_t)kind, .a = (uint8_t)a, .prev_repeat = c->last_repeat };
     return op;
 }
 
-static void read_open(struct compiler *c)
+static void read_capture_start(struct compiler *c)
 {
     bool is_position = c->p < c->end && *c->p == ')';
 
     if (c->capture_count == MAX_CAPTURES)
         luaL_error(c->L, "too many captures");
     emit(c, is_position ? OP_POSITION : OP_OPEN, (unsigned)c->capture_count);
-    c->open[c->capture_count++] = !is_position;
+    c->is_open[c->capture_count++] = !is_position;
     c->p += is_position;
 }
 
-static void read_close(struct compiler *c)
+static void read_capture_end(struct compiler *c)
 {
     for (int i = c->capture_count - 1; i >= 0; i--)
-        if (c->open[i]) {
-            c->open[i] = false;
+        if (c->is_open[i]) {
+            c->is_open[i] = false;
             emit(c, OP_CLOSE, (unsigned)i);
             return;
         }
@@ -186,7 +186,7 @@ static void read_backref(struct compiler *c)
 {
     int i = *c->p++ - '1';
 
-    if (i < 0 || i >= c->capture_count || c->open[i])
+    if (i < 0 || i >= c->capture_count || c->is_open[i])
         luaL_error(c->L, "invalid capture index %%%d in pattern", i + 1);
     emit(c, OP_BACKREF, (unsigned)i);
 }
@@ -216,7 +216,7 @@ static void read_repeat(struct compiler *c, struct op *op)
 
 /* Compiles an item, i.e. a single character or class, and its repetition, if any. `first` is the item's first character
  * in the pattern; c->p is after that character. */
-static void read_single(struct compiler *c, char first)
+static void read_item(struct compiler *c, char first)
 {
     struct op *op = emit(c, first == '.' ? OP_ANY : OP_CHAR, (unsigned char)first);
 
@@ -245,7 +245,7 @@ static void read_escape(struct compiler *c)
     else if (*c->p >= '0' && *c->p <= '9')
         read_backref(c);
     else
-        read_single(c, ESCAPE);
+        read_item(c, ESCAPE);
 }
 
 /* Compiles pattern [p, end) into ops, which must have space for an op per byte and one more. Returns the number of
@@ -259,10 +259,10 @@ static int compile(lua_State *L, struct op *ops, const char *p, const char *end)
         char ch = *c.p++;
         switch (ch) {
         case '(':
-            read_open(&c);
+            read_capture_start(&c);
             break;
         case ')':
-            read_close(&c);
+            read_capture_end(&c);
             break;
         case ESCAPE:
             read_escape(&c);
@@ -271,11 +271,11 @@ static int compile(lua_State *L, struct op *ops, const char *p, const char *end)
             if (ch == '$' && c.p == end)
                 emit(&c, OP_SUBJECT_END, 0);
             else
-                read_single(&c, ch);
+                read_item(&c, ch);
         }
     }
     for (int i = 0; i < c.capture_count; i++)
-        if (c.open[i])
+        if (c.is_open[i])
             luaL_error(L, "unfinished capture");
     emit(&c, OP_END, (unsigned)c.capture_count);
     return c.capture_count;
@@ -376,7 +376,7 @@ static const char *match_backref(struct matcher *m, const struct op *op, const c
 {
     const struct capture *c = &m->capture[op->a];
 
-    if (c->is_position || (size_t)(m->subject_end - s) < c->size || memcmp(s, c->at, c->size))
+    if (c->is_position || (size_t)(m->subject_end - s) < c->size || memcmp(s, c->start, c->size))
         return NULL;
     charge(m, c->size / 8);
     return s + c->size;
@@ -404,7 +404,7 @@ static const char *match_op(struct matcher *m, const struct op *op, const char *
         *c = (struct capture){ s, 0, op->kind == OP_POSITION };
         return s;
     case OP_CLOSE:
-        c->size = (size_t)(s - c->at);
+        c->size = (size_t)(s - c->start);
         return s;
     case OP_BACKREF:
         return match_backref(m, op, s);
@@ -429,7 +429,7 @@ static const char *match_at(struct matcher *m, const char *s)
     while (ops[i].kind != OP_END) {
         charge(m, 1);
         const char *next = ops[i].repeat ? begin_repeat(m, &ops[i], s) : match_op(m, &ops[i], s);
-        for (int r = ops[i].retry; !next && r >= 0; r = ops[r].retry) {
+        for (int r = ops[i].prev_repeat; !next && r >= 0; r = ops[r].prev_repeat) {
             charge(m, 1);
             next = retry_repeat(m, &ops[r]);
             i = r;
@@ -455,7 +455,7 @@ static const char *find_candidate(struct matcher *m, const char *s)
 }
 
 /* Finds the first match at or after *s and sets *s to its start. Returns its end, or NULL. */
-static const char *search(struct matcher *m, const char **s)
+static const char *find_match(struct matcher *m, const char **s)
 {
     while ((*s = find_candidate(m, *s)) != NULL) {
         const char *e = match_at(m, *s);
@@ -476,9 +476,9 @@ static void push_capture(const struct matcher *m, int i, const char *s, const ch
     if (i == 0 && m->capture_count == 0)
         lua_pushlstring(m->L, s, (size_t)(e - s));
     else if (c->is_position)
-        lua_pushinteger(m->L, c->at - m->subject + 1);
+        lua_pushinteger(m->L, c->start - m->subject + 1);
     else
-        lua_pushlstring(m->L, c->at, c->size);
+        lua_pushlstring(m->L, c->start, c->size);
 }
 
 /* Pushes all captures or, if there are none and `allow_whole` is set, the whole match. Returns the number of values. */
@@ -505,7 +505,7 @@ static void init_matcher(struct matcher *m, lua_State *L, struct op *ops, const 
 /* Returns space for the ops of a pattern of n bytes: `stack_ops`, or a userdata that it pushes. */
 static struct op *reserve_ops(lua_State *L, struct op *stack_ops, size_t n)
 {
-    if (n < STACK_OPS)
+    if (n < MAX_STACK_OPS)
         return stack_ops;
     vm_charge(L, n);
     return lua_newuserdatauv(L, (n + 1) * sizeof *stack_ops, 0);
@@ -553,12 +553,12 @@ static int find_by_pattern(lua_State *L, const char *s, size_t n, size_t init, b
     size_t pn;
     const char *p = luaL_checklstring(L, 2, &pn), *at = s + init, *e;
     bool is_anchored = pn && *p == '^';
-    struct op stack_ops[STACK_OPS];
+    struct op stack_ops[MAX_STACK_OPS];
     struct matcher m;
 
     init_matcher(&m, L, reserve_ops(L, stack_ops, pn), s, n);
     m.capture_count = compile(L, m.ops, p + is_anchored, p + pn);
-    e = is_anchored ? match_at(&m, at) : search(&m, &at);
+    e = is_anchored ? match_at(&m, at) : find_match(&m, &at);
     charge_pending(&m);
     if (!e)
         return lua_pushnil(L), 1;
@@ -607,7 +607,7 @@ struct gmatch_state {
     struct op ops[];
 };
 
-static const size_t NOWHERE = SIZE_MAX;
+static const size_t NO_OFFSET = SIZE_MAX;
 
 static int next_match(lua_State *L)
 {
@@ -621,13 +621,13 @@ static int next_match(lua_State *L)
     init_matcher(&m, L, w->ops, s, n);
     m.capture_count = w->capture_count;
     const char *at = s + w->next, *e;
-    while ((e = search(&m, &at)) != NULL && (size_t)(e - s) == w->last)
+    while ((e = find_match(&m, &at)) != NULL && (size_t)(e - s) == w->last)
         if (at++ == m.subject_end) {
             e = NULL;
             break;
         }
     charge_pending(&m);
-    w->next = w->last = e ? (size_t)(e - s) : NOWHERE;
+    w->next = w->last = e ? (size_t)(e - s) : NO_OFFSET;
     return e ? push_captures(&m, at, e, true) : 0;
 }
 
@@ -641,7 +641,7 @@ static int string_gmatch(lua_State *L)
     lua_pushvalue(L, 1);
     struct gmatch_state *w = lua_newuserdatauv(L, sizeof *w + (pn + 1) * sizeof *w->ops, 0);
     w->next = init - (init > 0);
-    w->last = NOWHERE;
+    w->last = NO_OFFSET;
     w->capture_count = compile(L, w->ops, p, p + pn);
     lua_pushcclosure(L, next_match, 2);
     return 1;
@@ -749,7 +749,7 @@ static int string_gsub(lua_State *L)
     int type = lua_type(L, 3);
     lua_Integer max = luaL_optinteger(L, 4, (lua_Integer)n + 1);
     bool is_anchored = pn && *p == '^', changed = false;
-    struct op stack_ops[STACK_OPS];
+    struct op stack_ops[MAX_STACK_OPS];
     struct matcher m;
     luaL_Buffer out;
 

@@ -16,7 +16,7 @@
 #include "../luakeys.h"
 #include "../vm.h"
 
-enum { STACK_ENTRIES = 48, RUN_LENGTH = 6, CHARGE_EVERY = 16384 };
+enum { MAX_STACK_ENTRIES = 48, RUN_LENGTH = 6, CHARGE_EVERY = 16384 };
 
 /* ---- sorting ---- */
 
@@ -147,7 +147,7 @@ static struct entry *sort(struct sorter *s, struct entry *e, size_t n)
 /* Returns space for n entries and n of scratch: `stack_entries`, or a userdata that it pushes. */
 static struct entry *reserve_entries(lua_State *L, struct entry *stack_entries, size_t n)
 {
-    return n <= STACK_ENTRIES ? stack_entries : lua_newuserdatauv(L, 2 * n * sizeof *stack_entries, 0);
+    return n <= MAX_STACK_ENTRIES ? stack_entries : lua_newuserdatauv(L, 2 * n * sizeof *stack_entries, 0);
 }
 
 /* Returns the order in which C can compare all of t[1..n], or BY_LUA if there is none. */
@@ -185,7 +185,7 @@ static struct entry entry_of(lua_State *L, enum order order, uint32_t i)
 
 static void sort_table(lua_State *L, lua_Integer n, bool has_function)
 {
-    struct entry stack_entries[2 * STACK_ENTRIES], *e = reserve_entries(L, stack_entries, (size_t)n);
+    struct entry stack_entries[2 * MAX_STACK_ENTRIES], *e = reserve_entries(L, stack_entries, (size_t)n);
     bool is_plain = !has_function && !lua_getmetatable(L, 1);
     struct sorter s = { .L = L,
                         .order = has_function ? BY_FUNCTION
@@ -372,9 +372,9 @@ void luatable_open(lua_State *L)
 
 /* The result of a walk over the keys. */
 struct key_scan {
-    size_t n, bytes;  /* n: number of keys; bytes: length of all string keys */
-    bool has_strings; /* whether there is a string key */
-    bool ascending;   /* whether the integer keys were visited in ascending order */
+    size_t n, bytes;   /* n: number of keys; bytes: length of all string keys */
+    bool has_strings;  /* whether there is a string key */
+    bool is_ascending; /* whether the integer keys were visited in ascending order */
     lua_Integer first, last;
     const char *unordered_type; /* alphabetically first type among the keys that have no order; NULL: none */
 };
@@ -391,7 +391,7 @@ static void record_key(lua_State *L, struct key_scan *k, struct entry *e)
     } else if (lua_isinteger(L, -1)) {
         e->v.i = lua_tointeger(L, -1);
         e->n = NUMBER_KEY;
-        k->ascending = k->ascending && (k->n == 0 || e->v.i > k->last);
+        k->is_ascending = k->is_ascending && (k->n == 0 || e->v.i > k->last);
         if (k->n == 0 || e->v.i < k->first)
             k->first = e->v.i;
         if (k->n == 0 || e->v.i > k->last)
@@ -407,7 +407,7 @@ static void record_key(lua_State *L, struct key_scan *k, struct entry *e)
 /* Walks the keys of the table at stack index 1 and stores the entries of the first `capacity` keys in e. */
 static struct key_scan scan_keys(lua_State *L, struct entry *e, size_t capacity)
 {
-    struct key_scan k = { .ascending = true };
+    struct key_scan k = { .is_ascending = true };
     struct entry unused;
 
     lua_pushnil(L);
@@ -473,7 +473,7 @@ static void push_sorted_keys(lua_State *L, struct key_scan k, struct entry *e)
     struct sorter s = { .L = L, .order = BY_KEY };
 
     luaL_argcheck(L, k.n < INT_MAX / 2, 1, "table too big");
-    if (k.has_strings || !k.ascending) {
+    if (k.has_strings || !k.is_ascending) {
         vm_charge(L, sort_work(&k));
         e = sort(&s, e, k.n);
     }
@@ -489,8 +489,8 @@ static void push_sorted_keys(lua_State *L, struct key_scan k, struct entry *e)
 
 static void push_iterator(lua_State *L)
 {
-    struct entry stack_entries[2 * STACK_ENTRIES], *e;
-    struct key_scan k = scan_keys(L, stack_entries, STACK_ENTRIES);
+    struct entry stack_entries[2 * MAX_STACK_ENTRIES], *e;
+    struct key_scan k = scan_keys(L, stack_entries, MAX_STACK_ENTRIES);
 
     vm_charge(L, 8 + k.n * 3);
     if (k.unordered_type)
