@@ -76,14 +76,6 @@ static void load_emit(const struct board *b, const struct emission *m, struct mo
             e->value[k] = v;
 }
 
-/* Returns how many bullets the step fires from bullet i on, i < n, not counting the skipped ones. */
-static uint32_t count_bullets_left(const struct motion_emit *e, int32_t i)
-{
-    const int32_t first = e->first > i + 1 ? e->first : i + 1, last = e->skip_last < e->n ? e->skip_last : e->n;
-
-    return (uint32_t)(e->n - i - (last >= first ? last - first + 1 : 0));
-}
-
 void emit_queue(const struct motion_world *w, const struct bullets *s, uint32_t i, uint32_t step)
 {
     const struct board *b = w->context;
@@ -97,8 +89,9 @@ void emit_queue(const struct motion_world *w, const struct bullets *s, uint32_t 
     for (int k = 0; k < MAX_VALUES && bullets_value_column(s, k); k++)
         m.value[k] = bullets_value_column(s, k)[i];
     load_emit(b, &m, &e);
+    const struct volley v = { .n = e.n, .skip_first = e.first, .skip_last = e.skip_last };
     const bool fires_shots = e.flags & EMIT_SHOTS;
-    const uint32_t n = count_bullets_left(&e, 0);
+    const uint32_t n = emit_count_left(&v, 0);
     if (!n)
         return;
     if (q->queued_count[fires_shots] == (fires_shots ? &b->shots : &b->bullets)->s.cap) {
@@ -138,52 +131,10 @@ void emit_count_refused(struct board *b, bool is_shot, uint64_t n)
     s->refused += (uint32_t)(n - 1);
 }
 
-void emit_set_direction(struct emit_pattern_params *f)
+uint32_t emit_aim_work(const struct board *b, bool is_shot)
 {
-    ang a = 0;
-
-    trig_from_degrees(f->dir, &a);
-    f->cos30 = trig_cos30(a);
-    f->sin30 = trig_sin30(a);
+    return is_shot ? b->enemies.s.top / TARGETS_PER_WORK : 0;
 }
-
-void emit_compute_bullet(const struct emit_pattern_params *f, int32_t i, struct emit_bullet *out)
-{
-    const double fraction = f->n > 1 ? (double)i / (double)(f->n - 1) : 0;
-    double offset;
-
-    *out = (struct emit_bullet){ .dir = f->dir, .speed = f->speed };
-    switch (f->pattern) {
-    case EMIT_RING:
-        out->dir = f->dir + (double)(360 * i) / (double)f->n;
-        break;
-    case EMIT_FAN:
-        out->dir = (f->n > 1 ? f->dir - f->size / 2 : f->dir) + f->size * fraction;
-        break;
-    case EMIT_ARC:
-        out->dir = f->dir + f->size * fraction;
-        break;
-    case EMIT_STACK:
-        out->speed = f->speed + (f->size - f->speed) * fraction;
-        break;
-    case EMIT_LINE:
-        offset = f->n > 1 ? f->size * (fraction - 0.5) : 0;
-        out->dx = -(offset * (f->sin30 / 1073741824.0));
-        out->dy = offset * (f->cos30 / 1073741824.0);
-        break;
-    default:
-        break;
-    }
-}
-
-/* The bullets of one emission: the data they share, and the shape of the next bullet. */
-struct volley {
-    struct motion_emit e;
-    struct bullet_spec spec;
-    struct emit_pattern_params f;
-    fx x, y;       /* origin */
-    bool is_aimed; /* aim each bullet at the nearest target */
-};
 
 static fx to_fx(double v)
 {
@@ -193,100 +144,151 @@ static fx to_fx(double v)
     return out;
 }
 
-/* Prepares a line. If the line is aimed, all its bullets are aimed together, from the middle. */
-static void prepare_line(struct board *b, const struct emission *m, struct volley *v)
+void emit_aim_volley(const struct board *b, struct volley *v)
 {
-    const struct targets t = board_motion_world(b, v->e.flags & EMIT_SHOTS).targets;
-    const ang default_dir = v->e.flags & EMIT_SHOTS ? ANG_UP : ANG_DOWN;
-
+    v->aim_dir = 0;
     if (v->is_aimed) {
-        const fx x = to_fx((double)m->x / 4294967296.0), y = to_fx((double)m->y / 4294967296.0);
-        v->f.dir = trig_to_degrees(targets_aim(&t, x, y, default_dir)) + v->f.dir;
-        v->is_aimed = false;
+        const struct targets t = board_motion_world(b, v->fires_shots).targets;
+        v->aim_dir = targets_aim(&t, v->aim_x, v->aim_y, v->fires_shots ? ANG_UP : ANG_DOWN);
     }
-    emit_set_direction(&v->f);
+    if (v->pattern != EMIT_LINE)
+        return;
+    if (v->is_aimed)
+        v->dir = trig_to_degrees(v->aim_dir) + v->dir;
+    v->aim_dir = 0;
+    ang a = 0;
+    trig_from_degrees(v->dir, &a);
+    v->cos30 = trig_cos30(a);
+    v->sin30 = trig_sin30(a);
 }
 
-static void init_volley(struct board *b, const struct emission *m, struct volley *v)
+void emit_compute_bullet(const struct volley *v, int32_t i, struct volley_bullet *out)
 {
-    const struct motion_emit *e = &v->e;
-    const bool fires_shots = e->flags & EMIT_SHOTS;
+    const double fraction = v->n > 1 ? (double)i / (double)(v->n - 1) : 0;
+    double offset;
 
-    v->is_aimed = e->flags & EMIT_AIM;
-    v->f = (struct emit_pattern_params){ .pattern = e->pattern,
-                                         .n = e->n,
-                                         .dir = e->flags & EMIT_DIR ? e->dir
-                                                : v->is_aimed       ? 0
-                                                                    : trig_to_degrees(m->dir),
-                                         .speed = e->speed,
-                                         .size = e->size };
-    v->x = (fx)((m->x - (int16_t)m->x) >> Q32_EXTRA_BITS);
-    v->y = (fx)((m->y - (int16_t)m->y) >> Q32_EXTRA_BITS);
-    v->spec = (struct bullet_spec){ .kind = e->kind,
-                                    .tag = e->tag,
-                                    .motion = e->motion,
-                                    .is_fine = e->motion && b->motions.is_fine[e->motion - 1],
-                                    .player = (uint8_t)m->player,
-                                    .delay = e->delay,
-                                    .orbit_target = e->orbit_target,
-                                    .owner_task = m->owner_task };
-    v->spec.bank = e->flags & EMIT_BANK ? e->bank : (fires_shots ? &b->shot_kinds : &b->bullet_kinds)->bank[e->kind];
-    if (e->pattern == EMIT_LINE)
-        prepare_line(b, m, v);
+    *out = (struct volley_bullet){ .dir = v->dir, .speed = v->speed };
+    switch (v->pattern) {
+    case EMIT_RING:
+        out->dir = v->dir + (double)(360 * i) / (double)v->n;
+        break;
+    case EMIT_FAN:
+        out->dir = (v->n > 1 ? v->dir - v->size / 2 : v->dir) + v->size * fraction;
+        break;
+    case EMIT_ARC:
+        out->dir = v->dir + v->size * fraction;
+        break;
+    case EMIT_STACK:
+        out->speed = v->speed + (v->size - v->speed) * fraction;
+        break;
+    case EMIT_LINE:
+        offset = v->n > 1 ? v->size * (fraction - 0.5) : 0;
+        out->dx = -(offset * (v->sin30 / 1073741824.0));
+        out->dy = offset * (v->cos30 / 1073741824.0);
+        break;
+    default:
+        break;
+    }
 }
 
-static bool fire_one(struct board *b, struct volley *v, int32_t i)
+uint32_t emit_count_left(const struct volley *v, int32_t i)
 {
-    const bool fires_shots = v->e.flags & EMIT_SHOTS;
+    const int64_t first = int64_max(v->skip_first, i + 1), last = int64_min(v->skip_last, v->n);
+
+    return (uint32_t)(v->n - i - (last >= first ? last - first + 1 : 0));
+}
+
+/* Fires bullet i; returns false if the pool is full. */
+static bool fire_one(struct board *b, struct volley *v, int32_t i, uint32_t clock)
+{
+    struct bullets *pool = v->fires_shots ? &b->shots : &b->bullets;
     struct bullet_spec *s = &v->spec;
-    struct bullets *pool = fires_shots ? &b->shots : &b->bullets;
-    struct emit_bullet w;
+    struct volley_bullet w;
 
-    emit_compute_bullet(&v->f, i, &w);
-    s->x = motion_shift(v->x, to_fx(w.dx));
-    s->y = motion_shift(v->y, to_fx(w.dy));
+    emit_compute_bullet(v, i, &w);
+    s->x = v->x;
+    s->y = v->y;
+    if (v->pattern == EMIT_LINE) {
+        s->x = motion_shift(v->x, to_fx(v->dx + w.dx));
+        s->y = motion_shift(v->y, to_fx(v->dy + w.dy));
+    }
     s->speed = to_fx(w.speed);
     trig_from_degrees(w.dir, &s->dir);
-    if (v->is_aimed) {
-        const struct targets t = board_motion_world(b, fires_shots).targets;
-        s->dir += targets_aim(&t, s->x, s->y, fires_shots ? ANG_UP : ANG_DOWN);
-    }
-    const int32_t at = emit_fire(b, fires_shots, s, fx_nearest(w.speed * 4294967296.0), b->core.clock + 1);
-    for (int k = 0; at != NO_SLOT && k < MAX_VALUES; k++)
-        if (v->e.flags & EMIT_VALUE << k && bullets_value_column(pool, k))
-            bullets_value_column(pool, k)[at] = v->e.value[k];
-    return at != NO_SLOT;
+    s->dir += v->aim_dir;
+    const int32_t slot = emit_fire(b, v->fires_shots, s, fx_nearest(w.speed * 4294967296.0), clock);
+    for (int k = 0; slot != NO_SLOT && k < MAX_VALUES; k++)
+        if (v->has_values >> k & 1 && bullets_value_column(pool, k))
+            bullets_value_column(pool, k)[slot] = v->value[k];
+    return slot != NO_SLOT;
 }
 
-static void charge_work(struct board *b, const struct volley *v, uint32_t n)
+uint32_t emit_fire_volley(struct board *b, struct volley *v, uint32_t clock)
 {
-    const uint32_t aim_work = v->is_aimed && v->e.flags & EMIT_SHOTS ? b->enemies.s.top / TARGETS_PER_WORK : 0;
+    uint32_t fired = 0;
 
-    if (!board_charge_work(b, (WORK_FIRE + aim_work) * ((uint64_t)n + 1)))
-        board_raise_overload(
-            b,
-            "motions: too much work in one frame (%u emits); lower `board.bullets` or `board.shots` in "
-            "rom.lua or let fewer bullets emit",
-            b->output->emissions.n);
+    for (int32_t i = 0; i < v->n; i++) {
+        if (i + 1 >= v->skip_first && i + 1 <= v->skip_last)
+            continue;
+        if (!fire_one(b, v, i, clock)) { /* the pool is full for the remaining bullets, too */
+            emit_count_refused(b, v->fires_shots, emit_count_left(v, i) - 1);
+            break;
+        }
+        fired++;
+    }
+    return fired;
+}
+
+/* ---- the queue ---- */
+
+/* Sets *v to the bullets that emission m fires. */
+static void read_volley(const struct board *b, const struct emission *m, struct volley *v)
+{
+    struct motion_emit e;
+
+    load_emit(b, m, &e);
+    const bool fires_shots = e.flags & EMIT_SHOTS, is_aimed = e.flags & EMIT_AIM;
+    *v = (struct volley){ .pattern = e.pattern,
+                          .fires_shots = fires_shots,
+                          .is_aimed = is_aimed,
+                          .n = e.n,
+                          .skip_first = e.first,
+                          .skip_last = e.skip_last,
+                          .dir = e.flags & EMIT_DIR ? e.dir
+                                 : is_aimed         ? 0
+                                                    : trig_to_degrees(m->dir),
+                          .speed = e.speed,
+                          .size = e.size,
+                          .x = (fx)((m->x - (int16_t)m->x) >> Q32_EXTRA_BITS),
+                          .y = (fx)((m->y - (int16_t)m->y) >> Q32_EXTRA_BITS),
+                          .has_values = e.flags / EMIT_VALUE };
+    memcpy(v->value, e.value, sizeof v->value);
+    v->aim_x = e.pattern == EMIT_LINE ? to_fx((double)m->x / 4294967296.0) : v->x;
+    v->aim_y = e.pattern == EMIT_LINE ? to_fx((double)m->y / 4294967296.0) : v->y;
+    v->spec = (struct bullet_spec){ .kind = e.kind,
+                                    .tag = e.tag,
+                                    .motion = e.motion,
+                                    .is_fine = e.motion && b->motions.is_fine[e.motion - 1],
+                                    .player = (uint8_t)m->player,
+                                    .delay = e.delay,
+                                    .orbit_target = e.orbit_target,
+                                    .owner_task = m->owner_task };
+    v->spec.bank = e.flags & EMIT_BANK ? e.bank : (fires_shots ? &b->shot_kinds : &b->bullet_kinds)->bank[e.kind];
 }
 
 static void fire_emission(struct board *b, const struct emission *m)
 {
     struct volley v;
-    uint32_t n = 0;
 
-    load_emit(b, m, &v.e);
-    init_volley(b, m, &v);
-    for (int32_t i = 0; i < v.e.n; i++) {
-        if (i + 1 >= v.e.first && i + 1 <= v.e.skip_last)
-            continue;
-        if (!fire_one(b, &v, i)) { /* the pool is full for the remaining bullets, too */
-            emit_count_refused(b, v.e.flags & EMIT_SHOTS, count_bullets_left(&v.e, i) - 1);
-            break;
-        }
-        n++;
-    }
-    charge_work(b, &v, n);
+    read_volley(b, m, &v);
+    emit_aim_volley(b, &v);
+    const uint64_t fired = emit_fire_volley(b, &v, b->core.clock + 1);
+    const uint32_t aim_work = v.is_aimed && v.pattern != EMIT_LINE ? emit_aim_work(b, v.fires_shots) : 0;
+    if (!board_charge_work(b, (WORK_FIRE + aim_work) * (fired + 1)))
+        board_raise_overload(
+            b,
+            "motions: too much work in one frame (%u emits); lower `board.bullets` or `board.shots` in "
+            "rom.lua or let fewer bullets emit",
+            b->output->emissions.n);
 }
 
 void emit_run(struct board *b)

@@ -48,33 +48,54 @@ void emit_queue(const struct motion_world *w, const struct bullets *s, uint32_t 
 /* Fires the queued emits, counts the work, and empties the queue. Call only inside vm_call. */
 void emit_run(struct board *b);
 
-/* A ring, fan, arc, stack or line of n bullets: the parameters from which emit_compute_bullet computes each bullet. */
-struct emit_pattern_params {
+/* The bullets that one emit or one call of a pattern fires: what they share, and how they differ. */
+struct volley {
     uint8_t pattern; /* enum emit_pattern */
-    int32_t n;
-    double dir, speed; /* degrees, px/frame */
-    double size;       /* see struct motion_emit */
-    fx cos30, sin30;   /* cosine and sine of a line's direction (2^30: 1); unused by other patterns */
+    bool fires_shots;
+    bool is_aimed;                 /* dir is relative to the direction from (aim_x, aim_y) to the nearest target */
+    int32_t n;                     /* bullets, counting the skipped ones */
+    int64_t skip_first, skip_last; /* first and last skipped bullet, counted from 1; none if first > last */
+    double dir, speed;             /* degrees, px/frame */
+    double size;                   /* see struct motion_emit */
+    fx x, y;                       /* where the bullets start */
+    double dx, dy;                 /* line: added to each bullet's offset before it is rounded, px */
+    fx aim_x, aim_y;
+    ang aim_dir;        /* set by emit_aim_volley: added to each bullet's dir */
+    fx cos30, sin30;    /* line, set by emit_aim_volley: cosine and sine of dir (2^30: 1) */
+    uint8_t has_values; /* bit k: the bullets get value[k] */
+    fx value[MAX_VALUES];
+    struct bullet_spec spec; /* the rest, the same for all bullets */
 };
 
-/* Direction (degrees) and speed (px/frame) of one bullet of a pattern and, in a line, its offset from the middle (px).
+/* Direction (degrees) and speed (px/frame) of one bullet of a volley and, in a line, its offset from the middle (px).
  * The doubles are bit for bit the same as those computed by scripts/pattern.lua. */
-struct emit_bullet {
+struct volley_bullet {
     double dir, speed, dx, dy;
 };
 
-/* Computes bullet i of the pattern, 0 <= i < n. */
-void emit_compute_bullet(const struct emit_pattern_params *f, int32_t i, struct emit_bullet *out);
+/* Finds the direction of an aimed volley. Call it before any of the following functions. A line is aimed as a whole, so
+ * that its bullets fly in parallel. */
+void emit_aim_volley(const struct board *b, struct volley *v);
 
-/* Sets the line's cos30 and sin30 from its dir. */
-void emit_set_direction(struct emit_pattern_params *f);
+/* Computes bullet i of the volley, 0 <= i < n. */
+void emit_compute_bullet(const struct volley *v, int32_t i, struct volley_bullet *out);
+
+/* Returns how many bullets the volley fires from bullet i on, 0 <= i < n, not counting the skipped ones. */
+uint32_t emit_count_left(const struct volley *v, int32_t i);
+
+/* Fires the volley's bullets in order. Those that a full pool refuses are counted and logged. Returns the number of
+ * bullets fired. clock: as in emit_fire. */
+uint32_t emit_fire_volley(struct board *b, struct volley *v, uint32_t clock);
+
+/* Returns the work of finding the target of a bullet or shot. */
+uint32_t emit_aim_work(const struct board *b, bool is_shot);
 
 /* Counts and logs n more bullets (or shots) refused by a full pool. */
 void emit_count_refused(struct board *b, bool is_shot, uint64_t n);
 
-/* Fires a bullet or shot, after setting the shape's hp, pierce and clouded from its kind. Returns the new slot, or
+/* Fires a bullet or shot, after setting hp, pierce_hits and is_clouded of *spec from its kind. Returns the new slot, or
  * NO_SLOT if the pool is full, which is counted and logged. speed_q32: the speed in Q32, used only if spec->is_fine is
  * set; otherwise the speed is spec->speed. clock: the clock of the frame in which the bullet or shot first moves. */
-int32_t emit_fire(struct board *b, bool is_shot, struct bullet_spec *shape, int64_t speed_q32, uint32_t clock);
+int32_t emit_fire(struct board *b, bool is_shot, struct bullet_spec *spec, int64_t speed_q32, uint32_t clock);
 
 #endif

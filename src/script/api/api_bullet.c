@@ -234,13 +234,11 @@ static const struct api_param shot_fire_params[] = {
     AROUND_PARAM
 };
 
-enum { TARGETS_PER_WORK = 8 /* targets examined per unit of work */ };
-
 ang api_aim_direction(struct board *b, bool is_shot, fx x, fx y)
 {
     struct targets t = board_motion_world(b, is_shot).targets;
 
-    b->vm.work += is_shot ? b->enemies.s.top / TARGETS_PER_WORK : 0;
+    b->vm.work += emit_aim_work(b, is_shot);
     return targets_aim(&t, x, y, is_shot ? ANG_UP : ANG_DOWN);
 }
 
@@ -690,8 +688,7 @@ static int apply_verb(lua_State *L, struct board *b, const struct api_value *v, 
     bool is_shot = handle_kind(h) == H_SHOT || handle_kind(h) == H_SHOTS;
     struct bullets *s = is_shot ? &b->shots : &b->bullets;
     const struct targets targets = board_motion_world(b, is_shot).targets;
-    const uint64_t work_each =
-        verb != V_AIM ? ACT_WORK : AIM_WORK + (is_shot ? b->enemies.s.top / TARGETS_PER_WORK : 0);
+    const uint64_t work_each = verb != V_AIM ? ACT_WORK : AIM_WORK + emit_aim_work(b, is_shot);
 
     vm_charge(L, work_each);
     if (!handle_kind_is_group(handle_kind(h))) {

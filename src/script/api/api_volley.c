@@ -13,15 +13,6 @@
 /* Indices of a pattern's own parameters: n, its size (except for a ring), then the rest. */
 enum { OWN_N, OWN_SIZE, OWN_SKIP_FROM_END = 3 /* counted from the end */ };
 
-struct volley {
-    struct emit_pattern_params params;
-    struct bullet_spec spec;
-    bool fires_shots, is_aimed;
-    lua_Integer skip_first, skip_last; /* first and last skipped bullet, counted from 1 */
-    fx x, y;                           /* line: the part of the position that is already rounded */
-    double dx, dy;                     /* line: the part to which a bullet's own offset is added before rounding */
-};
-
 static uint8_t find_pattern(const char *name)
 {
     static const char *const names[] = {
@@ -32,14 +23,6 @@ static uint8_t find_pattern(const char *name)
         if (!strncmp(name, "pattern.", 8) && !strcmp(name + 8, names[i]))
             return i;
     return EMIT_ONE;
-}
-
-static fx round_to_fx(double v)
-{
-    fx out = 0;
-
-    fx_from_double(v, &out);
-    return out;
 }
 
 static bool is_within(double v, double limit)
@@ -71,41 +54,25 @@ static lua_Integer read_skip_bound(lua_State *L, const struct api_value *skip, i
     return n;
 }
 
-/* Returns the number of bullets to fire from index i on, not counting skipped bullets. */
-static lua_Integer count_remaining(const struct volley *v, lua_Integer i)
-{
-    const lua_Integer first = v->skip_first > i + 1 ? v->skip_first : i + 1,
-                      last = v->skip_last < v->params.n ? v->skip_last : v->params.n;
-
-    return v->params.n - i - (last >= first ? last - first + 1 : 0);
-}
-
-/* Sets the base position of a line. A bullet's offset is added to the unrounded part, then the sum is rounded. */
-static void set_line_base(struct board *b, struct volley *v, const struct api_value *place)
+/* Sets where a line starts and from where it is aimed. A bullet's offset is added to the unrounded part of the
+ * position, then the sum is rounded. The line is aimed from its middle: from (x, y), ignoring dx and dy, or from the
+ * thing's position plus (dx, dy); like settle in pattern.lua. */
+static void set_line_position(struct board *b, struct volley *v, const struct api_value *place)
 {
     if (place[POSITION_FROM].given) {
         board_get_position(b, place[POSITION_FROM].i, &v->x, &v->y);
         v->dx = place[POSITION_DX].n;
         v->dy = place[POSITION_DY].n;
+        fx_from_double(fx_to_double(v->x) + v->dx, &v->aim_x);
+        fx_from_double(fx_to_double(v->y) + v->dy, &v->aim_y);
     } else {
         v->x = place[POSITION_DX].f;
         v->y = place[POSITION_DY].f;
         v->dx = place[POSITION_X].n;
         v->dy = place[POSITION_Y].n;
+        fx_from_double(v->dx, &v->aim_x);
+        fx_from_double(v->dy, &v->aim_y);
     }
-}
-
-/* Aims the whole line once, from its middle: from (x, y), ignoring dx and dy, or from the thing's position plus (dx,
- * dy); like settle in pattern.lua. */
-static void aim_line(struct board *b, struct volley *v, bool is_from_thing)
-{
-    if (v->is_aimed) {
-        const fx x = round_to_fx(is_from_thing ? fx_to_double(v->x) + v->dx : v->dx);
-        const fx y = round_to_fx(is_from_thing ? fx_to_double(v->y) + v->dy : v->dy);
-        v->params.dir = trig_to_degrees(api_aim_direction(b, v->fires_shots, x, y)) + v->params.dir;
-        v->is_aimed = false;
-    }
-    emit_set_direction(&v->params);
 }
 
 /* Returns whether bullet.fire would accept the arguments of the first and the last bullet. The arguments of every other
@@ -113,9 +80,9 @@ static void aim_line(struct board *b, struct volley *v, bool is_from_thing)
 static bool ends_are_valid(const struct volley *v)
 {
     for (int end = 0; end < 2; end++) {
-        struct emit_bullet w;
+        struct volley_bullet w;
         ang a;
-        emit_compute_bullet(&v->params, end ? v->params.n - 1 : 0, &w);
+        emit_compute_bullet(v, end ? v->n - 1 : 0, &w);
         if (!trig_from_degrees(w.dir, &a) || !is_within(w.speed, MAX_SPEED) || !is_within(v->dx + w.dx, WORLD_EDGE) ||
             !is_within(v->dy + w.dy, WORLD_EDGE))
             return false;
@@ -123,57 +90,28 @@ static bool ends_are_valid(const struct volley *v)
     return true;
 }
 
-/* Fires bullet i; returns false if the pool is full. */
-static bool fire_one(struct board *b, struct volley *v, int32_t i, ang aim_dir, const struct api_value *values)
-{
-    struct bullet_spec *s = &v->spec;
-    struct emit_bullet w;
-
-    emit_compute_bullet(&v->params, i, &w);
-    trig_from_degrees(w.dir, &s->dir);
-    s->dir += aim_dir;
-    s->speed = round_to_fx(w.speed);
-    if (v->params.pattern == EMIT_LINE) {
-        s->x = motion_shift(v->x, round_to_fx(v->dx + w.dx));
-        s->y = motion_shift(v->y, round_to_fx(v->dy + w.dy));
-    }
-    const int32_t slot = emit_fire(b, v->fires_shots, s, fx_nearest(w.speed * 4294967296.0), b->core.clock);
-    if (slot != NO_SLOT)
-        api_set_values(b, v->fires_shots ? N_SHOT_VALUE : N_BULLET_VALUE, (uint32_t)slot, values);
-    return slot != NO_SLOT;
-}
-
-static void fire_all(struct board *b, struct volley *v, const struct api_value *values)
-{
-    const ang aim_dir = v->is_aimed ? api_aim_direction(b, v->fires_shots, v->spec.x, v->spec.y) : 0;
-
-    for (int32_t i = 0; i < v->params.n; i++) {
-        if (i + 1 >= v->skip_first && i + 1 <= v->skip_last)
-            continue;
-        if (!fire_one(b, v, i, aim_dir, values)) { /* the remaining bullets are refused too */
-            emit_count_refused(b, v->fires_shots, (uint64_t)(count_remaining(v, i) - 1));
-            return;
-        }
-    }
-}
-
-/* Reads the pattern's own arguments, and the arguments of bullet.fire that all bullets share. */
-static void read_volley(lua_State *L, const struct api_entry *e, const struct api_value *pattern_args, struct volley *v)
+/* Reads the pattern's own arguments, and those of bullet.fire that are numbers. */
+static void read_volley(lua_State *L, const struct board *b, const struct api_entry *e,
+                        const struct api_value *pattern_args, struct volley *v)
 {
     const struct api_value *fire_args = pattern_args + e->count, *skip = pattern_args + e->count - OWN_SKIP_FROM_END;
 
-    *v = (struct volley){ .is_aimed = fire_args[FIRE_AIM].i, .skip_last = -1 };
-    v->fires_shots = skip[1].given && !strcmp(lua_tostring(L, skip[1].at), "shot");
-    v->params =
-        (struct emit_pattern_params){ .pattern = find_pattern(e->name),
-                                      .n = (int32_t)pattern_args[OWN_N].i,
-                                      .dir = fire_args[FIRE_DIR].given || !v->is_aimed ? fire_args[FIRE_DIR].n : 0,
-                                      .speed = fire_args[FIRE_SPEED].n };
-    if (v->params.pattern != EMIT_RING)
-        v->params.size = pattern_args[OWN_SIZE].n;
+    *v = (struct volley){ .pattern = find_pattern(e->name),
+                          .is_aimed = fire_args[FIRE_AIM].i,
+                          .fires_shots = skip[1].given && !strcmp(lua_tostring(L, skip[1].at), "shot"),
+                          .n = (int32_t)pattern_args[OWN_N].i,
+                          .skip_last = -1,
+                          .dir = fire_args[FIRE_DIR].given || !fire_args[FIRE_AIM].i ? fire_args[FIRE_DIR].n : 0,
+                          .speed = fire_args[FIRE_SPEED].n };
+    if (v->pattern != EMIT_RING)
+        v->size = pattern_args[OWN_SIZE].n;
     if (skip->given) {
         v->skip_first = read_skip_bound(L, skip, 1);
         v->skip_last = read_skip_bound(L, skip, 2);
+    }
+    for (int k = 0; k < api_value_count(b, v->fires_shots ? N_SHOT_VALUE : N_BULLET_VALUE); k++) {
+        v->has_values |= (uint8_t)(fire_args[FIRE_FIRST_VALUE + k].given << k);
+        v->value[k] = fire_args[FIRE_FIRST_VALUE + k].f;
     }
 }
 
@@ -183,19 +121,21 @@ static bool fire_volley(lua_State *L, struct board *b, const struct api_entry *e
     const struct api_value *fire_args = pattern_args + e->count;
     struct volley v;
 
-    read_volley(L, e, pattern_args, &v);
-    if (count_remaining(&v, 0) <= 0)
+    read_volley(L, b, e, pattern_args, &v);
+    if (!emit_count_left(&v, 0))
         return true;
     if (!api_read_flight(L, b, e->name, fire_args, v.fires_shots, &v.spec))
         return true; /* the thing `from` is dead, or the ship that would fire was hit */
-    if (v.params.pattern == EMIT_LINE) {
-        set_line_base(b, &v, fire_args + FIRE_POSITION);
-        aim_line(b, &v, fire_args[FIRE_POSITION + POSITION_FROM].given);
-    }
+    v.x = v.aim_x = v.spec.x;
+    v.y = v.aim_y = v.spec.y;
+    if (v.pattern == EMIT_LINE)
+        set_line_position(b, &v, fire_args + FIRE_POSITION);
+    emit_aim_volley(b, &v);
     if (!ends_are_valid(&v))
         return false;
-    vm_charge(L, WORK_FIRE * (uint64_t)count_remaining(&v, 0));
-    fire_all(b, &v, fire_args + FIRE_FIRST_VALUE);
+    b->vm.work += v.is_aimed ? emit_aim_work(b, v.fires_shots) : 0;
+    vm_charge(L, WORK_FIRE * (uint64_t)emit_count_left(&v, 0));
+    emit_fire_volley(b, &v, b->core.clock);
     return true;
 }
 
