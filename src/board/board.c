@@ -706,7 +706,7 @@ uint64_t board_draw(const struct board *b, const struct view *view, struct fb *f
         fb_fill(fb, 0);
         return 0;
     }
-    return video_draw(b, view, fb, rgb, scratch, VIDEO_MIN_OVERDRAW).drawn_count;
+    return video_draw(b, view, fb, rgb, scratch);
 }
 
 /* ---- Lua ---- */

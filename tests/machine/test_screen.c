@@ -300,7 +300,7 @@ static void test_wipe(void **state)
     rig_game_free(&g);
 }
 
-/* A shaken crowd, which is not drawn front to back, shows the bullets that a still one does. */
+/* A shaken crowd shows the bullets that a still one does. */
 static void test_crowd(void **state)
 {
     static uint8_t pix[2][H][W];

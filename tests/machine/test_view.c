@@ -15,16 +15,12 @@ struct picture {
     uint32_t rgb[256];
 };
 
-/* Draws over rubbish. overdraw: of video_draw; VIEW_AS_EVER: board_draw. */
-enum { VIEW_AS_EVER = 12345 };
-static void draw(struct rig *r, const struct view *view, int overdraw, struct picture *out)
+/* Draws over rubbish. */
+static void draw(struct rig *r, const struct view *view, struct picture *out)
 {
     memset(r->fb.pix, 0xa5, (size_t)r->fb.pitch * (size_t)(r->fb.h - 1) + (size_t)r->fb.w);
     memset(r->scratch, 0x5a, board_scratch_size(r->b));
-    if (overdraw == VIEW_AS_EVER)
-        board_draw(r->b, view, &r->fb, out->rgb, r->scratch);
-    else
-        video_draw(r->b, view, &r->fb, out->rgb, r->scratch, overdraw);
+    board_draw(r->b, view, &r->fb, out->rgb, r->scratch);
     out->w = r->fb.w;
     out->h = r->fb.h;
     assert_true(out->w * out->h <= (int)sizeof out->pix);
@@ -56,21 +52,17 @@ static void coloured(const struct rig *r, const struct picture *plain, const str
             fail_msg("frame %u: colours %d: pixel %d, %d", board_frame(r->b), kind, i % p->w, i / p->w);
 }
 
-/* By each view, as ever, back to front and front to back, and with none, which is the plain one. */
+/* By each view, and with none, which is the plain one. */
 static void all_views(struct rig *r)
 {
-    static struct picture plain, ever, over, front;
+    static struct picture plain, ever;
     const uint8_t *shades = shade_for(&kept, &r->game->cart);
     const uint64_t before = hash_bytes(HASH_START, r->ram, r->ram_size);
 
-    draw(r, NULL, VIEW_AS_EVER, &plain);
+    draw(r, NULL, &plain);
     for (int i = 0; i < RIG_VIEWS; i++) {
         const struct view view = rig_view(i, shades), was = view;
-        draw(r, &view, VIEW_AS_EVER, &ever);
-        draw(r, &view, VIDEO_BACK_TO_FRONT, &over);
-        draw(r, &view, 0, &front);
-        same("back to front", r, &ever, &over);
-        same("front to back", r, &ever, &front);
+        draw(r, &view, &ever);
         if (i == 0)
             same("a view of zeroes", r, &plain, &ever);
         if (!view.dim && !view.softens_flashes)
@@ -105,15 +97,15 @@ static void dims(struct rig *r)
         return;
     memset(one, 0x30, sizeof one); /* the ends of two ramps: few blends show both as one */
     memset(other, 0xcf, sizeof other);
-    draw(r, NULL, VIEW_AS_EVER, &plain);
+    draw(r, NULL, &plain);
     *at = one;
-    draw(r, &view, VIEW_AS_EVER, &a);
+    draw(r, &view, &a);
     *at = other;
-    draw(r, &view, VIEW_AS_EVER, &b);
+    draw(r, &view, &b);
     *at = made;
     for (int dim = VIEW_DIM_QUARTER; dim < VIEW_DIMS; dim++) {
         view = (struct view){ .dim = (enum view_dim)dim, .shades = shades };
-        draw(r, &view, VIEW_AS_EVER, &dimmed);
+        draw(r, &view, &dimmed);
         assert_memory_equal(dimmed.rgb, plain.rgb, sizeof plain.rgb);
         for (int i = 0; i < plain.w * plain.h; i++) {
             const int x = i % plain.w - m->field_x, y = i / plain.w - m->field_y;
@@ -245,7 +237,7 @@ static int shaded(struct rig *r, const struct picture *plain, int x, int y)
 
     for (int i = 0; i < CART_SHADES_SIZE; i++)
         flipped[i] = (uint8_t)(255 - i);
-    draw(r, &view, VIEW_AS_EVER, &p);
+    draw(r, &view, &p);
     for (int i = 0; i < 256; i++) {
         const int at = (y - 8 + i / 16) * p.w + x - 8 + i % 16;
         assert_true(p.pix[at] == plain->pix[at] || p.pix[at] + plain->pix[at] == 255);
@@ -270,7 +262,7 @@ static void test_matters(void **state)
     things_power(&g, &r);
     rig_run(&r, 2);
     assert_int_equal(r.b->options.s.live, 1);
-    draw(&r, NULL, VIEW_AS_EVER, &plain);
+    draw(&r, NULL, &plain);
     const struct sprite *arrow = &r.b->sprite_images[cart_find(&g.cart, CART_SPRITES, "arrow")];
     for (int i = 0; i < 256; i++)
         holes += !arrow->pix[i];
@@ -306,8 +298,8 @@ static void test_none(void **state)
     things_power(&g, &r);
     rig_run(&r, 2);
     assert_null(g.cart.main_tables.shades);
-    draw(&r, NULL, VIEW_AS_EVER, &plain);
-    draw(&r, &view, VIEW_AS_EVER, &p);
+    draw(&r, NULL, &plain);
+    draw(&r, &view, &p);
     same("no tables", &r, &plain, &p);
     rig_free(&r);
     rig_game_free(&g);
@@ -340,8 +332,8 @@ static void test_older(void **state)
         const struct view view = rig_view(i, shade_for(&kept, &g.cart)),
                           older = rig_view(i, shade_for(&kept, &old.cart));
         assert_true(!view.shades && older.shades);
-        draw(&r, &view, VIEW_AS_EVER, &has);
-        draw(&r_old, &older, VIEW_AS_EVER, &had);
+        draw(&r, &view, &has);
+        draw(&r_old, &older, &had);
         same("an older ROM", &r, &has, &had);
     }
     rig_free(&r);
@@ -364,8 +356,8 @@ static void test_flash(void **state)
     for (int f = 0; f < 16; f++) {
         rig_run(&r, 1);
         const fx share = screen_get_flash(&r.b->screen, r.b->core.clock);
-        draw(&r, NULL, VIEW_AS_EVER, &full);
-        draw(&r, &soft, VIEW_AS_EVER, &p);
+        draw(&r, NULL, &full);
+        draw(&r, &soft, &p);
         assert_memory_equal(p.pix, full.pix, (size_t)(p.w * p.h));
         for (int i = 0; i < 256; i++) {
             assert_int_equal(full.rgb[i], pal_mix(r.b->pal.rgb[i], 0xffffff, share, FX_ONE));

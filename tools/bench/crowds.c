@@ -33,9 +33,7 @@ struct size {
     struct samples laps[LAPS], total[RIVALS], hash;
     struct samples tick[RIVALS], draw[RIVALS], present[RIVALS];
     struct crowd_counts counts[RIVALS];
-    struct samples over; /* drawing each bullet over the last, never front to back */
-    uint64_t hidden;     /* bullets that need not be drawn in the last picture */
-    double update;       /* bytes a ns of this many bullets' columns */
+    double update; /* bytes a ns of this many bullets' columns */
 };
 
 static struct size sizes[MOST_SIZES];
@@ -126,19 +124,6 @@ static void reference_frame(struct arena *a, struct size *s, int which, const st
     samples_add(&s->present[1 + which], show);
 }
 
-/* The other way to draw the same picture: each bullet over the last, hidden or not. */
-static void draw_over(struct arena *a, struct size *s, bool count)
-{
-    struct scene *scene = &a->scene;
-
-    for (int k = 0; k < 3; k++) {
-        double from = bench_now();
-        video_draw(scene->b, NULL, &scene->fb, scene->rgb, scene->scratch, VIDEO_BACK_TO_FRONT);
-        if (count && k > 0)
-            samples_add(&s->over, bench_since(from));
-    }
-}
-
 /* Each in turn. The first frame of a turn warms up, because the caches still hold another's bullets. */
 static void slice(struct arena *a, struct size *s, int frames, bool count)
 {
@@ -147,7 +132,6 @@ static void slice(struct arena *a, struct size *s, int frames, bool count)
         engine_frame(a, s, count && f > 0);
         a->players[f] = crowd_player(&a->scene);
     }
-    draw_over(a, s, count);
     for (int i = 0; i < REFERENCES; i++)
         for (int f = 0; f < frames; f++)
             reference_frame(a, s, i, &a->players[f], count && f > 0);
@@ -201,7 +185,6 @@ static struct size *run(int n)
     bench_own_clock(n >= OWN_CLOCK);
     for (int round = -1; round < rounds; round++) /* the first warms up */
         slice(&a, s, frames, round >= 0);
-    s->hidden = video_draw(a.scene.b, NULL, &a.scene.fb, a.scene.rgb, a.scene.scratch, VIDEO_MIN_OVERDRAW).hidden_count;
     bench_own_clock(false);
     check(&a, s);
     close_arena(&a);
@@ -215,16 +198,10 @@ static double total(struct size *s)
     return samples_median(&s->total[0]);
 }
 
-/* The frame in which no bullet is skipped because it is hidden. */
-static double painted(struct size *s)
-{
-    return total(s) - samples_median(&s->draw[0]) + samples_median(&s->over);
-}
-
-/* How many times the engine's frame, painting all, reference r takes: in the same turns. */
+/* How many times the engine's frame reference r takes: in the same turns. */
 static double times(struct size *s, int r)
 {
-    return samples_ratio(&s->total[r], &s->total[0]) * total(s) / painted(s);
+    return samples_ratio(&s->total[r], &s->total[0]);
 }
 
 /* ---- what is said of it ---- */
@@ -238,7 +215,7 @@ static void split_table(void)
 {
     static const char *const names[LAPS] = { "scripts", "motion", "hits", "events", "rest", "draw", "present" };
 
-    report_table("Nanoseconds per bullet and frame, by part of the frame, with hidden bullets skipped",
+    report_table("Nanoseconds per bullet and frame, by part of the frame",
                  "n> | scripts> | motion> | hits> | events> | rest> | draw> | present> | sum> | (hash)>");
     for (int i = 0; i < n_sizes; i++) {
         const char *cells[LAPS + 3] = { report_count(sizes[i].n) };
@@ -265,23 +242,22 @@ static void split_table(void)
     report_plot_end();
 }
 
-/* The engine's tick and draw, painting all, in those of reference r. */
+/* The engine's tick and draw in those of reference r. */
 static const char *beside(struct size *s, int r)
 {
-    return report_string("%s", report_figure((samples_median(&s->tick[0]) + samples_median(&s->over)) /
+    return report_string("%s", report_figure((samples_median(&s->tick[0]) + samples_median(&s->draw[0])) /
                                              (samples_median(&s->tick[r]) + samples_median(&s->draw[r]))));
 }
 
 static void parts_table(void)
 {
-    report_table("Nanoseconds per bullet and frame, by part of the frame. Each cell lists the engine's time "
-                 "with all bullets drawn, then the times of (a), (b) and (c). The last two columns are the engine's "
-                 "tick plus draw, divided by the tick plus draw of (b) or (c)",
+    report_table("Nanoseconds per bullet and frame, by part of the frame. Each cell lists the engine's time, "
+                 "then the times of (a), (b) and (c). The last two columns are the engine's tick plus draw, divided by "
+                 "the tick plus draw of (b) or (c)",
                  "n> | tick> | draw> | present> | vs (b)> | vs (c)>");
     for (int i = 0; i < n_sizes; i++) {
         struct size *s = &sizes[i];
-        const struct samples drawn[RIVALS] = { s->over, s->draw[1], s->draw[2], s->draw[3] };
-        const struct samples *part[] = { s->tick, drawn, s->present };
+        const struct samples *part[] = { s->tick, s->draw, s->present };
         const char *cells[6] = { report_count(s->n) };
         for (int k = 0; k < 3; k++)
             cells[1 + k] =
@@ -312,22 +288,18 @@ static void rivals_table(void)
         "All three programs store bullets grouped by kind, so no sorting is needed. None of the programs has scripts, "
         "motion programs, handles, deaths, or a state that can be saved. Each program converts its picture with one "
         "table lookup per pixel.");
-    report_text("The three programs draw every bullet. In the largest crowds the engine skips hidden bullets, which is "
-                "less work. *Drawing all* is the engine's time when it draws every bullet too; the ratios use this "
-                "time. *Frames a second* is computed from the column *engine*.");
-    report_table("Microseconds per frame; ratios are relative to the engine drawing all bullets",
-                 "n> | engine> | drawing all> | frames a second> | (a) array> | ratio> | (b) columns> | ratio> | (c) "
-                 "minimum> | ratio>");
+    report_table("Microseconds per frame; ratios are relative to the engine",
+                 "n> | engine> | frames a second> | (a) array> | ratio> | (b) columns> | ratio> | (c) minimum> | "
+                 "ratio>");
     for (int i = 0; i < n_sizes; i++) {
         struct size *s = &sizes[i];
-        const char *cells[4 + 2 * REFERENCES] = { report_count(s->n), samples_figure(&s->total[0], 1e3),
-                                                  report_string("%s", report_figure(painted(s) / 1e3)),
+        const char *cells[3 + 2 * REFERENCES] = { report_count(s->n), samples_figure(&s->total[0], 1e3),
                                                   report_count((int64_t)(1e9 / total(s))) };
         for (int r = 1; r < RIVALS; r++) {
-            cells[2 + 2 * r] = samples_figure(&s->total[r], 1e3);
-            cells[3 + 2 * r] = report_string("%s x", report_figure(times(s, r)));
+            cells[1 + 2 * r] = samples_figure(&s->total[r], 1e3);
+            cells[2 + 2 * r] = report_string("%s x", report_figure(times(s, r)));
         }
-        report_cells(0, cells, 4 + 2 * REFERENCES);
+        report_cells(0, cells, 3 + 2 * REFERENCES);
     }
     report_table_end();
     report_plot(&(struct report_plot){
@@ -369,23 +341,17 @@ static void limits_table(void)
     report_text("**Limits of the machine.** Moving a bullet reads 16 bytes and writes 8. In the next table, the limit "
                 "for motion and hits is the memory bandwidth of `x[i] += v[i]` over the same amount of memory. The "
                 "limit for drawing a bullet is the time of the 8 stores that an 8x8 sprite needs.");
-    report_text("When the bullets have enough opaque pixels to cover the field %d times, the engine draws them front "
-                "to back and skips the *hidden* ones. The column *hidden* is the share of hidden bullets in the last "
-                "picture. The last column is the draw time per bullet, with hidden bullets skipped.",
-                VIDEO_MIN_OVERDRAW);
-    report_table(NULL, "n> | motion + hits> | share of the limit> | drawing all> | share of the limit> | hidden> | "
-                       "draw, hidden skipped>");
+    report_table(NULL, "n> | motion + hits> | share of the limit> | draw> | share of the limit>");
     for (int i = 0; i < n_sizes; i++) {
         struct size *s = &sizes[i];
         double tick = samples_median(&s->laps[LAP_MOTION]) + samples_median(&s->laps[LAP_HITS]);
-        double over = samples_median(&s->over);
+        double draw = samples_median(&s->draw[0]);
         report_row(0, report_count(s->n),
                    report_string("%s GB/s (limit %s)", report_figure(BYTES_MOVED * (double)s->n / tick),
                                  report_figure(s->update)),
                    report_percent(BYTES_MOVED * (double)s->n / tick / s->update),
-                   report_string("%s ns (limit %s)", report_figure(over / s->n), report_figure(STORES * limit_store())),
-                   report_percent(STORES * limit_store() * s->n / over), report_percent((double)s->hidden / s->n),
-                   s->hidden ? report_string("%s ns", per_bullet(&s->draw[0], s->n)) : "", NULL);
+                   report_string("%s ns (limit %s)", report_figure(draw / s->n), report_figure(STORES * limit_store())),
+                   report_percent(STORES * limit_store() * s->n / draw), NULL);
     }
     report_table_end();
 }
@@ -406,56 +372,46 @@ static struct size *measured(int n)
 }
 
 /*
- * The largest measured n whose frame, by `cost`, takes no more than a sixtieth of a second. From n on, each guess lies
- * on the line through the two n measured last (the first on that through 0), until one is just below.
+ * The largest measured n whose frame takes no more than a sixtieth of a second. From n on, each guess lies on the line
+ * through the two n measured last (the first on that through 0), until one is just below.
  */
-static int find_60(double (*cost)(struct size *), int n)
+static int find_60(int n)
 {
     struct size *before = NULL, *last = measured(n);
     int found = 0;
 
     for (int k = 0; k < MOST_GUESSES; k++) {
-        double slope = before ? (cost(last) - cost(before)) / (last->n - before->n) : cost(last) / last->n;
-        bool close = cost(last) <= FRAME && cost(last) >= 2 * AIM - FRAME;
-        n = whole_blocks(last->n + (AIM - cost(last)) / slope);
+        double slope = before ? (total(last) - total(before)) / (last->n - before->n) : total(last) / last->n;
+        bool close = total(last) <= FRAME && total(last) >= 2 * AIM - FRAME;
+        n = whole_blocks(last->n + (AIM - total(last)) / slope);
         if (slope <= 0 || n < 64 || n == last->n || close)
             break;
         before = last;
         last = measured(n);
     }
     for (int i = 0; i < n_sizes; i++)
-        if (cost(&sizes[i]) <= FRAME && sizes[i].n > found)
+        if (total(&sizes[i]) <= FRAME && sizes[i].n > found)
             found = sizes[i].n;
     return found;
 }
 
-/* A target with hidden bullets skipped, and with everything painted. */
-static void target_60(struct size *seen, struct size *all)
-{
-    bench_target("bullets at 60 frames a second (hidden bullets skipped)", "2,500,000",
-                 report_string("%s in %s ms", report_count(seen->n), report_figure(total(seen) / 1e6)),
-                 seen->n >= 2500000);
-    bench_target("... drawing all", "2,500,000",
-                 report_string("%s in %s ms", report_count(all->n), report_figure(painted(all) / 1e6)),
-                 all->n >= 2500000);
-}
-
-static void targets(void)
+static void targets(struct size *found)
 {
     struct size *k16 = size_of(K16), *m1 = size_of(M1);
     double words = times(k16, 2), bytes = times(k16, 1);
     double growth = total(m1) / m1->n / (total(k16) / k16->n);
 
-    bench_target("a frame with 1,048,576 bullets of 8x8 px (hidden bullets skipped)", "6 ms, ideally 4.5 ms",
+    bench_target("bullets at 60 frames a second", "2,500,000",
+                 report_string("%s in %s ms", report_count(found->n), report_figure(total(found) / 1e6)),
+                 found->n >= 2500000);
+    bench_target("a frame with 1,048,576 bullets of 8x8 px", "6 ms, ideally 4.5 ms",
                  report_string("%s ms", report_figure(total(m1) / 1e6)), total(m1) <= 6e6);
-    bench_target("... drawing all", "6 ms", report_string("%s ms", report_figure(painted(m1) / 1e6)),
-                 painted(m1) <= 6e6);
     bench_target("16,384 bullets, compared with plain C on columns of int32", "1.3 times as fast",
                  report_string("%s times as fast", report_figure(words)), words >= 1.3);
     bench_target("16,384 bullets, compared with plain C on structs of doubles", "4 times as fast",
                  report_string("%s times as fast", report_figure(bytes)), bytes >= 4);
-    bench_target("cost per bullet in a crowd of 1,048,576, relative to a crowd of 16,384 (hidden bullets skipped)",
-                 "less than 2 times", report_string("%s times", report_figure(growth)), growth < 2);
+    bench_target("cost per bullet in a crowd of 1,048,576, relative to a crowd of 16,384", "less than 2 times",
+                 report_string("%s times", report_figure(growth)), growth < 2);
 }
 
 /* 16,384 bullets without programs: what the move, the keep box, the swept hit and the graze of one cost. */
@@ -497,13 +453,13 @@ void section_crowd(void)
                 "radius of 12 px moves among the bullets. The scene is in `roms/bench` (DIP switch `does=crowd`).");
     for (size_t i = 0; i < sizeof USUAL / sizeof *USUAL; i++)
         run(USUAL[i]);
-    const int n = find_60(total, 2500032), n_all = find_60(painted, M1);
+    const int n = find_60(2 * M1);
     qsort(sizes, (size_t)n_sizes, sizeof *sizes, by_n);
     split_table();
     rivals_table();
     counts_table();
     limits_table();
-    struct size *k1 = size_of(K1), *k16 = size_of(K16), *m1 = size_of(M1), *found = size_of(n), *all = size_of(n_all);
+    struct size *k1 = size_of(K1), *k16 = size_of(K16), *m1 = size_of(M1), *found = size_of(n);
     report_text("**Growth.** A bullet costs %s ns in a crowd of %s, %s ns in a crowd of %s, and %s ns in a crowd of "
                 "%s. From the second crowd to the third, the cost changes by a factor of %s. In the first crowd, much "
                 "of the cost is for presenting, which takes the same time for every crowd.",
@@ -512,13 +468,10 @@ void section_crowd(void)
                 report_figure(total(m1) / m1->n / (total(k16) / k16->n)));
     report_text(
         "**Sixty frames a second.** One core reaches 60 frames a second with **%s bullets**. A frame then takes %s of "
-        "the 16.67 ms, and %s of the bullets are hidden and skipped. When the engine draws all bullets, it reaches 60 "
-        "frames a second with **%s bullets**, at %s ms per frame. A board can have at most %s bullets.",
-        report_count(found->n), samples_figure(&found->total[0], 1e6), report_percent((double)found->hidden / found->n),
-        report_count(all->n), report_string("%s", report_figure(painted(all) / 1e6)), report_count(1 << 22));
+        "the 16.67 ms. A board can have at most %s bullets.",
+        report_count(found->n), samples_figure(&found->total[0], 1e6), report_count(1 << 22));
     without_programs();
-    target_60(found, all);
-    targets();
+    targets(found);
     for (int i = 0; i < n_sizes; i++) {
         struct size *s = &sizes[i];
         for (int k = 0; k < LAPS; k++)
@@ -530,6 +483,5 @@ void section_crowd(void)
             samples_free(&s->present[k]);
         }
         samples_free(&s->hash);
-        samples_free(&s->over);
     }
 }

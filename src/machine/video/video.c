@@ -449,30 +449,22 @@ static const uint8_t *shade_of(const struct cart_colour_tables *look, const stru
 }
 
 /* Returns the draw target of this frame. Sets *shaken to whether a shake moves the field's picture. */
-static struct draw_target make_target(const struct board *b, struct fb *fb, void *scratch, int min_overdraw,
-                                      bool *shaken)
+static struct draw_target make_target(const struct board *b, struct fb *fb, void *scratch, bool *shaken)
 {
     const struct manifest *m = &b->cart.manifest;
-    struct draw_target c = { b,
-                             fb,
-                             m->field_x,
-                             m->field_y,
-                             scratch,
-                             min_overdraw,
-                             0,
-                             0,
-                             sprite_layers(&b->sprites),
-                             NULL,
-                             video_get_palette_tables(b),
-                             false };
+    struct draw_target c = { .b = b,
+                             .fb = fb,
+                             .x = m->field_x,
+                             .y = m->field_y,
+                             .scratch = scratch,
+                             .layers = sprite_layers(&b->sprites),
+                             .palette_tables = video_get_palette_tables(b) };
     int dx, dy;
 
     screen_get_shake(&b->screen, b->core.clock, &dx, &dy);
     *shaken = dx || dy;
     c.x += dx;
     c.y += dy;
-    if (*shaken)
-        c.min_overdraw = VIDEO_BACK_TO_FRONT; /* a layer covers only the field, not the edges that a shake exposes */
     return c;
 }
 
@@ -511,20 +503,19 @@ static void draw_behind_bullets(struct draw_target *c, bool shaken)
 void video_draw_behind_bullets(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch)
 {
     bool shaken;
-    struct draw_target c = make_target(b, fb, scratch, VIDEO_MIN_OVERDRAW, &shaken);
+    struct draw_target c = make_target(b, fb, scratch, &shaken);
 
     memcpy(rgb, b->pal.rgb, COLOURS * sizeof *rgb);
     draw_behind_bullets(&c, shaken);
 }
 
-struct draw_target video_draw(const struct board *b, const struct view *view, struct fb *fb, uint32_t rgb[256],
-                              void *scratch, int min_overdraw)
+uint64_t video_draw(const struct board *b, const struct view *view, struct fb *fb, uint32_t rgb[256], void *scratch)
 {
     static const struct view unadjusted_view;
     const struct view *v = view ? view : &unadjusted_view;
     const fx dim = screen_get_dim(&b->screen, b->core.frame);
     bool shaken, reserved[COLOURS];
-    struct draw_target c = make_target(b, fb, scratch, min_overdraw, &shaken);
+    struct draw_target c = make_target(b, fb, scratch, &shaken);
 
     c.shade = shade_of(&c.palette_tables, v);
     c.blinks_softly = v->softens_flashes;
@@ -545,5 +536,5 @@ struct draw_target video_draw(const struct board *b, const struct view *view, st
     draw_above_dim(&c);
     for (int i = 0; v->colour_blind_mode && i < COLOURS; i++)
         rgb[i] = view_adjust_colour(v->colour_blind_mode, rgb[i]);
-    return c;
+    return c.drawn_count;
 }

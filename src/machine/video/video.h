@@ -14,23 +14,15 @@ struct draw_target {
     struct fb *fb;
     int x, y; /* px: the field's top left corner on the screen plus a shake's offset */
     void *scratch;
-    int min_overdraw; /* overdraw from which bullets are drawn front to back; VIDEO_BACK_TO_FRONT: never */
-    uint64_t drawn_count,
-        hidden_count;     /* pictures drawn, including `hidden_count`; pictures skipped because others cover them */
+    uint64_t drawn_count; /* pictures drawn */
     unsigned layers;      /* sprite layers that are not empty, 1 << layer */
     const uint8_t *shade; /* palette entry that backgrounds show for each of 256; NULL: backgrounds are not dimmed */
     struct cart_colour_tables palette_tables; /* tables of the loaded palette */
     bool blinks_softly;                       /* hurt enemies blink softly */
 };
 
-/* Overdraw is how many times the bullets' opaque pixels would cover the field. From VIDEO_MIN_OVERDRAW on, bullets are
- * drawn front to back. Measurements: docs/measured/speed.md. */
-enum { VIDEO_MIN_OVERDRAW = 50, VIDEO_BACK_TO_FRONT = -1 };
-
-/* Draws the same picture as board_draw, but starts to draw bullets front to back at an overdraw of `min_overdraw`
- * (VIDEO_BACK_TO_FRONT: never). Returns the target, with its counts of pictures. */
-struct draw_target video_draw(const struct board *b, const struct view *view, struct fb *fb, uint32_t rgb[256],
-                              void *scratch, int min_overdraw);
+/* Draws the picture of board_draw. Returns the number of pictures drawn. */
+uint64_t video_draw(const struct board *b, const struct view *view, struct fb *fb, uint32_t rgb[256], void *scratch);
 
 /* Draws only what is behind the bullets, and sets rgb to the colours without a flash. Leaves the clip set to the
  * field. */

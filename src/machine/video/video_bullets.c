@@ -5,21 +5,13 @@
  * bullet is listed as a destination (stamp.h), or by its slot if it overlaps the clip's edge. If all bullets of a kind
  * show the same picture, it is stamped in one batch. If they are rotated, animated or blended, their slots are listed
  * as well, and each bullet's own picture is selected, again in batches. The method is chosen once per kind, so that a
- * slow kind does not slow down the others. When the overdraw is high, bullets are drawn front to back on a layer of the
- * field's size: first the topmost kinds that suffice to cover it, then those of the others that may still be visible.
+ * slow kind does not slow down the others.
  */
-#include <assert.h>
 #include <string.h>
 #include "../../../fb/stamp.h"
 #include "video.h"
 
-enum {
-    BATCH_SIZE = 64,             /* pictures per batch */
-    ALL_BANKS_MIN_BULLETS = 512, /* with this many bullets of a kind, all banks are assumed to be in use */
-
-    /* The topmost kinds are drawn without a visibility test until their opaque pixels reach this many field areas. */
-    TOP_OVERDRAW = 10
-};
+enum { BATCH_SIZE = 64 /* pictures per batch */ };
 
 /* How a kind is drawn this frame. */
 struct style {
@@ -34,7 +26,6 @@ struct style {
     bool shares_picture;      /* all bullets show the same picture, opaque or blended by a rule */
     bool is_drawn_one_by_one; /* blended through a table, or clouds whose ages are stretched */
     uint32_t n;               /* live bullets */
-    size_t opaque_count;      /* opaque px of the picture; set for layered kinds */
     uint32_t list_start;      /* index in lists.list of the kind's first entry */
     uint32_t less;            /* as in struct stamp_list */
 };
@@ -42,15 +33,12 @@ struct style {
 struct lists {
     struct style style[MAX_KINDS];
     uint32_t next[MAX_KINDS];             /* index in `list` for the kind's next bullet */
-    uint8_t is_listed[MAX_KINDS];         /* 1: the kind's bullets are to be listed; used only for layers */
     uint8_t is_listed_by_slot[MAX_KINDS]; /* 1: all the kind's bullets are listed by slot */
     bool any_listed_by_slot;              /* any kind has `is_listed_by_slot` set */
     bool any_varied;                      /* any kind's style has `shares_picture` unset */
     uint16_t order[MAX_KINDS];            /* kinds that have bullets, in draw order */
     uint32_t kind_count;
-    struct stamp stamp;
     uint32_t *list, *slots; /* slots: slot of each bullet in `list`; complete only if any_varied is set */
-    uint8_t *layer, *cells;
 };
 
 /* The surface on which the listed bullets will be drawn, the field's corner on that surface, and the range of field
@@ -60,10 +48,6 @@ struct window {
     int x, y;
     int x0, y0, x1, y1; /* both ends included; x0 > x1: none */
     uint32_t base;      /* added to the offset of a bullet's pixel to get its list entry */
-
-    /* Whether bullets listed by slot are clipped when they are drawn. If so, any bullet may be listed by slot, and
-     * bullets of kinds without `shares_picture` may also be listed as destinations. False for a layer. */
-    bool clips;
 };
 
 static size_t max_bullets(const struct manifest *m)
@@ -74,9 +58,7 @@ static size_t max_bullets(const struct manifest *m)
 size_t video_bullets_scratch_size(const struct manifest *m)
 {
     return (size_t)int_align_cache_line(sizeof(struct lists)) +
-           2 * (size_t)int_align_cache_line(max_bullets(m) * sizeof(uint32_t)) +
-           (size_t)int_align_cache_line(stamp_layer_size(m->field_w, m->field_h)) +
-           stamp_cells_size(m->field_w, m->field_h) + 64;
+           2 * (size_t)int_align_cache_line(max_bullets(m) * sizeof(uint32_t)) + 64;
 }
 
 static struct lists *init_lists(const struct draw_target *c)
@@ -87,9 +69,6 @@ static struct lists *init_lists(const struct draw_target *c)
     l->list = (uint32_t *)(at + (size_t)int_align_cache_line(sizeof *l));
     l->slots = (uint32_t *)((uint8_t *)l->list +
                             (size_t)int_align_cache_line(max_bullets(&c->b->cart.manifest) * sizeof *l->list));
-    l->layer = (uint8_t *)l->slots + (size_t)int_align_cache_line(max_bullets(&c->b->cart.manifest) * sizeof *l->slots);
-    l->cells = l->layer +
-               (size_t)int_align_cache_line(stamp_layer_size(c->b->cart.manifest.field_w, c->b->cart.manifest.field_h));
     return l;
 }
 
@@ -226,27 +205,23 @@ static void narrow_window(struct window *t, int *base, const struct fit *f)
     *base = f->offset > *base ? f->offset : *base;
 }
 
-/* Empties the lists of kinds order[first .. to - 1] and returns their window. Consecutive kinds whose pictures have the
- * same size and anchor, as most do, share a fit. */
-static struct window init_window(struct lists *l, uint32_t first, uint32_t to, const struct fb *fb, int x, int y,
-                                 bool clips)
+/* Empties the lists and returns their window, for a field whose corner is at (x, y). Consecutive kinds whose pictures
+ * have the same size and anchor, as most do, share a fit. */
+static struct window init_window(struct lists *l, const struct fb *fb, int x, int y)
 {
-    struct window t = { fb, x, y, INT32_MIN, INT32_MIN, INT32_MAX, INT32_MAX, 0, clips };
+    struct window t = { fb, x, y, INT32_MIN, INT32_MIN, INT32_MAX, INT32_MAX, 0 };
     const struct sprite *fit_sprite = NULL; /* sprite of fit f if f has narrowed the window, otherwise NULL */
     struct fit f = { 0 };
     int base = INT32_MIN;
 
-    if (!clips)
-        memset(l->is_listed, 0, sizeof l->is_listed);
     l->any_listed_by_slot = l->any_varied = false;
-    for (uint32_t o = first; o < to; o++) {
+    for (uint32_t o = 0; o < l->kind_count; o++) {
         const uint16_t kind = l->order[o];
         struct style *style = &l->style[kind];
         const bool known = fit_sprite && have_same_size_and_anchor(fit_sprite, style->pic);
         if (!known)
             f = fit_of(fb, style->pic, x, y);
-        const bool by_slot = !style->shares_picture && (!clips || !f.c.width || !f.c.height);
-        l->is_listed[kind] = 1;
+        const bool by_slot = !style->shares_picture && (!f.c.width || !f.c.height);
         l->is_listed_by_slot[kind] = by_slot;
         l->any_listed_by_slot |= by_slot;
         l->any_varied |= !style->shares_picture;
@@ -256,7 +231,7 @@ static struct window init_window(struct lists *l, uint32_t first, uint32_t to, c
         if (!by_slot && !known)
             narrow_window(&t, &base, &f);
     }
-    for (uint32_t o = first; o < to; o++)
+    for (uint32_t o = 0; o < l->kind_count; o++)
         l->style[l->order[o]].less = (uint32_t)base - l->style[l->order[o]].less;
     t.base = (uint32_t)base;
     if (t.x0 > t.x1 || t.y0 > t.y1 || t.x0 == INT32_MIN) { /* no position is unclipped for all kinds */
@@ -312,9 +287,8 @@ static inline void append_bullet(struct lists *l, const struct bullets *s, uint3
     l->list[next] = dest;
 }
 
-/* Lists bullet i, which is outside the window or of a kind that is listed by slot: as a destination if its kind is not
- * listed by slot and its own picture needs no clipping; otherwise by its slot, if part of its picture is inside the
- * clip. */
+/* Lists bullet i, which is outside the window: as a destination if its own picture needs no clipping; otherwise by its
+ * slot, if part of its picture is inside the clip. */
 static void list_edge_bullet(struct lists *l, const struct bullets *s, const struct window *t, uint32_t i)
 {
     const struct style *style = &l->style[s->kind[i]];
@@ -322,20 +296,20 @@ static void list_edge_bullet(struct lists *l, const struct bullets *s, const str
     int x, y;
 
     find_corner(t, l, s, i, &x, &y);
-    if (!l->is_listed_by_slot[s->kind[i]] && (uint32_t)(x - c.x0) < c.width && (uint32_t)(y - c.y0) < c.height)
+    if ((uint32_t)(x - c.x0) < c.width && (uint32_t)(y - c.y0) < c.height)
         append_bullet(l, s, i, stamp_dest(t->fb, (uint32_t)(x - c.x0), (uint32_t)(y - c.y0), s->bank[i]) + style->less);
     else if (x < t->fb->x1 && x + style->pic->w > t->fb->x0 && y < t->fb->y1 && y + style->pic->h > t->fb->y0)
         append_bullet(l, s, i, STAMP_CALLER_ENTRY | i);
 }
 
-/* Lists the bullets of a block whose bit in m is set, one by one. */
-static void list_masked(struct lists *l, const struct bullets *s, const struct window *t, uint32_t block, uint64_t m)
+/* Lists the live bullets of a block one by one. */
+static void list_single_bullets(struct lists *l, const struct bullets *s, const struct window *t, uint32_t block)
 {
-    for (; m; m &= m - 1) {
+    for (uint64_t m = s->s.live_bits[block]; m; m &= m - 1) {
         uint32_t i = block * SLOTS_BLOCK + bits_lowest(m);
-        if (t->clips && l->is_listed_by_slot[s->kind[i]])
+        if (l->is_listed_by_slot[s->kind[i]])
             append_bullet(l, s, i, STAMP_CALLER_ENTRY | i);
-        else if (!l->is_listed_by_slot[s->kind[i]] && is_unclipped(t, s->x[i], s->y[i]))
+        else if (is_unclipped(t, s->x[i], s->y[i]))
             append_bullet(l, s, i,
                           ((uint32_t)s->bank[i] << 28) + (uint32_t)fx_floor(s->y[i]) * (uint32_t)t->fb->pitch +
                               (uint32_t)fx_floor(s->x[i]) + t->base);
@@ -414,27 +388,10 @@ static void list_all(struct lists *l, const struct bullets *s, const struct wind
 {
     for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++)
         if (!list_block(l, s, t, block))
-            list_masked(l, s, t, block, s->s.live_bits[block]);
+            list_single_bullets(l, s, t, block);
 }
 
-/* Returns a mask of a block's live bullets whose kinds are listed. */
-static uint64_t listed_bullets_mask(const struct lists *l, const struct bullets *s, uint32_t block)
-{
-    const uint16_t *kinds = s->kind + block * SLOTS_BLOCK;
-    uint8_t is_listed[SLOTS_BLOCK];
-
-    for (int i = 0; i < SLOTS_BLOCK; i++)
-        is_listed[i] = l->is_listed[kinds[i] % MAX_KINDS]; /* a dead slot's kind may be anything */
-    return slots_pack_flags(is_listed) & s->s.live_bits[block];
-}
-
-static void list_bullets_of_listed_kinds(struct lists *l, const struct bullets *s, const struct window *t)
-{
-    for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++)
-        list_masked(l, s, t, block, listed_bullets_mask(l, s, block));
-}
-
-/* ---- back to front ---- */
+/* ---- drawing the lists ---- */
 
 static void draw_bullet(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct window *t,
                         uint32_t i)
@@ -528,25 +485,6 @@ static void find_picture_offsets(const struct draw_target *c, const struct bulle
             offsets[k] = stamp_turn_index(dir[slots[k]], p.rotations) * p.size;
 }
 
-/* Draws a kind with rotated pictures up to 8 px wide, the usual size of bullets. The speed of drawing them is limited
- * by stores, so selecting each copy in the meantime costs nothing. For wider pictures it is faster to select the copies
- * beforehand. */
-static void draw_turned(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct window *t,
-                        const struct style *style, const struct picker *p, uint32_t n)
-{
-    const uint32_t *list = l->list + style->list_start, *slots = l->slots + style->list_start;
-    const struct image image = video_image(style->pic, 0, false, 0);
-    struct stamp_turns turns = { .dir = s->dir, .size = p->size, .n_copies = p->rotations };
-
-    for (uint32_t k = 0; k < n; k++) {
-        turns.dir_index = slots + k;
-        k += (uint32_t)stamp_draw_turned(c->fb, &image, &turns, style->mix,
-                                         &(struct stamp_list){ list + k, n - k, style->less });
-        if (k < n)
-            draw_bullet(c, s, l, t, list[k] & (STAMP_CALLER_ENTRY - 1));
-    }
-}
-
 /* Draws a kind whose bullets show different pictures, with a selected picture for each. */
 static void draw_varied(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct window *t,
                         const struct style *style, uint32_t n)
@@ -556,10 +494,6 @@ static void draw_varied(struct draw_target *c, const struct bullets *s, const st
     const struct picker p = picker_of(style);
     uint32_t offsets[BATCH_SIZE];
 
-    if (!p.uses_age && image.pitch == 8) {
-        draw_turned(c, s, l, t, style, &p, n);
-        return;
-    }
     for (uint32_t k = 0, batch; k < n; k += batch) {
         batch = n - k < BATCH_SIZE ? n - k : BATCH_SIZE;
         find_picture_offsets(c, s, &p, slots + k, batch, offsets);
@@ -614,179 +548,16 @@ static void draw_kind(struct draw_target *c, const struct bullets *s, const stru
         draw_varied(c, s, l, t, style, n);
 }
 
-static void draw_back_to_front(struct draw_target *c, const struct bullets *s, struct lists *l)
-{
-    struct window t = init_window(l, 0, l->kind_count, c->fb, c->x, c->y, true);
-
-    list_all(l, s, &t);
-    for (uint32_t o = 0; o < l->kind_count; o++)
-        draw_kind(c, s, l, &t, l->order[o]);
-}
-
-/* ---- front to back ---- */
-
-static bool make_stamp(struct lists *l, const struct style *style, uint32_t n)
-{
-    struct image image = video_image(style->pic, 0, false, 0);
-    const uint32_t *list = l->list + style->list_start;
-    unsigned banks = n < ALL_BANKS_MIN_BULLETS ? 0 : 0xffff;
-
-    for (uint32_t k = 0; k < n && n < ALL_BANKS_MIN_BULLETS; k++)
-        banks |= list[k] & STAMP_CALLER_ENTRY ? 0 : 1u << (list[k] >> 28);
-    return stamp_make(&l->stamp, &image, banks);
-}
-
-/* Draws the listed bullets of a kind on the layer. The layer's band has space for every picture that reaches into the
- * field, so all bullets of a kind with `shares_picture` set are listed as destinations. */
-static void draw_kind_on_layer(const struct draw_target *c, struct stamp_layer *layer, const struct bullets *s,
-                               struct lists *l, const struct window *t, uint16_t kind)
-{
-    const struct style *style = &l->style[kind];
-    struct stamp_unclipped_area corners = stamp_find_unclipped_area(&layer->fb, style->pic->w, style->pic->h);
-    const uint32_t *list = l->list + style->list_start;
-    uint32_t n = listed_count(l, kind);
-    int x, y;
-
-    if (style->shares_picture) {
-        bool made = make_stamp(l, style, n);
-        assert(made); /* a picture that fits in the band always fits in a stamp */
-        stamp_layer_draw(layer, &l->stamp, &(struct stamp_list){ list, n, style->less }, style->opaque_count);
-        return;
-    }
-    while (n-- > 0) {
-        uint32_t i = list[n] & (STAMP_CALLER_ENTRY - 1);
-        struct image image = image_of(c, l, s, i);
-        find_corner(t, l, s, i, &x, &y);
-        stamp_layer_draw_sprite(
-            layer, &image, stamp_dest(&layer->fb, (uint32_t)(x - corners.x0), (uint32_t)(y - corners.y0), s->bank[i]),
-            style->opaque_count);
-    }
-}
-
-/* Draws the kinds of order[from .. to - 1] on the layer, topmost first. Returns the number of bullets listed. */
-static uint32_t draw_kinds_on_layer(const struct draw_target *c, struct stamp_layer *layer, const struct bullets *s,
-                                    struct lists *l, const struct window *t, uint32_t from, uint32_t to)
-{
-    uint32_t n = 0;
-
-    while (to-- > from) {
-        draw_kind_on_layer(c, layer, s, l, t, l->order[to]);
-        n += listed_count(l, l->order[to]);
-    }
-    return n;
-}
-
-/* Finds the cells of the layer in which a bullet of order[0 .. to - 1] may be visible. */
-static void find_cells(const struct stamp_layer *layer, struct lists *l, uint32_t to, struct stamp_cells *cells)
-{
-    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-
-    for (uint32_t o = 0; o < to; o++) {
-        const struct sprite *pic = l->style[l->order[o]].pic;
-        x0 = -pic->ox < x0 || o == 0 ? -pic->ox : x0;
-        y0 = -pic->oy < y0 || o == 0 ? -pic->oy : y0;
-        x1 = pic->w - pic->ox > x1 || o == 0 ? pic->w - pic->ox : x1;
-        y1 = pic->h - pic->oy > y1 || o == 0 ? pic->h - pic->oy : y1;
-    }
-    stamp_cells_compute(layer, cells, l->cells, x0, y0, x1, y1);
-}
-
-/* Returns the live bullets of a block that are in cells where a bullet may be visible, as a mask. */
-static uint64_t visible_mask(const struct stamp_cells *cells, const struct bullets *s, uint32_t block)
-{
-    uint32_t at[SLOTS_BLOCK];
-    uint8_t is_visible[SLOTS_BLOCK];
-
-    stamp_cells_index(cells, s->x + block * SLOTS_BLOCK, s->y + block * SLOTS_BLOCK, at);
-    for (int i = 0; i < SLOTS_BLOCK; i++)
-        is_visible[i] = cells->visible[at[i]];
-    return slots_pack_flags(is_visible) & s->s.live_bits[block];
-}
-
-static void list_visible(struct lists *l, const struct bullets *s, const struct window *t,
-                         const struct stamp_cells *cells)
-{
-    for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++) {
-        uint64_t m = visible_mask(cells, s, block);
-        if (m)
-            list_masked(l, s, t, block, m & listed_bullets_mask(l, s, block));
-    }
-}
-
-static void draw_front_to_back(struct draw_target *c, const struct bullets *s, struct lists *l)
-{
-    const struct manifest *m = &c->b->cart.manifest;
-    uint32_t top = l->kind_count, drawn;
-    uint64_t pixels = 0;
-    struct stamp_layer layer;
-    struct window t;
-
-    stamp_layer_init(&layer, l->layer, m->field_w, m->field_h);
-    while (top > 0 && pixels < TOP_OVERDRAW * (uint64_t)(m->field_w * m->field_h)) {
-        const struct style *style = &l->style[l->order[--top]];
-        pixels += style->n * (uint64_t)style->opaque_count;
-    }
-    t = init_window(l, top, l->kind_count, &layer.fb, 0, 0, false);
-    list_bullets_of_listed_kinds(l, s, &t);
-    drawn = draw_kinds_on_layer(c, &layer, s, l, &t, top, l->kind_count);
-    stamp_layer_update_map(&layer);
-    if (!layer.covered && top > 0) {
-        struct stamp_cells cells;
-        find_cells(&layer, l, top, &cells);
-        t = init_window(l, 0, top, &layer.fb, 0, 0, false);
-        list_visible(l, s, &t, &cells);
-        drawn += draw_kinds_on_layer(c, &layer, s, l, &t, 0, top);
-    }
-    stamp_layer_show(&layer, c->fb, c->x, c->y);
-    c->hidden_count += s->s.live - drawn + layer.hidden_count;
-}
-
-static size_t count_opaque_pixels(const struct image *image)
-{
-    size_t n = 0;
-
-    for (int y = 0; y < image->h; y++)
-        for (int x = 0; x < image->w; x++)
-            n += image->pix[(ptrdiff_t)y * image->pitch + x] != 0;
-    return n;
-}
-
-/* Returns whether to draw on a layer: the bullets have at least `min_pixels` opaque pixels in total, no picture is too
- * large for a layer's band, and none is blended. Opaque pixels are counted only if the pictures' sizes do not already
- * rule out a layer. */
-static bool should_use_layer(struct lists *l, uint64_t min_pixels)
-{
-    uint64_t max_pixels = 0, sum = 0;
-
-    for (uint32_t o = 0; o < l->kind_count; o++) {
-        const struct style *style = &l->style[l->order[o]];
-        if (style->pic->w > FB_GUARD || style->pic->h > FB_GUARD || style->blend)
-            return false;
-        max_pixels += style->n * (uint64_t)(style->pic->w * style->pic->h);
-    }
-    if (max_pixels < min_pixels)
-        return false;
-    for (uint32_t o = 0; o < l->kind_count; o++) {
-        struct style *style = &l->style[l->order[o]];
-        struct image image = video_image(style->pic, 0, false, 0);
-        style->opaque_count = count_opaque_pixels(&image);
-        sum += style->n * (uint64_t)style->opaque_count;
-    }
-    return sum >= min_pixels;
-}
-
 void video_draw_bullets(struct draw_target *c, const struct bullets *s, const struct bullet_kinds *k)
 {
-    const struct manifest *m = &c->b->cart.manifest;
-    uint64_t min_pixels = (uint64_t)c->min_overdraw * (uint64_t)(m->field_w * m->field_h);
     struct lists *l = init_lists(c);
 
     if (!s->s.live)
         return;
     find_kinds(c, k, l);
     c->drawn_count += s->s.live;
-    if (c->min_overdraw != VIDEO_BACK_TO_FRONT && should_use_layer(l, min_pixels))
-        draw_front_to_back(c, s, l);
-    else
-        draw_back_to_front(c, s, l);
+    const struct window t = init_window(l, c->fb, c->x, c->y);
+    list_all(l, s, &t);
+    for (uint32_t o = 0; o < l->kind_count; o++)
+        draw_kind(c, s, l, &t, l->order[o]);
 }
