@@ -93,14 +93,9 @@ static inline bool hit_shot_touches(const struct board *b, const struct bullets 
     return hit_any_bodies_touch(p, hit_split_bullet(pool, kinds, i, p), q, hit_split_enemy(b, enemy_slot, q), swept);
 }
 
-/*
- * x, y: the farthest that a shape extends from its position on each axis, in any rotation. inner_radius:
- * that of a circle around the position that lies inside the shape or, if negative, minus the distance from the position
- * to the nearest circle of the shape. Two shapes touch if their positions are no further apart than the sum of their
- * inner radii.
- */
+/* The farthest that a shape extends from its position on each axis, in any rotation. */
 struct extent {
-    fx x, y, inner_radius;
+    fx x, y;
 };
 struct extent hit_compute_extent(const struct shape_columns *k, uint32_t kind);
 
@@ -110,7 +105,7 @@ static inline struct extent hit_extent(const struct shape_columns *k, uint32_t k
 
     if (k->shape[kind] > SHAPE_MAX_SIMPLE)
         return hit_compute_extent(k, kind);
-    return (struct extent){ a, h, fx_min(a, h) };
+    return (struct extent){ a, h };
 }
 
 static inline struct shape_columns hit_bullet_shapes(const struct bullet_kinds *k)

@@ -67,16 +67,15 @@ uint32_t hit_split_enemy(const struct board *b, uint32_t i, struct body piece[SH
 struct extent hit_compute_extent(const struct shape_columns *k, uint32_t kind)
 {
     const fx slack = 2; /* most rounding error of a rotated position */
-    struct extent e = { 0, 0, FX_MIN };
+    struct extent e = { 0, 0 };
 
     if (k->shape[kind] == SHAPE_CAPSULE) {
         fx x = fx_abs(k->x[kind]), y = fx_abs(k->y[kind]), a = k->a[kind];
-        return (struct extent){ a + k->b[kind] + x, a + k->b[kind] + y, a };
+        return (struct extent){ a + k->b[kind] + x, a + k->b[kind] + y };
     }
     for (uint32_t i = kind, end = kind + (uint32_t)k->b[kind] + 1; i < end; i++) {
         fx distance = fx_abs(k->x[i]) + fx_abs(k->y[i]) + slack;
         e.x = e.y = fx_max(e.x, distance + k->a[i]);
-        e.inner_radius = fx_max(e.inner_radius, k->a[i] - distance);
     }
     return e;
 }

@@ -5,15 +5,6 @@
  * into the cells of a grid by their positions before the move, and a shot searches the grid in rings around its own
  * cell. It stops when the enemy found is nearer than the next ring, or when the next ring is outside the search box:
  * the box around the shot's path, grown by the shot's extent and by the largest sum of extent and move of an enemy.
- *
- * The number of enemies in a few cells is hard to predict, and a branch misprediction costs as much as testing several
- * enemies. So each enemy is listed in its own cell and in the cells above and below it. Three adjacent cells of one
- * row, which are contiguous in memory, then list the enemies of the nine cells around a shot.
- *
- * In a dense crowd, where the search box is larger than a cell, most shots touch some enemy, and the enemy nearest to a
- * shot is nearly always one that the shot touches. There, find_nearest_target finds the nearest enemy, among nine cells
- * in batches of eight places, and tests only this enemy. Invariant: if find_nearest_target finds a hit, the ring search
- * would find the same one; if not, the ring search decides.
  */
 #include "hit_parts.h"
 #include <assert.h>
@@ -22,9 +13,7 @@
 #include "hit.h"
 
 enum {
-    MIN_GRID_SHOTS = 4,       /* with fewer shots, the grid has one cell */
-    MAX_ENEMIES_PER_SHOT = 4, /* most enemies per shot for which listing each enemy in three rows pays off */
-    BATCH_SIZE = 8,           /* places compared at a time; nine cells nearly always hold fewer */
+    MIN_GRID_SHOTS = 4,                    /* with fewer shots, the grid has one cell */
     MAX_INNER_CELLS = MAX_ENEMIES * 5 / 4, /* most cells in the box around all enemies: five per four enemies */
     MAX_CELLS = 4 * (MAX_INNER_CELLS + 3),
     NO_ENEMY = MAX_ENEMIES,
@@ -36,11 +25,9 @@ enum {
     WORK_PER_LONG_TEST = 4 * SHAPE_MAX_CIRCLES * SHAPE_MAX_CIRCLES
 };
 
-/* The position of an enemy before its move, relative to the grid's top left corner. distance_key: the squared distance
- * from that corner times 2^slot_bits, with the enemy's slot in the low bits. */
+/* The position of an enemy before its move, relative to the grid's top left corner. */
 struct enemy_position {
-    uint32_t x, y;
-    int64_t distance_key;
+    uint32_t x, y, slot;
 };
 
 /* The enemies that shots can hit, by cell, row by row. The outermost cells are empty. */
@@ -49,20 +36,12 @@ struct grid {
     int64_t left, top;        /* the grid's top left corner */
     int64_t width, height;    /* size of the grid */
     int64_t reach_x, reach_y; /* farthest that an enemy extends from its position before the move */
-    int64_t inner_radius;     /* a point nearer than this to an enemy's position is inside the enemy */
     int64_t scale;            /* factor from fx to 2^-32 of a cell */
     int64_t cell_size;        /* 2^32 / scale, rounded down: the width and height of a cell */
     int64_t cols, rows;
-    int64_t spread;             /* cells above and below its own in which an enemy is also listed: 1 or 0 */
-    int slot_bits;              /* number of bits of a slot number */
-    uint32_t slot_mask;         /* mask of a slot number */
-    int64_t key_factor;         /* -2 * 2^slot_bits */
-    bool is_dense;              /* use find_nearest_target */
     uint16_t slot[MAX_ENEMIES]; /* slots of the enemies, not sorted */
-    struct enemy_position positions[MAX_ENEMIES + BATCH_SIZE];
+    struct enemy_position positions[MAX_ENEMIES];
     uint16_t cell_start[MAX_CELLS + 1]; /* index of each cell's first place; at the end, the number of places */
-    /* If is_dense: a shot of this kind hits every enemy whose squared distance from it is below this. */
-    int64_t sure_hit_sq[MAX_KINDS];
 };
 
 /* A search by a shot or bullet. */
@@ -87,11 +66,6 @@ static inline uint64_t sum_of_squares(int64_t dx, int64_t dy)
     return (uint64_t)dx * (uint64_t)dx + (uint64_t)dy * (uint64_t)dy;
 }
 
-static inline uint32_t slot_of(const struct grid *g, int64_t distance_key)
-{
-    return (uint32_t)distance_key & g->slot_mask;
-}
-
 /* ---- the grid ---- */
 
 /* Returns the column of an x, or the row of a y, relative to the grid's corner. */
@@ -107,14 +81,14 @@ static inline int64_t cells_to_fx(const struct grid *g, int64_t cells)
 }
 
 /* Lists the enemies that can be hit and whose kinds have all of `flags`. Measures the box around the enemies' positions
- * before the move, and their largest reach and smallest inner radius. */
+ * before the move, and their largest reach. */
 static void list_enemies(struct grid *g, const struct board *b, uint8_t flags)
 {
     const struct enemies *e = &b->enemies;
     const struct enemy_kinds *k = &b->enemy_kinds;
     const struct shape_columns shapes = hit_enemy_shapes(k);
     fx left = FX_MAX, top = FX_MAX, right = FX_MIN, bottom = FX_MIN;
-    int64_t reach_x = 0, reach_y = 0, inner_radius = FX_MAX;
+    int64_t reach_x = 0, reach_y = 0;
     uint32_t n = 0;
 
     assert(e->s.top <= MAX_ENEMIES);
@@ -131,7 +105,6 @@ static void list_enemies(struct grid *g, const struct board *b, uint8_t flags)
             right = x > right ? x : right;
             top = y < top ? y : top;
             bottom = y > bottom ? y : bottom;
-            inner_radius = int64_min(inner_radius, extent.inner_radius);
             reach_x = int64_max(reach_x, extent.x + int64_abs((int64_t)e->x[i] - x));
             reach_y = int64_max(reach_y, extent.y + int64_abs((int64_t)e->y[i] - y));
         }
@@ -142,11 +115,10 @@ static void list_enemies(struct grid *g, const struct board *b, uint8_t flags)
     g->height = (int64_t)bottom - top;
     g->reach_x = reach_x;
     g->reach_y = reach_y;
-    g->inner_radius = inner_radius;
 }
 
-/* Makes the cells as small as the maximum number of cells allows. slot_end: all enemies' slots are below this. */
-static void set_cells(struct grid *g, uint32_t shots, uint32_t slot_end)
+/* Makes the cells as small as the maximum number of cells allows. */
+static void set_cells(struct grid *g, uint32_t shots)
 {
     const uint32_t cells = shots < MIN_GRID_SHOTS ? 1 : g->n * 5 / 4;
 
@@ -163,14 +135,6 @@ static void set_cells(struct grid *g, uint32_t shots, uint32_t slot_end)
     g->rows = cell_of(g, g->height + g->cell_size + 1) + 2;
     g->width = g->cols * (g->cell_size + 1);
     g->height = g->rows * (g->cell_size + 1);
-    for (g->slot_bits = 0; slot_end > (uint32_t)1 << g->slot_bits; g->slot_bits++)
-        ;
-    g->slot_mask = ((uint32_t)1 << g->slot_bits) - 1;
-    g->key_factor = -2 * ((int64_t)1 << g->slot_bits);
-    g->spread = g->n <= MAX_ENEMIES / 3 && g->n <= shots * MAX_ENEMIES_PER_SHOT;
-    g->is_dense = g->spread && int64_max(g->width, g->height) <= INT32_MAX &&
-                  sum_of_squares(g->width, g->height) < (uint64_t)INT64_MAX >> g->slot_bits &&
-                  g->reach_x * 2 > g->cell_size && g->reach_y * 2 > g->cell_size;
 }
 
 /* Sorts the enemies into the cells, with a counting sort. */
@@ -180,7 +144,6 @@ static void sort_into_cells(struct grid *g, const struct enemies *e)
     const size_t cells = (size_t)(g->cols * g->rows), n = g->n;
     const int64_t left = g->left, top = g->top, cols = g->cols;
     const int64_t scale = g->scale;
-    const int bits = g->slot_bits;
     uint32_t sum = 0;
 
     memset(begin, 0, (cells + 1) * sizeof *begin);
@@ -188,10 +151,6 @@ static void sort_into_cells(struct grid *g, const struct enemies *e)
         uint32_t slot = g->slot[i];
         cell[i] = (uint16_t)(((e->prev_y[slot] - top) * scale >> 32) * cols + ((e->prev_x[slot] - left) * scale >> 32));
         begin[cell[i]]++;
-        if (g->spread) {
-            begin[cell[i] - cols]++;
-            begin[cell[i] + cols]++;
-        }
     }
     for (size_t i = 0; i <= cells; i++) {
         sum += begin[i];
@@ -199,17 +158,9 @@ static void sort_into_cells(struct grid *g, const struct enemies *e)
     }
     for (size_t i = n; i-- > 0;) {
         uint32_t slot = g->slot[i];
-        int64_t x = e->prev_x[slot] - left, y = e->prev_y[slot] - top;
-        struct enemy_position p = { (uint32_t)x, (uint32_t)y, (int64_t)(sum_of_squares(x, y) << bits | slot) };
-        g->positions[--begin[cell[i]]] = p;
-        if (g->spread) {
-            g->positions[--begin[cell[i] - cols]] = p;
-            g->positions[--begin[cell[i] + cols]] = p;
-        }
+        g->positions[--begin[cell[i]]] =
+            (struct enemy_position){ (uint32_t)(e->prev_x[slot] - left), (uint32_t)(e->prev_y[slot] - top), slot };
     }
-    /* a batch may read past the last place: these places are never the nearest */
-    for (size_t i = sum; i < sum + BATCH_SIZE; i++)
-        g->positions[i] = (struct enemy_position){ 0, 0, INT64_MAX };
 }
 
 /* ---- the ring search ---- */
@@ -223,7 +174,7 @@ static void search_run(struct search *s, int64_t row, int64_t from, int64_t to)
     for (uint32_t i = begin[from]; i < begin[to + 1]; i++) {
         const struct enemy_position *p = &s->g->positions[i];
         const int64_t x = p->x, y = p->y;
-        uint32_t slot = slot_of(s->g, p->distance_key);
+        const uint32_t slot = p->slot;
         if (x < s->x0 || x > s->x1 || y < s->y0 || y > s->y1)
             continue;
         uint64_t d = sum_of_squares(s->x - x, s->y - y);
@@ -269,7 +220,6 @@ static void search_rings(struct search *s)
     const int64_t left = int64_max(cell_of(g, s->x0), 1), right = int64_min(cell_of(g, s->x1), g->cols - 2);
     const int64_t top = int64_max(cell_of(g, s->y0), 1), bottom = int64_min(cell_of(g, s->y1), g->rows - 2);
     const int64_t x = int64_clamp(cell_of(g, s->x), left, right), y = int64_clamp(cell_of(g, s->y), top, bottom);
-    const int64_t w = g->spread, step = 2 * w + 1;
     const int64_t x_q32 = s->x * g->scale, y_q32 = s->y * g->scale;
     const int64_t gap_x = int64_max(int64_max(s->x0 - s->x, s->x - s->x1), 0);
     const int64_t gap_y = int64_max(int64_max(s->y0 - s->y, s->y - s->y1), 0);
@@ -277,20 +227,17 @@ static void search_rings(struct search *s)
 
     if (left > right || top > bottom)
         return;
-    for (int64_t r = 0;; r += step) {
-        int64_t x0 = x - w - r, x1 = x + w + r, y0 = y - w - r, y1 = y + w + r;
-        int64_t from = int64_max(x0, left), to = int64_min(x1, right);
-        for (int64_t row = y - r; row <= y + r; row += step) {
-            if (row + w < top || row - w > bottom)
-                continue;
-            if (row == y - r || row == y + r) {
-                search_run(s, row, from, to);
+    for (int64_t r = 0;; r++) {
+        const int64_t x0 = x - r, x1 = x + r, y0 = y - r, y1 = y + r;
+        for (int64_t row = int64_max(y0, top); row <= int64_min(y1, bottom); row++) {
+            if (row == y0 || row == y1) {
+                search_run(s, row, int64_max(x0, left), int64_min(x1, right));
                 continue;
             }
-            if (x0 + 2 * w >= left)
-                search_run(s, row, from, x0 + 2 * w);
-            if (x1 - 2 * w <= right)
-                search_run(s, row, x1 - 2 * w, to);
+            if (x0 >= left)
+                search_run(s, row, x0, x0);
+            if (x1 <= right)
+                search_run(s, row, x1, x1);
         }
         int64_t dx =
             int64_min(x0 > left ? x_q32 - (x0 << 32) : unbounded, x1 < right ? ((x1 + 1) << 32) - x_q32 : unbounded);
@@ -315,9 +262,8 @@ static void raise_overload(struct board *b, bool is_blocking)
                          b->shots.s.live, b->enemies.s.live);
 }
 
-static uint32_t find_target_by_rings(struct board *b, const struct grid *g, const struct bullets *pool,
-                                     const struct bullet_kinds *kinds, uint32_t i,
-                                     const struct hit_pierced_targets *pierced)
+static uint32_t find_target(struct board *b, const struct grid *g, const struct bullets *pool,
+                            const struct bullet_kinds *kinds, uint32_t i, const struct hit_pierced_targets *pierced)
 {
     struct search s = { .b = b,
                         .g = g,
@@ -338,109 +284,7 @@ static uint32_t find_target_by_rings(struct board *b, const struct grid *g, cons
     return s.found;
 }
 
-/* ---- the search of a dense crowd ---- */
-
-/*
- * Returns the key of an enemy for a shot; the nearest enemy has the lowest key. The key is the squared distance between
- * enemy and shot, minus the squared distance between the shot and the grid's corner, times 2^slot_bits, with the
- * enemy's slot in the low bits. (x, y): the shot's position relative to the corner, times key_factor. The sum fits in
- * an int64_t; its terms may not.
- */
-static inline int64_t position_key(const struct enemy_position *p, int64_t x, int64_t y)
-{
-    return (int64_t)((uint64_t)p->distance_key + p->x * (uint64_t)x + p->y * (uint64_t)y);
-}
-
-/* Returns the lowest key of BATCH places. Two independent chains of comparisons run in parallel, because within a chain
- * each comparison waits for the previous one. */
-static inline int64_t lowest_of_batch(const struct enemy_position *p, int64_t x, int64_t y)
-{
-    int64_t a = int64_min(position_key(p, x, y), position_key(p + 1, x, y)),
-            b = int64_min(position_key(p + 2, x, y), position_key(p + 3, x, y));
-
-    a = int64_min(a, position_key(p + 4, x, y));
-    b = int64_min(b, position_key(p + 5, x, y));
-    a = int64_min(a, position_key(p + 6, x, y));
-    b = int64_min(b, position_key(p + 7, x, y));
-    return int64_min(a, b);
-}
-
-/*
- * Returns the lowest of `best` and the keys of the places i to end - 1, and possibly of some places after these, which
- * complete the last batch. There is usually one batch, so the loop's branch is predicted well, unlike a loop over the
- * enemies of a few cells.
- */
-static inline int64_t lowest_key(const struct grid *g, uint32_t i, uint32_t end, int64_t x, int64_t y, int64_t best)
-{
-    for (; i < end; i += BATCH_SIZE)
-        best = int64_min(best, lowest_of_batch(&g->positions[i], x, y));
-    return best;
-}
-
-/* Positions of a block of shots before their moves, relative to the corner of a dense crowd's grid, modulo 2^32:
- * positions far outside the grid wrap around. */
-struct start_positions {
-    uint32_t x[SLOTS_BLOCK], y[SLOTS_BLOCK];
-};
-
-static void find_start_positions(struct start_positions *f, const struct bullets *s, uint32_t first, uint32_t left,
-                                 uint32_t top)
-{
-    const fx *x = s->x + first, *y = s->y + first, *vx = s->vx + first, *vy = s->vy + first;
-
-    for (int i = 0; i < SLOTS_BLOCK; i++) {
-        f->x[i] = (uint32_t)x[i] - (uint32_t)vx[i] - left;
-        f->y[i] = (uint32_t)y[i] - (uint32_t)vy[i] - top;
-    }
-}
-
-/* Returns the slot of the enemy nearest to shot i if the shot hits that enemy. Returns NO_ENEMY if not, or if the
- * nearest enemy may be outside the cells searched. (x, y): the shot's position, from struct starts. */
-static inline uint32_t find_nearest_target(const struct board *b, const struct grid *g, uint32_t i, int64_t x,
-                                           int64_t y)
-{
-    const int64_t x_q32 = x * g->scale, y_q32 = y * g->scale, one = (int64_t)1 << 32;
-    const int64_t col = x_q32 >> 32, row = y_q32 >> 32;
-
-    if ((uint64_t)(col - 1) >= (uint64_t)(g->cols - 2) || (uint64_t)(row - 1) >= (uint64_t)(g->rows - 2))
-        return NO_ENEMY;
-    const uint16_t *begin = g->cell_start + row * g->cols + col;
-    const uint32_t from = begin[-1], to = begin[2];
-    const int64_t kx = x * g->key_factor, ky = y * g->key_factor;
-    const int64_t off_x = x_q32 & (one - 1), off_y = y_q32 & (one - 1);
-    const int64_t edge = cells_to_fx(g, int64_min(int64_min(off_x, one - off_x), int64_min(off_y, one - off_y)) + one);
-    int64_t best = lowest_key(g, from + BATCH_SIZE, to, kx, ky, lowest_of_batch(&g->positions[from], kx, ky));
-    const int64_t corner_sq = x * x + y * y;
-    int64_t d = (best >> g->slot_bits) + corner_sq; /* squared distance between shot and enemy */
-    if (d >= edge * edge) {
-        const int64_t a = int64_max(-2, -col), z = int64_min(3, g->cols - col), cols = g->cols;
-        best = lowest_key(g, begin[a - cols], begin[z - cols], kx, ky, best);
-        best = lowest_key(g, begin[a + cols], begin[z + cols], kx, ky, best);
-        d = (best >> g->slot_bits) + corner_sq;
-        if (d >= (edge + g->cell_size) * (edge + g->cell_size))
-            return NO_ENEMY;
-    }
-    const struct bullets *s = &b->shots;
-    const uint32_t slot = slot_of(g, best);
-    if (d < g->sure_hit_sq[s->kind[i]])
-        return slot;
-    struct body shot = hit_bullet_body(s, &b->shot_kinds, i), e = hit_enemy_body(b, slot);
-    return hit_shot_touches(b, s, &b->shot_kinds, i, &shot, slot, &e, b->shot_kinds.flags[s->kind[i]] & KIND_SWEPT)
-               ? slot
-               : NO_ENEMY;
-}
-
-/* Sets `sure_hit_sq` from the inner radii: a swept shot hits every enemy that it touches before both move. */
-static void find_sure_radii(struct grid *g, const struct bullet_kinds *k)
-{
-    const struct shape_columns shapes = hit_bullet_shapes(k);
-
-    for (uint32_t i = 0; i < k->s.live; i++) {
-        bool sure = k->shape[i] != SHAPE_NONE && k->flags[i] & KIND_SWEPT;
-        int64_t r = sure ? int64_clamp(hit_extent(&shapes, i).inner_radius + g->inner_radius, 0, FX_MAX) : 0;
-        g->sure_hit_sq[i] = r * r;
-    }
-}
+/* ---- the shots ---- */
 
 /* Inlined board_raise_event for EV_SHOT; calls board_raise_event itself only if the event list is full. */
 static inline void raise_shot(struct board *b, uint32_t shot, int64_t target)
@@ -449,14 +293,6 @@ static inline void raise_shot(struct board *b, uint32_t shot, int64_t target)
 
     if (!events_push(&b->events, EV_SHOT, shot_handle, target))
         board_raise_event(b, EV_SHOT, shot_handle, target);
-}
-
-/* Returns the slot of the enemy that shot i hits, or NO_ENEMY. */
-static inline uint32_t find_target(struct board *b, const struct grid *g, const struct start_positions *f, uint32_t i)
-{
-    uint32_t at = i % SLOTS_BLOCK, slot = g->is_dense ? find_nearest_target(b, g, i, f->x[at], f->y[at]) : NO_ENEMY;
-
-    return slot == NO_ENEMY ? find_target_by_rings(b, g, &b->shots, &b->shot_kinds, i, NULL) : slot;
 }
 
 /* Returns the bullet that shot i hits if that bullet was nearer than enemy `enemy`, otherwise NO_SLOT. enemy: NO_ENEMY
@@ -509,7 +345,7 @@ static void find_pierced_targets(struct board *b, uint32_t i, struct hit_pierced
 static int64_t find_next_target(struct board *b, const struct grid *g, const struct hit_solids *solids, uint32_t i,
                                 const struct hit_pierced_targets *pierced)
 {
-    uint32_t enemy = g->n ? find_target_by_rings(b, g, &b->shots, &b->shot_kinds, i, pierced) : NO_ENEMY;
+    uint32_t enemy = g->n ? find_target(b, g, &b->shots, &b->shot_kinds, i, pierced) : NO_ENEMY;
     int32_t bullet = solids ? find_nearer_solid(b, solids, i, enemy, pierced) : NO_SLOT;
 
     if (bullet != NO_SLOT)
@@ -553,19 +389,16 @@ static bool can_pierce(const struct board *b, uint32_t i)
 static void raise_all_shots(struct board *b, const struct grid *g, const struct hit_solids *solids)
 {
     const struct slots *s = &b->shots.s;
-    struct start_positions f;
 
     for (uint32_t word = 0; word < s->top / 64; word++) {
         uint64_t missed = 0;
-        if (g->is_dense)
-            find_start_positions(&f, &b->shots, word * 64, (uint32_t)g->left, (uint32_t)g->top);
         for (uint64_t bits = slots_live_or_held_mask(s, word); bits; bits &= bits - 1) {
             uint32_t i = word * 64 + bits_lowest(bits);
             if (can_pierce(b, i)) {
                 missed |= raise_piercing_hits(b, g, solids, i) ? 0 : bits & -bits;
                 continue;
             }
-            uint32_t slot = g->n ? find_target(b, g, &f, i) : NO_ENEMY;
+            uint32_t slot = g->n ? find_target(b, g, &b->shots, &b->shot_kinds, i, NULL) : NO_ENEMY;
             if (solids && raise_solid_hit(b, solids, i, slot))
                 continue;
             if (slot != NO_ENEMY)
@@ -586,7 +419,6 @@ void hit_test_shots(struct board *b)
     bool hits_solids = hit_solid_is_possible(b) && hit_find_solids(b, &solids);
 
     g.n = 0;
-    g.is_dense = false;
     if ((s->live || s->held_count) && b->enemies.s.live)
         list_enemies(&g, b, 0);
     if (!g.n && !hits_solids) {
@@ -594,10 +426,8 @@ void hit_test_shots(struct board *b)
         return;
     }
     if (g.n) {
-        set_cells(&g, s->live + s->held_count, b->enemies.s.top);
+        set_cells(&g, s->live + s->held_count);
         sort_into_cells(&g, &b->enemies);
-        if (g.is_dense)
-            find_sure_radii(&g, &b->shot_kinds);
     }
     raise_all_shots(b, &g, hits_solids ? &solids : NULL);
 }
@@ -621,12 +451,12 @@ void hit_test_blocks(struct board *b)
     list_enemies(&g, b, ENEMY_BLOCKS_BULLETS);
     if (!g.n)
         return;
-    set_cells(&g, b->bullets.s.live, b->enemies.s.top);
+    set_cells(&g, b->bullets.s.live);
     sort_into_cells(&g, &b->enemies);
     EACH_LIVE (i, &b->bullets.s) {
         if (b->bullets.flags[i] & BULLET_DELAYED)
             continue;
-        uint32_t enemy = find_target_by_rings(b, &g, &b->bullets, &b->bullet_kinds, i, NULL);
+        uint32_t enemy = find_target(b, &g, &b->bullets, &b->bullet_kinds, i, NULL);
         if (enemy != NO_ENEMY)
             board_raise_event(b, EV_BLOCK, board_handle(b, H_BULLET, (int32_t)i),
                               board_handle(b, H_ENEMY, (int32_t)enemy));
