@@ -1,6 +1,6 @@
 /*
- * bullets_parts.h - declarations shared by bullets.c, bullets_program.c and bullets_move.c. The functions that run once
- * per bullet and frame are inline.
+ * bullets_parts.h - declarations shared by bullets.c, bullets_program.c, bullets_batch.c and bullets_move.c. The
+ * functions that run once per bullet and frame are inline.
  */
 #ifndef ENTITIES_BULLETS_PARTS_H
 #define ENTITIES_BULLETS_PARTS_H
@@ -95,6 +95,97 @@ static inline uint64_t bullets_target_distance_squared(const struct targets *t, 
 
     return (uint64_t)(dx * dx) + (uint64_t)(dy * dy);
 }
+
+enum program_state {
+    PROGRAM_NEXT,  /* the next step follows in this frame */
+    PROGRAM_ENDED, /* the program ended, or the bullet was removed */
+    PROGRAM_RUNS,  /* the program runs in the next frame too */
+    PROGRAM_WAITS, /* the program does nothing until the clock reaches `step_end` */
+};
+
+/* Returns the cost of a search for the nearest target, in motion steps. */
+static inline uint64_t bullets_aim_cost(const struct targets *t)
+{
+    return t->s->live_bits ? t->s->top / (SLOTS_BLOCK / 2) : 0;
+}
+
+static inline ang bullets_turn_toward(ang dir, ang goal, ang limit)
+{
+    int32_t gap = trig_difference(dir, goal);
+    uint32_t angle = gap < 0 ? 0u - (uint32_t)gap : (uint32_t)gap;
+
+    if (angle <= limit)
+        return goal;
+    return gap < 0 ? dir - limit : dir + limit;
+}
+
+enum { DOES_STEER = DOES_DIR | DOES_AIM | DOES_TURN | DOES_HOME, DOES_DRIVE = DOES_STEER | DOES_SPEED | DOES_ACCEL };
+
+/* Changes the direction and speed of bullet i in the k-th of the n frames of step st. Returns whether the caller must
+ * recompute the velocity. */
+static inline __attribute__((always_inline)) bool bullets_change_dir_and_speed(struct bullets *b,
+                                                                               const struct motion_world *w, uint32_t i,
+                                                                               unsigned step_flags, uint32_t st,
+                                                                               uint32_t k, uint32_t n)
+{
+    const struct steps *s = w->steps;
+    const unsigned actions = s->actions[st];
+
+    if (!(step_flags & OVERRIDE_DIR)) {
+        if (actions & (DOES_AIM | DOES_HOME))
+            b->work_done += bullets_aim_cost(&w->targets);
+        if (actions & DOES_DIR)
+            b->dir[i] = s->dir[st];
+        if (actions & DOES_AIM)
+            b->dir[i] = targets_aim(&w->targets, b->x[i], b->y[i], b->dir[i]);
+        if (actions & DOES_TURN)
+            b->dir[i] += (ang)s->turn[st];
+        if (actions & DOES_HOME)
+            b->dir[i] =
+                bullets_turn_toward(b->dir[i], targets_aim(&w->targets, b->x[i], b->y[i], b->dir[i]), s->home[st]);
+    }
+    if (!(actions & (DOES_SPEED | DOES_ACCEL)) || step_flags & OVERRIDE_SPEED)
+        return actions & DOES_STEER;
+    const bool fine = b->flags[i] & BULLET_FINE;
+    const int shift = fine ? 0 : Q32_EXTRA_BITS; /* rounds down to the unit of the bullet's speed: fx unless fine */
+    int64_t v = bullets_speed(b, i) >> shift;
+    if (actions & DOES_SPEED)
+        v = motion_lerp(b->step_start[i] >> shift, s->speed[st] >> shift, k, n);
+    if (actions & DOES_ACCEL)
+        v += s->accel[st] >> shift;
+    v = bullets_clamp_speed(v * ((int64_t)1 << shift));
+    b->speed[i] = bullets_speed_to_fx(v);
+    if (fine)
+        b->speed_q32[i] = v;
+    return true;
+}
+
+/* Returns whether the wait of idle bullet i is over. If it was a delay, the bullet gets the row of its kind instead of
+ * the cloud's and starts to move. */
+static inline bool bullets_finish_wait(struct bullets *b, const struct motion_world *w, uint32_t i)
+{
+    if (b->step_end[i] != w->clock)
+        return false;
+    if (b->flags[i] & BULLET_DELAYED) {
+        b->flags[i] &= (uint8_t)~BULLET_DELAYED;
+        if (w->kinds)
+            bullets_set_kind_row(b, i, bullets_kind(b, w->kinds, i));
+        b->born[i] = w->clock;
+        b->step_end[i] = 0;
+        bullets_update_velocity(b, i);
+    }
+    return true;
+}
+
+/* Runs a frame of bullet i's program, if it has one, and prepares its fine move, if it is fine. */
+enum program_state bullets_step(struct bullets *b, const struct motion_world *w, uint32_t i);
+
+/* Prepares a move of fine bullet i by (dx, dy) in Q32: sets the fraction bits to those after the move, vx and vy to the
+ * move in whole units of fx, and `travel_q32` to `travel`, modulo 2^48. */
+void bullets_prepare_fine_move(struct bullets *b, uint32_t i, int64_t travel, int64_t dx, int64_t dy);
+
+/* Like bullets_run_block, for a block with busy bullets. */
+void bullets_run_busy_block(struct bullets *b, const struct motion_world *w, uint32_t block, uint64_t woken);
 
 /* Runs the programs of a block's busy bullets and of the idle bullets in `woken` (bits) whose wait is over. */
 void bullets_run_block(struct bullets *b, const struct motion_world *w, uint32_t block, uint64_t woken);
