@@ -148,7 +148,8 @@ static inline void put_rows(uint8_t *d, ptrdiff_t pitch, const struct image8 *e)
 }
 
 /* Draws an opaque 8x8 image at the destinations before the first whose bank is not that of dests[0]. Returns the number
- * drawn. The image's masks and colours stay in registers. */
+ * drawn. The image's masks and colours stay in registers. Kept because drawing a crowd takes 0.83 of the time (rows
+ * "crowd" of `make compare`). */
 static size_t draw_one_bank(const struct fb *fb, const struct image *image, const struct stamp_list *list)
 {
     const uint32_t *dests = list->dests;
@@ -169,7 +170,8 @@ static size_t draw_one_bank(const struct fb *fb, const struct image *image, cons
     return i;
 }
 
-/* Like draw_one_bank, but draws all banks, up to the first STAMP_CALLER_ENTRY, row by row. */
+/* Like draw_one_bank, but draws all banks, up to the first STAMP_CALLER_ENTRY, row by row. Kept because drawing rings
+ * that were just fired takes 0.8 to 0.9 of the time (rows "price fan", "price mixed" of `make compare`). */
 static size_t draw_stacked(const struct fb *fb, const struct image *image, const struct stamp_list *list)
 {
     const uint32_t *dests = list->dests;
