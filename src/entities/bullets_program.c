@@ -69,24 +69,8 @@ static void resolve_step(struct bullets *b, const struct motion_world *w, uint32
                           k < 0 || !bullets_step_value_column(b, k) ? 0 : bullets_step_value_column(b, k)[i]);
         remaining &= ~(((uint64_t)(1 << NAMED_VALUE_BITS) - 1) << n * NAMED_VALUE_BITS);
     }
-    resolved->steps = (struct steps){ .actions = &p->actions,
-                                      .duration = &p->duration,
-                                      .kind = &p->kind,
-                                      .bank = &p->bank,
-                                      .dir = &p->dir,
-                                      .turn = &p->turn,
-                                      .home = &p->home,
-                                      .speed = &p->speed,
-                                      .accel = &p->accel,
-                                      .count = &p->count,
-                                      .jump = &p->jump,
-                                      .depth = &p->depth,
-                                      .named_values = &p->named_values,
-                                      .x = &p->x,
-                                      .y = &p->y,
-                                      .size = &p->size,
-                                      .size_to = &p->size_to,
-                                      .mode = &p->mode };
+#define POINT_TO(type, name) .name = &p->name,
+    resolved->steps = (struct steps){ STEP_FIELDS(POINT_TO) };
     resolved->w = *w;
     resolved->w.steps = &resolved->steps;
 }

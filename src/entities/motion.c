@@ -7,14 +7,8 @@
 #include "../base/int.h"
 #include "../base/trig.h"
 
-static const struct column step_columns[] = {
-    COLUMN(steps, actions), COLUMN(steps, duration), COLUMN(steps, kind),
-    COLUMN(steps, bank),    COLUMN(steps, dir),      COLUMN(steps, turn),
-    COLUMN(steps, home),    COLUMN(steps, speed),    COLUMN(steps, accel),
-    COLUMN(steps, count),   COLUMN(steps, jump),     COLUMN(steps, depth),
-    COLUMN(steps, x),       COLUMN(steps, y),        COLUMN(steps, size),
-    COLUMN(steps, size_to), COLUMN(steps, mode),     COLUMN(steps, named_values),
-};
+#define AS_COLUMN(type, name) COLUMN(steps, name),
+static const struct column step_columns[] = { STEP_FIELDS(AS_COLUMN) };
 
 static const struct column motion_columns[] = { COLUMN(motions, first), COLUMN(motions, length),
                                                 COLUMN(motions, is_fine) };
@@ -24,24 +18,8 @@ const struct chip motions_chip = { .name = "motions", CHIP_COLUMNS(motion_column
 
 void motion_get_step(const struct steps *s, uint32_t i, struct motion_step *out)
 {
-    *out = (struct motion_step){ .actions = s->actions[i],
-                                 .kind = s->kind[i],
-                                 .count = s->count[i],
-                                 .jump = s->jump[i],
-                                 .duration = s->duration[i],
-                                 .bank = s->bank[i],
-                                 .depth = s->depth[i],
-                                 .dir = s->dir[i],
-                                 .home = s->home[i],
-                                 .turn = s->turn[i],
-                                 .speed = s->speed[i],
-                                 .accel = s->accel[i],
-                                 .named_values = s->named_values[i],
-                                 .x = s->x[i],
-                                 .y = s->y[i],
-                                 .size = s->size[i],
-                                 .size_to = s->size_to[i],
-                                 .mode = s->mode[i] };
+#define GET(type, name) out->name = s->name[i];
+    STEP_FIELDS(GET)
 }
 
 /* A full turn is 360 * 2^16 units of fx, so one unit is 2^13 / 45 units of ang. 45 is odd, so there are no ties. */
@@ -54,33 +32,14 @@ ang motion_angle_from_degrees(fx degrees)
 
 static bool is_same_step(const struct steps *s, uint32_t i, const struct motion_step *p)
 {
-    return s->actions[i] == p->actions && s->duration[i] == p->duration && s->kind[i] == p->kind &&
-           s->bank[i] == p->bank && s->dir[i] == p->dir && s->turn[i] == p->turn && s->home[i] == p->home &&
-           s->speed[i] == p->speed && s->accel[i] == p->accel && s->count[i] == p->count && s->jump[i] == p->jump &&
-           s->depth[i] == p->depth && s->named_values[i] == p->named_values && s->x[i] == p->x && s->y[i] == p->y &&
-           s->size[i] == p->size && s->size_to[i] == p->size_to && s->mode[i] == p->mode;
+#define AND_SAME(type, name) &&s->name[i] == p->name
+    return true STEP_FIELDS(AND_SAME);
 }
 
 static void store_step(struct steps *s, uint32_t i, const struct motion_step *p)
 {
-    s->actions[i] = p->actions;
-    s->duration[i] = p->duration;
-    s->kind[i] = p->kind;
-    s->bank[i] = p->bank;
-    s->dir[i] = p->dir;
-    s->turn[i] = p->turn;
-    s->home[i] = p->home;
-    s->speed[i] = p->speed;
-    s->accel[i] = p->accel;
-    s->count[i] = p->count;
-    s->jump[i] = p->jump;
-    s->depth[i] = p->depth;
-    s->named_values[i] = p->named_values;
-    s->x[i] = p->x;
-    s->y[i] = p->y;
-    s->size[i] = p->size;
-    s->size_to[i] = p->size_to;
-    s->mode[i] = p->mode;
+#define STORE(type, name) s->name[i] = p->name;
+    STEP_FIELDS(STORE)
 }
 
 int32_t motion_define(struct motions *m, struct steps *s, const struct motion_step *steps, uint32_t n, bool fine)

@@ -153,27 +153,39 @@ enum step_number {
 };
 _Static_assert(STEP_NUMBER_COUNT *NAMED_VALUE_BITS <= 64, "a step's `named` has no room for another number");
 
+/* What a step has, in the order of the columns: the type, the name. */
+#define STEP_FIELDS(FIELD)                                                                                             \
+    FIELD(uint32_t, actions)      /* DOES_ */                                                                          \
+    FIELD(uint32_t, duration)     /* frames */                                                                         \
+    FIELD(uint16_t, kind)         /* of bullets */                                                                     \
+    FIELD(uint8_t, bank)          /* of colours */                                                                     \
+    FIELD(ang, dir)               /* the direction to take */                                                          \
+    FIELD(int32_t, turn)          /* ang per frame; applied once if duration is 0 */                                   \
+    FIELD(ang, home)              /* limit of the turn, ang per frame */                                               \
+    FIELD(int64_t, speed)         /* px/frame in Q32; a whole number of fx unless the program is fine */               \
+    FIELD(int64_t, accel)         /* px/frame in Q32, added in each frame, or only once if duration is 0 */            \
+    FIELD(uint16_t, count)        /* rounds of a loop, or MOTION_FOREVER; a wave's period; a signal's tag */           \
+    FIELD(uint16_t, jump)         /* target of a jump: see DOES_LOOP and DOES_LOOP_END; for DOES_BOUNCE the step */    \
+                                  /* after the loop; relative to the program's first step */                           \
+    FIELD(uint8_t, depth)         /* nesting depth of a loop, 0 to MOTION_MAX_DEPTH - 1 */                             \
+    FIELD(fx, x)                  /* x, y: goal of go_to; centre of polar and orbit with MODE_HAS_CENTRE; the x or */  \
+    FIELD(fx, y)                  /* y awaited by DOES_AWAIT */                                                        \
+    FIELD(fx, size)               /* px: amplitude of a wave; radius of an orbit; distance for MODE_TARGET_NEAR */     \
+    FIELD(fx, size_to)            /* px: radius at the end of an orbit with MODE_HAS_SIZE_TO */                        \
+    FIELD(uint8_t, mode)          /* enum ease and MODE_ bits */                                                       \
+    FIELD(uint64_t, named_values) /* NAMED_VALUE_BITS bits for each enum step_number */
+
+#define STEP_MEMBER(type, name) type name;
+#define STEP_COLUMN(type, name) type *name;
+
+struct motion_step {
+    STEP_FIELDS(STEP_MEMBER)
+};
+
 /* The steps of all programs, one program after the other. */
 struct steps {
     struct slots s;
-    uint32_t *actions;
-    uint32_t *duration; /* frames */
-    uint16_t *kind;
-    uint8_t *bank;
-    ang *dir;
-    int32_t *turn;   /* ang per frame; applied once if duration is 0 */
-    ang *home;       /* limit of the turn, ang per frame */
-    int64_t *speed;  /* px/frame in Q32; a whole number of fx unless the program is fine */
-    int64_t *accel;  /* px/frame in Q32, added in each frame, or only once if duration is 0 */
-    uint16_t *count; /* rounds of a loop, or MOTION_FOREVER; a wave's period in frames; a signal's tag */
-    uint16_t *jump; /* target of a jump, see DOES_LOOP, DOES_LOOP_END; DOES_BOUNCE: the step after the loop; relative to
-                      * the program's first step */
-    uint8_t *depth; /* nesting depth of a loop, 0 to MOTION_MAX_DEPTH - 1 */
-    fx *x, *y;     /* goal of go_to; centre of polar and orbit with MODE_HAS_CENTRE; the x or y awaited by DOES_AWAIT */
-    fx *size;      /* px: amplitude of a wave; radius of an orbit; distance from a target for MODE_TARGET_NEAR */
-    fx *size_to;   /* px: radius at the end of an orbit with MODE_HAS_SIZE_TO */
-    uint8_t *mode; /* enum ease and MODE_ bits */
-    uint64_t *named_values; /* NAMED_VALUE_BITS bits for each enum step_number */
+    STEP_FIELDS(STEP_COLUMN)
 };
 
 struct motions {
@@ -181,17 +193,6 @@ struct motions {
     uint32_t *first; /* index into steps */
     uint16_t *length;
     uint8_t *is_fine; /* whether bullets that run the program have 32 fraction bits */
-};
-
-struct motion_step {
-    uint32_t actions, duration;
-    uint16_t kind, count, jump;
-    uint8_t bank, depth, mode;
-    fx x, y, size, size_to;
-    ang dir, home;
-    int32_t turn;
-    int64_t speed, accel;
-    uint64_t named_values;
 };
 
 enum emit_pattern { EMIT_ONE, EMIT_RING, EMIT_FAN, EMIT_ARC, EMIT_STACK, EMIT_LINE, EMIT_PATTERNS };
