@@ -486,31 +486,15 @@ static void describe_motion(const struct board *b, const struct bullets *s, uint
         out->frames_left = s->step_end[i] - b->core.clock;
 }
 
-static void describe_bullet_or_shot(const struct board *b, struct inspect_entity *out)
+/* Describes a bullet, shot or laser. */
+static void describe_flyer(const struct board *b, const struct bullets *s, enum name_kind names, uint16_t kind,
+                           uint32_t age, struct inspect_entity *out)
 {
-    bool bullet = out->body.kind == INSPECT_BULLET;
-    const struct bullets *s = bullet ? &b->bullets : &b->shots;
-    const struct bullet_kinds *k = bullet ? &b->bullet_kinds : &b->shot_kinds;
-    uint32_t i = out->body.slot;
+    const uint32_t i = out->body.slot;
 
-    out->name = board_name(b, bullet ? N_BULLET : N_SHOT, bullets_kind(s, k, i));
+    out->name = board_name(b, names, kind);
     out->tag = s->tag[i] ? board_name(b, N_TAG, s->tag[i]) : NULL;
-    out->age = bullets_age(s, i, b->core.clock);
-    out->speed = s->speed[i];
-    out->dir = trig_to_degrees(s->dir[i]);
-    out->owner_task = s->owner_task[i];
-    out->player = s->player[i];
-    describe_motion(b, s, i, out);
-}
-
-static void describe_laser(const struct board *b, struct inspect_entity *out)
-{
-    const struct bullets *s = &b->laser_heads;
-    uint32_t i = out->body.slot;
-
-    out->name = board_name(b, N_LASER, s->kind[i]);
-    out->tag = s->tag[i] ? board_name(b, N_TAG, s->tag[i]) : NULL;
-    out->age = lasers_age(b, i);
+    out->age = age;
     out->speed = s->speed[i];
     out->dir = trig_to_degrees(s->dir[i]);
     out->owner_task = s->owner_task[i];
@@ -555,8 +539,13 @@ bool inspect_entity_at(const struct board *b, int x, int y, int radius, struct i
     else if (s.found.kind == INSPECT_PLAYER)
         describe_player(b, out);
     else if (s.found.kind == INSPECT_LASER)
-        describe_laser(b, out);
-    else if (s.found.kind != INSPECT_NOTHING)
-        describe_bullet_or_shot(b, out);
+        describe_flyer(b, &b->laser_heads, N_LASER, b->laser_heads.kind[s.found.slot], lasers_age(b, s.found.slot),
+                       out);
+    else if (s.found.kind == INSPECT_BULLET)
+        describe_flyer(b, &b->bullets, N_BULLET, bullets_kind(&b->bullets, &b->bullet_kinds, s.found.slot),
+                       bullets_age(&b->bullets, s.found.slot, b->core.clock), out);
+    else if (s.found.kind == INSPECT_SHOT)
+        describe_flyer(b, &b->shots, N_SHOT, bullets_kind(&b->shots, &b->shot_kinds, s.found.slot),
+                       bullets_age(&b->shots, s.found.slot, b->core.clock), out);
     return s.found.kind != INSPECT_NOTHING;
 }

@@ -251,18 +251,6 @@ static bool exceeds_max_speed(fx a, fx b)
     return (int64_t)a - b > limit || (int64_t)b - a > limit;
 }
 
-/* Counts down enemy i's frozen frames at the start of its move. Returns whether the enemy is frozen in this move. */
-static bool step_freeze(struct enemies *e, uint32_t i)
-{
-    if (!e->frozen_left)
-        return false;
-    bool is_frozen = e->frozen_left[i] != 0;
-    e->frozen_left[i] -= e->frozen_left[i] > 0;
-    e->freeze_flags[i] = is_frozen ? FREEZE_LAST_MOVE : 0;
-    e->n_frozen += is_frozen;
-    return is_frozen;
-}
-
 void enemies_postpone_frozen(struct enemies *e)
 {
     if (!e->n_frozen)
@@ -294,7 +282,7 @@ static void step_enemy(struct enemies *e, uint32_t i)
 {
     fx x = e->x[i], y = e->y[i];
 
-    if (!step_freeze(e, i) && e->move_duration[i])
+    if (!motion_step_freeze(e->frozen_left, e->freeze_flags, i, &e->n_frozen) && e->move_duration[i])
         step_move(e, i, &e->x[i], &e->y[i]);
     save_previous(e, i, x, y);
 }
@@ -458,7 +446,7 @@ void enemies_ensure_moved(struct enemies *e, uint32_t i, struct enemies_world *w
     if (is_part(e, i))
         enemies_ensure_moved(e, e->body[i] - 1u, w);
     fx *x = local_x(e, i), *y = local_y(e, i), prev_x = *x, prev_y = *y;
-    if (!step_freeze(e, i)) {
+    if (!motion_step_freeze(e->frozen_left, e->freeze_flags, i, &e->n_frozen)) {
         if (e->lead_mode[i] == LEAD_ORBIT)
             step_orbit(e, i, w, x, y);
         else if (e->move_duration[i])

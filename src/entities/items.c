@@ -82,18 +82,6 @@ void items_release(struct items *s, uint32_t p)
             resume_fall(s, i);
 }
 
-/* Returns whether the item is frozen in this move, and counts down its frozen frames. */
-static bool step_freeze(struct items *s, uint32_t i)
-{
-    if (!s->frozen_left)
-        return false;
-    bool is_frozen = s->frozen_left[i] != 0;
-    s->frozen_left[i] -= s->frozen_left[i] > 0;
-    s->freeze_flags[i] = is_frozen ? FREEZE_LAST_MOVE : 0;
-    s->n_frozen += is_frozen;
-    return is_frozen;
-}
-
 void items_postpone_frozen(struct items *s)
 {
     if (!s->n_frozen)
@@ -168,7 +156,7 @@ static void step_item(struct items *s, uint32_t i, const struct item_kinds *kind
     s->prev_y[i] = s->y[i];
     if (s->pulled_by[i] && !pull[s->pulled_by[i] - 1].active)
         resume_fall(s, i);
-    if (step_freeze(s, i))
+    if (motion_step_freeze(s->frozen_left, s->freeze_flags, i, &s->n_frozen))
         return;
     if (!s->pulled_by[i] && kinds->flags[s->kind[i]] & ITEM_MAGNET)
         s->pulled_by[i] = find_attractor(s, i, pull);

@@ -77,6 +77,19 @@ enum {
     FREEZE_LAST_MOVE = 1 << 1 /* frozen in the last move: the entity's tasks don't run before the next move */
 };
 
+/* Counts down entity i's frozen frames at the start of its move. frozen_left, freeze_flags: columns; NULL if the game
+ * freezes nothing. Returns whether the entity is frozen in this move, and adds it to *frozen_count. */
+static inline bool motion_step_freeze(int32_t *frozen_left, uint8_t *freeze_flags, uint32_t i, uint32_t *frozen_count)
+{
+    if (!frozen_left)
+        return false;
+    const bool is_frozen = frozen_left[i] != 0;
+    frozen_left[i] -= frozen_left[i] > 0;
+    freeze_flags[i] = is_frozen ? FREEZE_LAST_MOVE : 0;
+    *frozen_count += is_frozen;
+    return is_frozen;
+}
+
 /* A rectangle of field positions, including its edges. */
 struct box {
     fx x0, y0, x1, y1;
