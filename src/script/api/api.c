@@ -30,7 +30,7 @@ static int call_entry(lua_State *L)
         for (int i = e->positional_count + 1; e->flags & API_VARARGS && i <= lua_gettop(L); i++)
             api_fold_stack_value(L, b, i);
     }
-    int results = e->run(L, b, v);
+    int results = e->flags & API_EACH ? api_run_each(L, b, v, e->run) : e->run(L, b, v);
     if (e->flags & API_CHANGES)
         for (int i = -results; i < 0; i++)
             api_fold_stack_value(L, b, i);

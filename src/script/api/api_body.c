@@ -83,7 +83,7 @@ static int push_packed_part(lua_State *L)
 
     api_read_arguments(L, &part_entry, v, &fired_entry);
     bytes_put16(out, (uint16_t)v[P_KIND].i);
-    bytes_put16(out + 2, v[P_TAG].given ? api_intern_tag(L, part_entry.name, v[P_TAG].at) : 0);
+    bytes_put16(out + 2, api_read_tag(L, part_entry.name, &v[P_TAG]));
     bytes_put32(out + 4, (uint32_t)v[P_DX].f);
     bytes_put32(out + 8, (uint32_t)v[P_DY].f);
     bytes_put32(out + 12, (uint32_t)v[P_SHARE].f);
@@ -173,7 +173,7 @@ static int enemy_parts(lua_State *L, struct board *b, struct api_value *v)
     if (!board_is_readable(b, h))
         return 1;
     vm_charge(L, e->s.live);
-    const uint32_t tag = v[1].given ? api_intern_tag(L, "enemy:parts", v[1].at) : 0;
+    const uint32_t tag = api_read_tag(L, "enemy:parts", &v[1]);
     EACH_LIVE (i, &e->s) {
         if (e->body[i] != handle_slot(h) + 1 || e->flags[i] & ENEMY_DYING || !api_has_tag(e->tag, i, tag))
             continue;
@@ -268,15 +268,16 @@ static void check_orbit(lua_State *L, const struct api_value *v)
         api_error(L, name, "radius_to: requires `over`");
 }
 
-static void orbit_one(lua_State *L, struct board *b, uint32_t i, const struct api_value *v)
+static int orbit_one(lua_State *L, struct board *b, struct api_value *v)
 {
+    const uint32_t i = handle_slot(v[ARG_SELF].i);
     struct enemies *e = &b->enemies;
     struct enemies_orbit o = { v[O_AROUND].given ? v[O_AROUND].i : 0, v[O_X].f, v[O_Y].f, 0, 0, 0, 0, 0 };
 
-    if (o.orbit_target == board_handle(b, H_ENEMY, (int32_t)i))
+    if (o.orbit_target == v[ARG_SELF].i)
         api_error(L, api_current_binding(L)->entry->name, "around: an enemy cannot orbit itself");
     if (o.orbit_target && !board_get_position(b, o.orbit_target, &o.x, &o.y))
-        return;
+        return 0;
     const fx dx = fx_sub(e->x[i], o.x), dy = fx_sub(e->y[i], o.y);
     o.radius = v[O_RADIUS].given ? v[O_RADIUS].f : fx_min(fx_hypot(dx, dy), (fx)WORLD_EDGE << 16);
     o.radius_to = v[O_RADIUS_TO].given ? v[O_RADIUS_TO].f : o.radius;
@@ -284,10 +285,12 @@ static void orbit_one(lua_State *L, struct board *b, uint32_t i, const struct ap
     o.spin = (int32_t)v[O_SPIN].a;
     o.duration = is_forever(&v[O_OVER]) ? 0 : (uint32_t)v[O_OVER].i;
     enemies_start_orbit(e, i, &o);
+    return 0;
 }
 
-static void wander_one(lua_State *L, struct board *b, uint32_t i, const struct api_value *v)
+static int wander_one(lua_State *L, struct board *b, struct api_value *v)
 {
+    const uint32_t i = handle_slot(v[ARG_SELF].i);
     const struct enemies *e = &b->enemies;
     const struct enemies_wander_area g = { v[W_X].given ? v[W_X].f : e->x[i],
                                            v[W_Y].given ? v[W_Y].f : e->y[i],
@@ -299,12 +302,13 @@ static void wander_one(lua_State *L, struct board *b, uint32_t i, const struct a
 
     (void)L;
     enemies_start_wandering(&b->enemies, i, &g);
+    return 0;
 }
 
 static int enemy_orbit(lua_State *L, struct board *b, struct api_value *v)
 {
     check_orbit(L, v);
-    return api_enemy_apply_verb(L, b, orbit_one, v);
+    return api_run_each(L, b, v, orbit_one);
 }
 
 static int enemy_wander(lua_State *L, struct board *b, struct api_value *v)
@@ -313,7 +317,7 @@ static int enemy_wander(lua_State *L, struct board *b, struct api_value *v)
     if (v[W_OVER].i > v[W_EVERY].i)
         return api_error(L, api_current_binding(L)->entry->name, "over: expected at most `every` (%d frames), got %d",
                          (int)v[W_EVERY].i, (int)v[W_OVER].i);
-    return api_enemy_apply_verb(L, b, wander_one, v);
+    return api_run_each(L, b, v, wander_one);
 }
 
 static const struct api_param parts_params[] = {

@@ -2,6 +2,7 @@
  * api_bullet.c - the Lua tables bullet and shot.
  */
 #include "../../base/trig.h"
+#include "../../machine/lasers_run.h"
 #include "../../machine/sound.h"
 #include "../events_run.h"
 #include "api_parts.h"
@@ -268,8 +269,7 @@ bool api_read_flight(lua_State *L, struct board *b, const char *entry, const str
         return false;
     if (s->player && b->player.deathbomb_left[s->player - 1]) /* a hit ship cannot fire */
         return false;
-    if (v[FIRE_TAG].given)
-        s->tag = api_intern_tag(L, entry, v[FIRE_TAG].at);
+    s->tag = api_read_tag(L, entry, &v[FIRE_TAG]);
     api_check_around(L, is_shot ? &b->shots : &b->bullets, entry, &v[FIRE_AROUND]);
     s->orbit_target = v[FIRE_AROUND].given ? v[FIRE_AROUND].i : 0;
     if (s->player)
@@ -301,77 +301,6 @@ static int bullet_fire(lua_State *L, struct board *b, struct api_value *v)
 static int shot_fire(lua_State *L, struct board *b, struct api_value *v)
 {
     return fire_bullet_or_shot(L, b, v, true);
-}
-
-/* ---- groups ---- */
-
-const struct api_param api_tag_params[TAG_PARAM_COUNT] = { PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL,
-                                                                 "tag to select by; if omitted, all are included") };
-const struct api_param api_each_params[EACH_PARAM_COUNT] = {
-    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "tag to select by; nil selects all"),
-    PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL, "function to call; it cannot wait")
-};
-
-int api_push_group(lua_State *L, enum handle_kind kind, const char *entry, const struct api_value *tag)
-{
-    lua_pushinteger(L, handle_make(kind, 1, tag->given ? api_intern_tag(L, entry, tag->at) : 0));
-    return 1;
-}
-
-static int bullet_group(lua_State *L, struct board *b, struct api_value *v)
-{
-    (void)b;
-    return api_push_group(L, H_GROUP, "bullet.group", &v[EACH_TAG]);
-}
-
-static int shot_group(lua_State *L, struct board *b, struct api_value *v)
-{
-    (void)b;
-    return api_push_group(L, H_SHOTS, "shot.group", &v[EACH_TAG]);
-}
-
-enum { VISIT_WORK = 4 /* VM instructions charged per visit, in addition to the function's own */ };
-
-/* Pushes a userdata with the handles of the live entities that have the tag. Returns the array and stores the number of
- * handles in *n. */
-static const int64_t *list_tagged_handles(lua_State *L, const struct board *b, enum handle_kind kind,
-                                          const struct slots *s, const uint16_t *tags, uint32_t tag, uint32_t *n)
-{
-    int64_t *list = lua_newuserdatauv(L, s->live * sizeof *list, 0);
-
-    *n = 0;
-    EACH_LIVE (i, s)
-        if (api_has_tag(tags, i, tag))
-            list[(*n)++] = board_handle(b, kind, (int32_t)i);
-    return list;
-}
-
-int api_call_each(lua_State *L, struct board *b, enum handle_kind kind, const char *entry, const struct slots *s,
-                  const uint16_t *tags, const struct api_value v[EACH_PARAM_COUNT])
-{
-    uint32_t tag = v[EACH_TAG].given ? api_intern_tag(L, entry, v[EACH_TAG].at) : 0;
-    uint32_t n;
-    const int64_t *list = list_tagged_handles(L, b, kind, s, tags, tag, &n);
-
-    vm_charge(L, VISIT_WORK * (uint64_t)n);
-    for (uint32_t k = 0; k < n; k++) {
-        if (!board_is_alive(b, list[k]))
-            continue;
-        lua_pushvalue(L, v[EACH_F].at);
-        lua_pushinteger(L, list[k]);
-        lua_call(L, 1, 0);
-    }
-    return 0;
-}
-
-static int bullet_each(lua_State *L, struct board *b, struct api_value *v)
-{
-    return api_call_each(L, b, H_BULLET, "bullet.each", &b->bullets.s, b->bullets.tag, v);
-}
-
-static int shot_each(lua_State *L, struct board *b, struct api_value *v)
-{
-    return api_call_each(L, b, H_SHOT, "shot.each", &b->shots.s, b->shots.tag, v);
 }
 
 static const struct api_param bullet_sweep_params[] = {
@@ -503,10 +432,17 @@ void api_get_flight_prop(lua_State *L, struct board *b, const struct bullets *s,
 }
 
 /* Ends the running motion step's control of a property that a script wrote. */
-void api_override_property(struct bullets *s, uint32_t i, unsigned property)
+static void override_property(struct bullets *s, uint32_t i, unsigned property)
 {
     if (s->step_flags[i] & STEP_BEGUN)
         s->step_flags[i] |= (uint8_t)property;
+}
+
+static void set_direction(struct bullets *s, uint32_t i, ang dir)
+{
+    s->dir[i] = dir;
+    override_property(s, i, OVERRIDE_DIR);
+    bullets_update_velocity(s, i);
 }
 
 /* Sets x, y, vx or vy and leaves the other coordinate of the pair unchanged. */
@@ -529,7 +465,7 @@ static void end_lead(const struct board *b, struct bullets *s, uint32_t i)
     if (!s->motion[i] || !(s->step_flags[i] & STEP_BEGUN))
         return;
     if (b->steps.actions[b->motions.first[s->motion[i] - 1] + s->pc[i]] & DOES_LEAD) {
-        api_override_property(s, i, OVERRIDE_POSITION);
+        override_property(s, i, OVERRIDE_POSITION);
         bullets_update_velocity(s, i);
     }
 }
@@ -546,17 +482,15 @@ void api_set_flight_prop(lua_State *L, struct board *b, struct bullets *s, const
         end_lead(b, s, i);
         break;
     case FLIGHT_DIR:
-        s->dir[i] = v->a;
-        api_override_property(s, i, OVERRIDE_DIR);
-        bullets_update_velocity(s, i);
+        set_direction(s, i, v->a);
         break;
     case FLIGHT_SPEED:
-        api_override_property(s, i, OVERRIDE_SPEED);
+        override_property(s, i, OVERRIDE_SPEED);
         bullets_set_speed(s, i, api_value_to_q32(fine, v));
         break;
     case FLIGHT_VX:
     case FLIGHT_VY:
-        api_override_property(s, i, OVERRIDE_DIR | OVERRIDE_SPEED);
+        override_property(s, i, OVERRIDE_DIR | OVERRIDE_SPEED);
         set_coordinate(s, i, p, api_value_to_q32(fine, v));
         break;
     case FLIGHT_KIND:
@@ -616,29 +550,66 @@ static void set_shot_prop(lua_State *L, struct board *b, uint32_t i, int p, cons
     api_set_flight_prop(L, b, &b->shots, &b->shot_kinds, i, p, v);
 }
 
-/* ---- groups' properties ---- */
+/* ---- groups ---- */
 
 static const struct api_prop group_props[] = { FLIGHT_PROPS(A_BULLET_KIND, bullets), COUNT_PROP("bullets"), HP_PROP };
 static const struct api_prop shots_props[] = { FLIGHT_PROPS(A_SHOT_KIND, shots), COUNT_PROP("shots") };
 
-enum { WRITE_WORK = 10, ACT_WORK = 2, AIM_WORK = 4 /* work per entity of a group */ };
+enum { WRITE_WORK = 10 /* work per entity of a group */ };
 
 const struct api_thing api_bullet_thing = { "bullet",        bullet_props,    FLIGHT_HP + 1,
                                             get_bullet_prop, set_bullet_prop, POOL(bullets) };
 const struct api_thing api_shot_thing = {
     "shot", shot_props, FLIGHT_SHARED_COUNT + 1, .get = get_shot_prop, .set = set_shot_prop, POOL(shots)
 };
-const struct api_thing api_group_thing = {
-    "group", group_props, FLIGHT_HP + 1, POOL(bullets), .member = &api_bullet_thing, .write_work = WRITE_WORK
-};
-const struct api_thing api_shots_thing = {
-    "shots", shots_props, FLIGHT_SHARED_COUNT + 1, POOL(shots), .member = &api_shot_thing, .write_work = WRITE_WORK
-};
+const struct api_thing api_group_thing = { "group",       group_props,        FLIGHT_HP + 1,
+                                           POOL(bullets), .member = H_BULLET, .write_work = WRITE_WORK };
+const struct api_thing api_shots_thing = { "shots",     shots_props,      FLIGHT_SHARED_COUNT + 1,
+                                           POOL(shots), .member = H_SHOT, .write_work = WRITE_WORK };
 
-/* ---- verbs of bullets, shots and groups ---- */
+/* ---- verbs of bullets, shots, lasers and groups ---- */
 
-enum verb { V_AIM, V_TURN, V_SHIFT, V_REMOVE };
 enum { ARG_SELF, ARG_ANGLE /* aim: its parameter `add` */, ARG_DX = ARG_ANGLE, ARG_DY };
+
+struct bullets *api_flight_pool(struct board *b, int64_t h)
+{
+    switch (handle_kind(h)) {
+    case H_SHOT:
+    case H_SHOTS:
+        return &b->shots;
+    case H_LASER:
+    case H_LASERS:
+        return &b->laser_heads;
+    default:
+        return &b->bullets;
+    }
+}
+
+int api_verb_aim(lua_State *L, struct board *b, struct api_value *v)
+{
+    struct bullets *s = api_flight_pool(b, v[ARG_SELF].i);
+    const uint32_t i = handle_slot(v[ARG_SELF].i);
+    const bool is_laser = s == &b->laser_heads,
+               is_shot = is_laser ? b->laser_kinds.flags[s->kind[i]] & LASER_HITS_ENEMIES : s == &b->shots;
+
+    (void)L;
+    set_direction(s, i, api_aim_direction(b, is_shot, s->x[i], s->y[i]) + v[ARG_ANGLE].a);
+    if (is_laser)
+        lasers_update_tail(b, i);
+    return 0;
+}
+
+int api_verb_turn(lua_State *L, struct board *b, struct api_value *v)
+{
+    struct bullets *s = api_flight_pool(b, v[ARG_SELF].i);
+    const uint32_t i = handle_slot(v[ARG_SELF].i);
+
+    (void)L;
+    set_direction(s, i, s->dir[i] + v[ARG_ANGLE].a);
+    if (s == &b->laser_heads)
+        lasers_update_tail(b, i);
+    return 0;
+}
 
 /* Returns a Q32 coordinate moved by `distance`, clamped to the world. */
 static int64_t shift_coordinate(int64_t coordinate, int64_t distance)
@@ -648,95 +619,67 @@ static int64_t shift_coordinate(int64_t coordinate, int64_t distance)
     return int64_clamp(coordinate + distance, -edge, edge);
 }
 
-static void shift_bullet(const struct board *b, struct bullets *s, uint32_t i, const struct api_value *v)
+int api_verb_shift(lua_State *L, struct board *b, struct api_value *v)
 {
-    bool fine = s->flags[i] & BULLET_FINE;
+    struct bullets *s = api_flight_pool(b, v[ARG_SELF].i);
+    const uint32_t i = handle_slot(v[ARG_SELF].i);
+    const bool fine = s->flags[i] & BULLET_FINE;
     int64_t x, y;
 
+    (void)L;
+    if (s == &b->laser_heads) {
+        lasers_move_to(b, i, motion_shift(s->x[i], v[ARG_DX].f), motion_shift(s->y[i], v[ARG_DY].f));
+        return 0;
+    }
     bullets_get_position(s, i, &x, &y);
     bullets_set_position(s, i, shift_coordinate(x, api_value_to_q32(fine, &v[ARG_DX])),
                          shift_coordinate(y, api_value_to_q32(fine, &v[ARG_DY])));
     end_lead(b, s, i);
-}
-
-static void act_on_one(struct board *b, bool is_shot, const struct targets *targets, uint32_t i, enum verb verb,
-                       const struct api_value *v)
-{
-    struct bullets *s = is_shot ? &b->shots : &b->bullets;
-
-    switch (verb) {
-    case V_AIM:
-        s->dir[i] = targets_aim(targets, s->x[i], s->y[i], is_shot ? ANG_UP : ANG_DOWN) + v[ARG_ANGLE].a;
-        break;
-    case V_TURN:
-        s->dir[i] += v[ARG_ANGLE].a;
-        break;
-    case V_SHIFT:
-        shift_bullet(b, s, i, v);
-        return;
-    case V_REMOVE:
-        bullets_drop(s, i);
-        return;
-    }
-    api_override_property(s, i, OVERRIDE_DIR);
-    bullets_update_velocity(s, i);
-}
-
-static int apply_verb(lua_State *L, struct board *b, const struct api_value *v, enum verb verb)
-{
-    int64_t h = v[ARG_SELF].i;
-    bool is_shot = handle_kind(h) == H_SHOT || handle_kind(h) == H_SHOTS;
-    struct bullets *s = is_shot ? &b->shots : &b->bullets;
-    const struct targets targets = board_motion_world(b, is_shot).targets;
-    const uint64_t work_each = verb != V_AIM ? ACT_WORK : AIM_WORK + emit_aim_work(b, is_shot);
-
-    vm_charge(L, work_each);
-    if (!handle_kind_is_group(handle_kind(h))) {
-        if (board_is_alive(b, h))
-            act_on_one(b, is_shot, &targets, handle_slot(h), verb, v);
-        else if (verb == V_REMOVE &&
-                 board_is_readable(b, h)) /* held: release it, so that its pending hits have no effect */
-            bullets_release(s, handle_slot(h));
-        return 0;
-    }
-    vm_charge(L, work_each * s->s.live);
-    EACH_LIVE (i, &s->s)
-        if (api_has_tag(s->tag, i, handle_slot(h)))
-            act_on_one(b, is_shot, &targets, i, verb, v);
-    if (verb == V_REMOVE)
-        EACH_HELD (i, &s->s)
-            if (api_has_tag(s->tag, i, handle_slot(h)))
-                bullets_release(s, i);
     return 0;
 }
 
-static int verb_aim(lua_State *L, struct board *b, struct api_value *v)
+void api_release_held(struct board *b, int64_t h)
 {
-    return apply_verb(L, b, v, V_AIM);
+    struct bullets *s = api_flight_pool(b, h);
+    const uint32_t i = handle_slot(h);
+
+    if (!handle_kind_is_group(handle_kind(h))) {
+        if (slots_has_held(&s->s, i, handle_gen(h)))
+            bullets_release(s, i);
+        return;
+    }
+    EACH_HELD (k, &s->s)
+        if (api_has_tag(s->tag, k, i))
+            bullets_release(s, k);
 }
 
-static int verb_turn(lua_State *L, struct board *b, struct api_value *v)
+static int remove_one(lua_State *L, struct board *b, struct api_value *v)
 {
-    return apply_verb(L, b, v, V_TURN);
+    struct bullets *s = api_flight_pool(b, v[ARG_SELF].i);
+
+    (void)L;
+    if (s == &b->laser_heads)
+        lasers_remove(b, handle_slot(v[ARG_SELF].i));
+    else
+        bullets_drop(s, handle_slot(v[ARG_SELF].i));
+    return 0;
 }
 
-static int verb_shift(lua_State *L, struct board *b, struct api_value *v)
-{
-    return apply_verb(L, b, v, V_SHIFT);
-}
-
-static int verb_remove(lua_State *L, struct board *b, struct api_value *v)
-{
-    return apply_verb(L, b, v, V_REMOVE);
-}
-
-/* Signals all bullets or shots that wait for the group's tag, whether or not they have the tag themselves. */
-static int verb_signal(lua_State *L, struct board *b, struct api_value *v)
+int api_verb_remove(lua_State *L, struct board *b, struct api_value *v)
 {
     const int64_t h = v[ARG_SELF].i;
-    const bool is_shots = handle_kind(h) == H_SHOTS;
-    struct bullets *s = is_shots ? &b->shots : &b->bullets;
-    const struct motion_world w = board_motion_world(b, is_shots);
+
+    api_run_each(L, b, v, remove_one);
+    api_release_held(b, h);
+    return 0;
+}
+
+/* Signals all bullets, shots or lasers that wait for the group's tag, whether or not they have the tag themselves. */
+int api_verb_signal(lua_State *L, struct board *b, struct api_value *v)
+{
+    const int64_t h = v[ARG_SELF].i;
+    struct bullets *s = api_flight_pool(b, h);
+    const struct motion_world w = board_motion_world(b, s == &b->shots);
 
     vm_charge(L, s->s.live);
     EACH_LIVE (i, &s->s)
@@ -750,6 +693,16 @@ static const struct api_param turn_params[] = { SELF_PARAM_OF(FLYING_HANDLE_KIND
 static const struct api_param shift_params[] = { SELF_PARAM_OF(FLYING_HANDLE_KINDS), SHIFT_DX_PARAM, SHIFT_DY_PARAM };
 static const struct api_param self_params[] = { SELF_PARAM_OF(FLYING_HANDLE_KINDS) };
 static const struct api_param signal_params[] = { SELF_PARAM_OF(1 << H_GROUP | 1 << H_SHOTS) };
+static const struct api_param clear_params[] = {
+    CLEAR_PARAMS,
+    PARAM("lasers", A_BOOL, OPT, 0, 0, NULL, "true",
+          "also remove enemy lasers; with a shape, only lasers that touch it"),
+};
+static const struct api_param clear_self_params[] = { SELF_PARAM_OF(1 << H_BULLET | 1 << H_SHOT), CLEAR_SPARK_PARAM,
+                                                      CLEAR_ITEMS_PARAM("it") };
+static const struct api_param clear_group_params[] = {
+    PARAM("self", A_THING, REQ, 1 << H_GROUP | 1 << H_SHOTS, 0, NULL, NULL, "the group itself"), CLEAR_GROUP_PARAMS
+};
 
 /* The entries bullet.fire and shot.fire. Patterns take their parameters through api_bullet_fire_entry and
  * api_shot_fire_entry. */
@@ -766,27 +719,26 @@ static const struct api_param signal_params[] = { SELF_PARAM_OF(1 << H_GROUP | 1
 const struct api_entry api_bullet_fire_entry = BULLET_FIRE, api_shot_fire_entry = SHOT_FIRE;
 
 #define CLEAR_ONE(thing)                                                                                               \
-    API_VERB(thing ":clear", api_bullet_clear_self, api_bullet_clear_self_params, 1, NULL,                             \
-             "removes it and leaves a spark or an item")
+    API_VERB(thing ":clear", api_clear_self, clear_self_params, 1, NULL, "removes it and leaves a spark or an item")
 #define CLEAR_GROUP(thing)                                                                                             \
-    API_VERB(thing ":clear", api_bullet_clear_group, api_bullet_clear_group_params, 1, "count",                        \
+    API_VERB(thing ":clear", api_clear_group, clear_group_params, 1, "count",                                          \
              "removes the entire group, or only its members in a circle, a box or a line; returns the number removed")
 /* The verbs of a single entity or of a group; the macro parameter `it` is how the help refers to the entity or
  * group. */
 #define FLYING_VERBS(thing, it, target, CLEAR)                                                                         \
-    API_VERB(thing ":aim", verb_aim, aim_params, 2, NULL, "points " it " at the nearest " target),                     \
-        API_VERB(thing ":turn", verb_turn, turn_params, 2, NULL, "turns " it " by an angle"),                          \
-        API_VERB(thing ":shift", verb_shift, shift_params, 3, NULL,                                                    \
-                 "teleports " it " by a distance, without collisions on the way"),                                     \
+    API_EACH_VERB(thing ":aim", api_verb_aim, aim_params, 2, "points " it " at the nearest " target),                  \
+        API_EACH_VERB(thing ":turn", api_verb_turn, turn_params, 2, "turns " it " by an angle"),                       \
+        API_EACH_VERB(thing ":shift", api_verb_shift, shift_params, 3,                                                 \
+                      "teleports " it " by a distance, without collisions on the way"),                                \
         CLEAR(thing),                                                                                                  \
-        API_VERB(thing ":remove", verb_remove, self_params, 1, NULL, "removes " it " and leaves nothing")
+        API_VERB(thing ":remove", api_verb_remove, self_params, 1, NULL, "removes " it " and leaves nothing")
 
 static const struct api_entry entries[] = {
     { "bullet.def", bullet_define, PARAMS(bullet_def_params), 1, API_CHANGES | API_LOAD_ONLY, NULL,
       HELP("declares a kind of bullet: its sprite, its hitbox and its rules") },
     BULLET_FIRE,
-    API_GROUPS("bullet", bullet_group, bullet_each),
-    { "bullet.clear", api_bullet_clear, PARAMS(api_bullet_clear_params), 0, API_CHANGES, "count",
+    API_GROUPS("bullet"),
+    { "bullet.clear", api_clear, PARAMS(clear_params), 0, API_CHANGES, "count",
       HELP("removes all bullets, or only those in a circle, a box or a line; returns the number removed") },
     { "bullet.meet", api_bullet_meet, PARAMS(api_bullet_meet_params), 2, API_CHANGES | API_LOAD_ONLY, NULL,
       HELP("makes bullets with one tag collide with bullets with another tag; needs `board = { meet = true }`") },
@@ -795,16 +747,16 @@ static const struct api_entry entries[] = {
            "task") },
     FLYING_VERBS("bullet", "it", "player", CLEAR_ONE),
     FLYING_VERBS("group", "each bullet", "player", CLEAR_GROUP),
-    API_VERB("group:signal", verb_signal, signal_params, 1, NULL,
+    API_VERB("group:signal", api_verb_signal, signal_params, 1, NULL,
              "resumes every bullet whose motion waits for a signal to the group's tag (`wait_for`); a group without a "
              "tag signals all tags"),
     { "shot.def", shot_define, PARAMS(shot_def_params), 1, API_CHANGES | API_LOAD_ONLY, NULL,
       HELP("declares a kind of player shot: its sprite, its hitbox and its damage") },
     SHOT_FIRE,
-    API_GROUPS("shot", shot_group, shot_each),
+    API_GROUPS("shot"),
     FLYING_VERBS("shot", "it", "enemy", CLEAR_ONE),
     FLYING_VERBS("shots", "each shot", "enemy", CLEAR_GROUP),
-    API_VERB("shots:signal", verb_signal, signal_params, 1, NULL,
+    API_VERB("shots:signal", api_verb_signal, signal_params, 1, NULL,
              "resumes every shot whose motion waits for a signal to the group's tag (`wait_for`); a group without a "
              "tag signals all tags"),
 };

@@ -182,7 +182,7 @@ static int start_document(lua_State *L, struct board *b, struct api_value *v)
     s.kinds = kinds;
     s.param = param;
     s.bank = v[P_BANK].given ? (uint8_t)v[P_BANK].i : 0;
-    s.tag = v[P_TAG].given ? api_intern_tag(L, entry_name, v[P_TAG].at) : 0;
+    s.tag = api_read_tag(L, entry_name, &v[P_TAG]);
     int32_t i = NO_SLOT;
     if (api_read_position(L, b, entry_name, v + P_POSITION, &s.x, &s.y) && tasks_is_owner_alive(b, s.owner)) {
         s.seed = pick_seed(b, &v[P_SEED]);
@@ -261,8 +261,7 @@ static const struct api_param self_params[] = { PARAM("self", A_THING, REQ, 1 <<
 static int stop_document(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
-    if (board_is_alive(b, v[0].i))
-        bulletml_stop(b, handle_slot(v[0].i));
+    bulletml_stop(b, handle_slot(v[0].i));
     return 0;
 }
 
@@ -271,7 +270,7 @@ static const struct api_entry entries[] = {
       HELP("runs a BulletML document until the document or its owner ends; needs `board = { bulletml = n }`") },
     PARAM("bullet.documents", list_documents, NULL, 0, 0, 0, "list",
           "returns a list of the game's BulletML documents, { name = NAME, labels = { LABEL, .. } }, sorted by name"),
-    API_VERB("bulletml:stop", stop_document, self_params, 1, NULL,
-             "stops the document; its bullets keep flying and finish their actions"),
+    API_EACH_VERB("bulletml:stop", stop_document, self_params, 1,
+                  "stops the document; its bullets keep flying and finish their actions"),
 };
 const struct api_module api_bulletml = { entries, sizeof entries / sizeof *entries };

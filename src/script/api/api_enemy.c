@@ -339,40 +339,7 @@ static int enemy_spawn(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-static int enemy_each(lua_State *L, struct board *b, struct api_value *v)
-{
-    return api_call_each(L, b, H_ENEMY, "enemy.each", &b->enemies.s, b->enemies.tag, v);
-}
-
-static int enemy_group(lua_State *L, struct board *b, struct api_value *v)
-{
-    (void)b;
-    return api_push_group(L, H_ENEMIES, "enemy.group", &v[EACH_TAG]);
-}
-
-/* Returns whether enemy i is alive and has the tag (0: any). */
-static bool is_in_group(const struct board *b, uint32_t i, uint32_t tag)
-{
-    return !(b->enemies.flags[i] & ENEMY_NOT_ALIVE) && api_has_tag(b->enemies.tag, i, tag);
-}
-
-static void push_enemy_count(lua_State *L, struct board *b, uint32_t tag)
-{
-    lua_Integer n = 0;
-
-    vm_charge(L, b->enemies.s.live);
-    EACH_LIVE (i, &b->enemies.s)
-        n += is_in_group(b, i, tag);
-    lua_pushinteger(L, n);
-}
-
-static int enemy_count(lua_State *L, struct board *b, struct api_value *v)
-{
-    push_enemy_count(L, b, v[EACH_TAG].given ? api_intern_tag(L, "enemy.count", v[EACH_TAG].at) : 0);
-    return 1;
-}
-
-/* ---- properties and verbs ---- */
+/* ---- properties ---- */
 
 enum {
     P_X,
@@ -490,7 +457,7 @@ static bool has_member(const struct board *b, uint32_t i, int p)
 
 const struct api_thing api_enemy_thing = { "enemy", props, PROPS, .get = get_enemy, .set = set_enemy, POOL(enemies) };
 const struct api_thing api_enemies_thing = {
-    "enemies", props, PROPS + 1, POOL(enemies), .member = &api_enemy_thing, .write_work = 1, .has_member = has_member
+    "enemies", props, PROPS + 1, POOL(enemies), .member = H_ENEMY, .write_work = 1, .has_member = has_member
 };
 
 /* ---- verbs ---- */
@@ -536,21 +503,32 @@ static const struct api_param kill_params[] = {
 };
 static const struct api_param self_params[] = { SELF_PARAM };
 
-static void move_one(lua_State *L, struct board *b, uint32_t i, const struct api_value *v)
+static int move_one(lua_State *L, struct board *b, struct api_value *v)
 {
-    const uint32_t frames = (uint32_t)v[MOVE_OVER].i;
+    const uint32_t i = handle_slot(v[ARG_SELF].i), frames = (uint32_t)v[MOVE_OVER].i;
 
     (void)L;
     if (v[MOVE_X].given)
         enemies_move_to(&b->enemies, i, v[MOVE_X].f, v[MOVE_Y].f, frames, (enum ease)v[MOVE_EASE].i);
     else
         enemies_move_by(&b->enemies, i, v[MOVE_DX].f, v[MOVE_DY].f, frames, (enum ease)v[MOVE_EASE].i);
+    return 0;
 }
 
-static void shift_one(lua_State *L, struct board *b, uint32_t i, const struct api_value *v)
+static int enemy_move(lua_State *L, struct board *b, struct api_value *v)
+{
+    const bool has_x = v[MOVE_X].given, has_y = v[MOVE_Y].given, has_dx = v[MOVE_DX].given, has_dy = v[MOVE_DY].given;
+
+    if (has_x != has_y || has_dx != has_dy || has_x == has_dx)
+        return api_error(L, api_current_binding(L)->entry->name, "expected either `x` and `y` or `dx` and `dy`");
+    return api_run_each(L, b, v, move_one);
+}
+
+static int enemy_shift(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
-    enemies_shift(&b->enemies, i, v[SHIFT_X].f, v[SHIFT_Y].f);
+    enemies_shift(&b->enemies, handle_slot(v[ARG_SELF].i), v[SHIFT_X].f, v[SHIFT_Y].f);
+    return 0;
 }
 
 /* Returns the player, 1 or 2, who is credited when a script damages or kills enemy i: `player` if given, otherwise the
@@ -563,75 +541,20 @@ static uint32_t find_credited_player(const struct board *b, uint32_t i, const st
                          : (uint32_t)(targets_find_nearest(&t, b->enemies.x[i], b->enemies.y[i]) + 1);
 }
 
-static void hurt_one(lua_State *L, struct board *b, uint32_t i, const struct api_value *v)
-{
-    events_hurt_enemy(b, L, i, (int32_t)v[HURT_HP].i, find_credited_player(b, i, &v[HURT_PLAYER]));
-}
-
-static void kill_one(lua_State *L, struct board *b, uint32_t i, const struct api_value *v)
-{
-    events_kill_enemy(b, L, i, find_credited_player(b, i, &v[KILL_PLAYER]));
-}
-
-/* Applies the verb to each enemy of a group. A death runs on_death, which may remove enemies and spawn others in their
- * slots. Therefore the live enemies are listed first, and the verb is applied only to those still alive when their turn
- * comes. */
-static void apply_to_group(lua_State *L, struct board *b, uint32_t tag, api_enemy_verb *verb, const struct api_value *v)
-{
-    int list = lua_gettop(L) + 1;
-    lua_Integer n = 0;
-
-    vm_charge(L, b->enemies.s.live);
-    luaL_checkstack(L, 2, NULL);
-    lua_newtable(L);
-    EACH_LIVE (i, &b->enemies.s)
-        if (is_in_group(b, i, tag)) {
-            lua_pushinteger(L, board_handle(b, H_ENEMY, (int32_t)i));
-            lua_rawseti(L, list, ++n);
-        }
-    for (lua_Integer k = 1; k <= n; k++) {
-        lua_rawgeti(L, list, k);
-        int64_t h = lua_tointeger(L, -1);
-        lua_pop(L, 1);
-        if (board_is_alive(b, h))
-            verb(L, b, handle_slot(h), v);
-    }
-    lua_settop(L, list - 1);
-}
-
-int api_enemy_apply_verb(lua_State *L, struct board *b, api_enemy_verb *verb, const struct api_value *v)
-{
-    int64_t h = v[ARG_SELF].i;
-
-    if (handle_kind(h) == H_ENEMIES)
-        apply_to_group(L, b, handle_slot(h), verb, v);
-    else if (board_is_alive(b, h))
-        verb(L, b, handle_slot(h), v);
-    return 0;
-}
-
-static int enemy_move(lua_State *L, struct board *b, struct api_value *v)
-{
-    const bool has_x = v[MOVE_X].given, has_y = v[MOVE_Y].given, has_dx = v[MOVE_DX].given, has_dy = v[MOVE_DY].given;
-
-    if (has_x != has_y || has_dx != has_dy || has_x == has_dx)
-        return api_error(L, api_current_binding(L)->entry->name, "expected either `x` and `y` or `dx` and `dy`");
-    return api_enemy_apply_verb(L, b, move_one, v);
-}
-
-static int enemy_shift(lua_State *L, struct board *b, struct api_value *v)
-{
-    return api_enemy_apply_verb(L, b, shift_one, v);
-}
-
 static int enemy_hurt(lua_State *L, struct board *b, struct api_value *v)
 {
-    return api_enemy_apply_verb(L, b, hurt_one, v);
+    const uint32_t i = handle_slot(v[ARG_SELF].i);
+
+    events_hurt_enemy(b, L, i, (int32_t)v[HURT_HP].i, find_credited_player(b, i, &v[HURT_PLAYER]));
+    return 0;
 }
 
 static int enemy_kill(lua_State *L, struct board *b, struct api_value *v)
 {
-    return api_enemy_apply_verb(L, b, kill_one, v);
+    const uint32_t i = handle_slot(v[ARG_SELF].i);
+
+    events_kill_enemy(b, L, i, find_credited_player(b, i, &v[KILL_PLAYER]));
+    return 0;
 }
 
 /* Also removes enemies that left the field in this frame but can still be read (board_is_readable), so that their
@@ -657,11 +580,11 @@ static int enemy_remove(lua_State *L, struct board *b, struct api_value *v)
 #define ENEMY_VERBS(thing, it, order)                                                                                  \
     API_VERB(thing ":move", enemy_move, move_params, 1, NULL,                                                          \
              "starts moving " it " to a position or by a distance, and returns immediately"),                          \
-        API_VERB(thing ":shift", enemy_shift, shift_params, 3, NULL,                                                   \
-                 "teleports " it " by a distance and shifts the rest of its move by the same distance"),               \
-        API_VERB(thing ":hurt", enemy_hurt, hurt_params, 3, NULL, "damages " it " unless it is safe"),                 \
-        API_VERB(thing ":kill", enemy_kill, kill_params, 2, NULL,                                                      \
-                 "kills " it order "; score, sparks, drops and on_death work as usual"),                               \
+        API_EACH_VERB(thing ":shift", enemy_shift, shift_params, 3,                                                    \
+                      "teleports " it " by a distance and shifts the rest of its move by the same distance"),          \
+        API_EACH_VERB(thing ":hurt", enemy_hurt, hurt_params, 3, "damages " it " unless it is safe"),                  \
+        API_EACH_VERB(thing ":kill", enemy_kill, kill_params, 2,                                                       \
+                      "kills " it order "; score, sparks, drops and on_death work as usual"),                          \
         API_VERB(thing ":remove", enemy_remove, self_params, 1, NULL,                                                  \
                  "removes " it " without score, sparks, drops or on_death")
 
@@ -670,8 +593,8 @@ static const struct api_entry entries[] = {
       HELP("declares a kind of enemy: its sprite, its hitbox and its rules") },
     { "enemy.spawn", enemy_spawn, PARAMS(spawn_params), 0, API_CHANGES | API_TAKES_VALUES, "enemy",
       HELP("spawns an enemy at a position, on a path or as a part of another enemy") },
-    API_GROUPS("enemy", enemy_group, enemy_each),
-    { "enemy.count", enemy_count, PARAMS(api_tag_params), 1, 0, "count",
+    API_GROUPS("enemy"),
+    { "enemy.count", api_push_count_of_kind, PARAMS(api_tag_params), 1, 0, "count",
       HELP("returns the number of live enemies with the given tag") },
     ENEMY_VERBS("enemy", "it", ""),
     ENEMY_VERBS("enemies", "each enemy", " in slot order"),

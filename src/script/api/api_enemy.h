@@ -8,10 +8,6 @@
 
 enum { MAX_RATE = ENEMY_MAX_RATE / ENEMY_RATE_ONE };
 
-/* A verb acts on enemy i; api_enemy_apply_verb applies it to the enemy or group in the first argument. */
-typedef void api_enemy_verb(lua_State *L, struct board *b, uint32_t i, const struct api_value *v);
-int api_enemy_apply_verb(lua_State *L, struct board *b, api_enemy_verb *verb, const struct api_value *v);
-
 /* Spawns an enemy without starting the task of its kind. Returns its slot, or NO_SLOT. */
 int32_t api_enemy_spawn(lua_State *L, struct board *b, uint16_t kind, fx x, fx y, int64_t owner);
 

@@ -140,19 +140,124 @@ static bool is_member(const struct board *b, const struct api_thing *t, uint32_t
     return api_has_tag(get_column(b, t->tags_offset), i, tag) && (!t->has_member || t->has_member(b, i, p));
 }
 
-int api_apply_verb(lua_State *L, struct board *b, const struct api_value *v, api_verb *verb)
+/* Pushes a userdata with the handles of all live members of a group, in slot order, and returns the list. *n receives
+ * their number. */
+static const int64_t *push_member_list(lua_State *L, const struct board *b, const struct api_thing *t, uint32_t tag,
+                                       uint32_t *n)
+{
+    const struct slots *s = get_pool(b, t);
+    int64_t *list = lua_newuserdatauv(L, s->live * sizeof *list, 0);
+
+    *n = 0;
+    EACH_LIVE (i, s)
+        if (is_member(b, t, tag, i, 0))
+            list[(*n)++] = board_handle(b, t->member, (int32_t)i);
+    return list;
+}
+
+/* A verb of an enemy may kill it, and on_death may then remove enemies and spawn others in their slots. Therefore the
+ * enemies of a group are listed first, and the verb is run only for those still alive when their turn comes. */
+int api_run_each(lua_State *L, struct board *b, struct api_value *v, api_function *run)
 {
     const int64_t h = v[0].i;
     const struct api_thing *t = api_get_table(L)->things[handle_kind(h)];
+    const int64_t *list;
+    uint32_t n;
 
-    if (t->member) {
-        vm_charge(L, get_pool(b, t)->live);
+    if (!t->member) {
+        if (board_is_alive(b, h))
+            run(L, b, v);
+        return 0;
+    }
+    vm_charge(L, t->write_work * get_pool(b, t)->live);
+    if (t->member != H_ENEMY) {
         EACH_LIVE (i, get_pool(b, t))
-            if (api_has_tag(get_column(b, t->tags_offset), i, handle_slot(h)))
-                verb(b, i, v);
-    } else if (board_is_alive(b, h))
-        verb(b, handle_slot(h), v);
+            if (is_member(b, t, handle_slot(h), i, 0)) {
+                v[0].i = board_handle(b, t->member, (int32_t)i);
+                run(L, b, v);
+            }
+        return 0;
+    }
+    luaL_checkstack(L, 1, NULL);
+    list = push_member_list(L, b, t, handle_slot(h), &n);
+    for (uint32_t k = 0; k < n; k++)
+        if (board_is_alive(b, list[k])) {
+            v[0].i = list[k];
+            run(L, b, v);
+        }
+    lua_pop(L, 1);
     return 0;
+}
+
+/* ---- the functions group, each and count ---- */
+
+const struct api_param api_tag_params[TAG_PARAM_COUNT] = { PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL,
+                                                                 "tag to select by; if omitted, all are included") };
+const struct api_param api_each_params[EACH_PARAM_COUNT] = {
+    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "tag to select by; nil selects all"),
+    PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL, "function to call; it cannot wait")
+};
+
+/* Returns the group kind of the things after which the running entry is named: H_GROUP for "bullet.each". */
+static enum handle_kind find_group_kind(lua_State *L, const char *entry)
+{
+    const struct api_thing *const *things = api_get_table(L)->things;
+    const size_t n = strcspn(entry, ".");
+
+    for (int kind = 1;; kind++) {
+        const struct api_thing *member = things[things[kind]->member];
+        if (member && !strncmp(member->name, entry, n) && !member->name[n])
+            return (enum handle_kind)kind;
+    }
+}
+
+int api_push_group(lua_State *L, struct board *b, struct api_value *v)
+{
+    const char *entry = api_current_binding(L)->entry->name;
+
+    (void)b;
+    lua_pushinteger(L, handle_make(find_group_kind(L, entry), 1, api_read_tag(L, entry, &v[EACH_TAG])));
+    return 1;
+}
+
+enum { VISIT_WORK = 4 /* VM instructions charged per visit, in addition to the function's own */ };
+
+/* Entities spawned during the calls are not visited. */
+int api_call_each(lua_State *L, struct board *b, struct api_value *v)
+{
+    const char *entry = api_current_binding(L)->entry->name;
+    const struct api_thing *t = api_get_table(L)->things[find_group_kind(L, entry)];
+    uint32_t n;
+    const int64_t *list = push_member_list(L, b, t, api_read_tag(L, entry, &v[EACH_TAG]), &n);
+
+    vm_charge(L, VISIT_WORK * (uint64_t)n);
+    for (uint32_t k = 0; k < n; k++) {
+        if (!board_is_alive(b, list[k]))
+            continue;
+        lua_pushvalue(L, v[EACH_F].at);
+        lua_pushinteger(L, list[k]);
+        lua_call(L, 1, 0);
+    }
+    return 0;
+}
+
+/* Pushes the number of live members of a group. */
+static void push_member_count(lua_State *L, const struct board *b, const struct api_thing *t, uint32_t tag)
+{
+    lua_Integer n = 0;
+
+    vm_charge(L, get_pool(b, t)->live);
+    EACH_LIVE (i, get_pool(b, t))
+        n += is_member(b, t, tag, i, 0);
+    lua_pushinteger(L, n);
+}
+
+int api_push_count_of_kind(lua_State *L, struct board *b, struct api_value *v)
+{
+    const char *entry = api_current_binding(L)->entry->name;
+
+    push_member_count(L, b, api_get_table(L)->things[find_group_kind(L, entry)], api_read_tag(L, entry, &v[EACH_TAG]));
+    return 1;
 }
 
 static int push_nil_for_dead(lua_State *L, const char *name)
@@ -315,7 +420,7 @@ static void store_value(lua_State *L, struct board *b, const struct api_prop *pr
         flags[i] = (uint8_t)(v->i ? flags[i] | prop->flag : flags[i] & ~prop->flag);
         break;
     case STORED_TAG:
-        ((uint16_t *)column)[i] = v->given ? api_intern_tag(L, "tag", v->at) : 0;
+        ((uint16_t *)column)[i] = api_read_tag(L, "tag", v);
         break;
     case STORED_I64:
     case STORED_KIND:
@@ -323,21 +428,6 @@ static void store_value(lua_State *L, struct board *b, const struct api_prop *pr
     case STORED_NOWHERE:
         break; /* no property is written there */
     }
-}
-
-/* Pushes the number of members of a group. Other properties of a group cannot be read. */
-static void push_member_count(lua_State *L, struct board *b, const struct api_thing *t, uint32_t tag, int p)
-{
-    const struct slots *s = get_pool(b, t);
-    lua_Integer n = 0;
-
-    if (strcmp(t->props[p].param.name, "count"))
-        vm_fault(L, FAULT_SCRIPT, "%s: %s cannot be read from a group (only `count` can)", t->name,
-                 t->props[p].param.name);
-    vm_charge(L, s->live);
-    EACH_LIVE (i, s)
-        n += is_member(b, t, tag, i, p);
-    lua_pushinteger(L, n);
 }
 
 static void write_property(lua_State *L, struct board *b, const struct api_thing *t, uint32_t slot, int p,
@@ -348,7 +438,7 @@ static void write_property(lua_State *L, struct board *b, const struct api_thing
         vm_charge(L, t->write_work * s->live);
         EACH_LIVE (i, s)
             if (is_member(b, t, slot, i, p))
-                write_property(L, b, t->member, i, p, v);
+                write_property(L, b, api_get_table(L)->things[t->member], i, p, v);
     } else if (t->props[p].storage == STORED_NOWHERE || t->props[p].has_setter)
         t->set(L, b, slot, p, v);
     else
@@ -364,8 +454,11 @@ static int push_property(lua_State *L, struct board *b, const struct api_thing *
     check_enabled(L, b, t, handle_kind(h), prop->param.name);
     if (!board_is_readable(b, h) && !(prop->access == PROP_PERSISTENT && handle_gen(h) && handle_slot(h) < MAX_PLAYERS))
         return push_nil_for_dead(L, prop->param.name);
+    if (t->member && strcmp(prop->param.name, "count") != 0)
+        return vm_fault(L, FAULT_SCRIPT, "%s: %s cannot be read from a group (only `count` can)", t->name,
+                        prop->param.name);
     if (t->member)
-        push_member_count(L, b, t, handle_slot(h), p);
+        push_member_count(L, b, t, handle_slot(h));
     else if (prop->storage != STORED_NOWHERE)
         push_stored_value(L, b, prop, handle_slot(h));
     else

@@ -194,23 +194,11 @@ static int drop_items(lua_State *L, struct board *b, struct api_value *v)
     const uint16_t kind = (uint16_t)v[P_KIND].i, n = (uint16_t)v[P_N].i;
     struct item_drop d = { .dir = v[P_DIR].a, .spread = spread_from_degrees(v[P_SPREAD].n), .speed = v[P_SPEED].f };
 
-    if (v[P_TAG].given)
-        d.tag = api_intern_tag(L, "item.drop", v[P_TAG].at);
+    d.tag = api_read_tag(L, "item.drop", &v[P_TAG]);
     vm_charge(L, DROP_WORK * (uint64_t)n);
     if (api_read_position(L, b, "item.drop", v + P_POSITION, &d.x, &d.y))
         board_drop_items(b, &d, &kind, &n, 1);
     return 0;
-}
-
-static int item_each(lua_State *L, struct board *b, struct api_value *v)
-{
-    return api_call_each(L, b, H_ITEM, "item.each", &b->items.s, b->items.tag, v);
-}
-
-static int item_group(lua_State *L, struct board *b, struct api_value *v)
-{
-    (void)b;
-    return api_push_group(L, H_ITEMS, "item.group", &v[EACH_TAG]);
 }
 
 /* ---- properties ---- */
@@ -238,9 +226,8 @@ static const struct api_prop props[] = {
 
 enum { GROUP_PROP_COUNT = sizeof props / sizeof *props };
 const struct api_thing api_item_thing = { "item", props, GROUP_PROP_COUNT - 1, POOL(items) };
-const struct api_thing api_items_thing = {
-    "items", props, GROUP_PROP_COUNT, POOL(items), .member = &api_item_thing, .write_work = 1
-};
+const struct api_thing api_items_thing = { "items",          props,          GROUP_PROP_COUNT, POOL(items),
+                                           .member = H_ITEM, .write_work = 1 };
 
 /* ---- verbs ---- */
 
@@ -251,32 +238,26 @@ static const struct api_param pull_params[] = { SELF_PARAM, PARAM("p", A_PLAYER,
                                                                   "player to fly to; defaults to the nearest one") };
 static const struct api_param self_params[] = { SELF_PARAM };
 
-/* Pulls item i to the given player or, if none is given, to the nearest. A player who is not in the game attracts
+/* Pulls an item to the given player or, if none is given, to the nearest. A player who is not in the game attracts
  * nothing. */
-static void pull_one(struct board *b, uint32_t i, const struct api_value *v)
+static int item_pull(lua_State *L, struct board *b, struct api_value *v)
 {
+    const uint32_t i = handle_slot(v[ARG_SELF].i);
     const struct targets t = board_player_targets(b);
     int32_t p =
         v[PULL_PLAYER].given ? (int32_t)v[PULL_PLAYER].i - 1 : targets_find_nearest(&t, b->items.x[i], b->items.y[i]);
 
+    (void)L;
     if (p >= 0 && b->player.in_game[p])
         items_pull(&b->items, i, (uint32_t)p);
-}
-
-static void remove_one(struct board *b, uint32_t i, const struct api_value *v)
-{
-    (void)v;
-    slots_drop(&b->items.s, i);
-}
-
-static int pull_items(lua_State *L, struct board *b, struct api_value *v)
-{
-    return api_apply_verb(L, b, v, pull_one);
+    return 0;
 }
 
 static int item_remove(lua_State *L, struct board *b, struct api_value *v)
 {
-    return api_apply_verb(L, b, v, remove_one);
+    (void)L;
+    slots_drop(&b->items.s, handle_slot(v[ARG_SELF].i));
+    return 0;
 }
 
 #ifndef WITHOUT_HELP
@@ -292,15 +273,13 @@ static const struct api_entry entries[] = {
       HELP("declares a kind of item: its sprite, how it falls and what it gives; needs `board = { items = n }`") },
     { "item.drop", drop_items, PARAMS(drop_params), 0, API_CHANGES, NULL,
       HELP("drops items from a position or a thing, in evenly spread directions") },
-    API_GROUPS("item", item_group, item_each),
-    { "item:pull", pull_items, PARAMS(pull_params), 2, API_CHANGES | API_METHOD, NULL,
-      HELP("makes it fly to a player until it is taken; it falls again if that player dies") },
-    { "item:remove", item_remove, PARAMS(self_params), 1, API_CHANGES | API_METHOD, NULL,
-      HELP("removes it; no player gets anything") },
-    { "items:pull", pull_items, PARAMS(pull_params), 2, API_CHANGES | API_METHOD, NULL,
-      HELP("makes each item fly to a player until it is taken; it falls again if that player dies") },
-    { "items:remove", item_remove, PARAMS(self_params), 1, API_CHANGES | API_METHOD, NULL,
-      HELP("removes each item; no player gets anything") },
+    API_GROUPS("item"),
+    API_EACH_VERB("item:pull", item_pull, pull_params, 2,
+                  "makes it fly to a player until it is taken; it falls again if that player dies"),
+    API_EACH_VERB("item:remove", item_remove, self_params, 1, "removes it; no player gets anything"),
+    API_EACH_VERB("items:pull", item_pull, pull_params, 2,
+                  "makes each item fly to a player until it is taken; it falls again if that player dies"),
+    API_EACH_VERB("items:remove", item_remove, self_params, 1, "removes each item; no player gets anything"),
 #ifndef WITHOUT_HELP
     { "item.def gives", NULL, PARAMS(gives_params), 0, API_LUA | API_SYS, NULL,
       HELP("amounts that the player gets; any other key names a register of the ship or the run, to which the amount "

@@ -200,8 +200,7 @@ static struct bullet_spec make_head(lua_State *L, struct board *b, const char *e
 
     if (v[F_AIM].i)
         s.dir = api_aim_direction(b, k->flags[kind] & LASER_HITS_ENEMIES, x, y) + (v[F_DIR].given ? v[F_DIR].a : 0);
-    if (v[F_TAG].given)
-        s.tag = api_intern_tag(L, entry, v[F_TAG].at);
+    s.tag = api_read_tag(L, entry, &v[F_TAG]);
     return s;
 }
 
@@ -492,87 +491,17 @@ static void set_laser(lua_State *L, struct board *b, uint32_t i, int p, const st
 
 const struct api_thing api_laser_thing = { "laser",          laser_props,      LASER_PROP_COUNT,
                                            .get = get_laser, .set = set_laser, POOL(laser_heads) };
-const struct api_thing api_lasers_thing = {
-    "lasers", lasers_props, L_STATE + 1, POOL(laser_heads), .member = &api_laser_thing, .write_work = 1
-};
+const struct api_thing api_lasers_thing = { "lasers",          lasers_props,      L_STATE + 1,
+                                            POOL(laser_heads), .member = H_LASER, .write_work = 1 };
 
 /* ---- verbs ---- */
 
-enum { ARG_SELF, ARG_ANGLE /* aim: its parameter `add` */, ARG_DX = ARG_ANGLE, ARG_DY };
-
-static void set_direction(struct board *b, uint32_t i, ang dir)
-{
-    b->laser_heads.dir[i] = dir;
-    api_override_property(&b->laser_heads, i, OVERRIDE_DIR);
-    bullets_update_velocity(&b->laser_heads, i);
-    lasers_update_tail(b, i);
-}
-
-static void aim_one(struct board *b, uint32_t i, const struct api_value *v)
-{
-    const struct bullets *h = &b->laser_heads;
-    const bool is_shot = b->laser_kinds.flags[h->kind[i]] & LASER_HITS_ENEMIES;
-
-    set_direction(b, i, api_aim_direction(b, is_shot, h->x[i], h->y[i]) + v[ARG_ANGLE].a);
-}
-
-static void turn_one(struct board *b, uint32_t i, const struct api_value *v)
-{
-    set_direction(b, i, b->laser_heads.dir[i] + v[ARG_ANGLE].a);
-}
-
-static void shift_one(struct board *b, uint32_t i, const struct api_value *v)
-{
-    const struct bullets *h = &b->laser_heads;
-
-    lasers_move_to(b, i, motion_shift(h->x[i], v[ARG_DX].f), motion_shift(h->y[i], v[ARG_DY].f));
-}
-
-static void fade_one(struct board *b, uint32_t i, const struct api_value *v)
-{
-    (void)v;
-    lasers_fade(&b->lasers, i, lasers_age(b, i));
-}
-
-static void remove_one(struct board *b, uint32_t i, const struct api_value *v)
-{
-    (void)v;
-    lasers_remove(b, i);
-}
-
-static int laser_aim(lua_State *L, struct board *b, struct api_value *v)
-{
-    return api_apply_verb(L, b, v, aim_one);
-}
-
-static int laser_turn(lua_State *L, struct board *b, struct api_value *v)
-{
-    return api_apply_verb(L, b, v, turn_one);
-}
-
-static int laser_shift(lua_State *L, struct board *b, struct api_value *v)
-{
-    return api_apply_verb(L, b, v, shift_one);
-}
-
 static int laser_fade(lua_State *L, struct board *b, struct api_value *v)
 {
-    return api_apply_verb(L, b, v, fade_one);
-}
+    const uint32_t i = handle_slot(v[0].i);
 
-static int laser_remove(lua_State *L, struct board *b, struct api_value *v)
-{
-    return api_apply_verb(L, b, v, remove_one);
-}
-
-/* Signals all lasers that wait for the group's tag, whether or not they have the tag themselves. */
-static int verb_signal(lua_State *L, struct board *b, struct api_value *v)
-{
-    const struct motion_world w = board_motion_world(b, false);
-
-    vm_charge(L, b->lasers.s.live);
-    EACH_LIVE (i, &b->lasers.s)
-        bullets_signal(&b->laser_heads, &w, i, (uint16_t)handle_slot(v[ARG_SELF].i));
+    (void)L;
+    lasers_fade(&b->lasers, i, lasers_age(b, i));
     return 0;
 }
 
@@ -583,16 +512,16 @@ static const struct api_param shift_params[] = { SELF_PARAM_OF(LASER_HANDLE_KIND
 static const struct api_param self_params[] = { SELF_PARAM_OF(LASER_HANDLE_KINDS) };
 static const struct api_param signal_params[] = { SELF_PARAM_OF(1 << H_LASERS) };
 
-static int laser_group(lua_State *L, struct board *b, struct api_value *v)
-{
-    (void)b;
-    return api_push_group(L, H_LASERS, "laser.group", &v[EACH_TAG]);
-}
-
-static int laser_each(lua_State *L, struct board *b, struct api_value *v)
-{
-    return api_call_each(L, b, H_LASER, "laser.each", &b->lasers.s, b->laser_heads.tag, v);
-}
+#define EVERY_PARAM                                                                                                    \
+    PARAM("every", A_FX, OPT, 1, LASER_MAX_SIZE, "px", "12",                                                           \
+          "distance along the laser between the sparks or items it leaves")
+static const struct api_param clear_params[] = { CLEAR_PARAMS, EVERY_PARAM };
+static const struct api_param clear_self_params[] = { PARAM("self", A_THING, REQ, 1 << H_LASER, 0, NULL, NULL,
+                                                            "the laser itself"),
+                                                      CLEAR_SPARK_PARAM, CLEAR_ITEMS_PARAM("it"), EVERY_PARAM };
+static const struct api_param clear_group_params[] = {
+    PARAM("self", A_THING, REQ, 1 << H_LASERS, 0, NULL, NULL, "the group itself"), CLEAR_GROUP_PARAMS, EVERY_PARAM
+};
 
 /* ---- entries ---- */
 
@@ -619,37 +548,31 @@ static const struct api_entry entries[] = {
     BEAM_ENTRY,
     BOLT_ENTRY,
     CURVE_ENTRY,
-    API_GROUPS("laser", laser_group, laser_each),
-    { "laser.clear", api_laser_clear, api_laser_clear_params, LASER_CLEAR_PARAM_COUNT, 0, API_CHANGES, "count",
+    API_GROUPS("laser"),
+    { "laser.clear", api_clear, PARAMS(clear_params), 0, API_CHANGES, "count",
       HELP(
           "removes all enemy lasers, or only those that touch a circle, a box or a line; returns the number removed") },
-    { "laser:aim", laser_aim, PARAMS(aim_params), 2, API_CHANGES | API_METHOD, NULL,
-      HELP("points it at the nearest player or, if it is a player laser, at the nearest enemy") },
-    { "laser:turn", laser_turn, PARAMS(turn_params), 2, API_CHANGES | API_METHOD, NULL, HELP("turns it by an angle") },
-    { "laser:shift", laser_shift, PARAMS(shift_params), 3, API_CHANGES | API_METHOD, NULL,
-      HELP("teleports the entire laser by a distance, without collisions on the way") },
-    { "laser:fade", laser_fade, PARAMS(self_params), 1, API_CHANGES | API_METHOD, NULL,
-      HELP("fades it out; it stops hitting immediately") },
-    { "laser:clear", api_laser_clear_self, api_laser_clear_self_params, LASER_CLEAR_SELF_PARAM_COUNT, 1,
-      API_CHANGES | API_METHOD, NULL, HELP("removes it and leaves sparks or items along it") },
-    { "laser:remove", laser_remove, PARAMS(self_params), 1, API_CHANGES | API_METHOD, NULL,
-      HELP("removes it and leaves nothing") },
-    { "lasers:aim", laser_aim, PARAMS(aim_params), 2, API_CHANGES | API_METHOD, NULL,
-      HELP("points each laser at the nearest player and each player laser at the nearest enemy") },
-    { "lasers:turn", laser_turn, PARAMS(turn_params), 2, API_CHANGES | API_METHOD, NULL,
-      HELP("turns each laser by an angle") },
-    { "lasers:shift", laser_shift, PARAMS(shift_params), 3, API_CHANGES | API_METHOD, NULL,
-      HELP("teleports each laser by a distance, without collisions on the way") },
-    { "lasers:fade", laser_fade, PARAMS(self_params), 1, API_CHANGES | API_METHOD, NULL,
-      HELP("fades each laser out; it stops hitting immediately") },
-    { "lasers:clear", api_laser_clear_group, api_laser_clear_group_params, LASER_CLEAR_GROUP_PARAM_COUNT, 1,
-      API_CHANGES | API_METHOD, "count",
+    API_EACH_VERB("laser:aim", api_verb_aim, aim_params, 2,
+                  "points it at the nearest player or, if it is a player laser, at the nearest enemy"),
+    API_EACH_VERB("laser:turn", api_verb_turn, turn_params, 2, "turns it by an angle"),
+    API_EACH_VERB("laser:shift", api_verb_shift, shift_params, 3,
+                  "teleports the entire laser by a distance, without collisions on the way"),
+    API_EACH_VERB("laser:fade", laser_fade, self_params, 1, "fades it out; it stops hitting immediately"),
+    { "laser:clear", api_clear_self, PARAMS(clear_self_params), 1, API_CHANGES | API_METHOD, NULL,
+      HELP("removes it and leaves sparks or items along it") },
+    API_VERB("laser:remove", api_verb_remove, self_params, 1, NULL, "removes it and leaves nothing"),
+    API_EACH_VERB("lasers:aim", api_verb_aim, aim_params, 2,
+                  "points each laser at the nearest player and each player laser at the nearest enemy"),
+    API_EACH_VERB("lasers:turn", api_verb_turn, turn_params, 2, "turns each laser by an angle"),
+    API_EACH_VERB("lasers:shift", api_verb_shift, shift_params, 3,
+                  "teleports each laser by a distance, without collisions on the way"),
+    API_EACH_VERB("lasers:fade", laser_fade, self_params, 1, "fades each laser out; it stops hitting immediately"),
+    { "lasers:clear", api_clear_group, PARAMS(clear_group_params), 1, API_CHANGES | API_METHOD, "count",
       HELP("removes all lasers of the group, or only those that touch a circle, a box or a line; returns the number "
            "removed") },
-    API_VERB("lasers:signal", verb_signal, signal_params, 1, NULL,
+    API_VERB("lasers:signal", api_verb_signal, signal_params, 1, NULL,
              "resumes every laser whose motion waits for a signal to the group's tag (`wait_for`); a group without a "
              "tag signals all tags"),
-    { "lasers:remove", laser_remove, PARAMS(self_params), 1, API_CHANGES | API_METHOD, NULL,
-      HELP("removes each laser and leaves nothing") },
+    API_VERB("lasers:remove", api_verb_remove, self_params, 1, NULL, "removes each laser and leaves nothing"),
 };
 const struct api_module api_laser = { entries, sizeof entries / sizeof *entries };

@@ -183,8 +183,6 @@ static const struct api_param self_params[] = { PARAM("self", A_THING, REQ, 1 <<
 static int line_remove(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
-    if (!board_is_alive(b, v[ARG_SELF].i))
-        return 0;
     slots_drop(&b->lines.s, handle_slot(v[ARG_SELF].i));
     slots_trim(&b->lines.s);
     return 0;
@@ -194,6 +192,6 @@ static const struct api_entry entries[] = {
     { "text.line", text_line, PARAMS(line_params), 0, API_CHANGES, "line",
       HELP("writes a line of text at any pixel in the field or on the screen, or attached to a thing; needs `board = { "
            "lines = n }`") },
-    { "line:remove", line_remove, PARAMS(self_params), 1, API_CHANGES | API_METHOD, NULL, HELP("removes the line") },
+    API_EACH_VERB("line:remove", line_remove, self_params, 1, "removes the line"),
 };
 const struct api_module api_line = { entries, sizeof entries / sizeof *entries };

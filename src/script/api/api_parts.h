@@ -144,9 +144,15 @@ static inline int64_t api_value_to_q32(bool is_fine, const struct api_value *v)
     return is_fine ? api_to_q32(v->n) : (int64_t)v->f * (1 << Q32_EXTRA_BITS);
 }
 
-/* Records that a script wrote the property `property` (OVERRIDE_) of bullet i, so that the running motion step stops
- * controlling that property. */
-void api_override_property(struct bullets *s, uint32_t i, unsigned property);
+/* Returns the pool of a bullet, shot or laser head, or of the members of such a group. */
+struct bullets *api_flight_pool(struct board *b, int64_t h);
+
+/* The verbs of bullets, shots, lasers and their groups. */
+api_function api_verb_aim, api_verb_turn, api_verb_shift, api_verb_remove, api_verb_signal;
+
+/* After a verb removed bullet h, or a group: releases h or the group's bullets if they are held, because they left the
+ * field in this frame, so that their pending hits have no effect. */
+void api_release_held(struct board *b, int64_t h);
 
 /* A search for the known name nearest to a misspelt word. `list` collects the known names for api_hint_push. */
 struct api_hint {
@@ -304,6 +310,12 @@ _Static_assert((int)COUNT_FOREVER == FROZEN_FOREVER && (int)COUNT_FOREVER == SAF
                    (int)COUNT_FOREVER == HP_FOREVER,
                "the chips store forever as -1");
 
+/* Returns the number of the tag given as an argument; 0: not given. */
+static inline uint16_t api_read_tag(lua_State *L, const char *entry, const struct api_value *tag)
+{
+    return tag->given ? api_intern_tag(L, entry, tag->at) : 0;
+}
+
 /* Returns whether slot i has the tag; tag 0 matches all. */
 static inline bool api_has_tag(const uint16_t *tags, uint32_t i, uint32_t tag)
 {
@@ -332,38 +344,37 @@ extern const struct api_param api_tag_params[TAG_PARAM_COUNT], api_each_params[E
 /* Where the things of a kind, or a group's members, are stored: the struct's name in struct board. */
 #define POOL(pool) .slots_offset = offsetof(struct board, pool.s), .tags_offset = offsetof(struct board, pool.tag)
 
-/* Applies a verb to the thing before the colon, v[0], or to each live member of that group. Returns 0, the number of
- * results. */
-typedef void api_verb(struct board *b, uint32_t i, const struct api_value *v);
-int api_apply_verb(lua_State *L, struct board *b, const struct api_value *v, api_verb *verb);
+/* Runs a method of the thing v[0] if the thing is alive. If it is a group, runs the method for each live member, in
+ * slot order, with the member as v[0]. Returns 0, the number of results. */
+int api_run_each(lua_State *L, struct board *b, struct api_value *v, api_function *run);
 
-/* The table row (struct api_entry) of a method. */
+/* The table rows (struct api_entry) of a method, and of one that is run with api_run_each. */
 #define API_VERB(name, run, params, plain, returns, help)                                                              \
     {                                                                                                                  \
         name, run, PARAMS(params), plain, API_CHANGES | API_METHOD, returns, HELP(help)                                \
     }
 
+#define API_EACH_VERB(name, run, params, plain, help)                                                                  \
+    {                                                                                                                  \
+        name, run, PARAMS(params), plain, API_CHANGES | API_METHOD | API_EACH, NULL, HELP(help)                        \
+    }
+
 /* The rows of `noun`.group and `noun`.each. */
-#define API_GROUPS(noun, group, each)                                                                                  \
+#define API_GROUPS(noun)                                                                                               \
     { noun ".group",                                                                                                   \
-      group,                                                                                                           \
+      api_push_group,                                                                                                  \
       PARAMS(api_tag_params),                                                                                          \
       1,                                                                                                               \
       API_CHANGES,                                                                                                     \
       "group",                                                                                                         \
       HELP("returns a group; writes and method calls on it apply to every live " noun " with the given tag") },        \
     {                                                                                                                  \
-        noun ".each", each, PARAMS(api_each_params), 2, API_CHANGES, NULL,                                             \
+        noun ".each", api_call_each, PARAMS(api_each_params), 2, API_CHANGES, NULL,                                    \
             HELP("calls f(" noun ") for each live " noun " with the given tag, in slot order")                         \
     }
 
-/* Pushes a handle for the group of all things of a kind, or of only those with the given tag. */
-int api_push_group(lua_State *L, enum handle_kind kind, const char *entry, const struct api_value *tag);
-
-/* Calls the function in v with each live entity of a pool that has the tag in v (none: all), in slot order. Entities
- * spawned during the calls are not visited. */
-int api_call_each(lua_State *L, struct board *b, enum handle_kind kind, const char *entry, const struct slots *s,
-                  const uint16_t *tags, const struct api_value v[EACH_PARAM_COUNT]);
+/* The functions `group`, `each` and `count` of all kinds of things: "bullet.group". */
+api_function api_push_group, api_call_each, api_push_count_of_kind;
 
 /* A region given by a place and shape words: everywhere, a circle, a box or a line with a width. */
 enum api_region_shape { REGION_ALL, REGION_CIRCLE, REGION_BOX, REGION_LINE };
@@ -423,27 +434,32 @@ bool api_region_contains(const struct api_region *r, fx x, fx y);
 /* Returns whether any part of laser i, as drawn, is in the region. */
 bool api_region_touches_laser(const struct board *b, const struct api_region *r, uint32_t i);
 
-/* The parameters and functions of bullet.clear, laser.clear and the clear verbs of bullets, shots, lasers and
- * groups. */
-enum {
-    BULLET_CLEAR_PARAM_COUNT = 16,
-    BULLET_CLEAR_SELF_PARAM_COUNT = 3,
-    BULLET_CLEAR_GROUP_PARAM_COUNT = 4 + REGION_PARAM_COUNT,
-    LASER_CLEAR_PARAM_COUNT = 16,
-    LASER_CLEAR_SELF_PARAM_COUNT = 4,
-    LASER_CLEAR_GROUP_PARAM_COUNT = 5 + REGION_PARAM_COUNT
-};
-extern const struct api_param api_bullet_clear_params[BULLET_CLEAR_PARAM_COUNT],
-    api_bullet_clear_self_params[BULLET_CLEAR_SELF_PARAM_COUNT],
-    api_bullet_clear_group_params[BULLET_CLEAR_GROUP_PARAM_COUNT], api_laser_clear_params[LASER_CLEAR_PARAM_COUNT],
-    api_laser_clear_self_params[LASER_CLEAR_SELF_PARAM_COUNT],
-    api_laser_clear_group_params[LASER_CLEAR_GROUP_PARAM_COUNT];
-int api_bullet_clear(lua_State *L, struct board *b, struct api_value *v);
-int api_bullet_clear_self(lua_State *L, struct board *b, struct api_value *v);
-int api_bullet_clear_group(lua_State *L, struct board *b, struct api_value *v);
-int api_laser_clear(lua_State *L, struct board *b, struct api_value *v);
-int api_laser_clear_self(lua_State *L, struct board *b, struct api_value *v);
-int api_laser_clear_group(lua_State *L, struct board *b, struct api_value *v);
+/* bullet.clear and laser.clear; the verb `clear` of a bullet, shot or laser; and of a group. */
+api_function api_clear, api_clear_self, api_clear_group;
+
+#define CLEAR_SPARK_PARAM                                                                                              \
+    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "kind of spark to leave behind; overrides `vanish`")
+#define CLEAR_ALL_PARAM PARAM("all", A_BOOL, OPT, 0, 0, NULL, "false", "also remove kinds with `clearable = false`")
+#define CLEAR_ITEMS_PARAM(replaced)                                                                                    \
+    PARAM("items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL, "kind of item that replaces " replaced)
+
+/* Calls are folded with the indices of their arguments, so newer parameters come last, to keep old demos valid. */
+#define CLEAR_PARAMS                                                                                                   \
+    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "remove only things with this tag"),                                   \
+        PARAM("x", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL,                                                     \
+              "horizontal position of the shape; give `x` and `y`, or `from`"),                                        \
+        PARAM("y", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "vertical position of the shape"),                  \
+        SHAPE_CIRCLE_PARAMS(OPT, MAX_SPEED), CLEAR_SPARK_PARAM,                                                        \
+        PARAM("from", A_THING, OPT, POSITION_HANDLE_KINDS, 0, NULL, NULL,                                              \
+              "thing whose position is used instead of `x` and `y`"),                                                  \
+        PARAM("dx", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", "0",                                                     \
+              "distance added to `x`, or to the position of `from`"),                                                  \
+        PARAM("dy", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", "0",                                                     \
+              "distance added to `y`, or to the position of `from`"),                                                  \
+        SHAPE_BOX_PARAMS(OPT), SHAPE_LINE_PARAMS(OPT), CLEAR_ALL_PARAM, CLEAR_ITEMS_PARAM("each thing removed")
+#define CLEAR_GROUP_PARAMS                                                                                             \
+    CLEAR_SPARK_PARAM, POSITION_PARAMS, SHAPE_CIRCLE_PARAMS(OPT, MAX_SPEED), SHAPE_BOX_PARAMS(OPT),                    \
+        SHAPE_LINE_PARAMS(OPT), CLEAR_ALL_PARAM, CLEAR_ITEMS_PARAM("each thing removed")
 
 /* The parameters and the function of bullet.meet. */
 enum { MEET_PARAM_COUNT = 6 };

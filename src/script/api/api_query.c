@@ -170,7 +170,7 @@ static int run_query(lua_State *L, struct board *b, const char *entry, const str
                      const struct api_value *tag, const struct api_value region_args[REGION_PARAM_COUNT])
 {
     struct search_pool f = find_pool(L, b, entry, lua_tostring(L, pool->at));
-    uint32_t tag_number = tag->given ? api_intern_tag(L, entry, tag->at) : 0;
+    uint32_t tag_number = api_read_tag(L, entry, tag);
     struct api_region r;
     bool has_position = api_read_region(L, b, entry, region_args, &r);
 

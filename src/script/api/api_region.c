@@ -97,38 +97,71 @@ bool api_region_touches_laser(const struct board *b, const struct api_region *r,
 
 /* ---- clears ---- */
 
-static const struct bullet_kinds *get_bullet_kinds(const struct board *b, const struct bullets *s)
+/* A clear removes entities that have the tag (0: any), are in the region, and are clearable unless `include_fixed`.
+ * `spark`, `item`: what each of them leaves, as given as arguments. `spacing`: distance between the sparks and items
+ * along a laser. */
+struct clear {
+    struct api_region region;
+    const struct api_value *spark, *item;
+    uint32_t tag;
+    fx spacing;
+    bool include_fixed, include_player_lasers;
+};
+
+/* What an entity leaves: a kind of spark + 1 (0: none), and an item, if given. */
+struct remains {
+    uint16_t spark;
+    const struct api_value *item;
+};
+
+/* Emits the spark and spawns the item at one position. */
+static void leave_remains(struct board *b, fx x, fx y, void *context)
+{
+    const struct remains *r = context;
+
+    if (r->spark)
+        board_burst_sparks(b, &(struct spark_burst){ .x = x, .y = y, .kind = (uint16_t)(r->spark - 1), .n = 1 });
+    if (r->item->given)
+        board_replace_with_item(b, (uint16_t)r->item->i, x, y);
+}
+
+/* Returns what a bullet, shot or laser head of that kind leaves. */
+static struct remains find_remains(const struct board *b, const struct bullets *s, uint16_t kind, const struct clear *c)
+{
+    const uint16_t vanish = s == &b->laser_heads ? b->laser_kinds.vanish_spark[kind]
+                            : s == &b->bullets   ? b->bullet_kinds.vanish_spark[kind]
+                                                 : 0;
+
+    return (struct remains){ c->spark->given ? (uint16_t)(c->spark->i + 1) : vanish, c->item };
+}
+
+static const struct bullet_kinds *get_kinds(const struct board *b, const struct bullets *s)
 {
     return s == &b->bullets ? &b->bullet_kinds : &b->shot_kinds;
 }
 
-/* Emits the spark of a cleared bullet: the spark `spark` or, if not given, the one of the bullet's kind. */
-static void leave_spark(struct board *b, const struct bullets *s, const struct api_value *spark, uint32_t i)
+static void clear_bullet(struct board *b, struct bullets *s, uint32_t i, const struct clear *c)
 {
-    if (spark->given)
-        board_burst_sparks(b, &(struct spark_burst){ .x = s->x[i], .y = s->y[i], .kind = (uint16_t)spark->i, .n = 1 });
-    else if (s == &b->bullets)
-        board_spawn_vanish_spark(b, i);
+    struct remains r = find_remains(b, s, bullets_kind(s, get_kinds(b, s), i), c);
+
+    leave_remains(b, s->x[i], s->y[i], &r);
+    bullets_drop(s, i);
 }
 
-/* Spawns the item a cleared bullet turns into, if one is given. */
-static void leave_item(struct board *b, const struct bullets *s, const struct api_value *item, uint32_t i)
+/* Removes the whole of laser i. */
+static void clear_laser(lua_State *L, struct board *b, uint32_t i, const struct clear *c)
 {
-    if (item->given)
-        board_replace_with_item(b, (uint16_t)item->i, s->x[i], s->y[i]);
+    struct remains r = find_remains(b, &b->laser_heads, b->laser_heads.kind[i], c);
+
+    vm_charge(L, lasers_corner_count(b, i));
+    if (r.spark || r.item->given)
+        vm_charge(L, lasers_visit_positions(b, i, c->spacing, leave_remains, &r));
+    lasers_remove(b, i);
 }
 
-/* A clear removes entities that have the tag (0: any), are in the region, and are clearable unless `include_fixed`. */
-struct clear_filter {
-    struct api_region region;
-    const struct api_value *spark, *item; /* arguments as given */
-    uint32_t tag;
-    bool include_fixed;
-};
-
-static bool matches_filter(const struct board *b, const struct bullets *s, const struct clear_filter *c, uint32_t i)
+static bool is_cleared(const struct board *b, const struct bullets *s, const struct clear *c, uint32_t i)
 {
-    const struct bullet_kinds *kinds = get_bullet_kinds(b, s);
+    const struct bullet_kinds *kinds = get_kinds(b, s);
 
     return api_has_tag(s->tag, i, c->tag) && api_region_contains(&c->region, s->x[i], s->y[i]) &&
            (c->include_fixed || !(kinds->flags[bullets_kind(s, kinds, i)] & KIND_FIXED));
@@ -138,27 +171,43 @@ enum { LINE_WORK = 3, CLEAR_WORK = 10 /* work: per bullet tested against a line;
 
 /* Removes the matching bullets and returns how many. Also releases, without counting them, matching held bullets (those
  * that left the field this frame), so their pending hits have no effect. */
-static lua_Integer clear_bullets(lua_State *L, struct board *b, struct bullets *s, const struct clear_filter *c)
+static lua_Integer clear_bullets(lua_State *L, struct board *b, struct bullets *s, const struct clear *c)
 {
     lua_Integer n = 0;
 
     vm_charge(L, (c->region.shape == REGION_LINE ? LINE_WORK : 1) * (uint64_t)s->s.live);
     EACH_LIVE (i, &s->s) {
-        if (!matches_filter(b, s, c, i))
+        if (!is_cleared(b, s, c, i))
             continue;
-        leave_spark(b, s, c->spark, i);
-        leave_item(b, s, c->item, i);
-        bullets_drop(s, i);
+        clear_bullet(b, s, i, c);
         n++;
     }
     vm_charge(L, CLEAR_WORK * (uint64_t)n);
     EACH_HELD (i, &s->s)
-        if (matches_filter(b, s, c, i))
+        if (is_cleared(b, s, c, i))
             bullets_release(s, i);
     return n;
 }
 
-/* Calls are folded with the indices of their arguments, so newer parameters come last, to keep old demos valid. */
+/* Removes the matching lasers and returns how many. */
+static lua_Integer clear_lasers(lua_State *L, struct board *b, const struct clear *c)
+{
+    const struct laser_kinds *kinds = &b->laser_kinds;
+    lua_Integer n = 0;
+
+    EACH_LIVE (i, &b->lasers.s) {
+        const unsigned flags = kinds->flags[b->laser_heads.kind[i]];
+        vm_charge(L, lasers_corner_count(b, i));
+        if (!api_has_tag(b->laser_heads.tag, i, c->tag) || (flags & LASER_HITS_ENEMIES && !c->include_player_lasers) ||
+            (flags & LASER_FIXED && !c->include_fixed) || !api_region_touches_laser(b, &c->region, i))
+            continue;
+        clear_laser(L, b, i, c);
+        n++;
+    }
+    return n;
+}
+
+/* Indices of the arguments of bullet.clear and laser.clear (CLEAR_PARAMS). */
 enum {
     C_TAG,
     C_X,
@@ -175,218 +224,76 @@ enum {
     C_WIDTH,
     C_ALL,
     C_ITEMS,
-    C_LASERS,
+    C_LASERS, /* bullet.clear only */
     C_EVERY = C_LASERS
 };
 
-/* Parameters that all clears of bullets and of lasers share. */
-#define COMMON_CLEAR_PARAMS                                                                                            \
-    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "remove only things with this tag"),                                   \
-        PARAM("x", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL,                                                     \
-              "horizontal position of the shape; give `x` and `y`, or `from`"),                                        \
-        PARAM("y", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "vertical position of the shape"),                  \
-        SHAPE_CIRCLE_PARAMS(OPT, MAX_SPEED),                                                                           \
-        PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "kind of spark to leave behind; overrides `vanish`"),      \
-        PARAM("from", A_THING, OPT, POSITION_HANDLE_KINDS, 0, NULL, NULL,                                              \
-              "thing whose position is used instead of `x` and `y`"),                                                  \
-        PARAM("dx", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", "0",                                                     \
-              "distance added to `x`, or to the position of `from`"),                                                  \
-        PARAM("dy", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", "0",                                                     \
-              "distance added to `y`, or to the position of `from`"),                                                  \
-        SHAPE_BOX_PARAMS(OPT), SHAPE_LINE_PARAMS(OPT),                                                                 \
-        PARAM("all", A_BOOL, OPT, 0, 0, NULL, "false", "also remove kinds with `clearable = false`"),                  \
-        PARAM("items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL, "kind of item that replaces each thing removed")
+enum { DEFAULT_SPACING = 12 /* px */ };
 
-const struct api_param api_bullet_clear_params[BULLET_CLEAR_PARAM_COUNT] = {
-    COMMON_CLEAR_PARAMS,
-    PARAM("lasers", A_BOOL, OPT, 0, 0, NULL, "true",
-          "also remove enemy lasers; with a shape, only lasers that touch it"),
-};
-
-/* ---- clearing lasers ---- */
-
-enum { DEFAULT_REMAINS_SPACING = 12 /* px between the sparks and items along a cleared laser */ };
-
-/* The spark and item a cleared laser leaves. */
-struct remains {
-    bool has_spark;
-    uint16_t spark_kind;
-    const struct api_value *item;
-};
-
-/* Emits the spark and spawns the item at one position on a cleared laser. */
-static void leave_remains(struct board *b, fx x, fx y, void *context)
+int api_clear(lua_State *L, struct board *b, struct api_value *v)
 {
-    const struct remains *r = context;
-
-    if (r->has_spark)
-        board_burst_sparks(b, &(struct spark_burst){ .x = x, .y = y, .kind = r->spark_kind, .n = 1 });
-    if (r->item->given)
-        board_replace_with_item(b, (uint16_t)r->item->i, x, y);
-}
-
-/* Removes the whole of laser i. Every `spacing` px along it, emits the given spark (otherwise the one of its kind) and
- * spawns the given item, if any. */
-static void clear_laser(lua_State *L, struct board *b, uint32_t i, const struct api_value *spark,
-                        const struct api_value *item, fx spacing)
-{
-    const uint16_t vanish = b->laser_kinds.vanish_spark[b->laser_heads.kind[i]];
-    struct remains r = { spark->given || vanish, (uint16_t)(spark->given ? spark->i : vanish - 1), item };
-
-    vm_charge(L, lasers_corner_count(b, i));
-    if (r.has_spark || item->given)
-        vm_charge(L, lasers_visit_positions(b, i, spacing, leave_remains, &r));
-    lasers_remove(b, i);
-}
-
-/* Removes the lasers that match c and returns how many; includes players' lasers only if `include_player_lasers`. */
-static lua_Integer clear_lasers(lua_State *L, struct board *b, const struct clear_filter *c, fx spacing,
-                                bool include_player_lasers)
-{
-    const struct laser_kinds *kinds = &b->laser_kinds;
-    lua_Integer n = 0;
-
-    EACH_LIVE (i, &b->lasers.s) {
-        const unsigned flags = kinds->flags[b->laser_heads.kind[i]];
-        vm_charge(L, lasers_corner_count(b, i));
-        if (!api_has_tag(b->laser_heads.tag, i, c->tag) || (flags & LASER_HITS_ENEMIES && !include_player_lasers) ||
-            (flags & LASER_FIXED && !c->include_fixed) || !api_region_touches_laser(b, &c->region, i))
-            continue;
-        clear_laser(L, b, i, c->spark, c->item, spacing);
-        n++;
-    }
-    return n;
-}
-
-int api_bullet_clear(lua_State *L, struct board *b, struct api_value *v)
-{
+    const char *entry = api_current_binding(L)->entry->name;
+    const bool is_laser_clear = entry[0] == 'l';
     const struct api_value region_args[REGION_PARAM_COUNT] = { v[C_X],    v[C_Y],      v[C_FROM], v[C_DX],
                                                                v[C_DY],   v[C_RADIUS], v[C_W],    v[C_H],
                                                                v[C_TO_X], v[C_TO_Y],   v[C_WIDTH] };
-    struct clear_filter c = { .spark = &v[C_SPARK], .item = &v[C_ITEMS], .include_fixed = v[C_ALL].i };
+    struct clear c = { .spark = &v[C_SPARK],
+                       .item = &v[C_ITEMS],
+                       .tag = api_read_tag(L, entry, &v[C_TAG]),
+                       .spacing = is_laser_clear ? v[C_EVERY].f : DEFAULT_SPACING << 16,
+                       .include_fixed = v[C_ALL].i };
+    lua_Integer n = 0;
 
-    if (v[C_TAG].given)
-        c.tag = api_intern_tag(L, "bullet.clear", v[C_TAG].at);
-    bool has_position = api_read_region(L, b, "bullet.clear", region_args, &c.region);
-    lua_Integer n = has_position ? clear_bullets(L, b, &b->bullets, &c) : 0;
-    if (has_position && v[C_LASERS].i)
-        n += clear_lasers(L, b, &c, DEFAULT_REMAINS_SPACING << 16, false);
+    if (api_read_region(L, b, entry, region_args, &c.region)) {
+        n = is_laser_clear ? 0 : clear_bullets(L, b, &b->bullets, &c);
+        n += is_laser_clear || v[C_LASERS].i ? clear_lasers(L, b, &c) : 0;
+    }
     lua_pushinteger(L, n);
     return 1;
 }
 
-enum {
-    ARG_SELF,
-    ARG_SPARK,
-    SELF_ITEMS,
-    ARG_POSITION = SELF_ITEMS,
-    ARG_ALL = ARG_POSITION + REGION_PARAM_COUNT,
-    ARG_ITEMS
-};
+enum { ARG_SELF, ARG_SPARK, SELF_ITEMS, SELF_EVERY };
 
-const struct api_param api_bullet_clear_self_params[BULLET_CLEAR_SELF_PARAM_COUNT] = {
-    PARAM("self", A_THING, REQ, 1 << H_BULLET | 1 << H_SHOT, 0, NULL, NULL, "the thing itself"),
-    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "kind of spark to leave behind; overrides `vanish`"),
-    PARAM("items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL, "kind of item that replaces it"),
-};
-
-int api_bullet_clear_self(lua_State *L, struct board *b, struct api_value *v)
+static int clear_one(lua_State *L, struct board *b, struct api_value *v)
 {
-    int64_t h = v[ARG_SELF].i;
-    uint32_t i = handle_slot(h);
-    struct bullets *s = handle_kind(h) == H_SHOT ? &b->shots : &b->bullets;
+    struct bullets *s = api_flight_pool(b, v[ARG_SELF].i);
+    const bool is_laser = s == &b->laser_heads;
+    const struct clear c = { .spark = &v[ARG_SPARK],
+                             .item = &v[SELF_ITEMS],
+                             .spacing = is_laser ? v[SELF_EVERY].f : 0 };
 
-    (void)L;
-    if (board_is_alive(b, h)) {
-        leave_spark(b, s, &v[ARG_SPARK], i);
-        leave_item(b, s, &v[SELF_ITEMS], i);
-        bullets_drop(s, i);
-    } else if (board_is_readable(b, h))
-        bullets_release(s, handle_slot(h));
+    if (is_laser)
+        clear_laser(L, b, handle_slot(v[ARG_SELF].i), &c);
+    else
+        clear_bullet(b, s, handle_slot(v[ARG_SELF].i), &c);
     return 0;
 }
 
-const struct api_param api_bullet_clear_group_params[BULLET_CLEAR_GROUP_PARAM_COUNT] = {
-    PARAM("self", A_THING, REQ, 1 << H_GROUP | 1 << H_SHOTS, 0, NULL, NULL, "the group itself"),
-    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "kind of spark to leave behind; overrides `vanish`"),
-    POSITION_PARAMS,
-    SHAPE_CIRCLE_PARAMS(OPT, MAX_SPEED),
-    SHAPE_BOX_PARAMS(OPT),
-    SHAPE_LINE_PARAMS(OPT),
-    PARAM("all", A_BOOL, OPT, 0, 0, NULL, "false", "also remove kinds with `clearable = false`"),
-    PARAM("items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL, "kind of item that replaces each thing removed"),
-};
-
-int api_bullet_clear_group(lua_State *L, struct board *b, struct api_value *v)
+int api_clear_self(lua_State *L, struct board *b, struct api_value *v)
 {
-    bool is_shots = handle_kind(v[ARG_SELF].i) == H_SHOTS;
-    struct clear_filter c = {
-        .spark = &v[ARG_SPARK], .item = &v[ARG_ITEMS], .tag = handle_slot(v[ARG_SELF].i), .include_fixed = v[ARG_ALL].i
-    };
-    bool has_position = api_read_region(L, b, is_shots ? "shots:clear" : "group:clear", v + ARG_POSITION, &c.region);
+    const int64_t h = v[ARG_SELF].i;
 
-    lua_pushinteger(L, has_position ? clear_bullets(L, b, is_shots ? &b->shots : &b->bullets, &c) : 0);
-    return 1;
-}
-
-/* ---- laser.clear ---- */
-
-#define EVERY_PARAM                                                                                                    \
-    PARAM("every", A_FX, OPT, 1, LASER_MAX_SIZE, "px", "12",                                                           \
-          "distance along the laser between the sparks or items it leaves")
-
-const struct api_param api_laser_clear_params[LASER_CLEAR_PARAM_COUNT] = {
-    COMMON_CLEAR_PARAMS,
-    EVERY_PARAM,
-};
-
-int api_laser_clear(lua_State *L, struct board *b, struct api_value *v)
-{
-    const struct api_value region_args[REGION_PARAM_COUNT] = { v[C_X],    v[C_Y],      v[C_FROM], v[C_DX],
-                                                               v[C_DY],   v[C_RADIUS], v[C_W],    v[C_H],
-                                                               v[C_TO_X], v[C_TO_Y],   v[C_WIDTH] };
-    struct clear_filter c = { .spark = &v[C_SPARK], .item = &v[C_ITEMS], .include_fixed = v[C_ALL].i };
-
-    if (v[C_TAG].given)
-        c.tag = api_intern_tag(L, "laser.clear", v[C_TAG].at);
-    bool has_position = api_read_region(L, b, "laser.clear", region_args, &c.region);
-    lua_pushinteger(L, has_position ? clear_lasers(L, b, &c, v[C_EVERY].f, false) : 0);
-    return 1;
-}
-
-const struct api_param api_laser_clear_self_params[LASER_CLEAR_SELF_PARAM_COUNT] = {
-    PARAM("self", A_THING, REQ, 1 << H_LASER, 0, NULL, NULL, "the laser itself"),
-    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "kind of spark to leave behind; overrides `vanish`"),
-    PARAM("items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL, "kind of item that replaces it"),
-    EVERY_PARAM,
-};
-
-int api_laser_clear_self(lua_State *L, struct board *b, struct api_value *v)
-{
-    if (board_is_alive(b, v[ARG_SELF].i))
-        clear_laser(L, b, handle_slot(v[ARG_SELF].i), &v[ARG_SPARK], &v[SELF_ITEMS], v[SELF_ITEMS + 1].f);
+    api_run_each(L, b, v, clear_one);
+    api_release_held(b, h);
     return 0;
 }
 
-const struct api_param api_laser_clear_group_params[LASER_CLEAR_GROUP_PARAM_COUNT] = {
-    PARAM("self", A_THING, REQ, 1 << H_LASERS, 0, NULL, NULL, "the group itself"),
-    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "kind of spark to leave behind; overrides `vanish`"),
-    POSITION_PARAMS,
-    SHAPE_CIRCLE_PARAMS(OPT, MAX_SPEED),
-    SHAPE_BOX_PARAMS(OPT),
-    SHAPE_LINE_PARAMS(OPT),
-    PARAM("all", A_BOOL, OPT, 0, 0, NULL, "false", "also remove kinds with `clearable = false`"),
-    PARAM("items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL, "kind of item that replaces each thing removed"),
-    EVERY_PARAM,
-};
+enum { ARG_POSITION = ARG_SPARK + 1, ARG_ALL = ARG_POSITION + REGION_PARAM_COUNT, ARG_ITEMS, ARG_EVERY };
 
-int api_laser_clear_group(lua_State *L, struct board *b, struct api_value *v)
+int api_clear_group(lua_State *L, struct board *b, struct api_value *v)
 {
-    struct clear_filter c = {
-        .spark = &v[ARG_SPARK], .item = &v[ARG_ITEMS], .tag = handle_slot(v[ARG_SELF].i), .include_fixed = v[ARG_ALL].i
-    };
-    bool has_position = api_read_region(L, b, "lasers:clear", v + ARG_POSITION, &c.region);
+    const int64_t h = v[ARG_SELF].i;
+    const bool is_lasers = handle_kind(h) == H_LASERS;
+    struct clear c = { .spark = &v[ARG_SPARK],
+                       .item = &v[ARG_ITEMS],
+                       .tag = handle_slot(h),
+                       .spacing = is_lasers ? v[ARG_EVERY].f : 0,
+                       .include_fixed = v[ARG_ALL].i,
+                       .include_player_lasers = true };
+    lua_Integer n = 0;
 
-    lua_pushinteger(L, has_position ? clear_lasers(L, b, &c, v[ARG_ITEMS + 1].f, true) : 0);
+    if (api_read_region(L, b, api_current_binding(L)->entry->name, v + ARG_POSITION, &c.region))
+        n = is_lasers ? clear_lasers(L, b, &c) : clear_bullets(L, b, api_flight_pool(b, h), &c);
+    lua_pushinteger(L, n);
     return 1;
 }

@@ -304,8 +304,6 @@ static const struct api_param self_params[] = { PARAM("self", A_THING, REQ, 1 <<
 static int sprite_remove(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
-    if (!board_is_alive(b, v[ARG_SELF].i))
-        return 0;
     slots_drop(&b->sprites.s, handle_slot(v[ARG_SELF].i));
     slots_trim(&b->sprites.s);
     return 0;
@@ -673,8 +671,7 @@ static const struct api_entry entries[] = {
     { "sprite.plate", sprite_plate, PARAMS(plate_params), 0, API_CHANGES, "sprite",
       HELP("places a dark plate with a light rim on the screen, above the picture that screen.dim darkens and below "
            "the text") },
-    { "sprite:remove", sprite_remove, PARAMS(self_params), 1, API_CHANGES | API_METHOD, NULL,
-      HELP("removes the sprite") },
+    API_EACH_VERB("sprite:remove", sprite_remove, self_params, 1, "removes the sprite"),
     { "spark.def", spark_define, PARAMS(spark_def_params), 1, API_CHANGES | API_LOAD_ONLY, NULL,
       HELP("declares a kind of spark: a purely visual particle that never hits and that scripts can't read") },
     { "spark.burst", spark_burst, PARAMS(burst_params), 0, API_CHANGES, NULL,

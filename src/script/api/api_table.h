@@ -96,12 +96,16 @@ enum {
     API_PATTERN = 1 << 6,   /* a pattern: also takes the arguments of the function that fires its bullets (FIRES_) */
     API_GLOBAL = 1 << 7,    /* is a global */
     API_TAKES_VALUES =
-        1 << 8, /* takes the values declared for what it creates; with API_PATTERN, for what the pattern fires */
+        1 << 8,        /* takes the values declared for what it creates; with API_PATTERN, for what the pattern fires */
+    API_EACH = 1 << 9, /* a method run only for live things: not for a dead one, once for each member of a group */
 };
 
+/* The C function of an entry. Returns the number of results pushed. */
+typedef int api_function(struct lua_State *L, struct board *b, struct api_value *v);
+
 struct api_entry {
-    const char *name;                                                      /* "bullet.fire", "bullet:aim", "wait" */
-    int (*run)(struct lua_State *L, struct board *b, struct api_value *v); /* returns the number of results pushed */
+    const char *name; /* "bullet.fire", "bullet:aim", "wait" */
+    api_function *run;
     const struct api_param *params;
     uint8_t count;            /* number of params */
     uint8_t positional_count; /* number of positional arguments; the others are named, in one table */
@@ -141,7 +145,7 @@ struct api_prop {
 };
 
 /* The properties of a kind of handle. get pushes property p of a live thing, set writes property p; both only for
- * properties whose rows name no column. A group has no get or set, but refers to its members' api_thing and pool. */
+ * properties whose rows name no column. A group has no get or set, but its members' kind and pool. */
 struct api_thing {
     const char *name; /* "bullet" */
     const struct api_prop *props;
@@ -149,8 +153,8 @@ struct api_thing {
     void (*get)(struct lua_State *L, struct board *b, uint32_t slot, int p);
     void (*set)(struct lua_State *L, struct board *b, uint32_t slot, int p, const struct api_value *v);
     size_t slots_offset, tags_offset; /* offset in struct board of the pool, and of the pointer to its tags */
-    const struct api_thing *member;   /* of a group, whose properties have the same indices; NULL: not a group */
-    uint64_t write_work;              /* work per live slot of a write to a group */
+    enum handle_kind member;          /* of a group, whose properties have the same indices; 0: not a group */
+    uint64_t write_work;              /* work per live slot of a write or a verb (API_EACH) on a group */
     bool (*has_member)(const struct board *b, uint32_t slot, int p); /* a further condition; NULL: none */
 };
 
