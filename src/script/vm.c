@@ -138,7 +138,7 @@ static int fault_undeclared_global(lua_State *L)
 
     if (api_push_lazy_table(L, name))
         return 1;
-    if (api_is_reserved("", '.', name))
+    if (api_is_reserved(name))
         return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\" (%s %s)", name, name, RESERVED_MESSAGE);
     if (line)
         return vm_fault(L, FAULT_SCRIPT, "%s: " API_DISABLED_FORMAT, name, line);

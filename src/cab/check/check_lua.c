@@ -182,7 +182,7 @@ static void unknown_global(struct check *c, const char *path, const struct symbo
     }
     const char *near = g->use == USE_WRITE ? NULL : name_set_near(&c->builtins, NULL, g->name);
     hint(meant, g->name, near, g->local);
-    if (api_is_reserved("", '.', g->name) && g->use != USE_WRITE)
+    if (api_is_reserved(g->name) && g->use != USE_WRITE)
         diagnostics_add(&c->found, path, g->line, "undeclared global \"%s\" (%s %s)%s", g->name, g->name,
                         RESERVED_MESSAGE, g->local != NULL ? meant : "");
     else if (g->use == USE_WRITE && meant[0] == '\0')
@@ -201,8 +201,6 @@ static void unknown_field(struct check *c, const char *path, const struct symbol
     hint(meant, g->field, name_set_near(&c->builtins, g->name, g->field), NULL);
     if (instead != NULL)
         diagnostics_add(&c->found, path, g->line, "%s.%s is not available (%s)", g->name, g->field, instead);
-    else if (api_is_reserved(g->name, '.', g->field))
-        diagnostics_add(&c->found, path, g->line, "%s.%s %s", g->name, g->field, RESERVED_MESSAGE);
     else
         diagnostics_add(&c->found, path, g->line, "%s has no \"%s\"%s", g->name, g->field, meant);
 }
@@ -244,7 +242,7 @@ static void judge_global(struct check *c, const char *path, const struct symbol_
 
     if (strcmp(g->name, "_G") == 0 || strcmp(g->name, "_ENV") == 0)
         return;
-    if (line && !api_is_reserved("", '.', g->name)) {
+    if (line && !api_is_reserved(g->name)) {
         diagnostics_add(&c->found, path, g->line, "%s: " API_DISABLED_FORMAT, g->name, line);
         return;
     }

@@ -561,8 +561,6 @@ static void raise_unknown_argument(lua_State *L, const struct api_entry *e, cons
     if (lua_type(L, -1) != LUA_TSTRING)
         api_error(L, e->name, "expected named arguments ({ name = value }), got key %s", api_push_description(L, -1));
     const char *name = lua_tostring(L, -1);
-    if (api_is_reserved(e->name, '{', name) || (fired_entry && api_is_reserved(fired_entry->name, '{', name)))
-        api_error(L, e->name, "%s %s", name, RESERVED_MESSAGE);
     if (fired_entry == api_get_table(L)->fire_entries[FIRES_BULLETS] &&
         api_search_param(api_get_table(L)->fire_entries[FIRES_SHOTS], NULL, name) >= 0)
         api_error(L, e->name, "`%s` requires a shot (did you forget `fire = \"shot\"`?)", name);

@@ -79,8 +79,6 @@ static int raise_unknown_property(lua_State *L, const struct api_thing *t, int k
     const char *found = NULL;
     int best = EDIT_TOO_FAR;
 
-    if (api_is_reserved(t->name, ':', name) && !(kind == H_PLAYER && api_register_is_declared(L, name)))
-        return vm_fault(L, FAULT_SCRIPT, "%s: %s %s", t->name, name, RESERVED_MESSAGE);
     for (int i = 0; i < t->n; i++)
         api_consider_suggestion(name, t->props[i].param.name, &best, &found);
     if (api_can_die((enum handle_kind)kind))

@@ -1,18 +1,13 @@
 /*
- * api_reserved.c - names reserved for later features; a script that uses one gets an error that the name is reserved.
- * Remove a name when its feature is added; a test checks that no listed name exists.
+ * api_reserved.c - globals reserved for later features, and features that rom.lua must enable. A script that reads one
+ * of these names gets an error that says so. Remove a reserved global when its feature is added; a test checks that no
+ * reserved global exists.
  */
 #include <string.h>
 #include "../std.h"
 #include "api_parts.h"
 
-static const struct {
-    const char *owner; /* a table of the API, a function, or a thing; "": the globals */
-    char separator;    /* '.' a field, '{' an argument, ':' a property or a verb */
-    const char *names;
-} reserved_names[] = {
-    { "", '.', "test" },
-};
+const char api_reserved_globals[] = "test";
 
 static bool has_word(const char *words, const char *word)
 {
@@ -24,30 +19,9 @@ static bool has_word(const char *words, const char *word)
     return false;
 }
 
-/* Returns whether `owner` is `row`, the owner of a row, or `row` followed by a quoted detail
- * (api_push_checked_arguments). */
-static bool is_owner(const char *row, const char *owner)
+bool api_is_reserved(const char *global)
 {
-    size_t n = strlen(row);
-
-    return !strncmp(row, owner, n) && (!owner[n] || !strncmp(owner + n, " \"", 2));
-}
-
-bool api_is_reserved(const char *owner, char separator, const char *name)
-{
-    for (size_t i = 0; i < sizeof reserved_names / sizeof *reserved_names; i++)
-        if (reserved_names[i].separator == separator && is_owner(reserved_names[i].owner, owner))
-            return has_word(reserved_names[i].names, name);
-    return false;
-}
-
-const char *api_reserved_row(int i, const char **owner, char *separator)
-{
-    if (i >= (int)(sizeof reserved_names / sizeof *reserved_names))
-        return NULL;
-    *owner = reserved_names[i].owner;
-    *separator = reserved_names[i].separator;
-    return reserved_names[i].names;
+    return has_word(api_reserved_globals, global);
 }
 
 /* Tables, things and fields that exist only if rom.lua enables them. */
@@ -90,8 +64,6 @@ void api_fault_missing_field(lua_State *L, const char *owner, const char *name)
     if (reason)
         vm_fault(L, FAULT_SCRIPT, "%s: " API_DISABLED_FORMAT, full_name, reason);
     lua_pop(L, 1);
-    if (api_is_reserved(owner, '.', name))
-        vm_fault(L, FAULT_SCRIPT, "%s.%s %s", owner, name, RESERVED_MESSAGE);
     if (std_module_of_field(owner, name) >= 0)
         vm_fault(L, FAULT_SCRIPT, "%s.%s: %s", owner, name, STD_NOT_PACKED);
 }
@@ -109,10 +81,6 @@ static void explain_missing_fields(lua_State *L, const char *table)
 
 void api_explain_missing_fields(lua_State *L)
 {
-    for (size_t i = 0; i < sizeof reserved_names / sizeof *reserved_names; i++)
-        if (reserved_names[i].separator == '.' && reserved_names[i].owner[0])
-            explain_missing_fields(L, reserved_names[i].owner);
-    explain_missing_fields(L, "text"); /* for text.line, which rom.lua may disable */
     for (int i = 0; i < STD_MODULE_COUNT; i++)
         if (std_extended_table(i))
             explain_missing_fields(L, std_extended_table(i));

@@ -219,13 +219,12 @@ extern const char *const api_hit_forms[];
 /* Returns whether things of that kind can die and therefore have the property `alive`. */
 bool api_can_die(enum handle_kind kind);
 
-/* The message for a name reserved for a later feature. */
+/* The message for a global reserved for a later feature. */
 #define RESERVED_MESSAGE "is reserved for a later version"
 
-/* Returns whether a name is reserved. `separator` is '.' for a field of the table `owner` ("board"; "": the globals),
- * '{' for an argument of the function `owner` ("bullet.fire"), and ':' for a property or verb of the thing `owner`
- * ("bullet"). */
-bool api_is_reserved(const char *owner, char separator, const char *name);
+/* The reserved globals, separated by spaces, and whether a name is one of them. */
+extern const char api_reserved_globals[];
+bool api_is_reserved(const char *global);
 
 /* If the table, thing or group of that name ("item", "items") is disabled, returns the text for the %s of
  * API_DISABLED_FORMAT, otherwise NULL. Some API tables belong to a chip that exists only if rom.lua gives it a
@@ -234,10 +233,6 @@ const char *api_disabled_reason(const struct manifest *m, const char *name);
 
 /* The error message for a disabled name; %s is the text returned by api_disabled_reason. */
 #define API_DISABLED_FORMAT "%s in rom.lua"
-
-/* Returns the reserved names of row i, separated by spaces, or NULL after the last row. *owner and *separator receive
- * the row's `owner` and `separator`, as in api_is_reserved. For tests. */
-const char *api_reserved_row(int i, const char **owner, char *separator);
 
 /* Returns the names that scripts see in a Lua library ("math"; "": the globals), separated by spaces, or NULL if the
  * library does not exist. */

@@ -18,14 +18,13 @@ static bool is_identifier(const char *name)
     return name[0] && !strchr("0123456789", name[0]) && strlen(name) == strspn(name, allowed);
 }
 
-/* Returns whether the name is already used: by a property or a verb of the thing, a reserved name, or an argument of
- * the function that creates the thing. */
+/* Returns whether the name is already used: by a property or a verb of the thing, or an argument of the function that
+ * creates the thing. */
 static bool is_name_taken(lua_State *L, int kind, const char *name)
 {
     const struct api_entry *creator = api_find_entry(api_get_table(L), creator_entries[kind]);
     const enum handle_kind group = kind == 0 ? H_GROUP : handle_kinds[kind];
-    bool used = !strcmp(name, "alive") || api_is_reserved(kind_names[kind], ':', name) ||
-                api_is_reserved(creator->name, '{', name);
+    bool used = !strcmp(name, "alive");
 
     used |= api_has_property(api_get_table(L)->things[handle_kinds[kind]], name) ||
             api_has_property(api_get_table(L)->things[group], name);
