@@ -622,12 +622,7 @@ static const char handlers_key = 0; /* registry: slot + 1 -> on_fire */
 
 void bulletml_set_handler(lua_State *L, uint32_t i)
 {
-    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &handlers_key) != LUA_TTABLE) {
-        lua_pop(L, 1);
-        lua_newtable(L);
-        lua_pushvalue(L, -1);
-        lua_rawsetp(L, LUA_REGISTRYINDEX, &handlers_key);
-    }
+    vm_push_registry_table(L, &handlers_key);
     lua_insert(L, -2);
     lua_rawseti(L, -2, (lua_Integer)i + 1);
     lua_pop(L, 1);

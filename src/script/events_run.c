@@ -1,12 +1,12 @@
 /*
  * events_run.c - see events_run.h.
  *
- * The Lua registry holds the handlers: a list of functions for each event that has any, and one table of functions and
- * drop lists. The keys of functions are e.g. "on_hit 3" (enemy kind 3), "bullet's on_death 3" (bullet kind 3), "on_meet
- * 3" (tag pair 3), "item's on_take 3" (item kind 3) and slot + 1 (a single enemy). The keys of drop lists are "drops 3"
- * (enemy kind 3), "bullet's drops 3" (bullet kind 3) and -slot - 1 (a single enemy). Spawning an enemy sets both
- * entries of its slot, so no entry of the slot's previous enemy is left. A handler may raise further events; they are
- * applied in the same frame, after all events raised earlier.
+ * The Lua registry holds the handlers: a list of functions for each event that has any, and one table of properties:
+ * functions, drop lists, parts and pictures. The keys of the properties of kinds are e.g. "on_hit 3" (enemy kind 3),
+ * "bullet's on_death 3" (bullet kind 3), "on_meet 3" (tag pair 3) and "ship's run 3" (kind of ship 3). The keys of a
+ * single enemy's properties are slot + 1 (on_death) and -slot - 1 (drops). Spawning an enemy sets both entries of its
+ * slot, so no entry of the slot's previous enemy is left. A handler may raise further events; they are applied in the
+ * same frame, after all events raised earlier.
  */
 #include "bulletml_run.h"
 #include "events_run.h"
@@ -18,12 +18,12 @@
 #include "../machine/lasers_run.h"
 #include "../machine/sound.h"
 
-const char *const events_names[] = { "graze",  "hit",  NULL,   "death",    "game_over", "kill",  "leave",
-                                     "extend", "take", "bomb", "continue", "phase",     "stage", "start" };
+/* The names in on.NAME: the first eleven in the order of enum event_kind, with NULL for EV_SHOT, which has no
+ * handlers; then the events that only scripts raise. */
+static const char *const event_names[] = { "graze",  "hit",  NULL,   "death",    "game_over", "kill",  "leave",
+                                           "extend", "take", "bomb", "continue", "phase",     "stage", "start" };
 
-enum { EVENT_NAME_COUNT = sizeof events_names / sizeof *events_names };
-
-static const char handlers_key = 0, functions_key = 0, emitted_arguments_key = 0;
+static const char handlers_key = 0, properties_key = 0, emitted_arguments_key = 0;
 
 static void new_registry_table(lua_State *L, const void *key)
 {
@@ -34,12 +34,23 @@ static void new_registry_table(lua_State *L, const void *key)
 void events_open(lua_State *L)
 {
     new_registry_table(L, &handlers_key);
-    new_registry_table(L, &functions_key);
+    new_registry_table(L, &properties_key);
     new_registry_table(L, &emitted_arguments_key);
 }
 
-void events_add_handler(lua_State *L, int kind)
+/* Returns the number of the event of that name, or -1. */
+static int find_event(const char *name)
 {
+    for (size_t k = 0; k < sizeof event_names / sizeof *event_names; k++)
+        if (event_names[k] && !strcmp(event_names[k], name))
+            return (int)k;
+    return -1;
+}
+
+void events_add_handler(lua_State *L, const char *name)
+{
+    const int kind = find_event(name);
+
     lua_rawgetp(L, LUA_REGISTRYINDEX, &handlers_key);
     if (lua_rawgeti(L, -1, kind) == LUA_TNIL) {
         lua_pop(L, 1);
@@ -52,17 +63,9 @@ void events_add_handler(lua_State *L, int kind)
     lua_pop(L, 3);
 }
 
-static int find_kind(const char *name)
-{
-    for (int k = 0; k < EVENT_NAME_COUNT; k++)
-        if (events_names[k] && !strcmp(events_names[k], name))
-            return k;
-    return -1;
-}
-
 bool events_emit(struct board *b, lua_State *L, const char *name, int n)
 {
-    int kind = find_kind(name);
+    int kind = find_event(name);
 
     if (kind < 0)
         return false;
@@ -107,49 +110,44 @@ static void call_handlers(lua_State *L, int kind, int n)
     lua_settop(L, first - 1);
 }
 
-static void push_handle_or_nil(lua_State *L, int64_t h)
-{
-    if (h)
-        lua_pushinteger(L, h);
-    else
-        lua_pushnil(L);
-}
-
 static void call_event_handlers(lua_State *L, const struct event *e)
 {
-    push_handle_or_nil(L, e->a);
-    push_handle_or_nil(L, e->b);
+    api_push_handle(L, e->a);
+    api_push_handle(L, e->b);
     call_handlers(L, (int)e->kind, 2);
 }
 
 void events_set_property(lua_State *L, uint16_t kind, const char *property)
 {
-    lua_rawgetp(L, LUA_REGISTRYINDEX, &functions_key);
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &properties_key);
     lua_pushfstring(L, "%s %d", property, (int)kind);
     lua_pushvalue(L, -3);
     lua_rawset(L, -3);
     lua_pop(L, 2);
 }
 
+/* Sets the entry of one enemy in the table of properties to the value on top of the stack (popped). */
+static void set_enemy_entry(lua_State *L, lua_Integer key)
+{
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &properties_key);
+    lua_insert(L, -2);
+    lua_rawseti(L, -2, key);
+    lua_pop(L, 1);
+}
+
 void events_set_on_death(lua_State *L, uint32_t slot)
 {
-    lua_rawgetp(L, LUA_REGISTRYINDEX, &functions_key);
-    lua_insert(L, -2);
-    lua_rawseti(L, -2, (lua_Integer)slot + 1);
-    lua_pop(L, 1);
+    set_enemy_entry(L, (lua_Integer)slot + 1);
 }
 
 void events_set_drops(lua_State *L, uint32_t slot)
 {
-    lua_rawgetp(L, LUA_REGISTRYINDEX, &functions_key);
-    lua_insert(L, -2);
-    lua_rawseti(L, -2, -(lua_Integer)slot - 1);
-    lua_pop(L, 1);
+    set_enemy_entry(L, -(lua_Integer)slot - 1);
 }
 
 void events_push_property(lua_State *L, uint16_t kind, const char *property)
 {
-    lua_rawgetp(L, LUA_REGISTRYINDEX, &functions_key);
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &properties_key);
     lua_pushfstring(L, "%s %d", property, (int)kind);
     lua_rawget(L, -2);
     lua_remove(L, -2);
@@ -162,6 +160,21 @@ bool events_push_function(lua_State *L, uint16_t kind, const char *property)
         return true;
     lua_pop(L, 1);
     return false;
+}
+
+static int64_t player_handle(const struct board *b, uint32_t player)
+{
+    return player ? board_handle(b, H_PLAYER, (int32_t)player - 1) : 0;
+}
+
+/* Calls a kind's function, if it has one, with two handles (0: nil). */
+static void call_kind_function(lua_State *L, uint16_t kind, const char *property, int64_t first, int64_t second)
+{
+    if (!events_push_function(L, kind, property))
+        return;
+    api_push_handle(L, first);
+    api_push_handle(L, second);
+    lua_call(L, 2, 0);
 }
 
 /* Drops items at (x, y) as listed by the value on top of the stack (popped); does nothing if that is not a drop
@@ -177,7 +190,7 @@ static void drop_items(lua_State *L, struct board *b, fx x, fx y)
 /* Drops the items of the enemy's own drop list or, if it has none, of its kind's. */
 static void drop_enemy_items(lua_State *L, struct board *b, uint32_t i)
 {
-    lua_rawgetp(L, LUA_REGISTRYINDEX, &functions_key);
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &properties_key);
     bool has_own_list = lua_rawgeti(L, -1, -(lua_Integer)i - 1) == LUA_TSTRING;
     lua_remove(L, -2);
     if (!has_own_list) {
@@ -191,7 +204,7 @@ static void drop_enemy_items(lua_State *L, struct board *b, uint32_t i)
  * exists. */
 static bool push_on_death(lua_State *L, uint32_t slot, uint16_t kind)
 {
-    lua_rawgetp(L, LUA_REGISTRYINDEX, &functions_key);
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &properties_key);
     lua_rawgeti(L, -1, (lua_Integer)slot + 1);
     lua_remove(L, -2);
     if (lua_isfunction(L, -1))
@@ -239,7 +252,7 @@ static void remove_parts(struct board *b, uint32_t body)
 void events_kill_enemy(struct board *b, lua_State *L, uint32_t i, uint32_t player)
 {
     uint16_t kind = b->enemies.kind[i];
-    int64_t h = board_handle(b, H_ENEMY, (int32_t)i), p = player ? board_handle(b, H_PLAYER, (int32_t)player - 1) : 0;
+    int64_t h = board_handle(b, H_ENEMY, (int32_t)i), p = player_handle(b, player);
 
     if (b->enemies.flags[i] & ENEMY_DYING)
         return;
@@ -253,8 +266,8 @@ void events_kill_enemy(struct board *b, lua_State *L, uint32_t i, uint32_t playe
     if (b->items.s.cap)
         drop_enemy_items(L, b, i);
     if (push_on_death(L, i, kind)) { /* on_death can still read the enemy's position */
-        push_handle_or_nil(L, h);
-        push_handle_or_nil(L, p);
+        api_push_handle(L, h);
+        api_push_handle(L, p);
         call_enemy_handler(b, L, i, 2);
     }
     if (board_is_readable(b, h))
@@ -315,6 +328,17 @@ bool events_hurt_enemy(struct board *b, lua_State *L, uint32_t i, int32_t n, uin
     return true;
 }
 
+/* Applies the damage of a shot or laser to enemy i. If the enemy survives, calls its kind's on_hit. */
+static void hit_enemy(struct board *b, lua_State *L, uint32_t i, int32_t damage, uint32_t player)
+{
+    if (events_hurt_enemy(b, L, i, damage, player) || !events_push_function(L, b->enemies.kind[i], "on_hit"))
+        return;
+    api_push_handle(L, board_handle(b, H_ENEMY, (int32_t)i));
+    api_push_handle(L, player_handle(b, player));
+    lua_pushinteger(L, damage);
+    call_enemy_handler(b, L, i, 3);
+}
+
 /* Removes a bullet or shot that is live or held. */
 static void remove_bullet(struct board *b, struct bullets *s, int64_t h)
 {
@@ -347,11 +371,7 @@ static void destroy_bullet(struct board *b, lua_State *L, int64_t h, uint32_t pl
         events_push_property(L, kind, "bullet's drops");
         drop_items(L, b, b->bullets.x[i], b->bullets.y[i]);
     }
-    if (events_push_function(L, kind, "bullet's on_death")) {
-        push_handle_or_nil(L, h);
-        push_handle_or_nil(L, player ? board_handle(b, H_PLAYER, (int32_t)player - 1) : 0);
-        lua_call(L, 2, 0);
-    }
+    call_kind_function(L, kind, "bullet's on_death", h, player_handle(b, player));
     if (board_is_readable(b, h))
         bullets_release(&b->bullets, i);
 }
@@ -390,22 +410,11 @@ static void apply_shot(struct board *b, lua_State *L, const struct event *e)
         hit_bullet(b, L, e);
         return;
     }
-    uint32_t shot = handle_slot(e->a), i = handle_slot(e->b);
+    uint32_t shot = handle_slot(e->a);
     int32_t damage = b->shot_kinds.damage[b->shots.kind[shot]];
     uint32_t player = b->shots.player[shot];
     use_up_shot(b, e->a, e->b);
-    if (!events_hurt_enemy(b, L, i, damage, player) && events_push_function(L, b->enemies.kind[i], "on_hit")) {
-        push_handle_or_nil(L, e->b);
-        push_handle_or_nil(L, player ? board_handle(b, H_PLAYER, (int32_t)player - 1) : 0);
-        lua_pushinteger(L, damage);
-        call_enemy_handler(b, L, i, 3);
-    }
-}
-
-/* Returns the handle of the player who fired a laser or shot, or 0. */
-static int64_t shooter_handle(const struct board *b, const struct bullets *s, uint32_t i)
-{
-    return s->player[i] ? board_handle(b, H_PLAYER, s->player[i] - 1) : 0;
+    hit_enemy(b, L, handle_slot(e->b), damage, player);
 }
 
 /* Hurts all enemies that a player's laser touches, in slot order. A handler may move or remove the laser or any of the
@@ -428,13 +437,7 @@ static void apply_laser(struct board *b, lua_State *L, const struct event *e)
         if (!hit_laser_touches_enemy(b, i, k))
             continue;
         b->counts.hit++;
-        if (events_hurt_enemy(b, L, k, damage, b->laser_heads.player[i]) ||
-            !events_push_function(L, b->enemies.kind[k], "on_hit"))
-            continue;
-        push_handle_or_nil(L, board_handle(b, H_ENEMY, (int32_t)k));
-        push_handle_or_nil(L, shooter_handle(b, &b->laser_heads, i));
-        lua_pushinteger(L, damage);
-        call_enemy_handler(b, L, k, 3);
+        hit_enemy(b, L, k, damage, b->laser_heads.player[i]);
     }
 }
 
@@ -472,11 +475,7 @@ static void apply_meet(struct board *b, lua_State *L, const struct event *e)
 
     if (!(still_exists(b, e->a) && still_exists(b, e->b)))
         return;
-    if (events_push_function(L, (uint16_t)e->pair, "on_meet")) {
-        push_handle_or_nil(L, e->a);
-        push_handle_or_nil(L, e->b);
-        lua_call(L, 2, 0);
-    }
+    call_kind_function(L, (uint16_t)e->pair, "on_meet", e->a, e->b);
     if (flags & MEET_FIRST)
         remove_met_bullet(b, e->pair, e->a);
     if (flags & MEET_SECOND)
@@ -560,11 +559,7 @@ static void apply_take(struct board *b, lua_State *L, const struct event *e)
     slots_hold(&b->items.s, b->items.collected, i);
     give_item(L, b, p, b->items.kind[i]);
     sound_play_cue(b, CUE_ITEM, b->player.x[p]);
-    if (events_push_function(L, b->items.kind[i], "item's on_take")) {
-        push_handle_or_nil(L, e->a);
-        push_handle_or_nil(L, e->b);
-        lua_call(L, 2, 0);
-    }
+    call_kind_function(L, b->items.kind[i], "item's on_take", e->a, e->b);
     call_event_handlers(L, e);
     if (board_is_readable(b, e->b))
         slots_release(&b->items.s, i);
@@ -681,7 +676,7 @@ static void apply_script_event(lua_State *L, const struct event *e)
 
 static void apply_bomb(lua_State *L, const struct event *e)
 {
-    push_handle_or_nil(L, e->a);
+    api_push_handle(L, e->a);
     lua_pushboolean(L, e->b != 0);
     call_handlers(L, EV_BOMB, 2);
 }

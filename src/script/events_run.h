@@ -9,10 +9,6 @@
 #include "tasks.h"
 #include "vm.h"
 
-/* The names in on.NAME: the first eleven in the order of enum event_kind, with NULL for EV_SHOT, which has no
- * handlers; then the events that only scripts raise. */
-extern const char *const events_names[];
-
 /* Applies all queued events, including events raised by handlers in the process. Called through vm_call. */
 int events_run(lua_State *L);
 
@@ -26,7 +22,7 @@ bool events_hurt_enemy(struct board *b, lua_State *L, uint32_t i, int32_t n, uin
 /* Returns the points that player p gets for taking an item of this kind at p's current position. */
 int64_t events_item_points(const struct board *b, uint32_t p, uint16_t kind);
 
-/* Events that only scripts raise: indices into events_names. */
+/* Events that only scripts raise. */
 enum { EV_PHASE = EV_SCRIPT, EV_STAGE, EV_START };
 
 /* Raises EV_GAME_OVER, once, if no player is in the game and none can continue. */
@@ -47,8 +43,8 @@ void events_get_start_position(const struct board *b, uint32_t p, fx *x, fx *y);
 /* Creates the empty handler tables. */
 void events_open(lua_State *L);
 
-/* Adds the function on top of the stack (popped) to the handlers of on.NAME, where NAME is events_names[kind]. */
-void events_add_handler(lua_State *L, int kind);
+/* Adds the function on top of the stack (popped) to the handlers of the event `name`. */
+void events_add_handler(lua_State *L, const char *name);
 
 /* Queues the event `name` with the n values on top of L's stack (popped) as arguments. If there is no such event,
  * returns false and pops nothing. */
@@ -58,11 +54,9 @@ bool events_emit(struct board *b, lua_State *L, const char *name, int n);
  * the stack (popped). */
 void events_set_property(lua_State *L, uint16_t kind, const char *property);
 
-/* Sets on_death of the enemy just spawned in `slot` to the function or nil on top of the stack (popped). */
+/* Set on_death (a function or nil) or the drops (a list made by api_push_folded_drops, or nil) of the enemy just
+ * spawned in `slot` to the value on top of the stack (popped). */
 void events_set_on_death(lua_State *L, uint32_t slot);
-
-/* Sets the drops of the enemy just spawned in `slot` to the value on top of the stack (popped): a list made by
- * api_push_folded_drops, or nil. */
 void events_set_drops(lua_State *L, uint32_t slot);
 
 /* Pushes the value that events_set_property set for this kind and `property`, or nil. */

@@ -9,16 +9,6 @@
 
 static const char threads_key = 0; /* registry: slot + 1 -> thread; -slot - 1 -> the string that `origin` points to */
 
-static void push_threads(lua_State *L)
-{
-    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &threads_key) == LUA_TTABLE)
-        return;
-    lua_pop(L, 1);
-    lua_newtable(L);
-    lua_pushvalue(L, -1);
-    lua_rawsetp(L, LUA_REGISTRYINDEX, &threads_key);
-}
-
 static const uint32_t NO_TASK = UINT32_MAX;
 
 static void append_task(struct tasks *t, uint32_t i)
@@ -115,7 +105,7 @@ static int32_t take_task(struct board *b, int64_t owner, uint8_t flags)
 
 static void drop_task(struct board *b, lua_State *L, uint32_t i)
 {
-    push_threads(L);
+    vm_push_registry_table(L, &threads_key);
     lua_pushnil(L);
     lua_rawseti(L, -2, (lua_Integer)i + 1);
     if (b->tasks.origin[i]) {
@@ -155,7 +145,7 @@ int64_t tasks_start(struct board *b, lua_State *L, int64_t owner, int n)
     }
     luaL_checkstack(L, 4, "too many arguments");
     int f = lua_gettop(L) - n;
-    push_threads(L);
+    vm_push_registry_table(L, &threads_key);
     store_origin(b, L, f, (uint32_t)i);
     lua_State *co = lua_newthread(L);
     lua_rawseti(L, -2, (lua_Integer)i + 1);

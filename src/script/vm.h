@@ -27,6 +27,9 @@ static inline struct board *vm_board(lua_State *L)
     return *(struct board **)lua_getextraspace(L);
 }
 
+/* Pushes the table that the registry holds under that key; creates it on first use. */
+void vm_push_registry_table(lua_State *L, const void *key);
+
 /* Raises a fault that no pcall catches. Prefixes the message with the "FILE:LINE: " that vm_get_location writes. */
 int vm_fault(lua_State *L, enum board_fault_kind kind, const char *format, ...);
 

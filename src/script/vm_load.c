@@ -36,6 +36,16 @@ void vm_load_script(lua_State *L, const char *name)
         lua_error(L);
 }
 
+void vm_push_registry_table(lua_State *L, const void *key)
+{
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, key) == LUA_TTABLE)
+        return;
+    lua_pop(L, 1);
+    lua_newtable(L);
+    lua_pushvalue(L, -1);
+    lua_rawsetp(L, LUA_REGISTRYINDEX, key);
+}
+
 int vm_require(lua_State *L)
 {
     struct board *b = vm_board(L);

@@ -66,6 +66,15 @@ void api_names_push(lua_State *L, enum name_kind kind, int index);
  * Call this after all tables have been created. */
 void api_explain_missing_fields(lua_State *L);
 
+/* Pushes a handle, or nil for 0. */
+static inline void api_push_handle(lua_State *L, int64_t h)
+{
+    if (h)
+        lua_pushinteger(L, h);
+    else
+        lua_pushnil(L);
+}
+
 /* api_intern_tag returns the number of the tag whose name is at stack index `at`, and assigns a number to a new tag;
  * raises an error when all 4,095 are used. api_push_tag pushes a tag's name, or nil for 0. */
 uint16_t api_intern_tag(lua_State *L, const char *entry, int at);

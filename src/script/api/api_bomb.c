@@ -47,11 +47,7 @@ static int bomb_def(lua_State *L, struct board *b, struct api_value *v)
     const char *name = lua_tostring(L, v[D_NAME].at);
 
     (void)b;
-    if (!push_bombs(L)) {
-        lua_newtable(L);
-        lua_pushvalue(L, -1);
-        lua_rawsetp(L, LUA_REGISTRYINDEX, &bombs_key);
-    }
+    vm_push_registry_table(L, &bombs_key);
     const int list = lua_gettop(L);
     const lua_Integer n = (lua_Integer)lua_rawlen(L, list) + 1;
     if (lua_getfield(L, list, name) != LUA_TNIL)

@@ -144,10 +144,7 @@ static void define_hp(lua_State *L, struct board *b, int i, const struct api_val
         api_push_folded_drops(L, "bullet.def", v[D_DROPS].at);
         events_set_property(L, (uint16_t)i, "bullet's drops");
     }
-    if (!v[D_ON_DEATH].given)
-        return;
-    lua_pushvalue(L, v[D_ON_DEATH].at);
-    events_set_property(L, (uint16_t)i, "bullet's on_death");
+    api_store_property(L, i, "bullet's on_death", &v[D_ON_DEATH]);
 }
 
 static int bullet_define(lua_State *L, struct board *b, struct api_value *v)
@@ -409,25 +406,16 @@ void api_get_flight_prop(lua_State *L, struct board *b, const struct bullets *s,
         api_names_push(L, names, bullets_kind(s, kinds, i));
         break;
     case FLIGHT_MOTION:
-        if (s->motion[i])
-            lua_pushinteger(L, handle_make(H_MOTION, 1, s->motion[i] - 1u));
-        else
-            lua_pushnil(L);
+        api_push_handle(L, s->motion[i] ? handle_make(H_MOTION, 1, s->motion[i] - 1u) : 0);
         break;
     case FLIGHT_AROUND:
-        if (s->orbit_target && s->orbit_target[i])
-            lua_pushinteger(L, s->orbit_target[i]);
-        else
-            lua_pushnil(L);
+        api_push_handle(L, s->orbit_target ? s->orbit_target[i] : 0);
         break;
     case FLIGHT_AGE:
         lua_pushinteger(L, bullets_age(s, i, b->core.clock));
         break;
     default:
-        if (s->player[i])
-            lua_pushinteger(L, board_handle(b, H_PLAYER, s->player[i] - 1));
-        else
-            lua_pushnil(L);
+        api_push_handle(L, s->player[i] ? board_handle(b, H_PLAYER, s->player[i] - 1) : 0);
     }
 }
 

@@ -67,14 +67,6 @@ static const struct api_param def_params[] = {
 
 static const char *const first_picture_names[] = { "hurt", NULL };
 
-static void store_function(lua_State *L, const struct api_value *v, int32_t kind, const char *name)
-{
-    if (!v->given)
-        return;
-    lua_pushvalue(L, v->at);
-    events_set_property(L, (uint16_t)kind, name);
-}
-
 static void define_body(lua_State *L, struct enemy_kinds *k, int32_t i, const struct api_value *v)
 {
     if (v[D_RATE].given)
@@ -107,9 +99,9 @@ static int enemy_def(lua_State *L, struct board *b, struct api_value *v)
                             (pictures.n ? ENEMY_HURT_PICTURE : 0) | (v[D_BLINK_SOFT].i ? ENEMY_RIM_BLINK : 0));
     api_pictures_store_names(L, N_ENEMY, i, &pictures);
     k->spark[i] = v[D_SPARK].given ? (uint16_t)(v[D_SPARK].i + 1) : 0;
-    store_function(L, &v[D_RUN], i, "run");
-    store_function(L, &v[D_ON_HIT], i, "on_hit");
-    store_function(L, &v[D_ON_DEATH], i, "on_death");
+    api_store_property(L, i, "run", &v[D_RUN]);
+    api_store_property(L, i, "on_hit", &v[D_ON_HIT]);
+    api_store_property(L, i, "on_death", &v[D_ON_DEATH]);
     if (v[D_DROPS].given) {
         api_push_folded_drops(L, "enemy.def", v[D_DROPS].at);
         events_set_property(L, (uint16_t)i, "drops");

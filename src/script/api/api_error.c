@@ -26,11 +26,7 @@ void api_record_location(lua_State *L, const char *entry, const char *name)
     const int top = lua_gettop(L);
     char location[VM_LOCATION_SIZE];
 
-    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &locations_key) != LUA_TTABLE) {
-        lua_newtable(L);
-        lua_pushvalue(L, -1);
-        lua_rawsetp(L, LUA_REGISTRYINDEX, &locations_key);
-    }
+    vm_push_registry_table(L, &locations_key);
     vm_get_location(L, location, sizeof location);
     lua_pushfstring(L, "%s %s", entry, name);
     lua_pushstring(L, location);

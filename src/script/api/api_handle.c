@@ -12,12 +12,7 @@ static const char methods_key[HANDLE_KINDS] = { 0 };
 
 bool api_push_method(lua_State *L, int kind, const char *name)
 {
-    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &methods_key[kind]) != LUA_TTABLE) {
-        lua_pop(L, 1);
-        lua_newtable(L);
-        lua_pushvalue(L, -1);
-        lua_rawsetp(L, LUA_REGISTRYINDEX, &methods_key[kind]);
-    }
+    vm_push_registry_table(L, &methods_key[kind]);
     if (lua_getfield(L, -1, name) == LUA_TNIL) {
         lua_pop(L, 1);
         if (!api_push_member(L, api_get_table(L)->things[kind]->name, ':', name))

@@ -1,8 +1,9 @@
 /*
- * api_hit.c - the hit shapes of kinds: `hit = { circle = 3 }`.
+ * api_hit.c - declaring kinds, and their hit shapes: `hit = { circle = 3 }`.
  */
 #include <string.h>
 #include "../../base/trig.h"
+#include "../events_run.h"
 #include "api_parts.h"
 
 static fx read_extent(lua_State *L, const char *entry, const char *name, int at)
@@ -198,4 +199,23 @@ int32_t api_declare_kind(lua_State *L, const char *entry, struct slots *kinds, c
         k->y[row] = s->row[i].y;
     }
     return first;
+}
+
+int32_t api_append_kind(lua_State *L, const char *entry, struct slots *kinds, enum name_kind names,
+                        const struct api_value *name)
+{
+    const int32_t i = slots_append(kinds);
+
+    if (i == NO_SLOT)
+        api_error(L, entry, "too many kinds (at most %d)", (int)kinds->cap);
+    api_names_declare(L, names, entry, lua_tostring(L, name->at), i);
+    return i;
+}
+
+void api_store_property(lua_State *L, int32_t kind, const char *property, const struct api_value *v)
+{
+    if (!v->given)
+        return;
+    lua_pushvalue(L, v->at);
+    events_set_property(L, (uint16_t)kind, property);
 }

@@ -3,7 +3,6 @@
  */
 #include <string.h>
 #include "../../base/trig.h"
-#include "../events_run.h"
 #include "api_parts.h"
 
 /* ---- item.def ---- */
@@ -88,11 +87,8 @@ static void read_gives(lua_State *L, struct item_kinds *k, int32_t i, int gives_
 static int item_def(lua_State *L, struct board *b, struct api_value *v)
 {
     struct item_kinds *k = &b->item_kinds;
-    int32_t i = slots_append(&k->s);
+    const int32_t i = api_append_kind(L, def_entry, &k->s, N_ITEM, &v[D_NAME]);
 
-    if (i == NO_SLOT)
-        return api_error(L, def_entry, "too many kinds (at most %d)", (int)k->s.cap);
-    api_names_declare(L, N_ITEM, def_entry, lua_tostring(L, v[D_NAME].at), i);
     k->sprite[i] = (uint16_t)v[D_SPRITE].i;
     k->radius[i] = v[D_RADIUS].f;
     k->gravity[i] = v[D_GRAVITY].f;
@@ -105,10 +101,7 @@ static int item_def(lua_State *L, struct board *b, struct api_value *v)
         k->full_register[i] = (uint16_t)(intern_register(L, lua_tostring(L, v[D_FULL].at)) + 1);
     if (v[D_GIVES].given || v[D_FULL].given)
         api_record_location(L, def_entry, lua_tostring(L, v[D_NAME].at));
-    if (v[D_ON_TAKE].given) {
-        lua_pushvalue(L, v[D_ON_TAKE].at);
-        events_set_property(L, (uint16_t)i, "item's on_take");
-    }
+    api_store_property(L, i, "item's on_take", &v[D_ON_TAKE]);
     return 0;
 }
 

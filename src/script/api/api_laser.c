@@ -84,10 +84,7 @@ static int laser_define(lua_State *L, struct board *b, struct api_value *v)
 
     if (v[D_EVERY].given && !v[D_DAMAGE].given)
         api_error(L, "laser.def", "every: requires `damage`");
-    int32_t i = slots_append(&k->s);
-    if (i == NO_SLOT)
-        api_error(L, "laser.def", "too many kinds (at most %d)", MAX_LASER_KINDS);
-    api_names_declare(L, N_LASER, "laser.def", lua_tostring(L, v[D_NAME].at), i);
+    const int32_t i = api_append_kind(L, "laser.def", &k->s, N_LASER, &v[D_NAME]);
     k->strip[i] = (uint16_t)v[D_STRIP].i;
     k->head_sprite[i] = encode_optional(&v[D_HEAD]);
     k->tail_sprite[i] = encode_optional(&v[D_TAIL]);
@@ -397,14 +394,6 @@ static const struct api_prop lasers_props[] = {
     COUNT_PROP("lasers"),
 };
 
-static void push_handle_or_nil(lua_State *L, int64_t h)
-{
-    if (h)
-        lua_pushinteger(L, h);
-    else
-        lua_pushnil(L);
-}
-
 static fx measure_length(const struct board *b, uint32_t i)
 {
     int64_t sum = 0;
@@ -439,10 +428,10 @@ static void get_laser(lua_State *L, struct board *b, uint32_t i, int p)
         lua_pushstring(L, forms[l->form[i]]);
         break;
     case L_FOLLOW:
-        push_handle_or_nil(L, l->follow_target[i]);
+        api_push_handle(L, l->follow_target[i]);
         break;
     case L_PLAYER:
-        push_handle_or_nil(L, player ? board_handle(b, H_PLAYER, player - 1) : 0);
+        api_push_handle(L, player ? board_handle(b, H_PLAYER, player - 1) : 0);
         break;
     default:
         api_get_flight_prop(L, b, &b->laser_heads, N_LASER, i, p);

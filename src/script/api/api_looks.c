@@ -7,9 +7,14 @@
 #include <stdio.h>
 #include <string.h>
 #include "../../base/edit.h"
+#include "../events_run.h"
 #include "api_parts.h"
 
-static const char names_key[NAME_LISTS] = { 0 }; /* registry: kind -> { name -> number, number -> name } */
+/* Returns the property that holds the names of a kind's pictures: { name -> number, number -> name }. */
+static const char *names_property(enum name_kind names)
+{
+    return names == N_ENEMY ? "pictures" : "ship's pictures";
+}
 
 static void add_picture(lua_State *L, const char *entry, struct api_pictures *p, const char *name, int at,
                         uint16_t default_sprite)
@@ -74,12 +79,6 @@ void api_pictures_store_names(lua_State *L, enum name_kind names, int32_t kind, 
 {
     if (!p->n)
         return;
-    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &names_key[names]) != LUA_TTABLE) {
-        lua_pop(L, 1);
-        lua_newtable(L);
-        lua_pushvalue(L, -1);
-        lua_rawsetp(L, LUA_REGISTRYINDEX, &names_key[names]);
-    }
     lua_newtable(L);
     for (int n = 1; n <= p->n; n++) {
         lua_pushstring(L, p->name[n - 1]);
@@ -88,14 +87,14 @@ void api_pictures_store_names(lua_State *L, enum name_kind names, int32_t kind, 
         lua_pushinteger(L, n);
         lua_rawset(L, -3);
     }
-    lua_rawseti(L, -2, kind);
-    lua_pop(L, 1);
+    events_set_property(L, (uint16_t)kind, names_property(names));
 }
 
 /* Pushes the table of a kind's picture names; returns false if the kind has none. */
 static bool push_picture_names(lua_State *L, enum name_kind names, int32_t kind)
 {
-    return lua_rawgetp(L, LUA_REGISTRYINDEX, &names_key[names]) == LUA_TTABLE && lua_rawgeti(L, -1, kind) == LUA_TTABLE;
+    events_push_property(L, (uint16_t)kind, names_property(names));
+    return lua_istable(L, -1);
 }
 
 static int raise_unknown_picture(lua_State *L, const char *thing, const char *name)

@@ -1,7 +1,6 @@
 /*
  * api_meet.c - bullet.meet: pairs of tags whose bullets collide with each other.
  */
-#include "../events_run.h"
 #include "api_parts.h"
 
 enum { ARG_FIRST, ARG_SECOND, ARG_CLEAR, ARG_SPARK, ARG_ALL, ARG_ON_MEET };
@@ -52,9 +51,6 @@ int api_bullet_meet(lua_State *L, struct board *b, struct api_value *v)
     s->meet_spark[n] = v[ARG_SPARK].given ? (uint16_t)(v[ARG_SPARK].i + 1) : 0;
     s->meet_flags[n] = (uint8_t)(v[ARG_CLEAR].i | (v[ARG_ALL].i ? MEET_ALL : 0));
     s->n_meet_pairs = n + 1;
-    if (v[ARG_ON_MEET].given) {
-        lua_pushvalue(L, v[ARG_ON_MEET].at);
-        events_set_property(L, (uint16_t)n, "on_meet");
-    }
+    api_store_property(L, (int32_t)n, "on_meet", &v[ARG_ON_MEET]);
     return 0;
 }

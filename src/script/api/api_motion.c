@@ -623,13 +623,7 @@ static int motion_def(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-static void push_nil_property(lua_State *L, struct board *b, uint32_t slot, int p)
-{
-    (void)b, (void)slot, (void)p;
-    lua_pushnil(L);
-}
-
-const struct api_thing api_motion_thing = { "motion", NULL, 0, .get = push_nil_property, .set = NULL };
+const struct api_thing api_motion_thing = { .name = "motion" };
 
 static const struct api_param motion_params[] = { PARAM(
     "steps", A_TABLE, REQ, 0, 0, NULL, NULL,

@@ -95,12 +95,7 @@ int api_names_find(lua_State *L, enum name_kind kind, const char *name)
 
 void api_names_push(lua_State *L, enum name_kind kind, int index)
 {
-    const char *name = board_name(vm_board(L), kind, index);
-
-    if (name)
-        lua_pushstring(L, name);
-    else
-        lua_pushnil(L);
+    lua_pushstring(L, board_name(vm_board(L), kind, index)); /* NULL becomes nil */
 }
 
 /* Words used by other engines, and the names used here. */

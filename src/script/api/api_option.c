@@ -4,7 +4,6 @@
 #include <stdio.h>
 #include <string.h>
 #include "../../base/edit.h"
-#include "../events_run.h"
 #include "api_parts.h"
 
 enum { D_NAME, D_SPRITE, D_BANK, D_LAYER, D_RUN };
@@ -20,18 +19,12 @@ static const struct api_param def_params[] = {
 static int option_def(lua_State *L, struct board *b, struct api_value *v)
 {
     struct option_kinds *k = &b->option_kinds;
-    int32_t i = slots_append(&k->s);
+    const int32_t i = api_append_kind(L, "option.def", &k->s, N_OPTION, &v[D_NAME]);
 
-    if (i == NO_SLOT)
-        return api_error(L, "option.def", "too many kinds (at most %d)", (int)k->s.cap);
-    api_names_declare(L, N_OPTION, "option.def", lua_tostring(L, v[D_NAME].at), i);
     k->sprite[i] = (uint16_t)v[D_SPRITE].i;
     k->bank[i] = (uint8_t)v[D_BANK].i;
     k->layer[i] = (uint8_t)v[D_LAYER].i;
-    if (v[D_RUN].given) {
-        lua_pushvalue(L, v[D_RUN].at);
-        events_set_property(L, (uint16_t)i, "option's run");
-    }
+    api_store_property(L, i, "option's run", &v[D_RUN]);
     return 0;
 }
 

@@ -545,6 +545,13 @@ void api_options_read(lua_State *L, struct board *b, int32_t ship, const struct 
 /* Returns the number of the bomb named by an argument of player.def; 0: not given. */
 uint8_t api_find_bomb(lua_State *L, const char *param_name, int32_t ship, const struct api_value *v);
 
+/* Appends a kind of that name to the list of kinds and returns its index. */
+int32_t api_append_kind(lua_State *L, const char *entry, struct slots *kinds, enum name_kind names,
+                        const struct api_value *name);
+
+/* Stores an argument as a property of a kind (events_set_property), unless it is not given. */
+void api_store_property(lua_State *L, int32_t kind, const char *property, const struct api_value *v);
+
 /* Passed instead of a kind of ship: the registers of the run. */
 enum { RUN_REGISTERS = -1 };
 
@@ -569,9 +576,6 @@ int api_find_ship_register(lua_State *L, int32_t kind, const char *name);
 /* Adds to the table on top of the stack how register i of a kind of ship is displayed: show, at, label and mark, if
  * declared. */
 void api_register_add_display(lua_State *L, int32_t kind, int i);
-
-/* Pushes the name of the unlock that a kind of ship needs, or nil. */
-void api_player_push_unlock(lua_State *L, int32_t kind);
 
 /* Returns whether any kind of ship, or the run, has a register of that name. */
 bool api_register_is_declared(lua_State *L, const char *name);

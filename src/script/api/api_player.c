@@ -65,36 +65,6 @@ static const struct api_param def_params[] = {
 
 static const char *const first_picture_names[] = { "left", "right", NULL };
 
-static const char run_key = 0; /* registry: kind -> run */
-
-static const char unlock_key = 0; /* registry: kind -> the unlock it needs */
-
-/* Stores the value at `at` for a kind. Creates the table on first use. */
-static void store_for_kind(lua_State *L, const char *key, int32_t kind, int at)
-{
-    if (lua_rawgetp(L, LUA_REGISTRYINDEX, key) != LUA_TTABLE) {
-        lua_pop(L, 1);
-        lua_newtable(L);
-        lua_pushvalue(L, -1);
-        lua_rawsetp(L, LUA_REGISTRYINDEX, key);
-    }
-    lua_pushvalue(L, at);
-    lua_rawseti(L, -2, kind);
-    lua_pop(L, 1);
-}
-
-void api_player_push_unlock(lua_State *L, int32_t kind)
-{
-    int top = lua_gettop(L);
-
-    lua_pushnil(L);
-    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &unlock_key) == LUA_TTABLE) {
-        lua_rawgeti(L, -1, kind);
-        lua_replace(L, top + 1);
-    }
-    lua_settop(L, top + 1);
-}
-
 /* Returns the register that, when at its max, collects all items: the register's number + 1 in the ship,
  * PLAYER_RUN_REGISTER_OFFSET + its number in the run, or 0 for none. If both the ship and the run have a register of
  * that name, the ship's is used. */
@@ -144,10 +114,7 @@ static int player_def(lua_State *L, struct board *b, struct api_value *v)
     api_pictures_append_rows(L, "player.def", &k->s, k->sprite, &pictures);
     for (; row < k->s.live; row++)
         k->radius[row] = PICTURE_ROW_RADIUS;
-    int32_t i = slots_append(&k->s);
-    if (i == NO_SLOT)
-        return api_error(L, "player.def", "too many kinds (at most %d)", (int)k->s.cap);
-    api_names_declare(L, N_PLAYER, "player.def", lua_tostring(L, v[D_NAME].at), i);
+    const int32_t i = api_append_kind(L, "player.def", &k->s, N_PLAYER, &v[D_NAME]);
     k->sprite[i] = (uint16_t)v[D_SPRITE].i;
     k->radius[i] = r;
     k->graze_radius[i] = v[D_GRAZE].f;
@@ -164,12 +131,10 @@ static int player_def(lua_State *L, struct board *b, struct api_value *v)
     k->deathbomb_frames[i] = (uint16_t)v[D_DEATHBOMB].i;
     api_options_read(L, b, i, &v[D_OPTIONS]);
     api_pictures_store_names(L, N_PLAYER, i, &pictures);
-    if (v[D_RUN].given)
-        store_for_kind(L, &run_key, i, v[D_RUN].at);
-    if (v[D_NEEDS].given) {
-        store_for_kind(L, &unlock_key, i, v[D_NEEDS].at);
+    api_store_property(L, i, "ship's run", &v[D_RUN]);
+    api_store_property(L, i, "ship's needs", &v[D_NEEDS]);
+    if (v[D_NEEDS].given)
         api_record_location(L, "player.def", lua_tostring(L, v[D_NAME].at));
-    }
     return 0;
 }
 
@@ -196,7 +161,7 @@ int api_player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind)
     b->core.extends_received[i] = 0;
     b->core.game_over = 0;
     input_drop_presses(&b->input, i, PRESS_GAME, PAD_ALL); /* earlier presses are not meant for the new ship */
-    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &run_key) == LUA_TTABLE && lua_rawgeti(L, -1, kind) == LUA_TFUNCTION) {
+    if (events_push_function(L, kind, "ship's run")) {
         lua_pushinteger(L, board_handle(b, H_PLAYER, (int32_t)i));
         tasks_start(b, L, board_handle(b, H_PLAYER, (int32_t)i), 1);
     }

@@ -44,17 +44,6 @@ struct register_declaration {
     struct register_rule rule;
 };
 
-/* Pushes the registry table under that key, creating it on first use. */
-static void push_registry_table(lua_State *L, const void *key)
-{
-    if (lua_rawgetp(L, LUA_REGISTRYINDEX, key) == LUA_TTABLE)
-        return;
-    lua_pop(L, 1);
-    lua_newtable(L);
-    lua_pushvalue(L, -1);
-    lua_rawsetp(L, LUA_REGISTRYINDEX, key);
-}
-
 /* Returns the element of `choices` that setting v[setting] equals; NULL if the setting is not given. */
 static const char *read_choice(lua_State *L, const char *entry, const char *name, const struct api_value *v,
                                int setting, const char *const *choices, const char *expected)
@@ -168,7 +157,7 @@ static void store_display(lua_State *L, int32_t kind, int i, const struct regist
 
     if (!r->show_mode)
         return;
-    push_registry_table(L, &displays_key);
+    vm_push_registry_table(L, &displays_key);
     if (lua_rawgeti(L, -1, kind) != LUA_TTABLE) {
         lua_pop(L, 1);
         lua_newtable(L);
@@ -206,7 +195,7 @@ static void add_register_rows(lua_State *L, const char *entry, int32_t kind, con
 {
     struct registers *rows = &vm_board(L)->registers;
 
-    push_registry_table(L, &names_key);
+    vm_push_registry_table(L, &names_key);
     lua_createtable(L, 0, n);
     for (int i = 0; i < n; i++) {
         if (registers_add(rows, &regs[i].rule) == NO_SLOT)
@@ -242,7 +231,7 @@ int api_find_ship_register(lua_State *L, int32_t kind, const char *name)
 {
     int i = -1, top = lua_gettop(L);
 
-    push_registry_table(L, &names_key);
+    vm_push_registry_table(L, &names_key);
     if (lua_rawgeti(L, -1, kind) == LUA_TTABLE && lua_getfield(L, -1, name) == LUA_TNUMBER)
         i = (int)lua_tointeger(L, -1);
     lua_settop(L, top);
@@ -307,7 +296,7 @@ int api_player_register_names(lua_State *L, int32_t kind, const char *names[PLAY
 {
     int top = lua_gettop(L), n = 0;
 
-    push_registry_table(L, &names_key);
+    vm_push_registry_table(L, &names_key);
     if (lua_rawgeti(L, -1, kind) == LUA_TTABLE)
         for (lua_pushnil(L); lua_next(L, -2); lua_pop(L, 1), n++)
             names[lua_tointeger(L, -1)] = lua_tostring(L, -2); /* the table keeps the string alive */

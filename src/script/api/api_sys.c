@@ -291,7 +291,7 @@ static int sys_ship(lua_State *L, struct board *b, struct api_value *v)
     append_registers(L, b, kind, b->player_kinds.first_register[kind]);
     append_registers(L, b, RUN_REGISTERS, b->registers.first_run_row);
     lua_setfield(L, -2, "registers");
-    api_player_push_unlock(L, kind);
+    events_push_property(L, (uint16_t)kind, "ship's needs");
     lua_setfield(L, -2, "needs");
     return 1;
 }
@@ -696,10 +696,7 @@ static int sys_is_skipping(lua_State *L, struct board *b, struct api_value *v)
 static int sys_task(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)v;
-    if (b->tasks.current == NO_SLOT)
-        lua_pushnil(L);
-    else
-        lua_pushinteger(L, board_handle(b, H_TASK, b->tasks.current));
+    api_push_handle(L, b->tasks.current == NO_SLOT ? 0 : board_handle(b, H_TASK, b->tasks.current));
     return 1;
 }
 

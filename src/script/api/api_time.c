@@ -2,6 +2,7 @@
  * api_time.c - the Lua globals wait, task and on.
  */
 #include "api_parts.h"
+#include <string.h>
 #include "../events_run.h"
 #include "../../machine/sound.h"
 
@@ -103,13 +104,7 @@ static int task_alive(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-static void push_nil_property(lua_State *L, struct board *b, uint32_t slot, int p)
-{
-    (void)b, (void)slot, (void)p;
-    lua_pushnil(L);
-}
-
-const struct api_thing api_task_thing = { "task", NULL, 0, .get = push_nil_property, .set = NULL };
+const struct api_thing api_task_thing = { .name = "task" };
 
 static const struct api_param on_graze_params[] = { PARAM(
     "f", A_FUNC, REQ, 0, 0, NULL, NULL, "f(player, bullet): called with the player and the grazed bullet") };
@@ -149,27 +144,13 @@ static const struct api_param on_stage_params[] = { PARAM(
     "f", A_FUNC, REQ, 0, 0, NULL, NULL,
     "f(name, state): called with the name of the stage; state is \"start\" or \"clear\"") };
 
-#define DEFINE_EVENT_FUNCTION(name, index)                                                                             \
-    static int on_##name(lua_State *L, struct board *b, struct api_value *v)                                           \
-    {                                                                                                                  \
-        (void)b;                                                                                                       \
-        lua_pushvalue(L, v[ARG_F].at);                                                                                 \
-        events_add_handler(L, index);                                                                                  \
-        return 0;                                                                                                      \
-    }
-DEFINE_EVENT_FUNCTION(graze, EV_GRAZE)
-DEFINE_EVENT_FUNCTION(hit, EV_HIT)
-DEFINE_EVENT_FUNCTION(death, EV_DEATH)
-DEFINE_EVENT_FUNCTION(game_over, EV_GAME_OVER)
-DEFINE_EVENT_FUNCTION(kill, EV_KILL)
-DEFINE_EVENT_FUNCTION(leave, EV_LEAVE)
-DEFINE_EVENT_FUNCTION(extend, EV_EXTEND)
-DEFINE_EVENT_FUNCTION(take, EV_TAKE)
-DEFINE_EVENT_FUNCTION(bomb, EV_BOMB)
-DEFINE_EVENT_FUNCTION(continue, EV_CONTINUE)
-DEFINE_EVENT_FUNCTION(phase, EV_PHASE)
-DEFINE_EVENT_FUNCTION(stage, EV_STAGE)
-DEFINE_EVENT_FUNCTION(start, EV_START)
+static int add_handler(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)b;
+    lua_pushvalue(L, v[ARG_F].at);
+    events_add_handler(L, api_current_binding(L)->entry->name + strlen("on."));
+    return 0;
+}
 
 #define EVENT_ENTRY_FLAGS (API_CHANGES | API_LOAD_ONLY)
 static const struct api_entry entries[] = {
@@ -184,31 +165,31 @@ static const struct api_entry entries[] = {
     { "task.stop", task_stop, PARAMS(task_params), 1, API_CHANGES, NULL,
       HELP("stops a task or a scope, and everything it owns") },
     { "task.alive", task_alive, PARAMS(task_params), 1, 0, "boolean", HELP("returns true while the task runs") },
-    { "on.graze", on_graze, PARAMS(on_graze_params), 1, EVENT_ENTRY_FLAGS, NULL,
+    { "on.graze", add_handler, PARAMS(on_graze_params), 1, EVENT_ENTRY_FLAGS, NULL,
       HELP("calls a function each time a player grazes a bullet") },
-    { "on.hit", on_hit, PARAMS(on_hit_params), 1, EVENT_ENTRY_FLAGS, NULL,
+    { "on.hit", add_handler, PARAMS(on_hit_params), 1, EVENT_ENTRY_FLAGS, NULL,
       HELP("calls a function each time a bullet or an enemy hits a player who isn't safe") },
-    { "on.death", on_death, PARAMS(on_death_params), 1, EVENT_ENTRY_FLAGS, NULL,
+    { "on.death", add_handler, PARAMS(on_death_params), 1, EVENT_ENTRY_FLAGS, NULL,
       HELP("calls a function each time a player loses a life") },
-    { "on.game_over", on_game_over, PARAMS(on_game_over_params), 1, EVENT_ENTRY_FLAGS, NULL,
+    { "on.game_over", add_handler, PARAMS(on_game_over_params), 1, EVENT_ENTRY_FLAGS, NULL,
       HELP("calls a function when the last player is out") },
-    { "on.kill", on_kill, PARAMS(on_kill_params), 1, EVENT_ENTRY_FLAGS, NULL,
+    { "on.kill", add_handler, PARAMS(on_kill_params), 1, EVENT_ENTRY_FLAGS, NULL,
       HELP("calls a function each time an enemy is killed") },
-    { "on.leave", on_leave, PARAMS(on_leave_params), 1, EVENT_ENTRY_FLAGS, NULL,
+    { "on.leave", add_handler, PARAMS(on_leave_params), 1, EVENT_ENTRY_FLAGS, NULL,
       HELP("calls a function each time an enemy leaves the field") },
-    { "on.extend", on_extend, PARAMS(on_extend_params), 1, EVENT_ENTRY_FLAGS, NULL,
+    { "on.extend", add_handler, PARAMS(on_extend_params), 1, EVENT_ENTRY_FLAGS, NULL,
       HELP("calls a function each time the score or an item gives a player an extra life") },
-    { "on.take", on_take, PARAMS(on_take_params), 1, EVENT_ENTRY_FLAGS, NULL,
+    { "on.take", add_handler, PARAMS(on_take_params), 1, EVENT_ENTRY_FLAGS, NULL,
       HELP("calls a function each time a player takes an item") },
-    { "on.bomb", on_bomb, PARAMS(on_bomb_params), 1, EVENT_ENTRY_FLAGS, NULL,
+    { "on.bomb", add_handler, PARAMS(on_bomb_params), 1, EVENT_ENTRY_FLAGS, NULL,
       HELP("calls a function each time a player bombs") },
-    { "on.continue", on_continue, PARAMS(on_continue_params), 1, EVENT_ENTRY_FLAGS, NULL,
+    { "on.continue", add_handler, PARAMS(on_continue_params), 1, EVENT_ENTRY_FLAGS, NULL,
       HELP("calls a function each time a player continues after losing the last life") },
-    { "on.start", on_start, PARAMS(on_start_params), 1, EVENT_ENTRY_FLAGS, NULL,
+    { "on.start", add_handler, PARAMS(on_start_params), 1, EVENT_ENTRY_FLAGS, NULL,
       HELP("calls a function when a game or a practice attempt starts; use it to reset script variables") },
-    { "on.phase", on_phase, PARAMS(on_phase_params), 1, EVENT_ENTRY_FLAGS, NULL,
+    { "on.phase", add_handler, PARAMS(on_phase_params), 1, EVENT_ENTRY_FLAGS, NULL,
       HELP("calls a function at the end of each phase of a boss") },
-    { "on.stage", on_stage, PARAMS(on_stage_params), 1, EVENT_ENTRY_FLAGS, NULL,
+    { "on.stage", add_handler, PARAMS(on_stage_params), 1, EVENT_ENTRY_FLAGS, NULL,
       HELP("calls a function when a stage starts and when it is cleared") },
 };
 const struct api_module api_time = { entries, sizeof entries / sizeof *entries };
