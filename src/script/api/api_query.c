@@ -24,78 +24,73 @@ bool api_read_position(lua_State *L, struct board *b, const char *entry, const s
     return true;
 }
 
-/* A pool to search: its positions and tags. For lasers, x and y are NULL until push_found_entities() computes the
- * positions. */
+/* A pool to search: its positions (for lasers, of their heads) and tags. */
 struct search_pool {
     enum handle_kind kind;
     const struct slots *s;
     const fx *x, *y;
     const uint16_t *tag;
-    const uint8_t *in_game;
 };
 
-static struct search_pool find_pool(lua_State *L, struct board *b, const char *entry, const char *pool_name)
+static struct search_pool find_pool(lua_State *L, struct board *b, const char *entry, const char *name)
 {
-    if (!strcmp(pool_name, "bullet"))
-        return (struct search_pool){ H_BULLET, &b->bullets.s, b->bullets.x, b->bullets.y, b->bullets.tag, NULL };
-    if (!strcmp(pool_name, "shot"))
-        return (struct search_pool){ H_SHOT, &b->shots.s, b->shots.x, b->shots.y, b->shots.tag, NULL };
-    if (!strcmp(pool_name, "enemy"))
-        return (struct search_pool){ H_ENEMY, &b->enemies.s, b->enemies.x, b->enemies.y, b->enemies.tag, NULL };
-    if ((!strcmp(pool_name, "item") || !strcmp(pool_name, "laser")) &&
-        api_disabled_reason(&b->cart.manifest, pool_name))
-        api_error(L, entry, "what: " API_DISABLED_FORMAT, api_disabled_reason(&b->cart.manifest, pool_name));
-    if (!strcmp(pool_name, "item"))
-        return (struct search_pool){ H_ITEM, &b->items.s, b->items.x, b->items.y, b->items.tag, NULL };
-    if (!strcmp(pool_name, "laser"))
-        return (struct search_pool){ H_LASER, &b->lasers.s, NULL, NULL, b->laser_heads.tag, NULL };
-    if (strcmp(pool_name, "player"))
-        api_error(L, entry, "what: expected bullet, enemy, item, laser, shot or player, got \"%s\"", pool_name);
-    return (struct search_pool){ H_PLAYER, &b->player.s, b->player.x, b->player.y, NULL, b->player.in_game };
+    const struct search_pool pools[] = {
+        { H_BULLET, &b->bullets.s, b->bullets.x, b->bullets.y, b->bullets.tag },
+        { H_SHOT, &b->shots.s, b->shots.x, b->shots.y, b->shots.tag },
+        { H_ENEMY, &b->enemies.s, b->enemies.x, b->enemies.y, b->enemies.tag },
+        { H_ITEM, &b->items.s, b->items.x, b->items.y, b->items.tag },
+        { H_LASER, &b->lasers.s, b->laser_heads.x, b->laser_heads.y, b->laser_heads.tag },
+        { H_PLAYER, &b->player.s, b->player.x, b->player.y, NULL },
+    };
+    const size_t n = sizeof pools / sizeof *pools;
+    size_t i = 0;
+
+    while (i < n && strcmp(api_get_table(L)->things[pools[i].kind]->name, name) != 0)
+        i++;
+    if (i == n)
+        api_error(L, entry, "what: expected bullet, enemy, item, laser, shot or player, got \"%s\"", name);
+    if (api_disabled_reason(&b->cart.manifest, name))
+        api_error(L, entry, "what: " API_DISABLED_FORMAT, api_disabled_reason(&b->cart.manifest, name));
+    return pools[i];
 }
 
-static uint64_t distance_squared(const struct search_pool *f, uint32_t i, fx x, fx y)
-{
-    int64_t dx = (int64_t)f->x[i] - x, dy = (int64_t)f->y[i] - y;
+/* An entity that was found. */
+struct found {
+    uint64_t distance_sq, slot;
+};
 
-    return (uint64_t)(dx * dx) + (uint64_t)(dy * dy);
+static bool precedes(const struct found *a, const struct found *b)
+{
+    return a->distance_sq < b->distance_sq || (a->distance_sq == b->distance_sq && a->slot < b->slot);
 }
 
-/* Sinks element i of the heap in the list of slots at `list` (1..n), ordered by distance, then slot. Heapsort in place,
- * which has no quadratic worst case. */
-static void sift_down(lua_State *L, int list, lua_Integer i, lua_Integer n, const struct search_pool *f, fx x, fx y)
+static void swap(struct found *a, struct found *b)
 {
-    for (;;) {
-        lua_Integer farthest = i;
-        for (lua_Integer c = 2 * i; c <= 2 * i + 1 && c <= n; c++) {
-            lua_rawgeti(L, list, farthest);
-            lua_rawgeti(L, list, c);
-            uint32_t s = (uint32_t)lua_tointeger(L, -2), t = (uint32_t)lua_tointeger(L, -1);
-            uint64_t ds = distance_squared(f, s, x, y), dt = distance_squared(f, t, x, y);
-            lua_pop(L, 2);
-            if (dt > ds || (dt == ds && t > s))
-                farthest = c;
-        }
-        if (farthest == i)
+    const struct found c = *a;
+
+    *a = *b;
+    *b = c;
+}
+
+/* Sinks element i of a heap of n elements, whose root comes last in order. */
+static void sift_down(struct found *heap, size_t i, size_t n)
+{
+    for (size_t child = 2 * i + 1; child < n; i = child, child = 2 * i + 1) {
+        child += child + 1 < n && precedes(&heap[child], &heap[child + 1]);
+        if (!precedes(&heap[i], &heap[child]))
             return;
-        lua_rawgeti(L, list, i);
-        lua_rawgeti(L, list, farthest);
-        lua_rawseti(L, list, i);
-        lua_rawseti(L, list, farthest);
-        i = farthest;
+        swap(&heap[i], &heap[child]);
     }
 }
 
-static void sort_by_distance(lua_State *L, int list, lua_Integer n, const struct search_pool *f, fx x, fx y)
+/* Sorts by distance, then slot. Heapsort is in place and has no quadratic worst case. */
+static void sort_by_distance(struct found *list, size_t n)
 {
-    for (lua_Integer i = n / 2; i >= 1; i--)
-        sift_down(L, list, i, n, f, x, y);
-    for (lua_Integer end = n; end > 1; end--) {
-        lua_rawgeti(L, list, 1);
-        lua_rawgeti(L, list, end);
-        lua_rawseti(L, list, 1);
-        lua_rawseti(L, list, end);
-        sift_down(L, list, 1, end - 1, f, x, y);
+    for (size_t i = n / 2; i-- > 0;)
+        sift_down(list, i, n);
+    for (; n > 1; n--) {
+        swap(&list[0], &list[n - 1]);
+        sift_down(list, 0, n - 1);
     }
 }
 
@@ -111,19 +106,16 @@ enum {
     LEVEL_WORK = 6 /* work per corner, per line, per sorted entry, and per entry and level */
 };
 
-/* Sets f's position of each laser to the point of the laser nearest to the region's position. Leaves the userdata that
- * holds the positions on the stack. */
-static void locate_lasers(lua_State *L, const struct board *b, struct search_pool *f, const struct api_region *r)
+/* Returns the square of the distance from entity i to the region's position; for a laser, from its nearest point. */
+static uint64_t distance_squared(const struct board *b, const struct search_pool *f, const struct api_region *r,
+                                 uint32_t i)
 {
-    const uint32_t n = f->s->top;
-    fx *x = lua_newuserdatauv(L, 2 * (n ? n : 1) * sizeof *x, 0), *y = x + n;
+    fx x = f->x[i], y = f->y[i];
 
-    EACH_LIVE (i, f->s) {
-        lasers_get_nearest_point(b, i, r->x, r->y, &x[i], &y[i]);
-        vm_charge(L, CORNER_WORK * (uint64_t)lasers_corner_count(b, i));
-    }
-    f->x = x;
-    f->y = y;
+    if (f->kind == H_LASER)
+        lasers_get_nearest_point(b, i, r->x, r->y, &x, &y);
+    const int64_t dx = (int64_t)x - r->x, dy = (int64_t)y - r->y;
+    return (uint64_t)(dx * dx) + (uint64_t)(dy * dy);
 }
 
 /* Returns the work of sort_by_distance for n entries. */
@@ -136,34 +128,32 @@ static uint64_t compute_sort_work(uint64_t n)
     return n * (ENTRY_WORK + LEVEL_WORK * levels);
 }
 
-/* Pushes the list of entities in the region, nearest to the region's position first, or an empty list if `has_position`
- * is false. */
-static int push_found_entities(lua_State *L, struct board *b, struct search_pool *f, uint32_t tag,
-                               const struct api_region *r, bool has_position)
+/* Pushes the list of entities in the region, nearest to the region's position first. */
+static void push_found_entities(lua_State *L, struct board *b, const struct search_pool *f, uint32_t tag,
+                                const struct api_region *r)
 {
-    uint32_t end = has_position ? f->s->live_bits ? f->s->top : f->s->live : 0;
-    lua_Integer n = 0;
+    const uint32_t end = f->s->live_bits ? f->s->top : f->s->live;
+    luaL_Buffer found;
 
-    if (f->kind == H_LASER)
-        locate_lasers(L, b, f, r);
-    lua_newtable(L);
-    int list = lua_gettop(L);
+    luaL_buffinit(L, &found);
     for (uint32_t i = slots_next(f->s, 0); i < end; i = slots_next(f->s, i + 1)) {
-        if ((f->in_game && !f->in_game[i]) || !board_is_alive(b, board_handle(b, f->kind, (int32_t)i)) ||
-            (tag && (!f->tag || f->tag[i] != tag)) || !is_in_region(b, f, r, i))
+        if (f->kind == H_LASER)
+            vm_charge(L, CORNER_WORK * (uint64_t)lasers_corner_count(b, i));
+        if (!board_is_alive(b, board_handle(b, f->kind, (int32_t)i)) || (tag && (!f->tag || f->tag[i] != tag)) ||
+            !is_in_region(b, f, r, i))
             continue;
-        lua_pushinteger(L, i);
-        lua_rawseti(L, list, ++n);
+        const struct found e = { distance_squared(b, f, r, i), i };
+        luaL_addlstring(&found, (const char *)&e, sizeof e);
     }
-    vm_charge(L, (r->shape == REGION_LINE ? LINE_WORK : 1) * (uint64_t)f->s->live + compute_sort_work((uint64_t)n));
-    sort_by_distance(L, list, n, f, r->x, r->y);
-    for (lua_Integer i = 1; i <= n; i++) {
-        lua_rawgeti(L, list, i);
-        lua_pushinteger(L, board_handle(b, f->kind, (int32_t)lua_tointeger(L, -1)));
-        lua_rawseti(L, list, i);
-        lua_pop(L, 1);
+    const size_t n = luaL_bufflen(&found) / sizeof(struct found);
+    struct found *list = (struct found *)(void *)luaL_buffaddr(&found);
+    vm_charge(L, (r->shape == REGION_LINE ? LINE_WORK : 1) * (uint64_t)f->s->live + compute_sort_work(n));
+    sort_by_distance(list, n);
+    lua_createtable(L, (int)n, 0);
+    for (size_t i = 0; i < n; i++) {
+        lua_pushinteger(L, board_handle(b, f->kind, (int32_t)list[i].slot));
+        lua_rawseti(L, -2, (lua_Integer)i + 1);
     }
-    return 1;
 }
 
 static int run_query(lua_State *L, struct board *b, const char *entry, const struct api_value *pool,
@@ -172,9 +162,12 @@ static int run_query(lua_State *L, struct board *b, const char *entry, const str
     struct search_pool f = find_pool(L, b, entry, lua_tostring(L, pool->at));
     uint32_t tag_number = api_read_tag(L, entry, tag);
     struct api_region r;
-    bool has_position = api_read_region(L, b, entry, region_args, &r);
 
-    return push_found_entities(L, b, &f, tag_number, &r, has_position);
+    if (api_read_region(L, b, entry, region_args, &r))
+        push_found_entities(L, b, &f, tag_number, &r);
+    else
+        lua_newtable(L);
+    return 1;
 }
 
 /* Calls are folded with the indices of their arguments, so newer parameters come last, to keep old demos valid. */
