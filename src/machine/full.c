@@ -102,6 +102,15 @@ void board_report_full(struct board *b, const struct slots *s)
     add_line(o, f->line);
 }
 
+int32_t board_take_slot(struct board *b, struct slots *s)
+{
+    const int32_t i = slots_take(s);
+
+    if (i == NO_SLOT)
+        board_report_full(b, s);
+    return i;
+}
+
 void board_burst_sparks(struct board *b, const struct spark_burst *burst)
 {
     uint32_t refused_before = b->sparks.s.refused;

@@ -297,6 +297,9 @@ void board_spawn_vanish_spark(struct board *b, uint32_t i);
 /* Logs that the pool s is full, once in a run: at its first refusal. Call after s refused an entity. */
 void board_report_full(struct board *b, const struct slots *s);
 
+/* Takes a slot of a pool. Returns NO_SLOT, and reports the pool, if it is full. */
+int32_t board_take_slot(struct board *b, struct slots *s);
+
 /* Withdraws this frame's reports by board_report_full. Used when an endless loop has filled the pools, so that only the
  * fault of the loop is reported. */
 void board_withdraw_full_reports(struct board *b);

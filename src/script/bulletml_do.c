@@ -232,9 +232,8 @@ static bool push_frame(struct work_state *w, uint32_t command, int32_t repeats_l
 
     if (w->r->depth[i] == MAX_CALL_DEPTH)
         bulletml_fault(w->t, command, "repeats and calls nested more than 4096 deep");
-    const int32_t k = slots_take(&f->s);
+    const int32_t k = board_take_slot(w->t->b, &f->s);
     if (k == NO_SLOT) {
-        board_report_full(w->t->b, &f->s);
         w->r->flags[i] |= RUNNER_ACTIONS_ENDED;
         return false;
     }
@@ -317,13 +316,6 @@ static void return_from_call(struct work_state *w)
     pop_frame(w);
 }
 
-static void begin_repeat(struct work_state *w, uint32_t command)
-{
-    const int32_t times = ml_to_whole(next_value(w));
-
-    push_frame(w, command, times, 0, 0);
-}
-
 static void end_repeat(struct work_state *w)
 {
     const struct ml_frames *f = &w->t->b->ml_frames;
@@ -337,29 +329,16 @@ static void end_repeat(struct work_state *w)
 
 /* ---- fires ---- */
 
-static void call_fire_ref(struct work_state *w)
+/* Calls a fireRef or bulletRef with its own parameters, stored in `params` and `values`; *after receives the position
+ * after the call. */
+static void call_ref(struct work_state *w, struct param_values *params, int64_t values[ML_PARAMS], uint32_t *after)
 {
     const uint32_t target = next_word(w), n = next_word(w);
 
-    w->fire_params = (struct param_values){ next_values(w, n, w->fire_value), w->fire_value, 0 };
-    w->pending_fire.after_fire = w->at;
-    w->params = &w->fire_params;
+    *params = (struct param_values){ next_values(w, n, values), values, 0 };
+    *after = w->at;
+    w->params = params;
     w->at = target;
-}
-
-static void call_bullet_ref(struct work_state *w)
-{
-    const uint32_t target = next_word(w), n = next_word(w);
-
-    w->bullet_params = (struct param_values){ next_values(w, n, w->bullet_value), w->bullet_value, 0 };
-    w->pending_fire.after_bullet = w->at;
-    w->params = &w->bullet_params;
-    w->at = target;
-}
-
-static void begin_fire(struct work_state *w)
-{
-    w->pending_fire.has_speed = w->pending_fire.has_direction = false;
 }
 
 /* Fires the bullet. Unset speed and direction get their defaults: speed 1, aimed at the player. */
@@ -410,7 +389,7 @@ static void execute_command(struct work_state *w, uint32_t c)
         begin_wait(w);
         break;
     case ML_REPEAT:
-        begin_repeat(w, c);
+        push_frame(w, c, ml_to_whole(next_value(w)), 0, 0);
         break;
     case ML_END_REPEAT:
         end_repeat(w);
@@ -424,10 +403,10 @@ static void execute_command(struct work_state *w, uint32_t c)
         return_from_call(w);
         break;
     case ML_FIRE:
-        begin_fire(w);
+        w->pending_fire.has_speed = w->pending_fire.has_direction = false;
         break;
     case ML_FIRE_REF:
-        call_fire_ref(w);
+        call_ref(w, &w->fire_params, w->fire_value, &w->pending_fire.after_fire);
         break;
     case ML_FIRE_RETURN:
         end_fire(w);
@@ -441,7 +420,7 @@ static void execute_command(struct work_state *w, uint32_t c)
         w->pending_fire.has_direction = true;
         break;
     case ML_BULLET_REF:
-        call_bullet_ref(w);
+        call_ref(w, &w->bullet_params, w->bullet_value, &w->pending_fire.after_bullet);
         break;
     case ML_BULLET:
         fire_bullet(w);

@@ -38,12 +38,10 @@ void bulletml_release_list(struct board *b, uint32_t list)
 uint32_t bulletml_new_list(struct board *b, const int64_t *value, int n)
 {
     struct ml_params *p = &b->ml_params;
-    const int32_t k = slots_take(&p->s);
+    const int32_t k = board_take_slot(b, &p->s);
 
-    if (k == NO_SLOT) {
-        board_report_full(b, &p->s);
+    if (k == NO_SLOT)
         return 0;
-    }
     p->refs[k] = 1;
     p->n[k] = (uint8_t)n;
     memset(p->value + (size_t)k * ML_MAX_VALUES, 0, ML_MAX_VALUES * sizeof *p->value);
@@ -200,12 +198,10 @@ flight_of(const struct ml_roots *o, const struct ml_runners *r, uint32_t root, u
 static int32_t new_runner(struct board *b, uint32_t root, int64_t bullet, uint32_t at, uint32_t wake)
 {
     struct ml_runners *r = &b->ml_runners;
-    const int32_t i = slots_take(&r->s);
+    const int32_t i = board_take_slot(b, &r->s);
 
-    if (i == NO_SLOT) {
-        board_report_full(b, &r->s);
+    if (i == NO_SLOT)
         return i;
-    }
     r->bullet[i] = bullet;
     r->serial[i] = ++r->last_serial;
     r->root[i] = root;
@@ -807,11 +803,9 @@ int32_t bulletml_begin(struct board *b, const struct bulletml_start *start)
     cart_bulletml(&b->cart, start->program, &ml);
     if (!ml.n_top_actions)
         return NO_SLOT;
-    const int32_t i = slots_take(&o->s);
-    if (i == NO_SLOT) {
-        board_report_full(b, &o->s);
+    const int32_t i = board_take_slot(b, &o->s);
+    if (i == NO_SLOT)
         return i;
-    }
     o->owner[i] = start->owner;
     o->follow_target[i] = start->follow;
     o->x[i] = start->x;

@@ -84,12 +84,9 @@ static int32_t take_task(struct board *b, int64_t owner, uint8_t flags)
     struct tasks *t = &b->tasks;
 
     check_depth(b, owner);
-    int32_t i = slots_take(&t->s);
-
-    if (i == NO_SLOT) {
-        board_report_full(b, &t->s);
+    const int32_t i = board_take_slot(b, &t->s);
+    if (i == NO_SLOT)
         return i;
-    }
     t->serial[i] = ++t->serial_count;
     t->owner[i] = owner;
     t->scene[i] = scene_for_owner(b, owner);

@@ -14,14 +14,6 @@ enum {
 
 static const char lines_entry[] = "bg.lines", fog_entry[] = "plane: fog";
 
-static void push_string_or_nil(lua_State *L, const char *name)
-{
-    if (name)
-        lua_pushstring(L, name);
-    else
-        lua_pushnil(L);
-}
-
 /* ---- shared by layers and the plane ---- */
 
 enum { P_MAP, P_X, P_Y, P_VX, P_VY, P_LAYER, P_BANK, P_BLEND, P_HIDDEN, SHARED_PROP_COUNT };
@@ -58,9 +50,9 @@ static void get_layer(lua_State *L, struct board *b, uint32_t i, int p)
     const int blend = (g->flags[i] & BG_BLEND) / BG_BLEND_ONE;
 
     if (p == P_MAP)
-        push_string_or_nil(L, g->map[i] ? cart_name(&b->cart, CART_MAPS, g->map[i] - 1) : NULL);
+        lua_pushstring(L, g->map[i] ? cart_name(&b->cart, CART_MAPS, g->map[i] - 1) : NULL);
     else if (p == P_BLEND)
-        push_string_or_nil(L, blend ? cart_name(&b->cart, CART_BLENDS, blend - 1) : NULL);
+        lua_pushstring(L, blend ? cart_name(&b->cart, CART_BLENDS, blend - 1) : NULL);
     else
         lua_pushstring(L, g->flags[i] & BG_FRONT ? "front" : "back");
 }

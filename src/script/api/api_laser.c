@@ -414,7 +414,6 @@ static void get_laser(lua_State *L, struct board *b, uint32_t i, int p)
     static const char *const states[LASER_STATES] = { "warn", "grow", "on", "fade" }, *const forms[] = { "beam", "bolt",
                                                                                                          "curve" };
     const struct lasers *l = &b->lasers;
-    const uint8_t player = b->laser_heads.player[i];
 
     switch (p) {
     case L_LENGTH:
@@ -429,9 +428,6 @@ static void get_laser(lua_State *L, struct board *b, uint32_t i, int p)
         break;
     case L_FOLLOW:
         api_push_handle(L, l->follow_target[i]);
-        break;
-    case L_PLAYER:
-        api_push_handle(L, player ? board_handle(b, H_PLAYER, player - 1) : 0);
         break;
     default:
         api_get_flight_prop(L, b, &b->laser_heads, N_LASER, i, p);

@@ -99,11 +99,8 @@ static int text_line(lua_State *L, struct board *b, struct api_value *v)
     int64_t owner;
     fx x, y;
     bool can_create = read_line_position(L, b, v, &x, &y) && tasks_get_spawn_owner(b, v[L_STAY].i, &owner);
-    int32_t i = can_create ? slots_take(&l->s) : NO_SLOT;
-
-    if (i == NO_SLOT && can_create)
-        board_report_full(b, &l->s);
-    else if (i != NO_SLOT) {
+    int32_t i = can_create ? board_take_slot(b, &l->s) : NO_SLOT;
+    if (i != NO_SLOT) {
         fill_line(l, (uint32_t)i, v, x, y);
         l->owner[i] = owner;
         lines_set_text(l, (uint32_t)i, s, n, b->core.clock);

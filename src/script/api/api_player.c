@@ -300,41 +300,30 @@ static const struct api_param take_params[] = { PARAM("button", A_BUTTON, REQ, 0
                                                 PARAM("p", A_PLAYER, OPT, 0, 0, NULL, "1",
                                                       "player whose buttons to read") };
 
-static int read_pad(lua_State *L, const struct board *b, const uint16_t *button_masks, const struct api_value *v)
+const uint16_t *api_get_pads(const struct board *b, const char *state)
 {
-    uint32_t p = (uint32_t)v[BUTTON_PLAYER].i - 1;
+    return !strcmp(state, "down")       ? b->input.held
+           : !strcmp(state, "pressed")  ? b->input.pressed
+           : !strcmp(state, "released") ? b->input.released
+                                        : b->input.repeated;
+}
 
-    lua_pushboolean(L, v[BUTTON_PLAYER].i && (button_masks[p] & ~board_ignored_buttons(b, p)) >> v[BUTTON_NAME].i & 1);
+static int read_button(lua_State *L, struct board *b, struct api_value *v)
+{
+    const uint16_t *pads = api_get_pads(b, api_current_binding(L)->entry->name + strlen("pad."));
+    const uint32_t p = (uint32_t)v[BUTTON_PLAYER].i - 1;
+
+    lua_pushboolean(L, v[BUTTON_PLAYER].i && (pads[p] & ~board_ignored_buttons(b, p)) >> v[BUTTON_NAME].i & 1);
     return 1;
 }
 
-static int pad_down(lua_State *L, struct board *b, struct api_value *v)
-{
-    return read_pad(L, b, b->input.held, v);
-}
-
-static int pad_pressed(lua_State *L, struct board *b, struct api_value *v)
-{
-    return read_pad(L, b, b->input.pressed, v);
-}
-
-static int pad_take(lua_State *L, struct board *b, struct api_value *v)
+static int take_press(lua_State *L, struct board *b, struct api_value *v)
 {
     uint32_t p = (uint32_t)v[TAKE_PLAYER].i - 1, k = (uint32_t)v[TAKE_BUTTON].i;
 
     lua_pushboolean(L, v[TAKE_PLAYER].i && !(board_ignored_buttons(b, p) >> k & 1) &&
                            input_take(&b->input, p, k, (uint32_t)v[TAKE_AGE].i, board_press_side(b)));
     return 1;
-}
-
-static int pad_released(lua_State *L, struct board *b, struct api_value *v)
-{
-    return read_pad(L, b, b->input.released, v);
-}
-
-static int pad_repeated(lua_State *L, struct board *b, struct api_value *v)
-{
-    return read_pad(L, b, b->input.repeated, v);
 }
 
 /* ---- score ---- */
@@ -446,14 +435,14 @@ static const struct api_entry entries[] = {
       HELP("returns the living player nearest to a point, or a dead handle if there is none") },
     { "player.each", player_each, PARAMS(each_params), 1, API_CHANGES, NULL,
       HELP("calls a function for each player in the game") },
-    { "pad.down", pad_down, PARAMS(button_params), 2, 0, "boolean", HELP("returns true while a button is held") },
-    { "pad.pressed", pad_pressed, PARAMS(button_params), 2, 0, "boolean",
+    { "pad.down", read_button, PARAMS(button_params), 2, 0, "boolean", HELP("returns true while a button is held") },
+    { "pad.pressed", read_button, PARAMS(button_params), 2, 0, "boolean",
       HELP("returns true in the frame in which a button goes down") },
-    { "pad.take", pad_take, PARAMS(take_params), 3, API_CHANGES, "boolean",
+    { "pad.take", take_press, PARAMS(take_params), 3, API_CHANGES, "boolean",
       HELP("takes a button's oldest press that hasn't been taken yet; returns false if there is none") },
-    { "pad.released", pad_released, PARAMS(button_params), 2, 0, "boolean",
+    { "pad.released", read_button, PARAMS(button_params), 2, 0, "boolean",
       HELP("returns true in the frame in which a button is released") },
-    { "pad.repeated", pad_repeated, PARAMS(button_params), 2, 0, "boolean",
+    { "pad.repeated", read_button, PARAMS(button_params), 2, 0, "boolean",
       HELP("returns true when a button goes down, then every 5 frames once it has been held for 20 frames") },
     { "score.add", score_add, PARAMS(add_params), 2, API_CHANGES, NULL,
       HELP("adds points to a player's score, which stays between 0 and 999,999,999,999; the points can earn extra "

@@ -97,11 +97,8 @@ static int sprite_put(lua_State *L, struct board *b, struct api_value *v)
     check_put(L, v);
     bool can_spawn =
         tasks_get_spawn_owner(b, v[PUT_STAY].i, &owner) && (!v[PUT_FOLLOW].given || board_is_alive(b, v[PUT_FOLLOW].i));
-    int32_t i = can_spawn ? slots_take(&s->s) : NO_SLOT;
-
-    if (i == NO_SLOT && can_spawn)
-        board_report_full(b, &s->s);
-    else if (i != NO_SLOT) {
+    int32_t i = can_spawn ? board_take_slot(b, &s->s) : NO_SLOT;
+    if (i != NO_SLOT) {
         s->sprite[i] = (uint16_t)v[PUT_SPRITE].i;
         s->x[i] = v[PUT_X].f;
         s->y[i] = v[PUT_Y].f;
@@ -142,11 +139,8 @@ static int sprite_plate(lua_State *L, struct board *b, struct api_value *v)
     struct sprites *s = &b->sprites;
     int64_t owner;
     bool can_spawn = tasks_get_spawn_owner(b, v[PLATE_STAY].i, &owner);
-    int32_t i = can_spawn ? slots_take(&s->s) : NO_SLOT;
-
-    if (i == NO_SLOT && can_spawn)
-        board_report_full(b, &s->s);
-    else if (i != NO_SLOT) {
+    int32_t i = can_spawn ? board_take_slot(b, &s->s) : NO_SLOT;
+    if (i != NO_SLOT) {
         s->sprite[i] = (uint16_t)v[PLATE_W].i;
         s->x[i] = v[PLATE_X].f;
         s->y[i] = v[PLATE_Y].f;
@@ -197,9 +191,10 @@ static const struct api_prop props[PROPS] = {
 static void get_sprite(lua_State *L, struct board *b, uint32_t i, int p)
 {
     const struct sprites *s = &b->sprites;
+    const int blend = (s->flags[i] & SPRITE_BLEND) / SPRITE_BLEND_ONE;
     fx x, y;
 
-    switch (p) {
+    switch (p) { /* a NULL string is pushed as nil */
     case P_X:
     case P_Y:
         board_get_position(b, board_handle(b, H_SPRITE, (int32_t)i), &x, &y);
@@ -213,10 +208,7 @@ static void get_sprite(lua_State *L, struct board *b, uint32_t i, int p)
             lua_pushnil(L);
         break;
     case P_SPRITE:
-        if (is_plate(s, i))
-            lua_pushnil(L);
-        else
-            lua_pushstring(L, cart_name(&b->cart, CART_SPRITES, s->sprite[i]));
+        lua_pushstring(L, is_plate(s, i) ? NULL : cart_name(&b->cart, CART_SPRITES, s->sprite[i]));
         break;
     case P_W:
     case P_H:
@@ -226,16 +218,10 @@ static void get_sprite(lua_State *L, struct board *b, uint32_t i, int p)
             lua_pushnil(L);
         break;
     case P_LAYER:
-        if (is_plate(s, i))
-            lua_pushnil(L);
-        else
-            lua_pushstring(L, api_layer_names[s->layer[i]]);
+        lua_pushstring(L, is_plate(s, i) ? NULL : api_layer_names[s->layer[i]]);
         break;
     default: /* P_BLEND */
-        if (s->flags[i] & SPRITE_BLEND)
-            lua_pushstring(L, cart_name(&b->cart, CART_BLENDS, (s->flags[i] & SPRITE_BLEND) / SPRITE_BLEND_ONE - 1));
-        else
-            lua_pushnil(L);
+        lua_pushstring(L, blend ? cart_name(&b->cart, CART_BLENDS, blend - 1) : NULL);
     }
 }
 

@@ -128,10 +128,7 @@ static bool get_playing_tune(const struct board *b, struct tune *t)
 static int music_name(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)v;
-    if (b->music.tune)
-        lua_pushstring(L, cart_name(&b->cart, CART_TUNES, b->music.tune - 1));
-    else
-        lua_pushnil(L);
+    lua_pushstring(L, b->music.tune ? cart_name(&b->cart, CART_TUNES, b->music.tune - 1) : NULL); /* NULL becomes nil */
     return 1;
 }
 
@@ -156,10 +153,8 @@ static int music_marker(lua_State *L, struct board *b, struct api_value *v)
     struct tune t;
 
     (void)v;
-    if (get_playing_tune(b, &t) && b->music.marker)
-        lua_pushstring(L, tune_marker_name(&t, b->music.marker - 1));
-    else
-        lua_pushnil(L);
+    const bool has_marker = get_playing_tune(b, &t) && b->music.marker;
+    lua_pushstring(L, has_marker ? tune_marker_name(&t, b->music.marker - 1) : NULL);
     return 1;
 }
 

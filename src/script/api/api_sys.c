@@ -463,6 +463,8 @@ static void wipe_scenery(struct board *b)
 
 static int sys_wipe(lua_State *L, struct board *b, struct api_value *v)
 {
+    struct slots *const pools[] = { &b->items.s, &b->sparks.s, &b->sprites.s, &b->lines.s };
+
     (void)L;
     EACH_LIVE (i, &b->bullets.s)
         bullets_drop(&b->bullets, i);
@@ -474,16 +476,11 @@ static int sys_wipe(lua_State *L, struct board *b, struct api_value *v)
         enemies_drop(&b->enemies, i);
     EACH_LIVE (i, &b->lasers.s)
         lasers_remove(b, i);
-    EACH_LIVE (i, &b->items.s)
-        slots_drop(&b->items.s, i);
     for (uint32_t p = 0; p < MAX_PLAYERS; p++)
         options_drop_from(&b->options, p, 0);
-    EACH_LIVE (i, &b->sparks.s)
-        slots_drop(&b->sparks.s, i);
-    EACH_LIVE (i, &b->sprites.s)
-        slots_drop(&b->sprites.s, i);
-    EACH_LIVE (i, &b->lines.s)
-        slots_drop(&b->lines.s, i);
+    for (int k = 0; k < 4; k++)
+        EACH_LIVE (i, pools[k])
+            slots_drop(pools[k], i);
     if (!v[ARG_KEEP_SCENERY].i)
         wipe_scenery(b);
     fix_clear(&b->fix, 0, 0, (int)b->fix.cols, (int)b->fix.rows);
@@ -580,10 +577,7 @@ static const struct api_param sys_pad_params[] = { PARAM("how", A_STR, REQ, 0, 0
 
 static int sys_read_button(lua_State *L, struct board *b, struct api_value *v)
 {
-    const char *state = lua_tostring(L, v[PAD_STATE].at);
-    const uint16_t *pads = !strcmp(state, "down")      ? b->input.held
-                           : !strcmp(state, "pressed") ? b->input.pressed
-                                                       : b->input.repeated;
+    const uint16_t *pads = api_get_pads(b, lua_tostring(L, v[PAD_STATE].at));
 
     lua_pushboolean(L, v[PAD_PLAYER].i && pads[v[PAD_PLAYER].i - 1] >> v[PAD_BUTTON].i & 1);
     return 1;
