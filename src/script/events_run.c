@@ -565,14 +565,12 @@ static void apply_take(struct board *b, lua_State *L, const struct event *e)
         slots_release(&b->items.s, i);
 }
 
-static bool any_player_in_game(const struct board *b)
-{
-    return b->player.in_game[0] || b->player.in_game[1];
-}
-
 void events_check_game_over(struct board *b)
 {
-    if (b->core.game_over || any_player_in_game(b) || b->core.continues_left[0] || b->core.continues_left[1])
+    for (int p = 0; p < MAX_PLAYERS; p++)
+        if (b->player.in_game[p] || b->core.continues_left[p])
+            return;
+    if (b->core.game_over)
         return;
     b->core.game_over = 1;
     board_raise_event(b, EV_GAME_OVER, 0, 0);

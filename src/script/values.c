@@ -54,7 +54,7 @@ static void put_number(lua_State *L, struct values *v, int idx)
     }
 }
 
-static bool has_text_form(lua_State *L, int idx)
+bool values_have_text_form(lua_State *L, int idx)
 {
     const int top = lua_gettop(L);
     const bool found =
@@ -96,7 +96,7 @@ static void put_value(lua_State *L, struct values *v, int idx, int depth)
         put_number(L, v, idx);
         break;
     case LUA_TTABLE:
-        if (!has_text_form(L, idx)) {
+        if (!values_have_text_form(L, idx)) {
             put_table(L, v, idx, depth);
             break;
         }

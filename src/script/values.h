@@ -5,6 +5,7 @@
 #define SCRIPT_VALUES_H
 
 #include <lua.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -26,5 +27,8 @@ void values_put(lua_State *L, struct values *v);
 
 /* Pushes all stored values. Returns their count. */
 int values_push(lua_State *L, const struct values *v);
+
+/* Returns whether tostring shows the table at idx by its metatable's __tostring or __name. */
+bool values_have_text_form(lua_State *L, int idx);
 
 #endif

@@ -113,11 +113,6 @@ static enum board_fault_kind fault_kind_of(const struct board *b, int status, co
     return FAULT_SCRIPT;
 }
 
-static void copy_text(char *to, size_t size, const char *from)
-{
-    snprintf(to, size, "%s", from);
-}
-
 /* Returns whether the running code can wait, i.e. is a task: false while loading, in a handler and in a console
  * line. */
 static bool can_wait(const struct board *b)
@@ -230,7 +225,7 @@ void vm_add_traceback(struct board *b, lua_State *L, lua_State *thread)
     lualib_push_trace(L); /* the traceback of a fault that passed through a pcall, or nil */
     if (!lua_isstring(L, -1))
         luaL_traceback(L, thread, NULL, 0);
-    copy_text(b->output->fault.trace, sizeof b->output->fault.trace, lua_tostring(L, -1));
+    snprintf(b->output->fault.trace, sizeof b->output->fault.trace, "%s", lua_tostring(L, -1));
     lua_pop(L, 1);
 }
 

@@ -108,15 +108,13 @@ static const struct slots *check_pool(lua_State *L, struct board *b, const char 
     return s;
 }
 
-static int push_live_count(lua_State *L, struct board *b, struct api_value *v)
+/* board.live and board.refused. */
+static int push_pool_count(lua_State *L, struct board *b, struct api_value *v)
 {
-    lua_pushinteger(L, check_pool(L, b, "board.live", v[ARG_CHIP].at)->live);
-    return 1;
-}
+    const char *entry = api_current_binding(L)->entry->name;
+    const struct slots *s = check_pool(L, b, entry, v[ARG_CHIP].at);
 
-static int push_refused_count(lua_State *L, struct board *b, struct api_value *v)
-{
-    lua_pushinteger(L, check_pool(L, b, "board.refused", v[ARG_CHIP].at)->refused);
+    lua_pushinteger(L, !strcmp(entry, "board.live") ? s->live : s->refused);
     return 1;
 }
 
@@ -255,9 +253,9 @@ static const struct api_entry entries[] = {
       HELP("returns the setting of a DIP switch, a name or a number") },
     { "board.reset", request_board_reset, NO_PARAMS, 0, API_CHANGES, NULL,
       HELP("restarts the board after this frame, as if power had been cut") },
-    { "board.live", push_live_count, PARAMS(chip_params), 1, 0, "count",
+    { "board.live", push_pool_count, PARAMS(chip_params), 1, 0, "count",
       HELP("returns how many entries of a pool are in use") },
-    { "board.refused", push_refused_count, PARAMS(chip_params), 1, 0, "count",
+    { "board.refused", push_pool_count, PARAMS(chip_params), 1, 0, "count",
       HELP("returns how many entries weren't created because the pool was full") },
     { "board.attract", board_attract, PARAMS(demo_params), 1, API_CHANGES, NULL,
       HELP("shows a demo from the ROM and pauses this board until the demo ends") },

@@ -240,12 +240,11 @@ ang api_aim_direction(struct board *b, bool is_shot, fx x, fx y)
     return targets_aim(&t, x, y, is_shot ? ANG_UP : ANG_DOWN);
 }
 
-/* Returns the number, 1 or 2, of the player who fires the shot, or 0. */
-static uint8_t find_shooter(const struct board *b, const struct api_value *v)
+uint8_t api_find_shooter(const struct board *b, const struct api_value *owner, const struct api_value *from)
 {
-    const struct api_value *owner = v[FIRE_OWNER].given ? &v[FIRE_OWNER] : &v[FIRE_POSITION + POSITION_FROM];
+    const struct api_value *v = owner->given ? owner : from;
 
-    return owner->given ? board_player_of(b, owner->i) : 0;
+    return v->given ? board_player_of(b, v->i) : 0;
 }
 
 bool api_read_flight(lua_State *L, struct board *b, const char *entry, const struct api_value *v, bool is_shot,
@@ -259,7 +258,8 @@ bool api_read_flight(lua_State *L, struct board *b, const char *entry, const str
                                .bank = v[FIRE_BANK].given ? (uint8_t)v[FIRE_BANK].i : kinds->bank[v[FIRE_KIND].i],
                                .motion = v[FIRE_MOTION].given ? (uint16_t)v[FIRE_MOTION].i : 0,
                                .is_fine = v[FIRE_MOTION].given && api_motion_is_fine(b, (uint16_t)v[FIRE_MOTION].i),
-                               .player = is_shot ? find_shooter(b, v) : 0,
+                               .player =
+                                   is_shot ? api_find_shooter(b, &v[FIRE_OWNER], &v[FIRE_POSITION + POSITION_FROM]) : 0,
                                .delay = is_shot ? 0 : (uint32_t)v[FIRE_DELAY].i,
                                .owner_task = tasks_current_serial(b) };
     if (!api_read_position(L, b, entry, v + FIRE_POSITION, &s->x, &s->y))
@@ -274,12 +274,15 @@ bool api_read_flight(lua_State *L, struct board *b, const char *entry, const str
     return true;
 }
 
-static int fire_bullet_or_shot(lua_State *L, struct board *b, const struct api_value *v, bool is_shot)
+/* bullet.fire and shot.fire. */
+static int fire(lua_State *L, struct board *b, struct api_value *v)
 {
+    const char *entry = api_current_binding(L)->entry->name;
+    const bool is_shot = entry[0] == 's';
     struct bullet_spec s;
     int32_t i = NO_SLOT;
 
-    if (api_read_flight(L, b, is_shot ? "shot.fire" : "bullet.fire", v, is_shot, &s)) {
+    if (api_read_flight(L, b, entry, v, is_shot, &s)) {
         if (v[FIRE_AIM].i)
             s.dir = api_aim_direction(b, is_shot, s.x, s.y) + (v[FIRE_DIR].given ? v[FIRE_DIR].a : 0);
         i = emit_fire(b, is_shot, &s, api_value_to_q32(true, &v[FIRE_SPEED]), b->core.clock);
@@ -288,16 +291,6 @@ static int fire_bullet_or_shot(lua_State *L, struct board *b, const struct api_v
         api_set_values(b, is_shot ? N_SHOT_VALUE : N_BULLET_VALUE, (uint32_t)i, v + FIRE_FIRST_VALUE);
     lua_pushinteger(L, board_handle(b, is_shot ? H_SHOT : H_BULLET, i));
     return 1;
-}
-
-static int bullet_fire(lua_State *L, struct board *b, struct api_value *v)
-{
-    return fire_bullet_or_shot(L, b, v, false);
-}
-
-static int shot_fire(lua_State *L, struct board *b, struct api_value *v)
-{
-    return fire_bullet_or_shot(L, b, v, true);
 }
 
 static const struct api_param bullet_sweep_params[] = {
@@ -696,12 +689,12 @@ static const struct api_param clear_group_params[] = {
  * api_shot_fire_entry. */
 #define BULLET_FIRE                                                                                                    \
     {                                                                                                                  \
-        "bullet.fire", bullet_fire, PARAMS(bullet_fire_params), 0, API_CHANGES | API_TAKES_VALUES, "bullet",           \
+        "bullet.fire", fire, PARAMS(bullet_fire_params), 0, API_CHANGES | API_TAKES_VALUES, "bullet",                  \
             HELP("fires one bullet from a position or a thing")                                                        \
     }
 #define SHOT_FIRE                                                                                                      \
     {                                                                                                                  \
-        "shot.fire", shot_fire, PARAMS(shot_fire_params), 0, API_CHANGES | API_TAKES_VALUES, "shot",                   \
+        "shot.fire", fire, PARAMS(shot_fire_params), 0, API_CHANGES | API_TAKES_VALUES, "shot",                        \
             HELP("fires one player shot from a position or a thing")                                                   \
     }
 const struct api_entry api_bullet_fire_entry = BULLET_FIRE, api_shot_fire_entry = SHOT_FIRE;

@@ -51,14 +51,6 @@ static const struct api_param params[] = {
           "on_fire(b, label): called with each bullet and the label of its element; label may be nil"),
 };
 
-/* Rounds to the nearest Q31.32; the range has been checked. */
-static int64_t to_q32(double v)
-{
-    const double scaled = v * 4294967296.0; /* exact; |v| < 2^19, so the product is below 2^51 */
-
-    return fx_nearest(scaled);
-}
-
 static uint16_t find_program(lua_State *L, const struct board *b, const char *name)
 {
     const int i = cart_find(&b->cart, CART_BULLETML, name);
@@ -134,8 +126,8 @@ static int read_params(lua_State *L, struct board *b, int at, int64_t out[ML_PAR
         lua_rawgeti(L, at, (lua_Integer)i + 1);
         api_fold_stack_value(L, b, -1);
         api_check(L, entry_name, &param, lua_gettop(L), &v);
-        const int64_t whole = (int64_t)v.n; /* the whole part is converted separately: to_q32 requires |v| < 2^19 */
-        out[i] = whole * ML_ONE + to_q32(v.n - (double)whole);
+        const int64_t whole = (int64_t)v.n; /* the whole part is converted separately: api_to_q32 requires |v| < 2^19 */
+        out[i] = whole * ML_ONE + api_to_q32(v.n - (double)whole);
     }
     return (int)n;
 }
@@ -163,8 +155,8 @@ static int start_document(lua_State *L, struct board *b, struct api_value *v)
                                 .dy = from->given ? v[P_POSITION + POSITION_DY].f : 0,
                                 .kind = (uint16_t)v[P_KIND].i,
                                 .flags = make_root_flags(v),
-                                .rank = to_q32(v[P_RANK].n),
-                                .speed_scale = to_q32(v[P_SPEED].n),
+                                .rank = api_to_q32(v[P_RANK].n),
+                                .speed_scale = api_to_q32(v[P_SPEED].n),
                                 .angle = v[P_ANGLE].a };
     uint16_t kinds[ML_MAX_KINDS];
     int64_t param[ML_PARAMS];
@@ -250,7 +242,7 @@ static void get_bulletml(lua_State *L, struct board *b, uint32_t i, int p)
 static void set_rank(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
 {
     (void)L, (void)p;
-    b->ml_roots.rank[i] = to_q32(v->n);
+    b->ml_roots.rank[i] = api_to_q32(v->n);
 }
 
 const struct api_thing api_bulletml_thing = { "bulletml", props, PROPS, .get = get_bulletml, .set = set_rank };

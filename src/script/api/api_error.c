@@ -60,45 +60,35 @@ void api_fold_bytes(lua_State *L, struct board *b, const char *s, size_t n)
     b->script.digest = hash_bytes(b->script.digest, s, n);
 }
 
-void api_fold_stack_value(lua_State *L, struct board *b, int at)
+void api_fold_value(lua_State *L, struct board *b, const struct api_value *v)
 {
+    const char *s;
     size_t n;
     double d;
-    uint64_t bits;
 
-    switch (lua_type(L, at)) {
+    switch (v->type) {
     case LUA_TNUMBER:
-        if (lua_isinteger(L, at)) {
-            script_update_digest(b, (uint64_t)lua_tointeger(L, at));
-            break;
-        }
-        d = lua_tonumber(L, at);
-        memcpy(&bits, &d, sizeof bits);
-        script_update_digest(b, isnan(d) ? 0x7ff8000000000000u : bits);
+        memcpy(&d, &v->bits, sizeof d);
+        script_update_digest(b, !v->is_integer && isnan(d) ? 0x7ff8000000000000u : (uint64_t)v->bits);
         break;
-    case LUA_TSTRING: {
-        const char *s = lua_tolstring(L, at, &n);
+    case LUA_TSTRING:
+        s = lua_tolstring(L, v->at, &n);
         api_fold_bytes(L, b, s, n);
         break;
-    }
     case LUA_TBOOLEAN:
-        script_update_digest(b, lua_toboolean(L, at) ? 3 : 2);
+        script_update_digest(b, lua_toboolean(L, v->at) ? 3 : 2);
         break;
     default:
-        script_update_digest(b, 16 + (uint64_t)lua_type(L, at));
+        script_update_digest(b, 16 + (uint64_t)v->type);
     }
 }
 
-void api_fold_value(lua_State *L, struct board *b, const struct api_value *v)
+void api_fold_stack_value(lua_State *L, struct board *b, int at)
 {
-    double d;
+    struct api_value v;
 
-    if (v->type != LUA_TNUMBER) {
-        api_fold_stack_value(L, b, v->at);
-        return;
-    }
-    memcpy(&d, &v->bits, sizeof d);
-    script_update_digest(b, !v->is_integer && isnan(d) ? 0x7ff8000000000000u : (uint64_t)v->bits);
+    api_read_value(L, at, at, &v);
+    api_fold_value(L, b, &v);
 }
 
 void api_fold_call(lua_State *L, struct board *b, uint64_t entry_hash, const struct api_value *v, int n)

@@ -24,28 +24,26 @@ bool api_push_method(lua_State *L, int kind, const char *name)
     return lua_isfunction(L, -1);
 }
 
-static const struct api_prop *search_prop(const struct api_thing *t, const char *name, int *index)
+/* Returns the index of the property of that name, or -1. */
+static int search_prop(const struct api_thing *t, const char *name)
 {
-    for (int i = 0; i < t->n; i++)
-        if (!strcmp(t->props[i].param.name, name)) {
-            *index = i;
-            return &t->props[i];
-        }
-    return NULL;
+    int i = t->n - 1;
+
+    while (i >= 0 && strcmp(t->props[i].param.name, name) != 0)
+        i--;
+    return i;
 }
 
 bool api_has_property(const struct api_thing *t, const char *name)
 {
-    int unused;
-
-    return search_prop(t, name, &unused) != NULL;
+    return search_prop(t, name) >= 0;
 }
 
-/* Returns the property of that name if the guess is right, otherwise NULL. A property cannot hide a method, because no
+/* Returns whether a guess is the index of the property of that name. If it is, no method can have the name, because no
  * verb has the name of a property. */
-static const struct api_prop *get_guessed_prop(const struct api_thing *t, const uint8_t *guess, const char *name)
+static bool is_guess_right(const struct api_thing *t, const uint8_t *guess, const char *name)
 {
-    return *guess < t->n && !strcmp(t->props[*guess].param.name, name) ? &t->props[*guess] : NULL;
+    return *guess < t->n && !strcmp(t->props[*guess].param.name, name);
 }
 
 /* Returns the guess (api_guess_index) for a property of that kind of thing. Reads and writes have separate guesses, so
@@ -55,18 +53,15 @@ static uint8_t *get_prop_guess(struct board *b, enum handle_kind kind, bool is_w
     return &b->vm.guesses.props[api_guess_index(name, n, (unsigned)kind + (is_write ? HANDLE_KINDS : 0))];
 }
 
-static const struct api_prop *find_prop(const struct api_thing *t, uint8_t *guess, const char *name, int *index)
+/* Returns the index of the property of that name, or -1. */
+static int find_prop(const struct api_thing *t, uint8_t *guess, const char *name)
 {
-    const struct api_prop *prop = get_guessed_prop(t, guess, name);
-
-    if (prop) {
-        *index = *guess;
-        return prop;
-    }
-    prop = search_prop(t, name, index);
-    if (prop)
-        *guess = (uint8_t)*index;
-    return prop;
+    if (is_guess_right(t, guess, name))
+        return *guess;
+    const int p = search_prop(t, name);
+    if (p >= 0)
+        *guess = (uint8_t)p;
+    return p;
 }
 
 static int raise_unknown_property(lua_State *L, const struct api_thing *t, int kind, const char *name)
@@ -195,7 +190,7 @@ const struct api_param api_each_params[EACH_PARAM_COUNT] = {
 static enum handle_kind find_group_kind(lua_State *L, const char *entry)
 {
     const struct api_thing *const *things = api_get_table(L)->things;
-    const size_t n = strcspn(entry, ".");
+    const size_t n = (size_t)(strchr(entry, '.') - entry);
 
     for (int kind = 1;; kind++) {
         const struct api_thing *member = things[things[kind]->member];
@@ -466,7 +461,6 @@ static int get_property(lua_State *L)
     struct board *b = vm_board(L);
     int64_t h = lua_isinteger(L, 1) ? lua_tointeger(L, 1) : 0;
     size_t bytes;
-    int p;
 
     b->vm.work += READ_WORK;
     if (!handle_is_well_formed(h))
@@ -477,15 +471,15 @@ static int get_property(lua_State *L)
     const char *name = lua_tolstring(L, 2, &bytes);
     const struct api_thing *t = api_get_table(L)->things[handle_kind(h)];
     uint8_t *guess = get_prop_guess(b, handle_kind(h), false, name, bytes);
-    if (get_guessed_prop(t, guess, name))
+    if (is_guess_right(t, guess, name))
         return push_property(L, b, t, h, *guess);
     if (api_push_method(L, (int)handle_kind(h), name))
         return 1;
     bool alive = board_is_alive(b, h);
     if (!strcmp(name, "alive") && api_can_die(handle_kind(h)))
         return lua_pushboolean(L, alive), 1;
-    const struct api_prop *prop = find_prop(t, guess, name, &p);
-    if (handle_kind(h) == H_PLAYER && !prop) {
+    const int p = find_prop(t, guess, name);
+    if (handle_kind(h) == H_PLAYER && p < 0) {
         int reg = api_find_player_register(L, b, handle_slot(h), name);
         if (reg >= 0) {
             if (!alive)
@@ -493,9 +487,7 @@ static int get_property(lua_State *L)
             return lua_pushinteger(L, board_get_register(b, handle_slot(h), (uint32_t)reg)), 1;
         }
     }
-    if (!prop)
-        return get_declared_value(L, b, t, h, name);
-    return push_property(L, b, t, h, p);
+    return p < 0 ? get_declared_value(L, b, t, h, name) : push_property(L, b, t, h, p);
 }
 
 /* Sets a register and clamps the value to the register's min and max. */
@@ -513,14 +505,14 @@ static int set_property(lua_State *L)
     int64_t h = lua_isinteger(L, 1) ? lua_tointeger(L, 1) : 0;
     struct api_value v = { 0 };
     size_t bytes;
-    int p;
 
     b->vm.work += WRITE_WORK;
     if (!handle_is_well_formed(h) || lua_type(L, 2) != LUA_TSTRING)
         return vm_fault(L, FAULT_SCRIPT, "attempt to index a number value (it is not a thing)");
     const char *name = lua_tolstring(L, 2, &bytes);
     const struct api_thing *t = api_get_table(L)->things[handle_kind(h)];
-    const struct api_prop *prop = find_prop(t, get_prop_guess(b, handle_kind(h), true, name, bytes), name, &p);
+    const int p = find_prop(t, get_prop_guess(b, handle_kind(h), true, name, bytes), name);
+    const struct api_prop *prop = p < 0 ? NULL : &t->props[p];
     bool alive = board_is_alive(b, h);
     script_update_digest(b, 0x2000);
     script_update_digest(b, (uint64_t)h);

@@ -175,24 +175,18 @@ static const struct api_param beam_params[] = {
     PARAM("spin", A_DIR, OPT, 0, 0, NULL, "0", "degrees the beam turns per frame once `warn` is over, clockwise"),
 };
 
-static uint8_t find_player(const struct board *b, const struct api_value *v)
-{
-    return v->given ? board_player_of(b, v->i) : 0;
-}
-
 /* Builds the head of a laser at (x, y) from the shared arguments. */
 static struct bullet_spec make_head(lua_State *L, struct board *b, const char *entry, const struct api_value *v, fx x,
                                     fx y)
 {
     const struct laser_kinds *k = &b->laser_kinds;
     const uint16_t kind = (uint16_t)v[F_KIND].i;
-    const uint8_t from_player = find_player(b, &v[F_POSITION + POSITION_FROM]);
     struct bullet_spec s = { .x = x,
                              .y = y,
                              .dir = v[F_DIR].a,
                              .kind = kind,
                              .bank = v[F_BANK].given ? (uint8_t)v[F_BANK].i : k->bank[kind],
-                             .player = v[F_PLAYER].given ? find_player(b, &v[F_PLAYER]) : from_player,
+                             .player = api_find_shooter(b, &v[F_PLAYER], &v[F_POSITION + POSITION_FROM]),
                              .owner_task = tasks_current_serial(b) };
 
     if (v[F_AIM].i)
@@ -220,10 +214,11 @@ static int push_laser(lua_State *L, const struct board *b, int32_t i)
 
 enum { FADE_FRAMES = 12 /* frames, for bolts and curves */ };
 
-/* Fires a bolt or a curve. */
-static int fire_flying_laser(lua_State *L, struct board *b, const char *entry, struct api_value *v,
-                             struct laser_spec *shape)
+/* laser.bolt and laser.curve. */
+static int fire_flying_laser(lua_State *L, struct board *b, struct api_value *v)
 {
+    const char *entry = api_current_binding(L)->entry->name;
+    struct laser_spec shape = { .width = get_width(b, v), .hold_frames = LASER_FOREVER, .fade_frames = FADE_FRAMES };
     fx x, y;
 
     if (!api_read_position(L, b, entry, v + F_POSITION, &x, &y))
@@ -235,25 +230,15 @@ static int fire_flying_laser(lua_State *L, struct board *b, const char *entry, s
     s.delay = (uint32_t)v[F_DELAY].i;
     api_check_around(L, &b->laser_heads, entry, &v[F_AROUND]);
     s.orbit_target = v[F_AROUND].given ? v[F_AROUND].i : 0;
-    shape->width = get_width(b, v);
-    shape->hold_frames = LASER_FOREVER;
-    shape->fade_frames = FADE_FRAMES;
-    int32_t i = is_fire_blocked(b, &s) ? NO_SLOT : lasers_fire(b, &s, shape);
+    shape.form = !strcmp(entry, "laser.bolt") ? LASER_BOLT : LASER_CURVE;
+    if (shape.form == LASER_BOLT)
+        shape.length = v[F_LENGTH].f;
+    else
+        shape.max_points = (uint16_t)v[F_POINTS].i;
+    int32_t i = is_fire_blocked(b, &s) ? NO_SLOT : lasers_fire(b, &s, &shape);
     if (i != NO_SLOT && s.is_fine)
         bullets_set_speed(&b->laser_heads, (uint32_t)i, api_value_to_q32(true, &v[F_SPEED]));
     return push_laser(L, b, i);
-}
-
-static int fire_bolt(lua_State *L, struct board *b, struct api_value *v)
-{
-    return fire_flying_laser(L, b, "laser.bolt", v,
-                             &(struct laser_spec){ .form = LASER_BOLT, .length = v[F_LENGTH].f });
-}
-
-static int fire_curve(lua_State *L, struct board *b, struct api_value *v)
-{
-    return fire_flying_laser(L, b, "laser.curve", v,
-                             &(struct laser_spec){ .form = LASER_CURVE, .max_points = (uint16_t)v[F_POINTS].i });
 }
 
 /* Reads the start of a beam. Returns false if the thing `from` or `follow` is dead. */
@@ -292,8 +277,8 @@ static int fire_beam(lua_State *L, struct board *b, struct api_value *v)
                                 .hold_frames = v[F_HOLD].i == LUA_MAXINTEGER ? LASER_FOREVER : (int32_t)v[F_HOLD].i,
                                 .fade_frames = (int32_t)v[F_FADE].i,
                                 .follow_target = follows ? v[F_FOLLOW].i : 0 };
-    if (follows && !v[F_PLAYER].given)
-        s.player = find_player(b, &v[F_FOLLOW]);
+    if (follows)
+        s.player = api_find_shooter(b, &v[F_PLAYER], &v[F_FOLLOW]);
     return push_laser(L, b, is_fire_blocked(b, &s) ? NO_SLOT : lasers_fire(b, &s, &shape));
 }
 
@@ -517,12 +502,12 @@ static const struct api_param clear_group_params[] = {
     }
 #define BOLT_ENTRY                                                                                                     \
     {                                                                                                                  \
-        "laser.bolt", fire_bolt, PARAMS(bolt_params), 0, API_CHANGES, "laser",                                         \
+        "laser.bolt", fire_flying_laser, PARAMS(bolt_params), 0, API_CHANGES, "laser",                                 \
             HELP("fires a straight laser of a fixed length that flies like a bullet")                                  \
     }
 #define CURVE_ENTRY                                                                                                    \
     {                                                                                                                  \
-        "laser.curve", fire_curve, PARAMS(curve_params), 0, API_CHANGES, "laser",                                      \
+        "laser.curve", fire_flying_laser, PARAMS(curve_params), 0, API_CHANGES, "laser",                               \
             HELP("fires a laser whose head flies like a bullet and whose body follows its path")                       \
     }
 const struct api_entry api_beam_entry = BEAM_ENTRY, api_bolt_entry = BOLT_ENTRY, api_curve_entry = CURVE_ENTRY;

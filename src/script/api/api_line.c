@@ -41,14 +41,19 @@ static const struct api_param line_params[] = {
     PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false", "keep the line when the boss phase that created it ends"),
 };
 
-/* Returns the text at `at`, a string or a number; raises an error if the text is invalid or too long. */
-static const char *check_text(lua_State *L, const char *entry, int at, size_t *n)
+const char *api_check_text(lua_State *L, const char *entry, int at, size_t *n)
 {
     if (lua_type(L, at) != LUA_TSTRING && lua_type(L, at) != LUA_TNUMBER)
         api_error(L, entry, "text: expected a string or a number, got a %s", luaL_typename(L, at));
     if (lua_type(L, at) == LUA_TNUMBER && !isfinite(lua_tonumber(L, at)))
         api_error(L, entry, "text: expected a finite number");
-    const char *s = lualib_tolstring(L, at, n);
+    return lualib_tolstring(L, at, n);
+}
+
+/* Returns the text of a line; raises an error if the text is invalid or too long. */
+static const char *check_text(lua_State *L, const char *entry, int at, size_t *n)
+{
+    const char *s = api_check_text(L, entry, at, n);
     size_t count = utf8_count(s, *n, MAX_TEXT, NULL);
 
     if (count > LINE_MAX_TEXT)

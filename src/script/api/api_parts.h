@@ -100,6 +100,10 @@ enum {
 bool api_read_flight(lua_State *L, struct board *b, const char *entry, const struct api_value *v, bool is_shot,
                      struct bullet_spec *s);
 
+/* Returns the number, 1 or 2, of the player who owns what is fired, or 0: the argument `by` or, if it is not given, the
+ * owner of the thing that fires. */
+uint8_t api_find_shooter(const struct board *b, const struct api_value *owner, const struct api_value *from);
+
 /* Indices of the properties of bullets and shots. */
 enum {
     FLIGHT_X,
@@ -132,7 +136,7 @@ static inline bool api_motion_is_fine(const struct board *b, uint16_t motion)
     return motion && b->motions.is_fine[motion - 1];
 }
 
-/* Converts a number from a script to Q32, rounding to nearest. The caller has checked a range within +-2^15. */
+/* Converts a number from a script to Q32, rounding to nearest. The caller has checked a range within +-2^19. */
 static inline int64_t api_to_q32(double v)
 {
     return fx_nearest(v * 4294967296.0);
@@ -597,6 +601,9 @@ const uint16_t *api_get_pads(const struct board *b, const char *state);
  * otherwise. More than MAX_SKIPS in one turn is a fault. Under PRACTICE_LIST the task is stopped instead, and also once
  * half of a tick's work limit is used, so that the other tasks continue. Returns 0 if the caller may continue. */
 int api_count_skipped_wait(lua_State *L, struct board *b);
+
+/* Returns the text at `at`, a string or a finite number; raises an error for any other value. */
+const char *api_check_text(lua_State *L, const char *entry, int at, size_t *n);
 
 /* Call after loading a palette. If the palette changed (`changed`), rebuilds the tables of shades for the plane's fog
  * and for a fade to black. */

@@ -203,30 +203,23 @@ enum { ARG_POOL, ARG_TAG, ARG_POSITION, ARG_SHAPE = ARG_POSITION + POSITION_PARA
 static const struct api_param box_params[] = { TARGET_PARAMS, SHAPE_BOX_PARAMS(REQ) };
 static const struct api_param line_params[] = { TARGET_PARAMS, SHAPE_LINE_PARAMS(REQ) };
 
-static int query_box(lua_State *L, struct board *b, struct api_value *v)
+static int query_box_or_line(lua_State *L, struct board *b, struct api_value *v)
 {
+    const char *entry = api_current_binding(L)->entry->name;
+    const bool is_line = !strcmp(entry, "query.line");
     struct api_value region_args[REGION_PARAM_COUNT] = { { 0 } };
 
     memcpy(region_args, v + ARG_POSITION, POSITION_PARAM_COUNT * sizeof *v);
-    memcpy(region_args + REGION_W, v + ARG_SHAPE, 2 * sizeof *v);
-    return run_query(L, b, "query.box", &v[ARG_POOL], &v[ARG_TAG], region_args);
-}
-
-static int query_line(lua_State *L, struct board *b, struct api_value *v)
-{
-    struct api_value region_args[REGION_PARAM_COUNT] = { { 0 } };
-
-    memcpy(region_args, v + ARG_POSITION, POSITION_PARAM_COUNT * sizeof *v);
-    memcpy(region_args + REGION_TO_X, v + ARG_SHAPE, 3 * sizeof *v);
-    return run_query(L, b, "query.line", &v[ARG_POOL], &v[ARG_TAG], region_args);
+    memcpy(region_args + (is_line ? REGION_TO_X : REGION_W), v + ARG_SHAPE, (is_line ? 3 : 2) * sizeof *v);
+    return run_query(L, b, entry, &v[ARG_POOL], &v[ARG_TAG], region_args);
 }
 
 static const struct api_entry entries[] = {
     { "query.near", query_near, PARAMS(near_params), 0, API_CHANGES, "list",
       HELP("returns the things in a circle, nearest first") },
-    { "query.box", query_box, PARAMS(box_params), 0, API_CHANGES, "list",
+    { "query.box", query_box_or_line, PARAMS(box_params), 0, API_CHANGES, "list",
       HELP("returns the things in a box, nearest to its centre first") },
-    { "query.line", query_line, PARAMS(line_params), 0, API_CHANGES, "list",
+    { "query.line", query_box_or_line, PARAMS(line_params), 0, API_CHANGES, "list",
       HELP("returns the things along a line, nearest to its start first") },
 };
 const struct api_module api_query = { entries, sizeof entries / sizeof *entries };

@@ -4,24 +4,15 @@
  * reserved global exists.
  */
 #include <string.h>
+#include "../lua/lualib.h"
 #include "../std.h"
 #include "api_parts.h"
 
 const char api_reserved_globals[] = "test";
 
-static bool has_word(const char *words, const char *word)
-{
-    size_t n = strlen(word);
-
-    for (const char *at = words; n && (at = strstr(at, word)) != NULL; at++)
-        if ((at == words || at[-1] == ' ') && (at[n] == ' ' || !at[n]))
-            return true;
-    return false;
-}
-
 bool api_is_reserved(const char *global)
 {
-    return has_word(api_reserved_globals, global);
+    return lualib_is_listed(api_reserved_globals, global);
 }
 
 /* Tables, things and fields that exist only if rom.lua enables them. */
@@ -50,7 +41,7 @@ const char *api_disabled_reason(const struct manifest *m, const char *name)
 
     for (size_t i = 0; i < sizeof optional_features / sizeof *optional_features; i++) {
         memcpy(&capacity, (const char *)m + optional_features[i].capacity_offset, sizeof capacity);
-        if (!capacity && has_word(optional_features[i].names, name))
+        if (!capacity && lualib_is_listed(optional_features[i].names, name))
             return optional_features[i].reason;
     }
     return NULL;

@@ -6,11 +6,6 @@
 #include "../../base/trig.h"
 #include "api.h"
 
-static uint64_t draw_random_integer(struct board *b, uint64_t bound)
-{
-    return board_random(b, bound);
-}
-
 enum { ARG_A = 0, ARG_B = 1, ARG_P = 0, ARG_LIST = 0, ARG_DX = 0, ARG_DY = 1, ARG_D = 0 };
 
 static const struct api_param int_params[] = { PARAM("a", A_INT, REQ, -9e15, 9e15, NULL, NULL, "lowest result"),
@@ -26,14 +21,14 @@ static int rng_int(lua_State *L, struct board *b, struct api_value *v)
 {
     if (v[ARG_A].i > v[ARG_B].i)
         return api_error(L, "rng.int", "`a` is greater than `b`");
-    lua_pushinteger(L, v[ARG_A].i + (int64_t)draw_random_integer(b, (uint64_t)(v[ARG_B].i - v[ARG_A].i) + 1));
+    lua_pushinteger(L, v[ARG_A].i + (int64_t)board_random(b, (uint64_t)(v[ARG_B].i - v[ARG_A].i) + 1));
     return 1;
 }
 
 /* Returns a random fraction, 0 <= f < 1, of 53 bits, which a double represents exactly. */
 static double random_fraction(struct board *b)
 {
-    return (double)(draw_random_integer(b, 0) >> 11) / 9007199254740992.0;
+    return (double)(board_random(b, 0) >> 11) / 9007199254740992.0;
 }
 
 static int rng_number(lua_State *L, struct board *b, struct api_value *v)
@@ -58,14 +53,14 @@ static int rng_pick(lua_State *L, struct board *b, struct api_value *v)
 
     if (!n)
         return api_error(L, "rng.pick", "list: expected at least one element");
-    lua_rawgeti(L, v[ARG_LIST].at, (lua_Integer)draw_random_integer(b, n) + 1);
+    lua_rawgeti(L, v[ARG_LIST].at, (lua_Integer)board_random(b, n) + 1);
     return 1;
 }
 
 static int rng_dir(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)v;
-    lua_pushnumber(L, trig_to_degrees((ang)(draw_random_integer(b, 0) >> 32)));
+    lua_pushnumber(L, trig_to_degrees((ang)(board_random(b, 0) >> 32)));
     return 1;
 }
 

@@ -1,13 +1,11 @@
 /*
  * api_screen.c - the Lua tables sprite, spark, text, palette and screen.
  */
-#include <math.h>
 #include <string.h>
 #include "../../base/bytes.h"
 #include "../../../fb/fb.h"
 #include "../../../fb/utf8.h"
 #include "api.h"
-#include "../lua/lualib.h"
 #include "api_parts.h"
 
 /* ---- sprite ---- */
@@ -440,12 +438,7 @@ static int text_put(lua_State *L, struct board *b, struct api_value *v)
     if (v[TEXT_FONT].given && !b->cart.manifest.has_wide_text)
         return api_error(L, "text.put",
                          "font: fonts in text cells are disabled; add `wide = true` to `board` in rom.lua");
-    if (lua_type(L, v[TEXT_TEXT].at) != LUA_TSTRING && lua_type(L, v[TEXT_TEXT].at) != LUA_TNUMBER)
-        return api_error(L, "text.put", "text: expected a string or a number, got a %s",
-                         luaL_typename(L, v[TEXT_TEXT].at));
-    if (lua_type(L, v[TEXT_TEXT].at) == LUA_TNUMBER && !isfinite(lua_tonumber(L, v[TEXT_TEXT].at)))
-        return api_error(L, "text.put", "text: expected a finite number");
-    const char *s = lualib_tolstring(L, v[TEXT_TEXT].at, &n);
+    const char *s = api_check_text(L, "text.put", v[TEXT_TEXT].at, &n);
     int cells = (int)utf8_count(s, n, FIX_MAX_TEXT, &n) * (int)v[TEXT_SIZE].i;
     unsigned style = (v[TEXT_RIM].i ? FIX_RIM : 0u) | (v[TEXT_SIZE].i > 1 ? FIX_BIG : 0u);
     col -= v[TEXT_ALIGN].i == ALIGN_CENTER ? cells / 2 : v[TEXT_ALIGN].i == ALIGN_RIGHT ? cells : 0;

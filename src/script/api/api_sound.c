@@ -173,26 +173,21 @@ static int music_frames(lua_State *L, struct board *b, struct api_value *v)
 /* Stack indices of the values of a waiting task. */
 enum { W_TUNE = 1, W_BEAT, W_MARKER, W_MARKERS_PASSED, W_FRAMES_LEFT };
 
-static int64_t get_wait_value(lua_State *L, int at)
-{
-    return lua_tointeger(L, at);
-}
-
 /* Returns whether the wait is over. Counts beats while the piece that played at the start still plays, otherwise
  * frames. */
 static bool wait_done(lua_State *L, struct board *b)
 {
     const struct seq *s = &b->music;
 
-    if (s->tune && s->tune == get_wait_value(L, W_TUNE)) {
-        if (get_wait_value(L, W_MARKER))
-            return s->markers_passed != (uint32_t)get_wait_value(L, W_MARKERS_PASSED) &&
-                   s->marker == get_wait_value(L, W_MARKER);
-        return (int64_t)seq_beats(s) >= get_wait_value(L, W_BEAT);
+    if (s->tune && s->tune == lua_tointeger(L, W_TUNE)) {
+        if (lua_tointeger(L, W_MARKER))
+            return s->markers_passed != (uint32_t)lua_tointeger(L, W_MARKERS_PASSED) &&
+                   s->marker == lua_tointeger(L, W_MARKER);
+        return (int64_t)seq_beats(s) >= lua_tointeger(L, W_BEAT);
     }
-    lua_pushinteger(L, get_wait_value(L, W_FRAMES_LEFT) - 1);
+    lua_pushinteger(L, lua_tointeger(L, W_FRAMES_LEFT) - 1);
     lua_replace(L, W_FRAMES_LEFT);
-    return get_wait_value(L, W_MARKER) || get_wait_value(L, W_FRAMES_LEFT) < 0;
+    return lua_tointeger(L, W_MARKER) || lua_tointeger(L, W_FRAMES_LEFT) < 0;
 }
 
 static int continue_wait(lua_State *L, int status, lua_KContext context)
@@ -214,7 +209,7 @@ static int skip_wait(lua_State *L, struct board *b)
     uint64_t work = 1;
 
     if (!b->music.tune)
-        vm_charge(L, sound_skip_wait(b, get_wait_value(L, W_FRAMES_LEFT)));
+        vm_charge(L, sound_skip_wait(b, lua_tointeger(L, W_FRAMES_LEFT)));
     while (b->music.is_skipping && b->music.tune && work > 0 && !wait_done(L, b)) {
         work = sound_skip_wait(b, 1);
         vm_charge(L, work);

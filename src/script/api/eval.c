@@ -104,19 +104,9 @@ static void push_table_text(lua_State *L, int idx)
     lua_concat(L, 2);
 }
 
-static bool is_plain_table(lua_State *L, int idx)
-{
-    return lua_istable(L, idx) && luaL_getmetafield(L, idx, "__tostring") == LUA_TNIL &&
-           luaL_getmetafield(L, idx, "__name") == LUA_TNIL;
-}
-
 static void replace_with_text(lua_State *L, int idx)
 {
-    int top = lua_gettop(L);
-    bool plain = is_plain_table(L, idx);
-
-    lua_settop(L, top);
-    if (plain)
+    if (lua_istable(L, idx) && !values_have_text_form(L, idx))
         push_table_text(L, idx);
     else
         push_value_text(L, idx);

@@ -15,23 +15,23 @@ static const char metatables_key; /* registry: metatables set with setmetatable,
 
 /* ---- metatables ---- */
 
-static void refuse_field(lua_State *L, int metatable, const char *name, const char *prefix)
+/* Raises an error, which begins with `prefix`, if the metatable has a field that is not allowed. Only a function is
+ * allowed as __call, because Lua follows a chain of __call tables within one instruction, forever if the chain is a
+ * loop. */
+static void check_metatable(lua_State *L, int metatable, const char *prefix)
 {
-    lua_pushstring(L, name);
-    if (lua_rawget(L, metatable) != LUA_TNIL)
-        luaL_error(L, "%s%s is not allowed in a metatable", prefix, name);
-    lua_pop(L, 1);
-}
+    static const char *const refused[] = { "__gc", "__mode" };
 
-/* Only a function is allowed as __call, because Lua follows a chain of __call tables within one instruction, forever
- * if the chain is a loop. */
-static void refuse_call(lua_State *L, int metatable, const char *prefix)
-{
+    for (int i = 0; i < 2; i++) {
+        lua_pushstring(L, refused[i]);
+        if (lua_rawget(L, metatable) != LUA_TNIL)
+            luaL_error(L, "%s%s is not allowed in a metatable", prefix, refused[i]);
+    }
     lua_pushliteral(L, "__call");
     int type = lua_rawget(L, metatable);
     if (type != LUA_TNIL && type != LUA_TFUNCTION)
         luaL_error(L, "%s__call: expected a function, got a %s", prefix, lua_typename(L, type));
-    lua_pop(L, 1);
+    lua_pop(L, 3);
 }
 
 /* Adds the metatable at stack index 2 to the set that lualib_check_metatables checks. */
@@ -57,9 +57,7 @@ static int base_setmetatable(lua_State *L)
         return luaL_error(L, "cannot change a protected metatable");
     lua_settop(L, 2);
     if (type == LUA_TTABLE) {
-        refuse_field(L, 2, "__gc", "setmetatable: ");
-        refuse_field(L, 2, "__mode", "setmetatable: ");
-        refuse_call(L, 2, "setmetatable: ");
+        check_metatable(L, 2, "setmetatable: ");
         remember_metatable(L);
     }
     lua_setmetatable(L, 1);
@@ -68,14 +66,12 @@ static int base_setmetatable(lua_State *L)
 
 void lualib_check_metatables(lua_State *L)
 {
-    luaL_checkstack(L, 6, NULL);
+    luaL_checkstack(L, 8, NULL);
     lua_rawgetp(L, LUA_REGISTRYINDEX, &metatables_key);
     lua_pushnil(L);
     while (lua_next(L, -2)) {
         lua_pop(L, 1);
-        refuse_field(L, lua_gettop(L), "__gc", "");
-        refuse_field(L, lua_gettop(L), "__mode", "");
-        refuse_call(L, lua_gettop(L), "");
+        check_metatable(L, lua_gettop(L), "");
     }
     lua_pop(L, 1);
 }
@@ -214,8 +210,7 @@ static int call_charging_results(lua_State *L)
     return n;
 }
 
-/* Returns whether name is one of the words in list, which are separated by spaces. */
-static bool is_listed(const char *list, const char *name)
+bool lualib_is_listed(const char *list, const char *name)
 {
     size_t n = strlen(name);
 
@@ -231,7 +226,7 @@ static void remove_unlisted(lua_State *L, const char *list)
     lua_pushnil(L);
     while (lua_next(L, -2)) {
         lua_pop(L, 1);
-        if (lua_type(L, -1) == LUA_TSTRING && is_listed(list, lua_tostring(L, -1)))
+        if (lua_type(L, -1) == LUA_TSTRING && lualib_is_listed(list, lua_tostring(L, -1)))
             continue;
         lua_pushvalue(L, -1);
         lua_pushnil(L);
