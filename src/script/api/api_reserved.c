@@ -59,20 +59,14 @@ void api_fault_missing_field(lua_State *L, const char *owner, const char *name)
         vm_fault(L, FAULT_SCRIPT, "%s.%s: %s", owner, name, STD_NOT_PACKED);
 }
 
-/* If the global `table` is a table without a metatable, makes reads of its missing fields raise an error that explains
- * why (api_fault_missing_field). */
-static void explain_missing_fields(lua_State *L, const char *table)
-{
-    int top = lua_gettop(L);
-
-    if (lua_getglobal(L, table) == LUA_TTABLE && !lua_getmetatable(L, -1))
-        api_add_namespace(L, table);
-    lua_settop(L, top);
-}
-
 void api_explain_missing_fields(lua_State *L)
 {
-    for (int i = 0; i < STD_MODULE_COUNT; i++)
-        if (std_extended_table(i))
-            explain_missing_fields(L, std_extended_table(i));
+    const int top = lua_gettop(L);
+
+    for (int i = 0; i < STD_MODULE_COUNT; i++) {
+        const char *table = std_extended_table(i);
+        if (table && lua_getglobal(L, table) == LUA_TTABLE && !lua_getmetatable(L, -1))
+            api_add_namespace(L, table);
+        lua_settop(L, top);
+    }
 }

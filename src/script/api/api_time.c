@@ -106,44 +106,6 @@ static int task_alive(lua_State *L, struct board *b, struct api_value *v)
 
 const struct api_thing api_task_thing = { .name = "task" };
 
-static const struct api_param on_graze_params[] = { PARAM(
-    "f", A_FUNC, REQ, 0, 0, NULL, NULL, "f(player, bullet): called with the player and the grazed bullet") };
-static const struct api_param on_hit_params[] = { PARAM(
-    "f", A_FUNC, REQ, 0, 0, NULL, NULL,
-    "f(player, by): called with the player and the bullet or enemy that "
-    "hit the player; set player.safe here to cancel the hit") };
-static const struct api_param on_death_params[] = { PARAM(
-    "f", A_FUNC, REQ, 0, 0, NULL, NULL,
-    "f(player): called with the player, who is still at the position of the death") };
-static const struct api_param on_game_over_params[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
-                                                              "f(): called without arguments") };
-static const struct api_param on_kill_params[] = { PARAM(
-    "f", A_FUNC, REQ, 0, 0, NULL, NULL,
-    "f(enemy, player): called with the enemy, whose properties can "
-    "still be read, and the player who killed it; player may be nil") };
-static const struct api_param on_leave_params[] = { PARAM(
-    "f", A_FUNC, REQ, 0, 0, NULL, NULL, "f(enemy): called with the enemy, whose properties can still be read") };
-static const struct api_param on_extend_params[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
-                                                           "f(player): called with the player") };
-static const struct api_param on_take_params[] = { PARAM(
-    "f", A_FUNC, REQ, 0, 0, NULL, NULL,
-    "f(player, item): called with the player and the item, whose properties can still be read") };
-static const struct api_param on_bomb_params[] = { PARAM(
-    "f", A_FUNC, REQ, 0, 0, NULL, NULL,
-    "f(player, late): called with the player; late is true if the bomb saved the player from a hit") };
-static const struct api_param on_continue_params[] = { PARAM(
-    "f", A_FUNC, REQ, 0, 0, NULL, NULL,
-    "f(player): called with the player, whose score has just been reset to the number of continues used (at most 9)") };
-static const struct api_param on_start_params[] = { PARAM(
-    "f", A_FUNC, REQ, 0, 0, NULL, NULL, "f(): called without arguments, before anything else in the game") };
-static const struct api_param on_phase_params[] = { PARAM(
-    "f", A_FUNC, REQ, 0, 0, NULL, NULL,
-    "f(enemy, id, won, captured): called with the boss and the id of the phase; won is true if the phase was beaten, "
-    "and captured is true if it was beaten without a death or a bomb") };
-static const struct api_param on_stage_params[] = { PARAM(
-    "f", A_FUNC, REQ, 0, 0, NULL, NULL,
-    "f(name, state): called with the name of the stage; state is \"start\" or \"clear\"") };
-
 static int add_handler(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)b;
@@ -152,7 +114,13 @@ static int add_handler(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-#define EVENT_ENTRY_FLAGS (API_CHANGES | API_LOAD_ONLY)
+/* The row of on.`event`; `f`: the function's arguments, and when it is called. */
+#define ON(event, help, f)                                                                                             \
+    {                                                                                                                  \
+        "on." event, add_handler, (const struct api_param[]){ PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL, f) }, 1, 1,    \
+            API_CHANGES | API_LOAD_ONLY, NULL, HELP(help)                                                              \
+    }
+
 static const struct api_entry entries[] = {
     { "wait", wait_frames, PARAMS(wait_params), 1, API_CHANGES | API_GLOBAL, NULL,
       HELP("pauses the task for a number of frames") },
@@ -165,31 +133,34 @@ static const struct api_entry entries[] = {
     { "task.stop", task_stop, PARAMS(task_params), 1, API_CHANGES, NULL,
       HELP("stops a task or a scope, and everything it owns") },
     { "task.alive", task_alive, PARAMS(task_params), 1, 0, "boolean", HELP("returns true while the task runs") },
-    { "on.graze", add_handler, PARAMS(on_graze_params), 1, EVENT_ENTRY_FLAGS, NULL,
-      HELP("calls a function each time a player grazes a bullet") },
-    { "on.hit", add_handler, PARAMS(on_hit_params), 1, EVENT_ENTRY_FLAGS, NULL,
-      HELP("calls a function each time a bullet or an enemy hits a player who isn't safe") },
-    { "on.death", add_handler, PARAMS(on_death_params), 1, EVENT_ENTRY_FLAGS, NULL,
-      HELP("calls a function each time a player loses a life") },
-    { "on.game_over", add_handler, PARAMS(on_game_over_params), 1, EVENT_ENTRY_FLAGS, NULL,
-      HELP("calls a function when the last player is out") },
-    { "on.kill", add_handler, PARAMS(on_kill_params), 1, EVENT_ENTRY_FLAGS, NULL,
-      HELP("calls a function each time an enemy is killed") },
-    { "on.leave", add_handler, PARAMS(on_leave_params), 1, EVENT_ENTRY_FLAGS, NULL,
-      HELP("calls a function each time an enemy leaves the field") },
-    { "on.extend", add_handler, PARAMS(on_extend_params), 1, EVENT_ENTRY_FLAGS, NULL,
-      HELP("calls a function each time the score or an item gives a player an extra life") },
-    { "on.take", add_handler, PARAMS(on_take_params), 1, EVENT_ENTRY_FLAGS, NULL,
-      HELP("calls a function each time a player takes an item") },
-    { "on.bomb", add_handler, PARAMS(on_bomb_params), 1, EVENT_ENTRY_FLAGS, NULL,
-      HELP("calls a function each time a player bombs") },
-    { "on.continue", add_handler, PARAMS(on_continue_params), 1, EVENT_ENTRY_FLAGS, NULL,
-      HELP("calls a function each time a player continues after losing the last life") },
-    { "on.start", add_handler, PARAMS(on_start_params), 1, EVENT_ENTRY_FLAGS, NULL,
-      HELP("calls a function when a game or a practice attempt starts; use it to reset script variables") },
-    { "on.phase", add_handler, PARAMS(on_phase_params), 1, EVENT_ENTRY_FLAGS, NULL,
-      HELP("calls a function at the end of each phase of a boss") },
-    { "on.stage", add_handler, PARAMS(on_stage_params), 1, EVENT_ENTRY_FLAGS, NULL,
-      HELP("calls a function when a stage starts and when it is cleared") },
+    ON("graze", "calls a function each time a player grazes a bullet",
+       "f(player, bullet): called with the player and the grazed bullet"),
+    ON("hit", "calls a function each time a bullet or an enemy hits a player who isn't safe",
+       "f(player, by): called with the player and the bullet or enemy that hit the player; set player.safe here to "
+       "cancel the hit"),
+    ON("death", "calls a function each time a player loses a life",
+       "f(player): called with the player, who is still at the position of the death"),
+    ON("game_over", "calls a function when the last player is out", "f(): called without arguments"),
+    ON("kill", "calls a function each time an enemy is killed",
+       "f(enemy, player): called with the enemy, whose properties can still be read, and the player who killed it; "
+       "player may be nil"),
+    ON("leave", "calls a function each time an enemy leaves the field",
+       "f(enemy): called with the enemy, whose properties can still be read"),
+    ON("extend", "calls a function each time the score or an item gives a player an extra life",
+       "f(player): called with the player"),
+    ON("take", "calls a function each time a player takes an item",
+       "f(player, item): called with the player and the item, whose properties can still be read"),
+    ON("bomb", "calls a function each time a player bombs",
+       "f(player, late): called with the player; late is true if the bomb saved the player from a hit"),
+    ON("continue", "calls a function each time a player continues after losing the last life",
+       "f(player): called with the player, whose score has just been reset to the number of continues used (at most "
+       "9)"),
+    ON("start", "calls a function when a game or a practice attempt starts; use it to reset script variables",
+       "f(): called without arguments, before anything else in the game"),
+    ON("phase", "calls a function at the end of each phase of a boss",
+       "f(enemy, id, won, captured): called with the boss and the id of the phase; won is true if the phase was "
+       "beaten, and captured is true if it was beaten without a death or a bomb"),
+    ON("stage", "calls a function when a stage starts and when it is cleared",
+       "f(name, state): called with the name of the stage; state is \"start\" or \"clear\""),
 };
 const struct api_module api_time = { entries, sizeof entries / sizeof *entries };
