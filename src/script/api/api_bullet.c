@@ -375,10 +375,9 @@ static void push_q32(lua_State *L, int64_t v)
     lua_pushnumber(L, (double)v / 4294967296.0);
 }
 
-void api_get_flight_prop(lua_State *L, struct board *b, const struct bullets *s, enum name_kind names, uint32_t i,
-                         int p)
+void api_get_flight_prop(lua_State *L, struct board *b, const struct bullets *s, uint32_t i, int p)
 {
-    const struct bullet_kinds *kinds = names == N_SHOT ? &b->shot_kinds : &b->bullet_kinds;
+    const bool is_shot = s == &b->shots;
     int64_t x, y;
 
     switch (p) {
@@ -396,7 +395,7 @@ void api_get_flight_prop(lua_State *L, struct board *b, const struct bullets *s,
         push_q32(L, p == FLIGHT_VX ? x : y);
         break;
     case FLIGHT_KIND:
-        api_names_push(L, names, bullets_kind(s, kinds, i));
+        api_names_push(L, is_shot ? N_SHOT : N_BULLET, bullets_kind(s, is_shot ? &b->shot_kinds : &b->bullet_kinds, i));
         break;
     case FLIGHT_MOTION:
         api_push_handle(L, s->motion[i] ? handle_make(H_MOTION, 1, s->motion[i] - 1u) : 0);
@@ -451,8 +450,7 @@ static void end_lead(const struct board *b, struct bullets *s, uint32_t i)
     }
 }
 
-void api_set_flight_prop(lua_State *L, struct board *b, struct bullets *s, const struct bullet_kinds *kinds, uint32_t i,
-                         int p, const struct api_value *v)
+void api_set_flight_prop(lua_State *L, struct board *b, struct bullets *s, uint32_t i, int p, const struct api_value *v)
 {
     bool fine = s->flags[i] & BULLET_FINE;
 
@@ -475,7 +473,7 @@ void api_set_flight_prop(lua_State *L, struct board *b, struct bullets *s, const
         set_coordinate(s, i, p, api_value_to_q32(fine, v));
         break;
     case FLIGHT_KIND:
-        bullets_set_kind(s, kinds, i, (uint16_t)v->i);
+        bullets_set_kind(s, s == &b->shots ? &b->shot_kinds : &b->bullet_kinds, i, (uint16_t)v->i);
         break;
     case FLIGHT_FROZEN:
         bullets_freeze(s, i, api_to_count(v));
@@ -510,7 +508,7 @@ static void get_bullet_prop(lua_State *L, struct board *b, uint32_t i, int p)
     else if (p == FLIGHT_HP)
         api_push_count(L, get_hp_column(L, b)[i]);
     else
-        api_get_flight_prop(L, b, &b->bullets, N_BULLET, i, p);
+        api_get_flight_prop(L, b, s, i, p);
 }
 
 static void set_bullet_prop(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
@@ -518,17 +516,17 @@ static void set_bullet_prop(lua_State *L, struct board *b, uint32_t i, int p, co
     if (p == FLIGHT_HP)
         get_hp_column(L, b)[i] = api_to_count(v);
     else
-        api_set_flight_prop(L, b, &b->bullets, &b->bullet_kinds, i, p, v);
+        api_set_flight_prop(L, b, &b->bullets, i, p, v);
 }
 
 static void get_shot_prop(lua_State *L, struct board *b, uint32_t i, int p)
 {
-    api_get_flight_prop(L, b, &b->shots, N_SHOT, i, p);
+    api_get_flight_prop(L, b, &b->shots, i, p);
 }
 
 static void set_shot_prop(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
 {
-    api_set_flight_prop(L, b, &b->shots, &b->shot_kinds, i, p, v);
+    api_set_flight_prop(L, b, &b->shots, i, p, v);
 }
 
 /* ---- groups ---- */

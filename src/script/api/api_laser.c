@@ -284,21 +284,9 @@ static int fire_beam(lua_State *L, struct board *b, struct api_value *v)
 
 /* ---- properties ---- */
 
+/* Indices of the properties after those of all flying things. */
 enum {
-    L_X,
-    L_Y,
-    L_DIR,
-    L_SPEED,
-    L_VX,
-    L_VY,
-    L_KIND,
-    L_BANK,
-    L_TAG,
-    L_MOTION,
-    L_AROUND,
-    L_AGE,
-    L_FROZEN,
-    L_LENGTH,
+    L_LENGTH = FLIGHT_SHARED_COUNT,
     L_WIDTH,
     L_SPIN,
     L_DX,
@@ -309,8 +297,6 @@ enum {
     L_PLAYER,
     LASER_PROP_COUNT
 };
-_Static_assert(L_FROZEN == (int)FLIGHT_FROZEN && L_X == (int)FLIGHT_X,
-               "the first properties are those of all flying things");
 
 #define LASER_PROPS                                                                                                    \
     { PARAM("x", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,                                                       \
@@ -415,7 +401,7 @@ static void get_laser(lua_State *L, struct board *b, uint32_t i, int p)
         api_push_handle(L, l->follow_target[i]);
         break;
     default:
-        api_get_flight_prop(L, b, &b->laser_heads, N_LASER, i, p);
+        api_get_flight_prop(L, b, &b->laser_heads, i, p);
     }
 }
 
@@ -435,26 +421,26 @@ static void set_laser(lua_State *L, struct board *b, uint32_t i, int p, const st
     struct bullets *h = &b->laser_heads;
 
     switch (p) {
-    case L_X:
+    case FLIGHT_X:
         lasers_move_to(b, i, v->f, h->y[i]);
-        api_set_flight_prop(L, b, h, NULL, i, p, v); /* also sets the fraction bits that an fx lacks */
+        api_set_flight_prop(L, b, h, i, p, v); /* also sets the fraction bits that an fx lacks */
         return;
-    case L_Y:
+    case FLIGHT_Y:
         lasers_move_to(b, i, h->x[i], v->f);
-        api_set_flight_prop(L, b, h, NULL, i, p, v);
+        api_set_flight_prop(L, b, h, i, p, v);
         return;
-    case L_SPEED:
-    case L_VX:
-    case L_VY:
-    case L_MOTION:
+    case FLIGHT_SPEED:
+    case FLIGHT_VX:
+    case FLIGHT_VY:
+    case FLIGHT_MOTION:
         if (l->form[i] != LASER_BEAM) /* a beam does not fly */
-            api_set_flight_prop(L, b, h, NULL, i, p, v);
+            api_set_flight_prop(L, b, h, i, p, v);
         break;
     case L_LENGTH:
         set_length(L, b, i, v->f);
         break;
     default:
-        api_set_flight_prop(L, b, h, NULL, i, p, v);
+        api_set_flight_prop(L, b, h, i, p, v);
     }
     lasers_update_tail(b, i);
 }

@@ -125,10 +125,9 @@ enum {
 };
 
 /* Get or set property p, below FLIGHT_SHARED_COUNT, of bullet, shot or laser head i in s. */
-void api_get_flight_prop(lua_State *L, struct board *b, const struct bullets *s, enum name_kind names, uint32_t i,
-                         int p);
-void api_set_flight_prop(lua_State *L, struct board *b, struct bullets *s, const struct bullet_kinds *kinds, uint32_t i,
-                         int p, const struct api_value *v);
+void api_get_flight_prop(lua_State *L, struct board *b, const struct bullets *s, uint32_t i, int p);
+void api_set_flight_prop(lua_State *L, struct board *b, struct bullets *s, uint32_t i, int p,
+                         const struct api_value *v);
 
 /* Returns whether a motion (index + 1; 0: none) runs with 32 fraction bits (BULLET_FINE). */
 static inline bool api_motion_is_fine(const struct board *b, uint16_t motion)

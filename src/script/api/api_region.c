@@ -7,20 +7,13 @@
 #include "../../machine/lasers_run.h"
 #include "api_parts.h"
 
-static bool are_all_given(const struct api_value *v, int first, int n)
+static int count_given(const struct api_value *v, int first, int n)
 {
-    for (int i = first; i < first + n; i++)
-        if (!v[i].given)
-            return false;
-    return true;
-}
+    int given = 0;
 
-static bool is_any_given(const struct api_value *v, int first, int n)
-{
     for (int i = first; i < first + n; i++)
-        if (v[i].given)
-            return true;
-    return false;
+        given += v[i].given;
+    return given;
 }
 
 enum { BOX_ARG_COUNT = 2, LINE_ARG_COUNT = 3 };
@@ -29,8 +22,8 @@ enum { BOX_ARG_COUNT = 2, LINE_ARG_COUNT = 3 };
  * arguments of one shape. */
 static enum api_region_shape find_shape(lua_State *L, const char *entry, const struct api_value *v)
 {
-    bool has_circle = v[REGION_RADIUS].given, has_box = is_any_given(v, REGION_W, BOX_ARG_COUNT),
-         has_line = is_any_given(v, REGION_TO_X, LINE_ARG_COUNT);
+    const int n_box = count_given(v, REGION_W, BOX_ARG_COUNT), n_line = count_given(v, REGION_TO_X, LINE_ARG_COUNT);
+    const bool has_circle = v[REGION_RADIUS].given, has_box = n_box > 0, has_line = n_line > 0;
 
     if (has_circle + has_box + has_line > 1)
         api_error(L, entry,
@@ -39,9 +32,9 @@ static enum api_region_shape find_shape(lua_State *L, const char *entry, const s
                   : !has_line   ? "a circle and a box"
                   : !has_circle ? "a box and a line"
                                 : "all three");
-    if (has_box && !are_all_given(v, REGION_W, BOX_ARG_COUNT))
+    if (has_box && n_box < BOX_ARG_COUNT)
         api_error(L, entry, "shape: expected both `w` and `h`, got only `%s`", v[REGION_W].given ? "w" : "h");
-    if (has_line && !are_all_given(v, REGION_TO_X, LINE_ARG_COUNT))
+    if (has_line && n_line < LINE_ARG_COUNT)
         api_error(L, entry, "shape: expected all of `to_x`, `to_y` and `width`, got no `%s`",
                   !v[REGION_TO_X].given   ? "to_x"
                   : !v[REGION_TO_Y].given ? "to_y"
@@ -53,7 +46,7 @@ bool api_read_region(lua_State *L, struct board *b, const char *entry, const str
 {
     *r = (struct api_region){ .shape = find_shape(L, entry, v) };
     if (r->shape == REGION_ALL) {
-        if (is_any_given(v, 0, POSITION_PARAM_COUNT))
+        if (count_given(v, 0, POSITION_PARAM_COUNT))
             api_error(L, entry,
                       "shape: expected `radius`, or `w` and `h`, or `to_x`, `to_y` and `width`, got only a place");
         return true;
