@@ -25,19 +25,6 @@ static const char *const event_names[] = { "graze",  "hit",  NULL,   "death",   
 
 static const char handlers_key = 0, properties_key = 0, emitted_arguments_key = 0;
 
-static void new_registry_table(lua_State *L, const void *key)
-{
-    lua_newtable(L);
-    lua_rawsetp(L, LUA_REGISTRYINDEX, key);
-}
-
-void events_open(lua_State *L)
-{
-    new_registry_table(L, &handlers_key);
-    new_registry_table(L, &properties_key);
-    new_registry_table(L, &emitted_arguments_key);
-}
-
 /* Returns the number of the event of that name, or -1. */
 static int find_event(const char *name)
 {
@@ -51,7 +38,7 @@ void events_add_handler(lua_State *L, const char *name)
 {
     const int kind = find_event(name);
 
-    lua_rawgetp(L, LUA_REGISTRYINDEX, &handlers_key);
+    vm_push_registry_table(L, &handlers_key);
     if (lua_rawgeti(L, -1, kind) == LUA_TNIL) {
         lua_pop(L, 1);
         lua_newtable(L);
@@ -73,7 +60,7 @@ bool events_emit(struct board *b, lua_State *L, const char *name, int n)
     lua_insert(L, -n - 1);
     for (int i = n; i >= 1; i--)
         lua_rawseti(L, -i - 1, i);
-    lua_rawgetp(L, LUA_REGISTRYINDEX, &emitted_arguments_key);
+    vm_push_registry_table(L, &emitted_arguments_key);
     lua_insert(L, -2);
     lua_Integer at = (lua_Integer)lua_rawlen(L, -2) + 1;
     lua_rawseti(L, -2, at);
@@ -98,7 +85,7 @@ static void call_handlers(lua_State *L, int kind, int n)
     int first = lua_gettop(L) - n + 1;
 
     luaL_checkstack(L, n + 4, NULL);
-    lua_rawgetp(L, LUA_REGISTRYINDEX, &handlers_key);
+    vm_push_registry_table(L, &handlers_key);
     lua_Integer handler_count = lua_rawgeti(L, -1, kind) == LUA_TTABLE ? (lua_Integer)lua_rawlen(L, -1) : 0;
     for (lua_Integer h = 1; h <= handler_count; h++) {
         charge(vm_board(L), HANDLER_WORK);
@@ -119,7 +106,7 @@ static void call_event_handlers(lua_State *L, const struct event *e)
 
 void events_set_property(lua_State *L, uint16_t kind, const char *property)
 {
-    lua_rawgetp(L, LUA_REGISTRYINDEX, &properties_key);
+    vm_push_registry_table(L, &properties_key);
     lua_pushfstring(L, "%s %d", property, (int)kind);
     lua_pushvalue(L, -3);
     lua_rawset(L, -3);
@@ -129,7 +116,7 @@ void events_set_property(lua_State *L, uint16_t kind, const char *property)
 /* Sets the entry of one enemy in the table of properties to the value on top of the stack (popped). */
 static void set_enemy_entry(lua_State *L, lua_Integer key)
 {
-    lua_rawgetp(L, LUA_REGISTRYINDEX, &properties_key);
+    vm_push_registry_table(L, &properties_key);
     lua_insert(L, -2);
     lua_rawseti(L, -2, key);
     lua_pop(L, 1);
@@ -147,7 +134,7 @@ void events_set_drops(lua_State *L, uint32_t slot)
 
 void events_push_property(lua_State *L, uint16_t kind, const char *property)
 {
-    lua_rawgetp(L, LUA_REGISTRYINDEX, &properties_key);
+    vm_push_registry_table(L, &properties_key);
     lua_pushfstring(L, "%s %d", property, (int)kind);
     lua_rawget(L, -2);
     lua_remove(L, -2);
@@ -190,7 +177,7 @@ static void drop_items(lua_State *L, struct board *b, fx x, fx y)
 /* Drops the items of the enemy's own drop list or, if it has none, of its kind's. */
 static void drop_enemy_items(lua_State *L, struct board *b, uint32_t i)
 {
-    lua_rawgetp(L, LUA_REGISTRYINDEX, &properties_key);
+    vm_push_registry_table(L, &properties_key);
     bool has_own_list = lua_rawgeti(L, -1, -(lua_Integer)i - 1) == LUA_TSTRING;
     lua_remove(L, -2);
     if (!has_own_list) {
@@ -204,7 +191,7 @@ static void drop_enemy_items(lua_State *L, struct board *b, uint32_t i)
  * exists. */
 static bool push_on_death(lua_State *L, uint32_t slot, uint16_t kind)
 {
-    lua_rawgetp(L, LUA_REGISTRYINDEX, &properties_key);
+    vm_push_registry_table(L, &properties_key);
     lua_rawgeti(L, -1, (lua_Integer)slot + 1);
     lua_remove(L, -2);
     if (lua_isfunction(L, -1))
@@ -661,7 +648,7 @@ static void apply_script_event(lua_State *L, const struct event *e)
 {
     int n = (int)(e->b & 255), kind = (int)(e->b >> 8);
 
-    lua_rawgetp(L, LUA_REGISTRYINDEX, &emitted_arguments_key);
+    vm_push_registry_table(L, &emitted_arguments_key);
     lua_rawgeti(L, -1, e->a);
     int args = lua_gettop(L);
     for (int i = 1; i <= n; i++)

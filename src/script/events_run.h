@@ -40,9 +40,6 @@ void events_step_players(struct board *b, lua_State *L);
 /* Sets *x, *y to the position where player p enters and respawns. */
 void events_get_start_position(const struct board *b, uint32_t p, fx *x, fx *y);
 
-/* Creates the empty handler tables. */
-void events_open(lua_State *L);
-
 /* Adds the function on top of the stack (popped) to the handlers of the event `name`. */
 void events_add_handler(lua_State *L, const char *name);
 

@@ -8,7 +8,7 @@
 #include "../../machine/sound.h"
 #include "api_parts.h"
 
-/* Registry: the list of bombs, only in games that declare one. Keys: number -> struct bomb, -number -> run function,
+/* Registry: the list of bombs. Keys: number -> struct bomb, -number -> run function,
  * name -> number. */
 static const char bombs_key = 0;
 
@@ -32,15 +32,6 @@ static const struct api_param def_params[] = {
     PARAM("stock", A_STR, OPT, 1, 31, NULL, "bombs", "name of the ship's register from which the bomb is paid"),
     PARAM("cost", A_INT, OPT, 0, INT32_MAX, NULL, "1", "amount that the bomb takes from `stock`; 0 needs no register"),
 };
-
-/* Pushes the list of bombs. Returns false, and pushes nothing, if there is none. */
-static bool push_bombs(lua_State *L)
-{
-    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &bombs_key) == LUA_TTABLE)
-        return true;
-    lua_pop(L, 1);
-    return false;
-}
 
 static int bomb_def(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -71,7 +62,7 @@ static int bomb_def(lua_State *L, struct board *b, struct api_value *v)
 /* Pushes the list of bombs; returns bomb i (from 1). */
 static const struct bomb *get_bomb(lua_State *L, int i)
 {
-    push_bombs(L);
+    vm_push_registry_table(L, &bombs_key);
     lua_rawgeti(L, -1, i);
     const struct bomb *bomb = lua_touserdata(L, -1);
     lua_pop(L, 1); /* the list keeps the bomb alive */
@@ -83,10 +74,10 @@ static void raise_unknown_bomb(lua_State *L, const char *param_name, const char 
     const char *found = NULL;
     int best = EDIT_TOO_FAR;
 
-    if (push_bombs(L))
-        for (lua_pushnil(L); lua_next(L, -2); lua_pop(L, 1))
-            if (lua_type(L, -2) == LUA_TSTRING)
-                api_consider_suggestion(name, lua_tostring(L, -2), &best, &found);
+    vm_push_registry_table(L, &bombs_key);
+    for (lua_pushnil(L); lua_next(L, -2); lua_pop(L, 1))
+        if (lua_type(L, -2) == LUA_TSTRING)
+            api_consider_suggestion(name, lua_tostring(L, -2), &best, &found);
     if (found)
         api_error(L, "player.def", "%s: unknown bomb \"%s\" (did you mean \"%s\"?)", param_name, name, found);
     api_error(L, "player.def", "%s: unknown bomb \"%s\" (declare it with bomb.def first)", param_name, name);
@@ -99,7 +90,8 @@ uint8_t api_find_bomb(lua_State *L, const char *param_name, int32_t ship, const 
     if (!v->given)
         return 0;
     const char *name = lua_tostring(L, v->at);
-    if (!push_bombs(L) || lua_getfield(L, -1, name) != LUA_TNUMBER)
+    vm_push_registry_table(L, &bombs_key);
+    if (lua_getfield(L, -1, name) != LUA_TNUMBER)
         raise_unknown_bomb(L, param_name, name);
     const int i = (int)lua_tointeger(L, -1);
     const struct bomb *bomb = get_bomb(L, i);

@@ -39,13 +39,12 @@ int api_error_at(lua_State *L, const char *entry, const char *name, const char *
     va_list args;
 
     va_start(args, format);
-    const char *message = lua_pushvfstring(L, format, args), *location = NULL;
+    const char *message = lua_pushvfstring(L, format, args);
     va_end(args);
-    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &locations_key) == LUA_TTABLE) {
-        lua_pushfstring(L, "%s %s", entry, name);
-        lua_rawget(L, -2);
-        location = lua_tostring(L, -1);
-    }
+    vm_push_registry_table(L, &locations_key);
+    lua_pushfstring(L, "%s %s", entry, name);
+    lua_rawget(L, -2);
+    const char *location = lua_tostring(L, -1);
     return location ? vm_fault_at(L, location, "%s: %s", entry, message) : api_error(L, entry, "%s", message);
 }
 

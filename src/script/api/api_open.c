@@ -4,7 +4,6 @@
  */
 #include <stdio.h>
 #include <string.h>
-#include "../events_run.h"
 #include "api_parts.h"
 
 /* The __index of the API's tables; not called for fields that the game has set. */
@@ -76,7 +75,6 @@ static void install_entry(lua_State *L, const struct api_entry *e)
 void api_open_globals(lua_State *L)
 {
     api_open_names(L);
-    events_open(L);
     api_open_handles(L);
     api_create_namespace_metatable(L, read_missing_field);
     lua_pushinteger(L, LUA_MAXINTEGER);
