@@ -25,54 +25,59 @@ static const int numbers_in_format[FORMAT + 1] = { 0, FORMAT_1_NUMBERS, 24, 31, 
 
 static const int64_t max_extend = (int64_t)1 << 53;
 
-#define NUMBER(name, field, lo, hi)                                                                                    \
+#define NUMBER(name, field, lo, hi, default_value)                                                                     \
     {                                                                                                                  \
-        name, offsetof(struct manifest, field), lo, hi, false                                                          \
+        name, offsetof(struct manifest, field), lo, hi, default_value, false                                           \
     }
 #define FLAG(name, field)                                                                                              \
     {                                                                                                                  \
-        name, offsetof(struct manifest, field), 0, 1, true                                                             \
+        name, offsetof(struct manifest, field), 0, 1, 0, true                                                          \
     }
 
 const struct manifest_number manifest_numbers[MANIFEST_NUMBERS] = {
-    NUMBER("version", version, 0, 1000000000),
-    NUMBER("screen.w", screen_w, 64, 1024),
-    NUMBER("screen.h", screen_h, 64, 1024),
-    NUMBER("field.x", field_x, 0, 1008),
-    NUMBER("field.y", field_y, 0, 1008),
-    NUMBER("field.w", field_w, 16, 1024),
-    NUMBER("field.h", field_h, 16, 1024),
-    NUMBER("field.margin", margin, 0, 1024),
-    NUMBER("board.bullets", bullets, 0, 1 << 22),
-    NUMBER("board.shots", shots, 0, 1 << 16),
-    NUMBER("board.enemies", enemies, 0, MAX_ENEMIES),
-    NUMBER("board.sparks", sparks, 0, 1 << 22),
-    NUMBER("board.sprites", sprites, 0, 1 << 16),
-    NUMBER("board.motions", motions, 0, 4095),
-    NUMBER("board.tasks", tasks, 1, 1 << 16),
-    NUMBER("board.lua_kib", lua_kib, 256, 262144),
-    NUMBER("players", players, 1, 2),
-    NUMBER("board.values.bullet", bullet_values, 0, MAX_VALUES),
-    NUMBER("board.values.shot", shot_values, 0, MAX_VALUES),
-    NUMBER("board.values.enemy", enemy_values, 0, MAX_VALUES),
+    NUMBER("version", version, 0, 1000000000, 1),
+    NUMBER("screen.w", screen_w, 64, 1024, 240),
+    NUMBER("screen.h", screen_h, 64, 1024, 320),
+    NUMBER("field.x", field_x, 0, 1008, 0),
+    NUMBER("field.y", field_y, 0, 1008, 0),
+    NUMBER("field.w", field_w, 16, 1024, 240),
+    NUMBER("field.h", field_h, 16, 1024, 320),
+    NUMBER("field.margin", margin, 0, 1024, 64),
+    NUMBER("board.bullets", bullets, 0, 1 << 22, 8192),
+    NUMBER("board.shots", shots, 0, 1 << 16, 512),
+    NUMBER("board.enemies", enemies, 0, MAX_ENEMIES, 256),
+    NUMBER("board.sparks", sparks, 0, 1 << 22, 2048),
+    NUMBER("board.sprites", sprites, 0, 1 << 16, 256),
+    NUMBER("board.motions", motions, 0, 4095, 256),
+    NUMBER("board.tasks", tasks, 1, 1 << 16, 1024),
+    NUMBER("board.lua_kib", lua_kib, 256, 262144, 4096),
+    NUMBER("players", players, 1, 2, 1),
+    NUMBER("board.values.bullet", bullet_values, 0, MAX_VALUES, 0),
+    NUMBER("board.values.shot", shot_values, 0, MAX_VALUES, 0),
+    NUMBER("board.values.enemy", enemy_values, 0, MAX_VALUES, 0),
     FLAG("board.hp", has_hp),
     FLAG("board.around", has_orbit),
     FLAG("board.frozen", has_freeze),
-    NUMBER("board.nvram", nvram_kib, 1, NV_MAX_KIB),
+    NUMBER("board.nvram", nvram_kib, 1, NV_MAX_KIB, NV_DEFAULT_KIB),
     FLAG("board.meet", bullets_can_meet),
-    NUMBER("board.items", items, 0, 1 << 16),
-    NUMBER("board.lines", lines, 0, 4096),
+    NUMBER("board.items", items, 0, 1 << 16, 0),
+    NUMBER("board.lines", lines, 0, 4096, 0),
     FLAG("board.wide", has_wide_text),
     FLAG("board.bg", has_backgrounds),
-    NUMBER("board.lasers", lasers, 0, MAX_LASERS),
-    NUMBER("board.curve_points", curve_points, 0, 1 << 20),
-    NUMBER("board.registers", registers, 0, MAX_REGISTERS),
-    NUMBER("board.options", options, 0, MAX_OPTIONS),
+    NUMBER("board.lasers", lasers, 0, MAX_LASERS, 0),
+    NUMBER("board.curve_points", curve_points, 0, 1 << 20, 0),
+    NUMBER("board.registers", registers, 0, MAX_REGISTERS, DEFAULT_REGISTER_CAPACITY),
+    NUMBER("board.options", options, 0, MAX_OPTIONS, 0),
     FLAG("board.bodies", has_bodies),
     FLAG("board.pierce", has_pierce),
     FLAG("board.sound", has_sound),
-    NUMBER("board.bulletml", bulletml_runners, 0, 1 << 16),
+    NUMBER("board.bulletml", bulletml_runners, 0, 1 << 16, 0),
 };
+
+static int32_t *get_number(struct manifest *m, int i)
+{
+    return (int32_t *)(void *)((char *)m + manifest_numbers[i].offset);
+}
 
 void manifest_set_defaults(struct manifest *m)
 {
@@ -80,21 +85,8 @@ void manifest_set_defaults(struct manifest *m)
     strcpy(m->id, "game");
     strcpy(m->title, "Untitled");
     strcpy(m->entry, "main");
-    m->version = 1;
-    m->screen_w = m->field_w = 240;
-    m->screen_h = m->field_h = 320;
-    m->margin = 64;
-    m->bullets = 8192;
-    m->shots = 512;
-    m->enemies = 256;
-    m->sparks = 2048;
-    m->sprites = 256;
-    m->motions = 256;
-    m->tasks = 1024;
-    m->lua_kib = 4096;
-    m->nvram_kib = NV_DEFAULT_KIB;
-    m->registers = DEFAULT_REGISTER_CAPACITY;
-    m->players = 1;
+    for (int i = 0; i < MANIFEST_NUMBERS; i++)
+        *get_number(m, i) = manifest_numbers[i].default_value;
     strcpy(m->difficulties[0], "normal");
     m->n_difficulties = 1;
 }
@@ -325,7 +317,7 @@ static void walk_dip(struct walk *w, struct dip *d)
 static void walk_numbers(struct walk *w, struct manifest *m, int from, int to)
 {
     for (int i = from; i < to; i++)
-        walk_32(w, (int32_t *)(void *)((char *)m + manifest_numbers[i].offset));
+        walk_32(w, get_number(m, i));
 }
 
 static void walk_manifest(struct walk *w, struct manifest *m, int32_t expected)

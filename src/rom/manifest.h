@@ -192,11 +192,11 @@ struct art {
     int n_cells, n_sounds, n_tunes, n_markers;
 };
 
-/* A numeric field of a manifest: its name in rom.lua ("board.bullets"), offset in struct manifest, and range. */
+/* A numeric field of a manifest: its name in rom.lua ("board.bullets"), offset in struct manifest, range, default. */
 struct manifest_number {
     const char *name;
     size_t offset;
-    int32_t lo, hi;
+    int32_t lo, hi, default_value;
     bool is_flag; /* written as true or false in rom.lua */
 };
 enum { MANIFEST_NUMBERS = 37 };
@@ -218,7 +218,7 @@ bool manifest_unpack(const uint8_t *data, size_t size, struct manifest *m, char 
 /* Reads the text of rom.lua, n bytes. file is the file's name in messages. folder is the default of the id; invalid
  * characters in it become _. scratch is MANIFEST_SCRATCH_SIZE bytes, 16-byte aligned: the text is Lua,
  * which runs without functions and with bounded memory and time. On failure returns false, with one sentence in err
- * ("rom.lua: board.bulets: unknown name (did you mean "bullets"?)"). */
+ * ("rom.lua: board.bulets: unknown key (did you mean "bullets"?)"). */
 bool manifest_read(const char *text, size_t n, const char *file, const char *folder, struct manifest *m,
                    struct art *art, void *scratch, char *err, size_t err_size);
 

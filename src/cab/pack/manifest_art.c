@@ -1,215 +1,117 @@
 /*
- * manifest_art.c - the pictures of rom.lua: palettes, blends, fonts, sheets, sprites, the icon, maps.
+ * manifest_art.c - the pictures of rom.lua: palettes, blends, fonts, sheets, sprites, the icon, maps; and the list of
+ * all tables of art and sounds.
  */
 #include <stdio.h>
 #include <string.h>
-#include "manifest_at.h"
+#include "manifest_parts.h"
 #include "../../common/files.h"
 
-static void read_palettes(const struct at *root, struct art *art)
+static void read_palette(const struct manifest_value *v, void *entry, struct art *art)
 {
-    struct at a;
+    struct art_palette *p = entry;
 
-    at_file(root, "palette", art->palette);
-    at_file(root, "font", art->font);
-    at_file(root, "border", art->border);
-    if (!at_table(root, "palettes", &a))
-        return;
-    art->n_palettes = at_keys(&a, art->palettes, MAX_ART_PALETTES, sizeof art->palettes[0], ART_NAME_SIZE);
-    for (int i = 0; i < art->n_palettes; i++) {
-        at_file(&a, art->palettes[i].name, art->palettes[i].file);
-        if (strcmp(art->palettes[i].name, "main") == 0)
-            at_bad(a.lua, "palettes.main", "this name is already used by `palette`");
-    }
-    lua_pop(a.lua, 1);
-}
-
-/* The number of the rule for ramps that is on top; popped. */
-static int32_t read_ramp(const struct at *a)
-{
-    static const char *const rules[] = { "add", "half", "max" };
-    char path[MAX_PATH];
-
-    at_path(a, "ramp", path);
-    for (int32_t i = 0; i < 3; i++)
-        if (lua_type(a->lua, -1) == LUA_TSTRING && strcmp(lua_tostring(a->lua, -1), rules[i]) == 0) {
-            lua_pop(a->lua, 1);
-            return -1 - i;
-        }
-    at_bad(a->lua, path, "expected \"add\", \"half\" or \"max\", got %s", at_got(a->lua));
-    return 0;
+    (void)art;
+    value_to_file(v, p->file);
+    if (strcmp(p->name, "main") == 0)
+        value_bad(v, "this name is already used by `palette`");
 }
 
 /* "add", { mix = percent } or { ramp = rule }. */
-static int32_t read_blend(const struct at *a, const char *name)
+static void read_blend(const struct manifest_value *v, void *entry, struct art *art)
 {
-    static const char *const names[] = { "mix", "ramp", NULL };
-    char path[MAX_PATH];
-    struct at one;
-    int32_t mix = 0;
+    static const char *const others[] = { "mix", "ramp", NULL };
+    static const char *const rules[] = { "add", "half", "max" };
+    struct art_blend *blend = entry;
+    struct manifest_value one;
 
-    at_path(a, name, path);
-    at_get(a, name);
-    if (lua_type(a->lua, -1) == LUA_TSTRING && strcmp(lua_tostring(a->lua, -1), "add") == 0) {
-        lua_pop(a->lua, 1);
-        return 0;
-    }
-    if (!lua_istable(a->lua, -1))
-        at_bad(a->lua, path, "expected \"add\", { mix = percent } or { ramp = rule }, got %s", at_got(a->lua));
-    lua_pop(a->lua, 1);
-    at_table(a, name, &one);
-    at_only(&one, names);
-    if (at_get(&one, "ramp")) {
-        mix = read_ramp(&one);
-        if (at_get(&one, "mix"))
-            at_bad(a->lua, path, "expected mix or ramp, got both");
-    } else
-        at_need_whole(&one, "mix", 1, 99, &mix);
-    lua_pop(a->lua, 1);
-    return mix;
-}
-
-static void read_blends(const struct at *root, struct art *art)
-{
-    struct at a;
-
-    if (!at_table(root, "blends", &a))
+    (void)art;
+    if (lua_type(v->lua, v->index) == LUA_TSTRING && strcmp(lua_tostring(v->lua, v->index), "add") == 0)
         return;
-    art->n_blends = at_keys(&a, art->blends, MAX_ART_BLENDS, sizeof art->blends[0], ART_NAME_SIZE);
-    for (int i = 0; i < art->n_blends; i++)
-        art->blends[i].mix = read_blend(&a, art->blends[i].name);
-    lua_pop(a.lua, 1);
+    if (!lua_istable(v->lua, v->index))
+        value_bad(v, "expected \"add\", { mix = percent } or { ramp = rule }, got %s", value_describe(v));
+    value_check_keys(v, NULL, 0, others);
+    if (!value_get(v, "ramp", &one)) {
+        blend->mix = value_get_whole(v, "mix", 1, 99);
+        return;
+    }
+    blend->mix = -1 - value_to_choice(&one, rules, 3, "\"add\", \"half\" or \"max\"");
+    if (value_get(v, "mix", &one))
+        value_bad(v, "expected mix or ramp, got both");
 }
 
-/* match = "index" or "colour"; where it says neither, as `usual`. */
-static bool get_match(const struct at *a, bool usual)
+/* The palette in whose colours the picture is drawn. */
+static void read_palette_name(const struct manifest_value *picture, const struct art *art, char name[ART_NAME_SIZE])
 {
-    static const char *const ways[] = { "colour", "index" };
-    char path[MAX_PATH];
+    struct manifest_value v;
 
-    at_path(a, "match", path);
-    if (!at_get(a, "match"))
-        return usual;
-    for (int i = 0; i < 2; i++)
-        if (lua_type(a->lua, -1) == LUA_TSTRING && strcmp(lua_tostring(a->lua, -1), ways[i]) == 0) {
-            lua_pop(a->lua, 1);
-            return i == 1;
-        }
-    at_bad(a->lua, path, "expected \"colour\" or \"index\", got %s", at_got(a->lua));
-}
-
-/* palette = NAME: the picture is drawn in the colours of that one. */
-static void get_palette(const struct at *a, const struct art *art, char name[ART_NAME_SIZE])
-{
-    char path[MAX_PATH];
-
-    at_path(a, "palette", path);
-    if (!at_text(a, "palette", "a palette's name", name, ART_NAME_SIZE) || strcmp(name, "main") == 0) {
+    if (!value_get(picture, "palette", &v))
+        return;
+    value_to_text(&v, "a palette's name", name, ART_NAME_SIZE);
+    if (strcmp(name, "main") == 0) {
         name[0] = '\0';
         return;
     }
     for (int i = 0; i < art->n_palettes; i++)
         if (strcmp(art->palettes[i].name, name) == 0)
             return;
-    at_bad(a->lua, path, "\"%s\" is not listed in palettes", name);
+    value_bad(&v, "\"%s\" is not listed in palettes", name);
 }
 
-/* cell = { w, h }, and what stands in the cells. */
-static void read_cells(const struct at *a, struct art_font *f)
+static void read_font(const struct manifest_value *v, void *entry, struct art *art)
 {
-    struct at cell;
-    char path[MAX_PATH];
+    static const struct manifest_field fields[] = {
+        FILE_PATH("file", art_font, file),
+        PAIR("cell", art_font, w, 1, 64, "{ w, h }"),
+        TEXT("chars", art_font, chars, "characters"),
+        TEXT("also", art_font, extra_chars, "characters"),
+        FLAG("fixed", art_font, fixed),
+        FLAG("shadow", art_font, shadow),
+        MATCH("match", art_font, by_index),
+    };
+    struct art_font *f = entry;
+    struct manifest_value chars;
 
-    if (!at_table(a, "cell", &cell)) {
-        if (at_text(a, "chars", "characters", f->chars, sizeof f->chars))
-            at_bad(a->lua, a->path, "`chars` needs `cell = { w, h }`");
-        return;
-    }
-    if (at_list(&cell, 2) != 2)
-        at_bad(a->lua, cell.path, "expected { w, h }");
-    at_item(&cell, 1, path);
-    f->w = (int32_t)at_to_whole(a->lua, path, 1, 64);
-    at_item(&cell, 2, path);
-    f->h = (int32_t)at_to_whole(a->lua, path, 1, 64);
-    lua_pop(a->lua, 1);
-    if (!at_text(a, "chars", "characters", f->chars, sizeof f->chars))
-        at_bad(a->lua, a->path, "expected `chars`, the characters of the cells from left to right and top to bottom");
+    f->by_index = art->by_index;
+    READ_TABLE(v, fields, NULL, f);
+    if (f->file[0] == '\0')
+        value_bad(v, "expected file=\"art/NAME.bdf\" or \"art/NAME.png\"");
+    const bool has_chars = value_get(v, "chars", &chars);
+    if (has_chars && f->w == 0)
+        value_bad(v, "`chars` needs `cell = { w, h }`");
+    if (!has_chars && f->w != 0)
+        value_bad(v, "expected `chars`, the characters of the cells from left to right and top to bottom");
 }
 
-static void read_fonts(const struct at *root, struct art *art)
+static void read_sheet(const struct manifest_value *v, void *entry, struct art *art)
 {
-    static const char *const names[] = { "file", "cell", "chars", "also", "fixed", "shadow", "match", NULL };
-    struct at a, one;
+    static const struct manifest_field fields[] = {
+        FILE_PATH("file", art_sheet, file),
+        WHOLE("bank", art_sheet, bank, 0, 15),
+        MATCH("match", art_sheet, by_index),
+    };
+    static const char *const others[] = { "palette", NULL };
+    struct art_sheet *s = entry;
 
-    if (!at_table(root, "fonts", &a))
-        return;
-    art->n_fonts = at_keys(&a, art->fonts, MAX_ART_FONTS, sizeof art->fonts[0], ART_NAME_SIZE);
-    for (int i = 0; i < art->n_fonts; i++) {
-        struct art_font *f = &art->fonts[i];
-        at_table(&a, f->name, &one);
-        at_only(&one, names);
-        if (!at_file(&one, "file", f->file))
-            at_bad(a.lua, one.path, "expected file=\"art/NAME.bdf\" or \"art/NAME.png\"");
-        read_cells(&one, f);
-        at_text(&one, "also", "characters", f->extra_chars, sizeof f->extra_chars);
-        f->fixed = at_flag(&one, "fixed");
-        f->shadow = at_flag(&one, "shadow");
-        f->by_index = get_match(&one, art->by_index);
-        lua_pop(a.lua, 1);
-    }
-    lua_pop(a.lua, 1);
+    s->by_index = art->by_index;
+    READ_TABLE(v, fields, others, s);
+    if (s->file[0] == '\0')
+        value_bad(v, "expected file=\"art/NAME.png\" (or .ase, .aseprite)");
+    read_palette_name(v, art, s->palette);
 }
 
-static void read_sheets(const struct at *root, struct art *art)
+static int32_t read_sheet_index(const struct manifest_value *sprite, const struct art *art)
 {
-    static const char *const names[] = { "file", "bank", "match", "palette", NULL };
-    struct at a, one;
+    char name[ART_NAME_SIZE] = "";
+    struct manifest_value v;
 
-    if (!at_table(root, "sheets", &a))
-        return;
-    art->n_sheets = at_keys(&a, art->sheets, MAX_ART_SHEETS, sizeof art->sheets[0], ART_NAME_SIZE);
-    for (int i = 0; i < art->n_sheets; i++) {
-        struct art_sheet *s = &art->sheets[i];
-        at_table(&a, s->name, &one);
-        at_only(&one, names);
-        if (!at_file(&one, "file", s->file))
-            at_bad(a.lua, one.path, "expected file=\"art/NAME.png\" (or .ase, .aseprite)");
-        at_whole(&one, "bank", 0, 15, &s->bank);
-        get_palette(&one, art, s->palette);
-        s->by_index = get_match(&one, art->by_index);
-        lua_pop(a.lua, 1);
-    }
-    lua_pop(a.lua, 1);
-}
-
-static int32_t sheet_index(const struct at *a, const struct art *art)
-{
-    char name[ART_NAME_SIZE] = "", path[MAX_PATH];
-
-    at_path(a, "sheet", path);
-    if (!at_text(a, "sheet", "a sheet's name", name, sizeof name))
-        at_bad(a->lua, path, "expected the name of a sheet, got nil");
+    if (!value_get(sprite, "sheet", &v))
+        value_bad(&v, "expected the name of a sheet, got nil");
+    value_to_text(&v, "a sheet's name", name, sizeof name);
     for (int i = 0; i < art->n_sheets; i++)
         if (strcmp(art->sheets[i].name, name) == 0)
             return i;
-    at_bad(a->lua, path, "\"%s\" is not listed in sheets", name);
-}
-
-static void read_origin(const struct at *a, struct art_sprite *s)
-{
-    struct at o;
-    char path[MAX_PATH];
-
-    if (!at_table(a, "origin", &o))
-        return;
-    if (at_list(&o, 2) != 2)
-        at_bad(a->lua, o.path, "expected { x, y }");
-    at_item(&o, 1, path);
-    s->ox = (int32_t)at_to_whole(a->lua, path, -1024, 1024);
-    at_item(&o, 2, path);
-    s->oy = (int32_t)at_to_whole(a->lua, path, -1024, 1024);
-    s->has_origin = true;
-    lua_pop(a->lua, 1);
+    value_bad(&v, "\"%s\" is not listed in sheets", name);
 }
 
 bool art_is_ase(const char *file)
@@ -219,257 +121,252 @@ bool art_is_ase(const char *file)
     return dot != NULL && (strcmp(dot, ".ase") == 0 || strcmp(dot, ".aseprite") == 0);
 }
 
-/* One whose sheet is a file of Aseprite's: what is not said here, its file says. */
-static void read_tagged(const struct at *a, struct art_sprite *s)
+/* sizes = { 50, 150 }: more sprites, added at the end and named after this one: orb_50, orb_150. */
+static void read_sprite_sizes(const struct manifest_value *sprite, const struct art_sprite *s, struct art *art)
 {
-    char path[MAX_PATH];
+    struct manifest_value sizes, v;
 
-    at_text(a, "tag", "a tag's name", s->tag, sizeof s->tag);
-    if (at_get(a, "frames")) {
-        at_path(a, "frames", path);
-        at_bad(a->lua, path,
-               "sprites from an .ase file use all its frames; to choose some of them, use tag = \"NAME\"");
-    }
-    s->frames = s->frame_ticks = 0;
-    at_whole(a, "w", 1, 1024, &s->w);
-    at_whole(a, "h", 1, 1024, &s->h);
-    at_whole(a, "every", 1, 3600, &s->frame_ticks);
-}
-
-static void read_cut(const struct at *a, struct art_sprite *s)
-{
-    char path[MAX_PATH];
-
-    if (at_get(a, "tag")) {
-        at_path(a, "tag", path);
-        at_bad(a->lua, path, "only .ase and .aseprite files have tags");
-    }
-    at_need_whole(a, "w", 1, 1024, &s->w);
-    at_need_whole(a, "h", 1, 1024, &s->h);
-    at_whole(a, "frames", 1, 256, &s->frames);
-    at_whole(a, "every", 1, 3600, &s->frame_ticks);
-}
-
-static void read_sprite(const struct at *a, const struct art *art, struct art_sprite *s)
-{
-    static const char *const names[] = { "sheet", "x",         "y",      "w",     "h",   "frames",
-                                         "every", "rotations", "origin", "sizes", "tag", NULL };
-
-    at_only(a, names);
-    s->sheet = sheet_index(a, art);
-    s->frames = s->rotations = 1;
-    s->frame_ticks = 6;
-    s->scale_percent = 100;
-    at_whole(a, "x", 0, 16383, &s->x);
-    at_whole(a, "y", 0, 16383, &s->y);
-    if (art_is_ase(art->sheets[s->sheet].file))
-        read_tagged(a, s);
-    else
-        read_cut(a, s);
-    at_whole(a, "rotations", 1, 256, &s->rotations);
-    s->ox = s->w / 2;
-    s->oy = s->h / 2;
-    read_origin(a, s);
-}
-
-/* sizes = { 50, 150 }: sprites of their own, behind the others, named after it: orb_50, orb_150. */
-static void read_sprite_sizes(const struct at *a, struct art *art, const struct art_sprite *s)
-{
-    struct at sizes;
-    char path[MAX_PATH];
-
-    if (!at_table(a, "sizes", &sizes))
+    if (!value_get_table(sprite, "sizes", &sizes))
         return;
-    int n = at_list(&sizes, MAX_ART_SIZES);
+    const int n = value_to_length(&sizes, MAX_ART_SIZES);
     for (int i = 1; i <= n; i++) {
-        at_item(&sizes, i, path);
-        int percent = (int)at_to_whole(a->lua, path, 1, 1000);
+        value_get_item(&sizes, i, &v);
+        const int percent = (int)value_to_whole(&v, 1, 1000);
         if (art->n_sprites == MAX_ART_SPRITES)
-            at_bad(a->lua, path, "more than %d sprites", MAX_ART_SPRITES);
+            value_bad(&v, "more than %d sprites", MAX_ART_SPRITES);
         struct art_sprite *more = &art->sprites[art->n_sprites++];
         *more = *s;
         more->scale_percent = percent;
         if (snprintf(more->name, ART_NAME_SIZE, "%s_%d", s->name, percent) >= ART_NAME_SIZE)
-            at_bad(a->lua, path, "sprite name %s_%d is longer than %d bytes", s->name, percent, ART_NAME_SIZE - 1);
+            value_bad(&v, "sprite name %s_%d is longer than %d bytes", s->name, percent, ART_NAME_SIZE - 1);
     }
-    lua_pop(a->lua, 1);
 }
 
-/* Puts the sprites from `first` on among those before them, by name. */
-static void sort_sprites(lua_State *lua, struct art *art, int first)
+static void read_sprite(const struct manifest_value *v, void *entry, struct art *art)
+{
+    static const struct manifest_field fields[] = {
+        WHOLE("x", art_sprite, x, 0, 16383),
+        WHOLE("y", art_sprite, y, 0, 16383),
+        WHOLE("w", art_sprite, w, 1, 1024),
+        WHOLE("h", art_sprite, h, 1, 1024),
+        WHOLE("frames", art_sprite, frames, 1, 256),
+        WHOLE("every", art_sprite, frame_ticks, 1, 3600),
+        WHOLE("rotations", art_sprite, rotations, 1, 256),
+        PAIR("origin", art_sprite, ox, -1024, 1024, "{ x, y }"),
+        TEXT("tag", art_sprite, tag, "a tag's name"),
+    };
+    static const char *const others[] = { "sheet", "sizes", NULL };
+    struct art_sprite *s = entry;
+    struct manifest_value one;
+
+    s->rotations = 1;
+    s->scale_percent = 100;
+    READ_TABLE(v, fields, others, s);
+    s->sheet = read_sheet_index(v, art);
+    if (art_is_ase(art->sheets[s->sheet].file)) {
+        if (value_get(v, "frames", &one))
+            value_bad(&one, "sprites from an .ase file use all its frames; to choose some of them, use tag = \"NAME\"");
+    } else {
+        if (value_get(v, "tag", &one))
+            value_bad(&one, "only .ase and .aseprite files have tags");
+        s->w = value_get_whole(v, "w", 1, 1024);
+        s->h = value_get_whole(v, "h", 1, 1024);
+        s->frames = s->frames > 0 ? s->frames : 1;
+        s->frame_ticks = s->frame_ticks > 0 ? s->frame_ticks : 6;
+    }
+    s->has_origin = value_get(v, "origin", &one);
+    if (!s->has_origin) {
+        s->ox = s->w / 2;
+        s->oy = s->h / 2;
+    }
+    read_sprite_sizes(v, s, art);
+}
+
+/* Moves the sprites that `sizes` added to their places in the alphabetical order. */
+static void sort_sprites(const struct manifest_value *root, struct art *art)
 {
     struct art_sprite *s = art->sprites;
+    struct manifest_value v;
 
-    for (int i = first; i < art->n_sprites; i++) {
+    for (int i = 1; i < art->n_sprites; i++) {
         struct art_sprite one = s[i];
         int at = i;
         for (; at > 0 && strcmp(s[at - 1].name, one.name) > 0; at--)
             s[at] = s[at - 1];
         s[at] = one;
-        if (at > 0 && strcmp(s[at - 1].name, one.name) == 0)
-            at_bad(lua, "sprites", "two sprites are named %s; one of them gets this name from `sizes`", one.name);
+        if (at == 0 || strcmp(s[at - 1].name, one.name) != 0)
+            continue;
+        value_get(root, "sprites", &v);
+        value_bad(&v, "two sprites are named %s; one of them gets this name from `sizes`", one.name);
     }
 }
 
-static void read_sprites(const struct at *root, struct art *art)
+static void read_row(const struct manifest_value *row, bool is_first, struct art *art, struct art_map *map)
 {
-    struct at a, one;
+    struct manifest_value v;
 
-    if (!at_table(root, "sprites", &a))
-        return;
-    art->n_sprites = at_keys(&a, art->sprites, MAX_ART_SPRITES, sizeof art->sprites[0], ART_NAME_SIZE);
-    const int n = art->n_sprites;
-    for (int i = 0; i < n; i++) {
-        at_table(&a, art->sprites[i].name, &one);
-        read_sprite(&one, art, &art->sprites[i]);
-        read_sprite_sizes(&one, art, &art->sprites[i]);
-        lua_pop(a.lua, 1);
-    }
-    sort_sprites(a.lua, art, n);
-    lua_pop(a.lua, 1);
-}
-
-/* One row of a map's numbers. */
-static void read_row(const struct at *rows, int i, int first, struct art *art, struct art_map *map)
-{
-    struct at row = { rows->lua, 0, "" };
-    char path[MAX_PATH];
-
-    at_item(rows, i, row.path);
-    if (!lua_istable(rows->lua, -1))
-        at_bad(rows->lua, row.path, "expected a list of tiles, got %s", at_got(rows->lua));
-    row.index = lua_gettop(rows->lua);
-    const int n = at_list(&row, MAX_ART_CELLS);
-    if (i == 1)
+    if (!lua_istable(row->lua, row->index))
+        value_bad(row, "expected a list of tiles, got %s", value_describe(row));
+    const int n = value_to_length(row, MAX_ART_CELLS);
+    if (is_first)
         map->cols = n;
     if (n != map->cols || n == 0)
-        at_bad(rows->lua, row.path, "expected %d tiles, as in the first row, got %d", map->cols > 0 ? map->cols : 1, n);
+        value_bad(row, "expected %d tiles, as in the first row, got %d", map->cols > 0 ? map->cols : 1, n);
     if (n > MAX_ART_CELLS - art->n_cells)
-        at_bad(rows->lua, row.path, "more than %d tiles in rom.lua; use a map file instead", MAX_ART_CELLS);
+        value_bad(row, "more than %d tiles in rom.lua; use a map file instead", MAX_ART_CELLS);
     for (int k = 1; k <= n; k++) {
-        at_item(&row, k, path);
-        art->cells[art->n_cells++] = (uint16_t)(at_to_whole(rows->lua, path, first - 1, 65534) - first + 1);
+        value_get_item(row, k, &v);
+        art->cells[art->n_cells++] = (uint16_t)(value_to_whole(&v, map->first_tile - 1, 65534) - map->first_tile + 1);
     }
-    lua_pop(rows->lua, 1);
 }
 
-static void read_rows(const struct at *a, struct art *art, struct art_map *map)
+static void read_rows(const struct manifest_value *table, struct art *art, struct art_map *map)
 {
-    struct at rows;
+    struct manifest_value rows, row;
 
-    if (!at_table(a, "rows", &rows))
+    if (!value_get_table(table, "rows", &rows))
         return;
     map->first_cell = art->n_cells;
-    map->rows = at_list(&rows, MAX_ART_CELLS);
-    for (int i = 1; i <= map->rows; i++)
-        read_row(&rows, i, map->first_tile, art, map);
+    map->rows = value_to_length(&rows, MAX_ART_CELLS);
+    for (int i = 1; i <= map->rows; i++) {
+        value_get_item(&rows, i, &row);
+        read_row(&row, i == 1, art, map);
+    }
     if (map->rows == 0)
-        at_bad(a->lua, rows.path, "expected at least one row");
-    lua_pop(a->lua, 1);
+        value_bad(&rows, "expected at least one row");
 }
 
 /* A picture, or a list of them. */
-static void read_tiles(const struct at *a, struct art_map *map)
+static void read_tiles(const struct manifest_value *table, struct art_map *map)
 {
-    char path[MAX_PATH];
-    struct at pictures;
+    struct manifest_value tiles, v;
 
-    if (!at_get(a, "tiles"))
-        at_bad(a->lua, a->path, "expected tiles=\"art/NAME.png\"");
-    const bool several = lua_istable(a->lua, -1);
-    lua_pop(a->lua, 1);
-    if (!several) {
-        at_file(a, "tiles", map->tile_files[0]);
+    if (!value_get(table, "tiles", &tiles))
+        value_bad(table, "expected tiles=\"art/NAME.png\"");
+    if (!lua_istable(tiles.lua, tiles.index)) {
+        value_to_file(&tiles, map->tile_files[0]);
         map->n_tile_files = 1;
         return;
     }
-    at_table(a, "tiles", &pictures);
-    map->n_tile_files = at_list(&pictures, MAX_ART_TILE_FILES);
+    map->n_tile_files = value_to_length(&tiles, MAX_ART_TILE_FILES);
     for (int i = 0; i < map->n_tile_files; i++) {
-        at_item(&pictures, i + 1, path);
-        at_to_file(a->lua, path, map->tile_files[i]);
+        value_get_item(&tiles, i + 1, &v);
+        value_to_file(&v, map->tile_files[i]);
     }
     if (map->n_tile_files == 0)
-        at_bad(a->lua, pictures.path, "expected at least one picture");
-    lua_pop(a->lua, 1);
+        value_bad(&tiles, "expected at least one picture");
 }
 
-static void read_map(const struct at *a, struct art *art, struct art_map *map)
+/* The tile size: 0 if only the map file says it. */
+static void check_tile_size(const struct manifest_value *table, bool is_tmx, struct art_map *map)
 {
-    static const char *const names[] = { "tiles", "file",  "rows",  "layer",   "size",
-                                         "bank",  "first", "match", "palette", NULL };
-    char path[MAX_PATH];
+    struct manifest_value v;
 
-    at_only(a, names);
-    at_path(a, "size", path);
-    map->first_tile = 1;
-    read_tiles(a, map);
-    at_whole(a, "bank", 0, 15, &map->bank);
-    get_palette(a, art, map->palette);
-    map->by_index = get_match(a, art->by_index);
-    at_whole(a, "size", 8, 32, &map->tile_size);
-    at_whole(a, "first", 0, 1, &map->first_tile);
-    at_text(a, "layer", "a layer's name", map->layer, sizeof map->layer);
-    const bool file = at_file(a, "file", map->file), tmx = files_has_suffix(map->file, ".tmx");
-    if (file && !tmx && !files_has_suffix(map->file, ".csv"))
-        at_bad(a->lua, a->path, "file: expected a .csv or .tmx file, got \"%s\"", map->file);
-    if (map->n_tile_files > 1 && !tmx)
-        at_bad(a->lua, a->path, "tiles: only a .tmx map can use tiles from several pictures");
-    if (map->layer[0] != '\0' && !tmx)
-        at_bad(a->lua, a->path, "layer: only a .tmx map has layers");
-    if (map->tile_size == 0 && !tmx)
+    if (map->tile_size == 0 && !is_tmx)
         map->tile_size = 16;
-    if (map->tile_size != 0 && map->tile_size != 8 && map->tile_size != 16 && map->tile_size != 32)
-        at_bad(a->lua, path, "expected 8, 16 or 32, got %d", (int)map->tile_size);
-    read_rows(a, art, map);
-    if (file == (map->rows > 0))
-        at_bad(a->lua, a->path, "expected either file=\"maps/NAME.tmx\" (or .csv) or rows={ { 1, 2, .. }, .. }");
+    if (map->tile_size == 0 || map->tile_size == 8 || map->tile_size == 16 || map->tile_size == 32)
+        return;
+    value_get(table, "size", &v);
+    value_bad(&v, "expected 8, 16 or 32, got %d", (int)map->tile_size);
+}
+
+static void read_map(const struct manifest_value *v, void *entry, struct art *art)
+{
+    static const struct manifest_field fields[] = {
+        FILE_PATH("file", art_map, file),          TEXT("layer", art_map, layer, "a layer's name"),
+        WHOLE("size", art_map, tile_size, 8, 32),  WHOLE("bank", art_map, bank, 0, 15),
+        WHOLE("first", art_map, first_tile, 0, 1), MATCH("match", art_map, by_index),
+    };
+    static const char *const others[] = { "tiles", "palette", "rows", NULL };
+    struct art_map *map = entry;
+
+    map->first_tile = 1;
+    map->by_index = art->by_index;
+    READ_TABLE(v, fields, others, map);
+    read_tiles(v, map);
+    read_palette_name(v, art, map->palette);
+    const bool is_file = map->file[0] != '\0', is_tmx = files_has_suffix(map->file, ".tmx");
+    if (is_file && !is_tmx && !files_has_suffix(map->file, ".csv"))
+        value_bad(v, "file: expected a .csv or .tmx file, got \"%s\"", map->file);
+    if (map->n_tile_files > 1 && !is_tmx)
+        value_bad(v, "tiles: only a .tmx map can use tiles from several pictures");
+    if (map->layer[0] != '\0' && !is_tmx)
+        value_bad(v, "layer: only a .tmx map has layers");
+    check_tile_size(v, is_tmx, map);
+    read_rows(v, art, map);
+    if (is_file == (map->rows > 0))
+        value_bad(v, "expected either file=\"maps/NAME.tmx\" (or .csv) or rows={ { 1, 2, .. }, .. }");
 }
 
 /* A file, or one of the sprites. */
-static void read_icon(const struct at *root, struct art *art)
+static void read_icon(const struct manifest_value *root, struct art *art)
 {
+    struct manifest_value v;
     int i = 0;
 
-    if (!at_text(root, "icon", "a file or a sprite's name", art->icon, sizeof art->icon))
+    if (!value_get(root, "icon", &v))
         return;
+    value_to_text(&v, "a file or a sprite's name", art->icon, sizeof art->icon);
     if (files_has_suffix(art->icon, ".png")) {
-        if (!manifest_path_ok(art->icon))
-            at_bad(root->lua, "icon", "expected a file inside the folder (letters, digits, _ - . /), got \"%s\"",
-                   art->icon);
+        value_to_file(&v, art->icon);
         return;
     }
     while (i < art->n_sprites && strcmp(art->sprites[i].name, art->icon) != 0)
         i++;
     if (i == art->n_sprites)
-        at_bad(root->lua, "icon", "expected a .png file or the name of a sprite, got \"%s\"", art->icon);
+        value_bad(&v, "expected a .png file or the name of a sprite, got \"%s\"", art->icon);
 }
 
-/* Maps alone switch backgrounds on. */
-static void read_maps(const struct at *root, struct manifest *m, struct art *art)
-{
-    struct at a, one;
-
-    if (!at_table(root, "maps", &a))
-        return;
-    art->n_maps = at_keys(&a, art->maps, MAX_ART_MAPS, sizeof art->maps[0], ART_NAME_SIZE);
-    for (int i = 0; i < art->n_maps; i++) {
-        at_table(&a, art->maps[i].name, &one);
-        read_map(&one, art, &art->maps[i]);
-        lua_pop(a.lua, 1);
+/* The tables of named entries, in an order in which each can refer to those before it. An entry starts with its
+ * name. */
+static const struct art_table {
+    const char *key;
+    size_t offset, stride, count_offset; /* offset: of the array in struct art */
+    int max;
+    void (*read)(const struct manifest_value *v, void *entry, struct art *art);
+} art_tables[] = {
+#define ART_TABLE(key, array, count, read)                                                                             \
+    {                                                                                                                  \
+        key, offsetof(struct art, array), sizeof((struct art *)NULL)->array[0], offsetof(struct art, count),           \
+            sizeof((struct art *)NULL)->array / sizeof((struct art *)NULL)->array[0], read                             \
     }
-    m->has_backgrounds = m->has_backgrounds || art->n_maps > 0;
-    lua_pop(a.lua, 1);
+    ART_TABLE("palettes", palettes, n_palettes, read_palette),
+    ART_TABLE("blends", blends, n_blends, read_blend),
+    ART_TABLE("fonts", fonts, n_fonts, read_font),
+    ART_TABLE("sheets", sheets, n_sheets, read_sheet),
+    ART_TABLE("sprites", sprites, n_sprites, read_sprite),
+    ART_TABLE("maps", maps, n_maps, read_map),
+    ART_TABLE("sounds", sounds, n_sounds, manifest_read_sound),
+    ART_TABLE("music", tunes, n_tunes, manifest_read_tune),
+};
+
+static void read_art_table(const struct manifest_value *root, const struct art_table *t, struct art *art)
+{
+    char *entry = (char *)art + t->offset;
+    struct manifest_value table, v;
+
+    if (!value_get_table(root, t->key, &table))
+        return;
+    const int n = value_to_names(&table, entry, t->max, t->stride, ART_NAME_SIZE);
+    *(int *)(void *)((char *)art + t->count_offset) = n;
+    for (int i = 0; i < n; i++, entry += t->stride) {
+        value_get(&table, entry, &v);
+        t->read(&v, entry, art);
+    }
 }
 
-void manifest_read_art(const struct at *root, struct manifest *m, struct art *art)
+void manifest_read_art(const struct manifest_value *root, struct art *art)
 {
-    art->by_index = get_match(root, false);
-    read_palettes(root, art);
-    read_blends(root, art);
-    read_fonts(root, art);
-    read_sheets(root, art);
-    read_sprites(root, art);
+    static const struct manifest_field fields[] = {
+        FILE_PATH("palette", art, palette),
+        FILE_PATH("font", art, font),
+        FILE_PATH("border", art, border),
+        MATCH("match", art, by_index),
+    };
+
+    value_read_fields(root, fields, sizeof fields / sizeof *fields, art);
+    for (size_t i = 0; i < sizeof art_tables / sizeof *art_tables; i++)
+        read_art_table(root, &art_tables[i], art);
+    sort_sprites(root, art);
     read_icon(root, art);
-    read_maps(root, m, art);
 }

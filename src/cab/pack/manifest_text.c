@@ -5,7 +5,7 @@
  * that no one instruction is slow), the bytes ever allocated, and a count of instructions. Errors are Lua errors up to
  * the one pcall; none of the text's own code can catch one.
  */
-#include "manifest_at.h"
+#include "manifest_parts.h"
 
 #include <lauxlib.h>
 #include <stdio.h>
@@ -13,14 +13,12 @@
 #include "../../../fb/utf8.h"
 #include "../../base/heap.h"
 #include "../../base/host.h"
-#include "../../common/files.h"
 
 enum {
     MAX_FILE = 1 << 20,   /* bytes of rom.lua */
     MAX_STRING = 1 << 14, /* bytes of one string in it */
     MAX_WORK = 256 << 20, /* bytes ever allocated while it runs */
-    MAX_STEPS = 1 << 20,  /* VM instructions */
-    MAX_MARKERS = 64      /* of a recording */
+    MAX_STEPS = 1 << 20   /* VM instructions */
 };
 
 struct reader {
@@ -31,320 +29,144 @@ struct reader {
     struct art *art;
 };
 
-static void read_texts(const struct at *root, struct manifest *m)
+/* Reads the numbers of a table: those of "board" are "board.bullets" and so on, but not "board.values.shot". */
+static void read_numbers(const struct manifest_value *table, struct manifest *m)
 {
-    at_text(root, "id", "a name", m->id, sizeof m->id);
-    memset(m->title, 0, sizeof m->title);
-    if (!at_text(root, "title", "a line", m->title, sizeof m->title))
-        strcpy(m->title, m->id);
-    at_text(root, "author", "a line", m->author, sizeof m->author);
-    at_text(root, "entry", "a script's path", m->entry, sizeof m->entry);
-}
+    static const char *const others[] = { "values", NULL };
+    struct manifest_field fields[MANIFEST_NUMBERS];
+    const bool is_root = table->path[0] == '\0';
+    const size_t skip = is_root ? 0 : strlen(table->path) + 1;
+    size_t n = 0;
 
-/* a[key] as a number or a flag of the manifest into *v, which stays when it is nil. */
-static void get_number(const struct at *a, const char *key, const struct manifest_number *f, int32_t *v)
-{
-    char path[MAX_PATH];
-
-    if (!f->is_flag) {
-        at_whole(a, key, f->lo, f->hi, v);
-        return;
-    }
-    at_path(a, key, path);
-    if (!at_get(a, key))
-        return;
-    if (!lua_isboolean(a->lua, -1))
-        at_bad(a->lua, path, "expected true or false, got %s", at_got(a->lua));
-    *v = lua_toboolean(a->lua, -1);
-    lua_pop(a->lua, 1);
-}
-
-/* The numbers of one group ("board", "board.values", or "" for those of the whole manifest), and no other names in it
- * but `more` (may be NULL). parent: the table that the group's last word is a name of. */
-static void read_numbers(const struct at *parent, const char *group, const char *more, struct manifest *m)
-{
-    const char *names[MANIFEST_NUMBERS + 2] = { NULL }, *last = strrchr(group, '.');
-    size_t skip = strlen(group) + (group[0] != '\0');
-    struct at a = *parent;
-    int n = 0, top = lua_gettop(parent->lua);
-
-    if (group[0] != '\0' && !at_table(parent, last != NULL ? last + 1 : group, &a))
-        return;
-    if (more != NULL)
-        names[n++] = more;
     for (int i = 0; i < MANIFEST_NUMBERS; i++) {
         const struct manifest_number *f = &manifest_numbers[i];
-        const char *dot = strrchr(f->name, '.');
-        if ((dot != NULL ? (size_t)(dot - f->name) + 1 : 0) != skip || strncmp(f->name, group, strlen(group)) != 0)
-            continue;
-        names[n++] = f->name + skip;
-        get_number(&a, f->name + skip, f, (int32_t *)(void *)((char *)m + f->offset));
+        const char *dot = strrchr(f->name, '.'), *key = dot != NULL ? dot + 1 : f->name;
+        if (key == f->name + skip && strncmp(f->name, table->path, strlen(table->path)) == 0)
+            fields[n++] = (struct manifest_field){
+                key, f->is_flag ? FIELD_FLAG : FIELD_WHOLE, f->offset, sizeof(int32_t), f->lo, f->hi, NULL
+            };
     }
-    if (group[0] != '\0')
-        at_only(&a, names);
-    lua_settop(parent->lua, top);
+    if (!is_root)
+        value_check_keys(table, fields, n, strcmp(table->path, "board") == 0 ? others : NULL);
+    value_read_fields(table, fields, n, m);
 }
 
-static void read_values(const struct at *root, struct manifest *m)
+static void read_sizes(const struct manifest_value *root, struct manifest *m)
 {
-    struct at board;
+    struct manifest_value table, values;
 
-    if (!at_table(root, "board", &board))
-        return;
-    read_numbers(&board, "board.values", NULL, m);
-    lua_pop(root->lua, 1);
-}
-
-static void read_sizes(const struct at *root, struct manifest *m)
-{
-    read_numbers(root, "", NULL, m);
-    read_numbers(root, "board", "values", m);
-    read_values(root, m);
-    read_numbers(root, "screen", NULL, m);
-    m->field_w = m->field_h = 0; /* left out: to the screen's edge */
-    read_numbers(root, "field", NULL, m);
+    read_numbers(root, m);
+    if (value_get_table(root, "board", &table)) {
+        read_numbers(&table, m);
+        if (value_get_table(&table, "values", &values))
+            read_numbers(&values, m);
+    }
+    if (value_get_table(root, "screen", &table))
+        read_numbers(&table, m);
+    m->field_w = m->field_h = 0; /* omitted: up to the screen's edge */
+    if (value_get_table(root, "field", &table))
+        read_numbers(&table, m);
     if (m->field_w == 0)
         m->field_w = m->screen_w - m->field_x;
     if (m->field_h == 0)
         m->field_h = m->screen_h - m->field_y;
 }
 
-static void read_extends(const struct at *root, struct manifest *m)
+static void read_extends(const struct manifest_value *root, struct manifest *m)
 {
-    struct at a;
+    struct manifest_value list, v;
 
-    if (!at_table(root, "extends", &a))
+    if (!value_get_table(root, "extends", &list))
         return;
-    m->n_extends = at_list(&a, MAX_EXTENDS);
+    m->n_extends = value_to_length(&list, MAX_EXTENDS);
     for (int i = 0; i < m->n_extends; i++) {
-        char path[MAX_PATH];
-        at_item(&a, i + 1, path);
-        m->extends[i] = at_to_whole(a.lua, path, i > 0 ? m->extends[i - 1] + 1 : 1, (int64_t)1 << 53);
+        value_get_item(&list, i + 1, &v);
+        m->extends[i] = value_to_whole(&v, i > 0 ? m->extends[i - 1] + 1 : 1, (int64_t)1 << 53);
     }
-    lua_pop(a.lua, 1);
 }
 
-/* The index of a word, or -1. */
-static int word_index(const char words_[][MAX_SETTING_NAME], int n, const char *word)
+static void read_difficulties(const struct manifest_value *root, struct manifest *m)
 {
-    for (int i = 0; i < n; i++)
-        if (strcmp(words_[i], word) == 0)
-            return i;
-    return -1;
-}
-
-static void read_difficulties(const struct at *root, struct manifest *m)
-{
-    struct at a;
+    struct manifest_value v;
     char word[MAX_SETTING_NAME] = "normal";
 
-    if (at_table(root, "difficulties", &a)) {
+    if (value_get_table(root, "difficulties", &v)) {
         memset(m->difficulties, 0, sizeof m->difficulties);
-        m->n_difficulties = at_words(&a, m->difficulties, MAX_DIFFICULTIES);
+        m->n_difficulties = value_to_words(&v, m->difficulties, MAX_DIFFICULTIES);
         if (m->n_difficulties == 0)
-            at_bad(a.lua, a.path, "expected at least one word");
-        lua_pop(a.lua, 1);
+            value_bad(&v, "expected at least one word");
     }
-    bool given = at_text(root, "difficulty", "a word", word, sizeof word);
-    m->difficulty = word_index((const char(*)[MAX_SETTING_NAME])m->difficulties, m->n_difficulties, word);
-    if (m->difficulty < 0 && given)
-        at_bad(root->lua, "difficulty", "\"%s\" is not listed in difficulties", word);
-    if (m->difficulty < 0)
-        m->difficulty = 0;
+    const bool is_given = value_get(root, "difficulty", &v);
+    if (is_given)
+        value_to_text(&v, "a word", word, sizeof word);
+    while (m->difficulty < m->n_difficulties && strcmp(m->difficulties[m->difficulty], word) != 0)
+        m->difficulty++;
+    if (m->difficulty < m->n_difficulties)
+        return;
+    if (is_given)
+        value_bad(&v, "\"%s\" is not listed in difficulties", word);
+    m->difficulty = 0;
 }
 
-static void read_dip(const struct at *a, struct dip *d)
+static void read_dip(const struct manifest_value *v, struct dip *d)
 {
-    static const char *const names[] = { "min", "max", "default", NULL };
+    static const char *const others[] = { "min", "max", "default", NULL };
+    struct manifest_value usual;
 
-    if (lua_rawlen(a->lua, a->index) > 0) {
-        d->n_values = at_words(a, d->value_name, MAX_DIP_VALUES);
+    value_need_table(v);
+    if (!manifest_setting_name_ok(d->name))
+        value_bad(v, "expected a name of letters, digits, _ and -");
+    if (lua_rawlen(v->lua, v->index) > 0) {
+        d->n_values = value_to_words(v, d->value_name, MAX_DIP_VALUES);
         d->hi = d->n_values - 1;
         return;
     }
-    at_only(a, names);
+    value_check_keys(v, NULL, 0, others);
     d->is_number = true;
-    at_need_whole(a, "min", INT32_MIN, INT32_MAX, &d->lo);
-    at_need_whole(a, "max", d->lo, INT32_MAX, &d->hi);
-    d->default_value = d->lo;
-    at_whole(a, "default", d->lo, d->hi, &d->default_value);
+    d->lo = value_get_whole(v, "min", INT32_MIN, INT32_MAX);
+    d->hi = value_get_whole(v, "max", d->lo, INT32_MAX);
+    d->default_value = value_get(v, "default", &usual) ? (int32_t)value_to_whole(&usual, d->lo, d->hi) : d->lo;
 }
 
-static void read_dips(const struct at *root, struct manifest *m)
+static void read_dips(const struct manifest_value *root, struct manifest *m)
 {
-    struct at a, one;
+    struct manifest_value table, v;
 
-    if (!at_table(root, "dip", &a))
+    if (!value_get_table(root, "dip", &table))
         return;
-    m->n_dips = at_keys(&a, m->dips, MAX_DIPS, sizeof m->dips[0], MAX_SETTING_NAME);
+    m->n_dips = value_to_names(&table, m->dips, MAX_DIPS, sizeof m->dips[0], MAX_SETTING_NAME);
     for (int i = 0; i < m->n_dips; i++) {
-        at_table(&a, m->dips[i].name, &one);
-        if (!manifest_setting_name_ok(m->dips[i].name))
-            at_bad(a.lua, one.path, "expected a name of letters, digits, _ and -");
-        read_dip(&one, &m->dips[i]);
-        lua_pop(a.lua, 1);
-    }
-    lua_pop(a.lua, 1);
-}
-
-enum { LONGEST = 1 << 30 /* frames */ };
-
-static void read_loop_table(const struct at *a, struct art_loop *loop)
-{
-    static const char *const names[] = { "start", "length", "unit", NULL };
-    char unit[16] = "frames";
-
-    at_only(a, names);
-    loop->kind = LOOP_RANGE;
-    at_text(a, "unit", "a word", unit, sizeof unit);
-    loop->in_seconds = strcmp(unit, "seconds") == 0;
-    if (!loop->in_seconds && strcmp(unit, "frames") != 0)
-        at_bad(a->lua, a->path, "unit: expected \"frames\" or \"seconds\", got \"%s\"", unit);
-    at_real(a, "start", 0, LONGEST, &loop->start);
-    at_real(a, "length", 0, LONGEST, &loop->length);
-    if (!loop->in_seconds && (loop->start != (int32_t)loop->start || loop->length != (int32_t)loop->length))
-        at_bad(a->lua, a->path, "expected whole numbers of frames (or unit=\"seconds\")");
-}
-
-/* true: all of it; false: once; or where it begins and how long it is. */
-static void read_loop(const struct at *a, struct art_loop *loop)
-{
-    struct at table;
-
-    if (at_get(a, "loop") && lua_isboolean(a->lua, -1)) {
-        loop->kind = lua_toboolean(a->lua, -1) ? LOOP_WHOLE : LOOP_NONE;
-        lua_pop(a->lua, 1);
-    } else if (at_table(a, "loop", &table)) {
-        read_loop_table(&table, loop);
-        lua_pop(a->lua, 2);
+        value_get(&table, m->dips[i].name, &v);
+        read_dip(&v, &m->dips[i]);
     }
 }
 
-static void read_markers(const struct at *a, struct art_sound *s, struct art *art)
+static void read_root(const struct manifest_value *root, struct manifest *m, struct art *art)
 {
-    struct at table;
-    const int room = MAX_ART_MARKERS - art->n_markers;
+    static const struct manifest_field fields[] = {
+        TEXT("id", manifest, id, "a name"),
+        TEXT("title", manifest, title, "a line"),
+        TEXT("author", manifest, author, "a line"),
+        TEXT("entry", manifest, entry, "a script's path"),
+    };
+    static const char *const others[] = { "version",  "players", "screen",       "field",      "board",  "palette",
+                                          "palettes", "blends",  "font",         "fonts",      "sheets", "sprites",
+                                          "dip",      "extends", "difficulties", "difficulty", "maps",   "sounds",
+                                          "music",    "border",  "match",        "icon",       NULL };
+    struct manifest_value v;
 
-    if (!at_table(a, "markers", &table))
-        return;
-    s->first_marker = art->n_markers;
-    s->n_markers = at_keys(&table, art->markers + art->n_markers, room < MAX_MARKERS ? room : MAX_MARKERS,
-                           sizeof art->markers[0], ART_NAME_SIZE);
-    for (int i = 0; i < s->n_markers; i++)
-        at_real(&table, art->markers[s->first_marker + i].name, 0, 1 << 20, &art->markers[s->first_marker + i].beat);
-    art->n_markers += s->n_markers;
-    lua_pop(a->lua, 1);
-}
-
-/* What is said of a recording's beat. */
-static void read_beat(const struct at *a, struct art_sound *s, struct art *art)
-{
-    double tempo = 0;
-
-    at_real(a, "tempo", 10, 600, &tempo);
-    s->tempo = (int32_t)(tempo * 100 + 0.5);
-    s->beats_per_bar = 4;
-    at_whole(a, "bar", 1, 64, &s->beats_per_bar);
-    at_real(a, "offset", 0, 300, &s->offset);
-    read_markers(a, s, art);
-}
-
-bool art_is_recording(const char *file)
-{
-    static const char *const tails[] = { ".wav", ".ogg", ".oga", ".opus", ".flac", ".xm", ".it", ".s3m", ".mod", NULL };
-
-    for (int i = 0; tails[i]; i++)
-        if (files_has_suffix(file, tails[i]))
-            return true;
-    return false;
-}
-
-/* What a recording alone has, given of something else. */
-static void only_of_recordings(const struct at *a)
-{
-    static const char *const names[] = { "exact", "stereo", "loop", "tempo", "bar", "offset", "markers", NULL };
-
-    for (int i = 0; names[i]; i++)
-        if (at_get(a, names[i]))
-            at_bad(a->lua, a->path, "%s: only for samples (.wav, .ogg, .flac); MML has its own commands for it",
-                   names[i]);
-}
-
-/* A sound's or a piece's file is a recording or MML. */
-static void read_sound(const struct at *a, struct art_sound *s, bool music, struct art *art)
-{
-    static const char *const of_sound[] = { "file", "mml",   "volume", "priority", "limit",
-                                            "duck", "exact", "stereo", "loop",     NULL };
-    static const char *const of_music[] = { "file",  "volume", "title",  "exact",   "stereo", "loop",
-                                            "tempo", "bar",    "offset", "markers", NULL };
-
-    at_only(a, music ? of_music : of_sound);
-    s->priority = 4;
-    s->limit = 2;
-    s->volume = at_share(a, "volume", 255);
-    s->duck = at_share(a, "duck", 0);
-    const bool file = at_file(a, "file", s->file), mml = at_text(a, "mml", "MML", s->mml, sizeof s->mml);
-    const bool recording = file && art_is_recording(s->file);
-    at_text(a, "title", "a line", s->title, sizeof s->title);
-    at_whole(a, "priority", 0, 7, &s->priority);
-    at_whole(a, "limit", 1, 8, &s->limit);
-    if (music && !recording && !(file && files_has_suffix(s->file, ".mml")))
-        at_bad(a->lua, a->path, "expected file=\"music/NAME.mml\" (or .ogg, .flac, .wav)");
-    if (file == mml || (file && !recording && !files_has_suffix(s->file, ".mml")))
-        at_bad(a->lua, a->path, "expected either file=\"sfx/NAME.wav\" (or .ogg, .flac, .mml) or mml=\"...\"");
-    if (!recording)
-        only_of_recordings(a);
-    s->exact = at_flag(a, "exact");
-    s->stereo = music;
-    if (at_get(a, "stereo")) {
-        lua_pop(a->lua, 1);
-        s->stereo = at_flag(a, "stereo");
+    READ_TABLE(root, fields, others, m);
+    if (!value_get(root, "title", &v)) {
+        memset(m->title, 0, sizeof m->title);
+        strcpy(m->title, m->id);
     }
-    read_loop(a, &s->loop);
-    read_beat(a, s, art);
-}
-
-/* Returns how many there are. */
-static int read_sound_list(const struct at *root, const char *key, struct art_sound *list_, int most, struct art *art)
-{
-    struct at a, one;
-
-    if (!at_table(root, key, &a))
-        return 0;
-    const int n = at_keys(&a, list_, most, sizeof *list_, ART_NAME_SIZE);
-    for (int i = 0; i < n; i++) {
-        at_table(&a, list_[i].name, &one);
-        read_sound(&one, &list_[i], strcmp(key, "music") == 0, art);
-        lua_pop(a.lua, 1);
-    }
-    lua_pop(a.lua, 1);
-    return n;
-}
-
-/* Sounds and music alone switch sound on. */
-static void read_sounds(const struct at *root, struct manifest *m, struct art *art)
-{
-    art->n_sounds = read_sound_list(root, "sounds", art->sounds, MAX_ART_SOUNDS, art);
-    art->n_tunes = read_sound_list(root, "music", art->tunes, MAX_ART_TUNES, art);
-    m->has_sound = m->has_sound || art->n_sounds > 0 || art->n_tunes > 0;
-}
-
-static void read_root(const struct at *root, struct manifest *m, struct art *art)
-{
-    static const char *const names[] = { "id",           "title",      "author",  "version",  "entry",   "screen",
-                                         "field",        "board",      "palette", "palettes", "blends",  "font",
-                                         "fonts",        "sheets",     "sprites", "dip",      "players", "extends",
-                                         "difficulties", "difficulty", "maps",    "sounds",   "music",   "border",
-                                         "match",        "icon",       NULL };
-
-    at_only(root, names);
-    read_texts(root, m);
     read_sizes(root, m);
     read_extends(root, m);
     read_difficulties(root, m);
     read_dips(root, m);
-    manifest_read_art(root, m, art);
-    read_sounds(root, m, art);
+    manifest_read_art(root, art);
+    m->has_backgrounds |= art->n_maps > 0;
+    m->has_sound |= art->n_sounds + art->n_tunes > 0;
 }
 
 static void too_long(lua_State *lua, lua_Debug *ar)
@@ -366,9 +188,11 @@ static int run(lua_State *lua)
     lua_sethook(lua, too_long, LUA_MASKCOUNT, MAX_STEPS);
     lua_call(lua, 0, 1);
     lua_sethook(lua, NULL, 0, 0);
-    struct at root = { lua, lua_gettop(lua), "" };
-    if (!lua_istable(lua, -1))
-        at_bad(lua, r->file, "expected `return { ... }`, got %s", at_got(lua));
+    struct manifest_value root = { lua, lua_gettop(lua), "" };
+    if (!lua_istable(lua, root.index)) {
+        snprintf(root.path, sizeof root.path, "%s", r->file);
+        value_bad(&root, "expected `return { ... }`, got %s", value_describe(&root));
+    }
     read_root(&root, r->m, r->art);
     return 0;
 }
