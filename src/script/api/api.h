@@ -40,6 +40,10 @@ enum { NVRAM_BYTES_PER_WORK = 32 /* bytes of nvram scanned or moved per VM instr
 #define PARAMS(list) list, sizeof list / sizeof *list
 #define NO_PARAMS    NULL, 0
 
+/* The parameters of an entry, written as rows in the entry itself. */
+#define PARAM_ROWS(...)      (const struct api_param[]){ __VA_ARGS__ }, PARAM_ROW_COUNT(__VA_ARGS__)
+#define PARAM_ROW_COUNT(...) sizeof((const struct api_param[]){ __VA_ARGS__ }) / sizeof(struct api_param)
+
 /* Sets the globals of the API and leaves the sys table on the stack. */
 void api_open_globals(lua_State *L);
 
@@ -102,15 +106,12 @@ void api_drop_items(lua_State *L, struct board *b, fx x, fx y);
  * by dx, dy. */
 enum { POSITION_X, POSITION_Y, POSITION_FROM, POSITION_DX, POSITION_DY, POSITION_PARAM_COUNT };
 #define POSITION_PARAMS                                                                                                \
-    PARAM("x", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL,                                                         \
-          "horizontal position in the field; give `x` and `y`, or `from`"),                                            \
-        PARAM("y", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "vertical position in the field"),                  \
-        PARAM("from", A_THING, OPT, POSITION_HANDLE_KINDS, 0, NULL, NULL,                                              \
-              "thing whose position is used instead of `x` and `y`"),                                                  \
-        PARAM("dx", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", "0",                                                     \
-              "distance added to `x`, or to the position of `from`"),                                                  \
-        PARAM("dy", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", "0",                                                     \
-              "distance added to `y`, or to the position of `from`")
+    COORDINATE("x", A_FX, OPT, "horizontal position in the field; give `x` and `y`, or `from`"),                       \
+        COORDINATE("y", A_FX, OPT, "vertical position in the field"), FROM_PARAMS
+#define FROM_PARAMS                                                                                                    \
+    THING("from", OPT, POSITION_HANDLE_KINDS, "thing whose position is used instead of `x` and `y`"),                  \
+        OFFSET("dx", A_FX, "distance added to `x`, or to the position of `from`"),                                     \
+        OFFSET("dy", A_FX, "distance added to `y`, or to the position of `from`")
 enum {
     POSITION_HANDLE_KINDS = 1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_PLAYER | 1 << H_SPRITE | 1 << H_ITEM |
                             1 << H_LASER | 1 << H_OPTION,

@@ -19,29 +19,27 @@ static const char lines_entry[] = "bg.lines", fog_entry[] = "plane: fog";
 enum { P_MAP, P_X, P_Y, P_VX, P_VY, P_LAYER, P_BANK, P_BLEND, P_HIDDEN, SHARED_PROP_COUNT };
 
 #define SHARED_PROPS                                                                                                   \
-    { PARAM("map", A_MAP, OPT, 0, 0, NULL, NULL, "name of its map in rom.lua; nil turns it off"), PROP_WRITE,          \
-      COMPUTED },                                                                                                      \
-        { PARAM("x", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,                                                   \
-                "left edge of a layer's map in the field, or position of a plane's eye over the map; increases by "    \
-                "`vx` every frame"),                                                                                   \
+    { OPTIONAL("map", A_MAP, "name of its map in rom.lua; nil turns it off"), PROP_WRITE, COMPUTED },                  \
+        { COORDINATE(                                                                                                  \
+              "x", A_FX, REQ,                                                                                          \
+              "left edge of a layer's map in the field, or position of a plane's eye over the map; increases by "      \
+              "`vx` every frame"),                                                                                     \
           PROP_WRITE, STORED(STORED_Q16, bg.x) },                                                                      \
-        { PARAM("y", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,                                                   \
-                "top edge of a layer's map in the field, or position of a plane's eye over the map; increases by "     \
-                "`vy` every frame"),                                                                                   \
+        { COORDINATE(                                                                                                  \
+              "y", A_FX, REQ,                                                                                          \
+              "top edge of a layer's map in the field, or position of a plane's eye over the map; increases by "       \
+              "`vy` every frame"),                                                                                     \
           PROP_WRITE, STORED(STORED_Q16, bg.y) },                                                                      \
-        { PARAM("vx", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "speed to the right"), PROP_WRITE,           \
-          STORED(STORED_FX, bg.vx) },                                                                                  \
-        { PARAM("vy", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "speed down"), PROP_WRITE,                   \
-          STORED(STORED_FX, bg.vy) },                                                                                  \
-        { PARAM("layer", A_DEPTH, REQ, 0, 0, NULL, NULL,                                                               \
-                "drawing order; `back` is behind all things, and `front` is in front of all sprites"),                 \
+        { SPEED("vx", A_FX, REQ, "speed to the right"), PROP_WRITE, STORED(STORED_FX, bg.vx) },                        \
+        { SPEED("vy", A_FX, REQ, "speed down"), PROP_WRITE, STORED(STORED_FX, bg.vy) },                                \
+        { REQUIRED("layer", A_DEPTH,                                                                                   \
+                   "drawing order; `back` is behind all things, and `front` is in front of all sprites"),              \
           PROP_WRITE, COMPUTED },                                                                                      \
         { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of the tiles"), PROP_WRITE,   \
           STORED(STORED_U8, bg.bank) },                                                                                \
-        { PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend it is drawn with, or nil"), PROP_WRITE, COMPUTED },    \
+        { OPTIONAL("blend", A_BLEND, "blend it is drawn with, or nil"), PROP_WRITE, COMPUTED },                        \
     {                                                                                                                  \
-        PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "true if not drawn; it still moves"), PROP_WRITE,               \
-            FLAG_OF(bg.flags, BG_HIDDEN)                                                                               \
+        REQUIRED("hidden", A_BOOL, "true if not drawn; it still moves"), PROP_WRITE, FLAG_OF(bg.flags, BG_HIDDEN)      \
     }
 
 static void get_layer(lua_State *L, struct board *b, uint32_t i, int p)
@@ -76,8 +74,7 @@ enum { P_WRAP = SHARED_PROP_COUNT, LAYER_PROP_COUNT };
 
 static const struct api_prop layer_props[LAYER_PROP_COUNT] = {
     SHARED_PROPS,
-    { PARAM("wrap", A_BOOL, REQ, 0, 0, NULL, NULL, "true if its map repeats in all directions"), PROP_WRITE,
-      FLAG_OF(bg.flags, BG_WRAP) },
+    { REQUIRED("wrap", A_BOOL, "true if its map repeats in all directions"), PROP_WRITE, FLAG_OF(bg.flags, BG_WRAP) },
 };
 
 const struct api_thing api_layer_thing = { "layer", layer_props, LAYER_PROP_COUNT, .get = get_layer, .set = set_layer };
@@ -93,14 +90,14 @@ static const struct api_prop plane_props[PLANE_PROP_COUNT] = {
       PROP_WRITE, STORED(STORED_I16, bg.horizon) },
     { PARAM("height", A_FX, REQ, 1, 1024, "px", NULL, "height of the eye above the plane"), PROP_WRITE,
       STORED(STORED_FX, bg.height) },
-    { PARAM("dir", A_DIR, REQ, 0, 0, NULL, NULL, "direction in which the eye looks; 270 is up the map"), PROP_WRITE,
+    { REQUIRED("dir", A_DIR, "direction in which the eye looks; 270 is up the map"), PROP_WRITE,
       STORED(STORED_ANG, bg.dir) },
-    { PARAM("ceiling", A_BOOL, REQ, 0, 0, NULL, NULL,
-            "true for a ceiling above the horizon instead of a floor below it"),
-      PROP_WRITE, FLAG_OF(bg.flags, BG_CEILING) },
-    { PARAM("fog", A_TABLE, OPT, 0, 0, NULL, NULL,
-            "{ to = 0xRRGGBB, far = px }: colour that the plane fades to with distance, and the distance at which only "
-            "that colour is left; nil for no fog"),
+    { REQUIRED("ceiling", A_BOOL, "true for a ceiling above the horizon instead of a floor below it"), PROP_WRITE,
+      FLAG_OF(bg.flags, BG_CEILING) },
+    { OPTIONAL(
+          "fog", A_TABLE,
+          "{ to = 0xRRGGBB, far = px }: colour that the plane fades to with distance, and the distance at which only "
+          "that colour is left; nil for no fog"),
       PROP_WRITE, COMPUTED },
 };
 
@@ -191,9 +188,9 @@ static const struct api_param layer_params[] = { PARAM("i", A_INT, REQ, 1, BG_LA
                                                        "number of the layer, from back to front") };
 static const struct api_param lines_params[] = {
     PARAM("i", A_INT, REQ, 1, BG_LAYERS, NULL, NULL, "number of the layer"),
-    PARAM("lines", A_TABLE, OPT, 0, 0, NULL, NULL,
-          "a wave, or a list of shifts in px, one for each line from the top of the field, repeated as needed; if "
-          "omitted, the layer becomes straight again")
+    OPTIONAL("lines", A_TABLE,
+             "a wave, or a list of shifts in px, one for each line from the top of the field, repeated as needed; if "
+             "omitted, the layer becomes straight again")
 };
 
 enum { WAVE_WIDTH, WAVE_EVERY, WAVE_SPEED, WAVE_PARAM_COUNT };

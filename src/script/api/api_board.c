@@ -12,26 +12,22 @@
 /* Parameter indices: each entry has only one parameter. */
 enum { ARG_FRAMES = 0, ARG_NAME = 0, ARG_CHIP = 0, ARG_DEMO = 0, ARG_VALUE = 0, ARG_SCREEN = 0 };
 
-static const struct api_param difficulty_params[] = { PARAM(
-    "name", A_STR, OPT, 0, 0, NULL, NULL,
-    "difficulty from rom.lua to switch to; if omitted, the difficulty doesn't change") };
-static const struct api_param dip_params[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL,
-                                                     "name of a switch declared in `dip` in rom.lua") };
-static const struct api_param file_params[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL,
-                                                      "name of a sprite, or of a file in the game's folder") };
-static const struct api_param text_params[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL,
-                                                      "name of a .txt file in the game's folder") };
-static const struct api_param chip_params[] = { PARAM("chip", A_STR, REQ, 0, 0, NULL, NULL,
-                                                      "name of a pool, such as bullets, enemies, sparks or tasks") };
+static const struct api_param difficulty_params[] = { OPTIONAL(
+    "name", A_STR, "difficulty from rom.lua to switch to; if omitted, the difficulty doesn't change") };
+static const struct api_param dip_params[] = { REQUIRED("name", A_STR,
+                                                        "name of a switch declared in `dip` in rom.lua") };
+static const struct api_param file_params[] = { REQUIRED("name", A_STR,
+                                                         "name of a sprite, or of a file in the game's folder") };
+static const struct api_param text_params[] = { REQUIRED("name", A_STR, "name of a .txt file in the game's folder") };
+static const struct api_param chip_params[] = { REQUIRED("chip", A_STR,
+                                                         "name of a pool, such as bullets, enemies, sparks or tasks") };
 static const struct api_param demo_params[] = { PARAM("demo", A_STR, REQ, 1, 63, NULL, NULL,
                                                       "name of a demo in the ROM") };
-static const struct api_param screen_params[] = { PARAM("what", A_HOST_SCREEN, REQ, 0, 0, NULL, NULL,
-                                                        "screen to open") };
+static const struct api_param screen_params[] = { REQUIRED("what", A_HOST_SCREEN, "screen to open") };
 static const struct api_param stop_params[] = { PARAM(
     "n", A_INT, REQ, 1, 60, "frames", NULL,
     "length of the stop; of several stops in the same frame, the longest counts") };
-static const struct api_param note_params[] = { PARAM("v", A_ANY, REQ, 0, 0, NULL, NULL,
-                                                      "number, string or boolean to fold in") };
+static const struct api_param note_params[] = { REQUIRED("v", A_ANY, "number, string or boolean to fold in") };
 
 static int push_frame_number(lua_State *L, struct board *b, struct api_value *v)
 {

@@ -24,11 +24,11 @@ enum { MAX_BODY_PARTS = 64, DEPTH_BYTES = 4, PART_BYTES = 24 };
 enum { P_KIND, P_DX, P_DY, P_SHARE, P_TAG, P_HP, P_RATE };
 
 static const struct api_param part_params[] = {
-    PARAM("kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL, "declared kind of the part"),
-    PARAM("dx", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", "0", "distance to the right of the body"),
-    PARAM("dy", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", "0", "distance below the body"),
+    REQUIRED("kind", A_ENEMY_KIND, "declared kind of the part"),
+    OFFSET("dx", A_FX, "distance to the right of the body"),
+    OFFSET("dy", A_FX, "distance below the body"),
     PARAM("share", A_FX, OPT, 0, 1, NULL, "0", "fraction of the damage to the part that is also dealt to the body"),
-    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put the part in"),
+    LABEL("tag", OPT, "name of a group to put the part in"),
     PARAM("hp", A_INT, OPT, 1, INT32_MAX, NULL, NULL, "hit points; overrides its kind's"),
     PARAM("rate", A_FX, OPT, 0, MAX_RATE, NULL, NULL, "damage multiplier; overrides its kind's"),
 };
@@ -217,22 +217,21 @@ void api_body_set(lua_State *L, struct board *b, uint32_t i, enum api_body_prop 
 
 /* ---- orbits and wandering ---- */
 
-#define SELF_PARAM PARAM("self", A_THING, REQ, 1 << H_ENEMY | 1 << H_ENEMIES, 0, NULL, NULL, "the thing itself")
+#define SELF_PARAM THING("self", REQ, 1 << H_ENEMY | 1 << H_ENEMIES, "the thing itself")
 
 enum { ARG_SELF, O_AROUND, O_X, O_Y, O_RADIUS, O_RADIUS_TO, O_SPIN, O_DIR, O_OVER };
 static const struct api_param orbit_params[] = {
     SELF_PARAM,
-    PARAM("around", A_THING, OPT, POSITION_HANDLE_KINDS, 0, NULL, NULL,
+    THING("around", OPT, POSITION_HANDLE_KINDS,
           "thing to circle; after it despawns, the enemy circles its last position; give `around`, or `x` and `y`"),
-    PARAM("x", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "horizontal position of the circle's centre"),
-    PARAM("y", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "vertical position of the circle's centre"),
+    COORDINATE("x", A_FX, OPT, "horizontal position of the circle's centre"),
+    COORDINATE("y", A_FX, OPT, "vertical position of the circle's centre"),
     PARAM("radius", A_FX, OPT, 0, WORLD_EDGE, "px", NULL,
           "radius at the start; defaults to the current distance from the centre"),
     PARAM("radius_to", A_FX, OPT, 0, WORLD_EDGE, "px", NULL,
           "radius at the end of `over`; defaults to `radius`; needs `over`"),
-    PARAM("spin", A_DIR, REQ, 0, 0, NULL, NULL, "degrees the enemy moves around the centre per frame, clockwise"),
-    PARAM("dir", A_DIR, OPT, 0, 0, NULL, NULL,
-          "direction from the centre to the enemy at the start; defaults to the current one"),
+    REQUIRED("spin", A_DIR, "degrees the enemy moves around the centre per frame, clockwise"),
+    OPTIONAL("dir", A_DIR, "direction from the centre to the enemy at the start; defaults to the current one"),
     PARAM("over", A_COUNT, OPT, 1, 1e9, "frames", "forever", "duration of the orbit"),
 };
 
@@ -243,12 +242,10 @@ static const struct api_param wander_params[] = {
     PARAM("h", A_FX, REQ, 0, 32767, "px", NULL, "height of the area, centred on `x` and `y`"),
     PARAM("every", A_INT, REQ, 1, 1e9, "frames", NULL, "frames from the start of one move to the start of the next"),
     PARAM("over", A_INT, REQ, 1, 1e9, "frames", NULL, "duration of each move; must not exceed `every`"),
-    PARAM("x", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
-          "horizontal position of the area's centre; defaults to the enemy's position"),
-    PARAM("y", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
-          "vertical position of the area's centre; defaults to the enemy's position"),
-    PARAM("ease", A_EASE, OPT, 0, 0, NULL, "linear",
-          "how the speed changes on the way: `in` starts slowly, `out` ends slowly, `both` starts and ends slowly"),
+    COORDINATE("x", A_FX, OPT, "horizontal position of the area's centre; defaults to the enemy's position"),
+    COORDINATE("y", A_FX, OPT, "vertical position of the area's centre; defaults to the enemy's position"),
+    DEFAULT("ease", A_EASE, "linear",
+            "how the speed changes on the way: `in` starts slowly, `out` ends slowly, `both` starts and ends slowly"),
 };
 
 static bool is_forever(const struct api_value *v)
@@ -320,10 +317,8 @@ static int enemy_wander(lua_State *L, struct board *b, struct api_value *v)
     return api_run_each(L, b, v, wander_one);
 }
 
-static const struct api_param parts_params[] = {
-    PARAM("self", A_THING, REQ, 1 << H_ENEMY, 0, NULL, NULL, "the thing itself"),
-    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "tag of the parts to list; all parts if omitted")
-};
+static const struct api_param parts_params[] = { THING("self", REQ, 1 << H_ENEMY, "the thing itself"),
+                                                 LABEL("tag", OPT, "tag of the parts to list; all parts if omitted") };
 
 #define MOVEMENT_ENDS_HELP                                                                                             \
     "; a later `move`, `orbit`, `wander` or write to `x` or `y` stops the movement; needs `board = { bodies = true }`"

@@ -22,11 +22,10 @@ struct bomb {
 enum { D_NAME, D_OVER, D_RUN, D_SAFE, D_STOCK, D_COST };
 
 static const struct api_param def_params[] = {
-    PARAM("name", A_STR, REQ, 1, 31, NULL, NULL,
-          "name of the bomb, for `bomb` and `bomb_focus` in player.def; must be new"),
+    LABEL("name", REQ, "name of the bomb, for `bomb` and `bomb_focus` in player.def; must be new"),
     PARAM("over", A_INT, REQ, 1, INT32_MAX, "frames", NULL,
           "duration of the bomb; then `run` stops, and everything that `run` started or spawned is removed"),
-    PARAM("run", A_FUNC, REQ, 0, 0, NULL, NULL, "run(p): task of the bomb"),
+    REQUIRED("run", A_FUNC, "run(p): task of the bomb"),
     PARAM("safe", A_INT, OPT, 0, INT32_MAX, "frames", NULL,
           "frames for which nothing can hit the ship; defaults to `over`"),
     PARAM("stock", A_STR, OPT, 1, 31, NULL, "bombs", "name of the ship's register from which the bomb is paid"),
@@ -158,8 +157,7 @@ bool api_bomb_start(lua_State *L, struct board *b, uint32_t p)
 
 enum { ARG_SELF };
 
-static const struct api_param self_params[] = { PARAM("self", A_THING, REQ, 1 << H_PLAYER, 0, NULL, NULL,
-                                                      "the thing itself") };
+static const struct api_param self_params[] = { THING("self", REQ, 1 << H_PLAYER, "the thing itself") };
 
 static int player_bomb(lua_State *L, struct board *b, struct api_value *v)
 {

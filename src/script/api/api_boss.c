@@ -74,9 +74,8 @@ static void check_field(lua_State *L, const char *entry, int at, const struct ap
  * because each member has its own. */
 static void check_kind_and_position(lua_State *L, int boss, bool is_single)
 {
-    static const struct api_param params[] = { PARAM("kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL, ""),
-                                               PARAM("x", A_NUM, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, ""),
-                                               PARAM("y", A_NUM, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "") };
+    static const struct api_param params[] = { REQUIRED("kind", A_ENEMY_KIND, ""), COORDINATE("x", A_NUM, REQ, ""),
+                                               COORDINATE("y", A_NUM, REQ, "") };
 
     for (int i = 0; i < 3; i++)
         if (is_single)
@@ -357,7 +356,7 @@ static void read_phases(struct boss_reader *r)
     lua_setfield(L, r->boss_at, "phases");
 }
 
-static const struct api_param boss_table_params[] = { PARAM("boss", A_TABLE, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param boss_table_params[] = { REQUIRED("boss", A_TABLE, "") };
 
 /* Converts the table of checked boss.def arguments into the boss, in place. Returns whether the boss has a phase with
  * `last = true`. */
@@ -387,11 +386,10 @@ static int sys_boss(lua_State *L, struct board *b, struct api_value *v)
 enum { HISTORY_BOSS, HISTORY_ID, HISTORY_ADD, HISTORY_DIFFICULTY, HISTORY_SHIP };
 enum { ADD_NOTHING, ADD_TRY, ADD_CAPTURE };
 
-static const struct api_param history_params[] = { PARAM("boss", A_STR, REQ, 0, 0, NULL, NULL, ""),
-                                                   PARAM("id", A_STR, REQ, 0, 0, NULL, NULL, ""),
+static const struct api_param history_params[] = { REQUIRED("boss", A_STR, ""), REQUIRED("id", A_STR, ""),
                                                    PARAM("add", A_INT, REQ, ADD_NOTHING, ADD_CAPTURE, NULL, NULL, ""),
-                                                   PARAM("difficulty", A_STR, OPT, 0, 0, NULL, NULL, ""),
-                                                   PARAM("ship", A_PLAYER_KIND, OPT, 0, 0, NULL, NULL, "") };
+                                                   OPTIONAL("difficulty", A_STR, ""),
+                                                   OPTIONAL("ship", A_PLAYER_KIND, "") };
 
 static uint64_t hash_name(uint64_t h, const char *name)
 {

@@ -22,59 +22,50 @@ enum { MAX_ORDER = 100 };
 
 static const char hp_disabled[] = "bullet hp is disabled; add `hp = true` to `board` in rom.lua";
 
+/* Parameters of bullet.def and shot.def. */
+#define KIND_SHAPE_PARAMS                                                                                              \
+    REQUIRED("name", A_STR, "name of the kind, used as `kind = NAME`; must be new"),                                   \
+        REQUIRED("sprite", A_SPRITE, "sprite to draw"),                                                                \
+        PARAM("hit", A_HIT_SHAPE, REQ, HIT_BULLETS, 0, NULL, NULL,                                                     \
+              "hitbox, relative to the thing's position; \"none\" never hits"),                                        \
+        PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of its sprite")
+#define KIND_FLIGHT_PARAMS                                                                                             \
+    DEFAULT("turns", A_BOOL, "false",                                                                                  \
+            "rotate the sprite to the direction of flight; the sprite needs `rotations` in rom.lua"),                  \
+        DEFAULT(                                                                                                       \
+            "swept", A_BOOL, "true",                                                                                   \
+            "check the entire path flown in each frame for hits; if false, check only the position at the end of the " \
+            "frame"),                                                                                                  \
+        OPTIONAL("blend", A_BLEND, "blend to draw it with, from `blends` in rom.lua; nil draws it opaque"),            \
+        DEFAULT("spin", A_DIR, "0",                                                                                    \
+                "degrees the sprite rotates per frame, clockwise; the sprite needs `rotations` in rom.lua"),           \
+        PARAM("order", A_INT, OPT, -MAX_ORDER, MAX_ORDER, NULL, "0", "drawing order; higher is drawn over lower")
+
 static const struct api_param bullet_def_params[] = {
-    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the kind, used as `kind = NAME`; must be new"),
-    PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "sprite to draw"),
-    PARAM("hit", A_HIT_SHAPE, REQ, HIT_BULLETS, 0, NULL, NULL,
-          "hitbox, relative to the thing's position; \"none\" never hits"),
-    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of its sprite"),
-    PARAM("graze", A_BOOL, OPT, 0, 0, NULL, "true", "whether players can graze it"),
-    PARAM("turns", A_BOOL, OPT, 0, 0, NULL, "false",
-          "rotate the sprite to the direction of flight; the sprite needs `rotations` in rom.lua"),
-    PARAM("swept", A_BOOL, OPT, 0, 0, NULL, "true",
-          "check the entire path flown in each frame for hits; if false, check only the position at the end of the "
-          "frame"),
-    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL,
-          "blend to draw it with, from `blends` in rom.lua; nil draws it opaque"),
-    PARAM("spin", A_DIR, OPT, 0, 0, NULL, "0",
-          "degrees the sprite rotates per frame, clockwise; the sprite needs `rotations` in rom.lua"),
-    PARAM("order", A_INT, OPT, -MAX_ORDER, MAX_ORDER, NULL, "0", "drawing order; higher is drawn over lower"),
-    PARAM("cloud", A_SPRITE, OPT, 0, 0, NULL, NULL,
-          "sprite shown instead of `sprite` during the bullet's delay; nil keeps `sprite`"),
-    PARAM("vanish", A_SPARK_KIND, OPT, 0, 0, NULL, NULL,
-          "kind of spark left when the bullet is cleared, unless the call that clears it names another kind; nil "
-          "leaves none"),
-    PARAM("clearable", A_BOOL, OPT, 0, 0, NULL, "true", "whether it can be cleared without `all = true`"),
+    KIND_SHAPE_PARAMS,
+    DEFAULT("graze", A_BOOL, "true", "whether players can graze it"),
+    KIND_FLIGHT_PARAMS,
+    OPTIONAL("cloud", A_SPRITE, "sprite shown instead of `sprite` during the bullet's delay; nil keeps `sprite`"),
+    OPTIONAL("vanish", A_SPARK_KIND,
+             "kind of spark left when the bullet is cleared, unless the call that clears it names another kind; nil "
+             "leaves none"),
+    DEFAULT("clearable", A_BOOL, "true", "whether it can be cleared without `all = true`"),
     PARAM("hp", A_COUNT, OPT, 1, INT32_MAX, NULL, NULL,
           "damage it takes from shots before it is destroyed; without `hp`, shots pass through it"),
     PARAM("score", A_INT, OPT, 0, 1e12, "points", "0", "points for the player who destroys it; needs `hp`"),
-    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "kind of spark left when the bullet's hp runs out; needs `hp`"),
-    PARAM("on_death", A_FUNC, OPT, 0, 0, NULL, NULL,
-          "on_death(b, p): called with the bullet and the player whose shot destroyed it; p may be nil; needs `hp`"),
-    PARAM("drops", A_TABLE, OPT, 0, 0, NULL, NULL,
-          "items dropped when the bullet's hp runs out, { NAME = count }; needs `hp`"),
-    PARAM("harmless", A_BOOL, OPT, 0, 0, NULL, "false", "if true, it can't hit players or be grazed"),
+    OPTIONAL("spark", A_SPARK_KIND, "kind of spark left when the bullet's hp runs out; needs `hp`"),
+    OPTIONAL("on_death", A_FUNC,
+             "on_death(b, p): called with the bullet and the player whose shot destroyed it; p may be nil; needs `hp`"),
+    OPTIONAL("drops", A_TABLE, "items dropped when the bullet's hp runs out, { NAME = count }; needs `hp`"),
+    DEFAULT("harmless", A_BOOL, "false", "if true, it can't hit players or be grazed"),
 };
 
 static const struct api_param shot_def_params[] = {
-    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the kind, used as `kind = NAME`; must be new"),
-    PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "sprite to draw"),
-    PARAM("hit", A_HIT_SHAPE, REQ, HIT_BULLETS, 0, NULL, NULL,
-          "hitbox, relative to the thing's position; \"none\" never hits"),
-    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of its sprite"),
+    KIND_SHAPE_PARAMS,
     PARAM("damage", A_INT, OPT, 0, 1000000, "hp", "1", "damage to each enemy or bullet it hits"),
-    PARAM("turns", A_BOOL, OPT, 0, 0, NULL, "false",
-          "rotate the sprite to the direction of flight; the sprite needs `rotations` in rom.lua"),
-    PARAM("swept", A_BOOL, OPT, 0, 0, NULL, "true",
-          "check the entire path flown in each frame for hits; if false, check only the position at the end of the "
-          "frame"),
-    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL,
-          "blend to draw it with, from `blends` in rom.lua; nil draws it opaque"),
-    PARAM("spin", A_DIR, OPT, 0, 0, NULL, "0",
-          "degrees the sprite rotates per frame, clockwise; the sprite needs `rotations` in rom.lua"),
-    PARAM("order", A_INT, OPT, -MAX_ORDER, MAX_ORDER, NULL, "0", "drawing order; higher is drawn over lower"),
-    PARAM(
-        "cancels", A_BOOL, OPT, 0, 0, NULL, "false",
+    KIND_FLIGHT_PARAMS,
+    DEFAULT(
+        "cancels", A_BOOL, "false",
         "whether it removes one clearable bullet that it touches; a bullet with `hp` takes the shot's damage instead"),
     PARAM("pierce", A_COUNT, OPT, 0, 1000000, NULL, "0",
           "number of hits that the shot survives; the next hit removes it; with forever, no hit removes it"),
@@ -202,21 +193,18 @@ void api_check_around(lua_State *L, const struct bullets *s, const char *entry, 
 }
 
 #define FIRE_PARAMS(kind_type, def_dir)                                                                                \
-    PARAM("kind", kind_type, REQ, 0, 0, NULL, NULL, "declared kind to fire"),                                          \
-        PARAM("speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,                                             \
-              "speed of flight; if negative, it flies backwards"),                                                     \
-        POSITION_PARAMS,                                                                                               \
-        PARAM("dir", A_DIR, OPT, 0, 0, NULL, def_dir,                                                                  \
-              "direction of flight, clockwise from the right; with `aim`, the default is 0, and the angle is added "   \
-              "to the direction towards the target"),                                                                  \
-        PARAM("aim", A_BOOL, OPT, 0, 0, NULL, "false",                                                                 \
-              "fire at the nearest target: a player for bullets, an enemy for shots"),                                 \
+    REQUIRED("kind", kind_type, "declared kind to fire"),                                                              \
+        SPEED("speed", A_FX, REQ, "speed of flight; if negative, it flies backwards"), POSITION_PARAMS,                \
+        DEFAULT("dir", A_DIR, def_dir,                                                                                 \
+                "direction of flight, clockwise from the right; with `aim`, the default is 0, and the angle is added " \
+                "to the direction towards the target"),                                                                \
+        DEFAULT("aim", A_BOOL, "false", "fire at the nearest target: a player for bullets, an enemy for shots"),       \
         PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL,                                                                   \
               "number added to the palette bank of its sprite; overrides its kind's"),                                 \
-        PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put it in"),                                   \
-        PARAM("motion", A_MOTION, OPT, 0, 0, NULL, NULL, "motion program that steers it")
+        LABEL("tag", OPT, "name of a group to put it in"),                                                             \
+        OPTIONAL("motion", A_MOTION, "motion program that steers it")
 #define AROUND_PARAM                                                                                                   \
-    PARAM("around", A_THING, OPT, POSITION_HANDLE_KINDS, 0, NULL, NULL,                                                \
+    THING("around", OPT, POSITION_HANDLE_KINDS,                                                                        \
           "thing that it circles in the `orbit` steps of its motion; needs `board = { around = true }`")
 
 static const struct api_param bullet_fire_params[] = {
@@ -227,8 +215,7 @@ static const struct api_param bullet_fire_params[] = {
 };
 static const struct api_param shot_fire_params[] = {
     FIRE_PARAMS(A_SHOT_KIND, "270"),
-    PARAM("by", A_THING, OPT, 1 << H_PLAYER, 0, NULL, NULL,
-          "player who owns the shot and gets its score; defaults to the owner of `from`"),
+    THING("by", OPT, 1 << H_PLAYER, "player who owns the shot and gets its score; defaults to the owner of `from`"),
     AROUND_PARAM
 };
 
@@ -295,56 +282,45 @@ static int fire(lua_State *L, struct board *b, struct api_value *v)
 
 static const struct api_param bullet_sweep_params[] = {
     POSITION_PARAMS,
-    PARAM("follow", A_THING, OPT, POSITION_HANDLE_KINDS, 0, NULL, NULL,
-          "thing that the circle moves with; the sweep ends when the thing dies"),
+    THING("follow", OPT, POSITION_HANDLE_KINDS, "thing that the circle moves with; the sweep ends when the thing dies"),
     PARAM("radius", A_FX, OPT, 0, MAX_SPEED, "px", "0", "radius of the circle at the start"),
     PARAM("radius_to", A_FX, REQ, 0, MAX_SPEED, "px", NULL, "radius of the circle at the end"),
     PARAM("over", A_INT, REQ, 1, 65535, "frames", NULL, "duration of the sweep"),
-    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "remove only bullets with this tag"),
-    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "kind of spark that each bullet leaves; overrides `vanish`"),
+    LABEL("tag", OPT, "remove only bullets with this tag"),
+    OPTIONAL("spark", A_SPARK_KIND, "kind of spark that each bullet leaves; overrides `vanish`"),
     PARAM("hurt", A_INT, OPT, 0, INT32_MAX, "hp", "0", "damage dealt once to each enemy the circle reaches"),
-    PARAM("by", A_PLAYER, OPT, 0, 0, NULL, NULL, "player who gets the score for enemies that `hurt` kills"),
-    PARAM("all", A_BOOL, OPT, 0, 0, NULL, "false", "also remove bullets with `clearable = false`"),
-    PARAM("items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL, "kind of item that replaces each bullet"),
-    PARAM("lasers", A_BOOL, OPT, 0, 0, NULL, "true", "also remove lasers that the circle touches"),
+    OPTIONAL("by", A_PLAYER, "player who gets the score for enemies that `hurt` kills"),
+    DEFAULT("all", A_BOOL, "false", "also remove bullets with `clearable = false`"),
+    OPTIONAL("items", A_ITEM_KIND, "kind of item that replaces each bullet"),
+    DEFAULT("lasers", A_BOOL, "true", "also remove lasers that the circle touches"),
 };
 
 /* ---- properties ---- */
 
 #define FLIGHT_PROPS(kind_type, pool)                                                                                  \
-    { PARAM("x", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,                                                       \
-            "horizontal position in the field; a write teleports it, without collisions on the way"),                  \
+    { COORDINATE("x", A_FX, REQ,                                                                                       \
+                 "horizontal position in the field; a write teleports it, without collisions on the way"),             \
       PROP_WRITE, COMPUTED },                                                                                          \
-        { PARAM("y", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,                                                   \
-                "vertical position in the field; a write teleports it, without collisions on the way"),                \
+        { COORDINATE("y", A_FX, REQ,                                                                                   \
+                     "vertical position in the field; a write teleports it, without collisions on the way"),           \
           PROP_WRITE, COMPUTED },                                                                                      \
-        { PARAM("dir", A_DIR, REQ, 0, 0, NULL, NULL, "direction of flight, 0 to 360; unchanged at speed 0"),           \
-          PROP_WRITE, STORED(STORED_ANG, pool.dir), .has_setter = true },                                              \
-        { PARAM("speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,                                           \
-                "speed of flight; if negative, it flies backwards"),                                                   \
-          PROP_WRITE, COMPUTED },                                                                                      \
-        { PARAM("vx", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,                                              \
-                "horizontal velocity; a write changes `dir` and `speed`"),                                             \
-          PROP_WRITE, COMPUTED },                                                                                      \
-        { PARAM("vy", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,                                              \
-                "vertical velocity; a write changes `dir` and `speed`"),                                               \
-          PROP_WRITE, COMPUTED },                                                                                      \
-        { PARAM("kind", kind_type, REQ, 0, 0, NULL, NULL,                                                              \
-                "name of its kind; a write also sets `bank` to the bank of the new kind"),                             \
+        { REQUIRED("dir", A_DIR, "direction of flight, 0 to 360; unchanged at speed 0"), PROP_WRITE,                   \
+          STORED(STORED_ANG, pool.dir), .has_setter = true },                                                          \
+        { SPEED("speed", A_FX, REQ, "speed of flight; if negative, it flies backwards"), PROP_WRITE, COMPUTED },       \
+        { SPEED("vx", A_FX, REQ, "horizontal velocity; a write changes `dir` and `speed`"), PROP_WRITE, COMPUTED },    \
+        { SPEED("vy", A_FX, REQ, "vertical velocity; a write changes `dir` and `speed`"), PROP_WRITE, COMPUTED },      \
+        { REQUIRED("kind", kind_type, "name of its kind; a write also sets `bank` to the bank of the new kind"),       \
           PROP_WRITE, COMPUTED },                                                                                      \
         { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of its sprite"), PROP_WRITE,  \
           STORED(STORED_U8, pool.bank) },                                                                              \
-        { PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "tag of its group, or nil"), PROP_WRITE,                         \
-          STORED(STORED_TAG, pool.tag) },                                                                              \
-        { PARAM("motion", A_MOTION, OPT, 0, 0, NULL, NULL,                                                             \
-                "motion program it runs, or nil; a write starts the program from its first step"),                     \
+        { LABEL("tag", OPT, "tag of its group, or nil"), PROP_WRITE, STORED(STORED_TAG, pool.tag) },                   \
+        { OPTIONAL("motion", A_MOTION,                                                                                 \
+                   "motion program it runs, or nil; a write starts the program from its first step"),                  \
           PROP_WRITE, COMPUTED },                                                                                      \
-        { PARAM("around", A_THING, OPT, POSITION_HANDLE_KINDS, 0, NULL, NULL,                                          \
-                "thing that it circles in `orbit` steps, or nil"),                                                     \
-          PROP_WRITE, COMPUTED },                                                                                      \
-        { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL,                                                                   \
-                "frames since it was fired, not counting its delay or frozen frames"),                                 \
-          PROP_READ, COMPUTED },                                                                                       \
+        { THING("around", OPT, POSITION_HANDLE_KINDS, "thing that it circles in `orbit` steps, or nil"), PROP_WRITE,   \
+          COMPUTED },                                                                                                  \
+        { REQUIRED("age", A_INT, "frames since it was fired, not counting its delay or frozen frames"), PROP_READ,     \
+          COMPUTED },                                                                                                  \
     {                                                                                                                  \
         PARAM("frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL,                                                    \
               "frames it stays frozen, or forever; 0 unfreezes it"),                                                   \
@@ -360,14 +336,12 @@ static const struct api_param bullet_sweep_params[] = {
 
 static const struct api_prop bullet_props[] = {
     FLIGHT_PROPS(A_BULLET_KIND, bullets),
-    { PARAM("delay", A_INT, REQ, 0, 0, NULL, NULL, "frames left before it flies; 0 once it flies"), PROP_READ,
-      COMPUTED },
+    { REQUIRED("delay", A_INT, "frames left before it flies; 0 once it flies"), PROP_READ, COMPUTED },
     HP_PROP,
 };
-static const struct api_prop shot_props[] = {
-    FLIGHT_PROPS(A_SHOT_KIND, shots),
-    { PARAM("by", A_THING, REQ, 1 << H_PLAYER, 0, NULL, NULL, "player who fired it, or nil"), PROP_READ, COMPUTED }
-};
+static const struct api_prop shot_props[] = { FLIGHT_PROPS(A_SHOT_KIND, shots),
+                                              { THING("by", REQ, 1 << H_PLAYER, "player who fired it, or nil"),
+                                                PROP_READ, COMPUTED } };
 
 /* Pushes a Q32 number as a double. The conversion is exact, because positions and speeds have 48 bits. */
 static void push_q32(lua_State *L, int64_t v)

@@ -29,26 +29,25 @@ static const char entry_name[] = "bullet.ml";
 enum { MAX_UNIT_SPEED = 64 /* px per frame for speed 1 */ };
 
 static const struct api_param params[] = {
-    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the document; NAME runs bulletml/NAME.xml"),
-    PARAM("kind", A_BULLET_KIND, REQ, 0, 0, NULL, NULL, "declared kind of its bullets"),
+    REQUIRED("name", A_STR, "name of the document; NAME runs bulletml/NAME.xml"),
+    REQUIRED("kind", A_BULLET_KIND, "declared kind of its bullets"),
     POSITION_PARAMS,
-    PARAM("kinds", A_TABLE, OPT, 0, 0, NULL, NULL, "kinds for bullets with a label, { LABEL = kind }"),
+    OPTIONAL("kinds", A_TABLE, "kinds for bullets with a label, { LABEL = kind }"),
     PARAM("rank", A_NUM, OPT, 0, 1, NULL, "0.5", "value of $rank in the document"),
     PARAM("seed", A_INT, OPT, 0, UINT32_MAX, NULL, "0",
           "seed of $rand; the same seed gives the same numbers; 0 draws a seed from the game's random numbers"),
     PARAM("speed", A_NUM, OPT, 0.01, MAX_UNIT_SPEED, "px/frame", "1",
           "pixels per frame for a speed of 1 in the document"),
-    PARAM("angle", A_DIR, OPT, 0, 0, NULL, "0", "degrees to rotate the document's pattern, clockwise"),
-    PARAM("mirror", A_BOOL, OPT, 0, 0, NULL, "false", "mirror the document's pattern left to right"),
-    PARAM("params", A_TABLE, OPT, 0, 0, NULL, NULL,
-          "list of up to 9 numbers, the values of $1 to $9 in the actions that run first"),
-    PARAM("loop", A_BOOL, OPT, 0, 0, NULL, "false", "restart the document when it ends"),
-    PARAM("steer", A_BOOL, OPT, 0, 0, NULL, "false", "let the document move the enemy given as `from`"),
+    DEFAULT("angle", A_DIR, "0", "degrees to rotate the document's pattern, clockwise"),
+    DEFAULT("mirror", A_BOOL, "false", "mirror the document's pattern left to right"),
+    OPTIONAL("params", A_TABLE, "list of up to 9 numbers, the values of $1 to $9 in the actions that run first"),
+    DEFAULT("loop", A_BOOL, "false", "restart the document when it ends"),
+    DEFAULT("steer", A_BOOL, "false", "let the document move the enemy given as `from`"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL,
           "number added to the palette bank of its bullets; overrides their kind's"),
-    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put the bullets in"),
-    PARAM("on_fire", A_FUNC, OPT, 0, 0, NULL, NULL,
-          "on_fire(b, label): called with each bullet and the label of its element; label may be nil"),
+    LABEL("tag", OPT, "name of a group to put the bullets in"),
+    OPTIONAL("on_fire", A_FUNC,
+             "on_fire(b, label): called with each bullet and the label of its element; label may be nil"),
 };
 
 static uint16_t find_program(lua_State *L, const struct board *b, const char *name)
@@ -217,16 +216,18 @@ static int list_documents(lua_State *L, struct board *b, struct api_value *v)
 enum { R_X, R_Y, R_RANK, R_NAME, PROPS };
 
 static const struct api_prop props[PROPS] = {
-    { PARAM("x", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
-            "horizontal position from which the document fires; if the document follows a thing (`from`), the thing's "
-            "position"),
+    { COORDINATE(
+          "x", A_FX, REQ,
+          "horizontal position from which the document fires; if the document follows a thing (`from`), the thing's "
+          "position"),
       PROP_WRITE, STORED(STORED_FX, ml_roots.x) },
-    { PARAM("y", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
-            "vertical position from which the document fires; if the document follows a thing (`from`), the thing's "
-            "position"),
+    { COORDINATE(
+          "y", A_FX, REQ,
+          "vertical position from which the document fires; if the document follows a thing (`from`), the thing's "
+          "position"),
       PROP_WRITE, STORED(STORED_FX, ml_roots.y) },
     { PARAM("rank", A_NUM, REQ, 0, 1, NULL, NULL, "value of $rank in the document"), PROP_WRITE, COMPUTED },
-    { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the document"), PROP_READ, COMPUTED },
+    { REQUIRED("name", A_STR, "name of the document"), PROP_READ, COMPUTED },
 };
 
 static void get_bulletml(lua_State *L, struct board *b, uint32_t i, int p)
@@ -247,8 +248,7 @@ static void set_rank(lua_State *L, struct board *b, uint32_t i, int p, const str
 
 const struct api_thing api_bulletml_thing = { "bulletml", props, PROPS, .get = get_bulletml, .set = set_rank };
 
-static const struct api_param self_params[] = { PARAM("self", A_THING, REQ, 1 << H_BULLETML, 0, NULL, NULL,
-                                                      "the thing itself") };
+static const struct api_param self_params[] = { THING("self", REQ, 1 << H_BULLETML, "the thing itself") };
 
 static int stop_document(lua_State *L, struct board *b, struct api_value *v)
 {

@@ -29,40 +29,38 @@ enum {
 };
 
 static const struct api_param def_params[] = {
-    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the kind, used as `kind = NAME`; must be new"),
-    PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "sprite to draw"),
+    REQUIRED("name", A_STR, "name of the kind, used as `kind = NAME`; must be new"),
+    REQUIRED("sprite", A_SPRITE, "sprite to draw"),
     PARAM("hit", A_HIT_SHAPE, REQ, HIT_ENEMIES, 0, NULL, NULL,
           "hitbox, relative to the thing's position; \"none\" never hits"),
     PARAM("hp", A_INT, OPT, 1, INT32_MAX, NULL, "1", "damage it takes before it dies"),
     PARAM("score", A_INT, OPT, 0, 1e12, "points", "0", "points for the player who kills it"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of its sprite"),
-    PARAM("touch", A_BOOL, OPT, 0, 0, NULL, "true",
-          "whether it hits players who touch it; if false, players can fly through it"),
-    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL,
-          "kind of the twelve sparks it leaves when it dies; nil leaves none"),
-    PARAM("drops", A_TABLE, OPT, 0, 0, NULL, NULL, "items dropped when it dies, { NAME = count }"),
-    PARAM("run", A_FUNC, OPT, 0, 0, NULL, NULL,
-          "run(e): task that starts when the enemy spawns and ends with the enemy"),
-    PARAM("on_hit", A_FUNC, OPT, 0, 0, NULL, NULL,
-          "on_hit(e, p, damage): called when a shot or a laser of player p hits the enemy but doesn't kill it; p may "
-          "be nil"),
-    PARAM("on_death", A_FUNC, OPT, 0, 0, NULL, NULL,
-          "on_death(e, p): called when it dies, with the player who gets its score; p may be nil"),
-    PARAM("swept", A_BOOL, OPT, 0, 0, NULL, "true",
-          "check the entire path flown in each frame for players; if false, check only the position at the end of the "
-          "frame"),
-    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL,
-          "blend to draw it with, from `blends` in rom.lua; nil draws it opaque"),
-    PARAM("blocks", A_BOOL, OPT, 0, 0, NULL, "false", "whether it removes bullets that touch it"),
-    PARAM("pictures", A_TABLE, OPT, 0, 0, NULL, NULL,
-          "up to 7 more sprites, { NAME = sprite }, which `picture` selects by name; the picture `hurt` is shown while "
-          "the enemy blinks"),
+    DEFAULT("touch", A_BOOL, "true", "whether it hits players who touch it; if false, players can fly through it"),
+    OPTIONAL("spark", A_SPARK_KIND, "kind of the twelve sparks it leaves when it dies; nil leaves none"),
+    OPTIONAL("drops", A_TABLE, "items dropped when it dies, { NAME = count }"),
+    OPTIONAL("run", A_FUNC, "run(e): task that starts when the enemy spawns and ends with the enemy"),
+    OPTIONAL(
+        "on_hit", A_FUNC,
+        "on_hit(e, p, damage): called when a shot or a laser of player p hits the enemy but doesn't kill it; p may "
+        "be nil"),
+    OPTIONAL("on_death", A_FUNC,
+             "on_death(e, p): called when it dies, with the player who gets its score; p may be nil"),
+    DEFAULT(
+        "swept", A_BOOL, "true",
+        "check the entire path flown in each frame for players; if false, check only the position at the end of the "
+        "frame"),
+    OPTIONAL("blend", A_BLEND, "blend to draw it with, from `blends` in rom.lua; nil draws it opaque"),
+    DEFAULT("blocks", A_BOOL, "false", "whether it removes bullets that touch it"),
+    OPTIONAL(
+        "pictures", A_TABLE,
+        "up to 7 more sprites, { NAME = sprite }, which `picture` selects by name; the picture `hurt` is shown while "
+        "the enemy blinks"),
     PARAM("blink", A_INT, OPT, 0, 15, "frames", "0", "frames it blinks after a hit; at 0 it never blinks"),
     PARAM("rate", A_FX, OPT, 0, MAX_RATE, NULL, NULL,
           "damage multiplier; at 0 it takes no damage; defaults to 1; needs `board = { bodies = true }`"),
-    PARAM("parts", A_TABLE, OPT, 0, 0, NULL, NULL,
-          "list of 1 to 64 enemies attached to it; needs `board = { bodies = true }`"),
-    PARAM("blink_soft", A_BOOL, OPT, 0, 0, NULL, "false", "blink only along the outline of the sprite"),
+    OPTIONAL("parts", A_TABLE, "list of 1 to 64 enemies attached to it; needs `board = { bodies = true }`"),
+    DEFAULT("blink_soft", A_BOOL, "false", "blink only along the outline of the sprite"),
 };
 
 static const char *const first_picture_names[] = { "hurt", NULL };
@@ -129,23 +127,22 @@ enum {
 };
 
 static const struct api_param spawn_params[] = {
-    PARAM("kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL, "declared kind to spawn"),
+    REQUIRED("kind", A_ENEMY_KIND, "declared kind to spawn"),
     POSITION_PARAMS,
-    PARAM("path", A_ROUTE, OPT, 0, 0, NULL, NULL,
-          "route to fly; the enemy is removed at the end of the route; use it instead of `x` and `y`, or `from`"),
-    PARAM("mirror", A_BOOL, OPT, 0, 0, NULL, "false", "mirror the path left to right"),
+    OPTIONAL("path", A_ROUTE,
+             "route to fly; the enemy is removed at the end of the route; use it instead of `x` and `y`, or `from`"),
+    DEFAULT("mirror", A_BOOL, "false", "mirror the path left to right"),
     PARAM("hp", A_INT, OPT, 1, INT32_MAX, NULL, NULL, "hit points; overrides its kind's"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL,
           "number added to the palette bank of its sprite; overrides its kind's"),
-    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put it in"),
-    PARAM("run", A_FUNC, OPT, 0, 0, NULL, NULL, "run(e): task that ends with the enemy; overrides its kind's"),
-    PARAM(
-        "on_death", A_FUNC, OPT, 0, 0, NULL, NULL,
+    LABEL("tag", OPT, "name of a group to put it in"),
+    OPTIONAL("run", A_FUNC, "run(e): task that ends with the enemy; overrides its kind's"),
+    OPTIONAL(
+        "on_death", A_FUNC,
         "on_death(e, p): called when it dies, with the player who gets its score; p may be nil; overrides its kind's"),
-    PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false", "keep the enemy when the boss phase that spawned it ends"),
-    PARAM("drops", A_TABLE, OPT, 0, 0, NULL, NULL,
-          "items dropped when it dies, { NAME = count }; overrides its kind's"),
-    PARAM("follow", A_THING, OPT, 1 << H_ENEMY, 0, NULL, NULL,
+    DEFAULT("stay", A_BOOL, "false", "keep the enemy when the boss phase that spawned it ends"),
+    OPTIONAL("drops", A_TABLE, "items dropped when it dies, { NAME = count }; overrides its kind's"),
+    THING("follow", OPT, 1 << H_ENEMY,
           "enemy to attach to as a part, at a distance of `dx` and `dy`; use it instead of a position; needs `board = "
           "{ bodies = true }`"),
     PARAM("share", A_FX, OPT, 0, 1, NULL, NULL,
@@ -352,49 +349,40 @@ enum {
 
 /* The last property exists only for groups. */
 static const struct api_prop props[PROPS + 1] = {
-    { PARAM("x", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
-            "horizontal position in the field; a write teleports the enemy and ends its move"),
+    { COORDINATE("x", A_FX, REQ, "horizontal position in the field; a write teleports the enemy and ends its move"),
       PROP_WRITE, STORED(STORED_FX, enemies.x), .has_setter = true },
-    { PARAM("y", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
-            "vertical position in the field; a write teleports the enemy and ends its move"),
+    { COORDINATE("y", A_FX, REQ, "vertical position in the field; a write teleports the enemy and ends its move"),
       PROP_WRITE, STORED(STORED_FX, enemies.y), .has_setter = true },
     { PARAM("hp", A_INT, REQ, 0, INT32_MAX, NULL, NULL,
             "hit points left, rounded up; writing 0 doesn't kill the enemy"),
       PROP_WRITE, STORED(STORED_I32, enemies.hp), .has_setter = true },
     { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of its sprite"), PROP_WRITE,
       COMPUTED },
-    { PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "tag of its group, or nil"), PROP_WRITE,
-      STORED(STORED_TAG, enemies.tag) },
+    { LABEL("tag", OPT, "tag of its group, or nil"), PROP_WRITE, STORED(STORED_TAG, enemies.tag) },
     { PARAM("safe", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL,
             "frames for which it takes no damage, or forever; shots still hit it"),
       PROP_WRITE, STORED(STORED_COUNT, enemies.safe_left) },
-    { PARAM("kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL, "name of its kind"), PROP_READ,
-      STORED(STORED_KIND, enemies.kind) },
-    { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL, "frames since it spawned, not counting frozen frames"), PROP_READ,
+    { REQUIRED("kind", A_ENEMY_KIND, "name of its kind"), PROP_READ, STORED(STORED_KIND, enemies.kind) },
+    { REQUIRED("age", A_INT, "frames since it spawned, not counting frozen frames"), PROP_READ,
       STORED(STORED_BORN, enemies.born) },
     { PARAM("frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL, "frames it stays frozen, or forever; 0 unfreezes it"),
       PROP_WRITE, STORED(STORED_COUNT, enemies.frozen_left) },
-    { PARAM("picture", A_STR, OPT, 0, 0, NULL, NULL,
-            "picture to show, a name in `pictures` of its kind; nil shows the kind's sprite"),
+    { OPTIONAL("picture", A_STR, "picture to show, a name in `pictures` of its kind; nil shows the kind's sprite"),
       PROP_WRITE, COMPUTED },
-    { PARAM("flip_x", A_BOOL, REQ, 0, 0, NULL, NULL, "true if mirrored left to right"), PROP_WRITE,
-      FLAG_OF(enemies.flags, ENEMY_FLIP) },
-    { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "true if not drawn; it still moves, hits and is hit"), PROP_WRITE,
+    { REQUIRED("flip_x", A_BOOL, "true if mirrored left to right"), PROP_WRITE, FLAG_OF(enemies.flags, ENEMY_FLIP) },
+    { REQUIRED("hidden", A_BOOL, "true if not drawn; it still moves, hits and is hit"), PROP_WRITE,
       FLAG_OF(enemies.flags, ENEMY_HIDDEN) },
     { PARAM("rate", A_FX, REQ, 0, MAX_RATE, NULL, NULL,
             "damage multiplier; at 0 it takes no damage; needs `board = { bodies = true }`"),
       PROP_WRITE, STORED(STORED_FX, enemies.rate) },
-    { PARAM("dx", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
-            "for a part, distance to the right of its body; a write ends the part's move"),
+    { COORDINATE("dx", A_FX, REQ, "for a part, distance to the right of its body; a write ends the part's move"),
       PROP_WRITE, COMPUTED },
-    { PARAM("dy", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
-            "for a part, distance below its body; a write ends the part's move"),
-      PROP_WRITE, COMPUTED },
+    { COORDINATE("dy", A_FX, REQ, "for a part, distance below its body; a write ends the part's move"), PROP_WRITE,
+      COMPUTED },
     { PARAM("share", A_FX, REQ, 0, 1, NULL, NULL,
             "for a part, fraction of the damage it takes that is also dealt to its body"),
       PROP_WRITE, COMPUTED },
-    { PARAM("follow", A_THING, OPT, 1 << H_ENEMY, 0, NULL, NULL, "body it is attached to, or nil"), PROP_READ,
-      COMPUTED },
+    { THING("follow", OPT, 1 << H_ENEMY, "body it is attached to, or nil"), PROP_READ, COMPUTED },
     COUNT_PROP("enemies"),
 };
 
@@ -469,29 +457,27 @@ enum {
     KILL_PLAYER = 1
 };
 
-#define SELF_PARAM PARAM("self", A_THING, REQ, 1 << H_ENEMY | 1 << H_ENEMIES, 0, NULL, NULL, "the thing itself")
+#define SELF_PARAM THING("self", REQ, 1 << H_ENEMY | 1 << H_ENEMIES, "the thing itself")
 static const struct api_param move_params[] = {
     SELF_PARAM,
-    PARAM("x", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
-          "horizontal position to move to; give `x` and `y`, or `dx` and `dy`"),
-    PARAM("y", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "vertical position to move to"),
+    COORDINATE("x", A_FX, OPT, "horizontal position to move to; give `x` and `y`, or `dx` and `dy`"),
+    COORDINATE("y", A_FX, OPT, "vertical position to move to"),
     PARAM("over", A_INT, REQ, 1, 1e9, "frames", NULL, "duration of the move"),
-    PARAM("ease", A_EASE, OPT, 0, 0, NULL, "linear",
-          "how the speed changes on the way: `in` starts slowly, `out` ends slowly, `both` starts and ends slowly"),
-    PARAM("dx", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "distance to the right; for a part, its new `dx`"),
-    PARAM("dy", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "distance down; for a part, its new `dy`"),
+    DEFAULT("ease", A_EASE, "linear",
+            "how the speed changes on the way: `in` starts slowly, `out` ends slowly, `both` starts and ends slowly"),
+    COORDINATE("dx", A_FX, OPT, "distance to the right; for a part, its new `dx`"),
+    COORDINATE("dy", A_FX, OPT, "distance down; for a part, its new `dy`"),
 };
-static const struct api_param shift_params[] = { SELF_PARAM,
-                                                 PARAM("dx", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
-                                                       "distance to the right; a negative distance moves left"),
-                                                 PARAM("dy", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
-                                                       "distance down; a negative distance moves up") };
+static const struct api_param shift_params[] = {
+    SELF_PARAM, COORDINATE("dx", A_FX, REQ, "distance to the right; a negative distance moves left"),
+    COORDINATE("dy", A_FX, REQ, "distance down; a negative distance moves up")
+};
 static const struct api_param hurt_params[] = {
     SELF_PARAM, PARAM("n", A_INT, REQ, 0, INT32_MAX, "hp", NULL, "damage to deal, before it is multiplied by `rate`"),
-    PARAM("p", A_PLAYER, OPT, 0, 0, NULL, NULL, "player who gets the score for a kill; defaults to the nearest player")
+    OPTIONAL("p", A_PLAYER, "player who gets the score for a kill; defaults to the nearest player")
 };
 static const struct api_param kill_params[] = {
-    SELF_PARAM, PARAM("p", A_PLAYER, OPT, 0, 0, NULL, NULL, "player who gets its score; defaults to the nearest player")
+    SELF_PARAM, OPTIONAL("p", A_PLAYER, "player who gets its score; defaults to the nearest player")
 };
 static const struct api_param self_params[] = { SELF_PARAM };
 

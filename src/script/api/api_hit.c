@@ -55,16 +55,8 @@ static struct api_value check_element(lua_State *L, const char *entry, enum hit_
     return v;
 }
 
-#define LENGTH_PARAM(name)                                                                                             \
-    &(const struct api_param)                                                                                          \
-    {                                                                                                                  \
-        name, A_FX, REQ, 0, MAX_SPEED, "px", NULL, NULL                                                                \
-    }
-#define OFFSET_PARAM(name)                                                                                             \
-    &(const struct api_param)                                                                                          \
-    {                                                                                                                  \
-        name, A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px", NULL, NULL                                                       \
-    }
+#define LENGTH_PARAM(name) &(const struct api_param)PARAM(name, A_FX, REQ, 0, MAX_SPEED, "px", NULL, NULL)
+#define OFFSET_PARAM(name) &(const struct api_param)PARAM(name, A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px", NULL, NULL)
 
 /* Raises an error if a shape reaches further from its centre than MAX_SPEED px, the largest radius. */
 static void check_reach(lua_State *L, const char *entry, int64_t reach)

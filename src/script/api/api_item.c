@@ -10,24 +10,22 @@
 enum { D_NAME, D_SPRITE, D_RADIUS, D_GIVES, D_FULL, D_GRAVITY, D_TOP, D_MAGNET, D_BANK, D_BLEND, D_ON_TAKE };
 
 static const struct api_param def_params[] = {
-    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the kind, used as `kind = NAME`; must be new"),
-    PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "sprite to draw"),
+    REQUIRED("name", A_STR, "name of the kind, used as `kind = NAME`; must be new"),
+    REQUIRED("sprite", A_SPRITE, "sprite to draw"),
     PARAM("radius", A_FX, REQ, 0, MAX_SPEED, "px", NULL,
           "radius of the circle that a ship's hitbox must touch to take the item"),
-    PARAM("gives", A_TABLE, OPT, 0, 0, NULL, NULL,
-          "amounts that the player gets for taking the item, { score = n, lives = n, REGISTER = n }"),
-    PARAM("full", A_STR, OPT, 1, 31, NULL, NULL,
+    OPTIONAL("gives", A_TABLE,
+             "amounts that the player gets for taking the item, { score = n, lives = n, REGISTER = n }"),
+    LABEL("full", OPT,
           "register of the ship or the run; while the register is at its max, the item gives only its score"),
     PARAM("gravity", A_FX, OPT, 0, MAX_SPEED, "px/frame", "0.04",
           "downward acceleration, the speed added in each frame"),
     PARAM("top", A_FX, OPT, 0, MAX_SPEED, "px/frame", "2", "maximum falling speed"),
-    PARAM("magnet", A_BOOL, OPT, 0, 0, NULL, "true",
-          "whether it flies to ships that attract it; if false, only item:pull makes it fly"),
+    DEFAULT("magnet", A_BOOL, "true",
+            "whether it flies to ships that attract it; if false, only item:pull makes it fly"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of its sprite"),
-    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL,
-          "blend to draw it with, from `blends` in rom.lua; nil draws it opaque"),
-    PARAM("on_take", A_FUNC, OPT, 0, 0, NULL, NULL,
-          "on_take(p, item): called after the player has received what the item gives"),
+    OPTIONAL("blend", A_BLEND, "blend to draw it with, from `blends` in rom.lua; nil draws it opaque"),
+    OPTIONAL("on_take", A_FUNC, "on_take(p, item): called after the player has received what the item gives"),
 };
 
 static const char def_entry[] = "item.def";
@@ -162,14 +160,14 @@ void api_items_check(lua_State *L, struct board *b)
 enum { P_KIND, P_POSITION, P_N = P_POSITION + POSITION_PARAM_COUNT, P_DIR, P_SPREAD, P_SPEED, P_TAG };
 
 static const struct api_param drop_params[] = {
-    PARAM("kind", A_ITEM_KIND, REQ, 0, 0, NULL, NULL, "declared kind to drop"),
+    REQUIRED("kind", A_ITEM_KIND, "declared kind to drop"),
     POSITION_PARAMS,
     PARAM("n", A_INT, OPT, 0, UINT16_MAX, "items", "1", "number of items"),
-    PARAM("dir", A_DIR, OPT, 0, 0, NULL, "270", "middle of the range of directions, clockwise from the right"),
+    DEFAULT("dir", A_DIR, "270", "middle of the range of directions, clockwise from the right"),
     PARAM("spread", A_NUM, OPT, 0, 360, "degrees", "60",
           "angle over which the items are evenly spread, centred on `dir`"),
     PARAM("speed", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", "1.5", "initial speed"),
-    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put the items in"),
+    LABEL("tag", OPT, "name of a group to put the items in"),
 };
 
 static uint64_t spread_from_degrees(double degrees)
@@ -198,21 +196,15 @@ static int drop_items(lua_State *L, struct board *b, struct api_value *v)
 
 /* The last property exists only for groups. */
 static const struct api_prop props[] = {
-    { PARAM("x", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "horizontal position in the field"), PROP_WRITE,
-      STORED(STORED_FX, items.x) },
-    { PARAM("y", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "vertical position in the field"), PROP_WRITE,
-      STORED(STORED_FX, items.y) },
-    { PARAM("vx", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "horizontal velocity"), PROP_WRITE,
-      STORED(STORED_FX, items.vx) },
-    { PARAM("vy", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "vertical velocity; positive is downwards"),
-      PROP_WRITE, STORED(STORED_FX, items.vy) },
-    { PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "tag of its group, or nil"), PROP_WRITE,
-      STORED(STORED_TAG, items.tag) },
+    { COORDINATE("x", A_FX, REQ, "horizontal position in the field"), PROP_WRITE, STORED(STORED_FX, items.x) },
+    { COORDINATE("y", A_FX, REQ, "vertical position in the field"), PROP_WRITE, STORED(STORED_FX, items.y) },
+    { SPEED("vx", A_FX, REQ, "horizontal velocity"), PROP_WRITE, STORED(STORED_FX, items.vx) },
+    { SPEED("vy", A_FX, REQ, "vertical velocity; positive is downwards"), PROP_WRITE, STORED(STORED_FX, items.vy) },
+    { LABEL("tag", OPT, "tag of its group, or nil"), PROP_WRITE, STORED(STORED_TAG, items.tag) },
     { PARAM("frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL, "frames it stays frozen, or forever; 0 unfreezes it"),
       PROP_WRITE, STORED(STORED_COUNT, items.frozen_left) },
-    { PARAM("kind", A_ITEM_KIND, REQ, 0, 0, NULL, NULL, "name of its kind"), PROP_READ,
-      STORED(STORED_KIND, items.kind) },
-    { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL, "frames since it was dropped, not counting frozen frames"), PROP_READ,
+    { REQUIRED("kind", A_ITEM_KIND, "name of its kind"), PROP_READ, STORED(STORED_KIND, items.kind) },
+    { REQUIRED("age", A_INT, "frames since it was dropped, not counting frozen frames"), PROP_READ,
       STORED(STORED_BORN, items.born) },
     COUNT_PROP("items"),
 };
@@ -226,9 +218,9 @@ const struct api_thing api_items_thing = { "items",          props,          GRO
 
 enum { ARG_SELF, PULL_PLAYER };
 
-#define SELF_PARAM PARAM("self", A_THING, REQ, 1 << H_ITEM | 1 << H_ITEMS, 0, NULL, NULL, "the thing itself")
-static const struct api_param pull_params[] = { SELF_PARAM, PARAM("p", A_PLAYER, OPT, 0, 0, NULL, NULL,
-                                                                  "player to fly to; defaults to the nearest one") };
+#define SELF_PARAM THING("self", REQ, 1 << H_ITEM | 1 << H_ITEMS, "the thing itself")
+static const struct api_param pull_params[] = { SELF_PARAM, OPTIONAL("p", A_PLAYER,
+                                                                     "player to fly to; defaults to the nearest one") };
 static const struct api_param self_params[] = { SELF_PARAM };
 
 /* Pulls an item to the given player or, if none is given, to the nearest. A player who is not in the game attracts

@@ -28,23 +28,21 @@ enum {
 };
 
 static const struct api_param laser_def_params[] = {
-    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the kind, used as `kind = NAME`; must be new"),
-    PARAM("strip", A_SPRITE, REQ, 0, 0, NULL, NULL,
-          "sprite, drawn pointing right; repeated along the laser and stretched to its width"),
+    REQUIRED("name", A_STR, "name of the kind, used as `kind = NAME`; must be new"),
+    REQUIRED("strip", A_SPRITE, "sprite, drawn pointing right; repeated along the laser and stretched to its width"),
     PARAM("width", A_FX, REQ, 0, LASER_MAX_SIZE, "px", NULL, "full width, once it has grown"),
     PARAM("hit", A_HIT_SHAPE, REQ, HIT_LASERS, 0, NULL, NULL, "fraction of the width that hits; \"none\" never hits"),
-    PARAM("head", A_SPRITE, OPT, 0, 0, NULL, NULL,
-          "sprite drawn where a beam starts or at the front of a bolt or curve; nil draws none"),
-    PARAM("tail", A_SPRITE, OPT, 0, 0, NULL, NULL, "sprite drawn at the other end; nil draws none"),
+    OPTIONAL("head", A_SPRITE, "sprite drawn where a beam starts or at the front of a bolt or curve; nil draws none"),
+    OPTIONAL("tail", A_SPRITE, "sprite drawn at the other end; nil draws none"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette banks of its sprites"),
-    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL,
-          "blend to draw it with, from `blends` in rom.lua; nil draws it opaque"),
+    OPTIONAL("blend", A_BLEND, "blend to draw it with, from `blends` in rom.lua; nil draws it opaque"),
     PARAM("graze", A_INT, OPT, 0, 65535, "frames", "8",
           "frames until a player can graze the laser again; 0 makes grazing impossible"),
-    PARAM("clearable", A_BOOL, OPT, 0, 0, NULL, "true", "whether it can be cleared without `all = true`"),
-    PARAM("vanish", A_SPARK_KIND, OPT, 0, 0, NULL, NULL,
-          "kind of spark left along the laser when it is cleared, unless the call that clears it names another kind; "
-          "nil leaves none"),
+    DEFAULT("clearable", A_BOOL, "true", "whether it can be cleared without `all = true`"),
+    OPTIONAL(
+        "vanish", A_SPARK_KIND,
+        "kind of spark left along the laser when it is cleared, unless the call that clears it names another kind; "
+        "nil leaves none"),
     PARAM("damage", A_INT, OPT, 0, 1000000, "hp", NULL,
           "damage to each enemy it touches; makes the kind a player laser, which is harmless to players"),
     PARAM("every", A_INT, OPT, 1, 65535, "frames", "4", "frames from one hit to the next; needs `damage`"),
@@ -105,19 +103,18 @@ static int laser_define(lua_State *L, struct board *b, struct api_value *v)
 /* Parameters shared by beams, bolts and curves, in this order. `owners`: the help's words for the
  * arguments that determine the owner by default. */
 #define LASER_PARAMS(owners)                                                                                           \
-    PARAM("kind", A_LASER_KIND, REQ, 0, 0, NULL, NULL, "declared kind to fire"), POSITION_PARAMS,                      \
-        PARAM("dir", A_DIR, OPT, 0, 0, NULL, "90",                                                                     \
-              "direction, clockwise from the right; with `aim`, the default is 0, and the angle is added to the "      \
-              "direction towards the target"),                                                                         \
-        PARAM("aim", A_BOOL, OPT, 0, 0, NULL, "false",                                                                 \
-              "point at the nearest target: an enemy for player lasers, otherwise a player"),                          \
+    REQUIRED("kind", A_LASER_KIND, "declared kind to fire"), POSITION_PARAMS,                                          \
+        DEFAULT("dir", A_DIR, "90",                                                                                    \
+                "direction, clockwise from the right; with `aim`, the default is 0, and the angle is added to the "    \
+                "direction towards the target"),                                                                       \
+        DEFAULT("aim", A_BOOL, "false",                                                                                \
+                "point at the nearest target: an enemy for player lasers, otherwise a player"),                        \
         PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL,                                                                   \
               "number added to the palette banks of its sprites; overrides its kind's"),                               \
-        PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put it in"),                                   \
+        LABEL("tag", OPT, "name of a group to put it in"),                                                             \
         PARAM("width", A_FX, OPT, 0, LASER_MAX_SIZE, "px", NULL,                                                       \
               "full width, once it has grown; overrides its kind's"),                                                  \
-        PARAM("by", A_THING, OPT, 1 << H_PLAYER, 0, NULL, NULL,                                                        \
-              "player who owns it and gets its score; defaults to the owner of " owners)
+        THING("by", OPT, 1 << H_PLAYER, "player who owns it and gets its score; defaults to the owner of " owners)
 enum {
     F_KIND,
     F_POSITION,
@@ -145,11 +142,10 @@ enum {
 };
 
 #define FLIGHT_PARAMS                                                                                                  \
-    PARAM("speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,                                                 \
-          "speed of flight; if negative, it flies backwards"),                                                         \
-        PARAM("motion", A_MOTION, OPT, 0, 0, NULL, NULL, "motion program that steers its head"),                       \
+    SPEED("speed", A_FX, REQ, "speed of flight; if negative, it flies backwards"),                                     \
+        OPTIONAL("motion", A_MOTION, "motion program that steers its head"),                                           \
         PARAM("delay", A_INT, OPT, 0, 1e9, "frames", "0", "frames the laser waits in place before it flies"),          \
-        PARAM("around", A_THING, OPT, POSITION_HANDLE_KINDS, 0, NULL, NULL,                                            \
+        THING("around", OPT, POSITION_HANDLE_KINDS,                                                                    \
               "thing that it circles in the `orbit` steps of its motion; needs `board = { around = true }`")
 
 static const struct api_param bolt_params[] = { LASER_PARAMS("`from`"), FLIGHT_PARAMS,
@@ -160,10 +156,10 @@ static const struct api_param curve_params[] = { LASER_PARAMS("`from`"), FLIGHT_
                                                        "length of its body, in frames of flight") };
 static const struct api_param beam_params[] = {
     LASER_PARAMS("`from` or `follow`"),
-    PARAM("follow", A_THING, OPT, POSITION_HANDLE_KINDS, 0, NULL, NULL,
+    THING("follow", OPT, POSITION_HANDLE_KINDS,
           "thing to start from, at a distance of `dx` and `dy`; the beam ends with the thing; use it instead of `x` "
           "and `y`, or `from`"),
-    PARAM("turns", A_BOOL, OPT, 0, 0, NULL, "false", "turn with the followed bullet, shot or laser; needs `follow`"),
+    DEFAULT("turns", A_BOOL, "false", "turn with the followed bullet, shot or laser; needs `follow`"),
     PARAM("length", A_FX, REQ, 0, LASER_MAX_SIZE, "px", NULL, "distance from the start of the beam to its end"),
     PARAM("hold", A_COUNT, REQ, 0, 1e9, "frames", NULL, "frames the beam stays at its full width"),
     PARAM("warn", A_INT, OPT, 0, MAX_FRAMES, "frames", "40",
@@ -172,7 +168,7 @@ static const struct api_param beam_params[] = {
           "frames the beam takes to reach its full width; it hits during these frames, too"),
     PARAM("fade", A_INT, OPT, 0, MAX_FRAMES, "frames", "12",
           "frames the beam takes to fade out; it doesn't hit during these frames"),
-    PARAM("spin", A_DIR, OPT, 0, 0, NULL, "0", "degrees the beam turns per frame once `warn` is over, clockwise"),
+    DEFAULT("spin", A_DIR, "0", "degrees the beam turns per frame once `warn` is over, clockwise"),
 };
 
 /* Builds the head of a laser at (x, y) from the shared arguments. */
@@ -299,38 +295,28 @@ enum {
 };
 
 #define LASER_PROPS                                                                                                    \
-    { PARAM("x", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,                                                       \
-            "horizontal position of its head: the start of a beam, or the front of a bolt or curve; a write moves "    \
-            "the entire laser"),                                                                                       \
+    { COORDINATE(                                                                                                      \
+          "x", A_FX, REQ,                                                                                              \
+          "horizontal position of its head: the start of a beam, or the front of a bolt or curve; a write moves "      \
+          "the entire laser"),                                                                                         \
       PROP_WRITE, COMPUTED },                                                                                          \
-        { PARAM("y", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,                                                   \
-                "vertical position of its head; a write moves the entire laser"),                                      \
-          PROP_WRITE, COMPUTED },                                                                                      \
-        { PARAM("dir", A_DIR, REQ, 0, 0, NULL, NULL,                                                                   \
-                "direction in which a beam points or a bolt or curve flies, 0 to 360"),                                \
-          PROP_WRITE, STORED(STORED_ANG, laser_heads.dir), .has_setter = true },                                       \
-        { PARAM("speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "speed of flight; a beam has none"),      \
-          PROP_WRITE, COMPUTED },                                                                                      \
-        { PARAM("vx", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,                                              \
-                "horizontal velocity; a write changes `dir` and `speed`"),                                             \
-          PROP_WRITE, COMPUTED },                                                                                      \
-        { PARAM("vy", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,                                              \
-                "vertical velocity; a write changes `dir` and `speed`"),                                               \
-          PROP_WRITE, COMPUTED },                                                                                      \
-        { PARAM("kind", A_LASER_KIND, REQ, 0, 0, NULL, NULL, "name of its kind"), PROP_READ,                           \
-          STORED(STORED_KIND, laser_heads.kind) },                                                                     \
+        { COORDINATE("y", A_FX, REQ, "vertical position of its head; a write moves the entire laser"), PROP_WRITE,     \
+          COMPUTED },                                                                                                  \
+        { REQUIRED("dir", A_DIR, "direction in which a beam points or a bolt or curve flies, 0 to 360"), PROP_WRITE,   \
+          STORED(STORED_ANG, laser_heads.dir), .has_setter = true },                                                   \
+        { SPEED("speed", A_FX, REQ, "speed of flight; a beam has none"), PROP_WRITE, COMPUTED },                       \
+        { SPEED("vx", A_FX, REQ, "horizontal velocity; a write changes `dir` and `speed`"), PROP_WRITE, COMPUTED },    \
+        { SPEED("vy", A_FX, REQ, "vertical velocity; a write changes `dir` and `speed`"), PROP_WRITE, COMPUTED },      \
+        { REQUIRED("kind", A_LASER_KIND, "name of its kind"), PROP_READ, STORED(STORED_KIND, laser_heads.kind) },      \
         { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette banks of its sprites"),            \
           PROP_WRITE, STORED(STORED_U8, laser_heads.bank) },                                                           \
-        { PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "tag of its group, or nil"), PROP_WRITE,                         \
-          STORED(STORED_TAG, laser_heads.tag) },                                                                       \
-        { PARAM("motion", A_MOTION, OPT, 0, 0, NULL, NULL,                                                             \
-                "motion program of a bolt or curve, or nil; a write starts the program from its first step"),          \
+        { LABEL("tag", OPT, "tag of its group, or nil"), PROP_WRITE, STORED(STORED_TAG, laser_heads.tag) },            \
+        { OPTIONAL("motion", A_MOTION,                                                                                 \
+                   "motion program of a bolt or curve, or nil; a write starts the program from its first step"),       \
           PROP_WRITE, COMPUTED },                                                                                      \
-        { PARAM("around", A_THING, OPT, POSITION_HANDLE_KINDS, 0, NULL, NULL,                                          \
-                "thing that it circles in `orbit` steps, or nil"),                                                     \
-          PROP_WRITE, COMPUTED },                                                                                      \
-        { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL, "frames since it was fired, not counting frozen frames"),         \
-          PROP_READ, COMPUTED },                                                                                       \
+        { THING("around", OPT, POSITION_HANDLE_KINDS, "thing that it circles in `orbit` steps, or nil"), PROP_WRITE,   \
+          COMPUTED },                                                                                                  \
+        { REQUIRED("age", A_INT, "frames since it was fired, not counting frozen frames"), PROP_READ, COMPUTED },      \
         { PARAM("frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL,                                                  \
                 "frames it stays frozen, or forever; 0 unfreezes it"),                                                 \
           PROP_WRITE, STORED(STORED_COUNT, laser_heads.frozen_left), .has_setter = true },                             \
@@ -338,26 +324,22 @@ enum {
           COMPUTED },                                                                                                  \
         { PARAM("width", A_FX, REQ, 0, LASER_MAX_SIZE, "px", NULL, "full width, once it has grown"), PROP_WRITE,       \
           STORED(STORED_FX, lasers.width) },                                                                           \
-        { PARAM("spin", A_DIR, REQ, 0, 0, NULL, NULL,                                                                  \
-                "degrees a beam turns per frame once `warn` is over, clockwise"),                                      \
-          PROP_WRITE, STORED(STORED_ANG, lasers.spin) },                                                               \
-        { PARAM("dx", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,                                                  \
-                "for a beam, distance to the right of the followed thing"),                                            \
-          PROP_WRITE, STORED(STORED_FX, lasers.dx) },                                                                  \
+        { REQUIRED("spin", A_DIR, "degrees a beam turns per frame once `warn` is over, clockwise"), PROP_WRITE,        \
+          STORED(STORED_ANG, lasers.spin) },                                                                           \
+        { COORDINATE("dx", A_FX, REQ, "for a beam, distance to the right of the followed thing"), PROP_WRITE,          \
+          STORED(STORED_FX, lasers.dx) },                                                                              \
     {                                                                                                                  \
-        PARAM("dy", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "for a beam, distance below the followed thing"),  \
-            PROP_WRITE, STORED(STORED_FX, lasers.dy)                                                                   \
+        COORDINATE("dy", A_FX, REQ, "for a beam, distance below the followed thing"), PROP_WRITE,                      \
+            STORED(STORED_FX, lasers.dy)                                                                               \
     }
 
 static const struct api_prop laser_props[] = {
     LASER_PROPS,
-    { PARAM("state", A_STR, REQ, 0, 0, NULL, NULL,
-            "\"warn\", \"grow\", \"on\" or \"fade\"; it hits only in \"grow\" and \"on\""),
+    { REQUIRED("state", A_STR, "\"warn\", \"grow\", \"on\" or \"fade\"; it hits only in \"grow\" and \"on\""),
       PROP_READ, COMPUTED },
-    { PARAM("form", A_STR, REQ, 0, 0, NULL, NULL, "\"beam\", \"bolt\" or \"curve\""), PROP_READ, COMPUTED },
-    { PARAM("follow", A_THING, REQ, POSITION_HANDLE_KINDS, 0, NULL, NULL, "thing that a beam follows, or nil"),
-      PROP_READ, COMPUTED },
-    { PARAM("by", A_THING, REQ, 1 << H_PLAYER, 0, NULL, NULL, "player who owns it, or nil"), PROP_READ, COMPUTED },
+    { REQUIRED("form", A_STR, "\"beam\", \"bolt\" or \"curve\""), PROP_READ, COMPUTED },
+    { THING("follow", REQ, POSITION_HANDLE_KINDS, "thing that a beam follows, or nil"), PROP_READ, COMPUTED },
+    { THING("by", REQ, 1 << H_PLAYER, "player who owns it, or nil"), PROP_READ, COMPUTED },
 };
 
 static const struct api_prop lasers_props[] = {

@@ -23,22 +23,21 @@ enum {
 
 static const struct api_param line_params[] = {
     POSITION_PARAMS,
-    PARAM("text", A_ANY, REQ, 0, 0, NULL, NULL,
-          "string or number to write, up to 240 characters; \\n starts a new row"),
-    PARAM("follow", A_THING, OPT, POSITION_HANDLE_KINDS, 0, NULL, NULL,
+    REQUIRED("text", A_ANY, "string or number to write, up to 240 characters; \\n starts a new row"),
+    THING("follow", OPT, POSITION_HANDLE_KINDS,
           "thing to follow, at a distance of `dx` and `dy`; the line is removed when the thing is; not with `x`, `y` "
           "or `from`"),
-    PARAM("font", A_FONT, OPT, 0, 0, NULL, NULL, "font from rom.lua; defaults to the font of the cells"),
+    OPTIONAL("font", A_FONT, "font from rom.lua; defaults to the font of the cells"),
     PARAM("width", A_INT, OPT, 8, 1024, "px", NULL, "width at which rows wrap; if omitted, only \\n ends a row"),
-    PARAM("align", A_ALIGN, OPT, 0, 0, NULL, "left", "put the start, the middle or the end of each row at `x`"),
+    DEFAULT("align", A_ALIGN, "left", "put the start, the middle or the end of each row at `x`"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of the font"),
-    PARAM("screen", A_BOOL, OPT, 0, 0, NULL, "false",
-          "measure `x` and `y` from the top left of the screen instead of the field; not with `follow`"),
+    DEFAULT("screen", A_BOOL, "false",
+            "measure `x` and `y` from the top left of the screen instead of the field; not with `follow`"),
     PARAM("letter", A_INT, OPT, 0, 600, "frames", "0",
           "frames from one letter to the next; 0 shows all letters immediately"),
-    PARAM("box", A_BOOL, OPT, 0, 0, NULL, "false", "draw a box behind the text in the darkest colour of the bank"),
-    PARAM("hidden", A_BOOL, OPT, 0, 0, NULL, "false", "create the line without drawing it"),
-    PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false", "keep the line when the boss phase that created it ends"),
+    DEFAULT("box", A_BOOL, "false", "draw a box behind the text in the darkest colour of the bank"),
+    DEFAULT("hidden", A_BOOL, "false", "create the line without drawing it"),
+    DEFAULT("stay", A_BOOL, "false", "keep the line when the boss phase that created it ends"),
 };
 
 const char *api_check_text(lua_State *L, const char *entry, int at, size_t *n)
@@ -117,25 +116,23 @@ static int text_line(lua_State *L, struct board *b, struct api_value *v)
 enum { P_X, P_Y, P_DX, P_DY, P_TEXT, P_BANK, P_HIDDEN, P_DONE, PROPS };
 
 static const struct api_prop props[PROPS] = {
-    { PARAM(
-          "x", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
+    { COORDINATE(
+          "x", A_FX, REQ,
           "horizontal position; while the line follows a thing, this is the thing's position, and writes are ignored"),
       PROP_WRITE, COMPUTED },
-    { PARAM("y", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
-            "vertical position; while the line follows a thing, this is the thing's position, and writes are ignored"),
+    { COORDINATE(
+          "y", A_FX, REQ,
+          "vertical position; while the line follows a thing, this is the thing's position, and writes are ignored"),
       PROP_WRITE, COMPUTED },
-    { PARAM("dx", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "distance to the right of `x` at which it is drawn"),
-      PROP_WRITE, STORED(STORED_FX, lines.dx) },
-    { PARAM("dy", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "distance below `y` at which it is drawn"),
-      PROP_WRITE, STORED(STORED_FX, lines.dy) },
-    { PARAM("text", A_STR, REQ, 0, 0, NULL, NULL,
-            "text of the line; after a write, the letters appear one by one again"),
-      PROP_WRITE, COMPUTED },
+    { COORDINATE("dx", A_FX, REQ, "distance to the right of `x` at which it is drawn"), PROP_WRITE,
+      STORED(STORED_FX, lines.dx) },
+    { COORDINATE("dy", A_FX, REQ, "distance below `y` at which it is drawn"), PROP_WRITE, STORED(STORED_FX, lines.dy) },
+    { REQUIRED("text", A_STR, "text of the line; after a write, the letters appear one by one again"), PROP_WRITE,
+      COMPUTED },
     { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of the font"), PROP_WRITE,
       STORED(STORED_U8, lines.bank) },
-    { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "true if not drawn"), PROP_WRITE,
-      FLAG_OF(lines.flags, LINE_HIDDEN) },
-    { PARAM("done", A_BOOL, REQ, 0, 0, NULL, NULL, "true once all letters have appeared"), PROP_READ, COMPUTED },
+    { REQUIRED("hidden", A_BOOL, "true if not drawn"), PROP_WRITE, FLAG_OF(lines.flags, LINE_HIDDEN) },
+    { REQUIRED("done", A_BOOL, "true once all letters have appeared"), PROP_READ, COMPUTED },
 };
 
 static void push_text(lua_State *L, const struct lines *l, uint32_t i)
@@ -180,7 +177,7 @@ const struct api_thing api_line_thing = { "line", props, PROPS, .get = get_line,
 
 enum { ARG_SELF };
 
-static const struct api_param self_params[] = { PARAM("self", A_THING, REQ, 1 << H_LINE, 0, NULL, NULL, "") };
+static const struct api_param self_params[] = { THING("self", REQ, 1 << H_LINE, "") };
 
 static int line_remove(lua_State *L, struct board *b, struct api_value *v)
 {

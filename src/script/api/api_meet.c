@@ -6,14 +6,12 @@
 enum { ARG_FIRST, ARG_SECOND, ARG_CLEAR, ARG_SPARK, ARG_ALL, ARG_ON_MEET };
 
 const struct api_param api_bullet_meet_params[MEET_PARAM_COUNT] = {
-    PARAM("first", A_STR, REQ, 0, 0, NULL, NULL, "tag of the first bullet of a pair"),
-    PARAM("second", A_STR, REQ, 0, 0, NULL, NULL, "tag of the second bullet of a pair"),
-    PARAM("clear", A_MEET, OPT, 0, 0, NULL, "none", "which of the two bullets to remove"),
-    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL,
-          "kind of spark that a removed bullet leaves; overrides `vanish`; needs `clear`"),
-    PARAM("all", A_BOOL, OPT, 0, 0, NULL, "false", "also remove kinds with `clearable = false`; needs `clear`"),
-    PARAM("on_meet", A_FUNC, OPT, 0, 0, NULL, NULL,
-          "on_meet(a, b): called with the first and the second bullet, before either is removed"),
+    REQUIRED("first", A_STR, "tag of the first bullet of a pair"),
+    REQUIRED("second", A_STR, "tag of the second bullet of a pair"),
+    DEFAULT("clear", A_MEET, "none", "which of the two bullets to remove"),
+    OPTIONAL("spark", A_SPARK_KIND, "kind of spark that a removed bullet leaves; overrides `vanish`; needs `clear`"),
+    DEFAULT("all", A_BOOL, "false", "also remove kinds with `clearable = false`; needs `clear`"),
+    OPTIONAL("on_meet", A_FUNC, "on_meet(a, b): called with the first and the second bullet, before either is removed"),
 };
 
 _Static_assert(MEET_FIRST == 1 && MEET_SECOND == 2, "the words of A_MEET have the values of the MEET_ flags");

@@ -42,43 +42,41 @@ enum {
 
 static const struct api_param step_keys[M_KEY_COUNT] = {
     PARAM("wait", A_COUNT, OPT, 0, 1e9, "frames", NULL, "frames to fly unchanged before the next step"),
-    PARAM("kind", A_BULLET_KIND, OPT, 0, 0, NULL, NULL, "kind of bullet to turn into"),
+    OPTIONAL("kind", A_BULLET_KIND, "kind of bullet to turn into"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL, "number added to the palette bank of its sprite from now on"),
-    PARAM("dir", A_DIR, OPT, 0, 0, NULL, NULL, "new direction of flight, clockwise from the right"),
-    PARAM("aim", A_BOOL, OPT, 0, 0, NULL, NULL, "aim at the nearest target; with `over`, aim again in every frame"),
-    PARAM("turn", A_DIR, OPT, 0, 0, NULL, NULL, "degrees to turn, clockwise; with `over`, degrees per frame"),
+    OPTIONAL("dir", A_DIR, "new direction of flight, clockwise from the right"),
+    OPTIONAL("aim", A_BOOL, "aim at the nearest target; with `over`, aim again in every frame"),
+    OPTIONAL("turn", A_DIR, "degrees to turn, clockwise; with `over`, degrees per frame"),
     PARAM("home", A_NUM, OPT, 0, 180, "degrees per frame", NULL,
           "maximum turn per frame towards the nearest target; needs `over`"),
-    PARAM("speed", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,
+    SPEED("speed", A_FX, OPT,
           "new speed; with `over`, it is reached in equal steps; with `go_to`, it is the speed of travel"),
     PARAM("accel", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame per frame", NULL,
           "change in speed; with `over`, the change per frame"),
-    PARAM("die", A_BOOL, OPT, 0, 0, NULL, NULL, "despawn the bullet"),
+    OPTIONAL("die", A_BOOL, "despawn the bullet"),
     PARAM("over", A_COUNT, OPT, 1, 1e9, "frames", NULL,
           "duration of the step; without `over`, the step takes effect immediately"),
     PARAM("loop", A_COUNT, OPT, 0, 65534, "times", NULL, "number of times to run the steps nested in this one"),
-    PARAM("go_to", A_TABLE, OPT, 0, 0, NULL, NULL, "point { x, y } in the field to fly to; needs `over` or `speed`"),
-    PARAM("polar", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,
-          "speed away from `at`, or from where the step starts if `at` is omitted; needs `over`"),
+    OPTIONAL("go_to", A_TABLE, "point { x, y } in the field to fly to; needs `over` or `speed`"),
+    SPEED("polar", A_FX, OPT, "speed away from `at`, or from where the step starts if `at` is omitted; needs `over`"),
     PARAM("wave", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px", NULL,
           "distance the bullet swings to each side of its path; needs `over` and `every`"),
     PARAM("orbit", A_FX, OPT, 0, MAX_SPEED, "px", NULL,
           "radius of a circle around `at`, or around the thing in `around` if `at` is omitted; needs `over`"),
-    PARAM("ease", A_EASE, OPT, 0, 0, NULL, NULL, "easing of `go_to`"),
-    PARAM("spin", A_DIR, OPT, 0, 0, NULL, NULL, "degrees per frame around the centre of `polar` or `orbit`, clockwise"),
-    PARAM("at", A_TABLE, OPT, 0, 0, NULL, NULL, "centre of `polar` or `orbit`, a point { x, y } in the field"),
+    OPTIONAL("ease", A_EASE, "easing of `go_to`"),
+    OPTIONAL("spin", A_DIR, "degrees per frame around the centre of `polar` or `orbit`, clockwise"),
+    OPTIONAL("at", A_TABLE, "centre of `polar` or `orbit`, a point { x, y } in the field"),
     PARAM("every", A_INT, OPT, 1, 65535, "frames", NULL, "period of `wave`"),
-    PARAM("phase", A_DIR, OPT, 0, 0, NULL, NULL, "phase at which `wave` starts; 360 degrees is one period"),
+    OPTIONAL("phase", A_DIR, "phase at which `wave` starts; 360 degrees is one period"),
     PARAM("radius_to", A_FX, OPT, 0, MAX_SPEED, "px", NULL, "radius that `orbit` reaches at the end of `over`"),
     PARAM("bounce", A_COUNT, OPT, 1, 65534, "times", NULL,
           "number of bounces off the edges of the field; the steps nested in this one run after each bounce"),
-    PARAM("walls", A_STR, OPT, 1, 31, NULL, NULL,
+    LABEL("walls", OPT,
           "edges to bounce off: any of left, right, top and bottom, separated by spaces; all four if omitted"),
-    PARAM("emit", A_TABLE, OPT, 0, 0, NULL, NULL, "bullets or shots to fire from the bullet's position"),
-    PARAM("path", A_ROUTE, OPT, 0, 0, NULL, NULL, "route to follow, moved so that it starts at the bullet's position"),
-    PARAM("mirror", A_BOOL, OPT, 0, 0, NULL, "false", "mirror `path` left to right"),
-    PARAM("wait_for", A_TABLE, OPT, 0, 0, NULL, NULL,
-          "what to wait for while flying unchanged: a position, a nearby target or a signal"),
+    OPTIONAL("emit", A_TABLE, "bullets or shots to fire from the bullet's position"),
+    OPTIONAL("path", A_ROUTE, "route to follow, moved so that it starts at the bullet's position"),
+    DEFAULT("mirror", A_BOOL, "false", "mirror `path` left to right"),
+    OPTIONAL("wait_for", A_TABLE, "what to wait for while flying unchanged: a position, a nearby target or a signal"),
 };
 
 enum { MAX_STEPS = 1024, MAX_ROUNDS = 4096 };
@@ -578,8 +576,7 @@ enum { HEAD_NAME, HEAD_FINE, HEAD_PARAM_COUNT };
 /* Initializes r and reads the named arguments of motion.def, `name` and `fine`. Returns the name, or NULL. */
 static const char *read_head(lua_State *L, struct program_reader *r)
 {
-    static const struct api_param head_params[] = { PARAM("name", A_STR, OPT, 0, 0, NULL, NULL, ""),
-                                                    PARAM("fine", A_BOOL, OPT, 0, 0, NULL, "false", "") };
+    static const struct api_param head_params[] = { OPTIONAL("name", A_STR, ""), DEFAULT("fine", A_BOOL, "false", "") };
     static const struct api_fields fields = { head_params, HEAD_PARAM_COUNT, NAME_LISTS };
     struct api_value v[HEAD_PARAM_COUNT] = { { 0 } };
 
@@ -625,9 +622,8 @@ static int motion_def(lua_State *L, struct board *b, struct api_value *v)
 
 const struct api_thing api_motion_thing = { .name = "motion" };
 
-static const struct api_param motion_params[] = { PARAM(
-    "steps", A_TABLE, REQ, 0, 0, NULL, NULL,
-    "list of steps, run in order; `name = STRING` and `fine = true` can be set in the same table") };
+static const struct api_param motion_params[] = { REQUIRED(
+    "steps", A_TABLE, "list of steps, run in order; `name = STRING` and `fine = true` can be set in the same table") };
 
 static const struct api_entry entries[] = {
     { "motion.def", motion_def, PARAMS(motion_params), 1, API_CHANGES, "motion",

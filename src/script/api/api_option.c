@@ -9,11 +9,11 @@
 enum { D_NAME, D_SPRITE, D_BANK, D_LAYER, D_RUN };
 
 static const struct api_param def_params[] = {
-    PARAM("name", A_STR, REQ, 1, 31, NULL, NULL, "name of the kind, used in `options` of player.def; must be new"),
-    PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "sprite to draw"),
+    LABEL("name", REQ, "name of the kind, used in `options` of player.def; must be new"),
+    REQUIRED("sprite", A_SPRITE, "sprite to draw"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of its sprite"),
-    PARAM("layer", A_LAYER, OPT, 0, 0, NULL, "front", "sprite layer to draw it in"),
-    PARAM("run", A_FUNC, OPT, 0, 0, NULL, NULL, "run(o): task of each option; it ends with the option"),
+    DEFAULT("layer", A_LAYER, "front", "sprite layer to draw it in"),
+    OPTIONAL("run", A_FUNC, "run(o): task of each option; it ends with the option"),
 };
 
 static int option_def(lua_State *L, struct board *b, struct api_value *v)
@@ -35,22 +35,20 @@ static const char player_entry[] = "player.def", *const style_names[] = { "fixed
 enum { O_KIND, O_REGISTER, O_LEVELS, O_OVER, O_STYLE, O_SPACING, O_RADIUS, O_CLOSE, O_SPIN, O_PARAM_COUNT };
 
 static const struct api_param options_params[O_PARAM_COUNT] = {
-    PARAM("kind", A_OPTION_KIND, REQ, 0, 0, NULL, NULL, "declared kind of the options"),
-    PARAM("by", A_STR, OPT, 1, 31, NULL, NULL,
-          "register of the ship that selects the level; without it, the last level applies"),
-    PARAM("levels", A_TABLE, REQ, 0, 0, NULL, NULL,
-          "list of 1 to 16 levels, each with a higher `at` than the one before"),
+    REQUIRED("kind", A_OPTION_KIND, "declared kind of the options"),
+    LABEL("by", OPT, "register of the ship that selects the level; without it, the last level applies"),
+    REQUIRED("levels", A_TABLE, "list of 1 to 16 levels, each with a higher `at` than the one before"),
     PARAM("over", A_INT, OPT, 0, 65535, "frames", "8",
           "frames the options take to reach new positions; not for style trail"),
-    PARAM("style", A_STR, OPT, 0, 0, NULL, "fixed",
-          "how the options fly: fixed (at positions around the ship), trail (along its path) or orbit (on a circle)"),
+    DEFAULT("style", A_STR, "fixed",
+            "how the options fly: fixed (at positions around the ship), trail (along its path) or orbit (on a circle)"),
     PARAM("apart", A_INT, OPT, 1, OPTION_PATH_LENGTH - 1, "frames", "8",
           "frames of flight between one option and the next; only for style trail"),
     PARAM("radius", A_FX, OPT, 0, MAX_SPEED, "px", NULL,
           "radius of the circle; only for style orbit, where it is required"),
     PARAM("close", A_FX, OPT, 0, MAX_SPEED, "px", NULL,
           "radius while focused; defaults to `radius`; only for style orbit"),
-    PARAM("spin", A_DIR, OPT, 0, 0, NULL, "0", "degrees the circle turns per frame, clockwise; only for style orbit"),
+    DEFAULT("spin", A_DIR, "0", "degrees the circle turns per frame, clockwise; only for style orbit"),
 };
 
 enum { L_AT, L_N, L_WIDE, L_CLOSE, L_PARAM_COUNT };
@@ -59,10 +57,10 @@ static const struct api_param level_params[L_PARAM_COUNT] = {
     PARAM("at", A_INT, OPT, INT32_MIN, INT32_MAX, NULL, "0", "lowest value of the register at which the level applies"),
     PARAM("n", A_INT, OPT, 0, OPTION_MAX_PER_SHIP, "options", NULL,
           "number of options; only for styles trail and orbit, where it is required"),
-    PARAM("wide", A_TABLE, OPT, 0, 0, NULL, NULL,
-          "positions around the ship, { { dx, dy }, .. } in px; only for style fixed, where it is required"),
-    PARAM("close", A_TABLE, OPT, 0, 0, NULL, NULL,
-          "positions while focused, as many as in `wide`; defaults to `wide`; only for style fixed"),
+    OPTIONAL("wide", A_TABLE,
+             "positions around the ship, { { dx, dy }, .. } in px; only for style fixed, where it is required"),
+    OPTIONAL("close", A_TABLE,
+             "positions while focused, as many as in `wide`; defaults to `wide`; only for style fixed"),
 };
 
 static fx read_axis(lua_State *L, const char *setting, int axis)
@@ -259,17 +257,14 @@ static const struct api_prop props[PROPS] = {
       STORED(STORED_FX, options.x) },
     { PARAM("y", A_FX, REQ, 0, 0, "px", NULL, "vertical position in the field"), PROP_READ,
       STORED(STORED_FX, options.y) },
-    { PARAM("by", A_THING, REQ, 1 << H_PLAYER, 0, NULL, NULL, "player it belongs to"), PROP_READ, COMPUTED },
-    { PARAM("index", A_INT, REQ, 0, 0, NULL, NULL, "number among the player's options, from 1"), PROP_READ, COMPUTED },
-    { PARAM("focus", A_BOOL, REQ, 0, 0, NULL, NULL, "true while its player flies at focus speed"), PROP_READ,
-      COMPUTED },
-    { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL, "frames since it spawned"), PROP_READ,
-      STORED(STORED_BORN, options.born) },
-    { PARAM("kind", A_OPTION_KIND, REQ, 0, 0, NULL, NULL, "name of its kind"), PROP_READ,
-      STORED(STORED_KIND, options.kind) },
+    { THING("by", REQ, 1 << H_PLAYER, "player it belongs to"), PROP_READ, COMPUTED },
+    { REQUIRED("index", A_INT, "number among the player's options, from 1"), PROP_READ, COMPUTED },
+    { REQUIRED("focus", A_BOOL, "true while its player flies at focus speed"), PROP_READ, COMPUTED },
+    { REQUIRED("age", A_INT, "frames since it spawned"), PROP_READ, STORED(STORED_BORN, options.born) },
+    { REQUIRED("kind", A_OPTION_KIND, "name of its kind"), PROP_READ, STORED(STORED_KIND, options.kind) },
     { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of its sprite"), PROP_WRITE,
       STORED(STORED_U8, options.bank) },
-    { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "true if not drawn; it still flies and fires"), PROP_WRITE,
+    { REQUIRED("hidden", A_BOOL, "true if not drawn; it still flies and fires"), PROP_WRITE,
       FLAG_OF(options.flags, OPTION_HIDDEN) },
 };
 

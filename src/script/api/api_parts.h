@@ -339,8 +339,7 @@ extern const struct api_param api_tag_params[TAG_PARAM_COUNT], api_each_params[E
 /* The row of a group's property `count`. */
 #define COUNT_PROP(members)                                                                                            \
     {                                                                                                                  \
-        PARAM("count", A_INT, REQ, 0, 0, NULL, NULL,                                                                   \
-              "number of live " members " with the tag; no other property of a group can be read"),                    \
+        REQUIRED("count", A_INT, "number of live " members " with the tag; no other property of a group can be read"), \
             PROP_READ, COMPUTED                                                                                        \
     }
 
@@ -389,18 +388,14 @@ struct api_region {
 };
 
 /* Arguments of the verbs of bullets, shots, lasers and their groups. */
-#define SELF_PARAM_OF(kinds) PARAM("self", A_THING, REQ, kinds, 0, NULL, NULL, "the thing itself")
+#define SELF_PARAM_OF(kinds) THING("self", REQ, kinds, "the thing itself")
 
-#define AIM_ADD_PARAM                                                                                                  \
-    PARAM("add", A_DIR, OPT, 0, 0, NULL, "0", "angle added to the direction towards the target, clockwise")
+#define AIM_ADD_PARAM DEFAULT("add", A_DIR, "0", "angle added to the direction towards the target, clockwise")
 
-#define TURN_BY_PARAM                                                                                                  \
-    PARAM("by", A_DIR, REQ, 0, 0, NULL, NULL, "degrees to turn clockwise; a negative number turns counterclockwise")
+#define TURN_BY_PARAM REQUIRED("by", A_DIR, "degrees to turn clockwise; a negative number turns counterclockwise")
 
-#define SHIFT_DX_PARAM                                                                                                 \
-    PARAM("dx", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "distance to the right; a negative distance moves left")
-#define SHIFT_DY_PARAM                                                                                                 \
-    PARAM("dy", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "distance down; a negative distance moves up")
+#define SHIFT_DX_PARAM COORDINATE("dx", A_FX, REQ, "distance to the right; a negative distance moves left")
+#define SHIFT_DY_PARAM COORDINATE("dy", A_FX, REQ, "distance down; a negative distance moves up")
 
 /* Indices of the shape words, which follow PLACE in this order. */
 enum {
@@ -422,9 +417,9 @@ enum {
         PARAM("h", A_FX, must, 0, 32767, "px", NULL,                                                                   \
               "height of a box centred on the position" SHAPE_NEEDS_##must("`w`"))
 #define SHAPE_LINE_PARAMS(must)                                                                                        \
-    PARAM("to_x", A_FX, must, -WORLD_EDGE, WORLD_EDGE, "px", NULL,                                                     \
-          "x of the end of a line that starts at the position" SHAPE_NEEDS_##must("`to_y` and `width`")),              \
-        PARAM("to_y", A_FX, must, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "y of the end of the line"),                    \
+    COORDINATE("to_x", A_FX, must,                                                                                     \
+               "x of the end of a line that starts at the position" SHAPE_NEEDS_##must("`to_y` and `width`")),         \
+        COORDINATE("to_y", A_FX, must, "y of the end of the line"),                                                    \
         PARAM("width", A_FX, must, 0, WORLD_EDGE, "px", NULL, "width of the line; its ends are round")
 
 /* Reads a region from REGION_PARAM_COUNT values. Returns false if the thing `from` is dead, so that the region has no

@@ -31,8 +31,8 @@ enum {
 };
 
 static const struct api_param def_params[] = {
-    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the ship, used in `players` of boot.run; must be new"),
-    PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "sprite to draw"),
+    REQUIRED("name", A_STR, "name of the ship, used in `players` of boot.run; must be new"),
+    REQUIRED("sprite", A_SPRITE, "sprite to draw"),
     PARAM("hit", A_HIT_SHAPE, REQ, HIT_PLAYERS, 0, NULL, NULL, "hitbox, a circle around its position"),
     PARAM("graze", A_FX, OPT, 0, MAX_SPEED, "px", "16", "radius of the circle in which bullets graze it"),
     PARAM("speed", A_FX, OPT, 0, MAX_SPEED, "px/frame", "4", "speed of flight"),
@@ -40,27 +40,26 @@ static const struct api_param def_params[] = {
     PARAM("lives", A_INT, OPT, 1, MAX_LIVES, NULL, "3", "lives at the start of a game, counting the one in play"),
     PARAM("safe", A_INT, OPT, 0, 100000, "frames", "120",
           "frames at the start and after a death during which nothing can hit the ship"),
-    PARAM("registers", A_TABLE, OPT, 0, 0, NULL, NULL,
-          "up to 16 whole numbers that belong to the ship, { NAME = start } or { NAME = { .. } }; read and write them "
-          "as p.NAME"),
-    PARAM("run", A_FUNC, OPT, 0, 0, NULL, NULL,
-          "run(p): task that runs from when the ship joins the game until the player is out"),
+    OPTIONAL(
+        "registers", A_TABLE,
+        "up to 16 whole numbers that belong to the ship, { NAME = start } or { NAME = { .. } }; read and write them "
+        "as p.NAME"),
+    OPTIONAL("run", A_FUNC, "run(p): task that runs from when the ship joins the game until the player is out"),
     PARAM("magnet", A_FX, OPT, 0, MAX_SPEED, "px", "24", "distance within which items fly to it"),
-    PARAM("collect_line", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
-          "vertical position of a line; while the ship is above the line, it attracts all items; nil for no line"),
-    PARAM("collect_full", A_STR, OPT, 1, 31, NULL, NULL,
+    COORDINATE("collect_line", A_FX, OPT,
+               "vertical position of a line; while the ship is above the line, it attracts all items; nil for no line"),
+    LABEL("collect_full", OPT,
           "register of the ship or the run; while the register is at its max, all items fly to the ship"),
     PARAM("pull", A_FX, OPT, 0, MAX_SPEED, "px/frame", "6", "speed at which items fly to it"),
-    PARAM("pictures", A_TABLE, OPT, 0, 0, NULL, NULL,
-          "up to 15 more sprites, { NAME = sprite }, which `picture` selects by name; `left` and `right` are shown "
-          "while the ship flies left or right"),
-    PARAM("bomb", A_STR, OPT, 1, 31, NULL, NULL, "bomb (bomb.def) that the bomb button starts"),
-    PARAM("bomb_focus", A_STR, OPT, 1, 31, NULL, NULL, "bomb used while focused; defaults to `bomb`"),
+    OPTIONAL("pictures", A_TABLE,
+             "up to 15 more sprites, { NAME = sprite }, which `picture` selects by name; `left` and `right` are shown "
+             "while the ship flies left or right"),
+    LABEL("bomb", OPT, "bomb (bomb.def) that the bomb button starts"),
+    LABEL("bomb_focus", OPT, "bomb used while focused; defaults to `bomb`"),
     PARAM("deathbomb", A_INT, OPT, 0, 600, "frames", "0",
           "frames after a hit during which a bomb can still save the ship; at 0, the ship dies immediately"),
-    PARAM("options", A_TABLE, OPT, 0, 0, NULL, NULL,
-          "options (option.def) that fly with it and fire; needs `board = { options = n }`"),
-    PARAM("needs", A_STR, OPT, 1, 31, NULL, NULL, "unlock (unlock.def) that makes the ship available to players"),
+    OPTIONAL("options", A_TABLE, "options (option.def) that fly with it and fire; needs `board = { options = n }`"),
+    LABEL("needs", OPT, "unlock (unlock.def) that makes the ship available to players"),
 };
 
 static const char *const first_picture_names[] = { "left", "right", NULL };
@@ -170,13 +169,11 @@ int api_player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind)
 
 enum { ARG_PLAYER = 0, ARG_X = 0, ARG_Y = 1, ARG_F = 0 };
 
-static const struct api_param get_params[] = { PARAM("i", A_PLAYER, REQ, 0, 0, NULL, NULL, "player to return") };
-static const struct api_param nearest_params[] = {
-    PARAM("x", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "horizontal position to measure from"),
-    PARAM("y", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "vertical position to measure from")
-};
-static const struct api_param each_params[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
-                                                      "f(player): called with each player; it cannot wait") };
+static const struct api_param get_params[] = { REQUIRED("i", A_PLAYER, "player to return") };
+static const struct api_param nearest_params[] = { COORDINATE("x", A_FX, REQ, "horizontal position to measure from"),
+                                                   COORDINATE("y", A_FX, REQ, "vertical position to measure from") };
+static const struct api_param each_params[] = { REQUIRED("f", A_FUNC,
+                                                         "f(player): called with each player; it cannot wait") };
 
 static int player_get(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -222,37 +219,35 @@ enum {
 };
 
 static const struct api_prop props[PROPS] = {
-    { PARAM("x", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
-            "horizontal position in the field; a write teleports it, without collisions on the way"),
+    { COORDINATE("x", A_FX, REQ,
+                 "horizontal position in the field; a write teleports it, without collisions on the way"),
       PROP_WRITE, STORED(STORED_FX, player.x), .has_setter = true },
-    { PARAM("y", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
-            "vertical position in the field; a write teleports it, without collisions on the way"),
+    { COORDINATE("y", A_FX, REQ, "vertical position in the field; a write teleports it, without collisions on the way"),
       PROP_WRITE, STORED(STORED_FX, player.y), .has_setter = true },
     { PARAM("lives", A_INT, REQ, 0, MAX_LIVES, NULL, NULL,
             "lives left after the one in play; reads as -1 in on.death when the last life is lost"),
       PROP_WRITE, STORED(STORED_I32, player.lives) },
     { PARAM("safe", A_INT, REQ, 0, INT32_MAX, "frames", NULL, "frames for which nothing can hit it"), PROP_WRITE,
       STORED(STORED_U32, player.safe_left) },
-    { PARAM("focus", A_BOOL, REQ, 0, 0, NULL, NULL, "true while it flies at its focus speed"), PROP_READ,
+    { REQUIRED("focus", A_BOOL, "true while it flies at its focus speed"), PROP_READ,
       FLAG_OF(player.flags, PLAYER_FOCUS) },
-    { PARAM("grazes", A_INT, REQ, 0, 0, NULL, NULL, "number of bullets and lasers grazed in this game"),
-      PROP_PERSISTENT, STORED(STORED_U32, player.grazes) },
-    { PARAM("score", A_INT, REQ, 0, 0, NULL, NULL, "points in this game; score.add changes them"), PROP_PERSISTENT,
+    { REQUIRED("grazes", A_INT, "number of bullets and lasers grazed in this game"), PROP_PERSISTENT,
+      STORED(STORED_U32, player.grazes) },
+    { REQUIRED("score", A_INT, "points in this game; score.add changes them"), PROP_PERSISTENT,
       STORED(STORED_I64, player.score) },
-    { PARAM("index", A_INT, REQ, 0, 0, NULL, NULL, "number of the player, 1 or 2"), PROP_PERSISTENT, COMPUTED },
-    { PARAM("kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL, "name of its kind"), PROP_PERSISTENT,
-      STORED(STORED_KIND, player.kind) },
-    { PARAM("picture", A_STR, OPT, 0, 0, NULL, NULL,
-            "picture to show, a name in `pictures` of its kind; nil shows the picture `left` or `right` while the ship "
-            "flies left or right, otherwise its sprite"),
+    { REQUIRED("index", A_INT, "number of the player, 1 or 2"), PROP_PERSISTENT, COMPUTED },
+    { REQUIRED("kind", A_PLAYER_KIND, "name of its kind"), PROP_PERSISTENT, STORED(STORED_KIND, player.kind) },
+    { OPTIONAL(
+          "picture", A_STR,
+          "picture to show, a name in `pictures` of its kind; nil shows the picture `left` or `right` while the ship "
+          "flies left or right, otherwise its sprite"),
       PROP_WRITE, COMPUTED },
-    { PARAM("flip_x", A_BOOL, REQ, 0, 0, NULL, NULL, "true if mirrored left to right"), PROP_WRITE,
-      FLAG_OF(player.flags, PLAYER_FLIP) },
-    { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "true if not drawn; it still flies, fires and is hit"), PROP_WRITE,
+    { REQUIRED("flip_x", A_BOOL, "true if mirrored left to right"), PROP_WRITE, FLAG_OF(player.flags, PLAYER_FLIP) },
+    { REQUIRED("hidden", A_BOOL, "true if not drawn; it still flies, fires and is hit"), PROP_WRITE,
       FLAG_OF(player.flags, PLAYER_HIDDEN) },
-    { PARAM("state", A_STR, REQ, 0, 0, NULL, NULL,
-            "\"fly\" or \"hit\"; in \"hit\", the player can't move or fire, but can still be saved by a bomb "
-            "(deathbomb)"),
+    { REQUIRED("state", A_STR,
+               "\"fly\" or \"hit\"; in \"hit\", the player can't move or fire, but can still be saved by a bomb "
+               "(deathbomb)"),
       PROP_READ, COMPUTED },
 };
 
@@ -288,17 +283,15 @@ const struct api_thing api_player_thing = { "player", props, PROPS, .get = get_p
 
 enum { BUTTON_NAME, BUTTON_PLAYER };
 
-static const struct api_param button_params[] = { PARAM("button", A_BUTTON, REQ, 0, 0, NULL, NULL, "button to read"),
-                                                  PARAM("p", A_PLAYER, OPT, 0, 0, NULL, "1",
-                                                        "player whose buttons to read") };
+static const struct api_param button_params[] = { REQUIRED("button", A_BUTTON, "button to read"),
+                                                  DEFAULT("p", A_PLAYER, "1", "player whose buttons to read") };
 
 enum { TAKE_BUTTON, TAKE_AGE, TAKE_PLAYER };
 
-static const struct api_param take_params[] = { PARAM("button", A_BUTTON, REQ, 0, 0, NULL, NULL, "button to read"),
+static const struct api_param take_params[] = { REQUIRED("button", A_BUTTON, "button to read"),
                                                 PARAM("n", A_INT, REQ, 0, MAX_PRESS_AGE, "frames", NULL,
                                                       "maximum age of the press; 0 accepts only a press in this frame"),
-                                                PARAM("p", A_PLAYER, OPT, 0, 0, NULL, "1",
-                                                      "player whose buttons to read") };
+                                                DEFAULT("p", A_PLAYER, "1", "player whose buttons to read") };
 
 const uint16_t *api_get_pads(const struct board *b, const char *state)
 {
@@ -330,10 +323,9 @@ static int take_press(lua_State *L, struct board *b, struct api_value *v)
 
 enum { ADD_POINTS, ADD_PLAYER };
 
-static const struct api_param add_params[] = {
-    PARAM("n", A_INT, REQ, -1e12, 1e12, "points", NULL, "points to add; a negative number takes points away"),
-    PARAM("p", A_PLAYER, OPT, 0, 0, NULL, "1", "player who gets the points")
-};
+static const struct api_param add_params[] = { PARAM("n", A_INT, REQ, -1e12, 1e12, "points", NULL,
+                                                     "points to add; a negative number takes points away"),
+                                               DEFAULT("p", A_PLAYER, "1", "player who gets the points") };
 
 enum { ROWS_TABLE, ROWS_SHIP };
 
@@ -354,7 +346,7 @@ static const struct api_param enter_params[] = {
     PARAM("ship", A_STR, OPT, 1, NV_MAX_KEY, NULL, NULL,
           "ship that earned the score; the score is entered into the ship's table"),
     PARAM("stage", A_INT, OPT, 1, NV_STAGE_CLEARED - 1, NULL, NULL, "number of the stage reached"),
-    PARAM("clear", A_BOOL, OPT, 0, 0, NULL, "false", "true if all stages were cleared; use it instead of `stage`"),
+    DEFAULT("clear", A_BOOL, "false", "true if all stages were cleared; use it instead of `stage`"),
     PARAM("continues", A_INT, OPT, 0, NV_MAX_CONTINUES, NULL, "0", "number of continues used")
 };
 

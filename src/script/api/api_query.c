@@ -174,16 +174,12 @@ static int run_query(lua_State *L, struct board *b, const char *entry, const str
 enum { NEAR_POOL, NEAR_X, NEAR_Y, NEAR_RADIUS, NEAR_TAG, NEAR_FROM, NEAR_DX, NEAR_DY };
 
 static const struct api_param near_params[] = {
-    PARAM("what", A_STR, REQ, 0, 0, NULL, NULL, "what to look for: bullet, shot, enemy, item, laser or player"),
-    PARAM("x", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
-          "horizontal position in the field; give `x` and `y`, or `from`"),
-    PARAM("y", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "vertical position in the field"),
+    REQUIRED("what", A_STR, "what to look for: bullet, shot, enemy, item, laser or player"),
+    COORDINATE("x", A_FX, OPT, "horizontal position in the field; give `x` and `y`, or `from`"),
+    COORDINATE("y", A_FX, OPT, "vertical position in the field"),
     SHAPE_CIRCLE_PARAMS(REQ, 32767),
-    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "return only things with this tag"),
-    PARAM("from", A_THING, OPT, POSITION_HANDLE_KINDS, 0, NULL, NULL,
-          "thing whose position is used instead of `x` and `y`"),
-    PARAM("dx", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", "0", "distance added to `x`, or to the position of `from`"),
-    PARAM("dy", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", "0", "distance added to `y`, or to the position of `from`"),
+    LABEL("tag", OPT, "return only things with this tag"),
+    FROM_PARAMS,
 };
 
 static int query_near(lua_State *L, struct board *b, struct api_value *v)
@@ -197,8 +193,8 @@ static int query_near(lua_State *L, struct board *b, struct api_value *v)
 /* Indices of the parameters of query.box and query.line; the parameters of the shape come last. */
 enum { ARG_POOL, ARG_TAG, ARG_POSITION, ARG_SHAPE = ARG_POSITION + POSITION_PARAM_COUNT };
 #define TARGET_PARAMS                                                                                                  \
-    PARAM("what", A_STR, REQ, 0, 0, NULL, NULL, "what to look for: bullet, shot, enemy, item, laser or player"),       \
-        PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "return only things with this tag"), POSITION_PARAMS
+    REQUIRED("what", A_STR, "what to look for: bullet, shot, enemy, item, laser or player"),                           \
+        LABEL("tag", OPT, "return only things with this tag"), POSITION_PARAMS
 
 static const struct api_param box_params[] = { TARGET_PARAMS, SHAPE_BOX_PARAMS(REQ) };
 static const struct api_param line_params[] = { TARGET_PARAMS, SHAPE_LINE_PARAMS(REQ) };

@@ -28,10 +28,8 @@ const struct api_param api_register_settings[REGISTER_SETTING_COUNT] = {
     PARAM("hold", A_INT, OPT, 0, INT32_MAX, "frames", NULL,
           "frames for which the drain pauses after a script or an item changes the register in the opposite direction; "
           "needs `drain`"),
-    PARAM("show", A_STR, OPT, 0, 0, NULL, NULL,
-          "how the HUD shows the register: none, number, icons, bar or times; a bar needs `max`"),
-    PARAM("at", A_STR, OPT, 0, 0, NULL, NULL,
-          "where the HUD shows the register: top, or low (at the lower edge of the field)"),
+    OPTIONAL("show", A_STR, "how the HUD shows the register: none, number, icons, bar or times; a bar needs `max`"),
+    OPTIONAL("at", A_STR, "where the HUD shows the register: top, or low (at the lower edge of the field)"),
     PARAM("label", A_STR, OPT, 0, 31, NULL, NULL, "word shown before the register; defaults to its name"),
     PARAM("mark", A_INT, OPT, -INT32_MAX, INT32_MAX, NULL, NULL,
           "lowest value at which the HUD shows the register in the bright colour"),

@@ -14,8 +14,7 @@ static const struct api_param number_params[] = { PARAM("a", A_NUM, REQ, -1e15, 
                                                   PARAM("b", A_NUM, REQ, -1e15, 1e15, NULL, NULL,
                                                         "upper limit, which is never returned unless it equals `a`") };
 static const struct api_param chance_params[] = { PARAM("p", A_NUM, REQ, 0, 1, NULL, NULL, "probability") };
-static const struct api_param pick_params[] = { PARAM("list", A_TABLE, REQ, 0, 0, NULL, NULL,
-                                                      "list to pick from, not empty") };
+static const struct api_param pick_params[] = { REQUIRED("list", A_TABLE, "list to pick from, not empty") };
 
 static int rng_int(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -66,19 +65,13 @@ static int rng_dir(lua_State *L, struct board *b, struct api_value *v)
 
 /* ---- angle ---- */
 
-static const struct api_param angle_to_params[] = {
-    PARAM("a", A_ANY, REQ, 0, 0, NULL, NULL, "thing or { x = , y = } to start from"),
-    PARAM("b", A_ANY, REQ, 0, 0, NULL, NULL, "thing or { x = , y = } to point at")
-};
-static const struct api_param vector_params[] = {
-    PARAM("dx", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "distance to the right"),
-    PARAM("dy", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "distance down")
-};
-static const struct api_param difference_params[] = {
-    PARAM("a", A_DIR, REQ, 0, 0, NULL, NULL, "direction to start from"),
-    PARAM("b", A_DIR, REQ, 0, 0, NULL, NULL, "direction to arrive at")
-};
-static const struct api_param angle_params[] = { PARAM("d", A_DIR, REQ, 0, 0, NULL, NULL, "angle") };
+static const struct api_param angle_to_params[] = { REQUIRED("a", A_ANY, "thing or { x = , y = } to start from"),
+                                                    REQUIRED("b", A_ANY, "thing or { x = , y = } to point at") };
+static const struct api_param vector_params[] = { COORDINATE("dx", A_FX, REQ, "distance to the right"),
+                                                  COORDINATE("dy", A_FX, REQ, "distance down") };
+static const struct api_param difference_params[] = { REQUIRED("a", A_DIR, "direction to start from"),
+                                                      REQUIRED("b", A_DIR, "direction to arrive at") };
+static const struct api_param angle_params[] = { REQUIRED("d", A_DIR, "angle") };
 
 /* Reads the position of a thing or of a table with x and y. Returns false for a dead thing. */
 static bool read_position(lua_State *L, struct board *b, const char *entry, const char *name, int at, fx *x, fx *y)

@@ -9,11 +9,11 @@ enum { ARG_KEY = 0, ARG_DEFAULT = 1, ARG_VALUE = 1 };
 
 static const struct api_param save_get_params[] = {
     PARAM("key", A_STR, REQ, 1, NV_MAX_KEY, NULL, NULL, "name under which the value was saved"),
-    PARAM("default", A_ANY, OPT, 0, 0, NULL, NULL, "value to return if nothing was saved under `key`; defaults to nil")
+    OPTIONAL("default", A_ANY, "value to return if nothing was saved under `key`; defaults to nil")
 };
 static const struct api_param save_set_params[] = {
     PARAM("key", A_STR, REQ, 1, NV_MAX_KEY, NULL, NULL, "name under which to save the value"),
-    PARAM("value", A_ANY, OPT, 0, 0, NULL, NULL, "number, boolean or string of up to 60 bytes; nil deletes it")
+    OPTIONAL("value", A_ANY, "number, boolean or string of up to 60 bytes; nil deletes it")
 };
 
 static int save_get(lua_State *L, struct board *b, struct api_value *v)

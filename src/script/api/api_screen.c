@@ -30,25 +30,22 @@ enum {
 enum { FOLLOWABLE_HANDLE_KINDS = 1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_PLAYER | 1 << H_OPTION };
 
 static const struct api_param put_params[] = {
-    PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "picture to show"),
-    PARAM("x", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "horizontal position; give `x` and `y`, or `follow`"),
-    PARAM("y", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "vertical position"),
+    REQUIRED("sprite", A_SPRITE, "picture to show"),
+    COORDINATE("x", A_FX, OPT, "horizontal position; give `x` and `y`, or `follow`"),
+    COORDINATE("y", A_FX, OPT, "vertical position"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of the picture"),
-    PARAM("layer", A_LAYER, OPT, 0, 0, NULL, "front",
-          "drawing order; `over` is above everything that screen.dim darkens, and cannot be combined with `blend`"),
-    PARAM("screen", A_BOOL, OPT, 0, 0, NULL, "false",
-          "measure `x` and `y` from the top left of the screen instead of the field; not with `follow`"),
-    PARAM("flip_x", A_BOOL, OPT, 0, 0, NULL, "false", "mirror the picture left to right"),
-    PARAM("flip_y", A_BOOL, OPT, 0, 0, NULL, "false", "mirror the picture top to bottom"),
-    PARAM("hidden", A_BOOL, OPT, 0, 0, NULL, "false", "create the sprite without drawing it"),
-    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL,
-          "blend to draw it with, from `blends` in rom.lua; nil draws it opaque"),
-    PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false", "keep the sprite when the boss phase that created it ends"),
-    PARAM("follow", A_THING, OPT, FOLLOWABLE_HANDLE_KINDS, 0, NULL, NULL,
-          "thing to follow; the sprite is removed together with it"),
-    PARAM("dx", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", "0",
-          "distance to the right of the followed thing; needs `follow`"),
-    PARAM("dy", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", "0", "distance below the followed thing; needs `follow`"),
+    DEFAULT("layer", A_LAYER, "front",
+            "drawing order; `over` is above everything that screen.dim darkens, and cannot be combined with `blend`"),
+    DEFAULT("screen", A_BOOL, "false",
+            "measure `x` and `y` from the top left of the screen instead of the field; not with `follow`"),
+    DEFAULT("flip_x", A_BOOL, "false", "mirror the picture left to right"),
+    DEFAULT("flip_y", A_BOOL, "false", "mirror the picture top to bottom"),
+    DEFAULT("hidden", A_BOOL, "false", "create the sprite without drawing it"),
+    OPTIONAL("blend", A_BLEND, "blend to draw it with, from `blends` in rom.lua; nil draws it opaque"),
+    DEFAULT("stay", A_BOOL, "false", "keep the sprite when the boss phase that created it ends"),
+    THING("follow", OPT, FOLLOWABLE_HANDLE_KINDS, "thing to follow; the sprite is removed together with it"),
+    OFFSET("dx", A_FX, "distance to the right of the followed thing; needs `follow`"),
+    OFFSET("dy", A_FX, "distance below the followed thing; needs `follow`"),
 };
 
 #define OVER_BLEND_ERROR "sprites in layer \"over\" cannot blend"
@@ -117,14 +114,14 @@ static int sprite_put(lua_State *L, struct board *b, struct api_value *v)
 enum { PLATE_X, PLATE_Y, PLATE_W, PLATE_H, PLATE_BANK, PLATE_HIDDEN, PLATE_FRONT, PLATE_STAY };
 
 static const struct api_param plate_params[] = {
-    PARAM("x", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "left edge on the screen"),
-    PARAM("y", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "top edge on the screen"),
+    COORDINATE("x", A_FX, REQ, "left edge on the screen"),
+    COORDINATE("y", A_FX, REQ, "top edge on the screen"),
     PARAM("w", A_INT, REQ, 8, FB_MAX_SIDE, "px", NULL, "width"),
     PARAM("h", A_INT, REQ, 8, FB_MAX_SIDE, "px", NULL, "height"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "palette bank; the plate is drawn in its colours 1 and 10"),
-    PARAM("hidden", A_BOOL, OPT, 0, 0, NULL, "false", "create the sprite without drawing it"),
-    PARAM("front", A_BOOL, OPT, 0, 0, NULL, "false", "draw the plate above sprites in layer `over`, too"),
-    PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false", "keep the sprite when the boss phase that created it ends"),
+    DEFAULT("hidden", A_BOOL, "false", "create the sprite without drawing it"),
+    DEFAULT("front", A_BOOL, "false", "draw the plate above sprites in layer `over`, too"),
+    DEFAULT("stay", A_BOOL, "false", "keep the sprite when the boss phase that created it ends"),
 };
 
 static bool is_plate(const struct sprites *s, uint32_t i)
@@ -155,35 +152,30 @@ static int sprite_plate(lua_State *L, struct board *b, struct api_value *v)
 enum { P_X, P_Y, P_SPRITE, P_BANK, P_FLIP_X, P_FLIP_Y, P_HIDDEN, P_BLEND, P_DX, P_DY, P_W, P_H, P_LAYER, PROPS };
 
 static const struct api_prop props[PROPS] = {
-    { PARAM("x", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
-            "horizontal position; read-only while the sprite follows a thing"),
-      PROP_WRITE, COMPUTED },
-    { PARAM("y", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
-            "vertical position; read-only while the sprite follows a thing"),
-      PROP_WRITE, COMPUTED },
-    { PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL,
-            "name of the picture; writing a different name restarts the animation; nil for a plate"),
+    { COORDINATE("x", A_FX, REQ, "horizontal position; read-only while the sprite follows a thing"), PROP_WRITE,
+      COMPUTED },
+    { COORDINATE("y", A_FX, REQ, "vertical position; read-only while the sprite follows a thing"), PROP_WRITE,
+      COMPUTED },
+    { REQUIRED("sprite", A_SPRITE,
+               "name of the picture; writing a different name restarts the animation; nil for a plate"),
       PROP_WRITE, COMPUTED },
     { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of the picture"), PROP_WRITE,
       STORED(STORED_U8, sprites.bank) },
-    { PARAM("flip_x", A_BOOL, REQ, 0, 0, NULL, NULL, "true if mirrored left to right"), PROP_WRITE,
-      FLAG_OF(sprites.flags, SPRITE_FLIP_X), .has_setter = true },
-    { PARAM("flip_y", A_BOOL, REQ, 0, 0, NULL, NULL, "true if mirrored top to bottom"), PROP_WRITE,
-      FLAG_OF(sprites.flags, SPRITE_FLIP_Y), .has_setter = true },
-    { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "true if not drawn"), PROP_WRITE,
-      FLAG_OF(sprites.flags, SPRITE_HIDDEN) },
-    { PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend it is drawn with, or nil"), PROP_WRITE, COMPUTED },
-    { PARAM("dx", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
-            "distance to the right of the followed thing; nil if the sprite follows nothing"),
+    { REQUIRED("flip_x", A_BOOL, "true if mirrored left to right"), PROP_WRITE, FLAG_OF(sprites.flags, SPRITE_FLIP_X),
+      .has_setter = true },
+    { REQUIRED("flip_y", A_BOOL, "true if mirrored top to bottom"), PROP_WRITE, FLAG_OF(sprites.flags, SPRITE_FLIP_Y),
+      .has_setter = true },
+    { REQUIRED("hidden", A_BOOL, "true if not drawn"), PROP_WRITE, FLAG_OF(sprites.flags, SPRITE_HIDDEN) },
+    { OPTIONAL("blend", A_BLEND, "blend it is drawn with, or nil"), PROP_WRITE, COMPUTED },
+    { COORDINATE("dx", A_FX, REQ, "distance to the right of the followed thing; nil if the sprite follows nothing"),
       PROP_WRITE, COMPUTED },
-    { PARAM("dy", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
-            "distance below the followed thing; nil if the sprite follows nothing"),
-      PROP_WRITE, COMPUTED },
+    { COORDINATE("dy", A_FX, REQ, "distance below the followed thing; nil if the sprite follows nothing"), PROP_WRITE,
+      COMPUTED },
     { PARAM("w", A_INT, REQ, 8, FB_MAX_SIDE, "px", NULL, "width of a plate; nil for other sprites"), PROP_WRITE,
       COMPUTED },
     { PARAM("h", A_INT, REQ, 8, FB_MAX_SIDE, "px", NULL, "height of a plate; nil for other sprites"), PROP_WRITE,
       COMPUTED },
-    { PARAM("layer", A_LAYER, REQ, 0, 0, NULL, NULL, "drawing order; nil for a plate"), PROP_WRITE, COMPUTED },
+    { REQUIRED("layer", A_LAYER, "drawing order; nil for a plate"), PROP_WRITE, COMPUTED },
 };
 
 static void get_sprite(lua_State *L, struct board *b, uint32_t i, int p)
@@ -283,7 +275,7 @@ const struct api_thing api_sprite_thing = { "sprite", props, PROPS, .get = get_s
 
 enum { ARG_SELF };
 
-static const struct api_param self_params[] = { PARAM("self", A_THING, REQ, 1 << H_SPRITE, 0, NULL, NULL, "") };
+static const struct api_param self_params[] = { THING("self", REQ, 1 << H_SPRITE, "") };
 
 static int sprite_remove(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -298,19 +290,18 @@ static int sprite_remove(lua_State *L, struct board *b, struct api_value *v)
 enum { D_NAME, D_SPRITE, D_LIFE, D_GRAVITY, D_DRAG, D_BANK, D_BLEND, D_BANKS, D_LAYER };
 
 static const struct api_param spark_def_params[] = {
-    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the kind, used as `kind = NAME`"),
-    PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "picture to show"),
+    REQUIRED("name", A_STR, "name of the kind, used as `kind = NAME`"),
+    REQUIRED("sprite", A_SPRITE, "picture to show"),
     PARAM("life", A_INT, REQ, 1, 65535, "frames", NULL, "frames until a spark disappears"),
     PARAM("gravity", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame per frame", "0", "downward acceleration"),
     PARAM("drag", A_FX, OPT, 0, 1, "per frame", "0", "fraction of its speed that a spark loses each frame"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, "0",
           "number added to the palette bank of the picture; give `bank` or `banks`"),
-    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL,
-          "blend to draw it with, from `blends` in rom.lua; nil draws it opaque"),
-    PARAM("banks", A_TABLE, OPT, 0, 0, NULL, NULL,
-          "list of up to eight banks that a spark goes through, each for an equal part of its life"),
-    PARAM("layer", A_SPARK_LAYER, OPT, 0, 0, NULL, "front",
-          "`middle` draws the sparks below players and bullets; `front` draws them above"),
+    OPTIONAL("blend", A_BLEND, "blend to draw it with, from `blends` in rom.lua; nil draws it opaque"),
+    OPTIONAL("banks", A_TABLE,
+             "list of up to eight banks that a spark goes through, each for an equal part of its life"),
+    DEFAULT("layer", A_SPARK_LAYER, "front",
+            "`middle` draws the sparks below players and bullets; `front` draws them above"),
 };
 
 static const char no_free_kind[] =
@@ -365,19 +356,20 @@ enum { SPARK_WORK = 6 /* work per spark */ };
 enum { B_KIND, B_POSITION, B_N = B_POSITION + 5, B_DIR, B_SPREAD, B_SPEED, B_RADIUS, B_TO_X, B_TO_Y };
 
 static const struct api_param burst_params[] = {
-    PARAM("kind", A_SPARK_KIND, REQ, 0, 0, NULL, NULL, "declared kind to create"),
+    REQUIRED("kind", A_SPARK_KIND, "declared kind to create"),
     POSITION_PARAMS,
     PARAM("n", A_INT, OPT, 0, 65535, "sparks", "1", "number of sparks to create"),
-    PARAM("dir", A_DIR, OPT, 0, 0, NULL, "0",
-          "middle of the range of directions; with `radius`, an angle added to the outward direction"),
+    DEFAULT("dir", A_DIR, "0",
+            "middle of the range of directions; with `radius`, an angle added to the outward direction"),
     PARAM("spread", A_NUM, OPT, 0, 360, "degrees", "360",
           "width of the range of directions; with `radius`, the default is 0"),
     PARAM("speed", A_FX, OPT, 0, MAX_SPEED, "px/frame", "1", "highest speed; each spark gets at least half of it"),
     PARAM("radius", A_FX, OPT, 0, MAX_SPEED, "px", NULL,
           "radius of a ring from which the sparks fly outwards, evenly spaced; not with `to_x`"),
-    PARAM("to_x", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
-          "x of the end of a line that starts at the position; the sparks start evenly spaced along it; needs `to_y`"),
-    PARAM("to_y", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "y of the end of the line; needs `to_x`"),
+    COORDINATE(
+        "to_x", A_FX, OPT,
+        "x of the end of a line that starts at the position; the sparks start evenly spaced along it; needs `to_y`"),
+    COORDINATE("to_y", A_FX, OPT, "y of the end of the line; needs `to_x`"),
 };
 
 static int spark_burst(lua_State *L, struct board *b, struct api_value *v)
@@ -411,12 +403,11 @@ enum { TEXT_COL, TEXT_ROW, TEXT_TEXT, TEXT_BANK, TEXT_ALIGN, TEXT_FONT, TEXT_RIM
 static const struct api_param text_put_params[] = {
     PARAM("col", A_INT, REQ, -1000, 1000, "cells", NULL, "column, from 0 at the left"),
     PARAM("row", A_INT, REQ, -1000, 1000, "cells", NULL, "row, from 0 at the top"),
-    PARAM("text", A_ANY, REQ, 0, 0, NULL, NULL, "string or number to write"),
+    REQUIRED("text", A_ANY, "string or number to write"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of the font"),
-    PARAM("align", A_ALIGN, OPT, 0, 0, NULL, "left", "put the start, the middle or the end of the text at `col`"),
-    PARAM("font", A_FONT, OPT, 0, 0, NULL, NULL,
-          "font from rom.lua; defaults to the font of the cells; needs `board = { wide = true }`"),
-    PARAM("rim", A_BOOL, OPT, 0, 0, NULL, "false", "outline the letters in the darkest colour of the bank"),
+    DEFAULT("align", A_ALIGN, "left", "put the start, the middle or the end of the text at `col`"),
+    OPTIONAL("font", A_FONT, "font from rom.lua; defaults to the font of the cells; needs `board = { wide = true }`"),
+    DEFAULT("rim", A_BOOL, "false", "outline the letters in the darkest colour of the bank"),
     PARAM("size", A_INT, OPT, 1, 2, NULL, "1",
           "size of the letters; at 2, each letter is two cells wide and two cells high"),
 };
@@ -454,8 +445,8 @@ static int text_clear(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-static const struct api_param text_lang_params[] = { PARAM("text", A_STR, REQ, 0, 0, NULL, NULL,
-                                                           "text in the language the game is written in") };
+static const struct api_param text_lang_params[] = { REQUIRED("text", A_STR,
+                                                              "text in the language the game is written in") };
 
 static int translate_text(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -480,8 +471,8 @@ static const struct api_param set_params[] = {
 
 enum { ARG_NAME };
 
-static const struct api_param load_params[] = { PARAM(
-    "name", A_STR, REQ, 0, 0, NULL, NULL, "palette from rom.lua; the game starts with the palette `main`") };
+static const struct api_param load_params[] = { REQUIRED(
+    "name", A_STR, "palette from rom.lua; the game starts with the palette `main`") };
 
 enum { FADE_TARGET, FADE_OVER, FADE_FIRST, FADE_LAST };
 
@@ -580,7 +571,7 @@ static const struct api_param shake_params[] = {
     PARAM("size", A_INT, REQ, 0, MAX_SHAKE, "px", NULL,
           "distance the picture moves at first; the distance shrinks to 0"),
     PARAM("over", A_INT, REQ, 1, MAX_EFFECT_FRAMES, "frames", NULL, "duration of the shake"),
-    PARAM("dir", A_DIR, OPT, 0, 0, NULL, NULL, "direction of the axis to shake along; all directions if omitted"),
+    OPTIONAL("dir", A_DIR, "direction of the axis to shake along; all directions if omitted"),
 };
 
 enum { FLASH_COLOUR, FLASH_OVER, FLASH_SHARE };

@@ -15,24 +15,23 @@ enum { ARG_NAME = 0, ARG_FADE = 0, ARG_BEATS = 0, ARG_N = 0 };
 enum { MAX_FADE = 3600, DEFAULT_TEMPO = 12000 /* hundredths of beats per minute, used while nothing plays */ };
 
 static const struct api_param sound_play_params[] = {
-    PARAM("name", A_SOUND, REQ, 0, 0, NULL, NULL, "sound from rom.lua"),
+    REQUIRED("name", A_SOUND, "sound from rom.lua"),
     PARAM("volume", A_NUM, OPT, 0, 1, NULL, "1", "fraction of the sound's volume in rom.lua"),
     PARAM("pan", A_NUM, OPT, -1, 1, NULL, "0", "stereo position: -1 is left, 1 is right; give `pan` or `from`"),
-    PARAM("from", A_THING, OPT, POSITION_HANDLE_KINDS, 0, NULL, NULL,
+    THING("from", OPT, POSITION_HANDLE_KINDS,
           "thing whose position in the field sets the stereo position; if the thing is dead, nothing plays"),
     PARAM("pitch", A_NUM, OPT, -48, 48, "semitones", "0", "pitch shift"),
 };
-static const struct api_param sound_stop_params[] = { PARAM("name", A_SOUND, OPT, 0, 0, NULL, NULL,
-                                                            "sound from rom.lua to stop; all sounds if omitted") };
+static const struct api_param sound_stop_params[] = { OPTIONAL("name", A_SOUND,
+                                                               "sound from rom.lua to stop; all sounds if omitted") };
 static const struct api_param music_play_params[] = {
-    PARAM("name", A_TUNE, REQ, 0, 0, NULL, NULL, "piece of music from rom.lua"),
+    REQUIRED("name", A_TUNE, "piece of music from rom.lua"),
     PARAM("fade", A_INT, OPT, 0, MAX_FADE, "frames", "0",
           "frames the current music takes to fade out first; cannot be combined with `at`"),
-    PARAM("again", A_BOOL, OPT, 0, 0, NULL, "false",
-          "restart the piece if it is already playing; if false, the piece continues"),
-    PARAM("back", A_BOOL, OPT, 0, 0, NULL, "false",
-          "set the current piece aside; it resumes when the new piece ends, or when you pass it to music.play; up to "
-          "three pieces can be set aside"),
+    DEFAULT("again", A_BOOL, "false", "restart the piece if it is already playing; if false, the piece continues"),
+    DEFAULT("back", A_BOOL, "false",
+            "set the current piece aside; it resumes when the new piece ends, or when you pass it to music.play; up to "
+            "three pieces can be set aside"),
     PARAM("at", A_STR, OPT, 0, 31, "\"beat\" or \"bar\"", NULL,
           "start on the next \"beat\" or \"bar\" of the current music; if omitted, start immediately; cannot be "
           "combined with `fade`"),

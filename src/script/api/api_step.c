@@ -28,33 +28,29 @@ enum {
 };
 
 const struct api_param api_emit_params[EMIT_PARAM_COUNT] = {
-    PARAM("pattern", A_EMIT_PATTERN, OPT, 0, 0, NULL, "one",
-          "arrangement of the bullets, as in pattern.NAME; \"one\" fires a single bullet"),
+    DEFAULT("pattern", A_EMIT_PATTERN, "one",
+            "arrangement of the bullets, as in pattern.NAME; \"one\" fires a single bullet"),
     PARAM("n", A_INT, OPT, 0, 65535, "bullets", NULL,
           "number of bullets to fire; required unless `pattern` is \"one\""),
     PARAM("spread", A_NUM, OPT, -32767, 32767, "degrees", NULL, "angle between the first and the last bullet of a fan"),
     PARAM("sweep", A_NUM, OPT, -32767, 32767, "degrees", NULL,
           "angle from the first to the last bullet of an arc, clockwise"),
-    PARAM("speed_to", A_NUM, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "speed of the last bullet of a stack"),
-    PARAM("width", A_NUM, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
-          "distance between the first and the last bullet of a line"),
+    SPEED("speed_to", A_NUM, OPT, "speed of the last bullet of a stack"),
+    COORDINATE("width", A_NUM, OPT, "distance between the first and the last bullet of a line"),
     PARAM("skip", A_SPAN, OPT, -65535, 65535, NULL, NULL, "range of bullets to skip; the first bullet is number 1"),
-    PARAM("fire", A_EMIT_FIRE, OPT, 0, 0, NULL, "bullet",
-          "what to fire; shots belong to the owner of the shot that fires them"),
-    PARAM("kind", A_BULLET_KIND, REQ, 0, 0, NULL, NULL, "declared kind to fire"),
-    PARAM("speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,
-          "speed of flight; if negative, it flies backwards"),
-    PARAM("dir", A_DIR, OPT, 0, 0, NULL, NULL,
-          "direction of flight, clockwise from the right; defaults to the direction of the bullet that fires; with "
-          "`aim`, the default is 0, and the angle is added to the direction towards the target"),
-    PARAM("aim", A_BOOL, OPT, 0, 0, NULL, "false", "fire at the nearest target"),
+    DEFAULT("fire", A_EMIT_FIRE, "bullet", "what to fire; shots belong to the owner of the shot that fires them"),
+    REQUIRED("kind", A_BULLET_KIND, "declared kind to fire"),
+    SPEED("speed", A_FX, REQ, "speed of flight; if negative, it flies backwards"),
+    OPTIONAL("dir", A_DIR,
+             "direction of flight, clockwise from the right; defaults to the direction of the bullet that fires; with "
+             "`aim`, the default is 0, and the angle is added to the direction towards the target"),
+    DEFAULT("aim", A_BOOL, "false", "fire at the nearest target"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL,
           "number added to the palette bank of the sprite; overrides the kind's"),
-    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put the bullets in"),
-    PARAM("motion", A_MOTION, OPT, 0, 0, NULL, NULL, "motion program that steers the bullets"),
+    LABEL("tag", OPT, "name of a group to put the bullets in"),
+    OPTIONAL("motion", A_MOTION, "motion program that steers the bullets"),
     PARAM("delay", A_INT, OPT, 0, 1e9, "frames", "0", "frames the bullets wait in place before they fly"),
-    PARAM("around", A_THING, OPT, POSITION_HANDLE_KINDS, 0, NULL, NULL,
-          "thing that the bullets circle in the `orbit` steps of their motion"),
+    THING("around", OPT, POSITION_HANDLE_KINDS, "thing that the bullets circle in the `orbit` steps of their motion"),
 };
 
 /* The name of each pattern, and the argument that gives its size (-1: it has none). */
@@ -234,12 +230,10 @@ void api_read_emit_step(lua_State *L, int step, int at, struct motion_emit *e)
 enum { W_X, W_Y, W_NEAR, W_TAG, W_LIMIT };
 
 const struct api_param api_await_params[AWAIT_PARAM_COUNT] = {
-    PARAM("x", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
-          "the motion continues once the bullet reaches or crosses this vertical line"),
-    PARAM("y", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
-          "the motion continues once the bullet reaches or crosses this horizontal line"),
+    COORDINATE("x", A_FX, OPT, "the motion continues once the bullet reaches or crosses this vertical line"),
+    COORDINATE("y", A_FX, OPT, "the motion continues once the bullet reaches or crosses this horizontal line"),
     PARAM("near", A_FX, OPT, 0, WORLD_EDGE, "px", NULL, "the motion continues once a target is nearer than this"),
-    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "the motion continues when group:signal() is called for this tag"),
+    LABEL("tag", OPT, "the motion continues when group:signal() is called for this tag"),
     PARAM("limit", A_COUNT, OPT, 1, 1e9, "frames", "forever", "frames after which the motion continues anyway"),
 };
 

@@ -9,16 +9,7 @@
 #include "../events_run.h"
 #include "api_parts.h"
 
-/* Parameter indices; ARG_: the only parameter of its entry. */
-enum {
-    ARG_NAME = 0,
-    ARG_PLAYER = 0,
-    ARG_KIND = 0,
-    ARG_OWNER = 0,
-    ARG_SCOPE = 0,
-    ARG_KEEP_SCENERY = 0,
-    ARG_HOLD_LEVEL = 0
-};
+/* Indices of parameters. The only parameter of an entry is v[0]. */
 enum { FAIL_ENTRY, FAIL_MESSAGE, FAIL_NAME };
 enum { NOTE_ENTRY, NOTE_NAME };
 enum { NEAR_WORD, NEAR_LIST };
@@ -28,51 +19,11 @@ enum { HOLD_ENEMY, HOLD_ENABLED };
 enum { AIM_X, AIM_Y, AIM_SHOTS };
 enum { DROPS_ENTRY, DROPS_LIST };
 enum { DROP_LIST, DROP_X, DROP_Y };
-enum { ARG_LIST = 0 };
 enum { VALUE_PLAYER, VALUE_NAME, VALUE_OF_RUN };
 enum { RUN_NAME, RUN_VALUE };
 enum { CONTINUES_PLAYER, CONTINUES_N };
 
-static const struct api_param fail_params[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, ""),
-                                                PARAM("message", A_ANY, REQ, 0, 0, NULL, NULL, ""), /* may quote a \0 */
-                                                PARAM("of", A_STR, OPT, 0, 0, NULL, NULL, "") };
-static const struct api_param note_place_params[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, ""),
-                                                      PARAM("of", A_STR, REQ, 0, 0, NULL, NULL, "") };
-static const struct api_param sys_near_params[] = { PARAM("word", A_ANY, REQ, 0, 0, NULL, NULL, ""),
-                                                    PARAM("list", A_TABLE, REQ, 0, 0, NULL, NULL, "") };
-static const struct api_param join_params[] = { PARAM("i", A_PLAYER, REQ, 0, 0, NULL, NULL, ""),
-                                                PARAM("kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL, "") };
-static const struct api_param name_params[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "") };
-static const struct api_param player_params[] = { PARAM("i", A_PLAYER, REQ, 0, 0, NULL, NULL, "") };
-static const struct api_param mark_params[] = { PARAM("kind", A_STR, REQ, 0, 0, NULL, NULL, ""),
-                                                PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, ""),
-                                                PARAM("of", A_STR, OPT, 0, 0, NULL, NULL, ""),
-                                                PARAM("title", A_STR, OPT, 0, 0, NULL, NULL, ""),
-                                                PARAM("value", A_INT, OPT, INT32_MIN, INT32_MAX, NULL, NULL, "") };
-static const struct api_param kind_params[] = { PARAM("kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL, "") };
-static const struct api_param owner_params[] = { PARAM("owner", A_THING, REQ, OWNER_HANDLE_KINDS, 0, NULL, NULL, "") };
-static const struct api_param freeze_params[] = { PARAM("scope", A_THING, OPT, 1 << H_TASK, 0, NULL, NULL, "") };
 enum { MUSIC_FADE_FRAMES = 60 /* frames for music to fade out */ };
-static const struct api_param wipe_params[] = { PARAM("keep", A_BOOL, OPT, 0, 0, NULL, NULL, "") };
-static const struct api_param hold_params[] = { PARAM("e", A_THING, REQ, 1 << H_ENEMY, 0, NULL, NULL, ""),
-                                                PARAM("on", A_BOOL, REQ, 0, 0, NULL, NULL, "") };
-
-static const struct api_param drops_params[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, ""),
-                                                 PARAM("drops", A_TABLE, REQ, 0, 0, NULL, NULL, "") };
-static const struct api_param drop_params[] = { PARAM("list", A_ANY, REQ, 0, 0, NULL, NULL, ""),
-                                                PARAM("x", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, ""),
-                                                PARAM("y", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "") };
-
-static const struct api_param sys_value_params[] = { PARAM("i", A_PLAYER, REQ, 0, 0, NULL, NULL, ""),
-                                                     PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, ""),
-                                                     PARAM("run", A_BOOL, OPT, 0, 0, NULL, NULL, "") };
-static const struct api_param any_name_params[] = { PARAM("name", A_ANY, REQ, 0, 0, NULL, NULL, "") };
-static const struct api_param run_set_params[] = { PARAM("name", A_ANY, REQ, 0, 0, NULL, NULL, ""),
-                                                   PARAM("value", A_ANY, OPT, 0, 0, NULL, NULL, "") };
-static const struct api_param list_params[] = { PARAM("list", A_TABLE, REQ, 0, 0, NULL, NULL, "") };
-static const struct api_param start_params[] = { PARAM("scope", A_THING, REQ, 1 << H_TASK, 0, NULL, NULL, "") };
-static const struct api_param continues_params[] = { PARAM("i", A_PLAYER, REQ, 0, 0, NULL, NULL, ""),
-                                                     PARAM("n", A_INT, OPT, 0, 99, NULL, NULL, "") };
 
 static int sys_fail(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -136,12 +87,12 @@ static int sys_keys(lua_State *L, struct board *b, struct api_value *v)
     uint64_t keys = 0;
 
     (void)b;
-    for (lua_pushnil(L); lua_next(L, v[ARG_LIST].at); lua_pop(L, 1))
+    for (lua_pushnil(L); lua_next(L, v[0].at); lua_pop(L, 1))
         keys++;
     lua_newtable(L);
     const int list = lua_gettop(L);
     lua_pushnil(L);
-    for (lua_Integer n = 1; luakeys_next(L, v[ARG_LIST].at) > 0; n++) {
+    for (lua_Integer n = 1; luakeys_next(L, v[0].at) > 0; n++) {
         vm_charge(L, 4 * keys); /* each step examines all keys */
         lua_pushvalue(L, -1);
         lua_rawseti(L, list, n);
@@ -167,15 +118,11 @@ static int sys_drop(lua_State *L, struct board *b, struct api_value *v)
 static int sys_run_library_file(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)b;
-    vm_run_library_file(L, lua_tostring(L, v[ARG_NAME].at));
+    vm_run_library_file(L, lua_tostring(L, v[0].at));
     return 1;
 }
 
 enum { WORTH_THING, WORTH_PLAYER };
-
-static const struct api_param worth_params[] = { PARAM("thing", A_THING, REQ, 1 << H_ENEMY | 1 << H_ITEM, 0, NULL, NULL,
-                                                       ""),
-                                                 PARAM("p", A_PLAYER, REQ, 0, 0, NULL, NULL, "") };
 
 /* An item's points depend on the player's position, so call this while the player is still where the item was taken. */
 static int sys_get_points(lua_State *L, struct board *b, struct api_value *v)
@@ -193,7 +140,7 @@ static int sys_get_points(lua_State *L, struct board *b, struct api_value *v)
 
 static int sys_emit(lua_State *L, struct board *b, struct api_value *v)
 {
-    const char *name = lua_tostring(L, v[ARG_NAME].at);
+    const char *name = lua_tostring(L, v[0].at);
     int n = lua_gettop(L) - 1;
 
     if (!events_emit(b, L, name, n))
@@ -276,7 +223,7 @@ static void append_registers(lua_State *L, const struct board *b, int32_t kind, 
 
 static int sys_ship(lua_State *L, struct board *b, struct api_value *v)
 {
-    int32_t kind = (int32_t)v[ARG_KIND].i;
+    int32_t kind = (int32_t)v[0].i;
 
     lua_createtable(L, 0, 5);
     lua_pushstring(L, cart_name(&b->cart, CART_SPRITES, b->player_kinds.sprite[kind]));
@@ -324,7 +271,7 @@ static int sys_start(lua_State *L, struct board *b, struct api_value *v)
         sound_start_game(b);
     memset(b->core.continues_left, 0, sizeof b->core.continues_left);
     memset(b->core.continues_used, 0, sizeof b->core.continues_used);
-    events_call_start_handlers(L, v[ARG_SCOPE].i);
+    events_call_start_handlers(L, v[0].i);
     if (practice->lives > 0)
         b->player.lives[0] = practice->lives - 1;
     for (int i = 0; i < practice->register_count; i++)
@@ -335,7 +282,7 @@ static int sys_start(lua_State *L, struct board *b, struct api_value *v)
 static int sys_run_registers(lua_State *L, struct board *b, struct api_value *v)
 {
     b->registers.first_run_row = b->registers.s.live;
-    b->registers.n_run_rows = (uint32_t)api_registers_define(L, "game.def", RUN_REGISTERS, v[ARG_LIST].at);
+    b->registers.n_run_rows = (uint32_t)api_registers_define(L, "game.def", RUN_REGISTERS, v[0].at);
     return 0;
 }
 
@@ -348,8 +295,8 @@ static int find_run_register(lua_State *L, int at)
 /* Returns a property of the run, or nil if the name is unknown. */
 static int sys_get_run_property(lua_State *L, struct board *b, struct api_value *v)
 {
-    const char *name = lua_type(L, v[ARG_NAME].at) == LUA_TSTRING ? lua_tostring(L, v[ARG_NAME].at) : "";
-    const int reg = find_run_register(L, v[ARG_NAME].at);
+    const char *name = lua_type(L, v[0].at) == LUA_TSTRING ? lua_tostring(L, v[0].at) : "";
+    const int reg = find_run_register(L, v[0].at);
 
     if (reg >= 0)
         lua_pushinteger(L, board_get_run_register(b, (uint32_t)reg));
@@ -424,7 +371,7 @@ static int sys_continues(lua_State *L, struct board *b, struct api_value *v)
 
 static int sys_use_continue(lua_State *L, struct board *b, struct api_value *v)
 {
-    const uint32_t p = (uint32_t)v[ARG_PLAYER].i - 1;
+    const uint32_t p = (uint32_t)v[0].i - 1;
 
     if (p >= MAX_PLAYERS || b->player.in_game[p] || !b->core.continues_left[p])
         return 0;
@@ -439,10 +386,10 @@ static int sys_use_continue(lua_State *L, struct board *b, struct api_value *v)
 static int sys_leave(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
-    if (!v[ARG_PLAYER].i)
+    if (!v[0].i)
         return 0;
-    player_leave(&b->player, (uint32_t)v[ARG_PLAYER].i - 1);
-    options_drop_from(&b->options, (uint32_t)v[ARG_PLAYER].i - 1, 0);
+    player_leave(&b->player, (uint32_t)v[0].i - 1);
+    options_drop_from(&b->options, (uint32_t)v[0].i - 1, 0);
     if (b->voices.s.cap && !b->player.in_game[0] && !b->player.in_game[1]) /* the game is over */
         sound_stop_music(b, MUSIC_FADE_FRAMES);
     return 0;
@@ -481,7 +428,7 @@ static int sys_wipe(lua_State *L, struct board *b, struct api_value *v)
     for (int k = 0; k < 4; k++)
         EACH_LIVE (i, pools[k])
             slots_drop(pools[k], i);
-    if (!v[ARG_KEEP_SCENERY].i)
+    if (!v[0].i)
         wipe_scenery(b);
     fix_clear(&b->fix, 0, 0, (int)b->fix.cols, (int)b->fix.rows);
     return 0;
@@ -491,8 +438,8 @@ static int sys_freeze(lua_State *L, struct board *b, struct api_value *v)
 {
     if (b->tasks.current == NO_SLOT)
         return api_error(L, "sys.freeze", "only a task can freeze the board");
-    b->core.frozen = v[ARG_SCOPE].given ? v[ARG_SCOPE].i : 0;
-    for (uint32_t p = 0; p < MAX_PLAYERS && v[ARG_SCOPE].given; p++)
+    b->core.frozen = v[0].given ? v[0].i : 0;
+    for (uint32_t p = 0; p < MAX_PLAYERS && v[0].given; p++)
         input_drop_presses(&b->input, p, PRESS_PAUSE, PAD_ALL); /* left over from the previous screen */
     return 0;
 }
@@ -507,13 +454,11 @@ static int sys_new_scope(lua_State *L, struct board *b, struct api_value *v)
 
 static int sys_new_scene(lua_State *L, struct board *b, struct api_value *v)
 {
-    lua_pushinteger(L, tasks_new_scope(b, v[ARG_OWNER].i, true));
+    lua_pushinteger(L, tasks_new_scope(b, v[0].i, true));
     return 1;
 }
 
 enum { SKIP_ENABLED, SKIP_TASK };
-static const struct api_param skip_params[] = { PARAM("on", A_BOOL, REQ, 0, 0, NULL, NULL, ""),
-                                                PARAM("task", A_THING, OPT, 1 << H_TASK, 0, NULL, NULL, "") };
 
 static int sys_skip(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -530,8 +475,6 @@ static int sys_skip(lua_State *L, struct board *b, struct api_value *v)
         sound_set_skipping(b, v[SKIP_ENABLED].i && !board_is_listing(b));
     return 0;
 }
-
-static const struct api_param turn_params[] = { PARAM("task", A_THING, REQ, 1 << H_TASK, 0, NULL, NULL, "") };
 
 static int sys_run_turn(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -553,8 +496,6 @@ static int sys_finish_fades(lua_State *L, struct board *b, struct api_value *v)
 
 /* Sets which buttons are hidden from the game: 0 none, 1 those that fire, 2 all that control the ship. Presses of those
  * buttons from before the call, or made while they were hidden, are dropped. */
-static const struct api_param hold_players_params[] = { PARAM("how", A_INT, REQ, 0, 2, NULL, NULL, "") };
-
 static int sys_hold_players(lua_State *L, struct board *b, struct api_value *v)
 {
     static const uint8_t hold_flags[] = { 0, PLAYER_NO_FIRE, PLAYER_NO_FIRE | PLAYER_NO_MOVE };
@@ -564,16 +505,13 @@ static int sys_hold_players(lua_State *L, struct board *b, struct api_value *v)
     for (uint32_t i = 0; i < MAX_PLAYERS; i++) {
         unsigned old_ignored = player_ignored_buttons(p, i);
         if (p->in_game[i])
-            p->in_game[i] = PLAYER_IN_GAME | hold_flags[v[ARG_HOLD_LEVEL].i];
+            p->in_game[i] = PLAYER_IN_GAME | hold_flags[v[0].i];
         input_drop_presses(&b->input, i, PRESS_GAME, old_ignored | player_ignored_buttons(p, i));
     }
     return 0;
 }
 
 enum { PAD_STATE, PAD_BUTTON, PAD_PLAYER };
-static const struct api_param sys_pad_params[] = { PARAM("how", A_STR, REQ, 0, 0, NULL, NULL, ""),
-                                                   PARAM("button", A_BUTTON, REQ, 0, 0, NULL, NULL, ""),
-                                                   PARAM("p", A_PLAYER, REQ, 0, 0, NULL, NULL, "") };
 
 static int sys_read_button(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -583,11 +521,9 @@ static int sys_read_button(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-static const struct api_param sys_size_params[] = { PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "") };
-
 static int sys_get_sprite_size(lua_State *L, struct board *b, struct api_value *v)
 {
-    const struct sprite *s = &b->sprite_images[v[ARG_NAME].i];
+    const struct sprite *s = &b->sprite_images[v[0].i];
 
     lua_pushinteger(L, s->w);
     lua_pushinteger(L, s->h);
@@ -597,8 +533,6 @@ static int sys_get_sprite_size(lua_State *L, struct board *b, struct api_value *
 }
 
 enum { CUE_NAME, CUE_PAN };
-static const struct api_param cue_params[] = { PARAM("name", A_STR, REQ, 1, 32, NULL, NULL, ""),
-                                               PARAM("pan", A_NUM, OPT, -1, 1, NULL, "0", "") };
 
 /* Not folded: sounds are outside the state hash. */
 static int sys_play_cue(lua_State *L, struct board *b, struct api_value *v)
@@ -612,10 +546,6 @@ static int sys_play_cue(lua_State *L, struct board *b, struct api_value *v)
 }
 
 enum { MUSIC_NAME, MUSIC_FADE, MIN_FADE = 30 };
-static const struct api_param music_on_params[] = { PARAM("name", A_TUNE, REQ, 0, 0, NULL, NULL, ""),
-                                                    PARAM("fade", A_INT, OPT, 0, 65535, "frames", NULL, "") };
-static const struct api_param music_fight_params[] = { PARAM("name", A_TUNE, OPT, 0, 0, NULL, NULL, ""),
-                                                       PARAM("fade", A_INT, REQ, 0, 65535, "frames", NULL, "") };
 
 static int32_t clamp_fade(const struct api_value *v)
 {
@@ -636,8 +566,6 @@ static int sys_resume_music(lua_State *L, struct board *b, struct api_value *v)
     sound_end_music(b, (int)v[MUSIC_NAME].i - 1, v[MUSIC_FADE].given ? (int32_t)v[MUSIC_FADE].i : MUSIC_FADE_FRAMES);
     return 0;
 }
-
-static const struct api_param music_clock_params[] = { PARAM("n", A_INT, REQ, 0, INT32_MAX, "frames", NULL, "") };
 
 static int sys_skip_music_clock(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -718,7 +646,7 @@ static int sys_kinds(lua_State *L, struct board *b, struct api_value *v)
                                 &b->player_kinds.s, &b->spark_kinds.s, &b->item_kinds.s };
 
     for (int k = 0; k < 6; k++) {
-        if (strcmp(kind_names[k], lua_tostring(L, v[ARG_NAME].at)))
+        if (strcmp(kind_names[k], lua_tostring(L, v[0].at)))
             continue;
         lua_newtable(L);
         lua_Integer n = 0;
@@ -730,7 +658,7 @@ static int sys_kinds(lua_State *L, struct board *b, struct api_value *v)
         }
         return 1;
     }
-    return api_error(L, "sys.kinds", "unknown kinds \"%s\"", lua_tostring(L, v[ARG_NAME].at));
+    return api_error(L, "sys.kinds", "unknown kinds \"%s\"", lua_tostring(L, v[0].at));
 }
 
 static int sys_players(lua_State *L, struct board *b, struct api_value *v)
@@ -753,16 +681,9 @@ static int sys_difficulties(lua_State *L, struct board *b, struct api_value *v)
 
 static int sys_is_enabled(lua_State *L, struct board *b, struct api_value *v)
 {
-    lua_pushboolean(L, api_disabled_reason(&b->cart.manifest, lua_tostring(L, v[ARG_NAME].at)) == NULL);
+    lua_pushboolean(L, api_disabled_reason(&b->cart.manifest, lua_tostring(L, v[0].at)) == NULL);
     return 1;
 }
-
-/* The range is twice the world's, because a position may be WORLD_EDGE px away from a thing anywhere in the world. */
-static const struct api_param sys_aim_params[] = {
-    PARAM("x", A_FX, REQ, -2 * WORLD_EDGE, 2 * WORLD_EDGE, "px", NULL, ""),
-    PARAM("y", A_FX, REQ, -2 * WORLD_EDGE, 2 * WORLD_EDGE, "px", NULL, ""),
-    PARAM("shots", A_BOOL, REQ, 0, 0, NULL, NULL, "")
-};
 
 static int sys_get_aim_direction(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -777,104 +698,128 @@ static int sys_clock(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
+#define SYS_ENTRY(name, run, flags, returns, help, ...)                                                                \
+    {                                                                                                                  \
+        name, run, PARAM_ROWS(__VA_ARGS__), PARAM_ROW_COUNT(__VA_ARGS__), API_SYS | (flags), returns, HELP(help)       \
+    }
 static const struct api_entry entries[] = {
-    { "sys.fail", sys_fail, PARAMS(fail_params), 3, API_SYS, NULL,
-      HELP("raises an entry's error; of: the name under which sys.note_place recorded the line to report") },
-    { "sys.note_place", sys_record_location, PARAMS(note_place_params), 2, API_SYS, NULL,
-      HELP("records the author's line that calls an entry, for an error found later") },
-    { "sys.keys", sys_keys, PARAMS(list_params), 1, API_SYS, "list",
-      HELP("returns all keys of a table, of any type, in order") },
-    { "sys.check_drops", sys_check_drops, PARAMS(drops_params), 2, API_SYS, NULL,
-      HELP("raises an error unless drops is a list of items") },
-    { "sys.near", sys_find_nearest_word, PARAMS(sys_near_params), 2, API_SYS, "word",
-      HELP("returns the nearest word in a list") },
+    SYS_ENTRY("sys.fail", sys_fail, 0, NULL,
+              "raises an entry's error; of: the name under which sys.note_place recorded the line to report",
+              REQUIRED("name", A_STR, ""), REQUIRED("message", A_ANY, ""), /* may quote a \0 */
+              OPTIONAL("of", A_STR, "")),
+    SYS_ENTRY("sys.note_place", sys_record_location, 0, NULL,
+              "records the author's line that calls an entry, for an error found later", REQUIRED("name", A_STR, ""),
+              REQUIRED("of", A_STR, "")),
+    SYS_ENTRY("sys.keys", sys_keys, 0, "list", "returns all keys of a table, of any type, in order",
+              REQUIRED("list", A_TABLE, "")),
+    SYS_ENTRY("sys.check_drops", sys_check_drops, 0, NULL, "raises an error unless drops is a list of items",
+              REQUIRED("name", A_STR, ""), REQUIRED("drops", A_TABLE, "")),
+    SYS_ENTRY("sys.near", sys_find_nearest_word, 0, "word", "returns the nearest word in a list",
+              REQUIRED("word", A_ANY, ""), REQUIRED("list", A_TABLE, "")),
     { "sys.loading", sys_loading, NO_PARAMS, 0, API_SYS, "boolean", HELP("returns true while scripts load") },
-    { "sys.read", sys_run_library_file, PARAMS(name_params), 1, API_SYS, "any",
-      HELP("runs a file of the library, such as \"screens/title\"") },
-    { "sys.emit", sys_emit, PARAMS(name_params), 1, API_SYS | API_VARARGS | API_CHANGES, NULL,
-      HELP("queues an event") },
-    { "sys.mark", sys_mark, PARAMS(mark_params), 5, API_SYS, NULL, HELP("marks a moment of the run for the cabinet") },
+    SYS_ENTRY("sys.read", sys_run_library_file, 0, "any", "runs a file of the library, such as \"screens/title\"",
+              REQUIRED("name", A_STR, "")),
+    SYS_ENTRY("sys.emit", sys_emit, API_VARARGS | API_CHANGES, NULL, "queues an event", REQUIRED("name", A_STR, "")),
+    SYS_ENTRY("sys.mark", sys_mark, 0, NULL, "marks a moment of the run for the cabinet", REQUIRED("kind", A_STR, ""),
+              REQUIRED("name", A_STR, ""), OPTIONAL("of", A_STR, ""), OPTIONAL("title", A_STR, ""),
+              PARAM("value", A_INT, OPT, INT32_MIN, INT32_MAX, NULL, NULL, "")),
     { "sys.tell_keys", sys_report_menu, NO_PARAMS, 0, API_SYS, NULL,
       HELP("called in every frame of a menu: tells the cabinet to show new players the keys") },
     { "sys.practice", sys_practice, NO_PARAMS, 0, API_SYS, "mark, more",
       HELP("returns the practice start; more: lives, registers") },
-    { "sys.ship", sys_ship, PARAMS(kind_params), 1, API_SYS, "table",
-      HELP("returns what the screens show for a player kind: picture, speed, lives, needs, registers, then the run's "
-           "registers") },
-    { "sys.join", sys_join, PARAMS(join_params), 2, API_SYS | API_CHANGES, NULL,
-      HELP("makes player i enter the game") },
-    { "sys.start", sys_start, PARAMS(start_params), 1, API_SYS | API_CHANGES, NULL,
-      HELP("starts a game in that scope; a practice start sets lives and registers") },
-    { "sys.run_registers", sys_run_registers, PARAMS(list_params), 1, API_SYS | API_CHANGES, NULL,
-      HELP("declares the run's registers") },
-    { "sys.run", sys_get_run_property, PARAMS(any_name_params), 1, API_SYS, "number",
-      HELP("returns a register of the run, continues or frames") },
-    { "sys.value", sys_get_register, PARAMS(sys_value_params), 3, API_SYS, "number",
-      HELP("returns a register of player i, or of the run; nil if the player is out") },
-    { "sys.run_set", sys_run_set, PARAMS(run_set_params), 2, API_SYS | API_CHANGES, "boolean",
-      HELP("sets a register of the run") },
+    SYS_ENTRY(
+        "sys.ship", sys_ship, 0, "table",
+        "returns what the screens show for a player kind: picture, speed, lives, needs, registers, then the run's "
+        "registers",
+        REQUIRED("kind", A_PLAYER_KIND, "")),
+    SYS_ENTRY("sys.join", sys_join, API_CHANGES, NULL, "makes player i enter the game", REQUIRED("i", A_PLAYER, ""),
+              REQUIRED("kind", A_PLAYER_KIND, "")),
+    SYS_ENTRY("sys.start", sys_start, API_CHANGES, NULL,
+              "starts a game in that scope; a practice start sets lives and registers",
+              THING("scope", REQ, 1 << H_TASK, "")),
+    SYS_ENTRY("sys.run_registers", sys_run_registers, API_CHANGES, NULL, "declares the run's registers",
+              REQUIRED("list", A_TABLE, "")),
+    SYS_ENTRY("sys.run", sys_get_run_property, 0, "number", "returns a register of the run, continues or frames",
+              REQUIRED("name", A_ANY, "")),
+    SYS_ENTRY("sys.value", sys_get_register, 0, "number",
+              "returns a register of player i, or of the run; nil if the player is out", REQUIRED("i", A_PLAYER, ""),
+              REQUIRED("name", A_STR, ""), OPTIONAL("run", A_BOOL, "")),
+    SYS_ENTRY("sys.run_set", sys_run_set, API_CHANGES, "boolean", "sets a register of the run",
+              REQUIRED("name", A_ANY, ""), OPTIONAL("value", A_ANY, "")),
     { "sys.run_names", sys_run_names, NO_PARAMS, 0, API_SYS, "list", HELP("returns the names of the run's registers") },
-    { "sys.continues", sys_continues, PARAMS(continues_params), 2, API_SYS | API_CHANGES, "count",
-      HELP("returns the number of continues player i has left; n sets it") },
-    { "sys.go_on", sys_use_continue, PARAMS(player_params), 1, API_SYS | API_CHANGES, NULL,
-      HELP("uses one of player i's continues") },
-    { "sys.leave", sys_leave, PARAMS(player_params), 1, API_SYS | API_CHANGES, NULL,
-      HELP("makes player i leave the game") },
-    { "sys.wipe", sys_wipe, PARAMS(wipe_params), 1, API_SYS | API_CHANGES, NULL,
-      HELP("empties the field and the screen; keep: leaves background and palette unchanged") },
-    { "sys.freeze", sys_freeze, PARAMS(freeze_params), 1, API_SYS | API_CHANGES, NULL,
-      HELP("freezes the board except for that scope's tasks; nil unfreezes it") },
+    SYS_ENTRY("sys.continues", sys_continues, API_CHANGES, "count",
+              "returns the number of continues player i has left; n sets it", REQUIRED("i", A_PLAYER, ""),
+              PARAM("n", A_INT, OPT, 0, 99, NULL, NULL, "")),
+    SYS_ENTRY("sys.go_on", sys_use_continue, API_CHANGES, NULL, "uses one of player i's continues",
+              REQUIRED("i", A_PLAYER, "")),
+    SYS_ENTRY("sys.leave", sys_leave, API_CHANGES, NULL, "makes player i leave the game", REQUIRED("i", A_PLAYER, "")),
+    SYS_ENTRY("sys.wipe", sys_wipe, API_CHANGES, NULL,
+              "empties the field and the screen; keep: leaves background and palette unchanged",
+              OPTIONAL("keep", A_BOOL, "")),
+    SYS_ENTRY("sys.freeze", sys_freeze, API_CHANGES, NULL,
+              "freezes the board except for that scope's tasks; nil unfreezes it",
+              THING("scope", OPT, 1 << H_TASK, "")),
     { "sys.scope", sys_new_scope, NO_PARAMS, 0, API_SYS | API_CHANGES, "scope",
       HELP("returns a scope that the board owns") },
-    { "sys.scene", sys_new_scene, PARAMS(owner_params), 1, API_SYS | API_CHANGES, "scope",
-      HELP("returns a scope that, when it ends, removes everything spawned or put in it") },
-    { "sys.skip", sys_skip, PARAMS(skip_params), 2, API_SYS | API_CHANGES, NULL,
-      HELP("makes this task, or the given one, skip its waits from now on") },
-    { "sys.turn", sys_run_turn, PARAMS(turn_params), 1, API_SYS | API_CHANGES, NULL,
-      HELP("runs a task's turn immediately") },
+    SYS_ENTRY("sys.scene", sys_new_scene, API_CHANGES, "scope",
+              "returns a scope that, when it ends, removes everything spawned or put in it",
+              THING("owner", REQ, OWNER_HANDLE_KINDS, "")),
+    SYS_ENTRY("sys.skip", sys_skip, API_CHANGES, NULL, "makes this task, or the given one, skip its waits from now on",
+              REQUIRED("on", A_BOOL, ""), THING("task", OPT, 1 << H_TASK, "")),
+    SYS_ENTRY("sys.turn", sys_run_turn, API_CHANGES, NULL, "runs a task's turn immediately",
+              THING("task", REQ, 1 << H_TASK, "")),
     { "sys.faded", sys_finish_fades, NO_PARAMS, 0, API_SYS | API_CHANGES, NULL, HELP("completes all palette fades") },
-    { "sys.hold_players", sys_hold_players, PARAMS(hold_players_params), 1, API_SYS | API_CHANGES, NULL,
-      HELP("hides buttons from the game: 0 hides none, 1 hides fire buttons, 2 hides all buttons that control the "
-           "ship") },
-    { "sys.pad", sys_read_button, PARAMS(sys_pad_params), 3, API_SYS, "boolean",
-      HELP("returns the state of a button, even if it is hidden from the game") },
-    { "sys.size", sys_get_sprite_size, PARAMS(sys_size_params), 1, API_SYS, "w, h, x, y",
-      HELP("returns a sprite's size and origin in px") },
+    SYS_ENTRY("sys.hold_players", sys_hold_players, API_CHANGES, NULL,
+              "hides buttons from the game: 0 hides none, 1 hides fire buttons, 2 hides all buttons that control the "
+              "ship",
+              PARAM("how", A_INT, REQ, 0, 2, NULL, NULL, "")),
+    SYS_ENTRY("sys.pad", sys_read_button, 0, "boolean",
+              "returns the state of a button, even if it is hidden from the game", REQUIRED("how", A_STR, ""),
+              REQUIRED("button", A_BUTTON, ""), REQUIRED("p", A_PLAYER, "")),
+    SYS_ENTRY("sys.size", sys_get_sprite_size, 0, "w, h, x, y", "returns a sprite's size and origin in px",
+              REQUIRED("sprite", A_SPRITE, "")),
     { "sys.skipping", sys_is_skipping, NO_PARAMS, 0, API_SYS, "boolean",
       HELP("returns true while the task skips its waits") },
     { "sys.pass", sys_skip_wait, NO_PARAMS, 0, API_SYS, NULL, HELP("skips one wait in a task that skips its waits") },
     { "sys.task", sys_task, NO_PARAMS, 0, API_SYS, "task", HELP("returns the running task") },
-    { "sys.hold", sys_set_undying, PARAMS(hold_params), 2, API_SYS | API_CHANGES, NULL,
-      HELP("lets an enemy's hp reach 0 without killing it") },
-    { "sys.kinds", sys_kinds, PARAMS(name_params), 1, API_SYS, "list", HELP("returns the declared names") },
+    SYS_ENTRY("sys.hold", sys_set_undying, API_CHANGES, NULL, "lets an enemy's hp reach 0 without killing it",
+              THING("e", REQ, 1 << H_ENEMY, ""), REQUIRED("on", A_BOOL, "")),
+    SYS_ENTRY("sys.kinds", sys_kinds, 0, "list", "returns the declared names", REQUIRED("name", A_STR, "")),
     { "sys.players", sys_players, NO_PARAMS, 0, API_SYS, "count",
       HELP("returns the number of players the manifest allows") },
     { "sys.difficulties", sys_difficulties, NO_PARAMS, 0, API_SYS, "list",
       HELP("returns the names of the difficulties, easiest first") },
-    { "sys.on", sys_is_enabled, PARAMS(name_params), 1, API_SYS, "boolean",
-      HELP("returns true if this board has the capacity for the entry with that name") },
-    { "sys.volley", api_push_volley, PARAMS(name_params), 1, API_SYS, "function",
-      HELP("returns a function that fires an entire pattern at once; it fires nothing and returns false if the loop in "
-           "Lua must do it") },
-    { "sys.aim", sys_get_aim_direction, PARAMS(sys_aim_params), 3, API_SYS, "degrees",
-      HELP("returns the direction in which `aim` points from x, y") },
-    { "sys.drops", sys_pack_drops, PARAMS(drops_params), 2, API_SYS | API_CHANGES, "list",
-      HELP("checks drops and returns them as a list") },
-    { "sys.drop", sys_drop, PARAMS(drop_params), 3, API_SYS | API_CHANGES, NULL,
-      HELP("drops the items of a list from sys.drops") },
-    { "sys.worth", sys_get_points, PARAMS(worth_params), 2, API_SYS, "points",
-      HELP("returns the points that a dead enemy or a taken item gave") },
-    { "sys.cue", sys_play_cue, PARAMS(cue_params), 2, API_SYS, NULL,
-      HELP("plays the sound with that name, if the game has one") },
-    { "sys.music_on", sys_interrupt_music, PARAMS(music_on_params), 2, API_SYS | API_CHANGES, "boolean",
-      HELP(
-          "sets the current music aside for that piece, after a fade; returns false if the piece is already playing") },
-    { "sys.music_back", sys_resume_music, PARAMS(music_on_params), 2, API_SYS | API_CHANGES, NULL,
-      HELP("ends that piece and resumes the music set aside") },
-    { "sys.music_clock", sys_skip_music_clock, PARAMS(music_clock_params), 1, API_SYS | API_CHANGES, NULL,
-      HELP("advances the stage's clock by that many frames on the way to a mark") },
-    { "sys.music_fight", sys_skip_fight_music, PARAMS(music_fight_params), 2, API_SYS | API_CHANGES, NULL,
-      HELP("notes that a fight with that music was skipped on the way to a mark") },
+    SYS_ENTRY("sys.on", sys_is_enabled, 0, "boolean",
+              "returns true if this board has the capacity for the entry with that name", REQUIRED("name", A_STR, "")),
+    SYS_ENTRY(
+        "sys.volley", api_push_volley, 0, "function",
+        "returns a function that fires an entire pattern at once; it fires nothing and returns false if the loop in "
+        "Lua must do it",
+        REQUIRED("name", A_STR, "")),
+    /* The range is twice the world's, because a position may be WORLD_EDGE px away from a thing anywhere in it. */
+    SYS_ENTRY("sys.aim", sys_get_aim_direction, 0, "degrees", "returns the direction in which `aim` points from x, y",
+              PARAM("x", A_FX, REQ, -2 * WORLD_EDGE, 2 * WORLD_EDGE, "px", NULL, ""),
+              PARAM("y", A_FX, REQ, -2 * WORLD_EDGE, 2 * WORLD_EDGE, "px", NULL, ""), REQUIRED("shots", A_BOOL, "")),
+    SYS_ENTRY("sys.drops", sys_pack_drops, API_CHANGES, "list", "checks drops and returns them as a list",
+              REQUIRED("name", A_STR, ""), REQUIRED("drops", A_TABLE, "")),
+    SYS_ENTRY("sys.drop", sys_drop, API_CHANGES, NULL, "drops the items of a list from sys.drops",
+              REQUIRED("list", A_ANY, ""), COORDINATE("x", A_FX, REQ, ""), COORDINATE("y", A_FX, REQ, "")),
+    SYS_ENTRY("sys.worth", sys_get_points, 0, "points", "returns the points that a dead enemy or a taken item gave",
+              THING("thing", REQ, 1 << H_ENEMY | 1 << H_ITEM, ""), REQUIRED("p", A_PLAYER, "")),
+    SYS_ENTRY("sys.cue", sys_play_cue, 0, NULL, "plays the sound with that name, if the game has one",
+              PARAM("name", A_STR, REQ, 1, 32, NULL, NULL, ""), PARAM("pan", A_NUM, OPT, -1, 1, NULL, "0", "")),
+    SYS_ENTRY(
+        "sys.music_on", sys_interrupt_music, API_CHANGES, "boolean",
+        "sets the current music aside for that piece, after a fade; returns false if the piece is already playing",
+        REQUIRED("name", A_TUNE, ""), PARAM("fade", A_INT, OPT, 0, 65535, "frames", NULL, "")),
+    SYS_ENTRY("sys.music_back", sys_resume_music, API_CHANGES, NULL, "ends that piece and resumes the music set aside",
+              REQUIRED("name", A_TUNE, ""), PARAM("fade", A_INT, OPT, 0, 65535, "frames", NULL, "")),
+    SYS_ENTRY("sys.music_clock", sys_skip_music_clock, API_CHANGES, NULL,
+              "advances the stage's clock by that many frames on the way to a mark",
+              PARAM("n", A_INT, REQ, 0, INT32_MAX, "frames", NULL, "")),
+    SYS_ENTRY("sys.music_fight", sys_skip_fight_music, API_CHANGES, NULL,
+              "notes that a fight with that music was skipped on the way to a mark", OPTIONAL("name", A_TUNE, ""),
+              PARAM("fade", A_INT, REQ, 0, 65535, "frames", NULL, "")),
     { "sys.pieces", sys_list_tunes, NO_PARAMS, 0, API_SYS, "list", HELP("returns the pieces of music from rom.lua") },
     { "sys.clock", sys_clock, NO_PARAMS, 0, API_SYS, "frames", HELP("returns the game time") },
 };

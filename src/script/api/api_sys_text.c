@@ -124,7 +124,7 @@ static int sys_covers(lua_State *L, struct board *b, struct api_value *v)
     return 2;
 }
 
-static const struct api_param sys_cells_params[] = { PARAM("text", A_STR, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param sys_cells_params[] = { REQUIRED("text", A_STR, "") };
 
 static int sys_count_cells(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -138,7 +138,7 @@ static int sys_count_cells(lua_State *L, struct board *b, struct api_value *v)
 }
 
 enum { WRAP_TEXT, WRAP_WIDTH };
-static const struct api_param sys_wrap_params[] = { PARAM("text", A_STR, REQ, 0, 0, NULL, NULL, ""),
+static const struct api_param sys_wrap_params[] = { REQUIRED("text", A_STR, ""),
                                                     PARAM("width", A_INT, REQ, 1, MAX_TEXT, "cells", NULL, "") };
 
 /* Appends a word of at most `width` characters to the row on top of the stack. If the word does not fit, appends the

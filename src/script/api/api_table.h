@@ -80,11 +80,20 @@ struct api_param {
     const char *help; /* meaning, in HELP(); for a function, also the arguments passed to it; NULL: none */
 };
 
-/* A row of a parameter list. */
+/* A row of a parameter list. REQUIRED, OPTIONAL and DEFAULT are for types without a range, and the others for ranges
+ * that many functions have. */
 #define PARAM(name, type, need, lo, hi, unit, def, help)                                                               \
     {                                                                                                                  \
         name, type, need, lo, hi, unit, def, HELP(help)                                                                \
     }
+#define REQUIRED(name, type, help)         PARAM(name, type, REQ, 0, 0, NULL, NULL, help)
+#define OPTIONAL(name, type, help)         PARAM(name, type, OPT, 0, 0, NULL, NULL, help)
+#define DEFAULT(name, type, def, help)     PARAM(name, type, OPT, 0, 0, NULL, def, help)
+#define THING(name, need, kinds, help)     PARAM(name, A_THING, need, kinds, 0, NULL, NULL, help)
+#define LABEL(name, need, help)            PARAM(name, A_STR, need, 1, 31, NULL, NULL, help)
+#define COORDINATE(name, type, need, help) PARAM(name, type, need, -WORLD_EDGE, WORLD_EDGE, "px", NULL, help)
+#define OFFSET(name, type, help)           PARAM(name, type, OPT, -WORLD_EDGE, WORLD_EDGE, "px", "0", help)
+#define SPEED(name, type, need, help)      PARAM(name, type, need, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, help)
 
 enum {
     API_CHANGES = 1 << 0,   /* can change RAM: folded into the script digest */

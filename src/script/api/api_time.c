@@ -46,17 +46,16 @@ static int wait_frames(lua_State *L, struct board *b, struct api_value *v)
     return lua_yield(L, 0);
 }
 
-static const struct api_param go_params[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
-                                                    "f(...): body of the task; called with the remaining arguments") };
+static const struct api_param go_params[] = { REQUIRED(
+    "f", A_FUNC, "f(...): body of the task; called with the remaining arguments") };
 static const struct api_param own_params[] = {
-    PARAM("owner", A_THING, REQ, OWNER_HANDLE_KINDS, 0, NULL, NULL, "thing or task whose end also ends the new task"),
-    PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
-          "f(owner, ...): body of the task; called with the owner and the remaining arguments")
+    THING("owner", REQ, OWNER_HANDLE_KINDS, "thing or task whose end also ends the new task"),
+    REQUIRED("f", A_FUNC, "f(owner, ...): body of the task; called with the owner and the remaining arguments")
 };
-static const struct api_param scope_params[] = { PARAM(
-    "owner", A_THING, OPT, OWNER_HANDLE_KINDS, 0, NULL, NULL,
+static const struct api_param scope_params[] = { THING(
+    "owner", OPT, OWNER_HANDLE_KINDS,
     "thing or task whose end also ends the scope; defaults to the owner of the calling task") };
-static const struct api_param task_params[] = { PARAM("t", A_THING, REQ, 1 << H_TASK, 0, NULL, NULL, "task or scope") };
+static const struct api_param task_params[] = { THING("t", REQ, 1 << H_TASK, "task or scope") };
 
 static int task_go(lua_State *L, struct board *b, struct api_value *v)
 {

@@ -44,9 +44,9 @@ static bool is_name_taken(lua_State *L, int kind, const char *name)
 enum { D_NAME, D_KIND, D_START };
 
 static const struct api_param def_params[] = {
-    PARAM("name", A_STR, REQ, 1, 31, NULL, NULL,
+    LABEL("name", REQ,
           "name of the value, used as a property of the thing and as an argument of the function that creates it"),
-    PARAM("of", A_STR, OPT, 0, 0, NULL, NULL, "what the value belongs to: bullet, shot or enemy; defaults to bullet"),
+    OPTIONAL("of", A_STR, "what the value belongs to: bullet, shot or enemy; defaults to bullet"),
     PARAM("start", A_FX, OPT, -32768, 32767, NULL, "0",
           "initial value if the call that creates the thing doesn't set one")
 };
