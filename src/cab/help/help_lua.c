@@ -3,7 +3,6 @@
  */
 #include <stdio.h>
 #include <string.h>
-#include "../../base/edit.h"
 #include "help_lua.h"
 
 static const char *type_words(const struct api_param *p)
@@ -262,16 +261,15 @@ static bool help_thing(int kind, void (*line)(const char *))
 
 const char *help_nearest(const char *name)
 {
-    const char *found = NULL;
-    int best = EDIT_TOO_FAR;
+    struct api_suggestion s = { .word = name };
 
     for (int i = 0; i < api_count_entries(&api_table); i++)
         if (!(api_get_entry(&api_table, i)->flags & API_SYS))
-            api_consider_suggestion(name, api_get_entry(&api_table, i)->name, &best, &found);
+            api_consider(&s, api_get_entry(&api_table, i)->name);
     for (int i = 0; i < api_table.doc_name_count; i++)
         if (!strchr(api_table.doc_names[i].name, '('))
-            api_consider_suggestion(name, api_table.doc_names[i].name, &best, &found);
-    return found;
+            api_consider(&s, api_table.doc_names[i].name);
+    return s.nearest;
 }
 
 /* Is it a table of the API, "bullet", or the beginning of a name in one, "bullet.f"? */

@@ -8,7 +8,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../base/edit.h"
 #include "../../script/api/api_table.h"
 #include "../../script/luakeys.h"
 
@@ -292,8 +291,7 @@ void value_check_keys(const struct manifest_value *table, const struct manifest_
                       const char *const *others)
 {
     struct known_keys known = { .n = 0 };
-    int best_distance = EDIT_TOO_FAR;
-    const char *nearest = NULL;
+    struct api_suggestion s;
     struct manifest_value v;
 
     value_need_table(table);
@@ -304,11 +302,11 @@ void value_check_keys(const struct manifest_value *table, const struct manifest_
     if (!luakeys_push_unknown(table->lua, table->index, is_known, &known))
         return;
     v = get_key(table);
-    const char *key = lua_tostring(v.lua, v.index);
+    s = (struct api_suggestion){ .word = lua_tostring(v.lua, v.index) };
     for (int i = 0; i < known.n; i++)
-        api_consider_suggestion(key, known.names[i], &best_distance, &nearest);
-    value_get(table, key, &v);
-    if (nearest == NULL)
+        api_consider(&s, known.names[i]);
+    value_get(table, s.word, &v);
+    if (s.nearest == NULL)
         value_bad(&v, "unknown key");
-    value_bad(&v, "unknown key (did you mean \"%s\"?)", nearest);
+    value_bad(&v, "unknown key (did you mean \"%s\"?)", s.nearest);
 }

@@ -3,7 +3,6 @@
  */
 #include <stdio.h>
 #include <string.h>
-#include "../../base/edit.h"
 #include "../../base/trig.h"
 #include "api_parts.h"
 

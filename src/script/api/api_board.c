@@ -79,7 +79,8 @@ static int board_dip(lua_State *L, struct board *b, struct api_value *v)
     api_hint_begin(&hint, lua_tostring(L, v[ARG_NAME].at));
     for (int i = 0; i < m->n_dips; i++)
         api_hint_add(&hint, m->dips[i].name);
-    return api_error(L, "board.dip", "unknown DIP switch \"%s\"%s", hint.word, api_hint_push(L, &hint, "in rom.lua"));
+    return api_error(L, "board.dip", "unknown DIP switch \"%s\"%s", hint.suggestion.word,
+                     api_hint_push(L, &hint, "in rom.lua"));
 }
 
 static int request_board_reset(lua_State *L, struct board *b, struct api_value *v)
@@ -99,7 +100,7 @@ static const struct slots *check_pool(lua_State *L, struct board *b, const char 
         api_hint_begin(&hint, lua_tostring(L, at));
         for (int i = 0; i < PART_COUNT; i++)
             api_hint_add(&hint, machine_parts[i].chip->name);
-        api_error(L, entry, "unknown pool \"%s\"%s", hint.word, api_hint_push(L, &hint, "chips"));
+        api_error(L, entry, "unknown pool \"%s\"%s", hint.suggestion.word, api_hint_push(L, &hint, "chips"));
     }
     return s;
 }

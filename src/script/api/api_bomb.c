@@ -3,7 +3,6 @@
  * them.
  */
 #include <string.h>
-#include "../../base/edit.h"
 #include "../events_run.h"
 #include "../../machine/sound.h"
 #include "api_parts.h"
@@ -70,16 +69,14 @@ static const struct bomb *get_bomb(lua_State *L, int i)
 
 static void raise_unknown_bomb(lua_State *L, const char *param_name, const char *name)
 {
-    const char *found = NULL;
-    int best = EDIT_TOO_FAR;
+    struct api_suggestion s = { .word = name };
 
     vm_push_registry_table(L, &bombs_key);
     for (lua_pushnil(L); lua_next(L, -2); lua_pop(L, 1))
         if (lua_type(L, -2) == LUA_TSTRING)
-            api_consider_suggestion(name, lua_tostring(L, -2), &best, &found);
-    if (found)
-        api_error(L, "player.def", "%s: unknown bomb \"%s\" (did you mean \"%s\"?)", param_name, name, found);
-    api_error(L, "player.def", "%s: unknown bomb \"%s\" (declare it with bomb.def first)", param_name, name);
+            api_consider(&s, lua_tostring(L, -2));
+    api_error(L, "player.def", "%s: unknown bomb \"%s\"%s", param_name, name,
+              api_push_did_you_mean(L, &s, " (declare it with bomb.def first)"));
 }
 
 uint8_t api_find_bomb(lua_State *L, const char *param_name, int32_t ship, const struct api_value *v)

@@ -4,7 +4,6 @@
  */
 #include <stdio.h>
 #include <string.h>
-#include "../../base/edit.h"
 #include "../../base/hash.h"
 #include "api_parts.h"
 
@@ -118,18 +117,15 @@ static void read_cast(struct boss_reader *r, int list)
 static void raise_unknown_member(struct boss_reader *r, const char *phase, const char *field_name, const char *word)
 {
     lua_State *L = r->L;
-    const char *found = NULL;
-    int best = EDIT_TOO_FAR;
+    struct api_suggestion s = { .word = word };
 
     lua_pushnil(L);
     while (lua_next(L, r->cast_names_at)) {
-        api_consider_suggestion(word, lua_tostring(L, -2), &best, &found);
+        api_consider(&s, lua_tostring(L, -2));
         lua_pop(L, 1);
     }
-    if (found)
-        api_error(L, "boss.def", "phase \"%s\": %s: no member of the cast is named \"%s\" (did you mean \"%s\"?)",
-                  phase, field_name, word, found);
-    api_error(L, "boss.def", "phase \"%s\": %s: no member of the cast is named \"%s\"", phase, field_name, word);
+    api_error(L, "boss.def", "phase \"%s\": %s: no member of the cast is named \"%s\"%s", phase, field_name, word,
+              api_push_did_you_mean(L, &s, ""));
 }
 
 static bool is_known_member(lua_State *L, const char *key, const void *reader)

@@ -7,7 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../base/trig.h"
-#include "../../base/edit.h"
 #include "api_parts.h"
 
 #define HIT_COMPOUND_FORMS "{ circles = { { x, y, r }, .. } }, { sprite = name }"
@@ -274,7 +273,7 @@ static void check_cart_name(lua_State *L, const char *entry, const struct api_pa
     api_hint_begin(&hint, name);
     for (int i = 0; i < cart->count[type->folder]; i++)
         api_hint_add(&hint, cart_name(cart, type->folder, i));
-    if (!type->is_listed && !hint.nearest)
+    if (!type->is_listed && !hint.suggestion.nearest)
         api_error(L, entry, "unknown %s \"%s\" (declare it in rom.lua)", type->noun, name);
     api_error(L, entry, "unknown %s \"%s\"%s", type->noun, name, api_hint_push(L, &hint, "in rom.lua"));
 }

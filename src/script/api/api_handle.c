@@ -2,7 +2,6 @@
  * api_handle.c - the metatable of the number type: properties and methods of handles.
  */
 #include <string.h>
-#include "../../base/edit.h"
 #include "../lua/lualib.h"
 #include "api_parts.h"
 
@@ -66,25 +65,22 @@ static int find_prop(const struct api_thing *t, uint8_t *guess, const char *name
 
 static int raise_unknown_property(lua_State *L, const struct api_thing *t, int kind, const char *name)
 {
-    const char *found = NULL;
-    int best = EDIT_TOO_FAR;
+    struct api_suggestion s = { .word = name };
 
     for (int i = 0; i < t->n; i++)
-        api_consider_suggestion(name, t->props[i].param.name, &best, &found);
+        api_consider(&s, t->props[i].param.name);
     if (api_can_die((enum handle_kind)kind))
-        api_consider_suggestion(name, "alive", &best, &found);
+        api_consider(&s, "alive");
     enum name_kind value_names = api_kind_value_names((enum handle_kind)kind);
     for (int k = 0; k < api_value_count(vm_board(L), value_names); k++)
-        api_consider_suggestion(name, board_name(vm_board(L), value_names, k), &best, &found);
+        api_consider(&s, board_name(vm_board(L), value_names, k));
     for (int i = 0; i < api_count_entries(api_get_table(L)); i++) {
         const char *verb = api_member_name(api_get_entry(api_get_table(L), i), t->name, ':');
         if (verb)
-            api_consider_suggestion(name, verb, &best, &found);
+            api_consider(&s, verb);
     }
-    if (found)
-        return vm_fault(L, FAULT_SCRIPT, "%s has no property \"%s\" (did you mean \"%s\"?)", api_thing_names[kind],
-                        name, found);
-    return vm_fault(L, FAULT_SCRIPT, "%s has no property \"%s\"", api_thing_names[kind], name);
+    return vm_fault(L, FAULT_SCRIPT, "%s has no property \"%s\"%s", api_thing_names[kind], name,
+                    api_push_did_you_mean(L, &s, ""));
 }
 
 /* Raises the error for writing a name that can only be read or called: a property, a verb, `alive`. */

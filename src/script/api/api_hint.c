@@ -4,21 +4,20 @@
  */
 #include <stdio.h>
 #include <string.h>
-#include "../../base/edit.h"
 #include "api_parts.h"
 
 enum { MAX_LIST_LENGTH = 100 }; /* characters of the longest list worth printing */
 
 void api_hint_begin(struct api_hint *h, const char *word)
 {
-    *h = (struct api_hint){ .word = word, .best_distance = EDIT_TOO_FAR };
+    *h = (struct api_hint){ .suggestion.word = word };
 }
 
 void api_hint_add(struct api_hint *h, const char *name)
 {
     const size_t n = strlen(h->list);
 
-    api_consider_suggestion(h->word, name, &h->best_distance, &h->nearest);
+    api_consider(&h->suggestion, name);
     h->n++;
     if (n + strlen(name) + 2 < MAX_LIST_LENGTH)
         snprintf(h->list + n, sizeof h->list - n, "%s%s", n ? ", " : "", name);
@@ -26,10 +25,15 @@ void api_hint_add(struct api_hint *h, const char *name)
         h->is_list_long = true;
 }
 
+const char *api_push_did_you_mean(lua_State *L, const struct api_suggestion *s, const char *otherwise)
+{
+    return s->nearest ? lua_pushfstring(L, " (did you mean \"%s\"?)", s->nearest) : lua_pushstring(L, otherwise);
+}
+
 const char *api_hint_push(lua_State *L, const struct api_hint *h, const char *label)
 {
-    if (h->nearest)
-        return lua_pushfstring(L, " (did you mean \"%s\"?)", h->nearest);
+    if (h->suggestion.nearest)
+        return api_push_did_you_mean(L, &h->suggestion, "");
     if (h->n == 0)
         return lua_pushfstring(L, " (%s: none)", label);
     return h->is_list_long ? lua_pushliteral(L, "") : lua_pushfstring(L, " (%s: %s)", label, h->list);
@@ -40,7 +44,7 @@ const char *api_hint_push(lua_State *L, const struct api_hint *h, const char *la
 enum { SHORT_NAME_LENGTH = 2 /* bytes; a name this short resembles too many others */ };
 
 /* Suggests the nearest local or upvalue visible to the code at level 1. */
-static void suggest_local(lua_State *L, const char *name, int *best, const char **found)
+static void suggest_local(lua_State *L, struct api_suggestion *s)
 {
     const char *local;
     lua_Debug ar;
@@ -49,32 +53,29 @@ static void suggest_local(lua_State *L, const char *name, int *best, const char 
         return;
     for (int i = 1; (local = lua_getlocal(L, &ar, i)) != NULL; i++, lua_pop(L, 1))
         if (strlen(local) >= SHORT_NAME_LENGTH && local[0] != '(')
-            api_consider_suggestion(name, local, best, found);
+            api_consider(s, local);
     lua_getinfo(L, "f", &ar);
     for (int i = 1; (local = lua_getupvalue(L, -1, i)) != NULL; i++, lua_pop(L, 1))
         if (strlen(local) >= SHORT_NAME_LENGTH && strcmp(local, "_ENV"))
-            api_consider_suggestion(name, local, best, found);
+            api_consider(s, local);
     lua_pop(L, 1);
 }
 
 const char *api_push_suggestion(lua_State *L, const char *name, bool is_read)
 {
-    const char *found = NULL;
-    int best = EDIT_TOO_FAR;
+    struct api_suggestion local = { .word = name }, global = { .word = name };
 
     if (strlen(name) > SHORT_NAME_LENGTH)
-        suggest_local(L, name, &best, &found);
+        suggest_local(L, &local);
     if (strlen(name) > SHORT_NAME_LENGTH && is_read) {
-        const char *global = NULL;
-        int global_best = best;
         lua_pushglobaltable(L);
         for (lua_pushnil(L); lua_next(L, -2); lua_pop(L, 1))
             if (lua_type(L, -2) == LUA_TSTRING)
-                api_consider_suggestion(name, lua_tostring(L, -2), &global_best, &global);
+                api_consider(&global, lua_tostring(L, -2));
         lua_pop(L, 1);
-        found = global ? global : found;
     }
-    return found ? lua_pushfstring(L, " (did you mean \"%s\"?)", found) : lua_pushliteral(L, "");
+    const bool is_global = global.nearest && (!local.nearest || global.distance < local.distance);
+    return api_push_did_you_mean(L, is_global ? &global : &local, "");
 }
 
 /* ---- tables of settings ---- */

@@ -6,7 +6,6 @@
  */
 #include <stdio.h>
 #include <string.h>
-#include "../../base/edit.h"
 #include "../events_run.h"
 #include "api_parts.h"
 
@@ -99,14 +98,12 @@ static bool push_picture_names(lua_State *L, enum name_kind names, int32_t kind)
 
 static int raise_unknown_picture(lua_State *L, const char *thing, const char *name)
 {
-    const char *found = NULL;
-    int best = EDIT_TOO_FAR, list = lua_gettop(L);
+    struct api_suggestion s = { .word = name };
+    const int list = lua_gettop(L);
 
     for (int n = 1; lua_rawgeti(L, list, n) == LUA_TSTRING; n++)
-        api_consider_suggestion(name, lua_tostring(L, -1), &best, &found);
-    if (found)
-        return api_error(L, thing, "its kind has no picture \"%s\" (did you mean \"%s\"?)", name, found);
-    return api_error(L, thing, "its kind has no picture \"%s\"", name);
+        api_consider(&s, lua_tostring(L, -1));
+    return api_error(L, thing, "its kind has no picture \"%s\"%s", name, api_push_did_you_mean(L, &s, ""));
 }
 
 unsigned api_picture_find(lua_State *L, enum name_kind names, int32_t kind, const char *thing,

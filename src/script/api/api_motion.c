@@ -4,7 +4,6 @@
  */
 #include <stdio.h>
 #include <string.h>
-#include "../../base/edit.h"
 #include "../../base/trig.h"
 #include "api_parts.h"
 
@@ -167,18 +166,18 @@ static enum step_number find_step_number(int k)
 uint64_t api_find_step_value(lua_State *L, int step, const char *key, int at)
 {
     const struct board *b = vm_board(L);
-    const char *name = lua_tostring(L, at), *found = NULL;
+    const char *name = lua_tostring(L, at);
+    struct api_suggestion s = { .word = name };
     int bullet_value = api_names_find(L, N_BULLET_VALUE, name), shot_value = api_names_find(L, N_SHOT_VALUE, name);
-    int best = EDIT_TOO_FAR;
 
     if (bullet_value != NO_SLOT || shot_value != NO_SLOT)
         return (uint64_t)(bullet_value + 1) + (uint64_t)(shot_value + 1) * NAMED_SHOT_STRIDE;
     for (int k = 0; k < api_value_count(b, N_BULLET_VALUE); k++)
-        api_consider_suggestion(name, board_name(b, N_BULLET_VALUE, k), &best, &found);
+        api_consider(&s, board_name(b, N_BULLET_VALUE, k));
     for (int k = 0; k < api_value_count(b, N_SHOT_VALUE); k++)
-        api_consider_suggestion(name, board_name(b, N_SHOT_VALUE, k), &best, &found);
-    if (found)
-        api_error(L, def_entry, "step %d: %s: unknown value \"%s\" (did you mean \"%s\"?)", step, key, name, found);
+        api_consider(&s, board_name(b, N_SHOT_VALUE, k));
+    if (s.nearest)
+        api_error(L, def_entry, "step %d: %s: unknown value \"%s\" (did you mean \"%s\"?)", step, key, name, s.nearest);
     api_error(L, def_entry, "step %d: %s: expected a number or the name of a value (value.def), got \"%s\"", step, key,
               name);
     return 0;

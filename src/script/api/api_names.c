@@ -115,13 +115,13 @@ static int word_distance(const char *word, const char *candidate)
     return edit_distance(word, candidate);
 }
 
-void api_consider_suggestion(const char *word, const char *candidate, int *best_distance, const char **found)
+void api_consider(struct api_suggestion *s, const char *candidate)
 {
-    int d = word_distance(word, candidate);
+    const int distance = word_distance(s->word, candidate), best = s->nearest ? s->distance : EDIT_TOO_FAR;
 
-    if (d < *best_distance || (d == *best_distance && *found && d < EDIT_TOO_FAR && strcmp(candidate, *found) < 0)) {
-        *best_distance = d;
-        *found = candidate;
+    if (distance < best || (distance == best && s->nearest && strcmp(candidate, s->nearest) < 0)) {
+        s->distance = distance;
+        s->nearest = candidate;
     }
 }
 

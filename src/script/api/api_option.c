@@ -3,7 +3,6 @@
  */
 #include <stdio.h>
 #include <string.h>
-#include "../../base/edit.h"
 #include "api_parts.h"
 
 enum { D_NAME, D_SPRITE, D_BANK, D_LAYER, D_RUN };
@@ -157,19 +156,15 @@ static void read_level(lua_State *L, int list, int i, struct option_plan *plan)
 
 static enum option_style read_style(lua_State *L, const struct api_value *v)
 {
-    const char *found = NULL, *word = v->given ? lua_tostring(L, v->at) : "fixed";
-    int best = EDIT_TOO_FAR;
+    struct api_suggestion s = { .word = v->given ? lua_tostring(L, v->at) : "fixed" };
 
     for (int i = 0; i <= OPTION_ORBIT; i++) {
-        if (!strcmp(word, style_names[i]))
+        if (!strcmp(s.word, style_names[i]))
             return (enum option_style)i;
-        api_consider_suggestion(word, style_names[i], &best, &found);
+        api_consider(&s, style_names[i]);
     }
-    if (found)
-        api_error(L, player_entry, "options.style: expected fixed, trail or orbit, got \"%s\" (did you mean \"%s\"?)",
-                  word, found);
-    return (enum option_style)api_error(L, player_entry, "options.style: expected fixed, trail or orbit, got \"%s\"",
-                                        word);
+    return (enum option_style)api_error(L, player_entry, "options.style: expected fixed, trail or orbit, got \"%s\"%s",
+                                        s.word, api_push_did_you_mean(L, &s, ""));
 }
 
 /* Raises an error for settings that belong to another style. */

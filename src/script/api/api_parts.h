@@ -159,13 +159,16 @@ void api_release_held(struct board *b, int64_t h);
 
 /* A search for the known name nearest to a misspelt word. `list` collects the known names for api_hint_push. */
 struct api_hint {
-    const char *word, *nearest;
-    int best_distance, n;
+    struct api_suggestion suggestion;
+    int n;
     bool is_list_long; /* the list is too long for a sentence */
     char list[128];
 };
 void api_hint_begin(struct api_hint *h, const char *word);
 void api_hint_add(struct api_hint *h, const char *name);
+
+/* Pushes " (did you mean "x"?)" or, if no name is near, `otherwise`. */
+const char *api_push_did_you_mean(lua_State *L, const struct api_suggestion *s, const char *otherwise);
 
 /* Pushes " (did you mean "x"?)" or, if no name is near, " (LABEL: a, b, c)"; "" if that list is too long. */
 const char *api_hint_push(lua_State *L, const struct api_hint *h, const char *label);

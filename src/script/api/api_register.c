@@ -3,7 +3,6 @@
  */
 #include <stdio.h>
 #include <string.h>
-#include "../../base/edit.h"
 #include "api_parts.h"
 
 /* Registry, by kind of ship or RUN_REGISTERS: { name -> number }; and { number -> { show, at, label, mark } }, for
@@ -256,36 +255,34 @@ bool api_register_is_declared(lua_State *L, const char *name)
     return found;
 }
 
-static void suggest_register(lua_State *L, int32_t kind, const char *name, int *best_distance, const char **found)
+static void suggest_register(lua_State *L, int32_t kind, struct api_suggestion *s)
 {
     const char *names[PLAYER_MAX_REGISTERS];
 
     for (int n = api_player_register_names(L, kind, names), i = 0; i < n; i++)
-        api_consider_suggestion(name, names[i], best_distance, found);
+        api_consider(s, names[i]);
 }
 
 const char *api_find_nearest_register(lua_State *L, const char *name)
 {
-    const char *found = NULL;
-    int best_distance = EDIT_TOO_FAR;
+    struct api_suggestion s = { .word = name };
 
-    suggest_register(L, RUN_REGISTERS, name, &best_distance, &found);
+    suggest_register(L, RUN_REGISTERS, &s);
     for (uint32_t kind = 0; kind < vm_board(L)->player_kinds.s.live; kind++)
-        suggest_register(L, (int32_t)kind, name, &best_distance, &found);
-    return found;
+        suggest_register(L, (int32_t)kind, &s);
+    return s.nearest;
 }
 
 int api_register_expect(lua_State *L, const char *entry, const char *param_name, int32_t kind, const char *name)
 {
     const int i = api_find_ship_register(L, kind, name);
-    const char *found = NULL;
-    int best_distance = EDIT_TOO_FAR;
+    struct api_suggestion s = { .word = name };
 
     if (i >= 0)
         return i;
-    suggest_register(L, kind, name, &best_distance, &found);
-    if (found)
-        return api_error(L, entry, "%s: unknown register \"%s\" (did you mean \"%s\"?)", param_name, name, found);
+    suggest_register(L, kind, &s);
+    if (s.nearest)
+        return api_error(L, entry, "%s: unknown register \"%s\" (did you mean \"%s\"?)", param_name, name, s.nearest);
     return api_error(L, entry, "%s: unknown register \"%s\" (add registers = { %s = 0 } to player.def)", param_name,
                      name, name);
 }

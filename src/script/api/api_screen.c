@@ -509,7 +509,7 @@ static const uint8_t *find_palette(lua_State *L, struct board *b, const char *en
     api_hint_begin(&hint, lua_tostring(L, at));
     for (int i = 0; i < b->cart.count[CART_PALETTES]; i++)
         api_hint_add(&hint, cart_name(&b->cart, CART_PALETTES, i));
-    api_error(L, entry, "unknown palette \"%s\"%s", hint.word, api_hint_push(L, &hint, "in rom.lua"));
+    api_error(L, entry, "unknown palette \"%s\"%s", hint.suggestion.word, api_hint_push(L, &hint, "in rom.lua"));
     return NULL;
 }
 

@@ -2,7 +2,6 @@
  * api_sound.c - the Lua tables sound and music.
  */
 #include <string.h>
-#include "../../base/edit.h"
 #include "../../machine/sound.h"
 #include "api_parts.h"
 
@@ -221,8 +220,7 @@ static int skip_wait(lua_State *L, struct board *b)
  * such marker. */
 static int find_marker(lua_State *L, struct board *b, const char *name)
 {
-    const char *found = NULL;
-    int best_distance = EDIT_TOO_FAR;
+    struct api_suggestion s = { .word = name };
     struct tune t;
 
     if (!get_playing_tune(b, &t))
@@ -230,12 +228,10 @@ static int find_marker(lua_State *L, struct board *b, const char *name)
     for (int i = 0; i < t.n_markers; i++) {
         if (!strcmp(tune_marker_name(&t, i), name))
             return i + 1;
-        api_consider_suggestion(name, tune_marker_name(&t, i), &best_distance, &found);
+        api_consider(&s, tune_marker_name(&t, i));
     }
     const char *tune = cart_name(&b->cart, CART_TUNES, b->music.tune - 1);
-    if (found)
-        return api_error(L, "music.wait", "\"%s\" has no marker \"%s\" (did you mean \"%s\"?)", tune, name, found);
-    return api_error(L, "music.wait", "\"%s\" has no marker \"%s\"", tune, name);
+    return api_error(L, "music.wait", "\"%s\" has no marker \"%s\"%s", tune, name, api_push_did_you_mean(L, &s, ""));
 }
 
 /* Returns whether the marker is still ahead. A marker before the start of the loop is passed only once; after the end

@@ -214,10 +214,13 @@ const char *const *api_get_type_words(enum api_type type, int *n);
 /* Each kind of thing with its article, for use in a sentence: "a bullet", "an enemy". */
 extern const char *const api_thing_names[HANDLE_KINDS];
 
-/* Considers a candidate as the suggestion for a misspelt word. *found is the best candidate so far, *best_distance its
- * edit distance; on a tie, the first in byte order wins. Before the first call, *best_distance is EDIT_TOO_FAR and
- * *found is NULL. */
-void api_consider_suggestion(const char *word, const char *candidate, int *best_distance, const char **found);
+/* The suggestion for a misspelt word: the nearest candidate so far, the first in byte order of several, and its edit
+ * distance. nearest is NULL if no candidate is near; only `word` is set at the start. */
+struct api_suggestion {
+    const char *word, *nearest;
+    int distance;
+};
+void api_consider(struct api_suggestion *s, const char *candidate);
 
 /* The owner of a hit shape; owners accept different shapes. */
 enum hit_owner { HIT_PLAYERS, HIT_ENEMIES, HIT_BULLETS /* bullets and shots */, HIT_LASERS };
