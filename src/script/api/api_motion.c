@@ -125,43 +125,15 @@ static void raise_unknown_key(lua_State *L, int step, const char *entry)
     api_raise_unknown_key(L, entry, &step_fields);
 }
 
-/* Returns which number of a step key k sets, if the name of a declared value may replace the number; otherwise
- * STEP_NUMBER_COUNT. */
-static enum step_number find_step_number(int k)
-{
-    switch (k) {
-    case M_WAIT:
-    case M_OVER:
-        return NUMBER_DURATION;
-    case M_BANK:
-        return NUMBER_BANK;
-    case M_DIR:
-        return NUMBER_DIR;
-    case M_TURN:
-        return NUMBER_TURN;
-    case M_HOME:
-        return NUMBER_HOME;
-    case M_SPEED:
-        return NUMBER_SPEED;
-    case M_ACCEL:
-        return NUMBER_ACCEL;
-    case M_POLAR:
-        return NUMBER_SPEED;
-    case M_WAVE:
-    case M_ORBIT:
-        return NUMBER_SIZE;
-    case M_RADIUS_TO:
-        return NUMBER_SIZE_TO;
-    case M_SPIN:
-        return NUMBER_TURN;
-    case M_EVERY:
-        return NUMBER_COUNT;
-    case M_PHASE:
-        return NUMBER_DIR;
-    default:
-        return STEP_NUMBER_COUNT;
-    }
-}
+/* The number of a step that each key sets, plus 1, if the name of a declared value may replace the number; otherwise
+ * 0. */
+static const uint8_t step_numbers[M_KEY_COUNT] = {
+    [M_WAIT] = NUMBER_DURATION + 1, [M_OVER] = NUMBER_DURATION + 1, [M_BANK] = NUMBER_BANK + 1,
+    [M_DIR] = NUMBER_DIR + 1,       [M_TURN] = NUMBER_TURN + 1,     [M_HOME] = NUMBER_HOME + 1,
+    [M_SPEED] = NUMBER_SPEED + 1,   [M_ACCEL] = NUMBER_ACCEL + 1,   [M_POLAR] = NUMBER_SPEED + 1,
+    [M_WAVE] = NUMBER_SIZE + 1,     [M_ORBIT] = NUMBER_SIZE + 1,    [M_RADIUS_TO] = NUMBER_SIZE_TO + 1,
+    [M_SPIN] = NUMBER_TURN + 1,     [M_EVERY] = NUMBER_COUNT + 1,   [M_PHASE] = NUMBER_DIR + 1,
+};
 
 uint64_t api_find_step_value(lua_State *L, int step, const char *key, int at)
 {
@@ -183,27 +155,34 @@ uint64_t api_find_step_value(lua_State *L, int step, const char *key, int at)
     return 0;
 }
 
+uint64_t api_read_step_keys(lua_State *L, int step, const char *entry, const struct api_param *params, int n,
+                            const uint8_t *numbers, int at, struct api_value *v)
+{
+    uint64_t named_bits = 0;
+
+    luaL_checkstack(L, n + 8, NULL);
+    for (int k = 0; k < n; k++) {
+        const int number = numbers[k] - 1;
+        v[k] = (struct api_value){ 0 };
+        if (lua_getfield(L, at, params[k].name) == LUA_TSTRING && number >= 0) {
+            named_bits |= api_find_step_value(L, step, params[k].name, lua_gettop(L)) << number * NAMED_VALUE_BITS;
+            v[k] = (struct api_value){ .given = true, .i = number == NUMBER_DURATION || number == NUMBER_COUNT };
+        } else
+            api_check(L, entry, &params[k], lua_gettop(L), &v[k]);
+    }
+    return named_bits;
+}
+
 /* Reads the keys of the step table at `at` into v, but not the nested steps of a loop. Returns the NAMED_VALUE_BITS of
  * all declared values used in place of numbers. */
 static uint64_t read_keys(lua_State *L, int at, int step, struct api_value v[M_KEY_COUNT])
 {
-    uint64_t named_bits = 0;
     char entry[40];
 
-    luaL_checkstack(L, M_KEY_COUNT + 8, NULL);
     snprintf(entry, sizeof entry, "%s: step %d", def_entry, step);
     if (luakeys_push_unknown(L, at, is_known_step_key, &step_fields))
         raise_unknown_key(L, step, entry);
-    for (int k = 0; k < M_KEY_COUNT; k++) {
-        enum step_number number = find_step_number(k);
-        v[k] = (struct api_value){ 0 };
-        if (lua_getfield(L, at, step_keys[k].name) == LUA_TSTRING && number != STEP_NUMBER_COUNT) {
-            named_bits |= api_find_step_value(L, step, step_keys[k].name, lua_gettop(L)) << number * NAMED_VALUE_BITS;
-            v[k] = (struct api_value){ .given = true, .i = number == NUMBER_DURATION || number == NUMBER_COUNT };
-        } else
-            api_check(L, entry, &step_keys[k], lua_gettop(L), &v[k]);
-    }
-    return named_bits;
+    return api_read_step_keys(L, step, entry, step_keys, M_KEY_COUNT, step_numbers, at, v);
 }
 
 /* The settings that each leading step may have and must have, in addition to kind and bank. */

@@ -473,6 +473,12 @@ void api_check_around(lua_State *L, const struct bullets *s, const char *entry, 
  * value's NAMED_VALUE_BITS (motion.h). */
 uint64_t api_find_step_value(lua_State *L, int step, const char *key, int at);
 
+/* Reads the keys `params` of a step's table at `at` into v and leaves their values on the stack. numbers: by key, the
+ * number of the step that the name of a declared value may replace, plus 1, or 0. Returns the NAMED_VALUE_BITS of all
+ * values used. */
+uint64_t api_read_step_keys(lua_State *L, int step, const char *entry, const struct api_param *params, int n,
+                            const uint8_t *numbers, int at, struct api_value *v);
+
 /* Read the table of settings, at stack index `at`, of an `emit` or `wait_for` step (api_step.c). */
 enum { EMIT_PARAM_COUNT = 17, AWAIT_PARAM_COUNT = 5 };
 extern const struct api_param api_emit_params[EMIT_PARAM_COUNT], api_await_params[AWAIT_PARAM_COUNT];

@@ -62,18 +62,13 @@ static const struct {
     [EMIT_ARC] = { "arc", E_SWEEP }, [EMIT_STACK] = { "stack", E_SPEED_TO }, [EMIT_LINE] = { "line", E_WIDTH },
 };
 
-/* Returns which number of an emit argument k sets, if the name of a declared value may replace the number; otherwise
- * EMIT_NUMBER_COUNT. */
-static enum emit_number find_emit_number(int k)
-{
-    static const uint8_t numbers[EMIT_PARAM_COUNT] = {
-        [E_N] = EMIT_NUMBER_N + 1,           [E_SPREAD] = EMIT_NUMBER_SIZE + 1, [E_SWEEP] = EMIT_NUMBER_SIZE + 1,
-        [E_SPEED_TO] = EMIT_NUMBER_SIZE + 1, [E_WIDTH] = EMIT_NUMBER_SIZE + 1,  [E_SPEED] = EMIT_NUMBER_SPEED + 1,
-        [E_DIR] = EMIT_NUMBER_DIR + 1,       [E_BANK] = EMIT_NUMBER_BANK + 1,   [E_DELAY] = EMIT_NUMBER_DELAY + 1,
-    };
-
-    return numbers[k] ? (enum emit_number)(numbers[k] - 1) : EMIT_NUMBER_COUNT;
-}
+/* The number of an emit that each argument sets, plus 1, if the name of a declared value may replace the number;
+ * otherwise 0. */
+static const uint8_t emit_numbers[EMIT_PARAM_COUNT] = {
+    [E_N] = EMIT_NUMBER_N + 1,           [E_SPREAD] = EMIT_NUMBER_SIZE + 1, [E_SWEEP] = EMIT_NUMBER_SIZE + 1,
+    [E_SPEED_TO] = EMIT_NUMBER_SIZE + 1, [E_WIDTH] = EMIT_NUMBER_SIZE + 1,  [E_SPEED] = EMIT_NUMBER_SPEED + 1,
+    [E_DIR] = EMIT_NUMBER_DIR + 1,       [E_BANK] = EMIT_NUMBER_BANK + 1,   [E_DELAY] = EMIT_NUMBER_DELAY + 1,
+};
 
 /* An emit being read. From stack index `first`: its arguments, then the values declared for what it fires. */
 struct emit_reader {
@@ -117,14 +112,15 @@ static void push_settings(lua_State *L, struct emit_reader *r, int at)
         lua_getfield(L, at, board_name(vm_board(L), r->value_kind, k));
 }
 
-/* Checks argument k against its parameter, or reads the name of a declared value given in its place. */
+/* Checks argument k against its parameter, or reads the name of a declared value given in place of the number `number`
+ * (-1: none). */
 static void check_setting(lua_State *L, struct emit_reader *r, int k, const struct api_param *p, int number)
 {
     const int at = r->first_at + k;
     char context[48];
 
     r->v[k] = (struct api_value){ 0 };
-    if (number != EMIT_NUMBER_COUNT && lua_type(L, at) == LUA_TSTRING) {
+    if (number >= 0 && lua_type(L, at) == LUA_TSTRING) {
         r->named_bits |= api_find_step_value(L, r->step, p->name, at) << number * NAMED_VALUE_BITS;
         r->v[k].given = true;
         return;
@@ -139,7 +135,7 @@ static void check_settings(lua_State *L, struct emit_reader *r)
         struct api_param p = api_emit_params[k];
         if (k == E_KIND && r->fires_shots)
             p.type = A_SHOT_KIND;
-        check_setting(L, r, k, &p, (int)find_emit_number(k));
+        check_setting(L, r, k, &p, emit_numbers[k] - 1);
     }
     for (int k = 0; k < api_value_count(vm_board(L), r->value_kind); k++) {
         struct api_param p = api_value_param(board_name(vm_board(L), r->value_kind, k));
@@ -237,28 +233,18 @@ const struct api_param api_await_params[AWAIT_PARAM_COUNT] = {
     PARAM("limit", A_COUNT, OPT, 1, 1e9, "frames", "forever", "frames after which the motion continues anyway"),
 };
 
-static const enum step_number await_numbers[AWAIT_PARAM_COUNT] = { NUMBER_X, NUMBER_Y, NUMBER_SIZE, STEP_NUMBER_COUNT,
-                                                                   NUMBER_DURATION };
-
 static uint64_t read_await(lua_State *L, int step, int at, struct api_value v[AWAIT_PARAM_COUNT])
 {
     static const struct api_fields fields = { api_await_params, AWAIT_PARAM_COUNT, NAME_LISTS };
-    uint64_t named_values = 0;
+    static const uint8_t numbers[AWAIT_PARAM_COUNT] = {
+        [W_X] = NUMBER_X + 1, [W_Y] = NUMBER_Y + 1, [W_NEAR] = NUMBER_SIZE + 1, [W_LIMIT] = NUMBER_DURATION + 1
+    };
     char context[48];
 
     snprintf(context, sizeof context, "%s: step %d: wait_for", def_entry, step);
     if (luakeys_push_unknown(L, at, api_is_known_field, &fields))
         api_raise_unknown_key(L, context, &fields);
-    for (int k = 0; k < AWAIT_PARAM_COUNT; k++) {
-        const struct api_param *p = &api_await_params[k];
-        v[k] = (struct api_value){ 0 };
-        if (lua_getfield(L, at, p->name) == LUA_TSTRING && await_numbers[k] != STEP_NUMBER_COUNT) {
-            named_values |= api_find_step_value(L, step, p->name, lua_gettop(L)) << await_numbers[k] * NAMED_VALUE_BITS;
-            v[k] = (struct api_value){ .given = true, .i = 1 };
-        } else
-            api_check(L, context, p, lua_gettop(L), &v[k]);
-    }
-    return named_values;
+    return api_read_step_keys(L, step, context, api_await_params, AWAIT_PARAM_COUNT, numbers, at, v);
 }
 
 void api_read_await_step(lua_State *L, int step, int at, struct motion_step *s)
