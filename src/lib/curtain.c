@@ -39,21 +39,16 @@ static uint32_t snapshot_count(const struct curtain_config *config)
 static void lay_out(struct curtain *c, struct arena *p, const struct curtain_config *config, size_t ram_size)
 {
     const struct manifest *m = &c->cart.manifest;
+    const uint32_t snapshots = snapshot_count(config);
     const size_t nvram = (size_t)m->nvram_kib << 10,
-                 log_size = config->state_room ? config->state_room : LIB_DEFAULT_STATE_BYTES;
+                 log_size = config->state_room ? config->state_room : LIB_DEFAULT_STATE_BYTES,
+                 past_size = snapshots * ram_size + ram_size / 4; /* more, so that the largest snapshot fits */
 
-    c->n_snapshots = snapshot_count(config);
-    c->n_key_snapshots = c->n_snapshots / 4;
     c->ram_size = ram_size;
     c->ram = allocate(p, ram_size);
     c->backup = allocate(p, ram_size);
     c->backup_output = allocate(p, board_output_size());
-    c->snapshot = allocate(p, c->n_snapshots * sizeof *c->snapshot);
-    for (uint32_t i = 0; i < c->n_snapshots; i++) {
-        uint8_t *data = allocate(p, ram_size);
-        if (p->base)
-            c->snapshot[i] = (struct lib_snapshot){ .data = data };
-    }
+    void *past = allocate(p, past_size);
     c->run_start = (struct lib_start){ .nvram = allocate(p, nvram), .nvram_cap = nvram };
     c->state_start = (struct lib_start){ .nvram = allocate(p, nvram), .nvram_cap = nvram };
     c->run_pads = (struct pads_log){ .bytes = allocate(p, log_size), .cap = log_size };
@@ -61,8 +56,10 @@ static void lay_out(struct curtain *c, struct arena *p, const struct curtain_con
     c->scratch = allocate(p, board_cart_scratch_size(&c->cart));
     c->sound_tables = m->has_sound ? allocate(p, board_sound_tables_size()) : NULL;
     uint8_t *pixels = allocate(p, fb_size(m->screen_w, m->screen_h));
-    if (p->base)
+    if (p->base) {
         fb_init(&c->fb, pixels, m->screen_w, m->screen_h);
+        c->past = rewind_open(past, past_size, snapshots - snapshots / 4);
+    }
 }
 
 /* Returns the size of the plain ROM in bytes, or 0 when it cannot be read. *unpack_size: bytes needed to unpack it, 0
@@ -112,7 +109,7 @@ static bool open_and_measure(struct curtain *c, const struct curtain_config *con
         return false;
     struct curtain dry_run = *c;
     struct arena p = { NULL, 0 };
-    const uint64_t snapshot_bytes = (uint64_t)*ram_size * ((uint64_t)snapshot_count(config) + 2);
+    const uint64_t snapshot_bytes = (uint64_t)*ram_size * ((uint64_t)snapshot_count(config) + 3);
     if (snapshot_bytes > SIZE_MAX / 2)
         return err_set(err, err_size, "snapshots: too many for the address space");
     allocate(&p, sizeof *c);

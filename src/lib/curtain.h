@@ -73,7 +73,8 @@ struct curtain_config {
     const void *demo; /* a recorded run: supplies the start, and the pads when curtain_frame gets NULL; NULL: none */
     size_t demo_size;
     size_t state_room;  /* bytes for a state's input log, 5 or more per input change; 0: 128 KiB */
-    uint32_t snapshots; /* snapshots held in this process; curtain_load restores them without a replay; 0: 16 */
+    uint32_t snapshots; /* memory for snapshots, which curtain_load restores without a replay, as a multiple of the
+                         * board's RAM; 0: 16 */
     bool alarm;         /* ignored; exists so that old hosts still compile */
 };
 
@@ -183,7 +184,7 @@ CURTAIN_API bool curtain_ship(const struct curtain *c, int i, struct curtain_shi
 /* ---- states ----
  *
  * A state contains how the run started and the pads so far, so every machine can load it. When this process still has a
- * snapshot of that frame (curtain_save takes one, and so does every 600th frame; .snapshots limits their number),
+ * snapshot of that frame (curtain_save takes one, and so does every 600th frame; .snapshots limits their memory),
  * loading takes microseconds; otherwise the run is replayed from the nearest snapshot, at about 10,000 frames a second.
  * Bytes that are damaged, belong to another game or core version, or are not a state at all are refused; loading
  * untrusted bytes is safe. */

@@ -7,6 +7,7 @@
 #include "../board/board.h"
 #include "../rom/cart.h"
 #include "../demo/demo.h"
+#include "../demo/rewind.h"
 #include "curtain.h"
 #include "pads_log.h"
 
@@ -16,14 +17,6 @@ enum {
     LIB_DEFAULT_SNAPSHOTS = 16,
     LIB_MAX_SNAPSHOTS = 4096,
     LIB_KEY_SNAPSHOT_INTERVAL = 600 /* frames between key snapshots, which are taken during play */
-};
-
-/* A saved frame: the board after `frame` ticks, and the digest of the pads log at that frame. */
-struct lib_snapshot {
-    uint32_t frame;
-    uint64_t digest;
-    uint64_t last_used; /* value of `use_clock` at its last use; 0: empty slot */
-    uint8_t *data;
 };
 
 /* Everything that determines how a run starts. start.nvram points to `nvram`, or is NULL. */
@@ -52,12 +45,9 @@ struct curtain {
     bool nvram_changed;                   /* loading a state has changed nvram, which the next frame reports */
     struct demo demo;                     /* the demo that is playing; frames 0: none */
     struct pads_log run_pads, state_pads; /* log of this run; buffer for the log of a state that is being loaded */
-    struct lib_snapshot
-        *snapshot; /* n_snapshots of them: first n_key_snapshots key snapshots, then snapshots of saved states */
-    uint32_t n_snapshots, n_key_snapshots;
-    uint64_t use_clock;              /* counts uses of snapshots */
-    uint8_t *backup, *backup_output; /* snapshot and output of the current frame, restored after curtain_demo and when
-                                      * a load fails */
+    struct rewind *past;                  /* snapshots, of any run; identified by the digest of the pads log */
+    uint8_t *backup, *backup_output;      /* snapshot and output of the current frame, restored after curtain_demo and
+                                           * when a load fails */
     char log_text[LOG_BYTES + 4096];
     char fault[sizeof(struct board_fault)];
 };

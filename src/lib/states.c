@@ -19,70 +19,10 @@
 enum { HEADER_SIZE = 56, STATE_FORMAT = 1 };
 static const uint8_t magic[8] = { 'C', 'U', 'R', 'T', 'A', 'I', 'N', 'S' };
 
-/* ---- snapshots ---- */
-
-static struct lib_snapshot *find_snapshot(struct curtain *c, uint32_t frame, uint64_t digest)
-{
-    for (uint32_t i = 0; i < c->n_snapshots; i++) {
-        struct lib_snapshot *s = &c->snapshot[i];
-        if (s->last_used > 0 && s->frame == frame && s->digest == digest)
-            return s;
-    }
-    return NULL;
-}
-
-/* Returns the least recently used snapshot in from..to - 1. */
-static struct lib_snapshot *find_least_recent(struct curtain *c, uint32_t from, uint32_t to)
-{
-    struct lib_snapshot *best = NULL;
-
-    for (uint32_t i = from; i < to; i++)
-        if (!best || c->snapshot[i].last_used < best->last_used)
-            best = &c->snapshot[i];
-    return best;
-}
-
-/* Returns the key snapshot to replace: an empty one, or one of a later frame than `current_frame`, if there is one;
- * otherwise the one with the smallest gap between its neighbours relative to its age, so that gaps between snapshots
- * grow with age. */
-static struct lib_snapshot *find_expendable_key(struct curtain *c, uint32_t current_frame)
-{
-    struct lib_snapshot *best = NULL;
-    uint64_t best_gap = 0, best_age = 1;
-
-    for (uint32_t i = 0; i < c->n_key_snapshots; i++) {
-        struct lib_snapshot *s = &c->snapshot[i];
-        uint32_t before = 0, after = current_frame;
-        if (s->last_used == 0 || s->frame > current_frame)
-            return s;
-        for (uint32_t k = 0; k < c->n_key_snapshots; k++) {
-            const uint32_t frame = c->snapshot[k].frame;
-            before = frame < s->frame && frame > before ? frame : before;
-            after = frame > s->frame && frame < after ? frame : after;
-        }
-        const uint64_t gap = after - before, age = (uint64_t)(current_frame - s->frame) + LIB_KEY_SNAPSHOT_INTERVAL;
-        if (!best || gap * best_age < best_gap * age) {
-            best = s;
-            best_gap = gap;
-            best_age = age;
-        }
-    }
-    return best;
-}
-
-static void take_snapshot(struct curtain *c, struct lib_snapshot *s)
-{
-    board_save(c->board, s->data);
-    s->frame = c->run_pads.frames;
-    s->digest = c->run_pads.digest;
-    s->last_used = ++c->use_clock;
-}
-
 void lib_take_key_snapshot(struct curtain *c)
 {
-    if (c->n_key_snapshots > 0 && c->run_pads.frames > 0 && c->run_pads.frames % LIB_KEY_SNAPSHOT_INTERVAL == 0 &&
-        !c->run_pads.incomplete && !find_snapshot(c, c->run_pads.frames, c->run_pads.digest))
-        take_snapshot(c, find_expendable_key(c, c->run_pads.frames));
+    if (c->run_pads.frames > 0 && c->run_pads.frames % LIB_KEY_SNAPSHOT_INTERVAL == 0 && !c->run_pads.incomplete)
+        rewind_add(c->past, c->board, c->run_pads.digest, false);
 }
 
 /* ---- seeking ---- */
@@ -90,7 +30,7 @@ void lib_take_key_snapshot(struct curtain *c)
 /* Where a replay starts: at the last of its frames that has a snapshot or is the board's current frame (`is_current`),
  * or at power-on when there is none. */
 struct replay_start {
-    struct lib_snapshot *snapshot;
+    struct rewind_key *snapshot;
     bool is_current;
     uint32_t frame;
 };
@@ -112,9 +52,9 @@ static struct replay_start find_replay_start(struct curtain *c, struct pads_read
             digest = pads_log_update_digest(digest, pads.pads);
             frame++;
             const bool is_current = current && current->frames == frame && current->digest == digest;
-            struct lib_snapshot *s = is_current ? NULL : find_snapshot(c, frame, digest);
-            if (is_current || s)
-                start = (struct replay_start){ s, is_current, frame };
+            struct rewind_key *snapshot = is_current ? NULL : rewind_find(c->past, frame, digest);
+            if (is_current || snapshot)
+                start = (struct replay_start){ snapshot, is_current, frame };
         }
     return start;
 }
@@ -124,8 +64,7 @@ static bool seek_to_start(struct curtain *c, const struct replay_start *start, c
 {
     c->drawn = c->mixed = false;
     if (start->snapshot) {
-        start->snapshot->last_used = ++c->use_clock;
-        board_restore(c->board, start->snapshot->data);
+        rewind_restore(c->past, start->snapshot, c->board);
     } else if (!start->is_current) {
         struct board *board = c->board;
         if (!lib_power_on(c, err, err_size)) {
@@ -190,9 +129,8 @@ size_t curtain_save(struct curtain *c, void *state, size_t size, char *err, size
     bytes_put64(out + 40, board_hash(c->board));
     bytes_put32(out + 48, hash_crc32(out + HEADER_SIZE, start + pads));
     bytes_put32(out + 52, hash_crc32(out, 52));
-    if (c->n_snapshots > c->n_key_snapshots && !board_last_output(c->board)->fault &&
-        !find_snapshot(c, c->run_pads.frames, c->run_pads.digest))
-        take_snapshot(c, find_least_recent(c, c->n_key_snapshots, c->n_snapshots));
+    if (!board_last_output(c->board)->fault)
+        rewind_add(c->past, c->board, c->run_pads.digest, true);
     return HEADER_SIZE + start + pads;
 }
 

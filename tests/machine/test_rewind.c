@@ -3,39 +3,17 @@
  * run that goes straight on are the reference.
  */
 #include "rig.h"
-#include "../../src/cab/run/rewind.h"
+#include "../../src/demo/rewind.h"
 
-/* ---- rewind.c once more, with memory that can run out ---- */
+enum { MIB = 1 << 20, PLENTY = 64 * MIB };
 
-static uint64_t scarce_one_in; /* 0: there is enough; n: every nth request fails, by chance; 1: there is none */
-static struct rng scarce_rng;
-
-static void *scarce(size_t n)
+static struct rewind *open_past(size_t bytes)
 {
-    return scarce_one_in && rng_below(&scarce_rng, scarce_one_in) == 0 ? NULL : malloc(n);
-}
+    void *memory = malloc(bytes);
 
-#define malloc        scarce
-#define rewind_open   lean_open
-#define rewind_close  lean_close
-#define rewind_push   lean_push
-#define rewind_first  lean_first
-#define rewind_end    lean_end
-#define rewind_to     lean_to
-#define rewind_drop   lean_drop
-#define rewind_forget lean_forget
-#define rewind_pads   lean_pads
-#include "../../src/cab/run/rewind.c"
-#undef malloc
-#undef rewind_open
-#undef rewind_close
-#undef rewind_push
-#undef rewind_first
-#undef rewind_end
-#undef rewind_to
-#undef rewind_drop
-#undef rewind_forget
-#undef rewind_pads
+    assert_non_null(memory);
+    return rewind_open(memory, bytes, 0);
+}
 
 /* ---- a run ---- */
 
@@ -92,16 +70,14 @@ static void same_frame(const struct run *run, const struct rig *r, uint32_t fram
         fail_msg("frame %u is not the frame it was", frame);
 }
 
-static void in_budget(const struct rewind *p)
+static void check_keys(const struct rewind *p)
 {
-    size_t sum = p->pads_room * sizeof *p->pads;
-
-    for (int i = 0; i < p->n; i++) {
-        sum += p->key[i].room;
-        assert_true(i == 0 || p->key[i - 1].frame < p->key[i].frame);
-    }
-    assert_int_equal(p->held, sum);
-    assert_true(p->n <= 1 || p->held <= p->budget);
+    assert_in_range(p->n, 0, p->slots);
+    for (uint32_t i = 0; i < p->slots; i++) /* each slot is in the list once */
+        for (uint32_t k = 0; k < i; k++)
+            assert_int_not_equal(p->key[i].slot, p->key[k].slot);
+    for (uint32_t i = 1; i < p->n; i++)
+        assert_true(p->key[i - 1].frame < p->key[i].frame);
 }
 
 /* On by n frames of the run, as far as it goes. */
@@ -136,26 +112,24 @@ static uint32_t somewhere(const struct rewind *p, const struct rig *r, struct rn
     }
 }
 
-static void walk(const struct run *run, size_t budget, int steps, uint64_t seed)
+static void walk(const struct run *run, size_t bytes, int steps, uint64_t seed)
 {
-    struct rewind p;
+    struct rewind *p = open_past(bytes);
     struct rng rng;
     struct rig r;
 
     rng_seed(&rng, seed);
-    rewind_open(&p, budget);
     rig_power(&r, &run->game, &run->demo.start);
-    forward(&p, run, &r, run->frames / 2);
+    forward(p, run, &r, run->frames / 2);
     for (int i = 0; i < steps; i++) {
         if (rng_below(&rng, 20) == 0)
-            forward(&p, run, &r, 1 + (uint32_t)rng_below(&rng, 100));
+            forward(p, run, &r, 1 + (uint32_t)rng_below(&rng, 100));
         else
-            assert_true(rewind_to(&p, r.b, somewhere(&p, &r, &rng)));
+            assert_true(rewind_to(p, r.b, somewhere(p, &r, &rng)));
         same_frame(run, &r, board_frame(r.b));
-        in_budget(&p);
+        check_keys(p);
     }
-    rewind_close(&p);
-    rewind_close(&p);
+    free(p);
     rig_free(&r);
 }
 
@@ -164,11 +138,10 @@ static void walks(void **state)
     int steps = rig_long() ? 20000 : 1500;
 
     (void)state;
-    walk(&glasstide, REWIND_BYTES, steps, 1);
-    walk(&glasstide, 12 << 20, steps, 2);
-    walk(&glasstide, 3 << 20, steps / 3, 3);
-    walk(&glasstide, 700000, steps / 3, 4); /* one key frame has room */
-    walk(&glasstide, 0, steps / 3, 5);
+    walk(&glasstide, PLENTY, steps, 1);
+    walk(&glasstide, 12 * MIB, steps, 2);
+    walk(&glasstide, 6 * MIB, steps / 3, 3);
+    walk(&glasstide, 3 * MIB, steps / 3, 4); /* one key frame has room */
 }
 
 /* ---- what it costs ---- */
@@ -179,11 +152,11 @@ static uint64_t backwards(struct rewind *p, const struct run *run, struct rig *r
     uint64_t most = 0;
 
     for (uint32_t f = board_frame(r->b); f-- > to;) {
-        uint64_t before = p->again;
+        uint64_t before = p->replayed;
         assert_true(rewind_to(p, r->b, f));
         same_frame(run, r, f);
-        in_budget(p);
-        most = p->again - before > most ? p->again - before : most;
+        check_keys(p);
+        most = p->replayed - before > most ? p->replayed - before : most;
     }
     return most;
 }
@@ -191,43 +164,41 @@ static uint64_t backwards(struct rewind *p, const struct run *run, struct rig *r
 /* A minute is there, and back through all of it no gap is run through again for every frame. */
 static void a_minute_backwards(void **state)
 {
-    struct rewind p;
+    struct rewind *p = open_past(PLENTY);
     struct rig r;
 
     (void)state;
-    rewind_open(&p, REWIND_BYTES);
     rig_power(&r, &glasstide.game, &glasstide.demo.start);
-    forward(&p, &glasstide, &r, 3600);
-    assert_int_equal(rewind_first(&p), 0);
-    assert_in_range(backwards(&p, &glasstide, &r, 3540), 1, 32); /* the last second */
-    assert_in_range(backwards(&p, &glasstide, &r, 0), 1, 512);
-    assert_in_range(p.again, 3600, 5 * 3600);
-    forward(&p, &glasstide, &r, 100);
-    assert_int_equal(rewind_end(&p), 3600); /* nothing was pressed that was not pressed then */
-    uint64_t again = p.again;
-    assert_true(rewind_to(&p, r.b, 3600));
+    forward(p, &glasstide, &r, 3600);
+    assert_int_equal(rewind_first(p), 0);
+    assert_in_range(backwards(p, &glasstide, &r, 3540), 1, 32); /* the last second */
+    assert_in_range(backwards(p, &glasstide, &r, 0), 1, 512);
+    assert_in_range(p->replayed, 3600, 5 * 3600);
+    forward(p, &glasstide, &r, 100);
+    assert_int_equal(rewind_end(p), 3600); /* nothing was pressed that was not pressed then */
+    uint64_t again = p->replayed;
+    assert_true(rewind_to(p, r.b, 3600));
     same_frame(&glasstide, &r, 3600);
     /* A key frame near the end is still there: the last minute isn't computed again from its start. How far apart key
      * frames are depends on their sizes, and those of Lua's strings differ from run to run. */
-    assert_in_range(p.again - again, 0, 1024);
-    rewind_close(&p);
+    assert_in_range(p->replayed - again, 0, 1024);
+    free(p);
 
     rig_free(&r);
     rig_power(&r, &glasstide.game, &glasstide.demo.start);
-    rewind_open(&p, 24 << 20); /* with few key frames gaps are wide, and still run through only a few times */
-    forward(&p, &glasstide, &r, 2000);
-    uint32_t reach = rewind_end(&p) - rewind_first(&p);
-    backwards(&p, &glasstide, &r, rewind_first(&p));
+    p = open_past(24 * MIB); /* with few key frames gaps are wide, and still run through only a few times */
+    forward(p, &glasstide, &r, 2000);
+    uint32_t reach = rewind_end(p) - rewind_first(p);
+    backwards(p, &glasstide, &r, rewind_first(p));
     assert_in_range(reach, 1000, 2100);
-    assert_in_range(p.again, reach, 20 * (uint64_t)reach);
-    rewind_close(&p);
+    assert_in_range(p->replayed, reach, 20 * (uint64_t)reach);
+    free(p);
     rig_free(&r);
 }
 
 /* Pads alone do not grow for ever either. */
 static void pads_have_a_share(void **state)
 {
-    struct rewind p;
     struct rig_game g;
     struct rig r;
     const uint16_t none[MAX_PLAYERS] = { 0 };
@@ -235,15 +206,16 @@ static void pads_have_a_share(void **state)
     (void)state;
     rig_script(&g, NULL, "");
     rig_power(&r, &g, NULL);
-    rewind_open(&p, board_snapshot_size(r.b) * 10);
+    const size_t bytes = board_snapshot_size(r.b) * 10;
+    struct rewind *p = open_past(bytes);
     for (int i = 0; i < 100000; i++) {
-        assert_true(rewind_push(&p, r.b, none));
+        assert_true(rewind_push(p, r.b, none));
         rig_tick(&r, none);
     }
-    in_budget(&p);
-    assert_true(p.pads_room < 100000 && p.pads_room * sizeof *p.pads <= p.budget / 8);
-    assert_true(rewind_first(&p) > 0 && rewind_end(&p) - rewind_first(&p) > 1000);
-    rewind_close(&p);
+    check_keys(p);
+    assert_true(p->pads_cap < 100000 && p->pads_cap * sizeof *p->pads <= bytes / 16);
+    assert_true(rewind_first(p) > 0 && rewind_end(p) - rewind_first(p) > 1000);
+    free(p);
     rig_free(&r);
     rig_game_free(&g);
 }
@@ -252,41 +224,39 @@ static void pads_have_a_share(void **state)
 
 static void taking_over(void **state)
 {
-    struct rewind p;
+    struct rewind *p = open_past(PLENTY);
     struct rig r, straight;
     struct rng rng;
     uint16_t pads[200][MAX_PLAYERS];
 
     (void)state;
     rng_seed(&rng, 6);
-    rewind_open(&p, REWIND_BYTES);
     rig_power(&r, &glasstide.game, &glasstide.demo.start);
     rig_power(&straight, &glasstide.game, &glasstide.demo.start);
-    forward(&p, &glasstide, &r, 900);
-    assert_true(rewind_to(&p, r.b, 700));
+    forward(p, &glasstide, &r, 900);
+    assert_true(rewind_to(p, r.b, 700));
     for (uint32_t f = 0; f < 700; f++)
         rig_tick(&straight, glasstide.pads[f]);
     for (int i = 0; i < 200; i++) {
         rig_pads(&rng, pads[i]);
-        assert_true(rewind_push(&p, r.b, pads[i]));
-        assert_int_equal(rewind_end(&p), 701 + i);
+        assert_true(rewind_push(p, r.b, pads[i]));
+        assert_int_equal(rewind_end(p), 701 + i);
         rig_tick(&r, pads[i]);
         rig_tick(&straight, pads[i]);
     }
     assert_true(board_hash(r.b) == board_hash(straight.b));
     assert_true(board_hash(r.b) != glasstide.hash[900]);
-    assert_false(rewind_to(&p, r.b, 901)); /* never was */
+    assert_false(rewind_to(p, r.b, 901)); /* never was */
     assert_int_equal(board_frame(r.b), 900);
-    assert_true(rewind_to(&p, r.b, 650)); /* the past before is the old one */
+    assert_true(rewind_to(p, r.b, 650)); /* the past before is the old one */
     same_frame(&glasstide, &r, 650);
-    assert_true(rewind_to(&p, r.b, 900));
+    assert_true(rewind_to(p, r.b, 900));
     assert_true(board_hash(r.b) == board_hash(straight.b));
-    rewind_drop(&p, 800);
-    assert_int_equal(rewind_end(&p), 800);
-    assert_false(rewind_to(&p, r.b, 801));
-    rewind_forget(&p);
-    assert_false(rewind_to(&p, r.b, 700));
-    rewind_close(&p);
+    rewind_forget(p, 900);
+    assert_int_equal(rewind_first(p), 900);
+    assert_int_equal(rewind_end(p), 900);
+    assert_false(rewind_to(p, r.b, 700));
+    free(p);
     rig_free(&r);
     rig_free(&straight);
 }
@@ -294,23 +264,22 @@ static void taking_over(void **state)
 /* A board that is at a frame of no past begins one. */
 static void another_place(void **state)
 {
-    struct rewind p;
+    struct rewind *p = open_past(PLENTY);
     struct rig r;
     const uint16_t none[MAX_PLAYERS] = { 0 };
 
     (void)state;
-    rewind_open(&p, REWIND_BYTES);
     rig_power(&r, &glasstide.game, &glasstide.demo.start);
-    forward(&p, &glasstide, &r, 100);
+    forward(p, &glasstide, &r, 100);
     rig_run(&r, 5); /* not pushed */
-    assert_true(rewind_push(&p, r.b, none));
-    assert_int_equal(rewind_first(&p), 105);
-    assert_int_equal(rewind_end(&p), 106);
+    assert_true(rewind_push(p, r.b, none));
+    assert_int_equal(rewind_first(p), 105);
+    assert_int_equal(rewind_end(p), 106);
     rig_tick(&r, none);
-    assert_false(rewind_to(&p, r.b, 100));
-    assert_true(rewind_to(&p, r.b, 105));
+    assert_false(rewind_to(p, r.b, 100));
+    assert_true(rewind_to(p, r.b, 105));
     assert_int_equal(board_frame(r.b), 105);
-    rewind_close(&p);
+    free(p);
     rig_free(&r);
 }
 
@@ -324,7 +293,7 @@ static void back_from_a_fault(void **state)
                                "end)\n";
     const uint16_t none[MAX_PLAYERS] = { 0 };
     struct rig_game g;
-    struct rewind p;
+    struct rewind *p = open_past(PLENTY);
     struct rig r;
     uint64_t hash[151];
     uint32_t dead = 0;
@@ -332,27 +301,26 @@ static void back_from_a_fault(void **state)
     (void)state;
     rig_script(&g, NULL, text);
     rig_power(&r, &g, NULL);
-    rewind_open(&p, REWIND_BYTES);
     while (!rig_fault(&r)) {
         dead = board_frame(r.b);
         assert_in_range(dead, 0, 150);
         hash[dead] = board_hash(r.b);
-        assert_true(rewind_push(&p, r.b, none));
+        assert_true(rewind_push(p, r.b, none));
         board_tick(r.b, none);
     }
     assert_int_equal(dead, 150);
     for (int again = 0; again < 3; again++) {
         for (uint32_t f = dead + 1; f-- > 0; f -= f % 7 ? 0 : f / 9) {
-            assert_true(rewind_to(&p, r.b, f));
+            assert_true(rewind_to(p, r.b, f));
             rig_sound(&r);
             assert_int_equal(board_frame(r.b), f);
             assert_true(board_hash(r.b) == hash[f]);
         }
-        assert_false(rewind_to(&p, r.b, dead + 1));
+        assert_false(rewind_to(p, r.b, dead + 1));
         assert_non_null(rig_fault(&r));
         assert_string_equal(rig_fault(&r)->message, "main.lua:3: the end");
     }
-    rewind_close(&p);
+    free(p);
     rig_free(&r);
     rig_game_free(&g);
 }
@@ -371,7 +339,7 @@ static void back_before_a_reset(void **state)
                                "  end\n"
                                "end)\n";
     struct rig_game g;
-    struct rewind p;
+    struct rewind *p = open_past(PLENTY);
     struct rig r;
     struct rng rng;
     uint64_t hash[401];
@@ -380,66 +348,183 @@ static void back_before_a_reset(void **state)
     rng_seed(&rng, 8);
     rig_script(&g, NULL, text);
     rig_power(&r, &g, NULL);
-    rewind_open(&p, REWIND_BYTES);
     for (uint32_t f = 0; f < 400; f++) {
         const uint16_t pads[MAX_PLAYERS] = { f % 90 == 77 ? PAD_FIRE : 0, 0 };
         hash[f] = board_hash(r.b);
-        assert_true(rewind_push(&p, r.b, pads));
+        assert_true(rewind_push(p, r.b, pads));
         rig_tick(&r, pads);
     }
     hash[400] = board_hash(r.b);
     for (int i = 0; i < 600; i++) {
         uint32_t to = (uint32_t)rng_below(&rng, 401);
-        assert_true(rewind_to(&p, r.b, to));
+        assert_true(rewind_to(p, r.b, to));
         assert_true(board_frame(r.b) == to && board_hash(r.b) == hash[to]);
     }
-    rewind_close(&p);
+    free(p);
+    rig_free(&r);
+    rig_game_free(&g);
+}
+
+/* ---- snapshots that grow ---- */
+
+/* The slots are enlarged several times, while some of them are free. */
+static void slots_grow(void **state)
+{
+    static const char text[] = "local t = {}\n"
+                               "task.go(function()\n"
+                               "  for i = 1, forever do\n"
+                               "    t[i] = ('%d'):format(rng.int(1, 1000)):rep(500)\n"
+                               "    board.note(t[i])\n"
+                               "    wait(1)\n"
+                               "  end\n"
+                               "end)\n";
+    enum { FRAMES = 400 };
+    uint16_t pads[MAX_PLAYERS] = { 0 };
+    struct rewind *p = open_past(10 * MIB);
+    struct rig_game g;
+    struct rig r;
+    struct rng rng;
+    uint64_t hash[FRAMES + 1];
+    int grown = 0;
+    size_t slot_size = 0;
+
+    (void)state;
+    rng_seed(&rng, 9);
+    rig_script(&g, NULL, text);
+    rig_power(&r, &g, NULL);
+    for (uint32_t f = 0; f < FRAMES;) {
+        hash[f] = board_hash(r.b);
+        pads[0] ^= PAD_FIRE; /* drops the future after going back, and frees slots */
+        assert_true(rewind_push(p, r.b, pads));
+        rig_tick(&r, pads);
+        hash[++f] = board_hash(r.b);
+        check_keys(p);
+        if (rng_below(&rng, 20) == 0)
+            f -= (uint32_t)rng_below(&rng, f < 60 ? f + 1 : 60);
+        else if (p->slot_size == slot_size)
+            continue;
+        grown += p->slot_size > slot_size;
+        slot_size = p->slot_size;
+        for (uint32_t i = 0; i < p->n; i++) {
+            const uint32_t to = p->key[i].frame;
+            assert_true(rewind_to(p, r.b, to));
+            assert_true(board_frame(r.b) == to && board_hash(r.b) == hash[to]);
+        }
+        assert_true(rewind_to(p, r.b, f));
+    }
+    assert_true(grown > 3);
+    free(p);
     rig_free(&r);
     rig_game_free(&g);
 }
 
 /* ---- memory that runs out ---- */
 
-/* Whatever of it there is: what is in the past comes back right, and without a key frame nothing is promised. */
-static void lean(size_t budget, uint64_t one_in, int steps)
+/* However little there is: every frame of the past comes back right, and without a key frame nothing is promised. */
+static int play_lean(size_t bytes, int steps)
 {
-    struct rewind p;
+    struct rewind *p = open_past(bytes);
     struct rig r;
     struct rng rng;
     int without = 0;
 
-    rng_seed(&rng, one_in);
-    rng_seed(&scarce_rng, one_in);
-    lean_open(&p, budget);
+    rng_seed(&rng, bytes);
     rig_power(&r, &glasstide.game, &glasstide.demo.start);
     for (int i = 0; i < steps; i++) {
         uint32_t f = board_frame(r.b);
-        scarce_one_in = i % 500 < 400 ? one_in : i % 500 < 420 ? 1u : 0u;
         if (rng_below(&rng, 60) > 0 && f < glasstide.frames) {
-            if (!lean_push(&p, r.b, glasstide.pads[f])) {
+            if (!rewind_push(p, r.b, glasstide.pads[f])) {
                 without++;
-                assert_int_equal(p.n, 0);
+                assert_int_equal(p->n, 0);
+                assert_false(rewind_to(p, r.b, f));
             }
             rig_tick(&r, glasstide.pads[f]);
-        } else if (p.n > 0 && board_frame(r.b) <= lean_end(&p)) {
-            uint32_t first = lean_first(&p), span = lean_end(&p) - first, most = span < 90 ? span : 90;
-            assert_true(lean_to(&p, r.b, lean_end(&p) - (uint32_t)rng_below(&rng, most + 1)));
+        } else if (p->n > 0) {
+            uint32_t span = rewind_end(p) - rewind_first(p), most = span < 90 ? span : 90;
+            assert_true(rewind_to(p, r.b, rewind_end(p) - (uint32_t)rng_below(&rng, most + 1)));
         }
         same_frame(&glasstide, &r, board_frame(r.b));
-        in_budget(&p);
+        check_keys(p);
     }
-    scarce_one_in = 0;
-    assert_true(without > 0);
-    lean_close(&p);
+    free(p);
     rig_free(&r);
+    return without;
 }
 
 static void memory_runs_out(void **state)
 {
+    struct rig r;
+
     (void)state;
-    lean(REWIND_BYTES, 3, 1500);
-    lean(4 << 20, 2, 1500);
-    lean(0, 2, 1000);
+    rig_power(&r, &glasstide.game, &glasstide.demo.start);
+    const size_t size = board_snapshot_size(r.b);
+    rig_free(&r);
+    assert_in_range(play_lean(size / 2, 500), 400, 500);
+    assert_int_equal(play_lean(size * 4 / 3, 1500), 0);
+    assert_int_equal(play_lean(size * 4, 1500), 0);
+}
+
+/* The key frames used last stay, whatever their gaps. */
+static void recent_stay(void **state)
+{
+    enum { RECENT = 12, STEPS = 300 };
+    const size_t bytes = 64 * MIB;
+    void *memory = malloc(bytes);
+    struct rig r;
+    uint32_t removed = 0;
+
+    (void)state;
+    assert_non_null(memory);
+    struct rewind *p = rewind_open(memory, bytes, RECENT);
+    rig_power(&r, &glasstide.game, &glasstide.demo.start);
+    for (uint32_t f = 0; f < STEPS; f++) {
+        rewind_add(p, r.b, f % 2, true);
+        rewind_add(p, r.b, f % 2, false); /* there already */
+        for (uint32_t i = 0; i < RECENT && i <= f; i++) {
+            assert_non_null(rewind_find(p, f - i, (f - i) % 2));
+            assert_null(rewind_find(p, f - i, 2));
+        }
+        rig_tick(&r, glasstide.pads[f]);
+    }
+    for (uint32_t f = 0; f < STEPS; f++) {
+        struct rewind_key *k = rewind_find(p, f, f % 2);
+        removed += k == NULL;
+        if (k) {
+            rewind_restore(p, k, r.b);
+            same_frame(&glasstide, &r, f);
+        }
+    }
+    assert_in_range(removed, STEPS / 2, STEPS - RECENT);
+    assert_in_range(p->key[0].frame, 0, STEPS / 8); /* and older ones with gaps that grow */
+    free(p);
+    rig_free(&r);
+}
+
+/* With space for two key frames, the one that was used stays, though it is the first and the gaps are wide. */
+static void first_stays(void **state)
+{
+    const size_t most = 64 * MIB;
+    void *memory = malloc(most);
+    struct rewind *p;
+    struct rig r;
+
+    (void)state;
+    assert_non_null(memory);
+    rig_power(&r, &glasstide.game, &glasstide.demo.start);
+    size_t bytes = board_snapshot_size(r.b);
+    do {
+        p = rewind_open(memory, bytes += 1 << 16, 2);
+        rewind_add(p, r.b, 0, true);
+    } while (p->slots < 2);
+    assert_int_equal(p->slots, 2);
+    for (uint32_t f = 0; f <= 400; f++) {
+        if (f % 200 == 0)
+            rewind_add(p, r.b, 0, false);
+        rig_tick(&r, glasstide.pads[f]);
+    }
+    assert_non_null(rewind_find(p, 0, 0));
+    free(memory);
+    rig_free(&r);
 }
 
 int main(void)
@@ -452,7 +537,10 @@ int main(void)
         cmocka_unit_test(another_place),
         cmocka_unit_test(back_from_a_fault),
         cmocka_unit_test(back_before_a_reset),
+        cmocka_unit_test(slots_grow),
         cmocka_unit_test(memory_runs_out),
+        cmocka_unit_test(recent_stay),
+        cmocka_unit_test(first_stays),
     };
 
     return cmocka_run_group_tests(tests, open_runs, close_runs);

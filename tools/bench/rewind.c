@@ -98,7 +98,7 @@ static void save_again(struct past_run *r)
 /* What a cabinet does before a tick; a key frame's time is kept. */
 static void remember(struct past_run *r, const uint16_t pads[MAX_PLAYERS])
 {
-    struct rewind *past = &r->guard.past;
+    struct rewind *past = r->guard.past;
     uint32_t now = board_frame(r->guard.board);
     double from = bench_now();
     bool kept = rewind_push(past, r->guard.board, pads);
@@ -118,7 +118,8 @@ static void play(struct past_run *r, const struct rom *rom)
     int w, h;
 
     power(r, rom);
-    guard_remember(&r->guard, REWIND_BYTES);
+    if (!guard_remember(&r->guard))
+        report_fail("out of memory");
     board_screen_size(r->guard.board, &w, &h);
     uint8_t *mem = aligned_bytes(fb_size(w, h)), *scratch = aligned_bytes(board_scratch_size(r->guard.board));
     fb_init(&fb, mem, w, h);
@@ -144,7 +145,7 @@ static void play(struct past_run *r, const struct rom *rom)
  * round only makes the memory be there. */
 static void copy_plainly(struct past_run *r)
 {
-    size_t size = (size_t)samples_median(&r->bytes) / ALIGN * ALIGN, n = REWIND_BYTES / size;
+    size_t size = (size_t)samples_median(&r->bytes) / ALIGN * ALIGN, n = ((size_t)GUARD_PAST_MIB << 20) / size;
     uint8_t *to = aligned_bytes(n * size), *from = aligned_bytes(size);
 
     for (size_t i = 0; i < ROUNDS * n; i++) {
@@ -170,9 +171,9 @@ static void step_back(struct past_run *r, uint32_t f, uint64_t hash, struct samp
 static void through_the_minute(struct past_run *r)
 {
     for (uint32_t f = r->end; f-- > r->end - MINUTE;) {
-        uint64_t ticks = r->guard.past.again;
+        uint64_t ticks = r->guard.past->replayed;
         step_back(r, f, r->hash[f], &r->step);
-        ticks = r->guard.past.again - ticks;
+        ticks = r->guard.past->replayed - ticks;
         r->most_ticks = ticks > r->most_ticks ? ticks : r->most_ticks;
     }
 }
@@ -183,7 +184,7 @@ static void from_late(struct past_run *r)
     static uint64_t hash[LATE_STEPS];
     const struct board *b = r->guard.board;
 
-    guard_back(&r->guard, rewind_end(&r->guard.past));
+    guard_back(&r->guard, rewind_end(r->guard.past));
     while (board_frame(b) < LATE) {
         uint16_t pads[MAX_PLAYERS];
         if (board_frame(b) >= LATE - LATE_STEPS)
@@ -207,7 +208,7 @@ static void report_snapshots(struct past_run *r)
         "µs**; the 99th percentile is %s µs. For comparison, `memcpy` takes %s µs to copy the same number of bytes to "
         "such memory. A key frame is saved every few frames, which costs %s µs per frame on average.",
         report_figure(samples_median(&r->bytes)), report_figure(samples_quantile(&r->bytes, 1)),
-        samples_figure(&r->again, 1e3), report_figure(samples_quantile(&r->again, 0.99) / 1e3), REWIND_BYTES >> 20,
+        samples_figure(&r->again, 1e3), report_figure(samples_quantile(&r->again, 0.99) / 1e3), GUARD_PAST_MIB,
         samples_figure(&r->key, 1e3), report_figure(samples_quantile(&r->key, 0.99) / 1e3),
         samples_figure(&r->plain, 1e3), report_figure(key_us * r->key.n / r->end));
     bench_target("a snapshot of the built-in game", "20 µs", report_string("%s µs", report_figure(us)),
@@ -260,10 +261,10 @@ void section_rewind(void)
     bench_own_clock(true);
     play(&r, &image.rom);
     copy_plainly(&r);
-    double kept = (double)(rewind_end(&r.guard.past) - rewind_first(&r.guard.past)) / SECOND;
-    int keys = r.guard.past.n;
+    double kept = (double)(rewind_end(r.guard.past) - rewind_first(r.guard.past)) / SECOND;
+    int keys = (int)r.guard.past->n;
     through_the_minute(&r);
-    uint64_t again = r.guard.past.again;
+    uint64_t again = r.guard.past->replayed;
     from_late(&r);
     bench_own_clock(false);
 

@@ -285,7 +285,6 @@ const struct board_out *check_tick(struct run *r, const uint16_t pads[MAX_PLAYER
 
 void check_force(struct run *r, const struct force *force)
 {
-    guard_forget(&r->guard);
     force_run(r->guard.board, force);
     r->forced = true;
 }

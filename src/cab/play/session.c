@@ -49,13 +49,15 @@ static struct session_run *run_power(struct session *s, const struct cart *cart,
     }
     r->cart = cart;
     r->rom = rom;
-    if (!guard_power(&r->guard, cart->rom, start, s->err, sizeof s->err)) {
-        run_free(r);
-        return NULL;
+    if (guard_power(&r->guard, cart->rom, start, s->err, sizeof s->err)) {
+        if (guard_remember(&r->guard)) {
+            demo_begin(&r->writer, NULL, cart, r->guard.board, start, 0);
+            return r;
+        }
+        fail(s, "out of memory");
     }
-    guard_remember(&r->guard, REWIND_BYTES);
-    demo_begin(&r->writer, NULL, cart, r->guard.board, start, 0);
-    return r;
+    run_free(r);
+    return NULL;
 }
 
 static bool check_written(struct session *s, bool good)
@@ -187,7 +189,7 @@ bool session_tick(struct session *s, const uint16_t pads[MAX_PLAYERS])
 
 uint32_t session_first(const struct session *s)
 {
-    return rewind_first(&s->now->guard.past);
+    return rewind_first(s->now->guard.past);
 }
 
 uint32_t session_last(const struct session *s)
@@ -201,7 +203,7 @@ uint32_t session_last(const struct session *s)
 
 void session_goto(struct session *s, uint32_t frame)
 {
-    uint32_t first = session_first(s), last = session_last(s), end = rewind_end(&s->now->guard.past);
+    uint32_t first = session_first(s), last = session_last(s), end = rewind_end(s->now->guard.past);
 
     session_stop(s);
     frame = frame < first ? first : frame > last ? last : frame;
@@ -273,8 +275,7 @@ bool session_mark_touched(struct session *s)
     bool good = frame >= w->demo.frames || demo_rewind(w, frame);
 
     session_stop(s);
-    rewind_drop(&s->now->guard.past, frame);
-    guard_forget(&s->now->guard);
+    rewind_forget(s->now->guard.past, frame);
     return check_written(s, demo_add_flags(w, DEMO_TOUCHED) && good);
 }
 

@@ -7,7 +7,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { RAM_ALIGN = 64 }; /* more than a board needs: so that snapshots are fast */
+enum {
+    RAM_ALIGN = 64, /* more than a board needs: so that snapshots are fast */
+    PAST_BYTES = GUARD_PAST_MIB << 20
+};
 
 static bool take_ram(struct guard *g, char *err, size_t err_size)
 {
@@ -22,26 +25,21 @@ static bool take_ram(struct guard *g, char *err, size_t err_size)
     return true;
 }
 
-void guard_forget(struct guard *g)
+bool guard_remember(struct guard *g)
 {
-    rewind_forget(&g->past);
-}
+    void *memory = malloc(PAST_BYTES);
 
-void guard_remember(struct guard *g, size_t bytes)
-{
-    rewind_close(&g->past);
-    rewind_open(&g->past, bytes);
-    g->remembers = true;
+    g->past = memory ? rewind_open(memory, PAST_BYTES, 0) : NULL;
+    return memory != NULL;
 }
 
 bool guard_back(struct guard *g, uint32_t frame)
 {
-    return rewind_to(&g->past, g->board, frame);
+    return rewind_to(g->past, g->board, frame);
 }
 
 bool guard_again(struct guard *g, const struct board_start *start, char *err, size_t err_size)
 {
-    rewind_forget(&g->past);
     g->board = board_power_on(g->ram, g->ram_size, g->rom, start, err, err_size);
     if (g->board)
         return true;
@@ -52,7 +50,6 @@ bool guard_again(struct guard *g, const struct board_start *start, char *err, si
 bool guard_power(struct guard *g, const struct rom *rom, const struct board_start *start, char *err, size_t err_size)
 {
     *g = (struct guard){ .rom = rom };
-    rewind_open(&g->past, 0);
     if (take_ram(g, err, err_size))
         return guard_again(g, start, err, err_size);
     guard_close(g);
@@ -61,8 +58,8 @@ bool guard_power(struct guard *g, const struct rom *rom, const struct board_star
 
 const struct board_out *guard_tick(struct guard *g, const uint16_t pads[MAX_PLAYERS])
 {
-    if (g->remembers)
-        rewind_push(&g->past, g->board, pads);
+    if (g->past)
+        rewind_push(g->past, g->board, pads);
     if (g->before)
         g->before(g->context);
     return board_tick(g->board, pads);
@@ -76,7 +73,7 @@ bool guard_ahead(struct guard *g, const uint16_t pads[MAX_PLAYERS])
 
 void guard_close(struct guard *g)
 {
-    rewind_close(&g->past);
+    free(g->past);
     free(g->block);
     *g = (struct guard){ 0 };
 }

@@ -5,7 +5,9 @@
 #define CAB_GUARD_H
 
 #include "../../board/board.h"
-#include "rewind.h"
+#include "../../demo/rewind.h"
+
+enum { GUARD_PAST_MIB = 64 };
 
 struct guard {
     const struct rom *rom;
@@ -13,8 +15,7 @@ struct guard {
     void *block; /* malloc; RAM is the 64-byte aligned part of it */
     void *ram;
     size_t ram_size;
-    struct rewind past; /* empty before guard_remember */
-    bool remembers;
+    struct rewind *past;           /* NULL before guard_remember */
     void (*before)(void *context); /* called before each tick; may be NULL */
     void *context;
 };
@@ -34,11 +35,9 @@ const struct board_out *guard_tick(struct guard *g, const uint16_t pads[MAX_PLAY
  * measures its phases. False: the tick ended in a fault. */
 bool guard_ahead(struct guard *g, const uint16_t pads[MAX_PLAYERS]);
 
-/* Forgets the past: call it after board_restore or anything else that changed the board between frames. */
-void guard_forget(struct guard *g);
-
-/* Keeps so many bytes of past from now on, for guard_back. */
-void guard_remember(struct guard *g, size_t bytes);
+/* Stores the past from now on, for guard_back. Returns false when out of memory. Call rewind_forget after anything
+ * other than a tick has changed the board, also after guard_again. */
+bool guard_remember(struct guard *g);
 
 /* Back to a frame of the past, as rewind_to says. */
 bool guard_back(struct guard *g, uint32_t frame);

@@ -12,7 +12,7 @@ static bool look(struct guard *g, uint32_t first, uint32_t now, bool (*each)(voi
     for (uint32_t f = first; each(user, g->board); f++) {
         if (f == now)
             return true;
-        if (!guard_ahead(g, rewind_pads(&g->past, f)))
+        if (!guard_ahead(g, rewind_pads(g->past, f)))
             return false;
     }
     return false;
@@ -20,7 +20,7 @@ static bool look(struct guard *g, uint32_t first, uint32_t now, bool (*each)(voi
 
 bool lookback(struct guard *g, uint32_t first, bool (*each)(void *user, const struct board *b), void *user)
 {
-    const uint32_t now = board_frame(g->board), begin = rewind_first(&g->past);
+    const uint32_t now = board_frame(g->board), begin = rewind_first(g->past);
     void *snapshot = malloc(board_snapshot_size(g->board)), *output = malloc(board_output_size());
     bool good = snapshot && output;
 

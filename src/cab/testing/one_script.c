@@ -158,12 +158,6 @@ static void back(void *context, int run)
 
     board_restore(r->guard.board, r->snapshot);
     board_output_restore(r->guard.board, r->output);
-    guard_forget(&r->guard);
-}
-
-static void changed(void *context, int run)
-{
-    guard_forget(&((struct stage *)context)->run[run].guard);
 }
 
 /* ---- what is kept ---- */
@@ -227,7 +221,6 @@ static uint32_t run_script(struct stage *s, const char *name, const uint8_t *tex
                                      .tick = tick,
                                      .keep = keep,
                                      .back = back,
-                                     .changed = changed,
                                      .shot = shot,
                                      .hash = hash,
                                      .fails = fails,

@@ -50,10 +50,9 @@ struct trial_host {
     /* One frame, with the buttons of the run. */
     void (*tick)(void *context, int run);
 
-    /* Before RAM is changed from outside (false: no memory); to put back what it was then; it stays changed. */
+    /* Before RAM is changed from outside (false: no memory); to put back what it was then. */
     bool (*keep)(void *context, int run);
     void (*back)(void *context, int run);
-    void (*changed)(void *context, int run);
 
     /* Compares the picture, or the hashes, with those kept under that name. False: they differ, and why. */
     bool (*shot)(void *context, int run, const char *name, char *err, size_t err_size);

@@ -318,8 +318,6 @@ static int evaluate(lua_State *L, const char *what, bool changes)
     const bool good = board_eval_values(r->b, lua_tostring(L, 2), &t->values, err, sizeof err);
     if (!good || !changes)
         t->host->back(t->host->context, number);
-    else
-        t->host->changed(t->host->context, number);
     if (!good)
         return vm_fault(L, FAULT_SCRIPT, "%s: %s", what, err);
     return values_push(L, &t->values);
