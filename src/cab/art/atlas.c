@@ -11,6 +11,7 @@
 #include "../../../fb/utf8.h"
 #include "../overlay/letters.h"
 #include "../pack/png.h"
+#include "../../common/array.h"
 
 enum {
     WIDTH = 1080, /* px; more, if one sprite needs it, or all of them would be higher than a PNG can be */
@@ -56,17 +57,10 @@ void atlas_shapes_add(void *shapes, const struct inspect_kind_shape *kind)
 {
     struct atlas_shapes *s = shapes;
 
-    if (s->n == s->room) {
-        const int room = s->room ? 2 * s->room : 32;
-        struct inspect_kind_shape *more = realloc(s->list, (size_t)room * sizeof *more);
-        if (!more) {
-            s->failed = true;
-            return;
-        }
-        s->list = more;
-        s->room = room;
-    }
-    s->list[s->n++] = *kind;
+    if (array_append(&s->list, (size_t)s->n, sizeof *s->list))
+        s->list[s->n++] = *kind;
+    else
+        s->failed = true;
 }
 
 void atlas_shapes_close(struct atlas_shapes *shapes)

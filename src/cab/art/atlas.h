@@ -15,7 +15,7 @@ enum { ATLAS_SCALE = 3 /* pixels of the atlas for one of a sprite */ };
 /* The hit shapes that kinds of a game have, each with the sprite it belongs to. */
 struct atlas_shapes {
     struct inspect_kind_shape *list; /* malloc; names point into the board */
-    int n, room;
+    int n;
     bool failed; /* out of memory */
 };
 void atlas_shapes_add(void *shapes, const struct inspect_kind_shape *kind); /* for inspect_kinds */

@@ -10,6 +10,7 @@
 #include <string.h>
 #include "../../base/bytes.h"
 #include "../../base/err.h"
+#include "../../common/array.h"
 #include "../../common/result.h"
 
 enum {
@@ -110,22 +111,6 @@ static void take_name(struct reader *r, char out[ASE_NAME])
     skip(r, n);
 }
 
-/* Room, zeroed, for one more of the n of `size` bytes each that *list points to; the list doubles. NULL: out of
- * memory. */
-static void *more(void *list, int n, size_t size)
-{
-    void *to;
-
-    memcpy(&to, list, sizeof to); /* it may be a list of anything */
-    if ((n & (n - 1)) == 0) {
-        to = realloc(to, (n ? 2 * (size_t)n : 1) * size);
-        if (!to)
-            return NULL;
-        memcpy(list, &to, sizeof to);
-    }
-    return memset((char *)to + (size_t)n * size, 0, size);
-}
-
 static bool no_memory(struct reader *r)
 {
     result_set_host_failed();
@@ -170,7 +155,7 @@ static bool read_layer(struct reader *r)
         return refuse(r, "the Aseprite file has more than %d layers", ASE_MAX_LAYERS);
     if (type > LAYER_TILEMAP || level > r->level + 1 || level >= MAX_LEVEL)
         return refuse(r, "damaged Aseprite file: unknown layer type %d", a->n_layers + 1);
-    struct ase_layer *l = more(&a->layers, a->n_layers, sizeof *l);
+    struct ase_layer *l = array_append(&a->layers, (size_t)a->n_layers, sizeof *l);
     if (!l)
         return no_memory(r);
     a->n_layers++;
@@ -200,7 +185,7 @@ static bool read_image(struct reader *r, int layer, bool packed, int *image)
     if (w < 1 || h < 1 || size > ASE_MAX_BYTES - r->bytes)
         return refuse(r, "frame %d, layer \"%s\": a cel of %dx%d pixels is too %s", frame, a->layers[layer].name, w, h,
                       w < 1 || h < 1 ? "small" : "large");
-    struct ase_image *i = more(&a->images, a->n_images, sizeof *i);
+    struct ase_image *i = array_append(&a->images, (size_t)a->n_images, sizeof *i);
     if (!i || !(i->pix = malloc(size + 1)))
         return no_memory(r);
     *image = a->n_images++;
@@ -262,7 +247,7 @@ static bool read_cel(struct reader *r)
                                      : read_image(r, c.layer, type == COMPRESSED, &c.image);
     if (!good || r->past)
         return good;
-    struct ase_cel *to = more(&a->cels, a->n_cels, sizeof *to);
+    struct ase_cel *to = array_append(&a->cels, (size_t)a->n_cels, sizeof *to);
     if (!to)
         return no_memory(r);
     *to = c;
@@ -278,7 +263,7 @@ static bool read_tags(struct reader *r)
 
     skip(r, 8);
     for (int i = 0; i < n && !r->past; i++) {
-        struct ase_tag *t = a->n_tags < ASE_MAX_LIST ? more(&a->tags, a->n_tags, sizeof *t) : NULL;
+        struct ase_tag *t = a->n_tags < ASE_MAX_LIST ? array_append(&a->tags, (size_t)a->n_tags, sizeof *t) : NULL;
         if (!t)
             return a->n_tags < ASE_MAX_LIST ? no_memory(r)
                                             : refuse(r, "the Aseprite file has more than %d tags", ASE_MAX_LIST);
@@ -347,7 +332,7 @@ static bool read_slice(struct reader *r)
     skip(r, 4);
     take_name(r, name);
     for (uint32_t i = 0; i < n && !r->past; i++) {
-        struct ase_key *k = a->n_keys < ASE_MAX_LIST ? more(&a->keys, a->n_keys, sizeof *k) : NULL;
+        struct ase_key *k = a->n_keys < ASE_MAX_LIST ? array_append(&a->keys, (size_t)a->n_keys, sizeof *k) : NULL;
         if (!k)
             return a->n_keys < ASE_MAX_LIST ? no_memory(r)
                                             : refuse(r, "the Aseprite file has more than %d slice keys", ASE_MAX_LIST);
@@ -438,7 +423,7 @@ static bool read_frames(struct reader *r, const uint8_t *data, size_t n, int fra
             return refuse(r, "damaged Aseprite file: frame %d has no header", f + 1);
         if (size > n - at)
             return cut_short(r);
-        struct ase_frame *frame = more(&a->frames, a->n_frames, sizeof *frame);
+        struct ase_frame *frame = array_append(&a->frames, (size_t)a->n_frames, sizeof *frame);
         if (!frame)
             return no_memory(r);
         a->n_frames++;

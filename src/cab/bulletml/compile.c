@@ -13,6 +13,7 @@
 #include "../../base/bytes.h"
 #include "../../base/err.h"
 #include "../../rom/bulletml.h"
+#include "../../common/array.h"
 #include "../../common/result.h"
 
 /* What of a node is written as a piece of its own. */
@@ -20,16 +21,16 @@ enum piece { PIECE_ACTION, PIECE_TOP, PIECE_FIRE, PIECE_BULLET, PIECE_INSIDE /* 
 
 struct words {
     uint32_t *at;
-    size_t n, room;
+    size_t n;
 };
 
 struct compiler {
     const struct document *d;
     struct words word, step, queue, mends, label; /* queue, mends: pairs; label: where its text begins */
     int64_t *number;
-    size_t numbers, numbers_room;
+    size_t numbers;
     char *text;
-    size_t bytes, text_room;
+    size_t bytes;
     uint32_t *place; /* of each node's pieces, 0: not written yet */
     bool failed;
     int32_t node; /* for a message */
@@ -45,24 +46,21 @@ static void fail(struct compiler *c, int32_t node, const char *what)
     c->what = what;
 }
 
-/* Room for one more of so many bytes; NULL: there is none. */
-static void *grow(struct compiler *c, void *at, size_t n, size_t *room, size_t size)
+/* array_append that records a failure in c. */
+static void *append(struct compiler *c, void *array, size_t n, size_t size)
 {
-    if (n < *room)
-        return at;
-    void *more = realloc(at, (*room ? 2 * *room : 256) * size);
-    if (!more) {
+    void *item = array_append(array, n, size);
+
+    if (!item) {
         result_set_host_failed();
         fail(c, 0, "out of memory");
-    } else
-        *room = *room ? 2 * *room : 256;
-    return more ? more : at;
+    }
+    return item;
 }
 
 static void put(struct compiler *c, struct words *w, uint32_t v)
 {
-    w->at = grow(c, w->at, w->n, &w->room, sizeof *w->at);
-    if (w->n < w->room && !c->failed)
+    if (append(c, &w->at, w->n, sizeof *w->at) && !c->failed)
         w->at[w->n++] = v;
 }
 
@@ -92,10 +90,9 @@ static uint32_t number(struct compiler *c, int64_t v)
     for (size_t i = c->numbers; i > 0 && c->numbers - i < LOOKED; i--)
         if (c->number[i - 1] == v)
             return (uint32_t)(i - 1);
-    c->number = grow(c, c->number, c->numbers, &c->numbers_room, sizeof *c->number);
     if (c->numbers == ML_MAX_NUMBERS)
         fail(c, 0, "the program has too many numbers");
-    if (c->numbers < c->numbers_room && !c->failed)
+    if (append(c, &c->number, c->numbers, sizeof *c->number) && !c->failed)
         c->number[c->numbers++] = v;
     return (uint32_t)c->numbers - 1;
 }
@@ -240,15 +237,13 @@ static uint32_t label(struct compiler *c, const char *s)
     for (size_t i = 0; i < c->label.n; i++)
         if (!strcmp(c->text + c->label.at[i], s))
             return (uint32_t)i + 1;
-    while (c->bytes + n > c->text_room && !c->failed)
-        c->text = grow(c, c->text, c->text_room, &c->text_room, 1);
     if (c->label.n == ML_MAX_LABELS)
         fail(c, 0, "the program has too many labels");
     if (c->failed)
         return 0;
     put(c, &c->label, (uint32_t)c->bytes);
-    memcpy(c->text + c->bytes, s, n);
-    c->bytes += n;
+    for (size_t i = 0; i < n && append(c, &c->text, c->bytes, 1); i++)
+        c->text[c->bytes++] = s[i];
     return (uint32_t)c->label.n;
 }
 

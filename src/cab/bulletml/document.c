@@ -10,6 +10,7 @@
 #include <string.h>
 #include "../../base/edit.h"
 #include "../../base/err.h"
+#include "../../common/array.h"
 #include "../../common/result.h"
 
 static const char *const elements[NODE_ELEMENTS] = {
@@ -87,25 +88,13 @@ void *document_keep(struct document_reader *r, const void *bytes, size_t n)
     return piece->bytes;
 }
 
-static bool grow(struct document *d)
-{
-    const int32_t room = d->room ? 2 * d->room : 64;
-    struct document_node *more = realloc(d->node, (size_t)room * sizeof *more);
-
-    if (!more)
-        return false;
-    d->node = more;
-    d->room = room;
-    return true;
-}
-
 int32_t document_add(struct document_reader *r, int32_t parent, enum document_element element, int line, int column)
 {
     struct document *d = r->d;
 
     if (d->n == DOCUMENT_NODES)
         document_bad(r, line, column, "<%s>: more than %d elements", elements[element], (int)DOCUMENT_NODES);
-    else if (d->n == d->room && !grow(d)) {
+    else if (!array_append(&d->node, (size_t)d->n, sizeof *d->node)) {
         result_set_host_failed();
         document_bad(r, line, column, "out of memory");
     }

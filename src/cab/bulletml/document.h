@@ -60,7 +60,7 @@ struct document_node {
 
 struct document {
     struct document_node *node; /* [0] is bulletml; a node comes after its parent. malloc */
-    int32_t n, room;
+    int32_t n;
     bool horizontal; /* bulletml type="horizontal" */
     void *store;     /* labels and numbers; document.c's */
 };

@@ -11,6 +11,7 @@
 #include "../../script/api/api_table.h"
 #include "../../script/std.h"
 #include "../pack/pack.h"
+#include "../../common/array.h"
 
 static const char *const libraries[] = { "string", "table", "math", "utf8" };
 static const char *const others[] = { "print", "require", "forever" };
@@ -36,14 +37,9 @@ void name_set_add(struct name_set *s, const char *space, const char *name)
 {
     if (name_set_has(s, space, name))
         return;
-    if (s->n == s->room) {
-        int room = s->room == 0 ? 512 : s->room * 2;
-        struct name_set_entry *more = realloc(s->list, (size_t)room * sizeof *more);
-        s->failed = s->failed || more == NULL;
-        if (more == NULL)
-            return;
-        s->list = more;
-        s->room = room;
+    if (!array_append(&s->list, (size_t)s->n, sizeof *s->list)) {
+        s->failed = true;
+        return;
     }
     const char *in = space != NULL ? arena_copy(&s->arena, space, strlen(space)) : NULL;
     s->list[s->n++] = (struct name_set_entry){ in, arena_copy(&s->arena, name, strlen(name)) };

@@ -15,7 +15,7 @@ struct name_set_entry {
 struct name_set {
     struct arena arena;
     struct name_set_entry *list;
-    int n, room;
+    int n;
     bool failed; /* out of memory */
 };
 

@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "../../common/array.h"
 #include "../../common/clean.h"
 
 enum { TEXT = 640 };
@@ -19,18 +20,6 @@ static char *copy(const char *s)
     if (to != NULL)
         memcpy(to, s, n);
     return to;
-}
-
-static bool grow(struct diagnostics *f)
-{
-    int room = f->room == 0 ? 64 : f->room * 2;
-    struct diagnostic *more = realloc(f->list, (size_t)room * sizeof *more);
-
-    if (more == NULL)
-        return false;
-    f->list = more;
-    f->room = room;
-    return true;
 }
 
 static void drop(struct diagnostic *one)
@@ -46,7 +35,7 @@ static void add(struct diagnostics *f, const char *file, int line, bool note, co
     vsnprintf(text, sizeof text, format, args);
     clean_line(text);
     struct diagnostic one = { copy(file), copy(text), line, f->n, note };
-    if (one.file == NULL || one.text == NULL || (f->n == f->room && !grow(f))) {
+    if (one.file == NULL || one.text == NULL || !array_append(&f->list, (size_t)f->n, sizeof one)) {
         drop(&one);
         f->failed = true;
         return;

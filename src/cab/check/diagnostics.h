@@ -15,7 +15,7 @@ struct diagnostic {
 
 struct diagnostics {
     struct diagnostic *list;
-    int n, room;
+    int n;
     int notes;   /* how many of the n are notes */
     bool failed; /* out of memory: some are lost */
 };

@@ -5,6 +5,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include "../../common/array.h"
 
 /* ---- the arena ---- */
 
@@ -57,16 +58,10 @@ void arena_close(struct arena *a)
 
 static void keep(struct lex *l, unsigned c)
 {
-    if (l->n == l->room) {
-        size_t room = l->room == 0 ? 256 : l->room * 2;
-        char *more = realloc(l->value, room);
-        l->arena->failed = l->arena->failed || more == NULL;
-        if (more == NULL)
-            return;
-        l->value = more;
-        l->room = room;
-    }
-    l->value[l->n++] = (char)c;
+    if (array_append(&l->value, l->n, 1))
+        l->value[l->n++] = (char)c;
+    else
+        l->arena->failed = true;
 }
 
 /* A long bracket to its end; false: it has none. A line's end in it is \n, and none right at its start. */

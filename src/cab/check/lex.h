@@ -79,7 +79,7 @@ struct lex {
     struct cursor at;
     struct arena *arena;
     char *value; /* of the string being read; malloc */
-    size_t n, room;
+    size_t n;
 };
 
 /* Starts; the first token is in ->now. The text must outlive it. */

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../base/edit.h"
+#include "../../common/array.h"
 #include "symbols_parts.h"
 
 enum { LOCALS = 200 /* in sight at a time in one function: Lua's limit */ };
@@ -15,18 +16,11 @@ void symbols_stop(struct parse *p)
 
 bool symbols_room(struct parse *p, void *list, int n, size_t size)
 {
-    void **at = list;
-
-    if ((n & (n - 1)) != 0)
+    if (array_append(list, (size_t)n, size))
         return true;
-    void *more = realloc(*at, (size_t)(n == 0 ? 1 : n * 2) * size);
-    if (more == NULL) {
-        p->f->arena.failed = true;
-        symbols_stop(p);
-        return false;
-    }
-    *at = more;
-    return true;
+    p->f->arena.failed = true;
+    symbols_stop(p);
+    return false;
 }
 
 const char *symbols_copy(struct parse *p, struct token t)

@@ -16,6 +16,7 @@
 #include "../tables/shade.h"
 #include "../run/guard.h"
 #include "../run/sweep.h"
+#include "../../common/array.h"
 
 enum {
     COUNTING = 2,   /* a frame whose instructions are counted takes about as long as so many that are timed */
@@ -42,7 +43,7 @@ struct player {
     uint64_t phase[PHASES];
 
     /* of each frame, from the first round on */
-    uint32_t frames, room;
+    uint32_t frames;
     uint16_t *section;
     struct times *times[MEASURE_ROUNDS];
     uint64_t hash; /* of the run's end */
@@ -173,17 +174,10 @@ static void tell(struct player *p, uint32_t frame, const char *what)
 
 static bool make_room(struct player *p)
 {
-    if (p->frames < p->room)
-        return true;
-    p->room = p->room ? 2 * p->room : 4096;
-    uint16_t *section = realloc(p->section, p->room * sizeof *section);
-    p->section = section ? section : p->section;
-    bool good = section != NULL;
-    for (int r = 0; r < MEASURE_ROUNDS; r++) {
-        struct times *times = realloc(p->times[r], p->room * sizeof *times);
-        p->times[r] = times ? times : p->times[r];
-        good = good && times;
-    }
+    bool good = array_append(&p->section, p->frames, sizeof *p->section) != NULL;
+
+    for (int r = 0; r < MEASURE_ROUNDS; r++)
+        good = array_append(&p->times[r], p->frames, sizeof *p->times[r]) && good;
     return good;
 }
 
@@ -290,14 +284,8 @@ static bool add_frame(struct measure_section *s, const struct times *t, const ch
 {
     const uint32_t cost = t->tick + t->draw + t->sound;
 
-    if (s->frames == s->room) {
-        const uint32_t room = s->room ? 2 * s->room : 1024;
-        uint32_t *frame = realloc(s->frame, room * sizeof *frame);
-        if (!frame)
-            return false;
-        s->frame = frame;
-        s->room = room;
-    }
+    if (!array_append(&s->frame, s->frames, sizeof *s->frame))
+        return false;
     s->frame[s->frames++] = cost;
     s->tick += t->tick;
     s->draw += t->draw;

@@ -42,9 +42,8 @@ struct measure_section {
     uint64_t phase[PHASES]; /* of the ticks: what each phase of them took; of `all` alone */
     uint64_t lua;           /* work of scripts, as profile_work */
     uint32_t *frame;        /* of each frame: all that it cost; ascending after measure_end */
-    uint32_t room;
-    uint32_t worst, at; /* the dearest: what it cost, and its number in its run */
-    const char *in;     /* that run's name */
+    uint32_t worst, at;     /* the dearest: what it cost, and its number in its run */
+    const char *in;         /* that run's name */
 };
 
 struct measure {

@@ -10,6 +10,7 @@
 #include <string.h>
 #include "../../base/edit.h"
 #include "../../base/err.h"
+#include "../../common/array.h"
 #include "../../common/result.h"
 #include "../../sound/adpcm.h"
 #include "../../sound/pitch.h"
@@ -41,15 +42,9 @@ void mml_bad(struct mml *m, uint32_t at, const char *format, ...)
 
 void mml_add(struct mml *m, struct mml_track *t, uint32_t tick, enum tune_event event, int value, int more)
 {
-    if (t->n == t->room) {
-        const uint32_t room = t->room ? 2 * t->room : 256;
-        struct mml_event *bigger = realloc(t->events, room * sizeof *bigger);
-        if (bigger == NULL) {
-            result_set_host_failed();
-            mml_bad(m, m->now, "out of memory");
-        }
-        t->events = bigger;
-        t->room = room;
+    if (!array_append(&t->events, t->n, sizeof *t->events)) {
+        result_set_host_failed();
+        mml_bad(m, m->now, "out of memory");
     }
     if (++m->events > MML_EVENTS)
         mml_bad(m, m->now, "more than %d notes and settings (with loops expanded)", (int)MML_EVENTS);

@@ -51,7 +51,7 @@ struct mml_piece {
 struct mml_track {
     bool used;
     struct mml_event *events; /* malloc */
-    uint32_t n, room;
+    uint32_t n;
     int64_t loop; /* tick; -1: none */
     uint32_t loop_from, end;
 };

@@ -6,24 +6,19 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../base/bytes.h"
+#include "../../common/array.h"
 
 struct bytes {
     struct mml *m;
     uint8_t *p; /* malloc */
-    size_t n, room;
+    size_t n;
 };
 
 static void add_byte(struct bytes *b, uint8_t v)
 {
-    if (b->n == b->room) {
-        const size_t room = b->room ? 2 * b->room : 4096;
-        uint8_t *more = realloc(b->p, room);
-        if (more == NULL || b->n > TUNE_MAX_BYTES - 64) {
-            free(more ? more : b->p);
-            mml_bad(b->m, 0, "longer than %d bytes (with loops expanded)", (int)TUNE_MAX_BYTES);
-        }
-        b->p = more;
-        b->room = room;
+    if (b->n == TUNE_MAX_BYTES || !array_append(&b->p, b->n, 1)) {
+        free(b->p);
+        mml_bad(b->m, 0, "longer than %d bytes (with loops expanded)", (int)TUNE_MAX_BYTES);
     }
     b->p[b->n++] = v;
 }
@@ -222,7 +217,7 @@ static void add_head(struct bytes *b, const struct mml_about *about, int tracks)
 
 void mml_make(struct mml *m, const struct mml_about *about, uint8_t **out, size_t *size)
 {
-    struct bytes b = { m, NULL, 0, 0 };
+    struct bytes b = { m, NULL, 0 };
     int last = TUNE_MAX_TRACKS - 1;
 
     while (!m->tracks[last].used)

@@ -7,6 +7,7 @@
 #include <string.h>
 #include "../../base/bytes.h"
 #include "../../base/err.h"
+#include "../../common/array.h"
 #include "../../common/result.h"
 #include "../../base/cursor.h"
 #include "../../rom/face.h"
@@ -81,15 +82,9 @@ void faces_add_script(struct faces_set *s, const char *text, size_t n)
 
 bool faces_put(struct faces *f, struct faces_glyph g)
 {
-    if (f->n == f->room) {
-        int room = f->room ? 2 * f->room : 128;
-        struct faces_glyph *more = realloc(f->list, (size_t)room * sizeof *more);
-        if (more == NULL) {
-            free(g.pix);
-            return false;
-        }
-        f->list = more;
-        f->room = room;
+    if (!array_append(&f->list, (size_t)f->n, sizeof g)) {
+        free(g.pix);
+        return false;
     }
     f->list[f->n++] = g;
     return true;

@@ -39,7 +39,7 @@ struct faces_glyph {
 
 struct faces {
     struct faces_glyph *list; /* malloc */
-    int n, room, height;
+    int n, height;
 };
 
 /* Adds one; pix is the list's from here, also when this fails. False: out of memory. */

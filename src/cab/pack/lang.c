@@ -10,6 +10,7 @@
 #include "../../../fb/utf8.h"
 #include "../../base/bytes.h"
 #include "../../base/err.h"
+#include "../../common/array.h"
 #include "../../common/result.h"
 #include "../../rom/words.h"
 
@@ -18,7 +19,7 @@ struct reader {
     const char *file;
     char *err;
     size_t err_size, used;
-    int line, room;
+    int line;
 };
 
 static bool refuse(const struct reader *r, const char *format, ...) __attribute__((format(printf, 2, 3)));
@@ -92,18 +93,6 @@ static const char *take(struct reader *r, const char *p, const char *end)
     return out;
 }
 
-static bool grow(struct reader *r)
-{
-    int room = r->room ? 2 * r->room : 64;
-    struct lang_line *more = realloc(r->l->list, (size_t)room * sizeof *more);
-
-    if (more == NULL)
-        return result_set_host_error(r->err, r->err_size, "out of memory");
-    r->l->list = more;
-    r->room = room;
-    return true;
-}
-
 static bool read_line(struct reader *r, const char *p, const char *end)
 {
     struct lang_line one = { .line = r->line };
@@ -127,8 +116,8 @@ static bool read_line(struct reader *r, const char *p, const char *end)
         return refuse(r, "expected %s the =", one.text[0] == '\0' ? "text before" : "a translation after");
     if (r->l->n == WORDS_MAX_ENTRIES)
         return refuse(r, "more than %d texts", WORDS_MAX_ENTRIES);
-    if (r->l->n == r->room && !grow(r))
-        return false;
+    if (!array_append(&r->l->list, (size_t)r->l->n, sizeof one))
+        return result_set_host_error(r->err, r->err_size, "out of memory");
     r->l->list[r->l->n++] = one;
     return true;
 }

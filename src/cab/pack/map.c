@@ -9,6 +9,7 @@
 #include <string.h>
 #include "../../base/bytes.h"
 #include "../../base/err.h"
+#include "../../common/array.h"
 #include "../../common/result.h"
 
 /* ---- the lump ---- */
@@ -27,7 +28,7 @@ struct making {
     bool nearest;
     uint16_t *number; /* of each tile of the sheets and turn, in the lump; 0: not yet */
     uint8_t *pix;     /* the lump's tiles */
-    int tiles, room;
+    int tiles;
     char *err;
     size_t err_size;
 };
@@ -82,18 +83,6 @@ static bool cut_tile(struct making *m, uint32_t cell, uint8_t *to)
     return true;
 }
 
-static bool more_room(struct making *m)
-{
-    int room = m->room * 2;
-    uint8_t *pix = realloc(m->pix, (size_t)room * tile_bytes(m));
-
-    if (pix == NULL)
-        return result_set_host_error(m->err, m->err_size, "out of memory");
-    m->pix = pix;
-    m->room = room;
-    return true;
-}
-
 static bool is_empty(const uint8_t *pix, size_t n)
 {
     while (n > 0 && pix[n - 1] == 0)
@@ -110,9 +99,9 @@ static int number_of(struct making *m, uint32_t cell)
         return m->number[key] - 1;
     if (m->tiles == UINT16_MAX - 1)
         return err_set(m->err, m->err_size, "%s: more than %d different tiles", m->where, UINT16_MAX - 2), -1;
-    if (m->tiles == m->room && !more_room(m))
-        return -1;
-    uint8_t *pix = m->pix + (size_t)m->tiles * tile_bytes(m);
+    uint8_t *pix = array_append(&m->pix, (size_t)m->tiles, tile_bytes(m));
+    if (pix == NULL)
+        return result_set_host_error(m->err, m->err_size, "out of memory"), -1;
     if (!cut_tile(m, cell, pix))
         return -1;
     m->number[key] = (uint16_t)(is_empty(pix, tile_bytes(m)) ? 1 : ++m->tiles);
@@ -220,7 +209,6 @@ bool map_make(const struct map_cells *cells, const char *where, int side, const 
                         .rgb = rgb,
                         .nearest = nearest,
                         .tiles = 1,
-                        .room = 16,
                         .err = err,
                         .err_size = err_size };
 
@@ -228,7 +216,7 @@ bool map_make(const struct map_cells *cells, const char *where, int side, const 
         return err_set(err, err_size, "%s: %dx%d tiles of %d px, expected at most %d px in each direction", where,
                        cells->cols, cells->rows, side, CART_MAX_MAP_SIDE);
     m.number = calloc(lay_sheets(&m) * 8 + 8, sizeof *m.number);
-    m.pix = calloc((size_t)m.room, tile_bytes(&m));
+    array_append(&m.pix, 0, tile_bytes(&m)); /* the empty tile */
     uint8_t *numbers = malloc(2 * (size_t)cells->cols * (size_t)cells->rows);
     bool good = m.number != NULL && m.pix != NULL && numbers != NULL
                     ? true
@@ -246,7 +234,7 @@ struct csv {
     const char *at, *end, *file;
     int line, first;
     struct map_cells *out;
-    int n, room;
+    int n;
     char *err;
     size_t err_size;
 };
@@ -255,13 +243,8 @@ static bool csv_add(struct csv *c, uint32_t cell)
 {
     if (c->n == CART_MAX_MAP_CELLS)
         return err_set(c->err, c->err_size, "%s:%d: more than %d tiles", c->file, c->line, CART_MAX_MAP_CELLS);
-    if (c->n == c->room) {
-        c->room = c->room ? 2 * c->room : 1024;
-        uint32_t *more = realloc(c->out->cell, (size_t)c->room * sizeof *more);
-        if (more == NULL)
-            return result_set_host_error(c->err, c->err_size, "out of memory");
-        c->out->cell = more;
-    }
+    if (!array_append(&c->out->cell, (size_t)c->n, sizeof cell))
+        return result_set_host_error(c->err, c->err_size, "out of memory");
     c->out->cell[c->n++] = cell;
     return true;
 }
@@ -349,7 +332,7 @@ static bool csv_lines(struct csv *c)
 bool map_read_csv(const char *text, size_t n, const char *file, int first, struct map_cells *out, char *err,
                   size_t err_size)
 {
-    struct csv c = { text, text + n, file, 1, first, out, 0, 0, err, err_size };
+    struct csv c = { text, text + n, file, 1, first, out, 0, err, err_size };
 
     *out = (struct map_cells){ .sheets = 1 };
     if (csv_lines(&c))

@@ -13,6 +13,7 @@
 #include "../../base/bytes.h"
 #include "../../base/err.h"
 #include "../../base/hash.h"
+#include "../../common/array.h"
 #include "../../common/result.h"
 #include "png.h"
 #include "../xml/xml.h"
@@ -53,7 +54,7 @@ struct tmx {
     int at_set; /* tileset that is being read, and its tile */
     int64_t at_tile;
     struct chunk *chunk;
-    int chunks, chunk_room;
+    int chunks;
     uint32_t *gid; /* cells of all chunks */
     size_t gids;
     struct map_cells *out;
@@ -495,13 +496,7 @@ static bool add_chunk(struct tmx *t, struct xml *x, struct chunk c)
         return xml_refuse(x, x->name_line, "more than %d tiles", CART_MAX_MAP_CELLS);
     uint32_t *gid = realloc(t->gid, (t->gids + n) * sizeof *gid);
     t->gid = gid != NULL ? gid : t->gid;
-    if (t->chunks == t->chunk_room) {
-        const int room = t->chunk_room ? 2 * t->chunk_room : 16;
-        struct chunk *more = realloc(t->chunk, (size_t)room * sizeof *more);
-        t->chunk_room = more != NULL ? room : t->chunk_room;
-        t->chunk = more != NULL ? more : t->chunk;
-    }
-    if (gid == NULL || t->chunks == t->chunk_room)
+    if (gid == NULL || !array_append(&t->chunk, (size_t)t->chunks, sizeof c))
         return result_set_host_error(t->err, t->err_size, "out of memory");
     c.at = t->gids;
     t->chunk[t->chunks++] = c;

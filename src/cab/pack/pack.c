@@ -11,6 +11,7 @@
 #include "../../../platform/platform.h"
 #include "../../base/bits.h"
 #include "../../base/err.h"
+#include "../../common/array.h"
 #include "../../common/result.h"
 #include "../../base/heap.h"
 #include "../../board/board.h"
@@ -40,24 +41,12 @@ static void lumps_close(struct lumps *l)
     free(l->lump);
 }
 
-static bool lumps_grow(struct lumps *l)
-{
-    int room = l->room == 0 ? 64 : l->room * 2;
-    struct lump *more = realloc(l->lump, (size_t)room * sizeof *more);
-
-    if (more == NULL)
-        return false;
-    l->lump = more;
-    l->room = room;
-    return true;
-}
-
 bool pack_add(struct packer *p, const char *folder, const char *name, uint8_t *data, size_t size)
 {
     size_t n = strlen(folder) + strlen(name) + 1;
     char *full = malloc(n);
 
-    if (full == NULL || (p->lumps.n == p->lumps.room && !lumps_grow(&p->lumps))) {
+    if (full == NULL || !array_append(&p->lumps.lump, (size_t)p->lumps.n, sizeof *p->lumps.lump)) {
         free(full);
         free(data);
         return result_set_host_error(p->err, p->err_size, "out of memory");

@@ -13,7 +13,7 @@ enum { PATH = TREE_PATH };
 
 struct lumps {
     struct lump *lump; /* names and data are malloc */
-    int n, room;
+    int n;
 };
 
 struct packer {

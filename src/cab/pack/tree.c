@@ -9,6 +9,7 @@
 #include <string.h>
 #include "../../../platform/platform.h"
 #include "../../base/err.h"
+#include "../../common/array.h"
 #include "../../common/result.h"
 #include "../../base/heap.h"
 #include "../../common/files.h"
@@ -29,16 +30,8 @@ void tree_add(struct tree *p, const char *folder, const char *name)
 {
     size_t size = strlen(folder) + strlen(name) + 2;
 
-    if (p->n == p->room) {
-        int room = p->room == 0 ? 64 : p->room * 2;
-        char **more = room <= MAX_FILES ? realloc(p->name, (size_t)room * sizeof *more) : NULL;
-        p->failed = p->failed || more == NULL;
-        if (more == NULL)
-            return;
-        p->name = more;
-        p->room = room;
-    }
-    char *path = malloc(size);
+    char **item = p->n < MAX_FILES ? array_append(&p->name, (size_t)p->n, sizeof *item) : NULL;
+    char *path = item ? malloc(size) : NULL;
     p->failed = p->failed || path == NULL;
     if (path == NULL)
         return;

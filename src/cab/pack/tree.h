@@ -17,7 +17,7 @@ enum {
 
 struct tree {
     char **name; /* from the game's folder: "stages/one.lua"; in byte order */
-    int n, room;
+    int n;
     bool failed; /* out of memory, or too many */
 };
 

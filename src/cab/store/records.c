@@ -8,6 +8,7 @@
 #include <string.h>
 #include "../../../platform/platform.h"
 #include "../../base/err.h"
+#include "../../common/array.h"
 #include "../../common/result.h"
 #include "../../common/files.h"
 
@@ -17,16 +18,10 @@ static const char first_line[] = "practice 1";
 
 static struct records_line *add(struct records *r)
 {
-    if (r->n == r->room) {
-        int room = r->room * 2 + 16;
-        struct records_line *grown = realloc(r->line, (size_t)room * sizeof *grown);
-        if (!grown)
-            return NULL;
-        r->line = grown;
-        r->room = room;
-    }
-    r->line[r->n] = (struct records_line){ 0 };
-    return &r->line[r->n++];
+    struct records_line *line = array_append(&r->line, (size_t)r->n, sizeof *line);
+
+    r->n += line != NULL;
+    return line;
 }
 
 static struct record *find(const struct records *r, const char *section, const char *difficulty)

@@ -34,7 +34,7 @@ struct records_line {
 
 struct records {
     struct records_line *line; /* without the first; malloc */
-    int n, room;
+    int n;
     bool changed; /* since they were read or saved */
     bool damaged; /* the file is: it is left alone */
     char file[96];

@@ -10,6 +10,7 @@
 #include <time.h>
 #include "../../../platform/platform.h"
 #include "../../base/hash.h"
+#include "../../common/array.h"
 #include "../../common/files.h"
 #include "roms.h"
 #include "../../common/result.h"
@@ -89,25 +90,11 @@ static int by_stem(const void *left, const void *right)
     return strcmp(b->stem, a->stem);
 }
 
-static struct replay_entry *room_for_one(struct replays *r)
-{
-    if (r->n == r->room) {
-        const int room = r->room ? 2 * r->room : 64;
-        struct replay_entry *list = realloc(r->list, (size_t)room * sizeof *list);
-        if (!list)
-            return NULL;
-        r->list = list;
-        r->room = room;
-    }
-    memset(&r->list[r->n], 0, sizeof r->list[0]);
-    return &r->list[r->n];
-}
-
 /* What is in the folder. */
 struct found {
     struct replays *r;
     char (*card)[REPLAY_STEM]; /* malloc */
-    int cards, room;
+    int cards;
     int64_t newest; /* of all whole files */
     struct {
         char name[REPLAY_PATH];
@@ -131,17 +118,12 @@ static bool has_ending(const char *name, const char *ending, char stem[REPLAY_ST
 
 static void find_card(struct found *f, const char *stem)
 {
-    if (f->cards == f->room) {
-        const int room = f->room ? 2 * f->room : 64;
-        void *grown = realloc(f->card, (size_t)room * sizeof f->card[0]);
-        if (!grown) {
-            f->full = true;
-            return;
-        }
-        f->card = grown;
-        f->room = room;
+    char *card = array_append(&f->card, (size_t)f->cards, sizeof f->card[0]);
+    f->full |= !card;
+    if (card) {
+        snprintf(card, REPLAY_STEM, "%s", stem);
+        f->cards++;
     }
-    snprintf(f->card[f->cards++], REPLAY_STEM, "%s", stem);
 }
 
 static void find(void *user, const struct plat_folder_entry *file)
@@ -163,7 +145,7 @@ static void find(void *user, const struct plat_folder_entry *file)
         find_card(f, stem);
     if (!has_ending(file->name, ".demo", stem) || f->r->n == REPLAYS_MOST)
         return;
-    struct replay_entry *e = room_for_one(f->r);
+    struct replay_entry *e = array_append(&f->r->list, (size_t)f->r->n, sizeof *e);
     f->full = f->full || !e;
     if (!e)
         return;
@@ -298,7 +280,7 @@ bool replays_thumb(const struct replays *r, int i, struct thumb *t)
 bool replays_add(struct replays *r, const uint8_t *demo, size_t size, const struct card *c, const struct thumb *t,
                  char *err, size_t err_size)
 {
-    struct replay_entry *e = room_for_one(r);
+    struct replay_entry *e = array_append(&r->list, (size_t)r->n, sizeof *e);
     struct replay_entry new = { .card = *c };
     char path[REPLAY_PATH];
 

@@ -21,7 +21,7 @@ struct replay_entry {
 struct replays {
     char id[32];
     struct replay_entry *list; /* newest first; malloc */
-    int n, room;
+    int n;
     uint32_t loads, loaded; /* files that were read for it, and their bytes: what a list costs */
 };
 

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../base/err.h"
+#include "../../common/array.h"
 #include "../../common/result.h"
 #include "../../board/inspect.h"
 #include "../../entities/player.h"
@@ -51,33 +52,23 @@ static void add_danger(void *context, const struct danger *d)
     struct forecast *f = context;
     struct forecast_frame *frame = &f->frame[f->frames];
 
-    if (f->n == f->list_room) {
-        const size_t room = f->list_room ? 2 * f->list_room : 4096;
-        struct danger *list = realloc(f->list, room * sizeof *list);
-        f->full |= !list;
-        if (!list)
-            return;
-        f->list = list;
-        f->list_room = room;
-    }
+    struct danger *copy = array_append(&f->list, f->n, sizeof *copy);
+    f->full |= !copy;
+    if (!copy)
+        return;
     frame->fired += d->age == 0 && d->source != DANGER_ENEMY;
     fold_danger(&frame->print, d);
-    f->list[f->n++] = *d;
+    *copy = *d;
+    f->n++;
     frame->n++;
 }
 
-static bool room_for_frame(struct forecast *f)
+static struct forecast_frame *next_frame(struct forecast *f)
 {
-    if (f->frames < f->room)
-        return true;
-    const uint32_t room = f->room ? 2 * f->room : 256;
-    struct forecast_frame *frame = realloc(f->frame, room * sizeof *frame);
+    struct forecast_frame *frame = array_append(&f->frame, f->frames, sizeof *frame);
+
     f->full |= !frame;
-    if (!frame)
-        return false;
-    f->frame = frame;
-    f->room = room;
-    return true;
+    return frame;
 }
 
 struct foe {
@@ -104,9 +95,9 @@ static void write_frame(struct trial *t)
 {
     struct forecast *f = t->into;
 
-    if (f->full || !room_for_frame(f))
+    struct forecast_frame *frame = f->full ? NULL : next_frame(f);
+    if (!frame)
         return;
-    struct forecast_frame *frame = &f->frame[f->frames];
     *frame = (struct forecast_frame){ .first = f->n };
     danger_get_ship(t->b, t->who, &frame->ship);
     frame->moves = t->moved && frame->ship.can_steer;
@@ -266,9 +257,9 @@ enum trial_end trial_tick(struct trial *t, const uint16_t pads[MAX_PLAYERS])
     const struct board_out *out = board_tick(t->b, pads);
     board_set_phase_callback(t->b, NULL, NULL);
     t->ticks++;
-    if (t->into && !t->moved)
-        if (room_for_frame(t->into))
-            t->into->frame[t->into->frames] = (struct forecast_frame){ .first = t->into->n, .ship = t->ship };
+    struct forecast_frame *frame = t->into && !t->moved ? next_frame(t->into) : NULL;
+    if (frame)
+        *frame = (struct forecast_frame){ .first = t->into->n, .ship = t->ship };
     if (t->into && !t->into->full)
         t->into->frames++;
     return outcome(t, out, &before);

@@ -22,10 +22,10 @@ struct forecast_frame {
 
 /* Of frames from one board frame on: frame[0] is the tick that makes frame `from` + 1. */
 struct forecast {
-    uint32_t from, frames, room;
+    uint32_t from, frames;
     struct forecast_frame *frame;
     struct danger *list;
-    size_t n, list_room;
+    size_t n;
     bool full; /* no memory: it ends early */
 };
 
