@@ -12,7 +12,7 @@
 
 static void line(struct lua_writer *w)
 {
-    as_lua_put(&w->body, "%*s", 2 * w->indent, "");
+    prose_add(&w->body, "%*s", 2 * w->indent, "");
 }
 
 /* ---- names ---- */
@@ -32,31 +32,31 @@ static bool is_word(const char *s)
     return *s != '\0';
 }
 
-static void put_string(struct lua_text *t, const char *s)
+static void put_string(struct prose *t, const char *s)
 {
-    as_lua_put(t, "\"");
+    prose_add(t, "\"");
     for (; *s; s++)
-        as_lua_put(t, *s == '"' || *s == '\\' ? "\\%c" : (unsigned char)*s < 32 ? "\\%03d" : "%c", *s);
-    as_lua_put(t, "\"");
+        prose_add(t, *s == '"' || *s == '\\' ? "\\%c" : (unsigned char)*s < 32 ? "\\%03d" : "%c", *s);
+    prose_add(t, "\"");
 }
 
 /* "actions.ring", "bullets["two words"]" */
 static void put_name(struct lua_writer *w, enum document_element element, const char *label)
 {
-    as_lua_put(&w->body, element == NODE_ACTION ? "actions" : element == NODE_FIRE ? "fires" : "bullets");
+    prose_add(&w->body, element == NODE_ACTION ? "actions" : element == NODE_FIRE ? "fires" : "bullets");
     if (is_word(label)) {
-        as_lua_put(&w->body, ".%s", label);
+        prose_add(&w->body, ".%s", label);
         return;
     }
-    as_lua_put(&w->body, "[");
+    prose_add(&w->body, "[");
     put_string(&w->body, label);
-    as_lua_put(&w->body, "]");
+    prose_add(&w->body, "]");
 }
 
 /* What runs the commands, and what is fired: s and shot, and in functions within functions s2, shot2. */
 static void put_own(struct lua_writer *w, const char *name)
 {
-    as_lua_put(&w->body, w->depth ? "%s%d" : "%s", name, w->depth + 1);
+    prose_add(&w->body, w->depth ? "%s%d" : "%s", name, w->depth + 1);
 }
 
 /* ---- numbers ---- */
@@ -72,38 +72,38 @@ static void put_direction(struct lua_writer *w, const struct document_node *v)
 {
     static const char *const names[] = { "aimed", "aimed", "straight", "turned", "next_dir" };
 
-    as_lua_put(&w->body, "%s(", names[v->type]);
+    prose_add(&w->body, "%s(", names[v->type]);
     put_own(w, "s");
-    as_lua_put(&w->body, ", ");
+    prose_add(&w->body, ", ");
     as_lua_value(&w->body, v, v->type == NODE_ABSOLUTE ? as_lua_up(w->d) : 0, false);
-    as_lua_put(&w->body, ")");
+    prose_add(&w->body, ")");
 }
 
 static void written_speed(struct lua_writer *w, const struct document_node *v)
 {
     static const char *const names[] = { "plain", "plain", "plain", "faster", "next_speed" };
 
-    as_lua_put(&w->body, "%s(", names[v->type]);
+    prose_add(&w->body, "%s(", names[v->type]);
     put_own(w, "s");
-    as_lua_put(&w->body, ", ");
+    prose_add(&w->body, ", ");
     as_lua_value(&w->body, v, 0, false);
-    as_lua_put(&w->body, ")");
+    prose_add(&w->body, ")");
 }
 
 /* A function and what goes with every one: turn_to(s, ..., term). */
 static void begin_change(struct lua_writer *w, const char *name)
 {
     line(w);
-    as_lua_put(&w->body, "%s(", name);
+    prose_add(&w->body, "%s(", name);
     put_own(w, "s");
-    as_lua_put(&w->body, ", ");
+    prose_add(&w->body, ", ");
 }
 
 static void end_change(struct lua_writer *w, int32_t node)
 {
-    as_lua_put(&w->body, ", ");
+    prose_add(&w->body, ", ");
     as_lua_count(&w->body, child(w, node, NODE_TERM), 1);
-    as_lua_put(&w->body, ")\n");
+    prose_add(&w->body, ")\n");
 }
 
 static void put_turn(struct lua_writer *w, int32_t node)
@@ -140,11 +140,11 @@ static void put_push(struct lua_writer *w, int32_t node, enum document_element e
         return;
     begin_change(w, v->type == NODE_RELATIVE || v->type == NODE_SEQUENCE ? "push_on" : "push_to");
     const bool back = w->d->horizontal && !x;
-    as_lua_put(&w->body, "\"%s\", %s", x ? "x" : "y", back ? "-(" : "");
+    prose_add(&w->body, "\"%s\", %s", x ? "x" : "y", back ? "-(" : "");
     as_lua_value(&w->body, v, 0, v->type == NODE_SEQUENCE && !back);
-    as_lua_put(&w->body, back ? ")" : "");
+    prose_add(&w->body, back ? ")" : "");
     if (v->type == NODE_SEQUENCE) {
-        as_lua_put(&w->body, " * ");
+        prose_add(&w->body, " * ");
         as_lua_count(&w->body, child(w, node, NODE_TERM), 1);
     }
     end_change(w, node);
@@ -157,7 +157,7 @@ static void put_params(struct lua_writer *w, int32_t ref)
     int n = 0; /* more than nine have no name */
 
     for (int32_t i = w->d->node[ref].first; i != DOCUMENT_NONE && n < 9; i = w->d->node[i].next, n++) {
-        as_lua_put(&w->body, ", ");
+        prose_add(&w->body, ", ");
         as_lua_value(&w->body, &w->d->node[i], 0, false);
     }
 }
@@ -192,15 +192,15 @@ static void put_run(struct lua_writer *w, int32_t bullet)
     line(w);
     put_own(w, "shot");
     w->depth++;
-    as_lua_put(&w->body, ".run = function(");
+    prose_add(&w->body, ".run = function(");
     put_own(w, "s");
-    as_lua_put(&w->body, ")\n");
+    prose_add(&w->body, ")\n");
     w->indent++;
     put_commands(w, bullet);
     w->indent--;
     w->depth--;
     line(w);
-    as_lua_put(&w->body, "end\n");
+    prose_add(&w->body, "end\n");
 }
 
 /* What a bullet says of itself, and its start. */
@@ -208,44 +208,44 @@ static void put_bullet(struct lua_writer *w, int32_t bullet)
 {
     const struct document_node *b = &w->d->node[bullet];
     const struct document_node *speed = child(w, bullet, NODE_SPEED), *direction = child(w, bullet, NODE_DIRECTION);
-    struct lua_text motion = { 0 };
+    struct prose motion = { 0 };
 
     if (speed) {
         line(w);
         put_own(w, "shot");
-        as_lua_put(&w->body, ".speed = ");
+        prose_add(&w->body, ".speed = ");
         written_speed(w, speed);
-        as_lua_put(&w->body, "\n");
+        prose_add(&w->body, "\n");
     }
     if (direction) {
         line(w);
         put_own(w, "shot");
-        as_lua_put(&w->body, ".dir = ");
+        prose_add(&w->body, ".dir = ");
         put_direction(w, direction);
-        as_lua_put(&w->body, "\n");
+        prose_add(&w->body, "\n");
     }
     if (b->label[0]) {
         line(w);
         put_own(w, "shot");
-        as_lua_put(&w->body, ".label = ");
+        prose_add(&w->body, ".label = ");
         put_string(&w->body, b->label);
-        as_lua_put(&w->body, "\n");
+        prose_add(&w->body, "\n");
     }
     if (has_actions(w, bullet) && !as_lua_motion(&motion, w->d, bullet)) {
         put_run(w, bullet);
     } else if (motion.n > 0) {
         line(w);
         put_own(w, "shot");
-        as_lua_put(&w->body, ".motion = motion.def { %s }\n", motion.s);
+        prose_add(&w->body, ".motion = motion.def { %s }\n", motion.bytes);
     }
     w->body.failed |= motion.failed;
-    free(motion.s);
+    free(motion.bytes);
     line(w);
-    as_lua_put(&w->body, "launch(");
+    prose_add(&w->body, "launch(");
     put_own(w, "s");
-    as_lua_put(&w->body, ", ");
+    prose_add(&w->body, ", ");
     put_own(w, "shot");
-    as_lua_put(&w->body, ")\n");
+    prose_add(&w->body, ")\n");
 }
 
 /* ---- fires ---- */
@@ -256,19 +256,19 @@ static void put_shot(struct lua_writer *w, int32_t fire)
     const struct document_node *speed = child(w, fire, NODE_SPEED), *direction = child(w, fire, NODE_DIRECTION);
 
     if (!speed && !direction) {
-        as_lua_put(&w->body, "{}");
+        prose_add(&w->body, "{}");
         return;
     }
-    as_lua_put(&w->body, "{ ");
+    prose_add(&w->body, "{ ");
     if (speed) {
-        as_lua_put(&w->body, "speed = ");
+        prose_add(&w->body, "speed = ");
         written_speed(w, speed);
     }
     if (direction) {
-        as_lua_put(&w->body, speed ? ", dir = " : "dir = ");
+        prose_add(&w->body, speed ? ", dir = " : "dir = ");
         put_direction(w, direction);
     }
-    as_lua_put(&w->body, " }");
+    prose_add(&w->body, " }");
 }
 
 static void put_fire(struct lua_writer *w, int32_t fire)
@@ -278,31 +278,31 @@ static void put_fire(struct lua_writer *w, int32_t fire)
     line(w);
     if (ref != DOCUMENT_NONE) {
         put_name(w, NODE_BULLET, w->d->node[ref].label);
-        as_lua_put(&w->body, "(");
+        prose_add(&w->body, "(");
         put_own(w, "s");
-        as_lua_put(&w->body, ", ");
+        prose_add(&w->body, ", ");
         put_shot(w, fire);
         put_params(w, ref);
-        as_lua_put(&w->body, ")\n");
+        prose_add(&w->body, ")\n");
     } else if (w->d->node[own].first == DOCUMENT_NONE && w->d->node[own].label[0] == '\0') {
-        as_lua_put(&w->body, "launch(");
+        prose_add(&w->body, "launch(");
         put_own(w, "s");
-        as_lua_put(&w->body, ", ");
+        prose_add(&w->body, ", ");
         put_shot(w, fire);
-        as_lua_put(&w->body, ")\n");
+        prose_add(&w->body, ")\n");
     } else {
-        as_lua_put(&w->body, "do\n");
+        prose_add(&w->body, "do\n");
         w->indent++;
         line(w);
-        as_lua_put(&w->body, "local ");
+        prose_add(&w->body, "local ");
         put_own(w, "shot");
-        as_lua_put(&w->body, " = ");
+        prose_add(&w->body, " = ");
         put_shot(w, fire);
-        as_lua_put(&w->body, "\n");
+        prose_add(&w->body, "\n");
         put_bullet(w, own);
         w->indent--;
         line(w);
-        as_lua_put(&w->body, "end\n");
+        prose_add(&w->body, "end\n");
     }
 }
 
@@ -311,14 +311,14 @@ static void put_fire(struct lua_writer *w, int32_t fire)
 static void put_repeat(struct lua_writer *w, int32_t node)
 {
     line(w);
-    as_lua_put(&w->body, "for _ = 1, ");
+    prose_add(&w->body, "for _ = 1, ");
     as_lua_count(&w->body, child(w, node, NODE_TIMES), 1);
-    as_lua_put(&w->body, " do\n");
+    prose_add(&w->body, " do\n");
     w->indent++;
     put_commands(w, node);
     w->indent--;
     line(w);
-    as_lua_put(&w->body, "end\n");
+    prose_add(&w->body, "end\n");
 }
 
 /* An action that calls itself at its end would go deeper each time; `return` lets go of where it came from. */
@@ -334,24 +334,24 @@ static void put_call(struct lua_writer *w, int32_t node)
     const struct document_node *n = &w->d->node[node];
 
     line(w);
-    as_lua_put(&w->body, is_last(w, node) ? "return " : "");
+    prose_add(&w->body, is_last(w, node) ? "return " : "");
     put_name(w,
              document_find(w->d, n->element, n->label) == DOCUMENT_NONE ? NODE_ACTION : w->d->node[n->target].element,
              n->label);
-    as_lua_put(&w->body, "(");
+    prose_add(&w->body, "(");
     put_own(w, "s");
     put_params(w, node);
-    as_lua_put(&w->body, ")\n");
+    prose_add(&w->body, ")\n");
 }
 
 static void put_wait(struct lua_writer *w, int32_t node)
 {
     line(w);
-    as_lua_put(&w->body, "pause(");
+    prose_add(&w->body, "pause(");
     put_own(w, "s");
-    as_lua_put(&w->body, ", ");
+    prose_add(&w->body, ", ");
     as_lua_count(&w->body, &w->d->node[node], 0);
-    as_lua_put(&w->body, ")\n");
+    prose_add(&w->body, ")\n");
 }
 
 static void put_command(struct lua_writer *w, int32_t node)
@@ -363,7 +363,7 @@ static void put_command(struct lua_writer *w, int32_t node)
     case NODE_VANISH:
         line(w);
         put_own(w, "s");
-        as_lua_put(&w->body, ".o.gone = true\n");
+        prose_add(&w->body, ".o.gone = true\n");
         break;
     case NODE_FIRE:
         put_fire(w, node);
@@ -406,21 +406,21 @@ static void put_function(struct lua_writer *w, int32_t node)
     const struct document_node *n = &w->d->node[node];
     const int params = highest_param(w->d, node);
 
-    as_lua_put(&w->body, "\nfunction ");
+    prose_add(&w->body, "\nfunction ");
     if (is_word(n->label)) {
         put_name(w, n->element, n->label);
     } else {
         w->body.n -= strlen("function ");
         put_name(w, n->element, n->label);
-        as_lua_put(&w->body, " = function");
+        prose_add(&w->body, " = function");
     }
-    as_lua_put(&w->body, n->element == NODE_BULLET ? "(s, shot" : "(s");
+    prose_add(&w->body, n->element == NODE_BULLET ? "(s, shot" : "(s");
     for (int i = 1; i <= params; i++)
-        as_lua_put(&w->body, ", p%d", i);
-    as_lua_put(&w->body, ")\n");
+        prose_add(&w->body, ", p%d", i);
+    prose_add(&w->body, ")\n");
     w->indent = 1;
     for (int i = 1; i <= params; i++)
-        as_lua_put(&w->body, "  p%d = p%d or 1\n", i, i);
+        prose_add(&w->body, "  p%d = p%d or 1\n", i, i);
     if (n->element == NODE_ACTION)
         put_commands(w, node);
     else if (n->element == NODE_FIRE)
@@ -428,7 +428,7 @@ static void put_function(struct lua_writer *w, int32_t node)
     else
         put_bullet(w, node);
     w->indent = 0;
-    as_lua_put(&w->body, "end\n");
+    prose_add(&w->body, "end\n");
 }
 
 /* All that something asks for by its label. */
@@ -451,35 +451,35 @@ static void put_functions(struct lua_writer *w)
 
 static void put_tops(struct lua_writer *w)
 {
-    as_lua_put(&w->body, "\n-- Runs the document in tasks of e: play(e), or play(e, { rank = 0.8, unit = 2, kind = "
-                         "\"orb\" }).\nreturn function(me, options)\n  options = options or {}\n  rank, unit = "
-                         "options.rank or rank, options.unit or unit\n  kind, kinds = options.kind or kind, "
-                         "options.kinds or kinds\n  local o = { me = me, dir = 90, speed = 0, root = true }\n");
+    prose_add(&w->body, "\n-- Runs the document in tasks of e: play(e), or play(e, { rank = 0.8, unit = 2, kind = "
+                        "\"orb\" }).\nreturn function(me, options)\n  options = options or {}\n  rank, unit = "
+                        "options.rank or rank, options.unit or unit\n  kind, kinds = options.kind or kind, "
+                        "options.kinds or kinds\n  local o = { me = me, dir = 90, speed = 0, root = true }\n");
     for (int32_t i = 0; i < w->d->n; i++)
         if (document_is_top(w->d, i)) {
-            as_lua_put(&w->body, "  task.own(me, function() ");
+            prose_add(&w->body, "  task.own(me, function() ");
             put_name(w, NODE_ACTION, w->d->node[i].label);
-            as_lua_put(&w->body, " { o = o } end)\n");
+            prose_add(&w->body, " { o = o } end)\n");
         }
-    as_lua_put(&w->body, "end\n");
+    prose_add(&w->body, "end\n");
 }
 
 char *as_lua(const struct document *d, const char *file)
 {
     struct lua_writer w = { .d = d };
-    struct lua_text whole = { 0 };
+    struct prose whole = { 0 };
 
-    as_lua_put(&w.body, "%s", "");
+    prose_add(&w.body, "%s", "");
     put_functions(&w);
     put_tops(&w);
     if (!w.body.failed) {
-        as_lua_head(&whole, d, file, w.body.s);
-        as_lua_helpers(&whole, w.body.s);
-        as_lua_put(&whole, "%s", w.body.s + 1);
+        as_lua_head(&whole, d, file, w.body.bytes);
+        as_lua_helpers(&whole, w.body.bytes);
+        prose_add(&whole, "%s", w.body.bytes + 1);
     }
-    free(w.body.s);
+    free(w.body.bytes);
     if (!whole.failed)
-        return whole.s;
-    free(whole.s);
+        return whole.bytes;
+    free(whole.bytes);
     return NULL;
 }

@@ -148,21 +148,21 @@ static bool calls(const char *text, const char *name)
 }
 
 /* Two of them are said in one way or the other. */
-static void put_helper(struct lua_text *t, int i, bool pushes, bool changes)
+static void put_helper(struct prose *t, int i, bool pushes, bool changes)
 {
     const char *at = strstr(helpers[i].text, "FLY"), *update = strstr(helpers[i].text, "UPDATE");
 
     if (at)
-        as_lua_put(t, "%.*s%s%s\n", (int)(at - helpers[i].text), helpers[i].text, pushes ? "fly" : "fly_straight",
-                   at + 3);
+        prose_add(t, "%.*s%s%s\n", (int)(at - helpers[i].text), helpers[i].text, pushes ? "fly" : "fly_straight",
+                  at + 3);
     else if (update)
-        as_lua_put(t, "%.*s%s%s\n", (int)(update - helpers[i].text), helpers[i].text, changes ? "  update(s.o)\n" : "",
-                   update + 6);
+        prose_add(t, "%.*s%s%s\n", (int)(update - helpers[i].text), helpers[i].text, changes ? "  update(s.o)\n" : "",
+                  update + 6);
     else
-        as_lua_put(t, "%s\n", helpers[i].text);
+        prose_add(t, "%s\n", helpers[i].text);
 }
 
-void as_lua_helpers(struct lua_text *t, const char *body)
+void as_lua_helpers(struct prose *t, const char *body)
 {
     const bool pushes = calls(body, "push_to") || calls(body, "push_on");
     bool used[HELPERS] = { 0 }, changes = false;

@@ -11,7 +11,7 @@
 enum { DEPTH = 8 /* of actions in one another */, COMMANDS = 1000, LOOPS = 4 /* as motion.def takes them */ };
 
 struct steps {
-    struct lua_text text;
+    struct prose text;
     const struct document *d;
     int32_t speed, turn; /* what was ordered and has not begun: nodes, or DOCUMENT_NONE */
     bool none;           /* it cannot be said */
@@ -38,7 +38,7 @@ static const struct document_node *child(const struct steps *s, int32_t node, en
 
 static void put_step(struct steps *s, const char *format, double n)
 {
-    as_lua_put(&s->text, format, s->text.n ? ", " : "", n);
+    prose_add(&s->text, format, s->text.n ? ", " : "", n);
 }
 
 /* ---- changes ---- */
@@ -49,11 +49,11 @@ static void written_speed(struct steps *s, double over)
     const struct document_node *v = child(s, s->speed, NODE_SPEED);
 
     s->none |= !as_lua_fixed(v);
-    as_lua_put(&s->text, v->type == NODE_PLAIN || v->type == NODE_ABSOLUTE ? "speed = " : "accel = ");
+    prose_add(&s->text, v->type == NODE_PLAIN || v->type == NODE_ABSOLUTE ? "speed = " : "accel = ");
     as_lua_value(&s->text, v, 0, true);
-    as_lua_put(&s->text, " * unit");
+    prose_add(&s->text, " * unit");
     if (v->type == NODE_RELATIVE && over > 1)
-        as_lua_put(&s->text, " / %g", over);
+        prose_add(&s->text, " / %g", over);
 }
 
 static void put_turn(struct steps *s, double over)
@@ -63,20 +63,20 @@ static void put_turn(struct steps *s, double over)
 
     s->none |= !as_lua_fixed(v);
     if (v->type == NODE_SEQUENCE || (v->type == NODE_RELATIVE && over == 1)) {
-        as_lua_put(&s->text, "turn = ");
+        prose_add(&s->text, "turn = ");
         as_lua_value(&s->text, v, 0, false);
     } else if (v->type == NODE_RELATIVE && expression_constant(v->op, v->ops, &turn)) {
-        as_lua_put(&s->text, "turn = ");
+        prose_add(&s->text, "turn = ");
         as_lua_number(&s->text, round(remainder(turn, 360) / over * 1e8) / 1e8);
     } else if (over > 1) {
         s->none = true;
     } else if (v->type == NODE_ABSOLUTE) {
-        as_lua_put(&s->text, "dir = ");
+        prose_add(&s->text, "dir = ");
         as_lua_value(&s->text, v, as_lua_up(s->d), false);
     } else {
-        as_lua_put(&s->text, "aim = true");
+        prose_add(&s->text, "aim = true");
         if (!expression_constant(v->op, v->ops, &turn) || turn != 0) {
-            as_lua_put(&s->text, " }, { turn = ");
+            prose_add(&s->text, " }, { turn = ");
             as_lua_value(&s->text, v, 0, false);
         }
     }
@@ -85,16 +85,16 @@ static void put_turn(struct steps *s, double over)
 /* Both, one, or none of them, for so many frames. */
 static void put_change(struct steps *s, double over, bool speed, bool turn)
 {
-    as_lua_put(&s->text, "%s{ ", s->text.n ? ", " : "");
+    prose_add(&s->text, "%s{ ", s->text.n ? ", " : "");
     if (speed)
         written_speed(s, over);
     if (turn)
-        as_lua_put(&s->text, speed ? ", " : "");
+        prose_add(&s->text, speed ? ", " : "");
     if (turn)
         put_turn(s, over);
     if (over > 1)
-        as_lua_put(&s->text, ", over = %g", over);
-    as_lua_put(&s->text, " }");
+        prose_add(&s->text, ", over = %g", over);
+    prose_add(&s->text, " }");
 }
 
 /* What was ordered begins now and has `wait` frames. */
@@ -136,15 +136,15 @@ static void put_repeat(struct steps *s, int32_t node, int depth, int loops)
     s->none |= loops == LOOPS;
     if (s->none)
         return;
-    struct lua_text outer = s->text;
-    s->text = (struct lua_text){ 0 };
+    struct prose outer = s->text;
+    s->text = (struct prose){ 0 };
     s->waited = 0;
     put_commands(s, node, depth, loops + 1);
     if (s->speed != DOCUMENT_NONE || s->turn != DOCUMENT_NONE || s->waited == 0 || s->over)
         s->none = true;
-    as_lua_put(&outer, "%s{ loop = %g, %s }", outer.n ? ", " : "", times, s->text.s ? s->text.s : "");
+    prose_add(&outer, "%s{ loop = %g, %s }", outer.n ? ", " : "", times, s->text.bytes ? s->text.bytes : "");
     outer.failed |= s->text.failed;
-    free(s->text.s);
+    free(s->text.bytes);
     s->text = outer;
     s->waited += before;
 }
@@ -203,7 +203,7 @@ static void put_commands(struct steps *s, int32_t node, int depth, int loops)
         put_command(s, i, depth, loops);
 }
 
-bool as_lua_motion(struct lua_text *t, const struct document *d, int32_t bullet)
+bool as_lua_motion(struct prose *t, const struct document *d, int32_t bullet)
 {
     struct steps s = { .d = d, .left = COMMANDS, .speed = DOCUMENT_NONE, .turn = DOCUMENT_NONE };
 
@@ -211,8 +211,8 @@ bool as_lua_motion(struct lua_text *t, const struct document *d, int32_t bullet)
     if (!s.none && !s.over)
         begin(&s, INFINITY);
     if (!s.none && s.text.n > 0)
-        as_lua_put(t, "%s", s.text.s);
+        prose_add(t, "%s", s.text.bytes);
     t->failed |= s.text.failed;
-    free(s.text.s);
+    free(s.text.bytes);
     return !s.none;
 }

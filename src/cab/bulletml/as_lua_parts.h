@@ -6,32 +6,24 @@
 #ifndef CAB_BULLETML_AS_LUA_PARTS_H
 #define CAB_BULLETML_AS_LUA_PARTS_H
 
+#include "../../common/prose.h"
 #include "document.h"
-
-/* A text that grows. */
-struct lua_text {
-    char *s; /* malloc */
-    size_t n, room;
-    bool failed; /* out of memory */
-};
-
-void as_lua_put(struct lua_text *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 struct lua_writer {
     const struct document *d;
-    struct lua_text body;
+    struct prose body;
     int indent; /* steps of two blanks */
     int depth;  /* of functions in one another: their names have numbers */
 };
 
 /* A number as an expression of Lua; `add` is added to it. tight: in parentheses, if it is more than one word. */
-void as_lua_value(struct lua_text *t, const struct document_node *node, double add, bool tight);
+void as_lua_value(struct prose *t, const struct document_node *node, double add, bool tight);
 
 /* The same as a whole number of frames or times, at least `least`. */
-void as_lua_count(struct lua_text *t, const struct document_node *node, int least);
+void as_lua_count(struct prose *t, const struct document_node *node, int least);
 
 /* A number, as short as it can be said. */
-void as_lua_number(struct lua_text *t, double v);
+void as_lua_number(struct prose *t, double v);
 
 /* Is it the same for all bullets of a run: neither drawn by chance nor a parameter? */
 bool as_lua_fixed(const struct document_node *node);
@@ -41,12 +33,12 @@ double as_lua_up(const struct document *d);
 
 /* Adds the steps of a motion program that does what a bullet's actions do, "{ wait = 30 }, { speed = 2 }"; false, and
  * nothing: a program cannot do that. */
-bool as_lua_motion(struct lua_text *t, const struct document *d, int32_t bullet);
+bool as_lua_motion(struct prose *t, const struct document *d, int32_t bullet);
 
 /* Adds those of the functions that the script brings along which the text calls, and which these call. */
-void as_lua_helpers(struct lua_text *t, const char *body);
+void as_lua_helpers(struct prose *t, const char *body);
 
 /* The first lines of a script with that body. */
-void as_lua_head(struct lua_text *t, const struct document *d, const char *file, const char *body);
+void as_lua_head(struct prose *t, const struct document *d, const char *file, const char *body);
 
 #endif

@@ -5,53 +5,28 @@
 #include "as_lua_parts.h"
 
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-void as_lua_put(struct lua_text *t, const char *format, ...)
+void as_lua_number(struct prose *t, double v)
 {
-    va_list args, again;
-
-    va_start(args, format);
-    va_copy(again, args);
-    const int n = vsnprintf(NULL, 0, format, args);
-    va_end(args);
-    if (!t->failed && t->n + (size_t)n + 1 > t->room) {
-        const size_t room = 2 * t->room + (size_t)n + 256;
-        char *more = realloc(t->s, room);
-        t->failed = !more;
-        if (more) {
-            t->s = more;
-            t->room = room;
-        }
-    }
-    if (!t->failed) {
-        vsnprintf(t->s + t->n, t->room - t->n, format, again);
-        t->n += (size_t)n;
-    }
-    va_end(again);
-}
-
-void as_lua_number(struct lua_text *t, double v)
-{
-    as_lua_put(t, "%.10g", v == 0 ? 0 : v);
+    prose_add(t, "%.10g", v == 0 ? 0 : v);
 }
 
 /* How tightly: a sum, a product, a sign, one word. */
 enum tight { SUM, PRODUCT, SIGN, WORD };
 
 struct piece {
-    struct lua_text text;
+    struct prose text;
     enum tight tight;
 };
 
-static void put_piece(struct lua_text *t, const struct piece *p, enum tight least)
+static void put_piece(struct prose *t, const struct piece *p, enum tight least)
 {
     const bool open = p->tight < least;
 
-    as_lua_put(t, "%s%s%s", open ? "(" : "", p->text.s ? p->text.s : "", open ? ")" : "");
+    prose_add(t, "%s%s%s", open ? "(" : "", p->text.bytes ? p->text.bytes : "", open ? ")" : "");
 }
 
 static void join(struct piece *a, struct piece *b, enum expression_kind kind)
@@ -66,10 +41,10 @@ static void join(struct piece *a, struct piece *b, enum expression_kind kind)
     struct piece both = { .tight = own };
 
     put_piece(&both.text, a, own);
-    as_lua_put(&both.text, "%s", signs[kind]);
+    prose_add(&both.text, "%s", signs[kind]);
     put_piece(&both.text, b, kind == EXPRESSION_ADD || kind == EXPRESSION_MULTIPLY ? own : own + 1);
-    free(a->text.s);
-    free(b->text.s);
+    free(a->text.bytes);
+    free(b->text.bytes);
     *a = both;
 }
 
@@ -77,9 +52,9 @@ static void negate(struct piece *p)
 {
     struct piece less = { .tight = SIGN };
 
-    as_lua_put(&less.text, "-");
+    prose_add(&less.text, "-");
     put_piece(&less.text, p, WORD);
-    free(p->text.s);
+    free(p->text.bytes);
     *p = less;
 }
 
@@ -90,13 +65,13 @@ static struct piece one_word(const struct expression_op *op)
     if (op->kind == EXPRESSION_NUMBER)
         as_lua_number(&p.text, round((double)op->number / 4294967296.0 * 1e8) / 1e8);
     else if (op->kind == EXPRESSION_RAND)
-        as_lua_put(&p.text, "rng.number(0, 1)");
+        prose_add(&p.text, "rng.number(0, 1)");
     else if (op->kind == EXPRESSION_RANK)
-        as_lua_put(&p.text, "rank");
+        prose_add(&p.text, "rank");
     else if (op->number == 0)
-        as_lua_put(&p.text, "1");
+        prose_add(&p.text, "1");
     else
-        as_lua_put(&p.text, "p%d", (int)op->number);
+        prose_add(&p.text, "p%d", (int)op->number);
     return p;
 }
 
@@ -118,7 +93,7 @@ static struct piece whole_of(const struct document_node *node)
     return stack[0];
 }
 
-void as_lua_value(struct lua_text *t, const struct document_node *node, double add, bool tight)
+void as_lua_value(struct prose *t, const struct document_node *node, double add, bool tight)
 {
     double v;
 
@@ -128,17 +103,17 @@ void as_lua_value(struct lua_text *t, const struct document_node *node, double a
     }
     struct piece p = whole_of(node);
     const bool open = tight && (add != 0 || p.tight < SIGN);
-    as_lua_put(t, "%s%s", open ? "(" : "", p.text.s ? p.text.s : "");
+    prose_add(t, "%s%s", open ? "(" : "", p.text.bytes ? p.text.bytes : "");
     if (add != 0) {
-        as_lua_put(t, add < 0 ? " - " : " + ");
+        prose_add(t, add < 0 ? " - " : " + ");
         as_lua_number(t, fabs(add));
     }
-    as_lua_put(t, open ? ")" : "");
+    prose_add(t, open ? ")" : "");
     t->failed |= p.text.failed;
-    free(p.text.s);
+    free(p.text.bytes);
 }
 
-void as_lua_count(struct lua_text *t, const struct document_node *node, int least)
+void as_lua_count(struct prose *t, const struct document_node *node, int least)
 {
     double v;
 
@@ -147,9 +122,9 @@ void as_lua_count(struct lua_text *t, const struct document_node *node, int leas
         as_lua_number(t, n < least ? least : n > 1e9 ? 1e9 : n);
         return;
     }
-    as_lua_put(t, "count(");
+    prose_add(t, "count(");
     as_lua_value(t, node, 0, false);
-    as_lua_put(t, ", %d)", least);
+    prose_add(t, ", %d)", least);
 }
 
 bool as_lua_fixed(const struct document_node *node)

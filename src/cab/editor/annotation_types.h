@@ -6,7 +6,7 @@
 
 #include <stddef.h>
 #include "../../script/api/api_table.h"
-#include "prose.h"
+#include "../../common/prose.h"
 
 /* Adds the aliases that the types below name: words, and names that a game declares. */
 void annotation_aliases(struct prose *to);

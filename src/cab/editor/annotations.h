@@ -5,7 +5,7 @@
 #ifndef CAB_ANNOTATIONS_H
 #define CAB_ANNOTATIONS_H
 
-#include "prose.h"
+#include "../../common/prose.h"
 
 /* Adds the file's text. It is Lua that an editor reads and no game runs. */
 void annotations_write(struct prose *to);

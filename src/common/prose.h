@@ -1,8 +1,8 @@
 /*
- * prose.h - text that grows in memory, for whoever writes what goes to a file or to the terminal.
+ * prose.h - text that grows in memory, for output to a file or the terminal.
  */
-#ifndef CAB_PROSE_H
-#define CAB_PROSE_H
+#ifndef COMMON_PROSE_H
+#define COMMON_PROSE_H
 
 #include <stdbool.h>
 #include <stddef.h>
