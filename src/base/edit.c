@@ -5,7 +5,7 @@
 #include "edit.h"
 #include <string.h>
 
-int edit_distance(const char *a, const char *b)
+int edit_count(const char *a, const char *b)
 {
     enum { MAX_LENGTH = 32 };
     size_t n = strlen(a), m = strlen(b);
@@ -26,7 +26,23 @@ int edit_distance(const char *a, const char *b)
                 best = d[i - 2][j - 2] + 1;
             d[i][j] = best;
         }
-    return (d[n][m] <= 1 && (n > 1 || m > 1)) || d[n][m] == 0 || (d[n][m] <= 2 && n > 3) || (d[n][m] <= 3 && n > 7)
-               ? d[n][m]
-               : EDIT_TOO_FAR;
+    return d[n][m];
+}
+
+int edit_distance(const char *a, const char *b)
+{
+    const int d = edit_count(a, b);
+    const size_t n = strlen(a);
+
+    return (d <= 1 && (n > 1 || strlen(b) > 1)) || d == 0 || (d <= 2 && n > 3) || (d <= 3 && n > 7) ? d : EDIT_TOO_FAR;
+}
+
+void edit_consider(struct edit_nearest *n, const char *candidate)
+{
+    const int distance = edit_distance(n->word, candidate);
+
+    if (distance < (n->found ? n->distance : EDIT_TOO_FAR)) {
+        n->found = candidate;
+        n->distance = distance;
+    }
 }

@@ -122,18 +122,14 @@ int32_t document_add(struct document_reader *r, int32_t parent, enum document_el
 
 enum document_element document_element_of(const char *name, const char **near)
 {
-    int best = EDIT_TOO_FAR;
+    struct edit_nearest nearest = { .word = name };
 
-    *near = "";
     for (int i = 0; i < NODE_ELEMENTS; i++) {
-        const int far = edit_distance(name, elements[i]);
-        if (far == 0)
+        edit_consider(&nearest, elements[i]);
+        if (strcmp(name, elements[i]) == 0)
             return (enum document_element)i;
-        if (far < best) {
-            best = far;
-            *near = elements[i];
-        }
     }
+    *near = nearest.found ? nearest.found : "";
     return NODE_ELEMENTS;
 }
 

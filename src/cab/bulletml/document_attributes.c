@@ -27,21 +27,16 @@ static void bad_type(struct document_reader *r, const struct document_node *node
                      const char *value)
 {
     char list[80] = "";
-    const char *near = NULL;
-    int best = EDIT_TOO_FAR;
+    struct edit_nearest near = { .word = value };
 
     for (int i = 0; i < n; i++) {
         const size_t at = strlen(list);
-        const int far = edit_distance(value, names[i]);
         snprintf(list + at, sizeof list - at, "%s%s", i == 0 ? "" : i == n - 1 ? " or " : ", ", names[i]);
-        if (far < best) {
-            best = far;
-            near = names[i];
-        }
+        edit_consider(&near, names[i]);
     }
     document_bad(r, node->line, node->column, "<%s>: type: expected %s, got \"%.40s\"%s%s%s",
-                 document_element_name(node->element), list, value, near ? " (did you mean \"" : "", near ? near : "",
-                 near ? "\"?)" : "");
+                 document_element_name(node->element), list, value, near.found ? " (did you mean \"" : "",
+                 near.found ? near.found : "", near.found ? "\"?)" : "");
 }
 
 static void read_type(struct document_reader *r, struct document_node *node, const char *value)

@@ -126,20 +126,14 @@ static void bad_label(struct document_reader *r, int32_t ref, const struct label
 {
     const struct document_node *at = &r->d->node[ref];
     const enum document_element meant = document_meant(at->element);
-    const char *near = "";
-    int best = EDIT_TOO_FAR;
+    struct edit_nearest near = { .word = at->label };
 
-    for (int i = 0; i < n; i++) {
-        const int far =
-            labels[i].node->element == meant ? edit_distance(at->label, labels[i].node->label) : EDIT_TOO_FAR;
-        if (far < best) {
-            best = far;
-            near = labels[i].node->label;
-        }
-    }
+    for (int i = 0; i < n; i++)
+        if (labels[i].node->element == meant)
+            edit_consider(&near, labels[i].node->label);
     document_bad(r, at->line, at->column, "<%s>: no <%s label=\"%s\">%s%s%s", document_element_name(at->element),
-                 document_element_name(meant), at->label, near[0] ? " (did you mean \"" : "", near,
-                 near[0] ? "\"?)" : "");
+                 document_element_name(meant), at->label, near.found ? " (did you mean \"" : "",
+                 near.found ? near.found : "", near.found ? "\"?)" : "");
 }
 
 /* The last of that label; labels are sorted, those of one name by place. */

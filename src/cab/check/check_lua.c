@@ -360,20 +360,18 @@ struct names {
 
 static void judge_name(struct check *c, const struct check_script *s, int line, struct names have, const char *name)
 {
-    const char *near = NULL, *at = have.first;
+    struct edit_nearest near = { .word = name };
+    const char *at = have.first;
     char meant[96];
-    int best = EDIT_TOO_FAR;
 
     if (!c->manifest || is_asked_for(c, name))
         return;
     for (int i = 0; i < have.n; i++, at += have.stride) {
-        int distance = edit_distance(name, at);
         if (strcmp(name, at) == 0)
             return;
-        near = distance < best ? at : near;
-        best = distance < best ? distance : best;
+        edit_consider(&near, at);
     }
-    hint(meant, name, near, NULL);
+    hint(meant, name, near.found, NULL);
     diagnostics_add(&c->found, s->path, line, "unknown %s \"%s\"%s", have.what, name, meant);
 }
 

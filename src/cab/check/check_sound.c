@@ -22,21 +22,17 @@ static void look_up(struct check *c, const char *path, const struct symbol_call 
 {
     const struct art_sound *list = music ? c->art.tunes : c->art.sounds;
     const int n = music ? c->art.n_tunes : c->art.n_sounds;
-    const char *name = call->arg[0], *near = NULL;
-    int best = 1 + (int)strlen(name) / 3;
+    const char *name = call->arg[0];
+    struct edit_nearest near = { .word = name };
 
     for (int i = 0; i < n; i++) {
-        const int far = edit_distance(name, list[i].name);
-        if (far == 0)
+        if (strcmp(name, list[i].name) == 0)
             return;
-        if (far <= best) {
-            best = far - 1;
-            near = list[i].name;
-        }
+        edit_consider(&near, list[i].name);
     }
     diagnostics_add(&c->found, path, call->line, "%s.%s: unknown %s \"%s\"%s%s%s", call->space, call->name,
-                    music ? "music" : "sound", name, near ? " (did you mean \"" : "", near ? near : "",
-                    near ? "\"?)" : "");
+                    music ? "music" : "sound", name, near.found ? " (did you mean \"" : "",
+                    near.found ? near.found : "", near.found ? "\"?)" : "");
 }
 
 void check_sounds(struct check *c)

@@ -94,17 +94,13 @@ static bool print_level(const char *name, const struct tape *t)
 
 static enum result unknown(const struct board *b, const char *name)
 {
+    struct edit_nearest near = { .word = name };
     struct board_tune t;
-    const char *near = NULL;
-    int best = EDIT_TOO_FAR;
 
     for (int i = 0; board_jukebox_get_tune(b, i, &t); i++)
-        if (edit_distance(name, t.name) < best) {
-            best = edit_distance(name, t.name);
-            near = t.name;
-        }
-    if (near)
-        return report_line(RESULT_REFUSED, "sound: no \"%s\" in this game (did you mean \"%s\"?)", name, near);
+        edit_consider(&near, t.name);
+    if (near.found)
+        return report_line(RESULT_REFUSED, "sound: no \"%s\" in this game (did you mean \"%s\"?)", name, near.found);
     return report_line(RESULT_REFUSED, "sound: no \"%s\" in this game", name);
 }
 

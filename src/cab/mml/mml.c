@@ -226,8 +226,7 @@ static void write_out(struct mml *m, uint32_t at, uint32_t end, int depth);
 static uint32_t write_macro(struct mml *m, uint32_t at, uint32_t end, int depth)
 {
     char name[MML_NAME];
-    const char *near = NULL;
-    int best = EDIT_TOO_FAR;
+    struct edit_nearest near = { .word = name };
     uint32_t p = at + 1;
 
     read_name(m, &p, end, name, "a macro name");
@@ -238,14 +237,10 @@ static uint32_t write_macro(struct mml *m, uint32_t at, uint32_t end, int depth)
             write_out(m, m->macros[i].from, m->macros[i].to, depth + 1);
             return p;
         }
-        const int d = edit_distance(name, m->macros[i].name);
-        if (d < best) {
-            best = d;
-            near = m->macros[i].name;
-        }
+        edit_consider(&near, m->macros[i].name);
     }
-    if (near)
-        mml_bad(m, at, "unknown macro \"%s\" (did you mean \"%s\"?)", name, near);
+    if (near.found)
+        mml_bad(m, at, "unknown macro \"%s\" (did you mean \"%s\"?)", name, near.found);
     mml_bad(m, at, "unknown macro \"%s\"", name);
 }
 

@@ -331,18 +331,14 @@ _Noreturn static void unknown(const struct setting *s)
                                          "vibrato",  "tremolo",   "ratio",  "depth",    "dull",     "root",
                                          "feedback", "algorithm", "op1",    "detune1",  "arpeggio", "volume",
                                          "pitch",    "pan",       "points", "harmonics" };
-    const char *near = NULL;
-    int best = EDIT_TOO_FAR;
+    struct edit_nearest near = { .word = s->key };
 
     if (strcmp(s->key, "harmonics") == 0 || strcmp(s->key, "points") == 0)
         mml_bad(s->m, s->key_at, "only wave instruments have %s", s->key);
     for (size_t k = 0; k < sizeof names / sizeof *names; k++)
-        if (edit_distance(s->key, names[k]) < best) {
-            best = edit_distance(s->key, names[k]);
-            near = names[k];
-        }
-    mml_bad(s->m, s->key_at, near ? "unknown setting \"%s\" (did you mean \"%s\"?)" : "unknown setting \"%s\"", s->key,
-            near);
+        edit_consider(&near, names[k]);
+    mml_bad(s->m, s->key_at, near.found ? "unknown setting \"%s\" (did you mean \"%s\"?)" : "unknown setting \"%s\"",
+            s->key, near.found);
 }
 
 /* One key=value. */

@@ -546,20 +546,17 @@ static void set_inst(struct reader *r)
 {
     const uint32_t from = r->p++;
     char name[MML_NAME] = "";
-    const char *near = NULL;
-    int n = 0, best = EDIT_TOO_FAR;
+    struct edit_nearest near = { .word = name };
+    int n = 0;
 
     for (; mml_name_char(peek(r)) && n < MML_NAME - 1; r->p++)
         name[n++] = peek(r);
     if (mml_find_inst(r->m, name, &r->inst))
         return;
     for (int i = 0; i < r->m->n_named; i++)
-        if (edit_distance(name, r->m->named[i].name) < best) {
-            best = edit_distance(name, r->m->named[i].name);
-            near = r->m->named[i].name;
-        }
-    if (near)
-        BAD(r, from, "unknown instrument \"%s\" (did you mean \"%s\"?)", name, near);
+        edit_consider(&near, r->m->named[i].name);
+    if (near.found)
+        BAD(r, from, "unknown instrument \"%s\" (did you mean \"%s\"?)", name, near.found);
     BAD(r, from, "unknown instrument \"%s\"", name);
 }
 
