@@ -1,5 +1,5 @@
 /*
- * int.h - minimum, maximum, absolute value and clamping of integers.
+ * int.h - minimum, maximum, absolute value and clamping of integers; the length of arrays.
  */
 #ifndef BASE_INT_H
 #define BASE_INT_H
@@ -30,6 +30,9 @@
 
 INT_FUNCTIONS(int, int)
 INT_FUNCTIONS(int64, int64_t)
+
+/* The number of items of an array. */
+#define COUNT(array) (sizeof(array) / sizeof(array)[0])
 
 /* Returns n rounded up to a multiple of 64 bytes, a cache line. */
 static inline uint64_t int_align_cache_line(uint64_t n)

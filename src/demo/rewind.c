@@ -8,9 +8,9 @@
 #include "rewind.h"
 
 #include <string.h>
+#include "../base/int.h"
 
 enum {
-    ALIGN = 64,               /* board_save is fastest at this alignment */
     BYTES_PER_KEY = 16384,    /* memory per entry of the list of key frames; snapshots are larger */
     MAX_PADS = 1 << 24,       /* frames of pads: three days */
     MIN_APART = 4,            /* frames between key frames */
@@ -27,7 +27,7 @@ struct rewind *rewind_open(void *memory, size_t size, uint32_t recent)
         r->pads_cap *= 2;
     r->key = (struct rewind_key *)(r + 1);
     r->pads = (uint16_t(*)[MAX_PLAYERS])(r->key + r->max_keys);
-    r->snapshots = (uint8_t *)(((uintptr_t)(r->pads + r->pads_cap) + ALIGN - 1) & ~(uintptr_t)(ALIGN - 1));
+    r->snapshots = (uint8_t *)(uintptr_t)int_align_cache_line((uintptr_t)(r->pads + r->pads_cap));
     return r;
 }
 
@@ -122,7 +122,7 @@ static void move_down(struct rewind *r)
 /* Enlarges the slots for snapshots of `size` bytes that may still grow by an eighth. */
 static void enlarge_slots(struct rewind *r, size_t size, uint32_t present)
 {
-    const size_t old_size = r->slot_size, new_size = (size + size / 8 + ALIGN - 1) / ALIGN * ALIGN,
+    const size_t old_size = r->slot_size, new_size = (size_t)int_align_cache_line(size + size / 8),
                  cap = (r->size - (size_t)(r->snapshots - (uint8_t *)r)) / new_size;
 
     if (cap == 0 || r->max_keys == 0)

@@ -5,14 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../base/err.h"
+#include "../base/int.h"
 #include "../machine/collision/danger.h"
 #include "../rom/compressed.h"
 #include "lib.h"
-
-static uint8_t *align_up(uint8_t *p)
-{
-    return (uint8_t *)(((uintptr_t)p + LIB_ALIGN - 1) & ~(uintptr_t)(LIB_ALIGN - 1));
-}
 
 /* ---- memory ---- */
 
@@ -26,7 +22,7 @@ static void *allocate(struct arena *p, size_t size)
 {
     uint8_t *out = p->base ? p->base + p->n : NULL;
 
-    p->n += (size + LIB_ALIGN - 1) / LIB_ALIGN * LIB_ALIGN;
+    p->n += (size_t)int_align_cache_line(size);
     return out;
 }
 
@@ -157,7 +153,7 @@ static struct curtain *refuse_memory(const struct curtain_config *config, const 
 
 struct curtain *curtain_open(const struct curtain_config *config, void *memory, size_t size, char *err, size_t err_size)
 {
-    struct curtain *c = (struct curtain *)align_up(memory);
+    struct curtain *c = (struct curtain *)(uintptr_t)int_align_cache_line((uintptr_t)memory);
     struct arena p = { (uint8_t *)c, 0 };
     size_t ram_size, need = SIZE_MAX, unpack_size, rom_size = plain_size(config, &unpack_size, err, err_size);
     const void *rom = config->rom;

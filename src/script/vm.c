@@ -5,7 +5,6 @@
  * allocated, until it completes a cycle; then it rests until heap use has grown a little.
  */
 #include "vm.h"
-#include <lualib.h>
 #include <stdio.h>
 #include <string.h>
 #include "api/api.h"
@@ -182,24 +181,6 @@ static void limit_string_size(lua_State *L)
     lua_pop(L, 1);
 }
 
-static int open_libraries(lua_State *L)
-{
-    static const luaL_Reg libs[] = { { LUA_GNAME, luaopen_base },
-                                     { LUA_TABLIBNAME, luaopen_table },
-                                     { LUA_STRLIBNAME, luaopen_string },
-                                     { LUA_MATHLIBNAME, luaopen_math },
-                                     { LUA_UTF8LIBNAME, luaopen_utf8 } };
-
-    for (size_t i = 0; i < sizeof libs / sizeof *libs; i++) {
-        luaL_requiref(L, libs[i].name, libs[i].func, 1);
-        lua_pop(L, 1);
-    }
-    lualib_open(L);
-    lua_register(L, "require", vm_require);
-    lua_register(L, "print", vm_print);
-    return 0;
-}
-
 int vm_boot(lua_State *L)
 {
     struct board *b = vm_board(L);
@@ -207,7 +188,9 @@ int vm_boot(lua_State *L)
     lua_gc(L, LUA_GCINC, 100, STEP_PERCENT, STEP_SHIFT);
     lua_gc(L, LUA_GCSTOP);
     limit_string_size(L);
-    open_libraries(L);
+    lualib_open(L);
+    lua_register(L, "require", vm_require);
+    lua_register(L, "print", vm_print);
     api_open_globals(L); /* pushes the sys table */
     int sys = lua_gettop(L);
     vm_open_scripts(L, sys);

@@ -95,6 +95,13 @@ void vm_run_library_file(lua_State *L, const char *name);
 /* Loads a script such as "stages/one" or "@std/pattern" and pushes its function. Raises a fault on failure. */
 void vm_load_script(lua_State *L, const char *name);
 
+/* Compiles the text of a script and pushes its function. Raises an error on failure. */
+void vm_load_text(lua_State *L, const char *name, const char *text, size_t size);
+
+/* The end of a function require: calls the function of a script with the arguments above it, stores its result, or true
+ * for nil, under the script's name in the table at index 2, and returns the result. */
+int vm_finish_require(lua_State *L, const char *name, int args);
+
 /* The Lua function require: runs a script of the game, such as "stages/one", once, while loading. */
 int vm_require(lua_State *L);
 

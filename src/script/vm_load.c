@@ -13,20 +13,12 @@
 /* Registry keys. modules_key: the table of require's results by script name; sys_key: the sys table. */
 static const char modules_key = 0, sys_key = 0;
 
-void vm_load_script(lua_State *L, const char *name)
+void vm_load_text(lua_State *L, const char *name, const char *text, size_t size)
 {
-    const struct cart *cart = &vm_board(L)->cart;
-    const char *text, *message;
-    size_t size;
+    const char *message;
     int line;
-    char chunk[160], converted[SCRIPT_NAME_BYTES];
+    char chunk[160];
 
-    if (!cart_find_script(cart, name, &text, &size)) {
-        if (script_normalize_name(name, converted) && cart_find_script(cart, converted, &text, &size))
-            vm_fault(L, FAULT_SCRIPT, "require: no script \"%s.lua\" in the game (did you mean require \"%s\"?)", name,
-                     converted);
-        vm_fault(L, FAULT_SCRIPT, "require: no script \"%s.lua\" in the game", name);
-    }
     if (!script_scan(text, size, &line, &message)) {
         lua_pushfstring(L, "%s.lua:%d: %s", name, line, message);
         lua_error(L);
@@ -44,6 +36,34 @@ void vm_push_registry_table(lua_State *L, const void *key)
     lua_newtable(L);
     lua_pushvalue(L, -1);
     lua_rawsetp(L, LUA_REGISTRYINDEX, key);
+}
+
+void vm_load_script(lua_State *L, const char *name)
+{
+    const struct cart *cart = &vm_board(L)->cart;
+    const char *text;
+    size_t size;
+    char converted[SCRIPT_NAME_BYTES];
+
+    if (!cart_find_script(cart, name, &text, &size)) {
+        if (script_normalize_name(name, converted) && cart_find_script(cart, converted, &text, &size))
+            vm_fault(L, FAULT_SCRIPT, "require: no script \"%s.lua\" in the game (did you mean require \"%s\"?)", name,
+                     converted);
+        vm_fault(L, FAULT_SCRIPT, "require: no script \"%s.lua\" in the game", name);
+    }
+    vm_load_text(L, name, text, size);
+}
+
+int vm_finish_require(lua_State *L, const char *name, int args)
+{
+    lua_call(L, args, 1);
+    if (lua_isnil(L, -1)) {
+        lua_pop(L, 1);
+        lua_pushboolean(L, 1);
+    }
+    lua_pushvalue(L, -1);
+    lua_setfield(L, 2, name);
+    return 1;
 }
 
 int vm_require(lua_State *L)
@@ -64,14 +84,7 @@ int vm_require(lua_State *L)
     lua_setfield(L, 2, name);
     vm_load_script(L, name);
     lua_pushvalue(L, 1);
-    lua_call(L, 1, 1);
-    if (lua_isnil(L, -1)) {
-        lua_pop(L, 1);
-        lua_pushboolean(L, 1);
-    }
-    lua_pushvalue(L, -1);
-    lua_setfield(L, 2, name);
-    return 1;
+    return vm_finish_require(L, name, 1);
 }
 
 void vm_run_library_file(lua_State *L, const char *name)

@@ -12,6 +12,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include "../base/int.h"
 
 enum {
     SAMPLE_HEADER_SIZE = 16,
@@ -54,19 +55,14 @@ struct adpcm_state {
 };
 extern const int16_t adpcm_steps[ADPCM_STEPS];
 
-static inline int32_t adpcm_clamp(int32_t v, int32_t lo, int32_t hi)
-{
-    return v < lo ? lo : v > hi ? hi : v;
-}
-
 /* Returns the decoder state that follows s after a 4-bit code. */
 static inline struct adpcm_state adpcm_next(struct adpcm_state s, int code)
 {
     static const int8_t index_steps[8] = { -1, -1, -1, -1, 2, 4, 6, 8 };
     const int32_t d = ((code & 7) * 2 + 1) * adpcm_steps[s.step_index] >> 3;
 
-    s.value = adpcm_clamp(code & 8 ? s.value - d : s.value + d, -32768, 32767);
-    s.step_index = adpcm_clamp(s.step_index + index_steps[code & 7], 0, ADPCM_STEPS - 1);
+    s.value = int_clamp(code & 8 ? s.value - d : s.value + d, -32768, 32767);
+    s.step_index = int_clamp(s.step_index + index_steps[code & 7], 0, ADPCM_STEPS - 1);
     return s;
 }
 

@@ -6,6 +6,7 @@
 #include "pitch.h"
 
 #include "../base/fx.h"
+#include "../base/int.h"
 
 /* 2^(i / 12), 2^(i / 192), 2^(i / 3072) in Q63. */
 static const uint64_t semitone_factors[12] = { 9223372036854775808u,  9771822278593156702u,  10352885068807405238u,
@@ -46,21 +47,16 @@ static uint64_t exp2_octave_fraction(uint32_t r)
     return v + fx_mul_high(v, (r & 255) * ln2_per_unit);
 }
 
-static int32_t clamp(int32_t v, int32_t lo, int32_t hi)
-{
-    return v < lo ? lo : v > hi ? hi : v;
-}
-
 uint64_t pitch_step(int32_t pitch)
 {
-    const uint32_t p = (uint32_t)clamp(pitch, 0, PITCH_MAX);
+    const uint32_t p = (uint32_t)int_clamp(pitch, 0, PITCH_MAX);
 
     return fx_mul_high(exp2_octave_fraction(p % OCTAVE), note_120_step) << 1 >> (10 - p / OCTAVE) >> 8;
 }
 
 uint64_t pitch_ratio(int32_t pitch)
 {
-    const uint32_t p = (uint32_t)(clamp(pitch, -8 * OCTAVE, 4 * OCTAVE) + 8 * OCTAVE);
+    const uint32_t p = (uint32_t)(int_clamp(pitch, -8 * OCTAVE, 4 * OCTAVE) + 8 * OCTAVE);
 
     return exp2_octave_fraction(p % OCTAVE) >> (39 - p / OCTAVE);
 }

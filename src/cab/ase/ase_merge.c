@@ -8,6 +8,7 @@
 
 #include <string.h>
 #include "../../base/err.h"
+#include "../../base/int.h"
 
 /* a * b / 255, to the nearest; a may be negative. */
 static int mul(int a, int b)
@@ -15,16 +16,6 @@ static int mul(int a, int b)
     const int t = a * b + 128;
 
     return ((t >> 8) + t) >> 8;
-}
-
-static int least(int a, int b)
-{
-    return a < b ? a : b;
-}
-
-static int most(int a, int b)
-{
-    return a > b ? a : b;
 }
 
 static int screen(int a, int b)
@@ -49,13 +40,13 @@ static int channel(enum ase_blend mode, int under, int over)
     case ASE_OVERLAY:
         return hard(over, under);
     case ASE_DARKEN:
-        return least(under, over);
+        return int_min(under, over);
     case ASE_LIGHTEN:
-        return most(under, over);
+        return int_max(under, over);
     case ASE_DODGE:
-        return under == 0 ? 0 : over == 255 ? 255 : least(255, (under * 255 + (255 - over) / 2) / (255 - over));
+        return under == 0 ? 0 : over == 255 ? 255 : int_min(255, (under * 255 + (255 - over) / 2) / (255 - over));
     case ASE_BURN:
-        return under == 255 ? 255 : over == 0 ? 0 : 255 - least(255, ((255 - under) * 255 + over / 2) / over);
+        return under == 255 ? 255 : over == 0 ? 0 : 255 - int_min(255, ((255 - under) * 255 + over / 2) / over);
     case ASE_HARD_LIGHT:
         return hard(under, over);
     case ASE_DIFFERENCE:
@@ -63,11 +54,11 @@ static int channel(enum ase_blend mode, int under, int over)
     case ASE_EXCLUSION:
         return under + over - 2 * mul(under, over);
     case ASE_ADDITION:
-        return least(255, under + over);
+        return int_min(255, under + over);
     case ASE_SUBTRACT:
-        return most(0, under - over);
+        return int_max(0, under - over);
     case ASE_DIVIDE:
-        return under == 0 ? 0 : over == 0 ? 255 : least(255, (under * 255 + over / 2) / over);
+        return under == 0 ? 0 : over == 0 ? 255 : int_min(255, (under * 255 + over / 2) / over);
     default:
         return over;
     }
@@ -132,11 +123,11 @@ static bool merge_cel(const struct ase *a, const struct ase_cel *c, uint8_t *rgb
 {
     const struct ase_layer *l = &a->layers[c->layer];
     const struct ase_image *i = &a->images[c->image];
-    const int x0 = most(0, -c->x), x1 = least(i->w, a->w - c->x);
+    const int x0 = int_max(0, -c->x), x1 = int_min(i->w, a->w - c->x);
     bool wrong = false;
     uint8_t colour[4];
 
-    for (int y = most(0, -c->y); y < least(i->h, a->h - c->y); y++)
+    for (int y = int_max(0, -c->y); y < int_min(i->h, a->h - c->y); y++)
         for (int x = x0; x < x1; x++) {
             const uint8_t *p = i->pix + ((size_t)y * (size_t)i->w + (size_t)x) * (size_t)a->depth;
             const size_t to = (size_t)(y + c->y) * (size_t)a->w + (size_t)(x + c->x);

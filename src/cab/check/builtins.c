@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../base/edit.h"
+#include "../../base/int.h"
 #include "../../script/api/api_table.h"
 #include "../../script/std.h"
 #include "../pack/pack.h"
@@ -17,8 +18,6 @@ static const char *const libraries[] = { "string", "table", "math", "utf8" };
 static const char *const others[] = { "print", "require", "forever" };
 enum { LUAS = 2 }; /* the first of them are Lua's */
 static const char *const rom_fields[] = { "title", "field", "screen" };
-
-#define COUNT(list) (sizeof(list) / sizeof(list)[0])
 
 static bool same(const char *a, const char *b)
 {

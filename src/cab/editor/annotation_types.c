@@ -7,9 +7,8 @@
 #include <ctype.h>
 #include <stdio.h>
 #include <string.h>
+#include "../../base/int.h"
 #include "../help/help_lua.h"
-
-#define COUNT(list) (sizeof(list) / sizeof(list)[0])
 
 /* By type; NULL: not one word. */
 static const char *const types[] = {

@@ -7,6 +7,7 @@
 #include "rooms.h"
 
 #include <string.h>
+#include "../../base/int.h"
 #include "../../entities/lasers.h"
 #include "../../entities/motion.h"
 
@@ -61,11 +62,6 @@ static struct inspect_gauge gauge(const struct measure *m, const char *part)
     return (struct inspect_gauge){ 0 };
 }
 
-static int64_t larger(int64_t a, int64_t b)
-{
-    return a > b ? a : b;
-}
-
 static int64_t rounded_up(int64_t n, int64_t to)
 {
     return (n + to - 1) / to * to;
@@ -76,7 +72,7 @@ static void measure_motions(const struct measure *m, struct room *r, int64_t *en
 {
     const struct inspect_gauge steps = gauge(m, "steps");
 
-    r->most = larger(r->most, rounded_up(steps.live, MOTION_STEPS_PER_PROGRAM) / MOTION_STEPS_PER_PROGRAM);
+    r->most = int64_max(r->most, rounded_up(steps.live, MOTION_STEPS_PER_PROGRAM) / MOTION_STEPS_PER_PROGRAM);
     r->refused += steps.refused;
     *enough = r->most;
 }
@@ -97,7 +93,7 @@ static void measure_room(const struct measure *m, int i, struct room *r)
         enough = r->most;
     }
     /* never 0: that leaves the part out, and its functions with it, which a script may still name */
-    const int64_t spared = rounded_up(larger(1, larger(enough, r->most + r->most / SPARE)), rooms[i].rounded);
+    const int64_t spared = rounded_up(int64_max(1, int64_max(enough, r->most + r->most / SPARE)), rooms[i].rounded);
     r->would_do = r->refused || spared > r->asked ? r->asked : spared;
 }
 

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "screen.h"
+#include "../../base/int.h"
 
 enum {
     LINE = CANVAS_LINE_H,
@@ -141,11 +142,6 @@ static int help_lines(const struct screen_place *p, int w)
     return most < HELP_LINES ? most : HELP_LINES;
 }
 
-static int at_most(int v, int most)
-{
-    return v < most ? v : most;
-}
-
 /* Where a screen is: in the middle and as large as it must be, or everywhere. */
 static struct screen_area area_of(const struct screen_place *p, const struct canvas *canvas, const char *text)
 {
@@ -156,12 +152,12 @@ static struct screen_area area_of(const struct screen_place *p, const struct can
     int wide = widest(p) + 6 * EDGE;
     if (wide < w * 2 / 3)
         wide = w * 2 / 3;
-    wide = at_most(wide, w);
+    wide = int_min(wide, w);
     const int lines = lines_of(text, wide - 2 * EDGE);
     const int help = help_lines(p, wide - 2 * EDGE);
     int high =
         TITLE + EDGE + (lines + p->screen->rows(p->of) + help) * LINE + (help ? 2 : 1) * EDGE + (lines ? EDGE : 0);
-    high = at_most(high, h);
+    high = int_min(high, h);
     return (struct screen_area){ (w - wide) / 2, (h - high) / 2, wide, high };
 }
 

@@ -53,7 +53,7 @@ static void go_on(struct search *s, int i, int from, int32_t wanted)
 {
     const struct way *w = &s->way[from];
     const int32_t far = wanted - w->at.value, size = far < 0 ? -far : far;
-    const int sign = far < 0 ? 8 : 0, near = adpcm_clamp(size * 4 / adpcm_steps[w->at.step_index], 0, 7);
+    const int sign = far < 0 ? 8 : 0, near = int_clamp(size * 4 / adpcm_steps[w->at.step_index], 0, 7);
 
     for (int k = 0; k < TRIED; k++) {
         const int n = near + k - TRIED / 2;

@@ -12,6 +12,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "../../base/int.h"
 #include "../../entities/player.h"
 
 #define MARGIN (1.0 / 64) /* px: what is computed in doubles is far nearer to the truth */
@@ -264,11 +265,6 @@ static void mark_all(struct reach *r, const struct forecast_frame *frame, fx mx,
 
 /* ---- a frame on ---- */
 
-static int clamped(int v, int most)
-{
-    return v < 0 ? 0 : v > most ? most : v;
-}
-
 /* How many whole cells v is, downwards. */
 static int cells_in(const struct reach *r, fx v)
 {
@@ -314,7 +310,7 @@ static void way_on(struct reach *r, fx mx, fx my)
     for (int y = r->y0; y <= r->y1; y++) {
         const size_t at = (size_t)y * (size_t)r->w;
         for (int dy = 0; dy <= more_y; dy++) {
-            uint8_t *to = r->to + (size_t)clamped(y + ky + dy, r->h - 1) * (size_t)r->w;
+            uint8_t *to = r->to + (size_t)int_clamp(y + ky + dy, 0, r->h - 1) * (size_t)r->w;
             for (int dx = 0; dx <= more_x; dx++)
                 row_on(r, r->from + at, r->dead + at, to, kx + dx);
         }
@@ -342,7 +338,7 @@ static void way_back(struct reach *r, uint8_t *seen, fx mx, fx my)
 
     for (int y = r->y0; y <= r->y1; y++)
         for (int dy = 0; dy <= more_y; dy++) {
-            const uint8_t *to = r->to + (size_t)clamped(y + ky + dy, r->h - 1) * (size_t)r->w;
+            const uint8_t *to = r->to + (size_t)int_clamp(y + ky + dy, 0, r->h - 1) * (size_t)r->w;
             for (int dx = 0; dx <= more_x; dx++)
                 row_back(r, seen + (size_t)y * (size_t)r->w, to, kx + dx);
         }
@@ -409,8 +405,8 @@ bool reach_open(struct reach *r, const struct forecast *f, fx cell, fx grown, fx
     r->h = (int)(((int64_t)r->area.y1 - r->area.y0) / cell) + 1;
     if (!take_room(r, f))
         return false;
-    const int cx = clamped((int)(((int64_t)x - r->area.x0) / cell), r->w - 1);
-    const int cy = clamped((int)(((int64_t)y - r->area.y0) / cell), r->h - 1);
+    const int cx = int_clamp((int)(((int64_t)x - r->area.x0) / cell), 0, r->w - 1);
+    const int cy = int_clamp((int)(((int64_t)y - r->area.y0) / cell), 0, r->h - 1);
     r->from[(size_t)cy * (size_t)r->w + (size_t)cx] = 1;
     bound(r);
     pack(r, r->from, set_of(r, 0));

@@ -7,13 +7,12 @@
  */
 #include "trial.h"
 
-#include <lualib.h>
 #include <stdio.h>
 #include <string.h>
 #include "../../base/host.h"
 #include "../../script/api/api.h"
 #include "../../script/lua/lualib.h"
-#include "../../script/script.h"
+#include "../../script/vm.h"
 #include "trial_parts.h"
 
 static const char modules_key = 0;
@@ -58,21 +57,6 @@ static int print(lua_State *L)
 
 /* ---- scripts ---- */
 
-static void load(lua_State *L, const char *name, const char *text, size_t n)
-{
-    const char *what;
-    char chunk[160];
-    int line;
-
-    snprintf(chunk, sizeof chunk, "@%s.lua", name);
-    if (!script_scan(text, n, &line, &what)) {
-        lua_pushfstring(L, "%s.lua:%d: %s", name, line, what);
-        lua_error(L);
-    }
-    if (luaL_loadbufferx(L, text, n, chunk, "t") != LUA_OK)
-        lua_error(L);
-}
-
 /* require "helpers/bot": tests/helpers/bot.lua, once. */
 static int require(lua_State *L)
 {
@@ -91,41 +75,19 @@ static int require(lua_State *L)
     lua_pushlightuserdata(L, t);
     lua_setfield(L, 2, name);
     snprintf(path, sizeof path, "tests/%s", name);
-    load(L, path, text, n);
-    lua_call(L, 0, 1);
-    if (lua_isnil(L, -1)) {
-        lua_pop(L, 1);
-        lua_pushboolean(L, 1);
-    }
-    lua_pushvalue(L, -1);
-    lua_setfield(L, 2, name);
-    return 1;
-}
-
-static void open_libraries(lua_State *L)
-{
-    static const luaL_Reg libs[] = { { LUA_GNAME, luaopen_base },
-                                     { LUA_TABLIBNAME, luaopen_table },
-                                     { LUA_STRLIBNAME, luaopen_string },
-                                     { LUA_MATHLIBNAME, luaopen_math },
-                                     { LUA_UTF8LIBNAME, luaopen_utf8 } };
-
-    for (size_t i = 0; i < sizeof libs / sizeof *libs; i++) {
-        luaL_requiref(L, libs[i].name, libs[i].func, 1);
-        lua_pop(L, 1);
-    }
-    lualib_open(L);
-    lua_register(L, "require", require);
-    lua_register(L, "print", print);
-    lua_newtable(L);
-    lua_rawsetp(L, LUA_REGISTRYINDEX, &modules_key);
+    vm_load_text(L, path, text, n);
+    return vm_finish_require(L, name, 0);
 }
 
 static int run_script(lua_State *L)
 {
     struct trial *t = trial_of(L);
 
-    open_libraries(L);
+    lualib_open(L);
+    lua_register(L, "require", require);
+    lua_register(L, "print", print);
+    lua_newtable(L);
+    lua_rawsetp(L, LUA_REGISTRYINDEX, &modules_key);
     trial_open_runs(L);
     lua_newtable(L);
     trial_set_functions(L, "test.");
@@ -135,7 +97,7 @@ static int run_script(lua_State *L)
     lua_pushcfunction(L, no_new_global);
     lualib_seal(L);
     lua_pop(L, 1);
-    load(L, t->chunk, t->text, t->text_size);
+    vm_load_text(L, t->chunk, t->text, t->text_size);
     lua_call(L, 0, 0);
     return 0;
 }

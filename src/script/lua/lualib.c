@@ -4,9 +4,11 @@
  */
 #include "lualib.h"
 
+#include <lualib.h>
 #include <stdint.h>
 #include <string.h>
 #include "luaparts.h"
+#include "../../base/int.h"
 #include "../../machine/machine.h"
 #include "../script.h"
 #include "../vm.h"
@@ -277,7 +279,17 @@ static void open_string_metatable(lua_State *L)
 
 void lualib_open(lua_State *L)
 {
+    static const luaL_Reg stock[] = { { LUA_GNAME, luaopen_base },
+                                      { LUA_TABLIBNAME, luaopen_table },
+                                      { LUA_STRLIBNAME, luaopen_string },
+                                      { LUA_MATHLIBNAME, luaopen_math },
+                                      { LUA_UTF8LIBNAME, luaopen_utf8 } };
+
     luaL_checkstack(L, 8, NULL);
+    for (size_t i = 0; i < COUNT(stock); i++) {
+        luaL_requiref(L, stock[i].name, stock[i].func, 1);
+        lua_pop(L, 1);
+    }
     open_metatables(L);
     open_base(L);
     open_string(L);

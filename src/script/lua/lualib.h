@@ -25,8 +25,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Replaces and removes library functions. Call it once, right after opening the stock base, string, table, math and
- * utf8 libraries as globals. Removes every name that lualib_retained_names does not list, including unknown globals,
+/* Opens the stock base, string, table, math and utf8 libraries as globals, and replaces and removes functions in them.
+ * Call it once, in a new state. Removes every name that lualib_retained_names does not list, including unknown globals,
  * print and require; the host provides its own print and require. */
 void lualib_open(lua_State *L);
 
