@@ -50,6 +50,7 @@ uint64_t board_ram_needed(const struct cart *cart)
         sum += slots_size(machine_parts[i].chip, capacities.slots[i], capacities.groups[i]);
     sum += int_align_cache_line((uint64_t)cart->count[CART_SPRITES] * sizeof(struct sprite));
     sum += int_align_cache_line(events_size((uint32_t)event_capacity(&cart->manifest)));
+    sum += int_align_cache_line(hit_grid_size((size_t)cart->manifest.enemies));
     sum += int_align_cache_line(fired_capacity(&cart->manifest) * sizeof(struct ml_fired_bullet));
     return sum + int_align_cache_line((uint64_t)cart->manifest.lua_kib * 1024) + RAM_ALIGN;
 }
@@ -130,6 +131,7 @@ static void set_initial_state(struct board *b)
  *   sprite_images                 a struct sprite per sprite of the  none; a restore reads the ROM
  *                                 ROM
  *   events                        events_size of event_capacity      none; there are no events between frames
+ *   hit_grid                      hit_grid_size of the enemies       none; it is rebuilt whenever it is used
  *   ml_fired                      a struct ml_fired_bullet per       none; there are none between frames
  *                                 bullet, if BulletML documents may
  *                                 run
@@ -152,6 +154,8 @@ static void lay_out(struct board *b)
     next += int_align_cache_line((uint64_t)b->cart.count[CART_SPRITES] * sizeof(struct sprite));
     events_init(&b->events, (uint32_t)event_capacity(&b->cart.manifest), next);
     next += int_align_cache_line(events_size(b->events.cap));
+    b->hit_grid = next;
+    next += int_align_cache_line(hit_grid_size((size_t)b->cart.manifest.enemies));
     b->ml_fired = (struct ml_fired_list){ 0, fired_capacity(&b->cart.manifest), (struct ml_fired_bullet *)next };
     next += int_align_cache_line(b->ml_fired.cap * sizeof(struct ml_fired_bullet));
     set_initial_state(b);

@@ -102,6 +102,7 @@ struct board {
     struct name_list names[NAME_LISTS];
     struct option_plan **option_plans; /* by ship kind, in the Lua heap; NULL: no ship has options */
     struct events events;
+    void *hit_grid; /* hit_grid_size bytes, used within hit_run */
     struct ml_fired_list ml_fired;
     struct board_counts counts;
 

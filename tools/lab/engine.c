@@ -53,6 +53,7 @@ struct board *engine_power(uint32_t bullets, uint32_t shots, uint32_t enemies)
         slots_layout(places[i].chip, places[i].self, places[i].cap, 0, &next);
     const uint32_t events = 2 * bullets + shots + 16;
     events_init(&b->events, events, room_for(events_size(events)));
+    b->hit_grid = room_for(hit_grid_size(enemies));
     b->output = room_for(sizeof *b->output);
     return b;
 }
@@ -61,6 +62,7 @@ void engine_free(struct board *b)
 {
     free(b->output);
     free(b->events.a);
+    free(b->hit_grid);
     free(b->ram);
     free(b);
 }

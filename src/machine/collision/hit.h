@@ -51,6 +51,9 @@ void hit_charge_laser(struct board *b, uint32_t i, uint32_t enemy);
 /* Returns whether laser i, in its present state, touches enemy `enemy` in this frame. */
 bool hit_laser_touches_enemy(const struct board *b, uint32_t i, uint32_t enemy);
 
+/* Returns the size in bytes of the board's hit_grid, for a pool of `enemies` slots. */
+size_t hit_grid_size(size_t enemies);
+
 /* Raises the events of this frame's hits. */
 void hit_run(struct board *b);
 

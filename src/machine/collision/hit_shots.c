@@ -7,15 +7,12 @@
  * the box around the shot's path, grown by the shot's extent and by the largest sum of extent and move of an enemy.
  */
 #include "hit_parts.h"
-#include <assert.h>
 #include <string.h>
 #include "../../base/int.h"
 #include "hit.h"
 
 enum {
-    MIN_GRID_SHOTS = 4,                    /* with fewer shots, the grid has one cell */
-    MAX_INNER_CELLS = MAX_ENEMIES * 5 / 4, /* most cells in the box around all enemies: five per four enemies */
-    MAX_CELLS = 4 * (MAX_INNER_CELLS + 3),
+    MIN_GRID_SHOTS = 4, /* with fewer shots, the grid has one cell */
     NO_ENEMY = MAX_ENEMIES,
     /* work: WORK_PER_RUN per run of cells searched and per PLACES_PER_WORK places in the run, WORK_PER_TEST and
      * WORK_PER_LONG_TEST per test of shapes */
@@ -39,9 +36,9 @@ struct grid {
     int64_t scale;            /* factor from fx to 2^-32 of a cell */
     int64_t cell_size;        /* 2^32 / scale, rounded down: the width and height of a cell */
     int64_t cols, rows;
-    uint16_t slot[MAX_ENEMIES]; /* slots of the enemies, not sorted */
-    struct enemy_position positions[MAX_ENEMIES];
-    uint16_t cell_start[MAX_CELLS + 1]; /* index of each cell's first place; at the end, the number of places */
+    struct enemy_position *positions;
+    uint16_t *slot, *cell; /* slots of the enemies, not sorted, and their cells */
+    uint16_t *cell_start;  /* index of each cell's first place; at the end, the number of places */
 };
 
 /* A search by a shot or bullet. */
@@ -68,6 +65,30 @@ static inline uint64_t sum_of_squares(int64_t dx, int64_t dy)
 
 /* ---- the grid ---- */
 
+/* Returns the most cells, including the outermost. There are at most five inner cells per four enemies. */
+static size_t cell_capacity(size_t enemies)
+{
+    return 4 * (enemies * 5 / 4 + 3);
+}
+
+size_t hit_grid_size(size_t enemies)
+{
+    return enemies
+               ? enemies * sizeof(struct enemy_position) + (2 * enemies + cell_capacity(enemies) + 1) * sizeof(uint16_t)
+               : 0;
+}
+
+static void init_grid(struct grid *g, const struct board *b)
+{
+    const size_t enemies = b->enemies.s.cap;
+
+    g->n = 0;
+    g->positions = b->hit_grid;
+    g->slot = (uint16_t *)(g->positions + enemies);
+    g->cell = g->slot + enemies;
+    g->cell_start = g->cell + enemies;
+}
+
 /* Returns the column of an x, or the row of a y, relative to the grid's corner. */
 static inline int64_t cell_of(const struct grid *g, int64_t v)
 {
@@ -91,7 +112,6 @@ static void list_enemies(struct grid *g, const struct board *b, uint8_t flags)
     int64_t reach_x = 0, reach_y = 0;
     uint32_t n = 0;
 
-    assert(e->s.top <= MAX_ENEMIES);
     for (uint32_t word = 0; word < e->s.top / 64; word++)
         for (uint64_t bits = e->s.live_bits[word]; bits; bits &= bits - 1) {
             uint32_t i = word * 64 + bits_lowest(bits);
@@ -140,7 +160,7 @@ static void set_cells(struct grid *g, uint32_t shots)
 /* Sorts the enemies into the cells, with a counting sort. */
 static void sort_into_cells(struct grid *g, const struct enemies *e)
 {
-    uint16_t cell[MAX_ENEMIES], *begin = g->cell_start;
+    uint16_t *cell = g->cell, *begin = g->cell_start;
     const size_t cells = (size_t)(g->cols * g->rows), n = g->n;
     const int64_t left = g->left, top = g->top, cols = g->cols;
     const int64_t scale = g->scale;
@@ -418,7 +438,7 @@ void hit_test_shots(struct board *b)
     struct grid g;
     bool hits_solids = hit_solid_is_possible(b) && hit_find_solids(b, &solids);
 
-    g.n = 0;
+    init_grid(&g, b);
     if ((s->live || s->held_count) && b->enemies.s.live)
         list_enemies(&g, b, 0);
     if (!g.n && !hits_solids) {
@@ -448,6 +468,7 @@ void hit_test_blocks(struct board *b)
 
     if (!any_enemy_blocks(b))
         return;
+    init_grid(&g, b);
     list_enemies(&g, b, ENEMY_BLOCKS_BULLETS);
     if (!g.n)
         return;
