@@ -57,7 +57,7 @@ void slots_layout(const struct chip *chip, void *self, uint32_t cap, uint32_t gr
     struct slots *s = self;
     uint64_t capacity = slot_capacity(chip, cap);
 
-    *s = (struct slots){ .cap = cap, .groups = groups };
+    *s = (struct slots){ .cap = cap, .groups = groups, .reserved = cap };
     if (!chip->is_list) {
         s->live_bits = carve(next, capacity / 8);
         s->gen = carve(next, capacity * 4);
@@ -73,6 +73,31 @@ void slots_layout(const struct chip *chip, void *self, uint32_t cap, uint32_t gr
             memcpy(at, &column, sizeof column);
         }
     }
+}
+
+static const uint8_t *column_at(const struct column *c, const void *self)
+{
+    const uint8_t *at;
+
+    memcpy(&at, (const uint8_t *)self + c->offset, sizeof at);
+    return at;
+}
+
+void slots_move(const struct chip *chip, void *self, uint32_t reserved, uint8_t *memory)
+{
+    struct slots *s = self;
+
+    assert(chip->is_list && s->live <= reserved);
+    for (int i = 0; i < chip->count; i++) {
+        const struct column *c = &chip->columns[i];
+        if (c->is_register || !slots_has_column(c, s->groups))
+            continue;
+        void *column = carve(&memory, value_count(c, reserved) * c->width);
+        if (s->live)
+            memcpy(column, column_at(c, self), (size_t)value_count(c, s->live) * c->width);
+        memcpy((uint8_t *)self + c->offset, &column, sizeof column);
+    }
+    s->reserved = reserved;
 }
 
 static bool raise_high_water(struct slots *s)
@@ -126,6 +151,7 @@ int32_t slots_append(struct slots *s)
         s->refused++;
         return NO_SLOT;
     }
+    assert(s->live < s->reserved);
     return (int32_t)s->live++;
 }
 
@@ -226,14 +252,6 @@ static uint64_t fold_values(uint64_t h, const struct column *c, const uint8_t *p
     for (int k = 0; k < c->n; k++)
         h = hash_fold(h, value_at(p + (size_t)k * c->width, c->width));
     return h;
-}
-
-static const uint8_t *column_at(const struct column *c, const void *self)
-{
-    const uint8_t *at;
-
-    memcpy(&at, (const uint8_t *)self + c->offset, sizeof at);
-    return at;
 }
 
 static bool is_hashed_register(const struct column *c, uint32_t groups)

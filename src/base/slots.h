@@ -114,6 +114,7 @@ struct slots {
     uint64_t *held;                /* a bit per slot below held_top */
     uint32_t held_top, held_count; /* end of `held`, number of held slots; 0 if none is held */
     uint32_t groups;               /* SLOTS_GROUP bits of the groups of columns that are present */
+    uint32_t reserved;             /* slots that the columns have space for; in a list that grows, up to `cap` */
 };
 
 /* A chip's description: its name in hashes and reports, and its columns. */
@@ -136,6 +137,10 @@ uint64_t slots_size(const struct chip *chip, uint32_t cap, uint32_t groups);
  * chip's struct. */
 void slots_layout(const struct chip *chip, void *self, uint32_t cap, uint32_t groups, uint8_t **next);
 
+/* Moves a list's columns to `memory`, slots_size(chip, reserved, groups) bytes, zeroed and aligned for int64_t. They
+ * then have space for `reserved` entries, at least as many as there are. */
+void slots_move(const struct chip *chip, void *self, uint32_t reserved, uint8_t *memory);
+
 /* Returns whether the group of this column or register is present. */
 static inline bool slots_has_column(const struct column *c, uint32_t groups)
 {
@@ -147,7 +152,8 @@ static inline bool slots_has_column(const struct column *c, uint32_t groups)
  * the whole chip have no effect on them. */
 int32_t slots_take(struct slots *s);
 
-/* Appends an entry to a list and returns its index. If the list is full, increments `refused` and returns NO_SLOT. */
+/* Appends an entry to a list and returns its index. If the list is full, increments `refused` and returns NO_SLOT. In a
+ * list that grows, the caller has made space for the entry (slots_move). */
 int32_t slots_append(struct slots *s);
 
 /* Drops the entity in slot i; the slot is free again. */

@@ -41,13 +41,19 @@ static uint32_t fired_capacity(const struct manifest *m)
     return m->bulletml_runners ? (uint32_t)m->bullets : 0;
 }
 
+/* Returns the number of slots that part i has space for before scripts run. */
+static uint32_t initial_slots(const struct part_capacities *capacities, int i)
+{
+    return machine_parts[i].grows ? 0 : capacities->slots[i];
+}
+
 uint64_t board_ram_needed(const struct cart *cart)
 {
     const struct part_capacities capacities = parts_capacities(&cart->manifest);
     uint64_t sum = int_align_cache_line(sizeof(struct board)) + int_align_cache_line(sizeof(struct output));
 
     for (int i = 0; i < PART_COUNT; i++)
-        sum += slots_size(machine_parts[i].chip, capacities.slots[i], capacities.groups[i]);
+        sum += slots_size(machine_parts[i].chip, initial_slots(&capacities, i), capacities.groups[i]);
     sum += int_align_cache_line((uint64_t)cart->count[CART_SPRITES] * sizeof(struct sprite));
     sum += int_align_cache_line(events_size((uint32_t)event_capacity(&cart->manifest)));
     sum += int_align_cache_line(hit_grid_size((size_t)cart->manifest.enemies));
@@ -112,8 +118,6 @@ static void set_initial_state(struct board *b)
         pal_set(&b->pal, i, (uint32_t)rgb[0] << 16 | (uint32_t)rgb[1] << 8 | rgb[2]);
     bg_clear(&b->bg, &b->bg_lines);
     tasks_init(&b->tasks);
-    b->bullets.kind_counts = b->bullet_kinds.live_count;
-    b->shots.kind_counts = b->shot_kinds.live_count;
     if (b->voices.s.cap)
         sound_reset(b);
 }
@@ -126,8 +130,8 @@ static void set_initial_state(struct board *b)
  *   block                         bytes                              snapshot
  *   struct board                  sizeof                             whole
  *   struct output                 sizeof                             none; a restore clears it
- *   columns of each part, in the  slots_size of its chip and slots   of pools, the slots below top and high; of lists,
- *   order of PART_LIST                                               the live entries (slots.h)
+ *   columns of each part, in the  slots_size of its chip and slots,  of pools, the slots below top and high; of lists,
+ *   order of PART_LIST            0 if it grows in Lua's heap        the live entries (slots.h)
  *   sprite_images                 a struct sprite per sprite of the  none; a restore reads the ROM
  *                                 ROM
  *   events                        events_size of event_capacity      none; there are no events between frames
@@ -146,7 +150,8 @@ static void lay_out(struct board *b)
     next += int_align_cache_line(sizeof *b->output);
     for (int i = 0; i < PART_COUNT; i++) {
         uint8_t *first = next;
-        slots_layout(machine_parts[i].chip, part_of(b, i), capacities.slots[i], capacities.groups[i], &next);
+        slots_layout(machine_parts[i].chip, part_of(b, i), initial_slots(&capacities, i), capacities.groups[i], &next);
+        ((struct slots *)part_of(b, i))->cap = capacities.slots[i];
         if (machine_parts[i].chip->is_list && machine_parts[i].chip != &nvram_chip)
             memset(first, 0, (size_t)(next - first));
     }
@@ -602,7 +607,7 @@ size_t board_snapshot_size(const struct board *b)
     size_t n = (size_t)(int_align_cache_line(sizeof *b) + int_align_cache_line(heap_save(b->vm.heap, NULL)));
 
     for (int i = 0; i < PART_COUNT; i++)
-        n += slots_save(machine_parts[i].chip, part_of(b, i), NULL);
+        n += machine_parts[i].grows ? 0 : slots_save(machine_parts[i].chip, part_of(b, i), NULL);
     return n;
 }
 
@@ -614,7 +619,7 @@ void board_save(const struct board *b, void *buf)
     p += int_align_cache_line(sizeof *b);
     p += int_align_cache_line(heap_save(b->vm.heap, p));
     for (int i = 0; i < PART_COUNT; i++)
-        p += slots_save(machine_parts[i].chip, part_of(b, i), p);
+        p += machine_parts[i].grows ? 0 : slots_save(machine_parts[i].chip, part_of(b, i), p);
 }
 
 /* RAM may hold anything at this point, so only bytes already copied back are read. */
@@ -626,7 +631,7 @@ void board_restore(struct board *b, const void *buf)
     p += int_align_cache_line(sizeof *b);
     p += int_align_cache_line(heap_restore(b->vm.heap, p));
     for (int i = 0; i < PART_COUNT; i++)
-        p += slots_restore(machine_parts[i].chip, part_of(b, i), p);
+        p += machine_parts[i].grows ? 0 : slots_restore(machine_parts[i].chip, part_of(b, i), p);
     for (int i = 0; i < b->cart.count[CART_SPRITES]; i++)
         cart_sprite(&b->cart, i, &b->sprite_images[i]);
     memset(b->output, 0, sizeof *b->output);

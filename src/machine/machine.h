@@ -155,6 +155,7 @@ struct board {
 struct part {
     const struct chip *chip;
     size_t offset, size; /* offset and size, in bytes */
+    bool grows;          /* a list that scripts add to: its columns are in the Lua heap (vm_reserve) */
 };
 enum {
     PART_COUNT = 42,

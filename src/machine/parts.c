@@ -58,31 +58,31 @@ static uint32_t laser_groups(const struct manifest *m)
 }
 
 /* The parts, in the order of struct board, RAM, hashes and demos. Each line gives the chip, the member of struct board,
- * the number of slots and the column groups, computed from manifest m. */
-#define PART_LIST(PART)                                                                                                \
+ * the number of slots and the column groups, computed from manifest m. GROWS: a list that grows up to that number. */
+#define PART_LIST(PART, GROWS)                                                                                         \
     PART(script_chip, script, 0, 0)                                                                                    \
     PART(core_chip, core, 0, 0)                                                                                        \
     PART(input_chip, input, MAX_PLAYERS, 0)                                                                            \
     PART(tasks_chip, tasks, m->tasks, 0)                                                                               \
     PART(bullets_chip, bullets, m->bullets, bullet_groups(m))                                                          \
-    PART(bullet_kinds_chip, bullet_kinds, m->bullets ? MAX_KINDS : 0, bullet_groups(m))                                \
+    GROWS(bullet_kinds_chip, bullet_kinds, m->bullets ? MAX_KINDS : 0, bullet_groups(m))                               \
     PART(shots_chip, shots, m->shots, shot_groups(m))                                                                  \
-    PART(shot_kinds_chip, shot_kinds, m->shots ? MAX_KINDS : 0, shot_groups(m))                                        \
+    GROWS(shot_kinds_chip, shot_kinds, m->shots ? MAX_KINDS : 0, shot_groups(m))                                       \
     PART(enemies_chip, enemies, m->enemies, enemy_groups(m))                                                           \
-    PART(enemy_kinds_chip, enemy_kinds, m->enemies ? MAX_KINDS : 0, enemy_groups(m))                                   \
+    GROWS(enemy_kinds_chip, enemy_kinds, m->enemies ? MAX_KINDS : 0, enemy_groups(m))                                  \
     PART(player_chip, player, MAX_PLAYERS, 0)                                                                          \
-    PART(player_kinds_chip, player_kinds, MAX_PLAYER_KINDS, m->items ? SLOTS_GROUP(GROUP_ITEMS) : 0)                   \
-    PART(motions_chip, motions, m->motions, 0)                                                                         \
-    PART(steps_chip, steps, MOTION_STEPS_PER_PROGRAM * m->motions, 0)                                                  \
+    GROWS(player_kinds_chip, player_kinds, MAX_PLAYER_KINDS, m->items ? SLOTS_GROUP(GROUP_ITEMS) : 0)                  \
+    GROWS(motions_chip, motions, m->motions, 0)                                                                        \
+    GROWS(steps_chip, steps, MOTION_STEPS_PER_PROGRAM * m->motions, 0)                                                 \
     PART(sprites_chip, sprites, m->sprites, 0)                                                                         \
     PART(fix_chip, fix, m->screen_w / FIX_CELL_SIZE * (m->screen_h / FIX_CELL_SIZE),                                   \
          m->has_wide_text ? SLOTS_GROUP(FIX_GROUP_WIDE) : 0)                                                           \
     PART(pal_chip, pal, COLOURS, 0)                                                                                    \
     PART(nvram_chip, nvram, m->nvram_kib * 1024, 0)                                                                    \
     PART(sparks_chip, sparks, m->sparks, 0)                                                                            \
-    PART(spark_kinds_chip, spark_kinds, m->sparks ? MAX_KINDS : 0, 0)                                                  \
+    GROWS(spark_kinds_chip, spark_kinds, m->sparks ? MAX_KINDS : 0, 0)                                                 \
     PART(items_chip, items, m->items, m->has_freeze ? SLOTS_GROUP(GROUP_FROZEN) : 0)                                   \
-    PART(item_kinds_chip, item_kinds, m->items ? MAX_ITEM_KINDS : 0, 0)                                                \
+    GROWS(item_kinds_chip, item_kinds, m->items ? MAX_ITEM_KINDS : 0, 0)                                               \
     PART(lines_chip, lines, m->lines, 0)                                                                               \
     PART(bg_chip, bg, m->has_backgrounds ? BG_SLOTS : 0, 0)                                                            \
     PART(bg_lines_chip, bg_lines, m->has_backgrounds ? BG_LAYERS * m->field_h : 0, 0)                                  \
@@ -90,12 +90,12 @@ static uint32_t laser_groups(const struct manifest *m)
     PART(screen_chip, screen, 0, 0)                                                                                    \
     PART(lasers_chip, lasers, m->lasers, 0)                                                                            \
     PART(laser_heads_chip, laser_heads, m->lasers, laser_groups(m))                                                    \
-    PART(laser_kinds_chip, laser_kinds, m->lasers ? MAX_LASER_KINDS : 0, 0)                                            \
+    GROWS(laser_kinds_chip, laser_kinds, m->lasers ? MAX_LASER_KINDS : 0, 0)                                           \
     PART(laser_points_chip, laser_points,                                                                              \
          m->lasers ? (m->curve_points + LASER_CHUNK_POINTS - 1) / LASER_CHUNK_POINTS : 0, 0)                           \
     PART(registers_chip, registers, m->registers, 0)                                                                   \
     PART(options_chip, options, m->options, 0)                                                                         \
-    PART(option_kinds_chip, option_kinds, m->options ? MAX_OPTION_KINDS : 0, 0)                                        \
+    GROWS(option_kinds_chip, option_kinds, m->options ? MAX_OPTION_KINDS : 0, 0)                                       \
     PART(option_paths_chip, option_paths, m->options ? MAX_PLAYERS : 0, 0)                                             \
     PART(seq_chip, music, m->has_sound ? SEQ_SLOTS : 0, 0)                                                             \
     PART(cues_chip, cues, m->has_sound ? CUE_SLOTS : 0, 0)                                                             \
@@ -105,17 +105,19 @@ static uint32_t laser_groups(const struct manifest *m)
     PART(ml_frames_chip, ml_frames, ML_FRAMES_PER_RUNNER * m->bulletml_runners, 0)                                     \
     PART(ml_params_chip, ml_params, m->bulletml_runners, 0)
 
-#define AS_PART(chip, name, slots, groups)     { &chip, offsetof(struct board, name), sizeof((struct board *)0)->name },
+#define AS_PART(chip, name, slots, groups) { &chip, offsetof(struct board, name), sizeof((struct board *)0)->name, 0 },
+#define AS_GROWING(chip, name, slots, groups)                                                                          \
+    { &chip, offsetof(struct board, name), sizeof((struct board *)0)->name, 1 },
 #define AS_CAPACITY(chip, name, slots, groups) (uint32_t)(slots),
 #define AS_GROUPS(chip, name, slots, groups)   (uint32_t)(groups),
 #define AS_ONE(chip, name, slots, groups)      +1
 
-const struct part machine_parts[PART_COUNT] = { PART_LIST(AS_PART) };
-_Static_assert(PART_LIST(AS_ONE) == PART_COUNT, "PART_LIST must have PART_COUNT lines");
+const struct part machine_parts[PART_COUNT] = { PART_LIST(AS_PART, AS_GROWING) };
+_Static_assert(PART_LIST(AS_ONE, AS_ONE) == PART_COUNT, "PART_LIST must have PART_COUNT lines");
 
 struct part_capacities parts_capacities(const struct manifest *m)
 {
-    return (struct part_capacities){ { PART_LIST(AS_CAPACITY) }, { PART_LIST(AS_GROUPS) } };
+    return (struct part_capacities){ { PART_LIST(AS_CAPACITY, AS_CAPACITY) }, { PART_LIST(AS_GROUPS, AS_GROUPS) } };
 }
 
 const struct slots *part_find(const struct board *b, const char *name)

@@ -12,6 +12,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 #include "../base/heap.h"
+#include "../base/slots.h"
 #include "../machine/vm_state.h"
 
 /* Opens a Lua state and makes the given block its heap. Returns false if the block is too small for the state
@@ -101,6 +102,12 @@ void vm_load_text(lua_State *L, const char *name, const char *text, size_t size)
 /* The end of a function require: calls the function of a script with the arguments above it, stores its result, or true
  * for nil, under the script's name in the table at index 2, and returns the result. */
 int vm_finish_require(lua_State *L, const char *name, int args);
+
+/* Makes space for n more entries of a growing list (struct part): moves its columns to larger memory in the Lua heap
+ * if needed. Reserves no more than the list's capacity. Raises a Lua error if out of memory. Call it after everything
+ * that may run Lua code, such as reading a table's fields, because that code may declare kinds too. */
+enum { MAX_KIND_ROWS = 16 /* most entries that the declaration of a kind adds to its list */ };
+void vm_reserve(lua_State *L, struct slots *list, uint32_t n);
 
 /* The Lua function require: runs a script of the game, such as "stages/one", once, while loading. */
 int vm_require(lua_State *L);

@@ -40,6 +40,7 @@ static inline void open_pools(struct rig *r, struct rig_game *game, int bullets,
     m.has_hp = hp;
     rig_script(game, &m, "");
     rig_power(r, game, NULL);
+    rig_reserve_kinds(r->b);
 }
 
 /* Makes row k of some kinds a shape that is not plain, `most` far at most; several circles: and the rows after it, up

@@ -397,6 +397,23 @@ static inline void rig_power_any(struct rig *r, const struct rig_game *g, const 
     r->scratch = malloc(board_scratch_size(r->b));
 }
 
+/* Reserves space for all kinds, for tests that write their columns. */
+static inline void rig_reserve_kinds(struct board *b)
+{
+    struct slots *lists[] = { &b->bullet_kinds.s, &b->shot_kinds.s, &b->enemy_kinds.s, &b->player_kinds.s };
+
+    for (int i = 0; i < 4; i++)
+        vm_reserve(b->vm.L, lists[i], lists[i]->cap);
+}
+
+/* Like motion_define, which leaves it to its caller to reserve space. */
+static inline int32_t rig_motion(struct board *b, const struct motion_step *steps, uint32_t n, bool is_fine)
+{
+    vm_reserve(b->vm.L, &b->motions.s, 1);
+    vm_reserve(b->vm.L, &b->steps.s, n);
+    return motion_define(&b->motions, &b->steps, steps, n, is_fine);
+}
+
 static inline const struct board_fault *rig_fault(const struct rig *r)
 {
     return board_last_output(r->b)->fault;

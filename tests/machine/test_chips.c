@@ -473,6 +473,7 @@ static void test_enemies(void **state)
     (void)state;
     rig_script(&g, NULL, "");
     rig_power(&r, &g, NULL);
+    rig_reserve_kinds(r.b);
     struct board *b = r.b;
     b->enemy_kinds.s.live = 1;
     b->enemy_kinds.hp[0] = 7;
@@ -595,6 +596,7 @@ static void test_enemy_ways(void **state)
     (void)state;
     rig_script(&g, NULL, "");
     rig_power(&r, &g, NULL);
+    rig_reserve_kinds(r.b);
     struct enemies *e = &r.b->enemies;
     r.b->enemy_kinds.s.live = 1;
     uint32_t i = (uint32_t)enemies_spawn(e, &r.b->enemy_kinds, 0, 0, 0, 0);

@@ -63,8 +63,8 @@ static void define(bool fine[PROGRAMS + 1])
         } else if (below(3) == 0)
             steps[n++] = (struct motion_step){ .actions = DOES_DIE };
         fine[p + 1] = below(4) == 0;
-        motion_define(&at_once.b->motions, &at_once.b->steps, steps, n, fine[p + 1]);
-        assert_int_equal(motion_define(&singly.b->motions, &singly.b->steps, steps, n, fine[p + 1]), p);
+        rig_motion(at_once.b, steps, n, fine[p + 1]);
+        assert_int_equal(rig_motion(singly.b, steps, n, fine[p + 1]), p);
     }
 }
 

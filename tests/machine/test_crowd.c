@@ -240,6 +240,7 @@ static void test_pictures(void **state)
         struct rig r;
         random_game(&game);
         rig_power(&r, &game, &start);
+        rig_reserve_kinds(r.b);
         for (int scene = 0; scene < 8; scene++) {
             struct bullets *s = scene % 2 ? &r.b->shots : &r.b->bullets;
             struct bullet_kinds *k = scene % 2 ? &r.b->shot_kinds : &r.b->bullet_kinds;
@@ -268,6 +269,7 @@ static void test_edges(void **state)
         struct rig r;
         random_game(&game);
         rig_power(&r, &game, &start);
+        rig_reserve_kinds(r.b);
         struct bullets *s = &r.b->bullets;
         struct bullet_kinds *k = &r.b->bullet_kinds;
         const struct manifest *m = &r.b->cart.manifest;

@@ -94,7 +94,7 @@ static void set_off(const struct motion_step *step, int64_t pace, ang dir)
         bullets_drop(&b->bullets, 0);
     b->motions.s.live = 0;
     b->steps.s.live = 0;
-    s.motion = (uint16_t)(motion_define(&b->motions, &b->steps, step, 1, true) + 1);
+    s.motion = (uint16_t)(rig_motion(b, step, 1, true) + 1);
     assert_int_equal(bullets_fire(&b->bullets, &s, 0), 0);
     bullets_set_speed(&b->bullets, 0, pace);
 }

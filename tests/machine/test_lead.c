@@ -115,7 +115,7 @@ static void lead(const struct motion_step *p, const struct start *a, uint32_t n,
     if (b->s.live)
         bullets_drop(b, 0);
     rig.b->motions.s.live = rig.b->steps.s.live = 0;
-    s.motion = (uint16_t)(motion_define(&rig.b->motions, &rig.b->steps, p, 1, false) + 1);
+    s.motion = (uint16_t)(rig_motion(rig.b, p, 1, false) + 1);
     w.clock = 77;
     assert_int_equal(bullets_fire(b, &s, w.clock), 0);
     for (uint32_t k = 1; k <= n; k++) {
@@ -227,7 +227,7 @@ static void test_bounces(void **state)
         if (b->s.live)
             bullets_drop(b, 0);
         rig.b->motions.s.live = rig.b->steps.s.live = 0;
-        s.motion = (uint16_t)(motion_define(&rig.b->motions, &rig.b->steps, steps, 3, false) + 1);
+        s.motion = (uint16_t)(rig_motion(rig.b, steps, 3, false) + 1);
         assert_int_equal(bullets_fire(b, &s, 0), 0);
         fx vx = b->vx[0], vy = b->vy[0];
         for (uint32_t k = 1; k < 300; k++) {

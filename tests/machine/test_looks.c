@@ -320,12 +320,38 @@ static void test_state(void **state)
     close_it();
 }
 
+/* Reading the tables of a kind may run functions that declare kinds too, so that the list of kinds moves meanwhile. */
+static void test_nested(void **state)
+{
+    (void)state;
+    open_with("local n = 0\n"
+              "local function more(count, make)\n"
+              "  return setmetatable({}, { __index = function()\n"
+              "    for _ = 1, count do n = n + 1 make('nested' .. n) end\n"
+              "  end })\n"
+              "end\n"
+              "enemy.def('outer', { sprite = 'wink', hit = { circle = 7 }, hp = 5, pictures = more(60, function(name)\n"
+              "  enemy.def(name, { sprite = 'dot', hit = { circle = 3 }, hp = 1 }) end) })\n"
+              "player.def('ship', { sprite = 'wink', hit = { circle = 3 }, pictures = more(9, function(name)\n"
+              "  player.def(name, { sprite = 'dot', hit = { circle = 2 } }) end) })\n");
+    assert_null(board_last_output(r.b)->fault);
+    const struct enemy_kinds *k = &r.b->enemy_kinds;
+    assert_true(k->s.live > 60);
+    const uint32_t last = k->s.live - 1;
+    assert_int_equal(k->shape[last], SHAPE_CIRCLE);
+    assert_int_equal(k->a[last], 7 * FX_ONE);
+    assert_int_equal(k->hp[last], 5);
+    assert_int_equal(k->a[last - 2], 3 * FX_ONE); /* before the row of the picture `hurt` */
+    assert_int_equal(r.b->player_kinds.radius[r.b->player_kinds.s.live - 1], 3 * FX_ONE);
+    close_it();
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_sparks),  cmocka_unit_test(test_pictures), cmocka_unit_test(test_blink),
         cmocka_unit_test(test_banking), cmocka_unit_test(test_first),    cmocka_unit_test(test_rows),
-        cmocka_unit_test(test_errors),  cmocka_unit_test(test_state),
+        cmocka_unit_test(test_errors),  cmocka_unit_test(test_state),    cmocka_unit_test(test_nested),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -194,6 +194,7 @@ static void test_random(void **state)
     m.bullets_can_meet = 1;
     rig_script(&g, &m, "");
     rig_power(&r, &g, NULL);
+    rig_reserve_kinds(r.b);
     rng_seed(&rng, 5);
     for (int i = 0; i < n; i++) {
         fx span = (fx)(1 + (rng_below(&rng, (uint64_t)edge) >> rng_below(&rng, 22)));

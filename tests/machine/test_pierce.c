@@ -193,6 +193,7 @@ static void test_random(void **state)
     m.has_hp = m.has_pierce = 1;
     rig_script(&g, &m, "");
     rig_power(&r, &g, NULL);
+    rig_reserve_kinds(r.b);
     for (int i = 0; i < n; i++)
         scene(r.b, i);
     if (through < n || kept_out < n / 4 || stopped < n / 4 || full < n / 20)

@@ -11,8 +11,8 @@
 
 #define BOARD(name) offsetof(struct manifest, name)
 
-/* Sprites, tasks and nvram are not here: the library's screens use them too. Nor is what rom.lua asks for by pictures
- * and sounds. */
+/* Sprites, tasks and nvram are not here: the library's screens use them too. Nor are motions, which take no RAM until a
+ * script declares one, and what rom.lua asks for by pictures and sounds. */
 static const struct room {
     const char *path[3]; /* in rom.lua */
     size_t at;           /* of the manifest's int32_t */
@@ -22,7 +22,6 @@ static const struct room {
     { { "board", "shots" }, BOARD(shots), "shot" },
     { { "board", "enemies" }, BOARD(enemies), "enemy" },
     { { "board", "sparks" }, BOARD(sparks), "spark" },
-    { { "board", "motions" }, BOARD(motions), "motion" },
     { { "board", "items" }, BOARD(items), "item" },
     { { "board", "lines" }, BOARD(lines), "line look" },
     { { "board", "lasers" }, BOARD(lasers), "laser" },

@@ -99,13 +99,13 @@ static int define_kind(lua_State *L, struct bullet_kinds *k, enum name_kind name
                        struct api_value *v)
 {
     const struct api_shape shape = api_read_hit_shape(L, entry, v[D_HIT].at, HIT_BULLETS);
-    const struct shape_columns columns = { k->shape, k->a, k->b, k->x, k->y };
 
     if (v[D_SPIN].a && vm_board(L)->sprite_images[v[D_SPRITE].i].rotations == 1)
         api_error(L, entry, "spin: sprite \"%s\" has no rotations (add `rotations` to it in rom.lua)",
                   lua_tostring(L, v[D_SPRITE].at));
+    vm_reserve(L, &k->s, MAX_KIND_ROWS);
+    const struct shape_columns columns = { k->shape, k->a, k->b, k->x, k->y };
     int32_t i = api_declare_kind(L, entry, &k->s, &columns, &shape);
-
     api_names_declare(L, names, entry, lua_tostring(L, v[D_NAME].at), i);
     k->sprite[i] = (uint16_t)v[D_SPRITE].i;
     k->bank[i] = (uint8_t)v[D_BANK].i;
@@ -140,6 +140,7 @@ static void define_hp(lua_State *L, struct board *b, int i, const struct api_val
 
 static int bullet_define(lua_State *L, struct board *b, struct api_value *v)
 {
+    vm_reserve(L, &b->bullet_kinds.s, MAX_KIND_ROWS);
     if (v[D_CLOUD].given)
         declare_cloud(L, &b->bullet_kinds);
     int i = define_kind(L, &b->bullet_kinds, N_BULLET, "bullet.def", v);

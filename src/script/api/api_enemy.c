@@ -78,13 +78,13 @@ static void define_body(lua_State *L, struct enemy_kinds *k, int32_t i, const st
 static int enemy_def(lua_State *L, struct board *b, struct api_value *v)
 {
     struct enemy_kinds *k = &b->enemy_kinds;
-
     const struct api_shape shape = api_read_hit_shape(L, "enemy.def", v[D_HIT].at, HIT_ENEMIES);
-    const struct shape_columns columns = { k->shape, k->a, k->b, k->x, k->y };
     struct api_pictures pictures;
 
     api_pictures_read(L, "enemy.def", &v[D_PICTURES], (uint16_t)v[D_SPRITE].i, first_picture_names, ENEMY_MAX_PICTURES,
                       &pictures);
+    vm_reserve(L, &k->s, MAX_KIND_ROWS);
+    const struct shape_columns columns = { k->shape, k->a, k->b, k->x, k->y };
     api_pictures_append_rows(L, "enemy.def", &k->s, k->sprite, &pictures);
     int32_t i = api_declare_kind(L, "enemy.def", &k->s, &columns, &shape);
     api_names_declare(L, N_ENEMY, "enemy.def", lua_tostring(L, v[D_NAME].at), i);

@@ -196,8 +196,8 @@ int32_t api_declare_kind(lua_State *L, const char *entry, struct slots *kinds, c
 int32_t api_append_kind(lua_State *L, const char *entry, struct slots *kinds, enum name_kind names,
                         const struct api_value *name)
 {
+    vm_reserve(L, kinds, 1);
     const int32_t i = slots_append(kinds);
-
     if (i == NO_SLOT)
         api_error(L, entry, "too many kinds (at most %d)", (int)kinds->cap);
     api_names_declare(L, names, entry, lua_tostring(L, name->at), i);

@@ -587,6 +587,8 @@ static int motion_def(lua_State *L, struct board *b, struct api_value *v)
         api_error(L, def_entry, "expected at least one step");
     if (read_steps(L, &r, 1, 0, &is_timed) > MAX_ROUNDS)
         api_error(L, def_entry, "too many steps in one frame");
+    vm_reserve(L, &b->motions.s, 1);
+    vm_reserve(L, &b->steps.s, r.n);
     uint32_t refused_before = b->steps.s.refused; /* to find out which pool was full */
     int32_t m = motion_define(&b->motions, &b->steps, r.steps, r.n, r.is_fine);
     if (m == NO_SLOT)

@@ -103,13 +103,13 @@ static void define_item_attraction(lua_State *L, struct board *b, int32_t kind, 
 static int player_def(lua_State *L, struct board *b, struct api_value *v)
 {
     struct player_kinds *k = &b->player_kinds;
-
     fx r = api_read_hit_shape(L, "player.def", v[D_HIT].at, HIT_PLAYERS).row[0].a;
     struct api_pictures pictures;
-    uint32_t row = k->s.live;
 
     api_pictures_read(L, "player.def", &v[D_PICTURES], (uint16_t)v[D_SPRITE].i, first_picture_names,
                       PLAYER_MAX_PICTURES, &pictures);
+    vm_reserve(L, &k->s, MAX_KIND_ROWS);
+    uint32_t row = k->s.live;
     api_pictures_append_rows(L, "player.def", &k->s, k->sprite, &pictures);
     for (; row < k->s.live; row++)
         k->radius[row] = PICTURE_ROW_RADIUS;
@@ -122,8 +122,10 @@ static int player_def(lua_State *L, struct board *b, struct api_value *v)
     k->lives[i] = (int32_t)v[D_LIVES].i;
     k->safe_frames[i] = (uint32_t)v[D_SAFE].i;
     k->first_register[i] = (uint16_t)b->registers.s.live;
-    if (v[D_REGISTERS].given)
-        k->n_registers[i] = (uint8_t)api_registers_define(L, "player.def", i, v[D_REGISTERS].at);
+    if (v[D_REGISTERS].given) {
+        const int n = api_registers_define(L, "player.def", i, v[D_REGISTERS].at);
+        k->n_registers[i] = (uint8_t)n;
+    }
     define_item_attraction(L, b, i, v);
     k->bomb[i] = api_find_bomb(L, "bomb", i, &v[D_BOMB]);
     k->bomb_focus[i] = api_find_bomb(L, "bomb_focus", i, &v[D_BOMB_FOCUS]);

@@ -333,8 +333,9 @@ static void define_banks(lua_State *L, struct spark_kinds *k, int32_t i, int at,
 static int spark_define(lua_State *L, struct board *b, struct api_value *v)
 {
     struct spark_kinds *k = &b->spark_kinds;
-    int32_t i = slots_append(&k->s);
 
+    vm_reserve(L, &k->s, MAX_KIND_ROWS);
+    int32_t i = slots_append(&k->s);
     if (i == NO_SLOT)
         return api_error(L, "spark.def", no_free_kind, MAX_KINDS);
     if (v[D_BANKS].given && v[D_BANK].given)
