@@ -19,20 +19,26 @@
 #include "../script/vm.h"
 #include "../base/host.h"
 
-enum { RAM_ALIGN = 64 /* as int_align_cache_line */ };
+enum {
+    RAM_ALIGN = 64,     /* as int_align_cache_line */
+    SCRIPT_EVENTS = 256 /* events that scripts may raise in a frame, besides those of entities */
+};
 #ifndef MAX_RAM /* bytes; tests lower it */
 #define MAX_RAM (1ull << 30)
 #endif
 
-/* Returns the most events a frame may raise. A bullet may graze or hit both players, be blocked and, if bullets can
+/* Returns the most events a frame may raise. A bullet may graze or hit each player, be blocked and, if bullets can
  * meet, meet another one. A shot hits one entity or, if shots can pierce, up to MAX_PIERCED_TARGETS. An enemy may touch
- * players, die and leave the field. An item is taken once and may give lives. A laser may graze or hit both players, or
- * hit enemies. A BulletML document may raise an event for each bullet it fires. */
+ * each player, die and leave the field. An item is taken once and may give lives. A laser may graze or hit both
+ * players, or hit enemies. A BulletML document may raise an event for each bullet it fires. */
 static uint64_t event_capacity(const struct manifest *m)
 {
-    return (m->bullets_can_meet ? 4 : 3) * (uint64_t)m->bullets +
-           (m->has_pierce ? MAX_PIERCED_TARGETS : 1) * (uint64_t)m->shots + 8 * (uint64_t)m->enemies +
-           2 * (uint64_t)m->items + 2 * (uint64_t)m->lasers + (m->bulletml_runners ? (uint64_t)m->bullets : 0) + 1024;
+    const uint64_t players = (uint64_t)m->players;
+
+    return (players + (m->enemies > 0) + (m->bullets_can_meet != 0)) * (uint64_t)m->bullets +
+           (m->has_pierce ? MAX_PIERCED_TARGETS : 1) * (uint64_t)m->shots + (players + 2) * (uint64_t)m->enemies +
+           2 * (uint64_t)m->items + 2 * (uint64_t)m->lasers + (m->bulletml_runners ? (uint64_t)m->bullets : 0) +
+           SCRIPT_EVENTS;
 }
 
 /* Returns the most bullets that BulletML documents may fire in a frame. */

@@ -78,7 +78,7 @@ enemy.def("e", { sprite = "dot", hit = { box = { 4, 4 } } })
 on.leave(function(e) while true do end end)
 task.go(function() wait(1) enemy.spawn { kind = "e", x = -500, y = 0 } end)
 LUA
-bomb 'handlers that raise their own event' 'main.lua:2: too many events in one frame (at most 2592)' <<'LUA'
+bomb 'handlers that raise their own event' 'main.lua:2: too many events in one frame (at most 1696)' <<'LUA'
 enemy.def("e", { sprite = "dot", hit = { box = { 4, 4 } } })
 on.kill(function(e) enemy.spawn { kind = "e", x = 9, y = 9 }:kill() end)
 task.go(function() wait(1) enemy.spawn { kind = "e", x = 9, y = 9 }:kill() end)
