@@ -176,12 +176,12 @@ void snd_tables_make(struct snd_tables *t)
     for (uint32_t i = 0; i <= 256; i++)
         t->pan[i] = (int16_t)((int64_t)trig_sin30((ang)i << 22) * 32767 >> 30);
     make_waves(t);
-    for (int i = 0; i <= SINC_PHASES; i++)
+    for (int i = 0; i < FEEDBACK_ROWS; i++)
+        make_feedback(t, i);
+    for (int i = 0; i <= SINC_PHASES; i++) /* overwrites sine30 */
         make_sinc(t->sinc[i], i);
     for (int i = 0; i < LOW_PASS_ROWS; i++)
         make_low_pass(t->low_pass[i], cutoffs[i]);
-    for (int i = 0; i < FEEDBACK_ROWS; i++)
-        make_feedback(t, i);
     memcpy(t->feedback[FEEDBACK_ROWS], t->feedback[FEEDBACK_ROWS - 1], sizeof t->feedback[0]);
     t->music_volume = t->sound_volume = 100;
 }

@@ -28,13 +28,17 @@ struct snd_tables {
     uint16_t harmonics[WAVE_MIPS]; /* number of harmonics of each version, ascending */
     int16_t saw[WAVE_MIPS][WAVE_LENGTH + 1], triangle[WAVE_MIPS][WAVE_LENGTH + 1];
     int16_t sine[WAVE_LENGTH + 1];
-    int16_t sinc[SINC_PHASES + 1][SINC_TAPS]; /* Q15: interpolates between the 4th and 5th of eight samples */
+    union {
+        int16_t sinc[SINC_PHASES + 1][SINC_TAPS]; /* Q15: interpolates between the 4th and 5th of eight samples */
+        int32_t sine30[WAVE_LENGTH];              /* while the waves and `feedback` are computed */
+    };
     int16_t low_pass[LOW_PASS_ROWS]
                     [LOW_PASS_TAPS]; /* Q14: low-pass for a recording played faster, centred on tap LOW_PASS_TAPS / 2 */
-    int16_t feedback[FEEDBACK_ROWS + 1][FEEDBACK_LENGTH + 1]; /* y = sin(p + b y); the last row is repeated */
-    int16_t pan[257];                                         /* equal power: left is pan[256 - p], right pan[p]; Q15 */
-    int64_t harmonic_sums[2][WAVE_LENGTH / 2];                /* scratch for the sums of harmonics */
-    int32_t sine30[WAVE_LENGTH];
+    union {
+        int16_t feedback[FEEDBACK_ROWS + 1][FEEDBACK_LENGTH + 1]; /* y = sin(p + b y); the last row is repeated */
+        int64_t harmonic_sums[2][WAVE_LENGTH / 2];                /* while the waves are computed */
+    };
+    int16_t pan[257];                   /* equal power: left is pan[256 - p], right pan[p]; Q15 */
     int32_t music_volume, sound_volume; /* the listener's volumes, percent; snd_tables_make sets both to 100 */
 };
 
