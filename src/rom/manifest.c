@@ -50,7 +50,7 @@ const struct manifest_number manifest_numbers[MANIFEST_NUMBERS] = {
     NUMBER("board.sprites", sprites, 0, 1 << 16, 256),
     NUMBER("board.motions", motions, 0, 4095, 256),
     NUMBER("board.tasks", tasks, 1, 1 << 16, 1024),
-    NUMBER("board.lua_kib", lua_kib, 256, 262144, 4096),
+    NUMBER("board.lua_kib", lua_kib, 256, 262144, 1024),
     NUMBER("players", players, 1, 2, 1),
     NUMBER("board.values.bullet", bullet_values, 0, MAX_VALUES, 0),
     NUMBER("board.values.shot", shot_values, 0, MAX_VALUES, 0),

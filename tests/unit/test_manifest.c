@@ -78,7 +78,7 @@ static void test_defaults(void **state)
     assert_int_equal(r->m.sprites, 256);
     assert_int_equal(r->m.motions, 256);
     assert_int_equal(r->m.tasks, 1024);
-    assert_int_equal(r->m.lua_kib, 4096);
+    assert_int_equal(r->m.lua_kib, 1024);
     assert_int_equal(r->m.nvram_kib, 32);
     assert_int_equal(r->m.players, 1);
     assert_int_equal(r->m.n_extends, 0);
