@@ -224,7 +224,7 @@ FORCE:
 BARE ?= $(OUT)/curtain-bare
 $(OUT)/game.rom: $(BARE) $(OUT)/game.is $(GAME_SRC)
 	$(SAY) "  MAKE  $@"
-	$(Q)$(RUN) $(BARE) pack $(GAME) --plain -o $@
+	$(Q)$(RUN) $(BARE) pack $(GAME) --plain -o $@ >/dev/null
 
 $(OUT)/gen/rom.c: $(OUT)/game.rom
 	$(SAY) "  MAKE  $@"

@@ -12,6 +12,7 @@
 #include "host/progress.h"
 #include "host/report.h"
 #include "line/game.h"
+#include "measure/ram.h"
 #include "pack/compress.h"
 #include "pack/pack.h"
 #include "share/export.h"
@@ -47,7 +48,7 @@ enum result command_pack(const struct args *a)
 {
     struct rom_image image;
     struct cart cart;
-    char err[1024], name[64];
+    char err[1024], name[64], ram[RAM_TEXT_SIZE];
     const char *dir = a->words[0], *out = a->out;
 
     if (plat_file_size(dir) >= 0)
@@ -68,6 +69,11 @@ enum result command_pack(const struct args *a)
     }
     if (result == RESULT_DONE && !save_packed(&image, out, a->plain, err, sizeof err))
         result = report_line(RESULT_HOST_FAILED, "%s", err);
+    if (result == RESULT_DONE) {
+        ram_describe(&cart, ram);
+        report_print("%s: %s\n", out, ram);
+        result = report_stdout(result);
+    }
     rom_image_free(&image);
     return result;
 }

@@ -345,10 +345,10 @@ LUA
 faint faint/art/all.png 255 0 64 127 9 9
 told='art/all.png: pixel 2,0: 25 % opaque; pixels below 50 % become transparent; 2 such pixels in total'
 refuse "check counts them" "$told" "$curtain" check faint
-same "pack says so, and packs" "curtain: $told 0" "$("$curtain" pack faint -o f.rom 2>&1) $?"
+same "pack says so, and packs" "curtain: $told 0" "$("$curtain" pack faint -o f.rom 2>&1 >/dev/null) $?"
 faint faint/art/all.png 255 0 128 200
 check "half and more is whole" "$curtain" check faint
-same "... and nothing is said" " 0" "$("$curtain" pack faint -o f.rom 2>&1) $?"
+same "... and nothing is said" " 0" "$("$curtain" pack faint -o f.rom 2>&1 >/dev/null) $?"
 
 # ---- curtain art --atlas ----
 

@@ -40,6 +40,9 @@ same "and are in order" true "$(field '.all | .mean <= .worst and .p99 <= .worst
 same "a room, and how much of it was used" "256 63" \
     "$(of rooms board.bullets '[.asked, .most] | join(" ")')"
 same "what none is there of keeps its part" true "$(of rooms board.lasers '.most == 0 and .would_do == .asked')"
+same "the sum of the parts is the RAM of the board, the picture and the memory to draw it" true \
+    "$(field '(.ram_parts | add) == .ram_sum and .ram_sum - .ram_parts.picture - .ram_parts.drawing == .ram')"
+same "a bullet takes its columns, and an event for each player and for an enemy" 36160 "$(field '.ram_parts.bullets')"
 cp json first
 check "once more" bench plain
 same "the same counts" "$(counts first)" "$(counts json)"
@@ -57,6 +60,18 @@ check "and does" cmp was is
 sed "s/bullets = 256/bullets = 16/" plain/rom.lua >less/rom.lua
 check "where it is too little" bench less
 same "it says how often" true "$(of rooms board.bullets '.refused > 100 and .would_do == 16')"
+
+# 512 bullets on 240 x 320 px: the board, its Lua memory and its picture fit into 512 KiB.
+cp -r plain small
+sed 's/w = 64, h = 64/w = 240, h = 320/; s/bullets = 256/bullets = 512/; s/players = 2/players = 1/
+    s/sparks = 64/sparks = 0/; s/lua_kib = 1024, .* }/lua_kib = 256, nvram = 4 }/' plain/rom.lua >small/rom.lua
+echo 'local used = "dart"' >>small/main.lua
+check "a small board" bench small
+same "takes 512 KiB with its picture" true "$(field '.ram + .ram_parts.picture <= 512 * 1024')"
+"$curtain" pack small -o small.rom >out
+check "pack prints the parts" says '^small\.rom: RAM [0-9]+ KiB: lua_kib 256, ([a-z]+ [0-9]+, )*bullets [0-9]+, '
+"$curtain" check small >out
+check "check, too" says '^RAM [0-9]+ KiB: lua_kib 256, ([a-z]+ [0-9]+, )*bullets [0-9]+, '
 
 # Two programs of 520 steps need more than 64 times 16: the second has no room, though only half of what was asked is
 # used.
@@ -123,6 +138,7 @@ check "how much slower one may be" says \
     '^On a machine [0-9.]+ times slower than this one, 99 % of the frames would be on time'
 check "lines" says '^ +[0-9.]+ % +[0-9.]+ +[0-9]+ % +[0-9]+ %   main\.lua:[0-9]+ +.*pattern\.ring'
 check "rooms" says '^board\.bullets +256 +[0-9]+ +[0-9]+ %'
+check "the RAM by part" says '^lua_kib +1,024 KiB +[0-9]+ %$'
 same "no line is too long" 0 "$(awk 'length > 110' out | wc -l)"
 same "and none ends in a blank" 0 "$(grep -c ' $' out)"
 same "and nothing else is said" "" "$(cat err)"

@@ -116,7 +116,7 @@ for cut in 1 100 5000; do
     says "cut short by $cut bytes" 2 \
         "curtain: $itself is truncated: $((size - cut)) bytes, expected $size including its game" ./cut
 done
-rom=$("$curtain" pack lanterns -o rom && stat -c %s rom)
+rom=$("$curtain" pack lanterns -o rom >/dev/null && stat -c %s rom)
 for at in 1 $((rom / 2)) $((rom - 1)); do
     cp game spoiled
     printf 'X' | dd of=spoiled bs=1 seek=$((size - at)) conv=notrunc 2>/dev/null

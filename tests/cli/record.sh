@@ -24,7 +24,7 @@ done
 # Of FLAC, which is lossless, every machine packs the same bytes.
 wave_of() { # ENTRY
     rom "a = { file = 'music/loop.flac', tempo = 240$1 }"
-    "$curtain" pack g -o g.rom
+    "$curtain" pack g -o g.rom >/dev/null
     "$curtain" list g.rom | grep wave/
 }
 same "as ADPCM" "wave/a 2592 9eb7e709" "$(wave_of '')"

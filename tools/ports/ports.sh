@@ -64,7 +64,14 @@ row() {
     done < <(cat tools/ports/list; echo)
 } >$into/table
 cat $into/table
-"$OUT/need" roms/glasstide roms/testcard examples/first roms/torture >$into/need || failed=1
+small=()
+for n in 64 512 4096; do # the same game with smaller capacities
+    rest='shots = 64, enemies = 64, sparks = 0, sprites = 64, tasks = 64, nvram = 4, lua_kib = 512'
+    mkdir -p $into/first-$n && cp -r examples/first/* $into/first-$n
+    sed -i "s/First Light\"/First Light, $n bullets\", board = { bullets = $n, $rest }/" $into/first-$n/rom.lua
+    small+=($into/first-$n)
+done
+"$OUT/need" roms/glasstide roms/testcard roms/torture examples/first "${small[@]}" >$into/need || failed=1
 cat $into/need
 {
     echo '| | direct, uncompressed | libcurtain, compressed | ratio |'

@@ -126,8 +126,10 @@ static void count(char out[32], int n, const char *what)
 
 static void say_fine(const struct check *c)
 {
-    char scripts[32], sprites[32], demos[32], samples[32], sections[32], forced[32], line[TREE_PATH + 256];
+    char scripts[32], sprites[32], demos[32], samples[32], sections[32], forced[32], enough[64] = "";
+    char line[TREE_PATH + 256];
     size_t room = (size_t)c->m.lua_kib * 1024;
+    const int32_t lua_kib = ram_enough_lua_kib(c->lua_most);
 
     count(scripts, c->n_scripts, "script");
     count(sprites, c->art.n_sprites, "sprite");
@@ -135,12 +137,15 @@ static void say_fine(const struct check *c)
     snprintf(sections, sizeof sections, c->sections == 1 ? "%d stage or phase" : "%d stages and phases", c->sections);
     count(samples, c->samples, "frame");
     count(forced, c->forced, "forced run");
+    if (lua_kib < c->m.lua_kib)
+        snprintf(enough, sizeof enough, ", board.lua_kib = %d is enough", (int)lua_kib);
     snprintf(line, sizeof line,
-             "%s: no problems: %s, %s; played %s, %s, %s; sampled %s for contrast; Lua RAM %d %% of %d KiB", c->dir,
+             "%s: no problems: %s, %s; played %s, %s, %s; sampled %s for contrast; Lua RAM %d %% of %d KiB%s", c->dir,
              scripts, sprites, demos, sections, forced, samples, (int)((c->lua_most * 100 + room - 1) / room),
-             (int)c->m.lua_kib);
+             (int)c->m.lua_kib, enough);
     clean_line(line);
     say(line);
+    say(c->ram);
 }
 
 static enum result report(struct check *c)

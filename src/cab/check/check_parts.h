@@ -11,6 +11,7 @@
 #include "../../rom/manifest.h"
 #include "symbols.h"
 #include "diagnostics.h"
+#include "../measure/ram.h"
 #include "../pack/tree.h"
 #include "builtins.h"
 #include "../../base/pads.h"
@@ -52,6 +53,7 @@ struct check {
     int samples;                          /* frames of all of them whose bullets' contrast was looked at */
     uint8_t shown[UTF8_MAX_CODE / 8 + 1]; /* a bit for each character that was on the screen in a run */
     size_t lua_most;                      /* bytes of Lua RAM, at most at one time in any run */
+    char ram[RAM_TEXT_SIZE];              /* ram_describe */
 };
 
 /* A file of the game; false, with a diagnostic, when it cannot be read. */

@@ -622,8 +622,9 @@ static void judge_memory(struct run *r)
     if (r->most * 100 <= room * MOST_LUA || r->memory_fault)
         return;
     diagnostics_add(&r->c->found, "rom.lua", CHECK_LINE(r->c, "board", "lua_kib"),
-                    "board.lua_kib = %d: %s used %zu KiB of it, more than %d %%", (int)r->cart.manifest.lua_kib,
-                    r->most_in, r->most / 1024, MOST_LUA);
+                    "board.lua_kib = %d: %s used %zu KiB of it, more than %d %%; raise it to %d",
+                    (int)r->cart.manifest.lua_kib, r->most_in, r->most / 1024, MOST_LUA,
+                    (int)ram_enough_lua_kib(r->most));
 }
 
 static void plan(struct run *r)
@@ -706,6 +707,7 @@ void check_run(struct check *c)
         c->found.failed = true;
     } else {
         check_rooms(c, &r->cart);
+        ram_describe(&r->cart, c->ram);
         run_all(r);
         check_text(c, &r->cart);
     }

@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include "../store/json.h"
 #include "bench_print.h"
+#include "ram.h"
 #include "rooms.h"
 
 enum { NANO = 1000 /* in a microsecond */, LINES = 100, TEXT = 160 };
@@ -105,6 +106,19 @@ static void put_rooms(struct json *j, const struct measure *m)
     json_close(j, ']');
 }
 
+static void put_ram(struct json *j, const struct measure *m)
+{
+    struct ram_part part[RAM_MAX_PARTS];
+    uint64_t sum;
+    const int n = ram_parts(m->cart, part, &sum);
+
+    json_number(j, "ram_sum", (int64_t)sum);
+    json_open(j, "ram_parts", '{');
+    for (int i = 0; i < n; i++)
+        json_number(j, part[i].name, (int64_t)part[i].bytes);
+    json_close(j, '}');
+}
+
 void bench_json(const struct bench *b, const struct measure *m)
 {
     struct json j = { .out = stdout };
@@ -118,6 +132,7 @@ void bench_json(const struct bench *b, const struct measure *m)
     put_phases(&j, m);
     put_lines(&j, m);
     put_rooms(&j, m);
+    put_ram(&j, m);
     json_close(&j, '}');
     putchar('\n');
 }

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../common/clean.h"
+#include "ram.h"
 #include "rooms.h"
 #include "../host/report.h"
 
@@ -253,6 +254,19 @@ static void print_rooms(const struct measure *m)
     report_print(".\n");
 }
 
+static void print_ram(const struct measure *m)
+{
+    struct ram_part part[RAM_MAX_PARTS];
+    uint64_t sum;
+    const int n = ram_parts(m->cart, part, &sum);
+    char kib[32];
+
+    report_print("With its picture and sound, the game uses %s KiB:\n\n", grouped(kib, (sum + 1023) / 1024));
+    for (int i = 0; i < n; i++)
+        report_print("%-20s %8s KiB %5d %%\n", part[i].name, grouped(kib, part[i].bytes / 1024),
+                     part_of(part[i].bytes, sum));
+}
+
 void bench_print(const struct bench *b, const struct measure *m)
 {
     char frames[32];
@@ -264,4 +278,5 @@ void bench_print(const struct bench *b, const struct measure *m)
     print_verdict(b, m);
     print_lines(m);
     print_rooms(m);
+    print_ram(m);
 }

@@ -10,49 +10,35 @@
 #include "../../base/int.h"
 #include "../../entities/lasers.h"
 #include "../../entities/motion.h"
+#include "ram.h"
 
-enum { SPARE = 4 /* of what was used one part in so many more */, POOL = 64, LIST = 16, LUA = 256 };
+enum { SPARE = 4 /* a suggestion is 1/SPARE larger than what was used */, POOL = 64, LIST = 16 };
+
+#define BOARD(field) offsetof(struct manifest, field)
 
 static const struct {
-    const char *name, *part;
+    const char *name;
+    size_t offset; /* of the manifest's number */
+    const char *part;
     int each;    /* of what rom.lua counts, a slot of the part */
     int rounded; /* to a multiple of this: pools come in blocks */
 } rooms[ROOMS] = {
-    { "board.bullets", "bullets", 1, POOL },
-    { "board.shots", "shots", 1, POOL },
-    { "board.enemies", "enemies", 1, POOL },
-    { "board.lasers", "lasers", 1, POOL },
-    { "board.curve_points", "laser_points", LASER_CHUNK_POINTS, POOL },
-    { "board.items", "items", 1, POOL },
-    { "board.options", "options", 1, POOL },
-    { "board.sprites", "sprites", 1, POOL },
-    { "board.sparks", "sparks", 1, POOL },
-    { "board.lines", "lines", 1, POOL },
-    { "board.tasks", "tasks", 1, POOL },
-    { "board.motions", "motions", 1, LIST },
-    { "board.bulletml", "ml_runners", 1, POOL },
-    { "board.registers", "registers", 1, LIST },
-    { "board.lua_kib", NULL, 1, LUA },
+    { "board.bullets", BOARD(bullets), "bullets", 1, POOL },
+    { "board.shots", BOARD(shots), "shots", 1, POOL },
+    { "board.enemies", BOARD(enemies), "enemies", 1, POOL },
+    { "board.lasers", BOARD(lasers), "lasers", 1, POOL },
+    { "board.curve_points", BOARD(curve_points), "laser_points", LASER_CHUNK_POINTS, POOL },
+    { "board.items", BOARD(items), "items", 1, POOL },
+    { "board.options", BOARD(options), "options", 1, POOL },
+    { "board.sprites", BOARD(sprites), "sprites", 1, POOL },
+    { "board.sparks", BOARD(sparks), "sparks", 1, POOL },
+    { "board.lines", BOARD(lines), "lines", 1, POOL },
+    { "board.tasks", BOARD(tasks), "tasks", 1, POOL },
+    { "board.motions", BOARD(motions), "motions", 1, LIST },
+    { "board.bulletml", BOARD(bulletml_runners), "ml_runners", 1, POOL },
+    { "board.registers", BOARD(registers), "registers", 1, LIST },
+    { "board.lua_kib", BOARD(lua_kib), NULL, 1, 1 },
 };
-
-static int32_t number(const struct manifest *m, const char *name)
-{
-    int32_t value = 0;
-
-    for (int i = 0; i < MANIFEST_NUMBERS; i++)
-        if (strcmp(manifest_numbers[i].name, name) == 0)
-            memcpy(&value, (const char *)m + manifest_numbers[i].offset, sizeof value);
-    return value;
-}
-
-static void set_number(struct manifest *m, const char *name, int64_t to)
-{
-    const int32_t value = (int32_t)to;
-
-    for (int i = 0; i < MANIFEST_NUMBERS; i++)
-        if (strcmp(manifest_numbers[i].name, name) == 0)
-            memcpy((char *)m + manifest_numbers[i].offset, &value, sizeof value);
-}
 
 static struct inspect_gauge gauge(const struct measure *m, const char *part)
 {
@@ -79,7 +65,7 @@ static void measure_motions(const struct measure *m, struct room *r, int64_t *en
 
 static void measure_room(const struct measure *m, int i, struct room *r)
 {
-    int64_t enough;
+    int64_t enough, spared;
 
     if (rooms[i].part) {
         const struct inspect_gauge g = gauge(m, rooms[i].part);
@@ -88,12 +74,12 @@ static void measure_room(const struct measure *m, int i, struct room *r)
         enough = (int64_t)g.high * rooms[i].each;
         if (strcmp(rooms[i].part, "motions") == 0)
             measure_motions(m, r, &enough);
+        /* never 0: that leaves the part out, and its functions with it, which a script may still name */
+        spared = rounded_up(int64_max(1, int64_max(enough, r->most + r->most / SPARE)), rooms[i].rounded);
     } else {
         r->most = (int64_t)(m->lua_peak + 1023) / 1024;
-        enough = r->most;
+        spared = ram_enough_lua_kib(m->lua_peak);
     }
-    /* never 0: that leaves the part out, and its functions with it, which a script may still name */
-    const int64_t spared = rounded_up(int64_max(1, int64_max(enough, r->most + r->most / SPARE)), rooms[i].rounded);
     r->would_do = r->refused || spared > r->asked ? r->asked : spared;
 }
 
@@ -102,7 +88,7 @@ static uint64_t saved(const struct measure *m, const struct room *room, int n)
     struct cart less = *m->cart;
 
     for (int i = 0; i < n; i++)
-        set_number(&less.manifest, room[i].name, room[i].would_do);
+        memcpy((char *)&less.manifest + room[i].offset, &(int32_t){ (int32_t)room[i].would_do }, sizeof(int32_t));
     return board_ram_needed(m->cart) - board_ram_needed(&less);
 }
 
@@ -111,10 +97,11 @@ int rooms_of(const struct measure *m, struct room out[ROOMS])
     int n = 0;
 
     for (int i = 0; i < ROOMS; i++) {
-        const int32_t asked = number(&m->cart->manifest, rooms[i].name);
+        int32_t asked;
+        memcpy(&asked, (const char *)&m->cart->manifest + rooms[i].offset, sizeof asked);
         if (asked == 0)
             continue;
-        out[n] = (struct room){ .name = rooms[i].name, .asked = asked };
+        out[n] = (struct room){ .name = rooms[i].name, .offset = rooms[i].offset, .asked = asked };
         measure_room(m, i, &out[n]);
         out[n].saves = saved(m, &out[n], 1);
         n++;

@@ -10,9 +10,11 @@ enum { ROOMS = 15 };
 
 struct room {
     const char *name;    /* as rom.lua has it: "board.bullets" */
+    size_t offset;       /* of the number in struct manifest */
     int64_t asked, most; /* most: that were there at the end of a frame; of board.lua_kib at any time */
     uint32_t refused;    /* how often there was no room */
-    int64_t would_do; /* the same runs would go as they did, with a quarter more than was used; never more than asked */
+    int64_t would_do; /* the same runs would go as they did, with a quarter more than was used, of board.lua_kib three
+                       * quarters more; never more than asked */
     uint64_t saves;   /* bytes of RAM, with would_do in place of asked */
 };
 
