@@ -30,7 +30,7 @@ return function(n)
   return function()
     for i = 1, n do
       throw(i)
-      if i % 65536 == 0 then wait(1) end
+      if i % 16384 == 0 then wait(1) end
     end
   end
 end
