@@ -304,7 +304,7 @@ int32_t motion_define(struct motions *m, struct steps *s, const struct motion_st
 void motion_get_step(const struct steps *s, uint32_t i, struct motion_step *out);
 
 /* Convert an emit to EMIT_STEPS steps of a program, and back from the steps of s that start at i. Stored as steps,
- * emits are shared like the rest of their programs and need no separate memory. */
+ * emits are shared like the rest of their programs and need no separate memory. Their doubles are stored as bits. */
 enum { EMIT_STEPS = 2 };
 void motion_pack_emit(const struct motion_emit *e, struct motion_step out[EMIT_STEPS]);
 void motion_unpack_emit(const struct steps *s, uint32_t i, struct motion_emit *out);

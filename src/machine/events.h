@@ -24,7 +24,7 @@ enum event_kind {
     EV_BLOCK,    /* a: handle of the bullet, which is removed, b: handle of the enemy that blocks it */
     EV_LASER,    /* a: handle of a player's laser that touches an enemy */
     EV_FIRED,    /* a: bullet handle, b: root of the BulletML document that fired it << 32 | label + 1 */
-    EV_MEET      /* last: pair n is EV_MEET + n. a, b: handles of the bullets with the pair's first and second tag */
+    EV_MEET      /* last: see events_meeting. a, b: handles of the bullets with the pair's first and second tag */
 };
 
 struct event {
@@ -50,6 +50,12 @@ static inline struct event events_at(const struct events *e, uint32_t i)
     const uint32_t kind = e->kind[i], pair = kind > EV_MEET ? kind - EV_MEET : 0;
 
     return (struct event){ e->a[i], e->b[i], kind - pair, pair };
+}
+
+/* Returns the kind of the meetings of a pair of tags. */
+static inline enum event_kind events_meeting(uint32_t pair)
+{
+    return (enum event_kind)(EV_MEET + pair);
 }
 
 /* Appends an event. Returns false if the list is full, which ends the run: the capacity covers every event that a frame

@@ -58,8 +58,9 @@ static uint32_t laser_groups(const struct manifest *m)
 }
 
 /* The parts, in the order of struct board, RAM, hashes and demos. Each line gives the chip, the member of struct board,
- * the number of slots and the column groups, computed from manifest m. GROWS: a list that grows up to that number. */
-#define PART_LIST(PART, GROWS)                                                                                         \
+ * the number of slots and the column groups, computed from the manifest `m`. GROWS: a list that grows up to that
+ * number. */
+#define PART_LIST(PART, GROWS, m)                                                                                      \
     PART(script_chip, script, 0, 0)                                                                                    \
     PART(core_chip, core, 0, 0)                                                                                        \
     PART(input_chip, input, MAX_PLAYERS, 0)                                                                            \
@@ -112,12 +113,13 @@ static uint32_t laser_groups(const struct manifest *m)
 #define AS_GROUPS(chip, name, slots, groups)   (uint32_t)(groups),
 #define AS_ONE(chip, name, slots, groups)      +1
 
-const struct part machine_parts[PART_COUNT] = { PART_LIST(AS_PART, AS_GROWING) };
-_Static_assert(PART_LIST(AS_ONE, AS_ONE) == PART_COUNT, "PART_LIST must have PART_COUNT lines");
+const struct part machine_parts[PART_COUNT] = { PART_LIST(AS_PART, AS_GROWING, ) };
+_Static_assert(PART_LIST(AS_ONE, AS_ONE, ) == PART_COUNT, "PART_LIST must have PART_COUNT lines");
 
 struct part_capacities parts_capacities(const struct manifest *m)
 {
-    return (struct part_capacities){ { PART_LIST(AS_CAPACITY, AS_CAPACITY) }, { PART_LIST(AS_GROUPS, AS_GROUPS) } };
+    return (struct part_capacities){ { PART_LIST(AS_CAPACITY, AS_CAPACITY, m) },
+                                     { PART_LIST(AS_GROUPS, AS_GROUPS, m) } };
 }
 
 const struct slots *part_find(const struct board *b, const char *name)

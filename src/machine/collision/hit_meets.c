@@ -279,7 +279,7 @@ static void raise_meet(struct board *b, const struct grid *c, uint32_t p, uint32
 {
     const struct bullets *s = c->s;
 
-    board_raise_event(b, (enum event_kind)(EV_MEET + p), handle_make(H_BULLET, s->s.gen[first], first),
+    board_raise_event(b, events_meeting(p), handle_make(H_BULLET, s->s.gen[first], first),
                       handle_make(H_BULLET, s->s.gen[second], second));
     set_bit(s->meet_collided, first);
     if (c->is_same_tag)
