@@ -148,7 +148,7 @@ void emit_aim_volley(const struct board *b, struct volley *v)
 {
     v->aim_dir = 0;
     if (v->is_aimed) {
-        const struct targets t = board_motion_world(b, v->fires_shots).targets;
+        const struct targets t = board_targets(b, v->fires_shots);
         v->aim_dir = targets_aim(&t, v->aim_x, v->aim_y, v->fires_shots ? ANG_UP : ANG_DOWN);
     }
     if (v->pattern != EMIT_LINE)

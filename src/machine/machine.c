@@ -6,11 +6,6 @@
 #include <stdio.h>
 #include <string.h>
 
-struct targets board_player_targets(const struct board *b)
-{
-    return (struct targets){ &b->player.s, b->player.x, b->player.y, b->player.in_game };
-}
-
 /* Stores the present position of an entity, for the motion of bullets or shots, or, with `before_move`, its position
  * before this frame's move. Enemies and players move before shots, and shots before bullets. For an entity of the pool
  * that is moving now, both are the position before the move: slots below `moved` have moved already. */
@@ -45,7 +40,7 @@ struct motion_world board_motion_world(const struct board *b, bool for_shots)
     struct motion_world w = { &b->motions,
                               &b->steps,
                               &b->bullet_kinds,
-                              board_player_targets(b),
+                              board_targets(b, for_shots),
                               b->core.clock,
                               for_shots,
                               get_entity_position,
@@ -55,10 +50,8 @@ struct motion_world board_motion_world(const struct board *b, bool for_shots)
                               (b->vm.limit - b->vm.work) / MOTION_WORK,
                               emit_queue };
 
-    if (for_shots) {
+    if (for_shots)
         w.kinds = NULL;
-        w.targets = (struct targets){ &b->enemies.s, b->enemies.x, b->enemies.y, NULL };
-    }
     return w;
 }
 

@@ -180,10 +180,16 @@ const struct slots *part_find(const struct board *b, const char *name);
 
 enum { MOTION_WORK = 8 /* work per motion step */ };
 
-/* board_motion_world returns the state that motion programs read. The targets are the enemies if `for_shots` is set,
- * otherwise the players, as returned by board_player_targets. */
+/* Returns the targets of shots, the enemies, or of bullets, the players. */
+static inline struct targets board_targets(const struct board *b, bool for_shots)
+{
+    if (for_shots)
+        return (struct targets){ &b->enemies.s, b->enemies.x, b->enemies.y, NULL };
+    return (struct targets){ &b->player.s, b->player.x, b->player.y, b->player.in_game };
+}
+
+/* Returns the state that motion programs read. */
 struct motion_world board_motion_world(const struct board *b, bool for_shots);
-struct targets board_player_targets(const struct board *b);
 
 /* Moves all entities. Entities that leave the field but may still touch something are held or marked, so that hit_run
  * tests them. */

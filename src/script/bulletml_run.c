@@ -67,7 +67,7 @@ static int64_t direction_from_board(const struct ml_roots *o, uint32_t root, ang
 
 int64_t bulletml_aim_direction(const struct turn *t)
 {
-    const struct targets players = board_player_targets(t->b);
+    const struct targets players = board_targets(t->b, false);
     const int32_t i = targets_find_nearest(&players, t->x, t->y);
 
     if (i != NO_SLOT && players.x[i] == t->x && players.y[i] == t->y)

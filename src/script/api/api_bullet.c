@@ -222,7 +222,7 @@ static const struct api_param shot_fire_params[] = {
 
 ang api_aim_direction(struct board *b, bool is_shot, fx x, fx y)
 {
-    struct targets t = board_motion_world(b, is_shot).targets;
+    struct targets t = board_targets(b, is_shot);
 
     b->vm.work += emit_aim_work(b, is_shot);
     return targets_aim(&t, x, y, is_shot ? ANG_UP : ANG_DOWN);
@@ -539,30 +539,63 @@ struct bullets *api_flight_pool(struct board *b, int64_t h)
     }
 }
 
+/* What a verb does to bullet, shot or laser i. targets: of the bullets or shots; lasers choose theirs by their kind. */
+typedef void flight_verb(struct board *b, struct bullets *s, uint32_t i, const struct api_value *v,
+                         const struct targets *targets);
+
+/* Applies a verb to a thing or to those of a group. Inlined, so that each verb is one loop (rows "price aim_all",
+ * "turn_all" and "shift" of `make compare`: 0.5 to 0.7). */
+__attribute__((always_inline)) static inline int apply_verb(lua_State *L, struct board *b, const struct api_value *v,
+                                                            flight_verb *verb)
+{
+    const int64_t h = v[ARG_SELF].i;
+    struct bullets *s = api_flight_pool(b, h);
+    const struct targets targets = board_targets(b, s == &b->shots);
+
+    if (!handle_kind_is_group(handle_kind(h))) {
+        if (board_is_alive(b, h))
+            verb(b, s, handle_slot(h), v, &targets);
+        return 0;
+    }
+    vm_charge(L, api_get_table(L)->things[handle_kind(h)]->write_work * s->s.live);
+    EACH_LIVE (i, &s->s)
+        if (api_has_tag(s->tag, i, handle_slot(h)))
+            verb(b, s, i, v, &targets);
+    return 0;
+}
+
+static void aim(struct board *b, struct bullets *s, uint32_t i, const struct api_value *v,
+                const struct targets *targets)
+{
+    const bool is_shot = s == &b->shots;
+
+    if (s == &b->laser_heads) {
+        const bool hits_enemies = b->laser_kinds.flags[s->kind[i]] & LASER_HITS_ENEMIES;
+        set_direction(s, i, api_aim_direction(b, hits_enemies, s->x[i], s->y[i]) + v[ARG_ANGLE].a);
+        lasers_update_tail(b, i);
+        return;
+    }
+    b->vm.work += is_shot ? emit_aim_work(b, true) : 0;
+    set_direction(s, i, targets_aim(targets, s->x[i], s->y[i], is_shot ? ANG_UP : ANG_DOWN) + v[ARG_ANGLE].a);
+}
+
 int api_verb_aim(lua_State *L, struct board *b, struct api_value *v)
 {
-    struct bullets *s = api_flight_pool(b, v[ARG_SELF].i);
-    const uint32_t i = handle_slot(v[ARG_SELF].i);
-    const bool is_laser = s == &b->laser_heads,
-               is_shot = is_laser ? b->laser_kinds.flags[s->kind[i]] & LASER_HITS_ENEMIES : s == &b->shots;
+    return apply_verb(L, b, v, aim);
+}
 
-    (void)L;
-    set_direction(s, i, api_aim_direction(b, is_shot, s->x[i], s->y[i]) + v[ARG_ANGLE].a);
-    if (is_laser)
+static void turn(struct board *b, struct bullets *s, uint32_t i, const struct api_value *v,
+                 const struct targets *targets)
+{
+    (void)targets;
+    set_direction(s, i, s->dir[i] + v[ARG_ANGLE].a);
+    if (s == &b->laser_heads)
         lasers_update_tail(b, i);
-    return 0;
 }
 
 int api_verb_turn(lua_State *L, struct board *b, struct api_value *v)
 {
-    struct bullets *s = api_flight_pool(b, v[ARG_SELF].i);
-    const uint32_t i = handle_slot(v[ARG_SELF].i);
-
-    (void)L;
-    set_direction(s, i, s->dir[i] + v[ARG_ANGLE].a);
-    if (s == &b->laser_heads)
-        lasers_update_tail(b, i);
-    return 0;
+    return apply_verb(L, b, v, turn);
 }
 
 /* Returns a Q32 coordinate moved by `distance`, clamped to the world. */
@@ -573,23 +606,26 @@ static int64_t shift_coordinate(int64_t coordinate, int64_t distance)
     return int64_clamp(coordinate + distance, -edge, edge);
 }
 
-int api_verb_shift(lua_State *L, struct board *b, struct api_value *v)
+static void shift(struct board *b, struct bullets *s, uint32_t i, const struct api_value *v,
+                  const struct targets *targets)
 {
-    struct bullets *s = api_flight_pool(b, v[ARG_SELF].i);
-    const uint32_t i = handle_slot(v[ARG_SELF].i);
+    (void)targets;
     const bool fine = s->flags[i] & BULLET_FINE;
     int64_t x, y;
 
-    (void)L;
     if (s == &b->laser_heads) {
         lasers_move_to(b, i, motion_shift(s->x[i], v[ARG_DX].f), motion_shift(s->y[i], v[ARG_DY].f));
-        return 0;
+        return;
     }
     bullets_get_position(s, i, &x, &y);
     bullets_set_position(s, i, shift_coordinate(x, api_value_to_q32(fine, &v[ARG_DX])),
                          shift_coordinate(y, api_value_to_q32(fine, &v[ARG_DY])));
     end_lead(b, s, i);
-    return 0;
+}
+
+int api_verb_shift(lua_State *L, struct board *b, struct api_value *v)
+{
+    return apply_verb(L, b, v, shift);
 }
 
 void api_release_held(struct board *b, int64_t h)
@@ -607,23 +643,21 @@ void api_release_held(struct board *b, int64_t h)
             bullets_release(s, k);
 }
 
-static int remove_one(lua_State *L, struct board *b, struct api_value *v)
+static void remove_one(struct board *b, struct bullets *s, uint32_t i, const struct api_value *v,
+                       const struct targets *targets)
 {
-    struct bullets *s = api_flight_pool(b, v[ARG_SELF].i);
-
-    (void)L;
+    (void)v, (void)targets;
     if (s == &b->laser_heads)
-        lasers_remove(b, handle_slot(v[ARG_SELF].i));
+        lasers_remove(b, i);
     else
-        bullets_drop(s, handle_slot(v[ARG_SELF].i));
-    return 0;
+        bullets_drop(s, i);
 }
 
 int api_verb_remove(lua_State *L, struct board *b, struct api_value *v)
 {
     const int64_t h = v[ARG_SELF].i;
 
-    api_run_each(L, b, v, remove_one);
+    apply_verb(L, b, v, remove_one);
     api_release_held(b, h);
     return 0;
 }
@@ -680,10 +714,10 @@ const struct api_entry api_bullet_fire_entry = BULLET_FIRE, api_shot_fire_entry 
 /* The verbs of a single entity or of a group; the macro parameter `it` is how the help refers to the entity or
  * group. */
 #define FLYING_VERBS(thing, it, target, CLEAR)                                                                         \
-    API_EACH_VERB(thing ":aim", api_verb_aim, aim_params, 2, "points " it " at the nearest " target),                  \
-        API_EACH_VERB(thing ":turn", api_verb_turn, turn_params, 2, "turns " it " by an angle"),                       \
-        API_EACH_VERB(thing ":shift", api_verb_shift, shift_params, 3,                                                 \
-                      "teleports " it " by a distance, without collisions on the way"),                                \
+    API_VERB(thing ":aim", api_verb_aim, aim_params, 2, NULL, "points " it " at the nearest " target),                 \
+        API_VERB(thing ":turn", api_verb_turn, turn_params, 2, NULL, "turns " it " by an angle"),                      \
+        API_VERB(thing ":shift", api_verb_shift, shift_params, 3, NULL,                                                \
+                 "teleports " it " by a distance, without collisions on the way"),                                     \
         CLEAR(thing),                                                                                                  \
         API_VERB(thing ":remove", api_verb_remove, self_params, 1, NULL, "removes " it " and leaves nothing")
 

@@ -513,7 +513,7 @@ static int enemy_shift(lua_State *L, struct board *b, struct api_value *v)
  * nearest living player; 0: nobody. */
 static uint32_t find_credited_player(const struct board *b, uint32_t i, const struct api_value *player)
 {
-    struct targets t = board_player_targets(b);
+    struct targets t = board_targets(b, false);
 
     return player->given ? (uint32_t)player->i
                          : (uint32_t)(targets_find_nearest(&t, b->enemies.x[i], b->enemies.y[i]) + 1);

@@ -228,7 +228,7 @@ static const struct api_param self_params[] = { SELF_PARAM };
 static int item_pull(lua_State *L, struct board *b, struct api_value *v)
 {
     const uint32_t i = handle_slot(v[ARG_SELF].i);
-    const struct targets t = board_player_targets(b);
+    const struct targets t = board_targets(b, false);
     int32_t p =
         v[PULL_PLAYER].given ? (int32_t)v[PULL_PLAYER].i - 1 : targets_find_nearest(&t, b->items.x[i], b->items.y[i]);
 

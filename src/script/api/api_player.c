@@ -185,7 +185,7 @@ static int player_get(lua_State *L, struct board *b, struct api_value *v)
 
 static int player_nearest(lua_State *L, struct board *b, struct api_value *v)
 {
-    struct targets t = board_player_targets(b);
+    struct targets t = board_targets(b, false);
 
     lua_pushinteger(L, board_handle(b, H_PLAYER, targets_find_nearest(&t, v[ARG_X].f, v[ARG_Y].f)));
     return 1;
