@@ -350,6 +350,14 @@ static void test_words(void **state)
          "0, w = "
          "1000, h = 1000 }) e:remove() print(#query.box { what = 'bullet', from = e, w = 1, h = 1 })",
          "1\t0\n0\n");
+    /* long lists leave the caller's locals alone */
+    SAYS("for n = 1, 200 do\n"
+         "  bullet.fire { kind = 'dot', x = n, y = 50, speed = 0 }\n"
+         "  local found, k = query.box { what = 'bullet', x = 100, y = 50, w = 800, h = 9 }, n\n"
+         "  local t = { found, tostring(k) }\n"
+         "  if #t[1] ~= n or k ~= n or t[2] ~= tostring(n) then error('locals') end\n"
+         "end print('fine')",
+         "fine\n");
     SAYS("bullet.sweep { x = 1, radius_to = 3, over = 9 }",
          "bullet.sweep: place: expected `x` and `y`, or `from` (a thing), or `follow` (a thing)");
     SAYS("bullet.sweep { x = 1, y = 2, from = player.get(1), radius_to = 3, over = 9 }",

@@ -133,27 +133,33 @@ static void push_found_entities(lua_State *L, struct board *b, const struct sear
                                 const struct api_region *r)
 {
     const uint32_t end = f->s->live_bits ? f->s->top : f->s->live;
-    luaL_Buffer found;
+    luaL_Buffer buffer;
 
-    luaL_buffinit(L, &found);
+    lua_pushnil(L); /* replaced by the list, below the buffer */
+    const int at = lua_gettop(L);
+    luaL_buffinit(L, &buffer);
     for (uint32_t i = slots_next(f->s, 0); i < end; i = slots_next(f->s, i + 1)) {
         if (f->kind == H_LASER)
             vm_charge(L, CORNER_WORK * (uint64_t)lasers_corner_count(b, i));
-        if (!board_is_alive(b, board_handle(b, f->kind, (int32_t)i)) || (tag && (!f->tag || f->tag[i] != tag)) ||
-            !is_in_region(b, f, r, i))
+        if ((tag && (!f->tag || f->tag[i] != tag)) || !is_in_region(b, f, r, i) ||
+            !board_is_alive(b, board_handle(b, f->kind, (int32_t)i)))
             continue;
         const struct found e = { distance_squared(b, f, r, i), i };
-        luaL_addlstring(&found, (const char *)&e, sizeof e);
+        luaL_addlstring(&buffer, (const char *)&e, sizeof e);
     }
-    const size_t n = luaL_bufflen(&found) / sizeof(struct found);
-    struct found *list = (struct found *)(void *)luaL_buffaddr(&found);
+    const size_t size = luaL_bufflen(&buffer), n = size / sizeof(struct found);
+    struct found *found = (struct found *)(void *)luaL_buffaddr(&buffer);
     vm_charge(L, (r->shape == REGION_LINE ? LINE_WORK : 1) * (uint64_t)f->s->live + compute_sort_work(n));
-    sort_by_distance(list, n);
+    sort_by_distance(found, n);
     lua_createtable(L, (int)n, 0);
+    lua_replace(L, at);
     for (size_t i = 0; i < n; i++) {
-        lua_pushinteger(L, board_handle(b, f->kind, (int32_t)list[i].slot));
-        lua_rawseti(L, -2, (lua_Integer)i + 1);
+        lua_pushinteger(L, board_handle(b, f->kind, (int32_t)found[i].slot));
+        lua_rawseti(L, at, (lua_Integer)i + 1);
     }
+    luaL_buffsub(&buffer, size);
+    luaL_pushresult(&buffer); /* frees the buffer; a function that returns with an open one loses its caller's locals */
+    lua_pop(L, 1);
 }
 
 static int run_query(lua_State *L, struct board *b, const char *entry, const struct api_value *pool,
