@@ -6,64 +6,24 @@
  */
 #include "host.h"
 
-#ifdef HOST_LOCALES
-static void set_locale(struct host *h)
-{
-    h->c_locale = newlocale(LC_ALL_MASK, "C", (locale_t)0);
-    h->locale = uselocale(h->c_locale);
-}
-
-static void restore_locale(const struct host *h)
-{
-    uselocale(h->locale);
-    if (h->c_locale)
-        freelocale(h->c_locale);
-}
-#else
-static void set_locale(struct host *h)
-{
-    (void)h;
-}
-
-static void restore_locale(const struct host *h)
-{
-    (void)h;
-}
-#endif
-
-/* fesetenv does not set all bits: with glibc on arm64 it does not change the bit that makes every NaN the
- * default NaN. */
-static void set_control(struct host *h)
-{
-#ifdef HOST_FPCR
-    __asm__ volatile("mrs %0, fpcr" : "=r"(h->control));
-    __asm__ volatile("msr fpcr, xzr");
-#else
-    (void)h;
-#endif
-}
-
-static void restore_control(const struct host *h)
-{
-#ifdef HOST_FPCR
-    __asm__ volatile("msr fpcr, %0" : : "r"(h->control));
-#else
-    (void)h;
-#endif
-}
-
-/* Saves all of the thread's arithmetic settings and sets the defaults. */
+/* Saves all of the thread's arithmetic settings and sets the defaults. fesetenv does not set all bits: with glibc on
+ * arm64 it does not change the bit that makes every NaN the default NaN. */
 static void set_arithmetic(struct host *h)
 {
     fegetenv(&h->arithmetic);
-    set_control(h);
+#ifdef HOST_FPCR
+    __asm__ volatile("mrs %0, fpcr" : "=r"(h->control));
+    __asm__ volatile("msr fpcr, xzr");
+#endif
     fesetenv(FE_DFL_ENV);
 }
 
 static void restore_arithmetic(const struct host *h)
 {
     fesetenv(&h->arithmetic);
-    restore_control(h);
+#ifdef HOST_FPCR
+    __asm__ volatile("msr fpcr, %0" : : "r"(h->control));
+#endif
 }
 
 #ifdef HOST_SSE
@@ -92,20 +52,34 @@ static void set_sse(uint32_t word)
 {
     __asm__ volatile("ldmxcsr %0" : : "m"(word));
 }
+#endif
 
-static void enter_arithmetic(struct host *h)
+void host_enter(struct host *h)
 {
+#ifdef HOST_SSE
     h->has_default_387 = is_387_default();
-    if (!h->has_default_387) {
+    if (h->has_default_387) {
+        __asm__ volatile("stmxcsr %0" : "=m"(h->sse));
+        set_sse(SSE_DEFAULT);
+    } else
         set_arithmetic(h);
-        return;
-    }
-    __asm__ volatile("stmxcsr %0" : "=m"(h->sse));
-    set_sse(SSE_DEFAULT);
+#else
+    set_arithmetic(h);
+#endif
+#ifdef HOST_LOCALES
+    h->c_locale = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+    h->locale = uselocale(h->c_locale);
+#endif
 }
 
-static void leave_arithmetic(const struct host *h)
+void host_leave(const struct host *h)
 {
+#ifdef HOST_LOCALES
+    uselocale(h->locale);
+    if (h->c_locale)
+        freelocale(h->c_locale);
+#endif
+#ifdef HOST_SSE
     if (!h->has_default_387) {
         restore_arithmetic(h);
         return;
@@ -113,27 +87,7 @@ static void leave_arithmetic(const struct host *h)
     if (flags_387())
         __asm__ volatile("fnclex");
     set_sse(h->sse);
-}
 #else
-static void enter_arithmetic(struct host *h)
-{
-    set_arithmetic(h);
-}
-
-static void leave_arithmetic(const struct host *h)
-{
     restore_arithmetic(h);
-}
 #endif
-
-void host_enter(struct host *h)
-{
-    enter_arithmetic(h);
-    set_locale(h);
-}
-
-void host_leave(const struct host *h)
-{
-    restore_locale(h);
-    leave_arithmetic(h);
 }
