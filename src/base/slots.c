@@ -226,6 +226,14 @@ uint32_t slots_next(const struct slots *s, uint32_t i)
     return next_bit(s->live_bits, i, s->top);
 }
 
+void slots_drop_where(struct slots *s, const int64_t *column, int64_t value)
+{
+    EACH_LIVE (i, s)
+        if (column[i] == value)
+            slots_drop(s, i);
+    slots_trim(s);
+}
+
 static uint64_t value_at(const uint8_t *p, int width)
 {
     uint16_t w2;

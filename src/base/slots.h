@@ -159,6 +159,9 @@ int32_t slots_append(struct slots *s);
 /* Drops the entity in slot i; the slot is free again. */
 void slots_drop(struct slots *s, uint32_t i);
 
+/* Drops all live slots for which the column has this value, and trims the pool. */
+void slots_drop_where(struct slots *s, const int64_t *column, int64_t value);
+
 /* Makes the entity in slot i no longer live, but holds the slot until slots_release. `words` needs a bit per slot below
  * top; the caller passes the same array for all slots held at the same time. */
 void slots_hold(struct slots *s, uint64_t *words, uint32_t i);

@@ -47,11 +47,3 @@ uint32_t lines_visible_letters(const struct lines *l, uint32_t i, uint32_t clock
 
     return n < l->length[i] ? n : l->length[i];
 }
-
-void lines_drop_owned(struct lines *l, int64_t owner)
-{
-    EACH_LIVE (i, &l->s)
-        if (l->owner[i] == owner)
-            slots_drop(&l->s, i);
-    slots_trim(&l->s);
-}

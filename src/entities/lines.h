@@ -48,7 +48,4 @@ bool lines_set_text(struct lines *l, uint32_t i, const char *text, size_t n, uin
 /* Returns the number of letters of line i that are visible at the given clock. */
 uint32_t lines_visible_letters(const struct lines *l, uint32_t i, uint32_t clock);
 
-/* Removes all lines of an owner. */
-void lines_drop_owned(struct lines *l, int64_t owner);
-
 #endif

@@ -17,11 +17,3 @@ static const struct column columns[] = {
 };
 
 const struct chip sprites_chip = { .name = "sprites", CHIP_COLUMNS(columns) };
-
-void sprites_drop_owned(struct sprites *s, int64_t owner)
-{
-    EACH_LIVE (i, &s->s)
-        if (s->owner[i] == owner)
-            slots_drop(&s->s, i);
-    slots_trim(&s->s);
-}

@@ -43,7 +43,4 @@ struct sprites {
 
 extern const struct chip sprites_chip;
 
-/* Removes all sprites of an owner. */
-void sprites_drop_owned(struct sprites *s, int64_t owner);
-
 #endif

@@ -173,9 +173,9 @@ void tasks_stop(struct board *b, uint32_t slot)
     vm_charge(b->vm.running, b->enemies.s.live + b->sprites.s.live);
     int64_t h = board_handle(b, H_TASK, (int32_t)slot);
     enemies_drop_owned(&b->enemies, h);
-    sprites_drop_owned(&b->sprites, h);
+    slots_drop_where(&b->sprites.s, b->sprites.owner, h);
     if (b->lines.s.live)
-        lines_drop_owned(&b->lines, h);
+        slots_drop_where(&b->lines.s, b->lines.owner, h);
 }
 
 static bool is_owned_by(const struct board *b, uint32_t i, int64_t scope)
