@@ -10,6 +10,7 @@
 #include "strip.h"
 #include <string.h>
 #include "../src/base/fx.h"
+#include "../src/base/int.h"
 
 enum { HALF_PIXEL = 32768, MAX_PROFILE = 256 };
 
@@ -119,19 +120,12 @@ static inline int clamp_row(const struct brush *b, int64_t row)
     return row < 0 ? 0 : row > last_row ? last_row : (int)row;
 }
 
-/* Returns v modulo n, 0 to n - 1. */
-static int64_t modulo(int64_t v, int64_t n)
-{
-    v %= n;
-    return v < 0 ? v + n : v;
-}
-
 /* Draws the picture's pixel that is `along` Q16 px from the start of the line. */
 static inline void paint_pixel(const struct brush *b, uint8_t *d, int64_t line_pos, int row)
 {
     if (b->s->dashed && (line_pos >> 16 & 4))
         return;
-    const int64_t px = b->s->dashed ? 0 : modulo(line_pos >> 16, b->image->w);
+    const int64_t px = b->s->dashed ? 0 : int64_modulo(line_pos >> 16, b->image->w);
     put_texel(b, d, b->image->pix[row * b->image->pitch + px]);
 }
 
@@ -143,7 +137,7 @@ static void paint_picture_span(const struct brush *b, uint8_t *d, int n, int64_t
     const uint8_t *pix = b->image->pix;
     const ptrdiff_t pitch = b->image->pitch;
 
-    line_pos = modulo(line_pos, period);
+    line_pos = int64_modulo(line_pos, period);
     for (; n > 0; n--, d++, row += row_step) {
         put_texel(b, d, pix[clamp_row(b, row) * pitch + (line_pos >> 32)]);
         line_pos += step; /* by at most one pixel */

@@ -31,6 +31,14 @@
 INT_FUNCTIONS(int, int)
 INT_FUNCTIONS(int64, int64_t)
 
+/* Returns a modulo n, never negative; n > 0. */
+static inline int64_t int64_modulo(int64_t a, int64_t n)
+{
+    int64_t r = a % n;
+
+    return r < 0 ? r + n : r;
+}
+
 /* The number of items of an array. */
 #define COUNT(array) (sizeof(array) / sizeof(array)[0])
 

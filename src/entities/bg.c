@@ -3,6 +3,7 @@
  */
 #include "bg.h"
 #include <string.h>
+#include "../base/int.h"
 #include "../base/trig.h"
 
 static const struct column columns[] = {
@@ -87,21 +88,13 @@ void bg_set_lines(struct bg *b, struct bg_lines *l, uint32_t i, const fx *offset
     b->n_lines[i] = (uint16_t)n;
 }
 
-/* Returns a modulo n, never negative. */
-static int64_t modulo(int64_t a, int64_t n)
-{
-    int64_t r = a % n;
-
-    return r < 0 ? r + n : r;
-}
-
 /* Returns the wave's offset in line y. Uses only integers, because it runs while drawing and only ticks may use
  * floating point. */
 static fx wave_at(const struct bg *b, uint32_t i, int y)
 {
     if (!b->wave_amplitude[i] || b->wave_period[i] <= 0)
         return 0;
-    int64_t at = modulo((int64_t)y * 65536 - b->phase[i], b->wave_period[i]);
+    int64_t at = int64_modulo((int64_t)y * 65536 - b->phase[i], b->wave_period[i]);
     int32_t sine = trig_sin30((ang)(((uint64_t)at << 32) / (uint64_t)b->wave_period[i]));
     return (fx)(((int64_t)b->wave_amplitude[i] * sine + (1 << 29)) >> 30);
 }

@@ -30,13 +30,6 @@ struct brush {
     const uint8_t *blend_table; /* table of a blend; NULL: opaque */
 };
 
-static int64_t modulo(int64_t a, int64_t n)
-{
-    int64_t r = a % n;
-
-    return r < 0 ? r + n : r;
-}
-
 /* Draws n pixels from s into row y of the field, starting at column x. solid: no pixel is 0. */
 static void draw_pixels(struct draw_target *c, const struct brush *b, const uint8_t *s, int x, int y, int n, bool solid)
 {
@@ -130,7 +123,7 @@ struct shown_rows {
 static bool find_wrapped_columns(struct shown_rows *r, int64_t map_left, int64_t mw, int64_t mh)
 {
     if (r->map_left != map_left)
-        r->map_x = modulo(-map_left, mw);
+        r->map_x = int64_modulo(-map_left, mw);
     r->map_left = map_left;
     r->map_y -= r->map_y == mh ? mh : 0;
     return true;
@@ -225,7 +218,7 @@ static void draw_layer(struct draw_target *c, uint32_t i, const uint8_t *shade)
     brush.remap = compose_tables(brush.remap, shade, composed);
     cart_map(&c->b->cart, g->map[i] - 1, &m);
     const int64_t mw = m.cols * m.tile_side, mh = m.rows * m.tile_side, top = (g->y[i] >> 16) + dy;
-    struct shown_rows r = { .map_left = INT64_MIN, .to = w, .map_y = wraps ? modulo(-top, mh) : -top };
+    struct shown_rows r = { .map_left = INT64_MIN, .to = w, .map_y = wraps ? int64_modulo(-top, mh) : -top };
     for (int64_t map_left = map_left_at(c, i, 0, dx, dy), next = map_left; r.y < h;
          r.y += r.n, r.map_y += r.n, map_left = next) {
         const bool has_pixels =
@@ -271,17 +264,17 @@ static struct walk walk_of(const struct bg *g, const struct map *m, int field_w,
 {
     const int64_t w = (int64_t)m->cols * m->tile_side << 32, h = (int64_t)m->rows * m->tile_side << 32;
     const int64_t ahead_x = s * trig_cos30(g->dir[BG_PLANE]) >> 14, ahead_y = s * trig_sin30(g->dir[BG_PLANE]) >> 14;
-    const int64_t u = modulo(g->x[BG_PLANE], w >> 16) * 65536 + field_w * ahead_x - (1 - field_w) * ahead_y / 2;
-    const int64_t v = modulo(g->y[BG_PLANE], h >> 16) * 65536 + field_w * ahead_y + (1 - field_w) * ahead_x / 2;
+    const int64_t u = int64_modulo(g->x[BG_PLANE], w >> 16) * 65536 + field_w * ahead_x - (1 - field_w) * ahead_y / 2;
+    const int64_t v = int64_modulo(g->y[BG_PLANE], h >> 16) * 65536 + field_w * ahead_y + (1 - field_w) * ahead_x / 2;
 
-    return (struct walk){ modulo(u, w), modulo(v, h), modulo(-ahead_y, w), modulo(ahead_x, h) };
+    return (struct walk){ int64_modulo(u, w), int64_modulo(v, h), int64_modulo(-ahead_y, w), int64_modulo(ahead_x, h) };
 }
 
 /* Returns the walk that starts n columns later. */
 static struct walk advance_walk(struct walk a, const struct map *m, int n)
 {
-    a.u = modulo(a.u + n * a.du, (int64_t)m->cols * m->tile_side << 32);
-    a.v = modulo(a.v + n * a.dv, (int64_t)m->rows * m->tile_side << 32);
+    a.u = int64_modulo(a.u + n * a.du, (int64_t)m->cols * m->tile_side << 32);
+    a.v = int64_modulo(a.v + n * a.dv, (int64_t)m->rows * m->tile_side << 32);
     return a;
 }
 
