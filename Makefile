@@ -306,7 +306,7 @@ players: say-play-web-windows-players $(LUA_H)
 # ---- libcurtain: the board as calls, with no name of its own but those of curtain.h ----
 
 WEB     := build/web
-LIB_OBJ := $(patsubst %.c,$(OUT)/lib/%.o,$(BOARD_SRC) $(patsubst %,src/demo/%.c,demo demo_read demo_put demo_record demo_write rewind) $(wildcard src/lib/*.c)) $(OUT)/lib/gen/std.o
+LIB_OBJ := $(patsubst %.c,$(OUT)/lib/%.o,$(BOARD_SRC) $(patsubst %,src/demo/%.c,demo demo_read demo_put demo_record demo_write rewind) $(wildcard src/lib/*.c) src/common/array.c) $(OUT)/lib/gen/std.o
 LIB_C   := -DWITHOUT_HELP -fPIC -fvisibility=hidden -ffunction-sections -fdata-sections
 
 $(OUT)/lib/gen/std.o: $(OUT)/gen/std.c

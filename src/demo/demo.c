@@ -6,45 +6,29 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "../base/err.h"
+#include "../common/array.h"
 #include "demo_parts.h"
 
 /* ---- arrays ---- */
 
-/* Grows the array *p to hold at least `needed` items of `size` bytes, doubling its capacity. Returns false when out of
- * memory; *p is then unchanged. */
-static bool reserve(void *p, uint32_t *cap, uint32_t needed, size_t size)
-{
-    void *old, *grown;
-    uint32_t n = *cap ? *cap : 64;
-
-    if (needed <= *cap)
-        return true;
-    while (n < needed)
-        n *= 2;
-    memcpy(&old, p, sizeof old);
-    grown = (size_t)n > SIZE_MAX / size ? NULL : realloc(old, n * size);
-    if (!grown)
-        return false;
-    memcpy(p, &grown, sizeof grown);
-    *cap = n;
-    return true;
-}
-
 bool demo_reserve_frames(struct demo *d, uint32_t more)
 {
-    return reserve(&d->pads, &d->frames_cap, d->frames + more, sizeof d->pads[0]) &&
-           (d->sparse ||
-            reserve(&d->checksums, &d->checksums_cap, d->frames + more, sizeof d->checksums[0] * (size_t)d->n_parts));
+    for (uint32_t f = d->frames; f < d->frames + more; f++)
+        if (!array_append(&d->pads, f, sizeof d->pads[0]) ||
+            (!d->sparse && !array_append(&d->checksums, f, sizeof d->checksums[0] * (size_t)d->n_parts)))
+            return false;
+    return true;
 }
 
 bool demo_reserve_row(struct demo *d)
 {
-    return reserve(&d->rows, &d->rows_cap, d->n_rows + 1, sizeof d->rows[0] * (size_t)d->n_parts);
+    return array_append(&d->rows, d->n_rows, sizeof d->rows[0] * (size_t)d->n_parts);
 }
 
 bool demo_reserve_marker(struct demo *d)
 {
-    return reserve(&d->markers, &d->markers_cap, d->n_markers + 1, sizeof d->markers[0]);
+    return array_append(&d->markers, d->n_markers, sizeof d->markers[0]);
 }
 
 void demo_free(struct demo *d)
@@ -201,34 +185,20 @@ bool demo_points(const struct demo *d, int player, int64_t *points)
     return false;
 }
 
-/* Returns the index of the first DIP switch that cannot have the demo's value, or -1. */
-static int find_bad_dip(const struct demo *d, const struct manifest *m)
-{
-    for (int i = 0; i < m->n_dips; i++) {
-        const struct dip *dip = &m->dips[i];
-        int32_t v = d->start.dip[i];
-        if (v < dip->lo || v > dip->hi)
-            return i;
-    }
-    return -1;
-}
-
 bool demo_check_cart(const struct demo *d, const struct cart *cart, char *err, size_t err_size)
 {
     const struct manifest *m = &cart->manifest;
-    int dip = find_bad_dip(d, m);
 
     if (strcmp(d->id, m->id) != 0)
-        snprintf(err, err_size, "demo for another game (\"%s\"; this game is \"%s\")", d->id, m->id);
-    else if (d->start.difficulty >= m->n_difficulties)
-        snprintf(err, err_size, "difficulty %d is out of range: this game has %d difficulties",
-                 (int)d->start.difficulty, (int)m->n_difficulties);
-    else if (dip >= 0)
-        snprintf(err, err_size, "DIP switch %s has the value %d, which does not exist in this game", m->dips[dip].name,
-                 (int)d->start.dip[dip]);
-    else
-        return true;
-    return false;
+        return err_set(err, err_size, "demo for another game (\"%s\"; this game is \"%s\")", d->id, m->id);
+    if (d->start.difficulty >= m->n_difficulties)
+        return err_set(err, err_size, "difficulty %d is out of range: this game has %d difficulties",
+                       (int)d->start.difficulty, (int)m->n_difficulties);
+    for (int i = 0; i < m->n_dips; i++)
+        if (d->start.dip[i] < m->dips[i].lo || d->start.dip[i] > m->dips[i].hi)
+            return err_set(err, err_size, "DIP switch %s has the value %d, which does not exist in this game",
+                           m->dips[i].name, (int)d->start.dip[i]);
+    return true;
 }
 
 const char *demo_replay_warning(const struct demo *d, const struct cart *cart, char *buf, size_t size)

@@ -71,7 +71,6 @@ struct demo {
     struct demo_marker *markers; /* sorted by frame, ascending */
     bool complete;               /* the end mark was read or written */
     enum board_fault_kind fault; /* fault in the last recorded tick, or at power-on if there are no frames */
-    uint32_t frames_cap, checksums_cap, rows_cap, markers_cap;
 };
 
 /* Reads and checks a whole demo from data, which is not needed afterwards. Returns false and sets err (without the
@@ -205,7 +204,7 @@ bool demo_end(struct demo_writer *w, const struct board *b);
 
 /* Returns the recording so far as a complete demo file that ends at b's current frame, from malloc; recording
  * continues. Returns NULL when out of memory, or when recording has stopped. */
-uint8_t *demo_encode_now(const struct demo_writer *w, const struct board *b, size_t *size);
+uint8_t *demo_encode_now(struct demo_writer *w, const struct board *b, size_t *size);
 
 /* Frees the writer's memory, even during a recording. Does not touch the file. */
 void demo_writer_free(struct demo_writer *w);

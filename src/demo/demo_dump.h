@@ -20,8 +20,8 @@ struct demo_dump_request {
 size_t demo_dump_size(const struct demo_writer *w);
 
 /* Passes the recording to request->write, record by record. Reads w and uses request->memory only: no allocation, no
- * file. A dump that ends in a tick that has not returned, or before the recording's end, has no end mark; demo_read
- * reads it as far as possible. */
+ * file. A dump that ends in a tick that has not returned, before the recording's end, or in a sparse recording's full
+ * second whose row is missing, has no end mark; demo_read reads it as far as possible. */
 void demo_dump(const struct demo_writer *w, const struct demo_dump_request *request);
 
 #endif

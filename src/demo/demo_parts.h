@@ -32,8 +32,8 @@ enum { HASH_KIND_NONE, HASH_KIND_FULL, HASH_KIND_CHECKSUMS };
  * the number of points follows. The marker's kind is MARKER_LISTED; other markers of that kind have no name. */
 #define DEMO_POINTS_FORMAT "points %d "
 
-/* Returns the kind of hashes (HASHED_) that follow frames [first, end) of a sparse demo, if any follow. Each minute's
- * row is full, and so is the row of a last second with fewer than DEMO_SECOND_FRAMES frames. */
+/* Returns the kind of hashes (HASH_KIND_) that follow frames [first, end) of a sparse demo, if any follow. Each
+ * minute's row is full, and so is the row of a last second with fewer than DEMO_SECOND_FRAMES frames. */
 static inline int demo_second_hash_kind(uint32_t first, uint32_t end)
 {
     return end - first < DEMO_SECOND_FRAMES || end / DEMO_SECOND_FRAMES % DEMO_FULL_ROW_INTERVAL == 0
@@ -63,9 +63,11 @@ uint64_t *demo_row(const struct demo *d, uint32_t i);
 struct demo_sink {
     uint8_t *p;
     size_t n, cap;
-    size_t record_start; /* start of the open record */
-    bool fixed;          /* p has a fixed size and must not be reallocated */
-    bool failed;         /* out of memory: bytes go to `waste` */
+    size_t record_start;                                       /* start of the open record */
+    void (*write)(void *user, const uint8_t *bytes, size_t n); /* NULL: p grows and has all records; otherwise p has a
+                                                                * fixed size, and each record is passed to `write` */
+    void *user;
+    bool failed; /* out of memory: bytes go to `waste` */
     uint8_t waste[256];
 };
 

@@ -11,7 +11,7 @@ static uint8_t *reserve_bytes(struct demo_sink *s, size_t n)
 {
     if (s->n + n > s->cap) {
         size_t cap = s->cap * 2 + n + 1024;
-        uint8_t *grown = s->failed || s->fixed ? NULL : realloc(s->p, cap);
+        uint8_t *grown = s->failed || s->write ? NULL : realloc(s->p, cap);
         if (!grown) {
             s->failed = true;
             return s->waste;
@@ -66,6 +66,9 @@ static void close_record(struct demo_sink *s, uint32_t *crc)
         *crc = hash_crc32_add(*crc, s->p + s->record_start, n);
     }
     write32(s, *crc);
+    if (s->write && !s->failed)
+        s->write(s->user, s->p, s->n);
+    s->n = s->write ? 0 : s->n;
 }
 
 /* Returns how many of the n bytes at p, starting with the first, equal p[0]; at most 130. */
@@ -148,67 +151,44 @@ static void write_row(struct demo_sink *s, const struct demo *d, const uint64_t 
         write64(s, row[i]);
 }
 
-/* Writes the runs of pads of a sparse second. */
+/* Writes the runs of pads of frames [first, end). In a sparse demo, a run has only the pads that change. */
 static void write_runs(struct demo_sink *s, const struct demo *d, uint32_t first, uint32_t end)
 {
     static const uint16_t none[MAX_PLAYERS];
     const uint16_t *previous = first ? d->pads[first - 1] : none;
 
     for (uint32_t f = first, run; f < end; f += run) {
-        uint8_t head = 0;
+        unsigned changed = 0;
+
         run = count_pads_run(d, f, end);
         for (int p = 0; p < MAX_PLAYERS; p++)
-            head |= d->pads[f][p] != previous[p] ? RUN_PLAYER_1 << p : 0;
-        write8(s, head | (run - 1));
+            changed |= !d->sparse || d->pads[f][p] != previous[p] ? 1u << p : 0;
+        if (d->sparse)
+            write8(s, changed * RUN_PLAYER_1 | (run - 1));
+        else
+            write16(s, run);
         for (int p = 0; p < MAX_PLAYERS; p++)
-            if (head & RUN_PLAYER_1 << p)
+            if (changed >> p & 1)
                 write16(s, d->pads[f][p]);
         previous = d->pads[f];
     }
 }
 
-/* Writes the set of parts whose checksum differs from the previous row's, then the checksums of these parts. */
-static void write_row_checksums(struct demo_sink *s, const struct demo *d, const uint64_t *previous,
-                                const uint64_t *row)
-{
-    uint64_t changed_mask = 0;
-
-    for (int i = 0; i < d->n_parts; i++)
-        changed_mask |= (uint64_t)((uint16_t)previous[i] != (uint16_t)row[i]) << i;
-    for (int i = 0; i < demo_mask_bytes(DEMO_FORMAT, d->n_parts); i++)
-        write8(s, changed_mask >> 8 * i & 0xff);
-    for (int i = 0; i < d->n_parts; i++)
-        if (changed_mask >> i & 1)
-            write16(s, (uint16_t)row[i]);
-}
-
-/* Writes frames [first, end) of a sparse demo, and the hashes after them. */
-static void write_sparse_second(struct demo_sink *s, const struct demo *d, uint32_t first, uint32_t end,
-                                const uint64_t *row)
-{
-    const uint32_t i = (end + DEMO_SECOND_FRAMES - 1) / DEMO_SECOND_FRAMES;
-
-    write_runs(s, d, first, end);
-    if (row && demo_second_hash_kind(first, end) == HASH_KIND_CHECKSUMS)
-        write_row_checksums(s, d, demo_row(d, i - 1), row);
-    else
-        write_row(s, d, row);
-}
-
-/* Returns the checksum of a part after frame f; for frame 0, the checksum in the first row. */
 static uint16_t checksum_after(const struct demo *d, uint32_t f, int part)
 {
-    const uint16_t *checksums = demo_checksums(d, f);
+    uint16_t checksum = 0;
 
-    return checksums ? checksums[part] : (uint16_t)demo_row(d, 0)[part];
+    demo_get_checksum(d, f, part, &checksum);
+    return checksum;
 }
 
-static void write_checksums(struct demo_sink *s, const struct demo *d, uint32_t f)
+/* Writes the set of parts whose checksums after frames `previous` and f differ, then their checksums after f. */
+static void write_checksums(struct demo_sink *s, const struct demo *d, uint32_t previous, uint32_t f)
 {
     uint64_t changed_mask = 0;
 
     for (int i = 0; i < d->n_parts; i++)
-        changed_mask |= (uint64_t)(checksum_after(d, f, i) != checksum_after(d, f - 1, i)) << i;
+        changed_mask |= (uint64_t)(checksum_after(d, f, i) != checksum_after(d, previous, i)) << i;
     for (int i = 0; i < demo_mask_bytes(DEMO_FORMAT, d->n_parts); i++)
         write8(s, changed_mask >> 8 * i & 0xff);
     for (int i = 0; i < d->n_parts; i++)
@@ -216,25 +196,12 @@ static void write_checksums(struct demo_sink *s, const struct demo *d, uint32_t 
             write16(s, checksum_after(d, f, i));
 }
 
-/* Writes frames [first, end), the checksums of each except the last, and the hashes after them. */
-static void write_dense_second(struct demo_sink *s, const struct demo *d, uint32_t first, uint32_t end,
-                               const uint64_t *row)
-{
-    for (uint32_t f = first, run; f < end; f += run) {
-        run = count_pads_run(d, f, end);
-        write16(s, run);
-        write16(s, d->pads[f][0]);
-        write16(s, d->pads[f][1]);
-    }
-    for (uint32_t f = first + 1; f < end; f++)
-        write_checksums(s, d, f);
-    write_row(s, d, row);
-}
-
 void demo_put_second(struct demo_sink *s, const struct demo *d, uint32_t first, uint32_t n, const uint64_t *row,
                      uint32_t *crc)
 {
-    uint32_t runs = 0, end = first + n;
+    const uint32_t end = first + n;
+    const int hash_kind = !row ? HASH_KIND_NONE : d->sparse ? demo_second_hash_kind(first, end) : HASH_KIND_FULL;
+    uint32_t runs = 0;
 
     for (uint32_t f = first; f < end; f += count_pads_run(d, f, end))
         runs++;
@@ -242,9 +209,15 @@ void demo_put_second(struct demo_sink *s, const struct demo *d, uint32_t first, 
     write32(s, first);
     write8(s, n);
     write8(s, runs);
-    write8(s, (uint32_t)(!row ? HASH_KIND_NONE : d->sparse ? demo_second_hash_kind(first, end) : HASH_KIND_FULL));
+    write8(s, (uint32_t)hash_kind);
     write8(s, 0);
-    (d->sparse ? write_sparse_second : write_dense_second)(s, d, first, end, row);
+    write_runs(s, d, first, end);
+    for (uint32_t f = first + 1; f < end && !d->sparse; f++)
+        write_checksums(s, d, f - 1, f);
+    if (hash_kind == HASH_KIND_CHECKSUMS)
+        write_checksums(s, d, first, end);
+    else
+        write_row(s, d, row);
     close_record(s, crc);
 }
 

@@ -10,6 +10,7 @@
 #include "../base/bytes.h"
 #include "../base/err.h"
 #include "../base/hash.h"
+#include "../base/int.h"
 #include "demo_parts.h"
 
 enum {
@@ -205,35 +206,17 @@ static bool read_header(struct parser *p, struct source *s)
 static bool take_runs(struct source *s, struct demo *d, uint32_t n, int runs)
 {
     uint32_t f = d->frames, end = f + n;
-
-    for (int i = 0; i < runs; i++) {
-        uint32_t run = take16(s);
-        uint16_t pad1 = take16(s), pad2 = take16(s);
-        if (run < 1 || run > end - f || ((pad1 | pad2) & ~PAD_ALL) != 0)
-            return false;
-        for (; run > 0; run--, f++) {
-            d->pads[f][0] = pad1;
-            d->pads[f][1] = pad2;
-        }
-    }
-    return f == end;
-}
-
-/* Reads the pads of n frames of a sparse second, like take_runs. */
-static bool take_sparse_runs(struct source *s, struct demo *d, uint32_t n, int runs)
-{
-    uint32_t f = d->frames, end = f + n;
     uint16_t pads[MAX_PLAYERS] = { 0 };
 
     if (f)
         memcpy(pads, d->pads[f - 1], sizeof pads);
     for (int i = 0; i < runs; i++) {
-        const uint8_t head = take8(s);
-        const uint32_t run = 1u + (head & RUN_FRAMES_MASK);
+        const uint32_t head = d->sparse ? take8(s) : take16(s), run = d->sparse ? 1 + (head & RUN_FRAMES_MASK) : head;
+
         for (int p = 0; p < MAX_PLAYERS; p++)
-            if (head & RUN_PLAYER_1 << p)
+            if (!d->sparse || head & (uint32_t)RUN_PLAYER_1 << p)
                 pads[p] = take16(s);
-        if (run > end - f || ((pads[0] | pads[1]) & ~PAD_ALL) != 0)
+        if (run < 1 || run > end - f || ((pads[0] | pads[1]) & ~PAD_ALL) != 0)
             return false;
         for (const uint32_t next = f + run; f < next; f++)
             memcpy(d->pads[f], pads, sizeof pads);
@@ -264,41 +247,28 @@ static void take_checksums(struct source *s, struct demo *d, uint32_t f)
     }
 }
 
-/* Reads the checksums of n frames whose pads have been read; if hashed, also the row after the last of these frames. */
-static void take_hashes(struct source *s, struct demo *d, uint32_t n, bool hashed)
+/* Reads the hashes of n frames whose pads have been read: in a dense demo the checksums of all but the last, and unless
+ * hash_kind is HASH_KIND_NONE, the row after the last. */
+static void take_hashes(struct source *s, struct demo *d, uint32_t n, int hash_kind)
 {
-    uint32_t end = d->frames + n;
+    const uint32_t end = d->frames + n;
 
-    for (uint32_t f = d->frames + 1; f < end; f++)
+    for (uint32_t f = d->frames + 1; f < end && !d->sparse; f++)
         take_checksums(s, d, f);
     d->frames = end;
-    d->checksum_frames = hashed ? end : end - 1;
-    if (!hashed)
-        return;
-    uint64_t *row = demo_row(d, d->n_rows++);
-    for (int i = 0; i < d->n_parts; i++)
-        row[i] = take64(s);
-    for (int i = 0; n > 0 && i < d->n_parts; i++)
-        d->checksums[(size_t)(end - 1) * (size_t)d->n_parts + (size_t)i] = (uint16_t)row[i];
-}
-
-/* Counts the n frames of a second that has hashes only at its end, and reads those unless hash_kind is
- * HASH_KIND_NONE. */
-static void take_sparse_hashes(struct source *s, struct demo *d, uint32_t n, int hash_kind)
-{
-    d->frames += n;
-    d->checksum_frames = hash_kind ? d->frames : d->frames - 1;
+    d->checksum_frames = hash_kind ? end : end - 1;
     if (!hash_kind)
         return;
-    uint64_t *row = demo_row(d, d->n_rows);
+    uint64_t *row = demo_row(d, d->n_rows++);
     const uint64_t changed_mask = hash_kind == HASH_KIND_CHECKSUMS ? take_mask(s, d) : 0;
     for (int i = 0; i < d->n_parts; i++) {
         if (hash_kind == HASH_KIND_FULL)
             row[i] = take64(s);
         else
-            row[i] = changed_mask >> i & 1 ? take16(s) : (uint16_t)demo_row(d, d->n_rows - 1)[i];
+            row[i] = changed_mask >> i & 1 ? take16(s) : (uint16_t)row[i - d->n_parts];
     }
-    d->n_rows++;
+    for (int i = 0; n > 0 && !d->sparse && i < d->n_parts; i++)
+        d->checksums[(size_t)(end - 1) * (size_t)d->n_parts + (size_t)i] = (uint16_t)row[i];
 }
 
 static bool is_valid_hash_kind(const struct demo *d, uint32_t n, int hash_kind)
@@ -323,12 +293,9 @@ static bool read_second(struct parser *p, struct source *s)
         return err_set(p->err, p->err_size, "longer than %d frames", DEMO_MAX_FRAMES);
     if (!demo_reserve_frames(d, n) || !demo_reserve_row(d))
         return err_set(p->err, p->err_size, "too large for the available memory");
-    if (!(d->sparse ? take_sparse_runs : take_runs)(s, d, n, runs))
+    if (!take_runs(s, d, n, runs))
         return set_damaged_error(p, "pads");
-    if (d->sparse)
-        take_sparse_hashes(s, d, n, hash_kind);
-    else
-        take_hashes(s, d, n, hash_kind);
+    take_hashes(s, d, n, hash_kind);
     p->unhashed = !hash_kind;
     p->has_last_second = p->unhashed || (n < DEMO_SECOND_FRAMES && !is_start);
     return true;
@@ -395,59 +362,44 @@ static bool read_end(struct parser *p, struct source *s)
     return true;
 }
 
-static bool read_record(struct parser *p, uint32_t kind, struct source s)
-{
-    bool ok;
+/* The kinds of records: the maximum size of their content in bytes, and the functions that read them. */
+static const struct record_kind {
+    uint32_t kind;
+    size_t max_bytes;
+    bool (*read)(struct parser *p, struct source *s);
+} record_kinds[] = {
+    { KIND_HEADER, MAX_HEADER, read_header },  { KIND_SECOND, MAX_SECOND, read_second },
+    { KIND_MARKER, MAX_MARKER, read_marker },  { KIND_FLAGS, 4, read_flags },
+    { KIND_END, 8 + 8 * MAX_PARTS, read_end },
+};
 
-    if (!p->has_header && kind != KIND_HEADER)
-        return set_damaged_error(p, "no header");
-    switch (kind) {
-    case KIND_HEADER:
-        ok = read_header(p, &s);
-        break;
-    case KIND_SECOND:
-        ok = read_second(p, &s);
-        break;
-    case KIND_MARKER:
-        ok = read_marker(p, &s);
-        break;
-    case KIND_FLAGS:
-        ok = read_flags(p, &s);
-        break;
-    default:
-        ok = read_end(p, &s);
-        break;
-    }
-    if (!ok)
-        return false;
-    return (s.bad || s.bytes_left) ? set_damaged_error(p, "size") : true;
+/* Returns NULL for an unknown kind. */
+static const struct record_kind *find_record_kind(uint32_t kind)
+{
+    for (size_t i = 0; i < COUNT(record_kinds); i++)
+        if (record_kinds[i].kind == kind)
+            return &record_kinds[i];
+    return NULL;
 }
 
-/* Returns the maximum size of a record's content in bytes, or 0 for an unknown kind. */
-static size_t max_content_bytes(uint32_t kind)
+static bool read_record(struct parser *p, const struct record_kind *k, struct source s)
 {
-    switch (kind) {
-    case KIND_HEADER:
-        return MAX_HEADER;
-    case KIND_SECOND:
-        return MAX_SECOND;
-    case KIND_MARKER:
-        return MAX_MARKER;
-    case KIND_FLAGS:
-        return 4;
-    case KIND_END:
-        return 8 + 8 * MAX_PARTS;
-    default:
-        return 0;
-    }
+    if (!p->has_header && (!k || k->kind != KIND_HEADER))
+        return set_damaged_error(p, "no header");
+    if (!k)
+        return set_damaged_error(p, "kind or size");
+    if (!k->read(p, &s))
+        return false;
+    return (s.bad || s.bytes_left) ? set_damaged_error(p, "size") : true;
 }
 
 static bool read_records(struct parser *p, const uint8_t *data, size_t size)
 {
     while (size - p->offset >= RECORD_HEADER_SIZE && !p->d->complete) {
         const uint8_t *r = data + p->offset;
-        uint32_t kind = bytes_get32(r), n = bytes_get32(r + 4);
-        if (n > max_content_bytes(kind))
+        const struct record_kind *kind = find_record_kind(bytes_get32(r));
+        const uint32_t n = bytes_get32(r + 4);
+        if (n > (kind ? kind->max_bytes : 0))
             return set_damaged_error(p, "kind or size");
         if (size - p->offset < RECORD_OVERHEAD + (size_t)n)
             break;

@@ -65,32 +65,33 @@ static bool write_to_file(struct demo_file *f, const struct demo_sink *s, bool o
 /* Puts the bytes to write to file f into the sink, and updates f's counts and CRC. */
 typedef void put_bytes(struct demo_writer *w, struct demo_file *f, struct demo_sink *s);
 
+/* Puts the whole recording, which replaces the file; the other functions' bytes are appended. */
+static void put_all(struct demo_writer *w, struct demo_file *f, struct demo_sink *s)
+{
+    demo_put_until_last_row(s, &w->demo, &f->frames_written, &f->markers_written, &f->crc);
+}
+
 /* Makes the bytes for one file and writes them. */
-static bool write_one(struct demo_writer *w, struct demo_file *f, put_bytes *put, bool overwrite, char *err)
+static bool write_one(struct demo_writer *w, struct demo_file *f, put_bytes *put, char *err)
 {
     struct demo_sink s = { 0 };
 
     if (!f->path[0] || f->write_failed)
         return true;
     put(w, f, &s);
-    bool bad = s.failed, good = !bad && write_to_file(f, &s, overwrite, err);
+    bool bad = s.failed, good = !bad && write_to_file(f, &s, put == put_all, err);
     free(s.p);
     return bad ? stop_out_of_memory(w) : good;
 }
 
 /* Makes the bytes for the file and for the spare file, and writes them. Failing to write the spare file does not fail
  * the recording. */
-static bool write_both(struct demo_writer *w, put_bytes *put, bool overwrite)
+static bool write_both(struct demo_writer *w, put_bytes *put)
 {
-    bool good = write_one(w, &w->file, put, overwrite, w->err);
+    bool good = write_one(w, &w->file, put, w->err);
 
-    write_one(w, &w->spare_file, put, overwrite, w->spare_err);
+    write_one(w, &w->spare_file, put, w->spare_err);
     return good;
-}
-
-static void put_all(struct demo_writer *w, struct demo_file *f, struct demo_sink *s)
-{
-    demo_put_until_last_row(s, &w->demo, &f->frames_written, &f->markers_written, &f->crc);
 }
 
 /* Puts the frames that are not in the file yet, and the newest row if it is of the last frame. */
@@ -116,13 +117,11 @@ static void put_end(struct demo_writer *w, struct demo_file *f, struct demo_sink
     demo_put_end(s, &w->demo, &f->crc);
 }
 
-static bool add_row(struct demo_writer *w)
+static bool add_row(struct demo *d, const uint64_t hashes[MAX_PARTS])
 {
-    struct demo *d = &w->demo;
-
     if (!demo_reserve_row(d))
         return false;
-    memcpy(demo_row(d, d->n_rows++), w->hashes, sizeof w->hashes[0] * (size_t)d->n_parts);
+    memcpy(demo_row(d, d->n_rows++), hashes, sizeof hashes[0] * (size_t)d->n_parts);
     return true;
 }
 
@@ -172,7 +171,7 @@ static bool copy_start(struct demo *d, const struct board_start *start)
 bool demo_record_to_file(struct demo_writer *w, const char *path)
 {
     if (snprintf(w->file.path, sizeof w->file.path, "%s", path) < (int)sizeof w->file.path)
-        return write_one(w, &w->file, put_all, true, w->err);
+        return write_one(w, &w->file, put_all, w->err);
     snprintf(w->err, sizeof w->err, "the demo's path is too long");
     w->file.path[0] = 0;
     return false;
@@ -188,7 +187,7 @@ bool demo_retry_write(struct demo_writer *w)
         return false;
     f->write_failed = false;
     f->size = 0;
-    return write_one(w, f, put_all, true, w->err);
+    return write_one(w, f, put_all, w->err);
 }
 
 void demo_record_to_spare_file(struct demo_writer *w, const char *path)
@@ -197,7 +196,7 @@ void demo_record_to_spare_file(struct demo_writer *w, const char *path)
     w->spare_file.write_failed = false;
     snprintf(w->spare_file.path, sizeof w->spare_file.path, "%s", path && w->recording ? path : "");
     w->spare_file.size = 0;
-    write_one(w, &w->spare_file, put_all, true, w->spare_err);
+    write_one(w, &w->spare_file, put_all, w->spare_err);
 }
 
 void demo_remove_spare_file(struct demo_writer *w)
@@ -226,7 +225,7 @@ bool demo_begin(struct demo_writer *w, const char *path, const struct cart *cart
         return stop_out_of_memory(w);
     if (!board_last_output(b)->fault) {
         board_hashes_cached(b, w->hash_cache, w->hashes);
-        if (!add_row(w) || !add_markers(d, b))
+        if (!add_row(d, w->hashes) || !add_markers(d, b))
             return stop_out_of_memory(w);
     }
     return !path || demo_record_to_file(w, path);
@@ -250,7 +249,6 @@ static void make_sparse(struct demo *d)
 {
     free(d->checksums);
     d->checksums = NULL;
-    d->checksums_cap = 0;
     d->sparse = true;
 }
 
@@ -260,7 +258,7 @@ bool demo_set_checksum_rate(struct demo_writer *w, enum demo_checksum_rate rate)
     if (!w->recording || rate != DEMO_CHECKSUMS_EVERY_SECOND || w->demo.sparse)
         return true;
     make_sparse(&w->demo);
-    return write_both(w, put_all, true);
+    return write_both(w, put_all);
 }
 
 /* Returns whether the recording has just become too long to have checksums of every frame. */
@@ -288,12 +286,12 @@ bool demo_record_frame(struct demo_writer *w, const struct board *b, const uint1
         return stop_out_of_memory(w);
     if (d->frames % DEMO_SECOND_FRAMES != 0 || board_last_output(b)->fault)
         return true;
-    if (!add_row(w))
+    if (!add_row(d, w->hashes))
         return stop_out_of_memory(w);
     if (!is_too_long(w))
-        return write_both(w, put_second, false);
+        return write_both(w, put_second);
     make_sparse(d);
-    return write_both(w, put_all, true);
+    return write_both(w, put_all);
 }
 
 void demo_begin_tick(struct demo_writer *w, const uint16_t pads[MAX_PLAYERS])
@@ -309,7 +307,7 @@ bool demo_add_flags(struct demo_writer *w, unsigned flags)
     if (!w->recording || (w->demo.flags | flags) == w->demo.flags)
         return true;
     w->demo.flags |= flags;
-    return write_both(w, put_flags, false);
+    return write_both(w, put_flags);
 }
 
 bool demo_rewind(struct demo_writer *w, uint32_t frame)
@@ -325,7 +323,7 @@ bool demo_rewind(struct demo_writer *w, uint32_t frame)
     uint32_t rows = d->frames / DEMO_SECOND_FRAMES + 1;
     d->n_rows = rows < d->n_rows ? rows : d->n_rows;
     d->flags |= DEMO_BRANCHED;
-    return write_both(w, put_all, true);
+    return write_both(w, put_all);
 }
 
 /* Adds all players' final points as markers, so that they are known even where another core version replays the run
@@ -342,70 +340,51 @@ static bool add_points(struct demo *d, const struct board *b)
     return true;
 }
 
-bool demo_end(struct demo_writer *w, const struct board *b)
-{
-    struct demo *d = &w->demo;
-    const struct board_fault *fault = board_last_output(b)->fault;
-
-    if (!w->recording)
-        return true;
-    const bool good = demo_retry_write(w);
-    if (!fault)
-        board_hashes_cached(b, w->hash_cache, w->hashes);
-    stop_recording(w);
-    if (!add_points(d, b))
-        return stop_out_of_memory(w);
-    if (d->frames > demo_row_frame(d, d->n_rows ? d->n_rows - 1 : 0)) {
-        if (!fault && !add_row(w))
-            return stop_out_of_memory(w);
-        if (!write_both(w, put_second, false))
-            return false;
-    }
-    d->complete = true;
-    d->fault = fault ? fault->kind : FAULT_NONE;
-    return write_both(w, put_end, false) && good;
-}
-
-/* Returns a copy of n bytes of an array, with capacity for `more` bytes after them, or NULL when out of memory. */
-static void *copy_array(const void *from, size_t n, size_t more)
-{
-    char *p = malloc(n + more + 1);
-
-    if (p && n)
-        memcpy(p, from, n);
-    return p;
-}
-
-/* Completes a copy of a recording at the current frame; hashes: the hashes of that frame. */
-static bool finish_copy(struct demo *d, const struct board *b, const uint64_t hashes[MAX_PARTS])
+/* Ends a demo at the board's current frame, which has these hashes unless it ended in a fault. */
+static bool end_at(struct demo *d, const struct board *b, const uint64_t hashes[MAX_PARTS])
 {
     const struct board_fault *fault = board_last_output(b)->fault;
 
     if (!add_points(d, b))
         return false;
-    if (!fault && d->frames > demo_row_frame(d, d->n_rows ? d->n_rows - 1 : 0))
-        memcpy(demo_row(d, d->n_rows++), hashes, sizeof hashes[0] * (size_t)d->n_parts);
+    if (!fault && d->frames > demo_row_frame(d, d->n_rows ? d->n_rows - 1 : 0) && !add_row(d, hashes))
+        return false;
     d->complete = true;
     d->fault = fault ? fault->kind : FAULT_NONE;
     return true;
 }
 
-uint8_t *demo_encode_now(const struct demo_writer *w, const struct board *b, size_t *size)
+bool demo_end(struct demo_writer *w, const struct board *b)
 {
-    struct demo d = w->demo;
-    const size_t row_size = sizeof d.rows[0] * (size_t)d.n_parts;
+    struct demo *d = &w->demo;
+
+    if (!w->recording)
+        return true;
+    const bool good = demo_retry_write(w);
+    if (!board_last_output(b)->fault)
+        board_hashes_cached(b, w->hash_cache, w->hashes);
+    stop_recording(w);
+    const bool has_more = d->frames > demo_row_frame(d, d->n_rows ? d->n_rows - 1 : 0);
+    if (!end_at(d, b, w->hashes))
+        return stop_out_of_memory(w);
+    return (!has_more || write_both(w, put_second)) && write_both(w, put_end) && good;
+}
+
+uint8_t *demo_encode_now(struct demo_writer *w, const struct board *b, size_t *size)
+{
+    struct demo *d = &w->demo;
+    const uint32_t n_rows = d->n_rows, n_markers = d->n_markers;
     uint64_t hashes[MAX_PARTS];
 
     if (!w->recording)
         return NULL;
     if (!board_last_output(b)->fault)
         board_hashes(b, hashes);
-    d.rows = copy_array(d.rows, d.n_rows * row_size, row_size);
-    d.markers = copy_array(d.markers, d.n_markers * sizeof d.markers[0], MAX_PLAYERS * sizeof d.markers[0]);
-    d.markers_cap = d.n_markers + MAX_PLAYERS;
-    uint8_t *bytes = d.rows && d.markers && finish_copy(&d, b, hashes) ? demo_encode(&d, size) : NULL;
-    free(d.rows);
-    free(d.markers);
+    uint8_t *bytes = end_at(d, b, hashes) ? demo_encode(d, size) : NULL;
+    d->n_rows = n_rows;
+    d->n_markers = n_markers;
+    d->complete = false;
+    d->fault = FAULT_NONE;
     return bytes;
 }
 

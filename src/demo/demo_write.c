@@ -2,9 +2,8 @@
  * demo_write.c - writes a whole demo to memory or to its file (demo.h). demo_record.c writes a demo while it is being
  * recorded; demo_put.c writes the records.
  */
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
+#include "../base/err.h"
 #include "demo_parts.h"
 #include "../common/files.h"
 
@@ -31,14 +30,12 @@ bool demo_save(const struct demo *d, const char *path, char *err, size_t err_siz
 {
     size_t size;
 
-    if (d->checksum_parts != UINT64_MAX) {
-        snprintf(err, err_size, "%s: the demo has no per-part checksums to write", path);
-        return false;
-    }
+    if (d->checksum_parts != UINT64_MAX)
+        return err_set(err, err_size, "%s: the demo has no per-part checksums to write", path);
     uint8_t *bytes = demo_encode(d, &size);
-    bool ok = bytes && files_save(path, bytes, size, err, err_size);
     if (!bytes)
-        snprintf(err, err_size, "%s: out of memory", path);
+        return err_set(err, err_size, "%s: out of memory", path);
+    const bool ok = files_save(path, bytes, size, err, err_size);
     free(bytes);
     return ok;
 }

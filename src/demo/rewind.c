@@ -8,6 +8,7 @@
 #include "rewind.h"
 
 #include <string.h>
+#include "../base/fx.h"
 #include "../base/int.h"
 
 enum {
@@ -228,21 +229,12 @@ bool rewind_push(struct rewind *r, const struct board *b, const uint16_t pads[MA
     return true;
 }
 
-static uint32_t square_root(uint32_t n)
-{
-    uint32_t root = 1;
-
-    while ((root + 1) * (root + 1) <= n)
-        root++;
-    return root;
-}
-
 /* Returns the frames between the key frames to take when going back into a gap of n frames, or 0 for none. With a
  * distance of sqrt(n), the replays between two new key frames cost as much as the one that takes them; but these take
  * at most a quarter of the slots. */
 static uint32_t fill_apart(const struct rewind *r, uint32_t n)
 {
-    const uint32_t most = r->slots / 4, apart = square_root(n);
+    const uint32_t most = r->slots / 4, apart = (uint32_t)fx_root(n);
 
     if (n < MIN_APART || most == 0)
         return 0;

@@ -1418,6 +1418,33 @@ static void test_dump_of_the_past(void **state)
     demo_writer_free(&w);
 }
 
+/* Of a recording that ran out of memory before it added the row of a second. A sparse demo has no checksums without. */
+static void test_dump_without_a_row(void **state)
+{
+    struct board_start start = { .seed = 4, .difficulty = -1 };
+    struct demo_writer w = { .recording = false };
+    struct demo d;
+
+    (void)state;
+    for (int sparse = 0; sparse < 2; sparse++) {
+        struct board *b = power(&start);
+        struct rng r;
+        rng_seed(&r, 1);
+        assert_true(demo_begin(&w, NULL, &cart, b, &start, 0));
+        assert_true(!sparse || demo_set_checksum_rate(&w, DEMO_CHECKSUMS_EVERY_SECOND));
+        play(&w, b, &r, 120);
+        w.demo.n_rows--;
+        dump(&w, (struct demo_dump_request){ .frames = 120 }, &d);
+        assert_int_equal(d.complete, !sparse);
+        assert_int_equal(d.frames, 120);
+        assert_int_equal(d.n_rows, sparse ? 2 : 3);
+        assert_int_equal(d.checksum_frames, sparse ? 119 : 120);
+        assert_memory_equal(d.pads, w.demo.pads, 120 * sizeof d.pads[0]);
+        demo_free(&d);
+        demo_writer_free(&w);
+    }
+}
+
 static void test_dump_of_a_fault(void **state)
 {
     static const uint32_t at[] = { 0, 30, 59, 60, 119 };
@@ -1597,6 +1624,7 @@ int main(void)
         cmocka_unit_test(test_dump),
         cmocka_unit_test(test_dump_in_a_tick),
         cmocka_unit_test(test_dump_of_the_past),
+        cmocka_unit_test(test_dump_without_a_row),
         cmocka_unit_test(test_dump_of_a_fault),
         cmocka_unit_test(test_text),
         cmocka_unit_test(test_text_lies),
