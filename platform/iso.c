@@ -3,6 +3,8 @@
  *
  * ISO C has no folders, links or devices. Paths are used as typed.
  */
+#pragma GCC diagnostic ignored "-Wunused-parameter" /* some functions do nothing */
+
 #include "host.h"
 
 #include <stdlib.h>
@@ -26,13 +28,11 @@ bool host_pictures_folder(char out[HOST_PATH_SIZE])
 
 void host_base_folder(const char *path, char out[HOST_PATH_SIZE + 1])
 {
-    (void)path;
     out[0] = 0;
 }
 
 void plat_normalize_slashes(char *path)
 {
-    (void)path;
 }
 
 FILE *host_open(const char *path, enum host_mode mode)
@@ -60,7 +60,6 @@ bool host_exists(const char *path)
 
 bool host_is_special(const char *path)
 {
-    (void)path;
     return false;
 }
 
@@ -71,31 +70,25 @@ bool host_is_same_file(const char *a, const char *b)
 
 bool host_resolve_links(char path[HOST_PATH_SIZE])
 {
-    (void)path;
     return true;
 }
 
 bool host_make_folder(const char *path)
 {
-    (void)path;
     return true;
 }
 
 bool host_sync_file(FILE *f)
 {
-    (void)f;
     return true;
 }
 
 void host_sync_folder(const char *folder)
 {
-    (void)folder;
 }
 
 void host_copy_permissions(FILE *f, const char *path)
 {
-    (void)f;
-    (void)path;
 }
 
 /* In ISO C, rename may fail if the new name exists. */
@@ -114,14 +107,10 @@ bool host_remove(const char *path)
 
 bool host_make_executable(const char *path)
 {
-    (void)path;
     return true;
 }
 
 int host_list(const char *folder, void (*visit)(void *user, const struct plat_folder_entry *file), void *user)
 {
-    (void)folder;
-    (void)visit;
-    (void)user;
     return -1;
 }

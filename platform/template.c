@@ -12,6 +12,8 @@
  * src/cab/main.c is the main loop. If the host has the main loop, leave that file out of the link, and call
  * program_open, program_run_frame and program_close from here.
  */
+#pragma GCC diagnostic ignored "-Wunused-parameter" /* remove this line when the functions use their parameters */
+
 #include <string.h>
 #include "platform.h"
 
@@ -21,7 +23,6 @@ static uint64_t now;
  * none. If the port is already open, apply the settings that differ from the last call, such as fullscreen. */
 bool plat_open(const struct plat_config *config)
 {
-    (void)config;
     return true;
 }
 
@@ -46,11 +47,6 @@ void plat_poll(struct plat_input *in)
  * a palette of 256 colours takes pix and rgb directly. The function may wait for the vertical blank. */
 void plat_show(const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[256])
 {
-    (void)pix;
-    (void)pitch;
-    (void)w;
-    (void)h;
-    (void)rgb;
 }
 
 /* Read a timer. This clock advances only in plat_wait, so everything runs as fast as possible. */

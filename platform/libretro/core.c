@@ -7,6 +7,8 @@
  * netplay load frames of which the library has snapshots, and a state from another process or from a network is
  * replayed from the start of its run.
  */
+#pragma GCC diagnostic ignored "-Wunused-parameter" /* some functions of the interface do nothing */
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -150,6 +152,18 @@ static void close_game(void)
     core.memory = NULL;
 }
 
+/* Opens a game in memory from malloc, which the caller frees, also on failure. Returns NULL and sets err, TEXT_SIZE
+ * bytes, on failure. */
+static struct curtain *open_game(const struct curtain_config *config, void **memory, char *err)
+{
+    const size_t size = curtain_memory(config, err, TEXT_SIZE);
+
+    *memory = size ? malloc(size) : NULL;
+    if (size && !*memory)
+        snprintf(err, TEXT_SIZE, "not enough memory");
+    return *memory ? curtain_open(config, *memory, size, err, TEXT_SIZE) : NULL;
+}
+
 /* Powers the game up with the front end's current options and save RAM. Returns false, after showing the error, if that
  * fails. */
 static bool power_up(void)
@@ -170,11 +184,9 @@ static bool power_up(void)
         config.nvram_size = get32(core.save_ram);
     }
     config.seed = config.nvram ? seed_from_save(config.nvram, config.nvram_size) : 1;
-    size_t size = curtain_memory(&config, err, sizeof err);
-    core.memory = size ? malloc(size) : NULL;
-    core.c = core.memory ? curtain_open(&config, core.memory, size, err, sizeof err) : NULL;
+    core.c = open_game(&config, &core.memory, err);
     if (!core.c) {
-        show_error(size && !core.memory ? "not enough memory" : err);
+        show_error(err);
         close_game();
     }
     return core.c != NULL;
@@ -205,7 +217,6 @@ void retro_set_video_refresh(retro_video *f)
 
 void retro_set_audio_sample(retro_sample *f)
 {
-    (void)f;
 }
 
 void retro_set_audio_sample_batch(retro_audio *f)
@@ -225,8 +236,6 @@ void retro_set_input_state(retro_input_state *f)
 
 void retro_set_controller_port_device(unsigned port, unsigned device)
 {
-    (void)port;
-    (void)device;
 }
 
 void retro_init(void)
@@ -250,15 +259,13 @@ static void read_title(void)
 {
     struct curtain_config config = { 0 };
     char err[TEXT_SIZE];
-    void *rom;
+    void *rom, *memory;
 
     snprintf(core.title, sizeof core.title, "Curtain");
     if (!inside_has_game() || !inside_read_game(&rom, &config.rom_size, err, sizeof err))
         return;
     config.rom = rom;
-    const size_t size = curtain_memory(&config, err, sizeof err);
-    void *memory = size ? malloc(size) : NULL;
-    struct curtain *c = memory ? curtain_open(&config, memory, size, err, sizeof err) : NULL;
+    struct curtain *c = open_game(&config, &memory, err);
     if (c)
         snprintf(core.title, sizeof core.title, "%s", curtain_title(c));
     curtain_close(c);
@@ -292,9 +299,6 @@ void retro_cheat_reset(void)
 
 void retro_cheat_set(unsigned index, bool on, const char *code)
 {
-    (void)index;
-    (void)on;
-    (void)code;
 }
 
 /* ---- loading and unloading a game ---- */
@@ -390,9 +394,6 @@ bool retro_load_game(const struct retro_game *game)
 
 bool retro_load_game_special(unsigned type, const struct retro_game *games, size_t n)
 {
-    (void)type;
-    (void)games;
-    (void)n;
     return false;
 }
 
