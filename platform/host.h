@@ -3,12 +3,13 @@
  *
  * Each host has its own files that define these functions, and those of platform.h under "the host": posix.c and
  * posix_process.c; win.c, win_process.c and win_register.c; iso.c for hosts that have only ISO C, and no_process.c for
- * hosts without processes. Paths are UTF-8, with / between folders. A function that fails sets errno if the host gives
- * a reason.
+ * hosts without processes; plat_run_jobs has a default in stdio.c. Paths are UTF-8, with / between folders. A function
+ * that fails sets errno if the host gives a reason.
  */
 #ifndef PLATFORM_HOST_H
 #define PLATFORM_HOST_H
 
+#include <errno.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
@@ -23,6 +24,16 @@
 #endif
 
 enum { HOST_PATH_SIZE = 2048 }; /* maximum size of a path in bytes, including the NUL */
+
+/* Returns whether a path of n bytes fits, without the NUL; if not, sets errno. */
+static inline bool host_fits(int n)
+{
+#ifdef ENAMETOOLONG
+    if (n >= HOST_PATH_SIZE)
+        errno = ENAMETOOLONG;
+#endif
+    return n < HOST_PATH_SIZE;
+}
 
 /* ---- names ---- */
 
@@ -95,10 +106,6 @@ void host_log(const char *text, size_t size);
  * this. */
 bool host_crash_arm(void (*on_crash)(const char *reason));
 void host_crash_disarm(void);
-
-/* Implements plat_run_jobs without processes: runs the jobs one after another in this process. Defined in
- * stdio.c. */
-bool host_run_jobs(int n, const struct plat_job_callbacks *work);
 
 /* File functions for `on_crash`; they and host_log are safe in a signal handler. host_crash_open_report creates a file,
  * on POSIX one that only the user can read, and returns its descriptor, or -1 on failure. */

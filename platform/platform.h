@@ -5,7 +5,7 @@
  * To write a port, copy template.c and write its six functions. The other functions have defaults in stdio.c and in the
  * host's files (posix.c, win.c, iso.c and others; see host.h). The defaults are weak symbols (gcc and clang, ELF and
  * Mach-O), so a port overrides one by defining the same function. If there are no weak symbols, as on Windows, compile
- * the files with the defaults with one -DPLAT_OWN_... for each override, such as -DPLAT_OWN_SOUND.
+ * the files with the defaults with one -DPLAT_OWN_... for each override, such as -DPLAT_OWN_QUEUE_SOUND.
  *
  * A port has no logic and no table of key bindings: it reports keys and buttons by number, and src/cab maps them. It
  * includes this header and no other header of Curtain. All functions are called from one thread.

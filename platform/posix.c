@@ -10,7 +10,6 @@
 #include "host.h"
 
 #include <dirent.h>
-#include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
 #include <stdlib.h>
@@ -30,13 +29,6 @@
 
 /* ---- names ---- */
 
-static bool fits(int n)
-{
-    if (n >= HOST_PATH_SIZE)
-        errno = ENAMETOOLONG;
-    return n < HOST_PATH_SIZE;
-}
-
 /* Returns an environment variable's value if it is an absolute path, otherwise NULL: by the XDG rules a relative path
  * counts as unset. */
 static const char *absolute_variable(const char *name)
@@ -49,8 +41,8 @@ bool host_data_folder(char out[HOST_PATH_SIZE])
 {
     const char *data = absolute_variable("XDG_DATA_HOME"), *home = getenv("HOME");
     if (data)
-        return fits(snprintf(out, HOST_PATH_SIZE, "%s", data));
-    return home && home[0] && fits(snprintf(out, HOST_PATH_SIZE, "%s/" DATA_FOLDER, home));
+        return host_fits(snprintf(out, HOST_PATH_SIZE, "%s", data));
+    return home && home[0] && host_fits(snprintf(out, HOST_PATH_SIZE, "%s/" DATA_FOLDER, home));
 }
 
 /* Parses the value of a line NAME="VALUE" of user-dirs.dirs. VALUE starts with / or $HOME; a \ precedes a character
@@ -83,7 +75,8 @@ static bool find_user_dir(const char *name, const char *home, char *out, size_t 
     char line[2 * HOST_PATH_SIZE];
     const char *config = absolute_variable("XDG_CONFIG_HOME");
     bool found = false;
-    if (!fits(snprintf(line, HOST_PATH_SIZE, "%s%s/user-dirs.dirs", config ? config : home, config ? "" : "/.config")))
+    if (!host_fits(
+            snprintf(line, HOST_PATH_SIZE, "%s%s/user-dirs.dirs", config ? config : home, config ? "" : "/.config")))
         return false;
     FILE *f = fopen(line, "r");
     while (f && fgets(line, sizeof line, f)) {
@@ -100,12 +93,12 @@ static bool find_user_dir(const char *name, const char *home, char *out, size_t 
 bool host_pictures_folder(char out[HOST_PATH_SIZE])
 {
     const char *pictures = absolute_variable("XDG_PICTURES_DIR"), *home = getenv("HOME");
-    if (pictures && fits(snprintf(out, HOST_PATH_SIZE, "%s", pictures)))
+    if (pictures && host_fits(snprintf(out, HOST_PATH_SIZE, "%s", pictures)))
         return true;
     if (!home || !home[0])
         return false;
     return find_user_dir("XDG_PICTURES_DIR", home, out, HOST_PATH_SIZE) ||
-           fits(snprintf(out, HOST_PATH_SIZE, "%s/Pictures", home));
+           host_fits(snprintf(out, HOST_PATH_SIZE, "%s/Pictures", home));
 }
 
 void host_base_folder(const char *path, char out[HOST_PATH_SIZE + 1])
@@ -181,10 +174,8 @@ bool host_resolve_links(char path[HOST_PATH_SIZE])
         target[n] = 0;
         char *slash = strrchr(path, '/');
         int folder_length = target[0] == '/' || !slash ? 0 : (int)(slash + 1 - path);
-        if (snprintf(joined, sizeof joined, "%.*s%s", folder_length, path, target) >= HOST_PATH_SIZE) {
-            errno = ENAMETOOLONG;
+        if (!host_fits(snprintf(joined, sizeof joined, "%.*s%s", folder_length, path, target)))
             return false;
-        }
         memcpy(path, joined, strlen(joined) + 1);
     }
     errno = ELOOP;

@@ -2,11 +2,12 @@
  * stdio.c - the defaults of the platform API that are the same on every host, built on the functions of host.h.
  *
  * Every plat_ function is a weak symbol, which a port overrides by defining the same function. A build without weak
- * symbols leaves out the functions that the port defines, with -DPLAT_OWN_RGB, _FIT, _WINDOW, _PAINT, _ICON, _DROPPED,
- * _CONTROLLER, _KEY_LABEL, _USEC, _WAIT, _SOUND, _LOG, _NAME, _ALERT, _BESIDE, _PROGRAM_PATH, _CRASH, _ABOUT and _FILES
- * (plat_path, _size, _load, _open_stream, _same_file, _save, _append, _make_executable, _remove and _list together).
+ * symbols leaves out each function that the port defines, by a macro with its name: -DPLAT_OWN_QUEUE_SOUND for
+ * plat_queue_sound. -DPLAT_OWN_FILES leaves out plat_path, _file_size, _load, _open_stream, _is_same_file, _save,
+ * _append, _make_executable, _remove and _list together.
  */
-#include <errno.h>
+#pragma GCC diagnostic ignored "-Wunused-parameter" /* some defaults do nothing */
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -75,7 +76,6 @@ PLAT_DEFAULT void plat_fit_window(const struct plat_config *config, int max_w, i
 #ifndef PLAT_OWN_GET_WINDOW
 PLAT_DEFAULT bool plat_get_window(struct plat_window *out)
 {
-    (void)out;
     return false;
 }
 #endif
@@ -83,10 +83,6 @@ PLAT_DEFAULT bool plat_get_window(struct plat_window *out)
 #ifndef PLAT_OWN_PAINT
 PLAT_DEFAULT bool plat_paint(const uint32_t *rgb, int pitch, int w, int h)
 {
-    (void)rgb;
-    (void)pitch;
-    (void)w;
-    (void)h;
     return false;
 }
 #endif
@@ -94,17 +90,12 @@ PLAT_DEFAULT bool plat_paint(const uint32_t *rgb, int pitch, int w, int h)
 #ifndef PLAT_OWN_SET_ICON
 PLAT_DEFAULT void plat_set_icon(const uint8_t *rgba, int w, int h)
 {
-    (void)rgba;
-    (void)w;
-    (void)h;
 }
 #endif
 
 #ifndef PLAT_OWN_TAKE_DROPPED_FILE
 PLAT_DEFAULT bool plat_take_dropped_file(char *path, size_t size)
 {
-    (void)path;
-    (void)size;
     return false;
 }
 #endif
@@ -121,9 +112,6 @@ PLAT_DEFAULT bool plat_get_controller(int i, struct plat_controller *controller)
 #ifndef PLAT_OWN_KEY_LABEL
 PLAT_DEFAULT bool plat_key_label(unsigned usage, char *text, size_t size)
 {
-    (void)usage;
-    (void)text;
-    (void)size;
     return false;
 }
 #endif
@@ -159,8 +147,6 @@ PLAT_DEFAULT void plat_wait(uint64_t deadline)
 #ifndef PLAT_OWN_QUEUE_SOUND
 PLAT_DEFAULT int plat_queue_sound(const int16_t *lr, int frames)
 {
-    (void)lr;
-    (void)frames;
     return -1;
 }
 #endif
@@ -199,7 +185,6 @@ PLAT_DEFAULT void plat_log(const char *line)
 #ifndef PLAT_OWN_ALERT
 PLAT_DEFAULT void plat_alert(const char *text)
 {
-    (void)text;
 }
 #endif
 
@@ -257,21 +242,13 @@ static bool starts_with(const char *s, const char *prefix)
     return strncmp(s, prefix, strlen(prefix)) == 0;
 }
 
-static bool fits(int n)
-{
-#ifdef ENAMETOOLONG
-    if (n >= HOST_PATH_SIZE)
-        errno = ENAMETOOLONG;
-#endif
-    return n < HOST_PATH_SIZE;
-}
-
 static bool resolve_picture_path(char path[HOST_PATH_SIZE], const char *name)
 {
     char folder[HOST_PATH_SIZE];
     if (!host_pictures_folder(folder))
-        return fits(snprintf(path, HOST_PATH_SIZE, "%s", name));
-    return fits(snprintf(path, HOST_PATH_SIZE, "%s/%s/%s", folder, program_name[0] ? program_name : "Curtain", name));
+        return host_fits(snprintf(path, HOST_PATH_SIZE, "%s", name));
+    return host_fits(
+        snprintf(path, HOST_PATH_SIZE, "%s/%s/%s", folder, program_name[0] ? program_name : "Curtain", name));
 }
 
 /* Converts a name to a path. Returns false if the path is too long or the user has no folder. */
@@ -281,11 +258,11 @@ static bool resolve_path(char path[HOST_PATH_SIZE], const char *name)
     if (starts_with(name, "pictures:"))
         return resolve_picture_path(path, name + strlen("pictures:"));
     if (!starts_with(name, "user:"))
-        return fits(snprintf(path, HOST_PATH_SIZE, "%s", name));
+        return host_fits(snprintf(path, HOST_PATH_SIZE, "%s", name));
     if (!host_data_folder(data))
         return false;
-    return fits(snprintf(path, HOST_PATH_SIZE, "%s/curtain%s%s/%s", data, program_name[0] ? "-" : "", program_name,
-                         name + strlen("user:")));
+    return host_fits(snprintf(path, HOST_PATH_SIZE, "%s/curtain%s%s/%s", data, program_name[0] ? "-" : "", program_name,
+                              name + strlen("user:")));
 }
 
 PLAT_DEFAULT bool plat_path(const char *name, char *path, size_t size)
@@ -446,8 +423,9 @@ PLAT_DEFAULT int plat_list(const char *dir, void (*visit)(void *user, const stru
 }
 #endif
 
-/* ---- jobs ---- */
+/* ---- jobs: one after another in this process, on hosts without fork ---- */
 
+#ifndef PLAT_OWN_RUN_JOBS
 static bool run_job(int i, const struct plat_job_callbacks *w)
 {
     FILE *out = plat_open_temp_file();
@@ -465,13 +443,14 @@ static bool run_job(int i, const struct plat_job_callbacks *w)
     return text != NULL;
 }
 
-bool host_run_jobs(int n, const struct plat_job_callbacks *w)
+PLAT_DEFAULT bool plat_run_jobs(int n, int max_jobs, const struct plat_job_callbacks *w)
 {
     bool good = true;
     for (int i = 0; i < n && good; i++)
         good = run_job(i, w);
     return good;
 }
+#endif
 
 /* ---- port and host description, for reports ---- */
 

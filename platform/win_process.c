@@ -444,10 +444,3 @@ int plat_processor_count(void)
 
     return n < 1 ? 1 : n > PLAT_MAX_JOBS ? PLAT_MAX_JOBS : (int)n;
 }
-
-/* Windows cannot fork a process, so the jobs run in this one. */
-bool plat_run_jobs(int n, int jobs, const struct plat_job_callbacks *w)
-{
-    (void)jobs;
-    return host_run_jobs(n, w);
-}
