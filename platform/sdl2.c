@@ -10,6 +10,8 @@
  * The SDL library is opened when a window is first needed, so commands without a window run where SDL is not installed,
  * and start faster. With -DSDL_LINKED it is linked instead, as on Windows.
  */
+#pragma GCC diagnostic ignored "-Wunused-parameter" /* parameters that an older SDL does not need */
+
 #include <SDL.h>
 #include <stdio.h>
 #include <string.h>
@@ -117,42 +119,52 @@ static bool load_sdl(void)
 
 /* ---- window ---- */
 
-/* Gets the size of the part of the desktop that a window's content may fill, without title bar and edges; 0, 0 if
- * unknown. Uses the borders of the window if it is open, otherwise TITLE_HEIGHT and BORDER_SIZE. */
-static void find_usable_size(int *w, int *h)
+static int display_index(void)
 {
     const int display = port.window ? sdl.GetWindowDisplayIndex(port.window) : 0;
-    int top = TITLE_HEIGHT, left = BORDER_SIZE, bottom = BORDER_SIZE, right = BORDER_SIZE;
+
+    return display < 0 ? 0 : display;
+}
+
+/* Gets the size of the window's content that fits the desktop with title bar and edges. Uses the borders of the window
+ * if it is open, otherwise TITLE_HEIGHT and BORDER_SIZE. */
+static void find_window_size(const struct plat_config *config, int *w, int *h)
+{
+    int top = TITLE_HEIGHT, left = BORDER_SIZE, bottom = BORDER_SIZE, right = BORDER_SIZE, max_w = 0, max_h = 0;
     SDL_Rect r;
 
-    *w = *h = 0;
-    if (sdl.GetDisplayUsableBounds(display < 0 ? 0 : display, &r) != 0)
-        return;
-    if (port.window && !(sdl.GetWindowFlags(port.window) & SDL_WINDOW_FULLSCREEN))
-        sdl.GetWindowBordersSize(port.window, &top, &left, &bottom, &right); /* zeroes if SDL does not know them */
-    *w = r.w - left - right;
-    *h = r.h - (top ? top : TITLE_HEIGHT) - bottom;
+    if (sdl.GetDisplayUsableBounds(display_index(), &r) == 0) {
+        if (port.window && !(sdl.GetWindowFlags(port.window) & SDL_WINDOW_FULLSCREEN))
+            sdl.GetWindowBordersSize(port.window, &top, &left, &bottom, &right); /* zeroes if SDL does not know them */
+        max_w = r.w - left - right;
+        max_h = r.h - (top ? top : TITLE_HEIGHT) - bottom;
+    }
+    plat_fit_window(config, max_w, max_h, w, h);
+}
+
+/* Returns the refresh rate of the window's screen in Hz; 0: unknown. */
+static int refresh_rate(void)
+{
+    SDL_DisplayMode mode;
+
+    return sdl.GetDesktopDisplayMode(display_index(), &mode) == 0 ? mode.refresh_rate : 0;
 }
 
 /* Returns whether to use VSync. Without a refresh rate, VSync would only show pictures late. */
 static bool should_use_vsync(const struct plat_config *config)
 {
-    SDL_DisplayMode mode;
-    const int display = port.window ? sdl.GetWindowDisplayIndex(port.window) : 0;
-
-    return config->vsync && sdl.GetDesktopDisplayMode(display < 0 ? 0 : display, &mode) == 0 && mode.refresh_rate > 0;
+    return config->vsync && refresh_rate() > 0;
 }
 
 static bool open_window(const struct plat_config *config)
 {
     const char *title = config->title ? config->title : "";
     Uint32 flags = SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI;
-    int w, h, max_w, max_h;
+    int w, h;
 
     if (config->fullscreen)
         flags |= SDL_WINDOW_FULLSCREEN_DESKTOP;
-    find_usable_size(&max_w, &max_h);
-    plat_fit_window(config, max_w, max_h, &w, &h);
+    find_window_size(config, &w, &h);
     port.window = sdl.CreateWindow(title, SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED, w, h, flags);
     if (!port.window)
         return log_failure("cannot open a window");
@@ -168,8 +180,6 @@ static void change_vsync(const struct plat_config *config)
 #if SDL_VERSION_ATLEAST(2, 0, 18)
     if (sdl.RenderSetVSync && config->vsync != port.config.vsync)
         sdl.RenderSetVSync(port.renderer, should_use_vsync(config)); /* may fail; plat_get_window reports the state */
-#else
-    (void)config;
 #endif
 }
 
@@ -183,9 +193,8 @@ static void change_window(const struct plat_config *config)
     if (config->w == port.config.w && config->h == port.config.h && config->scale == port.config.scale &&
         config->fractional == port.config.fractional)
         return;
-    int w, h, max_w, max_h;
-    find_usable_size(&max_w, &max_h);
-    plat_fit_window(config, max_w, max_h, &w, &h);
+    int w, h;
+    find_window_size(config, &w, &h);
     sdl.SetWindowMinimumSize(port.window, config->w, config->h);
     sdl.SetWindowSize(port.window, w, h);
 }
@@ -209,11 +218,6 @@ void plat_set_icon(const uint8_t *rgba, int w, int h)
 /* Discards ALSA's messages to the terminal; the log has the error already. */
 static void ignore_alsa(const char *file, int line, const char *function, int err, const char *format, ...)
 {
-    (void)file;
-    (void)line;
-    (void)function;
-    (void)err;
-    (void)format;
 }
 
 static void silence_alsa(void)
@@ -316,30 +320,33 @@ static void start_controllers(void)
         log_failure("no controllers");
 }
 
+static bool start(const struct plat_config *config)
+{
+    if (sdl.Init(SDL_INIT_VIDEO) != 0)
+        return log_failure("cannot open a window");
+    if (is_headless_driver()) {
+        plat_log("curtain: cannot open a window: no display");
+        return false;
+    }
+    if (!open_window(config))
+        return false;
+    plat_catch_hangup(true); /* SDL turns only SIGINT and SIGTERM into SDL_QUIT */
+    start_controllers();
+    return true;
+}
+
 bool plat_open(const struct plat_config *config)
 {
-    bool was_open = port.window != 0;
     if (!load_sdl()) {
         plat_log("curtain: SDL 2.0.10 or later is required; install the package libsdl2-2.0-0 (Debian, Ubuntu), "
                  "SDL2 (Fedora) or sdl2 (Arch, Homebrew)");
         return false;
     }
-    if (!was_open && sdl.Init(SDL_INIT_VIDEO) != 0)
-        return log_failure("cannot open a window");
-    if (!was_open && is_headless_driver()) {
-        plat_log("curtain: cannot open a window: no display");
-        plat_close();
-        return false;
-    }
-    if (was_open) {
+    if (port.window) {
         change_window(config);
-    } else if (!open_window(config)) {
+    } else if (!start(config)) {
         plat_close();
         return false;
-    }
-    if (!was_open) {
-        plat_catch_hangup(true); /* SDL turns only SIGINT and SIGTERM into SDL_QUIT */
-        start_controllers();
     }
     set_sound_rate(config->sound_rate);
     if (config->text_input)
@@ -448,37 +455,28 @@ static void set_controller_button(SDL_JoystickID id, int button, bool down)
 static enum plat_controller_kind controller_kind(SDL_GameController *c)
 {
 #if SDL_VERSION_ATLEAST(2, 0, 12)
-    switch (sdl.GameControllerGetType ? sdl.GameControllerGetType(c) : SDL_CONTROLLER_TYPE_UNKNOWN) {
-    case SDL_CONTROLLER_TYPE_XBOX360:
-        return PLAT_XBOX_360;
-    case SDL_CONTROLLER_TYPE_XBOXONE:
-        return PLAT_XBOX;
-    case SDL_CONTROLLER_TYPE_PS3:
-        return PLAT_PS3;
-    case SDL_CONTROLLER_TYPE_PS4:
-        return PLAT_PS4;
-    case SDL_CONTROLLER_TYPE_NINTENDO_SWITCH_PRO:
-        return PLAT_NINTENDO;
+    static const uint8_t kinds[] = {
+        [SDL_CONTROLLER_TYPE_XBOX360] = PLAT_XBOX_360,
+        [SDL_CONTROLLER_TYPE_XBOXONE] = PLAT_XBOX,
+        [SDL_CONTROLLER_TYPE_PS3] = PLAT_PS3,
+        [SDL_CONTROLLER_TYPE_PS4] = PLAT_PS4,
+        [SDL_CONTROLLER_TYPE_NINTENDO_SWITCH_PRO] = PLAT_NINTENDO,
 #if SDL_VERSION_ATLEAST(2, 0, 14)
-    case SDL_CONTROLLER_TYPE_PS5:
-        return PLAT_PS5;
+        [SDL_CONTROLLER_TYPE_PS5] = PLAT_PS5,
 #endif
 #if SDL_VERSION_ATLEAST(2, 0, 16)
-    case SDL_CONTROLLER_TYPE_AMAZON_LUNA:
-    case SDL_CONTROLLER_TYPE_GOOGLE_STADIA:
-        return PLAT_XBOX;
+        [SDL_CONTROLLER_TYPE_AMAZON_LUNA] = PLAT_XBOX,
+        [SDL_CONTROLLER_TYPE_GOOGLE_STADIA] = PLAT_XBOX,
 #endif
 #if SDL_VERSION_ATLEAST(2, 24, 0)
-    case SDL_CONTROLLER_TYPE_NVIDIA_SHIELD:
-        return PLAT_XBOX;
-    case SDL_CONTROLLER_TYPE_NINTENDO_SWITCH_JOYCON_PAIR:
-        return PLAT_NINTENDO;
+        [SDL_CONTROLLER_TYPE_NVIDIA_SHIELD] = PLAT_XBOX,
+        [SDL_CONTROLLER_TYPE_NINTENDO_SWITCH_JOYCON_PAIR] = PLAT_NINTENDO,
 #endif
-    default:
-        break;
-    }
-#else
-    (void)c;
+    };
+    const unsigned type = sdl.GameControllerGetType ? (unsigned)sdl.GameControllerGetType(c) : 0;
+
+    if (type < sizeof kinds)
+        return kinds[type];
 #endif
     return PLAT_UNKNOWN_CONTROLLER;
 }
@@ -742,14 +740,11 @@ static int refresh_millihertz(int hz)
 bool plat_get_window(struct plat_window *out)
 {
     SDL_RendererInfo info;
-    SDL_DisplayMode mode;
 
     memset(out, 0, sizeof *out);
     if (!port.renderer || sdl.GetRendererOutputSize(port.renderer, &out->w, &out->h) != 0)
         return false;
-    const int display = sdl.GetWindowDisplayIndex(port.window);
-    if (sdl.GetDesktopDisplayMode(display < 0 ? 0 : display, &mode) == 0)
-        out->refresh_rate = refresh_millihertz(mode.refresh_rate);
+    out->refresh_rate = refresh_millihertz(refresh_rate());
     out->vsync = sdl.GetRendererInfo(port.renderer, &info) == 0 && info.flags & SDL_RENDERER_PRESENTVSYNC;
     return out->w > 0 && out->h > 0;
 }
