@@ -5,7 +5,6 @@
 #include "../../fb/blit.h"
 #include <string.h>
 #include "../base/int.h"
-#include "../machine/machine.h"
 #include "../script/tasks.h"
 #include "../script/vm.h"
 #include "../machine/collision/hit.h"
@@ -137,17 +136,14 @@ static bool laser_can_be_grazed(const struct board *b, uint32_t i)
     return false;
 }
 
-/* Returns the body of laser i's segment that starts at corner k, with the reach used by the last frame's hit
- * detection. */
+/* Returns the body of segment k of laser i, with the reach used by the last frame's hit detection. */
 static struct inspect_body laser_body(const struct board *b, uint32_t i, uint32_t k)
 {
     const fx reach = hit_laser_reach(b, i, lasers_shown_age(b, i));
-    fx x, y, to_x, to_y;
+    const struct lasers_segment s = lasers_get_segment(b, i, k);
+    const fx half_x = (fx)(((int64_t)s.to_x - s.x) / 2), half_y = (fx)(((int64_t)s.to_y - s.y) / 2);
+    struct inspect_body body = body_at(b, INSPECT_LASER, i, s.x + half_x, s.y + half_y);
 
-    lasers_get_corner(b, i, k, &x, &y);
-    lasers_get_corner(b, i, k + 1 < lasers_corner_count(b, i) ? k + 1 : k, &to_x, &to_y);
-    const fx half_x = (fx)(((int64_t)to_x - x) / 2), half_y = (fx)(((int64_t)to_y - y) / 2);
-    struct inspect_body body = body_at(b, INSPECT_LASER, i, x + half_x, y + half_y);
     if (reach >= 0) {
         body.shape = INSPECT_CAPSULE;
         body.a = reach;
@@ -156,18 +152,6 @@ static struct inspect_body laser_body(const struct board *b, uint32_t i, uint32_
     }
     body.is_dimmed = !laser_can_be_grazed(b, i);
     return body;
-}
-
-static void visit_laser_bodies(const struct board *b, void (*visit)(void *context, const struct inspect_body *body),
-                               void *context)
-{
-    EACH_LIVE (i, &b->lasers.s) {
-        const uint32_t n = lasers_corner_count(b, i);
-        for (uint32_t k = 0; k + 1 < n || k == 0; k++) {
-            struct inspect_body body = laser_body(b, i, k);
-            visit(context, &body);
-        }
-    }
 }
 
 void inspect_bodies(const struct board *b, void (*visit)(void *context, const struct inspect_body *body), void *context)
@@ -186,7 +170,11 @@ void inspect_bodies(const struct board *b, void (*visit)(void *context, const st
         body = bullet_or_shot_body(b, INSPECT_BULLET, i);
         visit(context, &body);
     }
-    visit_laser_bodies(b, visit, context);
+    EACH_LIVE (i, &b->lasers.s)
+        for (uint32_t k = 0; k < lasers_segment_count(b, i); k++) {
+            body = laser_body(b, i, k);
+            visit(context, &body);
+        }
     for (uint32_t i = 0; i < MAX_PLAYERS; i++) {
         body = player_body(b, i);
         if (b->player.in_game[i])
@@ -309,17 +297,12 @@ void inspect_kinds(const struct board *b, void (*visit)(void *context, const str
 
 /* ---- gauges ---- */
 
-static const struct slots *part_slots(const struct board *b, int i)
-{
-    return (const struct slots *)((const char *)b + machine_parts[i].offset);
-}
-
 int inspect_gauges(const struct board *b, struct inspect_gauge out[MAX_PARTS])
 {
     const void *fixed[] = { &b->input, &b->player, &b->fix, &b->pal, &b->nvram };
 
     for (int i = 0; i < PART_COUNT; i++) {
-        const struct slots *s = part_slots(b, i);
+        const struct slots *s = part_of(b, i);
         bool is_list = !s->live_bits;
         out[i] = (struct inspect_gauge){ machine_parts[i].chip->name,
                                          s->live,

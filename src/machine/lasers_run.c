@@ -36,8 +36,7 @@ static bool is_dangerous(const struct board *b, uint32_t i, uint32_t age)
     return s == LASER_GROW || s == LASER_ON;
 }
 
-/* Updates the position of the tail of a beam or bolt: the end opposite its head. */
-static void update_tail(struct board *b, uint32_t i)
+void lasers_update_tail(struct board *b, uint32_t i)
 {
     struct lasers *l = &b->lasers;
     const struct bullets *h = &b->laser_heads;
@@ -51,11 +50,6 @@ static void update_tail(struct board *b, uint32_t i)
     l->y0[i] = is_beam ? h->y[i] + dy : h->y[i] - dy;
 }
 
-void lasers_update_tail(struct board *b, uint32_t i)
-{
-    update_tail(b, i);
-}
-
 void lasers_move_to(struct board *b, uint32_t i, fx x, fx y)
 {
     struct bullets *h = &b->laser_heads;
@@ -63,7 +57,7 @@ void lasers_move_to(struct board *b, uint32_t i, fx x, fx y)
     lasers_shift(&b->lasers, &b->laser_points, i, fx_sub(x, h->x[i]), fx_sub(y, h->y[i]));
     h->x[i] = x;
     h->y[i] = y;
-    update_tail(b, i);
+    lasers_update_tail(b, i);
 }
 
 int32_t lasers_fire(struct board *b, const struct bullet_spec *head, struct laser_spec *spec)
@@ -78,7 +72,7 @@ int32_t lasers_fire(struct board *b, const struct bullet_spec *head, struct lase
     int32_t slot = bullets_fire(&b->laser_heads, head, b->core.clock);
     assert(slot == i); /* invariant: the two pools have the same slots */
     (void)slot;
-    update_tail(b, (uint32_t)i);
+    lasers_update_tail(b, (uint32_t)i);
     return i;
 }
 
@@ -207,7 +201,7 @@ static void move_bolt(struct board *b, uint32_t i)
     fx distance = fx_hypot(fx_sub(h->x[i], l->prev_x[i]), fx_sub(h->y[i], l->prev_y[i]));
 
     l->grown_length[i] = (fx)int64_min((int64_t)l->grown_length[i] + distance, l->length[i]);
-    update_tail(b, i);
+    lasers_update_tail(b, i);
     if (is_outside(b, i))
         l->flags[i] |= LASER_DESPAWNING;
 }
@@ -249,7 +243,7 @@ static bool fly(struct board *b, const struct motion_world *w, uint32_t i, uint3
         bullets_update_velocity(h, i);
     }
     if (l->form[i] == LASER_BEAM) {
-        update_tail(b, i);
+        lasers_update_tail(b, i);
         return true;
     }
     if (!(l->flags[i] & LASER_HEAD_OUTSIDE) && !bullets_move_one(h, w, i))
@@ -355,6 +349,31 @@ void lasers_get_old_corner(const struct board *b, uint32_t i, uint32_t k, fx *x,
         *x = l->x0[i], *y = l->y0[i];
 }
 
+uint32_t lasers_segment_count(const struct board *b, uint32_t i)
+{
+    const uint32_t n = lasers_corner_count(b, i);
+
+    return n > 1 ? n - 1 : 1;
+}
+
+struct lasers_segment lasers_get_segment(const struct board *b, uint32_t i, uint32_t k)
+{
+    struct lasers_segment s;
+
+    lasers_get_corner(b, i, k, &s.x, &s.y);
+    lasers_get_corner(b, i, k + 1 < lasers_corner_count(b, i) ? k + 1 : k, &s.to_x, &s.to_y);
+    return s;
+}
+
+struct lasers_segment lasers_get_old_segment(const struct board *b, uint32_t i, uint32_t k)
+{
+    struct lasers_segment s;
+
+    lasers_get_old_corner(b, i, k, &s.x, &s.y);
+    lasers_get_old_corner(b, i, k + 1 < lasers_corner_count(b, i) ? k + 1 : k, &s.to_x, &s.to_y);
+    return s;
+}
+
 uint32_t lasers_visit_positions(struct board *b, uint32_t i, fx spacing,
                                 void (*visit)(struct board *b, fx x, fx y, void *context), void *context)
 {
@@ -376,27 +395,6 @@ uint32_t lasers_visit_positions(struct board *b, uint32_t i, fx spacing,
     lasers_get_corner(b, i, 0, &x, &y);
     visit(b, x, y, context);
     return 1;
-}
-
-/* Returns whether the segment from corner k to the next corner comes within r of the line from (x, y) to (to_x, to_y).
- */
-static bool segment_touches(const struct board *b, uint32_t i, uint32_t k, fx x, fx y, fx to_x, fx to_y, int64_t r)
-{
-    struct geom_bar bar;
-    fx ax, ay, bx, by;
-
-    lasers_get_corner(b, i, k, &ax, &ay);
-    lasers_get_corner(b, i, k + 1 < lasers_corner_count(b, i) ? k + 1 : k, &bx, &by);
-    bar = (struct geom_bar){ (int64_t)ax - x, (int64_t)ay - y, (int64_t)x - to_x, (int64_t)y - to_y,
-                             (int64_t)bx - x, (int64_t)by - y, (int64_t)x - to_x, (int64_t)y - to_y };
-    return geom_swept_bar(&bar, r);
-}
-
-static uint32_t segment_count(const struct board *b, uint32_t i)
-{
-    const uint32_t n = lasers_corner_count(b, i);
-
-    return n > 1 ? n - 1 : 1;
 }
 
 enum { FX_PER_UNIT = 256 /* number of fx in 1/256 px. In units of 1/256 px, products of distances are below 2^63 */ };
@@ -451,28 +449,28 @@ static int64_t half_width(const struct board *b, uint32_t i)
 
 bool lasers_overlap_line(const struct board *b, uint32_t i, fx x, fx y, fx to_x, fx to_y, fx a)
 {
-    const int64_t r = half_width(b, i) + a;
+    const int64_t r = half_width(b, i) + a, dx = (int64_t)x - to_x, dy = (int64_t)y - to_y;
 
-    for (uint32_t k = 0; k < segment_count(b, i); k++)
-        if (segment_touches(b, i, k, x, y, to_x, to_y, r))
+    for (uint32_t k = 0; k < lasers_segment_count(b, i); k++) {
+        const struct lasers_segment s = lasers_get_segment(b, i, k);
+        const struct geom_bar bar = { (int64_t)s.x - x,    (int64_t)s.y - y,    dx, dy,
+                                      (int64_t)s.to_x - x, (int64_t)s.to_y - y, dx, dy };
+
+        if (geom_swept_bar(&bar, r))
             return true;
+    }
     return false;
-}
-
-bool lasers_overlap_circle(const struct board *b, uint32_t i, fx x, fx y, fx a)
-{
-    return lasers_overlap_line(b, i, x, y, x, y, a);
 }
 
 bool lasers_overlap_box(const struct board *b, uint32_t i, fx x, fx y, fx w, fx h)
 {
     const int64_t r = half_width(b, i);
-    fx ax, ay, bx, by;
 
-    for (uint32_t k = 0; k < segment_count(b, i); k++) {
-        lasers_get_corner(b, i, k, &ax, &ay);
-        lasers_get_corner(b, i, k + 1 < lasers_corner_count(b, i) ? k + 1 : k, &bx, &by);
-        if (geom_swept_circle_box((int64_t)ax - x, (int64_t)ay - y, (int64_t)bx - ax, (int64_t)by - ay, r, w, h))
+    for (uint32_t k = 0; k < lasers_segment_count(b, i); k++) {
+        const struct lasers_segment s = lasers_get_segment(b, i, k);
+
+        if (geom_swept_circle_box((int64_t)s.x - x, (int64_t)s.y - y, (int64_t)s.to_x - s.x, (int64_t)s.to_y - s.y, r,
+                                  w, h))
             return true;
     }
     return false;

@@ -42,6 +42,16 @@ void lasers_get_corner(const struct board *b, uint32_t i, uint32_t k, fx *x, fx 
 /* Stores the position of corner k before this frame's move. */
 void lasers_get_old_corner(const struct board *b, uint32_t i, uint32_t k, fx *x, fx *y);
 
+/* The ends of a segment of a laser's line. lasers_segment_count returns the number of segments, at least 1: the line of
+ * a curve with a single point is one segment of length 0. lasers_get_old_segment returns segment k before this frame's
+ * move. */
+struct lasers_segment {
+    fx x, y, to_x, to_y;
+};
+uint32_t lasers_segment_count(const struct board *b, uint32_t i);
+struct lasers_segment lasers_get_segment(const struct board *b, uint32_t i, uint32_t k);
+struct lasers_segment lasers_get_old_segment(const struct board *b, uint32_t i, uint32_t k);
+
 /* Calls `each` for positions along the line of laser i, `spacing` px apart, starting half that distance from the head.
  * Returns the number of calls. If the line is too short, calls `each` once, for the head. spacing > 0. */
 uint32_t lasers_visit_positions(struct board *b, uint32_t i, fx spacing,
@@ -50,10 +60,8 @@ uint32_t lasers_visit_positions(struct board *b, uint32_t i, fx spacing,
 /* Stores the point of laser i's line that is nearest to (x, y), to within 1/256 px. */
 void lasers_get_nearest_point(const struct board *b, uint32_t i, fx x, fx y, fx *to_x, fx *to_y);
 
-/* Returns whether laser i, as it is drawn now (all points within half its width of the line), overlaps the circle
- * of radius a around (x, y), the box around (x, y) with half extents (w, h), or the set of all points within a of the
- * line from (x, y) to (to_x, to_y). */
-bool lasers_overlap_circle(const struct board *b, uint32_t i, fx x, fx y, fx a);
+/* Returns whether laser i, as it is drawn now (all points within half its width of the line), overlaps the box around
+ * (x, y) with half extents (w, h), or the set of all points within a of the line from (x, y) to (to_x, to_y). */
 bool lasers_overlap_box(const struct board *b, uint32_t i, fx x, fx y, fx w, fx h);
 bool lasers_overlap_line(const struct board *b, uint32_t i, fx x, fx y, fx to_x, fx to_y, fx a);
 

@@ -71,26 +71,28 @@ static void visit_enemies(const struct board *b, const struct visitor *v)
 
 static void visit_laser(const struct board *b, const struct visitor *v, uint32_t i)
 {
-    const uint32_t n = lasers_corner_count(b, i), segments = n > 1 ? n - 1 : 1, age = lasers_age(b, i);
+    const uint32_t age = lasers_age(b, i);
     const fx reach = hit_laser_reach(b, i, age);
 
     if (reach < 0 || b->laser_kinds.flags[b->laser_heads.kind[i]] & LASER_HITS_ENEMIES)
         return;
-    for (uint32_t k = 0; k < segments; k++) {
-        const uint32_t next = k + 1 < n ? k + 1 : k;
-        struct danger d = {
-            .shape = DANGER_LASER_SEGMENT, .source = DANGER_LASER, .swept = true, .slot = i, .a = reach
-        };
-        fx was_x, was_y, was_to_x, was_to_y;
-        d.age = (uint16_t)(age < UINT16_MAX ? age : UINT16_MAX);
-        lasers_get_corner(b, i, k, &d.x, &d.y);
-        lasers_get_corner(b, i, next, &d.b, &d.c);
-        lasers_get_old_corner(b, i, k, &was_x, &was_y);
-        lasers_get_old_corner(b, i, next, &was_to_x, &was_to_y);
-        d.mx = d.x - was_x;
-        d.my = d.y - was_y;
-        d.d = d.b - was_to_x;
-        d.e = d.c - was_to_y;
+    for (uint32_t k = 0; k < lasers_segment_count(b, i); k++) {
+        const struct lasers_segment now = lasers_get_segment(b, i, k), old = lasers_get_old_segment(b, i, k);
+        const struct danger d = { .shape = DANGER_LASER_SEGMENT,
+                                  .source = DANGER_LASER,
+                                  .swept = true,
+                                  .age = (uint16_t)(age < UINT16_MAX ? age : UINT16_MAX),
+                                  .slot = i,
+                                  .x = now.x,
+                                  .y = now.y,
+                                  .mx = now.x - old.x,
+                                  .my = now.y - old.y,
+                                  .a = reach,
+                                  .b = now.to_x,
+                                  .c = now.to_y,
+                                  .d = now.to_x - old.to_x,
+                                  .e = now.to_y - old.to_y };
+
         v->visit(v->context, &d);
     }
 }

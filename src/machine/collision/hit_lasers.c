@@ -81,24 +81,21 @@ static bool segment_is_near(const struct board *b, uint32_t i, uint32_t k, const
     return !all_beyond_side(w, p, 4);
 }
 
-/* Returns segment k of laser i relative to a body that was at (x, y) before it moved by (mx, my). */
-static struct geom_bar segment_bar(const struct board *b, uint32_t i, uint32_t k, int64_t x, int64_t y, int64_t mx,
-                                   int64_t my)
+/* Returns segment k of laser i relative to the body c, both swept. */
+static struct geom_bar segment_bar(const struct board *b, uint32_t i, uint32_t k, const struct body *c)
 {
-    const uint32_t next = k + 1 < lasers_corner_count(b, i) ? k + 1 : k;
-    fx ax, ay, bx, by, cx, cy, dx, dy;
+    const struct lasers_segment old = lasers_get_old_segment(b, i, k), now = lasers_get_segment(b, i, k);
+    const int64_t x = (int64_t)c->x - c->mx, y = (int64_t)c->y - c->my;
 
-    lasers_get_old_corner(b, i, k, &ax, &ay);
-    lasers_get_old_corner(b, i, next, &bx, &by);
-    lasers_get_corner(b, i, k, &cx, &cy);
-    lasers_get_corner(b, i, next, &dx, &dy);
-    return (struct geom_bar){ ax - x, ay - y, (int64_t)cx - ax - mx, (int64_t)cy - ay - my,
-                              bx - x, by - y, (int64_t)dx - bx - mx, (int64_t)dy - by - my };
+    return (struct geom_bar){
+        old.x - x,    old.y - y,    (int64_t)now.x - old.x - c->mx,       (int64_t)now.y - old.y - c->my,
+        old.to_x - x, old.to_y - y, (int64_t)now.to_x - old.to_x - c->mx, (int64_t)now.to_y - old.to_y - c->my
+    };
 }
 
 bool hit_laser_touches_circle(const struct board *b, uint32_t i, const struct body *c, int64_t reach)
 {
-    const uint32_t n = lasers_corner_count(b, i), segments = n > 1 ? n - 1 : 1;
+    const uint32_t segments = lasers_segment_count(b, i);
     const struct box swept = swept_box(c, reach);
 
     if (b->lasers.form[i] == LASER_CURVE && !curve_is_near(b, i, &swept))
@@ -106,7 +103,7 @@ bool hit_laser_touches_circle(const struct board *b, uint32_t i, const struct bo
     for (uint32_t k = 0; k < segments; k++) {
         if (!segment_is_near(b, i, k, &swept))
             continue;
-        struct geom_bar bar = segment_bar(b, i, k, (int64_t)c->x - c->mx, (int64_t)c->y - c->my, c->mx, c->my);
+        struct geom_bar bar = segment_bar(b, i, k, c);
         if (geom_swept_bar(&bar, reach + c->a))
             return true;
     }
@@ -116,14 +113,12 @@ bool hit_laser_touches_circle(const struct board *b, uint32_t i, const struct bo
 /* Returns whether laser i touches e, a box or capsule, both at their final positions of the frame. */
 static bool touches_at_end(const struct board *b, uint32_t i, const struct body *e, int64_t reach)
 {
-    const uint32_t n = lasers_corner_count(b, i), segments = n > 1 ? n - 1 : 1;
-    fx ax, ay, bx, by;
+    const uint32_t segments = lasers_segment_count(b, i);
 
     for (uint32_t k = 0; k < segments; k++) {
-        lasers_get_corner(b, i, k, &ax, &ay);
-        lasers_get_corner(b, i, k + 1 < n ? k + 1 : k, &bx, &by);
-        const int64_t dx = (int64_t)ax - e->x, dy = (int64_t)ay - e->y, wx = (int64_t)bx - ax, wy = (int64_t)by - ay;
-        const int64_t hx = e->b, hy = e->c;
+        const struct lasers_segment s = lasers_get_segment(b, i, k);
+        const int64_t dx = (int64_t)s.x - e->x, dy = (int64_t)s.y - e->y, wx = (int64_t)s.to_x - s.x,
+                      wy = (int64_t)s.to_y - s.y, hx = e->b, hy = e->c;
         const struct geom_bar bar = {
             dx + hx, dy + hy, -2 * hx, -2 * hy, dx + wx + hx, dy + wy + hy, -2 * hx, -2 * hy
         };

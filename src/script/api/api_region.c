@@ -78,7 +78,7 @@ bool api_region_touches_laser(const struct board *b, const struct api_region *r,
 {
     switch (r->shape) {
     case REGION_CIRCLE:
-        return lasers_overlap_circle(b, i, r->x, r->y, r->a);
+        return lasers_overlap_line(b, i, r->x, r->y, r->x, r->y, r->a);
     case REGION_BOX:
         return lasers_overlap_box(b, i, r->x, r->y, r->a, r->b);
     case REGION_LINE:
