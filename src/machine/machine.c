@@ -132,32 +132,20 @@ void board_spawn_vanish_spark(struct board *b, uint32_t i)
                            &(struct spark_burst){ .x = s->x[i], .y = s->y[i], .kind = (uint16_t)(spark - 1), .n = 1 });
 }
 
+/* Returns the pool of the entities of this kind, or NULL if they have none. */
 static const struct slots *pool_of(const struct board *b, enum handle_kind kind)
 {
-    switch (kind) {
-    case H_BULLET:
-        return &b->bullets.s;
-    case H_SHOT:
-        return &b->shots.s;
-    case H_ENEMY:
-        return &b->enemies.s;
-    case H_SPRITE:
-        return &b->sprites.s;
-    case H_ITEM:
-        return &b->items.s;
-    case H_LASER:
-        return &b->lasers.s;
-    case H_TASK:
-        return &b->tasks.s;
-    case H_LINE:
-        return &b->lines.s;
-    case H_OPTION:
-        return &b->options.s;
-    case H_BULLETML:
-        return &b->ml_roots.s;
-    default:
+    static const size_t offsets[HANDLE_KINDS] = {
+        [H_BULLET] = offsetof(struct board, bullets.s), [H_SHOT] = offsetof(struct board, shots.s),
+        [H_ENEMY] = offsetof(struct board, enemies.s),  [H_SPRITE] = offsetof(struct board, sprites.s),
+        [H_ITEM] = offsetof(struct board, items.s),     [H_LASER] = offsetof(struct board, lasers.s),
+        [H_TASK] = offsetof(struct board, tasks.s),     [H_LINE] = offsetof(struct board, lines.s),
+        [H_OPTION] = offsetof(struct board, options.s), [H_BULLETML] = offsetof(struct board, ml_roots.s),
+    };
+
+    if (kind >= HANDLE_KINDS || !offsets[kind])
         return NULL;
-    }
+    return (const struct slots *)(const void *)((const uint8_t *)b + offsets[kind]);
 }
 
 int64_t board_handle(const struct board *b, enum handle_kind kind, int32_t slot)

@@ -214,7 +214,7 @@ void board_raise_fault(struct board *b, enum board_fault_kind kind, const char *
 
 /* Raises FAULT_LOOP: too much work in one frame. The message says which work is excessive, with counts, and what to
  * change. */
-void board_raise_overload(struct board *b, const char *format, ...) __attribute__((format(printf, 2, 3)));
+#define board_raise_overload(b, ...) board_raise_fault(b, FAULT_LOOP, __VA_ARGS__)
 
 /* Adds the work of drawing the board in its present state to the tick's total; raises a fault if the total would exceed
  * the limit. Call only inside vm_call. */

@@ -11,30 +11,15 @@
 #include "machine.h"
 #include "video/video.h"
 
-static void raise_fault(struct board *b, enum board_fault_kind kind, const char *format, va_list args)
-{
-    char message[320];
-
-    vsnprintf(message, sizeof message, format, args);
-    b->calls->fault(b, kind, message);
-}
-
 void board_raise_fault(struct board *b, enum board_fault_kind kind, const char *format, ...)
 {
+    char message[320];
     va_list args;
 
     va_start(args, format);
-    raise_fault(b, kind, format, args);
+    vsnprintf(message, sizeof message, format, args);
     va_end(args);
-}
-
-void board_raise_overload(struct board *b, const char *format, ...)
-{
-    va_list args;
-
-    va_start(args, format);
-    raise_fault(b, FAULT_LOOP, format, args);
-    va_end(args);
+    b->calls->fault(b, kind, message);
 }
 
 void board_charge_picture(struct board *b)
