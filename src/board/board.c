@@ -4,8 +4,8 @@
 #include "board.h"
 #include "../machine/machine.h"
 #include <assert.h>
-#include <stdio.h>
 #include <string.h>
+#include "../base/err.h"
 #include "../base/hash.h"
 #include "../base/ieee.h"
 #include "../script/bulletml_run.h"
@@ -74,11 +74,9 @@ static bool open_cart(struct cart *cart, const struct rom *rom, size_t *size, ch
     if (!cart_open(cart, rom, err, err_size))
         return false;
     uint64_t sum = board_ram_needed(cart);
-    if (sum > MAX_RAM) {
-        snprintf(err, err_size, "the capacities in rom.lua need %llu MiB of RAM (at most %llu); lower them",
-                 (unsigned long long)(sum + 0xfffff) >> 20, MAX_RAM >> 20);
-        return false;
-    }
+    if (sum > MAX_RAM)
+        return err_set(err, err_size, "the capacities in rom.lua need %llu MiB of RAM (at most %llu); lower them",
+                       (unsigned long long)(sum + 0xfffff) >> 20, MAX_RAM >> 20);
     *size = (size_t)sum;
     return true;
 }
@@ -90,19 +88,14 @@ bool board_size(const struct rom *rom, size_t *size, char *err, size_t err_size)
     return open_cart(&cart, rom, size, err, err_size);
 }
 
-static fx px_to_fx(int v)
-{
-    return (fx)(v * 65536);
-}
-
 static void set_initial_state(struct board *b)
 {
     const struct manifest *m = &b->cart.manifest;
     struct rng r;
 
-    b->keep_box = (struct box){ px_to_fx(-m->margin), px_to_fx(-m->margin), px_to_fx(m->field_w + m->margin),
-                                px_to_fx(m->field_h + m->margin) };
-    b->player_area = (struct box){ px_to_fx(8), px_to_fx(8), px_to_fx(m->field_w - 8), px_to_fx(m->field_h - 8) };
+    b->keep_box = (struct box){ fx_int(-m->margin), fx_int(-m->margin), fx_int(m->field_w + m->margin),
+                                fx_int(m->field_h + m->margin) };
+    b->player_area = (struct box){ fx_int(8), fx_int(8), fx_int(m->field_w - 8), fx_int(m->field_h - 8) };
     for (int i = 0; i < b->cart.count[CART_SPRITES]; i++)
         cart_sprite(&b->cart, i, &b->sprite_images[i]);
     rng_seed(&r, b->start.seed);
@@ -190,52 +183,35 @@ static bool boot(struct board *b)
 static bool check_practice(const struct practice *p, char *err, size_t err_size)
 {
     if (p->lives < 0 || p->lives > PRACTICE_MAX_LIVES)
-        snprintf(err, err_size, "practice start: lives: expected 0 to %d, got %d", PRACTICE_MAX_LIVES, (int)p->lives);
-    else if (p->register_count < 0 || p->register_count > PRACTICE_MAX_REGISTERS)
-        snprintf(err, err_size, "practice start: expected at most %d registers, got %d", PRACTICE_MAX_REGISTERS,
-                 (int)p->register_count);
-    else if (!p->section[0] && (p->lives || p->invincible || p->register_count))
-        snprintf(err, err_size, "lives, registers and invincibility require a practice start");
-    else
-        return true;
-    return false;
-}
-
-static bool check_lang(const char *lang, char *err, size_t err_size)
-{
-    for (; *lang; lang++) {
-        if (*lang < 32 || *lang > 126) {
-            snprintf(err, err_size, "language: expected printable ASCII, got byte %d", (unsigned char)*lang);
-            return false;
-        }
-    }
+        return err_set(err, err_size, "practice start: lives: expected 0 to %d, got %d", PRACTICE_MAX_LIVES,
+                       (int)p->lives);
+    if (p->register_count < 0 || p->register_count > PRACTICE_MAX_REGISTERS)
+        return err_set(err, err_size, "practice start: expected at most %d registers, got %d", PRACTICE_MAX_REGISTERS,
+                       (int)p->register_count);
+    if (!p->section[0] && (p->lives || p->invincible || p->register_count))
+        return err_set(err, err_size, "lives, registers and invincibility require a practice start");
     return true;
 }
 
 static bool open_lang(struct board *b, char *err, size_t err_size)
 {
-    if (!check_lang(b->start.lang, err, err_size))
-        return false;
-    if (cart_open_lang(&b->cart, b->start.lang, &b->words))
-        return true;
-    snprintf(err, err_size, "language \"%s\": no lang/%s.txt in the game", b->start.lang, b->start.lang);
-    return false;
+    for (const char *c = b->start.lang; *c; c++)
+        if (*c < 32 || *c > 126)
+            return err_set(err, err_size, "language: expected printable ASCII, got byte %d", (unsigned char)*c);
+    return cart_open_lang(&b->cart, b->start.lang, &b->words) ||
+           err_set(err, err_size, "language \"%s\": no lang/%s.txt in the game", b->start.lang, b->start.lang);
 }
 
 /* Returns whether the start's values are valid for the manifest; if not, writes one sentence to err. */
 static bool check_start(const struct manifest *m, const struct board_start *start, char *err, size_t err_size)
 {
-    if (start->difficulty >= m->n_difficulties) {
-        snprintf(err, err_size, "difficulty %d: the game has only %d", start->difficulty, m->n_difficulties);
-        return false;
-    }
+    if (start->difficulty >= m->n_difficulties)
+        return err_set(err, err_size, "difficulty %d: the game has only %d", start->difficulty, m->n_difficulties);
     for (int i = 0; i < m->n_dips; i++) {
         const struct dip *d = &m->dips[i];
         int32_t lo = d->is_number ? d->lo : 0, hi = d->is_number ? d->hi : d->n_values - 1;
-        if (start->dip[i] < lo || start->dip[i] > hi) {
-            snprintf(err, err_size, "DIP switch %s: expected %d to %d, got %d", d->name, lo, hi, start->dip[i]);
-            return false;
-        }
+        if (start->dip[i] < lo || start->dip[i] > hi)
+            return err_set(err, err_size, "DIP switch %s: expected %d to %d, got %d", d->name, lo, hi, start->dip[i]);
     }
     return check_practice(&start->practice, err, err_size);
 }
@@ -251,42 +227,37 @@ static void terminate_strings(struct board_start *start)
         p->reg[i].name[sizeof p->reg[i].name - 1] = 0;
 }
 
-static struct board *power_on(void *ram, size_t size, const struct rom *rom, const struct board_start *start, char *err,
-                              size_t err_size)
+static bool power_on(struct board *b, size_t size, const struct rom *rom, const struct board_start *start, char *err,
+                     size_t err_size)
 {
-    struct board *b = (struct board *)ram;
     const char *fault = ieee_find_fault();
     struct cart cart;
     size_t need;
 
-    if (fault) {
-        snprintf(err, err_size, "%s", fault);
-        return NULL;
-    }
+    if (fault)
+        return err_set(err, err_size, "%s", fault);
     if (!open_cart(&cart, rom, &need, err, err_size))
-        return NULL;
-    assert(size >= need && ((uintptr_t)ram & 15) == 0);
+        return false;
+    assert(size >= need && ((uintptr_t)b & 15) == 0);
     memset(b, 0, sizeof *b);
     b->cart = cart;
-    b->ram = ram;
+    b->ram = (uint8_t *)b;
     b->ram_size = size;
     b->start = *start;
     b->start.nvram = NULL;
     b->start.nvram_size = 0;
     terminate_strings(&b->start);
     if (!check_start(&b->cart.manifest, start, err, err_size) || !open_lang(b, err, err_size))
-        return NULL;
+        return false;
     lay_out(b);
     memset(b->output, 0, sizeof *b->output);
     nvram_load(&b->nvram, start->nvram, start->nvram_size);
-    if (!boot(b)) {
-        snprintf(err, err_size, "board.lua_kib = %d is too small to start Lua; raise it in rom.lua",
-                 b->cart.manifest.lua_kib);
-        return NULL;
-    }
+    if (!boot(b))
+        return err_set(err, err_size, "board.lua_kib = %d is too small to start Lua; raise it in rom.lua",
+                       b->cart.manifest.lua_kib);
     b->output->out.log = b->output->log;
     b->output->out.log_size = b->output->log_size;
-    return b;
+    return true;
 }
 
 struct board *board_power_on(void *ram, size_t size, const struct rom *rom, const struct board_start *start, char *err,
@@ -295,9 +266,9 @@ struct board *board_power_on(void *ram, size_t size, const struct rom *rom, cons
     struct host host;
 
     host_enter(&host);
-    struct board *b = power_on(ram, size, rom, start, err, err_size);
+    const bool good = power_on(ram, size, rom, start, err, err_size);
     host_leave(&host);
-    return b;
+    return good ? ram : NULL;
 }
 
 /* Performs board.reset: the state is as after power-on, except that the frame counter, the script digest and nvram are

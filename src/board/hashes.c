@@ -9,17 +9,12 @@
 #include "../base/hash.h"
 #include "../machine/machine.h"
 
-static const uint8_t *part_at(const struct board *b, int i)
-{
-    return (const uint8_t *)b + machine_parts[i].offset;
-}
-
 /* Returns whether part i has nothing to hash in slots and may be absent: it is one of the parts added after the first
  * FIRST_OPTIONAL_PART, it has no live slot, and it either has no capacity (the chip has only registers, or the game
  * reserves no slots) or is the list of registers that ships and the run declare. */
 static bool may_be_absent(const struct board *b, int i)
 {
-    const struct slots *s = (const struct slots *)part_at(b, i);
+    const struct slots *s = part_of(b, i);
 
     return i >= FIRST_OPTIONAL_PART && !s->live && (!s->cap || s == &b->registers.s);
 }
@@ -30,14 +25,14 @@ static bool is_absent(const struct board *b, int i)
 {
     const struct chip *chip = machine_parts[i].chip;
 
-    return may_be_absent(b, i) && (!chip->columns[0].is_register || slots_registers_are_zero(chip, part_at(b, i)));
+    return may_be_absent(b, i) && (!chip->columns[0].is_register || slots_registers_are_zero(chip, part_of(b, i)));
 }
 
 uint64_t board_part_hash(const struct board *b, int i)
 {
     if (is_absent(b, i))
         return 0;
-    return slots_hash(machine_parts[i].chip, part_at(b, i));
+    return slots_hash(machine_parts[i].chip, part_of(b, i));
 }
 
 void board_hashes(const struct board *b, uint64_t out[MAX_PARTS])
@@ -96,16 +91,16 @@ void board_trace(const struct board *b, int i, slots_visitor *visit, void *conte
     if (is_absent(b, i))
         return;
     if (chip == &bullets_chip || chip == &shots_chip || chip == &enemies_chip)
-        slots_visit_values(chip, part_at(b, i), visit_renamed, &r);
+        slots_visit_values(chip, part_of(b, i), visit_renamed, &r);
     else
-        slots_visit_values(chip, part_at(b, i), visit, context);
+        slots_visit_values(chip, part_of(b, i), visit, context);
 }
 
 /* Returns the bytes of part i's copy: its struct, and its columns at full capacity. 0: the part is not a list, or
  * may_be_absent. */
 static size_t copy_size(const struct board *b, int i)
 {
-    const struct slots *s = (const struct slots *)part_at(b, i);
+    const struct slots *s = part_of(b, i);
 
     return machine_parts[i].chip->is_list && !may_be_absent(b, i)
                ? machine_parts[i].size + (size_t)slots_size(machine_parts[i].chip, s->cap, s->groups)
@@ -129,8 +124,8 @@ static bool update_copy(const struct board *b, int i, uint8_t *copy, uint8_t *sc
 {
     size_t n = machine_parts[i].size;
 
-    memcpy(scratch, part_at(b, i), n);
-    n += slots_save(machine_parts[i].chip, part_at(b, i), scratch + n);
+    memcpy(scratch, part_of(b, i), n);
+    n += slots_save(machine_parts[i].chip, part_of(b, i), scratch + n);
     if (memcmp(scratch, copy, n) == 0)
         return true;
     memcpy(copy, scratch, n);
