@@ -411,13 +411,10 @@ static void draw_above_dim(struct draw_target *c)
 /* Finds the palette entries that draw_above_dim uses, by drawing it. The caller redraws the picture afterwards. */
 static void find_reserved_entries(struct draw_target c, bool reserved[COLOURS])
 {
-    memset(reserved, 0, COLOURS * sizeof *reserved);
     fb_fill(c.fb, 0);
     video_clip_field(&c);
     draw_above_dim(&c);
-    for (int y = 0; y < c.fb->h; y++)
-        for (int x = 0; x < c.fb->w; x++)
-            reserved[c.fb->pix[y * c.fb->pitch + x]] = true;
+    video_find_drawn_entries(c.fb, reserved);
 }
 
 /* Draws the bars at the field's top and bottom. */

@@ -72,6 +72,9 @@ void video_draw_plate(struct draw_target *c, int x, int y, int w, int h, uint8_t
 /* Dims everything drawn in the clip so far, using c->shade. */
 void video_shade(const struct draw_target *c);
 
+/* Finds the palette entries that are in the picture. */
+void video_find_drawn_entries(const struct fb *fb, bool drawn[COLOURS]);
+
 /* Darkens everything drawn so far by moving its colours to separate palette entries. reserved: the entries, of 256,
  * that must not change because they are used by what is drawn afterwards. share: of black, 0 to FX_ONE. */
 void video_dim(const struct draw_target *c, uint32_t rgb[256], const bool reserved[256], fx share);

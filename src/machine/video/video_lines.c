@@ -109,16 +109,15 @@ static struct row row_at(const struct page *p, uint32_t first)
     return row;
 }
 
-static void draw_code(struct draw_target *c, const struct page *p, uint32_t code, int x, int y, uint8_t bank)
+/* Draws a code's glyph or, if g is NULL and the code is not blank, a box. */
+static void draw_glyph(struct draw_target *c, const struct page *p, uint32_t code, const struct face_glyph *g, int x,
+                       int y, uint8_t bank)
 {
-    const int side = p->face.data ? p->face.height : TEXT_SIDE;
-    struct face_glyph g;
-
-    if (find_glyph(p, code, &g)) {
-        struct image image = { g.pix, g.w, g.h, g.pitch };
-        blit_sprite(c->fb, &image, x + g.x, y + g.y, bank, 0);
+    if (g) {
+        struct image image = { g->pix, g->w, g->h, g->pitch };
+        blit_sprite(c->fb, &image, x + g->x, y + g->y, bank, 0);
     } else if (!text_is_blank(code)) {
-        text_draw_box(c->fb, x, y, glyph_advance(p, code), side, bank);
+        text_draw_box(c->fb, x, y, glyph_advance(p, code), p->face.data ? p->face.height : TEXT_SIDE, bank);
     }
 }
 
@@ -180,7 +179,8 @@ static void draw_line(struct draw_target *c, uint32_t i, int x, int y)
         struct row row = row_at(&p, k);
         int pen_x = x - align_offset(l->align[i], row.width);
         for (; k < row.end && k < visible_count; k++) {
-            draw_code(c, &p, p.code[k], pen_x, y, l->bank[i]);
+            struct face_glyph g;
+            draw_glyph(c, &p, p.code[k], find_glyph(&p, p.code[k], &g) ? &g : NULL, pen_x, y, l->bank[i]);
             pen_x += glyph_advance(&p, p.code[k]);
         }
         k = row.next;
@@ -243,18 +243,11 @@ void video_draw_cell(struct draw_target *c, uint32_t i)
 {
     const struct fix *f = &c->b->fix;
     const struct page p = page_of(c, f->page ? f->font[i] : 0);
-    const int x = (int)(i % f->cols) * FIX_CELL_SIZE, y = (int)(i / f->cols) * FIX_CELL_SIZE,
-              bank = f->bank[i] & FIX_BANK;
+    const int x = (int)(i % f->cols) * FIX_CELL_SIZE, y = (int)(i / f->cols) * FIX_CELL_SIZE;
     uint8_t buffer[CART_GLYPH_SIZE];
     struct face_glyph g;
 
-    if (find_cell_glyph(&p, f, i, buffer, &g)) {
-        struct image image = { g.pix, g.w, g.h, g.pitch };
-        blit_sprite(c->fb, &image, x + g.x, y + g.y, (uint8_t)bank, 0);
-    } else if (!text_is_blank(fix_code(f, i))) {
-        text_draw_box(c->fb, x, y, glyph_advance(&p, fix_code(f, i)), p.face.data ? p.face.height : TEXT_SIDE,
-                      (uint8_t)bank);
-    }
+    draw_glyph(c, &p, fix_code(f, i), find_cell_glyph(&p, f, i, buffer, &g) ? &g : NULL, x, y, f->bank[i] & FIX_BANK);
 }
 
 void video_draw_cell_rim(struct draw_target *c, uint32_t i, uint8_t rim)

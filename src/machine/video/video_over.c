@@ -13,7 +13,7 @@
 #include "../../../fb/fb.h"
 #include "video.h"
 
-static void find_drawn_entries(const struct fb *fb, bool drawn[COLOURS])
+void video_find_drawn_entries(const struct fb *fb, bool drawn[COLOURS])
 {
     memset(drawn, 0, COLOURS * sizeof *drawn);
     for (int y = 0; y < fb->h; y++)
@@ -85,7 +85,7 @@ void video_dim(const struct draw_target *c, uint32_t rgb[COLOURS], const bool re
     bool drawn[COLOURS];
     uint8_t replacement[COLOURS];
 
-    find_drawn_entries(fb, drawn);
+    video_find_drawn_entries(fb, drawn);
     assign_entries(rgb, drawn, reserved, share, replacement);
     for (int y = 0; y < fb->h; y++)
         for (int x = 0; x < fb->w; x++) {

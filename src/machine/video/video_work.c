@@ -34,13 +34,18 @@ static uint64_t pictures_work(const struct board *b, uint64_t n, uint32_t sprite
     return n * (1 + w * h / (blended ? BLEND_PX_PER_WORK : SOLID_PX_PER_WORK));
 }
 
-static uint64_t bullets_work(const struct board *b, const struct bullet_kinds *k)
+static uint64_t bullets_and_shots_work(const struct board *b)
 {
+    const struct bullet_kinds *const lists[] = { &b->bullet_kinds, &b->shot_kinds };
     uint64_t work = 0;
 
-    for (uint32_t i = 0; i < k->s.live; i++)
-        if (k->live_count[i])
-            work += pictures_work(b, k->live_count[i], k->sprite[i], k->flags[i] & KIND_BLEND);
+    for (size_t n = 0; n < COUNT(lists); n++) {
+        const struct bullet_kinds *k = lists[n];
+
+        for (uint32_t i = 0; i < k->s.live; i++)
+            if (k->live_count[i])
+                work += pictures_work(b, k->live_count[i], k->sprite[i], k->flags[i] & KIND_BLEND);
+    }
     return work;
 }
 
@@ -175,11 +180,6 @@ static uint64_t lasers_work(const struct board *b)
     EACH_LIVE (i, &b->lasers.s)
         work += laser_work(b, i);
     return work;
-}
-
-static uint64_t bullets_and_shots_work(const struct board *b)
-{
-    return bullets_work(b, &b->bullet_kinds) + bullets_work(b, &b->shot_kinds);
 }
 
 /* Returns an upper bound of all work, as if each picture were as large as the screen and blended. */
