@@ -278,15 +278,6 @@ static void save_previous(struct enemies *e, uint32_t i, fx x, fx y)
     e->prev_y[i] = is_jump ? e->y[i] : y;
 }
 
-static void step_enemy(struct enemies *e, uint32_t i)
-{
-    fx x = e->x[i], y = e->y[i];
-
-    if (!motion_step_freeze(e->frozen_left, e->freeze_flags, i, &e->n_frozen) && e->move_duration[i])
-        step_move(e, i, &e->x[i], &e->y[i]);
-    save_previous(e, i, x, y);
-}
-
 void enemies_step_timers(struct enemies *e)
 {
     EACH_LIVE (i, &e->s) {
@@ -440,14 +431,15 @@ static void follow_body(struct enemies *e, uint32_t i, fx prev_dx, fx prev_dy)
 
 void enemies_ensure_moved(struct enemies *e, uint32_t i, struct enemies_world *w)
 {
-    if (e->move_begun[i])
+    if (e->move_begun && e->move_begun[i])
         return;
-    e->move_begun[i] = 1;
+    if (e->move_begun)
+        e->move_begun[i] = 1;
     if (is_part(e, i))
         enemies_ensure_moved(e, e->body[i] - 1u, w);
     fx *x = local_x(e, i), *y = local_y(e, i), prev_x = *x, prev_y = *y;
     if (!motion_step_freeze(e->frozen_left, e->freeze_flags, i, &e->n_frozen)) {
-        if (e->lead_mode[i] == LEAD_ORBIT)
+        if (e->lead_mode && e->lead_mode[i] == LEAD_ORBIT)
             step_orbit(e, i, w, x, y);
         else if (e->move_duration[i])
             step_move(e, i, x, y);
@@ -472,10 +464,7 @@ void enemies_move(struct enemies *e, const struct box *keep_box, struct enemies_
     if (e->rate)
         begin_legs(e, w);
     EACH_LIVE (i, &e->s) {
-        if (e->rate)
-            enemies_ensure_moved(e, i, w);
-        else
-            step_enemy(e, i);
+        enemies_ensure_moved(e, i, w);
         /* a boss may enter from outside *keep_box, and a part may reach outside it */
         if (e->flags[i] & (ENEMY_UNDYING | ENEMY_DYING) || is_part(e, i) || is_inside(e, i, keep_box))
             continue;

@@ -127,19 +127,15 @@ static void release_missed(struct bullets *s)
 
 static void raise_enemy_hits(struct board *b, uint32_t p, const struct body *c)
 {
-    const struct slots *s = &b->enemies.s;
+    EACH_LIVE (i, &b->enemies.s) {
+        const uint8_t flags = b->enemy_kinds.flags[b->enemies.kind[i]];
 
-    for (uint32_t word = 0; word < s->top / SLOTS_BLOCK; word++)
-        for (uint64_t m = s->live_bits[word]; m; m &= m - 1) {
-            uint32_t i = word * SLOTS_BLOCK + bits_lowest(m);
-            uint8_t flags = b->enemy_kinds.flags[b->enemies.kind[i]];
-            if (!(flags & ENEMY_TOUCH) || b->enemies.flags[i] & ENEMY_DYING)
-                continue;
-            struct body e = hit_enemy_body(b, i);
-            if (hit_enemy_touches(b, i, &e, c, flags & ENEMY_SWEPT))
-                board_raise_event(b, EV_HIT, board_handle(b, H_PLAYER, (int32_t)p),
-                                  board_handle(b, H_ENEMY, (int32_t)i));
-        }
+        if (!(flags & ENEMY_TOUCH) || b->enemies.flags[i] & ENEMY_DYING)
+            continue;
+        const struct body e = hit_enemy_body(b, i);
+        if (hit_enemy_touches(b, i, &e, c, flags & ENEMY_SWEPT))
+            board_raise_event(b, EV_HIT, board_handle(b, H_PLAYER, (int32_t)p), board_handle(b, H_ENEMY, (int32_t)i));
+    }
 }
 
 void hit_get_queries(struct board *b, struct bullets_query query[MAX_PLAYERS])
