@@ -286,31 +286,29 @@ static uint32_t ringing_mask(const struct board *b)
     return busy;
 }
 
+/* Fades out the voices of the sounds in these slots. */
+static void fade_out_cues(struct board *b, uint32_t slots)
+{
+    for (int i = 0; i < CUE_SLOTS; i++)
+        if (slots >> i & 1)
+            voices_fade_out(&b->voices, VOICES_MUSIC + i, 0);
+}
+
 void sound_play(struct board *b, const struct cue *cue)
 {
-    const uint32_t ended = cues_start(&b->cues, tune_data(b), cue, b->core.frame, ringing_mask(b));
-
-    for (int i = 0; i < CUE_SLOTS; i++)
-        if (ended >> i & 1)
-            voices_fade_out(&b->voices, VOICES_MUSIC + i, 0);
+    fade_out_cues(b, cues_start(&b->cues, tune_data(b), cue, b->core.frame, ringing_mask(b)));
 }
 
 void sound_stop(struct board *b, uint32_t tune)
 {
-    const uint32_t ended = cues_stop(&b->cues, tune);
-
-    for (int i = 0; i < CUE_SLOTS; i++)
-        if (ended >> i & 1)
-            voices_fade_out(&b->voices, VOICES_MUSIC + i, 0);
+    fade_out_cues(b, cues_stop(&b->cues, tune));
 }
 
 int16_t sound_pan_at(const struct board *b, fx x)
 {
     const int64_t half = (int64_t)b->cart.manifest.field_w << 15;
-    int64_t pan = (x - half) * TUNE_PAN_CENTRE * 2 / (3 * half);
 
-    pan = pan > TUNE_PAN_CENTRE ? TUNE_PAN_CENTRE : pan < -TUNE_PAN_CENTRE ? -TUNE_PAN_CENTRE : pan;
-    return (int16_t)pan;
+    return (int16_t)int64_clamp((x - half) * TUNE_PAN_CENTRE * 2 / (3 * half), -TUNE_PAN_CENTRE, TUNE_PAN_CENTRE);
 }
 
 /* Least frames from one cue of a kind to the next, because many in quick succession sound like noise. */

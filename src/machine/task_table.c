@@ -52,11 +52,6 @@ const char *tasks_origin(const struct board *b, const struct lua_State *L)
     return t->current != NO_SLOT && t->thread[t->current] == L ? t->origin[t->current] : NULL;
 }
 
-int64_t tasks_current_owner(const struct board *b)
-{
-    return b->tasks.current_owner;
-}
-
 bool tasks_get_spawn_owner(const struct board *b, bool outlives_scene, int64_t *owner)
 {
     *owner = outlives_scene ? 0 : b->tasks.current_scene;

@@ -55,9 +55,6 @@ struct tasks_context {
     int64_t owner, scene;
 };
 
-/* Returns the owner of the tasks that the running script starts. */
-int64_t tasks_current_owner(const struct board *b);
-
 /* Stores the owner of an enemy or sprite that the running script spawns: the script's scene or, with `outlives_scene`,
  * none, so that the enemy or sprite outlives the scene. Returns false if the owner is a scene that has ended: scripts
  * cannot spawn entities in it. */

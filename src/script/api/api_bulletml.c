@@ -148,7 +148,7 @@ static int start_document(lua_State *L, struct board *b, struct api_value *v)
 {
     const struct api_value *from = &v[P_POSITION + POSITION_FROM];
     struct bulletml_start s = { .program = find_program(L, b, lua_tostring(L, v[P_NAME].at)),
-                                .owner = tasks_current_owner(b),
+                                .owner = b->tasks.current_owner,
                                 .follow = from->given ? from->i : 0,
                                 .dx = from->given ? v[P_POSITION + POSITION_DX].f : 0,
                                 .dy = from->given ? v[P_POSITION + POSITION_DY].f : 0,

@@ -60,7 +60,7 @@ static const struct api_param task_params[] = { THING("t", REQ, 1 << H_TASK, "ta
 static int task_go(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)v;
-    lua_pushinteger(L, tasks_start(b, L, tasks_current_owner(b), lua_gettop(L) - 1));
+    lua_pushinteger(L, tasks_start(b, L, b->tasks.current_owner, lua_gettop(L) - 1));
     return 1;
 }
 
@@ -79,7 +79,7 @@ static int task_own(lua_State *L, struct board *b, struct api_value *v)
 
 static int task_scope(lua_State *L, struct board *b, struct api_value *v)
 {
-    lua_pushinteger(L, tasks_new_scope(b, v[ARG_OWNER].given ? v[ARG_OWNER].i : tasks_current_owner(b), false));
+    lua_pushinteger(L, tasks_new_scope(b, v[ARG_OWNER].given ? v[ARG_OWNER].i : b->tasks.current_owner, false));
     return 1;
 }
 
