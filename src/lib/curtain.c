@@ -136,9 +136,7 @@ bool lib_power_on(struct curtain *c, char *err, size_t err_size)
 {
     c->board = board_power_on(c->ram, c->ram_size, &c->rom, &c->run_start.start, err, err_size);
     c->drawn = c->mixed = false;
-    if (!c->board)
-        return false;
-    return true;
+    return c->board != NULL;
 }
 
 static struct curtain *refuse_memory(const struct curtain_config *config, const void *memory, size_t size, char *err,

@@ -177,18 +177,14 @@ static uint64_t hash_nvram(const struct curtain *c, uint32_t *writes)
     return hash_bytes(HASH_START, nvram, size);
 }
 
-static void swap_starts(struct curtain *c)
+/* Swaps the present run with the one that is being loaded. */
+static void swap_runs(struct curtain *c)
 {
     struct lib_start start = c->run_start;
+    struct pads_log log = c->run_pads;
 
     c->run_start = c->state_start;
     c->state_start = start;
-}
-
-static void swap_logs(struct curtain *c)
-{
-    struct pads_log log = c->run_pads;
-
     c->run_pads = c->state_pads;
     c->state_pads = log;
 }
@@ -205,16 +201,14 @@ bool curtain_load(struct curtain *c, const void *state, size_t size, char *err, 
     const uint64_t old_hash = hash_nvram(c, &c->nvram_writes);
     const struct replay_start start =
         find_replay_start(c, pads, c->state_start.hash, board_last_output(c->board)->fault ? NULL : &c->run_pads);
-    swap_starts(c);
-    swap_logs(c);
+    swap_runs(c);
     if (replay(c, pads, &start, err, err_size) &&
         (board_hash(c->board) == bytes_get64(in + 40) ||
          err_set(err, err_size, "replaying the state produced a different hash"))) {
         c->nvram_changed = hash_nvram(c, &c->nvram_writes) != old_hash || c->nvram_changed;
         return true;
     }
-    swap_logs(c);
-    swap_starts(c);
+    swap_runs(c);
     board_restore(c->board, c->backup);
     board_output_restore(c->board, c->backup_output);
     c->drawn = c->mixed = false;
