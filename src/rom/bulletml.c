@@ -19,8 +19,7 @@ const char *const ml_operands[ML_OPS] = {
     [ML_SPEED] = "vv",       [ML_ACCEL] = "vvv",
 };
 
-/* Finds the sections of the lump, without checking their contents. Returns the size that the header implies. */
-static uint64_t find_sections(struct ml *m, const uint8_t *data)
+uint64_t ml_open(struct ml *m, const uint8_t *data)
 {
     const uint64_t counts[] = { bytes_get32(data + 8),  bytes_get32(data + 12), bytes_get32(data + 16),
                                 bytes_get32(data + 20), bytes_get32(data + 24), bytes_get32(data + 28) };
@@ -41,11 +40,6 @@ static uint64_t find_sections(struct ml *m, const uint8_t *data)
     m->step = data + step;
     m->text = data + text;
     return text + counts[5];
-}
-
-void ml_open(struct ml *m, const uint8_t *data)
-{
-    find_sections(m, data);
 }
 
 static bool is_command_at(const struct ml *m, uint32_t at)
@@ -170,7 +164,7 @@ bool ml_check(const uint8_t *data, size_t size, char *err, size_t err_size)
         return err_set(err, err_size, "not a BulletML program");
     if (bytes_get32(data + 4) > 1)
         return err_set(err, err_size, "unknown format");
-    const uint64_t expected = find_sections(&m, data);
+    const uint64_t expected = ml_open(&m, data);
     if (m.n_top_actions > ML_MAX_TOP_ACTIONS || m.n_labels > ML_MAX_LABELS || m.n_numbers > ML_MAX_NUMBERS ||
         m.n_words > ML_MAX_WORDS || m.n_steps > ML_MAX_WORDS || m.text_size > ML_MAX_TEXT)
         return err_set(err, err_size, "too large for a BulletML program");

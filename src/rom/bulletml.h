@@ -116,8 +116,8 @@ extern const char *const ml_operands[ML_OPS];
 /* Returns whether data is exactly one valid program. If it is not, stores one sentence in err. */
 bool ml_check(const uint8_t *data, size_t size, char *err, size_t err_size);
 
-/* Finds the sections of a program that ml_check has accepted. */
-void ml_open(struct ml *m, const uint8_t *data);
+/* Finds the sections of a program, without checking them. Returns the size that its header implies. */
+uint64_t ml_open(struct ml *m, const uint8_t *data);
 
 static inline uint32_t ml_word(const struct ml *m, uint32_t at)
 {

@@ -11,6 +11,7 @@
 #include <string.h>
 #include "../base/bytes.h"
 #include "../base/err.h"
+#include "../base/int.h"
 #include "../entities/motion.h"
 #include "../../fb/blit.h"
 #include "../../fb/text.h"
@@ -36,51 +37,48 @@ static bool find_lump_in(const struct rom *rom, const char *folder, const char *
     return n > 0 && n < ROM_MAX_NAME && find_lump(rom, full, l);
 }
 
+/* A lump whose contents are being checked. A check that fails stores the reason in err. */
+struct check {
+    const struct cart *cart;
+    const char *name; /* without the folder's prefix */
+    struct lump lump;
+    char err[256];
+};
+typedef bool check_lump(struct check *k);
+static check_lump check_sprite, check_lang, check_map, check_bulletml, check_face, check_tune, check_hitbox;
+
 static const struct {
     const char *prefix, *upper_bound; /* upper_bound: the prefix with its last byte incremented */
     int max_lumps;
+    uint32_t lump_size; /* bytes of each lump; 0: any */
+    check_lump *check;  /* NULL: any contents */
 } folders[CART_FOLDERS] = {
-    [CART_SPRITES] = { "gfx/", "gfx0", INT_MAX },
-    [CART_PALETTES] = { "palette/", "palette0", INT_MAX },
-    [CART_BLENDS] = { "blend/", "blend0", CART_MAX_BLENDS },
-    [CART_LANGS] = { "lang/", "lang0", INT_MAX },
-    [CART_MAPS] = { "map/", "map0", CART_MAX_MAPS },
-    [CART_BULLETML] = { "bulletml/", "bulletml0", CART_MAX_BULLETML },
-    [CART_FACES] = { "fonts/", "fonts0", CART_MAX_FACES },
-    [CART_TUNES] = { "tune/", "tune0", INT_MAX },
-    [CART_SOUNDS] = { "sound/", "sound0", INT_MAX },
-    [CART_SHADE_TABLES] = { "shade/", "shade0", INT_MAX },
-    [CART_BLEND_TABLES] = { "blends/", "blends0", INT_MAX },
-    [CART_HITBOXES] = { "hit/", "hit0", INT_MAX },
+    [CART_SPRITES] = { "gfx/", "gfx0", INT_MAX, 0, check_sprite },
+    [CART_PALETTES] = { "palette/", "palette0", INT_MAX, CART_PALETTE_SIZE, NULL },
+    [CART_BLENDS] = { "blend/", "blend0", CART_MAX_BLENDS, CART_BLEND_SIZE, NULL },
+    [CART_LANGS] = { "lang/", "lang0", INT_MAX, 0, check_lang },
+    [CART_MAPS] = { "map/", "map0", CART_MAX_MAPS, 0, check_map },
+    [CART_BULLETML] = { "bulletml/", "bulletml0", CART_MAX_BULLETML, 0, check_bulletml },
+    [CART_FACES] = { "fonts/", "fonts0", CART_MAX_FACES, 0, check_face },
+    [CART_TUNES] = { "tune/", "tune0", CART_MAX_TUNES, 0, check_tune },
+    [CART_SOUNDS] = { "sound/", "sound0", CART_MAX_TUNES, 0, check_tune },
+    [CART_SHADE_TABLES] = { "shade/", "shade0", INT_MAX, CART_SHADES_SIZE, NULL },
+    [CART_BLEND_TABLES] = { "blends/", "blends0", INT_MAX, CART_BLEND_SIZE, NULL },
+    [CART_HITBOXES] = { "hit/", "hit0", INT_MAX, 0, check_hitbox },
 };
 
-static void find_folders(struct cart *c)
+static struct lump get_lump(const struct cart *c, enum cart_folder f, int i)
 {
-    for (int f = 0; f < CART_FOLDERS; f++) {
-        c->first[f] = rom_find_first(c->rom, folders[f].prefix);
-        c->count[f] = rom_find_first(c->rom, folders[f].upper_bound) - c->first[f];
-    }
-}
+    struct lump l;
 
-static bool check_count(const struct cart *c, enum cart_folder f, char *err, size_t err_size)
-{
-    return c->count[f] <= folders[f].max_lumps ? true
-                                               : err_set(err, err_size, "%d lumps named \"%s...\", expected at most %d",
-                                                         c->count[f], folders[f].prefix, folders[f].max_lumps);
-}
-
-static void get_lump(const struct cart *c, enum cart_folder f, int i, struct lump *l)
-{
     assert(i >= 0 && i < c->count[f]);
-    rom_lump(c->rom, c->first[f] + i, l);
+    rom_lump(c->rom, c->first[f] + i, &l);
+    return l;
 }
 
 const char *cart_name(const struct cart *cart, enum cart_folder folder, int i)
 {
-    struct lump l;
-
-    get_lump(cart, folder, i, &l);
-    return l.name + strlen(folders[folder].prefix);
+    return get_lump(cart, folder, i).name + strlen(folders[folder].prefix);
 }
 
 int cart_find(const struct cart *cart, enum cart_folder folder, const char *name)
@@ -90,6 +88,46 @@ int cart_find(const struct cart *cart, enum cart_folder folder, const char *name
     const int i = n > 0 && n < ROM_MAX_NAME ? rom_find(cart->rom, full) : -1;
 
     return i < 0 ? -1 : i - cart->first[folder];
+}
+
+static bool check_size(const struct lump *l, uint32_t size, char *err, size_t err_size)
+{
+    return l->size == size ||
+           err_set(err, err_size, "lump \"%s\": %" PRIu32 " bytes long, expected %" PRIu32, l->name, l->size, size);
+}
+
+/* Checks the number of a folder's lumps, and each of them. */
+static bool open_folder(struct cart *c, enum cart_folder f, char *err, size_t err_size)
+{
+    struct check k = { .cart = c };
+
+    if (c->count[f] > folders[f].max_lumps)
+        return f == CART_TUNES || f == CART_SOUNDS
+                   ? err_set(err, err_size, "%d sounds and pieces of music, expected at most %d", c->count[f],
+                             CART_MAX_TUNES)
+                   : err_set(err, err_size, "%d lumps named \"%s...\", expected at most %d", c->count[f],
+                             folders[f].prefix, folders[f].max_lumps);
+    for (int i = 0; i < c->count[f]; i++) {
+        k.name = cart_name(c, f, i);
+        k.lump = get_lump(c, f, i);
+        if (folders[f].lump_size && !check_size(&k.lump, folders[f].lump_size, err, err_size))
+            return false;
+        if (folders[f].check && !folders[f].check(&k))
+            return err_set(err, err_size, "lump \"%s\": %s", k.lump.name, k.err);
+    }
+    return true;
+}
+
+static bool open_folders(struct cart *c, char *err, size_t err_size)
+{
+    for (int f = 0; f < CART_FOLDERS; f++) {
+        c->first[f] = rom_find_first(c->rom, folders[f].prefix);
+        c->count[f] = rom_find_first(c->rom, folders[f].upper_bound) - c->first[f];
+    }
+    for (int f = 0; f < CART_FOLDERS; f++)
+        if (!open_folder(c, (enum cart_folder)f, err, err_size))
+            return false;
+    return cart_palette(c, "main") != NULL ? true : err_set(err, err_size, "no lump \"palette/main\"");
 }
 
 static bool open_manifest(struct cart *c, char *err, size_t err_size)
@@ -106,19 +144,6 @@ static bool open_manifest(struct cart *c, char *err, size_t err_size)
     return true;
 }
 
-static bool open_palettes(struct cart *c, char *err, size_t err_size)
-{
-    struct lump l;
-
-    for (int i = 0; i < c->count[CART_PALETTES]; i++) {
-        get_lump(c, CART_PALETTES, i, &l);
-        if (l.size != CART_PALETTE_SIZE)
-            return err_set(err, err_size, "lump \"%s\": %" PRIu32 " bytes long, expected %d", l.name, l.size,
-                           CART_PALETTE_SIZE);
-    }
-    return cart_palette(c, "main") != NULL ? true : err_set(err, err_size, "no lump \"palette/main\"");
-}
-
 /* Returns the blend rule with the same results as a table, or BLIT_TABLE if there is none. */
 static uint8_t find_rule(const uint8_t table[CART_BLEND_SIZE])
 {
@@ -132,107 +157,62 @@ static uint8_t find_rule(const uint8_t table[CART_BLEND_SIZE])
     return BLIT_TABLE;
 }
 
-static bool check_size(const struct lump *l, uint32_t size, char *err, size_t err_size)
+static void set_blend(struct cart_colour_tables *tables, int i, const uint8_t *blend)
 {
-    return l->size == size ||
-           err_set(err, err_size, "lump \"%s\": %" PRIu32 " bytes long, expected %" PRIu32, l->name, l->size, size);
+    tables->blend[i] = blend;
+    tables->mix[i] = find_rule(blend);
 }
 
-static bool open_shades(struct cart *c, char *err, size_t err_size)
+/* Finds the tables of palette i. In place of missing tables, it uses those of palette/main. */
+static void find_palette_tables(struct cart *c, int i)
 {
-    struct lump l;
-
-    c->main_tables.shades = NULL;
-    if (!find_lump(c->rom, "shades", &l))
-        return true;
-    c->main_tables.shades = l.data;
-    return check_size(&l, CART_SHADES_SIZE, err, err_size);
-}
-
-static bool open_blends(struct cart *c, char *err, size_t err_size)
-{
-    struct lump l;
-
-    if (!check_count(c, CART_BLENDS, err, err_size))
-        return false;
-    for (int i = 0; i < c->count[CART_BLENDS]; i++) {
-        get_lump(c, CART_BLENDS, i, &l);
-        if (!check_size(&l, CART_BLEND_SIZE, err, err_size))
-            return false;
-        c->main_tables.blend[i] = l.data;
-        c->main_tables.mix[i] = find_rule(l.data);
-    }
-    return true;
-}
-
-/* Opens the tables of palette i. In place of missing tables, it uses those of palette/main. */
-static bool open_palette_tables(struct cart *c, int i, char *err, size_t err_size)
-{
-    struct cart_colour_tables *look = &c->palette_tables[i];
+    struct cart_colour_tables *tables = &c->palette_tables[i];
     char folder[2 * ROM_MAX_NAME];
     struct lump l;
 
-    *look = c->main_tables;
-    if (find_lump_in(c->rom, "shade/", cart_name(c, CART_PALETTES, i), "", &l)) {
-        look->shades = l.data;
-        if (!check_size(&l, CART_SHADES_SIZE, err, err_size))
-            return false;
-    }
+    *tables = c->main_tables;
+    if (find_lump_in(c->rom, "shade/", cart_name(c, CART_PALETTES, i), "", &l))
+        tables->shades = l.data;
     snprintf(folder, sizeof folder, "blends/%s/", cart_name(c, CART_PALETTES, i));
-    for (int k = 0; k < c->count[CART_BLENDS]; k++) {
-        if (!find_lump_in(c->rom, folder, cart_name(c, CART_BLENDS, k), "", &l))
-            continue;
-        if (!check_size(&l, CART_BLEND_SIZE, err, err_size))
-            return false;
-        look->blend[k] = l.data;
-        look->mix[k] = find_rule(l.data);
-    }
-    return true;
+    for (int k = 0; k < c->count[CART_BLENDS]; k++)
+        if (find_lump_in(c->rom, folder, cart_name(c, CART_BLENDS, k), "", &l))
+            set_blend(tables, k, l.data);
 }
 
-static bool open_all_palette_tables(struct cart *c, char *err, size_t err_size)
+static bool open_colour_tables(struct cart *c, char *err, size_t err_size)
 {
+    struct lump l;
+    const bool has_shades = find_lump(c->rom, "shades", &l);
+
+    c->main_tables.shades = has_shades ? l.data : NULL;
+    if (has_shades && !check_size(&l, CART_SHADES_SIZE, err, err_size))
+        return false;
+    for (int i = 0; i < c->count[CART_BLENDS]; i++)
+        set_blend(&c->main_tables, i, get_lump(c, CART_BLENDS, i).data);
     c->has_palette_tables = c->count[CART_SHADE_TABLES] + c->count[CART_BLEND_TABLES] > 0;
     if (c->has_palette_tables && c->count[CART_PALETTES] > CART_MAX_TABLED_PALETTES)
         return err_set(err, err_size, "%d lumps named \"palette/...\" with shade or blend tables, expected at most %d",
                        c->count[CART_PALETTES], CART_MAX_TABLED_PALETTES);
     for (int i = 0; i < c->count[CART_PALETTES] && c->has_palette_tables; i++)
-        if (!open_palette_tables(c, i, err, err_size))
-            return false;
+        find_palette_tables(c, i);
     return true;
 }
 
-static bool open_faces(struct cart *c, char *err, size_t err_size)
+static bool check_face(struct check *k)
 {
     struct face face;
-    struct lump l;
-    char detail[128];
 
-    if (!check_count(c, CART_FACES, err, err_size))
-        return false;
-    for (int i = 0; i < c->count[CART_FACES]; i++) {
-        get_lump(c, CART_FACES, i, &l);
-        if (!face_open(&face, l.data, l.size, detail, sizeof detail))
-            return err_set(err, err_size, "lump \"%s\": %s", l.name, detail);
-    }
-    return true;
+    return face_open(&face, k->lump.data, k->lump.size, k->err, sizeof k->err);
 }
 
-static bool open_langs(struct cart *c, char *err, size_t err_size)
+static bool check_lang(struct check *k)
 {
     struct words words;
-    struct lump l;
-    char detail[128];
 
-    for (int i = 0; i < c->count[CART_LANGS]; i++) {
-        get_lump(c, CART_LANGS, i, &l);
-        if (!manifest_setting_name_ok(cart_name(c, CART_LANGS, i)))
-            return err_set(err, err_size, "lump \"%s\": expected a name of 1 to %d letters, digits, _ and -", l.name,
-                           MAX_SETTING_NAME - 1);
-        if (!words_open(&words, l.data, l.size, detail, sizeof detail))
-            return err_set(err, err_size, "lump \"%s\": %s", l.name, detail);
-    }
-    return true;
+    if (!manifest_setting_name_ok(k->name))
+        return err_set(k->err, sizeof k->err, "expected a name of 1 to %d letters, digits, _ and -",
+                       MAX_SETTING_NAME - 1);
+    return words_open(&words, k->lump.data, k->lump.size, k->err, sizeof k->err);
 }
 
 static bool open_font(struct cart *c, char *err, size_t err_size)
@@ -304,63 +284,48 @@ static bool row_ok(const uint8_t *row, const struct sprite *s)
     return true;
 }
 
-static bool check_sprite(const struct lump *l, char *err, size_t err_size)
+static bool check_sprite(struct check *k)
 {
+    const struct lump *l = &k->lump;
     struct sprite s;
 
     if (l->size < CART_GFX_HEADER_SIZE)
-        return err_set(err, err_size, "lump \"%s\": too short for a sprite (%" PRIu32 " bytes)", l->name, l->size);
+        return err_set(k->err, sizeof k->err, "too short for a sprite (%" PRIu32 " bytes)", l->size);
     read_sprite(l, &s);
     if (!header_ok(&s) || bytes_get16(l->data + 18) != 0 || bytes_get32(l->data + 20) != 0)
-        return err_set(err, err_size, "lump \"%s\": its header is out of range", l->name);
+        return err_set(k->err, sizeof k->err, "its header is out of range");
     uint64_t rows = (uint64_t)s.frames * s.rotations * s.h;
     if (l->size != CART_GFX_HEADER_SIZE + rows * s.pitch)
-        return err_set(err, err_size, "lump \"%s\": %" PRIu32 " bytes long, its header says %" PRIu64, l->name, l->size,
+        return err_set(k->err, sizeof k->err, "%" PRIu32 " bytes long, its header says %" PRIu64, l->size,
                        CART_GFX_HEADER_SIZE + rows * s.pitch);
     for (uint64_t y = 0; y < rows; y++)
         if (!row_ok(s.pix + y * s.pitch, &s))
-            return err_set(err, err_size,
-                           "lump \"%s\": row %" PRIu64 " has a pixel beyond its width or with a colour outside bank %d",
-                           l->name, y, s.bank);
-    return true;
-}
-
-static bool open_sprites(struct cart *c, char *err, size_t err_size)
-{
-    struct lump l;
-
-    for (int i = 0; i < c->count[CART_SPRITES]; i++) {
-        get_lump(c, CART_SPRITES, i, &l);
-        if (!check_sprite(&l, err, err_size))
-            return false;
-    }
+            return err_set(k->err, sizeof k->err,
+                           "row %" PRIu64 " has a pixel beyond its width or with a colour outside bank %d", y, s.bank);
     return true;
 }
 
 /* ---- hitboxes ---- */
 
+/* A hitbox is stored as its 32-bit words. */
+_Static_assert(sizeof(struct cart_hitbox) == CART_HITBOX_SIZE, "struct cart_hitbox has no padding");
+
 void cart_pack_hitbox(const struct cart_hitbox *hit, uint8_t out[CART_HITBOX_SIZE])
 {
-    bytes_put32(out, hit->shape);
-    bytes_put32(out + 4, hit->rows);
-    for (uint32_t i = 0; i < SHAPE_MAX_CIRCLES; i++) {
-        bytes_put32(out + 8 + 16 * i, (uint32_t)hit->row[i].a);
-        bytes_put32(out + 12 + 16 * i, (uint32_t)hit->row[i].b);
-        bytes_put32(out + 16 + 16 * i, (uint32_t)hit->row[i].x);
-        bytes_put32(out + 20 + 16 * i, (uint32_t)hit->row[i].y);
-    }
+    uint32_t words[CART_HITBOX_SIZE / 4];
+
+    memcpy(words, hit, sizeof words);
+    for (size_t i = 0; i < COUNT(words); i++)
+        bytes_put32(out + 4 * i, words[i]);
 }
 
 static void read_hitbox(const uint8_t *p, struct cart_hitbox *hit)
 {
-    hit->shape = bytes_get32(p);
-    hit->rows = bytes_get32(p + 4);
-    for (uint32_t i = 0; i < SHAPE_MAX_CIRCLES; i++) {
-        hit->row[i].a = (int32_t)bytes_get32(p + 8 + 16 * i);
-        hit->row[i].b = (int32_t)bytes_get32(p + 12 + 16 * i);
-        hit->row[i].x = (int32_t)bytes_get32(p + 16 + 16 * i);
-        hit->row[i].y = (int32_t)bytes_get32(p + 20 + 16 * i);
-    }
+    uint32_t words[CART_HITBOX_SIZE / 4];
+
+    for (size_t i = 0; i < COUNT(words); i++)
+        words[i] = bytes_get32(p + 4 * i);
+    memcpy(hit, words, sizeof words);
 }
 
 /* Returns whether row i of a hitbox is valid: lengths are not negative, nothing is too large, and values that the shape
@@ -368,7 +333,7 @@ static void read_hitbox(const uint8_t *p, struct cart_hitbox *hit)
 static bool hitbox_row_ok(const struct cart_hitbox *h, uint32_t i)
 {
     const int64_t limit = (int64_t)MAX_SPEED << 16, a = h->row[i].a, b = h->row[i].b;
-    const int64_t x = h->row[i].x, y = h->row[i].y, reach = (x < 0 ? -x : x) + (y < 0 ? -y : y) + a;
+    const int64_t x = h->row[i].x, y = h->row[i].y, reach = int64_abs(x) + int64_abs(y) + a;
 
     if (i >= h->rows)
         return a == 0 && b == 0 && x == 0 && y == 0;
@@ -390,21 +355,15 @@ static bool hitbox_ok(const struct cart_hitbox *h)
     return true;
 }
 
-static bool open_hitboxes(struct cart *c, char *err, size_t err_size)
+static bool check_hitbox(struct check *k)
 {
     struct cart_hitbox h;
-    struct lump l;
 
-    for (int i = 0; i < c->count[CART_HITBOXES]; i++) {
-        get_lump(c, CART_HITBOXES, i, &l);
-        if (cart_find(c, CART_SPRITES, cart_name(c, CART_HITBOXES, i)) < 0)
-            return err_set(err, err_size, "lump \"%s\": no sprite has this name", l.name);
-        if (l.size == CART_HITBOX_SIZE)
-            read_hitbox(l.data, &h);
-        if (l.size != CART_HITBOX_SIZE || !hitbox_ok(&h))
-            return err_set(err, err_size, "lump \"%s\": not a hitbox", l.name);
-    }
-    return true;
+    if (cart_find(k->cart, CART_SPRITES, k->name) < 0)
+        return err_set(k->err, sizeof k->err, "no sprite has this name");
+    if (k->lump.size == CART_HITBOX_SIZE)
+        read_hitbox(k->lump.data, &h);
+    return (k->lump.size == CART_HITBOX_SIZE && hitbox_ok(&h)) || err_set(k->err, sizeof k->err, "not a hitbox");
 }
 
 bool cart_find_hitbox(const struct cart *cart, const char *name, struct cart_hitbox *out)
@@ -456,92 +415,53 @@ static bool tile_ok(const struct map *m, int tile)
     return m->solid[tile] == solid;
 }
 
-static bool check_map(const struct lump *l, char *err, size_t err_size)
+static bool check_map(struct check *k)
 {
+    const struct lump *l = &k->lump;
     struct map m;
 
     if (l->size < CART_MAP_HEADER_SIZE)
-        return err_set(err, err_size, "lump \"%s\": too short for a map (%" PRIu32 " bytes)", l->name, l->size);
+        return err_set(k->err, sizeof k->err, "too short for a map (%" PRIu32 " bytes)", l->size);
     read_map(l, &m);
     if (!map_header_ok(&m) || bytes_get16(l->data + 10) > 1 || bytes_get32(l->data + 12) != 0)
-        return err_set(err, err_size, "lump \"%s\": its header is out of range", l->name);
+        return err_set(k->err, sizeof k->err, "its header is out of range");
     uint64_t cells = (uint64_t)m.cols * (uint64_t)m.rows;
     uint64_t size =
         CART_MAP_HEADER_SIZE + 2 * cells + (uint64_t)m.n_tiles * (1 + (uint64_t)m.tile_side * (uint64_t)m.tile_side);
     if (l->size != size)
-        return err_set(err, err_size, "lump \"%s\": %" PRIu32 " bytes long, its header says %" PRIu64, l->name, l->size,
-                       size);
+        return err_set(k->err, sizeof k->err, "%" PRIu32 " bytes long, its header says %" PRIu64, l->size, size);
     bool all_solid = true;
     for (uint64_t i = 0; i < cells; i++) {
         if (bytes_get16(m.cells + 2 * i) >= m.n_tiles)
-            return err_set(err, err_size, "lump \"%s\": cell %" PRIu64 " has tile %d, but the map has %d tiles",
-                           l->name, i, bytes_get16(m.cells + 2 * i), m.n_tiles);
+            return err_set(k->err, sizeof k->err, "cell %" PRIu64 " has tile %d, but the map has %d tiles", i,
+                           bytes_get16(m.cells + 2 * i), m.n_tiles);
         all_solid = all_solid && m.solid[bytes_get16(m.cells + 2 * i)];
     }
     if (all_solid != m.all_solid)
-        return err_set(err, err_size, "lump \"%s\": wrong flag for empty cells", l->name);
+        return err_set(k->err, sizeof k->err, "wrong flag for empty cells");
     for (int i = 0; i < m.n_tiles; i++)
         if (!tile_ok(&m, i))
-            return err_set(err, err_size, "lump \"%s\": tile %d does not match the map's flags", l->name, i);
+            return err_set(k->err, sizeof k->err, "tile %d does not match the map's flags", i);
     return true;
 }
 
-static bool open_maps(struct cart *c, char *err, size_t err_size)
+static bool check_bulletml(struct check *k)
 {
-    struct lump l;
+    return ml_check(k->lump.data, k->lump.size, k->err, sizeof k->err);
+}
 
-    if (!check_count(c, CART_MAPS, err, err_size))
+/* Checks a sound or a piece of music. The samples of a stream, which only music can be, must exist and be valid. */
+static bool check_tune(struct check *k)
+{
+    struct lump samples;
+
+    if (!tune_validate(k->lump.data, k->lump.size, k->err, sizeof k->err))
         return false;
-    for (int i = 0; i < c->count[CART_MAPS]; i++) {
-        get_lump(c, CART_MAPS, i, &l);
-        if (!check_map(&l, err, err_size))
-            return false;
-    }
-    return true;
-}
-
-static bool open_bulletml(struct cart *c, char *err, size_t err_size)
-{
-    struct lump l;
-    char detail[96];
-
-    if (!check_count(c, CART_BULLETML, err, err_size))
-        return false;
-    for (int i = 0; i < c->count[CART_BULLETML]; i++) {
-        get_lump(c, CART_BULLETML, i, &l);
-        if (!ml_check(l.data, l.size, detail, sizeof detail))
-            return err_set(err, err_size, "lump \"%s\": %s", l.name, detail);
-    }
-    return true;
-}
-
-/* Returns whether a stream's samples, for `channels` channels, exist and are valid. Only music can be a stream. */
-static bool stream_ok(const struct cart *c, const struct lump *tune, int channels)
-{
-    struct lump l;
-
-    return strncmp(tune->name, "tune/", 5) == 0 && find_lump_in(c->rom, "wave/", tune->name + 5, "", &l) &&
-           samples_are_valid(l.data, l.size, channels);
-}
-
-/* Checks the tunes of music or sounds. */
-static bool open_tunes(struct cart *c, enum cart_folder folder, char *err, size_t err_size)
-{
-    struct lump l;
-    char detail[128];
-
-    if (c->count[folder] > CART_MAX_TUNES)
-        return err_set(err, err_size, "%d sounds and pieces of music, expected at most %d", c->count[folder],
-                       CART_MAX_TUNES);
-    for (int i = 0; i < c->count[folder]; i++) {
-        get_lump(c, folder, i, &l);
-        if (!tune_validate(l.data, l.size, detail, sizeof detail))
-            return err_set(err, err_size, "lump \"%s\": %s", l.name, detail);
-        const struct tune t = tune_of(l.data);
-        if (tune_is_stream(&t) && !stream_ok(c, &l, t.channels))
-            return err_set(err, err_size, "lump \"%s\": samples (lump wave/%s) are missing or damaged", l.name,
-                           strchr(l.name, '/') + 1);
-    }
+    const struct tune t = tune_of(k->lump.data);
+    if (tune_is_stream(&t) &&
+        !(strncmp(k->lump.name, "tune/", 5) == 0 && find_lump_in(k->cart->rom, "wave/", k->name, "", &samples) &&
+          samples_are_valid(samples.data, samples.size, t.channels)))
+        return err_set(k->err, sizeof k->err, "samples (lump wave/%s) are missing or damaged", k->name);
     return true;
 }
 
@@ -549,38 +469,31 @@ const char *const cart_cue_names[CART_CUES] = { "shot",  "hit",    "graze",    "
                                                 "menu",  "extend", "spell",    "bonus",   "time",  "select", "back",
                                                 "wrong", "pause",  "continue", "mission", "failed" };
 
-static bool open_sounds(struct cart *c, char *err, size_t err_size)
+static void find_sounds(struct cart *c)
 {
-    struct lump first;
-
-    if (c->count[CART_SOUNDS] + c->count[CART_TUNES] > 0) { /* sounds and music are adjacent in the ROM */
-        get_lump(c, c->count[CART_SOUNDS] > 0 ? CART_SOUNDS : CART_TUNES, 0, &first);
-        c->tune_data = first.data - CART_FIRST_TUNE_OFFSET;
-    }
+    if (c->count[CART_SOUNDS] + c->count[CART_TUNES] > 0) /* sounds and music are adjacent in the ROM */
+        c->tune_data =
+            get_lump(c, c->count[CART_SOUNDS] > 0 ? CART_SOUNDS : CART_TUNES, 0).data - CART_FIRST_TUNE_OFFSET;
     for (int i = 0; i < CART_CUES; i++) {
         const int sound = cart_find(c, CART_SOUNDS, cart_cue_names[i]);
         c->cue_offset[i] = sound < 0 ? 0 : cart_tune_offset(c, CART_SOUNDS, sound);
     }
-    return open_tunes(c, CART_TUNES, err, err_size) && open_tunes(c, CART_SOUNDS, err, err_size);
 }
 
 bool cart_open(struct cart *cart, const struct rom *rom, char *err, size_t err_size)
 {
     cart->rom = rom;
-    find_folders(cart);
-    return open_manifest(cart, err, err_size) && open_palettes(cart, err, err_size) &&
-           open_shades(cart, err, err_size) && open_blends(cart, err, err_size) &&
-           open_all_palette_tables(cart, err, err_size) && open_langs(cart, err, err_size) &&
-           open_faces(cart, err, err_size) && open_font(cart, err, err_size) && open_sprites(cart, err, err_size) &&
-           open_hitboxes(cart, err, err_size) && open_maps(cart, err, err_size) && open_bulletml(cart, err, err_size) &&
-           open_sounds(cart, err, err_size);
+    if (!open_manifest(cart, err, err_size) || !open_folders(cart, err, err_size) ||
+        !open_colour_tables(cart, err, err_size) || !open_font(cart, err, err_size))
+        return false;
+    find_sounds(cart);
+    return true;
 }
 
 void cart_sprite(const struct cart *cart, int i, struct sprite *out)
 {
-    struct lump l;
+    const struct lump l = get_lump(cart, CART_SPRITES, i);
 
-    get_lump(cart, CART_SPRITES, i, &l);
     read_sprite(&l, out);
 }
 
@@ -596,26 +509,19 @@ bool cart_open_lang(const struct cart *cart, const char *name, struct words *out
 
 void cart_map(const struct cart *cart, int i, struct map *out)
 {
-    struct lump l;
+    const struct lump l = get_lump(cart, CART_MAPS, i);
 
-    get_lump(cart, CART_MAPS, i, &l);
     read_map(&l, out);
 }
 
 const uint8_t *cart_palette_at(const struct cart *cart, int i)
 {
-    struct lump l;
-
-    get_lump(cart, CART_PALETTES, i, &l);
-    return l.data;
+    return get_lump(cart, CART_PALETTES, i).data;
 }
 
 void cart_bulletml(const struct cart *cart, int i, struct ml *out)
 {
-    struct lump l;
-
-    get_lump(cart, CART_BULLETML, i, &l);
-    ml_open(out, l.data);
+    ml_open(out, get_lump(cart, CART_BULLETML, i).data);
 }
 
 const uint8_t *cart_palette(const struct cart *cart, const char *name)
@@ -627,10 +533,7 @@ const uint8_t *cart_palette(const struct cart *cart, const char *name)
 
 struct face cart_face(const struct cart *cart, int i)
 {
-    struct lump l;
-
-    get_lump(cart, CART_FACES, i, &l);
-    return face_of(l.data);
+    return face_of(get_lump(cart, CART_FACES, i).data);
 }
 
 bool cart_has_glyph(const struct cart *cart, uint32_t code)
@@ -648,10 +551,7 @@ bool cart_has_glyph(const struct cart *cart, uint32_t code)
 
 uint32_t cart_tune_offset(const struct cart *cart, enum cart_folder folder, int i)
 {
-    struct lump l;
-
-    get_lump(cart, folder, i, &l);
-    return (uint32_t)(l.data - cart->tune_data);
+    return (uint32_t)(get_lump(cart, folder, i).data - cart->tune_data);
 }
 
 /* Returns the place of the samples of the tune at place `tune`, which is a recording; 0: none. */

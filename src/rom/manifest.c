@@ -266,50 +266,46 @@ struct walk {
     bool is_valid;
 };
 
-static void walk_text(struct walk *w, char *s, size_t n)
+static void walk_bytes(struct walk *w, void *bytes, size_t n)
 {
     if (w->out != NULL) {
-        memcpy(w->out, s, n);
+        memcpy(w->out, bytes, n);
         w->out += n;
     } else {
-        memcpy(s, w->in, n);
+        memcpy(bytes, w->in, n);
         w->in += n;
     }
 }
 
 static void walk_32(struct walk *w, int32_t *v)
 {
-    if (w->out != NULL) {
-        bytes_put32(w->out, (uint32_t)*v);
-        w->out += 4;
-    } else {
-        *v = (int32_t)bytes_get32(w->in);
-        w->in += 4;
-    }
+    uint8_t bytes[4];
+
+    bytes_put32(bytes, (uint32_t)*v);
+    walk_bytes(w, bytes, sizeof bytes);
+    *v = (int32_t)bytes_get32(bytes);
 }
 
 static void walk_64(struct walk *w, int64_t *v)
 {
-    if (w->out != NULL) {
-        bytes_put64(w->out, (uint64_t)*v);
-        w->out += 8;
-    } else {
-        *v = (int64_t)bytes_get64(w->in);
-        w->in += 8;
-    }
+    uint8_t bytes[8];
+
+    bytes_put64(bytes, (uint64_t)*v);
+    walk_bytes(w, bytes, sizeof bytes);
+    *v = (int64_t)bytes_get64(bytes);
 }
 
 static void walk_dip(struct walk *w, struct dip *d)
 {
     int32_t number = d->is_number;
 
-    walk_text(w, d->name, sizeof d->name);
+    walk_bytes(w, d->name, sizeof d->name);
     walk_32(w, &number);
     walk_32(w, &d->lo);
     walk_32(w, &d->hi);
     walk_32(w, &d->default_value);
     walk_32(w, &d->n_values);
-    walk_text(w, d->value_name[0], sizeof d->value_name);
+    walk_bytes(w, d->value_name[0], sizeof d->value_name);
     d->is_number = number != 0;
     w->is_valid = w->is_valid && (number == 0 || number == 1);
 }
@@ -326,15 +322,15 @@ static void walk_manifest(struct walk *w, struct manifest *m, int32_t expected)
 
     walk_32(w, &format);
     w->is_valid = format == expected;
-    walk_text(w, m->id, sizeof m->id);
-    walk_text(w, m->title, sizeof m->title);
-    walk_text(w, m->author, sizeof m->author);
-    walk_text(w, m->entry, sizeof m->entry);
+    walk_bytes(w, m->id, sizeof m->id);
+    walk_bytes(w, m->title, sizeof m->title);
+    walk_bytes(w, m->author, sizeof m->author);
+    walk_bytes(w, m->entry, sizeof m->entry);
     walk_numbers(w, m, 0, FORMAT_1_NUMBERS);
     for (int i = 0; i < MAX_EXTENDS; i++)
         walk_64(w, &m->extends[i]);
     walk_32(w, &m->n_extends);
-    walk_text(w, m->difficulties[0], sizeof m->difficulties);
+    walk_bytes(w, m->difficulties[0], sizeof m->difficulties);
     walk_32(w, &m->n_difficulties);
     walk_32(w, &m->difficulty);
     for (int i = 0; i < MAX_DIPS; i++)
