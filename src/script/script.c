@@ -10,6 +10,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "../base/cursor.h"
+#include "../base/err.h"
 #include "../base/heap.h"
 #include "../base/host.h"
 
@@ -81,23 +82,18 @@ static void scan_unicode_escape(struct scan *s)
     append_byte(s, v > 127 ? 255 : v);
 }
 
-static void scan_decimal_escape(struct scan *s)
+static void scan_number_escape(struct scan *s, int max_digits, int base)
 {
-    unsigned v = 0;
+    int v = 0;
 
-    for (int i = 0; i < 3 && cursor_is_digit(cursor_peek(&s->cursor, 0)); i++)
-        v = v * 10 + (unsigned)(*s->cursor.p++ - '0');
-    append_byte(s, v);
-}
-
-static void scan_hex_escape(struct scan *s)
-{
-    unsigned v = 0;
-
-    s->cursor.p++;
-    for (int i = 0; i < 2 && cursor_hex_value(cursor_peek(&s->cursor, 0)) >= 0; i++)
-        v = v * 16 + (unsigned)cursor_hex_value(*s->cursor.p++);
-    append_byte(s, v);
+    for (int i = 0; i < max_digits; i++) {
+        const int digit = cursor_hex_value(cursor_peek(&s->cursor, 0));
+        if (digit < 0 || digit >= base)
+            break;
+        v = v * base + digit;
+        s->cursor.p++;
+    }
+    append_byte(s, (unsigned)v);
 }
 
 /* Scans an escape sequence in quotes, after its backslash. */
@@ -106,9 +102,10 @@ static void scan_escape(struct scan *s)
     char c = cursor_peek(&s->cursor, 0);
 
     if (cursor_is_digit(c)) {
-        scan_decimal_escape(s);
+        scan_number_escape(s, 3, 10);
     } else if (c == 'x') {
-        scan_hex_escape(s);
+        s->cursor.p++;
+        scan_number_escape(s, 2, 16);
     } else if (c == 'u') {
         scan_unicode_escape(s);
     } else if (c == 'z') {
@@ -445,40 +442,28 @@ static void *allocate(void *heap, void *p, size_t old, size_t size)
     return heap_realloc(heap, p, p == NULL ? 0 : old, size);
 }
 
-static bool compile(const char *text, size_t n, const char *chunk, void *scratch, size_t scratch_size, char *err,
+bool script_compile(const char *text, size_t n, const char *chunk, void *scratch, size_t scratch_size, char *err,
                     size_t err_size)
 {
-    lua_State *lua = lua_newstate(allocate, heap_init(scratch, scratch_size));
-    bool ok;
+    struct host host;
 
-    if (lua == NULL) {
-        snprintf(err, err_size, "%s: out of memory", chunk + 1);
-        return false;
-    }
-    ok = luaL_loadbufferx(lua, text, n, chunk, "t") == LUA_OK;
-    if (!ok) {
-        snprintf(err, err_size, "%s", lua_tostring(lua, -1));
+    if (n > 0 && text[0] == LUA_SIGNATURE[0])
+        return err_set(err, err_size, "%s:1: expected Lua source, got compiled Lua", chunk + 1);
+    host_enter(&host);
+    lua_State *lua = lua_newstate(allocate, heap_init(scratch, scratch_size));
+    const bool ok = lua != NULL && luaL_loadbufferx(lua, text, n, chunk, "t") == LUA_OK;
+    if (lua == NULL)
+        err_set(err, err_size, "%s: out of memory", chunk + 1);
+    else if (!ok) {
+        err_set(err, err_size, "%s", lua_tostring(lua, -1));
         explain_end(text, n, err, err_size);
     }
     /* Keep the message on one line, even if it quotes control characters. */
     for (char *c = err; !ok && *c != '\0'; c++)
         if ((unsigned char)*c < 32 || *c == 127)
             *c = ' ';
-    lua_close(lua);
-    return ok;
-}
-
-bool script_compile(const char *text, size_t n, const char *chunk, void *scratch, size_t scratch_size, char *err,
-                    size_t err_size)
-{
-    struct host host;
-
-    if (n > 0 && text[0] == LUA_SIGNATURE[0]) {
-        snprintf(err, err_size, "%s:1: expected Lua source, got compiled Lua", chunk + 1);
-        return false;
-    }
-    host_enter(&host);
-    bool ok = compile(text, n, chunk, scratch, scratch_size, err, err_size);
+    if (lua != NULL)
+        lua_close(lua);
     host_leave(&host);
     return ok;
 }
@@ -489,9 +474,17 @@ bool script_check(const char *text, size_t n, const char *chunk, void *scratch, 
     const char *message;
     int line;
 
-    if (script_scan(text, n, &line, &message))
-        return script_compile(text, n, chunk, scratch, scratch_size, err, err_size);
-    snprintf(err, err_size, "%s:%d: %s", chunk + 1, line, message);
+    return script_scan(text, n, &line, &message) ? script_compile(text, n, chunk, scratch, scratch_size, err, err_size)
+                                                 : err_set(err, err_size, "%s:%d: %s", chunk + 1, line, message);
+}
+
+bool script_list_has(const char *list, const char *word, size_t n)
+{
+    for (const char *p = list, *end; *p != '\0'; p = *end == ' ' ? end + 1 : end) {
+        end = p + strcspn(p, " ");
+        if ((size_t)(end - p) == n && memcmp(p, word, n) == 0)
+            return true;
+    }
     return false;
 }
 

@@ -29,6 +29,9 @@ bool script_next_global(const char *text, size_t n, size_t *at, const char **nam
  * or NULL if no dot and name follow, so that any field may be read. */
 const char *script_find_field(const char *text, size_t n, size_t at, size_t *size);
 
+/* Returns whether the n bytes at `word` are one of the words of `list`, which are separated by single spaces. */
+bool script_list_has(const char *list, const char *word, size_t n);
+
 /* Converts `name` to the form `require` expects: "a.b", "a\\b", "./a/b" and "a/b.lua" become "a/b". Returns false if
  * it already has that form or is too long. */
 enum { SCRIPT_NAME_BYTES = 128 };

@@ -14,61 +14,44 @@ enum { ALL_MODULES = (1 << STD_MODULE_COUNT) - 1 };
 static const struct {
     const char *name, *globals, *fields, *extended_table;
 } modules[STD_MODULE_COUNT] = {
-    { "prelude", " wait_until wait_for by_difficulty ", NULL, NULL },
-    { "pattern", " pattern ", NULL, NULL },
-    { "figure", " pattern ", " whip scatter rose polygon star ellipse points picture ", "pattern" },
-    { "sweep", " bullet ", " sweep ", "bullet" },
-    { "trail", " spark ", " trail ", "spark" },
-    { "scoring", " score ", " rule count tally ", "score" },
-    { "unlock", " unlock ", NULL, NULL },
-    { "mission", " mission ", NULL, NULL },
-    { "path", " path ", NULL, NULL },
-    { "stage", " stage ", NULL, NULL },
-    { "game", " game ", NULL, NULL },
-    { "boss", " boss ", NULL, NULL },
-    { "bg", " bg ", " def show ", "bg" },
-    { "hud", " hud ", NULL, NULL },
-    { "menu", " menu ", NULL, NULL },
-    { "talk", " talk ", NULL, NULL },
-    { "say", " say ", NULL, NULL },
-    { "choose", " choose ", NULL, NULL },
-    { "boot", " boot ", NULL, NULL },
+    { "prelude", "wait_until wait_for by_difficulty", NULL, NULL },
+    { "pattern", "pattern", NULL, NULL },
+    { "figure", "pattern", "whip scatter rose polygon star ellipse points picture", "pattern" },
+    { "sweep", "bullet", "sweep", "bullet" },
+    { "trail", "spark", "trail", "spark" },
+    { "scoring", "score", "rule count tally", "score" },
+    { "unlock", "unlock", NULL, NULL },
+    { "mission", "mission", NULL, NULL },
+    { "path", "path", NULL, NULL },
+    { "stage", "stage", NULL, NULL },
+    { "game", "game", NULL, NULL },
+    { "boss", "boss", NULL, NULL },
+    { "bg", "bg", "def show", "bg" },
+    { "hud", "hud", NULL, NULL },
+    { "menu", "menu", NULL, NULL },
+    { "talk", "talk", NULL, NULL },
+    { "say", "say", NULL, NULL },
+    { "choose", "choose", NULL, NULL },
+    { "boot", "boot", NULL, NULL },
 };
 
-static const char dynamic_globals[] = " _G _ENV load ";
+static const char dynamic_globals[] = "_G _ENV load";
 
 const char *std_module_name(int i)
 {
     return modules[i].name;
 }
 
-/* Returns whether the word is in the list. Each word of the list has a blank before and after it. */
-static int is_in_list(const char *list, const char *word, size_t n)
-{
-    for (const char *p = list + 1; *p != '\0'; p++) {
-        size_t matched = 0;
-        while (matched < n && p[matched] == word[matched])
-            matched++;
-        if (matched == n && p[n] == ' ')
-            return 1;
-        for (p += matched; *p != ' ';)
-            p++;
-    }
-    return 0;
-}
-
 int std_module_of_file(const char *name)
 {
-    size_t n = 0;
+    const size_t n = strcspn(name, "/");
 
-    while (name[n] != '/' && name[n] != '\0')
-        n++;
     if (name[n] == '\0')
         return -1;
-    if (n == strlen("screens") && memcmp(name, "screens", n) == 0)
+    if (script_list_has("screens", name, n))
         return std_module_of_global("boot");
     for (int i = 0; i < STD_MODULE_COUNT; i++)
-        if (strlen(modules[i].name) == n && memcmp(modules[i].name, name, n) == 0)
+        if (script_list_has(modules[i].name, name, n))
             return i;
     return -1;
 }
@@ -92,7 +75,7 @@ uint64_t std_find_needed_modules(int i, const char *text, size_t n)
 int std_module_of_global(const char *name)
 {
     for (int i = 0; i < STD_MODULE_COUNT; i++)
-        if (!modules[i].fields && is_in_list(modules[i].globals, name, strlen(name)))
+        if (!modules[i].fields && script_list_has(modules[i].globals, name, strlen(name)))
             return i;
     return -1;
 }
@@ -101,7 +84,7 @@ int std_module_of_field(const char *table, const char *field)
 {
     for (int i = 0; i < STD_MODULE_COUNT; i++)
         if (modules[i].extended_table && strcmp(modules[i].extended_table, table) == 0 &&
-            is_in_list(modules[i].fields, field, strlen(field)))
+            script_list_has(modules[i].fields, field, strlen(field)))
             return i;
     return -1;
 }
@@ -112,8 +95,8 @@ static uint64_t modules_of_field(const char *name, size_t n, const char *field, 
     uint64_t m = 0;
 
     for (int i = 0; i < STD_MODULE_COUNT; i++)
-        if (is_in_list(modules[i].globals, name, n) &&
-            (!modules[i].fields || !field || is_in_list(modules[i].fields, field, field_n)))
+        if (script_list_has(modules[i].globals, name, n) &&
+            (!modules[i].fields || !field || script_list_has(modules[i].fields, field, field_n)))
             m |= (uint64_t)1 << i;
     return m;
 }
@@ -126,7 +109,8 @@ uint64_t std_find_used_modules(const char *text, size_t n)
 
     while (script_next_global(text, n, &at, &name, &size)) {
         field = script_find_field(text, n, at, &field_size);
-        used |= is_in_list(dynamic_globals, name, size) ? ALL_MODULES : modules_of_field(name, size, field, field_size);
+        used |= script_list_has(dynamic_globals, name, size) ? ALL_MODULES
+                                                             : modules_of_field(name, size, field, field_size);
     }
     return used;
 }

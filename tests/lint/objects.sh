@@ -30,7 +30,7 @@ writable() {
 # allowed: why
 cat >"$scratch/allowed" <<'EOL'
 memcpy memmove memset memcmp memchr: bytes
-strlen strcmp strncmp strcpy strchr strrchr strstr strspn strpbrk: text
+strlen strcmp strncmp strcpy strchr strrchr strstr strspn strcspn strpbrk: text
 snprintf vsnprintf: messages, into the caller's buffer
 strtod: correctly rounded; host.c puts the locale aside
 fegetenv fesetenv newlocale uselocale freelocale: host.h, which puts aside what the host has set

@@ -10,6 +10,7 @@
 #include "../../base/edit.h"
 #include "../../base/int.h"
 #include "../../script/api/api_table.h"
+#include "../../script/script.h"
 #include "../../script/std.h"
 #include "../pack/pack.h"
 #include "../../common/array.h"
@@ -152,21 +153,11 @@ bool builtins_add_library(struct name_set *s, const char *script, const struct s
     return f->whole && f->result_table >= 0 && !f->result_open;
 }
 
-static bool in_words(const char *words, const char *name)
-{
-    size_t n = strlen(name);
-
-    for (const char *p = words; n > 0 && (p = strstr(p, name)) != NULL; p++)
-        if ((p == words || p[-1] == ' ') && (p[n] == ' ' || p[n] == '\0'))
-            return true;
-    return false;
-}
-
 bool builtins_global(const char *name)
 {
     size_t n = strlen(name);
 
-    if (in_words(api_library_names(""), name))
+    if (script_list_has(api_library_names(""), name, n))
         return true;
     for (size_t i = 0; i < COUNT(others); i++)
         if (strcmp(others[i], name) == 0)

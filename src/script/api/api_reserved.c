@@ -4,7 +4,7 @@
  * reserved global exists.
  */
 #include <string.h>
-#include "../lua/lualib.h"
+#include "../script.h"
 #include "../std.h"
 #include "api_parts.h"
 
@@ -12,7 +12,7 @@ const char api_reserved_globals[] = "test";
 
 bool api_is_reserved(const char *global)
 {
-    return lualib_is_listed(api_reserved_globals, global);
+    return script_list_has(api_reserved_globals, global, strlen(global));
 }
 
 /* Tables, things and fields that exist only if rom.lua enables them. */
@@ -41,7 +41,7 @@ const char *api_disabled_reason(const struct manifest *m, const char *name)
 
     for (size_t i = 0; i < sizeof optional_features / sizeof *optional_features; i++) {
         memcpy(&capacity, (const char *)m + optional_features[i].capacity_offset, sizeof capacity);
-        if (!capacity && lualib_is_listed(optional_features[i].names, name))
+        if (!capacity && script_list_has(optional_features[i].names, name, strlen(name)))
             return optional_features[i].reason;
     }
     return NULL;

@@ -175,26 +175,6 @@ static int base_load(lua_State *L)
 
 /* ---- functions retained from the stock libraries ---- */
 
-static const struct {
-    const char *library, *names;
-} retained_libraries[] = {
-    { "", "_G _VERSION assert error getmetatable ipairs load math pairs pcall rawequal rawget rawlen rawset select "
-          "setmetatable string table tonumber tostring type utf8 warn" },
-    { "string", "byte char find format gmatch gsub len lower match rep reverse sub upper" },
-    { "table", "concat insert move pack remove sort unpack" },
-    { "math", "abs acos asin atan ceil cos deg floor fmod huge max maxinteger min mininteger modf pi rad sin sqrt tan "
-              "tointeger type ult" },
-    { "utf8", "char charpattern codepoint codes len offset" },
-};
-
-const char *lualib_retained_names(const char *library)
-{
-    for (size_t i = 0; i < sizeof retained_libraries / sizeof retained_libraries[0]; i++)
-        if (strcmp(retained_libraries[i].library, library) == 0)
-            return retained_libraries[i].names;
-    return NULL;
-}
-
 /* Calls a stock function whose work grows only with the length of the string in argument 1. */
 static int call_charging_length(lua_State *L)
 {
@@ -212,14 +192,62 @@ static int call_charging_results(lua_State *L)
     return n;
 }
 
-bool lualib_is_listed(const char *list, const char *name)
+/* Each of the next two functions replaces functions of a library, whose table is on top. */
+static void replace_base(lua_State *L)
 {
-    size_t n = strlen(name);
+    static const luaL_Reg functions[] = { { "load", base_load },
+                                          { "pairs", luatable_pairs },
+                                          { "setmetatable", base_setmetatable },
+                                          { "tostring", luatext_tostring },
+                                          { NULL, NULL } };
 
-    for (const char *p = list; n && (p = strstr(p, name)) != NULL; p++)
-        if ((p == list || p[-1] == ' ') && (p[n] == ' ' || p[n] == '\0'))
-            return true;
-    return false;
+    luaL_setfuncs(L, functions, 0);
+    luaerror_open(L);
+    luaparts_wrap(L, "tonumber", call_charging_length);
+}
+
+/* Also removes __pow from the metatable of strings, because "2" ^ "3" would call the C library's pow. */
+static void replace_string(lua_State *L)
+{
+    luapattern_open(L);
+    luatext_open(L);
+    luaparts_wrap(L, "byte", call_charging_results);
+    luaparts_wrap(L, "lower", call_charging_length);
+    luaparts_wrap(L, "reverse", call_charging_length);
+    luaparts_wrap(L, "upper", call_charging_length);
+    lua_pushliteral(L, "");
+    lua_getmetatable(L, -1);
+    lua_pushnil(L);
+    lua_setfield(L, -2, "__pow");
+    lua_pop(L, 2);
+}
+
+/* The libraries, each with the names retained from it; "": the globals. */
+static const struct {
+    const char *name, *retained;
+    lua_CFunction open_stock;
+    void (*replace)(lua_State *L);
+} libraries[] = {
+    { "",
+      "_G _VERSION assert error getmetatable ipairs load math pairs pcall rawequal rawget rawlen rawset select "
+      "setmetatable string table tonumber tostring type utf8 warn",
+      luaopen_base, replace_base },
+    { LUA_TABLIBNAME, "concat insert move pack remove sort unpack", luaopen_table, luatable_open },
+    { LUA_STRLIBNAME, "byte char find format gmatch gsub len lower match rep reverse sub upper", luaopen_string,
+      replace_string },
+    { LUA_MATHLIBNAME,
+      "abs acos asin atan ceil cos deg floor fmod huge max maxinteger min mininteger modf pi rad sin sqrt tan "
+      "tointeger type ult",
+      luaopen_math, luamath_open },
+    { LUA_UTF8LIBNAME, "char charpattern codepoint codes len offset", luaopen_utf8, luautf8_open },
+};
+
+const char *lualib_retained_names(const char *library)
+{
+    for (size_t i = 0; i < COUNT(libraries); i++)
+        if (strcmp(libraries[i].name, library) == 0)
+            return libraries[i].retained;
+    return NULL;
 }
 
 /* Removes unlisted entries from the table on top. */
@@ -228,7 +256,7 @@ static void remove_unlisted(lua_State *L, const char *list)
     lua_pushnil(L);
     while (lua_next(L, -2)) {
         lua_pop(L, 1);
-        if (lua_type(L, -1) == LUA_TSTRING && lualib_is_listed(list, lua_tostring(L, -1)))
+        if (lua_type(L, -1) == LUA_TSTRING && script_list_has(list, lua_tostring(L, -1), (size_t)lua_rawlen(L, -1)))
             continue;
         lua_pushvalue(L, -1);
         lua_pushnil(L);
@@ -236,72 +264,14 @@ static void remove_unlisted(lua_State *L, const char *list)
     }
 }
 
-static void open_base(lua_State *L)
-{
-    static const luaL_Reg functions[] = { { "load", base_load },
-                                          { "pairs", luatable_pairs },
-                                          { "setmetatable", base_setmetatable },
-                                          { "tostring", luatext_tostring },
-                                          { NULL, NULL } };
-
-    lua_pushglobaltable(L);
-    remove_unlisted(L, lualib_retained_names(""));
-    luaL_setfuncs(L, functions, 0);
-    luaerror_open(L);
-    luaparts_wrap(L, "tonumber", call_charging_length);
-    lua_pop(L, 1);
-}
-
-static void open_string(lua_State *L)
-{
-    lua_getglobal(L, "string");
-    remove_unlisted(L, lualib_retained_names("string"));
-    luapattern_open(L);
-    luatext_open(L);
-    luaparts_wrap(L, "byte", call_charging_results);
-    luaparts_wrap(L, "lower", call_charging_length);
-    luaparts_wrap(L, "reverse", call_charging_length);
-    luaparts_wrap(L, "upper", call_charging_length);
-    lua_pop(L, 1);
-}
-
-/* Removes __pow from the metatable of strings, because "2" ^ "3" would call the C library's pow. */
-static void open_string_metatable(lua_State *L)
-{
-    lua_pushliteral(L, "");
-    if (lua_getmetatable(L, -1)) {
-        lua_pushnil(L);
-        lua_setfield(L, -2, "__pow");
-        lua_pop(L, 1);
-    }
-    lua_pop(L, 1);
-}
-
 void lualib_open(lua_State *L)
 {
-    static const luaL_Reg stock[] = { { LUA_GNAME, luaopen_base },
-                                      { LUA_TABLIBNAME, luaopen_table },
-                                      { LUA_STRLIBNAME, luaopen_string },
-                                      { LUA_MATHLIBNAME, luaopen_math },
-                                      { LUA_UTF8LIBNAME, luaopen_utf8 } };
-
     luaL_checkstack(L, 8, NULL);
-    for (size_t i = 0; i < COUNT(stock); i++) {
-        luaL_requiref(L, stock[i].name, stock[i].func, 1);
+    open_metatables(L);
+    for (size_t i = 0; i < COUNT(libraries); i++) {
+        luaL_requiref(L, libraries[i].name[0] ? libraries[i].name : LUA_GNAME, libraries[i].open_stock, 1);
+        remove_unlisted(L, libraries[i].retained);
+        libraries[i].replace(L);
         lua_pop(L, 1);
     }
-    open_metatables(L);
-    open_base(L);
-    open_string(L);
-    open_string_metatable(L);
-    lua_getglobal(L, "table");
-    remove_unlisted(L, lualib_retained_names("table"));
-    luatable_open(L);
-    lua_getglobal(L, "math");
-    remove_unlisted(L, lualib_retained_names("math"));
-    luamath_open(L);
-    lua_getglobal(L, "utf8");
-    remove_unlisted(L, lualib_retained_names("utf8"));
-    luautf8_open(L);
-    lua_pop(L, 3);
 }

@@ -34,9 +34,6 @@ void lualib_open(lua_State *L);
  * exist. */
 const char *lualib_retained_names(const char *library);
 
-/* Returns whether a name is one of the words in `list`, which are separated by spaces. */
-bool lualib_is_listed(const char *list, const char *name);
-
 /* Pushes and returns the string that tostring and print show for the value at idx. Honours __tostring and __name. */
 const char *lualib_tolstring(lua_State *L, int idx, size_t *size);
 
