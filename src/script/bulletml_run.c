@@ -614,42 +614,6 @@ void bulletml_stop(struct board *b, uint32_t i)
     b->ml_roots.flags[i] |= ROOT_DESPAWNED;
 }
 
-static const char handlers_key = 0; /* registry: slot + 1 -> on_fire */
-
-void bulletml_set_handler(lua_State *L, uint32_t i)
-{
-    vm_push_registry_table(L, &handlers_key);
-    lua_insert(L, -2);
-    lua_rawseti(L, -2, (lua_Integer)i + 1);
-    lua_pop(L, 1);
-}
-
-void bulletml_call_handler(lua_State *L, struct board *b, int64_t bullet, uint32_t i, uint32_t label)
-{
-    struct ml ml;
-
-    cart_bulletml(&b->cart, b->ml_roots.program[i], &ml);
-    lua_rawgetp(L, LUA_REGISTRYINDEX, &handlers_key);
-    lua_rawgeti(L, -1, (lua_Integer)i + 1);
-    lua_pushinteger(L, bullet);
-    if (label)
-        lua_pushstring(L, ml_label(&ml, label - 1));
-    else
-        lua_pushnil(L);
-    lua_call(L, 2, 0);
-    lua_pop(L, 1);
-}
-
-static void drop_root(struct board *b, uint32_t i)
-{
-    if (b->ml_roots.flags[i] & ROOT_HAS_HANDLER) {
-        lua_pushnil(b->vm.running);
-        bulletml_set_handler(b->vm.running, i);
-    }
-    bulletml_release_list(b, b->ml_roots.params[i]);
-    slots_drop(&b->ml_roots.s, i);
-}
-
 /* Moves a root to its offset from the entity it follows. */
 static void follow_entity(struct board *b, uint32_t i)
 {
@@ -668,10 +632,11 @@ static void update_roots(struct board *b)
     struct ml_roots *o = &b->ml_roots;
 
     EACH_LIVE (i, &o->s) {
-        if (o->flags[i] & ROOT_DESPAWNED && !o->n_runners[i])
-            drop_root(b, i);
-        else if (!tasks_is_owner_alive(b, o->owner[i]) ||
-                 (o->follow_target[i] && !board_is_alive(b, o->follow_target[i])))
+        if (o->flags[i] & ROOT_DESPAWNED && !o->n_runners[i]) {
+            bulletml_release_list(b, o->params[i]);
+            slots_drop(&o->s, i);
+        } else if (!tasks_is_owner_alive(b, o->owner[i]) ||
+                   (o->follow_target[i] && !board_is_alive(b, o->follow_target[i])))
             bulletml_stop(b, i);
         else if (o->follow_target[i])
             follow_entity(b, i);

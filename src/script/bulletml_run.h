@@ -4,7 +4,6 @@
 #ifndef SCRIPT_BULLETML_RUN_H
 #define SCRIPT_BULLETML_RUN_H
 
-#include <lua.h>
 #include "../machine/machine.h"
 
 /* bulletml_run runs all documents for one frame; it is called before bullets move. bulletml_spawn_fired_bullets spawns
@@ -32,11 +31,5 @@ int32_t bulletml_begin(struct board *b, const struct bulletml_start *start);
 
 /* Ends the document in slot i. Its bullets continue. */
 void bulletml_stop(struct board *b, uint32_t i);
-
-/* bulletml_set_handler sets on_fire of the root in slot i to the value on top of the stack (popped).
- * bulletml_call_handler calls that function with a bullet's handle and the name of a label; `label` is the label's
- * index + 1, or 0 to pass nil. */
-void bulletml_set_handler(lua_State *L, uint32_t i);
-void bulletml_call_handler(lua_State *L, struct board *b, int64_t bullet, uint32_t i, uint32_t label);
 
 #endif

@@ -3,12 +3,13 @@
  *
  * The Lua registry holds the handlers: a list of functions for each event that has any, and one table of properties:
  * functions, drop lists, parts and pictures. The keys of the properties of kinds are e.g. "on_hit 3" (enemy kind 3),
- * "bullet's on_death 3" (bullet kind 3), "on_meet 3" (tag pair 3) and "ship's run 3" (kind of ship 3). The keys of a
- * single enemy's properties are slot + 1 (on_death) and -slot - 1 (drops). Spawning an enemy sets both entries of its
- * slot, so no entry of the slot's previous enemy is left. A handler may raise further events; they are applied in the
+ * "bullet's on_death 3" (bullet kind 3), "on_meet 3" (tag pair 3), "document's on_fire 3" (running BulletML document 3)
+ * and "ship's run 3" (kind of ship 3). The keys of a single enemy's properties are slot + 1 (on_death) and -slot - 1
+ * (drops). Spawning an enemy sets both entries of its slot, so no entry of the slot's previous enemy is left. The entry
+ * of a document that ended is left until a document with on_fire starts in its slot; nothing reads it, because only a
+ * document with on_fire (ROOT_HAS_HANDLER) raises EV_FIRED. A handler may raise further events; they are applied in the
  * same frame, after all events raised earlier.
  */
-#include "bulletml_run.h"
 #include "events_run.h"
 #include <string.h>
 #include "../base/int.h"
@@ -80,7 +81,7 @@ static void charge(struct board *b, uint64_t work)
 }
 
 /* Calls every handler of an event with the n arguments on top of the stack (popped). */
-static void call_handlers(lua_State *L, int kind, int n)
+static void call_handlers(struct board *b, lua_State *L, int kind, int n)
 {
     int first = lua_gettop(L) - n + 1;
 
@@ -88,7 +89,7 @@ static void call_handlers(lua_State *L, int kind, int n)
     vm_push_registry_table(L, &handlers_key);
     lua_Integer handler_count = lua_rawgeti(L, -1, kind) == LUA_TTABLE ? (lua_Integer)lua_rawlen(L, -1) : 0;
     for (lua_Integer h = 1; h <= handler_count; h++) {
-        charge(vm_board(L), HANDLER_WORK);
+        charge(b, HANDLER_WORK);
         lua_rawgeti(L, -1, h);
         for (int i = 0; i < n; i++)
             lua_pushvalue(L, first + i);
@@ -97,11 +98,11 @@ static void call_handlers(lua_State *L, int kind, int n)
     lua_settop(L, first - 1);
 }
 
-static void call_event_handlers(lua_State *L, const struct event *e)
+static void call_event_handlers(struct board *b, lua_State *L, const struct event *e)
 {
     api_push_handle(L, e->a);
     api_push_handle(L, e->b);
-    call_handlers(L, (int)e->kind, 2);
+    call_handlers(b, L, (int)e->kind, 2);
 }
 
 void events_set_property(lua_State *L, uint16_t kind, const char *property)
@@ -429,8 +430,9 @@ static void apply_laser(struct board *b, lua_State *L, const struct event *e)
 }
 
 /* Removes a blocked bullet, unless a shot of this frame killed its blocker. */
-static void apply_block(struct board *b, const struct event *e)
+static void apply_block(struct board *b, lua_State *L, const struct event *e)
 {
+    (void)L;
     if (still_exists(b, e->a) && still_exists(b, e->b))
         bullets_drop(&b->bullets, handle_slot(e->a));
 }
@@ -482,7 +484,7 @@ static void apply_graze(struct board *b, lua_State *L, const struct event *e)
         b->bullets.flags[i] |= (uint8_t)(BULLET_GRAZED << p);
     b->player.grazes[p]++;
     sound_play_cue(b, CUE_GRAZE, b->player.x[p]);
-    call_event_handlers(L, e);
+    call_event_handlers(b, L, e);
 }
 
 /* Returns whether the register named by the item kind's `full` is at its maximum; the item then gives only points. The
@@ -547,7 +549,7 @@ static void apply_take(struct board *b, lua_State *L, const struct event *e)
     give_item(L, b, p, b->items.kind[i]);
     sound_play_cue(b, CUE_ITEM, b->player.x[p]);
     call_kind_function(L, b->items.kind[i], "item's on_take", e->a, e->b);
-    call_event_handlers(L, e);
+    call_event_handlers(b, L, e);
     if (board_is_readable(b, e->b))
         slots_release(&b->items.s, i);
 }
@@ -602,7 +604,7 @@ static void apply_hit(struct board *b, lua_State *L, const struct event *e)
     /* An earlier handler may have removed the entity that hit the player. */
     if (!board_is_alive(b, e->a) || b->player.safe_left[p] || b->player.deathbomb_left[p] || !still_exists(b, e->b))
         return;
-    call_event_handlers(L, e);
+    call_event_handlers(b, L, e);
     if (!board_is_alive(b, e->a) || b->player.safe_left[p]) /* a handler may have saved the player */
         return;
     sound_play_cue(b, CUE_HIT, b->player.x[p]);
@@ -618,7 +620,7 @@ static void apply_death(struct board *b, lua_State *L, const struct event *e)
     uint32_t p = handle_slot(e->a);
     fx x, y;
 
-    call_event_handlers(L, e);
+    call_event_handlers(b, L, e);
     items_release(&b->items, p);
     if (!board_is_alive(b, e->a))
         return;
@@ -639,12 +641,12 @@ static void apply_enemy_end(struct board *b, lua_State *L, const struct event *e
 {
     if (e->kind == EV_LEAVE && !still_exists(b, e->a))
         return;
-    call_event_handlers(L, e);
+    call_event_handlers(b, L, e);
     if (board_is_readable(b, e->a))
         enemies_drop(&b->enemies, handle_slot(e->a));
 }
 
-static void apply_script_event(lua_State *L, const struct event *e)
+static void apply_script_event(struct board *b, lua_State *L, const struct event *e)
 {
     int n = (int)(e->b & 255), kind = (int)(e->b >> 8);
 
@@ -653,70 +655,58 @@ static void apply_script_event(lua_State *L, const struct event *e)
     int args = lua_gettop(L);
     for (int i = 1; i <= n; i++)
         lua_rawgeti(L, args, i);
-    call_handlers(L, kind, n);
+    call_handlers(b, L, kind, n);
     lua_pushnil(L);
     lua_rawseti(L, args - 1, e->a);
     lua_settop(L, args - 2);
 }
 
-static void apply_bomb(lua_State *L, const struct event *e)
+static void apply_bomb(struct board *b, lua_State *L, const struct event *e)
 {
     api_push_handle(L, e->a);
     lua_pushboolean(L, e->b != 0);
-    call_handlers(L, EV_BOMB, 2);
+    call_handlers(b, L, EV_BOMB, 2);
 }
 
-static void apply_event(struct board *b, lua_State *L, const struct event *e)
+/* Calls on_fire of the document that fired the bullet, with the name of the bullet's label or nil. */
+static void apply_fired(struct board *b, lua_State *L, const struct event *e)
 {
-    switch ((enum event_kind)e->kind) {
-    case EV_GRAZE:
-        apply_graze(b, L, e);
-        break;
-    case EV_HIT:
-        apply_hit(b, L, e);
-        break;
-    case EV_SHOT:
-        apply_shot(b, L, e);
-        break;
-    case EV_BLOCK:
-        apply_block(b, e);
-        break;
-    case EV_MEET:
-        apply_meet(b, L, e);
-        break;
-    case EV_LASER:
-        apply_laser(b, L, e);
-        break;
-    case EV_DEATH:
-        apply_death(b, L, e);
-        break;
-    case EV_TAKE:
-        apply_take(b, L, e);
-        break;
-    case EV_BOMB:
-        apply_bomb(L, e);
-        break;
-    case EV_SCRIPT:
-        apply_script_event(L, e);
-        break;
-    case EV_FIRED:
-        if (board_is_alive(b, e->a))
-            bulletml_call_handler(L, b, e->a, (uint32_t)(e->b >> 32), (uint32_t)e->b);
-        break;
-    case EV_KILL:
-    case EV_LEAVE:
-        apply_enemy_end(b, L, e);
-        break;
-    case EV_EXTEND:
-        sound_play_cue(b, CUE_EXTEND, b->player.x[handle_slot(e->a)]);
-        call_event_handlers(L, e);
-        break;
-    case EV_GAME_OVER:
-    case EV_CONTINUE:
-        call_event_handlers(L, e);
-        break;
-    }
+    const uint32_t root = (uint32_t)(e->b >> 32), label = (uint32_t)e->b;
+    struct ml ml;
+
+    if (!board_is_alive(b, e->a))
+        return;
+    cart_bulletml(&b->cart, b->ml_roots.program[root], &ml);
+    events_push_property(L, (uint16_t)root, "document's on_fire");
+    lua_pushinteger(L, e->a);
+    lua_pushstring(L, label ? ml_label(&ml, label - 1) : NULL);
+    lua_call(L, 2, 0);
 }
+
+static void apply_extend(struct board *b, lua_State *L, const struct event *e)
+{
+    sound_play_cue(b, CUE_EXTEND, b->player.x[handle_slot(e->a)]);
+    call_event_handlers(b, L, e);
+}
+
+static void (*const apply[])(struct board *b, lua_State *L, const struct event *e) = {
+    [EV_GRAZE] = apply_graze,
+    [EV_HIT] = apply_hit,
+    [EV_SHOT] = apply_shot,
+    [EV_DEATH] = apply_death,
+    [EV_GAME_OVER] = call_event_handlers,
+    [EV_KILL] = apply_enemy_end,
+    [EV_LEAVE] = apply_enemy_end,
+    [EV_EXTEND] = apply_extend,
+    [EV_TAKE] = apply_take,
+    [EV_BOMB] = apply_bomb,
+    [EV_CONTINUE] = call_event_handlers,
+    [EV_SCRIPT] = apply_script_event,
+    [EV_BLOCK] = apply_block,
+    [EV_LASER] = apply_laser,
+    [EV_FIRED] = apply_fired,
+    [EV_MEET] = apply_meet,
+};
 
 void events_call_start_handlers(lua_State *L, int64_t game)
 {
@@ -726,7 +716,7 @@ void events_call_start_handlers(lua_State *L, int64_t game)
 
     b->tasks.current = NO_SLOT; /* a handler cannot wait */
     tasks_set_context(b, (struct tasks_context){ game, 0 });
-    call_handlers(L, EV_START, 0);
+    call_handlers(b, L, EV_START, 0);
     tasks_set_context(b, saved);
     b->tasks.current = current;
 }
@@ -739,7 +729,7 @@ int events_run(lua_State *L)
     for (uint32_t i = 0; i < b->events.n; i++) {
         struct event e = events_at(&b->events, i);
         charge(b, EVENT_WORK);
-        apply_event(b, L, &e);
+        apply[e.kind](b, L, &e);
     }
     b->events.n = 0;
     bullets_release_all(&b->bullets); /* invariant: nothing is held between frames */

@@ -4,6 +4,7 @@
  */
 #include <string.h>
 #include "../bulletml_run.h"
+#include "../events_run.h"
 #include "api_parts.h"
 
 enum {
@@ -181,7 +182,7 @@ static int start_document(lua_State *L, struct board *b, struct api_value *v)
     }
     if (i != NO_SLOT && v[P_ON_FIRE].given) {
         lua_pushvalue(L, v[P_ON_FIRE].at);
-        bulletml_set_handler(L, (uint32_t)i);
+        events_set_property(L, (uint16_t)i, "document's on_fire");
     }
     if (i != NO_SLOT)
         for (int k = 0; k < ML_MAX_KINDS; k++)
