@@ -100,6 +100,21 @@ void slots_move(const struct chip *chip, void *self, uint32_t reserved, uint8_t 
     s->reserved = reserved;
 }
 
+void slots_copy_rows(const struct chip *chip, void *self, uint32_t to, uint32_t from, uint32_t n)
+{
+    const struct slots *s = self;
+    uint8_t *column;
+
+    for (int i = 0; i < chip->count; i++) {
+        const struct column *c = &chip->columns[i];
+        const size_t row_size = (size_t)c->n * c->width;
+        if (c->is_register || c->is_per_block || !slots_has_column(c, s->groups))
+            continue;
+        memcpy(&column, (uint8_t *)self + c->offset, sizeof column);
+        memmove(column + to * row_size, column + from * row_size, n * row_size);
+    }
+}
+
 static bool raise_high_water(struct slots *s)
 {
     if (s->high_water >= s->cap)

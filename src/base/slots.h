@@ -175,6 +175,10 @@ void slots_trim(struct slots *s);
 /* Returns the first live slot at or after i, or, if there is none, top (for a list: live). */
 uint32_t slots_next(const struct slots *s, uint32_t i);
 
+/* Copies all columns of n slots, from slot `from` on, to those from slot `to` on; the two ranges may overlap. Registers
+ * and columns with values per block are not copied. */
+void slots_copy_rows(const struct chip *chip, void *self, uint32_t to, uint32_t from, uint32_t n);
+
 static inline bool slots_has(const struct slots *s, uint32_t slot, uint32_t gen)
 {
     return slot < s->top && (s->live_bits[slot >> 6] >> (slot & 63) & 1) && s->gen[slot] == gen;

@@ -4,8 +4,6 @@
  */
 #include "seq.h"
 
-#include <string.h>
-
 #define WHY_DERIVED "computed from tune and pos"
 static const struct column seq_columns[] = {
     REGISTER(seq, tune),
@@ -78,13 +76,7 @@ void seq_start(struct seq *s, uint16_t index, const struct tune *t)
 /* Copies the track slots of piece `from` to those of piece `to`; 0: the current piece, 1 + i: suspended piece i. */
 static void copy_tracks(struct seq *s, int to, int from)
 {
-    const int t = to * SEQ_TRACKS, f = from * SEQ_TRACKS;
-
-    memcpy(s->at + t, s->at + f, SEQ_TRACKS * sizeof *s->at);
-    memcpy(s->units_left + t, s->units_left + f, SEQ_TRACKS * sizeof *s->units_left);
-    memcpy(s->inst + t, s->inst + f, SEQ_TRACKS);
-    memcpy(s->volume + t, s->volume + f, SEQ_TRACKS);
-    memcpy(s->pan + t, s->pan + f, SEQ_TRACKS);
+    slots_copy_rows(&seq_chip, s, (uint32_t)(to * SEQ_TRACKS), (uint32_t)(from * SEQ_TRACKS), SEQ_TRACKS);
 }
 
 static void clear_suspended(struct seq *s, int i)

@@ -80,23 +80,32 @@ static int64_t sinc(int32_t x)
     return (int64_t)trig_sin30((ang)(x * 993) << 11) * ((int64_t)1 << 32) / ((int64_t)x * 993 * 205887 / 16);
 }
 
-/* Computes the weights for one phase, Q15; their sum is exactly 1. */
+/* Scales n weights so that their sum is exactly `one`: rounds each to nearest, and corrects the one at `centre`. */
+static void scale_weights(const int64_t *weight, int n, int32_t one, int centre, int16_t *out)
+{
+    int64_t sum = 0;
+    int32_t deficit = one;
+
+    for (int j = 0; j < n; j++)
+        sum += weight[j];
+    for (int j = 0; j < n; j++) {
+        const int64_t twice = weight[j] * 2 * one + sum;
+        out[j] = (int16_t)((twice - (twice < 0 ? 2 * sum - 1 : 0)) / (2 * sum));
+        deficit -= out[j];
+    }
+    out[centre] = (int16_t)(out[centre] + deficit);
+}
+
+/* Computes the weights for one phase, Q15. */
 static void make_sinc(int16_t out[SINC_TAPS], int phase)
 {
-    int64_t weight[SINC_TAPS], sum = 0;
-    int32_t deficit = 1 << 15;
+    int64_t weight[SINC_TAPS];
 
     for (int j = 0; j < SINC_TAPS; j++) {
         const int32_t x = (j - 3) * SINC_PHASES - phase;
         weight[j] = (sinc(x) * kaiser(x)) >> WEIGHT_SHIFT;
-        sum += weight[j];
     }
-    for (int j = 0; j < SINC_TAPS; j++) {
-        const int64_t twice = weight[j] * 2 * (1 << 15) + sum; /* rounds to nearest */
-        out[j] = (int16_t)((twice - (twice < 0 ? 2 * sum - 1 : 0)) / (2 * sum));
-        deficit -= out[j];
-    }
-    out[phase < SINC_PHASES / 2 ? 3 : 4] = (int16_t)(out[phase < SINC_PHASES / 2 ? 3 : 4] + deficit);
+    scale_weights(weight, SINC_TAPS, 1 << 15, phase < SINC_PHASES / 2 ? 3 : 4, out);
 }
 
 /* ---- low-pass filters ---- */
@@ -121,23 +130,15 @@ int snd_low_pass_row(uint64_t step)
 
 static void make_low_pass(int16_t out[LOW_PASS_TAPS], uint32_t cutoff)
 {
-    int64_t weight[LOW_PASS_TAPS] = { 0 }, sum = 0;
-    int32_t deficit = 1 << 14;
+    int64_t weight[LOW_PASS_TAPS] = { 0 };
 
     for (int j = 1; j < LOW_PASS_TAPS; j++) {
         const int32_t x = j - LOW_PASS_TAPS / 2;
         const int64_t ideal = x ? (int64_t)trig_sin30((ang)x * cutoff) * ((int64_t)1 << 16) / (x * (int64_t)205887)
                                 : (int64_t)cutoff >> 1;
         weight[j] = (ideal * kaiser(x * (8192 / LOW_PASS_TAPS))) >> WEIGHT_SHIFT;
-        sum += weight[j];
     }
-    for (int j = 1; j < LOW_PASS_TAPS; j++) {
-        const int64_t twice = weight[j] * 2 * (1 << 14) + sum;
-        out[j] = (int16_t)((twice - (twice < 0 ? 2 * sum - 1 : 0)) / (2 * sum));
-        deficit -= out[j];
-    }
-    out[0] = 0;
-    out[LOW_PASS_TAPS / 2] = (int16_t)(out[LOW_PASS_TAPS / 2] + deficit);
+    scale_weights(weight, LOW_PASS_TAPS, 1 << 14, LOW_PASS_TAPS / 2, out);
 }
 
 /* ---- feedback ---- */

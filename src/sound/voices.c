@@ -79,24 +79,10 @@ static uint64_t step_at(const struct voices *s, const uint8_t *rom, const struct
 
 /* ---- starting and ending notes ---- */
 
-/* Copies slot `from` to slot `to`. */
-static void copy_slot(struct voices *s, int to, int from)
+/* Copies n slots. */
+static void copy_slots(struct voices *s, int to, int from, int n)
 {
-    s->phase[to] = s->phase[from];
-    s->step0[to] = s->step0[from];
-    s->step1[to] = s->step1[from];
-    s->age[to] = s->age[from];
-    s->release_age[to] = s->release_age[from];
-    s->fade_age[to] = s->fade_age[from];
-    s->pitch[to] = s->pitch[from];
-    s->target_pitch[to] = s->target_pitch[from];
-    s->glide_step[to] = s->glide_step[from];
-    s->inst[to] = s->inst[from];
-    s->wave[to] = s->wave[from];
-    s->vol0[to] = s->vol0[from];
-    s->vol1[to] = s->vol1[from];
-    s->pan0[to] = s->pan0[from];
-    s->pan1[to] = s->pan1[from];
+    slots_copy_rows(&voices_chip, s, (uint32_t)to, (uint32_t)from, (uint32_t)n);
 }
 
 void voices_start_note(struct voices *s, const uint8_t *rom, int voice, const struct voice_note *n, int at)
@@ -104,7 +90,7 @@ void voices_start_note(struct voices *s, const uint8_t *rom, int voice, const st
     const struct inst i = inst_read(rom + n->inst);
 
     if (voices_is_busy(s, voice)) {
-        copy_slot(s, VOICES + voice, voice);
+        copy_slots(s, VOICES + voice, voice, 1);
         voices_fade_out(s, VOICES + voice, at);
     }
     s->age[voice] = -at;
@@ -168,14 +154,12 @@ static int saved_slot(int save_index, int voice)
 
 void voices_save_music(struct voices *s, int save_index)
 {
-    for (int i = 0; i < VOICES_MUSIC; i++)
-        copy_slot(s, saved_slot(save_index, i), i);
+    copy_slots(s, saved_slot(save_index, 0), 0, VOICES_MUSIC);
 }
 
 void voices_move_saved_music(struct voices *s, int to, int from)
 {
-    for (int i = 0; i < VOICES_MUSIC; i++)
-        copy_slot(s, saved_slot(to, i), saved_slot(from, i));
+    copy_slots(s, saved_slot(to, 0), saved_slot(from, 0), VOICES_MUSIC);
 }
 
 void voices_restore_music(struct voices *s, int save_index)
@@ -184,10 +168,10 @@ void voices_restore_music(struct voices *s, int save_index)
         if (!voices_is_busy(s, saved_slot(save_index, i)))
             continue;
         if (voices_is_busy(s, i)) {
-            copy_slot(s, VOICES + i, i);
+            copy_slots(s, VOICES + i, i, 1);
             voices_fade_out(s, VOICES + i, 0);
         }
-        copy_slot(s, i, saved_slot(save_index, i));
+        copy_slots(s, i, saved_slot(save_index, i), 1);
         s->vol0[i] = 0;
         s->inst[saved_slot(save_index, i)] = 0;
     }
@@ -387,15 +371,6 @@ static struct wave_gains gains_at(const struct note *n, int b)
     return (struct wave_gains){ vol * n->t->pan[256 - pan] >> 15, vol * n->t->pan[pan] >> 15 };
 }
 
-/* Returns whether the gains are constant during the frame. */
-static bool has_constant_gains(const struct note *n)
-{
-    const struct voices *s = n->s;
-    const int i = n->i;
-
-    return s->pan0[i] == s->pan1[i] && s->vol0[i] == s->vol1[i] && s->gain0 == s->gain1 && !n->inst.pan_curve;
-}
-
 static void add_note(struct note *n, const uint8_t *rom, int32_t left[SND_FRAME], int32_t right[SND_FRAME])
 {
     const struct voices *s = n->s;
@@ -416,11 +391,12 @@ static void add_note(struct note *n, const uint8_t *rom, int32_t left[SND_FRAME]
         read_sample(n, rom);
     if (inst_op_count(n->inst.kind))
         fm_begin(&n->fm, &n->inst, n->bytes);
-    const bool is_constant = has_constant_gains(n);
+    const bool has_constant_gains =
+        s->pan0[i] == s->pan1[i] && s->vol0[i] == s->vol1[i] && s->gain0 == s->gain1 && !n->inst.pan_curve;
     struct wave_gains from, to = gains_at(n, 0);
     for (int b = 0; b < SND_FRAME_BLOCKS; b++) {
         from = to;
-        if (!is_constant)
+        if (!has_constant_gains)
             to = gains_at(n, b + 1);
         if (!make_levels(n, b, level))
             continue;
