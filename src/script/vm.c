@@ -213,13 +213,6 @@ int vm_boot(lua_State *L)
     return 0;
 }
 
-static int panic(lua_State *L)
-{
-    /* Unreachable: every script runs inside vm_call. */
-    (void)L;
-    return 0;
-}
-
 static void raise_fault(struct board *b, enum board_fault_kind kind, const char *message)
 {
     vm_fault(b->vm.running, kind, "%s", message);
@@ -266,7 +259,6 @@ bool vm_open(struct board *b, void *block, size_t size)
     if (!b->vm.L)
         return false;
     *(struct board **)lua_getextraspace(b->vm.L) = b;
-    lua_atpanic(b->vm.L, panic);
     b->vm.running = b->vm.L;
     b->vm.swept_heap_work = 0;
     b->vm.raised_kind = FAULT_NONE;

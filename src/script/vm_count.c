@@ -183,18 +183,13 @@ static struct vm_weight weigh_function(lua_State *L, lua_Debug *ar, uint64_t *we
     return w;
 }
 
-static void on_count(lua_State *L, lua_Debug *ar)
-{
-    vm_check_work(L, ar);
-}
-
 /* Schedules the next look, before the n-th instruction of thread L from now. While profiling, only sets the countdown:
  * the profiler's hook, which runs before each instruction, decrements it. */
 static void schedule_check(struct vm *vm, lua_State *L, uint32_t n)
 {
     vm->until_check = n;
     if (!vm->profile)
-        lua_sethook(L, on_count, LUA_MASKCOUNT, (int)n);
+        lua_sethook(L, vm_check_work, LUA_MASKCOUNT, (int)n);
 }
 
 static void schedule_random_check(struct vm *vm, lua_State *L)

@@ -66,19 +66,24 @@ void vm_add_location(lua_State *L)
     lua_concat(L, 2);
 }
 
+static void push_message(lua_State *L, const char *location, const char *format, va_list args)
+{
+    lua_checkstack(L, 4);
+    lua_pushstring(L, location);
+    lua_pushvfstring(L, format, args);
+    lua_concat(L, 2);
+}
+
 int vm_fault(lua_State *L, enum board_fault_kind kind, const char *format, ...)
 {
     char location[VM_LOCATION_SIZE];
     va_list args;
 
     vm_board(L)->vm.raised_kind = kind;
-    lua_checkstack(L, 4);
     vm_get_location(L, location, sizeof location);
-    lua_pushstring(L, location);
     va_start(args, format);
-    lua_pushvfstring(L, format, args);
+    push_message(L, location, format, args);
     va_end(args);
-    lua_concat(L, 2);
     return lua_error(L);
 }
 
@@ -95,12 +100,9 @@ int vm_fault_at(lua_State *L, const char *location, const char *format, ...)
     va_list args;
 
     vm_board(L)->vm.raised_kind = FAULT_SCRIPT;
-    luaL_checkstack(L, 4, NULL);
-    lua_pushstring(L, location);
     va_start(args, format);
-    lua_pushvfstring(L, format, args);
+    push_message(L, location, format, args);
     va_end(args);
-    lua_concat(L, 2);
     return lua_error(L);
 }
 
