@@ -359,14 +359,6 @@ static void request_music(struct board *b, uint16_t index, const struct music_op
         change_music(b, 0);
 }
 
-/* Cancels the requested piece; the current one continues. */
-static void cancel_next(struct seq *s)
-{
-    s->next_tune = s->fade_frames_left = s->fade_length = 0;
-    s->next_suspends = s->next_is_scheduled = 0;
-    s->next_start = 0;
-}
-
 bool sound_start_music(struct board *b, int tune, const struct music_options *options)
 {
     struct seq *s = &b->music;
@@ -378,7 +370,7 @@ bool sound_start_music(struct board *b, int tune, const struct music_options *op
         return false;
     if (!options->restart && s->tune == index &&
         (!is_ending(s) || s->next_is_scheduled || s->fade_frames_left == s->fade_length)) {
-        cancel_next(s);
+        seq_cancel_next(s);
         return false;
     }
     request_music(b, index, options);
@@ -391,7 +383,7 @@ void sound_stop_music(struct board *b, int32_t fade)
 
     if (fade == 0 || !s->tune) {
         seq_drop_suspended_from(s, 0);
-        cancel_next(s);
+        seq_cancel_next(s);
     }
     if (s->tune)
         request_music(b, 0, &(struct music_options){ .fade = fade });
@@ -411,7 +403,7 @@ void sound_end_music(struct board *b, int tune, int32_t fade)
     const int suspended = seq_find_suspended(s, index);
 
     if (is_ending(s) && s->next_tune == index && s->next_suspends)
-        cancel_next(s);
+        seq_cancel_next(s);
     else if (is_ending(s) && s->next_tune == index && suspended >= 0) { /* the piece was about to resume */
         drop_suspended(b, suspended);
         s->next_tune = s->suspended_count ? s->suspended_tune[s->suspended_count - 1] : 0;

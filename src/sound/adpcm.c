@@ -80,23 +80,15 @@ bool samples_are_valid(const uint8_t *data, size_t size, int n)
     return at == size;
 }
 
-static void read_pcm16(const uint8_t *data, int n, int16_t *out)
-{
-    if (__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__) {
-        memcpy(out, data, (size_t)n * sizeof *out);
-        return;
-    }
-    for (int i = 0; i < n; i++)
-        out[i] = (int16_t)bytes_get16(data + 2 * (size_t)i);
-}
-
 /* Reads n samples, starting at index `from`; all n must be in the recording. */
 static void read_samples(const struct sample *s, uint32_t from, int n, int16_t *out)
 {
-    if (s->coding == SAMPLE_PCM16) {
-        read_pcm16(s->data + 2 * (size_t)from, n, out);
+    if (s->coding == SAMPLE_PCM16 && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__) {
+        memcpy(out, s->data + 2 * (size_t)from, (size_t)n * sizeof *out);
         return;
     }
+    for (; n > 0 && s->coding == SAMPLE_PCM16; n--, from++)
+        *out++ = (int16_t)bytes_get16(s->data + 2 * (size_t)from);
     while (n > 0) {
         const int first = (int)(from % ADPCM_BLOCK_SAMPLES),
                   count = n < ADPCM_BLOCK_SAMPLES - first ? n : ADPCM_BLOCK_SAMPLES - first;

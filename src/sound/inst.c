@@ -163,7 +163,7 @@ static bool wave_ok(const uint8_t *p, const struct inst *i, size_t end)
     if (i->kind != INST_WAVE)
         return i->wave == 0;
     return i->wave >= INST_BYTES && end >= 2 && i->wave <= end - 2 && p[i->wave] >= 1 &&
-           p[i->wave] <= WAVE_MAX_VERSIONS && p[i->wave + 1] == 0 && inst_wave_size(p[i->wave]) <= end - i->wave;
+           p[i->wave] <= WAVE_MAX_VERSIONS && p[i->wave + 1] == 0 && inst_wave_offset(p[i->wave]) <= end - i->wave;
 }
 
 static bool ops_ok(const uint8_t *p, const struct inst *i)

@@ -149,14 +149,10 @@ int32_t inst_curve_value(const uint8_t *curve, int32_t age);
 bool inst_curve_has_corner(const uint8_t *curve, int32_t from, int32_t to);
 
 /* inst_wave_bits returns the binary logarithm of the number of samples in a version of a wave; inst_wave_offset the
- * version's byte offset in the wave; inst_wave_size the size in bytes of a wave with `versions` versions. */
+ * version's byte offset in the wave, which is also the size of a wave of the versions before it. */
 enum { WAVE_MIN_BITS = 8 /* minimum bits: 256 samples */ };
 int inst_wave_bits(int version);
 size_t inst_wave_offset(int version);
-static inline size_t inst_wave_size(int versions)
-{
-    return inst_wave_offset(versions);
-}
 
 /* Returns whether all fields are in range. end: bytes from the instrument's first byte to the end of the area that can
  * contain its curves and its wave; has_own_sample: whether the tune is a recording. */

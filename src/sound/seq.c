@@ -4,6 +4,8 @@
  */
 #include "seq.h"
 
+#include "../base/int.h"
+
 #define WHY_DERIVED "computed from tune and pos"
 static const struct column seq_columns[] = {
     REGISTER(seq, tune),
@@ -47,7 +49,7 @@ const struct chip cues_chip = { .name = "cues", CHIP_COLUMNS(cues_columns), .is_
 
 enum { INITIAL_VOLUME = 100 };
 
-static void clear_next(struct seq *s)
+void seq_cancel_next(struct seq *s)
 {
     s->next_tune = s->fade_frames_left = s->fade_length = 0;
     s->next_suspends = s->next_is_scheduled = 0;
@@ -57,7 +59,7 @@ static void clear_next(struct seq *s)
 void seq_start(struct seq *s, uint16_t index, const struct tune *t)
 {
     s->tune = index;
-    clear_next(s);
+    seq_cancel_next(s);
     s->marker = 0;
     s->markers_passed = 0;
     s->pos = index ? 0 - (uint64_t)t->lead * t->tempo : 0;
@@ -79,18 +81,6 @@ static void copy_tracks(struct seq *s, int to, int from)
     slots_copy_rows(&seq_chip, s, (uint32_t)(to * SEQ_TRACKS), (uint32_t)(from * SEQ_TRACKS), SEQ_TRACKS);
 }
 
-static void clear_suspended(struct seq *s, int i)
-{
-    s->suspended_tune[i] = s->suspended_marker[i] = 0;
-    s->suspended_markers_passed[i] = s->suspended_tempo[i] = 0;
-    s->suspended_pos[i] = 0;
-    for (int k = (1 + i) * SEQ_TRACKS; k < (2 + i) * SEQ_TRACKS; k++) {
-        s->at[k] = 0;
-        s->units_left[k] = 0;
-        s->inst[k] = s->volume[k] = s->pan[k] = 0;
-    }
-}
-
 void seq_suspend(struct seq *s)
 {
     const int i = s->suspended_count;
@@ -108,8 +98,12 @@ void seq_suspend(struct seq *s)
 
 void seq_drop_suspended_from(struct seq *s, int i)
 {
-    while (s->suspended_count > i)
-        clear_suspended(s, --s->suspended_count);
+    while (s->suspended_count > i) {
+        const int last = --s->suspended_count;
+        s->suspended_tune[last] = s->suspended_marker[last] = 0;
+        s->suspended_markers_passed[last] = s->suspended_tempo[last] = 0;
+        s->suspended_pos[last] = 0;
+    }
 }
 
 void seq_drop_suspended(struct seq *s, int i)
@@ -134,7 +128,7 @@ void seq_resume(struct seq *s)
     s->markers_passed = s->suspended_markers_passed[i];
     s->tempo = s->suspended_tempo[i];
     s->pos = s->suspended_pos[i];
-    clear_next(s);
+    seq_cancel_next(s);
     copy_tracks(s, 0, 1 + i);
     seq_drop_suspended_from(s, i);
 }
@@ -178,15 +172,20 @@ bool seq_has_marker_ahead(const struct seq *s, const struct tune *t, int mark, u
     return found;
 }
 
-/* Stores the setting that an event changes. slot: 0: the conductor, 1 + i: track i. */
-static void store_setting(struct seq *s, int slot, const struct tune_played_event *e)
+/* Stores the setting of a track that an event changes. */
+static void store_track_setting(uint8_t *inst, uint8_t *volume, uint8_t *pan, const struct tune_played_event *e)
 {
     if (e->event == TUNE_INST)
-        s->inst[slot] = (uint8_t)e->value;
+        *inst = (uint8_t)e->value;
     if (e->event == TUNE_VOLUME)
-        s->volume[slot] = (uint8_t)e->value;
+        *volume = (uint8_t)e->value;
     if (e->event == TUNE_PANNING)
-        s->pan[slot] = (uint8_t)e->value;
+        *pan = (uint8_t)e->value;
+}
+
+/* Stores the setting that an event of the conductor changes. */
+static void store_conductor_setting(struct seq *s, const struct tune_played_event *e)
+{
     if (e->event == TUNE_TEMPO)
         s->tempo = (uint32_t)e->value;
     if (e->event == TUNE_MARKER) {
@@ -195,8 +194,8 @@ static void store_setting(struct seq *s, int slot, const struct tune_played_even
     }
 }
 
-/* Returns a run over n samples of the frame, from sample `first` on, at the current tempo. slot: as in
- * store_setting. */
+/* Returns a run over n samples of the frame, from sample `first` on, at the current tempo. slot: 0: the
+ * conductor, 1 + i: track i. */
 static struct tune_run run_of(const struct seq *s, const struct tune *t, int slot, int first, int n)
 {
     return (struct tune_run){ t, slot - 1, { s->at[slot], s->units_left[slot] }, s->tempo, first, n, 0 };
@@ -217,7 +216,7 @@ static int step_conductor(struct seq *s, const struct tune *t, int first)
     struct tune_played_event e;
 
     while (tune_next_event(&r, &e))
-        store_setting(s, 0, &e);
+        store_conductor_setting(s, &e);
     store_cursor(s, 0, &r);
     s->units_left[0] += tempo; /* the events of this one sample are done, but no time has passed */
     const int64_t left =
@@ -243,20 +242,8 @@ static int samples_until_next(const struct seq *s)
     return left <= 0 ? 0 : (int)((left + s->tempo - 1) / s->tempo);
 }
 
-/* Starts the section at w->first, which ends at the conductor's next event, where the next piece starts, or with the
+/* A frame is read in sections. A section ends at the conductor's next event, where the next piece starts, or with the
  * frame. */
-static void begin_section(struct seq_run *w)
-{
-    struct seq *s = w->s;
-    int n = step_conductor(s, w->t, w->first);
-
-    if (n > samples_until_next(s))
-        n = samples_until_next(s);
-    s->units_left[0] -= (int64_t)n * s->tempo;
-    w->slot = 1;
-    w->run = run_of(s, w->t, 1, w->first, n);
-}
-
 bool seq_next_event(struct seq_run *w, struct tune_played_event *e)
 {
     struct seq *s = w->s;
@@ -265,11 +252,15 @@ bool seq_next_event(struct seq_run *w, struct tune_played_event *e)
         if (w->slot == 0) {
             if (w->first >= SND_FRAME || samples_until_next(s) == 0)
                 return false;
-            begin_section(w);
+            const int until_conductor = step_conductor(s, w->t, w->first);
+            const int n = int_min(until_conductor, samples_until_next(s));
+            s->units_left[0] -= (int64_t)n * s->tempo;
+            w->slot = 1;
+            w->run = run_of(s, w->t, 1, w->first, n);
         }
         for (; w->slot <= w->t->n_tracks; w->run = run_of(s, w->t, w->slot, w->first, w->run.n)) {
             if (tune_next_event(&w->run, e)) {
-                store_setting(s, w->slot, e);
+                store_track_setting(&s->inst[w->slot], &s->volume[w->slot], &s->pan[w->slot], e);
                 return true;
             }
             store_cursor(s, w->slot++, &w->run);
@@ -422,12 +413,7 @@ bool cues_next_event(struct cues *c, const uint8_t *rom, struct cues_run *w, str
             w->begun = true;
         }
         if (tune_next_event(&w->run, e)) {
-            if (e->event == TUNE_INST)
-                c->inst[i] = (uint8_t)e->value;
-            if (e->event == TUNE_VOLUME)
-                c->volume[i] = (uint8_t)e->value;
-            if (e->event == TUNE_PANNING)
-                c->pan[i] = (uint8_t)e->value;
+            store_track_setting(&c->inst[i], &c->volume[i], &c->pan[i], e);
             return true;
         }
         c->at[i] = w->run.cursor.cursor;

@@ -109,6 +109,9 @@ bool seq_next_event(struct seq_run *w, struct tune_played_event *e);
  * number of beats in a bar waits for a bar. */
 void seq_schedule_next(struct seq *s, int beats);
 
+/* Cancels the requested piece; the current one continues. */
+void seq_cancel_next(struct seq *s);
+
 /* Returns the number of whole quarter notes since the first beat; 0 before the first beat. */
 static inline uint64_t seq_beats(const struct seq *s)
 {

@@ -10,7 +10,7 @@
 
 enum { HALF = WAVE_LENGTH / 2, WEIGHT_SHIFT = 2 * SINC_TAPS };
 
-/* Number of harmonics of each version, in steps of about half an octave. */
+/* Number of harmonics of each version, ascending, in steps of about half an octave. */
 static const uint16_t harmonics[WAVE_MIPS] = { 1,  2,  3,  4,   6,   8,   11,  16,  23, 32,
                                                45, 64, 91, 128, 181, 256, 362, 512, 640 };
 
@@ -51,7 +51,6 @@ static void make_waves(struct snd_tables *t)
 
     memset(t->harmonic_sums, 0, sizeof t->harmonic_sums);
     for (int m = 0; m < WAVE_MIPS; m++) {
-        t->harmonics[m] = harmonics[m];
         for (; h <= harmonics[m]; h++)
             add_harmonic(t, h);
         store_version(t, m);
@@ -188,11 +187,11 @@ void snd_tables_make(struct snd_tables *t)
 }
 
 /* Allows harmonics up to 28 kHz: above half the sample rate, they fold back to 20 kHz or more, which is inaudible. */
-int snd_mip(const struct snd_tables *t, uint32_t step)
+int snd_mip(uint32_t step)
 {
     int m = WAVE_MIPS - 1;
 
-    while (m > 0 && (uint64_t)t->harmonics[m] * step > 2505397589u)
+    while (m > 0 && (uint64_t)harmonics[m] * step > 2505397589u)
         m--;
     return m;
 }

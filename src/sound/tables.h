@@ -25,7 +25,6 @@ enum {
 };
 
 struct snd_tables {
-    uint16_t harmonics[WAVE_MIPS]; /* number of harmonics of each version, ascending */
     int16_t saw[WAVE_MIPS][WAVE_LENGTH + 1], triangle[WAVE_MIPS][WAVE_LENGTH + 1];
     int16_t sine[WAVE_LENGTH + 1];
     union {
@@ -46,7 +45,7 @@ struct snd_tables {
 void snd_tables_make(struct snd_tables *t);
 
 /* Returns the version of a wave to use at a phase step of `step` (2^-32 turns per sample). */
-int snd_mip(const struct snd_tables *t, uint32_t step);
+int snd_mip(uint32_t step);
 
 /* Returns the row of `low_pass` for a recording played at `step` samples per sample, Q32; -1: no filter is needed,
  * because no frequency folds back into the audible range. */

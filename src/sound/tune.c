@@ -187,18 +187,13 @@ static bool ticks_ok(const struct check *c, uint32_t *at, uint32_t *ticks)
     return *ticks <= TUNE_MAX_PAUSE && (*at - from < 4 || c->t->data[*at - 1] < 128);
 }
 
-static bool pitch_ok(const uint8_t *p)
-{
-    return bytes_get16(p) <= PITCH_MAX / 256;
-}
-
 static bool values_ok(const struct tune *t, int track, const uint8_t *p)
 {
     switch (p[0]) {
     case TUNE_NOTE:
     case TUNE_SLUR:
     case TUNE_GLIDE:
-        return track >= 0 && pitch_ok(p + 1);
+        return track >= 0 && bytes_get16(p + 1) <= PITCH_MAX / 256;
     case TUNE_OFF:
         return track >= 0;
     case TUNE_INST:
@@ -255,17 +250,10 @@ static bool name_ok(const char *s, size_t n)
     return end < n;
 }
 
-static bool is_zero(const uint8_t *p, size_t n)
-{
-    while (n > 0 && p[n - 1] == 0)
-        n--;
-    return n == 0;
-}
-
 bool tune_validate(const uint8_t *data, size_t size, char *err, size_t err_size)
 {
     if (size < TUNE_HEADER_SIZE + TUNE_TITLE_SIZE || data[0] != TUNE_FORMAT || bytes_get32(data + 16) != size ||
-        !is_zero(data + 22, 2))
+        bytes_get16(data + 22) != 0)
         return err_set(err, err_size, "not a tune in format %d", TUNE_FORMAT);
     const struct tune t = tune_of(data);
     const uint32_t sample_at = bytes_get32(data + 12);

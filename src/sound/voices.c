@@ -23,30 +23,6 @@ const struct chip voices_chip = { .name = "voices", CHIP_COLUMNS(columns), .is_l
 
 /* ---- pitch ---- */
 
-/* Returns the phase step of a note at a pitch. A recording's step is at most 4, which limits the samples that a frame
- * reads. */
-static uint64_t step_of(const uint8_t *rom, const struct inst *i, uint32_t wave, int32_t pitch)
-{
-    const uint64_t max_step = (uint64_t)4 << 32;
-
-    if (i->kind == INST_NOISE)
-        return pitch_step(pitch) >> 12;
-    if (i->kind != INST_SAMPLE)
-        return pitch_step(pitch);
-    if (wave == 0)
-        return 0;
-    const uint64_t step = pitch_ratio(pitch - i->root) * sample_of(rom + wave).rate / SND_RATE;
-    return step < max_step ? step : max_step;
-}
-
-/* Returns the pitch offset of an arpeggio in a frame that starts at `age`. The offset is constant during a frame. */
-static int32_t arpeggio_offset(const struct inst *inst, int32_t age)
-{
-    const int32_t frames = age > 0 ? (age + SND_FRAME - 1) / SND_FRAME : 0;
-
-    return (int8_t)inst->arpeggio[frames / inst->arpeggio_frames % inst->arpeggio_count] * PITCH_ONE;
-}
-
 /* Returns an oscillator's value at an age, Q30. The oscillator stays at phase `turn` until its delay is over. */
 static int32_t lfo_value(const struct lfo *l, int32_t age, uint32_t turn)
 {
@@ -55,26 +31,30 @@ static int32_t lfo_value(const struct lfo *l, int32_t age, uint32_t turn)
     return t <= 0 ? trig_sin30(turn) : trig_sin30(turn + (uint32_t)t * l->step);
 }
 
-/* Returns the pitch offset that vibrato and the pitch curve cause at an age. */
-static int32_t pitch_bend(const struct inst *inst, const uint8_t *bytes, int32_t age)
-{
-    int32_t pitch_offset = 0;
-
-    if (inst->vibrato.depth)
-        pitch_offset = (int32_t)((int64_t)lfo_value(&inst->vibrato, age, 0) * inst->vibrato.depth >> 22);
-    if (inst->pitch_curve)
-        pitch_offset += inst_curve_value(bytes + inst->pitch_curve, age) * (PITCH_ONE / 256);
-    return pitch_offset;
-}
-
-/* Returns the phase step of slot i at an age, in the frame that starts at age `now`. */
+/* Returns the phase step of slot i at an age, in the frame that starts at age `now`. An arpeggio's pitch is constant
+ * during a frame. A recording's step is at most 4, which limits the samples that a frame reads. */
 static uint64_t step_at(const struct voices *s, const uint8_t *rom, const struct inst *inst, int i, int32_t now,
                         int32_t age)
 {
-    const uint8_t *bytes = rom + s->inst[i];
-    const int32_t offset = inst->arpeggio_count ? arpeggio_offset(inst, now) : 0;
+    const uint64_t max_step = (uint64_t)4 << 32;
+    int32_t pitch = s->pitch[i];
 
-    return step_of(rom, inst, s->wave[i], s->pitch[i] + offset + pitch_bend(inst, bytes, age));
+    if (inst->arpeggio_count) {
+        const int32_t frames = now > 0 ? (now + SND_FRAME - 1) / SND_FRAME : 0;
+        pitch += (int8_t)inst->arpeggio[frames / inst->arpeggio_frames % inst->arpeggio_count] * PITCH_ONE;
+    }
+    if (inst->vibrato.depth)
+        pitch += (int32_t)((int64_t)lfo_value(&inst->vibrato, age, 0) * inst->vibrato.depth >> 22);
+    if (inst->pitch_curve)
+        pitch += inst_curve_value(rom + s->inst[i] + inst->pitch_curve, age) * (PITCH_ONE / 256);
+    if (inst->kind == INST_NOISE)
+        return pitch_step(pitch) >> 12;
+    if (inst->kind != INST_SAMPLE)
+        return pitch_step(pitch);
+    if (s->wave[i] == 0)
+        return 0;
+    const uint64_t step = pitch_ratio(pitch - inst->root) * sample_of(rom + s->wave[i]).rate / SND_RATE;
+    return step < max_step ? step : max_step;
 }
 
 /* ---- starting and ending notes ---- */
@@ -193,39 +173,25 @@ static void step_glide(struct voices *s, int i)
     }
 }
 
-static bool has_ended(const struct voices *s, const uint8_t *rom, const struct inst *inst, int i)
-{
-    if (s->fade_age[i] != AGE_NEVER && s->age[i] - s->fade_age[i] >= VOICE_FADE)
-        return true;
-    if (wave_is_silent(&inst->env, s->age[i], s->release_age[i]))
-        return true;
-    if (inst->kind != INST_SAMPLE || s->wave[i] == 0)
-        return false;
-    const struct sample sample = sample_of(rom + s->wave[i]);
-    return sample.loop_start == SAMPLE_NO_LOOP && (int64_t)s->phase[i] >> 32 > (int64_t)sample.n + SINC_TAPS;
-}
-
-enum { MAX_AGE = 1 << 30 /* samples, 6 hours: ages stop here, and positions in loops move back */ };
-
-/* Returns how far the position in a recording moves back, Q32: whole loops if the position is OLDEST or more beyond the
- * end, otherwise 0. Recordings are far shorter than OLDEST. */
-static uint64_t loop_rewind(const struct sample *s, uint64_t phase)
-{
-    const int64_t beyond = ((int64_t)phase >> 32) - s->n - SINC_TAPS, loop = (int64_t)s->n - s->loop_start;
-
-    return s->loop_start == SAMPLE_NO_LOOP || beyond < MAX_AGE ? 0 : (uint64_t)(beyond / loop * loop) << 32;
-}
+/* Samples, 6 hours: ages stop here, and positions in loops, which are far shorter, move back by whole loops. */
+enum { MAX_AGE = 1 << 30 };
 
 static void step_slot(struct voices *s, const uint8_t *rom, int i)
 {
     const struct inst inst = inst_read(rom + s->inst[i]);
     const uint64_t step = s->step0[i];
     const int64_t step_delta = (int64_t)(s->step1[i] - step) / SND_FRAME;
+    bool has_ended = false;
 
     s->phase[i] += SND_FRAME * step + (uint64_t)(SND_FRAME * (SND_FRAME - 1) / 2 * step_delta);
     if (inst.kind == INST_SAMPLE && s->wave[i]) {
         const struct sample sample = sample_of(rom + s->wave[i]);
-        s->phase[i] -= loop_rewind(&sample, s->phase[i]);
+        const int64_t beyond = ((int64_t)s->phase[i] >> 32) - sample.n - SINC_TAPS,
+                      loop = (int64_t)sample.n - sample.loop_start;
+        if (sample.loop_start == SAMPLE_NO_LOOP)
+            has_ended = beyond > 0;
+        else if (beyond >= MAX_AGE)
+            s->phase[i] -= (uint64_t)(beyond / loop * loop) << 32;
     }
     s->age[i] += s->age[i] < MAX_AGE ? SND_FRAME : 0;
     s->vol0[i] = s->vol1[i];
@@ -235,7 +201,8 @@ static void step_slot(struct voices *s, const uint8_t *rom, int i)
         step_glide(s, i);
         s->step1[i] = step_at(s, rom, &inst, i, s->age[i], s->age[i] + SND_FRAME);
     }
-    if (has_ended(s, rom, &inst, i))
+    if (has_ended || (s->fade_age[i] != AGE_NEVER && s->age[i] - s->fade_age[i] >= VOICE_FADE) ||
+        wave_is_silent(&inst.env, s->age[i], s->release_age[i]))
         s->inst[i] = 0;
 }
 
@@ -383,8 +350,8 @@ static void add_note(struct note *n, const uint8_t *rom, int32_t left[SND_FRAME]
     n->release_age = s->release_age[i];
     n->fade_age = s->fade_age[i];
     n->step_delta = (int64_t)(s->step1[i] - s->step0[i]) / SND_FRAME;
-    n->mip0 = snd_mip(n->t, (uint32_t)(s->step0[i] >> 24));
-    n->mip1 = snd_mip(n->t, (uint32_t)(s->step1[i] >> 24));
+    n->mip0 = snd_mip((uint32_t)(s->step0[i] >> 24));
+    n->mip1 = snd_mip((uint32_t)(s->step1[i] >> 24));
     if (n->inst.kind == INST_SAMPLE && s->wave[i] == 0)
         return;
     if (n->inst.kind == INST_SAMPLE)

@@ -22,7 +22,7 @@ static void play(const uint8_t *bytes)
     static struct snd_tables tables;
     const struct tune t = tune_of(bytes);
 
-    if (tables.harmonics[0] == 0)
+    if (tables.music_volume == 0)
         snd_tables_make(&tables);
     voiced(&t, &tables);
     for (int k = -1; k < t.n_tracks; k++) {

@@ -23,7 +23,7 @@ refuse "planted: another plot" "limiter" same_plots "$scratch/plots"
 mkdir -p "$scratch/copy/src"
 ln -s "$PWD/src/base" "$scratch/copy/src/"
 cp -r src/sound "$scratch/copy/src/sound"
-sed -i 's/copy_slots(s, VOICES + voice, voice, 1);/copy_slots(s, VOICES + voice, voice, 1), s->inst[VOICES + voice] = 0;/' \
+sed -i 's/copy_slots(s, VOICES + voice, voice, 1);/& s->inst[VOICES + voice] = 0;/' \
     "$scratch/copy/src/sound/voices.c"
 without_tails() {
     ! cmp -s src/sound/voices.c "$scratch/copy/src/sound/voices.c" || return 2

@@ -112,7 +112,7 @@ static void test_alias(void **state)
         const uint64_t step = (uint64_t)cycles << 44;
         struct wave_params at = { 0, step, 0, 0, 0, 0, NULL };
         double loud = 0, foul = 0;
-        at.mip0 = at.mip1 = snd_mip(&tables, (uint32_t)(step >> 24));
+        at.mip0 = at.mip1 = snd_mip((uint32_t)(step >> 24));
         for (int i = 0; i < N; i += SND_BLOCK, at.phase += SND_BLOCK * step) {
             int16_t out[SND_BLOCK];
             wave_compute_block(&tables, &saw, &at, out);

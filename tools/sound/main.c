@@ -99,7 +99,7 @@ struct ear_inst ear_inst(const char *settings)
 void ear_wave(const struct ear_inst *i, uint64_t step, double *out, int n)
 {
     const uint8_t *bytes = i->rom + i->at;
-    const int mip = snd_mip(&ear_tables, (uint32_t)(step >> 24));
+    const int mip = snd_mip((uint32_t)(step >> 24));
     struct wave_params at = { 0, step, mip, mip, 0, 0, bytes + i->inst.wave };
     struct fm_note fm;
     int16_t block[SND_BLOCK];

@@ -167,7 +167,7 @@ static uint32_t keep_wave(struct mml *m, uint32_t from, const struct harmonics *
         const int64_t v = value_at(h, h->n, i, 12);
         most = v > most ? v : -v > most ? -v : most;
     }
-    uint8_t *bytes = room(m, from, inst_wave_size(versions));
+    uint8_t *bytes = room(m, from, inst_wave_offset(versions));
     bytes[0] = (uint8_t)versions;
     for (int v = 0; v < versions; v++) {
         uint8_t *p = bytes + inst_wave_offset(v);
@@ -177,7 +177,7 @@ static uint32_t keep_wave(struct mml *m, uint32_t from, const struct harmonics *
             bytes_put16(p + 2 * i, (uint16_t)(x < -32767 ? -32767 : x > 32767 ? 32767 : x));
         }
     }
-    return keep_piece(m, from, bytes, (uint32_t)inst_wave_size(versions));
+    return keep_piece(m, from, bytes, (uint32_t)inst_wave_offset(versions));
 }
 
 uint32_t mml_read_harmonics(struct mml *m, uint32_t *at, uint32_t end)
