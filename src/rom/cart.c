@@ -18,23 +18,22 @@
 #include "../sound/adpcm.h"
 #include "../sound/tune.h"
 
-static bool find_lump(const struct rom *rom, const char *name, struct lump *l)
+/* Returns the index of the lump named folder + name + suffix, or -1. */
+static int find_index(const struct rom *rom, const char *folder, const char *name, const char *suffix)
 {
-    int i = rom_find(rom, name);
+    char full[ROM_MAX_NAME];
+    const int n = snprintf(full, sizeof full, "%s%s%s", folder, name, suffix);
+
+    return n > 0 && n < ROM_MAX_NAME ? rom_find(rom, full) : -1;
+}
+
+static bool find_lump(const struct rom *rom, const char *folder, const char *name, const char *suffix, struct lump *l)
+{
+    const int i = find_index(rom, folder, name, suffix);
 
     if (i >= 0)
         rom_lump(rom, i, l);
     return i >= 0;
-}
-
-/* Finds the lump named folder + name + suffix. Returns false if there is no such lump. */
-static bool find_lump_in(const struct rom *rom, const char *folder, const char *name, const char *suffix,
-                         struct lump *l)
-{
-    char full[ROM_MAX_NAME];
-    int n = snprintf(full, sizeof full, "%s%s%s", folder, name, suffix);
-
-    return n > 0 && n < ROM_MAX_NAME && find_lump(rom, full, l);
 }
 
 /* A lump whose contents are being checked. A check that fails stores the reason in err. */
@@ -83,9 +82,7 @@ const char *cart_name(const struct cart *cart, enum cart_folder folder, int i)
 
 int cart_find(const struct cart *cart, enum cart_folder folder, const char *name)
 {
-    char full[ROM_MAX_NAME];
-    const int n = snprintf(full, sizeof full, "%s%s", folders[folder].prefix, name);
-    const int i = n > 0 && n < ROM_MAX_NAME ? rom_find(cart->rom, full) : -1;
+    const int i = find_index(cart->rom, folders[folder].prefix, name, "");
 
     return i < 0 ? -1 : i - cart->first[folder];
 }
@@ -135,11 +132,11 @@ static bool open_manifest(struct cart *c, char *err, size_t err_size)
     struct lump l;
     char detail[256];
 
-    if (!find_lump(c->rom, "manifest", &l))
+    if (!find_lump(c->rom, "", "manifest", "", &l))
         return err_set(err, err_size, "no lump \"manifest\"");
     if (!manifest_unpack(l.data, l.size, &c->manifest, detail, sizeof detail))
         return err_set(err, err_size, "lump \"manifest\": %s", detail);
-    if (!find_lump_in(c->rom, "script/", c->manifest.entry, ".lua", &l))
+    if (!find_lump(c->rom, "script/", c->manifest.entry, ".lua", &l))
         return err_set(err, err_size, "no lump \"script/%s.lua\", the entry script", c->manifest.entry);
     return true;
 }
@@ -171,18 +168,18 @@ static void find_palette_tables(struct cart *c, int i)
     struct lump l;
 
     *tables = c->main_tables;
-    if (find_lump_in(c->rom, "shade/", cart_name(c, CART_PALETTES, i), "", &l))
+    if (find_lump(c->rom, "shade/", cart_name(c, CART_PALETTES, i), "", &l))
         tables->shades = l.data;
     snprintf(folder, sizeof folder, "blends/%s/", cart_name(c, CART_PALETTES, i));
     for (int k = 0; k < c->count[CART_BLENDS]; k++)
-        if (find_lump_in(c->rom, folder, cart_name(c, CART_BLENDS, k), "", &l))
+        if (find_lump(c->rom, folder, cart_name(c, CART_BLENDS, k), "", &l))
             set_blend(tables, k, l.data);
 }
 
 static bool open_colour_tables(struct cart *c, char *err, size_t err_size)
 {
     struct lump l;
-    const bool has_shades = find_lump(c->rom, "shades", &l);
+    const bool has_shades = find_lump(c->rom, "", "shades", "", &l);
 
     c->main_tables.shades = has_shades ? l.data : NULL;
     if (has_shades && !check_size(&l, CART_SHADES_SIZE, err, err_size))
@@ -221,7 +218,7 @@ static bool open_font(struct cart *c, char *err, size_t err_size)
 
     c->glyphs = NULL;
     c->n_glyphs = 0;
-    if (!find_lump(c->rom, "font", &l))
+    if (!find_lump(c->rom, "", "font", "", &l))
         return true;
     if (l.size == 0 || l.size % CART_GLYPH_SIZE != 0 || l.size / CART_GLYPH_SIZE > CART_MAX_GLYPHS)
         return err_set(err, err_size,
@@ -328,8 +325,7 @@ static void read_hitbox(const uint8_t *p, struct cart_hitbox *hit)
     memcpy(hit, words, sizeof words);
 }
 
-/* Returns whether row i of a hitbox is valid: lengths are not negative, nothing is too large, and values that the shape
- * does not use are 0. */
+/* Returns whether lengths are not negative, nothing is too large, and values that the shape does not use are 0. */
 static bool hitbox_row_ok(const struct cart_hitbox *h, uint32_t i)
 {
     const int64_t limit = (int64_t)MAX_SPEED << 16, a = h->row[i].a, b = h->row[i].b;
@@ -370,7 +366,7 @@ bool cart_find_hitbox(const struct cart *cart, const char *name, struct cart_hit
 {
     struct lump l;
 
-    if (!find_lump_in(cart->rom, "hit/", name, "", &l))
+    if (!find_lump(cart->rom, "hit/", name, "", &l))
         return false;
     read_hitbox(l.data, out);
     return true;
@@ -459,7 +455,7 @@ static bool check_tune(struct check *k)
         return false;
     const struct tune t = tune_of(k->lump.data);
     if (tune_is_stream(&t) &&
-        !(strncmp(k->lump.name, "tune/", 5) == 0 && find_lump_in(k->cart->rom, "wave/", k->name, "", &samples) &&
+        !(strncmp(k->lump.name, "tune/", 5) == 0 && find_lump(k->cart->rom, "wave/", k->name, "", &samples) &&
           samples_are_valid(samples.data, samples.size, t.channels)))
         return err_set(k->err, sizeof k->err, "samples (lump wave/%s) are missing or damaged", k->name);
     return true;
@@ -504,7 +500,7 @@ bool cart_open_lang(const struct cart *cart, const char *name, struct words *out
 
     *out = (struct words){ NULL, 0 };
     return !name[0] ||
-           (find_lump_in(cart->rom, "lang/", name, "", &l) && words_open(out, l.data, l.size, err, sizeof err));
+           (find_lump(cart->rom, "lang/", name, "", &l) && words_open(out, l.data, l.size, err, sizeof err));
 }
 
 void cart_map(const struct cart *cart, int i, struct map *out)
@@ -528,7 +524,7 @@ const uint8_t *cart_palette(const struct cart *cart, const char *name)
 {
     struct lump l;
 
-    return find_lump_in(cart->rom, "palette/", name, "", &l) ? l.data : NULL;
+    return find_lump(cart->rom, "palette/", name, "", &l) ? l.data : NULL;
 }
 
 struct face cart_face(const struct cart *cart, int i)
@@ -565,7 +561,7 @@ static uint32_t find_samples_offset(const struct cart *cart, uint32_t tune)
         return tune + at;
     while (i < cart->count[CART_TUNES] && cart_tune_offset(cart, CART_TUNES, i) != tune)
         i++;
-    if (i == cart->count[CART_TUNES] || !find_lump_in(cart->rom, "wave/", cart_name(cart, CART_TUNES, i), "", &l))
+    if (i == cart->count[CART_TUNES] || !find_lump(cart->rom, "wave/", cart_name(cart, CART_TUNES, i), "", &l))
         return 0;
     return (uint32_t)(l.data - cart->tune_data);
 }
@@ -574,7 +570,7 @@ size_t cart_wave_size(const struct cart *cart, int i)
 {
     struct lump l;
 
-    return i >= 0 && find_lump_in(cart->rom, "wave/", cart_name(cart, CART_TUNES, i), "", &l) ? l.size : 0;
+    return i >= 0 && find_lump(cart->rom, "wave/", cart_name(cart, CART_TUNES, i), "", &l) ? l.size : 0;
 }
 
 uint32_t cart_recording_offset(const struct cart *cart, uint32_t tune, const uint8_t *inst)
@@ -598,7 +594,7 @@ static bool find_text(const struct cart *cart, const char *folder, const char *n
 {
     struct lump l;
 
-    if (!find_lump_in(cart->rom, folder, name, suffix, &l))
+    if (!find_lump(cart->rom, folder, name, suffix, &l))
         return false;
     *text = (const char *)l.data;
     *size = l.size;

@@ -139,16 +139,10 @@ static bool text_ok(const char *s, size_t n)
     return end != NULL && all_zero(end, n - (size_t)(end - s));
 }
 
-static bool id_ok(const char *s)
-{
-    size_t n = strlen(s);
-
-    return n > 0 && strspn(s, "abcdefghijklmnopqrstuvwxyz0123456789_") == n;
-}
-
 static bool check_strings(const struct manifest *m, char *err, size_t err_size)
 {
-    if (!text_ok(m->id, sizeof m->id) || !id_ok(m->id))
+    if (!text_ok(m->id, sizeof m->id) || m->id[0] == '\0' ||
+        m->id[strspn(m->id, "abcdefghijklmnopqrstuvwxyz0123456789_")] != '\0')
         return err_set(err, err_size, "id: expected 1 to %zu of the characters a-z 0-9 _", sizeof m->id - 1);
     if (!text_ok(m->title, sizeof m->title) || m->title[0] == '\0')
         return err_set(err, err_size, "title: expected a line of 1 to %zu bytes", sizeof m->title - 1);

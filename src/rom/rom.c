@@ -141,38 +141,35 @@ void rom_lump(const struct rom *rom, int i, struct lump *out)
     *out = (struct lump){ name_of(rom, (uint32_t)i), rom->data + bytes_get32(e + 4), bytes_get32(e + 8) };
 }
 
-static uint64_t hash_lump(uint64_t h, const struct rom *rom, uint32_t i)
-{
-    struct lump l;
-
-    rom_lump(rom, (int)i, &l);
-    h = hash_bytes(h, l.name, strlen(l.name));
-    return hash_bytes(h, l.data, l.size);
-}
-
-uint64_t rom_hash(const struct rom *rom)
-{
-    uint64_t h = HASH_START;
-
-    for (uint32_t i = 0; i < rom->count; i++)
-        h = hash_lump(h, rom, i);
-    return h;
-}
-
 static bool is_read_by_ticks(const char *name)
 {
     return strcmp(name, "manifest") == 0 || strncmp(name, "script/", 7) == 0 || strncmp(name, "data/", 5) == 0 ||
            strncmp(name, "lang/", 5) == 0 || strncmp(name, "tune/", 5) == 0 || strncmp(name, "hit/", 4) == 0;
 }
 
-uint64_t rom_game_hash(const struct rom *rom)
+static uint64_t hash_lumps(const struct rom *rom, bool all)
 {
     uint64_t h = HASH_START;
+    struct lump l;
 
-    for (uint32_t i = 0; i < rom->count; i++)
-        if (is_read_by_ticks(name_of(rom, i)))
-            h = hash_lump(h, rom, i);
+    for (uint32_t i = 0; i < rom->count; i++) {
+        rom_lump(rom, (int)i, &l);
+        if (all || is_read_by_ticks(l.name)) {
+            h = hash_bytes(h, l.name, strlen(l.name));
+            h = hash_bytes(h, l.data, l.size);
+        }
+    }
     return h;
+}
+
+uint64_t rom_hash(const struct rom *rom)
+{
+    return hash_lumps(rom, true);
+}
+
+uint64_t rom_game_hash(const struct rom *rom)
+{
+    return hash_lumps(rom, false);
 }
 
 static uint64_t align_up(uint64_t n)
@@ -199,15 +196,6 @@ size_t rom_write_size(const struct lump *lumps, int n)
     return at <= UINT32_MAX ? (size_t)at : 0;
 }
 
-static void write_header(uint8_t *p, size_t size, int n)
-{
-    memcpy(p, magic, sizeof magic);
-    bytes_put32(p + 8, ROM_VERSION);
-    bytes_put32(p + 16, (uint32_t)n);
-    bytes_put32(p + 20, (uint32_t)size);
-    bytes_put32(p + 12, hash_crc32(p + CRC_START, size - CRC_START));
-}
-
 void rom_write(void *out, const struct lump *lumps, int n)
 {
     uint8_t *p = out;
@@ -230,5 +218,9 @@ void rom_write(void *out, const struct lump *lumps, int n)
         name_at += strlen(l->name) + 1;
         at += l->size;
     }
-    write_header(p, size, n);
+    memcpy(p, magic, sizeof magic);
+    bytes_put32(p + 8, ROM_VERSION);
+    bytes_put32(p + 16, (uint32_t)n);
+    bytes_put32(p + 20, (uint32_t)size);
+    bytes_put32(p + 12, hash_crc32(p + CRC_START, size - CRC_START));
 }
