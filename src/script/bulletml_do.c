@@ -159,8 +159,8 @@ static void begin_change(const struct work_state *w, int change, int64_t from, i
     struct ml_runners *r = w->r;
     const uint32_t i = w->t->runner;
     const size_t c = (size_t)i * CHANGE_COUNT + (size_t)change;
-    const int64_t scale = bulletml_step_scale(change), limit = ((int64_t)1 << 62) / scale,
-                  difference = ml_subtract(to, from);
+    const int64_t scale = (int64_t)1 << (change == CHANGE_DIRECTION ? DIRECTION_STEP_BITS : STEP_BITS),
+                  limit = ((int64_t)1 << 62) / scale, difference = ml_subtract(to, from);
     const uint32_t frames = term > MAX_DURATION ? MAX_DURATION : term > 1 ? (uint32_t)term : 1;
 
     r->change_from[c] = from;
@@ -201,24 +201,20 @@ static void begin_speed_change(struct work_state *w, enum ml_type type)
                  0);
 }
 
-static void begin_acceleration(struct work_state *w, int change, enum ml_type type, int32_t term, int64_t v)
-{
-    const int64_t current = (change == CHANGE_X ? w->r->vx : w->r->vy)[w->t->body];
-
-    if (type == ML_SEQUENCE)
-        v = ml_multiply(v, term * ML_ONE);
-    begin_change(w, change, current, type == ML_SEQUENCE || type == ML_RELATIVE ? ml_add(current, v) : v, term, 0);
-}
-
 static void begin_accelerations(struct work_state *w, uint32_t types)
 {
     const uint32_t x = types % ML_Y_TYPE_FACTOR, y = types / ML_Y_TYPE_FACTOR;
     const int32_t term = ml_to_whole(next_value(w));
 
     for (int change = CHANGE_X; change <= CHANGE_Y; change++) {
-        const uint32_t type = change == CHANGE_X ? x : y, v = next_word(w);
-        if (type != ML_NONE)
-            begin_acceleration(w, change, (enum ml_type)type, term, resolve_value(w, v));
+        const uint32_t type = change == CHANGE_X ? x : y, operand = next_word(w);
+        if (type == ML_NONE)
+            continue;
+        const int64_t current = (change == CHANGE_X ? w->r->vx : w->r->vy)[w->t->body];
+        int64_t v = resolve_value(w, operand);
+        if (type == ML_SEQUENCE)
+            v = ml_multiply(v, term * ML_ONE);
+        begin_change(w, change, current, type == ML_SEQUENCE || type == ML_RELATIVE ? ml_add(current, v) : v, term, 0);
     }
 }
 
@@ -266,26 +262,18 @@ static void set_params(struct work_state *w, uint32_t list)
                                               list ? p->value + (size_t)(list - 1) * ML_MAX_VALUES : NULL, list };
 }
 
-/* Evaluates the n parameters of a call and sets *list to a new list of them (slot + 1; 0: no parameters). If the pool
- * is full, ends the runner's actions and returns false. */
-static bool make_params(struct work_state *w, uint32_t n, uint32_t *list)
-{
-    int64_t out[ML_PARAMS];
-    const int k = next_values(w, n, out);
-
-    *list = k ? bulletml_new_list(w->t->b, out, k) : 0;
-    if (k && !*list)
-        w->r->flags[w->t->runner] |= RUNNER_ACTIONS_ENDED;
-    return !k || *list;
-}
-
+/* Calls an action with its own parameters. If a pool is full, ends the runner's actions. */
 static void call_action(struct work_state *w, uint32_t command)
 {
     const uint32_t i = w->t->runner, target = next_word(w), n = next_word(w), old_list = w->r->params[i];
-    uint32_t list;
+    int64_t values[ML_PARAMS];
+    const int n_values = next_values(w, n, values);
+    const uint32_t list = n_values ? bulletml_new_list(w->t->b, values, n_values) : 0;
 
-    if (!make_params(w, n, &list))
+    if (n_values && !list) {
+        w->r->flags[i] |= RUNNER_ACTIONS_ENDED;
         return;
+    }
     if (ML_OP(command) == ML_CALL) {
         if (!push_frame(w, command, 0, w->at, old_list)) {
             bulletml_release_list(w->t->b, list);
@@ -445,17 +433,6 @@ static void execute_command(struct work_state *w, uint32_t c)
 
 enum { COMMAND_WORK = 8, STEP_WORK = 1 /* work per command and per expression step */ };
 
-/* Charges for the executed command c and its expression steps. */
-static void charge_command(struct work_state *w, uint32_t c)
-{
-    struct ml_runners *r = w->r;
-
-    r->work_done += 1 + w->steps;
-    if (!board_charge_work(w->t->b, COMMAND_WORK + STEP_WORK * w->steps))
-        bulletml_raise_overload(w->t, c);
-    w->steps = 0;
-}
-
 void bulletml_execute(struct turn *t)
 {
     struct ml_runners *r = &t->b->ml_runners;
@@ -472,7 +449,10 @@ void bulletml_execute(struct turn *t)
         if (++n > MAX_COMMANDS)
             bulletml_fault(t, c, "more than 100000 commands in one frame (repeat without a wait?)");
         execute_command(&w, c);
-        charge_command(&w, c);
+        r->work_done += 1 + w.steps;
+        if (!board_charge_work(t->b, COMMAND_WORK + STEP_WORK * w.steps))
+            bulletml_raise_overload(t, c);
+        w.steps = 0;
     }
     r->pc[t->runner] = w.at;
 }

@@ -15,13 +15,10 @@ enum {
     MAX_DURATION = 1 << 30 /* frames, for a wait or a term */
 };
 
-/* Returns the factor that the per-frame step of a change is scaled by: steps are stored in units of 2^-32 /
- * bulletml_step_scale, so that rounding errors stay small when many steps are added. A step too large to be scaled is
- * stored as 0; the value is then interpolated each frame. */
-static inline int64_t bulletml_step_scale(int change)
-{
-    return change == CHANGE_DIRECTION ? 1 << 12 : 1 << 20;
-}
+/* The number of fraction bits that the per-frame step of a change has in addition to the value's 32, so that rounding
+ * errors stay small when many steps are added. A step too large for them is stored as 0; the value is then interpolated
+ * each frame. */
+enum { DIRECTION_STEP_BITS = 12, STEP_BITS = 20 };
 
 /* The turn of one runner in one frame. */
 struct turn {

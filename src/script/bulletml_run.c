@@ -51,13 +51,6 @@ uint32_t bulletml_new_list(struct board *b, const int64_t *value, int n)
 
 /* ---- directions ---- */
 
-static ang direction_to_board(const struct ml_roots *o, uint32_t root, int64_t direction)
-{
-    const ang a = ml_degrees_to_angle(direction);
-
-    return o->up_dir[root] + (o->flags[root] & ROOT_MIRRORED ? 0 - a : a);
-}
-
 static int64_t direction_from_board(const struct ml_roots *o, uint32_t root, ang dir)
 {
     const ang a = dir - o->up_dir[root];
@@ -131,7 +124,8 @@ static inline fx round_to_fx(int64_t v)
 static inline __attribute__((always_inline)) struct heading heading_of(const struct ml_roots *o, uint32_t root,
                                                                        int64_t direction)
 {
-    struct heading h = { .dir = direction_to_board(o, root, direction) };
+    const ang a = ml_degrees_to_angle(direction);
+    struct heading h = { .dir = o->up_dir[root] + (o->flags[root] & ROOT_MIRRORED ? 0 - a : a) };
     int64_t c, s;
 
     trig_cos_sin40(h.dir, &c, &s);
@@ -242,13 +236,6 @@ static void clear_runner(struct board *b, uint32_t i)
     r->params[i] = 0;
 }
 
-static void drop_runner(struct board *b, uint32_t i)
-{
-    clear_runner(b, i);
-    b->ml_roots.n_runners[b->ml_runners.root[i]]--;
-    slots_drop(&b->ml_runners.s, i);
-}
-
 /* ---- firing ---- */
 
 /* Creates the runner of a fired bullet, which spawns later. Returns its slot + 1, or 0 if a pool is full. */
@@ -348,7 +335,8 @@ static inline int64_t current_change_value(const struct ml_runners *r, size_t c,
     const int64_t k = now - r->change_start[c], term = r->change_end[c] - r->change_start[c];
 
     if (r->change_step[c])
-        return r->change_from[c] + ml_scale(r->change_step[c], k, change == CHANGE_DIRECTION ? 12 : 20);
+        return r->change_from[c] +
+               ml_scale(r->change_step[c], k, change == CHANGE_DIRECTION ? DIRECTION_STEP_BITS : STEP_BITS);
     return ml_add(r->change_from[c],
                   ml_multiply(ml_subtract(r->change_to[c], r->change_from[c]), ml_divide(k * ML_ONE, term * ML_ONE)));
 }
@@ -383,16 +371,13 @@ static inline void apply_change(struct ml_runners *r, const struct turn *t, int 
 static void apply_changes(struct turn *t)
 {
     struct ml_runners *r = &t->b->ml_runners;
-    const unsigned flags = r->flags[t->runner];
+    int64_t *const values[CHANGE_COUNT] = {
+        [CHANGE_DIRECTION] = r->direction, [CHANGE_SPEED] = r->speed, [CHANGE_X] = r->vx, [CHANGE_Y] = r->vy
+    };
 
-    if (flags & 1 << CHANGE_DIRECTION)
-        apply_change(r, t, CHANGE_DIRECTION, r->direction);
-    if (flags & 1 << CHANGE_SPEED)
-        apply_change(r, t, CHANGE_SPEED, r->speed);
-    if (flags & 1 << CHANGE_X)
-        apply_change(r, t, CHANGE_X, r->vx);
-    if (flags & 1 << CHANGE_Y)
-        apply_change(r, t, CHANGE_Y, r->vy);
+    for (int change = 0; change < CHANGE_COUNT; change++)
+        if (r->flags[t->runner] & 1 << change)
+            apply_change(r, t, change, values[change]);
     t->steered = true;
 }
 
@@ -455,16 +440,6 @@ static void steer_bullet(const struct turn *t, uint32_t bullet)
     bullets_set_velocity_only(s, bullet, f.vx, f.vy);
 }
 
-/* Delays runner i by a frame, because its bullet is frozen. */
-static void postpone_runner(struct ml_runners *r, uint32_t i)
-{
-    r->wake_clock[i]++;
-    for (size_t c = (size_t)i * CHANGE_COUNT; c < ((size_t)i + 1) * CHANGE_COUNT; c++) {
-        r->change_start[c]++;
-        r->change_end[c]++;
-    }
-}
-
 /* Runs the turn of a bullet's runner. Returns false if the runner is to be dropped. */
 static bool run_bullet(struct turn *t)
 {
@@ -474,9 +449,13 @@ static bool run_bullet(struct turn *t)
 
     if (!slots_has(&b->bullets.s, bullet, handle_gen(r->bullet[i])) || b->bullets.motion[bullet])
         return false;
-    /* With `frozen_left` 0 the bullet resumes in this frame's move. */
+    /* A frozen bullet delays its runner by a frame. With `frozen_left` 0 the bullet resumes in this frame's move. */
     if (b->bullets.freeze_flags && b->bullets.freeze_flags[bullet] && b->bullets.frozen_left[bullet]) {
-        postpone_runner(r, i);
+        r->wake_clock[i]++;
+        for (size_t c = (size_t)i * CHANGE_COUNT; c < ((size_t)i + 1) * CHANGE_COUNT; c++) {
+            r->change_start[c]++;
+            r->change_end[c]++;
+        }
         return true;
     }
     if ((int32_t)(t->now - r->wake_clock[i]) < 0 && !(r->flags[i] & RUNNER_CHANGES))
@@ -528,10 +507,11 @@ static inline bool run_fast_turn(struct board *b, uint32_t i, uint32_t now)
 
     if (flags & RUNNER_TOP || s->freeze_flags || !is_unmodified(r, s, i, k))
         return false;
-    if ((flags & 1 << CHANGE_DIRECTION && !get_unfinished_change(r, c + CHANGE_DIRECTION, 12, now, &direction)) ||
-        (flags & 1 << CHANGE_SPEED && !get_unfinished_change(r, c + CHANGE_SPEED, 20, now, &speed)) ||
-        (flags & 1 << CHANGE_X && !get_unfinished_change(r, c + CHANGE_X, 20, now, &vx)) ||
-        (flags & 1 << CHANGE_Y && !get_unfinished_change(r, c + CHANGE_Y, 20, now, &vy)))
+    if ((flags & 1 << CHANGE_DIRECTION &&
+         !get_unfinished_change(r, c + CHANGE_DIRECTION, DIRECTION_STEP_BITS, now, &direction)) ||
+        (flags & 1 << CHANGE_SPEED && !get_unfinished_change(r, c + CHANGE_SPEED, STEP_BITS, now, &speed)) ||
+        (flags & 1 << CHANGE_X && !get_unfinished_change(r, c + CHANGE_X, STEP_BITS, now, &vx)) ||
+        (flags & 1 << CHANGE_Y && !get_unfinished_change(r, c + CHANGE_Y, STEP_BITS, now, &vy)))
         return false;
     if (flags & 1 << CHANGE_DIRECTION)
         set_heading(r, o, root, i, wrap_direction_change(r, c + CHANGE_DIRECTION, direction));
@@ -614,17 +594,6 @@ void bulletml_stop(struct board *b, uint32_t i)
     b->ml_roots.flags[i] |= ROOT_DESPAWNED;
 }
 
-/* Moves a root to its offset from the entity it follows. */
-static void follow_entity(struct board *b, uint32_t i)
-{
-    struct ml_roots *o = &b->ml_roots;
-    fx x = 0, y = 0;
-
-    board_get_position(b, o->follow_target[i], &x, &y);
-    o->x[i] = motion_clamp_to_world((int64_t)x + o->dx[i]);
-    o->y[i] = motion_clamp_to_world((int64_t)y + o->dy[i]);
-}
-
 /* Called before the turns. Ends roots whose owner or followed entity no longer exists, moves roots that follow an
  * entity, and drops ended roots that have no runners left (top-level or of bullets). */
 static void update_roots(struct board *b)
@@ -638,8 +607,12 @@ static void update_roots(struct board *b)
         } else if (!tasks_is_owner_alive(b, o->owner[i]) ||
                    (o->follow_target[i] && !board_is_alive(b, o->follow_target[i])))
             bulletml_stop(b, i);
-        else if (o->follow_target[i])
-            follow_entity(b, i);
+        else if (o->follow_target[i]) {
+            fx x = 0, y = 0;
+            board_get_position(b, o->follow_target[i], &x, &y);
+            o->x[i] = motion_clamp_to_world((int64_t)x + o->dx[i]);
+            o->y[i] = motion_clamp_to_world((int64_t)y + o->dy[i]);
+        }
     }
 }
 
@@ -748,8 +721,11 @@ void bulletml_run(struct board *b)
             !due && !(r->flags[i] & (RUNNER_CHANGES | RUNNER_TOP)) && !any_frozen && (k + now) % ALIVE_CHECK_FRAMES;
         if (is_waiting || (!due && run_fast_turn(b, i, now)) || run_turn(b, i, now, &cache))
             r->order[live++] = i;
-        else
-            drop_runner(b, i);
+        else {
+            clear_runner(b, i);
+            b->ml_roots.n_runners[r->root[i]]--;
+            slots_drop(&r->s, i);
+        }
     }
     memmove(r->order + live, r->order + n, (r->n - n) * sizeof *r->order);
     r->n -= n - live;
