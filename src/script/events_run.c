@@ -114,23 +114,19 @@ void events_set_property(lua_State *L, uint16_t kind, const char *property)
     lua_pop(L, 2);
 }
 
-/* Sets the entry of one enemy in the table of properties to the value on top of the stack (popped). */
-static void set_enemy_entry(lua_State *L, lua_Integer key)
+void events_set_enemy_property(lua_State *L, uint32_t slot, enum enemy_property property)
 {
     vm_push_registry_table(L, &properties_key);
     lua_insert(L, -2);
-    lua_rawseti(L, -2, key);
+    lua_rawseti(L, -2, property * ((lua_Integer)slot + 1));
     lua_pop(L, 1);
 }
 
-void events_set_on_death(lua_State *L, uint32_t slot)
+static void push_enemy_property(lua_State *L, uint32_t slot, enum enemy_property property)
 {
-    set_enemy_entry(L, (lua_Integer)slot + 1);
-}
-
-void events_set_drops(lua_State *L, uint32_t slot)
-{
-    set_enemy_entry(L, -(lua_Integer)slot - 1);
+    vm_push_registry_table(L, &properties_key);
+    lua_rawgeti(L, -1, property * ((lua_Integer)slot + 1));
+    lua_remove(L, -2);
 }
 
 void events_push_property(lua_State *L, uint16_t kind, const char *property)
@@ -178,10 +174,8 @@ static void drop_items(lua_State *L, struct board *b, fx x, fx y)
 /* Drops the items of the enemy's own drop list or, if it has none, of its kind's. */
 static void drop_enemy_items(lua_State *L, struct board *b, uint32_t i)
 {
-    vm_push_registry_table(L, &properties_key);
-    bool has_own_list = lua_rawgeti(L, -1, -(lua_Integer)i - 1) == LUA_TSTRING;
-    lua_remove(L, -2);
-    if (!has_own_list) {
+    push_enemy_property(L, i, ENEMY_DROPS);
+    if (lua_type(L, -1) != LUA_TSTRING) {
         lua_pop(L, 1);
         events_push_property(L, b->enemies.kind[i], "drops");
     }
@@ -192,9 +186,7 @@ static void drop_enemy_items(lua_State *L, struct board *b, uint32_t i)
  * exists. */
 static bool push_on_death(lua_State *L, uint32_t slot, uint16_t kind)
 {
-    vm_push_registry_table(L, &properties_key);
-    lua_rawgeti(L, -1, (lua_Integer)slot + 1);
-    lua_remove(L, -2);
+    push_enemy_property(L, slot, ENEMY_ON_DEATH);
     if (lua_isfunction(L, -1))
         return true;
     lua_pop(L, 1);
@@ -288,26 +280,19 @@ static uint64_t hurt_one_enemy(struct board *b, lua_State *L, uint32_t i, uint64
     return passed_on;
 }
 
-/* Like events_hurt_enemy, for games in which an enemy may be a part of another one, its body, and passes damage on to
- * it. A handler may remove the body first. */
-static bool hurt_enemy_and_body(struct board *b, lua_State *L, uint32_t i, int32_t n, uint32_t player)
-{
-    const int64_t first = board_handle(b, H_ENEMY, (int32_t)i);
-    uint64_t amount = (uint64_t)n << 32;
-
-    for (int64_t h = first, body; amount && still_exists(b, h); h = body)
-        amount = hurt_one_enemy(b, L, handle_slot(h), amount, player, &body);
-    return !still_exists(b, first);
-}
-
 bool events_hurt_enemy(struct board *b, lua_State *L, uint32_t i, int32_t n, uint32_t player)
 {
     struct enemies *e = &b->enemies;
 
     if (e->safe_left[i] || n <= 0 || e->flags[i] & ENEMY_DYING)
         return false;
-    if (e->rate)
-        return hurt_enemy_and_body(b, L, i, n, player);
+    if (e->rate) { /* an enemy may be a part and pass damage on to its body, which a handler may remove first */
+        const int64_t first = board_handle(b, H_ENEMY, (int32_t)i);
+        uint64_t amount = (uint64_t)n << 32;
+        for (int64_t h = first, body; amount && still_exists(b, h); h = body)
+            amount = hurt_one_enemy(b, L, handle_slot(h), amount, player, &body);
+        return !still_exists(b, first);
+    }
     e->hp[i] = n >= e->hp[i] ? 0 : e->hp[i] - n;
     enemies_blink(e, &b->enemy_kinds, i);
     if (e->hp[i] || e->flags[i] & ENEMY_UNDYING)

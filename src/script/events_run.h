@@ -51,10 +51,10 @@ bool events_emit(struct board *b, lua_State *L, const char *name, int n);
  * the stack (popped). */
 void events_set_property(lua_State *L, uint16_t kind, const char *property);
 
-/* Set on_death (a function or nil) or the drops (a list made by api_push_folded_drops, or nil) of the enemy just
+/* Sets on_death (a function or nil) or the drops (a list made by api_push_folded_drops, or nil) of the enemy just
  * spawned in `slot` to the value on top of the stack (popped). */
-void events_set_on_death(lua_State *L, uint32_t slot);
-void events_set_drops(lua_State *L, uint32_t slot);
+enum enemy_property { ENEMY_ON_DEATH = 1, ENEMY_DROPS = -1 };
+void events_set_enemy_property(lua_State *L, uint32_t slot, enum enemy_property property);
 
 /* Pushes the value that events_set_property set for this kind and `property`, or nil. */
 void events_push_property(lua_State *L, uint16_t kind, const char *property);

@@ -20,12 +20,6 @@ static void step_bomb(struct board *b, uint32_t p)
     b->player.bomb_scope[p] = 0;
 }
 
-static void step_deathbomb(struct board *b, uint32_t p)
-{
-    if (b->player.deathbomb_left[p] && --b->player.deathbomb_left[p] == 0)
-        events_kill_player(b, p);
-}
-
 void events_step_players(struct board *b, lua_State *L)
 {
     for (uint32_t p = 0; p < MAX_PLAYERS; p++) {
@@ -34,6 +28,7 @@ void events_step_players(struct board *b, lua_State *L)
         step_bomb(b, p);
         if (b->player_kinds.bomb[b->player.kind[p]] && input_take(&b->input, p, BUTTON_BOMB, 0, PRESS_GAME))
             api_bomb_start(L, b, p);
-        step_deathbomb(b, p);
+        if (b->player.deathbomb_left[p] && --b->player.deathbomb_left[p] == 0)
+            events_kill_player(b, p);
     }
 }

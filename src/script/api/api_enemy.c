@@ -218,7 +218,7 @@ static void set_drops(lua_State *L, struct board *b, uint32_t i, const struct ap
         lua_pushnil(L);
     else
         return;
-    events_set_drops(L, i);
+    events_set_enemy_property(L, i, ENEMY_DROPS);
 }
 
 int32_t api_enemy_spawn(lua_State *L, struct board *b, uint16_t kind, fx x, fx y, int64_t owner)
@@ -232,7 +232,7 @@ int32_t api_enemy_spawn(lua_State *L, struct board *b, uint16_t kind, fx x, fx y
     b->enemies.owner_task[i] = tasks_current_serial(b);
     b->enemies.owner[i] = owner;
     lua_pushnil(L);
-    events_set_on_death(L, (uint32_t)i);
+    events_set_enemy_property(L, (uint32_t)i, ENEMY_ON_DEATH);
     set_drops(L, b, (uint32_t)i, NULL);
     return i;
 }
@@ -285,7 +285,7 @@ static void apply_spawn_arguments(lua_State *L, struct board *b, uint32_t i, con
                        v[S_SHARE].f);
     api_set_values(b, N_ENEMY_VALUE, i, v + S_FIRST_VALUE);
     lua_pushvalue(L, v[S_ON_DEATH].at);
-    events_set_on_death(L, i);
+    events_set_enemy_property(L, i, ENEMY_ON_DEATH);
     if (v[S_DROPS].given)
         set_drops(L, b, i, &v[S_DROPS]);
 }
