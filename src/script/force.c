@@ -59,12 +59,6 @@ static void take_items(struct board *b, uint32_t p, int64_t player_handle)
     }
 }
 
-static void damage_enemies(lua_State *L, struct board *b, uint32_t p)
-{
-    EACH_LIVE (i, &b->enemies.s)
-        events_hurt_enemy(b, L, i, DAMAGE_HP, p + 1);
-}
-
 static int apply_force(lua_State *L)
 {
     struct board *b = vm_board(L);
@@ -97,7 +91,8 @@ static int apply_force(lua_State *L)
         b->player.safe_left[p] = SAFE_FRAMES;
         break;
     case FORCE_DAMAGE:
-        damage_enemies(L, b, p);
+        EACH_LIVE (i, &b->enemies.s)
+            events_hurt_enemy(b, L, i, DAMAGE_HP, p + 1);
         break;
     }
     return 0;

@@ -27,10 +27,10 @@ static struct profile_line *find_entry(struct profile *p, const char *location, 
     for (int tries = 0; tries < PROFILE_CAPACITY / 4; tries++, i = (i + 1) % PROFILE_CAPACITY) {
         struct profile_line *line = &p->line[i];
         if (!line->location[0]) {
-            memcpy(line->location, location, n + 1);
+            memcpy(line->location, location, n);
             return line;
         }
-        if (strcmp(line->location, location) == 0)
+        if (strncmp(line->location, location, n) == 0 && !line->location[n])
             return line;
     }
     return &p->overflow;
@@ -53,7 +53,6 @@ static bool is_library(const lua_Debug *ar)
 static struct profile_line *find_caller(struct profile *p, lua_State *L)
 {
     lua_Debug ar, nearest = { .currentline = 0 };
-    char location[PROFILE_LOCATION_SIZE];
 
     for (int level = 0; lua_getstack(L, level, &ar); level++) {
         lua_getinfo(L, "Sl", &ar);
@@ -65,9 +64,8 @@ static struct profile_line *find_caller(struct profile *p, lua_State *L)
     const char *start_location = tasks_origin(vm_board(L), L);
     if (!start_location)
         return find_frame_entry(p, &nearest);
-    const int n =
-        snprintf(location, sizeof location, "%.*s", (int)strlen(start_location) - 2, start_location); /* ends in ": " */
-    return find_entry(p, location, n < PROFILE_LOCATION_SIZE ? (size_t)n : PROFILE_LOCATION_SIZE - 1);
+    const size_t n = strlen(start_location) - 2; /* without ": " */
+    return find_entry(p, start_location, n < PROFILE_LOCATION_SIZE ? n : PROFILE_LOCATION_SIZE - 1);
 }
 
 /* Returns the line that the next instruction counts for. This is usually the previous instruction's line. */

@@ -32,13 +32,6 @@ static void append_byte(struct scan *s, unsigned c)
     s->size++;
 }
 
-static const char *find_forbidden(const struct scan *s)
-{
-    if (s->size == 4 && memcmp(s->word, "__gc", 4) == 0)
-        return gc_message;
-    return s->size == 6 && memcmp(s->word, "__mode", 6) == 0 ? mode_message : NULL;
-}
-
 /* Scans a long bracket to its end. A newline right after the opening bracket is not part of the string. */
 static void scan_long_string(struct scan *s, int level)
 {
@@ -165,7 +158,9 @@ static const char *scan_token(struct scan *s)
         cursor_step(&s->cursor);
         return NULL;
     }
-    return find_forbidden(s);
+    if (s->size == 4 && memcmp(s->word, "__gc", 4) == 0)
+        return gc_message;
+    return s->size == 6 && memcmp(s->word, "__mode", 6) == 0 ? mode_message : NULL;
 }
 
 bool script_scan_from(const char *text, size_t n, struct script_position *position, int *line, const char **message)

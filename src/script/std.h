@@ -19,8 +19,14 @@ enum { STD_MODULE_COUNT = 19 };
 /* The hint in the error for using (in the console) the global of a module that no script of the game names. */
 #define STD_NOT_PACKED "not packed in this ROM; a library module is packed if a script names it"
 
-/* Returns the name of module i in load order, e.g. "pattern". Module 0 is the prelude, which all others need. */
-const char *std_module_name(int i);
+/* The modules in load order. Module 0 is the prelude, which all others need. `globals` lists the global variables
+ * through which scripts use the module: its table or, for the prelude, each of its functions. A module that extends
+ * another module's table has no global of its own: it adds `fields` to `extended_table`, which is then its only
+ * entry in `globals`. */
+struct std_module {
+    const char *name, *globals, *fields, *extended_table;
+};
+extern const struct std_module std_modules[STD_MODULE_COUNT];
 
 /* Returns the module that a piece such as "boss/cast" belongs to: the module with the name of the piece's folder, or
  * boot for "screens". Returns -1 if `name` is not a piece. */
@@ -29,9 +35,7 @@ int std_module_of_file(const char *name);
 /* Returns the module that binds the global `name`, or -1. */
 int std_module_of_global(const char *name);
 
-/* std_extended_table returns the existing table to which module i adds fields, or NULL. std_module_of_field returns the
- * module that adds `field` to `table`, or -1. */
-const char *std_extended_table(int i);
+/* Returns the module that adds `field` to `table`, or -1. */
 int std_module_of_field(const char *table, const char *field);
 
 /* Returns the modules whose globals or fields a script with this text may read: bit i for module i. A text that can

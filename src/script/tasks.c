@@ -11,27 +11,11 @@ static const char threads_key = 0; /* registry: slot + 1 -> thread; -slot - 1 ->
 
 static const uint32_t NO_TASK = UINT32_MAX;
 
-static void append_task(struct tasks *t, uint32_t i)
+/* Links the tasks i and k, which may be NO_TASK, as neighbours. */
+static void link_tasks(struct tasks *t, uint32_t i, uint32_t k)
 {
-    t->next[i] = NO_TASK;
-    t->prev[i] = t->last;
-    if (t->last == NO_TASK)
-        t->first = i;
-    else
-        t->next[t->last] = i;
-    t->last = i;
-}
-
-static void unlink_task(struct tasks *t, uint32_t i)
-{
-    if (t->prev[i] == NO_TASK)
-        t->first = t->next[i];
-    else
-        t->next[t->prev[i]] = t->next[i];
-    if (t->next[i] == NO_TASK)
-        t->last = t->prev[i];
-    else
-        t->prev[t->next[i]] = t->prev[i];
+    *(i == NO_TASK ? &t->first : &t->next[i]) = k;
+    *(k == NO_TASK ? &t->last : &t->prev[k]) = i;
 }
 
 void tasks_init(struct tasks *t)
@@ -95,7 +79,8 @@ static int32_t take_task(struct board *b, int64_t owner, uint8_t flags)
     t->born[i] = b->core.clock;
     t->thread[i] = NULL;
     t->origin[i] = NULL;
-    append_task(t, (uint32_t)i);
+    link_tasks(t, t->last, (uint32_t)i);
+    link_tasks(t, (uint32_t)i, NO_TASK);
     script_update_digest(b, (uint64_t)t->serial[i] << 8 | 0x51);
     return i;
 }
@@ -111,7 +96,7 @@ static void drop_task(struct board *b, lua_State *L, uint32_t i)
     }
     lua_pop(L, 1);
     script_update_digest(b, (uint64_t)b->tasks.serial[i] << 8 | 0x52);
-    unlink_task(&b->tasks, i);
+    link_tasks(&b->tasks, b->tasks.prev[i], b->tasks.next[i]);
     slots_drop(&b->tasks.s, i);
 }
 

@@ -95,15 +95,11 @@ static void put_value(lua_State *L, struct values *v, int idx, int depth)
     case LUA_TNUMBER:
         put_number(L, v, idx);
         break;
-    case LUA_TTABLE:
-        if (!values_have_text_form(L, idx)) {
-            put_table(L, v, idx, depth);
-            break;
-        }
-        put_text(L, v, idx);
-        break;
     default:
-        put_text(L, v, idx);
+        if (lua_istable(L, idx) && !values_have_text_form(L, idx))
+            put_table(L, v, idx, depth);
+        else
+            put_text(L, v, idx);
     }
 }
 

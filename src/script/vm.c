@@ -29,22 +29,17 @@ static void note_shortage(struct board *b)
     o->in_deep_calls = lua_getstack(b->vm.running, DEEP_CALLS, &ar);
 }
 
-/* Returns whether a string's block is too large. If so, records the string's size for the message. */
-static bool is_too_long(struct board *b, size_t size)
-{
-    b->vm.text_block_size = size;
-    if (size > b->vm.max_text_block)
-        b->output->too_long_size = size - b->vm.max_text_block + MAX_TEXT;
-    return size > b->vm.max_text_block;
-}
-
 static void *allocate(void *ud, void *p, size_t old, size_t size)
 {
     struct board *b = ud;
     /* For a new block Lua passes a type in place of the old size. */
-    bool refused = !p && old == LUA_TSTRING && is_too_long(b, size);
-    void *q = refused ? NULL : heap_realloc(b->vm.heap, p, p ? old : 0, size);
+    const bool is_string = !p && old == LUA_TSTRING, is_too_long = is_string && size > b->vm.max_text_block;
+    void *q = is_too_long ? NULL : heap_realloc(b->vm.heap, p, p ? old : 0, size);
 
+    if (is_string)
+        b->vm.text_block_size = size;
+    if (is_too_long)
+        b->output->too_long_size = size - b->vm.max_text_block + MAX_TEXT; /* for the message */
     if (!q && size)
         note_shortage(b);
     vm_on_allocation(b);
@@ -75,24 +70,20 @@ static void end_gc_cycle(struct vm *vm)
     vm->collect_at = used + (growth < max_growth ? growth : max_growth);
 }
 
-static void collect(lua_State *L, struct vm *vm, uint64_t allocated)
-{
-    vm->collecting = true;
-    for (uint64_t n = 1 + allocated / BYTES_PER_STEP; n > 0; n--)
-        if (lua_gc(L, LUA_GCSTEP, 0)) {
-            end_gc_cycle(vm);
-            return;
-        }
-}
-
 int vm_collect_garbage(lua_State *L)
 {
     struct vm *vm = &vm_board(L)->vm;
     const uint64_t allocated = heap_work(vm->heap) - vm->swept_heap_work;
 
     lualib_check_metatables(L);
-    if (allocated && (vm->collecting || heap_used(vm->heap) >= vm->collect_at))
-        collect(L, vm, allocated);
+    if (allocated && (vm->collecting || heap_used(vm->heap) >= vm->collect_at)) {
+        uint64_t steps = 1 + allocated / BYTES_PER_STEP;
+        vm->collecting = true;
+        while (steps > 0 && !lua_gc(L, LUA_GCSTEP, 0))
+            steps--;
+        if (steps > 0)
+            end_gc_cycle(vm);
+    }
     vm->swept_heap_work = heap_work(vm->heap);
     return 0;
 }
@@ -160,15 +151,6 @@ static int fault_new_global(lua_State *L)
                     name, name);
 }
 
-static void seal_globals(lua_State *L)
-{
-    lua_pushglobaltable(L);
-    lua_pushcfunction(L, fault_undeclared_global);
-    lua_pushcfunction(L, fault_new_global);
-    lualib_seal(L);
-    lua_pop(L, 1);
-}
-
 /* Sets the largest allowed string block. Lua's block for a string is a header and the text; the header's size, which
  * differs between hosts, is measured with a sample string. */
 static void limit_string_size(lua_State *L)
@@ -199,7 +181,11 @@ int vm_boot(lua_State *L)
     /* Free the garbage left by loading the library, so that the game's scripts get that memory. */
     lua_gc(L, LUA_GCCOLLECT);
     api_explain_missing_fields(L);
-    seal_globals(L);
+    lua_pushglobaltable(L);
+    lua_pushcfunction(L, fault_undeclared_global);
+    lua_pushcfunction(L, fault_new_global);
+    lualib_seal(L);
+    lua_pop(L, 1);
     vm_load_script(L, b->cart.manifest.entry);
     lua_call(L, 0, 0);
     lua_gc(L, LUA_GCCOLLECT); /* a run starts without garbage from loading */

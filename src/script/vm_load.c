@@ -1,5 +1,6 @@
 /*
- * vm_load.c - loads the scripts of a ROM: the game's and the standard library's.
+ * vm_load.c - loads the scripts of a ROM: the game's and the standard library's. Reserves space in the Lua heap for the
+ * lists that their declarations grow: kinds and motion programs.
  */
 #include <stdio.h>
 #include <string.h>
@@ -104,7 +105,7 @@ void vm_run_library_file(lua_State *L, const char *name)
 
 void vm_load_std(lua_State *L, int i, int sys)
 {
-    const char *name = std_module_name(i);
+    const char *name = std_modules[i].name;
     char path[64];
     const char *text;
     size_t size;
@@ -112,7 +113,8 @@ void vm_load_std(lua_State *L, int i, int sys)
     snprintf(path, sizeof path, "@std/%s", name);
     if (!cart_find_script(&vm_board(L)->cart, path, &text, &size))
         return;
-    if (std_extended_table(i) && api_disabled_reason(&vm_board(L)->cart.manifest, std_extended_table(i)))
+    if (std_modules[i].extended_table &&
+        api_disabled_reason(&vm_board(L)->cart.manifest, std_modules[i].extended_table))
         return;
     vm_load_script(L, path);
     snprintf(path, sizeof path, "@@std/%s.lua", name);
@@ -142,4 +144,29 @@ void vm_open_scripts(lua_State *L, int sys)
     lua_rawsetp(L, LUA_REGISTRYINDEX, &modules_key);
     lua_pushvalue(L, sys);
     lua_rawsetp(L, LUA_REGISTRYINDEX, &sys_key);
+}
+
+/* ---- lists that grow ---- */
+
+enum { MIN_RESERVED = 16 /* entries of a growing list when the first is added */ };
+
+void vm_reserve(lua_State *L, struct slots *list, uint32_t n)
+{
+    struct board *b = vm_board(L);
+    uint32_t reserved = list->reserved ? list->reserved : MIN_RESERVED;
+    int part = 0;
+
+    while (reserved < list->live + n)
+        reserved *= 2;
+    reserved = reserved < list->cap ? reserved : list->cap;
+    if (reserved == list->reserved)
+        return;
+    while (part_of(b, part) != (void *)list)
+        part++;
+    const size_t size = (size_t)slots_size(machine_parts[part].chip, reserved, list->groups);
+    luaL_checkstack(L, 2, NULL);
+    slots_move(machine_parts[part].chip, list, reserved, memset(lua_newuserdatauv(L, size, 0), 0, size));
+    lua_rawsetp(L, LUA_REGISTRYINDEX, &machine_parts[part]); /* keeps the memory alive */
+    b->bullets.kind_counts = b->bullet_kinds.live_count;
+    b->shots.kind_counts = b->shot_kinds.live_count;
 }

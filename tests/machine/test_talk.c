@@ -558,16 +558,16 @@ static void test_packed(void **state)
 
     (void)state;
     for (int i = 0; i < STD_MODULE_COUNT; i++)
-        if (!strcmp(std_module_name(i), "talk") || !strcmp(std_module_name(i), "say") ||
-            !strcmp(std_module_name(i), "choose"))
+        if (!strcmp(std_modules[i].name, "talk") || !strcmp(std_modules[i].name, "say") ||
+            !strcmp(std_modules[i].name, "choose"))
             dialogue |= (uint64_t)1 << i;
     for (int i = 0; i < STD_MODULE_COUNT; i++)
         for (int k = 0; k < std_script_count; k++) {
-            if (strcmp(std_scripts[k].name, std_module_name(i)) || dialogue >> i & 1)
+            if (strcmp(std_scripts[k].name, std_modules[i].name) || dialogue >> i & 1)
                 continue;
             others++;
             if (std_find_needed_modules(i, (const char *)std_scripts[k].data, std_scripts[k].size) & dialogue)
-                fail_msg("%s names a word of dialogue", std_module_name(i));
+                fail_msg("%s names a word of dialogue", std_modules[i].name);
         }
     assert_int_equal(others, STD_MODULE_COUNT - 3);
 }

@@ -415,7 +415,7 @@ static void test_library(void **state)
     for (int i = 0; i < STD_MODULE_COUNT; i++) {
         int found = 0;
         for (int k = 0; k < std_script_count; k++)
-            found += strcmp(std_scripts[k].name, std_module_name(i)) == 0;
+            found += strcmp(std_scripts[k].name, std_modules[i].name) == 0;
         assert_int_equal(found, 1);
     }
 }

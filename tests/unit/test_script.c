@@ -305,15 +305,15 @@ static void test_modules(void **state)
     (void)state;
     for (int i = 1; i < STD_MODULE_COUNT; i++) {
         char text[64];
-        int n = snprintf(text, sizeof text, "x = %s.y", std_module_name(i));
-        if (std_extended_table(i)) {
-            assert_int_equal(std_module_of_global(std_module_name(i)), -1);
+        int n = snprintf(text, sizeof text, "x = %s.y", std_modules[i].name);
+        if (std_modules[i].extended_table) {
+            assert_int_equal(std_module_of_global(std_modules[i].name), -1);
             continue;
         }
-        assert_int_equal(std_module_of_global(std_module_name(i)), i);
+        assert_int_equal(std_module_of_global(std_modules[i].name), i);
         assert_true(std_find_used_modules(text, (size_t)n) == (uint64_t)1 << i);
-        n = snprintf(text, sizeof text, "x.%s = '%s' -- %s\n%sx()", std_module_name(i), std_module_name(i),
-                     std_module_name(i), std_module_name(i));
+        n = snprintf(text, sizeof text, "x.%s = '%s' -- %s\n%sx()", std_modules[i].name, std_modules[i].name,
+                     std_modules[i].name, std_modules[i].name);
         assert_true(std_find_used_modules(text, (size_t)n) == 0);
     }
     assert_int_equal(std_module_of_file("boss"), -1);
@@ -322,7 +322,7 @@ static void test_modules(void **state)
     assert_int_equal(std_module_of_file("/cast"), -1);
     assert_int_equal(std_module_of_file("boss/cast"), std_module_of_global("boss"));
     assert_int_equal(std_module_of_file("screens/title"), std_module_of_global("boot"));
-    assert_string_equal(std_module_name(0), "prelude");
+    assert_string_equal(std_modules[0].name, "prelude");
     assert_int_equal(std_module_of_global("prelude"), -1);
     assert_int_equal(std_module_of_global("wait_for"), 0);
     assert_int_equal(std_module_of_global("wait"), -1);

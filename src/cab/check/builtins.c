@@ -131,8 +131,8 @@ void name_set_close(struct name_set *s)
 static bool adds_only(const char *script)
 {
     for (int i = 0; i < STD_MODULE_COUNT; i++)
-        if (strcmp(script, std_module_name(i)) == 0)
-            return std_extended_table(i) != NULL;
+        if (strcmp(script, std_modules[i].name) == 0)
+            return std_modules[i].extended_table != NULL;
     return std_module_of_file(script) >= 0;
 }
 

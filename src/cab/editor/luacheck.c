@@ -48,8 +48,8 @@ static void add_plain(struct name_set *s)
 static void add_modules(struct name_set *s)
 {
     for (int i = 1; i < STD_MODULE_COUNT; i++)
-        if (!std_extended_table(i))
-            name_set_add(s, NULL, std_module_name(i));
+        if (!std_modules[i].extended_table)
+            name_set_add(s, NULL, std_modules[i].name);
 }
 
 static bool has_fields(const struct name_set *s, const char *space)
@@ -66,7 +66,7 @@ static bool is_librarys(const char *space)
     if (std_module_of_global(space) > 0)
         return true;
     for (int i = 0; i < STD_MODULE_COUNT; i++)
-        if (std_extended_table(i) && !strcmp(std_extended_table(i), space))
+        if (std_modules[i].extended_table && !strcmp(std_modules[i].extended_table, space))
             return true;
     return false;
 }

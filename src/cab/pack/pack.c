@@ -377,7 +377,7 @@ static uint64_t own_modules(const struct packer *p)
     uint64_t own = 0;
 
     for (int i = 0; i < STD_MODULE_COUNT; i++)
-        own |= (uint64_t)replaced(p, std_module_name(i)) << i;
+        own |= (uint64_t)replaced(p, std_modules[i].name) << i;
     return own;
 }
 
@@ -408,7 +408,7 @@ static bool add_std(struct packer *p)
     p->std |= (p->std | in) != 0 ? 1 : 0;
     while ((missing = p->std & ~in) != 0) {
         int i = (int)bits_lowest(missing);
-        const struct embedded *s = library(std_module_name(i));
+        const struct embedded *s = library(std_modules[i].name);
         if (!add_module(p, s))
             return false;
         p->std |= std_find_needed_modules(i, (const char *)s->data, s->size);

@@ -64,7 +64,7 @@ void api_explain_missing_fields(lua_State *L)
     const int top = lua_gettop(L);
 
     for (int i = 0; i < STD_MODULE_COUNT; i++) {
-        const char *table = std_extended_table(i);
+        const char *table = std_modules[i].extended_table;
         if (table && lua_getglobal(L, table) == LUA_TTABLE && !lua_getmetatable(L, -1))
             api_add_namespace(L, table);
         lua_settop(L, top);

@@ -78,16 +78,6 @@ void lualib_check_metatables(lua_State *L)
     lua_pop(L, 1);
 }
 
-static void open_metatables(lua_State *L)
-{
-    lua_newtable(L);
-    lua_createtable(L, 0, 1);
-    lua_pushliteral(L, "k");
-    lua_setfield(L, -2, "__mode");
-    lua_setmetatable(L, -2);
-    lua_rawsetp(L, LUA_REGISTRYINDEX, &metatables_key);
-}
-
 void lualib_seal(lua_State *L)
 {
     lua_createtable(L, 0, 3);
@@ -267,7 +257,12 @@ static void remove_unlisted(lua_State *L, const char *list)
 void lualib_open(lua_State *L)
 {
     luaL_checkstack(L, 8, NULL);
-    open_metatables(L);
+    lua_newtable(L);
+    lua_createtable(L, 0, 1);
+    lua_pushliteral(L, "k");
+    lua_setfield(L, -2, "__mode");
+    lua_setmetatable(L, -2);
+    lua_rawsetp(L, LUA_REGISTRYINDEX, &metatables_key);
     for (size_t i = 0; i < COUNT(libraries); i++) {
         luaL_requiref(L, libraries[i].name[0] ? libraries[i].name : LUA_GNAME, libraries[i].open_stock, 1);
         remove_unlisted(L, libraries[i].retained);
