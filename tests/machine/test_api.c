@@ -363,7 +363,7 @@ static void push_ranged(lua_State *L, const struct api_param *p, bool whole)
 
 static void push_hit(lua_State *L, bool share)
 {
-    const struct api_param p = { "hit", A_FX, REQ, 0, share ? 1 : MAX_SPEED, NULL, NULL, NULL };
+    const struct api_param p = PARAM("hit", A_FX, REQ, 0, share ? 1 : MAX_SPEED, NULL, NULL, NULL);
 
     if (one_in(4)) {
         lua_pushliteral(L, "none");
@@ -591,7 +591,7 @@ static const struct api_param *named_key(const struct api_param *keys, size_t n,
 /* { x, y } */
 static void push_place(lua_State *L)
 {
-    static const struct api_param p = { "x", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, NULL, NULL, NULL };
+    static const struct api_param p = PARAM("x", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, NULL, NULL, NULL);
 
     lua_newtable(L);
     for (lua_Integer i = 1; i <= 2; i++) {
@@ -642,7 +642,7 @@ static void push_emit(lua_State *L)
     lua_pushstring(L, patterns[k][0]);
     lua_setfield(L, -2, "pattern");
     if (one_in(4))
-        set_field(L, &(struct api_param){ "heat", A_FX, OPT, -32768, 32767, NULL, NULL, NULL });
+        set_field(L, &(struct api_param)PARAM("heat", A_FX, OPT, -32768, 32767, NULL, NULL, NULL));
 }
 
 static void push_await(lua_State *L)
@@ -660,7 +660,7 @@ static void push_await(lua_State *L)
 /* A step whose word stands alone. */
 static void push_alone(lua_State *L)
 {
-    static const struct api_param route = { "path", A_ROUTE, OPT, 0, 0, NULL, NULL, NULL };
+    static const struct api_param route = PARAM("path", A_ROUTE, OPT, 0, 0, NULL, NULL, NULL);
 
     lua_newtable(L);
     switch (below(3)) {
@@ -684,26 +684,26 @@ static void push_alone(lua_State *L)
 static void push_steps(lua_State *L, int depth)
 {
     static const struct api_param keys[] = {
-        { "wait", A_COUNT, OPT, 0, 1e9, NULL, NULL, NULL },
-        { "kind", A_BULLET_KIND, OPT, 0, 0, NULL, NULL, NULL },
-        { "bank", A_INT, OPT, 0, 15, NULL, NULL, NULL },
-        { "dir", A_DIR, OPT, 0, 0, NULL, NULL, NULL },
-        { "aim", A_BOOL, OPT, 0, 0, NULL, NULL, NULL },
-        { "turn", A_DIR, OPT, 0, 0, NULL, NULL, NULL },
-        { "home", A_NUM, OPT, 0, 180, NULL, NULL, NULL },
-        { "speed", A_FX, OPT, -MAX_SPEED, MAX_SPEED, NULL, NULL, NULL },
-        { "accel", A_FX, OPT, -MAX_SPEED, MAX_SPEED, NULL, NULL, NULL },
-        { "die", A_BOOL, OPT, 0, 0, NULL, NULL, NULL },
-        { "go_to", A_TABLE, OPT, 0, 0, NULL, NULL, NULL },
-        { "polar", A_FX, OPT, -MAX_SPEED, MAX_SPEED, NULL, NULL, NULL },
-        { "wave", A_FX, OPT, -MAX_SPEED, MAX_SPEED, NULL, NULL, NULL },
-        { "orbit", A_FX, OPT, 0, MAX_SPEED, NULL, NULL, NULL },
-        { "spin", A_DIR, OPT, 0, 0, NULL, NULL, NULL },
-        { "at", A_TABLE, OPT, 0, 0, NULL, NULL, NULL },
-        { "every", A_INT, OPT, 1, 65535, NULL, NULL, NULL },
-        { "phase", A_DIR, OPT, 0, 0, NULL, NULL, NULL },
-        { "radius_to", A_FX, OPT, 0, MAX_SPEED, NULL, NULL, NULL },
-        { "ease", A_EASE, OPT, 0, 0, NULL, NULL, NULL },
+        PARAM("wait", A_COUNT, OPT, 0, 1e9, NULL, NULL, NULL),
+        PARAM("kind", A_BULLET_KIND, OPT, 0, 0, NULL, NULL, NULL),
+        PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL, NULL),
+        PARAM("dir", A_DIR, OPT, 0, 0, NULL, NULL, NULL),
+        PARAM("aim", A_BOOL, OPT, 0, 0, NULL, NULL, NULL),
+        PARAM("turn", A_DIR, OPT, 0, 0, NULL, NULL, NULL),
+        PARAM("home", A_NUM, OPT, 0, 180, NULL, NULL, NULL),
+        PARAM("speed", A_FX, OPT, -MAX_SPEED, MAX_SPEED, NULL, NULL, NULL),
+        PARAM("accel", A_FX, OPT, -MAX_SPEED, MAX_SPEED, NULL, NULL, NULL),
+        PARAM("die", A_BOOL, OPT, 0, 0, NULL, NULL, NULL),
+        PARAM("go_to", A_TABLE, OPT, 0, 0, NULL, NULL, NULL),
+        PARAM("polar", A_FX, OPT, -MAX_SPEED, MAX_SPEED, NULL, NULL, NULL),
+        PARAM("wave", A_FX, OPT, -MAX_SPEED, MAX_SPEED, NULL, NULL, NULL),
+        PARAM("orbit", A_FX, OPT, 0, MAX_SPEED, NULL, NULL, NULL),
+        PARAM("spin", A_DIR, OPT, 0, 0, NULL, NULL, NULL),
+        PARAM("at", A_TABLE, OPT, 0, 0, NULL, NULL, NULL),
+        PARAM("every", A_INT, OPT, 1, 65535, NULL, NULL, NULL),
+        PARAM("phase", A_DIR, OPT, 0, 0, NULL, NULL, NULL),
+        PARAM("radius_to", A_FX, OPT, 0, MAX_SPEED, NULL, NULL, NULL),
+        PARAM("ease", A_EASE, OPT, 0, 0, NULL, NULL, NULL),
     };
     static const struct {
         const char *with, *word;
@@ -751,7 +751,7 @@ struct tally {
     int good, faults;
 };
 
-static const struct api_prop *prop; /* or being read and written */
+static const struct api_param *prop; /* or being read and written */
 static enum handle_kind prop_kind;
 static bool returned;
 
@@ -808,7 +808,7 @@ static int push_arguments(lua_State *L, const struct api_entry *e)
         }
     }
     if (e->flags & (API_PATTERN | API_TAKES_VALUES) && one_in(6)) {
-        static const struct api_param heat = { "heat", A_FX, OPT, -32768, 32767, NULL, NULL, NULL };
+        static const struct api_param heat = PARAM("heat", A_FX, OPT, -32768, 32767, NULL, NULL, NULL);
         push_value(L, &heat);
         lua_setfield(L, -2, one_in(6) ? "mood" : one_in(2) ? "heat" : "goal");
     }
@@ -870,13 +870,13 @@ static int use_property(lua_State *L)
     luaL_checkstack(L, 100, NULL);
     push_thing(L, 1u << prop_kind);
     if (one_in(3)) {
-        lua_getfield(L, -1, prop->param.name);
+        lua_getfield(L, -1, prop->name);
         lua_pop(L, 1);
     } else {
-        push_value(L, &prop->param);
-        lua_setfield(L, -2, prop->param.name);
+        push_value(L, prop);
+        lua_setfield(L, -2, prop->name);
     }
-    lua_getfield(L, -1, prop->param.name);
+    lua_getfield(L, -1, prop->name);
     return done(L, LUA_OK, 0);
 }
 
@@ -970,9 +970,9 @@ static void test_properties(void **state)
             prop = &api_table.things[k]->props[i];
             prop_kind = (enum handle_kind)k;
             for (int n = trials(60); n--;)
-                try_once(prop->param.name, false, &t);
+                try_once(prop->name, false, &t);
             if (!t.good && !handle_kind_is_group((enum handle_kind)k))
-                fail_msg("%s.%s never worked", api_table.things[k]->name, prop->param.name);
+                fail_msg("%s.%s never worked", api_table.things[k]->name, prop->name);
         }
 }
 

@@ -874,13 +874,13 @@ static void test_faults(void **state)
     fault("laser.curve { kind = 'ray', x = 1, y = 1, speed = 1 }.length = 3",
           "laser: length: cannot be set on a curve (`points` sets its length)");
     for (int i = 0; i < api_table.things[H_LASER]->n; i++) {
-        const struct api_prop *p = &api_table.things[H_LASER]->props[i];
+        const struct api_param *p = &api_table.things[H_LASER]->props[i];
         char text[200], want[100];
-        if (p->access == PROP_WRITE)
+        if (p->access & PROP_WRITE)
             continue;
         snprintf(text, sizeof text,
-                 "local l = laser.bolt { kind = 'ray', x = 1, y = 1, speed = 1, length = 9 } l.%s = 1", p->param.name);
-        snprintf(want, sizeof want, "laser: %s is read-only", p->param.name);
+                 "local l = laser.bolt { kind = 'ray', x = 1, y = 1, speed = 1, length = 9 } l.%s = 1", p->name);
+        snprintf(want, sizeof want, "laser: %s is read-only", p->name);
         fault(text, want);
     }
     fault("pattern.stack { kind = 'ray', fire = 'beam', x = 1, y = 1, n = 3, speed_to = 3, length = 9, hold = 1 }",

@@ -82,9 +82,9 @@ static void test_read_only(void **state)
         if (!made[k]) /* what is of backgrounds has nothing that is read only */
             continue;
         for (int i = -1; i < t->n; i++) {
-            const char *name = i < 0 ? "alive" : t->props[i].param.name;
+            const char *name = i < 0 ? "alive" : t->props[i].name;
             if (i < 0 ? k == H_MOTION || k == H_LAYER || k == H_PLANE || handle_kind_is_group((enum handle_kind)k)
-                      : t->props[i].access == PROP_WRITE)
+                      : t->props[i].access & PROP_WRITE)
                 continue;
             snprintf(text, sizeof text, "wait(2) local t = %s t.%s = 1", made[k], name);
             snprintf(want, sizeof want, "main.lua:2: %s: %s is read-only", t->name, name);

@@ -85,7 +85,7 @@ static int count_property(lua_State *L)
         return 0;
     const struct api_thing *t = api_table.things[handle_kind(h)];
     for (int i = 0; i < t->n && i < PROPS; i++)
-        if (!strcmp(t->props[i].param.name, name))
+        if (!strcmp(t->props[i].name, name))
             of[handle_kind(h)][i]++;
     return 0;
 }
@@ -458,14 +458,14 @@ static void test_properties(void **state)
     (void)state;
     for (int k = 1; k < HANDLE_KINDS; k++)
         for (int i = 0; i < api_table.things[k]->n; i++) {
-            const struct api_prop *p = &api_table.things[k]->props[i];
-            snprintf(name, sizeof name, "%s.%s", api_table.things[k]->name, p->param.name);
+            const struct api_param *p = &api_table.things[k]->props[i];
+            snprintf(name, sizeof name, "%s.%s", api_table.things[k]->name, p->name);
             if (!strcmp(name, "sprite.blend") || k == H_BULLETML) /* the ROM has none: test_blend.c, test_bulletml.c */
                 continue;
             if (!reads[k][i] &&
-                !(handle_kind_is_group((enum handle_kind)k) && strcmp(p->param.name, "count"))) /* groups are written */
+                !(handle_kind_is_group((enum handle_kind)k) && strcmp(p->name, "count"))) /* groups are written */
                 append(missing, sizeof missing, name, " (read)");
-            if (!writes[k][i] && p->access == PROP_WRITE)
+            if (!writes[k][i] && p->access & PROP_WRITE)
                 append(missing, sizeof missing, name, " (write)");
         }
     if (missing[0])

@@ -225,12 +225,12 @@ static bool quoted(const char *text, char *out, size_t size)
     return n > 0;
 }
 
-void annotation_property(const struct api_prop *p, char *out, size_t size)
+void annotation_property(const struct api_param *p, char *out, size_t size)
 {
     const struct api_entry none = { .name = "", .help = "" };
 
-    if (p->param.type != A_STR || p->access == PROP_WRITE || !quoted(p->param.help, out, size))
-        annotation_type(&none, &p->param, out, size);
+    if (p->type != A_STR || p->access & PROP_WRITE || !quoted(p->help, out, size))
+        annotation_type(&none, p, out, size);
 }
 
 /* ---- what functions return ---- */

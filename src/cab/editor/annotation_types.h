@@ -15,7 +15,7 @@ void annotation_aliases(struct prose *to);
 void annotation_type(const struct api_entry *e, const struct api_param *p, char *out, size_t size);
 
 /* The type of a property as it is read. */
-void annotation_property(const struct api_prop *p, char *out, size_t size);
+void annotation_property(const struct api_param *p, char *out, size_t size);
 
 /* What a function returns, `words` being what the table says: adds a line ---@return for each value. */
 void annotation_returns(struct prose *to, const char *words);

@@ -177,15 +177,15 @@ static void function(struct prose *to, const struct api_entry *e, const char *ow
 
 /* ---- handles ---- */
 
-static void property(struct prose *to, const struct api_prop *p)
+static void property(struct prose *to, const struct api_param *p)
 {
     char type[TYPE_SIZE], words[WORDS_SIZE];
-    const bool nil = strstr(p->param.help, "nil") != NULL, read = p->access != PROP_WRITE;
+    const bool nil = strstr(p->help, "nil") != NULL, read = !(p->access & PROP_WRITE);
 
     annotation_property(p, type, sizeof type);
     help_property_words(p, words, sizeof words);
-    prose_add(to, "---@field %s%s %s # %s%s [%s]\n", p->param.name, nil ? "?" : "", type, read ? "read-only: " : "",
-              p->param.help, words);
+    prose_add(to, "---@field %s%s %s # %s%s [%s]\n", p->name, nil ? "?" : "", type, read ? "read-only: " : "", p->help,
+              words);
 }
 
 static void handle(struct prose *to, enum handle_kind kind)

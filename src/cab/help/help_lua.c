@@ -227,14 +227,14 @@ static bool help_values(const char *name, size_t n, void (*line)(const char *))
     return any;
 }
 
-void help_property_words(const struct api_prop *p, char *out, size_t size)
+void help_property_words(const struct api_param *p, char *out, size_t size)
 {
-    struct api_param value = p->param;
+    struct api_param value = *p;
 
     value.optional = OPT;
     if (value.type == A_THING)
         thing_words((unsigned)value.lo, out, size);
-    else if (p->access != PROP_WRITE) /* its range is what a write takes */
+    else if (!(p->access & PROP_WRITE)) /* its range is what a write takes */
         snprintf(out, size, "%s", type_words(&value));
     else
         help_argument_words(&value, out, size);
@@ -250,10 +250,10 @@ static bool help_thing(int kind, void (*line)(const char *))
     if (api_can_die((enum handle_kind)kind))
         line("    alive      read  true while it exists");
     for (int i = 0; i < t->n; i++) {
-        const struct api_prop *p = &t->props[i];
+        const struct api_param *p = &t->props[i];
         help_property_words(p, words, sizeof words);
-        snprintf(text, sizeof text, "    %-10s %-5s %s [%s]", p->param.name, p->access == PROP_WRITE ? "write" : "read",
-                 p->param.help, words);
+        snprintf(text, sizeof text, "    %-10s %-5s %s [%s]", p->name, p->access & PROP_WRITE ? "write" : "read",
+                 p->help, words);
         help_wrapped(text, HELP_PROPERTY, line);
     }
     return true;

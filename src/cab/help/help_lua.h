@@ -17,7 +17,7 @@ const char *help_nearest(const char *name);
 void help_argument_words(const struct api_param *p, char *out, size_t size);
 
 /* The same of a property: what it reads as, with the range of what is written to it. */
-void help_property_words(const struct api_prop *p, char *out, size_t size);
+void help_property_words(const struct api_param *p, char *out, size_t size);
 
 /* Parts of the help: a line, wrapped, its later lines indented; an argument; an entry with its arguments or (not whole)
  * on a line. */

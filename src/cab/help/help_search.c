@@ -130,14 +130,13 @@ static bool search_properties(const char *word, enum rank rank, void (*line)(con
 
     for (int kind = 1; kind < HANDLE_KINDS; kind++)
         for (int i = 0; i < api_table.things[kind]->n; i++) {
-            const struct api_prop *p = &api_table.things[kind]->props[i];
-            if (rank_of(p->param.name, p->param.help, word) != rank)
+            const struct api_param *p = &api_table.things[kind]->props[i];
+            if (rank_of(p->name, p->help, word) != rank)
                 continue;
             if (rank == RANK_NAME)
-                snprintf(text, sizeof text, "property of %s: %s", api_thing_names[kind], p->param.help);
+                snprintf(text, sizeof text, "property of %s: %s", api_thing_names[kind], p->help);
             else
-                snprintf(text, sizeof text, "property %s of %s: %s", p->param.name, api_thing_names[kind],
-                         p->param.help);
+                snprintf(text, sizeof text, "property %s of %s: %s", p->name, api_thing_names[kind], p->help);
             help_wrapped(text, 4, line);
             any = true;
         }

@@ -15,89 +15,52 @@ static const char lines_entry[] = "bg.lines", fog_entry[] = "plane: fog";
 
 /* ---- shared by layers and the plane ---- */
 
-enum { P_MAP, P_X, P_Y, P_VX, P_VY, P_LAYER, P_BANK, P_BLEND, P_HIDDEN, SHARED_PROP_COUNT };
-
 #define SHARED_PROPS                                                                                                   \
-    { OPTIONAL("map", A_MAP, "name of its map in rom.lua; nil turns it off"), PROP_WRITE, COMPUTED },                  \
-        { COORDINATE(                                                                                                  \
-              "x", A_FX, REQ,                                                                                          \
-              "left edge of a layer's map in the field, or position of a plane's eye over the map; increases by "      \
-              "`vx` every frame"),                                                                                     \
-          PROP_WRITE, STORED(STORED_Q16, bg.x) },                                                                      \
-        { COORDINATE(                                                                                                  \
-              "y", A_FX, REQ,                                                                                          \
-              "top edge of a layer's map in the field, or position of a plane's eye over the map; increases by "       \
-              "`vy` every frame"),                                                                                     \
-          PROP_WRITE, STORED(STORED_Q16, bg.y) },                                                                      \
-        { SPEED("vx", A_FX, REQ, "speed to the right"), PROP_WRITE, STORED(STORED_FX, bg.vx) },                        \
-        { SPEED("vy", A_FX, REQ, "speed down"), PROP_WRITE, STORED(STORED_FX, bg.vy) },                                \
-        { REQUIRED("layer", A_DEPTH,                                                                                   \
-                   "drawing order; `back` is behind all things, and `front` is in front of all sprites"),              \
-          PROP_WRITE, COMPUTED },                                                                                      \
-        { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of the tiles"), PROP_WRITE,   \
-          STORED(STORED_U8, bg.bank) },                                                                                \
-        { OPTIONAL("blend", A_BLEND, "blend it is drawn with, or nil"), PROP_WRITE, COMPUTED },                        \
-    {                                                                                                                  \
-        REQUIRED("hidden", A_BOOL, "true if not drawn; it still moves"), PROP_WRITE, FLAG_OF(bg.flags, BG_HIDDEN)      \
-    }
-
-static void get_layer(lua_State *L, struct board *b, uint32_t i, int p)
-{
-    const struct bg *g = &b->bg;
-    const int blend = (g->flags[i] & BG_BLEND) / BG_BLEND_ONE;
-
-    if (p == P_MAP)
-        lua_pushstring(L, g->map[i] ? cart_name(&b->cart, CART_MAPS, g->map[i] - 1) : NULL);
-    else if (p == P_BLEND)
-        lua_pushstring(L, blend ? cart_name(&b->cart, CART_BLENDS, blend - 1) : NULL);
-    else
-        lua_pushstring(L, g->flags[i] & BG_FRONT ? "front" : "back");
-}
-
-static void set_layer(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
-{
-    struct bg *g = &b->bg;
-
-    (void)L;
-    if (p == P_MAP)
-        g->map[i] = (uint16_t)v->i;
-    else if (p == P_BLEND)
-        g->flags[i] = (uint8_t)((g->flags[i] & ~BG_BLEND) | v->i * BG_BLEND_ONE);
-    else
-        g->flags[i] = (uint8_t)(v->i ? g->flags[i] | BG_FRONT : g->flags[i] & ~BG_FRONT);
-}
+    OPTIONAL("map", A_MAP, "name of its map in rom.lua; nil turns it off", STORED(bg.map), WRITABLE),                  \
+        COORDINATE("x", A_FX, REQ,                                                                                     \
+                   "left edge of a layer's map in the field, or position of a plane's eye over the map; increases by " \
+                   "`vx` every frame",                                                                                 \
+                   STORED(bg.x), WRITABLE),                                                                            \
+        COORDINATE("y", A_FX, REQ,                                                                                     \
+                   "top edge of a layer's map in the field, or position of a plane's eye over the map; increases by "  \
+                   "`vy` every frame",                                                                                 \
+                   STORED(bg.y), WRITABLE),                                                                            \
+        SPEED("vx", A_FX, REQ, "speed to the right", STORED(bg.vx), WRITABLE),                                         \
+        SPEED("vy", A_FX, REQ, "speed down", STORED(bg.vy), WRITABLE),                                                 \
+        REQUIRED("layer", A_DEPTH,                                                                                     \
+                 "drawing order; `back` is behind all things, and `front` is in front of all sprites",                 \
+                 BITS_OF(bg.flags, BG_FRONT), WRITABLE),                                                               \
+        PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of the tiles", STORED(bg.bank), \
+              WRITABLE),                                                                                               \
+        OPTIONAL("blend", A_BLEND, "blend it is drawn with, or nil", BITS_OF(bg.flags, BG_BLEND), WRITABLE),           \
+        REQUIRED("hidden", A_BOOL, "true if not drawn; it still moves", BITS_OF(bg.flags, BG_HIDDEN), WRITABLE)
 
 /* ---- layers ---- */
 
-enum { P_WRAP = SHARED_PROP_COUNT, LAYER_PROP_COUNT };
-
-static const struct api_prop layer_props[LAYER_PROP_COUNT] = {
+static const struct api_param layer_props[] = {
     SHARED_PROPS,
-    { REQUIRED("wrap", A_BOOL, "true if its map repeats in all directions"), PROP_WRITE, FLAG_OF(bg.flags, BG_WRAP) },
+    REQUIRED("wrap", A_BOOL, "true if its map repeats in all directions", BITS_OF(bg.flags, BG_WRAP), WRITABLE),
 };
 
-const struct api_thing api_layer_thing = { "layer", layer_props, LAYER_PROP_COUNT, .get = get_layer, .set = set_layer };
+const struct api_thing api_layer_thing = { .name = "layer", PARAMS(layer_props) };
 
 /* ---- the plane ---- */
 
-enum { P_HORIZON = SHARED_PROP_COUNT, P_HEIGHT, P_DIR, P_CEILING, P_FOG, PLANE_PROP_COUNT };
 enum { FOG_COLOUR, FOG_END, FOG_PARAM_COUNT };
 
-static const struct api_prop plane_props[PLANE_PROP_COUNT] = {
+static const struct api_param plane_props[] = {
     SHARED_PROPS,
-    { PARAM("horizon", A_INT, REQ, -1024, 1024, "px", NULL, "distance of the horizon from the top of the field"),
-      PROP_WRITE, STORED(STORED_I16, bg.horizon) },
-    { PARAM("height", A_FX, REQ, 1, 1024, "px", NULL, "height of the eye above the plane"), PROP_WRITE,
-      STORED(STORED_FX, bg.height) },
-    { REQUIRED("dir", A_DIR, "direction in which the eye looks; 270 is up the map"), PROP_WRITE,
-      STORED(STORED_ANG, bg.dir) },
-    { REQUIRED("ceiling", A_BOOL, "true for a ceiling above the horizon instead of a floor below it"), PROP_WRITE,
-      FLAG_OF(bg.flags, BG_CEILING) },
-    { OPTIONAL(
-          "fog", A_TABLE,
-          "{ to = 0xRRGGBB, far = px }: colour that the plane fades to with distance, and the distance at which only "
-          "that colour is left; nil for no fog"),
-      PROP_WRITE, COMPUTED },
+    PARAM("horizon", A_INT, REQ, -1024, 1024, "px", NULL, "distance of the horizon from the top of the field",
+          STORED(bg.horizon), WRITABLE),
+    PARAM("height", A_FX, REQ, 1, 1024, "px", NULL, "height of the eye above the plane", STORED(bg.height), WRITABLE),
+    REQUIRED("dir", A_DIR, "direction in which the eye looks; 270 is up the map", STORED(bg.dir), WRITABLE),
+    REQUIRED("ceiling", A_BOOL, "true for a ceiling above the horizon instead of a floor below it",
+             BITS_OF(bg.flags, BG_CEILING), WRITABLE),
+    OPTIONAL(
+        "fog", A_TABLE,
+        "{ to = 0xRRGGBB, far = px }: colour that the plane fades to with distance, and the distance at which only "
+        "that colour is left; nil for no fog",
+        SETTER),
 };
 
 static const struct api_param fog_params[FOG_PARAM_COUNT] = {
@@ -105,8 +68,11 @@ static const struct api_param fog_params[FOG_PARAM_COUNT] = {
     PARAM("far", A_FX, REQ, 1, WORLD_EDGE, "px", NULL, ""),
 };
 
-static void push_fog(lua_State *L, const struct bg *g)
+static void push_fog(lua_State *L, struct board *b, uint32_t i, int p)
 {
+    const struct bg *g = &b->bg;
+
+    (void)i, (void)p;
     if (g->fog[BG_PLANE] == BG_NO_FOG) {
         lua_pushnil(L);
         return;
@@ -116,14 +82,6 @@ static void push_fog(lua_State *L, const struct bg *g)
     lua_setfield(L, -2, "to");
     lua_pushnumber(L, fx_to_double(g->fog_end[BG_PLANE]));
     lua_setfield(L, -2, "far");
-}
-
-static void get_plane(lua_State *L, struct board *b, uint32_t i, int p)
-{
-    if (p == P_FOG)
-        push_fog(L, &b->bg);
-    else
-        get_layer(L, b, i, p);
 }
 
 /* Builds the tables of shades at offset `at` for a fade to the colour `colour`. */
@@ -152,9 +110,10 @@ void api_bg_rebuild_shades(lua_State *L, struct board *b, bool changed)
         build_shades(b, BG_BLACK_OFFSET, 0);
 }
 
-static void set_fog(lua_State *L, struct board *b, const struct api_value *v)
+static void set_fog(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
 {
     struct api_value f[FOG_PARAM_COUNT];
+    (void)i, (void)p;
 
     if (!v->given) {
         b->bg.fog[BG_PLANE] = BG_NO_FOG;
@@ -169,15 +128,7 @@ static void set_fog(lua_State *L, struct board *b, const struct api_value *v)
     b->bg.fog_end[BG_PLANE] = f[FOG_END].f;
 }
 
-static void set_plane(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
-{
-    if (p == P_FOG)
-        set_fog(L, b, v);
-    else
-        set_layer(L, b, i, p, v);
-}
-
-const struct api_thing api_plane_thing = { "plane", plane_props, PLANE_PROP_COUNT, .get = get_plane, .set = set_plane };
+const struct api_thing api_plane_thing = { "plane", PARAMS(plane_props), .get = push_fog, .set = set_fog };
 
 /* ---- bg.layer, bg.plane, bg.lines ---- */
 
@@ -225,7 +176,7 @@ static uint32_t read_line_offsets(lua_State *L, int at, fx *offsets, uint32_t ca
         api_error(L, lines_entry, "expected at most %d lines (the height of the field), got %d", (int)capacity, (int)n);
     vm_charge(L, n);
     for (uint32_t k = 0; k < n; k++) {
-        struct api_param p = { name, A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, NULL };
+        struct api_param p = COORDINATE(name, A_FX, REQ, NULL);
         struct api_value v = { 0 };
         lua_rawgeti(L, at, (lua_Integer)k + 1);
         snprintf(name, sizeof name, "line %d", (int)k + 1);

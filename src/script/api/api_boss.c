@@ -272,8 +272,8 @@ static void set_default_cut_in(struct boss_reader *r, int at, const char *id)
 /* Replaces the phase on top of the stack, element i of `phases`, with the checked phase. */
 static void read_phase(struct boss_reader *r, int i)
 {
-    static const struct api_param hp = { "hp", A_INT, REQ, 1, INT32_MAX, NULL, NULL, NULL },
-                                  run = { "run", A_FUNC, REQ, 0, 0, NULL, NULL, NULL };
+    static const struct api_param hp = PARAM("hp", A_INT, REQ, 1, INT32_MAX, NULL, NULL, NULL),
+                                  run = REQUIRED("run", A_FUNC, NULL);
     lua_State *L = r->L;
     const int at = lua_gettop(L);
 

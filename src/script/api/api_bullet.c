@@ -9,66 +9,79 @@
 
 /* ---- kinds ---- */
 
-/* Indices shared by bullet_def_params and shot_def_params. */
-enum { D_NAME, D_SPRITE, D_HIT, D_BANK, D_GRAZE, D_DAMAGE = D_GRAZE, D_TURNS, D_SWEPT, D_BLEND, D_SPIN, D_ORDER };
-
-/* Indices of bullet_def_params only. */
-enum { D_CLOUD = D_ORDER + 1, D_VANISH, D_CLEARABLE, D_HP, D_SCORE, D_SPARK, D_ON_DEATH, D_DROPS, D_HARMLESS };
-
-/* Indices of shot_def_params only. */
-enum { D_CANCELS = D_ORDER + 1, D_PIERCE, D_EVERY };
+/* Indices shared by bullet_def_params and shot_def_params, of bullet_def_params only, and of shot_def_params only. */
+enum { D_NAME, D_SPRITE, D_HIT, D_SPIN = 8 };
+enum { D_CLOUD = 10, D_CLEARABLE = 12, D_HP, D_SCORE, D_DROPS = 17 };
+enum { D_PIERCE = 11, D_EVERY };
 
 enum { MAX_ORDER = 100 };
 
 static const char hp_disabled[] = "bullet hp is disabled; add `hp = true` to `board` in rom.lua";
 
 /* Parameters of bullet.def and shot.def. */
-#define KIND_SHAPE_PARAMS                                                                                              \
+#define KIND_SHAPE_PARAMS(kinds)                                                                                       \
     REQUIRED("name", A_STR, "name of the kind, used as `kind = NAME`; must be new"),                                   \
-        REQUIRED("sprite", A_SPRITE, "sprite to draw"),                                                                \
+        REQUIRED("sprite", A_SPRITE, "sprite to draw", STORED(kinds.sprite)),                                          \
         PARAM("hit", A_HIT_SHAPE, REQ, HIT_BULLETS, 0, NULL, NULL,                                                     \
               "hitbox, relative to the thing's position; \"none\" never hits"),                                        \
-        PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of its sprite")
-#define KIND_FLIGHT_PARAMS                                                                                             \
+        PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of its sprite",                  \
+              STORED(kinds.bank))
+#define KIND_FLIGHT_PARAMS(kinds)                                                                                      \
     DEFAULT("turns", A_BOOL, "false",                                                                                  \
-            "rotate the sprite to the direction of flight; the sprite needs `rotations` in rom.lua"),                  \
+            "rotate the sprite to the direction of flight; the sprite needs `rotations` in rom.lua",                   \
+            BITS_OF(kinds.flags, KIND_TURNS)),                                                                         \
         DEFAULT(                                                                                                       \
             "swept", A_BOOL, "true",                                                                                   \
             "check the entire path flown in each frame for hits; if false, check only the position at the end of the " \
-            "frame"),                                                                                                  \
-        OPTIONAL("blend", A_BLEND, "blend to draw it with, from `blends` in rom.lua; nil draws it opaque"),            \
+            "frame",                                                                                                   \
+            BITS_OF(kinds.flags, KIND_SWEPT)),                                                                         \
+        OPTIONAL("blend", A_BLEND, "blend to draw it with, from `blends` in rom.lua; nil draws it opaque",             \
+                 BITS_OF(kinds.flags, KIND_BLEND)),                                                                    \
         DEFAULT("spin", A_DIR, "0",                                                                                    \
-                "degrees the sprite rotates per frame, clockwise; the sprite needs `rotations` in rom.lua"),           \
-        PARAM("order", A_INT, OPT, -MAX_ORDER, MAX_ORDER, NULL, "0", "drawing order; higher is drawn over lower")
+                "degrees the sprite rotates per frame, clockwise; the sprite needs `rotations` in rom.lua",            \
+                STORED(kinds.spin)),                                                                                   \
+        PARAM("order", A_INT, OPT, -MAX_ORDER, MAX_ORDER, NULL, "0", "drawing order; higher is drawn over lower",      \
+              STORED(kinds.draw_order))
 
 static const struct api_param bullet_def_params[] = {
-    KIND_SHAPE_PARAMS,
-    DEFAULT("graze", A_BOOL, "true", "whether players can graze it"),
-    KIND_FLIGHT_PARAMS,
-    OPTIONAL("cloud", A_SPRITE, "sprite shown instead of `sprite` during the bullet's delay; nil keeps `sprite`"),
+    KIND_SHAPE_PARAMS(bullet_kinds),
+    DEFAULT("graze", A_BOOL, "true", "whether players can graze it", BITS_OF(bullet_kinds.flags, KIND_GRAZE)),
+    KIND_FLIGHT_PARAMS(bullet_kinds),
+    [D_CLOUD] =
+        OPTIONAL("cloud", A_SPRITE, "sprite shown instead of `sprite` during the bullet's delay; nil keeps `sprite`"),
     OPTIONAL("vanish", A_SPARK_KIND,
              "kind of spark left when the bullet is cleared, unless the call that clears it names another kind; nil "
-             "leaves none"),
-    DEFAULT("clearable", A_BOOL, "true", "whether it can be cleared without `all = true`"),
+             "leaves none",
+             STORED(bullet_kinds.vanish_spark)),
+    [D_CLEARABLE] = DEFAULT("clearable", A_BOOL, "true", "whether it can be cleared without `all = true`"),
     PARAM("hp", A_COUNT, OPT, 1, INT32_MAX, NULL, NULL,
-          "damage it takes from shots before it is destroyed; without `hp`, shots pass through it"),
-    PARAM("score", A_INT, OPT, 0, 1e12, "points", "0", "points for the player who destroys it; needs `hp`"),
-    OPTIONAL("spark", A_SPARK_KIND, "kind of spark left when the bullet's hp runs out; needs `hp`"),
+          "damage it takes from shots before it is destroyed; without `hp`, shots pass through it",
+          STORED(bullet_kinds.hp)),
+    PARAM("score", A_INT, OPT, 0, 1e12, "points", "0", "points for the player who destroys it; needs `hp`",
+          STORED(bullet_kinds.score)),
+    OPTIONAL("spark", A_SPARK_KIND, "kind of spark left when the bullet's hp runs out; needs `hp`",
+             STORED(bullet_kinds.spark)),
     OPTIONAL("on_death", A_FUNC,
-             "on_death(b, p): called with the bullet and the player whose shot destroyed it; p may be nil; needs `hp`"),
-    OPTIONAL("drops", A_TABLE, "items dropped when the bullet's hp runs out, { NAME = count }; needs `hp`"),
-    DEFAULT("harmless", A_BOOL, "false", "if true, it can't hit players or be grazed"),
+             "on_death(b, p): called with the bullet and the player whose shot destroyed it; p may be nil; needs `hp`",
+             PROPERTY("bullet's on_death")),
+    [D_DROPS] = OPTIONAL("drops", A_TABLE, "items dropped when the bullet's hp runs out, { NAME = count }; needs `hp`"),
+    DEFAULT("harmless", A_BOOL, "false", "if true, it can't hit players or be grazed",
+            BITS_OF(bullet_kinds.flags, KIND_HARMLESS)),
 };
 
 static const struct api_param shot_def_params[] = {
-    KIND_SHAPE_PARAMS,
-    PARAM("damage", A_INT, OPT, 0, 1000000, "hp", "1", "damage to each enemy or bullet it hits"),
-    KIND_FLIGHT_PARAMS,
+    KIND_SHAPE_PARAMS(shot_kinds),
+    PARAM("damage", A_INT, OPT, 0, 1000000, "hp", "1", "damage to each enemy or bullet it hits",
+          STORED(shot_kinds.damage)),
+    KIND_FLIGHT_PARAMS(shot_kinds),
     DEFAULT(
         "cancels", A_BOOL, "false",
-        "whether it removes one clearable bullet that it touches; a bullet with `hp` takes the shot's damage instead"),
-    PARAM("pierce", A_COUNT, OPT, 0, 1000000, NULL, "0",
-          "number of hits that the shot survives; the next hit removes it; with forever, no hit removes it"),
+        "whether it removes one clearable bullet that it touches; a bullet with `hp` takes the shot's damage instead",
+        BITS_OF(shot_kinds.flags, KIND_CANCELS)),
+    [D_PIERCE] =
+        PARAM("pierce", A_COUNT, OPT, 0, 1000000, NULL, "0",
+              "number of hits that the shot survives; the next hit removes it; with forever, no hit removes it",
+              STORED(shot_kinds.pierce_hits)),
     PARAM("every", A_COUNT, OPT, 1, 1000000, "frames", NULL,
           "frames before the shot can hit the same target again; defaults to 6; needs `pierce`"),
 };
@@ -107,12 +120,7 @@ static int define_kind(lua_State *L, struct bullet_kinds *k, enum name_kind name
     const struct shape_columns columns = { k->shape, k->a, k->b, k->x, k->y };
     int32_t i = api_declare_kind(L, entry, &k->s, &columns, &shape);
     api_names_declare(L, names, entry, lua_tostring(L, v[D_NAME].at), i);
-    k->sprite[i] = (uint16_t)v[D_SPRITE].i;
-    k->bank[i] = (uint8_t)v[D_BANK].i;
-    k->spin[i] = v[D_SPIN].a;
-    k->draw_order[i] = (int8_t)v[D_ORDER].i;
-    k->flags[i] =
-        (uint16_t)((v[D_TURNS].i ? KIND_TURNS : 0) | (v[D_SWEPT].i ? KIND_SWEPT : 0) | v[D_BLEND].i * KIND_BLEND_ONE);
+    api_store_arguments(L, vm_board(L), i, v);
     return i;
 }
 
@@ -128,14 +136,10 @@ static void define_hp(lua_State *L, struct board *b, int i, const struct api_val
         return;
     if (!k->hp)
         api_error(L, "bullet.def", "hp: %s", hp_disabled);
-    k->hp[i] = api_to_count(&v[D_HP]);
-    k->score[i] = v[D_SCORE].i;
-    k->spark[i] = v[D_SPARK].given ? (uint16_t)(v[D_SPARK].i + 1) : 0;
     if (v[D_DROPS].given) {
         api_push_folded_drops(L, "bullet.def", v[D_DROPS].at);
         events_set_property(L, (uint16_t)i, "bullet's drops");
     }
-    api_store_property(L, i, "bullet's on_death", &v[D_ON_DEATH]);
 }
 
 static int bullet_define(lua_State *L, struct board *b, struct api_value *v)
@@ -145,13 +149,8 @@ static int bullet_define(lua_State *L, struct board *b, struct api_value *v)
         declare_cloud(L, &b->bullet_kinds);
     int i = define_kind(L, &b->bullet_kinds, N_BULLET, "bullet.def", v);
 
-    if (v[D_GRAZE].i)
-        b->bullet_kinds.flags[i] |= KIND_GRAZE;
     if (!v[D_CLEARABLE].i)
         b->bullet_kinds.flags[i] |= KIND_FIXED;
-    if (v[D_HARMLESS].i)
-        b->bullet_kinds.flags[i] |= KIND_HARMLESS;
-    b->bullet_kinds.vanish_spark[i] = v[D_VANISH].given ? (uint16_t)(v[D_VANISH].i + 1) : 0;
     define_hp(L, b, i, v);
     if (v[D_CLOUD].given)
         set_cloud(&b->bullet_kinds, i, (uint16_t)v[D_CLOUD].i);
@@ -168,20 +167,13 @@ static void define_pierce(lua_State *L, struct bullet_kinds *k, int i, const str
                   "piercing is disabled; add `pierce = true` to `board`");
     if (v[D_EVERY].given && !v[D_PIERCE].i)
         api_error(L, "shot.def", "every: requires `pierce`");
-    if (!k->pierce_hits)
-        return;
-    k->pierce_hits[i] = api_to_count(&v[D_PIERCE]);
-    k->rehit_interval[i] = v[D_EVERY].given ? api_to_count(&v[D_EVERY]) : DEFAULT_REHIT_INTERVAL;
+    if (k->pierce_hits)
+        k->rehit_interval[i] = v[D_EVERY].given ? api_to_count(&v[D_EVERY]) : DEFAULT_REHIT_INTERVAL;
 }
 
 static int shot_define(lua_State *L, struct board *b, struct api_value *v)
 {
-    int i = define_kind(L, &b->shot_kinds, N_SHOT, "shot.def", v);
-
-    b->shot_kinds.damage[i] = (int32_t)v[D_DAMAGE].i;
-    if (v[D_CANCELS].i)
-        b->shot_kinds.flags[i] |= KIND_CANCELS;
-    define_pierce(L, &b->shot_kinds, i, v);
+    define_pierce(L, &b->shot_kinds, define_kind(L, &b->shot_kinds, N_SHOT, "shot.def", v), v);
     return 0;
 }
 
@@ -299,50 +291,36 @@ static const struct api_param bullet_sweep_params[] = {
 /* ---- properties ---- */
 
 #define FLIGHT_PROPS(kind_type, pool)                                                                                  \
-    { COORDINATE("x", A_FX, REQ,                                                                                       \
-                 "horizontal position in the field; a write teleports it, without collisions on the way"),             \
-      PROP_WRITE, COMPUTED },                                                                                          \
-        { COORDINATE("y", A_FX, REQ,                                                                                   \
-                     "vertical position in the field; a write teleports it, without collisions on the way"),           \
-          PROP_WRITE, COMPUTED },                                                                                      \
-        { REQUIRED("dir", A_DIR, "direction of flight, 0 to 360; unchanged at speed 0"), PROP_WRITE,                   \
-          STORED(STORED_ANG, pool.dir), .has_setter = true },                                                          \
-        { SPEED("speed", A_FX, REQ, "speed of flight; if negative, it flies backwards"), PROP_WRITE, COMPUTED },       \
-        { SPEED("vx", A_FX, REQ, "horizontal velocity; a write changes `dir` and `speed`"), PROP_WRITE, COMPUTED },    \
-        { SPEED("vy", A_FX, REQ, "vertical velocity; a write changes `dir` and `speed`"), PROP_WRITE, COMPUTED },      \
-        { REQUIRED("kind", kind_type, "name of its kind; a write also sets `bank` to the bank of the new kind"),       \
-          PROP_WRITE, COMPUTED },                                                                                      \
-        { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of its sprite"), PROP_WRITE,  \
-          STORED(STORED_U8, pool.bank) },                                                                              \
-        { LABEL("tag", OPT, "tag of its group, or nil"), PROP_WRITE, STORED(STORED_TAG, pool.tag) },                   \
-        { OPTIONAL("motion", A_MOTION,                                                                                 \
-                   "motion program it runs, or nil; a write starts the program from its first step"),                  \
-          PROP_WRITE, COMPUTED },                                                                                      \
-        { THING("around", OPT, POSITION_HANDLE_KINDS, "thing that it circles in `orbit` steps, or nil"), PROP_WRITE,   \
-          COMPUTED },                                                                                                  \
-        { REQUIRED("age", A_INT, "frames since it was fired, not counting its delay or frozen frames"), PROP_READ,     \
-          COMPUTED },                                                                                                  \
-    {                                                                                                                  \
+    COORDINATE("x", A_FX, REQ,                                                                                         \
+               "horizontal position in the field; a write teleports it, without collisions on the way", SETTER),       \
+        COORDINATE("y", A_FX, REQ,                                                                                     \
+                   "vertical position in the field; a write teleports it, without collisions on the way", SETTER),     \
+        REQUIRED("dir", A_DIR, "direction of flight, 0 to 360; unchanged at speed 0", STORED(pool.dir), SETTER),       \
+        SPEED("speed", A_FX, REQ, "speed of flight; if negative, it flies backwards", SETTER),                         \
+        SPEED("vx", A_FX, REQ, "horizontal velocity; a write changes `dir` and `speed`", SETTER),                      \
+        SPEED("vy", A_FX, REQ, "vertical velocity; a write changes `dir` and `speed`", SETTER),                        \
+        REQUIRED("kind", kind_type, "name of its kind; a write also sets `bank` to the bank of the new kind", SETTER), \
+        PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of its sprite",                 \
+              STORED(pool.bank), WRITABLE),                                                                            \
+        LABEL("tag", OPT, "tag of its group, or nil", STORED(pool.tag), WRITABLE),                                     \
+        OPTIONAL("motion", A_MOTION, "motion program it runs, or nil; a write starts the program from its first step", \
+                 SETTER),                                                                                              \
+        THING("around", OPT, POSITION_HANDLE_KINDS, "thing that it circles in `orbit` steps, or nil", SETTER),         \
+        REQUIRED("age", A_INT, "frames since it was fired, not counting its delay or frozen frames"),                  \
         PARAM("frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL,                                                    \
-              "frames it stays frozen, or forever; 0 unfreezes it"),                                                   \
-            PROP_WRITE, STORED(STORED_COUNT, pool.frozen_left), .has_setter = true                                     \
-    }
+              "frames it stays frozen, or forever; 0 unfreezes it", STORED(pool.frozen_left), SETTER)
 
 #define HP_PROP                                                                                                        \
-    {                                                                                                                  \
-        PARAM("hp", A_COUNT, REQ, 0, INT32_MAX, NULL, NULL,                                                            \
-              "damage it can still take, or forever; at 0, shots pass through it"),                                    \
-            PROP_WRITE, COMPUTED                                                                                       \
-    }
+    PARAM("hp", A_COUNT, REQ, 0, INT32_MAX, NULL, NULL,                                                                \
+          "damage it can still take, or forever; at 0, shots pass through it", SETTER)
 
-static const struct api_prop bullet_props[] = {
+static const struct api_param bullet_props[] = {
     FLIGHT_PROPS(A_BULLET_KIND, bullets),
-    { REQUIRED("delay", A_INT, "frames left before it flies; 0 once it flies"), PROP_READ, COMPUTED },
+    REQUIRED("delay", A_INT, "frames left before it flies; 0 once it flies"),
     HP_PROP,
 };
-static const struct api_prop shot_props[] = { FLIGHT_PROPS(A_SHOT_KIND, shots),
-                                              { THING("by", REQ, 1 << H_PLAYER, "player who fired it, or nil"),
-                                                PROP_READ, COMPUTED } };
+static const struct api_param shot_props[] = { FLIGHT_PROPS(A_SHOT_KIND, shots),
+                                               THING("by", REQ, 1 << H_PLAYER, "player who fired it, or nil") };
 
 /* Pushes a Q32 number as a double. The conversion is exact, because positions and speeds have 48 bits. */
 static void push_q32(lua_State *L, int64_t v)
@@ -506,8 +484,8 @@ static void set_shot_prop(lua_State *L, struct board *b, uint32_t i, int p, cons
 
 /* ---- groups ---- */
 
-static const struct api_prop group_props[] = { FLIGHT_PROPS(A_BULLET_KIND, bullets), COUNT_PROP("bullets"), HP_PROP };
-static const struct api_prop shots_props[] = { FLIGHT_PROPS(A_SHOT_KIND, shots), COUNT_PROP("shots") };
+static const struct api_param group_props[] = { FLIGHT_PROPS(A_BULLET_KIND, bullets), COUNT_PROP("bullets"), HP_PROP };
+static const struct api_param shots_props[] = { FLIGHT_PROPS(A_SHOT_KIND, shots), COUNT_PROP("shots") };
 
 enum { WRITE_WORK = 10 /* work per entity of a group */ };
 

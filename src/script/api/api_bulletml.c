@@ -97,7 +97,7 @@ static void raise_bad_label(lua_State *L, const struct ml *ml)
 /* Reads kinds = { label = kind } into out, indexed by label. */
 static void read_kinds(lua_State *L, const struct ml *ml, int at, uint16_t out[ML_MAX_KINDS])
 {
-    static const struct api_param kind = { "kinds", A_BULLET_KIND, REQ, 0, 0, NULL, NULL, NULL };
+    static const struct api_param kind = REQUIRED("kinds", A_BULLET_KIND, NULL);
     struct api_value v = { 0 };
 
     if (luakeys_push_unknown(L, at, is_known_label, ml))
@@ -113,7 +113,7 @@ static void read_kinds(lua_State *L, const struct ml *ml, int at, uint16_t out[M
 /* Reads params = { $1, $2, .. } into out; returns how many there are. */
 static int read_params(lua_State *L, struct board *b, int at, int64_t out[ML_PARAMS])
 {
-    static const struct api_param param = { "params", A_NUM, REQ, -1e9, 1e9, NULL, NULL, NULL };
+    static const struct api_param param = PARAM("params", A_NUM, REQ, -1e9, 1e9, NULL, NULL, NULL);
     const lua_Unsigned n = lua_rawlen(L, at);
     struct api_value v = { 0 };
 
@@ -216,19 +216,18 @@ static int list_documents(lua_State *L, struct board *b, struct api_value *v)
 
 enum { R_X, R_Y, R_RANK, R_NAME, PROPS };
 
-static const struct api_prop props[PROPS] = {
-    { COORDINATE(
-          "x", A_FX, REQ,
-          "horizontal position from which the document fires; if the document follows a thing (`from`), the thing's "
-          "position"),
-      PROP_WRITE, STORED(STORED_FX, ml_roots.x) },
-    { COORDINATE(
-          "y", A_FX, REQ,
-          "vertical position from which the document fires; if the document follows a thing (`from`), the thing's "
-          "position"),
-      PROP_WRITE, STORED(STORED_FX, ml_roots.y) },
-    { PARAM("rank", A_NUM, REQ, 0, 1, NULL, NULL, "value of $rank in the document"), PROP_WRITE, COMPUTED },
-    { REQUIRED("name", A_STR, "name of the document"), PROP_READ, COMPUTED },
+static const struct api_param props[PROPS] = {
+    COORDINATE(
+        "x", A_FX, REQ,
+        "horizontal position from which the document fires; if the document follows a thing (`from`), the thing's "
+        "position",
+        STORED(ml_roots.x), WRITABLE),
+    COORDINATE("y", A_FX, REQ,
+               "vertical position from which the document fires; if the document follows a thing (`from`), the thing's "
+               "position",
+               STORED(ml_roots.y), WRITABLE),
+    PARAM("rank", A_NUM, REQ, 0, 1, NULL, NULL, "value of $rank in the document", SETTER),
+    REQUIRED("name", A_STR, "name of the document"),
 };
 
 static void get_bulletml(lua_State *L, struct board *b, uint32_t i, int p)

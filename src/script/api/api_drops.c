@@ -9,7 +9,7 @@ int64_t api_read_named_number(lua_State *L, const char *entry, const char *param
                               double lo, double hi)
 {
     char full_name[64];
-    struct api_param p = { full_name, A_INT, REQ, lo, hi, NULL, NULL, NULL };
+    struct api_param p = PARAM(full_name, A_INT, REQ, lo, hi, NULL, NULL, NULL);
     struct api_value v = { 0 };
 
     snprintf(full_name, sizeof full_name, "%s.%s", param_name, name);
@@ -37,7 +37,7 @@ static const struct item_drop default_drop = { .dir = ANG_UP, .spread = (1ull <<
 
 void api_push_drops(lua_State *L, const char *entry, int at)
 {
-    const struct api_param kind = { "drops", A_ITEM_KIND, REQ, 0, 0, NULL, NULL, NULL };
+    const struct api_param kind = REQUIRED("drops", A_ITEM_KIND, NULL);
     const char *disabled_reason = api_disabled_reason(&vm_board(L)->cart.manifest, "item"), *names[MAX_ITEM_NAMES];
     uint8_t list[MAX_ITEM_NAMES * DROP_BYTES];
     struct api_value v;

@@ -5,62 +5,51 @@
 #include "../events_run.h"
 #include "api_enemy.h"
 
-enum {
-    D_NAME,
-    D_SPRITE,
-    D_HIT,
-    D_HP,
-    D_SCORE,
-    D_BANK,
-    D_TOUCH,
-    D_SPARK,
-    D_DROPS,
-    D_RUN,
-    D_ON_HIT,
-    D_ON_DEATH,
-    D_SWEPT,
-    D_BLEND,
-    D_BLOCKS,
-    D_PICTURES,
-    D_BLINK,
-    D_RATE,
-    D_PARTS,
-    D_BLINK_SOFT
-};
+enum { D_NAME, D_SPRITE, D_HIT, D_DROPS = 8, D_PICTURES = 15, D_RATE = 17, D_PARTS };
 
 static const struct api_param def_params[] = {
     REQUIRED("name", A_STR, "name of the kind, used as `kind = NAME`; must be new"),
-    REQUIRED("sprite", A_SPRITE, "sprite to draw"),
+    REQUIRED("sprite", A_SPRITE, "sprite to draw", STORED(enemy_kinds.sprite)),
     PARAM("hit", A_HIT_SHAPE, REQ, HIT_ENEMIES, 0, NULL, NULL,
           "hitbox, relative to the thing's position; \"none\" never hits"),
-    PARAM("hp", A_INT, OPT, 1, INT32_MAX, NULL, "1", "damage it takes before it dies"),
-    PARAM("score", A_INT, OPT, 0, 1e12, "points", "0", "points for the player who kills it"),
-    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of its sprite"),
-    DEFAULT("touch", A_BOOL, "true", "whether it hits players who touch it; if false, players can fly through it"),
-    OPTIONAL("spark", A_SPARK_KIND, "kind of the twelve sparks it leaves when it dies; nil leaves none"),
-    OPTIONAL("drops", A_TABLE, "items dropped when it dies, { NAME = count }"),
-    OPTIONAL("run", A_FUNC, "run(e): task that starts when the enemy spawns and ends with the enemy"),
+    PARAM("hp", A_INT, OPT, 1, INT32_MAX, NULL, "1", "damage it takes before it dies", STORED(enemy_kinds.hp)),
+    PARAM("score", A_INT, OPT, 0, 1e12, "points", "0", "points for the player who kills it", STORED(enemy_kinds.score)),
+    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of its sprite",
+          BITS_OF(enemy_kinds.bank, ENEMY_BANK)),
+    DEFAULT("touch", A_BOOL, "true", "whether it hits players who touch it; if false, players can fly through it",
+            BITS_OF(enemy_kinds.flags, ENEMY_TOUCH)),
+    OPTIONAL("spark", A_SPARK_KIND, "kind of the twelve sparks it leaves when it dies; nil leaves none",
+             STORED(enemy_kinds.spark)),
+    [D_DROPS] = OPTIONAL("drops", A_TABLE, "items dropped when it dies, { NAME = count }"),
+    OPTIONAL("run", A_FUNC, "run(e): task that starts when the enemy spawns and ends with the enemy", PROPERTY("run")),
     OPTIONAL(
         "on_hit", A_FUNC,
         "on_hit(e, p, damage): called when a shot or a laser of player p hits the enemy but doesn't kill it; p may "
-        "be nil"),
+        "be nil",
+        PROPERTY("on_hit")),
     OPTIONAL("on_death", A_FUNC,
-             "on_death(e, p): called when it dies, with the player who gets its score; p may be nil"),
+             "on_death(e, p): called when it dies, with the player who gets its score; p may be nil",
+             PROPERTY("on_death")),
     DEFAULT(
         "swept", A_BOOL, "true",
         "check the entire path flown in each frame for players; if false, check only the position at the end of the "
-        "frame"),
-    OPTIONAL("blend", A_BLEND, "blend to draw it with, from `blends` in rom.lua; nil draws it opaque"),
-    DEFAULT("blocks", A_BOOL, "false", "whether it removes bullets that touch it"),
-    OPTIONAL(
+        "frame",
+        BITS_OF(enemy_kinds.flags, ENEMY_SWEPT)),
+    OPTIONAL("blend", A_BLEND, "blend to draw it with, from `blends` in rom.lua; nil draws it opaque",
+             BITS_OF(enemy_kinds.flags, ENEMY_BLEND)),
+    DEFAULT("blocks", A_BOOL, "false", "whether it removes bullets that touch it",
+            BITS_OF(enemy_kinds.flags, ENEMY_BLOCKS_BULLETS)),
+    [D_PICTURES] = OPTIONAL(
         "pictures", A_TABLE,
         "up to 7 more sprites, { NAME = sprite }, which `picture` selects by name; the picture `hurt` is shown while "
         "the enemy blinks"),
-    PARAM("blink", A_INT, OPT, 0, 15, "frames", "0", "frames it blinks after a hit; at 0 it never blinks"),
-    PARAM("rate", A_FX, OPT, 0, MAX_RATE, NULL, NULL,
-          "damage multiplier; at 0 it takes no damage; defaults to 1; needs `board = { bodies = true }`"),
+    PARAM("blink", A_INT, OPT, 0, 15, "frames", "0", "frames it blinks after a hit; at 0 it never blinks",
+          BITS_OF(enemy_kinds.bank, ENEMY_BLINK)),
+    [D_RATE] = PARAM("rate", A_FX, OPT, 0, MAX_RATE, NULL, NULL,
+                     "damage multiplier; at 0 it takes no damage; defaults to 1; needs `board = { bodies = true }`"),
     OPTIONAL("parts", A_TABLE, "list of 1 to 64 enemies attached to it; needs `board = { bodies = true }`"),
-    DEFAULT("blink_soft", A_BOOL, "false", "blink only along the outline of the sprite"),
+    DEFAULT("blink_soft", A_BOOL, "false", "blink only along the outline of the sprite",
+            BITS_OF(enemy_kinds.flags, ENEMY_RIM_BLINK)),
 };
 
 static const char *const first_picture_names[] = { "hurt", NULL };
@@ -88,18 +77,10 @@ static int enemy_def(lua_State *L, struct board *b, struct api_value *v)
     api_pictures_append_rows(L, "enemy.def", &k->s, k->sprite, &pictures);
     int32_t i = api_declare_kind(L, "enemy.def", &k->s, &columns, &shape);
     api_names_declare(L, N_ENEMY, "enemy.def", lua_tostring(L, v[D_NAME].at), i);
-    k->sprite[i] = (uint16_t)v[D_SPRITE].i;
-    k->hp[i] = (int32_t)v[D_HP].i;
-    k->score[i] = v[D_SCORE].i;
-    k->bank[i] = (uint8_t)(v[D_BANK].i | v[D_BLINK].i * ENEMY_BLINK_ONE);
-    k->flags[i] = (uint8_t)((v[D_TOUCH].i ? ENEMY_TOUCH : 0) | (v[D_SWEPT].i ? ENEMY_SWEPT : 0) |
-                            v[D_BLEND].i * ENEMY_BLEND_ONE | (v[D_BLOCKS].i ? ENEMY_BLOCKS_BULLETS : 0) |
-                            (pictures.n ? ENEMY_HURT_PICTURE : 0) | (v[D_BLINK_SOFT].i ? ENEMY_RIM_BLINK : 0));
+    api_store_arguments(L, b, i, v);
+    if (pictures.n)
+        k->flags[i] |= ENEMY_HURT_PICTURE;
     api_pictures_store_names(L, N_ENEMY, i, &pictures);
-    k->spark[i] = v[D_SPARK].given ? (uint16_t)(v[D_SPARK].i + 1) : 0;
-    api_store_property(L, i, "run", &v[D_RUN]);
-    api_store_property(L, i, "on_hit", &v[D_ON_HIT]);
-    api_store_property(L, i, "on_death", &v[D_ON_DEATH]);
     if (v[D_DROPS].given) {
         api_push_folded_drops(L, "enemy.def", v[D_DROPS].at);
         events_set_property(L, (uint16_t)i, "drops");
@@ -330,59 +311,38 @@ static int enemy_spawn(lua_State *L, struct board *b, struct api_value *v)
 
 /* ---- properties ---- */
 
-enum {
-    P_X,
-    P_Y,
-    P_HP,
-    P_BANK,
-    P_TAG,
-    P_SAFE,
-    P_KIND,
-    P_AGE,
-    P_FROZEN,
-    P_PICTURE,
-    P_FLIP_X,
-    P_HIDDEN,
-    P_BODY,
-    PROPS = P_BODY + BODY_FOLLOW + 1
-};
+enum { P_X, P_Y, P_HP, P_PICTURE = 9, P_BODY = 12, PROPS = P_BODY + BODY_FOLLOW + 1 };
 
 /* The last property exists only for groups. */
-static const struct api_prop props[PROPS + 1] = {
-    { COORDINATE("x", A_FX, REQ, "horizontal position in the field; a write teleports the enemy and ends its move"),
-      PROP_WRITE, STORED(STORED_FX, enemies.x), .has_setter = true },
-    { COORDINATE("y", A_FX, REQ, "vertical position in the field; a write teleports the enemy and ends its move"),
-      PROP_WRITE, STORED(STORED_FX, enemies.y), .has_setter = true },
-    { PARAM("hp", A_INT, REQ, 0, INT32_MAX, NULL, NULL,
-            "hit points left, rounded up; writing 0 doesn't kill the enemy"),
-      PROP_WRITE, STORED(STORED_I32, enemies.hp), .has_setter = true },
-    { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of its sprite"), PROP_WRITE,
-      COMPUTED },
-    { LABEL("tag", OPT, "tag of its group, or nil"), PROP_WRITE, STORED(STORED_TAG, enemies.tag) },
-    { PARAM("safe", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL,
-            "frames for which it takes no damage, or forever; shots still hit it"),
-      PROP_WRITE, STORED(STORED_COUNT, enemies.safe_left) },
-    { REQUIRED("kind", A_ENEMY_KIND, "name of its kind"), PROP_READ, STORED(STORED_KIND, enemies.kind) },
-    { REQUIRED("age", A_INT, "frames since it spawned, not counting frozen frames"), PROP_READ,
-      STORED(STORED_BORN, enemies.born) },
-    { PARAM("frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL, "frames it stays frozen, or forever; 0 unfreezes it"),
-      PROP_WRITE, STORED(STORED_COUNT, enemies.frozen_left) },
-    { OPTIONAL("picture", A_STR, "picture to show, a name in `pictures` of its kind; nil shows the kind's sprite"),
-      PROP_WRITE, COMPUTED },
-    { REQUIRED("flip_x", A_BOOL, "true if mirrored left to right"), PROP_WRITE, FLAG_OF(enemies.flags, ENEMY_FLIP) },
-    { REQUIRED("hidden", A_BOOL, "true if not drawn; it still moves, hits and is hit"), PROP_WRITE,
-      FLAG_OF(enemies.flags, ENEMY_HIDDEN) },
-    { PARAM("rate", A_FX, REQ, 0, MAX_RATE, NULL, NULL,
-            "damage multiplier; at 0 it takes no damage; needs `board = { bodies = true }`"),
-      PROP_WRITE, STORED(STORED_FX, enemies.rate) },
-    { COORDINATE("dx", A_FX, REQ, "for a part, distance to the right of its body; a write ends the part's move"),
-      PROP_WRITE, COMPUTED },
-    { COORDINATE("dy", A_FX, REQ, "for a part, distance below its body; a write ends the part's move"), PROP_WRITE,
-      COMPUTED },
-    { PARAM("share", A_FX, REQ, 0, 1, NULL, NULL,
-            "for a part, fraction of the damage it takes that is also dealt to its body"),
-      PROP_WRITE, COMPUTED },
-    { THING("follow", OPT, 1 << H_ENEMY, "body it is attached to, or nil"), PROP_READ, COMPUTED },
+static const struct api_param props[PROPS + 1] = {
+    COORDINATE("x", A_FX, REQ, "horizontal position in the field; a write teleports the enemy and ends its move",
+               STORED(enemies.x), SETTER),
+    COORDINATE("y", A_FX, REQ, "vertical position in the field; a write teleports the enemy and ends its move",
+               STORED(enemies.y), SETTER),
+    PARAM("hp", A_INT, REQ, 0, INT32_MAX, NULL, NULL, "hit points left, rounded up; writing 0 doesn't kill the enemy",
+          STORED(enemies.hp), SETTER),
+    PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of its sprite",
+          BITS_OF(enemies.bank, ENEMY_BANK), WRITABLE),
+    LABEL("tag", OPT, "tag of its group, or nil", STORED(enemies.tag), WRITABLE),
+    PARAM("safe", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL,
+          "frames for which it takes no damage, or forever; shots still hit it", STORED(enemies.safe_left), WRITABLE),
+    REQUIRED("kind", A_ENEMY_KIND, "name of its kind", STORED(enemies.kind)),
+    REQUIRED("age", A_INT, "frames since it spawned, not counting frozen frames", AGE_OF(enemies.born)),
+    PARAM("frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL, "frames it stays frozen, or forever; 0 unfreezes it",
+          STORED(enemies.frozen_left), WRITABLE),
+    [P_PICTURE] = OPTIONAL("picture", A_STR,
+                           "picture to show, a name in `pictures` of its kind; nil shows the kind's sprite", SETTER),
+    REQUIRED("flip_x", A_BOOL, "true if mirrored left to right", BITS_OF(enemies.flags, ENEMY_FLIP), WRITABLE),
+    REQUIRED("hidden", A_BOOL, "true if not drawn; it still moves, hits and is hit",
+             BITS_OF(enemies.flags, ENEMY_HIDDEN), WRITABLE),
+    [P_BODY] = PARAM("rate", A_FX, REQ, 0, MAX_RATE, NULL, NULL,
+                     "damage multiplier; at 0 it takes no damage; needs `board = { bodies = true }`",
+                     STORED(enemies.rate), WRITABLE),
+    COORDINATE("dx", A_FX, REQ, "for a part, distance to the right of its body; a write ends the part's move", SETTER),
+    COORDINATE("dy", A_FX, REQ, "for a part, distance below its body; a write ends the part's move", SETTER),
+    PARAM("share", A_FX, REQ, 0, 1, NULL, NULL,
+          "for a part, fraction of the damage it takes that is also dealt to its body", SETTER),
+    THING("follow", OPT, 1 << H_ENEMY, "body it is attached to, or nil"),
     COUNT_PROP("enemies"),
 };
 
@@ -390,9 +350,7 @@ static void get_enemy(lua_State *L, struct board *b, uint32_t i, int p)
 {
     const struct enemies *e = &b->enemies;
 
-    if (p == P_BANK)
-        lua_pushinteger(L, e->bank[i] & ENEMY_BANK);
-    else if (p == P_PICTURE)
+    if (p == P_PICTURE)
         api_picture_push(L, N_ENEMY, e->kind[i], e->flags[i] / ENEMY_PICTURE_ONE);
     else
         api_body_get(L, b, i, (enum api_body_prop)(p - P_BODY));
@@ -413,9 +371,6 @@ static void set_enemy(lua_State *L, struct board *b, uint32_t i, int p, const st
         e->hp[i] = (int32_t)v->i;
         if (e->hp_deficit)
             e->hp_deficit[i] = 0;
-        break;
-    case P_BANK:
-        e->bank[i] = (uint8_t)((e->bank[i] & ENEMY_BLINK) | v->i);
         break;
     case P_PICTURE:
         e->flags[i] = (uint8_t)((unsigned)(e->flags[i] & ~ENEMY_PICTURE) |
@@ -468,10 +423,7 @@ static const struct api_param move_params[] = {
     COORDINATE("dx", A_FX, OPT, "distance to the right; for a part, its new `dx`"),
     COORDINATE("dy", A_FX, OPT, "distance down; for a part, its new `dy`"),
 };
-static const struct api_param shift_params[] = {
-    SELF_PARAM, COORDINATE("dx", A_FX, REQ, "distance to the right; a negative distance moves left"),
-    COORDINATE("dy", A_FX, REQ, "distance down; a negative distance moves up")
-};
+static const struct api_param shift_params[] = { SELF_PARAM, SHIFT_DX_PARAM, SHIFT_DY_PARAM };
 static const struct api_param hurt_params[] = {
     SELF_PARAM, PARAM("n", A_INT, REQ, 0, INT32_MAX, "hp", NULL, "damage to deal, before it is multiplied by `rate`"),
     OPTIONAL("p", A_PLAYER, "player who gets the score for a kill; defaults to the nearest player")

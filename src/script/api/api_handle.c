@@ -2,6 +2,8 @@
  * api_handle.c - the metatable of the number type: properties and methods of handles.
  */
 #include <string.h>
+#include "../../base/trig.h"
+#include "../events_run.h"
 #include "../lua/lualib.h"
 #include "api_parts.h"
 
@@ -28,7 +30,7 @@ static int search_prop(const struct api_thing *t, const char *name)
 {
     int i = t->n - 1;
 
-    while (i >= 0 && strcmp(t->props[i].param.name, name) != 0)
+    while (i >= 0 && strcmp(t->props[i].name, name) != 0)
         i--;
     return i;
 }
@@ -42,7 +44,7 @@ bool api_has_property(const struct api_thing *t, const char *name)
  * verb has the name of a property. */
 static bool is_guess_right(const struct api_thing *t, const uint8_t *guess, const char *name)
 {
-    return *guess < t->n && !strcmp(t->props[*guess].param.name, name);
+    return *guess < t->n && !strcmp(t->props[*guess].name, name);
 }
 
 /* Returns the guess (api_guess_index) for a property of that kind of thing. Reads and writes have separate guesses, so
@@ -68,7 +70,7 @@ static int raise_unknown_property(lua_State *L, const struct api_thing *t, int k
     struct api_suggestion s = { .word = name };
 
     for (int i = 0; i < t->n; i++)
-        api_consider(&s, t->props[i].param.name);
+        api_consider(&s, t->props[i].name);
     if (api_can_die((enum handle_kind)kind))
         api_consider(&s, "alive");
     enum name_kind value_names = api_kind_value_names((enum handle_kind)kind);
@@ -320,97 +322,118 @@ static void check_enabled(lua_State *L, const struct board *b, const struct api_
                      optional_props[i].setting);
 }
 
-static void push_stored_value(lua_State *L, const struct board *b, const struct api_prop *prop, uint32_t i)
+static uint64_t read_element(const void *column, uint8_t size, uint32_t i)
 {
-    const void *const column = get_column(b, prop->column_offset);
+    return size == 1   ? ((const uint8_t *)column)[i]
+           : size == 2 ? ((const uint16_t *)column)[i]
+           : size == 4 ? ((const uint32_t *)column)[i]
+                       : ((const uint64_t *)column)[i];
+}
 
-    switch (prop->storage) {
-    case STORED_FX:
-        lua_pushnumber(L, fx_to_double(((const fx *)column)[i]));
+/* Returns the value that element i stores. */
+static int64_t read_value(const struct board *b, const struct api_column *c, uint32_t i)
+{
+    const uint64_t element = read_element(get_column(b, c->offset), c->size, i);
+    const int unused_bits = 64 - 8 * c->size;
+
+    if (c->is_birth)
+        return b->core.clock - (uint32_t)element;
+    if (c->bits)
+        return (int64_t)(element & c->bits) / (c->bits & -c->bits);
+    return c->is_signed ? (int64_t)(element << unused_bits) >> unused_bits : (int64_t)element;
+}
+
+static void write_value(const struct board *b, const struct api_column *c, uint32_t i, int64_t v)
+{
+    void *const column = get_column(b, c->offset);
+
+    if (c->bits)
+        v = (int64_t)(read_element(column, c->size, i) & ~(uint64_t)c->bits) | v * (c->bits & -c->bits);
+    if (c->size == 1)
+        ((uint8_t *)column)[i] = (uint8_t)v;
+    else if (c->size == 2)
+        ((uint16_t *)column)[i] = (uint16_t)v;
+    else if (c->size == 4)
+        ((uint32_t *)column)[i] = (uint32_t)v;
+    else
+        ((int64_t *)column)[i] = v;
+}
+
+static void push_stored_value(lua_State *L, const struct board *b, const struct api_param *p, uint32_t i)
+{
+    const int64_t value = read_value(b, &p->column, i);
+    int n_words;
+
+    switch (p->type) {
+    case A_FX:
+        lua_pushnumber(L, (double)value / 65536);
         break;
-    case STORED_Q16:
-        lua_pushnumber(L, (double)((const int64_t *)column)[i] / 65536);
+    case A_DIR:
+        lua_pushnumber(L, trig_to_degrees((ang)value));
         break;
-    case STORED_ANG:
-        lua_pushnumber(L, trig_to_degrees(((const ang *)column)[i]));
+    case A_INT:
+        lua_pushinteger(L, value);
         break;
-    case STORED_U8:
-        lua_pushinteger(L, ((const uint8_t *)column)[i]);
+    case A_COUNT:
+        api_push_count(L, (int32_t)value);
         break;
-    case STORED_I16:
-        lua_pushinteger(L, ((const int16_t *)column)[i]);
+    case A_BOOL:
+        lua_pushboolean(L, value != 0);
         break;
-    case STORED_I32:
-        lua_pushinteger(L, ((const int32_t *)column)[i]);
+    case A_STR:
+        api_push_tag(L, (uint16_t)value);
         break;
-    case STORED_U32:
-        lua_pushinteger(L, ((const uint32_t *)column)[i]);
+    case A_MAP:
+        lua_pushstring(L, value ? cart_name(&b->cart, CART_MAPS, (int)value - 1) : NULL);
         break;
-    case STORED_I64:
-        lua_pushinteger(L, ((const int64_t *)column)[i]);
+    case A_BLEND:
+        lua_pushstring(L, value ? cart_name(&b->cart, CART_BLENDS, (int)value - 1) : NULL);
         break;
-    case STORED_COUNT:
-        api_push_count(L, ((const int32_t *)column)[i]);
+    case A_DEPTH:
+        lua_pushstring(L, api_get_type_words(p->type, &n_words)[value]);
         break;
-    case STORED_FLAG:
-        lua_pushboolean(L, ((const uint8_t *)column)[i] & prop->flag);
-        break;
-    case STORED_TAG:
-        api_push_tag(L, ((const uint16_t *)column)[i]);
-        break;
-    case STORED_KIND:
-        api_names_push(L, (enum name_kind)(prop->param.type - A_BULLET_KIND), ((const uint16_t *)column)[i]);
-        break;
-    case STORED_BORN:
-        lua_pushinteger(L, b->core.clock - ((const uint32_t *)column)[i]);
-        break;
-    case STORED_NOWHERE:
-        break;
+    default:
+        api_names_push(L, (enum name_kind)(p->type - A_BULLET_KIND), (int)value);
     }
 }
 
-static void store_value(lua_State *L, struct board *b, const struct api_prop *prop, uint32_t i,
-                        const struct api_value *v)
+/* Returns the value to store for v. A kind or sprite that may be omitted is stored as its index + 1. */
+static int64_t encode_value(lua_State *L, const struct api_param *p, const struct api_value *v)
 {
-    void *const column = get_column(b, prop->column_offset);
-    uint8_t *const flags = column;
+    switch (p->type) {
+    case A_FX:
+        return v->f;
+    case A_DIR:
+        return v->a;
+    case A_COUNT:
+        return api_to_count(v);
+    case A_STR:
+        return api_read_tag(L, "tag", v);
+    case A_SPARK_KIND:
+    case A_SPRITE:
+        return v->i + (p->optional && v->given);
+    default:
+        return v->i;
+    }
+}
 
-    switch (prop->storage) {
-    case STORED_FX:
-        ((fx *)column)[i] = v->f;
-        break;
-    case STORED_Q16:
-        ((int64_t *)column)[i] = v->f;
-        break;
-    case STORED_ANG:
-        ((ang *)column)[i] = v->a;
-        break;
-    case STORED_U8:
-        ((uint8_t *)column)[i] = (uint8_t)v->i;
-        break;
-    case STORED_I16:
-        ((int16_t *)column)[i] = (int16_t)v->i;
-        break;
-    case STORED_I32:
-        ((int32_t *)column)[i] = (int32_t)v->i;
-        break;
-    case STORED_U32:
-        ((uint32_t *)column)[i] = (uint32_t)v->i;
-        break;
-    case STORED_COUNT:
-        ((int32_t *)column)[i] = api_to_count(v);
-        break;
-    case STORED_FLAG:
-        flags[i] = (uint8_t)(v->i ? flags[i] | prop->flag : flags[i] & ~prop->flag);
-        break;
-    case STORED_TAG:
-        ((uint16_t *)column)[i] = api_read_tag(L, "tag", v);
-        break;
-    case STORED_I64:
-    case STORED_KIND:
-    case STORED_BORN:
-    case STORED_NOWHERE:
-        break; /* no property is written there */
+void api_store_value(lua_State *L, const struct board *b, const struct api_param *p, uint32_t i,
+                     const struct api_value *v)
+{
+    write_value(b, &p->column, i, encode_value(L, p, v));
+}
+
+void api_store_arguments(lua_State *L, struct board *b, int32_t i, const struct api_value *v)
+{
+    const struct api_entry *e = api_current_binding(L)->entry;
+
+    for (int k = 0; k < e->count; k++) {
+        const struct api_column *c = &e->params[k].column;
+        if (c->property && v[k].given) {
+            lua_pushvalue(L, v[k].at);
+            events_set_property(L, (uint16_t)i, c->property);
+        } else if (c->size && get_column(b, c->offset)) /* NULL: disabled in rom.lua */
+            api_store_value(L, b, &e->params[k], (uint32_t)i, &v[k]);
     }
 }
 
@@ -423,27 +446,26 @@ static void write_property(lua_State *L, struct board *b, const struct api_thing
         EACH_LIVE (i, s)
             if (is_member(b, t, slot, i, p))
                 write_property(L, b, api_get_table(L)->things[t->member], i, p, v);
-    } else if (t->props[p].storage == STORED_NOWHERE || t->props[p].has_setter)
+    } else if (t->props[p].access == PROP_SET)
         t->set(L, b, slot, p, v);
     else
-        store_value(L, b, &t->props[p], slot, v);
+        api_store_value(L, b, &t->props[p], slot, v);
 }
 
 /* Pushes property p of the thing of handle h if it can be read (board_is_readable), or if h is a player who is out and
  * p is PROP_PERSISTENT. Otherwise pushes nil. */
 static int push_property(lua_State *L, struct board *b, const struct api_thing *t, int64_t h, int p)
 {
-    const struct api_prop *prop = &t->props[p];
+    const struct api_param *prop = &t->props[p];
 
-    check_enabled(L, b, t, handle_kind(h), prop->param.name);
+    check_enabled(L, b, t, handle_kind(h), prop->name);
     if (!board_is_readable(b, h) && !(prop->access == PROP_PERSISTENT && handle_gen(h) && handle_slot(h) < MAX_PLAYERS))
-        return push_nil_for_dead(L, prop->param.name);
-    if (t->member && strcmp(prop->param.name, "count") != 0)
-        return vm_fault(L, FAULT_SCRIPT, "%s: %s cannot be read from a group (only `count` can)", t->name,
-                        prop->param.name);
+        return push_nil_for_dead(L, prop->name);
+    if (t->member && strcmp(prop->name, "count") != 0)
+        return vm_fault(L, FAULT_SCRIPT, "%s: %s cannot be read from a group (only `count` can)", t->name, prop->name);
     if (t->member)
         push_member_count(L, b, t, handle_slot(h));
-    else if (prop->storage != STORED_NOWHERE)
+    else if (prop->column.size)
         push_stored_value(L, b, prop, handle_slot(h));
     else
         t->get(L, b, handle_slot(h), p);
@@ -508,7 +530,7 @@ static int set_property(lua_State *L)
     const char *name = lua_tolstring(L, 2, &bytes);
     const struct api_thing *t = api_get_table(L)->things[handle_kind(h)];
     const int p = find_prop(t, get_prop_guess(b, handle_kind(h), true, name, bytes), name);
-    const struct api_prop *prop = p < 0 ? NULL : &t->props[p];
+    const struct api_param *prop = p < 0 ? NULL : &t->props[p];
     bool alive = board_is_alive(b, h);
     script_update_digest(b, 0x2000);
     script_update_digest(b, (uint64_t)h);
@@ -523,11 +545,11 @@ static int set_property(lua_State *L)
     int value_index = prop ? NO_SLOT : find_declared_value(L, b, handle_kind(h), name);
     if (value_index != NO_SLOT)
         return set_declared_value(L, b, t, h, value_index, name);
-    if (!prop || prop->access != PROP_WRITE)
+    if (!prop || !(prop->access & PROP_WRITE))
         return raise_read_only(L, t, (int)handle_kind(h), name);
     check_enabled(L, b, t, handle_kind(h), name);
-    if (v.given || !prop->param.optional)
-        api_check_value(L, t->name, &prop->param, &v);
+    if (v.given || !prop->optional)
+        api_check_value(L, t->name, prop, &v);
     if (alive)
         write_property(L, b, t, handle_slot(h), p, &v);
     return 0;

@@ -8,7 +8,7 @@
 
 static fx read_extent(lua_State *L, const char *entry, const char *name, int at)
 {
-    struct api_param p = { name, A_FX, REQ, 0, MAX_SPEED, "px", NULL, NULL };
+    struct api_param p = PARAM(name, A_FX, REQ, 0, MAX_SPEED, "px", NULL, NULL);
     struct api_value v = { 0 };
 
     api_check(L, entry, &p, at, &v);
@@ -69,7 +69,7 @@ static void check_reach(lua_State *L, const char *entry, int64_t reach)
 /* Reads a capsule. A bullet's capsule lies along its dir; an enemy, which has no dir, must give one. */
 static void read_capsule(lua_State *L, const char *entry, enum hit_owner owner, struct api_shape *s)
 {
-    const struct api_param dir = { "hit.capsule dir", A_DIR, OPT, 0, 0, NULL, "90", NULL };
+    const struct api_param dir = PARAM("hit.capsule dir", A_DIR, OPT, 0, 0, NULL, "90", NULL);
     fx half = check_element(L, entry, owner, 1, LENGTH_PARAM("hit.capsule length")).f / 2;
 
     s->shape = SHAPE_CAPSULE;
@@ -109,7 +109,7 @@ static void read_circles(lua_State *L, const char *entry, enum hit_owner owner, 
 /* Reads the hit shape drawn with the sprite whose name is on top of the stack. */
 static void read_sprite_shape(lua_State *L, const char *entry, enum hit_owner owner, struct api_shape *s)
 {
-    const struct api_param sprite = { "hit.sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, NULL };
+    const struct api_param sprite = REQUIRED("hit.sprite", A_SPRITE, NULL);
     const int at = lua_gettop(L);
     struct api_value v = { 0 };
     struct cart_hitbox hit;
@@ -194,20 +194,13 @@ int32_t api_declare_kind(lua_State *L, const char *entry, struct slots *kinds, c
 }
 
 int32_t api_append_kind(lua_State *L, const char *entry, struct slots *kinds, enum name_kind names,
-                        const struct api_value *name)
+                        const struct api_value *v)
 {
     vm_reserve(L, kinds, 1);
     const int32_t i = slots_append(kinds);
     if (i == NO_SLOT)
         api_error(L, entry, "too many kinds (at most %d)", (int)kinds->cap);
-    api_names_declare(L, names, entry, lua_tostring(L, name->at), i);
+    api_names_declare(L, names, entry, lua_tostring(L, v->at), i);
+    api_store_arguments(L, vm_board(L), i, v);
     return i;
-}
-
-void api_store_property(lua_State *L, int32_t kind, const char *property, const struct api_value *v)
-{
-    if (!v->given)
-        return;
-    lua_pushvalue(L, v->at);
-    events_set_property(L, (uint16_t)kind, property);
 }

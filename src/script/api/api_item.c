@@ -7,25 +7,29 @@
 
 /* ---- item.def ---- */
 
-enum { D_NAME, D_SPRITE, D_RADIUS, D_GIVES, D_FULL, D_GRAVITY, D_TOP, D_MAGNET, D_BANK, D_BLEND, D_ON_TAKE };
+enum { D_NAME, D_GIVES = 3, D_FULL };
 
 static const struct api_param def_params[] = {
     REQUIRED("name", A_STR, "name of the kind, used as `kind = NAME`; must be new"),
-    REQUIRED("sprite", A_SPRITE, "sprite to draw"),
+    REQUIRED("sprite", A_SPRITE, "sprite to draw", STORED(item_kinds.sprite)),
     PARAM("radius", A_FX, REQ, 0, MAX_SPEED, "px", NULL,
-          "radius of the circle that a ship's hitbox must touch to take the item"),
-    OPTIONAL("gives", A_TABLE,
-             "amounts that the player gets for taking the item, { score = n, lives = n, REGISTER = n }"),
+          "radius of the circle that a ship's hitbox must touch to take the item", STORED(item_kinds.radius)),
+    [D_GIVES] = OPTIONAL("gives", A_TABLE,
+                         "amounts that the player gets for taking the item, { score = n, lives = n, REGISTER = n }"),
     LABEL("full", OPT,
           "register of the ship or the run; while the register is at its max, the item gives only its score"),
     PARAM("gravity", A_FX, OPT, 0, MAX_SPEED, "px/frame", "0.04",
-          "downward acceleration, the speed added in each frame"),
-    PARAM("top", A_FX, OPT, 0, MAX_SPEED, "px/frame", "2", "maximum falling speed"),
+          "downward acceleration, the speed added in each frame", STORED(item_kinds.gravity)),
+    PARAM("top", A_FX, OPT, 0, MAX_SPEED, "px/frame", "2", "maximum falling speed", STORED(item_kinds.max_fall_speed)),
     DEFAULT("magnet", A_BOOL, "true",
-            "whether it flies to ships that attract it; if false, only item:pull makes it fly"),
-    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of its sprite"),
-    OPTIONAL("blend", A_BLEND, "blend to draw it with, from `blends` in rom.lua; nil draws it opaque"),
-    OPTIONAL("on_take", A_FUNC, "on_take(p, item): called after the player has received what the item gives"),
+            "whether it flies to ships that attract it; if false, only item:pull makes it fly",
+            BITS_OF(item_kinds.flags, ITEM_MAGNET)),
+    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of its sprite",
+          STORED(item_kinds.bank)),
+    OPTIONAL("blend", A_BLEND, "blend to draw it with, from `blends` in rom.lua; nil draws it opaque",
+             BITS_OF(item_kinds.flags, ITEM_BLEND)),
+    OPTIONAL("on_take", A_FUNC, "on_take(p, item): called after the player has received what the item gives",
+             PROPERTY("item's on_take")),
 };
 
 static const char def_entry[] = "item.def";
@@ -49,7 +53,7 @@ static int intern_register(lua_State *L, const char *name)
 /* Reads the field `score` of `gives`: n, or { low, high }. */
 static void read_score(lua_State *L, struct item_kinds *k, int32_t i, int gives_at)
 {
-    static const struct api_param score_span = { "gives.score", A_SPAN, REQ, 0, ITEM_MAX_POINTS, NULL, NULL, NULL };
+    static const struct api_param score_span = PARAM("gives.score", A_SPAN, REQ, 0, ITEM_MAX_POINTS, NULL, NULL, NULL);
     struct api_value v;
 
     if (lua_getfield(L, gives_at, "score") == LUA_TTABLE) {
@@ -85,21 +89,14 @@ static void read_gives(lua_State *L, struct item_kinds *k, int32_t i, int gives_
 static int item_def(lua_State *L, struct board *b, struct api_value *v)
 {
     struct item_kinds *k = &b->item_kinds;
-    const int32_t i = api_append_kind(L, def_entry, &k->s, N_ITEM, &v[D_NAME]);
+    const int32_t i = api_append_kind(L, def_entry, &k->s, N_ITEM, v);
 
-    k->sprite[i] = (uint16_t)v[D_SPRITE].i;
-    k->radius[i] = v[D_RADIUS].f;
-    k->gravity[i] = v[D_GRAVITY].f;
-    k->max_fall_speed[i] = v[D_TOP].f;
-    k->bank[i] = (uint8_t)v[D_BANK].i;
-    k->flags[i] = (uint8_t)((v[D_MAGNET].i ? ITEM_MAGNET : 0) | v[D_BLEND].i * ITEM_BLEND_ONE);
     if (v[D_GIVES].given)
         read_gives(L, k, i, v[D_GIVES].at);
     if (v[D_FULL].given)
         k->full_register[i] = (uint16_t)(intern_register(L, lua_tostring(L, v[D_FULL].at)) + 1);
     if (v[D_GIVES].given || v[D_FULL].given)
         api_record_location(L, def_entry, lua_tostring(L, v[D_NAME].at));
-    api_store_property(L, i, "item's on_take", &v[D_ON_TAKE]);
     return 0;
 }
 
@@ -195,17 +192,16 @@ static int drop_items(lua_State *L, struct board *b, struct api_value *v)
 /* ---- properties ---- */
 
 /* The last property exists only for groups. */
-static const struct api_prop props[] = {
-    { COORDINATE("x", A_FX, REQ, "horizontal position in the field"), PROP_WRITE, STORED(STORED_FX, items.x) },
-    { COORDINATE("y", A_FX, REQ, "vertical position in the field"), PROP_WRITE, STORED(STORED_FX, items.y) },
-    { SPEED("vx", A_FX, REQ, "horizontal velocity"), PROP_WRITE, STORED(STORED_FX, items.vx) },
-    { SPEED("vy", A_FX, REQ, "vertical velocity; positive is downwards"), PROP_WRITE, STORED(STORED_FX, items.vy) },
-    { LABEL("tag", OPT, "tag of its group, or nil"), PROP_WRITE, STORED(STORED_TAG, items.tag) },
-    { PARAM("frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL, "frames it stays frozen, or forever; 0 unfreezes it"),
-      PROP_WRITE, STORED(STORED_COUNT, items.frozen_left) },
-    { REQUIRED("kind", A_ITEM_KIND, "name of its kind"), PROP_READ, STORED(STORED_KIND, items.kind) },
-    { REQUIRED("age", A_INT, "frames since it was dropped, not counting frozen frames"), PROP_READ,
-      STORED(STORED_BORN, items.born) },
+static const struct api_param props[] = {
+    COORDINATE("x", A_FX, REQ, "horizontal position in the field", STORED(items.x), WRITABLE),
+    COORDINATE("y", A_FX, REQ, "vertical position in the field", STORED(items.y), WRITABLE),
+    SPEED("vx", A_FX, REQ, "horizontal velocity", STORED(items.vx), WRITABLE),
+    SPEED("vy", A_FX, REQ, "vertical velocity; positive is downwards", STORED(items.vy), WRITABLE),
+    LABEL("tag", OPT, "tag of its group, or nil", STORED(items.tag), WRITABLE),
+    PARAM("frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL, "frames it stays frozen, or forever; 0 unfreezes it",
+          STORED(items.frozen_left), WRITABLE),
+    REQUIRED("kind", A_ITEM_KIND, "name of its kind", STORED(items.kind)),
+    REQUIRED("age", A_INT, "frames since it was dropped, not counting frozen frames", AGE_OF(items.born)),
     COUNT_PROP("items"),
 };
 

@@ -11,47 +11,43 @@ enum { MAX_FRAMES = 1000000 /* longest warning, growth or fade */ };
 
 /* ---- kinds ---- */
 
-enum {
-    D_NAME,
-    D_STRIP,
-    D_WIDTH,
-    D_HIT,
-    D_HEAD,
-    D_TAIL,
-    D_BANK,
-    D_BLEND,
-    D_GRAZE,
-    D_CLEARABLE,
-    D_VANISH,
-    D_DAMAGE,
-    D_EVERY
-};
+enum { D_HIT = 3, D_CLEARABLE = 9, D_DAMAGE = 11, D_EVERY };
 
 static const struct api_param laser_def_params[] = {
     REQUIRED("name", A_STR, "name of the kind, used as `kind = NAME`; must be new"),
-    REQUIRED("strip", A_SPRITE, "sprite, drawn pointing right; repeated along the laser and stretched to its width"),
-    PARAM("width", A_FX, REQ, 0, LASER_MAX_SIZE, "px", NULL, "full width, once it has grown"),
-    PARAM("hit", A_HIT_SHAPE, REQ, HIT_LASERS, 0, NULL, NULL, "fraction of the width that hits; \"none\" never hits"),
-    OPTIONAL("head", A_SPRITE, "sprite drawn where a beam starts or at the front of a bolt or curve; nil draws none"),
-    OPTIONAL("tail", A_SPRITE, "sprite drawn at the other end; nil draws none"),
-    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette banks of its sprites"),
-    OPTIONAL("blend", A_BLEND, "blend to draw it with, from `blends` in rom.lua; nil draws it opaque"),
+    REQUIRED("strip", A_SPRITE, "sprite, drawn pointing right; repeated along the laser and stretched to its width",
+             STORED(laser_kinds.strip)),
+    PARAM("width", A_FX, REQ, 0, LASER_MAX_SIZE, "px", NULL, "full width, once it has grown",
+          STORED(laser_kinds.width)),
+    [D_HIT] = PARAM("hit", A_HIT_SHAPE, REQ, HIT_LASERS, 0, NULL, NULL,
+                    "fraction of the width that hits; \"none\" never hits"),
+    OPTIONAL("head", A_SPRITE, "sprite drawn where a beam starts or at the front of a bolt or curve; nil draws none",
+             STORED(laser_kinds.head_sprite)),
+    OPTIONAL("tail", A_SPRITE, "sprite drawn at the other end; nil draws none", STORED(laser_kinds.tail_sprite)),
+    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette banks of its sprites",
+          STORED(laser_kinds.bank)),
+    OPTIONAL("blend", A_BLEND, "blend to draw it with, from `blends` in rom.lua; nil draws it opaque",
+             BITS_OF(laser_kinds.flags, LASER_BLEND)),
     PARAM("graze", A_INT, OPT, 0, 65535, "frames", "8",
-          "frames until a player can graze the laser again; 0 makes grazing impossible"),
-    DEFAULT("clearable", A_BOOL, "true", "whether it can be cleared without `all = true`"),
+          "frames until a player can graze the laser again; 0 makes grazing impossible",
+          STORED(laser_kinds.graze_interval)),
+    [D_CLEARABLE] = DEFAULT("clearable", A_BOOL, "true", "whether it can be cleared without `all = true`"),
     OPTIONAL(
         "vanish", A_SPARK_KIND,
         "kind of spark left along the laser when it is cleared, unless the call that clears it names another kind; "
-        "nil leaves none"),
-    PARAM("damage", A_INT, OPT, 0, 1000000, "hp", NULL,
-          "damage to each enemy it touches; makes the kind a player laser, which is harmless to players"),
-    PARAM("every", A_INT, OPT, 1, 65535, "frames", "4", "frames from one hit to the next; needs `damage`"),
+        "nil leaves none",
+        STORED(laser_kinds.vanish_spark)),
+    [D_DAMAGE] = PARAM("damage", A_INT, OPT, 0, 1000000, "hp", NULL,
+                       "damage to each enemy it touches; makes the kind a player laser, which is harmless to players",
+                       STORED(laser_kinds.damage)),
+    PARAM("every", A_INT, OPT, 1, 65535, "frames", "4", "frames from one hit to the next; needs `damage`",
+          STORED(laser_kinds.hit_interval)),
 };
 
 /* Returns the share of the laser's width that hits, or -1 if it hits nothing. */
 static fx read_hit_share(lua_State *L, int at)
 {
-    static const struct api_param share = { "hit.share", A_FX, REQ, 0, 1, NULL, NULL, NULL };
+    static const struct api_param share = PARAM("hit.share", A_FX, REQ, 0, 1, NULL, NULL, NULL);
     static const struct api_fields fields = { &share, 1, NAME_LISTS };
     struct api_value v = { 0 };
 
@@ -70,11 +66,6 @@ static fx read_hit_share(lua_State *L, int at)
     return v.f;
 }
 
-static uint16_t encode_optional(const struct api_value *v)
-{
-    return v->given ? (uint16_t)(v->i + 1) : 0;
-}
-
 static int laser_define(lua_State *L, struct board *b, struct api_value *v)
 {
     struct laser_kinds *k = &b->laser_kinds;
@@ -82,19 +73,9 @@ static int laser_define(lua_State *L, struct board *b, struct api_value *v)
 
     if (v[D_EVERY].given && !v[D_DAMAGE].given)
         api_error(L, "laser.def", "every: requires `damage`");
-    const int32_t i = api_append_kind(L, "laser.def", &k->s, N_LASER, &v[D_NAME]);
-    k->strip[i] = (uint16_t)v[D_STRIP].i;
-    k->head_sprite[i] = encode_optional(&v[D_HEAD]);
-    k->tail_sprite[i] = encode_optional(&v[D_TAIL]);
-    k->width[i] = v[D_WIDTH].f;
+    const int32_t i = api_append_kind(L, "laser.def", &k->s, N_LASER, v);
     k->hit_share[i] = share;
-    k->bank[i] = (uint8_t)v[D_BANK].i;
-    k->flags[i] = (uint8_t)((v[D_CLEARABLE].i ? 0 : LASER_FIXED) | (v[D_DAMAGE].given ? LASER_HITS_ENEMIES : 0) |
-                            v[D_BLEND].i * LASER_BLEND_ONE);
-    k->graze_interval[i] = (uint16_t)v[D_GRAZE].i;
-    k->hit_interval[i] = (uint16_t)v[D_EVERY].i;
-    k->damage[i] = (int32_t)v[D_DAMAGE].i;
-    k->vanish_spark[i] = encode_optional(&v[D_VANISH]);
+    k->flags[i] |= (uint8_t)((v[D_CLEARABLE].i ? 0 : LASER_FIXED) | (v[D_DAMAGE].given ? LASER_HITS_ENEMIES : 0));
     return 0;
 }
 
@@ -281,68 +262,47 @@ static int fire_beam(lua_State *L, struct board *b, struct api_value *v)
 /* ---- properties ---- */
 
 /* Indices of the properties after those of all flying things. */
-enum {
-    L_LENGTH = FLIGHT_SHARED_COUNT,
-    L_WIDTH,
-    L_SPIN,
-    L_DX,
-    L_DY,
-    L_STATE,
-    L_FORM,
-    L_FOLLOW,
-    L_PLAYER,
-    LASER_PROP_COUNT
-};
+enum { L_LENGTH = FLIGHT_SHARED_COUNT, L_STATE = L_LENGTH + 5, L_FORM, L_FOLLOW };
 
 #define LASER_PROPS                                                                                                    \
-    { COORDINATE(                                                                                                      \
-          "x", A_FX, REQ,                                                                                              \
-          "horizontal position of its head: the start of a beam, or the front of a bolt or curve; a write moves "      \
-          "the entire laser"),                                                                                         \
-      PROP_WRITE, COMPUTED },                                                                                          \
-        { COORDINATE("y", A_FX, REQ, "vertical position of its head; a write moves the entire laser"), PROP_WRITE,     \
-          COMPUTED },                                                                                                  \
-        { REQUIRED("dir", A_DIR, "direction in which a beam points or a bolt or curve flies, 0 to 360"), PROP_WRITE,   \
-          STORED(STORED_ANG, laser_heads.dir), .has_setter = true },                                                   \
-        { SPEED("speed", A_FX, REQ, "speed of flight; a beam has none"), PROP_WRITE, COMPUTED },                       \
-        { SPEED("vx", A_FX, REQ, "horizontal velocity; a write changes `dir` and `speed`"), PROP_WRITE, COMPUTED },    \
-        { SPEED("vy", A_FX, REQ, "vertical velocity; a write changes `dir` and `speed`"), PROP_WRITE, COMPUTED },      \
-        { REQUIRED("kind", A_LASER_KIND, "name of its kind"), PROP_READ, STORED(STORED_KIND, laser_heads.kind) },      \
-        { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette banks of its sprites"),            \
-          PROP_WRITE, STORED(STORED_U8, laser_heads.bank) },                                                           \
-        { LABEL("tag", OPT, "tag of its group, or nil"), PROP_WRITE, STORED(STORED_TAG, laser_heads.tag) },            \
-        { OPTIONAL("motion", A_MOTION,                                                                                 \
-                   "motion program of a bolt or curve, or nil; a write starts the program from its first step"),       \
-          PROP_WRITE, COMPUTED },                                                                                      \
-        { THING("around", OPT, POSITION_HANDLE_KINDS, "thing that it circles in `orbit` steps, or nil"), PROP_WRITE,   \
-          COMPUTED },                                                                                                  \
-        { REQUIRED("age", A_INT, "frames since it was fired, not counting frozen frames"), PROP_READ, COMPUTED },      \
-        { PARAM("frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL,                                                  \
-                "frames it stays frozen, or forever; 0 unfreezes it"),                                                 \
-          PROP_WRITE, STORED(STORED_COUNT, laser_heads.frozen_left), .has_setter = true },                             \
-        { PARAM("length", A_FX, REQ, 0, LASER_MAX_SIZE, "px", NULL, "length; read-only for a curve"), PROP_WRITE,      \
-          COMPUTED },                                                                                                  \
-        { PARAM("width", A_FX, REQ, 0, LASER_MAX_SIZE, "px", NULL, "full width, once it has grown"), PROP_WRITE,       \
-          STORED(STORED_FX, lasers.width) },                                                                           \
-        { REQUIRED("spin", A_DIR, "degrees a beam turns per frame once `warn` is over, clockwise"), PROP_WRITE,        \
-          STORED(STORED_ANG, lasers.spin) },                                                                           \
-        { COORDINATE("dx", A_FX, REQ, "for a beam, distance to the right of the followed thing"), PROP_WRITE,          \
-          STORED(STORED_FX, lasers.dx) },                                                                              \
-    {                                                                                                                  \
-        COORDINATE("dy", A_FX, REQ, "for a beam, distance below the followed thing"), PROP_WRITE,                      \
-            STORED(STORED_FX, lasers.dy)                                                                               \
-    }
+    COORDINATE("x", A_FX, REQ,                                                                                         \
+               "horizontal position of its head: the start of a beam, or the front of a bolt or curve; a write moves " \
+               "the entire laser",                                                                                     \
+               SETTER),                                                                                                \
+        COORDINATE("y", A_FX, REQ, "vertical position of its head; a write moves the entire laser", SETTER),           \
+        REQUIRED("dir", A_DIR, "direction in which a beam points or a bolt or curve flies, 0 to 360",                  \
+                 STORED(laser_heads.dir), SETTER),                                                                     \
+        SPEED("speed", A_FX, REQ, "speed of flight; a beam has none", SETTER),                                         \
+        SPEED("vx", A_FX, REQ, "horizontal velocity; a write changes `dir` and `speed`", SETTER),                      \
+        SPEED("vy", A_FX, REQ, "vertical velocity; a write changes `dir` and `speed`", SETTER),                        \
+        REQUIRED("kind", A_LASER_KIND, "name of its kind", STORED(laser_heads.kind)),                                  \
+        PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette banks of its sprites",               \
+              STORED(laser_heads.bank), WRITABLE),                                                                     \
+        LABEL("tag", OPT, "tag of its group, or nil", STORED(laser_heads.tag), WRITABLE),                              \
+        OPTIONAL("motion", A_MOTION,                                                                                   \
+                 "motion program of a bolt or curve, or nil; a write starts the program from its first step", SETTER), \
+        THING("around", OPT, POSITION_HANDLE_KINDS, "thing that it circles in `orbit` steps, or nil", SETTER),         \
+        REQUIRED("age", A_INT, "frames since it was fired, not counting frozen frames"),                               \
+        PARAM("frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL,                                                    \
+              "frames it stays frozen, or forever; 0 unfreezes it", STORED(laser_heads.frozen_left), SETTER),          \
+        PARAM("length", A_FX, REQ, 0, LASER_MAX_SIZE, "px", NULL, "length; read-only for a curve", SETTER),            \
+        PARAM("width", A_FX, REQ, 0, LASER_MAX_SIZE, "px", NULL, "full width, once it has grown",                      \
+              STORED(lasers.width), WRITABLE),                                                                         \
+        REQUIRED("spin", A_DIR, "degrees a beam turns per frame once `warn` is over, clockwise", STORED(lasers.spin),  \
+                 WRITABLE),                                                                                            \
+        COORDINATE("dx", A_FX, REQ, "for a beam, distance to the right of the followed thing", STORED(lasers.dx),      \
+                   WRITABLE),                                                                                          \
+        COORDINATE("dy", A_FX, REQ, "for a beam, distance below the followed thing", STORED(lasers.dy), WRITABLE)
 
-static const struct api_prop laser_props[] = {
+static const struct api_param laser_props[] = {
     LASER_PROPS,
-    { REQUIRED("state", A_STR, "\"warn\", \"grow\", \"on\" or \"fade\"; it hits only in \"grow\" and \"on\""),
-      PROP_READ, COMPUTED },
-    { REQUIRED("form", A_STR, "\"beam\", \"bolt\" or \"curve\""), PROP_READ, COMPUTED },
-    { THING("follow", REQ, POSITION_HANDLE_KINDS, "thing that a beam follows, or nil"), PROP_READ, COMPUTED },
-    { THING("by", REQ, 1 << H_PLAYER, "player who owns it, or nil"), PROP_READ, COMPUTED },
+    [L_STATE] = REQUIRED("state", A_STR, "\"warn\", \"grow\", \"on\" or \"fade\"; it hits only in \"grow\" and \"on\""),
+    REQUIRED("form", A_STR, "\"beam\", \"bolt\" or \"curve\""),
+    THING("follow", REQ, POSITION_HANDLE_KINDS, "thing that a beam follows, or nil"),
+    THING("by", REQ, 1 << H_PLAYER, "player who owns it, or nil"),
 };
 
-static const struct api_prop lasers_props[] = {
+static const struct api_param lasers_props[] = {
     LASER_PROPS,
     COUNT_PROP("lasers"),
 };
@@ -427,10 +387,10 @@ static void set_laser(lua_State *L, struct board *b, uint32_t i, int p, const st
     lasers_update_tail(b, i);
 }
 
-const struct api_thing api_laser_thing = { "laser",          laser_props,      LASER_PROP_COUNT,
-                                           .get = get_laser, .set = set_laser, POOL(laser_heads) };
-const struct api_thing api_lasers_thing = { "lasers",          lasers_props,      L_STATE + 1,
-                                            POOL(laser_heads), .member = H_LASER, .write_work = 1 };
+const struct api_thing api_laser_thing = { "laser", PARAMS(laser_props), .get = get_laser, .set = set_laser,
+                                           POOL(laser_heads) };
+const struct api_thing api_lasers_thing = { "lasers", PARAMS(lasers_props), POOL(laser_heads), .member = H_LASER,
+                                            .write_work = 1 };
 
 /* ---- verbs ---- */
 

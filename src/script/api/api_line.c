@@ -115,24 +115,22 @@ static int text_line(lua_State *L, struct board *b, struct api_value *v)
 
 enum { P_X, P_Y, P_DX, P_DY, P_TEXT, P_BANK, P_HIDDEN, P_DONE, PROPS };
 
-static const struct api_prop props[PROPS] = {
-    { COORDINATE(
-          "x", A_FX, REQ,
-          "horizontal position; while the line follows a thing, this is the thing's position, and writes are ignored"),
-      PROP_WRITE, COMPUTED },
-    { COORDINATE(
-          "y", A_FX, REQ,
-          "vertical position; while the line follows a thing, this is the thing's position, and writes are ignored"),
-      PROP_WRITE, COMPUTED },
-    { COORDINATE("dx", A_FX, REQ, "distance to the right of `x` at which it is drawn"), PROP_WRITE,
-      STORED(STORED_FX, lines.dx) },
-    { COORDINATE("dy", A_FX, REQ, "distance below `y` at which it is drawn"), PROP_WRITE, STORED(STORED_FX, lines.dy) },
-    { REQUIRED("text", A_STR, "text of the line; after a write, the letters appear one by one again"), PROP_WRITE,
-      COMPUTED },
-    { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of the font"), PROP_WRITE,
-      STORED(STORED_U8, lines.bank) },
-    { REQUIRED("hidden", A_BOOL, "true if not drawn"), PROP_WRITE, FLAG_OF(lines.flags, LINE_HIDDEN) },
-    { REQUIRED("done", A_BOOL, "true once all letters have appeared"), PROP_READ, COMPUTED },
+static const struct api_param props[PROPS] = {
+    COORDINATE(
+        "x", A_FX, REQ,
+        "horizontal position; while the line follows a thing, this is the thing's position, and writes are ignored",
+        SETTER),
+    COORDINATE(
+        "y", A_FX, REQ,
+        "vertical position; while the line follows a thing, this is the thing's position, and writes are ignored",
+        SETTER),
+    COORDINATE("dx", A_FX, REQ, "distance to the right of `x` at which it is drawn", STORED(lines.dx), WRITABLE),
+    COORDINATE("dy", A_FX, REQ, "distance below `y` at which it is drawn", STORED(lines.dy), WRITABLE),
+    REQUIRED("text", A_STR, "text of the line; after a write, the letters appear one by one again", SETTER),
+    PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of the font", STORED(lines.bank),
+          WRITABLE),
+    REQUIRED("hidden", A_BOOL, "true if not drawn", BITS_OF(lines.flags, LINE_HIDDEN), WRITABLE),
+    REQUIRED("done", A_BOOL, "true once all letters have appeared"),
 };
 
 static void push_text(lua_State *L, const struct lines *l, uint32_t i)

@@ -22,7 +22,7 @@ static void add_picture(lua_State *L, const char *entry, struct api_pictures *p,
     struct api_value v = { .given = false };
 
     snprintf(argument, sizeof argument, "pictures.%s", name);
-    const struct api_param sprite = { argument, A_SPRITE, OPT, 0, 0, NULL, NULL, NULL };
+    const struct api_param sprite = OPTIONAL(argument, A_SPRITE, NULL);
     api_check(L, entry, &sprite, at, &v);
     p->name[p->n] = name;
     p->sprite[p->n++] = v.given ? (uint16_t)v.i : default_sprite;

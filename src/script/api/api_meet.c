@@ -11,7 +11,8 @@ const struct api_param api_bullet_meet_params[MEET_PARAM_COUNT] = {
     DEFAULT("clear", A_MEET, "none", "which of the two bullets to remove"),
     OPTIONAL("spark", A_SPARK_KIND, "kind of spark that a removed bullet leaves; overrides `vanish`; needs `clear`"),
     DEFAULT("all", A_BOOL, "false", "also remove kinds with `clearable = false`; needs `clear`"),
-    OPTIONAL("on_meet", A_FUNC, "on_meet(a, b): called with the first and the second bullet, before either is removed"),
+    OPTIONAL("on_meet", A_FUNC, "on_meet(a, b): called with the first and the second bullet, before either is removed",
+             PROPERTY("on_meet")),
 };
 
 _Static_assert(MEET_FIRST == 1 && MEET_SECOND == 2, "the words of A_MEET have the values of the MEET_ flags");
@@ -49,6 +50,6 @@ int api_bullet_meet(lua_State *L, struct board *b, struct api_value *v)
     s->meet_spark[n] = v[ARG_SPARK].given ? (uint16_t)(v[ARG_SPARK].i + 1) : 0;
     s->meet_flags[n] = (uint8_t)(v[ARG_CLEAR].i | (v[ARG_ALL].i ? MEET_ALL : 0));
     s->n_meet_pairs = n + 1;
-    api_store_property(L, (int32_t)n, "on_meet", &v[ARG_ON_MEET]);
+    api_store_arguments(L, b, (int32_t)n, v);
     return 0;
 }

@@ -254,7 +254,7 @@ static void check_lead(lua_State *L, const struct api_value v[M_KEY_COUNT], int 
 /* Reads a coordinate: stores a number in *out, or returns the NAMED_VALUE_BITS of a declared value. */
 static uint64_t read_coordinate(lua_State *L, int step, const char *key, int at, enum step_number number, fx *out)
 {
-    struct api_param p = { key, A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, NULL };
+    struct api_param p = COORDINATE(key, A_FX, REQ, NULL);
     struct api_value v = { 0 };
     char entry[40];
 

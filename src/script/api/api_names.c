@@ -196,7 +196,7 @@ int api_value_count(const struct board *b, enum name_kind names)
 
 struct api_param api_value_param(const char *name)
 {
-    return (struct api_param){ name, A_FX, REQ, -32768, 32767, NULL, NULL, NULL };
+    return (struct api_param)PARAM(name, A_FX, REQ, -32768, 32767, NULL, NULL, NULL);
 }
 
 fx *api_value_column(struct board *b, enum name_kind names, int k)

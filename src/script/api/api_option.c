@@ -5,25 +5,18 @@
 #include <string.h>
 #include "api_parts.h"
 
-enum { D_NAME, D_SPRITE, D_BANK, D_LAYER, D_RUN };
-
 static const struct api_param def_params[] = {
     LABEL("name", REQ, "name of the kind, used in `options` of player.def; must be new"),
-    REQUIRED("sprite", A_SPRITE, "sprite to draw"),
-    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of its sprite"),
-    DEFAULT("layer", A_LAYER, "front", "sprite layer to draw it in"),
-    OPTIONAL("run", A_FUNC, "run(o): task of each option; it ends with the option"),
+    REQUIRED("sprite", A_SPRITE, "sprite to draw", STORED(option_kinds.sprite)),
+    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of its sprite",
+          STORED(option_kinds.bank)),
+    DEFAULT("layer", A_LAYER, "front", "sprite layer to draw it in", STORED(option_kinds.layer)),
+    OPTIONAL("run", A_FUNC, "run(o): task of each option; it ends with the option", PROPERTY("option's run")),
 };
 
 static int option_def(lua_State *L, struct board *b, struct api_value *v)
 {
-    struct option_kinds *k = &b->option_kinds;
-    const int32_t i = api_append_kind(L, "option.def", &k->s, N_OPTION, &v[D_NAME]);
-
-    k->sprite[i] = (uint16_t)v[D_SPRITE].i;
-    k->bank[i] = (uint8_t)v[D_BANK].i;
-    k->layer[i] = (uint8_t)v[D_LAYER].i;
-    api_store_property(L, i, "option's run", &v[D_RUN]);
+    api_append_kind(L, "option.def", &b->option_kinds.s, N_OPTION, v);
     return 0;
 }
 
@@ -64,7 +57,7 @@ static const struct api_param level_params[L_PARAM_COUNT] = {
 
 static fx read_axis(lua_State *L, const char *setting, int axis)
 {
-    const struct api_param p = { setting, A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, NULL };
+    const struct api_param p = COORDINATE(setting, A_FX, REQ, NULL);
     struct api_value v = { 0 };
 
     lua_rawgeti(L, -1, axis + 1);
@@ -247,20 +240,18 @@ void api_options_read(lua_State *L, struct board *b, int32_t ship, const struct 
 
 enum { P_X, P_Y, P_PLAYER, P_INDEX, P_FOCUS, P_AGE, P_KIND, P_BANK, P_HIDDEN, PROPS };
 
-static const struct api_prop props[PROPS] = {
-    { PARAM("x", A_FX, REQ, 0, 0, "px", NULL, "horizontal position in the field"), PROP_READ,
-      STORED(STORED_FX, options.x) },
-    { PARAM("y", A_FX, REQ, 0, 0, "px", NULL, "vertical position in the field"), PROP_READ,
-      STORED(STORED_FX, options.y) },
-    { THING("by", REQ, 1 << H_PLAYER, "player it belongs to"), PROP_READ, COMPUTED },
-    { REQUIRED("index", A_INT, "number among the player's options, from 1"), PROP_READ, COMPUTED },
-    { REQUIRED("focus", A_BOOL, "true while its player flies at focus speed"), PROP_READ, COMPUTED },
-    { REQUIRED("age", A_INT, "frames since it spawned"), PROP_READ, STORED(STORED_BORN, options.born) },
-    { REQUIRED("kind", A_OPTION_KIND, "name of its kind"), PROP_READ, STORED(STORED_KIND, options.kind) },
-    { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of its sprite"), PROP_WRITE,
-      STORED(STORED_U8, options.bank) },
-    { REQUIRED("hidden", A_BOOL, "true if not drawn; it still flies and fires"), PROP_WRITE,
-      FLAG_OF(options.flags, OPTION_HIDDEN) },
+static const struct api_param props[PROPS] = {
+    PARAM("x", A_FX, REQ, 0, 0, "px", NULL, "horizontal position in the field", STORED(options.x)),
+    PARAM("y", A_FX, REQ, 0, 0, "px", NULL, "vertical position in the field", STORED(options.y)),
+    THING("by", REQ, 1 << H_PLAYER, "player it belongs to"),
+    REQUIRED("index", A_INT, "number among the player's options, from 1"),
+    REQUIRED("focus", A_BOOL, "true while its player flies at focus speed"),
+    REQUIRED("age", A_INT, "frames since it spawned", AGE_OF(options.born)),
+    REQUIRED("kind", A_OPTION_KIND, "name of its kind", STORED(options.kind)),
+    PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of its sprite", STORED(options.bank),
+          WRITABLE),
+    REQUIRED("hidden", A_BOOL, "true if not drawn; it still flies and fires", BITS_OF(options.flags, OPTION_HIDDEN),
+             WRITABLE),
 };
 
 static void get_option(lua_State *L, struct board *b, uint32_t i, int p)

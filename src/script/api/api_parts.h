@@ -333,18 +333,31 @@ static inline bool api_has_tag(const uint16_t *tags, uint32_t i, uint32_t tag)
 enum { EACH_TAG, EACH_F, EACH_PARAM_COUNT, TAG_PARAM_COUNT = 1 };
 extern const struct api_param api_tag_params[TAG_PARAM_COUNT], api_each_params[EACH_PARAM_COUNT];
 
-/* The storage in a property's row: STORED(STORED_FX, enemies.x), FLAG_OF(enemies.flags, ENEMY_HIDDEN), or
- * COMPUTED by a function. */
-#define STORED(type, columns)  .storage = type, .column_offset = offsetof(struct board, columns)
-#define FLAG_OF(columns, bits) STORED(STORED_FLAG, columns), .flag = bits
-#define COMPUTED               .storage = STORED_NOWHERE
+/* Where a parameter's row stores the value: STORED(enemies.x), BITS_OF(enemies.flags, ENEMY_HIDDEN). AGE_OF names the
+ * column of birth times, PROPERTY the property of a kind. */
+#define IS_SIGNED(columns)                                                                                             \
+    _Generic(&(columns), int8_t * * : 1, int16_t * * : 1, int32_t * * : 1, int64_t * * : 1, uint8_t * * : 0,           \
+             uint16_t * * : 0, uint32_t * * : 0)
+#define IN_COLUMN(columns, ...)                                                                                        \
+    .column = { .offset = offsetof(struct board, columns),                                                             \
+                .size = sizeof *((struct board *)0)->columns,                                                          \
+                .is_signed = IS_SIGNED(((struct board *)0)->columns),                                                  \
+                __VA_ARGS__ }
+#define STORED(columns)        IN_COLUMN(columns, )
+#define BITS_OF(columns, mask) IN_COLUMN(columns, .bits = mask)
+#define AGE_OF(columns)        IN_COLUMN(columns, .is_birth = true)
+#define PROPERTY(name)         .column = { .property = name }
+
+/* Stores v in element i of the column that p names. */
+void api_store_value(lua_State *L, const struct board *b, const struct api_param *p, uint32_t i,
+                     const struct api_value *v);
+
+/* Stores the arguments v of the running function in the columns and properties that their rows name, for kind i. */
+void api_store_arguments(lua_State *L, struct board *b, int32_t i, const struct api_value *v);
 
 /* The row of a group's property `count`. */
 #define COUNT_PROP(members)                                                                                            \
-    {                                                                                                                  \
-        REQUIRED("count", A_INT, "number of live " members " with the tag; no other property of a group can be read"), \
-            PROP_READ, COMPUTED                                                                                        \
-    }
+    REQUIRED("count", A_INT, "number of live " members " with the tag; no other property of a group can be read")
 
 /* Where the things of a kind, or a group's members, are stored: the struct's name in struct board. */
 #define POOL(pool) .slots_offset = offsetof(struct board, pool.s), .tags_offset = offsetof(struct board, pool.tag)
@@ -552,12 +565,10 @@ void api_options_read(lua_State *L, struct board *b, int32_t ship, const struct 
 /* Returns the number of the bomb named by an argument of player.def; 0: not given. */
 uint8_t api_find_bomb(lua_State *L, const char *param_name, int32_t ship, const struct api_value *v);
 
-/* Appends a kind of that name to the list of kinds and returns its index. */
+/* Appends a kind to the list of kinds, stores the arguments v, of which the first is its name, and returns its index.
+ */
 int32_t api_append_kind(lua_State *L, const char *entry, struct slots *kinds, enum name_kind names,
-                        const struct api_value *name);
-
-/* Stores an argument as a property of a kind (events_set_property), unless it is not given. */
-void api_store_property(lua_State *L, int32_t kind, const char *property, const struct api_value *v);
+                        const struct api_value *v);
 
 /* Passed instead of a kind of ship: the registers of the run. */
 enum { RUN_REGISTERS = -1 };

@@ -7,59 +7,49 @@
 
 extern const struct api_thing api_player_thing;
 
-enum {
-    D_NAME,
-    D_SPRITE,
-    D_HIT,
-    D_GRAZE,
-    D_SPEED,
-    D_FOCUS,
-    D_LIVES,
-    D_SAFE,
-    D_REGISTERS,
-    D_RUN,
-    D_MAGNET,
-    D_LINE,
-    D_FULL,
-    D_PULL,
-    D_PICTURES,
-    D_BOMB,
-    D_BOMB_FOCUS,
-    D_DEATHBOMB,
-    D_OPTIONS,
-    D_NEEDS
-};
+enum { D_NAME, D_SPRITE, D_HIT, D_REGISTERS = 8, D_MAGNET = 10, D_LINE, D_FULL, D_PULL, D_PICTURES, D_BOMB };
+enum { D_BOMB_FOCUS = D_BOMB + 1, D_OPTIONS = 18, D_NEEDS };
 
 static const struct api_param def_params[] = {
     REQUIRED("name", A_STR, "name of the ship, used in `players` of boot.run; must be new"),
-    REQUIRED("sprite", A_SPRITE, "sprite to draw"),
+    REQUIRED("sprite", A_SPRITE, "sprite to draw", STORED(player_kinds.sprite)),
     PARAM("hit", A_HIT_SHAPE, REQ, HIT_PLAYERS, 0, NULL, NULL, "hitbox, a circle around its position"),
-    PARAM("graze", A_FX, OPT, 0, MAX_SPEED, "px", "16", "radius of the circle in which bullets graze it"),
-    PARAM("speed", A_FX, OPT, 0, MAX_SPEED, "px/frame", "4", "speed of flight"),
-    PARAM("focus", A_FX, OPT, 0, MAX_SPEED, "px/frame", "2", "speed of flight while the focus button is held"),
-    PARAM("lives", A_INT, OPT, 1, MAX_LIVES, NULL, "3", "lives at the start of a game, counting the one in play"),
+    PARAM("graze", A_FX, OPT, 0, MAX_SPEED, "px", "16", "radius of the circle in which bullets graze it",
+          STORED(player_kinds.graze_radius)),
+    PARAM("speed", A_FX, OPT, 0, MAX_SPEED, "px/frame", "4", "speed of flight", STORED(player_kinds.speed)),
+    PARAM("focus", A_FX, OPT, 0, MAX_SPEED, "px/frame", "2", "speed of flight while the focus button is held",
+          STORED(player_kinds.focus_speed)),
+    PARAM("lives", A_INT, OPT, 1, MAX_LIVES, NULL, "3", "lives at the start of a game, counting the one in play",
+          STORED(player_kinds.lives)),
     PARAM("safe", A_INT, OPT, 0, 100000, "frames", "120",
-          "frames at the start and after a death during which nothing can hit the ship"),
-    OPTIONAL(
+          "frames at the start and after a death during which nothing can hit the ship",
+          STORED(player_kinds.safe_frames)),
+    [D_REGISTERS] = OPTIONAL(
         "registers", A_TABLE,
         "up to 16 whole numbers that belong to the ship, { NAME = start } or { NAME = { .. } }; read and write them "
         "as p.NAME"),
-    OPTIONAL("run", A_FUNC, "run(p): task that runs from when the ship joins the game until the player is out"),
-    PARAM("magnet", A_FX, OPT, 0, MAX_SPEED, "px", "24", "distance within which items fly to it"),
+    OPTIONAL("run", A_FUNC, "run(p): task that runs from when the ship joins the game until the player is out",
+             PROPERTY("ship's run")),
+    [D_MAGNET] = PARAM("magnet", A_FX, OPT, 0, MAX_SPEED, "px", "24", "distance within which items fly to it",
+                       STORED(player_kinds.magnet_radius)),
     COORDINATE("collect_line", A_FX, OPT,
                "vertical position of a line; while the ship is above the line, it attracts all items; nil for no line"),
     LABEL("collect_full", OPT,
           "register of the ship or the run; while the register is at its max, all items fly to the ship"),
-    PARAM("pull", A_FX, OPT, 0, MAX_SPEED, "px/frame", "6", "speed at which items fly to it"),
-    OPTIONAL("pictures", A_TABLE,
-             "up to 15 more sprites, { NAME = sprite }, which `picture` selects by name; `left` and `right` are shown "
-             "while the ship flies left or right"),
+    PARAM("pull", A_FX, OPT, 0, MAX_SPEED, "px/frame", "6", "speed at which items fly to it",
+          STORED(player_kinds.pull_speed)),
+    [D_PICTURES] = OPTIONAL(
+        "pictures", A_TABLE,
+        "up to 15 more sprites, { NAME = sprite }, which `picture` selects by name; `left` and `right` are shown "
+        "while the ship flies left or right"),
     LABEL("bomb", OPT, "bomb (bomb.def) that the bomb button starts"),
     LABEL("bomb_focus", OPT, "bomb used while focused; defaults to `bomb`"),
     PARAM("deathbomb", A_INT, OPT, 0, 600, "frames", "0",
-          "frames after a hit during which a bomb can still save the ship; at 0, the ship dies immediately"),
-    OPTIONAL("options", A_TABLE, "options (option.def) that fly with it and fire; needs `board = { options = n }`"),
-    LABEL("needs", OPT, "unlock (unlock.def) that makes the ship available to players"),
+          "frames after a hit during which a bomb can still save the ship; at 0, the ship dies immediately",
+          STORED(player_kinds.deathbomb_frames)),
+    [D_OPTIONS] =
+        OPTIONAL("options", A_TABLE, "options (option.def) that fly with it and fire; needs `board = { options = n }`"),
+    LABEL("needs", OPT, "unlock (unlock.def) that makes the ship available to players", PROPERTY("ship's needs")),
 };
 
 static const char *const first_picture_names[] = { "left", "right", NULL };
@@ -94,9 +84,7 @@ static void define_item_attraction(lua_State *L, struct board *b, int32_t kind, 
             api_error(L, "player.def", "%s: " API_DISABLED_FORMAT, def_params[p].name, disabled_reason);
     if (disabled_reason)
         return;
-    k->magnet_radius[kind] = v[D_MAGNET].f;
     k->collect_line[kind] = v[D_LINE].given ? v[D_LINE].f : FX_MIN;
-    k->pull_speed[kind] = v[D_PULL].f;
     k->full_register[kind] = find_full_register(L, b, kind, &v[D_FULL]);
 }
 
@@ -113,14 +101,8 @@ static int player_def(lua_State *L, struct board *b, struct api_value *v)
     api_pictures_append_rows(L, "player.def", &k->s, k->sprite, &pictures);
     for (; row < k->s.live; row++)
         k->radius[row] = PICTURE_ROW_RADIUS;
-    const int32_t i = api_append_kind(L, "player.def", &k->s, N_PLAYER, &v[D_NAME]);
-    k->sprite[i] = (uint16_t)v[D_SPRITE].i;
+    const int32_t i = api_append_kind(L, "player.def", &k->s, N_PLAYER, v);
     k->radius[i] = r;
-    k->graze_radius[i] = v[D_GRAZE].f;
-    k->speed[i] = v[D_SPEED].f;
-    k->focus_speed[i] = v[D_FOCUS].f;
-    k->lives[i] = (int32_t)v[D_LIVES].i;
-    k->safe_frames[i] = (uint32_t)v[D_SAFE].i;
     k->first_register[i] = (uint16_t)b->registers.s.live;
     if (v[D_REGISTERS].given) {
         const int n = api_registers_define(L, "player.def", i, v[D_REGISTERS].at);
@@ -129,11 +111,8 @@ static int player_def(lua_State *L, struct board *b, struct api_value *v)
     define_item_attraction(L, b, i, v);
     k->bomb[i] = api_find_bomb(L, "bomb", i, &v[D_BOMB]);
     k->bomb_focus[i] = api_find_bomb(L, "bomb_focus", i, &v[D_BOMB_FOCUS]);
-    k->deathbomb_frames[i] = (uint16_t)v[D_DEATHBOMB].i;
     api_options_read(L, b, i, &v[D_OPTIONS]);
     api_pictures_store_names(L, N_PLAYER, i, &pictures);
-    api_store_property(L, i, "ship's run", &v[D_RUN]);
-    api_store_property(L, i, "ship's needs", &v[D_NEEDS]);
     if (v[D_NEEDS].given)
         api_record_location(L, "player.def", lua_tostring(L, v[D_NAME].at));
     return 0;
@@ -203,54 +182,35 @@ static int player_each(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-enum {
-    P_X,
-    P_Y,
-    P_LIVES,
-    P_SAFE,
-    P_FOCUS,
-    P_GRAZES,
-    P_SCORE,
-    P_INDEX,
-    P_KIND,
-    P_PICTURE,
-    P_FLIP_X,
-    P_HIDDEN,
-    P_STATE,
-    PROPS
-};
+enum { P_X, P_Y, P_PICTURE = 9, P_STATE = 12, PROPS };
 
-static const struct api_prop props[PROPS] = {
-    { COORDINATE("x", A_FX, REQ,
-                 "horizontal position in the field; a write teleports it, without collisions on the way"),
-      PROP_WRITE, STORED(STORED_FX, player.x), .has_setter = true },
-    { COORDINATE("y", A_FX, REQ, "vertical position in the field; a write teleports it, without collisions on the way"),
-      PROP_WRITE, STORED(STORED_FX, player.y), .has_setter = true },
-    { PARAM("lives", A_INT, REQ, 0, MAX_LIVES, NULL, NULL,
-            "lives left after the one in play; reads as -1 in on.death when the last life is lost"),
-      PROP_WRITE, STORED(STORED_I32, player.lives) },
-    { PARAM("safe", A_INT, REQ, 0, INT32_MAX, "frames", NULL, "frames for which nothing can hit it"), PROP_WRITE,
-      STORED(STORED_U32, player.safe_left) },
-    { REQUIRED("focus", A_BOOL, "true while it flies at its focus speed"), PROP_READ,
-      FLAG_OF(player.flags, PLAYER_FOCUS) },
-    { REQUIRED("grazes", A_INT, "number of bullets and lasers grazed in this game"), PROP_PERSISTENT,
-      STORED(STORED_U32, player.grazes) },
-    { REQUIRED("score", A_INT, "points in this game; score.add changes them"), PROP_PERSISTENT,
-      STORED(STORED_I64, player.score) },
-    { REQUIRED("index", A_INT, "number of the player, 1 or 2"), PROP_PERSISTENT, COMPUTED },
-    { REQUIRED("kind", A_PLAYER_KIND, "name of its kind"), PROP_PERSISTENT, STORED(STORED_KIND, player.kind) },
-    { OPTIONAL(
-          "picture", A_STR,
-          "picture to show, a name in `pictures` of its kind; nil shows the picture `left` or `right` while the ship "
-          "flies left or right, otherwise its sprite"),
-      PROP_WRITE, COMPUTED },
-    { REQUIRED("flip_x", A_BOOL, "true if mirrored left to right"), PROP_WRITE, FLAG_OF(player.flags, PLAYER_FLIP) },
-    { REQUIRED("hidden", A_BOOL, "true if not drawn; it still flies, fires and is hit"), PROP_WRITE,
-      FLAG_OF(player.flags, PLAYER_HIDDEN) },
-    { REQUIRED("state", A_STR,
-               "\"fly\" or \"hit\"; in \"hit\", the player can't move or fire, but can still be saved by a bomb "
-               "(deathbomb)"),
-      PROP_READ, COMPUTED },
+static const struct api_param props[PROPS] = {
+    COORDINATE("x", A_FX, REQ, "horizontal position in the field; a write teleports it, without collisions on the way",
+               STORED(player.x), SETTER),
+    COORDINATE("y", A_FX, REQ, "vertical position in the field; a write teleports it, without collisions on the way",
+               STORED(player.y), SETTER),
+    PARAM("lives", A_INT, REQ, 0, MAX_LIVES, NULL, NULL,
+          "lives left after the one in play; reads as -1 in on.death when the last life is lost", STORED(player.lives),
+          WRITABLE),
+    PARAM("safe", A_INT, REQ, 0, INT32_MAX, "frames", NULL, "frames for which nothing can hit it",
+          STORED(player.safe_left), WRITABLE),
+    REQUIRED("focus", A_BOOL, "true while it flies at its focus speed", BITS_OF(player.flags, PLAYER_FOCUS)),
+    REQUIRED("grazes", A_INT, "number of bullets and lasers grazed in this game", STORED(player.grazes), PERSISTENT),
+    REQUIRED("score", A_INT, "points in this game; score.add changes them", STORED(player.score), PERSISTENT),
+    REQUIRED("index", A_INT, "number of the player, 1 or 2", PERSISTENT),
+    REQUIRED("kind", A_PLAYER_KIND, "name of its kind", STORED(player.kind), PERSISTENT),
+    [P_PICTURE] = OPTIONAL(
+        "picture", A_STR,
+        "picture to show, a name in `pictures` of its kind; nil shows the picture `left` or `right` while the ship "
+        "flies left or right, otherwise its sprite",
+        SETTER),
+    REQUIRED("flip_x", A_BOOL, "true if mirrored left to right", BITS_OF(player.flags, PLAYER_FLIP), WRITABLE),
+    REQUIRED("hidden", A_BOOL, "true if not drawn; it still flies, fires and is hit",
+             BITS_OF(player.flags, PLAYER_HIDDEN), WRITABLE),
+    [P_STATE] =
+        REQUIRED("state", A_STR,
+                 "\"fly\" or \"hit\"; in \"hit\", the player can't move or fire, but can still be saved by a bomb "
+                 "(deathbomb)"),
 };
 
 static void get_player_prop(lua_State *L, struct board *b, uint32_t i, int p)

@@ -133,7 +133,7 @@ static struct register_declaration read_register(lua_State *L, const char *entry
         read_rule(L, entry, name, lua_gettop(L), &r);
         return r;
     }
-    const struct api_param param = { name, A_INT, REQ, 0, INT32_MAX, NULL, NULL, NULL };
+    const struct api_param param = PARAM(name, A_INT, REQ, 0, INT32_MAX, NULL, NULL, NULL);
     api_check(L, entry, &param, lua_gettop(L), &v);
     r.rule.start = (int32_t)v.i;
     return r;
@@ -302,7 +302,7 @@ int api_player_register_names(lua_State *L, int32_t kind, const char *names[PLAY
 int64_t api_read_register_value(lua_State *L, const char *entry, const char *name, uint32_t row, int at)
 {
     const double min_value = registers_rule(&vm_board(L)->registers, row).min_value;
-    const struct api_param p = { name, A_INT, REQ, min_value, INT32_MAX, NULL, NULL, NULL };
+    const struct api_param p = PARAM(name, A_INT, REQ, min_value, INT32_MAX, NULL, NULL, NULL);
     struct api_value v = { 0 };
     int is_integer = 0;
 

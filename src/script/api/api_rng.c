@@ -76,9 +76,8 @@ static const struct api_param angle_params[] = { REQUIRED("d", A_DIR, "angle") }
 /* Reads the position of a thing or of a table with x and y. Returns false for a dead thing. */
 static bool read_position(lua_State *L, struct board *b, const char *entry, const char *name, int at, fx *x, fx *y)
 {
-    struct api_param x_param = { "x", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, NULL },
-                     y_param = { "y", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, NULL },
-                     thing_param = { name, A_THING, REQ, POSITION_HANDLE_KINDS, 0, NULL, NULL, NULL };
+    struct api_param x_param = COORDINATE("x", A_FX, REQ, NULL), y_param = COORDINATE("y", A_FX, REQ, NULL),
+                     thing_param = PARAM(name, A_THING, REQ, POSITION_HANDLE_KINDS, 0, NULL, NULL, NULL);
     struct api_value v = { 0 };
 
     if (lua_type(L, at) != LUA_TTABLE) {

@@ -151,37 +151,28 @@ static int sprite_plate(lua_State *L, struct board *b, struct api_value *v)
 
 enum { P_X, P_Y, P_SPRITE, P_BANK, P_FLIP_X, P_FLIP_Y, P_HIDDEN, P_BLEND, P_DX, P_DY, P_W, P_H, P_LAYER, PROPS };
 
-static const struct api_prop props[PROPS] = {
-    { COORDINATE("x", A_FX, REQ, "horizontal position; read-only while the sprite follows a thing"), PROP_WRITE,
-      COMPUTED },
-    { COORDINATE("y", A_FX, REQ, "vertical position; read-only while the sprite follows a thing"), PROP_WRITE,
-      COMPUTED },
-    { REQUIRED("sprite", A_SPRITE,
-               "name of the picture; writing a different name restarts the animation; nil for a plate"),
-      PROP_WRITE, COMPUTED },
-    { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of the picture"), PROP_WRITE,
-      STORED(STORED_U8, sprites.bank) },
-    { REQUIRED("flip_x", A_BOOL, "true if mirrored left to right"), PROP_WRITE, FLAG_OF(sprites.flags, SPRITE_FLIP_X),
-      .has_setter = true },
-    { REQUIRED("flip_y", A_BOOL, "true if mirrored top to bottom"), PROP_WRITE, FLAG_OF(sprites.flags, SPRITE_FLIP_Y),
-      .has_setter = true },
-    { REQUIRED("hidden", A_BOOL, "true if not drawn"), PROP_WRITE, FLAG_OF(sprites.flags, SPRITE_HIDDEN) },
-    { OPTIONAL("blend", A_BLEND, "blend it is drawn with, or nil"), PROP_WRITE, COMPUTED },
-    { COORDINATE("dx", A_FX, REQ, "distance to the right of the followed thing; nil if the sprite follows nothing"),
-      PROP_WRITE, COMPUTED },
-    { COORDINATE("dy", A_FX, REQ, "distance below the followed thing; nil if the sprite follows nothing"), PROP_WRITE,
-      COMPUTED },
-    { PARAM("w", A_INT, REQ, 8, FB_MAX_SIDE, "px", NULL, "width of a plate; nil for other sprites"), PROP_WRITE,
-      COMPUTED },
-    { PARAM("h", A_INT, REQ, 8, FB_MAX_SIDE, "px", NULL, "height of a plate; nil for other sprites"), PROP_WRITE,
-      COMPUTED },
-    { REQUIRED("layer", A_LAYER, "drawing order; nil for a plate"), PROP_WRITE, COMPUTED },
+static const struct api_param props[PROPS] = {
+    COORDINATE("x", A_FX, REQ, "horizontal position; read-only while the sprite follows a thing", SETTER),
+    COORDINATE("y", A_FX, REQ, "vertical position; read-only while the sprite follows a thing", SETTER),
+    REQUIRED("sprite", A_SPRITE,
+             "name of the picture; writing a different name restarts the animation; nil for a plate", SETTER),
+    PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of the picture",
+          STORED(sprites.bank), WRITABLE),
+    REQUIRED("flip_x", A_BOOL, "true if mirrored left to right", BITS_OF(sprites.flags, SPRITE_FLIP_X), SETTER),
+    REQUIRED("flip_y", A_BOOL, "true if mirrored top to bottom", BITS_OF(sprites.flags, SPRITE_FLIP_Y), SETTER),
+    REQUIRED("hidden", A_BOOL, "true if not drawn", BITS_OF(sprites.flags, SPRITE_HIDDEN), WRITABLE),
+    OPTIONAL("blend", A_BLEND, "blend it is drawn with, or nil", BITS_OF(sprites.flags, SPRITE_BLEND), SETTER),
+    COORDINATE("dx", A_FX, REQ, "distance to the right of the followed thing; nil if the sprite follows nothing",
+               SETTER),
+    COORDINATE("dy", A_FX, REQ, "distance below the followed thing; nil if the sprite follows nothing", SETTER),
+    PARAM("w", A_INT, REQ, 8, FB_MAX_SIDE, "px", NULL, "width of a plate; nil for other sprites", SETTER),
+    PARAM("h", A_INT, REQ, 8, FB_MAX_SIDE, "px", NULL, "height of a plate; nil for other sprites", SETTER),
+    REQUIRED("layer", A_LAYER, "drawing order; nil for a plate", SETTER),
 };
 
 static void get_sprite(lua_State *L, struct board *b, uint32_t i, int p)
 {
     const struct sprites *s = &b->sprites;
-    const int blend = (s->flags[i] & SPRITE_BLEND) / SPRITE_BLEND_ONE;
     fx x, y;
 
     switch (p) { /* a NULL string is pushed as nil */
@@ -207,11 +198,8 @@ static void get_sprite(lua_State *L, struct board *b, uint32_t i, int p)
         else
             lua_pushnil(L);
         break;
-    case P_LAYER:
+    default: /* P_LAYER */
         lua_pushstring(L, is_plate(s, i) ? NULL : api_layer_names[s->layer[i]]);
-        break;
-    default: /* P_BLEND */
-        lua_pushstring(L, blend ? cart_name(&b->cart, CART_BLENDS, blend - 1) : NULL);
     }
 }
 
@@ -224,15 +212,14 @@ static void check_property_write(lua_State *L, const struct sprites *s, uint32_t
         api_error(L, "sprite",
                   s->flags[i] & SPRITE_FOLLOW ? "%s: the sprite follows a thing; set `dx` and `dy` instead"
                                               : "%s: the sprite follows nothing; set `x` and `y` instead",
-                  props[p].param.name);
+                  props[p].name);
     if (!drawn_as_plate && (p == P_W || p == P_H))
-        api_error(L, "sprite", "%s: can only be written on a plate; a sprite's size comes from rom.lua",
-                  props[p].param.name);
+        api_error(L, "sprite", "%s: can only be written on a plate; a sprite's size comes from rom.lua", props[p].name);
     if (drawn_as_plate && (p == P_LAYER || p == P_SPRITE || p == P_FLIP_X || p == P_FLIP_Y || p == P_BLEND))
-        api_error(L, "sprite", "%s: a plate has no picture", props[p].param.name);
+        api_error(L, "sprite", "%s: a plate has no picture", props[p].name);
     if ((p == P_BLEND && v->i && s->layer[i] == LAYER_OVER) ||
         (p == P_LAYER && v->i == LAYER_OVER && s->flags[i] & SPRITE_BLEND))
-        api_error(L, "sprite", "%s: " OVER_BLEND_ERROR, props[p].param.name);
+        api_error(L, "sprite", "%s: " OVER_BLEND_ERROR, props[p].name);
 }
 
 static void set_sprite(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
@@ -263,11 +250,8 @@ static void set_sprite(lua_State *L, struct board *b, uint32_t i, int p, const s
             s->born[i] = b->core.clock;
         s->sprite[i] = (uint16_t)v->i;
         break;
-    case P_BLEND:
-        s->flags[i] = (uint8_t)((s->flags[i] & ~SPRITE_BLEND) | v->i * SPRITE_BLEND_ONE);
-        break;
     default:
-        s->flags[i] = (uint8_t)(v->i ? s->flags[i] | props[p].flag : s->flags[i] & ~props[p].flag);
+        api_store_value(L, b, &props[p], i, v);
     }
 }
 
@@ -287,19 +271,24 @@ static int sprite_remove(lua_State *L, struct board *b, struct api_value *v)
 
 /* ---- spark ---- */
 
-enum { D_NAME, D_SPRITE, D_LIFE, D_GRAVITY, D_DRAG, D_BANK, D_BLEND, D_BANKS, D_LAYER };
+enum { D_NAME, D_BANK = 5, D_BANKS = 7, D_LAYER };
 
 static const struct api_param spark_def_params[] = {
     REQUIRED("name", A_STR, "name of the kind, used as `kind = NAME`"),
-    REQUIRED("sprite", A_SPRITE, "picture to show"),
-    PARAM("life", A_INT, REQ, 1, 65535, "frames", NULL, "frames until a spark disappears"),
-    PARAM("gravity", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame per frame", "0", "downward acceleration"),
-    PARAM("drag", A_FX, OPT, 0, 1, "per frame", "0", "fraction of its speed that a spark loses each frame"),
-    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0",
-          "number added to the palette bank of the picture; give `bank` or `banks`"),
-    OPTIONAL("blend", A_BLEND, "blend to draw it with, from `blends` in rom.lua; nil draws it opaque"),
-    OPTIONAL("banks", A_TABLE,
-             "list of up to eight banks that a spark goes through, each for an equal part of its life"),
+    REQUIRED("sprite", A_SPRITE, "picture to show", STORED(spark_kinds.sprite)),
+    PARAM("life", A_INT, REQ, 1, 65535, "frames", NULL, "frames until a spark disappears",
+          STORED(spark_kinds.lifetime)),
+    PARAM("gravity", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame per frame", "0", "downward acceleration",
+          STORED(spark_kinds.gravity)),
+    PARAM("drag", A_FX, OPT, 0, 1, "per frame", "0", "fraction of its speed that a spark loses each frame",
+          STORED(spark_kinds.drag)),
+    [D_BANK] = PARAM("bank", A_INT, OPT, 0, 15, NULL, "0",
+                     "number added to the palette bank of the picture; give `bank` or `banks`",
+                     BITS_OF(spark_kinds.bank, SPARK_BANK)),
+    OPTIONAL("blend", A_BLEND, "blend to draw it with, from `blends` in rom.lua; nil draws it opaque",
+             BITS_OF(spark_kinds.bank, SPARK_BLEND)),
+    [D_BANKS] = OPTIONAL("banks", A_TABLE,
+                         "list of up to eight banks that a spark goes through, each for an equal part of its life"),
     DEFAULT("layer", A_SPARK_LAYER, "front",
             "`middle` draws the sparks below players and bullets; `front` draws them above"),
 };
@@ -308,11 +297,10 @@ static const char no_free_kind[] =
     "no free kind: `board.sparks` in rom.lua is 0, or all %d kinds are declared (each bank "
     "after the first counts as one)";
 
-/* Reads the list `banks`: the first element is the kind's own bank, each further one adds a row. `look_bits`: the other
- * bits of the column `bank`. */
-static void define_banks(lua_State *L, struct spark_kinds *k, int32_t i, int at, unsigned flag_bits)
+/* Reads the list `banks`: the first element is the kind's own bank, each further one adds a row. */
+static void define_banks(lua_State *L, struct spark_kinds *k, int32_t i, int at)
 {
-    const struct api_param bank = { "banks", A_INT, REQ, 0, 15, NULL, NULL, NULL };
+    const struct api_param bank = PARAM("banks", A_INT, REQ, 0, 15, NULL, NULL, NULL);
     lua_Unsigned n = lua_rawlen(L, at);
 
     if (n < 1 || n > SPARK_MAX_BANKS)
@@ -326,7 +314,7 @@ static void define_banks(lua_State *L, struct spark_kinds *k, int32_t i, int at,
         api_check(L, "spark.def", &bank, lua_gettop(L), &v);
         lua_pop(L, 1);
         k->sprite[row] = k->sprite[i];
-        k->bank[row] = (uint8_t)(v.i | flag_bits);
+        k->bank[row] = (uint8_t)((k->bank[i] & ~SPARK_BANK) | v.i);
     }
 }
 
@@ -340,16 +328,12 @@ static int spark_define(lua_State *L, struct board *b, struct api_value *v)
         return api_error(L, "spark.def", no_free_kind, MAX_KINDS);
     if (v[D_BANKS].given && v[D_BANK].given)
         return api_error(L, "spark.def", "expected either `bank` or `banks`, got both");
-    const bool is_under = LAYER_MIDDLE + v[D_LAYER].i == LAYER_MIDDLE;
-    const unsigned look_bits = (unsigned)v[D_BLEND].i * SPARK_BLEND_ONE | (is_under ? SPARK_UNDER_PLAYERS : 0);
     api_names_declare(L, N_SPARK, "spark.def", lua_tostring(L, v[D_NAME].at), i);
-    k->sprite[i] = (uint16_t)v[D_SPRITE].i;
-    k->lifetime[i] = (uint16_t)v[D_LIFE].i;
-    k->gravity[i] = v[D_GRAVITY].f;
-    k->drag[i] = v[D_DRAG].f;
-    k->bank[i] = (uint8_t)(v[D_BANK].i | look_bits);
+    api_store_arguments(L, b, i, v);
+    if (LAYER_MIDDLE + v[D_LAYER].i == LAYER_MIDDLE)
+        k->bank[i] |= SPARK_UNDER_PLAYERS;
     if (v[D_BANKS].given)
-        define_banks(L, k, i, v[D_BANKS].at, look_bits);
+        define_banks(L, k, i, v[D_BANKS].at);
     return 0;
 }
 
@@ -538,7 +522,7 @@ static int palette_load(lua_State *L, struct board *b, struct api_value *v)
 
 static int palette_fade(lua_State *L, struct board *b, struct api_value *v)
 {
-    struct api_param number_param = { "to", A_INT, REQ, 0, 0xffffff, NULL, NULL, NULL };
+    struct api_param number_param = PARAM("to", A_INT, REQ, 0, 0xffffff, NULL, NULL, NULL);
     struct api_value target = { 0 };
     const uint8_t *p = NULL;
     const int old_palette = get_loaded_palette(b);

@@ -248,7 +248,7 @@ static bool is_marker_ahead(lua_State *L, struct board *b, int marker)
 
 static int music_wait(lua_State *L, struct board *b, struct api_value *v)
 {
-    static const struct api_param count_param = { "n", A_INT, REQ, 1, 65536, "beats", NULL, NULL };
+    static const struct api_param count_param = PARAM("n", A_INT, REQ, 1, 65536, "beats", NULL, NULL);
     struct api_value n = { .i = 1 };
     int marker = 0;
 

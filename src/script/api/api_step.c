@@ -295,7 +295,7 @@ static void pop_position(lua_State *L, int step, int place_at, bool mirror, fx *
 /* Pops the point on top of the stack and fills `leg` with the leg to it. Returns false if the leg takes no time. */
 static bool read_leg(lua_State *L, int step, int place_at, struct api_route_reader *reader, struct motion_step *leg)
 {
-    static const struct api_param ease_param = { "ease", A_EASE, OPT, 0, 0, NULL, NULL, NULL };
+    static const struct api_param ease_param = OPTIONAL("ease", A_EASE, NULL);
     const int point = lua_gettop(L);
     struct api_value v = { 0 };
     fx x = reader->x, y = reader->y;

@@ -70,30 +70,51 @@ enum { REQ = 0, OPT = 1 }; /* whether a parameter is required or optional */
 #define HELP(text) text
 #endif
 
+/* How a property can be used. PROP_SET: a write calls `set` of struct api_thing. PROP_PERSISTENT: read-only; a player's
+ * can still be read after the player is out. */
+enum { PROP_READ = 0, PROP_WRITE = 1, PROP_SET = PROP_WRITE | 2, PROP_PERSISTENT = 4 };
+
+/* Where the value of a parameter is stored. */
+struct api_column {
+    size_t offset;        /* in struct board, of the pointer to the column */
+    uint8_t size;         /* bytes of an element; 0: no column */
+    bool is_signed;       /* the elements are signed */
+    bool is_birth;        /* the elements are the clock at birth; the value is the age */
+    uint16_t bits;        /* the bits of an element that hold the value; 0: all */
+    const char *property; /* instead of a column: a property of a kind (events_set_property); NULL: none */
+};
+
+/* A parameter of a function, or a property of a thing. */
 struct api_param {
     const char *name;
     enum api_type type;
     int optional;
     double lo, hi;
-    const char *unit; /* may be NULL */
-    const char *def;  /* default in Lua syntax; NULL: none */
-    const char *help; /* meaning, in HELP(); for a function, also the arguments passed to it; NULL: none */
+    const char *unit;         /* may be NULL */
+    const char *def;          /* default in Lua syntax; NULL: none */
+    const char *help;         /* meaning, in HELP(); for a function, also the arguments passed to it; NULL: none */
+    struct api_column column; /* of a property, and of an argument that declares a kind */
+    int access;               /* of a property: PROP_ */
 };
 
 /* A row of a parameter list. REQUIRED, OPTIONAL and DEFAULT are for types without a range, and the others for ranges
- * that many functions have. */
-#define PARAM(name, type, need, lo, hi, unit, def, help)                                                               \
+ * that many functions have. After `help`, a row may name the column (STORED), and the access of a property. */
+#define WRITABLE   .access = PROP_WRITE
+#define SETTER     .access = PROP_SET
+#define PERSISTENT .access = PROP_PERSISTENT
+#define PARAM(name, type, need, lo, hi, unit, def, ...)                                                                \
     {                                                                                                                  \
-        name, type, need, lo, hi, unit, def, HELP(help)                                                                \
+        name, type, need, lo, hi, unit, def, HELP_AND_REST(__VA_ARGS__, )                                              \
     }
-#define REQUIRED(name, type, help)         PARAM(name, type, REQ, 0, 0, NULL, NULL, help)
-#define OPTIONAL(name, type, help)         PARAM(name, type, OPT, 0, 0, NULL, NULL, help)
-#define DEFAULT(name, type, def, help)     PARAM(name, type, OPT, 0, 0, NULL, def, help)
-#define THING(name, need, kinds, help)     PARAM(name, A_THING, need, kinds, 0, NULL, NULL, help)
-#define LABEL(name, need, help)            PARAM(name, A_STR, need, 1, 31, NULL, NULL, help)
-#define COORDINATE(name, type, need, help) PARAM(name, type, need, -WORLD_EDGE, WORLD_EDGE, "px", NULL, help)
-#define OFFSET(name, type, help)           PARAM(name, type, OPT, -WORLD_EDGE, WORLD_EDGE, "px", "0", help)
-#define SPEED(name, type, need, help)      PARAM(name, type, need, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, help)
+#define HELP_AND_REST(text, ...)          .help = HELP(text), __VA_ARGS__
+#define REQUIRED(name, type, ...)         PARAM(name, type, REQ, 0, 0, NULL, NULL, __VA_ARGS__)
+#define OPTIONAL(name, type, ...)         PARAM(name, type, OPT, 0, 0, NULL, NULL, __VA_ARGS__)
+#define DEFAULT(name, type, def, ...)     PARAM(name, type, OPT, 0, 0, NULL, def, __VA_ARGS__)
+#define THING(name, need, kinds, ...)     PARAM(name, A_THING, need, kinds, 0, NULL, NULL, __VA_ARGS__)
+#define LABEL(name, need, ...)            PARAM(name, A_STR, need, 1, 31, NULL, NULL, __VA_ARGS__)
+#define COORDINATE(name, type, need, ...) PARAM(name, type, need, -WORLD_EDGE, WORLD_EDGE, "px", NULL, __VA_ARGS__)
+#define OFFSET(name, type, ...)           PARAM(name, type, OPT, -WORLD_EDGE, WORLD_EDGE, "px", "0", __VA_ARGS__)
+#define SPEED(name, type, need, ...)      PARAM(name, type, need, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, __VA_ARGS__)
 
 enum {
     API_CHANGES = 1 << 0,   /* can change RAM: folded into the script digest */
@@ -123,41 +144,11 @@ struct api_entry {
     const char *help;    /* one sentence on what the entry does, in HELP() */
 };
 
-/* How a property can be used. PROP_PERSISTENT: read-only; a player's can still be read after the player is out. */
-enum { PROP_READ = 0, PROP_WRITE = 1, PROP_PERSISTENT = 2 };
-
-/* The type of the column that stores a property. */
-enum api_storage {
-    STORED_NOWHERE, /* get and set of struct api_thing compute it */
-    STORED_FX,
-    STORED_Q16, /* int64, units of 1/65536 */
-    STORED_ANG,
-    STORED_U8,
-    STORED_I16,
-    STORED_I32,
-    STORED_U32,
-    STORED_I64,
-    STORED_COUNT, /* int32, -1 for forever */
-    STORED_FLAG,  /* bits of a uint8 */
-    STORED_TAG,
-    STORED_KIND, /* index of the declared name, in the list of the parameter's type */
-    STORED_BORN, /* the clock at birth; the property is the age */
-};
-
-struct api_prop {
-    struct api_param param; /* name, type, range, unit, meaning */
-    int access;             /* PROP_READ, PROP_WRITE or PROP_PERSISTENT */
-    enum api_storage storage;
-    size_t column_offset; /* offset in struct board of the pointer to the column */
-    uint8_t flag;         /* STORED_FLAG: the bits */
-    bool has_setter;      /* a write does more than store: it calls set of struct api_thing */
-};
-
-/* The properties of a kind of handle. get pushes property p of a live thing, set writes property p; both only for
- * properties whose rows name no column. A group has no get or set, but its members' kind and pool. */
+/* The properties of a kind of handle. get pushes property p of a live thing, unless its row names a column; set writes
+ * property p if its row has PROP_SET. A group has no get or set, but its members' kind and pool. */
 struct api_thing {
     const char *name; /* "bullet" */
-    const struct api_prop *props;
+    const struct api_param *props;
     int n;
     void (*get)(struct lua_State *L, struct board *b, uint32_t slot, int p);
     void (*set)(struct lua_State *L, struct board *b, uint32_t slot, int p, const struct api_value *v);
