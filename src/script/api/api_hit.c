@@ -6,32 +6,24 @@
 #include "../events_run.h"
 #include "api_parts.h"
 
-static fx read_extent(lua_State *L, const char *entry, const char *name, int at)
-{
-    struct api_param p = PARAM(name, A_FX, REQ, 0, MAX_SPEED, "px", NULL, NULL);
-    struct api_value v = { 0 };
-
-    api_check(L, entry, &p, at, &v);
-    return v.f;
-}
-
 /* Returns the only key of the table at `at`; raises an error if there are none or several. */
 static const char *find_hit_key(lua_State *L, const char *entry, int at, enum hit_owner owner)
 {
-    static const struct api_param keys[] = {
-        { .name = "circle" }, { .name = "sprite" }, { .name = "box" }, { .name = "capsule" }, { .name = "circles" }
-    };
-    const struct api_fields known = { keys, owner == HIT_PLAYERS ? 2 : sizeof keys / sizeof *keys, NAME_LISTS };
+    static const struct api_param keys[] = { { .name = "circle" },  { .name = "sprite" },  { .name = "box" },
+                                             { .name = "capsule" }, { .name = "circles" }, { .name = "share" } };
+    static const int counts[] = { [HIT_PLAYERS] = 2, [HIT_ENEMIES] = 5, [HIT_BULLETS] = 5, [HIT_LASERS] = 1 };
+    const struct api_fields known = { owner == HIT_LASERS ? &keys[5] : keys, counts[owner], NAME_LISTS };
     const char *key = NULL;
 
     if (luakeys_push_unknown(L, at, api_is_known_field, &known))
         api_error(L, entry, "hit: expected %s, got a table with key %s", api_hit_forms[owner],
                   api_push_description(L, -1));
     for (int k = 0; k < known.n; k++) {
-        if (lua_getfield(L, at, keys[k].name) != LUA_TNIL && key)
+        const char *name = known.params[k].name;
+        if (lua_getfield(L, at, name) != LUA_TNIL && key)
             api_error(L, entry, "hit: expected %s, got a table with both \"%s\" and \"%s\"", api_hit_forms[owner], key,
-                      keys[k].name);
-        key = lua_isnil(L, -1) ? key : keys[k].name;
+                      name);
+        key = lua_isnil(L, -1) ? key : name;
         lua_pop(L, 1);
     }
     if (!key)
@@ -144,7 +136,10 @@ static void read_sprite_shape(lua_State *L, const char *entry, enum hit_owner ow
 
 struct api_shape api_read_hit_shape(lua_State *L, const char *entry, int at, enum hit_owner owner)
 {
+    static const struct api_param radius = PARAM("hit.circle", A_FX, REQ, 0, MAX_SPEED, "px", NULL, NULL),
+                                  share = PARAM("hit.share", A_FX, REQ, 0, 1, NULL, NULL, NULL);
     struct api_shape s = { .shape = SHAPE_NONE, .rows = 1 };
+    struct api_value v;
     int top = lua_gettop(L);
 
     if (lua_type(L, at) == LUA_TSTRING) {
@@ -154,9 +149,10 @@ struct api_shape api_read_hit_shape(lua_State *L, const char *entry, int at, enu
     }
     const char *key = find_hit_key(L, entry, at, owner);
     lua_getfield(L, at, key);
-    if (!strcmp(key, "circle")) {
+    if (!strcmp(key, "circle") || owner == HIT_LASERS) {
         s.shape = SHAPE_CIRCLE;
-        s.row[0].a = read_extent(L, entry, "hit.circle", lua_gettop(L));
+        api_check(L, entry, owner == HIT_LASERS ? &share : &radius, top + 1, &v);
+        s.row[0].a = v.f;
     } else if (!strcmp(key, "capsule"))
         read_capsule(L, entry, owner, &s);
     else if (!strcmp(key, "sprite"))

@@ -44,37 +44,15 @@ static const struct api_param laser_def_params[] = {
           STORED(laser_kinds.hit_interval)),
 };
 
-/* Returns the share of the laser's width that hits, or -1 if it hits nothing. */
-static fx read_hit_share(lua_State *L, int at)
-{
-    static const struct api_param share = PARAM("hit.share", A_FX, REQ, 0, 1, NULL, NULL, NULL);
-    static const struct api_fields fields = { &share, 1, NAME_LISTS };
-    struct api_value v = { 0 };
-
-    if (lua_type(L, at) == LUA_TSTRING) {
-        if (strcmp(lua_tostring(L, at), "none"))
-            api_error(L, "laser.def", "hit: expected %s, got \"%s\"", api_hit_forms[HIT_LASERS], lua_tostring(L, at));
-        return -1;
-    }
-    if (luakeys_push_unknown(L, at, api_is_known_field, &fields))
-        api_error(L, "laser.def", "hit: expected %s, got a table with key %s", api_hit_forms[HIT_LASERS],
-                  api_push_description(L, -1));
-    if (lua_getfield(L, at, "share") == LUA_TNIL)
-        api_error(L, "laser.def", "hit: expected %s, got an empty table", api_hit_forms[HIT_LASERS]);
-    api_check(L, "laser.def", &share, lua_gettop(L), &v);
-    lua_pop(L, 1);
-    return v.f;
-}
-
 static int laser_define(lua_State *L, struct board *b, struct api_value *v)
 {
     struct laser_kinds *k = &b->laser_kinds;
-    const fx share = read_hit_share(L, v[D_HIT].at);
+    const struct api_shape hit = api_read_hit_shape(L, "laser.def", v[D_HIT].at, HIT_LASERS);
 
     if (v[D_EVERY].given && !v[D_DAMAGE].given)
         api_error(L, "laser.def", "every: requires `damage`");
     const int32_t i = api_append_kind(L, "laser.def", &k->s, N_LASER, v);
-    k->hit_share[i] = share;
+    k->hit_share[i] = hit.shape == SHAPE_NONE ? -1 : hit.row[0].a;
     k->flags[i] |= (uint8_t)((v[D_CLEARABLE].i ? 0 : LASER_FIXED) | (v[D_DAMAGE].given ? LASER_HITS_ENEMIES : 0));
     return 0;
 }

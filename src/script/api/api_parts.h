@@ -277,7 +277,8 @@ struct api_shape {
     } row[SHAPE_MAX_CIRCLES];
 };
 
-/* Reads the hit shape at stack index `at`; raises an error if the shape is not accepted by its owner (`owner`). */
+/* Reads the hit shape at stack index `at`; raises an error if the shape is not accepted by its owner (`owner`). The
+ * share of a laser is row[0].a; its shape is SHAPE_CIRCLE, or SHAPE_NONE for "none". */
 struct api_shape api_read_hit_shape(lua_State *L, const char *entry, int at, enum hit_owner owner);
 
 /* Declares a kind with hit shape s; returns the kind's index. */
