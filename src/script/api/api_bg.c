@@ -78,8 +78,7 @@ static void push_fog(lua_State *L, struct board *b, uint32_t i, int p)
         return;
     }
     lua_createtable(L, 0, FOG_PARAM_COUNT);
-    lua_pushinteger(L, g->fog[BG_PLANE]);
-    lua_setfield(L, -2, "to");
+    api_set_integer(L, "to", g->fog[BG_PLANE]);
     lua_pushnumber(L, fx_to_double(g->fog_end[BG_PLANE]));
     lua_setfield(L, -2, "far");
 }
@@ -113,8 +112,8 @@ void api_bg_rebuild_shades(lua_State *L, struct board *b, bool changed)
 static void set_fog(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
 {
     struct api_value f[FOG_PARAM_COUNT];
-    (void)i, (void)p;
 
+    (void)i, (void)p;
     if (!v->given) {
         b->bg.fog[BG_PLANE] = BG_NO_FOG;
         return;

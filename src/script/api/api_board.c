@@ -233,8 +233,7 @@ void api_open_rom(lua_State *L)
     const struct manifest *m = &vm_board(L)->cart.manifest;
 
     lua_getglobal(L, "rom");
-    lua_pushstring(L, m->title);
-    lua_setfield(L, -2, "title");
+    api_set_string(L, "title", m->title);
     set_rect(L, "screen", 0, 0, m->screen_w, m->screen_h);
     set_rect(L, "field", m->field_x, m->field_y, m->field_w, m->field_h);
     make_read_only(L, "rom");

@@ -201,8 +201,7 @@ static int list_documents(lua_State *L, struct board *b, struct api_value *v)
     for (int i = 0; i < b->cart.count[CART_BULLETML]; i++) {
         cart_bulletml(&b->cart, i, &ml);
         lua_createtable(L, 0, 2);
-        lua_pushstring(L, cart_name(&b->cart, CART_BULLETML, i));
-        lua_setfield(L, -2, "name");
+        api_set_string(L, "name", cart_name(&b->cart, CART_BULLETML, i));
         lua_createtable(L, (int)ml.n_labels, 0);
         for (uint32_t k = 0; k < ml.n_labels; k++) {
             lua_pushstring(L, ml_label(&ml, k));

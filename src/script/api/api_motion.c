@@ -501,10 +501,7 @@ static uint64_t read_loop(lua_State *L, struct program_reader *r, int at, int de
 
     if (depth == MOTION_MAX_DEPTH)
         raise_step_error(L, step, "loops nested more than 4 deep");
-    for (int k = 0; k < M_KEY_COUNT; k++)
-        if (v[k].given && k != key && !(is_bounce && (k == M_WALLS || k == M_OVER)))
-            api_error(L, def_entry, "step %d: `%s` cannot be combined with `%s`", step, step_keys[k].name,
-                      step_keys[key].name);
+    check_key_alone(L, v, step, key, is_bounce ? 1u << M_WALLS | 1u << M_OVER : 0);
     struct motion_step *s = add_step(L, r);
     s->actions = DOES_LOOP;
     s->depth = (uint8_t)depth;

@@ -624,6 +624,19 @@ const char *api_check_text(lua_State *L, const char *entry, int at, size_t *n);
  * and for a fade to black. */
 void api_bg_rebuild_shades(lua_State *L, struct board *b, bool changed);
 
+/* Set a field of the table on top of the stack; NULL sets nil. */
+static inline void api_set_string(lua_State *L, const char *field, const char *value)
+{
+    lua_pushstring(L, value);
+    lua_setfield(L, -2, field);
+}
+
+static inline void api_set_integer(lua_State *L, const char *field, lua_Integer value)
+{
+    lua_pushinteger(L, value);
+    lua_setfield(L, -2, field);
+}
+
 /* Creates the tables of declared names. */
 void api_open_names(lua_State *L);
 

@@ -323,22 +323,15 @@ static int score_add(lua_State *L, struct board *b, struct api_value *v)
 static void push_row(lua_State *L, const struct nv_row *row)
 {
     lua_createtable(L, 0, 6);
-    lua_pushstring(L, row->name);
-    lua_setfield(L, -2, "name");
-    lua_pushinteger(L, row->score);
-    lua_setfield(L, -2, "score");
-    if (row->ship[0]) {
-        lua_pushstring(L, row->ship);
-        lua_setfield(L, -2, "ship");
-    }
-    if (row->stage && row->stage != NV_STAGE_CLEARED) {
-        lua_pushinteger(L, row->stage);
-        lua_setfield(L, -2, "stage");
-    }
+    api_set_string(L, "name", row->name);
+    api_set_integer(L, "score", row->score);
+    if (row->ship[0])
+        api_set_string(L, "ship", row->ship);
+    if (row->stage && row->stage != NV_STAGE_CLEARED)
+        api_set_integer(L, "stage", row->stage);
     lua_pushboolean(L, row->stage == NV_STAGE_CLEARED);
     lua_setfield(L, -2, "clear");
-    lua_pushinteger(L, row->continues);
-    lua_setfield(L, -2, "continues");
+    api_set_integer(L, "continues", row->continues);
 }
 
 static int score_rows(lua_State *L, struct board *b, struct api_value *v)

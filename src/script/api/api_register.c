@@ -139,14 +139,6 @@ static struct register_declaration read_register(lua_State *L, const char *entry
     return r;
 }
 
-static void set_string_field(lua_State *L, const char *field, const char *value)
-{
-    if (!value)
-        return;
-    lua_pushstring(L, value);
-    lua_setfield(L, -2, field);
-}
-
 /* Stores how register i is shown. Creates the table on first use. */
 static void store_display(lua_State *L, int32_t kind, int i, const struct register_declaration *r)
 {
@@ -162,13 +154,11 @@ static void store_display(lua_State *L, int32_t kind, int i, const struct regist
         lua_rawseti(L, -3, kind);
     }
     lua_newtable(L);
-    set_string_field(L, "show", r->show_mode);
-    set_string_field(L, "at", r->position);
-    set_string_field(L, "label", r->label);
-    if (r->has_mark) {
-        lua_pushinteger(L, r->mark);
-        lua_setfield(L, -2, "mark");
-    }
+    api_set_string(L, "show", r->show_mode);
+    api_set_string(L, "at", r->position);
+    api_set_string(L, "label", r->label);
+    if (r->has_mark)
+        api_set_integer(L, "mark", r->mark);
     lua_rawseti(L, -2, i);
     lua_settop(L, top);
 }

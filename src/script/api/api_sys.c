@@ -178,10 +178,8 @@ static int sys_report_menu(lua_State *L, struct board *b, struct api_value *v)
 static void set_register_entry(lua_State *L, const char *name, int32_t value, int i)
 {
     lua_createtable(L, 0, 2);
-    lua_pushstring(L, name);
-    lua_setfield(L, -2, "name");
-    lua_pushinteger(L, value);
-    lua_setfield(L, -2, "value");
+    api_set_string(L, "name", name);
+    api_set_integer(L, "value", value);
     lua_rawseti(L, -2, i);
 }
 
@@ -193,8 +191,7 @@ static int sys_practice(lua_State *L, struct board *b, struct api_value *v)
     b->vm.practice_read = true;
     lua_pushstring(L, p->section);
     lua_createtable(L, 0, 2);
-    lua_pushinteger(L, p->lives);
-    lua_setfield(L, -2, "lives");
+    api_set_integer(L, "lives", p->lives);
     lua_createtable(L, p->register_count, 0);
     for (int i = 0; i < p->register_count; i++)
         set_register_entry(L, p->reg[i].name, p->reg[i].value, i + 1);
@@ -213,8 +210,7 @@ static void append_registers(lua_State *L, const struct board *b, int32_t kind, 
         set_register_entry(L, names[i], rule.start, old_count + i + 1);
         lua_rawgeti(L, -1, old_count + i + 1);
         api_register_add_display(L, kind, i);
-        lua_pushinteger(L, rule.max_value);
-        lua_setfield(L, -2, "max");
+        api_set_integer(L, "max", rule.max_value);
         lua_pushboolean(L, kind == RUN_REGISTERS);
         lua_setfield(L, -2, "run");
         lua_pop(L, 1);
@@ -226,14 +222,12 @@ static int sys_ship(lua_State *L, struct board *b, struct api_value *v)
     int32_t kind = (int32_t)v[0].i;
 
     lua_createtable(L, 0, 5);
-    lua_pushstring(L, cart_name(&b->cart, CART_SPRITES, b->player_kinds.sprite[kind]));
-    lua_setfield(L, -2, "sprite");
+    api_set_string(L, "sprite", cart_name(&b->cart, CART_SPRITES, b->player_kinds.sprite[kind]));
     lua_pushnumber(L, fx_to_double(b->player_kinds.speed[kind]));
     lua_setfield(L, -2, "speed");
     lua_pushnumber(L, fx_to_double(b->player_kinds.focus_speed[kind]));
     lua_setfield(L, -2, "focus");
-    lua_pushinteger(L, b->player_kinds.lives[kind]);
-    lua_setfield(L, -2, "lives");
+    api_set_integer(L, "lives", b->player_kinds.lives[kind]);
     lua_newtable(L);
     append_registers(L, b, kind, b->player_kinds.first_register[kind]);
     append_registers(L, b, RUN_REGISTERS, b->registers.first_run_row);
@@ -596,10 +590,8 @@ static int sys_list_tunes(lua_State *L, struct board *b, struct api_value *v)
     for (int i = 0; i < b->cart.count[CART_TUNES]; i++) {
         const struct tune t = tune_of(b->cart.tune_data + cart_tune_offset(&b->cart, CART_TUNES, i));
         lua_createtable(L, 0, 3);
-        lua_pushstring(L, cart_name(&b->cart, CART_TUNES, i));
-        lua_setfield(L, -2, "name");
-        lua_pushstring(L, tune_title(&t));
-        lua_setfield(L, -2, "title");
+        api_set_string(L, "name", cart_name(&b->cart, CART_TUNES, i));
+        api_set_string(L, "title", tune_title(&t));
         lua_pushboolean(L, i < SEQ_MAX_PIECES && b->music.started_tunes[i / 64] >> i % 64 & 1);
         lua_setfield(L, -2, "heard");
         lua_rawseti(L, -2, i + 1);
@@ -642,15 +634,13 @@ static int sys_set_undying(lua_State *L, struct board *b, struct api_value *v)
 static int sys_kinds(lua_State *L, struct board *b, struct api_value *v)
 {
     static const char *const kind_names[] = { "bullet", "shot", "enemy", "player", "spark", "item" };
-    const struct slots *s[] = { &b->bullet_kinds.s, &b->shot_kinds.s,  &b->enemy_kinds.s,
-                                &b->player_kinds.s, &b->spark_kinds.s, &b->item_kinds.s };
 
     for (int k = 0; k < 6; k++) {
         if (strcmp(kind_names[k], lua_tostring(L, v[0].at)))
             continue;
         lua_newtable(L);
         lua_Integer n = 0;
-        for (uint32_t i = 0; i < s[k]->live; i++) {
+        for (uint32_t i = 0; i < b->names[k].n; i++) {
             if (!board_name(b, (enum name_kind)k, (int)i)) /* a row without a name, which belongs to another kind */
                 continue;
             api_names_push(L, (enum name_kind)k, (int)i);
