@@ -30,8 +30,7 @@ static const char lines_entry[] = "bg.lines", fog_entry[] = "plane: fog";
         REQUIRED("layer", A_DEPTH,                                                                                     \
                  "drawing order; `back` is behind all things, and `front` is in front of all sprites",                 \
                  BITS_OF(bg.flags, BG_FRONT), WRITABLE),                                                               \
-        PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of the tiles", STORED(bg.bank), \
-              WRITABLE),                                                                                               \
+        BANK(REQ, NULL, "number added to the palette bank of the tiles", STORED(bg.bank), WRITABLE),                   \
         OPTIONAL("blend", A_BLEND, "blend it is drawn with, or nil", BITS_OF(bg.flags, BG_BLEND), WRITABLE),           \
         REQUIRED("hidden", A_BOOL, "true if not drawn; it still moves", BITS_OF(bg.flags, BG_HIDDEN), WRITABLE)
 

@@ -24,8 +24,7 @@ static const char hp_disabled[] = "bullet hp is disabled; add `hp = true` to `bo
         REQUIRED("sprite", A_SPRITE, "sprite to draw", STORED(kinds.sprite)),                                          \
         PARAM("hit", A_HIT_SHAPE, REQ, HIT_BULLETS, 0, NULL, NULL,                                                     \
               "hitbox, relative to the thing's position; \"none\" never hits"),                                        \
-        PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of its sprite",                  \
-              STORED(kinds.bank))
+        BANK(OPT, "0", "number added to the palette bank of its sprite", STORED(kinds.bank))
 #define KIND_FLIGHT_PARAMS(kinds)                                                                                      \
     DEFAULT("turns", A_BOOL, "false",                                                                                  \
             "rotate the sprite to the direction of flight; the sprite needs `rotations` in rom.lua",                   \
@@ -35,8 +34,7 @@ static const char hp_disabled[] = "bullet hp is disabled; add `hp = true` to `bo
             "check the entire path flown in each frame for hits; if false, check only the position at the end of the " \
             "frame",                                                                                                   \
             BITS_OF(kinds.flags, KIND_SWEPT)),                                                                         \
-        OPTIONAL("blend", A_BLEND, "blend to draw it with, from `blends` in rom.lua; nil draws it opaque",             \
-                 BITS_OF(kinds.flags, KIND_BLEND)),                                                                    \
+        BLEND_PARAM(kinds.flags, KIND_BLEND),                                                                          \
         DEFAULT("spin", A_DIR, "0",                                                                                    \
                 "degrees the sprite rotates per frame, clockwise; the sprite needs `rotations` in rom.lua",            \
                 STORED(kinds.spin)),                                                                                   \
@@ -192,8 +190,7 @@ void api_check_around(lua_State *L, const struct bullets *s, const char *entry, 
                 "direction of flight, clockwise from the right; with `aim`, the default is 0, and the angle is added " \
                 "to the direction towards the target"),                                                                \
         DEFAULT("aim", A_BOOL, "false", "fire at the nearest target: a player for bullets, an enemy for shots"),       \
-        PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL,                                                                   \
-              "number added to the palette bank of its sprite; overrides its kind's"),                                 \
+        BANK(OPT, NULL, "number added to the palette bank of its sprite; overrides its kind's"),                       \
         LABEL("tag", OPT, "name of a group to put it in"),                                                             \
         OPTIONAL("motion", A_MOTION, "motion program that steers it")
 #define AROUND_PARAM                                                                                                   \
@@ -276,8 +273,8 @@ static int fire(lua_State *L, struct board *b, struct api_value *v)
 static const struct api_param bullet_sweep_params[] = {
     POSITION_PARAMS,
     THING("follow", OPT, POSITION_HANDLE_KINDS, "thing that the circle moves with; the sweep ends when the thing dies"),
-    PARAM("radius", A_FX, OPT, 0, MAX_SPEED, "px", "0", "radius of the circle at the start"),
-    PARAM("radius_to", A_FX, REQ, 0, MAX_SPEED, "px", NULL, "radius of the circle at the end"),
+    LENGTH("radius", OPT, "0", "radius of the circle at the start"),
+    LENGTH("radius_to", REQ, NULL, "radius of the circle at the end"),
     PARAM("over", A_INT, REQ, 1, 65535, "frames", NULL, "duration of the sweep"),
     LABEL("tag", OPT, "remove only bullets with this tag"),
     OPTIONAL("spark", A_SPARK_KIND, "kind of spark that each bullet leaves; overrides `vanish`"),
@@ -300,8 +297,7 @@ static const struct api_param bullet_sweep_params[] = {
         SPEED("vx", A_FX, REQ, "horizontal velocity; a write changes `dir` and `speed`", SETTER),                      \
         SPEED("vy", A_FX, REQ, "vertical velocity; a write changes `dir` and `speed`", SETTER),                        \
         REQUIRED("kind", kind_type, "name of its kind; a write also sets `bank` to the bank of the new kind", SETTER), \
-        PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of its sprite",                 \
-              STORED(pool.bank), WRITABLE),                                                                            \
+        BANK(REQ, NULL, "number added to the palette bank of its sprite", STORED(pool.bank), WRITABLE),                \
         LABEL("tag", OPT, "tag of its group, or nil", STORED(pool.tag), WRITABLE),                                     \
         OPTIONAL("motion", A_MOTION, "motion program it runs, or nil; a write starts the program from its first step", \
                  SETTER),                                                                                              \

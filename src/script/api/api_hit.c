@@ -47,7 +47,7 @@ static struct api_value check_element(lua_State *L, const char *entry, enum hit_
     return v;
 }
 
-#define LENGTH_PARAM(name) &(const struct api_param)PARAM(name, A_FX, REQ, 0, MAX_SPEED, "px", NULL, NULL)
+#define LENGTH_PARAM(name) &(const struct api_param)LENGTH(name, REQ, NULL, NULL)
 #define OFFSET_PARAM(name) &(const struct api_param)PARAM(name, A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px", NULL, NULL)
 
 /* Raises an error if a shape reaches further from its centre than MAX_SPEED px, the largest radius. */
@@ -136,7 +136,7 @@ static void read_sprite_shape(lua_State *L, const char *entry, enum hit_owner ow
 
 struct api_shape api_read_hit_shape(lua_State *L, const char *entry, int at, enum hit_owner owner)
 {
-    static const struct api_param radius = PARAM("hit.circle", A_FX, REQ, 0, MAX_SPEED, "px", NULL, NULL),
+    static const struct api_param radius = LENGTH("hit.circle", REQ, NULL, NULL),
                                   share = PARAM("hit.share", A_FX, REQ, 0, 1, NULL, NULL, NULL);
     struct api_shape s = { .shape = SHAPE_NONE, .rows = 1 };
     struct api_value v;

@@ -12,8 +12,8 @@ enum { D_NAME, D_GIVES = 3, D_FULL };
 static const struct api_param def_params[] = {
     REQUIRED("name", A_STR, "name of the kind, used as `kind = NAME`; must be new"),
     REQUIRED("sprite", A_SPRITE, "sprite to draw", STORED(item_kinds.sprite)),
-    PARAM("radius", A_FX, REQ, 0, MAX_SPEED, "px", NULL,
-          "radius of the circle that a ship's hitbox must touch to take the item", STORED(item_kinds.radius)),
+    LENGTH("radius", REQ, NULL, "radius of the circle that a ship's hitbox must touch to take the item",
+           STORED(item_kinds.radius)),
     [D_GIVES] = OPTIONAL("gives", A_TABLE,
                          "amounts that the player gets for taking the item, { score = n, lives = n, REGISTER = n }"),
     LABEL("full", OPT,
@@ -24,10 +24,8 @@ static const struct api_param def_params[] = {
     DEFAULT("magnet", A_BOOL, "true",
             "whether it flies to ships that attract it; if false, only item:pull makes it fly",
             BITS_OF(item_kinds.flags, ITEM_MAGNET)),
-    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of its sprite",
-          STORED(item_kinds.bank)),
-    OPTIONAL("blend", A_BLEND, "blend to draw it with, from `blends` in rom.lua; nil draws it opaque",
-             BITS_OF(item_kinds.flags, ITEM_BLEND)),
+    BANK(OPT, "0", "number added to the palette bank of its sprite", STORED(item_kinds.bank)),
+    BLEND_PARAM(item_kinds.flags, ITEM_BLEND),
     OPTIONAL("on_take", A_FUNC, "on_take(p, item): called after the player has received what the item gives",
              PROPERTY("item's on_take")),
 };

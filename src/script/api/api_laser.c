@@ -24,10 +24,8 @@ static const struct api_param laser_def_params[] = {
     OPTIONAL("head", A_SPRITE, "sprite drawn where a beam starts or at the front of a bolt or curve; nil draws none",
              STORED(laser_kinds.head_sprite)),
     OPTIONAL("tail", A_SPRITE, "sprite drawn at the other end; nil draws none", STORED(laser_kinds.tail_sprite)),
-    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette banks of its sprites",
-          STORED(laser_kinds.bank)),
-    OPTIONAL("blend", A_BLEND, "blend to draw it with, from `blends` in rom.lua; nil draws it opaque",
-             BITS_OF(laser_kinds.flags, LASER_BLEND)),
+    BANK(OPT, "0", "number added to the palette banks of its sprites", STORED(laser_kinds.bank)),
+    BLEND_PARAM(laser_kinds.flags, LASER_BLEND),
     PARAM("graze", A_INT, OPT, 0, 65535, "frames", "8",
           "frames until a player can graze the laser again; 0 makes grazing impossible",
           STORED(laser_kinds.graze_interval)),
@@ -68,8 +66,7 @@ static int laser_define(lua_State *L, struct board *b, struct api_value *v)
                 "direction towards the target"),                                                                       \
         DEFAULT("aim", A_BOOL, "false",                                                                                \
                 "point at the nearest target: an enemy for player lasers, otherwise a player"),                        \
-        PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL,                                                                   \
-              "number added to the palette banks of its sprites; overrides its kind's"),                               \
+        BANK(OPT, NULL, "number added to the palette banks of its sprites; overrides its kind's"),                     \
         LABEL("tag", OPT, "name of a group to put it in"),                                                             \
         PARAM("width", A_FX, OPT, 0, LASER_MAX_SIZE, "px", NULL,                                                       \
               "full width, once it has grown; overrides its kind's"),                                                  \
@@ -254,8 +251,7 @@ enum { L_LENGTH = FLIGHT_SHARED_COUNT, L_STATE = L_LENGTH + 5, L_FORM, L_FOLLOW 
         SPEED("vx", A_FX, REQ, "horizontal velocity; a write changes `dir` and `speed`", SETTER),                      \
         SPEED("vy", A_FX, REQ, "vertical velocity; a write changes `dir` and `speed`", SETTER),                        \
         REQUIRED("kind", A_LASER_KIND, "name of its kind", STORED(laser_heads.kind)),                                  \
-        PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette banks of its sprites",               \
-              STORED(laser_heads.bank), WRITABLE),                                                                     \
+        BANK(REQ, NULL, "number added to the palette banks of its sprites", STORED(laser_heads.bank), WRITABLE),       \
         LABEL("tag", OPT, "tag of its group, or nil", STORED(laser_heads.tag), WRITABLE),                              \
         OPTIONAL("motion", A_MOTION,                                                                                   \
                  "motion program of a bolt or curve, or nil; a write starts the program from its first step", SETTER), \

@@ -30,7 +30,7 @@ static const struct api_param line_params[] = {
     OPTIONAL("font", A_FONT, "font from rom.lua; defaults to the font of the cells"),
     PARAM("width", A_INT, OPT, 8, 1024, "px", NULL, "width at which rows wrap; if omitted, only \\n ends a row"),
     DEFAULT("align", A_ALIGN, "left", "put the start, the middle or the end of each row at `x`"),
-    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of the font"),
+    BANK(OPT, "0", "number added to the palette bank of the font"),
     DEFAULT("screen", A_BOOL, "false",
             "measure `x` and `y` from the top left of the screen instead of the field; not with `follow`"),
     PARAM("letter", A_INT, OPT, 0, 600, "frames", "0",
@@ -127,8 +127,7 @@ static const struct api_param props[PROPS] = {
     COORDINATE("dx", A_FX, REQ, "distance to the right of `x` at which it is drawn", STORED(lines.dx), WRITABLE),
     COORDINATE("dy", A_FX, REQ, "distance below `y` at which it is drawn", STORED(lines.dy), WRITABLE),
     REQUIRED("text", A_STR, "text of the line; after a write, the letters appear one by one again", SETTER),
-    PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of the font", STORED(lines.bank),
-          WRITABLE),
+    BANK(REQ, NULL, "number added to the palette bank of the font", STORED(lines.bank), WRITABLE),
     REQUIRED("hidden", A_BOOL, "true if not drawn", BITS_OF(lines.flags, LINE_HIDDEN), WRITABLE),
     REQUIRED("done", A_BOOL, "true once all letters have appeared"),
 };

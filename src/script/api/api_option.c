@@ -8,8 +8,7 @@
 static const struct api_param def_params[] = {
     LABEL("name", REQ, "name of the kind, used in `options` of player.def; must be new"),
     REQUIRED("sprite", A_SPRITE, "sprite to draw", STORED(option_kinds.sprite)),
-    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of its sprite",
-          STORED(option_kinds.bank)),
+    BANK(OPT, "0", "number added to the palette bank of its sprite", STORED(option_kinds.bank)),
     DEFAULT("layer", A_LAYER, "front", "sprite layer to draw it in", STORED(option_kinds.layer)),
     OPTIONAL("run", A_FUNC, "run(o): task of each option; it ends with the option", PROPERTY("option's run")),
 };
@@ -36,10 +35,8 @@ static const struct api_param options_params[O_PARAM_COUNT] = {
             "how the options fly: fixed (at positions around the ship), trail (along its path) or orbit (on a circle)"),
     PARAM("apart", A_INT, OPT, 1, OPTION_PATH_LENGTH - 1, "frames", "8",
           "frames of flight between one option and the next; only for style trail"),
-    PARAM("radius", A_FX, OPT, 0, MAX_SPEED, "px", NULL,
-          "radius of the circle; only for style orbit, where it is required"),
-    PARAM("close", A_FX, OPT, 0, MAX_SPEED, "px", NULL,
-          "radius while focused; defaults to `radius`; only for style orbit"),
+    LENGTH("radius", OPT, NULL, "radius of the circle; only for style orbit, where it is required"),
+    LENGTH("close", OPT, NULL, "radius while focused; defaults to `radius`; only for style orbit"),
     DEFAULT("spin", A_DIR, "0", "degrees the circle turns per frame, clockwise; only for style orbit"),
 };
 
@@ -248,8 +245,7 @@ static const struct api_param props[PROPS] = {
     REQUIRED("focus", A_BOOL, "true while its player flies at focus speed"),
     REQUIRED("age", A_INT, "frames since it spawned", AGE_OF(options.born)),
     REQUIRED("kind", A_OPTION_KIND, "name of its kind", STORED(options.kind)),
-    PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of its sprite", STORED(options.bank),
-          WRITABLE),
+    BANK(REQ, NULL, "number added to the palette bank of its sprite", STORED(options.bank), WRITABLE),
     REQUIRED("hidden", A_BOOL, "true if not drawn; it still flies and fires", BITS_OF(options.flags, OPTION_HIDDEN),
              WRITABLE),
 };

@@ -349,6 +349,11 @@ extern const struct api_param api_tag_params[TAG_PARAM_COUNT], api_each_params[E
 #define AGE_OF(columns)        IN_COLUMN(columns, .is_birth = true)
 #define PROPERTY(name)         .column = { .property = name }
 
+/* The argument `blend` of a declaration. */
+#define BLEND_PARAM(columns, mask)                                                                                     \
+    OPTIONAL("blend", A_BLEND, "blend to draw it with, from `blends` in rom.lua; nil draws it opaque",                 \
+             BITS_OF(columns, mask))
+
 /* Stores v in element i of the column that p names. */
 void api_store_value(lua_State *L, const struct board *b, const struct api_param *p, uint32_t i,
                      const struct api_value *v);

@@ -176,8 +176,7 @@ static const struct api_entry entries[] = {
               OPTIONAL("run", A_FUNC, "run(e): task of each enemy; overrides the kind's"),
               DEFAULT("stay", A_BOOL, "false", "keep the enemies when the boss phase that spawned them ends"),
               PARAM("hp", A_INT, OPT, 1, INT32_MAX, NULL, NULL, "hit points of each enemy; overrides the kind's"),
-              PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL,
-                    "number added to the palette bank of the sprite; overrides the kind's"),
+              BANK(OPT, NULL, "number added to the palette bank of the sprite; overrides the kind's"),
               LABEL("tag", OPT, "name of a group to put the enemies in"),
               OPTIONAL("on_death", A_FUNC,
                        "on_death(e, p): called when an enemy dies, with the player who gets its score; p may be nil; "
@@ -385,7 +384,7 @@ static const struct api_entry entries[] = {
               OPTIONAL("faces", A_TABLE,
                        "sprites of the portrait, { FACE = name }, drawn facing right; no portrait if omitted"),
               DEFAULT("side", A_STR, "left", "side of the portrait, left or right"),
-              PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of the portrait"),
+              BANK(OPT, "0", "number added to the palette bank of the portrait"),
               OPTIONAL("voice", A_SOUND, "sound played with the letters")),
     LUA_ENTRY("talk.def face", 1, API_SYS, NULL, "one face of the portrait; its key is the name of the face",
               REQUIRED("face", A_SPRITE, "sprite of the portrait")),

@@ -45,8 +45,7 @@ const struct api_param api_emit_params[EMIT_PARAM_COUNT] = {
              "direction of flight, clockwise from the right; defaults to the direction of the bullet that fires; with "
              "`aim`, the default is 0, and the angle is added to the direction towards the target"),
     DEFAULT("aim", A_BOOL, "false", "fire at the nearest target"),
-    PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL,
-          "number added to the palette bank of the sprite; overrides the kind's"),
+    BANK(OPT, NULL, "number added to the palette bank of the sprite; overrides the kind's"),
     LABEL("tag", OPT, "name of a group to put the bullets in"),
     OPTIONAL("motion", A_MOTION, "motion program that steers the bullets"),
     PARAM("delay", A_INT, OPT, 0, 1e9, "frames", "0", "frames the bullets wait in place before they fly"),

@@ -114,6 +114,8 @@ struct api_param {
 #define LABEL(name, need, ...)            PARAM(name, A_STR, need, 1, 31, NULL, NULL, __VA_ARGS__)
 #define COORDINATE(name, type, need, ...) PARAM(name, type, need, -WORLD_EDGE, WORLD_EDGE, "px", NULL, __VA_ARGS__)
 #define OFFSET(name, type, ...)           PARAM(name, type, OPT, -WORLD_EDGE, WORLD_EDGE, "px", "0", __VA_ARGS__)
+#define LENGTH(name, need, def, ...)      PARAM(name, A_FX, need, 0, MAX_SPEED, "px", def, __VA_ARGS__)
+#define BANK(need, def, ...)              PARAM("bank", A_INT, need, 0, 15, NULL, def, __VA_ARGS__)
 #define SPEED(name, type, need, ...)      PARAM(name, type, need, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, __VA_ARGS__)
 
 enum {
