@@ -110,7 +110,7 @@ check "its test of a board passes" machine
 shell() {
     mkdir -p "$scratch/shell/tests/lint" "$scratch/shell/docs/reference"
     cp tests/tap.sh "$scratch/shell/tests/" && cp docs/reference/api.md "$scratch/shell/docs/reference/" &&
-        block sh 4 >"$scratch/shell/tests/lint/first.sh" &&
+        block sh 5 >"$scratch/shell/tests/lint/first.sh" &&
         bash "$scratch/shell/tests/lint/first.sh"
 }
 check "its shell test passes" shell
