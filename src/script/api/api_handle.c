@@ -437,19 +437,25 @@ void api_store_arguments(lua_State *L, struct board *b, int32_t i, const struct 
     }
 }
 
-static void write_property(lua_State *L, struct board *b, const struct api_thing *t, uint32_t slot, int p,
+static void write_property(lua_State *L, struct board *b, const struct api_thing *t, uint32_t i, int p,
                            const struct api_value *v)
 {
-    if (t->member) {
-        const struct slots *s = get_pool(b, t);
-        vm_charge(L, t->write_work * s->live);
-        EACH_LIVE (i, s)
-            if (is_member(b, t, slot, i, p))
-                write_property(L, b, api_get_table(L)->things[t->member], i, p, v);
-    } else if (t->props[p].access == PROP_SET)
-        t->set(L, b, slot, p, v);
+    if (t->props[p].access == PROP_SET)
+        t->set(L, b, i, p, v);
     else
-        api_store_value(L, b, &t->props[p], slot, v);
+        api_store_value(L, b, &t->props[p], i, v);
+}
+
+static void write_group_property(lua_State *L, struct board *b, const struct api_thing *t, uint32_t tag, int p,
+                                 const struct api_value *v)
+{
+    const struct api_thing *member = api_get_table(L)->things[t->member];
+    const struct slots *s = get_pool(b, t);
+
+    vm_charge(L, t->write_work * s->live);
+    EACH_LIVE (i, s)
+        if (is_member(b, t, tag, i, p))
+            write_property(L, b, member, i, p, v);
 }
 
 /* Pushes property p of the thing of handle h if it can be read (board_is_readable), or if h is a player who is out and
@@ -551,7 +557,7 @@ static int set_property(lua_State *L)
     if (v.given || !prop->optional)
         api_check_value(L, t->name, prop, &v);
     if (alive)
-        write_property(L, b, t, handle_slot(h), p, &v);
+        (t->member ? write_group_property : write_property)(L, b, t, handle_slot(h), p, &v);
     return 0;
 }
 
