@@ -66,7 +66,7 @@ LIBS     = $(HARDEN_L) $(LUA_L) -lm $(THREADS) $(SYSTEM_L) $(THROWS)
 # Layers, the lowest first (tests/lint/layers.py): what the library has, and what only the program has.
 BOARD_SRC := $(wildcard src/base/*.c fb/*.c src/sound/*.c src/entities/*.c src/rom/*.c src/machine/*.c src/machine/*/*.c \
                          src/script/*.c src/script/*/*.c src/board/*.c)
-CAB_SRC   := $(filter-out src/cab/main.c,$(wildcard src/common/*.c src/demo/*.c src/cab/*.c src/cab/*/*.c))
+PROGRAM_SRC := $(filter-out %/main.c,$(wildcard src/common/*.c src/demo/*.c src/player/*.c src/player/*/*.c src/workbench/*.c src/workbench/*/*.c))
 STD_LUA   := $(wildcard scripts/*.lua scripts/*/*.lua)
 # The examples that `curtain help lua NAME` prints.
 EXAMPLES  := $(sort $(wildcard share/help/*.md))
@@ -76,11 +76,11 @@ TEMPLATES := $(sort $(shell find $(patsubst %,examples/%,first pattern shooter b
 DESKTOP   := applications/curtain.desktop=share/curtain.desktop mime/packages/curtain.xml=share/curtain-mime.xml \
              icons/hicolor/128x128/apps/curtain.png=share/icons/128.png
 BOARD_OBJ := $(BOARD_SRC:%.c=$(OUT)/%.o)
-CAB_OBJ   := $(CAB_SRC:%.c=$(OUT)/%.o) $(OUT)/gen/std.o
+PROGRAM_OBJ   := $(PROGRAM_SRC:%.c=$(OUT)/%.o) $(OUT)/gen/std.o
 # The host's half of the platform: platform/host.h.
 HOST      := $(if $(findstring mingw,$(CC)),win win_process win_register,$(if $(findstring wasm,$(CC)),posix no_process,posix posix_process))
 HOST_OBJ  := $(patsubst %,$(OUT)/platform/%.o,stdio $(HOST))
-CORE_OBJ  := $(BOARD_OBJ) $(CAB_OBJ) $(HOST_OBJ) \
+CORE_OBJ  := $(BOARD_OBJ) $(PROGRAM_OBJ) $(HOST_OBJ) \
              $(if $(findstring sanitize=memory,$(OPT)),$(OUT)/tests/inject/unpoison.o)
 LIB_NAMES  = $(shell grep -oP 'curtain_[a-z_]*(?=\x28)' src/lib/curtain.h | sort -u)
 OBJCOPY   ?= objcopy
@@ -100,12 +100,12 @@ SAY = $(if $(V),@true,@echo)
 
 # These build and install nothing: what is missing they say. play, test and deps get it.
 all: say-play
-	@$(MAKE) --no-print-directory build/curtain build/curtain-null build/curtain.1 build/curtain-null.1
+	@$(MAKE) --no-print-directory build/curtain build/curtain-player build/curtain-null build/curtain.1 build/curtain-null.1
 
 help:
 	@echo "make play     build and play the built-in game (without a display: render its demo to PNG)"
 	@echo "make test     all tests          make golden   rewrite the golden frames"
-	@echo "make all      build/curtain and build/curtain-null     make null   curtain-null only, without SDL2"
+	@echo "make all      build/curtain, curtain-player, curtain-null  make null   curtain-null only, without SDL2"
 	@echo "make GAME=DIR build/curtain     one file to give away: the program with that game built in"
 	@echo "make asan     tests under AddressSanitizer              make ubsan  ... UndefinedBehaviorSanitizer"
 	@echo "make msan     file readers under MemorySanitizer        make valgrind  ... those that use Lua, under Valgrind"
@@ -143,6 +143,8 @@ null: say-null
 
 build/curtain: $(OUT)/curtain
 	@cp $< $@
+build/curtain-player: $(OUT)/curtain-player
+	@cp $< $@
 build/curtain-null: $(OUT)/curtain-null
 	@cp $< $@
 
@@ -161,7 +163,7 @@ $(OUT)/%.o: %.c
 	$(SAY) "  CC    $<"
 	$(Q)$(CC) $(ALL_C) -MMD -MP -c $< -o $@
 
-$(OUT)/src/cab/command_help.o: ALL_C += '-DCURTAIN_CFLAGS="$(SEMANTIC) $(OPT) $(HARDEN_C) $(CFLAGS)"'
+$(OUT)/src/player/command_help.o $(OUT)/lib/src/player/command_help.o: ALL_C += '-DCURTAIN_CFLAGS="$(SEMANTIC) $(OPT) $(HARDEN_C) $(CFLAGS)"'
 $(OUT)/platform/sdl2.o: ALL_C += $(patsubst -I%,-isystem %,$(SDL_C))
 # Clang's -O3 unrolls the loops of sound, which is slower than -O2; gcc is told so in the files, clang has no such words.
 $(OUT)/src/sound/%.o: ALL_C += $(if $(findstring clang,$(CC)),$(patsubst -O3,-O2,$(filter -O3,$(OPT))))
@@ -209,7 +211,7 @@ $(OUT)/lua/%.o: $(LUA_H)
 		-c $(LUA_SRC)/$*.c -o $@
 
 # The program that packs the built-in game has none itself.
-$(OUT)/curtain-bare: $(CORE_OBJ) $(OUT)/src/cab/main.o $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
+$(OUT)/curtain-bare: $(CORE_OBJ) $(OUT)/src/workbench/main.o $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) $^ $(LIBS) -o $@
 
@@ -226,20 +228,27 @@ $(OUT)/game.rom: $(BARE) $(OUT)/game.is $(GAME_SRC)
 	$(SAY) "  MAKE  $@"
 	$(Q)$(RUN) $(BARE) pack $(GAME) --plain -o $@ >/dev/null
 
-$(OUT)/gen/rom.c: $(OUT)/game.rom
+$(OUT)/gen/rom.c: $(OUT)/game.rom $(OUT)/embed
+	@mkdir -p $(@D)
 	$(SAY) "  MAKE  $@"
 	$(Q)$(OUT)/embed rom $(OUT)/game.rom > $@
 
-$(OUT)/curtain: $(CORE_OBJ) $(OUT)/src/cab/main.o $(OUT)/platform/sdl2.o $(OUT)/gen/rom.o
+$(OUT)/curtain: $(CORE_OBJ) $(OUT)/src/workbench/main.o $(OUT)/platform/sdl2.o $(OUT)/gen/rom.o
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) $^ $(LIBS) -o $@
 
-# Without a built-in game.
-$(OUT)/curtain-player: $(CORE_OBJ) $(OUT)/src/cab/main.o $(OUT)/platform/sdl2.o $(OUT)/gen/no_rom.o | $(filter %.o,$(LUA_L))
+# The same without a game: exports with the developer keys are copies of it.
+$(OUT)/curtain-empty: $(CORE_OBJ) $(OUT)/src/workbench/main.o $(OUT)/platform/sdl2.o $(OUT)/gen/no_rom.o | $(filter %.o,$(LUA_L))
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) $^ $(LIBS) -o $@
 
-$(OUT)/curtain-null: $(CORE_OBJ) $(OUT)/src/cab/main.o $(OUT)/platform/null.o $(OUT)/gen/rom.o
+# The player without a game, the workbench and the API's help: exports are copies of it.
+PLAYER_OBJ := $(patsubst %.c,$(OUT)/lib/%.o,$(BOARD_SRC) $(wildcard src/common/*.c src/demo/*.c src/player/*.c src/player/*/*.c))
+$(OUT)/curtain-player: $(PLAYER_OBJ) $(HOST_OBJ) $(OUT)/platform/sdl2.o $(OUT)/gen/no_rom.o | $(filter %.o,$(LUA_L))
+	$(SAY) "  LINK  $@"
+	$(Q)$(CC) $(ALL_C) $(LINK_MAP) -Wl,--gc-sections $^ $(LIBS) -o $@
+
+$(OUT)/curtain-null: $(CORE_OBJ) $(OUT)/src/workbench/main.o $(OUT)/platform/null.o $(OUT)/gen/rom.o
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) $(LINK_MAP) $^ $(LIBS) -o $@
 
@@ -263,12 +272,13 @@ windows: say-windows $(LUA_H)
 	@tools/windows/libraries.sh
 	@$(MAKE) --no-print-directory CONFIG=windows CC="$(WIN_CC)" BUILD_CC="$(CC)" BARE=$(OUT)/curtain-bare \
 		CFLAGS="$(strip -D__USE_MINGW_ANSI_STDIO=1 $(CFLAGS))" WARN="$(WARN) $(WIN_WARN)" HARDEN_L= THREADS= LUA_INSIDE=1 \
-		SDL_C="-I$(WIN)/lib/sdl2/include/SDL2 -DSDL_LINKED" $(WIN)/curtain.exe $(WIN)/curtain-null.exe $(WIN)/player.exe
+		SDL_C="-I$(WIN)/lib/sdl2/include/SDL2 -DSDL_LINKED" $(WIN)/curtain.exe $(WIN)/curtain-null.exe $(WIN)/curtain-empty.exe \
+		$(WIN)/curtain-player.exe
 
 $(WIN)/curtain.ico: tools/windows/icon.py $(wildcard share/icons/*.png)
 	$(SAY) "  MAKE  $@"
 	$(Q)tools/windows/icon.py $@ $(wildcard share/icons/*.png)
-$(WIN)/resource.o: tools/windows/curtain.rc tools/windows/curtain.manifest $(WIN)/curtain.ico src/cab/host/version.h
+$(WIN)/resource.o: tools/windows/curtain.rc tools/windows/curtain.manifest $(WIN)/curtain.ico src/player/game/version.h
 	$(SAY) "  MAKE  $@"
 	$(Q)$(WIN_RES) -I. -I$(WIN) -DVERSION='\"$(VERSION)\"' -DNUMBERS=$(subst .,$(comma),$(VERSION)),0 $< $@
 $(WIN)/platform/sdl2/%.o: platform/%.c
@@ -276,12 +286,14 @@ $(WIN)/platform/sdl2/%.o: platform/%.c
 	$(SAY) "  CC    $<"
 	$(Q)$(CC) $(ALL_C) $(call OWN,platform/sdl2.c) -MMD -MP -c $< -o $@
 $(WIN)/curtain.exe: $(WIN)/gen/rom.o
-$(WIN)/player.exe: $(WIN)/gen/no_rom.o
-$(WIN)/curtain.exe $(WIN)/player.exe: $(BOARD_OBJ) $(CAB_OBJ) $(patsubst %,$(WIN)/platform/sdl2/%.o,stdio $(HOST)) \
-		$(WIN)/src/cab/main.o $(WIN)/platform/sdl2.o $(WIN)/resource.o $(LUA_OBJ)
+$(WIN)/curtain-empty.exe $(WIN)/curtain-player.exe: $(WIN)/gen/no_rom.o
+$(WIN)/curtain.exe $(WIN)/curtain-empty.exe: $(BOARD_OBJ) $(PROGRAM_OBJ) $(WIN)/src/workbench/main.o
+$(WIN)/curtain-player.exe: $(PLAYER_OBJ)
+$(WIN)/curtain.exe $(WIN)/curtain-empty.exe $(WIN)/curtain-player.exe: $(WIN)/platform/sdl2.o $(WIN)/resource.o $(LUA_OBJ) \
+		$(patsubst %,$(WIN)/platform/sdl2/%.o,stdio $(HOST))
 	$(SAY) "  LINK  $@"
-	$(Q)$(CC) $(ALL_C) $(WIN_LINK) $^ -L$(WIN)/lib/sdl2/lib $(WIN_LIBS) -o $@
-$(WIN)/curtain-null.exe: $(CORE_OBJ) $(WIN)/src/cab/main.o $(WIN)/platform/null.o $(WIN)/gen/rom.o $(LUA_OBJ)
+	$(Q)$(CC) $(ALL_C) $(WIN_LINK) -Wl,--gc-sections $^ -L$(WIN)/lib/sdl2/lib $(WIN_LIBS) -o $@
+$(WIN)/curtain-null.exe: $(CORE_OBJ) $(WIN)/src/workbench/main.o $(WIN)/platform/null.o $(WIN)/gen/rom.o $(LUA_OBJ)
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) $(WIN_LINK) $^ -lole32 -luuid -lm -lpthread -o $@
 
@@ -296,18 +308,20 @@ players: say-play-web-windows-players $(LUA_H)
 	@$(MAKE) --no-print-directory $(WEB)/player.html
 	@$(MAKE) --no-print-directory windows
 	@tools/old_glibc.sh make --no-print-directory -j2 CONFIG=linux CFLAGS="$(LINUX_C)" LUA_INSIDE=1 SDL_C="$(SDL_C)" V=$(V) \
-		$(LINUX)/curtain-player $(LINUX)/curtain_libretro.so
+		$(LINUX)/curtain-player $(LINUX)/curtain-empty $(LINUX)/curtain_libretro.so
 	@mkdir -p $(PLAYERS)
 	@cp $(WEB)/player.html $(LINUX)/curtain_libretro.so $(PLAYERS)
-	@cp $(LINUX)/curtain-player $(PLAYERS)/curtain-linux
-	@cp $(WIN)/player.exe $(PLAYERS)/curtain.exe
+	@cp $(LINUX)/curtain-player $(PLAYERS)/curtain-player-linux
+	@cp $(LINUX)/curtain-empty $(PLAYERS)/curtain-linux
+	@cp $(WIN)/curtain-player.exe $(PLAYERS)
+	@cp $(WIN)/curtain-empty.exe $(PLAYERS)/curtain.exe
 	@ls -l $(PLAYERS)
 
 # ---- libcurtain: the board as calls, with no name of its own but those of curtain.h ----
 
 WEB     := build/web
 LIB_OBJ := $(patsubst %.c,$(OUT)/lib/%.o,$(BOARD_SRC) $(patsubst %,src/demo/%.c,demo demo_read demo_put demo_record demo_write rewind) $(wildcard src/lib/*.c) src/common/array.c) $(OUT)/lib/gen/std.o
-LIB_C   := -DWITHOUT_HELP -fPIC -fvisibility=hidden -ffunction-sections -fdata-sections
+LIB_C   := -DWITHOUT_HELP $(if $(findstring mingw,$(CC)),,-fPIC) -fvisibility=hidden -ffunction-sections -fdata-sections
 
 $(OUT)/lib/gen/std.o: $(OUT)/gen/std.c
 	@mkdir -p $(@D)
@@ -340,11 +354,11 @@ library: say-null
 	@$(MAKE) --no-print-directory build/libcurtain.a build/libcurtain.so build/curtain.pc build/curtain_libretro.so build/players/curtain_libretro.so
 build/libcurtain.a build/libcurtain.so build/curtain_libretro.so: build/%: $(OUT)/%
 	@cp $< $@
-VERSION = $(shell sed -n 's/^.define CURTAIN_VERSION "\(.*\)"/\1/p' src/cab/host/version.h)
-build/curtain.pc: share/curtain.pc.in src/cab/host/version.h
+VERSION = $(shell sed -n 's/^.define CURTAIN_VERSION "\(.*\)"/\1/p' src/player/game/version.h)
+build/curtain.pc: share/curtain.pc.in src/player/game/version.h
 	@sed 's,@PREFIX@,$(PREFIX),; s,@VERSION@,$(VERSION),' $< > $@
 
-RETRO_OBJ := $(patsubst %,$(OUT)/lib/%.o,platform/libretro/core platform/libretro/inside src/cab/share/mark)
+RETRO_OBJ := $(patsubst %,$(OUT)/lib/%.o,platform/libretro/core platform/libretro/inside src/player/game/mark)
 $(OUT)/curtain_libretro.so: $(RETRO_OBJ) $(OUT)/libcurtain.a | $(filter %.o,$(LUA_L))
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) $(LIB_C) -shared -Wl,-z,defs -Wl,--exclude-libs,ALL $^ \
@@ -405,7 +419,7 @@ $(OUT)/short/%.o: src/%.c
 	$(Q)$(CC) $(ALL_C) -DWORK_LIMIT=50000000 -DMAX_RAM="(64ull << 20)" -MMD -MP -c $< -o $@
 
 $(OUT)/curtain-short: $(filter-out $(SHORT:%=$(OUT)/src/%.o),$(CORE_OBJ)) $(SHORT:%=$(OUT)/short/%.o) \
-		$(OUT)/src/cab/main.o $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
+		$(OUT)/src/workbench/main.o $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) $^ $(LIBS) -o $@
 
@@ -456,7 +470,7 @@ $(OUT)/fuzz/%: tests/fuzz/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_r
 	@mkdir -p $(@D)
 	$(CC) $(ALL_C) -fsanitize=fuzzer $^ $(LIBS) -lcmocka -o $@
 
-programs: $(OUT)/lab $(OUT)/ear $(OUT)/bench $(OUT)/pacing $(OUT)/cookbook $(OUT)/curtain $(OUT)/curtain-null \
+programs: $(OUT)/lab $(OUT)/ear $(OUT)/bench $(OUT)/pacing $(OUT)/cookbook $(OUT)/curtain $(OUT)/curtain-player $(OUT)/curtain-null \
           $(OUT)/curtain-short $(OUT)/libcurtain.a $(OUT)/libcurtain.so $(OUT)/curtain_libretro.so \
           $(UNIT) $(MACHINE)
 

@@ -7,11 +7,11 @@
  * Mach-O), so a port overrides one by defining the same function. If there are no weak symbols, as on Windows, compile
  * the files with the defaults with one -DPLAT_OWN_... for each override, such as -DPLAT_OWN_QUEUE_SOUND.
  *
- * A port has no logic and no table of key bindings: it reports keys and buttons by number, and src/cab maps them. It
+ * A port has no logic and no table of key bindings: it reports keys and buttons by number, and src/player maps them. It
  * includes this header and no other header of Curtain. All functions are called from one thread.
  *
- * On a host that has the main loop, the port calls the three program_ functions below. On other hosts, src/cab/main.c
- * is the loop.
+ * On a host that has the main loop, the port calls the three program_ functions below. On other hosts,
+ * src/workbench/main.c is the loop.
  */
 #ifndef PLATFORM_PLATFORM_H
 #define PLATFORM_PLATFORM_H

@@ -9,7 +9,7 @@
  * plat_make_executable, plat_set_crash_handler, plat_describe_build, plat_describe_system and plat_log to your file:
  * the linker prefers yours.
  *
- * src/cab/main.c is the main loop. If the host has the main loop, leave that file out of the link, and call
+ * src/workbench/main.c is the main loop. If the host has the main loop, leave that file out of the link, and call
  * program_open, program_run_frame and program_close from here.
  */
 #pragma GCC diagnostic ignored "-Wunused-parameter" /* remove this line when the functions use their parameters */

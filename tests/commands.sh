@@ -3,7 +3,8 @@
 # from after it.
 #
 #     OUT=build/release tests/commands.sh record DIR [TEXT]
-#         runs every row of tests/commands.list, or those that contain TEXT, with $OUT/curtain and $OUT/curtain-null
+#         runs every row of tests/commands.list, or those that contain TEXT, with the programs in $OUT: curtain,
+#         curtain-null and curtain-player
 #     tests/commands.sh compare DIR_A DIR_B
 #         prints the rows whose results differ, as diffs, and "N same, N differ"; exit code 1 if a row differs
 #     tests/commands.sh rows
@@ -164,7 +165,7 @@ record() { # DIR [TEXT]
     trap 'rm -rf "$work"' EXIT
     export work to
     mkdir "$work/bin" "$work/files"
-    cp "$OUT/curtain" "$OUT/curtain-null" "$work/bin" || exit 2
+    cp "$OUT/curtain" "$OUT/curtain-player" "$OUT/curtain-null" "$work/bin" || exit 2
     git ls-files -z roms examples tests/demos tests/bulletml | xargs -0 cp --parents -t "$work/files"
     sums "$work/files" >"$work/sums"
     rows >"$work/rows" || exit 2

@@ -14,7 +14,7 @@ table=$repo/build/linux/releases
 root=$repo/build/chroot/test
 game=$repo/roms/glasstide demo=$repo/roms/glasstide/demos/attract.demo
 trap 'cd /; rm -rf "$scratch" "$root" "$root.new"' EXIT
-for file in "$players/curtain-linux" "$players/curtain_libretro.so"; do
+for file in "$players"/{curtain-player-linux,curtain-linux,curtain_libretro.so}; do
     [ -x "$file" ] || { not_ok "$file is there: make players"; finish; }
 done
 inside() { "$repo/tools/chroot.sh" run "$root" "$@"; }
@@ -32,7 +32,7 @@ needs() { # FILE GLIBC: at most that, and nothing but the C library
     [ -z "$other" ] && [ -n "$newest" ]
 }
 oldest=$(glibc_of "$repo/build/chroot/compiler")
-for file in curtain-linux curtain_libretro.so; do
+for file in curtain-player-linux curtain-linux curtain_libretro.so; do
     check "$file needs nothing but glibc $oldest" needs "$players/$file" "$oldest"
 done
 refuse 'planted: a program that needs Lua is found' 'needs liblua5.4.so.0' needs "$repo/build/curtain" 9
@@ -43,7 +43,7 @@ refuse 'planted: a newer glibc is found' 'needs glibc 2.' needs "$players/curtai
 "$native" hash "$game" --demo "$demo" --every 600 >hashes
 "$native" render "$game" --demo "$demo" --frames 600 -o pictures >/dev/null
 "$native" hash "$repo/examples/first" --press fire --frames 90 --record short.demo >/dev/null
-"$players/curtain-linux" export "$repo/examples/first" -o first
+"$players/curtain-linux" export "$repo/examples/first" --linux -o first
 python3 - "$demo" <<'PY'
 import sys
 data = bytearray(open(sys.argv[1], "rb").read())

@@ -6,7 +6,8 @@ compiler=${CC:-cc}
 
 template() {
     "$compiler" -std=c11 -Wall -Wextra -Werror -c platform/template.c -o "$scratch/template.o" &&
-        "$compiler" "$OUT"/fb/*.o $(find src -name '*.c' ! -path 'src/lib/*' | sed "s,^,$OUT/,; s,c\$,o,") \
+        "$compiler" "$OUT"/fb/*.o \
+            $(find src -name '*.c' ! -path 'src/lib/*' ! -path src/player/main.c | sed "s,^,$OUT/,; s,c\$,o,") \
             "$OUT"/platform/{stdio,posix,posix_process}.o "$OUT/gen/std.o" "$OUT/gen/rom.o" "$scratch/template.o" \
             $(pkg-config --libs lua5.4) -lm -pthread -o "$scratch/mine" &&
         "$scratch/mine" play roms/testcard

@@ -190,8 +190,8 @@ same 'which is as it was' old "$(cat locked/card.rom)"
 mkdir -p both/players
 cp "$native" both/linux
 cp "$exe" both/windows.exe
-cp "$native" both/players/curtain-linux
-cp "$exe" both/players/curtain.exe
+cp "$native" both/players/curtain-player-linux
+cp "$exe" both/players/curtain-player.exe
 cp "$repo"/build/players/{player.html,curtain_libretro.so} both/players/ || not_ok 'make web, make library: the players'
 "$program" export "$repo/examples/moth" >said 2>&1
 check 'an export ends in .exe' test -s moth.exe

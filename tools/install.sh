@@ -14,6 +14,7 @@ bin=bin man=share/man/man1 doc=share/doc/curtain data=share/curtain
 # MODE FILE TARGET, a line each, the target below the prefix. No name has a blank.
 list() {
     echo "755 build/curtain $bin/curtain"
+    echo "755 build/curtain-player $bin/curtain-player"
     echo "755 build/curtain-null $bin/curtain-null"
     echo "644 build/curtain.1 $man/curtain.1"
     echo "644 build/curtain-null.1 $man/curtain-null.1"
@@ -40,7 +41,7 @@ list_library() {
 
 # Those that make players made, make web or make library.
 list_players() {
-    for player in curtain-linux curtain.exe curtain_libretro.so player.html; do
+    for player in curtain-player-linux curtain-linux curtain-player.exe curtain.exe curtain_libretro.so player.html; do
         echo "755 build/players/$player $data/players/$player"
     done
 }

@@ -9,8 +9,8 @@
 #include "../platform/platform.h"
 #include "../src/machine/machine.h"
 #include "../src/demo/demo.h"
-#include "../src/cab/pack/pack.h"
-#include "../src/cab/survive/trial.h"
+#include "../src/workbench/pack/pack.h"
+#include "../src/workbench/survive/trial.h"
 
 enum { LASER = 6 /* bullets that a laser counts as */ };
 
@@ -91,7 +91,7 @@ int main(int argc, char **argv)
 
     if (argc != 3)
         fail("usage: lively ROM DEMO");
-    if (!rom_image_load(argv[1], false, &image, err, sizeof err) || !cart_open(&cart, &image.rom, err, sizeof err) ||
+    if (!pack_load_game(argv[1], false, &image, err, sizeof err) || !cart_open(&cart, &image.rom, err, sizeof err) ||
         !demo_load(&d, argv[2], err, sizeof err) || !demo_check_cart(&d, &cart, err, sizeof err) ||
         !trial_open(&t, &image.rom, &d.start, err, sizeof err))
         fail(err);

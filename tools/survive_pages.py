@@ -61,7 +61,7 @@ HEAD = "%-24s %-10s %-18s %7s %5s %6s %9s %8s %8s" % (
 
 
 def harder(easier, more):
-    """Why a section at one difficulty is harder than at the next one; as measure_compare of src/cab/survive."""
+    """Why a section at one difficulty is harder than at the next one; as measure_compare of src/workbench/survive."""
     good = [one["verdict"] in ("survived", "lasted") for one in (easier, more)]
     if not all(good):
         return "no way was found, unlike at the next difficulty" if good[1] else ""

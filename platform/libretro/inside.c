@@ -8,7 +8,7 @@
 #include <dlfcn.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include "../../src/cab/share/mark.h"
+#include "../../src/player/game/mark.h"
 
 bool inside_has_game(void)
 {

@@ -148,9 +148,10 @@ int main(void)
     return 0;
 }
 C
-film=$repo/src/cab/film
+film=$repo/src/player/clip
 for level in -O0 -O2; do
-    ${CC:-cc} -std=c11 $level -I "$film" -o twice$level twice.c "$film"/{gif,lzw,change,reel}.c
+    ${CC:-cc} -std=c11 $level -I "$film" -o twice$level twice.c "$film"/{gif,lzw,change}.c \
+        "$repo"/src/common/byte_buffer.c
     ./twice$level >twice$level.gif
 done
 check "-O0 and -O2 make the same bytes" cmp twice-O0.gif twice-O2.gif

@@ -162,7 +162,9 @@ says 'by an exported program' 2 \
     ./keys export lanterns
 says 'by a program without a window' 2 \
     'curtain: export: a copy of this program would have no window; use curtain, or add --linux or --windows' \
-    "$null" export lanterns -o game
+    "$null" export lanterns --keys -o game
+says '... but it makes the same program' 0 '' "$null" export lanterns -o same
+check '... of the same bytes' cmp same game
 bad 'an option of it elsewhere' '--keys does not work with pack (only with export)' pack lanterns --keys
 bad 'another one' '--desktop does not work with play (only with export)' play lanterns --desktop
 
@@ -201,11 +203,11 @@ while read -r option player; do
     bad "no player: $option" "export: cannot find the player $player in players or ../share/curtain/players, relative \
 to this program's folder; run \`make players\` in Curtain's source tree" export lanterns "--$option" -o "new.so"
 done <<'END'
-linux curtain-linux
-windows curtain.exe
+linux curtain-player-linux
+windows curtain-player.exe
 web player.html
 libretro curtain_libretro.so
-all curtain-linux
+all curtain-player-linux
 END
 check '... and nothing was written' test ! -e new.so
 version=$("$tool" version | sed -n '1s/.*(core \([0-9]*\),.*/\1/p')
@@ -304,8 +306,9 @@ bad 'an option of it elsewhere' '--web does not work with pack (only with export
 says 'where nothing can be written' 3 'curtain: /proc/none/a.html: cannot be written (No such file or directory)' \
     "$tool" export lanterns --web -o "$(page "$version" >"$player"; echo /proc/none/a.html)"
 
-# ---- Linux: the player is a copy of the program here ----
+# ---- Linux: the players are copies of the programs here ----
 
+cp "$OUT/curtain-player" "$players/curtain-player-linux"
 cp "$OUT/curtain" "$players/curtain-linux"
 sed -i 's/title = "[^"]*"/title = "Paper \\\\ Lanterns"/' lanterns/rom.lua
 says 'a program for Linux, by a program without a window too' 0 '' "$tool" export lanterns --linux -o other
@@ -317,15 +320,15 @@ same 'the same bytes' "$(cksum <other)" "$(cksum <game)"
 check 'with --keys it has all commands' ./full hash --frames 1
 check 'with --desktop an entry' desktop-file-validate full.desktop
 mkdir tree/bin/players
-cp "$player" tree/bin/players/curtain-linux
+cp "$player" tree/bin/players/curtain-player-linux
 bad 'a player next to the program is the one used' \
-    "$PWD/tree/bin/players/curtain-linux: not a valid player; rebuild it with \`make players\`" \
+    "$PWD/tree/bin/players/curtain-player-linux: not a valid player; rebuild it with \`make players\`" \
     export lanterns --linux -o new
 rm -r tree/bin/players
 
 # ---- Windows: what is changed in the file, of a small one; tests/windows.sh runs a whole one ----
 
-exe=$players/curtain.exe
+exe=$players/curtain-player.exe
 pe() { python3 "$repo/tests/cli/pe_$1.py" "${@:2}"; }
 pe make "$exe" "$version"
 sed -i 's/title = "[^"]*"/title = "Lanterns ☂𝄞"/' lanterns/rom.lua

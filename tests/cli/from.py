@@ -14,7 +14,8 @@ LUA = set("local function return for in do while true false nil end and or not p
 # What stands for a value of the reader's own.
 OWN = set("name list route key value f easy hard rank".split())
 # The keys of rom.lua, and the shapes of a hit.
-READ_HERE = ("src/cab/pack/manifest_text.c", "src/cab/pack/manifest_art.c", "src/cab/pack/manifest_sound.c",
+READ_HERE = ("src/workbench/pack/manifest_text.c", "src/workbench/pack/manifest_art.c",
+             "src/workbench/pack/manifest_sound.c",
              "src/rom/manifest.c", "src/script/api/api_hit.c")
 THINGS = {"b": "bullet", "e": "enemy", "p": "player", "l": "laser", "s": "shot"}
 

@@ -41,7 +41,7 @@ check "figure names the patterns" says figure 'figure: see pattern.polygon patte
 check "pentagon is a polygon" says pentagon 'pattern.polygon{...}'
 synonyms() { # every name in the table is explained
     local name n=0
-    for name in $(sed -n '/\*const synonyms/,/^};/s/.*{ "[a-z]*", "\(.*\)" },/\1/p' src/cab/command_help.c); do
+    for name in $(sed -n '/\*const synonyms/,/^};/s/.*{ "[a-z]*", "\(.*\)" },/\1/p' src/workbench/help/help.c); do
         n=$((n + 1))
         find_word "$name" >/dev/null || { echo "$name is none"; return 1; }
     done

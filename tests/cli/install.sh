@@ -12,7 +12,7 @@ tree=$scratch/tree
 mkdir -p "$tree/build/release"
 cp -a Makefile README.md CHANGELOG.md LICENSE docs examples fb platform roms scripts share src tools "$tree"
 mkdir "$tree/tests"
-for part in src fb platform gen embed curtain-bare curtain curtain-null game.rom game.is; do
+for part in src fb platform gen lib embed curtain-bare curtain curtain-player curtain-null game.rom game.is; do
     [ ! -e "build/release/$part" ] || cp -a "build/release/$part" "$tree/build/release/"
 done
 makes() { make --no-print-directory -s -C "$tree" "$@"; }
@@ -30,11 +30,12 @@ printf '<meta name="generator" content="Curtain, core %s">@TITLE@ @ROM@' "$core"
 check 'with the player for browsers, once make web has made it' makes install DESTDIR="$scratch/root" PREFIX=/usr
 check 'of which the installed program makes a page' \
     "$installed" export roms/testcard --web -o "$scratch/page.html"
-echo player >"$tree/build/players/curtain-linux"
+echo player >"$tree/build/players/curtain-player-linux"
 check 'with the players that exist' makes install DESTDIR="$scratch/root" PREFIX=/usr
-same 'and no other' 'curtain-linux player.html' "$(echo $(ls "$share/players"))"
+same 'and no other' 'curtain-player-linux player.html' "$(echo $(ls "$share/players"))"
 check 'the program is there' "$installed" version
 check 'so is the one with a window' test -x "$scratch/root/usr/bin/curtain"
+check 'so is the player' test -x "$scratch/root/usr/bin/curtain-player"
 check 'so are the documents' test -s "$scratch/root/usr/share/doc/curtain/docs/guide/03-bullets.md"
 for dir in examples/first examples/sandbox examples/shooter roms/glasstide; do
     check "$dir is installed, whole" diff -r "$dir" "$share/$dir"
@@ -49,7 +50,7 @@ check 'the program alone, with nothing installed beside it, makes a game' alone/
 check 'which is the one that is installed' diff -r -x '.*' -x rom.lua -x README.md mine "$share/examples/shooter"
 rm -rf mine
 cd "$repo" || exit 2
-release=$(sed -n 's/^#define CURTAIN_VERSION "\(.*\)"$/\1/p' src/cab/host/version.h)
+release=$(sed -n 's/^#define CURTAIN_VERSION "\(.*\)"$/\1/p' src/player/game/version.h)
 named() { "$installed" version | grep -q "^curtain $release "; }
 check 'it says which release it is' named
 

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# version.sh - `curtain version` names the release, which src/cab/host/version.h has and CHANGELOG.md begins with; the
-# core version, which src/board/board.h has; and the release of Lua.
+# version.sh - `curtain version` prints the release, as in src/player/game/version.h and at the top of CHANGELOG.md; the
+# core version, as in src/board/board.h; and the release of Lua.
 . "$(dirname "$0")/../tap.sh"
 curtain=$OUT/curtain-null
 
-release=$(sed -n 's/^#define CURTAIN_VERSION "\(.*\)"$/\1/p' src/cab/host/version.h)
+release=$(sed -n 's/^#define CURTAIN_VERSION "\(.*\)"$/\1/p' src/player/game/version.h)
 core=$(sed -n 's/.*CORE_VERSION = \([0-9]*\).*/\1/p' src/board/board.h)
 lua=$(printf '#include <lua.h>\nLUA_RELEASE\n' | ${CC:-cc} -E -P $(pkg-config --cflags lua5.4) - |
     tail -1 | tr -d '"' | sed 's, *\. *,.,g; s,  *, ,g')

@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../src/cab/line/args.h"
+#include "../../src/player/args/args.h"
 
 enum { WORDS = 64 };
 

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../src/cab/pack/sheet.h"
+#include "../../src/workbench/pack/sheet.h"
 
 /* Every pixel is looked at, and what came of the slices is in order. */
 static void look(const struct ase_sprite *s)

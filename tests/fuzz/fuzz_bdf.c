@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../src/rom/face.h"
-#include "../../src/cab/pack/bdf.h"
+#include "../../src/workbench/pack/bdf.h"
 
 static void need(bool good)
 {

@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../src/cab/demo/bisect.h"
+#include "../../src/workbench/verify/bisect.h"
 
 static enum result compare(const uint8_t *a, size_t a_n, const uint8_t *b, size_t b_n)
 {

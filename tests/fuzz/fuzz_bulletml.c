@@ -5,9 +5,9 @@
  */
 #include <lauxlib.h>
 #include "../machine/rig.h"
-#include "../../src/cab/bulletml/as_lua.h"
-#include "../../src/cab/bulletml/compile.h"
-#include "../../src/cab/bulletml/document.h"
+#include "../../src/workbench/bulletml/as_lua.h"
+#include "../../src/workbench/bulletml/compile.h"
+#include "../../src/workbench/bulletml/document.h"
 
 enum { FRAMES = 40, COSTLY = 20000 /* bytes: a longer one is read, compiled and written, but not run */ };
 

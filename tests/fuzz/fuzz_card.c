@@ -8,7 +8,7 @@
 #include <string.h>
 #include "../../src/base/bytes.h"
 #include "../../src/base/hash.h"
-#include "../../src/cab/store/card.h"
+#include "../../src/player/replays/replay_meta.h"
 
 static void need(bool good)
 {
@@ -30,15 +30,15 @@ static void repair(uint8_t *p, size_t n)
         bytes_put32(p + n - 4, hash_crc32(p + at + 4, n - at - 8));
 }
 
-static void round_trip(const struct card *c, const struct thumb *t)
+static void round_trip(const struct replay_meta *c, const struct thumb *t)
 {
     uint8_t bytes[CARD_BYTES], again[CARD_BYTES];
-    struct card back;
+    struct replay_meta back;
     struct thumb seen;
 
-    const size_t n = card_write(c, t, bytes);
-    need(card_read(&back, bytes, n) && card_read_thumb(&seen, bytes, n) == (t->w * t->h > 0));
-    need(card_write(&back, &seen, again) == n && memcmp(bytes, again, n) == 0);
+    const size_t n = replay_meta_write(c, t, bytes);
+    need(replay_meta_read(&back, bytes, n) && replay_meta_read_thumb(&seen, bytes, n) == (t->w * t->h > 0));
+    need(replay_meta_write(&back, &seen, again) == n && memcmp(bytes, again, n) == 0);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
@@ -48,7 +48,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     static struct thumb t;
     const size_t n = size > 0 ? size - 1 : 0;
     uint8_t *copy = malloc(n + (n == 0)); /* of exactly this size */
-    struct card c;
+    struct replay_meta c;
 
     if (!copy)
         return 0;
@@ -56,10 +56,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         memcpy(copy, data + 1, n);
     if (n && data[0] % 2 == 0)
         repair(copy, n);
-    if (!card_read_thumb(&t, copy, n))
+    if (!replay_meta_read_thumb(&t, copy, n))
         need(t.w == 0 && t.h == 0);
     need(t.w <= THUMB_SIDE && t.h <= THUMB_SIDE);
-    if (card_read(&c, copy, n)) {
+    if (replay_meta_read(&c, copy, n)) {
         need(c.rows >= 0 && c.rows <= CARD_ROWS && c.end < CARD_ENDS && c.first <= c.last);
         need(memchr(c.name, 0, sizeof c.name) && memchr(c.ship, 0, sizeof c.ship) && memchr(c.id, 0, sizeof c.id));
         round_trip(&c, &t);

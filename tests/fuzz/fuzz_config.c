@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../src/cab/host/config.h"
+#include "../../src/player/settings/config.h"
 
 static void need(bool good)
 {

@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../src/cab/line/game.h"
+#include "../../src/player/game/game.h"
 
 enum { WORDS = 64 };
 

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../src/rom/words.h"
-#include "../../src/cab/pack/lang.h"
+#include "../../src/workbench/pack/lang.h"
 
 static void need(bool good)
 {

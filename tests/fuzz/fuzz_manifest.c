@@ -9,8 +9,8 @@
 #include <string.h>
 #include "../../src/rom/manifest.h"
 #include "../../src/script/script.h"
-#include "../../src/cab/check/symbols.h"
-#include "../../src/cab/check/builtins.h"
+#include "../../src/workbench/check/symbols.h"
+#include "../../src/workbench/check/builtins.h"
 
 static void need(bool good)
 {

@@ -5,7 +5,7 @@
  */
 #include <stdlib.h>
 #include <string.h>
-#include "../../src/cab/pack/map.h"
+#include "../../src/workbench/pack/map.h"
 
 static void check_cells(const struct map_cells *c)
 {

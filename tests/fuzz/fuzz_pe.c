@@ -6,8 +6,8 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../src/cab/share/image.h"
-#include "../../src/cab/share/pe.h"
+#include "../../src/workbench/export/image.h"
+#include "../../src/workbench/export/pe.h"
 
 static void need(bool good)
 {

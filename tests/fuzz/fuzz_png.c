@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../src/base/hash.h"
-#include "../../src/cab/pack/png.h"
+#include "../../src/player/picture/png.h"
 
 static uint32_t be32(const uint8_t *p)
 {

@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../src/cab/sound/recording.h"
+#include "../../src/workbench/samples/recording.h"
 #include "../../src/sound/adpcm.h"
 #include "../../src/sound/tune.h"
 

@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../src/cab/store/records.h"
+#include "../../src/player/replays/records.h"
 
 static void need(bool good)
 {

@@ -10,7 +10,7 @@
 #include "../../src/rom/cart.h"
 #include "../../src/rom/compressed.h"
 #include "../../src/rom/lzma.h"
-#include "../../src/cab/pack/compress.h"
+#include "../../src/workbench/pack/compress.h"
 #include "../repair.h"
 
 /* Never the answer of a hash: uses it, so that no compiler drops the reading. */

@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../src/cab/mml/mml.h"
+#include "../../src/workbench/mml/mml.h"
 #include "../../src/sound/pitch.h"
 #include "../../src/sound/tune.h"
 #include "../voiced.h"

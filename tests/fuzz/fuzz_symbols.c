@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../src/cab/check/symbols.h"
+#include "../../src/workbench/check/symbols.h"
 
 static void need(bool good)
 {

@@ -56,7 +56,7 @@ compile() { # ARGUMENT...: by the Makefile's flags, without a warning
 # The program's objects, but for those named, which are the copy's.
 objects() { # NAME...
     local not
-    not=$(printf -- '-e /%s ' cab/main.o gen/rom.o "$@")
+    not=$(printf -- '-e /%s ' workbench/main.o gen/rom.o "$@")
     # shellcheck disable=SC2086
     sed -n "s,^LOAD \($OUT/.*\.o\)$,\1,p" "$OUT/curtain-null.map" | grep -v $not
 }
@@ -85,7 +85,7 @@ api() {
     grep -q '^static int rng_sign' "$copy/src/script/api/api_rng.c" || return
     # shellcheck disable=SC2046
     compile "$copy/src/script/api/api_rng.c" $(objects script/api/api_rng.o) \
-        "$OUT/gen/no_rom.o" "$OUT/src/cab/main.o" $(libraries) -o "$scratch/curtain" &&
+        "$OUT/gen/no_rom.o" "$OUT/src/workbench/main.o" $(libraries) -o "$scratch/curtain" &&
         mkdir -p "$scratch/game" && cp -r examples/first/* "$scratch/game/" &&
         echo "$signs" >"$scratch/game/main.lua" && "$scratch/curtain" hash "$scratch/game" --frames 2 &&
         "$scratch/curtain" help lua rng.sign | grep -q -- '-1 or 1'

@@ -114,7 +114,7 @@ int main(void)
 EOL
 host() { # OBJECT: the sums
     # shellcheck disable=SC2046,SC2086
-    ${CC:-cc} $flags -I. "$scratch/power.c" $(objects | grep -v cab/main.o) "$1" \
+    ${CC:-cc} $flags -I. "$scratch/power.c" $(objects | grep -v workbench/main.o) "$1" \
         $(pkg-config --libs lua5.4) -lm -pthread -o "$scratch/host" && "$scratch/host"
 }
 check "a board is powered" host "$OUT/src/base/ieee.o"

@@ -1,15 +1,15 @@
 """Checks the #include lines of the files named: a file includes headers of its own layer and of those below, and the
-directories of src/cab include each other in no cycle. Prints each directory with how many files it has and which
-directories it includes.
+directories of src/player and src/workbench include each other in no cycle. Prints each directory with how many files
+it has and which directories it includes.
 
 LAYERS is the order, lowest first; a layer is a directory with those in it. Besides:
   - an entity includes of the entities only its own headers (bullets_move.c: bullets.h, bullets_parts.h) and motion.h
     (how things move);
   - Lua's headers are seen in src/script and src/board, and where rom.lua and test scripts are read; stb in
-    src/cab/pack/png.c alone;
-  - platform.h is included by src/common, src/demo, src/lib and src/cab; a port includes that header and nothing else of
-    ours, or curtain.h if it is a host of the library; the files of a host share host.h, and win.h, where Windows' own
-    headers are seen;
+    src/player/picture/png.c alone;
+  - platform.h is included by src/common, src/demo, src/lib, src/player and src/workbench; a port includes that header
+    and nothing else of ours, or curtain.h if it is a host of the library; the files of a host share host.h, and win.h,
+    where Windows' own headers are seen;
   - a header that need not be installed is not included, and not asked for: what a build can do depends on none;
   - below src/common only the headers of C that reach no host; src/base/host.h alone sees what the host has set.
 Tests and tools may include anything."""
@@ -18,12 +18,12 @@ import re
 import sys
 
 LAYERS = ["src/base", "fb", "src/sound", "src/entities", "src/rom", "src/machine", "src/script", "src/board",
-          "src/common", "src/demo", "src/lib", "src/cab", "platform"]
+          "src/common", "src/demo", "src/lib", "src/player", "src/workbench", "platform"]
 BIGGEST = 50  # files in a directory of src
 SHARED = {"src/entities/motion.h"}
 LUA = {"lua.h", "lauxlib.h", "lualib.h", "luaconf.h"}
-SEES_LUA = re.compile(r"src/(script|board|cab/trial)/|src/cab/pack/(manifest_\w+|value)\.[ch]$")
-ASKS_HOST = {"src/common", "src/demo", "src/lib", "src/cab"}
+SEES_LUA = re.compile(r"src/(script|board)/|src/workbench/(test/trial\w*|pack/(manifest_\w+|value))\.[ch]$")
+ASKS_HOST = {"src/common", "src/demo", "src/lib", "src/player", "src/workbench"}
 # stdio.h: snprintf into the caller's buffer; stdlib.h: strtod, qsort, abort. What is called is checked by calls.sh.
 PURE = {"assert.h", "float.h", "inttypes.h", "limits.h", "math.h", "setjmp.h", "stdarg.h", "stdbool.h", "stddef.h",
         "stdint.h", "stdio.h", "stdlib.h", "string.h"}
@@ -37,7 +37,8 @@ HOSTS = re.compile(r"platform/(example|libretro|web)/")
 HOST_HEADERS = {"platform/host.h", "platform/win.h"}
 WINDOWS = {"windows.h", "io.h", "shlobj.h"}
 HOST_FILE = re.compile(r"platform/(stdio|posix|win|iso|no)(_process|_register)?\.[ch]$|platform/host\.h$")
-LINKED = {"src/cab/pack/png.c", "platform/sdl2.c"}  # these include headers of libraries that every build needs
+STB_FILE = "src/player/picture/png.c"
+LINKED = {STB_FILE, "platform/sdl2.c"}  # these include headers of libraries that every build needs
 HOST, HOST_FILES = {"fenv.h", "locale.h", "xlocale.h"}, {"src/base/host.h"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]|.*__has_include\(<([^>]+)>\)')
 
@@ -85,7 +86,7 @@ def system(path, name):
     if name in LUA:
         return None if SEES_LUA.match(path) else "Lua is not for this file"
     if name.startswith("stb"):
-        return None if path == "src/cab/pack/png.c" or HOSTS.match(path) else "stb is for src/cab/pack/png.c alone"
+        return None if path == STB_FILE or HOSTS.match(path) else "stb is for %s alone" % STB_FILE
     if name in HOST:
         return None if path in HOST_FILES else "the host's settings are for src/base/host.h alone"
     if LAYERS.index(here) < LAYERS.index("src/common") and name not in PURE:
@@ -93,7 +94,7 @@ def system(path, name):
     if name in WINDOWS:
         return None if path.startswith("platform/win") else "<%s> is for the files of Windows alone" % name
     if name not in SYSTEM and path not in LINKED and not HOSTS.match(path):
-        return "<%s> need not be installed; declare what is used (src/cab/host/library.h)" % name
+        return "<%s> need not be installed; declare what is used (src/common/library.h)" % name
     return None
 
 
@@ -149,7 +150,7 @@ def check_directories(paths):
         print("%-22s %2d files -> %s" % (here, files, " ".join(sorted(graph[here])) or "none"))
         if here.startswith("src/") and files > BIGGEST:
             found.append("%s: %d files; a directory has %d at most" % (here, files, BIGGEST))
-    around = cycle({a: b for a, b in graph.items() if a.startswith("src/cab")})
+    around = cycle({a: b for a, b in graph.items() if a.startswith(("src/player", "src/workbench"))})
     if around:
         found.append("directories in a cycle: " + ", ".join(
             "%s -> %s (%s)" % (a, b, graph[a][b]) for a, b in zip(around, around[1:])))

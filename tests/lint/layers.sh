@@ -26,19 +26,24 @@ refuse "planted: the machine includes scripts" "higher layer" planted src/machin
 refuse "planted: scripts include the board" "higher layer" planted src/script/tasks.c '"../board/board.h"'
 refuse "planted: an entity includes another" "no other but motion.h" planted src/entities/enemies.c '"bullets.h"'
 refuse "planted: an entity sees Lua" "Lua is not for this file" planted src/entities/fix.c '<lua.h>'
-refuse "planted: the packer sees Lua" "Lua is not for this file" planted src/cab/pack/pack.c '<lauxlib.h>'
+refuse "planted: the packer sees Lua" "Lua is not for this file" planted src/workbench/pack/pack.c '<lauxlib.h>'
 refuse "planted: the board includes the platform" "not for this layer" planted src/machine/video/video.c \
     '"../../../platform/platform.h"'
-refuse "planted: a port looks inside" "a port includes" planted platform/null.c '"../src/cab/host/keys.h"'
+refuse "planted: a port looks inside" "a port includes" planted platform/null.c '"../src/player/input/keys.h"'
 refuse "planted: a port sees the host's half" "a port includes" planted platform/sdl2.c '"host.h"'
-refuse "planted: Windows' header in the cabinet" "for the files of Windows alone" planted src/cab/verify.c '<windows.h>'
+refuse "planted: Windows' header in the player" "for the files of Windows alone" \
+    planted src/player/verify.c '<windows.h>'
 refuse "planted: stb in the machine" "stb is for" planted src/machine/video/video.c '<stb/stb_image.h>'
 refuse "planted: the host's rounding" "for src/base/host.h alone" planted src/base/fx.h '<fenv.h>'
-refuse "planted: the host's locale" "for src/base/host.h alone" planted src/cab/verify.c '<locale.h>'
-refuse "planted: directories in a cycle" "directories in a cycle: src/cab/host -> src/cab/pack (src/cab/host/" \
-    planted src/cab/host/folder.h '"../pack/pack.h"'
-refuse "planted: a library's header" "<sndfile.h> need not be installed" planted src/cab/sound/sndfile.c '<sndfile.h>'
-has_include() { planted src/cab/sound/module.c $'"module.h"\n#if __has_include(<libopenmpt/libopenmpt.h>)\n#endif'; }
+refuse "planted: the host's locale" "for src/base/host.h alone" planted src/player/verify.c '<locale.h>'
+refuse "planted: directories in a cycle" \
+    "directories in a cycle: src/player/play -> src/player/overlay (src/player/play/" \
+    planted src/player/overlay/page.h '"../play/cab.h"'
+refuse "planted: a library's header" "<sndfile.h> need not be installed" \
+    planted src/workbench/samples/sndfile.c '<sndfile.h>'
+has_include() {
+    planted src/workbench/samples/module.c $'"module.h"\n#if __has_include(<libopenmpt/libopenmpt.h>)\n#endif'
+}
 refuse "planted: a question for one" "<libopenmpt/libopenmpt.h> need not be installed" has_include
 for i in $(seq 51); do echo >"$scratch/src/rom/more$i.c"; done
 files=$(find "$scratch/src/rom" -name '*.[ch]' | wc -l)

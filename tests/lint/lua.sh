@@ -16,8 +16,10 @@ seen() {
     [ $# -gt 0 ] && echo "$# files" && return $rc
 }
 cp -r --parents src fb platform "$scratch"
-check "no file of the cabinet sees Lua or machine.h" seen $(tree 'src/cab/*.c' 'src/common/*.c' 'src/demo/*.c' |
-    grep -v -e src/cab/trial/ -e 'pack/manifest_' -e pack/value.c)
+check "no file of the program sees Lua or machine.h" seen $(
+    tree 'src/player/*.c' 'src/workbench/*.c' 'src/common/*.c' 'src/demo/*.c' |
+    grep -v -e workbench/test/trial -e 'pack/manifest_' -e pack/value.c
+)
 check "no file of a port does" seen $(tree 'platform/*.c')
 check "a file of the board does" eval '! seen src/board/board.c'
 
@@ -31,9 +33,9 @@ planted() {
     return $rc
 }
 refuse "planted: Lua in the table that check reads" "check_lua.c sees lua.h" \
-    planted src/script/api/api_table.h '<lua.h>' src/cab/check/check_lua.c
+    planted src/script/api/api_table.h '<lua.h>' src/workbench/check/check_lua.c
 refuse "planted: the same, by way of two headers" "machine.h" \
-    planted src/base/slots.h '"../machine/machine.h"' src/cab/cli.c
+    planted src/base/slots.h '"../machine/machine.h"' src/player/cli.c
 refuse "planted: the board's insides in a port's header" "machine.h" \
     planted platform/platform.h '"../src/machine/machine.h"' platform/null.c
 finish

@@ -41,11 +41,11 @@ refuse "planted: a window that is missing" "8 windows" whole "$scratch/a.md"
 
 # Where every refresh has a tick, the screen says how fast the game is.
 mkdir -p "$scratch/copy"
-sed 's|p->asleep = p->at / TICK < (int64_t)p->ticks + 1;|p->asleep = false;|' src/cab/host/pace.c \
+sed 's|p->asleep = p->at / TICK < (int64_t)p->ticks + 1;|p->asleep = false;|' src/player/play/pace.c \
     >"$scratch/copy/pace.c"
 another() {
-    ! cmp -s src/cab/host/pace.c "$scratch/copy/pace.c" || return 2
-    ${CC:-cc} -std=c11 -fwrapv -ffp-contract=off -O2 -w -D_DEFAULT_SOURCE -iquote src/cab/host \
+    ! cmp -s src/player/play/pace.c "$scratch/copy/pace.c" || return 2
+    ${CC:-cc} -std=c11 -fwrapv -ffp-contract=off -O2 -w -D_DEFAULT_SOURCE -iquote src/player/play \
         -c "$scratch/copy/pace.c" -o "$scratch/pace.o" || return 2
     # shellcheck disable=SC2046
     ${CC:-cc} -o "$scratch/pacing" "$OUT"/tools/pacing/*.o "$OUT"/tools/report/*.o "$scratch/pace.o" \

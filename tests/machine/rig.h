@@ -21,11 +21,11 @@
 #include "../../fb/blit.h"
 #include "../../src/script/api/api.h"
 #include "../../src/machine/machine.h"
-#include "../../src/cab/bulletml/compile.h"
+#include "../../src/workbench/bulletml/compile.h"
 #include "../../src/demo/demo.h"
-#include "../../src/cab/mml/mml.h"
-#include "../../src/cab/pack/pack.h"
-#include "../../src/cab/sound/recording.h"
+#include "../../src/workbench/mml/mml.h"
+#include "../../src/workbench/pack/pack.h"
+#include "../../src/workbench/samples/recording.h"
 #include "../../src/sound/adpcm.h"
 
 /* A game in memory. */
@@ -345,7 +345,7 @@ static inline void rig_folder(struct rig_game *g, const char *name)
     char path[256], err[512];
 
     snprintf(path, sizeof path, "%s%s", strchr(name, '/') ? "" : "roms/", name);
-    if (!rom_image_load(path, false, &g->image, err, sizeof err) ||
+    if (!pack_load_game(path, false, &g->image, err, sizeof err) ||
         !cart_open(&g->cart, &g->image.rom, err, sizeof err))
         fail_msg("%s", err);
 }

@@ -3,7 +3,7 @@
  * past are those of a run that never looked; and what was seen is the frame that comes, if the pads stay.
  */
 #include "rig.h"
-#include "../../src/cab/run/ahead.h"
+#include "../../src/player/run/ahead.h"
 
 enum { FRAMES = 1500, SIZE = 240 * 320 };
 

@@ -10,7 +10,7 @@
 #include <cmocka.h>
 #include "../../src/board/board.h"
 #include "../../src/machine/machine.h"
-#include "../../src/cab/pack/pack.h"
+#include "../../src/workbench/pack/pack.h"
 #include "../../tools/bench/crowd.h"
 
 __extension__ typedef __int128 wide;
@@ -27,7 +27,7 @@ static void power(struct bench *x, int n)
     size_t size;
     struct board_start start = { .difficulty = -1 };
 
-    assert_true(rom_image_load("roms/bench", false, &x->image, err, sizeof err));
+    assert_true(pack_load_game("roms/bench", false, &x->image, err, sizeof err));
     struct cart cart;
     assert_true(cart_open(&cart, &x->image.rom, err, sizeof err));
     for (int i = 0; i < cart.manifest.n_dips; i++)
@@ -223,7 +223,7 @@ static void open_match(struct match *m, int n, uint64_t seed)
     const struct scene_want want = { .does = "crowd", .n = n, .bullets = n, .seed = seed };
 
     memset(m, 0, sizeof *m);
-    assert_true(rom_image_load("roms/bench", false, &m->image, err, sizeof err));
+    assert_true(pack_load_game("roms/bench", false, &m->image, err, sizeof err));
     assert_true(scene_open(&m->scene, &m->image.rom, &want, err, sizeof err));
     assert_true(crowd_take(&m->crowd, &m->scene));
     assert_int_equal(m->crowd.n, n);

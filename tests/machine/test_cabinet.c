@@ -13,12 +13,12 @@
 #include <unistd.h>
 #include "rig.h"
 #include "../temp.h"
-#include "../../src/cab/demo/replay.h"
-#include "../../src/cab/host/config.h"
+#include "../../src/player/replay.h"
+#include "../../src/player/settings/config.h"
 #include "../../src/common/files.h"
-#include "../../src/cab/play/cab.h"
-#include "../../src/cab/store/replays.h"
-#include "../../src/cab/store/roms.h"
+#include "../../src/player/play/cab.h"
+#include "../../src/player/replays/replays.h"
+#include "../../src/player/replays/roms.h"
 #include "../../platform/platform.h"
 
 enum { SECOND = 1000000, KEYS_AT_ONCE = 4, ROOM_MOST = 700 /* window pixels a side, but for one of a set scale */ };
@@ -404,7 +404,7 @@ static void load(void)
 {
     char err[1024];
 
-    if (!rom_image_load(port.folder, false, &image, err, sizeof err) || !cart_open(&cart, &image.rom, err, sizeof err))
+    if (!pack_load_game(port.folder, false, &image, err, sizeof err) || !cart_open(&cart, &image.rom, err, sizeof err))
         fail_msg("%s", err);
 }
 
@@ -435,7 +435,7 @@ static void expect_replays_hold(void)
         struct demo d;
         roms_path(path, cart.manifest.id, list.list[i].card.rom);
         assert_true(plat_path(path, real, sizeof real));
-        if (!rom_image_load(real, false, &its, err, sizeof err) || !cart_open(&its_cart, &its.rom, err, sizeof err))
+        if (!pack_load_game(real, false, &its, err, sizeof err) || !cart_open(&its_cart, &its.rom, err, sizeof err))
             fail_msg("%s", err);
         replays_path(&list, i, path);
         assert_true(plat_path(path, real, sizeof real));
@@ -507,7 +507,7 @@ static void walk(struct cab_options *o)
 
 static void one_run(const char *game, uint64_t seed, unsigned mode, int polls)
 {
-    struct cab_options o = { .cart = &cart, .path = game, .seeded = true };
+    struct cab_options o = { .cart = &cart, .path = game, .load = pack_load_game, .seeded = true };
 
     begin(game, seed, polls);
     port.console = mode & CONSOLE;

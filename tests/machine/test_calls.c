@@ -15,7 +15,7 @@
 #include "rig.h"
 #include "../temp.h"
 #include "../../src/base/rng.h"
-#include "../../src/cab/play/cab.h"
+#include "../../src/player/play/cab.h"
 #include "../../platform/platform.h"
 
 enum { SECOND = 1000000, MANY = 40, FRAMES = 150, FEW = 50 };
@@ -117,7 +117,9 @@ static const char *const names[] = { "examples/first", "roms/testcard" };
 
 static struct cab *open_cabinet(int i, const char *record)
 {
-    struct cab_options o = { .cart = &games[i].cart, .seeded = true, .record = record, .version = "test" };
+    struct cab_options o = {
+        .cart = &games[i].cart, .load = pack_load_game, .seeded = true, .record = record, .version = "test"
+    };
 
     at = &windows[i];
     *at = (struct window){ .now = SECOND, .busy = true };
@@ -247,7 +249,7 @@ static void load_folder(struct rig_game *g, const char *folder)
 {
     char err[1024];
 
-    if (!rom_image_load(folder, false, &g->image, err, sizeof err) ||
+    if (!pack_load_game(folder, false, &g->image, err, sizeof err) ||
         !cart_open(&g->cart, &g->image.rom, err, sizeof err))
         fail_msg("%s", err);
 }

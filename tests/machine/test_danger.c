@@ -2,8 +2,8 @@
  * test_danger.c - what `curtain survive` rests on: that what could hit is what hits, and that the sets of cells in
  * which a ship could be hold every place where one is.
  */
-#include "../../src/cab/survive/reach.h"
-#include "../../src/cab/survive/plan.h"
+#include "../../src/workbench/survive/reach.h"
+#include "../../src/workbench/survive/plan.h"
 #include "rig.h"
 
 enum { FRAMES = 240, SHIPS = 60 };

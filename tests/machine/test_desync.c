@@ -5,7 +5,7 @@
  */
 #define _POSIX_C_SOURCE 200809L /* mkdtemp */
 #include <unistd.h>
-#include "../../src/cab/demo/replay.h"
+#include "../../src/player/replay.h"
 #include "rig.h"
 #include "../temp.h"
 

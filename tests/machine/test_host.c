@@ -12,7 +12,8 @@
 #include "../../src/script/api/eval.h"
 #include "../../src/rom/manifest.h"
 #include "../../src/script/script.h"
-#include "../../src/cab/cli.h"
+#include "../../platform/platform.h"
+#include "../../src/player/cli.h"
 #include "rig.h"
 #include "../temp.h"
 #if defined(__x86_64__) || defined(__i386__)
@@ -369,7 +370,7 @@ static void demo_in_all_hosts(const char *rom, const char *file, int frames)
     struct demo d = { 0 };
     char err[512];
 
-    if (!rom_image_load(rom, false, &g.image, err, sizeof err) || !cart_open(&g.cart, &g.image.rom, err, sizeof err) ||
+    if (!pack_load_game(rom, false, &g.image, err, sizeof err) || !cart_open(&g.cart, &g.image.rom, err, sizeof err) ||
         !demo_load(&d, file, err, sizeof err))
         fail_msg("%s", err);
     assert_true(d.frames >= (uint32_t)frames);
@@ -476,7 +477,7 @@ static char dir[256];
 /* What a command writes. */
 static void command(const struct host_kind *h, int argc, char **words, struct run *run)
 {
-    char path[300], code[20], *argv[8] = { NULL }; /* which cli_main puts in another order */
+    char path[300], code[20], *argv[8] = { NULL }; /* which program_open puts in another order */
     FILE *f;
 
     memcpy(argv, words, (size_t)argc * sizeof *words);
@@ -486,8 +487,8 @@ static void command(const struct host_kind *h, int argc, char **words, struct ru
     int was = dup(1);
     assert_non_null(freopen(path, "w", stdout));
     host(h);
-    int result = cli_main(argc, argv);
-    unchanged("cli_main");
+    int result = cli_run(program_open(argc, argv));
+    unchanged("cli_run");
     no_host();
     fflush(stdout);
     dup2(was, 1);

@@ -4,8 +4,8 @@
  */
 #define _POSIX_C_SOURCE 200809L /* mkdtemp */
 #include "../../platform/platform.h"
-#include "../../src/cab/demo/replay.h"
-#include "../../src/cab/play/session.h"
+#include "../../src/player/replay.h"
+#include "../../src/player/play/session.h"
 #include "rig.h"
 #include "../temp.h"
 

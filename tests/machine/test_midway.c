@@ -5,7 +5,8 @@
  */
 #define _POSIX_C_SOURCE 200809L /* mkdtemp */
 #include "../../platform/platform.h"
-#include "../../src/cab/play/session.h"
+#include "../../src/workbench/pack/pack.h"
+#include "../../src/player/play/session.h"
 #include "rig.h"
 #include "../temp.h"
 
@@ -176,7 +177,7 @@ static int open_game(void **state)
     assert_int_equal(system(command), 0);
     put("rom.lua", manifest);
     put("main.lua", game);
-    if (!rom_image_load(dir, false, &image, err, sizeof err) || !cart_open(&cart, &image.rom, err, sizeof err))
+    if (!pack_load_game(dir, false, &image, err, sizeof err) || !cart_open(&cart, &image.rom, err, sizeof err))
         fail_msg("%s", err);
     for (int i = 0; i < RUNS; i++) {
         struct board_start start = { .seed = 3, .difficulty = -1 };
@@ -382,16 +383,16 @@ static void edited(void)
     memcpy(text, game, sizeof game);
     memcpy(strstr(text, "-- the words"), "-- THE", 6);
     put("main.lua", text);
-    assert_true(session_reload(&s, dir, false));
+    assert_true(session_reload(&s, pack_load_game, dir, false));
     assert_int_equal(s.state, SESSION_RELOADING);
     work(&s);
     as_it_was(&s, "reloaded");
     memcpy(strstr(text, "words that come"), "WORDS", 5);
     memcpy(strstr(text, "Both of them"), "BOTH", 4);
     put("main.lua", text);
-    assert_true(session_reload(&s, dir, false));
+    assert_true(session_reload(&s, pack_load_game, dir, false));
     work(&s);
-    assert_true(rom_image_load(dir, false, &changed, err, sizeof err));
+    assert_true(pack_load_game(dir, false, &changed, err, sizeof err));
     assert_true(cart_open(&its, &changed.rom, err, sizeof err));
     other = *now;
     straight(&other, &changed, &its);
@@ -401,7 +402,7 @@ static void edited(void)
     assert_true(board_hash(session_board(&s)) == other.plain[soon()]);
     assert_true(other.plain[FRAMES] != now->plain[FRAMES]);
     put("main.lua", game);
-    assert_true(session_reload(&s, dir, false));
+    assert_true(session_reload(&s, pack_load_game, dir, false));
     work(&s);
     as_it_was(&s, "reloaded as it was");
     goes_on(&s, "reloaded as it was");

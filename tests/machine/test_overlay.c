@@ -4,8 +4,8 @@
  */
 #include "rig.h"
 #include "../../src/board/inspect.h"
-#include "../../src/cab/overlay/console.h"
-#include "../../src/cab/overlay/overlay.h"
+#include "../../src/player/overlay/console.h"
+#include "../../src/player/overlay/overlay.h"
 #include "words.h"
 
 static const char scene[] = "bullet.def('rice', { sprite = 'dot', hit = { circle = 4 } })\n"

@@ -5,7 +5,7 @@
 #include "rig.h"
 
 #include <unistd.h>
-#include "../../src/cab/pack/png.h"
+#include "../../src/player/picture/png.h"
 
 static char dir[] = "/tmp/png_frame.XXXXXX";
 

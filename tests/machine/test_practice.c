@@ -3,7 +3,7 @@
  * all sections of a game; and the cabinet's menu of them.
  */
 #include "rig.h"
-#include "../../src/cab/play/practice.h"
+#include "../../src/player/play/practice.h"
 
 /* ---- a game that has a section of every sort ---- */
 
@@ -483,7 +483,7 @@ static void list_of_folder(const char *path, const char *expected)
     char all[4096], err[512];
     int frames;
 
-    if (!rom_image_load(path, false, &g.image, err, sizeof err) || !cart_open(&g.cart, &g.image.rom, err, sizeof err))
+    if (!pack_load_game(path, false, &g.image, err, sizeof err) || !cart_open(&g.cart, &g.image.rom, err, sizeof err))
         fail_msg("%s", err);
     list(&g, all, sizeof all, &frames);
     assert_string_equal(all, expected);

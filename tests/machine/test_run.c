@@ -11,7 +11,7 @@
 #include <lauxlib.h>
 #include <cmocka.h>
 #include "../../src/demo/demo.h"
-#include "../../src/cab/pack/pack.h"
+#include "../../src/workbench/pack/pack.h"
 #include "../../tools/tally.h"
 
 struct game {
@@ -26,7 +26,7 @@ static void power(struct game *g, const struct board_start *start)
     char err[256];
     size_t size;
 
-    assert_true(rom_image_load("roms/glasstide", false, &g->image, err, sizeof err));
+    assert_true(pack_load_game("roms/glasstide", false, &g->image, err, sizeof err));
     assert_true(cart_open(&g->cart, &g->image.rom, err, sizeof err));
     assert_true(board_size(&g->image.rom, &size, err, sizeof err));
     g->ram = aligned_alloc(64, (size + 63) / 64 * 64);

@@ -5,8 +5,9 @@
 #define _POSIX_C_SOURCE 200809L /* mkdtemp */
 #include "../../platform/platform.h"
 #include "../../src/script/api/eval.h"
-#include "../../src/cab/host/folder.h"
-#include "../../src/cab/play/session.h"
+#include "../../src/workbench/pack/pack.h"
+#include "../../src/player/play/folder.h"
+#include "../../src/player/play/session.h"
 #include "rig.h"
 #include "../temp.h"
 
@@ -35,7 +36,7 @@ static int open_game(void **state)
     (void)state;
     assert_true(temp_folder(dir, sizeof dir, "curtain-session"));
     shell("cp -R '%s/.' '%s'", "roms/glasstide", dir);
-    assert_true(rom_image_load(dir, false, &image, err, sizeof err));
+    assert_true(pack_load_game(dir, false, &image, err, sizeof err));
     assert_true(cart_open(&cart, &image.rom, err, sizeof err));
     rig_folder(&g, "glasstide");
     assert_true(rig_demo(&g, "run", &demo));
@@ -332,7 +333,7 @@ static uint64_t fresh(const struct board_start *start, uint32_t frame, uint64_t 
     struct rig_game g = { 0 };
     struct rig r;
 
-    assert_true(rom_image_load(dir, false, &g.image, err, sizeof err));
+    assert_true(pack_load_game(dir, false, &g.image, err, sizeof err));
     assert_true(cart_open(&g.cart, &g.image.rom, err, sizeof err));
     rig_power(&r, &g, start);
     for (uint32_t f = 0; f < frame; f++)
@@ -367,7 +368,7 @@ static void lands(struct session *s, uint32_t frame, const struct board_start *s
 {
     uint64_t shown, hash = fresh(start, frame, &shown);
 
-    assert_true(session_reload(s, dir, false));
+    assert_true(session_reload(s, pack_load_game, dir, false));
     assert_int_equal(s->state, SESSION_RELOADING);
     get_there(s);
     assert_int_equal(board_frame(session_board(s)), frame);
@@ -386,7 +387,7 @@ static void reloads(void **state)
     open_session(&s, false, path);
     play_to(&s, 2800);
     uint64_t shown = picture(&s);
-    assert_true(session_reload(&s, dir, false)); /* the same ROM */
+    assert_true(session_reload(&s, pack_load_game, dir, false)); /* the same ROM */
     assert_int_equal(s.state, SESSION_PLAYING);
     edit("stages/one.lua", habit, faster);
     lands(&s, 2800, &demo.start);
@@ -394,7 +395,7 @@ static void reloads(void **state)
     session_goto(&s, 1800);            /* its past is of the new script */
     uint64_t unused, hash = fresh(&demo.start, 1800, &unused);
     assert_true(board_hash(session_board(&s)) == hash);
-    assert_true(session_reload(&s, dir, false) && s.state == SESSION_PLAYING);
+    assert_true(session_reload(&s, pack_load_game, dir, false) && s.state == SESSION_PLAYING);
     play_to(&s, 2500);
     edit("stages/one.lua", faster, habit);
     lands(&s, 2500, &demo.start);
@@ -411,7 +412,7 @@ static void reloads(void **state)
 static void keeps(struct session *s, const char *why)
 {
     uint64_t hash = board_hash(session_board(s));
-    bool good = session_reload(s, dir, false) && session_work(s, UINT64_MAX);
+    bool good = session_reload(s, pack_load_game, dir, false) && session_work(s, UINT64_MAX);
 
     assert_false(good);
     if (!strstr(s->err, why))
@@ -454,7 +455,7 @@ static void mends_a_fault(void **state)
 
     (void)state;
     edit("stages/one.lua", habit, "n = 'two', every = 14, path = swoop, run");
-    assert_true(rom_image_load(dir, false, &broken, err, sizeof err) && cart_open(&its, &broken.rom, err, sizeof err));
+    assert_true(pack_load_game(dir, false, &broken, err, sizeof err) && cart_open(&its, &broken.rom, err, sizeof err));
     assert_true(session_open(&s, &its, &demo.start, NULL, NULL));
     while (!board_last_output(session_board(&s))->fault)
         assert_true(session_tick(&s, demo.pads[board_frame(session_board(&s))]));
@@ -466,7 +467,7 @@ static void mends_a_fault(void **state)
     at(&s, frame - 10);
     session_goto(&s, frame);
     edit("stages/one.lua", "n = 'two', every = 14, path = swoop, run", habit);
-    assert_true(session_reload(&s, dir, false));
+    assert_true(session_reload(&s, pack_load_game, dir, false));
     get_there(&s);
     at(&s, frame);
     play_to(&s, frame + 100);

@@ -6,7 +6,7 @@
 #include <math.h>
 #include "rig.h"
 #include "../../platform/platform.h"
-#include "../../src/cab/speaker/speaker.h"
+#include "../../src/player/speaker/speaker.h"
 
 enum { PLAYED = 48000 * 60, QUEUE = 48000, TAKEN = 512 };
 

@@ -14,10 +14,10 @@
 #include <cmocka.h>
 #include "../../src/base/rng.h"
 #include "../../src/script/script.h"
-#include "../../src/cab/check/symbols.h"
+#include "../../src/workbench/check/symbols.h"
 #include "../../src/common/files.h"
-#include "../../src/cab/pack/tree.h"
-#include "../../src/cab/check/builtins.h"
+#include "../../src/common/tree.h"
+#include "../../src/workbench/check/builtins.h"
 
 enum { WORK = 64 << 20, TEXT = 1 << 20 };
 

@@ -385,7 +385,7 @@ static void sandbox(const char *try)
     struct lump lumps[RIG_LUMPS];
     char err[512];
 
-    if (!rom_image_load("examples/sandbox", false, &image, err, sizeof err))
+    if (!pack_load_game("examples/sandbox", false, &image, err, sizeof err))
         fail_msg("%s", err);
     int n = (int)image.rom.count;
     assert_true(n <= RIG_LUMPS);

@@ -3,7 +3,7 @@
  * was never disturbed: same hashes, same pictures by whichever view, same samples. And: from any frame of a run, play
  * on with other pads, spoil, go back, and the run is the same as it was. CURTAIN_LONG=1: more frames.
  */
-#include "../../src/cab/tables/shade.h"
+#include "../../src/player/picture/shade.h"
 #include "rig.h"
 
 static void *tables; /* of board_mix_sound */

@@ -4,7 +4,7 @@
  */
 #define _POSIX_C_SOURCE 200809L /* mkdtemp, dup2 */
 #include <unistd.h>
-#include "../../src/cab/demo/bisect.h"
+#include "../../src/workbench/verify/bisect.h"
 #include "../../src/demo/trace.h"
 #include "rig.h"
 #include "../temp.h"

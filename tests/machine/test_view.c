@@ -4,7 +4,7 @@
  * view_adjust_colour's.
  */
 #include "../../src/machine/video/video.h"
-#include "../../src/cab/tables/shade.h"
+#include "../../src/player/picture/shade.h"
 #include "rig.h"
 
 static struct shade_kept kept;

@@ -1,7 +1,7 @@
 /*
  * test_words.c - texts beyond ASCII: cells, the hud's rows, and what is drawn of them.
  */
-#include "../../src/cab/pack/lang.h"
+#include "../../src/workbench/pack/lang.h"
 #include "rig.h"
 
 static struct rig_game g;

@@ -21,7 +21,7 @@ static int load(void **state)
 {
     char err[256];
     (void)state;
-    return rom_image_load("roms/bench", false, &image, err, sizeof err) ? 0 : -1;
+    return pack_load_game("roms/bench", false, &image, err, sizeof err) ? 0 : -1;
 }
 
 static int drop(void **state)

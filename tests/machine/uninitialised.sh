@@ -81,9 +81,10 @@ instrumented() {
     for name in keys png records rom stdio; do
         clean "unit/test_$name" "$msan/unit/test_$name"
     done
-    planted "planted: pixel data that is not copied is found" src/cab/pack/png.c 'memcpy(to, p + 8, get_be32(p));' '' \
+    planted "planted: pixel data that is not copied is found" src/player/picture/png.c \
+        'memcpy(to, p + 8, get_be32(p));' '' \
         fuzz_png
-    planted "planted: a record that is not zeroed is found" src/cab/store/records.c 'struct record got = { 0 };' \
+    planted "planted: a record that is not zeroed is found" src/player/replays/records.c 'struct record got = { 0 };' \
         'struct record got;' fuzz_records
 }
 

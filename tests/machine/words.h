@@ -7,7 +7,7 @@
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../src/cab/overlay/canvas.h"
+#include "../../src/player/overlay/canvas.h"
 
 enum { WORDS_H = CANVAS_CELL_H - 1 };
 

@@ -1,10 +1,10 @@
 """words.py FILE.ppm TEXT...: exit 0 when each text stands on the picture in the cabinet's own font
-(src/cab/overlay/canvas.c), light on its dark paper; else the first that does not is printed."""
+(src/player/overlay/canvas.c), light on its dark paper; else the first that does not is printed."""
 import os
 import re
 import sys
 
-CANVAS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "src", "cab", "overlay", "canvas.c")
+CANVAS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "src", "player", "overlay", "canvas.c")
 PAPER = bytes((0x10, 0x18, 0x28))
 
 

@@ -6,8 +6,8 @@
 #include <string.h>
 #include <cmocka.h>
 #include "../../src/base/rng.h"
-#include "../../src/cab/pack/art.h"
-#include "../../src/cab/tables/blend.h"
+#include "../../src/workbench/pack/art.h"
+#include "../../src/workbench/pack/blend.h"
 
 static uint8_t table[CART_BLEND_SIZE];
 

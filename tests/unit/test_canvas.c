@@ -10,7 +10,7 @@
 #include <string.h>
 #include <cmocka.h>
 #include "../../src/base/rng.h"
-#include "../../src/cab/overlay/message.h"
+#include "../../src/player/overlay/message.h"
 
 enum { W = 64, H = 48 };
 

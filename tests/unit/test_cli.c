@@ -14,10 +14,10 @@
 #include <cmocka.h>
 #include "../../platform/platform.h"
 #include "../../src/base/pads.h"
-#include "../../src/cab/line/args.h"
-#include "../../src/cab/share/export.h"
-#include "../../src/cab/cli.h"
-#include "../../src/cab/host/version.h"
+#include "../../src/player/args/args.h"
+#include "../../src/workbench/export/export.h"
+#include "../../src/player/cli.h"
+#include "../../src/player/game/version.h"
 #include "../temp.h"
 
 enum { MOST_WORDS = 32 };
@@ -368,16 +368,16 @@ static void is_whole(const char *line)
 static void test_help_text(void **state)
 {
     (void)state;
-    args_help(-1, is_whole);
+    args_help(-1, false, is_whole);
     for (int i = 0; i < COMMANDS; i++)
-        args_help(i, is_whole);
+        args_help(i, false, is_whole);
     help[0] = 0;
-    args_help(COMMAND_HASH, collect);
+    args_help(COMMAND_HASH, false, collect);
     assert_non_null(strstr(help, "--every N"));
     assert_non_null(strstr(help, "--parts"));
     assert_null(strstr(help, "--scale"));
     help[0] = 0;
-    args_help(-1, collect);
+    args_help(-1, false, collect);
     assert_non_null(strstr(help, "curtain verify ROM DEMO..."));
     assert_non_null(strstr(help, "--scale N"));
     assert_non_null(strstr(help, "--from NAME"));
@@ -425,7 +425,7 @@ static int run(const char *line)
     fflush(stdout);
     int was = dup(STDOUT_FILENO);
     assert_non_null(freopen(path, "w", stdout));
-    int code = cli_main(cut(full), words);
+    int code = cli_run(program_open(cut(full), words));
     take_output(was);
     return code;
 }

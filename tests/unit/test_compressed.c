@@ -10,7 +10,7 @@
 #include <cmocka.h>
 #include "../../src/base/rng.h"
 #include "../../src/rom/lzma.h"
-#include "../../src/cab/pack/compress.h"
+#include "../../src/workbench/pack/compress.h"
 #include "../repair.h"
 
 static struct rng dice;

@@ -14,7 +14,7 @@
 #include <unistd.h>
 #include <cmocka.h>
 #include "../../src/base/rng.h"
-#include "../../src/cab/host/config.h"
+#include "../../src/player/settings/config.h"
 #include "../temp.h"
 
 static char err[512];

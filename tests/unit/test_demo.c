@@ -20,7 +20,7 @@
 #include "../../src/demo/demo.h"
 #include "../../src/demo/demo_dump.h"
 #include "../../src/demo/demo_text.h"
-#include "../../src/cab/pack/pack.h"
+#include "../../src/workbench/pack/pack.h"
 #include "../repair.h"
 #include "../temp.h"
 

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <cmocka.h>
-#include "../../src/cab/bulletml/document.h"
+#include "../../src/workbench/bulletml/document.h"
 
 #define HEAD       "<?xml version=\"1.0\"?>\n<bulletml>\n"
 #define TAIL       "\n</bulletml>\n"

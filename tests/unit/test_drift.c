@@ -8,20 +8,20 @@
 #include <string.h>
 #include <cmocka.h>
 #include "../../src/base/rng.h"
-#include "../../src/cab/speaker/drift.h"
-#include "../../src/cab/speaker/resample.h"
+#include "../../src/player/speaker/drift.h"
+#include "../../src/player/speaker/resample.h"
 
 enum { BLOCK = 800, SECOND = 60 };
 
 /* A card whose clock is another by `differs`: what waits, sixtieth by sixtieth, frames above the target. */
-struct card {
+struct replay_meta {
     struct drift drift;
     double off, differs;
     int jitter; /* frames, at most */
     struct rng rng;
 };
 
-static void run(struct card *c, int frames, double *worst)
+static void run(struct replay_meta *c, int frames, double *worst)
 {
     *worst = 0;
     for (int i = 0; i < frames; i++) {
@@ -34,9 +34,9 @@ static void run(struct card *c, int frames, double *worst)
     }
 }
 
-static struct card card(double differs, int jitter)
+static struct replay_meta card(double differs, int jitter)
 {
-    struct card c = { .differs = differs, .jitter = jitter };
+    struct replay_meta c = { .differs = differs, .jitter = jitter };
 
     rng_seed(&c.rng, 7);
     return c;
@@ -51,7 +51,7 @@ static void clocks_are_held(void **state)
     (void)state;
     for (size_t i = 0; i < sizeof each / sizeof each[0]; i++)
         for (int jitter = 0; jitter <= 256; jitter += 256) {
-            struct card c = card(each[i], jitter);
+            struct replay_meta c = card(each[i], jitter);
             run(&c, 60 * SECOND, &worst);
             assert_true(worst < 500);
             run(&c, 60 * SECOND, &worst);
@@ -69,7 +69,7 @@ static void jumps_are_made_up(void **state)
     double worst;
     (void)state;
     for (int i = 0; i < 3; i++) {
-        struct card c = card(0.001, 0);
+        struct replay_meta c = card(0.001, 0);
         run(&c, 120 * SECOND, &worst);
         c.off += jumps[i];
         run(&c, 20 * SECOND, &worst);
@@ -84,7 +84,7 @@ static void jumps_are_made_up(void **state)
 /* drift_jump: what waits is another, so the rate does not follow the step; the clocks' difference stays known. */
 static void a_jump_that_is_told_moves_nothing(void **state)
 {
-    struct card c = card(0.003, 0);
+    struct replay_meta c = card(0.003, 0);
     double worst;
     (void)state;
     run(&c, 120 * SECOND, &worst);
@@ -104,7 +104,7 @@ static void a_jump_that_is_told_moves_nothing(void **state)
 /* Whatever jitters and jumps, the rate moves by a ten thousandth a frame at most. */
 static void the_rate_never_steps(void **state)
 {
-    struct card c = card(-0.005, 512);
+    struct replay_meta c = card(-0.005, 512);
     double before = 0;
     (void)state;
     for (int i = 0; i < 60 * SECOND; i++) {

@@ -12,7 +12,7 @@
 #include <cmocka.h>
 #include "../../src/base/bytes.h"
 #include "../../src/rom/face.h"
-#include "../../src/cab/pack/bdf.h"
+#include "../../src/workbench/pack/bdf.h"
 
 static struct faces_set set;
 static struct faces f;

@@ -7,8 +7,8 @@
 #include <string.h>
 #include <cmocka.h>
 #include "../../src/board/board.h"
-#include "../../src/cab/host/config.h"
-#include "../../src/cab/picture/quarter.h"
+#include "../../src/player/settings/config.h"
+#include "../../src/player/picture/quarter.h"
 
 static char err[256];
 static int lines;

@@ -11,7 +11,7 @@
 #include <cmocka.h>
 #include "../../src/base/bytes.h"
 #include "../../src/rom/words.h"
-#include "../../src/cab/pack/lang.h"
+#include "../../src/workbench/pack/lang.h"
 
 static struct lang l;
 static char err[512];

@@ -9,8 +9,8 @@
 #include <cmocka.h>
 #include "../../fb/utf8.h"
 #include "../../src/base/rng.h"
-#include "../../src/cab/overlay/canvas.h"
-#include "../../src/cab/overlay/letters.h"
+#include "../../src/player/overlay/canvas.h"
+#include "../../src/player/overlay/letters.h"
 
 enum { W = 200, H = 100, MIDDLE = 40 };
 

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <cmocka.h>
-#include "../../src/cab/screens/log.h"
+#include "../../src/player/screens/log.h"
 
 enum { KEY_UP = 82, KEY_PAGE_UP = 75, KEY_ESCAPE = 41, W = 240, H = 160 };
 

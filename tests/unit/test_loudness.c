@@ -7,9 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include <cmocka.h>
-#include "../../src/cab/listen/loudness.h"
-#include "../../src/cab/mml/mml.h"
-#include "../../src/cab/sound/tune_time.h"
+#include "../../src/workbench/sound/loudness.h"
+#include "../../src/workbench/mml/mml.h"
+#include "../../src/workbench/samples/tune_time.h"
 
 enum { RATE = 48000 };
 

@@ -8,7 +8,7 @@
 #include <string.h>
 #include <cmocka.h>
 #include "../../src/base/bytes.h"
-#include "../../src/cab/pack/map.h"
+#include "../../src/workbench/pack/map.h"
 
 static char err[256];
 

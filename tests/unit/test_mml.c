@@ -12,7 +12,7 @@
 #include <cmocka.h>
 #include "../../src/base/bytes.h"
 #include "../../src/base/rng.h"
-#include "../../src/cab/mml/mml.h"
+#include "../../src/workbench/mml/mml.h"
 #include "../../src/sound/tune.h"
 #include "../voiced.h"
 

@@ -9,7 +9,7 @@
 #include <cmocka.h>
 #include <math.h>
 #include <stdlib.h>
-#include "../../src/cab/host/pace.h"
+#include "../../src/player/play/pace.h"
 #include "../../tools/pacing/simulate.h"
 
 enum { MINUTES = 10, SECONDS = MINUTES * 60 };

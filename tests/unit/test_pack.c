@@ -16,9 +16,9 @@
 #include "../../src/script/api/eval.h"
 #include "../../src/machine/video/video.h"
 #include "../../src/script/std.h"
-#include "../../src/cab/pack/pack.h"
-#include "../../src/cab/tables/blend.h"
-#include "../../src/cab/tables/shade.h"
+#include "../../src/workbench/pack/pack.h"
+#include "../../src/workbench/pack/blend.h"
+#include "../../src/player/picture/shade.h"
 #include "../temp.h"
 
 enum { PATH = 512 };
@@ -184,7 +184,7 @@ static struct rom_image packed(bool nearest)
 {
     struct rom_image image;
     err[0] = '\0';
-    bool good = rom_image_load(dir, nearest, &image, err, sizeof err);
+    bool good = pack_load_game(dir, nearest, &image, err, sizeof err);
 
     assert_string_equal(err, "");
     assert_true(good);
@@ -993,7 +993,7 @@ static void test_id(void **state)
     for (size_t i = 0; i < sizeof spelled / sizeof spelled[0]; i++) {
         struct rom_image image;
         struct cart cart;
-        bool good = rom_image_load(in_dir(spelled[i]), false, &image, err, sizeof err);
+        bool good = pack_load_game(in_dir(spelled[i]), false, &image, err, sizeof err);
         assert_string_equal(err, "");
         assert_true(good);
         assert_true(cart_open(&cart, &image.rom, err, sizeof err));
@@ -1078,24 +1078,24 @@ static void test_load(void **state)
     folder = packed(false);
     snprintf(path, sizeof path, "%s/game.rom", dir);
     assert_true(plat_save(path, folder.bytes, folder.size));
-    assert_true(rom_image_load(path, false, &file, err, sizeof err));
+    assert_true(pack_load_game(path, false, &file, err, sizeof err));
     assert_int_equal(file.size, folder.size);
     assert_memory_equal(file.bytes, folder.bytes, file.size);
     assert_int_equal(rom_find(&file.rom, "manifest"), rom_find(&folder.rom, "manifest"));
     rom_image_free(&file);
     folder.bytes[folder.size - 1] ^= 1;
     assert_true(plat_save(path, folder.bytes, folder.size));
-    assert_false(rom_image_load(path, false, &file, err, sizeof err));
+    assert_false(pack_load_game(path, false, &file, err, sizeof err));
     snprintf(want, sizeof want, "%s: damaged: the checksum does not match", path);
     assert_string_equal(err, want);
     assert_null(file.bytes);
     rom_image_free(&folder);
     snprintf(path, sizeof path, "%s/none.rom", dir);
-    assert_false(rom_image_load(path, false, &file, err, sizeof err));
+    assert_false(pack_load_game(path, false, &file, err, sizeof err));
     snprintf(want, sizeof want, "%s: no such file or folder", path);
     assert_string_equal(err, want);
     put_text("rom.lua", "return 1");
-    assert_false(rom_image_load(dir, false, &file, err, sizeof err));
+    assert_false(pack_load_game(dir, false, &file, err, sizeof err));
     assert_null(file.bytes);
 }
 

@@ -8,7 +8,7 @@
 #include <string.h>
 #include <cmocka.h>
 #include "../../src/base/rng.h"
-#include "../../src/cab/overlay/page.h"
+#include "../../src/player/overlay/page.h"
 
 enum { W = 400, H = 448 };
 

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../src/base/rng.h"
-#include "../../src/cab/picture/compose.h"
+#include "../../src/player/picture/compose.h"
 
 enum { W = 24, H = 40, GREY = 0x808080 };
 

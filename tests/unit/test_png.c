@@ -8,7 +8,7 @@
 #include <cmocka.h>
 #include "../../src/base/hash.h"
 #include "../../src/base/rng.h"
-#include "../../src/cab/pack/png.h"
+#include "../../src/player/picture/png.h"
 
 static char err[256];
 

@@ -6,7 +6,7 @@
 #include <string.h>
 #include <cmocka.h>
 #include "../../src/base/rng.h"
-#include "../../src/cab/pads/press.h"
+#include "../../src/player/input/press.h"
 
 static const struct press_modes off, autofire = { .autofire = true }, toggle = { .toggle_focus = true },
                                      one_hand = { .one_hand = true };

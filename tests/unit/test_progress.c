@@ -7,7 +7,7 @@
 #include <string.h>
 #include <cmocka.h>
 #include "../../platform/platform.h"
-#include "../../src/cab/host/progress.h"
+#include "../../src/common/progress.h"
 
 enum { SECOND = 1000000 };
 

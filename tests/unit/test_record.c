@@ -15,11 +15,11 @@
 #include "../../src/base/hash.h"
 #include "../../src/base/rng.h"
 #include "../../src/common/files.h"
-#include "../../src/cab/host/library.h"
-#include "../../src/cab/sound/encode.h"
-#include "../../src/cab/sound/flaws.h"
-#include "../../src/cab/sound/recording.h"
-#include "../../src/cab/sound/wav.h"
+#include "../../src/common/library.h"
+#include "../../src/workbench/samples/encode.h"
+#include "../../src/workbench/samples/flaws.h"
+#include "../../src/workbench/samples/recording.h"
+#include "../../src/workbench/samples/wav.h"
 #include "../../src/sound/tune.h"
 #include "../temp.h"
 
@@ -30,7 +30,7 @@
 #define library_open                                 without_open
 #define library_missing                              without_missing
 #define library_about                                without_about
-#include "../../src/cab/host/library.c"
+#include "../../src/common/library.c"
 #undef plat_library_hint
 #undef plat_open_library
 #undef library_open

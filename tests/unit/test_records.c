@@ -10,7 +10,7 @@
 #include <cmocka.h>
 #include "../../platform/platform.h"
 #include "../../src/base/rng.h"
-#include "../../src/cab/store/records.h"
+#include "../../src/player/replays/records.h"
 
 static bool reads(struct records *r, const char *text, char *err)
 {

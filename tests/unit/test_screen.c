@@ -11,7 +11,7 @@
 #include <string.h>
 #include <cmocka.h>
 #include "../../src/base/rng.h"
-#include "../../src/cab/screens/screen.h"
+#include "../../src/player/screens/screen.h"
 
 enum { MOST = 64 };
 enum { ENTER = 40, ESCAPE = 41, BACKSPACE = 42, PAGE_UP = 75, DELETE = 76, PAGE_DOWN = 78, RIGHT = 79, LEFT = 80 };

@@ -5,7 +5,7 @@
 #include <stdint.h>
 #include <string.h>
 #include <cmocka.h>
-#include "../../src/cab/pads/seats.h"
+#include "../../src/player/input/seats.h"
 
 enum { START = 1 << PLAT_START, SOUTH = 1 << PLAT_SOUTH, UP = 1 << PLAT_DPAD_UP };
 

@@ -6,8 +6,8 @@
 #include <string.h>
 #include <cmocka.h>
 #include "../../src/base/rng.h"
-#include "../../src/cab/pack/art.h"
-#include "../../src/cab/tables/shade.h"
+#include "../../src/workbench/pack/art.h"
+#include "../../src/player/picture/shade.h"
 
 static int brightness(const uint8_t *rgb, int i)
 {

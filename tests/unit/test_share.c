@@ -9,8 +9,8 @@
 #include <cmocka.h>
 #include "../../platform/platform.h"
 #include "../../src/board/board.h"
-#include "../../src/cab/share/image.h"
-#include "../../src/cab/share/mark.h"
+#include "../../src/workbench/export/image.h"
+#include "../../src/player/game/mark.h"
 
 /* This very program, as it is on the disk. */
 static uint8_t *itself(size_t *size)

@@ -12,8 +12,8 @@
 #include <stdio.h>
 #include "../../src/base/bytes.h"
 #include "../../src/base/rng.h"
-#include "../../src/cab/sound/encode.h"
-#include "../../src/cab/mml/mml.h"
+#include "../../src/workbench/samples/encode.h"
+#include "../../src/workbench/mml/mml.h"
 #include "../../src/sound/voices.h"
 #include "../../src/sound/adpcm.h"
 #include "../../src/sound/fm.h"

@@ -15,8 +15,8 @@
 #include "../../src/base/bytes.h"
 #include "../../src/base/hash.h"
 #include "../../src/base/rng.h"
-#include "../../src/cab/store/replays.h"
-#include "../../src/cab/store/roms.h"
+#include "../../src/player/replays/replays.h"
+#include "../../src/player/replays/roms.h"
 #include "../temp.h"
 
 enum { MUTANTS = 200000, MANY = 200, DATE = 1790000000 };
@@ -55,24 +55,24 @@ static int empty_folder(void **state)
 
 /* ---- cards ---- */
 
-static struct card a_card(int i)
+static struct replay_meta a_card(int i)
 {
-    struct card c = { .date = DATE + i,
-                      .rom = 0x1234567890abcdef + (uint64_t)i,
-                      .game = 77,
-                      .seed = UINT64_MAX - (uint64_t)i,
-                      .core = 8,
-                      .flags = DEMO_RESUMED,
-                      .first = 145,
-                      .last = 17091,
-                      .end = CARD_CLEAR,
-                      .players = 2,
-                      .stages = 5,
-                      .id = "lanterns",
-                      .ship = "heron",
-                      .difficulty = "hard",
-                      .points = { 999999999999, i },
-                      .rows = 2 };
+    struct replay_meta c = { .date = DATE + i,
+                             .rom = 0x1234567890abcdef + (uint64_t)i,
+                             .game = 77,
+                             .seed = UINT64_MAX - (uint64_t)i,
+                             .core = 8,
+                             .flags = DEMO_RESUMED,
+                             .first = 145,
+                             .last = 17091,
+                             .end = CARD_CLEAR,
+                             .players = 2,
+                             .stages = 5,
+                             .id = "lanterns",
+                             .ship = "heron",
+                             .difficulty = "hard",
+                             .points = { 999999999999, i },
+                             .rows = 2 };
 
     for (int r = 0; r < c.rows; r++) {
         c.row[r].row = (struct nv_row){ .name = "AB.!", .ship = "heron", .score = 1000 * i + r, .stage = 15 };
@@ -81,7 +81,7 @@ static struct card a_card(int i)
     return c;
 }
 
-static void same_card(const struct card *a, const struct card *b)
+static void same_card(const struct replay_meta *a, const struct replay_meta *b)
 {
     assert_true(a->hash == b->hash && a->bytes == b->bytes && a->date == b->date && a->rom == b->rom);
     assert_true(a->game == b->game && a->seed == b->seed && a->core == b->core && a->flags == b->flags);
@@ -114,19 +114,19 @@ static void test_card(void **state)
 {
     static const int sides[] = { 0, 1, 72, THUMB_SIDE };
     uint8_t bytes[CARD_BYTES];
-    struct card c = a_card(3), back;
+    struct replay_meta c = a_card(3), back;
     struct thumb t, seen;
 
     (void)state;
-    card_take_name(&c, "caf\xc3\xa9 \xe3\x82\xab");
+    replay_meta_take_name(&c, "caf\xc3\xa9 \xe3\x82\xab");
     for (size_t i = 0; i < sizeof sides / sizeof *sides; i++) {
         t = a_thumb(sides[i], sides[i]);
-        const size_t n = card_write(&c, &t, bytes);
+        const size_t n = replay_meta_write(&c, &t, bytes);
         assert_in_range(n, 100, CARD_BYTES);
-        assert_true(card_read(&back, bytes, n));
+        assert_true(replay_meta_read(&back, bytes, n));
         same_card(&c, &back);
-        assert_true(card_read(&back, bytes, n < CARD_HEAD ? n : CARD_HEAD)); /* the list reads so much alone */
-        assert_int_equal(card_read_thumb(&seen, bytes, n), sides[i] > 0);
+        assert_true(replay_meta_read(&back, bytes, n < CARD_HEAD ? n : CARD_HEAD)); /* the list reads so much alone */
+        assert_int_equal(replay_meta_read_thumb(&seen, bytes, n), sides[i] > 0);
         assert_int_equal(seen.w, sides[i]);
         assert_memory_equal(seen.pix, t.pix, (size_t)(sides[i] * sides[i]));
     }
@@ -136,7 +136,7 @@ static void test_card(void **state)
 static void test_longest(void **state)
 {
     uint8_t bytes[CARD_BYTES];
-    struct card c = a_card(1), back;
+    struct replay_meta c = a_card(1), back;
     struct thumb t = { 0 };
 
     (void)state;
@@ -150,9 +150,9 @@ static void test_longest(void **state)
         memset(c.row[i].row.name, 'r', sizeof c.row[i].row.name - 1);
         memset(c.row[i].row.ship, 'p', sizeof c.row[i].row.ship - 1);
     }
-    const size_t n = card_write(&c, &t, bytes);
+    const size_t n = replay_meta_write(&c, &t, bytes);
     assert_in_range(n, 400, CARD_HEAD);
-    assert_true(card_read(&back, bytes, n));
+    assert_true(replay_meta_read(&back, bytes, n));
     same_card(&c, &back);
 }
 
@@ -161,33 +161,33 @@ static void test_too_many(void **state)
 {
     enum { BEFORE = 12 };
     uint8_t bytes[CARD_BYTES];
-    struct card c = a_card(1), back;
+    struct replay_meta c = a_card(1), back;
     const struct thumb t = { 0 };
 
     (void)state;
     c.rows = 0;
-    card_write(&c, &t, bytes);
+    replay_meta_write(&c, &t, bytes);
     const size_t rows = BEFORE + bytes_get32(bytes + 8) - 1; /* their number is the last byte before them */
     c.rows = CARD_ROWS;
     memset(c.row, 0, sizeof c.row);
-    card_write(&c, &t, bytes);
+    replay_meta_write(&c, &t, bytes);
     assert_int_equal(bytes[rows], CARD_ROWS);
     const size_t n = BEFORE + bytes_get32(bytes + 8), row = (n - rows - 1) / CARD_ROWS;
-    assert_true(card_read(&back, bytes, n + 4));
+    assert_true(replay_meta_read(&back, bytes, n + 4));
     memcpy(bytes + n, bytes + n - row, row);
     bytes[rows]++;
     bytes_put32(bytes + 8, (uint32_t)(n + row - BEFORE));
     bytes_put32(bytes + n + row, hash_crc32(bytes, n + row));
-    assert_false(card_read(&back, bytes, n + row + 4));
+    assert_false(replay_meta_read(&back, bytes, n + row + 4));
 }
 
 /* Spoilt, and its CRC often made good again, it is refused or within its bounds. Exact blocks, for a sanitizer. */
 static void test_mutants(void **state)
 {
     uint8_t whole[CARD_BYTES];
-    struct card c = a_card(2), back;
+    struct replay_meta c = a_card(2), back;
     struct thumb t = a_thumb(9, 7), seen;
-    const size_t size = card_write(&c, &t, whole);
+    const size_t size = replay_meta_write(&c, &t, whole);
     struct rng r;
     long refused = 0;
 
@@ -202,7 +202,7 @@ static void test_mutants(void **state)
         const size_t at = n > 16 ? 12 + (size_t)bytes_get32(p + 8) % n : 0;
         if (rng_below(&r, 2) && at && at + 4 <= n)
             bytes_put32(p + at, hash_crc32(p, at));
-        if (!card_read(&back, p, n)) {
+        if (!replay_meta_read(&back, p, n)) {
             refused++;
         } else {
             assert_in_range(back.rows, 0, CARD_ROWS);
@@ -212,7 +212,7 @@ static void test_mutants(void **state)
             for (int k = 0; k < back.rows; k++)
                 assert_non_null(memchr(back.row[k].row.name, 0, sizeof back.row[k].row.name));
         }
-        if (card_read_thumb(&seen, p, n))
+        if (replay_meta_read_thumb(&seen, p, n))
             assert_in_range(seen.w * seen.h, 1, THUMB_PIXELS);
         free(p);
     }
@@ -221,15 +221,15 @@ static void test_mutants(void **state)
 
 static void name_becomes(const char *want, const char *name)
 {
-    struct card c = { .rows = 0 };
+    struct replay_meta c = { .rows = 0 };
 
-    card_take_name(&c, name);
+    replay_meta_take_name(&c, name);
     assert_string_equal(c.name, want);
 }
 
 static void test_names(void **state)
 {
-    struct card c = { .rows = 0 };
+    struct replay_meta c = { .rows = 0 };
 
     (void)state;
     name_becomes("", "");
@@ -237,9 +237,9 @@ static void test_names(void **state)
     name_becomes("my best", "  my best ");
     name_becomes("a b", "a\nb\033");
     name_becomes("?", "\xff");
-    card_take_name(&c, "12345678901234567890123456789012345678901234567\xc3\xa9");
+    replay_meta_take_name(&c, "12345678901234567890123456789012345678901234567\xc3\xa9");
     assert_int_equal(strlen(c.name), 47);
-    card_take_name(&c, "1234567890123456789012345678901234567890123456\xc3\xa9"); /* no half of a letter */
+    replay_meta_take_name(&c, "1234567890123456789012345678901234567890123456\xc3\xa9"); /* no half of a letter */
     assert_int_equal(strlen(c.name), 46);
 }
 
@@ -257,22 +257,22 @@ static void test_of_demo(void **state)
         { 950, { .kind = MARKER_LISTED, .name = "points 2 7" } },
     };
     struct demo d = { .id = "x", .frames = 950, .n_markers = 7, .markers = markers, .complete = true, .flags = 1 };
-    struct card c;
+    struct replay_meta c;
 
     (void)state;
-    assert_true(card_of_demo(&c, &d));
+    assert_true(replay_meta_of_demo(&c, &d));
     assert_string_equal(c.ship, "heron");
     assert_true(c.first == 500 && c.last == 950 && c.end == CARD_OVER && c.players == 2 && c.stages == 3);
     assert_true(c.points[0] == 120 && c.points[1] == 7 && c.flags == 1);
     d.n_markers = 4;
-    assert_true(card_of_demo(&c, &d) && c.end == CARD_LEFT && c.stages == 0);
+    assert_true(replay_meta_of_demo(&c, &d) && c.end == CARD_LEFT && c.stages == 0);
     d.fault = FAULT_SCRIPT;
-    assert_true(card_of_demo(&c, &d) && c.end == CARD_FAULT);
+    assert_true(replay_meta_of_demo(&c, &d) && c.end == CARD_FAULT);
     d.fault = FAULT_NONE;
     d.n_markers = 2;
-    assert_true(card_of_demo(&c, &d) && c.end == CARD_QUIT && c.first == 10);
+    assert_true(replay_meta_of_demo(&c, &d) && c.end == CARD_QUIT && c.first == 10);
     d.n_markers = 0;
-    assert_false(card_of_demo(&c, &d));
+    assert_false(replay_meta_of_demo(&c, &d));
 }
 
 /* ---- pictures ---- */
@@ -316,7 +316,7 @@ static void test_thumb(void **state)
 /* Any bytes do as a demo for what never reads it. */
 static void add(struct replays *r, int i)
 {
-    const struct card c = a_card(i);
+    const struct replay_meta c = a_card(i);
     const struct thumb t = a_thumb(72, 96);
     uint8_t bytes[64];
 
@@ -378,7 +378,7 @@ static void test_many(void **state)
     replays_close(&r);
 }
 
-static bool stands(void *of, const struct card_row *row)
+static bool stands(void *of, const struct replay_meta_row *row)
 {
     return row->row.score == *(int64_t *)of;
 }
@@ -409,7 +409,8 @@ static void test_prune(void **state)
 static void test_rows(void **state)
 {
     struct replays r;
-    struct card_row row = { .table = "hard", .row = { .name = "XYZ", .ship = "tern", .score = 7, .continues = 2 } };
+    struct replay_meta_row row = { .table = "hard",
+                                   .row = { .name = "XYZ", .ship = "tern", .score = 7, .continues = 2 } };
     struct nv_row asked;
 
     (void)state;
@@ -440,14 +441,14 @@ static void test_repair(void **state)
     struct replays r;
     const char *demo = "tests/demos/whole8-run.demo";
     static uint8_t bytes[1 << 21];
-    struct card c = { .rows = 0 };
+    struct replay_meta c = { .rows = 0 };
 
     (void)state;
     const long n = plat_load(demo, bytes, sizeof bytes);
     assert_in_range(n, 1000, sizeof bytes - 1);
     struct demo d;
     assert_true(demo_read(&d, bytes, (size_t)n, err, sizeof err));
-    assert_true(card_of_demo(&c, &d));
+    assert_true(replay_meta_of_demo(&c, &d));
     demo_free(&d);
     assert_true(replays_open(&r, c.id));
     for (int i = 0; i < 5; i++) {
@@ -484,7 +485,7 @@ static void test_repair(void **state)
 static void test_refused(void **state)
 {
     struct replays r;
-    const struct card c = a_card(1);
+    const struct replay_meta c = a_card(1);
     const uint8_t bytes[4] = { 0 };
 
     (void)state;
@@ -520,7 +521,7 @@ static void test_roms(void **state)
     assert_true(hash[0] != hash[1] && hash[1] != hash[2]);
     assert_true(roms_keep(&unsaved, "lantern", &rom, err, sizeof err)); /* another game */
     assert_true(replays_open(&r, "lanterns"));
-    struct card c = a_card(1);
+    struct replay_meta c = a_card(1);
     c.rom = hash[1];
     assert_true(replays_add(&r, bytes, sizeof bytes, &c, NULL, err, sizeof err));
     replays_collect_roms(&r, hash[2]);

@@ -11,7 +11,7 @@
 #include <cmocka.h>
 #include "../../src/base/rng.h"
 #include "../../src/board/board.h"
-#include "../../src/cab/pack/art.h"
+#include "../../src/workbench/pack/art.h"
 
 /* Machado, Oliveira, Fernandes 2009, severity 1.0. */
 static const double seen[COLOUR_BLIND_MODES][3][3] = {

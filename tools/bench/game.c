@@ -217,7 +217,7 @@ void section_games(void)
     struct rom_image image;
     char err[512];
 
-    if (!rom_image_load(BENCH_GAME, false, &image, err, sizeof err))
+    if (!pack_load_game(BENCH_GAME, false, &image, err, sizeof err))
         report_fail(err);
     report_section("Whole games");
     report_text("The table shows the recorded games of `tests/demos/glasstide`. The time of each frame is the median "
@@ -258,7 +258,7 @@ static size_t ram_of(const char *folder)
     char err[512];
     size_t size;
 
-    if (!rom_image_load(folder, false, &image, err, sizeof err) || !board_size(&image.rom, &size, err, sizeof err))
+    if (!pack_load_game(folder, false, &image, err, sizeof err) || !board_size(&image.rom, &size, err, sizeof err))
         report_fail(err);
     rom_image_free(&image);
     return size;

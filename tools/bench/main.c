@@ -85,7 +85,7 @@ const struct rom *bench_rom(void)
 {
     char err[256];
 
-    if (!bench.image.bytes && !rom_image_load("roms/bench", false, &bench.image, err, sizeof err))
+    if (!bench.image.bytes && !pack_load_game("roms/bench", false, &bench.image, err, sizeof err))
         report_fail(err);
     return &bench.image.rom;
 }
@@ -94,7 +94,7 @@ void bench_game(struct rom_image *game, struct demo *run)
 {
     char err[512];
 
-    if (!rom_image_load(BENCH_GAME, false, game, err, sizeof err) || !demo_load(run, BENCH_DEMO, err, sizeof err))
+    if (!pack_load_game(BENCH_GAME, false, game, err, sizeof err) || !demo_load(run, BENCH_DEMO, err, sizeof err))
         report_fail(err);
 }
 

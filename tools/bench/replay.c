@@ -7,8 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../platform/platform.h"
-#include "../../src/cab/demo/replay.h"
-#include "../../src/cab/play/session.h"
+#include "../../src/player/replay.h"
+#include "../../src/player/play/session.h"
+#include "../../src/workbench/pack/pack.h"
 #include "bench.h"
 
 enum { ROUNDS = 3, FIVE_MINUTES = 5 * 60 * 60, MINUTE = 60 * 60, SLICE_USEC = 12000 };
@@ -67,7 +68,7 @@ static double reload(const struct cart *cart, const struct board_start *start, c
     }
     uint64_t hash = board_hash(session_board(&s));
     double from = bench_now();
-    bool good = session_reload(&s, changed, false) && s.state == SESSION_RELOADING;
+    bool good = session_reload(&s, pack_load_game, changed, false) && s.state == SESSION_RELOADING;
     while (good && s.state != SESSION_PLAYING)
         good = session_work(&s, plat_usec() + SLICE_USEC);
     double took = bench_since(from) / 1e9;

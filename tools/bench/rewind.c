@@ -5,7 +5,7 @@
  */
 #include <stdlib.h>
 #include <string.h>
-#include "../../src/cab/run/guard.h"
+#include "../../src/player/run/guard.h"
 #include "bench.h"
 
 enum { SECOND = 60, MINUTE = 60 * SECOND, ALIGN = 64, SAVES = 3, ROUNDS = 3, LATE = 10 * MINUTE, LATE_STEPS = 600 };

@@ -8,7 +8,7 @@
 #include <string.h>
 #include "../../src/base/bytes.h"
 #include "../../src/rom/cart.h"
-#include "../../src/cab/bulletml/compile.h"
+#include "../../src/workbench/bulletml/compile.h"
 
 enum { ROTATIONS = 16, RAM_ALIGN = 64 };
 

@@ -7,7 +7,7 @@
 
 #include "../../src/board/board.h"
 #include "../../src/machine/machine.h"
-#include "../../src/cab/pack/pack.h"
+#include "../../src/workbench/pack/pack.h"
 
 /* What zero means stands behind each. */
 struct scene_want {

@@ -38,7 +38,7 @@ static void stand_open(struct stand *s)
     size_t size;
     int w, h;
 
-    if (!rom_image_load("examples/sandbox", false, &s->image, err, sizeof err) ||
+    if (!pack_load_game("examples/sandbox", false, &s->image, err, sizeof err) ||
         !cart_open(&cart, &s->image.rom, err, sizeof err) || !board_size(&s->image.rom, &size, err, sizeof err))
         report_fail(err);
     for (int i = 0; i < cart.manifest.n_dips; i++)

@@ -4,8 +4,8 @@
  */
 #include <stdlib.h>
 #include <string.h>
-#include "../../src/cab/sound/encode.h"
-#include "../../src/cab/mml/mml.h"
+#include "../../src/workbench/samples/encode.h"
+#include "../../src/workbench/mml/mml.h"
 #include "../../src/sound/seq.h"
 #include "../../src/sound/voices.h"
 #include "bench.h"

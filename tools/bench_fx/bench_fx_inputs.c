@@ -7,7 +7,7 @@
 #include "../../src/base/rng.h"
 #include "../../src/machine/machine.h"
 #include "../../src/demo/demo.h"
-#include "../../src/cab/pack/pack.h"
+#include "../../src/workbench/pack/pack.h"
 #include "../numbers.h"
 #include "bench_fx.h"
 
@@ -100,7 +100,7 @@ void inputs_recorded(const char *rom, const char *file, struct args all[OPS])
     char err[1024];
     int n = 0;
 
-    if (!rom_image_load(rom, false, &image, err, sizeof err) || !demo_load(&demo, file, err, sizeof err))
+    if (!pack_load_game(rom, false, &image, err, sizeof err) || !demo_load(&demo, file, err, sizeof err))
         fail(err);
     struct board *b = power(&image.rom, &demo.start);
     for (uint32_t f = 0; f < demo.frames && n < INPUTS; f++) {

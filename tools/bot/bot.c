@@ -28,7 +28,7 @@
 #include "../../platform/platform.h"
 #include "../../src/machine/machine.h"
 #include "../../src/demo/demo.h"
-#include "../../src/cab/pack/pack.h"
+#include "../../src/workbench/pack/pack.h"
 #include "../tally.h"
 
 struct wanted {
@@ -202,7 +202,7 @@ int main(int argc, char **argv)
         bot_fail("usage: bot ROM DEMO [option...]");
     for (int i = 3; i < argc;)
         i += take(&w, argv + i, i + 1 < argc ? argv[i + 1] : NULL);
-    if (!rom_image_load(argv[1], false, &image, err, sizeof err) || !cart_open(&cart, &image.rom, err, sizeof err))
+    if (!pack_load_game(argv[1], false, &image, err, sizeof err) || !cart_open(&cart, &image.rom, err, sizeof err))
         bot_fail(err);
     wish(&w, &cart.manifest);
     r.start = (struct board_start){ .difficulty = w.stage ? w.wish.difficulty : -1, .seed = w.seed };

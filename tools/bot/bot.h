@@ -4,7 +4,7 @@
 #ifndef TOOLS_BOT_H
 #define TOOLS_BOT_H
 
-#include "../../src/cab/survive/trial.h"
+#include "../../src/workbench/survive/trial.h"
 
 /* A run: a board, and what was pressed from power-on to where it is. */
 struct run {

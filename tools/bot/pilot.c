@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../src/machine/machine.h"
-#include "../../src/cab/survive/plan.h"
+#include "../../src/workbench/survive/plan.h"
 #include "bot.h"
 
 enum {

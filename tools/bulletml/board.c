@@ -11,7 +11,7 @@
 #include <unistd.h>
 #include "../../src/board/board.h"
 #include "../../src/machine/machine.h"
-#include "../../src/cab/pack/pack.h"
+#include "../../src/workbench/pack/pack.h"
 #include "board.h"
 
 enum { MIDDLE_X = 160, MIDDLE_Y = 120, RAM_ALIGN = 64, THOUSAND = 1000, PATH = 1024 };
@@ -127,7 +127,7 @@ static bool pack(struct rom_image *image, const char *game, const struct side_se
     fine = fill_folder(dir, game, setup, roots);
     if (!fine)
         snprintf(err, err_size, "%s: the game cannot be put together: %s", setup->file, strerror(errno));
-    fine = fine && rom_image_load(dir, false, image, err, err_size);
+    fine = fine && pack_load_game(dir, false, image, err, err_size);
     remove_folder(dir);
     return fine;
 }

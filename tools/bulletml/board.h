@@ -4,7 +4,7 @@
 #ifndef BULLETML_BOARD_H
 #define BULLETML_BOARD_H
 
-#include "../../src/cab/pack/pack.h"
+#include "../../src/workbench/pack/pack.h"
 #include "side.h"
 
 struct board_game {

@@ -8,7 +8,7 @@
 #include "../../fb/text.h"
 #include "../../src/board/board.h"
 #include "../../src/machine/machine.h"
-#include "../../src/cab/pack/png.h"
+#include "../../src/player/picture/png.h"
 #include "board.h"
 #include "tool.h"
 

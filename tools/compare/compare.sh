@@ -52,7 +52,7 @@ weigher() {
         grep -q MAX_PLAYERS src/base/pads.h || FLAGS="$FLAGS -DHAS_PADS"
         grep -q board_power_on src/board/board.h || FLAGS="$FLAGS -DHAS_BOARD_POWER"
         if [ -n "$TABLE" ]; then
-            objects=$(find src fb -name '*.c' ! -path src/cab/main.c ! -path 'src/lib/*' |
+            objects=$(find src fb -name '*.c' ! -name main.c ! -path 'src/lib/*' |
                 sed "s|^\(.*\)\.c\$|$OUT/\1.o|")
             $CC $FLAGS tools/compare/rows.c tools/bench/scene.c $objects "$OUT/platform/null.o" \
                 $(ls "$OUT"/platform/{stdio,posix,posix_process}.o 2>/dev/null) "$OUT"/gen/{std,no_rom}.o $LIBS \

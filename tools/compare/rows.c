@@ -14,7 +14,7 @@
 #include <time.h>
 #include "../../platform/platform.h"
 #include "../../src/base/pads.h"
-#include "../../src/cab/pack/pack.h"
+#include "../../src/workbench/pack/pack.h"
 #include "../bench/scene.h"
 #include "../numbers.h"
 #include "names.h"
@@ -304,8 +304,8 @@ int main(int argc, char **argv)
     if (argc < 3 || argc > 4)
         fail("usage: rows BENCH GAME [START]");
     section = argc == 4 ? argv[3] : "";
-    if (!rom_image_load(argv[1], false, &bench, err, sizeof err) ||
-        !rom_image_load(argv[2], false, &game, err, sizeof err))
+    if (!pack_load_game(argv[1], false, &bench, err, sizeof err) ||
+        !pack_load_game(argv[2], false, &game, err, sizeof err))
         fail(err);
     add_all();
     while (fgets(line, sizeof line, stdin)) {

@@ -17,8 +17,8 @@
 #include "../../src/machine/machine.h"
 #include "../../src/rom/rom.h"
 #else /* of commits before the tree had layers */
-#include "../../src/base/rom.h"
-#include "../../src/board/machine.h"
+#include "../../src/rom/rom.h"
+#include "../../src/machine/machine.h"
 #endif
 #include "names.h"
 

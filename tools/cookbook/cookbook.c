@@ -16,8 +16,8 @@
 #include <string.h>
 #include "../../src/board/board.h"
 #include "../../src/machine/machine.h"
-#include "../../src/cab/pack/pack.h"
-#include "../../src/cab/pack/png.h"
+#include "../../src/workbench/pack/pack.h"
+#include "../../src/player/picture/png.h"
 
 enum {
     FIRST = 2,        /* frames that don't count */
@@ -222,7 +222,7 @@ int main(int argc, char **argv)
         c.dir = argv[i + 1];
         i += 2;
     }
-    if (!rom_image_load(argv[1], false, &c.image, err, sizeof err) ||
+    if (!pack_load_game(argv[1], false, &c.image, err, sizeof err) ||
         !cart_open(&c.cart, &c.image.rom, err, sizeof err) || !board_size(&c.image.rom, &c.ram_size, err, sizeof err))
         fail(err);
     c.ram = malloc(c.ram_size);

@@ -7,9 +7,9 @@
 #include <time.h>
 #include "../../platform/platform.h"
 #include "../../src/demo/demo.h"
-#include "../../src/cab/pack/pack.h"
-#include "../../src/cab/picture/compose.h"
-#include "../../src/cab/run/ahead.h"
+#include "../../src/workbench/pack/pack.h"
+#include "../../src/player/picture/compose.h"
+#include "../../src/player/run/ahead.h"
 #include "../report/report.h"
 #include "pacing.h"
 
@@ -107,7 +107,7 @@ static void looking(const char *folder, const char *recording)
     static double ticks[FRAMES], looks[FRAMES];
     int n = 0;
 
-    if (!rom_image_load(folder, false, &image, err, sizeof err))
+    if (!pack_load_game(folder, false, &image, err, sizeof err))
         report_fail(err);
     read_demo(recording, &demo);
     if (!guard_power(&g, &image.rom, &demo.start, err, sizeof err))

@@ -15,8 +15,8 @@
 #include "../../platform/platform.h"
 #include "../../src/base/hash.h"
 #include "../../src/base/rng.h"
-#include "../../src/cab/pack/pack.h"
-#include "../../src/cab/play/cab.h"
+#include "../../src/workbench/pack/pack.h"
+#include "../../src/player/play/cab.h"
 #include "../../tests/temp.h"
 #include "../report/report.h"
 #include "pacing.h"
@@ -168,7 +168,7 @@ static void play(const char *folder)
     struct cart cart;
     char err[512];
 
-    if (!rom_image_load(folder, false, &image, err, sizeof err) || !cart_open(&cart, &image.rom, err, sizeof err))
+    if (!pack_load_game(folder, false, &image, err, sizeof err) || !cart_open(&cart, &image.rom, err, sizeof err))
         report_fail(err);
     with.cart = &cart;
     struct cab *cab = cab_open(&with);

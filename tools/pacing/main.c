@@ -23,7 +23,7 @@ static const char ABOUT[] =
     "original run, and sound needs no resampling. With `vsync = yes`, the host presents each frame in sync with the "
     "refresh,\n"
     "without tearing. The number of ticks per refresh then depends only on the tick rate and the refresh rate\n"
-    "(`src/cab/host/pace.h`). With `vsync = no`, or when the refresh rate is unknown, a tick is due every 1/60 s of "
+    "(`src/player/play/pace.h`). With `vsync = no`, or when the refresh rate is unknown, a tick is due every 1/60 s of "
     "the\n"
     "host's clock, and its frame is shown immediately.\n"
     "\n";

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../src/base/rng.h"
-#include "../../src/cab/host/pace.h"
+#include "../../src/player/play/pace.h"
 
 enum { START = 5000000 /* usec: no clock begins at 0 */ };
 

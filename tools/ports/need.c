@@ -13,7 +13,7 @@
 #include "../../src/board/board.h"
 #include "../../src/rom/cart.h"
 #include "../../src/demo/demo.h"
-#include "../../src/cab/pack/pack.h"
+#include "../../src/workbench/pack/pack.h"
 
 enum { STACK_BYTES = 4 << 20, PATTERN = 0xa5, FRAMES = 600, MANY = 1024 };
 enum { S_POWER, S_TICK, S_DRAW, S_SOUND, STACKS };
@@ -120,7 +120,7 @@ static void open_game(struct need *n, const char *path)
     struct lump lump;
 
     memset(n, 0, sizeof *n);
-    if (!rom_image_load(path, false, &n->image, err, sizeof err) ||
+    if (!pack_load_game(path, false, &n->image, err, sizeof err) ||
         !cart_open(&n->cart, &n->image.rom, err, sizeof err) ||
         !board_size(&n->image.rom, &n->ram_size, err, sizeof err))
         fail(err);

@@ -74,7 +74,7 @@ static void *read_file(const char *name, size_t *size)
 
 /* ---- a frame ---- */
 
-struct own {
+struct embedded_rom {
     struct rom rom;
     struct cart cart;
     struct board *b;
@@ -84,7 +84,7 @@ struct own {
     int16_t lr[2 * BOARD_SOUND_FRAMES];
 };
 
-static void open_own(struct own *o, const void *rom, size_t size, const char *section)
+static void open_own(struct embedded_rom *o, const void *rom, size_t size, const char *section)
 {
     struct board_start start = { .seed = 1, .difficulty = -1 };
     size_t ram;
@@ -106,7 +106,7 @@ static void open_own(struct own *o, const void *rom, size_t size, const char *se
     fb_init(&o->fb, room_for(fb_size(m->screen_w, m->screen_h)), m->screen_w, m->screen_h);
 }
 
-static double own_frames(struct own *o)
+static double own_frames(struct embedded_rom *o)
 {
     const uint16_t pads[MAX_PLAYERS] = { PAD_FIRE };
     const double from = now();
@@ -147,7 +147,7 @@ static struct curtain *open_library(const struct curtain_config *how, void **mem
 static void frames(const void *plain, size_t size, const char *section)
 {
     struct curtain_config how = { .rom = plain, .rom_size = size, .seed = 1, .section = section };
-    static struct own own;
+    static struct embedded_rom own;
     double mine[TURNS], its[TURNS], ratio[TURNS];
     void *memory;
     struct curtain *c;

@@ -6,7 +6,7 @@
 #include "../../src/base/bytes.h"
 #include "../../src/base/hash.h"
 #include "../../src/base/rng.h"
-#include "../../src/cab/sound/encode.h"
+#include "../../src/workbench/samples/encode.h"
 #include "ear.h"
 
 enum { N = 48000 };

@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../src/cab/mml/mml.h"
+#include "../../src/workbench/mml/mml.h"
 #include "ear.h"
 
 struct snd_tables ear_tables;

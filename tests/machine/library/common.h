@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "curtain.h"
+#include "../../../src/lib/curtain.h"
 
 static char err[512];
 static uint64_t stream = 1;

@@ -1,7 +1,7 @@
 /*
  * setjmp.h - wasi-libc has none, and there is none: a jump ends the program. Lua's ldo.c includes it, and with
  * lua_try.h uses nothing of it; png.c leaves stb's compressor by it where memory is short.
- * Used by: Lua and cab/png, when they are built for wasm
+ * Used by: Lua and player/picture/png.c, when they are built for wasm
  */
 #ifndef WASI_SETJMP_H
 #define WASI_SETJMP_H

@@ -1,0 +1,159 @@
+/*
+ * command_play.c - see command.h: a game for the cabinet, opened, and opened anew when its files have changed.
+ */
+#include "command.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include "../../platform/platform.h"
+#include "../common/files.h"
+#include "../common/report.h"
+#include "game/version.h"
+#include "game/game.h"
+#include "game/workbench.h"
+#include "play/cab.h"
+#include "game/embedded_rom.h"
+
+static void ignore_file(void *user, const struct plat_folder_entry *file)
+{
+    (void)user;
+    (void)file;
+}
+
+/* A first word that is neither command, file nor folder is more likely a slip than a game. */
+static bool is_nothing(const char *word)
+{
+    return files_size(word) < 0 && plat_list(word, ignore_file, NULL) < 0;
+}
+
+static enum result no_such_word(const char *word, bool after_play)
+{
+    const char *meant = args_near_command(word);
+    char err[1024];
+
+    if (after_play)
+        return report_line(RESULT_REFUSED, "%s", files_set_missing_error(word, "file or folder", err, sizeof err));
+    if (meant)
+        return report_line(RESULT_REFUSED, "%s: no such command, file or folder (did you mean %s?)", word, meant);
+    return report_line(RESULT_REFUSED, "%s: no such command, file or folder (see curtain help)", word);
+}
+
+/* Is it a folder that has, or is to have, a game in it? */
+static bool is_games_folder(const char *path)
+{
+    char rom[2048];
+
+    return path && plat_list(path, ignore_file, NULL) >= 0 &&
+           snprintf(rom, sizeof rom, "%s/rom.lua", path) < (int)sizeof rom && plat_file_size(rom) >= 0;
+}
+
+struct play {
+    const struct args *a;
+    struct args next; /* what holds of a for a game that was dropped */
+    char dropped[FILES_PATH_SIZE];
+    const char *path;
+    struct game game;
+    struct cab *cab; /* NULL: there is none, and result is what became of the game */
+    enum result result;
+    char wrong[1024];
+};
+
+static enum cab_opened open_game(void *user, struct cab_options *o, char *err, size_t err_size)
+{
+    struct play *p = user;
+
+    game_close(&p->game);
+    o->cart = NULL;
+    enum game_opened opened = game_try(&p->game, p->path, p->a, err, err_size);
+    if (opened != GAME_OPENED)
+        return opened == GAME_WRONG ? CAB_WRONG : CAB_REFUSED;
+    o->cart = &p->game.cart;
+    o->start = p->game.start;
+    o->demo = p->game.has_demo ? &p->game.demo : NULL;
+    return CAB_OPENED;
+}
+
+/* Opens a cabinet for the game. False: there is none, and p->result says why. */
+static bool play_it(struct play *p)
+{
+    const struct args *a = p->a;
+    struct cab_options o = { .path = p->path, .seeded = a->seeded, .record = a->record, .scale = a->scale };
+
+    o.fullscreen = a->fullscreen;
+    o.mute = a->mute;
+    o.load = workbench_loader(a->workbench);
+    o.nearest = a->nearest;
+    o.verbose = a->verbose;
+    o.resume = a->resume;
+    o.no_resume = a->no_resume;
+    o.version = CURTAIN_VERSION;
+    o.sealed = embedded_rom_sealed();
+    o.user = p;
+    o.open = a->workbench && is_games_folder(p->path) ? open_game : NULL;
+    enum cab_opened opened = open_game(p, &o, p->wrong, sizeof p->wrong);
+    if (opened == CAB_REFUSED || (opened == CAB_WRONG && !o.open)) {
+        p->result = report_error(p->wrong);
+        return false;
+    }
+    o.wrong = p->wrong;
+    p->cab = cab_open(&o);
+    if (!p->cab)
+        p->result = report_line(RESULT_HOST_FAILED, "out of memory");
+    return p->cab != NULL;
+}
+
+/* A game that was dropped on the window: with what was said of the window, and nothing of the run. False: none was, or
+ * it cannot be played. */
+static bool play_next(struct play *p)
+{
+    const struct args *was = p->a;
+    struct args a = { .command = COMMAND_PLAY, .every = 1, .scale = was->scale, .fullscreen = was->fullscreen };
+    const bool is = cab_next(p->cab, p->dropped, sizeof p->dropped);
+
+    a.workbench = was->workbench;
+    a.mute = was->mute;
+    a.nearest = was->nearest;
+    a.verbose = was->verbose;
+    p->result = cab_close(p->cab);
+    p->cab = NULL;
+    if (!is)
+        return false;
+    game_close(&p->game);
+    p->next = a;
+    p->a = &p->next;
+    p->path = p->dropped;
+    return play_it(p);
+}
+
+static bool frame(void *of)
+{
+    struct play *p = of;
+
+    return p->cab && (cab_frame(p->cab) || play_next(p));
+}
+
+static enum result close(void *of)
+{
+    struct play *p = of;
+    const enum result result = p->cab ? cab_close(p->cab) : p->result;
+
+    game_close(&p->game);
+    free(p);
+    return result;
+}
+
+enum result command_play(const struct args *a, bool named, struct frame_command *running)
+{
+    const char *path = a->n_words ? a->words[0] : NULL;
+
+    if (path && is_nothing(path))
+        return no_such_word(path, named);
+    struct play *p = calloc(1, sizeof *p);
+    if (!p)
+        return report_line(RESULT_HOST_FAILED, "out of memory");
+    p->a = a;
+    p->path = path;
+    play_it(p);
+    *running = (struct frame_command){ frame, close, p };
+    return RESULT_DONE;
+}

@@ -1,0 +1,67 @@
+/*
+ * practice.h - the practice menu: every section of the game, its settings, its attempts and captures.
+ *
+ * It is one of the cabinet's screens (screens/screen.h).
+ *
+ * Counting. An attempt of a section is counted when a practice start of it begins: from the menu, by the retry key, or
+ * when the game starts the section again by itself. A capture is counted when the section ends well without a death
+ * since it began: a phase is beaten, or a stage, from its start or from a mark, reaches its end. Neither is counted
+ * with invincible, nor after the run was rewound (until the next start).
+ */
+#ifndef PLAYER_PRACTICE_H
+#define PLAYER_PRACTICE_H
+
+#include "../../board/board.h"
+#include "../../rom/cart.h"
+#include "../run/sections.h"
+#include "../screens/screen.h"
+#include "../replays/records.h"
+
+struct practice_menu {
+    const struct cart *cart;
+    struct records records;
+
+    struct board_start home;  /* the game from its title */
+    struct board_start start; /* what the present run was started with */
+    bool counts, attempting;  /* counts: attempts of this run count. attempting: one is on, without a death so far */
+
+    struct screens *screens;
+    bool listed;
+    bool start_chosen; /* since it was opened: the caller powers the board with practice_chosen's start */
+    struct sections sections;
+    int difficulty, lives, slow;           /* lives 0: the ship's own; slow: 1, 2, 4 frames a tick */
+    int32_t value[PRACTICE_MAX_REGISTERS]; /* of sections.reg */
+    bool invincible, hitbox;               /* hitbox: show hit shapes over the picture */
+    char section[64];                      /* of the section last started; "": none, or the game from its title */
+};
+
+/* Reads the records of the game. start: how the run was started. The cart must outlive the menu, or be replaced with
+ * practice_reloaded. */
+void practice_init(struct practice_menu *m, const struct cart *cart, const struct board_start *start);
+
+/* To be called when a live board was powered with this start. */
+void practice_began(struct practice_menu *m, const struct board_start *start);
+
+/* Counts attempts and captures: to be called after each tick of the live board, with its output. */
+void practice_after_tick(struct practice_menu *m, const struct board_out *out);
+
+/* Counts nothing more in this run: it was rewound, or the board was changed from outside. */
+void practice_stop_counting(struct practice_menu *m);
+
+/* To be called when the game was reloaded: its sections are listed again, and this run does not count any more. */
+void practice_reloaded(struct practice_menu *m, const struct cart *cart);
+
+extern const struct screen_def practice_screen;
+
+/* Opens the menu above the screens that are open, and lists the game's sections the first time. slow: the present
+ * setting. It closes all screens when something is chosen. */
+void practice_open(struct practice_menu *m, struct screens *screens, int slow);
+
+/* Makes the start that was chosen: the present run's with another difficulty and practice settings, or that of the game
+ * from its title, which has no practice.section. The caller sets its nvram. */
+void practice_chosen(const struct practice_menu *m, struct board_start *out);
+
+/* Saves the records and frees everything. Harmless on a zeroed menu. */
+void practice_close(struct practice_menu *m);
+
+#endif

@@ -1,0 +1,416 @@
+/*
+ * replays.c - see replays.h.
+ */
+#include "replays.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include "../../../platform/platform.h"
+#include "../../base/hash.h"
+#include "../../common/array.h"
+#include "../../common/files.h"
+#include "roms.h"
+#include "../../common/result.h"
+
+/* ---- names ---- */
+
+static void path_of(const struct replays *r, const char *stem, const char *ending, char path[REPLAY_PATH])
+{
+    snprintf(path, REPLAY_PATH, "user:replays/%s/%s.%s", r->id, stem, ending);
+}
+
+void replays_path(const struct replays *r, int i, char path[REPLAY_PATH])
+{
+    path_of(r, r->list[i].stem, "demo", path);
+}
+
+static struct tm utc(int64_t date)
+{
+    const time_t t = (time_t)date;
+    const struct tm *tm = gmtime(&t);
+
+    return tm ? *tm : (struct tm){ .tm_year = 70, .tm_mday = 1 };
+}
+
+/* The number behind a stem's second; -1: it is of another second. */
+static int number_of(const char *stem, const char *second, size_t n)
+{
+    return strncmp(stem, second, n) != 0 ? -1 : stem[n] == '-' ? atoi(stem + n + 1) : 1;
+}
+
+/* The next name of that second: it comes after all that are listed. */
+static void free_stem(const struct replays *r, int64_t date, char stem[REPLAY_STEM])
+{
+    const struct tm tm = utc(date);
+    const size_t n = strftime(stem, REPLAY_STEM, "%Y%m%d-%H%M%S", &tm);
+    char path[REPLAY_PATH];
+    int last = 0;
+
+    for (int i = 0; i < r->n; i++) {
+        const int k = number_of(r->list[i].stem, stem, n);
+        last = k > last ? k : last;
+    }
+    do {
+        if (last > 0)
+            snprintf(stem + n, REPLAY_STEM - n, "-%03d", last + 1);
+        path_of(r, stem, "demo", path);
+        last++;
+    } while (plat_file_size(path) >= 0 && last < 999);
+}
+
+/* Days from 1970 to a date, as the calendar goes now. */
+static int64_t days_to(int year, int month, int day)
+{
+    const int64_t y = year - (month <= 2), era = y / 400, of_era = y - era * 400;
+    const int64_t of_year = (153 * (month + (month > 2 ? -3 : 9)) + 2) / 5 + day - 1;
+
+    return era * 146097 + of_era * 365 + of_era / 4 - of_era / 100 + of_year - 719468;
+}
+
+/* The date in a name; false: somebody else named it. */
+static bool date_of(const char *stem, int64_t *date)
+{
+    unsigned y, mo, d, h, mi, s;
+
+    if (sscanf(stem, "%4u%2u%2u-%2u%2u%2u", &y, &mo, &d, &h, &mi, &s) != 6 || mo < 1 || mo > 12 || y < 1970)
+        return false;
+    *date = days_to((int)y, (int)mo, (int)d) * 86400 + h * 3600 + mi * 60 + s;
+    return true;
+}
+
+/* ---- the list ---- */
+
+static int by_stem(const void *left, const void *right)
+{
+    const struct replay_entry *a = left, *b = right;
+
+    return strcmp(b->stem, a->stem);
+}
+
+/* What is in the folder. */
+struct found {
+    struct replays *r;
+    char (*card)[REPLAY_STEM]; /* malloc */
+    int cards;
+    int64_t newest; /* of all whole files */
+    struct {
+        char name[REPLAY_PATH];
+        int64_t time;
+    } temp[32]; /* what a program that was killed while it saved has left */
+    int temps;
+    bool full; /* no memory */
+};
+
+/* "STEM.ending": copies the stem. */
+static bool has_ending(const char *name, const char *ending, char stem[REPLAY_STEM])
+{
+    const size_t n = strlen(name), e = strlen(ending);
+
+    if (n <= e || n - e >= REPLAY_STEM || strcmp(name + n - e, ending) != 0)
+        return false;
+    memcpy(stem, name, n - e);
+    stem[n - e] = 0;
+    return true;
+}
+
+static void find_card(struct found *f, const char *stem)
+{
+    char *card = array_append(&f->card, (size_t)f->cards, sizeof f->card[0]);
+    f->full |= !card;
+    if (card) {
+        snprintf(card, REPLAY_STEM, "%s", stem);
+        f->cards++;
+    }
+}
+
+static void find(void *user, const struct plat_folder_entry *file)
+{
+    struct found *f = user;
+    char stem[REPLAY_STEM];
+    const size_t n = strlen(file->name);
+    const bool temp = n > 4 && strcmp(file->name + n - 4, ".tmp") == 0;
+
+    if (file->is_folder)
+        return;
+    if (temp && f->temps < 32 && n < sizeof f->temp[0].name) {
+        snprintf(f->temp[f->temps].name, sizeof f->temp[0].name, "%s", file->name);
+        f->temp[f->temps++].time = file->time;
+    }
+    if (!temp && file->time > f->newest)
+        f->newest = file->time;
+    if (has_ending(file->name, ".card", stem))
+        find_card(f, stem);
+    if (!has_ending(file->name, ".demo", stem) || f->r->n == REPLAYS_MOST)
+        return;
+    struct replay_entry *e = array_append(&f->r->list, (size_t)f->r->n, sizeof *e);
+    f->full = f->full || !e;
+    if (!e)
+        return;
+    memcpy(e->stem, stem, sizeof stem);
+    f->r->n++;
+}
+
+static bool load_card(struct replays *r, struct replay_entry *e)
+{
+    uint8_t head[CARD_HEAD];
+    char card[REPLAY_PATH], demo[REPLAY_PATH];
+
+    path_of(r, e->stem, "card", card);
+    path_of(r, e->stem, "demo", demo);
+    const long n = plat_load(card, head, sizeof head);
+    r->loads++;
+    r->loaded += n > 0 ? (uint32_t)n : 0;
+    return n > 0 && replay_meta_read(&e->card, head, (size_t)n) && strcmp(e->card.id, r->id) == 0 &&
+           plat_file_size(demo) == (long)e->card.bytes;
+}
+
+static bool save_card(const struct replays *r, const char *stem, const struct replay_meta *c, const struct thumb *t,
+                      struct unsaved **unsaved, char *err, size_t err_size)
+{
+    static const struct thumb none;
+    uint8_t bytes[CARD_BYTES];
+    char path[REPLAY_PATH];
+
+    path_of(r, stem, "card", path);
+    const size_t size = replay_meta_write(c, t ? t : &none, bytes);
+    return unsaved ? unsaved_save(unsaved, path, bytes, size, err, err_size)
+                   : files_save(path, bytes, size, err, err_size);
+}
+
+/* From the demo; a card that was there and cannot be read may have had a name, so that the replay is not one of those
+ * that go by themselves. False: it is not a demo of a run of this game. */
+static bool repair(struct replays *r, struct replay_entry *e)
+{
+    struct demo d;
+    char path[REPLAY_PATH], err[DEMO_ERR_SIZE];
+    uint8_t *bytes;
+    size_t size;
+
+    path_of(r, e->stem, "card", path);
+    const bool damaged = plat_file_size(path) >= 0;
+    path_of(r, e->stem, "demo", path);
+    if (!files_read(path, path, DEMO_MAX_BYTES, &bytes, &size, err, sizeof err))
+        return false;
+    r->loads++;
+    r->loaded += (uint32_t)size;
+    bool good = demo_read(&d, bytes, size, err, sizeof err) && replay_meta_of_demo(&e->card, &d) &&
+                strcmp(e->card.id, r->id) == 0;
+    e->card.hash = hash_bytes(0, bytes, size);
+    e->card.bytes = size;
+    if (!date_of(e->stem, &e->card.date))
+        e->card.date = 0;
+    if (damaged)
+        replay_meta_take_name(&e->card, "recovered");
+    if (good)
+        save_card(r, e->stem, &e->card, NULL, NULL, err, sizeof err);
+    demo_free(&d);
+    free(bytes);
+    return good;
+}
+
+static bool is_listed(const struct replays *r, const char *stem)
+{
+    struct replay_entry key;
+
+    memcpy(key.stem, stem, sizeof key.stem);
+    return r->n > 0 && bsearch(&key, r->list, (size_t)r->n, sizeof key, by_stem) != NULL;
+}
+
+/* Cards without a demo go, and so does what an interrupted save left: it is older than a file that came after it. */
+static void sweep(const struct found *f)
+{
+    char path[2 * REPLAY_PATH];
+
+    for (int i = 0; i < f->cards; i++) {
+        path_of(f->r, f->card[i], "card", path);
+        if (!is_listed(f->r, f->card[i]))
+            plat_remove(path);
+    }
+    for (int i = 0; i < f->temps; i++) {
+        snprintf(path, sizeof path, "user:replays/%s/%s", f->r->id, f->temp[i].name);
+        if (f->temp[i].time < f->newest)
+            plat_remove(path);
+    }
+}
+
+bool replays_open(struct replays *r, const char *id)
+{
+    struct found f = { .r = r };
+    char folder[REPLAY_PATH];
+    int n = 0;
+
+    memset(r, 0, sizeof *r);
+    snprintf(r->id, sizeof r->id, "%s", id);
+    snprintf(folder, sizeof folder, "user:replays/%s", r->id);
+    plat_list(folder, find, &f);
+    if (r->n)
+        qsort(r->list, (size_t)r->n, sizeof r->list[0], by_stem);
+    if (!f.full)
+        sweep(&f);
+    for (int i = 0; i < r->n; i++)
+        if (load_card(r, &r->list[i]) || repair(r, &r->list[i]))
+            r->list[n++] = r->list[i];
+    r->n = n;
+    free(f.card);
+    return !f.full;
+}
+
+void replays_close(struct replays *r)
+{
+    free(r->list);
+    memset(r, 0, sizeof *r);
+}
+
+bool replays_thumb(const struct replays *r, int i, struct thumb *t)
+{
+    uint8_t bytes[CARD_BYTES + 1];
+    char path[REPLAY_PATH];
+
+    path_of(r, r->list[i].stem, "card", path);
+    const long n = plat_load(path, bytes, sizeof bytes);
+    t->w = t->h = 0;
+    return n > 0 && replay_meta_read_thumb(t, bytes, (size_t)n);
+}
+
+/* ---- changes ---- */
+
+bool replays_add(struct replays *r, const uint8_t *demo, size_t size, const struct replay_meta *c,
+                 const struct thumb *t, char *err, size_t err_size)
+{
+    struct replay_entry *e = array_append(&r->list, (size_t)r->n, sizeof *e);
+    struct replay_entry new = { .card = *c };
+    char path[REPLAY_PATH];
+
+    new.card.hash = hash_bytes(0, demo, size);
+    new.card.bytes = size;
+    free_stem(r, c->date, new.stem);
+    path_of(r, new.stem, "demo", path);
+    if (!e) {
+        result_set_host_error(err, err_size, "%s: out of memory", path);
+        return false;
+    }
+    if (!files_save(path, demo, size, err, err_size))
+        return false;
+    if (!save_card(r, new.stem, &new.card, t, NULL, err, err_size)) {
+        plat_remove(path);
+        return false;
+    }
+    memmove(r->list + 1, r->list, (size_t)r->n * sizeof r->list[0]);
+    r->list[0] = new;
+    r->n++;
+    return true;
+}
+
+/* Writes a card anew with what is changed in it; its picture stays. */
+static bool replace_card(struct replays *r, int i, const struct replay_meta *c, struct unsaved **unsaved, char *err,
+                         size_t err_size)
+{
+    struct thumb t;
+
+    replays_thumb(r, i, &t);
+    if (!save_card(r, r->list[i].stem, c, &t, unsaved, err, err_size))
+        return false;
+    r->list[i].card = *c;
+    return true;
+}
+
+bool replays_name(struct replays *r, int i, const char *name, char *err, size_t err_size)
+{
+    struct replay_meta c = r->list[i].card;
+
+    replay_meta_take_name(&c, name);
+    return replace_card(r, i, &c, NULL, err, err_size);
+}
+
+bool replays_add_row(struct replays *r, int i, const struct replay_meta_row *row, struct unsaved **unsaved, char *err,
+                     size_t err_size)
+{
+    struct replay_meta c = r->list[i].card;
+
+    c.rows += c.rows < CARD_ROWS;
+    c.row[c.rows - 1] = *row;
+    return replace_card(r, i, &c, unsaved, err, err_size);
+}
+
+bool replays_delete(struct replays *r, int i, char *err, size_t err_size)
+{
+    char demo[REPLAY_PATH], card[REPLAY_PATH];
+
+    replays_path(r, i, demo);
+    path_of(r, r->list[i].stem, "card", card);
+    errno = 0;
+    if (!plat_remove(demo) && plat_file_size(demo) >= 0) {
+        snprintf(err, err_size, "%s: cannot be removed%s%s%s", demo, errno ? " (" : "", errno ? strerror(errno) : "",
+                 errno ? ")" : "");
+        return false;
+    }
+    plat_remove(card);
+    r->n--;
+    memmove(r->list + i, r->list + i + 1, (size_t)(r->n - i) * sizeof r->list[0]);
+    return true;
+}
+
+static bool stays(const struct replay_meta *c, bool (*stands)(void *of, const struct replay_meta_row *row), void *of)
+{
+    for (int i = 0; stands && i < c->rows; i++)
+        if (stands(of, &c->row[i]))
+            return true;
+    return c->name[0] != 0;
+}
+
+void replays_prune(struct replays *r, int keep, bool (*stands)(void *of, const struct replay_meta_row *row), void *of)
+{
+    char err[256];
+    int kept = 0;
+
+    for (int i = 0; i < r->n;) {
+        if (stays(&r->list[i].card, stands, of) || kept < keep) {
+            kept += !stays(&r->list[i].card, stands, of);
+            i++;
+        } else if (!replays_delete(r, i, err, sizeof err)) {
+            i++; /* another time */
+        }
+    }
+}
+
+/* ---- questions ---- */
+
+static bool is_row(const struct replay_meta_row *a, const char *table, const struct nv_row *b)
+{
+    return a->row.score == b->score && a->row.stage == b->stage && a->row.continues == b->continues &&
+           strcmp(a->table, table) == 0 && strcmp(a->row.name, b->name) == 0 && strcmp(a->row.ship, b->ship) == 0;
+}
+
+int replays_of_row(const struct replays *r, const char *table, const struct nv_row *row)
+{
+    for (int i = 0; i < r->n; i++)
+        for (int k = 0; k < r->list[i].card.rows; k++)
+            if (is_row(&r->list[i].card.row[k], table, row))
+                return i;
+    return -1;
+}
+
+struct needs {
+    const struct replays *r;
+    uint64_t also;
+};
+
+static bool needed(void *of, uint64_t hash)
+{
+    const struct needs *n = of;
+
+    for (int i = 0; i < n->r->n; i++)
+        if (n->r->list[i].card.rom == hash)
+            return true;
+    return hash == n->also;
+}
+
+void replays_collect_roms(struct replays *r, uint64_t also)
+{
+    struct needs n = { r, also };
+
+    roms_collect(r->id, needed, &n);
+}

@@ -1,0 +1,143 @@
+/*
+ * sections.c - see sections.h. Marks come after all stages and bosses were told (so that these are known whatever
+ * happens when a stage is run through), and are put where they belong.
+ */
+#include "sections.h"
+
+#include <stdio.h>
+#include <string.h>
+#include "../../common/report.h"
+#include "guard.h"
+
+enum { PATIENCE = 10000 /* frames */ };
+
+/* Room for a section at place i; NULL: the list is full. */
+static struct section *insert(struct sections *p, int i)
+{
+    if (p->n == MAX_SECTIONS)
+        return NULL;
+    memmove(&p->section[i + 1], &p->section[i], (size_t)(p->n - i) * sizeof p->section[0]);
+    p->n++;
+    p->section[i] = (struct section){ 0 };
+    return &p->section[i];
+}
+
+/* Where a new child of a parent goes: after its others. -1: there is no such parent. */
+static int place_of(const struct sections *p, enum section_kind parent, const char *name)
+{
+    for (int i = 0; i < p->n; i++) {
+        if (p->section[i].kind != parent || strcmp(p->section[i].name, name) != 0)
+            continue;
+        for (i++; i < p->n && (p->section[i].kind == SECTION_MARK || p->section[i].kind == SECTION_PHASE);)
+            i++;
+        return i;
+    }
+    return -1;
+}
+
+static bool has(const struct sections *p, enum section_kind kind, const char *id)
+{
+    for (int i = 0; i < p->n; i++)
+        if (p->section[i].kind == kind && strcmp(p->section[i].id, id) == 0)
+            return true;
+    return false;
+}
+
+static void add(struct sections *p, enum section_kind kind, const struct board_marker *m)
+{
+    bool child = kind == SECTION_MARK || kind == SECTION_PHASE;
+    char id[sizeof p->section[0].id];
+
+    if (child)
+        snprintf(id, sizeof id, "%s%c%s", m->parent, kind == SECTION_MARK ? ':' : '/', m->name);
+    else
+        snprintf(id, sizeof id, "%s", m->name);
+    if (has(p, kind, id)) /* a game's own task may play a section meanwhile */
+        return;
+    int i = child ? place_of(p, kind == SECTION_MARK ? SECTION_STAGE : SECTION_BOSS, m->parent) : p->n;
+    struct section *at = i < 0 ? NULL : insert(p, i);
+    if (!at)
+        return;
+    at->kind = kind;
+    memcpy(at->id, id, sizeof at->id);
+    memcpy(at->name, m->name, sizeof at->name);
+    memcpy(at->title, m->title, sizeof at->title);
+}
+
+static void add_register(struct sections *p, const struct board_marker *m)
+{
+    if (p->registers == PRACTICE_MAX_REGISTERS)
+        return;
+    memcpy(p->reg[p->registers].name, m->name, sizeof m->name);
+    p->reg[p->registers++].value = m->value;
+}
+
+static void add_ship(struct sections *p, const struct board_marker *m)
+{
+    if (p->ships == MAX_SHIPS)
+        return;
+    p->lives = p->ships ? p->lives : m->value;
+    memcpy(p->ship[p->ships++], m->name, sizeof m->name);
+}
+
+/* True when it was the last. */
+static bool hear(struct sections *p, const struct board_marker *m)
+{
+    switch (m->kind) {
+    case MARKER_STAGE:
+        add(p, SECTION_STAGE, m);
+        break;
+    case MARKER_MARK:
+        add(p, SECTION_MARK, m);
+        break;
+    case MARKER_BOSS:
+        add(p, SECTION_BOSS, m);
+        break;
+    case MARKER_PHASE:
+        add(p, SECTION_PHASE, m);
+        break;
+    case MARKER_SHIP:
+        add_ship(p, m);
+        break;
+    case MARKER_REGISTER:
+        add_register(p, m);
+        break;
+    default:
+        return m->kind == MARKER_LISTED;
+    }
+    return false;
+}
+
+/* Ticks until all is told. */
+static void listen(struct sections *p, struct guard *g, bool log)
+{
+    const uint16_t none[MAX_PLAYERS] = { 0 };
+    const struct board_out *out = board_last_output(g->board);
+    bool done = false;
+
+    for (int f = 0; !out->fault && !done && f < PATIENCE; f++) {
+        out = guard_tick(g, none);
+        for (int i = 0; i < out->marker_count; i++)
+            done |= hear(p, &out->marker[i]);
+        if (log)
+            report_log(out, "curtain: ");
+    }
+    if (out->fault)
+        snprintf(p->why, sizeof p->why, "%s", out->fault->message);
+    else if (!done)
+        snprintf(p->why, sizeof p->why, "the game does not list its sections");
+}
+
+void sections_list(struct sections *p, const struct rom *rom, const struct board_start *start, bool log)
+{
+    struct board_start ask = *start;
+    struct guard g;
+
+    memset(p, 0, sizeof *p);
+    memset(&ask.practice, 0, sizeof ask.practice);
+    snprintf(ask.practice.section, sizeof ask.practice.section, "%s", PRACTICE_LIST);
+    if (!guard_power(&g, rom, &ask, p->why, sizeof p->why))
+        return;
+    listen(p, &g, log);
+    guard_close(&g);
+}

@@ -1,0 +1,107 @@
+/*
+ * config.h - the user's settings, a text file.
+ *
+ *     # window pixels a picture pixel; 0: auto
+ *     scale = 3
+ *     volume = 80
+ *     mute = no
+ *     fullscreen = yes
+ *     lang = de
+ *     p1.fire = z space pad.south
+ *
+ * A line is `name = value`; # starts a comment, blank lines are skipped. A name is one of the table in config.c or an
+ * action of keys.h. What is not mentioned keeps its default, the last of two equal names counts. A line that is not
+ * right is refused with file and line, and then nothing of the file counts. The file is CONFIG_FILE. The settings
+ * screen writes what was changed there into it, and leaves the rest as it is, comments included.
+ */
+#ifndef PLAYER_CONFIG_H
+#define PLAYER_CONFIG_H
+
+#include "../input/keys.h"
+
+#define CONFIG_FILE "user:curtain.conf"
+
+enum scaling { SCALING_WHOLE, SCALING_SMOOTH };
+enum panels { PANELS_OVER, PANELS_BESIDE };
+
+enum { CONFIG_BYTES = 65536, CONFIG_LINE = 512 };
+
+struct config {
+    struct keys keys;
+    int scale;                 /* 0 to 16 */
+    int volume;                /* percent */
+    int mute;                  /* 0 or 1 */
+    int music;                 /* percent, of volume */
+    int sounds;                /* percent, of volume */
+    int resample;              /* 0 or 1 */
+    int fullscreen;            /* 0 or 1 */
+    int turn;                  /* enum quarter */
+    int scaling;               /* enum scaling */
+    int crt;                   /* 0 or 1 */
+    int border;                /* 0 or 1 */
+    int vsync;                 /* 0 or 1 */
+    int run_ahead;             /* frames: 0 or 1 */
+    int panels;                /* enum panels */
+    int speed;                 /* 0, 1, 2: a frame lasts 1, 2, 4 sixtieths */
+    int away;                  /* 0 or 1: stop when the window loses the keys */
+    int replays;               /* 0 to 1000: runs of a game that are kept without a name */
+    int resume;                /* 0 or 1: a run that is left is kept to go on with */
+    int capture_seconds;       /* 5 to 60: of the film that a key makes */
+    int dim, flashes, colours; /* as in views.h */
+    int hitbox;                /* 0 or 1 */
+    int autofire[MAX_PLAYERS], focus[MAX_PLAYERS],
+        one_hand[MAX_PLAYERS]; /* 0 or 1: toggle; enum keys_hand. How each player presses */
+    char lang[16];             /* of games that have it; "": none */
+};
+
+/* A setting that has a number or a word: all but lang and the keys. */
+struct config_setting {
+    const char *name;  /* in the file */
+    const char *label; /* on the screen */
+    const char *group; /* of settings on the screen; those of a group follow one another */
+    size_t at;         /* an int of struct config */
+    int lo, hi, standard;
+    const char *const *words;  /* in the file, of its values from 0 on, NULL-ended; NULL: it is a number */
+    const char *const *labels; /* the same on the screen */
+    int step;                  /* of a number, on the screen */
+    const char *help;          /* a sentence without its full stop */
+    const char *unit, *zero;   /* of a number, on the screen: "%"; the word for 0; NULL: none */
+};
+
+/* The i-th setting, from 0 on; NULL: there are no more. */
+const struct config_setting *config_setting(int i);
+
+int config_value(const struct config *c, const struct config_setting *s);
+
+/* Sets a value, which is brought into the setting's range. */
+void config_put(struct config *c, const struct config_setting *s, int value);
+
+/* Writes a setting's value as the file has it: "80", "yes". */
+void config_text(const struct config *c, const struct config_setting *s, char *out, size_t size);
+
+/* Writes a setting's value as the settings screen shows it: "80%", "On", "Auto". */
+void config_label(const struct config *c, const struct config_setting *s, char *out, size_t size);
+
+void config_defaults(struct config *c);
+
+/* Takes over the settings of a text (file: its name for errors). False and one sentence with file and line; *c is
+ * unchanged. */
+bool config_read(struct config *c, const char *file, const char *text, size_t size, char *err, size_t err_size);
+
+/* Defaults, and what CONFIG_FILE says if there is one. False and one sentence for a file that is not right. */
+bool config_load(struct config *c, char *err, size_t err_size);
+
+/* Writes what differs between CONFIG_FILE and *c into it: the last line of each such name, or a new one at the end; no
+ * file is written when nothing does. False and one sentence: the file is as it was. A wrong one is left alone. */
+bool config_save(const struct config *c, char *err, size_t err_size);
+
+/* The same, of a text: a new one, malloc'ed, ending in NUL. NULL and one sentence. */
+char *config_edit(const struct config *c, const char *text, size_t size, char *err, size_t err_size);
+
+/* Hands out a line a setting, for `curtain help play`. */
+void config_help(void (*line)(const char *));
+
+/* The lines of `curtain help config`: the file by its real path, every setting, an example. */
+void config_guide(void (*line)(const char *));
+
+#endif

@@ -1,0 +1,566 @@
+/*
+ * verify.c - see verify.h. The game is loaded once, and one block of RAM serves all demos; nothing else is kept from
+ * one to the next, so a list of names may be as long as it likes.
+ */
+#include "verify.h"
+
+#include <inttypes.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../platform/platform.h"
+#include "../common/clean.h"
+#include "../common/files.h"
+#include "../common/progress.h"
+#include "game/game.h"
+#include "../common/report.h"
+#include "../demo/markers.h"
+#include "replay.h"
+#include "verify_json.h"
+
+struct verify {
+    const struct args *a;
+    struct game game;
+    struct replay replay;
+    struct demo demo;
+    struct demo_writer again; /* of --restamp and --rerecord */
+    char doubt[160];          /* " (recorded with another game version)", or nothing */
+    const char *path;         /* of the demo that is looked at */
+    bool batch;               /* names come from standard input */
+    uint64_t looked, all;     /* demos so far, and of how many; 0: not known */
+};
+
+/* ---- lines ---- */
+
+static enum result refuse(const struct verify *v, enum result result, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+static void say(const struct verify *v, const char *path, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/* Names may hold anything. */
+static void print_clean(const char *text)
+{
+    char line[2 * DEMO_PATH_SIZE];
+
+    snprintf(line, sizeof line, "%s", text);
+    clean_line(line);
+    fputs(line, stdout);
+}
+
+/* What keeps a demo from being replayed, with its name in it; returns result. */
+static enum result refuse(const struct verify *v, enum result result, const char *format, ...)
+{
+    char line[2048];
+    va_list args;
+
+    va_start(args, format);
+    vsnprintf(line, sizeof line, format, args);
+    va_end(args);
+    if (v->a->json) {
+        verify_json_refused(v->path, result == RESULT_HOST_FAILED, line);
+        return result;
+    }
+    if (!v->batch)
+        return report_line(result, "%s", line);
+    print_clean(line);
+    putchar('\n');
+    return result;
+}
+
+static void say(const struct verify *v, const char *path, const char *format, ...)
+{
+    char line[2048];
+    va_list args;
+
+    va_start(args, format);
+    vsnprintf(line, sizeof line, format, args);
+    va_end(args);
+    print_clean(path);
+    fputs(": ", stdout);
+    print_clean(line);
+    print_clean(v->doubt);
+    putchar('\n');
+}
+
+static void say_verdict(const struct verify *v, const char *path, const struct verdict *w)
+{
+    char text[1400];
+
+    replay_text(&v->replay, &v->demo, w, text, sizeof text);
+    say(v, path, "%s%s", text, w->kind == VERDICT_HOLDS && v->a->restamp ? ", restamped" : "");
+}
+
+/* ---- more of it: --verbose ---- */
+
+static void say_hashes(const struct verify *v, const struct verdict *w)
+{
+    const uint64_t *row = demo_hashes(&v->demo, w->frame);
+    uint16_t print = 0;
+
+    for (int i = 0; i < v->demo.n_parts; i++) {
+        unsigned long long here = v->replay.hashes[i];
+        if (!(w->parts >> i & 1))
+            continue;
+        if (w->missing >> i & 1)
+            report_print("  %s: this build does not have this part\n", v->demo.part_name[i]);
+        else if (row)
+            report_print("  %s: recorded %016llx, replayed %016llx\n", v->demo.part_name[i], (unsigned long long)row[i],
+                         here);
+        else if (demo_get_checksum(&v->demo, w->frame, i, &print))
+            report_print("  %s: recorded checksum %04x, replayed %04x\n", v->demo.part_name[i], (unsigned)print,
+                         (unsigned)(here & 0xffff));
+    }
+}
+
+/* The markers a frame lies in: of each kind the last, or NULL when what came after it ended it. */
+static void markers_at(const struct demo *d, uint32_t frame, const struct demo_marker *in[MARKER_KINDS])
+{
+    enum { RUN = (1 << (MARKER_DEATH + 1)) - 1 };
+    static const unsigned ends[MARKER_KINDS] = {
+        [MARKER_STAGE] = 1 << MARKER_MARK | 1 << MARKER_WAVE | 1 << MARKER_BOSS | 1 << MARKER_PHASE,
+        [MARKER_MARK] = 1 << MARKER_WAVE | 1 << MARKER_BOSS | 1 << MARKER_PHASE,
+        [MARKER_WAVE] = 1 << MARKER_BOSS | 1 << MARKER_PHASE,
+        [MARKER_BOSS] = 1 << MARKER_WAVE | 1 << MARKER_PHASE,
+        [MARKER_WON] = 1 << MARKER_PHASE,
+        [MARKER_LOST] = 1 << MARKER_PHASE,
+        [MARKER_CLEAR] = 1 << MARKER_STAGE | 1 << MARKER_MARK | 1 << MARKER_WAVE | 1 << MARKER_BOSS | 1 << MARKER_PHASE,
+        [MARKER_START] = RUN,
+        [MARKER_GAME] = RUN,
+        [MARKER_OVER] = RUN,
+    };
+
+    memset(in, 0, sizeof in[0] * MARKER_KINDS);
+    for (uint32_t i = 0; i < d->n_markers && d->markers[i].frame <= frame; i++) {
+        enum board_marker_kind kind = d->markers[i].marker.kind;
+        in[kind] = &d->markers[i];
+        for (int k = 0; k < MARKER_KINDS; k++)
+            in[k] = ends[kind] >> k & 1 ? NULL : in[k];
+    }
+}
+
+/* "in stage one, boss queen, phase bloom, 12.3 s after its start; player 1 died 2.0 s earlier" */
+static void say_place(const struct demo *d, uint32_t frame)
+{
+    static const char *const kinds[MARKER_DEATH] = { "stage", "mark", "wave", "boss", "phase" };
+    const struct demo_marker *in[MARKER_KINDS], *last = NULL, *death;
+
+    markers_at(d, frame, in);
+    for (int k = 0; k < MARKER_DEATH; k++) {
+        if (!in[k])
+            continue;
+        report_print("%s %s %s", last ? "," : "  in", kinds[k], in[k]->marker.name);
+        last = !last || in[k]->frame > last->frame ? in[k] : last;
+    }
+    if (last)
+        report_print(", %.1f s after its start", (frame - last->frame) / 60.0);
+    else
+        report_print("  %.1f s after power-on", frame / 60.0);
+    death = in[MARKER_DEATH];
+    if (death)
+        report_print("; player %s died %.1f s earlier", death->marker.name, (frame - death->frame) / 60.0);
+    putchar('\n');
+}
+
+static void say_pads(const struct demo *d, uint32_t frame)
+{
+    static const char *const names[PAD_BUTTON_COUNT] = PAD_BUTTON_NAMES;
+    uint16_t pads[MAX_PLAYERS];
+
+    if (frame == 0)
+        return;
+    demo_pads(d, frame - 1, pads);
+    report_print("  held:");
+    for (int p = 0; p < MAX_PLAYERS; p++) {
+        report_print("%s player %d", p ? ";" : "", p + 1);
+        for (int i = 0; i < PAD_BUTTON_COUNT; i++)
+            if (pads[p] >> i & 1)
+                report_print(" %s", names[i]);
+        if (!pads[p])
+            report_print(" nothing");
+    }
+    putchar('\n');
+}
+
+static void say_trace(const char *text)
+{
+    for (size_t n; *text; text += n + (text[n] == '\n')) {
+        char line[1024];
+        n = strcspn(text, "\n");
+        snprintf(line, sizeof line, "  %.*s", (int)(n < sizeof line - 4 ? n : sizeof line - 4), text);
+        clean_line(line);
+        puts(line);
+    }
+}
+
+static void say_header(const struct demo *d)
+{
+    report_print("  format %u, core version %u, Lua %s, game %016llx, ROM %016llx\n", (unsigned)d->format,
+                 (unsigned)d->core_version, d->lua_release, (unsigned long long)d->game_hash,
+                 (unsigned long long)d->rom_hash);
+    report_print("  seed %llu, difficulty %d, %s%s", (unsigned long long)d->start.seed, (int)d->start.difficulty,
+                 d->start.practice.section[0] ? "from " : "from power-on", d->start.practice.section);
+    if (d->start.lang[0])
+        report_print(", language %s", d->start.lang);
+    for (int i = 0; demo_flag_name(i); i++)
+        report_print("%s%s", d->flags >> i & 1 ? ", " : "", d->flags >> i & 1 ? demo_flag_name(i) : "");
+    report_print("\n  %d parts, %u rows, %u markers\n", d->n_parts, (unsigned)d->n_rows, (unsigned)d->n_markers);
+}
+
+static void say_more(const struct verify *v, const struct verdict *w)
+{
+    const struct board_fault *fault = replay_fault(&v->replay);
+
+    say_header(&v->demo);
+    if (w->kind == VERDICT_HOLDS)
+        return;
+    if (w->kind == VERDICT_DIFFERS)
+        say_hashes(v, w);
+    say_place(&v->demo, w->frame);
+    say_pads(&v->demo, w->frame);
+    if (fault && fault->trace[0])
+        say_trace(fault->trace);
+}
+
+/* ---- demos ---- */
+
+/* All demos count as equally long. */
+static void tell_progress(void *context, uint32_t frame)
+{
+    enum { WHOLE = 1000 };
+    struct verify *v = context;
+    const uint64_t done = v->looked * WHOLE + (uint64_t)frame * WHOLE / v->demo.frames;
+    char of[32] = "";
+
+    if (v->all)
+        snprintf(of, sizeof of, " of %llu", (unsigned long long)v->all);
+    progress_tell(done, v->all * WHOLE, "demo %llu%s, frame %u of %u", (unsigned long long)v->looked + 1, of,
+                  (unsigned)frame, (unsigned)v->demo.frames);
+}
+
+/* Writes the replay as the demo: newest format, this ROM and core version, all checksums and markers. */
+static enum result write_again(struct verify *v, const char *path)
+{
+    char err[1200];
+
+    if (demo_save(&v->again.demo, path, err, sizeof err))
+        return RESULT_DONE;
+    return refuse(v, RESULT_HOST_FAILED, "%s", err);
+}
+
+static enum result tell_json(const struct verify *v, const char *path, const struct verdict *w)
+{
+    char doubt[128];
+    const struct verify_told told = {
+        .path = path,
+        .doubt = demo_replay_warning(&v->demo, &v->game.cart, doubt, sizeof doubt),
+        .cart = &v->game.cart,
+        .demo = &v->demo,
+        .again = &v->again.demo,
+        .replay = &v->replay,
+        .verdict = w,
+    };
+
+    verify_json_told(&told);
+    return w->kind == VERDICT_HOLDS ? RESULT_DONE : RESULT_DIFFERS;
+}
+
+static enum result judge(struct verify *v, const char *path)
+{
+    struct verdict w;
+    char err[512];
+    v->replay.prints = (enum demo_checksum_rate)v->a->prints;
+    bool records = v->a->restamp || v->a->json;
+    enum result result =
+        replay_run(&v->replay, &v->game.cart, &v->demo, records ? &v->again : NULL, &w, err, sizeof err);
+
+    progress_wipe();
+    if (result != RESULT_DONE)
+        return refuse(v, result, "%s: %s", path, err);
+    if (w.kind == VERDICT_HOLDS && v->a->restamp)
+        result = write_again(v, path);
+    if (result != RESULT_DONE)
+        return result;
+    if (v->a->json)
+        return tell_json(v, path, &w);
+    say_verdict(v, path, &w);
+    if (v->a->verbose)
+        say_more(v, &w);
+    return w.kind == VERDICT_HOLDS ? RESULT_DONE : RESULT_DIFFERS;
+}
+
+/* ---- demos of another core version or build, recorded anew ---- */
+
+struct tale { /* what became of a run, for a line */
+    char text[1900];
+    size_t n;
+    bool same; /* all that was told is known to be as it was */
+};
+
+static void tell(struct tale *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+static void tell(struct tale *t, const char *format, ...)
+{
+    va_list args;
+
+    va_start(args, format);
+    int n = vsnprintf(t->text + t->n, sizeof t->text - t->n, format, args);
+    va_end(args);
+    t->n = n < 0 ? t->n : t->n + (size_t)n < sizeof t->text ? t->n + (size_t)n : sizeof t->text - 1;
+}
+
+/* "1200", and of a second player who has any "1200 and 300". */
+static void points_text(const int64_t points[MAX_PLAYERS], char *out, size_t size)
+{
+    int n = snprintf(out, size, "%" PRId64, points[0]);
+
+    if (points[1])
+        snprintf(out + n, size - (size_t)n, " and %" PRId64, points[1]);
+}
+
+static bool points_of(const struct demo *d, int64_t points[MAX_PLAYERS])
+{
+    return demo_points(d, 0, &points[0]) && demo_points(d, 1, &points[1]);
+}
+
+/* The score in the end. Demos of old programs do not tell it, so it is known as long as the hashes of the part that has
+ * it are the same. */
+static void tell_points(const struct verify *v, const struct rerun *o, struct tale *t)
+{
+    uint32_t last = v->demo.frames - (v->demo.fault && v->demo.frames);
+    int64_t was[MAX_PLAYERS], is[MAX_PLAYERS];
+    char before[48], now[48];
+
+    for (int p = 0; p < MAX_PLAYERS; p++)
+        is[p] = board_points(v->replay.guard.board, p);
+    points_text(is, now, sizeof now);
+    bool told = points_of(&v->demo, was);
+    if (told ? memcmp(was, is, sizeof was) == 0 : o->held && o->alike >= last) {
+        tell(t, "; score %s unchanged", now);
+        return;
+    }
+    t->same = false;
+    points_text(told ? was : o->points, before, sizeof before);
+    if (told)
+        tell(t, "; score %s -> %s", before, now);
+    else if (o->held)
+        tell(t, "; recorded score unknown -> %s (known up to frame %u: %s)", now, (unsigned)o->alike, before);
+    else
+        tell(t, "; recorded score unknown -> %s", now);
+}
+
+enum { MARKERS_TOLD = 4 }; /* on the line; --verbose prints all */
+
+static void tell_markers(const struct verify *v, const struct marker_changes *c, struct tale *t)
+{
+    char text[96];
+
+    if (v->demo.format < 3) {
+        tell(t, "; recorded markers unknown");
+        t->same = false;
+        return;
+    }
+    t->same &= c->n == 0;
+    tell(t, c->n ? "; markers: " : "; markers unchanged");
+    for (uint32_t i = 0; i < c->n && i < MARKERS_TOLD; i++) {
+        markers_format_change(&c->list[i], text, sizeof text);
+        tell(t, "%s%s", i ? ", " : "", text);
+    }
+    if (c->n > MARKERS_TOLD)
+        tell(t, " and %u more", (unsigned)c->n - MARKERS_TOLD);
+}
+
+static void tell_end(const struct verify *v, const struct rerun *o, struct tale *t)
+{
+    if (o->end.kind == VERDICT_NO_FAULT) {
+        t->same = false;
+        if (o->first.kind != VERDICT_NO_FAULT) /* else it stands in front */
+            tell(t, "; the recorded fault does not occur");
+    }
+    tell(t, "; length %u unchanged", (unsigned)v->demo.frames);
+}
+
+/* The file has been written. */
+static enum result say_again(const struct verify *v, const char *path, const struct rerun *o)
+{
+    struct tale t = { .same = true };
+    struct marker_changes c;
+    char text[1400];
+
+    if (!markers_compare(&c, &v->demo, &v->again.demo)) {
+        free(c.list);
+        return refuse(v, RESULT_HOST_FAILED, "%s: out of memory", path);
+    }
+    replay_text(&v->replay, &v->demo, &o->first, text, sizeof text);
+    tell(&t, "rerecorded: %s", text);
+    if (o->first.kind != VERDICT_HOLDS) {
+        tell_points(v, o, &t);
+        tell_markers(v, &c, &t);
+        tell_end(v, o, &t);
+    }
+    say(v, path, "%s", t.text);
+    for (uint32_t i = 0; v->a->verbose && v->demo.format >= 3 && i < c.n; i++) {
+        markers_format_change(&c.list[i], text, sizeof text);
+        report_print("  %s\n", text);
+    }
+    free(c.list);
+    return t.same ? RESULT_DONE : RESULT_DIFFERS;
+}
+
+/* Why a replay that differs is not the run on today's core; NULL: it is. */
+static const char *no_rerun(const struct verify *v, const struct rerun *o)
+{
+    if (!v->doubt[0])
+        return "it was recorded with this build";
+    if (v->demo.flags & DEMO_TOUCHED)
+        return "the board was changed from outside, which a demo does not record";
+    return o->end.kind == VERDICT_FAULT ? "the rest of the run would be lost" : NULL;
+}
+
+static enum result leave_alone(const struct verify *v, const char *path, const struct rerun *o, const char *why)
+{
+    char text[1400];
+
+    replay_text(&v->replay, &v->demo, o->end.kind == VERDICT_FAULT ? &o->end : &o->first, text, sizeof text);
+    if (o->end.frame != v->demo.frames)
+        say(v, path, "%s; length %u -> %u; not rerecorded: %s", text, (unsigned)v->demo.frames, (unsigned)o->end.frame,
+            why);
+    else
+        say(v, path, "%s; not rerecorded: %s", text, why);
+    return RESULT_REFUSED;
+}
+
+static enum result rerecord(struct verify *v, const char *path)
+{
+    struct rerun o;
+    char err[512];
+
+    v->replay.prints = (enum demo_checksum_rate)v->a->prints;
+    enum result result = replay_whole(&v->replay, &v->game.cart, &v->demo, &v->again, &o, err, sizeof err);
+
+    progress_wipe();
+    if (result != RESULT_DONE)
+        return refuse(v, result, "%s: %s", path, err);
+    const char *why = o.first.kind == VERDICT_HOLDS ? NULL : no_rerun(v, &o);
+    if (why)
+        return leave_alone(v, path, &o, why);
+    result = write_again(v, path);
+    return result == RESULT_DONE ? say_again(v, path, &o) : result;
+}
+
+static enum result verify_loaded(struct verify *v, const char *path)
+{
+    char err[512], doubt[128];
+
+    if (!demo_check_cart(&v->demo, &v->game.cart, err, sizeof err))
+        return refuse(v, RESULT_REFUSED, "%s: %s", path, err);
+    if (!v->demo.complete)
+        return refuse(v, RESULT_REFUSED, "%s: truncated: %u frames and no end mark", path, (unsigned)v->demo.frames);
+    v->doubt[0] = 0;
+    if (demo_replay_warning(&v->demo, &v->game.cart, doubt, sizeof doubt))
+        snprintf(v->doubt, sizeof v->doubt, " (%s)", doubt);
+    return v->a->rerecord ? rerecord(v, path) : judge(v, path);
+}
+
+static enum result verify_demo(struct verify *v, const char *path)
+{
+    char err[1200];
+    enum result result;
+
+    v->path = path;
+    if (demo_load(&v->demo, path, err, sizeof err))
+        result = verify_loaded(v, path);
+    else
+        result = refuse(v, result_take_cause(), "%s", err);
+    demo_free(&v->again.demo);
+    demo_free(&v->demo);
+    fflush(stdout);
+    v->looked++;
+    return result;
+}
+
+/* ---- names ---- */
+
+/* The next name of standard input, up to a newline (and a carriage return before it) or with --null a NUL; empty ones
+ * are passed over. False: there are no more. One too long for a path is cut, and *whole false. */
+static bool next_name(char name[DEMO_PATH_SIZE], bool null, bool *whole)
+{
+    int end = null ? 0 : '\n', c = 0;
+    size_t n = 0;
+
+    *whole = true;
+    while (n == 0 && c != EOF) {
+        for (c = getchar(); c != EOF && c != end; c = getchar()) {
+            if (n < DEMO_PATH_SIZE - 1)
+                name[n++] = (char)c;
+            else
+                *whole = false;
+        }
+        if (!null && n && name[n - 1] == '\r')
+            n--;
+    }
+    name[n] = 0;
+    return n > 0;
+}
+
+static enum result verify_stdin(struct verify *v)
+{
+    char name[DEMO_PATH_SIZE];
+    enum result worst = RESULT_DONE;
+    bool whole, first = true;
+
+    v->batch = true;
+    while (next_name(name, v->a->null, &whole)) {
+        size_t n = strlen(name);
+        if (first)
+            files_strip_bom(name, &n);
+        first = false;
+        plat_normalize_slashes(name);
+        v->path = name;
+        enum result result = whole ? verify_demo(v, name) : refuse(v, RESULT_REFUSED, "%s: name too long", name);
+        worst = result > worst ? result : worst;
+    }
+    return worst;
+}
+
+static enum result verify_words(struct verify *v)
+{
+    enum result worst = RESULT_DONE;
+
+    for (int i = 1; i < v->a->n_words; i++) {
+        enum result result = verify_demo(v, v->a->words[i]);
+        worst = result > worst ? result : worst;
+    }
+    return worst;
+}
+
+static enum result verify_all(struct verify *v, const struct args *a)
+{
+    char err[1024];
+    bool listed = a->n_words == 2 && strcmp(a->words[1], "-") == 0;
+
+    v->a = a;
+    v->all = listed ? 0 : (uint64_t)a->n_words - 1;
+    v->replay.ticked = tell_progress;
+    v->replay.context = v;
+    if (a->null && !listed)
+        return report_line(RESULT_REFUSED, "--null works only with names from standard input: verify ROM -");
+    if (!game_open(&v->game, a->words[0], a, err, sizeof err))
+        return report_error(err);
+    progress_begin();
+    enum result result = listed ? verify_stdin(v) : verify_words(v);
+    progress_end();
+    replay_close(&v->replay);
+    game_close(&v->game);
+    return report_stdout(result);
+}
+
+enum result verify_run(const struct args *a)
+{
+    if (a->bisect)
+        return report_line(RESULT_REFUSED, "verify: --bisect is not available in curtain-player; use curtain");
+    struct verify *v = calloc(1, sizeof *v); /* large for a stack */
+    enum result result = v ? verify_all(v, a) : report_line(RESULT_HOST_FAILED, "out of memory");
+    free(v);
+    return result;
+}

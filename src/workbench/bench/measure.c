@@ -1,0 +1,453 @@
+/*
+ * measure.c - see measure.h.
+ *
+ * The clock is read before a tick (the guard's own work is not the game's), by the board at the end of each of the
+ * tick's phases, and after the picture and the sound. Which section a frame is of, the markers of its tick say.
+ */
+#include "measure.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../../platform/platform.h"
+#include "../../common/clock.h"
+#include "../../common/progress.h"
+#include "../../common/report.h"
+#include "../../player/picture/shade.h"
+#include "../../player/run/guard.h"
+#include "sweep.h"
+#include "../../common/array.h"
+
+enum {
+    COUNTING = 2,   /* a frame whose instructions are counted takes about as long as so many that are timed */
+    GUESS = 3600,   /* frames of a run that nobody knows the length of */
+    TELL_EVERY = 16 /* frames between two looks at whether progress is to be told */
+};
+
+/* Microseconds of one frame in one round. */
+struct times {
+    uint32_t tick, draw, sound;
+};
+
+struct player {
+    struct measure *m;
+    const struct measure_run *run;
+    struct guard guard;
+    struct fb fb;
+    struct view view;
+    struct shade_kept shades;
+    void *memory, *scratch, *sounds; /* sounds: NULL: the game is silent */
+    uint32_t rgb[256];
+    int16_t heard[2 * BOARD_SOUND_FRAMES];
+    uint64_t began, last; /* usec: the tick, and what was timed last */
+    uint64_t phase[PHASES];
+
+    /* of each frame, from the first round on */
+    uint32_t frames;
+    uint16_t *section;
+    struct times *times[MEASURE_ROUNDS];
+    uint64_t hash; /* of the run's end */
+};
+
+/* ---- sections ---- */
+
+static int find(const struct measure *m, const char *name)
+{
+    for (int i = 0; i < m->n; i++)
+        if (strcmp(m->section[i].name, name) == 0)
+            return i;
+    return -1;
+}
+
+static int find_or_add(struct measure *m, const char *name)
+{
+    const int i = find(m, name);
+
+    if (i >= 0 || m->n == MEASURE_SECTIONS)
+        return i < 0 ? 0 : i;
+    snprintf(m->section[m->n].name, MEASURE_NAME, "%s", name);
+    return m->n++;
+}
+
+/* Where a run is: in a stage, or in a phase of a boss, perhaps of one. */
+struct place {
+    char stage[MEASURE_NAME], phase[MEASURE_NAME];
+};
+
+static void hear(struct place *p, const struct board_marker *k)
+{
+    switch (k->kind) {
+    case MARKER_STAGE:
+        *p = (struct place){ 0 };
+        snprintf(p->stage, sizeof p->stage, "%s", k->name);
+        break;
+    case MARKER_PHASE:
+        snprintf(p->phase, sizeof p->phase, "%s/%s", k->parent, k->name);
+        break;
+    case MARKER_WON:
+    case MARKER_LOST:
+        p->phase[0] = 0;
+        break;
+    case MARKER_CLEAR:
+    case MARKER_GAME:
+    case MARKER_OVER:
+        *p = (struct place){ 0 };
+        break;
+    default:
+        break;
+    }
+}
+
+static int where(struct measure *m, struct place *p, const struct board_out *out)
+{
+    for (int i = 0; i < out->marker_count; i++)
+        hear(p, &out->marker[i]);
+    return find_or_add(m, p->phase[0] ? p->phase : p->stage);
+}
+
+/* ---- one frame ---- */
+
+static void tick_begins(void *context)
+{
+    struct player *p = context;
+
+    p->began = p->last = plat_usec();
+}
+
+static void phase_ends(void *context, enum board_phase phase)
+{
+    struct player *p = context;
+
+    p->phase[phase] += clock_lap(&p->last);
+}
+
+static const struct board_out *timed_tick(struct player *p, const uint16_t pads[MAX_PLAYERS], struct times *t)
+{
+    board_set_phase_callback(p->guard.board, phase_ends, p);
+    const struct board_out *out = guard_tick(&p->guard, pads);
+    *t = (struct times){ .tick = (uint32_t)(p->last - p->began) };
+    if (out->fault)
+        return out;
+    p->last = plat_usec();
+    board_draw(p->guard.board, &p->view, &p->fb, p->rgb, p->scratch);
+    t->draw = (uint32_t)clock_lap(&p->last);
+    if (p->sounds)
+        board_mix_sound(p->guard.board, p->sounds, p->heard);
+    t->sound = (uint32_t)clock_lap(&p->last);
+    return out;
+}
+
+/* ---- a round ---- */
+
+static void press(const struct player *p, uint32_t frame, uint16_t pads[MAX_PLAYERS])
+{
+    if (p->run->demo)
+        demo_pads(p->run->demo, frame, pads);
+    else
+        sweep_pads(frame, pads);
+}
+
+static bool begin(struct player *p)
+{
+    char err[512];
+
+    if (!guard_again(&p->guard, &p->run->start, err, sizeof err)) {
+        report_line(RESULT_REFUSED, "%s: %s", p->run->name, err);
+        return false;
+    }
+    return true;
+}
+
+static enum result faulted(const struct player *p)
+{
+    return report_line(RESULT_REFUSED, "%s: frame %u: %s", p->run->name, (unsigned)board_frame(p->guard.board),
+                       board_last_output(p->guard.board)->fault->message);
+}
+
+static void tell(struct player *p, uint32_t frame, const char *what)
+{
+    struct measure *m = p->m;
+
+    if (frame % TELL_EVERY == 0)
+        progress_tell(m->done, m->planned, "%s: %s", p->run->name, what);
+}
+
+static bool make_room(struct player *p)
+{
+    bool good = array_append(&p->section, p->frames, sizeof *p->section) != NULL;
+
+    for (int r = 0; r < MEASURE_ROUNDS; r++)
+        good = array_append(&p->times[r], p->frames, sizeof *p->times[r]) && good;
+    return good;
+}
+
+static uint32_t most_of(const struct measure_run *run)
+{
+    return run->most ? run->most : run->demo ? run->demo->frames : SWEEP_FRAMES;
+}
+
+/* The run from its power-on to its end, which the first round finds. */
+static enum result first_round(struct player *p)
+{
+    const uint32_t most = most_of(p->run);
+    const struct board_out *out = board_last_output(p->guard.board);
+    struct place place = { 0 };
+    uint16_t pads[MAX_PLAYERS];
+    bool over = out->fault != NULL;
+
+    for (uint32_t f = 0; f < most && !over; f++) {
+        if (!make_room(p))
+            return report_line(RESULT_HOST_FAILED, "out of memory");
+        press(p, f, pads);
+        out = timed_tick(p, pads, &p->times[0][f]);
+        p->section[f] = (uint16_t)where(p->m, &place, out);
+        p->frames++;
+        p->m->done++;
+        tell(p, f, "timing");
+        over = out->fault || (!p->run->demo && sweep_over(p->run->kind, out));
+    }
+    p->hash = board_hash(p->guard.board);
+    /* a demo may have been recorded up to a fault; what came before is measured */
+    return out->fault && (!p->run->demo || p->frames < most) ? faulted(p) : RESULT_DONE;
+}
+
+static enum result next_round(struct player *p, int round)
+{
+    uint16_t pads[MAX_PLAYERS];
+
+    for (uint32_t f = 0; f < p->frames; f++) {
+        press(p, f, pads);
+        timed_tick(p, pads, &p->times[round][f]);
+        p->m->done++;
+        tell(p, f, "timing");
+    }
+    return RESULT_DONE;
+}
+
+static void note_rooms(struct measure *m, const struct board *b)
+{
+    struct inspect_gauge now[MAX_PARTS];
+
+    m->parts = inspect_gauges(b, now);
+    for (int i = 0; i < m->parts; i++) {
+        struct inspect_gauge *most = &m->most[i];
+        const struct inspect_gauge was = *most;
+        *most = now[i];
+        most->live = was.live > now[i].live ? was.live : now[i].live;
+        most->high = was.high > now[i].high ? was.high : now[i].high;
+        most->refused = was.refused > now[i].refused ? was.refused : now[i].refused;
+    }
+    m->lua_peak = m->lua_peak > board_lua_peak(b) ? m->lua_peak : board_lua_peak(b);
+}
+
+/* Nothing is timed, so that counting may take as long as it likes. */
+static enum result count_round(struct player *p)
+{
+    struct profile *profile = &p->m->profile;
+    const struct board_out *out = board_last_output(p->guard.board);
+    uint16_t pads[MAX_PLAYERS];
+
+    board_set_profile(p->guard.board, profile);
+    for (uint32_t f = 0; f < p->frames && !out->fault; f++) {
+        const uint64_t before = profile_work(&profile->total);
+        press(p, f, pads);
+        out = board_tick(p->guard.board, pads);
+        p->m->section[p->section[f]].lua += profile_work(&profile->total) - before;
+        note_rooms(p->m, p->guard.board);
+        p->m->done += COUNTING;
+        tell(p, f, "counting Lua instructions");
+    }
+    board_set_profile(p->guard.board, NULL);
+    return RESULT_DONE;
+}
+
+/* ---- all rounds ---- */
+
+static uint32_t least(uint32_t a, uint32_t b)
+{
+    return a < b ? a : b;
+}
+
+static struct times least_of(const struct player *p, uint32_t f)
+{
+    struct times t = p->times[0][f];
+
+    for (int r = 1; r < MEASURE_ROUNDS; r++) {
+        t.tick = least(t.tick, p->times[r][f].tick);
+        t.draw = least(t.draw, p->times[r][f].draw);
+        t.sound = least(t.sound, p->times[r][f].sound);
+    }
+    return t;
+}
+
+static bool add_frame(struct measure_section *s, const struct times *t, const char *in, uint32_t at)
+{
+    const uint32_t cost = t->tick + t->draw + t->sound;
+
+    if (!array_append(&s->frame, s->frames, sizeof *s->frame))
+        return false;
+    s->frame[s->frames++] = cost;
+    s->tick += t->tick;
+    s->draw += t->draw;
+    s->sound += t->sound;
+    if (cost > s->worst || !s->in) {
+        s->worst = cost;
+        s->at = at;
+        s->in = in;
+    }
+    return true;
+}
+
+static bool add_all(struct player *p)
+{
+    for (uint32_t f = 0; f < p->frames; f++) {
+        const struct times t = least_of(p, f);
+        if (!add_frame(&p->m->section[p->section[f]], &t, p->run->name, f + 1) ||
+            !add_frame(&p->m->all, &t, p->run->name, f + 1))
+            return false;
+    }
+    for (int i = 0; i < PHASES; i++)
+        p->m->all.phase[i] += p->phase[i] / MEASURE_ROUNDS;
+    return true;
+}
+
+static enum result all_rounds(struct player *p)
+{
+    enum result result = first_round(p);
+
+    for (int r = 1; r <= MEASURE_ROUNDS && result == RESULT_DONE; r++) {
+        if (!begin(p))
+            return RESULT_REFUSED;
+        result = r < MEASURE_ROUNDS ? next_round(p, r) : count_round(p);
+        if (result == RESULT_DONE && board_hash(p->guard.board) != p->hash)
+            result = report_line(RESULT_HOST_FAILED, "%s: two runs with the same input differ", p->run->name);
+    }
+    if (result == RESULT_DONE && !add_all(p))
+        return report_line(RESULT_HOST_FAILED, "out of memory");
+    return result;
+}
+
+static bool open_player(struct player *p)
+{
+    const struct board *b = p->guard.board;
+    int w, h;
+
+    board_screen_size(b, &w, &h);
+    p->memory = malloc(fb_size(w, h));
+    p->scratch = malloc(board_scratch_size(b) + 1);
+    p->sounds = board_has_sound(b) ? malloc(board_sound_tables_size()) : NULL;
+    if (!p->memory || !p->scratch || (board_has_sound(b) && !p->sounds))
+        return false;
+    fb_init(&p->fb, p->memory, w, h);
+    p->view = (struct view){ .shades = shade_for(&p->shades, p->m->cart) };
+    if (p->sounds)
+        board_sound_init_tables(p->sounds);
+    p->guard.before = tick_begins;
+    p->guard.context = p;
+    return true;
+}
+
+static void close_player(struct player *p)
+{
+    guard_close(&p->guard);
+    free(p->memory);
+    free(p->scratch);
+    free(p->sounds);
+    free(p->section);
+    for (int r = 0; r < MEASURE_ROUNDS; r++)
+        free(p->times[r]);
+    free(p);
+}
+
+static uint64_t plan_of(const struct measure_run *run)
+{
+    return (uint64_t)(MEASURE_ROUNDS + COUNTING) * (run->demo || run->most ? most_of(run) : GUESS);
+}
+
+void measure_plan(struct measure *m, const struct measure_run *run)
+{
+    m->planned += plan_of(run);
+}
+
+enum result measure_add(struct measure *m, const struct measure_run *run)
+{
+    struct player *p = calloc(1, sizeof *p);
+    const uint64_t done = m->done + plan_of(run);
+    enum result result;
+    char err[512];
+
+    if (!p)
+        return report_line(RESULT_HOST_FAILED, "out of memory");
+    p->m = m;
+    p->run = run;
+    if (!guard_power(&p->guard, m->rom, &run->start, err, sizeof err))
+        result = report_line(RESULT_REFUSED, "%s: %s", run->name, err);
+    else
+        result = open_player(p) ? all_rounds(p) : report_line(RESULT_HOST_FAILED, "out of memory");
+    m->runs += result == RESULT_DONE;
+    m->done = done;
+    close_player(p);
+    return result;
+}
+
+/* ---- what came of it ---- */
+
+void measure_open(struct measure *m, const struct cart *cart)
+{
+    memset(m, 0, sizeof *m);
+    m->rom = cart->rom;
+    m->cart = cart;
+    m->n = 1;
+}
+
+bool measure_has(const struct measure *m, const char *name)
+{
+    return find(m, name) >= 0;
+}
+
+static int ascending(const void *a, const void *b)
+{
+    const uint32_t x = *(const uint32_t *)a, y = *(const uint32_t *)b;
+
+    return (x > y) - (x < y);
+}
+
+void measure_end(struct measure *m)
+{
+    for (int i = 0; i < m->n; i++) {
+        struct measure_section *s = &m->section[i];
+        if (s->frames)
+            qsort(s->frame, s->frames, sizeof *s->frame, ascending);
+        m->all.lua += s->lua;
+    }
+    if (m->all.frames)
+        qsort(m->all.frame, m->all.frames, sizeof *m->all.frame, ascending);
+}
+
+uint32_t measure_most(const struct measure_section *s, int percent)
+{
+    const uint64_t i = ((uint64_t)s->frames * (uint64_t)percent + 99) / 100;
+
+    return s->frames ? s->frame[i ? i - 1 : 0] : 0;
+}
+
+uint32_t measure_over(const struct measure_section *s, uint64_t limit)
+{
+    uint32_t low = 0, high = s->frames;
+
+    while (low < high) {
+        const uint32_t i = low + (high - low) / 2;
+        if (s->frame[i] > limit)
+            high = i;
+        else
+            low = i + 1;
+    }
+    return s->frames - low;
+}
+
+void measure_close(struct measure *m)
+{
+    for (int i = 0; i < m->n; i++)
+        free(m->section[i].frame);
+    free(m->all.frame);
+}

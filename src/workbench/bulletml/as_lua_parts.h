@@ -1,0 +1,44 @@
+/*
+ * as_lua_parts.h - what the files of `curtain bulletml --lua` share: as_lua.c (elements), as_lua_value.c (numbers),
+ * as_lua_motion.c (motion programs), as_lua_head.c (the first lines), as_lua_helpers.c (functions that the script
+ * brings along).
+ */
+#ifndef WORKBENCH_AS_LUA_PARTS_H
+#define WORKBENCH_AS_LUA_PARTS_H
+
+#include "../../common/prose.h"
+#include "document.h"
+
+struct lua_writer {
+    const struct document *d;
+    struct prose body;
+    int indent; /* steps of two blanks */
+    int depth;  /* of functions in one another: their names have numbers */
+};
+
+/* A number as an expression of Lua; `add` is added to it. tight: in parentheses, if it is more than one word. */
+void as_lua_value(struct prose *t, const struct document_node *node, double add, bool tight);
+
+/* The same as a whole number of frames or times, at least `least`. */
+void as_lua_count(struct prose *t, const struct document_node *node, int least);
+
+/* A number, as short as it can be said. */
+void as_lua_number(struct prose *t, double v);
+
+/* Is it the same for all bullets of a run: neither drawn by chance nor a parameter? */
+bool as_lua_fixed(const struct document_node *node);
+
+/* Degrees to add to an absolute direction of a document, whose 0 is up, or left in a horizontal document. */
+double as_lua_up(const struct document *d);
+
+/* Adds the steps of a motion program that does what a bullet's actions do, "{ wait = 30 }, { speed = 2 }"; false, and
+ * nothing: a program cannot do that. */
+bool as_lua_motion(struct prose *t, const struct document *d, int32_t bullet);
+
+/* Adds those of the functions that the script brings along which the text calls, and which these call. */
+void as_lua_helpers(struct prose *t, const char *body);
+
+/* The first lines of a script with that body. */
+void as_lua_head(struct prose *t, const struct document *d, const char *file, const char *body);
+
+#endif

@@ -1,0 +1,488 @@
+/*
+ * capture.c - see capture.h.
+ *
+ * A run is gone through once; twice for a film with sound that another program makes (which wants the sound first), and
+ * for an APNG whose colours turn out to be too many for indices. The second run is the same as the first one.
+ */
+#include "capture.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../../platform/platform.h"
+#include "apng.h"
+#include "../../player/clip/gif.h"
+#include "y4m.h"
+#include "../../common/files.h"
+#include "../../common/progress.h"
+#include "../../common/report.h"
+#include "../../player/settings/views.h"
+#include "../../player/picture/png.h"
+#include "../../common/output_paths.h"
+#include "../../player/picture/shade.h"
+#include "../../player/speaker/tape.h"
+#include "../render/headless_run.h"
+
+enum format { GIF, APNG, Y4M, WAV, MP4, WEBM, FORMATS };
+
+enum { CAPTURE_FRAMES = 600 /* without a demo or --frames */ };
+
+struct capture {
+    const struct args *a;
+    enum format format;
+    bool to_stdout;
+    uint32_t first, last;
+    struct headless_run run;
+    struct tape tape;
+    struct fb fb;
+    struct view view;
+    struct shade_kept shades;
+    void *memory, *scratch;
+    uint8_t *pix; /* the picture, scaled */
+    int w, h;     /* and its size */
+    uint32_t rgb[256];
+    uint32_t pictures; /* so far */
+    struct gif gif;
+    struct apng apng;
+    FILE *stream; /* of y4m, to a file or another program */
+};
+
+static const struct {
+    const char *name, *ending;
+} formats[FORMATS] = { { "gif", ".gif" }, { "apng", ".apng" }, { "y4m", ".y4m" },
+                       { "wav", ".wav" }, { "mp4", ".mp4" },   { "webm", ".webm" } };
+
+/* ---- what is asked for ---- */
+
+static bool ends_in(const char *path, const char *ending)
+{
+    const size_t n = strlen(path), m = strlen(ending);
+
+    return n >= m && strcmp(path + n - m, ending) == 0;
+}
+
+static enum format find_format(const struct args *a)
+{
+    for (int i = 0; i < FORMATS; i++)
+        if (a->format ? strcmp(a->format, formats[i].name) == 0 : ends_in(a->out, formats[i].ending))
+            return (enum format)i;
+    return !a->format && ends_in(a->out, ".png") ? APNG : FORMATS;
+}
+
+static bool through_ffmpeg(const struct capture *c)
+{
+    return c->format == MP4 || c->format == WEBM;
+}
+
+static enum result refuse_format(const char *got)
+{
+    const char *words[FORMATS + 1] = { NULL };
+    char list[128];
+
+    for (int i = 0; i < FORMATS; i++)
+        words[i] = formats[i].name;
+    views_list(words, list, sizeof list);
+    return report_line(RESULT_REFUSED, "--format: expected %s, got \"%s\"", list, got);
+}
+
+static enum result check_format(struct capture *c)
+{
+    const struct args *a = c->a;
+
+    if (!a->out)
+        return report_line(RESULT_REFUSED, "capture needs -o (see curtain help capture)");
+    c->to_stdout = strcmp(a->out, "-") == 0;
+    c->format = find_format(a);
+    if (c->format == FORMATS && a->format)
+        return refuse_format(a->format);
+    if (c->format == FORMATS && c->to_stdout)
+        return report_line(RESULT_REFUSED, "-o - needs --format: standard output has no file extension");
+    if (c->format == FORMATS)
+        return report_line(RESULT_REFUSED,
+                           "-o: expected a name that ends in .gif, .apng, .png, .y4m, .wav, .mp4 or .webm, got \"%s\" "
+                           "(or use --format)",
+                           a->out);
+    if (through_ffmpeg(c) && c->to_stdout)
+        return report_line(RESULT_REFUSED, "-o - cannot be combined with %s, which is written to a file",
+                           formats[c->format].name);
+    if (c->format == WAV && (a->scale || a->faster))
+        return report_line(RESULT_REFUSED, "%s cannot be combined with WAV, which has no picture",
+                           a->scale ? "--scale" : "--speed");
+    if (through_ffmpeg(c) && !plat_has_command("ffmpeg"))
+        return report_line(RESULT_HOST_FAILED,
+                           "%s needs ffmpeg, which is not installed; install it, or write a .gif, .png or .y4m",
+                           formats[c->format].name);
+    return RESULT_DONE;
+}
+
+static enum result check_frames(const struct args *a)
+{
+    if (a->n_spans > 1 || (a->n_spans == 1 && a->spans[0].step != 1))
+        return report_line(RESULT_REFUSED,
+                           "--frames: capture takes one range, as in 60:600 (use --speed to change the speed)");
+    return RESULT_DONE;
+}
+
+/* ---- a run ---- */
+
+static enum result pictures_open(struct capture *c)
+{
+    const struct board *b = c->run.guard.board;
+    const int scale = c->a->scale ? c->a->scale : 1;
+    int w, h;
+
+    board_screen_size(b, &w, &h);
+    c->w = w * scale;
+    c->h = h * scale;
+    c->memory = malloc(fb_size(w, h));
+    c->scratch = malloc(board_scratch_size(b) + 1);
+    c->pix = malloc((size_t)c->w * (size_t)c->h);
+    if (!c->memory || !c->scratch || !c->pix)
+        return report_line(RESULT_HOST_FAILED, "out of memory");
+    fb_init(&c->fb, c->memory, w, h);
+    c->view = (struct view){ .dim = (enum view_dim)c->a->dim,
+                             .softens_flashes = c->a->flashes,
+                             .colour_blind_mode = (enum colour_blind_mode)c->a->colours,
+                             .shades = shade_for(&c->shades, &c->run.game.cart) };
+    return RESULT_DONE;
+}
+
+static void run_close(struct capture *c)
+{
+    free(c->memory);
+    free(c->scratch);
+    free(c->pix);
+    c->memory = c->scratch = c->pix = NULL;
+    c->pictures = 0;
+}
+
+static void enlarge(const struct capture *c)
+{
+    const int scale = c->w / c->fb.w;
+    uint8_t *to = c->pix;
+
+    for (int y = 0; y < c->h; y++) {
+        const uint8_t *from = c->fb.pix + (ptrdiff_t)(y / scale) * c->fb.pitch;
+        if (y % scale) {
+            memcpy(to, to - c->w, (size_t)c->w);
+            to += c->w;
+            continue;
+        }
+        for (int x = 0; x < c->fb.w; x++, to += scale)
+            memset(to, from[x], (size_t)scale);
+    }
+}
+
+/* The frame of picture k, counted from the first one. */
+static uint64_t frame_of(const struct capture *c, uint32_t k)
+{
+    const uint64_t rate = c->format == GIF ? GIF_RATE : APNG_SECOND;
+    const uint64_t faster = c->a->faster ? (uint64_t)c->a->faster : 1,
+                   slower = c->a->slower ? (uint64_t)c->a->slower : 1;
+
+    return k * 60 * faster / (rate * slower);
+}
+
+static uint32_t time_of(const struct capture *c, uint32_t k)
+{
+    return c->format == GIF ? k * (GIF_SECOND / GIF_RATE) : k;
+}
+
+static void add_picture(struct capture *c)
+{
+    const uint32_t at = time_of(c, c->pictures);
+
+    if (c->format == GIF)
+        gif_add(&c->gif, c->pix, c->rgb, at);
+    else if (c->format == APNG)
+        apng_add(&c->apng, c->pix, c->rgb, at);
+    else
+        y4m_picture(c->stream, c->pix, c->rgb, c->w, c->h);
+    c->pictures++;
+}
+
+/* All pictures of the frame that the board is at. */
+static void add_frame(struct capture *c, uint32_t frame)
+{
+    const uint64_t from_first = frame - c->first;
+    bool drawn = false;
+
+    for (; frame_of(c, c->pictures) == from_first; add_picture(c)) {
+        if (drawn)
+            continue;
+        board_draw(c->run.guard.board, &c->view, &c->fb, c->rgb, c->scratch);
+        enlarge(c);
+        drawn = true;
+    }
+}
+
+static bool failed(const struct capture *c)
+{
+    return c->gif.out.failed || c->apng.out.failed || c->apng.too_many || c->tape.failed ||
+           (c->stream && ferror(c->stream));
+}
+
+/* From power-on to the last frame. */
+static enum result go_through(struct capture *c, bool sound)
+{
+    enum result result = RESULT_DONE;
+
+    progress_begin();
+    for (uint32_t f = 0;; f++) {
+        if (f >= c->first && !sound)
+            add_frame(c, f);
+        else if (f >= c->first && (f > 0 || through_ffmpeg(c)))
+            tape_add(&c->tape, c->run.guard.board);
+        if (f == c->last || result != RESULT_DONE || failed(c))
+            break;
+        progress_tell(f + 1, (uint64_t)c->last + 1, "frame %u of %u", (unsigned)f, (unsigned)c->last);
+        result = headless_run_tick(&c->run);
+        if (result != RESULT_DONE)
+            break;
+    }
+    progress_end();
+    return result;
+}
+
+/* ---- where it goes ---- */
+
+static enum result write_out(const struct capture *c, const uint8_t *bytes, size_t n)
+{
+    char err[FILES_ERR_SIZE];
+
+    if (!c->to_stdout)
+        return files_save(c->a->out, bytes, n, err, sizeof err) ? RESULT_DONE
+                                                                : report_line(RESULT_HOST_FAILED, "%s", err);
+    fwrite(bytes, 1, n, stdout);
+    return report_stdout(RESULT_DONE);
+}
+
+static enum result no_memory(const struct capture *c)
+{
+    return report_line(RESULT_HOST_FAILED, "%s: out of memory, or larger than 1 GiB", c->a->out);
+}
+
+/* Of two results the worse one that was told first. */
+static enum result first_of(enum result run, enum result rest)
+{
+    return run == RESULT_DONE ? rest : run;
+}
+
+static enum result again(struct capture *c)
+{
+    run_close(c);
+    headless_run_close(&c->run, RESULT_DONE);
+    enum result result = headless_run_again(&c->run, c->a);
+    return result == RESULT_DONE ? pictures_open(c) : result;
+}
+
+static enum result shoot_gif(struct capture *c)
+{
+    if (!gif_open(&c->gif, c->w, c->h))
+        return no_memory(c);
+    enum result result = go_through(c, false);
+    if (c->pictures == 0)
+        return result;
+    if (!gif_end(&c->gif, time_of(c, c->pictures)))
+        return no_memory(c);
+    return first_of(result, write_out(c, c->gif.out.bytes, c->gif.out.n));
+}
+
+static enum result shoot_apng(struct capture *c)
+{
+    if (!apng_open(&c->apng, c->w, c->h, false))
+        return no_memory(c);
+    enum result result = go_through(c, false);
+    if (c->apng.too_many) {
+        apng_close(&c->apng);
+        result = again(c);
+        if (result == RESULT_DONE && !apng_open(&c->apng, c->w, c->h, true))
+            return no_memory(c);
+        result = result == RESULT_DONE ? go_through(c, false) : result;
+    }
+    if (c->pictures == 0)
+        return result;
+    if (!apng_end(&c->apng, time_of(c, c->pictures)))
+        return no_memory(c);
+    return first_of(result, write_out(c, c->apng.out.bytes, c->apng.out.n));
+}
+
+static enum result shoot_wav(struct capture *c)
+{
+    if (!tape_open(&c->tape))
+        return no_memory(c);
+    enum result result = go_through(c, true);
+    if (!tape_end(&c->tape))
+        return no_memory(c);
+    return first_of(result, write_out(c, c->tape.bytes, c->tape.n));
+}
+
+/* What is written stays, when there is no room for more: a player shows it up to there. */
+static enum result shoot_y4m(struct capture *c)
+{
+    c->stream = c->to_stdout ? stdout : plat_open_stream(c->a->out, true);
+    if (!c->stream)
+        return report_line(RESULT_HOST_FAILED, "%s: cannot be written (%s)", c->a->out, strerror(errno));
+    y4m_head(c->stream, c->w, c->h);
+    enum result result = go_through(c, false);
+    if (c->to_stdout)
+        return report_stdout(result);
+    bool good = fflush(c->stream) == 0 && !ferror(c->stream);
+    const int why = errno;
+    good = fclose(c->stream) == 0 && good;
+    c->stream = NULL;
+    return good ? result : report_line(RESULT_HOST_FAILED, "%s: cannot be written (%s)", c->a->out, strerror(why));
+}
+
+/* ---- ffmpeg ---- */
+
+/* The words of the command that makes a film of a y4m and, if it has sound, of a WAV file. Sides are made even: 4:2:0
+ * asks for it. */
+struct ffmpeg {
+    const char *words[48];
+    int n;
+    char sound[FILES_PATH_SIZE + 8], film[FILES_PATH_SIZE + 8];
+};
+
+static void add_words(struct ffmpeg *f, const char *const words[])
+{
+    for (; *words; words++)
+        f->words[f->n++] = *words;
+}
+
+/* The name as ffmpeg takes it, whatever is in it. */
+static bool add_file(struct ffmpeg *f, char *to, size_t size, const char *name)
+{
+    f->words[f->n++] = to;
+    return snprintf(to, size, "file:%s", name) < (int)size;
+}
+
+static bool ffmpeg_words(struct ffmpeg *f, const struct capture *c, const char *sound, const char *film)
+{
+    static const char *const in[] = { "ffmpeg", "-hide_banner", "-loglevel",    "error", "-xerror", "-nostdin",
+                                      "-y",     "-f",           "yuv4mpegpipe", "-i",    "pipe:0",  NULL };
+    static const char *const even[] = { "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", NULL };
+    static const char *const mp4[] = { "-c:v", "libx264", "-crf",      "16",         "-preset", "slow", "-c:a", "aac",
+                                       "-b:a", "192k",    "-movflags", "+faststart", "-f",      "mp4",  NULL };
+    static const char *const webm[] = { "-c:v", "libvpx-vp9", "-crf", "20",   "-b:v", "0",    "-row-mt", "1",
+                                        "-c:a", "libopus",    "-b:a", "160k", "-f",   "webm", NULL };
+
+    f->n = 0;
+    add_words(f, in);
+    if (sound) {
+        f->words[f->n++] = "-i";
+        if (!add_file(f, f->sound, sizeof f->sound, sound))
+            return false;
+    }
+    add_words(f, even);
+    add_words(f, c->format == MP4 ? mp4 : webm);
+    const bool good = add_file(f, f->film, sizeof f->film, film);
+    f->words[f->n] = NULL;
+    return good;
+}
+
+/* Takes the film to where it is wanted: what stands there is written as any file of ours, so a link and a device stay
+ * what they are. */
+static enum result put_film(const struct capture *c, const char *part)
+{
+    char err[FILES_ERR_SIZE];
+    uint8_t *film;
+    size_t size;
+
+    bool good = files_read(part, part, SIZE_MAX, &film, &size, err, sizeof err);
+    good = good && files_save(c->a->out, film, size, err, sizeof err);
+    free(film);
+    plat_remove(part);
+    return good ? RESULT_DONE : report_line(RESULT_HOST_FAILED, "%s", err);
+}
+
+static enum result feed(struct capture *c, const char *sound, const char *part)
+{
+    struct ffmpeg ffmpeg;
+    char err[FILES_ERR_SIZE];
+
+    if (!ffmpeg_words(&ffmpeg, c, sound, part))
+        return report_line(RESULT_REFUSED, "-o: path too long");
+    if (!files_save(part, "", 0, err, sizeof err)) /* with a sentence of ours, before all the work */
+        return report_line(RESULT_HOST_FAILED, "%s", err);
+    fflush(stdout);
+    c->stream = plat_command_open(ffmpeg.words);
+    if (!c->stream)
+        return report_line(RESULT_HOST_FAILED, "cannot run ffmpeg (%s)", strerror(errno));
+    y4m_head(c->stream, c->w, c->h);
+    enum result result = go_through(c, false);
+    const bool good = plat_command_close(c->stream);
+    c->stream = NULL;
+    if (good)
+        return first_of(result, put_film(c, part));
+    plat_remove(part);
+    return report_line(RESULT_HOST_FAILED, "%s: ffmpeg failed", c->a->out);
+}
+
+/* With sound, unless its speed is another. */
+static enum result shoot_film(struct capture *c)
+{
+    char part[FILES_PATH_SIZE], sound[FILES_PATH_SIZE], err[FILES_ERR_SIZE];
+    const bool heard = board_has_sound(c->run.guard.board) && c->a->faster <= 1 && c->a->slower <= 1;
+
+    if (!output_path_temporary(c->a->out, ".part", part, sizeof part) ||
+        !output_path_temporary(c->a->out, ".part.wav", sound, sizeof sound))
+        return report_line(RESULT_REFUSED, "-o: path too long");
+    if (!heard)
+        return feed(c, NULL, part);
+    if (!tape_open(&c->tape))
+        return no_memory(c);
+    enum result result = go_through(c, true);
+    if (!tape_end(&c->tape))
+        return no_memory(c);
+    if (!files_save(sound, c->tape.bytes, c->tape.n, err, sizeof err))
+        return report_line(RESULT_HOST_FAILED, "%s", err);
+    tape_close(&c->tape);
+    enum result second = again(c);
+    second = second == RESULT_DONE ? feed(c, sound, part) : second;
+    plat_remove(sound);
+    return first_of(result, second);
+}
+
+/* ---- all of it ---- */
+
+static enum result shoot(struct capture *c)
+{
+    static enum result (*const ways[FORMATS])(struct capture *) = {
+        [GIF] = shoot_gif, [APNG] = shoot_apng, [Y4M] = shoot_y4m,
+        [WAV] = shoot_wav, [MP4] = shoot_film,  [WEBM] = shoot_film,
+    };
+    const struct args *a = c->a;
+
+    c->first = a->n_spans ? a->spans[0].first : 0;
+    c->last = a->n_spans ? a->spans[0].last : c->run.game.has_demo ? c->run.game.demo.frames : CAPTURE_FRAMES;
+    enum result result = pictures_open(c);
+    if (result == RESULT_DONE && c->format != WAV &&
+        (c->w > PNG_MAX_SIDE || c->h > PNG_MAX_SIDE || c->w > PNG_MAX_PIXELS / c->h))
+        return report_line(RESULT_REFUSED, "--scale: frames of %d x %d pixels are too large", c->w, c->h);
+    return result == RESULT_DONE ? ways[c->format](c) : result;
+}
+
+enum result capture_run(const struct args *a)
+{
+    struct capture *c = calloc(1, sizeof *c);
+
+    if (!c)
+        return report_line(RESULT_HOST_FAILED, "out of memory");
+    c->a = a;
+    enum result result = check_format(c);
+    result = result == RESULT_DONE ? check_frames(a) : result;
+    if (result == RESULT_DONE) {
+        result = headless_run_open(&c->run, a);
+        if (result == RESULT_DONE)
+            result = shoot(c);
+        result = headless_run_close(&c->run, result);
+    }
+    run_close(c);
+    gif_close(&c->gif);
+    apng_close(&c->apng);
+    tape_close(&c->tape);
+    free(c);
+    return result;
+}

@@ -1,0 +1,524 @@
+/*
+ * check_forced.c - runs that bring a game where nobody comes by flying well: each ship at each difficulty loses lives,
+ * bombs and pauses; every section is played for a while at the easiest and the hardest; whole games are played from
+ * the title, by one and by two, with continues, to a game over and to the end, in each language and with each switch;
+ * each entry of the title menu is opened.
+ *
+ * Buttons are pressed as a function of the frame and of what the board tells, so a run is the same each time. What no
+ * button brings about for sure, force_run does. Menus of the library's kind are gone through by pressing fire; a game
+ * whose own menus want something else is not begun, which is no finding.
+ */
+#include "check_parts.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../board/board.h"
+#include "../../rom/cart.h"
+#include "../../script/force.h"
+#include "../../player/run/sections.h"
+#include "../bench/sweep.h"
+
+enum {
+    SHIP_FRAMES = 1000,   /* of a ship at a difficulty */
+    STAGE_FRAMES = 480,   /* of a stage at another difficulty */
+    PHASE_FRAMES = 180,   /* of a phase */
+    BEFORE_FRAMES = 1800, /* in menus, until a game begins */
+    GAME_FRAMES = 4000,   /* of a game that is lost */
+    CLEAR_FRAMES = 30000, /* of one that is won */
+    AFTER_FRAMES = 1500,  /* after a game: its end, names and scores */
+    START_FRAMES = 900,   /* of a game in another language, or with another switch */
+    MENU_FRAMES = 2400,   /* of somebody who presses anything */
+    ENTRIES = 12,         /* of the title menu, each opened */
+    ENTRY_FRAMES = 900,   /* of what an entry opens: a third nothing is pressed, a third fire, then anything */
+    TAP = 2,              /* frames a button is held */
+    EVERY = 24,           /* frames from one press to the next: menus want some in between */
+    PAUSE_FRAMES = 60     /* from the press that pauses to the game's going on */
+};
+
+enum tour_kind { TOUR_LOST, TOUR_TWO, TOUR_WON, TOUR_START, TOUR_MENUS, TOUR_ENTRY };
+
+/* A game from its title. */
+struct tour {
+    enum tour_kind kind;
+    struct board_start start;
+    int entry; /* of TOUR_ENTRY: 1 is the one below the first */
+    bool playing, over;
+    uint32_t since; /* the frame in which the game began, or was over */
+    uint32_t out;   /* frames since the last player is out */
+    int went_on;    /* continues */
+};
+
+static uint16_t tap(uint32_t frame, uint32_t every, uint16_t button)
+{
+    return frame % every < TAP ? button : 0;
+}
+
+static bool is_faulty(const struct run *r)
+{
+    return board_last_output(check_board(r))->fault != NULL;
+}
+
+/* ---- what is forced ---- */
+
+struct deed {
+    uint32_t frame; /* of the game */
+    enum force_kind kind;
+};
+
+/* In the second life the bomb saves the ship from the hit, if its kind has frames for that. */
+static const struct deed deeds[] = {
+    { 60, FORCE_TAKE },   { 90, FORCE_GRAZE }, { 100, FORCE_EXTEND }, { 120, FORCE_BOMB },
+    { 360, FORCE_GRAZE }, { 361, FORCE_HIT },  { 480, FORCE_HIT },    { 480, FORCE_BOMB },
+    { 600, FORCE_BOMB },  { 700, FORCE_HIT },  { 780, FORCE_DEATH },
+};
+
+enum { PAUSES_AT = 200, DIES_FROM = 820, DIES_EVERY = 16, FOCUS_FROM = 560 };
+
+/* What faulted once is not forced again, so that the run, which is begun again, shows what comes after it. */
+static void force(struct run *r, enum force_kind kind, int player)
+{
+    const struct force f = { kind, player };
+
+    if (is_faulty(r) || *check_broken(r) >> kind & 1)
+        return;
+    check_force(r, &f);
+    if (is_faulty(r))
+        *check_broken(r) |= 1u << kind;
+}
+
+/* What is forced in that frame of a game that is lost. */
+static void force_loss(struct run *r, uint32_t frame, int players)
+{
+    for (int p = 0; p < players; p++) {
+        for (size_t i = 0; i < sizeof deeds / sizeof *deeds; i++)
+            if (deeds[i].frame == frame)
+                force(r, deeds[i].kind, p);
+        if (frame >= DIES_FROM && frame % DIES_EVERY == 0)
+            force(r, FORCE_DEATH, p);
+    }
+}
+
+/* The buttons of a ship in that frame of a game: it flies and fires, now and then focused; it pauses once. Fire is let
+ * go now and then, for a talk. */
+static void ship_pads(struct run *r, uint32_t frame, uint16_t pads[MAX_PLAYERS])
+{
+    const uint32_t paused = frame - PAUSES_AT;
+
+    sweep_pads(frame, pads);
+    if (frame % 30 < TAP)
+        pads[0] = (uint16_t)(pads[0] & ~PAD_FIRE);
+    pads[0] |= (uint16_t)(tap(frame, 90, PAD_SPECIAL) | tap(frame, 150, PAD_SELECT));
+    if (frame >= FOCUS_FROM && frame % 200 < 100)
+        pads[0] |= PAD_FOCUS;
+    if (frame % 320 == 250 && !(*check_broken(r) >> FORCE_BOMB & 1))
+        pads[0] |= PAD_BOMB;
+    if (frame >= PAUSES_AT && paused < PAUSE_FRAMES)
+        pads[0] = paused < TAP                                                    ? PAD_START
+                  : paused >= PAUSE_FRAMES / 2 && paused < PAUSE_FRAMES / 2 + TAP ? PAD_FIRE
+                                                                                  : 0;
+    pads[1] = pads[0];
+}
+
+/* ---- sections ---- */
+
+static void practise(struct run *r, const char *what, const char *section, int difficulty, uint32_t frames, bool loses)
+{
+    struct board_start start = check_start(r);
+    uint16_t pads[MAX_PLAYERS];
+
+    start.difficulty = difficulty;
+    start.practice.invincible = !loses;
+    snprintf(start.practice.section, sizeof start.practice.section, "%s", section);
+    if (!check_power(r, what, &start))
+        return;
+    for (uint32_t f = 0; f < frames && !is_faulty(r); f++) {
+        check_tell(r, f, frames);
+        ship_pads(r, f, pads);
+        check_tick(r, pads);
+        if (loses)
+            force_loss(r, f, 1);
+    }
+    check_finish(r);
+}
+
+/* The ship's section: "one@petrel". False: the names are too long for one. */
+static bool with_ship(const struct sections *s, const char *section, int ship, char out[64])
+{
+    if (s->ships < 2)
+        return snprintf(out, 64, "%s", section) < 64;
+    return snprintf(out, 64, "%s@%s", section, s->ship[ship]) < 64;
+}
+
+static const char *first_stage(const struct sections *s)
+{
+    for (int i = 0; i < s->n; i++)
+        if (s->section[i].kind == SECTION_STAGE)
+            return s->section[i].id;
+    return NULL;
+}
+
+/* A game without difficulties has one all the same. */
+static int difficulties(const struct run *r)
+{
+    const int n = check_cart(r)->manifest.n_difficulties;
+
+    return n > 0 ? n : 1;
+}
+
+static const char *difficulty_name(const struct run *r, int i)
+{
+    const struct manifest *m = &check_cart(r)->manifest;
+
+    return i < m->n_difficulties ? m->difficulties[i] : "";
+}
+
+static void play_ship(struct run *r, int ship, int difficulty)
+{
+    const struct sections *s = check_sections(r);
+    char section[64], what[128];
+
+    if (!with_ship(s, first_stage(s), ship, section))
+        return;
+    snprintf(what, sizeof what, "%s %s", section, difficulty_name(r, difficulty));
+    unsigned before;
+    do {
+        before = *check_broken(r);
+        practise(r, what, section, difficulty, SHIP_FRAMES, true);
+    } while (*check_broken(r) != before);
+}
+
+/* Sections of other difficulties than the default's, which check_run.c plays; each with the next ship. */
+static void play_section(struct run *r, int i, int difficulty)
+{
+    const struct sections *s = check_sections(r);
+    char section[64], what[128];
+
+    if (!with_ship(s, s->section[i].id, s->ships ? (i + difficulty) % s->ships : 0, section))
+        return;
+    snprintf(what, sizeof what, "%s %s", section, difficulty_name(r, difficulty));
+    practise(r, what, section, difficulty, s->section[i].kind == SECTION_STAGE ? STAGE_FRAMES : PHASE_FRAMES, false);
+}
+
+/* ---- games ---- */
+
+/* Fire goes through menus, or fire and down by turns, which finds "2 PLAYERS", other modes and other ships. */
+static uint16_t menu_pads(const struct tour *t, uint32_t frame)
+{
+    if (t->kind == TOUR_TWO && frame / EVERY % 2)
+        return tap(frame, EVERY, PAD_DOWN);
+    return tap(frame, EVERY, PAD_FIRE);
+}
+
+/* Anything, but the same each time. */
+static uint16_t any_pads(uint32_t frame)
+{
+    static const uint16_t buttons[] = {
+        PAD_FIRE, PAD_DOWN, PAD_FIRE, PAD_RIGHT, PAD_DOWN, PAD_BOMB, PAD_UP, PAD_START
+    };
+    uint32_t n = frame / EVERY * 2654435761u;
+
+    return tap(frame, EVERY, buttons[(n ^ n >> 15) >> 7 & 7]);
+}
+
+static uint32_t opened_at(const struct tour *t)
+{
+    return (uint32_t)(t->entry + 2) * EVERY;
+}
+
+/* The title, down to the entry, which is opened. */
+static uint16_t entry_pads(const struct tour *t, uint32_t frame)
+{
+    const uint32_t opened = opened_at(t);
+
+    if (frame < EVERY)
+        return 0;
+    if (frame < opened)
+        return tap(frame, EVERY, frame < 2 * EVERY ? PAD_START : PAD_DOWN);
+    if (frame < opened + ENTRY_FRAMES / 3)
+        return frame < opened + TAP ? PAD_FIRE : 0;
+    return frame < opened + 2 * ENTRY_FRAMES / 3 ? tap(frame, EVERY, PAD_FIRE) : any_pads(frame);
+}
+
+static bool anyone_in(const struct run *r)
+{
+    return force_player_in_game(check_board(r), 0) || force_player_in_game(check_board(r), 1);
+}
+
+/* The first continue is taken and the second is not. */
+static uint16_t out_pads(const struct tour *t)
+{
+    return t->went_on == 0 ? tap(t->out, EVERY, PAD_START) : tap(t->out, EVERY, PAD_BOMB);
+}
+
+static void tour_pads(struct run *r, const struct tour *t, uint32_t frame, uint16_t pads[MAX_PLAYERS])
+{
+    const uint32_t age = frame - t->since;
+
+    memset(pads, 0, MAX_PLAYERS * sizeof *pads);
+    if (t->kind == TOUR_MENUS)
+        pads[0] = any_pads(frame);
+    else if (t->kind == TOUR_ENTRY)
+        pads[0] = entry_pads(t, frame);
+    else if (t->over)
+        pads[0] = age / EVERY % 4 == 3 ? tap(age, EVERY, PAD_START) : tap(age, EVERY, PAD_FIRE);
+    else if (!t->playing)
+        pads[0] = menu_pads(t, frame);
+    else if (!anyone_in(r))
+        pads[0] = out_pads(t);
+    else
+        ship_pads(r, age, pads);
+    if (!t->playing || t->over || !anyone_in(r))
+        pads[1] = t->kind == TOUR_TWO ? pads[0] : 0;
+    else if (!force_player_in_game(check_board(r), 1))
+        pads[1] = tap(age, EVERY, PAD_START); /* who is out may come back while the other one flies */
+}
+
+/* What is forced in that frame of a game. Of two the second loses all its lives first. */
+static void tour_force(struct run *r, struct tour *t, uint32_t age)
+{
+    switch (t->kind) {
+    case TOUR_LOST:
+        force_loss(r, age, 1);
+        break;
+    case TOUR_TWO:
+        force_loss(r, age, 2);
+        if (age >= 400 && age < 560 && age % DIES_EVERY == 0)
+            force(r, FORCE_DEATH, 1);
+        break;
+    case TOUR_WON:
+        for (int p = 0; p < 2 && age % 600 == 0; p++)
+            force(r, FORCE_SAFE, p);
+        if (age % 60 == 0)
+            force(r, FORCE_DAMAGE, 0);
+        break;
+    case TOUR_ENTRY:
+        if (age % 60 == 59) /* a mission is over soon */
+            force(r, FORCE_DEATH, 0);
+        break;
+    case TOUR_START:
+    case TOUR_MENUS:
+        break;
+    }
+}
+
+static void hear(struct run *r, struct tour *t, const struct board_out *out, uint32_t frame)
+{
+    const bool in = anyone_in(r);
+
+    for (int i = 0; i < out->marker_count; i++) {
+        const enum board_marker_kind kind = out->marker[i].kind;
+        if (t->over || (kind != MARKER_GAME && kind != MARKER_OVER))
+            continue;
+        t->playing = true;
+        t->over = kind == MARKER_OVER;
+        t->since = frame;
+    }
+    if (in && t->out > 0 && t->playing && !t->over)
+        t->went_on++;
+    t->out = in ? 0 : t->out + 1;
+    if (!t->playing)
+        t->out = 0;
+}
+
+static uint32_t game_frames(enum tour_kind kind)
+{
+    return kind == TOUR_WON ? CLEAR_FRAMES : kind == TOUR_START ? START_FRAMES : GAME_FRAMES;
+}
+
+static bool is_over(const struct tour *t, uint32_t frame)
+{
+    const uint32_t age = frame - t->since, most = game_frames(t->kind);
+
+    if (t->kind == TOUR_MENUS)
+        return frame >= MENU_FRAMES;
+    if (t->kind == TOUR_ENTRY)
+        return frame >= opened_at(t) + ENTRY_FRAMES;
+    if (!t->playing)
+        return frame >= BEFORE_FRAMES;
+    if (frame >= BEFORE_FRAMES + most + AFTER_FRAMES) /* a game may start again and again */
+        return true;
+    return age >= (t->over ? AFTER_FRAMES : most);
+}
+
+/* nvram: gets what the game has saved at the end, malloc; NULL: not wanted. */
+static void go_round(struct run *r, const char *what, struct tour *t, uint8_t **nvram, size_t *size)
+{
+    uint16_t pads[MAX_PLAYERS];
+
+    if (!check_power(r, what, &t->start))
+        return;
+    for (uint32_t f = 0; !is_over(t, f) && !is_faulty(r); f++) {
+        check_tell(r, f, CLEAR_FRAMES);
+        tour_pads(r, t, f, pads);
+        hear(r, t, check_tick(r, pads), f);
+        if (t->playing && !t->over)
+            tour_force(r, t, f - t->since);
+    }
+    if (nvram != NULL && !is_faulty(r)) {
+        uint32_t changed;
+        const uint8_t *image = board_nvram(check_board(r), size, &changed);
+        *nvram = malloc(*size + 1);
+        if (*nvram != NULL)
+            memcpy(*nvram, image, *size);
+    }
+    check_finish(r);
+}
+
+static void tour(struct run *r, const char *what, enum tour_kind kind, const struct board_start *start)
+{
+    unsigned before;
+
+    do {
+        struct tour t = { .kind = kind, .start = *start };
+        before = *check_broken(r);
+        go_round(r, what, &t, NULL, NULL);
+    } while (*check_broken(r) != before);
+}
+
+/* Each entry of the title menu: the game's pages, and its screens in place of the library's. A list starts again below
+ * its last entry, so a short one is gone through more than once. */
+static void open_entries(struct run *r, const struct board_start *start)
+{
+    char what[32];
+
+    for (int i = 1; i <= ENTRIES; i++) {
+        struct tour t = { .kind = TOUR_ENTRY, .start = *start, .entry = i };
+        snprintf(what, sizeof what, "menu entry %d", i + 1);
+        go_round(r, what, &t, NULL, NULL);
+    }
+}
+
+/* A game that is won, and then its title with what that left: scores, spells, unlocks. */
+static void win(struct run *r)
+{
+    struct tour won = { .kind = TOUR_WON, .start = check_start(r) };
+    uint8_t *nvram = NULL;
+    size_t size = 0;
+
+    go_round(r, "a won game", &won, &nvram, &size);
+    struct board_start start = check_start(r);
+    start.nvram = nvram;
+    start.nvram_size = nvram != NULL ? size : 0;
+    tour(r, "the menus after a game", TOUR_MENUS, &start);
+    open_entries(r, &start);
+    free(nvram);
+}
+
+/* ---- all ---- */
+
+/* A walk over all runs. */
+struct each {
+    struct run *r;
+    int n;   /* runs so far */
+    bool go; /* they are run; otherwise counted */
+};
+
+/* Is the next one run? */
+static bool next(struct each *e)
+{
+    e->n++;
+    return e->go;
+}
+
+static void each_ship(struct each *e)
+{
+    const struct sections *s = check_sections(e->r);
+    const int ships = s->ships > 0 ? s->ships : 1;
+
+    for (int d = 0; d < difficulties(e->r) && first_stage(s) != NULL; d++)
+        for (int k = 0; k < ships; k++)
+            if (next(e))
+                play_ship(e->r, k, d);
+}
+
+/* Marks are inside of stages. */
+static bool is_played(const struct section *s)
+{
+    return s->kind == SECTION_STAGE || s->kind == SECTION_PHASE;
+}
+
+/* The first and the last difficulty differ most from the default. */
+static void each_section(struct each *e)
+{
+    const struct sections *s = check_sections(e->r);
+    const int last = difficulties(e->r) - 1;
+
+    for (int d = 0; d <= last; d += last > 0 ? last : 1)
+        for (int i = 0; i < s->n; i++)
+            if (d != check_cart(e->r)->manifest.difficulty && is_played(&s->section[i]) && next(e))
+                play_section(e->r, i, d);
+}
+
+static void each_game(struct each *e)
+{
+    char what[128];
+
+    for (int d = 0; d < difficulties(e->r); d++) {
+        struct board_start start = check_start(e->r);
+        start.difficulty = check_cart(e->r)->manifest.n_difficulties > 0 ? d : -1;
+        const char *name = difficulty_name(e->r, d);
+        snprintf(what, sizeof what, "a lost game%s%s", name[0] ? ", " : "", name);
+        if (next(e))
+            tour(e->r, what, TOUR_LOST, &start);
+    }
+    const struct board_start start = check_start(e->r);
+    if (check_cart(e->r)->manifest.players > 1 && next(e))
+        tour(e->r, "a two-player game", TOUR_TWO, &start);
+    if (next(e))
+        win(e->r);
+}
+
+static void each_language(struct each *e)
+{
+    const struct cart *cart = check_cart(e->r);
+    char what[128];
+
+    for (int i = 0; i < cart->count[CART_LANGS]; i++) {
+        struct board_start start = check_start(e->r);
+        snprintf(start.lang, sizeof start.lang, "%s", cart_name(cart, CART_LANGS, i));
+        snprintf(what, sizeof what, "a game in language %s", start.lang);
+        if (next(e))
+            tour(e->r, what, TOUR_START, &start);
+    }
+}
+
+/* Named values each; of a number the least and the most. */
+static void each_switch(struct each *e)
+{
+    const struct manifest *m = &check_cart(e->r)->manifest;
+    char what[128];
+
+    for (int i = 0; i < m->n_dips; i++) {
+        const struct dip *dip = &m->dips[i];
+        for (int k = 0; k < (dip->is_number ? 2 : dip->n_values); k++) {
+            struct board_start start = check_start(e->r);
+            start.dip[i] = dip->is_number ? (k ? dip->hi : dip->lo) : k;
+            snprintf(what, sizeof what, "a game with switch %s", dip->name);
+            if (start.dip[i] != dip->default_value && next(e))
+                tour(e->r, what, TOUR_START, &start);
+        }
+    }
+}
+
+static int run_each(struct run *r, bool go)
+{
+    struct each e = { r, 0, go };
+
+    each_ship(&e);
+    each_game(&e);
+    each_language(&e);
+    each_switch(&e);
+    each_section(&e);
+    return e.n;
+}
+
+int check_forced_runs(struct run *r)
+{
+    return run_each(r, false);
+}
+
+int check_forced(struct run *r)
+{
+    return run_each(r, true);
+}

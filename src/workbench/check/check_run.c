@@ -1,0 +1,718 @@
+/*
+ * check_run.c - the game is packed and run, without a window: every demo it has, or else the first frames of a game
+ * without input; then every stage and every phase of a boss by itself; then what check_forced.c forces. What faults,
+ * what does not hold, and how much Lua RAM was in use at most.
+ */
+#include "check_parts.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../board/board.h"
+#include "../../machine/video/contrast.h"
+#include "../../board/inspect.h"
+#include "../../rom/cart.h"
+#include "../../script/force.h"
+#include "../pack/art.h"
+#include "../../demo/demo.h"
+#include "../../common/progress.h"
+#include "../../player/run/guard.h"
+#include "../../player/run/sections.h"
+#include "../bench/sweep.h"
+#include "../pack/pack.h"
+
+enum {
+    IDLE_FRAMES = 600,   /* of a game without demos */
+    MOST_FRAMES = 36000, /* of a demo: ten minutes */
+    MOST_LUA = 75,       /* percent of board.lua_kib */
+    SAMPLE_EVERY = 120,  /* frames of a run, of which contrast looks at one */
+    SAMPLES = 150,       /* in a run */
+    LOOKS = 128,         /* kinds and banks it tells apart */
+    FEW_BULLETS = 40,    /* of which it says nothing */
+    LOOK_EVERY = 12      /* frames, of which the text on the screen is looked at in one */
+};
+
+/* Bullets of a kind in a bank, in the sampled frames of a run. */
+struct look {
+    char kind[64];
+    int bank, seen, faint;
+    uint32_t frame; /* of the first faint one, and where */
+    int x, y;
+    bool told; /* in this run or one before */
+};
+
+/* What contrast needs while a demo, a stage or a phase is played. */
+struct contrast {
+    struct fb fb;
+    void *pixels, *scratch;
+    uint32_t frame;
+    int samples, n;
+    struct look look[LOOKS];
+};
+
+#define ALL UINT32_MAX /* frames */
+
+struct run {
+    struct check *c;
+    const char *what; /* "demos/attract.demo", "600 frames of nobody playing" */
+    struct rom_image image;
+    struct cart cart;
+    struct guard guard;
+    struct demo demo;
+    uint64_t hashes[MAX_PARTS];
+    void *hash_cache;        /* of board_hashes_cached */
+    size_t most;             /* bytes of Lua RAM, of all runs so far */
+    char most_in[TREE_PATH]; /* the run that had so many */
+    bool memory_fault;
+    struct contrast contrast;  /* of this run */
+    struct check_heard *heard; /* of what is listened to; NULL: nothing */
+    bool measured;             /* the kinds' shapes were compared with their pictures */
+    struct sections *sections;
+    int runs, planned; /* played so far, and in all */
+    bool boots;        /* boot.run is called */
+    unsigned broken;   /* see check_broken */
+    bool forced;       /* something was forced in this run: what is full may come of it */
+};
+
+/* ---- hit shapes and pictures ---- */
+
+/* Where a kind is declared with a name that is written out; line 0: nowhere. */
+static const char *declared(const struct check *c, const char *of, const char *name, int *line)
+{
+    *line = 0;
+    for (int i = 0; i < c->n_scripts; i++)
+        for (int k = 0; k < c->scripts[i].symbols.n_calls; k++) {
+            const struct symbol_call *call = &c->scripts[i].symbols.calls[k];
+            if (call->space == NULL || strcmp(call->space, of) != 0 || strcmp(call->name, "def") != 0 ||
+                call->arg[0] == NULL || strcmp(call->arg[0], name) != 0)
+                continue;
+            *line = call->line;
+            return c->scripts[i].path;
+        }
+    return "rom.lua";
+}
+
+/* The size of a sprite's picture, not turned; of one whose file says it, as it is in the ROM. */
+static void drawn_size(const struct run *r, const struct art_sprite *s, int *w, int *h)
+{
+    struct sprite packed;
+
+    *w = art_resized(s->w, s->scale_percent);
+    *h = art_resized(s->h, s->scale_percent);
+    if (s->w && s->h)
+        return;
+    cart_sprite(&r->cart, cart_find(&r->cart, CART_SPRITES, s->name), &packed);
+    *w = packed.w;
+    *h = packed.h;
+}
+
+/* A shape that reaches beyond what is seen is hardly meant. */
+static void note_large(void *context, const struct inspect_kind_shape *kind)
+{
+    static const char *const words[] = { [INSPECT_CIRCLE] = "hit circle",
+                                         [INSPECT_BOX] = "hit box",
+                                         [INSPECT_CAPSULE] = "hit capsule",
+                                         [INSPECT_CIRCLES] = "combined hit circles" };
+    const struct run *r = context;
+    struct check *c = r->c;
+    int64_t w = (int64_t)kind->x1 - kind->x0, h = (int64_t)kind->y1 - kind->y0;
+    int line;
+
+    for (int i = 0; i < c->art.n_sprites; i++) {
+        const struct art_sprite *s = &c->art.sprites[i];
+        if (strcmp(s->name, kind->sprite) != 0)
+            continue;
+        int pic_w, pic_h;
+        drawn_size(r, s, &pic_w, &pic_h);
+        int side = pic_w > pic_h ? pic_w : pic_h;
+        bool any_way = kind->is_rotated && kind->shape == INSPECT_BOX;
+        if (w <= (int64_t)(any_way ? side : pic_w) << 16 && h <= (int64_t)(any_way ? side : pic_h) << 16)
+            continue;
+        const char *file = declared(c, kind->entity, kind->name, &line);
+        diagnostics_add(&c->found, file, line,
+                        "%s \"%s\": its %s (%.7g x %.7g px) %s larger than its sprite \"%s\" (%d x %d px)",
+                        kind->entity, kind->name, words[kind->shape], (double)w / 65536, (double)h / 65536,
+                        kind->shape == INSPECT_CIRCLES ? "are" : "is", s->name, pic_w, pic_h);
+    }
+}
+
+/* Brightness as eyes see it, of ITU-R BT.601, in thousandths. */
+static int luminance(const uint8_t rgb[3])
+{
+    return 299 * rgb[0] + 587 * rgb[1] + 114 * rgb[2];
+}
+
+/* The first colour of a bank that is darker than the one before it, or 0: it is a ramp from dark to bright. What it
+ * ends with in black is not used. */
+static int falls_at(const uint8_t *bank)
+{
+    int last = 15, before = 0;
+
+    while (last > 1 && luminance(bank + 3 * last) == 0)
+        last--;
+    for (int k = 1; k <= last; before = luminance(bank + 3 * k), k++)
+        if (luminance(bank + 3 * k) < before)
+            return k;
+    return 0;
+}
+
+/* A blend of ramps mixes places in banks, so the kind's bank must be a ramp. */
+static void note_ramp(void *context, const struct inspect_kind_shape *kind)
+{
+    struct run *r = context;
+    int line, at = kind->ramp ? falls_at(cart_palette(&r->cart, "main") + 3 * 16 * kind->bank) : 0;
+
+    if (at == 0)
+        return;
+    const char *file = declared(r->c, kind->entity, kind->name, &line);
+    diagnostics_add(&r->c->found, file, line,
+                    "%s \"%s\": its blend \"%s\" needs a dark-to-light bank, but colour %d in bank %d "
+                    "is darker than colour %d",
+                    kind->entity, kind->name, kind->ramp, at, kind->bank, at - 1);
+}
+
+/* ---- a game that nobody can start ---- */
+
+/* The first name that a call of space.def declares in so many words, or NULL. found: there is one at all. */
+static const char *first_declared(const struct check *c, const char *space, bool *found)
+{
+    for (int i = 0; i < c->n_scripts; i++)
+        for (int k = 0; k < c->scripts[i].symbols.n_calls; k++) {
+            const struct symbol_call *call = &c->scripts[i].symbols.calls[k];
+            if (call->space == NULL || strcmp(call->space, space) != 0 || strcmp(call->name, "def") != 0)
+                continue;
+            *found = true;
+            if (call->arg[0] != NULL)
+                return call->arg[0];
+        }
+    return NULL;
+}
+
+/* Stages and ships are played by boot.run alone. A game that has no stage may do with tasks of its own. */
+static void judge_boot(struct run *r)
+{
+    const struct board *b = r->guard.board;
+    const bool idle = board_live_count(b, "tasks") == 0;
+    bool stages = false, ships = false;
+    char entry[TREE_PATH];
+
+    if (board_called_boot_run(b) || board_last_output(b)->fault)
+        return;
+    snprintf(entry, sizeof entry, "%s.lua", r->c->m.entry);
+    const char *ship = first_declared(r->c, "player", &ships), *stage = first_declared(r->c, "stage", &stages);
+    if (stages || (ships && idle))
+        diagnostics_add(
+            &r->c->found, entry, 0,
+            "boot.run is not called, so the game cannot be played; end this script with boot.run { stages = "
+            "{ \"%s\" }, players = { \"%s\" } }",
+            stage != NULL ? stage : "one", ship != NULL ? ship : "ship");
+    else if (idle)
+        diagnostics_note(&r->c->found, entry, 0,
+                         "boot.run is not called and no task is started, so nothing will happen");
+}
+
+/* ---- one run ---- */
+
+/* The name that is nil, of a fault that says so; "": another fault. */
+static void missing_name(const char *message, char *name, size_t size)
+{
+    static const char *const before[] = { "undeclared global \"", "(field '", "(global '", "(method '" };
+
+    name[0] = '\0';
+    for (size_t i = 0; i < sizeof before / sizeof *before && !name[0]; i++) {
+        const char *at = strstr(message, before[i]);
+        if (at != NULL)
+            snprintf(name, size, "%.*s", (int)strcspn(at + strlen(before[i]), "'\""), at + strlen(before[i]));
+    }
+}
+
+/* Was it found in the script already that nothing of that name is there? Then the fault tells the same. */
+static void note_fault(struct run *r, const struct board_fault *fault)
+{
+    struct diagnostics alone = { 0 };
+    char name[64];
+
+    r->memory_fault = r->memory_fault || fault->kind == FAULT_MEMORY;
+    missing_name(fault->message, name, sizeof name);
+    diagnostics_add_sentence(&alone, r->what, fault->message);
+    const bool known = alone.n > 0 && name[0] && alone.list[0].line > 0 &&
+                       diagnostics_misses(&r->c->found, alone.list[0].file, alone.list[0].line, name);
+    diagnostics_close(&alone);
+    if (!known)
+        diagnostics_add_sentence(&r->c->found, r->what, fault->message);
+}
+
+/* Does a script ask board.refused for it? Then the game knows that it may be full. */
+static bool is_watched(const struct check *c, const char *part)
+{
+    for (int i = 0; i < c->n_scripts; i++) {
+        const struct symbols *f = &c->scripts[i].symbols;
+        for (int k = 0; k < f->n_calls; k++) {
+            const struct symbol_call *call = &f->calls[k];
+            if (call->space != NULL && strcmp(call->space, "board") == 0 && strcmp(call->name, "refused") == 0 &&
+                (call->arg[0] == NULL || strcmp(call->arg[0], part) == 0))
+                return true;
+        }
+    }
+    return false;
+}
+
+/* Pools that are full for the first time. Sparks do not count: no script depends on one. */
+static void note_full(struct run *r, const struct board_out *out)
+{
+    for (int i = 0; i < out->full_pool_count && !r->forced; i++)
+        if (strcmp(out->full_pool[i].part, "sparks") != 0 && !is_watched(r->c, out->full_pool[i].part))
+            diagnostics_add_sentence(&r->c->found, r->what, out->full_pool[i].line);
+}
+
+static void note_shown(void *context, uint32_t code)
+{
+    check_shown(context, code);
+}
+
+const struct board_out *check_tick(struct run *r, const uint16_t pads[MAX_PLAYERS])
+{
+    const struct board_out *out = guard_tick(&r->guard, pads);
+
+    note_full(r, out);
+    if (board_frame(r->guard.board) % LOOK_EVERY == 0 && !out->fault)
+        inspect_codes(r->guard.board, note_shown, r->c);
+    if (r->heard != NULL)
+        check_heard_frame(r->heard, r->guard.board);
+    return out;
+}
+
+void check_force(struct run *r, const struct force *force)
+{
+    force_run(r->guard.board, force);
+    r->forced = true;
+}
+
+/* Frame f of at most n of this run. */
+void check_tell(const struct run *r, uint32_t f, uint32_t n)
+{
+    const uint64_t each = SWEEP_FRAMES;
+
+    progress_tell((uint64_t)r->runs * each + (n ? f * each / n : 0), (uint64_t)r->planned * each,
+                  "%s, %d of %d, frame %" PRIu32, r->what, r->runs + 1, r->planned, f);
+}
+
+bool check_power(struct run *r, const char *what, const struct board_start *start)
+{
+    char err[512];
+
+    r->what = what;
+    r->forced = false;
+    if (r->guard.ram != NULL ? guard_again(&r->guard, start, err, sizeof err)
+                             : guard_power(&r->guard, &r->image.rom, start, err, sizeof err)) {
+        note_full(r, board_last_output(r->guard.board));
+        if (!r->measured) {
+            inspect_kinds(r->guard.board, note_large, r);
+            inspect_kinds(r->guard.board, note_ramp, r);
+        }
+        r->boots = board_called_boot_run(r->guard.board);
+        if (!r->measured)
+            judge_boot(r);
+        r->measured = true;
+        return true;
+    }
+    diagnostics_add_sentence(&r->c->found, "rom.lua", err);
+    return false;
+}
+
+/* A loop without end may have filled the memory: how much the game needs is not known then. */
+void check_finish(struct run *r)
+{
+    const struct board_fault *fault = board_last_output(r->guard.board)->fault;
+    size_t most = board_lua_peak(r->guard.board);
+
+    if (fault)
+        note_fault(r, fault);
+    if (most > r->most && !(fault && fault->kind == FAULT_LOOP)) {
+        r->most = most;
+        snprintf(r->most_in, sizeof r->most_in, "%s", r->what);
+    }
+    r->runs++;
+}
+
+/* Sections are not listened to: it takes longer than to play them. */
+static void listen_to(struct run *r)
+{
+    if (!board_has_sound(r->guard.board))
+        return;
+    r->heard = check_heard_open();
+    r->c->found.failed = r->c->found.failed || r->heard == NULL;
+}
+
+static void judge_heard(struct run *r)
+{
+    if (r->heard != NULL)
+        check_heard_judge(r->c, r->heard, r->what);
+    check_heard_close(r->heard);
+    r->heard = NULL;
+}
+
+struct board_start check_start(const struct run *r)
+{
+    struct board_start start = { .difficulty = -1 };
+
+    for (int i = 0; i < r->cart.manifest.n_dips; i++)
+        start.dip[i] = r->cart.manifest.dips[i].default_value;
+    return start;
+}
+
+static void run_idle(struct run *r)
+{
+    const uint16_t nothing[MAX_PLAYERS] = { 0 };
+    struct board_start start = check_start(r);
+
+    if (!check_power(r, "600 frames without input", &start))
+        return;
+    listen_to(r);
+    for (uint32_t f = 0; f < IDLE_FRAMES && !board_last_output(r->guard.board)->fault; f++) {
+        check_tell(r, f, IDLE_FRAMES);
+        check_tick(r, nothing);
+    }
+    judge_heard(r);
+    check_finish(r);
+}
+
+/* ---- contrast ---- */
+
+/* What was told stays. */
+static bool contrast_open(struct contrast *k, const struct board *b)
+{
+    int w, h, n = 0;
+
+    for (int i = 0; i < k->n; i++)
+        if (k->look[i].told)
+            k->look[n++] = k->look[i];
+    k->n = n;
+    k->samples = 0;
+    board_screen_size(b, &w, &h);
+    k->pixels = malloc(fb_size(w, h));
+    k->scratch = malloc(board_scratch_size(b));
+    if (k->pixels == NULL || k->scratch == NULL)
+        return false;
+    fb_init(&k->fb, k->pixels, w, h);
+    return true;
+}
+
+static void contrast_close(struct contrast *k)
+{
+    free(k->pixels);
+    free(k->scratch);
+    k->pixels = k->scratch = NULL;
+}
+
+/* The entry of that kind and bank; NULL: there are too many. */
+static struct look *look_of(struct contrast *k, const struct contrast_bullet *b)
+{
+    int i = 0;
+
+    while (i < k->n && (k->look[i].bank != b->bank || strcmp(k->look[i].kind, b->kind) != 0))
+        i++;
+    if (i == LOOKS || strlen(b->kind) >= sizeof k->look[i].kind)
+        return NULL;
+    if (i == k->n) {
+        k->n++;
+        k->look[i] = (struct look){ .bank = b->bank };
+        snprintf(k->look[i].kind, sizeof k->look[i].kind, "%s", b->kind);
+    }
+    return &k->look[i];
+}
+
+static void note_bullet(void *context, const struct contrast_bullet *b)
+{
+    struct contrast *k = context;
+    struct look *look = look_of(k, b);
+
+    if (look == NULL)
+        return;
+    look->seen++;
+    if (b->share > CONTRAST_FAINT_SHARE)
+        return;
+    if (look->faint++ == 0) {
+        look->frame = k->frame;
+        look->x = b->x;
+        look->y = b->y;
+    }
+}
+
+static void contrast_look(struct run *r, uint32_t frame)
+{
+    struct contrast *k = &r->contrast;
+
+    if (frame % SAMPLE_EVERY || k->samples == SAMPLES || board_last_output(r->guard.board)->fault)
+        return;
+    k->frame = frame;
+    k->samples++;
+    r->c->samples++;
+    contrast_sample(r->guard.board, &k->fb, k->scratch, note_bullet, k);
+}
+
+/* Of which most are hardly seen, and which was not told before. */
+static void judge_contrast(struct run *r)
+{
+    struct contrast *k = &r->contrast;
+
+    for (int i = 0; i < k->n; i++) {
+        struct look *l = &k->look[i];
+        if (l->told || l->seen < FEW_BULLETS || 2 * l->faint <= l->seen)
+            continue;
+        l->told = true;
+        diagnostics_add(&r->c->found, r->what, 0,
+                        "bullets \"%s\" in bank %d are hard to see: %d of %d in %d sampled frames; the "
+                        "first is at %d,%d in frame %" PRIu32,
+                        l->kind, l->bank, l->faint, l->seen, k->samples, l->x, l->y, l->frame);
+    }
+}
+
+/* ---- sections ---- */
+
+static void play_section(struct run *r, const struct section *section)
+{
+    uint16_t pads[MAX_PLAYERS];
+    bool over = false;
+
+    for (uint32_t f = 0; f < SWEEP_FRAMES && !over && !board_last_output(r->guard.board)->fault; f++) {
+        check_tell(r, f, SWEEP_FRAMES);
+        contrast_look(r, f);
+        sweep_pads(f, pads);
+        over = sweep_over(section->kind, check_tick(r, pads));
+    }
+}
+
+/* A stage or a phase; nothing hits the ship. */
+static void run_section(struct run *r, const struct section *section)
+{
+    struct board_start start = check_start(r);
+
+    snprintf(start.practice.section, sizeof start.practice.section, "%s", section->id);
+    start.practice.invincible = true;
+    if (!check_power(r, section->id, &start))
+        return;
+    if (contrast_open(&r->contrast, r->guard.board)) {
+        play_section(r, section);
+        judge_contrast(r);
+    } else {
+        r->c->found.failed = true;
+    }
+    contrast_close(&r->contrast);
+    check_finish(r);
+    r->c->sections++;
+}
+
+static bool is_played(const struct section *s)
+{
+    return s->kind == SECTION_STAGE || s->kind == SECTION_PHASE;
+}
+
+static void run_sections(struct run *r)
+{
+    for (int i = 0; i < r->sections->n; i++)
+        if (is_played(&r->sections->section[i]))
+            run_section(r, &r->sections->section[i]);
+}
+
+/* ---- a demo ---- */
+
+/* Does the board agree with what the demo knows of this frame? */
+static bool agrees(struct run *r, uint32_t frame)
+{
+    uint64_t hashes[MAX_PARTS];
+
+    board_hashes_cached(r->guard.board, r->hash_cache, r->hashes);
+    return demo_reorder_hashes(&r->demo, r->guard.board, r->hashes, hashes) == 0 &&
+           demo_differing_parts(&r->demo, frame, hashes) == 0;
+}
+
+/* A demo that was recorded with a fault holds when that comes again, there and only there. */
+static bool is_as_recorded(struct run *r, uint32_t frame)
+{
+    const struct board_fault *fault = board_last_output(r->guard.board)->fault;
+    const struct demo *d = &r->demo;
+
+    if (fault)
+        return d->fault == fault->kind && frame == d->frames;
+    return agrees(r, frame) && (frame < d->frames || d->fault == FAULT_NONE);
+}
+
+/* Plays the demo, also on after it went wrong. Returns the first frame that is not as it was recorded, or ALL. */
+static uint32_t play(struct run *r)
+{
+    uint32_t last = r->demo.frames < MOST_FRAMES ? r->demo.frames : MOST_FRAMES, wrong = ALL;
+    uint16_t pads[MAX_PLAYERS];
+
+    for (uint32_t f = 0;; f++) {
+        if (wrong == ALL && !is_as_recorded(r, f))
+            wrong = f;
+        contrast_look(r, f);
+        check_tell(r, f, last);
+        if (f == last || board_last_output(r->guard.board)->fault)
+            return wrong;
+        demo_pads(&r->demo, f, pads);
+        check_tick(r, pads);
+    }
+}
+
+static void run_loaded(struct run *r)
+{
+    char doubt[128];
+    bool doubted = demo_replay_warning(&r->demo, &r->cart, doubt, sizeof doubt) != NULL;
+
+    if (!check_power(r, r->what, &r->demo.start))
+        return;
+    r->hash_cache = calloc(1, board_hash_cache_size(r->guard.board));
+    if (!contrast_open(&r->contrast, r->guard.board) || r->hash_cache == NULL) {
+        r->c->found.failed = true;
+        contrast_close(&r->contrast);
+        free(r->hash_cache);
+        return;
+    }
+    listen_to(r);
+    uint32_t wrong = play(r);
+    judge_heard(r);
+    judge_contrast(r);
+    contrast_close(&r->contrast);
+    free(r->hash_cache);
+    if (wrong != ALL && !doubted)
+        diagnostics_add(&r->c->found, r->what, 0,
+                        "playback diverges at frame %" PRIu32 " (see curtain verify %s %s/%s)", wrong, r->c->dir,
+                        r->c->dir, r->what);
+    check_finish(r);
+    r->c->demos++;
+}
+
+static void run_demo(struct run *r, const char *path)
+{
+    char err[512];
+    uint8_t *data;
+    size_t size;
+
+    r->what = path;
+    if (!check_load(r->c, path, DEMO_MAX_BYTES, &data, &size))
+        return;
+    bool good = demo_read(&r->demo, data, size, err, sizeof err);
+    free(data);
+    if (!good || !demo_check_cart(&r->demo, &r->cart, err, sizeof err))
+        diagnostics_add(&r->c->found, path, 0, "%s", err);
+    else if (!r->demo.complete)
+        diagnostics_add(&r->c->found, path, 0, "truncated: no end mark");
+    if (good && demo_check_cart(&r->demo, &r->cart, err, sizeof err))
+        run_loaded(r);
+    demo_free(&r->demo);
+}
+
+static bool is_demo(const char *path)
+{
+    size_t n = strlen(path), m = strlen(".demo");
+
+    return strncmp(path, "demos/", 6) == 0 && n > 6 + m && strcmp(path + n - m, ".demo") == 0;
+}
+
+/* ---- all runs ---- */
+
+static void judge_memory(struct run *r)
+{
+    size_t room = (size_t)r->cart.manifest.lua_kib * 1024;
+
+    r->c->lua_most = r->most;
+    if (r->most * 100 <= room * MOST_LUA || r->memory_fault)
+        return;
+    diagnostics_add(&r->c->found, "rom.lua", CHECK_LINE(r->c, "board", "lua_kib"),
+                    "board.lua_kib = %d: %s used %zu KiB of it, more than %d %%; raise it to %d",
+                    (int)r->cart.manifest.lua_kib, r->most_in, r->most / 1024, MOST_LUA,
+                    (int)ram_enough_lua_kib(r->most));
+}
+
+static void plan(struct run *r)
+{
+    const struct board_start start = check_start(r);
+
+    sections_list(r->sections, &r->image.rom, &start, false);
+    for (int i = 0; i < r->c->files.n; i++)
+        r->planned += is_demo(r->c->files.name[i]);
+    r->planned += r->planned == 0; /* run_idle */
+    for (int i = 0; i < r->sections->n; i++)
+        r->planned += is_played(&r->sections->section[i]);
+    r->planned += r->sections->ships ? check_forced_runs(r) : 0;
+}
+
+const struct board *check_board(const struct run *r)
+{
+    return r->guard.board;
+}
+
+unsigned *check_broken(struct run *r)
+{
+    return &r->broken;
+}
+
+const struct cart *check_cart(const struct run *r)
+{
+    return &r->cart;
+}
+
+const struct sections *check_sections(const struct run *r)
+{
+    return r->sections;
+}
+
+static void run_all(struct run *r)
+{
+    const struct tree *files = &r->c->files;
+
+    plan(r);
+    progress_begin();
+    for (int i = 0; i < files->n; i++)
+        if (is_demo(files->name[i]))
+            run_demo(r, files->name[i]);
+    if (!r->measured)
+        run_idle(r);
+    run_sections(r);
+    if (r->boots)
+        r->c->forced = check_forced(r);
+    judge_memory(r);
+}
+
+static void told(void *context, const char *sentence)
+{
+    struct check *c = context;
+
+    check_rom_sentence(c, sentence);
+}
+
+/* Colours are looked at elsewhere; here the nearest will do. */
+void check_run(struct check *c)
+{
+    struct run *r = calloc(1, sizeof *r);
+    char err[512];
+
+    if (r == NULL) {
+        c->found.failed = true;
+        return;
+    }
+    r->c = c;
+    if (!pack_folder_told(c->dir, true, told, c, &r->image.bytes, &r->image.size, err, sizeof err)) {
+        r->image.bytes = NULL;
+        check_rom_sentence(c, err);
+        c->broken = true;
+    } else if (!rom_open(&r->image.rom, r->image.bytes, r->image.size, err, sizeof err) ||
+               !cart_open(&r->cart, &r->image.rom, err, sizeof err)) {
+        check_rom_sentence(c, err);
+        c->broken = true;
+    } else if ((r->sections = calloc(1, sizeof *r->sections)) == NULL) {
+        c->found.failed = true;
+    } else {
+        check_rooms(c, &r->cart);
+        ram_describe(&r->cart, c->ram);
+        run_all(r);
+        check_text(c, &r->cart);
+    }
+    guard_close(&r->guard);
+    free(r->sections);
+    rom_image_free(&r->image);
+    free(r);
+}

@@ -1,0 +1,325 @@
+/*
+ * annotations.c - see annotations.h. Nothing is listed twice: all comes from the API table.
+ *
+ * A table of the API, bullet, is a global whose class is "bulletlib"; a kind of handle is the class "bullet", whose
+ * methods stand in a local of the file. Named arguments are a class "bullet.fire.args", those of a method
+ * "bullet.clear.self.args", and what stands in a list of arguments has a class of its own, "motion.def.step". A game
+ * that declares fields adds them by opening the class again (docs/guide/26-editors.md).
+ */
+#include "annotations.h"
+
+#include <stdbool.h>
+#include <stdio.h>
+#include <string.h>
+#include "help_lua.h"
+#include "../../player/game/version.h"
+#include "annotation_types.h"
+
+enum { NAME_SIZE = 80, TYPE_SIZE = 240, WORDS_SIZE = 800 };
+
+/* Whose arguments a pattern takes besides its own, by what it fires. */
+static const char *const makers[] = { "bullet.fire", "shot.fire", "laser.bolt", "laser.curve", "laser.beam" };
+enum { MAKERS = sizeof makers / sizeof *makers };
+
+static bool is_part(const struct api_entry *e)
+{
+    return strchr(e->name, ' ') != NULL;
+}
+
+/* Is it for games? Tables inside arguments are, though nobody calls them. */
+static bool is_public(const struct api_entry *e)
+{
+    return !(e->flags & API_SYS) || is_part(e);
+}
+
+static const struct api_param *find_param(const struct api_entry *e, const char *name)
+{
+    for (int i = e->positional_count; i < e->count; i++)
+        if (!strcmp(e->params[i].name, name))
+            return &e->params[i];
+    return NULL;
+}
+
+/* The class of an entry's named arguments. */
+static void class_name(const struct api_entry *e, char out[NAME_SIZE])
+{
+    const bool part = is_part(e), method = e->flags & API_METHOD;
+
+    snprintf(out, NAME_SIZE, "%s%s%s", e->name, method ? ".self" : "", part ? "" : ".args");
+    for (char *c = out; *c; c++)
+        if (*c == ':' || *c == ' ')
+            *c = '.';
+}
+
+/* The meaning, and in brackets the type, the range and the default. */
+static void comment(const struct api_param *p, char out[WORDS_SIZE])
+{
+    char words[WORDS_SIZE / 2];
+
+    help_argument_words(p, words, sizeof words);
+    snprintf(out, WORDS_SIZE, "%s%s[%s]", p->help ? p->help : "", p->help && p->help[0] ? " " : "", words);
+}
+
+static void field(struct prose *to, const struct api_entry *e, const struct api_param *p, bool optional)
+{
+    char type[TYPE_SIZE], words[WORDS_SIZE];
+
+    annotation_type(e, p, type, sizeof type);
+    comment(p, words);
+    prose_add(to, "---@field %s%s %s # %s\n", p->name, optional ? "?" : "", type, words);
+}
+
+/* ---- classes of arguments ---- */
+
+/* Is the parameter one of a maker before that one? */
+static bool fired_before(int maker, const char *name)
+{
+    for (int i = 0; i < maker; i++)
+        if (find_param(api_find_entry(&api_table, makers[i]), name))
+            return true;
+    return false;
+}
+
+/* The comment names the first maker that has the parameter. */
+static void fired_field(struct prose *to, const struct api_entry *e, const struct api_param *p)
+{
+    struct api_param any = *p;
+    char type[TYPE_SIZE], words[WORDS_SIZE];
+
+    any.optional = 1;
+    comment(&any, words);
+    if (any.type >= A_BULLET_KIND && any.type <= A_OPTION_KIND)
+        any.type = A_STR; /* of whatever is fired */
+    annotation_type(e, &any, type, sizeof type);
+    prose_add(to, "---@field %s? %s # %s: %s\n", p->name, type, e->name, words);
+}
+
+/* All that a pattern hands on. All is optional here: some things do not take it, and what `each` calls may need none
+ * of it. */
+static void fired(struct prose *to)
+{
+    prose_add(to, "\n---arguments that a pattern passes on to each bullet, shot or laser\n---@class fired\n");
+    for (int m = 0; m < MAKERS; m++) {
+        const struct api_entry *e = api_find_entry(&api_table, makers[m]);
+        for (int i = e->positional_count; i < e->count; i++)
+            if (!fired_before(m, e->params[i].name))
+                fired_field(to, e, &e->params[i]);
+    }
+}
+
+static bool has_table(const struct api_entry *e)
+{
+    return e->count > e->positional_count || e->flags & API_PATTERN;
+}
+
+static void arguments_class(struct prose *to, const struct api_entry *e)
+{
+    char name[NAME_SIZE];
+
+    class_name(e, name);
+    prose_add(to, "\n---%s%s\n---@class %s%s\n", is_part(e) ? e->help : "arguments of ", is_part(e) ? "" : e->name,
+              name, e->flags & API_PATTERN ? ": fired" : "");
+    for (int i = is_part(e) ? 0 : e->positional_count; i < e->count; i++)
+        field(to, e, &e->params[i], e->params[i].optional);
+}
+
+static void argument_classes(struct prose *to)
+{
+    fired(to);
+    for (int i = 0; i < api_count_entries(&api_table); i++) {
+        const struct api_entry *e = api_get_entry(&api_table, i);
+        if (is_public(e) && (is_part(e) || has_table(e)))
+            arguments_class(to, e);
+    }
+}
+
+/* ---- functions ---- */
+
+static void function_params(struct prose *to, const struct api_entry *e)
+{
+    char type[TYPE_SIZE], words[WORDS_SIZE], name[NAME_SIZE];
+
+    for (int i = e->flags & API_METHOD ? 1 : 0; i < e->positional_count; i++) {
+        const struct api_param *p = &e->params[i];
+        annotation_type(e, p, type, sizeof type);
+        comment(p, words);
+        prose_add(to, "---@param %s%s %s # %s\n", p->name, p->optional ? "?" : "", type, words);
+    }
+    if (e->flags & API_VARARGS)
+        prose_add(to, "---@param ... any\n");
+    if (!has_table(e))
+        return;
+    class_name(e, name);
+    bool must = false;
+    for (int i = e->positional_count; i < e->count; i++)
+        must = must || !e->params[i].optional;
+    prose_add(to, "---@param args%s %s\n", must || e->flags & API_PATTERN ? "" : "?", name);
+}
+
+/* owner: the local that a kind of handle's methods stand in; NULL: the entry's own name. */
+static void function(struct prose *to, const struct api_entry *e, const char *owner)
+{
+    const int first = e->flags & API_METHOD ? 1 : 0;
+    const char *comma = "";
+
+    prose_add(to, "\n---%s%s\n", e->help, e->flags & API_LOAD_ONLY ? " (only while scripts load)" : "");
+    function_params(to, e);
+    annotation_returns(to, e->returns);
+    prose_add(to, "function %s%s(", owner ? owner : "", owner ? strchr(e->name, ':') : e->name);
+    for (int i = first; i < e->positional_count; i++, comma = ", ")
+        prose_add(to, "%s%s", comma, e->params[i].name);
+    if (e->flags & API_VARARGS)
+        prose_add(to, "%s...", comma), comma = ", ";
+    if (has_table(e))
+        prose_add(to, "%sargs", comma);
+    prose_add(to, ") end\n");
+}
+
+/* ---- handles ---- */
+
+static void property(struct prose *to, const struct api_param *p)
+{
+    char type[TYPE_SIZE], words[WORDS_SIZE];
+    const bool nil = strstr(p->help, "nil") != NULL, read = !(p->access & PROP_WRITE);
+
+    annotation_property(p, type, sizeof type);
+    help_property_words(p, words, sizeof words);
+    prose_add(to, "---@field %s%s %s # %s%s [%s]\n", p->name, nil ? "?" : "", type, read ? "read-only: " : "", p->help,
+              words);
+}
+
+static void handle(struct prose *to, enum handle_kind kind)
+{
+    const struct api_thing *t = api_table.things[kind];
+    const size_t n = strlen(t->name);
+    char owner[NAME_SIZE];
+
+    prose_add(to, "\n---@class %s\n", t->name);
+    if (api_can_die(kind))
+        prose_add(to, "---@field alive boolean # read-only: true while it exists\n");
+    for (int i = 0; i < t->n; i++)
+        property(to, &t->props[i]);
+    snprintf(owner, sizeof owner, "a_%s", t->name);
+    prose_add(to, "local %s = {}\n", owner);
+    for (int i = 0; i < api_count_entries(&api_table); i++) {
+        const struct api_entry *e = api_get_entry(&api_table, i);
+        if (!strncmp(e->name, t->name, n) && e->name[n] == ':' && is_public(e))
+            function(to, e, owner);
+    }
+}
+
+/* ---- globals ---- */
+
+/* The table of a name, "bullet" of "bullet.fire"; empty: a global of its own. */
+static void space_of(const char *name, char out[NAME_SIZE])
+{
+    const size_t n = strcspn(name, ".(");
+
+    snprintf(out, NAME_SIZE, "%.*s", name[n] == '.' ? (int)n : 0, name);
+}
+
+/* Values come behind the entries in one order: i from 0 on; NULL: there are no more. */
+static const char *any_name(int i)
+{
+    const int k = i - api_count_entries(&api_table);
+
+    if (k >= 0)
+        return k < api_table.doc_name_count ? api_table.doc_names[k].name : NULL;
+    const struct api_entry *e = api_get_entry(&api_table, i);
+    return is_public(e) && !strpbrk(e->name, ": ") ? e->name : "";
+}
+
+static bool space_before(int i, const char *space)
+{
+    char other[NAME_SIZE];
+
+    for (int k = 0; k < i; k++) {
+        space_of(any_name(k), other);
+        if (!strcmp(other, space))
+            return true;
+    }
+    return false;
+}
+
+static void space_fields(struct prose *to, const char *space)
+{
+    char of[NAME_SIZE];
+
+    for (int i = 0; i < api_table.doc_name_count; i++) {
+        const char *name = api_table.doc_names[i].name, *help = api_table.doc_names[i].help;
+        space_of(name, of);
+        if (strcmp(of, space) || strchr(name, '('))
+            continue;
+        const char *type = annotation_plain(name);
+        prose_add(to, "---@field %s %s # %s\n", name + strlen(of) + 1, type ? type : "any", help);
+    }
+}
+
+static void spaces(struct prose *to)
+{
+    char space[NAME_SIZE];
+
+    for (int i = 0; any_name(i); i++) {
+        space_of(any_name(i), space);
+        if (!space[0] || space_before(i, space))
+            continue;
+        prose_add(to, "\n---@class %slib\n", space);
+        space_fields(to, space);
+        prose_add(to, "%s = {}\n", space);
+    }
+}
+
+/* A function without a check: "hud.banner(lines?, frames?)". */
+static void plain_function(struct prose *to, const char *name, const char *help)
+{
+    char list[160] = "";
+    size_t n = 0;
+    const char *at = strchr(name, '(') + 1, *returns = strstr(help, "returns the row");
+
+    prose_add(to, "\n---%s\n", help);
+    while (*at != ')') {
+        char word[32];
+        const size_t length = strcspn(at, "?,)");
+        snprintf(word, sizeof word, "%.*s", (int)length, at);
+        const char *type = annotation_plain(word);
+        prose_add(to, "---@param %s%s %s\n", word, at[length] == '?' ? "?" : "", type ? type : "any");
+        n += (size_t)snprintf(list + n, sizeof list - n, "%s%s", n ? ", " : "", word);
+        at += length;
+        at += strspn(at, "?, ");
+    }
+    if (returns)
+        annotation_returns(to, "row");
+    prose_add(to, "function %.*s(%s) end\n", (int)strcspn(name, "("), name, list);
+}
+
+/* print and require are Lua's: the server knows them. */
+static void plain_names(struct prose *to)
+{
+    for (int i = 0; i < api_table.doc_name_count; i++) {
+        const char *name = api_table.doc_names[i].name, *help = api_table.doc_names[i].help;
+        const char *type = annotation_plain(name);
+        if (strchr(name, '(') && strcspn(name, ".") < strcspn(name, "("))
+            plain_function(to, name, help);
+        else if (!strpbrk(name, ".("))
+            prose_add(to, "\n---%s\n---@type %s\n%s = nil\n", help, type ? type : "any", name);
+    }
+}
+
+void annotations_write(struct prose *to)
+{
+    prose_add(to, "---@meta curtain\n");
+    prose_add(to,
+              "-- Curtain %s: the API for games, for the Lua language server. Generated by curtain help lua "
+              "--annotations.\n\n",
+              CURTAIN_VERSION);
+    prose_add(to, "-- luacheck: ignore\n");
+    annotation_aliases(to);
+    argument_classes(to);
+    for (int k = 1; k < HANDLE_KINDS; k++)
+        handle(to, (enum handle_kind)k);
+    spaces(to);
+    for (int i = 0; i < api_count_entries(&api_table); i++)
+        if (any_name(i)[0])
+            function(to, api_get_entry(&api_table, i), NULL);
+    plain_names(to);
+}

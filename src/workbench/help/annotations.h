@@ -1,0 +1,16 @@
+/*
+ * annotations.h - `curtain help lua --annotations`: the API table as definitions for LuaLS, the Lua language server, so
+ * that an editor completes names, shows their help, and finds wrong arguments.
+ */
+#ifndef WORKBENCH_ANNOTATIONS_H
+#define WORKBENCH_ANNOTATIONS_H
+
+#include "../../common/prose.h"
+
+/* Adds the file's text. It is Lua that an editor reads and no game runs. */
+void annotations_write(struct prose *to);
+
+/* The same of what test scripts call (trial.h). */
+void annotations_test_write(struct prose *to);
+
+#endif

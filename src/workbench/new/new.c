@@ -1,0 +1,252 @@
+/*
+ * new.c - see new.h.
+ */
+#include "new.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../../platform/platform.h"
+#include "../help/annotations.h"
+#include "../../common/files.h"
+#include "../../common/report.h"
+#include "../../player/settings/views.h"
+#include "../../common/tree.h"
+#include "game_name.h"
+#include "../../common/result.h"
+
+static const char LUARC[] = "{\n"
+                            "  \"runtime.version\": \"Lua 5.4\",\n"
+                            "  \"runtime.path\": [\"?.lua\"],\n"
+                            "  \"runtime.builtin\": {\n"
+                            "    \"coroutine\": \"disable\", \"debug\": \"disable\", \"io\": \"disable\", \"os\": "
+                            "\"disable\", \"package\": \"disable\"\n"
+                            "  },\n"
+                            "  \"workspace.library\": [\".curtain.lua\", \".curtain-test.lua\"]\n"
+                            "}\n";
+
+enum { GAMES = 16 /* that are listed */ };
+
+struct start {
+    const char *dir, *from;
+    char name[CHRISTEN_TITLE], id[CHRISTEN_ID];
+    char *path[256]; /* below dir, of what was written or begun */
+    int n;
+};
+
+/* ---- files ---- */
+
+/* Below the game's folder; NULL: the file is another game's. */
+static const char *file_of(const char *from, const char *name)
+{
+    const size_t n = strlen(from);
+
+    return strncmp(name, from, n) == 0 && name[n] == '/' ? name + n + 1 : NULL;
+}
+
+static bool known(const char *from)
+{
+    for (int i = 0; i < start_file_count; i++)
+        if (file_of(from, start_files[i].name))
+            return true;
+    return false;
+}
+
+/* "bulletml, first ... or shooter": the games there are. */
+static void list_games(char *out, size_t size)
+{
+    char names[GAMES][32];
+    const char *list[GAMES + 1] = { NULL };
+    int n = 0;
+
+    for (int i = 0; i < start_file_count && n < GAMES; i++) {
+        const char *name = start_files[i].name;
+        if (n > 0 && file_of(list[n - 1], name))
+            continue;
+        snprintf(names[n], sizeof names[n], "%.*s", (int)strcspn(name, "/"), name);
+        list[n] = names[n];
+        n++;
+    }
+    views_list(list, out, size);
+}
+
+static void ignore_file(void *user, const struct plat_folder_entry *file)
+{
+    (void)user;
+    (void)file;
+}
+
+/* Takes back what was written, and the folders made for it, which others' files keep. */
+static void take_back(const struct start *s, bool existed)
+{
+    char path[TREE_PATH];
+
+    for (int i = s->n - 1; i >= 0; i--) {
+        if (!tree_join(path, s->dir, s->path[i]))
+            continue;
+        plat_remove(path);
+        for (char *slash; (slash = strrchr(path, '/')) != NULL && (size_t)(slash - path) > strlen(s->dir);) {
+            *slash = '\0';
+            plat_remove(path);
+        }
+    }
+    if (!existed && plat_list(s->dir, ignore_file, NULL) >= 0) /* a link that leads nowhere is the user's */
+        plat_remove(s->dir);
+}
+
+static bool save(struct start *s, const char *name, const void *data, size_t size, char *err, size_t err_size)
+{
+    char path[TREE_PATH];
+
+    if (!tree_join(path, s->dir, name) || s->n == (int)(sizeof s->path / sizeof *s->path)) {
+        snprintf(err, err_size, "%s: path too long", s->dir);
+        return false;
+    }
+    s->path[s->n++] = (char *)name;
+    return files_save(path, data, size, err, err_size);
+}
+
+/* ---- names in the files ---- */
+
+/* As it stands between quotes in Lua. */
+static void add_quoted(struct prose *p, const char *text)
+{
+    for (; *text != '\0'; text++)
+        prose_add(p, *text == '"' || *text == '\\' ? "\\%c" : "%c", *text);
+}
+
+/* The text with what stands behind the first `before`, up to `after`, replaced. */
+static void add_named(struct prose *p, const char *text, const char *before, char after, const char *with)
+{
+    const char *at = strstr(text, before), *end = at ? strchr(at + strlen(before), after) : NULL;
+
+    if (end) {
+        prose_add(p, "%.*s", (int)(at - text + (long)strlen(before)), text);
+        add_quoted(p, with);
+        text = end;
+    }
+    prose_add(p, "%s", text);
+}
+
+/* rom.lua with the game's id and title, README.md with its title; any other file as it is. */
+static bool save_named(struct start *s, const char *name, const struct embedded *file, char *err, size_t err_size)
+{
+    const bool rom = strcmp(name, "rom.lua") == 0, page = strcmp(name, "README.md") == 0;
+    const bool titled = game_name_shown(s->name);
+    struct prose first = { 0 }, text = { 0 };
+
+    if ((!rom && !page) || (page && !titled))
+        return save(s, name, file->data, file->size, err, err_size);
+    prose_add(&first, "%.*s", (int)file->size, (const char *)file->data);
+    if (page) {
+        prose_add(&text, "# %s%s", s->name, first.bytes ? first.bytes + strcspn(first.bytes, "\n") : "");
+    } else if (first.bytes) {
+        struct prose with_id = { 0 };
+        add_named(&with_id, first.bytes, "id = \"", '"', s->id);
+        if (with_id.bytes && titled)
+            add_named(&text, with_id.bytes, "title = \"", '"', s->name);
+        else if (with_id.bytes)
+            prose_add(&text, "%s", with_id.bytes);
+        text.failed = text.failed || with_id.failed;
+        free(with_id.bytes);
+    }
+    bool good = text.bytes && !text.failed && !first.failed;
+    if (!good)
+        result_set_host_error(err, err_size, "out of memory");
+    good = good && save(s, name, text.bytes, text.n, err, err_size);
+    free(first.bytes);
+    free(text.bytes);
+    return good;
+}
+
+/* What an editor knows of the API, or of what test scripts call. */
+static bool save_api(struct start *s, const char *name, void (*write)(struct prose *), char *err, size_t err_size)
+{
+    struct prose api = { 0 };
+
+    write(&api);
+    if (api.failed)
+        result_set_host_error(err, err_size, "out of memory");
+    bool good = !api.failed && save(s, name, api.bytes, api.n, err, err_size);
+    free(api.bytes);
+    return good;
+}
+
+static bool save_editors(struct start *s, char *err, size_t err_size)
+{
+    return save_api(s, ".curtain.lua", annotations_write, err, err_size) &&
+           save_api(s, ".curtain-test.lua", annotations_test_write, err, err_size) &&
+           save(s, ".luarc.json", LUARC, sizeof LUARC - 1, err, err_size);
+}
+
+static bool save_all(struct start *s, char *err, size_t err_size)
+{
+    bool good = true;
+
+    for (int i = 0; i < start_file_count && good; i++) {
+        const char *name = file_of(s->from, start_files[i].name);
+        good = !name || save_named(s, name, &start_files[i], err, err_size);
+    }
+    return good && save_editors(s, err, err_size);
+}
+
+/* ---- the command ---- */
+
+/* dir as a shell takes it. */
+static void add_word(struct prose *p, const char *dir)
+{
+    if (dir[0] == '-')
+        prose_add(p, "./");
+    if (dir[strspn(dir, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./")] == '\0') {
+        prose_add(p, "%s", dir);
+        return;
+    }
+    prose_add(p, "'");
+    for (; *dir != '\0'; dir++)
+        prose_add(p, *dir == '\'' ? "'\\%c'" : "%c", *dir);
+    prose_add(p, "'");
+}
+
+static void say_next(const struct start *s)
+{
+    static const struct {
+        const char *words, *what;
+    } next[] = { { "play", "play it; the game reloads when you save a file" },
+                 { "check", "look for mistakes" },
+                 { "test", "run its tests" } };
+    struct prose text = { 0 };
+
+    add_word(&text, s->dir);
+    if (!text.failed) {
+        report_print("%s: new game, %d files; see its README.md. Next:\n", s->dir, s->n);
+        for (size_t i = 0; i < sizeof next / sizeof *next; i++)
+            report_print("  curtain %-5s %-20s %s\n", next[i].words, text.bytes, next[i].what);
+    }
+    free(text.bytes);
+}
+
+enum result new_game(const char *dir, const char *from)
+{
+    struct start s = { .dir = dir, .from = from ? from : "shooter" };
+    char games[256];
+    char err[FILES_ERR_SIZE];
+
+    if (!known(s.from)) {
+        list_games(games, sizeof games);
+        return report_line(RESULT_REFUSED, "--from: expected %s, got \"%s\"", games, s.from);
+    }
+    if (!game_name_name(dir, s.name))
+        return report_line(RESULT_REFUSED, "new: \"%s\" is not a valid game name; expected a folder to create", dir);
+    game_name_id(s.name, s.id);
+    if (files_size(dir) >= 0)
+        return report_line(RESULT_REFUSED, "%s: a file with this name exists; choose another name", dir);
+    int files = plat_list(dir, ignore_file, NULL);
+    if (files > 0)
+        return report_line(RESULT_REFUSED, "%s: this folder is not empty; choose a new or empty one", dir);
+    if (!save_all(&s, err, sizeof err)) {
+        take_back(&s, files == 0);
+        return report_line(RESULT_HOST_FAILED, "%s", err);
+    }
+    say_next(&s);
+    return report_stdout(RESULT_DONE);
+}

@@ -1,0 +1,909 @@
+/*
+ * map_tmx.c - reads Tiled's maps (https://doc.mapeditor.org/en/stable/reference/tmx-map-format/). Tables list the
+ * elements and attributes that are understood, and those that change no picture; all others are refused. What is wrong
+ * with a tileset is a flaw, which counts once the layer uses the tileset, or the tile.
+ */
+#include "map.h"
+
+#include <inttypes.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../base/bytes.h"
+#include "../../base/err.h"
+#include "../../base/hash.h"
+#include "../../common/array.h"
+#include "../../common/result.h"
+#include "../../player/picture/png.h"
+#include "xml.h"
+
+enum { TILESETS = 64, FLAWS = 256, SENTENCE = 256, WHOLE = -1 /* a flaw of all tiles */ };
+
+struct tileset {
+    int64_t first, count; /* number of its first tile in the map; tiles, 0: not stated */
+    uint32_t used;        /* by the layer: the number behind its last tile, from 1 on; 0: none */
+    int w, h;             /* px of a tile, 0: not stated */
+    struct map_sheet sheet;
+};
+
+struct flaw {
+    int set;
+    int64_t tile; /* of the tileset, or WHOLE */
+    char why[SENTENCE];
+};
+
+/* A rectangle of cells. */
+struct chunk {
+    int64_t x, y, w, h;
+    size_t at; /* its first cell in gid */
+};
+
+struct tmx {
+    struct xml map;
+    const struct map_files *files;
+    const char *wanted;
+    bool infinite, found;
+    int64_t cols, rows, side;
+    int layers, layer_line;
+    char names[96]; /* of the layers passed over, with commas */
+    struct tileset set[TILESETS];
+    int sets;
+    struct flaw flaw[FLAWS];
+    int flaws;
+    int at_set; /* tileset that is being read, and its tile */
+    int64_t at_tile;
+    struct chunk *chunk;
+    int chunks;
+    uint32_t *gid; /* cells of all chunks */
+    size_t gids;
+    struct map_cells *out;
+    char *err;
+    size_t err_size;
+};
+
+/* Refuses what is read now. Within a tileset that is a flaw, and true is returned: reading continues. */
+static bool refuse(struct tmx *t, struct xml *x, int line, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
+
+static bool refuse(struct tmx *t, struct xml *x, int line, const char *format, ...)
+{
+    char why[SENTENCE];
+    va_list args;
+
+    va_start(args, format);
+    vsnprintf(why, sizeof why, format, args);
+    va_end(args);
+    if (t->at_set < 0 || t->flaws == FLAWS)
+        return xml_refuse(x, line, "%s", why);
+    struct flaw *f = &t->flaw[t->flaws++];
+    f->set = t->at_set;
+    f->tile = t->at_tile;
+    snprintf(f->why, sizeof f->why, "%.80s:%d: %.160s", x->file, line, why);
+    return true;
+}
+
+/* ---- attributes ---- */
+
+/* Is it the same text, or the same number with zeros behind its point? */
+static bool same_value(const char *value, const char *plain)
+{
+    const size_t n = strlen(plain);
+
+    if (strncmp(value, plain, n) != 0)
+        return false;
+    return value[n] == '\0' || (n > 0 && value[n] == '.' && value[n + 1 + strspn(value + n + 1, "0")] == '\0');
+}
+
+/* Rules are "key" for any value, or "key=value" for that one alone; a key may have several. */
+static bool check_attribute(struct tmx *t, struct xml *x, const struct xml_attribute *a, const char *const *rules)
+{
+    const size_t n = strlen(a->key);
+    const char *plain = NULL;
+
+    for (; *rules != NULL; rules++) {
+        const bool same = strncmp(*rules, a->key, n) == 0;
+        if (same && ((*rules)[n] == '\0' || ((*rules)[n] == '=' && same_value(a->value, *rules + n + 1))))
+            return true;
+        plain = same && (*rules)[n] == '=' && plain == NULL ? *rules + n + 1 : plain;
+    }
+    if (plain == NULL)
+        return refuse(t, x, x->name_line, "<%.40s> %.40s=\"%.40s\" is not supported", x->name, a->key, a->value);
+    return refuse(t, x, x->name_line, "<%.40s> %.40s=\"%.40s\" is not supported, expected \"%s\"", x->name, a->key,
+                  a->value, plain);
+}
+
+static bool check_attributes(struct tmx *t, struct xml *x, const char *const *rules)
+{
+    for (int i = 0; i < x->n; i++)
+        if (!check_attribute(t, x, &x->attribute[i], rules))
+            return false;
+    return true;
+}
+
+static bool is_one_of(const char *name, const char *const *list)
+{
+    while (*list != NULL && strcmp(name, *list) != 0)
+        list++;
+    return *list != NULL;
+}
+
+/* A whole number that is all of the value. */
+static bool number(const char *s, int64_t lo, int64_t hi, int64_t *out)
+{
+    const bool minus = *s == '-';
+    const size_t n = strspn(s + minus, "0123456789");
+
+    if (n == 0 || n > 10 || s[minus + (int)n] != '\0')
+        return false;
+    *out = strtoll(s, NULL, 10);
+    return *out >= lo && *out <= hi;
+}
+
+/* The number of an attribute; of one that is not there, `missing`, unless that is below lo. */
+static bool get(struct xml *x, const char *key, int64_t lo, int64_t hi, int64_t missing, int64_t *out)
+{
+    const char *value = xml_value(x, key);
+
+    *out = missing;
+    if (value == NULL ? missing >= lo : number(value, lo, hi, out))
+        return true;
+    return xml_refuse(x, x->name_line, "<%.40s> %s: expected a whole number from %" PRId64 " to %" PRId64 ", got %.40s",
+                      x->name, key, lo, hi, value != NULL ? value : "nothing");
+}
+
+static bool need(struct xml *x, const char *key, int64_t lo, int64_t hi, int64_t *out)
+{
+    return get(x, key, lo, hi, lo - 1, out);
+}
+
+/* ---- paths ---- */
+
+/* The path, from the game's folder on, of what `file` calls `relative`. False: it is outside of the folder. */
+static bool resolve(const char *file, const char *relative, char out[TREE_PATH])
+{
+    const char *slash = strrchr(file, '/');
+    size_t n = slash != NULL ? (size_t)(slash - file) : 0;
+
+    if (relative[0] == '\0' || relative[0] == '/' || strpbrk(relative, "\\:") != NULL || n >= TREE_PATH)
+        return false;
+    memcpy(out, file, n);
+    for (const char *part = relative; *part != '\0';) {
+        const size_t length = strcspn(part, "/");
+        const bool up = length == 2 && memcmp(part, "..", 2) == 0;
+        if (up && n == 0)
+            return false;
+        while (up && n > 0 && out[--n] != '/')
+            ;
+        if (!up && length > 0 && !(length == 1 && *part == '.')) {
+            if (n + length + 2 > TREE_PATH)
+                return false;
+            if (n > 0)
+                out[n++] = '/';
+            memcpy(out + n, part, length);
+            n += length;
+        }
+        part += length + (part[length] == '/');
+    }
+    out[n] = '\0';
+    return n > 0;
+}
+
+/* ---- tilesets ---- */
+
+static bool read_image(struct tmx *t, struct xml *x, struct tileset *s)
+{
+    static const char *const rules[] = { "source", "width", "height", "id", NULL };
+    const char *source = xml_value(x, "source");
+    int64_t w;
+
+    if (source == NULL && !refuse(t, x, x->name_line, "<image> without a source: embedded pictures are not supported"))
+        return false;
+    if (!check_attributes(t, x, rules) || !get(x, "width", 0, 1 << 20, 0, &w))
+        return false;
+    s->sheet.width = (int)w;
+    if (source != NULL && !resolve(x->file, source, s->sheet.picture))
+        s->sheet.picture[0] = '\0';
+    return xml_skip(x);
+}
+
+/* A tile's own properties, shapes and names are for editors and games. */
+static bool read_tile(struct tmx *t, struct xml *x)
+{
+    static const char *const rules[] = { "id", "type", "class", "terrain", "probability", NULL };
+    static const char *const harmless[] = { "properties", "objectgroup", NULL };
+    enum xml_event event;
+
+    if (!need(x, "id", 0, INT32_MAX, &t->at_tile) || !check_attributes(t, x, rules))
+        return false;
+    while ((event = xml_next(x)) == XML_OPEN) {
+        const char *what = strcmp(x->name, "animation") == 0 ? "animated tiles are not supported; remove the animation"
+                           : strcmp(x->name, "image") == 0
+                               ? "image collections are not supported; put the tiles in one picture"
+                               : NULL;
+        if (!is_one_of(x->name, harmless) &&
+            !(what != NULL ? refuse(t, x, x->name_line, "%s", what)
+                           : refuse(t, x, x->name_line, "<%.40s> in a tile is not supported", x->name)))
+            return false;
+        if (!xml_skip(x))
+            return false;
+    }
+    t->at_tile = WHOLE;
+    return event == XML_CLOSE;
+}
+
+static bool read_tileset_child(struct tmx *t, struct xml *x, struct tileset *s)
+{
+    static const char *const harmless[] = { "properties",     "grid", "terraintypes", "wangsets", "transformations",
+                                            "editorsettings", NULL };
+    static const char *const offset[] = { "x=0", "y=0", NULL };
+
+    if (strcmp(x->name, "image") == 0)
+        return read_image(t, x, s);
+    if (strcmp(x->name, "tile") == 0)
+        return read_tile(t, x);
+    if (strcmp(x->name, "tileoffset") == 0)
+        return check_attributes(t, x, offset) && xml_skip(x);
+    if (!is_one_of(x->name, harmless) && !refuse(t, x, x->name_line, "<%.40s> in a tileset is not supported", x->name))
+        return false;
+    return xml_skip(x);
+}
+
+/* From <tileset> to </tileset>, of the map or of a file of its own. */
+static bool read_tileset_body(struct tmx *t, struct xml *x, struct tileset *s)
+{
+    static const char *const rules[] = {
+        "firstgid",     "name",    "class",           "tilewidth",      "tileheight", "spacing",         "margin",
+        "tilecount",    "columns", "objectalignment", "tilerendersize", "fillmode",   "backgroundcolor", "version",
+        "tiledversion", NULL
+    };
+    int64_t w, h, spacing, margin, columns;
+    enum xml_event event;
+
+    if (!check_attributes(t, x, rules) || !get(x, "tilewidth", 0, 1 << 20, 0, &w) ||
+        !get(x, "tileheight", 0, 1 << 20, 0, &h) || !get(x, "spacing", 0, 1024, 0, &spacing) ||
+        !get(x, "margin", 0, 1024, 0, &margin) || !get(x, "columns", 0, 1 << 20, 0, &columns) ||
+        !get(x, "tilecount", 0, 1 << 27, 0, &s->count))
+        return false;
+    snprintf(s->sheet.place, sizeof s->sheet.place, "%s:%d", x->file, x->name_line);
+    s->sheet.spacing = (int)spacing;
+    s->sheet.margin = (int)margin;
+    s->sheet.columns = (int)columns;
+    if (((w && w != t->side) || (h && h != t->side)) &&
+        !refuse(t, x, x->name_line, "tiles of %dx%d px, expected %dx%d, as in the map", (int)w, (int)h, (int)t->side,
+                (int)t->side))
+        return false;
+    while ((event = xml_next(x)) == XML_OPEN)
+        if (!read_tileset_child(t, x, s))
+            return false;
+    return event == XML_CLOSE;
+}
+
+/* A .tsx file. */
+static bool read_tsx(struct tmx *t, const char *source, struct tileset *s)
+{
+    char file[TREE_PATH];
+    struct xml x;
+    uint8_t *text;
+    size_t n;
+
+    if (!resolve(t->map.file, source, file))
+        return xml_refuse(&t->map, t->map.name_line,
+                          "tileset \"%.80s\" is outside the game's folder; move it there, or embed it in the map",
+                          source);
+    if (!t->files->load(t->files->context, file, &text, &n, t->err, t->err_size)) {
+        char why[SENTENCE];
+        snprintf(why, sizeof why, "%.*s", (int)sizeof why - 1, t->err);
+        return xml_refuse(&t->map, t->map.name_line, "%s", why);
+    }
+    bool good = xml_start(&x, (char *)text, n, file, t->err, t->err_size);
+    const enum xml_event event = good ? xml_next(&x) : XML_BAD;
+    if (event == XML_END || (event == XML_OPEN && strcmp(x.name, "tileset") != 0))
+        good = xml_refuse(&x, x.line, "expected <tileset>; save the tileset in Tiled as .tsx");
+    else
+        good = event == XML_OPEN && read_tileset_body(t, &x, s) && xml_next(&x) == XML_END;
+    free(text);
+    return good;
+}
+
+static bool read_tileset(struct tmx *t, struct xml *x)
+{
+    static const char *const rules[] = { "firstgid", "source", "name", NULL };
+    struct tileset *s = &t->set[t->sets];
+    const char *source = xml_value(x, "source");
+
+    if (t->sets == TILESETS)
+        return xml_refuse(x, x->name_line, "more than %d tilesets", (int)TILESETS);
+    if (!need(x, "firstgid", 1, 1 << 28, &s->first))
+        return false;
+    t->at_set = t->sets++;
+    t->at_tile = WHOLE;
+    const bool good = source == NULL ? read_tileset_body(t, x, s)
+                                     : check_attributes(t, x, rules) && read_tsx(t, source, s) && xml_skip(x);
+    t->at_set = -1;
+    return good;
+}
+
+/* The tileset of a tile, or NULL. */
+static struct tileset *set_of(struct tmx *t, uint32_t id)
+{
+    struct tileset *best = NULL;
+
+    for (int i = 0; i < t->sets; i++)
+        if (t->set[i].first <= id && (best == NULL || t->set[i].first > best->first))
+            best = &t->set[i];
+    return best;
+}
+
+/* ---- cells ---- */
+
+static bool set_gid(struct tmx *t, struct xml *x, int line, uint32_t *to, int64_t gid)
+{
+    const uint32_t id = (uint32_t)gid & ~MAP_GID_TURNS;
+
+    if (gid > UINT32_MAX || id >> 28)
+        return xml_refuse(x, line, "expected a tile number, got %" PRId64, gid);
+    if (id) {
+        struct tileset *s = set_of(t, id);
+        if (s == NULL)
+            return xml_refuse(x, line, "tile %" PRIu32 " does not belong to a tileset", id);
+        const uint32_t behind = (uint32_t)(id - s->first + 1);
+        s->used = behind > s->used ? behind : s->used;
+    }
+    *to = id ? (uint32_t)gid : 0;
+    return true;
+}
+
+/* Numbers with commas between. */
+static bool read_csv(struct tmx *t, struct xml *x, uint32_t *to, int64_t n, int64_t *got)
+{
+    int line = x->line;
+    const char *s, *end;
+    const size_t size = xml_text(x, &s);
+
+    for (end = s + size;;) {
+        int64_t gid = 0;
+        int digits = 0;
+        while (s < end && strchr(" \t\r\n", *s) != NULL)
+            line += *s++ == '\n';
+        if (s == end)
+            return true;
+        for (; s < end && *s >= '0' && *s <= '9' && digits < 10; digits++)
+            gid = gid * 10 + (*s++ - '0');
+        if (digits == 0)
+            return xml_refuse(x, line, "expected a tile number");
+        if (*got == n)
+            return xml_refuse(x, line, "more than %" PRId64 " tiles", n);
+        if (!set_gid(t, x, line, &to[(*got)++], gid))
+            return false;
+        while (s < end && strchr(" \t\r\n", *s) != NULL)
+            line += *s++ == '\n';
+        if (s < end && *s++ != ',')
+            return xml_refuse(x, line, "expected a comma between tiles");
+    }
+}
+
+/* <tile gid="n"/> up to the end of the element around them. */
+static bool read_xml(struct tmx *t, struct xml *x, uint32_t *to, int64_t n, int64_t *got)
+{
+    static const char *const rules[] = { "gid", NULL };
+    enum xml_event event;
+    int64_t gid;
+
+    while ((event = xml_next(x)) == XML_OPEN) {
+        if (strcmp(x->name, "tile") != 0)
+            return xml_refuse(x, x->name_line, "expected <tile gid=\"...\"/>, got <%.40s>", x->name);
+        if (*got == n)
+            return xml_refuse(x, x->name_line, "more than %" PRId64 " tiles", n);
+        if (!check_attributes(t, x, rules) || !get(x, "gid", 0, UINT32_MAX, 0, &gid) ||
+            !set_gid(t, x, x->name_line, &to[(*got)++], gid) || !xml_skip(x))
+            return false;
+    }
+    return event == XML_CLOSE;
+}
+
+/* Decodes base64 into `out`, which is as large; the bytes, or -1. */
+static int64_t decode64(const char *s, size_t n, uint8_t *out)
+{
+    uint32_t bits = 0;
+    int64_t size = 0;
+    int count = 0;
+
+    for (size_t i = 0; i < n; i++) {
+        if (strchr(" \t\r\n", s[i]) != NULL)
+            continue;
+        if (s[i] == '=') {
+            for (; i < n; i++)
+                if (strchr("= \t\r\n", s[i]) == NULL)
+                    return -1;
+            break;
+        }
+        if (bytes_base64_digit((uint8_t)s[i]) < 0)
+            return -1;
+        bits = bits << 6 | (uint32_t)bytes_base64_digit((uint8_t)s[i]);
+        if (++count % 4 != 1)
+            out[size++] = (uint8_t)(bits >> (6 - 2 * ((count - 1) % 4)));
+    }
+    return count % 4 == 1 ? -1 : size;
+}
+
+/* The first byte of the deflated data of a gzip file (RFC 1952), or 0. */
+static size_t gzip_data(const uint8_t *p, size_t n)
+{
+    enum { CHECK = 2, EXTRA = 4, NAME = 8, COMMENT = 16 };
+    size_t at = 10;
+
+    if (n < 18 || p[0] != 0x1f || p[1] != 0x8b || p[2] != 8)
+        return 0;
+    if (p[3] & EXTRA)
+        at += 2 + (size_t)bytes_get16(p + at);
+    for (int flag = NAME; flag <= COMMENT; flag *= 2)
+        if (p[3] & flag) {
+            while (at < n && p[at] != 0)
+                at++;
+            at++;
+        }
+    at += p[3] & CHECK ? 2 : 0;
+    return at + 8 <= n ? at : 0;
+}
+
+/* Inflates packed bytes to just `size`; out has room for one more. */
+static bool inflate(uint8_t *packed, size_t n, bool gzip, uint8_t *out, size_t size)
+{
+    const size_t at = gzip ? gzip_data(packed, n) : 0;
+
+    if (!gzip)
+        return png_inflate(packed, n, out, size);
+    if (at == 0)
+        return false;
+    packed[at - 2] = 0x78; /* zlib's header; the checksums behind the data are passed over */
+    packed[at - 1] = 0x9c;
+    return png_inflate(packed + at - 2, n - (at - 2), out, size) &&
+           hash_crc32(out, size) == bytes_get32(packed + n - 8);
+}
+
+/* Four bytes a cell, maybe compressed, in base64. */
+static bool read_base64(struct tmx *t, struct xml *x, const char *compression, uint32_t *to, int64_t n, int64_t *got)
+{
+    const int line = x->line;
+    const char *s;
+    const size_t length = xml_text(x, &s), size = (size_t)n * 4;
+    uint8_t *packed = malloc(length + 1), *bytes = malloc(size + 1);
+    bool good = packed != NULL && bytes != NULL ? true : result_set_host_error(t->err, t->err_size, "out of memory");
+    const int64_t packed_size = good ? decode64(s, length, packed) : 0;
+
+    if (good && packed_size < 0)
+        good = xml_refuse(x, line, "invalid base64");
+    else if (good && compression[0] == '\0' && (size_t)packed_size != size)
+        good = xml_refuse(x, line, "%" PRId64 " bytes of tiles, expected %zu", packed_size, size);
+    else if (good && compression[0] == '\0')
+        memcpy(bytes, packed, size);
+    else if (good && !inflate(packed, (size_t)packed_size, compression[0] == 'g', bytes, size))
+        good = xml_refuse(x, line, "the data does not decompress to %" PRId64 " tiles", n);
+    for (; good && *got < n; ++*got)
+        good = set_gid(t, x, line, &to[*got], bytes_get32(bytes + 4 * *got));
+    free(packed);
+    free(bytes);
+    return good;
+}
+
+/* Room for the cells of one more chunk. */
+static bool add_chunk(struct tmx *t, struct xml *x, struct chunk c)
+{
+    const size_t n = (size_t)c.w * (size_t)c.h;
+
+    if (t->gids + n > CART_MAX_MAP_CELLS)
+        return xml_refuse(x, x->name_line, "more than %d tiles", CART_MAX_MAP_CELLS);
+    uint32_t *gid = realloc(t->gid, (t->gids + n) * sizeof *gid);
+    t->gid = gid != NULL ? gid : t->gid;
+    if (gid == NULL || !array_append(&t->chunk, (size_t)t->chunks, sizeof c))
+        return result_set_host_error(t->err, t->err_size, "out of memory");
+    c.at = t->gids;
+    t->chunk[t->chunks++] = c;
+    t->gids += n;
+    return true;
+}
+
+/* The cells of <data> or <chunk>, up to its end. */
+static bool read_chunk(struct tmx *t, struct xml *x, const char *encoding, const char *compression, struct chunk c)
+{
+    const int line = x->name_line;
+    const int64_t n = c.w * c.h;
+    int64_t got = 0;
+
+    if (!add_chunk(t, x, c))
+        return false;
+    uint32_t *to = t->gid + (t->gids - (size_t)n);
+    if (encoding[0] == '\0'
+            ? !read_xml(t, x, to, n, &got)
+            : !(encoding[0] == 'c' ? read_csv(t, x, to, n, &got) : read_base64(t, x, compression, to, n, &got)))
+        return false;
+    if (got != n)
+        return xml_refuse(x, line, "%" PRId64 " tiles, expected %" PRId64 " (%" PRId64 "x%" PRId64 ")", got, n, c.w,
+                          c.h);
+    if (encoding[0] == '\0')
+        return true;
+    const enum xml_event event = xml_next(x);
+    return event == XML_OPEN ? xml_refuse(x, x->name_line, "<%.40s> among the tiles is not supported", x->name)
+                             : event == XML_CLOSE;
+}
+
+static bool read_chunks(struct tmx *t, struct xml *x, const char *encoding, const char *compression)
+{
+    static const char *const rules[] = { "x", "y", "width", "height", NULL };
+    enum xml_event event;
+    struct chunk c = { 0 };
+
+    while ((event = xml_next(x)) == XML_OPEN) {
+        if (strcmp(x->name, "chunk") != 0)
+            return xml_refuse(x, x->name_line, "expected <chunk>, got <%.40s>", x->name);
+        if (!check_attributes(t, x, rules) || !need(x, "x", INT32_MIN, INT32_MAX, &c.x) ||
+            !need(x, "y", INT32_MIN, INT32_MAX, &c.y) || !need(x, "width", 1, CART_MAX_MAP_SIDE, &c.w) ||
+            !need(x, "height", 1, CART_MAX_MAP_SIDE, &c.h) || !read_chunk(t, x, encoding, compression, c))
+            return false;
+    }
+    return event == XML_CLOSE;
+}
+
+static bool read_data(struct tmx *t, struct xml *x)
+{
+    static const char *const rules[] = { "encoding=csv",     "encoding=base64", "encoding=", "compression=zlib",
+                                         "compression=gzip", "compression=",    NULL };
+    char encoding[8], compression[8];
+
+    for (int i = 0; i < x->n; i++)
+        if (strcmp(x->attribute[i].key, "compression") == 0 && strcmp(x->attribute[i].value, "zstd") == 0)
+            return xml_refuse(
+                x, x->name_line,
+                "zstd compression is not supported; in Tiled's Map Properties, set Tile Layer Format to CSV");
+    if (!check_attributes(t, x, rules))
+        return false;
+    const char *e = xml_value(x, "encoding"), *c = xml_value(x, "compression");
+    snprintf(encoding, sizeof encoding, "%s", e != NULL ? e : "");
+    snprintf(compression, sizeof compression, "%s", c != NULL ? c : "");
+    if (compression[0] != '\0' && encoding[0] != 'b')
+        return xml_refuse(x, x->name_line, "compressed data must be base64");
+    if (t->infinite)
+        return read_chunks(t, x, encoding, compression);
+    return read_chunk(t, x, encoding, compression, (struct chunk){ 0, 0, t->cols, t->rows, 0 });
+}
+
+/* ---- the cells of a layer, in the order of the sheets ---- */
+
+/* The sheets of the tilesets that are used. */
+static bool collect_sheets(struct tmx *t, struct xml *x, int line)
+{
+    struct map_cells *out = t->out;
+    int64_t base = 0;
+
+    out->named = t->sets > 1;
+    for (int i = 0; i < t->sets; i++) {
+        struct tileset *s = &t->set[i];
+        if (s->used == 0)
+            continue;
+        if (out->sheets == MAP_SHEETS)
+            return xml_refuse(x, line, "the layer uses tiles from more than %d tilesets", (int)MAP_SHEETS);
+        const int64_t count = s->count > 0 ? s->count : MAP_NUMBER - base;
+        if (s->used > count)
+            return xml_refuse(x, line, "tile %" PRId64 " does not belong to a tileset: %s has only %" PRId64 " tiles",
+                              s->first + s->used - 1, s->sheet.place, count);
+        s->sheet.base = (uint32_t)base;
+        out->sheet[out->sheets++] = s->sheet;
+        base += s->used;
+    }
+    out->sheets += out->sheets == 0; /* an empty layer */
+    return true;
+}
+
+static bool check_flaws(struct tmx *t)
+{
+    for (int i = 0; i < t->flaws; i++) {
+        const struct flaw *f = &t->flaw[i];
+        const struct tileset *s = &t->set[f->set];
+        bool met = f->tile == WHOLE && s->used > 0;
+        for (size_t k = 0; !met && f->tile < s->used && k < t->gids; k++)
+            met = (t->gid[k] & ~MAP_GID_TURNS) == (uint64_t)(s->first + f->tile) && t->gid[k] != 0;
+        if (met)
+            return err_set(t->err, t->err_size, "%s", f->why);
+    }
+    return true;
+}
+
+/* The smallest rectangle that holds all tiles of an infinite map. */
+static bool bound(const struct tmx *t, struct chunk *box)
+{
+    int64_t right = INT64_MIN, bottom = INT64_MIN;
+
+    box->x = box->y = INT64_MAX;
+    for (int i = 0; i < t->chunks; i++) {
+        const struct chunk *c = &t->chunk[i];
+        for (int64_t k = 0; k < c->w * c->h; k++) {
+            const int64_t x = c->x + k % c->w, y = c->y + k / c->w;
+            if (t->gid[c->at + (size_t)k] == 0)
+                continue;
+            box->x = x < box->x ? x : box->x;
+            box->y = y < box->y ? y : box->y;
+            right = x > right ? x : right;
+            bottom = y > bottom ? y : bottom;
+        }
+    }
+    if (right == INT64_MIN)
+        return false;
+    box->w = right - box->x + 1;
+    box->h = bottom - box->y + 1;
+    return true;
+}
+
+static bool place_cells(struct tmx *t, struct chunk box)
+{
+    t->out->cell = calloc((size_t)box.w * (size_t)box.h, sizeof *t->out->cell);
+    if (t->out->cell == NULL)
+        return result_set_host_error(t->err, t->err_size, "out of memory");
+    for (int i = 0; i < t->chunks; i++) {
+        const struct chunk *c = &t->chunk[i];
+        for (int64_t k = 0; k < c->w * c->h; k++) {
+            const uint32_t gid = t->gid[c->at + (size_t)k], id = gid & ~MAP_GID_TURNS;
+            if (gid == 0)
+                continue;
+            const struct tileset *s = set_of(t, id);
+            t->out->cell[(c->y + k / c->w - box.y) * box.w + c->x + k % c->w - box.x] =
+                (uint32_t)(id - s->first + 1 + s->sheet.base) | map_turns(gid);
+        }
+    }
+    t->out->cols = (int)box.w;
+    t->out->rows = (int)box.h;
+    t->out->side = (int)t->side;
+    return t->found = true;
+}
+
+static bool finish_layer(struct tmx *t, struct xml *x, int line)
+{
+    struct chunk box = { 0, 0, t->cols, t->rows, 0 };
+
+    if (t->infinite && !bound(t, &box))
+        return xml_refuse(x, line, "the layer has no tiles");
+    if (box.w > CART_MAX_MAP_SIDE / 8 || box.h > CART_MAX_MAP_SIDE / 8 || box.w * box.h > CART_MAX_MAP_CELLS)
+        return xml_refuse(x, line,
+                          "the layer covers %" PRId64 "x%" PRId64 " tiles, expected at most %d in each direction",
+                          box.w, box.h, CART_MAX_MAP_SIDE / 8);
+    return check_flaws(t) && collect_sheets(t, x, line) && place_cells(t, box);
+}
+
+/* ---- layers ---- */
+
+/* A layer, or a group of layers, that changes nothing of what is drawn. */
+static const char *const layer_rules[] = { "id",
+                                           "name",
+                                           "class",
+                                           "locked",
+                                           "width",
+                                           "height",
+                                           "x=0",
+                                           "y=0",
+                                           "visible=1",
+                                           "opacity=1",
+                                           "offsetx=0",
+                                           "offsety=0",
+                                           "parallaxx=1",
+                                           "parallaxy=1",
+                                           "mode=normal",
+                                           "tintcolor=#ffffff",
+                                           "tintcolor=#ffffffff",
+                                           "tintcolor=",
+                                           NULL };
+
+static bool read_layer(struct tmx *t, struct xml *x)
+{
+    const int line = x->name_line;
+    enum xml_event event;
+    int64_t cols, rows;
+    bool data = false;
+
+    if (!check_attributes(t, x, layer_rules))
+        return false;
+    if (!t->infinite && (!need(x, "width", t->cols, t->cols, &cols) || !need(x, "height", t->rows, t->rows, &rows)))
+        return false;
+    while ((event = xml_next(x)) == XML_OPEN) {
+        if (strcmp(x->name, "data") == 0) {
+            if (data)
+                return xml_refuse(x, x->name_line, "more than one <data>");
+            data = true;
+            if (!read_data(t, x))
+                return false;
+        } else if (strcmp(x->name, "properties") != 0) {
+            return xml_refuse(x, x->name_line, "<%.40s> in a layer is not supported", x->name);
+        } else if (!xml_skip(x)) {
+            return false;
+        }
+    }
+    if (event != XML_CLOSE)
+        return false;
+    return data ? finish_layer(t, x, line) : xml_refuse(x, line, "layer without <data>");
+}
+
+/* Adds the name to those for a sentence; one that does not fit is left out. */
+static void pass_over(struct tmx *t, const char *name)
+{
+    size_t at = strlen(t->names), room = sizeof t->names - at;
+
+    if (name != NULL && name[0] != '\0' && strlen(name) + 3 <= room)
+        snprintf(t->names + at, room, "%s%s", at > 0 ? ", " : "", name);
+}
+
+static bool tile_layer(struct tmx *t, struct xml *x)
+{
+    const char *name = xml_value(x, "name");
+
+    t->layers++;
+    if (t->wanted[0] != '\0' ? name == NULL || strcmp(name, t->wanted) != 0 : t->layers > 1) {
+        t->layer_line = x->name_line;
+        pass_over(t, name);
+        return xml_skip(x);
+    }
+    if (t->found)
+        return xml_refuse(x, x->name_line, "more than one layer with this name");
+    return read_layer(t, x);
+}
+
+/* Objects are seen where they are tiles or text. */
+static bool read_object(struct xml *x)
+{
+    const char *visible = xml_value(x, "visible");
+    const bool hidden = visible != NULL && strcmp(visible, "0") == 0;
+    enum xml_event event;
+
+    if (!hidden && xml_value(x, "gid") != NULL)
+        return xml_refuse(x, x->name_line, "tile objects are not supported; put the tile on the layer");
+    if (!hidden && xml_value(x, "template") != NULL)
+        return xml_refuse(x, x->name_line, "template objects are not supported; detach the template in Tiled");
+    while ((event = xml_next(x)) == XML_OPEN) {
+        if (!hidden && strcmp(x->name, "text") == 0)
+            return xml_refuse(x, x->name_line, "text objects are not supported");
+        if (!xml_skip(x))
+            return false;
+    }
+    return event == XML_CLOSE;
+}
+
+static bool read_objects(struct xml *x)
+{
+    enum xml_event event;
+
+    while ((event = xml_next(x)) == XML_OPEN)
+        if (strcmp(x->name, "object") == 0 ? !read_object(x) : !xml_skip(x))
+            return false;
+    return event == XML_CLOSE;
+}
+
+static bool read_children(struct tmx *t, struct xml *x, bool (*other)(struct tmx *t, struct xml *x));
+
+/* Layers of all kinds, in the map or in a group. Where a layer is named, the others do not matter. */
+static bool any_layer(struct tmx *t, struct xml *x)
+{
+    const char *visible = xml_value(x, "visible");
+    const bool unseen = t->wanted[0] != '\0' || (visible != NULL && strcmp(visible, "0") == 0);
+
+    if (strcmp(x->name, "layer") == 0)
+        return tile_layer(t, x);
+    if (strcmp(x->name, "group") == 0)
+        return check_attributes(t, x, layer_rules) && read_children(t, x, any_layer);
+    if (strcmp(x->name, "properties") == 0)
+        return xml_skip(x);
+    if (strcmp(x->name, "objectgroup") == 0)
+        return unseen ? xml_skip(x) : read_objects(x);
+    if (strcmp(x->name, "imagelayer") != 0)
+        return xml_refuse(x, x->name_line, "<%.40s> is not supported", x->name);
+    return unseen ? xml_skip(x)
+                  : xml_refuse(x, x->name_line,
+                               "image layers are not supported; hide the layer, or choose another in rom.lua with "
+                               "layer = \"NAME\"");
+}
+
+static bool read_children(struct tmx *t, struct xml *x, bool (*other)(struct tmx *t, struct xml *x))
+{
+    enum xml_event event;
+
+    while ((event = xml_next(x)) == XML_OPEN)
+        if (!other(t, x))
+            return false;
+    return event == XML_CLOSE;
+}
+
+/* ---- the map ---- */
+
+static bool map_child(struct tmx *t, struct xml *x)
+{
+    if (strcmp(x->name, "editorsettings") == 0)
+        return xml_skip(x);
+    return strcmp(x->name, "tileset") == 0 ? read_tileset(t, x) : any_layer(t, x);
+}
+
+/* An alpha of 0 in front: "#00rrggbb". */
+static bool is_clear(const char *color)
+{
+    return color == NULL || (strlen(color) == 9 && strncmp(color, "#00", 3) == 0);
+}
+
+static bool read_map(struct tmx *t, struct xml *x)
+{
+    static const char *const rules[] = { "version",         "tiledversion",
+                                         "class",           "orientation=orthogonal",
+                                         "renderorder",     "width",
+                                         "height",          "tilewidth",
+                                         "tileheight",      "infinite",
+                                         "nextlayerid",     "nextobjectid",
+                                         "backgroundcolor", "parallaxoriginx",
+                                         "parallaxoriginy", "compressionlevel",
+                                         "hexsidelength",   "staggeraxis",
+                                         "staggerindex",    "skewx=0",
+                                         "skewy=0",         NULL };
+    const char *color = xml_value(x, "backgroundcolor");
+    int64_t h, infinite;
+
+    if (!check_attributes(t, x, rules) || !get(x, "infinite", 0, 1, 0, &infinite))
+        return false;
+    if (!is_clear(color))
+        return xml_refuse(x, x->name_line,
+                          "<map> backgroundcolor=\"%.40s\" is not supported; clear it in Tiled's Map Properties",
+                          color);
+    t->infinite = infinite;
+    if (!t->infinite && (!need(x, "width", 1, CART_MAX_MAP_SIDE / 8, &t->cols) ||
+                         !need(x, "height", 1, CART_MAX_MAP_SIDE / 8, &t->rows)))
+        return false;
+    if (!need(x, "tilewidth", 1, 1024, &t->side) || !need(x, "tileheight", 1, 1024, &h))
+        return false;
+    if (t->side != h || (h != 8 && h != 16 && h != 32))
+        return xml_refuse(x, x->name_line, "tiles of %dx%d px, expected 8x8, 16x16 or 32x32", (int)t->side, (int)h);
+    if (t->cols * t->rows > CART_MAX_MAP_CELLS)
+        return xml_refuse(x, x->name_line, "more than %d tiles", CART_MAX_MAP_CELLS);
+    return read_children(t, x, map_child);
+}
+
+static bool read_file(struct tmx *t)
+{
+    struct xml *x = &t->map;
+    const enum xml_event event = xml_next(x);
+
+    if (event == XML_BAD)
+        return false;
+    if (event == XML_END || strcmp(x->name, "map") != 0)
+        return err_set(t->err, t->err_size, "%s: no <map>: not a Tiled map", x->file);
+    if (!read_map(t, x) || xml_next(x) != XML_END)
+        return false;
+    if (t->wanted[0] == '\0' && t->layers > 1)
+        return xml_refuse(x, t->layer_line, "more than one tile layer; choose one in rom.lua with layer = \"NAME\"");
+    if (!t->found && t->wanted[0] != '\0')
+        return err_set(t->err, t->err_size, "%s: no tile layer \"%s\"%s%s%s", x->file, t->wanted,
+                       t->names[0] != '\0' ? " (the map has " : "", t->names, t->names[0] != '\0' ? ")" : "");
+    return t->found ? true : err_set(t->err, t->err_size, "%s: no tile layer", x->file);
+}
+
+bool map_read_tmx(const char *text, size_t n, const char *file, const char *layer, const struct map_files *files,
+                  struct map_cells *out, char *err, size_t err_size)
+{
+    struct tmx *t = calloc(1, sizeof *t);
+    char *copy = malloc(n + 1); /* XML is decoded in place */
+    bool good = t != NULL && copy != NULL ? true : result_set_host_error(err, err_size, "out of memory");
+
+    *out = (struct map_cells){ 0 };
+    if (good) {
+        memcpy(copy, text, n);
+        copy[n] = '\0';
+        t->files = files;
+        t->wanted = layer;
+        t->at_set = -1;
+        t->out = out;
+        t->err = err;
+        t->err_size = err_size;
+        good = xml_start(&t->map, copy, n, file, err, err_size) && read_file(t);
+        free(t->chunk);
+        free(t->gid);
+    }
+    free(copy);
+    free(t);
+    if (good)
+        return true;
+    free(out->cell);
+    *out = (struct map_cells){ 0 };
+    return false;
+}

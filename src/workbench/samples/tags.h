@@ -1,0 +1,20 @@
+/*
+ * tags.h - what of OGG and FLAC files is read by ourselves: that the file is whole, and its loop.
+ */
+#ifndef WORKBENCH_TAGS_H
+#define WORKBENCH_TAGS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+struct tags {
+    const char *codec;          /* "Vorbis", "Opus", "FLAC" */
+    int64_t start, length, end; /* LOOPSTART, LOOPLENGTH, LOOPEND, frames; -1: there is none */
+};
+
+/* Looks through a file. False and one sentence without its name. */
+bool tags_ogg(const uint8_t *data, size_t n, struct tags *out, char *err, size_t err_size);
+bool tags_flac(const uint8_t *data, size_t n, struct tags *out, char *err, size_t err_size);
+
+#endif

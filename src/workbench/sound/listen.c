@@ -1,0 +1,220 @@
+/*
+ * listen.c - see listen.h. A box (board.h) plays without the game's scripts. What never ends is heard for two minutes.
+ */
+#include "listen.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../base/bytes.h"
+#include "../../base/edit.h"
+#include "../../base/err.h"
+#include "../../common/result.h"
+#include "../../board/board.h"
+#include "hear.h"
+#include "../../common/report.h"
+#include "../../player/speaker/tape.h"
+#include "notes.h"
+#include "../pack/pack.h"
+#include "loudness.h"
+#include "../samples/tune_time.h"
+
+enum { MOST_FRAMES = 7200, HEADER = 44 };
+
+/* Sound as it is measured: the tape's samples. NULL: out of memory. */
+static int16_t *samples_of(const struct tape *t)
+{
+    int16_t *lr = malloc((size_t)t->frames * 4 + 1);
+
+    for (size_t i = 0; lr && i < 2 * (size_t)t->frames; i++)
+        lr[i] = (int16_t)bytes_get16(t->bytes + HEADER + 2 * i);
+    return lr;
+}
+
+/* Plays it onto the tape, so many frames at most. */
+static void record(struct board *b, struct tape *t, const char *name, int most)
+{
+    board_jukebox_play(b, name);
+    for (int i = 0; i < most && board_jukebox_tick(b); i++)
+        tape_add(t, b);
+}
+
+/* How long, how loud: of what never ends, once through. */
+static bool print_measured(struct board *b, const struct board_tune *t)
+{
+    const struct tune tune = tune_of(t->data);
+    const struct tune_time time = tune_time(&tune);
+    const int most = time.loop > 0 ? (int)(time.all * 60) + 1 : MOST_FRAMES;
+    struct tape tape;
+    int16_t *lr = NULL;
+
+    if (tape_open(&tape)) {
+        record(b, &tape, t->name, most < MOST_FRAMES ? most : MOST_FRAMES);
+        lr = samples_of(&tape);
+    }
+    if (lr) {
+        report_print("%.2f s", time.loop > 0 ? time.all : tape.frames / 48000.0);
+        if (time.loop > 0)
+            report_print(", loop %.2f s", time.loop);
+        report_print(", peak %.1f dB, %.1f LUFS", loudness_peak(lr, tape.frames), loudness(lr, tape.frames));
+    }
+    free(lr);
+    tape_close(&tape);
+    return lr != NULL;
+}
+
+static enum result list(void *block, const struct rom *rom)
+{
+    struct board_tune t;
+    char err[256];
+    struct board *b = board_jukebox_open(block, rom, err, sizeof err);
+
+    for (int i = 0; b && board_jukebox_get_tune(b, i, &t); i++) {
+        report_print("%s %s: ", t.is_music ? "music" : "sound", t.name);
+        if (!print_measured(b, &t))
+            return report_line(RESULT_HOST_FAILED, "out of memory");
+        report_print(", %zu bytes, %s, tracks %d, %s %d%s%s\n", t.bytes, t.is_recording ? "recording" : "MML",
+                     t.track_count, t.is_music ? "markers" : "limit", t.is_music ? t.mark_count : t.limit,
+                     t.title[0] ? ", " : "", t.title);
+        b = board_jukebox_open(block, rom, err, sizeof err);
+    }
+    return RESULT_DONE;
+}
+
+static bool print_level(const char *name, const struct tape *t)
+{
+    int16_t *lr = samples_of(t);
+
+    if (lr)
+        report_print("%s: %.2f s, peak %.1f dB, mean %.1f dB, %.1f LUFS\n", name, t->frames / 48000.0,
+                     loudness_peak(lr, t->frames), loudness_mean(lr, t->frames), loudness(lr, t->frames));
+    free(lr);
+    return lr != NULL;
+}
+
+static enum result unknown(const struct board *b, const char *name)
+{
+    struct edit_nearest near = { .word = name };
+    struct board_tune t;
+
+    for (int i = 0; board_jukebox_get_tune(b, i, &t); i++)
+        edit_consider(&near, t.name);
+    if (near.found)
+        return report_line(RESULT_REFUSED, "sound: no \"%s\" in this game (did you mean \"%s\"?)", name, near.found);
+    return report_line(RESULT_REFUSED, "sound: no \"%s\" in this game", name);
+}
+
+/* The notes of the sound or, if there is none of that name, of the music. The ROM's tunes were checked with it. */
+static enum result print_notes(const struct board *b, const struct rom *rom, const char *name)
+{
+    static const char *const folders[] = { "sound/", "tune/" };
+    char path[64];
+
+    for (int i = 0; i < 2; i++) {
+        const int n = snprintf(path, sizeof path, "%s%s", folders[i], name);
+        const int at = n < (int)sizeof path ? rom_find(rom, path) : -1;
+        struct lump l;
+        if (at < 0)
+            continue;
+        rom_lump(rom, at, &l);
+        const struct tune t = tune_of(l.data);
+        notes_print(name, &t);
+        return RESULT_DONE;
+    }
+    return unknown(b, name);
+}
+
+static enum result measure(struct board *b, const struct args *a)
+{
+    const char *out = a->out ? a->out : a->wav;
+    struct tape t;
+    char err[1200];
+    bool good = true;
+
+    if (!tape_open(&t)) {
+        tape_close(&t);
+        return report_line(RESULT_HOST_FAILED, "out of memory");
+    }
+    record(b, &t, a->words[1], MOST_FRAMES);
+    if (!print_level(a->words[1], &t))
+        good = result_set_host_error(err, sizeof err, "out of memory");
+    if (good && out)
+        good = tape_save(&t, out, err, sizeof err);
+    tape_close(&t);
+    return good ? RESULT_DONE : report_line(RESULT_HOST_FAILED, "%s", err);
+}
+
+/* Is there one of that name? */
+static bool has(const struct board *b, const char *name)
+{
+    struct board_tune t;
+
+    for (int i = 0; board_jukebox_get_tune(b, i, &t); i++)
+        if (strcmp(t.name, name) == 0)
+            return true;
+    return false;
+}
+
+static enum result one(struct board *b, const struct args *a, struct hear **h)
+{
+    if (!has(b, a->words[1]))
+        return unknown(b, a->words[1]);
+    return a->play ? hear_open(h, b, a->words[1]) : measure(b, a);
+}
+
+/* What is read while a game's sounds are listened to. */
+struct listening {
+    struct rom_image image;
+    void *block; /* malloc; the box is the 64-byte aligned part of it */
+    struct hear *hear;
+};
+
+static bool frame(void *of)
+{
+    return hear_frame(((struct listening *)of)->hear);
+}
+
+static enum result close(void *of)
+{
+    struct listening *l = of;
+
+    if (l->hear)
+        hear_close(l->hear);
+    rom_image_free(&l->image);
+    free(l->block);
+    free(l);
+    return RESULT_DONE;
+}
+
+static enum result listen(struct listening *l, const struct args *a)
+{
+    char err[1024];
+
+    if (!l->block)
+        return report_line(RESULT_HOST_FAILED, "out of memory");
+    if (!pack_load_game(a->words[0], a->nearest, &l->image, err, sizeof err))
+        return report_line(RESULT_REFUSED, "%s", err);
+    struct board *b =
+        board_jukebox_open((void *)(((uintptr_t)l->block + 63) / 64 * 64), &l->image.rom, err, sizeof err);
+    if (!b)
+        return report_line(RESULT_REFUSED, "%s", err);
+    if (a->n_words < 2)
+        return list(b, &l->image.rom);
+    return a->notes ? print_notes(b, &l->image.rom, a->words[1]) : one(b, a, &l->hear);
+}
+
+enum result listen_run(const struct args *a, struct frame_command *running)
+{
+    struct listening *l = calloc(1, sizeof *l);
+
+    if (!l)
+        return report_line(RESULT_HOST_FAILED, "out of memory");
+    l->block = malloc(board_jukebox_size() + 64);
+    const enum result result = listen(l, a);
+    if (l->hear) {
+        *running = (struct frame_command){ frame, close, l };
+        return RESULT_DONE;
+    }
+    close(l);
+    return result == RESULT_DONE ? report_stdout(result) : result;
+}

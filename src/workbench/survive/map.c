@@ -1,0 +1,263 @@
+/*
+ * map.c - see map.h.
+ */
+#include "map.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../player/overlay/canvas.h"
+#include "../../player/picture/png.h"
+#include "reach.h"
+
+enum {
+    PICTURES = 24, /* of a sheet */
+    KEYS = 3,      /* lines of the legend */
+    GAP = 6,
+    LABEL = 14,  /* px of height above a picture */
+    LEGEND = 16, /* of a line below all of them */
+    KEY = 10,    /* px of a colour there, and to its words */
+    GREY = 0x28,
+    LAST_SCALE = 2,
+    BEFORE = 15 /* frames */
+};
+
+struct atlas {
+    struct section_run *s;
+    const struct cart *cart;
+    struct reach could, leads; /* where a ship could be; what of that leads to the end */
+    struct fb fb;
+    void *screen, *scratch;
+    uint32_t rgb[256];
+    uint8_t *sheet;
+    int w, h, scale, columns, count;
+};
+
+/* ---- the sheet ---- */
+
+static uint8_t *at(const struct atlas *m, int x, int y)
+{
+    return m->sheet + ((size_t)y * (size_t)m->w + (size_t)x) * 3;
+}
+
+static void put(const struct atlas *m, int x, int y, int red, int green, int blue)
+{
+    if (x < 0 || y < 0 || x >= m->w || y >= m->h)
+        return;
+    uint8_t *p = at(m, x, y);
+    p[0] = (uint8_t)red;
+    p[1] = (uint8_t)green;
+    p[2] = (uint8_t)blue;
+}
+
+static bool sheet_open(struct atlas *m, int n)
+{
+    const int w = m->cart->manifest.field_w * m->scale + GAP, h = m->cart->manifest.field_h * m->scale + GAP + LABEL;
+
+    m->columns = 1;
+    while (m->columns * m->columns * w < n * h)
+        m->columns++;
+    m->columns = m->columns > n ? n : m->columns;
+    m->w = m->columns * w + GAP;
+    m->h = (n + m->columns - 1) / m->columns * h + KEYS * LEGEND + 2 * GAP;
+    m->sheet = malloc((size_t)m->w * (size_t)m->h * 3);
+    if (m->sheet)
+        memset(m->sheet, GREY, (size_t)m->w * (size_t)m->h * 3);
+    return m->sheet != NULL;
+}
+
+/* Writes by the cabinet's face, which a picture of its own is made for. */
+static void label(const struct atlas *m, int x, int y, const char *text)
+{
+    enum { W = 320, H = LABEL };
+    struct fb fb;
+    struct canvas canvas;
+    uint32_t rgb[256] = { 0 };
+    void *mem = malloc(fb_size(W, H));
+
+    if (!mem)
+        return;
+    fb_init(&fb, mem, W, H);
+    canvas_open(&canvas, &fb, rgb);
+    canvas_rect(&canvas, 0, 0, W, H, CANVAS_DARK);
+    canvas_say(&canvas, 0, CANVAS_SAY_UP, CANVAS_WHITE, text);
+    for (int py = 0; py < H; py++)
+        for (int px = 0; px < W; px++)
+            if (fb.pix[py * fb.pitch + px] == canvas.colour[CANVAS_WHITE])
+                put(m, x + px, y + py, 0xe8, 0xe8, 0xe8);
+    free(mem);
+}
+
+/* ---- the legend ---- */
+
+static const int leads_colour[3] = { 0x20, 0xd0, 0x50 }, dead_colour[3] = { 0x30, 0x70, 0xff };
+
+/* What the colours say, a line each: a sheet may be as narrow as one picture. */
+static void legend(const struct atlas *m)
+{
+    static const char *const words[KEYS] = { "reachable, and leads to the end", "reachable, but a dead end",
+                                             "the ship in the run that was found" };
+    const int *const colours[KEYS] = { leads_colour, dead_colour, NULL };
+
+    for (int k = 0; k < KEYS; k++) {
+        const int y = m->h - GAP - (KEYS - k) * LEGEND;
+        for (int i = 0; i < KEY * KEY; i++) {
+            const int dx = i % KEY, dy = i / KEY, from = KEY / 2;
+            const int *c = colours[k];
+            if (c)
+                put(m, GAP + dx, y + dy, c[0], c[1], c[2]);
+            else if ((dx == from) != (dy == from))
+                put(m, GAP + dx, y + dy, 255, 255, 255);
+        }
+        label(m, GAP + KEY + GAP, y, words[k]);
+    }
+}
+
+/* ---- a picture ---- */
+
+static bool is_in(const struct reach *r, uint32_t t, int px, int py)
+{
+    const fx x = px * FX_ONE + FX_ONE / 2, y = py * FX_ONE + FX_ONE / 2;
+
+    return r->sets && t <= r->frames && reach_has(r, t, x, y);
+}
+
+/* The picture's pixel (px, py) of the field, tinted. */
+static void tint(const struct atlas *m, uint32_t t, int px, int py, int out[3])
+{
+    const struct manifest *f = &m->cart->manifest;
+    const uint32_t rgb = m->rgb[m->fb.pix[(f->field_y + py) * m->fb.pitch + f->field_x + px]];
+    const bool could = is_in(&m->could, t, px, py), leads = could && is_in(&m->leads, t, px, py);
+    const int *colour = leads ? leads_colour : dead_colour;
+
+    for (int i = 0; i < 3; i++) {
+        const int v = (int)(rgb >> (16 - 8 * i) & 255);
+        out[i] = could ? v / 2 + colour[i] * 2 / 5 : v * 3 / 5;
+    }
+}
+
+static void cross(const struct atlas *m, int x0, int y0)
+{
+    struct danger_ship ship;
+
+    danger_get_ship(m->s->trial.b, 0, &ship);
+    if (!ship.in_game)
+        return;
+    const int x = x0 + (int)((int64_t)ship.path.x * m->scale / FX_ONE);
+    const int y = y0 + (int)((int64_t)ship.path.y * m->scale / FX_ONE);
+    for (int i = -5 * m->scale; i <= 5 * m->scale; i++) {
+        if (abs(i) < 2 * m->scale)
+            continue;
+        put(m, x + i, y, 255, 255, 255);
+        put(m, x, y + i, 255, 255, 255);
+    }
+}
+
+static void add_picture(struct atlas *m, uint32_t frame)
+{
+    const struct manifest *f = &m->cart->manifest;
+    const int x0 = GAP + m->count % m->columns * (f->field_w * m->scale + GAP);
+    const int y0 = GAP + LABEL + m->count / m->columns * (f->field_h * m->scale + GAP + LABEL);
+    char text[32];
+    int out[3] = { 0 };
+
+    m->count++;
+    board_draw(m->s->trial.b, NULL, &m->fb, m->rgb, m->scratch);
+    for (int y = 0; y < f->field_h * m->scale; y++)
+        for (int x = 0; x < f->field_w * m->scale; x++) {
+            if (x % m->scale == 0)
+                tint(m, frame - m->s->seek.begin, x / m->scale, y / m->scale, out);
+            put(m, x0 + x, y0 + y, out[0], out[1], out[2]);
+        }
+    cross(m, x0, y0);
+    snprintf(text, sizeof text, "frame %u", (unsigned)frame);
+    label(m, x0, y0 - LABEL, text);
+}
+
+/* ---- a run ---- */
+
+static void map_close(struct atlas *m)
+{
+    reach_close(&m->could);
+    reach_close(&m->leads);
+    free(m->screen);
+    free(m->scratch);
+    free(m->sheet);
+}
+
+static bool map_open(struct atlas *m, int n)
+{
+    struct section_run *s = m->s;
+    int w, h;
+
+    if (!trial_again(&s->trial, s->err, sizeof s->err))
+        return false;
+    board_screen_size(s->trial.b, &w, &h);
+    m->screen = malloc(fb_size(w, h));
+    m->scratch = malloc(board_scratch_size(s->trial.b) + 1);
+    if (!m->screen || !m->scratch || !sheet_open(m, n))
+        return false;
+    fb_init(&m->fb, m->screen, w, h);
+    if (s->course.frames == 0)
+        return true;
+    if (!reach_open(&m->could, &s->course, FX_ONE, 0, s->x, s->y) ||
+        !reach_open(&m->leads, &s->course, FX_ONE, 0, s->x, s->y))
+        return false;
+    reach_back(&m->leads);
+    return true;
+}
+
+/* The run once more, with a picture at each of the frames, which ascend. */
+static void map_run(struct atlas *m, const uint32_t *frame, int n)
+{
+    struct trial *t = &m->s->trial;
+    const struct seek *k = &m->s->seek;
+    int next = 0;
+
+    for (uint32_t f = 0; next < n; f++) {
+        for (; next < n && frame[next] == f; next++)
+            add_picture(m, f);
+        if (next == n || board_last_output(t->b)->fault)
+            return;
+        uint16_t pads[MAX_PLAYERS] = { 0 };
+        pads[0] = f < k->frames ? k->pads[f] : trial_steers(t) ? PAD_FIRE : trial_press(t);
+        if (f >= k->frames)
+            danger_set_invincible(t->b, true);
+        trial_tick(t, pads);
+    }
+}
+
+static uint8_t *make(struct section_run *s, const struct cart *cart, int scale, const uint32_t *frame, int n,
+                     size_t *size)
+{
+    struct atlas m = { .s = s, .cart = cart, .scale = scale };
+    uint8_t *png = NULL;
+
+    if (map_open(&m, n)) {
+        map_run(&m, frame, n);
+        legend(&m);
+        png_write_rgb(m.sheet, m.w, m.h, &png, size);
+    }
+    map_close(&m);
+    return png;
+}
+
+uint8_t *map_sheet(struct section_run *s, const struct cart *cart, size_t *size)
+{
+    uint32_t frame[PICTURES];
+    const uint32_t begin = s->seek.begin, frames = s->course.frames;
+
+    for (uint32_t i = 0; i < PICTURES; i++)
+        frame[i] = begin + (uint32_t)((uint64_t)frames * (i + 1) / PICTURES);
+    return make(s, cart, 1, frame, PICTURES, size);
+}
+
+uint8_t *map_last(struct section_run *s, const struct cart *cart, size_t *size)
+{
+    const uint32_t begin = s->seek.begin;
+    const uint32_t last = s->seek.verdict == SEEK_CANNOT && s->seek.last > begin ? s->seek.last - 1 : s->seek.frames;
+    const uint32_t first = last > begin + BEFORE ? last - BEFORE : begin;
+    const uint32_t frame[3] = { first, last, last + 1 };
+
+    return make(s, cart, LAST_SCALE, frame, 3, size);
+}

@@ -1,0 +1,318 @@
+/*
+ * survive.c - see survive.h.
+ */
+#include "survive.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../common/files.h"
+#include "../../common/progress.h"
+#include "../../common/report.h"
+#include "../../player/picture/png.h"
+#include "../../player/run/sections.h"
+#include "../../common/output_paths.h"
+#include "../../base/err.h"
+#include "map.h"
+#include "tell.h"
+
+enum { EMPTY = 60 /* frames of a part of a stage that are none to speak of */ };
+
+struct survive {
+    const struct survive_options *a;
+    char name[128]; /* of what is looked at, while it is */
+};
+
+/* ---- progress ---- */
+
+/* A section that is over before its last frame is looked at sooner than it says. */
+static void reached(void *user, uint32_t done, uint32_t of)
+{
+    const struct survive *s = user;
+
+    progress_tell(done, of, "%s: survived to frame %u of %u", s->name, (unsigned)done, (unsigned)of);
+}
+
+/* ---- a section ---- */
+
+static const char *difficulty_name(const struct survive *s, int32_t difficulty)
+{
+    const struct manifest *m = &s->a->cart->manifest;
+    const int i = difficulty >= 0 ? difficulty : m->difficulty;
+
+    return m->n_difficulties > 1 && i < m->n_difficulties ? m->difficulties[i] : "";
+}
+
+static enum result look(struct survive *s, struct section_run *run, const struct board_start *start)
+{
+    bool host;
+
+    *run =
+        (struct section_run){ .seek = { .effort = s->a->effort, .limit = s->a->frames, .tell = reached, .user = s } };
+    snprintf(s->name, sizeof s->name, "%s", start->practice.section[0] ? start->practice.section : "from the title");
+    progress_begin();
+    const bool good = s->a->bots ? section_fly(run, s->a->rom, start, s->a->bots, &host)
+                                 : section_look(run, s->a->rom, start, true, &host);
+    progress_end();
+    if (!good)
+        return report_line(host ? RESULT_HOST_FAILED : RESULT_REFUSED, "%s: %s", s->a->path, run->err);
+    if (run->seek.verdict == SEEK_FAULT)
+        return report_fault(board_last_output(run->trial.b)->fault, s->a->verbose);
+    return RESULT_DONE;
+}
+
+static const char *demo_path(const struct survive *s)
+{
+    return s->a->out ? s->a->out : "survive.demo";
+}
+
+/* Another ending for the name of the demo. */
+static bool other_ending(const char *demo, char *out, size_t size)
+{
+    const char *dot = strrchr(demo, '.'), *slash = strrchr(demo, '/');
+    const int n = (int)(dot && (!slash || dot > slash + 1) && dot > demo ? (size_t)(dot - demo) : strlen(demo));
+
+    return snprintf(out, size, "%.*s.png", n, demo) < (int)size;
+}
+
+static enum result save_picture(const char *path, uint8_t *png, size_t size)
+{
+    char err[FILES_ERR_SIZE];
+    const bool good = png && files_save(path, png, size, err, sizeof err);
+
+    free(png);
+    if (!png)
+        return report_line(RESULT_HOST_FAILED, "%s: out of memory", path);
+    return good ? RESULT_DONE : report_line(RESULT_HOST_FAILED, "%s", err);
+}
+
+static bool is_demo(const uint8_t *head, size_t n)
+{
+    return n >= 4 && memcmp(head, "CDEM", 4) == 0;
+}
+
+/* Before the work: may what nobody named be written? */
+static bool may_write(const struct survive *s, char *err, size_t err_size)
+{
+    char picture[FILES_PATH_SIZE];
+    const char *demo = demo_path(s);
+
+    if (!other_ending(demo, picture, sizeof picture))
+        return err_set(err, err_size, "-o: path too long");
+    const struct output_path out[] = { { "-o", demo, NULL }, { "--map", s->a->map, NULL }, { "-o", picture, NULL } };
+    return output_paths_check(s->a->path, NULL, out, 3, err, err_size) &&
+           output_path_derived(s->a->path, picture, png_is_signed, err, err_size) &&
+           (s->a->out || output_path_derived(s->a->path, demo, is_demo, err, err_size));
+}
+
+static enum result write_map(struct survive *s, struct section_run *run, const char *path)
+{
+    size_t size = 0;
+    uint8_t *png = map_sheet(run, s->a->cart, &size);
+
+    return save_picture(path, png, size);
+}
+
+static enum result write_files(struct survive *s, struct section_run *run, struct tell_of *of, char *picture,
+                               size_t size)
+{
+    const char *demo = demo_path(s);
+    char err[FILES_ERR_SIZE];
+    size_t bytes = 0;
+    enum result result = RESULT_DONE;
+
+    if (s->a->map) {
+        result = write_map(s, run, s->a->map);
+        of->map = s->a->map;
+    }
+    if (result == RESULT_DONE && section_survived(run)) {
+        of->demo = demo;
+        if (!trial_record(&run->trial, s->a->cart, run->seek.pads, run->seek.frames, demo, s->a->prints, err,
+                          sizeof err))
+            result = report_line(RESULT_HOST_FAILED, "%s", err);
+    } else if (result == RESULT_DONE) {
+        if (!other_ending(demo, picture, size))
+            return report_line(RESULT_REFUSED, "-o: path too long");
+        of->picture = picture;
+        uint8_t *png = map_last(run, s->a->cart, &bytes);
+        result = save_picture(picture, png, bytes);
+    }
+    return result;
+}
+
+static enum result good_of(const struct section_run *run)
+{
+    return section_survived(run) || run->seek.verdict == SEEK_BOTS ? RESULT_DONE : RESULT_DIFFERS;
+}
+
+static enum result one_section(struct survive *s)
+{
+    struct section_run *run = calloc(1, sizeof *run);
+    char picture[FILES_PATH_SIZE], err[FILES_ERR_SIZE];
+
+    if (!run)
+        return report_line(RESULT_HOST_FAILED, "out of memory");
+    if (!s->a->bots && !may_write(s, err, sizeof err)) {
+        free(run);
+        return report_line(RESULT_REFUSED, "%s", err);
+    }
+    const struct board_start *start = &s->a->start;
+    struct tell_of of = { .section = start->practice.section, .difficulty = difficulty_name(s, start->difficulty) };
+    enum result result = look(s, run, start);
+    if (result == RESULT_DONE && run->seek.verdict != SEEK_NO_SHIP && !s->a->bots)
+        result = write_files(s, run, &of, picture, sizeof picture);
+    if (result == RESULT_DONE) {
+        s->a->json ? tell_json(&of, run) : tell_section(&of, run);
+        result = report_stdout(good_of(run));
+    }
+    section_close(run);
+    free(run);
+    return result;
+}
+
+/* ---- all of them ---- */
+
+/* Compares a section at one difficulty with the same at the one before. */
+static enum result compare(const struct survive *s, const struct section_run *easier, const struct section_run *harder,
+                           const char *section, int difficulty)
+{
+    char why[160] = "";
+
+    if (s->a->bots)
+        bots_compare(&easier->measure.bots, &harder->measure.bots, why, sizeof why);
+    else if (!section_survived(easier) && section_survived(harder))
+        snprintf(why, sizeof why, "no way was found, but one was found at the next harder difficulty");
+    else
+        measure_compare(&easier->measure, &harder->measure, why, sizeof why);
+    if (!why[0])
+        return RESULT_DONE;
+    return report_line(RESULT_DIFFERS, "%s: %s is harder than %s: %s", section, difficulty_name(s, difficulty),
+                       difficulty_name(s, difficulty + 1), why);
+}
+
+static enum result worse(enum result a, enum result b)
+{
+    return a > b ? a : b;
+}
+
+/* Into the folder that is asked for: SECTION-DIFFICULTY.demo, with - for what is no letter of a name. */
+static enum result keep_demo(struct survive *s, struct section_run *run, struct tell_of *of, char *path, size_t size)
+{
+    char err[FILES_ERR_SIZE];
+
+    if (!s->a->out || !section_survived(run))
+        return RESULT_DONE;
+    const int start = snprintf(path, size, "%s/", s->a->out);
+    if (start < 0 || (size_t)start + 1 >= size ||
+        snprintf(path + start, size - (size_t)start, "%s%s%s.demo", of->section, of->difficulty[0] ? "-" : "",
+                 of->difficulty) >= (int)(size - (size_t)start))
+        return report_line(RESULT_REFUSED, "-o: path too long");
+    for (char *c = path + start; *c; c++)
+        if (*c == '/' || *c == ':')
+            *c = '-';
+    of->demo = path;
+    if (!output_path_derived(s->a->path, path, is_demo, err, sizeof err))
+        return report_line(RESULT_REFUSED, "%s", err);
+    if (trial_record(&run->trial, s->a->cart, run->seek.pads, run->seek.frames, path, s->a->prints, err, sizeof err))
+        return RESULT_DONE;
+    return report_line(RESULT_HOST_FAILED, "%s", err);
+}
+
+static void tell_any_row(const struct survive *s, const struct tell_of *of, const struct section_run *run)
+{
+    if (s->a->json)
+        tell_json(of, run);
+    else if (s->a->bots)
+        tell_bots_row(of, run);
+    else
+        tell_row(of, run);
+}
+
+/* From a mark with which a boss flies in there is nothing to fly. */
+static bool is_empty(const struct survive *s, const struct section_run *run)
+{
+    return s->a->bots &&
+           (run->seek.verdict == SEEK_NO_SHIP || bots_flown(&run->measure.bots) < EMPTY * (uint32_t)s->a->bots);
+}
+
+/* A section at each difficulty that is asked for. */
+static enum result one_row(struct survive *s, const char *section, struct section_run run[2])
+{
+    const struct manifest *m = &s->a->cart->manifest;
+    const int first = s->a->difficulty ? s->a->start.difficulty : 0;
+    const int last = s->a->difficulty || m->n_difficulties < 1 ? first : m->n_difficulties - 1;
+    enum result result = RESULT_DONE;
+    char path[FILES_PATH_SIZE];
+
+    for (int d = first; d <= last && result < RESULT_REFUSED; d++) {
+        struct board_start start = s->a->start;
+        start.difficulty = m->n_difficulties ? d : -1;
+        snprintf(start.practice.section, sizeof start.practice.section, "%s", section);
+        struct section_run *now = &run[d & 1], *before = &run[1 - (d & 1)];
+        section_close(now);
+        const enum result found = look(s, now, &start);
+        result = worse(result, found);
+        if (found != RESULT_DONE)
+            break;
+        if (is_empty(s, now))
+            break;
+        struct tell_of of = { .section = section, .difficulty = difficulty_name(s, start.difficulty) };
+        result = worse(result, keep_demo(s, now, &of, path, sizeof path));
+        tell_any_row(s, &of, now);
+        fflush(stdout);
+        result = worse(result, good_of(now));
+        if (d > first)
+            result = worse(result, compare(s, before, now, section, d - 1));
+    }
+    section_close(&run[0]);
+    section_close(&run[1]);
+    return result;
+}
+
+static bool is_wanted(const struct survive *s, const struct section *section)
+{
+    const char *stage = s->a->stage;
+    const size_t n = stage ? strlen(stage) : 0;
+
+    if (section->kind == SECTION_BOSS || (section->kind == SECTION_MARK && !s->a->bots))
+        return false;
+    return !stage || (strncmp(section->id, stage, n) == 0 && strchr("/:", section->id[n])); /* or its end */
+}
+
+static enum result all_sections(struct survive *s)
+{
+    struct sections *list = calloc(1, sizeof *list);
+    struct section_run *run = calloc(2, sizeof *run);
+    enum result result = RESULT_DONE;
+    int n = 0;
+
+    if (!list || !run) {
+        free(list);
+        free(run);
+        return report_line(RESULT_HOST_FAILED, "out of memory");
+    }
+    sections_list(list, s->a->rom, &s->a->start, false);
+    for (int i = 0; i < list->n && result < RESULT_REFUSED; i++)
+        if (is_wanted(s, &list->section[i])) {
+            if (n++ == 0 && !s->a->json)
+                s->a->bots ? tell_bots_head() : tell_head();
+            result = worse(result, one_row(s, list->section[i].id, run));
+        }
+    if (n > 0 && list->why[0])
+        result = worse(result, report_line(RESULT_DIFFERS, "--all: cannot list all sections: %s", list->why));
+    if (n == 0)
+        result = report_line(RESULT_REFUSED, "--all: %s",
+                             list->why[0] ? list->why : "--stage: no such stage or boss in the game");
+    free(list);
+    free(run);
+    return report_stdout(result);
+}
+
+/* ---- the command ---- */
+
+enum result survive_run(const struct survive_options *o)
+{
+    struct survive s = { .a = o };
+
+    return o->all ? all_sections(&s) : one_section(&s);
+}

@@ -1,0 +1,312 @@
+/*
+ * golden.c - see golden.h.
+ */
+#include "golden.h"
+
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../../platform/platform.h"
+#include "../../base/err.h"
+#include "../../common/result.h"
+#include "../../common/files.h"
+#include "../../player/picture/png.h"
+#include "outcome.h"
+
+/* ---- files ---- */
+
+static bool path_of(const struct golden *g, char path[FILES_PATH_SIZE], const char *folder, const char *name,
+                    const char *ending)
+{
+    return snprintf(path, FILES_PATH_SIZE, "%s/%s/%s%s", g->dir, folder, name, ending) < FILES_PATH_SIZE;
+}
+
+static bool save(const struct golden *g, const char *folder, const char *name, const char *ending, const void *bytes,
+                 size_t n)
+{
+    char path[FILES_PATH_SIZE], err[FILES_ERR_SIZE];
+
+    if (bytes && path_of(g, path, folder, name, ending) && files_save(path, bytes, n, err, sizeof err))
+        return true;
+    outcome_say(g->out, SAYS_HOST, "%s", bytes ? err : "out of memory");
+    return false;
+}
+
+/* ---- pictures ---- */
+
+struct picture {
+    uint8_t *rgb; /* 3 bytes a pixel; NULL: none */
+    uint8_t *pix; /* the same as indices of colours; NULL: it has none */
+    int w, h;
+    uint32_t colours[256];
+};
+
+static void free_picture(struct picture *p)
+{
+    free(p->rgb);
+    free(p->pix);
+}
+
+static void colour(struct picture *p)
+{
+    uint8_t *to = p->rgb;
+
+    for (size_t i = 0, pixels = (size_t)p->w * (size_t)p->h; i < pixels; i++) {
+        const uint32_t c = p->colours[p->pix[i]];
+        *to++ = (uint8_t)(c >> 16);
+        *to++ = (uint8_t)(c >> 8);
+        *to++ = (uint8_t)c;
+    }
+}
+
+static bool draw(const struct board *b, struct picture *p)
+{
+    struct fb fb;
+
+    board_screen_size(b, &p->w, &p->h);
+    void *memory = malloc(fb_size(p->w, p->h)), *scratch = malloc(board_scratch_size(b) + 1);
+    p->rgb = malloc((size_t)p->w * (size_t)p->h * 3);
+    p->pix = malloc((size_t)p->w * (size_t)p->h);
+    const bool good = memory && scratch && p->rgb && p->pix;
+    if (good) {
+        fb_init(&fb, memory, p->w, p->h);
+        board_draw(b, NULL, &fb, p->colours, scratch);
+        for (int y = 0; y < p->h; y++)
+            memcpy(p->pix + (size_t)y * (size_t)p->w, fb.pix + (ptrdiff_t)y * fb.pitch, (size_t)p->w);
+        colour(p);
+    }
+    free(memory);
+    free(scratch);
+    return good;
+}
+
+static bool save_picture(const struct golden *g, const char *folder, const char *name, const char *ending,
+                         const struct picture *p)
+{
+    uint8_t *png = NULL;
+    size_t n = 0;
+
+    if (p->pix)
+        png_write(p->pix, p->w, p->w, p->h, p->colours, &png, &n);
+    else
+        png_write_rgb(p->rgb, p->w, p->h, &png, &n);
+    const bool good = save(g, folder, name, ending, png, n);
+    free(png);
+    return good;
+}
+
+/* The kept picture. False and one sentence: it cannot be read. */
+static bool read_kept(const char *path, const char *shown, struct picture *p, char *err, size_t err_size)
+{
+    char why[FILES_ERR_SIZE];
+    uint8_t *data, *rgba = NULL;
+    size_t n;
+
+    if (!files_read(path, shown, PNG_MAX_BYTES, &data, &n, err, err_size))
+        return false;
+    const bool good = png_read(data, n, &rgba, &p->w, &p->h, why, sizeof why);
+    free(data);
+    if (!good)
+        return err_set(err, err_size, "%s: %s", shown, why);
+    for (size_t i = 0, pixels = (size_t)p->w * (size_t)p->h; i < pixels; i++)
+        memmove(rgba + 3 * i, rgba + 4 * i, 3);
+    p->rgb = rgba;
+    return true;
+}
+
+/* Where two pictures of one size differ. */
+struct difference {
+    int64_t pixels;
+    int x0, y0, x1, y1;
+};
+
+static struct difference differ(const struct picture *a, const struct picture *b)
+{
+    struct difference d = { 0, a->w, a->h, -1, -1 };
+
+    for (int y = 0; y < a->h; y++)
+        for (int x = 0; x < a->w; x++) {
+            const size_t i = ((size_t)y * (size_t)a->w + (size_t)x) * 3;
+            if (memcmp(a->rgb + i, b->rgb + i, 3) == 0)
+                continue;
+            d.pixels++;
+            d.x0 = x < d.x0 ? x : d.x0;
+            d.y0 = y < d.y0 ? y : d.y0;
+            d.x1 = x > d.x1 ? x : d.x1;
+            d.y1 = y > d.y1 ? y : d.y1;
+        }
+    return d;
+}
+
+/* The kept picture grey and dim, and on it what differs: the redder, the further the colours are from each other. */
+static bool draw_difference(const struct picture *a, const struct picture *b, struct picture *to)
+{
+    const size_t pixels = (size_t)a->w * (size_t)a->h;
+
+    *to = (struct picture){ .rgb = malloc(pixels * 3), .w = a->w, .h = a->h };
+    for (size_t i = 0; to->rgb && i < pixels; i++) {
+        const uint8_t *p = a->rgb + 3 * i, *q = b->rgb + 3 * i;
+        const int far = abs(p[0] - q[0]) + abs(p[1] - q[1]) + abs(p[2] - q[2]);
+        const uint8_t grey = (uint8_t)(16 + (p[0] * 2 + p[1] * 5 + p[2]) / 24);
+        uint8_t *out = to->rgb + 3 * i;
+        out[0] = far ? 255 : grey;
+        out[1] = far ? (uint8_t)(160 - far * 140 / 765) : grey;
+        out[2] = far ? 64 : grey;
+    }
+    return to->rgb != NULL;
+}
+
+/* The sentence, and the pictures in tests/failed. */
+static bool tell_difference(const struct golden *g, const char *name, const struct picture *want,
+                            const struct picture *got, char *err, size_t err_size)
+{
+    struct picture both = { 0 };
+    bool good = save_picture(g, FAILED, name, ".expected.png", want) && save_picture(g, FAILED, name, ".got.png", got);
+
+    if (want->w != got->w || want->h != got->h) {
+        outcome_say(g->out, SAYS_PICTURE, "%s", name);
+        return err_set(err, err_size, "the picture is %d x %d, but " GOLDEN "/%s.png is %d x %d", got->w, got->h, name,
+                       want->w, want->h);
+    }
+    const struct difference d = differ(want, got);
+    if (draw_difference(want, got, &both))
+        good = good && save_picture(g, FAILED, name, ".difference.png", &both);
+    free_picture(&both);
+    if (good)
+        outcome_say(g->out, SAYS_PICTURE, "%s", name);
+    return err_set(err, err_size, "%" PRId64 " of %d pixels differ from " GOLDEN "/%s.png, from %d,%d to %d,%d",
+                   d.pixels, want->w * want->h, name, d.x0, d.y0, d.x1, d.y1);
+}
+
+static bool same_picture(const struct picture *a, const struct picture *b)
+{
+    return a->w == b->w && a->h == b->h && memcmp(a->rgb, b->rgb, (size_t)a->w * (size_t)a->h * 3) == 0;
+}
+
+/* Keeps the picture; nothing differs then, but the host may not let it. */
+static bool keep_picture(const struct golden *g, const char *name, const struct picture *got)
+{
+    if (save_picture(g, GOLDEN, name, ".png", got))
+        outcome_say(g->out, SAYS_KEPT, GOLDEN "/%s.png", name);
+    return true;
+}
+
+static bool compare_picture(const struct golden *g, const char *name, const struct picture *got, char *err,
+                            size_t err_size)
+{
+    char path[FILES_PATH_SIZE], shown[128];
+    struct picture want = { 0 };
+
+    if (!path_of(g, path, GOLDEN, name, ".png"))
+        return err_set(err, err_size, "path too long");
+    snprintf(shown, sizeof shown, GOLDEN "/%s.png", name);
+    outcome_say(g->out, SAYS_TAKEN, "%s", shown);
+    if (plat_file_size(path) < 0) {
+        if (g->update)
+            return keep_picture(g, name, got);
+        if (save_picture(g, FAILED, name, ".got.png", got))
+            outcome_say(g->out, SAYS_PICTURE, "%s", name);
+        return err_set(err, err_size, "no %s yet: check " FAILED "/%s.got.png, then run with --update to save it",
+                       shown, name);
+    }
+    if (!read_kept(path, shown, &want, err, err_size))
+        return g->update && keep_picture(g, name, got);
+    bool same = same_picture(&want, got);
+    if (!same)
+        same = g->update ? keep_picture(g, name, got) : tell_difference(g, name, &want, got, err, err_size);
+    free_picture(&want);
+    return same;
+}
+
+bool golden_picture(const struct golden *g, const struct board *b, const char *name, char *err, size_t err_size)
+{
+    struct picture got = { 0 };
+    const bool same = draw(b, &got) ? compare_picture(g, name, &got, err, err_size)
+                                    : result_set_host_error(err, err_size, "out of memory");
+
+    free_picture(&got);
+    return same;
+}
+
+void golden_show(const struct golden *g, const struct board *b, const char *name)
+{
+    struct picture got = { 0 };
+
+    if (draw(b, &got) && save_picture(g, FAILED, name, ".got.png", &got))
+        outcome_say(g->out, SAYS_PICTURE, "%s", name);
+    free_picture(&got);
+}
+
+/* ---- hashes ---- */
+
+enum { HASH_FILE = 1 << 16 };
+
+/* The lines of the board's parts; those without room in this game are left out. */
+static size_t write_hashes(const struct board *b, char *text, size_t size)
+{
+    size_t n = 0;
+
+    for (int i = 0; i < board_part_count(b); i++) {
+        const uint64_t hash = board_part_hash(b, i);
+        if (hash)
+            n += (size_t)snprintf(text + n, size - n, "%s %016" PRIx64 "\n", board_part_name(b, i), hash);
+    }
+    return n;
+}
+
+/* The hash of a part in these lines; 0: it is not there. */
+static uint64_t find_hash(const char *text, const char *part)
+{
+    const size_t n = strlen(part);
+
+    for (const char *line = text; *line; line += strcspn(line, "\n"), line += *line == '\n')
+        if (strncmp(line, part, n) == 0 && line[n] == ' ')
+            return strtoull(line + n + 1, NULL, 16);
+    return 0;
+}
+
+static bool compare_hashes(const struct board *b, const char *shown, const char *kept, char *err, size_t err_size)
+{
+    char list[MAX_PARTS * 18] = "";
+    size_t n = 0;
+    int parts = 0;
+
+    for (int i = 0; i < board_part_count(b); i++) {
+        if (find_hash(kept, board_part_name(b, i)) == board_part_hash(b, i))
+            continue;
+        n += (size_t)snprintf(list + n, sizeof list - n, "%s%s", n ? ", " : "", board_part_name(b, i));
+        parts++;
+    }
+    if (!parts)
+        return true;
+    return err_set(err, err_size, "%s %s from %s", list, parts > 1 ? "differ" : "differs", shown);
+}
+
+bool golden_hash(const struct golden *g, const struct board *b, const char *name, char *err, size_t err_size)
+{
+    char path[FILES_PATH_SIZE], shown[128], now[MAX_PARTS * 40] = "";
+    uint8_t *kept;
+    size_t size;
+
+    if (!path_of(g, path, GOLDEN, name, ".hash"))
+        return err_set(err, err_size, "path too long");
+    snprintf(shown, sizeof shown, GOLDEN "/%s.hash", name);
+    outcome_say(g->out, SAYS_TAKEN, "%s", shown);
+    const size_t n = write_hashes(b, now, sizeof now);
+    const bool there = plat_file_size(path) >= 0;
+    if (!there && !g->update)
+        return err_set(err, err_size, "no %s yet: run with --update to save the hashes of this frame", shown);
+    bool same = false;
+    if (there) {
+        if (!files_read_text(path, shown, HASH_FILE, &kept, &size, err, err_size))
+            return false;
+        same = compare_hashes(b, shown, (const char *)kept, err, err_size);
+        free(kept);
+    }
+    if (!same && g->update) {
+        if (save(g, GOLDEN, name, ".hash", now, n))
+            outcome_say(g->out, SAYS_KEPT, "%s", shown);
+        same = true;
+    }
+    return same;
+}

@@ -1,0 +1,151 @@
+/*
+ * reporter.c - see reporter.h.
+ */
+#include "reporter.h"
+
+#include <string.h>
+#include "../../common/clean.h"
+#include "../../common/files.h"
+#include "../../common/output_paths.h"
+#include "../../common/report.h"
+
+static void indented(void *context, const char *words)
+{
+    report_print("      %s%s\n", (const char *)context, words);
+}
+
+void reporter_line(const struct test *t, int width)
+{
+    char name[FILES_PATH_SIZE];
+
+    snprintf(name, sizeof name, "%s", t->name);
+    clean_line(name);
+    report_print("%-5s %-*s %7u frames %8.2f s\n", outcome_word(t), width, name, (unsigned)t->frames,
+                 (double)t->usec / 1e6);
+    outcome_each(t, SAYS_WRONG, indented, "");
+    outcome_each(t, SAYS_HOST, indented, "");
+    outcome_each(t, SAYS_TRACE, indented, "  ");
+    outcome_each(t, SAYS_KEPT, indented, "kept ");
+    outcome_each(t, SAYS_PRINTED, indented, "| ");
+}
+
+void reporter_sums(const struct sums *s)
+{
+    const int good = s->tests - s->fail;
+
+    report_print("%d test%s: ", s->tests, s->tests == 1 ? "" : "s");
+    if (s->fail == 0)
+        report_print("%s", s->tests == 1 ? "passed" : "all passed");
+    else
+        report_print("%d passed, %d failed", good, s->fail);
+    report_print("; %u frames in %.2f s\n", (unsigned)s->frames, (double)s->usec / 1e6);
+}
+
+/* ---- TAP ---- */
+
+static void diagnostic(void *context, const char *words)
+{
+    report_print("# %s%s\n", (const char *)context, words);
+}
+
+void reporter_tap_plan(int tests)
+{
+    report_print("TAP version 13\n1..%d\n", tests);
+}
+
+/* A # would begin a directive. */
+static void tap_name(const char *name, char *out, size_t size)
+{
+    size_t n = 0;
+
+    for (; *name && n + 2 < size; name++) {
+        if (*name == '#' || *name == '\\')
+            out[n++] = '\\';
+        out[n++] = *name;
+    }
+    out[n] = '\0';
+}
+
+void reporter_tap(const struct test *t, int number)
+{
+    char name[2 * FILES_PATH_SIZE];
+
+    tap_name(t->name, name, sizeof name);
+    clean_line(name);
+    report_print("%s %d - %s\n", t->verdict == TEST_HOLDS ? "ok" : "not ok", number, name);
+    outcome_each(t, SAYS_WRONG, diagnostic, "");
+    outcome_each(t, SAYS_HOST, diagnostic, "");
+    outcome_each(t, SAYS_TRACE, diagnostic, "  ");
+    outcome_each(t, SAYS_KEPT, diagnostic, "kept ");
+    outcome_each(t, SAYS_PRINTED, diagnostic, "| ");
+    report_print("# %u frames, %.3f s\n", (unsigned)t->frames, (double)t->usec / 1e6);
+}
+
+/* ---- JUnit ---- */
+
+void reporter_escaped(FILE *out, const char *text)
+{
+    char as[CLEAN_MARKUP_SIZE];
+
+    while (*text) {
+        text += clean_escape_character(text, as);
+        fputs(as, out);
+    }
+}
+
+static void escaped_line(void *out, const char *words)
+{
+    reporter_escaped(out, words);
+    fputc('\n', out);
+}
+
+struct first {
+    FILE *out;
+    bool told;
+};
+
+static void first_only(void *context, const char *words)
+{
+    struct first *f = context;
+
+    if (!f->told)
+        reporter_escaped(f->out, words);
+    f->told = true;
+}
+
+static void junit_test(FILE *out, const struct test *t)
+{
+    struct first first = { .out = out };
+    const char *what = t->verdict == TEST_HOST ? "error" : "failure";
+
+    fputs("    <testcase classname=\"", out);
+    reporter_escaped(out, t->script ? "tests" : "demos");
+    fputs("\" name=\"", out);
+    reporter_escaped(out, t->name);
+    fprintf(out, "\" time=\"%.3f\">\n", (double)t->usec / 1e6);
+    if (t->verdict != TEST_HOLDS) {
+        fprintf(out, "      <%s message=\"", what);
+        outcome_each(t, t->verdict == TEST_HOST ? SAYS_HOST : SAYS_WRONG, first_only, &first);
+        fputs("\">", out);
+        outcome_each(t, SAYS_HOST, escaped_line, out);
+        outcome_each(t, SAYS_WRONG, escaped_line, out);
+        outcome_each(t, SAYS_TRACE, escaped_line, out);
+        fprintf(out, "</%s>\n", what);
+    }
+    fputs("      <system-out>", out);
+    outcome_each(t, SAYS_PRINTED, escaped_line, out);
+    fprintf(out, "%u frames</system-out>\n    </testcase>\n", (unsigned)t->frames);
+}
+
+void reporter_junit(FILE *out, const char *title, const struct test *tests, const struct sums *s)
+{
+    fputs(JUNIT_HEAD, out);
+    fprintf(out, " tests=\"%d\" failures=\"%d\" errors=\"%d\" time=\"%.3f\">\n  <testsuite name=\"", s->tests,
+            s->fail - s->host, s->host, (double)s->usec / 1e6);
+    reporter_escaped(out, title);
+    fprintf(out, "\" tests=\"%d\" failures=\"%d\" errors=\"%d\" time=\"%.3f\">\n", s->tests, s->fail - s->host, s->host,
+            (double)s->usec / 1e6);
+    for (int i = 0; i < s->tests; i++)
+        junit_test(out, &tests[i]);
+    fputs("  </testsuite>\n</testsuites>\n", out);
+}

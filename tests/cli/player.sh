@@ -1,0 +1,42 @@
+#!/usr/bin/env bash
+# player.sh - curtain-player: it plays and verifies .rom files, contains nothing of the workbench, and is small.
+. "$(dirname "$0")/../tap.sh"
+sandbox
+export SDL_VIDEODRIVER=dummy SDL_AUDIODRIVER=dummy
+player=$OUT/curtain-player
+
+says() { # NAME LINE ARGUMENT...: exit code 2 and this line
+    local name=$1 line=$2 got
+    shift 2
+    got=$("$player" "$@" 2>&1 >/dev/null)
+    same "$name" "2 curtain: $line" "$? $got"
+}
+
+"$curtain" pack "$repo/examples/first" -o first.rom >/dev/null
+"$curtain" hash first.rom --press fire --frames 90 --record run.demo >/dev/null
+check 'a demo verifies' "$player" verify first.rom run.demo
+check 'it plays a ROM, and finds the game of a demo' timeout 60 "$player" run.demo --mute
+says 'a folder' "$repo/examples/first: is a folder; this program plays .rom files (curtain pack makes one)" \
+    play "$repo/examples/first"
+says 'without a game' 'no built-in game; name a ROM (see curtain help)'
+says 'a command of the workbench' 'check: not available in curtain-player; use curtain' check first.rom
+says '... misspelt' 'unknown command "chekc" (did you mean check?)' chekc first.rom
+says 'verify --bisect' 'verify: --bisect is not available in curtain-player; use curtain' verify --bisect a b
+same 'help lists its commands' 'play verify help version licences' \
+    "$(echo $("$player" help | sed -n 's/^  curtain \([a-z]*\) .*/\1/p'))"
+check '... and one of them' eval '"$player" help verify | grep -q -e --restamp'
+check 'its version' eval '"$player" version | grep -q "^curtain "'
+check 'its licences' eval '"$player" licences | grep -q SDL'
+
+# ---- what is in it ----
+
+objects() { grep -c 'src/workbench/' "$OUT/$1.map"; } # of the workbench
+same 'nothing of the workbench' 0 "$(objects curtain-player)"
+check '... which the other program has' test "$(objects curtain-null)" -gt 100
+strip -o small "$player"
+check 'at most 1.5 MB' test "$(stat -c %s small)" -le 1500000
+"${curtain%-null}" export "$repo/examples/first" -o first
+check 'an exported game at most 3 MB' test "$(stat -c %s first)" -le 3000000
+"${curtain%-null}" export "$repo/examples/first" --keys -o keys
+check '... which it would not be with the workbench' test "$(stat -c %s keys)" -gt 3000000
+finish
