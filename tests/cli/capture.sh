@@ -6,14 +6,14 @@
 sandbox
 
 film_same() { python3 "$repo/tests/cli/film_same.py" "$@"; }
-# filmed NAME GAME "OPTIONS" FIRST LAST SCALE SPEED: films in three formats, read and compared; $read has what was read
+# filmed NAME GAME "OPTIONS" FIRST LAST SCALE SPEED: films in two formats, read and compared; $read has what was read
 filmed() {
     local name=$1 game=$2 options=$3 first=$4 last=$5 scale=$6 speed=$7 kind
     rm -rf frames film.*
     # shellcheck disable=SC2086
     "$curtain" render "$game" $options --frames "$first:$last" -o frames || { not_ok "$name: frames"; return; }
     read=""
-    for kind in gif png y4m; do
+    for kind in gif y4m; do
         # shellcheck disable=SC2086
         check "$name: a $kind" "$curtain" capture "$game" $options --frames "$first:$last" --scale "$scale" \
             --speed "$speed" -o film.$kind
@@ -32,11 +32,11 @@ task.go(function()
 end)
 LUA
 filmed "small" plain "--seed 3" 0 90 1 1
-same "pictures of a change, none but the first a whole one" "gif 76 0 75;apng 91 0 90;y4m 91 0 0;" "$read"
+same "pictures of a change, none but the first a whole one" "gif 76 0 75;y4m 91 0 0;" "$read"
 filmed "from the middle, three times as large, twice as fast" plain "" 31 95 3 2
 filmed "slower" plain "" 20 40 1 1/3
 filmed "one frame" plain "" 30 30 1 1
-same "one frame is one picture" "gif 1 0 0;apng 1 0 0;y4m 1 0 0;" "$read"
+same "one frame is one picture" "gif 1 0 0;y4m 1 0 0;" "$read"
 
 # The sizes of upright and wide games.
 for size in "240 320" "384 448"; do
@@ -50,16 +50,14 @@ filmed "a game's stage" "$repo/examples/sandbox" "--stage try --dim half --press
 # Nothing changes: a picture that lasts. Longer than a delay can say, too.
 game still </dev/null
 filmed "nothing changes" still "" 0 59 1 1
-same "nothing is one picture" "gif 1 0 0;apng 1 0 0;y4m 60 0 0;" "$read"
+same "nothing is one picture" "gif 1 0 0;y4m 60 0 0;" "$read"
 "$curtain" render still --frames 0 -o long
 python3 -c 'for i in range(1, 4201): __import__("os").link("long/000000.png", "long/%06d.png" % i)'
-for kind in gif png; do
-    "$curtain" capture still --frames 0:4200 --speed 1/16 -o long.$kind
-    check "a $kind that stands still for 18 minutes" film_same long.$kind long 0 4200 1 1/16
-    same "... has a pixel more for what a delay cannot say" "2 1" "$(cut -d ' ' -f 2,4 .said)"
-done
+"$curtain" capture still --frames 0:4200 --speed 1/16 -o long.gif
+check "a GIF that stands still for 18 minutes" film_same long.gif long 0 4200 1 1/16
+same "... has a pixel more for what a delay cannot say" "2 1" "$(cut -d ' ' -f 2,4 .said)"
 
-# Colours change in the middle: a palette of its own for a picture of a GIF. So many that an APNG has them in full.
+# Colours change in the middle: a palette of its own for a picture of a GIF.
 game colours <<'LUA'
 bullet.def("orb", { sprite = "dot", hit = "none" })
 task.go(function()
@@ -76,20 +74,6 @@ LUA
 filmed "other colours" colours "" 0 40 1 1
 check "pictures bring their palette" [ "$(cut -d ' ' -f 3 <<<"$read")" -gt 1 ]
 filmed "many colours" colours "" 10 420 1 1
-cp film.png many.png
-kind() { python3 -c 'print(open("'"$1"'", "rb").read()[25])'; }
-same "an APNG of many colours has them in full" 2 "$(kind many.png)"
-"$curtain" capture plain --frames 9 -o few.apng
-same "one of few has indices" 3 "$(kind few.apng)"
-cp -r colours loud
-echo 'task.go(function() while true do print("frame " .. board.frame()) wait(100) end end)' >>loud/main.lua
-"$curtain" capture loud --frames 10:420 -o loud.png 2>err
-same "what scripts print is there once, though the run was gone through twice" 5 "$(grep -c '^frame\|frame [0-9]' err)"
-
-echo 'task.go(function() wait(350) error("late") end)' >>loud/main.lua
-"$curtain" capture loud --frames 10:420 --record l.demo -o loud.png 2>err
-same "a fault of the second time is told" "2 1" "$? $(grep -c 'late' err)"
-check "... and the recording is all of the run" grep -q "holds, 351 frames" <("$curtain" verify loud l.demo)
 
 # A demo to its end, without --frames; the sound as render gives it; standard output.
 game music <<'LUA'
@@ -103,7 +87,7 @@ check "a demo is filmed to its end" film_same film.gif song 0 100
 check "its sound is what render writes" cmp song.wav film.wav
 "$curtain" capture music --demo m.demo --frames 51:100 -o part.wav
 check "a part of it" cmp <(tail -c $((50 * 3200)) song.wav) <(tail -c +45 part.wav)
-for kind in gif apng y4m wav; do
+for kind in gif y4m wav; do
     "$curtain" capture music --demo m.demo --format $kind -o whole.$kind
     "$curtain" capture music --demo m.demo --format $kind -o - >out.$kind 2>err
     check "the same $kind on standard output" cmp whole.$kind out.$kind
@@ -204,6 +188,15 @@ rm fed.*
 PATH=$scratch/bin:$PATH "$curtain" capture music --demo m.demo --speed 2 -o fast.webm
 check "a faster film has its pictures" film_same fed.y4m song 0 100 1 2
 refuse "... and no sound" "No such file" ls fed.wav
+cp -r music loud
+echo 'task.go(function() while true do print("frame " .. board.frame()) wait(100) end end)' >>loud/main.lua
+PATH="$scratch/bin:$PATH" "$curtain" capture loud --frames 10:420 -o loud.mp4 2>err
+same "what scripts print is there once, though the run was gone through twice" 5 "$(grep -c '^frame\|frame [0-9]' err)"
+
+echo 'task.go(function() wait(350) error("late") end)' >>loud/main.lua
+PATH="$scratch/bin:$PATH" "$curtain" capture loud --frames 10:420 --record l.demo -o loud.mp4 2>err
+same "a fault of the second time is told" "2 1" "$? $(grep -c 'late' err)"
+check "... and the recording is all of the run" grep -q "holds, 351 frames" <("$curtain" verify loud l.demo)
 touch broken
 refuse "ffmpeg fails" "x.mp4: ffmpeg failed" env PATH="$scratch/bin:$PATH" "$curtain" capture plain -o x.mp4
 refuse "... and leaves nothing" "No such file" ls x.mp4 x.mp4.part x.mp4.part.wav
@@ -219,9 +212,9 @@ slip() { # WHY WORDS OPTIONS...
     same "... in one line" 1 "$(wc -l <.said)"
 }
 slip "no file" "capture needs -o"
-slip "no format" '-o: expected a name that ends in .gif, .apng, .png, ' -o film.avi
+slip "no format" '-o: expected a name that ends in .gif, .y4m, ' -o film.avi
 slip "standard output" "-o - needs --format" -o -
-slip "an unknown format" '--format: expected gif, apng, y4m, wav, mp4 or webm, got "avi"' --format avi -o film
+slip "an unknown format" '--format: expected gif, y4m, wav, mp4 or webm, got "avi"' --format avi -o film
 slip "a film to standard output" "-o - cannot be combined with webm" --format webm -o -
 slip "sound enlarged" "--scale cannot be combined with WAV" --scale 2 -o a.wav
 slip "sound made faster" "--speed cannot be combined with WAV" --speed 2 -o a.wav
@@ -237,7 +230,7 @@ slip "too large" "--scale: frames of 6144 x 7168 pixels are too large" --scale 1
 
 # No room on the disk.
 mknod full c 1 7 2>/dev/null || ln -s /dev/full full # root would lose /dev/full to a program that replaces it
-for kind in gif apng y4m wav; do
+for kind in gif y4m wav; do
     slip "a full disk, $kind" "full: cannot be written (No space left on device)" --frames 0:9 --format $kind -o full
     "$curtain" capture plain --frames 0:9 --format $kind -o - >/dev/full 2>err
     same "full standard output, $kind" 3 $?

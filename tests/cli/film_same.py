@@ -2,9 +2,9 @@
 """film_same.py FILM DIR FIRST LAST [SCALE [SPEED]]: is the film, read by nothing of Curtain's, the frames FIRST to LAST
 that `curtain render` wrote into DIR, to the last pixel and at the right times? SPEED is N or 1/N.
 
-GIF (what is read is written from the GIF89a specification), animated PNG and y4m, told by how the file begins. Prints
-"KIND PICTURES OWN SMALLER": how many pictures it has, how many of them bring a palette (of an APNG: 1, it has none),
-and how many are smaller than the whole.
+GIF (what is read is written from the GIF89a specification) and y4m, told by how the file begins. Prints
+"KIND PICTURES OWN SMALLER": how many pictures it has, how many of them bring a palette, and how many are smaller than
+the whole.
 """
 import os
 import struct
@@ -125,33 +125,15 @@ def png_pixels(packed, w, h, palette):
 
 
 def read_png(d):
-    """Yields (sixtieths, screen, own palette?, whole?) a picture; of a PNG that is not animated one, that lasts 0."""
+    """The screen of a PNG file."""
     parts = list(chunks(d))
     assert parts[0][0] == b"IHDR" and parts[-1] == (b"IEND", b""), "order of chunks"
     w, h, bits, kind, *rest = struct.unpack(">IIBBBBB", parts[0][1])
     assert bits == 8 and kind in (2, 3) and rest == [0, 0, 0], "header"
-    screen, palette, control, number, said, count = Screen(w, h), None, None, 0, 1, 0
-    for i, (name, body) in enumerate(parts):
-        if name == b"PLTE":
-            palette = palette_of(body, len(body) // 3)
-        elif name == b"acTL":
-            said, plays = struct.unpack(">II", body)
-            assert plays == 0, "it ends"
-        elif name == b"fcTL":
-            control = struct.unpack(">IIIIIHHBB", body)
-            assert control[0] == number and control[6] == 60 and control[7:] == (0, 0), "fcTL"
-            number += 1
-        elif name in (b"IDAT", b"fdAT"):
-            pw, ph, x, y, delay = control[1:6] if control else (w, h, 0, 0, 0)
-            assert (name == b"IDAT") == (count == 0), "order of pictures"
-            if name == b"fdAT":
-                assert struct.unpack_from(">I", body)[0] == number, "running number"
-                number += 1
-                body = body[4:]
-            count += 1
-            screen.put(x, y, pw, ph, png_pixels(body, pw, ph, palette))
-            yield delay, screen, palette is None, (pw, ph) == (w, h)
-    assert count == said, "%d pictures, said %d" % (count, said)
+    palette = next((palette_of(body, len(body) // 3) for name, body in parts if name == b"PLTE"), None)
+    screen = Screen(w, h)
+    screen.put(0, 0, w, h, png_pixels(b"".join(body for name, body in parts if name == b"IDAT"), w, h, palette))
+    return screen
 
 
 def nearest(rgb):
@@ -194,7 +176,7 @@ def main(path, folder, first, last, scale="1", speed="1"):
     def frame(n):
         if n not in kept:
             with open(os.path.join(folder, "%06d.png" % n), "rb") as f:
-                screen = next(read_png(f.read()))[1]
+                screen = read_png(f.read())
             kept.clear()
             wide = [b"".join(row[3 * x : 3 * x + 3] * scale for x in range(screen.w)) for row in screen.rows]
             kept[n] = b"".join(row for row in wide for _ in range(scale))
@@ -212,10 +194,9 @@ def main(path, folder, first, last, scale="1", speed="1"):
         assert next(wanted, None) is None, "pictures are missing"
         print("y4m", n, 0, 0)
         return
-    gif = d[:3] == b"GIF"
-    count, own, smaller, step = 0, 0, 0, 2 if gif else 1
-    wanted, before, long = pictures(50 if gif else 60), None, False
-    for delay, screen, has_own, whole in (read_gif if gif else read_png)(d):
+    count, own, smaller, step = 0, 0, 0, 2
+    wanted, before, long = pictures(50), None, False
+    for delay, screen, has_own, whole in read_gif(d):
         assert delay > 0 and delay % step == 0, "a delay of %d" % delay
         now = screen.all()
         assert now != before or long, "a picture like the one before"
@@ -224,7 +205,7 @@ def main(path, folder, first, last, scale="1", speed="1"):
             assert next(wanted, None) == now, "picture %d is not the frame" % count
         count, own, smaller = count + 1, own + has_own, smaller + (not whole)
     assert next(wanted, None) is None, "it ends too early"
-    print("gif" if gif else "apng", count, own, smaller)
+    print("gif", count, own, smaller)
 
 
 main(*sys.argv[1:])

@@ -195,7 +195,7 @@ if mount -t tmpfs -o size=64k tmpfs locked; then
     host 'read-only: palette' "locked/p.png: $locked" palette two.hex --bank 1 -o locked/p.png
     host 'read-only: run' "locked/s.demo: $locked" survive g --frames 200 --effort 1 -o locked/s.demo
     host 'read-only: map' "locked/m.png: $locked" survive g --frames 200 --effort 1 --map locked/m.png
-    for end in gif png y4m wav; do
+    for end in gif y4m wav; do
         host "read-only: $end" "locked/x.$end: $locked" capture g --frames 1:3 -o locked/x.$end
     done
     host 'read-only: mp4' "locked/x.mp4.part: $locked" capture g --frames 1:3 -o locked/x.mp4

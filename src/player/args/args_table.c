@@ -12,7 +12,7 @@ const struct command_row args_commands[COMMANDS] = {
     [COMMAND_RENDER] = { "render", "[ROM]", 0, 1,
                          "run without a window and write frames as DIR/000600.png; frame 0 is the board at power-on" },
     [COMMAND_CAPTURE] = { "capture", "[ROM]", 0, 1,
-                          "run without a window and write a clip: GIF, animated PNG, y4m, WAV, or MP4 and WebM with "
+                          "run without a window and write a clip: GIF, y4m, WAV, or MP4 and WebM with "
                           "ffmpeg" },
     [COMMAND_HASH] = { "hash", "[ROM]", 0, 1, "run without a window and print the state hash of every frame: N HASH" },
     [COMMAND_VERIFY] = { "verify", "ROM DEMO...", 2, 1 << 20,
@@ -121,7 +121,7 @@ const struct option_row args_options[OPTIONS] = {
     [OPTION_SPEED] = { "--speed", "N", FOR_CAPTURE, READ(args_speed),
                        "clip speed: 1 to 16, or 1/2 to 1/16 for slow motion" },
     [OPTION_FORMAT] = { "--format", "WORD", FOR_CAPTURE, TEXT(format),
-                        "gif, apng, y4m, wav, mp4 or webm (default: from the file extension of -o)" },
+                        "gif, y4m, wav, mp4 or webm (default: from the file extension of -o)" },
     [OPTION_SLOWER] = { "--slower", "N", FOR_BENCH, NUMBER(machine, 1, ARGS_MAX_SLOWER),
                         "show times for a machine N times slower, 1 to 1000" },
     [OPTION_FULLSCREEN] = { "--fullscreen", NULL, FOR_PLAY, SWITCH(fullscreen), "fill the screen" },

@@ -1,8 +1,8 @@
 /*
  * capture.c - see capture.h.
  *
- * A run is gone through once; twice for a film with sound that another program makes (which wants the sound first), and
- * for an APNG whose colours turn out to be too many for indices. The second run is the same as the first one.
+ * A run is played once, or twice for a film with sound: ffmpeg needs the sound first. The second run is the same as the
+ * first.
  */
 #include "capture.h"
 
@@ -11,7 +11,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../../platform/platform.h"
-#include "apng.h"
 #include "../../player/clip/gif.h"
 #include "y4m.h"
 #include "../../common/files.h"
@@ -24,7 +23,7 @@
 #include "../../player/speaker/tape.h"
 #include "../render/headless_run.h"
 
-enum format { GIF, APNG, Y4M, WAV, MP4, WEBM, FORMATS };
+enum format { GIF, Y4M, WAV, MP4, WEBM, FORMATS };
 
 enum { CAPTURE_FRAMES = 600 /* without a demo or --frames */ };
 
@@ -44,14 +43,14 @@ struct capture {
     uint32_t rgb[256];
     uint32_t pictures; /* so far */
     struct gif gif;
-    struct apng apng;
     FILE *stream; /* of y4m, to a file or another program */
 };
 
 static const struct {
     const char *name, *ending;
-} formats[FORMATS] = { { "gif", ".gif" }, { "apng", ".apng" }, { "y4m", ".y4m" },
-                       { "wav", ".wav" }, { "mp4", ".mp4" },   { "webm", ".webm" } };
+} formats[FORMATS] = {
+    { "gif", ".gif" }, { "y4m", ".y4m" }, { "wav", ".wav" }, { "mp4", ".mp4" }, { "webm", ".webm" }
+};
 
 /* ---- what is asked for ---- */
 
@@ -67,7 +66,7 @@ static enum format find_format(const struct args *a)
     for (int i = 0; i < FORMATS; i++)
         if (a->format ? strcmp(a->format, formats[i].name) == 0 : ends_in(a->out, formats[i].ending))
             return (enum format)i;
-    return !a->format && ends_in(a->out, ".png") ? APNG : FORMATS;
+    return FORMATS;
 }
 
 static bool through_ffmpeg(const struct capture *c)
@@ -100,7 +99,7 @@ static enum result check_format(struct capture *c)
         return report_line(RESULT_REFUSED, "-o - needs --format: standard output has no file extension");
     if (c->format == FORMATS)
         return report_line(RESULT_REFUSED,
-                           "-o: expected a name that ends in .gif, .apng, .png, .y4m, .wav, .mp4 or .webm, got \"%s\" "
+                           "-o: expected a name that ends in .gif, .y4m, .wav, .mp4 or .webm, got \"%s\" "
                            "(or use --format)",
                            a->out);
     if (through_ffmpeg(c) && c->to_stdout)
@@ -177,7 +176,7 @@ static void enlarge(const struct capture *c)
 /* The frame of picture k, counted from the first one. */
 static uint64_t frame_of(const struct capture *c, uint32_t k)
 {
-    const uint64_t rate = c->format == GIF ? GIF_RATE : APNG_SECOND;
+    const uint64_t rate = c->format == GIF ? GIF_RATE : 60;
     const uint64_t faster = c->a->faster ? (uint64_t)c->a->faster : 1,
                    slower = c->a->slower ? (uint64_t)c->a->slower : 1;
 
@@ -195,8 +194,6 @@ static void add_picture(struct capture *c)
 
     if (c->format == GIF)
         gif_add(&c->gif, c->pix, c->rgb, at);
-    else if (c->format == APNG)
-        apng_add(&c->apng, c->pix, c->rgb, at);
     else
         y4m_picture(c->stream, c->pix, c->rgb, c->w, c->h);
     c->pictures++;
@@ -219,8 +216,7 @@ static void add_frame(struct capture *c, uint32_t frame)
 
 static bool failed(const struct capture *c)
 {
-    return c->gif.out.failed || c->apng.out.failed || c->apng.too_many || c->tape.failed ||
-           (c->stream && ferror(c->stream));
+    return c->gif.out.failed || c->tape.failed || (c->stream && ferror(c->stream));
 }
 
 /* From power-on to the last frame. */
@@ -287,25 +283,6 @@ static enum result shoot_gif(struct capture *c)
     if (!gif_end(&c->gif, time_of(c, c->pictures)))
         return no_memory(c);
     return first_of(result, write_out(c, c->gif.out.bytes, c->gif.out.n));
-}
-
-static enum result shoot_apng(struct capture *c)
-{
-    if (!apng_open(&c->apng, c->w, c->h, false))
-        return no_memory(c);
-    enum result result = go_through(c, false);
-    if (c->apng.too_many) {
-        apng_close(&c->apng);
-        result = again(c);
-        if (result == RESULT_DONE && !apng_open(&c->apng, c->w, c->h, true))
-            return no_memory(c);
-        result = result == RESULT_DONE ? go_through(c, false) : result;
-    }
-    if (c->pictures == 0)
-        return result;
-    if (!apng_end(&c->apng, time_of(c, c->pictures)))
-        return no_memory(c);
-    return first_of(result, write_out(c, c->apng.out.bytes, c->apng.out.n));
 }
 
 static enum result shoot_wav(struct capture *c)
@@ -450,8 +427,7 @@ static enum result shoot_film(struct capture *c)
 static enum result shoot(struct capture *c)
 {
     static enum result (*const ways[FORMATS])(struct capture *) = {
-        [GIF] = shoot_gif, [APNG] = shoot_apng, [Y4M] = shoot_y4m,
-        [WAV] = shoot_wav, [MP4] = shoot_film,  [WEBM] = shoot_film,
+        [GIF] = shoot_gif, [Y4M] = shoot_y4m, [WAV] = shoot_wav, [MP4] = shoot_film, [WEBM] = shoot_film,
     };
     const struct args *a = c->a;
 
@@ -481,7 +457,6 @@ enum result capture_run(const struct args *a)
     }
     run_close(c);
     gif_close(&c->gif);
-    apng_close(&c->apng);
     tape_close(&c->tape);
     free(c);
     return result;
