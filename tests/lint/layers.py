@@ -22,7 +22,7 @@ LAYERS = ["src/base", "fb", "src/sound", "src/entities", "src/rom", "src/machine
 BIGGEST = 50  # files in a directory of src
 SHARED = {"src/entities/motion.h"}
 LUA = {"lua.h", "lauxlib.h", "lualib.h", "luaconf.h"}
-SEES_LUA = re.compile(r"src/(script|board)/|src/workbench/(test/trial\w*|pack/(manifest_\w+|value))\.[ch]$")
+SEES_LUA = re.compile(r"src/(script|board)/|src/workbench/(test/test_script\w*|pack/(manifest_\w+|value))\.[ch]$")
 ASKS_HOST = {"src/common", "src/demo", "src/lib", "src/player", "src/workbench"}
 # stdio.h: snprintf into the caller's buffer; stdlib.h: strtod, qsort, abort. What is called is checked by calls.sh.
 PURE = {"assert.h", "float.h", "inttypes.h", "limits.h", "math.h", "setjmp.h", "stdarg.h", "stdbool.h", "stddef.h",

@@ -18,7 +18,7 @@ seen() {
 cp -r --parents src fb platform "$scratch"
 check "no file of the program sees Lua or machine.h" seen $(
     tree 'src/player/*.c' 'src/workbench/*.c' 'src/common/*.c' 'src/demo/*.c' |
-    grep -v -e workbench/test/trial -e 'pack/manifest_' -e pack/value.c
+    grep -v -e workbench/test/test_script -e 'pack/manifest_' -e pack/value.c
 )
 check "no file of a port does" seen $(tree 'platform/*.c')
 check "a file of the board does" eval '! seen src/board/board.c'

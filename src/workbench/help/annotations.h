@@ -10,7 +10,7 @@
 /* Adds the file's text. It is Lua that an editor reads and no game runs. */
 void annotations_write(struct prose *to);
 
-/* The same of what test scripts call (trial.h). */
+/* The same of what test scripts call (test_script.h). */
 void annotations_test_write(struct prose *to);
 
 #endif

@@ -4,7 +4,7 @@
  */
 #include <stdio.h>
 #include <string.h>
-#include "../test/trial.h"
+#include "../test/test_script.h"
 #include "../../player/game/version.h"
 #include "annotations.h"
 
@@ -12,9 +12,9 @@
 static void fields(struct prose *to, const char *prefix)
 {
     const size_t n = strlen(prefix);
-    struct trial_entry e;
+    struct test_script_entry e;
 
-    for (int i = 0; trial_entry(i, &e); i++) {
+    for (int i = 0; test_script_entry(i, &e); i++) {
         if (strncmp(e.name, prefix, n) != 0 || e.params[0])
             continue;
         const size_t type = strlen(e.returns);
@@ -46,10 +46,10 @@ static void params(struct prose *to, const char *text, char list[80])
 static void functions(struct prose *to, const char *prefix, const char *owner)
 {
     const size_t n = strlen(prefix);
-    struct trial_entry e;
+    struct test_script_entry e;
     char list[80];
 
-    for (int i = 0; trial_entry(i, &e); i++) {
+    for (int i = 0; test_script_entry(i, &e); i++) {
         if (strncmp(e.name, prefix, n) != 0)
             continue;
         prose_add(to, "\n---%s\n", e.help);

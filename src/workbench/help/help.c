@@ -9,8 +9,7 @@
 #include "../../common/prose.h"
 #include "../../common/report.h"
 #include "../../player/command.h"
-#include "../test/testing.h"
-#include "../test/trial.h"
+#include "../test/test_script.h"
 #include "annotations.h"
 #include "help_lua.h"
 #include "lua_example.h"
@@ -55,12 +54,12 @@ static const char *print_synonym(const char *word)
     return word;
 }
 
-/* "test", "test.run", "run:step": only test scripts can call these. */
-static bool is_of_tests(const char *name)
+/* Returns whether only test scripts can use the name: "test", "test.run", "run:step". */
+static bool is_test_name(const char *name)
 {
-    struct trial_entry e;
+    struct test_script_entry e;
 
-    for (int i = 0; trial_entry(i, &e); i++)
+    for (int i = 0; test_script_entry(i, &e); i++)
         if (strcmp(e.name, name) == 0)
             return true;
     return strcmp(name, "test") == 0;
@@ -68,7 +67,7 @@ static bool is_of_tests(const char *name)
 
 static enum result help_lua(const char *name)
 {
-    if (name && is_of_tests(name)) {
+    if (name && is_test_name(name)) {
         printf("%s: only for test scripts (docs/guide/27-testing.md; curtain help test lists their functions)\n", name);
         return report_stdout(RESULT_DONE);
     }
@@ -108,6 +107,7 @@ enum result help_command(const struct args *a)
     if (result != RESULT_DONE || a->n_words != 1 || args_command(topic) != COMMAND_TEST)
         return result;
     say("");
-    testing_help(say);
+    say("Test scripts, tests/*.lua, are Lua scripts that can also use these names (docs/guide/27-testing.md):");
+    test_script_help(say);
     return report_stdout(RESULT_DONE);
 }

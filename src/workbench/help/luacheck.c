@@ -11,7 +11,7 @@
 #include <string.h>
 #include "../../script/api/api_table.h"
 #include "../../script/std.h"
-#include "../test/trial.h"
+#include "../test/test_script.h"
 #include "../check/builtins.h"
 #include "../../player/game/version.h"
 
@@ -120,11 +120,11 @@ static void standard(const struct name_set *s, const char *name, bool library)
 /* Lua's names, and the table `test`. */
 static void add_test_names(struct name_set *s)
 {
-    struct trial_entry e;
+    struct test_script_entry e;
 
     builtins_open_lua(s);
     name_set_add(s, NULL, "test");
-    for (int i = 0; trial_entry(i, &e); i++)
+    for (int i = 0; test_script_entry(i, &e); i++)
         if (strncmp(e.name, "test.", 5) == 0)
             name_set_add(s, "test", e.name + 5);
 }

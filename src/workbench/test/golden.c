@@ -28,7 +28,7 @@ static bool save(const struct golden *g, const char *folder, const char *name, c
 
     if (bytes && path_of(g, path, folder, name, ending) && files_save(path, bytes, n, err, sizeof err))
         return true;
-    outcome_say(g->out, SAYS_HOST, "%s", bytes ? err : "out of memory");
+    outcome_write(g->out, LINE_HOST_ERROR, "%s", bytes ? err : "out of memory");
     return false;
 }
 
@@ -36,7 +36,7 @@ static bool save(const struct golden *g, const char *folder, const char *name, c
 
 struct picture {
     uint8_t *rgb; /* 3 bytes a pixel; NULL: none */
-    uint8_t *pix; /* the same as indices of colours; NULL: it has none */
+    uint8_t *pix; /* palette indices; NULL: the picture was read from a file */
     int w, h;
     uint32_t colours[256];
 };
@@ -95,8 +95,8 @@ static bool save_picture(const struct golden *g, const char *folder, const char 
     return good;
 }
 
-/* The kept picture. False and one sentence: it cannot be read. */
-static bool read_kept(const char *path, const char *shown, struct picture *p, char *err, size_t err_size)
+/* Reads the picture in tests/golden. */
+static bool read_golden(const char *path, const char *shown, struct picture *p, char *err, size_t err_size)
 {
     char why[FILES_ERR_SIZE];
     uint8_t *data, *rgba = NULL;
@@ -114,7 +114,7 @@ static bool read_kept(const char *path, const char *shown, struct picture *p, ch
     return true;
 }
 
-/* Where two pictures of one size differ. */
+/* The pixels in which two pictures of the same size differ, and the rectangle around them. */
 struct difference {
     int64_t pixels;
     int x0, y0, x1, y1;
@@ -138,7 +138,7 @@ static struct difference differ(const struct picture *a, const struct picture *b
     return d;
 }
 
-/* The kept picture grey and dim, and on it what differs: the redder, the further the colours are from each other. */
+/* Draws the expected picture in dark grey, and the pixels that differ in red: the larger the difference, the darker. */
 static bool draw_difference(const struct picture *a, const struct picture *b, struct picture *to)
 {
     const size_t pixels = (size_t)a->w * (size_t)a->h;
@@ -156,15 +156,15 @@ static bool draw_difference(const struct picture *a, const struct picture *b, st
     return to->rgb != NULL;
 }
 
-/* The sentence, and the pictures in tests/failed. */
-static bool tell_difference(const struct golden *g, const char *name, const struct picture *want,
-                            const struct picture *got, char *err, size_t err_size)
+/* Sets the error, and writes the pictures to tests/failed. */
+static bool refuse_difference(const struct golden *g, const char *name, const struct picture *want,
+                              const struct picture *got, char *err, size_t err_size)
 {
     struct picture both = { 0 };
     bool good = save_picture(g, FAILED, name, ".expected.png", want) && save_picture(g, FAILED, name, ".got.png", got);
 
     if (want->w != got->w || want->h != got->h) {
-        outcome_say(g->out, SAYS_PICTURE, "%s", name);
+        outcome_write(g->out, LINE_PICTURE, "%s", name);
         return err_set(err, err_size, "the picture is %d x %d, but " GOLDEN "/%s.png is %d x %d", got->w, got->h, name,
                        want->w, want->h);
     }
@@ -173,7 +173,7 @@ static bool tell_difference(const struct golden *g, const char *name, const stru
         good = good && save_picture(g, FAILED, name, ".difference.png", &both);
     free_picture(&both);
     if (good)
-        outcome_say(g->out, SAYS_PICTURE, "%s", name);
+        outcome_write(g->out, LINE_PICTURE, "%s", name);
     return err_set(err, err_size, "%" PRId64 " of %d pixels differ from " GOLDEN "/%s.png, from %d,%d to %d,%d",
                    d.pixels, want->w * want->h, name, d.x0, d.y0, d.x1, d.y1);
 }
@@ -183,11 +183,11 @@ static bool same_picture(const struct picture *a, const struct picture *b)
     return a->w == b->w && a->h == b->h && memcmp(a->rgb, b->rgb, (size_t)a->w * (size_t)a->h * 3) == 0;
 }
 
-/* Keeps the picture; nothing differs then, but the host may not let it. */
-static bool keep_picture(const struct golden *g, const char *name, const struct picture *got)
+/* Saves the picture to tests/golden. Always returns true: then nothing differs; a failure to write is reported. */
+static bool update_picture(const struct golden *g, const char *name, const struct picture *got)
 {
     if (save_picture(g, GOLDEN, name, ".png", got))
-        outcome_say(g->out, SAYS_KEPT, GOLDEN "/%s.png", name);
+        outcome_write(g->out, LINE_UPDATED, GOLDEN "/%s.png", name);
     return true;
 }
 
@@ -200,20 +200,20 @@ static bool compare_picture(const struct golden *g, const char *name, const stru
     if (!path_of(g, path, GOLDEN, name, ".png"))
         return err_set(err, err_size, "path too long");
     snprintf(shown, sizeof shown, GOLDEN "/%s.png", name);
-    outcome_say(g->out, SAYS_TAKEN, "%s", shown);
+    outcome_write(g->out, LINE_GOLDEN, "%s", shown);
     if (plat_file_size(path) < 0) {
         if (g->update)
-            return keep_picture(g, name, got);
+            return update_picture(g, name, got);
         if (save_picture(g, FAILED, name, ".got.png", got))
-            outcome_say(g->out, SAYS_PICTURE, "%s", name);
+            outcome_write(g->out, LINE_PICTURE, "%s", name);
         return err_set(err, err_size, "no %s yet: check " FAILED "/%s.got.png, then run with --update to save it",
                        shown, name);
     }
-    if (!read_kept(path, shown, &want, err, err_size))
-        return g->update && keep_picture(g, name, got);
+    if (!read_golden(path, shown, &want, err, err_size))
+        return g->update && update_picture(g, name, got);
     bool same = same_picture(&want, got);
     if (!same)
-        same = g->update ? keep_picture(g, name, got) : tell_difference(g, name, &want, got, err, err_size);
+        same = g->update ? update_picture(g, name, got) : refuse_difference(g, name, &want, got, err, err_size);
     free_picture(&want);
     return same;
 }
@@ -228,12 +228,12 @@ bool golden_picture(const struct golden *g, const struct board *b, const char *n
     return same;
 }
 
-void golden_show(const struct golden *g, const struct board *b, const char *name)
+void golden_save_got(const struct golden *g, const struct board *b, const char *name)
 {
     struct picture got = { 0 };
 
     if (draw(b, &got) && save_picture(g, FAILED, name, ".got.png", &got))
-        outcome_say(g->out, SAYS_PICTURE, "%s", name);
+        outcome_write(g->out, LINE_PICTURE, "%s", name);
     free_picture(&got);
 }
 
@@ -241,7 +241,7 @@ void golden_show(const struct golden *g, const struct board *b, const char *name
 
 enum { HASH_FILE = 1 << 16 };
 
-/* The lines of the board's parts; those without room in this game are left out. */
+/* Writes a line for each part of the board that this game has. */
 static size_t write_hashes(const struct board *b, char *text, size_t size)
 {
     size_t n = 0;
@@ -254,7 +254,7 @@ static size_t write_hashes(const struct board *b, char *text, size_t size)
     return n;
 }
 
-/* The hash of a part in these lines; 0: it is not there. */
+/* Returns the hash of a part in these lines, or 0. */
 static uint64_t find_hash(const char *text, const char *part)
 {
     const size_t n = strlen(part);
@@ -265,14 +265,14 @@ static uint64_t find_hash(const char *text, const char *part)
     return 0;
 }
 
-static bool compare_hashes(const struct board *b, const char *shown, const char *kept, char *err, size_t err_size)
+static bool compare_hashes(const struct board *b, const char *shown, const char *golden, char *err, size_t err_size)
 {
     char list[MAX_PARTS * 18] = "";
     size_t n = 0;
     int parts = 0;
 
     for (int i = 0; i < board_part_count(b); i++) {
-        if (find_hash(kept, board_part_name(b, i)) == board_part_hash(b, i))
+        if (find_hash(golden, board_part_name(b, i)) == board_part_hash(b, i))
             continue;
         n += (size_t)snprintf(list + n, sizeof list - n, "%s%s", n ? ", " : "", board_part_name(b, i));
         parts++;
@@ -285,27 +285,27 @@ static bool compare_hashes(const struct board *b, const char *shown, const char 
 bool golden_hash(const struct golden *g, const struct board *b, const char *name, char *err, size_t err_size)
 {
     char path[FILES_PATH_SIZE], shown[128], now[MAX_PARTS * 40] = "";
-    uint8_t *kept;
+    uint8_t *golden;
     size_t size;
 
     if (!path_of(g, path, GOLDEN, name, ".hash"))
         return err_set(err, err_size, "path too long");
     snprintf(shown, sizeof shown, GOLDEN "/%s.hash", name);
-    outcome_say(g->out, SAYS_TAKEN, "%s", shown);
+    outcome_write(g->out, LINE_GOLDEN, "%s", shown);
     const size_t n = write_hashes(b, now, sizeof now);
     const bool there = plat_file_size(path) >= 0;
     if (!there && !g->update)
         return err_set(err, err_size, "no %s yet: run with --update to save the hashes of this frame", shown);
     bool same = false;
     if (there) {
-        if (!files_read_text(path, shown, HASH_FILE, &kept, &size, err, err_size))
+        if (!files_read_text(path, shown, HASH_FILE, &golden, &size, err, err_size))
             return false;
-        same = compare_hashes(b, shown, (const char *)kept, err, err_size);
-        free(kept);
+        same = compare_hashes(b, shown, (const char *)golden, err, err_size);
+        free(golden);
     }
     if (!same && g->update) {
         if (save(g, GOLDEN, name, ".hash", now, n))
-            outcome_say(g->out, SAYS_KEPT, "%s", shown);
+            outcome_write(g->out, LINE_UPDATED, "%s", shown);
         same = true;
     }
     return same;

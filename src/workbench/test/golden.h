@@ -1,5 +1,5 @@
 /*
- * golden.h - pictures and hashes that a game's tests keep in tests/golden, and what is seen now beside them.
+ * golden.h - compares a board with the expected pictures and hashes in the game's tests/golden.
  */
 #ifndef WORKBENCH_GOLDEN_H
 #define WORKBENCH_GOLDEN_H
@@ -13,17 +13,17 @@
 struct golden {
     const char *dir; /* the game's folder */
     bool update;
-    FILE *out; /* sayings of outcome.h: files taken and kept, pictures that differ, what the host could not do */
+    FILE *out; /* gets lines of outcome.h: files compared and updated, pictures that differ, errors of the host */
 };
 
-/* The board's picture is DIR/tests/golden/NAME.png; with update it becomes so. False and one sentence: it is not, and
- * NAME.expected.png, NAME.got.png and NAME.difference.png are in tests/failed. */
+/* Compares the board's picture with tests/golden/NAME.png; with `update`, saves it there if it differs. If it differs,
+ * sets err, writes NAME.expected.png, NAME.got.png and NAME.difference.png to tests/failed, and returns false. */
 bool golden_picture(const struct golden *g, const struct board *b, const char *name, char *err, size_t err_size);
 
-/* The same of the hash of each part, in NAME.hash, lines of PART HASH; no picture is written. */
+/* Does the same for the hashes of all parts and NAME.hash, which has a line PART HASH for each; writes no picture. */
 bool golden_hash(const struct golden *g, const struct board *b, const char *name, char *err, size_t err_size);
 
-/* The picture alone, as tests/failed/NAME.got.png. */
-void golden_show(const struct golden *g, const struct board *b, const char *name);
+/* Saves the board's picture as tests/failed/NAME.got.png. */
+void golden_save_got(const struct golden *g, const struct board *b, const char *name);
 
 #endif

@@ -11,7 +11,7 @@
 
 enum { LINE = 4096 };
 
-void outcome_say(FILE *out, enum saying kind, const char *format, ...)
+void outcome_write(FILE *out, enum line_kind kind, const char *format, ...)
 {
     char line[LINE];
     va_list args;
@@ -23,12 +23,13 @@ void outcome_say(FILE *out, enum saying kind, const char *format, ...)
     fprintf(out, "%c %s\n", (char)kind, line);
 }
 
-void outcome_each(const struct test *t, enum saying kind, void (*each)(void *context, const char *words), void *context)
+void outcome_each(const struct test *t, enum line_kind kind, void (*each)(void *context, const char *words),
+                  void *context)
 {
     char line[LINE + 4];
 
     for (size_t at = 0, n; at < t->n; at += n + 1) {
-        const char *from = t->said + at, *end = memchr(from, '\n', t->n - at);
+        const char *from = t->lines + at, *end = memchr(from, '\n', t->n - at);
         n = end ? (size_t)(end - from) : t->n - at;
         if (n < 2 || from[0] != (char)kind)
             continue;
@@ -39,16 +40,16 @@ void outcome_each(const struct test *t, enum saying kind, void (*each)(void *con
 
 static void judge(void *verdict, const char *words)
 {
-    enum verdict_of *v = verdict;
+    enum test_verdict *v = verdict;
 
     (void)words;
-    *v = *v == TEST_HOLDS ? TEST_FAILS : *v;
+    *v = *v == TEST_PASSES ? TEST_FAILS : *v;
 }
 
 static void judge_host(void *verdict, const char *words)
 {
     (void)words;
-    *(enum verdict_of *)verdict = TEST_HOST;
+    *(enum test_verdict *)verdict = TEST_HOST_ERROR;
 }
 
 static void read_cost(void *test, const char *words)
@@ -60,37 +61,37 @@ static void read_cost(void *test, const char *words)
 
 static bool append(struct test *t, const char *text, size_t n)
 {
-    char *more = realloc(t->said, t->n + n + 1);
+    char *more = realloc(t->lines, t->n + n + 1);
 
     if (!more)
         return false;
     memcpy(more + t->n, text, n);
-    t->said = more;
+    t->lines = more;
     t->n += n;
-    t->said[t->n] = 0;
+    t->lines[t->n] = 0;
     return true;
 }
 
 bool outcome_add(struct test *t, const char *sentence)
 {
     char line[LINE];
-    const int n = snprintf(line, sizeof line, "%c %s\n", SAYS_WRONG, sentence);
-    const bool cut = t->n > 0 && t->said[t->n - 1] != '\n'; /* its process died while it wrote */
+    const int n = snprintf(line, sizeof line, "%c %s\n", LINE_FAILURE, sentence);
+    const bool cut = t->n > 0 && t->lines[t->n - 1] != '\n'; /* the test's process died while writing */
 
     judge(&t->verdict, NULL);
     return (!cut || append(t, "\n", 1)) && n > 0 && append(t, line, n < LINE ? (size_t)n : LINE - 1);
 }
 
-bool outcome_take(struct test *t, const char *said, size_t n, int signal)
+bool outcome_read(struct test *t, const char *lines, size_t n, int signal)
 {
     char died[120];
 
     t->done = true;
-    if (!append(t, said, n))
+    if (!append(t, lines, n))
         return false;
-    outcome_each(t, SAYS_WRONG, judge, &t->verdict);
-    outcome_each(t, SAYS_HOST, judge_host, &t->verdict);
-    outcome_each(t, SAYS_COST, read_cost, t);
+    outcome_each(t, LINE_FAILURE, judge, &t->verdict);
+    outcome_each(t, LINE_HOST_ERROR, judge_host, &t->verdict);
+    outcome_each(t, LINE_COST, read_cost, t);
     if (!signal)
         return true;
     snprintf(died, sizeof died, "the program was killed by signal %d during the test", signal);
@@ -99,5 +100,5 @@ bool outcome_take(struct test *t, const char *said, size_t n, int signal)
 
 const char *outcome_word(const struct test *t)
 {
-    return t->verdict == TEST_HOLDS ? "ok" : "FAILS";
+    return t->verdict == TEST_PASSES ? "ok" : "FAILS";
 }

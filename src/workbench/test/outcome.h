@@ -1,5 +1,5 @@
 /*
- * outcome.h - a test, and what came of it.
+ * outcome.h - a test and its outcome.
  */
 #ifndef WORKBENCH_OUTCOME_H
 #define WORKBENCH_OUTCOME_H
@@ -9,46 +9,46 @@
 #include <stdint.h>
 #include <stdio.h>
 
-enum verdict_of { TEST_HOLDS, TEST_FAILS, TEST_HOST };
+enum test_verdict { TEST_PASSES, TEST_FAILS, TEST_HOST_ERROR };
 
-/* What a test says of itself, a line each: the kind's letter, a blank, words. */
-enum saying {
-    SAYS_WRONG = 'F',   /* what does not hold, or a script's mistake */
-    SAYS_HOST = 'H',    /* what the host could not do */
-    SAYS_PRINTED = 'P', /* what the script printed */
-    SAYS_TRACE = 'T',   /* a line of a traceback */
-    SAYS_PICTURE = 'G', /* the name of a picture that differs: files of it are in tests/failed */
-    SAYS_KEPT = 'U',    /* a file that --update has written */
-    SAYS_TAKEN = 'N',   /* a file of tests/golden that was compared */
-    SAYS_COST = 'C'     /* frames and microseconds, at the end */
+/* A test writes its outcome as lines: the letter of the line's kind, a blank, text. */
+enum line_kind {
+    LINE_FAILURE = 'F',    /* a failed check, or a script's error */
+    LINE_HOST_ERROR = 'H', /* an error of the host */
+    LINE_PRINTED = 'P',    /* a line that the script printed */
+    LINE_TRACE = 'T',      /* a line of a traceback */
+    LINE_PICTURE = 'G',    /* the name of a picture that differs; its files are in tests/failed */
+    LINE_UPDATED = 'U',    /* a file that --update wrote */
+    LINE_GOLDEN = 'N',     /* a file in tests/golden that was compared */
+    LINE_COST = 'C'        /* frames and microseconds; the last line */
 };
 
 struct test {
-    char *name;  /* "demos/run.demo", "tests/boss.lua" */
-    bool script; /* else a demo */
+    char *name;     /* "demos/run.demo", "tests/boss.lua" */
+    bool is_script; /* otherwise a demo */
     bool done;
-    char *said; /* lines, ending in \n */
-    size_t n;
-    enum verdict_of verdict;
+    char *lines; /* malloc; each ends in \n */
+    size_t n;    /* bytes of them */
+    enum test_verdict verdict;
     uint32_t frames;
     uint64_t usec;
 };
 
-/* Writes a line; what would end it or a terminal would obey is blanked. */
-void outcome_say(FILE *out, enum saying kind, const char *format, ...) __attribute__((format(printf, 3, 4)));
+/* Writes a line, with control characters blanked. */
+void outcome_write(FILE *out, enum line_kind kind, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
-/* Takes what a test has written, and reads verdict and cost of it. signal: what ended its process, or 0. False: no
+/* Stores the lines of a test, and sets its verdict and cost. signal: what ended its process, or 0. False: out of
  * memory. */
-bool outcome_take(struct test *t, const char *said, size_t n, int signal);
+bool outcome_read(struct test *t, const char *lines, size_t n, int signal);
 
-/* One more line of a test that is done; it fails. False: no memory. */
+/* Adds a failure to a test that is done. False: out of memory. */
 bool outcome_add(struct test *t, const char *sentence);
 
-/* Calls each with every line of that kind, without its letter. */
-void outcome_each(const struct test *t, enum saying kind, void (*each)(void *context, const char *words),
+/* Calls `each` with the text of every line of a kind. */
+void outcome_each(const struct test *t, enum line_kind kind, void (*each)(void *context, const char *words),
                   void *context);
 
-/* "HOLDS", ... as reports say it */
+/* "ok" or "FAILS" */
 const char *outcome_word(const struct test *t);
 
 #endif

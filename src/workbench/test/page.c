@@ -1,8 +1,8 @@
 /*
  * page.c - see page.h.
  *
- * A picture is written into the page in base64; it is shown at twice its size, pixels as pixels. The page needs nothing
- * from anywhere, and looks right on light and dark screens.
+ * The page contains its pictures, in base64, and shows them at twice their size without smoothing. It has a light and a
+ * dark style.
  */
 #include "page.h"
 
@@ -56,7 +56,7 @@ struct page {
 
 static void figure(const struct page *p, const char *name, const char *which)
 {
-    enum { SIZES = 24 }; /* a PNG's width and height stand before that */
+    enum { SIZES = 24 }; /* bytes of a PNG up to the end of its width and height */
     char path[FILES_PATH_SIZE], err[FILES_ERR_SIZE];
     uint8_t *data;
     size_t n;
@@ -65,9 +65,9 @@ static void figure(const struct page *p, const char *name, const char *which)
         plat_file_size(path) < SIZES || !files_read(path, path, PNG_MAX_BYTES, &data, &n, err, sizeof err))
         return;
     fputs("<figure><figcaption>", p->out);
-    reporter_escaped(p->out, name);
+    reporter_put_escaped(p->out, name);
     fprintf(p->out, ": %s</figcaption><img alt=\"", which);
-    reporter_escaped(p->out, name);
+    reporter_put_escaped(p->out, name);
     fprintf(p->out, ", %s\" width=\"%u\" height=\"%u\" src=\"", which, (unsigned)be32(data + 16) * 2,
             (unsigned)be32(data + 20) * 2);
     fputs("data:image/png;base64,", p->out);
@@ -87,14 +87,14 @@ static void pictures(void *context, const char *name)
     fputs("</div>\n", p->out);
 }
 
-/* ---- words ---- */
+/* ---- text ---- */
 
 static void item(void *context, const char *words)
 {
     FILE *out = ((const struct page *)context)->out;
 
     fputs("<li>", out);
-    reporter_escaped(out, words);
+    reporter_put_escaped(out, words);
     fputs("</li>\n", out);
 }
 
@@ -102,7 +102,7 @@ static void line(void *context, const char *words)
 {
     FILE *out = ((const struct page *)context)->out;
 
-    reporter_escaped(out, words);
+    reporter_put_escaped(out, words);
     fputc('\n', out);
 }
 
@@ -112,7 +112,7 @@ static void count(void *context, const char *words)
     ++*(int *)context;
 }
 
-static void lines(struct page *p, const struct test *t, enum saying kind)
+static void lines(struct page *p, const struct test *t, enum line_kind kind)
 {
     int n = 0;
 
@@ -127,24 +127,24 @@ static void lines(struct page *p, const struct test *t, enum saying kind)
 static void failed(struct page *p, const struct test *t)
 {
     fputs("<section><h2>", p->out);
-    reporter_escaped(p->out, t->name);
+    reporter_put_escaped(p->out, t->name);
     fprintf(p->out, " <span class=\"dim\">%u frames, %.2f s</span></h2>\n<ul class=\"why\">\n", (unsigned)t->frames,
             (double)t->usec / 1e6);
-    outcome_each(t, SAYS_HOST, item, p);
-    outcome_each(t, SAYS_WRONG, item, p);
+    outcome_each(t, LINE_HOST_ERROR, item, p);
+    outcome_each(t, LINE_FAILURE, item, p);
     fputs("</ul>\n", p->out);
-    lines(p, t, SAYS_TRACE);
-    lines(p, t, SAYS_PRINTED);
-    outcome_each(t, SAYS_PICTURE, pictures, p);
+    lines(p, t, LINE_TRACE);
+    lines(p, t, LINE_PRINTED);
+    outcome_each(t, LINE_PICTURE, pictures, p);
     fputs("</section>\n", p->out);
 }
 
 static void row(FILE *out, const struct test *t)
 {
-    const bool good = t->verdict == TEST_HOLDS;
+    const bool good = t->verdict == TEST_PASSES;
 
     fprintf(out, "<tr><td class=\"%s\">%s</td><td>", good ? "good" : "bad", good ? "passes" : "fails");
-    reporter_escaped(out, t->name);
+    reporter_put_escaped(out, t->name);
     fprintf(out, "</td><td class=\"n\">%u frames</td><td class=\"n\">%.2f s</td></tr>\n", (unsigned)t->frames,
             (double)t->usec / 1e6);
 }
@@ -156,14 +156,14 @@ void page_write(FILE *out, const char *dir, const char *title, const struct test
     fputs("<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n<meta name=\"viewport\" "
           "content=\"width=device-width\">\n<title>Tests of ",
           out);
-    reporter_escaped(out, title);
+    reporter_put_escaped(out, title);
     fprintf(out, "</title>\n<style>%s</style></head>\n<body>\n<h1>Tests of ", style);
-    reporter_escaped(out, title);
+    reporter_put_escaped(out, title);
     fprintf(out,
             "</h1>\n<p><span class=\"%s\">%d of %d fail.</span> <span class=\"dim\">%u frames in %.2f s</span></p>\n",
             s->fail ? "bad" : "good", s->fail, s->tests, (unsigned)s->frames, (double)s->usec / 1e6);
     for (int i = 0; i < s->tests; i++)
-        if (tests[i].verdict != TEST_HOLDS)
+        if (tests[i].verdict != TEST_PASSES)
             failed(&p, &tests[i]);
     fputs("<h2>All tests</h2>\n<table>\n", out);
     for (int i = 0; i < s->tests; i++)

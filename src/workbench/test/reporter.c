@@ -22,11 +22,11 @@ void reporter_line(const struct test *t, int width)
     clean_line(name);
     report_print("%-5s %-*s %7u frames %8.2f s\n", outcome_word(t), width, name, (unsigned)t->frames,
                  (double)t->usec / 1e6);
-    outcome_each(t, SAYS_WRONG, indented, "");
-    outcome_each(t, SAYS_HOST, indented, "");
-    outcome_each(t, SAYS_TRACE, indented, "  ");
-    outcome_each(t, SAYS_KEPT, indented, "kept ");
-    outcome_each(t, SAYS_PRINTED, indented, "| ");
+    outcome_each(t, LINE_FAILURE, indented, "");
+    outcome_each(t, LINE_HOST_ERROR, indented, "");
+    outcome_each(t, LINE_TRACE, indented, "  ");
+    outcome_each(t, LINE_UPDATED, indented, "kept ");
+    outcome_each(t, LINE_PRINTED, indented, "| ");
 }
 
 void reporter_sums(const struct sums *s)
@@ -53,7 +53,7 @@ void reporter_tap_plan(int tests)
     report_print("TAP version 13\n1..%d\n", tests);
 }
 
-/* A # would begin a directive. */
+/* Escapes #, which would start a directive. */
 static void tap_name(const char *name, char *out, size_t size)
 {
     size_t n = 0;
@@ -72,18 +72,18 @@ void reporter_tap(const struct test *t, int number)
 
     tap_name(t->name, name, sizeof name);
     clean_line(name);
-    report_print("%s %d - %s\n", t->verdict == TEST_HOLDS ? "ok" : "not ok", number, name);
-    outcome_each(t, SAYS_WRONG, diagnostic, "");
-    outcome_each(t, SAYS_HOST, diagnostic, "");
-    outcome_each(t, SAYS_TRACE, diagnostic, "  ");
-    outcome_each(t, SAYS_KEPT, diagnostic, "kept ");
-    outcome_each(t, SAYS_PRINTED, diagnostic, "| ");
+    report_print("%s %d - %s\n", t->verdict == TEST_PASSES ? "ok" : "not ok", number, name);
+    outcome_each(t, LINE_FAILURE, diagnostic, "");
+    outcome_each(t, LINE_HOST_ERROR, diagnostic, "");
+    outcome_each(t, LINE_TRACE, diagnostic, "  ");
+    outcome_each(t, LINE_UPDATED, diagnostic, "kept ");
+    outcome_each(t, LINE_PRINTED, diagnostic, "| ");
     report_print("# %u frames, %.3f s\n", (unsigned)t->frames, (double)t->usec / 1e6);
 }
 
 /* ---- JUnit ---- */
 
-void reporter_escaped(FILE *out, const char *text)
+void reporter_put_escaped(FILE *out, const char *text)
 {
     char as[CLEAN_MARKUP_SIZE];
 
@@ -95,45 +95,45 @@ void reporter_escaped(FILE *out, const char *text)
 
 static void escaped_line(void *out, const char *words)
 {
-    reporter_escaped(out, words);
+    reporter_put_escaped(out, words);
     fputc('\n', out);
 }
 
 struct first {
     FILE *out;
-    bool told;
+    bool done;
 };
 
-static void first_only(void *context, const char *words)
+static void put_first(void *context, const char *words)
 {
     struct first *f = context;
 
-    if (!f->told)
-        reporter_escaped(f->out, words);
-    f->told = true;
+    if (!f->done)
+        reporter_put_escaped(f->out, words);
+    f->done = true;
 }
 
 static void junit_test(FILE *out, const struct test *t)
 {
     struct first first = { .out = out };
-    const char *what = t->verdict == TEST_HOST ? "error" : "failure";
+    const char *what = t->verdict == TEST_HOST_ERROR ? "error" : "failure";
 
     fputs("    <testcase classname=\"", out);
-    reporter_escaped(out, t->script ? "tests" : "demos");
+    reporter_put_escaped(out, t->is_script ? "tests" : "demos");
     fputs("\" name=\"", out);
-    reporter_escaped(out, t->name);
+    reporter_put_escaped(out, t->name);
     fprintf(out, "\" time=\"%.3f\">\n", (double)t->usec / 1e6);
-    if (t->verdict != TEST_HOLDS) {
+    if (t->verdict != TEST_PASSES) {
         fprintf(out, "      <%s message=\"", what);
-        outcome_each(t, t->verdict == TEST_HOST ? SAYS_HOST : SAYS_WRONG, first_only, &first);
+        outcome_each(t, t->verdict == TEST_HOST_ERROR ? LINE_HOST_ERROR : LINE_FAILURE, put_first, &first);
         fputs("\">", out);
-        outcome_each(t, SAYS_HOST, escaped_line, out);
-        outcome_each(t, SAYS_WRONG, escaped_line, out);
-        outcome_each(t, SAYS_TRACE, escaped_line, out);
+        outcome_each(t, LINE_HOST_ERROR, escaped_line, out);
+        outcome_each(t, LINE_FAILURE, escaped_line, out);
+        outcome_each(t, LINE_TRACE, escaped_line, out);
         fprintf(out, "</%s>\n", what);
     }
     fputs("      <system-out>", out);
-    outcome_each(t, SAYS_PRINTED, escaped_line, out);
+    outcome_each(t, LINE_PRINTED, escaped_line, out);
     fprintf(out, "%u frames</system-out>\n    </testcase>\n", (unsigned)t->frames);
 }
 
@@ -142,7 +142,7 @@ void reporter_junit(FILE *out, const char *title, const struct test *tests, cons
     fputs(JUNIT_HEAD, out);
     fprintf(out, " tests=\"%d\" failures=\"%d\" errors=\"%d\" time=\"%.3f\">\n  <testsuite name=\"", s->tests,
             s->fail - s->host, s->host, (double)s->usec / 1e6);
-    reporter_escaped(out, title);
+    reporter_put_escaped(out, title);
     fprintf(out, "\" tests=\"%d\" failures=\"%d\" errors=\"%d\" time=\"%.3f\">\n", s->tests, s->fail - s->host, s->host,
             (double)s->usec / 1e6);
     for (int i = 0; i < s->tests; i++)

@@ -1,5 +1,5 @@
 /*
- * testing.c - see testing.h. Tests end in any order and are told in theirs.
+ * testing.c - see testing.h. Tests end in any order, and are reported in the order of their names.
  */
 #include "testing.h"
 
@@ -13,20 +13,21 @@
 #include "../../common/progress.h"
 #include "../../common/report.h"
 #include "../../common/tree.h"
+#include "demo_test.h"
 #include "golden.h"
-#include "one.h"
 #include "page.h"
+#include "test_script.h"
 
 struct all {
     const struct testing *t;
     struct test *tests;
-    int n, over, told; /* over: of them all, those that are done */
+    int n, done, reported;
     int width;
     bool no_memory;
     struct sums sums;
 };
 
-/* ---- which there are ---- */
+/* ---- choosing tests ---- */
 
 struct listing {
     struct tree *files;
@@ -50,7 +51,8 @@ static void list_folder(const char *dir, const char *folder, const char *ending,
         plat_list(path, list_file, &l);
 }
 
-/* Does a word of the command line name it? The whole name, or the file's with or without its ending. */
+/* Returns whether a word of the command line names the test: its whole name, or its file's name, or that without the
+ * ending. */
 static bool is_named(const char *name, const char *word)
 {
     const char *base = strrchr(name, '/') + 1, *dot = strrchr(base, '.');
@@ -87,8 +89,8 @@ static bool is_wanted(const struct testing *t, const char *name)
     return t->n_names == 0;
 }
 
-/* The first word that names nothing, or NULL. */
-static const char *nobody(const struct testing *t, const struct tree *files)
+/* Returns the first word of the command line that names no test, or NULL. */
+static const char *unknown_word(const struct testing *t, const struct tree *files)
 {
     for (int i = 0; i < t->n_names; i++) {
         bool found = false;
@@ -100,10 +102,10 @@ static const char *nobody(const struct testing *t, const struct tree *files)
     return NULL;
 }
 
-/* The tests of the files that are wanted; their names are the files' own. */
+/* Lists the wanted tests; their names belong to `files`. */
 static enum result choose(struct all *a, const struct tree *files)
 {
-    const char *word = nobody(a->t, files);
+    const char *word = unknown_word(a->t, files);
 
     if (files->failed)
         return report_line(RESULT_HOST_FAILED, "%s: %s", a->t->dir, tree_failed(files));
@@ -119,14 +121,15 @@ static enum result choose(struct all *a, const struct tree *files)
         if (!is_wanted(a->t, files->name[i]))
             continue;
         const int width = (int)strlen(files->name[i]);
-        a->tests[a->n++] = (struct test){ .name = files->name[i], .script = files_has_suffix(files->name[i], ".lua") };
+        a->tests[a->n++] =
+            (struct test){ .name = files->name[i], .is_script = files_has_suffix(files->name[i], ".lua") };
         a->width = width > a->width ? width : a->width;
     }
     a->sums.tests = a->n;
     return RESULT_DONE;
 }
 
-/* ---- the folder of what failed ---- */
+/* ---- tests/failed ---- */
 
 struct stale {
     const char *dir;
@@ -143,7 +146,7 @@ static void list_stale(void *user, const struct plat_folder_entry *file)
         tree_add(&s->files, FAILED, file->name);
 }
 
-/* What an earlier run has left goes, and nothing else: the folder shows the newest. */
+/* Removes the files that earlier runs wrote, and no others. */
 static void clear_failed(const struct testing *t)
 {
     struct stale s = { .dir = t->dir };
@@ -157,8 +160,8 @@ static void clear_failed(const struct testing *t)
     tree_close(&s.files);
 }
 
-/* What is made for looking at is nothing to be committed. */
-static void ignore_failed(const struct testing *t)
+/* Keeps the pictures out of Git. */
+static void write_gitignore(const struct testing *t)
 {
     static const char ignore[] = "*\n";
     char path[TREE_PATH];
@@ -169,88 +172,99 @@ static void ignore_failed(const struct testing *t)
 
 /* ---- running ---- */
 
-static void do_one(void *context, int i, FILE *out)
+static void run_test(void *context, int i, FILE *out)
 {
     const struct all *a = context;
     const struct test *t = &a->tests[i];
 
-    (t->script ? one_script : one_demo)(a->t, t->name, out);
+    (t->is_script ? test_script_run : demo_test_run)(a->t, t->name, out);
 }
 
-/* Has an earlier test taken that file? Two of them would overwrite each other's. */
-struct taken {
-    struct all *a;
-    int i, by;
-    const char *words;
+/* Searches a test's lines for a file in tests/golden. */
+struct golden_search {
+    const char *file;
+    bool found;
 };
 
-static void is_taken(void *context, const char *words)
+static void match_golden(void *context, const char *file)
 {
-    struct taken *t = context;
+    struct golden_search *search = context;
 
-    t->by = strcmp(words, t->words) == 0 ? t->i : t->by;
+    search->found |= strcmp(file, search->file) == 0;
 }
 
-static void look_for_taken(void *context, const char *words)
+static bool uses_golden(const struct test *t, const char *file)
 {
-    struct taken *mine = context;
-    struct all *a = mine->a;
+    struct golden_search search = { .file = file };
+
+    outcome_each(t, LINE_GOLDEN, match_golden, &search);
+    return search.found;
+}
+
+struct sharing {
+    struct all *a;
+    int i;
+};
+
+/* Fails test i for each earlier test that uses the same file: with --update, they would overwrite each other's. */
+static void check_shared(void *context, const char *file)
+{
+    const struct sharing *s = context;
+    struct all *a = s->a;
     char sentence[300];
 
-    for (int k = 0; k < mine->i; k++) {
-        struct taken other = { .a = a, .i = k, .by = -1, .words = words };
-        outcome_each(&a->tests[k], SAYS_TAKEN, is_taken, &other);
-        if (other.by < 0)
+    for (int k = 0; k < s->i; k++) {
+        if (!uses_golden(&a->tests[k], file))
             continue;
         snprintf(sentence, sizeof sentence, "%.100s is also used by %.100s: tests cannot share pictures and hashes",
-                 words, a->tests[k].name);
-        a->no_memory |= !outcome_add(&a->tests[mine->i], sentence);
+                 file, a->tests[k].name);
+        a->no_memory |= !outcome_add(&a->tests[s->i], sentence);
     }
 }
 
-static void tell(struct all *a, int i)
+static void report(struct all *a, int i)
 {
-    struct taken mine = { .a = a, .i = i };
-    struct test copy = a->tests[i]; /* its lines grow while they are read */
+    struct sharing sharing = { a, i };
+    struct test copy = a->tests[i]; /* check_shared adds lines to the test */
 
-    copy.said = a->tests[i].said ? strdup(a->tests[i].said) : NULL;
-    if (copy.said)
-        outcome_each(&copy, SAYS_TAKEN, look_for_taken, &mine);
-    free(copy.said);
+    copy.lines = a->tests[i].lines ? strdup(a->tests[i].lines) : NULL;
+    if (copy.lines)
+        outcome_each(&copy, LINE_GOLDEN, check_shared, &sharing);
+    free(copy.lines);
     const struct test *t = &a->tests[i];
     a->sums.frames += t->frames;
-    a->sums.fail += t->verdict != TEST_HOLDS;
-    a->sums.host += t->verdict == TEST_HOST;
+    a->sums.fail += t->verdict != TEST_PASSES;
+    a->sums.host += t->verdict == TEST_HOST_ERROR;
     progress_wipe();
-    if (a->t->tap)
+    if (a->t->args->tap)
         reporter_tap(t, i + 1);
     else
         reporter_line(t, a->width);
     fflush(stdout);
 }
 
-static void done(void *context, int i, const char *said, size_t n, int signal)
+static void test_done(void *context, int i, const char *lines, size_t n, int signal)
 {
     struct all *a = context;
 
-    a->over++;
-    a->no_memory |= !outcome_take(&a->tests[i], said, n, signal);
-    for (; a->told < a->n && a->tests[a->told].done; a->told++)
-        tell(a, a->told);
+    a->done++;
+    a->no_memory |= !outcome_read(&a->tests[i], lines, n, signal);
+    for (; a->reported < a->n && a->tests[a->reported].done; a->reported++)
+        report(a, a->reported);
 }
 
-static void waits(void *context)
+static void show_progress(void *context)
 {
     struct all *a = context;
 
-    if (a->over < a->n)
-        progress_tell((uint64_t)a->over, (uint64_t)a->n, "%d of %d tests done", a->over, a->n);
+    if (a->done < a->n)
+        progress_tell((uint64_t)a->done, (uint64_t)a->n, "%d of %d tests done", a->done, a->n);
 }
 
-/* ---- afterwards ---- */
+/* ---- reports ---- */
 
-/* A report's file. False: the host is why, and has been told of. */
-static bool report_file(const struct all *a, const char *path, void (*write)(FILE *out, const struct all *a))
+/* Writes a report's file. False: the host cannot write it; this has been reported. */
+static bool write_file(const struct all *a, const char *path, void (*write)(FILE *out, const struct all *a))
 {
     char err[FILES_ERR_SIZE], *text = NULL;
     FILE *out = plat_open_temp_file();
@@ -273,36 +287,18 @@ static bool report_file(const struct all *a, const char *path, void (*write)(FIL
     return good;
 }
 
-static const char *title_of(const struct all *a)
-{
-    return a->t->cart->manifest.title;
-}
-
 static void write_page(FILE *out, const struct all *a)
 {
-    page_write(out, a->t->dir, title_of(a), a->tests, &a->sums);
+    page_write(out, a->t->dir, a->t->game->cart.manifest.title, a->tests, &a->sums);
 }
 
 static void write_junit(FILE *out, const struct all *a)
 {
-    reporter_junit(out, title_of(a), a->tests, &a->sums);
+    reporter_junit(out, a->t->game->cart.manifest.title, a->tests, &a->sums);
 }
 
-struct orphans {
-    const struct all *a;
-    const char *name;
-    bool taken;
-};
-
-static void is_orphans(void *context, const char *words)
-{
-    struct orphans *o = context;
-
-    o->taken |= strcmp(words, o->name) == 0;
-}
-
-/* What stands in tests/golden and no test has asked for. */
-static void tell_orphans(const struct all *a)
+/* Prints the files in tests/golden that no test used. */
+static void print_unused_goldens(const struct all *a)
 {
     struct tree files = { 0 };
 
@@ -310,33 +306,33 @@ static void tell_orphans(const struct all *a)
     list_folder(a->t->dir, GOLDEN, ".hash", &files);
     tree_sort(&files);
     for (int i = 0; i < files.n; i++) {
-        struct orphans o = { a, files.name[i], false };
-        for (int k = 0; k < a->n && !o.taken; k++)
-            outcome_each(&a->tests[k], SAYS_TAKEN, is_orphans, &o);
-        if (!o.taken)
-            report_print("%s%s: not used by any test\n", a->t->tap ? "# " : "", files.name[i]);
+        bool used = false;
+        for (int k = 0; k < a->n && !used; k++)
+            used = uses_golden(&a->tests[k], files.name[i]);
+        if (!used)
+            report_print("%s%s: not used by any test\n", a->t->args->tap ? "# " : "", files.name[i]);
     }
     tree_close(&files);
 }
 
-static enum result reports(struct all *a)
+static enum result write_reports(struct all *a)
 {
     char path[TREE_PATH];
     const bool fails = a->sums.fail > 0;
     bool good = true;
 
-    if (!a->t->tap)
+    if (!a->t->args->tap)
         reporter_sums(&a->sums);
     if (!fails && a->t->n_names == 0)
-        tell_orphans(a);
+        print_unused_goldens(a);
     if (fails)
-        ignore_failed(a->t);
-    if (a->t->junit)
-        good = report_file(a, a->t->junit, write_junit) && good;
-    if (a->t->page)
-        good = report_file(a, a->t->page, write_page) && good;
-    else if (fails && tree_join(path, a->t->dir, FAILED "/failed.html") && report_file(a, path, write_page))
-        report_print("%spage: %s\n", a->t->tap ? "# " : "", path);
+        write_gitignore(a->t);
+    if (a->t->args->junit)
+        good = write_file(a, a->t->args->junit, write_junit) && good;
+    if (a->t->args->page)
+        good = write_file(a, a->t->args->page, write_page) && good;
+    else if (fails && tree_join(path, a->t->dir, FAILED "/failed.html") && write_file(a, path, write_page))
+        report_print("%spage: %s\n", a->t->args->tap ? "# " : "", path);
     else
         good = good && !fails;
     return a->sums.host || !good ? RESULT_HOST_FAILED : fails ? RESULT_DIFFERS : RESULT_DONE;
@@ -344,23 +340,25 @@ static enum result reports(struct all *a)
 
 static enum result run_all(struct all *a)
 {
-    const struct plat_job_callbacks work = { .context = a, .run = do_one, .on_done = done, .on_wait = waits };
-    const uint64_t begun = plat_usec();
+    const struct plat_job_callbacks work = {
+        .context = a, .run = run_test, .on_done = test_done, .on_wait = show_progress
+    };
+    const uint64_t start = plat_usec();
 
     clear_failed(a->t);
-    if (a->t->tap)
+    if (a->t->args->tap)
         reporter_tap_plan(a->n);
     progress_begin();
-    const bool good = plat_run_jobs(a->n, a->t->jobs ? a->t->jobs : plat_processor_count(), &work);
+    const bool good = plat_run_jobs(a->n, a->t->args->jobs ? a->t->args->jobs : plat_processor_count(), &work);
     progress_end();
-    a->sums.usec = clock_since(begun);
+    a->sums.usec = clock_since(start);
     if (!good || a->no_memory)
         return report_line(RESULT_HOST_FAILED,
                            good ? "out of memory" : "test: cannot start a process, or out of memory");
-    return reports(a);
+    return write_reports(a);
 }
 
-enum result testing_run(const struct testing *t)
+static enum result run_tests(const struct testing *t)
 {
     struct all a = { .t = t };
     struct tree files = { 0 };
@@ -372,14 +370,32 @@ enum result testing_run(const struct testing *t)
     if (result == RESULT_DONE)
         result = report_stdout(run_all(&a));
     for (int i = 0; i < a.n; i++)
-        free(a.tests[i].said);
+        free(a.tests[i].lines);
     free(a.tests);
     tree_close(&files);
     return result;
 }
 
-void testing_help(void (*line)(const char *))
+/* ---- the command ---- */
+
+enum result testing_command(const struct args *a)
 {
-    line("Test scripts, tests/*.lua, are Lua scripts that can also use these names (docs/guide/27-testing.md):");
-    trial_help(line);
+    struct game *g = calloc(1, sizeof *g);
+    const struct testing t = {
+        .dir = a->words[0], .game = g, .args = a, .names = a->words + 1, .n_names = a->n_words - 1
+    };
+    char err[1024];
+    enum result result;
+
+    if (!g)
+        return report_line(RESULT_HOST_FAILED, "out of memory");
+    if (plat_file_size(t.dir) >= 0)
+        result = report_line(RESULT_REFUSED, "%s: expected a game's folder, got a file", t.dir);
+    else if (!game_open(g, t.dir, a, err, sizeof err))
+        result = report_error(err);
+    else
+        result = run_tests(&t);
+    game_close(g);
+    free(g);
+    return result;
 }

@@ -1,30 +1,30 @@
 /*
- * trial_api.c - the table of what test scripts can call and read: functions are bound by it, help and editors print it.
+ * test_script_api.c - the table of the functions and fields of test scripts, for binding, help and editors.
  */
 #include <stdio.h>
 #include <string.h>
-#include "trial_parts.h"
+#include "test_script_parts.h"
 
 static const struct {
-    struct trial_entry is;
+    struct test_script_entry doc;
     lua_CFunction call; /* NULL: a field */
 } entries[] = {
     { { "test.run", "options: test.options?", "run",
         "starts a run and plays options.frames frames or a whole demo; without options, the run starts at the title" },
-      trial_test_run },
+      test_script_start_run },
     { { "test.expect", "value: any, what: string?", "boolean",
         "fails the test if `value` is false or nil, but the script continues; returns whether the check passed" },
-      trial_test_expect },
+      test_script_expect },
     { { "test.equal", "got: any, want: any, what: string?", "boolean",
         "like test.expect, but fails unless `got` equals `want`; compares the contents of tables and reports both "
         "values" },
-      trial_test_equal },
+      test_script_equal },
     { { "test.shot", "name: string, run: run?", "boolean",
         "compares the run's frame with tests/golden/NAME.png, pixel by pixel; default: the newest run" },
-      trial_test_shot },
+      test_script_shot },
     { { "test.hash", "name: string, run: run?", "boolean",
         "compares the state of every part with tests/golden/NAME.hash; reports the parts that differ" },
-      trial_test_hash },
+      test_script_hash },
 
     { { "options.stage", "", "string?", "start at \"NAME\", \"NAME:MARK\" or \"BOSS/PHASE\", like play --stage" },
       NULL },
@@ -50,29 +50,29 @@ static const struct {
         "true: an error in the game sets run.fault instead of failing and ending the test" },
       NULL },
 
-    { { "run:step", "frames: integer?", "", "runs this many frames; default: 1" }, trial_run_step },
+    { { "run:step", "frames: integer?", "", "runs this many frames; default: 1" }, test_run_step },
     { { "run:wait", "condition: string|(fun(run: run): boolean), most: integer", "boolean",
         "runs until the condition is true, for at most `most` frames; returns whether it is true; the condition is a "
         "line of the game's Lua or a function" },
-      trial_run_wait },
+      test_run_wait },
     { { "run:press", "pads: (string|fun(run: run): string?)?", "",
         "buttons to hold from now on, like options.pads; frames count from the start of the run; nil: no buttons" },
-      trial_run_press },
+      test_run_press },
     { { "run:eval", "line: string", "any",
         "like the console: runs a line of Lua in the game, returns its values and undoes its changes" },
-      trial_run_eval },
-    { { "run:exec", "line: string", "any", "like run:eval, but keeps the changes" }, trial_run_exec },
+      test_run_eval },
+    { { "run:exec", "line: string", "any", "like run:eval, but keeps the changes" }, test_run_exec },
     { { "run:live", "part: string", "integer",
         "number of live entities of one kind, such as \"bullets\" or \"enemies\"" },
-      trial_run_live },
+      test_run_live },
     { { "run:refused", "part: string", "integer",
         "number of times that something did not spawn because its pool was full" },
-      trial_run_refused },
-    { { "run:heard", "sound: string", "integer", "number of times that the sound was started" }, trial_run_heard },
-    { { "run:printed", "words: string", "boolean", "true if a printed line contains these words" }, trial_run_printed },
+      test_run_refused },
+    { { "run:heard", "sound: string", "integer", "number of times that the sound was started" }, test_run_heard },
+    { { "run:printed", "words: string", "boolean", "true if a printed line contains these words" }, test_run_printed },
     { { "run:moment", "kind: string, name: string?", "test.moment?",
         "the first moment of this kind (and with this name, if given), or nil" },
-      trial_run_moment },
+      test_run_moment },
     { { "run.frame", "", "integer", "frames since power-on" }, NULL },
     { { "run.score", "", "integer", "points of player 1" }, NULL },
     { { "run.score2", "", "integer", "points of player 2" }, NULL },
@@ -88,27 +88,27 @@ static const struct {
 };
 enum { ENTRIES = sizeof entries / sizeof *entries };
 
-bool trial_entry(int n, struct trial_entry *out)
+bool test_script_entry(int n, struct test_script_entry *out)
 {
     if (n < 0 || n >= ENTRIES)
         return false;
-    *out = entries[n].is;
+    *out = entries[n].doc;
     return true;
 }
 
-void trial_set_functions(lua_State *L, const char *prefix)
+void test_script_set_functions(lua_State *L, const char *prefix)
 {
     const size_t n = strlen(prefix);
 
     for (int i = 0; i < ENTRIES; i++) {
-        if (!entries[i].call || strncmp(entries[i].is.name, prefix, n) != 0)
+        if (!entries[i].call || strncmp(entries[i].doc.name, prefix, n) != 0)
             continue;
         lua_pushcfunction(L, entries[i].call);
-        lua_setfield(L, -2, entries[i].is.name + n);
+        lua_setfield(L, -2, entries[i].doc.name + n);
     }
 }
 
-/* "what: string?, run: run?" as "what, run". */
+/* Writes "what: string?, run: run?" as "what, run". */
 static void short_params(const char *params, char *out, size_t size)
 {
     size_t n = 0;
@@ -127,12 +127,12 @@ static void short_params(const char *params, char *out, size_t size)
     out[n] = 0;
 }
 
-void trial_help(void (*line)(const char *))
+void test_script_help(void (*line)(const char *))
 {
     char params[80], head[128], text[400];
 
     for (int i = 0; i < ENTRIES; i++) {
-        const struct trial_entry *e = &entries[i].is;
+        const struct test_script_entry *e = &entries[i].doc;
         short_params(e->params, params, sizeof params);
         const bool option = strncmp(e->name, "options.", 8) == 0;
         if (option)

@@ -1,18 +1,20 @@
 /*
- * trial_start.c - what test.run is asked for: its table, read field by field.
+ * test_script_options.c - reads the table that test.run is given.
  */
 #include <lauxlib.h>
 #include <stdio.h>
 #include <string.h>
 #include "../../script/api/api_parts.h"
-#include "trial_parts.h"
+#include "test_script_parts.h"
+
+enum { SETTINGS = ARGS_MAX_DIPS }; /* as many as ARGS_MAX_REGISTERS */
 
 static void wrong(lua_State *L, const char *field, const char *expected)
 {
     vm_fault(L, FAULT_SCRIPT, "test.run: %s: expected %s, got %s", field, expected, luaL_typename(L, -1));
 }
 
-/* The value on top is the field's; a text of it lies in the table. */
+/* Returns the text on top, which is the value of the field. */
 static const char *text(lua_State *L, const char *field)
 {
     if (lua_type(L, -1) != LUA_TSTRING)
@@ -42,16 +44,17 @@ static bool truth(lua_State *L, const char *field)
     return lua_toboolean(L, -1);
 }
 
-/* The table on top, { coins = "free", ships = 3 }, as "coins=free", which stay on the stack below it. */
-static int settings(lua_State *L, const char *field, const char *list[TRIAL_SETTINGS])
+/* Converts the table on top, { coins = "free", ships = 3 }, to "coins=free", "ships=3". These texts remain on the stack
+ * below the table. */
+static int settings(lua_State *L, const char *field, const char *list[SETTINGS])
 {
     static const char expected[] = "{ NAME = string or number }";
     const int table = lua_gettop(L);
 
     if (!lua_istable(L, table))
         wrong(L, field, "a table { NAME = value }");
-    luaL_checkstack(L, TRIAL_SETTINGS + 8, NULL);
-    const int n = api_read_sorted_keys(L, "test.run", field, expected, table, list, TRIAL_SETTINGS);
+    luaL_checkstack(L, SETTINGS + 8, NULL);
+    const int n = api_read_sorted_keys(L, "test.run", field, expected, table, list, SETTINGS);
     for (int i = 0; i < n; i++) {
         const int type = lua_getfield(L, table, list[i]);
         if (type != LUA_TSTRING && type != LUA_TNUMBER)
@@ -68,74 +71,74 @@ static int settings(lua_State *L, const char *field, const char *list[TRIAL_SETT
 
 /* ---- fields ---- */
 
-static void read_stage(lua_State *L, struct trial_options *o)
+static void read_stage(lua_State *L, struct test_options *o)
 {
     o->start.stage = text(L, "stage");
 }
 
-static void read_seed(lua_State *L, struct trial_options *o)
+static void read_seed(lua_State *L, struct test_options *o)
 {
     o->start.seed = (uint64_t)whole(L, "seed", LUA_MININTEGER, LUA_MAXINTEGER);
     o->start.seeded = true;
 }
 
-static void read_difficulty(lua_State *L, struct trial_options *o)
+static void read_difficulty(lua_State *L, struct test_options *o)
 {
     o->start.difficulty = text(L, "difficulty");
 }
 
-static void read_frames(lua_State *L, struct trial_options *o)
+static void read_frames(lua_State *L, struct test_options *o)
 {
-    o->frames = (uint32_t)whole(L, "frames", 0, TRIAL_FRAMES);
-    o->framed = true;
+    o->frames = (uint32_t)whole(L, "frames", 0, TEST_FRAMES);
+    o->has_frames = true;
 }
 
-static void read_pads(lua_State *L, struct trial_options *o)
+static void read_pads(lua_State *L, struct test_options *o)
 {
-    o->function = lua_isfunction(L, -1);
-    if (!o->function && lua_type(L, -1) != LUA_TSTRING)
+    o->pads_is_function = lua_isfunction(L, -1);
+    if (!o->pads_is_function && lua_type(L, -1) != LUA_TSTRING)
         wrong(L, "pads", "buttons such as \"fire,left@60:90\" or a function");
-    o->start.pads = o->function ? NULL : lua_tostring(L, -1);
+    o->pads = o->pads_is_function ? NULL : lua_tostring(L, -1);
 }
 
-static void read_demo(lua_State *L, struct trial_options *o)
+static void read_demo(lua_State *L, struct test_options *o)
 {
-    o->start.demo = text(L, "demo");
+    o->demo = text(L, "demo");
 }
 
-static void read_lang(lua_State *L, struct trial_options *o)
+static void read_lang(lua_State *L, struct test_options *o)
 {
     o->start.lang = text(L, "lang");
 }
 
-static void read_lives(lua_State *L, struct trial_options *o)
+static void read_lives(lua_State *L, struct test_options *o)
 {
     o->start.lives = (int)whole(L, "lives", 1, PRACTICE_MAX_LIVES);
 }
 
-static void read_invincible(lua_State *L, struct trial_options *o)
+static void read_invincible(lua_State *L, struct test_options *o)
 {
     o->start.invincible = truth(L, "invincible");
 }
 
-static void read_dips(lua_State *L, struct trial_options *o)
+static void read_dips(lua_State *L, struct test_options *o)
 {
     o->start.n_dips = settings(L, "dips", o->start.dips);
 }
 
-static void read_registers(lua_State *L, struct trial_options *o)
+static void read_registers(lua_State *L, struct test_options *o)
 {
     o->start.n_registers = settings(L, "registers", o->start.registers);
 }
 
-static void read_faults(lua_State *L, struct trial_options *o)
+static void read_faults(lua_State *L, struct test_options *o)
 {
     o->faults = truth(L, "faults");
 }
 
 static const struct {
     const char *name;
-    void (*read)(lua_State *L, struct trial_options *o);
+    void (*read)(lua_State *L, struct test_options *o);
 } fields[] = {
     { "stage", read_stage },   { "seed", read_seed },           { "difficulty", read_difficulty },
     { "frames", read_frames }, { "pads", read_pads },           { "demo", read_demo },
@@ -172,23 +175,23 @@ static void check_names(lua_State *L)
     unknown(L, luakeys_text(L, -1));
 }
 
-/* A demo has its own start and buttons; a practice start needs a stage. */
-static void check_pairs(lua_State *L, const struct trial_options *o)
+/* A demo has its own start and buttons; practice needs a stage. */
+static void check_pairs(lua_State *L, const struct test_options *o)
 {
-    const struct trial_start *s = &o->start;
+    const struct args *s = &o->start;
     const bool practice = s->lives || s->invincible || s->n_registers;
-    const bool own = s->stage || s->difficulty || s->lang || s->pads || s->seeded || practice || s->n_dips;
+    const bool own = s->stage || s->difficulty || s->lang || s->seeded || practice || s->n_dips;
 
-    if (s->demo && (own || o->function))
+    if (o->demo && (own || o->pads || o->pads_is_function))
         vm_fault(L, FAULT_SCRIPT,
                  "test.run: a demo has its own start settings and buttons; combine demo only with frames and faults");
     if (!s->stage && practice)
         vm_fault(L, FAULT_SCRIPT, "test.run: lives, invincible and registers require stage");
 }
 
-void trial_read_options(lua_State *L, struct trial_options *o)
+void test_options_read(lua_State *L, struct test_options *o)
 {
-    *o = (struct trial_options){ 0 };
+    *o = (struct test_options){ 0 };
     if (lua_isnil(L, 1)) {
         lua_newtable(L);
         lua_replace(L, 1);

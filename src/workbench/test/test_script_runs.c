@@ -1,25 +1,29 @@
 /*
- * trial_run.c - the runs of a test script: what is done with them, and what is seen in them.
+ * test_script_runs.c - the runs of a test script, and their functions and fields.
  *
- * A run is a userdata with its number and serial; the board stands in struct trial until TRIAL_RUNS newer ones have
- * been begun. What a frame printed, told and sounded is gathered after each tick, for it is gone with the next.
+ * A run is a userdata with an index and a serial number. Its board is in struct test_script until MAX_TEST_RUNS newer
+ * runs have started. Printed lines, moments and sounds are recorded after each tick, because the next tick replaces
+ * them.
  */
-#include "trial_parts.h"
+#include "test_script_parts.h"
 
 #include <inttypes.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include "../../base/err.h"
+#include "../../common/result.h"
 #include "../../script/api/eval.h"
 
 static const char methods_key = 0, meta_key = 0;
 
 struct run_handle {
-    int number;
+    int index;
     lua_Integer serial;
 };
 
-/* The kept table's entries. */
-enum { KEPT_LOG = 1, KEPT_MOMENTS, KEPT_HEARD };
+/* The entries of the table `records`. */
+enum { RECORD_LOG = 1, RECORD_MOMENTS, RECORD_HEARD };
 
 /* ---- handles ---- */
 
@@ -35,57 +39,53 @@ static struct run_handle *to_handle(lua_State *L, int idx)
     return same ? h : NULL;
 }
 
-static struct trial_run *check_run(lua_State *L, int idx)
+static struct test_run *check_run(lua_State *L, int idx)
 {
     const struct run_handle *h = to_handle(L, idx);
 
     if (!h)
         vm_fault(L, FAULT_SCRIPT, "expected a run from test.run (call run:step with a colon), got %s",
                  luaL_typename(L, idx));
-    struct trial_run *r = &trial_of(L)->run[h->number];
+    struct test_run *r = &test_script_of(L)->run[h->index];
     if (r->serial != h->serial)
-        vm_fault(L, FAULT_SCRIPT, "the run has ended (only the last %d runs of a test stay open)", TRIAL_RUNS);
+        vm_fault(L, FAULT_SCRIPT, "the run has ended (only the last %d runs of a test stay open)", MAX_TEST_RUNS);
     return r;
 }
 
-static int number_of(lua_State *L, const struct trial_run *r)
+struct test_run *test_script_newest(lua_State *L, int idx)
 {
-    return (int)(r - trial_of(L)->run);
-}
-
-int trial_newest(lua_State *L, int idx)
-{
-    const struct trial *t = trial_of(L);
+    struct test_script *s = test_script_of(L);
 
     if (!lua_isnoneornil(L, idx))
-        return number_of(L, check_run(L, idx));
-    if (t->runs == 0)
+        return check_run(L, idx);
+    struct test_run *r = &s->run[(s->runs + MAX_TEST_RUNS - 1) % MAX_TEST_RUNS];
+    if (!r->b) /* none, or the last test.run failed */
         vm_fault(L, FAULT_SCRIPT, "no run yet (start one with test.run)");
-    return (int)((t->runs - 1) % TRIAL_RUNS);
+    return r;
 }
 
-/* ---- what a frame leaves ---- */
+/* ---- records of a frame ---- */
 
-/* Pushes the table of what is kept of a run. */
-static void push_kept(lua_State *L, const struct trial_run *r, int which)
+static void push_record(lua_State *L, const struct test_run *r, int which)
 {
-    lua_rawgeti(L, LUA_REGISTRYINDEX, r->kept);
+    lua_rawgeti(L, LUA_REGISTRYINDEX, r->records);
     lua_rawgeti(L, -1, which);
     lua_remove(L, -2);
 }
 
-static void append(lua_State *L) /* TABLE VALUE: both go */
+/* Pops a value and the table that it is added to. */
+static void append(lua_State *L)
 {
     lua_rawseti(L, -2, (lua_Integer)lua_rawlen(L, -2) + 1);
     lua_pop(L, 1);
 }
 
-static void gather_log(lua_State *L, const struct trial_run *r, const struct board_out *out)
+static void record_log(lua_State *L, const struct test_run *r, const struct board_out *out)
 {
     for (size_t at = 0, n; at < out->log_size; at += n + 1) {
         const char *line = out->log + at, *end = memchr(line, '\n', out->log_size - at);
         n = end ? (size_t)(end - line) : out->log_size - at;
-        push_kept(L, r, KEPT_LOG);
+        push_record(L, r, RECORD_LOG);
         lua_pushlstring(L, line, n);
         append(L);
     }
@@ -106,13 +106,13 @@ static void set_text(lua_State *L, const char *field, const char *text)
     lua_setfield(L, -2, field);
 }
 
-static void gather_moments(lua_State *L, const struct trial_run *r, const struct board_out *out)
+static void record_moments(lua_State *L, const struct test_run *r, const struct board_out *out)
 {
     for (int i = 0; i < out->marker_count; i++) {
         const struct board_marker *m = &out->marker[i];
         if (!kinds[m->kind])
             continue;
-        push_kept(L, r, KEPT_MOMENTS);
+        push_record(L, r, RECORD_MOMENTS);
         lua_createtable(L, 0, 6);
         lua_pushinteger(L, board_frame(r->b));
         lua_setfield(L, -2, "frame");
@@ -126,39 +126,39 @@ static void gather_moments(lua_State *L, const struct trial_run *r, const struct
     }
 }
 
-static void count_sound(lua_State *L, const struct trial_run *r, const char *name)
+static void count_sound(lua_State *L, const struct test_run *r, const char *name)
 {
-    push_kept(L, r, KEPT_HEARD);
+    push_record(L, r, RECORD_HEARD);
     lua_getfield(L, -1, name);
     lua_pushinteger(L, lua_tointeger(L, -1) + 1);
     lua_setfield(L, -3, name);
     lua_pop(L, 2);
 }
 
-static void gather_sounds(lua_State *L, struct trial_run *r)
+static void record_sounds(lua_State *L, struct test_run *r)
 {
     struct board_cue cue;
 
-    for (int i = 0; i < TRIAL_CUES && board_get_cue(r->b, i, &cue); i++) {
-        const uint32_t began = cue.name && cue.is_first_track ? cue.start_frame + 1 : 0;
-        if (began && began != r->began[i])
+    for (int i = 0; i < CUE_SLOTS && board_get_cue(r->b, i, &cue); i++) {
+        const uint32_t start = cue.name && cue.is_first_track ? cue.start_frame + 1 : 0;
+        if (start && start != r->sound_start[i])
             count_sound(L, r, cue.name);
-        r->began[i] = began;
+        r->sound_start[i] = start;
     }
 }
 
-static void gather(lua_State *L, struct trial_run *r)
+static void record_frame(lua_State *L, struct test_run *r)
 {
     const struct board_out *out = board_last_output(r->b);
 
     luaL_checkstack(L, 8, NULL);
-    gather_log(L, r, out);
-    gather_moments(L, r, out);
-    gather_sounds(L, r);
+    record_log(L, r, out);
+    record_moments(L, r, out);
+    record_sounds(L, r);
 }
 
-/* A fault of the game is one of the test, unless that is what it wants to see. */
-static void look_for_fault(lua_State *L, const struct trial_run *r)
+/* Makes a fault of the game a fault of the test, unless options.faults is true. */
+static void check_fault(lua_State *L, const struct test_run *r)
 {
     const struct board_fault *fault = board_last_output(r->b)->fault;
 
@@ -168,47 +168,64 @@ static void look_for_fault(lua_State *L, const struct trial_run *r)
 
 /* ---- ticks ---- */
 
-static void press(lua_State *L, int number, const char *list)
+/* Holds these buttons ("fire,left@60:90") from the next tick on. */
+static bool hold(struct test_run *r, const char *buttons, char *err, size_t err_size)
 {
-    const struct trial_host *host = trial_of(L)->host;
-    char err[TRIAL_ERR];
+    char why[512];
 
-    if (!host->press(host->context, number, list, err, sizeof err))
+    if (r->plays_demo && buttons[0])
+        return err_set(err, err_size, "pads: not allowed with a demo, which contains its own input");
+    r->held.n_presses = 0;
+    if (!buttons[0] || args_presses(&r->held, buttons, why, sizeof why))
+        return true;
+    return err_set(err, err_size, "pads%s", strchr(why, ':')); /* "--press: ..." */
+}
+
+static void press(lua_State *L, struct test_run *r, const char *buttons)
+{
+    char err[TEST_ERR_SIZE];
+
+    if (!hold(r, buttons, err, sizeof err))
         vm_fault(L, FAULT_SCRIPT, "%s", err);
 }
 
-/* Asks the script's function what is held. The run is at index 1. */
-static void ask_held(lua_State *L, const struct trial_run *r)
+/* Holds the buttons that the script's function returns. The run is at index 1. */
+static void call_pads_function(lua_State *L, struct test_run *r)
 {
-    if (r->held == LUA_NOREF)
+    if (r->pads_function == LUA_NOREF)
         return;
-    lua_rawgeti(L, LUA_REGISTRYINDEX, r->held);
+    lua_rawgeti(L, LUA_REGISTRYINDEX, r->pads_function);
     lua_pushvalue(L, 1);
     lua_call(L, 1, 1);
-    check_run(L, 1); /* the function may have begun others */
+    check_run(L, 1); /* the function may have started runs */
     if (!lua_isnoneornil(L, -1) && lua_type(L, -1) != LUA_TSTRING)
         vm_fault(L, FAULT_SCRIPT, "pads: expected the function to return buttons such as \"left,fire\", got %s",
                  luaL_typename(L, -1));
-    press(L, number_of(L, r), lua_isnil(L, -1) ? "" : lua_tostring(L, -1));
+    press(L, r, lua_isnil(L, -1) ? "" : lua_tostring(L, -1));
     lua_pop(L, 1);
 }
 
-/* One frame; false: the game has stopped. The run is at index 1. */
-static bool tick(lua_State *L, struct trial_run *r)
+/* Runs a frame; false: the game has stopped. The run is at index 1. */
+static bool tick(lua_State *L, struct test_run *r)
 {
-    struct trial *t = trial_of(L);
+    struct test_script *s = test_script_of(L);
+    uint16_t pads[MAX_PLAYERS];
 
     if (board_last_output(r->b)->fault)
         return false;
-    if (t->frames == TRIAL_FRAMES)
-        vm_fault(L, FAULT_LOOP, "more than %d frames (an hour of play) in one test (infinite loop?)", TRIAL_FRAMES);
-    ask_held(L, r);
-    if (board_last_output(r->b)->fault) /* by the function's own doing */
+    if (s->frames == TEST_FRAMES)
+        vm_fault(L, FAULT_LOOP, "more than %d frames (an hour of play) in one test (infinite loop?)", TEST_FRAMES);
+    call_pads_function(L, r);
+    if (board_last_output(r->b)->fault) /* the function called run:step or run:exec */
         return false;
-    t->frames++;
-    t->host->tick(t->host->context, number_of(L, r));
-    gather(L, r);
-    look_for_fault(L, r);
+    s->frames++;
+    if (r->plays_demo)
+        demo_pads(&r->demo, board_frame(r->b), pads);
+    else
+        args_pressed(&r->held, board_frame(r->b), pads);
+    guard_tick(&r->guard, pads);
+    record_frame(L, r);
+    check_fault(L, r);
     return true;
 }
 
@@ -217,14 +234,14 @@ static uint32_t check_frames(lua_State *L, int idx, const char *what)
     int whole;
     const lua_Integer n = lua_tointegerx(L, idx, &whole);
 
-    if (!whole || n < 0 || n > TRIAL_FRAMES)
-        vm_fault(L, FAULT_SCRIPT, "%s: expected a whole number of frames from 0 to %d", what, TRIAL_FRAMES);
+    if (!whole || n < 0 || n > TEST_FRAMES)
+        vm_fault(L, FAULT_SCRIPT, "%s: expected a whole number of frames from 0 to %d", what, TEST_FRAMES);
     return (uint32_t)n;
 }
 
-int trial_run_step(lua_State *L)
+int test_run_step(lua_State *L)
 {
-    struct trial_run *r = check_run(L, 1);
+    struct test_run *r = check_run(L, 1);
     const uint32_t n = lua_isnoneornil(L, 2) ? 1 : check_frames(L, 2, "run:step");
 
     lua_settop(L, 1);
@@ -233,65 +250,118 @@ int trial_run_step(lua_State *L)
     return 0;
 }
 
-static void begin(lua_State *L, struct trial_run *r, int number, lua_Integer serial)
+/* ---- starting a run ---- */
+
+void test_run_close(struct test_run *r)
+{
+    free(r->snapshot);
+    free(r->output);
+    guard_close(&r->guard);
+    demo_free(&r->demo);
+    *r = (struct test_run){ 0 };
+}
+
+static bool load_demo(const struct test_script *s, struct test_run *r, const char *name, char *err, size_t err_size)
+{
+    char path[DEMO_PATH_SIZE], why[300];
+
+    if (!manifest_path_ok(name))
+        return err_set(err, err_size, "demo: expected a file of the game, as in \"demos/run.demo\", got \"%s\"", name);
+    if (snprintf(path, sizeof path, "%s/%s", s->testing->dir, name) >= (int)sizeof path)
+        return err_set(err, err_size, "demo: path too long");
+    if (!demo_load(&r->demo, path, err, err_size))
+        return false;
+    if (!demo_check_cart(&r->demo, &s->testing->game->cart, why, sizeof why))
+        return err_set(err, err_size, "%s: %s", name, why);
+    r->plays_demo = true;
+    return true;
+}
+
+/* Sets the start of a run. In errors, an option of the command line, "--stage", becomes the option "stage". */
+static bool read_start(struct game *g, const struct args *start, char *err, size_t err_size)
+{
+    if (game_start(g, start, err, err_size))
+        return true;
+    if (strncmp(err, "--", 2) == 0)
+        memmove(err, err + 2, strlen(err + 2) + 1);
+    return false;
+}
+
+static bool power_on(const struct test_script *s, struct test_run *r, const struct test_options *o, char *err,
+                     size_t err_size)
+{
+    struct game *g = s->testing->game;
+
+    if (o->demo ? !load_demo(s, r, o->demo, err, err_size) : !read_start(g, &o->start, err, err_size))
+        return false;
+    if (!hold(r, o->pads ? o->pads : "", err, err_size) ||
+        !guard_power(&r->guard, g->cart.rom, o->demo ? &r->demo.start : &g->start, err, err_size))
+        return false;
+    r->b = r->guard.board;
+    r->output = malloc(board_output_size());
+    return r->output || result_set_host_error(err, err_size, "out of memory");
+}
+
+/* Replaces a run, and pushes the handle of the new one. */
+static void replace(lua_State *L, struct test_run *r, int index, lua_Integer serial)
 {
     if (r->serial) {
-        luaL_unref(L, LUA_REGISTRYINDEX, r->kept);
-        luaL_unref(L, LUA_REGISTRYINDEX, r->held);
+        luaL_unref(L, LUA_REGISTRYINDEX, r->records);
+        luaL_unref(L, LUA_REGISTRYINDEX, r->pads_function);
     }
-    *r = (struct trial_run){ .serial = serial, .held = LUA_NOREF };
+    test_run_close(r);
+    r->serial = serial;
+    r->pads_function = LUA_NOREF;
     lua_newtable(L);
-    for (int i = KEPT_LOG; i <= KEPT_HEARD; i++) {
+    for (int i = RECORD_LOG; i <= RECORD_HEARD; i++) {
         lua_newtable(L);
         lua_rawseti(L, -2, i);
     }
-    r->kept = luaL_ref(L, LUA_REGISTRYINDEX);
+    r->records = luaL_ref(L, LUA_REGISTRYINDEX);
     struct run_handle *h = lua_newuserdatauv(L, sizeof *h, 0);
-    *h = (struct run_handle){ number, serial };
+    *h = (struct run_handle){ index, serial };
     lua_rawgetp(L, LUA_REGISTRYINDEX, &meta_key);
     lua_setmetatable(L, -2);
 }
 
-int trial_test_run(lua_State *L)
+int test_script_start_run(lua_State *L)
 {
-    struct trial *t = trial_of(L);
-    struct trial_options o;
-    uint32_t frames = 0;
-    char err[TRIAL_ERR];
+    struct test_script *s = test_script_of(L);
+    struct test_options o;
+    char err[TEST_ERR_SIZE];
 
     lua_settop(L, 1);
-    trial_read_options(L, &o);
-    const int number = (int)(t->runs % TRIAL_RUNS);
-    struct trial_run *r = &t->run[number];
-    begin(L, r, number, ++t->runs); /* leaves the handle */
+    test_options_read(L, &o);
+    const int index = (int)(s->runs % MAX_TEST_RUNS);
+    struct test_run *r = &s->run[index];
+    replace(L, r, index, ++s->runs);
     r->may_fault = o.faults;
-    r->b = t->host->power(t->host->context, number, &o.start, &frames, err, sizeof err);
-    if (!r->b)
+    if (!power_on(s, r, &o, err, sizeof err))
         vm_fault(L, FAULT_SCRIPT, "test.run: %s", err);
-    if (o.function) {
+    if (o.pads_is_function) {
         lua_getfield(L, 1, "pads");
-        r->held = luaL_ref(L, LUA_REGISTRYINDEX);
+        r->pads_function = luaL_ref(L, LUA_REGISTRYINDEX);
     }
     lua_replace(L, 1); /* the handle */
-    gather(L, r);
-    look_for_fault(L, r);
-    for (uint32_t i = 0; i < (o.framed ? o.frames : frames) && tick(L, r); i++)
+    record_frame(L, r);
+    check_fault(L, r);
+    for (uint32_t i = 0; i < (o.has_frames ? o.frames : r->demo.frames) && tick(L, r); i++)
         continue;
     lua_settop(L, 1);
     return 1;
 }
 
-int trial_run_press(lua_State *L)
+int test_run_press(lua_State *L)
 {
-    struct trial_run *r = check_run(L, 1);
+    struct test_run *r = check_run(L, 1);
 
-    luaL_unref(L, LUA_REGISTRYINDEX, r->held);
-    r->held = LUA_NOREF;
+    luaL_unref(L, LUA_REGISTRYINDEX, r->pads_function);
+    r->pads_function = LUA_NOREF;
     if (lua_isfunction(L, 2)) {
         lua_settop(L, 2);
-        r->held = luaL_ref(L, LUA_REGISTRYINDEX);
+        r->pads_function = luaL_ref(L, LUA_REGISTRYINDEX);
     } else if (lua_isnoneornil(L, 2) || lua_type(L, 2) == LUA_TSTRING) {
-        press(L, number_of(L, r), lua_isnoneornil(L, 2) ? "" : lua_tostring(L, 2));
+        press(L, r, lua_isnoneornil(L, 2) ? "" : lua_tostring(L, 2));
     } else {
         vm_fault(L, FAULT_SCRIPT, "run:press: expected buttons such as \"fire,left@60:90\" or a function, got %s",
                  luaL_typename(L, 2));
@@ -299,41 +369,58 @@ int trial_run_press(lua_State *L)
     return 0;
 }
 
-/* ---- looking into the game ---- */
+/* ---- inspecting the game ---- */
 
-/* Runs `line` in the game; its values are pushed. changes: what it does stays. */
-static int evaluate(lua_State *L, const char *what, bool changes)
+static bool save(struct test_run *r)
 {
-    struct trial *t = trial_of(L);
-    struct trial_run *r = check_run(L, 1);
-    const int number = number_of(L, r);
-    char err[TRIAL_ERR];
+    const size_t size = board_snapshot_size(r->b);
+
+    if (size > r->snapshot_size) {
+        free(r->snapshot);
+        r->snapshot = malloc(size);
+        r->snapshot_size = r->snapshot ? size : 0;
+        if (!r->snapshot)
+            return false;
+    }
+    board_save(r->b, r->snapshot);
+    board_output_save(r->b, r->output);
+    return true;
+}
+
+/* Runs the line at index 2 in the game, and pushes its values. keep: its changes are not undone. */
+static int evaluate(lua_State *L, const char *what, bool keep)
+{
+    struct test_script *s = test_script_of(L);
+    struct test_run *r = check_run(L, 1);
+    char err[TEST_ERR_SIZE];
 
     if (lua_type(L, 2) != LUA_TSTRING)
         return vm_fault(L, FAULT_SCRIPT, "%s: expected a line of Lua as a string, got %s", what, luaL_typename(L, 2));
     if (board_last_output(r->b)->fault)
         return vm_fault(L, FAULT_SCRIPT, "%s: the game has stopped: %s", what, board_last_output(r->b)->fault->message);
-    if (!t->host->keep(t->host->context, number))
+    if (!save(r))
         return vm_fault(L, FAULT_SCRIPT, "%s: out of memory", what);
-    const bool good = board_eval_values(r->b, lua_tostring(L, 2), &t->values, err, sizeof err);
-    if (!good || !changes)
-        t->host->back(t->host->context, number);
+    const bool good = board_eval_values(r->b, lua_tostring(L, 2), &s->values, err, sizeof err);
+    if (!good || !keep) {
+        board_restore(r->b, r->snapshot);
+        board_output_restore(r->b, r->output);
+    }
     if (!good)
         return vm_fault(L, FAULT_SCRIPT, "%s: %s", what, err);
-    return values_push(L, &t->values);
+    return values_push(L, &s->values);
 }
 
-int trial_run_eval(lua_State *L)
+int test_run_eval(lua_State *L)
 {
     return evaluate(L, "run:eval", false);
 }
 
-int trial_run_exec(lua_State *L)
+int test_run_exec(lua_State *L)
 {
     return evaluate(L, "run:exec", true);
 }
 
-/* Is the condition at index 2 true now? The run is at index 1. */
+/* Returns whether the condition at index 2 is true. The run is at index 1. */
 static bool holds(lua_State *L)
 {
     const int top = lua_gettop(L);
@@ -342,7 +429,7 @@ static bool holds(lua_State *L)
         lua_pushvalue(L, 2);
         lua_pushvalue(L, 1);
         lua_call(L, 1, 1);
-        check_run(L, 1); /* as in ask_held */
+        check_run(L, 1); /* as in call_pads_function */
     } else if (evaluate(L, "run:wait", false) == 0) {
         lua_pushnil(L);
     }
@@ -351,9 +438,9 @@ static bool holds(lua_State *L)
     return is;
 }
 
-int trial_run_wait(lua_State *L)
+int test_run_wait(lua_State *L)
 {
-    struct trial_run *r = check_run(L, 1);
+    struct test_run *r = check_run(L, 1);
     const uint32_t most = check_frames(L, 3, "run:wait");
 
     lua_settop(L, 2);
@@ -366,7 +453,7 @@ int trial_run_wait(lua_State *L)
     }
 }
 
-static const char *check_part(lua_State *L, const struct trial_run *r, const char *what)
+static const char *check_part(lua_State *L, const struct test_run *r, const char *what)
 {
     const char *name = luaL_checkstring(L, 2);
 
@@ -375,17 +462,17 @@ static const char *check_part(lua_State *L, const struct trial_run *r, const cha
     return name;
 }
 
-int trial_run_live(lua_State *L)
+int test_run_live(lua_State *L)
 {
-    struct trial_run *r = check_run(L, 1);
+    struct test_run *r = check_run(L, 1);
 
     lua_pushinteger(L, board_live_count(r->b, check_part(L, r, "run:live")));
     return 1;
 }
 
-int trial_run_refused(lua_State *L)
+int test_run_refused(lua_State *L)
 {
-    struct trial_run *r = check_run(L, 1);
+    struct test_run *r = check_run(L, 1);
 
     lua_pushinteger(L, board_refused_count(r->b, check_part(L, r, "run:refused")));
     return 1;
@@ -399,26 +486,26 @@ static bool has_sound(const struct board *b, const char *name)
     return false;
 }
 
-int trial_run_heard(lua_State *L)
+int test_run_heard(lua_State *L)
 {
-    struct trial_run *r = check_run(L, 1);
+    struct test_run *r = check_run(L, 1);
     const char *name = luaL_checkstring(L, 2);
 
     if (!has_sound(r->b, name))
         return vm_fault(L, FAULT_SCRIPT, "run:heard: unknown sound \"%s\" (curtain sound lists them)", name);
-    push_kept(L, r, KEPT_HEARD);
+    push_record(L, r, RECORD_HEARD);
     lua_getfield(L, -1, name);
     lua_pushinteger(L, lua_tointeger(L, -1));
     return 1;
 }
 
-int trial_run_printed(lua_State *L)
+int test_run_printed(lua_State *L)
 {
-    struct trial_run *r = check_run(L, 1);
+    struct test_run *r = check_run(L, 1);
     const char *words = luaL_checkstring(L, 2);
     bool found = false;
 
-    push_kept(L, r, KEPT_LOG);
+    push_record(L, r, RECORD_LOG);
     for (lua_Integer i = 1; !found && lua_rawgeti(L, -1, i) == LUA_TSTRING; i++) {
         found = strstr(lua_tostring(L, -1), words) != NULL;
         lua_pop(L, 1);
@@ -438,7 +525,7 @@ static void check_kind(lua_State *L, const char *kind)
              kind);
 }
 
-/* Has the moment on top of the stack that text in that field? */
+/* Returns whether the field of the moment on top of the stack has this text; NULL: any text. */
 static bool field_is(lua_State *L, const char *field, const char *text)
 {
     lua_getfield(L, -1, field);
@@ -447,13 +534,13 @@ static bool field_is(lua_State *L, const char *field, const char *text)
     return is;
 }
 
-int trial_run_moment(lua_State *L)
+int test_run_moment(lua_State *L)
 {
-    struct trial_run *r = check_run(L, 1);
+    struct test_run *r = check_run(L, 1);
     const char *kind = luaL_checkstring(L, 2), *name = luaL_optstring(L, 3, NULL);
 
     check_kind(L, kind);
-    push_kept(L, r, KEPT_MOMENTS);
+    push_record(L, r, RECORD_MOMENTS);
     for (lua_Integer i = 1; lua_rawgeti(L, -1, i) == LUA_TTABLE; i++) {
         if (field_is(L, "kind", kind) && field_is(L, "name", name))
             return 1;
@@ -464,7 +551,7 @@ int trial_run_moment(lua_State *L)
 
 /* ---- fields ---- */
 
-static void push_hash(lua_State *L, const struct trial_run *r)
+static void push_hash(lua_State *L, const struct test_run *r)
 {
     char text[20];
 
@@ -472,7 +559,7 @@ static void push_hash(lua_State *L, const struct trial_run *r)
     lua_pushstring(L, text);
 }
 
-static void push_fault(lua_State *L, const struct trial_run *r)
+static void push_fault(lua_State *L, const struct test_run *r)
 {
     const struct board_fault *fault = board_last_output(r->b)->fault;
 
@@ -492,7 +579,7 @@ static void push_name(lua_State *L, const char *name)
 
 static int field(lua_State *L)
 {
-    const struct trial_run *r = check_run(L, 1);
+    const struct test_run *r = check_run(L, 1);
     const char *name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
 
     if (!strcmp(name, "frame"))
@@ -510,9 +597,9 @@ static int field(lua_State *L)
     else if (!strcmp(name, "difficulty"))
         push_name(L, r->b->cart.manifest.difficulties[board_current_difficulty(r->b)]);
     else if (!strcmp(name, "log"))
-        push_kept(L, r, KEPT_LOG);
+        push_record(L, r, RECORD_LOG);
     else if (!strcmp(name, "moments"))
-        push_kept(L, r, KEPT_MOMENTS);
+        push_record(L, r, RECORD_MOMENTS);
     else {
         lua_rawgetp(L, LUA_REGISTRYINDEX, &methods_key);
         lua_pushvalue(L, 2);
@@ -528,10 +615,10 @@ static int no_field(lua_State *L)
     return vm_fault(L, FAULT_SCRIPT, "the fields of a run are read-only; change the game with run:exec \"...\"");
 }
 
-void trial_open_runs(lua_State *L)
+void test_script_open_runs(lua_State *L)
 {
     lua_newtable(L);
-    trial_set_functions(L, "run:");
+    test_script_set_functions(L, "run:");
     lua_rawsetp(L, LUA_REGISTRYINDEX, &methods_key);
     lua_newtable(L);
     lua_pushcfunction(L, field);

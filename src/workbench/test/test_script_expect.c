@@ -1,28 +1,27 @@
 /*
- * trial_test.c - what a test script says: expectations, pictures, hashes.
+ * test_script_expect.c - the checks of a test script: expectations, pictures and hashes.
  *
- * What does not hold is told with its place, and the script goes on: so one run of it tells all.
+ * A failed check is reported with its location, and the script continues, so that one run reports all failures.
  */
 #include <lauxlib.h>
 #include <stdio.h>
 #include <string.h>
+#include "../../base/err.h"
 #include "../../script/luakeys.h"
 #include "../../script/lua/lualib.h"
-#include "trial_parts.h"
+#include "test_script_parts.h"
 
-/* Tells the sentence on top of the stack, the place of the script's line before it. */
-static void fails(lua_State *L)
+/* Reports the message on top of the stack, after the location in the script, and pops it. */
+static void fail(lua_State *L)
 {
-    const struct trial_host *host = trial_of(L)->host;
     char place[VM_LOCATION_SIZE];
 
     vm_get_location(L, place, sizeof place);
-    lua_pushfstring(L, "%s%s", place, lua_tostring(L, -1));
-    host->fails(host->context, lua_tostring(L, -1));
-    lua_pop(L, 2);
+    outcome_write(test_script_of(L)->out, LINE_FAILURE, "%s%s", place, lua_tostring(L, -1));
+    lua_pop(L, 1);
 }
 
-/* Pushes ": WHAT", or "" when the argument at idx is not given. */
+/* Pushes "WHAT: ", or "" when the argument at idx is not given. */
 static const char *push_what(lua_State *L, int idx)
 {
     if (lua_isnoneornil(L, idx))
@@ -30,7 +29,7 @@ static const char *push_what(lua_State *L, int idx)
     return lua_pushfstring(L, "%s: ", lualib_tolstring(L, idx, NULL));
 }
 
-/* ---- values as words ---- */
+/* ---- values as text ---- */
 
 enum { SHOWN_DEEP = 3, SHOWN_ENTRIES = 12, SHOWN_TEXT = 120 };
 
@@ -79,6 +78,7 @@ static void push_table(lua_State *L, int idx, int depth)
     lua_replace(L, text);
 }
 
+/* Pushes the value as a script would write it. */
 static void push_deep(lua_State *L, int idx, int depth)
 {
     if (lua_type(L, idx) == LUA_TSTRING)
@@ -87,11 +87,6 @@ static void push_deep(lua_State *L, int idx, int depth)
         push_table(L, idx, depth);
     else
         lualib_tolstring(L, idx, NULL);
-}
-
-void trial_push_words(lua_State *L, int idx)
-{
-    push_deep(L, lua_absindex(L, idx), 0);
 }
 
 /* ---- equality ---- */
@@ -106,7 +101,8 @@ static int entries(lua_State *L, int idx)
     return n;
 }
 
-bool trial_same(lua_State *L, int a, int b, int depth)
+/* Compares tables by their contents. */
+static bool same_values(lua_State *L, int a, int b, int depth)
 {
     bool same = true;
 
@@ -121,15 +117,15 @@ bool trial_same(lua_State *L, int a, int b, int depth)
         vm_charge(L, WORK_CALL);
         lua_pushvalue(L, value - 1);
         lua_rawget(L, b);
-        same = trial_same(L, value, value + 1, depth + 1);
+        same = same_values(L, value, value + 1, depth + 1);
         lua_settop(L, value - (same ? 1 : 2));
     }
     return same;
 }
 
-/* ---- what scripts call ---- */
+/* ---- functions ---- */
 
-int trial_test_expect(lua_State *L)
+int test_script_expect(lua_State *L)
 {
     luaL_checkany(L, 1);
     if (!lua_toboolean(L, 1)) {
@@ -137,24 +133,24 @@ int trial_test_expect(lua_State *L)
             lua_pushfstring(L, "expected a true value, got %s", lualib_tolstring(L, 1, NULL));
         else
             lua_pushfstring(L, "expected: %s", lualib_tolstring(L, 2, NULL));
-        fails(L);
+        fail(L);
     }
     lua_pushboolean(L, lua_toboolean(L, 1));
     return 1;
 }
 
-int trial_test_equal(lua_State *L)
+int test_script_equal(lua_State *L)
 {
     luaL_checkany(L, 1);
     luaL_checkany(L, 2);
     lua_settop(L, 3);
-    const bool same = trial_same(L, 1, 2, 0);
+    const bool same = same_values(L, 1, 2, 0);
     if (!same) {
         const char *what = push_what(L, 3);
-        trial_push_words(L, 2);
-        trial_push_words(L, 1);
+        push_deep(L, 2, 0);
+        push_deep(L, 1, 0);
         lua_pushfstring(L, "%sexpected %s, got %s", what, lua_tostring(L, -2), lua_tostring(L, -1));
-        fails(L);
+        fail(L);
     }
     lua_pushboolean(L, same);
     return 1;
@@ -164,36 +160,53 @@ static const char *check_name(lua_State *L, const char *what)
 {
     size_t n;
     const char *name = luaL_checklstring(L, 1, &n);
-    const bool good = n > 0 && n < TRIAL_NAME && strspn(name, "abcdefghijklmnopqrstuvwxyz0123456789_-") == n;
+    const bool good = n > 0 && n < TEST_NAME_SIZE && strspn(name, "abcdefghijklmnopqrstuvwxyz0123456789_-") == n;
 
     if (!good)
         vm_fault(L, FAULT_SCRIPT, "%s: name: expected 1 to %d of the characters a-z 0-9 _ -, got \"%s\"", what,
-                 TRIAL_NAME - 1, name);
+                 TEST_NAME_SIZE - 1, name);
     return name;
 }
 
-static int compare(lua_State *L, const char *what,
-                   bool (*f)(void *context, int run, const char *name, char *err, size_t err_size))
+/* Notes the name of a file in tests/golden; each can be compared only once. */
+static bool add_compared(struct test_script *s, const char *name, const char *ending, char *err, size_t err_size)
 {
+    char file[TEST_NAME_SIZE + 8];
+
+    snprintf(file, sizeof file, "%s%s", name, ending);
+    for (int i = 0; i < s->n_compared; i++)
+        if (strcmp(s->compared[i], file) == 0)
+            return err_set(err, err_size, "duplicate name in this test");
+    if (s->n_compared == TEST_GOLDENS)
+        return err_set(err, err_size, "expected at most %d names in a test", TEST_GOLDENS);
+    memcpy(s->compared[s->n_compared++], file, sizeof file);
+    return true;
+}
+
+static int compare(lua_State *L, const char *what, const char *ending,
+                   bool (*f)(const struct golden *g, const struct board *b, const char *name, char *err,
+                             size_t err_size))
+{
+    struct test_script *s = test_script_of(L);
     const char *name = check_name(L, what);
-    const int run = trial_newest(L, 2);
-    char err[TRIAL_ERR];
-    const bool same = f(trial_of(L)->host->context, run, name, err, sizeof err);
+    const struct board *b = test_script_newest(L, 2)->b;
+    char err[TEST_ERR_SIZE];
+    const bool same = add_compared(s, name, ending, err, sizeof err) && f(&s->golden, b, name, err, sizeof err);
 
     if (!same) {
-        lua_pushfstring(L, "%s: frame %d: %s", name, (int)board_frame(trial_of(L)->run[run].b), err);
-        fails(L);
+        lua_pushfstring(L, "%s: frame %d: %s", name, (int)board_frame(b), err);
+        fail(L);
     }
     lua_pushboolean(L, same);
     return 1;
 }
 
-int trial_test_shot(lua_State *L)
+int test_script_shot(lua_State *L)
 {
-    return compare(L, "test.shot", trial_of(L)->host->shot);
+    return compare(L, "test.shot", ".png", golden_picture);
 }
 
-int trial_test_hash(lua_State *L)
+int test_script_hash(lua_State *L)
 {
-    return compare(L, "test.hash", trial_of(L)->host->hash);
+    return compare(L, "test.hash", ".hash", golden_hash);
 }
