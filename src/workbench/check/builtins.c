@@ -1,6 +1,6 @@
 /*
- * builtins.c - see builtins.h. Nothing is listed twice: Lua's names are those the sandbox keeps, the API's
- * are its table's, the library's are read from its text.
+ * builtins.c - see builtins.h. The names come from the tables of the sandbox and of the API, and from the text of the
+ * library.
  */
 #include "builtins.h"
 
@@ -17,18 +17,13 @@
 
 static const char *const libraries[] = { "string", "table", "math", "utf8" };
 static const char *const others[] = { "print", "require", "forever" };
-enum { LUAS = 2 }; /* the first of them are Lua's */
+enum { LUA_OTHERS = 2 }; /* the first of them belong to Lua */
 static const char *const rom_fields[] = { "title", "field", "screen" };
-
-static bool same(const char *a, const char *b)
-{
-    return a == b || (a != NULL && b != NULL && strcmp(a, b) == 0);
-}
 
 bool name_set_has(const struct name_set *s, const char *space, const char *name)
 {
     for (int i = 0; i < s->n; i++)
-        if (strcmp(s->list[i].name, name) == 0 && same(s->list[i].space, space))
+        if (strcmp(s->list[i].name, name) == 0 && symbols_same(s->list[i].space, space))
             return true;
     return false;
 }
@@ -53,7 +48,7 @@ const char *name_set_near(const struct name_set *s, const char *space, const cha
 
     for (int i = 0; i < s->n; i++) {
         const struct name_set_entry *n = &s->list[i];
-        int distance = same(n->space, space) ? edit_distance(name, n->name) : EDIT_TOO_FAR;
+        int distance = symbols_same(n->space, space) ? edit_distance(name, n->name) : EDIT_TOO_FAR;
         if (distance > best || (distance == best && (found == NULL || strcmp(n->name, found) >= 0)))
             continue;
         best = distance;
@@ -62,9 +57,9 @@ const char *name_set_near(const struct name_set *s, const char *space, const cha
     return found;
 }
 
-/* ---- what there is ---- */
+/* ---- names ---- */
 
-/* The words of a list with blanks between. */
+/* Adds the words of a list separated by blanks. */
 static void add_words(struct name_set *s, const char *space, const char *words)
 {
     for (const char *end; *words != '\0'; words = end + strspn(end, " ")) {
@@ -75,7 +70,8 @@ static void add_words(struct name_set *s, const char *space, const char *words)
     }
 }
 
-/* "bullet.fire" as "bullet" and "fire"; false for what is no name of a game's: a method, a part of an entry, sys. */
+/* Splits "bullet.fire" into "bullet" and "fire"; false for methods, parts of entries and sys, which are not names of
+ * games. */
 static bool split(const struct api_entry *e, char space[32], const char **name)
 {
     const char *dot = strchr(e->name, '.');
@@ -105,14 +101,14 @@ void builtins_open_lua(struct name_set *s)
     add_words(s, NULL, api_library_names(""));
     for (size_t i = 0; i < COUNT(libraries); i++)
         add_words(s, libraries[i], api_library_names(libraries[i]));
-    for (size_t i = 0; i < LUAS; i++)
+    for (size_t i = 0; i < LUA_OTHERS; i++)
         name_set_add(s, NULL, others[i]);
 }
 
 void builtins_open(struct name_set *s)
 {
     builtins_open_lua(s);
-    for (size_t i = LUAS; i < COUNT(others); i++)
+    for (size_t i = LUA_OTHERS; i < COUNT(others); i++)
         name_set_add(s, NULL, others[i]);
     for (size_t i = 0; i < COUNT(rom_fields); i++)
         name_set_add(s, "rom", rom_fields[i]);
@@ -127,7 +123,7 @@ void name_set_close(struct name_set *s)
     *s = (struct name_set){ 0 };
 }
 
-/* Is it a module that adds to a table which another one, or the board, hands out; or a piece of one? */
+/* Returns whether the script only extends a table of another module or of the board. */
 static bool adds_only(const char *script)
 {
     for (int i = 0; i < STD_MODULE_COUNT; i++)
@@ -198,7 +194,7 @@ bool builtins_handed(const struct symbol_origin *of)
 {
     static const struct {
         const char *space, *name, *key;
-        int arg, params; /* the first so many are handles */
+        int arg, params; /* the first `params` parameters are handles */
     } handed[] = {
         { "enemy", "def", "run", 2, 1 },       { "enemy", "def", "on_hit", 2, 1 },
         { "enemy", "def", "on_death", 2, 1 },  { "enemy", "spawn", "run", 1, 1 },
@@ -215,8 +211,8 @@ bool builtins_handed(const struct symbol_origin *of)
     };
 
     for (size_t i = 0; i < COUNT(handed); i++)
-        if (same(handed[i].space, of->space) && same(handed[i].name, of->name) && same(handed[i].key, of->key) &&
-            handed[i].arg == of->arg && of->param <= handed[i].params)
+        if (symbols_same(handed[i].space, of->space) && symbols_same(handed[i].name, of->name) &&
+            symbols_same(handed[i].key, of->key) && handed[i].arg == of->arg && of->param <= handed[i].params)
             return true;
     return false;
 }

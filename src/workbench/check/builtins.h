@@ -1,5 +1,5 @@
 /*
- * builtins.h - the names a game's scripts may use: Lua's that the sandbox keeps, the API's, and the standard library's.
+ * builtins.h - the names that a game's scripts may use: those of Lua in the sandbox, the API and the standard library.
  */
 #ifndef WORKBENCH_BUILTINS_H
 #define WORKBENCH_BUILTINS_H
@@ -24,29 +24,29 @@ void name_set_close(struct name_set *s);
 /* Adds a name, once. */
 void name_set_add(struct name_set *s, const char *space, const char *name);
 
-/* Is it there? space NULL: among the globals. */
+/* Returns whether the set has the name; space NULL: as a global. */
 bool name_set_has(const struct name_set *s, const char *space, const char *name);
 
-/* The nearest name to a misspelt one, or NULL. */
+/* Returns the name most similar to a misspelt one, or NULL. */
 const char *name_set_near(const struct name_set *s, const char *space, const char *name);
 
-/* Fills *s with Lua's and the API's names. Close it. */
+/* Fills *s with the names of Lua and the API; close it. */
 void builtins_open(struct name_set *s);
 
-/* The same of Lua's names alone. */
+/* The same with the names of Lua only. */
 void builtins_open_lua(struct name_set *s);
 
-/* Adds what the standard library's script of that name hands to games: its globals ("prelude") or its table's fields.
- * False: what it returns cannot be told from its text. */
+/* Adds the names that a script of the standard library defines: globals ("prelude"), or the fields of its table. False:
+ * its table may have other fields. */
 bool builtins_add_library(struct name_set *s, const char *script, const struct symbols *f);
 
-/* A global of every game, whatever its scripts say. */
+/* Returns whether the name is a global of every game. */
 bool builtins_global(const char *name);
 
-/* What a call of that function returns, when it is a handle: "bullet", "group" ...; else NULL. */
+/* Returns the kind of handle that a function returns ("bullet", "group"), or NULL. */
 const char *builtins_handle(const char *space, const char *name);
 
-/* Does that parameter of a function get a handle? of.arg and of.param are set. */
+/* Returns whether a parameter of a callback is a handle. of.arg and of.param are set. */
 bool builtins_handed(const struct symbol_origin *of);
 
 #endif

@@ -1,6 +1,6 @@
 /*
- * check.c - see check.h. The parts are in check_lua.c, check_art.c, check_unused.c, check_run.c and others; each goes
- * on as far as what was read before allows, and only the run needs a game that can be packed.
+ * check.c - see check.h. The checks are in check_lua.c, check_art.c, check_unused.c, check_run.c and others. Each check
+ * does what is possible with the files that could be read; only check_run.c needs a game that can be packed.
  */
 #include "check.h"
 
@@ -13,6 +13,55 @@
 #include "../../common/files.h"
 #include "../../common/progress.h"
 #include "../../common/report.h"
+
+/* ---- files ---- */
+
+bool check_load(struct check *c, const char *path, size_t max, uint8_t **data, size_t *size)
+{
+    char full[TREE_PATH], err[TREE_PATH + 64];
+
+    if (!tree_join(full, c->dir, path))
+        diagnostics_add(&c->found, path, 0, "path too long");
+    else if (files_read(full, path, max, data, size, err, sizeof err))
+        return true;
+    else
+        diagnostics_add_sentence(&c->found, path, err);
+    c->broken = true;
+    return false;
+}
+
+/* Returns the line of "sprites.orb.sheet", the n bytes at `at`. */
+static int named_line(const struct check *c, const char *at, size_t n)
+{
+    char words[256];
+    const char *path[16] = { 0 };
+    int k = 0;
+
+    snprintf(words, sizeof words, "%.*s", (int)n, at);
+    for (char *w = strtok(words, ".["); w != NULL && k < 15; w = strtok(NULL, ".["))
+        path[k++] = w;
+    return symbols_line(&c->rom, path);
+}
+
+void check_rom_sentence(struct check *c, const char *sentence)
+{
+    const char *rest = sentence + strlen("rom.lua: ");
+    bool named = strncmp(sentence, "rom.lua: ", strlen("rom.lua: ")) == 0;
+    size_t n = named ? strcspn(rest, ": ") : 0;
+
+    if (n > 0 && rest[n] == ':')
+        diagnostics_add(&c->found, "rom.lua", named_line(c, rest, n), "%s", rest);
+    else
+        diagnostics_add_sentence(&c->found, "rom.lua", sentence);
+}
+
+bool check_all_parsed(const struct check *c)
+{
+    for (int i = 0; i < c->n_scripts; i++)
+        if (!c->scripts[i].symbols.whole)
+            return false;
+    return true;
+}
 
 /* ---- rom.lua ---- */
 
@@ -51,7 +100,7 @@ static void check_manifest(struct check *c)
     free(block);
 }
 
-/* Without an id the folder's name stands for it, so a copy of the folder is another game. */
+/* Without an id, the folder's name is the id, and a renamed folder is another game. */
 static void check_id(struct check *c)
 {
     if (c->manifest && !symbols_returns(&c->rom, "id"))
@@ -70,7 +119,7 @@ static void ignore_file(void *user, const struct plat_folder_entry *file)
     (void)file;
 }
 
-/* False, and the result: it is not a game's folder. */
+/* Lists the files of the folder. False: it is not a game's folder, and *result is set. */
 static bool open_folder(struct check *c, enum result *result)
 {
     char err[2 * TREE_PATH];
@@ -113,18 +162,18 @@ static void check_close(struct check *c)
 
 /* ---- the report ---- */
 
-static void say(const char *line)
+static void print_line(const char *line)
 {
     puts(line);
 }
 
-/* "2 demos", "1 demo" */
+/* Writes "2 demos" or "1 demo". */
 static void count(char out[32], int n, const char *what)
 {
     snprintf(out, 32, "%d %s%s", n, what, n == 1 ? "" : "s");
 }
 
-static void say_fine(const struct check *c)
+static void print_summary(const struct check *c)
 {
     char scripts[32], sprites[32], demos[32], samples[32], sections[32], forced[32], enough[64] = "";
     char line[TREE_PATH + 256];
@@ -144,8 +193,8 @@ static void say_fine(const struct check *c)
              scripts, sprites, demos, sections, forced, samples, (int)((c->lua_most * 100 + room - 1) / room),
              (int)c->m.lua_kib, enough);
     clean_line(line);
-    say(line);
-    say(c->ram);
+    puts(line);
+    puts(c->ram);
 }
 
 static enum result report(struct check *c)
@@ -153,11 +202,11 @@ static enum result report(struct check *c)
     char problems[32];
 
     diagnostics_sort(&c->found);
-    diagnostics_print(&c->found, say);
+    diagnostics_print(&c->found, print_line);
     const int wrong = c->found.n - c->found.notes;
     count(problems, wrong, "problem");
     if (wrong == 0)
-        say_fine(c);
+        print_summary(c);
     else
         report_print("%s%s\n", problems, c->broken ? "; the game was not run because it cannot be packed" : "");
     return report_stdout(wrong > 0 ? RESULT_DIFFERS : RESULT_DONE);

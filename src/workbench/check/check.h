@@ -1,9 +1,9 @@
 /*
- * check.h - `curtain check DIR`: the author's lint.
+ * check.h - `curtain check DIR`: finds mistakes in a game's folder, and prints a line for each.
  *
- * All that can be found wrong with a game's folder in one run, a line a diagnostic, on standard output: what the packer
- * and the sandbox refuse, names that are not declared, values used as what they are not, missing and unused files and
- * pictures, colours outside their bank, and what happens when the game runs. It says nothing that may be right.
+ * It reports what the packer and the sandbox reject, undeclared names, values of the wrong type, missing and unused
+ * files and pictures, colours outside of their bank, and problems in runs of the game. Every report is certain; others
+ * are marked as notes.
  */
 #ifndef WORKBENCH_CHECK_H
 #define WORKBENCH_CHECK_H
@@ -11,8 +11,8 @@
 #include <stdbool.h>
 #include "../../common/result.h"
 
-/* Checks the folder; nearest: as pack. RESULT_DONE: nothing was found; RESULT_DIFFERS: diagnostics; RESULT_REFUSED: not
- * a game's folder, as plat_log says. */
+/* Checks the folder; nearest: as for pack. RESULT_DONE: no findings; RESULT_DIFFERS: findings; RESULT_REFUSED: not a
+ * game's folder, which has been reported. */
 enum result check_game(const char *dir, bool nearest);
 
 #endif

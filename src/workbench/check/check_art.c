@@ -1,6 +1,6 @@
 /*
- * check_art.c - rom.lua and the pictures it names: those that are missing, no PNG, too small for their sprites, or have
- * a colour their bank has not.
+ * check_art.c - the pictures in rom.lua: missing files, other formats than PNG, pictures too small for their sprites,
+ * and colours that are not in their bank.
  */
 #include "check_parts.h"
 
@@ -15,7 +15,7 @@ static void refuse(struct check *c, const char *file, int line, const char *why)
     c->broken = true;
 }
 
-/* The bytes of a picture that rom.lua names in that line. False, with a diagnostic: there are none. */
+/* Reads a picture that rom.lua names in that line. False: it cannot be read, which is a finding. */
 static bool load_art(struct check *c, const char *file, int line, uint8_t **data, size_t *size)
 {
     char why[256];
@@ -27,7 +27,7 @@ static bool load_art(struct check *c, const char *file, int line, uint8_t **data
     return false;
 }
 
-/* The same of a PNG, read. */
+/* The same for a PNG, decoded. */
 static bool load_picture(struct check *c, const char *file, int line, bool by_index, struct art_picture *out)
 {
     char why[256];
@@ -57,7 +57,7 @@ static bool load_palette(struct check *c, const char *file, int line, uint8_t rg
     return good;
 }
 
-/* The colours of the palettes of rom.lua, in its order, and those of the first one. */
+/* The colours of the main palette and of the others, in the order of rom.lua. */
 struct colours {
     uint8_t main[CART_PALETTE_SIZE], other[MAX_ART_PALETTES][CART_PALETTE_SIZE];
     bool good, other_good[MAX_ART_PALETTES];
@@ -73,7 +73,7 @@ static void load_palettes(struct check *c, struct colours *to)
     to->good = c->art.palette[0] == '\0' || load_palette(c, c->art.palette, CHECK_LINE(c, "palette"), to->main);
 }
 
-/* Those of the palette of that name, "" the first; NULL: it is no good. */
+/* Returns the colours of a palette, "": the main palette; NULL: it is invalid. */
 static const uint8_t *colours_of(const struct check *c, const struct colours *colours, const char *name)
 {
     for (int i = 0; i < c->art.n_palettes; i++)
@@ -82,7 +82,7 @@ static const uint8_t *colours_of(const struct check *c, const struct colours *co
     return colours->good ? colours->main : NULL;
 }
 
-/* What would do for a picture whose palette was changed. */
+/* Returns advice for a picture whose palette was changed, or "". */
 static const char *remedy(const struct art_strays *s)
 {
     return s->fits ? " (the picture's indices fit the bank; to use them, set match = \"index\" in rom.lua)" : "";
@@ -106,7 +106,7 @@ static void note_strays(struct check *c, const char *file, int bank, const struc
     else
         diagnostics_add(&c->found, file, 0, "%s: colour #%02x%02x%02x is not in bank %d%s%s%s", place, s.c[0], s.c[1],
                         s.c[2], bank, other, count, remedy(&s));
-    c->broken = c->broken || s.index >= 0; /* no colour is near to one that does not count */
+    c->broken = c->broken || s.index >= 0; /* such an index has no nearest colour */
 }
 
 static void check_font(struct check *c, const uint8_t *rgb)
@@ -127,7 +127,7 @@ static void check_font(struct check *c, const uint8_t *rgb)
     art_picture_free(&picture);
 }
 
-/* The colours of a font's picture; what else is wrong with a font the packer says. */
+/* Checks the colours of a font's picture; the packer reports other mistakes. */
 static void check_cells(struct check *c, const struct art_font *font, const uint8_t *rgb)
 {
     struct art_picture picture;
@@ -139,7 +139,7 @@ static void check_cells(struct check *c, const struct art_font *font, const uint
     art_picture_free(&picture);
 }
 
-/* What the packer would say of a sprite. */
+/* Checks a sprite as the packer does. */
 static void check_sprite(struct check *c, const struct sheet *sheet, const struct art_sheet *of,
                          const struct art_sprite *s, const uint8_t *rgb)
 {
@@ -158,13 +158,13 @@ static void check_sprite(struct check *c, const struct sheet *sheet, const struc
         sheet_sprite_close(sheet, &made);
     if (good)
         free(data);
-    else if (!pixel) { /* note_strays has said it of those */
+    else if (!pixel) { /* note_strays has reported pixels */
         diagnostics_add(&c->found, "rom.lua", CHECK_LINE(c, "sprites", s->name), "sprite \"%s\": %s", s->name, why);
         c->broken = true;
     }
 }
 
-/* The colours of all sprites of a PNG together. */
+/* Checks the colours of all sprites of a PNG. */
 static void check_colours(struct check *c, const struct sheet *sheet, int i, const uint8_t *rgb)
 {
     const struct art_sheet *of = &c->art.sheets[i];
@@ -176,7 +176,7 @@ static void check_colours(struct check *c, const struct sheet *sheet, int i, con
     free(marked);
 }
 
-/* rgb NULL: the palette is no good. */
+/* rgb NULL: the palette is invalid. */
 static void check_sheet(struct check *c, int i, const uint8_t *rgb)
 {
     const struct art_sheet *of = &c->art.sheets[i];

@@ -1,6 +1,5 @@
 /*
- * check_bulletml.c - the BulletML documents of a game: what is wrong in each of them, not in the first alone, what is
- * hardly meant, and documents that nothing can run.
+ * check_bulletml.c - mistakes in all BulletML documents of a game, and documents that are never packed.
  */
 #include <stdlib.h>
 #include "../bulletml/compile.h"
@@ -8,7 +7,7 @@
 #include "../pack/pack.h"
 #include "check_parts.h"
 
-static void told(void *context, const char *sentence)
+static void add_sentence(void *context, const char *sentence)
 {
     struct check *c = context;
 
@@ -24,7 +23,7 @@ static void check_document(struct check *c, const char *path)
 
     if (!check_load(c, path, DOCUMENT_FILE, &text, &size))
         return;
-    if (!document_read(&d, (const char *)text, size, path, told, c, err, sizeof err) ||
+    if (!document_read(&d, (const char *)text, size, path, add_sentence, c, err, sizeof err) ||
         !bulletml_compile(&d, path, &program, &size, err, sizeof err)) {
         diagnostics_add_sentence(&c->found, path, err);
         c->broken = c->broken || c->m.bulletml_runners > 0;

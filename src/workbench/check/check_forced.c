@@ -1,22 +1,18 @@
 /*
- * check_forced.c - runs that bring a game where nobody comes by flying well: each ship at each difficulty loses lives,
- * bombs and pauses; every section is played for a while at the easiest and the hardest; whole games are played from
- * the title, by one and by two, with continues, to a game over and to the end, in each language and with each switch;
- * each entry of the title menu is opened.
+ * check_forced.c - runs of rarely played parts: each ship at each difficulty loses lives, bombs and pauses; every
+ * section is played at the lowest and the highest difficulty; whole games are played from the title, by one and two
+ * players, with continues, to a game over and to the end, in each language and with each DIP switch; each entry of the
+ * title menu is opened.
  *
- * Buttons are pressed as a function of the frame and of what the board tells, so a run is the same each time. What no
- * button brings about for sure, force_run does. Menus of the library's kind are gone through by pressing fire; a game
- * whose own menus want something else is not begun, which is no finding.
+ * The buttons depend only on the frame and the board, so a run is the same each time. force_run causes what buttons
+ * cannot cause with certainty. Fire passes menus like the library's; if a game's own menus need other buttons, the game
+ * does not start, which is not reported.
  */
-#include "check_parts.h"
+#include "check_run.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../board/board.h"
-#include "../../rom/cart.h"
-#include "../../script/force.h"
-#include "../../player/run/sections.h"
 #include "../bench/sweep.h"
 
 enum {
@@ -28,12 +24,12 @@ enum {
     CLEAR_FRAMES = 30000, /* of one that is won */
     AFTER_FRAMES = 1500,  /* after a game: its end, names and scores */
     START_FRAMES = 900,   /* of a game in another language, or with another switch */
-    MENU_FRAMES = 2400,   /* of somebody who presses anything */
-    ENTRIES = 12,         /* of the title menu, each opened */
-    ENTRY_FRAMES = 900,   /* of what an entry opens: a third nothing is pressed, a third fire, then anything */
+    MENU_FRAMES = 2400,   /* of a run with pseudo-random buttons */
+    ENTRIES = 12,         /* of the title menu */
+    ENTRY_FRAMES = 900,   /* in an entry: a third without buttons, a third with fire, a third pseudo-random */
     TAP = 2,              /* frames a button is held */
-    EVERY = 24,           /* frames from one press to the next: menus want some in between */
-    PAUSE_FRAMES = 60     /* from the press that pauses to the game's going on */
+    EVERY = 24,           /* frames from one press to the next; menus need some between them */
+    PAUSE_FRAMES = 60     /* from the pause to the resume */
 };
 
 enum tour_kind { TOUR_LOST, TOUR_TWO, TOUR_WON, TOUR_START, TOUR_MENUS, TOUR_ENTRY };
@@ -44,9 +40,9 @@ struct tour {
     struct board_start start;
     int entry; /* of TOUR_ENTRY: 1 is the one below the first */
     bool playing, over;
-    uint32_t since; /* the frame in which the game began, or was over */
-    uint32_t out;   /* frames since the last player is out */
-    int went_on;    /* continues */
+    uint32_t since; /* the frame in which the game started, or was over */
+    uint32_t out;   /* frames since the last player lost the last life */
+    int continues;
 };
 
 static uint16_t tap(uint32_t frame, uint32_t every, uint16_t button)
@@ -56,18 +52,18 @@ static uint16_t tap(uint32_t frame, uint32_t every, uint16_t button)
 
 static bool is_faulty(const struct run *r)
 {
-    return board_last_output(check_board(r))->fault != NULL;
+    return board_last_output(r->guard.board)->fault != NULL;
 }
 
-/* ---- what is forced ---- */
+/* ---- forced events ---- */
 
-struct deed {
+struct forced_event {
     uint32_t frame; /* of the game */
     enum force_kind kind;
 };
 
-/* In the second life the bomb saves the ship from the hit, if its kind has frames for that. */
-static const struct deed deeds[] = {
+/* In the second life, the bomb is a deathbomb if the kind has frames for it. */
+static const struct forced_event events[] = {
     { 60, FORCE_TAKE },   { 90, FORCE_GRAZE }, { 100, FORCE_EXTEND }, { 120, FORCE_BOMB },
     { 360, FORCE_GRAZE }, { 361, FORCE_HIT },  { 480, FORCE_HIT },    { 480, FORCE_BOMB },
     { 600, FORCE_BOMB },  { 700, FORCE_HIT },  { 780, FORCE_DEATH },
@@ -75,32 +71,33 @@ static const struct deed deeds[] = {
 
 enum { PAUSES_AT = 200, DIES_FROM = 820, DIES_EVERY = 16, FOCUS_FROM = 560 };
 
-/* What faulted once is not forced again, so that the run, which is begun again, shows what comes after it. */
+/* An event that caused a fault is not forced again: the run restarts without it and continues further. */
 static void force(struct run *r, enum force_kind kind, int player)
 {
     const struct force f = { kind, player };
 
-    if (is_faulty(r) || *check_broken(r) >> kind & 1)
+    if (is_faulty(r) || r->faulting_forces >> kind & 1)
         return;
-    check_force(r, &f);
+    force_run(r->guard.board, &f);
+    r->forced = true;
     if (is_faulty(r))
-        *check_broken(r) |= 1u << kind;
+        r->faulting_forces |= 1u << kind;
 }
 
-/* What is forced in that frame of a game that is lost. */
+/* Forces the events of a frame in a game that is lost. */
 static void force_loss(struct run *r, uint32_t frame, int players)
 {
     for (int p = 0; p < players; p++) {
-        for (size_t i = 0; i < sizeof deeds / sizeof *deeds; i++)
-            if (deeds[i].frame == frame)
-                force(r, deeds[i].kind, p);
+        for (size_t i = 0; i < sizeof events / sizeof *events; i++)
+            if (events[i].frame == frame)
+                force(r, events[i].kind, p);
         if (frame >= DIES_FROM && frame % DIES_EVERY == 0)
             force(r, FORCE_DEATH, p);
     }
 }
 
-/* The buttons of a ship in that frame of a game: it flies and fires, now and then focused; it pauses once. Fire is let
- * go now and then, for a talk. */
+/* Sets the buttons of a ship in a frame of a game: it flies and fires, partly focused, and pauses once. Fire is
+ * released now and then, for dialogues. */
 static void ship_pads(struct run *r, uint32_t frame, uint16_t pads[MAX_PLAYERS])
 {
     const uint32_t paused = frame - PAUSES_AT;
@@ -111,7 +108,7 @@ static void ship_pads(struct run *r, uint32_t frame, uint16_t pads[MAX_PLAYERS])
     pads[0] |= (uint16_t)(tap(frame, 90, PAD_SPECIAL) | tap(frame, 150, PAD_SELECT));
     if (frame >= FOCUS_FROM && frame % 200 < 100)
         pads[0] |= PAD_FOCUS;
-    if (frame % 320 == 250 && !(*check_broken(r) >> FORCE_BOMB & 1))
+    if (frame % 320 == 250 && !(r->faulting_forces >> FORCE_BOMB & 1))
         pads[0] |= PAD_BOMB;
     if (frame >= PAUSES_AT && paused < PAUSE_FRAMES)
         pads[0] = paused < TAP                                                    ? PAD_START
@@ -124,25 +121,25 @@ static void ship_pads(struct run *r, uint32_t frame, uint16_t pads[MAX_PLAYERS])
 
 static void practise(struct run *r, const char *what, const char *section, int difficulty, uint32_t frames, bool loses)
 {
-    struct board_start start = check_start(r);
+    struct board_start start = check_run_start(r);
     uint16_t pads[MAX_PLAYERS];
 
     start.difficulty = difficulty;
     start.practice.invincible = !loses;
     snprintf(start.practice.section, sizeof start.practice.section, "%s", section);
-    if (!check_power(r, what, &start))
+    if (!check_run_power_on(r, what, &start))
         return;
     for (uint32_t f = 0; f < frames && !is_faulty(r); f++) {
-        check_tell(r, f, frames);
+        check_run_show_progress(r, f, frames);
         ship_pads(r, f, pads);
-        check_tick(r, pads);
+        check_run_tick(r, pads);
         if (loses)
             force_loss(r, f, 1);
     }
-    check_finish(r);
+    check_run_finish(r);
 }
 
-/* The ship's section: "one@petrel". False: the names are too long for one. */
+/* Writes the section with a ship, "one@petrel". False: too long. */
 static bool with_ship(const struct sections *s, const char *section, int ship, char out[64])
 {
     if (s->ships < 2)
@@ -158,24 +155,24 @@ static const char *first_stage(const struct sections *s)
     return NULL;
 }
 
-/* A game without difficulties has one all the same. */
+/* A game without difficulties counts as one. */
 static int difficulties(const struct run *r)
 {
-    const int n = check_cart(r)->manifest.n_difficulties;
+    const int n = r->cart.manifest.n_difficulties;
 
     return n > 0 ? n : 1;
 }
 
 static const char *difficulty_name(const struct run *r, int i)
 {
-    const struct manifest *m = &check_cart(r)->manifest;
+    const struct manifest *m = &r->cart.manifest;
 
     return i < m->n_difficulties ? m->difficulties[i] : "";
 }
 
 static void play_ship(struct run *r, int ship, int difficulty)
 {
-    const struct sections *s = check_sections(r);
+    const struct sections *s = r->sections;
     char section[64], what[128];
 
     if (!with_ship(s, first_stage(s), ship, section))
@@ -183,15 +180,15 @@ static void play_ship(struct run *r, int ship, int difficulty)
     snprintf(what, sizeof what, "%s %s", section, difficulty_name(r, difficulty));
     unsigned before;
     do {
-        before = *check_broken(r);
+        before = r->faulting_forces;
         practise(r, what, section, difficulty, SHIP_FRAMES, true);
-    } while (*check_broken(r) != before);
+    } while (r->faulting_forces != before);
 }
 
-/* Sections of other difficulties than the default's, which check_run.c plays; each with the next ship. */
+/* Plays a section at a difficulty, with one ship after the other; check_run.c plays the default difficulty. */
 static void play_section(struct run *r, int i, int difficulty)
 {
-    const struct sections *s = check_sections(r);
+    const struct sections *s = r->sections;
     char section[64], what[128];
 
     if (!with_ship(s, s->section[i].id, s->ships ? (i + difficulty) % s->ships : 0, section))
@@ -202,7 +199,7 @@ static void play_section(struct run *r, int i, int difficulty)
 
 /* ---- games ---- */
 
-/* Fire goes through menus, or fire and down by turns, which finds "2 PLAYERS", other modes and other ships. */
+/* Fire passes menus; fire and down, alternately, find "2 PLAYERS", other modes and other ships. */
 static uint16_t menu_pads(const struct tour *t, uint32_t frame)
 {
     if (t->kind == TOUR_TWO && frame / EVERY % 2)
@@ -210,7 +207,7 @@ static uint16_t menu_pads(const struct tour *t, uint32_t frame)
     return tap(frame, EVERY, PAD_FIRE);
 }
 
-/* Anything, but the same each time. */
+/* Pseudo-random buttons. */
 static uint16_t any_pads(uint32_t frame)
 {
     static const uint16_t buttons[] = {
@@ -226,7 +223,7 @@ static uint32_t opened_at(const struct tour *t)
     return (uint32_t)(t->entry + 2) * EVERY;
 }
 
-/* The title, down to the entry, which is opened. */
+/* Goes down to the entry of the title menu and opens it. */
 static uint16_t entry_pads(const struct tour *t, uint32_t frame)
 {
     const uint32_t opened = opened_at(t);
@@ -242,13 +239,13 @@ static uint16_t entry_pads(const struct tour *t, uint32_t frame)
 
 static bool anyone_in(const struct run *r)
 {
-    return force_player_in_game(check_board(r), 0) || force_player_in_game(check_board(r), 1);
+    return force_player_in_game(r->guard.board, 0) || force_player_in_game(r->guard.board, 1);
 }
 
-/* The first continue is taken and the second is not. */
+/* Accepts the first continue and refuses the second. */
 static uint16_t out_pads(const struct tour *t)
 {
-    return t->went_on == 0 ? tap(t->out, EVERY, PAD_START) : tap(t->out, EVERY, PAD_BOMB);
+    return t->continues == 0 ? tap(t->out, EVERY, PAD_START) : tap(t->out, EVERY, PAD_BOMB);
 }
 
 static void tour_pads(struct run *r, const struct tour *t, uint32_t frame, uint16_t pads[MAX_PLAYERS])
@@ -270,11 +267,11 @@ static void tour_pads(struct run *r, const struct tour *t, uint32_t frame, uint1
         ship_pads(r, age, pads);
     if (!t->playing || t->over || !anyone_in(r))
         pads[1] = t->kind == TOUR_TWO ? pads[0] : 0;
-    else if (!force_player_in_game(check_board(r), 1))
-        pads[1] = tap(age, EVERY, PAD_START); /* who is out may come back while the other one flies */
+    else if (!force_player_in_game(r->guard.board, 1))
+        pads[1] = tap(age, EVERY, PAD_START); /* rejoin while the other player plays */
 }
 
-/* What is forced in that frame of a game. Of two the second loses all its lives first. */
+/* Forces the events of a frame in a game. Of two players, the second loses all lives first. */
 static void tour_force(struct run *r, struct tour *t, uint32_t age)
 {
     switch (t->kind) {
@@ -293,7 +290,7 @@ static void tour_force(struct run *r, struct tour *t, uint32_t age)
             force(r, FORCE_DAMAGE, 0);
         break;
     case TOUR_ENTRY:
-        if (age % 60 == 59) /* a mission is over soon */
+        if (age % 60 == 59) /* ends a mission soon */
             force(r, FORCE_DEATH, 0);
         break;
     case TOUR_START:
@@ -302,7 +299,7 @@ static void tour_force(struct run *r, struct tour *t, uint32_t age)
     }
 }
 
-static void hear(struct run *r, struct tour *t, const struct board_out *out, uint32_t frame)
+static void update_tour(struct run *r, struct tour *t, const struct board_out *out, uint32_t frame)
 {
     const bool in = anyone_in(r);
 
@@ -315,7 +312,7 @@ static void hear(struct run *r, struct tour *t, const struct board_out *out, uin
         t->since = frame;
     }
     if (in && t->out > 0 && t->playing && !t->over)
-        t->went_on++;
+        t->continues++;
     t->out = in ? 0 : t->out + 1;
     if (!t->playing)
         t->out = 0;
@@ -336,33 +333,33 @@ static bool is_over(const struct tour *t, uint32_t frame)
         return frame >= opened_at(t) + ENTRY_FRAMES;
     if (!t->playing)
         return frame >= BEFORE_FRAMES;
-    if (frame >= BEFORE_FRAMES + most + AFTER_FRAMES) /* a game may start again and again */
+    if (frame >= BEFORE_FRAMES + most + AFTER_FRAMES) /* a game may restart forever */
         return true;
     return age >= (t->over ? AFTER_FRAMES : most);
 }
 
-/* nvram: gets what the game has saved at the end, malloc; NULL: not wanted. */
-static void go_round(struct run *r, const char *what, struct tour *t, uint8_t **nvram, size_t *size)
+/* nvram: gets the nvram at the end (malloc), or NULL. */
+static void play_tour(struct run *r, const char *what, struct tour *t, uint8_t **nvram, size_t *size)
 {
     uint16_t pads[MAX_PLAYERS];
 
-    if (!check_power(r, what, &t->start))
+    if (!check_run_power_on(r, what, &t->start))
         return;
     for (uint32_t f = 0; !is_over(t, f) && !is_faulty(r); f++) {
-        check_tell(r, f, CLEAR_FRAMES);
+        check_run_show_progress(r, f, CLEAR_FRAMES);
         tour_pads(r, t, f, pads);
-        hear(r, t, check_tick(r, pads), f);
+        update_tour(r, t, check_run_tick(r, pads), f);
         if (t->playing && !t->over)
             tour_force(r, t, f - t->since);
     }
     if (nvram != NULL && !is_faulty(r)) {
         uint32_t changed;
-        const uint8_t *image = board_nvram(check_board(r), size, &changed);
+        const uint8_t *image = board_nvram(r->guard.board, size, &changed);
         *nvram = malloc(*size + 1);
         if (*nvram != NULL)
             memcpy(*nvram, image, *size);
     }
-    check_finish(r);
+    check_run_finish(r);
 }
 
 static void tour(struct run *r, const char *what, enum tour_kind kind, const struct board_start *start)
@@ -371,13 +368,13 @@ static void tour(struct run *r, const char *what, enum tour_kind kind, const str
 
     do {
         struct tour t = { .kind = kind, .start = *start };
-        before = *check_broken(r);
-        go_round(r, what, &t, NULL, NULL);
-    } while (*check_broken(r) != before);
+        before = r->faulting_forces;
+        play_tour(r, what, &t, NULL, NULL);
+    } while (r->faulting_forces != before);
 }
 
-/* Each entry of the title menu: the game's pages, and its screens in place of the library's. A list starts again below
- * its last entry, so a short one is gone through more than once. */
+/* Opens each entry of the title menu, for the game's own screens. A menu wraps around, so entries of a short menu are
+ * opened more than once. */
 static void open_entries(struct run *r, const struct board_start *start)
 {
     char what[32];
@@ -385,19 +382,19 @@ static void open_entries(struct run *r, const struct board_start *start)
     for (int i = 1; i <= ENTRIES; i++) {
         struct tour t = { .kind = TOUR_ENTRY, .start = *start, .entry = i };
         snprintf(what, sizeof what, "menu entry %d", i + 1);
-        go_round(r, what, &t, NULL, NULL);
+        play_tour(r, what, &t, NULL, NULL);
     }
 }
 
-/* A game that is won, and then its title with what that left: scores, spells, unlocks. */
+/* Wins a game, and then plays its menus with the nvram of that game: scores, spells, unlocks. */
 static void win(struct run *r)
 {
-    struct tour won = { .kind = TOUR_WON, .start = check_start(r) };
+    struct tour won = { .kind = TOUR_WON, .start = check_run_start(r) };
     uint8_t *nvram = NULL;
     size_t size = 0;
 
-    go_round(r, "a won game", &won, &nvram, &size);
-    struct board_start start = check_start(r);
+    play_tour(r, "a won game", &won, &nvram, &size);
+    struct board_start start = check_run_start(r);
     start.nvram = nvram;
     start.nvram_size = nvram != NULL ? size : 0;
     tour(r, "the menus after a game", TOUR_MENUS, &start);
@@ -407,14 +404,14 @@ static void win(struct run *r)
 
 /* ---- all ---- */
 
-/* A walk over all runs. */
+/* An iteration over all runs. */
 struct each {
     struct run *r;
     int n;   /* runs so far */
-    bool go; /* they are run; otherwise counted */
+    bool go; /* play them; otherwise only count */
 };
 
-/* Is the next one run? */
+/* Counts a run; returns whether to play it. */
 static bool next(struct each *e)
 {
     e->n++;
@@ -423,7 +420,7 @@ static bool next(struct each *e)
 
 static void each_ship(struct each *e)
 {
-    const struct sections *s = check_sections(e->r);
+    const struct sections *s = e->r->sections;
     const int ships = s->ships > 0 ? s->ships : 1;
 
     for (int d = 0; d < difficulties(e->r) && first_stage(s) != NULL; d++)
@@ -432,21 +429,15 @@ static void each_ship(struct each *e)
                 play_ship(e->r, k, d);
 }
 
-/* Marks are inside of stages. */
-static bool is_played(const struct section *s)
-{
-    return s->kind == SECTION_STAGE || s->kind == SECTION_PHASE;
-}
-
 /* The first and the last difficulty differ most from the default. */
 static void each_section(struct each *e)
 {
-    const struct sections *s = check_sections(e->r);
+    const struct sections *s = e->r->sections;
     const int last = difficulties(e->r) - 1;
 
     for (int d = 0; d <= last; d += last > 0 ? last : 1)
         for (int i = 0; i < s->n; i++)
-            if (d != check_cart(e->r)->manifest.difficulty && is_played(&s->section[i]) && next(e))
+            if (d != e->r->cart.manifest.difficulty && check_run_plays(&s->section[i]) && next(e))
                 play_section(e->r, i, d);
 }
 
@@ -455,15 +446,15 @@ static void each_game(struct each *e)
     char what[128];
 
     for (int d = 0; d < difficulties(e->r); d++) {
-        struct board_start start = check_start(e->r);
-        start.difficulty = check_cart(e->r)->manifest.n_difficulties > 0 ? d : -1;
+        struct board_start start = check_run_start(e->r);
+        start.difficulty = e->r->cart.manifest.n_difficulties > 0 ? d : -1;
         const char *name = difficulty_name(e->r, d);
         snprintf(what, sizeof what, "a lost game%s%s", name[0] ? ", " : "", name);
         if (next(e))
             tour(e->r, what, TOUR_LOST, &start);
     }
-    const struct board_start start = check_start(e->r);
-    if (check_cart(e->r)->manifest.players > 1 && next(e))
+    const struct board_start start = check_run_start(e->r);
+    if (e->r->cart.manifest.players > 1 && next(e))
         tour(e->r, "a two-player game", TOUR_TWO, &start);
     if (next(e))
         win(e->r);
@@ -471,11 +462,11 @@ static void each_game(struct each *e)
 
 static void each_language(struct each *e)
 {
-    const struct cart *cart = check_cart(e->r);
+    const struct cart *cart = &e->r->cart;
     char what[128];
 
     for (int i = 0; i < cart->count[CART_LANGS]; i++) {
-        struct board_start start = check_start(e->r);
+        struct board_start start = check_run_start(e->r);
         snprintf(start.lang, sizeof start.lang, "%s", cart_name(cart, CART_LANGS, i));
         snprintf(what, sizeof what, "a game in language %s", start.lang);
         if (next(e))
@@ -483,16 +474,16 @@ static void each_language(struct each *e)
     }
 }
 
-/* Named values each; of a number the least and the most. */
+/* Plays each value of a DIP switch; of a number, the minimum and the maximum. */
 static void each_switch(struct each *e)
 {
-    const struct manifest *m = &check_cart(e->r)->manifest;
+    const struct manifest *m = &e->r->cart.manifest;
     char what[128];
 
     for (int i = 0; i < m->n_dips; i++) {
         const struct dip *dip = &m->dips[i];
         for (int k = 0; k < (dip->is_number ? 2 : dip->n_values); k++) {
-            struct board_start start = check_start(e->r);
+            struct board_start start = check_run_start(e->r);
             start.dip[i] = dip->is_number ? (k ? dip->hi : dip->lo) : k;
             snprintf(what, sizeof what, "a game with switch %s", dip->name);
             if (start.dip[i] != dip->default_value && next(e))
@@ -513,12 +504,12 @@ static int run_each(struct run *r, bool go)
     return e.n;
 }
 
-int check_forced_runs(struct run *r)
+int check_forced_count(struct run *r)
 {
     return run_each(r, false);
 }
 
-int check_forced(struct run *r)
+int check_forced_play(struct run *r)
 {
     return run_each(r, true);
 }

@@ -1,9 +1,9 @@
 /*
- * check_lua.c - what is wrong with scripts, before they run.
+ * check_lua.c - mistakes in scripts, found without running them.
  *
- * All scripts are read first, for what one of them adds to a table of the API is there for all. A name is only found
- * missing where no script can have put it: when a table of the API is handed around, or _G is, its names are let
- * through.
+ * All scripts are read first, because a field that one script adds to a table of the API exists for all. A missing name
+ * is reported only if no script can have added it: if a table of the API, or _G, is used as a value, any name may be in
+ * it.
  */
 #include "check_parts.h"
 
@@ -15,11 +15,6 @@
 #include "../../script/script.h"
 #include "../../common/files.h"
 #include "../pack/pack.h"
-
-static bool same(const char *a, const char *b)
-{
-    return a == b || (a != NULL && b != NULL && strcmp(a, b) == 0);
-}
 
 /* ---- reading ---- */
 
@@ -112,7 +107,7 @@ void check_scripts(struct check *c)
     read_library(c);
 }
 
-/* ---- what there is ---- */
+/* ---- known names ---- */
 
 static void add_library(struct check *c, const struct check_script *s)
 {
@@ -122,7 +117,7 @@ static void add_library(struct check *c, const struct check_script *s)
         name_set_add(&c->open, NULL, name);
 }
 
-/* What the use of a global by a script of the game may change. */
+/* Notes what the use of a global may change. */
 static void add_use(struct check *c, const struct symbol_global *g)
 {
     bool all = strcmp(g->name, "_G") == 0 || strcmp(g->name, "_ENV") == 0;
@@ -152,7 +147,7 @@ static void gather(struct check *c)
     }
 }
 
-/* May a script of the game have put a function of its own there? */
+/* Returns whether a script of the game may have replaced the function. */
 static bool is_changed(const struct check *c, const char *space, const char *name)
 {
     return (space != NULL && name_set_has(&c->open, NULL, space)) || name_set_has(&c->changed, space, name);
@@ -160,7 +155,7 @@ static bool is_changed(const struct check *c, const char *space, const char *nam
 
 /* ---- names ---- */
 
-/* " (did you mean "speed"?)", or nothing. */
+/* Writes " (did you mean "speed"?)", or "". */
 static void hint(char out[96], const char *word, const char *near, const char *local)
 {
     bool inner = local != NULL && (near == NULL || edit_distance(word, local) <= edit_distance(word, near));
@@ -205,7 +200,7 @@ static void unknown_field(struct check *c, const char *path, const struct symbol
         diagnostics_add(&c->found, path, g->line, "%s has no \"%s\"%s", g->name, g->field, meant);
 }
 
-/* Does a script that cannot be read to its end have the word? What it does with it is not known. */
+/* Returns whether a script that cannot be parsed contains the word: it may declare it. */
 static bool in_broken_script(const struct check *c, const char *word)
 {
     for (int i = 0; i < c->n_scripts; i++)
@@ -217,7 +212,7 @@ static bool in_broken_script(const struct check *c, const char *word)
 static bool has_fields(const struct check *c, const char *space)
 {
     for (int i = 0; i < c->builtins.n; i++)
-        if (same(c->builtins.list[i].space, space))
+        if (symbols_same(c->builtins.list[i].space, space))
             return true;
     return false;
 }
@@ -230,7 +225,7 @@ static const struct api_entry *entry(const char *space, const char *name)
     return api_find_entry(&api_table, full);
 }
 
-/* What load runs may do anything too. */
+/* Code that load runs may change any table. */
 static bool is_open(const struct check *c, const char *space)
 {
     return c->any_global || name_set_has(&c->open, NULL, space) || name_set_has(&c->open, NULL, "load");
@@ -309,14 +304,14 @@ static void judge_format(struct check *c, const struct check_script *s, const st
     }
 }
 
-/* ---- what they ask for ---- */
+/* ---- names of files and of rom.lua ---- */
 
 static void judge_require(struct check *c, const struct check_script *s, const struct symbol_call *call)
 {
     const char *name = call->arg[0];
     char path[TREE_PATH], there[TREE_PATH], meant[SCRIPT_NAME_BYTES];
 
-    if (call->space != NULL || strcmp(call->name, "require") != 0 || name == NULL || name[0] == '@')
+    if (!symbol_call_is(call, NULL, "require") || name == NULL || name[0] == '@')
         return;
     snprintf(path, sizeof path, "%s.lua", name);
     if (tree_has(&c->files, path))
@@ -339,13 +334,13 @@ static void judge_demo(struct check *c, const struct check_script *s, int line, 
         diagnostics_add(&c->found, s->path, line, "%s: %s does not exist", how, path);
 }
 
-/* Does a script ask whether it is there? Then it knows what to do without. */
+/* Returns whether a script calls rom.has for the name, and so can do without it. */
 static bool is_asked_for(const struct check *c, const char *name)
 {
     for (int i = 0; i < c->n_scripts; i++) {
         const struct symbols *f = &c->scripts[i].symbols;
         for (int k = 0; k < f->n_calls; k++)
-            if (same(f->calls[k].space, "rom") && same(f->calls[k].name, "has") && same(f->calls[k].arg[0], name))
+            if (symbol_call_is(&f->calls[k], "rom", "has") && symbols_same(f->calls[k].arg[0], name))
                 return true;
     }
     return false;
@@ -353,10 +348,12 @@ static bool is_asked_for(const struct check *c, const char *name)
 
 /* The names of one kind in rom.lua. */
 struct names {
-    const char *what, *first; /* the first name; the next is `stride` bytes on */
+    const char *what, *first; /* the other names follow every `stride` bytes */
     size_t stride;
     int n;
 };
+
+#define NAMES(what, list, n) ((struct names){ what, (list)[0].name, sizeof(list)[0], n })
 
 static void judge_name(struct check *c, const struct check_script *s, int line, struct names have, const char *name)
 {
@@ -375,30 +372,10 @@ static void judge_name(struct check *c, const struct check_script *s, int line, 
     diagnostics_add(&c->found, s->path, line, "unknown %s \"%s\"%s", have.what, name, meant);
 }
 
-static struct names sprites(const struct check *c)
-{
-    return (struct names){ "sprite", c->art.sprites[0].name, sizeof c->art.sprites[0], c->art.n_sprites };
-}
-
-static struct names blends(const struct check *c)
-{
-    return (struct names){ "blend", c->art.blends[0].name, sizeof c->art.blends[0], c->art.n_blends };
-}
-
-static struct names fonts(const struct check *c)
-{
-    return (struct names){ "font", c->art.fonts[0].name, sizeof c->art.fonts[0], c->art.n_fonts };
-}
-
-static struct names palettes(const struct check *c)
-{
-    return (struct names){ "palette", c->art.palettes[0].name, sizeof c->art.palettes[0], c->art.n_palettes };
-}
-
 static void judge_palette(struct check *c, const struct check_script *s, int line, const char *name)
 {
     if (strcmp(name, "main") != 0)
-        judge_name(c, s, line, palettes(c), name);
+        judge_name(c, s, line, NAMES("palette", c->art.palettes, c->art.n_palettes), name);
 }
 
 static enum api_type type_of(const struct api_entry *e, const char *param)
@@ -409,7 +386,7 @@ static enum api_type type_of(const struct api_entry *e, const char *param)
     return A_ANY;
 }
 
-/* A key with a string for its value, right in the table a function of the API is given. */
+/* Checks a key with a string value in the table that is the argument of an API function. */
 static void judge_key(struct check *c, const struct check_script *s, const struct symbol_key *k)
 {
     const struct symbol_table *t = &s->symbols.tables[k->table];
@@ -418,14 +395,14 @@ static void judge_key(struct check *c, const struct check_script *s, const struc
         return;
     enum api_type type = type_of(entry(t->space, t->name), k->name);
     if (type == A_SPRITE)
-        judge_name(c, s, k->line, sprites(c), k->value);
+        judge_name(c, s, k->line, NAMES("sprite", c->art.sprites, c->art.n_sprites), k->value);
     else if (type == A_BLEND)
-        judge_name(c, s, k->line, blends(c), k->value);
+        judge_name(c, s, k->line, NAMES("blend", c->art.blends, c->art.n_blends), k->value);
     else if (type == A_FONT)
-        judge_name(c, s, k->line, fonts(c), k->value);
-    else if (same(t->space, "palette") && same(t->name, "fade") && same(k->name, "to"))
+        judge_name(c, s, k->line, NAMES("font", c->art.fonts, c->art.n_fonts), k->value);
+    else if (symbols_same(t->space, "palette") && symbols_same(t->name, "fade") && symbols_same(k->name, "to"))
         judge_palette(c, s, k->line, k->value);
-    else if (same(t->space, "boot") && same(t->name, "run") && same(k->name, "demo"))
+    else if (symbols_same(t->space, "boot") && symbols_same(t->name, "run") && symbols_same(k->name, "demo"))
         judge_demo(c, s, k->line, "boot.run: demo", k->value);
 }
 
@@ -436,9 +413,9 @@ static void judge_call(struct check *c, const struct check_script *s, const stru
     judge_require(c, s, call);
     if (arg == NULL || call->space == NULL || is_changed(c, call->space, call->name))
         return;
-    if (same(call->space, "palette") && same(call->name, "load"))
+    if (symbol_call_is(call, "palette", "load"))
         judge_palette(c, s, call->line, arg);
-    if (same(call->space, "board") && same(call->name, "attract"))
+    if (symbol_call_is(call, "board", "attract"))
         judge_demo(c, s, call->line, "board.attract", arg);
 }
 
@@ -466,4 +443,56 @@ void check_lua(struct check *c)
     for (int i = 0; i < c->n_scripts; i++)
         if (c->scripts[i].symbols.whole)
             judge(c, &c->scripts[i]);
+}
+
+/* ---- spells ---- */
+
+/* Returns the key of that name in table t, or NULL. */
+static const struct symbol_key *key_of(const struct symbols *f, int t, const char *name)
+{
+    for (int i = 0; i < f->n_keys; i++)
+        if (f->keys[i].table == t && strcmp(f->keys[i].name, name) == 0)
+            return &f->keys[i];
+    return NULL;
+}
+
+/* Returns the spell of table t if it is a phase with a bonus, or NULL. */
+static const struct symbol_key *spell_of(const struct symbols *f, int t)
+{
+    const struct symbol_table *table = &f->tables[t];
+    const bool phase = symbols_same(table->space, "boss") && symbols_same(table->name, "def") && table->key >= 0;
+
+    return phase && key_of(f, t, "bonus") != NULL ? key_of(f, t, "spell") : NULL;
+}
+
+static bool any_falls(const struct check *c)
+{
+    for (int i = 0; i < c->n_scripts; i++)
+        for (int t = 0; t < c->scripts[i].symbols.n_tables; t++)
+            if (spell_of(&c->scripts[i].symbols, t) != NULL && key_of(&c->scripts[i].symbols, t, "bonus_to") != NULL)
+                return true;
+    return false;
+}
+
+static void judge_spells(struct check *c, const struct check_script *s)
+{
+    const struct symbols *f = &s->symbols;
+
+    for (int t = 0; t < f->n_tables; t++) {
+        const struct symbol_key *spell = spell_of(f, t);
+        if (spell != NULL && key_of(f, t, "bonus_to") == NULL && key_of(f, t, "survive") == NULL)
+            diagnostics_add(
+                &c->found, s->path, spell->line,
+                "spell \"%s\": its bonus does not decrease, unlike the bonus of other spells (set bonus_to)",
+                spell->value != NULL ? spell->value : "?");
+    }
+}
+
+/* A bonus that does not fall is a mistake if that of other spells does, except in phases to be survived. */
+void check_spells(struct check *c)
+{
+    if (!any_falls(c))
+        return;
+    for (int i = 0; i < c->n_scripts; i++)
+        judge_spells(c, &c->scripts[i]);
 }

@@ -1,6 +1,6 @@
 /*
- * check_recordings.c - recordings that cannot be read, that clip, that have an offset, whose loop clicks or is no whole
- * number of beats: each with its file and figures.
+ * check_recordings.c - samples that cannot be read, clip, have a DC offset, or have a loop that clicks or is not a
+ * whole number of beats long.
  */
 #include "check_parts.h"
 
@@ -12,7 +12,7 @@
 
 static const double mean_most = 0.02, beats_most = 0.01;
 
-static void say_flaws(struct check *c, const char *file, uint32_t rate, const struct flaws *f)
+static void report_flaws(struct check *c, const char *file, uint32_t rate, const struct flaws *f)
 {
     if (f->clipped)
         diagnostics_add(&c->found, file, 0,
@@ -24,7 +24,7 @@ static void say_flaws(struct check *c, const char *file, uint32_t rate, const st
                         f->mean * 100);
 }
 
-static void say_loop(struct check *c, const struct art_sound *s, const struct pcm *p, const struct flaws *f)
+static void report_loop(struct check *c, const struct art_sound *s, const struct pcm *p, const struct flaws *f)
 {
     if (f->clicks)
         diagnostics_add(&c->found, s->file, 0,
@@ -40,7 +40,7 @@ static void say_loop(struct check *c, const struct art_sound *s, const struct pc
                         s->tempo / 100.0);
 }
 
-/* A file that is not there the packer finds. */
+/* The packer reports missing files. */
 static void check_recording(struct check *c, const struct art_sound *s)
 {
     struct pcm p;
@@ -55,11 +55,11 @@ static void check_recording(struct check *c, const struct art_sound *s)
     free(data);
     if (good) {
         flaws_of_frames(&p, &f);
-        say_flaws(c, s->file, p.rate, &f);
+        report_flaws(c, s->file, p.rate, &f);
         good = recording_prepare(&p, &s->loop, why, sizeof why);
         if (good) {
             flaws_of_loop(&p, &f);
-            say_loop(c, s, &p, &f);
+            report_loop(c, s, &p, &f);
         }
         pcm_free(&p);
     }

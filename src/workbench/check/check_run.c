@@ -1,91 +1,42 @@
 /*
- * check_run.c - the game is packed and run, without a window: every demo it has, or else the first frames of a game
- * without input; then every stage and every phase of a boss by itself; then what check_forced.c forces. What faults,
- * what does not hold, and how much Lua RAM was in use at most.
+ * check_run.c - packs the game and runs it without a window: every demo, or the first frames without input; then every
+ * stage and every phase; then the runs of check_forced.c. It reports faults, demos that diverge, full pools, bullets
+ * with little contrast and the use of Lua RAM.
  */
-#include "check_parts.h"
+#include "check_run.h"
 
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../board/board.h"
 #include "../../machine/video/contrast.h"
 #include "../../board/inspect.h"
-#include "../../rom/cart.h"
-#include "../../script/force.h"
 #include "../pack/art.h"
-#include "../../demo/demo.h"
 #include "../../common/progress.h"
-#include "../../player/run/guard.h"
-#include "../../player/run/sections.h"
 #include "../bench/sweep.h"
-#include "../pack/pack.h"
 
 enum {
     IDLE_FRAMES = 600,   /* of a game without demos */
     MOST_FRAMES = 36000, /* of a demo: ten minutes */
     MOST_LUA = 75,       /* percent of board.lua_kib */
-    SAMPLE_EVERY = 120,  /* frames of a run, of which contrast looks at one */
+    SAMPLE_EVERY = 120,  /* frames between two samples of contrast */
     SAMPLES = 150,       /* in a run */
-    LOOKS = 128,         /* kinds and banks it tells apart */
-    FEW_BULLETS = 40,    /* of which it says nothing */
-    LOOK_EVERY = 12      /* frames, of which the text on the screen is looked at in one */
-};
-
-/* Bullets of a kind in a bank, in the sampled frames of a run. */
-struct look {
-    char kind[64];
-    int bank, seen, faint;
-    uint32_t frame; /* of the first faint one, and where */
-    int x, y;
-    bool told; /* in this run or one before */
-};
-
-/* What contrast needs while a demo, a stage or a phase is played. */
-struct contrast {
-    struct fb fb;
-    void *pixels, *scratch;
-    uint32_t frame;
-    int samples, n;
-    struct look look[LOOKS];
+    FEW_BULLETS = 40,    /* too few to report */
+    TEXT_EVERY = 12      /* frames between two checks of the text on the screen */
 };
 
 #define ALL UINT32_MAX /* frames */
 
-struct run {
-    struct check *c;
-    const char *what; /* "demos/attract.demo", "600 frames of nobody playing" */
-    struct rom_image image;
-    struct cart cart;
-    struct guard guard;
-    struct demo demo;
-    uint64_t hashes[MAX_PARTS];
-    void *hash_cache;        /* of board_hashes_cached */
-    size_t most;             /* bytes of Lua RAM, of all runs so far */
-    char most_in[TREE_PATH]; /* the run that had so many */
-    bool memory_fault;
-    struct contrast contrast;  /* of this run */
-    struct check_heard *heard; /* of what is listened to; NULL: nothing */
-    bool measured;             /* the kinds' shapes were compared with their pictures */
-    struct sections *sections;
-    int runs, planned; /* played so far, and in all */
-    bool boots;        /* boot.run is called */
-    unsigned broken;   /* see check_broken */
-    bool forced;       /* something was forced in this run: what is full may come of it */
-};
-
 /* ---- hit shapes and pictures ---- */
 
-/* Where a kind is declared with a name that is written out; line 0: nowhere. */
+/* Returns the file and line in which a kind is declared with a literal name; line 0: not found. */
 static const char *declared(const struct check *c, const char *of, const char *name, int *line)
 {
     *line = 0;
     for (int i = 0; i < c->n_scripts; i++)
         for (int k = 0; k < c->scripts[i].symbols.n_calls; k++) {
             const struct symbol_call *call = &c->scripts[i].symbols.calls[k];
-            if (call->space == NULL || strcmp(call->space, of) != 0 || strcmp(call->name, "def") != 0 ||
-                call->arg[0] == NULL || strcmp(call->arg[0], name) != 0)
+            if (!symbol_call_is(call, of, "def") || !symbols_same(call->arg[0], name))
                 continue;
             *line = call->line;
             return c->scripts[i].path;
@@ -93,7 +44,7 @@ static const char *declared(const struct check *c, const char *of, const char *n
     return "rom.lua";
 }
 
-/* The size of a sprite's picture, not turned; of one whose file says it, as it is in the ROM. */
+/* Returns the size of a sprite's picture, unrotated: from rom.lua, or from the ROM if rom.lua has none. */
 static void drawn_size(const struct run *r, const struct art_sprite *s, int *w, int *h)
 {
     struct sprite packed;
@@ -107,7 +58,7 @@ static void drawn_size(const struct run *r, const struct art_sprite *s, int *w, 
     *h = packed.h;
 }
 
-/* A shape that reaches beyond what is seen is hardly meant. */
+/* A shape that is larger than its picture is probably a mistake. */
 static void note_large(void *context, const struct inspect_kind_shape *kind)
 {
     static const char *const words[] = { [INSPECT_CIRCLE] = "hit circle",
@@ -137,14 +88,14 @@ static void note_large(void *context, const struct inspect_kind_shape *kind)
     }
 }
 
-/* Brightness as eyes see it, of ITU-R BT.601, in thousandths. */
+/* Luma of ITU-R BT.601, in thousandths. */
 static int luminance(const uint8_t rgb[3])
 {
     return 299 * rgb[0] + 587 * rgb[1] + 114 * rgb[2];
 }
 
-/* The first colour of a bank that is darker than the one before it, or 0: it is a ramp from dark to bright. What it
- * ends with in black is not used. */
+/* Returns the first colour of a bank that is darker than the one before it, or 0 if the bank is a ramp from dark to
+ * bright. Black colours at its end are unused. */
 static int falls_at(const uint8_t *bank)
 {
     int last = 15, before = 0;
@@ -157,7 +108,7 @@ static int falls_at(const uint8_t *bank)
     return 0;
 }
 
-/* A blend of ramps mixes places in banks, so the kind's bank must be a ramp. */
+/* A blend of ramps mixes indices in banks, so the kind's bank must be a ramp. */
 static void note_ramp(void *context, const struct inspect_kind_shape *kind)
 {
     struct run *r = context;
@@ -172,15 +123,15 @@ static void note_ramp(void *context, const struct inspect_kind_shape *kind)
                     kind->entity, kind->name, kind->ramp, at, kind->bank, at - 1);
 }
 
-/* ---- a game that nobody can start ---- */
+/* ---- games that cannot be started ---- */
 
-/* The first name that a call of space.def declares in so many words, or NULL. found: there is one at all. */
+/* Returns the first literal name in a call of space.def, or NULL. *found: there is a call. */
 static const char *first_declared(const struct check *c, const char *space, bool *found)
 {
     for (int i = 0; i < c->n_scripts; i++)
         for (int k = 0; k < c->scripts[i].symbols.n_calls; k++) {
             const struct symbol_call *call = &c->scripts[i].symbols.calls[k];
-            if (call->space == NULL || strcmp(call->space, space) != 0 || strcmp(call->name, "def") != 0)
+            if (!symbol_call_is(call, space, "def"))
                 continue;
             *found = true;
             if (call->arg[0] != NULL)
@@ -189,7 +140,7 @@ static const char *first_declared(const struct check *c, const char *space, bool
     return NULL;
 }
 
-/* Stages and ships are played by boot.run alone. A game that has no stage may do with tasks of its own. */
+/* Only boot.run plays stages and ships. A game without stages may use its own tasks. */
 static void judge_boot(struct run *r)
 {
     const struct board *b = r->guard.board;
@@ -214,7 +165,7 @@ static void judge_boot(struct run *r)
 
 /* ---- one run ---- */
 
-/* The name that is nil, of a fault that says so; "": another fault. */
+/* Writes the name that a fault reports as nil; "": another fault. */
 static void missing_name(const char *message, char *name, size_t size)
 {
     static const char *const before[] = { "undeclared global \"", "(field '", "(global '", "(method '" };
@@ -227,7 +178,7 @@ static void missing_name(const char *message, char *name, size_t size)
     }
 }
 
-/* Was it found in the script already that nothing of that name is there? Then the fault tells the same. */
+/* Adds a fault, unless check_lua.c has reported the same missing name. */
 static void note_fault(struct run *r, const struct board_fault *fault)
 {
     struct diagnostics alone = { 0 };
@@ -243,22 +194,21 @@ static void note_fault(struct run *r, const struct board_fault *fault)
         diagnostics_add_sentence(&r->c->found, r->what, fault->message);
 }
 
-/* Does a script ask board.refused for it? Then the game knows that it may be full. */
+/* Returns whether a script calls board.refused for the pool, and so expects that it may be full. */
 static bool is_watched(const struct check *c, const char *part)
 {
     for (int i = 0; i < c->n_scripts; i++) {
         const struct symbols *f = &c->scripts[i].symbols;
         for (int k = 0; k < f->n_calls; k++) {
             const struct symbol_call *call = &f->calls[k];
-            if (call->space != NULL && strcmp(call->space, "board") == 0 && strcmp(call->name, "refused") == 0 &&
-                (call->arg[0] == NULL || strcmp(call->arg[0], part) == 0))
+            if (symbol_call_is(call, "board", "refused") && (call->arg[0] == NULL || strcmp(call->arg[0], part) == 0))
                 return true;
         }
     }
     return false;
 }
 
-/* Pools that are full for the first time. Sparks do not count: no script depends on one. */
+/* Reports pools that are full for the first time, except sparks, which no script depends on. */
 static void note_full(struct run *r, const struct board_out *out)
 {
     for (int i = 0; i < out->full_pool_count && !r->forced; i++)
@@ -271,26 +221,19 @@ static void note_shown(void *context, uint32_t code)
     check_shown(context, code);
 }
 
-const struct board_out *check_tick(struct run *r, const uint16_t pads[MAX_PLAYERS])
+const struct board_out *check_run_tick(struct run *r, const uint16_t pads[MAX_PLAYERS])
 {
     const struct board_out *out = guard_tick(&r->guard, pads);
 
     note_full(r, out);
-    if (board_frame(r->guard.board) % LOOK_EVERY == 0 && !out->fault)
+    if (board_frame(r->guard.board) % TEXT_EVERY == 0 && !out->fault)
         inspect_codes(r->guard.board, note_shown, r->c);
     if (r->heard != NULL)
         check_heard_frame(r->heard, r->guard.board);
     return out;
 }
 
-void check_force(struct run *r, const struct force *force)
-{
-    force_run(r->guard.board, force);
-    r->forced = true;
-}
-
-/* Frame f of at most n of this run. */
-void check_tell(const struct run *r, uint32_t f, uint32_t n)
+void check_run_show_progress(const struct run *r, uint32_t f, uint32_t n)
 {
     const uint64_t each = SWEEP_FRAMES;
 
@@ -298,7 +241,7 @@ void check_tell(const struct run *r, uint32_t f, uint32_t n)
                   "%s, %d of %d, frame %" PRIu32, r->what, r->runs + 1, r->planned, f);
 }
 
-bool check_power(struct run *r, const char *what, const struct board_start *start)
+bool check_run_power_on(struct run *r, const char *what, const struct board_start *start)
 {
     char err[512];
 
@@ -321,23 +264,23 @@ bool check_power(struct run *r, const char *what, const struct board_start *star
     return false;
 }
 
-/* A loop without end may have filled the memory: how much the game needs is not known then. */
-void check_finish(struct run *r)
+/* An infinite loop may have filled the memory, so its peak does not count. */
+void check_run_finish(struct run *r)
 {
     const struct board_fault *fault = board_last_output(r->guard.board)->fault;
-    size_t most = board_lua_peak(r->guard.board);
+    size_t peak = board_lua_peak(r->guard.board);
 
     if (fault)
         note_fault(r, fault);
-    if (most > r->most && !(fault && fault->kind == FAULT_LOOP)) {
-        r->most = most;
-        snprintf(r->most_in, sizeof r->most_in, "%s", r->what);
+    if (peak > r->lua_peak && !(fault && fault->kind == FAULT_LOOP)) {
+        r->lua_peak = peak;
+        snprintf(r->lua_peak_run, sizeof r->lua_peak_run, "%s", r->what);
     }
     r->runs++;
 }
 
-/* Sections are not listened to: it takes longer than to play them. */
-static void listen_to(struct run *r)
+/* Checks the sound of a run. This takes longer than to play it, so sections are left out. */
+static void open_heard(struct run *r)
 {
     if (!board_has_sound(r->guard.board))
         return;
@@ -353,7 +296,7 @@ static void judge_heard(struct run *r)
     r->heard = NULL;
 }
 
-struct board_start check_start(const struct run *r)
+struct board_start check_run_start(const struct run *r)
 {
     struct board_start start = { .difficulty = -1 };
 
@@ -365,28 +308,28 @@ struct board_start check_start(const struct run *r)
 static void run_idle(struct run *r)
 {
     const uint16_t nothing[MAX_PLAYERS] = { 0 };
-    struct board_start start = check_start(r);
+    struct board_start start = check_run_start(r);
 
-    if (!check_power(r, "600 frames without input", &start))
+    if (!check_run_power_on(r, "600 frames without input", &start))
         return;
-    listen_to(r);
+    open_heard(r);
     for (uint32_t f = 0; f < IDLE_FRAMES && !board_last_output(r->guard.board)->fault; f++) {
-        check_tell(r, f, IDLE_FRAMES);
-        check_tick(r, nothing);
+        check_run_show_progress(r, f, IDLE_FRAMES);
+        check_run_tick(r, nothing);
     }
     judge_heard(r);
-    check_finish(r);
+    check_run_finish(r);
 }
 
 /* ---- contrast ---- */
 
-/* What was told stays. */
+/* Keeps what has been reported. */
 static bool contrast_open(struct contrast *k, const struct board *b)
 {
     int w, h, n = 0;
 
     for (int i = 0; i < k->n; i++)
-        if (k->look[i].told)
+        if (k->look[i].reported)
             k->look[n++] = k->look[i];
     k->n = n;
     k->samples = 0;
@@ -406,14 +349,14 @@ static void contrast_close(struct contrast *k)
     k->pixels = k->scratch = NULL;
 }
 
-/* The entry of that kind and bank; NULL: there are too many. */
+/* Returns the entry of a kind and bank, or NULL if there are too many. */
 static struct look *look_of(struct contrast *k, const struct contrast_bullet *b)
 {
     int i = 0;
 
     while (i < k->n && (k->look[i].bank != b->bank || strcmp(k->look[i].kind, b->kind) != 0))
         i++;
-    if (i == LOOKS || strlen(b->kind) >= sizeof k->look[i].kind)
+    if (i == MAX_LOOKS || strlen(b->kind) >= sizeof k->look[i].kind)
         return NULL;
     if (i == k->n) {
         k->n++;
@@ -452,16 +395,16 @@ static void contrast_look(struct run *r, uint32_t frame)
     contrast_sample(r->guard.board, &k->fb, k->scratch, note_bullet, k);
 }
 
-/* Of which most are hardly seen, and which was not told before. */
+/* Reports kinds of which most bullets have little contrast. */
 static void judge_contrast(struct run *r)
 {
     struct contrast *k = &r->contrast;
 
     for (int i = 0; i < k->n; i++) {
         struct look *l = &k->look[i];
-        if (l->told || l->seen < FEW_BULLETS || 2 * l->faint <= l->seen)
+        if (l->reported || l->seen < FEW_BULLETS || 2 * l->faint <= l->seen)
             continue;
-        l->told = true;
+        l->reported = true;
         diagnostics_add(&r->c->found, r->what, 0,
                         "bullets \"%s\" in bank %d are hard to see: %d of %d in %d sampled frames; the "
                         "first is at %d,%d in frame %" PRIu32,
@@ -477,21 +420,21 @@ static void play_section(struct run *r, const struct section *section)
     bool over = false;
 
     for (uint32_t f = 0; f < SWEEP_FRAMES && !over && !board_last_output(r->guard.board)->fault; f++) {
-        check_tell(r, f, SWEEP_FRAMES);
+        check_run_show_progress(r, f, SWEEP_FRAMES);
         contrast_look(r, f);
         sweep_pads(f, pads);
-        over = sweep_over(section->kind, check_tick(r, pads));
+        over = sweep_over(section->kind, check_run_tick(r, pads));
     }
 }
 
-/* A stage or a phase; nothing hits the ship. */
+/* Plays a stage or a phase with an invincible ship. */
 static void run_section(struct run *r, const struct section *section)
 {
-    struct board_start start = check_start(r);
+    struct board_start start = check_run_start(r);
 
     snprintf(start.practice.section, sizeof start.practice.section, "%s", section->id);
     start.practice.invincible = true;
-    if (!check_power(r, section->id, &start))
+    if (!check_run_power_on(r, section->id, &start))
         return;
     if (contrast_open(&r->contrast, r->guard.board)) {
         play_section(r, section);
@@ -500,25 +443,20 @@ static void run_section(struct run *r, const struct section *section)
         r->c->found.failed = true;
     }
     contrast_close(&r->contrast);
-    check_finish(r);
+    check_run_finish(r);
     r->c->sections++;
-}
-
-static bool is_played(const struct section *s)
-{
-    return s->kind == SECTION_STAGE || s->kind == SECTION_PHASE;
 }
 
 static void run_sections(struct run *r)
 {
     for (int i = 0; i < r->sections->n; i++)
-        if (is_played(&r->sections->section[i]))
+        if (check_run_plays(&r->sections->section[i]))
             run_section(r, &r->sections->section[i]);
 }
 
 /* ---- a demo ---- */
 
-/* Does the board agree with what the demo knows of this frame? */
+/* Compares the board with the checksums of the demo. */
 static bool agrees(struct run *r, uint32_t frame)
 {
     uint64_t hashes[MAX_PARTS];
@@ -528,7 +466,7 @@ static bool agrees(struct run *r, uint32_t frame)
            demo_differing_parts(&r->demo, frame, hashes) == 0;
 }
 
-/* A demo that was recorded with a fault holds when that comes again, there and only there. */
+/* A demo that ended in a fault must end in the same fault, in the same frame. */
 static bool is_as_recorded(struct run *r, uint32_t frame)
 {
     const struct board_fault *fault = board_last_output(r->guard.board)->fault;
@@ -539,7 +477,7 @@ static bool is_as_recorded(struct run *r, uint32_t frame)
     return agrees(r, frame) && (frame < d->frames || d->fault == FAULT_NONE);
 }
 
-/* Plays the demo, also on after it went wrong. Returns the first frame that is not as it was recorded, or ALL. */
+/* Plays the demo to its end. Returns the first frame that differs from the recording, or ALL. */
 static uint32_t play(struct run *r)
 {
     uint32_t last = r->demo.frames < MOST_FRAMES ? r->demo.frames : MOST_FRAMES, wrong = ALL;
@@ -549,20 +487,20 @@ static uint32_t play(struct run *r)
         if (wrong == ALL && !is_as_recorded(r, f))
             wrong = f;
         contrast_look(r, f);
-        check_tell(r, f, last);
+        check_run_show_progress(r, f, last);
         if (f == last || board_last_output(r->guard.board)->fault)
             return wrong;
         demo_pads(&r->demo, f, pads);
-        check_tick(r, pads);
+        check_run_tick(r, pads);
     }
 }
 
 static void run_loaded(struct run *r)
 {
-    char doubt[128];
-    bool doubted = demo_replay_warning(&r->demo, &r->cart, doubt, sizeof doubt) != NULL;
+    char warning[128];
+    bool doubted = demo_replay_warning(&r->demo, &r->cart, warning, sizeof warning) != NULL;
 
-    if (!check_power(r, r->what, &r->demo.start))
+    if (!check_run_power_on(r, r->what, &r->demo.start))
         return;
     r->hash_cache = calloc(1, board_hash_cache_size(r->guard.board));
     if (!contrast_open(&r->contrast, r->guard.board) || r->hash_cache == NULL) {
@@ -571,7 +509,7 @@ static void run_loaded(struct run *r)
         free(r->hash_cache);
         return;
     }
-    listen_to(r);
+    open_heard(r);
     uint32_t wrong = play(r);
     judge_heard(r);
     judge_contrast(r);
@@ -581,7 +519,7 @@ static void run_loaded(struct run *r)
         diagnostics_add(&r->c->found, r->what, 0,
                         "playback diverges at frame %" PRIu32 " (see curtain verify %s %s/%s)", wrong, r->c->dir,
                         r->c->dir, r->what);
-    check_finish(r);
+    check_run_finish(r);
     r->c->demos++;
 }
 
@@ -618,53 +556,33 @@ static void judge_memory(struct run *r)
 {
     size_t room = (size_t)r->cart.manifest.lua_kib * 1024;
 
-    r->c->lua_most = r->most;
-    if (r->most * 100 <= room * MOST_LUA || r->memory_fault)
+    r->c->lua_most = r->lua_peak;
+    if (r->lua_peak * 100 <= room * MOST_LUA || r->memory_fault)
         return;
     diagnostics_add(&r->c->found, "rom.lua", CHECK_LINE(r->c, "board", "lua_kib"),
                     "board.lua_kib = %d: %s used %zu KiB of it, more than %d %%; raise it to %d",
-                    (int)r->cart.manifest.lua_kib, r->most_in, r->most / 1024, MOST_LUA,
-                    (int)ram_enough_lua_kib(r->most));
+                    (int)r->cart.manifest.lua_kib, r->lua_peak_run, r->lua_peak / 1024, MOST_LUA,
+                    (int)ram_enough_lua_kib(r->lua_peak));
 }
 
-static void plan(struct run *r)
+static void count_runs(struct run *r)
 {
-    const struct board_start start = check_start(r);
+    const struct board_start start = check_run_start(r);
 
     sections_list(r->sections, &r->image.rom, &start, false);
     for (int i = 0; i < r->c->files.n; i++)
         r->planned += is_demo(r->c->files.name[i]);
     r->planned += r->planned == 0; /* run_idle */
     for (int i = 0; i < r->sections->n; i++)
-        r->planned += is_played(&r->sections->section[i]);
-    r->planned += r->sections->ships ? check_forced_runs(r) : 0;
-}
-
-const struct board *check_board(const struct run *r)
-{
-    return r->guard.board;
-}
-
-unsigned *check_broken(struct run *r)
-{
-    return &r->broken;
-}
-
-const struct cart *check_cart(const struct run *r)
-{
-    return &r->cart;
-}
-
-const struct sections *check_sections(const struct run *r)
-{
-    return r->sections;
+        r->planned += check_run_plays(&r->sections->section[i]);
+    r->planned += r->sections->ships ? check_forced_count(r) : 0;
 }
 
 static void run_all(struct run *r)
 {
     const struct tree *files = &r->c->files;
 
-    plan(r);
+    count_runs(r);
     progress_begin();
     for (int i = 0; i < files->n; i++)
         if (is_demo(files->name[i]))
@@ -673,18 +591,18 @@ static void run_all(struct run *r)
         run_idle(r);
     run_sections(r);
     if (r->boots)
-        r->c->forced = check_forced(r);
+        r->c->forced = check_forced_play(r);
     judge_memory(r);
 }
 
-static void told(void *context, const char *sentence)
+static void add_sentence(void *context, const char *sentence)
 {
     struct check *c = context;
 
     check_rom_sentence(c, sentence);
 }
 
-/* Colours are looked at elsewhere; here the nearest will do. */
+/* Packs with the nearest colours; check_art.c reports the others. */
 void check_run(struct check *c)
 {
     struct run *r = calloc(1, sizeof *r);
@@ -695,7 +613,7 @@ void check_run(struct check *c)
         return;
     }
     r->c = c;
-    if (!pack_folder_told(c->dir, true, told, c, &r->image.bytes, &r->image.size, err, sizeof err)) {
+    if (!pack_folder_told(c->dir, true, add_sentence, c, &r->image.bytes, &r->image.size, err, sizeof err)) {
         r->image.bytes = NULL;
         check_rom_sentence(c, err);
         c->broken = true;
@@ -706,7 +624,7 @@ void check_run(struct check *c)
     } else if ((r->sections = calloc(1, sizeof *r->sections)) == NULL) {
         c->found.failed = true;
     } else {
-        check_rooms(c, &r->cart);
+        check_capacities(c, &r->cart);
         ram_describe(&r->cart, c->ram);
         run_all(r);
         check_text(c, &r->cart);

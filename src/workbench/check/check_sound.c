@@ -1,6 +1,6 @@
 /*
- * check_sound.c - sounds and music: names in scripts that rom.lua has not, and what is heard of a run: frames in which
- * all together are too loud, and sounds that lose their end because others need the voice.
+ * check_sound.c - sounds and music: unknown names in scripts; and in a run, frames whose mix is too loud, and sounds
+ * that are cut off because other sounds take their voice.
  */
 #include "check_parts.h"
 
@@ -12,7 +12,7 @@
 
 /* ---- names ---- */
 
-/* What of rom.lua a call's first argument names. */
+/* Functions whose first argument is the name of a sound or a piece of music. */
 static const struct {
     const char *space, *name;
     bool music;
@@ -42,8 +42,8 @@ void check_sounds(struct check *c)
     for (int i = 0; i < c->n_scripts; i++)
         for (int k = 0; k < c->scripts[i].symbols.n_calls; k++) {
             const struct symbol_call *call = &c->scripts[i].symbols.calls[k];
-            for (size_t n = 0; n < sizeof namers / sizeof *namers && call->space && call->arg[0]; n++)
-                if (!strcmp(call->space, namers[n].space) && !strcmp(call->name, namers[n].name))
+            for (size_t n = 0; n < sizeof namers / sizeof *namers && call->arg[0]; n++)
+                if (symbol_call_is(call, namers[n].space, namers[n].name))
                     look_up(c, c->scripts[i].path, call, namers[n].music);
         }
 }
@@ -52,10 +52,10 @@ void check_sounds(struct check *c)
 
 enum {
     SLOTS = 32,
-    FULL = 27913, /* what the limiter makes of a mix at full scale (wave.h): above it bends hard */
-    RARELY = 100, /* one frame in so many may be above */
-    FEW = 10,     /* sounds that began, of which nothing is said */
-    TENTH = 10    /* one in so many may lose its end */
+    FULL = 27913, /* the output of the limiter for a mix at full scale (wave.h) */
+    RARELY = 100, /* one frame in 100 may be above */
+    FEW = 10,     /* starts of a sound that are too few to report */
+    TENTH = 10    /* one in 10 may be cut off */
 };
 
 struct heard_sound {
@@ -68,10 +68,10 @@ struct check_heard {
     uint32_t frames, over, first;
     int n;
     struct heard_sound sound[256];
-    int slot[SLOTS]; /* whose each voice is, -1: nobody's */
+    int slot[SLOTS]; /* the sound of each voice, or -1 */
 };
 
-static void begin(struct check_heard *h)
+static void restart(struct check_heard *h)
 {
     void *tables = h->tables;
 
@@ -93,7 +93,7 @@ struct check_heard *check_heard_open(void)
         return NULL;
     }
     board_sound_init_tables(h->tables);
-    begin(h);
+    restart(h);
     return h;
 }
 
@@ -116,8 +116,8 @@ static void lose(struct check_heard *h, int i, uint32_t frame)
         h->sound[i].first = frame;
 }
 
-/* Did one of that name begin in that frame? */
-static bool anew(const struct check_heard *h, const struct board_cue *cues, int n, int of, uint32_t frame)
+/* Returns whether a sound of the same name started in the frame. */
+static bool restarted(const struct check_heard *h, const struct board_cue *cues, int n, int of, uint32_t frame)
 {
     for (int i = 0; i < n; i++)
         if (cues[i].name && cues[i].start_frame == frame && strcmp(cues[i].name, h->sound[of].name) == 0)
@@ -125,15 +125,15 @@ static bool anew(const struct check_heard *h, const struct board_cue *cues, int 
     return false;
 }
 
-/* A voice that another sound took before the end; where one of the same name began, its limit did. */
+/* Counts voices that another sound took before their end. A sound of the same name takes it because of its limit. */
 static void note_slots(struct check_heard *h, const struct board_cue *cues, int n, uint32_t frame)
 {
     for (int i = 0; i < n; i++) {
         const int was = h->slot[i];
         const bool begins = cues[i].name && cues[i].start_frame == frame;
         const int is = cues[i].name ? index_of(h, cues[i].name) : -1;
-        h->slot[i] = cues[i].ends_next_frame ? -1 : is; /* its last frame is no loss */
-        if (begins && was >= 0 && !anew(h, cues, n, was, frame))
+        h->slot[i] = cues[i].ends_next_frame ? -1 : is; /* losing the last frame does not count */
+        if (begins && was >= 0 && !restarted(h, cues, n, was, frame))
             lose(h, was, frame);
         if (begins && cues[i].is_first_track && is >= 0)
             h->sound[is].began++;
@@ -175,7 +175,7 @@ void check_heard_judge(struct check *c, struct check_heard *h, const char *what)
                             ": other sounds take its voice",
                             s->name, s->lost, s->began, s->first);
     }
-    begin(h);
+    restart(h);
 }
 
 void check_heard_close(struct check_heard *h)

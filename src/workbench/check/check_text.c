@@ -1,10 +1,10 @@
 /*
- * check_text.c - characters of the game's texts that none of its fonts has, on the screen each is a box; and what its
- * languages lack.
+ * check_text.c - characters without a glyph in any font of the game, which are shown as boxes; and missing
+ * translations.
  *
- * A literal is judged where it is sure to be shown: text.put and text.line, what is said, titles and names of spells.
- * Any other one may be for a file, a log or a comparison, so of these only what is not ASCII is looked at, and only a
- * character that a run did show makes it a problem; otherwise it is a note.
+ * A literal that is certainly shown is checked completely: in text.put, text.line, say, titles and names of spells. Any
+ * other literal may be for a file, a log or a comparison. In these, only characters outside of ASCII are checked; one
+ * is a problem if a run showed it, otherwise a note.
  */
 #include "check_parts.h"
 
@@ -18,10 +18,10 @@
 #include "../../common/files.h"
 #include "../pack/pack.h"
 
-/* Where a text is shown: codes below `from` are not judged, those over `most` cannot be shown. sure: it is shown. */
+/* Where a text is shown: codes below `from` are not checked, and codes above `most` cannot be shown. */
 struct place {
     uint32_t from, most;
-    bool sure;
+    bool sure; /* the text is certainly shown */
 };
 
 void check_shown(struct check *c, uint32_t code)
@@ -30,7 +30,7 @@ void check_shown(struct check *c, uint32_t code)
         c->shown[code / 8] |= (uint8_t)(1 << code % 8);
 }
 
-/* Did a run show it? A cell that has no room for a code does not tell which one it is. */
+/* Returns whether a run showed the character. A cell that cannot hold a code does not store which one it is. */
 static bool was_shown(const struct check *c, uint32_t code)
 {
     const bool other = !c->m.has_wide_text && code > 255 && c->shown[FIX_UNKNOWN / 8] >> FIX_UNKNOWN % 8 & 1;
@@ -38,7 +38,7 @@ static bool was_shown(const struct check *c, uint32_t code)
     return other || c->shown[code / 8] >> code % 8 & 1;
 }
 
-/* The first character that has no glyph; 0: all have one. *n: how many have none. */
+/* Returns the first character without a glyph, or 0. *n: how many have none. */
 static uint32_t first_missing(const struct cart *cart, const char *s, struct place place, int *n)
 {
     const char *end = s + strlen(s);
@@ -89,45 +89,41 @@ static void judge(struct check *c, const struct cart *cart, const char *path, in
                         cart_has_glyph(cart, code) ? " (add wide = true to board in rom.lua)" : "");
 }
 
-static bool is(const char *a, const char *b)
-{
-    return a != NULL && strcmp(a, b) == 0;
-}
-
-/* Is it one that print, error or assert is given in that line? */
+/* Returns whether print, error or assert is called in the line. */
 static bool is_for_log(const struct symbols *f, int line)
 {
     for (int i = 0; i < f->n_calls; i++)
         if (f->calls[i].line == line && f->calls[i].space == NULL &&
-            (is(f->calls[i].name, "print") || is(f->calls[i].name, "error") || is(f->calls[i].name, "assert")))
+            (symbols_same(f->calls[i].name, "print") || symbols_same(f->calls[i].name, "error") ||
+             symbols_same(f->calls[i].name, "assert")))
             return true;
     return false;
 }
 
-/* Is it a title of a boss, or the name of a spell; or the name of who talks, or the title of a choice? */
+/* Returns whether it is the title of a boss, the name of a spell or of a speaker, or the title of a choice. */
 static bool is_asked(const struct symbols *f, const struct symbol_key *k)
 {
     const struct symbol_table *table = &f->tables[k->table];
 
     if (k->value == NULL || k->value[0] == '\0')
         return false;
-    if (is(table->space, "boss") && is(table->name, "def"))
-        return is(k->name, "title") || is(k->name, "spell");
-    if (is(table->space, "talk") && is(table->name, "def"))
-        return is(k->name, "name");
-    return table->space == NULL && is(table->name, "choose") && is(k->name, "title");
+    if (symbols_same(table->space, "boss") && symbols_same(table->name, "def"))
+        return symbols_same(k->name, "title") || symbols_same(k->name, "spell");
+    if (symbols_same(table->space, "talk") && symbols_same(table->name, "def"))
+        return symbols_same(k->name, "name");
+    return table->space == NULL && symbols_same(table->name, "choose") && symbols_same(k->name, "title");
 }
 
-/* Is it what text.put or text.line write? */
+/* Returns whether it is the text of text.put or text.line. */
 static bool is_put(const struct symbols *f, const struct symbol_key *k)
 {
     const struct symbol_table *t = &f->tables[k->table];
 
-    return k->value != NULL && t->key < 0 && is(k->name, "text") && is(t->space, "text") &&
-           (is(t->name, "put") || is(t->name, "line"));
+    return k->value != NULL && t->key < 0 && symbols_same(k->name, "text") && symbols_same(t->space, "text") &&
+           (symbols_same(t->name, "put") || symbols_same(t->name, "line"));
 }
 
-/* Does the hud write it into cells? */
+/* Returns whether the HUD writes it into text cells. */
 static bool is_in_cells(const struct check *c, const struct symbols *f, const struct symbol_key *k)
 {
     return !tree_has(&c->files, "std/hud.lua") && is_asked(f, k);
@@ -138,21 +134,21 @@ static struct place cells(const struct check *c, uint32_t from)
     return (struct place){ from, c->m.has_wide_text ? UTF8_MAX_CODE : 255, true };
 }
 
-/* Text of any width, in a font. */
+/* Text in a font. */
 static struct place font(bool sure)
 {
     return (struct place){ 128, UTF8_MAX_CODE, sure };
 }
 
-/* What a call shows in the language of the run: text.lang, say; or NULL. */
+/* Returns the text that a call shows in the language of the run (text.lang, say), or NULL. */
 static const char *asked_by(const struct symbol_call *call)
 {
-    if (is(call->space, "text") && is(call->name, "lang"))
+    if (symbols_same(call->space, "text") && symbols_same(call->name, "lang"))
         return call->arg[0];
-    return call->space == NULL && is(call->name, "say") ? call->arg[1] : NULL;
+    return call->space == NULL && symbols_same(call->name, "say") ? call->arg[1] : NULL;
 }
 
-/* Is that text of that line judged where it is written? */
+/* Returns whether the text is checked as an argument or a key. */
 static bool is_judged(const struct check *c, const struct symbols *f, const struct symbol_text *t)
 {
     for (int i = 0; i < f->n_keys; i++)
@@ -160,7 +156,7 @@ static bool is_judged(const struct check *c, const struct symbols *f, const stru
             (is_put(f, &f->keys[i]) || is_in_cells(c, f, &f->keys[i])))
             return true;
     for (int i = 0; i < f->n_calls; i++)
-        if (f->calls[i].line == t->line && is(asked_by(&f->calls[i]), t->s))
+        if (f->calls[i].line == t->line && symbols_same(asked_by(&f->calls[i]), t->s))
             return true;
     return false;
 }
@@ -171,7 +167,8 @@ static void judge_key(struct check *c, const struct cart *cart, const struct che
     const struct symbols *f = &s->symbols;
 
     if (is_put(f, k))
-        judge(c, cart, s->path, k->line, k->value, is(f->tables[k->table].name, "put") ? cells(c, 1) : font(true));
+        judge(c, cart, s->path, k->line, k->value,
+              symbols_same(f->tables[k->table].name, "put") ? cells(c, 1) : font(true));
     else if (is_in_cells(c, f, k))
         judge(c, cart, s->path, k->line, k->value, cells(c, 128));
 }
@@ -192,26 +189,26 @@ static void judge_script(struct check *c, const struct cart *cart, const struct 
 
 /* ---- languages ---- */
 
-struct tongue {
+struct language {
     const char *path; /* "lang/de.txt" */
     struct lang lang;
 };
 
-enum { MOST_TONGUES = 64 };
+enum { MAX_LANGUAGES = 64 };
 
-struct tongues {
-    struct tongue list[MOST_TONGUES];
+struct languages {
+    struct language list[MAX_LANGUAGES];
     int n;
 };
 
-static void read_tongues(struct check *c, struct tongues *t)
+static void read_languages(struct check *c, struct languages *t)
 {
     char err[512];
     uint8_t *text;
     size_t size;
 
-    for (int i = 0; i < c->files.n && t->n < MOST_TONGUES; i++) {
-        struct tongue *one = &t->list[t->n];
+    for (int i = 0; i < c->files.n && t->n < MAX_LANGUAGES; i++) {
+        struct language *one = &t->list[t->n];
         one->path = c->files.name[i];
         if (!pack_is_lang(one->path) || !check_load(c, one->path, LANG_FILE, &text, &size))
             continue;
@@ -233,8 +230,8 @@ static bool knows(const struct lang *l, const char *text)
     return false;
 }
 
-/* A text that is shown in the language of the run. */
-static void judge_words(struct check *c, const struct tongues *t, const char *path, int line, const char *text)
+/* Reports languages that have no translation of a text. */
+static void judge_words(struct check *c, const struct languages *t, const char *path, int line, const char *text)
 {
     char lacking[256] = "";
     size_t at = 0;
@@ -246,9 +243,8 @@ static void judge_words(struct check *c, const struct tongues *t, const char *pa
         diagnostics_add(&c->found, path, line, "no translation for \"%.80s\" in %s", text, lacking);
 }
 
-/* The titles of bosses, the names of their spells and of those who talk, and what is said and asked for in so many
- * words. */
-static void judge_asked(struct check *c, const struct tongues *t, const struct check_script *s)
+/* Checks the translations of titles, names and literals that are shown in the language of the run. */
+static void judge_asked(struct check *c, const struct languages *t, const struct check_script *s)
 {
     const struct symbols *f = &s->symbols;
 
@@ -264,12 +260,12 @@ static void judge_asked(struct check *c, const struct tongues *t, const struct c
 
 void check_langs(struct check *c)
 {
-    struct tongues *t = calloc(1, sizeof *t);
+    struct languages *t = calloc(1, sizeof *t);
 
     c->found.failed = c->found.failed || t == NULL;
     if (t == NULL)
         return;
-    read_tongues(c, t);
+    read_languages(c, t);
     for (int i = 0; i < c->n_scripts; i++)
         judge_asked(c, t, &c->scripts[i]);
     for (int i = 0; i < t->n; i++)
@@ -277,34 +273,34 @@ void check_langs(struct check *c)
     free(t);
 }
 
-/* Does a script ask for that text, to show it? */
+/* Returns whether a script shows the text in the language of the run. */
 static bool is_shown(const struct check *c, const char *text)
 {
     for (int i = 0; i < c->n_scripts; i++) {
         const struct symbols *f = &c->scripts[i].symbols;
         for (int k = 0; k < f->n_calls; k++)
-            if (is(asked_by(&f->calls[k]), text))
+            if (symbols_same(asked_by(&f->calls[k]), text))
                 return true;
         for (int k = 0; k < f->n_keys; k++)
-            if (is_asked(f, &f->keys[k]) && is(f->keys[k].value, text))
+            if (is_asked(f, &f->keys[k]) && symbols_same(f->keys[k].value, text))
                 return true;
     }
     return false;
 }
 
-/* The words that a language has for a text that the hud writes into cells; NULL: those it has for any. */
-static void judge_tongue(struct check *c, const struct cart *cart, const struct tongue *t, const char *text)
+/* Checks the translation of a text that the HUD writes into cells; NULL: all translations. */
+static void judge_language(struct check *c, const struct cart *cart, const struct language *t, const char *text)
 {
     for (int k = 0; k < t->lang.n; k++) {
         const struct lang_line *one = &t->lang.list[k];
         if (text == NULL)
             judge(c, cart, t->path, one->line, one->words, (struct place){ 33, UTF8_MAX_CODE, is_shown(c, one->text) });
-        else if (is(text, one->text))
+        else if (symbols_same(text, one->text))
             judge(c, cart, t->path, one->line, one->words, cells(c, 128));
     }
 }
 
-static void judge_titles(struct check *c, const struct cart *cart, const struct tongue *t)
+static void judge_titles(struct check *c, const struct cart *cart, const struct language *t)
 {
     if (tree_has(&c->files, "std/hud.lua"))
         return;
@@ -312,23 +308,23 @@ static void judge_titles(struct check *c, const struct cart *cart, const struct 
         const struct symbols *f = &c->scripts[i].symbols;
         for (int k = 0; k < f->n_keys; k++)
             if (is_asked(f, &f->keys[k]))
-                judge_tongue(c, cart, t, f->keys[k].value);
+                judge_language(c, cart, t, f->keys[k].value);
     }
 }
 
 void check_text(struct check *c, const struct cart *cart)
 {
-    struct tongues *t = calloc(1, sizeof *t);
+    struct languages *t = calloc(1, sizeof *t);
 
     for (int i = 0; i < c->n_scripts; i++)
         judge_script(c, cart, &c->scripts[i]);
     c->found.failed = c->found.failed || t == NULL;
     if (t == NULL)
         return;
-    read_tongues(c, t);
+    read_languages(c, t);
     for (int i = 0; i < t->n; i++) {
         judge_titles(c, cart, &t->list[i]);
-        judge_tongue(c, cart, &t->list[i], NULL);
+        judge_language(c, cart, &t->list[i], NULL);
     }
     for (int i = 0; i < t->n; i++)
         lang_close(&t->list[i].lang);

@@ -1,9 +1,9 @@
 /*
- * check_unused.c - files, pictures and names of the folder that the game does not use.
+ * check_unused.c - files, pictures and names that the game does not use.
  *
- * A name counts as used when it is spelt anywhere in the game: as a string, a key, a field, a word of a text, a switch
- * of rom.lua; and when it may be put together: it begins with a string that `..` goes on from, ends with one that `..`
- * leads to, or fits a format. So what is found is certain to be unused, unless a script spells it letter by letter.
+ * A name counts as used if it is anywhere in the game: as a string, a key, a field, a word of a text, or a switch of
+ * rom.lua; and if it may be composed: it starts with a string before `..`, ends with a string after `..`, or fits a
+ * format. A reported name is therefore certainly unused, unless a script composes it letter by letter.
  */
 #include "check_parts.h"
 #include "../../rom/cart.h"
@@ -25,9 +25,10 @@ static bool ends_with(const char *s, const char *tail)
     return n >= m && strcmp(s + n - m, tail) == 0;
 }
 
-/* ---- is a name spelt? ---- */
+/* ---- used names ---- */
 
-/* "bead%d" may make "bead1": what stands before the first conversion, or behind the last. */
+/* Returns whether the format may produce the name: "bead%d" may produce "bead1". The text before the first conversion
+ * or after the last must match. */
 static bool fits_format(const char *name, const char *format)
 {
     size_t n = strcspn(format, "%");
@@ -62,7 +63,7 @@ static bool in_scripts(const struct check *c, const char *name)
     return false;
 }
 
-/* Of the library's strings only whole ones count: "logo". */
+/* In the library, only equal strings count: "logo". */
 static bool in_library(const struct check *c, const char *name)
 {
     for (int i = 0; i < c->n_library; i++) {
@@ -92,7 +93,7 @@ static bool in_texts(const struct check *c, const char *name)
     return false;
 }
 
-/* What board.dip and board.difficulty may return. */
+/* The names that board.dip and board.difficulty return. */
 static bool in_manifest(const struct check *c, const char *name)
 {
     for (int i = 0; i < c->m.n_difficulties; i++)
@@ -112,12 +113,7 @@ bool check_mentioned(const struct check *c, const char *name)
 
 /* ---- scripts ---- */
 
-static bool is(const char *a, const char *b)
-{
-    return a != NULL && strcmp(a, b) == 0;
-}
-
-/* Is space.name (or the global name) used with anything but a string for its argument, or handed around? */
+/* Returns whether space.name (or the global name) is used as a value, or called without a string. */
 static bool is_dynamic(const struct check *c, const char *space, const char *name)
 {
     int uses = 0, calls = 0;
@@ -126,13 +122,13 @@ static bool is_dynamic(const struct check *c, const char *space, const char *nam
         const struct symbols *f = &c->scripts[i].symbols;
         for (int k = 0; k < f->n_globals; k++) {
             const struct symbol_global *g = &f->globals[k];
-            uses += space != NULL ? is(g->field, name) && is(g->name, space) : g->use == USE_VALUE && is(g->name, name);
-            uses += space != NULL && g->use == USE_VALUE && is(g->name, space);
+            uses += space != NULL ? symbols_same(g->field, name) && symbols_same(g->name, space)
+                                  : g->use == USE_VALUE && symbols_same(g->name, name);
+            uses += space != NULL && g->use == USE_VALUE && symbols_same(g->name, space);
         }
         for (int k = 0; k < f->n_calls; k++) {
             const struct symbol_call *call = &f->calls[k];
-            bool same = is(call->name, name) && (space != NULL ? is(call->space, space) : call->space == NULL);
-            calls += same && call->arg[0] != NULL;
+            calls += symbol_call_is(call, space, name) && call->arg[0] != NULL;
         }
     }
     return uses != calls;
@@ -153,7 +149,7 @@ static void reach(struct check *c, struct check_script *s)
     s->reached = true;
     for (int k = 0; k < s->symbols.n_calls; k++) {
         const struct symbol_call *call = &s->symbols.calls[k];
-        if (call->space == NULL && is(call->name, "require") && call->arg[0] != NULL)
+        if (symbol_call_is(call, NULL, "require") && call->arg[0] != NULL)
             reach(c, find_script(c, call->arg[0]));
     }
 }
@@ -171,7 +167,7 @@ static void unused_scripts(struct check *c)
             diagnostics_add(&c->found, c->scripts[i].path, 0, "no script requires it");
 }
 
-/* ---- the rest ---- */
+/* ---- names and files of rom.lua ---- */
 
 static bool sheet_used(const struct check *c, int sheet)
 {
@@ -181,31 +177,33 @@ static bool sheet_used(const struct check *c, int sheet)
     return false;
 }
 
-static void unused_names(struct check *c)
+/* Adds a finding for a name in rom.lua that no script mentions. */
+static void unused_name(struct check *c, const char *section, const char *what, const char *name)
 {
-    for (int i = 0; i < c->art.n_sheets; i++)
-        if (!sheet_used(c, i))
-            diagnostics_add(&c->found, "rom.lua", CHECK_LINE(c, "sheets", c->art.sheets[i].name),
-                            "sheet \"%s\" has no sprites", c->art.sheets[i].name);
-    for (int i = 0; i < c->art.n_sprites; i++)
-        if (!check_mentioned(c, c->art.sprites[i].name))
-            diagnostics_add(&c->found, "rom.lua", CHECK_LINE(c, "sprites", c->art.sprites[i].name),
-                            "sprite \"%s\" is not used by any script", c->art.sprites[i].name);
-    for (int i = 0; i < c->art.n_blends; i++)
-        if (!check_mentioned(c, c->art.blends[i].name))
-            diagnostics_add(&c->found, "rom.lua", CHECK_LINE(c, "blends", c->art.blends[i].name),
-                            "blend \"%s\" is not used by any script", c->art.blends[i].name);
-    for (int i = 0; i < c->art.n_palettes; i++)
-        if (!check_mentioned(c, c->art.palettes[i].name))
-            diagnostics_add(&c->found, "rom.lua", CHECK_LINE(c, "palettes", c->art.palettes[i].name),
-                            "palette \"%s\" is not used by any script", c->art.palettes[i].name);
-    for (int i = 0; i < c->art.n_maps; i++)
-        if (!check_mentioned(c, c->art.maps[i].name))
-            diagnostics_add(&c->found, "rom.lua", CHECK_LINE(c, "maps", c->art.maps[i].name),
-                            "map \"%s\" is not used by any script", c->art.maps[i].name);
+    if (!check_mentioned(c, name))
+        diagnostics_add(&c->found, "rom.lua", CHECK_LINE(c, section, name), "%s \"%s\" is not used by any script", what,
+                        name);
 }
 
-/* Is "sample NAME" in the bytes? */
+static void unused_names(struct check *c)
+{
+    const struct art *a = &c->art;
+
+    for (int i = 0; i < a->n_sheets; i++)
+        if (!sheet_used(c, i))
+            diagnostics_add(&c->found, "rom.lua", CHECK_LINE(c, "sheets", a->sheets[i].name),
+                            "sheet \"%s\" has no sprites", a->sheets[i].name);
+    for (int i = 0; i < a->n_sprites; i++)
+        unused_name(c, "sprites", "sprite", a->sprites[i].name);
+    for (int i = 0; i < a->n_blends; i++)
+        unused_name(c, "blends", "blend", a->blends[i].name);
+    for (int i = 0; i < a->n_palettes; i++)
+        unused_name(c, "palettes", "palette", a->palettes[i].name);
+    for (int i = 0; i < a->n_maps; i++)
+        unused_name(c, "maps", "map", a->maps[i].name);
+}
+
+/* Returns whether the bytes contain "sample NAME". */
 static bool names_sample(const uint8_t *bytes, size_t size, const char *name)
 {
     const size_t n = strlen(name);
@@ -217,7 +215,7 @@ static bool names_sample(const uint8_t *bytes, size_t size, const char *name)
     return false;
 }
 
-/* Does an instrument of a piece of music play that sound? */
+/* Returns whether an instrument of a piece of music plays the sound. */
 static bool in_music(struct check *c, const char *name)
 {
     bool found = false;
@@ -233,28 +231,25 @@ static bool in_music(struct check *c, const char *name)
     return found;
 }
 
-/* Do scripts, or an instrument of a tune, name it? Some play by themselves. */
-static bool sound_used(struct check *c, const char *name)
+static bool is_cue(const char *sound)
 {
     for (int i = 0; i < CART_CUES; i++)
-        if (strcmp(name, cart_cue_names[i]) == 0)
+        if (strcmp(sound, cart_cue_names[i]) == 0)
             return true;
-    return check_mentioned(c, name) || in_music(c, name);
+    return false;
 }
 
 static void unused_sounds(struct check *c)
 {
     for (int i = 0; i < c->art.n_sounds; i++)
-        if (!sound_used(c, c->art.sounds[i].name))
-            diagnostics_add(&c->found, "rom.lua", CHECK_LINE(c, "sounds", c->art.sounds[i].name),
-                            "sound \"%s\" is not used by any script", c->art.sounds[i].name);
+        if (!is_cue(c->art.sounds[i].name) && !check_mentioned(c, c->art.sounds[i].name) &&
+            !in_music(c, c->art.sounds[i].name))
+            unused_name(c, "sounds", "sound", c->art.sounds[i].name);
     for (int i = 0; i < c->art.n_tunes; i++)
-        if (!check_mentioned(c, c->art.tunes[i].name))
-            diagnostics_add(&c->found, "rom.lua", CHECK_LINE(c, "music", c->art.tunes[i].name),
-                            "music \"%s\" is not used by any script", c->art.tunes[i].name);
+        unused_name(c, "music", "music", c->art.tunes[i].name);
 }
 
-/* Is it a file of rom.lua's sounds or music? */
+/* Returns whether it is the file of a sound or a piece of music. */
 static bool sound_file(const struct check *c, const char *path)
 {
     for (int i = 0; i < c->art.n_sounds; i++)
@@ -296,14 +291,6 @@ static void unused_files(struct check *c, bool texts)
     }
 }
 
-static bool all_whole(const struct check *c)
-{
-    for (int i = 0; i < c->n_scripts; i++)
-        if (!c->scripts[i].symbols.whole)
-            return false;
-    return true;
-}
-
 static void read_texts(struct check *c)
 {
     c->texts = calloc((size_t)c->files.n + 1, sizeof *c->texts);
@@ -316,19 +303,18 @@ static void read_texts(struct check *c)
     }
 }
 
-/* A script that cannot be read whole may use anything. */
+/* A script that cannot be parsed may use anything. */
 void check_unused(struct check *c)
 {
-    bool whole = all_whole(c);
+    bool whole = check_all_parsed(c);
 
     if (!c->manifest)
         return;
     read_texts(c);
-    if (whole)
+    if (whole) {
         unused_scripts(c);
-    if (whole)
         unused_names(c);
-    if (whole)
         unused_sounds(c);
+    }
     unused_files(c, whole && !is_dynamic(c, "rom", "text"));
 }

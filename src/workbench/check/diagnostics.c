@@ -106,8 +106,8 @@ static bool same_place(const struct diagnostic *a, const struct diagnostic *b)
     return a->line == b->line && strcmp(a->file, b->file) == 0;
 }
 
-/* Does another one at the same place say the same, or the same and more? Of equals the first stays. */
-static bool is_said(const struct diagnostics *f, int i)
+/* Returns whether the text is contained in another one at the same place. Of equal ones, the first stays. */
+static bool is_redundant(const struct diagnostics *f, int i)
 {
     int first = i;
 
@@ -130,7 +130,7 @@ void diagnostics_sort(struct diagnostics *f)
     if (f->n > 0)
         qsort(f->list, (size_t)f->n, sizeof f->list[0], by_place);
     for (int i = 0; i < f->n; i++)
-        f->list[i].order = is_said(f, i);
+        f->list[i].order = is_redundant(f, i);
     for (int i = 0; i < f->n; i++) {
         if (f->list[i].order) {
             f->notes -= f->list[i].note;
@@ -142,7 +142,7 @@ void diagnostics_sort(struct diagnostics *f)
     f->n = n;
 }
 
-/* Does it begin with a column, as of MML? */
+/* Returns whether the text starts with a column, as for MML. */
 static bool has_column(const char *text)
 {
     size_t n = strspn(text, "0123456789");

@@ -1,5 +1,5 @@
 /*
- * diagnostics.h - a list of what is wrong with a game, or may be: file, line, sentence.
+ * diagnostics.h - the findings of `curtain check`: file, line, message.
  */
 #ifndef WORKBENCH_DIAGNOSTICS_H
 #define WORKBENCH_DIAGNOSTICS_H
@@ -9,8 +9,8 @@
 struct diagnostic {
     char *file, *text; /* malloc */
     int line;          /* 0: none */
-    int order;         /* in which it came */
-    bool note;         /* may be right: the game is fine all the same */
+    int order;         /* in which it was added */
+    bool note;         /* may be intended */
 };
 
 struct diagnostics {
@@ -20,24 +20,24 @@ struct diagnostics {
     bool failed; /* out of memory: some are lost */
 };
 
-/* Adds one, unless the same stands there already. */
+/* Adds a finding. */
 void diagnostics_add(struct diagnostics *f, const char *file, int line, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
-/* The same of what may be right: "note: " stands before it. */
+/* Adds a note, which is printed after "note: ". */
 void diagnostics_note(struct diagnostics *f, const char *file, int line, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
-/* Adds the sentence of a loader or a fault: "FILE:LINE: what", "FILE: what"; file is that of one that names none. */
+/* Adds the message of a loader or a fault, "FILE:LINE: what" or "FILE: what". file: for a message without a file. */
 void diagnostics_add_sentence(struct diagnostics *f, const char *file, const char *sentence);
 
-/* Is there one at that place that says that nothing of that name is there? */
+/* Returns whether a finding at that place reports the name as missing. */
 bool diagnostics_misses(const struct diagnostics *f, const char *file, int line, const char *name);
 
-/* By file, line, and as they came. Of those at one place that say the same, or the same and more, one stays. */
+/* Sorts by file, line and order, and removes findings whose text is contained in another one at the same place. */
 void diagnostics_sort(struct diagnostics *f);
 
-/* A line a diagnostic: "stages/one.lua:42: what". */
+/* Prints a line for each: "stages/one.lua:42: what". */
 void diagnostics_print(const struct diagnostics *f, void (*line)(const char *));
 
 void diagnostics_close(struct diagnostics *f);

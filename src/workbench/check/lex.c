@@ -56,7 +56,7 @@ void arena_close(struct arena *a)
 
 /* ---- strings ---- */
 
-static void keep(struct lex *l, unsigned c)
+static void add_byte(struct lex *l, unsigned c)
 {
     if (array_append(&l->value, l->n, 1))
         l->value[l->n++] = (char)c;
@@ -64,7 +64,7 @@ static void keep(struct lex *l, unsigned c)
         l->arena->failed = true;
 }
 
-/* A long bracket to its end; false: it has none. A line's end in it is \n, and none right at its start. */
+/* Reads a long bracket; false: it has no end. A line break in it is \n; one at its start is skipped. */
 static bool long_string(struct lex *l, int level)
 {
     l->at.p += level + 2;
@@ -72,7 +72,7 @@ static bool long_string(struct lex *l, int level)
     if (cursor_peek(&l->at, 0) == '\n' || cursor_peek(&l->at, 0) == '\r')
         cursor_step(&l->at);
     while (l->at.p < l->at.end && !cursor_is_at_long_close(&l->at, level)) {
-        keep(l, *l->at.p == '\r' ? '\n' : (unsigned char)*l->at.p);
+        add_byte(l, *l->at.p == '\r' ? '\n' : (unsigned char)*l->at.p);
         cursor_step(&l->at);
     }
     if (l->at.p == l->at.end)
@@ -82,14 +82,14 @@ static bool long_string(struct lex *l, int level)
 }
 
 /* A code point as UTF-8, in up to six bytes. */
-static void keep_utf8(struct lex *l, uint32_t c)
+static void add_utf8(struct lex *l, uint32_t c)
 {
     int more = c < 0x80 ? 0 : c < 0x800 ? 1 : c < 0x10000 ? 2 : c < 0x200000 ? 3 : c < 0x4000000 ? 4 : 5;
     static const unsigned first[] = { 0, 0xc0, 0xe0, 0xf0, 0xf8, 0xfc };
 
-    keep(l, first[more] | c >> (6 * more));
+    add_byte(l, first[more] | c >> (6 * more));
     while (more-- > 0)
-        keep(l, 0x80 | (c >> (6 * more) & 0x3f));
+        add_byte(l, 0x80 | (c >> (6 * more) & 0x3f));
 }
 
 /* \u{XXX} */
@@ -102,7 +102,7 @@ static bool escape_unicode(struct lex *l)
         return false;
     for (l->at.p++; cursor_hex_value(cursor_peek(&l->at, 0)) >= 0; l->at.p++)
         v = v >> 27 ? v : v * 16 + (uint32_t)cursor_hex_value(*l->at.p);
-    keep_utf8(l, v);
+    add_utf8(l, v);
     return cursor_peek(&l->at, 0) == '}' ? l->at.p++, true : false;
 }
 
@@ -112,7 +112,7 @@ static bool escape_decimal(struct lex *l)
 
     for (int i = 0; i < 3 && cursor_is_digit(cursor_peek(&l->at, 0)); i++)
         v = v * 10 + (unsigned)(*l->at.p++ - '0');
-    keep(l, v);
+    add_byte(l, v);
     return v < 256;
 }
 
@@ -123,7 +123,7 @@ static bool escape_hex(struct lex *l)
     if (high < 0 || low < 0)
         return false;
     l->at.p += 3;
-    keep(l, (unsigned)(high * 16 + low));
+    add_byte(l, (unsigned)(high * 16 + low));
     return true;
 }
 
@@ -134,12 +134,12 @@ static bool escape_letter(struct lex *l)
 
     if (at == NULL)
         return false;
-    keep(l, (unsigned char)means[at - letters]);
+    add_byte(l, (unsigned char)means[at - letters]);
     l->at.p++;
     return true;
 }
 
-/* What follows a backslash. */
+/* Reads an escape sequence after its backslash. */
 static bool escape(struct lex *l)
 {
     char c = cursor_peek(&l->at, 0);
@@ -153,7 +153,7 @@ static bool escape(struct lex *l)
     if (c == 'u')
         return escape_unicode(l);
     if (c == '\n' || c == '\r') {
-        keep(l, '\n');
+        add_byte(l, '\n');
         cursor_step(&l->at);
         return true;
     }
@@ -173,7 +173,7 @@ static bool quoted(struct lex *l)
         if (*l->at.p == '\n' || *l->at.p == '\r')
             return false;
         if (*l->at.p != '\\')
-            keep(l, (unsigned char)*l->at.p++);
+            add_byte(l, (unsigned char)*l->at.p++);
         else if (l->at.p++, !escape(l))
             return false;
     }
@@ -187,9 +187,9 @@ static int string(struct lex *l, struct token *t, bool good)
     return good ? T_STRING : T_BAD;
 }
 
-/* ---- the others ---- */
+/* ---- other tokens ---- */
 
-/* 0 whatever its exponent says. */
+/* Returns whether a number is 0, with any exponent. */
 static bool is_zero(const char *s, size_t n)
 {
     bool is_hex = n > 1 && (s[1] == 'x' || s[1] == 'X');
@@ -254,7 +254,7 @@ static int sign(struct lex *l)
     return c != '\0' && strchr("+-*/%^#&~|<>=(){}[];:,.", c) != NULL ? c : T_BAD;
 }
 
-/* Past blanks and comments; false: a comment has no end. */
+/* Skips blanks and comments; false: a comment has no end. */
 static bool skip(struct lex *l)
 {
     while (l->at.p < l->at.end) {

@@ -1,8 +1,7 @@
 /*
  * lex.h - Lua 5.4's tokens.
  *
- * The text is taken to be what the Lua compiler accepts. Anything else ends in T_BAD sooner or later, and is never read
- * beyond its end.
+ * Any text can be read, but only what the Lua compiler accepts is guaranteed to be read without T_BAD.
  */
 #ifndef WORKBENCH_LEX_H
 #define WORKBENCH_LEX_H
@@ -12,21 +11,21 @@
 #include <stdint.h>
 #include "../../base/cursor.h"
 
-/* Texts that live until the arena is closed. */
+/* Memory for texts, freed together. */
 struct arena {
     struct arena_block *last;
-    size_t left; /* bytes free at the end of it */
-    bool failed; /* out of memory: some text was given as "" */
+    size_t left; /* free bytes at its end */
+    bool failed; /* out of memory: some text became "" */
 };
 
-/* A copy of n bytes with a 0 behind it. */
+/* Returns a copy of n bytes with a 0 after it. */
 const char *arena_copy(struct arena *a, const char *s, size_t n);
 void arena_close(struct arena *a);
 
 /* A token of one character is that character. */
 enum {
     T_END = 256, /* of the text */
-    T_BAD,       /* not Lua: stays the token from there on */
+    T_BAD,       /* not Lua; also all tokens after it */
     T_NAME,
     T_STRING,
     T_NUMBER,
@@ -68,28 +67,28 @@ struct token {
     int type;
     int line;      /* where it starts */
     const char *s; /* a name: inside the text, n bytes; a string: its value, in the arena */
-    size_t n;      /* of a string too, for it may hold zeros */
-    bool zero;     /* a number: is it 0? */
+    size_t n;      /* bytes; a string may contain zeros */
+    bool zero;     /* the number 0 */
 };
 
 struct lex {
-    struct token now, next; /* next: only good after lex_peek */
+    struct token now, next; /* next: set by lex_peek */
     bool peeked;
-    /* the rest is lex.c's */
+    /* private: */
     struct cursor at;
     struct arena *arena;
     char *value; /* of the string being read; malloc */
     size_t n;
 };
 
-/* Starts; the first token is in ->now. The text must outlive it. */
+/* Starts at the first token. The text must outlive it. */
 void lex_open(struct lex *l, const char *text, size_t n, struct arena *arena);
 void lex_close(struct lex *l);
 
-/* Goes on by a token. */
+/* Moves to the next token. */
 void lex_step(struct lex *l);
 
-/* The type of the token after ->now. */
+/* Returns the type of the token after `now`. */
 int lex_peek(struct lex *l);
 
 #endif

@@ -1,17 +1,217 @@
 /*
- * symbols.c - see symbols.h. The shape is that of Lua's own parser: a function a rule of the grammar, one token of
- * look-ahead, priorities for operators, and the same limit on nesting, so that no text can exhaust the stack. An
- * expression that may still become the target of an assignment is pending: `value` notes that it was read, `store` that
- * it was written. Whatever is no Lua turns the token into T_BAD, which stays, and every loop ends at it.
+ * symbols.c - see symbols.h. The parser has the structure of Lua's own: a function for each rule of the grammar, one
+ * token of look-ahead, priorities of operators, and a limit of nesting that protects the stack. The value of an
+ * expression that may still become the target of an assignment is not used yet: read_value notes that it is read,
+ * write_value that it is written. After anything that is not Lua, the token is T_BAD and stays T_BAD; every loop ends
+ * at it.
  */
-#include "symbols_parts.h"
+#include "symbols.h"
 
 #include <stdlib.h>
-#include <string.h>
+#include "../../base/edit.h"
+#include "../../common/array.h"
 
 enum {
-    DEPTH = 220 /* statements and expressions inside each other; Lua allows 200 */
+    DEPTH = 220, /* nested statements and expressions; Lua allows 200 */
+    LOCALS = 200 /* visible at a time in a function; Lua's limit */
 };
+
+struct local {
+    const char *s; /* inside the text */
+    size_t n;
+    struct symbol_origin from; /* of its only value */
+    int table;                 /* the table that is its only value, or -1 */
+    int writes;                /* assignments after its declaration */
+    int values;                /* uses as a value */
+    bool empty;                /* declared without a value */
+    bool unknown;              /* it may have other values */
+};
+
+/* The context of an expression. */
+struct context {
+    struct symbol_origin from; /* the argument that contains it; name NULL: none */
+    int key;                   /* the key whose value it is, or -1 */
+};
+
+struct pending_walk {
+    int line, local; /* local -1: `of` is the origin */
+    const char *how;
+    struct symbol_origin of;
+};
+
+struct parse {
+    struct symbols *f;
+    struct lex l;
+    struct local *locals; /* all, in order of declaration */
+    int *active;          /* visible locals, indices */
+    struct pending_walk *walks;
+    int n_locals, n_active, n_walks;
+    int depth, functions;
+    int base; /* the first of `active` in this function */
+    bool (*is_builtin)(const char *name);
+};
+
+enum kind {
+    X_OTHER,
+    X_GLOBAL, /* name */
+    X_FIELD,  /* space.name of a global */
+    X_INDEX,  /* name[...] of a global */
+    X_LOCAL,  /* at */
+    X_MEMBER, /* local at, .name */
+    X_INSIDE, /* local at, [...] */
+    X_CALL,   /* of space.name, or of name */
+    X_STRING, /* at: index of texts */
+    X_NUMBER,
+    X_TABLE, /* at: index of tables */
+};
+
+struct expr {
+    enum kind kind;
+    int line, at;
+    const char *space, *name;
+    bool zero;
+};
+
+#define ADD(p, list, n, ...)                                                                                           \
+    (reserve(p, &(list), n, sizeof *(list)) ? (void)((list)[(n)++] = __VA_ARGS__) : (void)0) /* adds to a list */
+
+/* ---- names ---- */
+
+static void stop(struct parse *p)
+{
+    p->l.now.type = T_BAD;
+}
+
+static bool reserve(struct parse *p, void *list, int n, size_t size)
+{
+    if (array_append(list, (size_t)n, size))
+        return true;
+    p->f->arena.failed = true;
+    stop(p);
+    return false;
+}
+
+static const char *copy_text(struct parse *p, struct token t)
+{
+    bool odd = t.n > 0 && memchr(t.s, '\0', t.n) != NULL;
+
+    return arena_copy(&p->f->arena, t.s, odd ? 0 : t.n);
+}
+
+static int declare(struct parse *p, struct token name)
+{
+    ADD(p, p->locals, p->n_locals, (struct local){ .s = name.s, .n = name.n, .table = -1 });
+    return p->n_locals - 1;
+}
+
+static void show(struct parse *p, int local)
+{
+    if (p->n_active - p->base >= LOCALS)
+        stop(p);
+    if (p->l.now.type != T_BAD)
+        ADD(p, p->active, p->n_active, local);
+}
+
+static int declare_unknown(struct parse *p, struct token name)
+{
+    int local = declare(p, name);
+
+    if (local >= 0)
+        p->locals[local].unknown = true;
+    return local;
+}
+
+static bool is_named(const struct local *l, const char *s, size_t n)
+{
+    return l->n == n && memcmp(l->s, s, n) == 0;
+}
+
+static int find_local(const struct parse *p, const char *s, size_t n)
+{
+    for (int i = p->n_active; i-- > 0;)
+        if (is_named(&p->locals[p->active[i]], s, n))
+            return p->active[i];
+    return -1;
+}
+
+/* Returns the visible local with the most similar name, the innermost of several, or NULL. */
+static const char *near_local(struct parse *p, const char *name)
+{
+    int best = (int)strlen(name) < 3 ? 0 : EDIT_TOO_FAR - 1;
+    const struct local *found = NULL;
+    char word[33];
+
+    for (int i = p->n_active; i-- > 0;) {
+        const struct local *l = &p->locals[p->active[i]];
+        if (l->n >= sizeof word || l->n < 2)
+            continue;
+        memcpy(word, l->s, l->n);
+        word[l->n] = '\0';
+        int distance = edit_distance(name, word);
+        if (distance >= best)
+            continue;
+        best = distance;
+        found = l;
+    }
+    return found != NULL ? arena_copy(&p->f->arena, found->s, found->n) : NULL;
+}
+
+static void use_global(struct parse *p, enum symbol_use how, int line, const char *name, const char *field)
+{
+    bool sure = p->is_builtin == NULL || p->is_builtin(name);
+
+    ADD(p, p->f->globals, p->f->n_globals,
+        (struct symbol_global){ how, line, name, field, sure ? NULL : near_local(p, name) });
+}
+
+static int add_text(struct parse *p, struct token t, int how)
+{
+    ADD(p, p->f->texts, p->f->n_texts, (struct symbol_text){ t.line, copy_text(p, t), how });
+    return p->f->n_texts - 1;
+}
+
+static void read_value(struct parse *p, const struct expr *e)
+{
+    if (e->kind == X_GLOBAL)
+        use_global(p, USE_VALUE, e->line, e->name, NULL);
+    else if (e->kind == X_INDEX)
+        use_global(p, USE_INDEX, e->line, e->name, NULL);
+    else if (e->kind == X_FIELD)
+        use_global(p, USE_FIELD, e->line, e->space, e->name);
+    else if (e->kind == X_LOCAL)
+        p->locals[e->at].values++;
+}
+
+static void write_value(struct parse *p, const struct expr *e)
+{
+    if (e->kind == X_GLOBAL)
+        use_global(p, USE_WRITE, e->line, e->name, NULL);
+    else if (e->kind == X_INDEX)
+        use_global(p, USE_VALUE, e->line, e->name, NULL);
+    else if (e->kind == X_FIELD)
+        use_global(p, USE_MEMBER, e->line, e->space, e->name);
+    else if (e->kind == X_MEMBER)
+        ADD(p, p->f->members, p->f->n_members, (struct symbol_member){ e->at, e->name });
+    else if (e->kind == X_LOCAL)
+        p->locals[e->at].writes++;
+    else if (e->kind == X_INSIDE)
+        p->locals[e->at].values++;
+}
+
+static struct symbol_origin origin_of(const struct expr *e)
+{
+    if (e->kind != X_CALL)
+        return (struct symbol_origin){ 0 };
+    return (struct symbol_origin){ .space = e->space, .name = e->name };
+}
+
+static void set_local(struct parse *p, int local, const struct expr *e)
+{
+    struct local *l = &p->locals[local];
+
+    l->from = origin_of(e);
+    l->table = e->kind == X_TABLE ? e->at : -1;
+}
 
 /* ---- tokens ---- */
 
@@ -31,7 +231,7 @@ static bool accept(struct parse *p, int token)
 static void expect(struct parse *p, int token)
 {
     if (!accept(p, token))
-        symbols_stop(p);
+        stop(p);
 }
 
 static struct token expect_name(struct parse *p)
@@ -39,7 +239,7 @@ static struct token expect_name(struct parse *p)
     struct token t = p->l.now;
 
     if (t.type != T_NAME)
-        symbols_stop(p);
+        stop(p);
     lex_step(&p->l);
     return t.type == T_NAME ? t : (struct token){ .s = "", .line = t.line };
 }
@@ -47,7 +247,7 @@ static struct token expect_name(struct parse *p)
 static bool enter(struct parse *p)
 {
     if (++p->depth > DEPTH)
-        symbols_stop(p);
+        stop(p);
     return type(p) != T_BAD;
 }
 
@@ -69,19 +269,19 @@ static void plain(struct parse *p)
 static void parameters(struct parse *p, struct symbol_origin from)
 {
     for (from.param = 1; type(p) == T_NAME; from.param++) {
-        int local = symbols_declare_unknown(p, expect_name(p));
+        int local = declare_unknown(p, expect_name(p));
         if (local >= 0) {
             p->locals[local].from = from;
             p->locals[local].unknown = from.name == NULL;
         }
-        symbols_show(p, local);
+        show(p, local);
         if (!accept(p, ','))
             return;
     }
     accept(p, T_DOTS);
 }
 
-/* From the ( on to the word end. */
+/* Parses a function from its ( to its end. */
 static void body(struct parse *p, struct symbol_origin from, bool method)
 {
     int sight = p->n_active, base = p->base;
@@ -89,7 +289,7 @@ static void body(struct parse *p, struct symbol_origin from, bool method)
     p->base = sight;
     p->functions++;
     if (method)
-        symbols_show(p, symbols_declare_unknown(p, (struct token){ .s = "self", .n = 4 }));
+        show(p, declare_unknown(p, (struct token){ .s = "self", .n = 4 }));
     expect(p, '(');
     parameters(p, from);
     expect(p, ')');
@@ -104,7 +304,7 @@ static void body(struct parse *p, struct symbol_origin from, bool method)
 
 static int add_key(struct parse *p, int table, struct token name)
 {
-    const char *s = symbols_copy(p, name);
+    const char *s = copy_text(p, name);
 
     ADD(p, p->f->keys, p->f->n_keys, (struct symbol_key){ table, name.line, s, NULL });
     return p->f->n_keys - 1;
@@ -145,10 +345,10 @@ static void field(struct parse *p, int table, struct context c)
         bracket_key(p, table, c);
     } else if (type(p) == T_NAME && lex_peek(&p->l) == '=') {
         struct token t = expect_name(p);
-        symbols_add_text(p, t, SYMBOL_KEY);
+        add_text(p, t, SYMBOL_KEY);
         lex_step(&p->l);
         key_value(p, add_key(p, table, t), c);
-    } else if (type(p) == '{') { /* a table in a list is the value of a nameless key */
+    } else if (type(p) == '{') { /* a table in a list gets a key without a name */
         c.key = add_key(p, table, (struct token){ .s = "", .line = p->l.now.line });
         expression(p, &e, c);
     } else {
@@ -177,12 +377,12 @@ static void constructor(struct parse *p, struct expr *e, struct context c)
 static void note_walk(struct parse *p, int line, const char *how, const struct expr *e)
 {
     if (e->kind == X_CALL)
-        ADD(p, p->walks, p->n_walks, (struct pending_walk){ line, -1, how, symbols_origin(e) });
+        ADD(p, p->walks, p->n_walks, (struct pending_walk){ line, -1, how, origin_of(e) });
     else if (e->kind == X_LOCAL)
         ADD(p, p->walks, p->n_walks, (struct pending_walk){ line, e->at, how, { 0 } });
 }
 
-/* One argument; adds it to the call. */
+/* Parses an argument and adds it to the call. */
 static void argument(struct parse *p, struct symbol_call *call, struct expr *e)
 {
     struct context c = { { call->space, call->name, NULL, call->args + 1, 0 }, -1 };
@@ -193,7 +393,7 @@ static void argument(struct parse *p, struct symbol_call *call, struct expr *e)
     call->args++;
 }
 
-/* The arguments of a call; *first is the first one. */
+/* Parses the arguments of a call; *first: the first one. */
 static void arguments(struct parse *p, struct symbol_call *call, struct expr *first)
 {
     struct expr e;
@@ -204,7 +404,7 @@ static void arguments(struct parse *p, struct symbol_call *call, struct expr *fi
         if (type(p) == '{') {
             constructor(p, first, c);
         } else {
-            *first = (struct expr){ .kind = X_STRING, .line = p->l.now.line, .at = symbols_add_text(p, p->l.now, 0) };
+            *first = (struct expr){ .kind = X_STRING, .line = p->l.now.line, .at = add_text(p, p->l.now, 0) };
             lex_step(&p->l);
             call->arg[0] = type(p) != T_BAD ? p->f->texts[first->at].s : NULL;
         }
@@ -226,18 +426,13 @@ static void note_format(struct parse *p, const struct expr *e)
         ADD(p, p->f->formats, p->f->n_formats, (struct symbol_text){ e->line, p->f->texts[e->at].s, 0 });
 }
 
-static bool is(const char *a, const char *b)
-{
-    return a != NULL && strcmp(a, b) == 0;
-}
-
 static void call(struct parse *p, struct expr *e)
 {
     bool named = e->kind == X_GLOBAL || e->kind == X_FIELD;
     struct symbol_call c = { .line = e->line };
     struct expr first;
 
-    symbols_value(p, e);
+    read_value(p, e);
     if (named) {
         c.space = e->kind == X_FIELD ? e->space : NULL;
         c.name = e->name;
@@ -245,9 +440,9 @@ static void call(struct parse *p, struct expr *e)
     arguments(p, &c, &first);
     if (named) {
         ADD(p, p->f->calls, p->f->n_calls, c);
-        if (c.space == NULL && (is(c.name, "pairs") || is(c.name, "ipairs")))
+        if (c.space == NULL && (symbols_same(c.name, "pairs") || symbols_same(c.name, "ipairs")))
             note_walk(p, c.line, c.name, &first);
-        if (is(c.space, "string") && is(c.name, "format"))
+        if (symbols_same(c.space, "string") && symbols_same(c.name, "format"))
             note_format(p, &first);
     }
     *e = (struct expr){ named ? X_CALL : X_OTHER, c.line, 0, c.space, c.name, false };
@@ -259,11 +454,11 @@ static void method(struct parse *p, struct expr *e)
     struct token name = expect_name(p);
     struct expr first;
 
-    symbols_add_text(p, name, SYMBOL_KEY);
+    add_text(p, name, SYMBOL_KEY);
     if (e->kind == X_GLOBAL)
-        symbols_use(p, USE_METHOD, e->line, e->name, symbols_copy(p, name));
+        use_global(p, USE_METHOD, e->line, e->name, copy_text(p, name));
     else
-        symbols_value(p, e);
+        read_value(p, e);
     if (name.n == 6 && memcmp(name.s, "format", 6) == 0)
         note_format(p, e);
     arguments(p, &c, &first);
@@ -272,10 +467,10 @@ static void method(struct parse *p, struct expr *e)
 
 /* ---- expressions ---- */
 
-/* .name or ["name"] behind e. What stands in _G or _ENV is a global. */
+/* Parses .name or ["name"] after e. A field of _G or _ENV is a global. */
 static void select_field(struct parse *p, struct expr *e, const char *name)
 {
-    if (e->kind == X_GLOBAL && (is(e->name, "_G") || is(e->name, "_ENV"))) {
+    if (e->kind == X_GLOBAL && (symbols_same(e->name, "_G") || symbols_same(e->name, "_ENV"))) {
         e->name = name;
     } else if (e->kind == X_GLOBAL) {
         e->space = e->name;
@@ -285,7 +480,7 @@ static void select_field(struct parse *p, struct expr *e, const char *name)
         e->name = name;
         e->kind = X_MEMBER;
     } else {
-        symbols_value(p, e);
+        read_value(p, e);
         e->kind = X_OTHER;
     }
 }
@@ -303,19 +498,19 @@ static void index_with(struct parse *p, struct expr *e)
     else if (e->kind == X_LOCAL)
         e->kind = X_INSIDE;
     else
-        symbols_value(p, e), e->kind = X_OTHER;
+        read_value(p, e), e->kind = X_OTHER;
 }
 
 static void primary_name(struct parse *p, struct expr *e)
 {
     struct token t = expect_name(p);
-    int local = symbols_find_local(p, t.s, t.n);
+    int local = find_local(p, t.s, t.n);
 
     *e = (struct expr){ .kind = X_LOCAL, .line = t.line, .at = local };
     if (local >= 0)
         return;
-    e->kind = symbols_find_local(p, "_ENV", 4) >= 0 ? X_OTHER : X_GLOBAL;
-    e->name = symbols_copy(p, t);
+    e->kind = find_local(p, "_ENV", 4) >= 0 ? X_OTHER : X_GLOBAL;
+    e->name = copy_text(p, t);
 }
 
 static void bracketed(struct parse *p, struct expr *e)
@@ -323,7 +518,7 @@ static void bracketed(struct parse *p, struct expr *e)
     lex_step(&p->l);
     expression(p, e, nowhere);
     expect(p, ')');
-    if (e->kind != X_STRING && e->kind != X_NUMBER && e->kind != X_CALL) /* was read, and is no target any more */
+    if (e->kind != X_STRING && e->kind != X_NUMBER && e->kind != X_CALL) /* not a target of assignments */
         e->kind = X_OTHER;
 }
 
@@ -337,8 +532,8 @@ static void primary(struct parse *p, struct expr *e)
     while (type(p) != T_BAD) {
         if (accept(p, '.')) {
             struct token t = expect_name(p);
-            symbols_add_text(p, t, SYMBOL_KEY);
-            select_field(p, e, symbols_copy(p, t));
+            add_text(p, t, SYMBOL_KEY);
+            select_field(p, e, copy_text(p, t));
         } else if (accept(p, '[')) {
             index_with(p, e);
         } else if (accept(p, ':')) {
@@ -360,13 +555,13 @@ static void simple(struct parse *p, struct expr *e, struct context c)
         constructor(p, e, c);
     } else if (t.type == T_NAME || t.type == '(') {
         primary(p, e);
-        symbols_value(p, e);
+        read_value(p, e);
     } else if (t.type == T_FUNCTION) {
         lex_step(&p->l);
         body(p, c.from, false);
     } else if (t.type == T_STRING) {
         e->kind = X_STRING;
-        e->at = symbols_add_text(p, t, 0);
+        e->at = add_text(p, t, 0);
         lex_step(&p->l);
     } else if (t.type == T_NUMBER) {
         e->kind = X_NUMBER;
@@ -375,7 +570,7 @@ static void simple(struct parse *p, struct expr *e, struct context c)
     } else if (t.type == T_NIL || t.type == T_TRUE || t.type == T_FALSE || t.type == T_DOTS) {
         lex_step(&p->l);
     } else {
-        symbols_stop(p);
+        stop(p);
     }
 }
 
@@ -422,7 +617,7 @@ static void note_zero(struct parse *p, int line, int sign, const struct expr *a,
             (struct symbol_zero){ line, how, a->kind == X_NUMBER && a->zero, a->kind == X_NUMBER });
 }
 
-/* a, an operator and what stands to its right; the result in *a. */
+/* Parses an operator and its right side; *a: the left side and the result. */
 static void binary(struct parse *p, struct expr *a, const struct operator* o)
 {
     int line = p->l.now.line, text;
@@ -442,7 +637,7 @@ static void binary(struct parse *p, struct expr *a, const struct operator* o)
     *a = (struct expr){ .line = a->line };
 }
 
-/* Operators that bind tighter than the limit. */
+/* Parses an expression with operators of a higher priority than the limit. */
 static void operation(struct parse *p, struct expr *e, int limit, struct context c)
 {
     const struct operator* o;
@@ -497,7 +692,7 @@ static void if_statement(struct parse *p)
 
 static void statements(struct parse *p);
 
-/* What the block declares is in sight of the condition too. */
+/* The locals of the block are visible in the condition. */
 static void repeat_statement(struct parse *p)
 {
     int sight = p->n_active;
@@ -509,20 +704,20 @@ static void repeat_statement(struct parse *p)
     p->n_active = sight;
 }
 
-/* The names of a for, a local or nothing more: declared, not yet in sight. Returns the first; *n of them. */
+/* Declares *n names, not visible yet; returns the first. */
 static int name_list(struct parse *p, struct token first, int *n)
 {
-    int from = symbols_declare_unknown(p, first);
+    int from = declare_unknown(p, first);
 
     for (*n = 1; accept(p, ','); ++*n)
-        symbols_declare_unknown(p, expect_name(p));
+        declare_unknown(p, expect_name(p));
     return from;
 }
 
 static void show_all(struct parse *p, int first, int n)
 {
     for (int i = 0; i < n; i++)
-        symbols_show(p, first + i);
+        show(p, first + i);
 }
 
 static void for_statement(struct parse *p)
@@ -542,19 +737,19 @@ static void for_statement(struct parse *p)
     p->n_active = sight;
 }
 
-/* The name behind the colon: in the function, e is self, and may get fields. */
-static void own_method(struct parse *p, struct expr *e)
+/* Parses the name after a colon. In the function, e is self. */
+static void method_name(struct parse *p, struct expr *e)
 {
-    const char *name = symbols_copy(p, expect_name(p));
+    const char *name = copy_text(p, expect_name(p));
 
     if (e->kind == X_GLOBAL)
-        symbols_use(p, USE_SELF, e->line, e->name, name);
+        use_global(p, USE_SELF, e->line, e->name, name);
     else if (e->kind == X_LOCAL)
         p->locals[e->at].values++;
     if (e->kind == X_GLOBAL)
         return;
     select_field(p, e, name);
-    symbols_store(p, e);
+    write_value(p, e);
 }
 
 /* function a.b.c:d() */
@@ -566,30 +761,30 @@ static void function_statement(struct parse *p)
     primary_name(p, &e);
     while (type(p) == '.') {
         lex_step(&p->l);
-        select_field(p, &e, symbols_copy(p, expect_name(p)));
+        select_field(p, &e, copy_text(p, expect_name(p)));
     }
-    bool own = accept(p, ':');
-    if (own)
-        own_method(p, &e);
+    bool is_method = accept(p, ':');
+    if (is_method)
+        method_name(p, &e);
     else
-        symbols_store(p, &e);
-    body(p, nowhere.from, own);
+        write_value(p, &e);
+    body(p, nowhere.from, is_method);
 }
 
 static void local_function(struct parse *p)
 {
-    symbols_show(p, symbols_declare_unknown(p, expect_name(p)));
+    show(p, declare_unknown(p, expect_name(p)));
     body(p, nowhere.from, false);
 }
 
-/* The names with their <attributes>. Returns the first; *n of them. */
+/* Declares *n names with <attributes>; returns the first. */
 static int local_names(struct parse *p, int *n)
 {
     int first = p->n_locals;
 
     *n = 0;
     do {
-        symbols_declare(p, expect_name(p));
+        declare(p, expect_name(p));
         ++*n;
         if (accept(p, '<')) {
             expect_name(p);
@@ -608,7 +803,7 @@ static void local_statement(struct parse *p)
         do {
             expression(p, &e, nowhere);
             if (given < n && type(p) != T_BAD)
-                symbols_give(p, first + given, &e);
+                set_local(p, first + given, &e);
             given++;
         } while (accept(p, ','));
         for (int i = given; i < n && type(p) != T_BAD; i++)
@@ -620,17 +815,17 @@ static void local_statement(struct parse *p)
     show_all(p, first, n);
 }
 
-/* A local that was declared empty and is assigned once, by itself, is as good as one declared so. */
+/* A local declared without a value and assigned once, alone, counts as declared with that value. */
 static void assign(struct parse *p, struct expr *target)
 {
     bool alone = type(p) == '=';
     struct expr e;
 
-    symbols_store(p, target);
+    write_value(p, target);
     while (accept(p, ',')) {
         struct expr more;
         primary(p, &more);
-        symbols_store(p, &more);
+        write_value(p, &more);
         if (more.kind == X_LOCAL)
             p->locals[more.at].unknown = true;
     }
@@ -639,7 +834,7 @@ static void assign(struct parse *p, struct expr *target)
     if (type(p) == T_BAD)
         return;
     if (alone && target->kind == X_LOCAL && p->locals[target->at].empty)
-        symbols_give(p, target->at, &e);
+        set_local(p, target->at, &e);
     else if (target->kind == X_LOCAL)
         p->locals[target->at].unknown = true;
     while (accept(p, ','))
@@ -655,7 +850,7 @@ static void expression_statement(struct parse *p)
         assign(p, &e);
 }
 
-/* A script's last return tells others what it made. */
+/* Notes what the script returns at its end. */
 static void return_statement(struct parse *p)
 {
     struct expr e = { 0 };
@@ -750,9 +945,9 @@ static void block(struct parse *p)
     p->n_active = sight;
 }
 
-/* ---- the end ---- */
+/* ---- results ---- */
 
-/* Of the walks over locals, those whose only value is known. */
+/* Adds the walks over locals whose only value is known. */
 static void keep_walks(struct parse *p)
 {
     for (int i = 0; i < p->n_walks; i++) {
@@ -802,7 +997,7 @@ void symbols_free(struct symbols *f)
     *f = (struct symbols){ 0 };
 }
 
-/* The key of that name in the table, or -1. */
+/* Returns the key of that name in the table, or -1. */
 static int find_key(const struct symbols *f, int table, const char *name)
 {
     for (int i = 0; i < f->n_keys; i++)

@@ -1,6 +1,6 @@
 /*
- * check_rooms.c - capacities that rom.lua asks for and no script can use: none spells a word that leads there. They
- * take RAM, and with it the time of each snapshot; so the finding says how much.
+ * check_capacities.c - capacities in rom.lua that no script uses: none contains a word of the functions that need them.
+ * They take RAM, and time in each snapshot; the finding has the size.
  */
 #include "check_parts.h"
 
@@ -11,13 +11,13 @@
 
 #define BOARD(name) offsetof(struct manifest, name)
 
-/* Sprites, tasks and nvram are not here: the library's screens use them too. Nor are motions, which take no RAM until a
- * script declares one, and what rom.lua asks for by pictures and sounds. */
-static const struct room {
+/* Without sprites, tasks and nvram, which the library's screens use too; motions, which take no RAM until a script
+ * declares one; and the capacities that pictures and sounds imply. */
+static const struct capacity {
     const char *path[3]; /* in rom.lua */
     size_t at;           /* of the manifest's int32_t */
-    const char *words;   /* with a blank between; any of them may use it */
-} rooms[] = {
+    const char *words;   /* of functions that use it, separated by blanks */
+} capacities[] = {
     { { "board", "bullets" }, BOARD(bullets), "bullet" },
     { { "board", "shots" }, BOARD(shots), "shot" },
     { { "board", "enemies" }, BOARD(enemies), "enemy" },
@@ -40,11 +40,11 @@ static const struct room {
     { { "board", "values", "enemy" }, BOARD(enemy_values), "value" },
 };
 
-static int32_t asked(const struct manifest *m, const struct room *room)
+static int32_t asked(const struct manifest *m, const struct capacity *k)
 {
     int32_t n;
 
-    memcpy(&n, (const char *)m + room->at, sizeof n);
+    memcpy(&n, (const char *)m + k->at, sizeof n);
     return n;
 }
 
@@ -68,39 +68,30 @@ static bool may_use(const struct check *c, const char *words)
     return false;
 }
 
-/* KiB, rounded up, that the board has less without it. */
-static unsigned long long saved(const struct cart *cart, const struct room *room)
+/* Returns the KiB, rounded up, that the board needs less without it. */
+static unsigned long long saved(const struct cart *cart, const struct capacity *k)
 {
     const int32_t none = 0;
     struct cart without = *cart;
 
-    memcpy((char *)&without.manifest + room->at, &none, sizeof none);
+    memcpy((char *)&without.manifest + k->at, &none, sizeof none);
     return (board_ram_needed(cart) - board_ram_needed(&without) + 1023) / 1024;
 }
 
-static bool all_whole(const struct check *c)
-{
-    for (int i = 0; i < c->n_scripts; i++)
-        if (!c->scripts[i].symbols.whole)
-            return false;
-    return true;
-}
-
-void check_rooms(struct check *c, const struct cart *cart)
+void check_capacities(struct check *c, const struct cart *cart)
 {
     struct manifest plain;
 
-    if (!all_whole(c))
+    if (!check_all_parsed(c))
         return;
     manifest_set_defaults(&plain);
-    for (size_t i = 0; i < sizeof rooms / sizeof *rooms; i++) {
-        const struct room *room = &rooms[i];
-        if (asked(&c->m, room) == 0 || asked(&c->m, room) == asked(&plain, room) || may_use(c, room->words))
+    for (size_t i = 0; i < sizeof capacities / sizeof *capacities; i++) {
+        const struct capacity *k = &capacities[i];
+        if (asked(&c->m, k) == 0 || asked(&c->m, k) == asked(&plain, k) || may_use(c, k->words))
             continue;
-        diagnostics_add(&c->found, "rom.lua", symbols_line(&c->rom, room->path),
+        diagnostics_add(&c->found, "rom.lua", symbols_line(&c->rom, k->path),
                         "%s%s%s.%s: no script uses %.*s; remove this entry from rom.lua to save %llu KiB of RAM",
-                        room->path[0], room->path[2] ? "." : "", room->path[2] ? room->path[1] : "",
-                        room->path[2] ? room->path[2] : room->path[1], (int)strcspn(room->words, " "), room->words,
-                        saved(cart, room));
+                        k->path[0], k->path[2] ? "." : "", k->path[2] ? k->path[1] : "",
+                        k->path[2] ? k->path[2] : k->path[1], (int)strcspn(k->words, " "), k->words, saved(cart, k));
     }
 }
