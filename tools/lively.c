@@ -10,7 +10,7 @@
 #include "../src/machine/machine.h"
 #include "../src/demo/demo.h"
 #include "../src/workbench/pack/pack.h"
-#include "../src/workbench/survive/trial.h"
+#include "../src/workbench/survive/simulation.h"
 
 enum { LASER = 6 /* bullets that a laser counts as */ };
 
@@ -85,7 +85,7 @@ int main(int argc, char **argv)
     struct piece part = { .frame = 0 };
     struct rom_image image;
     struct cart cart;
-    struct trial t;
+    struct simulation t;
     struct demo d;
     char err[512];
 
@@ -93,7 +93,7 @@ int main(int argc, char **argv)
         fail("usage: lively ROM DEMO");
     if (!pack_load_game(argv[1], false, &image, err, sizeof err) || !cart_open(&cart, &image.rom, err, sizeof err) ||
         !demo_load(&d, argv[2], err, sizeof err) || !demo_check_cart(&d, &cart, err, sizeof err) ||
-        !trial_open(&t, &image.rom, &d.start, err, sizeof err))
+        !simulation_open(&t, &image.rom, &d.start, err, sizeof err))
         fail(err);
     for (uint32_t f = 0; f < d.frames && !board_last_output(t.b)->fault; f++) {
         const struct board_out *out = board_tick(t.b, d.pads[f]);

@@ -87,7 +87,7 @@ planted platform/stdio.c clock_nanosleep 'int f(void) { return clock_nanosleep(C
 planted platform/posix.c st_mtim 'long f(struct stat *s) { return s->st_mtim.tv_nsec; }'
 planted platform/posix.c posix_fallocate 'int f(int file) { return posix_fallocate(file, 0, 1); }'
 planted src/base/hash.c strchrnul 'char *f(char *s) { return strchrnul(s, 47); }'
-planted src/workbench/survive/seek.c wait 'static int wait(void); static int wait(void) { return 0; }'
+planted src/workbench/survive/search.c wait 'static int wait(void); static int wait(void) { return 0; }'
 for macro in _GNU_SOURCE '_XOPEN_SOURCE 700'; do
     { echo "#define $macro"; cat platform/posix.c; } >"$scratch/planted.c"
     refuse "planted: #define $macro" "feature macro hides" compiles "$scratch/planted.c"

@@ -42,7 +42,7 @@ static const char *const scene =
     "end)\n";
 
 static struct rig_game g;
-static struct trial t;
+static struct simulation t;
 static struct rng rng;
 
 static void begin(uint64_t seed)
@@ -57,7 +57,7 @@ static void begin(uint64_t seed)
     start = (struct board_start){ .difficulty = -1, .seed = seed };
     snprintf(text, sizeof text, "%s%s", kinds, scene);
     rig_with_sys(&g, &m, text);
-    assert_true(trial_open(&t, &g.image.rom, &start, err, sizeof err));
+    assert_true(simulation_open(&t, &g.image.rom, &start, err, sizeof err));
     if (board_last_output(t.b)->fault)
         fail_msg("%s", board_last_output(t.b)->fault->message);
     rng_seed(&rng, seed);
@@ -65,7 +65,7 @@ static void begin(uint64_t seed)
 
 static void end(void)
 {
-    trial_close(&t);
+    simulation_close(&t);
     rig_game_free(&g);
 }
 
@@ -100,7 +100,7 @@ static void test_same_hits(void **state)
         for (uint32_t i = 0; i < FRAMES; i++) {
             const unsigned buttons = PAD_UP | PAD_DOWN | PAD_LEFT | PAD_RIGHT | PAD_FOCUS;
             const uint16_t pads[MAX_PLAYERS] = { (uint16_t)(rng_below(&rng, PAD_ALL) & buttons) };
-            assert_int_equal(trial_tick(&t, pads), TRIAL_ON);
+            assert_int_equal(simulation_tick(&t, pads), SIMULATION_ON);
             if (!f.frame[i].ship.in_game)
                 continue;
             assert_int_equal(touching(&f, i), t.b->counts.hit);
@@ -146,13 +146,13 @@ static void test_sets_hold_all(void **state)
         struct danger_ship ship;
         begin(seed);
         const uint16_t none[MAX_PLAYERS] = { 0 };
-        while (!trial_steers(&t))
-            trial_tick(&t, none);
+        while (!simulation_can_steer(&t))
+            simulation_tick(&t, none);
         danger_get_ship(t.b, 0, &ship);
         t.into = &f;
         danger_set_invincible(t.b, true);
         for (uint32_t i = 0; i < FRAMES / 2; i++)
-            trial_tick(&t, none);
+            simulation_tick(&t, none);
         for (int c = 0; c < 3; c++) {
             struct reach r;
             assert_true(reach_open(&r, &f, cells[c], 0, ship.path.x, ship.path.y));
@@ -170,7 +170,7 @@ static void test_sets_hold_all(void **state)
 static void test_plan_is_flown(void **state)
 {
     struct forecast f = { 0 };
-    struct trial_mark start = { 0 };
+    struct simulation_state start = { 0 };
     struct reach r;
     struct plan p;
     const uint16_t none[MAX_PLAYERS] = { 0 };
@@ -178,28 +178,28 @@ static void test_plan_is_flown(void **state)
 
     (void)state;
     begin(9);
-    while (!trial_steers(&t))
-        trial_tick(&t, none);
-    assert_true(trial_save(&t, &start));
+    while (!simulation_can_steer(&t))
+        simulation_tick(&t, none);
+    assert_true(simulation_save(&t, &start));
     t.into = &f;
     danger_set_invincible(t.b, true);
     for (uint32_t i = 0; i < FRAMES; i++)
-        trial_tick(&t, none);
+        simulation_tick(&t, none);
     t.into = NULL;
     assert_true(reach_open(&r, &f, FX_ONE, 0, start.ship.path.x, start.ship.path.y));
     reach_back(&r);
     assert_true(plan_make(&p, &r, start.ship.path.x, start.ship.path.y, 1 << 20, 0, false));
     assert_in_range(p.frames, 20, FRAMES);
-    trial_restore(&t, &start);
+    simulation_restore(&t, &start);
     for (; lived < p.frames; lived++) {
         const uint16_t pads[MAX_PLAYERS] = { p.pads[lived], 0 };
-        if (trial_tick(&t, pads) != TRIAL_ON)
+        if (simulation_tick(&t, pads) != SIMULATION_ON)
             break;
     }
     assert_int_equal(lived, p.frames);
     plan_free(&p);
     reach_close(&r);
-    trial_mark_free(&start);
+    simulation_state_free(&start);
     forecast_close(&f);
     end();
 }

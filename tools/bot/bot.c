@@ -48,13 +48,13 @@ void bot_fail(const char *what)
     exit(2);
 }
 
-enum trial_end run_tick(struct run *r, const uint16_t pads[MAX_PLAYERS])
+enum simulation_end run_tick(struct run *r, const uint16_t pads[MAX_PLAYERS])
 {
     const uint32_t frame = board_frame(r->t.b);
 
     if (frame < r->limit)
         memcpy(r->pads[frame], pads, sizeof r->pads[0]);
-    return trial_tick(&r->t, pads);
+    return simulation_tick(&r->t, pads);
 }
 
 static int index_of(const char *word, const char *const *list)
@@ -126,16 +126,16 @@ static void wish(struct wanted *w, const struct manifest *m)
 /* What a demo leaves in nvram becomes that of the start. */
 static void take_nvram(struct run *r, const struct rom *rom, const char *path)
 {
-    struct trial t;
+    struct simulation t;
     struct demo d;
     char err[512];
     size_t size;
 
     if (!demo_load(&d, path, err, sizeof err) || !demo_check_cart(&d, r->cart, err, sizeof err) ||
-        !trial_open(&t, rom, &d.start, err, sizeof err))
+        !simulation_open(&t, rom, &d.start, err, sizeof err))
         bot_fail(err);
     for (uint32_t f = 0; f < d.frames; f++)
-        trial_tick(&t, d.pads[f]);
+        simulation_tick(&t, d.pads[f]);
     const uint8_t *nvram = board_nvram(t.b, &size, &(uint32_t){ 0 });
     uint8_t *copy = malloc(size + 1);
     if (!copy)
@@ -143,7 +143,7 @@ static void take_nvram(struct run *r, const struct rom *rom, const char *path)
     memcpy(copy, nvram, size);
     r->start.nvram = copy;
     r->start.nvram_size = size;
-    trial_close(&t);
+    simulation_close(&t);
     demo_free(&d);
 }
 
@@ -153,7 +153,7 @@ static void record(struct run *r, const char *path, int prints, struct tally *t)
     struct demo_writer w = { 0 };
     char err[256];
 
-    if (!trial_again(&r->t, err, sizeof err))
+    if (!simulation_restart(&r->t, err, sizeof err))
         bot_fail(err);
     struct board *b = r->t.b;
     if (!demo_begin(&w, path, r->cart, b, &r->start, 0) || !demo_set_checksum_rate(&w, (enum demo_checksum_rate)prints))
@@ -216,7 +216,7 @@ int main(int argc, char **argv)
     r.limit = w.frames;
     r.quiet = w.quiet;
     r.pads = calloc(w.frames + 1, sizeof *r.pads);
-    if (!r.pads || !trial_open(&r.t, &image.rom, &r.start, err, sizeof err))
+    if (!r.pads || !simulation_open(&r.t, &image.rom, &r.start, err, sizeof err))
         bot_fail(r.pads ? err : "out of memory");
     play(&r, &w);
     record(&r, argv[2], w.prints, &t);

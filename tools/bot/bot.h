@@ -4,11 +4,11 @@
 #ifndef TOOLS_BOT_H
 #define TOOLS_BOT_H
 
-#include "../../src/workbench/survive/trial.h"
+#include "../../src/workbench/survive/simulation.h"
 
 /* A run: a board, and what was pressed from power-on to where it is. */
 struct run {
-    struct trial t;
+    struct simulation t;
     const struct cart *cart;
     struct board_start start;
     uint32_t limit;                /* frames, at most */
@@ -17,7 +17,7 @@ struct run {
 };
 
 /* Ticks, and writes the pads down. */
-enum trial_end run_tick(struct run *r, const uint16_t pads[MAX_PLAYERS]);
+enum simulation_end run_tick(struct run *r, const uint16_t pads[MAX_PLAYERS]);
 
 /* Says why and ends the program. */
 void bot_fail(const char *what) __attribute__((noreturn));

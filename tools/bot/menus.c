@@ -38,7 +38,7 @@ struct page {
 };
 
 struct place {
-    struct trial_mark mark;
+    struct simulation_state mark;
     uint64_t chosen; /* what was, on the way there */
     struct move way[DEPTH][MAX_PLAYERS];
     uint32_t page[DEPTH + 1]; /* of the way's screens: numbers */
@@ -197,8 +197,8 @@ static bool make(struct menus *m, const struct move way[MAX_PLAYERS], bool noted
         const uint16_t pads[MAX_PLAYERS] = { pressed(&way[0], f), pressed(&way[1], f) };
         if (f == STEPS * STEP && !noted)
             m->asked = shown(r->t.b);
-        const enum trial_end end = noted ? run_tick(r, pads) : trial_tick(&r->t, pads);
-        if (end == TRIAL_FAULT)
+        const enum simulation_end end = noted ? run_tick(r, pads) : simulation_tick(&r->t, pads);
+        if (end == SIMULATION_FAULT)
             bot_fail(board_last_output(r->t.b)->fault->message);
         hear(m);
     }
@@ -211,7 +211,7 @@ enum led { NOWHERE, ELSEWHERE, THERE };
 /* Tries a move from a place: to another one, to a game that was not wished (which is ELSEWHERE, too), or to that. */
 static enum led try_move(struct menus *m, const struct place *at, const struct move way[MAX_PLAYERS], bool waits)
 {
-    trial_restore(&m->r->t, &at->mark);
+    simulation_restore(&m->r->t, &at->mark);
     const bool began = make(m, way, false), found = began && is_wished(m);
     const uint64_t chosen = ((at->chosen ^ m->asked) * 0x9e3779b97f4a7c15u ^ shown(m->r->t.b)) * 0x2545f4914f6cdd1du;
 
@@ -229,7 +229,7 @@ static enum led try_move(struct menus *m, const struct place *at, const struct m
     if (found)
         return THERE;
     to->page[m->depth + 1] = keep_page(m);
-    if (!trial_save(&m->r->t, &to->mark))
+    if (!simulation_save(&m->r->t, &to->mark))
         bot_fail("out of memory");
     return ELSEWHERE;
 }
@@ -257,7 +257,7 @@ static bool try_moves(struct menus *m, const struct place *at)
 static void forget(struct place *list, int n)
 {
     for (int i = 0; i < n; i++)
-        trial_mark_free(&list[i].mark);
+        simulation_state_free(&list[i].mark);
     memset(list, 0, (size_t)n * sizeof *list);
 }
 
@@ -291,7 +291,7 @@ static bool is_declared(const struct board *b, const char *name)
 bool menus_enter(struct run *r, const struct menus_wish *wish)
 {
     static struct menus m; /* large for a stack */
-    struct trial_mark start = { 0 };
+    struct simulation_state start = { 0 };
 
     for (int p = 0; p < wish->players; p++)
         if (wish->ship[p] && !is_declared(r->t.b, wish->ship[p]))
@@ -299,7 +299,7 @@ bool menus_enter(struct run *r, const struct menus_wish *wish)
     m = (struct menus){ .r = r, .wish = wish };
     m.from = calloc(PLACES, sizeof *m.from);
     m.to = calloc(PLACES, sizeof *m.to);
-    if (!m.from || !m.to || !trial_save(&r->t, &start) || !trial_save(&r->t, &m.from[0].mark))
+    if (!m.from || !m.to || !simulation_save(&r->t, &start) || !simulation_save(&r->t, &m.from[0].mark))
         bot_fail("out of memory");
     m.n_from = 1;
     m.now = calloc(cells(r->t.b), sizeof *m.now);
@@ -307,7 +307,7 @@ bool menus_enter(struct run *r, const struct menus_wish *wish)
         bot_fail("out of memory");
     m.from[0].page[0] = keep_page(&m);
     const bool found = search(&m);
-    trial_restore(&r->t, &start);
+    simulation_restore(&r->t, &start);
     for (int i = 0; found && i <= m.depth; i++)
         make(&m, m.to[m.n_to - 1].way[i], true);
     forget(m.from, m.n_from);
@@ -318,6 +318,6 @@ bool menus_enter(struct run *r, const struct menus_wish *wish)
     free(m.now);
     free(m.from);
     free(m.to);
-    trial_mark_free(&start);
+    simulation_state_free(&start);
     return found;
 }

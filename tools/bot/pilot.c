@@ -27,7 +27,7 @@ enum {
 };
 
 struct mark {
-    struct trial_mark mark;
+    struct simulation_state mark;
     uint32_t frame;
 };
 
@@ -40,7 +40,7 @@ struct way {
 
 struct work {
     struct pilot *p;
-    struct trial *t;
+    struct simulation *t;
     struct mark place[PLACES];
     int places;
     struct forecast forecast;
@@ -106,28 +106,28 @@ static uint16_t extra_at(uint16_t extra, uint32_t f)
 static void foresee(struct work *w, uint32_t frames, uint16_t extra)
 {
     static const uint16_t none[MAX_PLAYERS];
-    enum trial_end end = TRIAL_ON;
+    enum simulation_end end = SIMULATION_ON;
     uint16_t pads[MAX_PLAYERS];
 
     forecast_clear(&w->forecast, board_frame(w->t->b));
     w->t->into = &w->forecast;
     danger_set_invincible(w->t->b, true);
-    for (uint32_t f = 0; f < frames && end != TRIAL_FAULT && !w->forecast.full; f++) {
+    for (uint32_t f = 0; f < frames && end != SIMULATION_FAULT && !w->forecast.full; f++) {
         held(w, f < AHEAD ? w->guess[f] : none, extra_at(extra, f), pads);
-        end = trial_tick(w->t, pads);
+        end = simulation_tick(w->t, pads);
     }
     w->t->into = NULL;
 }
 
 /* A plan for player p, into the guess. */
-static void plan_for(struct work *w, int p, const struct trial_mark *at, uint32_t frames, uint16_t extra)
+static void plan_for(struct work *w, int p, const struct simulation_state *at, uint32_t frames, uint16_t extra)
 {
     struct danger_ship ship;
     struct reach r = { 0 };
     struct plan plan = { 0 };
 
     w->t->who = p;
-    trial_restore(w->t, at);
+    simulation_restore(w->t, at);
     danger_get_ship(w->t->b, p, &ship);
     w->t->ship = ship;
     foresee(w, frames, extra);
@@ -145,13 +145,13 @@ static void plan_for(struct work *w, int p, const struct trial_mark *at, uint32_
 }
 
 /* Flies the guess, as far as nobody is hit. */
-static void fly(struct work *w, const struct trial_mark *at, uint32_t frames, uint16_t extra, struct way *out)
+static void fly(struct work *w, const struct simulation_state *at, uint32_t frames, uint16_t extra, struct way *out)
 {
-    trial_restore(w->t, at);
+    simulation_restore(w->t, at);
     for (out->n = 0; out->n < frames; out->n++) {
         held(w, w->guess[out->n], extra_at(extra, out->n), out->pads[out->n]);
-        const enum trial_end end = trial_tick(w->t, out->pads[out->n]);
-        if (end == TRIAL_FAULT)
+        const enum simulation_end end = simulation_tick(w->t, out->pads[out->n]);
+        if (end == SIMULATION_FAULT)
             bot_fail(board_last_output(w->t->b)->fault->message);
         if (was_hit(w->t->b))
             return;
@@ -160,7 +160,7 @@ static void fly(struct work *w, const struct trial_mark *at, uint32_t frames, ui
 }
 
 /* The best way that some turns find from a place. */
-static void look(struct work *w, const struct trial_mark *at, uint32_t frames, uint16_t extra, struct way *best)
+static void look(struct work *w, const struct simulation_state *at, uint32_t frames, uint16_t extra, struct way *best)
 {
     struct way now = { .n = 0 };
 
@@ -168,7 +168,7 @@ static void look(struct work *w, const struct trial_mark *at, uint32_t frames, u
     memset(w->guess, 0, sizeof w->guess);
     for (int k = 0; k < TURNS && best->n < frames; k++) {
         w->eager = k + 1 < TURNS && !w->tried;
-        trial_restore(w->t, at);
+        simulation_restore(w->t, at);
         const bool both[MAX_PLAYERS] = { steers(w->t->b, 0), steers(w->t->b, 1) };
         for (int p = 0; p < MAX_PLAYERS; p++)
             if (both[p])
@@ -195,7 +195,7 @@ static void go(struct work *w, const uint16_t pads[MAX_PLAYERS])
 {
     struct run *r = w->p->r;
 
-    if (run_tick(r, pads) == TRIAL_FAULT)
+    if (run_tick(r, pads) == SIMULATION_FAULT)
         bot_fail(board_last_output(w->t->b)->fault->message);
     if (w->p->finish && entered(w->t->b) && board_frame(w->t->b) + 120 < r->limit)
         r->limit = board_frame(w->t->b) + 120;
@@ -215,7 +215,7 @@ static void put_place(struct work *w)
         memmove(w->place, w->place + 1, (PLACES - 1) * sizeof *w->place);
         w->place[--w->places] = first;
     }
-    if (!trial_save(w->t, &w->place[w->places].mark))
+    if (!simulation_save(w->t, &w->place[w->places].mark))
         bot_fail("out of memory");
     w->place[w->places++].frame = now;
 }
@@ -230,13 +230,13 @@ static void go_back(struct work *w)
         w->back = 0;
     w->taste++;
     w->p->backs++;
-    trial_restore(w->t, &w->place[w->places - 1].mark);
+    simulation_restore(w->t, &w->place[w->places - 1].mark);
 }
 
 /* Takes the hit: on along the best way, and until the ship is there again. */
 static void be_hit(struct work *w, const struct way *best)
 {
-    trial_restore(w->t, &w->place[w->places - 1].mark);
+    simulation_restore(w->t, &w->place[w->places - 1].mark);
     for (uint32_t f = 0; f < best->n; f++)
         go(w, best->pads[f]);
     for (int f = 0; f < 60 && !was_hit(w->t->b); f++)
@@ -248,12 +248,12 @@ static void be_hit(struct work *w, const struct way *best)
 }
 
 /* Bullets in plenty: is more gained with the special button? */
-static void try_special(struct work *w, const struct trial_mark *at, uint32_t frames, struct way *best)
+static void try_special(struct work *w, const struct simulation_state *at, uint32_t frames, struct way *best)
 {
     const uint32_t now = board_frame(w->t->b);
     struct way with;
 
-    trial_restore(w->t, at);
+    simulation_restore(w->t, at);
     if (w->t->b->bullets.s.live < CROWDED || now < w->special)
         return;
     w->special = now + SPECIAL_EVERY / 4;
@@ -292,7 +292,7 @@ static void one_piece(struct work *w)
         return;
     }
     const uint32_t flown = best.n == frames ? (best.n + 1) / 2 : best.n / 3 + 1;
-    trial_restore(w->t, &at->mark);
+    simulation_restore(w->t, &at->mark);
     for (uint32_t f = 0; f < flown; f++)
         go(w, best.pads[f]);
 }
@@ -365,7 +365,7 @@ bool pilot_play(struct pilot *p)
         one_piece(w);
     }
     for (int i = 0; i < PLACES; i++)
-        trial_mark_free(&w->place[i].mark);
+        simulation_state_free(&w->place[i].mark);
     forecast_close(&w->forecast);
     free(w);
     return true;

@@ -1,6 +1,6 @@
 /*
- * bench.c - see bench.h. What is played: the demo or the section that was asked for; else every demo of the game, and
- * then each stage and phase that none of them came to, by a ship that sweeps and that nothing hits.
+ * bench.c - see bench.h. It plays the demo or the section of the command line; otherwise every demo of the game, and
+ * then each stage and phase that no demo reached, with an invincible ship that flies from side to side.
  */
 #include "bench.h"
 
@@ -9,12 +9,13 @@
 #include <string.h>
 #include "../../common/progress.h"
 #include "../../common/report.h"
+#include "../../player/game/game.h"
 #include "../../player/run/sections.h"
 #include "bench_json.h"
 #include "bench_print.h"
 #include "measure.h"
 
-enum { START_FRAMES = 1800 /* of a game that has neither demos nor sections */ };
+enum { START_FRAMES = 1800 /* of a game without demos and sections */ };
 
 struct work {
     const struct bench *b;
@@ -42,14 +43,14 @@ static int count_demos(const struct rom *rom)
 
 static enum result read_demo(struct work *w, int i, const struct lump *l)
 {
-    char err[512], doubt[128];
+    char err[512], warning[128];
     struct demo *d = &w->demo[i];
 
     snprintf(w->name[i], sizeof w->name[i], "%s.demo", l->name + strlen("demo/"));
     if (!demo_read(d, l->data, l->size, err, sizeof err) || !demo_check_cart(d, w->b->cart, err, sizeof err))
         return report_line(RESULT_REFUSED, "demos/%s: %s", w->name[i], err);
-    if (demo_replay_warning(d, w->b->cart, doubt, sizeof doubt))
-        report_line(RESULT_DONE, "demos/%s: %s; playback may diverge", w->name[i], doubt);
+    if (demo_replay_warning(d, w->b->cart, warning, sizeof warning))
+        report_line(RESULT_DONE, "demos/%s: %s; playback may diverge", w->name[i], warning);
     return RESULT_DONE;
 }
 
@@ -114,7 +115,7 @@ static bool is_unseen(const struct work *w, const struct section *s)
     return (s->kind == SECTION_STAGE || s->kind == SECTION_PHASE) && !measure_has(&w->measure, s->id);
 }
 
-/* A stage's bosses are come to in it, so what is still unseen is asked again before each. */
+/* A stage contains its bosses, so is_unseen is checked again before each section. */
 static enum result play_sections(struct work *w)
 {
     enum result result = RESULT_DONE;
@@ -154,7 +155,7 @@ static enum result play(struct work *w)
     return result == RESULT_DONE && w->measure.runs == 0 ? play_start(w) : result;
 }
 
-enum result bench_run(const struct bench *b)
+static enum result bench_run(const struct bench *b)
 {
     struct work *w = calloc(1, sizeof *w);
 
@@ -181,5 +182,31 @@ enum result bench_run(const struct bench *b)
     free(w->demo);
     free(w->name);
     free(w);
+    return result;
+}
+
+enum result bench_command(const struct args *a)
+{
+    struct game *g = calloc(1, sizeof *g);
+    char err[1024];
+    enum result result;
+
+    if (!g)
+        return report_line(RESULT_HOST_FAILED, "out of memory");
+    if (!game_open(g, a->words[0], a, err, sizeof err)) {
+        result = report_error(err);
+    } else {
+        const struct bench b = { .path = a->words[0],
+                                 .cart = &g->cart,
+                                 .start = g->start,
+                                 .demo = g->has_demo ? &g->demo : NULL,
+                                 .demo_name = a->demo,
+                                 .own_start = a->seeded || a->n_dips || a->difficulty || a->lang,
+                                 .slower = a->machine,
+                                 .json = a->json };
+        result = bench_run(&b);
+        game_close(g);
+    }
+    free(g);
     return result;
 }

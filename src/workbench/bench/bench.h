@@ -1,5 +1,5 @@
 /*
- * bench.h - `curtain bench`: what a game's frames cost, by section and by line of Lua, and what of its room it uses.
+ * bench.h - `curtain bench`: the cost of a game's frames, by section and by line of Lua, and its use of capacities.
  */
 #ifndef WORKBENCH_BENCH_H
 #define WORKBENCH_BENCH_H
@@ -14,18 +14,15 @@
 struct bench {
     const char *path; /* of the game, as typed */
     const struct cart *cart;
-    struct board_start start; /* of the runs that are not a demo's; with a section: of this one alone */
-    const struct demo *demo;  /* this one alone; NULL: those of the game */
+    struct board_start start; /* of runs without a demo; if it has a section, only that is played */
+    const struct demo *demo;  /* the only run; NULL: the game's demos are played */
     const char *demo_name;
-    bool own_start; /* the start is no other than the plain one: demos, which hold their own, are not played */
-    int slower;     /* shares of a frame are told of a machine so many times slower; 1: of this one */
+    bool own_start; /* the command line changes the start: demos, which have their own, are not played */
+    int slower;     /* shares of a frame are those of a machine that is this many times slower */
     bool json;
 };
 
-/* Plays, measures and prints. RESULT_REFUSED: a run faulted or cannot begin; RESULT_HOST_FAILED: no memory. */
-enum result bench_run(const struct bench *b);
-
-/* The command: the game of the first word is opened, measured and closed. */
+/* The command: measures the game of the first word. RESULT_REFUSED: a run faulted or cannot start. */
 enum result bench_command(const struct args *a);
 
 #endif

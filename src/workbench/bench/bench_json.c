@@ -7,7 +7,7 @@
 #include "../../common/json.h"
 #include "bench_print.h"
 #include "ram.h"
-#include "rooms.h"
+#include "capacities.h"
 
 enum { NANO = 1000 /* in a microsecond */, LINES = 100, TEXT = 160 };
 
@@ -86,10 +86,10 @@ static void put_lines(struct json *j, const struct measure *m)
     json_close(j, ']');
 }
 
-static void put_rooms(struct json *j, const struct measure *m)
+static void put_capacities(struct json *j, const struct measure *m)
 {
-    struct room room[ROOMS];
-    const int n = rooms_of(m, room);
+    struct capacity room[CAPACITIES];
+    const int n = capacities_measure(m, room);
 
     json_number(j, "ram", (int64_t)board_ram_needed(m->cart));
     json_open(j, "rooms", '[');
@@ -131,7 +131,7 @@ void bench_json(const struct bench *b, const struct measure *m)
     put_sections(&j, b, m);
     put_phases(&j, m);
     put_lines(&j, m);
-    put_rooms(&j, m);
+    put_capacities(&j, m);
     put_ram(&j, m);
     json_close(&j, '}');
     putchar('\n');

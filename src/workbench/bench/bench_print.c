@@ -8,14 +8,14 @@
 #include <string.h>
 #include "../../common/clean.h"
 #include "ram.h"
-#include "rooms.h"
+#include "capacities.h"
 #include "../../common/report.h"
 
 enum {
     NAME_LEAST = 10, /* columns of a section's name */
     NAME_MOST = 24,
     TEXT = 44,       /* columns of a line's text */
-    WORTH = 16 << 10 /* bytes that a lower capacity saves, for it to be worth a word */
+    WORTH = 16 << 10 /* bytes; smaller savings are not mentioned */
 };
 
 static const char outside[] = "(outside)";
@@ -97,7 +97,7 @@ static void print_sections(const struct bench *b, const struct measure *m)
         print_section(b, &m->all, "all", width);
 }
 
-/* ---- what of it is what ---- */
+/* ---- phases ---- */
 
 static void print_phases(const struct measure *m)
 {
@@ -139,7 +139,7 @@ static void print_verdict(const struct bench *b, const struct measure *m)
 
 /* ---- lines ---- */
 
-static int dearer(const void *a, const void *b)
+static int by_work(const void *a, const void *b)
 {
     const struct profile_line *x = *(const struct profile_line *const *)a, *y = *(const struct profile_line *const *)b;
     const uint64_t v = profile_work(x), w = profile_work(y);
@@ -157,7 +157,7 @@ int bench_lines(const struct measure *m, const struct profile_line *out[], int n
     for (int i = 0; i < PROFILE_CAPACITY; i++)
         if (profile_work(&m->profile.line[i]))
             all[found++] = &m->profile.line[i];
-    qsort(all, (size_t)found, sizeof *all, dearer);
+    qsort(all, (size_t)found, sizeof *all, by_work);
     found = found < n ? found : n;
     memcpy(out, all, (size_t)found * sizeof *all);
     free(all);
@@ -225,9 +225,9 @@ static void print_lines(const struct measure *m)
         print_line(m, line[i]);
 }
 
-/* ---- rooms ---- */
+/* ---- capacities ---- */
 
-static void print_room(const struct room *r)
+static void print_capacity(const struct capacity *r)
 {
     report_print("%-20s %8lld %8lld %6d %%", r->name, (long long)r->asked, (long long)r->most,
                  (int)(100 * r->most / r->asked));
@@ -238,16 +238,16 @@ static void print_room(const struct room *r)
     report_print("\n");
 }
 
-static void print_rooms(const struct measure *m)
+static void print_capacities(const struct measure *m)
 {
-    struct room room[ROOMS];
-    const int n = rooms_of(m, room);
-    const uint64_t saved = rooms_saved(m, room, n);
+    struct capacity room[CAPACITIES];
+    const int n = capacities_measure(m, room);
+    const uint64_t saved = capacities_save(m, room, n);
     char ram[32], less[32];
 
     report_print("\n%-20s %8s %8s %8s %9s %11s\n", "capacity", "limit", "peak", "used", "enough", "saves");
     for (int i = 0; i < n; i++)
-        print_room(&room[i]);
+        print_capacity(&room[i]);
     report_print("\nThe board uses %s KiB of RAM", grouped(ram, board_ram_needed(m->cart) / 1024));
     if (saved >= WORTH)
         report_print("; %s KiB less with capacities that are just enough for these runs", grouped(less, saved / 1024));
@@ -277,6 +277,6 @@ void bench_print(const struct bench *b, const struct measure *m)
     print_phases(m);
     print_verdict(b, m);
     print_lines(m);
-    print_rooms(m);
+    print_capacities(m);
     print_ram(m);
 }

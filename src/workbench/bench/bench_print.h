@@ -1,5 +1,5 @@
 /*
- * bench_print.h - what `curtain bench` measured, as text to be read.
+ * bench_print.h - the results of `curtain bench` as text.
  */
 #ifndef WORKBENCH_BENCH_PRINT_H
 #define WORKBENCH_BENCH_PRINT_H
@@ -7,16 +7,15 @@
 #include "bench.h"
 #include "measure.h"
 
-enum { BENCH_LINES = 10 /* the dearest ones */ };
+enum { BENCH_LINES = 10 };
 
-/* After measure_end, on standard output. */
+/* Prints the results after measure_end. */
 void bench_print(const struct bench *b, const struct measure *m);
 
-/* The dearest lines of Lua, at most n, dearest first; returns how many there are. */
+/* Stores the most expensive lines of Lua, at most n, the most expensive first; returns how many. */
 int bench_lines(const struct measure *m, const struct profile_line *out[], int n);
 
-/* The text of that line ("stages/one.lua:42"), without what it begins and ends with in blanks, cut to fit; "": it is
- * not known. */
+/* Writes the text of a line ("stages/one.lua:42") without blanks at both ends, cut to fit; "": not known. */
 void bench_text(const struct measure *m, const char *place, char *text, size_t size);
 
 #endif

@@ -1,8 +1,8 @@
 /*
  * measure.c - see measure.h.
  *
- * The clock is read before a tick (the guard's own work is not the game's), by the board at the end of each of the
- * tick's phases, and after the picture and the sound. Which section a frame is of, the markers of its tick say.
+ * The clock is read before a tick (without the guard's own work), at the end of each phase of the tick, and after the
+ * picture and the sound. The markers of a tick determine the section of its frame.
  */
 #include "measure.h"
 
@@ -19,9 +19,9 @@
 #include "../../common/array.h"
 
 enum {
-    COUNTING = 2,   /* a frame whose instructions are counted takes about as long as so many that are timed */
-    GUESS = 3600,   /* frames of a run that nobody knows the length of */
-    TELL_EVERY = 16 /* frames between two looks at whether progress is to be told */
+    COUNTING = 2,       /* counting a frame's instructions takes about as long as timing 2 frames */
+    GUESS = 3600,       /* frames of a run of unknown length */
+    PROGRESS_EVERY = 16 /* frames */
 };
 
 /* Microseconds of one frame in one round. */
@@ -38,7 +38,7 @@ struct player {
     struct shade_kept shades;
     void *memory, *scratch, *sounds; /* sounds: NULL: the game is silent */
     uint32_t rgb[256];
-    int16_t heard[2 * BOARD_SOUND_FRAMES];
+    int16_t mix[2 * BOARD_SOUND_FRAMES];
     uint64_t began, last; /* usec: the tick, and what was timed last */
     uint64_t phase[PHASES];
 
@@ -69,12 +69,12 @@ static int find_or_add(struct measure *m, const char *name)
     return m->n++;
 }
 
-/* Where a run is: in a stage, or in a phase of a boss, perhaps of one. */
+/* The current stage and phase of a run. */
 struct place {
     char stage[MEASURE_NAME], phase[MEASURE_NAME];
 };
 
-static void hear(struct place *p, const struct board_marker *k)
+static void update_place(struct place *p, const struct board_marker *k)
 {
     switch (k->kind) {
     case MARKER_STAGE:
@@ -98,10 +98,10 @@ static void hear(struct place *p, const struct board_marker *k)
     }
 }
 
-static int where(struct measure *m, struct place *p, const struct board_out *out)
+static int section_of(struct measure *m, struct place *p, const struct board_out *out)
 {
     for (int i = 0; i < out->marker_count; i++)
-        hear(p, &out->marker[i]);
+        update_place(p, &out->marker[i]);
     return find_or_add(m, p->phase[0] ? p->phase : p->stage);
 }
 
@@ -132,7 +132,7 @@ static const struct board_out *timed_tick(struct player *p, const uint16_t pads[
     board_draw(p->guard.board, &p->view, &p->fb, p->rgb, p->scratch);
     t->draw = (uint32_t)clock_lap(&p->last);
     if (p->sounds)
-        board_mix_sound(p->guard.board, p->sounds, p->heard);
+        board_mix_sound(p->guard.board, p->sounds, p->mix);
     t->sound = (uint32_t)clock_lap(&p->last);
     return out;
 }
@@ -164,11 +164,11 @@ static enum result faulted(const struct player *p)
                        board_last_output(p->guard.board)->fault->message);
 }
 
-static void tell(struct player *p, uint32_t frame, const char *what)
+static void show_progress(struct player *p, uint32_t frame, const char *what)
 {
     struct measure *m = p->m;
 
-    if (frame % TELL_EVERY == 0)
+    if (frame % PROGRESS_EVERY == 0)
         progress_tell(m->done, m->planned, "%s: %s", p->run->name, what);
 }
 
@@ -186,7 +186,7 @@ static uint32_t most_of(const struct measure_run *run)
     return run->most ? run->most : run->demo ? run->demo->frames : SWEEP_FRAMES;
 }
 
-/* The run from its power-on to its end, which the first round finds. */
+/* Plays a run to its end; the other rounds have the same length. */
 static enum result first_round(struct player *p)
 {
     const uint32_t most = most_of(p->run);
@@ -200,14 +200,14 @@ static enum result first_round(struct player *p)
             return report_line(RESULT_HOST_FAILED, "out of memory");
         press(p, f, pads);
         out = timed_tick(p, pads, &p->times[0][f]);
-        p->section[f] = (uint16_t)where(p->m, &place, out);
+        p->section[f] = (uint16_t)section_of(p->m, &place, out);
         p->frames++;
         p->m->done++;
-        tell(p, f, "timing");
+        show_progress(p, f, "timing");
         over = out->fault || (!p->run->demo && sweep_over(p->run->kind, out));
     }
     p->hash = board_hash(p->guard.board);
-    /* a demo may have been recorded up to a fault; what came before is measured */
+    /* a demo may end with a fault; the frames before it are measured */
     return out->fault && (!p->run->demo || p->frames < most) ? faulted(p) : RESULT_DONE;
 }
 
@@ -219,12 +219,12 @@ static enum result next_round(struct player *p, int round)
         press(p, f, pads);
         timed_tick(p, pads, &p->times[round][f]);
         p->m->done++;
-        tell(p, f, "timing");
+        show_progress(p, f, "timing");
     }
     return RESULT_DONE;
 }
 
-static void note_rooms(struct measure *m, const struct board *b)
+static void note_capacities(struct measure *m, const struct board *b)
 {
     struct inspect_gauge now[MAX_PARTS];
 
@@ -240,7 +240,7 @@ static void note_rooms(struct measure *m, const struct board *b)
     m->lua_peak = m->lua_peak > board_lua_peak(b) ? m->lua_peak : board_lua_peak(b);
 }
 
-/* Nothing is timed, so that counting may take as long as it likes. */
+/* Counts instructions without timing. */
 static enum result count_round(struct player *p)
 {
     struct profile *profile = &p->m->profile;
@@ -253,9 +253,9 @@ static enum result count_round(struct player *p)
         press(p, f, pads);
         out = board_tick(p->guard.board, pads);
         p->m->section[p->section[f]].lua += profile_work(&profile->total) - before;
-        note_rooms(p->m, p->guard.board);
+        note_capacities(p->m, p->guard.board);
         p->m->done += COUNTING;
-        tell(p, f, "counting Lua instructions");
+        show_progress(p, f, "counting Lua instructions");
     }
     board_set_profile(p->guard.board, NULL);
     return RESULT_DONE;
@@ -390,7 +390,7 @@ enum result measure_add(struct measure *m, const struct measure_run *run)
     return result;
 }
 
-/* ---- what came of it ---- */
+/* ---- results ---- */
 
 void measure_open(struct measure *m, const struct cart *cart)
 {

@@ -10,11 +10,11 @@
 #include "reach.h"
 
 enum {
-    LATE = 12,  /* frames until a bot sees what is there */
+    LATE = 12,  /* frames of reaction time */
     THINKS = 4, /* frames between two decisions */
-    FLIES = 10, /* frames that it means to go one way */
-    LOOKS = 40, /* frames it looks ahead, every second of them */
-    ROOM = 20,  /* px that are room enough */
+    FLIES = 10, /* frames of a planned move */
+    LOOKS = 40, /* frames of look-ahead, of which every second is checked */
+    ROOM = 20,  /* px; more free space is not better */
     WAYS = REACH_WAYS,
     SEEN = LATE + 1
 };
@@ -49,7 +49,7 @@ static uint16_t towards(const struct danger_ship *ship, fx x, fx y)
                                            : 0));
 }
 
-/* How near the nearest bullet comes to (x, y) in `ahead` frames, edge to edge, px: at most ROOM. */
+/* Returns the distance of the nearest bullet from (x, y) in `ahead` frames, edge to edge, in px, at most ROOM. */
 static double nearness(const struct forecast *f, double x, double y, double radius, int ahead)
 {
     double best = ROOM;
@@ -67,8 +67,7 @@ static double nearness(const struct forecast *f, double x, double y, double radi
     return best;
 }
 
-/* How long nothing hits on a way, in frames, and how much room there is on it; ties are for who stays low and in the
- * middle. */
+/* Rates a move: frames until a hit, plus free space, minus the distance from the lower middle of the field. */
 static double worth(const struct forecast *f, const struct danger_ship *ship, int way)
 {
     const double w = (double)ship->area.x1 - ship->area.x0, h = (double)ship->area.y1 - ship->area.y0;
@@ -120,39 +119,39 @@ static uint16_t think(struct bot *b, const struct danger_ship *ship, uint32_t fr
     return towards(ship, b->to_x, b->to_y);
 }
 
-static enum trial_end tick(struct trial *t, struct bot *b)
+static enum simulation_end tick(struct simulation *t, struct bot *b)
 {
     const uint32_t frame = board_frame(t->b);
-    uint16_t pads[MAX_PLAYERS] = { trial_press(t), 0 };
+    uint16_t pads[MAX_PLAYERS] = { simulation_menu_pads(t), 0 };
 
-    if (trial_steers(t))
+    if (simulation_can_steer(t))
         pads[0] = (uint16_t)(think(b, &t->ship, frame) | PAD_FIRE);
     t->into = b->kind == BOT_DODGE ? &b->seen[frame % SEEN] : NULL;
     forecast_clear(&b->seen[frame % SEEN], frame);
-    const enum trial_end end = trial_tick(t, pads);
+    const enum simulation_end end = simulation_tick(t, pads);
     t->into = NULL;
     return end;
 }
 
-static enum trial_end play(struct trial *t, struct bot *b, uint32_t limit)
+static enum simulation_end play(struct simulation *t, struct bot *b, uint32_t limit)
 {
-    enum trial_end end = TRIAL_ON;
+    enum simulation_end end = SIMULATION_ON;
 
-    while (end == TRIAL_ON && board_frame(t->b) < limit)
+    while (end == SIMULATION_ON && board_frame(t->b) < limit)
         end = tick(t, b);
     return end;
 }
 
-/* Nothing kills it; hits are counted. */
-static enum trial_end play_on(struct trial *t, struct bot *b, const struct trial_mark *start, uint32_t limit,
-                              struct bots *out)
+/* Plays with an invincible ship, and counts hits. */
+static enum simulation_end play_on(struct simulation *t, struct bot *b, const struct simulation_state *start,
+                                   uint32_t limit, struct bots *out)
 {
-    enum trial_end end = TRIAL_ON;
+    enum simulation_end end = SIMULATION_ON;
     uint32_t lived = 0, hits = 0;
     int mercy = 0;
 
     danger_set_invincible(t->b, true);
-    while (end == TRIAL_ON && board_frame(t->b) < limit) {
+    while (end == SIMULATION_ON && board_frame(t->b) < limit) {
         end = tick(t, b);
         if (mercy > 0)
             mercy--;
@@ -170,7 +169,7 @@ static enum trial_end play_on(struct trial *t, struct bot *b, const struct trial
     return end;
 }
 
-static bool all_play(struct trial *t, const struct trial_mark *start, uint32_t limit, int bots, bool on,
+static bool all_play(struct simulation *t, const struct simulation_state *start, uint32_t limit, int bots, bool on,
                      struct bots *out)
 {
     struct bot *b = malloc(sizeof *b);
@@ -181,13 +180,13 @@ static bool all_play(struct trial *t, const struct trial_mark *start, uint32_t l
         const int to = bots * sum / BOTS, of = to - before;
         for (int i = 0; i < of && !out->fault; i++) {
             *b = (struct bot){ .kind = (enum bot_kind)kind, .number = i, .of = of, .random = 77u * (uint32_t)(i + 1) };
-            trial_restore(t, start);
+            simulation_restore(t, start);
             out->n[kind]++;
             if (on)
-                out->fault |= play_on(t, b, start, limit, out) == TRIAL_FAULT;
+                out->fault |= play_on(t, b, start, limit, out) == SIMULATION_FAULT;
             else {
-                const enum trial_end end = play(t, b, limit);
-                out->lived[kind] += end == TRIAL_ENDED || end == TRIAL_ON;
+                const enum simulation_end end = play(t, b, limit);
+                out->lived[kind] += end == SIMULATION_ENDED || end == SIMULATION_ON;
                 out->frames += board_frame(t->b) - start->frame;
             }
             for (int k = 0; k < SEEN; k++)
@@ -199,12 +198,13 @@ static bool all_play(struct trial *t, const struct trial_mark *start, uint32_t l
     return b != NULL;
 }
 
-bool bots_play(struct trial *t, const struct trial_mark *start, uint32_t limit, struct bots *out)
+bool bots_play(struct simulation *t, const struct simulation_state *start, uint32_t limit, struct bots *out)
 {
     return all_play(t, start, limit, BOTS, false, out);
 }
 
-bool bots_play_on(struct trial *t, const struct trial_mark *start, uint32_t limit, int bots, struct bots *out)
+bool bots_play_on(struct simulation *t, const struct simulation_state *start, uint32_t limit, int bots,
+                  struct bots *out)
 {
     return all_play(t, start, limit, bots, true, out);
 }

@@ -16,7 +16,7 @@ enum {
     GAP = 6,
     LABEL = 14,  /* px of height above a picture */
     LEGEND = 16, /* of a line below all of them */
-    KEY = 10,    /* px of a colour there, and to its words */
+    KEY = 10,    /* px of a colour in the legend */
     GREY = 0x28,
     LAST_SCALE = 2,
     BEFORE = 15 /* frames */
@@ -25,7 +25,7 @@ enum {
 struct atlas {
     struct section_run *s;
     const struct cart *cart;
-    struct reach could, leads; /* where a ship could be; what of that leads to the end */
+    struct reach could, leads; /* reachable cells; those that lead to the end */
     struct fb fb;
     void *screen, *scratch;
     uint32_t rgb[256];
@@ -66,7 +66,7 @@ static bool sheet_open(struct atlas *m, int n)
     return m->sheet != NULL;
 }
 
-/* Writes by the cabinet's face, which a picture of its own is made for. */
+/* Writes text in the canvas's font, by way of a separate picture. */
 static void label(const struct atlas *m, int x, int y, const char *text)
 {
     enum { W = 320, H = LABEL };
@@ -92,7 +92,7 @@ static void label(const struct atlas *m, int x, int y, const char *text)
 
 static const int leads_colour[3] = { 0x20, 0xd0, 0x50 }, dead_colour[3] = { 0x30, 0x70, 0xff };
 
-/* What the colours say, a line each: a sheet may be as narrow as one picture. */
+/* Explains a colour on each line, because a sheet may be as narrow as one picture. */
 static void legend(const struct atlas *m)
 {
     static const char *const words[KEYS] = { "reachable, and leads to the end", "reachable, but a dead end",
@@ -140,7 +140,7 @@ static void cross(const struct atlas *m, int x0, int y0)
 {
     struct danger_ship ship;
 
-    danger_get_ship(m->s->trial.b, 0, &ship);
+    danger_get_ship(m->s->simulation.b, 0, &ship);
     if (!ship.in_game)
         return;
     const int x = x0 + (int)((int64_t)ship.path.x * m->scale / FX_ONE);
@@ -162,11 +162,11 @@ static void add_picture(struct atlas *m, uint32_t frame)
     int out[3] = { 0 };
 
     m->count++;
-    board_draw(m->s->trial.b, NULL, &m->fb, m->rgb, m->scratch);
+    board_draw(m->s->simulation.b, NULL, &m->fb, m->rgb, m->scratch);
     for (int y = 0; y < f->field_h * m->scale; y++)
         for (int x = 0; x < f->field_w * m->scale; x++) {
             if (x % m->scale == 0)
-                tint(m, frame - m->s->seek.begin, x / m->scale, y / m->scale, out);
+                tint(m, frame - m->s->search.begin, x / m->scale, y / m->scale, out);
             put(m, x0 + x, y0 + y, out[0], out[1], out[2]);
         }
     cross(m, x0, y0);
@@ -190,11 +190,11 @@ static bool map_open(struct atlas *m, int n)
     struct section_run *s = m->s;
     int w, h;
 
-    if (!trial_again(&s->trial, s->err, sizeof s->err))
+    if (!simulation_restart(&s->simulation, s->err, sizeof s->err))
         return false;
-    board_screen_size(s->trial.b, &w, &h);
+    board_screen_size(s->simulation.b, &w, &h);
     m->screen = malloc(fb_size(w, h));
-    m->scratch = malloc(board_scratch_size(s->trial.b) + 1);
+    m->scratch = malloc(board_scratch_size(s->simulation.b) + 1);
     if (!m->screen || !m->scratch || !sheet_open(m, n))
         return false;
     fb_init(&m->fb, m->screen, w, h);
@@ -207,11 +207,11 @@ static bool map_open(struct atlas *m, int n)
     return true;
 }
 
-/* The run once more, with a picture at each of the frames, which ascend. */
+/* Repeats the run, with a picture of each of the frames, which are in ascending order. */
 static void map_run(struct atlas *m, const uint32_t *frame, int n)
 {
-    struct trial *t = &m->s->trial;
-    const struct seek *k = &m->s->seek;
+    struct simulation *t = &m->s->simulation;
+    const struct search *k = &m->s->search;
     int next = 0;
 
     for (uint32_t f = 0; next < n; f++) {
@@ -220,10 +220,10 @@ static void map_run(struct atlas *m, const uint32_t *frame, int n)
         if (next == n || board_last_output(t->b)->fault)
             return;
         uint16_t pads[MAX_PLAYERS] = { 0 };
-        pads[0] = f < k->frames ? k->pads[f] : trial_steers(t) ? PAD_FIRE : trial_press(t);
+        pads[0] = f < k->frames ? k->pads[f] : simulation_can_steer(t) ? PAD_FIRE : simulation_menu_pads(t);
         if (f >= k->frames)
             danger_set_invincible(t->b, true);
-        trial_tick(t, pads);
+        simulation_tick(t, pads);
     }
 }
 
@@ -245,7 +245,7 @@ static uint8_t *make(struct section_run *s, const struct cart *cart, int scale, 
 uint8_t *map_sheet(struct section_run *s, const struct cart *cart, size_t *size)
 {
     uint32_t frame[PICTURES];
-    const uint32_t begin = s->seek.begin, frames = s->course.frames;
+    const uint32_t begin = s->search.begin, frames = s->course.frames;
 
     for (uint32_t i = 0; i < PICTURES; i++)
         frame[i] = begin + (uint32_t)((uint64_t)frames * (i + 1) / PICTURES);
@@ -254,8 +254,9 @@ uint8_t *map_sheet(struct section_run *s, const struct cart *cart, size_t *size)
 
 uint8_t *map_last(struct section_run *s, const struct cart *cart, size_t *size)
 {
-    const uint32_t begin = s->seek.begin;
-    const uint32_t last = s->seek.verdict == SEEK_CANNOT && s->seek.last > begin ? s->seek.last - 1 : s->seek.frames;
+    const uint32_t begin = s->search.begin;
+    const uint32_t last =
+        s->search.verdict == SEARCH_CANNOT && s->search.last > begin ? s->search.last - 1 : s->search.frames;
     const uint32_t first = last > begin + BEFORE ? last - BEFORE : begin;
     const uint32_t frame[3] = { first, last, last + 1 };
 

@@ -1,5 +1,5 @@
 /*
- * map.h - pictures of where a ship could be.
+ * map.h - pictures of the cells that the ship could reach.
  */
 #ifndef WORKBENCH_MAP_H
 #define WORKBENCH_MAP_H
@@ -7,12 +7,12 @@
 #include "../../rom/cart.h"
 #include "section.h"
 
-/* A sheet of frames of a run, evenly over it: on the picture, darkened, the cells where a ship could be are blue, and
- * those from which it could go on to the end green; the run's own ship is a white cross. The numbers are frames. A PNG,
- * malloc'ed; NULL: no memory. The trial is powered anew. */
+/* Returns a contact sheet of the run as a PNG (malloc; NULL: out of memory), and restarts the simulation. In each
+ * darkened frame, cells that the ship could reach are blue, those that lead to the end green, and the run's ship is a
+ * white cross. */
 uint8_t *map_sheet(struct section_run *s, const struct cart *cart, size_t *size);
 
-/* The frame in which it ended, three times as large, beside the one a quarter of a second before. */
+/* The same with the last frame, the frame after it and one a quarter of a second before, at twice the size. */
 uint8_t *map_last(struct section_run *s, const struct cart *cart, size_t *size);
 
 #endif

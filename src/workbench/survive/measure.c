@@ -7,11 +7,11 @@
 #include <stdlib.h>
 #include "plan.h"
 
-enum { WIDTHS = 12, LOOK = 240 /* frames a bullet is followed */, WAYS_GAP = 1 << 18 };
+enum { WIDTHS = 12, LOOK = 240 /* frames that a bullet is followed */, MOVES_GAP = 1 << 18 };
 
 /* ---- the narrowest gap ---- */
 
-/* Is there a way for a ship with a radius that much larger? */
+/* Returns whether there is a path for a ship with a larger radius. */
 static bool fits(const struct forecast *f, fx grown, fx x, fx y)
 {
     struct reach r;
@@ -20,14 +20,14 @@ static bool fits(const struct forecast *f, fx grown, fx x, fx y)
 
     if (good) {
         reach_back(&r);
-        good = plan_make(&p, &r, x, y, WAYS_GAP, 0, 0) && p.frames == f->frames;
+        good = plan_make(&p, &r, x, y, MOVES_GAP, 0, 0) && p.frames == f->frames;
     }
     plan_free(&p);
     reach_close(&r);
     return good;
 }
 
-/* The run itself says how much wider its ship could be. */
+/* The same for the path of the run. */
 static bool run_fits(const struct forecast *f, fx grown)
 {
     for (uint32_t i = 0; i < f->frames; i++)
@@ -55,7 +55,7 @@ static void measure_gap(struct measure *m, const struct forecast *f, fx x, fx y)
 
 /* ---- reaction ---- */
 
-/* The bullet or laser of that slot in a frame; NULL: it is gone. Dangers of bullets stand in slot order. */
+/* Returns the bullet or laser in a frame, or NULL after its end. Dangers are in slot order. */
 static const struct danger *find(const struct forecast *f, uint32_t frame, const struct danger *d)
 {
     const struct forecast_frame *at = &f->frame[frame];
@@ -73,7 +73,7 @@ static const struct danger *find(const struct forecast *f, uint32_t frame, const
     return e && e->source == d->source && e->slot == d->slot ? e : NULL;
 }
 
-/* Frames until it would hit a ship that stays where it is; 0: it would not. */
+/* Returns the frames until it would hit a ship that does not move, or 0. */
 static int until_hit(const struct forecast *f, uint32_t frame, const struct danger *d)
 {
     struct danger_path stay = f->frame[frame].ship.path;
@@ -126,7 +126,7 @@ void measure_run(struct measure *m, const struct forecast *course, fx x, fx y)
             m->ship = (int)((int64_t)course->frame[i].ship.path.radius * 20 / FX_ONE);
     }
     m->seconds100 = course->frames * 100 / 60;
-    for (uint32_t i = 0; course->frames && i < course->frame[0].n; i++) /* those that were there */
+    for (uint32_t i = 0; course->frames && i < course->frame[0].n; i++) /* older ones */
         m->fired += course->list[i].source != DANGER_ENEMY && course->list[i].age > 0;
     measure_reaction(m, course);
     measure_gap(m, course, x, y);

@@ -1,5 +1,5 @@
 /*
- * measure.h - how hard a section is, by what its bullets did in the run that was found.
+ * measure.h - how hard a section is, measured by the bullets in the run that was found.
  */
 #ifndef WORKBENCH_MEASURE_H
 #define WORKBENCH_MEASURE_H
@@ -8,22 +8,22 @@
 
 struct measure {
     struct bots bots;
-    uint32_t seconds100; /* hundredths of a second that the run was steered */
-    uint32_t fired;      /* bullets and lasers in it */
-    uint32_t most;       /* shapes at once that could hit */
-    int gap;             /* tenths of a px: a ship so wide could fly through; wider ones may too. 0: not known */
-    int ship;            /* tenths of a px that it is wide */
-    int aimed;           /* bullets that would have hit the ship where it was as they began */
-    int reaction;        /* frames from a beginning to that hit: of the aimed ones a tenth had no more; 0: none */
+    uint32_t seconds100; /* length in hundredths of a second, from when the ship could be steered */
+    uint32_t fired;      /* bullets and lasers */
+    uint32_t most;       /* most shapes at a time that could hit */
+    int gap;             /* tenths of a px: a ship of this width could fly through; wider ones may too. 0: not known */
+    int ship;            /* width of the ship in tenths of a px */
+    int aimed;           /* bullets that would have hit the ship where it was when they spawned */
+    int reaction;        /* 10th percentile of the frames from their spawn to that hit; 0: none */
 };
 
-/* Of what happened in a run, while it was steered; its first place is (x, y). The bots are for the caller. */
+/* Measures a run from its forecast; the ship starts at (x, y). Leaves `bots` to the caller. */
 void measure_run(struct measure *m, const struct forecast *course, fx x, fx y);
 
-/* In hundredths. */
+/* Bullets per second, in hundredths. */
 uint32_t measure_per_second(const struct measure *m);
 
-/* Is this, at an easier difficulty, harder than that, at the next one? Says why in at most a line; "": no. */
+/* Writes why the easier difficulty is harder than the next one; "": it is not. */
 void measure_compare(const struct measure *easier, const struct measure *harder, char *why, size_t size);
 
 #endif

@@ -1,21 +1,21 @@
 /*
- * plan.c - see plan.h. A search in depth: where sets of cells say what leads on, the first choice is nearly always
- * right, so it is the one that leaves most room around it.
+ * plan.c - see plan.h. The search is depth first. The sets contain only cells that lead on, so the first choice, the
+ * one with the most free space around it, is nearly always right.
  */
 #include "plan.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-enum { NEAR = 4 /* distances that room is looked for at */ };
+enum { NEAR = 4 /* distances at which free space is measured */ };
 
 struct step {
     fx x, y;
-    uint8_t order[REACH_WAYS]; /* the ways from here, the best first */
-    uint8_t next, n, way;      /* to be tried; the one that led here */
+    uint8_t order[REACH_WAYS]; /* the moves from here, the best first */
+    uint8_t next, n, way;      /* next, n: of order; way: the move that led here */
 };
 
-struct search {
+struct planner {
     const struct reach *r;
     struct plan *plan;
     struct step *step;
@@ -53,7 +53,7 @@ static uint32_t mix(uint32_t v)
     return v ^ v >> 16;
 }
 
-/* How much room there is round a place: of places 1, 2, 4 ... px away in four directions those that lead on. */
+/* Returns the free space around a position: how many positions 1, 2, 4 ... px away in four directions lead on. */
 static int room_round(const struct reach *r, uint32_t t, fx x, fx y)
 {
     static const int towards[4][2] = { { 1, 0 }, { -1, 0 }, { 0, 1 }, { 0, -1 } };
@@ -65,8 +65,8 @@ static int room_round(const struct reach *r, uint32_t t, fx x, fx y)
     return room;
 }
 
-/* The better, the higher. */
-static int64_t worth(const struct search *s, uint32_t t, fx x, fx y, int way, int before)
+/* Rates a move; higher is better. */
+static int64_t worth(const struct planner *s, uint32_t t, fx x, fx y, int way, int before)
 {
     const struct forecast_frame *frame = &s->r->f->frame[t];
     const struct box *a = &s->r->area;
@@ -81,8 +81,8 @@ static int64_t worth(const struct search *s, uint32_t t, fx x, fx y, int way, in
     return v;
 }
 
-/* Puts the ways on from a step in order. */
-static void look(const struct search *s, uint32_t t, struct step *at)
+/* Sorts the moves from a step. */
+static void sort_moves(const struct planner *s, uint32_t t, struct step *at)
 {
     const struct forecast_frame *frame = &s->r->f->frame[t];
     int64_t value[REACH_WAYS];
@@ -105,7 +105,7 @@ static void look(const struct search *s, uint32_t t, struct step *at)
     }
 }
 
-static bool first_time(struct search *s, uint32_t t, fx x, fx y)
+static bool first_time(struct planner *s, uint32_t t, fx x, fx y)
 {
     const struct reach *r = s->r;
     const size_t cell = (size_t)((y - r->area.y0) / r->cell) * (size_t)r->w + (size_t)((x - r->area.x0) / r->cell);
@@ -117,8 +117,8 @@ static bool first_time(struct search *s, uint32_t t, fx x, fx y)
     return !seen;
 }
 
-/* Tries the next way of the step at t; true: it leads on. */
-static bool go_on(struct search *s, uint32_t t)
+/* Tries the next move of the step at t; true: it leads on. */
+static bool try_move(struct planner *s, uint32_t t)
 {
     const struct forecast_frame *frame = &s->r->f->frame[t];
     struct step *at = &s->step[t];
@@ -137,7 +137,7 @@ static bool go_on(struct search *s, uint32_t t)
     return true;
 }
 
-static void keep(struct search *s, uint32_t t)
+static void keep(struct planner *s, uint32_t t)
 {
     if (t <= s->plan->frames)
         return;
@@ -146,22 +146,22 @@ static void keep(struct search *s, uint32_t t)
         s->plan->pads[i] = reach_pads(s->step[i + 1].way);
 }
 
-static void run(struct search *s, uint64_t most)
+static void run(struct planner *s, uint64_t most)
 {
     const uint32_t end = s->r->f->frames < s->r->frames ? s->r->f->frames : s->r->frames;
     uint32_t t = 0, deepest = 0;
 
-    look(s, 0, &s->step[0]);
+    sort_moves(s, 0, &s->step[0]);
     while (t < end && s->plan->tried < most) {
         if (s->step[t].next < s->step[t].n) {
-            if (!go_on(s, t))
+            if (!try_move(s, t))
                 continue;
             t++;
             if (t < end)
-                look(s, t, &s->step[t]);
+                sort_moves(s, t, &s->step[t]);
             continue;
         }
-        if (t > deepest) { /* it goes back from here */
+        if (t > deepest) { /* the search goes back from here */
             deepest = t;
             keep(s, t);
         }
@@ -174,7 +174,7 @@ static void run(struct search *s, uint64_t most)
 bool plan_make(struct plan *p, const struct reach *r, fx x, fx y, uint64_t most, uint32_t taste, int aims)
 {
     const size_t n = (size_t)r->f->frames + 1;
-    struct search s = { .r = r, .plan = p, .taste = taste, .aims = aims };
+    struct planner s = { .r = r, .plan = p, .taste = taste, .aims = aims };
 
     *p = (struct plan){ .pads = calloc(n, sizeof *p->pads) };
     s.step = calloc(n, sizeof *s.step);

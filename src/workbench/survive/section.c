@@ -6,29 +6,29 @@
 #include "../../base/err.h"
 #include "../../common/result.h"
 
-enum { AFTER = 30 /* frames that the course goes on where no way was found */ };
+enum { AFTER = 30 /* frames that the course continues after the hit */ };
 
 static uint16_t held(const struct section_run *s, uint32_t f)
 {
-    if (f < s->seek.frames)
-        return s->seek.pads[f];
-    return trial_steers(&s->trial) ? PAD_FIRE : trial_press(&s->trial);
+    if (f < s->search.frames)
+        return s->search.pads[f];
+    return simulation_can_steer(&s->simulation) ? PAD_FIRE : simulation_menu_pads(&s->simulation);
 }
 
-/* Runs it once more, and writes down what happens while it is steered. */
-static bool run_again(struct section_run *s, struct trial_mark *start)
+/* Repeats the longest run, and records its forecast. */
+static bool run_again(struct section_run *s, struct simulation_state *start)
 {
-    struct trial *t = &s->trial;
-    const uint32_t more = section_survived(s) ? 0 : AFTER, lived = s->seek.frames;
-    const uint32_t want = s->seek.last > lived ? s->seek.last : lived;
-    enum trial_end end = TRIAL_ON;
+    struct simulation *t = &s->simulation;
+    const uint32_t more = section_survived(s) ? 0 : AFTER, lived = s->search.frames;
+    const uint32_t want = s->search.last > lived ? s->search.last : lived;
+    enum simulation_end end = SIMULATION_ON;
 
-    if (!trial_again(t, s->err, sizeof s->err))
+    if (!simulation_restart(t, s->err, sizeof s->err))
         return false;
-    for (uint32_t f = 0; f < want + more && end == TRIAL_ON; f++) {
+    for (uint32_t f = 0; f < want + more && end == SIMULATION_ON; f++) {
         const uint16_t pads[MAX_PLAYERS] = { held(s, f), 0 };
-        if (f == s->seek.begin) {
-            if (!trial_save(t, start))
+        if (f == s->search.begin) {
+            if (!simulation_save(t, start))
                 return result_set_host_error(s->err, sizeof s->err, "out of memory");
             s->x = start->ship.path.x;
             s->y = start->ship.path.y;
@@ -37,62 +37,63 @@ static bool run_again(struct section_run *s, struct trial_mark *start)
         }
         if (f >= lived)
             danger_set_invincible(t->b, true);
-        end = trial_tick(t, pads);
+        end = simulation_tick(t, pads);
     }
     t->into = NULL;
     return true;
 }
 
-bool section_look(struct section_run *s, const struct rom *rom, const struct board_start *start, bool measured,
-                  bool *host)
+bool section_search(struct section_run *s, const struct rom *rom, const struct board_start *start, bool *host)
 {
-    struct trial_mark mark = { 0 };
+    struct simulation_state mark = { 0 };
 
     *host = false;
-    if (!trial_open(&s->trial, rom, start, s->err, sizeof s->err))
+    if (!simulation_open(&s->simulation, rom, start, s->err, sizeof s->err))
         return false;
-    s->seek.t = &s->trial;
-    seek_run(&s->seek);
-    *host = s->seek.verdict == SEEK_NO_MEMORY;
+    s->search.t = &s->simulation;
+    search_run(&s->search);
+    *host = s->search.verdict == SEARCH_NO_MEMORY;
     if (*host)
         return result_set_host_error(s->err, sizeof s->err, "out of memory");
-    if (s->seek.verdict == SEEK_FAULT || s->seek.verdict == SEEK_NO_SHIP)
+    if (s->search.verdict == SEARCH_FAULT || s->search.verdict == SEARCH_NO_SHIP)
         return true;
     bool good = run_again(s, &mark);
-    if (good && measured) {
+    if (good) {
         if (section_survived(s))
             measure_run(&s->measure, &s->course, s->x, s->y);
-        *host = !mark.at || !bots_play(&s->trial, &mark, s->seek.limit, &s->measure.bots);
+        *host = !mark.at || !bots_play(&s->simulation, &mark, s->search.limit, &s->measure.bots);
         good = !*host || result_set_host_error(s->err, sizeof s->err, "out of memory");
     }
-    trial_mark_free(&mark);
+    simulation_state_free(&mark);
     return good;
 }
 
-bool section_fly(struct section_run *s, const struct rom *rom, const struct board_start *start, int bots, bool *host)
+bool section_play_bots(struct section_run *s, const struct rom *rom, const struct board_start *start, int bots,
+                       bool *host)
 {
-    struct trial_mark mark = { 0 };
+    struct simulation_state mark = { 0 };
 
     *host = false;
-    if (!trial_open(&s->trial, rom, start, s->err, sizeof s->err))
+    if (!simulation_open(&s->simulation, rom, start, s->err, sizeof s->err))
         return false;
-    s->trial.parts = true;
-    s->seek.t = &s->trial;
-    if (!seek_begin(&s->seek)) {
-        *host = s->seek.verdict == SEEK_NO_MEMORY;
+    s->simulation.parts = true;
+    s->search.t = &s->simulation;
+    if (!search_begin(&s->search)) {
+        *host = s->search.verdict == SEARCH_NO_MEMORY;
         return !*host || result_set_host_error(s->err, sizeof s->err, "out of memory");
     }
-    s->seek.verdict = SEEK_BOTS;
-    *host = !trial_save(&s->trial, &mark) || !bots_play_on(&s->trial, &mark, s->seek.limit, bots, &s->measure.bots);
+    s->search.verdict = SEARCH_BOTS;
+    *host = !simulation_save(&s->simulation, &mark) ||
+            !bots_play_on(&s->simulation, &mark, s->search.limit, bots, &s->measure.bots);
     if (s->measure.bots.fault)
-        s->seek.verdict = SEEK_FAULT;
-    trial_mark_free(&mark);
+        s->search.verdict = SEARCH_FAULT;
+    simulation_state_free(&mark);
     return !*host || result_set_host_error(s->err, sizeof s->err, "out of memory");
 }
 
 void section_close(struct section_run *s)
 {
-    seek_close(&s->seek);
+    search_close(&s->search);
     forecast_close(&s->course);
-    trial_close(&s->trial);
+    simulation_close(&s->simulation);
 }

@@ -1,34 +1,34 @@
 /*
- * section.h - one section of a game at one difficulty: is there a way, and how hard is it?
+ * section.h - one section of a game at one difficulty: whether it can be survived, and how hard it is.
  */
 #ifndef WORKBENCH_SECTION_H
 #define WORKBENCH_SECTION_H
 
 #include "measure.h"
-#include "seek.h"
+#include "search.h"
 
 struct section_run {
-    struct trial trial;
-    struct seek seek;
-    struct forecast course; /* what happened in the run that came furthest, from when it was steered */
-    fx x, y;                /* where the ship was then */
+    struct simulation simulation;
+    struct search search;
+    struct forecast course; /* of the longest run, from the first frame in which the ship was steered */
+    fx x, y;                /* of the ship in that frame */
     struct measure measure;
     char err[1024];
 };
 
-/* Looks, within effort and limit; measures what was survived, if that is wanted. Close it either way. False: err says
- * why, and `host` whether the host is to blame. */
-bool section_look(struct section_run *s, const struct rom *rom, const struct board_start *start, bool measured,
-                  bool *host);
-/* Lets so many bots fly it, and looks for no way. Of a stage a part: from its start or a mark to the next one or to a
- * boss. */
-bool section_fly(struct section_run *s, const struct rom *rom, const struct board_start *start, int bots, bool *host);
+/* Searches within search.effort and search.limit, and measures the result. Close it either way. False: err is set;
+ * *host: because of an error of the host. */
+bool section_search(struct section_run *s, const struct rom *rom, const struct board_start *start, bool *host);
+
+/* Lets bots play it instead. Of a stage, they play a part: from its start or a mark to the next mark or a boss. */
+bool section_play_bots(struct section_run *s, const struct rom *rom, const struct board_start *start, int bots,
+                       bool *host);
 void section_close(struct section_run *s);
 
-/* Is there a run without a hit? */
+/* Returns whether a run without a hit was found. */
 static inline bool section_survived(const struct section_run *s)
 {
-    return s->seek.verdict == SEEK_SURVIVED || s->seek.verdict == SEEK_LASTED;
+    return s->search.verdict == SEARCH_SURVIVED || s->search.verdict == SEARCH_LASTED;
 }
 
 #endif

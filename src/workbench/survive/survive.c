@@ -13,20 +13,27 @@
 #include "../../player/run/sections.h"
 #include "../../common/output_paths.h"
 #include "../../base/err.h"
+#include "../../player/game/game.h"
 #include "map.h"
-#include "tell.h"
+#include "survive_print.h"
 
-enum { EMPTY = 60 /* frames of a part of a stage that are none to speak of */ };
+enum {
+    SURVIVE_FRAMES = 7200, /* without --frames */
+    SURVIVE_EFFORT = 4,    /* without --effort */
+    EMPTY = 60             /* frames: a shorter part of a stage is left out */
+};
 
 struct survive {
-    const struct survive_options *a;
-    char name[128]; /* of what is looked at, while it is */
+    const struct args *a;
+    const char *path; /* of the game, for messages */
+    struct game game;
+    char name[128]; /* of the current section, for progress */
 };
 
 /* ---- progress ---- */
 
-/* A section that is over before its last frame is looked at sooner than it says. */
-static void reached(void *user, uint32_t done, uint32_t of)
+/* The section may end before the limit. */
+static void show_progress(void *user, uint32_t done, uint32_t of)
 {
     const struct survive *s = user;
 
@@ -37,27 +44,29 @@ static void reached(void *user, uint32_t done, uint32_t of)
 
 static const char *difficulty_name(const struct survive *s, int32_t difficulty)
 {
-    const struct manifest *m = &s->a->cart->manifest;
+    const struct manifest *m = &s->game.cart.manifest;
     const int i = difficulty >= 0 ? difficulty : m->difficulty;
 
     return m->n_difficulties > 1 && i < m->n_difficulties ? m->difficulties[i] : "";
 }
 
-static enum result look(struct survive *s, struct section_run *run, const struct board_start *start)
+static enum result play_section(struct survive *s, struct section_run *run, const struct board_start *start)
 {
     bool host;
 
-    *run =
-        (struct section_run){ .seek = { .effort = s->a->effort, .limit = s->a->frames, .tell = reached, .user = s } };
+    *run = (struct section_run){ .search = { .effort = s->a->effort ? s->a->effort : SURVIVE_EFFORT,
+                                             .limit = s->a->n_spans ? s->a->spans[0].last : SURVIVE_FRAMES,
+                                             .on_progress = show_progress,
+                                             .user = s } };
     snprintf(s->name, sizeof s->name, "%s", start->practice.section[0] ? start->practice.section : "from the title");
     progress_begin();
-    const bool good = s->a->bots ? section_fly(run, s->a->rom, start, s->a->bots, &host)
-                                 : section_look(run, s->a->rom, start, true, &host);
+    const bool good = s->a->bots ? section_play_bots(run, &s->game.rom, start, s->a->bots, &host)
+                                 : section_search(run, &s->game.rom, start, &host);
     progress_end();
     if (!good)
-        return report_line(host ? RESULT_HOST_FAILED : RESULT_REFUSED, "%s: %s", s->a->path, run->err);
-    if (run->seek.verdict == SEEK_FAULT)
-        return report_fault(board_last_output(run->trial.b)->fault, s->a->verbose);
+        return report_line(host ? RESULT_HOST_FAILED : RESULT_REFUSED, "%s: %s", s->path, run->err);
+    if (run->search.verdict == SEARCH_FAULT)
+        return report_fault(board_last_output(run->simulation.b)->fault, s->a->verbose);
     return RESULT_DONE;
 }
 
@@ -66,8 +75,8 @@ static const char *demo_path(const struct survive *s)
     return s->a->out ? s->a->out : "survive.demo";
 }
 
-/* Another ending for the name of the demo. */
-static bool other_ending(const char *demo, char *out, size_t size)
+/* Writes the demo's path with the ending .png. */
+static bool picture_path(const char *demo, char *out, size_t size)
 {
     const char *dot = strrchr(demo, '.'), *slash = strrchr(demo, '/');
     const int n = (int)(dot && (!slash || dot > slash + 1) && dot > demo ? (size_t)(dot - demo) : strlen(demo));
@@ -91,29 +100,29 @@ static bool is_demo(const uint8_t *head, size_t n)
     return n >= 4 && memcmp(head, "CDEM", 4) == 0;
 }
 
-/* Before the work: may what nobody named be written? */
+/* Checks before the search that the output files can be written. */
 static bool may_write(const struct survive *s, char *err, size_t err_size)
 {
     char picture[FILES_PATH_SIZE];
     const char *demo = demo_path(s);
 
-    if (!other_ending(demo, picture, sizeof picture))
+    if (!picture_path(demo, picture, sizeof picture))
         return err_set(err, err_size, "-o: path too long");
     const struct output_path out[] = { { "-o", demo, NULL }, { "--map", s->a->map, NULL }, { "-o", picture, NULL } };
-    return output_paths_check(s->a->path, NULL, out, 3, err, err_size) &&
-           output_path_derived(s->a->path, picture, png_is_signed, err, err_size) &&
-           (s->a->out || output_path_derived(s->a->path, demo, is_demo, err, err_size));
+    return output_paths_check(s->path, NULL, out, 3, err, err_size) &&
+           output_path_derived(s->path, picture, png_is_signed, err, err_size) &&
+           (s->a->out || output_path_derived(s->path, demo, is_demo, err, err_size));
 }
 
 static enum result write_map(struct survive *s, struct section_run *run, const char *path)
 {
     size_t size = 0;
-    uint8_t *png = map_sheet(run, s->a->cart, &size);
+    uint8_t *png = map_sheet(run, &s->game.cart, &size);
 
     return save_picture(path, png, size);
 }
 
-static enum result write_files(struct survive *s, struct section_run *run, struct tell_of *of, char *picture,
+static enum result write_files(struct survive *s, struct section_run *run, struct survive_output *of, char *picture,
                                size_t size)
 {
     const char *demo = demo_path(s);
@@ -127,22 +136,22 @@ static enum result write_files(struct survive *s, struct section_run *run, struc
     }
     if (result == RESULT_DONE && section_survived(run)) {
         of->demo = demo;
-        if (!trial_record(&run->trial, s->a->cart, run->seek.pads, run->seek.frames, demo, s->a->prints, err,
-                          sizeof err))
+        if (!simulation_record(&run->simulation, &s->game.cart, run->search.pads, run->search.frames, demo,
+                               s->a->prints, err, sizeof err))
             result = report_line(RESULT_HOST_FAILED, "%s", err);
     } else if (result == RESULT_DONE) {
-        if (!other_ending(demo, picture, size))
+        if (!picture_path(demo, picture, size))
             return report_line(RESULT_REFUSED, "-o: path too long");
         of->picture = picture;
-        uint8_t *png = map_last(run, s->a->cart, &bytes);
+        uint8_t *png = map_last(run, &s->game.cart, &bytes);
         result = save_picture(picture, png, bytes);
     }
     return result;
 }
 
-static enum result good_of(const struct section_run *run)
+static enum result result_of(const struct section_run *run)
 {
-    return section_survived(run) || run->seek.verdict == SEEK_BOTS ? RESULT_DONE : RESULT_DIFFERS;
+    return section_survived(run) || run->search.verdict == SEARCH_BOTS ? RESULT_DONE : RESULT_DIFFERS;
 }
 
 static enum result one_section(struct survive *s)
@@ -156,23 +165,24 @@ static enum result one_section(struct survive *s)
         free(run);
         return report_line(RESULT_REFUSED, "%s", err);
     }
-    const struct board_start *start = &s->a->start;
-    struct tell_of of = { .section = start->practice.section, .difficulty = difficulty_name(s, start->difficulty) };
-    enum result result = look(s, run, start);
-    if (result == RESULT_DONE && run->seek.verdict != SEEK_NO_SHIP && !s->a->bots)
+    const struct board_start *start = &s->game.start;
+    struct survive_output of = { .section = start->practice.section,
+                                 .difficulty = difficulty_name(s, start->difficulty) };
+    enum result result = play_section(s, run, start);
+    if (result == RESULT_DONE && run->search.verdict != SEARCH_NO_SHIP && !s->a->bots)
         result = write_files(s, run, &of, picture, sizeof picture);
     if (result == RESULT_DONE) {
-        s->a->json ? tell_json(&of, run) : tell_section(&of, run);
-        result = report_stdout(good_of(run));
+        (s->a->json ? survive_print_json : survive_print_section)(&of, run);
+        result = report_stdout(result_of(run));
     }
     section_close(run);
     free(run);
     return result;
 }
 
-/* ---- all of them ---- */
+/* ---- all sections ---- */
 
-/* Compares a section at one difficulty with the same at the one before. */
+/* Compares a section at a difficulty with itself at the next harder one. */
 static enum result compare(const struct survive *s, const struct section_run *easier, const struct section_run *harder,
                            const char *section, int difficulty)
 {
@@ -195,8 +205,9 @@ static enum result worse(enum result a, enum result b)
     return a > b ? a : b;
 }
 
-/* Into the folder that is asked for: SECTION-DIFFICULTY.demo, with - for what is no letter of a name. */
-static enum result keep_demo(struct survive *s, struct section_run *run, struct tell_of *of, char *path, size_t size)
+/* Saves the demo as SECTION-DIFFICULTY.demo in the folder of -o, with - for / and :. */
+static enum result save_demo(struct survive *s, struct section_run *run, struct survive_output *of, char *path,
+                             size_t size)
 {
     char err[FILES_ERR_SIZE];
 
@@ -211,56 +222,57 @@ static enum result keep_demo(struct survive *s, struct section_run *run, struct 
         if (*c == '/' || *c == ':')
             *c = '-';
     of->demo = path;
-    if (!output_path_derived(s->a->path, path, is_demo, err, sizeof err))
+    if (!output_path_derived(s->path, path, is_demo, err, sizeof err))
         return report_line(RESULT_REFUSED, "%s", err);
-    if (trial_record(&run->trial, s->a->cart, run->seek.pads, run->seek.frames, path, s->a->prints, err, sizeof err))
+    if (simulation_record(&run->simulation, &s->game.cart, run->search.pads, run->search.frames, path, s->a->prints,
+                          err, sizeof err))
         return RESULT_DONE;
     return report_line(RESULT_HOST_FAILED, "%s", err);
 }
 
-static void tell_any_row(const struct survive *s, const struct tell_of *of, const struct section_run *run)
+static void print_row(const struct survive *s, const struct survive_output *of, const struct section_run *run)
 {
     if (s->a->json)
-        tell_json(of, run);
+        survive_print_json(of, run);
     else if (s->a->bots)
-        tell_bots_row(of, run);
+        survive_print_bots_row(of, run);
     else
-        tell_row(of, run);
+        survive_print_row(of, run);
 }
 
-/* From a mark with which a boss flies in there is nothing to fly. */
+/* A part from a mark at which a boss enters has no frames to play. */
 static bool is_empty(const struct survive *s, const struct section_run *run)
 {
     return s->a->bots &&
-           (run->seek.verdict == SEEK_NO_SHIP || bots_flown(&run->measure.bots) < EMPTY * (uint32_t)s->a->bots);
+           (run->search.verdict == SEARCH_NO_SHIP || bots_flown(&run->measure.bots) < EMPTY * (uint32_t)s->a->bots);
 }
 
-/* A section at each difficulty that is asked for. */
+/* Plays a section at each wanted difficulty. */
 static enum result one_row(struct survive *s, const char *section, struct section_run run[2])
 {
-    const struct manifest *m = &s->a->cart->manifest;
-    const int first = s->a->difficulty ? s->a->start.difficulty : 0;
+    const struct manifest *m = &s->game.cart.manifest;
+    const int first = s->a->difficulty ? s->game.start.difficulty : 0;
     const int last = s->a->difficulty || m->n_difficulties < 1 ? first : m->n_difficulties - 1;
     enum result result = RESULT_DONE;
     char path[FILES_PATH_SIZE];
 
     for (int d = first; d <= last && result < RESULT_REFUSED; d++) {
-        struct board_start start = s->a->start;
+        struct board_start start = s->game.start;
         start.difficulty = m->n_difficulties ? d : -1;
         snprintf(start.practice.section, sizeof start.practice.section, "%s", section);
         struct section_run *now = &run[d & 1], *before = &run[1 - (d & 1)];
         section_close(now);
-        const enum result found = look(s, now, &start);
+        const enum result found = play_section(s, now, &start);
         result = worse(result, found);
         if (found != RESULT_DONE)
             break;
         if (is_empty(s, now))
             break;
-        struct tell_of of = { .section = section, .difficulty = difficulty_name(s, start.difficulty) };
-        result = worse(result, keep_demo(s, now, &of, path, sizeof path));
-        tell_any_row(s, &of, now);
+        struct survive_output of = { .section = section, .difficulty = difficulty_name(s, start.difficulty) };
+        result = worse(result, save_demo(s, now, &of, path, sizeof path));
+        print_row(s, &of, now);
         fflush(stdout);
-        result = worse(result, good_of(now));
+        result = worse(result, result_of(now));
         if (d > first)
             result = worse(result, compare(s, before, now, section, d - 1));
     }
@@ -276,7 +288,7 @@ static bool is_wanted(const struct survive *s, const struct section *section)
 
     if (section->kind == SECTION_BOSS || (section->kind == SECTION_MARK && !s->a->bots))
         return false;
-    return !stage || (strncmp(section->id, stage, n) == 0 && strchr("/:", section->id[n])); /* or its end */
+    return !stage || (strncmp(section->id, stage, n) == 0 && strchr("/:", section->id[n])); /* or the end of the id */
 }
 
 static enum result all_sections(struct survive *s)
@@ -291,11 +303,11 @@ static enum result all_sections(struct survive *s)
         free(run);
         return report_line(RESULT_HOST_FAILED, "out of memory");
     }
-    sections_list(list, s->a->rom, &s->a->start, false);
+    sections_list(list, &s->game.rom, &s->game.start, false);
     for (int i = 0; i < list->n && result < RESULT_REFUSED; i++)
         if (is_wanted(s, &list->section[i])) {
             if (n++ == 0 && !s->a->json)
-                s->a->bots ? tell_bots_head() : tell_head();
+                (s->a->bots ? survive_print_bots_head : survive_print_head)();
             result = worse(result, one_row(s, list->section[i].id, run));
         }
     if (n > 0 && list->why[0])
@@ -310,9 +322,25 @@ static enum result all_sections(struct survive *s)
 
 /* ---- the command ---- */
 
-enum result survive_run(const struct survive_options *o)
+enum result survive_command(const struct args *a)
 {
-    struct survive s = { .a = o };
+    const bool one_frame = a->n_spans == 1 && a->spans[0].first == a->spans[0].last && a->spans[0].last > 0;
+    struct survive *s = calloc(1, sizeof *s);
+    char err[1024];
+    enum result result;
 
-    return o->all ? all_sections(&s) : one_section(&s);
+    if (!s)
+        return report_line(RESULT_HOST_FAILED, "out of memory");
+    s->a = a;
+    if (a->n_spans && !one_frame) {
+        result = report_line(RESULT_REFUSED, "--frames: survive takes one number, the number of frames to search");
+    } else if (!game_open(&s->game, a->n_words ? a->words[0] : NULL, a, err, sizeof err)) {
+        result = report_error(err);
+    } else {
+        s->path = s->game.path ? s->game.path : "the built-in game";
+        result = a->all ? all_sections(s) : one_section(s);
+        game_close(&s->game);
+    }
+    free(s);
+    return result;
 }

@@ -1,26 +1,26 @@
 /*
- * tell.c - see tell.h.
+ * survive_print.c - see survive_print.h.
  */
-#include "tell.h"
+#include "survive_print.h"
 
 #include <stdio.h>
 #include "../../common/json.h"
 #include "../../common/report.h"
 
-const char *tell_verdict(enum seek_verdict v)
+static const char *verdict_text(enum search_verdict v)
 {
     switch (v) {
-    case SEEK_SURVIVED:
+    case SEARCH_SURVIVED:
         return "survived";
-    case SEEK_LASTED:
+    case SEARCH_LASTED:
         return "survived so far";
-    case SEEK_CANNOT:
+    case SEARCH_CANNOT:
         return "proved unavoidable";
-    case SEEK_NO_SHIP:
+    case SEARCH_NO_SHIP:
         return "no ship";
-    case SEEK_FAULT:
+    case SEARCH_FAULT:
         return "fault";
-    case SEEK_BOTS:
+    case SEARCH_BOTS:
         return "bots only";
     default:
         return "no way found";
@@ -32,14 +32,14 @@ static unsigned tenth(uint32_t frames)
     return (unsigned)(frames * 10 / 60);
 }
 
-static void tell_survived(const struct seek *s)
+static void print_survived(const struct search *s)
 {
     report_print("survived: frames %u to %u without a hit, %u.%u s%s\n", (unsigned)s->begin, (unsigned)s->frames,
                  tenth(s->frames - s->begin) / 10, tenth(s->frames - s->begin) % 10,
-                 s->verdict == SEEK_LASTED ? "; the section continues (--frames sets the limit)" : "");
+                 s->verdict == SEARCH_LASTED ? "; the section continues (--frames sets the limit)" : "");
 }
 
-static void tell_cannot(const struct seek *s)
+static void print_cannot(const struct search *s)
 {
     report_print("proved unavoidable: by frame %u the ship is hit, whatever buttons are pressed, unless it bombs\n",
                  (unsigned)s->last);
@@ -54,7 +54,7 @@ static void tell_cannot(const struct seek *s)
     report_print("  longest run found: until frame %u\n", (unsigned)s->frames);
 }
 
-static void tell_not_found(const struct seek *s)
+static void print_not_found(const struct search *s)
 {
     report_print("no way found: in %u plans the ship never got past frame %u (from frame %u). This does not prove that "
                  "there is no way:\n",
@@ -68,7 +68,7 @@ static void tell_not_found(const struct seek *s)
         report_print("  raise --effort to make more plans\n");
 }
 
-static void tell_measure(const struct measure *m, bool survived)
+static void print_measure(const struct measure *m, bool survived)
 {
     const struct bots *b = &m->bots;
 
@@ -91,7 +91,7 @@ static void tell_measure(const struct measure *m, bool survived)
         report_print("  reaction           no bullet was on course for the ship\n");
 }
 
-static void tell_bots(const struct bots *b)
+static void print_bots(const struct bots *b)
 {
     const unsigned rate = bots_rate(b), each = tenth(bots_flown(b) / (uint32_t)bots_all(b));
 
@@ -99,26 +99,26 @@ static void tell_bots(const struct bots *b)
                  (unsigned)bots_hits(b), bots_all(b), each / 10, each % 10, bots_lived(b));
 }
 
-void tell_section(const struct tell_of *of, const struct section_run *s)
+void survive_print_section(const struct survive_output *of, const struct section_run *s)
 {
-    const struct seek *k = &s->seek;
+    const struct search *k = &s->search;
 
     report_print("%s%s%s: ", of->section[0] ? of->section : "from the title", of->difficulty[0] ? ", " : "",
                  of->difficulty);
-    if (k->verdict == SEEK_BOTS) {
-        tell_bots(&s->measure.bots);
+    if (k->verdict == SEARCH_BOTS) {
+        print_bots(&s->measure.bots);
         return;
     }
     if (section_survived(s))
-        tell_survived(k);
-    else if (k->verdict == SEEK_CANNOT)
-        tell_cannot(k);
-    else if (k->verdict == SEEK_NO_SHIP)
+        print_survived(k);
+    else if (k->verdict == SEARCH_CANNOT)
+        print_cannot(k);
+    else if (k->verdict == SEARCH_NO_SHIP)
         report_print("no ship could be controlled in %u frames\n", (unsigned)k->frames);
     else
-        tell_not_found(k);
-    if (k->verdict != SEEK_NO_SHIP)
-        tell_measure(&s->measure, section_survived(s));
+        print_not_found(k);
+    if (k->verdict != SEARCH_NO_SHIP)
+        print_measure(&s->measure, section_survived(s));
     if (of->demo)
         report_print("  demo               %s\n", of->demo);
     if (of->picture)
@@ -127,12 +127,12 @@ void tell_section(const struct tell_of *of, const struct section_run *s)
         report_print("  map                %s\n", of->map);
 }
 
-static const char *word(enum seek_verdict v)
+static const char *json_verdict(enum search_verdict v)
 {
     static const char *const words[] = {
-        [SEEK_SURVIVED] = "survived",       [SEEK_LASTED] = "lasted",   [SEEK_CANNOT] = "cannot",
-        [SEEK_NOT_FOUND] = "not found",     [SEEK_NO_SHIP] = "no ship", [SEEK_FAULT] = "fault",
-        [SEEK_NO_MEMORY] = "out of memory", [SEEK_BOTS] = "bots",
+        [SEARCH_SURVIVED] = "survived",       [SEARCH_LASTED] = "lasted",   [SEARCH_CANNOT] = "cannot",
+        [SEARCH_NOT_FOUND] = "not found",     [SEARCH_NO_SHIP] = "no ship", [SEARCH_FAULT] = "fault",
+        [SEARCH_NO_MEMORY] = "out of memory", [SEARCH_BOTS] = "bots",
     };
 
     return words[v];
@@ -149,7 +149,7 @@ static void json_bots(struct json *j, const struct bots *b)
         json_number(j, "of", b->n[i]);
         if (bots_flown(b)) {
             json_number(j, "hits", b->hits[i]);
-            json_number(j, "flown", b->flown[i]); /* frames, all together */
+            json_number(j, "flown", b->flown[i]); /* frames of all */
         }
         json_close(j, '}');
     }
@@ -169,22 +169,22 @@ static void json_measure(struct json *j, const struct measure *m)
     json_number(j, "reaction", m->reaction);
 }
 
-void tell_json(const struct tell_of *of, const struct section_run *s)
+void survive_print_json(const struct survive_output *of, const struct section_run *s)
 {
-    const struct seek *k = &s->seek;
+    const struct search *k = &s->search;
     struct json j = { .out = stdout };
 
     json_open(&j, NULL, '{');
     json_text(&j, "section", of->section);
     json_text(&j, "difficulty", of->difficulty);
-    json_text(&j, "verdict", word(k->verdict));
+    json_text(&j, "verdict", json_verdict(k->verdict));
     json_number(&j, "begin", k->begin);
     json_number(&j, "frames", k->frames);
     json_number(&j, "last", k->last);
     json_number(&j, "plans", k->plans);
     json_number(&j, "probes", k->probes);
     json_bool(&j, "reacts", k->reacts);
-    if (k->verdict != SEEK_NO_SHIP && k->verdict != SEEK_FAULT)
+    if (k->verdict != SEARCH_NO_SHIP && k->verdict != SEARCH_FAULT)
         json_bots(&j, &s->measure.bots);
     if (section_survived(s))
         json_measure(&j, &s->measure);
@@ -195,16 +195,16 @@ void tell_json(const struct tell_of *of, const struct section_run *s)
     putchar('\n');
 }
 
-void tell_head(void)
+void survive_print_head(void)
 {
     report_print("%-24s %-10s %-18s %7s %5s %6s %9s %8s %8s\n", "section", "difficulty", "verdict", "seconds", "bots",
                  "last", "gap px", "bullets", "reaction");
 }
 
-void tell_row(const struct tell_of *of, const struct section_run *s)
+void survive_print_row(const struct survive_output *of, const struct section_run *s)
 {
     const struct measure *m = &s->measure;
-    const unsigned length = tenth(s->seek.frames - s->seek.begin), last = tenth(bots_mean(&m->bots));
+    const unsigned length = tenth(s->search.frames - s->search.begin), last = tenth(bots_mean(&m->bots));
     char bots[16], gap[24] = "", rate[24] = "", reaction[16] = "";
 
     snprintf(bots, sizeof bots, "%d/%d", bots_lived(&m->bots), bots_all(&m->bots));
@@ -216,17 +216,17 @@ void tell_row(const struct tell_of *of, const struct section_run *s)
             snprintf(reaction, sizeof reaction, "%d", m->reaction);
     }
     report_print("%-24s %-10s %-18s %5u.%u %5s %4u.%u %9s %8s %8s\n", of->section, of->difficulty,
-                 tell_verdict(s->seek.verdict), length / 10, length % 10, bots, last / 10, last % 10, gap, rate,
+                 verdict_text(s->search.verdict), length / 10, length % 10, bots, last / 10, last % 10, gap, rate,
                  reaction);
 }
 
-void tell_bots_head(void)
+void survive_print_bots_head(void)
 {
     report_print("%-24s %-10s %6s %8s %6s %14s %10s\n", "section", "difficulty", "bots", "seconds", "hits",
                  "hits/minute", "dodge bots");
 }
 
-void tell_bots_row(const struct tell_of *of, const struct section_run *s)
+void survive_print_bots_row(const struct survive_output *of, const struct section_run *s)
 {
     const struct bots *b = &s->measure.bots;
     const unsigned rate = bots_rate(b), dodging = bots_rate_of(b, BOT_DODGE);

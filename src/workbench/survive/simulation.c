@@ -1,7 +1,7 @@
 /*
- * trial.c - see trial.h. Instructions are counted throughout, so that a script's endless loop ends as a fault.
+ * simulation.c - see simulation.h. Scripts' instructions are limited, so an infinite loop becomes a fault.
  */
-#include "trial.h"
+#include "simulation.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -14,7 +14,7 @@
 
 enum { ALIGN = 64 };
 
-/* ---- what happens, written down ---- */
+/* ---- forecasts ---- */
 
 void forecast_clear(struct forecast *f, uint32_t from)
 {
@@ -77,7 +77,7 @@ struct foe {
     struct inspect_area field;
 };
 
-static void look_for_foe(void *context, const struct inspect_body *body)
+static void find_foe(void *context, const struct inspect_body *body)
 {
     struct foe *foe = context;
     const int32_t x = body->x - foe->field.x * FX_ONE, y = body->y - foe->field.y * FX_ONE;
@@ -90,8 +90,8 @@ static void look_for_foe(void *context, const struct inspect_body *body)
     foe->x = x;
 }
 
-/* Of a frame in which nothing moved, there is nothing that could hit. */
-static void write_frame(struct trial *t)
+/* Called at the end of PHASE_MOTION: if nothing moves, nothing can hit. */
+static void write_frame(struct simulation *t)
 {
     struct forecast *f = t->into;
 
@@ -108,15 +108,16 @@ static void write_frame(struct trial *t)
     danger_visit_shapes(t->b, add_danger, f);
     struct foe foe = { .away = FX_MAX, .ship = &frame->ship, .field = inspect_field(t->b) };
     foe.x = foe.field.w * (FX_ONE / 2);
-    inspect_bodies(t->b, look_for_foe, &foe);
+    inspect_bodies(t->b, find_foe, &foe);
     frame->foe_x = foe.x;
 }
 
 /* ---- power ---- */
 
-bool trial_open(struct trial *t, const struct rom *rom, const struct board_start *start, char *err, size_t err_size)
+bool simulation_open(struct simulation *t, const struct rom *rom, const struct board_start *start, char *err,
+                     size_t err_size)
 {
-    *t = (struct trial){ .rom = rom, .start = start };
+    *t = (struct simulation){ .rom = rom, .start = start };
     if (!board_size(rom, &t->size, err, err_size))
         return false;
     t->block = malloc(t->size + ALIGN);
@@ -124,10 +125,10 @@ bool trial_open(struct trial *t, const struct rom *rom, const struct board_start
         return result_set_host_error(err, err_size, "out of memory");
     const char *section = start->practice.section;
     t->section = !section[0] ? 0 : strchr(section, '/') ? '/' : ':';
-    return trial_again(t, err, err_size);
+    return simulation_restart(t, err, err_size);
 }
 
-bool trial_again(struct trial *t, char *err, size_t err_size)
+bool simulation_restart(struct simulation *t, char *err, size_t err_size)
 {
     void *ram = (void *)(((uintptr_t)t->block + ALIGN - 1) / ALIGN * ALIGN);
 
@@ -138,16 +139,16 @@ bool trial_again(struct trial *t, char *err, size_t err_size)
     return t->b != NULL;
 }
 
-void trial_close(struct trial *t)
+void simulation_close(struct simulation *t)
 {
     free(t->block);
-    *t = (struct trial){ 0 };
+    *t = (struct simulation){ 0 };
 }
 
 /* ---- ticks ---- */
 
-/* Where it was steered to from where it was. */
-static void steered(const struct danger_ship *s, uint16_t pads, fx *x, fx *y)
+/* Computes where the buttons move the ship. */
+static void steer(const struct danger_ship *s, uint16_t pads, fx *x, fx *y)
 {
     int dx = !!(pads & PAD_RIGHT) - !!(pads & PAD_LEFT), dy = !!(pads & PAD_DOWN) - !!(pads & PAD_UP);
     fx speed = pads & PAD_FOCUS ? s->focused_speed : s->speed;
@@ -159,11 +160,11 @@ static void steered(const struct danger_ship *s, uint16_t pads, fx *x, fx *y)
 }
 
 struct tick {
-    struct trial *t;
+    struct simulation *t;
     uint16_t pads;
 };
 
-static void look_for_touch(void *context, const struct danger *d)
+static void check_touch(void *context, const struct danger *d)
 {
     struct tick *tick = context;
     const struct danger_path *way = &tick->t->ship.path;
@@ -179,7 +180,7 @@ static void look_for_touch(void *context, const struct danger *d)
 static void motion_done(void *context, enum board_phase phase)
 {
     struct tick *tick = context;
-    struct trial *t = tick->t;
+    struct simulation *t = tick->t;
     const struct danger_path before = t->ship.path;
     const bool was_in = t->ship.in_game;
     fx x, y;
@@ -191,24 +192,24 @@ static void motion_done(void *context, enum board_phase phase)
     if (t->into)
         write_frame(t);
     if (t->ship.in_game && !t->ship.is_safe)
-        danger_visit_shapes(t->b, look_for_touch, tick);
+        danger_visit_shapes(t->b, check_touch, tick);
     if (!t->ship.in_game || !was_in || !t->ship.can_steer)
         return;
-    steered(&t->ship, tick->pads, &x, &y);
+    steer(&t->ship, tick->pads, &x, &y);
     t->astray |= t->ship.path.prev_x != before.x || t->ship.path.prev_y != before.y || x != t->ship.path.x ||
                  y != t->ship.path.y;
 }
 
-/* Does a part of a stage end there? Practice at a mark passes that mark first. */
-static bool ends_part(const struct trial *t, const struct board_marker *m)
+/* Returns whether a part of a stage ends at the marker. Practice at a mark passes that mark first. */
+static bool ends_part(const struct simulation *t, const struct board_marker *m)
 {
     const char *mark = strchr(t->start->practice.section, ':');
 
     return t->parts && t->section == ':' && (m->kind == MARKER_BOSS || !mark || strcmp(m->name, mark + 1) != 0);
 }
 
-/* Is the section over? A stage's bosses have phases of their own. */
-static bool is_over(struct trial *t, const struct board_marker *m)
+/* Returns whether the section ends at the marker. Phases of a stage's boss do not end the stage. */
+static bool is_over(struct simulation *t, const struct board_marker *m)
 {
     switch (m->kind) {
     case MARKER_START:
@@ -228,14 +229,14 @@ static bool is_over(struct trial *t, const struct board_marker *m)
     }
 }
 
-/* A script that makes a ship safe that was touched has saved it, from a hit. */
-static enum trial_end outcome(struct trial *t, const struct board_out *out, const struct danger_ship *before)
+/* If a script makes a touched ship safe (a deathbomb), that counts as a hit. */
+static enum simulation_end outcome(struct simulation *t, const struct board_out *out, const struct danger_ship *before)
 {
     struct danger_ship now;
     bool over = out->request == REQUEST_QUIT, hit = false;
 
     if (out->fault)
-        return TRIAL_FAULT;
+        return SIMULATION_FAULT;
     for (int i = 0; i < out->marker_count; i++) {
         over |= is_over(t, &out->marker[i]);
         hit |= out->marker[i].kind == MARKER_DEATH && out->marker[i].name[0] == '1' + t->who;
@@ -243,10 +244,10 @@ static enum trial_end outcome(struct trial *t, const struct board_out *out, cons
     danger_get_ship(t->b, t->who, &now);
     hit |= t->touched && now.is_safe && !before->is_safe;
     hit |= now.in_game && (now.is_hit || (before->in_game && now.lives < before->lives));
-    return hit ? TRIAL_HIT : over ? TRIAL_ENDED : TRIAL_ON;
+    return hit ? SIMULATION_HIT : over ? SIMULATION_ENDED : SIMULATION_ON;
 }
 
-enum trial_end trial_tick(struct trial *t, const uint16_t pads[MAX_PLAYERS])
+enum simulation_end simulation_tick(struct simulation *t, const uint16_t pads[MAX_PLAYERS])
 {
     struct danger_ship before;
     struct tick tick = { t, pads[t->who] };
@@ -265,7 +266,7 @@ enum trial_end trial_tick(struct trial *t, const uint16_t pads[MAX_PLAYERS])
     return outcome(t, out, &before);
 }
 
-bool trial_steers(const struct trial *t)
+bool simulation_can_steer(const struct simulation *t)
 {
     struct danger_ship now;
 
@@ -273,20 +274,20 @@ bool trial_steers(const struct trial *t)
     return now.in_game && now.can_steer;
 }
 
-uint16_t trial_press(const struct trial *t)
+uint16_t simulation_menu_pads(const struct simulation *t)
 {
     const uint32_t frame = board_frame(t->b);
     struct danger_ship now;
 
     danger_get_ship(t->b, t->who, &now);
-    if (now.in_game) /* it is talked; start would pause that */
+    if (now.in_game) /* in a dialogue, which start would pause */
         return frame % 75 == 60 ? PAD_FIRE : 0;
     return frame % 75 == 60 ? PAD_FIRE : frame % 75 == 20 ? PAD_START : 0;
 }
 
-/* ---- back ---- */
+/* ---- saved states ---- */
 
-bool trial_save(const struct trial *t, struct trial_mark *m)
+bool simulation_save(const struct simulation *t, struct simulation_state *m)
 {
     const size_t need = board_snapshot_size(t->b);
 
@@ -307,33 +308,33 @@ bool trial_save(const struct trial *t, struct trial_mark *m)
     return true;
 }
 
-void trial_restore(struct trial *t, const struct trial_mark *m)
+void simulation_restore(struct simulation *t, const struct simulation_state *m)
 {
     board_restore(t->b, m->at);
     t->ship = m->ship;
     t->starts = m->starts;
 }
 
-void trial_mark_free(struct trial_mark *m)
+void simulation_state_free(struct simulation_state *m)
 {
     free(m->block);
-    *m = (struct trial_mark){ 0 };
+    *m = (struct simulation_state){ 0 };
 }
 
 /* ---- a demo ---- */
 
-bool trial_record(struct trial *t, const struct cart *cart, const uint16_t *pads, uint32_t frames, const char *path,
-                  int prints, char *err, size_t err_size)
+bool simulation_record(struct simulation *t, const struct cart *cart, const uint16_t *pads, uint32_t frames,
+                       const char *path, int prints, char *err, size_t err_size)
 {
     struct demo_writer w = { 0 };
-    bool good = trial_again(t, err, err_size);
+    bool good = simulation_restart(t, err, err_size);
 
     if (good && (!demo_begin(&w, path, cart, t->b, t->start, 0) ||
                  !demo_set_checksum_rate(&w, (enum demo_checksum_rate)prints)))
         good = err_set(err, err_size, "%s", w.err);
     for (uint32_t f = 0; good && f < frames; f++) {
         const uint16_t now[MAX_PLAYERS] = { pads[f], 0 };
-        trial_tick(t, now);
+        simulation_tick(t, now);
         if (!demo_record_frame(&w, t->b, now))
             good = err_set(err, err_size, "%s", w.err);
     }

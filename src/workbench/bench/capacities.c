@@ -1,10 +1,10 @@
 /*
- * rooms.c - see rooms.h.
+ * capacities.c - see capacities.h.
  *
- * A pool gives its lowest free slot, so its `high` says how many slots were in use at one time, within a frame too: as
- * many are always enough.
+ * A pool allocates its lowest free slot, so its `high` is the peak number of slots in use, within a frame too. As many
+ * slots are always enough.
  */
-#include "rooms.h"
+#include "capacities.h"
 
 #include <string.h>
 #include "../../base/int.h"
@@ -12,7 +12,7 @@
 #include "../../entities/motion.h"
 #include "ram.h"
 
-enum { SPARE = 4 /* a suggestion is 1/SPARE larger than what was used */, POOL = 64, LIST = 16 };
+enum { SPARE = 4 /* a suggestion is 1/SPARE larger than the peak */, POOL = 64, LIST = 16 };
 
 #define BOARD(field) offsetof(struct manifest, field)
 
@@ -20,9 +20,9 @@ static const struct {
     const char *name;
     size_t offset; /* of the manifest's number */
     const char *part;
-    int each;    /* of what rom.lua counts, a slot of the part */
+    int each;    /* units of rom.lua in a slot of the part */
     int rounded; /* to a multiple of this: pools come in blocks */
-} rooms[ROOMS] = {
+} table[CAPACITIES] = {
     { "board.bullets", BOARD(bullets), "bullets", 1, POOL },
     { "board.shots", BOARD(shots), "shots", 1, POOL },
     { "board.enemies", BOARD(enemies), "enemies", 1, POOL },
@@ -53,8 +53,8 @@ static int64_t rounded_up(int64_t n, int64_t to)
     return (n + to - 1) / to * to;
 }
 
-/* Programs may be short or long: both parts are rom.lua's one number. */
-static void measure_motions(const struct measure *m, struct room *r, int64_t *enough)
+/* rom.lua has one number for programs and their steps. */
+static void measure_motions(const struct measure *m, struct capacity *r, int64_t *enough)
 {
     const struct inspect_gauge steps = gauge(m, "steps");
 
@@ -63,19 +63,19 @@ static void measure_motions(const struct measure *m, struct room *r, int64_t *en
     *enough = r->most;
 }
 
-static void measure_room(const struct measure *m, int i, struct room *r)
+static void measure_capacity(const struct measure *m, int i, struct capacity *r)
 {
     int64_t enough, spared;
 
-    if (rooms[i].part) {
-        const struct inspect_gauge g = gauge(m, rooms[i].part);
-        r->most = (int64_t)g.live * rooms[i].each;
+    if (table[i].part) {
+        const struct inspect_gauge g = gauge(m, table[i].part);
+        r->most = (int64_t)g.live * table[i].each;
         r->refused = g.refused;
-        enough = (int64_t)g.high * rooms[i].each;
-        if (strcmp(rooms[i].part, "motions") == 0)
+        enough = (int64_t)g.high * table[i].each;
+        if (strcmp(table[i].part, "motions") == 0)
             measure_motions(m, r, &enough);
-        /* never 0: that leaves the part out, and its functions with it, which a script may still name */
-        spared = rounded_up(int64_max(1, int64_max(enough, r->most + r->most / SPARE)), rooms[i].rounded);
+        /* never 0, which disables the functions of the part */
+        spared = rounded_up(int64_max(1, int64_max(enough, r->most + r->most / SPARE)), table[i].rounded);
     } else {
         r->most = (int64_t)(m->lua_peak + 1023) / 1024;
         spared = ram_enough_lua_kib(m->lua_peak);
@@ -83,7 +83,7 @@ static void measure_room(const struct measure *m, int i, struct room *r)
     r->would_do = r->refused || spared > r->asked ? r->asked : spared;
 }
 
-static uint64_t saved(const struct measure *m, const struct room *room, int n)
+static uint64_t saved(const struct measure *m, const struct capacity *room, int n)
 {
     struct cart less = *m->cart;
 
@@ -92,24 +92,24 @@ static uint64_t saved(const struct measure *m, const struct room *room, int n)
     return board_ram_needed(m->cart) - board_ram_needed(&less);
 }
 
-int rooms_of(const struct measure *m, struct room out[ROOMS])
+int capacities_measure(const struct measure *m, struct capacity out[CAPACITIES])
 {
     int n = 0;
 
-    for (int i = 0; i < ROOMS; i++) {
+    for (int i = 0; i < CAPACITIES; i++) {
         int32_t asked;
-        memcpy(&asked, (const char *)&m->cart->manifest + rooms[i].offset, sizeof asked);
+        memcpy(&asked, (const char *)&m->cart->manifest + table[i].offset, sizeof asked);
         if (asked == 0)
             continue;
-        out[n] = (struct room){ .name = rooms[i].name, .offset = rooms[i].offset, .asked = asked };
-        measure_room(m, i, &out[n]);
+        out[n] = (struct capacity){ .name = table[i].name, .offset = table[i].offset, .asked = asked };
+        measure_capacity(m, i, &out[n]);
         out[n].saves = saved(m, &out[n], 1);
         n++;
     }
     return n;
 }
 
-uint64_t rooms_saved(const struct measure *m, const struct room *room, int n)
+uint64_t capacities_save(const struct measure *m, const struct capacity *room, int n)
 {
     return saved(m, room, n);
 }
