@@ -23,7 +23,7 @@
 #include "pack/pack_commands.h"
 #include "register/register.h"
 #include "render/headless.h"
-#include "sound/listen.h"
+#include "sound/sound_command.h"
 #include "survive/survive.h"
 #include "test/testing.h"
 #include "verify/bisect.h"
@@ -84,7 +84,7 @@ static bool run(const struct args *a, struct frame_command *running, enum result
         *result = survive_command(a);
         break;
     case COMMAND_SOUND:
-        *result = listen_run(a, running);
+        *result = sound_command(a, running);
         break;
     case COMMAND_ART:
         *result = art_run(a->words[0], a->nearest, a->atlas);

@@ -52,7 +52,7 @@ static const struct {
     { "gif", ".gif" }, { "y4m", ".y4m" }, { "wav", ".wav" }, { "mp4", ".mp4" }, { "webm", ".webm" }
 };
 
-/* ---- what is asked for ---- */
+/* ---- the command line ---- */
 
 static bool ends_in(const char *path, const char *ending)
 {
@@ -173,7 +173,7 @@ static void enlarge(const struct capture *c)
     }
 }
 
-/* The frame of picture k, counted from the first one. */
+/* Returns the frame of picture k, counted from the first frame. */
 static uint64_t frame_of(const struct capture *c, uint32_t k)
 {
     const uint64_t rate = c->format == GIF ? GIF_RATE : 60;
@@ -199,7 +199,7 @@ static void add_picture(struct capture *c)
     c->pictures++;
 }
 
-/* All pictures of the frame that the board is at. */
+/* Adds all pictures of the current frame. */
 static void add_frame(struct capture *c, uint32_t frame)
 {
     const uint64_t from_first = frame - c->first;
@@ -219,8 +219,8 @@ static bool failed(const struct capture *c)
     return c->gif.out.failed || c->tape.failed || (c->stream && ferror(c->stream));
 }
 
-/* From power-on to the last frame. */
-static enum result go_through(struct capture *c, bool sound)
+/* Plays the run from power-on to the last frame. */
+static enum result play(struct capture *c, bool sound)
 {
     enum result result = RESULT_DONE;
 
@@ -241,7 +241,7 @@ static enum result go_through(struct capture *c, bool sound)
     return result;
 }
 
-/* ---- where it goes ---- */
+/* ---- output ---- */
 
 static enum result write_out(const struct capture *c, const uint8_t *bytes, size_t n)
 {
@@ -259,13 +259,13 @@ static enum result no_memory(const struct capture *c)
     return report_line(RESULT_HOST_FAILED, "%s: out of memory, or larger than 1 GiB", c->a->out);
 }
 
-/* Of two results the worse one that was told first. */
-static enum result first_of(enum result run, enum result rest)
+/* Returns the first of two results that is an error. */
+static enum result first_error(enum result run, enum result rest)
 {
     return run == RESULT_DONE ? rest : run;
 }
 
-static enum result again(struct capture *c)
+static enum result restart(struct capture *c)
 {
     run_close(c);
     headless_run_close(&c->run, RESULT_DONE);
@@ -273,36 +273,36 @@ static enum result again(struct capture *c)
     return result == RESULT_DONE ? pictures_open(c) : result;
 }
 
-static enum result shoot_gif(struct capture *c)
+static enum result capture_gif(struct capture *c)
 {
     if (!gif_open(&c->gif, c->w, c->h))
         return no_memory(c);
-    enum result result = go_through(c, false);
+    enum result result = play(c, false);
     if (c->pictures == 0)
         return result;
     if (!gif_end(&c->gif, time_of(c, c->pictures)))
         return no_memory(c);
-    return first_of(result, write_out(c, c->gif.out.bytes, c->gif.out.n));
+    return first_error(result, write_out(c, c->gif.out.bytes, c->gif.out.n));
 }
 
 static enum result shoot_wav(struct capture *c)
 {
     if (!tape_open(&c->tape))
         return no_memory(c);
-    enum result result = go_through(c, true);
+    enum result result = play(c, true);
     if (!tape_end(&c->tape))
         return no_memory(c);
-    return first_of(result, write_out(c, c->tape.bytes, c->tape.n));
+    return first_error(result, write_out(c, c->tape.bytes, c->tape.n));
 }
 
-/* What is written stays, when there is no room for more: a player shows it up to there. */
-static enum result shoot_y4m(struct capture *c)
+/* If the disk is full, the file remains: players show it up to there. */
+static enum result capture_y4m(struct capture *c)
 {
     c->stream = c->to_stdout ? stdout : plat_open_stream(c->a->out, true);
     if (!c->stream)
         return report_line(RESULT_HOST_FAILED, "%s: cannot be written (%s)", c->a->out, strerror(errno));
     y4m_head(c->stream, c->w, c->h);
-    enum result result = go_through(c, false);
+    enum result result = play(c, false);
     if (c->to_stdout)
         return report_stdout(result);
     bool good = fflush(c->stream) == 0 && !ferror(c->stream);
@@ -314,12 +314,11 @@ static enum result shoot_y4m(struct capture *c)
 
 /* ---- ffmpeg ---- */
 
-/* The words of the command that makes a film of a y4m and, if it has sound, of a WAV file. Sides are made even: 4:2:0
- * asks for it. */
+/* The command that converts y4m and, for sound, a WAV file to a video. Width and height are made even for 4:2:0. */
 struct ffmpeg {
     const char *words[48];
     int n;
-    char sound[FILES_PATH_SIZE + 8], film[FILES_PATH_SIZE + 8];
+    char sound[FILES_PATH_SIZE + 8], video[FILES_PATH_SIZE + 8];
 };
 
 static void add_words(struct ffmpeg *f, const char *const words[])
@@ -328,14 +327,14 @@ static void add_words(struct ffmpeg *f, const char *const words[])
         f->words[f->n++] = *words;
 }
 
-/* The name as ffmpeg takes it, whatever is in it. */
+/* Adds a file name in the form that ffmpeg accepts for any name. */
 static bool add_file(struct ffmpeg *f, char *to, size_t size, const char *name)
 {
     f->words[f->n++] = to;
     return snprintf(to, size, "file:%s", name) < (int)size;
 }
 
-static bool ffmpeg_words(struct ffmpeg *f, const struct capture *c, const char *sound, const char *film)
+static bool ffmpeg_words(struct ffmpeg *f, const struct capture *c, const char *sound, const char *video)
 {
     static const char *const in[] = { "ffmpeg", "-hide_banner", "-loglevel",    "error", "-xerror", "-nostdin",
                                       "-y",     "-f",           "yuv4mpegpipe", "-i",    "pipe:0",  NULL };
@@ -354,51 +353,50 @@ static bool ffmpeg_words(struct ffmpeg *f, const struct capture *c, const char *
     }
     add_words(f, even);
     add_words(f, c->format == MP4 ? mp4 : webm);
-    const bool good = add_file(f, f->film, sizeof f->film, film);
+    const bool good = add_file(f, f->video, sizeof f->video, video);
     f->words[f->n] = NULL;
     return good;
 }
 
-/* Takes the film to where it is wanted: what stands there is written as any file of ours, so a link and a device stay
- * what they are. */
-static enum result put_film(const struct capture *c, const char *part)
+/* Writes the video like any other output file, so that links and devices remain. */
+static enum result move_video(const struct capture *c, const char *part)
 {
     char err[FILES_ERR_SIZE];
-    uint8_t *film;
+    uint8_t *video;
     size_t size;
 
-    bool good = files_read(part, part, SIZE_MAX, &film, &size, err, sizeof err);
-    good = good && files_save(c->a->out, film, size, err, sizeof err);
-    free(film);
+    bool good = files_read(part, part, SIZE_MAX, &video, &size, err, sizeof err);
+    good = good && files_save(c->a->out, video, size, err, sizeof err);
+    free(video);
     plat_remove(part);
     return good ? RESULT_DONE : report_line(RESULT_HOST_FAILED, "%s", err);
 }
 
-static enum result feed(struct capture *c, const char *sound, const char *part)
+static enum result run_ffmpeg(struct capture *c, const char *sound, const char *part)
 {
     struct ffmpeg ffmpeg;
     char err[FILES_ERR_SIZE];
 
     if (!ffmpeg_words(&ffmpeg, c, sound, part))
         return report_line(RESULT_REFUSED, "-o: path too long");
-    if (!files_save(part, "", 0, err, sizeof err)) /* with a sentence of ours, before all the work */
+    if (!files_save(part, "", 0, err, sizeof err)) /* reports an error before the work */
         return report_line(RESULT_HOST_FAILED, "%s", err);
     fflush(stdout);
     c->stream = plat_command_open(ffmpeg.words);
     if (!c->stream)
         return report_line(RESULT_HOST_FAILED, "cannot run ffmpeg (%s)", strerror(errno));
     y4m_head(c->stream, c->w, c->h);
-    enum result result = go_through(c, false);
+    enum result result = play(c, false);
     const bool good = plat_command_close(c->stream);
     c->stream = NULL;
     if (good)
-        return first_of(result, put_film(c, part));
+        return first_error(result, move_video(c, part));
     plat_remove(part);
     return report_line(RESULT_HOST_FAILED, "%s: ffmpeg failed", c->a->out);
 }
 
-/* With sound, unless its speed is another. */
-static enum result shoot_film(struct capture *c)
+/* The sound is left out at another speed. */
+static enum result capture_video(struct capture *c)
 {
     char part[FILES_PATH_SIZE], sound[FILES_PATH_SIZE], err[FILES_ERR_SIZE];
     const bool heard = board_has_sound(c->run.guard.board) && c->a->faster <= 1 && c->a->slower <= 1;
@@ -407,24 +405,24 @@ static enum result shoot_film(struct capture *c)
         !output_path_temporary(c->a->out, ".part.wav", sound, sizeof sound))
         return report_line(RESULT_REFUSED, "-o: path too long");
     if (!heard)
-        return feed(c, NULL, part);
+        return run_ffmpeg(c, NULL, part);
     if (!tape_open(&c->tape))
         return no_memory(c);
-    enum result result = go_through(c, true);
+    enum result result = play(c, true);
     if (!tape_end(&c->tape))
         return no_memory(c);
     if (!files_save(sound, c->tape.bytes, c->tape.n, err, sizeof err))
         return report_line(RESULT_HOST_FAILED, "%s", err);
     tape_close(&c->tape);
-    enum result second = again(c);
-    second = second == RESULT_DONE ? feed(c, sound, part) : second;
+    enum result second = restart(c);
+    second = second == RESULT_DONE ? run_ffmpeg(c, sound, part) : second;
     plat_remove(sound);
-    return first_of(result, second);
+    return first_error(result, second);
 }
 
-/* ---- all of it ---- */
+/* ---- all formats ---- */
 
-static enum result shoot(struct capture *c)
+static enum result capture(struct capture *c)
 {
     static enum result (*const ways[FORMATS])(struct capture *) = {
         [GIF] = shoot_gif, [Y4M] = shoot_y4m, [WAV] = shoot_wav, [MP4] = shoot_film, [WEBM] = shoot_film,
@@ -452,7 +450,7 @@ enum result capture_run(const struct args *a)
     if (result == RESULT_DONE) {
         result = headless_run_open(&c->run, a);
         if (result == RESULT_DONE)
-            result = shoot(c);
+            result = capture(c);
         result = headless_run_close(&c->run, result);
     }
     run_close(c);

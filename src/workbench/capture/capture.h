@@ -1,9 +1,8 @@
 /*
- * capture.h - a run as a film: `curtain capture`.
+ * capture.h - `curtain capture`: records a run as a video.
  *
- * A film has time of its own: its picture k is shown k / R seconds after its beginning, R being 50 for GIF and 60 for
- * all others, and is the last frame that began by then. So the frames of a GIF lie at most a sixtieth from their time,
- * however long it is, and those of the others not at all.
+ * Picture k is shown k / R seconds after the start, with R = 50 for GIF and 60 for the other formats, and is the last
+ * frame that started by then. A frame of a GIF is therefore never more than a sixtieth late, and the others are exact.
  */
 #ifndef WORKBENCH_CAPTURE_H
 #define WORKBENCH_CAPTURE_H
@@ -11,7 +10,7 @@
 #include "../../player/args/args.h"
 #include "../../common/result.h"
 
-/* What is not done has been told on plat_log. */
+/* The command. Errors have been reported. */
 enum result capture_run(const struct args *a);
 
 #endif

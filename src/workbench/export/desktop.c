@@ -44,7 +44,7 @@ bool desktop_may_write(const char *rom, const char *program, char *err, size_t e
     return output_path_derived(rom, path, png_is_signed, err, err_size);
 }
 
-/* The file's own escapes on top of the shell's. */
+/* Applies the escapes of the shell, and then those of the file. */
 void desktop_quote(const char *path, char *out, size_t size)
 {
     size_t n = 0;
@@ -65,7 +65,7 @@ void desktop_quote(const char *path, char *out, size_t size)
     out[n] = '\0';
 }
 
-/* A line of an entry: \ is two of them. */
+/* Doubles each \ for a value of an entry. */
 static void escaped(const char *line, char *out)
 {
     for (; *line; line++) {

@@ -1,5 +1,5 @@
 /*
- * desktop.h - an entry for the menu of a desktop, which starts a program where it is now: PROGRAM.desktop, PROGRAM.png.
+ * desktop.h - a menu entry for desktops that starts a program at its present path: PROGRAM.desktop and PROGRAM.png.
  */
 #ifndef WORKBENCH_DESKTOP_H
 #define WORKBENCH_DESKTOP_H
@@ -14,10 +14,10 @@ bool desktop_may_name(const char *path);
 /* Writes a path as it is between double quotes in the line Exec of an entry. */
 void desktop_quote(const char *path, char *out, size_t size);
 
-/* Can the path be in an entry, and may both files be written? rom: the game that is read. False and one sentence. */
+/* Checks that an entry can contain the path and that both files can be written. rom: the game that is read. */
 bool desktop_may_write(const char *rom, const char *program, char *err, size_t err_size);
 
-/* Writes both; without an icon in the game, the first only. False and one sentence. */
+/* Writes both files, or only the entry if the game has no icon. */
 bool desktop_write(const char *program, const struct cart *cart, char *err, size_t err_size);
 
 #endif

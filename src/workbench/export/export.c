@@ -32,14 +32,14 @@ enum { PROGRAM = 1 << 30, EXPORT_ERR = FILES_ERR_SIZE + 256 };
 
 struct export
 {
-    const struct export_want *want;
-    enum export_kind kind; /* of what is being made */
+    const struct args *a;
+    enum export_kind kind; /* of the file that is being made */
     struct rom_image image;
     struct cart cart;
-    uint8_t *small; /* the game compressed; malloc, NULL: it stays plain */
+    uint8_t *small; /* the compressed game; malloc, NULL: not smaller */
     const uint8_t *game;
     size_t game_size;
-    char name[72]; /* of the file, where none was given */
+    char name[72]; /* of the file without -o */
     const char *out;
     char info[FILES_PATH_SIZE]; /* of a core's .info */
     char from[FILES_PATH_SIZE]; /* what the file is a copy of, as messages call it */
@@ -73,17 +73,17 @@ static const struct kind {
 /* ---- a game in its player ---- */
 
 /* Overwrites this program's built-in game with zeroes: an export has its own game, and zeroes compress well. */
-static void blank_builtin(const struct export_want *w, uint8_t *file, size_t size)
+static void blank_builtin(uint8_t *file, size_t size)
 {
-    if (!w->builtin_size)
+    if (!builtin_rom_size)
         return;
-    for (size_t i = 0; i + w->builtin_size <= size; i++) {
-        const uint8_t *next = memchr(file + i, w->builtin[0], size - w->builtin_size + 1 - i);
+    for (size_t i = 0; i + builtin_rom_size <= size; i++) {
+        const uint8_t *next = memchr(file + i, builtin_rom[0], size - builtin_rom_size + 1 - i);
         if (!next)
             return;
         i = (size_t)(next - file);
-        if (memcmp(next, w->builtin, w->builtin_size) == 0) {
-            memset(file + i, 0, w->builtin_size);
+        if (memcmp(next, builtin_rom, builtin_rom_size) == 0) {
+            memset(file + i, 0, builtin_rom_size);
             return;
         }
     }
@@ -114,7 +114,7 @@ static bool load_program(struct export *e)
 /* Returns the name of the file that becomes the export; NULL: this program's own file. */
 static const char *player_name(const struct export *e)
 {
-    return e->want->keys ? kinds[e->kind].program : kinds[e->kind].player;
+    return e->a->keys ? kinds[e->kind].program : kinds[e->kind].player;
 }
 
 /* Finds the player next to this program, in a built tree or in the installation, and loads it. */
@@ -165,7 +165,7 @@ static bool prepare_player(struct export *e, size_t *at)
     char why[256];
 
     if (!player)
-        blank_builtin(e->want, e->file, e->size);
+        blank_builtin(e->file, e->size);
     if (pe_is(e->file, e->size) && !pe_set_resources(&e->file, &e->size, &e->cart, why, sizeof why))
         return err_set(e->err, e->err_size, "%s: %s", e->from, why);
     e->size = image_trim(e->file, e->size);
@@ -184,7 +184,7 @@ static bool prepare_player(struct export *e, size_t *at)
 /* Makes the player with its mark filled in and the game appended. */
 static bool append_game(struct export *e)
 {
-    struct mark m = { .flags = e->want->keys ? MARK_KEYS : 0, .crc = e->image.rom.crc, .size = e->game_size };
+    struct mark m = { .flags = e->a->keys ? MARK_KEYS : 0, .crc = e->image.rom.crc, .size = e->game_size };
     size_t at;
 
     if (!(player_name(e) ? load_player(e) : load_program(e)) || !prepare_player(e, &at))
@@ -214,15 +214,15 @@ static bool is_info(const uint8_t *head, size_t n)
     return n >= strlen(RETRO_INFO_FIRST) && memcmp(head, RETRO_INFO_FIRST, strlen(RETRO_INFO_FIRST)) == 0;
 }
 
-/* May the files that accompany the export be written? */
+/* Checks that the files next to the export can be written. */
 static bool may_write_companions(struct export *e)
 {
     if (e->kind == EXPORT_LIBRETRO)
-        return output_path_derived(e->want->rom, e->info, is_info, e->err, e->err_size);
-    return !e->want->desktop || desktop_may_write(e->want->rom, e->out, e->err, e->err_size);
+        return output_path_derived(e->a->words[0], e->info, is_info, e->err, e->err_size);
+    return !e->a->desktop || desktop_may_write(e->a->words[0], e->out, e->err, e->err_size);
 }
 
-/* Is it an export of that kind? */
+/* Returns whether the file is an export of that kind. */
 static bool is_exported(enum export_kind kind, const uint8_t *file, size_t size)
 {
     struct mark m = { .size = 0 };
@@ -275,7 +275,7 @@ static bool save(struct export *e)
                : result_set_host_error(e->err, e->err_size, "%s: cannot be made executable", e->out);
 }
 
-/* ---- a zip of each ---- */
+/* ---- zip files ---- */
 
 static void zip_text(struct zip *z, const char *name, const struct byte_buffer *text, bool crlf)
 {
@@ -350,7 +350,7 @@ static bool name_out(struct export *e)
 
     snprintf(e->name, sizeof e->name, "%s%s", e->cart.manifest.id,
              e->kind == EXPORT_PROGRAM ? program_ending() : kinds[e->kind].ending);
-    e->out = e->want->out ? e->want->out : e->name;
+    e->out = e->a->out ? e->a->out : e->name;
     n = strlen(e->out);
     if (e->kind != EXPORT_LIBRETRO)
         return true;
@@ -365,10 +365,10 @@ static bool load_game(struct export *e)
 {
     char why[256];
 
-    if (!pack_load_game(e->want->rom, e->want->nearest, &e->image, e->err, e->err_size))
+    if (!pack_load_game(e->a->words[0], e->a->nearest, &e->image, e->err, e->err_size))
         return false;
     if (!cart_open(&e->cart, &e->image.rom, why, sizeof why))
-        return err_set(e->err, e->err_size, "%s: %s", e->want->rom, why);
+        return err_set(e->err, e->err_size, "%s: %s", e->a->words[0], why);
     if (!compress_rom(e->image.bytes, e->image.size, &e->small, &e->game_size))
         return result_set_host_error(e->err, e->err_size, "out of memory");
     e->game = e->small ? e->small : e->image.bytes;
@@ -381,7 +381,7 @@ static bool may_export(struct export *e)
     if (embedded_rom_game()->rom)
         return err_set(e->err, e->err_size, "export: this program is the exported game %s; use curtain to export games",
                        embedded_rom_game()->m.title);
-    if (e->kind == EXPORT_PROGRAM && e->want->keys && !embedded_rom_has_window())
+    if (e->kind == EXPORT_PROGRAM && e->a->keys && !embedded_rom_has_window())
         return err_set(e->err, e->err_size,
                        "export: a copy of this program would have no window; use curtain, or add --linux or --windows");
     return true;
@@ -390,31 +390,18 @@ static bool may_export(struct export *e)
 static bool export_one(struct export *e)
 {
     return may_replace(e, e->out, e->kind) && may_write_companions(e) && kinds[e->kind].make(e) && save(e) &&
-           (!e->want->desktop || desktop_write(e->out, &e->cart, e->err, e->err_size));
-}
-
-enum result export_run(const struct export_want *want)
-{
-    char err[EXPORT_ERR];
-    struct export e = { .want = want, .kind = want->kind, .err = err, .err_size = sizeof err };
-
-    const bool good = may_export(&e) && load_game(&e) && (want->kind == EXPORT_ALL ? export_all(&e) : export_one(&e));
-    free(e.file);
-    free(e.small);
-    rom_image_free(&e.image);
-    return good ? RESULT_DONE : report_error(err);
+           (!e->a->desktop || desktop_write(e->out, &e->cart, e->err, e->err_size));
 }
 
 enum result export_command(const struct args *a)
 {
-    const struct export_want want = { .rom = a->words[0],
-                                      .out = a->out,
-                                      .nearest = a->nearest,
-                                      .keys = a->keys,
-                                      .desktop = a->desktop,
-                                      .kind = a->all ? EXPORT_ALL : (enum export_kind)a->export,
-                                      .builtin = builtin_rom,
-                                      .builtin_size = builtin_rom_size };
+    char err[EXPORT_ERR];
+    struct export e = { .a = a, .err = err, .err_size = sizeof err };
 
-    return export_run(&want);
+    e.kind = a->all ? EXPORT_ALL : (enum export_kind)a->export;
+    const bool good = may_export(&e) && load_game(&e) && (a->all ? export_all(&e) : export_one(&e));
+    free(e.file);
+    free(e.small);
+    rom_image_free(&e.image);
+    return good ? RESULT_DONE : report_error(err);
 }

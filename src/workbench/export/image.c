@@ -1,13 +1,13 @@
 /*
- * image.c - see image.h. A program is loaded by its program headers alone; the table of sections is for linkers and
- * debuggers.
+ * image.c - see image.h. The system loads a program by its program headers; only linkers and debuggers read the section
+ * table.
  */
 #include "image.h"
 
 #include <stdbool.h>
 #include <string.h>
 
-/* Where the fields are, and their size; the System V ABI, "Object Files". */
+/* Offsets of the fields, from the System V ABI, "Object Files". */
 static const struct layout {
     int word;                                  /* bytes of an offset */
     int phoff, shoff, phentsize, phnum, shnum; /* of the file's header; shstrndx is behind shnum */

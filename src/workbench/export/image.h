@@ -1,5 +1,5 @@
 /*
- * image.h - the bytes of a program's file that are loaded when it runs: without symbols and what debuggers read.
+ * image.h - removes symbols and debug information from a program's file.
  */
 #ifndef WORKBENCH_IMAGE_H
 #define WORKBENCH_IMAGE_H
@@ -7,8 +7,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* How many bytes from the beginning of the file are needed. Of an ELF file, of any machine, all that is behind the last
- * segment is cut off, and the header says so; other files are left as they are. */
+/* Returns the number of bytes that are needed. In an ELF file of any machine, these end with the last segment, and the
+ * header is changed accordingly; other files are unchanged. */
 size_t image_trim(uint8_t *file, size_t size);
 
 #endif

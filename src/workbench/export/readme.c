@@ -1,5 +1,5 @@
 /*
- * readme.c - see readme.h. In these texts @ is the game's id. Keys are those of keys.h, which the web page has too.
+ * readme.c - see readme.h. In the texts, @ is the game's id. The keys are the defaults of keys.h, also on the web page.
  */
 #include "readme.h"
 
@@ -11,7 +11,7 @@
 
 static const struct {
     const char *start, *saves, *remove;
-    bool keys, window; /* with the players' keys; and with the window's */
+    bool keys, window; /* list the players' keys; list the window's keys */
 } texts[] = {
     [EXPORT_LINUX] = {
         "Double-click the file \"@\", or run ./@ in a terminal in this folder. If the game does not start,\n"
@@ -67,7 +67,7 @@ static void put_text(struct byte_buffer *out, const char *text, const char *id)
             byte_buffer_byte(out, (uint8_t)*text);
 }
 
-/* Adds an action's keys to a list, without the buttons of controllers, which F1 shows. */
+/* Adds an action's keys to a list, without controller buttons, which F1 shows. */
 static void add_keys(char *list, size_t size, const struct keys *k, int action)
 {
     char text[128];
@@ -80,10 +80,10 @@ static void add_keys(char *list, size_t size, const struct keys *k, int action)
     }
 }
 
-/* A line for each of n actions from the first on; those that follow one another and mean the same share one. */
+/* Writes a line for each of n actions; consecutive actions with the same meaning share a line. */
 static void put_keys(struct byte_buffer *out, const struct keys *k, int first, int n)
 {
-    const int player = PAD_BUTTON_COUNT; /* the actions of the first explain those of the others */
+    const int player = PAD_BUTTON_COUNT; /* the meanings are those of player 1 */
 
     for (int i = 0, last; i < n; i = last) {
         char list[128] = "";

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include "../../board/board.h"
 
-/* A value stands in quotes, and there is no way to write one. */
+/* Replaces ", which a value cannot contain. */
 static void value(const char *text, char *out)
 {
     do

@@ -1,5 +1,5 @@
 /*
- * retro.h - what front ends of libretro read of a core before they load it: its file .info.
+ * retro.h - the .info file of a libretro core, which front ends read before they load the core.
  */
 #ifndef WORKBENCH_RETRO_H
 #define WORKBENCH_RETRO_H
@@ -7,10 +7,10 @@
 #include <stddef.h>
 #include "../../rom/manifest.h"
 
-/* The line that such a file of ours begins with. */
+/* The first line of a file that this program wrote. */
 #define RETRO_INFO_FIRST "# A game made with Curtain."
 
-/* Writes the text of a core with that game in it. */
+/* Writes the text for a core that contains the game. */
 void retro_info(const struct manifest *m, char *text, size_t size);
 
 #endif

@@ -1,6 +1,6 @@
 /*
- * web.c - see web.h. A player's marks are @TITLE@, each time, and @ROM@, once: base64 of the ROM. Its line "generator"
- * has the core version.
+ * web.c - see web.h. The player's placeholders are @TITLE@, any number of times, and @ROM@, once, which becomes the ROM
+ * in base64. Its line "generator" has the core version.
  */
 #include "web.h"
 
@@ -16,7 +16,7 @@
 static const char title_mark[] = "@TITLE@", rom_mark[] = "@ROM@";
 static const char generator[] = "<meta name=\"generator\" content=\"Curtain, core ";
 
-/* The next place of text in the file, from `at` on; NULL: there is none. */
+/* Returns the next occurrence of a text from `at` on, or NULL. */
 static const uint8_t *find(const uint8_t *file, size_t size, const uint8_t *at, const char *text)
 {
     const size_t n = strlen(text);
@@ -39,7 +39,7 @@ static int count(const uint8_t *file, size_t size, const char *text)
     return n;
 }
 
-/* The core version that a page says; 0: it is none of ours. */
+/* Returns the core version in a page; 0: it is not a page of Curtain. */
 static unsigned core_of(const uint8_t *file, size_t size)
 {
     const uint8_t *p = find(file, size, file, generator);
@@ -81,7 +81,7 @@ static uint8_t *put_base64(uint8_t *out, const uint8_t *bytes, size_t n)
 
 /* ---- the page ---- */
 
-/* As HTML has it, without the character that marks begin with. */
+/* Escapes a title for HTML, and @, with which placeholders start. */
 static void escape(const char *title, char *out, size_t size)
 {
     size_t n = 0;
@@ -113,7 +113,7 @@ static uint8_t *put(uint8_t *out, const void *bytes, size_t n)
     return out + n;
 }
 
-/* The player, with what comes in place of each mark. */
+/* Copies the player with its placeholders replaced. */
 static uint8_t *fill(uint8_t *out, const uint8_t *player, size_t size, const char *title, const uint8_t *rom,
                      size_t rom_size)
 {

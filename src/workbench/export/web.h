@@ -1,6 +1,5 @@
 /*
- * web.h - a game as a page: the player for browsers (platform/web) with the game's title and ROM in the places of its
- * marks.
+ * web.h - a game as a web page: the player for browsers (platform/web) with the title and the ROM of the game.
  */
 #ifndef WORKBENCH_WEB_H
 #define WORKBENCH_WEB_H
@@ -15,12 +14,12 @@ struct web_game {
     size_t size;
 };
 
-/* Makes the page, *out (malloc). player: player.html, which messages call name. False and one sentence: it is none, or
- * one of another core version. */
+/* Makes the page, *out (malloc), from player.html, whose name in messages is `name`. False: it is not a player, or has
+ * another core version. */
 bool web_make(const struct web_game *game, const uint8_t *player, size_t player_size, const char *name, uint8_t **out,
               size_t *size, char *err, size_t err_size);
 
-/* Is it a page with a game in it? */
+/* Returns whether the file is a page with a game. */
 bool web_is_page(const uint8_t *file, size_t size);
 
 #endif

@@ -6,20 +6,20 @@
 
 #include "../../common/byte_buffer.h"
 
-/* Zeroes are an empty one. */
+/* All zeroes: an empty archive. */
 struct zip {
     struct byte_buffer bytes, directory;
     unsigned n;
 };
 
-/* Adds a file, name in UTF-8. runs: it is a program, which Unix may run after it is unpacked. */
+/* Adds a file, name in UTF-8. runs: it is a program, executable on Unix after unpacking. */
 void zip_add(struct zip *z, const char *name, const void *data, size_t size, bool runs);
 
-/* Completes the archive, which is z->bytes. False: out of memory. Frees the rest; zip_free frees all. */
+/* Completes the archive in z->bytes, and frees the rest; zip_free frees all. False: out of memory. */
 bool zip_finish(struct zip *z);
 void zip_free(struct zip *z);
 
-/* Was the archive written here? */
+/* Returns whether this program wrote the archive. */
 bool zip_is_ours(const uint8_t *file, size_t size);
 
 #endif

@@ -1,10 +1,10 @@
 /*
- * annotations.c - see annotations.h. Nothing is listed twice: all comes from the API table.
+ * annotations.c - see annotations.h. All annotations are made from the API table.
  *
- * A table of the API, bullet, is a global whose class is "bulletlib"; a kind of handle is the class "bullet", whose
- * methods stand in a local of the file. Named arguments are a class "bullet.fire.args", those of a method
- * "bullet.clear.self.args", and what stands in a list of arguments has a class of its own, "motion.def.step". A game
- * that declares fields adds them by opening the class again (docs/guide/26-editors.md).
+ * A table of the API, `bullet`, is a global of the class "bulletlib". A kind of handle is the class "bullet", whose
+ * methods are in a local of the file. Named arguments have the class "bullet.fire.args", those of methods
+ * "bullet.clear.self.args", and tables inside arguments "motion.def.step". A game that declares fields adds them by
+ * reopening the class (docs/guide/26-editors.md).
  */
 #include "annotations.h"
 
@@ -17,7 +17,7 @@
 
 enum { NAME_SIZE = 80, TYPE_SIZE = 240, WORDS_SIZE = 800 };
 
-/* Whose arguments a pattern takes besides its own, by what it fires. */
+/* Functions whose arguments a pattern accepts too, depending on `fire`. */
 static const char *const makers[] = { "bullet.fire", "shot.fire", "laser.bolt", "laser.curve", "laser.beam" };
 enum { MAKERS = sizeof makers / sizeof *makers };
 
@@ -26,7 +26,7 @@ static bool is_part(const struct api_entry *e)
     return strchr(e->name, ' ') != NULL;
 }
 
-/* Is it for games? Tables inside arguments are, though nobody calls them. */
+/* Returns whether games use the entry, also as a table inside arguments. */
 static bool is_public(const struct api_entry *e)
 {
     return !(e->flags & API_SYS) || is_part(e);
@@ -40,7 +40,7 @@ static const struct api_param *find_param(const struct api_entry *e, const char 
     return NULL;
 }
 
-/* The class of an entry's named arguments. */
+/* Writes the class of an entry's named arguments. */
 static void class_name(const struct api_entry *e, char out[NAME_SIZE])
 {
     const bool part = is_part(e), method = e->flags & API_METHOD;
@@ -51,7 +51,7 @@ static void class_name(const struct api_entry *e, char out[NAME_SIZE])
             *c = '.';
 }
 
-/* The meaning, and in brackets the type, the range and the default. */
+/* Writes the meaning and, in brackets, the type, range and default. */
 static void comment(const struct api_param *p, char out[WORDS_SIZE])
 {
     char words[WORDS_SIZE / 2];
@@ -71,7 +71,7 @@ static void field(struct prose *to, const struct api_entry *e, const struct api_
 
 /* ---- classes of arguments ---- */
 
-/* Is the parameter one of a maker before that one? */
+/* Returns whether an earlier maker has the parameter. */
 static bool fired_before(int maker, const char *name)
 {
     for (int i = 0; i < maker; i++)
@@ -80,7 +80,7 @@ static bool fired_before(int maker, const char *name)
     return false;
 }
 
-/* The comment names the first maker that has the parameter. */
+/* Adds a field, whose comment names the first maker that has it. */
 static void fired_field(struct prose *to, const struct api_entry *e, const struct api_param *p)
 {
     struct api_param any = *p;
@@ -94,8 +94,8 @@ static void fired_field(struct prose *to, const struct api_entry *e, const struc
     prose_add(to, "---@field %s? %s # %s: %s\n", p->name, type, e->name, words);
 }
 
-/* All that a pattern hands on. All is optional here: some things do not take it, and what `each` calls may need none
- * of it. */
+/* Adds the arguments that a pattern passes on. All are optional, because not every maker has them, and functions of
+ * `each` may need none. */
 static void fired(struct prose *to)
 {
     prose_add(to, "\n---arguments that a pattern passes on to each bullet, shot or laser\n---@class fired\n");
@@ -156,7 +156,7 @@ static void function_params(struct prose *to, const struct api_entry *e)
     prose_add(to, "---@param args%s %s\n", must || e->flags & API_PATTERN ? "" : "?", name);
 }
 
-/* owner: the local that a kind of handle's methods stand in; NULL: the entry's own name. */
+/* owner: the local that contains the methods of a kind of handle; NULL: the entry's own name is used. */
 static void function(struct prose *to, const struct api_entry *e, const char *owner)
 {
     const int first = e->flags & API_METHOD ? 1 : 0;
@@ -210,7 +210,7 @@ static void handle(struct prose *to, enum handle_kind kind)
 
 /* ---- globals ---- */
 
-/* The table of a name, "bullet" of "bullet.fire"; empty: a global of its own. */
+/* Writes the table of a name, "bullet" of "bullet.fire"; "": a global. */
 static void space_of(const char *name, char out[NAME_SIZE])
 {
     const size_t n = strcspn(name, ".(");
@@ -218,7 +218,7 @@ static void space_of(const char *name, char out[NAME_SIZE])
     snprintf(out, NAME_SIZE, "%.*s", name[n] == '.' ? (int)n : 0, name);
 }
 
-/* Values come behind the entries in one order: i from 0 on; NULL: there are no more. */
+/* Returns the i-th name of all entries, followed by all values; "": a private entry; NULL: the end. */
 static const char *any_name(int i)
 {
     const int k = i - api_count_entries(&api_table);
@@ -269,7 +269,7 @@ static void spaces(struct prose *to)
     }
 }
 
-/* A function without a check: "hud.banner(lines?, frames?)". */
+/* Adds a function without an entry: "hud.banner(lines?, frames?)". */
 static void plain_function(struct prose *to, const char *name, const char *help)
 {
     char list[160] = "";
@@ -292,7 +292,7 @@ static void plain_function(struct prose *to, const char *name, const char *help)
     prose_add(to, "function %.*s(%s) end\n", (int)strcspn(name, "("), name, list);
 }
 
-/* print and require are Lua's: the server knows them. */
+/* Without print and require, which the server knows. */
 static void plain_names(struct prose *to)
 {
     for (int i = 0; i < api_table.doc_name_count; i++) {

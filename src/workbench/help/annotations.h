@@ -7,10 +7,10 @@
 
 #include "../../common/prose.h"
 
-/* Adds the file's text. It is Lua that an editor reads and no game runs. */
+/* Adds the text of a Lua file for editors. */
 void annotations_write(struct prose *to);
 
-/* The same of what test scripts call (test_script.h). */
+/* The same for test scripts (test_script.h). */
 void annotations_test_write(struct prose *to);
 
 #endif

@@ -1,6 +1,6 @@
 /*
- * annotations_test.c - `curtain help test --annotations`: what test scripts call, for the Lua language server. A file
- * of its own, for games do not have it.
+ * annotations_test.c - `curtain help test --annotations`: the API of test scripts for the Lua language server, in a
+ * separate file because games cannot use it.
  */
 #include <stdio.h>
 #include <string.h>
@@ -8,7 +8,7 @@
 #include "../../player/game/version.h"
 #include "annotations.h"
 
-/* A class with the fields of that prefix, "options.": its own table in the list. */
+/* Adds the fields with a prefix, "options.". */
 static void fields(struct prose *to, const char *prefix)
 {
     const size_t n = strlen(prefix);
@@ -24,7 +24,7 @@ static void fields(struct prose *to, const char *prefix)
     }
 }
 
-/* "a: any, f: fun(run: run): boolean?" a parameter a line; the names go to list. */
+/* Adds a line for each parameter in "a: any, f: fun(run: run): boolean?"; list: their names. */
 static void params(struct prose *to, const char *text, char list[80])
 {
     list[0] = 0;

@@ -15,7 +15,7 @@
 #include "lua_example.h"
 #include "luacheck.h"
 
-static void say(const char *line)
+static void print_line(const char *line)
 {
     puts(line);
 }
@@ -73,7 +73,7 @@ static enum result help_lua(const char *name)
     }
     if (name)
         name = print_synonym(name);
-    if (help_write(name, say)) {
+    if (help_write(name, print_line)) {
         if (name)
             lua_example_print(name);
         return report_stdout(RESULT_DONE);
@@ -106,8 +106,8 @@ enum result help_command(const struct args *a)
     const enum result result = command_help(a);
     if (result != RESULT_DONE || a->n_words != 1 || args_command(topic) != COMMAND_TEST)
         return result;
-    say("");
-    say("Test scripts, tests/*.lua, are Lua scripts that can also use these names (docs/guide/27-testing.md):");
-    test_script_help(say);
+    print_line("");
+    print_line("Test scripts, tests/*.lua, are Lua scripts that can also use these names (docs/guide/27-testing.md):");
+    test_script_help(print_line);
     return report_stdout(RESULT_DONE);
 }

@@ -56,7 +56,7 @@ static const char *type_words(const struct api_param *p)
     return p->type == A_HIT_SHAPE ? api_hit_forms[(int)p->lo] : words[p->type];
 }
 
-/* A mask of kinds in words: "player", or "thing: bullet, shot or enemy". */
+/* Writes a mask of kinds: "player", or "thing: bullet, shot or enemy". */
 static void thing_words(unsigned kinds, char *out, size_t size)
 {
     size_t n = (size_t)snprintf(out, size, "thing");
@@ -119,7 +119,7 @@ void help_wrapped(const char *text, int indent, void (*line)(const char *))
         while (end > indent && out[end] != ' ')
             end--;
         if (bracket && bracket - out > indent && bracket - out <= HELP_COLUMNS &&
-            n - (bracket - out) <= HELP_COLUMNS - indent) /* it fits on a line */
+            n - (bracket - out) <= HELP_COLUMNS - indent) /* the brackets fit on a line */
             end = (int)(bracket - out);
         if (end <= indent) /* one long word */
             break;
@@ -234,7 +234,7 @@ void help_property_words(const struct api_param *p, char *out, size_t size)
     value.optional = OPT;
     if (value.type == A_THING)
         thing_words((unsigned)value.lo, out, size);
-    else if (!(p->access & PROP_WRITE)) /* its range is what a write takes */
+    else if (!(p->access & PROP_WRITE)) /* the range is that of writes */
         snprintf(out, size, "%s", type_words(&value));
     else
         help_argument_words(&value, out, size);
@@ -272,7 +272,7 @@ const char *help_nearest(const char *name)
     return s.nearest;
 }
 
-/* Is it a table of the API, "bullet", or the beginning of a name in one, "bullet.f"? */
+/* Returns whether it is a table of the API, "bullet", or the start of a name in one, "bullet.f". */
 static bool is_table(const char *name)
 {
     const size_t n = strlen(name);

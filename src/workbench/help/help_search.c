@@ -1,9 +1,9 @@
 /*
- * help_search.c - `curtain help lua WORD`, where WORD is no entry and no table: all that has the word in its name or
- * its text, the nearest first; and what `curtain help lua` begins with, the functions by what one wants to do.
+ * help_search.c - `curtain help lua WORD`, if WORD is neither an entry nor a table: everything with the word in its
+ * name or text, the best match first; and the functions by task, at the start of `curtain help lua`.
  *
- * A name has a word anywhere ("turn" in bullet:turn), a text where one of its words begins so ("turn" in "turns", not
- * in "returns"), for texts have many words. Each thing is shown once, where it fits best.
+ * A name matches anywhere ("turn" in bullet:turn). A text matches at the start of its words ("turn" in "turns", not in
+ * "returns"). Each entry is printed once, where it matches best.
  */
 #include <stdio.h>
 #include <string.h>
@@ -43,7 +43,7 @@ static bool has(const char *text, const char *word, bool at_words)
     return false;
 }
 
-/* How well it fits, by its last word ("turn" of "bullet:turn"), its name and its text; RANKS: not at all. */
+/* Rates a match by the last word of the name ("turn" of "bullet:turn"), the name and the text; RANKS: no match. */
 static enum rank rank_of(const char *name, const char *text, const char *word)
 {
     const char *last, *arguments = strchr(name, '(');
@@ -74,7 +74,7 @@ static enum rank rank_entry(const struct api_entry *e, const char *word)
     return r == RANKS && has_argument(e, word) ? RANK_TEXT : r;
 }
 
-/* A step of motion.def, a phase of boss.def: what stands in a table inside arguments. */
+/* Searches a table inside arguments: a step of motion.def, a phase of boss.def. */
 static bool search_part(const struct api_entry *e, const char *word, enum rank rank, void (*line)(const char *))
 {
     const char *part = strchr(e->name, ' ');
@@ -155,7 +155,7 @@ bool help_search(const char *word, void (*line)(const char *))
     return any;
 }
 
-/* What a game does most, in the order in which one makes it. Each name is one that `curtain help lua NAME` explains. */
+/* The most common tasks, in the order of making a game. `curtain help lua NAME` explains each name. */
 static const char *const tasks[][2] = {
     { "declare bullets", "bullet.def" },
     { "fire bullets", "bullet.fire pattern.ring pattern.fan pattern.spiral pattern.aimed" },

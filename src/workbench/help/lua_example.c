@@ -19,7 +19,7 @@
 extern const struct embedded help_files[];
 extern const int help_file_count;
 
-/* What is below the heading of that name, up to its code; NULL: the file does not have it. */
+/* Returns the text below the heading of that name, or NULL. */
 static const char *find_part(const char *text, const char *name)
 {
     const size_t n = strlen(name);
@@ -51,7 +51,7 @@ static void print_part(const char *part)
 void lua_example_print(const char *name)
 {
     for (int i = 0; i < help_file_count; i++) {
-        const char *part = find_part((const char *)help_files[i].data, name); /* a 0 is behind the data */
+        const char *part = find_part((const char *)help_files[i].data, name); /* the data ends with a 0 */
         if (part) {
             print_part(part);
             return;

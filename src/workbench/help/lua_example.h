@@ -5,7 +5,7 @@
 #ifndef WORKBENCH_LUA_EXAMPLE_H
 #define WORKBENCH_LUA_EXAMPLE_H
 
-/* Prints them; nothing for a name without an example. */
+/* Prints both; nothing for a name without an example. */
 void lua_example_print(const char *name);
 
 #endif

@@ -1,8 +1,8 @@
 /*
- * luacheck.c - see luacheck.h. Lua's names are those the sandbox keeps, the API's are its table's. Two standards: games
- * have "curtain", in which nothing of the API can be set; the library, and what a game has in its place, std/NAME.lua,
- * "curtain_library": its modules make tables of the API, and have fields for each other. Scripts in tests/ are no
- * game's: theirs is "curtain_test", Lua's names and `test`.
+ * luacheck.c - see luacheck.h. The names are those of Lua in the sandbox and of the API table. There are three
+ * standards: "curtain" for games, which cannot set fields of the API; "curtain_library" for the library and scripts
+ * that replace parts of it (std/NAME.lua), which create tables of the API; and "curtain_test" for test scripts, with
+ * `test`.
  */
 #include "luacheck.h"
 
@@ -15,15 +15,15 @@
 #include "../check/builtins.h"
 #include "../../player/game/version.h"
 
-/* Tables whose fields a game sets. */
+/* Fields that a game sets. */
 static bool is_written(const char *full)
 {
     return !strcmp(full, "hud.banks") || !strcmp(full, "hud.low") || !strcmp(full, "hud.shy") ||
            !strcmp(full, "hud.graze") || !strcmp(full, "talk.look");
 }
 
-/* One that has more than the table knows, to read and to set: the registers that game.def declares. luacheck cannot
- * keep game.stage from being set there; the board does. */
+/* A table with more fields than the API table has: game.def declares registers. luacheck therefore allows setting
+ * game.stage, which the board rejects. */
 static bool is_open(const char *space)
 {
     return !strcmp(space, "game");
@@ -44,7 +44,7 @@ static void add_plain(struct name_set *s)
     }
 }
 
-/* Modules of the library whose functions have no entries: a global of their own. */
+/* Adds the library's modules without entries in the API table, which are globals. */
 static void add_modules(struct name_set *s)
 {
     for (int i = 1; i < STD_MODULE_COUNT; i++)
@@ -60,8 +60,8 @@ static bool has_fields(const struct name_set *s, const char *space)
     return false;
 }
 
-/* Do files of the library make that table, or add to it? */
-static bool is_librarys(const char *space)
+/* Returns whether the library creates or extends the table. */
+static bool is_of_library(const char *space)
 {
     if (std_module_of_global(space) > 0)
         return true;
@@ -71,7 +71,7 @@ static bool is_librarys(const char *space)
     return false;
 }
 
-/* Is it a value, no function? It may be a text or a table, which have fields. */
+/* Returns whether it is a value, which may have fields if it is a string or a table. */
 static bool is_value(const char *full)
 {
     for (int i = 0; i < api_table.doc_name_count; i++)
@@ -93,7 +93,7 @@ static void field(const char *space, const char *name)
 
 static void global(const struct name_set *s, const char *name, bool library)
 {
-    if (library && is_librarys(name)) {
+    if (library && is_of_library(name)) {
         printf("    %s = { read_only = false, other_fields = true },\n", name);
         return;
     }
@@ -117,7 +117,7 @@ static void standard(const struct name_set *s, const char *name, bool library)
     printf("  },\n}\n");
 }
 
-/* Lua's names, and the table `test`. */
+/* Adds Lua's names and the table `test`. */
 static void add_test_names(struct name_set *s)
 {
     struct test_script_entry e;

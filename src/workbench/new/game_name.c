@@ -11,7 +11,7 @@
 
 enum { NO_CHARACTER = 0xfffd };
 
-bool game_name_name(const char *dir, char name[CHRISTEN_TITLE])
+bool game_name_of_folder(const char *dir, char name[GAME_TITLE_SIZE])
 {
     size_t at = 0;
     uint32_t c;
@@ -19,8 +19,8 @@ bool game_name_name(const char *dir, char name[CHRISTEN_TITLE])
     tree_id(dir, name);
     while (name[at] != '\0') {
         int n = clean_decode_character(name + at, &c);
-        if (c == NO_CHARACTER && n == 1 && strlen(name + at) < 4 && strlen(name) > CHRISTEN_TITLE - 5)
-            name[at] = '\0'; /* one that was cut */
+        if (c == NO_CHARACTER && n == 1 && strlen(name + at) < 4 && strlen(name) > GAME_TITLE_SIZE - 5)
+            name[at] = '\0'; /* a character that was cut */
         else
             at += (size_t)n;
     }
@@ -32,12 +32,12 @@ static bool fits_id(char c)
     return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
 }
 
-void game_name_id(const char *name, char id[CHRISTEN_ID])
+void game_name_id(const char *name, char id[GAME_ID_SIZE])
 {
     const uint32_t digits = hash_crc32(name, strlen(name));
     size_t n = 0;
 
-    for (; *name != '\0' && n < CHRISTEN_ID - 1; name++) {
+    for (; *name != '\0' && n < GAME_ID_SIZE - 1; name++) {
         char c = *name >= 'A' && *name <= 'Z' ? (char)(*name - 'A' + 'a') : *name;
         if (fits_id(c))
             id[n++] = c;
@@ -48,10 +48,10 @@ void game_name_id(const char *name, char id[CHRISTEN_ID])
         n--;
     id[n] = '\0';
     if (n == 0)
-        snprintf(id, CHRISTEN_ID, "game_%08x", (unsigned)digits);
+        snprintf(id, GAME_ID_SIZE, "game_%08x", (unsigned)digits);
 }
 
-bool game_name_shown(const char *name)
+bool game_name_has_glyphs(const char *name)
 {
     uint32_t c;
 

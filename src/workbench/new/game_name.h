@@ -1,21 +1,21 @@
 /*
- * game_name.h - what a new game is called, by the name of its folder.
+ * game_name.h - the title and the id of a new game, made from the name of its folder.
  */
 #ifndef WORKBENCH_GAME_NAME_H
 #define WORKBENCH_GAME_NAME_H
 
 #include <stdbool.h>
 
-enum { CHRISTEN_ID = 32, CHRISTEN_TITLE = 64 }; /* bytes, as the manifest has them, with the 0 */
+enum { GAME_ID_SIZE = 32, GAME_TITLE_SIZE = 64 }; /* bytes, as in struct manifest */
 
-/* The last name of a path, as tree_id takes it, whole characters alone; false: it has none ("", ".", "a/.."). */
-bool game_name_name(const char *dir, char name[CHRISTEN_TITLE]);
+/* Writes the last name of a path (tree_id), cut at a whole character; false: it has none ("", ".", "a/.."). */
+bool game_name_of_folder(const char *dir, char name[GAME_TITLE_SIZE]);
 
-/* The id: lower case, one _ for each run of what an id may not hold; a name that leaves nothing over becomes game_ and
- * digits that are other ones for other names. */
-void game_name_id(const char *name, char id[CHRISTEN_ID]);
+/* Writes the id: lower case, with one _ for each run of other characters. If nothing is left, the id is game_ and a
+ * checksum of the name. */
+void game_name_id(const char *name, char id[GAME_ID_SIZE]);
 
-/* Can every character of it be shown in the examples' fonts: ASCII and Latin-1? */
-bool game_name_shown(const char *name);
+/* Returns whether the examples' fonts have all characters: ASCII and Latin-1. */
+bool game_name_has_glyphs(const char *name);
 
 #endif

@@ -25,18 +25,18 @@ static const char LUARC[] = "{\n"
                             "  \"workspace.library\": [\".curtain.lua\", \".curtain-test.lua\"]\n"
                             "}\n";
 
-enum { GAMES = 16 /* that are listed */ };
+enum { GAMES = 16 /* in the list of an error */ };
 
 struct start {
     const char *dir, *from;
-    char name[CHRISTEN_TITLE], id[CHRISTEN_ID];
-    char *path[256]; /* below dir, of what was written or begun */
+    char name[GAME_TITLE_SIZE], id[GAME_ID_SIZE];
+    char *path[256]; /* of written files, relative to dir */
     int n;
 };
 
 /* ---- files ---- */
 
-/* Below the game's folder; NULL: the file is another game's. */
+/* Returns the path in the game's folder; NULL: the file belongs to another game. */
 static const char *file_of(const char *from, const char *name)
 {
     const size_t n = strlen(from);
@@ -52,7 +52,7 @@ static bool known(const char *from)
     return false;
 }
 
-/* "bulletml, first ... or shooter": the games there are. */
+/* Writes the names of the games: "bulletml, first or shooter". */
 static void list_games(char *out, size_t size)
 {
     char names[GAMES][32];
@@ -76,8 +76,8 @@ static void ignore_file(void *user, const struct plat_folder_entry *file)
     (void)file;
 }
 
-/* Takes back what was written, and the folders made for it, which others' files keep. */
-static void take_back(const struct start *s, bool existed)
+/* Removes the written files and their folders; folders with other files remain. */
+static void remove_written(const struct start *s, bool existed)
 {
     char path[TREE_PATH];
 
@@ -90,7 +90,7 @@ static void take_back(const struct start *s, bool existed)
             plat_remove(path);
         }
     }
-    if (!existed && plat_list(s->dir, ignore_file, NULL) >= 0) /* a link that leads nowhere is the user's */
+    if (!existed && plat_list(s->dir, ignore_file, NULL) >= 0) /* a dangling link is the user's */
         plat_remove(s->dir);
 }
 
@@ -108,14 +108,14 @@ static bool save(struct start *s, const char *name, const void *data, size_t siz
 
 /* ---- names in the files ---- */
 
-/* As it stands between quotes in Lua. */
+/* Adds a text as between quotes in Lua. */
 static void add_quoted(struct prose *p, const char *text)
 {
     for (; *text != '\0'; text++)
         prose_add(p, *text == '"' || *text == '\\' ? "\\%c" : "%c", *text);
 }
 
-/* The text with what stands behind the first `before`, up to `after`, replaced. */
+/* Adds the text, with the part between the first `before` and the next `after` replaced. */
 static void add_named(struct prose *p, const char *text, const char *before, char after, const char *with)
 {
     const char *at = strstr(text, before), *end = at ? strchr(at + strlen(before), after) : NULL;
@@ -128,11 +128,11 @@ static void add_named(struct prose *p, const char *text, const char *before, cha
     prose_add(p, "%s", text);
 }
 
-/* rom.lua with the game's id and title, README.md with its title; any other file as it is. */
+/* Saves rom.lua with the game's id and title, README.md with its title, and any other file unchanged. */
 static bool save_named(struct start *s, const char *name, const struct embedded *file, char *err, size_t err_size)
 {
     const bool rom = strcmp(name, "rom.lua") == 0, page = strcmp(name, "README.md") == 0;
-    const bool titled = game_name_shown(s->name);
+    const bool titled = game_name_has_glyphs(s->name);
     struct prose first = { 0 }, text = { 0 };
 
     if ((!rom && !page) || (page && !titled))
@@ -159,7 +159,7 @@ static bool save_named(struct start *s, const char *name, const struct embedded 
     return good;
 }
 
-/* What an editor knows of the API, or of what test scripts call. */
+/* Saves annotations for editors. */
 static bool save_api(struct start *s, const char *name, void (*write)(struct prose *), char *err, size_t err_size)
 {
     struct prose api = { 0 };
@@ -192,7 +192,7 @@ static bool save_all(struct start *s, char *err, size_t err_size)
 
 /* ---- the command ---- */
 
-/* dir as a shell takes it. */
+/* Adds dir, quoted for a shell. */
 static void add_word(struct prose *p, const char *dir)
 {
     if (dir[0] == '-')
@@ -235,7 +235,7 @@ enum result new_game(const char *dir, const char *from)
         list_games(games, sizeof games);
         return report_line(RESULT_REFUSED, "--from: expected %s, got \"%s\"", games, s.from);
     }
-    if (!game_name_name(dir, s.name))
+    if (!game_name_of_folder(dir, s.name))
         return report_line(RESULT_REFUSED, "new: \"%s\" is not a valid game name; expected a folder to create", dir);
     game_name_id(s.name, s.id);
     if (files_size(dir) >= 0)
@@ -244,7 +244,7 @@ enum result new_game(const char *dir, const char *from)
     if (files > 0)
         return report_line(RESULT_REFUSED, "%s: this folder is not empty; choose a new or empty one", dir);
     if (!save_all(&s, err, sizeof err)) {
-        take_back(&s, files == 0);
+        remove_written(&s, files == 0);
         return report_line(RESULT_HOST_FAILED, "%s", err);
     }
     say_next(&s);

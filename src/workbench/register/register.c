@@ -1,8 +1,8 @@
 /*
  * register.c - see register.h. Windows stores file types in its registry (plat_register_type). Other desktops read the
- * files of freedesktop.org's specifications: an entry of the menu, MIME types, an icon, and mimeapps.list, which says
- * which entry opens a type. They are those of tools/install.sh, written to the user's data folder, and the entry has
- * this program's path. An entry of the same name hides that of an installation for all users.
+ * files of freedesktop.org's specifications: a menu entry, MIME types, an icon, and mimeapps.list, which assigns
+ * entries to types. They are the files of tools/install.sh, written to the user's data folder, with this program's
+ * path. They take precedence over an installation for all users.
  */
 #include "register.h"
 
@@ -17,7 +17,7 @@
 #include "../export/desktop.h"
 #include "../../player/game/embedded_rom.h"
 
-/* The entry first; names are places in the data folder. Made by tools/embed.c. */
+/* The entry is the first; names are paths in the data folder. Made by tools/embed.c. */
 extern const struct embedded desktop_files[];
 extern const int desktop_file_count;
 
@@ -56,19 +56,19 @@ static void print_type(int i, bool remove, bool second)
 
 /* ---- files of the desktop ---- */
 
-static void place(const struct registration *r, const char *name, char path[FILES_PATH_SIZE])
+static void data_path(const struct registration *r, const char *name, char path[FILES_PATH_SIZE])
 {
     snprintf(path, FILES_PATH_SIZE, "%s/%s", r->data, name);
 }
 
-/* A text of the user's; "" if there is none. NULL: it cannot be read. */
+/* Returns a text file of the user's (malloc), or "" if it does not exist; NULL: it cannot be read. */
 static char *read_text(struct registration *r, const char *name)
 {
     char path[FILES_PATH_SIZE];
     uint8_t *text;
     size_t size;
 
-    place(r, name, path);
+    data_path(r, name, path);
     if (plat_file_size(path) < 0)
         return calloc(1, 1);
     return files_read(path, path, TEXT_MOST, &text, &size, r->err, sizeof r->err) ? (char *)text : NULL;
@@ -78,7 +78,7 @@ static bool save(struct registration *r, const char *name, const void *bytes, si
 {
     char path[FILES_PATH_SIZE];
 
-    place(r, name, path);
+    data_path(r, name, path);
     return files_save(path, bytes, size, r->err, sizeof r->err);
 }
 
@@ -107,7 +107,7 @@ static bool remove_files(struct registration *r)
     char path[FILES_PATH_SIZE];
 
     for (int i = desktop_file_count - 1; i >= 0; i--) {
-        place(r, desktop_files[i].name, path);
+        data_path(r, desktop_files[i].name, path);
         if (!plat_remove(path) && plat_file_size(path) >= 0)
             return result_set_host_error(r->err, sizeof r->err, "%s: cannot be removed", path);
     }
@@ -123,7 +123,7 @@ static void type_line(int i, char line[LINE])
     snprintf(line, LINE, "%s=curtain.desktop\n", types[i].mime);
 }
 
-/* The start of the line that begins with `start`; NULL: there is none. */
+/* Returns the line that begins with `start`, or NULL. */
 static char *find_line(char *text, const char *start)
 {
     for (char *at = text; (at = strstr(at, start)) != NULL; at++)
@@ -151,7 +151,7 @@ static void remove_defaults(char *text)
         *at = 0;
 }
 
-/* Adds the lines to a text with room for them; a type that has a default keeps it. */
+/* Adds the lines to a text that has memory for them; a type that has a default keeps it. */
 static void add_defaults(char *text, bool second[TYPES])
 {
     char line[LINE];
@@ -185,7 +185,7 @@ static bool set_defaults(struct registration *r, bool second[TYPES])
         remove_defaults(text);
         if (!r->remove)
             add_defaults(text, second);
-        place(r, list, path);
+        data_path(r, list, path);
         if (text[0] == 0 && was[0] != 0)
             good = plat_remove(path) || result_set_host_error(r->err, sizeof r->err, "%s: cannot be removed", path);
         else if (strcmp(text, was) != 0)
@@ -199,18 +199,18 @@ static bool set_defaults(struct registration *r, bool second[TYPES])
 
 /* ---- desktops ---- */
 
-/* Runs a tool that desktops have, which compiles a folder's files into the index that is read. */
+/* Runs a desktop's tool that compiles a folder's files into an index. */
 static bool run_tool(const struct registration *r, const char *tool, const char *folder)
 {
     char path[FILES_PATH_SIZE];
     const char *const words[] = { tool, path, NULL };
 
-    place(r, folder, path);
+    data_path(r, folder, path);
     FILE *f = plat_has_command(tool) ? plat_command_open(words) : NULL;
     return f && plat_command_close(f);
 }
 
-/* The folder of `user:` without its last name. */
+/* Finds the data folder, which is the parent of `user:`, and the program. */
 static bool find_folders(struct registration *r)
 {
     static const char own[] = "/curtain/";
@@ -227,7 +227,7 @@ static bool find_folders(struct registration *r)
                    r->program);
 }
 
-/* An entry of the same name that this command did not write, as by make install MAX_PREFIX=~/.local, works already. */
+/* If another command wrote the entry (make install MAX_PREFIX=~/.local), nothing needs to be done. */
 static enum result register_desktop(struct registration *r)
 {
     bool second[TYPES] = { false };
@@ -235,11 +235,11 @@ static enum result register_desktop(struct registration *r)
 
     if (!entry)
         return report_error(r->err);
-    const bool is = entry[0], ours = strstr(entry, "\n" MARK) != NULL;
+    const bool exists = entry[0], ours = strstr(entry, "\n" MARK) != NULL;
     free(entry);
-    if (!ours && (is || r->remove)) {
-        report_print(is ? "%s/%s was not written by curtain register; nothing was changed.\n"
-                        : "Nothing to remove: %s/%s does not exist.\n",
+    if (!ours && (exists || r->remove)) {
+        report_print(exists ? "%s/%s was not written by curtain register; nothing was changed.\n"
+                            : "Nothing to remove: %s/%s does not exist.\n",
                      r->data, ENTRY);
         return report_stdout(RESULT_DONE);
     }

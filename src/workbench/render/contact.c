@@ -10,10 +10,10 @@
 #include "../../player/picture/png.h"
 
 enum {
-    GAP = 4,     /* px round each picture with its label */
-    GREY = 0x28, /* of what is between */
-    TEXT = 0xd0, /* of the digits */
-    LARGE = 240, /* px from which on a picture is shown so small that digits are to be twice as large */
+    GAP = 4,     /* px around each picture with its label */
+    GREY = 0x28, /* brightness of the background */
+    TEXT = 0xd0, /* brightness of the digits */
+    LARGE = 240, /* px; wider pictures have digits of twice the size */
     CAPITAL = 7, /* rows of a digit */
     UNDER = 2,   /* px between a digit's foot and the picture */
     MOST_PIXELS = 1 << 26
@@ -58,7 +58,7 @@ static int add_letter(const struct contact *s, int x, int y, char c)
     return x + (l.w + 1) * s->scale;
 }
 
-/* A picture is 64 px wide at least, which is room for any frame's number. */
+/* A picture is at least 64 px wide, enough for any frame number. */
 static void add_label(const struct contact *s, int x, int y, uint32_t frame)
 {
     char text[16];

@@ -1,5 +1,5 @@
 /*
- * contact.h - frames of a run on one picture, in reading order, each with its number above it.
+ * contact.h - a contact sheet: frames of a run in one picture, in reading order, each with its number above it.
  */
 #ifndef WORKBENCH_CONTACT_H
 #define WORKBENCH_CONTACT_H
@@ -9,21 +9,21 @@
 #include "../../../fb/fb.h"
 
 struct contact {
-    uint8_t *rgb; /* malloc; NULL: none is wanted */
+    uint8_t *rgb; /* malloc; NULL: no sheet */
     int w, h;     /* px */
     int columns;
-    int label; /* px of the row above a picture */
-    int scale; /* of the digits in it */
-    int count; /* pictures on it */
+    int label; /* height of a label, px */
+    int scale; /* of its digits */
+    int count; /* pictures so far */
 };
 
-/* A contact sheet for n pictures of w x h px, about as wide as high. False: too large, or no memory. */
+/* Creates a sheet for n pictures of w x h px, about as wide as high. False: too large, or out of memory. */
 bool contact_open(struct contact *s, int64_t n, int w, int h);
 
 /* Adds the picture of that frame. At most n are added. */
 void contact_add(struct contact *s, const struct fb *fb, const uint32_t rgb[256], uint32_t frame);
 
-/* Gives it back; harmless on one of zeroes. */
+/* Frees it; all zeroes are allowed. */
 void contact_close(struct contact *s);
 
 #endif

@@ -1,5 +1,5 @@
 /*
- * headless.c - see headless.h. The commands differ in what they do between the ticks of a run (unseen.h).
+ * headless.c - see headless.h. The commands differ in what they do between the ticks of a run (headless_run.h).
  */
 #include "headless.h"
 
@@ -21,13 +21,13 @@ enum { HASH_FRAMES = 600 /* without a demo or --frames */ };
 
 /* ---- render ---- */
 
-struct studio {
+struct render {
     struct fb fb;
     void *mem, *scratch;
     uint32_t rgb[256];
     struct shade_kept shades;
     struct view view;
-    struct game_files game; /* no frame is written over one */
+    struct game_files game; /* frames must not overwrite these */
     struct contact sheet;
     struct tape tape;
 };
@@ -41,7 +41,7 @@ static uint32_t count_wanted(const struct args *a)
     return n;
 }
 
-static void studio_close(struct studio *s)
+static void render_close(struct render *s)
 {
     free(s->mem);
     free(s->scratch);
@@ -50,7 +50,7 @@ static void studio_close(struct studio *s)
     tape_close(&s->tape);
 }
 
-static enum result studio_open(struct studio *s, const struct headless_run *r)
+static enum result render_open(struct render *s, const struct headless_run *r)
 {
     int w, h;
 
@@ -85,7 +85,7 @@ static enum result save(const char *path, uint8_t *data, size_t size)
     return ok ? RESULT_DONE : report_line(RESULT_HOST_FAILED, "%s", err);
 }
 
-static enum result picture(struct studio *s, const struct headless_run *r, uint32_t frame)
+static enum result picture(struct render *s, const struct headless_run *r, uint32_t frame)
 {
     char path[DEMO_PATH_SIZE];
     const char *dir = r->a->out ? r->a->out : ".";
@@ -109,7 +109,7 @@ static enum result picture(struct studio *s, const struct headless_run *r, uint3
     return save(path, png, size);
 }
 
-static enum result render_frames(struct studio *s, struct headless_run *r)
+static enum result render_frames(struct render *s, struct headless_run *r)
 {
     uint32_t last = args_last_frame(r->a);
     enum result result = RESULT_DONE;
@@ -126,14 +126,14 @@ static enum result render_frames(struct studio *s, struct headless_run *r)
     return result;
 }
 
-static enum result wav_save(struct studio *s, const char *path)
+static enum result wav_save(struct render *s, const char *path)
 {
     char err[1200];
 
     return tape_save(&s->tape, path, err, sizeof err) ? RESULT_DONE : report_line(RESULT_HOST_FAILED, "%s", err);
 }
 
-static enum result sheet_save(struct studio *s, const char *path)
+static enum result sheet_save(struct render *s, const char *path)
 {
     size_t size = 0;
     uint8_t *png;
@@ -145,7 +145,7 @@ static enum result sheet_save(struct studio *s, const char *path)
 enum result headless_render(const struct args *a)
 {
     struct headless_run *r = malloc(sizeof *r);
-    struct studio s = { 0 };
+    struct render s = { 0 };
 
     if (!r)
         return report_line(RESULT_HOST_FAILED, "out of memory");
@@ -155,18 +155,18 @@ enum result headless_render(const struct args *a)
     }
     enum result result = headless_run_open(r, a);
     if (result == RESULT_DONE)
-        result = studio_open(&s, r);
+        result = render_open(&s, r);
     if (result == RESULT_DONE)
         result = render_frames(&s, r);
-    if (s.sheet.count > 0) { /* also of a run that stopped early */
+    if (s.sheet.count > 0) { /* also after a run that stopped early */
         enum result saved = sheet_save(&s, a->sheet);
         result = result == RESULT_DONE ? saved : result;
     }
-    if (s.tape.bytes) { /* also of frame 0 alone, which has no sound yet */
+    if (s.tape.bytes) { /* also for frame 0 alone, which has no sound */
         enum result saved = wav_save(&s, a->wav);
         result = result == RESULT_DONE ? saved : result;
     }
-    studio_close(&s);
+    render_close(&s);
     result = headless_run_close(r, result);
     free(r);
     return result;
@@ -177,7 +177,7 @@ enum result headless_render(const struct args *a)
 struct hashing {
     uint64_t hashes[MAX_PARTS];
     void *hash_cache; /* of board_hashes_cached */
-    uint64_t trace;   /* parts to print instead, 1 << part */
+    uint64_t trace;   /* parts to trace instead, 1 << part */
 };
 
 static void print_hash(struct hashing *h, const struct board *b, bool parts)
@@ -203,7 +203,7 @@ static enum result unknown_part(const struct board *b, const char *name, int n)
     return report_line(RESULT_REFUSED, "--trace: unknown part \"%s\" (hash --parts lists all parts)", word);
 }
 
-/* Adds the part of that name, or all, to *set; false: there is none. */
+/* Adds the part of that name, or all parts, to *set; false: unknown name. */
 static bool add_part(const struct board *b, const char *name, size_t n, uint64_t *set)
 {
     bool all = n == 3 && memcmp(name, "all", n) == 0, known = all;

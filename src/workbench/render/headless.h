@@ -1,8 +1,8 @@
 /*
- * headless.h - running a board with no window: render and hash.
+ * headless.h - the commands `render` and `hash`, which run a game without a window.
  *
- * Nothing of the host but files gets near these runs: no clock, no nvram, seed 0 unless told. A request for attract or
- * to quit is passed over. What scripts print goes to plat_log. What is not done has been told on plat_log.
+ * These runs have no clock and no nvram, and seed 0 without --seed. Requests for attract or to quit are ignored. Output
+ * of scripts and errors go to plat_log.
  */
 #ifndef WORKBENCH_HEADLESS_H
 #define WORKBENCH_HEADLESS_H

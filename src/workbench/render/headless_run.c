@@ -6,25 +6,25 @@
 #include <string.h>
 #include "../../common/report.h"
 
-/* The result of a power-on or tick. */
+/* Reports the outcome of a power-on or tick. */
 static enum result outcome(struct headless_run *r)
 {
     const struct board_out *out = board_last_output(r->guard.board);
 
-    if (r->outcomes++ < r->told)
+    if (r->outcomes++ < r->reported)
         return out->fault ? RESULT_REFUSED : RESULT_DONE;
     report_log(out, "");
     return out->fault ? report_fault(out->fault, r->a->verbose) : RESULT_DONE;
 }
 
-static enum result open_run(struct headless_run *r, const struct args *a, uint32_t told)
+static enum result open_run(struct headless_run *r, const struct args *a, uint32_t reported)
 {
     const char *path = a->n_words > 0 ? a->words[0] : NULL;
     char err[1024];
 
     memset(r, 0, sizeof *r);
     r->a = a;
-    r->told = told;
+    r->reported = reported;
     if (!game_open(&r->game, path, a, err, sizeof err))
         return report_error(err);
     if (!guard_power(&r->guard, &r->game.rom, &r->game.start, err, sizeof err))

@@ -1,6 +1,6 @@
 /*
- * headless_run.h - a run without a window: power, then ticks with the demo's pads, or those of --press. What scripts
- * print goes to plat_log; what is not done has been told there.
+ * headless_run.h - a run without a window, with the buttons of the demo or of --press. Output of scripts and errors go
+ * to plat_log.
  */
 #ifndef WORKBENCH_HEADLESS_RUN_H
 #define WORKBENCH_HEADLESS_RUN_H
@@ -15,19 +15,20 @@ struct headless_run {
     struct guard guard;
     struct demo_writer writer; /* of --record */
     const struct args *a;
-    uint32_t outcomes, told; /* of power-on and ticks: so far; of these, what was said by the run before */
+    uint32_t outcomes; /* of power-on and ticks so far */
+    uint32_t reported; /* outcomes that the previous run has reported */
 };
 
-/* Powers the game of the arguments. Close it either way. */
+/* Opens the game of the arguments and powers it on. Close it either way. */
 enum result headless_run_open(struct headless_run *r, const struct args *a);
 
-/* The same run once more, after headless_run_close: what the first one said, it does not say again. */
+/* Repeats the run after headless_run_close, without reporting again what has been reported. */
 enum result headless_run_again(struct headless_run *r, const struct args *a);
 
-/* One frame; what is not RESULT_DONE ends the run. */
+/* Runs a frame; any result but RESULT_DONE ends the run. */
 enum result headless_run_tick(struct headless_run *r);
 
-/* Ends the run and its recording; result is what it came to so far, and returned. */
+/* Ends the run and its recording. Returns `result`, or the error of the recording. */
 enum result headless_run_close(struct headless_run *r, enum result result);
 
 #endif

@@ -7,7 +7,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { STEP = 4800, BLOCK_STEPS = 4 /* of which each begins a step after the other */ };
+enum { STEP = 4800, BLOCK_STEPS = 4 /* blocks overlap: one starts at each step */ };
 
 #define SILENT   (-70.0)
 #define RELATIVE (-10.0)
@@ -47,7 +47,7 @@ static double lufs(double power)
     return power > 0 ? OFFSET + 10 * log10(power) : -HUGE_VAL;
 }
 
-/* The mean of the blocks that are louder than that, in LUFS. */
+/* Returns the mean of the blocks louder than the gate, in LUFS. */
 static double gated(const double *power, size_t blocks, double gate)
 {
     double sum = 0;

@@ -1,7 +1,6 @@
 /*
- * loudness.h - how loud sound is to an ear: ITU-R BS.1770-4, in LUFS, of two channels at 48 kHz.
- *
- * What is shorter than a block of 0.4 s counts as one.
+ * loudness.h - the loudness of two channels at 48 kHz in LUFS, as in ITU-R BS.1770-4. A sound shorter than a block of
+ * 0.4 s counts as one block.
  */
 #ifndef WORKBENCH_LOUDNESS_H
 #define WORKBENCH_LOUDNESS_H
@@ -9,7 +8,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* -70 and less: nothing is heard; so it is for a lack of memory. */
+/* Returns the loudness; -70 for silence, and when out of memory. */
 double loudness(const int16_t *lr, size_t frames);
 
 /* The largest sample and the root of the mean square, in decibels of full scale. */

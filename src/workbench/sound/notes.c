@@ -1,6 +1,6 @@
 /*
- * notes.c - see notes.h. A track is played tick by tick, by the board's own reader: where that goes back, the loop
- * ends, and where it stood on the first pass, the loop begins.
+ * notes.c - see notes.h. A track is played tick by tick with the board's own reader. The loop ends where the reader
+ * jumps back, and starts at the target of the jump.
  */
 #include "notes.h"
 #include "../../common/report.h"
@@ -58,12 +58,12 @@ static void print_event(const struct walk *w, const struct tune_played_event *e)
     case TUNE_MARKER:
         report_print("mark %s\n", tune_marker_name(w->t, e->value));
         break;
-    default: /* what shapes a note and is none */
+    default: /* shapes a note */
         report_print("event %d %d %d\n", (int)e->event, (int)e->value, (int)e->value2);
     }
 }
 
-/* Plays until the reader stands at `until`, goes back (returns where it stands then) or ends (returns 0). */
+/* Plays until the reader is at `until`, jumps back (returns the target) or ends (returns 0). */
 static uint32_t walk(struct walk *w, int track, uint32_t until)
 {
     struct track_cursor c = tune_track_start(w->t, track);
@@ -75,7 +75,7 @@ static uint32_t walk(struct walk *w, int track, uint32_t until)
         while (tune_next_event(&run, &e))
             print_event(w, &e);
         c = run.cursor;
-        /* One event that repeats leads to the same place again, with all its time left. */
+        /* A loop of one event leads to the same place, with all its time left. */
         const bool back = c.cursor < before.cursor || (c.cursor == before.cursor && c.units_left > before.units_left);
         if (c.cursor == until || (c.cursor != 0 && back))
             break;

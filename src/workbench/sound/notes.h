@@ -6,9 +6,8 @@
 
 #include "../../sound/tune.h"
 
-/* Prints the tune, a line an event: TRACK TICK WHAT VALUES; the conductor's track is -. Lines are explained in
- * docs/measured/music.md. A track that is endless is printed up to its loop's end and says where it goes on: TRACK END
- * loop FROM. */
+/* Prints a line for each event: TRACK TICK EVENT VALUES; the conductor's track is -. docs/measured/music.md explains
+ * the events. An endless track is printed up to the end of its loop, followed by TRACK END loop START. */
 void notes_print(const char *name, const struct tune *t);
 
 #endif

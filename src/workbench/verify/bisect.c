@@ -1,9 +1,8 @@
 /*
  * bisect.c - see bisect.h.
  *
- * Two readers go through the files in step. In a trace the lines of a frame are merged: each part begins with its
- * registers, so a slot's line that has no partner is known by the other file's next line being of a later slot, part or
- * frame.
+ * Both files are read in parallel. In traces, the lines of a frame are merged: each part starts with its registers, so
+ * a slot's line has no partner if the next line of the other file belongs to a later slot, part or frame.
  */
 #include "bisect.h"
 
@@ -27,10 +26,10 @@ enum {
 
 /* A file, and the line it is at. */
 struct side {
-    const char *path; /* as it is called in messages */
+    const char *path; /* for messages */
     FILE *file;
     unsigned long line;
-    bool trace; /* a track otherwise */
+    bool trace; /* otherwise a track */
     bool end;
     uint32_t frame;
     char part[32];   /* of a trace */
@@ -56,7 +55,7 @@ static bool all_of(const char *p, size_t n, const char *set)
     return n > 0 && strspn(p, set) >= n;
 }
 
-/* Cuts the word at *p off at its blank, and moves *p behind it. */
+/* Ends the word at *p at its blank, and moves *p after it. */
 static char *take_word(char **p)
 {
     char *word = *p, *blank = strchr(word, ' ');
@@ -76,7 +75,7 @@ static bool take_number(const char *word, uint32_t *out)
     return v <= UINT32_MAX;
 }
 
-/* The value of a NAME=VALUE, its length in *n; NULL: there is none of that name. */
+/* Returns the value in NAME=VALUE, with its length in *n; NULL: no such name. */
 static const char *value_of(const char *values, const char *name, size_t name_n, size_t *n)
 {
     for (const char *p = values; *p;) {
@@ -90,7 +89,7 @@ static const char *value_of(const char *values, const char *name, size_t name_n,
     return NULL;
 }
 
-/* Are these words NAME=VALUE, each name given once and each value made of such characters? */
+/* Returns whether all words are NAME=VALUE, with unique names and values of the characters in `set`. */
 static bool good_values(const char *p, const char *set)
 {
     const char *values = p;
@@ -140,7 +139,7 @@ static bool parse_trace(struct side *f, char *p)
            all_of(f->gen, strlen(f->gen), "-0123456789") && *p && good_values(p, "0123456789abcdef,()-");
 }
 
-/* Does the line come after the one before, in a trace that of the part? */
+/* Returns whether the line follows the one before; in a trace, the one of the same part. */
 static bool in_order(const struct side *now, const struct side *before)
 {
     if (before->line == 0)
@@ -191,9 +190,9 @@ static bool next_both(struct bisect *s)
     return next(s, &s->a) && next(s, &s->b);
 }
 
-/* ---- what differs ---- */
+/* ---- differences ---- */
 
-/* Counts a difference, and says the frame before the first; false: enough is printed. */
+/* Counts a difference, and prints the frame of the first; false: enough have been printed. */
 static bool found(struct bisect *s, uint32_t frame)
 {
     if (s->found == 0)
@@ -208,7 +207,7 @@ static void name_slot(const struct side *f)
         report_print(" %lld", (long long)f->slot);
 }
 
-/* One value of a column, of several the i-th; an empty one is zero. */
+/* Prints a difference of a column, or of its i-th value if it has several; an empty value is zero. */
 static void differ(struct bisect *s, const struct side *f, const char *column, int column_n, int i, bool several,
                    const char *a, int a_n, const char *b, int b_n)
 {
@@ -222,7 +221,7 @@ static void differ(struct bisect *s, const struct side *f, const char *column, i
                  s->b.path);
 }
 
-/* Compares the values of a column, separated by commas; one that is missing (of an empty entry of a list) is zero. */
+/* Compares the values of a column, separated by commas; a missing one (of an empty list entry) is zero. */
 static void compare_values(struct bisect *s, const struct side *f, const char *column, int column_n, const char *a,
                            size_t a_n, const char *b, size_t b_n)
 {
@@ -241,7 +240,7 @@ static void compare_values(struct bisect *s, const struct side *f, const char *c
     }
 }
 
-/* The columns of a line of which the other is the partner, or has no values. `swapped`: the line is b's. */
+/* Compares the columns of a line with its partner, or with no values. swapped: the line is b's. */
 static void compare_columns(struct bisect *s, const struct side *f, const char *mine, const char *theirs, bool swapped,
                             bool only_missing)
 {
@@ -258,7 +257,7 @@ static void compare_columns(struct bisect *s, const struct side *f, const char *
     }
 }
 
-/* Two lines of the same slot, or registers. */
+/* Compares two lines of the same slot, or registers. */
 static void compare_lines(struct bisect *s)
 {
     const struct side *a = &s->a, *b = &s->b;
@@ -271,7 +270,7 @@ static void compare_lines(struct bisect *s)
     compare_columns(s, b, b->values, a->values, true, true);
 }
 
-/* A slot that is in one file only: alive there; or of a list, and not all zero there. */
+/* Prints a slot that is only in one file: alive there, or an entry of a list that is not zero. */
 static void compare_alone(struct bisect *s, const struct side *f)
 {
     bool b = f == &s->b;
@@ -288,7 +287,7 @@ static void compare_alone(struct bisect *s, const struct side *f)
 
 /* ---- traces ---- */
 
-static bool apart(struct bisect *s)
+static bool set_mismatch(struct bisect *s)
 {
     const struct side *a = &s->a, *b = &s->b;
 
@@ -305,15 +304,15 @@ static bool apart(struct bisect *s)
                    (unsigned)a->frame, b->path, b->line, (unsigned)b->frame);
 }
 
-/* A slot's line, and the other file's next one belongs to a later slot, part or frame. */
-static bool alone(const struct bisect *s, const struct side *f, const struct side *other)
+/* Returns whether a slot's line has no partner: the next line of the other file is of a later slot, part or frame. */
+static bool is_alone(const struct bisect *s, const struct side *f, const struct side *other)
 {
     if (f->end || f->slot < 0 || f->frame != s->frame)
         return false;
     return other->end || other->frame > f->frame || other->slot < 0 || other->slot > f->slot;
 }
 
-/* Both lines are of the same part and slot. */
+/* Returns whether both lines are of the same part and slot. */
 static bool partners(const struct side *a, const struct side *b)
 {
     return !a->end && !b->end && a->frame == b->frame && a->slot == b->slot && strcmp(a->part, b->part) == 0;
@@ -341,10 +340,10 @@ static bool compare_traces(struct bisect *s)
 {
     while (!is_over(s)) {
         bool ok;
-        if (alone(s, &s->a, &s->b)) {
+        if (is_alone(s, &s->a, &s->b)) {
             compare_alone(s, &s->a);
             ok = next(s, &s->a);
-        } else if (alone(s, &s->b, &s->a)) {
+        } else if (is_alone(s, &s->b, &s->a)) {
             compare_alone(s, &s->b);
             ok = next(s, &s->b);
         } else if (partners(&s->a, &s->b)) {
@@ -352,7 +351,7 @@ static bool compare_traces(struct bisect *s)
             compare_lines(s);
             ok = next_both(s);
         } else {
-            return s->found ? true : apart(s);
+            return s->found ? true : set_mismatch(s);
         }
         if (!ok)
             return false;
@@ -369,7 +368,7 @@ static void add_name(char *names, size_t size, const char *name, size_t n)
     snprintf(names + at, size - at, "%s%.*s", at ? "," : "", (int)n, name);
 }
 
-/* The parts of one line against those of the other; names gets what differs. */
+/* Compares the parts of one line with those of the other; adds the names of different parts to `names`. */
 static void compare_parts(struct bisect *s, const struct side *mine, const struct side *theirs, bool only_missing,
                           char *names)
 {
@@ -410,7 +409,7 @@ static bool compare_tracks(struct bisect *s)
 {
     while (!s->a.end && !s->b.end) {
         if (s->a.frame != s->b.frame)
-            return apart(s);
+            return set_mismatch(s);
         enter_frame(s, s->a.frame);
         if (strcmp(s->a.values, s->b.values) != 0) {
             compare_rows(s);
@@ -419,7 +418,7 @@ static bool compare_tracks(struct bisect *s)
         if (!next_both(s))
             return false;
     }
-    return (s->a.end && s->b.end) || apart(s);
+    return (s->a.end && s->b.end) || set_mismatch(s);
 }
 
 /* ---- files ---- */
@@ -446,7 +445,7 @@ static enum result print_report(const struct bisect *s)
     return s->found ? RESULT_DIFFERS : RESULT_DONE;
 }
 
-/* A path as it is printed. */
+/* Returns a path for printing. */
 static const char *shown(char out[DEMO_PATH_SIZE], const char *path)
 {
     snprintf(out, DEMO_PATH_SIZE, "%s", path);
@@ -472,7 +471,7 @@ enum result bisect_files(FILE *a, const char *a_name, FILE *b, const char *b_nam
     return result;
 }
 
-/* Opens a file; "-" is standard input, and called so. */
+/* Opens a file; "-" becomes "standard input". */
 static FILE *open_input(const char **path)
 {
     if (strcmp(*path, "-") != 0)

@@ -1,7 +1,7 @@
 /*
- * hear.c - see hear.h.
+ * jukebox.c - see jukebox.h.
  */
-#include "hear.h"
+#include "jukebox.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -16,7 +16,7 @@
 
 enum { W = 216, H = 224, SECOND = 1000000, MOST_LATE = 4, KEY_ESCAPE = 41, TITLE = 64 };
 
-struct hear {
+struct jukebox {
     struct board *b;
     struct speaker speaker;
     struct overlay overlay;
@@ -27,7 +27,7 @@ struct hear {
     char title[TITLE];
 };
 
-static void show(struct hear *h)
+static void show(struct jukebox *h)
 {
     uint32_t rgb[256] = { 0 };
     struct canvas canvas;
@@ -39,7 +39,7 @@ static void show(struct hear *h)
     plat_show(h->fb.pix, h->fb.pitch, W, H, rgb);
 }
 
-static void tick(struct hear *h, int frames)
+static void tick(struct jukebox *h, int frames)
 {
     for (int i = 0; i < frames && !h->over; i++) {
         h->over = !board_jukebox_tick(h->b);
@@ -47,7 +47,7 @@ static void tick(struct hear *h, int frames)
     }
 }
 
-bool hear_frame(struct hear *h)
+bool jukebox_frame(struct jukebox *h)
 {
     struct plat_input in;
     const uint64_t due = h->base + h->frames * SECOND / 60;
@@ -74,7 +74,7 @@ bool hear_frame(struct hear *h)
     return !h->over && !in.quit && !plat_is_key_held(&in, KEY_ESCAPE);
 }
 
-static enum result open_window(struct hear *h, const char *name)
+static enum result open_window(struct jukebox *h, const char *name)
 {
     struct config config;
     char err[512];
@@ -93,9 +93,9 @@ static enum result open_window(struct hear *h, const char *name)
     return RESULT_DONE;
 }
 
-enum result hear_open(struct hear **out, struct board *b, const char *name)
+enum result jukebox_open(struct jukebox **out, struct board *b, const char *name)
 {
-    struct hear *h = calloc(1, sizeof *h);
+    struct jukebox *h = calloc(1, sizeof *h);
 
     *out = NULL;
     if (!h)
@@ -105,7 +105,7 @@ enum result hear_open(struct hear **out, struct board *b, const char *name)
     h->speaker.meter = true;
     const enum result result = open_window(h, name);
     if (result != RESULT_DONE) {
-        hear_close(h);
+        jukebox_close(h);
         return result;
     }
     board_jukebox_play(b, name);
@@ -114,7 +114,7 @@ enum result hear_open(struct hear **out, struct board *b, const char *name)
     return RESULT_DONE;
 }
 
-void hear_close(struct hear *h)
+void jukebox_close(struct jukebox *h)
 {
     speaker_close(&h->speaker);
     plat_close();

@@ -1,7 +1,8 @@
 /*
- * listen.c - see listen.h. A box (board.h) plays without the game's scripts. What never ends is heard for two minutes.
+ * sound_command.c - see sound_command.h. The board's jukebox (board.h) plays without the game's scripts. Endless sounds
+ * are played for two minutes.
  */
-#include "listen.h"
+#include "sound_command.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,7 +12,7 @@
 #include "../../base/err.h"
 #include "../../common/result.h"
 #include "../../board/board.h"
-#include "hear.h"
+#include "jukebox.h"
 #include "../../common/report.h"
 #include "../../player/speaker/tape.h"
 #include "notes.h"
@@ -21,7 +22,7 @@
 
 enum { MOST_FRAMES = 7200, HEADER = 44 };
 
-/* Sound as it is measured: the tape's samples. NULL: out of memory. */
+/* Returns the tape's samples (malloc); NULL: out of memory. */
 static int16_t *samples_of(const struct tape *t)
 {
     int16_t *lr = malloc((size_t)t->frames * 4 + 1);
@@ -31,7 +32,7 @@ static int16_t *samples_of(const struct tape *t)
     return lr;
 }
 
-/* Plays it onto the tape, so many frames at most. */
+/* Records at most `most` frames onto the tape. */
 static void record(struct board *b, struct tape *t, const char *name, int most)
 {
     board_jukebox_play(b, name);
@@ -39,7 +40,7 @@ static void record(struct board *b, struct tape *t, const char *name, int most)
         tape_add(t, b);
 }
 
-/* How long, how loud: of what never ends, once through. */
+/* Prints the length and loudness; endless music is played through once. */
 static bool print_measured(struct board *b, const struct board_tune *t)
 {
     const struct tune tune = tune_of(t->data);
@@ -104,7 +105,7 @@ static enum result unknown(const struct board *b, const char *name)
     return report_line(RESULT_REFUSED, "sound: no \"%s\" in this game", name);
 }
 
-/* The notes of the sound or, if there is none of that name, of the music. The ROM's tunes were checked with it. */
+/* Prints the notes of the sound or, if there is none of that name, of the music. The tunes are valid in a valid ROM. */
 static enum result print_notes(const struct board *b, const struct rom *rom, const char *name)
 {
     static const char *const folders[] = { "sound/", "tune/" };
@@ -144,7 +145,7 @@ static enum result measure(struct board *b, const struct args *a)
     return good ? RESULT_DONE : report_line(RESULT_HOST_FAILED, "%s", err);
 }
 
-/* Is there one of that name? */
+/* Returns whether a sound or a piece of music has the name. */
 static bool has(const struct board *b, const char *name)
 {
     struct board_tune t;
@@ -155,66 +156,65 @@ static bool has(const struct board *b, const char *name)
     return false;
 }
 
-static enum result one(struct board *b, const struct args *a, struct hear **h)
+static enum result one(struct board *b, const struct args *a, struct jukebox **j)
 {
     if (!has(b, a->words[1]))
         return unknown(b, a->words[1]);
-    return a->play ? hear_open(h, b, a->words[1]) : measure(b, a);
+    return a->play ? jukebox_open(j, b, a->words[1]) : measure(b, a);
 }
 
-/* What is read while a game's sounds are listened to. */
-struct listening {
+struct sound_command {
     struct rom_image image;
-    void *block; /* malloc; the box is the 64-byte aligned part of it */
-    struct hear *hear;
+    void *block; /* malloc; the board is its 64-byte aligned part */
+    struct jukebox *jukebox;
 };
 
 static bool frame(void *of)
 {
-    return hear_frame(((struct listening *)of)->hear);
+    return jukebox_frame(((struct sound_command *)of)->jukebox);
 }
 
 static enum result close(void *of)
 {
-    struct listening *l = of;
+    struct sound_command *c = of;
 
-    if (l->hear)
-        hear_close(l->hear);
-    rom_image_free(&l->image);
-    free(l->block);
-    free(l);
+    if (c->jukebox)
+        jukebox_close(c->jukebox);
+    rom_image_free(&c->image);
+    free(c->block);
+    free(c);
     return RESULT_DONE;
 }
 
-static enum result listen(struct listening *l, const struct args *a)
+static enum result run(struct sound_command *c, const struct args *a)
 {
     char err[1024];
 
-    if (!l->block)
+    if (!c->block)
         return report_line(RESULT_HOST_FAILED, "out of memory");
-    if (!pack_load_game(a->words[0], a->nearest, &l->image, err, sizeof err))
+    if (!pack_load_game(a->words[0], a->nearest, &c->image, err, sizeof err))
         return report_line(RESULT_REFUSED, "%s", err);
     struct board *b =
-        board_jukebox_open((void *)(((uintptr_t)l->block + 63) / 64 * 64), &l->image.rom, err, sizeof err);
+        board_jukebox_open((void *)(((uintptr_t)c->block + 63) / 64 * 64), &c->image.rom, err, sizeof err);
     if (!b)
         return report_line(RESULT_REFUSED, "%s", err);
     if (a->n_words < 2)
-        return list(b, &l->image.rom);
-    return a->notes ? print_notes(b, &l->image.rom, a->words[1]) : one(b, a, &l->hear);
+        return list(b, &c->image.rom);
+    return a->notes ? print_notes(b, &c->image.rom, a->words[1]) : one(b, a, &c->jukebox);
 }
 
-enum result listen_run(const struct args *a, struct frame_command *running)
+enum result sound_command(const struct args *a, struct frame_command *running)
 {
-    struct listening *l = calloc(1, sizeof *l);
+    struct sound_command *c = calloc(1, sizeof *c);
 
-    if (!l)
+    if (!c)
         return report_line(RESULT_HOST_FAILED, "out of memory");
-    l->block = malloc(board_jukebox_size() + 64);
-    const enum result result = listen(l, a);
-    if (l->hear) {
-        *running = (struct frame_command){ frame, close, l };
+    c->block = malloc(board_jukebox_size() + 64);
+    const enum result result = run(c, a);
+    if (c->jukebox) {
+        *running = (struct frame_command){ frame, close, c };
         return RESULT_DONE;
     }
-    close(l);
+    close(c);
     return result == RESULT_DONE ? report_stdout(result) : result;
 }
