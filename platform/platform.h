@@ -338,11 +338,11 @@ bool plat_command_close(FILE *f);
 /* Opens a private temporary file, which fclose deletes. Returns NULL on failure, or if the host has none. */
 FILE *plat_open_temp_file(void);
 
-/* Shared libraries. Opens a library for the rest of the process: "expat" of version 1 is libexpat.so.1 or
- * libexpat-1.dll. Returns NULL if the library is not found. */
+/* Shared libraries. Opens a library for the rest of the process: "sndfile" of version 1 is libsndfile.so.1 or
+ * libsndfile-1.dll. Returns NULL if the library is not found. */
 void *plat_open_library(const char *name, int version);
 
-/* Writes how to install the library, such as "Debian package: libexpat1". Returns false if the host cannot load
+/* Writes how to install the library, such as "Debian package: libsndfile1". Returns false if the host cannot load
  * libraries. */
 bool plat_library_hint(const char *name, int version, char *text, size_t size);
 

@@ -35,7 +35,7 @@ dlls() { # those that every Windows has
         grep -vxE '(advapi32|gdi32|imm32|kernel32|msvcrt|ole32|oleaut32|setupapi|shell32|user32|version|winmm)\.dll'
 }
 same 'it needs nothing but the libraries of Windows' '' "$(dlls "$dump")"
-same 'planted: another library is found' libexpat-1.dll "$(dlls "$dump"$'\n\tDLL Name: libexpat-1.dll')"
+same 'planted: another library is found' libsndfile-1.dll "$(dlls "$dump"$'\n\tDLL Name: libsndfile-1.dll')"
 check 'it is loaded anywhere' grep -q DYNAMIC_BASE <<<"$dump"
 check 'and its data is not run' grep -q NX_COMPAT <<<"$dump"
 strings() { # FILE TEXT: which is there as UTF-16

@@ -4,7 +4,7 @@
 #     tools/deps.sh [--say] [null] [play] [test] [docs] [ports] [fuzz] [nightly] [bench] [bulletml] [cross] [web]
 #     [firefox] [windows] [players]
 #
-# null: what curtain-null is built with, and expat, for BulletML; play: that, and SDL2; test: also the libraries with
+# null: what curtain-null is built with; play: that, and SDL2; test: also the libraries with
 # which curtain packs OGG, FLAC and modules (it opens them when it needs them, and is built the same without); ports:
 # RetroArch, that the libretro core is tested in; bulletml: libbulletml, and the games whose documents are run beside
 # it; web: what a page is built with, and tested in; firefox: where it is tested too; windows: the cross compiler for
@@ -49,7 +49,6 @@ for what; do
         library lua5.4 lua5.4/lua.h || need liblua5.4-dev
         [ "$what" = null ] || library sdl2 SDL2/SDL.h || need libsdl2-dev
         header stb/stb_image.h || need libstb-dev
-        shared libexpat.so.1 || need libexpat1
         ;;
     test)
         header cmocka.h || need libcmocka-dev

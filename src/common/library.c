@@ -17,7 +17,6 @@ static const struct {
 } libraries[LIBRARIES] = {
     [LIBRARY_SNDFILE] = { "sndfile", 1, "libsndfile", "OGG and FLAC", "sf_version_string" },
     [LIBRARY_OPENMPT] = { "openmpt", 0, "libopenmpt", "tracker modules", "openmpt_get_library_version" },
-    [LIBRARY_EXPAT] = { "expat", 1, "libexpat", "BulletML", "XML_ExpatVersion" },
 };
 
 bool library_open(enum library library, const struct library_function *list, size_t n)
@@ -41,7 +40,7 @@ bool library_missing(enum library library, char *err, size_t err_size)
                    libraries[library].name, libraries[library].reads);
 }
 
-/* The version's digits: libsndfile puts its name before them, libexpat too. */
+/* The version's digits: libsndfile puts its name before them. */
 static bool version_of(enum library library, char *text, size_t size)
 {
     const char *(*as_text)(void);

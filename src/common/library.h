@@ -9,7 +9,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-enum library { LIBRARY_SNDFILE, LIBRARY_OPENMPT, LIBRARY_EXPAT, LIBRARIES };
+enum library { LIBRARY_SNDFILE, LIBRARY_OPENMPT, LIBRARIES };
 
 /* A function, and where its address goes. */
 struct library_function {

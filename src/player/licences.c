@@ -219,8 +219,8 @@ enum result licences_run(bool full)
         report_print("%-8s %-8s %-14s %s\n", all[i].name, all[i].version[0] ? all[i].version : "-", all[i].licence,
                      all[i].what);
     puts("To pack a game, this program also loads these libraries if they are installed:");
-    puts("libsndfile (LGPL 2.1 or later) for OGG and FLAC, libopenmpt (BSD) for tracker modules,");
-    puts("and libexpat (MIT) for BulletML. Playing a game needs none of them.");
+    puts("libsndfile (LGPL 2.1 or later) for OGG and FLAC, and libopenmpt (BSD) for tracker modules.");
+    puts("Playing a game needs none of them.");
     if (full)
         print_texts(all, n);
     else

@@ -34,11 +34,11 @@ same 'curtain-null has no SDL' 0 "$(grep -c ^SDL null)"
 # What is compiled in, by its headers: those of the system that are no part of the C library.
 headers() { # the headers that sources name in <...> and that are another's
     grep -rhoE '^ *# *include <[^>]+>' "$repo/src" "$repo/platform" "$repo/fb" | sed 's/.*<\(.*\)>/\1/' |
-        grep -E '^(lua|lauxlib|lualib|SDL|stb|sndfile|libopenmpt|expat|zlib|png)' |
+        grep -E '^(lua|lauxlib|lualib|SDL|stb|sndfile|libopenmpt|zlib|png)' |
         sed 's,[/.].*,,' | sort -u | paste -sd ' '
 }
 same 'no header of another library is in the sources' 'SDL lauxlib lua lualib stb' "$(headers)"
-for library in libsndfile libopenmpt libexpat; do
+for library in libsndfile libopenmpt; do
     check "$library is not linked" bash -c "! readelf -d '$curtain' | grep -q $library"
     check "... but named, for packing opens it" grep -q $library list
 done

@@ -124,7 +124,7 @@ check "what was packed elsewhere sounds" "$curtain" sound tape.rom reel
 
 # A machine without the libraries: files that are none are in their place.
 mkdir none
-touch none/libsndfile.so.1 none/libopenmpt.so.0 none/libexpat.so.1
+touch none/libsndfile.so.1 none/libopenmpt.so.0
 curtain=$OUT/curtain-null
 export LD_LIBRARY_PATH=$scratch/none
 bad "a library that is missing is named, with its package" \

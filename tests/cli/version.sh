@@ -28,8 +28,7 @@ check "without it" same_line "platform no window" "$curtain"
 
 # The libraries that packing opens: found, and missing, where a file that is none is in their place.
 mkdir "$scratch/none"
-for library in "libsndfile.so.1 OGG and FLAC:libsndfile1" "libopenmpt.so.0 tracker modules:libopenmpt0" \
-    "libexpat.so.1 BulletML:libexpat1"; do
+for library in "libsndfile.so.1 OGG and FLAC:libsndfile1" "libopenmpt.so.0 tracker modules:libopenmpt0"; do
     file=${library%% *} key=${library%%.*} reads=${library#* }
     check "$key is found" grep -qxE "$key [0-9]+\.[0-9]+\.[0-9]+: reads ${reads%:*}" <("$curtain" version)
     touch "$scratch/none/$file"

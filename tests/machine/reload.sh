@@ -173,5 +173,5 @@ same '... which is told' 'curtain: g: reloaded' "$(cat err)"
 back
 edited 100 'sed -i "s,</wait>,</waits>," g/bulletml/fall.xml'
 same 'one that is wrong is told with its place' \
-    'curtain: reload failed: g: bulletml/fall.xml:2:10: <wait>, which starts in line 2: mismatched tag' "$(cat err)"
+    'curtain: reload failed: g: bulletml/fall.xml:2:8: </waits> has no opening tag, expected </wait>' "$(cat err)"
 finish

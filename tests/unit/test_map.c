@@ -428,7 +428,7 @@ static void test_tmx_bad(void **state)
         { HEAD LAYER("a", CSV("268435457")), "", "m.tmx:4: expected a tile number, got 268435457" },
         { HEAD LAYER("a", CSV("1,2,3,4,5,6<tile/>")), "", "m.tmx:4: <tile> among the tiles is not supported" },
         { HEAD LAYER("a", "<data><chunk/></data>"), "", "m.tmx:4: expected <tile gid=\"...\"/>, got <chunk>" },
-        { HEAD LAYER("a", "<data><tile gid=\"1\"/>"), "", "m.tmx:4: </layer> has no opening tag, expected </data" },
+        { HEAD LAYER("a", "<data><tile gid=\"1\"/>"), "", "m.tmx:4: </layer> has no opening tag, expected </data>" },
         { HEAD "<layer width=\"3\" height=\"2\"><data>", "", "m.tmx:4: the file ends inside <data>" },
         { ENDLESS LAYER("a", "<data encoding=\"csv\">0</data>"), "", "m.tmx:1: expected <, got text" },
         /* XML */
@@ -448,7 +448,7 @@ static void test_tmx_bad(void **state)
         { "<![CDATA[ ]]>", "", "m.tmx:1: \"<![CDATA[\" is not supported here" },
         { "< >", "", "m.tmx:1: expected a name after <" },
         { HEAD "</map><map>", "", "m.tmx:4: more than one root element" },
-        { HEAD "</layer>", "", "m.tmx:4: </layer> has no opening tag, expected </map" },
+        { HEAD "</layer>", "", "m.tmx:4: </layer> has no opening tag, expected </map>" },
         { "<?xml version=\"1.0\" encoding=\"ISO-8859-2\"?><map/>", "",
           "m.tmx:1: encoding \"ISO-8859-2\" is not supported; save the file as UTF-8" },
         { "<map\n name=\"\xe4\"/>", "", "m.tmx:2: byte 0xe4 is not valid UTF-8; save the file as UTF-8" },

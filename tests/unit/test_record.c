@@ -331,8 +331,8 @@ static void test_missing(void **state)
     assert_false(without_open(LIBRARY_SNDFILE, &here, 1));
     assert_false(without_missing(LIBRARY_SNDFILE, err, sizeof err));
     assert_string_equal(err, "this build cannot load shared libraries such as libsndfile, which reads OGG and FLAC");
-    without_about(LIBRARY_EXPAT, err, sizeof err);
-    assert_string_equal(err, "this build cannot load shared libraries such as libexpat, which reads BulletML");
+    without_about(LIBRARY_OPENMPT, err, sizeof err);
+    assert_string_equal(err, "this build cannot load shared libraries such as libopenmpt, which reads tracker modules");
 }
 
 /* ---- ADPCM ---- */

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# libraries.sh - builds SDL2 and expat for Windows from Debian's source packages, below build/windows.
+# libraries.sh - builds SDL2 for Windows from Debian's source package, below build/windows.
 #
 #     tools/windows/libraries.sh
 #
@@ -37,14 +37,4 @@ build_sdl2() {
     [ -s "$2/lib/libSDL2.a" ]
 }
 
-# A library that the program opens when it reads BulletML: it lies next to the program.
-build_expat() {
-    mkdir -p "$2/lib"
-    printf '#define %s\n' 'XML_CONTEXT_BYTES 1024' 'XML_DTD 1' 'XML_NS 1' >"$2/expat_config.h"
-    $host-gcc -std=c99 -O2 -shared -s -static-libgcc -I"$2" "$1"/expat/lib/xml{parse,tok,role}.c \
-        -o "$2/lib/libexpat-1.dll"
-}
-
 part sdl2 libsdl2
-part expat expat
-cp -u "$root/lib/expat/lib/libexpat-1.dll" "$root/"

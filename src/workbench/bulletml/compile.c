@@ -78,7 +78,7 @@ static const struct document_node *node_of(const struct compiler *c, int32_t nod
 
 static void command(struct compiler *c, enum ml_op op, unsigned type, int32_t node)
 {
-    word(c, ml_make_command(op, type, node_of(c, node)->line));
+    word(c, ml_make_command(op, type, node_of(c, node)->place.line));
 }
 
 /* ---- values ---- */
@@ -538,7 +538,7 @@ bool bulletml_compile(const struct document *d, const char *file, uint8_t **out,
     free(c.text);
     free(c.place);
     if (c.failed)
-        return err_set(err, err_size, "%s:%d:%d: %s: %s", file, d->node[c.node].line, d->node[c.node].column,
-                       document_element_name(d->node[c.node].element), c.what);
+        return err_set(err, err_size, "%s:%d:%d: %s: %s", file, d->node[c.node].place.line,
+                       d->node[c.node].place.column, document_element_name(d->node[c.node].element), c.what);
     return true;
 }

@@ -43,7 +43,7 @@ struct piece {
 
 /* ---- building ---- */
 
-void document_bad(struct document_reader *r, int line, int column, const char *format, ...)
+void document_bad(struct document_reader *r, struct xml_place place, const char *format, ...)
 {
     char why[512];
     va_list args;
@@ -54,7 +54,7 @@ void document_bad(struct document_reader *r, int line, int column, const char *f
     va_start(args, format);
     vsnprintf(why, sizeof why, format, args);
     va_end(args);
-    err_set(r->err, r->err_size, "%s:%d:%d: %s", r->file, line, column, why);
+    err_set(r->err, r->err_size, "%s:%d:%d: %s", r->file, place.line, place.column, why);
 }
 
 void document_told(struct document_reader *r, int32_t node, const char *format, ...)
@@ -68,8 +68,8 @@ void document_told(struct document_reader *r, int32_t node, const char *format, 
     va_start(args, format);
     vsnprintf(why, sizeof why, format, args);
     va_end(args);
-    snprintf(sentence, sizeof sentence, "%s:%d:%d: <%s>: %s", r->file, at->line, at->column, elements[at->element],
-             why);
+    snprintf(sentence, sizeof sentence, "%s:%d:%d: <%s>: %s", r->file, at->place.line, at->place.column,
+             elements[at->element], why);
     r->warn(r->context, sentence);
 }
 
@@ -79,7 +79,7 @@ void *document_keep(struct document_reader *r, const void *bytes, size_t n)
 
     if (!piece) {
         result_set_host_failed();
-        document_bad(r, 1, 1, "out of memory");
+        document_bad(r, (struct xml_place){ 1, 1 }, "out of memory");
         return NULL;
     }
     memcpy(piece->bytes, bytes, n);
@@ -88,22 +88,21 @@ void *document_keep(struct document_reader *r, const void *bytes, size_t n)
     return piece->bytes;
 }
 
-int32_t document_add(struct document_reader *r, int32_t parent, enum document_element element, int line, int column)
+int32_t document_add(struct document_reader *r, int32_t parent, enum document_element element, struct xml_place place)
 {
     struct document *d = r->d;
 
     if (d->n == DOCUMENT_NODES)
-        document_bad(r, line, column, "<%s>: more than %d elements", elements[element], (int)DOCUMENT_NODES);
+        document_bad(r, place, "<%s>: more than %d elements", elements[element], (int)DOCUMENT_NODES);
     else if (!array_append(&d->node, (size_t)d->n, sizeof *d->node)) {
         result_set_host_failed();
-        document_bad(r, line, column, "out of memory");
+        document_bad(r, place, "out of memory");
     }
     if (r->failed)
         return DOCUMENT_NONE;
     d->node[d->n] = (struct document_node){ .element = element,
                                             .label = "",
-                                            .line = line,
-                                            .column = column,
+                                            .place = place,
                                             .parent = parent,
                                             .first = DOCUMENT_NONE,
                                             .last = DOCUMENT_NONE,

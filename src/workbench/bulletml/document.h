@@ -12,11 +12,11 @@
 #include <stddef.h>
 #include <stdint.h>
 #include "expression.h"
+#include "../xml/xml.h"
 
 enum {
     DOCUMENT_FILE = 1 << 20,  /* bytes */
     DOCUMENT_NODES = 1 << 16, /* elements */
-    DOCUMENT_NEST = 64,       /* elements in one another */
     DOCUMENT_NONE = -1        /* no such node */
 };
 
@@ -51,7 +51,7 @@ struct document_node {
     enum document_element element;
     enum document_type type;
     const char *label;                 /* "": none */
-    int line, column;                  /* of its "<", from 1 */
+    struct xml_place place;            /* of its "<" */
     int32_t parent, first, last, next; /* numbers of nodes, or DOCUMENT_NONE; children are in the order of the file */
     int32_t target;                    /* of a ref: what it stands for */
     const struct expression_op *op;    /* of direction, speed, horizontal, vertical, term, times, wait, param */

@@ -42,7 +42,7 @@ static void bad_at(struct document_reader *r, int32_t node, const char *why, con
 {
     const struct document_node *n = &r->d->node[node];
 
-    document_bad(r, n->line, n->column, why, document_element_name(n->element), what);
+    document_bad(r, n->place, why, document_element_name(n->element), what);
 }
 
 /* "<direction>", "<bullet> or <bulletRef>" */
@@ -131,7 +131,7 @@ static void bad_label(struct document_reader *r, int32_t ref, const struct label
     for (int i = 0; i < n; i++)
         if (labels[i].node->element == meant)
             edit_consider(&near, labels[i].node->label);
-    document_bad(r, at->line, at->column, "<%s>: no <%s label=\"%s\">%s%s%s", document_element_name(at->element),
+    document_bad(r, at->place, "<%s>: no <%s label=\"%s\">%s%s%s", document_element_name(at->element),
                  document_element_name(meant), at->label, near.found ? " (did you mean \"" : "",
                  near.found ? near.found : "", near.found ? "\"?)" : "");
 }
@@ -168,7 +168,7 @@ static void tell_twins(struct document_reader *r, const struct label *labels, in
         else if (asked[labels[last].at])
             document_told(r, labels[i].at,
                           "duplicate label \"%s\": line %d defines it again; the last definition is used",
-                          labels[i].node->label, labels[last].node->line);
+                          labels[i].node->label, labels[last].node->place.line);
     }
     free(asked);
 }
@@ -181,7 +181,7 @@ static void check_labels(struct document_reader *r)
 
     if (!labels) {
         result_set_host_failed();
-        document_bad(r, 1, 1, "out of memory");
+        document_bad(r, (struct xml_place){ 1, 1 }, "out of memory");
         return;
     }
     for (int32_t i = 0; i < d->n; i++)

@@ -1,6 +1,6 @@
 /*
- * document_parts.h - what the files of the reader of documents share: document.c (the tree), document_xml.c (expat),
- * document_attributes.c (labels, types), document_check.c (what must be where), document_warn.c (what is hardly meant).
+ * document_parts.h - shared by document.c (the tree), document_xml.c (reading), document_check.c (errors in the
+ * structure) and document_warn.c (warnings).
  */
 #ifndef WORKBENCH_DOCUMENT_PARTS_H
 #define WORKBENCH_DOCUMENT_PARTS_H
@@ -18,15 +18,15 @@ struct document_reader {
 };
 
 /* Ends the reading with a sentence about a place. The first one counts. */
-void document_bad(struct document_reader *r, int line, int column, const char *format, ...)
-    __attribute__((format(printf, 4, 5)));
+void document_bad(struct document_reader *r, struct xml_place place, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
 
 /* Tells a sentence about a node. */
 void document_told(struct document_reader *r, int32_t node, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
 /* A new node below parent, the last of its children; DOCUMENT_NONE: the reading has ended. */
-int32_t document_add(struct document_reader *r, int32_t parent, enum document_element element, int line, int column);
+int32_t document_add(struct document_reader *r, int32_t parent, enum document_element element, struct xml_place place);
 
 /* n bytes that live as long as the document; NULL: out of memory, and the reading has ended. */
 void *document_keep(struct document_reader *r, const void *bytes, size_t n);
@@ -39,10 +39,6 @@ bool document_has_number(enum document_element element);
 
 /* What a ref's label is one of. */
 enum document_element document_meant(enum document_element ref);
-
-/* Reads the attributes of a node, name and value in turn, up to a NULL. foreign: of a document whose letters beyond
- * ASCII are not known. */
-void document_attributes(struct document_reader *r, int32_t node, const char **attributes, bool foreign);
 
 /* XML to the tree. */
 void document_xml(struct document_reader *r, const char *bytes, size_t n);

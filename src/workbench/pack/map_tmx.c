@@ -16,7 +16,7 @@
 #include "../../common/array.h"
 #include "../../common/result.h"
 #include "../../player/picture/png.h"
-#include "xml.h"
+#include "../xml/xml.h"
 
 enum { TILESETS = 64, FLAWS = 256, SENTENCE = 256, WHOLE = -1 /* a flaw of all tiles */ };
 
@@ -45,8 +45,9 @@ struct tmx {
     const char *wanted;
     bool infinite, found;
     int64_t cols, rows, side;
-    int layers, layer_line;
-    char names[96]; /* of the layers passed over, with commas */
+    int layers;
+    struct xml_place other; /* of a layer that is not read */
+    char names[96];         /* of the layers passed over, with commas */
     struct tileset set[TILESETS];
     int sets;
     struct flaw flaw[FLAWS];
@@ -63,10 +64,10 @@ struct tmx {
 };
 
 /* Refuses what is read now. Within a tileset that is a flaw, and true is returned: reading continues. */
-static bool refuse(struct tmx *t, struct xml *x, int line, const char *format, ...)
+static bool refuse(struct tmx *t, struct xml *x, struct xml_place place, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
-static bool refuse(struct tmx *t, struct xml *x, int line, const char *format, ...)
+static bool refuse(struct tmx *t, struct xml *x, struct xml_place place, const char *format, ...)
 {
     char why[SENTENCE];
     va_list args;
@@ -75,11 +76,11 @@ static bool refuse(struct tmx *t, struct xml *x, int line, const char *format, .
     vsnprintf(why, sizeof why, format, args);
     va_end(args);
     if (t->at_set < 0 || t->flaws == FLAWS)
-        return xml_refuse(x, line, "%s", why);
+        return xml_refuse(x, place, "%s", why);
     struct flaw *f = &t->flaw[t->flaws++];
     f->set = t->at_set;
     f->tile = t->at_tile;
-    snprintf(f->why, sizeof f->why, "%.80s:%d: %.160s", x->file, line, why);
+    snprintf(f->why, sizeof f->why, "%.80s:%d: %.160s", x->file, place.line, why);
     return true;
 }
 
@@ -108,8 +109,8 @@ static bool check_attribute(struct tmx *t, struct xml *x, const struct xml_attri
         plain = same && (*rules)[n] == '=' && plain == NULL ? *rules + n + 1 : plain;
     }
     if (plain == NULL)
-        return refuse(t, x, x->name_line, "<%.40s> %.40s=\"%.40s\" is not supported", x->name, a->key, a->value);
-    return refuse(t, x, x->name_line, "<%.40s> %.40s=\"%.40s\" is not supported, expected \"%s\"", x->name, a->key,
+        return refuse(t, x, x->start, "<%.40s> %.40s=\"%.40s\" is not supported", x->name, a->key, a->value);
+    return refuse(t, x, x->start, "<%.40s> %.40s=\"%.40s\" is not supported, expected \"%s\"", x->name, a->key,
                   a->value, plain);
 }
 
@@ -148,7 +149,7 @@ static bool get(struct xml *x, const char *key, int64_t lo, int64_t hi, int64_t 
     *out = missing;
     if (value == NULL ? missing >= lo : number(value, lo, hi, out))
         return true;
-    return xml_refuse(x, x->name_line, "<%.40s> %s: expected a whole number from %" PRId64 " to %" PRId64 ", got %.40s",
+    return xml_refuse(x, x->start, "<%.40s> %s: expected a whole number from %" PRId64 " to %" PRId64 ", got %.40s",
                       x->name, key, lo, hi, value != NULL ? value : "nothing");
 }
 
@@ -197,7 +198,7 @@ static bool read_image(struct tmx *t, struct xml *x, struct tileset *s)
     const char *source = xml_value(x, "source");
     int64_t w;
 
-    if (source == NULL && !refuse(t, x, x->name_line, "<image> without a source: embedded pictures are not supported"))
+    if (source == NULL && !refuse(t, x, x->start, "<image> without a source: embedded pictures are not supported"))
         return false;
     if (!check_attributes(t, x, rules) || !get(x, "width", 0, 1 << 20, 0, &w))
         return false;
@@ -222,8 +223,8 @@ static bool read_tile(struct tmx *t, struct xml *x)
                                ? "image collections are not supported; put the tiles in one picture"
                                : NULL;
         if (!is_one_of(x->name, harmless) &&
-            !(what != NULL ? refuse(t, x, x->name_line, "%s", what)
-                           : refuse(t, x, x->name_line, "<%.40s> in a tile is not supported", x->name)))
+            !(what != NULL ? refuse(t, x, x->start, "%s", what)
+                           : refuse(t, x, x->start, "<%.40s> in a tile is not supported", x->name)))
             return false;
         if (!xml_skip(x))
             return false;
@@ -244,7 +245,7 @@ static bool read_tileset_child(struct tmx *t, struct xml *x, struct tileset *s)
         return read_tile(t, x);
     if (strcmp(x->name, "tileoffset") == 0)
         return check_attributes(t, x, offset) && xml_skip(x);
-    if (!is_one_of(x->name, harmless) && !refuse(t, x, x->name_line, "<%.40s> in a tileset is not supported", x->name))
+    if (!is_one_of(x->name, harmless) && !refuse(t, x, x->start, "<%.40s> in a tileset is not supported", x->name))
         return false;
     return xml_skip(x);
 }
@@ -265,12 +266,12 @@ static bool read_tileset_body(struct tmx *t, struct xml *x, struct tileset *s)
         !get(x, "margin", 0, 1024, 0, &margin) || !get(x, "columns", 0, 1 << 20, 0, &columns) ||
         !get(x, "tilecount", 0, 1 << 27, 0, &s->count))
         return false;
-    snprintf(s->sheet.place, sizeof s->sheet.place, "%s:%d", x->file, x->name_line);
+    snprintf(s->sheet.place, sizeof s->sheet.place, "%s:%d", x->file, x->start.line);
     s->sheet.spacing = (int)spacing;
     s->sheet.margin = (int)margin;
     s->sheet.columns = (int)columns;
     if (((w && w != t->side) || (h && h != t->side)) &&
-        !refuse(t, x, x->name_line, "tiles of %dx%d px, expected %dx%d, as in the map", (int)w, (int)h, (int)t->side,
+        !refuse(t, x, x->start, "tiles of %dx%d px, expected %dx%d, as in the map", (int)w, (int)h, (int)t->side,
                 (int)t->side))
         return false;
     while ((event = xml_next(x)) == XML_OPEN)
@@ -288,21 +289,22 @@ static bool read_tsx(struct tmx *t, const char *source, struct tileset *s)
     size_t n;
 
     if (!resolve(t->map.file, source, file))
-        return xml_refuse(&t->map, t->map.name_line,
+        return xml_refuse(&t->map, t->map.start,
                           "tileset \"%.80s\" is outside the game's folder; move it there, or embed it in the map",
                           source);
     if (!t->files->load(t->files->context, file, &text, &n, t->err, t->err_size)) {
         char why[SENTENCE];
         snprintf(why, sizeof why, "%.*s", (int)sizeof why - 1, t->err);
-        return xml_refuse(&t->map, t->map.name_line, "%s", why);
+        return xml_refuse(&t->map, t->map.start, "%s", why);
     }
-    bool good = xml_start(&x, (char *)text, n, file, t->err, t->err_size);
+    bool good = xml_open(&x, (const char *)text, n, file, false, t->err, t->err_size);
+    free(text);
     const enum xml_event event = good ? xml_next(&x) : XML_BAD;
     if (event == XML_END || (event == XML_OPEN && strcmp(x.name, "tileset") != 0))
-        good = xml_refuse(&x, x.line, "expected <tileset>; save the tileset in Tiled as .tsx");
+        good = xml_refuse(&x, x.place, "expected <tileset>; save the tileset in Tiled as .tsx");
     else
         good = event == XML_OPEN && read_tileset_body(t, &x, s) && xml_next(&x) == XML_END;
-    free(text);
+    xml_close(&x);
     return good;
 }
 
@@ -313,7 +315,7 @@ static bool read_tileset(struct tmx *t, struct xml *x)
     const char *source = xml_value(x, "source");
 
     if (t->sets == TILESETS)
-        return xml_refuse(x, x->name_line, "more than %d tilesets", (int)TILESETS);
+        return xml_refuse(x, x->start, "more than %d tilesets", (int)TILESETS);
     if (!need(x, "firstgid", 1, 1 << 28, &s->first))
         return false;
     t->at_set = t->sets++;
@@ -337,16 +339,16 @@ static struct tileset *set_of(struct tmx *t, uint32_t id)
 
 /* ---- cells ---- */
 
-static bool set_gid(struct tmx *t, struct xml *x, int line, uint32_t *to, int64_t gid)
+static bool set_gid(struct tmx *t, struct xml *x, struct xml_place place, uint32_t *to, int64_t gid)
 {
     const uint32_t id = (uint32_t)gid & ~MAP_GID_TURNS;
 
     if (gid > UINT32_MAX || id >> 28)
-        return xml_refuse(x, line, "expected a tile number, got %" PRId64, gid);
+        return xml_refuse(x, place, "expected a tile number, got %" PRId64, gid);
     if (id) {
         struct tileset *s = set_of(t, id);
         if (s == NULL)
-            return xml_refuse(x, line, "tile %" PRIu32 " does not belong to a tileset", id);
+            return xml_refuse(x, place, "tile %" PRIu32 " does not belong to a tileset", id);
         const uint32_t behind = (uint32_t)(id - s->first + 1);
         s->used = behind > s->used ? behind : s->used;
     }
@@ -357,7 +359,7 @@ static bool set_gid(struct tmx *t, struct xml *x, int line, uint32_t *to, int64_
 /* Numbers with commas between. */
 static bool read_csv(struct tmx *t, struct xml *x, uint32_t *to, int64_t n, int64_t *got)
 {
-    int line = x->line;
+    struct xml_place place = x->place;
     const char *s, *end;
     const size_t size = xml_text(x, &s);
 
@@ -365,21 +367,21 @@ static bool read_csv(struct tmx *t, struct xml *x, uint32_t *to, int64_t n, int6
         int64_t gid = 0;
         int digits = 0;
         while (s < end && strchr(" \t\r\n", *s) != NULL)
-            line += *s++ == '\n';
+            place.line += *s++ == '\n';
         if (s == end)
             return true;
         for (; s < end && *s >= '0' && *s <= '9' && digits < 10; digits++)
             gid = gid * 10 + (*s++ - '0');
         if (digits == 0)
-            return xml_refuse(x, line, "expected a tile number");
+            return xml_refuse(x, place, "expected a tile number");
         if (*got == n)
-            return xml_refuse(x, line, "more than %" PRId64 " tiles", n);
-        if (!set_gid(t, x, line, &to[(*got)++], gid))
+            return xml_refuse(x, place, "more than %" PRId64 " tiles", n);
+        if (!set_gid(t, x, place, &to[(*got)++], gid))
             return false;
         while (s < end && strchr(" \t\r\n", *s) != NULL)
-            line += *s++ == '\n';
+            place.line += *s++ == '\n';
         if (s < end && *s++ != ',')
-            return xml_refuse(x, line, "expected a comma between tiles");
+            return xml_refuse(x, place, "expected a comma between tiles");
     }
 }
 
@@ -392,11 +394,11 @@ static bool read_xml(struct tmx *t, struct xml *x, uint32_t *to, int64_t n, int6
 
     while ((event = xml_next(x)) == XML_OPEN) {
         if (strcmp(x->name, "tile") != 0)
-            return xml_refuse(x, x->name_line, "expected <tile gid=\"...\"/>, got <%.40s>", x->name);
+            return xml_refuse(x, x->start, "expected <tile gid=\"...\"/>, got <%.40s>", x->name);
         if (*got == n)
-            return xml_refuse(x, x->name_line, "more than %" PRId64 " tiles", n);
+            return xml_refuse(x, x->start, "more than %" PRId64 " tiles", n);
         if (!check_attributes(t, x, rules) || !get(x, "gid", 0, UINT32_MAX, 0, &gid) ||
-            !set_gid(t, x, x->name_line, &to[(*got)++], gid) || !xml_skip(x))
+            !set_gid(t, x, x->start, &to[(*got)++], gid) || !xml_skip(x))
             return false;
     }
     return event == XML_CLOSE;
@@ -465,7 +467,7 @@ static bool inflate(uint8_t *packed, size_t n, bool gzip, uint8_t *out, size_t s
 /* Four bytes a cell, maybe compressed, in base64. */
 static bool read_base64(struct tmx *t, struct xml *x, const char *compression, uint32_t *to, int64_t n, int64_t *got)
 {
-    const int line = x->line;
+    const struct xml_place place = x->place;
     const char *s;
     const size_t length = xml_text(x, &s), size = (size_t)n * 4;
     uint8_t *packed = malloc(length + 1), *bytes = malloc(size + 1);
@@ -473,15 +475,15 @@ static bool read_base64(struct tmx *t, struct xml *x, const char *compression, u
     const int64_t packed_size = good ? decode64(s, length, packed) : 0;
 
     if (good && packed_size < 0)
-        good = xml_refuse(x, line, "invalid base64");
+        good = xml_refuse(x, place, "invalid base64");
     else if (good && compression[0] == '\0' && (size_t)packed_size != size)
-        good = xml_refuse(x, line, "%" PRId64 " bytes of tiles, expected %zu", packed_size, size);
+        good = xml_refuse(x, place, "%" PRId64 " bytes of tiles, expected %zu", packed_size, size);
     else if (good && compression[0] == '\0')
         memcpy(bytes, packed, size);
     else if (good && !inflate(packed, (size_t)packed_size, compression[0] == 'g', bytes, size))
-        good = xml_refuse(x, line, "the data does not decompress to %" PRId64 " tiles", n);
+        good = xml_refuse(x, place, "the data does not decompress to %" PRId64 " tiles", n);
     for (; good && *got < n; ++*got)
-        good = set_gid(t, x, line, &to[*got], bytes_get32(bytes + 4 * *got));
+        good = set_gid(t, x, place, &to[*got], bytes_get32(bytes + 4 * *got));
     free(packed);
     free(bytes);
     return good;
@@ -493,7 +495,7 @@ static bool add_chunk(struct tmx *t, struct xml *x, struct chunk c)
     const size_t n = (size_t)c.w * (size_t)c.h;
 
     if (t->gids + n > CART_MAX_MAP_CELLS)
-        return xml_refuse(x, x->name_line, "more than %d tiles", CART_MAX_MAP_CELLS);
+        return xml_refuse(x, x->start, "more than %d tiles", CART_MAX_MAP_CELLS);
     uint32_t *gid = realloc(t->gid, (t->gids + n) * sizeof *gid);
     t->gid = gid != NULL ? gid : t->gid;
     if (gid == NULL || !array_append(&t->chunk, (size_t)t->chunks, sizeof c))
@@ -507,7 +509,7 @@ static bool add_chunk(struct tmx *t, struct xml *x, struct chunk c)
 /* The cells of <data> or <chunk>, up to its end. */
 static bool read_chunk(struct tmx *t, struct xml *x, const char *encoding, const char *compression, struct chunk c)
 {
-    const int line = x->name_line;
+    const struct xml_place place = x->start;
     const int64_t n = c.w * c.h;
     int64_t got = 0;
 
@@ -519,12 +521,12 @@ static bool read_chunk(struct tmx *t, struct xml *x, const char *encoding, const
             : !(encoding[0] == 'c' ? read_csv(t, x, to, n, &got) : read_base64(t, x, compression, to, n, &got)))
         return false;
     if (got != n)
-        return xml_refuse(x, line, "%" PRId64 " tiles, expected %" PRId64 " (%" PRId64 "x%" PRId64 ")", got, n, c.w,
+        return xml_refuse(x, place, "%" PRId64 " tiles, expected %" PRId64 " (%" PRId64 "x%" PRId64 ")", got, n, c.w,
                           c.h);
     if (encoding[0] == '\0')
         return true;
     const enum xml_event event = xml_next(x);
-    return event == XML_OPEN ? xml_refuse(x, x->name_line, "<%.40s> among the tiles is not supported", x->name)
+    return event == XML_OPEN ? xml_refuse(x, x->start, "<%.40s> among the tiles is not supported", x->name)
                              : event == XML_CLOSE;
 }
 
@@ -536,7 +538,7 @@ static bool read_chunks(struct tmx *t, struct xml *x, const char *encoding, cons
 
     while ((event = xml_next(x)) == XML_OPEN) {
         if (strcmp(x->name, "chunk") != 0)
-            return xml_refuse(x, x->name_line, "expected <chunk>, got <%.40s>", x->name);
+            return xml_refuse(x, x->start, "expected <chunk>, got <%.40s>", x->name);
         if (!check_attributes(t, x, rules) || !need(x, "x", INT32_MIN, INT32_MAX, &c.x) ||
             !need(x, "y", INT32_MIN, INT32_MAX, &c.y) || !need(x, "width", 1, CART_MAX_MAP_SIDE, &c.w) ||
             !need(x, "height", 1, CART_MAX_MAP_SIDE, &c.h) || !read_chunk(t, x, encoding, compression, c))
@@ -554,7 +556,7 @@ static bool read_data(struct tmx *t, struct xml *x)
     for (int i = 0; i < x->n; i++)
         if (strcmp(x->attribute[i].key, "compression") == 0 && strcmp(x->attribute[i].value, "zstd") == 0)
             return xml_refuse(
-                x, x->name_line,
+                x, x->start,
                 "zstd compression is not supported; in Tiled's Map Properties, set Tile Layer Format to CSV");
     if (!check_attributes(t, x, rules))
         return false;
@@ -562,7 +564,7 @@ static bool read_data(struct tmx *t, struct xml *x)
     snprintf(encoding, sizeof encoding, "%s", e != NULL ? e : "");
     snprintf(compression, sizeof compression, "%s", c != NULL ? c : "");
     if (compression[0] != '\0' && encoding[0] != 'b')
-        return xml_refuse(x, x->name_line, "compressed data must be base64");
+        return xml_refuse(x, x->start, "compressed data must be base64");
     if (t->infinite)
         return read_chunks(t, x, encoding, compression);
     return read_chunk(t, x, encoding, compression, (struct chunk){ 0, 0, t->cols, t->rows, 0 });
@@ -571,7 +573,7 @@ static bool read_data(struct tmx *t, struct xml *x)
 /* ---- the cells of a layer, in the order of the sheets ---- */
 
 /* The sheets of the tilesets that are used. */
-static bool collect_sheets(struct tmx *t, struct xml *x, int line)
+static bool collect_sheets(struct tmx *t, struct xml *x, struct xml_place place)
 {
     struct map_cells *out = t->out;
     int64_t base = 0;
@@ -582,10 +584,10 @@ static bool collect_sheets(struct tmx *t, struct xml *x, int line)
         if (s->used == 0)
             continue;
         if (out->sheets == MAP_SHEETS)
-            return xml_refuse(x, line, "the layer uses tiles from more than %d tilesets", (int)MAP_SHEETS);
+            return xml_refuse(x, place, "the layer uses tiles from more than %d tilesets", (int)MAP_SHEETS);
         const int64_t count = s->count > 0 ? s->count : MAP_NUMBER - base;
         if (s->used > count)
-            return xml_refuse(x, line, "tile %" PRId64 " does not belong to a tileset: %s has only %" PRId64 " tiles",
+            return xml_refuse(x, place, "tile %" PRId64 " does not belong to a tileset: %s has only %" PRId64 " tiles",
                               s->first + s->used - 1, s->sheet.place, count);
         s->sheet.base = (uint32_t)base;
         out->sheet[out->sheets++] = s->sheet;
@@ -656,17 +658,17 @@ static bool place_cells(struct tmx *t, struct chunk box)
     return t->found = true;
 }
 
-static bool finish_layer(struct tmx *t, struct xml *x, int line)
+static bool finish_layer(struct tmx *t, struct xml *x, struct xml_place place)
 {
     struct chunk box = { 0, 0, t->cols, t->rows, 0 };
 
     if (t->infinite && !bound(t, &box))
-        return xml_refuse(x, line, "the layer has no tiles");
+        return xml_refuse(x, place, "the layer has no tiles");
     if (box.w > CART_MAX_MAP_SIDE / 8 || box.h > CART_MAX_MAP_SIDE / 8 || box.w * box.h > CART_MAX_MAP_CELLS)
-        return xml_refuse(x, line,
+        return xml_refuse(x, place,
                           "the layer covers %" PRId64 "x%" PRId64 " tiles, expected at most %d in each direction",
                           box.w, box.h, CART_MAX_MAP_SIDE / 8);
-    return check_flaws(t) && collect_sheets(t, x, line) && place_cells(t, box);
+    return check_flaws(t) && collect_sheets(t, x, place) && place_cells(t, box);
 }
 
 /* ---- layers ---- */
@@ -694,7 +696,7 @@ static const char *const layer_rules[] = { "id",
 
 static bool read_layer(struct tmx *t, struct xml *x)
 {
-    const int line = x->name_line;
+    const struct xml_place place = x->start;
     enum xml_event event;
     int64_t cols, rows;
     bool data = false;
@@ -706,19 +708,19 @@ static bool read_layer(struct tmx *t, struct xml *x)
     while ((event = xml_next(x)) == XML_OPEN) {
         if (strcmp(x->name, "data") == 0) {
             if (data)
-                return xml_refuse(x, x->name_line, "more than one <data>");
+                return xml_refuse(x, x->start, "more than one <data>");
             data = true;
             if (!read_data(t, x))
                 return false;
         } else if (strcmp(x->name, "properties") != 0) {
-            return xml_refuse(x, x->name_line, "<%.40s> in a layer is not supported", x->name);
+            return xml_refuse(x, x->start, "<%.40s> in a layer is not supported", x->name);
         } else if (!xml_skip(x)) {
             return false;
         }
     }
     if (event != XML_CLOSE)
         return false;
-    return data ? finish_layer(t, x, line) : xml_refuse(x, line, "layer without <data>");
+    return data ? finish_layer(t, x, place) : xml_refuse(x, place, "layer without <data>");
 }
 
 /* Adds the name to those for a sentence; one that does not fit is left out. */
@@ -736,12 +738,12 @@ static bool tile_layer(struct tmx *t, struct xml *x)
 
     t->layers++;
     if (t->wanted[0] != '\0' ? name == NULL || strcmp(name, t->wanted) != 0 : t->layers > 1) {
-        t->layer_line = x->name_line;
+        t->other = x->start;
         pass_over(t, name);
         return xml_skip(x);
     }
     if (t->found)
-        return xml_refuse(x, x->name_line, "more than one layer with this name");
+        return xml_refuse(x, x->start, "more than one layer with this name");
     return read_layer(t, x);
 }
 
@@ -753,12 +755,12 @@ static bool read_object(struct xml *x)
     enum xml_event event;
 
     if (!hidden && xml_value(x, "gid") != NULL)
-        return xml_refuse(x, x->name_line, "tile objects are not supported; put the tile on the layer");
+        return xml_refuse(x, x->start, "tile objects are not supported; put the tile on the layer");
     if (!hidden && xml_value(x, "template") != NULL)
-        return xml_refuse(x, x->name_line, "template objects are not supported; detach the template in Tiled");
+        return xml_refuse(x, x->start, "template objects are not supported; detach the template in Tiled");
     while ((event = xml_next(x)) == XML_OPEN) {
         if (!hidden && strcmp(x->name, "text") == 0)
-            return xml_refuse(x, x->name_line, "text objects are not supported");
+            return xml_refuse(x, x->start, "text objects are not supported");
         if (!xml_skip(x))
             return false;
     }
@@ -792,9 +794,9 @@ static bool any_layer(struct tmx *t, struct xml *x)
     if (strcmp(x->name, "objectgroup") == 0)
         return unseen ? xml_skip(x) : read_objects(x);
     if (strcmp(x->name, "imagelayer") != 0)
-        return xml_refuse(x, x->name_line, "<%.40s> is not supported", x->name);
+        return xml_refuse(x, x->start, "<%.40s> is not supported", x->name);
     return unseen ? xml_skip(x)
-                  : xml_refuse(x, x->name_line,
+                  : xml_refuse(x, x->start,
                                "image layers are not supported; hide the layer, or choose another in rom.lua with "
                                "layer = \"NAME\"");
 }
@@ -843,9 +845,8 @@ static bool read_map(struct tmx *t, struct xml *x)
     if (!check_attributes(t, x, rules) || !get(x, "infinite", 0, 1, 0, &infinite))
         return false;
     if (!is_clear(color))
-        return xml_refuse(x, x->name_line,
-                          "<map> backgroundcolor=\"%.40s\" is not supported; clear it in Tiled's Map Properties",
-                          color);
+        return xml_refuse(
+            x, x->start, "<map> backgroundcolor=\"%.40s\" is not supported; clear it in Tiled's Map Properties", color);
     t->infinite = infinite;
     if (!t->infinite && (!need(x, "width", 1, CART_MAX_MAP_SIDE / 8, &t->cols) ||
                          !need(x, "height", 1, CART_MAX_MAP_SIDE / 8, &t->rows)))
@@ -853,9 +854,9 @@ static bool read_map(struct tmx *t, struct xml *x)
     if (!need(x, "tilewidth", 1, 1024, &t->side) || !need(x, "tileheight", 1, 1024, &h))
         return false;
     if (t->side != h || (h != 8 && h != 16 && h != 32))
-        return xml_refuse(x, x->name_line, "tiles of %dx%d px, expected 8x8, 16x16 or 32x32", (int)t->side, (int)h);
+        return xml_refuse(x, x->start, "tiles of %dx%d px, expected 8x8, 16x16 or 32x32", (int)t->side, (int)h);
     if (t->cols * t->rows > CART_MAX_MAP_CELLS)
-        return xml_refuse(x, x->name_line, "more than %d tiles", CART_MAX_MAP_CELLS);
+        return xml_refuse(x, x->start, "more than %d tiles", CART_MAX_MAP_CELLS);
     return read_children(t, x, map_child);
 }
 
@@ -871,7 +872,7 @@ static bool read_file(struct tmx *t)
     if (!read_map(t, x) || xml_next(x) != XML_END)
         return false;
     if (t->wanted[0] == '\0' && t->layers > 1)
-        return xml_refuse(x, t->layer_line, "more than one tile layer; choose one in rom.lua with layer = \"NAME\"");
+        return xml_refuse(x, t->other, "more than one tile layer; choose one in rom.lua with layer = \"NAME\"");
     if (!t->found && t->wanted[0] != '\0')
         return err_set(t->err, t->err_size, "%s: no tile layer \"%s\"%s%s%s", x->file, t->wanted,
                        t->names[0] != '\0' ? " (the map has " : "", t->names, t->names[0] != '\0' ? ")" : "");
@@ -882,24 +883,21 @@ bool map_read_tmx(const char *text, size_t n, const char *file, const char *laye
                   struct map_cells *out, char *err, size_t err_size)
 {
     struct tmx *t = calloc(1, sizeof *t);
-    char *copy = malloc(n + 1); /* XML is decoded in place */
-    bool good = t != NULL && copy != NULL ? true : result_set_host_error(err, err_size, "out of memory");
+    bool good = t != NULL ? true : result_set_host_error(err, err_size, "out of memory");
 
     *out = (struct map_cells){ 0 };
     if (good) {
-        memcpy(copy, text, n);
-        copy[n] = '\0';
         t->files = files;
         t->wanted = layer;
         t->at_set = -1;
         t->out = out;
         t->err = err;
         t->err_size = err_size;
-        good = xml_start(&t->map, copy, n, file, err, err_size) && read_file(t);
+        good = xml_open(&t->map, text, n, file, false, err, err_size) && read_file(t);
         free(t->chunk);
         free(t->gid);
+        xml_close(&t->map);
     }
-    free(copy);
     free(t);
     if (good)
         return true;
