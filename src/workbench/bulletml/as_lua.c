@@ -1,30 +1,31 @@
 /*
- * as_lua.c - see as_lua.h. The script has a function for each element that is asked for by its label, in the tables
- * actions, fires and bullets, and is written as the document is: a line or two an element. What runs a list of commands
- * is `s`, with its thing and the shot before; bullets that a motion program can lead have one, the others a task.
+ * as_lua.c - see as_lua.h. The script has a function for each element that is used by its label, in the tables actions,
+ * fires and bullets, and follows the document with one or two lines per element. `s` runs a list of commands; it has
+ * the thing and the last shot. Functions inside functions have s2, shot2 and so on. A bullet has a motion program if
+ * one can express its actions, and otherwise a task.
  */
 #include "as_lua.h"
 
 #include <ctype.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "as_lua_parts.h"
 
-static void line(struct lua_writer *w)
-{
-    prose_add(&w->body, "%*s", 2 * w->indent, "");
-}
+/* Adds text, and a whole or started line of it, in its place. */
+#define PUT(w, ...)          prose_add(&(w)->body, __VA_ARGS__)
+#define LINE(w, format, ...) PUT(w, "%*s" format, 2 * (w)->indent, "", __VA_ARGS__)
 
 /* ---- names ---- */
 
 static bool is_word(const char *s)
 {
-    static const char *const kept[] = { "and",      "break",  "do",   "else", "elseif", "end",  "false", "for",
-                                        "function", "goto",   "if",   "in",   "local",  "nil",  "not",   "or",
-                                        "repeat",   "return", "then", "true", "until",  "while" };
+    static const char *const keywords[] = { "and",      "break",  "do",   "else", "elseif", "end",  "false", "for",
+                                            "function", "goto",   "if",   "in",   "local",  "nil",  "not",   "or",
+                                            "repeat",   "return", "then", "true", "until",  "while" };
 
-    for (size_t i = 0; i < sizeof kept / sizeof *kept; i++)
-        if (strcmp(s, kept[i]) == 0)
+    for (size_t i = 0; i < sizeof keywords / sizeof *keywords; i++)
+        if (strcmp(s, keywords[i]) == 0)
             return false;
     for (const char *c = s; *c; c++)
         if (!(isalpha((unsigned char)*c) || *c == '_' || (c > s && isdigit((unsigned char)*c))) || (*c & 0x80))
@@ -43,20 +44,14 @@ static void put_string(struct prose *t, const char *s)
 /* "actions.ring", "bullets["two words"]" */
 static void put_name(struct lua_writer *w, enum document_element element, const char *label)
 {
-    prose_add(&w->body, element == NODE_ACTION ? "actions" : element == NODE_FIRE ? "fires" : "bullets");
+    PUT(w, element == NODE_ACTION ? "actions" : element == NODE_FIRE ? "fires" : "bullets");
     if (is_word(label)) {
-        prose_add(&w->body, ".%s", label);
+        PUT(w, ".%s", label);
         return;
     }
-    prose_add(&w->body, "[");
+    PUT(w, "[");
     put_string(&w->body, label);
-    prose_add(&w->body, "]");
-}
-
-/* What runs the commands, and what is fired: s and shot, and in functions within functions s2, shot2. */
-static void put_own(struct lua_writer *w, const char *name)
-{
-    prose_add(&w->body, w->depth ? "%s%d" : "%s", name, w->depth + 1);
+    PUT(w, "]");
 }
 
 /* ---- numbers ---- */
@@ -72,82 +67,58 @@ static void put_direction(struct lua_writer *w, const struct document_node *v)
 {
     static const char *const names[] = { "aimed", "aimed", "straight", "turned", "next_dir" };
 
-    prose_add(&w->body, "%s(", names[v->type]);
-    put_own(w, "s");
-    prose_add(&w->body, ", ");
+    PUT(w, "%s(s%s, ", names[v->type], w->own);
     as_lua_value(&w->body, v, v->type == NODE_ABSOLUTE ? as_lua_up(w->d) : 0, false);
-    prose_add(&w->body, ")");
+    PUT(w, ")");
 }
 
-static void written_speed(struct lua_writer *w, const struct document_node *v)
+static void put_speed(struct lua_writer *w, const struct document_node *v)
 {
     static const char *const names[] = { "plain", "plain", "plain", "faster", "next_speed" };
 
-    prose_add(&w->body, "%s(", names[v->type]);
-    put_own(w, "s");
-    prose_add(&w->body, ", ");
+    PUT(w, "%s(s%s, ", names[v->type], w->own);
     as_lua_value(&w->body, v, 0, false);
-    prose_add(&w->body, ")");
+    PUT(w, ")");
 }
 
-/* A function and what goes with every one: turn_to(s, ..., term). */
-static void begin_change(struct lua_writer *w, const char *name)
+/* The end of a change, turn_to(s, ..., term). */
+static void put_term(struct lua_writer *w, int32_t node)
 {
-    line(w);
-    prose_add(&w->body, "%s(", name);
-    put_own(w, "s");
-    prose_add(&w->body, ", ");
-}
-
-static void end_change(struct lua_writer *w, int32_t node)
-{
-    prose_add(&w->body, ", ");
+    PUT(w, ", ");
     as_lua_count(&w->body, child(w, node, NODE_TERM), 1);
-    prose_add(&w->body, ")\n");
+    PUT(w, ")\n");
 }
 
-static void put_turn(struct lua_writer *w, int32_t node)
+static void put_change(struct lua_writer *w, int32_t node, enum document_element element)
 {
-    const struct document_node *v = child(w, node, NODE_DIRECTION);
+    const struct document_node *v = child(w, node, element);
+    const bool sequence = v->type == NODE_SEQUENCE;
 
-    begin_change(w, v->type == NODE_SEQUENCE ? "turn_on" : "turn_to");
-    if (v->type == NODE_SEQUENCE)
+    LINE(w, "%s_%s(s%s, ", element == NODE_SPEED ? "speed" : "turn", sequence ? "on" : "to", w->own);
+    if (sequence)
         as_lua_value(&w->body, v, 0, false);
     else
-        put_direction(w, v);
-    end_change(w, node);
-}
-
-static void put_change_speed(struct lua_writer *w, int32_t node)
-{
-    const struct document_node *v = child(w, node, NODE_SPEED);
-
-    begin_change(w, v->type == NODE_SEQUENCE ? "speed_on" : "speed_to");
-    if (v->type == NODE_SEQUENCE)
-        as_lua_value(&w->body, v, 0, false);
-    else
-        written_speed(w, v);
-    end_change(w, node);
+        (element == NODE_SPEED ? put_speed : put_direction)(w, v);
+    put_term(w, node);
 }
 
 /* In a horizontal document `vertical` leads to the right, and `horizontal` upwards. */
 static void put_push(struct lua_writer *w, int32_t node, enum document_element element)
 {
     const struct document_node *v = child(w, node, element);
-    const bool x = (element == NODE_HORIZONTAL) != w->d->horizontal;
+    const bool x = (element == NODE_HORIZONTAL) != w->d->horizontal, back = w->d->horizontal && !x;
 
     if (!v)
         return;
-    begin_change(w, v->type == NODE_RELATIVE || v->type == NODE_SEQUENCE ? "push_on" : "push_to");
-    const bool back = w->d->horizontal && !x;
-    prose_add(&w->body, "\"%s\", %s", x ? "x" : "y", back ? "-(" : "");
+    LINE(w, "push_%s(s%s, \"%s\", %s", v->type == NODE_RELATIVE || v->type == NODE_SEQUENCE ? "on" : "to", w->own,
+         x ? "x" : "y", back ? "-(" : "");
     as_lua_value(&w->body, v, 0, v->type == NODE_SEQUENCE && !back);
-    prose_add(&w->body, back ? ")" : "");
+    PUT(w, back ? ")" : "");
     if (v->type == NODE_SEQUENCE) {
-        prose_add(&w->body, " * ");
+        PUT(w, " * ");
         as_lua_count(&w->body, child(w, node, NODE_TERM), 1);
     }
-    end_change(w, node);
+    put_term(w, node);
 }
 
 /* ---- refs ---- */
@@ -157,18 +128,15 @@ static void put_params(struct lua_writer *w, int32_t ref)
     int n = 0; /* more than nine have no name */
 
     for (int32_t i = w->d->node[ref].first; i != DOCUMENT_NONE && n < 9; i = w->d->node[i].next, n++) {
-        prose_add(&w->body, ", ");
+        PUT(w, ", ");
         as_lua_value(&w->body, &w->d->node[i], 0, false);
     }
 }
 
 static int highest_param(const struct document *d, int32_t node)
 {
-    int most = 0;
+    int most = document_param(&d->node[node]);
 
-    for (int i = 0; i < d->node[node].ops; i++)
-        if (d->node[node].op[i].kind == EXPRESSION_PARAM && d->node[node].op[i].number > most)
-            most = (int)d->node[node].op[i].number;
     for (int32_t i = d->node[node].first; i != DOCUMENT_NONE; i = d->node[i].next) {
         const int inner = highest_param(d, i);
         most = inner > most ? inner : most;
@@ -186,24 +154,26 @@ static bool has_actions(const struct lua_writer *w, int32_t bullet)
            document_child(w->d, bullet, NODE_ACTION_REF) != DOCUMENT_NONE;
 }
 
+static void set_depth(struct lua_writer *w, int depth)
+{
+    w->depth = depth;
+    snprintf(w->own, sizeof w->own, depth > 0 ? "%d" : "", depth + 1);
+}
+
 /* shot.run = function(s2) ... end */
 static void put_run(struct lua_writer *w, int32_t bullet)
 {
-    line(w);
-    put_own(w, "shot");
-    w->depth++;
-    prose_add(&w->body, ".run = function(");
-    put_own(w, "s");
-    prose_add(&w->body, ")\n");
+    LINE(w, "shot%s.run = function(", w->own);
+    set_depth(w, w->depth + 1);
+    PUT(w, "s%s)\n", w->own);
     w->indent++;
     put_commands(w, bullet);
     w->indent--;
-    w->depth--;
-    line(w);
-    prose_add(&w->body, "end\n");
+    set_depth(w, w->depth - 1);
+    LINE(w, "%s", "end\n");
 }
 
-/* What a bullet says of itself, and its start. */
+/* A bullet's own settings, and its start. */
 static void put_bullet(struct lua_writer *w, int32_t bullet)
 {
     const struct document_node *b = &w->d->node[bullet];
@@ -211,41 +181,27 @@ static void put_bullet(struct lua_writer *w, int32_t bullet)
     struct prose motion = { 0 };
 
     if (speed) {
-        line(w);
-        put_own(w, "shot");
-        prose_add(&w->body, ".speed = ");
-        written_speed(w, speed);
-        prose_add(&w->body, "\n");
+        LINE(w, "shot%s.speed = ", w->own);
+        put_speed(w, speed);
+        PUT(w, "\n");
     }
     if (direction) {
-        line(w);
-        put_own(w, "shot");
-        prose_add(&w->body, ".dir = ");
+        LINE(w, "shot%s.dir = ", w->own);
         put_direction(w, direction);
-        prose_add(&w->body, "\n");
+        PUT(w, "\n");
     }
     if (b->label[0]) {
-        line(w);
-        put_own(w, "shot");
-        prose_add(&w->body, ".label = ");
+        LINE(w, "shot%s.label = ", w->own);
         put_string(&w->body, b->label);
-        prose_add(&w->body, "\n");
+        PUT(w, "\n");
     }
-    if (has_actions(w, bullet) && !as_lua_motion(&motion, w->d, bullet)) {
+    if (has_actions(w, bullet) && !as_lua_motion(&motion, w->d, bullet))
         put_run(w, bullet);
-    } else if (motion.n > 0) {
-        line(w);
-        put_own(w, "shot");
-        prose_add(&w->body, ".motion = motion.def { %s }\n", motion.bytes);
-    }
+    else if (motion.n > 0)
+        LINE(w, "shot%s.motion = motion.def { %s }\n", w->own, motion.bytes);
     w->body.failed |= motion.failed;
     free(motion.bytes);
-    line(w);
-    prose_add(&w->body, "launch(");
-    put_own(w, "s");
-    prose_add(&w->body, ", ");
-    put_own(w, "shot");
-    prose_add(&w->body, ")\n");
+    LINE(w, "launch(s%s, shot%s)\n", w->own, w->own);
 }
 
 /* ---- fires ---- */
@@ -255,54 +211,42 @@ static void put_shot(struct lua_writer *w, int32_t fire)
 {
     const struct document_node *speed = child(w, fire, NODE_SPEED), *direction = child(w, fire, NODE_DIRECTION);
 
-    if (!speed && !direction) {
-        prose_add(&w->body, "{}");
-        return;
-    }
-    prose_add(&w->body, "{ ");
+    PUT(w, speed || direction ? "{ " : "{");
     if (speed) {
-        prose_add(&w->body, "speed = ");
-        written_speed(w, speed);
+        PUT(w, "speed = ");
+        put_speed(w, speed);
     }
     if (direction) {
-        prose_add(&w->body, speed ? ", dir = " : "dir = ");
+        PUT(w, speed ? ", dir = " : "dir = ");
         put_direction(w, direction);
     }
-    prose_add(&w->body, " }");
+    PUT(w, speed || direction ? " }" : "}");
 }
 
 static void put_fire(struct lua_writer *w, int32_t fire)
 {
     const int32_t ref = document_child(w->d, fire, NODE_BULLET_REF), own = document_child(w->d, fire, NODE_BULLET);
 
-    line(w);
     if (ref != DOCUMENT_NONE) {
+        LINE(w, "%s", "");
         put_name(w, NODE_BULLET, w->d->node[ref].label);
-        prose_add(&w->body, "(");
-        put_own(w, "s");
-        prose_add(&w->body, ", ");
+        PUT(w, "(s%s, ", w->own);
         put_shot(w, fire);
         put_params(w, ref);
-        prose_add(&w->body, ")\n");
+        PUT(w, ")\n");
     } else if (w->d->node[own].first == DOCUMENT_NONE && w->d->node[own].label[0] == '\0') {
-        prose_add(&w->body, "launch(");
-        put_own(w, "s");
-        prose_add(&w->body, ", ");
+        LINE(w, "launch(s%s, ", w->own);
         put_shot(w, fire);
-        prose_add(&w->body, ")\n");
+        PUT(w, ")\n");
     } else {
-        prose_add(&w->body, "do\n");
+        LINE(w, "%s", "do\n");
         w->indent++;
-        line(w);
-        prose_add(&w->body, "local ");
-        put_own(w, "shot");
-        prose_add(&w->body, " = ");
+        LINE(w, "local shot%s = ", w->own);
         put_shot(w, fire);
-        prose_add(&w->body, "\n");
+        PUT(w, "\n");
         put_bullet(w, own);
         w->indent--;
-        line(w);
-        prose_add(&w->body, "end\n");
+        LINE(w, "%s", "end\n");
     }
 }
 
@@ -310,18 +254,16 @@ static void put_fire(struct lua_writer *w, int32_t fire)
 
 static void put_repeat(struct lua_writer *w, int32_t node)
 {
-    line(w);
-    prose_add(&w->body, "for _ = 1, ");
+    LINE(w, "%s", "for _ = 1, ");
     as_lua_count(&w->body, child(w, node, NODE_TIMES), 1);
-    prose_add(&w->body, " do\n");
+    PUT(w, " do\n");
     w->indent++;
     put_commands(w, node);
     w->indent--;
-    line(w);
-    prose_add(&w->body, "end\n");
+    LINE(w, "%s", "end\n");
 }
 
-/* An action that calls itself at its end would go deeper each time; `return` lets go of where it came from. */
+/* An action that calls itself at its end would go deeper each time; a `return` is a tail call. */
 static bool is_last(const struct lua_writer *w, int32_t node)
 {
     const struct document_node *n = &w->d->node[node], *in = &w->d->node[n->parent];
@@ -333,25 +275,20 @@ static void put_call(struct lua_writer *w, int32_t node)
 {
     const struct document_node *n = &w->d->node[node];
 
-    line(w);
-    prose_add(&w->body, is_last(w, node) ? "return " : "");
+    LINE(w, "%s", is_last(w, node) ? "return " : "");
     put_name(w,
              document_find(w->d, n->element, n->label) == DOCUMENT_NONE ? NODE_ACTION : w->d->node[n->target].element,
              n->label);
-    prose_add(&w->body, "(");
-    put_own(w, "s");
+    PUT(w, "(s%s", w->own);
     put_params(w, node);
-    prose_add(&w->body, ")\n");
+    PUT(w, ")\n");
 }
 
 static void put_wait(struct lua_writer *w, int32_t node)
 {
-    line(w);
-    prose_add(&w->body, "pause(");
-    put_own(w, "s");
-    prose_add(&w->body, ", ");
+    LINE(w, "pause(s%s, ", w->own);
     as_lua_count(&w->body, &w->d->node[node], 0);
-    prose_add(&w->body, ")\n");
+    PUT(w, ")\n");
 }
 
 static void put_command(struct lua_writer *w, int32_t node)
@@ -361,9 +298,7 @@ static void put_command(struct lua_writer *w, int32_t node)
         put_wait(w, node);
         break;
     case NODE_VANISH:
-        line(w);
-        put_own(w, "s");
-        prose_add(&w->body, ".o.gone = true\n");
+        LINE(w, "s%s.o.gone = true\n", w->own);
         break;
     case NODE_FIRE:
         put_fire(w, node);
@@ -372,10 +307,10 @@ static void put_command(struct lua_writer *w, int32_t node)
         put_repeat(w, node);
         break;
     case NODE_CHANGE_DIRECTION:
-        put_turn(w, node);
+        put_change(w, node, NODE_DIRECTION);
         break;
     case NODE_CHANGE_SPEED:
-        put_change_speed(w, node);
+        put_change(w, node, NODE_SPEED);
         break;
     case NODE_ACCEL:
         put_push(w, node, NODE_HORIZONTAL);
@@ -406,21 +341,21 @@ static void put_function(struct lua_writer *w, int32_t node)
     const struct document_node *n = &w->d->node[node];
     const int params = highest_param(w->d, node);
 
-    prose_add(&w->body, "\nfunction ");
+    PUT(w, "\nfunction ");
     if (is_word(n->label)) {
         put_name(w, n->element, n->label);
     } else {
         w->body.n -= strlen("function ");
         put_name(w, n->element, n->label);
-        prose_add(&w->body, " = function");
+        PUT(w, " = function");
     }
-    prose_add(&w->body, n->element == NODE_BULLET ? "(s, shot" : "(s");
+    PUT(w, n->element == NODE_BULLET ? "(s, shot" : "(s");
     for (int i = 1; i <= params; i++)
-        prose_add(&w->body, ", p%d", i);
-    prose_add(&w->body, ")\n");
+        PUT(w, ", p%d", i);
+    PUT(w, ")\n");
     w->indent = 1;
     for (int i = 1; i <= params; i++)
-        prose_add(&w->body, "  p%d = p%d or 1\n", i, i);
+        PUT(w, "  p%d = p%d or 1\n", i, i);
     if (n->element == NODE_ACTION)
         put_commands(w, node);
     else if (n->element == NODE_FIRE)
@@ -428,40 +363,40 @@ static void put_function(struct lua_writer *w, int32_t node)
     else
         put_bullet(w, node);
     w->indent = 0;
-    prose_add(&w->body, "end\n");
+    PUT(w, "end\n");
 }
 
-/* All that something asks for by its label. */
+/* All elements that are used by their labels. */
 static void put_functions(struct lua_writer *w)
 {
-    uint8_t *meant = calloc((size_t)w->d->n, 1);
+    uint8_t *used = calloc((size_t)w->d->n, 1);
 
-    w->body.failed |= !meant;
-    for (int32_t i = 0; meant && i < w->d->n; i++) {
+    w->body.failed |= !used;
+    for (int32_t i = 0; used && i < w->d->n; i++) {
         if (document_is_top(w->d, i))
-            meant[i] = 1;
+            used[i] = 1;
         if (w->d->node[i].target != DOCUMENT_NONE)
-            meant[w->d->node[i].target] = 1;
+            used[w->d->node[i].target] = 1;
     }
-    for (int32_t i = 0; meant && i < w->d->n; i++)
-        if (meant[i])
+    for (int32_t i = 0; used && i < w->d->n; i++)
+        if (used[i])
             put_function(w, i);
-    free(meant);
+    free(used);
 }
 
 static void put_tops(struct lua_writer *w)
 {
-    prose_add(&w->body, "\n-- Runs the document in tasks of e: play(e), or play(e, { rank = 0.8, unit = 2, kind = "
-                        "\"orb\" }).\nreturn function(me, options)\n  options = options or {}\n  rank, unit = "
-                        "options.rank or rank, options.unit or unit\n  kind, kinds = options.kind or kind, "
-                        "options.kinds or kinds\n  local o = { me = me, dir = 90, speed = 0, root = true }\n");
+    PUT(w, "\n-- Runs the document in tasks of e: play(e), or play(e, { rank = 0.8, unit = 2, kind = "
+           "\"orb\" }).\nreturn function(me, options)\n  options = options or {}\n  rank, unit = "
+           "options.rank or rank, options.unit or unit\n  kind, kinds = options.kind or kind, "
+           "options.kinds or kinds\n  local o = { me = me, dir = 90, speed = 0, root = true }\n");
     for (int32_t i = 0; i < w->d->n; i++)
         if (document_is_top(w->d, i)) {
-            prose_add(&w->body, "  task.own(me, function() ");
+            PUT(w, "  task.own(me, function() ");
             put_name(w, NODE_ACTION, w->d->node[i].label);
-            prose_add(&w->body, " { o = o } end)\n");
+            PUT(w, " { o = o } end)\n");
         }
-    prose_add(&w->body, "end\n");
+    PUT(w, "end\n");
 }
 
 char *as_lua(const struct document *d, const char *file)

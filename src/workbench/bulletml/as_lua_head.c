@@ -1,11 +1,11 @@
 /*
- * as_lua_head.c - the first lines of a document's script: what is not as in the document, and what can be set.
+ * as_lua_head.c - the first lines of a script: differences from the document, and settings.
  */
 #include "as_lua_parts.h"
 
 #include <string.h>
 
-/* Is there a vanish that no bullet is round? */
+/* True if a vanish is outside of all bullets. */
 static bool root_vanishes(const struct document *d)
 {
     for (int32_t i = 0; i < d->n; i++) {
@@ -34,7 +34,7 @@ static bool has_two(const struct document *d)
     for (int32_t i = 0; i < d->n; i++) {
         int n = 0;
         for (int32_t k = d->node[i].first; k != DOCUMENT_NONE; k = d->node[k].next)
-            n += d->node[k].element == NODE_ACTION || d->node[k].element == NODE_ACTION_REF;
+            n += document_is_action(d, k);
         if (d->node[i].element == NODE_BULLET && n > 1)
             return true;
     }

@@ -1,13 +1,12 @@
 /*
- * as_lua_helpers.c - the functions that a document's script brings along: no more of them than it calls. Each is a text
- * that may call those before it.
+ * as_lua_helpers.c - helper functions of scripts. A script contains only those that it calls; each may call those
+ * before it.
  *
- * `o` is a bullet, or what the document starts at: me (the thing), dir and speed (as the document means them), what is
- * changing. `s` is what runs a list of commands: its o, and the direction and speed of its shot before.
+ * `o` is a bullet, or the thing that runs the document: me (the thing), dir and speed (in the document's sense),
+ * pending changes. `s` runs a list of commands: its o, and the direction and speed of its last shot.
  */
 #include "as_lua_parts.h"
 
-#include <stdio.h>
 #include <string.h>
 
 static const struct {
@@ -147,7 +146,7 @@ static bool calls(const char *text, const char *name)
     return false;
 }
 
-/* Two of them are said in one way or the other. */
+/* Two helpers have variants. */
 static void put_helper(struct prose *t, int i, bool pushes, bool changes)
 {
     const char *at = strstr(helpers[i].text, "FLY"), *update = strstr(helpers[i].text, "UPDATE");

@@ -1,6 +1,6 @@
 /*
- * as_lua_motion.c - a bullet's actions as a motion program. That can be said where a bullet fires nothing, its frames
- * and times are plain numbers, and what changes has come to its end when the next thing begins.
+ * as_lua_motion.c - a bullet's actions as a motion program. This is possible if the bullet fires nothing, its frames
+ * and times are plain numbers, and each change ends before the next command starts.
  */
 #include "as_lua_parts.h"
 
@@ -13,11 +13,11 @@ enum { DEPTH = 8 /* of actions in one another */, COMMANDS = 1000, LOOPS = 4 /* 
 struct steps {
     struct prose text;
     const struct document *d;
-    int32_t speed, turn; /* what was ordered and has not begun: nodes, or DOCUMENT_NONE */
-    bool none;           /* it cannot be said */
+    int32_t speed, turn; /* changes that start with the next wait: nodes, or DOCUMENT_NONE */
+    bool none;           /* it is not possible */
     bool over;           /* a vanish has ended it */
-    int left;            /* commands that may come; actions can ask for each other ever so often */
-    double waited;       /* frames, in the loop that is written */
+    int left;            /* commands until giving up; actions may be recursive */
+    double waited;       /* frames, in the current loop */
 };
 
 /* A plain number of frames or times, at least 1. */
@@ -43,8 +43,8 @@ static void put_step(struct steps *s, const char *format, double n)
 
 /* ---- changes ---- */
 
-/* The inner part of a step, for a change over so many frames. */
-static void written_speed(struct steps *s, double over)
+/* The inner part of a step for a change over `over` frames. */
+static void put_speed(struct steps *s, double over)
 {
     const struct document_node *v = child(s, s->speed, NODE_SPEED);
 
@@ -82,12 +82,12 @@ static void put_turn(struct steps *s, double over)
     }
 }
 
-/* Both, one, or none of them, for so many frames. */
+/* A step that changes speed, direction or both over `over` frames. */
 static void put_change(struct steps *s, double over, bool speed, bool turn)
 {
     prose_add(&s->text, "%s{ ", s->text.n ? ", " : "");
     if (speed)
-        written_speed(s, over);
+        put_speed(s, over);
     if (turn)
         prose_add(&s->text, speed ? ", " : "");
     if (turn)
@@ -97,7 +97,7 @@ static void put_change(struct steps *s, double over, bool speed, bool turn)
     prose_add(&s->text, " }");
 }
 
-/* What was ordered begins now and has `wait` frames. */
+/* Starts the pending changes, and waits. */
 static void begin(struct steps *s, double wait)
 {
     const double speed = s->speed == DOCUMENT_NONE ? 0 : frames(s, document_child(s->d, s->speed, NODE_TERM));

@@ -1,7 +1,6 @@
 /*
- * as_lua_parts.h - what the files of `curtain bulletml --lua` share: as_lua.c (elements), as_lua_value.c (numbers),
- * as_lua_motion.c (motion programs), as_lua_head.c (the first lines), as_lua_helpers.c (functions that the script
- * brings along).
+ * as_lua_parts.h - shared by the files of `curtain bulletml --lua`: as_lua.c (elements), as_lua_value.c (numbers),
+ * as_lua_motion.c (motion programs), as_lua_head.c (the first lines), as_lua_helpers.c (functions that scripts need).
  */
 #ifndef WORKBENCH_AS_LUA_PARTS_H
 #define WORKBENCH_AS_LUA_PARTS_H
@@ -12,8 +11,9 @@
 struct lua_writer {
     const struct document *d;
     struct prose body;
-    int indent; /* steps of two blanks */
-    int depth;  /* of functions in one another: their names have numbers */
+    int indent;   /* steps of two blanks */
+    int depth;    /* of functions inside functions */
+    char own[12]; /* suffix of s and shot at that depth: "", "2" */
 };
 
 /* A number as an expression of Lua; `add` is added to it. tight: in parentheses, if it is more than one word. */
@@ -22,7 +22,7 @@ void as_lua_value(struct prose *t, const struct document_node *node, double add,
 /* The same as a whole number of frames or times, at least `least`. */
 void as_lua_count(struct prose *t, const struct document_node *node, int least);
 
-/* A number, as short as it can be said. */
+/* The shortest text of a number. */
 void as_lua_number(struct prose *t, double v);
 
 /* Is it the same for all bullets of a run: neither drawn by chance nor a parameter? */
@@ -31,11 +31,11 @@ bool as_lua_fixed(const struct document_node *node);
 /* Degrees to add to an absolute direction of a document, whose 0 is up, or left in a horizontal document. */
 double as_lua_up(const struct document *d);
 
-/* Adds the steps of a motion program that does what a bullet's actions do, "{ wait = 30 }, { speed = 2 }"; false, and
- * nothing: a program cannot do that. */
+/* Adds the steps of a motion program for a bullet's actions, "{ wait = 30 }, { speed = 2 }". False, and adds nothing:
+ * a motion program cannot express them. */
 bool as_lua_motion(struct prose *t, const struct document *d, int32_t bullet);
 
-/* Adds those of the functions that the script brings along which the text calls, and which these call. */
+/* Adds the helper functions that the text calls, and those that they call. */
 void as_lua_helpers(struct prose *t, const char *body);
 
 /* The first lines of a script with that body. */

@@ -1,11 +1,9 @@
 /*
- * as_lua_value.c - numbers of a document as Lua writes them. A stack of pieces of text, each with how tightly its words
- * hang together, becomes one.
+ * as_lua_value.c - numbers of a document in Lua. A stack of expressions, each with its precedence, becomes one.
  */
 #include "as_lua_parts.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -14,7 +12,7 @@ void as_lua_number(struct prose *t, double v)
     prose_add(t, "%.10g", v == 0 ? 0 : v);
 }
 
-/* How tightly: a sum, a product, a sign, one word. */
+/* Precedence. */
 enum tight { SUM, PRODUCT, SIGN, WORD };
 
 struct piece {

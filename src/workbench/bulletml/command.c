@@ -62,11 +62,10 @@ static struct uses uses_of(const struct document *d)
         const struct document_node *n = &d->node[i];
         u.aims |= n->element == NODE_DIRECTION && (n->type == NODE_PLAIN || n->type == NODE_AIM);
         u.aims |= n->element == NODE_FIRE && document_child(d, i, NODE_DIRECTION) == DOCUMENT_NONE;
+        u.param = document_param(n) > u.param ? document_param(n) : u.param;
         for (int k = 0; k < n->ops; k++) {
             u.rand |= n->op[k].kind == EXPRESSION_RAND;
             u.rank |= n->op[k].kind == EXPRESSION_RANK;
-            if (n->op[k].kind == EXPRESSION_PARAM && n->op[k].number > u.param)
-                u.param = (int)n->op[k].number;
         }
     }
     return u;

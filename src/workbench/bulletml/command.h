@@ -7,8 +7,8 @@
 #include <stdbool.h>
 #include "../../common/result.h"
 
-/* Says of each of n documents what is in it and what is hardly meant, on standard output; or with lua prints the one
- * that is given as a script. What is wrong has been told on plat_log, a line a document. */
+/* Prints the contents of n documents and warnings about them to standard output; with lua, prints one document as a Lua
+ * script. Errors are printed with plat_log, one line per document. */
 enum result bulletml_command(char *const *files, int n, bool lua);
 
 #endif

@@ -1,11 +1,10 @@
 /*
  * compile.c - see compile.h.
  *
- * What libbulletml decides while it runs, by walking the tree, is decided here: which commands follow an action's last
- * one, the order in which a fire's parts are read, which of a bullet's actions comes first. An action that stands where
- * it is used is written there; what a label leads to is written once, behind all that has led to it so far, and so are
- * the actions of each bullet. A place that is not known yet stands in the program as the number of its node, and is
- * put in at the end.
+ * libbulletml walks the tree at run time to decide which commands follow an action's last one, in which order the
+ * children of a fire are read, and which of a bullet's actions is first. All this is decided here. Inline actions are
+ * compiled in place; the targets of labels, and the actions of bullets, are compiled once, after the code that refers
+ * to them. Unknown addresses are patched at the end.
  */
 #include "compile.h"
 #include <stdlib.h>
@@ -16,7 +15,7 @@
 #include "../../common/array.h"
 #include "../../common/result.h"
 
-/* What of a node is written as a piece of its own. */
+/* Parts of a node that are compiled separately. */
 enum piece { PIECE_ACTION, PIECE_TOP, PIECE_FIRE, PIECE_BULLET, PIECE_INSIDE /* a bullet's actions */, PIECES };
 
 struct words {
@@ -83,7 +82,7 @@ static void command(struct compiler *c, enum ml_op op, unsigned type, int32_t no
 
 /* ---- values ---- */
 
-enum { LOOKED = 64 /* numbers that are looked through for one that is there already */ };
+enum { LOOKED = 64 /* numbers that are searched for an equal one */ };
 
 static uint32_t number(struct compiler *c, int64_t v)
 {
@@ -111,7 +110,7 @@ static int64_t worked_out(enum expression_kind kind, int64_t a, int64_t b)
     }
 }
 
-/* Is it the same each time? *v: what it is. */
+/* True if the number is constant. *v: its value. */
 static bool constant(const struct expression_op *op, int n, int64_t *v)
 {
     int64_t stack[EXPRESSION_STACK + 1] = { 0 };
@@ -196,7 +195,7 @@ static enum ml_type type_of(const struct compiler *c, int32_t node)
 
 /* ---- places ---- */
 
-/* An operand that is the place of a piece; it is written at the end, if it was not yet. */
+/* An operand that is the address of a piece, which is queued for compiling. */
 static void place(struct compiler *c, int32_t node, enum piece piece)
 {
     put(c, &c->mends, (uint32_t)c->word.n);
@@ -205,7 +204,7 @@ static void place(struct compiler *c, int32_t node, enum piece piece)
     word(c, 0);
 }
 
-/* A command that leads to a piece, with the parameters of a ref, or none. */
+/* A command that jumps to a piece, with the parameters of a ref. */
 static void lead(struct compiler *c, enum ml_op op, int32_t ref, int32_t node, enum piece piece)
 {
     uint32_t n = 0;
@@ -227,7 +226,7 @@ static int32_t found(const struct compiler *c, int32_t ref)
     return document_find(c->d, node_of(c, ref)->element, node_of(c, ref)->label);
 }
 
-/* The number of a label + 1; 0: it is none. */
+/* The number of a label + 1; 0: no label. */
 static uint32_t label(struct compiler *c, const char *s)
 {
     const size_t n = strlen(s) + 1;
@@ -249,13 +248,6 @@ static uint32_t label(struct compiler *c, const char *s)
 
 /* ---- commands ---- */
 
-static bool is_action(const struct compiler *c, int32_t node)
-{
-    const enum document_element e = node_of(c, node)->element;
-
-    return e == NODE_ACTION || e == NODE_ACTION_REF;
-}
-
 /* A fire's or a bullet's own speed and direction, the speed first. */
 static void aim_shot(struct compiler *c, int32_t node)
 {
@@ -272,7 +264,7 @@ static void aim_shot(struct compiler *c, int32_t node)
     }
 }
 
-/* A bullet appears; it has its own label, or that of its fire. */
+/* Fires a bullet, with its own label or that of its fire. */
 static void bullet(struct compiler *c, int32_t node, const char *of_fire)
 {
     const char *own = node_of(c, node)->label;
@@ -280,7 +272,7 @@ static void bullet(struct compiler *c, int32_t node, const char *of_fire)
 
     aim_shot(c, node);
     for (int32_t k = node_of(c, node)->first; k != DOCUMENT_NONE; k = node_of(c, k)->next)
-        acts |= is_action(c, k);
+        acts |= document_is_action(c->d, k);
     command(c, ML_BULLET, 0, node);
     word(c, label(c, *own ? own : of_fire));
     if (acts)
@@ -303,8 +295,7 @@ static void fire(struct compiler *c, int32_t node)
 
 static void commands(struct compiler *c, int32_t first, bool last);
 
-/* An action, or a ref to one, with nothing to come back to behind it if `last`. A top runs as one that begins by
- * itself: nothing comes after it. */
+/* An action, or a ref to one; `last`: nothing follows it, so it need not return. A top action never returns. */
 static void action(struct compiler *c, int32_t node, bool last)
 {
     const bool ref = node_of(c, node)->element == NODE_ACTION_REF;
@@ -318,7 +309,7 @@ static void action(struct compiler *c, int32_t node, bool last)
         commands(c, node_of(c, node)->first, last);
 }
 
-/* All that stands behind times is done in each round: the body, and what some documents have after it. */
+/* Everything after times is repeated: the body, and what some documents have after it. */
 static void repeat(struct compiler *c, int32_t node)
 {
     const int32_t times = document_child(c->d, node, NODE_TIMES);
@@ -387,7 +378,7 @@ static void one_command(struct compiler *c, int32_t node, bool last)
     case NODE_ACCEL:
         accel(c, node);
         break;
-    default: /* no command: document_read has refused or told it */
+    default: /* no command */
         break;
     }
 }
@@ -408,7 +399,7 @@ static void inside(struct compiler *c, int32_t node)
     int32_t left = 0;
 
     for (int32_t k = node_of(c, node)->first; k != DOCUMENT_NONE; k = node_of(c, k)->next)
-        left += is_action(c, k);
+        left += document_is_action(c->d, k);
     for (int pass = 0; pass < 2; pass++)
         for (int32_t k = node_of(c, node)->first; k != DOCUMENT_NONE; k = node_of(c, k)->next) {
             if (node_of(c, k)->element != order[pass])
@@ -446,14 +437,14 @@ static void piece(struct compiler *c, int32_t node, enum piece piece)
         break;
     case PIECE_BULLET:
         bullet(c, node, "");
-        command(c, ML_END, 0, node); /* not come to: the bullet leads back */
+        command(c, ML_END, 0, node); /* not reached: the bullet returns */
         break;
     default:
         inside(c, node);
     }
 }
 
-/* All that begins by itself, then all that something leads to. */
+/* Top actions, then everything that is queued. */
 static uint32_t compile(struct compiler *c, uint32_t tops[ML_MAX_TOP_ACTIONS])
 {
     uint32_t n = 0;

@@ -57,7 +57,7 @@ void document_bad(struct document_reader *r, struct xml_place place, const char 
     err_set(r->err, r->err_size, "%s:%d:%d: %s", r->file, place.line, place.column, why);
 }
 
-void document_told(struct document_reader *r, int32_t node, const char *format, ...)
+void document_suspect(struct document_reader *r, int32_t node, const char *format, ...)
 {
     const struct document_node *at = &r->d->node[node];
     char why[512], sentence[1024];
@@ -211,6 +211,21 @@ int32_t document_find(const struct document *d, enum document_element element, c
         if (d->node[i].element == element && d->node[i].label[0] != '\0' && strcmp(d->node[i].label, label) == 0)
             return i;
     return DOCUMENT_NONE;
+}
+
+int document_param(const struct document_node *node)
+{
+    int most = 0;
+
+    for (int i = 0; i < node->ops; i++)
+        if (node->op[i].kind == EXPRESSION_PARAM && node->op[i].number > most)
+            most = (int)node->op[i].number;
+    return most;
+}
+
+bool document_is_action(const struct document *d, int32_t node)
+{
+    return d->node[node].element == NODE_ACTION || d->node[node].element == NODE_ACTION_REF;
 }
 
 bool document_is_top(const struct document *d, int32_t node)

@@ -1,9 +1,8 @@
 /*
- * document.h - a BulletML document: XML to a tree, with what is wrong in it said by line and column.
+ * document.h - a BulletML document: XML to a tree, with errors by line and column.
  *
- * Reads the language of BulletML 0.21 as libbulletml does. What it gives is well formed: each element has the children
- * it must have, in their order, no others, and a number where one is needed; each ref's label is there. Nothing here
- * says what a document does: that is compile.h's.
+ * Reads BulletML 0.21 as libbulletml does. A tree is well formed: each element has the children it must have, in their
+ * order, no others, and a number where one is needed; each ref's label exists. compile.h gives it a meaning.
  */
 #ifndef WORKBENCH_DOCUMENT_H
 #define WORKBENCH_DOCUMENT_H
@@ -65,8 +64,9 @@ struct document {
     void *store;     /* labels and numbers; document.c's */
 };
 
-/* Reads the n bytes; file is their name for messages. Is told what is allowed and hardly meant, "bulletml/a.xml:12:7:
- * ..."; warn may be NULL. False and one sentence, which begins the same way; close it either way. */
+/* Reads n bytes; file is their name for messages. warn gets a sentence for each construct that is valid but probably
+ * unintended, "bulletml/a.xml:12:7: ..."; it may be NULL. False and one sentence that starts the same way. Close d
+ * either way. */
 bool document_read(struct document *d, const char *bytes, size_t n, const char *file,
                    void (*warn)(void *context, const char *sentence), void *context, char *err, size_t err_size);
 void document_close(struct document *d);
@@ -80,11 +80,17 @@ const char *document_type_name(enum document_type type);
 /* The child of that element, or DOCUMENT_NONE. */
 int32_t document_child(const struct document *d, int32_t node, enum document_element element);
 
-/* What a label of bullet, action or fire stands for: the last of that label in the file, at any depth; or
- * DOCUMENT_NONE. A ref's own element may be given: bulletRef looks for a bullet. */
+/* The element that a label of bullet, action or fire names: the last one in the file, at any depth; or DOCUMENT_NONE.
+ * A ref's element may be given: bulletRef looks for a bullet. */
 int32_t document_find(const struct document *d, enum document_element element, const char *label);
 
-/* Is it an action that runs by itself, for its label begins with "top"? */
+/* The highest parameter in a node's number, 0: none. */
+int document_param(const struct document_node *node);
+
+/* True for an action or a ref to one. */
+bool document_is_action(const struct document *d, int32_t node);
+
+/* True for an action that starts by itself, because its label starts with "top". */
 bool document_is_top(const struct document *d, int32_t node);
 
 #endif

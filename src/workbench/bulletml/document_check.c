@@ -1,6 +1,6 @@
 /*
- * document_check.c - is each element of a document where it may be, and has what it must have? What libbulletml takes
- * is taken, such as <term> before <direction>; what makes it crash is refused.
+ * document_check.c - checks that each element of a document is in its place and has all it needs. Accepts what
+ * libbulletml accepts, such as <term> before <direction>, except what makes it crash.
  */
 #include "document_parts.h"
 
@@ -21,7 +21,7 @@ enum {
     ONCE = AIMS | BIT(NODE_HORIZONTAL) | BIT(NODE_VERTICAL) | BIT(NODE_TERM) | BIT(NODE_TIMES)
 };
 
-/* What may stand in an element, and what must: one of each of the sets. */
+/* The elements that may be in an element; of each set in must, one has to be there. */
 static const struct {
     unsigned may, must[2];
 } rules[NODE_ELEMENTS] = {
@@ -59,7 +59,7 @@ static void say_set(unsigned set, char out[64])
 
 /* ---- children ---- */
 
-/* What came before, in a fire and in a repeat: their bodies stand last, for libbulletml reads them so. */
+/* The bodies of a fire and of a repeat are last, because libbulletml reads them last. */
 static void check_order(struct document_reader *r, int32_t node, int32_t child, unsigned before)
 {
     const enum document_element in = r->d->node[node].element;
@@ -136,7 +136,7 @@ static void bad_label(struct document_reader *r, int32_t ref, const struct label
                  near.found ? near.found : "", near.found ? "\"?)" : "");
 }
 
-/* The last of that label; labels are sorted, those of one name by place. */
+/* The last element of that label; labels are sorted, equal ones by place. */
 static int32_t target_of(const struct document *d, int32_t ref, const struct label *labels, int n)
 {
     struct document_node wanted = { .element = document_meant(d->node[ref].element), .label = d->node[ref].label };
@@ -153,24 +153,23 @@ static int32_t target_of(const struct document *d, int32_t ref, const struct lab
     return low > 0 && by_label(&labels[low - 1], &key) == 0 ? labels[low - 1].at : DOCUMENT_NONE;
 }
 
-/* Of two of a label that something asks for. Bullets that are fired where they stand may share theirs: it names
- * them. */
-static void tell_twins(struct document_reader *r, const struct label *labels, int n)
+/* Warns about two elements with one label if a ref uses it. Bullets inside fires may share a label. */
+static void warn_duplicates(struct document_reader *r, const struct label *labels, int n)
 {
-    uint8_t *asked = calloc((size_t)r->d->n, 1);
+    uint8_t *used = calloc((size_t)r->d->n, 1);
 
-    for (int32_t i = 0; asked && i < r->d->n; i++)
+    for (int32_t i = 0; used && i < r->d->n; i++)
         if (r->d->node[i].target != DOCUMENT_NONE)
-            asked[r->d->node[i].target] = 1;
-    for (int last = n - 1, i = n - 2; asked && i >= 0; i--) {
+            used[r->d->node[i].target] = 1;
+    for (int last = n - 1, i = n - 2; used && i >= 0; i--) {
         if (by_label(&labels[i], &labels[last]) != 0)
             last = i;
-        else if (asked[labels[last].at])
-            document_told(r, labels[i].at,
-                          "duplicate label \"%s\": line %d defines it again; the last definition is used",
-                          labels[i].node->label, labels[last].node->place.line);
+        else if (used[labels[last].at])
+            document_suspect(r, labels[i].at,
+                             "duplicate label \"%s\": line %d defines it again; the last definition is used",
+                             labels[i].node->label, labels[last].node->place.line);
     }
-    free(asked);
+    free(used);
 }
 
 static void check_labels(struct document_reader *r)
@@ -197,7 +196,7 @@ static void check_labels(struct document_reader *r)
             bad_label(r, i, labels, n);
     }
     if (!r->failed)
-        tell_twins(r, labels, n);
+        warn_duplicates(r, labels, n);
     free(labels);
 }
 

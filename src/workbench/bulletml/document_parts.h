@@ -17,36 +17,36 @@ struct document_reader {
     size_t err_size;
 };
 
-/* Ends the reading with a sentence about a place. The first one counts. */
+/* Ends reading with a sentence about a place. The first one counts. */
 void document_bad(struct document_reader *r, struct xml_place place, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* Tells a sentence about a node. */
-void document_told(struct document_reader *r, int32_t node, const char *format, ...)
+/* Warns about a node. */
+void document_suspect(struct document_reader *r, int32_t node, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* A new node below parent, the last of its children; DOCUMENT_NONE: the reading has ended. */
+/* Adds the last child of parent; DOCUMENT_NONE: reading has ended. */
 int32_t document_add(struct document_reader *r, int32_t parent, enum document_element element, struct xml_place place);
 
-/* n bytes that live as long as the document; NULL: out of memory, and the reading has ended. */
+/* Copies n bytes for the document's lifetime; NULL: out of memory, and reading has ended. */
 void *document_keep(struct document_reader *r, const void *bytes, size_t n);
 
-/* The element of that name; NODE_ELEMENTS: there is none, and *near is the one that was meant, "": nobody knows. */
+/* The element of that name; NODE_ELEMENTS: unknown, and *near is a similar name or "". */
 enum document_element document_element_of(const char *name, const char **near);
 
-/* Has it a number for its text? */
+/* True if its text is a number. */
 bool document_has_number(enum document_element element);
 
-/* What a ref's label is one of. */
+/* The element that a ref's label names; any other element itself. */
 enum document_element document_meant(enum document_element ref);
 
 /* XML to the tree. */
 void document_xml(struct document_reader *r, const char *bytes, size_t n);
 
-/* Is each element where it may be, and has what it must have? */
+/* Checks that each element is in its place and has all it needs. */
 void document_check(struct document_reader *r);
 
-/* Of a document that passed. */
+/* Warns about a document that is valid. */
 void document_warn(struct document_reader *r);
 
 #endif

@@ -103,7 +103,7 @@ static void read_type(struct document_reader *r, struct document_node *node, con
             if (node->type != NODE_AIM || turns)
                 return;
             node->type = NODE_ABSOLUTE;
-            document_told(r, (int32_t)(node - r->d->node), "type \"aim\" means \"absolute\" here");
+            document_suspect(r, (int32_t)(node - r->d->node), "type \"aim\" means \"absolute\" here");
             return;
         }
     if (root)
@@ -140,7 +140,7 @@ static void read_attributes(struct document_reader *r, int32_t at, const struct 
         else if (strcmp(key, "type") == 0 && has_type(node->element))
             read_type(r, node, value);
         else if (!known_elsewhere(node->element, key))
-            document_told(r, at, "attribute \"%.40s\" has no effect here", key);
+            document_suspect(r, at, "attribute \"%.40s\" has no effect here", key);
     }
 }
 
@@ -153,7 +153,7 @@ static void open_element(struct reader *x)
 
     if (element_of(x, x->open) == NODE_VANISH) {
         if (!x->warned)
-            document_told(x->r, x->open, "its content has no effect");
+            document_suspect(x->r, x->open, "its content has no effect");
         x->warned = true;
         x->r->failed = !xml_skip(&x->xml);
         return;
@@ -195,7 +195,7 @@ static void read_number(struct reader *x, int32_t at)
     }
     node->op = document_keep(x->r, ops, (size_t)node->ops * sizeof *ops);
     if (large)
-        document_told(x->r, at, "numbers above 2147483647 are clamped to 2147483647");
+        document_suspect(x->r, at, "numbers above 2147483647 are clamped to 2147483647");
 }
 
 static void close_element(struct reader *x)
@@ -219,7 +219,7 @@ static void add_text(struct reader *x, struct xml_place place, const char *s, si
         document_bad(x->r, place_in(place, s, start), "<%s>: expected elements, got text", name_of(x, x->open));
     } else if (x->closed) {
         if (!x->warned)
-            document_told(x->r, x->open, "text after the comment is ignored");
+            document_suspect(x->r, x->open, "text after the comment is ignored");
         x->warned = true;
     } else if (n > TEXT - x->n) {
         document_bad(x->r, place, "<%s>: number longer than %d bytes", name_of(x, x->open), (int)TEXT);

@@ -1,16 +1,16 @@
 /*
- * expression.c - see expression.h. A parser by descent, a function a row of the grammar, which writes operations as it
- * goes: operands stand before what is done with them.
+ * expression.c - see expression.h. A recursive descent parser with a function for each rule of the grammar. It writes
+ * operands before their operators.
  *
- * A decimal becomes the nearest Q31.32 without a double: its digits behind the point are doubled 32 times, and what
- * overflows each time is a bit.
+ * A decimal becomes the nearest Q31.32 without a double: the digits after the point are doubled 32 times, and each
+ * carry is a bit.
  */
 #include "expression.h"
 
 #include <stdio.h>
 #include <string.h>
 
-enum { DIGITS = 40 /* behind the point; further ones are less than half a unit */, WHOLE_MOST = INT32_MAX };
+enum { DIGITS = 40 /* after the point; further ones are less than half a unit */, WHOLE_MOST = INT32_MAX };
 
 struct parser {
     const char *text;
@@ -68,7 +68,7 @@ static void pass_blanks(struct parser *p)
         p->at++;
 }
 
-/* The next character behind blanks; 0: the end. */
+/* The next character after blanks; 0: the end. */
 static char peek(struct parser *p)
 {
     pass_blanks(p);
@@ -127,7 +127,7 @@ static void read_number(struct parser *p)
 
 /* ---- the grammar ---- */
 
-/* What begins with $: the longest word of letters, or a digit. */
+/* $ and a word of letters, or a digit. */
 static void read_variable(struct parser *p)
 {
     const char *word = p->text + p->at + 1;
@@ -218,7 +218,7 @@ int expression_read(const char *text, size_t n, struct expression_op *ops, bool 
     return p.failed ? 0 : p.count;
 }
 
-/* ---- what it is ---- */
+/* ---- properties ---- */
 
 static int taken(enum expression_kind kind)
 {

@@ -5,8 +5,8 @@
  *     product := factor (("*" | "/") factor)*
  *     factor  := "-" factor | "(" sum ")" | NUMBER | "$rand" | "$rank" | "$" DIGIT
  *
- * The operations stand in the order in which they are done, left operand first, so that $rand is drawn in reading
- * order. Blanks, tabs and new lines between the words do not count.
+ * Operations are in the order of evaluation, left operand first, so that $rand is drawn in reading order. Blanks, tabs
+ * and new lines are ignored.
  */
 #ifndef WORKBENCH_EXPRESSION_H
 #define WORKBENCH_EXPRESSION_H
@@ -17,15 +17,15 @@
 
 enum {
     EXPRESSION_OPS = 250,  /* of one number of a document */
-    EXPRESSION_STACK = 16, /* values that are held at once */
-    EXPRESSION_NEST = 64   /* parentheses and signs in one another */
+    EXPRESSION_STACK = 16, /* values on the stack */
+    EXPRESSION_NEST = 64   /* nested parentheses and signs */
 };
 
 enum expression_kind {
     EXPRESSION_NUMBER, /* put `number` on the stack */
     EXPRESSION_RAND,   /* put a draw from 0 up to 1 on it */
     EXPRESSION_RANK,
-    EXPRESSION_PARAM, /* $1 to $9; and $0, which some write: `number` is the digit, as a plain whole number */
+    EXPRESSION_PARAM, /* $1 to $9, and $0, which some documents use: `number` is the digit */
     EXPRESSION_ADD,   /* take two, put one: the one below is the left operand */
     EXPRESSION_SUBTRACT,
     EXPRESSION_MULTIPLY,
@@ -35,24 +35,24 @@ enum expression_kind {
 
 struct expression_op {
     enum expression_kind kind;
-    int64_t number; /* Q31.32, the nearest to the decimal; the greatest there is for what is too large */
+    int64_t number; /* Q31.32, nearest to the decimal; INT64_MAX if too large */
 };
 
-/* What is wrong, and at which byte of the text. */
+/* An error, and its byte in the text. */
 struct expression_error {
     size_t at;
     char text[128];
 };
 
-/* Reads n bytes into ops, EXPRESSION_OPS of them; how many, and 0 for an error. *large: a number was too large for
- * Q31.32 and stands as the greatest. */
+/* Reads n bytes into ops, at most EXPRESSION_OPS; returns their number, 0: error. *large: a number was clamped to the
+ * largest of Q31.32. */
 int expression_read(const char *text, size_t n, struct expression_op *ops, bool *large, struct expression_error *error);
 
-/* The values that are on the stack at most while they are done; at least 1. */
+/* The largest size of the stack during evaluation; at least 1. */
 int expression_depth(const struct expression_op *ops, int n);
 
-/* Is the number the same each time, whatever is drawn, and rank and parameters are? *value is it, for messages: the
- * board's own arithmetic is bulletml.h's. Division by 0 is not the same. */
+/* True if the number doesn't depend on $rand, rank or parameters. *value is for messages; the board calculates as in
+ * bulletml.h. Division by 0 is not constant. */
 bool expression_constant(const struct expression_op *ops, int n, double *value);
 
 #endif
