@@ -19,7 +19,6 @@
 #include "../../src/workbench/samples/encode.h"
 #include "../../src/workbench/samples/flaws.h"
 #include "../../src/workbench/samples/recording.h"
-#include "../../src/workbench/samples/wav.h"
 #include "../../src/sound/tune.h"
 #include "../temp.h"
 
@@ -94,7 +93,7 @@ static void wav_refuses(const uint8_t *p, size_t n, const char *message)
     struct pcm out;
     char err[256];
 
-    assert_false(wav_read(p, n, &out, err, sizeof err));
+    assert_false(pcm_read_wav(p, n, &out, err, sizeof err));
     assert_string_equal(err, message);
 }
 
@@ -108,18 +107,18 @@ static void test_wav_lengths(uint8_t *p, size_t n)
 
     for (size_t i = 0; i < sizeof riffs / sizeof *riffs; i++) {
         bytes_put32(p + 4, riffs[i]);
-        assert_true(wav_read(p, n, &out, err, sizeof err) && out.n == 600);
+        assert_true(pcm_read_wav(p, n, &out, err, sizeof err) && out.n == 600);
         pcm_free(&out);
     }
     for (size_t i = 0; i < sizeof open_ends / sizeof *open_ends; i++) {
         bytes_put32(p + 4, open_ends[i]);
         bytes_put32(p + 40, open_ends[i]);
-        assert_true(wav_read(p, n, &out, err, sizeof err) && out.n == 600);
+        assert_true(pcm_read_wav(p, n, &out, err, sizeof err) && out.n == 600);
         pcm_free(&out);
     }
     make_wav(p, 1, 16, 44100, 600);
     memcpy(p + n, "an end of another program", 25);
-    assert_true(wav_read(p, n + 25, &out, err, sizeof err) && out.n == 600);
+    assert_true(pcm_read_wav(p, n + 25, &out, err, sizeof err) && out.n == 600);
     pcm_free(&out);
     wav_refuses(p, n - 1, "chunk \"data\" of 1200 bytes is longer than the file");
 }
@@ -138,7 +137,7 @@ static void test_wav(void **state)
                 for (int b = 0; b < 4 && b < bits / 8; b++)
                     p[44 + c * bits / 8 + b] =
                         (uint8_t)(bits == 8 ? (c ? 124 : 120) : (c ? -1024 : -2048) * 65536 >> (32 - bits + 8 * b));
-            assert_true(wav_read(p, n, &out, err, sizeof err));
+            assert_true(pcm_read_wav(p, n, &out, err, sizeof err));
             assert_true(out.n == 600 && out.rate == 22050 && out.channels == channels && out.loop == -1);
             assert_int_equal(out.frames[0], -2048);
             assert_true(channels == 1 || out.frames[1] == -1024);
@@ -148,7 +147,7 @@ static void test_wav(void **state)
     const float values[] = { 0.5f, 1.5f, -0.25f };
     p[20] = 3;
     memcpy(p + 44, values, sizeof values);
-    assert_true(wav_read(p, n, &out, err, sizeof err));
+    assert_true(pcm_read_wav(p, n, &out, err, sizeof err));
     assert_true(out.frames[0] == 16384 && out.frames[1] == 32767 && out.frames[2] == -8192 && out.clipped == 1);
     pcm_free(&out);
     n = make_wav(p, 1, 16, 44100, 600);

@@ -1,13 +1,13 @@
 /*
- * encode.c - see encode.h. A block of ADPCM is searched for: of all ways to go on, the WAYS with the least error so far
- * are followed, from any of the steps' indices on, and the best one at the block's end is written.
+ * encode.c - see encode.h. A beam search finds the codes of each ADPCM block: from every step index, the WAYS sequences
+ * with the least error are continued, and the best one at the block's end is written.
  */
 #include "encode.h"
 
 #include <string.h>
 #include "../../base/bytes.h"
 
-enum { WAYS = 4, TRIED = 3 /* codes of each way */, CODES = ADPCM_BLOCK_SAMPLES - 1 };
+enum { WAYS = 4, TRIED = 3 /* codes tried for each */, CODES = ADPCM_BLOCK_SAMPLES - 1 };
 
 struct way {
     struct adpcm_state at;
@@ -20,7 +20,7 @@ struct search {
     uint8_t from[CODES][WAYS], code[CODES][WAYS];
 };
 
-/* Keeps a way that is better than another one to the same place, or than the worst of WAYS. They are in order. */
+/* Inserts a way, in order of error, if it is better than another one to the same state, or than the worst of WAYS. */
 static void offer(struct search *s, const struct way *w, int i, int from, int code)
 {
     int last = s->nexts;
@@ -48,8 +48,8 @@ static void offer(struct search *s, const struct way *w, int i, int from, int co
     s->code[i][last] = (uint8_t)code;
 }
 
-/* The codes next to what is wanted, of one way. */
-static void go_on(struct search *s, int i, int from, int32_t wanted)
+/* Continues a way with the codes nearest to the wanted value. */
+static void continue_way(struct search *s, int i, int from, int32_t wanted)
 {
     const struct way *w = &s->way[from];
     const int32_t far = wanted - w->at.value, size = far < 0 ? -far : far;
@@ -67,7 +67,7 @@ static void go_on(struct search *s, int i, int from, int32_t wanted)
     }
 }
 
-/* The codes of a block of n samples, and the index of the step it begins with. */
+/* Finds the codes of a block of n samples; returns its first step index. */
 static int find(struct search *s, const int16_t *in, uint32_t n, uint8_t codes[CODES])
 {
     int first = 0;
@@ -78,7 +78,7 @@ static int find(struct search *s, const int16_t *in, uint32_t n, uint8_t codes[C
     for (int i = 0; i < CODES; i++) {
         s->nexts = 0;
         for (int k = 0; k < s->ways; k++)
-            go_on(s, i, k, (uint32_t)i + 1 < n ? in[i + 1] : 0);
+            continue_way(s, i, k, (uint32_t)i + 1 < n ? in[i + 1] : 0);
         memcpy(s->way, s->next, sizeof s->next);
         s->ways = s->nexts;
     }

@@ -1,5 +1,5 @@
 /*
- * encode.h - samples to the bytes that adpcm.h reads.
+ * encode.h - encodes samples for adpcm.h.
  */
 #ifndef WORKBENCH_ENCODE_H
 #define WORKBENCH_ENCODE_H

@@ -1,19 +1,19 @@
 /*
- * flaws.c - see flaws.h. A click is a bend: a second difference that is larger than those around it by far.
+ * flaws.c - see flaws.h. A click is a second difference that is much larger than those around it.
  */
 #include "flaws.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-enum { FULL = 32767, IN_A_ROW = 3, AROUND = 1024 /* frames */, QUIET = 128 /* a bend that is not heard */ };
+enum { FULL = 32767, IN_A_ROW = 3, AROUND = 1024 /* frames */, QUIET = 128 /* an inaudible bend */ };
 
 static bool full(int v)
 {
     return v >= FULL || v < -FULL;
 }
 
-/* Samples of a channel that stand at full scale. */
+/* Counts samples of a channel at full scale, in runs. */
 static void count_full(const struct pcm *p, int channel, struct flaws *out)
 {
     uint32_t row = 0;
@@ -51,7 +51,7 @@ void flaws_of_frames(const struct pcm *p, struct flaws *out)
     }
 }
 
-/* How far it bends at frame i, which with its neighbours may stand beyond the end. */
+/* The second difference at frame i; frames after the end continue in the loop. */
 static int bend(const struct pcm *p, int channel, int64_t i)
 {
     int x[3];

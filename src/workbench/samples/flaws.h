@@ -1,5 +1,5 @@
 /*
- * flaws.h - what is measured of a recording to find mistakes in it.
+ * flaws.h - measurements that show mistakes in samples: clipping, offset, clicks.
  */
 #ifndef WORKBENCH_FLAWS_H
 #define WORKBENCH_FLAWS_H
@@ -8,11 +8,11 @@
 
 /* Levels are of full scale. */
 struct flaws {
-    uint32_t clipped;   /* samples louder than full scale, or at full scale three and more times in a row */
+    uint32_t clipped;   /* samples above full scale, or three or more at full scale in a row */
     uint32_t first;     /* the frame of the first one */
-    double mean;        /* of the channel with the larger one */
-    bool clicks;        /* where the loop's end meets its beginning */
-    double jump, usual; /* how far it bends there, and at most in the frames around */
+    double mean;        /* DC offset, of the worse channel */
+    bool clicks;        /* between the loop's end and start */
+    double jump, usual; /* second difference there, and the largest one nearby */
 };
 
 /* Of all frames; p as it was read. */

@@ -1,13 +1,11 @@
 /*
- * module.c - see module.h. The first pass starts in silence; the second also has what still rings from the end of the
- * first, so the third usually equals the second to the last bit. Then that one is the loop. A loop that is already the
- * end of what came before is not stored twice. If no pass equals the one before, or the next one is too long to store,
- * the last pass loops as it is.
+ * module.c - see pcm.h. The first pass starts in silence; the second one also contains notes that ring on from the
+ * first, so the third one usually equals the second to the last bit, and that pass is the loop. A loop that equals the
+ * end of the samples before it is not stored twice. If no pass equals the previous one, or the next one is too long to
+ * store, the last pass is the loop.
  */
-#include "module.h"
+#include "pcm.h"
 
-#include <inttypes.h>
-#include <stdlib.h>
 #include <string.h>
 #include "../../base/err.h"
 #include "../../sound/adpcm.h"
@@ -53,9 +51,9 @@ static int ignore(int error, void *user)
     return OPENMPT_ERROR_FUNC_RESULT_NONE;
 }
 
-enum { PART = 1024 /* frames at a time */, PASSES = 4 /* at most, in search of one that is as the one before */ };
+enum { PART = 1024 /* frames at a time */, PASSES = 4 /* at most, until one equals the previous one */ };
 
-/* Plays up to the module's end, from where it goes on. */
+/* Plays from the module's present position to its end. */
 static bool read_pass(const struct functions *f, openmpt_module *module, struct pcm *pass, char *err, size_t err_size)
 {
     float part[PART * PCM_CHANNELS] = { 0 };
@@ -67,7 +65,7 @@ static bool read_pass(const struct functions *f, openmpt_module *module, struct 
     return pass->n > 0 ? true : err_set(err, err_size, "it contains no music");
 }
 
-/* Does p end with the same frames? */
+/* True if p ends with the same frames. */
 static bool ends_with(const struct pcm *p, const struct pcm *pass)
 {
     const size_t frame = PCM_CHANNELS * sizeof *p->frames;
@@ -76,7 +74,7 @@ static bool ends_with(const struct pcm *p, const struct pcm *pass)
            memcmp(p->frames + (size_t)(p->n - pass->n) * PCM_CHANNELS, pass->frames, pass->n * frame) == 0;
 }
 
-/* Adds passes until one equals the one before, which becomes the loop. */
+/* Adds passes until one equals the previous one, which becomes the loop. */
 static bool read_loop(const struct functions *f, openmpt_module *module, struct pcm *out, char *err, size_t err_size)
 {
     bool good = true, more = true;
@@ -113,7 +111,7 @@ static bool decode(const struct functions *f, openmpt_module *module, bool loops
     return !loops || read_loop(f, module, out, err, err_size);
 }
 
-bool module_read(const uint8_t *data, size_t n, bool loops, struct pcm *out, char *err, size_t err_size)
+bool pcm_read_module(const uint8_t *data, size_t n, bool loops, struct pcm *out, char *err, size_t err_size)
 {
     static const openmpt_module_initial_ctl ctls[] = { { "play.at_end", "continue" }, { NULL, NULL } };
     struct functions f;

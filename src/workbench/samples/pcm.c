@@ -1,8 +1,7 @@
 /*
- * pcm.c - see pcm.h. A rate above SND_RATE is lowered by a windowed sinc of 2 * ZEROES zero crossings: what is below
- * 20 kHz stays, what would fold lies 90 dB below. Where there is a loop the new samples are laid out from its beginning
- * on and a whole number of them is one turn, so that the loop stays exact; the pitch moves by less than 0.1 cents where
- * a loop is longer than half a second.
+ * pcm.c - see pcm.h. A rate above SND_RATE is lowered by a windowed sinc of 2 * ZEROES zero crossings: frequencies
+ * below 20 kHz stay, aliases are 90 dB lower. A loop becomes a whole number of new samples, starting at its start, so
+ * that it stays exact; the pitch of a loop longer than half a second changes by less than 0.1 cents.
  */
 #include "pcm.h"
 
@@ -26,7 +25,7 @@ static uint64_t most(const struct pcm *p)
     return p->rate <= SND_RATE ? SAMPLE_MAX_LENGTH : (uint64_t)SAMPLE_MAX_LENGTH * p->rate / SND_RATE;
 }
 
-/* Makes room for n frames more. */
+/* Makes room for n more frames. */
 static bool grow(struct pcm *p, size_t n)
 {
     if (p->n + (uint64_t)n > most(p))
@@ -80,9 +79,9 @@ bool pcm_check(const struct pcm *p, char *err, size_t err_size)
 
 /* ---- a lower rate ---- */
 
-enum { ZEROES = 32, FINE = 512 /* places of the table between two of them */ };
+enum { ZEROES = 32, FINE = 512 /* entries of the table between two crossings */ };
 
-/* The filter over its right half: a sinc that ends at 22 of 24 kHz, in a Kaiser window. */
+/* The right half of the filter: a sinc with a cutoff at 22 of 24 kHz, in a Kaiser window. */
 static double kernel(double x)
 {
     const double beta = 9, cut = 22.0 / 24, in = x / ZEROES, pi = acos(-1);
@@ -100,7 +99,7 @@ static double kernel(double x)
     return sinc * bessel[0] / bessel[1];
 }
 
-/* A frame of what was, which goes on in its loop and is silent outside. */
+/* Index of source frame i, inside the loop after its end; -1: silence. */
 static int64_t frame_at(const struct pcm *p, int64_t i)
 {
     if (i >= p->n && p->loop >= 0)
@@ -110,11 +109,11 @@ static int64_t frame_at(const struct pcm *p, int64_t i)
 
 struct lowered {
     const struct pcm *from;
-    double step; /* frames of `from` a new one */
+    double step; /* frames of `from` per new frame */
     float table[ZEROES * FINE + 2];
 };
 
-/* The new frame at place x of the old ones. */
+/* The new frame at place x of the source. */
 static void lower_frame(const struct lowered *l, double x, int16_t *out)
 {
     const int channels = l->from->channels;

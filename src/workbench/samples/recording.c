@@ -1,7 +1,7 @@
 /*
- * recording.c - see recording.h. A recording is a tune with a track for each of its samples, whose only note goes on to
- * the end, or for ever. The conductor has the markers: its time begins at the first beat, and its loop is exactly as
- * long as the samples' one, to the unit, for what a loop is longer than its ticks stands in the header.
+ * recording.c - see recording.h. The result is a tune with a track for each channel, whose only note lasts to the end
+ * or loops. The conductor has the markers: its time starts at the first beat, and its loop is exactly as long as that
+ * of the samples, because the header has the units beyond whole ticks.
  */
 #include "recording.h"
 
@@ -17,14 +17,11 @@
 #include "../../sound/tune.h"
 #include "../../common/files.h"
 #include "encode.h"
-#include "module.h"
-#include "sndfile.h"
-#include "wav.h"
 
 /* ---- reading ---- */
 
-/* Taggers put ID3 tags around any file: version 2 in front, one or more, each with its length in four bytes of seven
- * bits each, and version 1, 128 bytes, at the end. Source: id3.org, "ID3 tag version 2.4.0", section 3.1. */
+/* ID3 tags may be around any file: version 2 at the start, one or more, each with its length in four bytes of seven
+ * bits, and version 1, 128 bytes, at the end. Source: id3.org, "ID3 tag version 2.4.0", section 3.1. */
 static void skip_id3(const uint8_t **data, size_t *n)
 {
     enum { HEAD = 10, HAS_FOOTER = 16, TAIL = 128 };
@@ -53,9 +50,9 @@ bool recording_read(const char *file, const uint8_t *data, size_t n, const struc
     for (size_t i = 0; i < sizeof library / sizeof *library; i++)
         sndfile |= files_has_suffix(file, library[i]);
     if (!wav && !sndfile)
-        return module_read(data, n, loop->kind == LOOP_FROM_FILE, out, err, err_size);
+        return pcm_read_module(data, n, loop->kind == LOOP_FROM_FILE, out, err, err_size);
     skip_id3(&data, &n);
-    return (wav ? wav_read : sndfile_read)(data, n, out, err, err_size);
+    return (wav ? pcm_read_wav : pcm_read_sndfile)(data, n, out, err, err_size);
 }
 
 bool recording_prepare(struct pcm *p, const struct art_loop *loop, char *err, size_t err_size)
@@ -83,7 +80,7 @@ static int sides_of(const struct pcm *p, const struct art_sound *s)
     return p->channels == 2 && s->stereo ? 2 : 1;
 }
 
-/* Behind `before` bytes. */
+/* Writes samples after `before` bytes. */
 static bool write_samples(const struct pcm *p, const struct art_sound *s, size_t before, struct recording_bytes *out)
 {
     const enum sample_coding coding = s->exact ? SAMPLE_PCM16 : SAMPLE_ADPCM;
@@ -112,7 +109,7 @@ enum { RELEASE = 480 /* samples */, ROOM = 16384 /* bytes of any such tune */, S
 struct writer {
     uint8_t bytes[ROOM];
     size_t n;
-    int track; /* how many have begun, the conductor first */
+    int track; /* number of started tracks, the conductor first */
 };
 
 static void add_byte(struct writer *w, int v)
@@ -137,7 +134,7 @@ static void add_event(struct writer *w, uint32_t ticks, enum tune_event event, i
         add_byte(w, event == TUNE_NOTE || event == TUNE_TEMPO ? v >> 8 : v);
 }
 
-/* The next track, or its loop, begins here. */
+/* Starts the next track, or its loop, here. */
 static void begin_track(struct writer *w)
 {
     bytes_put32(w->bytes + TUNE_HEADER_SIZE + TUNE_TITLE_SIZE + 8 * w->track++, (uint32_t)w->n);
@@ -148,7 +145,7 @@ static void begin_loop(struct writer *w)
     bytes_put32(w->bytes + TUNE_HEADER_SIZE + TUNE_TITLE_SIZE + 8 * (w->track - 1) + 4, (uint32_t)w->n);
 }
 
-/* Header, title, room for the places, instruments. */
+/* Header, title, space for offsets, instruments. */
 static void add_head(struct writer *w, const struct art_sound *s, int sides, int markers, uint32_t tempo)
 {
     const uint8_t head[] = { TUNE_FORMAT,       (uint8_t)s->volume,        (uint8_t)s->priority,
@@ -170,7 +167,7 @@ static void add_head(struct writer *w, const struct art_sound *s, int sides, int
         inst_write(w->bytes + w->n, &inst, none, "");
 }
 
-/* A track that plays sample i: `ticks` long, or, if it is endless, with a loop of so many after those before it. */
+/* A track that plays sample i for `ticks`; an endless one has a loop of `ticks` after `before` ticks. */
 static void add_track(struct writer *w, int i, int sides, bool endless, uint32_t before, uint32_t ticks)
 {
     begin_track(w);
@@ -186,14 +183,14 @@ static void add_track(struct writer *w, int i, int sides, bool endless, uint32_t
     add_event(w, ticks, TUNE_END, 0);
 }
 
-/* Zeros to read beyond, and the length. */
+/* Padding that may be read, and the length. */
 static void end_tune(struct writer *w)
 {
     w->n += 8 + (0 - w->n) % 4;
     bytes_put32(w->bytes + 16, (uint32_t)w->n);
 }
 
-/* Units of so many frames at that tempo, rounded; at most 2^25 * 48000 * 60000. */
+/* Frames to units at a tempo, rounded; at most 2^25 * 48000 * 60000. */
 static uint64_t units_of(const struct pcm *p, uint64_t frames, uint32_t tempo)
 {
     return (frames * SND_RATE * tempo + p->rate / 2) / p->rate;
@@ -229,7 +226,7 @@ bool recording_sound(const struct pcm *p, const struct art_sound *s, struct reco
 
 /* ---- markers ---- */
 
-/* A marker: how many ticks behind the first beat; its index. */
+/* A marker: ticks after the first beat, and index. */
 struct place {
     uint32_t tick;
     int i;
@@ -242,12 +239,12 @@ static int by_tick(const void *a, const void *b)
     return x->tick != y->tick ? (x->tick < y->tick ? -1 : 1) : x->i - y->i;
 }
 
-/* Where p ends, and where its loop begins, in units behind the first beat; below 0 before it. */
+/* Start of the loop and end of p, in units after the first beat; negative before it. */
 struct span {
     int64_t loop, end;
 };
 
-/* A script sees the last marker of a frame alone. */
+/* A script sees only the last marker of a frame. */
 static bool marks_apart(const struct art_sound *s, const struct art_marker *markers, const struct place *places,
                         uint32_t tempo, char *err, size_t err_size)
 {
@@ -273,8 +270,8 @@ static bool place_markers(const struct art_sound *s, const struct art_marker *ma
     return true;
 }
 
-/* Markers before the loop, and those of it, which come again and again. The loop of a conductor may begin anywhere as
- * long as it is as long as the other: it begins at the first marker in it. */
+/* Markers before the loop, and those in it. The conductor's loop starts at the first marker in it; only its length must
+ * be that of the samples' loop. */
 static void add_conductor(struct writer *w, const struct art_sound *s, uint32_t tempo, const struct place *places,
                           const struct span *span, bool endless, uint32_t loop_ticks)
 {
@@ -296,7 +293,7 @@ static void add_conductor(struct writer *w, const struct art_sound *s, uint32_t 
     add_event(w, looping ? loop_ticks - (now - from) : 0, TUNE_END, 0);
 }
 
-/* How many frames go round: those of the loop, or of so many of it that they last. */
+/* Frames of the loop; short ones are repeated. */
 static uint64_t loop_frames(const struct pcm *p)
 {
     uint64_t n = p->loop < 0 ? 0 : p->n - (uint64_t)p->loop;
@@ -306,7 +303,7 @@ static uint64_t loop_frames(const struct pcm *p)
     return n;
 }
 
-/* rom.lua's, or the file's, or 120, in hundredths. */
+/* The tempo of rom.lua, or of the file, or 120, in hundredths. */
 static uint32_t tempo_of(const struct pcm *p, const struct art_sound *s)
 {
     const double own = p->tempo * 100;

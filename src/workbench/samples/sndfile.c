@@ -1,9 +1,9 @@
 /*
- * sndfile.c - see sndfile.h. The library takes what is damaged as silence or as the end, and reads dozens of formats,
- * so it sees only what tags.c has looked through. It is opened when the first such file is met (library.h), and what it
- * declares in sndfile.h of its version 1 is here.
+ * sndfile.c - see pcm.h. libsndfile reads damaged data as silence or as the end, and reads dozens of formats, so
+ * tags.c checks files first. It is opened for the first such file (library.h). Its declarations are those of sndfile.h,
+ * version 1.
  */
-#include "sndfile.h"
+#include "pcm.h"
 
 #include <inttypes.h>
 #include <stdio.h>
@@ -100,7 +100,7 @@ static sf_count_t memory_tell(void *user)
 /* ---- a recording ---- */
 
 enum { PART = 1024 /* frames at a time */ };
-#define LENGTH_UNKNOWN INT64_MAX /* of a FLAC file that a program wrote into a pipe */
+#define LENGTH_UNKNOWN INT64_MAX /* of a FLAC file that was written to a pipe */
 
 static bool read_frames(const struct functions *f, SNDFILE *file, sf_count_t promised, struct pcm *out, char *err,
                         size_t err_size)
@@ -148,7 +148,7 @@ static bool decode(const struct functions *f, const uint8_t *data, size_t n, str
     return good;
 }
 
-/* The loop that the tags say. */
+/* Sets the loop of the tags. */
 static void take_loop(const struct tags *t, struct pcm *out)
 {
     const int64_t by = strcmp(t->codec, "Opus") == 0 ? 48000 / (int64_t)out->rate : 1;
@@ -159,7 +159,7 @@ static void take_loop(const struct tags *t, struct pcm *out)
     out->loop_end = t->length >= 0 ? out->loop + t->length / by : t->end >= 0 ? t->end / by : -1;
 }
 
-bool sndfile_read(const uint8_t *data, size_t n, struct pcm *out, char *err, size_t err_size)
+bool pcm_read_sndfile(const uint8_t *data, size_t n, struct pcm *out, char *err, size_t err_size)
 {
     struct functions f;
     struct tags t;

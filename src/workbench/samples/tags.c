@@ -1,11 +1,10 @@
 /*
- * tags.c - see tags.h. An OGG file is pages: a header, how long its up to 255 pieces are, the pieces; a piece of less
- * than 255 bytes ends a packet. The second packet has the comments, as FLAC's block 4 has: u32 and so many bytes of who
- * wrote it, u32 how many, then for each u32 and so many bytes "NAME=value". (RFC 3533, RFC 7845, RFC 9639, Vorbis I.)
+ * tags.c - see tags.h. An OGG file is pages: a header, the lengths of up to 255 segments, the segments; a segment of
+ * less than 255 bytes ends a packet. The second packet has the comments, like FLAC's block 4: u32 length and vendor,
+ * u32 count, then for each comment u32 length and "NAME=value". (RFC 3533, RFC 7845, RFC 9639, Vorbis I.)
  */
 #include "tags.h"
 
-#include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 #include "../../base/bytes.h"
@@ -18,7 +17,7 @@ static char upper(char c)
     return (char)(c >= 'a' && c <= 'z' ? c - 32 : c);
 }
 
-/* The value's text if the comment has that name, in whichever case; NULL: it has another. */
+/* The value of a comment of that name, in any case, or NULL. */
 static const char *value_of(const char *comment, size_t n, const char *name)
 {
     const size_t long_ = strlen(name);
@@ -85,13 +84,13 @@ static bool read_comments(const uint8_t *p, size_t n, struct tags *out, char *er
 
 enum { STREAMINFO_BYTES = 34, FRAME_MOST = 1 << 20 /* bytes; 65535 samples of two channels have half as many */ };
 
-/* Does STREAMINFO, at p, state how many samples there are? 36 bits; 0 is "unknown": RFC 9639, section 8.2. */
+/* True if STREAMINFO contains the number of samples, 36 bits, 0: unknown. RFC 9639, section 8.2. */
 static bool states_length(const uint8_t *p)
 {
     return (p[13] & 15) != 0 || bytes_get32(p + 14) != 0;
 }
 
-/* The remainder of a frame with its checksum behind it is 0: RFC 9639, section 9.3. */
+/* 0 for a frame with its checksum: RFC 9639, section 9.3. */
 static uint16_t crc16(const uint8_t *p, size_t n)
 {
     uint32_t crc = 0;
@@ -104,7 +103,7 @@ static uint16_t crc16(const uint8_t *p, size_t n)
     return (uint16_t)crc;
 }
 
-/* Is there a whole frame at the end? Without a stated length nothing else shows that a file was cut off. */
+/* True if a complete frame is at the end. Without a length, nothing else shows that a file is truncated. */
 static bool ends_in_frame(const uint8_t *data, size_t from, size_t n)
 {
     const size_t least = n - from > FRAME_MOST ? n - FRAME_MOST : from;
@@ -156,7 +155,7 @@ static uint32_t crc_of(const uint8_t *page, size_t n)
     return crc;
 }
 
-/* The page's bytes in all; 0 and a sentence: there is no good page. */
+/* Bytes of the page; 0 and one sentence: it is damaged. */
 static size_t page_size(const uint8_t *data, size_t n, size_t at, char *err, size_t err_size)
 {
     const uint8_t *p = data + at;
@@ -179,14 +178,14 @@ static size_t page_size(const uint8_t *data, size_t n, size_t at, char *err, siz
     return 0;
 }
 
-/* The packets before the music: `now` is the one that is read; the first two are kept. */
+/* The first two packets, before the music; `now` is the one being read. */
 struct packets {
     uint8_t *bytes; /* malloc */
     size_t n, end[2];
     int now;
 };
 
-/* Adds a page's pieces. */
+/* Adds a page's segments. */
 static bool add_page(struct packets *k, const uint8_t *page, char *err, size_t err_size)
 {
     const uint8_t *piece = page + PAGE + page[26];

@@ -1,5 +1,5 @@
 /*
- * tags.h - what of OGG and FLAC files is read by ourselves: that the file is whole, and its loop.
+ * tags.h - checks that OGG and FLAC files are complete, and reads their loop tags.
  */
 #ifndef WORKBENCH_TAGS_H
 #define WORKBENCH_TAGS_H
@@ -10,10 +10,10 @@
 
 struct tags {
     const char *codec;          /* "Vorbis", "Opus", "FLAC" */
-    int64_t start, length, end; /* LOOPSTART, LOOPLENGTH, LOOPEND, frames; -1: there is none */
+    int64_t start, length, end; /* LOOPSTART, LOOPLENGTH, LOOPEND, frames; -1: none */
 };
 
-/* Looks through a file. False and one sentence without its name. */
+/* Checks a file. False and one sentence without its name. */
 bool tags_ogg(const uint8_t *data, size_t n, struct tags *out, char *err, size_t err_size);
 bool tags_flac(const uint8_t *data, size_t n, struct tags *out, char *err, size_t err_size);
 

@@ -1,6 +1,5 @@
 /*
- * tune_time.c - see tune_time.h. Events are taken one after the other, as if no time passed between them; the units
- * that should have are added up.
+ * tune_time.c - see tune_time.h. Reads the events of a tune in order without playing it, and adds up their time.
  */
 #include "tune_time.h"
 
@@ -9,13 +8,13 @@
 
 enum { MOST_EVENTS = 1 << 21 };
 
-/* A walk along a track, its conductor's the tempos. */
+/* A walk along a track; the conductor's gets the tempos. */
 struct walk {
     const struct tune *t;
     int track;
     struct track_cursor at;
-    int64_t units; /* of the event that comes next */
-    int loops;     /* times it came to the end of what it repeats */
+    int64_t units; /* of the next event */
+    int loops;     /* ends of its loop so far */
     uint32_t tempo;
 };
 
@@ -27,7 +26,7 @@ static struct walk begin(const struct tune *t, int track)
     return w;
 }
 
-/* The events of that moment; false: it is over. */
+/* Reads the events of one moment; false: the track has ended. */
 static bool step(struct walk *w)
 {
     const uint32_t was = w->at.cursor;
@@ -46,7 +45,7 @@ static bool step(struct walk *w)
     return true;
 }
 
-/* Units at which a track ends, or its loop does for the first time; *loop: how long it is. */
+/* Units at the end of a track, or of its first loop; *loop: length of the loop, 0: none. */
 static int64_t units_of(const struct tune *t, int track, int64_t *loop)
 {
     struct walk w = begin(t, track);
@@ -66,7 +65,7 @@ static int64_t units_of(const struct tune *t, int track, int64_t *loop)
     return ends[0];
 }
 
-/* The conductor's tempos up to there, as seconds. */
+/* Seconds until `units`, by the conductor's tempos. */
 static double seconds(const struct tune *t, int64_t units)
 {
     struct walk w = begin(t, -1);

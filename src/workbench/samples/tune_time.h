@@ -1,13 +1,12 @@
 /*
- * tune_time.h - how long a tune is, read from it without playing it.
+ * tune_time.h - length of a tune, without playing it.
  */
 #ifndef WORKBENCH_TUNE_TIME_H
 #define WORKBENCH_TUNE_TIME_H
 
 #include "../../sound/tune.h"
 
-/* Seconds until the last track ends, or has played all it repeats once; and of those that repeat, how long that is, 0:
- * none does. */
+/* Seconds until all tracks have ended or played their loop once, and length of the longest loop, 0: none. */
 struct tune_time {
     double all, loop;
 };

@@ -1,28 +1,27 @@
 /*
- * wav.c - see wav.h. A file is chunks: four letters, a length, that many bytes, one more if the length is odd.
- * The length of the whole, in front of them, is ignored as players do: many programs write another one. A file that was
- * cut off is found by its last chunk.
+ * wav.c - see pcm.h. A file is chunks: four letters, a length, that many bytes, one more if the length is odd.
+ * The length of the whole, before them, is ignored as players do, because many programs write a wrong one. The last
+ * chunk shows whether a file is truncated.
  */
-#include "wav.h"
+#include "pcm.h"
 
 #include <inttypes.h>
-#include <stdlib.h>
 #include <string.h>
 #include "../../base/bytes.h"
 #include "../../base/err.h"
 #include "../../sound/adpcm.h"
 
 enum { INTEGERS = 1, FLOATS = 3 };
-#define UNFINISHED 0x7ffff000u /* lengths from here on, and 0, are of a program that wrote into a pipe */
+#define UNFINISHED 0x7ffff000u /* programs that write to a pipe use such lengths, or 0 */
 
 struct wav {
     const uint8_t *samples;
     uint32_t bytes, rate;
     int format, channels, bits;
-    int64_t loop, loop_end; /* -1: none; the last one of it */
+    int64_t loop, loop_end; /* -1: none; its last frame */
 };
 
-/* WAVE_FORMAT_EXTENSIBLE says the format again, at the beginning of a GUID. */
+/* WAVE_FORMAT_EXTENSIBLE repeats the format at the start of a GUID. */
 static bool read_format(struct wav *w, const uint8_t *p, uint32_t n, char *err, size_t err_size)
 {
     const int format = n >= 16 ? bytes_get16(p) : 0, real = format == 0xfffe && n >= 26 ? bytes_get16(p + 24) : format;
@@ -84,7 +83,7 @@ static bool read_chunks(struct wav *w, const uint8_t *data, size_t n, char *err,
         if (unfinished && memcmp(data + at, "data", 4) == 0 && (size == 0 || size >= UNFINISHED))
             size = (uint32_t)left;
         if (size > left && w->samples && at >= 8 + (size_t)riff)
-            break; /* not of the RIFF chunk */
+            break; /* after the RIFF chunk */
         if (size > left)
             return err_set(err, err_size, "chunk \"%.4s\" of %" PRIu32 " bytes is longer than the file",
                            (const char *)data + at, size);
@@ -140,7 +139,7 @@ static bool read_frames(const struct wav *w, struct pcm *out)
     return true;
 }
 
-bool wav_read(const uint8_t *data, size_t n, struct pcm *out, char *err, size_t err_size)
+bool pcm_read_wav(const uint8_t *data, size_t n, struct pcm *out, char *err, size_t err_size)
 {
     struct wav w;
 
