@@ -1,6 +1,6 @@
 /*
- * mml.c - see mml.h: the lines of a file, macros, echoes. A track's lines are written out with their macros into one
- * text, each character with its place in the file, so that every message names that.
+ * mml.c - see mml.h: the lines of a file, macros, echoes. The lines of a track are expanded with their macros into one
+ * text, each character with its place in the file for messages.
  */
 #include "mml_parts.h"
 
@@ -12,7 +12,6 @@
 #include "../../base/err.h"
 #include "../../common/array.h"
 #include "../../common/result.h"
-#include "../../sound/adpcm.h"
 #include "../../sound/pitch.h"
 
 /* The file's name, the line and the column of a place in it. */
@@ -54,10 +53,8 @@ void mml_add(struct mml *m, struct mml_track *t, uint32_t tick, enum tune_event 
 
 /* ---- the lines of the file ---- */
 
-static bool blank(char c)
-{
-    return c == ' ' || c == '\t' || c == '\r';
-}
+#define NAME_FORM " of 1 to 31 letters, digits and _"
+_Static_assert(MML_NAME == 32, "NAME_FORM says how long a name may be");
 
 /* The end of the line at `at`, without a comment. */
 static uint32_t line_end(const struct mml *m, uint32_t at)
@@ -80,27 +77,7 @@ static uint32_t next_line(const struct mml *m, uint32_t at)
     return at + 1;
 }
 
-static uint32_t skip_blanks(const struct mml *m, uint32_t at, uint32_t end)
-{
-    while (at < end && blank(m->text[at]))
-        at++;
-    return at;
-}
-
-/* The name at *at, which moves behind it. */
-static void read_name(struct mml *m, uint32_t *at, uint32_t end, char out[MML_NAME], const char *what)
-{
-    const uint32_t from = *at;
-
-    while (*at < end && mml_name_char(m->text[*at]))
-        ++*at;
-    if (*at == from || *at - from >= MML_NAME)
-        mml_bad(m, from, "expected %s of 1 to %d letters, digits and _", what, MML_NAME - 1);
-    memset(out, 0, MML_NAME);
-    memcpy(out, m->text + from, *at - from);
-}
-
-/* Is the line one of a track: letters A to P, then a blank? A text of one line may have none: it is track A's. */
+/* True for the line of a track: letters A to P, then a blank. A text of one line without them is track A. */
 static bool track_line(const struct mml *m, uint32_t at, uint32_t end, uint32_t *tracks, uint32_t *body)
 {
     uint32_t p = at;
@@ -109,7 +86,7 @@ static bool track_line(const struct mml *m, uint32_t at, uint32_t end, uint32_t 
     while (p < end && m->text[p] >= 'A' && m->text[p] <= 'P')
         *tracks |= 1u << (m->text[p++] - 'A');
     *body = p;
-    if (p > at && (p == end || blank(m->text[p])))
+    if (p > at && (p == end || mml_is_blank(m->text[p])))
         return true;
     *tracks = 1;
     *body = at;
@@ -121,7 +98,7 @@ static void read_macro(struct mml *m, uint32_t at, uint32_t end)
     char name[MML_NAME];
     uint32_t p = at + 1;
 
-    read_name(m, &p, end, name, "a macro name");
+    mml_word(m, &p, end, name, "a macro name" NAME_FORM);
     for (int i = 0; i < m->n_macros; i++)
         if (strcmp(m->macros[i].name, name) == 0)
             mml_bad(m, at, "duplicate macro \"%s\"", name);
@@ -136,12 +113,12 @@ static bool is_word(const struct mml *m, uint32_t at, uint32_t end, const char *
 {
     const size_t n = strlen(word);
 
-    return end - at >= n && memcmp(m->text + at, word, n) == 0 && (end - at == n || blank(m->text[at + n]));
+    return end - at >= n && memcmp(m->text + at, word, n) == 0 && (end - at == n || mml_is_blank(m->text[at + n]));
 }
 
 static void read_title(struct mml *m, uint32_t at, uint32_t end)
 {
-    while (end > at && blank(m->text[end - 1]))
+    while (end > at && mml_is_blank(m->text[end - 1]))
         end--;
     if (end - at >= TUNE_TITLE_SIZE)
         mml_bad(m, at, "expected a title of at most %d bytes", TUNE_TITLE_SIZE - 1);
@@ -152,10 +129,10 @@ static void read_title(struct mml *m, uint32_t at, uint32_t end)
     memcpy(m->title, m->text + at, end - at);
 }
 
-/* #swing 16,60: of each two sixteenths the first has 60 percent. */
+/* #swing 16,60: the first of every two sixteenths gets 60 percent. */
 static void read_swing(struct mml *m, uint32_t at, uint32_t p, uint32_t end)
 {
-    p = skip_blanks(m, p, end);
+    p = mml_skip(m, p, end);
     const int64_t n = mml_decimal(m, &p, end, "a length", 2000, 64000) / 1000;
     if (p == end || m->text[p] != ',' || 4 * TUNE_QUARTER % n != 0)
         mml_bad(m, p < end ? p : at,
@@ -166,15 +143,15 @@ static void read_swing(struct mml *m, uint32_t at, uint32_t p, uint32_t end)
     m->swing_from = at;
 }
 
-/* #echo B=A,8,-3 and #mark are done when the tracks are there. */
+/* #echo and #mark are read after the tracks. */
 static void read_directive(struct mml *m, uint32_t at, uint32_t end)
 {
     uint32_t p = at + 1;
 
     if (is_word(m, p, end, "title")) {
-        read_title(m, skip_blanks(m, p + 5, end), end);
+        read_title(m, mml_skip(m, p + 5, end), end);
     } else if (is_word(m, p, end, "bar")) {
-        p = skip_blanks(m, p + 3, end);
+        p = mml_skip(m, p + 3, end);
         m->bar = (int)(mml_decimal(m, &p, end, "beats per bar", 1000, 16000) / 1000);
     } else if (is_word(m, p, end, "swing")) {
         read_swing(m, at, p + 5, end);
@@ -183,19 +160,19 @@ static void read_directive(struct mml *m, uint32_t at, uint32_t end)
     }
 }
 
-/* @E, @M or @P, then a blank? */
+/* True for @E, @M or @P, then a blank. */
 static bool curve_line(const struct mml *m, uint32_t at, uint32_t end)
 {
-    return end - at > 2 && memchr("EMP", m->text[at + 1], 3) && blank(m->text[at + 2]);
+    return end - at > 2 && memchr("EMP", m->text[at + 1], 3) && mml_is_blank(m->text[at + 2]);
 }
 
-/* Instruments, curves, macros and what stands behind #. */
+/* Instruments, curves, macros and # directives. */
 static void read_lines(struct mml *m)
 {
     uint32_t tracks, body;
 
     for (uint32_t at = 0; at < m->n; at = next_line(m, at)) {
-        const uint32_t end = line_end(m, at), first = skip_blanks(m, at, end);
+        const uint32_t end = line_end(m, at), first = mml_skip(m, at, end);
         if (first == end || track_line(m, first, end, &tracks, &body))
             continue;
         if (m->text[first] == '@' && curve_line(m, first, end))
@@ -211,7 +188,7 @@ static void read_lines(struct mml *m)
     }
 }
 
-/* ---- a track written out ---- */
+/* ---- expanding a track ---- */
 
 static void put(struct mml *m, char c, uint32_t from)
 {
@@ -221,20 +198,20 @@ static void put(struct mml *m, char c, uint32_t from)
     m->line.from[m->line.n++] = from;
 }
 
-static void write_out(struct mml *m, uint32_t at, uint32_t end, int depth);
+static void expand(struct mml *m, uint32_t at, uint32_t end, int depth);
 
-static uint32_t write_macro(struct mml *m, uint32_t at, uint32_t end, int depth)
+static uint32_t expand_macro(struct mml *m, uint32_t at, uint32_t end, int depth)
 {
     char name[MML_NAME];
     struct edit_nearest near = { .word = name };
     uint32_t p = at + 1;
 
-    read_name(m, &p, end, name, "a macro name");
+    mml_word(m, &p, end, name, "a macro name" NAME_FORM);
     if (depth == MML_DEPTH)
         mml_bad(m, at, "macros nested deeper than %d (does \"%s\" contain itself?)", (int)MML_DEPTH, name);
     for (int i = 0; i < m->n_macros; i++) {
         if (strcmp(m->macros[i].name, name) == 0) {
-            write_out(m, m->macros[i].from, m->macros[i].to, depth + 1);
+            expand(m, m->macros[i].from, m->macros[i].to, depth + 1);
             return p;
         }
         edit_consider(&near, m->macros[i].name);
@@ -244,14 +221,14 @@ static uint32_t write_macro(struct mml *m, uint32_t at, uint32_t end, int depth)
     mml_bad(m, at, "unknown macro \"%s\"", name);
 }
 
-static void write_out(struct mml *m, uint32_t at, uint32_t end, int depth)
+static void expand(struct mml *m, uint32_t at, uint32_t end, int depth)
 {
     bool quoted = false;
 
     while (at < end) {
         const char c = m->text[at];
         if (c == '!' && !quoted) {
-            at = write_macro(m, at, end, depth);
+            at = expand_macro(m, at, end, depth);
             continue;
         }
         quoted = quoted != (c == '"');
@@ -267,11 +244,11 @@ static void read_tracks(struct mml *m)
     for (int i = 0; i < TUNE_MAX_TRACKS; i++) {
         m->line.n = 0;
         for (uint32_t at = 0; at < m->n; at = next_line(m, at)) {
-            const uint32_t end = line_end(m, at), first = skip_blanks(m, at, end);
+            const uint32_t end = line_end(m, at), first = mml_skip(m, at, end);
             if (!track_line(m, first, end, &tracks, &body) || !(tracks >> i & 1))
                 continue;
             m->tracks[i].used = true;
-            write_out(m, body, end, 0);
+            expand(m, body, end, 0);
         }
         if (m->tracks[i].used)
             mml_read_track(m, &m->tracks[i]);
@@ -280,7 +257,21 @@ static void read_tracks(struct mml *m)
 
 /* ---- echoes ---- */
 
-/* A copy of a track, so many ticks later and softer. */
+/* The next line from *at on that starts with # and the word: its start and end. False: there is none. */
+static bool find_directive(const struct mml *m, const char *word, uint32_t *at, uint32_t *end)
+{
+    for (; *at < m->n; *at = next_line(m, *at)) {
+        *end = line_end(m, *at);
+        const uint32_t p = mml_skip(m, *at, *end);
+        if (p < *end && m->text[p] == '#' && is_word(m, p + 1, *end, word)) {
+            *at = p;
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Copies a track, some ticks later and with another volume. */
 static void copy_track(struct mml *m, struct mml_track *to, const struct mml_track *from, uint32_t later, int louder)
 {
     to->used = true;
@@ -314,12 +305,8 @@ static void expect(struct mml *m, uint32_t *at, uint32_t end, char c)
 
 static void read_echoes(struct mml *m)
 {
-    for (uint32_t at = 0; at < m->n; at = next_line(m, at)) {
-        const uint32_t end = line_end(m, at);
-        uint32_t p = skip_blanks(m, at, end);
-        if (p == end || m->text[p] != '#' || !is_word(m, p + 1, end, "echo"))
-            continue;
-        p = skip_blanks(m, p + 5, end);
+    for (uint32_t at = 0, end = 0; find_directive(m, "echo", &at, &end); at = next_line(m, at)) {
+        uint32_t p = mml_skip(m, at + 5, end);
         const int to = read_letter(m, &p, end);
         expect(m, &p, end, '=');
         const int from = read_letter(m, &p, end);
@@ -338,20 +325,6 @@ static void read_echoes(struct mml *m)
 
 /* ---- marks, swing, warnings ---- */
 
-/* The first place of the line with that word behind #; the line's end, from `at` on. False: there is none. */
-static bool find_directive(const struct mml *m, const char *word, uint32_t *at, uint32_t *end)
-{
-    for (; *at < m->n; *at = next_line(m, *at)) {
-        *end = line_end(m, *at);
-        const uint32_t p = skip_blanks(m, *at, *end);
-        if (p < *end && m->text[p] == '#' && is_word(m, p + 1, *end, word)) {
-            *at = p;
-            return true;
-        }
-    }
-    return false;
-}
-
 static uint32_t last_tick(const struct mml *m)
 {
     uint32_t end = 0;
@@ -366,11 +339,11 @@ static uint32_t last_tick(const struct mml *m)
 static void read_marks(struct mml *m)
 {
     for (uint32_t at = 0, end = 0; find_directive(m, "mark", &at, &end); at = next_line(m, at)) {
-        uint32_t p = skip_blanks(m, at + 5, end);
+        uint32_t p = mml_skip(m, at + 5, end);
         char name[TUNE_NAME_SIZE];
         int64_t beat = 1;
-        read_name(m, &p, end, name, "a marker name, as in #mark drop 17");
-        p = skip_blanks(m, p, end);
+        mml_word(m, &p, end, name, "a marker name, as in #mark drop 17" NAME_FORM);
+        p = mml_skip(m, p, end);
         const int64_t bar = mml_decimal(m, &p, end, "a bar", 1000, 4096000) / 1000;
         if (p < end && m->text[p] == ',') {
             p++;
@@ -387,7 +360,7 @@ static void read_marks(struct mml *m)
     }
 }
 
-/* Where a tick is with swing. */
+/* The tick with swing applied. */
 static uint32_t swung(const struct mml *m, uint32_t tick)
 {
     const uint32_t half = m->swing, pair = tick / (2 * half) * (2 * half), k = tick - pair;
@@ -435,8 +408,8 @@ static void warn_near(const struct mml *m, const struct mml_about *about, uint32
     about->warn(about->context, sentence);
 }
 
-/* The note before the two fades in the slot that the first of them needs. Each place is named once. */
-void mml_look_at_notes(struct mml *m, const struct mml_about *about)
+/* Of three notes this close, the third cuts the second off. Each place is reported once. */
+void mml_warn_notes(struct mml *m, const struct mml_about *about)
 {
     for (int i = 0; about->warn && i < TUNE_MAX_TRACKS; i++) {
         struct mml_track *t = &m->tracks[i];
@@ -457,8 +430,8 @@ void mml_look_at_notes(struct mml *m, const struct mml_about *about)
     }
 }
 
-/* A script sees the last marker of a frame alone. */
-static void look_at_marks(struct mml *m)
+/* A script sees only the last marker of a frame. */
+static void check_marks(struct mml *m)
 {
     struct mml_track *c = &m->conductor;
     const struct mml_event *last = NULL;
@@ -498,8 +471,8 @@ static void compile(struct mml *m, const struct mml_about *about, uint8_t **out,
     mml_swing(m);
     if (!any_track(m))
         mml_bad(m, 0, "no track (a line that starts with A and a space)");
-    look_at_marks(m);
-    mml_look_at_notes(m, about);
+    check_marks(m);
+    mml_warn_notes(m, about);
     mml_make(m, about, out, size);
 }
 

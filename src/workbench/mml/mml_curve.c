@@ -1,7 +1,7 @@
 /*
  * mml_curve.c - curves and waves of MML instruments. A wave is the sum of its harmonics, in versions with fewer and
- * fewer of them (inst.h); points are a turn's values, and what is heard is the smoothest line through them. All of it
- * is whole numbers, so that a piece is packed to the same bytes everywhere.
+ * fewer of them (inst.h). Points are values of a cycle; the wave is the smoothest line through them. Everything is
+ * whole numbers, so that the bytes are the same on every host.
  */
 #include "mml_parts.h"
 
@@ -9,11 +9,10 @@
 #include <string.h>
 #include "../../base/bytes.h"
 #include "../../base/trig.h"
-#include "../../sound/tables.h"
 #include "../../common/result.h"
 
-/* The number of that piece; takes the bytes. */
-static uint32_t keep_piece(struct mml *m, uint32_t at, uint8_t *bytes, uint32_t n)
+/* Adds a piece, unless an equal one exists; returns its number. Takes the bytes. */
+static uint32_t add_piece(struct mml *m, uint32_t at, uint8_t *bytes, uint32_t n)
 {
     for (uint32_t i = 0; i < m->n_pieces; i++)
         if (m->pieces[i].n == n && memcmp(m->pieces[i].bytes, bytes, n) == 0) {
@@ -37,14 +36,6 @@ static uint8_t *room(struct mml *m, uint32_t at, size_t n)
         mml_bad(m, at, "out of memory");
     }
     return p;
-}
-
-static bool comma(const struct mml *m, uint32_t *at, uint32_t end)
-{
-    if (*at == end || m->text[*at] != ',')
-        return false;
-    ++*at;
-    return true;
 }
 
 /* ---- curves ---- */
@@ -85,13 +76,13 @@ uint32_t mml_read_curve(struct mml *m, uint32_t *at, uint32_t end, char kind)
             curve[1] = n;
             continue;
         }
-        if (!comma(m, at, end))
+        if (!mml_comma(m, at, end))
             break;
     } while (true);
     curve[0] = n;
     uint8_t *bytes = room(m, from, inst_curve_size(curve));
     memcpy(bytes, curve, inst_curve_size(curve));
-    return keep_piece(m, from, bytes, (uint32_t)inst_curve_size(curve));
+    return add_piece(m, from, bytes, (uint32_t)inst_curve_size(curve));
 }
 
 void mml_read_curve_line(struct mml *m, uint32_t at, uint32_t end)
@@ -128,21 +119,21 @@ uint32_t mml_find_curve(const struct mml *m, char kind, const char *name)
 
 /* ---- waves ---- */
 
-/* A wave's harmonics, Q20: what the first of the pair is to the sine, the second to the cosine. */
+/* A wave's harmonics, Q20: the parts of sine and cosine. */
 struct harmonics {
     int n;
     int64_t part[WAVE_MAX_HARMONICS + 1][2];
 };
 
-/* Up to which harmonic version v goes. */
-static int reaches(int v)
+/* The highest harmonic of version v. */
+static int highest_harmonic(int v)
 {
     static const uint8_t harmonics[WAVE_MAX_VERSIONS] = { 1, 2, 3, 4, 6, 8, 11, 16, 23, 32 };
 
     return harmonics[v];
 }
 
-/* Value i of 2^bits in a turn, of the harmonics up to `up_to`, Q30. */
+/* Value i of 2^bits in a cycle, of the harmonics up to `up_to`, Q30. */
 static int64_t value_at(const struct harmonics *h, int up_to, uint32_t i, int bits)
 {
     int64_t v = 0;
@@ -156,12 +147,12 @@ static int64_t value_at(const struct harmonics *h, int up_to, uint32_t i, int bi
 
 enum { LOUDEST = 27600 /* as a saw's */ };
 
-static uint32_t keep_wave(struct mml *m, uint32_t from, const struct harmonics *h)
+static uint32_t add_wave(struct mml *m, uint32_t from, const struct harmonics *h)
 {
     int versions = 1;
     int64_t most = 1;
 
-    while (reaches(versions - 1) < h->n)
+    while (highest_harmonic(versions - 1) < h->n)
         versions++;
     for (uint32_t i = 0; i < 4096; i++) {
         const int64_t v = value_at(h, h->n, i, 12);
@@ -173,11 +164,11 @@ static uint32_t keep_wave(struct mml *m, uint32_t from, const struct harmonics *
         uint8_t *p = bytes + inst_wave_offset(v);
         const uint32_t n = 1u << inst_wave_bits(v);
         for (uint32_t i = 0; i <= n; i++) {
-            const int64_t x = value_at(h, reaches(v), i % n, inst_wave_bits(v)) * LOUDEST / most;
+            const int64_t x = value_at(h, highest_harmonic(v), i % n, inst_wave_bits(v)) * LOUDEST / most;
             bytes_put16(p + 2 * i, (uint16_t)(x < -32767 ? -32767 : x > 32767 ? 32767 : x));
         }
     }
-    return keep_piece(m, from, bytes, (uint32_t)inst_wave_offset(versions));
+    return add_piece(m, from, bytes, (uint32_t)inst_wave_offset(versions));
 }
 
 uint32_t mml_read_harmonics(struct mml *m, uint32_t *at, uint32_t end)
@@ -189,17 +180,17 @@ uint32_t mml_read_harmonics(struct mml *m, uint32_t *at, uint32_t end)
         if (h.n == WAVE_MAX_HARMONICS)
             mml_bad(m, from, "expected at most %d harmonics", (int)WAVE_MAX_HARMONICS);
         h.part[++h.n][0] = (mml_decimal(m, at, end, "percent", -100000, 100000) << 20) / 100000;
-    } while (comma(m, at, end));
+    } while (mml_comma(m, at, end));
     while (h.n > 0 && h.part[h.n][0] == 0)
         h.n--;
     if (h.n == 0)
         mml_bad(m, from, "expected at least one harmonic above 0");
-    return keep_wave(m, from, &h);
+    return add_wave(m, from, &h);
 }
 
 enum { POINTS = 2 * WAVE_MAX_HARMONICS };
 
-/* The harmonics of a turn through those points. */
+/* The harmonics of a cycle through the points. */
 static struct harmonics through(const int64_t *point, int n)
 {
     struct harmonics h = { .n = n / 2 };
@@ -228,9 +219,9 @@ uint32_t mml_read_points(struct mml *m, uint32_t *at, uint32_t end)
             mml_bad(m, from, "expected at most %d points", (int)POINTS);
         point[n++] = mml_decimal(m, at, end, "percent", -100000, 100000);
         same = same && point[n - 1] == point[0];
-    } while (comma(m, at, end));
+    } while (mml_comma(m, at, end));
     if (n < 4 || same)
         mml_bad(m, from, "expected 4 to %d points per cycle, not all equal", (int)POINTS);
     const struct harmonics h = through(point, n);
-    return keep_wave(m, from, &h);
+    return add_wave(m, from, &h);
 }

@@ -58,8 +58,7 @@ static int kind_named(const char *name)
     return -1;
 }
 
-/* Settings as they are without being set. Of two operators the first bends by two radians; of four, as algorithm 7
- * has them all, each is heard. */
+/* The default settings. The first of two operators modulates by two radians; all four of algorithm 7 are audible. */
 static struct mml_inst plain_of(int kind)
 {
     struct mml_inst i = plain;
@@ -76,7 +75,7 @@ static struct mml_inst plain_of(int kind)
     return i;
 }
 
-/* Every kind but a sample and a wave is an instrument without being declared. */
+/* Every kind except sample and wave is a built-in instrument. */
 bool mml_find_inst(const struct mml *m, const char *name, struct mml_inst *out)
 {
     const int kind = kind_named(name);
@@ -92,7 +91,7 @@ bool mml_find_inst(const struct mml *m, const char *name, struct mml_inst *out)
     return true;
 }
 
-/* Those that are heard are together as loud as one at most. */
+/* Audible operators together are at most as loud as one. */
 static void balance(struct mml_inst *i)
 {
     const int n = inst_op_count(i->inst.kind);
@@ -137,16 +136,24 @@ void mml_word(struct mml *m, uint32_t *at, uint32_t end, char out[MML_NAME], con
 
 uint32_t mml_skip(const struct mml *m, uint32_t at, uint32_t end)
 {
-    while (at < end && (m->text[at] == ' ' || m->text[at] == '\t' || m->text[at] == '\r'))
+    while (at < end && mml_is_blank(m->text[at]))
         at++;
     return at;
+}
+
+bool mml_comma(const struct mml *m, uint32_t *at, uint32_t end)
+{
+    const bool found = *at < end && m->text[*at] == ',';
+
+    *at += found;
+    return found;
 }
 
 /* ---- settings ---- */
 
 enum { LONG = 60000000 /* a minute in thousandths of a millisecond: the longest time */ };
 
-/* A setting being read: its instrument, its name and where that is, where its value goes on, where the line ends. */
+/* A setting being read: its instrument, its name and place, the rest of its value, the end of the line. */
 struct setting {
     struct mml *m;
     struct mml_inst *i;
@@ -181,10 +188,7 @@ static uint16_t radians(struct setting *s)
 
 static bool next(struct setting *s)
 {
-    if (s->at == s->end || s->m->text[s->at] != ',')
-        return false;
-    s->at++;
-    return true;
+    return mml_comma(s->m, &s->at, s->end);
 }
 
 static void comma(struct setting *s, const char *form)
@@ -201,7 +205,7 @@ static void read_lfo(struct setting *s, struct lfo *l, const char *form)
     l->delay = time_of(s);
 }
 
-/* op2=RATIO,LEVEL,ATTACK,DECAY,SUSTAIN,RELEASE: of them as many as are there. */
+/* op2=RATIO,LEVEL,ATTACK,DECAY,SUSTAIN,RELEASE; later values may be missing. */
 static void read_op(struct setting *s, int k)
 {
     struct op *o = &s->i->ops[k];
@@ -228,7 +232,7 @@ static void read_op(struct setting *s, int k)
         o->env.release = time_of(s);
 }
 
-/* Which of two meanings a level has, the algorithm says: so it is set before them. */
+/* The algorithm decides the meaning of levels, so it must be before them. */
 static void read_algorithm(struct setting *s)
 {
     const uint32_t from = s->at;
@@ -276,7 +280,7 @@ static bool read_time(struct setting *s)
     return false;
 }
 
-/* Settings of FM: `ratio`, `depth` and `dull` are the first operator's, in short. */
+/* Settings of FM: `ratio`, `depth` and `dull` are short for the first operator's. */
 static bool read_fm(struct setting *s)
 {
     struct op *o = s->i->ops;
@@ -373,7 +377,7 @@ static void check_name(struct mml *m, uint32_t at, const char *name)
             mml_bad(m, at, "duplicate instrument \"%s\"", name);
 }
 
-/* The kind at *at, or the instrument it is started from. */
+/* Reads a kind, or the name of an instrument to start from. */
 static struct mml_inst read_kind(struct mml *m, uint32_t *at, uint32_t end)
 {
     const uint32_t from = *at;
@@ -410,7 +414,7 @@ void mml_read_inst(struct mml *m, uint32_t at, uint32_t end)
         s.at = p + 1;
         read_setting(&s);
         p = s.at;
-        if (p < end && m->text[p] != ' ' && m->text[p] != '\t' && m->text[p] != '\r')
+        if (p < end && !mml_is_blank(m->text[p]))
             mml_bad(m, p, "expected a space after %s, got \"%c\"", word, m->text[p]);
     }
     if (inst.inst.kind == INST_WAVE && inst.inst.wave == 0)

@@ -1,6 +1,6 @@
 /*
- * mml_track.c - the commands of a track, read from its written-out text. Loops are played out here: the board reads
- * events one after the other, and knows no loop but the endless one.
+ * mml_track.c - the commands of a track, read from its expanded text. Loops are unrolled here: the board reads events
+ * in order, and only supports the endless loop.
  */
 #include "mml_parts.h"
 
@@ -8,11 +8,11 @@
 #include "../../base/edit.h"
 #include "../../sound/pitch.h"
 
-enum { WHOLE = 4 * TUNE_QUARTER, KEYS = 7, GRACES = 4, GRACE = WHOLE / 32 /* ticks, unless it says another length */ };
+enum { WHOLE = 4 * TUNE_QUARTER, KEYS = 7, GRACES = 4, GRACE = WHOLE / 32 /* ticks, the default length */ };
 
 struct loop {
-    uint32_t begin, end, exit; /* end: behind ]n, 0: not known yet */
-    int left;                  /* passes, with this one; 0: the first pass */
+    uint32_t begin, end, exit; /* end: after ]n, 0: not known yet */
+    int left;                  /* passes, including this one; 0: first pass */
 };
 
 struct reader {
@@ -20,8 +20,8 @@ struct reader {
     struct mml_track *t;
     uint32_t p; /* in m->line */
     uint32_t tick;
-    struct mml_inst inst; /* that was chosen */
-    int inst_now;         /* that the track plays, -1: none yet */
+    struct mml_inst inst; /* the chosen one */
+    int inst_now;         /* number of the one that the track plays, -1: none yet */
     int octave, transpose, volume, pan;
     int detune; /* cents */
     int accidental[KEYS];
@@ -29,11 +29,11 @@ struct reader {
     int gate;                  /* eighths */
     uint32_t cut;              /* ticks */
     int last;                  /* pitch, -1: no note yet */
-    bool slurred;              /* the note before goes on */
-    uint32_t glide;            /* ticks in which a note slides from the one before; 0: it does not */
-    int from_below;            /* semitones from which a note slides up ... */
-    uint32_t from_below_ticks; /* ... in so many; 0: it does not */
-    uint32_t strike;           /* ticks from one stroke of a note to the next; 0: there is one */
+    bool slurred;              /* the previous note continues */
+    uint32_t glide;            /* ticks of the slide from the previous note; 0: none */
+    int from_below;            /* semitones below a note where its slide starts */
+    uint32_t from_below_ticks; /* ticks of that slide; 0: none */
+    uint32_t strike;           /* ticks between strokes of a note; 0: one stroke */
     int strike_louder;         /* steps of 8 of 127 */
     int graces, grace[GRACES]; /* their pitches */
     uint32_t grace_ticks[GRACES];
@@ -79,7 +79,7 @@ static bool digit(char c)
     return c >= '0' && c <= '9';
 }
 
-/* What stands there, for an error: a character in quotes, all its bytes. */
+/* The next character in quotes, with all its bytes, for an error. */
 enum { SEEN = 8 };
 
 static const char *seen(const struct reader *r, char out[SEEN])
@@ -100,7 +100,7 @@ static const char *seen(const struct reader *r, char out[SEEN])
     return out;
 }
 
-/* A whole number, with + or - before it where lo is below 0. */
+/* A whole number, with a sign if lo is below 0. */
 static int number(struct reader *r, const char *what, int lo, int hi)
 {
     char got[SEEN];
@@ -140,7 +140,7 @@ static int hundredths(struct reader *r, const char *what, int lo, int hi)
 
 /* ---- lengths ---- */
 
-/* 4, 4., %120, or nothing: the usual one. */
+/* 4, 4., %120, or nothing: the default length. */
 static uint32_t one_length(struct reader *r)
 {
     const uint32_t from = r->p;
@@ -185,7 +185,7 @@ static void advance(struct reader *r, uint32_t ticks, uint32_t from)
         BAD(r, from, "longer than %d whole notes", MML_TICKS / WHOLE);
 }
 
-/* The length of what has just been read; in {{ }} its share. */
+/* The length of a note or rest; in {{ }} its share. */
 static uint32_t lasting(struct reader *r, uint32_t from)
 {
     if (r->group_n == 0)
@@ -215,7 +215,7 @@ static void use_inst(struct reader *r, uint32_t from)
     r->inst_now = i;
 }
 
-/* The pitch of the note at p, in 256ths; p moves behind its signs. */
+/* Reads a note and its accidentals: its pitch in 256ths of a semitone. */
 static int pitch(struct reader *r)
 {
     static const int semitones[KEYS] = { 9, 11, 0, 2, 4, 5, 7 }; /* a to g */
@@ -244,7 +244,8 @@ static bool ends_group(const struct reader *r)
     return r->group_n && peek(r) == '}' && peek_at(r, 1) == '}';
 }
 
-/* Is the note before p slurred to the next one? The last note of {{ }} is by the & behind it, which end_group takes. */
+/* True if the note before p is slurred to the next one. After the last note of {{ }}, the & is after the group, and
+ * end_group takes it. */
 static bool slurs_on(struct reader *r)
 {
     skip(r);
@@ -263,7 +264,7 @@ static bool slurs_on(struct reader *r)
     return true;
 }
 
-/* When a note of so many ticks is let go. */
+/* Ticks until the release of a note. */
 static uint32_t gated(const struct reader *r, uint32_t ticks)
 {
     uint32_t n = ticks * (uint32_t)r->gate / 8;
@@ -272,7 +273,7 @@ static uint32_t gated(const struct reader *r, uint32_t ticks)
     return n < ticks ? n : ticks;
 }
 
-/* The grace notes before a note; what is left of its ticks. */
+/* Plays the grace notes before a note; returns the rest of its ticks. */
 static uint32_t play_graces(struct reader *r, uint32_t ticks, uint32_t from)
 {
     if (r->graces && r->slurred)
@@ -289,7 +290,7 @@ static uint32_t play_graces(struct reader *r, uint32_t ticks, uint32_t from)
     return ticks;
 }
 
-/* The note begins; with S and G elsewhere, from where it slides to its pitch. */
+/* Starts a note; with S and G it slides to its pitch. */
 static void begin_note(struct reader *r, int v, uint32_t ticks)
 {
     uint32_t over = r->from_below_ticks ? r->from_below_ticks : r->glide;
@@ -302,7 +303,7 @@ static void begin_note(struct reader *r, int v, uint32_t ticks)
         event(r, r->tick, TUNE_GLIDE, v, (int)over);
 }
 
-/* W: the note is struck again and again until it is let go after so many ticks, each time softer. */
+/* W: repeats the strokes of a note until its release, with changing volume. */
 static void strike_again(struct reader *r, int v, uint32_t until, uint32_t ticks)
 {
     int volume = r->volume;
@@ -318,7 +319,7 @@ static void strike_again(struct reader *r, int v, uint32_t until, uint32_t ticks
         event(r, r->tick + ticks, TUNE_VOLUME, r->volume, 0);
 }
 
-/* A note of that pitch; to: where it slides after `delay` ticks, or -1. */
+/* Plays a note; to: the pitch it slides to after `delay` ticks, or -1. */
 static void play(struct reader *r, int v, uint32_t ticks, int to, uint32_t delay, uint32_t from)
 {
     use_inst(r, from);
@@ -342,7 +343,7 @@ static void play(struct reader *r, int v, uint32_t ticks, int to, uint32_t delay
     advance(r, ticks, from);
 }
 
-/* ~c16: a note before the next one, which is that much shorter. */
+/* ~c16: a grace note, whose time the next note loses. */
 static void grace(struct reader *r)
 {
     const uint32_t from = r->p++;
@@ -496,7 +497,7 @@ static void leave_loop(struct reader *r)
     }
 }
 
-/* It begins as it is now, each time. */
+/* Each repeat starts with the settings of the first. */
 static void endless(struct reader *r)
 {
     if (r->t->loop >= 0)
@@ -542,15 +543,19 @@ static void set_tempo(struct reader *r)
             hundredths(r, "quarter notes per minute", TEMPO_MIN, TEMPO_MAX), 0);
 }
 
+static void read_name(struct reader *r, char name[MML_NAME])
+{
+    for (int n = 0; mml_name_char(peek(r)) && n < MML_NAME - 1; r->p++)
+        name[n++] = peek(r);
+}
+
 static void set_inst(struct reader *r)
 {
     const uint32_t from = r->p++;
     char name[MML_NAME] = "";
     struct edit_nearest near = { .word = name };
-    int n = 0;
 
-    for (; mml_name_char(peek(r)) && n < MML_NAME - 1; r->p++)
-        name[n++] = peek(r);
+    read_name(r, name);
     if (mml_find_inst(r->m, name, &r->inst))
         return;
     for (int i = 0; i < r->m->n_named; i++)
@@ -567,13 +572,12 @@ static void comma(struct reader *r, const char *expected)
     r->p++;
 }
 
-/* A curve by its name, or - for none: Eswell, Mdrop, Paround. False: it is something else. */
+/* Reads the name of a curve, or - for none: Eswell, Mdrop, Paround. False: no name. */
 static bool set_curve(struct reader *r, char kind, uint32_t *piece)
 {
     const uint32_t from = r->p;
     const char c = peek_at(r, 1);
     char name[MML_NAME] = "";
-    int n = 0;
 
     if (c != '-' && (c < 'a' || c > 'z'))
         return false;
@@ -583,8 +587,7 @@ static bool set_curve(struct reader *r, char kind, uint32_t *piece)
         r->p++;
         return true;
     }
-    for (; mml_name_char(peek(r)) && n < MML_NAME - 1; r->p++)
-        name[n++] = peek(r);
+    read_name(r, name);
     *piece = mml_find_curve(r->m, kind, name);
     if (*piece == 0)
         BAD(r, from, "unknown curve \"%s\": expected a line @%c %s FRAMES:VALUE,VALUE...", name, kind, name);
@@ -609,7 +612,7 @@ static void set_envelope(struct reader *r)
     e->release = mml_samples(1000 * (int64_t)number(r, form, 0, 60000));
 }
 
-/* What stands behind the depth of M and MA: ,hertz,milliseconds. */
+/* The rest of M and MA: ,hertz,milliseconds. */
 static void read_lfo(struct reader *r, struct lfo *l, const char *form)
 {
     comma(r, form);
@@ -659,7 +662,7 @@ static uint32_t length_or_none(struct reader *r, const char *form)
     return length(r);
 }
 
-/* G16: notes slide from the one before within a 16th. */
+/* G16: notes slide from the previous one within a 16th. */
 static void set_glide(struct reader *r)
 {
     r->p++;
@@ -668,7 +671,7 @@ static void set_glide(struct reader *r)
         BAD(r, r->p, "slides are limited to 65535 ticks");
 }
 
-/* S2,16: notes come from 2 semitones below within a 16th. */
+/* S2,16: notes slide up from 2 semitones below within a 16th. */
 static void set_from_below(struct reader *r)
 {
     static const char form[] = "S semitones,length, as in S2,16, or S0";
@@ -685,7 +688,7 @@ static void set_from_below(struct reader *r)
         BAD(r, from, "expected %s", form);
 }
 
-/* W8,-2: notes are struck again each 8th, 2 of 16 softer. */
+/* W8,-2: notes are repeated every 8th, each time 2 of 16 softer. */
 static void set_strike(struct reader *r)
 {
     static const char form[] = "W length,steps, as in W8,-2, or W0";
@@ -699,7 +702,7 @@ static void set_strike(struct reader *r)
     r->strike_louder = number(r, "a volume change (of 16),", -15, 15);
 }
 
-/* D20: 20 cents higher; DD5: 5 more than that. */
+/* D20: 20 cents higher; DD5: 5 cents more. */
 static void set_detune(struct reader *r)
 {
     const bool more = peek_at(r, 1) == 'D';
@@ -710,7 +713,7 @@ static void set_detune(struct reader *r)
         BAD(r, r->p, "detuned by %d cents; expected -1200 to 1200", r->detune);
 }
 
-/* K-12, _-12: 12 semitones lower; __2: 2 higher than that. */
+/* K-12, _-12: 12 semitones lower; __2: 2 semitones more. */
 static void set_transpose(struct reader *r)
 {
     const bool more = peek(r) == '_' && peek_at(r, 1) == '_';
@@ -723,7 +726,7 @@ static void set_transpose(struct reader *r)
         BAD(r, r->p, "transposed by %d semitones; expected -48 to 48", r->transpose);
 }
 
-/* _{+fc}: from now on f and c are sharp; _{=}: as written. */
+/* _{+fc}: f and c become sharp; _{=}: no accidentals. */
 static void set_key(struct reader *r)
 {
     const uint32_t from = r->p;
