@@ -196,7 +196,7 @@ static void refused(const char *line)
     uint8_t *bytes;
     size_t size;
 
-    assert_false(pack_folder(dir, false, &bytes, &size, err, sizeof err));
+    assert_false(pack_folder(dir, false, NULL, NULL, &bytes, &size, err, sizeof err));
     assert_string_equal(err, line);
 }
 
@@ -944,7 +944,7 @@ static void test_art_errors(void **state)
     refused("rom.lua: art/p.png does not exist");
     put_game("return { palette = 'art/p.png' }");
     put_text("art/p.png", "not a picture");
-    assert_false(pack_folder(dir, false, &(uint8_t *){ NULL }, &(size_t){ 0 }, err, sizeof err));
+    assert_false(pack_folder(dir, false, NULL, NULL, &(uint8_t *){ NULL }, &(size_t){ 0 }, err, sizeof err));
     assert_int_equal(strncmp(err, "art/p.png: ", 11), 0);
     put_sheet("art/p.png", (const char *const[]){ "ab" }, 2, 1);
     refused("art/p.png: 2x1 pixels, expected 16x16: one row per bank, one column per shade");
@@ -964,7 +964,7 @@ static void test_too_large_turned(void **state)
              "  a = { sheet = 's', w = 2, h = 1, rotations = 2, origin = { 1000, 0 } } } }");
     put_palette("p.png");
     put_sheet("s.png", (const char *const[]){ "aa" }, 2, 1);
-    assert_false(pack_folder(dir, false, &(uint8_t *){ NULL }, &(size_t){ 0 }, err, sizeof err));
+    assert_false(pack_folder(dir, false, NULL, NULL, &(uint8_t *){ NULL }, &(size_t){ 0 }, err, sizeof err));
     assert_non_null(strstr(err, "s.png: sprite \"a\": 200"));
     assert_non_null(strstr(err, " pixels when rotated, expected at most 1024 in each direction"));
 }

@@ -613,7 +613,7 @@ void check_run(struct check *c)
         return;
     }
     r->c = c;
-    if (!pack_folder_told(c->dir, true, add_sentence, c, &r->image.bytes, &r->image.size, err, sizeof err)) {
+    if (!pack_folder(c->dir, true, add_sentence, c, &r->image.bytes, &r->image.size, err, sizeof err)) {
         r->image.bytes = NULL;
         check_rom_sentence(c, err);
         c->broken = true;

@@ -1,6 +1,6 @@
 /*
- * ase.c - see ase.h: the file. It is frames of chunks, each with its size, so what is not known is passed over. All is
- * read through a cursor that gives zeros behind the end and remembers it, so each chunk is checked once, at its end.
+ * ase.c - see ase.h: the file. It is frames of chunks, each with its size, so unknown ones are skipped. The cursor
+ * returns zeros after the end and remembers that, so each chunk is checked once, at its end.
  */
 #include "ase.h"
 
@@ -33,12 +33,12 @@ enum {
 struct reader {
     const uint8_t *p;
     size_t n, at; /* n: of the chunk */
-    bool past;    /* something behind the end was asked for */
+    bool past;    /* a read went past the end */
     struct ase *a;
     ase_inflate *inflate;
     bool opacities, groups; /* the header's flags: layers, and groups, have a valid opacity */
     bool new_palette;
-    bool group_shown[MAX_LEVEL + 1]; /* of the groups round the layer that comes next, by level */
+    bool group_shown[MAX_LEVEL + 1]; /* groups around the next layer, by level */
     int level;                       /* of the innermost group that is open; -1: none */
     size_t bytes;                    /* of all images */
     int slices;
@@ -132,7 +132,7 @@ static bool blend_known(int blend)
 
 enum { LAYER_IMAGE, LAYER_GROUP, LAYER_TILEMAP };
 
-/* May a layer that is shown be so? */
+/* Checks a visible layer. */
 static bool check_layer(struct reader *r, const struct ase_layer *l, int type)
 {
     if (type == LAYER_TILEMAP)
@@ -236,7 +236,7 @@ static bool read_cel(struct reader *r)
         return refuse(r, "damaged Aseprite file: frame %d has a cel in layer %d, but the last layer is %d", a->n_frames,
                       c.layer + 1, a->n_layers);
     if (type == TILES)
-        return true; /* of a layer that is not shown */
+        return true; /* in a hidden layer */
     if (type > TILES)
         return refuse(r, "frame %d, layer \"%s\": unknown cel type", a->n_frames, a->layers[c.layer].name);
     for (int i = 0; i < f->cels; i++)
@@ -302,7 +302,7 @@ static bool read_palette(struct reader *r)
     return true;
 }
 
-/* Files of before version 1.3 say it in packets: some colours kept, some given. */
+/* Before version 1.3 a palette is packets: colours to skip, colours to set. */
 static bool read_old_palette(struct reader *r, bool six_bits)
 {
     struct ase *a = r->a;
@@ -356,7 +356,7 @@ static bool read_slice(struct reader *r)
 
 static bool read_chunk(struct reader *r, int type)
 {
-    const bool first = r->a->n_frames == 1; /* a palette of a later frame is of no use to a game, which has one */
+    const bool first = r->a->n_frames == 1; /* a game has one palette */
 
     switch (type) {
     case CHUNK_LAYER:
@@ -463,7 +463,7 @@ static bool read_header(struct reader *r, const uint8_t *p, size_t n, int *frame
     return true;
 }
 
-/* Tags of frames that are there; and what is blended takes the indices away. */
+/* Checks frames of tags; blending removes the indices. */
 static bool finish(struct reader *r)
 {
     struct ase *a = r->a;

@@ -1,10 +1,10 @@
 /*
- * ase.h - files of Aseprite and LibreSprite (.ase, .aseprite), read for their pictures, tags and slices.
+ * ase.h - reads pictures, tags and slices of Aseprite and LibreSprite files (.ase, .aseprite).
  *
  * Read from the published format: indexed, grey and RGBA sprites; cels raw, compressed or linked; layers in groups,
- * with opacity and blend modes; both kinds of palette chunk. What no game needs is passed over: user data, colour
- * profiles, external files, paths. Refused, as far as they are shown: tilemaps, groups with an opacity or blend of
- * their own, and the blend modes soft light, hue, saturation, colour and luminosity.
+ * with opacity and blend modes; both kinds of palette chunk. Skipped: user data, colour profiles, external files,
+ * paths. Errors, if they are visible: tilemaps, groups with an opacity or blend of their own, and the blend modes soft
+ * light, hue, saturation, colour and luminosity.
  */
 #ifndef WORKBENCH_ASE_H
 #define WORKBENCH_ASE_H
@@ -76,10 +76,10 @@ struct ase_tag {
     enum ase_way way;
 };
 
-/* A slice from a frame on: its rectangle on the canvas. */
+/* A slice starting at a frame: its rectangle on the canvas. */
 struct ase_key {
     char name[ASE_NAME];
-    int slice, frame; /* slices are numbered as they come */
+    int slice, frame; /* slices are numbered in order */
     int32_t x, y, w, h;
     bool pivoted;
     int32_t px, py; /* of the pivot, from the rectangle's corner */
@@ -100,7 +100,7 @@ struct ase {
     int n_layers, n_images, n_cels, n_frames, n_tags, n_keys;
 };
 
-/* Inflates zlib data to just that size, into memory of a byte more; false: it is damaged. png_inflate is one. */
+/* Inflates zlib data to exactly `size` bytes; out has space for one more. False: it is damaged. See png_inflate. */
 typedef bool ase_inflate(const uint8_t *packed, size_t n, uint8_t *out, size_t size);
 
 /* Reads a whole file. False and one sentence, without the file's name; close it either way. */

@@ -1,14 +1,14 @@
 /*
- * ase_sprite.h - what a game's sprite is in a file of Aseprite's: a tag its frames, slices its hit shape and origin.
+ * ase_sprite.h - makes sprites from Aseprite files: frames from tags, hit shapes and origin from slices.
  *
- * Slices are looked at as they are in the sprite's first frame. The first word of a slice's name says what it is:
+ * Slices count as they are in the sprite's first frame. The first word of a slice's name is its meaning:
  *
  *     hit       the largest circle in the rectangle; up to four of them together
  *     box       the whole rectangle
  *     capsule   the longest bar in it, with round ends
  *
- * A box and a capsule lie about the origin, to half a pixel: bullets and enemies have no others. The first pivot of any
- * slice is the origin, if rom.lua gives none. Slices of other names are somebody else's.
+ * A box and a capsule are centred on the origin, to half a pixel, because bullets and enemies have no others. The first
+ * pivot of any slice is the origin, if rom.lua gives none. Other slices are ignored.
  */
 #ifndef WORKBENCH_ASE_SPRITE_H
 #define WORKBENCH_ASE_SPRITE_H
@@ -17,11 +17,11 @@
 #include "ase.h"
 #include "art.h"
 
-/* A sprite as art_make_sprite takes it: its frames as a strip, and nothing in it left to be looked up. */
+/* The input of art_make_sprite: frames as a strip, all settings complete. */
 struct ase_sprite {
     struct art_picture picture;
     struct art_sprite sprite;
-    struct cart_hitbox hit; /* rows 0: none was drawn */
+    struct cart_hitbox hit; /* rows 0: none */
     uint16_t frames[CART_MAX_FRAMES];
 };
 

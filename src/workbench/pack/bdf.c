@@ -1,5 +1,5 @@
 /*
- * bdf.c - see bdf.h. A line is a word and numbers; words that say nothing of pictures are passed over.
+ * bdf.c - see bdf.h. A line is a word and numbers; words that don't concern the pictures are skipped.
  */
 #include "bdf.h"
 
@@ -98,7 +98,7 @@ static bool refuse(const struct reader *r, const char *format, ...)
     return false;
 }
 
-/* The next line; false: there are no more. */
+/* Reads the next line; false: the end. */
 static bool next(struct reader *r)
 {
     if (r->p == r->end)
@@ -117,7 +117,7 @@ static bool next(struct reader *r)
     return true;
 }
 
-/* What stands behind the line's first word, if that is this one; else NULL. */
+/* The rest of the line after its first word, if that is `word`; otherwise NULL. */
 static const char *behind(const struct reader *r, const char *word)
 {
     size_t n = strlen(word);
@@ -127,7 +127,7 @@ static const char *behind(const struct reader *r, const char *word)
     return r->line + n + strspn(r->line + n, " \t");
 }
 
-/* n whole numbers of that range. */
+/* Reads n whole numbers from lo to hi. */
 static bool numbers(const struct reader *r, const char *s, int n, int64_t lo, int64_t hi, int64_t out[NUMBERS])
 {
     for (int i = 0; i < n; i++) {
@@ -156,7 +156,7 @@ static void take_name(const char *from, char out[NAME])
     out[n] = '\0';
 }
 
-/* Registry and encoding end an X logical font description, "-misc-fixed-...-iso8859-2". */
+/* Registry and encoding are at the end of an X logical font description, "-misc-fixed-...-iso8859-2". */
 static void take_font(struct reader *r, const char *name)
 {
     int dashes = 0;
@@ -166,7 +166,7 @@ static void take_font(struct reader *r, const char *name)
             take_name(s + 1, r->font);
 }
 
-/* Which characters the numbers of the font are. A font that does not say is read as Unicode. */
+/* Finds the character set of the font's numbers. The default is Unicode. */
 static bool find_charset(struct reader *r)
 {
     char name[2 * NAME + 1];
@@ -200,7 +200,7 @@ static bool read_bits(struct reader *r, int64_t bits)
     return true;
 }
 
-/* SIZE points x y, and in fonts of greys the bits of a pixel. */
+/* SIZE points x y, and in greyscale fonts the bits per pixel. */
 static bool read_size(struct reader *r, const char *s)
 {
     int64_t v[NUMBERS];
@@ -254,7 +254,7 @@ static bool read_head(struct reader *r)
     return true;
 }
 
-/* Before the first character: what the head says is known. */
+/* Completes the header before the first character. */
 static bool begin(struct reader *r)
 {
     const bool none = r->has_ascent && r->has_descent && r->ascent == 0 && r->descent == 0;
@@ -274,7 +274,7 @@ static bool begin(struct reader *r)
 
 /* ---- characters ---- */
 
-/* The code of Unicode for a number of the font; -1: none. */
+/* The code point of a number of the font; -1: none. */
 static int64_t code_of(const struct charset *set, int64_t number)
 {
     if (number < 0 || (uint64_t)number < set->first)
@@ -288,7 +288,7 @@ static int64_t code_of(const struct charset *set, int64_t number)
     return code != 0xfffd ? (int64_t)code : -1;
 }
 
-/* The code that a character's name tells: "uni20AC", "u1F600", "U+20AC"; -1: none. */
+/* The code point in a character's name: "uni20AC", "u1F600", "U+20AC"; -1: none. */
 static int64_t code_of_name(const char *name)
 {
     const size_t head = strncmp(name, "uni", 3) == 0 ? 3 : strncmp(name, "U+", 2) == 0 ? 2 : *name == 'u' ? 1 : 0;
@@ -300,7 +300,7 @@ static int64_t code_of_name(const char *name)
     return head > 0 && n >= 4 && n <= 6 && name[head + n] == '\0' && code <= UTF8_MAX_CODE ? code : -1;
 }
 
-/* One row of hexadecimal digits into w shades; NULL: nobody wants it. */
+/* Reads a row of hexadecimal digits into w shades; NULL: skips it. */
 static bool read_row(struct reader *r, int w, uint8_t *out)
 {
     const int digits = (w * r->bits + 7) / 8 * 2, most = (1 << r->bits) - 1;
@@ -326,7 +326,7 @@ static bool fits(int v, int lo, int hi)
     return v >= lo && v <= hi;
 }
 
-/* Can a wanted character be drawn? */
+/* Checks a wanted character. */
 static bool check_letter(const struct reader *r, const struct letter *l, const struct faces_glyph *g)
 {
     if (!l->has_advance)

@@ -1,5 +1,5 @@
 /*
- * faces.h - fonts on their way into a ROM: the characters a game shows, and a font's pictures of them.
+ * faces.h - packs fonts: the characters that a game shows, and their pictures.
  */
 #ifndef WORKBENCH_FACES_H
 #define WORKBENCH_FACES_H
@@ -42,14 +42,14 @@ struct faces {
     int n, height;
 };
 
-/* Adds one; pix is the list's from here, also when this fails. False: out of memory. */
+/* Adds a glyph, and takes pix, also on failure. False: out of memory. */
 bool faces_put(struct faces *f, struct faces_glyph g);
 void faces_close(struct faces *f);
 
-/* Sorts them. Two of one code: false, and *code says which. */
+/* Sorts the glyphs. False: two have the code *code. */
 bool faces_sort(struct faces *f, uint32_t *code);
 
-/* A shadow of shade 1 to the right and below of what is drawn. False: out of memory. */
+/* Adds a shadow of shade 1 to the right and below. False: out of memory. */
 bool faces_shadow(struct faces *f);
 
 /* The lump of face.h; *out is malloc. 0: out of memory. */

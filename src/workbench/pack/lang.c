@@ -1,5 +1,6 @@
 /*
- * lang.c - see lang.h. The texts are taken into a block as large as the file, for a text is never longer than its line.
+ * lang.c - see lang.h. The texts are copied to a block as large as the file, because a text is never longer than its
+ * line.
  */
 #include "lang.h"
 
@@ -36,7 +37,7 @@ static bool refuse(const struct reader *r, const char *format, ...)
     return false;
 }
 
-/* Bytes that are no UTF-8, and what may not be shown but tabs, are refused: they would be seen as boxes. */
+/* Invalid UTF-8 and control characters except tabs are errors, because they would be drawn as boxes. */
 static bool check_bytes(const struct reader *r, const char *p, const char *end)
 {
     while (p < end) {
@@ -55,7 +56,7 @@ static bool blank(char c)
     return c == ' ' || c == '\t' || c == '\r';
 }
 
-/* The = between text and words; NULL: there is none. */
+/* The = between text and words, or NULL. */
 static const char *equals(const char *p, const char *end)
 {
     for (; p < end && *p != '='; p++)
@@ -63,7 +64,7 @@ static const char *equals(const char *p, const char *end)
     return p < end ? p : NULL;
 }
 
-/* Copies [p, end) without the blanks at its ends and with its escapes done. NULL: refused. */
+/* Copies [p, end) without blanks at its ends, and replaces escapes. NULL and one sentence: an error. */
 static const char *take(struct reader *r, const char *p, const char *end)
 {
     char *out = r->l->block + r->used, *to = out;

@@ -1,12 +1,12 @@
 /*
- * lang.h - language files, lang/NAME.txt, as their author writes them.
+ * lang.h - language files, lang/NAME.txt.
  *
  *     # a comment
  *     PRESS START = Bitte START drücken
  *     Wave %d\nof %d = Welle %d\nvon %d
  *
- * A line is `text = words`, UTF-8; blanks at its ends and about the = do not count. Escapes: \n a new line, \= an
- * equals sign in the text, \# one at the beginning, \\ a backslash, and a backslash before a blank, which then counts.
+ * A line is `text = words`, UTF-8; blanks at its ends and around the = are ignored. Escapes: \n new line, \= equals
+ * sign, \# number sign at the start, \\ backslash, and a backslash before a blank that is not ignored.
  */
 #ifndef WORKBENCH_LANG_H
 #define WORKBENCH_LANG_H

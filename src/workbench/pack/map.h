@@ -13,8 +13,8 @@
 #include "../../common/tree.h"
 
 enum {
-    /* A cell: 0 is empty, else the tile's number from 1 on in reading order of the sheet, with these. First a tile is
-     * turned over its diagonal, then its sides change places. */
+    /* A cell: 0 is empty, otherwise the tile's number from 1 in reading order of the sheet, with these flags. The
+     * diagonal flip is applied first. */
     MAP_FLIP_X = 1 << 29,
     MAP_FLIP_Y = 1 << 28,
     MAP_DIAGONAL = 1 << 27,
@@ -33,9 +33,9 @@ enum { MAP_SHEETS = MAX_ART_TILE_FILES, MAP_PLACE = TREE_PATH + 16 };
 /* A sheet of tiles that cells are cut from. */
 struct map_sheet {
     uint32_t base;           /* its first tile has the number base + 1 */
-    int spacing, margin;     /* px between tiles, and round all of them */
+    int spacing, margin;     /* px between tiles, and around all of them */
     int columns, width;      /* tiles in a row, px of the picture; 0: not stated */
-    char picture[TREE_PATH]; /* from the game's folder on; "": not stated, or outside of it */
+    char picture[TREE_PATH]; /* in the game's folder; "": not stated, or outside of it */
     char place[MAP_PLACE];   /* where the file declares it: "maps/m.tmx:3" */
 };
 
@@ -54,16 +54,16 @@ struct map_files {
     void *context;
 };
 
-/* Lines of whole numbers, all equally many, with commas between; a comma at a line's end and empty lines at the file's
- * are passed over. `first` is the number of the sheet's first tile, the one below it is empty. A number may have the
- * flags with which Tiled's export says how a tile is turned; it may be written as a negative one then. */
+/* Lines of the same number of whole numbers, separated by commas; a comma at a line's end and empty lines at the end
+ * are ignored. `first` is the number of the sheet's first tile, the one below it is empty. A number may have Tiled's
+ * flip flags, and may then be negative. */
 bool map_read_csv(const char *text, size_t n, const char *file, int first, struct map_cells *out, char *err,
                   size_t err_size);
 
 /* The tile layer of that name, or the only one (""). Orthogonal, tilesets in the file or in .tsx files, layer data as
  * CSV, XML or base64, plain or compressed by zlib or gzip. An infinite map becomes the smallest one that holds the
- * layer's tiles. Elements and attributes that are not known are refused, but for what is about a tileset without a tile
- * in the layer, or, where a layer is named, about the others. */
+ * layer's tiles. Unknown elements and attributes are errors, except in a tileset without a tile in the layer, and, if a
+ * layer is named, in the others. */
 bool map_read_tmx(const char *text, size_t n, const char *file, const char *layer, const struct map_files *files,
                   struct map_cells *out, char *err, size_t err_size);
 
@@ -73,7 +73,7 @@ struct map_picture {
     const char *file;
 };
 
-/* Is the picture cut into columns as sheet i asks? False and one sentence. */
+/* Checks that the picture has as many columns as sheet i needs. False and one sentence. */
 bool map_fits(const struct map_cells *cells, int i, const struct map_picture *picture, char *err, size_t err_size);
 
 /* The lump map/... of cells of `side` px, with those tiles that it uses, each as it is turned; picture i is that of

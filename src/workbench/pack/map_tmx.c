@@ -1,7 +1,7 @@
 /*
  * map_tmx.c - reads Tiled's maps (https://doc.mapeditor.org/en/stable/reference/tmx-map-format/). Tables list the
- * elements and attributes that are understood, and those that change no picture; all others are refused. What is wrong
- * with a tileset is a flaw, which counts once the layer uses the tileset, or the tile.
+ * supported elements and attributes, and those that do not change the picture; all others are errors. An error in a
+ * tileset is a flaw, which matters only if the layer uses the tileset, or the tile.
  */
 #include "map.h"
 
@@ -22,7 +22,7 @@ enum { TILESETS = 64, FLAWS = 256, SENTENCE = 256, WHOLE = -1 /* a flaw of all t
 
 struct tileset {
     int64_t first, count; /* number of its first tile in the map; tiles, 0: not stated */
-    uint32_t used;        /* by the layer: the number behind its last tile, from 1 on; 0: none */
+    uint32_t used;        /* by the layer: number of its last tile, from 1; 0: none */
     int w, h;             /* px of a tile, 0: not stated */
     struct map_sheet sheet;
 };
@@ -47,7 +47,7 @@ struct tmx {
     int64_t cols, rows, side;
     int layers;
     struct xml_place other; /* of a layer that is not read */
-    char names[96];         /* of the layers passed over, with commas */
+    char names[96];         /* of the skipped layers, with commas */
     struct tileset set[TILESETS];
     int sets;
     struct flaw flaw[FLAWS];
@@ -63,7 +63,7 @@ struct tmx {
     size_t err_size;
 };
 
-/* Refuses what is read now. Within a tileset that is a flaw, and true is returned: reading continues. */
+/* Sets an error. Inside a tileset it becomes a flaw, and true is returned: reading continues. */
 static bool refuse(struct tmx *t, struct xml *x, struct xml_place place, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
@@ -86,7 +86,7 @@ static bool refuse(struct tmx *t, struct xml *x, struct xml_place place, const c
 
 /* ---- attributes ---- */
 
-/* Is it the same text, or the same number with zeros behind its point? */
+/* True for the same text, or the same number with zeros after its point. */
 static bool same_value(const char *value, const char *plain)
 {
     const size_t n = strlen(plain);
@@ -96,7 +96,7 @@ static bool same_value(const char *value, const char *plain)
     return value[n] == '\0' || (n > 0 && value[n] == '.' && value[n + 1 + strspn(value + n + 1, "0")] == '\0');
 }
 
-/* Rules are "key" for any value, or "key=value" for that one alone; a key may have several. */
+/* Rules are "key" for any value, or "key=value" for one value; a key may have several. */
 static bool check_attribute(struct tmx *t, struct xml *x, const struct xml_attribute *a, const char *const *rules)
 {
     const size_t n = strlen(a->key);
@@ -141,7 +141,7 @@ static bool number(const char *s, int64_t lo, int64_t hi, int64_t *out)
     return *out >= lo && *out <= hi;
 }
 
-/* The number of an attribute; of one that is not there, `missing`, unless that is below lo. */
+/* The number of an attribute; `missing` if the attribute is missing, an error if that is below lo. */
 static bool get(struct xml *x, const char *key, int64_t lo, int64_t hi, int64_t missing, int64_t *out)
 {
     const char *value = xml_value(x, key);
@@ -160,7 +160,7 @@ static bool need(struct xml *x, const char *key, int64_t lo, int64_t hi, int64_t
 
 /* ---- paths ---- */
 
-/* The path, from the game's folder on, of what `file` calls `relative`. False: it is outside of the folder. */
+/* Resolves a path relative to `file` to one in the game's folder. False: it is outside the folder. */
 static bool resolve(const char *file, const char *relative, char out[TREE_PATH])
 {
     const char *slash = strrchr(file, '/');
@@ -250,7 +250,7 @@ static bool read_tileset_child(struct tmx *t, struct xml *x, struct tileset *s)
     return xml_skip(x);
 }
 
-/* From <tileset> to </tileset>, of the map or of a file of its own. */
+/* From <tileset> to </tileset>, in the map or in its own file. */
 static bool read_tileset_body(struct tmx *t, struct xml *x, struct tileset *s)
 {
     static const char *const rules[] = {
@@ -356,7 +356,7 @@ static bool set_gid(struct tmx *t, struct xml *x, struct xml_place place, uint32
     return true;
 }
 
-/* Numbers with commas between. */
+/* Numbers separated by commas. */
 static bool read_csv(struct tmx *t, struct xml *x, uint32_t *to, int64_t n, int64_t *got)
 {
     struct xml_place place = x->place;
@@ -449,7 +449,7 @@ static size_t gzip_data(const uint8_t *p, size_t n)
     return at + 8 <= n ? at : 0;
 }
 
-/* Inflates packed bytes to just `size`; out has room for one more. */
+/* Inflates packed bytes to exactly `size`; out has space for one more. */
 static bool inflate(uint8_t *packed, size_t n, bool gzip, uint8_t *out, size_t size)
 {
     const size_t at = gzip ? gzip_data(packed, n) : 0;
@@ -458,13 +458,13 @@ static bool inflate(uint8_t *packed, size_t n, bool gzip, uint8_t *out, size_t s
         return png_inflate(packed, n, out, size);
     if (at == 0)
         return false;
-    packed[at - 2] = 0x78; /* zlib's header; the checksums behind the data are passed over */
+    packed[at - 2] = 0x78; /* zlib's header; the checksums after the data are ignored */
     packed[at - 1] = 0x9c;
     return png_inflate(packed + at - 2, n - (at - 2), out, size) &&
            hash_crc32(out, size) == bytes_get32(packed + n - 8);
 }
 
-/* Four bytes a cell, maybe compressed, in base64. */
+/* Four bytes per cell, possibly compressed, in base64. */
 static bool read_base64(struct tmx *t, struct xml *x, const char *compression, uint32_t *to, int64_t n, int64_t *got)
 {
     const struct xml_place place = x->place;
@@ -489,7 +489,7 @@ static bool read_base64(struct tmx *t, struct xml *x, const char *compression, u
     return good;
 }
 
-/* Room for the cells of one more chunk. */
+/* Adds a chunk with memory for its cells. */
 static bool add_chunk(struct tmx *t, struct xml *x, struct chunk c)
 {
     const size_t n = (size_t)c.w * (size_t)c.h;
@@ -673,7 +673,7 @@ static bool finish_layer(struct tmx *t, struct xml *x, struct xml_place place)
 
 /* ---- layers ---- */
 
-/* A layer, or a group of layers, that changes nothing of what is drawn. */
+/* Attributes of layers and groups, with the only values that are drawn alike. */
 static const char *const layer_rules[] = { "id",
                                            "name",
                                            "class",
@@ -723,8 +723,8 @@ static bool read_layer(struct tmx *t, struct xml *x)
     return data ? finish_layer(t, x, place) : xml_refuse(x, place, "layer without <data>");
 }
 
-/* Adds the name to those for a sentence; one that does not fit is left out. */
-static void pass_over(struct tmx *t, const char *name)
+/* Adds a name to the list for messages, if it fits. */
+static void skip_layer_name(struct tmx *t, const char *name)
 {
     size_t at = strlen(t->names), room = sizeof t->names - at;
 
@@ -739,7 +739,7 @@ static bool tile_layer(struct tmx *t, struct xml *x)
     t->layers++;
     if (t->wanted[0] != '\0' ? name == NULL || strcmp(name, t->wanted) != 0 : t->layers > 1) {
         t->other = x->start;
-        pass_over(t, name);
+        skip_layer_name(t, name);
         return xml_skip(x);
     }
     if (t->found)
@@ -747,7 +747,7 @@ static bool tile_layer(struct tmx *t, struct xml *x)
     return read_layer(t, x);
 }
 
-/* Objects are seen where they are tiles or text. */
+/* Objects are visible if they are tiles or text. */
 static bool read_object(struct xml *x)
 {
     const char *visible = xml_value(x, "visible");
@@ -779,7 +779,7 @@ static bool read_objects(struct xml *x)
 
 static bool read_children(struct tmx *t, struct xml *x, bool (*other)(struct tmx *t, struct xml *x));
 
-/* Layers of all kinds, in the map or in a group. Where a layer is named, the others do not matter. */
+/* Layers of all kinds, in the map or in a group. If a layer is named, the others do not matter. */
 static bool any_layer(struct tmx *t, struct xml *x)
 {
     const char *visible = xml_value(x, "visible");

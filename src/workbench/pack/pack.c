@@ -1,10 +1,9 @@
 /*
- * pack.c - see pack.h. The folder is walked once into a sorted list of paths; each path that belongs into the ROM and
- * each picture that rom.lua names adds a lump to a list; the list is sorted and written. The list owns all it holds, so
- * one close gives everything back wherever packing stopped.
+ * pack.c - see pack.h. The folder is walked once into a sorted list of paths; each path that belongs in the ROM and
+ * each picture that rom.lua names adds a lump to a list; the list is sorted and written. The list owns its lumps, so
+ * one close frees everything wherever packing stopped.
  */
 #include "pack_parts.h"
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,24 +12,15 @@
 #include "../../base/err.h"
 #include "../../common/array.h"
 #include "../../common/result.h"
-#include "../../base/heap.h"
 #include "../../board/board.h"
 #include "../../rom/cart.h"
 #include "../../script/script.h"
 #include "../../script/std.h"
-#include "../../sound/tune.h"
 #include "../bulletml/compile.h"
 #include "../bulletml/document.h"
 #include "lang.h"
 #include "../../common/files.h"
 #include "../../common/progress.h"
-#include "map.h"
-#include "../../player/picture/shade.h"
-#include "sheet.h"
-#include "../mml/mml.h"
-#include "../../player/picture/png.h"
-#include "../../player/picture/border.h"
-#include "../../player/picture/icon.h"
 
 static void lumps_close(struct lumps *l)
 {
@@ -127,7 +117,7 @@ static bool add_manifest(struct packer *p)
     return pack_add_copy(p, "", "manifest", bytes, size);
 }
 
-/* Does p stand behind -- in its line? */
+/* True if p is after -- in its line. */
 static bool in_comment(const char *text, const char *p)
 {
     for (; p > text && p[-1] != '\n'; p--)
@@ -136,7 +126,7 @@ static bool in_comment(const char *text, const char *p)
     return false;
 }
 
-/* The line of rom.lua that spells the file's name; 0: none does. */
+/* The line of rom.lua that contains the file's name; 0: none. */
 static int line_of(const char *text, const char *file)
 {
     size_t n = strlen(file);
@@ -267,8 +257,8 @@ bool pack_is_bulletml(const char *path)
     return pack_starts_with(path, "bulletml/") && files_has_suffix(path + strlen("bulletml/"), ".xml");
 }
 
-/* The name of a document: what stands behind bulletml/, with _ for what no file of a ROM has in its name. Collections
- * have names such as "[game] boss 2.xml". */
+/* The name of a document: the path after bulletml/, with _ for characters that are not allowed in names, because
+ * collections have names such as "[game] boss 2.xml". */
 static void name_bulletml(const char *path, char name[PATH])
 {
     const char *from = path + strlen("bulletml/");
@@ -280,7 +270,7 @@ static void name_bulletml(const char *path, char name[PATH])
             *c = '_';
 }
 
-/* Is it no document's that is in already? */
+/* True if no other document has the name. */
 static bool name_free(const struct packer *p, const char *name)
 {
     for (int i = 0; i < p->lumps.n; i++)
@@ -312,7 +302,7 @@ static bool add_bulletml(struct packer *p, const char *path)
     return good && pack_add(p, "bulletml/", name, data, size);
 }
 
-/* Documents are there for a game that has room to run them. */
+/* Documents are packed only if the game enables BulletML. */
 static bool goes_in(const struct packer *p, const char *path)
 {
     return files_has_suffix(path, ".txt") || (p->m.bulletml_runners > 0 && pack_is_bulletml(path));
@@ -371,7 +361,7 @@ static const struct embedded *library(const char *name)
     return NULL;
 }
 
-/* Modules the game has of its own are in the ROM whether something names them or not. */
+/* The game's own versions of modules are always packed. */
 static uint64_t own_modules(const struct packer *p)
 {
     uint64_t own = 0;
@@ -389,7 +379,7 @@ static bool add_module(struct packer *p, const struct embedded *s)
     return pack_add_copy(p, "script/@std/", file, s->data, s->size);
 }
 
-/* The pieces of the modules that are there; the game's own are there already. */
+/* The files of the modules that are packed; the game's own are packed already. */
 static bool add_pieces(struct packer *p)
 {
     for (int i = 0; i < std_script_count; i++) {
@@ -400,7 +390,7 @@ static bool add_pieces(struct packer *p)
     return true;
 }
 
-/* What the game's scripts name, and what these modules name in their turn; the prelude comes along with any other. */
+/* Modules that the game's scripts name, and modules that these name; any module needs the prelude. */
 static bool add_std(struct packer *p)
 {
     uint64_t in = own_modules(p), missing;
@@ -449,13 +439,8 @@ static bool gather(struct packer *p)
     return read_manifest(p) && add_manifest(p) && add_files(p) && add_std(p) && pack_add_art(p) && pack_add_sounds(p);
 }
 
-bool pack_folder(const char *dir, bool nearest, uint8_t **image, size_t *size, char *err, size_t err_size)
-{
-    return pack_folder_told(dir, nearest, NULL, NULL, image, size, err, err_size);
-}
-
-bool pack_folder_told(const char *dir, bool nearest, void (*warn)(void *context, const char *sentence), void *context,
-                      uint8_t **image, size_t *size, char *err, size_t err_size)
+bool pack_folder(const char *dir, bool nearest, pack_warning *warn, void *context, uint8_t **image, size_t *size,
+                 char *err, size_t err_size)
 {
     struct packer *p = calloc(1, sizeof *p);
 
@@ -473,4 +458,34 @@ bool pack_folder_told(const char *dir, bool nearest, void (*warn)(void *context,
     free(p->rom_text);
     free(p);
     return good;
+}
+
+static void ignore_entry(void *user, const struct plat_folder_entry *file)
+{
+    (void)user;
+    (void)file;
+}
+
+bool pack_load_game(const char *path, bool nearest, struct rom_image *out, char *err, size_t err_size)
+{
+    return pack_load_game_warn(path, nearest, NULL, NULL, out, err, err_size);
+}
+
+bool pack_load_game_warn(const char *path, bool nearest, pack_warning *warn, void *context, struct rom_image *out,
+                         char *err, size_t err_size)
+{
+    char why[FILES_PATH_SIZE + 256];
+
+    memset(out, 0, sizeof *out);
+    if (files_size(path) >= 0)
+        return rom_image_read(path, nearest, out, err, err_size);
+    if (plat_list(path, ignore_entry, NULL) < 0) {
+        files_set_missing_error(path, "file or folder", err, err_size);
+        return false;
+    }
+    if (!pack_folder(path, nearest, warn, context, &out->bytes, &out->size, why, sizeof why)) {
+        memset(out, 0, sizeof *out);
+        return err_set(err, err_size, "%s: %s", path, why);
+    }
+    return rom_open(&out->rom, out->bytes, out->size, err, err_size);
 }

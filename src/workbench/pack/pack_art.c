@@ -2,25 +2,15 @@
  * pack_art.c - the pictures and sounds of a game, as lumps.
  */
 #include "pack_parts.h"
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../../platform/platform.h"
-#include "../../base/bits.h"
 #include "../../base/err.h"
 #include "../../common/result.h"
-#include "../../base/heap.h"
-#include "../../board/board.h"
 #include "../../rom/cart.h"
-#include "../../script/script.h"
-#include "../../script/std.h"
 #include "../../sound/tune.h"
-#include "../bulletml/compile.h"
-#include "../bulletml/document.h"
 #include "blend.h"
 #include "bdf.h"
-#include "lang.h"
 #include "../../common/files.h"
 #include "map.h"
 #include "../../player/picture/shade.h"
@@ -31,8 +21,8 @@
 #include "../../player/picture/border.h"
 #include "../../player/picture/icon.h"
 
-/* Tells of pixels that nobody will see. */
-static void tell_faint(struct packer *p, const char *file, const struct art_picture *picture, const uint8_t *marked)
+/* Warns about pixels that are not shown. */
+static void warn_faint(struct packer *p, const char *file, const struct art_picture *picture, const uint8_t *marked)
 {
     const struct art_faint f = art_find_faint(picture, marked);
     char why[128], sentence[ART_FILE_SIZE + 160];
@@ -165,7 +155,7 @@ static bool add_font(struct packer *p)
     if (!load_picture(p, file, p->art.by_index, &picture))
         return false;
     bool good = art_make_font(&picture, p->palette, p->nearest, &data, &size, why, sizeof why);
-    tell_faint(p, file, &picture, NULL);
+    warn_faint(p, file, &picture, NULL);
     art_picture_free(&picture);
     return good ? pack_add(p, "", "font", data, size) : err_set(p->err, p->err_size, "%s: %s", file, why);
 }
@@ -193,7 +183,7 @@ static bool read_cells(struct packer *p, const struct art_font *font, const stru
 
     if (!load_picture(p, font->file, font->by_index, &picture))
         return false;
-    tell_faint(p, font->file, &picture, NULL);
+    warn_faint(p, font->file, &picture, NULL);
     bool good = faces_cut(f, &picture, font, wanted, p->palette, p->nearest, why, sizeof why);
     if (good && !faces_sort(f, &code)) {
         snprintf(why, sizeof why, "`chars` contains U+%04X twice", (unsigned)code);
@@ -203,7 +193,7 @@ static bool read_cells(struct packer *p, const struct art_font *font, const stru
     return good ? true : err_set(p->err, p->err_size, "%s: %s", font->file, why);
 }
 
-/* Of a font only what the game's texts need comes into the ROM; of ASCII all, for numbers are made as it runs. */
+/* A font is packed with all of ASCII, because numbers are made at run time, and with the characters of the texts. */
 static bool add_face(struct packer *p, const struct art_font *font)
 {
     struct faces_set *wanted = malloc(sizeof *wanted);
@@ -236,7 +226,7 @@ static bool add_faces(struct packer *p)
     return true;
 }
 
-/* Adds what became of a sprite, and its hit shape if one was drawn. */
+/* Adds a sprite, and its hit shape if any. */
 static bool add_made(struct packer *p, const struct ase_sprite *made, const struct art_sheet *s)
 {
     uint8_t hit[CART_HITBOX_SIZE], *data;
@@ -265,7 +255,7 @@ static bool add_sprite(struct packer *p, const struct sheet *sheet, const struct
         return err_set(p->err, p->err_size, "%s: sprite \"%s\": %s", s->file, sprite->name, why);
     const bool good = add_made(p, &made, s);
     if (good && sheet->is_ase)
-        tell_faint(p, s->file, &made.picture, NULL);
+        warn_faint(p, s->file, &made.picture, NULL);
     sheet_sprite_close(sheet, &made);
     return good;
 }
@@ -289,7 +279,7 @@ static bool add_sheet(struct packer *p, int i)
     if (good && !sheet.is_ase && p->warn != NULL) {
         uint8_t *marked = sheet_marked(&sheet, &p->art, i);
         if (marked != NULL)
-            tell_faint(p, s->file, &sheet.picture, marked);
+            warn_faint(p, s->file, &sheet.picture, marked);
         free(marked);
     }
     sheet_close(&sheet);
@@ -342,7 +332,7 @@ static bool load_cells(struct packer *p, const struct art_map *m, struct map_cel
                    (int)m->tile_size, m->file, out->side);
 }
 
-/* Which picture of rom.lua sheet i is cut from; -1 with a sentence. */
+/* Index of the picture of rom.lua for sheet i; -1 and one sentence. */
 static int picture_of(struct packer *p, const struct art_map *m, const struct map_cells *cells, int i)
 {
     const struct map_sheet *s = &cells->sheet[i];
@@ -360,7 +350,7 @@ static int picture_of(struct packer *p, const struct art_map *m, const struct ma
     return -1;
 }
 
-/* Makes the lump of a map whose pictures were read. */
+/* Makes the lump of a map. */
 static bool make_map(struct packer *p, const struct art_map *m, const struct map_cells *cells,
                      const struct art_picture *art)
 {
@@ -394,7 +384,7 @@ static bool add_map(struct packer *p, const struct art_map *m)
     for (int i = 0; good && i < m->n_tile_files; i++) {
         good = load_picture(p, m->tile_files[i], m->by_index, &pictures[i]);
         if (good)
-            tell_faint(p, m->tile_files[i], &pictures[i], NULL);
+            warn_faint(p, m->tile_files[i], &pictures[i], NULL);
     }
     good = good && make_map(p, m, &cells, pictures);
     for (int i = 0; i < m->n_tile_files; i++)
@@ -403,7 +393,7 @@ static bool add_map(struct packer *p, const struct art_map *m)
     return good;
 }
 
-/* Adds what a recording becomes: a tune, and of music its samples. */
+/* Adds the tune of a recording, and its samples if it is music. */
 static bool make_recording(struct packer *p, const struct art_sound *s, const struct pcm *pcm, bool music, char *why,
                            size_t why_size)
 {
@@ -522,7 +512,7 @@ bool pack_add_sounds(struct packer *p)
     return true;
 }
 
-/* The art round the picture goes in as it is: the board never sees it, and it has colours of its own. */
+/* The border is packed as it is: the board never draws it, and it has its own colours. */
 static bool add_border(struct packer *p)
 {
     const char *file = p->art.border;
@@ -545,7 +535,7 @@ static bool add_border(struct packer *p)
     return err_set(p->err, p->err_size, "%s: %s", file, why);
 }
 
-/* A file goes in as it is, a sprite by its name. */
+/* A file is packed as it is, a sprite by its name. */
 static bool add_icon(struct packer *p)
 {
     const char *icon = p->art.icon;

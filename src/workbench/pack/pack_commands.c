@@ -18,14 +18,14 @@
 #include "../../common/output_paths.h"
 #include "../../player/replays/replays_print.h"
 
-/* What is allowed when packing and hardly meant. */
+/* Prints a warning of the packer. */
 static void warn(void *context, const char *sentence)
 {
     (void)context;
     report_line(RESULT_DONE, "%s", sentence);
 }
 
-/* Compressed, where that is smaller and may be. */
+/* Saves the ROM, compressed if that is smaller. */
 static bool save_packed(const struct rom_image *image, const char *out, bool plain, char *err, size_t err_size)
 {
     uint8_t *small = NULL;
@@ -53,7 +53,7 @@ enum result pack_command(const struct args *a)
     if (plat_file_size(dir) >= 0)
         return report_line(RESULT_REFUSED, "%s: expected a game's folder, got a file", dir);
     progress_begin();
-    const bool loaded = pack_load_game_told(dir, a->nearest, warn, NULL, &image, err, sizeof err);
+    const bool loaded = pack_load_game_warn(dir, a->nearest, warn, NULL, &image, err, sizeof err);
     progress_end();
     if (!loaded)
         return report_error(err);

@@ -1,5 +1,5 @@
 /*
- * pack_parts.h - what pack.c, pack_art.c and unpack.c share.
+ * pack_parts.h - shared by pack.c, pack_art.c and unpack.c.
  */
 #ifndef WORKBENCH_PACK_PARTS_H
 #define WORKBENCH_PACK_PARTS_H
@@ -28,26 +28,26 @@ struct packer {
     struct faces_set shown;                            /* characters of the game's texts */
     char *rom_text;                                    /* of rom.lua, malloc, with a 0 behind it */
     uint64_t std;                                      /* modules that the scripts so far name (std.h) */
-    void (*warn)(void *context, const char *sentence); /* NULL: nobody is told */
+    pack_warning *warn;                                /* may be NULL */
     void *context;
-    int told; /* files that progress was told of */
+    int told; /* files that progress has counted */
     char *err;
     size_t err_size;
 };
 
-/* Adds the lump folder + name; data (malloc) is the list's from here, also when this fails. */
+/* Adds the lump folder + name. Takes data (malloc), also on failure. */
 bool pack_add(struct packer *p, const char *folder, const char *name, uint8_t *data, size_t size);
 bool pack_add_copy(struct packer *p, const char *folder, const char *name, const void *data, size_t size);
 
-/* One more of the files that go in. */
+/* Reports progress: one more file. */
 void pack_tell(struct packer *p, const char *file);
 
-/* A file of the folder, whole; pack_load_named: one that rom.lua names. */
+/* Reads a whole file of the folder; pack_load_named: one that rom.lua names. */
 bool pack_load(struct packer *p, const char *name, size_t max, uint8_t **data, size_t *size);
 bool pack_load_text(struct packer *p, const char *name, size_t max, uint8_t **text, size_t *size);
 bool pack_load_named(struct packer *p, const char *file, size_t most, uint8_t **data, size_t *size);
 
-/* The error for a file that rom.lua names and that is not there, with the line. */
+/* Sets the error about a missing file that rom.lua names, with the line. Returns false. */
 bool pack_refuse_missing(struct packer *p, const char *file);
 
 bool pack_starts_with(const char *s, const char *head);

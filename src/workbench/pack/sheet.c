@@ -53,7 +53,7 @@ void sheet_sprite_close(const struct sheet *s, struct ase_sprite *sprite)
         art_picture_free(&sprite->picture);
 }
 
-/* Nothing of a sprite that is not inside the sheet. */
+/* Ignores a sprite that is not inside the sheet. */
 static void mark(const struct art_picture *sheet, const struct art_sprite *s, uint8_t *marked)
 {
     const int64_t w = (int64_t)s->w * s->frames;

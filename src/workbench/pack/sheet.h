@@ -1,5 +1,5 @@
 /*
- * sheet.h - a sheet of rom.lua, whatever its file is: a PNG, or a file of Aseprite's.
+ * sheet.h - a sheet of rom.lua, from a PNG or an Aseprite file.
  */
 #ifndef WORKBENCH_SHEET_H
 #define WORKBENCH_SHEET_H
@@ -12,7 +12,7 @@ struct sheet {
     struct art_picture picture; /* of a PNG */
 };
 
-/* A PNG alone, by its indices or by its colours. False and one sentence, without the file's name. */
+/* Reads a PNG by its indices or by its colours. False and one sentence, without the file's name. */
 bool sheet_read_png(struct art_picture *picture, const uint8_t *data, size_t n, bool by_index, char *err,
                     size_t err_size);
 
@@ -21,12 +21,12 @@ bool sheet_read(struct sheet *s, const struct art_sheet *asked, const uint8_t *d
                 size_t err_size);
 void sheet_close(struct sheet *s);
 
-/* What art_make_sprite takes for a sprite: of a PNG the sheet's own picture. Close it after true. */
+/* The input of art_make_sprite for a sprite; for a PNG, its picture is the sheet's. Close it after true. */
 bool sheet_sprite(const struct sheet *s, const struct art_sheet *asked, const struct art_sprite *sprite,
                   struct ase_sprite *out, char *err, size_t err_size);
 void sheet_sprite_close(const struct sheet *s, struct ase_sprite *sprite);
 
-/* A byte a pixel of a sheet's picture: 1 where sprites of it are. malloc; NULL: out of memory. i: the sheet's place. */
+/* A byte per pixel of a sheet's picture: 1 inside its sprites. malloc; NULL: out of memory. i: the sheet's place. */
 uint8_t *sheet_marked(const struct sheet *s, const struct art *art, int i);
 
 #endif

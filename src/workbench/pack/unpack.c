@@ -39,7 +39,7 @@ static void unpacked_name(const char *name, char out[PATH])
         snprintf(out, PATH, "lumps/%s", name);
 }
 
-/* Is none of the folders that a file asks for a file itself, of the ROM's or there already? */
+/* Checks that no folder of the file's path is itself a file, in the ROM or on disk. */
 static bool folders_free(const struct tree *files, const char *name, const char *dir, char *err, size_t err_size)
 {
     char folder[PATH], path[PATH];
@@ -55,7 +55,7 @@ static bool folders_free(const struct tree *files, const char *name, const char 
     return true;
 }
 
-/* May all of files (sorted) be written? */
+/* Checks that all files (sorted) can be written. */
 static bool may_unpack(const struct tree *files, const char *dir, char *err, size_t err_size)
 {
     char path[PATH];
@@ -76,7 +76,7 @@ static bool may_unpack(const struct tree *files, const char *dir, char *err, siz
     return true;
 }
 
-/* Takes the files of the first n lumps back. */
+/* Removes the files of the first n lumps. */
 static void remove_lumps(const struct rom *rom, uint32_t n, const char *dir)
 {
     char name[PATH], path[PATH];
