@@ -1,10 +1,9 @@
 /*
- * art_run.c - see art_run.h: `curtain art`. Hit shapes are those of the kinds that the scripts declare when the game is
- * powered, so nothing of them is guessed; a script that faults takes them away and nothing else.
+ * art_run.c - see art_run.h: `curtain art`. Hit shapes are those of the kinds that the scripts declare at power-on, so
+ * none is guessed; if a script faults, only the hit shapes are missing.
  */
 #include "art_run.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "../../board/board.h"
@@ -34,7 +33,7 @@ static bool in_use(const struct atlas_shapes *shapes, const char *sprite)
     return false;
 }
 
-/* A shape that was drawn with a sprite and belongs to no kind yet. */
+/* A shape that was drawn with a sprite and belongs to no kind. */
 static struct inspect_kind_shape drawn_shape(const struct cart_hitbox *h, const char *sprite)
 {
     struct inspect_kind_shape s = { .entity = "drawn", .name = "hit", .sprite = sprite, .r = h->row[0].a };
@@ -68,7 +67,7 @@ static void add_drawn(struct art_game *g)
     }
 }
 
-/* Powers the game for the kinds it declares. */
+/* Powers the game on to find its kinds. */
 static enum result find_shapes(struct art_game *g, const char *path)
 {
     struct board_start start = { .difficulty = -1 };

@@ -1,6 +1,6 @@
 /*
- * atlas.c - see atlas.h. The picture is laid out twice by the same code: once without memory, to learn how high it is,
- * and then to paint it.
+ * atlas.c - see atlas.h. The same code lays the picture out twice: first without memory, to measure it, then to paint
+ * it.
  */
 #include "atlas.h"
 
@@ -17,14 +17,14 @@ enum {
     WIDTH = 1080, /* px; more, if one sprite needs it, or all of them would be higher than a PNG can be */
     EDGE = 24,
     GAP = 22,         /* between two sprites */
-    LEAST = 132,      /* px a sprite has for its words */
+    LEAST = 132,      /* px of a sprite's text */
     TEXT = 2,         /* px of a pixel of letters */
     LINE = 12 * TEXT, /* from line to line */
     HEAD = 44,        /* of a bank: its name and colours */
     SWATCH = 18,      /* px of a colour there */
     SMALL = 10,       /* px above and below the frames */
     BETWEEN = 4,      /* px between two frames */
-    MOST_WORDS = 5,   /* hit shapes that are told of one sprite */
+    MOST_WORDS = 5,   /* listed hit shapes of a sprite */
     MOST_FRAMES = 12, /* of one sprite that are shown small */
     ARM = 7           /* px of the cross at the origin */
 };
@@ -74,8 +74,8 @@ static double px(int32_t v)
     return v / 65536.0;
 }
 
-/* To a hundredth, as people write it. */
-static double told(double v)
+/* Rounds to a hundredth. */
+static double rounded(double v)
 {
     return floor(v * 100 + 0.5) / 100;
 }
@@ -84,17 +84,17 @@ void atlas_shape_words(const struct inspect_kind_shape *s, char *out, size_t siz
 {
     switch (s->shape) {
     case INSPECT_BOX:
-        snprintf(out, size, "%s %s: box %g x %g", s->entity, s->name, told(px(s->x1) * 2), told(px(s->y1) * 2));
+        snprintf(out, size, "%s %s: box %g x %g", s->entity, s->name, rounded(px(s->x1) * 2), rounded(px(s->y1) * 2));
         break;
     case INSPECT_CAPSULE:
-        snprintf(out, size, "%s %s: capsule %g, %g", s->entity, s->name, told(2 * hypot(px(s->bar_x), px(s->bar_y))),
-                 told(px(s->r)));
+        snprintf(out, size, "%s %s: capsule %g, %g", s->entity, s->name, rounded(2 * hypot(px(s->bar_x), px(s->bar_y))),
+                 rounded(px(s->r)));
         break;
     case INSPECT_CIRCLES:
         snprintf(out, size, "%s %s: %d circle%s", s->entity, s->name, s->n, s->n == 1 ? "" : "s");
         break;
     default:
-        snprintf(out, size, "%s %s: circle %g", s->entity, s->name, told(px(s->r)));
+        snprintf(out, size, "%s %s: circle %g", s->entity, s->name, rounded(px(s->r)));
     }
 }
 
@@ -117,7 +117,7 @@ static void fill(const struct atlas *a, int x, int y, int w, int h, uint32_t rgb
             dot(a, x + i, y + j, rgb);
 }
 
-/* A line of text, its capitals' top at y; returns its width in px. Without memory it is measured. */
+/* Draws a line of text with the top of capitals at y; returns its width in px. Without memory it only measures. */
 static int say(const struct atlas *a, int x, int y, uint32_t rgb, const char *text)
 {
     const char *end = text + strlen(text);
@@ -152,7 +152,7 @@ static void paint(const struct atlas *a, const struct sprite *s, int frame, int 
                 fill(a, x + i * scale, y + j * scale, scale, scale, entry(a, pix[j * s->pitch + i]));
 }
 
-/* A chequered ground, which shows what is transparent. */
+/* A chequered background, which shows through transparent pixels. */
 static void ground(const struct atlas *a, int x, int y, int w, int h)
 {
     enum { SIDE = 8 * ATLAS_SCALE };
@@ -173,7 +173,7 @@ static double from_bar(double x, double y, double bar_x, double bar_y)
     return hypot(x - at * bar_x, y - at * bar_y);
 }
 
-/* How far outside of the shape a point is, px; below 0 inside. */
+/* Distance of a point from the shape, px; negative inside. */
 static double outside(const struct inspect_kind_shape *s, double x, double y)
 {
     double least = 1e9;
@@ -204,7 +204,7 @@ static uint32_t colour_for(const struct inspect_kind_shape *s)
     return INK;
 }
 
-/* The outline round (ox, oy), with a dark rim, inside the sprite's cell. */
+/* The outline around (ox, oy), with a dark rim, inside the sprite's cell. */
 static void outline(const struct atlas *a, const struct inspect_kind_shape *s, int x, int y, int w, int h, double ox,
                     double oy)
 {
@@ -217,7 +217,7 @@ static void outline(const struct atlas *a, const struct inspect_kind_shape *s, i
             }
 }
 
-/* The origin: a cross that leaves the most of a small picture free. */
+/* The origin: a cross, smaller in small pictures. */
 static void cross(const struct atlas *a, int x, int y, int side)
 {
     const int third = side * ATLAS_SCALE / 3, arm = third > ARM ? ARM : third < 2 ? 2 : third;
@@ -230,7 +230,7 @@ static void cross(const struct atlas *a, int x, int y, int side)
 
 /* ---- a sprite ---- */
 
-/* What is written under a picture, a line each. */
+/* The lines of text under a picture. */
 struct lines {
     char line[MOST_WORDS + 4][96];
     uint32_t rgb[MOST_WORDS + 4];
@@ -285,7 +285,7 @@ static void describe(const struct atlas *a, int i, const struct sprite *s, struc
     }
 }
 
-/* Frames shown small under the picture, and in how many columns w px have room for. */
+/* Small frames under the picture, and their columns in w px. */
 static int small_frames(const struct sprite *s)
 {
     return s->frames < 2 ? 0 : s->frames < MOST_FRAMES ? s->frames : MOST_FRAMES;
@@ -296,7 +296,7 @@ static int small_columns(const struct sprite *s, int w)
     return (w + BETWEEN) / (s->w + BETWEEN);
 }
 
-/* How high they are with the gap below them, px. */
+/* Their height with the gap below them, px. */
 static int small_height(const struct sprite *s, int w)
 {
     const int columns = small_columns(s, w), n = small_frames(s);
@@ -327,13 +327,13 @@ static struct cell measure(const struct atlas *a, int i)
     return c;
 }
 
-/* Where a thing's place is in its picture, px. */
+/* The place of the origin in a picture, px. */
 static double place_of(int origin, int side)
 {
     return origin == side / 2 ? side / 2.0 : origin + 0.5;
 }
 
-/* The pictures of a row stand on one line, `floor` px below y. */
+/* The pictures of a row are aligned at `floor` px below y. */
 static void paint_cell(const struct atlas *a, const struct cell *c, int x, int y, int floor)
 {
     const struct sprite *s = &c->s;
@@ -381,7 +381,7 @@ static int paint_head(const struct atlas *a, int bank, int y)
     return y + HEAD + 4;
 }
 
-/* How many cells from `i` on stand in one row, and how high the row's highest picture and cell are. */
+/* Number of cells in the row that starts at i, and the height of its highest picture and cell. */
 static int row_of(const struct atlas *a, const struct cell *cells, int n, int i, int *floor, int *h)
 {
     int x = EDGE, k = i;
@@ -396,7 +396,7 @@ static int row_of(const struct atlas *a, const struct cell *cells, int n, int i,
     return k - i;
 }
 
-/* Paints all; returns how high it is. */
+/* Paints everything; returns the height. */
 static int lay_out(const struct atlas *a, const struct cell *cells, int n)
 {
     int y = EDGE - 8, floor, h;

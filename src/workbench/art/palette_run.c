@@ -1,6 +1,6 @@
 /*
- * palette_run.c - see art_run.h: `curtain palette`. A palette is written as a PNG of indices whose own palette is the
- * game's, entry for entry, so that an editor that opens it has all banks in their places.
+ * palette_run.c - see art_run.h: `curtain palette`. A palette is written as an indexed PNG whose palette is the game's,
+ * entry for entry, so that an editor shows all banks in their places.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -55,8 +55,8 @@ static enum result save_palette(const char *path, const uint8_t rgb[CART_PALETTE
     return saved ? RESULT_DONE : report_line(RESULT_HOST_FAILED, "%s", err);
 }
 
-/* A list into a palette: one that is there keeps its other banks. */
-static enum result import(const char *from, int bank, const char *out)
+/* Reads a list into a palette; the other banks of an existing one stay as they are. */
+static enum result import_list(const char *from, int bank, const char *out)
 {
     uint8_t rgb[CART_PALETTE_SIZE], *text;
     struct swatch s;
@@ -86,11 +86,14 @@ static enum result import(const char *from, int bank, const char *out)
     return report_stdout(RESULT_DONE);
 }
 
-/* A bank of a palette into a list. */
-static enum result export(const char *from, int bank, const char *out) {
-    uint8_t rgb[CART_PALETTE_SIZE]; char text[SWATCH_TEXT], err[FILES_ERR_SIZE];
+/* Writes a bank of a palette as a list. */
+static enum result export_list(const char *from, int bank, const char *out)
+{
+    uint8_t rgb[CART_PALETTE_SIZE];
+    char text[SWATCH_TEXT], err[FILES_ERR_SIZE];
 
-    if (!load_palette(from, rgb, err, sizeof err)) return report_error(err);
+    if (!load_palette(from, rgb, err, sizeof err))
+        return report_error(err);
     const size_t n = swatch_write(rgb, bank, files_has_suffix(out, ".gpl"), text);
     return files_save(out, text, n, err, sizeof err) ? RESULT_DONE : report_line(RESULT_HOST_FAILED, "%s", err);
 }
@@ -103,9 +106,9 @@ enum result art_run_palette(const char *from, int bank, const char *out)
     if (bank < 0)
         return report_line(RESULT_REFUSED, "palette: expected --bank N, 0 to 15");
     if (is_list(from) && files_has_suffix(out, ".png"))
-        return import(from, bank, out);
+        return import_list(from, bank, out);
     if (files_has_suffix(from, ".png") && is_list(out))
-        return export(from, bank, out);
+        return export_list(from, bank, out);
     return report_line(RESULT_REFUSED, "palette: expected a .hex or .gpl file and -o FILE.png, or a .png file and "
                                        "-o FILE.gpl or -o FILE.hex");
 }

@@ -6,9 +6,10 @@
 #include <ctype.h>
 #include <stdio.h>
 #include <string.h>
+#include "../../base/cursor.h"
 #include "../../base/err.h"
 
-/* A line without its end and the blanks round it. */
+/* Removes blanks at both ends. */
 static void trim(const char **p, size_t *n)
 {
     while (*n > 0 && isspace((unsigned char)**p))
@@ -17,26 +18,19 @@ static void trim(const char **p, size_t *n)
         --*n;
 }
 
-static int digit(char c)
-{
-    const char *all = "0123456789abcdef", *at = c ? strchr(all, tolower((unsigned char)c)) : NULL;
-
-    return at ? (int)(at - all) : -1;
-}
-
 static bool read_hex(const char *p, size_t n, uint8_t rgb[3])
 {
     if (n == 7 && *p == '#')
         p++, n--;
     for (size_t i = 0; i < n; i++)
-        if (n != 6 || digit(p[i]) < 0)
+        if (n != 6 || cursor_hex_value(p[i]) < 0)
             return false;
     for (int c = 0; n == 6 && c < 3; c++)
-        rgb[c] = (uint8_t)(digit(p[2 * c]) * 16 + digit(p[2 * c + 1]));
+        rgb[c] = (uint8_t)(cursor_hex_value(p[2 * c]) * 16 + cursor_hex_value(p[2 * c + 1]));
     return n == 6;
 }
 
-/* Three numbers; what is behind them is a name. */
+/* Three numbers; a name may follow. */
 static bool read_rgb(const char *p, size_t n, uint8_t rgb[3])
 {
     for (int c = 0; c < 3; c++) {
@@ -57,7 +51,7 @@ static bool begins(const char *p, size_t n, const char *word)
     return n >= strlen(word) && memcmp(p, word, strlen(word)) == 0;
 }
 
-/* Is it a line without a colour? */
+/* True for a line without a colour. */
 static bool is_other(const char *p, size_t n, int line, bool gpl)
 {
     if (n == 0)
