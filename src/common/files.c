@@ -70,6 +70,17 @@ long files_size(const char *path)
     return plat_file_size(path);
 }
 
+static void ignore_entry(void *user, const struct plat_folder_entry *file)
+{
+    (void)user;
+    (void)file;
+}
+
+int files_count_entries(const char *folder)
+{
+    return plat_list(folder, ignore_entry, NULL);
+}
+
 const char *files_set_missing_error(const char *name, const char *type, char *err, size_t err_size)
 {
     if (errno && errno != ENOENT && errno != ENOTDIR)

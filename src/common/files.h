@@ -30,6 +30,9 @@ long files_size(const char *path);
  * cannot be read (REASON)" when errno has a reason other than a missing file. Returns err. */
 const char *files_set_missing_error(const char *name, const char *type, char *err, size_t err_size);
 
+/* Returns the number of entries of a folder, or -1 if there is no such folder. */
+int files_count_entries(const char *folder);
+
 /* Reads a whole file into *data, from malloc, with a 0 byte after it. name: the file's name in messages. On failure,
  * returns false and sets err; *data is then NULL. */
 bool files_read(const char *path, const char *name, size_t max, uint8_t **data, size_t *size, char *err,

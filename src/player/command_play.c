@@ -14,16 +14,10 @@
 #include "play/cab.h"
 #include "game/embedded_rom.h"
 
-static void ignore_file(void *user, const struct plat_folder_entry *file)
-{
-    (void)user;
-    (void)file;
-}
-
 /* A first word that is neither command, file nor folder is more likely a slip than a game. */
 static bool is_nothing(const char *word)
 {
-    return files_size(word) < 0 && plat_list(word, ignore_file, NULL) < 0;
+    return files_size(word) < 0 && files_count_entries(word) < 0;
 }
 
 static enum result no_such_word(const char *word, bool after_play)
@@ -43,8 +37,8 @@ static bool is_games_folder(const char *path)
 {
     char rom[2048];
 
-    return path && plat_list(path, ignore_file, NULL) >= 0 &&
-           snprintf(rom, sizeof rom, "%s/rom.lua", path) < (int)sizeof rom && plat_file_size(rom) >= 0;
+    return path && files_count_entries(path) >= 0 && snprintf(rom, sizeof rom, "%s/rom.lua", path) < (int)sizeof rom &&
+           plat_file_size(rom) >= 0;
 }
 
 struct play {

@@ -41,19 +41,13 @@ bool rom_image_check(const uint8_t *bytes, size_t size, struct rom *rom, char *e
     return rom_open(rom, bytes, size, err, err_size) && board_size(rom, &ram, err, err_size);
 }
 
-static void ignore_entry(void *user, const struct plat_folder_entry *file)
-{
-    (void)user;
-    (void)file;
-}
-
 bool rom_image_read(const char *path, bool nearest, struct rom_image *out, char *err, size_t err_size)
 {
     char why[256];
 
     (void)nearest;
     memset(out, 0, sizeof *out);
-    if (files_size(path) < 0 && plat_list(path, ignore_entry, NULL) >= 0)
+    if (files_size(path) < 0 && files_count_entries(path) >= 0)
         return err_set(err, err_size, "%s: is a folder; this program plays .rom files (curtain pack makes one)", path);
     if (!files_read(path, path, MAX_FILE_BYTES, &out->bytes, &out->size, err, err_size))
         return false;

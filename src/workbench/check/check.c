@@ -113,12 +113,6 @@ static void check_id(struct check *c)
 
 /* ---- the folder ---- */
 
-static void ignore_file(void *user, const struct plat_folder_entry *file)
-{
-    (void)user;
-    (void)file;
-}
-
 /* Lists the files of the folder. False: it is not a game's folder, and *result is set. */
 static bool open_folder(struct check *c, enum result *result)
 {
@@ -127,7 +121,7 @@ static bool open_folder(struct check *c, enum result *result)
     *result = RESULT_REFUSED;
     if (files_size(c->dir) >= 0)
         report_line(*result, "%s: expected a game's folder, got a file", c->dir);
-    else if (plat_list(c->dir, ignore_file, NULL) < 0)
+    else if (files_count_entries(c->dir) < 0)
         report_line(*result, "%s", files_set_missing_error(c->dir, "folder", err, sizeof err));
     else if (!tree_walk(c->dir, &c->files, err, sizeof err))
         *result = report_error(err);

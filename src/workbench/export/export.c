@@ -203,12 +203,6 @@ static bool append_game(struct export *e)
 
 /* ---- files ---- */
 
-static void ignore(void *user, const struct plat_folder_entry *file)
-{
-    (void)user;
-    (void)file;
-}
-
 static bool is_info(const uint8_t *head, size_t n)
 {
     return n >= strlen(RETRO_INFO_FIRST) && memcmp(head, RETRO_INFO_FIRST, strlen(RETRO_INFO_FIRST)) == 0;
@@ -243,7 +237,7 @@ static bool may_replace(struct export *e, const char *path, enum export_kind kin
     uint8_t *there;
     size_t size;
 
-    if (plat_file_size(path) < 0 && plat_list(path, ignore, NULL) >= 0)
+    if (plat_file_size(path) < 0 && files_count_entries(path) >= 0)
         return err_set(e->err, e->err_size, "%s: a folder with this name exists; choose another file with -o", path);
     if (plat_file_size(path) < 0)
         return true;

@@ -70,12 +70,6 @@ static void list_games(char *out, size_t size)
     views_list(list, out, size);
 }
 
-static void ignore_file(void *user, const struct plat_folder_entry *file)
-{
-    (void)user;
-    (void)file;
-}
-
 /* Removes the written files and their folders; folders with other files remain. */
 static void remove_written(const struct start *s, bool existed)
 {
@@ -90,7 +84,7 @@ static void remove_written(const struct start *s, bool existed)
             plat_remove(path);
         }
     }
-    if (!existed && plat_list(s->dir, ignore_file, NULL) >= 0) /* a dangling link is the user's */
+    if (!existed && files_count_entries(s->dir) >= 0) /* a dangling link is the user's */
         plat_remove(s->dir);
 }
 
@@ -240,7 +234,7 @@ enum result new_game(const char *dir, const char *from)
     game_name_id(s.name, s.id);
     if (files_size(dir) >= 0)
         return report_line(RESULT_REFUSED, "%s: a file with this name exists; choose another name", dir);
-    int files = plat_list(dir, ignore_file, NULL);
+    const int files = files_count_entries(dir);
     if (files > 0)
         return report_line(RESULT_REFUSED, "%s: this folder is not empty; choose a new or empty one", dir);
     if (!save_all(&s, err, sizeof err)) {

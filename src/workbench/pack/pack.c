@@ -460,12 +460,6 @@ bool pack_folder(const char *dir, bool nearest, pack_warning *warn, void *contex
     return good;
 }
 
-static void ignore_entry(void *user, const struct plat_folder_entry *file)
-{
-    (void)user;
-    (void)file;
-}
-
 bool pack_load_game(const char *path, bool nearest, struct rom_image *out, char *err, size_t err_size)
 {
     return pack_load_game_warn(path, nearest, NULL, NULL, out, err, err_size);
@@ -479,7 +473,7 @@ bool pack_load_game_warn(const char *path, bool nearest, pack_warning *warn, voi
     memset(out, 0, sizeof *out);
     if (files_size(path) >= 0)
         return rom_image_read(path, nearest, out, err, err_size);
-    if (plat_list(path, ignore_entry, NULL) < 0) {
+    if (files_count_entries(path) < 0) {
         files_set_missing_error(path, "file or folder", err, err_size);
         return false;
     }
