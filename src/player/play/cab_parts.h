@@ -10,6 +10,7 @@
 #include "../overlay/prompt.h"
 #include "cab.h"
 #include "../settings/config.h"
+#include "../../common/byte_buffer.h"
 #include "../../common/files.h"
 #include "../overlay/console.h"
 #include "folder.h"
@@ -92,9 +93,7 @@ struct report {
     char stem[128];  /* the name, without its number */
     uint8_t *memory; /* of demo_dump; NULL: reports are without a demo */
     size_t size;
-    char *text; /* of a fault's; malloc */
-    size_t used, room;
-    bool failed;                 /* there was not enough memory */
+    struct byte_buffer text;     /* of a fault's report */
     char where[FILES_PATH_SIZE]; /* the path of the last one; "": none */
     uint32_t frame;              /* and what it was of */
     char message[sizeof((struct board_fault *)0)->message];

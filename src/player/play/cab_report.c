@@ -292,30 +292,16 @@ void cab_report_close(struct cab *cab)
 {
     plat_set_crash_handler("", NULL, NULL);
     free(cab->report.memory);
-    free(cab->report.text);
+    byte_buffer_close(&cab->report.text);
     cab->report.memory = NULL;
-    cab->report.text = NULL;
     cab->report.stem[0] = 0;
 }
 
 /* ---- faults ---- */
 
-/* Behind what is collected; what there is no memory for is left out. */
 static void collect(void *to, const void *bytes, size_t n)
 {
-    struct report *r = to;
-
-    if (r->used + n > r->room) {
-        size_t room = r->room * 2 + n + 65536;
-        char *grown = realloc(r->text, room);
-        r->failed = r->failed || !grown;
-        if (!grown)
-            return;
-        r->text = grown;
-        r->room = room;
-    }
-    memcpy(r->text + r->used, bytes, n);
-    r->used += n;
+    byte_buffer_put(to, bytes, n);
 }
 
 static bool save(struct cab *cab, struct report *r, const struct board_fault *fault)
@@ -324,19 +310,18 @@ static bool save(struct cab *cab, struct report *r, const struct board_fault *fa
     size_t waits;
     int i = 1;
 
-    r->used = 0;
-    r->failed = false;
-    write_report(cab, &(struct sink){ collect, r }, "a fault", "", fault);
+    byte_buffer_close(&r->text);
+    write_report(cab, &(struct sink){ collect, &r->text }, "a fault", "", fault);
     remove_oldest();
     do
         snprintf(name, sizeof name, "%s-%d.txt", r->stem, i++);
     while (plat_file_size(name) >= 0 || unsaved_bytes(cab->unsaved.files, name, &waits));
-    if (r->failed) {
+    if (r->text.failed) {
         cab_say(cab, "curtain: cannot write a report: out of memory");
         return false;
     }
     files_display_name(name, r->where);
-    return cab_save(cab, name, r->text, r->used);
+    return cab_save(cab, name, r->text.bytes, r->text.n);
 }
 
 static void write_fault_report(struct cab *cab, const struct board_fault *fault)

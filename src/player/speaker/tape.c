@@ -1,64 +1,47 @@
 /*
- * tape.c - see tape.h.
+ * tape.c - records sound (tape.h).
  */
 #include "tape.h"
 
 #include <stdlib.h>
 #include <string.h>
 #include "../../base/bytes.h"
-#include "../../base/err.h"
 #include "../../common/result.h"
 #include "../../board/board.h"
 #include "../../common/files.h"
 
-enum { WAVE_HEADER = 44, WAVE_RATE = 48000, BLOCK_BYTES = 4 * BOARD_SOUND_FRAMES, MOST = 1 << 30 };
+enum { WAVE_HEADER = 44, WAVE_RATE = 48000 };
 
 bool tape_open(struct tape *t)
 {
-    *t = (struct tape){ .tables = malloc(board_sound_tables_size()), .room = 1 << 20 };
-    t->bytes = malloc(t->room);
-    t->n = WAVE_HEADER;
-    t->failed = t->tables == NULL || t->bytes == NULL;
-    if (!t->failed)
-        board_sound_init_tables(t->tables);
-    return !t->failed;
+    *t = (struct tape){ .tables = malloc(board_sound_tables_size()) };
+    if (!t->tables || !byte_buffer_take(&t->file, WAVE_HEADER))
+        return false;
+    board_sound_init_tables(t->tables);
+    return true;
 }
 
 void tape_close(struct tape *t)
 {
     free(t->tables);
-    free(t->bytes);
+    byte_buffer_close(&t->file);
     *t = (struct tape){ 0 };
-}
-
-static bool has_room(struct tape *t)
-{
-    uint8_t *more;
-
-    if (t->failed || t->n + BLOCK_BYTES <= t->room)
-        return !t->failed;
-    more = t->room < MOST ? realloc(t->bytes, t->room * 2) : NULL;
-    t->failed = more == NULL;
-    if (more) {
-        t->bytes = more;
-        t->room *= 2;
-    }
-    return more != NULL;
 }
 
 void tape_add(struct tape *t, const struct board *b)
 {
     int16_t sound[2 * BOARD_SOUND_FRAMES];
+    uint8_t *out = byte_buffer_take(&t->file, sizeof sound);
 
-    if (!has_room(t))
+    if (!out)
         return;
     board_mix_sound(b, t->tables, sound);
-    for (int i = 0; i < 2 * BOARD_SOUND_FRAMES; i++, t->n += 2)
-        bytes_put16(t->bytes + t->n, (uint16_t)sound[i]);
+    for (int i = 0; i < 2 * BOARD_SOUND_FRAMES; i++, out += 2)
+        bytes_put16(out, (uint16_t)sound[i]);
     t->frames += BOARD_SOUND_FRAMES;
 }
 
-/* Two channels of 16 bits. */
+/* For two channels of 16 bits. */
 static void wave_header(uint8_t out[WAVE_HEADER], uint32_t frames)
 {
     memcpy(out, "RIFF....WAVEfmt ", 16);
@@ -76,14 +59,14 @@ static void wave_header(uint8_t out[WAVE_HEADER], uint32_t frames)
 
 bool tape_end(struct tape *t)
 {
-    if (!t->failed)
-        wave_header(t->bytes, t->frames);
-    return !t->failed;
+    if (!t->file.failed)
+        wave_header(t->file.bytes, t->frames);
+    return !t->file.failed;
 }
 
 bool tape_save(struct tape *t, const char *path, char *err, size_t err_size)
 {
     if (!tape_end(t))
         return result_set_host_error(err, err_size, "%s: out of memory", path);
-    return files_save(path, t->bytes, t->n, err, err_size);
+    return files_save(path, t->file.bytes, t->file.n, err, err_size);
 }

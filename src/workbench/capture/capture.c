@@ -216,7 +216,7 @@ static void add_frame(struct capture *c, uint32_t frame)
 
 static bool failed(const struct capture *c)
 {
-    return c->gif.out.failed || c->tape.failed || (c->stream && ferror(c->stream));
+    return c->gif.out.failed || c->tape.file.failed || (c->stream && ferror(c->stream));
 }
 
 /* Plays the run from power-on to the last frame. */
@@ -285,14 +285,14 @@ static enum result capture_gif(struct capture *c)
     return first_error(result, write_out(c, c->gif.out.bytes, c->gif.out.n));
 }
 
-static enum result shoot_wav(struct capture *c)
+static enum result capture_wav(struct capture *c)
 {
     if (!tape_open(&c->tape))
         return no_memory(c);
     enum result result = play(c, true);
     if (!tape_end(&c->tape))
         return no_memory(c);
-    return first_error(result, write_out(c, c->tape.bytes, c->tape.n));
+    return first_error(result, write_out(c, c->tape.file.bytes, c->tape.file.n));
 }
 
 /* If the disk is full, the file remains: players show it up to there. */
@@ -411,7 +411,7 @@ static enum result capture_video(struct capture *c)
     enum result result = play(c, true);
     if (!tape_end(&c->tape))
         return no_memory(c);
-    if (!files_save(sound, c->tape.bytes, c->tape.n, err, sizeof err))
+    if (!files_save(sound, c->tape.file.bytes, c->tape.file.n, err, sizeof err))
         return report_line(RESULT_HOST_FAILED, "%s", err);
     tape_close(&c->tape);
     enum result second = restart(c);
@@ -425,7 +425,7 @@ static enum result capture_video(struct capture *c)
 static enum result capture(struct capture *c)
 {
     static enum result (*const ways[FORMATS])(struct capture *) = {
-        [GIF] = shoot_gif, [Y4M] = shoot_y4m, [WAV] = shoot_wav, [MP4] = shoot_film, [WEBM] = shoot_film,
+        [GIF] = capture_gif, [Y4M] = capture_y4m, [WAV] = capture_wav, [MP4] = capture_video, [WEBM] = capture_video,
     };
     const struct args *a = c->a;
 

@@ -162,7 +162,7 @@ enum result headless_render(const struct args *a)
         enum result saved = sheet_save(&s, a->sheet);
         result = result == RESULT_DONE ? saved : result;
     }
-    if (s.tape.bytes) { /* also for frame 0 alone, which has no sound */
+    if (s.tape.file.bytes) { /* also for frame 0 alone, which has no sound */
         enum result saved = wav_save(&s, a->wav);
         result = result == RESULT_DONE ? saved : result;
     }

@@ -28,7 +28,7 @@ static int16_t *samples_of(const struct tape *t)
     int16_t *lr = malloc((size_t)t->frames * 4 + 1);
 
     for (size_t i = 0; lr && i < 2 * (size_t)t->frames; i++)
-        lr[i] = (int16_t)bytes_get16(t->bytes + HEADER + 2 * i);
+        lr[i] = (int16_t)bytes_get16(t->file.bytes + HEADER + 2 * i);
     return lr;
 }
 
