@@ -126,41 +126,6 @@ uint8_t *icon_fit(const struct cart *cart, int side)
     return out;
 }
 
-/* The chunks of a PNG of eight bits R G B A. */
-static bool write_png(int side, const uint8_t *packed, size_t packed_size, uint8_t **png, size_t *size)
-{
-    static const uint8_t signature[8] = { 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n' };
-    uint8_t header[13] = { [8] = 8, [9] = 6 };
-    uint8_t *end;
-
-    *size = sizeof signature + sizeof header + packed_size + (size_t)3 * 12;
-    *png = malloc(*size);
-    if (!*png)
-        return false;
-    png_be32(header, (uint32_t)side);
-    png_be32(header + 4, (uint32_t)side);
-    memcpy(*png, signature, sizeof signature);
-    end = png_chunk(*png + sizeof signature, "IHDR", header, sizeof header);
-    end = png_chunk(end, "IDAT", packed, (uint32_t)packed_size);
-    png_chunk(end, "IEND", header, 0);
-    return true;
-}
-
-bool icon_png(const uint8_t *rgba, int side, uint8_t **png, size_t *size)
-{
-    const size_t row = (size_t)side * 4;
-    uint8_t *raw = calloc((size_t)side, row + 1), *packed = NULL;
-    size_t packed_size;
-
-    for (int y = 0; raw && y < side; y++) /* a 0 before each row: as it is */
-        memcpy(raw + (size_t)y * (row + 1) + 1, rgba + (size_t)y * row, row);
-    bool good = raw && png_deflate(raw, (size_t)side * (row + 1), &packed, &packed_size) &&
-                write_png(side, packed, packed_size, png, size);
-    free(packed);
-    free(raw);
-    return good;
-}
-
 void icon_show(const struct cart *cart)
 {
     int side;

@@ -32,9 +32,6 @@ uint8_t *icon_make(const struct cart *cart, int least, int *side);
 /* The same of exactly that side: the next larger one shrunk, each pixel the mean of those it covers. */
 uint8_t *icon_fit(const struct cart *cart, int side);
 
-/* A PNG file of such pixels: *png (free it). False: out of memory. */
-bool icon_png(const uint8_t *rgba, int side, uint8_t **png, size_t *size);
-
 /* Gives it to the open window. */
 void icon_show(const struct cart *cart);
 

@@ -1,10 +1,9 @@
 /*
- * png.c - see png.h. Chunks are ours, compression and the pixel formats are stb's.
+ * png.c - reads and writes PNG files (png.h). This file handles the chunks; stb compresses and converts pixels.
  *
- * stb trusts a file more than we do, so it sees only what has been looked at: the chunks with their CRCs, and pixel
- * data that inflates to just what the header asks for, into memory of that size. It reads colours beyond the end of a
- * short palette, so a picture of palette indices is given to it with a palette of grey i for index i, and looked up
- * here.
+ * stb does not validate files, so it only gets data that was checked here: chunks with correct CRCs, and pixel data
+ * that inflates to exactly the size that the header implies. stb reads beyond the end of a short palette, so it gets
+ * pictures of palette indices with a palette in which colour i is grey i; the colours are then looked up here.
  */
 #include "png.h"
 
@@ -16,41 +15,45 @@
 #include "../../common/result.h"
 #include "../../base/hash.h"
 
-enum { STB_MOST = 512 << 20 }; /* bytes in one piece */
+enum { MAX_BLOCK = 512 << 20 /* bytes in one block of stb's memory */ };
 
-/* What stb's reader holds. It forgets some of it when memory is short, so what is left after a failure is freed here.
- * One picture is read at a time. */
+/* stb's memory. When memory runs short, stb's reader forgets some blocks and its compressor cannot fail, so allocate
+ * then jumps out of stb, and the blocks are freed together. One picture is read or written at a time. */
+struct block {
+    _Alignas(16) struct block *next;
+};
 static struct {
-    void *piece[8];
-    bool shortage; /* a piece was refused */
-} reading;
+    struct block *first;
+    jmp_buf out_of_memory;
+} blocks;
 
-static void *hold(void *old, size_t n)
+static void *allocate(size_t n)
 {
-    enum { SLOTS = sizeof reading.piece / sizeof reading.piece[0] };
-    int i = 0;
+    struct block *b = n <= MAX_BLOCK ? malloc(sizeof *b + n) : NULL;
 
-    while (i < SLOTS && reading.piece[i] != old)
-        i++;
-    void *p = i < SLOTS && n <= STB_MOST ? realloc(old, n ? n : 1) : NULL;
-    if (p)
-        reading.piece[i] = p;
-    else
-        reading.shortage = true;
+    if (!b)
+        longjmp(blocks.out_of_memory, 1);
+    b->next = blocks.first;
+    blocks.first = b;
+    return b + 1;
+}
+
+static void *reallocate(void *old, size_t old_size, size_t n)
+{
+    void *p = allocate(n);
+
+    if (old)
+        memcpy(p, old, old_size < n ? old_size : n);
     return p;
 }
 
-static void let_go(const void *p)
+static void free_blocks(void)
 {
-    for (size_t i = 0; p && i < sizeof reading.piece / sizeof reading.piece[0]; i++)
-        if (reading.piece[i] == p)
-            reading.piece[i] = NULL;
-}
-
-static void release(void *p)
-{
-    let_go(p);
-    free(p);
+    while (blocks.first) {
+        struct block *b = blocks.first;
+        blocks.first = b->next;
+        free(b);
+    }
 }
 
 #define STB_IMAGE_IMPLEMENTATION
@@ -58,55 +61,16 @@ static void release(void *p)
 #define STBI_NO_STDIO
 #define STBI_NO_HDR
 #define STBI_NO_LINEAR
-#define STBI_MALLOC(n)      hold(NULL, n)
-#define STBI_REALLOC(p, n)  hold(p, n)
-#define STBI_FREE(p)        release(p)
-#define STBI_MAX_DIMENSIONS PNG_MAX_SIDE
-
-/* What stb's compressor takes, which cannot say that memory is short: then it is left by a jump. A piece is given back
- * when all are. One picture is written at a time. */
-struct piece {
-    _Alignas(16) struct piece *next;
-};
-static struct {
-    struct piece *first;
-    jmp_buf full;
-} compressing;
-
-static void *piece_take(size_t n)
-{
-    struct piece *p = n <= STB_MOST ? malloc(sizeof *p + n) : NULL;
-
-    if (!p)
-        longjmp(compressing.full, 1);
-    p->next = compressing.first;
-    compressing.first = p;
-    return p + 1;
-}
-
-static void *piece_grow(void *old, size_t had, size_t n)
-{
-    void *p = piece_take(n);
-
-    if (old)
-        memcpy(p, old, had < n ? had : n);
-    return p;
-}
-
-static void pieces_free(void)
-{
-    while (compressing.first) {
-        struct piece *p = compressing.first;
-        compressing.first = p->next;
-        free(p);
-    }
-}
+#define STBI_MAX_DIMENSIONS                PNG_MAX_SIDE
+#define STBI_MALLOC(n)                     allocate(n)
+#define STBI_REALLOC_SIZED(p, old_size, n) reallocate(p, old_size, n)
+#define STBI_FREE(p)                       ((void)(p))
 
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STBI_WRITE_NO_STDIO
-#define STBIW_MALLOC(n)                piece_take(n)
-#define STBIW_REALLOC_SIZED(p, had, n) piece_grow(p, had, n)
-#define STBIW_FREE(p)                  ((void)(p))
+#define STBIW_MALLOC(n)                     allocate(n)
+#define STBIW_REALLOC_SIZED(p, old_size, n) reallocate(p, old_size, n)
+#define STBIW_FREE(p)                       ((void)(p))
 #include <stb/stb_image.h>
 #include <stb/stb_image_write.h>
 
@@ -137,7 +101,7 @@ uint8_t *png_chunk(uint8_t *p, const char type[4], const uint8_t *data, uint32_t
     return p + 12 + n;
 }
 
-/* Rows as the file has them: each a filter byte (0: none) and its n bytes. */
+/* Returns the rows as the file stores them: each is a filter byte (0: none) and n bytes. NULL: out of memory. */
 static uint8_t *rows(const uint8_t *from, ptrdiff_t pitch, size_t n, int h)
 {
     size_t stride = n + 1;
@@ -153,7 +117,7 @@ static uint8_t *rows(const uint8_t *from, ptrdiff_t pitch, size_t n, int h)
 struct pixels {
     const uint8_t *from;
     ptrdiff_t pitch;         /* bytes */
-    int w, h, bytes;         /* bytes a pixel: 1 or 3 */
+    int w, h, bytes;         /* bytes per pixel: 1, 3 or 4 */
     const uint32_t *palette; /* NULL: none */
 };
 
@@ -179,11 +143,12 @@ static size_t assemble(uint8_t *out, const struct pixels *pic, const uint8_t *pa
 
     png_be32(head, (uint32_t)pic->w);
     png_be32(head + 4, (uint32_t)pic->h);
-    head[8] = 8;                    /* bits */
-    head[9] = pic->palette ? 3 : 2; /* palette or RGB */
+    head[8] = 8;                                          /* bits */
+    head[9] = pic->palette ? 3 : pic->bytes == 4 ? 6 : 2; /* palette, RGBA or RGB */
     memcpy(p, signature, sizeof signature);
     p = png_chunk(p + sizeof signature, "IHDR", head, sizeof head);
-    p = png_chunk(p, "tEXt", author, AUTHOR);
+    if (pic->bytes < 4)
+        p = png_chunk(p, "tEXt", author, AUTHOR);
     if (pic->palette)
         p = palette_chunk(p, pic->palette);
     p = png_chunk(p, "IDAT", packed, n);
@@ -197,20 +162,20 @@ bool png_deflate(uint8_t *raw, size_t n, uint8_t **out, size_t *size)
     uint8_t *packed;
 
     *out = NULL;
-    if (n > STB_MOST)
+    if (n > MAX_BLOCK)
         return false;
-    if (setjmp(compressing.full) == 0) {
+    if (setjmp(blocks.out_of_memory) == 0) {
         packed = stbi_zlib_compress(raw, (int)n, &packed_size, 8);
         *size = (size_t)packed_size;
         *out = malloc(*size);
         if (*out)
             memcpy(*out, packed, *size);
     }
-    pieces_free();
+    free_blocks();
     return *out != NULL;
 }
 
-/* The whole file of rows of raw bytes; NULL: out of memory. */
+/* Returns the complete file for the raw rows, or NULL when out of memory. */
 static uint8_t *compressed_file(const struct pixels *pic, uint8_t *raw, size_t raw_size, size_t *size)
 {
     size_t n;
@@ -231,7 +196,7 @@ static bool write_picture(const struct pixels *pic, uint8_t **out, size_t *size)
     if (pic->w < 1 || pic->h < 1 || pic->w > PNG_MAX_SIDE || pic->h > PNG_MAX_SIDE)
         return false;
     size_t stride = (size_t)pic->w * (size_t)pic->bytes;
-    if ((stride + 1) * (size_t)pic->h > STB_MOST)
+    if ((stride + 1) * (size_t)pic->h > MAX_BLOCK)
         return false;
     uint8_t *raw = rows(pic->from, pic->pitch, stride, pic->h);
     if (raw)
@@ -250,6 +215,11 @@ bool png_write_rgb(const uint8_t *rgb, int w, int h, uint8_t **out, size_t *size
     return write_picture(&(struct pixels){ rgb, (ptrdiff_t)w * 3, w, h, 3, NULL }, out, size);
 }
 
+bool png_write_rgba(const uint8_t *rgba, int w, int h, uint8_t **out, size_t *size)
+{
+    return write_picture(&(struct pixels){ rgba, (ptrdiff_t)w * 4, w, h, 4, NULL }, out, size);
+}
+
 bool png_is_signed(const uint8_t *head, size_t n)
 {
     const size_t data = AFTER_HEAD + 8;
@@ -260,9 +230,9 @@ bool png_is_signed(const uint8_t *head, size_t n)
 
 /* ---- reading ---- */
 
-/* What a file says, once its chunks have been walked. */
+/* The contents of a file, filled in by read_header and walk_chunks. */
 struct layout {
-    uint32_t w, h, bits, colour, interlaced; /* colour: PNG's type, 0 2 3 4 6 */
+    uint32_t w, h, bits, colour, interlaced; /* colour: PNG's colour type, 0, 2, 3, 4 or 6 */
     const uint8_t *palette, *opacity;        /* of PLTE and tRNS; NULL: none */
     uint32_t colours, opacities;
     size_t pixels; /* bytes in all IDAT */
@@ -280,7 +250,7 @@ static void note(struct layout *l, const uint8_t *type, const uint8_t *data, uin
         l->pixels += n;
 }
 
-/* Are the chunks whole and undamaged up to IEND? */
+/* Checks that the chunks up to IEND are complete and undamaged. */
 static bool walk_chunks(const uint8_t *data, size_t n, struct layout *l, char *err, size_t err_size)
 {
     size_t at = sizeof signature;
@@ -290,10 +260,8 @@ static bool walk_chunks(const uint8_t *data, size_t n, struct layout *l, char *e
         uint32_t len = get_be32(p);
         if (len > n - at - 12)
             break;
-        if (get_be32(p + 8 + len) != hash_crc32(p + 4, (size_t)len + 4)) {
-            snprintf(err, err_size, "damaged PNG: wrong CRC in the chunk at byte %zu", at);
-            return false;
-        }
+        if (get_be32(p + 8 + len) != hash_crc32(p + 4, (size_t)len + 4))
+            return err_set(err, err_size, "damaged PNG: wrong CRC in the chunk at byte %zu", at);
         note(l, p + 4, p + 8, len);
         if (memcmp(p + 4, "IEND", 4) == 0)
             return true;
@@ -317,10 +285,9 @@ static bool read_header(const uint8_t *data, size_t n, struct layout *l, char *e
         return err_set(err, err_size, "the PNG has an unknown colour type or depth");
     if (l->w == 0 || l->h == 0)
         return err_set(err, err_size, "the PNG has no pixels");
-    if (l->w > PNG_MAX_SIDE || l->h > PNG_MAX_SIDE || (uint64_t)l->w * l->h > PNG_MAX_PIXELS) {
-        snprintf(err, err_size, "the PNG is too large: %lu x %lu pixels", (unsigned long)l->w, (unsigned long)l->h);
-        return false;
-    }
+    if (l->w > PNG_MAX_SIDE || l->h > PNG_MAX_SIDE || (uint64_t)l->w * l->h > PNG_MAX_PIXELS)
+        return err_set(err, err_size, "the PNG is too large: %lu x %lu pixels", (unsigned long)l->w,
+                       (unsigned long)l->h);
     return true;
 }
 
@@ -337,7 +304,7 @@ static bool check_palette(const struct layout *l, char *err, size_t err_size)
     return true;
 }
 
-/* Bytes of rows of w x h pixels, each with the byte of its filter. */
+/* Returns the bytes of h rows of w pixels, including the filter bytes. */
 static size_t rows_size(const struct layout *l, uint32_t w, uint32_t h)
 {
     static const uint8_t channels[7] = { 1, 0, 3, 1, 2, 0, 4 };
@@ -345,8 +312,8 @@ static size_t rows_size(const struct layout *l, uint32_t w, uint32_t h)
     return w && h ? (size_t)h * (1 + ((size_t)w * channels[l->colour] * l->bits + 7) / 8) : 0;
 }
 
-/* Bytes the pixel data inflates to. An interlaced picture is seven, each of every dx-th pixel in every dy-th row
- * from (x, y). */
+/* Returns the bytes that the pixel data inflates to. An interlaced picture consists of seven pictures, each with every
+ * dx-th pixel of every dy-th row from (x, y). */
 static size_t inflated_size(const struct layout *l)
 {
     static const uint8_t x[7] = { 0, 4, 0, 2, 0, 1, 0 }, y[7] = { 0, 0, 4, 0, 2, 0, 1 };
@@ -360,7 +327,7 @@ static size_t inflated_size(const struct layout *l)
     return size;
 }
 
-/* The data of all IDAT on end. The chunks have been walked. */
+/* Returns the concatenated data of all IDAT chunks, or NULL when out of memory. Call walk_chunks first. */
 static uint8_t *join_pixels(const uint8_t *data, const struct layout *l)
 {
     uint8_t *all = malloc(l->pixels ? l->pixels : 1), *to = all;
@@ -373,7 +340,7 @@ static uint8_t *join_pixels(const uint8_t *data, const struct layout *l)
     return all;
 }
 
-/* Does the pixel data inflate to what the header asks for? */
+/* Checks that the pixel data inflates to the size that the header implies. */
 static bool check_pixels(const struct layout *l, const uint8_t *packed, char *err, size_t err_size)
 {
     size_t size = inflated_size(l);
@@ -381,7 +348,7 @@ static bool check_pixels(const struct layout *l, const uint8_t *packed, char *er
 
     if (!room)
         return result_set_host_error(err, err_size, "out of memory");
-    /* a byte more, so that data of just the size does not look like too much */
+    /* one more byte, because stb reports an overflow when the buffer is exactly full */
     int n = stbi_zlib_decode_buffer((char *)room, (int)size + 1, (const char *)packed, (int)l->pixels);
     free(room);
     if (n >= 0 && (size_t)n == size)
@@ -390,12 +357,11 @@ static bool check_pixels(const struct layout *l, const uint8_t *packed, char *er
         return err_set(err, err_size, "the PNG has fewer pixels than its header says");
     if (n >= 0 || !strcmp(stbi_failure_reason(), "output buffer limit"))
         return err_set(err, err_size, "the PNG has more pixels than its header says");
-    snprintf(err, err_size, "cannot read the PNG (%s)", stbi_failure_reason());
-    return false;
+    return err_set(err, err_size, "cannot read the PNG (%s)", stbi_failure_reason());
 }
 
-/* The same picture with all its data in one chunk, and nothing that stb need not know: of indices with grey i for index
- * i. (stb's reader cannot take an empty chunk of data before the others.) */
+/* Returns a file for stb with the same picture: one IDAT chunk, because stb's reader fails on an empty first one, and
+ * only the chunks that stb needs. Palette colour i is grey i. */
 static uint8_t *plain_file(const uint8_t *data, const struct layout *l, const uint8_t *packed, size_t *size)
 {
     uint32_t greys[256], opacities = l->colour == 3 ? 0 : l->opacities;
@@ -417,16 +383,14 @@ static uint8_t *plain_file(const uint8_t *data, const struct layout *l, const ui
     return file;
 }
 
-/* Greys to the palette's colours; the indices go to `index`, if it is not NULL. */
+/* Replaces greys with the palette's colours, and stores the indices in index_of unless it is NULL. */
 static bool look_up(const struct layout *l, uint8_t *rgba, uint8_t *index_of, char *err, size_t err_size)
 {
     for (size_t i = 0; i < (size_t)l->w * l->h; i++, rgba += 4) {
         uint32_t index = rgba[0];
-        if (index >= l->colours) {
-            snprintf(err, err_size, "pixel %lu,%lu has palette index %u, but the PNG's palette ends at index %u",
-                     (unsigned long)(i % l->w), (unsigned long)(i / l->w), index, l->colours - 1);
-            return false;
-        }
+        if (index >= l->colours)
+            return err_set(err, err_size, "pixel %lu,%lu has palette index %u, but the PNG's palette ends at index %u",
+                           (unsigned long)(i % l->w), (unsigned long)(i / l->w), index, l->colours - 1);
         if (index_of)
             index_of[i] = (uint8_t)index;
         memcpy(rgba, l->palette + 3 * index, 3);
@@ -435,44 +399,37 @@ static bool look_up(const struct layout *l, uint8_t *rgba, uint8_t *index_of, ch
     return true;
 }
 
-static uint8_t *decode(const uint8_t *data, size_t n, char *err, size_t err_size)
+static bool decode(const uint8_t *file, size_t n, uint8_t *rgba, size_t size, char *err, size_t err_size)
 {
     int w, h, channels;
 
-    reading.shortage = false;
-    uint8_t *rgba = stbi_load_from_memory(data, (int)n, &w, &h, &channels, 4);
-    let_go(rgba);
-    for (size_t i = 0; i < sizeof reading.piece / sizeof reading.piece[0]; i++)
-        release(reading.piece[i]);
-    if (rgba)
-        return rgba;
-    if (reading.shortage)
-        result_set_host_error(err, err_size, "out of memory");
-    else
-        snprintf(err, err_size, "cannot read the PNG (%s)", stbi_failure_reason());
-    return NULL;
+    if (setjmp(blocks.out_of_memory))
+        return result_set_host_error(err, err_size, "out of memory");
+    const uint8_t *decoded = stbi_load_from_memory(file, (int)n, &w, &h, &channels, 4);
+    if (!decoded)
+        return err_set(err, err_size, "cannot read the PNG (%s)", stbi_failure_reason());
+    memcpy(rgba, decoded, size);
+    return true;
 }
 
 static uint8_t *decode_plain(const uint8_t *data, const struct layout *l, const uint8_t *packed, uint8_t *index,
                              char *err, size_t err_size)
 {
+    const size_t rgba_size = (size_t)l->w * l->h * 4;
     size_t size;
-    uint8_t *file = plain_file(data, l, packed, &size), *rgba;
+    uint8_t *file = plain_file(data, l, packed, &size), *rgba = malloc(rgba_size);
+    bool good = file && rgba ? decode(file, size, rgba, rgba_size, err, err_size)
+                             : result_set_host_error(err, err_size, "out of memory");
 
-    if (!file) {
-        result_set_host_error(err, err_size, "out of memory");
-        return NULL;
-    }
-    rgba = decode(file, size, err, err_size);
+    free_blocks();
     free(file);
-    if (rgba && l->colour == 3 && !look_up(l, rgba, index, err, err_size)) {
-        free(rgba);
-        return NULL;
-    }
-    return rgba;
+    if (good && (l->colour != 3 || look_up(l, rgba, index, err, err_size)))
+        return rgba;
+    free(rgba);
+    return NULL;
 }
 
-/* Reads what `packed` inflates to; the indices, if there are any and they are asked for, into *index. */
+/* Decodes the pixels. Stores palette indices in *index unless index is NULL or the picture has none. */
 static uint8_t *read_pixels(const uint8_t *data, const struct layout *l, const uint8_t *packed, uint8_t **index,
                             char *err, size_t err_size)
 {

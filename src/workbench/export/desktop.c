@@ -92,7 +92,7 @@ bool desktop_write(const char *program, const struct cart *cart, char *err, size
     escaped(line, title);
     escaped(path, shown);
     rgba = icon_make(cart, ICON_SAVED, &side);
-    const bool icon = rgba && icon_png(rgba, side, &png, &size);
+    const bool icon = rgba && png_write_rgba(rgba, side, side, &png, &size);
     free(rgba);
     snprintf(text, sizeof text,
              ENTRY "Name=%s\nExec=\"%s\"\nIcon=%s%s\nTerminal=false\n"

@@ -17,6 +17,7 @@
 #include "../../common/result.h"
 #include "../../player/game/version.h"
 #include "../../player/picture/icon.h"
+#include "../../player/picture/png.h"
 
 enum {                   /* sizes, and offsets in the optional header */
        FILE_HEADER = 24, /* with the signature PE\0\0 */
@@ -190,7 +191,7 @@ static bool make_icons(const struct cart *cart, struct byte_buffer *pictures, ui
         bool good = rgba != NULL;
         if (good && sides[i] < 256) /* PNG is allowed at 256 only */
             put_bitmap(pictures, rgba, sides[i]);
-        else if (good && (good = icon_png(rgba, sides[i], &png, &n)))
+        else if (good && (good = png_write_rgba(rgba, sides[i], sides[i], &png, &n)))
             byte_buffer_put(pictures, png, n);
         free(png);
         free(rgba);
