@@ -9,7 +9,7 @@
 #include <cmocka.h>
 #include "../../src/player/screens/log.h"
 
-enum { KEY_UP = 82, KEY_PAGE_UP = 75, KEY_ESCAPE = 41, W = 240, H = 160 };
+enum { KEY_PAGE_UP = 75, W = 240, H = 160 };
 
 static struct log l;
 static struct screens s;

@@ -11,8 +11,6 @@
 
 enum { WORD = 32 };
 
-enum { KEY_ESCAPE = 41, KEY_LEFT_CTRL = 224, KEY_LEFT_ALT = 226, KEY_RIGHT_CTRL = 228, KEY_RIGHT_ALT = 230 };
-
 static const struct action {
     const char *name, *label, *switches, *help;
 } actions[KEYS_ACTIONS] = {

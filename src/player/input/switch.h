@@ -14,6 +14,27 @@
  * bits 5 to 7 (from 1; 0: the player's own), and enum plat_button below. 0: no switch. */
 enum { SWITCH_CONTROLLER = 0x100, SWITCH_ALT = 0x1000, SWITCH_CTRL = 0x2000, SWITCH_NAME = 32 };
 
+/* HID usages of keys with a fixed meaning. */
+enum {
+    KEY_DIGIT_1 = 30, /* followed by 2 to 9 and 0 */
+    KEY_ENTER = 40,
+    KEY_ESCAPE = 41,
+    KEY_BACKSPACE = 42,
+    KEY_HOME = 74,
+    KEY_DELETE = 76,
+    KEY_END = 77,
+    KEY_RIGHT = 79,
+    KEY_LEFT = 80,
+    KEY_DOWN = 81,
+    KEY_UP = 82,
+    KEY_KEYPAD_ENTER = 88,
+    KEY_KEYPAD_1 = 89,
+    KEY_LEFT_CTRL = 224,
+    KEY_LEFT_ALT = 226,
+    KEY_RIGHT_CTRL = 228,
+    KEY_RIGHT_ALT = 230
+};
+
 static inline unsigned switch_which(unsigned code)
 {
     return code >> 5 & 7;

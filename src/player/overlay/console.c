@@ -8,21 +8,6 @@
 #include <string.h>
 #include "../../script/api/eval.h"
 
-/* HID usages. */
-enum {
-    KEY_ENTER = 40,
-    KEY_ESCAPE = 41,
-    KEY_BACKSPACE = 42,
-    KEY_HOME = 74,
-    KEY_DELETE = 76,
-    KEY_END = 77,
-    KEY_RIGHT = 79,
-    KEY_LEFT = 80,
-    KEY_DOWN = 81,
-    KEY_UP = 82,
-    KEY_PAD_ENTER = 88
-};
-
 enum { REPEAT_AFTER = 24, REPEAT_EVERY = 3 /* polls */ };
 
 static const char keep[] = "keep ";
@@ -142,7 +127,7 @@ static void press(struct console *c, unsigned key, struct board *b, bool keeps)
 {
     switch (key) {
     case KEY_ENTER:
-    case KEY_PAD_ENTER:
+    case KEY_KEYPAD_ENTER:
         enter(c, b, keeps);
         break;
     case KEY_ESCAPE:
@@ -190,8 +175,8 @@ static bool can_repeat(unsigned key)
 /* A key that was not held at the last poll is pressed; some are again and again. */
 static void read_keys(struct console *c, const struct plat_input *in, struct board *b, bool keeps)
 {
-    static const uint8_t keys[] = { KEY_ENTER, KEY_ESCAPE, KEY_BACKSPACE, KEY_HOME, KEY_DELETE,   KEY_END,
-                                    KEY_RIGHT, KEY_LEFT,   KEY_DOWN,      KEY_UP,   KEY_PAD_ENTER };
+    static const uint8_t keys[] = { KEY_ENTER, KEY_ESCAPE, KEY_BACKSPACE, KEY_HOME, KEY_DELETE,      KEY_END,
+                                    KEY_RIGHT, KEY_LEFT,   KEY_DOWN,      KEY_UP,   KEY_KEYPAD_ENTER };
     if (!plat_is_key_held(in, c->repeats))
         c->repeats = 0;
     for (size_t i = 0; i < sizeof keys && c->open; i++) {

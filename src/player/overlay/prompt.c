@@ -1,12 +1,11 @@
 /*
- * prompt.c - see prompt.h. Usages of the USB HID keyboard page.
+ * prompt.c - the prompt for a frame number (prompt.h).
  */
 #include "prompt.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-enum { ENTER = 40, ESCAPE = 41, BACKSPACE = 42, KP_ENTER = 88, DIGIT_1 = 30, KP_1 = 89 };
+#include "../input/switch.h"
 
 void prompt_open(struct prompt *p, const struct plat_input *in)
 {
@@ -19,12 +18,12 @@ static bool pressed(const struct prompt *p, const struct plat_input *in, unsigne
     return plat_is_key_held(in, usage) && !(p->held[usage >> 3] >> (usage & 7) & 1);
 }
 
-/* 1 to 9 lie before 0, in both rows. */
+/* In both rows of keys, 0 follows 9. */
 static void digits(struct prompt *p, const struct plat_input *in)
 {
     for (unsigned i = 0; i < 10; i++) {
         size_t n = strlen(p->digits);
-        if (n + 1 < sizeof p->digits && (pressed(p, in, DIGIT_1 + i) || pressed(p, in, KP_1 + i)))
+        if (n + 1 < sizeof p->digits && (pressed(p, in, KEY_DIGIT_1 + i) || pressed(p, in, KEY_KEYPAD_1 + i)))
             p->digits[n] = (char)('0' + (i + 1) % 10);
     }
 }
@@ -32,12 +31,12 @@ static void digits(struct prompt *p, const struct plat_input *in)
 bool prompt_poll(struct prompt *p, const struct plat_input *in, uint32_t *frame)
 {
     size_t n = strlen(p->digits);
-    bool enter = pressed(p, in, ENTER) || pressed(p, in, KP_ENTER);
+    bool enter = pressed(p, in, KEY_ENTER) || pressed(p, in, KEY_KEYPAD_ENTER);
 
     digits(p, in);
-    if (n > 0 && pressed(p, in, BACKSPACE))
+    if (n > 0 && pressed(p, in, KEY_BACKSPACE))
         p->digits[n - 1] = 0;
-    if (enter || pressed(p, in, ESCAPE))
+    if (enter || pressed(p, in, KEY_ESCAPE))
         p->open = false;
     memcpy(p->held, in->keys, sizeof p->held);
     *frame = (uint32_t)strtoul(p->digits, NULL, 10);

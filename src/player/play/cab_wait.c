@@ -13,9 +13,7 @@
 enum {
     PAGE_W = 400, /* px: there is no game yet that would say how large the picture is */
     PAGE_H = 300,
-    LOOK_EVERY = 15, /* frames between two looks at the folder */
-    ENTER = 40,      /* the keys' usages: the page names them, whatever the settings say */
-    ESCAPE = 41
+    LOOK_EVERY = 15 /* frames between two looks at the folder */
 };
 
 static bool open_page(struct cab *cab)
@@ -132,7 +130,7 @@ static void poll(struct cab *cab)
     plat_poll(&in);
     cab_seats_poll(cab, &in);
     keys_read(&cab->config.keys, &in, &cab->seats, &k);
-    cab->quit = cab->quit || in.quit || k.pressed & leaves || plat_is_key_held(&in, ESCAPE);
+    cab->quit = cab->quit || in.quit || k.pressed & leaves || plat_is_key_held(&in, KEY_ESCAPE);
     if (k.pressed & (uint32_t)1 << CAB_FULLSCREEN) {
         cab->config.fullscreen = !cab->config.fullscreen;
         cab->want.fullscreen = cab->config.fullscreen;
@@ -140,7 +138,7 @@ static void poll(struct cab *cab)
     }
     cab_scroll(cab, &cab->waiting.top, cab->waiting.most, k.pads[0], in.wheel);
     cab_drop(cab);
-    if (cab->waiting.settings && !cab->quit && (plat_is_key_held(&in, ENTER) || k.pads[0] & PAD_START))
+    if (cab->waiting.settings && !cab->quit && (plat_is_key_held(&in, KEY_ENTER) || k.pads[0] & PAD_START))
         end_settings(cab);
 }
 

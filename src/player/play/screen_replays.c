@@ -190,18 +190,18 @@ static bool key(struct cab *cab, const struct plat_input *in, unsigned usage)
 static bool listen(void *of, const struct plat_input *in)
 {
     struct cab *cab = of;
-    enum { ENTER = 40, ESCAPE = 41, BACKSPACE = 42, KEYPAD_ENTER = 88 };
     const uint32_t now = in->controllers[0] | in->controllers[1], fresh = now & ~cab->view.switches;
-    const bool yes = key(cab, in, ENTER) || key(cab, in, KEYPAD_ENTER) || fresh & (1u << PLAT_SOUTH | 1u << PLAT_START);
+    const bool yes =
+        key(cab, in, KEY_ENTER) || key(cab, in, KEY_KEYPAD_ENTER) || fresh & (1u << PLAT_SOUTH | 1u << PLAT_START);
 
     if (!cab->view.typing)
         return false;
     type(cab, in->text);
-    if (key(cab, in, BACKSPACE))
+    if (key(cab, in, KEY_BACKSPACE))
         erase(cab);
     if (yes)
         keep_name(cab);
-    if (yes || key(cab, in, ESCAPE) || fresh & 1u << PLAT_EAST)
+    if (yes || key(cab, in, KEY_ESCAPE) || fresh & 1u << PLAT_EAST)
         want_text(cab, false);
     memcpy(cab->view.held, in->keys, sizeof cab->view.held);
     cab->view.switches = now;

@@ -14,7 +14,7 @@
 #include "../../player/speaker/speaker.h"
 #include "../../player/overlay/overlay.h"
 
-enum { W = 216, H = 224, SECOND = 1000000, MOST_LATE = 4, KEY_ESCAPE = 41, TITLE = 64 };
+enum { W = 216, H = 224, SECOND = 1000000, MOST_LATE = 4, TITLE = 64 };
 
 struct jukebox {
     struct board *b;
