@@ -1,26 +1,27 @@
 /*
- * ahead.c - see ahead.h. A snapshot has all that matters of RAM but what the last tick handed out, which the cabinet
- * still reads; so that is kept beside it.
+ * ahead.c - look-ahead (ahead.h). A snapshot doesn't contain the output of the last tick, which the cabinet still reads,
+ * so the output is saved separately.
  */
 #include "ahead.h"
 
 #include <stdlib.h>
 
-enum { ALIGN = 64 }; /* bytes more, for snapshots that grow from frame to frame */
+enum { SLACK = 64 }; /* bytes, because snapshots grow from frame to frame */
 
-static bool keep(struct ahead *a, const struct board *b)
+bool ahead_save(struct ahead *a, const struct board *b)
 {
     const size_t size = board_snapshot_size(b);
 
     if (size > a->room) {
         free(a->snapshot);
-        a->room = size + size / 4 + ALIGN;
+        a->room = size + size / 4 + SLACK;
         a->snapshot = malloc(a->room);
         a->room = a->snapshot ? a->room : 0;
     }
     if (!a->output)
         a->output = malloc(board_output_size());
-    if (!a->snapshot || !a->output)
+    a->on = a->snapshot && a->output;
+    if (!a->on)
         return false;
     board_save(b, a->snapshot);
     board_output_save(b, a->output);
@@ -29,10 +30,7 @@ static bool keep(struct ahead *a, const struct board *b)
 
 bool ahead_begin(struct ahead *a, struct guard *g, const uint16_t pads[MAX_PLAYERS])
 {
-    if (!keep(a, g->board))
-        return false;
-    a->on = true;
-    if (!guard_ahead(g, pads))
+    if (ahead_save(a, g->board) && !guard_ahead(g, pads))
         ahead_end(a, g);
     return a->on;
 }

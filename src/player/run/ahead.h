@@ -1,10 +1,9 @@
 /*
- * ahead.h - a look at the frame after the present one: the board ticks once more with the same pads, is drawn, and goes
- * back to where it was, as if nothing had been.
+ * ahead.h - look-ahead: ticks the board once more with the same pads to draw the next frame, and restores it.
  *
- * What is shown is a frame younger then, so a switch is seen a frame earlier. Where the player presses something else
- * in the next frame, that frame differs from the one that was shown. Nothing but the picture is of it: sound,
- * recording, scores, log and requests are the present's.
+ * This reduces input latency by a frame. If the player presses other buttons in the next frame, that frame differs from
+ * the one shown. Only the picture is a frame ahead: sound, recording, scores, log and requests are those of the present
+ * frame.
  */
 #ifndef PLAYER_AHEAD_H
 #define PLAYER_AHEAD_H
@@ -13,18 +12,21 @@
 
 struct ahead {
     void *snapshot, *output; /* malloc */
-    size_t room;             /* bytes of snapshot */
-    bool on;                 /* the board stands a frame ahead */
+    size_t room;             /* bytes allocated for the snapshot */
+    bool on;                 /* a state is saved, and not restored yet */
 };
 
-/* Goes ahead. False: it cannot (no memory, or the next tick would fault or take too long), and the board is as it
- * was. Only between frames, of a board without a fault. */
+/* Saves the board's state and output, for ahead_end. Returns false when out of memory. Call it only between frames. */
+bool ahead_save(struct ahead *a, const struct board *b);
+
+/* Saves the board and ticks it once. Returns false when out of memory, or if the tick faults or takes too long; the
+ * board is then unchanged. Call it only between frames, for a board without a fault. */
 bool ahead_begin(struct ahead *a, struct guard *g, const uint16_t pads[MAX_PLAYERS]);
 
-/* Goes back, if it went ahead. To be called before anything else is done with the board but looking at it. */
+/* Restores the saved state, if any. Call it before changing the board. */
 void ahead_end(struct ahead *a, struct guard *g);
 
-/* Harmless on zeroes. */
+/* Frees the memory. Does nothing if *a is zeroed. */
 void ahead_close(struct ahead *a);
 
 #endif

@@ -1,14 +1,13 @@
 /*
- * guard.c - see guard.h.
+ * guard.c - owns a board and its RAM (guard.h).
  */
 #include "guard.h"
 
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
+#include "../../base/err.h"
 
 enum {
-    RAM_ALIGN = 64, /* more than a board needs: so that snapshots are fast */
+    RAM_ALIGN = 64, /* more than a board needs, because it makes snapshots fast */
     PAST_BYTES = GUARD_PAST_MIB << 20
 };
 
@@ -17,10 +16,8 @@ static bool take_ram(struct guard *g, char *err, size_t err_size)
     if (!board_size(g->rom, &g->ram_size, err, err_size))
         return false;
     g->block = g->ram_size <= SIZE_MAX - RAM_ALIGN ? malloc(g->ram_size + RAM_ALIGN - 1) : 0;
-    if (!g->block) {
-        snprintf(err, err_size, "the board needs %zu KiB of memory, more than is available", g->ram_size / 1024);
-        return false;
-    }
+    if (!g->block)
+        return err_set(err, err_size, "the board needs %zu KiB of memory, more than is available", g->ram_size / 1024);
     g->ram = (void *)(((uintptr_t)g->block + RAM_ALIGN - 1) & ~(uintptr_t)(RAM_ALIGN - 1));
     return true;
 }

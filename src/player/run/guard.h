@@ -1,5 +1,5 @@
 /*
- * guard.h - a board, its RAM, and its past if that is wanted.
+ * guard.h - owns a board, its RAM and, if requested, its past.
  */
 #ifndef PLAYER_GUARD_H
 #define PLAYER_GUARD_H
@@ -20,29 +20,28 @@ struct guard {
     void *context;
 };
 
-/* Takes RAM and powers a board in it. False and one sentence for a ROM that cannot run or too little memory; a script
- * fault is in board_last_output(g->board)->fault, as after board_power_on. The ROM must outlive the guard. */
+/* Allocates RAM and powers on a board in it. Returns false and sets err if the ROM cannot run or memory is short. A
+ * script fault is in board_last_output(g->board)->fault, as after board_power_on. The ROM must outlive the guard. */
 bool guard_power(struct guard *g, const struct rom *rom, const struct board_start *start, char *err, size_t err_size);
 
-/* The same once more, in the RAM that guard_power took: for one run after another of the same ROM. Without a board
- * afterwards the guard is closed. */
+/* Like guard_power, but reuses the RAM, for another run of the same ROM. On failure, closes the guard. */
 bool guard_again(struct guard *g, const struct board_start *start, char *err, size_t err_size);
 
-/* board_tick, which the past remembers. */
+/* Calls board_tick, and stores the tick in the past. */
 const struct board_out *guard_tick(struct guard *g, const uint16_t pads[MAX_PLAYERS]);
 
-/* Ticks once for a caller that has a snapshot and restores it: the past does not remember this tick, and nobody
- * measures its phases. False: the tick ended in a fault. */
+/* Ticks once for a caller that restores a snapshot afterwards: the tick is not stored in the past, and its phases are
+ * not measured. Returns false if the tick faulted. */
 bool guard_ahead(struct guard *g, const uint16_t pads[MAX_PLAYERS]);
 
 /* Stores the past from now on, for guard_back. Returns false when out of memory. Call rewind_forget after anything
  * other than a tick has changed the board, also after guard_again. */
 bool guard_remember(struct guard *g);
 
-/* Back to a frame of the past, as rewind_to says. */
+/* Goes back to a frame of the past (rewind_to). */
 bool guard_back(struct guard *g, uint32_t frame);
 
-/* Gives the RAM back. Harmless on a guard of zeroes, or twice. */
+/* Frees the RAM. Does nothing if *g is zeroed. */
 void guard_close(struct guard *g);
 
 #endif
