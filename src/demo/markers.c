@@ -82,6 +82,18 @@ bool markers_compare(struct marker_changes *c, const struct demo *before, const 
     return ok;
 }
 
+const char *markers_kind_name(enum board_marker_kind kind)
+{
+    static const char *const names[MARKER_KINDS] = {
+        [MARKER_STAGE] = "stage", [MARKER_MARK] = "mark",   [MARKER_WAVE] = "wave",   [MARKER_BOSS] = "boss",
+        [MARKER_PHASE] = "phase", [MARKER_DEATH] = "death", [MARKER_CLEAR] = "clear", [MARKER_WON] = "won",
+        [MARKER_LOST] = "lost",   [MARKER_START] = "start", [MARKER_GAME] = "game",   [MARKER_OVER] = "over",
+        [MARKER_ROW] = "row",
+    };
+
+    return names[kind];
+}
+
 void markers_format_change(const struct marker_change *c, char *out, size_t size)
 {
     static const char *const kinds[MARKER_KINDS] = {

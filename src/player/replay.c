@@ -1,10 +1,8 @@
 /*
- * replay.c - see replay.h.
- *
- * A part that this build's board does not have differs from the first frame on.
+ * replay.c - plays a demo and compares it with its recording (replay.h). A part that this build's board does not have
+ * differs from the first frame on.
  */
 #include "replay.h"
-#include "../common/result.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -30,7 +28,7 @@ static enum result power(struct replay *r, const struct cart *cart, const struct
     return RESULT_DONE;
 }
 
-/* A game's difficulty is that at its beginning: before and after it a menu may show another. */
+/* Stores the difficulty when a game starts; before and after the game, a menu may have set another one. */
 static void note_difficulty(struct replay *r)
 {
     const struct board_out *out = board_last_output(r->guard.board);
@@ -40,8 +38,8 @@ static void note_difficulty(struct replay *r)
             r->difficulty = board_current_difficulty(r->guard.board);
 }
 
-/* The first frame in which these parts, found to differ at `frame`, may have come to: after the row before, unless one
- * of them has checksums of every frame. */
+/* Returns the first frame in which parts that differ at `frame` may have differed: the frame after the previous row, or
+ * `frame` itself if one of the parts has checksums for every frame. */
 static uint32_t first_of(const struct demo *d, uint32_t frame, uint64_t parts)
 {
     if (frame == 0 || (!d->sparse && parts & d->checksum_parts))
@@ -49,7 +47,7 @@ static uint32_t first_of(const struct demo *d, uint32_t frame, uint64_t parts)
     return (frame - 1) / DEMO_SECOND_FRAMES * DEMO_SECOND_FRAMES + 1;
 }
 
-/* Compares the board with checksums and track; true: it is as recorded. */
+/* Returns whether the board matches the recorded checksums and hashes of this frame. Otherwise sets *v. */
 static bool compare(struct replay *r, const struct demo *d, uint32_t frame, struct verdict *v)
 {
     if (!demo_has_checksums(d, frame))
@@ -64,7 +62,7 @@ static bool compare(struct replay *r, const struct demo *d, uint32_t frame, stru
     return false;
 }
 
-/* What a fault, or none, means at this frame; false: go on. */
+/* Returns whether the replay ends at this frame, with a fault or as the demo's last frame. Sets *v. */
 static bool ends(const struct replay *r, const struct demo *d, uint32_t frame, struct verdict *v)
 {
     const struct board_fault *fault = replay_fault(r);
@@ -78,32 +76,7 @@ static bool ends(const struct replay *r, const struct demo *d, uint32_t frame, s
     return fault || last;
 }
 
-static void tick(struct replay *r, const uint16_t pads[MAX_PLAYERS])
-{
-    guard_tick(&r->guard, pads);
-    if (r->ticked)
-        r->ticked(r->context, board_frame(r->guard.board));
-}
-
-/* Replays, keeping up the recording; false: it has no memory. */
-static bool play(struct replay *r, const struct demo *d, struct demo_writer *again, struct verdict *v)
-{
-    uint16_t pads[MAX_PLAYERS];
-
-    for (uint32_t f = 0;; f++) {
-        if (!replay_fault(r) && !compare(r, d, f, v))
-            return true;
-        if (ends(r, d, f, v))
-            return true;
-        demo_pads(d, f, pads);
-        tick(r, pads);
-        note_difficulty(r);
-        if (again && !demo_record_frame(again, r->guard.board, pads))
-            return false;
-    }
-}
-
-/* The part of a demo that has the points; MAX_PARTS: none. */
+/* Returns the demo's part that contains the points, or MAX_PARTS. */
 static int part_of_points(const struct demo *d)
 {
     int i = 0;
@@ -113,12 +86,12 @@ static int part_of_points(const struct demo *d)
     return i < d->n_parts ? i : MAX_PARTS;
 }
 
-/* Compares frame f, as long as something is to be found: the first difference, the end of what is known of the points.
- * *points is the part that has them, MAX_PARTS when that has differed. */
+/* Compares frame f: finds the first difference, and the last frame up to which the part *points, which contains the
+ * points, is as recorded. When that part differs, sets *points to MAX_PARTS. */
 static void look(struct replay *r, const struct demo *d, uint32_t f, int *points, struct rerun *o)
 {
     struct verdict v = { .kind = VERDICT_HOLDS };
-    uint16_t print;
+    uint16_t checksum;
 
     if (o->first.kind != VERDICT_HOLDS && *points == MAX_PARTS)
         return;
@@ -128,28 +101,33 @@ static void look(struct replay *r, const struct demo *d, uint32_t f, int *points
         return;
     if (v.parts >> *points & 1) {
         *points = MAX_PARTS;
-    } else if (demo_get_checksum(d, f, *points, &print)) {
+    } else if (demo_get_checksum(d, f, *points, &checksum)) {
         o->held = true;
-        o->alike = f;
+        o->held_until = f;
         for (int p = 0; p < MAX_PLAYERS; p++)
             o->points[p] = board_points(r->guard.board, p);
     }
 }
 
-static bool play_whole(struct replay *r, const struct demo *d, struct demo_writer *again, struct rerun *o)
+/* Replays d, and records it if `again` is not NULL. Stops at the first difference unless `whole` is set. Returns false
+ * when out of memory. */
+static bool play(struct replay *r, const struct demo *d, struct demo_writer *again, bool whole, struct rerun *o)
 {
-    int points = part_of_points(d);
+    int points = whole ? part_of_points(d) : MAX_PARTS;
     uint16_t pads[MAX_PLAYERS];
 
     *o = (struct rerun){ .first.kind = VERDICT_HOLDS };
     for (uint32_t f = 0;; f++) {
         if (!replay_fault(r))
             look(r, d, f, &points, o);
-        if (ends(r, d, f, &o->end))
+        if ((o->first.kind != VERDICT_HOLDS && !whole) || ends(r, d, f, &o->end))
             break;
         demo_pads(d, f, pads);
-        tick(r, pads);
-        if (!demo_record_frame(again, r->guard.board, pads))
+        guard_tick(&r->guard, pads);
+        if (r->ticked)
+            r->ticked(r->context, board_frame(r->guard.board));
+        note_difficulty(r);
+        if (again && !demo_record_frame(again, r->guard.board, pads))
             return false;
     }
     if (o->first.kind == VERDICT_HOLDS)
@@ -157,52 +135,45 @@ static bool play_whole(struct replay *r, const struct demo *d, struct demo_write
     return true;
 }
 
-/* How a demo's checksums are written again: as they are, unless it is of a format that knew one way alone. */
-static enum demo_checksum_rate prints_of(const struct replay *r, const struct demo *d)
+/* The rate of the new recording's checksums: that of the demo, except for old formats, which have only one rate. */
+static enum demo_checksum_rate checksum_rate(const struct replay *r, const struct demo *d)
 {
-    if (r->prints != DEMO_CHECKSUMS_AUTO)
-        return r->prints;
+    if (r->checksum_rate != DEMO_CHECKSUMS_AUTO)
+        return r->checksum_rate;
     if (d->format < 5)
         return DEMO_CHECKSUMS_AUTO;
     return d->sparse ? DEMO_CHECKSUMS_EVERY_SECOND : DEMO_CHECKSUMS_EVERY_FRAME;
 }
 
-/* Powers the board on, and a recording if there is to be one. */
-static enum result begin(struct replay *r, const struct cart *cart, const struct demo *d, struct demo_writer *again,
-                         char *err, size_t err_size)
+static enum result run(struct replay *r, const struct cart *cart, const struct demo *d, struct demo_writer *again,
+                       bool whole, struct rerun *o, char *err, size_t err_size)
 {
     enum result result = power(r, cart, d, err, err_size);
 
-    if (result == RESULT_DONE && again) {
-        if (!demo_begin(again, NULL, cart, r->guard.board, &d->start, d->flags) ||
-            !demo_set_checksum_rate(again, prints_of(r, d)))
-            return out_of_memory(err, err_size);
-    }
-    return result;
+    if (result != RESULT_DONE)
+        return result;
+    if (again && (!demo_begin(again, NULL, cart, r->guard.board, &d->start, d->flags) ||
+                  !demo_set_checksum_rate(again, checksum_rate(r, d))))
+        return out_of_memory(err, err_size);
+    if (!play(r, d, again, whole, o) || (again && !demo_end(again, r->guard.board)))
+        return out_of_memory(err, err_size);
+    return RESULT_DONE;
 }
 
 enum result replay_run(struct replay *r, const struct cart *cart, const struct demo *d, struct demo_writer *again,
                        struct verdict *v, char *err, size_t err_size)
 {
-    enum result result = begin(r, cart, d, again, err, err_size);
+    struct rerun o = { .held = false };
+    enum result result = run(r, cart, d, again, false, &o, err, err_size);
 
-    if (result != RESULT_DONE)
-        return result;
-    if (!play(r, d, again, v) || (again && !demo_end(again, r->guard.board)))
-        return out_of_memory(err, err_size);
-    return RESULT_DONE;
+    *v = o.first;
+    return result;
 }
 
 enum result replay_whole(struct replay *r, const struct cart *cart, const struct demo *d, struct demo_writer *again,
                          struct rerun *o, char *err, size_t err_size)
 {
-    enum result result = begin(r, cart, d, again, err, err_size);
-
-    if (result != RESULT_DONE)
-        return result;
-    if (!play_whole(r, d, again, o) || !demo_end(again, r->guard.board))
-        return out_of_memory(err, err_size);
-    return RESULT_DONE;
+    return run(r, cart, d, again, true, o, err, err_size);
 }
 
 /* "input, player" */

@@ -1,6 +1,6 @@
 /*
- * verify.c - see verify.h. The game is loaded once, and one block of RAM serves all demos; nothing else is kept from
- * one to the next, so a list of names may be as long as it likes.
+ * verify.c - the command `verify` (verify.h). The game is loaded once, and all demos use the same block of RAM. Nothing
+ * else is retained between demos, so a list of names can have any length.
  */
 #include "verify.h"
 
@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../platform/platform.h"
+#include "../common/byte_buffer.h"
 #include "../common/clean.h"
 #include "../common/files.h"
 #include "../common/progress.h"
@@ -24,11 +25,11 @@ struct verify {
     struct game game;
     struct replay replay;
     struct demo demo;
-    struct demo_writer again; /* of --restamp and --rerecord */
-    char doubt[160];          /* " (recorded with another game version)", or nothing */
-    const char *path;         /* of the demo that is looked at */
+    struct demo_writer again; /* for --restamp and --rerecord */
+    char doubt[160];          /* " (recorded with another game version)", or "" */
+    const char *path;         /* of the current demo */
     bool batch;               /* names come from standard input */
-    uint64_t looked, all;     /* demos so far, and of how many; 0: not known */
+    uint64_t done, all;       /* number of demos replayed, and of all; 0: unknown */
 };
 
 /* ---- lines ---- */
@@ -38,7 +39,7 @@ static enum result refuse(const struct verify *v, enum result result, const char
 static void say(const struct verify *v, const char *path, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* Names may hold anything. */
+/* Prints a file name or another untrusted text. */
 static void print_clean(const char *text)
 {
     char line[2 * DEMO_PATH_SIZE];
@@ -48,7 +49,7 @@ static void print_clean(const char *text)
     fputs(line, stdout);
 }
 
-/* What keeps a demo from being replayed, with its name in it; returns result. */
+/* Prints why a demo cannot be replayed; the message contains its name. Returns result. */
 static enum result refuse(const struct verify *v, enum result result, const char *format, ...)
 {
     char line[2048];
@@ -91,12 +92,12 @@ static void say_verdict(const struct verify *v, const char *path, const struct v
     say(v, path, "%s%s", text, w->kind == VERDICT_HOLDS && v->a->restamp ? ", restamped" : "");
 }
 
-/* ---- more of it: --verbose ---- */
+/* ---- --verbose ---- */
 
 static void say_hashes(const struct verify *v, const struct verdict *w)
 {
     const uint64_t *row = demo_hashes(&v->demo, w->frame);
-    uint16_t print = 0;
+    uint16_t checksum = 0;
 
     for (int i = 0; i < v->demo.n_parts; i++) {
         unsigned long long here = v->replay.hashes[i];
@@ -107,13 +108,13 @@ static void say_hashes(const struct verify *v, const struct verdict *w)
         else if (row)
             report_print("  %s: recorded %016llx, replayed %016llx\n", v->demo.part_name[i], (unsigned long long)row[i],
                          here);
-        else if (demo_get_checksum(&v->demo, w->frame, i, &print))
-            report_print("  %s: recorded checksum %04x, replayed %04x\n", v->demo.part_name[i], (unsigned)print,
+        else if (demo_get_checksum(&v->demo, w->frame, i, &checksum))
+            report_print("  %s: recorded checksum %04x, replayed %04x\n", v->demo.part_name[i], (unsigned)checksum,
                          (unsigned)(here & 0xffff));
     }
 }
 
-/* The markers a frame lies in: of each kind the last, or NULL when what came after it ended it. */
+/* Finds the sections that contain a frame: the last marker of each kind, or NULL if a later marker ended it. */
 static void markers_at(const struct demo *d, uint32_t frame, const struct demo_marker *in[MARKER_KINDS])
 {
     enum { RUN = (1 << (MARKER_DEATH + 1)) - 1 };
@@ -185,11 +186,8 @@ static void say_pads(const struct demo *d, uint32_t frame)
 static void say_trace(const char *text)
 {
     for (size_t n; *text; text += n + (text[n] == '\n')) {
-        char line[1024];
         n = strcspn(text, "\n");
-        snprintf(line, sizeof line, "  %.*s", (int)(n < sizeof line - 4 ? n : sizeof line - 4), text);
-        clean_line(line);
-        puts(line);
+        report_print("  %.*s\n", (int)n, text);
     }
 }
 
@@ -224,22 +222,22 @@ static void say_more(const struct verify *v, const struct verdict *w)
 
 /* ---- demos ---- */
 
-/* All demos count as equally long. */
-static void tell_progress(void *context, uint32_t frame)
+/* Progress counts all demos as equally long. */
+static void show_progress(void *context, uint32_t frame)
 {
     enum { WHOLE = 1000 };
     struct verify *v = context;
-    const uint64_t done = v->looked * WHOLE + (uint64_t)frame * WHOLE / v->demo.frames;
+    const uint64_t done = v->done * WHOLE + (uint64_t)frame * WHOLE / v->demo.frames;
     char of[32] = "";
 
     if (v->all)
         snprintf(of, sizeof of, " of %llu", (unsigned long long)v->all);
-    progress_tell(done, v->all * WHOLE, "demo %llu%s, frame %u of %u", (unsigned long long)v->looked + 1, of,
+    progress_tell(done, v->all * WHOLE, "demo %llu%s, frame %u of %u", (unsigned long long)v->done + 1, of,
                   (unsigned)frame, (unsigned)v->demo.frames);
 }
 
-/* Writes the replay as the demo: newest format, this ROM and core version, all checksums and markers. */
-static enum result write_again(struct verify *v, const char *path)
+/* Saves the recording of the replay as the demo, in the newest format and with this ROM and core version. */
+static enum result save_rerecorded(struct verify *v, const char *path)
 {
     char err[1200];
 
@@ -248,10 +246,10 @@ static enum result write_again(struct verify *v, const char *path)
     return refuse(v, RESULT_HOST_FAILED, "%s", err);
 }
 
-static enum result tell_json(const struct verify *v, const char *path, const struct verdict *w)
+static enum result print_json(const struct verify *v, const char *path, const struct verdict *w)
 {
     char doubt[128];
-    const struct verify_told told = {
+    const struct verify_result replayed = {
         .path = path,
         .doubt = demo_replay_warning(&v->demo, &v->game.cart, doubt, sizeof doubt),
         .cart = &v->game.cart,
@@ -261,7 +259,7 @@ static enum result tell_json(const struct verify *v, const char *path, const str
         .verdict = w,
     };
 
-    verify_json_told(&told);
+    verify_json_replayed(&replayed);
     return w->kind == VERDICT_HOLDS ? RESULT_DONE : RESULT_DIFFERS;
 }
 
@@ -269,7 +267,7 @@ static enum result judge(struct verify *v, const char *path)
 {
     struct verdict w;
     char err[512];
-    v->replay.prints = (enum demo_checksum_rate)v->a->prints;
+    v->replay.checksum_rate = (enum demo_checksum_rate)v->a->prints;
     bool records = v->a->restamp || v->a->json;
     enum result result =
         replay_run(&v->replay, &v->game.cart, &v->demo, records ? &v->again : NULL, &w, err, sizeof err);
@@ -278,38 +276,26 @@ static enum result judge(struct verify *v, const char *path)
     if (result != RESULT_DONE)
         return refuse(v, result, "%s: %s", path, err);
     if (w.kind == VERDICT_HOLDS && v->a->restamp)
-        result = write_again(v, path);
+        result = save_rerecorded(v, path);
     if (result != RESULT_DONE)
         return result;
     if (v->a->json)
-        return tell_json(v, path, &w);
+        return print_json(v, path, &w);
     say_verdict(v, path, &w);
     if (v->a->verbose)
         say_more(v, &w);
     return w.kind == VERDICT_HOLDS ? RESULT_DONE : RESULT_DIFFERS;
 }
 
-/* ---- demos of another core version or build, recorded anew ---- */
+/* ---- --rerecord: demos of another core version or build ---- */
 
-struct tale { /* what became of a run, for a line */
-    char text[1900];
-    size_t n;
-    bool same; /* all that was told is known to be as it was */
+/* The line about a rerecorded demo. */
+struct summary {
+    struct byte_buffer text;
+    bool same; /* the rerecorded demo is known to be the same run */
 };
 
-static void tell(struct tale *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
-
-static void tell(struct tale *t, const char *format, ...)
-{
-    va_list args;
-
-    va_start(args, format);
-    int n = vsnprintf(t->text + t->n, sizeof t->text - t->n, format, args);
-    va_end(args);
-    t->n = n < 0 ? t->n : t->n + (size_t)n < sizeof t->text ? t->n + (size_t)n : sizeof t->text - 1;
-}
-
-/* "1200", and of a second player who has any "1200 and 300". */
+/* Writes "1200", or "1200 and 300" if the second player has any points. */
 static void points_text(const int64_t points[MAX_PLAYERS], char *out, size_t size)
 {
     int n = snprintf(out, size, "%" PRId64, points[0]);
@@ -323,9 +309,9 @@ static bool points_of(const struct demo *d, int64_t points[MAX_PLAYERS])
     return demo_points(d, 0, &points[0]) && demo_points(d, 1, &points[1]);
 }
 
-/* The score in the end. Demos of old programs do not tell it, so it is known as long as the hashes of the part that has
- * it are the same. */
-static void tell_points(const struct verify *v, const struct rerun *o, struct tale *t)
+/* Compares the final scores. Old demos don't contain the score. It is then known up to the last frame in which the
+ * hashes of the part with the score match. */
+static void add_points(const struct verify *v, const struct rerun *o, struct summary *t)
 {
     uint32_t last = v->demo.frames - (v->demo.fault && v->demo.frames);
     int64_t was[MAX_PLAYERS], is[MAX_PLAYERS];
@@ -334,56 +320,57 @@ static void tell_points(const struct verify *v, const struct rerun *o, struct ta
     for (int p = 0; p < MAX_PLAYERS; p++)
         is[p] = board_points(v->replay.guard.board, p);
     points_text(is, now, sizeof now);
-    bool told = points_of(&v->demo, was);
-    if (told ? memcmp(was, is, sizeof was) == 0 : o->held && o->alike >= last) {
-        tell(t, "; score %s unchanged", now);
+    bool known = points_of(&v->demo, was);
+    if (known ? memcmp(was, is, sizeof was) == 0 : o->held && o->held_until >= last) {
+        byte_buffer_print(&t->text, "; score %s unchanged", now);
         return;
     }
     t->same = false;
-    points_text(told ? was : o->points, before, sizeof before);
-    if (told)
-        tell(t, "; score %s -> %s", before, now);
+    points_text(known ? was : o->points, before, sizeof before);
+    if (known)
+        byte_buffer_print(&t->text, "; score %s -> %s", before, now);
     else if (o->held)
-        tell(t, "; recorded score unknown -> %s (known up to frame %u: %s)", now, (unsigned)o->alike, before);
+        byte_buffer_print(&t->text, "; recorded score unknown -> %s (known up to frame %u: %s)", now,
+                          (unsigned)o->held_until, before);
     else
-        tell(t, "; recorded score unknown -> %s", now);
+        byte_buffer_print(&t->text, "; recorded score unknown -> %s", now);
 }
 
-enum { MARKERS_TOLD = 4 }; /* on the line; --verbose prints all */
+enum { MAX_LISTED_MARKERS = 4 }; /* --verbose prints all */
 
-static void tell_markers(const struct verify *v, const struct marker_changes *c, struct tale *t)
+static void add_markers(const struct verify *v, const struct marker_changes *c, struct summary *t)
 {
     char text[96];
 
     if (v->demo.format < 3) {
-        tell(t, "; recorded markers unknown");
+        byte_buffer_print(&t->text, "; recorded markers unknown");
         t->same = false;
         return;
     }
     t->same &= c->n == 0;
-    tell(t, c->n ? "; markers: " : "; markers unchanged");
-    for (uint32_t i = 0; i < c->n && i < MARKERS_TOLD; i++) {
+    byte_buffer_print(&t->text, c->n ? "; markers: " : "; markers unchanged");
+    for (uint32_t i = 0; i < c->n && i < MAX_LISTED_MARKERS; i++) {
         markers_format_change(&c->list[i], text, sizeof text);
-        tell(t, "%s%s", i ? ", " : "", text);
+        byte_buffer_print(&t->text, "%s%s", i ? ", " : "", text);
     }
-    if (c->n > MARKERS_TOLD)
-        tell(t, " and %u more", (unsigned)c->n - MARKERS_TOLD);
+    if (c->n > MAX_LISTED_MARKERS)
+        byte_buffer_print(&t->text, " and %u more", (unsigned)c->n - MAX_LISTED_MARKERS);
 }
 
-static void tell_end(const struct verify *v, const struct rerun *o, struct tale *t)
+static void add_end(const struct verify *v, const struct rerun *o, struct summary *t)
 {
     if (o->end.kind == VERDICT_NO_FAULT) {
         t->same = false;
-        if (o->first.kind != VERDICT_NO_FAULT) /* else it stands in front */
-            tell(t, "; the recorded fault does not occur");
+        if (o->first.kind != VERDICT_NO_FAULT) /* otherwise the line starts with this */
+            byte_buffer_print(&t->text, "; the recorded fault does not occur");
     }
-    tell(t, "; length %u unchanged", (unsigned)v->demo.frames);
+    byte_buffer_print(&t->text, "; length %u unchanged", (unsigned)v->demo.frames);
 }
 
-/* The file has been written. */
+/* Prints the line about a demo that was rerecorded. */
 static enum result say_again(const struct verify *v, const char *path, const struct rerun *o)
 {
-    struct tale t = { .same = true };
+    struct summary t = { .same = true };
     struct marker_changes c;
     char text[1400];
 
@@ -392,13 +379,15 @@ static enum result say_again(const struct verify *v, const char *path, const str
         return refuse(v, RESULT_HOST_FAILED, "%s: out of memory", path);
     }
     replay_text(&v->replay, &v->demo, &o->first, text, sizeof text);
-    tell(&t, "rerecorded: %s", text);
+    byte_buffer_print(&t.text, "rerecorded: %s", text);
     if (o->first.kind != VERDICT_HOLDS) {
-        tell_points(v, o, &t);
-        tell_markers(v, &c, &t);
-        tell_end(v, o, &t);
+        add_points(v, o, &t);
+        add_markers(v, &c, &t);
+        add_end(v, o, &t);
     }
-    say(v, path, "%s", t.text);
+    if (!t.text.failed)
+        say(v, path, "%s", (const char *)t.text.bytes);
+    byte_buffer_close(&t.text);
     for (uint32_t i = 0; v->a->verbose && v->demo.format >= 3 && i < c.n; i++) {
         markers_format_change(&c.list[i], text, sizeof text);
         report_print("  %s\n", text);
@@ -407,7 +396,7 @@ static enum result say_again(const struct verify *v, const char *path, const str
     return t.same ? RESULT_DONE : RESULT_DIFFERS;
 }
 
-/* Why a replay that differs is not the run on today's core; NULL: it is. */
+/* Returns why a replay that differs must not replace the demo, or NULL if it may. */
 static const char *no_rerun(const struct verify *v, const struct rerun *o)
 {
     if (!v->doubt[0])
@@ -435,7 +424,7 @@ static enum result rerecord(struct verify *v, const char *path)
     struct rerun o;
     char err[512];
 
-    v->replay.prints = (enum demo_checksum_rate)v->a->prints;
+    v->replay.checksum_rate = (enum demo_checksum_rate)v->a->prints;
     enum result result = replay_whole(&v->replay, &v->game.cart, &v->demo, &v->again, &o, err, sizeof err);
 
     progress_wipe();
@@ -444,7 +433,7 @@ static enum result rerecord(struct verify *v, const char *path)
     const char *why = o.first.kind == VERDICT_HOLDS ? NULL : no_rerun(v, &o);
     if (why)
         return leave_alone(v, path, &o, why);
-    result = write_again(v, path);
+    result = save_rerecorded(v, path);
     return result == RESULT_DONE ? say_again(v, path, &o) : result;
 }
 
@@ -475,14 +464,14 @@ static enum result verify_demo(struct verify *v, const char *path)
     demo_free(&v->again.demo);
     demo_free(&v->demo);
     fflush(stdout);
-    v->looked++;
+    v->done++;
     return result;
 }
 
 /* ---- names ---- */
 
-/* The next name of standard input, up to a newline (and a carriage return before it) or with --null a NUL; empty ones
- * are passed over. False: there are no more. One too long for a path is cut, and *whole false. */
+/* Reads the next name from standard input, up to a newline (and a carriage return before it), or with --null up to a
+ * NUL. Skips empty names. Returns false at the end. A name too long for a path is truncated, and *whole is false. */
 static bool next_name(char name[DEMO_PATH_SIZE], bool null, bool *whole)
 {
     int end = null ? 0 : '\n', c = 0;
@@ -541,7 +530,7 @@ static enum result verify_all(struct verify *v, const struct args *a)
 
     v->a = a;
     v->all = listed ? 0 : (uint64_t)a->n_words - 1;
-    v->replay.ticked = tell_progress;
+    v->replay.ticked = show_progress;
     v->replay.context = v;
     if (a->null && !listed)
         return report_line(RESULT_REFUSED, "--null works only with names from standard input: verify ROM -");

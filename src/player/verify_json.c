@@ -1,17 +1,11 @@
 /*
- * verify_json.c - see verify_json.h.
+ * verify_json.c - prints the results of `verify --json` (verify_json.h).
  */
 #include "verify_json.h"
 
 #include <stdio.h>
 #include "../common/json.h"
-
-static const char *const kinds[MARKER_KINDS] = {
-    [MARKER_STAGE] = "stage", [MARKER_MARK] = "mark",   [MARKER_WAVE] = "wave",   [MARKER_BOSS] = "boss",
-    [MARKER_PHASE] = "phase", [MARKER_DEATH] = "death", [MARKER_CLEAR] = "clear", [MARKER_WON] = "won",
-    [MARKER_LOST] = "lost",   [MARKER_START] = "start", [MARKER_GAME] = "game",   [MARKER_OVER] = "over",
-    [MARKER_ROW] = "row",
-};
+#include "../demo/markers.h"
 
 static struct json begin(const char *path, const char *verdict)
 {
@@ -41,8 +35,8 @@ static const char *verdict_word(const struct verdict *w)
     return words[w->kind];
 }
 
-/* From which frame to which it came to differ, and in what. */
-static void tell_difference(struct json *j, const struct verify_told *t)
+/* The frames in which the difference began, and the parts that differ. */
+static void add_difference(struct json *j, const struct verify_result *t)
 {
     const struct verdict *w = t->verdict;
 
@@ -59,14 +53,7 @@ static void tell_difference(struct json *j, const struct verify_told *t)
     json_close(j, '}');
 }
 
-static void tell_fault(struct json *j, const struct verify_told *t)
-{
-    const struct board_fault *fault = replay_fault(t->replay);
-
-    json_text(j, "fault", fault ? fault->message : NULL);
-}
-
-/* The last marker of a kind from `from` on; NULL: there is none. */
+/* Returns the last marker of a kind, not before `from` if that is not NULL; or NULL. */
 static const struct demo_marker *last(const struct demo *d, enum board_marker_kind kind, const struct demo_marker *from)
 {
     const struct demo_marker *m = d->n_markers ? d->markers + d->n_markers : NULL;
@@ -77,8 +64,8 @@ static const struct demo_marker *last(const struct demo *d, enum board_marker_ki
     return NULL;
 }
 
-/* The last game in it. */
-static void tell_game(struct json *j, const struct verify_told *t)
+/* Facts about the demo's last game. */
+static void add_game(struct json *j, const struct verify_result *t)
 {
     const struct manifest *m = &t->cart->manifest;
     const struct demo_marker *game = last(t->again, MARKER_GAME, NULL);
@@ -96,7 +83,7 @@ static void tell_game(struct json *j, const struct verify_told *t)
     json_number(j, "stages", over ? over->marker.value : 0);
 }
 
-static void tell_moments(struct json *j, const struct demo *d)
+static void add_moments(struct json *j, const struct demo *d)
 {
     json_open(j, "moments", '[');
     for (uint32_t i = 0; i < d->n_markers; i++) {
@@ -105,7 +92,7 @@ static void tell_moments(struct json *j, const struct demo *d)
             continue;
         json_open(j, NULL, '{');
         json_number(j, "frame", d->markers[i].frame);
-        json_text(j, "kind", kinds[m->kind]);
+        json_text(j, "kind", markers_kind_name(m->kind));
         json_text(j, "name", m->name);
         json_number(j, "value", m->value);
         json_close(j, '}');
@@ -113,7 +100,7 @@ static void tell_moments(struct json *j, const struct demo *d)
     json_close(j, ']');
 }
 
-static void tell_start(struct json *j, const struct demo *d)
+static void add_start(struct json *j, const struct demo *d)
 {
     json_open(j, "start", '{');
     json_digits(j, "seed", d->start.seed);
@@ -128,8 +115,8 @@ static void tell_start(struct json *j, const struct demo *d)
     json_close(j, '}');
 }
 
-/* What a recording was made on, or what it was replayed on. */
-static void tell_build(struct json *j, const char *key, uint32_t core, uint64_t game, uint64_t rom, const char *lua)
+/* The build and game that recorded or replayed a demo. */
+static void add_build(struct json *j, const char *key, uint32_t core, uint64_t game, uint64_t rom, const char *lua)
 {
     json_open(j, key, '{');
     json_number(j, "core", core);
@@ -139,33 +126,34 @@ static void tell_build(struct json *j, const char *key, uint32_t core, uint64_t 
     json_close(j, '}');
 }
 
-void verify_json_told(const struct verify_told *t)
+void verify_json_replayed(const struct verify_result *t)
 {
     const struct demo *d = t->demo;
     const struct rom *rom = t->cart->rom;
+    const struct board_fault *fault = replay_fault(t->replay);
     struct json j = begin(t->path, verdict_word(t->verdict));
 
-    tell_difference(&j, t);
-    tell_fault(&j, t);
+    add_difference(&j, t);
+    json_text(&j, "fault", fault ? fault->message : NULL);
     json_text(&j, "doubt", t->doubt);
     json_text(&j, "game", d->id);
     json_number(&j, "frames", d->frames);
     json_seconds(&j, "seconds", d->frames);
     json_names(&j, "flags", d->flags, demo_flag_name);
     if (t->verdict->kind == VERDICT_HOLDS) {
-        tell_game(&j, t);
-        tell_moments(&j, t->again);
+        add_game(&j, t);
+        add_moments(&j, t->again);
     }
-    tell_start(&j, d);
+    add_start(&j, d);
     json_number(&j, "format", d->format);
-    tell_build(&j, "recorded", d->core_version, d->game_hash, d->rom_hash, d->lua_release);
-    tell_build(&j, "replayed", CORE_VERSION, rom_game_hash(rom), rom_hash(rom), board_lua_release());
+    add_build(&j, "recorded", d->core_version, d->game_hash, d->rom_hash, d->lua_release);
+    add_build(&j, "replayed", CORE_VERSION, rom_game_hash(rom), rom_hash(rom), board_lua_release());
     end(&j);
 }
 
-void verify_json_refused(const char *path, bool failed, const char *why)
+void verify_json_refused(const char *path, bool host_failed, const char *why)
 {
-    struct json j = begin(path, failed ? "failed" : "refused");
+    struct json j = begin(path, host_failed ? "failed" : "refused");
 
     json_text(&j, "error", why);
     end(&j);

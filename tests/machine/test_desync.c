@@ -32,7 +32,7 @@ static int setup(void **state)
     rig_folder(&game, "glasstide");
     if (!rig_demo(&game, "attract", &attract))
         return -1;
-    r.prints = DEMO_CHECKSUMS_EVERY_FRAME;
+    r.checksum_rate = DEMO_CHECKSUMS_EVERY_FRAME;
     if (replay_run(&r, &game.cart, &attract, &again, &v, err, sizeof err) != RESULT_DONE || v.kind != VERDICT_HOLDS)
         return -1;
     struct demo *first = &again.demo; /* of it the first frames will do */

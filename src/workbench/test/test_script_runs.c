@@ -13,6 +13,7 @@
 #include <string.h>
 #include "../../base/err.h"
 #include "../../common/result.h"
+#include "../../demo/markers.h"
 #include "../../script/api/eval.h"
 
 static const char methods_key = 0, meta_key = 0;
@@ -91,13 +92,6 @@ static void record_log(lua_State *L, const struct test_run *r, const struct boar
     }
 }
 
-static const char *const kinds[MARKER_KINDS] = {
-    [MARKER_STAGE] = "stage", [MARKER_MARK] = "mark",   [MARKER_WAVE] = "wave",   [MARKER_BOSS] = "boss",
-    [MARKER_PHASE] = "phase", [MARKER_DEATH] = "death", [MARKER_CLEAR] = "clear", [MARKER_WON] = "won",
-    [MARKER_LOST] = "lost",   [MARKER_START] = "start", [MARKER_GAME] = "game",   [MARKER_OVER] = "over",
-    [MARKER_ROW] = "row",
-};
-
 static void set_text(lua_State *L, const char *field, const char *text)
 {
     if (!text[0])
@@ -110,7 +104,7 @@ static void record_moments(lua_State *L, const struct test_run *r, const struct 
 {
     for (int i = 0; i < out->marker_count; i++) {
         const struct board_marker *m = &out->marker[i];
-        if (!kinds[m->kind])
+        if (!markers_kind_name(m->kind))
             continue;
         push_record(L, r, RECORD_MOMENTS);
         lua_createtable(L, 0, 6);
@@ -118,7 +112,7 @@ static void record_moments(lua_State *L, const struct test_run *r, const struct 
         lua_setfield(L, -2, "frame");
         lua_pushinteger(L, m->value);
         lua_setfield(L, -2, "value");
-        set_text(L, "kind", kinds[m->kind]);
+        set_text(L, "kind", markers_kind_name(m->kind));
         set_text(L, "name", m->name);
         set_text(L, "of", m->parent);
         set_text(L, "title", m->title);
@@ -517,7 +511,7 @@ int test_run_printed(lua_State *L)
 static void check_kind(lua_State *L, const char *kind)
 {
     for (int i = 0; i < MARKER_KINDS; i++)
-        if (kinds[i] && !strcmp(kinds[i], kind))
+        if (markers_kind_name(i) && !strcmp(markers_kind_name(i), kind))
             return;
     vm_fault(L, FAULT_SCRIPT,
              "run:moment: unknown kind \"%s\" (kinds: stage mark wave boss phase death clear won lost start "
