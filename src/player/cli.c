@@ -1,12 +1,13 @@
 /*
- * cli.c - see cli.h, and platform.h for the program as calls. args/ reads the words; the commands of the player are run
- * here, all others by the workbench, if the program has it.
+ * cli.c - the program as calls (cli.h, platform.h). args/ parses the command line. The player's commands run here; the
+ * workbench, if the program contains it, runs the others.
  */
 #include "cli.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include "../../platform/platform.h"
+#include "../base/err.h"
 #include "../base/host.h"
 #include "../base/ieee.h"
 #include "command.h"
@@ -19,21 +20,22 @@
 #include "verify.h"
 #include "game/workbench.h"
 
-/* Is it what an exported game does? */
+/* Checks that a program with an embedded game supports the command. */
 static bool allowed(const struct args *a, char *err, size_t err_size)
 {
-    const bool tells = a->command == COMMAND_HELP || a->command == COMMAND_VERSION || a->command == COMMAND_LICENCES;
+    const bool prints = a->command == COMMAND_HELP || a->command == COMMAND_VERSION || a->command == COMMAND_LICENCES;
+    const char *title = embedded_rom_game()->m.title;
 
-    if (!embedded_rom_sealed() || tells || (a->command == COMMAND_PLAY && !a->n_words))
+    if (!embedded_rom_sealed() || prints || (a->command == COMMAND_PLAY && !a->n_words))
         return true;
     if (a->command == COMMAND_PLAY)
-        embedded_rom_refuses_game(a->words[0], err, err_size);
-    else
-        embedded_rom_refuses_command(args_name(a->command), err, err_size);
-    return false;
+        return err_set(err, err_size, "%s: cannot be opened; this program only plays %s (see --help)", a->words[0],
+                       title);
+    return err_set(err, err_size, "%s: not available; this program only plays %s (see --help)", args_name(a->command),
+                   title);
 }
 
-/* Can the outputs be written without overwriting an input? For render, -o is a directory. */
+/* Checks that writing the outputs doesn't overwrite an input. For render, -o is a directory. */
 static bool outputs(const struct args *a, char *err, size_t err_size)
 {
     const struct output_path out[] = { { "-o", a->out, NULL },
@@ -50,9 +52,9 @@ static bool outputs(const struct args *a, char *err, size_t err_size)
 
 struct program {
     struct args args;
-    struct demo_game demo_game; /* of args */
+    struct demo_game demo_game; /* args.words points into it */
     struct frame_command running;
-    enum result result; /* of what is not running */
+    enum result result; /* of a command that doesn't run frame by frame */
 };
 
 static enum result run_player(const struct args *a, bool is_named, struct frame_command *running)
@@ -108,7 +110,7 @@ static int exit_code(enum result result)
     return codes[result];
 }
 
-/* What it prints is the same everywhere, too: so each of the calls is in the board's settings of the thread. */
+/* Each call uses the thread settings of boards (host.h), so printed numbers are the same on every system. */
 
 struct program *cli_open(int argc, char **argv, const struct workbench *workbench)
 {
@@ -131,14 +133,14 @@ bool program_run_frame(struct program *p)
     if (!p->running.run_frame)
         return false;
     host_enter(&host);
-    const bool goes_on = p->running.run_frame(p->running.context);
+    const bool continues = p->running.run_frame(p->running.context);
     host_leave(&host);
-    return goes_on;
+    return continues;
 }
 
 enum { BOX = 64 /* columns */ };
 
-/* Boxes of SDL do not break lines. */
+/* Shows the last error in a message box. SDL's boxes don't break lines, so this does. */
 static void show_error(void)
 {
     char text[2048], *blank = NULL;

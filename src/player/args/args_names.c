@@ -1,5 +1,5 @@
 /*
- * args_names.c - see args.h: commands by their names, and what was meant by a name that there is not.
+ * args_names.c - the names of commands, and suggestions for misspelt words (args.h).
  */
 #include "args_parts.h"
 
@@ -8,17 +8,11 @@
 
 const char *args_near(const char *word, const char *const *list, int n)
 {
-    const char *best = NULL;
-    int limit = strlen(word) < 3 ? -1 : 1 + (int)strlen(word) / 4;
+    struct edit_nearest near = { .word = word };
 
-    for (int i = 0; i < n; i++) {
-        int e = edit_count(word, list[i]);
-        if (e > limit || e >= (int)strlen(list[i]))
-            continue;
-        best = list[i];
-        limit = e - 1; /* only a nearer one is better */
-    }
-    return best;
+    for (int i = 0; i < n && strlen(word) > 2; i++)
+        edit_consider(&near, list[i]);
+    return near.found;
 }
 
 const char *args_near_command(const char *word)

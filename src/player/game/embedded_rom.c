@@ -95,18 +95,6 @@ bool embedded_rom_sealed(void)
     return own.rom && !own.keys;
 }
 
-const char *embedded_rom_refuses_command(const char *command, char *err, size_t err_size)
-{
-    err_set(err, err_size, "%s: not available; this program only plays %s (see --help)", command, own.m.title);
-    return err;
-}
-
-const char *embedded_rom_refuses_game(const char *path, char *err, size_t err_size)
-{
-    err_set(err, err_size, "%s: cannot be opened; this program only plays %s (see --help)", path, own.m.title);
-    return err;
-}
-
 void embedded_rom_help(void (*line)(const char *))
 {
     char text[256];

@@ -1,5 +1,5 @@
 /*
- * embedded_rom.h - the game that an exported program carries behind itself, and what such a program does and does not.
+ * embedded_rom.h - the game at the end of an exported program's file.
  */
 #ifndef PLAYER_EMBEDDED_ROM_H
 #define PLAYER_EMBEDDED_ROM_H
@@ -11,30 +11,26 @@
 #include "../../common/result.h"
 
 struct embedded_rom {
-    const uint8_t *rom; /* malloc, until the program ends; NULL: this program carries none */
+    const uint8_t *rom; /* malloc, never freed; NULL: this program has no game */
     size_t size;
     struct manifest m; /* of that ROM */
-    bool keys;         /* with the keys and commands of those who make games */
+    bool keys;         /* the program also has the keys and commands for authors */
 };
 
-/* Reads the program's own game, if its mark says that there is one, and takes the game's name. To be called once, at
- * the start. RESULT_REFUSED, RESULT_HOST_FAILED: the file is damaged, or cannot be read: one sentence. */
+/* Reads the program's game, if its mark (mark.h) refers to one, and renames the program to the game's id. Call it once,
+ * at the start. If the file is damaged or cannot be read, sets err and returns RESULT_REFUSED or RESULT_HOST_FAILED. */
 enum result embedded_rom_open(char *err, size_t err_size);
 
-/* Never NULL. */
+/* Returns the program's game; .rom is NULL if there is none. */
 const struct embedded_rom *embedded_rom_game(void);
 
-/* Is it built with a window? curtain-null is not. */
+/* Returns whether this build can open a window; curtain-null can't. */
 bool embedded_rom_has_window(void);
 
-/* Does it play its game, and nothing else? */
+/* Returns whether the program only plays its own game. */
 bool embedded_rom_sealed(void);
 
-/* The sentences for what such a program does not do: a command, another game. */
-const char *embedded_rom_refuses_command(const char *command, char *err, size_t err_size);
-const char *embedded_rom_refuses_game(const char *path, char *err, size_t err_size);
-
-/* Its help, a line a call, without the options. */
+/* Prints the program's help without the options, one line per call. */
 void embedded_rom_help(void (*line)(const char *));
 
 #endif

@@ -8,6 +8,7 @@
 
 #include <stdio.h>
 #include <string.h>
+#include "../../base/err.h"
 
 enum { WORD = 32 };
 
@@ -108,13 +109,11 @@ static bool read_list(const char *action, const char *list, uint16_t *code, int 
 
     for (const char *s = strcmp(list, "none") == 0 ? "" : list; next_word(&s, word);) {
         uint16_t c = switch_code(word);
-        if (!c || n == most) {
-            snprintf(err, err_size,
-                     c ? "%s: expected at most six keys and buttons; remove \"%s\""
-                       : "%s: unknown key or button \"%s\"",
-                     action, word);
-            return false;
-        }
+        if (!c || n == most)
+            return err_set(err, err_size,
+                           c ? "%s: expected at most six keys and buttons; remove \"%s\""
+                             : "%s: unknown key or button \"%s\"",
+                           action, word);
         code[n++] = c;
     }
     return true;
@@ -125,10 +124,8 @@ bool keys_bind(struct keys *k, const char *action, const char *list, char *err, 
     uint16_t code[KEYS_EACH] = { 0 };
     int at = find(action);
 
-    if (at < 0) {
-        snprintf(err, err_size, "unknown action \"%s\"", action);
-        return false;
-    }
+    if (at < 0)
+        return err_set(err, err_size, "unknown action \"%s\"", action);
     if (!read_list(action, list, code, KEYS_EACH, err, err_size))
         return false;
     memcpy(k->code[at], code, sizeof code);
@@ -284,8 +281,7 @@ bool keys_add(struct keys *k, const char *action, uint16_t code, char *err, size
     if (n == KEYS_EACH) {
         char title[KEYS_TITLE];
         keys_title(action, title, sizeof title);
-        snprintf(err, err_size, "%s already has %d keys, the maximum", title, KEYS_EACH);
-        return false;
+        return err_set(err, err_size, "%s already has %d keys, the maximum", title, KEYS_EACH);
     }
     list[n] = code;
     return true;

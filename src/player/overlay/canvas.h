@@ -70,7 +70,7 @@ int canvas_fit(const char *text, int columns);
 int canvas_say(const struct canvas *canvas, int x, int y, enum canvas_colour c, const char *text);
 
 /* The same for the first n bytes of text. */
-int canvas_say_bytes(const struct canvas *canvas, int x, int y, enum canvas_colour c, const char *text, int n);
+int canvas_say_bytes(const struct canvas *canvas, int x, int y, enum canvas_colour c, const char *text, size_t n);
 
 /* The same with a dark rim one pixel wide, to be read on any picture without a band. */
 int canvas_say_outlined(const struct canvas *canvas, int x, int y, enum canvas_colour c, const char *text);

@@ -15,7 +15,7 @@ static const char ellipsis[] = "\xE2\x80\xA6";
 
 /* ---- a character ---- */
 
-/* The next character's width, which *s moves behind. */
+/* Advances *s past the next character and returns the character's width. */
 static int advance(const char **s, const char *end, struct letter *l)
 {
     uint32_t code = utf8_next(s, end);
@@ -23,7 +23,7 @@ static int advance(const char **s, const char *end, struct letter *l)
     return code == '\t' ? TAB_BLANKS * (LETTER_BLANK + GAP) : l->w + GAP;
 }
 
-/* The pixels of a row, those side by side as one rectangle. */
+/* Draws a row, adjacent pixels as one rectangle. */
 static void draw_row(struct fb *fb, int x, int y, unsigned bits, uint8_t colour)
 {
     for (int n; bits; bits >>= n, x += n) {
@@ -43,7 +43,7 @@ static void draw_letter(const struct canvas *canvas, int x, int y, enum canvas_c
 
 /* ---- a line ---- */
 
-static int say(const struct canvas *canvas, int x, int y, enum canvas_colour c, const char *text, size_t n)
+int canvas_say_bytes(const struct canvas *canvas, int x, int y, enum canvas_colour c, const char *text, size_t n)
 {
     const char *end = text + n;
     struct letter l;
@@ -57,12 +57,7 @@ static int say(const struct canvas *canvas, int x, int y, enum canvas_colour c, 
 
 int canvas_say(const struct canvas *canvas, int x, int y, enum canvas_colour c, const char *text)
 {
-    return say(canvas, x, y, c, text, strlen(text));
-}
-
-int canvas_say_bytes(const struct canvas *canvas, int x, int y, enum canvas_colour c, const char *text, int n)
-{
-    return say(canvas, x, y, c, text, (size_t)n);
+    return canvas_say_bytes(canvas, x, y, c, text, strlen(text));
 }
 
 int canvas_say_outlined(const struct canvas *canvas, int x, int y, enum canvas_colour c, const char *text)
@@ -88,7 +83,7 @@ int canvas_say_width(const char *text)
     return width_of(text, strlen(text));
 }
 
-/* How many bytes of text's first line are at most `width` wide. */
+/* Returns how many bytes of the first line fit into `width` pixels. */
 static size_t within(const char *text, int width)
 {
     size_t most = strcspn(text, "\n");
@@ -111,7 +106,7 @@ int canvas_say_within(const struct canvas *canvas, int x, int y, enum canvas_col
     n = within(text, width - GAP - canvas_say_width(ellipsis));
     while (n > 0 && text[n - 1] == ' ')
         n--;
-    return canvas_say(canvas, say(canvas, x, y, c, text, n), y, c, ellipsis);
+    return canvas_say(canvas, canvas_say_bytes(canvas, x, y, c, text, n), y, c, ellipsis);
 }
 
 /* ---- lines ---- */
@@ -137,7 +132,7 @@ int canvas_say_lines(const struct canvas *canvas, int x, int y, int width, enum 
     for (; *text; lines++) {
         int n = canvas_say_fit(text, width);
         if (canvas)
-            say(canvas, x, y + lines * CANVAS_LINE_H, c, text, (size_t)n);
+            canvas_say_bytes(canvas, x, y + lines * CANVAS_LINE_H, c, text, (size_t)n);
         text += n;
         text += *text == '\n';
     }

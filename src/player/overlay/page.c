@@ -25,7 +25,7 @@ static void draw_part(struct body *b, const char *text, enum canvas_colour c)
     for (; *text; b->at++) {
         int n = canvas_say_fit(text, b->w), row = b->at - b->first;
         if (row >= 0 && row < b->shown)
-            canvas_say_bytes(b->canvas, b->x, b->y + row * CANVAS_LINE_H, c, text, n);
+            canvas_say_bytes(b->canvas, b->x, b->y + row * CANVAS_LINE_H, c, text, (size_t)n);
         text += n;
         text += *text == '\n';
     }

@@ -1,5 +1,5 @@
 /*
- * records.c - see records.h. Lines stay in the order of the file, new records come at its end.
+ * records.c - practice records (records.h). Lines stay in the order of the file, and new records are added at its end.
  */
 #include "records.h"
 
@@ -9,8 +9,8 @@
 #include "../../../platform/platform.h"
 #include "../../base/err.h"
 #include "../../common/array.h"
-#include "../../common/result.h"
 #include "../../common/files.h"
+#include "../../common/report.h"
 
 static const char first_line[] = "practice 1";
 
@@ -49,8 +49,8 @@ void records_free(struct records *r)
 
 /* ---- reading ---- */
 
-/* A number and the blank after it; -1: neither. */
-static int32_t take_number(const char **s)
+/* Reads a number and the blank after it. Returns -1 if there is none. */
+static int32_t read_number(const char **s)
 {
     int64_t v = 0;
     size_t n = strspn(*s, "0123456789");
@@ -63,8 +63,8 @@ static int32_t take_number(const char **s)
     return (int32_t)v;
 }
 
-/* Up to the next one of `ends`, which must come before the room is over. */
-static bool take_word(const char **s, const char *ends, char *out, size_t size)
+/* Copies the text up to the next character of `ends`. Returns false if it is empty or too long. */
+static bool read_word(const char **s, const char *ends, char *out, size_t size)
 {
     size_t n = strcspn(*s, ends);
 
@@ -78,10 +78,10 @@ static bool take_word(const char **s, const char *ends, char *out, size_t size)
 
 static bool read_record(struct record *r, const char *s)
 {
-    r->captures = take_number(&s);
-    r->attempts = take_number(&s);
-    return r->captures >= 0 && r->attempts >= r->captures && take_word(&s, " ", r->difficulty, sizeof r->difficulty) &&
-           *s++ == ' ' && take_word(&s, "", r->section, sizeof r->section);
+    r->captures = read_number(&s);
+    r->attempts = read_number(&s);
+    return r->captures >= 0 && r->attempts >= r->captures && read_word(&s, " ", r->difficulty, sizeof r->difficulty) &&
+           *s++ == ' ' && read_word(&s, "", r->section, sizeof r->section);
 }
 
 static bool read_line(struct records *r, const char *s, const char **why)
@@ -106,7 +106,7 @@ static bool read_line(struct records *r, const char *s, const char **why)
     return digit || line->kept;
 }
 
-/* A line of n bytes as a string; false: not one of text, or too long. */
+/* Copies a line of n bytes. Returns false if it is too long or not printable ASCII. */
 static bool plain_line(const char *text, size_t n, char out[RECORDS_LINE])
 {
     if (n >= RECORDS_LINE)
@@ -149,9 +149,8 @@ bool records_read(struct records *r, const char *text, size_t size, char *err, s
     *r = (struct records){ 0 };
     if (read_lines(r, text, size, &at, &why))
         return true;
-    snprintf(err, err_size, "line %d: %s", at, why);
     records_free(r);
-    return false;
+    return err_set(err, err_size, "line %d: %s", at, why);
 }
 
 /* ---- writing ---- */
@@ -178,44 +177,25 @@ char *records_text(const struct records *r, size_t *size)
 
 /* ---- the file ---- */
 
-static void report(const char *file, const char *what)
-{
-    char line[FILES_PATH_SIZE + 512], shown[FILES_PATH_SIZE];
-
-    snprintf(line, sizeof line, "curtain: %s: %s", files_display_name(file, shown), what);
-    plat_log(line);
-}
-
-static bool read_file(struct records *r, const char *file, size_t size, char *err, size_t err_size)
-{
-    char *text = size <= RECORDS_BYTES ? malloc(size + 1) : NULL;
-    bool there = text && plat_load(file, text, size) == (long)size;
-
-    if (!there)
-        snprintf(err, err_size, "cannot be read, or is larger than %d bytes", RECORDS_BYTES);
-    if (there) {
-        text[size] = 0;
-        files_strip_bom(text, &size);
-    }
-    bool good = there && records_read(r, text, size, err, err_size);
-    free(text);
-    return good;
-}
-
 void records_load(struct records *r, const char *id)
 {
-    char file[sizeof r->file], why[128], line[256];
+    char file[sizeof r->file], why[FILES_ERR_SIZE], shown[FILES_PATH_SIZE];
+    uint8_t *text = NULL;
+    size_t size;
 
     snprintf(file, sizeof file, "user:%s.practice", id);
-    long size = plat_file_size(file);
     *r = (struct records){ 0 };
-    bool good = size < 0 || read_file(r, file, (size_t)size, why, sizeof why);
+    bool good = plat_file_size(file) < 0;
+    if (!good && !files_read_text(file, file, RECORDS_BYTES, &text, &size, why, sizeof why))
+        err_set(why, sizeof why, "cannot be read, or is larger than %d bytes", RECORDS_BYTES);
+    else
+        good = good || records_read(r, (const char *)text, size, why, sizeof why);
+    free(text);
     memcpy(r->file, file, sizeof file);
     r->damaged = !good;
-    if (good)
-        return;
-    snprintf(line, sizeof line, "%s; attempts are not counted, and the file is not changed", why);
-    report(file, line);
+    if (!good)
+        report_line(RESULT_DONE, "%s: %s; attempts are not counted, and the file is not changed",
+                    files_display_name(file, shown), why);
 }
 
 bool records_save(struct records *r, struct unsaved **unsaved, char *err, size_t err_size)

@@ -1,14 +1,13 @@
 /*
- * records.h - how often each section of a game was attempted in practice, and how often it was captured: the file
- * user:<game id>.practice.
+ * records.h - counts attempts and captures of each section in practice, in the file user:<game id>.practice.
  *
- * The file is plain text, ASCII. Its first line is "practice 1". A line that begins with a digit is a record:
+ * The file is ASCII text. Its first line is "practice 1". A line that begins with a digit is a record:
  *
- *     MAX_CAPTURES ATTEMPTS DIFFICULTY MARK        3 12 normal queen/held
+ *     CAPTURES ATTEMPTS DIFFICULTY SECTION        3 12 normal queen/held
  *
- * with one blank between fields; numbers up to 999999999, no more captures than attempts; MARK is a practice start's,
- * up to the line's end. No section has two records of one difficulty. Any other line is kept as it is, where it is. A
- * file that breaks these rules is damaged: nothing of it is used, and it is not written.
+ * Fields are separated by one blank. Numbers are at most 999999999, and captures at most attempts. SECTION is that of a
+ * practice start and extends to the end of the line. A section has at most one record per difficulty. Other lines are
+ * preserved. A file that breaks these rules is damaged: it is neither used nor changed.
  */
 #ifndef PLAYER_RECORDS_H
 #define PLAYER_RECORDS_H
@@ -26,43 +25,42 @@ struct record {
     int32_t captures, attempts;
 };
 
-/* A record, or (mark empty) a line that is kept. */
+/* A record, or if r.section is empty, another line. */
 struct records_line {
     struct record r;
-    char *kept; /* malloc */
+    char *kept; /* the other line; malloc */
 };
 
 struct records {
-    struct records_line *line; /* without the first; malloc */
+    struct records_line *line; /* all lines except the first; malloc */
     int n;
-    bool changed; /* since they were read or saved */
-    bool damaged; /* the file is: it is left alone */
+    bool changed; /* since the last load or save */
+    bool damaged; /* the file is damaged and must not be changed */
     char file[96];
 };
 
-/* Reads a whole file's text into *r, which holds nothing yet. False and one sentence without the file's name; r is
- * empty then. */
+/* Parses the text of a file into *r, which must be empty. On failure, returns false, sets err to a sentence without the
+ * file's name, and leaves *r empty. */
 bool records_read(struct records *r, const char *text, size_t size, char *err, size_t err_size);
 
-/* The file's text, malloc'ed; NULL: no memory. */
+/* Returns the file's text, from malloc; NULL when out of memory. */
 char *records_text(const struct records *r, size_t *size);
 
-/* Reads the file of a game; a file that is not there is empty. A damaged one is reported by a line of plat_log. */
+/* Loads a game's file; a missing file counts as empty. Reports a damaged file with plat_log. */
 void records_load(struct records *r, const char *id);
 
-/* Saves what has changed, unless the file is damaged. False and one sentence: what could not be written waits in the
- * list. */
+/* Saves the file if records have changed, unless it is damaged. If it cannot be written, adds it to *unsaved, sets err
+ * and returns false. */
 bool records_save(struct records *r, struct unsaved **unsaved, char *err, size_t err_size);
 
-/* The record of a section; NULL: none. */
+/* Returns the record of a section, or NULL. */
 const struct record *records_find(const struct records *r, const char *section, const char *difficulty);
 
-/* Counts one attempt, or one capture of an attempt that was counted. Nothing where there is no memory for it, or the
- * number is at its most. */
+/* Count an attempt, or the capture of an attempt that was counted. Do nothing when out of memory or at the maximum. */
 void records_attempt(struct records *r, const char *section, const char *difficulty);
 void records_capture(struct records *r, const char *section, const char *difficulty);
 
-/* Frees the memory. Harmless on zeroed records. */
+/* Frees the memory. Does nothing if *r is zeroed. */
 void records_free(struct records *r);
 
 #endif

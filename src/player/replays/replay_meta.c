@@ -12,67 +12,47 @@
 enum { FORMAT = 1, BEFORE = 12 /* bytes before the fields */ };
 static const char magic[] = "CCRD";
 
-/* Where the fields are written to, or read from. */
+/* Writes the fields to `out`, or reads them from `in`. */
 struct walk {
-    uint8_t *out; /* NULL: reads */
+    uint8_t *out; /* NULL: read */
     const uint8_t *in;
     size_t at, size;
     bool bad;
 };
 
-static void number(struct walk *w, uint64_t *v, int bytes)
+/* Writes or reads an integer field of 1, 4 or 8 bytes. */
+static void walk_number(struct walk *w, void *field, size_t size)
 {
-    if (w->size - w->at < (size_t)bytes) {
+    uint64_t v = size == 8 ? *(uint64_t *)field : size == 4 ? *(uint32_t *)field : *(uint8_t *)field;
+
+    if (w->size - w->at < size) {
         w->bad = true;
         return;
     }
-    uint64_t read = 0;
-    for (int i = 0; i < bytes; i++) {
-        if (w->out)
-            w->out[w->at + (size_t)i] = (uint8_t)(*v >> 8 * i);
-        else
-            read |= (uint64_t)w->in[w->at + (size_t)i] << 8 * i;
-    }
-    w->at += (size_t)bytes;
     if (!w->out)
-        *v = read;
+        v = 0;
+    for (size_t i = 0; i < size; i++, w->at++) {
+        if (w->out)
+            w->out[w->at] = (uint8_t)(v >> 8 * i);
+        else
+            v |= (uint64_t)w->in[w->at] << 8 * i;
+    }
+    if (size == 8)
+        *(uint64_t *)field = v;
+    else if (size == 4)
+        *(uint32_t *)field = (uint32_t)v;
+    else
+        *(uint8_t *)field = (uint8_t)v;
 }
 
-static void walk64(struct walk *w, uint64_t *v)
-{
-    number(w, v, 8);
-}
+#define WALK(w, field) walk_number(w, &(field), sizeof(field))
 
-static void walk_signed(struct walk *w, int64_t *v)
-{
-    uint64_t u = (uint64_t)*v;
-
-    number(w, &u, 8);
-    *v = (int64_t)u;
-}
-
-static void walk32(struct walk *w, uint32_t *v)
-{
-    uint64_t u = *v;
-
-    number(w, &u, 4);
-    *v = (uint32_t)u;
-}
-
-static void walk8(struct walk *w, uint8_t *v)
-{
-    uint64_t u = *v;
-
-    number(w, &u, 1);
-    *v = (uint8_t)u;
-}
-
-/* A text, as its length and its bytes; read, it has no NUL but its end, and no byte that a terminal obeys. */
-static void text(struct walk *w, char *s, size_t room)
+/* Writes or reads a text: its length and its bytes. Rejects NUL bytes and cleans control characters when reading. */
+static void walk_text(struct walk *w, char *s, size_t room)
 {
     uint8_t n = w->out ? (uint8_t)strlen(s) : 0;
 
-    walk8(w, &n);
+    WALK(w, n);
     if (w->bad || n >= room || w->size - w->at < n) {
         w->bad = true;
         return;
@@ -90,38 +70,38 @@ static void text(struct walk *w, char *s, size_t room)
 
 static void walk_row(struct walk *w, struct replay_meta_row *r)
 {
-    text(w, r->table, sizeof r->table);
-    text(w, r->row.ship, sizeof r->row.ship);
-    text(w, r->row.name, sizeof r->row.name);
-    walk_signed(w, &r->row.score);
-    walk8(w, &r->row.stage);
-    walk8(w, &r->row.continues);
+    walk_text(w, r->table, sizeof r->table);
+    walk_text(w, r->row.ship, sizeof r->row.ship);
+    walk_text(w, r->row.name, sizeof r->row.name);
+    WALK(w, r->row.score);
+    WALK(w, r->row.stage);
+    WALK(w, r->row.continues);
 }
 
 static void walk(struct walk *w, struct replay_meta *c)
 {
     uint8_t end = (uint8_t)c->end, rows = (uint8_t)c->rows;
 
-    walk64(w, &c->hash);
-    walk64(w, &c->bytes);
-    walk_signed(w, &c->date);
-    walk64(w, &c->rom);
-    walk64(w, &c->game);
-    walk64(w, &c->seed);
-    walk32(w, &c->core);
-    walk32(w, &c->flags);
-    walk32(w, &c->first);
-    walk32(w, &c->last);
-    walk8(w, &end);
-    walk8(w, &c->players);
-    walk8(w, &c->stages);
-    text(w, c->id, sizeof c->id);
-    text(w, c->ship, sizeof c->ship);
-    text(w, c->difficulty, sizeof c->difficulty);
+    WALK(w, c->hash);
+    WALK(w, c->bytes);
+    WALK(w, c->date);
+    WALK(w, c->rom);
+    WALK(w, c->game);
+    WALK(w, c->seed);
+    WALK(w, c->core);
+    WALK(w, c->flags);
+    WALK(w, c->first);
+    WALK(w, c->last);
+    WALK(w, end);
+    WALK(w, c->players);
+    WALK(w, c->stages);
+    walk_text(w, c->id, sizeof c->id);
+    walk_text(w, c->ship, sizeof c->ship);
+    walk_text(w, c->difficulty, sizeof c->difficulty);
     for (int p = 0; p < MAX_PLAYERS; p++)
-        walk_signed(w, &c->points[p]);
-    text(w, c->name, sizeof c->name);
-    walk8(w, &rows);
+        WALK(w, c->points[p]);
+    walk_text(w, c->name, sizeof c->name);
+    WALK(w, rows);
     w->bad = w->bad || end >= CARD_ENDS || rows > CARD_ROWS || c->first > c->last;
     c->end = w->bad ? CARD_LEFT : (enum replay_meta_end)end;
     c->rows = w->bad ? 0 : rows;

@@ -1,7 +1,8 @@
 /*
- * config.c - see config.h. One table is the parser, the ranges and the help.
+ * config.c - reads settings (config.h). One table defines names, ranges, labels and help.
  */
 #include "config.h"
+#include "../../base/err.h"
 #include "../../rom/manifest.h"
 #include "../../common/files.h"
 #include "views.h"
@@ -149,7 +150,7 @@ static bool number(const char *s, int lo, int hi, int *v)
     return true;
 }
 
-/* What a setting may be, for a sentence. */
+/* Writes the values that a setting can have. */
 static void list_values(const struct config_setting *s, char *out, size_t size)
 {
     if (s->words == no_yes)
@@ -170,16 +171,14 @@ static bool set_value(struct config *c, const struct config_setting *s, const ch
         return true;
     }
     list_values(s, values, sizeof values);
-    snprintf(err, err_size, "%s: expected %s%s, got \"%s\"", s->name, s->words ? "" : "a number from ", values, value);
-    return false;
+    return err_set(err, err_size, "%s: expected %s%s, got \"%s\"", s->name, s->words ? "" : "a number from ", values,
+                   value);
 }
 
 static bool set_lang(struct config *c, const char *value, char *err, size_t err_size)
 {
-    if (value[0] && !manifest_setting_name_ok(value)) {
-        snprintf(err, err_size, "lang: expected a language name of letters, digits, _ and -, got \"%s\"", value);
-        return false;
-    }
+    if (value[0] && !manifest_setting_name_ok(value))
+        return err_set(err, err_size, "lang: expected a language name of letters, digits, _ and -, got \"%s\"", value);
     snprintf(c->lang, sizeof c->lang, "%s", value);
     return true;
 }
@@ -193,11 +192,10 @@ static bool set(struct config *c, const char *name, const char *value, char *err
         return set_lang(c, value, err, err_size);
     if (keys_known(name))
         return keys_bind(&c->keys, name, value, err, err_size);
-    snprintf(err, err_size, "unknown setting \"%s\"", name);
-    return false;
+    return err_set(err, err_size, "unknown setting \"%s\"", name);
 }
 
-/* s without blanks at both ends, cut in place. */
+/* Removes blanks at both ends of s, in place. */
 static char *trim(char *s)
 {
     s += strspn(s, " \t\r");
@@ -213,10 +211,8 @@ static bool read_line(struct config *c, char *line, char *err, size_t err_size)
     char *name = trim(line), *equals = strchr(name, '=');
     if (!*name)
         return true;
-    if (!equals) {
-        snprintf(err, err_size, "expected name = value, got \"%s\"", name);
-        return false;
-    }
+    if (!equals)
+        return err_set(err, err_size, "expected name = value, got \"%s\"", name);
     *equals = 0;
     return set(c, trim(name), trim(equals + 1), err, err_size);
 }
@@ -236,10 +232,8 @@ bool config_read(struct config *c, const char *file, const char *text, size_t si
         } else {
             snprintf(what, sizeof what, "expected a line of text");
         }
-        if (!plain || !read_line(&new, line, what, sizeof what)) {
-            snprintf(err, err_size, "%s:%d: %s", file, at, what);
-            return false;
-        }
+        if (!plain || !read_line(&new, line, what, sizeof what))
+            return err_set(err, err_size, "%s:%d: %s", file, at, what);
         i += n + 1;
     }
     *c = new;
@@ -248,22 +242,17 @@ bool config_read(struct config *c, const char *file, const char *text, size_t si
 
 bool config_load(struct config *c, char *err, size_t err_size)
 {
-    config_defaults(c);
     char shown[FILES_PATH_SIZE];
-    long size = plat_file_size(CONFIG_FILE);
-    if (size < 0)
+    uint8_t *text;
+    size_t size;
+
+    config_defaults(c);
+    if (plat_file_size(CONFIG_FILE) < 0)
         return true;
     files_display_name(CONFIG_FILE, shown);
-    char *text = size <= CONFIG_BYTES ? malloc((size_t)size + 1) : 0;
-    bool good = text && plat_load(CONFIG_FILE, text, (size_t)size) == size;
-    if (!good)
-        snprintf(err, err_size, "%s: cannot be read, or is larger than %d bytes", shown, CONFIG_BYTES);
-    if (good) {
-        size_t n = (size_t)size;
-        text[n] = 0;
-        files_strip_bom(text, &n);
-        good = config_read(c, shown, text, n, err, err_size);
-    }
+    if (!files_read_text(CONFIG_FILE, shown, CONFIG_BYTES, &text, &size, err, err_size))
+        return err_set(err, err_size, "%s: cannot be read, or is larger than %d bytes", shown, CONFIG_BYTES);
+    const bool good = config_read(c, shown, (const char *)text, size, err, err_size);
     free(text);
     return good;
 }
