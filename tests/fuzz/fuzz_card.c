@@ -32,7 +32,7 @@ static void repair(uint8_t *p, size_t n)
 
 static void round_trip(const struct replay_meta *c, const struct thumb *t)
 {
-    uint8_t bytes[CARD_BYTES], again[CARD_BYTES];
+    uint8_t bytes[REPLAY_META_BYTES], again[REPLAY_META_BYTES];
     struct replay_meta back;
     struct thumb seen;
 
@@ -60,7 +60,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         need(t.w == 0 && t.h == 0);
     need(t.w <= THUMB_SIDE && t.h <= THUMB_SIDE);
     if (replay_meta_read(&c, copy, n)) {
-        need(c.rows >= 0 && c.rows <= CARD_ROWS && c.end < CARD_ENDS && c.first <= c.last);
+        need(c.rows >= 0 && c.rows <= REPLAY_MAX_ROWS && c.end < REPLAY_ENDS && c.first <= c.last);
         need(memchr(c.name, 0, sizeof c.name) && memchr(c.ship, 0, sizeof c.ship) && memchr(c.id, 0, sizeof c.id));
         round_trip(&c, &t);
     } else {

@@ -433,7 +433,7 @@ static void expect_replays_hold(void)
     assert_true(replays_open(&list, cart.manifest.id));
     for (int i = 0; i < list.n; i++) {
         struct demo d;
-        roms_path(path, cart.manifest.id, list.list[i].card.rom);
+        roms_path(path, cart.manifest.id, list.list[i].meta.rom);
         assert_true(plat_path(path, real, sizeof real));
         if (!pack_load_game(real, false, &its, err, sizeof err) || !cart_open(&its_cart, &its.rom, err, sizeof err))
             fail_msg("%s", err);

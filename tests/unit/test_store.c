@@ -65,7 +65,7 @@ static struct replay_meta a_card(int i)
                              .flags = DEMO_RESUMED,
                              .first = 145,
                              .last = 17091,
-                             .end = CARD_CLEAR,
+                             .end = REPLAY_CLEAR,
                              .players = 2,
                              .stages = 5,
                              .id = "lanterns",
@@ -113,7 +113,7 @@ static struct thumb a_thumb(int w, int h)
 static void test_card(void **state)
 {
     static const int sides[] = { 0, 1, 72, THUMB_SIDE };
-    uint8_t bytes[CARD_BYTES];
+    uint8_t bytes[REPLAY_META_BYTES];
     struct replay_meta c = a_card(3), back;
     struct thumb t, seen;
 
@@ -122,10 +122,11 @@ static void test_card(void **state)
     for (size_t i = 0; i < sizeof sides / sizeof *sides; i++) {
         t = a_thumb(sides[i], sides[i]);
         const size_t n = replay_meta_write(&c, &t, bytes);
-        assert_in_range(n, 100, CARD_BYTES);
+        assert_in_range(n, 100, REPLAY_META_BYTES);
         assert_true(replay_meta_read(&back, bytes, n));
         same_card(&c, &back);
-        assert_true(replay_meta_read(&back, bytes, n < CARD_HEAD ? n : CARD_HEAD)); /* the list reads so much alone */
+        assert_true(replay_meta_read(&back, bytes,
+                                     n < REPLAY_META_HEAD ? n : REPLAY_META_HEAD)); /* the list reads so much alone */
         assert_int_equal(replay_meta_read_thumb(&seen, bytes, n), sides[i] > 0);
         assert_int_equal(seen.w, sides[i]);
         assert_memory_equal(seen.pix, t.pix, (size_t)(sides[i] * sides[i]));
@@ -135,7 +136,7 @@ static void test_card(void **state)
 /* As long as can be: it stays below what the list reads. */
 static void test_longest(void **state)
 {
-    uint8_t bytes[CARD_BYTES];
+    uint8_t bytes[REPLAY_META_BYTES];
     struct replay_meta c = a_card(1), back;
     struct thumb t = { 0 };
 
@@ -144,14 +145,14 @@ static void test_longest(void **state)
     memset(c.ship, 's', sizeof c.ship - 1);
     memset(c.difficulty, 'd', sizeof c.difficulty - 1);
     memset(c.name, 'n', sizeof c.name - 1);
-    c.rows = CARD_ROWS;
-    for (int i = 0; i < CARD_ROWS; i++) {
+    c.rows = REPLAY_MAX_ROWS;
+    for (int i = 0; i < REPLAY_MAX_ROWS; i++) {
         memset(c.row[i].table, 't', sizeof c.row[i].table - 1);
         memset(c.row[i].row.name, 'r', sizeof c.row[i].row.name - 1);
         memset(c.row[i].row.ship, 'p', sizeof c.row[i].row.ship - 1);
     }
     const size_t n = replay_meta_write(&c, &t, bytes);
-    assert_in_range(n, 400, CARD_HEAD);
+    assert_in_range(n, 400, REPLAY_META_HEAD);
     assert_true(replay_meta_read(&back, bytes, n));
     same_card(&c, &back);
 }
@@ -160,7 +161,7 @@ static void test_longest(void **state)
 static void test_too_many(void **state)
 {
     enum { BEFORE = 12 };
-    uint8_t bytes[CARD_BYTES];
+    uint8_t bytes[REPLAY_META_BYTES];
     struct replay_meta c = a_card(1), back;
     const struct thumb t = { 0 };
 
@@ -168,11 +169,11 @@ static void test_too_many(void **state)
     c.rows = 0;
     replay_meta_write(&c, &t, bytes);
     const size_t rows = BEFORE + bytes_get32(bytes + 8) - 1; /* their number is the last byte before them */
-    c.rows = CARD_ROWS;
+    c.rows = REPLAY_MAX_ROWS;
     memset(c.row, 0, sizeof c.row);
     replay_meta_write(&c, &t, bytes);
-    assert_int_equal(bytes[rows], CARD_ROWS);
-    const size_t n = BEFORE + bytes_get32(bytes + 8), row = (n - rows - 1) / CARD_ROWS;
+    assert_int_equal(bytes[rows], REPLAY_MAX_ROWS);
+    const size_t n = BEFORE + bytes_get32(bytes + 8), row = (n - rows - 1) / REPLAY_MAX_ROWS;
     assert_true(replay_meta_read(&back, bytes, n + 4));
     memcpy(bytes + n, bytes + n - row, row);
     bytes[rows]++;
@@ -184,7 +185,7 @@ static void test_too_many(void **state)
 /* Spoilt, and its CRC often made good again, it is refused or within its bounds. Exact blocks, for a sanitizer. */
 static void test_mutants(void **state)
 {
-    uint8_t whole[CARD_BYTES];
+    uint8_t whole[REPLAY_META_BYTES];
     struct replay_meta c = a_card(2), back;
     struct thumb t = a_thumb(9, 7), seen;
     const size_t size = replay_meta_write(&c, &t, whole);
@@ -205,8 +206,8 @@ static void test_mutants(void **state)
         if (!replay_meta_read(&back, p, n)) {
             refused++;
         } else {
-            assert_in_range(back.rows, 0, CARD_ROWS);
-            assert_true(back.first <= back.last && back.end < CARD_ENDS);
+            assert_in_range(back.rows, 0, REPLAY_MAX_ROWS);
+            assert_true(back.first <= back.last && back.end < REPLAY_ENDS);
             assert_non_null(memchr(back.name, 0, sizeof back.name));
             assert_non_null(memchr(back.id, 0, sizeof back.id));
             for (int k = 0; k < back.rows; k++)
@@ -262,15 +263,15 @@ static void test_of_demo(void **state)
     (void)state;
     assert_true(replay_meta_of_demo(&c, &d));
     assert_string_equal(c.ship, "heron");
-    assert_true(c.first == 500 && c.last == 950 && c.end == CARD_OVER && c.players == 2 && c.stages == 3);
+    assert_true(c.first == 500 && c.last == 950 && c.end == REPLAY_OVER && c.players == 2 && c.stages == 3);
     assert_true(c.points[0] == 120 && c.points[1] == 7 && c.flags == 1);
     d.n_markers = 4;
-    assert_true(replay_meta_of_demo(&c, &d) && c.end == CARD_LEFT && c.stages == 0);
+    assert_true(replay_meta_of_demo(&c, &d) && c.end == REPLAY_LEFT && c.stages == 0);
     d.fault = FAULT_SCRIPT;
-    assert_true(replay_meta_of_demo(&c, &d) && c.end == CARD_FAULT);
+    assert_true(replay_meta_of_demo(&c, &d) && c.end == REPLAY_FAULT);
     d.fault = FAULT_NONE;
     d.n_markers = 2;
-    assert_true(replay_meta_of_demo(&c, &d) && c.end == CARD_QUIT && c.first == 10);
+    assert_true(replay_meta_of_demo(&c, &d) && c.end == REPLAY_QUIT && c.first == 10);
     d.n_markers = 0;
     assert_false(replay_meta_of_demo(&c, &d));
 }
@@ -347,13 +348,13 @@ static void test_folder(void **state)
     listed(&r, 6);
     assert_string_equal(r.list[0].stem, "20260921-141324-002");
     assert_string_equal(r.list[1].stem, "20260921-141324");
-    assert_int_equal(r.list[5].card.points[1], 0); /* the oldest comes last */
-    assert_true(r.list[0].card.hash != 0 && r.list[0].card.bytes == 64);
+    assert_int_equal(r.list[5].meta.points[1], 0); /* the oldest comes last */
+    assert_true(r.list[0].meta.hash != 0 && r.list[0].meta.bytes == 64);
     assert_true(replays_thumb(&r, 3, &t) && t.w == 72);
     assert_true(replays_name(&r, 3, " kept ", err, sizeof err));
     assert_true(replays_delete(&r, 0, err, sizeof err));
     listed(&r, 5);
-    assert_string_equal(r.list[2].card.name, "kept");
+    assert_string_equal(r.list[2].meta.name, "kept");
     assert_true(replays_thumb(&r, 2, &t) && t.w == 72); /* a name leaves the picture */
     replays_path(&r, 2, path);
     assert_int_equal(plat_file_size(path), 64);
@@ -363,7 +364,7 @@ static void test_folder(void **state)
     replays_close(&r);
 }
 
-/* 200 replays cost a read of at most CARD_HEAD bytes each. */
+/* 200 replays cost a read of at most REPLAY_META_HEAD bytes each. */
 static void test_many(void **state)
 {
     struct replays r;
@@ -374,7 +375,7 @@ static void test_many(void **state)
         add(&r, i);
     listed(&r, MANY);
     assert_int_equal(r.loads, MANY);
-    assert_in_range(r.loaded, MANY, MANY * CARD_HEAD);
+    assert_in_range(r.loaded, MANY, MANY * REPLAY_META_HEAD);
     replays_close(&r);
 }
 
@@ -398,11 +399,11 @@ static void test_prune(void **state)
     replays_prune(&r, 5, stands, &best);
     listed(&r, 7);
     for (int i = 0; i < r.n; i++)
-        kept |= (uint64_t)1 << r.list[i].card.points[1];
+        kept |= (uint64_t)1 << r.list[i].meta.points[1];
     assert_int_equal(kept, 0x1f << 15 | 1 << 4 | 1 << 1);
     replays_prune(&r, 0, NULL, NULL);
     listed(&r, 1);
-    assert_string_equal(r.list[0].card.name, "four");
+    assert_string_equal(r.list[0].meta.name, "four");
     replays_close(&r);
 }
 
@@ -424,13 +425,13 @@ static void test_rows(void **state)
     asked = row.row;
     asked.continues = 1;
     assert_int_equal(replays_of_row(&r, "hard", &asked), -1);
-    asked = r.list[4].card.row[1].row;
+    asked = r.list[4].meta.row[1].row;
     assert_int_equal(replays_of_row(&r, "hard", &asked), 4);
     for (int i = 0; i < 5; i++) { /* more than there is room for: the last one counts */
         row.row.score = 100 + i;
         assert_true(replays_add_row(&r, 1, &row, &unsaved, err, sizeof err));
     }
-    assert_int_equal(r.list[1].card.rows, CARD_ROWS);
+    assert_int_equal(r.list[1].meta.rows, REPLAY_MAX_ROWS);
     assert_int_equal(replays_of_row(&r, "hard", &row.row), 1);
     replays_close(&r);
 }
@@ -468,14 +469,14 @@ static void test_repair(void **state)
     replays_close(&r);
     assert_true(replays_open(&r, c.id));
     assert_int_equal(r.n, 3);
-    assert_string_equal(r.list[1].card.name, "recovered"); /* it may have had a name: it does not go by itself */
-    assert_string_equal(r.list[2].card.name, "");
-    assert_true(r.list[2].card.date == DATE && r.list[2].card.hash == r.list[0].card.hash);
-    assert_true(r.list[2].card.first == c.first && r.list[2].card.points[0] == c.points[0]);
+    assert_string_equal(r.list[1].meta.name, "recovered"); /* it may have had a name: it does not go by itself */
+    assert_string_equal(r.list[2].meta.name, "");
+    assert_true(r.list[2].meta.date == DATE && r.list[2].meta.hash == r.list[0].meta.hash);
+    assert_true(r.list[2].meta.first == c.first && r.list[2].meta.points[0] == c.points[0]);
     replays_close(&r);
     assert_true(replays_open(&r, c.id)); /* and now nothing is left to do: three cards, and the demos that are none */
     assert_int_equal(r.n, 3);
-    assert_in_range(r.loaded, 1, 5 * CARD_HEAD);
+    assert_in_range(r.loaded, 1, 5 * REPLAY_META_HEAD);
     IN("test ! -e 20260921-141322.card && test ! -e y.demo.77.tmp && test -e notes.txt && test -e bad.demo");
     replays_close(&r);
 #undef IN

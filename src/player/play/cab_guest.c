@@ -193,7 +193,7 @@ bool cab_was_left(struct cab *cab, struct replay_meta *c)
         cab_notice(cab, CAB_NOTICE_FRAMES, "The unfinished run is lost: its file is damaged");
         return false;
     }
-    bool good = replay_meta_of_demo(c, &d) && c->end == CARD_LEFT && strcmp(c->id, cab_cart(cab)->manifest.id) == 0;
+    bool good = replay_meta_of_demo(c, &d) && c->end == REPLAY_LEFT && strcmp(c->id, cab_cart(cab)->manifest.id) == 0;
     demo_free(&d);
     return good;
 }

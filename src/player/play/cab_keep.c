@@ -138,11 +138,11 @@ static void take_row(struct cab *cab, const struct board_marker *m)
     if (!row_of(cab, m, &row))
         return;
     if (!k->on && k->waits && waiting) {
-        waiting->card.row[waiting->card.rows < CARD_ROWS ? waiting->card.rows++ : CARD_ROWS - 1] = row;
+        waiting->meta.row[waiting->meta.rows < REPLAY_MAX_ROWS ? waiting->meta.rows++ : REPLAY_MAX_ROWS - 1] = row;
         return;
     }
     if (k->on || !k->stem[0]) {
-        if (k->rows < CARD_ROWS)
+        if (k->rows < REPLAY_MAX_ROWS)
             k->row[k->rows++] = row;
         return;
     }
@@ -162,8 +162,8 @@ static void remove_left(struct replays *list, const struct replay_meta *whole)
     char err[256];
 
     for (int i = list->n - 1; i > 0; i--) {
-        const struct replay_meta *c = &list->list[i].card;
-        if (whole->flags & DEMO_RESUMED && c->end == CARD_LEFT && !c->name[0] && c->seed == whole->seed &&
+        const struct replay_meta *c = &list->list[i].meta;
+        if (whole->flags & DEMO_RESUMED && c->end == REPLAY_LEFT && !c->name[0] && c->seed == whole->seed &&
             c->first == whole->first && c->last <= whole->last)
             replays_delete(list, i, err, sizeof err);
     }
@@ -219,7 +219,7 @@ static void wait_with(struct cab *cab, uint8_t *bytes, size_t size, const struct
 /* The run that is on ends here, and is kept. False: there is no replay of it yet. */
 static bool keep_run(struct cab *cab, enum replay_meta_end end)
 {
-    struct replay_meta card;
+    struct replay_meta meta;
     struct thumb thumb;
     char err[FILES_ERR_SIZE];
     size_t size;
@@ -227,23 +227,23 @@ static bool keep_run(struct cab *cab, enum replay_meta_end end)
 
     cab->keep.stem[0] = 0;
     cab->keep.waits = false;
-    if (cab->config.replays == 0 || (frames < SHORTEST && end != CARD_FAULT))
+    if (cab->config.replays == 0 || (frames < SHORTEST && end != REPLAY_FAULT))
         return true;
     uint8_t *bytes = demo_encode_now(writer(cab), cab_live(cab), &size);
     if (!bytes) {
         complain(cab, "out of memory", "This run is not saved");
         return false;
     }
-    describe(cab, &card, end);
+    describe(cab, &meta, end);
     thumb_make(&thumb, &cab->picture.fb, cab->picture.rgb);
     const bool rom = keep_rom(cab);
-    if (rom && add(cab, bytes, size, &card, &thumb, err, sizeof err)) {
+    if (rom && add(cab, bytes, size, &meta, &thumb, err, sizeof err)) {
         free(bytes);
         return true;
     }
     if (rom)
         cab_save_failed(cab, err);
-    wait_with(cab, bytes, size, &card, &thumb);
+    wait_with(cab, bytes, size, &meta, &thumb);
     return false;
 }
 
@@ -282,7 +282,7 @@ void cab_keep_left(struct cab *cab)
 {
     struct replays list;
     struct demo d;
-    struct replay_meta card;
+    struct replay_meta meta;
     char path[CAB_NAME], err[FILES_ERR_SIZE] = "out of memory";
     uint8_t *bytes;
     size_t size;
@@ -296,20 +296,20 @@ void cab_keep_left(struct cab *cab)
         cab_save_failed(cab, err);
         return;
     }
-    bool good = demo_read(&d, bytes, size, err, sizeof err) && replay_meta_of_demo(&card, &d) &&
-                card.last - card.first >= SHORTEST && cab->config.replays > 0 &&
+    bool good = demo_read(&d, bytes, size, err, sizeof err) && replay_meta_of_demo(&meta, &d) &&
+                meta.last - meta.first >= SHORTEST && cab->config.replays > 0 &&
                 (d.complete || d.checksum_frames == d.frames);
     free(bytes);
     if (good && replays_open(&list, cab_cart(cab)->manifest.id)) {
         for (int i = 0; i < list.n; i++)
-            there = there || (list.list[i].card.seed == card.seed && list.list[i].card.first == card.first &&
-                              list.list[i].card.last >= card.last);
+            there = there || (list.list[i].meta.seed == meta.seed && list.list[i].meta.first == meta.first &&
+                              list.list[i].meta.last >= meta.last);
         replays_close(&list);
     }
     d.complete = true; /* what is there is all of it */
     bytes = good && !there ? demo_encode(&d, &size) : NULL;
-    card.date = (int64_t)time(NULL);
-    const bool saved = !good || there || (bytes && add(cab, bytes, size, &card, NULL, err, sizeof err));
+    meta.date = (int64_t)time(NULL);
+    const bool saved = !good || there || (bytes && add(cab, bytes, size, &meta, NULL, err, sizeof err));
     cab->keep.stem[0] = 0;
     free(bytes);
     demo_free(&d);
@@ -337,7 +337,7 @@ static void begin(struct cab *cab, uint32_t frame)
 {
     struct cab_keep *k = &cab->keep;
 
-    if (k->on && !keep_run(cab, CARD_LEFT))
+    if (k->on && !keep_run(cab, REPLAY_LEFT))
         leave_spare(cab);
     else
         drop_spare(cab);
@@ -362,7 +362,7 @@ static void end(struct cab *cab, const char *how)
 {
     if (!cab->keep.on)
         return;
-    end_run(cab, strcmp(how, "clear") == 0 ? CARD_CLEAR : strcmp(how, "quit") == 0 ? CARD_QUIT : CARD_OVER);
+    end_run(cab, strcmp(how, "clear") == 0 ? REPLAY_CLEAR : strcmp(how, "quit") == 0 ? REPLAY_QUIT : REPLAY_OVER);
 }
 
 /* ---- from tick to tick ---- */
@@ -426,7 +426,7 @@ void cab_keep_tick(struct cab *cab)
     for (int i = 0; i < out->marker_count; i++)
         take_marker(cab, &out->marker[i]);
     if (out->fault && cab->keep.on)
-        end_run(cab, CARD_FAULT);
+        end_run(cab, REPLAY_FAULT);
     if (cab->keep.spare && spare_failed(cab))
         cab->keep.spare = false;
 }
@@ -442,7 +442,7 @@ void cab_keep_leave(struct cab *cab)
         if (!cab->keep.on || writer(cab)->demo.frames - cab->keep.first < SHORTEST)
             drop_spare(cab);
         if (cab->keep.on)
-            keep_run(cab, CARD_LEFT);
+            keep_run(cab, REPLAY_LEFT);
     }
     memset(&cab->keep, 0, sizeof cab->keep); /* the spare is finished with the recording */
 }
@@ -470,9 +470,9 @@ static bool retry_runs(struct cab *cab, struct cab_run **at, void (*failed)(void
         return true;
     if (!retry_runs(cab, &run->next, failed))
         return false;
-    if (!roms_has(run->card.id, run->card.rom)) /* that it is not there was said */
+    if (!roms_has(run->meta.id, run->meta.rom)) /* that it is not there was said */
         return false;
-    if (!add(cab, run->bytes, run->size, &run->card, &run->thumb, err, sizeof err)) {
+    if (!add(cab, run->bytes, run->size, &run->meta, &run->thumb, err, sizeof err)) {
         failed(cab, err);
         return false;
     }

@@ -104,9 +104,9 @@ struct cab_keep {
     uint32_t frames; /* of the recording at the last look */
     bool on;         /* a run is on, since frame `first` */
     uint32_t first;
-    bool spare;                            /* user:resume/ID.demo is of this run */
-    char stem[REPLAY_STEM];                /* of the replay of the run that was over last; "": none, or it waits */
-    struct replay_meta_row row[CARD_ROWS]; /* entered while the run was on */
+    bool spare;             /* user:resume/ID.demo is of this run */
+    char stem[REPLAY_STEM]; /* of the replay of the run that was over last; "": none, or it waits */
+    struct replay_meta_row row[REPLAY_MAX_ROWS]; /* entered while the run was on */
     int rows;
     bool waits; /* the run that was over last is the first of cab_unsaved.runs */
 };
@@ -116,7 +116,7 @@ struct cab_run {
     struct cab_run *next;
     uint8_t *bytes;
     size_t size;
-    struct replay_meta card;
+    struct replay_meta meta;
     struct thumb thumb;
 };
 

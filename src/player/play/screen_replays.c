@@ -24,8 +24,8 @@ static void date_text(int64_t date, char *out, size_t size)
 /* What it was, in a sentence for the foot. */
 static void describe(const struct replay_meta *c, char *out, size_t size)
 {
-    static const char *const ends[CARD_ENDS] = { "unfinished", "all stages cleared", "game over", "quit",
-                                                 "script error" };
+    static const char *const ends[REPLAY_ENDS] = { "unfinished", "all stages cleared", "game over", "quit",
+                                                   "script error" };
     const unsigned seconds = (c->last - c->first) / 60;
     int n = snprintf(out, size, "%u:%02u, %s", seconds / 60, seconds % 60, ends[c->end]);
 
@@ -40,9 +40,9 @@ static void describe(const struct replay_meta *c, char *out, size_t size)
         snprintf(out + n, size - (size_t)n, ", core version %u: playback may diverge", (unsigned)c->core);
 }
 
-static const struct replay_meta *card(struct cab *cab, int i)
+static const struct replay_meta *metadata(struct cab *cab, int i)
 {
-    return &cab->view.list.list[i].card;
+    return &cab->view.list.list[i].meta;
 }
 
 /* ---- what can be done with one ---- */
@@ -68,7 +68,7 @@ static void act_row(void *of, int at, struct screen_row *row)
                                          "Named replays stay until you delete them.", "" };
 
     snprintf(row->label, sizeof row->label, "%s",
-             at == NAME && card(cab, chosen(cab))->name[0] ? "Rename" : labels[at]);
+             at == NAME && metadata(cab, chosen(cab))->name[0] ? "Rename" : labels[at]);
     snprintf(row->help, sizeof row->help, "%s", helps[at]);
 }
 
@@ -77,7 +77,7 @@ static const char *act_text(void *of)
     struct cab *cab = of;
 
     if (!cab->view.typing)
-        return card(cab, chosen(cab))->name;
+        return metadata(cab, chosen(cab))->name;
     snprintf(cab->view.text, sizeof cab->view.text, "Name: %s_\nEnter: save. Escape: cancel.", cab->view.typed);
     return cab->view.text;
 }
@@ -108,7 +108,7 @@ static void want_text(struct cab *cab, bool on)
 
 static void begin_name(struct cab *cab)
 {
-    const struct replay_meta *c = card(cab, cab->view.thumb_of);
+    const struct replay_meta *c = metadata(cab, cab->view.thumb_of);
 
     if (c->name[0])
         snprintf(cab->view.typed, sizeof cab->view.typed, "%s", c->name);
@@ -132,7 +132,7 @@ static void act(void *of, int at)
         screens_ask(&cab->screens, "Delete this replay? This cannot be undone.", "Delete", delete, cab);
     } else {
         replays_path(&cab->view.list, i, path);
-        const uint32_t first = card(cab, i)->first;
+        const uint32_t first = metadata(cab, i)->first;
         if (cab_watch(cab, path, first))
             screens_close_all(&cab->screens);
     }
@@ -175,8 +175,8 @@ static void keep_name(struct cab *cab)
 
     if (!replays_name(&cab->view.list, cab->view.thumb_of, cab->view.typed, err, sizeof err))
         screens_say(&cab->screens, "%s", err);
-    else if (card(cab, cab->view.thumb_of)->name[0])
-        screens_say(&cab->screens, "Saved as \"%s\"", card(cab, cab->view.thumb_of)->name);
+    else if (metadata(cab, cab->view.thumb_of)->name[0])
+        screens_say(&cab->screens, "Saved as \"%s\"", metadata(cab, cab->view.thumb_of)->name);
     else
         screens_say(&cab->screens, "Name removed");
 }
@@ -236,7 +236,7 @@ static int rows(void *of)
 static void row(void *of, int at, struct screen_row *row)
 {
     struct cab *cab = of;
-    const struct replay_meta *c = card(cab, at);
+    const struct replay_meta *c = metadata(cab, at);
     char date[32];
 
     date_text(c->date, date, sizeof date);
@@ -340,7 +340,7 @@ static void draw(void *of, int at, const struct canvas *canvas, struct screen_ar
         draw_thumb(cab, canvas, to);
         side = cab->view.thumb.w + 8;
     }
-    draw_words(card(cab, at), canvas, (struct screen_area){ to.x + side + 4, to.y, to.w - side - 4, to.h });
+    draw_words(metadata(cab, at), canvas, (struct screen_area){ to.x + side + 4, to.y, to.w - side - 4, to.h });
 }
 
 static const struct screen_def replays = { .title = "Replays",

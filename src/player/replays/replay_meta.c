@@ -1,5 +1,6 @@
 /*
- * replay_meta.c - see replay_meta.h. One walk over the fields writes or reads them, so the two cannot disagree.
+ * replay_meta.c - reads and writes a replay's metadata (replay_meta.h). One function walks over the fields for reading
+ * and writing, so the two cannot disagree.
  */
 #include "replay_meta.h"
 
@@ -102,8 +103,8 @@ static void walk(struct walk *w, struct replay_meta *c)
         WALK(w, c->points[p]);
     walk_text(w, c->name, sizeof c->name);
     WALK(w, rows);
-    w->bad = w->bad || end >= CARD_ENDS || rows > CARD_ROWS || c->first > c->last;
-    c->end = w->bad ? CARD_LEFT : (enum replay_meta_end)end;
+    w->bad = w->bad || end >= REPLAY_ENDS || rows > REPLAY_MAX_ROWS || c->first > c->last;
+    c->end = w->bad ? REPLAY_LEFT : (enum replay_meta_end)end;
     c->rows = w->bad ? 0 : rows;
     for (int i = 0; i < c->rows; i++)
         walk_row(w, &c->row[i]);
@@ -112,7 +113,7 @@ static void walk(struct walk *w, struct replay_meta *c)
 size_t replay_meta_write(const struct replay_meta *c, const struct thumb *t, uint8_t *out)
 {
     struct replay_meta copy = *c;
-    struct walk w = { .out = out, .at = BEFORE, .size = CARD_HEAD - 4 };
+    struct walk w = { .out = out, .at = BEFORE, .size = REPLAY_META_HEAD - 4 };
     const size_t pixels = (size_t)t->w * (size_t)t->h;
 
     walk(&w, &copy);
@@ -128,13 +129,13 @@ size_t replay_meta_write(const struct replay_meta *c, const struct thumb *t, uin
     return w.at + 4 + 2 + pixels + 4;
 }
 
-/* Where the fields end; 0: these bytes are no card. */
+/* Returns where the fields end; 0 if the file is not valid metadata. */
 static size_t end_of_head(const uint8_t *data, size_t size)
 {
     if (size < BEFORE + 4 || memcmp(data, magic, 4) != 0 || bytes_get32(data + 4) != FORMAT)
         return 0;
     const size_t n = bytes_get32(data + 8);
-    if (n > CARD_HEAD - BEFORE - 4 || n > size - BEFORE - 4)
+    if (n > REPLAY_META_HEAD - BEFORE - 4 || n > size - BEFORE - 4)
         return 0;
     return bytes_get32(data + BEFORE + n) == hash_crc32(data, BEFORE + n) ? BEFORE + n : 0;
 }
@@ -176,8 +177,10 @@ bool replay_meta_read_thumb(struct thumb *t, const uint8_t *data, size_t size)
 static enum replay_meta_end end_of(const struct demo *d, const struct board_marker *over)
 {
     if (!over)
-        return d->fault ? CARD_FAULT : CARD_LEFT;
-    return strcmp(over->name, "clear") == 0 ? CARD_CLEAR : strcmp(over->name, "quit") == 0 ? CARD_QUIT : CARD_OVER;
+        return d->fault ? REPLAY_FAULT : REPLAY_LEFT;
+    return strcmp(over->name, "clear") == 0  ? REPLAY_CLEAR
+           : strcmp(over->name, "quit") == 0 ? REPLAY_QUIT
+                                             : REPLAY_OVER;
 }
 
 bool replay_meta_of_demo(struct replay_meta *c, const struct demo *d)

@@ -1,5 +1,5 @@
 /*
- * replays.c - see replays.h.
+ * replays.c - lists, adds and removes replays (replays.h).
  */
 #include "replays.h"
 
@@ -9,6 +9,7 @@
 #include <string.h>
 #include <time.h>
 #include "../../../platform/platform.h"
+#include "../../base/err.h"
 #include "../../base/hash.h"
 #include "../../common/array.h"
 #include "../../common/files.h"
@@ -35,13 +36,13 @@ static struct tm utc(int64_t date)
     return tm ? *tm : (struct tm){ .tm_year = 70, .tm_mday = 1 };
 }
 
-/* The number behind a stem's second; -1: it is of another second. */
+/* Returns the number in a stem of this second, or -1 for a stem of another second. */
 static int number_of(const char *stem, const char *second, size_t n)
 {
     return strncmp(stem, second, n) != 0 ? -1 : stem[n] == '-' ? atoi(stem + n + 1) : 1;
 }
 
-/* The next name of that second: it comes after all that are listed. */
+/* Writes the next free name of that second, which sorts after all listed ones. */
 static void free_stem(const struct replays *r, int64_t date, char stem[REPLAY_STEM])
 {
     const struct tm tm = utc(date);
@@ -61,7 +62,7 @@ static void free_stem(const struct replays *r, int64_t date, char stem[REPLAY_ST
     } while (plat_file_size(path) >= 0 && last < 999);
 }
 
-/* Days from 1970 to a date, as the calendar goes now. */
+/* Returns the days from 1970-01-01 to a date of the Gregorian calendar. */
 static int64_t days_to(int year, int month, int day)
 {
     const int64_t y = year - (month <= 2), era = y / 400, of_era = y - era * 400;
@@ -70,7 +71,7 @@ static int64_t days_to(int year, int month, int day)
     return era * 146097 + of_era * 365 + of_era / 4 - of_era / 100 + of_year - 719468;
 }
 
-/* The date in a name; false: somebody else named it. */
+/* Reads the date in a file's name. Returns false if the name has another form. */
 static bool date_of(const char *stem, int64_t *date)
 {
     unsigned y, mo, d, h, mi, s;
@@ -90,39 +91,40 @@ static int by_stem(const void *left, const void *right)
     return strcmp(b->stem, a->stem);
 }
 
-/* What is in the folder. */
+/* The files in the directory. */
 struct found {
     struct replays *r;
-    char (*card)[REPLAY_STEM]; /* malloc */
-    int cards;
-    int64_t newest; /* of all whole files */
+    char (*meta)[REPLAY_STEM]; /* stems of metadata files; malloc */
+    int n_meta;
+    int64_t newest; /* time of the newest complete file */
     struct {
         char name[REPLAY_PATH];
         int64_t time;
-    } temp[32]; /* what a program that was killed while it saved has left */
+    } temp[32]; /* partially written files, left by a killed program */
     int temps;
-    bool full; /* no memory */
+    bool full; /* out of memory */
 };
 
-/* "STEM.ending": copies the stem. */
+/* If a name is "STEM" and the ending, copies the stem and returns true. */
 static bool has_ending(const char *name, const char *ending, char stem[REPLAY_STEM])
 {
-    const size_t n = strlen(name), e = strlen(ending);
+    const size_t n = strlen(name) - strlen(ending);
 
-    if (n <= e || n - e >= REPLAY_STEM || strcmp(name + n - e, ending) != 0)
+    if (!files_has_suffix(name, ending) || n >= REPLAY_STEM)
         return false;
-    memcpy(stem, name, n - e);
-    stem[n - e] = 0;
+    memcpy(stem, name, n);
+    stem[n] = 0;
     return true;
 }
 
-static void find_card(struct found *f, const char *stem)
+static void find_meta(struct found *f, const char *stem)
 {
-    char *card = array_append(&f->card, (size_t)f->cards, sizeof f->card[0]);
-    f->full |= !card;
-    if (card) {
-        snprintf(card, REPLAY_STEM, "%s", stem);
-        f->cards++;
+    char *meta = array_append(&f->meta, (size_t)f->n_meta, sizeof f->meta[0]);
+
+    f->full |= !meta;
+    if (meta) {
+        snprintf(meta, REPLAY_STEM, "%s", stem);
+        f->n_meta++;
     }
 }
 
@@ -131,7 +133,7 @@ static void find(void *user, const struct plat_folder_entry *file)
     struct found *f = user;
     char stem[REPLAY_STEM];
     const size_t n = strlen(file->name);
-    const bool temp = n > 4 && strcmp(file->name + n - 4, ".tmp") == 0;
+    const bool temp = files_has_suffix(file->name, ".tmp");
 
     if (file->is_folder)
         return;
@@ -142,7 +144,7 @@ static void find(void *user, const struct plat_folder_entry *file)
     if (!temp && file->time > f->newest)
         f->newest = file->time;
     if (has_ending(file->name, ".card", stem))
-        find_card(f, stem);
+        find_meta(f, stem);
     if (!has_ending(file->name, ".demo", stem) || f->r->n == REPLAYS_MOST)
         return;
     struct replay_entry *e = array_append(&f->r->list, (size_t)f->r->n, sizeof *e);
@@ -153,25 +155,25 @@ static void find(void *user, const struct plat_folder_entry *file)
     f->r->n++;
 }
 
-static bool load_card(struct replays *r, struct replay_entry *e)
+static bool load_meta(struct replays *r, struct replay_entry *e)
 {
-    uint8_t head[CARD_HEAD];
-    char card[REPLAY_PATH], demo[REPLAY_PATH];
+    uint8_t head[REPLAY_META_HEAD];
+    char meta[REPLAY_PATH], demo[REPLAY_PATH];
 
-    path_of(r, e->stem, "card", card);
+    path_of(r, e->stem, "card", meta);
     path_of(r, e->stem, "demo", demo);
-    const long n = plat_load(card, head, sizeof head);
+    const long n = plat_load(meta, head, sizeof head);
     r->loads++;
     r->loaded += n > 0 ? (uint32_t)n : 0;
-    return n > 0 && replay_meta_read(&e->card, head, (size_t)n) && strcmp(e->card.id, r->id) == 0 &&
-           plat_file_size(demo) == (long)e->card.bytes;
+    return n > 0 && replay_meta_read(&e->meta, head, (size_t)n) && strcmp(e->meta.id, r->id) == 0 &&
+           plat_file_size(demo) == (long)e->meta.bytes;
 }
 
-static bool save_card(const struct replays *r, const char *stem, const struct replay_meta *c, const struct thumb *t,
+static bool save_meta(const struct replays *r, const char *stem, const struct replay_meta *c, const struct thumb *t,
                       struct unsaved **unsaved, char *err, size_t err_size)
 {
     static const struct thumb none;
-    uint8_t bytes[CARD_BYTES];
+    uint8_t bytes[REPLAY_META_BYTES];
     char path[REPLAY_PATH];
 
     path_of(r, stem, "card", path);
@@ -180,8 +182,8 @@ static bool save_card(const struct replays *r, const char *stem, const struct re
                    : files_save(path, bytes, size, err, err_size);
 }
 
-/* From the demo; a card that was there and cannot be read may have had a name, so that the replay is not one of those
- * that go by themselves. False: it is not a demo of a run of this game. */
+/* Rebuilds metadata from the demo. If the metadata is damaged, the replay may have had a name, so it gets the name
+ * "recovered" and is not removed automatically. Returns false if the file is not a demo of a run of this game. */
 static bool repair(struct replays *r, struct replay_entry *e)
 {
     struct demo d;
@@ -196,16 +198,16 @@ static bool repair(struct replays *r, struct replay_entry *e)
         return false;
     r->loads++;
     r->loaded += (uint32_t)size;
-    bool good = demo_read(&d, bytes, size, err, sizeof err) && replay_meta_of_demo(&e->card, &d) &&
-                strcmp(e->card.id, r->id) == 0;
-    e->card.hash = hash_bytes(0, bytes, size);
-    e->card.bytes = size;
-    if (!date_of(e->stem, &e->card.date))
-        e->card.date = 0;
+    bool good = demo_read(&d, bytes, size, err, sizeof err) && replay_meta_of_demo(&e->meta, &d) &&
+                strcmp(e->meta.id, r->id) == 0;
+    e->meta.hash = hash_bytes(0, bytes, size);
+    e->meta.bytes = size;
+    if (!date_of(e->stem, &e->meta.date))
+        e->meta.date = 0;
     if (damaged)
-        replay_meta_take_name(&e->card, "recovered");
+        replay_meta_take_name(&e->meta, "recovered");
     if (good)
-        save_card(r, e->stem, &e->card, NULL, NULL, err, sizeof err);
+        save_meta(r, e->stem, &e->meta, NULL, NULL, err, sizeof err);
     demo_free(&d);
     free(bytes);
     return good;
@@ -219,14 +221,14 @@ static bool is_listed(const struct replays *r, const char *stem)
     return r->n > 0 && bsearch(&key, r->list, (size_t)r->n, sizeof key, by_stem) != NULL;
 }
 
-/* Cards without a demo go, and so does what an interrupted save left: it is older than a file that came after it. */
+/* Removes metadata without a demo, and partially written files that are older than some complete file. */
 static void sweep(const struct found *f)
 {
     char path[2 * REPLAY_PATH];
 
-    for (int i = 0; i < f->cards; i++) {
-        path_of(f->r, f->card[i], "card", path);
-        if (!is_listed(f->r, f->card[i]))
+    for (int i = 0; i < f->n_meta; i++) {
+        path_of(f->r, f->meta[i], "card", path);
+        if (!is_listed(f->r, f->meta[i]))
             plat_remove(path);
     }
     for (int i = 0; i < f->temps; i++) {
@@ -251,10 +253,10 @@ bool replays_open(struct replays *r, const char *id)
     if (!f.full)
         sweep(&f);
     for (int i = 0; i < r->n; i++)
-        if (load_card(r, &r->list[i]) || repair(r, &r->list[i]))
+        if (load_meta(r, &r->list[i]) || repair(r, &r->list[i]))
             r->list[n++] = r->list[i];
     r->n = n;
-    free(f.card);
+    free(f.meta);
     return !f.full;
 }
 
@@ -266,7 +268,7 @@ void replays_close(struct replays *r)
 
 bool replays_thumb(const struct replays *r, int i, struct thumb *t)
 {
-    uint8_t bytes[CARD_BYTES + 1];
+    uint8_t bytes[REPLAY_META_BYTES + 1];
     char path[REPLAY_PATH];
 
     path_of(r, r->list[i].stem, "card", path);
@@ -281,20 +283,18 @@ bool replays_add(struct replays *r, const uint8_t *demo, size_t size, const stru
                  const struct thumb *t, char *err, size_t err_size)
 {
     struct replay_entry *e = array_append(&r->list, (size_t)r->n, sizeof *e);
-    struct replay_entry new = { .card = *c };
+    struct replay_entry new = { .meta = *c };
     char path[REPLAY_PATH];
 
-    new.card.hash = hash_bytes(0, demo, size);
-    new.card.bytes = size;
+    new.meta.hash = hash_bytes(0, demo, size);
+    new.meta.bytes = size;
     free_stem(r, c->date, new.stem);
     path_of(r, new.stem, "demo", path);
-    if (!e) {
-        result_set_host_error(err, err_size, "%s: out of memory", path);
-        return false;
-    }
+    if (!e)
+        return result_set_host_error(err, err_size, "%s: out of memory", path);
     if (!files_save(path, demo, size, err, err_size))
         return false;
-    if (!save_card(r, new.stem, &new.card, t, NULL, err, err_size)) {
+    if (!save_meta(r, new.stem, &new.meta, t, NULL, err, err_size)) {
         plat_remove(path);
         return false;
     }
@@ -304,74 +304,72 @@ bool replays_add(struct replays *r, const uint8_t *demo, size_t size, const stru
     return true;
 }
 
-/* Writes a card anew with what is changed in it; its picture stays. */
-static bool replace_card(struct replays *r, int i, const struct replay_meta *c, struct unsaved **unsaved, char *err,
+/* Saves changed metadata with the same thumbnail. */
+static bool replace_meta(struct replays *r, int i, const struct replay_meta *c, struct unsaved **unsaved, char *err,
                          size_t err_size)
 {
     struct thumb t;
 
     replays_thumb(r, i, &t);
-    if (!save_card(r, r->list[i].stem, c, &t, unsaved, err, err_size))
+    if (!save_meta(r, r->list[i].stem, c, &t, unsaved, err, err_size))
         return false;
-    r->list[i].card = *c;
+    r->list[i].meta = *c;
     return true;
 }
 
 bool replays_name(struct replays *r, int i, const char *name, char *err, size_t err_size)
 {
-    struct replay_meta c = r->list[i].card;
+    struct replay_meta c = r->list[i].meta;
 
     replay_meta_take_name(&c, name);
-    return replace_card(r, i, &c, NULL, err, err_size);
+    return replace_meta(r, i, &c, NULL, err, err_size);
 }
 
 bool replays_add_row(struct replays *r, int i, const struct replay_meta_row *row, struct unsaved **unsaved, char *err,
                      size_t err_size)
 {
-    struct replay_meta c = r->list[i].card;
+    struct replay_meta c = r->list[i].meta;
 
-    c.rows += c.rows < CARD_ROWS;
+    c.rows += c.rows < REPLAY_MAX_ROWS;
     c.row[c.rows - 1] = *row;
-    return replace_card(r, i, &c, unsaved, err, err_size);
+    return replace_meta(r, i, &c, unsaved, err, err_size);
 }
 
 bool replays_delete(struct replays *r, int i, char *err, size_t err_size)
 {
-    char demo[REPLAY_PATH], card[REPLAY_PATH];
+    char demo[REPLAY_PATH], meta[REPLAY_PATH];
 
     replays_path(r, i, demo);
-    path_of(r, r->list[i].stem, "card", card);
+    path_of(r, r->list[i].stem, "card", meta);
     errno = 0;
-    if (!plat_remove(demo) && plat_file_size(demo) >= 0) {
-        snprintf(err, err_size, "%s: cannot be removed%s%s%s", demo, errno ? " (" : "", errno ? strerror(errno) : "",
-                 errno ? ")" : "");
-        return false;
-    }
-    plat_remove(card);
+    if (!plat_remove(demo) && plat_file_size(demo) >= 0)
+        return err_set(err, err_size, "%s: cannot be removed%s%s%s", demo, errno ? " (" : "",
+                       errno ? strerror(errno) : "", errno ? ")" : "");
+    plat_remove(meta);
     r->n--;
     memmove(r->list + i, r->list + i + 1, (size_t)(r->n - i) * sizeof r->list[0]);
     return true;
 }
 
-static bool stays(const struct replay_meta *c, bool (*stands)(void *of, const struct replay_meta_row *row), void *of)
+static bool stays(const struct replay_meta *c, bool (*in_table)(void *of, const struct replay_meta_row *row), void *of)
 {
-    for (int i = 0; stands && i < c->rows; i++)
-        if (stands(of, &c->row[i]))
+    for (int i = 0; in_table && i < c->rows; i++)
+        if (in_table(of, &c->row[i]))
             return true;
     return c->name[0] != 0;
 }
 
-void replays_prune(struct replays *r, int keep, bool (*stands)(void *of, const struct replay_meta_row *row), void *of)
+void replays_prune(struct replays *r, int keep, bool (*in_table)(void *of, const struct replay_meta_row *row), void *of)
 {
     char err[256];
     int kept = 0;
 
     for (int i = 0; i < r->n;) {
-        if (stays(&r->list[i].card, stands, of) || kept < keep) {
-            kept += !stays(&r->list[i].card, stands, of);
+        if (stays(&r->list[i].meta, in_table, of) || kept < keep) {
+            kept += !stays(&r->list[i].meta, in_table, of);
             i++;
         } else if (!replays_delete(r, i, err, sizeof err)) {
-            i++; /* another time */
+            i++; /* try again next time */
         }
     }
 }
@@ -387,8 +385,8 @@ static bool is_row(const struct replay_meta_row *a, const char *table, const str
 int replays_of_row(const struct replays *r, const char *table, const struct nv_row *row)
 {
     for (int i = 0; i < r->n; i++)
-        for (int k = 0; k < r->list[i].card.rows; k++)
-            if (is_row(&r->list[i].card.row[k], table, row))
+        for (int k = 0; k < r->list[i].meta.rows; k++)
+            if (is_row(&r->list[i].meta.row[k], table, row))
                 return i;
     return -1;
 }
@@ -403,7 +401,7 @@ static bool needed(void *of, uint64_t hash)
     const struct needs *n = of;
 
     for (int i = 0; i < n->r->n; i++)
-        if (n->r->list[i].card.rom == hash)
+        if (n->r->list[i].meta.rom == hash)
             return true;
     return hash == n->also;
 }

@@ -1,5 +1,5 @@
 /*
- * replays_print.c - see replays_print.h.
+ * replays_print.c - prints a game's replays (replays_print.h).
  */
 #include "replays_print.h"
 
@@ -13,15 +13,15 @@
 
 static const char *end_text(enum replay_meta_end end)
 {
-    static const char *const words[CARD_ENDS] = { "unfinished", "all stages", "game over", "quit", "script error" };
+    static const char *const words[REPLAY_ENDS] = { "unfinished", "all stages", "game over", "quit", "script error" };
 
     return words[end];
 }
 
-/* In JSON, whose values do not change. */
+/* The values in JSON must stay the same for programs that read them. */
 static const char *end_key(enum replay_meta_end end)
 {
-    static const char *const words[CARD_ENDS] = { "left", "all stages", "game over", "quit", "a fault" };
+    static const char *const words[REPLAY_ENDS] = { "left", "all stages", "game over", "quit", "a fault" };
 
     return words[end];
 }
@@ -112,7 +112,7 @@ bool replays_print(const char *id, bool json)
 
     for (int i = 0; i < r.n; i++) {
         replays_path(&r, i, path);
-        (json ? print_json : print_line)(plat_path(path, file, sizeof file) ? file : path, &r.list[i].card);
+        (json ? print_json : print_line)(plat_path(path, file, sizeof file) ? file : path, &r.list[i].meta);
     }
     replays_close(&r);
     return all;

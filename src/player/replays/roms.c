@@ -1,5 +1,5 @@
 /*
- * roms.c - see roms.h. An id has no '-', so the folder needs no index.
+ * roms.c - stores ROMs (roms.h). An id contains no '-', so file names are unambiguous.
  */
 #include "roms.h"
 
@@ -11,7 +11,7 @@
 
 #define FOLDER "user:roms"
 
-enum { HASH_DIGITS = 16, MOST = 64 /* that go in one collection; the rest goes in the next */ };
+enum { HASH_DIGITS = 16, MOST = 64 /* removed by one call of roms_collect */ };
 
 void roms_path(char path[ROMS_PATH], const char *id, uint64_t hash)
 {
@@ -42,7 +42,7 @@ struct collection {
     int n;
 };
 
-/* The hash in "ID-HASH.rom"; false: it is another file. */
+/* Reads the hash in "ID-HASH.rom". Returns false for other names. */
 static bool hash_in(const char *name, const char *id, uint64_t *hash)
 {
     const size_t n = strlen(id);

@@ -1,5 +1,5 @@
 /*
- * roms.h - older ROMs of a game, kept by their hash for as long as a recording needs them: user:roms/ID-HASH.rom.
+ * roms.h - stores ROMs of a game that recordings need: user:roms/ID-HASH.rom.
  */
 #ifndef PLAYER_ROMS_H
 #define PLAYER_ROMS_H
@@ -12,16 +12,16 @@
 
 enum { ROMS_PATH = 96 };
 
-/* The file of a game's ROM. */
+/* Writes the path of a game's ROM. */
 void roms_path(char path[ROMS_PATH], const char *id, uint64_t hash);
 
-/* Is it there? */
+/* Returns whether the ROM is stored. */
 bool roms_has(const char *id, uint64_t hash);
 
-/* Keeps a ROM, if it is not kept yet. False and one sentence: it waits in the list. */
+/* Stores a ROM unless it is stored. If it cannot be written, adds it to *unsaved, sets err and returns false. */
 bool roms_keep(struct unsaved **unsaved, const char *id, const struct rom *rom, char *err, size_t err_size);
 
-/* Removes all kept ROMs of a game but those that are needed. */
+/* Removes all stored ROMs of a game that are not needed. */
 void roms_collect(const char *id, bool (*needed)(void *of, uint64_t hash), void *of);
 
 #endif

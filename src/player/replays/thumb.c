@@ -1,5 +1,5 @@
 /*
- * thumb.c - see thumb.h.
+ * thumb.c - makes thumbnails (thumb.h).
  */
 #include "thumb.h"
 
@@ -14,8 +14,8 @@ uint32_t thumb_colour(int i)
     return r * 255 / (RED - 1) << 16 | g * 255 / (GREEN - 1) << 8 | b * 255 / (BLUE - 1);
 }
 
-/* A sum of n values of 0 to 255 as one of so many levels; where it lies between two, the place decides: 0 to 15 of an
- * ordered pattern. */
+/* Converts the mean of n values of 0 to 255, given as their sum, to one of `levels` levels. Between two levels, the
+ * place in a 4 x 4 dither pattern (0 to 15) decides. */
 static int level(uint32_t sum, uint32_t n, int levels, int place)
 {
     return (int)((sum * (uint32_t)(levels - 1) * 16 + n * 255u * (uint32_t)place + n * 127) / (n * 255u * 16));

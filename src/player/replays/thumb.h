@@ -1,6 +1,5 @@
 /*
- * thumb.h - the small picture of a replay: the board's picture reduced, in a palette that all of them share, so that
- * any number stand side by side.
+ * thumb.h - thumbnails of replays. All share one palette, so a screen can show any number of them.
  */
 #ifndef PLAYER_THUMB_H
 #define PLAYER_THUMB_H
@@ -14,14 +13,14 @@ enum {
 };
 
 struct thumb {
-    int w, h; /* 0: there is none */
+    int w, h; /* 0: no thumbnail */
     uint8_t pix[THUMB_PIXELS];
 };
 
-/* The i-th colour of the palette, 0xRRGGBB. */
+/* Returns colour i of the palette, 0xRRGGBB. */
 uint32_t thumb_colour(int i);
 
-/* Reduces a picture to what fits, by means of boxes, dithered; a smaller one stays as large as it is. */
+/* Shrinks a picture to fit THUMB_SIDE, averaging pixels and dithering. A picture that fits is not enlarged. */
 void thumb_make(struct thumb *t, const struct fb *fb, const uint32_t rgb[256]);
 
 #endif

@@ -1,5 +1,5 @@
 /*
- * unsaved.c - see unsaved.h. A list in the order in which files failed.
+ * unsaved.c - files that could not be written (unsaved.h), listed in the order in which they failed.
  */
 #include "unsaved.h"
 
@@ -7,7 +7,7 @@
 #include <string.h>
 #include "../../common/files.h"
 
-/* Where the file of a path is in the list, or the list's end. */
+/* Returns the link to the file of a path, or the link at the list's end. */
 static struct unsaved **find(struct unsaved **list, const char *path)
 {
     while (*list && strcmp((*list)->path, path) != 0)
@@ -24,7 +24,7 @@ static void drop(struct unsaved **at)
     free(u);
 }
 
-/* Without memory for a copy the file is lost, as it would be without this list. */
+/* When out of memory, the file is lost. */
 static void add(struct unsaved **list, const char *path, const void *bytes, size_t size)
 {
     struct unsaved *u = malloc(sizeof *u + strlen(path) + 1);

@@ -1,5 +1,5 @@
 /*
- * unsaved.h - files that could not be written: their bytes wait here until they can be.
+ * unsaved.h - stores files that could not be written, until they can be.
  */
 #ifndef PLAYER_UNSAVED_H
 #define PLAYER_UNSAVED_H
@@ -8,7 +8,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* One file; the newest bytes of a path replace older ones that wait. malloc. */
+/* A file in the list, from malloc; a list has at most one per path. */
 struct unsaved {
     struct unsaved *next;
     uint8_t *bytes;
@@ -16,13 +16,13 @@ struct unsaved {
     char path[];
 };
 
-/* files_save, of a whole file. False and one sentence: it cannot be written, and waits in the list. */
+/* Saves a file with files_save. If it cannot be written, adds it to the list, sets err and returns false. */
 bool unsaved_save(struct unsaved **list, const char *path, const void *bytes, size_t size, char *err, size_t err_size);
 
-/* The bytes that wait for a path: what is in the file is older. NULL: none do. */
+/* Returns the listed bytes of a path, which are newer than the file; NULL if the path is not listed. */
 const uint8_t *unsaved_bytes(const struct unsaved *list, const char *path, size_t *size);
 
-/* Tries all of them again. Hands out a sentence for each that still cannot be written; returns whether none is left. */
+/* Saves the listed files again. Calls `failed` for each that still cannot be written. Returns whether none is left. */
 bool unsaved_retry(struct unsaved **list, void (*failed)(void *of, const char *err), void *of);
 
 void unsaved_free(struct unsaved **list);

@@ -27,7 +27,7 @@ struct replays_view {
     struct replays list;
     struct thumb thumb;
     int thumb_of; /* the replay whose picture that is; -1: none */
-    char typed[CARD_NAME];
+    char typed[REPLAY_NAME_SIZE];
     bool typing, fresh; /* fresh: a letter takes the place of what is proposed */
     uint8_t held[PLAT_KEYS / 8];
     uint32_t switches;
