@@ -1,8 +1,8 @@
 /*
- * args.c - see args.h: the words, one after another. What there is stands in args_table.c.
+ * args.c - parses the command line (args.h) with the tables in args_table.c.
  *
- * An option has the same shape with every command, so options may stand before the command; which go with it is looked
- * at when all is read.
+ * An option has the same form with every command, so options may precede the command. args_check.c checks afterwards
+ * which options belong to it.
  */
 #include "args_parts.h"
 
@@ -11,7 +11,7 @@
 #include "../../../platform/platform.h"
 #include "../../base/err.h"
 
-/* The option named by the n bytes at name, or OPTIONS. */
+/* Returns the option whose name is the n bytes at name, or OPTIONS. */
 static enum option find_option(const char *name, size_t n)
 {
     static const struct {
@@ -48,7 +48,7 @@ static bool unknown_option(const char *word, size_t n, char *err, size_t err_siz
     return err_set(err, err_size, "unknown option %s (see curtain help)", name);
 }
 
-/* Reads the option argv[*i], and its value if it has one; sets its place in seen. */
+/* Parses the option argv[*i] and its value, if it takes one, and marks it in seen. */
 static bool read_option(struct args *a, int argc, char **argv, int *i, bool seen[OPTIONS], char *err, size_t err_size)
 {
     const char *word = argv[*i], *equals = strchr(word, '='), *value = NULL;
@@ -67,10 +67,10 @@ static bool read_option(struct args *a, int argc, char **argv, int *i, bool seen
     if (seen[o] && !args_repeats(o))
         return err_set(err, err_size, "%s is given twice", args_options[o].name);
     seen[o] = true;
-    return args_keep(a, o, value, err, err_size);
+    return args_store(a, o, value, err, err_size);
 }
 
-/* help and version take over whatever else was said. */
+/* --help and --version override everything else. */
 static bool take_over(struct args *a, enum command command)
 {
     if (command == COMMAND_HELP) {
@@ -83,7 +83,7 @@ static bool take_over(struct args *a, enum command command)
     return true;
 }
 
-/* What is longer would push the reason out of the sentences that name it. */
+/* Longer arguments would leave no space for the reason in error messages. */
 static bool short_enough(int argc, char **argv, char *err, size_t err_size)
 {
     for (int i = 1; i < argc; i++)
@@ -100,7 +100,7 @@ bool args_parse(struct args *a, int argc, char **argv, char *err, size_t err_siz
     *a = (struct args){ .words = argv, .every = 1, .bank = -1, .machine = 1 };
     if (!short_enough(argc, argv, err, err_size))
         return false;
-    for (int i = 1; i < argc; i++) /* what is no path has no use for \ */
+    for (int i = 1; i < argc; i++) /* only paths contain backslashes */
         plat_normalize_slashes(argv[i]);
     for (int i = 1; i < argc; i++) {
         if (!only_words && strcmp(argv[i], "--") == 0)

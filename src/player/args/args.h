@@ -1,8 +1,8 @@
 /*
- * args.h - the command line as data: commands, options, what goes with what, and their help.
+ * args.h - parses the command line, checks which words and options belong together, and prints the help.
  *
- * One table each for commands and options (args_table.c) gives parsing, help and error messages. Nothing here touches a
- * file.
+ * Parsing, help and error messages use two tables, of commands and of options (args_table.c). Nothing here accesses
+ * files.
  */
 #ifndef PLAYER_ARGS_H
 #define PLAYER_ARGS_H
@@ -38,7 +38,7 @@ enum command {
     COMMANDS
 };
 
-/* What `export` makes. EXPORT_PROGRAM: a program for this system. EXPORT_ALL: those between these two, each in a zip
+/* The kind of `export`. EXPORT_PROGRAM: a program for this system. EXPORT_ALL: all kinds in between, each as a zip
  * file. */
 enum export_kind { EXPORT_PROGRAM, EXPORT_LINUX, EXPORT_WINDOWS, EXPORT_WEB, EXPORT_LIBRETRO, EXPORT_ALL };
 
@@ -59,12 +59,12 @@ enum {
     ARGS_MAX_BOTS = 1000
 };
 
-/* Frames first, first + step ... up to and with last. */
+/* The frames first, first + step, ... up to and including last. */
 struct span {
     uint32_t first, last, step;
 };
 
-/* A button of a player, from 0 on, that is held in these frames. */
+/* A button that a player (from 0) holds in some frames. */
 struct press {
     int player;
     uint16_t pad; /* PAD_ */
@@ -75,8 +75,8 @@ struct workbench;
 
 struct args {
     enum command command;
-    const struct workbench *workbench; /* set by the program; NULL: it is curtain-player */
-    char **words; /* what is neither command nor option, in order: inside the argv given, rearranged */
+    const struct workbench *workbench; /* set by the program; NULL in curtain-player */
+    char **words;                      /* all words except command and options, in order; argv is rearranged */
     int n_words;
     const char *record, *demo, *stage, *difficulty, *lang, *out, *sheet, *wav, *format, *from; /* NULL: not given */
     const char *atlas, *map;                                                                   /* the same */
@@ -96,9 +96,9 @@ struct args {
     const char *junit, *page;  /* NULL: not given */
     int jobs;                  /* 0: not given */
     int scale;                 /* 0: not given */
-    int faster, slower;        /* of --speed: N and 1, or 1 and N; 0: not given */
-    int machine;               /* of --slower: this machine's pace by its; 1: not given */
-    int dim, flashes, colours; /* places in the lists of views.h; 0: not given */
+    int faster, slower;        /* --speed: N and 1, or 1 and N; 0: not given */
+    int machine;               /* --slower: how many times slower the machine is; 1: not given */
+    int dim, flashes, colours; /* indices into the lists of views.h; 0: not given */
     int prints;                /* as enum demo_checksum_rate; 0: not given */
     int export;                /* as enum export_kind; 0: not given */
     uint32_t every;            /* 1: not given */
@@ -110,34 +110,34 @@ struct args {
     int n_presses;
 };
 
-/* Reads argv[1] on. False and one sentence for anything that is not understood; what is meant by the words is for the
- * command to find out. A first word that is no command is left for COMMAND_PLAY. */
+/* Parses argv from argv[1]. On failure, returns false and sets err. Commands interpret their words themselves. If the
+ * first word is not a command, the command is COMMAND_PLAY. */
 bool args_parse(struct args *a, int argc, char **argv, char *err, size_t err_size);
 
-/* Reads "600", "1,60,600", "0:600:60", "0-600" (both ends included) or several of these joined by commas. */
+/* Parses "600", "1,60,600", "0:600:60", "0-600" (both ends included), or several of these separated by commas. */
 bool args_frames(struct args *a, const char *text, char *err, size_t err_size);
 
-/* Reads "fire,left@60:90" of --press; what is read is added. */
+/* Parses "fire,left@60:90" of --press and adds the entries. */
 bool args_presses(struct args *a, const char *text, char *err, size_t err_size);
 
-/* The buttons (PAD_) that --press holds in the tick after that frame. */
+/* Stores the buttons (PAD_) that --press holds in the tick after a frame. */
 void args_pressed(const struct args *a, uint32_t frame, uint16_t pads[MAX_PLAYERS]);
 
-/* Is the frame one of those of --frames? The last one that is. */
+/* args_wants returns whether --frames contains a frame; args_last_frame returns the last frame in it. */
 bool args_wants(const struct args *a, uint32_t frame);
 uint32_t args_last_frame(const struct args *a);
 
-/* The command of that name, or -1; and its name. */
+/* args_command returns the command with a name, or -1; args_name returns a command's name. */
 int args_command(const char *name);
 const char *args_name(enum command command);
 
-/* The nearest of n words, close enough to be a slip of the finger; NULL: none is. */
+/* Returns the one of n words that `word` may be a typo of, or NULL. */
 const char *args_near(const char *word, const char *const *list, int n);
 
-/* The same of the command names. */
+/* The same for the names of commands. */
 const char *args_near_command(const char *word);
 
-/* Help, a line a call: of everything (-1) or of a command. is_player: the program has only the player's commands. */
+/* Prints the help for a command, or for all (-1), one line per call. is_player: the program is curtain-player. */
 void args_help(int command, bool is_player, void (*line)(const char *));
 
 #endif

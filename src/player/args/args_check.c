@@ -1,5 +1,5 @@
 /*
- * args_check.c - see args_parts.h: which words and options go together.
+ * args_check.c - checks which words and options belong together (args_parts.h).
  */
 #include "args_parts.h"
 
@@ -7,7 +7,7 @@
 #include <string.h>
 #include "../../base/err.h"
 
-static void goes_with(unsigned set_of, char *out, size_t size)
+static void list_commands(unsigned set_of, char *out, size_t size)
 {
     size_t n = 0;
 
@@ -46,7 +46,7 @@ static bool check_exclusive(const bool seen[OPTIONS], char *err, size_t err_size
     return true;
 }
 
-/* A run that was left is gone on with as it was begun; JSON is of replays. */
+/* --resume continues a run with its original start. */
 static bool check_pairs(const struct args *a, const bool seen[OPTIONS], char *err, size_t err_size)
 {
     static const enum option others[] = { OPTION_NO_RESUME, OPTION_DEMO,       OPTION_SEED, OPTION_DIP,
@@ -67,7 +67,7 @@ static bool check_pairs(const struct args *a, const bool seen[OPTIONS], char *er
     return true;
 }
 
-/* What is done with one sound needs its name, and there is one way to do it. */
+/* --out, --wav, --play and --notes need the name of a sound, and exclude each other. */
 static bool check_sound(const struct args *a, char *err, size_t err_size)
 {
     const char *first = a->out ? "-o" : a->wav ? "--wav" : a->play ? "--play" : "--notes";
@@ -86,7 +86,7 @@ static bool check_sound(const struct args *a, char *err, size_t err_size)
     return true;
 }
 
-/* Both are of the whole API; test scripts have one of their own. */
+/* --annotations and --luacheck print the whole API; --annotations also prints the API of test scripts. */
 static bool check_help(const struct args *a, char *err, size_t err_size)
 {
     const char *option = a->annotations ? "--annotations" : "--luacheck";
@@ -110,7 +110,7 @@ static bool among(enum option o, const enum option *list, size_t n)
 static bool check_options(const struct args *a, const bool seen[OPTIONS], char *err, size_t err_size)
 {
     char with[160];
-    static const enum option fixed[] = { OPTION_LIVES, OPTION_REGISTER,   OPTION_INVINCIBLE, /* those of practice */
+    static const enum option fixed[] = { OPTION_LIVES, OPTION_REGISTER,   OPTION_INVINCIBLE, /* for practice starts */
                                          OPTION_SEED,  OPTION_DIP,        OPTION_STAGE,
                                          OPTION_LANG,  OPTION_DIFFICULTY, OPTION_PRESS };
 
@@ -118,7 +118,7 @@ static bool check_options(const struct args *a, const bool seen[OPTIONS], char *
         if (!seen[o])
             continue;
         if (!(args_options[o].commands >> a->command & 1)) {
-            goes_with(args_options[o].commands, with, sizeof with);
+            list_commands(args_options[o].commands, with, sizeof with);
             return err_set(err, err_size, "%s does not work with %s (only with %s)", args_options[o].name,
                            args_commands[a->command].name, with);
         }
@@ -130,7 +130,7 @@ static bool check_options(const struct args *a, const bool seen[OPTIONS], char *
     return check_exclusive(seen, err, err_size) && check_pairs(a, seen, err, err_size);
 }
 
-/* A first word that is no command is play's ROM, unless the rest shows that it was meant to be one. */
+/* A first word that is not a command is a ROM for `play`, unless the other words and options don't fit `play`. */
 bool args_check_first(const struct args *a, const bool seen[OPTIONS], char *err, size_t err_size)
 {
     const char *word = a->words[0], *meant = args_near_command(word);

@@ -1,11 +1,11 @@
 /*
- * args_help.c - see args.h: the help, out of the tables.
+ * args_help.c - prints the help from the tables (args.h).
  */
 #include "args_parts.h"
 
 #include <stdio.h>
 
-enum { LINE = 640 }; /* bytes of the longest one */
+enum { LINE = 640 }; /* bytes of the longest line */
 
 static void help_options(unsigned set_of, void (*line)(const char *))
 {

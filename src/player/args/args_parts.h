@@ -1,5 +1,5 @@
 /*
- * args_parts.h - what the files args*.c share: the tables of commands and options, and their rows.
+ * args_parts.h - the tables of commands and options.
  * Used by: args*.c
  */
 #ifndef PLAYER_ARGS_PARTS_H
@@ -7,7 +7,7 @@
 
 #include "args.h"
 
-/* Sets of commands, a bit each. */
+/* Sets of commands, one bit for each. */
 enum {
     FOR_PLAY = 1 << COMMAND_PLAY,
     FOR_RENDER = 1 << COMMAND_RENDER,
@@ -110,22 +110,22 @@ enum option {
     OPTIONS
 };
 
-/* How an option's value is read, and what is kept of it. */
-enum keep {
-    KEEP_NOTHING,
-    KEEP_SWITCH,  /* bool: it was given */
-    KEEP_CHOICE,  /* int: `least` */
-    KEEP_TEXT,    /* const char *: as typed, not empty */
-    KEEP_WORD,    /* int: the place in `words` */
-    KEEP_NUMBER,  /* of `size` bytes, from `least` to `most` */
-    KEEP_SETTING, /* one more const char * of a list of `most`: NAME=VALUE */
-    KEEP_NAME,    /* the same, of any text */
-    KEEP_READ     /* what `read` makes of it */
+/* How an option's value is parsed and stored. */
+enum store {
+    STORE_NOTHING,
+    STORE_SWITCH,  /* bool: it was given */
+    STORE_CHOICE,  /* int: set to `least` */
+    STORE_TEXT,    /* const char *: as typed, not empty */
+    STORE_WORD,    /* int: the index in `words` */
+    STORE_NUMBER,  /* of `size` bytes, from `least` to `most` */
+    STORE_SETTING, /* adds NAME=VALUE to a list of at most `most` const char * */
+    STORE_NAME,    /* adds any text to such a list */
+    STORE_READ     /* calls `read` */
 };
 
-struct kept {
-    enum keep kind;
-    size_t at, count; /* bytes into struct args: the field, and a list's int that counts */
+struct store_rule {
+    enum store kind;
+    size_t at, count; /* offsets in struct args: of the field, and of a list's counter */
     size_t size;
     uint64_t least, most;
     const char *const *words; /* ends with NULL */
@@ -141,26 +141,26 @@ struct command_row {
 struct option_row {
     const char *name, *value; /* value NULL: a switch */
     unsigned commands;        /* FOR_ */
-    struct kept kept;
+    struct store_rule store;
     const char *help;
 };
 
 extern const struct command_row args_commands[COMMANDS];
 extern const struct option_row args_options[OPTIONS];
 
-/* May it be given several times? */
+/* Returns whether an option can be given several times. */
 bool args_repeats(enum option o);
 
-/* Keeps what was given for an option; value is NULL for a switch. False and one sentence. */
-bool args_keep(struct args *a, enum option o, const char *value, char *err, size_t err_size);
+/* Stores the value of an option; value is NULL for a switch. On failure, returns false and sets err. */
+bool args_store(struct args *a, enum option o, const char *value, char *err, size_t err_size);
 
-/* Reads "2" or "1/2" of --speed. */
+/* Parses "2" or "1/2" of --speed. */
 bool args_speed(struct args *a, const char *text, char *err, size_t err_size);
 
-/* Do the words and options that were given (seen[o]: option o was) belong together? Else false and one sentence. */
+/* Checks that words and options belong together; seen[o]: option o is given. On failure, returns false and sets err. */
 bool args_check(const struct args *a, const bool seen[OPTIONS], char *err, size_t err_size);
 
-/* The same, of a first word that is no command. */
+/* The same for a first word that is not a command. */
 bool args_check_first(const struct args *a, const bool seen[OPTIONS], char *err, size_t err_size);
 
 #endif

@@ -1,5 +1,5 @@
 /*
- * args_table.c - see args_parts.h: what there is on the command line, a row each.
+ * args_table.c - the tables of commands and options (args_parts.h).
  */
 #include "args_parts.h"
 
@@ -57,28 +57,28 @@ const struct command_row args_commands[COMMANDS] = {
     [COMMAND_LICENCES] = { "licences", "", 0, 0, "print the authors and licences of the software in this program" },
 };
 
-/* Where a field of struct args stands; one of another type does not compile. */
+/* The offset of a field of struct args; a field of another type doesn't compile. */
 #define FIELD(type, field) (offsetof(struct args, field) + 0 * _Generic(&((struct args *)0)->field, type * : 1))
 
 #define SWITCH(field)                                                                                                  \
     {                                                                                                                  \
-        .kind = KEEP_SWITCH, .at = FIELD(bool, field)                                                                  \
+        .kind = STORE_SWITCH, .at = FIELD(bool, field)                                                                 \
     }
 #define CHOICE(field, value)                                                                                           \
     {                                                                                                                  \
-        .kind = KEEP_CHOICE, .at = FIELD(int, field), .least = value                                                   \
+        .kind = STORE_CHOICE, .at = FIELD(int, field), .least = value                                                  \
     }
 #define TEXT(field)                                                                                                    \
     {                                                                                                                  \
-        .kind = KEEP_TEXT, .at = FIELD(const char *, field)                                                            \
+        .kind = STORE_TEXT, .at = FIELD(const char *, field)                                                           \
     }
 #define WORD(field, list)                                                                                              \
     {                                                                                                                  \
-        .kind = KEEP_WORD, .at = FIELD(int, field), .words = list                                                      \
+        .kind = STORE_WORD, .at = FIELD(int, field), .words = list                                                     \
     }
 #define NUMBER(field, low, high)                                                                                       \
     {                                                                                                                  \
-        .kind = KEEP_NUMBER, .at = offsetof(struct args, field), .size = sizeof((struct args *)0)->field,              \
+        .kind = STORE_NUMBER, .at = offsetof(struct args, field), .size = sizeof((struct args *)0)->field,             \
         .least = low, .most = high                                                                                     \
     }
 #define LIST(how, field, n)                                                                                            \
@@ -86,11 +86,11 @@ const struct command_row args_commands[COMMANDS] = {
         .kind = how, .at = FIELD(const char *, field[0]), .count = FIELD(int, n),                                      \
         .most = sizeof((struct args *)0)->field / sizeof(char *)                                                       \
     }
-#define SETTINGS(field, n) LIST(KEEP_SETTING, field, n)
-#define NAMES(field, n)    LIST(KEEP_NAME, field, n)
+#define SETTINGS(field, n) LIST(STORE_SETTING, field, n)
+#define NAMES(field, n)    LIST(STORE_NAME, field, n)
 #define READ(function)                                                                                                 \
     {                                                                                                                  \
-        .kind = KEEP_READ, .read = function                                                                            \
+        .kind = STORE_READ, .read = function                                                                           \
     }
 
 const struct option_row args_options[OPTIONS] = {
@@ -242,6 +242,6 @@ const struct option_row args_options[OPTIONS] = {
                          "also print the Lua traceback of a script error; play: also print sound latency; verify: also "
                          "print where in the game a demo differs, the hashes there, and the buttons held (also -v, "
                          "--traceback)" },
-    [OPTION_HELP] = { "--help", NULL, FOR_ALL, { .kind = KEEP_NOTHING }, "print help for the command (also -h)" },
-    [OPTION_VERSION] = { "--version", NULL, FOR_ALL, { .kind = KEEP_NOTHING }, "print the version and build" },
+    [OPTION_HELP] = { "--help", NULL, FOR_ALL, { .kind = STORE_NOTHING }, "print help for the command (also -h)" },
+    [OPTION_VERSION] = { "--version", NULL, FOR_ALL, { .kind = STORE_NOTHING }, "print the version and build" },
 };

@@ -1,5 +1,5 @@
 /*
- * args_value.c - see args.h and args_parts.h: the values of options read and kept, as their rows say.
+ * args_value.c - parses and stores the values of options (args.h, args_parts.h).
  */
 #include "args_parts.h"
 
@@ -8,7 +8,7 @@
 #include "../../base/err.h"
 #include "../settings/views.h"
 
-/* Decimal, or 0x and hexadecimal: all of the text up to `end` and no more than most. */
+/* Parses the text up to `end` as a decimal number, or as 0x and a hexadecimal number, of at most `most`. */
 static bool number(const char *text, const char *end, uint64_t most, uint64_t *out)
 {
     bool hex = text[0] == '0' && (text[1] == 'x' || text[1] == 'X') && end - text > 2;
@@ -79,7 +79,7 @@ static bool in_span(const struct span *s, uint32_t frame)
 
 static const char *const buttons[PAD_BUTTON_COUNT] = PAD_BUTTON_NAMES;
 
-/* BUTTON or BUTTON@FRAMES, of player 2: 2.BUTTON. */
+/* Parses BUTTON or BUTTON@FRAMES; for player 2, 2.BUTTON. */
 static bool read_press(struct press *out, const char *p, const char *end)
 {
     const bool second = end - p > 2 && p[0] == '2' && p[1] == '.';
@@ -155,9 +155,9 @@ uint32_t args_last_frame(const struct args *a)
     return last;
 }
 
-/* ---- what an option keeps ---- */
+/* ---- storing values ---- */
 
-static bool keep_text(const char **to, enum option o, const char *value, char *err, size_t err_size)
+static bool store_text(const char **to, enum option o, const char *value, char *err, size_t err_size)
 {
     if (!value[0])
         return err_set(err, err_size, "%s: expected %s, got nothing", args_options[o].name, args_options[o].value);
@@ -165,9 +165,9 @@ static bool keep_text(const char **to, enum option o, const char *value, char *e
     return true;
 }
 
-static bool keep_word(int *to, enum option o, const char *value, char *err, size_t err_size)
+static bool store_word(int *to, enum option o, const char *value, char *err, size_t err_size)
 {
-    const char *const *words = args_options[o].kept.words;
+    const char *const *words = args_options[o].store.words;
     char list[128];
 
     *to = views_find(words, value);
@@ -177,9 +177,9 @@ static bool keep_word(int *to, enum option o, const char *value, char *err, size
     return err_set(err, err_size, "%s: expected %s, got \"%s\"", args_options[o].name, list, value);
 }
 
-static bool keep_number(void *to, enum option o, const char *value, char *err, size_t err_size)
+static bool store_number(void *to, enum option o, const char *value, char *err, size_t err_size)
 {
-    const struct kept *k = &args_options[o].kept;
+    const struct store_rule *k = &args_options[o].store;
     uint64_t v;
 
     if (!number(value, value + strlen(value), k->most, &v) || v < k->least)
@@ -188,16 +188,16 @@ static bool keep_number(void *to, enum option o, const char *value, char *err, s
     if (k->size == sizeof(uint64_t))
         *(uint64_t *)to = v;
     else
-        *(uint32_t *)to = (uint32_t)v; /* an int, too: `most` fits */
+        *(uint32_t *)to = (uint32_t)v; /* also for an int, because `most` fits */
     return true;
 }
 
-static bool keep_one_more(const char **list, int *n, enum option o, const char *value, char *err, size_t err_size)
+static bool add_to_list(const char **list, int *n, enum option o, const char *value, char *err, size_t err_size)
 {
-    const struct kept *k = &args_options[o].kept;
+    const struct store_rule *k = &args_options[o].store;
     const char *equals = strchr(value, '=');
 
-    if (k->kind == KEEP_SETTING && (!equals || equals == value || !equals[1]))
+    if (k->kind == STORE_SETTING && (!equals || equals == value || !equals[1]))
         return err_set(err, err_size, "%s: expected NAME=VALUE, got \"%s\"", args_options[o].name, value);
     if (*n == (int)k->most)
         return err_set(err, err_size, "%s: given more than %d times", args_options[o].name, (int)k->most);
@@ -207,33 +207,33 @@ static bool keep_one_more(const char **list, int *n, enum option o, const char *
 
 bool args_repeats(enum option o)
 {
-    return args_options[o].kept.kind == KEEP_SETTING || args_options[o].kept.kind == KEEP_NAME;
+    return args_options[o].store.kind == STORE_SETTING || args_options[o].store.kind == STORE_NAME;
 }
 
-bool args_keep(struct args *a, enum option o, const char *value, char *err, size_t err_size)
+bool args_store(struct args *a, enum option o, const char *value, char *err, size_t err_size)
 {
-    const struct kept *k = &args_options[o].kept;
+    const struct store_rule *k = &args_options[o].store;
     void *to = (char *)a + k->at;
 
     switch (k->kind) {
-    case KEEP_NOTHING:
+    case STORE_NOTHING:
         return true;
-    case KEEP_SWITCH:
+    case STORE_SWITCH:
         *(bool *)to = true;
         return true;
-    case KEEP_CHOICE:
-        *(int *)to = (int)args_options[o].kept.least;
+    case STORE_CHOICE:
+        *(int *)to = (int)args_options[o].store.least;
         return true;
-    case KEEP_TEXT:
-        return keep_text(to, o, value, err, err_size);
-    case KEEP_WORD:
-        return keep_word(to, o, value, err, err_size);
-    case KEEP_NUMBER:
-        return keep_number(to, o, value, err, err_size);
-    case KEEP_SETTING:
-    case KEEP_NAME:
-        return keep_one_more(to, (int *)(void *)((char *)a + k->count), o, value, err, err_size);
-    case KEEP_READ:
+    case STORE_TEXT:
+        return store_text(to, o, value, err, err_size);
+    case STORE_WORD:
+        return store_word(to, o, value, err, err_size);
+    case STORE_NUMBER:
+        return store_number(to, o, value, err, err_size);
+    case STORE_SETTING:
+    case STORE_NAME:
+        return add_to_list(to, (int *)(void *)((char *)a + k->count), o, value, err, err_size);
+    case STORE_READ:
         return k->read(a, value, err, err_size);
     }
     return false;
