@@ -1,5 +1,5 @@
 /*
- * byte_buffer.h - bytes of a file in the making: a buffer that grows.
+ * byte_buffer.h - a buffer that grows, for making files in memory.
  */
 #ifndef COMMON_BYTE_BUFFER_H
 #define COMMON_BYTE_BUFFER_H
@@ -8,25 +8,26 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { REEL_MOST = 1 << 30 };
+enum { BYTE_BUFFER_MAX = 1 << 30 };
 
-/* Zeroes are an empty one. Once it has failed (no memory, or more than REEL_MOST bytes) nothing is added any more. */
+/* Zero it before use. After a failure (out of memory, or more than BYTE_BUFFER_MAX bytes), nothing more is added. */
 struct byte_buffer {
     uint8_t *bytes; /* malloc */
-    size_t n, room;
+    size_t n, capacity;
     bool failed;
 };
 
-/* Adds n bytes, which are whatever they are, and returns where they begin; NULL: it has failed. */
-uint8_t *byte_buffer_take(struct byte_buffer *r, size_t n);
+/* Appends n uninitialised bytes and returns them; NULL if the buffer has failed. */
+uint8_t *byte_buffer_take(struct byte_buffer *b, size_t n);
 
-void byte_buffer_put(struct byte_buffer *r, const void *bytes, size_t n);
-void byte_buffer_byte(struct byte_buffer *r, uint8_t byte);
+/* Append bytes. */
+void byte_buffer_put(struct byte_buffer *b, const void *bytes, size_t n);
+void byte_buffer_byte(struct byte_buffer *b, uint8_t byte);
 
-/* Adds text as printf does, without its NUL. */
-void byte_buffer_print(struct byte_buffer *r, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/* Appends text like printf. A NUL follows the bytes but is not counted. */
+void byte_buffer_print(struct byte_buffer *b, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* Frees the bytes; harmless on zeroes, or twice. */
-void byte_buffer_close(struct byte_buffer *r);
+/* Frees the bytes and empties the buffer. */
+void byte_buffer_close(struct byte_buffer *b);
 
 #endif

@@ -1,5 +1,5 @@
 /*
- * clock.h - how long something took, by the port's clock.
+ * clock.h - measures time with the port's clock.
  */
 #ifndef COMMON_CLOCK_H
 #define COMMON_CLOCK_H
@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include "../../platform/platform.h"
 
-/* Microseconds since plat_usec() was *last, 0 if the port's clock went back all the same; *last is now. */
+/* Returns the microseconds since *last, or 0 if the clock went back, and sets *last to the present time. */
 static inline uint64_t clock_lap(uint64_t *last)
 {
     const uint64_t now = plat_usec(), took = now > *last ? now - *last : 0;
@@ -16,7 +16,7 @@ static inline uint64_t clock_lap(uint64_t *last)
     return took;
 }
 
-/* Microseconds since plat_usec() was `then`. */
+/* Returns the microseconds since `then`. */
 static inline uint64_t clock_since(uint64_t then)
 {
     return clock_lap(&then);

@@ -1,5 +1,5 @@
 /*
- * json.c - see json.h.
+ * json.c - writes JSON (json.h).
  */
 #include "json.h"
 
@@ -24,7 +24,7 @@ static void put_string(FILE *out, const char *text)
     fputc('"', out);
 }
 
-/* A comma where one is needed, and the key. */
+/* Writes a comma if needed, and the key. */
 static void begin(struct json *j, const char *key)
 {
     if (j->more)

@@ -1,5 +1,6 @@
 /*
- * library.c - see library.h. A library is not closed: other ones that it brought along do not like that.
+ * library.c - opens shared libraries (library.h). Libraries are never closed, because some of those that they depend on
+ * fail when closed.
  */
 #include "library.h"
 
@@ -40,7 +41,7 @@ bool library_missing(enum library library, char *err, size_t err_size)
                    libraries[library].name, libraries[library].reads);
 }
 
-/* The version's digits: libsndfile puts its name before them. */
+/* Writes the version, without the name that libsndfile puts before it. */
 static bool version_of(enum library library, char *text, size_t size)
 {
     const char *(*as_text)(void);

@@ -1,5 +1,5 @@
 /*
- * output_paths.c - see output_paths.h.
+ * output_paths.c - checks the files that a command writes (output_paths.h).
  */
 #include "output_paths.h"
 
@@ -10,7 +10,7 @@
 #include "../base/err.h"
 #include "files.h"
 
-enum { HEAD = 512 /* bytes of a file that show what it is */ };
+enum { HEAD = 512 /* bytes read to recognise a file */ };
 
 /* ---- a game's files ---- */
 
@@ -25,7 +25,7 @@ static bool is_source(const char *path)
     return false;
 }
 
-/* The texts between quotes, each as a path from the game's folder on. */
+/* Adds each quoted text in rom.lua that is the path of a file, relative to the game's folder. */
 static void add_named(struct game_files *g, const char *game, char *rom)
 {
     char path[TREE_PATH];
@@ -40,7 +40,7 @@ static void add_named(struct game_files *g, const char *game, char *rom)
     }
 }
 
-/* A game's tree is without its tests. */
+/* Adds the sources in a folder. For a game's folder, tree_walk skips tests/. */
 static void add_sources(struct game_files *g, const char *folder)
 {
     struct tree all = { 0 };
@@ -97,7 +97,7 @@ bool output_is_junit(const uint8_t *head, size_t n)
     return n >= strlen(JUNIT_HEAD) && memcmp(head, JUNIT_HEAD, strlen(JUNIT_HEAD)) == 0;
 }
 
-/* ---- those that were named ---- */
+/* ---- outputs named on the command line ---- */
 
 static bool check_one(const struct game_files *files, const char *game, const char *demo, const struct output_path *out,
                       char *err, size_t err_size)
@@ -134,7 +134,7 @@ bool output_paths_check(const char *game, const char *demo, const struct output_
     return good;
 }
 
-/* ---- those that were not ---- */
+/* ---- derived names ---- */
 
 bool output_path_available(const char *path, output_ours *ours)
 {

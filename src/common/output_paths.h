@@ -1,9 +1,8 @@
 /*
- * output_paths.h - the files a command writes: never one that it reads, nor one that nobody asked it to write.
+ * output_paths.h - checks that a command overwrites neither its inputs nor files of others.
  *
- * A file that was named on the command line replaces what is there, unless that is an input, a file of the game, or
- * another output. A file whose name follows from another's, or from a default, replaces one that the same command
- * wrote, and nothing else.
+ * An output named on the command line may replace any file except an input, a file of the game, or another output. An
+ * output whose name is derived or a default may replace only a file that the same command wrote.
  */
 #ifndef COMMON_OUTPUT_PATHS_H
 #define COMMON_OUTPUT_PATHS_H
@@ -13,40 +12,40 @@
 #include <stdint.h>
 #include "tree.h"
 
-/* Do the first n bytes of a file show that the command wrote it? */
+/* Returns whether the command wrote a file, judging by the file's first n bytes. */
 typedef bool output_ours(const uint8_t *head, size_t n);
 
-/* Is it a JUnit file? They all start the same. */
+/* An output_ours for JUnit files, which all start the same. */
 #define JUNIT_HEAD "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites"
 bool output_is_junit(const uint8_t *head, size_t n);
 
 struct output_path {
-    const char *option, *path; /* "--map", the file that is to be written; path NULL: none is */
-    output_ours *ours;         /* not NULL: also a game's folder may have a file of this kind, which is replaced */
+    const char *option, *path; /* "--map" and the output's path; path NULL: not given */
+    output_ours *ours;         /* not NULL: replaces such a file even in the game's folder */
 };
 
-/* The files that make up a game: scripts and other sources in its folder, and what rom.lua names. */
+/* The files that make up a game: sources in its folder, and the files that rom.lua names. */
 struct game_files {
     struct tree paths;
 };
 
-/* game: a folder, a ROM or another input; NULL: none. Close it in the end. */
+/* Lists a game's files. game: a folder, a ROM or another input, or NULL. Close it afterwards. */
 void game_files_open(struct game_files *g, const char *game);
 bool game_files_have(const struct game_files *g, const char *path);
 void game_files_close(struct game_files *g);
 
-/* demo: one that is played, or NULL. False and one sentence with the option: a file is the input or the demo, one of
- * the game, or that of another option; by whatever name, link or case. */
+/* Checks n outputs. If one is the game or demo (which may be NULL), a file of the game, or the output of another
+ * option, even by a link or in another case, returns false and sets err. */
 bool output_paths_check(const char *game, const char *demo, const struct output_path *out, int n, char *err,
                         size_t err_size);
 
-/* Is no file there, or one of ours? */
+/* Returns whether the path is free, or the file there is one of ours. */
 bool output_path_available(const char *path, output_ours *ours);
 
-/* May a file be written that nobody named? False and one sentence: it is there, and not of this command. */
+/* Checks an output whose name is derived. If another file is there, returns false and sets err. */
 bool output_path_derived(const char *game, const char *path, output_ours *ours, char *err, size_t err_size);
 
-/* A name for a temporary file, which begins with path and ending and which no file has. False: it is too long. */
+/* Writes an unused name for a temporary file: path, possibly a number, and ending. Returns false if it is too long. */
 bool output_path_temporary(const char *path, const char *ending, char *out, size_t size);
 
 #endif

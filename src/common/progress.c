@@ -14,17 +14,17 @@ enum { SECOND = 1000000, TELL_AFTER = SECOND, TELL_EVERY = SECOND / 4, TIME = 24
 
 static struct {
     bool going, shown;
-    uint64_t begun, told; /* usec */
+    uint64_t begun, shown_at; /* usec */
 } now;
 
 void progress_begin(void)
 {
     progress_end();
     now.going = plat_has_terminal();
-    now.begun = now.told = now.going ? plat_usec() : 0;
+    now.begun = now.shown_at = now.going ? plat_usec() : 0;
 }
 
-/* In minutes and seconds; seconds are rounded up, so that 0:00 is not said of what goes on. */
+/* Writes the time left, rounded up, so that it is never 0:00. */
 static void time_left(char text[TIME], uint64_t usec, uint64_t done, uint64_t of)
 {
     const double left = done < of ? (double)usec * (double)(of - done) / (double)done / SECOND : 0;
@@ -33,7 +33,7 @@ static void time_left(char text[TIME], uint64_t usec, uint64_t done, uint64_t of
     snprintf(text, TIME, ", %u:%02u left", s / 60, s % 60);
 }
 
-/* The last byte that may stay of a text that is cut at n: no character is cut apart. */
+/* Returns where to cut a text so that at most n bytes remain and no character is split. */
 static size_t cut_at(const char *text, size_t n)
 {
     while (n > 0 && ((unsigned char)text[n] & 0xc0) == 0x80)
@@ -62,20 +62,20 @@ void progress_tell(uint64_t done, uint64_t of, const char *format, ...)
     if (!now.going)
         return;
     const uint64_t usec = plat_usec();
-    if (usec < now.told) /* the clock went back */
-        now.begun = now.told = usec;
-    if (usec - now.begun < TELL_AFTER || (now.told != now.begun && usec - now.told < TELL_EVERY))
+    if (usec < now.shown_at) /* the clock went back */
+        now.begun = now.shown_at = usec;
+    if (usec - now.begun < TELL_AFTER || (now.shown_at != now.begun && usec - now.shown_at < TELL_EVERY))
         return;
     va_start(args, format);
     vsnprintf(what, sizeof what, format, args);
     va_end(args);
     clean_line(what);
     progress_line(line, what, usec - now.begun, done, of);
-    fflush(stdout); /* what was printed before stands above, not in the line */
+    fflush(stdout); /* earlier output must not end up in the line */
     plat_set_exit_text("\r\033[K");
     fprintf(stderr, "\r%s\033[K", line);
     fflush(stderr);
-    now.told = usec;
+    now.shown_at = usec;
     now.shown = true;
 }
 

@@ -1,9 +1,8 @@
 /*
- * progress.h - on a terminal: how far something is that takes longer than a second, and how long it will take yet, in
- * one line that is written over again and again.
+ * progress.h - shows the progress of long work on a terminal, in one line that is rewritten.
  *
- * A program has one standard error, so there is one of these: a command begins it, and whoever does the work, however
- * deep, tells. Where none was begun, and where standard error is no terminal, nothing happens.
+ * There is one progress line, as a program has one standard error. A command starts it with progress_begin, and the
+ * code that does the work calls progress_tell. Without progress_begin, or without a terminal, nothing is shown.
  */
 #ifndef COMMON_PROGRESS_H
 #define COMMON_PROGRESS_H
@@ -11,23 +10,23 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { PROGRESS_LINE = 80 /* bytes of the line, with its end */ };
+enum { PROGRESS_LINE = 80 /* bytes of the line, including the NUL */ };
 
-/* A piece of work begins, and with it its clock; one that was going on ends. */
+/* Starts the progress of some work, and ends that of earlier work. */
 void progress_begin(void);
 
-/* So much is done of all that is to be done; `format` says what is done just now ("frame %u of %u"). May be called as
- * often as one likes: it shows at most four a second, the first after a second. */
+/* Reports that `done` of `of` steps are done; `format` describes the current step ("frame %u of %u"). Can be called
+ * often: the line appears after a second and changes at most four times a second. */
 void progress_tell(uint64_t done, uint64_t of, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
-/* Takes the line off the terminal: before anything else is written there. The next one that is told comes below. */
+/* Removes the line from the terminal. Call it before printing anything else. */
 void progress_wipe(void);
 
-/* The work is done, or was given up. */
+/* Ends the progress of the work. */
 void progress_end(void);
 
-/* The line that is shown when so many microseconds have brought `done` of `of`: `what`, cut where it is long, and the
- * time that the rest takes at that pace, if there is a pace yet and it is known how much that is (of is not 0). */
+/* Makes the line for `done` of `of` steps after `usec` microseconds: `what`, truncated if necessary, and the estimated
+ * time left, unless done or of is 0. */
 void progress_line(char line[PROGRESS_LINE], const char *what, uint64_t usec, uint64_t done, uint64_t of);
 
 #endif

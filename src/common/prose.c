@@ -1,5 +1,5 @@
 /*
- * prose.c - see prose.h.
+ * prose.c - text that grows in memory (prose.h).
  */
 #include "prose.h"
 
@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* Room for n more bytes and the 0. */
+/* Reserves n more bytes and the 0. */
 static bool grow(struct prose *p, size_t n)
 {
     size_t room = p->room ? p->room : 4096;

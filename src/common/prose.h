@@ -7,14 +7,14 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Starts as zeroes; free bytes at its end. */
+/* Zero it before use; free .bytes afterwards. */
 struct prose {
-    char *bytes; /* malloc, with a 0 behind it; NULL: nothing was added yet */
+    char *bytes; /* malloc, with a final 0; NULL: empty */
     size_t n, room;
-    bool failed; /* out of memory: some of it is lost */
+    bool failed; /* out of memory: text is missing */
 };
 
-/* Adds text as printf would. */
+/* Appends text like printf. */
 void prose_add(struct prose *p, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 #endif

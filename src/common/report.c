@@ -1,5 +1,5 @@
 /*
- * report.c - see report.h.
+ * report.c - prints errors, faults and script output (report.h).
  */
 #include "report.h"
 
@@ -15,7 +15,7 @@ enum { LINE = 2048, LOG_LINE = 512, PRINT = 8192 };
 static void log_clean(char *s)
 {
     clean_line(s);
-    fflush(stdout); /* what was printed before comes before, also where both go to one file */
+    fflush(stdout); /* keeps the order if both streams go to the same file */
     progress_wipe();
     plat_log(s);
 }

@@ -1,5 +1,5 @@
 /*
- * tree.c - see tree.h.
+ * tree.c - lists the files in a game's folder (tree.h).
  */
 #include "tree.h"
 
@@ -15,8 +15,8 @@
 #include "files.h"
 
 enum {
-    MAX_FILES = 1 << 16, /* in a folder and all below it */
-    MAX_DEPTH = 8        /* folders in folders: a link to a folder above ends here */
+    MAX_FILES = 1 << 16, /* in a folder and its subfolders */
+    MAX_DEPTH = 8        /* of nested folders; stops at a link to a parent folder */
 };
 
 void tree_close(struct tree *p)
@@ -58,7 +58,7 @@ void tree_sort(struct tree *p)
         qsort(p->name, (size_t)p->n, sizeof p->name[0], by_path);
 }
 
-/* One folder's entries: its files go to files, its folders to folders. */
+/* Collects the entries of one folder. */
 struct listing {
     const char *folder;
     struct tree *files;
@@ -133,7 +133,7 @@ static int lower(char c)
     return c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : (unsigned char)c;
 }
 
-/* Compares n bytes without regard to case; a text that ends is less. */
+/* Compares up to n bytes, ignoring case. */
 static int compare_folded(const char *a, const char *b, size_t n)
 {
     for (size_t i = 0; i < n; i++) {
@@ -149,8 +149,8 @@ static int by_folded_path(const void *a, const void *b)
     return compare_folded(*(char *const *)a, *(char *const *)b, SIZE_MAX);
 }
 
-/* Is a part of a path, n bytes, one that Windows keeps for a device (with any ending), or cannot end so? */
-static bool kept_by_windows(const char *part, size_t n)
+/* Returns whether Windows reserves a part of a path for a device, with any extension, or forbids its last character. */
+static bool is_reserved_on_windows(const char *part, size_t n)
 {
     static const char *const devices[] = { "con", "prn", "aux", "nul" }, *const numbered[] = { "com", "lpt" };
     const char *dot = memchr(part, '.', n);
@@ -169,7 +169,7 @@ bool tree_portable(const char *path)
 {
     for (const char *part = path; *part != '\0';) {
         size_t n = strcspn(part, "/");
-        if (kept_by_windows(part, n))
+        if (is_reserved_on_windows(part, n))
             return false;
         part += n + (part[n] == '/');
     }

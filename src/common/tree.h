@@ -1,5 +1,5 @@
 /*
- * tree.h - a game's folder: the paths of all files in it.
+ * tree.h - lists the paths of all files in a game's folder.
  */
 #ifndef COMMON_TREE_H
 #define COMMON_TREE_H
@@ -9,47 +9,47 @@
 #include <stdint.h>
 
 enum {
-    TREE_FILE = 256 << 20, /* bytes of any file read */
-    TREE_SCRIPT = 4 << 20, /* bytes of a script or rom.lua */
-    TREE_WORK = 256 << 20, /* bytes to compile a script in; what is not needed is never touched */
+    TREE_FILE = 256 << 20, /* most bytes of any file */
+    TREE_SCRIPT = 4 << 20, /* most bytes of a script or rom.lua */
+    TREE_WORK = 256 << 20, /* bytes for compiling a script; unused ones are never touched */
     TREE_PATH = 1024
 };
 
 struct tree {
-    char **name; /* from the game's folder: "stages/one.lua"; in byte order */
+    char **name; /* relative to the game's folder, "stages/one.lua"; in byte order */
     int n;
-    bool failed; /* out of memory, or too many */
+    bool failed; /* out of memory, or too many files */
 };
 
-/* Fills *files (zeroed) with the paths of all files but those whose name, or a folder's above them, starts with a dot,
- * and those of tests/. False and one sentence; close it either way. */
+/* Fills *files, which must be zeroed, with the paths of all files, except in tests/ and in files and folders whose
+ * names start with a dot. On failure, returns false and sets err. Close it either way. */
 bool tree_walk(const char *dir, struct tree *files, char *err, size_t err_size);
 void tree_close(struct tree *files);
 
-/* Of sorted files. */
+/* Returns whether a sorted tree contains the path. */
 bool tree_has(const struct tree *files, const char *path);
 
-/* Can every system have a file of that name? Windows keeps CON, nul.txt and the like, and drops a dot at the end. */
+/* Returns whether every system allows this path. Windows reserves CON, nul.txt etc. and drops a dot at the end. */
 bool tree_portable(const char *path);
 
-/* Two files that are one where case does not count; false: there are none. */
+/* Finds two files whose paths differ only in case. Returns false if there are none. */
 bool tree_twins(const struct tree *files, const char **a, const char **b);
 
-/* Why a tree has failed: too many files, or out of memory. */
+/* Returns why a tree has failed: too many files, or out of memory. */
 const char *tree_failed(const struct tree *files);
 
-/* Adds a path; sorts all. */
+/* tree_add adds the path folder/name; tree_sort sorts all paths. */
 void tree_add(struct tree *files, const char *folder, const char *name);
 void tree_sort(struct tree *files);
 
-/* The file's path for the platform: dir/name. False: too long. */
+/* Writes dir/name. Returns false if it is too long. */
 bool tree_join(char out[TREE_PATH], const char *dir, const char *name);
 
-/* Room for Lua to think in, aligned as its heap asks (malloc of a 32-bit host may give 8 bytes); *block is what to
- * free. NULL: out of memory. */
+/* Allocates memory for a Lua heap, aligned to HEAP_ALIGN, which malloc doesn't guarantee on 32-bit hosts. Free *block
+ * afterwards. Returns NULL when out of memory. */
 void *tree_work(size_t size, void **block);
 
-/* The last part of a path; "" for one like "." that is no name. */
+/* Writes the last part of a path, or "" if that is no name, such as ".". */
 void tree_id(const char *dir, char out[64]);
 
 #endif

@@ -24,7 +24,7 @@ bool gif_open(struct gif *g, int w, int h)
     const size_t n = (size_t)w * (size_t)h;
 
     *g = (struct gif){ .w = w, .h = h };
-    if (w < 1 || h < 1 || w > GIF_MAX_SIDE || h > GIF_MAX_SIDE || n > REEL_MOST / 4)
+    if (w < 1 || h < 1 || w > GIF_MAX_SIDE || h > GIF_MAX_SIDE || n > BYTE_BUFFER_MAX / 4)
         return false;
     g->shown = malloc(n * sizeof *g->shown);
     g->part = malloc(n);

@@ -1,6 +1,6 @@
 /*
- * lzw.c - see lzw.h. Strings that were seen are found by hash: what a string is (the code of all but its last byte, and
- * that byte) beside its own code. When all 4096 codes are given, all are forgotten.
+ * lzw.c - LZW compression (lzw.h). A hash table maps each known string, given as the code of all but its last byte and
+ * that byte, to its code. When all 4096 codes are in use, the table is cleared.
  */
 #include "lzw.h"
 
@@ -10,7 +10,7 @@ enum {
     BITS = 8, /* of a byte */
     CLEAR = 1 << BITS,
     STOP,
-    FIRST, /* the first code that is a string's */
+    FIRST, /* the first code of a string */
     MOST_BITS = 12,
     CODES = 1 << MOST_BITS,
     SLOTS = 1 << 14,
@@ -19,12 +19,12 @@ enum {
 
 struct lzw {
     struct byte_buffer *out;
-    uint32_t key[SLOTS]; /* code << 8 | byte, and 1 more; 0: free */
+    uint32_t key[SLOTS]; /* (code << 8 | byte) + 1; 0: free */
     uint16_t code[SLOTS];
-    int next, bits; /* the code that is given next; bits of a code now */
+    int next, bits; /* the next code to assign; the present size of codes */
     uint32_t held;  /* bits that are not written yet */
     int n_held;
-    uint8_t block[BLOCK + 1]; /* its length first */
+    uint8_t block[BLOCK + 1]; /* starts with its length */
 };
 
 static void flush(struct lzw *z)
@@ -55,7 +55,7 @@ static void forget(struct lzw *z)
     z->bits = BITS + 1;
 }
 
-/* Where a string is, or would be. */
+/* Returns the slot of a string, or the free slot for it. */
 static uint32_t find(const struct lzw *z, uint32_t key)
 {
     uint32_t at = key * 2654435761u >> (32 - 14);
@@ -65,8 +65,8 @@ static uint32_t find(const struct lzw *z, uint32_t key)
     return at;
 }
 
-/* Gives the string the next code. A decoder knows it one code later, so a code grows by a bit when the first one of so
- * many bits is given. */
+/* Assigns the next code to a string. The decoder learns it one code later, so codes become one bit longer when the
+ * first code of that length is assigned. */
 static void learn(struct lzw *z, uint32_t at, uint32_t key)
 {
     if (z->next == CODES) {
@@ -105,7 +105,7 @@ void lzw_put(struct byte_buffer *out, const uint8_t *bytes, size_t n)
     }
     if (n) {
         put(&z, code);
-        if (z.next < CODES && z.next == 1 << z.bits) /* the decoder has learnt one more by now */
+        if (z.next < CODES && z.next == 1 << z.bits) /* the decoder has assigned one more code by now */
             z.bits++;
     }
     put(&z, STOP);
