@@ -7,11 +7,11 @@
 #include "../common/result.h"
 #include "args/args.h"
 
-/* Plays a game, and then those that are dropped on its window: *running is to be called, if there is one. a must last
- * as long. named: the word play was there. */
+/* Plays a game, and then games that are dropped on its window. Call *running until it ends; *a must outlive it. named:
+ * the command line contains `play`. */
 enum result command_play(const struct args *a, bool named, struct frame_command *running);
 
-/* On standard output. */
+/* Print to standard output. */
 enum result command_help(const struct args *a);
 enum result command_version(void);
 

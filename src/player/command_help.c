@@ -1,5 +1,5 @@
 /*
- * command_help.c - see command.h: help and version.
+ * command_help.c - the commands `help` and `version` (command.h).
  */
 #include "command.h"
 
@@ -20,7 +20,7 @@
 #endif
 
 #ifdef __clang__
-#define COMPILER __VERSION__ /* names itself */
+#define COMPILER __VERSION__ /* includes the name */
 #elif defined(__GNUC__)
 #define COMPILER "gcc " __VERSION__
 #else
@@ -32,7 +32,7 @@ static void say(const char *line)
     puts(line);
 }
 
-/* Of the help of play the options. */
+/* Prints only the options in the help for play. */
 static void say_option(const char *line)
 {
     if (strncmp(line, "  -", 3) == 0)
@@ -68,7 +68,7 @@ static void help_controls(void)
     config_help(say);
 }
 
-/* command: -1 for all of them. */
+/* command: -1 for all commands. */
 static enum result help_command(int command, bool is_player)
 {
     if (embedded_rom_sealed())

@@ -1,5 +1,5 @@
 /*
- * command_play.c - see command.h: a game for the cabinet, opened, and opened anew when its files have changed.
+ * command_play.c - the command `play` (command.h).
  */
 #include "command.h"
 
@@ -14,7 +14,7 @@
 #include "play/cab.h"
 #include "game/embedded_rom.h"
 
-/* A first word that is neither command, file nor folder is more likely a slip than a game. */
+/* Returns whether a word names neither a file nor a folder; it is then more likely a misspelt command than a game. */
 static bool is_nothing(const char *word)
 {
     return files_size(word) < 0 && files_count_entries(word) < 0;
@@ -32,7 +32,7 @@ static enum result no_such_word(const char *word, bool after_play)
     return report_line(RESULT_REFUSED, "%s: no such command, file or folder (see curtain help)", word);
 }
 
-/* Is it a folder that has, or is to have, a game in it? */
+/* Returns whether a path is a folder with a game. */
 static bool is_games_folder(const char *path)
 {
     char rom[2048];
@@ -43,11 +43,11 @@ static bool is_games_folder(const char *path)
 
 struct play {
     const struct args *a;
-    struct args next; /* what holds of a for a game that was dropped */
+    struct args next; /* for a game that was dropped on the window */
     char dropped[FILES_PATH_SIZE];
     const char *path;
     struct game game;
-    struct cab *cab; /* NULL: there is none, and result is what became of the game */
+    struct cab *cab; /* NULL: there is no window, and `result` is valid */
     enum result result;
     char wrong[1024];
 };
@@ -67,7 +67,7 @@ static enum cab_opened open_game(void *user, struct cab_options *o, char *err, s
     return CAB_OPENED;
 }
 
-/* Opens a cabinet for the game. False: there is none, and p->result says why. */
+/* Opens a window for the game. On failure, sets p->result and returns false. */
 static bool play_it(struct play *p)
 {
     const struct args *a = p->a;
@@ -96,8 +96,8 @@ static bool play_it(struct play *p)
     return p->cab != NULL;
 }
 
-/* A game that was dropped on the window: with what was said of the window, and nothing of the run. False: none was, or
- * it cannot be played. */
+/* Plays a game that was dropped on the window, with the options for the window but not those for the run. Returns false
+ * if there is none or it cannot be played. */
 static bool play_next(struct play *p)
 {
     const struct args *was = p->a;

@@ -1,6 +1,6 @@
 /*
- * licences.h - the command `licences`: whose work is linked into this program, which version, and under which licence;
- * with --full the texts that must be given along with it.
+ * licences.h - the command `licences`: lists the software in this program with authors, versions and licences; with
+ * --full also prints the texts that must accompany it.
  */
 #ifndef PLAYER_LICENCES_H
 #define PLAYER_LICENCES_H
@@ -9,10 +9,10 @@
 #include "../common/byte_buffer.h"
 #include "../common/result.h"
 
-/* Adds the notices of everything that may be in a download of a game, on any system. */
+/* Appends the notices for all software in downloads of a game, for any system. */
 void licences_notices(struct byte_buffer *out);
 
-/* full: with the texts. */
+/* Runs the command. full: also prints the texts. */
 enum result licences_run(bool full);
 
 #endif

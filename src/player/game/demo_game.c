@@ -1,6 +1,6 @@
 /*
- * demo_game.c - see demo_game.h. Games are compared by the hash of all that a tick can read (rom_game_hash), which the
- * demo's header has.
+ * demo_game.c - finds the game of a demo (demo_game.h). Games are compared by the hash of everything that a tick can
+ * read (rom_game_hash), which the demo's header contains.
  */
 #include "demo_game.h"
 
@@ -16,7 +16,7 @@
 #include "../replays/roms.h"
 #include "game.h"
 
-enum { ROM_LUA = 1 << 20 /* bytes of a rom.lua that is looked into */ };
+enum { ROM_LUA = 1 << 20 /* most bytes of a rom.lua that is searched */ };
 
 enum match { NO_GAME, OTHER_VERSION, SAME_GAME };
 
@@ -26,7 +26,7 @@ struct search {
     char path[FILES_PATH_SIZE]; /* of the match; "": the built-in game */
     char title[64];
     uint64_t hash;
-    char folder[FILES_PATH_SIZE]; /* searched now */
+    char folder[FILES_PATH_SIZE]; /* the folder being searched */
     struct args plain;
     struct game game;
 };
@@ -82,7 +82,7 @@ static void try_entry(void *of, const struct plat_folder_entry *file)
         try_path(s, path);
 }
 
-/* Cuts the last name off an absolute path; a root stays: "/", "C:/". */
+/* Removes the last name of an absolute path, but not a root ("/", "C:/"). */
 static void to_parent(char *path)
 {
     char *slash = strrchr(path, '/');
@@ -133,7 +133,7 @@ static bool refuse(const struct search *s, const char *file, char *err, size_t e
                    file, d->id, d->game_hash, file);
 }
 
-/* By its first bytes, or by its name, so that a damaged demo is reported as one. */
+/* Recognises a demo by its first bytes, or by its name, so that a damaged demo is reported as such. */
 static bool is_demo(const char *file)
 {
     const char *dot = strrchr(file, '.');
@@ -143,7 +143,7 @@ static bool is_demo(const char *file)
            (dot && strcmp(dot, ".demo") == 0 && plat_file_size(file) >= 0);
 }
 
-/* An option that sets what the demo sets; NULL: none is given. */
+/* Returns a given option that the demo sets too, or NULL. */
 static const char *start_option(const struct args *a)
 {
     return a->seeded       ? "--seed"

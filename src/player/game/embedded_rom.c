@@ -1,6 +1,6 @@
 /*
- * embedded_rom.c - see embedded_rom.h. The file is read whole: it is a few megabytes, and the ROM in it is moved to its
- * beginning, where it is aligned as malloc aligns.
+ * embedded_rom.c - reads the embedded game (embedded_rom.h). The whole file is read, as it has only a few megabytes,
+ * and the ROM is moved to the start of the block, which malloc aligns.
  */
 #include "embedded_rom.h"
 
@@ -16,13 +16,13 @@
 #include "rom_image.h"
 #include "mark.h"
 
-enum { MOST = 1 << 30 /* bytes of a program */ };
+enum { MOST = 1 << 30 /* bytes of a program's file */ };
 
 static struct embedded_rom own;
 
 static const char itself[] = "this program's own file";
 
-/* Cuts the game out of the file, which becomes that game. */
+/* Replaces the file's bytes in *in with the ROM in it. */
 static enum result take(uint8_t **in, size_t size, const struct mark *m, char *err, size_t err_size)
 {
     uint8_t *file = *in;

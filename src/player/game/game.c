@@ -1,5 +1,5 @@
 /*
- * game.c - see game.h.
+ * game.c - loads a game and sets its start (game.h).
  */
 #include "game.h"
 
@@ -106,7 +106,7 @@ static bool set_lang(struct game *g, const char *name, char *err, size_t err_siz
     return true;
 }
 
-/* Is text a whole number in range, and nothing more? strtoll passes over blanks, and reads none in "". */
+/* Parses a whole number in range. strtoll alone would accept leading blanks and "". */
 static bool whole_number(const char *text, int64_t lo, int64_t hi, int32_t *out)
 {
     bool sign = text[0] == '-' || text[0] == '+';
@@ -176,7 +176,7 @@ static bool set_stage(struct game *g, const char *stage, char *err, size_t err_s
     return true;
 }
 
-/* NAME=VALUE of --register; whether the ship has such a one, the board says. */
+/* NAME=VALUE of --register. The board checks whether the ship has the register. */
 static bool set_register(struct practice *p, const char *setting, char *err, size_t err_size)
 {
     const char *equals = strchr(setting, '=');

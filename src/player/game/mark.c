@@ -1,8 +1,8 @@
 /*
- * mark.c - see mark.h. Little-endian: 32 letters that stand nowhere else in a program, u32 version, u32 flags, u64 at,
- * u64 size, u32 CRC, u32 core version.
+ * mark.c - the mark of the embedded game (mark.h). Little-endian: 32 letters that occur nowhere else in a program, u32
+ * version, u32 flags, u64 at, u64 size, u32 CRC, u32 core version.
  *
- * It is volatile, so that no compiler takes the zeroes that it is built with for granted.
+ * The mark is volatile because `export` changes it after compilation.
  */
 #include "mark.h"
 

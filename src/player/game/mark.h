@@ -1,9 +1,8 @@
 /*
- * mark.h - a place in the program itself that says which game stands behind it in its file.
+ * mark.h - constants in the program that describe the game at the end of its file.
  *
- * 64 bytes of constants that `export` writes over in the copy it makes; a libretro core has them too. What is loaded
- * and runs says so itself that a game belongs to it, so a file that was cut short, or may be run and not read, is told
- * from one without a game.
+ * `export` overwrites these 64 bytes in the copy it makes; a libretro core has them too. As the running program itself
+ * knows that it has a game, it can detect a truncated or unreadable file.
  */
 #ifndef PLAYER_MARK_H
 #define PLAYER_MARK_H
@@ -14,7 +13,7 @@
 
 enum { MARK_BYTES = 64 };
 
-enum { MARK_KEYS = 1 /* with the keys and the commands of those who make games */ };
+enum { MARK_KEYS = 1 /* includes the keys and commands for authors */ };
 
 struct mark {
     uint32_t flags;

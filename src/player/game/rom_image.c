@@ -1,5 +1,5 @@
 /*
- * rom_image.c - see rom_image.h.
+ * rom_image.c - loads .rom files (rom_image.h).
  */
 #include "rom_image.h"
 

@@ -1,6 +1,6 @@
 /*
- * border.c - see border.h. A window pixel is the mean of SAMPLES x SAMPLES points in it; where each column and row of
- * points comes from is found once.
+ * border.c - paints the border (border.h). A window pixel is the mean of SAMPLES x SAMPLES points in it. The art's
+ * column and row for each point are computed once.
  */
 #include "border.h"
 
@@ -31,11 +31,11 @@ bool border_open(struct border *b, const uint8_t *rgba, int w, int h, char *err,
     return err_set(err, err_size, "the border has no hole; make the area of the game's picture fully transparent");
 }
 
-/* One way: the art's pixel that a point at p (in parts of a window pixel, SAMPLES each) shows. from, size: where the
- * picture is; hole, hole_size: where it is in the art of n pixels. */
+/* Along one axis: returns the art's pixel at the point p, in units of 1 / SAMPLES window pixels. from, size: the
+ * picture in the window; hole, hole_size: the hole in the art, which has n pixels. */
 static int art_at(int64_t p, int64_t from, int64_t size, int64_t hole, int64_t hole_size, int64_t window, int64_t n)
 {
-    const int64_t at = 2 * p + 1, unit = 2 * SAMPLES; /* so the middle of a point is a whole number */
+    const int64_t at = 2 * p + 1, unit = 2 * SAMPLES; /* so that the middle of a point is an integer */
     const int64_t left = from, right = window - from - size, rest = n - hole - hole_size;
 
     if (at >= from * unit && at < (from + size) * unit)
@@ -87,7 +87,7 @@ void border_paint(const struct border *b, uint32_t *out, int w, int h, struct ar
     const struct area p = quarter_area(quarter_back(turn), w, h, picture), *hole = &b->hole;
 
     memset(out, 0, (size_t)w * (size_t)h * sizeof *out);
-    quarter_size(turn, &w, &h); /* from here on as who looks at it sees it */
+    quarter_size(turn, &w, &h); /* from here on as the player sees it */
     int *points = b->rgba ? malloc((size_t)(w + h) * SAMPLES * sizeof *points) : NULL;
     if (!points)
         return;

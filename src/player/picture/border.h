@@ -1,9 +1,9 @@
 /*
- * border.h - the art round a picture that a ROM may bring: any size, its own colours, and a hole.
+ * border.h - the art around the picture, which a ROM can contain: any size, any colours, and a hole for the picture.
  *
- * The hole is the box round all pixels that are wholly transparent. It is put where the picture is, and the rest is as
- * much larger or smaller as the hole; where that does not reach the window's edge, the margin is stretched. What is
- * partly transparent is on black.
+ * The hole is the bounding box of all fully transparent pixels. The art is scaled so that the hole has the size of the
+ * picture. Where the art then doesn't reach the window's edge, its margin is stretched. Partly transparent pixels are
+ * blended with black.
  */
 #ifndef PLAYER_BORDER_H
 #define PLAYER_BORDER_H
@@ -13,20 +13,20 @@
 #include <stdint.h>
 #include "quarter.h"
 
-#define BORDER_LUMP "border" /* of a ROM: the PNG file as it is */
+#define BORDER_LUMP "border" /* a lump that contains a PNG file */
 
-enum { BORDER_BYTES = 16 << 20 /* of that file */ };
+enum { BORDER_BYTES = 16 << 20 /* most bytes of that file */ };
 
 struct border {
-    const uint8_t *rgba; /* 4 bytes a pixel, rows on end; NULL: black */
+    const uint8_t *rgba; /* 4 bytes per pixel, rows without padding; NULL: black */
     int w, h;
     struct area hole;
 };
 
-/* Finds the hole. False and one sentence: there is none. */
+/* Finds the hole. If there is none, returns false and sets err. */
 bool border_open(struct border *b, const uint8_t *rgba, int w, int h, char *err, size_t err_size);
 
-/* Fills a window of w x h, 0xRRGGBB, all of it. picture: where the hole is to be, as seen in the window: turned. */
+/* Fills a whole window of w x h pixels, 0xRRGGBB. picture: the area of the hole, after rotation. */
 void border_paint(const struct border *b, uint32_t *out, int w, int h, struct area picture, enum quarter turn);
 
 #endif

@@ -1,8 +1,8 @@
 /*
- * compose.c - see compose.h.
+ * compose.c - composes the window (compose.h).
  *
- * The picture is turned while it has few pixels. Rows of it are made larger once each; most rows of the window are then
- * a copy of one, or where squares meet the mean of two.
+ * The picture is rotated before it is scaled. Each row is scaled once. Most rows of the window are copies of a scaled
+ * row; where scaled pixels meet, they are the mean of two.
  */
 #include "compose.h"
 
@@ -81,7 +81,7 @@ bool compose_fit(struct compose *c, const struct compose_want *want)
     return true;
 }
 
-/* The row of the picture that is made larger: columns x0 to x1 of it. */
+/* Returns columns x0 to x1 of a row of the picture, scaled. */
 static const uint32_t *large_row(struct compose *c, const uint8_t *pix, int pitch, const uint32_t rgb[256], int row,
                                  int x0, int x1)
 {
@@ -98,7 +98,7 @@ static const uint32_t *large_row(struct compose *c, const uint8_t *pix, int pitc
     return c->rows[slot];
 }
 
-/* The picture as it stands in the window. */
+/* Returns the rotated picture. */
 static const uint8_t *turned(struct compose *c, const uint8_t *pix, int *pitch, int w, int h)
 {
     const enum quarter turn = c->want.place.turn;

@@ -1,9 +1,9 @@
 /*
- * compose.h - the whole window, pixel by pixel: the picture turned, made larger and with the look of a tube if that is
- * asked for, what stands beside it, and the border round it.
+ * compose.h - composes the whole window: the picture, rotated, scaled and with the CRT filter if requested, the panel
+ * next to it, and the border around it.
  *
- * It is done here and not by ports, so it looks the same everywhere and can be tested. A window of more than
- * COMPOSE_MOST pixels is composed at half its size, or less; the port stretches it.
+ * Ports don't compose, so the window looks the same everywhere and can be tested. A window of more than COMPOSE_MOST
+ * pixels is composed at half its size or less, and stretched by the port.
  */
 #ifndef PLAYER_COMPOSE_H
 #define PLAYER_COMPOSE_H
@@ -18,40 +18,40 @@
 enum { COMPOSE_MOST = 1 << 22 };
 
 struct compose_want {
-    struct place_want place; /* window_w, window_h: of the window itself */
+    struct place_want place; /* window_w, window_h: the window's own size */
     bool crt;
     const struct border *border; /* NULL: black */
 };
 
 struct compose {
-    struct compose_want want; /* the one that all of this was made for */
-    int shrunk;               /* the window's size is so many times that of `pixels` */
+    struct compose_want want; /* the request that the fields below were made for */
+    int shrunk;               /* the window's size divided by that of `pixels` */
     struct placed placed;
     int w, h;
     uint32_t *pixels;               /* w x h, 0xRRGGBB; malloc */
-    uint32_t *back;                 /* border, without picture; malloc */
-    struct scale_axis across, down; /* of the turned picture */
+    uint32_t *back;                 /* the border without the picture; malloc */
+    struct scale_axis across, down; /* for the rotated picture */
     uint32_t *mask;                 /* malloc */
-    uint32_t *small, *rows[2];      /* a row of the picture, two that have been made larger; malloc */
-    int of[2];                      /* which */
-    uint8_t *turned;                /* the picture, or what stands beside it; malloc */
-    bool beside;                    /* something stands beside the picture in `pixels` */
+    uint32_t *small, *rows[2];      /* a row of the picture, and two scaled rows; malloc */
+    int of[2];                      /* row numbers of the scaled rows */
+    uint8_t *turned;                /* the rotated picture or side panel; malloc */
+    bool beside;                    /* `pixels` contains a side panel */
 };
 
-/* Makes it ready; cheap when nothing has changed. False: there is no memory, and it is closed. Zeroes before the first
- * call. */
+/* Prepares *c for a request; fast if nothing has changed. Zero *c before the first call. When out of memory, closes it
+ * and returns false. */
 bool compose_fit(struct compose *c, const struct compose_want *want);
 
-/* Puts the picture in, w x h as want->place says. */
+/* Draws the picture, whose size is that in want->place. */
 void compose_picture(struct compose *c, const uint8_t *pix, int pitch, const uint32_t rgb[256]);
 
-/* Puts what stands beside it in, placed.side_w x placed.side_h; pix NULL: nothing stands there. */
+/* Draws the side panel of placed.side_w x placed.side_h pixels; pix NULL: none. */
 void compose_side(struct compose *c, const uint8_t *pix, int pitch, const uint32_t rgb[256]);
 
-/* The picture's pixel under a pixel of the composed window; false: none is. */
+/* Converts a pixel of the composed window to a pixel of the picture. Returns false outside the picture. */
 bool compose_point(const struct compose *c, int *x, int *y);
 
-/* Harmless on zeroes. */
+/* Frees the memory. Does nothing if *c is zeroed. */
 void compose_close(struct compose *c);
 
 #endif

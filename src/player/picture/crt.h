@@ -1,29 +1,29 @@
 /*
- * crt.h - the look of a tube: its lines, brighter ones wider, and a slight mask of red, green and blue.
+ * crt.h - the CRT filter: scanlines, which are wider where they are brighter, and a light shadow mask.
  *
- * It works on rows of a picture that has been made larger, in integers. Lines are seen from twice the size on, the mask
- * too; below that only the colours are brighter, as they are made in advance for what lines and mask take away.
+ * It works on rows of a scaled picture, in integers. Scanlines and mask are visible from a scale of two. Below that,
+ * only the colours are brighter, which compensates for the darkening by scanlines and mask.
  */
 #ifndef PLAYER_CRT_H
 #define PLAYER_CRT_H
 
 #include <stdint.h>
 
-/* What a row does: a byte of colour c becomes c * (dark + c * bright / 256) / 256, and then its part of the mask. */
+/* The brightness of a row: a colour byte c becomes c * (dark + c * bright / 256) / 256, and is then masked. */
 struct crt_line {
     uint16_t dark, bright; /* together 256 at most */
 };
 
-/* The colours as they have to be. */
+/* Brightens the colours. */
 void crt_colours(uint32_t out[256], const uint32_t rgb[256]);
 
-/* Row y of `large` that a picture of `small` rows has become. */
+/* Returns the brightness of row y of a picture that was scaled from `small` to `large` rows. */
 struct crt_line crt_line(int y, int small, int large);
 
-/* The mask of columns that were `small`: for each, what is left of its colours, 0xRRGGBB. */
+/* Makes the mask for a picture scaled from `small` to `large` columns: a factor per colour and column, 0xRRGGBB. */
 void crt_mask(uint32_t *mask, int small, int large);
 
-/* n pixels of a row. */
+/* Applies the filter to n pixels of a row. */
 void crt_row(uint32_t *row, const uint32_t *mask, struct crt_line line, int n);
 
 #endif

@@ -1,5 +1,5 @@
 /*
- * icon.c - see icon.h.
+ * icon.c - game icons (icon.h).
  */
 #include "icon.h"
 
@@ -45,7 +45,7 @@ bool icon_check(const uint8_t *png, size_t size, char *err, size_t err_size)
     return true;
 }
 
-/* The first picture of a sprite, in the colours of palette/main. */
+/* Reads the first frame of a sprite, in the colours of palette/main. */
 static bool read_sprite(const struct cart *cart, const struct lump *lump, struct rgba *out)
 {
     char name[ART_NAME_SIZE];

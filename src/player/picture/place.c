@@ -1,12 +1,13 @@
 /*
- * place.c - see place.h. All is placed as who looks at a turned monitor sees it, and then turned as the picture is.
+ * place.c - places picture and side panel (place.h), as the player of a rotated monitor sees them, and rotates the
+ * areas.
  */
 #include "place.h"
 
 #include <stdint.h>
 #include "../../base/int.h"
 
-enum { SMALLEST_SCALE = 2 /* of what stands beside a picture that is larger: it is to be read */ };
+enum { SMALLEST_SCALE = 2 /* of a side panel, unless the picture's scale is smaller: text must be readable */ };
 
 static struct area place_whole(const struct place_want *want, int w, int h)
 {
@@ -22,7 +23,7 @@ static struct area place_smooth(const struct place_want *want, int w, int h)
     return (struct area){ 0, 0, int_max(1, (int)((int64_t)h * want->w / want->h)), h };
 }
 
-/* The largest writing that has room. */
+/* Chooses the largest scale that fits. */
 static void place_side(struct placed *p, const struct place_want *want, int w, int h)
 {
     const int room = w - p->picture.x - p->picture.w, largest = int_max(1, p->picture.w / want->w);

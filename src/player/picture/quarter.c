@@ -1,6 +1,6 @@
 /*
- * quarter.c - see quarter.h. A picture is turned row by row of what it was: a step to the right there is a step of one
- * kind in the turned one.
+ * quarter.c - quarter turns (quarter.h). A picture is rotated one source row at a time; a step to the right in the
+ * source is a constant step in the result.
  */
 #include "quarter.h"
 

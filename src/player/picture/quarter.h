@@ -1,7 +1,7 @@
 /*
- * quarter.h - pictures, points and areas turned by quarters, for monitors that stand upright.
+ * quarter.h - rotates pictures, points and areas by quarter turns, for rotated monitors.
  *
- * A turn is what happens to the picture: left for a monitor that was turned to the right. A point is a pixel.
+ * A turn is that of the picture: left for a monitor that was rotated to the right. A point is a pixel.
  */
 #ifndef PLAYER_QUARTER_H
 #define PLAYER_QUARTER_H
@@ -14,19 +14,19 @@ struct area {
     int x, y, w, h;
 };
 
-/* The turn that undoes it. */
+/* Returns the opposite turn. */
 enum quarter quarter_back(enum quarter turn);
 
-/* Width and height of what was w x h. */
+/* Converts width and height. */
 void quarter_size(enum quarter turn, int *w, int *h);
 
-/* Where a pixel of what is w x h comes to stand; any values. */
+/* Converts a pixel of a picture of w x h; it may be outside. */
 void quarter_point(enum quarter turn, int w, int h, int *x, int *y);
 
-/* The same of an area. */
+/* The same for an area. */
 struct area quarter_area(enum quarter turn, int w, int h, struct area a);
 
-/* out, which is as large as quarter_size says, becomes the turned pix. The two do not overlap. */
+/* Stores the rotated picture in out, whose size is that of quarter_size. They must not overlap. */
 void quarter_picture(enum quarter turn, const uint8_t *pix, int pitch, int w, int h, uint8_t *out, int out_pitch);
 
 #endif

@@ -1,5 +1,5 @@
 /*
- * scale.c - see scale.h.
+ * scale.c - enlarges pictures (scale.h).
  */
 #include "scale.h"
 
@@ -15,8 +15,8 @@ static uint32_t mix(uint32_t a, uint32_t b, uint32_t share)
     return red_blue | green;
 }
 
-/* A large pixel covers `small` parts of the small picture, of which each pixel has `large`. What of that is beyond the
- * pixel in which it begins is the share of the next one; a smaller picture would have more than two in it. */
+/* In units of 1 / large small pixels, a large pixel has length `small` and a small pixel `large`. The part of the large
+ * pixel beyond the small pixel in which it begins is the share of the next one. */
 static void place_pixel(struct scale_axis *a, int i, int small, int large)
 {
     const int64_t begin = (int64_t)i * small, border = (begin / large + 1) * large, end = begin + small;
@@ -57,7 +57,7 @@ void scale_row(const struct scale_axis *a, const uint32_t *small, uint32_t *larg
 
 enum { BLOCK = 32 };
 
-/* In this form compilers make vectors of it: a constant number of bytes, products of 16 bits. */
+/* Compilers vectorise this form: a constant number of bytes, and 16-bit products. */
 static inline void mix_bytes(uint8_t *restrict out, const uint8_t *restrict first, const uint8_t *restrict second,
                              uint16_t share, int n)
 {

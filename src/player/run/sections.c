@@ -1,6 +1,6 @@
 /*
- * sections.c - see sections.h. Marks come after all stages and bosses were told (so that these are known whatever
- * happens when a stage is run through), and are put where they belong.
+ * sections.c - lists sections (sections.h). The game reports all stages and bosses first, so that they are known even
+ * if running through a stage fails. Marks follow and are inserted after their stages.
  */
 #include "sections.h"
 
@@ -11,7 +11,7 @@
 
 enum { PATIENCE = 10000 /* frames */ };
 
-/* Room for a section at place i; NULL: the list is full. */
+/* Inserts an empty section at index i. Returns NULL if the list is full. */
 static struct section *insert(struct sections *p, int i)
 {
     if (p->n == MAX_SECTIONS)
@@ -22,7 +22,7 @@ static struct section *insert(struct sections *p, int i)
     return &p->section[i];
 }
 
-/* Where a new child of a parent goes: after its others. -1: there is no such parent. */
+/* Returns the index for a new child of a parent, after its other children; -1 if there is no such parent. */
 static int place_of(const struct sections *p, enum section_kind parent, const char *name)
 {
     for (int i = 0; i < p->n; i++) {
@@ -52,7 +52,7 @@ static void add(struct sections *p, enum section_kind kind, const struct board_m
         snprintf(id, sizeof id, "%s%c%s", m->parent, kind == SECTION_MARK ? ':' : '/', m->name);
     else
         snprintf(id, sizeof id, "%s", m->name);
-    if (has(p, kind, id)) /* a game's own task may play a section meanwhile */
+    if (has(p, kind, id)) /* a task of the game may play a section meanwhile */
         return;
     int i = child ? place_of(p, kind == SECTION_MARK ? SECTION_STAGE : SECTION_BOSS, m->parent) : p->n;
     struct section *at = i < 0 ? NULL : insert(p, i);
@@ -80,8 +80,8 @@ static void add_ship(struct sections *p, const struct board_marker *m)
     memcpy(p->ship[p->ships++], m->name, sizeof m->name);
 }
 
-/* True when it was the last. */
-static bool hear(struct sections *p, const struct board_marker *m)
+/* Adds what a marker reports. Returns true at the end of the list. */
+static bool read_marker(struct sections *p, const struct board_marker *m)
 {
     switch (m->kind) {
     case MARKER_STAGE:
@@ -108,8 +108,8 @@ static bool hear(struct sections *p, const struct board_marker *m)
     return false;
 }
 
-/* Ticks until all is told. */
-static void listen(struct sections *p, struct guard *g, bool log)
+/* Ticks until the list is complete. */
+static void read_sections(struct sections *p, struct guard *g, bool log)
 {
     const uint16_t none[MAX_PLAYERS] = { 0 };
     const struct board_out *out = board_last_output(g->board);
@@ -118,7 +118,7 @@ static void listen(struct sections *p, struct guard *g, bool log)
     for (int f = 0; !out->fault && !done && f < PATIENCE; f++) {
         out = guard_tick(g, none);
         for (int i = 0; i < out->marker_count; i++)
-            done |= hear(p, &out->marker[i]);
+            done |= read_marker(p, &out->marker[i]);
         if (log)
             report_log(out, "curtain: ");
     }
@@ -138,6 +138,6 @@ void sections_list(struct sections *p, const struct rom *rom, const struct board
     snprintf(ask.practice.section, sizeof ask.practice.section, "%s", PRACTICE_LIST);
     if (!guard_power(&g, rom, &ask, p->why, sizeof p->why))
         return;
-    listen(p, &g, log);
+    read_sections(p, &g, log);
     guard_close(&g);
 }

@@ -1,7 +1,7 @@
 /*
- * drift.c - see drift.h. With e off by d a frame, de/dt = 800 (drift - rate); rate = e / (800 TAU) + sum of e /
- * (800 TAU LONG) has two real poles, of about TAU and LONG frames: it does not swing. What jitter is left passes a
- * filter of SMOOTH frames, far from both.
+ * drift.c - adjusts the sample rate (drift.h). For the error e, de/dt = 800 (drift - rate). With rate = e / (800 TAU) +
+ * sum of e / (800 TAU LONG), the loop has two real poles, of about TAU and LONG frames, so it doesn't oscillate. Jitter
+ * is smoothed over SMOOTH frames, far from both poles.
  */
 #include "drift.h"
 
@@ -21,7 +21,7 @@ double drift_step(struct drift *d, double off)
     d->off = d->known ? d->off + (off - d->off) / SMOOTH : off;
     d->known = true;
     const double now = d->off / (BLOCK * TAU), sum = d->sum + d->off / ((double)BLOCK * TAU * LONG);
-    if (fabs(now + sum) < DRIFT_MOST || fabs(sum) < fabs(d->sum)) /* else it would go on adding up in vain */
+    if (fabs(now + sum) < DRIFT_MOST || fabs(sum) < fabs(d->sum)) /* anti-windup */
         d->sum = limited(sum, DRIFT_MOST);
     d->rate += limited(limited(now + d->sum, DRIFT_MOST) - d->rate, MOST_CHANGE);
     return d->rate;

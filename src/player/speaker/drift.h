@@ -1,10 +1,10 @@
 /*
- * drift.h - holds what waits at the speaker at a target, by a rate that is hardly another.
+ * drift.h - holds the length of the speaker's queue at a target by adjusting the sample rate slightly.
  *
- * Two clocks of one machine differ by some hundredths of a percent, and now and then by three tenths. What waits shows
- * the difference, added up. The rate answers to how far that is off (what is wrong is halved in three quarters of a
- * second) and to the sum of it, so that a lasting difference of clocks is met by a lasting rate and nothing stays off.
- * It is never more than DRIFT_MOST, a seventh of a semitone, and moves slowly.
+ * Two clocks of a machine usually differ by a few hundredths of a percent, sometimes by 0.3 %. The length of the queue
+ * shows the accumulated difference. drift_step is a PI controller: the rate depends on the error, which is halved in
+ * three quarters of a second, and on the sum of past errors, so a constant difference leaves no error. The adjustment
+ * changes slowly and is at most DRIFT_MOST, a seventh of a semitone.
  */
 #ifndef PLAYER_DRIFT_H
 #define PLAYER_DRIFT_H
@@ -15,15 +15,15 @@
 
 struct drift {
     bool known;
-    double off;  /* frames above the target, the jitter smoothed away */
-    double sum;  /* of it */
-    double rate; /* of ours: 0.001 is a thousandth faster */
+    double off;  /* smoothed error: frames above the target */
+    double sum;  /* of past errors, scaled */
+    double rate; /* adjustment: 0.001 is 0.1 % faster */
 };
 
-/* To be called each sixtieth: `off` frames more than the target wait. Returns the rate from now on. */
+/* Call it every sixtieth of a second. off: frames that the queue has above the target. Returns the new adjustment. */
 double drift_step(struct drift *d, double off);
 
-/* What waits is another from here on (it ran dry, or was thrown away); the clocks are not. */
+/* Forgets the smoothed error, after the queue ran empty or was cleared. Keeps the difference of the clocks. */
 void drift_jump(struct drift *d);
 
 #endif

@@ -1,6 +1,7 @@
 /*
- * resample.c - see resample.h. Between two of the table's phases coefficients are interpolated, which costs 106 dB. The
- * window is Kaiser's: with 24 taps and beta 10 what is wrong is less than what 16 bits round, up to 16 kHz.
+ * resample.c - resamples sound (resample.h). Coefficients are interpolated between two phases of the table; the error
+ * of that is at -106 dB. With a Kaiser window, 24 taps and beta 10, errors up to 16 kHz are below the rounding of 16
+ * bits.
  */
 #include "resample.h"
 
@@ -22,7 +23,7 @@ static double bessel(double x)
     return sum;
 }
 
-/* The weight of a sample so far from the place. */
+/* Returns the weight of a sample at this distance from the position. */
 static double weight(double away)
 {
     const double share = away / (RESAMPLE_TAPS / 2);
@@ -33,7 +34,7 @@ static double weight(double away)
     return away == 0 ? 1 : sin(pi * away) / (pi * away) * window;
 }
 
-/* Each row's sum is 1, so that a level stays that level. */
+/* Makes a row with the sum 1, so that levels don't change. */
 static void make_row(float row[RESAMPLE_TAPS], double phase)
 {
     double w[RESAMPLE_TAPS], sum = 0;
@@ -100,7 +101,7 @@ static void between(const struct resample *r, int16_t out[2])
     out[1] = rounded(right);
 }
 
-/* Forgets what has passed. */
+/* Removes frames that have passed. */
 static void forget(struct resample *r)
 {
     const int passed = (int)(r->at >> 32) - RESAMPLE_BEFORE;

@@ -1,9 +1,9 @@
 /*
- * resample.h - sound at a rate that is almost its own, or much slower: for a card whose clock is not ours, and for slow
+ * resample.h - resamples sound at almost the same rate, for a sound card with another clock, or much slower, for slow
  * motion.
  *
- * A sample between two is a sum of RESAMPLE_TAPS round it, by a table of a windowed sinc. At a step of exactly
- * RESAMPLE_ONE from the beginning the sound passes as it is, to the bit, RESAMPLE_AFTER frames late.
+ * A sample between two others is a sum of the RESAMPLE_TAPS samples around it, weighted by a windowed sinc. As long as
+ * every step is exactly RESAMPLE_ONE, the sound passes through unchanged, delayed by RESAMPLE_AFTER frames.
  */
 #ifndef PLAYER_RESAMPLE_H
 #define PLAYER_RESAMPLE_H
@@ -12,34 +12,34 @@
 
 enum {
     RESAMPLE_TAPS = 24,
-    RESAMPLE_AFTER = RESAMPLE_TAPS / 2,      /* frames that must be there behind the place */
-    RESAMPLE_BEFORE = RESAMPLE_TAPS / 2 - 1, /* and before it */
+    RESAMPLE_AFTER = RESAMPLE_TAPS / 2,      /* frames needed after the position */
+    RESAMPLE_BEFORE = RESAMPLE_TAPS / 2 - 1, /* frames needed before it */
     RESAMPLE_PHASES = 512,
     RESAMPLE_ROOM = 8192 /* frames */
 };
 
 #define RESAMPLE_ONE       ((uint64_t)1 << 32)
-#define RESAMPLE_STEP_MOST (RESAMPLE_BEFORE * RESAMPLE_ONE) /* a longer step would leave what is in the buffer */
+#define RESAMPLE_STEP_MOST (RESAMPLE_BEFORE * RESAMPLE_ONE) /* a longer step could leave the buffer */
 
 struct resample {
     float kernel[RESAMPLE_PHASES + 1][RESAMPLE_TAPS];
-    int16_t in[2 * RESAMPLE_ROOM]; /* stereo; the first ones have passed */
+    int16_t in[2 * RESAMPLE_ROOM]; /* stereo */
     int n;                         /* frames in it */
-    uint64_t at;                   /* where we are in it, Q32 */
+    uint64_t at;                   /* position in it, Q32 */
 };
 
-/* Makes the table, some milliseconds; empty, after silence. resample_clear: empty again. */
+/* resample_open makes the table, in a few milliseconds, and starts after silence; resample_clear only restarts. */
 void resample_open(struct resample *r);
 void resample_clear(struct resample *r);
 
-/* Adds frames; those there is no room for are lost. */
+/* Adds frames. Drops those that don't fit. */
 void resample_add(struct resample *r, const int16_t *lr, int frames);
 
-/* Frames that could pass now. */
+/* Returns the number of frames that could pass now. */
 int resample_ready(const struct resample *r);
 
-/* Lets at most `most` frames pass, a step (Q32 of a frame, cut to RESAMPLE_STEP_MOST) after the other. Returns how many
- * frames came out, room at most. */
+/* Passes at most `most` input frames, in steps of `step` (Q32 frames, at most RESAMPLE_STEP_MOST). Returns the number
+ * of output frames, at most room. */
 int resample_take(struct resample *r, uint64_t step, int most, int16_t *out, int room);
 
 #endif
