@@ -1,5 +1,5 @@
 /*
- * press.c - see press.h.
+ * press.c - how buttons become pads (press.h).
  */
 #include "press.h"
 
@@ -17,7 +17,7 @@ static unsigned toggled(struct press *p, unsigned held, unsigned fresh)
     return (held & ~(unsigned)PAD_FOCUS) | (p->focus ? PAD_FOCUS : 0);
 }
 
-/* A press of fire is released for a tick first, so that the game sees it. */
+/* Before a press of fire, releases fire for a tick, so that the game notices the press. */
 static unsigned with_one_hand(struct press *p, unsigned held, unsigned fresh)
 {
     if (fresh & PAD_FIRE) {

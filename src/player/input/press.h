@@ -1,16 +1,16 @@
 /*
- * press.h - how a player presses: from the buttons that are held to those that a tick gets.
+ * press.h - autofire, toggled focus and one-handed play: computes the pads of a tick from the held buttons.
  *
- * What comes out is what is recorded, so a demo needs none of this. All is counted in ticks. A mode acts only on what
- * is the ship's at that tick: everywhere else a button is a button, so that no menu and no talk is answered by itself.
+ * The result is what is recorded, so demos don't depend on these modes. All times are in ticks. A mode affects a button
+ * only while the button controls the ship; otherwise menus and dialogue would be confirmed automatically.
  *
- * * autofire: fire that is held is pressed for PRESS_ON ticks and released for PRESS_OFF, fifteen times a second.
- * * toggle_focus: each press of focus switches it, and it stays. A power-on switches it off; so the pads say where time
- *   was turned back to.
- * * one_hand: fire is held by itself from the first move on, for the fingers that are left have to steer, focus and
- *   bomb. A press of fire lets it go, and as long as it is held it is what it always is; the next move holds it again.
- *   Bombs are not thrown by a second tap of focus: focus is tapped all the time in such games. They get a switch that
- *   the hand reaches (keys.h, one hand).
+ * * autofire: while fire is held, it is pressed for PRESS_ON ticks and released for PRESS_OFF, fifteen times a second.
+ * * toggle_focus: each press of focus turns it on or off. A power-on turns it off. After a jump in time, the pads of
+ * the
+ *   previous tick decide.
+ * * one_hand: fire is held automatically from the first move on, because the hand also has to steer, focus and bomb. A
+ *   press of fire stops this and works as usual; the next move starts it again. Bombs have a button that the hand
+ *   reaches (keys.h), instead of a double tap of focus, which is tapped all the time in such games.
  */
 #ifndef PLAYER_PRESS_H
 #define PLAYER_PRESS_H
@@ -25,23 +25,23 @@ struct press_modes {
     bool autofire, toggle_focus, one_hand;
 };
 
-/* Of one player. */
+/* The state for one player. */
 struct press {
-    uint16_t held;       /* what the last tick was given */
-    bool focus, fires;   /* switched on; held by itself */
-    uint32_t fire_ticks; /* that fire is held */
+    uint16_t held;       /* buttons held in the last tick */
+    bool focus, fires;   /* focus is toggled on; fire is held automatically */
+    uint32_t fire_ticks; /* ticks since fire is held */
 };
 
-/* The present is another one: a power-on (pads 0), or time was turned to a tick after one that got these pads. What is
- * held over it is no new press. */
+/* Derives the state after a power-on (pads 0) or after a jump to the tick after one with these pads. Buttons that are
+ * held across the jump don't count as new presses. */
 void press_resume(struct press *p, uint16_t pads);
 
-/* What is the ship's, and not a menu's or a talk's. */
+/* Whether the buttons control the ship, instead of a menu or a dialogue. */
 struct press_ship {
     bool steers, fires;
 };
 
-/* The pads of the next tick, from the buttons that are held. */
+/* Returns the pads of the next tick for the held buttons. */
 uint16_t press_tick(struct press *p, const struct press_modes *modes, struct press_ship ship, uint16_t held);
 
 #endif

@@ -1,5 +1,5 @@
 /*
- * seats.c - see seats.h. A poll looks at what went, then at what came, then at what is pressed.
+ * seats.c - assigns controllers (seats.h). A poll handles unplugged controllers, then new ones, then presses.
  */
 #include "seats.h"
 
@@ -25,7 +25,7 @@ uint32_t seats_switches(const struct seats *s, int player)
     return s->seat[player] == SEAT_EMPTY ? 0 : s->switches[s->seat[player]];
 }
 
-static void tell(struct seats *s, enum seats_what what, int player, const struct plat_controller *c)
+static void add_event(struct seats *s, enum seats_what what, int player, const struct plat_controller *c)
 {
     s->event[s->events++] = (struct seats_event){ .what = what, .player = player, .controller = *c };
 }
@@ -44,7 +44,7 @@ void seats_give(struct seats *s, int player, int controller)
     s->switches[controller] &= ~s->ignored[controller];
 }
 
-static void goes(struct seats *s, int i)
+static void unplug(struct seats *s, int i)
 {
     int player = seats_player(s, i);
 
@@ -55,7 +55,7 @@ static void goes(struct seats *s, int i)
     s->seat[player] = SEAT_EMPTY;
     s->waits[player] = true;
     s->was[player] = s->is[i];
-    tell(s, SEATS_LOST, player, &s->is[i]);
+    add_event(s, SEATS_LOST, player, &s->is[i]);
 }
 
 static bool same_model(const struct plat_controller *a, const struct plat_controller *b)
@@ -63,7 +63,7 @@ static bool same_model(const struct plat_controller *a, const struct plat_contro
     return a->kind == b->kind && strcmp(a->name, b->name) == 0;
 }
 
-static void comes(struct seats *s, int i, const struct plat_controller *c, uint32_t held)
+static void plug_in(struct seats *s, int i, const struct plat_controller *c, uint32_t held)
 {
     s->there[i] = true;
     s->is[i] = *c;
@@ -72,13 +72,13 @@ static void comes(struct seats *s, int i, const struct plat_controller *c, uint3
         if (s->waits[p] && same_model(&s->was[p], c)) {
             s->seat[p] = i;
             s->waits[p] = false;
-            tell(s, SEATS_BACK, p, c);
+            add_event(s, SEATS_BACK, p, c);
             return;
         }
     }
 }
 
-/* Switches of a controller that plays for nobody went down. */
+/* Handles a press on a controller without a player. */
 static void pressed(struct seats *s, int i, int players, uint32_t fresh)
 {
     const bool first = s->seat[0] == SEAT_EMPTY;
@@ -90,14 +90,14 @@ static void pressed(struct seats *s, int i, int players, uint32_t fresh)
         while (player < players && s->seat[player] != SEAT_EMPTY)
             player++;
         if (player == players && players > 1) {
-            tell(s, SEATS_FULL, 0, &s->is[i]);
+            add_event(s, SEATS_FULL, 0, &s->is[i]);
             return;
         }
         player = player < players ? player : 0;
         s->ignored[i] |= 1u << PLAT_START;
     }
     s->seat[player] = i;
-    tell(s, SEATS_TAKEN, player, &s->is[i]);
+    add_event(s, SEATS_TAKEN, player, &s->is[i]);
     s->event[s->events - 1].first = first && !s->waits[player];
     s->event[s->events - 1].start = fresh >> PLAT_START & 1;
     s->waits[player] = false;
@@ -110,10 +110,10 @@ void seats_poll(struct seats *s, int players, const uint32_t held[PLAT_MAX_CONTR
     players = players < 1 ? 1 : players > MAX_PLAYERS ? MAX_PLAYERS : players;
     for (int i = 0; i < PLAT_MAX_CONTROLLERS; i++)
         if (s->there[i] && (!plugged[i] || plugged[i]->id != s->is[i].id))
-            goes(s, i);
+            unplug(s, i);
     for (int i = 0; i < PLAT_MAX_CONTROLLERS; i++)
         if (!s->there[i] && plugged[i])
-            comes(s, i, plugged[i], held[i]);
+            plug_in(s, i, plugged[i], held[i]);
     for (int i = 0; i < PLAT_MAX_CONTROLLERS; i++) {
         uint32_t now = s->there[i] ? held[i] : 0, fresh = now & ~s->held[i];
 

@@ -1,5 +1,5 @@
 /*
- * switch.c - see switch.h.
+ * switch.c - names and labels of keys and buttons (switch.h).
  */
 #include "switch.h"
 
@@ -8,7 +8,7 @@
 #include <string.h>
 #include "../../../fb/utf8.h"
 
-/* Keys by HID usage, from 4 on; letters, digits and F keys are worked out. */
+/* Keys by HID usage. Letters, digits and F keys are computed. */
 static const struct key {
     uint8_t usage;
     const char *name;
@@ -25,7 +25,7 @@ static const struct key {
     { 231, "rgui" },
 };
 
-/* Switches of a controller. */
+/* Buttons of a controller. */
 static const char *const switches[PLAT_BUTTONS] = {
     "up",     "down",  "left", "right", "south", "east",  "west",  "north",  "l1",  "r1",    "l2",    "r2",     "start",
     "select", "guide", "l3",   "r3",    "lup",   "ldown", "lleft", "lright", "rup", "rdown", "rleft", "rright",
@@ -33,7 +33,7 @@ static const char *const switches[PLAT_BUTTONS] = {
 
 enum { COUNT_KEYS = sizeof keys / sizeof *keys };
 
-/* ---- names to codes; 0: no such switch ---- */
+/* ---- names to codes; 0: unknown ---- */
 
 static unsigned number_after(const char *s, const char *prefix, unsigned lo, unsigned hi)
 {
@@ -93,7 +93,7 @@ uint16_t switch_code(const char *s)
     return (uint16_t)key_code(s);
 }
 
-/* A key, or a controller's switch. */
+/* Writes the name of a key or button. */
 static void plain_name(unsigned code, char *out, size_t size)
 {
     unsigned which = switch_which(code);
@@ -127,9 +127,9 @@ void switch_name(unsigned code, char *out, size_t size)
         plain_name(code & ~(unsigned)(SWITCH_ALT | SWITCH_CTRL), out + strlen(with), size - strlen(with));
 }
 
-/* ---- what is printed on a key ---- */
+/* ---- labels of keys ---- */
 
-/* The spelling of the key that has a sign on a US keyboard: "comma" is easier to read than ",". NULL: of none. */
+/* Returns the name of the key with a sign on a US keyboard, or NULL: "comma" is easier to read than ",". */
 static const char *sign_name(char sign)
 {
     static const char signs[] = "-=[]\\;'`,./";
@@ -142,7 +142,7 @@ static const char *sign_name(char sign)
     return NULL;
 }
 
-enum { DRAWN = 0x180 /* code points that the canvas has: Latin, no other script */ };
+enum { DRAWN = 0x180 /* code points below this can be drawn by the canvas: Latin */ };
 
 static bool can_be_drawn(const char *text)
 {
@@ -154,7 +154,7 @@ static bool can_be_drawn(const char *text)
     return true;
 }
 
-/* Letters are small, as the settings have them. */
+/* Letters are lower case, as in the settings. */
 static void key_label(unsigned code, char *out, size_t size)
 {
     const unsigned chord = code & (SWITCH_ALT | SWITCH_CTRL);
@@ -170,9 +170,9 @@ static void key_label(unsigned code, char *out, size_t size)
     snprintf(out, size, "%s%s", chord == SWITCH_ALT ? "alt+" : chord ? "ctrl+" : "", name ? name : text);
 }
 
-/* ---- what is printed on a controller ---- */
+/* ---- labels of buttons ---- */
 
-/* The directions are called alike everywhere. */
+/* The labels for unknown controllers, and for directions on all. */
 static const char *const common[PLAT_BUTTONS] = {
     [PLAT_DPAD_UP] = "D-pad up",
     [PLAT_DPAD_DOWN] = "D-pad down",
@@ -201,7 +201,7 @@ static const char *const common[PLAT_BUTTONS] = {
     [PLAT_RIGHT_STICK_RIGHT] = "right stick right",
 };
 
-/* What differs: the buttons of a kind, NULL where it is as above. */
+/* The labels that differ for a kind of controller; NULL: as above. */
 enum { BUTTONS = PLAT_RIGHT_STICK_PRESS + 1 };
 #define XBOX                                                                                                           \
     [PLAT_SOUTH] = "A", [PLAT_EAST] = "B", [PLAT_WEST] = "X", [PLAT_NORTH] = "Y", [PLAT_SHOULDER_LEFT] = "LB",         \

@@ -1,6 +1,6 @@
 /*
- * switch.h - a key, or a controller's switch, as 16 bits, and its names: as the settings spell it, and as it is
- * printed on a controller. keys.h lists the spellings.
+ * switch.h - a key or a controller's button as a 16-bit code, its name in the settings (see keys.h), and its label,
+ * which is printed on the device.
  */
 #ifndef PLAYER_SWITCH_H
 #define PLAYER_SWITCH_H
@@ -10,8 +10,8 @@
 #include <stdint.h>
 #include "../../../platform/platform.h"
 
-/* A code is a HID usage, with SWITCH_ALT or SWITCH_CTRL if that is held too; or SWITCH_CONTROLLER, which controller in
- * bits 5 to 7 (from 1; 0: the player's own), and enum plat_button below. 0: no switch. */
+/* A code is a HID usage, with SWITCH_ALT or SWITCH_CTRL for a chord; or SWITCH_CONTROLLER, with the controller in bits
+ * 5 to 7 (from 1; 0: the player's own) and enum plat_button in bits 0 to 4. 0: none. */
 enum { SWITCH_CONTROLLER = 0x100, SWITCH_ALT = 0x1000, SWITCH_CTRL = 0x2000, SWITCH_NAME = 32 };
 
 /* HID usages of keys with a fixed meaning. */
@@ -50,18 +50,19 @@ static inline bool switch_is_chord(unsigned code)
     return code & (SWITCH_ALT | SWITCH_CTRL);
 }
 
-/* The code of a spelling like "z", "alt+enter" or "pad2.south"; 0: it is none. */
+/* Returns the code of a name such as "z", "alt+enter" or "pad2.south"; 0 if the name is unknown. */
 uint16_t switch_code(const char *name);
 
-/* The spelling that switch_code reads as this code; "none" for 0. SWITCH_NAME bytes hold any. */
+/* Writes the name of a code; "none" for 0. SWITCH_NAME bytes are enough. */
 void switch_name(unsigned code, char *out, size_t size);
 
-/* What is printed on it: "cross", "RB", "D-pad up"; on a controller of no known kind, where it is: "bottom button". Of
- * which controller is not said. Of a key what its layout has there, if the port knows that and the canvas has it, else
- * the spelling: "w" for "z" on a French keyboard. SWITCH_NAME bytes hold any. */
+/* Writes the label of a code. For a button, that is what is printed on it ("cross", "RB", "D-pad up"), or its position
+ * for an unknown controller ("bottom button"), without the controller's number. For a key, it is the label in the
+ * user's keyboard layout ("w" for "z" on a French keyboard), or the name if the port doesn't know the label or the
+ * canvas cannot draw it. SWITCH_NAME bytes are enough. */
 void switch_label(unsigned code, enum plat_controller_kind kind, char *out, size_t size);
 
-/* "PlayStation 4", "controller": for one that has no name of its own. */
+/* Returns the name of a kind: "PlayStation 4", or "controller" for unknown ones. */
 const char *switch_kind_name(enum plat_controller_kind kind);
 
 #endif

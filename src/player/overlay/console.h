@@ -1,8 +1,8 @@
 /*
- * console.h - a line of Lua, typed over a picture that stands still.
+ * console.h - the console: runs lines of Lua while the game is paused.
  *
- * RAM is saved before a line runs and restored after it, so a look at the game cannot change it. A line that begins
- * with "keep " is not undone if it works. The run is then touched: its past and its recording must be marked
+ * RAM is saved before a line runs and restored afterwards, so inspecting the game doesn't change it. If a line starts
+ * with "keep " and succeeds, its changes are kept. The past and the recording must then be marked as touched
  * (console_kept).
  */
 #ifndef PLAYER_CONSOLE_H
@@ -45,13 +45,13 @@ struct console {
  * console is open the caller must not tick the board, and *k is cleared, for the console has all keys. */
 void console_poll(struct console *c, const struct plat_input *in, struct keys_read *k, struct board *b, bool keeps);
 
-/* Was a line kept since the last call? Then the run is touched. */
+/* Returns whether a line was kept since the last call; the run is then touched. */
 bool console_kept(struct console *c);
 
 /* Draws it over the lower part of the picture; returns the first line it covers, the picture's height when closed. */
 int console_draw(const struct console *c, const struct canvas *canvas);
 
-/* Frees its memory. Harmless on a zeroed console. */
+/* Frees the memory. Does nothing if *c is zeroed. */
 void console_close(struct console *c);
 
 #endif

@@ -1,8 +1,8 @@
 /*
- * letters.h - the pictures of the canvas's larger face: capitals 7 px high, widths of their own.
+ * letters.h - the glyphs of the canvas's larger font: capitals 7 px high, proportional widths.
  *
- * It has printable ASCII, the letters of Latin-1 and nearly all of Latin Extended-A, marks of punctuation, arrows,
- * shapes that stand on controllers, and boxes with and without a tick. Digits are equally wide.
+ * It has printable ASCII, the letters of Latin-1 and nearly all of Latin Extended-A, punctuation, arrows, the symbols
+ * on controllers, and check boxes. All digits have the same width.
  */
 #ifndef PLAYER_LETTERS_H
 #define PLAYER_LETTERS_H
@@ -21,10 +21,10 @@ struct letter {
     uint16_t rows[LETTER_ROWS]; /* bit n: the pixel n from the left */
 };
 
-/* The picture of a code point; of one that it does not have, a box. */
+/* Stores the glyph of a code point, or a box if the font has none. */
 void letter_of(struct letter *l, uint32_t code);
 
-/* Has it a picture of its own? */
+/* Returns whether the font has the code point. */
 bool letter_known(uint32_t code);
 
 #endif

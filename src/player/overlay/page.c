@@ -1,5 +1,5 @@
 /*
- * page.c - see page.h. Title and foot stay where they are; what lies between them scrolls.
+ * page.c - draws a page (page.h). Title and foot are fixed; the lines between them scroll.
  */
 #include "page.h"
 
@@ -8,9 +8,9 @@
 enum { MARGIN = 6, GAP = 4, BAR = 2 /* px: the scroll bar's width */ };
 
 struct body {
-    int x, y, w;      /* where the first line stands, px */
+    int x, y, w;      /* of the first line, px */
     int first, shown; /* lines */
-    int at;           /* of the line that comes next */
+    int at;           /* index of the next line */
     const struct canvas *canvas;
 };
 
@@ -19,7 +19,7 @@ static int lines_of(const char *text, int w)
     return text[0] ? canvas_say_lines(0, 0, 0, w, CANVAS_WHITE, text) : 0;
 }
 
-/* Lines of a part, of which those that are in sight are drawn. */
+/* Draws the visible lines of a text. */
 static void draw_part(struct body *b, const char *text, enum canvas_colour c)
 {
     for (; *text; b->at++) {
@@ -31,7 +31,7 @@ static void draw_part(struct body *b, const char *text, enum canvas_colour c)
     }
 }
 
-/* How far one has scrolled, at the right. */
+/* Draws the scroll bar at the right. */
 static void draw_bar(const struct body *b, int lines)
 {
     int x = b->canvas->fb->w - MARGIN / 2 - BAR, h = b->shown * CANVAS_LINE_H;

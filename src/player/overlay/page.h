@@ -1,6 +1,6 @@
 /*
- * page.h - a message that is to be read, in the larger face: a title, what happened, what more there is, what to do. It
- * covers as much of the picture as it needs, from the top, and can be scrolled where that is not enough.
+ * page.h - draws a page of text in the larger font: title, text, details, and instructions at the foot. It covers as
+ * much of the picture as it needs, from the top, and scrolls if it doesn't fit.
  */
 #ifndef PLAYER_PAGE_H
 #define PLAYER_PAGE_H
@@ -8,13 +8,13 @@
 #include "canvas.h"
 
 struct page {
-    const char *title, *text, *more, *foot; /* in UTF-8, \n ends a line; "": none. more is fainter */
-    int top;                                /* the first line that is shown, of text and more */
-    int most;                               /* page_draw's: how far top may go */
+    const char *title, *text, *more, *foot; /* UTF-8 with \n; "": none. more is drawn in grey */
+    int top;                                /* index of the first line of text and more that is shown */
+    int most;                               /* set by page_draw: the largest useful top */
 };
 
-/* Draws it from the picture's top down, and sets p->most. A top that is too large is as the largest. Returns the row
- * after it. */
+/* Draws the page from the picture's top and sets p->most. If p->top is larger, uses p->most. Returns the row after the
+ * page. */
 int page_draw(const struct canvas *canvas, struct page *p);
 
 #endif

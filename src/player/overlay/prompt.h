@@ -1,5 +1,5 @@
 /*
- * prompt.h - the prompt for a frame number: digits, Backspace, Enter and Escape, read from the keyboard itself.
+ * prompt.h - the prompt for a frame number. Reads digits, Backspace, Enter and Escape from the keyboard.
  */
 #ifndef PLAYER_PROMPT_H
 #define PLAYER_PROMPT_H
@@ -16,7 +16,8 @@ struct prompt {
 
 void prompt_open(struct prompt *p, const struct plat_input *in);
 
-/* The keys of a poll while it is open. True once, when Enter gave a number; Escape and an empty Enter only close. */
+/* Handles the keys of a poll while the prompt is open. Returns true when Enter is pressed after a number. Escape, and
+ * Enter without a number, only close the prompt. */
 bool prompt_poll(struct prompt *p, const struct plat_input *in, uint32_t *frame);
 
 #endif

@@ -9,10 +9,10 @@
  *     lang = de
  *     p1.fire = z space pad.south
  *
- * A line is `name = value`; # starts a comment, blank lines are skipped. A name is one of the table in config.c or an
- * action of keys.h. What is not mentioned keeps its default, the last of two equal names counts. A line that is not
- * right is refused with file and line, and then nothing of the file counts. The file is CONFIG_FILE. The settings
- * screen writes what was changed there into it, and leaves the rest as it is, comments included.
+ * A line is `name = value`; # starts a comment, and blank lines are skipped. A name is a setting in the table of
+ * config.c or an action of keys.h. A setting that is not in the file has its default; if a name occurs twice, the last
+ * line counts. If a line is wrong, the error names file and line, and the whole file is ignored. The file is
+ * CONFIG_FILE. The settings screen changes only the lines of settings that were changed there, and preserves comments.
  */
 #ifndef PLAYER_CONFIG_H
 #define PLAYER_CONFIG_H
@@ -43,10 +43,10 @@ struct config {
     int run_ahead;             /* frames: 0 or 1 */
     int panels;                /* enum panels */
     int speed;                 /* 0, 1, 2: a frame lasts 1, 2, 4 sixtieths */
-    int away;                  /* 0 or 1: stop when the window loses the keys */
-    int replays;               /* 0 to 1000: runs of a game that are kept without a name */
-    int resume;                /* 0 or 1: a run that is left is kept to go on with */
-    int capture_seconds;       /* 5 to 60: of the film that a key makes */
+    int away;                  /* 0 or 1: pause when the window loses focus */
+    int replays;               /* 0 to 1000: unnamed replays to save per game */
+    int resume;                /* 0 or 1: save an unfinished run to resume it */
+    int capture_seconds;       /* 5 to 60: length of a clip */
     int dim, flashes, colours; /* as in views.h */
     int hitbox;                /* 0 or 1 */
     int autofire[MAX_PLAYERS], focus[MAX_PLAYERS],
@@ -54,7 +54,7 @@ struct config {
     char lang[16];             /* of games that have it; "": none */
 };
 
-/* A setting that has a number or a word: all but lang and the keys. */
+/* A setting whose value is a number or a word: all except lang and key bindings. */
 struct config_setting {
     const char *name;  /* in the file */
     const char *label; /* on the screen */

@@ -1,6 +1,6 @@
 /*
- * config_write.c - see config.h: the settings written back. A file is edited line by line, so that what its owner wrote
- * stays: a line's comment too.
+ * config_write.c - saves settings (config.h). The file is edited line by line, so that the user's own lines and
+ * comments are preserved.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,12 +12,12 @@
 
 /* A text that grows. */
 struct text {
-    char *at; /* malloc; NULL: no memory */
+    char *at; /* malloc; NULL: out of memory */
     size_t n;
 };
 
-/* Puts s in place of `gone` bytes at `at`. */
-static void splice(struct text *t, size_t at, size_t gone, const char *s)
+/* Replaces `removed` bytes at `at` with s. */
+static void splice(struct text *t, size_t at, size_t removed, const char *s)
 {
     const size_t n = strlen(s);
     char *larger = t->at ? realloc(t->at, t->n + n + 1) : NULL;
@@ -28,12 +28,12 @@ static void splice(struct text *t, size_t at, size_t gone, const char *s)
         return;
     }
     t->at = larger;
-    memmove(larger + at + n, larger + at + gone, t->n - at - gone + 1);
+    memmove(larger + at + n, larger + at + removed, t->n - at - removed + 1);
     memcpy(larger + at, s, n);
-    t->n = t->n + n - gone;
+    t->n = t->n + n - removed;
 }
 
-/* Is this line, of n bytes, one of that name? Then its value is from *from to *to. */
+/* Returns whether a line of n bytes sets that name; its value is then from *from to *to. */
 static bool is_of(const char *line, size_t n, const char *name, size_t *from, size_t *to)
 {
     const char *hash = memchr(line, '#', n), *equals;
@@ -55,7 +55,7 @@ static bool is_of(const char *line, size_t n, const char *name, size_t *from, si
     return true;
 }
 
-/* Gives `name` a value: in its last line, or in a new one where there is none, or where it would get too long. */
+/* Sets a value in the name's last line, or in a new line if there is none or it would become too long. */
 static void set_line(struct text *t, const char *name, const char *value)
 {
     char words[CONFIG_LINE];
