@@ -11,7 +11,7 @@
 #include "game/version.h"
 #include "game/game.h"
 #include "game/workbench.h"
-#include "play/cab.h"
+#include "play/play.h"
 #include "game/embedded_rom.h"
 
 /* Returns whether a word names neither a file nor a folder; it is then more likely a misspelt command than a game. */
@@ -41,37 +41,37 @@ static bool is_games_folder(const char *path)
            plat_file_size(rom) >= 0;
 }
 
-struct play {
+struct play_command {
     const struct args *a;
     struct args next; /* for a game that was dropped on the window */
     char dropped[FILES_PATH_SIZE];
     const char *path;
     struct game game;
-    struct cab *cab; /* NULL: there is no window, and `result` is valid */
+    struct play *window; /* NULL: there is no window, and `result` is valid */
     enum result result;
     char wrong[1024];
 };
 
-static enum cab_opened open_game(void *user, struct cab_options *o, char *err, size_t err_size)
+static enum play_opened open_game(void *user, struct play_options *o, char *err, size_t err_size)
 {
-    struct play *p = user;
+    struct play_command *p = user;
 
     game_close(&p->game);
     o->cart = NULL;
     enum game_opened opened = game_try(&p->game, p->path, p->a, err, err_size);
     if (opened != GAME_OPENED)
-        return opened == GAME_WRONG ? CAB_WRONG : CAB_REFUSED;
+        return opened == GAME_WRONG ? PLAY_BROKEN_FOLDER : PLAY_BAD_ARGUMENTS;
     o->cart = &p->game.cart;
     o->start = p->game.start;
     o->demo = p->game.has_demo ? &p->game.demo : NULL;
-    return CAB_OPENED;
+    return PLAY_OPENED;
 }
 
 /* Opens a window for the game. On failure, sets p->result and returns false. */
-static bool play_it(struct play *p)
+static bool play_it(struct play_command *p)
 {
     const struct args *a = p->a;
-    struct cab_options o = { .path = p->path, .seeded = a->seeded, .record = a->record, .scale = a->scale };
+    struct play_options o = { .path = p->path, .seeded = a->seeded, .record = a->record, .scale = a->scale };
 
     o.fullscreen = a->fullscreen;
     o.mute = a->mute;
@@ -84,32 +84,32 @@ static bool play_it(struct play *p)
     o.sealed = embedded_rom_sealed();
     o.user = p;
     o.open = a->workbench && is_games_folder(p->path) ? open_game : NULL;
-    enum cab_opened opened = open_game(p, &o, p->wrong, sizeof p->wrong);
-    if (opened == CAB_REFUSED || (opened == CAB_WRONG && !o.open)) {
+    enum play_opened opened = open_game(p, &o, p->wrong, sizeof p->wrong);
+    if (opened == PLAY_BAD_ARGUMENTS || (opened == PLAY_BROKEN_FOLDER && !o.open)) {
         p->result = report_error(p->wrong);
         return false;
     }
     o.wrong = p->wrong;
-    p->cab = cab_open(&o);
-    if (!p->cab)
+    p->window = play_open(&o);
+    if (!p->window)
         p->result = report_line(RESULT_HOST_FAILED, "out of memory");
-    return p->cab != NULL;
+    return p->window != NULL;
 }
 
-/* Plays a game that was dropped on the window, with the options for the window but not those for the run. Returns false
- * if there is none or it cannot be played. */
-static bool play_next(struct play *p)
+/* A game that was dropped on the window: with what was said of the window, and nothing of the run. False: none was, or
+ * it cannot be played. */
+static bool play_next(struct play_command *p)
 {
     const struct args *was = p->a;
     struct args a = { .command = COMMAND_PLAY, .every = 1, .scale = was->scale, .fullscreen = was->fullscreen };
-    const bool is = cab_next(p->cab, p->dropped, sizeof p->dropped);
+    const bool is = play_dropped_game(p->window, p->dropped, sizeof p->dropped);
 
     a.workbench = was->workbench;
     a.mute = was->mute;
     a.nearest = was->nearest;
     a.verbose = was->verbose;
-    p->result = cab_close(p->cab);
-    p->cab = NULL;
+    p->result = play_close(p->window);
+    p->window = NULL;
     if (!is)
         return false;
     game_close(&p->game);
@@ -121,15 +121,15 @@ static bool play_next(struct play *p)
 
 static bool frame(void *of)
 {
-    struct play *p = of;
+    struct play_command *p = of;
 
-    return p->cab && (cab_frame(p->cab) || play_next(p));
+    return p->window && (play_frame(p->window) || play_next(p));
 }
 
 static enum result close(void *of)
 {
-    struct play *p = of;
-    const enum result result = p->cab ? cab_close(p->cab) : p->result;
+    struct play_command *p = of;
+    const enum result result = p->window ? play_close(p->window) : p->result;
 
     game_close(&p->game);
     free(p);
@@ -142,7 +142,7 @@ enum result command_play(const struct args *a, bool named, struct frame_command 
 
     if (path && is_nothing(path))
         return no_such_word(path, named);
-    struct play *p = calloc(1, sizeof *p);
+    struct play_command *p = calloc(1, sizeof *p);
     if (!p)
         return report_line(RESULT_HOST_FAILED, "out of memory");
     p->a = a;

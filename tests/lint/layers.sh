@@ -38,7 +38,7 @@ refuse "planted: the host's rounding" "for src/base/host.h alone" planted src/ba
 refuse "planted: the host's locale" "for src/base/host.h alone" planted src/player/verify.c '<locale.h>'
 refuse "planted: directories in a cycle" \
     "directories in a cycle: src/player/play -> src/player/overlay (src/player/play/" \
-    planted src/player/overlay/page.h '"../play/cab.h"'
+    planted src/player/overlay/page.h '"../play/play.h"'
 refuse "planted: a library's header" "<sndfile.h> need not be installed" \
     planted src/workbench/samples/sndfile.c '<sndfile.h>'
 has_include() {

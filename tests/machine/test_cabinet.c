@@ -16,7 +16,7 @@
 #include "../../src/player/replay.h"
 #include "../../src/player/settings/config.h"
 #include "../../src/common/files.h"
-#include "../../src/player/play/cab.h"
+#include "../../src/player/play/play.h"
 #include "../../src/player/replays/replays.h"
 #include "../../src/player/replays/roms.h"
 #include "../../platform/platform.h"
@@ -408,14 +408,14 @@ static void load(void)
         fail_msg("%s", err);
 }
 
-static void play(const struct cab_options *o)
+static void play_until_quit(const struct play_options *o)
 {
-    struct cab *cab = cab_open(o);
+    struct play *play = play_open(o);
 
-    assert_non_null(cab);
-    while (cab_frame(cab))
+    assert_non_null(play);
+    while (play_frame(play))
         ;
-    const enum result result = cab_close(cab);
+    const enum result result = play_close(play);
     if (result != RESULT_DONE && result != RESULT_REFUSED) /* refused: a script that was made wrong has faulted */
         fail_msg("result %d", (int)result);
     assert_true(port.shown + port.painted > 0);
@@ -450,14 +450,14 @@ static void expect_replays_hold(void)
 }
 
 /* So many polls of random hands on a run from power-on that is recorded, then as many on its playback. */
-static void recorded(struct cab_options *o, unsigned mode, int polls)
+static void recorded(struct play_options *o, unsigned mode, int polls)
 {
     char record[300];
     struct demo d;
 
     snprintf(record, sizeof record, "%s/run.demo", root);
     o->record = record;
-    play(o);
+    play_until_quit(o);
     read_demo(record, &d);
     if (!(mode & FILES)) {
         expect_holds(&d, &cart);
@@ -465,49 +465,49 @@ static void recorded(struct cab_options *o, unsigned mode, int polls)
         o->record = NULL;
         o->start = d.start;
         o->demo = &d;
-        play(o);
+        play_until_quit(o);
     }
     demo_free(&d);
 }
 
 /* The same without a recording, so there is practice; what was left of it is then gone on with, or asked for. */
-static void left(struct cab_options *o, int polls)
+static void left(struct play_options *o, int polls)
 {
-    play(o);
+    play_until_quit(o);
     port.left += polls;
     o->resume = below(2) == 0;
-    play(o);
+    play_until_quit(o);
 }
 
 /* A monkey in the screens, with a second window on the same home that nobody looks at. What has ended is opened again,
  * until all polls are used. */
-static void walk(struct cab_options *o)
+static void walk(struct play_options *o)
 {
-    struct cab_options other = *o;
-    struct cab *cab = NULL, *second = cab_open(&other);
+    struct play_options other = *o;
+    struct play *play = NULL, *second = play_open(&other);
     char next[FILES_PATH_SIZE];
 
     assert_non_null(second);
     while (port.polls < port.left) {
         o->resume = below(2) == 0;
-        cab = cab_open(o);
-        assert_non_null(cab);
-        while (cab_frame(cab))
-            if (second && below(8) == 0 && !cab_frame(second)) {
-                cab_close(second);
+        play = play_open(o);
+        assert_non_null(play);
+        while (play_frame(play))
+            if (second && below(8) == 0 && !play_frame(second)) {
+                play_close(second);
                 second = NULL;
             }
-        dropped += cab_next(cab, next, sizeof next);
-        cab_close(cab);
+        dropped += play_dropped_game(play, next, sizeof next);
+        play_close(play);
     }
     if (second)
-        cab_close(second);
+        play_close(second);
     painted += port.painted;
 }
 
 static void one_run(const char *game, uint64_t seed, unsigned mode, int polls)
 {
-    struct cab_options o = { .cart = &cart, .path = game, .load = pack_load_game, .seeded = true };
+    struct play_options o = { .cart = &cart, .path = game, .load = pack_load_game, .seeded = true };
 
     begin(game, seed, polls);
     port.console = mode & CONSOLE;

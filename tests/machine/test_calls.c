@@ -15,7 +15,7 @@
 #include "rig.h"
 #include "../temp.h"
 #include "../../src/base/rng.h"
-#include "../../src/player/play/cab.h"
+#include "../../src/player/play/play.h"
 #include "../../platform/platform.h"
 
 enum { SECOND = 1000000, MANY = 40, FRAMES = 150, FEW = 50 };
@@ -115,9 +115,9 @@ void plat_log(const char *line)
 static struct rig_game games[2];
 static const char *const names[] = { "examples/first", "roms/testcard" };
 
-static struct cab *open_cabinet(int i, const char *record)
+static struct play *open_play(int i, const char *record)
 {
-    struct cab_options o = {
+    struct play_options o = {
         .cart = &games[i].cart, .load = pack_load_game, .seeded = true, .record = record, .version = "test"
     };
 
@@ -127,22 +127,22 @@ static struct cab *open_cabinet(int i, const char *record)
     o.start = (struct board_start){ .difficulty = -1, .seed = 7 };
     for (int k = 0; k < games[i].cart.manifest.n_dips; k++)
         o.start.dip[k] = games[i].cart.manifest.dips[k].default_value;
-    struct cab *cab = cab_open(&o);
-    assert_non_null(cab);
-    return cab;
+    struct play *play = play_open(&o);
+    assert_non_null(play);
+    return play;
 }
 
-static bool frame(int i, struct cab *cab)
+static bool frame(int i, struct play *play)
 {
     at = &windows[i];
     at->now += SECOND / 60 + 1;
-    return cab_frame(cab);
+    return play_frame(play);
 }
 
-static enum result close_cabinet(int i, struct cab *cab)
+static enum result close_play(int i, struct play *play)
 {
     at = &windows[i];
-    const enum result result = cab_close(cab);
+    const enum result result = play_close(play);
     assert_false(at->open);
     return result;
 }
@@ -160,12 +160,12 @@ static void open_and_close(int n, int frames)
     size_t before = 0;
 
     for (int i = 0; i < n; i++) {
-        struct cab *cab = open_cabinet(i & 1, NULL);
+        struct play *play = open_play(i & 1, NULL);
         windows[i & 1].rng.s[0] += (uint64_t)i; /* other hands each time */
-        for (int k = 0; k < frames && frame(i & 1, cab); k++)
+        for (int k = 0; k < frames && frame(i & 1, play); k++)
             ;
         assert_true(windows[i & 1].shown > frames / 2);
-        assert_int_equal(close_cabinet(i & 1, cab), RESULT_DONE);
+        assert_int_equal(close_play(i & 1, play), RESULT_DONE);
         if (i < 8) /* the C library's own: time zones, buffers */
             before = heap();
         else if (heap() > before)
@@ -204,28 +204,28 @@ static void expect_same_file(const char *a, const char *b)
 static void test_two_at_once(void **state)
 {
     static const char *const alone[] = { "alone-0.demo", "alone-1.demo" }, *const both[] = { "0.demo", "1.demo" };
-    struct cab *cabs[2];
+    struct play *plays[2];
     int shown[2];
 
     (void)state;
     for (int i = 0; i < 2; i++) {
-        struct cab *cab = open_cabinet(i, alone[i]);
+        struct play *play = open_play(i, alone[i]);
         for (int k = 0; k < (4 + i) * FRAMES; k++)
-            frame(i, cab); /* hands may have left it */
-        assert_int_equal(close_cabinet(i, cab), RESULT_DONE);
+            frame(i, play); /* hands may have left it */
+        assert_int_equal(close_play(i, play), RESULT_DONE);
         shown[i] = windows[i].shown;
         assert_true(shown[i] > FRAMES);
     }
     for (int i = 0; i < 2; i++)
-        cabs[i] = open_cabinet(i, both[i]);
+        plays[i] = open_play(i, both[i]);
     for (int k = 0; k < 4 * FRAMES; k++)
         for (int i = 0; i < 2; i++)
-            frame(i, cabs[i]);
-    assert_int_equal(close_cabinet(0, cabs[0]), RESULT_DONE);
+            frame(i, plays[i]);
+    assert_int_equal(close_play(0, plays[0]), RESULT_DONE);
     assert_true(windows[1].open); /* it goes on without the other */
     for (int k = 0; k < FRAMES; k++)
-        frame(1, cabs[1]);
-    assert_int_equal(close_cabinet(1, cabs[1]), RESULT_DONE);
+        frame(1, plays[1]);
+    assert_int_equal(close_play(1, plays[1]), RESULT_DONE);
     expect_same_file(alone[0], both[0]);
     assert_int_equal(windows[0].shown, shown[0]);
     assert_int_equal(windows[1].shown, shown[1]);
@@ -259,12 +259,12 @@ static void expect_loop_found(void)
     struct rig_game was = games[0];
 
     load_folder(&games[0], "endless");
-    struct cab *cab = open_cabinet(0, NULL);
+    struct play *play = open_play(0, NULL);
     windows[0].busy = false;
     for (int k = 0; k < 20; k++)
-        assert_true(frame(0, cab));
+        assert_true(frame(0, play));
     assert_true(windows[0].logged > 0);
-    assert_int_equal(close_cabinet(0, cab), RESULT_REFUSED);
+    assert_int_equal(close_play(0, play), RESULT_REFUSED);
     rom_image_free(&games[0].image);
     games[0] = was;
 }
@@ -295,7 +295,7 @@ static void test_a_crash_is_its_own(void **state)
         setrlimit(RLIMIT_CORE, &none);
         signal(SIGSEGV, SIG_DFL);
         (void)!freopen("said", "w", stderr);
-        struct cab *first = open_cabinet(0, NULL), *second = open_cabinet(1, NULL);
+        struct play *first = open_play(0, NULL), *second = open_play(1, NULL);
         for (int k = 0; k < 10; k++) {
             frame(0, first);
             frame(1, second);

@@ -100,7 +100,7 @@ static void frame(int ticks, double late, double lost)
 
 static const double sixtieth = 1e6 / 60;
 
-/* The cabinet's clock (cab.c) with ticks that take so long: where it is in time, and what is due. */
+/* The cabinet's clock (play.c) with ticks that take so long: where it is in time, and what is due. */
 struct clock {
     double now, base;
     int frames;
@@ -439,7 +439,7 @@ static void test_slow_motion(void **state)
         exact(100);
         even(20);
         for (int i = 0; i < 80; i++) {
-            if (i % slow == slow - 1) { /* as cab.c does: the tick comes last */
+            if (i % slow == slow - 1) { /* as play.c does: the tick comes last */
                 rig_run(&rig, 1);
                 speaker_hear(&speaker, rig.b, SPEAKER_ON, slow);
             }

@@ -16,7 +16,7 @@
 #include "../../src/base/hash.h"
 #include "../../src/base/rng.h"
 #include "../../src/workbench/pack/pack.h"
-#include "../../src/player/play/cab.h"
+#include "../../src/player/play/play.h"
 #include "../../tests/temp.h"
 #include "../report/report.h"
 #include "pacing.h"
@@ -162,8 +162,8 @@ static void write_game(const char *folder, bool late)
 
 static void play(const char *folder)
 {
-    const struct cab_options options = { .start = { .seed = 1, .difficulty = -1 }, .seeded = true, .mute = true };
-    struct cab_options with = options;
+    const struct play_options options = { .start = { .seed = 1, .difficulty = -1 }, .seeded = true, .mute = true };
+    struct play_options with = options;
     struct rom_image image;
     struct cart cart;
     char err[512];
@@ -171,10 +171,10 @@ static void play(const char *folder)
     if (!pack_load_game(folder, false, &image, err, sizeof err) || !cart_open(&cart, &image.rom, err, sizeof err))
         report_fail(err);
     with.cart = &cart;
-    struct cab *cab = cab_open(&with);
-    while (cab && cab_frame(cab))
+    struct play *play = play_open(&with);
+    while (play && play_frame(play))
         ;
-    if (!cab || cab_close(cab) != RESULT_DONE)
+    if (!play || play_close(play) != RESULT_DONE)
         report_fail("the game did not play");
     rom_image_free(&image);
 }

@@ -1,70 +1,58 @@
 /*
- * screen_keys.c - every key and button and what it does; another one by pressing it. What a new switch did before it
- * does no more, but for the same button of the other player's controller.
+ * screen_keys.c - every key and button and its action; new ones are added by pressing them. A key added to an action is
+ * removed from its other actions, except the same button of the other player's controller.
  */
 #include <stdio.h>
 #include <string.h>
 #include "../input/switch.h"
-#include "cab_parts.h"
+#include "play_state.h"
 
-enum { GROUPS = MAX_PLAYERS + 1 };
+/* A row is an action, RESET, or the heading of a group: HEADING - group. */
+enum {
+    RESET = -1,
+    HEADING = -2,
+    MAX_ROWS = KEYS_ACTIONS + MAX_PLAYERS + 2,
+    PLAYER_ACTIONS = MAX_PLAYERS * PAD_BUTTON_COUNT
+};
 
-/* Has the program this key of the cabinet? */
-static bool has_key(struct cab *cab, int key)
-{
-    return !(cab->options.sealed && KEYS_INSIDE >> key & 1);
-}
-
-/* How many of the cabinet's keys there are; number n of them. */
-static int cabinet_keys(struct cab *cab)
+/* The groups are the players, then the program's keys. Returns the number of rows. */
+static int list_rows(const struct play *play, int list[MAX_ROWS])
 {
     int n = 0;
 
+    for (int action = 0; action < PLAYER_ACTIONS; action++) {
+        if (action % PAD_BUTTON_COUNT == 0)
+            list[n++] = HEADING - action / PAD_BUTTON_COUNT;
+        list[n++] = action;
+    }
+    list[n++] = HEADING - MAX_PLAYERS;
     for (int key = 0; key < CAB_KEYS; key++)
-        n += has_key(cab, key);
+        if (!play->options.sealed || !(KEYS_INSIDE >> key & 1))
+            list[n++] = PLAYER_ACTIONS + key;
+    list[n++] = RESET;
     return n;
 }
 
-static int cabinet_key(struct cab *cab, int n)
+static int row_at(const struct play *play, int at)
 {
-    int key = 0;
+    int list[MAX_ROWS];
 
-    while (n > 0 || !has_key(cab, key))
-        n -= has_key(cab, key++);
-    return key;
-}
-
-/* The last row, which makes all as it was. */
-static int standard_row(struct cab *cab)
-{
-    return MAX_PLAYERS * (PAD_BUTTON_COUNT + 1) + 1 + cabinet_keys(cab);
-}
-
-/* The action of a row; -1: a heading, or the last row. Each group has a heading: the players, then the cabinet. */
-static int action_at(struct cab *cab, int at)
-{
-    const int group = at / (PAD_BUTTON_COUNT + 1), row = at % (PAD_BUTTON_COUNT + 1);
-    const int cabinet = at - MAX_PLAYERS * (PAD_BUTTON_COUNT + 1);
-
-    if (group < MAX_PLAYERS)
-        return row == 0 ? -1 : group * PAD_BUTTON_COUNT + row - 1;
-    return cabinet == 0 || at >= standard_row(cab) ? -1
-                                                   : MAX_PLAYERS * PAD_BUTTON_COUNT + cabinet_key(cab, cabinet - 1);
+    list_rows(play, list);
+    return list[at];
 }
 
 static int rows(void *of)
 {
-    struct cab *cab = of;
+    int list[MAX_ROWS];
 
-    return standard_row(cab) + 1;
+    return list_rows(of, list);
 }
 
-/* All switches of an action as they are printed: "z, cross". */
-static void labels_of(struct cab *cab, int action, char *out, size_t size)
+/* The labels of all keys and buttons of an action: "z, cross". */
+static void labels_of(struct play *play, int action, char *out, size_t size)
 {
-    const struct keys *k = &cab->config.keys;
-    const struct keys_device *d =
-        action < MAX_PLAYERS * PAD_BUTTON_COUNT ? &k->player[action / PAD_BUTTON_COUNT] : &k->cabinet;
+    const struct keys *k = &play->config.keys;
+    const struct keys_device *d = action < PLAYER_ACTIONS ? &k->player[action / PAD_BUTTON_COUNT] : &k->cabinet;
     char label[SWITCH_NAME];
     size_t n = 0;
 
@@ -77,23 +65,10 @@ static void labels_of(struct cab *cab, int action, char *out, size_t size)
     }
 }
 
-static void describe_heading(struct cab *cab, int at, struct screen_row *row)
+/* The action's meaning, and the keys of this screen, on the device that was used last. */
+static void describe_help(struct play *play, const char *meaning, struct screen_row *row)
 {
-    row->heading = at != standard_row(cab);
-    if (!row->heading) {
-        snprintf(row->label, sizeof row->label, "Reset All");
-        snprintf(row->help, sizeof row->help, "Restore the default keys and buttons.");
-    } else if (at < MAX_PLAYERS * (PAD_BUTTON_COUNT + 1)) {
-        snprintf(row->label, sizeof row->label, "Player %d", at / (PAD_BUTTON_COUNT + 1) + 1);
-    } else {
-        snprintf(row->label, sizeof row->label, "General");
-    }
-}
-
-/* What it is for, and what to press here, on what was used last. */
-static void describe_how(struct cab *cab, const char *meaning, struct screen_row *row)
-{
-    const struct keys_device *d = &cab->config.keys.cabinet;
+    const struct keys_device *d = &play->config.keys.cabinet;
     char more[SWITCH_NAME] = "Enter", less[SWITCH_NAME] = "Delete";
 
     if (d->controller) {
@@ -108,104 +83,113 @@ static void describe_how(struct cab *cab, const char *meaning, struct screen_row
 
 static void describe(void *of, int at, struct screen_row *row)
 {
-    struct cab *cab = of;
-    const int action = action_at(cab, at);
+    struct play *play = of;
+    const struct key_capture *capture = &play->key_capture;
+    const int action = row_at(play, at);
 
-    if (action < 0) {
-        describe_heading(cab, at, row);
+    if (action == RESET) {
+        snprintf(row->label, sizeof row->label, "Reset All");
+        snprintf(row->help, sizeof row->help, "Restore the default keys and buttons.");
         return;
     }
-    const int same = action < MAX_PLAYERS * PAD_BUTTON_COUNT ? action % PAD_BUTTON_COUNT
-                                                             : action; /* both players' buttons mean the same */
+    if (action < 0) {
+        row->heading = true;
+        if (HEADING - action < MAX_PLAYERS)
+            snprintf(row->label, sizeof row->label, "Player %d", HEADING - action + 1);
+        else
+            snprintf(row->label, sizeof row->label, "General");
+        return;
+    }
     snprintf(row->label, sizeof row->label, "%s", keys_label(action));
-    labels_of(cab, action, row->value, sizeof row->value);
-    if (cab->wait.listening && cab->wait.action == action)
+    labels_of(play, action, row->value, sizeof row->value);
+    if (capture->listening && capture->action == action)
         snprintf(row->value, sizeof row->value, "Press a key...");
-    describe_how(cab, keys_meaning(same), row);
+    /* both players' buttons mean the same */
+    describe_help(play, keys_meaning(action < PLAYER_ACTIONS ? action % PAD_BUTTON_COUNT : action), row);
 }
 
 /* ---- changes ---- */
 
-static void take(struct cab *cab, uint16_t code)
+static void take(struct play *play, uint16_t code)
 {
-    struct keys *k = &cab->config.keys;
-    const char *name = keys_action(cab->wait.action), *other = keys_conflict(k, name, code);
+    struct keys *k = &play->config.keys;
+    const char *name = keys_action(play->key_capture.action), *other = keys_conflict(k, name, code);
     char err[160], label[SWITCH_NAME], title[KEYS_TITLE], before[KEYS_TITLE];
 
     switch_label(code, k->cabinet.kind, label, sizeof label);
     keys_title(name, title, sizeof title);
     if (!keys_add(k, name, code, err, sizeof err)) {
-        screens_say(&cab->screens, "%s", err);
+        screens_say(&play->screens, "%s", err);
         return;
     }
     if (!other) {
-        screens_say(&cab->screens, "%s: %s", title, label);
+        screens_say(&play->screens, "%s: %s", title, label);
         return;
     }
     keys_title(other, before, sizeof before);
-    screens_say(&cab->screens, "%s: %s (was %s)", title, label, before);
+    screens_say(&play->screens, "%s: %s (was %s)", title, label, before);
     for (; other; other = keys_conflict(k, name, code))
         keys_drop(k, other, code);
 }
 
 static bool listen(void *of, const struct plat_input *in)
 {
-    struct cab *cab = of;
+    struct play *play = of;
+    struct key_capture *c = &play->key_capture;
 
-    if (!cab->wait.listening)
+    if (!c->listening)
         return false;
-    if (!cab->wait.began)
-        keys_capture_begin(&cab->wait.capture, in);
-    const uint16_t code = cab->wait.began ? keys_capture(&cab->wait.capture, in) : 0;
-    cab->wait.began = true;
+    if (!c->started)
+        keys_capture_begin(&c->capture, in);
+    const uint16_t code = c->started ? keys_capture(&c->capture, in) : 0;
+    c->started = true;
     if (code) {
-        cab->wait.listening = false;
+        c->listening = false;
         if (!keys_reserved(code))
-            take(cab, code);
+            take(play, code);
     }
     return true;
 }
 
-static void all_as_they_were(void *of)
+static void reset_all(void *of)
 {
-    struct cab *cab = of;
-    struct keys standard;
+    struct play *play = of;
+    struct keys defaults;
 
-    keys_defaults(&standard);
-    memcpy(cab->config.keys.code, standard.code, sizeof standard.code);
-    cab_apply_settings(cab);
+    keys_defaults(&defaults);
+    memcpy(play->config.keys.code, defaults.code, sizeof defaults.code);
+    play_apply_settings(play);
 }
 
 static void accept(void *of, int at)
 {
-    struct cab *cab = of;
+    struct play *play = of;
+    const int action = row_at(play, at);
     char title[KEYS_TITLE];
 
-    if (at == standard_row(cab)) {
-        screens_ask(&cab->screens, "Reset all key bindings?", "Reset", all_as_they_were, cab);
+    if (action == RESET) {
+        screens_ask(&play->screens, "Reset all key bindings?", "Reset", reset_all, play);
         return;
     }
-    cab->wait.listening = true;
-    cab->wait.began = false;
-    cab->wait.action = action_at(cab, at);
-    keys_title(keys_action(cab->wait.action), title, sizeof title);
-    screens_say(&cab->screens, "%s: press a key or button. Escape: cancel.", title);
+    play->key_capture = (struct key_capture){ .listening = true, .action = action };
+    keys_title(keys_action(action), title, sizeof title);
+    screens_say(&play->screens, "%s: press a key or button. Escape: cancel.", title);
 }
 
-/* The last switch that may be taken away. */
-static void drop_one(void *of, int at)
+/* Removes the last key that can be removed. */
+static void remove_one(void *of, int at)
 {
-    struct cab *cab = of;
-    const int action = action_at(cab, at);
+    struct play *play = of;
+    const int action = row_at(play, at);
 
     for (int i = KEYS_EACH - 1; action >= 0 && i >= 0; i--) {
-        const uint16_t code = cab->config.keys.code[action][i];
+        const uint16_t code = play->config.keys.code[action][i];
         if (code && !keys_reserved(code)) {
             char label[SWITCH_NAME], title[KEYS_TITLE];
-            switch_label(code, cab->config.keys.cabinet.kind, label, sizeof label);
+            switch_label(code, play->config.keys.cabinet.kind, label, sizeof label);
             keys_title(keys_action(action), title, sizeof title);
-            screens_say(&cab->screens, "%s: removed %s", title, label);
-            keys_drop(&cab->config.keys, keys_action(action), code);
+            screens_say(&play->screens, "%s: removed %s", title, label);
+            keys_drop(&play->config.keys, keys_action(action), code);
             return;
         }
     }
@@ -213,25 +197,24 @@ static void drop_one(void *of, int at)
 
 static void closed(void *of)
 {
-    struct cab *cab = of;
+    struct play *play = of;
 
-    cab->wait.listening = false;
-    memcpy(cab->kept.keys.code, cab->config.keys.code, sizeof cab->kept.keys.code);
-    cab_save_settings(cab);
+    play->key_capture.listening = false;
+    memcpy(play->saved_config.keys.code, play->config.keys.code, sizeof play->saved_config.keys.code);
+    play_save_settings(play);
 }
 
 const struct screen_def keys_screen = { .title = "Key Bindings",
                                         .rows = rows,
                                         .row = describe,
                                         .accept = accept,
-                                        .remove = drop_one,
+                                        .remove = remove_one,
                                         .listen = listen,
                                         .closed = closed };
 
-void cab_open_keys(struct cab *cab)
+void play_open_keys(struct play *play)
 {
-    if (cab->attracting)
-        cab_attract_end(cab);
-    cab->wait.listening = false;
-    screens_open(&cab->screens, &keys_screen, cab);
+    attract_end(&play->attract);
+    play->key_capture.listening = false;
+    screens_open(&play->screens, &keys_screen, play);
 }

@@ -1,161 +1,169 @@
 /*
- * screen_menu.c - the small menu that Escape opens: the way to all other screens, and out. It never throws a run away
- * unasked.
+ * screen_menu.c - the menu that Escape opens: all other screens, and quitting. It asks before a run is lost.
  */
 #include <stdio.h>
 #include <string.h>
-#include "cab_parts.h"
+#include "play_state.h"
 
-enum entry { GO_ON, PLAY_ON, BACK, REPLAYS, SETTINGS, KEYS, CONTROLLERS, PRACTICE, LOG, ANEW, LEAVE, ENTRIES };
+enum entry {
+    RESUME,
+    TAKE_OVER,
+    QUIT_REPLAY,
+    REPLAYS,
+    SETTINGS,
+    KEYS,
+    CONTROLLERS,
+    PRACTICE,
+    LOG,
+    TITLE,
+    QUIT,
+    ENTRIES
+};
 
-/* The entries that there are, in their order; returns how many. */
-static int entries(struct cab *cab, enum entry list[ENTRIES])
+static const struct {
+    const char *label, *help;
+} texts[ENTRIES] = {
+    [RESUME] = { "Resume", "" },
+    [TAKE_OVER] = { "Play from Here", "Take over: practise from this frame, or record a new demo." },
+    [QUIT_REPLAY] = { "Quit Replay", "End the replay and return to the title." },
+    [REPLAYS] = { "Replays", "Watch or save recent runs, or practise from any frame." },
+    [SETTINGS] = { "Settings", "Picture, sound and gameplay." },
+    [KEYS] = { "Key Bindings", "Change what each key and button does." },
+    [CONTROLLERS] = { "Controllers", "Choose which player uses which controller." },
+    [PRACTICE] = { "Practice", "Practise any stage, mark or boss phase." },
+    [LOG] = { "Log", "Script output and errors." },
+    [TITLE] = { "Quit to Title", "End this run and return to the title." },
+    [QUIT] = { "Quit", "" },
+};
+
+static bool is_shown(const struct play *play, enum entry e)
 {
-    int n = 0;
+    const bool playback = play->session.demo != NULL, watching = play->replay.watching;
 
-    for (int e = 0; e < ENTRIES; e++) {
-        const bool playback = cab->session.demo != NULL;
-        const bool watched = cab->guest.watching, bound = cab->options.demo || cab->options.record;
-        if (e == PLAY_ON                 ? playback
-            : e == BACK                  ? watched
-            : e == REPLAYS               ? !bound
-            : e == PRACTICE || e == ANEW ? !playback && !watched
-                                         : true)
-            list[n++] = (enum entry)e;
+    switch (e) {
+    case TAKE_OVER:
+        return playback;
+    case QUIT_REPLAY:
+        return watching;
+    case REPLAYS:
+        return !play->options.demo && !play->options.record;
+    case PRACTICE:
+    case TITLE:
+        return !playback && !watching;
+    default:
+        return true;
     }
-    return n;
 }
 
-static enum entry entry_at(struct cab *cab, int at)
+/* The entry of a row; ENTRIES: there are fewer rows. */
+static enum entry entry_at(const struct play *play, int at)
 {
-    enum entry list[ENTRIES];
+    enum entry e = RESUME;
 
-    entries(cab, list);
-    return list[at];
+    while (e < ENTRIES && (!is_shown(play, e) || at-- > 0))
+        e++;
+    return e;
 }
 
 static int rows(void *of)
 {
-    struct cab *cab = of;
-    enum entry list[ENTRIES];
+    int n = 0;
 
-    return entries(cab, list);
+    while (entry_at(of, n) < ENTRIES)
+        n++;
+    return n;
 }
 
 static void row(void *of, int at, struct screen_row *row)
 {
-    struct cab *cab = of;
-    static const char *const labels[] = { "Resume",   "Play from Here", "Quit Replay", "Replays",
-                                          "Settings", "Key Bindings",   "Controllers", "Practice",
-                                          "Log",      "Quit to Title",  "Quit" };
-    static const char *const helps[] = {
-        "",
-        "Take over: practise from this frame, or record a new demo.",
-        "End the replay and return to the title.",
-        "Watch or save recent runs, or practise from any frame.",
-        "Picture, sound and gameplay.",
-        "Change what each key and button does.",
-        "Choose which player uses which controller.",
-        "Practise any stage, mark or boss phase.",
-        "Script output and errors.",
-        "End this run and return to the title.",
-        "",
-    };
-    const enum entry e = entry_at(cab, at);
+    const enum entry e = entry_at(of, at);
 
-    snprintf(row->label, sizeof row->label, "%s", labels[e]);
-    snprintf(row->help, sizeof row->help, "%s", helps[e]);
+    snprintf(row->label, sizeof row->label, "%s", texts[e].label);
+    snprintf(row->help, sizeof row->help, "%s", texts[e].help);
 }
 
-static void leave(void *of)
+static void quit(void *of)
 {
-    struct cab *cab = of;
+    struct play *play = of;
 
-    cab->quit = true;
+    play->quit = true;
 }
 
-static void begin_anew(void *of)
+/* Asks first if a run would be lost. */
+static void end_run(struct play *play, const char *question, const char *yes, void (*then)(void *of))
 {
-    struct cab *cab = of;
-
-    screens_close_all(&cab->screens);
-    cab_begin_anew(cab);
+    if (play_has_run(play))
+        screens_ask(&play->screens, question, yes, then, play);
+    else
+        then(play);
 }
 
 static void accept(void *of, int at)
 {
-    struct cab *cab = of;
+    struct play *play = of;
+    const enum entry e = entry_at(play, at);
 
-    switch (entry_at(cab, at)) {
-    case GO_ON:
-        screens_close_all(&cab->screens);
+    if (e == RESUME || e == TAKE_OVER || e == QUIT_REPLAY || e == PRACTICE)
+        screens_close_all(&play->screens);
+    switch (e) {
+    case TAKE_OVER:
+        play_take_over(play);
         break;
-    case PLAY_ON:
-        screens_close_all(&cab->screens);
-        cab_take_over(cab);
-        break;
-    case BACK:
-        screens_close_all(&cab->screens);
-        cab_home(cab);
+    case QUIT_REPLAY:
+        play_return_to_title(play);
         break;
     case REPLAYS:
-        cab_open_replays(cab);
+        play_open_replays(play);
         break;
     case SETTINGS:
-        cab_open_settings(cab);
+        play_open_settings(play);
         break;
     case KEYS:
-        cab_open_keys(cab);
+        play_open_keys(play);
         break;
     case CONTROLLERS:
-        cab_open_controllers(cab);
+        play_open_controllers(play);
         break;
     case PRACTICE:
-        screens_close_all(&cab->screens);
-        cab_open_practice(cab);
+        play_open_practice(play);
         break;
     case LOG:
-        cab_open_log(cab);
+        play_open_log(play);
         break;
-    case ANEW:
-        if (cab_run_is_on(cab))
-            screens_ask(&cab->screens,
-                        cab->keep.on && cab->config.replays > 0 ? "Quit to the title? This run is saved as a replay."
-                                                                : "Quit to the title and lose this run?",
-                        "Quit to Title", begin_anew, cab);
-        else
-            begin_anew(cab);
+    case TITLE:
+        end_run(play,
+                play->autosave.on && play->config.replays > 0 ? "Quit to the title? This run is saved as a replay."
+                                                              : "Quit to the title and lose this run?",
+                "Quit to Title", play_restart);
+        break;
+    case QUIT:
+        end_run(play,
+                play->autosave.on && play->autosave.resumable ? "Quit? You can resume this run next time."
+                                                              : "Quit and lose this run?",
+                "Quit", quit);
         break;
     default:
-        if (cab_run_is_on(cab))
-            screens_ask(&cab->screens,
-                        cab->keep.on && cab->keep.spare ? "Quit? You can resume this run next time."
-                                                        : "Quit and lose this run?",
-                        "Quit", leave, cab);
-        else
-            leave(cab);
+        break;
     }
 }
 
 static const struct screen_def menu = { .title = "Menu", .small = true, .rows = rows, .row = row, .accept = accept };
 
-void cab_open_menu(struct cab *cab)
+void play_open_menu(struct play *play)
 {
-    if (cab->attracting)
-        cab_attract_end(cab);
-    screens_open(&cab->screens, &menu, cab);
+    attract_end(&play->attract);
+    screens_open(&play->screens, &menu, play);
 }
 
-bool cab_run_is_on(const struct cab *cab)
+bool play_has_run(const struct play *play)
 {
-    const bool in_menu = board_last_output(cab_live(cab))->menu_shown && !cab->keep.on;
+    const bool in_menu = board_last_output(play_board(play))->menu_shown && !play->autosave.on;
 
-    return !cab->session.demo && !cab_fault(cab) && board_frame(cab_live(cab)) > 0 && !in_menu;
+    return !play->session.demo && !play_fault(play) && board_frame(play_board(play)) > 0 && !in_menu;
 }
 
-void cab_open_log(struct cab *cab)
+void play_open_log(struct play *play)
 {
-    if (cab->attracting)
-        cab_attract_end(cab);
-    log_open(&cab->log, &cab->screens);
+    attract_end(&play->attract);
+    log_open(&play->log, &play->screens);
 }

@@ -1,6 +1,5 @@
 /*
- * screen_replays.c - the runs that are kept: what each was, with its picture; to watch, to save under a name, to
- * delete.
+ * screen_replays.c - the saved runs, with a thumbnail of each; watching, naming and deleting them.
  */
 #include <inttypes.h>
 #include <stdio.h>
@@ -8,9 +7,9 @@
 #include <time.h>
 #include "../../../platform/platform.h"
 #include "../../common/clean.h"
-#include "cab_parts.h"
+#include "play_state.h"
 
-/* ---- a replay in words ---- */
+/* ---- descriptions ---- */
 
 static void date_text(int64_t date, char *out, size_t size)
 {
@@ -21,7 +20,7 @@ static void date_text(int64_t date, char *out, size_t size)
         snprintf(out, size, "?");
 }
 
-/* What it was, in a sentence for the foot. */
+/* The help of its row. */
 static void describe(const struct replay_meta *c, char *out, size_t size)
 {
     static const char *const ends[REPLAY_ENDS] = { "unfinished", "all stages cleared", "game over", "quit",
@@ -40,203 +39,205 @@ static void describe(const struct replay_meta *c, char *out, size_t size)
         snprintf(out + n, size - (size_t)n, ", core version %u: playback may diverge", (unsigned)c->core);
 }
 
-static const struct replay_meta *metadata(struct cab *cab, int i)
+static const struct replay_meta *card(const struct play *play, int i)
 {
-    return &cab->view.list.list[i].meta;
+    return &play->replay_list.list.list[i].meta;
 }
 
-/* ---- what can be done with one ---- */
+/* ---- the actions on a replay ---- */
 
-enum act { WATCH, NAME, DELETE, ACTS };
+enum { WATCH, NAME, DELETE, ACTIONS };
 
-static int act_rows(void *of)
+static int action_rows(void *of)
 {
     (void)of;
-    return ACTS;
+    return ACTIONS;
 }
 
-static int chosen(struct cab *cab)
+static void action_row(void *of, int at, struct screen_row *row)
 {
-    return cab->screens.place[0].screen && cab->screens.deep ? cab->view.thumb_of : -1;
+    struct play *play = of;
+    static const struct {
+        const char *label, *help;
+    } texts[ACTIONS] = {
+        [WATCH] = { "Watch", "Watch from the start. T: take over and practise." },
+        [NAME] = { "Name Replay", "Named replays stay until you delete them." },
+        [DELETE] = { "Delete", "" },
+    };
+    const bool named = card(play, play->replay_list.thumb_of)->name[0];
+
+    snprintf(row->label, sizeof row->label, "%s", at == NAME && named ? "Rename" : texts[at].label);
+    snprintf(row->help, sizeof row->help, "%s", texts[at].help);
 }
 
-static void act_row(void *of, int at, struct screen_row *row)
+static const char *action_text(void *of)
 {
-    struct cab *cab = of;
-    static const char *const labels[] = { "Watch", "Name Replay", "Delete" };
-    static const char *const helps[] = { "Watch from the start. T: take over and practise.",
-                                         "Named replays stay until you delete them.", "" };
+    struct play *play = of;
 
-    snprintf(row->label, sizeof row->label, "%s",
-             at == NAME && metadata(cab, chosen(cab))->name[0] ? "Rename" : labels[at]);
-    snprintf(row->help, sizeof row->help, "%s", helps[at]);
-}
-
-static const char *act_text(void *of)
-{
-    struct cab *cab = of;
-
-    if (!cab->view.typing)
-        return metadata(cab, chosen(cab))->name;
-    snprintf(cab->view.text, sizeof cab->view.text, "Name: %s_\nEnter: save. Escape: cancel.", cab->view.typed);
-    return cab->view.text;
+    if (!play->replay_list.typing)
+        return card(play, play->replay_list.thumb_of)->name;
+    snprintf(play->replay_list.text, sizeof play->replay_list.text, "Name: %s_\nEnter: save. Escape: cancel.",
+             play->replay_list.typed);
+    return play->replay_list.text;
 }
 
 static void delete (void *of)
 {
-    struct cab *cab = of;
+    struct play *play = of;
     char err[256];
 
-    if (!replays_delete(&cab->view.list, cab->view.thumb_of, err, sizeof err)) {
-        screens_say(&cab->screens, "%s", err);
+    if (!replays_delete(&play->replay_list.list, play->replay_list.thumb_of, err, sizeof err)) {
+        screens_say(&play->screens, "%s", err);
         return;
     }
-    cab->view.thumb_of = -1;
-    replays_collect_roms(&cab->view.list, rom_hash(cab_cart(cab)->rom));
-    screens_close(&cab->screens); /* what can be done with it */
+    play->replay_list.thumb_of = -1;
+    replays_collect_roms(&play->replay_list.list, rom_hash(play_cart(play)->rom));
+    screens_close(&play->screens); /* its actions */
 }
 
-/* The window takes text, or does so no more. */
-static void want_text(struct cab *cab, bool on)
+static void set_typing(struct play *play, bool on)
 {
-    cab->view.typing = on;
-    if (cab->want.text_input == on)
-        return;
-    cab->want.text_input = on;
-    cab->quit = !cab_open_window(cab) || cab->quit;
+    play->replay_list.typing = on;
+    play_want_text(play, on);
 }
 
-static void begin_name(struct cab *cab)
+static void start_typing(struct play *play)
 {
-    const struct replay_meta *c = metadata(cab, cab->view.thumb_of);
+    struct replay_list *l = &play->replay_list;
+    const struct replay_meta *c = card(play, l->thumb_of);
 
     if (c->name[0])
-        snprintf(cab->view.typed, sizeof cab->view.typed, "%s", c->name);
+        snprintf(l->typed, sizeof l->typed, "%s", c->name);
     else
-        snprintf(cab->view.typed, sizeof cab->view.typed, "%s %" PRId64, c->ship[0] ? c->ship : c->id, c->points[0]);
-    cab->view.fresh = true;
-    memset(cab->view.held, 255, sizeof cab->view.held);
-    cab->view.switches = UINT32_MAX;
-    want_text(cab, true);
+        snprintf(l->typed, sizeof l->typed, "%s %" PRId64, c->ship[0] ? c->ship : c->id, c->points[0]);
+    l->fresh = true;
+    memset(l->held, 255, sizeof l->held);
+    l->buttons = UINT32_MAX;
+    set_typing(play, true);
 }
 
-static void act(void *of, int at)
+static void ask_to_delete(struct play *play)
 {
-    struct cab *cab = of;
+    screens_ask(&play->screens, "Delete this replay? This cannot be undone.", "Delete", delete, play);
+}
+
+static void do_action(void *of, int at)
+{
+    struct play *play = of;
+    struct replay_list *l = &play->replay_list;
     char path[REPLAY_PATH];
-    const int i = chosen(cab);
 
     if (at == NAME) {
-        begin_name(cab);
+        start_typing(play);
     } else if (at == DELETE) {
-        screens_ask(&cab->screens, "Delete this replay? This cannot be undone.", "Delete", delete, cab);
+        ask_to_delete(play);
     } else {
-        replays_path(&cab->view.list, i, path);
-        const uint32_t first = metadata(cab, i)->first;
-        if (cab_watch(cab, path, first))
-            screens_close_all(&cab->screens);
+        replays_path(&l->list, l->thumb_of, path);
+        if (play_watch(play, path, card(play, l->thumb_of)->first))
+            screens_close_all(&play->screens);
     }
 }
 
-/* ---- its name ---- */
+/* ---- typing a name ---- */
 
-static void type(struct cab *cab, const char *text)
+static void type(struct replay_list *l, const char *text)
 {
     if (!*text)
         return;
-    if (cab->view.fresh)
-        cab->view.typed[0] = 0;
-    cab->view.fresh = false;
+    if (l->fresh)
+        l->typed[0] = 0;
+    l->fresh = false;
     for (uint32_t c; *text;) {
         const int n = clean_decode_character(text, &c);
-        const size_t at = strlen(cab->view.typed);
-        if (c >= 32 && c != 127 && at + (size_t)n < sizeof cab->view.typed) {
-            memcpy(cab->view.typed + at, text, (size_t)n);
-            cab->view.typed[at + (size_t)n] = 0;
+        const size_t at = strlen(l->typed);
+        if (c >= 32 && c != 127 && at + (size_t)n < sizeof l->typed) {
+            memcpy(l->typed + at, text, (size_t)n);
+            l->typed[at + (size_t)n] = 0;
         }
         text += n;
     }
-    clean_line(cab->view.typed);
+    clean_line(l->typed);
 }
 
-static void erase(struct cab *cab)
+static void erase(struct replay_list *l)
 {
-    size_t n = strlen(cab->view.typed);
+    size_t n = strlen(l->typed);
 
-    cab->view.fresh = false;
-    while (n && ((unsigned char)cab->view.typed[--n] & 0xc0) == 0x80)
+    l->fresh = false;
+    while (n && ((unsigned char)l->typed[--n] & 0xc0) == 0x80)
         ;
-    cab->view.typed[n] = 0;
+    l->typed[n] = 0;
 }
 
-static void keep_name(struct cab *cab)
+static void save_name(struct play *play)
 {
     char err[256];
 
-    if (!replays_name(&cab->view.list, cab->view.thumb_of, cab->view.typed, err, sizeof err))
-        screens_say(&cab->screens, "%s", err);
-    else if (metadata(cab, cab->view.thumb_of)->name[0])
-        screens_say(&cab->screens, "Saved as \"%s\"", metadata(cab, cab->view.thumb_of)->name);
+    if (!replays_name(&play->replay_list.list, play->replay_list.thumb_of, play->replay_list.typed, err, sizeof err))
+        screens_say(&play->screens, "%s", err);
+    else if (card(play, play->replay_list.thumb_of)->name[0])
+        screens_say(&play->screens, "Saved as \"%s\"", card(play, play->replay_list.thumb_of)->name);
     else
-        screens_say(&cab->screens, "Name removed");
+        screens_say(&play->screens, "Name removed");
 }
 
-/* Pressed now and not at the last look. */
-static bool key(struct cab *cab, const struct plat_input *in, unsigned usage)
+/* Pressed now and not at the last poll. */
+static bool key(const struct replay_list *l, const struct plat_input *in, unsigned usage)
 {
-    return plat_is_key_held(in, usage) && !(cab->view.held[usage >> 3 & 31] >> (usage & 7) & 1);
+    return plat_is_key_held(in, usage) && !(l->held[usage >> 3 & 31] >> (usage & 7) & 1);
 }
 
 static bool listen(void *of, const struct plat_input *in)
 {
-    struct cab *cab = of;
-    const uint32_t now = in->controllers[0] | in->controllers[1], fresh = now & ~cab->view.switches;
-    const bool yes =
-        key(cab, in, KEY_ENTER) || key(cab, in, KEY_KEYPAD_ENTER) || fresh & (1u << PLAT_SOUTH | 1u << PLAT_START);
+    struct play *play = of;
+    struct replay_list *l = &play->replay_list;
+    enum { ENTER = 40, ESCAPE = 41, BACKSPACE = 42, KEYPAD_ENTER = 88 };
+    const uint32_t now = in->controllers[0] | in->controllers[1], fresh = now & ~l->buttons;
+    const bool yes = key(l, in, ENTER) || key(l, in, KEYPAD_ENTER) || fresh & (1u << PLAT_SOUTH | 1u << PLAT_START);
 
-    if (!cab->view.typing)
+    if (!l->typing)
         return false;
-    type(cab, in->text);
-    if (key(cab, in, KEY_BACKSPACE))
-        erase(cab);
+    type(l, in->text);
+    if (key(l, in, BACKSPACE))
+        erase(l);
     if (yes)
-        keep_name(cab);
-    if (yes || key(cab, in, KEY_ESCAPE) || fresh & 1u << PLAT_EAST)
-        want_text(cab, false);
-    memcpy(cab->view.held, in->keys, sizeof cab->view.held);
-    cab->view.switches = now;
+        save_name(play);
+    if (yes || key(l, in, ESCAPE) || fresh & 1u << PLAT_EAST)
+        set_typing(play, false);
+    memcpy(l->held, in->keys, sizeof l->held);
+    l->buttons = now;
     return true;
 }
 
-static void act_closed(void *of)
+static void actions_closed(void *of)
 {
-    struct cab *cab = of;
+    struct play *play = of;
 
-    want_text(cab, false);
+    set_typing(play, false);
 }
 
-static const struct screen_def acts = { .title = "Replay",
-                                        .small = true,
-                                        .rows = act_rows,
-                                        .row = act_row,
-                                        .text = act_text,
-                                        .accept = act,
-                                        .listen = listen,
-                                        .closed = act_closed };
+static const struct screen_def actions = { .title = "Replay",
+                                           .small = true,
+                                           .rows = action_rows,
+                                           .row = action_row,
+                                           .text = action_text,
+                                           .accept = do_action,
+                                           .listen = listen,
+                                           .closed = actions_closed };
 
 /* ---- the list ---- */
 
 static int rows(void *of)
 {
-    struct cab *cab = of;
+    struct play *play = of;
 
-    return cab->view.list.n;
+    return play->replay_list.list.n;
 }
 
 static void row(void *of, int at, struct screen_row *row)
 {
-    struct cab *cab = of;
-    const struct replay_meta *c = metadata(cab, at);
+    struct play *play = of;
+    const struct replay_meta *c = card(play, at);
     char date[32];
 
     date_text(c->date, date, sizeof date);
@@ -248,48 +249,45 @@ static void row(void *of, int at, struct screen_row *row)
 
 static const char *text(void *of)
 {
-    struct cab *cab = of;
+    struct play *play = of;
 
-    return cab->view.list.n ? "" : "No replays yet. Runs are saved automatically when they end.";
+    return play->replay_list.list.n ? "" : "No replays yet. Runs are saved automatically when they end.";
 }
 
 static void accept(void *of, int at)
 {
-    struct cab *cab = of;
+    struct play *play = of;
 
-    cab->view.thumb_of = at;
-    screens_open(&cab->screens, &acts, cab);
+    play->replay_list.thumb_of = at;
+    screens_open(&play->screens, &actions, play);
 }
 
-static void ask_delete(void *of, int at)
+static void remove_replay(void *of, int at)
 {
-    struct cab *cab = of;
-
     accept(of, at);
-    screens_ask(&cab->screens, "Delete this replay? This cannot be undone.", "Delete", delete, cab);
+    ask_to_delete(of);
 }
 
 static void closed(void *of)
 {
-    struct cab *cab = of;
+    struct play *play = of;
 
-    replays_close(&cab->view.list);
+    replays_close(&play->replay_list.list);
 }
 
 static int height(void *of, int w, int h)
 {
-    struct cab *cab = of;
-    const struct manifest *m = &cab_cart(cab)->manifest;
+    struct play *play = of;
+    const struct manifest *m = &play_cart(play)->manifest;
     const int high = (m->screen_w > m->screen_h ? THUMB_SIDE * m->screen_h / m->screen_w : THUMB_SIDE) + 4;
 
     (void)w;
     return h - high >= 4 * CANVAS_LINE_H ? high : h / 3;
 }
 
-/* The screen covers the picture, so all entries of the palette are free but for the canvas's own. */
-static void draw_thumb(struct cab *cab, const struct canvas *canvas, struct screen_area to)
+/* The screen covers the picture, so all palette entries except the canvas's own are free. */
+static void draw_thumb(const struct thumb *t, const struct canvas *canvas, struct screen_area to)
 {
-    const struct thumb *t = &cab->view.thumb;
     uint8_t entry[THUMB_COLOURS];
     int n = 0;
 
@@ -310,8 +308,8 @@ static void draw_thumb(struct cab *cab, const struct canvas *canvas, struct scre
     canvas_frame(canvas, x0 - 1, y0 - 1, w + 2, h + 2, CANVAS_GREY);
 }
 
-/* Beside the picture: what does not fit on the row. */
-static void draw_words(const struct replay_meta *c, const struct canvas *canvas, struct screen_area to)
+/* Beside the thumbnail: the details that don't fit in the row. */
+static void draw_details(const struct replay_meta *c, const struct canvas *canvas, struct screen_area to)
 {
     char lines[6][64];
     int n = 0;
@@ -330,17 +328,18 @@ static void draw_words(const struct replay_meta *c, const struct canvas *canvas,
 
 static void draw(void *of, int at, const struct canvas *canvas, struct screen_area to)
 {
-    struct cab *cab = of;
+    struct play *play = of;
+    struct replay_list *l = &play->replay_list;
     int side = 0;
 
-    if (cab->view.thumb_of != at)
-        replays_thumb(&cab->view.list, at, &cab->view.thumb);
-    cab->view.thumb_of = at;
-    if (cab->view.thumb.w > 0) {
-        draw_thumb(cab, canvas, to);
-        side = cab->view.thumb.w + 8;
+    if (l->thumb_of != at)
+        replays_thumb(&l->list, at, &l->thumb);
+    l->thumb_of = at;
+    if (l->thumb.w > 0) {
+        draw_thumb(&l->thumb, canvas, to);
+        side = l->thumb.w + 8;
     }
-    draw_words(metadata(cab, at), canvas, (struct screen_area){ to.x + side + 4, to.y, to.w - side - 4, to.h });
+    draw_details(card(play, at), canvas, (struct screen_area){ to.x + side + 4, to.y, to.w - side - 4, to.h });
 }
 
 static const struct screen_def replays = { .title = "Replays",
@@ -348,18 +347,17 @@ static const struct screen_def replays = { .title = "Replays",
                                            .row = row,
                                            .text = text,
                                            .accept = accept,
-                                           .remove = ask_delete,
+                                           .remove = remove_replay,
                                            .closed = closed,
                                            .height = height,
                                            .draw = draw };
 
-void cab_open_replays(struct cab *cab)
+void play_open_replays(struct play *play)
 {
-    if (cab->attracting)
-        cab_attract_end(cab);
-    replays_close(&cab->view.list);
-    cab->view.thumb_of = -1;
-    if (!replays_open(&cab->view.list, cab_cart(cab)->manifest.id))
-        screens_say(&cab->screens, "Out of memory: some replays are not listed");
-    screens_open(&cab->screens, &replays, cab);
+    attract_end(&play->attract);
+    replays_close(&play->replay_list.list);
+    play->replay_list.thumb_of = -1;
+    if (!replays_open(&play->replay_list.list, play_cart(play)->manifest.id))
+        screens_say(&play->screens, "Out of memory: some replays are not listed");
+    screens_open(&play->screens, &replays, play);
 }

@@ -1,15 +1,13 @@
 /*
- * screen_resume.c - the question when a game starts whose last run was left: to go on with it, or to begin anew. Who
- * answers neither is asked again the next time, unless another run has begun by then. Enter goes on, but begins anew in
- * a folder that was changed.
+ * screen_resume.c - at the start of a game: resume the unfinished run, or start a new game? If the player answers
+ * neither, the question is asked again the next time, unless another run has started by then. Enter resumes, but starts
+ * a new game in a folder that has changed.
  */
-#include <inttypes.h>
 #include <stdio.h>
-#include <string.h>
 #include "../replays/roms.h"
-#include "cab_parts.h"
+#include "play_state.h"
 
-enum { GO_ON, ANEW, ROWS };
+enum { RESUME, NEW_GAME, ROWS };
 
 static int rows(void *of)
 {
@@ -19,86 +17,80 @@ static int rows(void *of)
 
 static void row(void *of, int at, struct screen_row *row)
 {
-    struct cab *cab = of;
+    struct play *play = of;
 
-    snprintf(row->label, sizeof row->label, "%s", at == GO_ON ? "Resume" : "New Game");
+    snprintf(row->label, sizeof row->label, "%s", at == RESUME ? "Resume" : "New Game");
     snprintf(row->help, sizeof row->help, "%s",
-             at == GO_ON ? "Replays the run to where you left off, then pauses."
-                         : "Saves the unfinished run as a replay.");
-    row->faint = at == GO_ON && !cab->left.can;
+             at == RESUME ? "Replays the run to where you left off, then pauses."
+                          : "Saves the unfinished run as a replay.");
+    row->faint = at == RESUME && !play->resume_offer.possible;
 }
 
 static const char *text(void *of)
 {
-    struct cab *cab = of;
-
-    return cab->left.text;
+    return ((struct play *)of)->resume_offer.text;
 }
 
 static void accept(void *of, int at)
 {
-    struct cab *cab = of;
+    struct play *play = of;
 
-    screens_close_all(&cab->screens);
-    if (at == GO_ON)
-        cab_resume(cab);
+    screens_close_all(&play->screens);
+    if (at == RESUME)
+        play_resume(play);
     else
-        cab_keep_left(cab);
+        play_archive_unfinished(play);
 }
 
 static const struct screen_def question = {
     .title = "Unfinished Run", .small = true, .rows = rows, .row = row, .text = text, .accept = accept
 };
 
-/* "3:41, heron, 120300 points", and whether it can go on. */
-static void describe(struct cab *cab, const struct replay_meta *c)
+/* The run's time and ship, and whether it can be resumed. */
+static void describe(struct resume_offer *o, const struct replay_meta *c, const struct rom *rom)
 {
-    const struct rom *rom = cab_cart(cab)->rom;
     const unsigned seconds = (c->last - c->first) / 60;
     const bool same = c->rom == rom_hash(rom) || c->game == rom_game_hash(rom);
-    int n = snprintf(cab->left.text, sizeof cab->left.text, "Play time: %u:%02u%s%s%s. ", seconds / 60, seconds % 60,
+    int n = snprintf(o->text, sizeof o->text, "Play time: %u:%02u%s%s%s. ", seconds / 60, seconds % 60,
                      c->ship[0] ? ", ship: " : "", c->ship, c->flags & DEMO_RESUMED ? ", previously resumed" : "");
-    char *more = cab->left.text + n;
-    const size_t room = sizeof cab->left.text - (size_t)n;
+    char *more = o->text + n;
+    const size_t size = sizeof o->text - (size_t)n;
 
-    cab->left.changed = !same;
-    cab->left.can = c->core == CORE_VERSION && (same || roms_has(c->id, c->rom));
+    o->changed = !same;
+    o->possible = c->core == CORE_VERSION && (same || roms_has(c->id, c->rom));
     if (c->core != CORE_VERSION)
-        snprintf(more, room, "Cannot resume: the run needs core version %u, but this program has version %d.",
+        snprintf(more, size, "Cannot resume: the run needs core version %u, but this program has version %d.",
                  (unsigned)c->core, CORE_VERSION);
-    else if (!cab->left.can)
-        snprintf(more, room, "Cannot resume: the game has changed and its old version is not stored.");
+    else if (!o->possible)
+        snprintf(more, size, "Cannot resume: the game has changed and its old version is not stored.");
     else if (!same)
-        snprintf(more, room, "The game has changed; the run resumes in the old version.");
+        snprintf(more, size, "The game has changed; the run resumes in the old version.");
 }
 
-/* Who changes a game's folder and plays it wants to see the change, which the run that was left does not show. */
-static bool is_being_made(struct cab *cab)
+void play_offer_resume(struct play *play)
 {
-    return cab->left.changed && cab->folder.seen != 0;
-}
-
-void cab_open_resume(struct cab *cab)
-{
-    const struct cab_options *o = &cab->options;
-    const bool unasked = o->resume;
+    const struct play_options *o = &play->options;
+    struct resume_offer *offer = &play->resume_offer;
+    const bool resume = o->resume;
     struct replay_meta c;
 
-    cab->options.resume = false; /* this once */
-    if (o->demo || o->record || o->no_resume || cab->start.practice.section[0] || cab_fault(cab))
+    play->options.resume = false; /* only the first time */
+    if (o->demo || o->record || o->no_resume || play->start.practice.section[0] || play_fault(play))
         return;
-    if (!cab_was_left(cab, &c)) {
-        if (unasked)
-            cab_say(cab, "curtain: %s: --resume: no unfinished run", cab_game(cab));
-        return;
-    }
-    if (unasked) {
-        cab_resume(cab);
+    if (!play_find_unfinished(play, &c)) {
+        if (resume)
+            play_log(play, "curtain: %s: --resume: no unfinished run", play_game_name(play));
         return;
     }
-    if (!cab->config.resume)
+    if (resume) {
+        play_resume(play);
         return;
-    describe(cab, &c);
-    screens_open(&cab->screens, &question, cab);
-    screens_choose(&cab->screens, cab->left.can && !is_being_made(cab) ? GO_ON : ANEW);
+    }
+    if (!play->config.resume)
+        return;
+    describe(offer, &c, play_cart(play)->rom);
+    screens_open(&play->screens, &question, play);
+    /* an author who has changed the game's folder wants to see the change */
+    const bool author = offer->changed && play->reload.folder.seen != 0;
+    screens_choose(&play->screens, offer->possible && !author ? RESUME : NEW_GAME);
 }

@@ -96,7 +96,7 @@ void log_open(struct log *log, struct screens *screens)
     screens_choose(screens, log_kept(log) - 1);
 }
 
-void log_turn(struct log *log, struct screens *screens)
+void log_toggle(struct log *log, struct screens *screens)
 {
     if (screens_top(screens) == &screen)
         screens_close(screens);

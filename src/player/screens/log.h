@@ -32,7 +32,7 @@ void log_add(struct log *log, enum log_kind kind, uint32_t frame, const char *te
 void log_open(struct log *log, struct screens *screens);
 
 /* Opens it above the screens that are open, or closes it where it is the topmost: these stay. */
-void log_turn(struct log *log, struct screens *screens);
+void log_toggle(struct log *log, struct screens *screens);
 
 /* How many lines are kept, and the i-th of them, the oldest first. */
 int log_kept(const struct log *log);

@@ -1,9 +1,9 @@
 /*
- * cab_report.c - what a fault or a crash leaves behind: a text that can be mailed, with the run up to there in it.
+ * play_report.c - fault and crash reports: text that a player can send, with the run up to the failure in it.
  *
- * A crash is told from a signal handler, which may allocate nothing and ask nobody. So what is known before, and the
- * memory that the demo's records are put together in, are made ready at each power-on; the handler copies the one and
- * reads the recording with the other.
+ * A crash report is written by a signal handler, which must not allocate memory. So the text that is already known, and
+ * the memory for the demo's records, are prepared at each power-on; the handler copies the text and reads the recording
+ * with the help of that memory.
  */
 #include <inttypes.h>
 #include <stdarg.h>
@@ -12,19 +12,19 @@
 #include <string.h>
 #include <time.h>
 #include "../../../platform/platform.h"
-#include "cab_parts.h"
+#include "play_state.h"
 #include "../../demo/demo_dump.h"
 #include "../../demo/demo_text.h"
 #include "../../common/clean.h"
 
 #define REPORTS "user:reports"
-#define TOLD    REPORTS "/told" /* has the name of the last crash's report that a player was told of */
+#define TOLD    REPORTS "/told" /* contains the name of the last crash report that was shown */
 
-enum { MOST_REPORTS = 20, CRASH_NOTICE = 600 /* frames */ };
+enum { MAX_REPORTS = 20, CRASH_MESSAGE = 600 /* frames */ };
 
-/* ---- old ones ---- */
+/* ---- older reports ---- */
 
-/* The oldest of the reports there are, or the newest. */
+/* The oldest report, or the newest. */
 struct found {
     bool newest;
     int n;
@@ -32,14 +32,14 @@ struct found {
     char name[256];
 };
 
-static bool comes_before(const struct found *f, const struct plat_folder_entry *file)
+static bool is_older(const struct found *f, const struct plat_folder_entry *file)
 {
     if (file->time != f->time)
         return file->time < f->time;
     return strcmp(file->name, f->name) < 0;
 }
 
-static void look_at(void *user, const struct plat_folder_entry *file)
+static void find_report(void *user, const struct plat_folder_entry *file)
 {
     struct found *f = user;
     size_t n = strlen(file->name);
@@ -47,21 +47,21 @@ static void look_at(void *user, const struct plat_folder_entry *file)
     if (file->is_folder || n < 4 || n >= sizeof f->name || strcmp(file->name + n - 4, ".txt") != 0)
         return;
     f->n++;
-    if (f->n > 1 && comes_before(f, file) == f->newest)
+    if (f->n > 1 && is_older(f, file) == f->newest)
         return;
     f->time = file->time;
     memcpy(f->name, file->name, n + 1);
 }
 
-/* Makes room for one more. */
+/* Makes room for another report. */
 static void remove_oldest(void)
 {
     char path[sizeof REPORTS + 256];
 
     for (;;) {
         struct found f = { 0 };
-        plat_list(REPORTS, look_at, &f);
-        if (f.n < MOST_REPORTS)
+        plat_list(REPORTS, find_report, &f);
+        if (f.n < MAX_REPORTS)
             return;
         snprintf(path, sizeof path, "%s/%s", REPORTS, f.name);
         if (!plat_remove(path))
@@ -69,11 +69,9 @@ static void remove_oldest(void)
     }
 }
 
-/* ---- what is known before ---- */
+/* ---- text prepared in advance ---- */
 
-static void add(struct report *r, const char *format, ...) __attribute__((format(printf, 2, 3)));
-
-static void add(struct report *r, const char *format, ...)
+PLAY_PRINTF(2, 3) static void add(struct report *r, const char *format, ...)
 {
     va_list args;
 
@@ -84,17 +82,17 @@ static void add(struct report *r, const char *format, ...)
         r->n = r->n + (size_t)n < sizeof r->known ? r->n + (size_t)n : sizeof r->known - 1;
 }
 
-static void add_settings(struct cab *cab, struct report *r)
+static void add_settings(struct play *play, struct report *r)
 {
     const struct config_setting *s;
     char value[64];
 
     add(r, "settings  ");
     for (int i = 0; (s = config_setting(i)) != NULL; i++) {
-        config_text(&cab->config, s, value, sizeof value);
+        config_text(&play->config, s, value, sizeof value);
         add(r, "%s%s = %s", i == 0 ? "" : i % 5 == 0 ? ",\n          " : ", ", s->name, value);
     }
-    add(r, "%s%s\n", cab->config.lang[0] ? ", lang = " : "", cab->config.lang);
+    add(r, "%s%s\n", play->config.lang[0] ? ", lang = " : "", play->config.lang);
 }
 
 static void date(char *out, size_t size, const char *format)
@@ -106,12 +104,12 @@ static void date(char *out, size_t size, const char *format)
         snprintf(out, size, "undated");
 }
 
-/* when: what the date is of. */
-static void add_versions(struct cab *cab, struct report *r, const char *when)
+/* when: the date's label. */
+static void add_versions(struct play *play, struct report *r, const char *when)
 {
     char text[256];
 
-    add(r, "curtain   %s, core version %d, Lua %s\n", cab->options.version, CORE_VERSION, board_lua_release());
+    add(r, "curtain   %s, core version %d, Lua %s\n", play->options.version, CORE_VERSION, board_lua_release());
     plat_describe_build(text, sizeof text);
     add(r, "port      %s\n", text);
     plat_describe_system(text, sizeof text);
@@ -120,27 +118,26 @@ static void add_versions(struct cab *cab, struct report *r, const char *when)
     add(r, "%-9s %s\n", when, text);
 }
 
-static void add_game(struct cab *cab, struct report *r)
+static void add_game(struct play *play, struct report *r)
 {
-    const struct cart *cart = cab_cart(cab);
+    const struct cart *cart = play_cart(play);
 
     add(r, "game      %s, \"%s\", game hash %016" PRIx64 ", ROM hash %016" PRIx64 "\n", cart->manifest.id,
         cart->manifest.title, rom_game_hash(cart->rom), rom_hash(cart->rom));
-    add(r, "from      %s\n", cab->options.path ? cab->options.path : "built into the program");
+    add(r, "from      %s\n", play->options.path ? play->options.path : "built into the program");
 }
 
-/* Without a number, which is the first that is free. */
-static void make_stem(struct cab *cab, struct report *r)
+/* The file name, to which the first free number is added. */
+static void make_stem(struct play *play, struct report *r)
 {
     char day[32];
 
     date(day, sizeof day, "%Y-%m-%d");
-    snprintf(r->stem, sizeof r->stem, "%s/%s-%s", REPORTS, cab_cart(cab)->manifest.id, day);
+    snprintf(r->stem, sizeof r->stem, "%s/%s-%s", REPORTS, play_cart(play)->manifest.id, day);
 }
 
 /* ---- the text ---- */
 
-/* Where it goes. */
 struct sink {
     void (*out)(void *to, const void *bytes, size_t n);
     void *to;
@@ -167,13 +164,13 @@ static void to_text(void *user, const uint8_t *bytes, size_t n)
     demo_text_add(user, bytes, n);
 }
 
-static void put_demo(struct cab *cab, const struct sink *out, const struct board_fault *fault)
+static void put_demo(struct play *play, const struct sink *out, const struct board_fault *fault)
 {
-    const struct session *s = &cab->session;
+    const struct session *s = &play->session;
     const struct demo_writer *w = &s->now->writer;
     struct demo_text text;
     struct demo_dump_request how = {
-        .memory = cab->report.memory, .size = cab->report.size, .write = to_text, .user = &text
+        .memory = play->report.memory, .size = play->report.size, .write = to_text, .user = &text
     };
 
     how.ticking = s->ticking;
@@ -184,11 +181,11 @@ static void put_demo(struct cab *cab, const struct sink *out, const struct board
     demo_text_end(&text);
 }
 
-/* All of it; no allocation, no file. what: "a fault", "a crash"; which: more of that. */
-static void write_report(struct cab *cab, const struct sink *out, const char *what, const char *which,
+/* The whole report, without allocating memory. what: "a fault" or "a crash: "; which: the kind of crash. */
+static void write_report(struct play *play, const struct sink *out, const char *what, const char *which,
                          const struct board_fault *fault)
 {
-    const struct session *s = &cab->session;
+    const struct session *s = &play->session;
 
     put(out, "Curtain report. It contains the run up to the failure. To replay the run:\n    curtain verify GAME "
              "THIS-FILE\nTo watch it:\n    curtain play GAME --demo THIS-FILE\n\nreason    ");
@@ -199,7 +196,7 @@ static void write_report(struct cab *cab, const struct sink *out, const char *wh
         put_number(out, s->ticking ? s->at : fault ? s->now->writer.demo.frames : board_frame(s->now->guard.board));
     }
     put(out, "\n");
-    out->out(out->to, cab->report.known, cab->report.n);
+    out->out(out->to, play->report.known, play->report.n);
     if (fault) {
         put(out, "\n");
         put(out, fault->message);
@@ -208,18 +205,18 @@ static void write_report(struct cab *cab, const struct sink *out, const char *wh
         put(out, "\n");
     }
     put(out, "\n");
-    if (s->now && cab->report.memory)
-        put_demo(cab, out, fault);
+    if (s->now && play->report.memory)
+        put_demo(play, out, fault);
 }
 
 /* ---- crashes ---- */
 
-/* What the port gives to write with. */
+/* The port's function, which has no context. */
 struct crash_out {
     void (*out)(const void *bytes, size_t n);
 };
 
-static void hand_on(void *to, const void *bytes, size_t n)
+static void to_port(void *to, const void *bytes, size_t n)
 {
     ((const struct crash_out *)to)->out(bytes, n);
 }
@@ -228,42 +225,41 @@ static void crashed(void *context, const char *what, void (*out)(const void *byt
 {
     struct crash_out to = { out };
 
-    write_report(context, &(struct sink){ hand_on, &to }, "a crash: ", what, NULL);
+    write_report(context, &(struct sink){ to_port, &to }, "a crash: ", what, NULL);
 }
 
-static void make_ready(struct cab *cab, const char *when)
+static void prepare(struct play *play, const char *when)
 {
-    struct report *r = &cab->report;
-    size_t size = demo_dump_size(&cab->session.now->writer);
+    struct report *r = &play->report;
+    size_t size = demo_dump_size(&play->session.now->writer);
     uint8_t *memory = size > r->size ? realloc(r->memory, size) : r->memory;
 
-    plat_set_crash_handler("", NULL, NULL); /* while this changes */
+    plat_set_crash_handler("", NULL, NULL); /* while the report changes */
     r->memory = memory;
     r->size = memory ? (size > r->size ? size : r->size) : 0;
     r->n = 0;
-    add_game(cab, r);
-    add_versions(cab, r, when);
-    add_settings(cab, r);
+    add_game(play, r);
+    add_versions(play, r, when);
+    add_settings(play, r);
     clean_lines(r->known);
     r->n = strlen(r->known);
-    make_stem(cab, r);
+    make_stem(play, r);
     remove_oldest();
-    cab_report_arm(cab);
+    play_report_arm(play);
 }
 
-void cab_report_arm(struct cab *cab)
+void play_report_arm(struct play *play)
 {
-    if (cab->report.stem[0])
-        plat_set_crash_handler(cab->report.stem, crashed, cab);
+    if (play->report.stem[0])
+        plat_set_crash_handler(play->report.stem, crashed, play);
 }
 
-void cab_report_ready(struct cab *cab)
+void play_report_prepare(struct play *play)
 {
-    make_ready(cab, "started");
+    prepare(play, "started");
 }
 
-/* Is it a report of a crash? */
-static bool is_of_crash(const char *name)
+static bool is_crash_report(const char *name)
 {
     char path[sizeof REPORTS + 256], text[512];
 
@@ -273,90 +269,91 @@ static bool is_of_crash(const char *name)
     return strstr(text, "\nreason    a crash") != NULL;
 }
 
-void cab_report_last_crash(struct cab *cab)
+void play_report_last_crash(struct play *play)
 {
     struct found f = { .newest = true };
     char told[sizeof f.name] = "", path[sizeof REPORTS + sizeof f.name], shown[FILES_PATH_SIZE];
 
-    plat_list(REPORTS, look_at, &f);
+    plat_list(REPORTS, find_report, &f);
     plat_load(TOLD, told, sizeof told - 1);
-    if (!f.name[0] || strcmp(told, f.name) == 0 || !is_of_crash(f.name))
+    if (!f.name[0] || strcmp(told, f.name) == 0 || !is_crash_report(f.name))
         return;
     plat_save(TOLD, f.name, strlen(f.name));
     snprintf(path, sizeof path, "%s/%s", REPORTS, f.name);
-    cab_notice(cab, CRASH_NOTICE, "Curtain crashed last time. Report: %s", files_display_name(path, shown));
-    cab_say(cab, "curtain: %s", cab->notice);
+    play_show_message(play, CRASH_MESSAGE, "Curtain crashed last time. Report: %s", files_display_name(path, shown));
+    play_log(play, "curtain: %s", play->message.text);
 }
 
-void cab_report_close(struct cab *cab)
+void play_report_close(struct report *r)
 {
     plat_set_crash_handler("", NULL, NULL);
-    free(cab->report.memory);
-    byte_buffer_close(&cab->report.text);
-    cab->report.memory = NULL;
-    cab->report.stem[0] = 0;
+    free(r->memory);
+    byte_buffer_close(&r->text);
+    r->memory = NULL;
+    r->stem[0] = 0;
 }
 
 /* ---- faults ---- */
 
-static void collect(void *to, const void *bytes, size_t n)
+static void to_buffer(void *to, const void *bytes, size_t n)
 {
     byte_buffer_put(to, bytes, n);
 }
 
-static bool save(struct cab *cab, struct report *r, const struct board_fault *fault)
+static bool save(struct play *play, struct report *r, const struct board_fault *fault)
 {
     char name[sizeof r->stem + 16];
     size_t waits;
     int i = 1;
 
-    byte_buffer_close(&r->text);
-    write_report(cab, &(struct sink){ collect, &r->text }, "a fault", "", fault);
+    r->text.n = 0;
+    write_report(play, &(struct sink){ to_buffer, &r->text }, "a fault", "", fault);
     remove_oldest();
     do
         snprintf(name, sizeof name, "%s-%d.txt", r->stem, i++);
-    while (plat_file_size(name) >= 0 || unsaved_bytes(cab->unsaved.files, name, &waits));
+    while (plat_file_size(name) >= 0 || unsaved_bytes(play->unsaved.files, name, &waits));
     if (r->text.failed) {
-        cab_say(cab, "curtain: cannot write a report: out of memory");
+        byte_buffer_close(&r->text);
+        play_log(play, "curtain: cannot write a report: out of memory");
         return false;
     }
     files_display_name(name, r->where);
-    return cab_save(cab, name, r->text.bytes, r->text.n);
+    return play_save(play, name, r->text.bytes, r->text.n);
 }
 
-static void write_fault_report(struct cab *cab, const struct board_fault *fault)
+static void write_fault_report(struct play *play, const struct board_fault *fault)
 {
-    struct report *r = &cab->report;
-    const uint32_t frame = cab->session.now->writer.demo.frames;
+    struct report *r = &play->report;
+    const uint32_t frame = play->session.now->writer.demo.frames;
 
-    if (cab->session.demo || !r->memory)
+    if (play->session.demo || !r->memory)
         return;
-    make_ready(cab, "written"); /* the settings may be others by now */
+    prepare(play, "written"); /* the settings may have changed */
     if (!r->where[0] || r->frame != frame || strcmp(r->message, fault->message) != 0) {
         r->frame = frame;
         snprintf(r->message, sizeof r->message, "%s", fault->message);
-        if (!save(cab, r, fault))
+        if (!save(play, r, fault))
             return;
     }
-    cab_say(cab, "curtain: report: %s", r->where);
+    play_log(play, "curtain: report: %s", r->where);
 }
 
-void cab_report_fault(struct cab *cab)
+void play_report_fault(struct play *play)
 {
     char line[FILES_PATH_SIZE + sizeof((struct board_fault *)0)->message];
 
-    if (!cab->fault_reported) {
-        struct board_fault fault = *cab_fault(cab);
-        snprintf(line, sizeof line, "curtain: %s: %s", cab_game(cab), fault.message);
-        clean_line(line);
-        plat_log(line);
-        cab_note(cab, LOG_WRONG, fault.message);
-        clean_lines(fault.trace);
-        if (fault.trace[0])
-            plat_log(fault.trace);
-        cab_note(cab, LOG_WRONG, fault.trace);
-        cab->fault_top = 0;
-        write_fault_report(cab, cab_fault(cab));
-    }
-    cab->fault_reported = true;
+    if (!play_fault(play) || play->report.fault_reported)
+        return;
+    struct board_fault fault = *play_fault(play);
+    snprintf(line, sizeof line, "curtain: %s: %s", play_game_name(play), fault.message);
+    clean_line(line);
+    plat_log(line);
+    play_log_add(play, LOG_WRONG, fault.message);
+    clean_lines(fault.trace);
+    if (fault.trace[0])
+        plat_log(fault.trace);
+    play_log_add(play, LOG_WRONG, fault.trace);
+    play->report.page_top = 0;
+    write_fault_report(play, play_fault(play));
+    play->report.fault_reported = true;
 }

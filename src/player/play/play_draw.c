@@ -1,0 +1,368 @@
+/*
+ * play_draw.c - the board's picture, and over a copy of it, or beside it, messages, time bar, panels, console or
+ * screens; screenshots and clips.
+ *
+ * Everything over the picture is at its bottom, because most games show scores at the top.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../../platform/platform.h"
+#include "play_state.h"
+#include "../clip/last.h"
+#include "../../common/files.h"
+#include "../overlay/message.h"
+#include "../overlay/page.h"
+#include "../picture/png.h"
+#include "timebar.h"
+
+enum { BLINK = 20 }; /* frames; PRESS START is shown for two thirds of the time */
+
+/* ---- the picture ---- */
+
+bool picture_open(struct picture *p, const struct board *b)
+{
+    int w, h;
+    board_screen_size(b, &w, &h);
+    p->scratch = malloc(board_scratch_size(b) + 1);
+    return p->scratch && picture_alloc(p, w, h);
+}
+
+bool picture_alloc(struct picture *p, int w, int h)
+{
+    p->memory = calloc(2, fb_size(w, h));
+    if (!p->memory)
+        return false;
+    fb_init(&p->fb, p->memory, w, h);
+    fb_init(&p->composed, (char *)p->memory + fb_size(w, h), w, h);
+    return true;
+}
+
+void picture_close(struct picture *p)
+{
+    free(p->memory);
+    free(p->scratch);
+    *p = (struct picture){ 0 };
+}
+
+/* NULL: a board with a fault is not drawn again. */
+static const struct board *drawable_board(struct play *play)
+{
+    return !play->attract.on && play_fault(play) ? NULL : play_shown_board(play);
+}
+
+void play_draw(struct play *play, struct picture *p)
+{
+    const struct config *c = &play->config;
+    const struct view view = { .dim = (enum view_dim)c->dim,
+                               .softens_flashes = c->flashes,
+                               .colour_blind_mode = (enum colour_blind_mode)c->colours,
+                               .shades = c->dim ? shade_for(&p->shades, play_cart(play)) : NULL };
+    const struct board *b = drawable_board(play);
+
+    if (b)
+        board_draw(b, &view, &p->fb, p->rgb, p->scratch);
+}
+
+/* Are the ships' hit shapes shown, and is there a ship? */
+static bool ships_shown(struct play *play)
+{
+    struct inspect_body ship;
+
+    return play->config.hitbox && !play->attract.on && !play_fault(play) &&
+           (inspect_ship(play_board(play), 0, &ship) || inspect_ship(play_board(play), 1, &ship));
+}
+
+/* Only if the next tick is the player's, and nothing needs the present frame. */
+void play_look_ahead(struct play *play)
+{
+    const struct play_time *time = &play->time;
+    const bool live = time->ticked && !play->session.demo && !play->attract.on && !time->paused && !time->rewinding &&
+                      time->slow == 1 && play->session.state == SESSION_PLAYING;
+
+    if (play->config.run_ahead && live && !screens_are_open(&play->screens) && !play->console.open && !play->quit &&
+        !play_fault(play))
+        ahead_begin(&play->drawing.ahead, &play->session.now->guard, play->drawing.last_pads);
+}
+
+static struct canvas copy_picture(struct play *play, struct picture *p)
+{
+    struct canvas canvas;
+
+    for (int y = 0; y < p->fb.h; y++)
+        memcpy(p->composed.pix + y * p->composed.pitch, p->fb.pix + y * p->fb.pitch, (size_t)p->fb.w);
+    memcpy(p->composed_rgb, p->rgb, sizeof p->rgb);
+    canvas_open(&canvas, &p->composed, p->composed_rgb);
+    canvas_view(&canvas, (enum colour_blind_mode)play->config.colours);
+    if (ships_shown(play))
+        overlay_ships(&canvas, play_board(play));
+    return canvas;
+}
+
+/* ---- the overlay ---- */
+
+/* The message over the picture; "": none. */
+static void message_text(struct play *play, char *text, size_t size)
+{
+    uint32_t at = board_frame(play_board(play));
+
+    text[0] = 0;
+    if (play->session.state != SESSION_PLAYING)
+        snprintf(text, size, "%s %d%%", play->session.state == SESSION_SEEKING ? "Seeking" : "Reloading",
+                 session_progress(&play->session) / 10);
+    else if (play->prompt.open)
+        snprintf(text, size, "Go to frame %s_", play->prompt.digits);
+    else if (play->message.frames)
+        snprintf(text, size, "%s", play->message.text);
+    else if (play->time.rewinding)
+        snprintf(text, size, "Rewind: frame %u", (unsigned)at);
+    else if (play->time.paused)
+        snprintf(text, size, "Paused at frame %u", (unsigned)at);
+    else if (play->time.slow > 1)
+        snprintf(text, size, "1/%d speed: frame %u", play->time.slow, (unsigned)at);
+}
+
+/* Is there a page to read: a fault, or a failed reload? */
+static bool shows_page(struct play *play)
+{
+    return play->session.state == SESSION_PLAYING && !play->prompt.open && !play->time.rewinding &&
+           (play->message.frames == MESSAGE_UNTIL_RELOAD || (play_fault(play) && !play->message.frames));
+}
+
+/* Returns the first row below the page. */
+static int draw_page(struct play *play, const struct canvas *canvas)
+{
+    const struct board_fault *f = play_fault(play);
+    char foot[FILES_PATH_SIZE + 64] = "The old version is still running.";
+    struct page page = { "Reload failed", play->message.text, "", foot, play->report.page_top, 0 };
+
+    if (play->message.frames != MESSAGE_UNTIL_RELOAD) {
+        page.title = "Script error: the game has stopped";
+        page.text = f->message;
+        page.more = f->trace;
+        snprintf(foot, sizeof foot, "%s%s", play->report.where[0] ? "Report: " : "", play->report.where);
+    }
+    int y = page_draw(canvas, &page);
+    play->report.page_end = page.most;
+    return y;
+}
+
+/* The keys for new players, below a menu before the game and below an attract demo. "": neither is shown, or there is a
+ * message. */
+static void hint_text(struct play *play, const char *message, char *text, size_t size)
+{
+    char start[32], fire[32], bomb[32];
+
+    text[0] = 0;
+    if (message[0] || (!play->attract.on && (!board_last_output(play_board(play))->menu_shown || play->session.demo)))
+        return;
+    keys_first(&play->config.keys, "p1.start", start, sizeof start);
+    keys_first(&play->config.keys, "p1.fire", fire, sizeof fire);
+    keys_first(&play->config.keys, "p1.bomb", bomb, sizeof bomb);
+    if (!play->attract.on)
+        snprintf(text, size, "Start: %s  Fire: %s  Bomb: %s", start, fire, bomb);
+    else if (play->time.frames / BLINK % 3)
+        snprintf(text, size, "PRESS START (%s)", start);
+}
+
+static void draw_hint(const struct canvas *canvas, const char *text)
+{
+    const int w = canvas->fb->w, y = canvas->fb->h - CANVAS_CELL_H;
+
+    canvas_rect(canvas, 0, y - 1, w, CANVAS_CELL_H + 1, CANVAS_DARK);
+    canvas_text(canvas, (w - canvas_width(text)) / 2, y, CANVAS_WHITE, text);
+}
+
+bool play_timebar_shown(const struct play *play)
+{
+    return !play->attract.on && (play->prompt.open || play->time.rewinding || play->seek.bar_frames > 0 ||
+                                 (play->session.demo && play->time.paused));
+}
+
+static void draw_progress(struct play *play, const struct canvas *canvas, int y)
+{
+    int w = canvas->fb->w, done = (int)((int64_t)w * session_progress(&play->session) / 1000);
+
+    canvas_rect(canvas, 0, y, w, 2, CANVAS_GREY);
+    canvas_rect(canvas, 0, y, done, 2, CANVAS_GREEN);
+}
+
+/* The overlay: its text, and where there is space for it. */
+struct over {
+    char text[sizeof((struct play *)0)->message.text + 32], hint[160];
+    bool page;                     /* a page is shown, always over the picture */
+    struct canvas picture, beside; /* beside.fb NULL: everything is over the picture */
+    int y0, y1;                    /* rows that are free for panels */
+};
+
+static bool anything(struct play *play, const struct over *o)
+{
+    return o->page || o->text[0] || o->hint[0] || play_timebar_shown(play) || play->console.open ||
+           overlay_on(&play->overlay) || ships_shown(play);
+}
+
+static struct canvas side_canvas(struct play *play, const struct canvas *picture)
+{
+    struct canvas side = *picture;
+
+    side.fb = play_window_side(&play->window);
+    if (!side.fb)
+        return side;
+    fb_reset_clip(side.fb);
+    fb_fill(side.fb, side.colour[CANVAS_DARK]);
+    return side;
+}
+
+/* From the bottom upwards: the console or the time bar, the message above it. */
+static void draw_over(struct play *play, struct over *o)
+{
+    const struct canvas *canvas = &o->picture;
+    const bool bar = play_timebar_shown(play) && !play->console.open;
+
+    o->y1 = console_draw(&play->console, canvas) - (bar ? TIMEBAR_H : 0);
+    o->y0 = o->page ? draw_page(play, canvas) : 0;
+    if (o->text[0])
+        o->y1 = message_draw_above(canvas, o->y1, o->text);
+    if (play->session.state != SESSION_PLAYING)
+        draw_progress(play, canvas, o->y1 -= 2);
+    if (o->hint[0] && !play->console.open && !bar)
+        draw_hint(canvas, o->hint);
+}
+
+/* The message at the top, the console at the bottom, panels between them. */
+static void draw_beside(struct play *play, struct over *o)
+{
+    const struct canvas *canvas = &o->beside;
+
+    o->y1 = console_draw(&play->console, canvas);
+    o->y0 = o->text[0] ? message_draw(canvas, 0, o->text) : o->hint[0] ? message_draw(canvas, 0, o->hint) : 0;
+    if (play->session.state != SESSION_PLAYING) {
+        draw_progress(play, canvas, o->y0 + 1);
+        o->y0 += 3;
+    }
+    if (o->page)
+        draw_page(play, &o->picture);
+}
+
+static void show_over(struct play *play, struct picture *p, struct over *o)
+{
+    o->picture = copy_picture(play, p);
+    o->beside = side_canvas(play, &o->picture);
+    if (o->beside.fb)
+        draw_beside(play, o);
+    else
+        draw_over(play, o);
+    const struct overlay_place place = { &o->picture, o->beside.fb ? &o->beside : NULL, o->y0, o->y1 };
+    overlay_draw(&play->overlay, &place, play_shown_board(play), play->mouse.x, play->mouse.y);
+    if (play_timebar_shown(play) && (o->beside.fb || !play->console.open))
+        timebar_draw(&o->picture, &play->session);
+    play_window_show(play, &p->composed, p->composed_rgb, true);
+}
+
+/* The player's key for an action; the fixed one, if the player has no key for it. */
+static void foot_key(struct play *play, const char *action, const char *fixed, char *name, size_t size)
+{
+    keys_first(&play->config.keys, action, name, size);
+    if (!play->config.keys.player[0].controller && (strncmp(name, "pad", 3) == 0 || strcmp(name, "none") == 0))
+        snprintf(name, size, "%s", fixed);
+}
+
+/* The line below a screen. */
+static void screens_foot(struct play *play, char *text, size_t size)
+{
+    char yes[32], no[32];
+
+    foot_key(play, "p1.fire", "enter", yes, sizeof yes);
+    foot_key(play, "p1.bomb", "escape", no, sizeof no);
+    snprintf(text, size, "%s: Select  %s: Back", yes, no);
+}
+
+void play_show(struct play *play, struct picture *p)
+{
+    struct over o = { .page = shows_page(play) };
+
+    play_window_begin(play, p->fb.w, p->fb.h);
+    if (screens_are_open(&play->screens)) {
+        struct canvas canvas = copy_picture(play, p);
+        screens_foot(play, o.hint, sizeof o.hint);
+        screens_draw(&play->screens, &canvas, o.hint);
+        play_window_show(play, &p->composed, p->composed_rgb, false);
+        return;
+    }
+    message_text(play, o.text, sizeof o.text);
+    hint_text(play, o.page ? " " : o.text, o.hint, sizeof o.hint);
+    if (anything(play, &o))
+        show_over(play, p, &o);
+    else
+        play_window_show(play, &p->fb, p->rgb, false);
+}
+
+/* ---- screenshots and clips ---- */
+
+/* Writes a file in the user's pictures, and shows its path. */
+static void save_picture(struct play *play, const char *name, const uint8_t *bytes, size_t size)
+{
+    char shown[FILES_PATH_SIZE];
+
+    if (!play_save(play, name, bytes, size))
+        return;
+    play_log(play, "saved %s", files_display_name(name, shown));
+    play_show_message(play, MESSAGE_FRAMES, "Saved %s", shown);
+}
+
+void play_screenshot(struct play *play, struct picture *p)
+{
+    const struct board *b = drawable_board(play);
+    const struct fb *fb = b ? &p->composed : &p->fb;
+    const uint32_t *rgb = b ? p->composed_rgb : p->rgb;
+    char name[PLAY_NAME_SIZE];
+    uint8_t *png;
+    size_t size;
+
+    play_unused_name(play, name, "pictures:", "png");
+    if (b)
+        board_draw(b, NULL, &p->composed, p->composed_rgb, p->scratch);
+    if (!png_write(fb->pix, fb->pitch, fb->w, fb->h, rgb, &png, &size)) {
+        plat_log("curtain: out of memory for the screenshot");
+        return;
+    }
+    save_picture(play, name, png, size);
+    free(png);
+}
+
+static bool can_save_clip(struct play *play)
+{
+    return !play->attract.on && !play_fault(play) && play->session.state == SESSION_PLAYING;
+}
+
+void play_request_clip(struct play *play)
+{
+    play->drawing.clip_due = can_save_clip(play);
+    if (play->drawing.clip_due)
+        play_show_message(play, MESSAGE_FRAMES, "Saving the last %d seconds", play->config.capture_seconds);
+    else
+        play_show_message(play, MESSAGE_FRAMES, "Nothing to save: no run is in progress");
+}
+
+void play_save_clip(struct play *play, struct picture *p)
+{
+    struct drawing *d = &play->drawing;
+    char name[PLAY_NAME_SIZE];
+    struct gif gif;
+
+    if (!d->clip_due || play->waiting.on || !play->session.now)
+        return;
+    d->clip_due = false;
+    if (!can_save_clip(play))
+        return;
+    const uint32_t now = board_frame(play_board(play)), before = (uint32_t)play->config.capture_seconds * 60 - 1;
+    if (last_film(&gif, &play->session.now->guard, now > before ? now - before : 0, &p->composed, p->composed_rgb,
+                  p->scratch)) {
+        play_unused_name(play, name, "pictures:", "gif");
+        save_picture(play, name, gif.out.bytes, gif.out.n);
+    } else {
+        play_log(play, "curtain: cannot save the clip: out of memory, or a frame took too long");
+        play_show_message(play, MESSAGE_FRAMES, "Cannot save the clip");
+    }
+    gif_close(&gif);
+}

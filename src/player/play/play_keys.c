@@ -1,0 +1,225 @@
+/*
+ * play_keys.c - what each of the program's keys does, and which buttons reach the game.
+ */
+#include <stdio.h>
+#include <string.h>
+#include "play_state.h"
+#include "timebar.h"
+
+enum { MAX_SLOW = 4, VOLUME_STEP = 10 /* percent */ };
+
+static bool is_pressed(const struct keys_read *k, enum cab_key key)
+{
+    return k->pressed >> key & 1;
+}
+
+/* ---- keys ---- */
+
+/* The sound card is opened when there is something to hear. */
+static void set_sound(struct play *play, bool muted, int volume)
+{
+    play->speaker.muted = muted;
+    play->speaker.volume = volume < 0 ? 0 : volume > 100 ? 100 : volume;
+    if (!board_has_sound(play_board(play)))
+        play_show_message(play, MESSAGE_FRAMES / 2, "This game has no sound");
+    else if (muted)
+        play_show_message(play, MESSAGE_FRAMES / 2, "Sound off");
+    else
+        play_show_message(play, MESSAGE_FRAMES / 2, "Volume %d%%", play->speaker.volume);
+    if (!muted && !play->window.want.sound_rate)
+        play_update_window(play);
+}
+
+/* The keys that also work while a screen is open. */
+static void global_keys(struct play *play, const struct keys_read *k)
+{
+    const struct speaker *s = &play->speaker;
+
+    if (is_pressed(k, CAB_QUIT))
+        play->quit = true;
+    if (is_pressed(k, CAB_FULLSCREEN))
+        play_toggle_fullscreen(play);
+    if (is_pressed(k, CAB_SCREENSHOT))
+        play_screenshot(play, &play->drawing.picture);
+    if (is_pressed(k, CAB_CAPTURE))
+        play_request_clip(play);
+    if (is_pressed(k, CAB_MUTE))
+        set_sound(play, !s->muted, s->volume);
+    if (is_pressed(k, CAB_QUIETER))
+        set_sound(play, s->muted, s->volume - VOLUME_STEP);
+    if (is_pressed(k, CAB_LOUDER))
+        set_sound(play, false, s->volume + VOLUME_STEP);
+}
+
+static void speed_keys(struct play *play, const struct keys_read *k)
+{
+    struct play_time *time = &play->time;
+
+    if (is_pressed(k, CAB_PAUSE))
+        time->paused = !time->paused;
+    if (is_pressed(k, CAB_STEP))
+        time->paused = time->step = true;
+    if (is_pressed(k, CAB_SLOW)) {
+        play_mark_assisted(play);
+        time->slow = time->slow == MAX_SLOW ? 1 : time->slow * 2;
+    }
+}
+
+/* The keys that move in time. */
+static void seek_keys(struct play *play, const struct plat_input *in, const struct keys_read *k)
+{
+    const struct session *s = &play->session;
+    uint32_t now = s->state == SESSION_SEEKING
+                       ? s->to
+                       : board_frame(play_board(play)); /* a second press counts from the target of the first */
+
+    if (play->attract.on)
+        return;
+    if (is_pressed(k, CAB_BACK)) {
+        play->time.paused = true;
+        play_rewind(play, 1);
+    }
+    if (is_pressed(k, CAB_BEFORE))
+        play_seek(play, timebar_previous(s, now));
+    if (is_pressed(k, CAB_AFTER))
+        play_seek(play, timebar_next(s, now));
+    if (is_pressed(k, CAB_TAKE_OVER))
+        play_take_over(play);
+    if (is_pressed(k, CAB_RELOAD))
+        play_reload(play);
+    if (is_pressed(k, CAB_GOTO))
+        prompt_open(&play->prompt, in);
+}
+
+/* In a playback, and while the time bar is shown, a click on it moves to that frame. */
+static void time_bar_mouse(struct play *play, const struct plat_input *in)
+{
+    const struct fb *fb = &play->drawing.picture.fb;
+    uint32_t frame;
+    bool held = in->mouse_buttons & 1, pressed = held && !play->mouse.held;
+
+    play->mouse.held = held;
+    if (play->attract.on || play->console.open || !(play->session.demo || play_timebar_shown(play)) ||
+        !timebar_at(&play->session, fb->w, fb->h, in->mouse_x, in->mouse_y, &frame))
+        return;
+    play->seek.bar_frames = play->seek.bar_frames ? play->seek.bar_frames : 1;
+    if (pressed || (held && play->session.state == SESSION_PLAYING && frame != board_frame(play_board(play))))
+        play_seek(play, frame);
+}
+
+/* True while the prompt is open: it gets all keys, and the board doesn't tick. */
+static bool prompt_keys(struct play *play, const struct plat_input *in)
+{
+    uint32_t frame;
+
+    if (!play->prompt.open)
+        return false;
+    if (prompt_poll(&play->prompt, in, &frame)) {
+        play->time.paused = true;
+        play_seek(play, frame);
+    }
+    return true;
+}
+
+/* An open console gets all keys. Scores are saved before a line can change them. */
+static void console_keys(struct play *play, const struct plat_input *in, struct keys_read *k)
+{
+    bool usable = !play_fault(play) && !play->attract.on && play->session.state == SESSION_PLAYING;
+
+    if (is_pressed(k, CAB_CONSOLE))
+        play_save_nvram(play);
+    console_poll(&play->console, in, k, usable ? play_board(play) : NULL, !play->session.demo);
+    if (console_kept(&play->console)) {
+        play_check_recording(play, session_mark_touched(&play->session));
+        practice_stop_counting(&play->practice);
+    }
+    play_want_text(play, play->console.open);
+}
+
+/* ---- the frame's input ---- */
+
+/* Buttons accumulate until a tick has seen them. */
+static void take_pads(struct play_pads *pads, const struct keys_read *k)
+{
+    for (int i = 0; i < MAX_PLAYERS; i++) {
+        pads->ignored[i] &= k->pads[i];
+        pads->held[i] |= (uint16_t)(k->pads[i] & ~pads->ignored[i]);
+    }
+}
+
+void play_scroll(const struct play *play, int *top, int end, uint16_t pad, int wheel)
+{
+    static const uint64_t every = 3; /* frames a line, while held */
+    bool step = play->time.frames % every == 0;
+
+    *top += (step && pad & PAD_DOWN ? 1 : 0) - (step && pad & PAD_UP ? 1 : 0) - 3 * wheel;
+    *top = *top > end ? end : *top;
+    *top = *top < 0 ? 0 : *top;
+}
+
+static void take_away(struct keys_read *k, uint32_t keys)
+{
+    k->held &= ~keys;
+    k->pressed &= ~keys;
+}
+
+/* Input during play: no screen and no prompt is open. */
+static void game_keys(struct play *play, const struct plat_input *in, struct keys_read *k)
+{
+    struct play_time *time = &play->time;
+
+    if (time->waits_for_button && (k->fresh || !time->paused)) {
+        time->waits_for_button = time->paused = false;
+        play->message.frames = 0;
+    }
+    console_keys(play, in, k);
+    overlay_keys(&play->overlay, k->pressed);
+    take_pads(&play->pads, k);
+    if (play_fault(play))
+        play_scroll(play, &play->report.page_top, play->report.page_end, k->pads[0], in->wheel);
+    global_keys(play, k);
+    speed_keys(play, k);
+    play_practice_keys(play, k);
+    if (screens_are_open(&play->screens))
+        return;
+    seek_keys(play, in, k);
+    time_bar_mouse(play, in);
+    if (play->attract.on && k->fresh)
+        attract_end(&play->attract);
+}
+
+void play_poll(struct play *play, struct keys_read *k)
+{
+    struct plat_input in;
+
+    plat_poll(&in);
+    play_window_mouse(&play->window, &in.mouse_x, &in.mouse_y);
+    play->time.stopped = false;
+    play->mouse.x = in.mouse_x;
+    play->mouse.y = in.mouse_y;
+    play->quit = play->quit || in.quit;
+    play_seats_poll(play, &in);
+    /* Also while the prompt is open: the key that closes it must not be read afterwards. */
+    keys_read(&play->config.keys, &in, &play->pads.seats, k);
+    if (play->options.sealed)
+        take_away(k, KEYS_INSIDE | (play->session.demo ? 0 : KEYS_IN_TIME));
+    play_seats_report(play, k);
+    play_check_drop(play);
+    if (play->replay.resuming) { /* only quitting is possible */
+        play->quit = play->quit || is_pressed(k, CAB_QUIT);
+        memset(k, 0, sizeof *k);
+        return;
+    }
+    if (prompt_keys(play, &in)) {
+        memset(k, 0, sizeof *k);
+        return;
+    }
+    play->time.stopped = play_screen_keys(play, &in, k);
+    if (play->time.stopped) {
+        global_keys(play, k);
+        memset(k->pads, 0, sizeof k->pads);
+        k->held = k->pressed = 0;
+    } else {
+        game_keys(play, &in, k);
+    }
+}

@@ -1,0 +1,621 @@
+/*
+ * play_state.h - the state of a window, one struct for each file that owns it, and the functions its files share.
+ */
+#ifndef PLAYER_PLAY_STATE_H
+#define PLAYER_PLAY_STATE_H
+
+#include "play.h"
+#include "../settings/config.h"
+#include "../../common/byte_buffer.h"
+#include "../../common/files.h"
+#include "folder.h"
+#include "pace.h"
+#include "practice.h"
+#include "session.h"
+#include "../input/press.h"
+#include "../input/seats.h"
+#include "../overlay/console.h"
+#include "../overlay/overlay.h"
+#include "../overlay/prompt.h"
+#include "../picture/compose.h"
+#include "../picture/shade.h"
+#include "../replays/replays.h"
+#include "../replays/unsaved.h"
+#include "../run/ahead.h"
+#include "../run/guard.h"
+#include "../screens/log.h"
+#include "../screens/screen.h"
+#include "../speaker/speaker.h"
+
+#ifdef __GNUC__
+#define PLAY_PRINTF(at, first) __attribute__((format(printf, at, first)))
+#else
+#define PLAY_PRINTF(at, first)
+#endif
+
+enum {
+    PLAY_NAME_SIZE = 96,       /* bytes of a file's name */
+    MESSAGE_FRAMES = 180,      /* how long a message is shown */
+    MESSAGE_STAYS = INT32_MAX, /* until another one replaces it */
+    MESSAGE_UNTIL_RELOAD = -1, /* shown as a page until a reload works */
+    SETTINGS_ROWS = 96
+};
+
+/* play.c: time in the game. */
+struct play_time {
+    uint64_t frames; /* of the window since it was opened */
+    bool ticked;     /* the live board has ticked in this frame */
+    bool paused, step;
+    bool waits_for_button; /* the pause ends when a button is pressed */
+    bool stopped;          /* in this frame the board does not tick, because a screen is open or was */
+    bool rewinding;
+    bool quiet;      /* ticks are not heard: single steps, or turbo */
+    int slow;        /* 1, 2, 4: frames a tick */
+    int slow_frames; /* since the last tick */
+};
+
+/* play_tick.c: a second board, which shows an attract demo while the live one waits. */
+struct attract {
+    bool on;
+    struct guard guard;
+    struct demo demo;
+};
+
+/* play_seek.c: moving in time. */
+struct play_seek {
+    bool used;                      /* the player has moved in a playback: it pauses at its end instead of quitting */
+    int bar_frames;                 /* that the time bar is still shown */
+    uint32_t reported_difference;   /* the value of session.differs that was reported last */
+    char recording[PLAY_NAME_SIZE]; /* of a playback that was taken over, unless --record names one */
+};
+
+/* play_reload.c: changes in the game's folder. */
+struct play_reload {
+    struct folder folder;
+    int frames_since_check;
+    bool due; /* load in the next frame, when the picture shows the message */
+};
+
+/* play_nvram.c: the score file. */
+struct play_nvram {
+    uint8_t *image;       /* start.nvram, if it was loaded from the file; malloc */
+    uint32_t saved_count; /* board_nvram's count when it was last saved */
+    int frames_since_save;
+    bool disabled; /* the file could not be read, so it is not written */
+};
+
+/* play_messages.c: the line over the picture. */
+struct message {
+    char text[FILES_PATH_SIZE + 256];
+    int frames; /* that it is still shown; MESSAGE_UNTIL_RELOAD */
+};
+
+/* play_draw.c. fb, rgb: the board's picture, drawn with the view of the settings. composed, composed_rgb: a copy with
+ * the overlay on it. */
+struct picture {
+    struct fb fb, composed;
+    void *memory;
+    void *scratch;
+    uint32_t rgb[256], composed_rgb[256];
+    struct shade_kept shades;
+};
+
+struct drawing {
+    struct picture picture;
+    struct ahead ahead;
+    uint16_t last_pads[MAX_PLAYERS]; /* of the last tick */
+    bool clip_due;                   /* write the clip in the next frame, when the picture shows the message */
+};
+
+/* play_window.c: the window, and how the last picture was shown in it. */
+struct play_window {
+    struct plat_config want;
+    char title[sizeof((struct manifest *)0)->title];
+    struct compose compose;
+    struct border border; /* of the ROM; rgba NULL: it has none */
+    uint8_t *border_rgba; /* malloc */
+    bool border_read;
+    uint32_t border_crc; /* of the ROM whose border was read */
+    bool has_icon;
+    uint32_t icon_crc;       /* of the ROM whose icon the window shows */
+    uint64_t handed;         /* usec: when the last picture was passed to the port */
+    int refresh;             /* thousandths of a Hz at which showing a picture returns; 0: it returns at once */
+    bool composes;           /* this picture will be composed */
+    bool cannot;             /* the port has no plat_paint, or there is no memory */
+    bool composed;           /* the last picture was composed */
+    enum quarter shown_turn; /* otherwise, how it was rotated */
+    int w, h;                /* its size before the rotation; 0: none was shown */
+    uint8_t *turned;         /* the rotated picture; malloc */
+    size_t turned_size;
+    struct fb side; /* beside the picture */
+    void *side_memory;
+    bool has_side;
+};
+
+/* play_wait.c: waiting for a change of the game's folder or of the settings file. */
+struct waiting {
+    bool on;
+    bool settings; /* for the settings file */
+    bool checking; /* it has changed: read it in the next frame, when the picture says so */
+    char why[FILES_ERR_SIZE + CONFIG_LINE], more[sizeof((struct board_fault *)0)->trace];
+    int top, end; /* lines scrolled, and the most */
+};
+
+/* play_report.c: fault and crash reports. */
+struct report {
+    char known[4096]; /* lines written in advance */
+    size_t n;
+    char stem[128];  /* the file's name without its number */
+    uint8_t *memory; /* of demo_dump; NULL: reports have no demo */
+    size_t size;
+    struct byte_buffer text;     /* of a fault report */
+    char where[FILES_PATH_SIZE]; /* the last report's path; "": none */
+    uint32_t frame;              /* and the fault in it */
+    char message[sizeof((struct board_fault *)0)->message];
+    bool fault_reported;    /* of the board's present fault */
+    int page_top, page_end; /* lines of the fault's page that are scrolled, and the most */
+};
+
+/* play_autosave.c: the run in progress, and the replay of the last run. */
+struct autosave {
+    uint32_t frames; /* of the recording at the last tick */
+    bool on;         /* a run is in progress, since frame `first` */
+    uint32_t first;
+    bool resumable;                              /* user:resume/ID.demo is of this run */
+    char stem[REPLAY_STEM];                      /* the last run's replay; "": none, or it could not be written yet */
+    struct replay_meta_row row[REPLAY_MAX_ROWS]; /* entered during the run */
+    int rows;
+    bool waits; /* the last run is the first of play_unsaved.runs */
+};
+
+/* A run whose replay could not be written yet. malloc, and so are its bytes. */
+struct unsaved_run {
+    struct unsaved_run *next;
+    uint8_t *bytes;
+    size_t size;
+    struct replay_meta meta;
+    struct thumb thumb;
+};
+
+/* play_autosave.c: what could not be written. It is tried again each minute, and when the window closes. */
+struct play_unsaved {
+    struct unsaved *files;
+    struct unsaved_run *runs; /* the newest first */
+    bool settings;
+    bool resume_file;    /* user:resume/ID.demo of the run in progress */
+    bool unfinished_run; /* user:resume/ID.demo is of an earlier run, whose replay could not be written yet */
+    bool shown;          /* the player was told, and something is still unsaved */
+    int frames;          /* until the next try */
+};
+
+/* play_replay.c: a replay or an unfinished run that the window has opened. */
+struct play_replay {
+    struct demo *demo;            /* malloc; the session plays it, or started as its playback */
+    const struct cart *home;      /* the game's current ROM while the session runs an older one; otherwise NULL */
+    struct session_rom *home_rom; /* owns home; NULL: the caller of play_open does */
+    bool watching;                /* a replay is shown, or was until the player took over */
+    bool taken_over;              /* the player continues from a playback: nothing is saved */
+    bool resuming;                /* an unfinished run is replayed, to be continued at its end */
+    uint8_t *nvram;               /* the saved image when the run was resumed; malloc */
+    size_t nvram_size;
+    bool same;        /* the run's image was identical to it once, so the run's image may replace it */
+    uint32_t changed; /* board_nvram's count at the last comparison */
+};
+
+/* play_pads.c: controllers, and how players press. */
+struct play_pads {
+    uint16_t held[MAX_PLAYERS];    /* buttons held since the last tick, before press_tick */
+    uint16_t ignored[MAX_PLAYERS]; /* held since a screen was open: the game does not see them */
+    struct seats seats;
+    struct press_modes modes[MAX_PLAYERS];
+    struct press press[MAX_PLAYERS];
+    uint32_t next_frame; /* the frame after the last tick with pads of press_tick */
+    bool unplugged;      /* a player's controller was unplugged, and the game is paused for it */
+};
+
+/* play_keys.c. */
+struct play_mouse {
+    bool held; /* the button, at the last poll */
+    int x, y;
+};
+
+/* play_screens.c: a game dropped on the window. */
+struct play_drop {
+    char asked[FILES_PATH_SIZE];    /* while the player is asked */
+    char accepted[FILES_PATH_SIZE]; /* is played after this game; "": none */
+};
+
+/* screen_keys.c: the key that the player is about to press. */
+struct key_capture {
+    bool listening;
+    int action;
+    struct keys_capture capture;
+    bool started; /* capture has seen the keys held before */
+};
+
+/* screen_replays.c. */
+struct replay_list {
+    struct replays list;
+    struct thumb thumb;
+    int thumb_of; /* the replay with that thumbnail; -1: none */
+    char typed[REPLAY_NAME_SIZE];
+    bool typing, fresh; /* fresh: the first letter replaces the proposed name */
+    uint8_t held[PLAT_KEYS / 8];
+    uint32_t buttons;
+    char text[SCREEN_HELP];
+};
+
+/* screen_resume.c: the unfinished run. */
+struct resume_offer {
+    char text[SCREEN_HELP];
+    bool possible; /* its ROM is stored, and this engine plays it identically */
+    bool changed;  /* the game has changed since */
+};
+
+/* screen_settings.c. */
+enum settings_row { SETTINGS_GROUP, SETTINGS_VALUE, SETTINGS_LANGUAGE, SETTINGS_TO_KEYS };
+
+struct settings_list {
+    struct {
+        enum settings_row kind;
+        const struct config_setting *setting; /* of a value; the first one of a group */
+    } row[SETTINGS_ROWS];
+    int rows;
+    char lang[16]; /* when the screen was opened */
+};
+
+struct play {
+    struct play_options options;
+    struct config config, saved_config; /* in use; in the file, or about to be written */
+    bool quit;
+    enum result result; /* of play_close */
+
+    /* the run */
+    struct board_start start;
+    struct session session;
+    struct practice_menu practice;
+    struct attract attract;
+    struct play_time time;
+    struct play_seek seek;
+    struct play_reload reload;
+    struct play_replay replay;
+
+    /* files */
+    struct play_nvram nvram;
+    struct autosave autosave;
+    struct play_unsaved unsaved;
+    struct report report;
+
+    /* input */
+    struct play_pads pads;
+    struct play_mouse mouse;
+    struct play_drop drop;
+    bool had_focus; /* at the last poll */
+
+    /* output */
+    struct pace pace;
+    struct speaker speaker;
+    struct play_window window;
+    struct drawing drawing;
+    struct message message;
+    struct overlay overlay;
+    struct console console;
+    struct prompt prompt;
+    struct waiting waiting;
+
+    /* screens */
+    struct screens screens;
+    struct log log;
+    struct key_capture key_capture;
+    struct replay_list replay_list;
+    struct resume_offer resume_offer;
+    struct settings_list settings_list;
+    uint32_t controllers_held[PLAT_MAX_CONTROLLERS]; /* screen_controllers.c: buttons, also of unassigned ones */
+};
+
+/* ---- play.c ---- */
+
+/* Powers the session on with the options and opens its window. False: play->quit, with a line in the log and
+ * play->result set; or the window waits for the folder. */
+bool play_power_on(struct play *play);
+
+/* Starts with the loaded settings: powers on, or waits for a folder. */
+void play_start(struct play *play);
+
+/* ---- play_wait.c ---- */
+
+/* Shows why the game's folder can't be played, and waits for a change. False: no window. */
+bool play_wait_for_folder(struct play *play, const char *why, const char *more);
+
+/* Shows why the settings can't be read, and waits until their file is fixed or the player accepts the defaults; then
+ * calls play_start. False: no window. */
+bool play_wait_for_settings(struct play *play, const char *why);
+
+void play_wait_frame(struct play *play);
+
+/* ---- play_report.c ---- */
+
+/* Prepares the report of a crash. Call it when a board was powered on, and when settings changed. */
+void play_report_prepare(struct play *play);
+
+/* Logs the board's fault, if it has one, and writes its report; once for each fault. */
+void play_report_fault(struct play *play);
+
+/* Crashes are this window's from now on: the port has one handler. */
+void play_report_arm(struct play *play);
+
+/* Shows a message if the program crashed last time, once. */
+void play_report_last_crash(struct play *play);
+void play_report_close(struct report *r);
+
+/* ---- play_messages.c ---- */
+
+/* Adds a line to the window's log. */
+void play_log_add(struct play *play, enum log_kind kind, const char *line);
+
+/* Writes a line to the port's log and to the window's, without control characters. */
+PLAY_PRINTF(2, 3) void play_log(struct play *play, const char *format, ...);
+
+/* Shows a line over the picture for this many frames. */
+PLAY_PRINTF(3, 4) void play_show_message(struct play *play, int frames, const char *format, ...);
+
+/* Shows a line over the picture, and logs it with "curtain: " before it. */
+PLAY_PRINTF(2, 3) void play_warn(struct play *play, const char *format, ...);
+
+/* The game's name as the user typed it; the running cart, its board, and its fault or NULL. */
+const char *play_game_name(const struct play *play);
+const struct cart *play_cart(const struct play *play);
+struct board *play_board(const struct play *play);
+const struct board_fault *play_fault(const struct play *play);
+
+/* The board that is shown and heard: the attract demo's, or the live one. */
+struct board *play_shown_board(const struct play *play);
+
+/* The first name "ID-N.TYPE" that no file has. where: "pictures:", or "" for the current directory. */
+void play_unused_name(struct play *play, char name[PLAY_NAME_SIZE], const char *where, const char *type);
+
+/* Logs what scripts printed in the last tick. */
+void play_log_output(struct play *play);
+
+/* Queues the sound of the present frame, a sixtieth of a second. */
+void play_queue_sound(struct play *play, enum speaker_way way);
+
+/* Reports, once, that a playback differs from its recording. */
+void play_report_difference(struct play *play);
+
+/* Harmless if no attract demo is shown. */
+void attract_end(struct attract *a);
+
+/* ---- play_nvram.c ---- */
+
+/* Loads the saved image for a start without nvram: malloc'ed, and start points to it. NULL: there is none, or a
+ * practice start, which has empty nvram. */
+uint8_t *play_load_nvram(struct play *play, struct board_start *start);
+
+/* Saves nvram if it has changed, in a live run that was neither rewound nor touched. */
+void play_save_nvram(struct play *play);
+
+/* Saves nvram, and flags the recording: slow motion or steps were used. From now on nvram is not saved. */
+void play_mark_assisted(struct play *play);
+
+/* ---- play_seek.c ---- */
+
+/* Moves to a frame, or back by this many frames, and shows the time bar. */
+void play_seek(struct play *play, uint32_t frame);
+void play_rewind(struct play *play, uint32_t frames);
+
+/* Ends a playback; the player continues from here. */
+void play_take_over(struct play *play);
+
+/* ---- play_reload.c ---- */
+
+/* Loads the game again; does so if files in its folder have changed. */
+void play_reload(struct play *play);
+void play_check_folder(struct play *play);
+
+/* Adapts the picture, the window and practice to another ROM in the session. */
+void play_apply_rom(struct play *play);
+
+/* Continues a seek or a reload for a part of a frame that started at `now`. */
+void play_continue_work(struct play *play, uint64_t now);
+
+/* ---- play_tick.c ---- */
+
+/* play_tick runs one frame, of the attract demo if one is shown. play_step does too, but replays recorded frames after
+ * the present. */
+void play_tick(struct play *play);
+void play_step(struct play *play);
+
+/* ---- play_practice.c ---- */
+
+/* Resets the state of the previous run, when the board was powered on with this start. */
+void play_reset_run(struct play *play, const struct board_start *start);
+
+/* Sets a start's language to that of the settings, if the game has it. */
+void play_set_language(struct play *play, struct board_start *start);
+
+uint64_t play_clock_seed(void);
+
+/* Handles the keys for the menu and retry; does what was chosen in a frame of the open menu. */
+void play_practice_keys(struct play *play, const struct keys_read *k);
+void play_practice_poll(struct play *play);
+
+/* Opens the practice menu, if this run can be left for it. */
+void play_open_practice(struct play *play);
+
+/* Closes all screens and starts the game again at its title. of: the struct play, as for screens_ask. */
+void play_restart(void *of);
+
+/* A start of the game at its title, without nvram. */
+void play_title_start(struct play *play, struct board_start *start);
+
+/* ---- play_autosave.c ---- */
+
+/* Takes the result of a call that may write the recording. false: logs session.err, and the exit code is 3. */
+void play_check_recording(struct play *play, bool good);
+
+/* Call autosave_tick after each new tick of the session, autosave_end before the session ends or the game is powered on
+ * again: saves the run in progress. */
+void play_autosave_tick(struct play *play);
+void play_autosave_end(struct play *play);
+
+/* Starts writing the present run to its resume file. */
+void play_autosave_start(struct play *play);
+
+/* Finds the run in progress in the recording, when the session was changed in the middle of a run. */
+void play_autosave_sync(struct play *play);
+
+/* The resume file. archive: saves the unfinished run in it as a replay; if that fails, the file stays until it can. */
+void play_resume_path(struct play *play, char path[PLAY_NAME_SIZE]);
+void play_archive_unfinished(struct play *play);
+
+/* Writes a file. False: it can't be written yet, and the player was told. */
+bool play_save(struct play *play, const char *path, const void *bytes, size_t size);
+
+/* Logs that something can't be written; shows one message until everything is saved. */
+void play_save_failed(struct play *play, const char *err);
+
+/* In each frame: tries unsaved data again every minute. At the end: tries it once more, and logs what is lost. */
+void play_retry_saves(struct play *play);
+void play_final_retry(struct play *play);
+
+/* ---- play_replay.c ---- */
+
+/* Shows a replay from a frame on, and ends the present run. False, and a message: it can't be shown. */
+bool play_watch(struct play *play, const char *path, uint32_t frame);
+
+/* Back to the game's title. */
+void play_return_to_title(struct play *play);
+
+/* Frees the demo that was opened last, which no session plays any more; and the game's own ROM. */
+void play_free_replay(struct play *play);
+void play_close_replay(struct play *play);
+
+/* Replays the unfinished run, then pauses. False, and a message: it can't. */
+bool play_resume(struct play *play);
+
+/* Call it when a seek has ended. */
+void play_resume_finish(struct play *play);
+
+/* The unfinished run's metadata; false: there is none. */
+bool play_find_unfinished(struct play *play, struct replay_meta *c);
+
+/* ---- play_screens.c, screen_*.c ---- */
+
+/* Writes the changed settings to their file; shows a message if that fails. */
+void play_save_settings(struct play *play);
+
+/* Opens the screen that the game asks for: only in a live run's new ticks. */
+void play_open_requested(struct play *play, enum board_host_screen screen);
+
+/* Would the player lose a run by leaving? */
+bool play_has_run(const struct play *play);
+
+/* Applies play->config; call it after any change. */
+void play_apply_settings(struct play *play);
+
+extern const struct screen_def keys_screen;
+void play_open_menu(struct play *play);
+void play_open_settings(struct play *play);
+void play_open_keys(struct play *play);
+void play_open_controllers(struct play *play);
+void play_open_log(struct play *play);
+void play_open_replays(struct play *play);
+
+/* Asks whether to resume the unfinished run, if there is one. */
+void play_offer_resume(struct play *play);
+
+/* Passes input to the screens, and to the keys that open them. True: a screen is open or was, the board doesn't tick,
+ * and the keys left in k->pressed are those that no screen used. */
+bool play_screen_keys(struct play *play, const struct plat_input *in, struct keys_read *k);
+
+/* Checks whether a game was dropped on the window; asks before a run is lost, and reports games that can't be
+ * played. */
+void play_check_drop(struct play *play);
+
+/* ---- play_draw.c ---- */
+
+/* Allocates the pictures of a board, or pictures of any size. False: out of memory. */
+bool picture_open(struct picture *p, const struct board *b);
+bool picture_alloc(struct picture *p, int w, int h);
+void picture_close(struct picture *p);
+
+/* If enabled, ticks the board a frame ahead, until ahead_end. */
+void play_look_ahead(struct play *play);
+
+/* Draws the visible board; shows the picture with the overlay on it. */
+void play_draw(struct play *play, struct picture *p);
+void play_show(struct play *play, struct picture *p);
+
+/* True while the player moves in time, and in a playback when the mouse is on the time bar. */
+bool play_timebar_shown(const struct play *play);
+
+/* Saves the board's picture in the user's pictures, without the overlay and not changed by the settings. */
+void play_screenshot(struct play *play, struct picture *p);
+
+/* Requests a GIF of the last seconds in the user's pictures; writes it before the next frame, all at once. */
+void play_request_clip(struct play *play);
+void play_save_clip(struct play *play, struct picture *p);
+
+/* ---- play_window.c ---- */
+
+/* The wanted sample rate: 0 for a silent game, and for one that starts muted. */
+int play_sound_rate(struct play *play);
+
+/* Fills in the part of window.want that doesn't depend on the game. w, h: the picture. */
+void play_window_configure(struct play *play, int w, int h, const char *title);
+
+/* Opens the window, or changes it, as play->config and the game's manifest say. False: no window. */
+bool play_open_window(struct play *play);
+
+/* Changes the window; quits if that fails. */
+void play_update_window(struct play *play);
+
+void play_toggle_fullscreen(struct play *play);
+
+/* Whether the window takes text. */
+void play_want_text(struct play *play, bool on);
+
+void play_window_close(struct play_window *w);
+
+/* Call it before a picture of w x h is shown: gets the window's size. play_window_side is then the area beside the
+ * picture, in its colours; NULL: there is no space, or it is disabled. */
+void play_window_begin(struct play *play, int w, int h);
+struct fb *play_window_side(struct play_window *w);
+
+/* Shows a picture; side: and the area beside it. */
+void play_window_show(struct play *play, const struct fb *fb, const uint32_t rgb[256], bool side);
+
+/* From a position of plat_input to a pixel of the picture; -1, -1: none. */
+void play_window_mouse(const struct play_window *w, int *x, int *y);
+
+/* ---- play_keys.c ---- */
+
+/* Scrolls a page with a pad's up and down, and with the mouse wheel. */
+void play_scroll(const struct play *play, int *top, int end, uint16_t pad, int wheel);
+
+/* Reads the input and handles the program's keys. */
+void play_poll(struct play *play, struct keys_read *k);
+
+/* ---- play_pads.c ---- */
+
+void play_pads_open(struct play *play);
+
+/* Applies the settings of how each player presses. */
+void play_pads_apply(struct play *play);
+
+/* Call it when the board was powered on. */
+void play_pads_power(struct play_pads *pads);
+
+/* The pads of the live board's next tick, from pads.held. */
+void play_pads_tick(struct play *play, uint16_t pads[MAX_PLAYERS]);
+
+/* Before keys_read: finds out which controllers are plugged in and who uses them. After it: reports changes, pauses for
+ * a player whose controller was unplugged, and resumes at START. */
+void play_seats_poll(struct play *play, const struct plat_input *in);
+void play_seats_report(struct play *play, const struct keys_read *k);
+
+/* The controller's own name, or its kind. */
+const char *play_controller_name(const struct plat_controller *c);
+
+#endif
