@@ -199,7 +199,7 @@ static void test_go_on(void **state)
     assert_true(session_close(&straight));
     assert_true(demo_load(&d, file, err, sizeof err));
     assert_true(session_open(&s, &game.cart, &d.start, &d, NULL));
-    assert_false(session_go_on(&s, DEMO_RESUMED)); /* not there yet */
+    assert_false(session_resume(&s, DEMO_RESUMED)); /* not there yet */
     s.ticked = count;
     s.of = &s;
     ticks = 0;
@@ -207,8 +207,8 @@ static void test_go_on(void **state)
     while (s.state != SESSION_PLAYING)
         assert_true(session_work(&s, UINT64_MAX));
     assert_int_equal(ticks, 500);
-    assert_true(session_go_on(&s, DEMO_RESUMED));
-    assert_false(session_go_on(&s, DEMO_RESUMED)); /* it is no playback any more */
+    assert_true(session_resume(&s, DEMO_RESUMED));
+    assert_false(session_resume(&s, DEMO_RESUMED)); /* it is no playback any more */
     assert_false(s.rewound);
     assert_null(s.demo);
     for (int i = 0; i < 100; i++)
@@ -242,7 +242,7 @@ static void test_differs(void **state)
     session_goto(&s, d.frames);
     while (s.state != SESSION_PLAYING)
         assert_true(session_work(&s, UINT64_MAX));
-    assert_false(session_go_on(&s, DEMO_RESUMED));
+    assert_false(session_resume(&s, DEMO_RESUMED));
     assert_string_equal(s.err, "playback diverged from the recording");
     assert_true(session_close(&s));
     demo_free(&d);

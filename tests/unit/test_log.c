@@ -30,16 +30,16 @@ static const char *kept(int i)
 static void lines(void **state)
 {
     (void)state;
-    assert_int_equal(log_kept(&l), 0);
-    log_add(&l, LOG_PRINTED, 7, "one");
-    log_add(&l, LOG_WRONG, 8, "two\n\n\tthree\n");
-    log_add(&l, LOG_PRINTED, 9, "");
-    assert_int_equal(log_kept(&l), 3);
+    assert_int_equal(log_count(&l), 0);
+    log_add(&l, LOG_SCRIPT, 7, "one");
+    log_add(&l, LOG_FAULT, 8, "two\n\n\tthree\n");
+    log_add(&l, LOG_SCRIPT, 9, "");
+    assert_int_equal(log_count(&l), 3);
     assert_string_equal(kept(0), "one");
     assert_int_equal(log_line(&l, 0)->frame, 7);
     assert_string_equal(kept(1), "two");
     assert_string_equal(kept(2), "\tthree");
-    assert_int_equal(log_line(&l, 2)->kind, LOG_WRONG);
+    assert_int_equal(log_line(&l, 2)->kind, LOG_FAULT);
 }
 
 /* What is printed in every frame takes one line, as long as nothing else comes between. */
@@ -47,10 +47,10 @@ static void again(void **state)
 {
     (void)state;
     for (uint32_t i = 0; i < 60; i++)
-        log_add(&l, LOG_PRINTED, 100 + i, "hp 12");
-    log_add(&l, LOG_WRONG, 160, "hp 12");
-    log_add(&l, LOG_PRINTED, 161, "hp 12");
-    assert_int_equal(log_kept(&l), 3);
+        log_add(&l, LOG_SCRIPT, 100 + i, "hp 12");
+    log_add(&l, LOG_FAULT, 160, "hp 12");
+    log_add(&l, LOG_SCRIPT, 161, "hp 12");
+    assert_int_equal(log_count(&l), 3);
     assert_int_equal(log_line(&l, 0)->times, 60);
     assert_int_equal(log_line(&l, 0)->frame, 100);
     assert_int_equal(log_line(&l, 1)->times, 1);
@@ -64,9 +64,9 @@ static void many(void **state)
     (void)state;
     for (int i = 0; i < 3 * LOG_LINES + 5; i++) {
         snprintf(text, sizeof text, "line %d", i);
-        log_add(&l, LOG_PRINTED, (uint32_t)i, text);
+        log_add(&l, LOG_SCRIPT, (uint32_t)i, text);
     }
-    assert_int_equal(log_kept(&l), LOG_LINES);
+    assert_int_equal(log_count(&l), LOG_LINES);
     for (int i = 0; i < LOG_LINES; i++) {
         snprintf(text, sizeof text, "line %d", 2 * LOG_LINES + 5 + i);
         assert_string_equal(kept(i), text);
@@ -83,15 +83,15 @@ static void long_lines(void **state)
         memset(text, 'x', first);
         for (size_t i = first; i + 3 < sizeof text; i += 3)
             memcpy(text + i, "\xe2\x82\xac", 4);
-        log_add(&l, LOG_PRINTED, 0, text);
-        const char *line = kept(log_kept(&l) - 1);
+        log_add(&l, LOG_SCRIPT, 0, text);
+        const char *line = kept(log_count(&l) - 1);
         assert_true(strlen(line) < LOG_LINE && strlen(line) >= LOG_LINE - 3 - 3);
         assert_int_equal((strlen(line) - first) % 3, 0);
         assert_string_equal(line + strlen(line) - 3, "...");
         assert_null(strchr(line, '?'));
     }
-    log_add(&l, LOG_PRINTED, 0, "a\033[31mb");
-    assert_string_equal(kept(log_kept(&l) - 1), "a [31mb");
+    log_add(&l, LOG_SCRIPT, 0, "a\033[31mb");
+    assert_string_equal(kept(log_count(&l) - 1), "a [31mb");
 }
 
 /* ---- the screen ---- */
@@ -153,7 +153,7 @@ static void opens_at_the_end(void **state)
     screens_close(&s);
     for (int i = 0; i < 100; i++) {
         snprintf(text, sizeof text, "line %d", i);
-        log_add(&l, i == 99 ? LOG_WRONG : LOG_PRINTED, (uint32_t)i, text);
+        log_add(&l, i == 99 ? LOG_FAULT : LOG_SCRIPT, (uint32_t)i, text);
     }
     log_open(&l, &s);
     draw();
@@ -197,13 +197,13 @@ static void stays_in_range(void **state)
     opens_at_the_end(state);
     for (int i = 0; i < 2 * LOG_LINES; i++) {
         snprintf(text, sizeof text, "more %d", i);
-        log_add(&l, LOG_TOLD, 0, text);
+        log_add(&l, LOG_PROGRAM, 0, text);
     }
     draw();
     assert_int_equal(chosen(), 99);
     assert_string_equal(row_at(99).label, "more 499");
-    log_add(&l, LOG_TOLD, 5, "same");
-    log_add(&l, LOG_TOLD, 6, "same");
+    log_add(&l, LOG_PROGRAM, 5, "same");
+    log_add(&l, LOG_PROGRAM, 6, "same");
     assert_string_equal(row_at(LOG_LINES - 1).value, "2 x  5");
 }
 

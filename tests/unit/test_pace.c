@@ -70,7 +70,7 @@ static void test_does_not_wait(void **state)
     for (int calls = 0; now < 1000000 + 10 * PACE_SECOND; calls++) {
         assert_true(calls < 3000); /* it is no busy loop */
         now = pace_due(&p) > now ? pace_due(&p) : now + 100;
-        if (pace_comes(&p, now))
+        if (pace_frame_due(&p, now))
             ticks += pace_take(&p, now).ticks;
     }
     assert_in_range(ticks, 598, 602);
@@ -100,8 +100,8 @@ static void test_no_screen(void **state)
     for (uint64_t i = 0; i < 100000; i++) {
         const uint64_t due = base + i * PACE_SECOND / 60;
         assert_true(pace_due(&p) == due);
-        assert_true(i == 0 || !pace_comes(&p, due - 1));
-        assert_true(pace_comes(&p, due));
+        assert_true(i == 0 || !pace_frame_due(&p, due - 1));
+        assert_true(pace_frame_due(&p, due));
         const struct pace_frame f = pace_take(&p, due);
         assert_int_equal(f.ticks, 1);
         assert_true(f.due == due && f.lost == 0);
@@ -152,7 +152,7 @@ static uint64_t runs(struct pace *p, int refresh, uint64_t now, int ticks)
         pace_refresh(p, refresh, now);
         const uint64_t due = pace_due(p);
         now = due > now ? due : now + (refresh ? 1000000000 / (uint64_t)refresh : 0);
-        if (!pace_comes(p, now))
+        if (!pace_frame_due(p, now))
             continue;
         const struct pace_frame f = pace_take(p, now);
         assert_in_range(f.ticks, 1, PACE_LATE);

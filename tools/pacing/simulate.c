@@ -87,7 +87,7 @@ struct simulated simulate(const struct simulate *s)
         const double due = (double)pace_due(&pace);
         if (due > h.now)
             h.now = due + between(&h, 0, s->late);
-        if (!pace_comes(&pace, (uint64_t)h.now))
+        if (!pace_frame_due(&pace, (uint64_t)h.now))
             continue;
         const double began = h.now;
         out.ticks += pace_take(&pace, (uint64_t)h.now).ticks;

@@ -1,5 +1,5 @@
 /*
- * folder.c - see folder.h. A stamp is a sum of hashes, for files are listed in any order.
+ * folder.c - see folder.h. A stamp is a sum of hashes, because files are listed in any order.
  */
 #include "folder.h"
 
@@ -8,24 +8,24 @@
 #include "../../../platform/platform.h"
 #include "../../base/hash.h"
 
-enum { DEEPEST = 8 /* folders in folders; more is a loop of links */ };
+enum { MAX_DEPTH = 8 /* nested folders; more is a loop of links */ };
 
-struct look {
+struct walk {
     char path[1024];
     int depth;
     uint64_t stamp;
 };
 
-static bool into(const struct look *l, const char *name)
+static bool descends(const struct walk *l, const char *name)
 {
-    const bool no_games = strcmp(name, "demos") == 0 || strcmp(name, "tests") == 0;
+    const bool no_assets = strcmp(name, "demos") == 0 || strcmp(name, "tests") == 0;
 
-    return l->depth < DEEPEST && !(l->depth == 0 && no_games);
+    return l->depth < MAX_DEPTH && !(l->depth == 0 && no_assets);
 }
 
 static void add(void *user, const struct plat_folder_entry *file)
 {
-    struct look *l = user;
+    struct walk *l = user;
     size_t n = strlen(l->path);
 
     if (file->name[0] == '.' || n + 1 + strlen(file->name) >= sizeof l->path)
@@ -33,7 +33,7 @@ static void add(void *user, const struct plat_folder_entry *file)
     snprintf(l->path + n, sizeof l->path - n, "/%s", file->name);
     if (!file->is_folder) {
         l->stamp += hash_fold(hash_bytes(HASH_START, l->path, strlen(l->path)), (uint64_t)file->time);
-    } else if (into(l, file->name)) {
+    } else if (descends(l, file->name)) {
         l->depth++;
         plat_list(l->path, add, l);
         l->depth--;
@@ -41,10 +41,10 @@ static void add(void *user, const struct plat_folder_entry *file)
     l->path[n] = 0;
 }
 
-/* 0: no folder. */
+/* 0: it isn't a folder. */
 static uint64_t stamp(const char *path)
 {
-    struct look l = { .stamp = 1 };
+    struct walk l = { .stamp = 1 };
 
     if (snprintf(l.path, sizeof l.path, "%s", path) >= (int)sizeof l.path)
         return 0;

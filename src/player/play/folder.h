@@ -1,5 +1,5 @@
 /*
- * folder.h - tells when a file of a game's folder has changed.
+ * folder.h - detects changed files in a game's folder.
  */
 #ifndef PLAYER_FOLDER_H
 #define PLAYER_FOLDER_H
@@ -9,16 +9,15 @@
 
 struct folder {
     const char *path;
-    uint64_t seen;  /* stamp of what is known */
-    uint64_t fresh; /* of the last look, when it was another */
+    uint64_t seen;  /* stamp of the known contents */
+    uint64_t fresh; /* stamp at the last check, if it was different */
 };
 
-/* Watches a folder from now on: what is in it is known. False: it is none; looks then find nothing. */
+/* Watches a folder: its present contents are known. False: it isn't a folder; checks then find nothing. */
 bool folder_open(struct folder *f, const char *path);
 
-/* True once after a change, when two looks in a row find the same: so that an editor has time to finish. Names and
- * times of all files count, but for hidden ones (a dot first) and those below demos/, where recordings go, and
- * tests/. */
+/* True once after a change, when two checks in a row find the same stamp, so that an editor has time to finish. Names
+ * and times of all files count, except hidden ones (starting with a dot) and those in demos/ and tests/. */
 bool folder_changed(struct folder *f);
 
 #endif

@@ -1,11 +1,11 @@
 /*
  * pace.c - see pace.h.
  *
- * Locked, the clock of the refreshes is a sum of equal steps, so it has no jitter; a tick is handed out for each whole
- * number that it passes. How late the screen is heard of beside it is smoothed. When that is out of the dead band the
- * clock is set right by it at once, and as it took `counted` refreshes to come to that, each step was wrong by its part
- * of it. In the dead band nothing is done, so at a rate of 60 one refresh has one tick for a very long time, and
- * jitter cannot make it two and none.
+ * In locked mode, the clock of the refreshes is a sum of equal steps, so it has no jitter; each whole number that it
+ * passes is a tick. The delay of the calls relative to this clock is smoothed. If the delay leaves the dead band, the
+ * clock is corrected by it at once; as the error took `counted` refreshes to build up, the step is corrected by that
+ * fraction of it. In the dead band nothing is corrected, so at a rate of 60 each refresh has one tick for a very long
+ * time, and jitter can't cause refreshes with two ticks and none.
  */
 #include "pace.h"
 
@@ -14,17 +14,17 @@
 enum {
     TICK = 1000000,
     SMOOTH = 16,     /* refreshes */
-    BAND = TICK / 4, /* of what the clock may be off; of a fast screen a quarter of its refresh */
-    MARGIN = 4,    /* a picture is handed in a quarter after the refresh before its own, so that it is not that one's */
-    SAFE = 4000,   /* usec that a picture is handed in before it has to be */
-    WORTH = 1000,  /* usec: for less nothing is waited for */
-    FORGETS = 256, /* frames until a long one is hardly remembered */
-    CAREFUL = 300, /* refreshes after one that was missed */
-    SETTLES = 2,   /* ticks */
-    BELIEVED = 30, /* refreshes that an error of the rate is spread over at least */
-    AHEAD_MOST = PACE_SECOND / 8, /* usec until the next frame: never more, unless the clock was set back */
-    RATE_MOST = 32,               /* the rate is believed to be wrong by a 32nd part at most */
-    EARLIEST = TICK / 4           /* after its time that a tick is handed out, the dead band deducted: it is due then */
+    BAND = TICK / 4, /* dead band of the clock's error; on a fast screen a quarter of a refresh */
+    MARGIN = 4,      /* a picture is shown at least a quarter of a refresh after the refresh before its own */
+    SAFE = 4000,     /* usec by which a picture is early */
+    WORTH = 1000,    /* usec: shorter delays are skipped */
+    FORGETS = 256,   /* frames until a long one is almost forgotten */
+    CAREFUL = 300,   /* refreshes after a missed one */
+    SETTLES = 2,     /* ticks */
+    BELIEVED = 30,   /* the least number of refreshes over which an error of the rate is spread */
+    AHEAD_MOST = PACE_SECOND / 8, /* usec until the next frame; more only if the clock was set back */
+    RATE_MOST = 32,               /* the rate is corrected by a 32nd at most */
+    EARLIEST = TICK / 4           /* the least delay of a tick, without the dead band: it is due then */
 };
 
 void pace_open(struct pace *p, uint64_t now)
@@ -51,7 +51,7 @@ static void begin_locked(struct pace *p, uint64_t now)
     p->careful = CAREFUL;
 }
 
-/* When so many millionths of a tick have passed since the base. */
+/* The time when this many millionths of a tick have passed since the base. */
 static uint64_t moment(const struct pace *p, int64_t at)
 {
     return p->base + (uint64_t)int64_max(at, 0) / 60;
@@ -96,8 +96,8 @@ void pace_refresh(struct pace *p, int refresh, uint64_t now)
     begin_again(p, now);
 }
 
-/* The clock was off by so much in the end: it is set right, and so is its rate. */
-static void set_right(struct pace *p)
+/* Corrects the clock and its rate. */
+static void correct(struct pace *p)
 {
     const int64_t right = step_of(p->refresh), most = right / RATE_MOST;
 
@@ -107,7 +107,7 @@ static void set_right(struct pace *p)
     p->counted = 0;
 }
 
-/* The first refreshes are where the middle of a tick is, so that both ways there is as much room. */
+/* Places the first refreshes in the middle of a tick, so the margins on both sides are equal. */
 static bool settle(struct pace *p, uint64_t now)
 {
     p->base = now - (p->ticks + 1) * PACE_SECOND / 60;
@@ -115,7 +115,7 @@ static bool settle(struct pace *p, uint64_t now)
     return true;
 }
 
-/* Counts the refresh that has just been. False: the screen did not wait for it. */
+/* Counts the present refresh. False: the screen did not wait for it. */
 static bool count_refresh(struct pace *p, uint64_t now)
 {
     if (p->ticks < SETTLES)
@@ -127,18 +127,18 @@ static bool count_refresh(struct pace *p, uint64_t now)
     p->at += p->step;
     p->counted++;
     p->careful -= p->careful > 0;
-    if (late > p->step / 2) { /* some were missed: of the one that was heard of nothing is known */
+    if (late > p->step / 2) { /* some were missed: this one's delay is unknown */
         p->at += (late + p->step / 2) / p->step * p->step;
         p->careful = CAREFUL;
         return true;
     }
     p->off += (late - p->off) / SMOOTH;
     if (int64_abs(p->off) > int64_min(BAND, p->step / 4))
-        set_right(p);
+        correct(p);
     return true;
 }
 
-/* A tick is due. Begins its frame, or waits as long as its picture is in time for the next refresh. */
+/* A tick is due. Starts its frame, or delays it as long as the picture is in time for the next refresh. */
 static bool begin_frame(struct pace *p, uint64_t now)
 {
     const uint64_t end = refresh_due(p, p->at + p->off + p->step), needs = (uint64_t)p->work + SAFE;
@@ -153,21 +153,21 @@ static bool begin_frame(struct pace *p, uint64_t now)
 
 void pace_worked(struct pace *p, uint64_t usec)
 {
-    const int64_t took = usec < AHEAD_MOST ? (int64_t)usec : AHEAD_MOST; /* more is no work: a machine that slept */
+    const int64_t took = usec < AHEAD_MOST ? (int64_t)usec : AHEAD_MOST; /* more isn't work: the machine slept */
 
     p->work = int64_max(took, p->work - p->work / FORGETS);
 }
 
-bool pace_comes(struct pace *p, uint64_t now)
+bool pace_frame_due(struct pace *p, uint64_t now)
 {
     if (!p->refresh)
         return now >= free_due(p, p->ticks);
     if (p->begin) {
-        const bool comes = now >= p->begin;
-        p->begin = comes ? 0 : p->begin;
-        return comes;
+        const bool due = now >= p->begin;
+        p->begin = due ? 0 : p->begin;
+        return due;
     }
-    if (p->asleep && now < pace_due(p)) /* the host does not wait, it calls again */
+    if (p->asleep && now < pace_due(p)) /* plat_wait returned early */
         return false;
     if (p->asleep) {
         p->at += p->step;

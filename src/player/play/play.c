@@ -44,7 +44,7 @@ static bool wait_for_frame(struct play *play)
         return speaker_frame_due(play, plat_usec());
     pace_refresh(&play->pace, play->window.refresh, plat_usec());
     plat_wait(pace_due(&play->pace));
-    return pace_comes(&play->pace, plat_usec());
+    return pace_frame_due(&play->pace, plat_usec());
 }
 
 /* Frames that are due by now, at least one. */

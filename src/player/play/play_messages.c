@@ -81,7 +81,7 @@ void play_log(struct play *play, const char *format, ...)
     va_start(args, format);
     vsnprintf(line, sizeof line, format, args);
     va_end(args);
-    log_line_of(play, LOG_TOLD, line);
+    log_line_of(play, LOG_PROGRAM, line);
 }
 
 void play_log_output(struct play *play)
@@ -93,7 +93,7 @@ void play_log_output(struct play *play)
         const char *end = memchr(out->log + i, '\n', out->log_size - i);
         size_t n = end ? (size_t)(end - (out->log + i)) : out->log_size - i;
         snprintf(line, sizeof line, "%.*s", (int)n, out->log + i);
-        log_line_of(play, LOG_PRINTED, line);
+        log_line_of(play, LOG_SCRIPT, line);
         i += n + 1;
     }
 }

@@ -263,7 +263,7 @@ void play_resume_finish(struct play *play)
         return;
     play->replay.resuming = false;
     play->session.ticked = NULL;
-    if (!session_go_on(&play->session, DEMO_RESUMED)) {
+    if (!session_resume(&play->session, DEMO_RESUMED)) {
         refuse(play, "Cannot resume the run", play->session.err);
         play_archive_unfinished(play);
         play_return_to_title(play);

@@ -348,11 +348,11 @@ void play_report_fault(struct play *play)
     snprintf(line, sizeof line, "curtain: %s: %s", play_game_name(play), fault.message);
     clean_line(line);
     plat_log(line);
-    play_log_add(play, LOG_WRONG, fault.message);
+    play_log_add(play, LOG_FAULT, fault.message);
     clean_lines(fault.trace);
     if (fault.trace[0])
         plat_log(fault.trace);
-    play_log_add(play, LOG_WRONG, fault.trace);
+    play_log_add(play, LOG_FAULT, fault.trace);
     play->report.page_top = 0;
     write_fault_report(play, play_fault(play));
     play->report.fault_reported = true;

@@ -44,13 +44,13 @@ static struct row row_at(const struct practice_menu *m, int at)
     return (struct row){ ROW_SECTION, at - 7 - n };
 }
 
-/* Rows that cannot be chosen: the blank line, and the bosses' headings. */
+/* Rows that can't be chosen: the blank line, and the bosses' headings. */
 static bool is_heading(const struct practice_menu *m, struct row r)
 {
     return r.kind == ROW_BLANK || (r.kind == ROW_SECTION && m->sections.section[r.i].kind == SECTION_BOSS);
 }
 
-/* The row of a section; if none has that id the first section's, or the title's. */
+/* The row of a section; if no section has that id, the first section's, or the title's. */
 static int row_of(const struct practice_menu *m, const char *id)
 {
     int first = 0;
@@ -99,8 +99,8 @@ void practice_reloaded(struct practice_menu *m, const struct cart *cart)
     practice_stop_counting(m);
 }
 
-/* Does the marker mean that the section ended well? With which ship, "@NAME", is no matter. */
-static bool ends_well(const char *section, const struct board_marker *marker)
+/* Does the marker complete the section? The ship, "@NAME", doesn't matter. */
+static bool completes(const char *section, const struct board_marker *marker)
 {
     char name[80];
 
@@ -124,7 +124,7 @@ static void count_marker(struct practice_menu *m, const struct board_marker *mar
         m->attempting = true;
     } else if (marker->kind == MARKER_DEATH) {
         m->attempting = false;
-    } else if (m->attempting && ends_well(section, marker)) {
+    } else if (m->attempting && completes(section, marker)) {
         records_capture(&m->records, section, difficulty);
         m->attempting = false;
     }
@@ -151,7 +151,7 @@ static void list(struct practice_menu *m)
         m->value[i] = m->sections.reg[i].value;
 }
 
-/* Takes over the settings of the present run. */
+/* Copies the settings of the present run. */
 static void take_settings(struct practice_menu *m)
 {
     const struct practice *p = &m->start.practice;
@@ -188,7 +188,7 @@ void practice_chosen(const struct practice_menu *m, struct board_start *out)
     }
 }
 
-static int round_to(int v, int lo, int hi)
+static int wrap(int v, int lo, int hi)
 {
     return v < lo ? hi : v > hi ? lo : v;
 }
@@ -201,7 +201,7 @@ static int32_t add_within(int32_t v, int by)
     return (int32_t)(sum < 0 ? 0 : sum > INT32_MAX ? INT32_MAX : sum);
 }
 
-/* by: -1 or 1, or ten times as much for what is counted. */
+/* by: -1 or 1; -10 or 10 for numbers. */
 static void change(void *of, int at, int by)
 {
     struct practice_menu *m = of;
@@ -210,10 +210,10 @@ static void change(void *of, int at, int by)
 
     switch (r.kind) {
     case ROW_DIFFICULTY:
-        m->difficulty = round_to(m->difficulty + direction, 0, m->cart->manifest.n_difficulties - 1);
+        m->difficulty = wrap(m->difficulty + direction, 0, m->cart->manifest.n_difficulties - 1);
         break;
     case ROW_LIVES:
-        m->lives = round_to(m->lives + by, 0, PRACTICE_MAX_LIVES);
+        m->lives = wrap(m->lives + by, 0, PRACTICE_MAX_LIVES);
         break;
     case ROW_REGISTER:
         m->value[r.i] = add_within(m->value[r.i], by);
@@ -263,7 +263,7 @@ static enum canvas_colour colour_of(const struct record *r)
     return !r || !r->attempts ? CANVAS_GREY : r->captures ? CANVAS_GREEN : CANVAS_YELLOW;
 }
 
-/* A boss is shown by its title, with its name beside it; other sections by name and title. */
+/* A boss has its title as label and its name as value; other sections have both as label. */
 static void describe_section(const struct practice_menu *m, const struct section *section, struct screen_row *row)
 {
     const struct record *r = record_of(m, section);

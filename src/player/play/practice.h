@@ -1,12 +1,10 @@
 /*
- * practice.h - the practice menu: every section of the game, its settings, its attempts and captures.
- *
- * It is one of the cabinet's screens (screens/screen.h).
+ * practice.h - the practice menu, a screen: all sections of the game, settings, attempts and captures.
  *
  * Counting. An attempt of a section is counted when a practice start of it begins: from the menu, by the retry key, or
- * when the game starts the section again by itself. A capture is counted when the section ends well without a death
- * since it began: a phase is beaten, or a stage, from its start or from a mark, reaches its end. Neither is counted
- * with invincible, nor after the run was rewound (until the next start).
+ * when the game itself starts the section again. A capture is counted when the section is completed without a death: a
+ * phase is beaten, or a stage, from its start or from a mark, reaches its end. Neither is counted with invincibility,
+ * nor after the run was rewound (until the next start).
  */
 #ifndef PLAYER_PRACTICE_H
 #define PLAYER_PRACTICE_H
@@ -22,43 +20,44 @@ struct practice_menu {
     struct records records;
 
     struct board_start home;  /* the game from its title */
-    struct board_start start; /* what the present run was started with */
-    bool counts, attempting;  /* counts: attempts of this run count. attempting: one is on, without a death so far */
+    struct board_start start; /* of the present run */
+    bool counts,
+        attempting; /* counts: attempts of this run count. attempting: one is in progress, without a death so far */
 
     struct screens *screens;
     bool listed;
-    bool start_chosen; /* since it was opened: the caller powers the board with practice_chosen's start */
+    bool start_chosen; /* since it was opened: the caller powers the board on with practice_chosen's start */
     struct sections sections;
     int difficulty, lives, slow;           /* lives 0: the ship's own; slow: 1, 2, 4 frames a tick */
     int32_t value[PRACTICE_MAX_REGISTERS]; /* of sections.reg */
-    bool invincible, hitbox;               /* hitbox: show hit shapes over the picture */
+    bool invincible, hitbox;               /* hitbox: show hit shapes */
     char section[64];                      /* of the section last started; "": none, or the game from its title */
 };
 
-/* Reads the records of the game. start: how the run was started. The cart must outlive the menu, or be replaced with
+/* Loads the records of the game. start: that of the present run. The cart must outlive the menu, or be replaced with
  * practice_reloaded. */
 void practice_init(struct practice_menu *m, const struct cart *cart, const struct board_start *start);
 
-/* To be called when a live board was powered with this start. */
+/* Call it when a live board was powered on with this start. */
 void practice_began(struct practice_menu *m, const struct board_start *start);
 
-/* Counts attempts and captures: to be called after each tick of the live board, with its output. */
+/* Counts attempts and captures. Call it after each tick of the live board, with its output. */
 void practice_after_tick(struct practice_menu *m, const struct board_out *out);
 
-/* Counts nothing more in this run: it was rewound, or the board was changed from outside. */
+/* Stops counting in this run: it was rewound, or the board was changed from outside. */
 void practice_stop_counting(struct practice_menu *m);
 
-/* To be called when the game was reloaded: its sections are listed again, and this run does not count any more. */
+/* Call it when the game was reloaded: lists its sections again, and stops counting in this run. */
 void practice_reloaded(struct practice_menu *m, const struct cart *cart);
 
 extern const struct screen_def practice_screen;
 
-/* Opens the menu above the screens that are open, and lists the game's sections the first time. slow: the present
- * setting. It closes all screens when something is chosen. */
+/* Opens the menu above the open screens, and lists the game's sections the first time. slow: the present setting. The
+ * menu closes all screens when something is chosen. */
 void practice_open(struct practice_menu *m, struct screens *screens, int slow);
 
-/* Makes the start that was chosen: the present run's with another difficulty and practice settings, or that of the game
- * from its title, which has no practice.section. The caller sets its nvram. */
+/* The chosen start: the present run's with another difficulty and practice settings, or that of the game at its title,
+ * which has no practice.section. The caller sets its nvram. */
 void practice_chosen(const struct practice_menu *m, struct board_start *out);
 
 /* Saves the records and frees everything. Harmless on a zeroed menu. */

@@ -1,5 +1,6 @@
 /*
- * session.c - see session.h. A session_run owns what is freed with its board; a reload or a restart makes another one.
+ * session.c - see session.h. A session_run owns everything that is freed with its board; reloads and restarts make a
+ * new one.
  */
 #include "session.h"
 
@@ -9,7 +10,7 @@
 #include "../../../platform/platform.h"
 #include "../../common/result.h"
 
-enum { LOOK_EVERY = 16 /* ticks between two looks at the clock */ };
+enum { CLOCK_EVERY = 16 /* ticks between two readings of the clock */ };
 
 static bool fail(struct session *s, const char *what)
 {
@@ -36,7 +37,7 @@ static void run_free(struct session_run *r)
     free(r);
 }
 
-/* A board just powered on, recording in memory; takes `rom`, also when it returns NULL. */
+/* A board just powered on, recording in memory; takes ownership of `rom`, even if it returns NULL. */
 static struct session_run *run_power(struct session *s, const struct cart *cart, struct session_rom *rom,
                                      const struct board_start *start)
 {
@@ -75,7 +76,7 @@ bool session_open(struct session *s, const struct cart *cart, const struct board
     return s->now != NULL;
 }
 
-/* Recording ends at the present. */
+/* Ends the recording at the present. */
 static bool finish(struct session *s)
 {
     struct demo_writer *w = &s->now->writer;
@@ -118,7 +119,7 @@ bool session_restart(struct session *s, const struct board_start *start)
 
 /* ---- forward ---- */
 
-/* The pads of the board's next tick, if they are known. */
+/* The pads of the board's next tick. False: they are unknown. */
 static bool known_pads(const struct session *s, uint16_t pads[MAX_PLAYERS])
 {
     uint32_t frame = board_frame(session_board(s));
@@ -128,8 +129,8 @@ static bool known_pads(const struct session *s, uint16_t pads[MAX_PLAYERS])
     return frame < d->frames;
 }
 
-/* Compares the newest frame of a playback with its recording. Parts that only one of the two builds has do not
- * count. */
+/* Compares the newest frame of a playback with its recording. Parts that only one of the two builds has are
+ * ignored. */
 static void compare(struct session *s)
 {
     const struct session_run *r = s->now;
@@ -196,7 +197,7 @@ uint32_t session_last(const struct session *s)
 {
     const struct demo *d = s->demo && !board_last_output(session_board(s))->fault ? s->demo : &s->now->writer.demo;
     uint32_t frame = board_frame(session_board(s));
-    bool fault = d->frames > d->checksum_frames; /* the tick that faulted makes no frame */
+    bool fault = d->frames > d->checksum_frames; /* the tick that faulted adds no frame */
 
     return d->frames - fault > frame ? d->frames - fault : frame;
 }
@@ -249,7 +250,7 @@ bool session_take_over(struct session *s, const char *record)
     return !s->record || check_written(s, demo_record_to_file(&s->now->writer, s->record));
 }
 
-bool session_go_on(struct session *s, unsigned flags)
+bool session_resume(struct session *s, unsigned flags)
 {
     const struct board *b = session_board(s);
 
@@ -382,22 +383,22 @@ static bool arrived(const struct session *s)
     return board_frame(b) >= s->to || board_last_output(b)->fault;
 }
 
-/* A clock that went back has none left, either. */
-static bool time_left(uint64_t begun, uint64_t until)
+/* None is left if the clock was set back. */
+static bool time_left(uint64_t start, uint64_t until)
 {
     const uint64_t now = plat_usec();
 
-    return now >= begun && now < until;
+    return now >= start && now < until;
 }
 
 bool session_work(struct session *s, uint64_t until)
 {
-    const uint64_t begun = plat_usec();
+    const uint64_t start = plat_usec();
     bool good = true;
 
     for (int i = 1; s->state != SESSION_PLAYING && !arrived(s) && good; i++) {
         good = s->next ? reload_tick(s) : session_replay_tick(s);
-        if (i % LOOK_EVERY == 0 && !time_left(begun, until))
+        if (i % CLOCK_EVERY == 0 && !time_left(start, until))
             return good;
     }
     if (!good || s->state == SESSION_PLAYING)

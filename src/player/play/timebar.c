@@ -37,7 +37,7 @@ bool timebar_at(const struct session *s, int w, int h, int x, int y, uint32_t *f
 
 /* ---- markers ---- */
 
-/* Is the marker one that the keys go to? Waves, the ends and attempts of sections, and rows of scores are not. */
+/* Do the keys go to this marker? Not to waves, ends and attempts of sections, and rows of scores. */
 static bool is_target(const struct session *s, const struct demo_marker *m)
 {
     enum board_marker_kind kind = m->marker.kind;
@@ -82,7 +82,7 @@ static const struct demo_marker *last_of(const struct session *s, uint32_t frame
     return found;
 }
 
-/* "stage point boss/phase" of the game that goes on, as far as they are there. */
+/* "stage:mark boss/phase" of the game in progress, as far as it has them. */
 static void position_text(const struct session *s, uint32_t frame, char *text, size_t size)
 {
     const struct demo_marker *over = last_of(s, frame, MARKER_OVER, NULL);
@@ -103,7 +103,7 @@ static void draw_markers(const struct canvas *canvas, const struct session *s, i
     uint32_t n;
     const struct demo_marker *m = session_markers(s, &n);
 
-    for (int pass = 0; pass < 2; pass++) /* waves first, so that they hide nothing */
+    for (int pass = 0; pass < 2; pass++) /* waves first, so that they are covered by the others */
         for (uint32_t i = 0; i < n; i++) {
             bool wave = m[i].marker.kind == MARKER_WAVE;
             if (wave == (pass == 0) && (wave || is_target(s, &m[i])))

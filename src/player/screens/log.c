@@ -1,5 +1,5 @@
 /*
- * log.c - see log.h. A row has room for the beginning of a line; all of it stands below the list while it is chosen.
+ * log.c - see log.h. A row shows the start of a line; the whole line is below the list while it is chosen.
  */
 #include "log.h"
 
@@ -7,25 +7,25 @@
 #include <string.h>
 #include "../../common/clean.h"
 
-int log_kept(const struct log *log)
+int log_count(const struct log *log)
 {
     return log->lines < LOG_LINES ? (int)log->lines : LOG_LINES;
 }
 
 const struct log_line *log_line(const struct log *log, int i)
 {
-    return &log->line[(log->lines - (uint32_t)log_kept(log) + (uint32_t)i) % LOG_LINES];
+    return &log->line[(log->lines - (uint32_t)log_count(log) + (uint32_t)i) % LOG_LINES];
 }
 
-static bool is_again(const struct log *log, enum log_kind kind, const char *text)
+static bool repeats_last(const struct log *log, enum log_kind kind, const char *text)
 {
     if (log->lines == 0)
         return false;
-    const struct log_line *last = log_line(log, log_kept(log) - 1);
+    const struct log_line *last = log_line(log, log_count(log) - 1);
     return last->kind == kind && strcmp(last->text, text) == 0;
 }
 
-/* The first n bytes of text; where they are too many an ellipsis stands for the rest, behind a whole character. */
+/* Copies the first n bytes of text. If they don't fit, an ellipsis follows the last whole character that does. */
 static void copy(char *out, size_t size, const char *text, size_t n)
 {
     const bool cut = n >= size;
@@ -43,7 +43,7 @@ static void add(struct log *log, enum log_kind kind, uint32_t frame, const char 
     struct log_line line = { .kind = kind, .frame = frame, .times = 1 };
 
     copy(line.text, sizeof line.text, text, n);
-    if (is_again(log, kind, line.text))
+    if (repeats_last(log, kind, line.text))
         log->line[(log->lines - 1) % LOG_LINES].times++;
     else
         log->line[log->lines++ % LOG_LINES] = line;
@@ -63,13 +63,13 @@ void log_add(struct log *log, enum log_kind kind, uint32_t frame, const char *te
 
 static int rows(void *of)
 {
-    return log_kept(of);
+    return log_count(of);
 }
 
 static void row(void *of, int at, struct screen_row *row)
 {
     static const enum canvas_colour inks[] = {
-        [LOG_PRINTED] = CANVAS_WHITE, [LOG_TOLD] = CANVAS_GREY, [LOG_WRONG] = CANVAS_RED
+        [LOG_SCRIPT] = CANVAS_WHITE, [LOG_PROGRAM] = CANVAS_GREY, [LOG_FAULT] = CANVAS_RED
     };
     const struct log_line *line = log_line(of, at);
 
@@ -85,7 +85,7 @@ static void row(void *of, int at, struct screen_row *row)
 
 static const char *text(void *of)
 {
-    return log_kept(of) ? "" : "No messages yet.";
+    return log_count(of) ? "" : "No messages yet.";
 }
 
 static const struct screen_def screen = { .title = "Log", .rows = rows, .row = row, .text = text };
@@ -93,7 +93,7 @@ static const struct screen_def screen = { .title = "Log", .rows = rows, .row = r
 void log_open(struct log *log, struct screens *screens)
 {
     screens_open(screens, &screen, log);
-    screens_choose(screens, log_kept(log) - 1);
+    screens_choose(screens, log_count(log) - 1);
 }
 
 void log_toggle(struct log *log, struct screens *screens)

@@ -1,5 +1,5 @@
 /*
- * screen.c - see screen.h: the stack, and what each switch does. What is drawn is screen_draw.c's.
+ * screen.c - see screen.h: the stack, and the effect of each input. screen_draw.c draws the screens.
  */
 #include "screen.h"
 
@@ -21,9 +21,13 @@ enum {
     REPEATS = UP | DOWN | LEFT | RIGHT | PAGE_UP | PAGE_DOWN
 };
 
-enum { WAIT = 20, AGAIN = 3 /* frames until a held arrow repeats, and between repeats */, SAID = 240 };
-enum { SETTLE = 30 /* frames after a change in which the window may get another size and place under the mouse */ };
-enum { NO_MOUSE = 255 /* in place of its buttons: where it is and what it holds was not meant for this screen */ };
+enum {
+    REPEAT_DELAY = 20, /* frames until a held arrow repeats, and between repeats */
+    REPEAT_EVERY = 3,
+    SAID = 240,    /* frames for which a line is shown */
+    SETTLE = 30,   /* frames after a change in which the window may move under the mouse */
+    NO_MOUSE = 255 /* instead of its buttons: its position and buttons were meant for another screen */
+};
 
 /* ---- the stack ---- */
 
@@ -45,7 +49,7 @@ static bool is_heading(const struct screen_place *p, int at)
     return row.heading;
 }
 
-/* The next row that can be chosen, round the list's ends; `at` itself when there is no other. */
+/* The next row that can be chosen, with wrap-around; `at` if there is no other. */
 static int step(const struct screen_place *p, int at, int by)
 {
     const int n = rows_of(p);
@@ -59,8 +63,8 @@ static int step(const struct screen_place *p, int at, int by)
     return at;
 }
 
-/* The rows of a screen may have become fewer, or a chosen one a heading. */
-static void keep_chosen(struct screen_place *p)
+/* Rows may have been removed, or the chosen one may have become a heading. */
+static void settle(struct screen_place *p)
 {
     const int n = rows_of(p);
 
@@ -90,8 +94,8 @@ void screens_open(struct screens *s, const struct screen_def *screen, void *of)
     if (s->deep == SCREENS_DEEP)
         return;
     s->place[s->deep++] = (struct screen_place){ .screen = screen, .of = of };
-    keep_chosen(top_of(s));
-    s->held = UINT32_MAX; /* what is held now was pressed for something else */
+    settle(top_of(s));
+    s->held = UINT32_MAX; /* keys held now were pressed for something else */
     s->held_for = 0;
     s->mouse = NO_MOUSE;
     s->said_for = 0;
@@ -117,7 +121,7 @@ void screens_close_all(struct screens *s)
 void screens_settle(struct screens *s)
 {
     if (s->deep > 0)
-        keep_chosen(top_of(s));
+        settle(top_of(s));
 }
 
 void screens_choose(struct screens *s, int row)
@@ -146,7 +150,7 @@ void screen_sentence(char *out, size_t size, const char *phrase)
         out[0] = (char)(out[0] - 'a' + 'A');
 }
 
-/* ---- a question ---- */
+/* ---- questions ---- */
 
 enum { ASK_NO, ASK_YES, ASK_ROWS };
 
@@ -190,9 +194,9 @@ void screens_ask(struct screens *s, const char *question, const char *yes, void 
     screens_open(s, &ask, s);
 }
 
-/* ---- switches ---- */
+/* ---- input ---- */
 
-static uint32_t of_keyboard(const struct plat_input *in)
+static uint32_t keyboard_input(const struct plat_input *in)
 {
     static const struct {
         uint8_t usage;
@@ -208,7 +212,7 @@ static uint32_t of_keyboard(const struct plat_input *in)
     return held;
 }
 
-static uint32_t of_controllers(const struct plat_input *in)
+static uint32_t controller_input(const struct plat_input *in)
 {
     static const uint16_t does[PLAT_BUTTONS] = {
         [PLAT_DPAD_UP] = UP,
@@ -235,7 +239,7 @@ static uint32_t of_controllers(const struct plat_input *in)
     return held;
 }
 
-static uint32_t of_pads(const struct keys_read *k)
+static uint32_t pad_input(const struct keys_read *k)
 {
     static const struct {
         uint16_t button, does;
@@ -251,15 +255,15 @@ static uint32_t of_pads(const struct keys_read *k)
     return held;
 }
 
-/* Where a player has given yes and no to other buttons of a controller, south and east are these. */
-static uint32_t of_buttons(const struct plat_input *in, const struct keys_read *k)
+/* If a player has assigned yes or no to other buttons of a controller, south and east have the assigned meaning. */
+static uint32_t button_input(const struct plat_input *in, const struct keys_read *k)
 {
-    const uint32_t pads = of_pads(k), controllers = of_controllers(in);
+    const uint32_t pads = pad_input(k), controllers = controller_input(in);
 
     return pads | (pads & (YES | NO) ? controllers & ~(uint32_t)(YES | NO) : controllers);
 }
 
-/* What was just pressed, and arrows that repeat because they are held since they were pressed here. */
+/* Inputs that were just pressed, and repeats of held arrows that were pressed here. */
 static uint32_t pressed(struct screens *s, uint32_t held)
 {
     uint32_t fresh = held & ~s->held;
@@ -269,7 +273,7 @@ static uint32_t pressed(struct screens *s, uint32_t held)
     else
         s->held_for = held & REPEATS && s->held_for > 0 ? s->held_for + 1 : 0;
     s->held = held;
-    if (s->held_for > WAIT && (s->held_for - WAIT - 1) % AGAIN == 0)
+    if (s->held_for > REPEAT_DELAY && (s->held_for - REPEAT_DELAY - 1) % REPEAT_EVERY == 0)
         fresh |= held & REPEATS;
     return fresh;
 }
@@ -286,8 +290,8 @@ static int row_under(const struct screens *s, const struct screen_place *p, int 
     return at;
 }
 
-/* The row under the mouse is chosen when the mouse moves, and not the window under it, nor when a window comes back
- * under a mouse that rests; its left button accepts that, its right one goes back. */
+/* Moving the mouse chooses the row under it, but a window that moves or appears under a resting mouse doesn't. The left
+ * button accepts the row, the right one closes the screen. */
 static uint32_t use_mouse(struct screens *s, struct screen_place *p, const struct plat_input *in)
 {
     const uint8_t fresh = (uint8_t)(in->mouse_buttons & ~s->mouse);
@@ -307,7 +311,7 @@ static uint32_t use_mouse(struct screens *s, struct screen_place *p, const struc
     return fresh & 1 && at == p->row ? YES : 0;
 }
 
-/* ---- a frame ---- */
+/* ---- the frame ---- */
 
 static void change(struct screens *s, const struct screen_place *p, int by)
 {
@@ -336,7 +340,7 @@ static void accept(struct screens *s, const struct screen_place *p)
         p->screen->accept(p->of, p->row);
 }
 
-/* Over a page of rows, but not beyond the list's end. */
+/* Moves by a page of rows, at most to the end of the list. */
 static void move_page(struct screens *s, struct screen_place *p, int by)
 {
     const int n = rows_of(p), far = s->shown > 1 ? s->shown - 1 : 1;
@@ -354,7 +358,7 @@ bool screens_poll(struct screens *s, const struct plat_input *in, const struct k
     if (s->deep == 0)
         return false;
     struct screen_place *p = top_of(s);
-    const uint32_t held = of_keyboard(in) | of_buttons(in, k);
+    const uint32_t held = keyboard_input(in) | button_input(in, k);
 
     s->said_for -= s->said_for > 0;
     s->settle -= s->settle > 0;
@@ -363,7 +367,7 @@ bool screens_poll(struct screens *s, const struct plat_input *in, const struct k
         s->mouse = NO_MOUSE;
         return true;
     }
-    keep_chosen(p);
+    settle(p);
     const int chosen = p->row;
     const uint32_t fresh = pressed(s, held) | use_mouse(s, p, in);
     if (rows_of(p) > 0) {
@@ -376,9 +380,9 @@ bool screens_poll(struct screens *s, const struct plat_input *in, const struct k
         if (fresh & (LEFT | RIGHT) && changes(p))
             change(s, p, (fresh & LEFT ? -1 : 1) * (held & TEN ? 10 : 1));
     }
-    if (p->row != chosen) /* it was about that row, or has been read */
+    if (p->row != chosen) /* it was about the other row, or has been read */
         s->said_for = 0;
-    if (fresh & NO) /* who presses yes and no means no */
+    if (fresh & NO) /* yes and no together mean no */
         screens_close(s);
     else if (fresh & REMOVE && p->screen->remove && rows_of(p) > 0)
         p->screen->remove(p->of, p->row);

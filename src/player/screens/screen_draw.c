@@ -1,6 +1,6 @@
 /*
- * screen_draw.c - see screen.h: a screen over the picture. From above: title, text, list, help of the chosen row, foot.
- * The list scrolls and texts wrap, so every screen fits every picture; a label is cut before it reaches its value.
+ * screen_draw.c - see screen.h: draws a screen. From the top: title, text, list, help of the chosen row, foot. The list
+ * scrolls and text wraps, so every screen fits every picture; a label is cut off before it reaches its value.
  */
 #include <stdio.h>
 #include <string.h>
@@ -9,12 +9,12 @@
 
 enum {
     LINE = CANVAS_LINE_H,
-    LETTER = 3, /* px from a line's top to that of a capital */
-    EDGE = 5,   /* px between a frame and what is in it */
+    LETTER = 3, /* px from a line's top to the top of a capital */
+    EDGE = 5,   /* px between a frame and its contents */
     TITLE = LINE + 2,
     HELP_LINES = 3,
-    HELP_FROM = 100, /* px of height with room for a line of help, of twice as many with room for more */
-    FOOT_FROM = 120  /* and for a foot */
+    HELP_FROM = 100, /* px: the least height with a line of help; twice as many for more lines */
+    FOOT_FROM = 120  /* px: the least height with a foot */
 };
 
 int screen_row_height(void)
@@ -22,7 +22,7 @@ int screen_row_height(void)
     return LINE;
 }
 
-/* Lines that a text takes in w px. */
+/* The number of lines of a text wrapped at w px. */
 static int lines_of(const char *text, int w)
 {
     int n = 0;
@@ -35,7 +35,7 @@ static int lines_of(const char *text, int w)
     return n;
 }
 
-/* Draws at most `most` lines, the first one's top at y; returns the y after them. */
+/* Draws at most `most` lines from y down; returns the y below them. */
 static int draw_lines(const struct canvas *canvas, int x, int y, int w, int most, enum canvas_colour c,
                       const char *text)
 {
@@ -84,7 +84,7 @@ static void draw_row(const struct screen_place *p, int at, const struct canvas *
     canvas_say_within(canvas, x, to.y + LETTER, chosen ? CANVAS_DARK : value_ink(&row), value, right);
 }
 
-/* The first row to show so that the chosen one and its neighbours are seen: the one above may be a heading. */
+/* The first visible row, such that the chosen one and its neighbours are visible: the one above may be a heading. */
 static int scrolled(const struct screen_place *p, int n, int shown)
 {
     int top = p->top;
@@ -113,7 +113,7 @@ static void draw_list(struct screens *s, struct screen_place *p, const struct ca
     }
 }
 
-/* px that the widest row takes */
+/* Width of the widest row in px. */
 static int widest(const struct screen_place *p)
 {
     int most = canvas_say_width(p->screen->title);
@@ -128,7 +128,7 @@ static int widest(const struct screen_place *p)
     return most;
 }
 
-/* Lines for the longest help of a row. */
+/* The most lines that the help of a row has. */
 static int help_lines(const struct screen_place *p, int w)
 {
     int most = 0;
@@ -142,7 +142,7 @@ static int help_lines(const struct screen_place *p, int w)
     return most < HELP_LINES ? most : HELP_LINES;
 }
 
-/* Where a screen is: in the middle and as large as it must be, or everywhere. */
+/* The screen's area: a box in the middle, as small as possible, or the whole picture. */
 static struct screen_area area_of(const struct screen_place *p, const struct canvas *canvas, const char *text)
 {
     const int w = canvas->fb->w, h = canvas->fb->h;
@@ -167,7 +167,7 @@ static void draw_title(const struct screen_def *screen, const struct canvas *can
     canvas_say(canvas, a->x + EDGE, a->y + LETTER + 1, CANVAS_DARK, screen->title);
 }
 
-/* Below the list: what was just said, or the chosen row's help. */
+/* Below the list: the line of screens_say, or the chosen row's help. */
 static void draw_help(const struct screens *s, const struct screen_place *p, const struct canvas *canvas,
                       const struct screen_area *a)
 {
@@ -180,7 +180,7 @@ static void draw_help(const struct screens *s, const struct screen_place *p, con
                s->said_for ? s->said : row.help);
 }
 
-/* A screen's own picture stands above the list in a picture that is upright, and beside it in one that is wide. */
+/* Draws the picture of the chosen row above the list. */
 static void take_picture(const struct screen_place *p, const struct canvas *canvas, struct screen_area *list)
 {
     const struct screen_def *s = p->screen;
