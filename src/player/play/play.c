@@ -265,8 +265,7 @@ static const char *window_error(void)
     plat_describe_build(about, sizeof about);
     if (strcmp(about, "no window") == 0)
         return "cannot open a window: this build has no window support. Play with curtain, or write pictures with "
-               "curtain-null "
-               "render";
+               "curtain-null render";
     return "cannot open a window";
 }
 

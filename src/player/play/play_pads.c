@@ -79,7 +79,7 @@ const char *play_controller_name(const struct plat_controller *c)
 }
 
 /* Shows a message over the picture, and at the foot of an open screen. */
-PLAY_PRINTF(3, 4) static void show(struct play *play, int frames, const char *format, ...)
+__attribute__((format(printf, 3, 4))) static void show(struct play *play, int frames, const char *format, ...)
 {
     char text[sizeof play->message.text];
     va_list args;

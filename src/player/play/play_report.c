@@ -71,7 +71,7 @@ static void remove_oldest(void)
 
 /* ---- text prepared in advance ---- */
 
-PLAY_PRINTF(2, 3) static void add(struct report *r, const char *format, ...)
+__attribute__((format(printf, 2, 3))) static void add(struct report *r, const char *format, ...)
 {
     va_list args;
 

@@ -27,12 +27,6 @@
 #include "../screens/screen.h"
 #include "../speaker/speaker.h"
 
-#ifdef __GNUC__
-#define PLAY_PRINTF(at, first) __attribute__((format(printf, at, first)))
-#else
-#define PLAY_PRINTF(at, first)
-#endif
-
 enum {
     PLAY_NAME_SIZE = 96,       /* bytes of a file's name */
     MESSAGE_FRAMES = 180,      /* how long a message is shown */
@@ -354,13 +348,13 @@ void play_report_close(struct report *r);
 void play_log_add(struct play *play, enum log_kind kind, const char *line);
 
 /* Writes a line to the port's log and to the window's, without control characters. */
-PLAY_PRINTF(2, 3) void play_log(struct play *play, const char *format, ...);
+void play_log(struct play *play, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* Shows a line over the picture for this many frames. */
-PLAY_PRINTF(3, 4) void play_show_message(struct play *play, int frames, const char *format, ...);
+void play_show_message(struct play *play, int frames, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
 /* Shows a line over the picture, and logs it with "curtain: " before it. */
-PLAY_PRINTF(2, 3) void play_warn(struct play *play, const char *format, ...);
+void play_warn(struct play *play, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* The game's name as the user typed it; the running cart, its board, and its fault or NULL. */
 const char *play_game_name(const struct play *play);

@@ -20,20 +20,57 @@ enum entry {
     ENTRIES
 };
 
+/* ---- leaving a run ---- */
+
+/* Asks first if a run would be lost. */
+static void end_run(struct play *play, const char *question, const char *yes, void (*then)(void *of))
+{
+    if (play_has_run(play))
+        screens_ask(&play->screens, question, yes, then, play);
+    else
+        then(play);
+}
+
+static void quit_to_title(struct play *play)
+{
+    end_run(play,
+            play->autosave.on && play->config.replays > 0 ? "Quit to the title? This run is saved as a replay."
+                                                          : "Quit to the title and lose this run?",
+            "Quit to Title", play_restart);
+}
+
+static void quit_now(void *of)
+{
+    ((struct play *)of)->quit = true;
+}
+
+static void quit(struct play *play)
+{
+    end_run(play,
+            play->autosave.on && play->autosave.resumable ? "Quit? You can resume this run next time."
+                                                          : "Quit and lose this run?",
+            "Quit", quit_now);
+}
+
+/* ---- entries ---- */
+
 static const struct {
     const char *label, *help;
-} texts[ENTRIES] = {
-    [RESUME] = { "Resume", "" },
-    [TAKE_OVER] = { "Play from Here", "Take over: practise from this frame, or record a new demo." },
-    [QUIT_REPLAY] = { "Quit Replay", "End the replay and return to the title." },
-    [REPLAYS] = { "Replays", "Watch or save recent runs, or practise from any frame." },
-    [SETTINGS] = { "Settings", "Picture, sound and gameplay." },
-    [KEYS] = { "Key Bindings", "Change what each key and button does." },
-    [CONTROLLERS] = { "Controllers", "Choose which player uses which controller." },
-    [PRACTICE] = { "Practice", "Practise any stage, mark or boss phase." },
-    [LOG] = { "Log", "Script output and errors." },
-    [TITLE] = { "Quit to Title", "End this run and return to the title." },
-    [QUIT] = { "Quit", "" },
+    bool closes; /* the menu, before the action */
+    void (*action)(struct play *play);
+} entries[ENTRIES] = {
+    [RESUME] = { "Resume", "", true, NULL },
+    [TAKE_OVER] = { "Play from Here", "Take over: practise from this frame, or record a new demo.", true,
+                    play_take_over },
+    [QUIT_REPLAY] = { "Quit Replay", "End the replay and return to the title.", true, play_return_to_title },
+    [REPLAYS] = { "Replays", "Watch or save recent runs, or practise from any frame.", false, play_open_replays },
+    [SETTINGS] = { "Settings", "Picture, sound and gameplay.", false, play_open_settings },
+    [KEYS] = { "Key Bindings", "Change what each key and button does.", false, play_open_keys },
+    [CONTROLLERS] = { "Controllers", "Choose which player uses which controller.", false, play_open_controllers },
+    [PRACTICE] = { "Practice", "Practise any stage, mark or boss phase.", true, play_open_practice },
+    [LOG] = { "Log", "Script output and errors.", false, play_open_log },
+    [TITLE] = { "Quit to Title", "End this run and return to the title.", false, quit_to_title },
+    [QUIT] = { "Quit", "", false, quit },
 };
 
 static bool is_shown(const struct play *play, enum entry e)
@@ -78,24 +115,8 @@ static void row(void *of, int at, struct screen_row *row)
 {
     const enum entry e = entry_at(of, at);
 
-    snprintf(row->label, sizeof row->label, "%s", texts[e].label);
-    snprintf(row->help, sizeof row->help, "%s", texts[e].help);
-}
-
-static void quit(void *of)
-{
-    struct play *play = of;
-
-    play->quit = true;
-}
-
-/* Asks first if a run would be lost. */
-static void end_run(struct play *play, const char *question, const char *yes, void (*then)(void *of))
-{
-    if (play_has_run(play))
-        screens_ask(&play->screens, question, yes, then, play);
-    else
-        then(play);
+    snprintf(row->label, sizeof row->label, "%s", entries[e].label);
+    snprintf(row->help, sizeof row->help, "%s", entries[e].help);
 }
 
 static void accept(void *of, int at)
@@ -103,48 +124,10 @@ static void accept(void *of, int at)
     struct play *play = of;
     const enum entry e = entry_at(play, at);
 
-    if (e == RESUME || e == TAKE_OVER || e == QUIT_REPLAY || e == PRACTICE)
+    if (entries[e].closes)
         screens_close_all(&play->screens);
-    switch (e) {
-    case TAKE_OVER:
-        play_take_over(play);
-        break;
-    case QUIT_REPLAY:
-        play_return_to_title(play);
-        break;
-    case REPLAYS:
-        play_open_replays(play);
-        break;
-    case SETTINGS:
-        play_open_settings(play);
-        break;
-    case KEYS:
-        play_open_keys(play);
-        break;
-    case CONTROLLERS:
-        play_open_controllers(play);
-        break;
-    case PRACTICE:
-        play_open_practice(play);
-        break;
-    case LOG:
-        play_open_log(play);
-        break;
-    case TITLE:
-        end_run(play,
-                play->autosave.on && play->config.replays > 0 ? "Quit to the title? This run is saved as a replay."
-                                                              : "Quit to the title and lose this run?",
-                "Quit to Title", play_restart);
-        break;
-    case QUIT:
-        end_run(play,
-                play->autosave.on && play->autosave.resumable ? "Quit? You can resume this run next time."
-                                                              : "Quit and lose this run?",
-                "Quit", quit);
-        break;
-    default:
-        break;
-    }
+    if (entries[e].action)
+        entries[e].action(play);
 }
 
 static const struct screen_def menu = { .title = "Menu", .small = true, .rows = rows, .row = row, .accept = accept };

@@ -43,10 +43,7 @@ static int rows_of(const struct screen_place *p)
 
 static bool is_heading(const struct screen_place *p, int at)
 {
-    struct screen_row row = { 0 };
-
-    p->screen->row(p->of, at, &row);
-    return row.heading;
+    return screen_place_row(p, at).heading;
 }
 
 /* The next row that can be chosen, with wrap-around; `at` if there is no other. */
@@ -321,17 +318,13 @@ static void change(struct screens *s, const struct screen_place *p, int by)
 
 static bool changes(const struct screen_place *p)
 {
-    struct screen_row row = { 0 };
-
-    p->screen->row(p->of, p->row, &row);
-    return row.changes && p->screen->change;
+    return p->screen->change && screen_place_row(p, p->row).changes;
 }
 
 static void accept(struct screens *s, const struct screen_place *p)
 {
-    struct screen_row row = { 0 };
+    const struct screen_row row = screen_place_row(p, p->row);
 
-    p->screen->row(p->of, p->row, &row);
     if (row.faint || row.heading)
         return;
     if (changes(p))

@@ -14,12 +14,6 @@
 #include "../input/keys.h"
 #include "../overlay/canvas.h"
 
-#ifdef __GNUC__
-#define SCREEN_PRINTF(at, first) __attribute__((format(printf, at, first)))
-#else
-#define SCREEN_PRINTF(at, first)
-#endif
-
 enum { SCREENS_DEEP = 8, SCREEN_LABEL = 96, SCREEN_VALUE = 64, SCREEN_HELP = 256 };
 
 /* A row, filled in by its screen. */
@@ -83,6 +77,15 @@ struct screens {
     } asked;
 };
 
+/* The row's present contents. */
+static inline struct screen_row screen_place_row(const struct screen_place *p, int at)
+{
+    struct screen_row row = { 0 };
+
+    p->screen->row(p->of, at, &row);
+    return row;
+}
+
 static inline bool screens_are_open(const struct screens *s)
 {
     return s->deep > 0;
@@ -110,7 +113,7 @@ void screens_choose(struct screens *s, int row);
 void screens_settle(struct screens *s);
 
 /* Shows a line at the foot for some seconds. */
-SCREEN_PRINTF(2, 3) void screens_say(struct screens *s, const char *format, ...);
+void screens_say(struct screens *s, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* Opens a small screen with the question, "Cancel" and `yes`. After yes, it closes this screen and calls then(of). */
 void screens_ask(struct screens *s, const char *question, const char *yes, void (*then)(void *of), void *of);

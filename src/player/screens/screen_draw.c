@@ -67,11 +67,10 @@ static enum canvas_colour value_ink(const struct screen_row *row)
 
 static void draw_row(const struct screen_place *p, int at, const struct canvas *canvas, struct screen_area to)
 {
-    struct screen_row row = { 0 };
+    const struct screen_row row = screen_place_row(p, at);
     char value[SCREEN_VALUE + 4];
     const bool chosen = at == p->row;
 
-    p->screen->row(p->of, at, &row);
     if (chosen)
         canvas_rect(canvas, to.x, to.y, to.w, LINE, CANVAS_WHITE);
     snprintf(value, sizeof value, chosen && row.changes ? "< %s >" : "%s", row.value);
@@ -119,8 +118,7 @@ static int widest(const struct screen_place *p)
     int most = canvas_say_width(p->screen->title);
 
     for (int i = 0, n = p->screen->rows(p->of); i < n; i++) {
-        struct screen_row row = { 0 };
-        p->screen->row(p->of, i, &row);
+        const struct screen_row row = screen_place_row(p, i);
         const int w = canvas_say_width(row.label) +
                       (row.value[0] ? canvas_say_width(row.value) + canvas_say_width("<  >") + 2 * EDGE : 0);
         most = w > most ? w : most;
@@ -134,8 +132,7 @@ static int help_lines(const struct screen_place *p, int w)
     int most = 0;
 
     for (int i = 0, n = p->screen->rows(p->of); i < n; i++) {
-        struct screen_row row = { 0 };
-        p->screen->row(p->of, i, &row);
+        const struct screen_row row = screen_place_row(p, i);
         const int lines = lines_of(row.help, w);
         most = lines > most ? lines : most;
     }
