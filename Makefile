@@ -448,7 +448,7 @@ $(OUT)/unit/%: tests/unit/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_r
 	$(Q)$(CC) $(ALL_C) -Itests $^ $(LIBS) -lcmocka -o $@
 
 # Of these, some are ports themselves.
-OWN_PORT := test_cabinet test_calls
+OWN_PORT := test_random_play test_calls
 $(OUT)/machine/%: tests/machine/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
 	@mkdir -p $(@D)
 	$(SAY) "  LINK  $@"
@@ -516,9 +516,9 @@ $(OUT)/walks: tests/walks/walks.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/
 # A monkey in the window's screens, in several games, for thousands of frames, under both sanitizers.
 monkey: deps-play-test
 	@$(MAKE) --no-print-directory -j2 CONFIG=monkey SEMANTIC="-std=c11 -ffp-contract=off" \
-		OPT="-O1 -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all" build/monkey/machine/test_cabinet
+		OPT="-O1 -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all" build/monkey/machine/test_random_play
 	@CURTAIN_LONG=1 ASAN_OPTIONS=abort_on_error=1 LSAN_OPTIONS=suppressions=$(CURDIR)/tests/lsan.supp \
-		UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1 build/monkey/machine/test_cabinet
+		UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1 build/monkey/machine/test_random_play
 
 # MemorySanitizer sees our code alone: what goes through Lua is looked at by valgrind.
 MSAN := CONFIG=msan CC=clang OPT="-O1 -fsanitize=memory -fsanitize-memory-track-origins -fno-omit-frame-pointer"

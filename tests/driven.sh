@@ -1,4 +1,4 @@
-# driven.sh - the cabinet's screens in a real (virtual) X server, driven by keys and by a controller, at three sizes,
+# driven.sh - the program's screens in a real (virtual) X server, driven by keys and by a controller, at three sizes,
 # upright and turned: to the last pixel as tests/golden/screens has them. CURTAIN_UPDATE=1 writes those anew; look at
 # them.
 #

@@ -78,7 +78,7 @@ leave() {
     wait "$child" 2>/dev/null
     child=
 }
-stop() { # [KEY]: which ends it; the cabinet's is ctrl+q
+stop() { # [KEY]: which ends it; the program's is ctrl+q
     local key=${1:-ctrl+q}
     case $key in
     ctrl+*) # seen by a poll each, however slow they are

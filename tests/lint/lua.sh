@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# lua.sh - no file of the cabinet or of a port sees Lua's headers or the board's insides, by way of other headers
+# lua.sh - no file of the program or of a port sees Lua's headers or the board's insides, by way of other headers
 # either.
 . "$(dirname "$0")/../tap.sh"
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # kill_screens.sh - settings, replays, what was left and the records of practice are old or new, whenever the program is
-# killed with -9 while one of the cabinet's screens is worked: after every poll of a way through each. (That a file is
+# killed with -9 while one of the program's screens is worked: after every poll of a way through each. (That a file is
 # whole when it is killed while writing is kill_store.sh's.)
 . "$(dirname "$0")/../kept.sh"
 kept_game <<'LUA'

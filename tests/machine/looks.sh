@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # looks.sh - turned, smooth, with the look of a tube, in a border, with panels beside it: what a window of the desktop
-# port shows in a real (virtual) X server is, pixel by pixel, what the cabinet composes for one of that size on a port
+# port shows in a real (virtual) X server is, pixel by pixel, what the program composes for one of that size on a port
 # that is none (port_keys.c); as a window, in another size, and in fullscreen.
 . "$(dirname "$0")/../xserver.sh"
 export SDL_AUDIODRIVER=dummy
@@ -19,7 +19,7 @@ sed -i 's|^  board =|  border = "art/border.png",\n&|' g/rom.lua
 settings() { mkdir -p data/curtain && printf '%b' "$1" >data/curtain/curtain.conf; }
 size() { xdotool getwindowgeometry --shell "$win" | sed -n 's/^WIDTH=//p;s/^HEIGHT=//p' | paste -sd x; }
 size_is() { found && [ "$(size)" = "$1" ]; }
-compose() { # WxH: want.rgb is what the cabinet shows there, after keys as in `pressed`
+compose() { # WxH: want.rgb is what the program shows there, after keys as in `pressed`
     { for _ in $(seq 5); do echo; done; echo "$pressed"; for _ in $(seq 9); do echo; done; } |
         KEYS_WHOLE=1 KEYS_WINDOW=$1 KEYS_PPM=15 ./player play g >none 2>none.err || return
     local w h scale

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# menus.sh - the cabinet's menus in play: what opens and closes them, that the board stands meanwhile and nothing of
+# menus.sh - the program's menus in play: what opens and closes them, that the board stands meanwhile and nothing of
 # them is recorded, that settings do what they say at once and are kept, and what is said where they cannot be kept. The
 # port is a script's (port_keys.c): no window, no clock.
 . "$(dirname "$0")/../scripted.sh"

@@ -4,7 +4,7 @@
  * keys, @X,Y for the mouse there with its left button held, ~X,Y for it without, and 'TEXT for what was typed then, to
  * the end of the line; at its end the port asks to quit. +N:KIND plugs in controller N, of enum plat_controller_kind,
  * -N pulls it out; without any such word all of them are there, of no known kind. =PATH is dropped on the window. Time
- * passes only when waited for. Of every picture shown, a line: a hash of it without its last 26 rows, where the cabinet
+ * passes only when waited for. Of every picture shown, a line: a hash of it without its last 26 rows, where the program
  * draws the bar of time and writes its words. With KEYS_WHOLE set the hash is of the whole picture; with KEYS_PPM=N
  * picture N is written to picture.ppm. With KEYS_WINDOW=WxH there is a window of that size, for which pictures can be
  * composed; those are hashed whole. With KEYS_VSYNC=HZ showing a picture takes until the next refresh of a screen of
@@ -157,7 +157,7 @@ bool plat_get_window(struct plat_window *out)
 
 bool plat_paint(const uint32_t *rgb, int pitch, int w, int h)
 {
-    (void)pitch; /* the cabinet's are w */
+    (void)pitch; /* the program's are w */
     shown(rgb, w, h, w * h);
     return true;
 }

@@ -16,7 +16,7 @@ end)
 stage.def('one', function() wait(40) stage.mark('a') wait(30) stage.mark('b') wait(1000) end)
 task.go(stage.play, 'one')
 LUA
-sed -i 's/screen = { w = 64/screen = { w = 256/' g/rom.lua # the cabinet's words stand on one line
+sed -i 's/screen = { w = 64/screen = { w = 256/' g/rom.lua # the program's words stand on one line
 
 plays() { # OUT ARGUMENT...: standard input are the keys
     local out=$1

@@ -1,7 +1,7 @@
 /*
- * test_calls.c - the cabinet and the program by calls, for a host that has the loop: 40 opened and closed in the middle
- * leave nothing on the heap, two at once are as each alone, an endless loop is found, a crash is told of the cabinet
- * that it happened in.
+ * test_calls.c - the window and the program by calls, for a host that has the loop: 40 windows opened and closed in
+ * the middle leave nothing on the heap, two at once behave as each alone, an endless loop is found, a crash is reported
+ * for the window in which it happened.
  *
  * Without arguments all of it; with a number only so many are opened and closed, for valgrind (calls.sh).
  */
@@ -24,7 +24,7 @@ enum { SECOND = 1000000, MANY = 40, FRAMES = 150, FEW = 50 };
 
 static char root[256], repo[1024];
 
-/* ---- the port: a window for each cabinet, and the one whose call is on ---- */
+/* ---- the port: two windows, and the one whose call is running ---- */
 
 static struct window {
     uint64_t now;
@@ -110,7 +110,7 @@ void plat_log(const char *line)
     at->logged++;
 }
 
-/* ---- cabinets ---- */
+/* ---- windows ---- */
 
 static struct rig_game games[2];
 static const char *const names[] = { "examples/first", "roms/testcard" };
@@ -169,7 +169,7 @@ static void open_and_close(int n, int frames)
         if (i < 8) /* the C library's own: time zones, buffers */
             before = heap();
         else if (heap() > before)
-            fail_msg("after %d cabinets %zu bytes are kept, after 8 there were %zu", i + 1, heap(), before);
+            fail_msg("after %d windows %zu bytes are kept, after 8 there were %zu", i + 1, heap(), before);
     }
 }
 

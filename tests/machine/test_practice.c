@@ -1,6 +1,6 @@
 /*
  * test_practice.c - practice starts: their lives, registers and invincibility, what a board tells of them, the list of
- * all sections of a game; and the cabinet's menu of them.
+ * all sections of a game; and the program's menu of them.
  */
 #include "rig.h"
 #include "../../src/player/play/practice.h"
@@ -370,7 +370,7 @@ static void test_games(void **state)
     }
 }
 
-/* ---- what the cabinet is told ---- */
+/* ---- what the program is told ---- */
 
 /* The marks of a run, "kind name of" a line, but for the waves; a blank line a round. */
 static void tell(const char *mark, int frames, char *out, size_t size)
@@ -720,7 +720,7 @@ static void test_reset(void **state)
     rig_game_free(&g);
 }
 
-/* ---- the cabinet's list and menu ---- */
+/* ---- the program's list and menu ---- */
 
 static void expect_section(const struct sections *p, int i, enum section_kind kind, const char *mark, const char *title)
 {

@@ -1,11 +1,10 @@
 /*
- * test_cabinet.c - the whole cabinet under random hands and settings: a port without a machine presses keys,
- * controllers and the mouse, types, takes the focus away, plugs controllers in and out, has a window of any size,
- * changes the game's files, over many frames. Nothing may crash or hang, and whatever was recorded meanwhile must
- * hold, however it was gone to and fro, reloaded, practised and looked at: what was asked for, and every replay that
- * the cabinet kept by itself.
+ * test_random_play.c - a game in a window with random input and settings: a port without a machine presses keys,
+ * controllers and the mouse, types, takes the focus away, plugs controllers in and out, resizes the window and changes
+ * the game's files, over many frames. Nothing may crash or hang, and every recording and autosaved replay must verify,
+ * whatever was rewound, reloaded, practised or looked at.
  *
- * A monkey walks the screens: it presses one menu key at a time, so that it gets to every row of every screen and
+ * A second test walks the screens: it presses one menu key at a time, so that it reaches every row of every screen and
  * answers every question, drops files on the window, in several games, with a second window on the same home.
  */
 #define _POSIX_C_SOURCE 200809L
@@ -41,7 +40,7 @@ static struct {
     uint8_t step[16];
     int steps, next_step;
     int drop;                   /* a file is dropped every so many polls; 0: never */
-    uint32_t calm;              /* one key of so many is the cabinet's */
+    uint32_t calm;              /* one key in this many is the program's */
     bool window, paints, waits; /* the window is known; it takes full colours; it waits for the screen */
     struct plat_config want;
     char folder[256];
@@ -143,7 +142,7 @@ void plat_log(const char *line)
     (void)line;
 }
 
-/* What hands press: mostly the game's buttons, often the cabinet's keys. Never what leaves at once. */
+/* What hands press: mostly the game's buttons, often the program's keys. Never what leaves at once. */
 static uint8_t any_key(void)
 {
     static const uint8_t game[] = { 79, 80, 81, 82, 29, 27, 225, 6, 40, 43, 4, 7, 22, 26, 13, 14, 31 };
@@ -422,7 +421,7 @@ static void play_until_quit(const struct play_options *o)
     painted += port.painted;
 }
 
-/* Each of the runs that the cabinet kept holds, on the ROM that it was played with. */
+/* Each of the runs that the program kept holds, on the ROM that it was played with. */
 static void expect_replays_hold(void)
 {
     struct replays list;

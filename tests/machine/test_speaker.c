@@ -54,7 +54,7 @@ static void pass(double usec)
     memmove(card.queue, card.queue + 2 * has, (size_t)card.waiting * 4);
 }
 
-/* ---- a cabinet ---- */
+/* ---- a window ---- */
 
 static struct rig_game game;
 static struct rig rig;
@@ -100,13 +100,13 @@ static void frame(int ticks, double late, double lost)
 
 static const double sixtieth = 1e6 / 60;
 
-/* The cabinet's clock (play.c) with ticks that take so long: where it is in time, and what is due. */
+/* The program's clock (play.c) with ticks that take so long: where it is in time, and what is due. */
 struct clock {
     double now, base;
     int frames;
 };
 
-/* A frame of the cabinet: waits until it is due, ticks what is due, at most four; what is later is dropped. */
+/* A frame of the window: waits until it is due, ticks what is due, at most four; what is later is dropped. */
 static void clock_frame(struct clock *c, double tick_usec, double draw_usec)
 {
     double due = c->base + c->frames * sixtieth, lost = 0;
@@ -304,7 +304,7 @@ static void exact(int frames)
     speaker_open(&speaker, 100, false, true);
 }
 
-/* The place in what was played of a frame of the cabinet: behind the first silence, blocks follow one another. */
+/* The place in what was played of a frame of the window: behind the first silence, blocks follow one another. */
 static const int16_t *heard(int block)
 {
     return card.played + 2 * (SPEAKER_AHEAD - TAKEN + block * SPEAKER_BLOCK);

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# window_screens.sh - the cabinet's screens as a player sees them (driven.sh says how); the controllers' is in
+# window_screens.sh - the program's screens as a player sees them (driven.sh says how); the controllers' is in
 # window_pads.sh.
 . "$(dirname "$0")/../driven.sh"
 export SDL_AUDIODRIVER=alsa AUDIODEV=none

@@ -1,5 +1,5 @@
 /*
- * words.h - reads what the cabinet wrote over a picture, pixel by pixel.
+ * words.h - reads what the program wrote over a picture, pixel by pixel.
  */
 #ifndef TESTS_WORDS_H
 #define TESTS_WORDS_H

@@ -1,4 +1,4 @@
-/* test_canvas.c - what the cabinet draws over a picture: borrowed colours, words, shapes. */
+/* test_canvas.c - what the program draws over a picture: borrowed colours, words, shapes. */
 #include <limits.h>
 #include <math.h>
 #include <setjmp.h>

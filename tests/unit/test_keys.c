@@ -79,11 +79,11 @@ static void standard_keys(void **state)
     assert_int_equal(of_key(225), PAD_FOCUS);
     assert_int_equal(of_key(6), PAD_SPECIAL);
     assert_int_equal(of_key(40), PAD_START);
-    assert_int_equal(of_key(42), 0); /* backspace: the cabinet's */
+    assert_int_equal(of_key(42), 0); /* backspace: the program's */
     assert_int_equal(of_key(43), PAD_SELECT);
     assert_int_equal(of_key(26), (uint32_t)PAD_UP << 16);
     assert_int_equal(of_key(98), (uint32_t)PAD_FIRE << 16);
-    assert_int_equal(of_key(16), 0); /* m: the cabinet's */
+    assert_int_equal(of_key(16), 0); /* m: the program's */
 }
 
 static void controllers_are_the_players(void **state)
@@ -484,7 +484,7 @@ static void conflicts_are_named(void **state)
     conflict(&k, "pause", "alt+d", NULL); /* a chord is another switch */
     conflict(&k, "p1.bomb", "pad.south", "p1.fire");
     conflict(&k, "p1.bomb", "pad.north", NULL);
-    conflict(&k, "pause", "pad.south", "p1.fire");    /* the cabinet hears every controller */
+    conflict(&k, "pause", "pad.south", "p1.fire");    /* the program hears every controller */
     conflict(&k, "p1.bomb", "pad2.south", "p1.fire"); /* which may be player 1's */
     assert_true(keys_bind(&k, "p1.fire", "pad1.south", err, sizeof err));
     assert_true(keys_bind(&k, "p2.fire", "none", err, sizeof err));

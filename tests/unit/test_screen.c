@@ -1,5 +1,5 @@
 /*
- * test_screen.c - the cabinet's screens: the stack of them, what each switch and the mouse do, questions, and that any
+ * test_screen.c - the program's screens: the stack of them, what each switch and the mouse do, questions, and that any
  * list fits any picture, whatever becomes of its rows.
  */
 #include <setjmp.h>

@@ -72,7 +72,7 @@ void bench_say_clock(void);
 /* "2.31±0.05": the median of the samples, each divided by `by`, and half the distance of their quartiles. */
 const char *samples_figure(const struct samples *s, double by);
 
-/* Where a frame's time goes: a board's phases, and what a cabinet does then. */
+/* Where a frame's time goes: a board's phases, and what a window does then. */
 enum lap { LAP_SCRIPTS, LAP_MOTION, LAP_HITS, LAP_EVENTS, LAP_REST, LAP_DRAW, LAP_PRESENT, LAPS };
 
 /* A clock for one board, to be read as the frame goes on. */

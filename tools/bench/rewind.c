@@ -1,5 +1,5 @@
 /*
- * rewind.c - section "rewind": what a snapshot of the built-in game takes, what the past that a cabinet keeps of a run
+ * rewind.c - section "rewind": what a snapshot of the built-in game takes, what the past that a window keeps of a run
  * costs, and how long a step back takes. The run is played up to the end of its densest minute, which is then gone back
  * through, a frame a step; then on to frame LATE, and ten seconds back from there.
  */
@@ -95,7 +95,7 @@ static void save_again(struct past_run *r)
     samples_add(&r->bytes, (double)size);
 }
 
-/* What a cabinet does before a tick; a key frame's time is kept. */
+/* What a window does before a tick; a key frame's time is kept. */
 static void remember(struct past_run *r, const uint16_t pads[MAX_PLAYERS])
 {
     struct rewind *past = r->guard.past;

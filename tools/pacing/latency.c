@@ -1,5 +1,5 @@
 /*
- * latency.c - how long it takes from a switch to the picture that shows it: the whole cabinet, on a port whose clock
+ * latency.c - how long it takes from a switch to the picture that shows it: the whole program, on a port whose clock
  * and screen are simulated. The game shows another picture while fire is held: in the tick that sees it, or in the next
  * one.
  *
