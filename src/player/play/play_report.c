@@ -17,8 +17,8 @@
 #include "../../demo/demo_text.h"
 #include "../../common/clean.h"
 
-#define REPORTS "user:reports"
-#define TOLD    REPORTS "/told" /* contains the name of the last crash report that was shown */
+#define REPORTS    "user:reports"
+#define LAST_SHOWN REPORTS "/told" /* contains the name of the last crash report that was shown */
 
 enum { MAX_REPORTS = 20, CRASH_MESSAGE = 600 /* frames */ };
 
@@ -272,13 +272,13 @@ static bool is_crash_report(const char *name)
 void play_report_last_crash(struct play *play)
 {
     struct found f = { .newest = true };
-    char told[sizeof f.name] = "", path[sizeof REPORTS + sizeof f.name], shown[FILES_PATH_SIZE];
+    char last[sizeof f.name] = "", path[sizeof REPORTS + sizeof f.name], shown[FILES_PATH_SIZE];
 
     plat_list(REPORTS, find_report, &f);
-    plat_load(TOLD, told, sizeof told - 1);
-    if (!f.name[0] || strcmp(told, f.name) == 0 || !is_crash_report(f.name))
+    plat_load(LAST_SHOWN, last, sizeof last - 1);
+    if (!f.name[0] || strcmp(last, f.name) == 0 || !is_crash_report(f.name))
         return;
-    plat_save(TOLD, f.name, strlen(f.name));
+    plat_save(LAST_SHOWN, f.name, strlen(f.name));
     snprintf(path, sizeof path, "%s/%s", REPORTS, f.name);
     play_show_message(play, CRASH_MESSAGE, "Curtain crashed last time. Report: %s", files_display_name(path, shown));
     play_log(play, "curtain: %s", play->message.text);
