@@ -114,7 +114,7 @@ struct board_full_pool {
     char line[256];
 };
 
-/* The output of a tick for the cabinet, valid until the next tick. Never hashed. */
+/* The output of a tick for the program, valid until the next tick. Never hashed. */
 struct board_out {
     enum board_request request;
     char attract[64];                   /* name of the demo lump, with REQUEST_ATTRACT */

@@ -75,7 +75,7 @@ uint64_t board_random(void *board, uint64_t limit)
     return v;
 }
 
-/* Copies a string, cut to fit. Replaces every byte that is not printable ASCII by '?', because demos and the cabinet's
+/* Copies a string, cut to fit. Replaces every byte that is not printable ASCII by '?', because demos and the program's
  * font support only printable ASCII. */
 static void copy_printable(char *to, size_t size, const char *from)
 {

@@ -38,7 +38,7 @@ static void play(struct keys *k, const uint8_t *data, size_t size)
         keys_read(k, &in, &seats, &out);
         for (int i = 0; i < MAX_PLAYERS; i++)
             need((out.pads[i] & ~PAD_ALL) == 0);
-        need(out.held >> CAB_KEYS == 0 && (out.pressed & ~out.held) == 0);
+        need(out.held >> HOTKEYS == 0 && (out.pressed & ~out.held) == 0);
     }
 }
 

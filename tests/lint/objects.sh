@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# objects.sh - what the objects below the cabinet hold and call: no writable memory, and of C and Lua only what touches
+# objects.sh - what the objects below the program hold and call: no writable memory, and of C and Lua only what touches
 # no host, no clock and no rounding that differs. It looks at the objects in the link map of curtain-null.
 . "$(dirname "$0")/../tap.sh"
 
@@ -73,9 +73,9 @@ host_calls() {
             END { exit bad }'
 }
 
-check "the link map names every object below the cabinet" all_linked
-check "no writable memory below the cabinet" writable $(linked)
-check "nothing below the cabinet calls what it must not" calls $(linked)
+check "the link map names every object below the program" all_linked
+check "no writable memory below the program" writable $(linked)
+check "nothing below the program calls what it must not" calls $(linked)
 check "Lua and the reading of numbers are for scripts and the board alone" low_calls
 check "what the host has set is for host.c alone" host_calls
 

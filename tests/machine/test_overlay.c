@@ -88,7 +88,7 @@ static void must_see(const struct bed *t, const char *text)
 
 static void all_on(struct bed *t)
 {
-    overlay_keys(&t->o, 1u << CAB_SHAPES | 1u << CAB_GAUGES | 1u << CAB_SPLIT | 1u << CAB_TASKS);
+    overlay_keys(&t->o, 1u << HOTKEY_SHAPES | 1u << HOTKEY_GAUGES | 1u << HOTKEY_SPLIT | 1u << HOTKEY_TASKS);
 }
 
 /* ---- panels ---- */
@@ -111,14 +111,14 @@ static void nothing_is_drawn_when_it_is_off(void **state)
     draw(t, 0, 320, 180, 200);
     assert_int_equal(inked(t), 0);
     for (int i = 0; i < OVERLAYS; i++) {
-        overlay_keys(&t->o, 1u << (CAB_SHAPES + i));
+        overlay_keys(&t->o, 1u << (HOTKEY_SHAPES + i));
         assert_true(t->o.on[i] && overlay_on(&t->o));
         draw(t, 0, 320, -1, -1);
         assert_true(inked(t) > 0);
-        overlay_keys(&t->o, 1u << (CAB_SHAPES + i));
+        overlay_keys(&t->o, 1u << (HOTKEY_SHAPES + i));
         assert_false(overlay_on(&t->o));
     }
-    overlay_keys(&t->o, 1u << CAB_PAUSE | 1u << CAB_CONSOLE);
+    overlay_keys(&t->o, 1u << HOTKEY_PAUSE | 1u << HOTKEY_CONSOLE);
     assert_false(overlay_on(&t->o));
 }
 
@@ -291,7 +291,7 @@ static void the_game_does_not_notice(void **state)
     for (int f = 0; f < 3 * SPLIT_WINDOW; f++) {
         overlay_begin(&t->o, &a);
         guard_tick(&a, none);
-        overlay_lap(&t->o, SPLIT_CABINET);
+        overlay_lap(&t->o, SPLIT_PROGRAM);
         board_draw(a.board, NULL, &t->r.fb, t->rgb, t->r.scratch);
         overlay_lap(&t->o, SPLIT_DRAW);
         canvas_open(&t->canvas, &t->r.fb, t->rgb);
@@ -309,7 +309,7 @@ static void the_game_does_not_notice(void **state)
         sum += s->mean[i];
     }
     assert_true(s->all == sum && s->worst >= s->all);
-    overlay_keys(&t->o, 1u << CAB_SPLIT);
+    overlay_keys(&t->o, 1u << HOTKEY_SPLIT);
     overlay_begin(&t->o, &a);
     assert_null(a.before);
     guard_close(&a);
@@ -354,7 +354,7 @@ static void enter(struct bed *t, const char *line)
 
 static void toggle(struct bed *t)
 {
-    polled(t, 53, "`", 1u << CAB_CONSOLE);
+    polled(t, 53, "`", 1u << HOTKEY_CONSOLE);
     polled(t, 0, "", 0);
 }
 
@@ -374,7 +374,7 @@ static void it_opens_types_and_answers(void **state)
     assert_int_equal(draw_console(t), 320);
     toggle(t);
     assert_true(t->c.open);
-    k = polled(t, 0, "", 1u << CAB_PAUSE);
+    k = polled(t, 0, "", 1u << HOTKEY_PAUSE);
     assert_true(k.pressed == 0 && k.pads[0] == 0);
     enter(t, "20 + 3, 'a'");
     enter(t, "nonsense(");
@@ -492,7 +492,7 @@ static void what_cannot_be_kept_is_not(void **state)
     must_see(t, "unavailable while a demo plays");
     console_poll(&t->c, &in, &k, NULL, true); /* no board any more */
     assert_false(t->c.open);
-    k.pressed = k.held = 1u << CAB_CONSOLE;
+    k.pressed = k.held = 1u << HOTKEY_CONSOLE;
     console_poll(&t->c, &in, &k, NULL, true);
     assert_false(t->c.open);
 }

@@ -146,12 +146,12 @@ void plat_log(const char *line)
 static uint8_t any_key(void)
 {
     static const uint8_t game[] = { 79, 80, 81, 82, 29, 27, 225, 6, 40, 43, 4, 7, 22, 26, 13, 14, 31 };
-    static const uint8_t cabinet[] = { 19, 55, 54, 56, 42, 5,  47, 48, 74, 23, 62, 59, 21, 16, 45, 46, 68,
+    static const uint8_t program[] = { 19, 55, 54, 56, 42, 5,  47, 48, 74, 23, 62, 59, 21, 16, 45, 46, 68,
                                        41, 58, 11, 10, 25, 17, 60, 41, 40, 81, 79, 30, 39, 78, 75, 76 };
 
     if (port.console && below(40) == 0)
         return 53;
-    return below(port.calm) ? game[below(sizeof game)] : cabinet[below(sizeof cabinet)];
+    return below(port.calm) ? game[below(sizeof game)] : program[below(sizeof program)];
 }
 
 /* What a walk in the screens is made of: to a row and into it, the last row and yes to its question, a value, away, and
@@ -582,7 +582,7 @@ int main(void)
                                         cmocka_unit_test(test_files),   cmocka_unit_test(test_practice),
                                         cmocka_unit_test(test_screens), cmocka_unit_test(test_seen) };
 
-    if (!getcwd(repo, sizeof repo) || !temp_folder(root, sizeof root, "cabinet") || chdir(root) != 0)
+    if (!getcwd(repo, sizeof repo) || !temp_folder(root, sizeof root, "program") || chdir(root) != 0)
         return 2;
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     if (chdir(repo) != 0)

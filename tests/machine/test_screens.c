@@ -328,7 +328,7 @@ static void until_attract(void)
 }
 
 /* START leads to the title's list from each part that is shown while nobody comes: the opening, a demo (which the
- * cabinet ends by that press) and the scores. */
+ * program ends by that press) and the scores. */
 static void test_attract(void **state)
 {
     (void)state;

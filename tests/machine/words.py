@@ -1,4 +1,4 @@
-"""words.py FILE.ppm TEXT...: exit 0 when each text stands on the picture in the cabinet's own font
+"""words.py FILE.ppm TEXT...: exit 0 when each text stands on the picture in the program's own font
 (src/player/overlay/canvas.c), light on its dark paper; else the first that does not is printed."""
 import os
 import re

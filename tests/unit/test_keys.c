@@ -100,7 +100,7 @@ static void controllers_are_the_players(void **state)
     assert_true(keys_bind(&k, "pause", "pad.south", err, sizeof err));
     read_keys(&k, &in, &r);
     assert_int_equal(r.pads[0], PAD_FIRE);
-    assert_int_equal(r.held, 1u << CAB_PAUSE);
+    assert_int_equal(r.held, 1u << HOTKEY_PAUSE);
     in.controllers[1] = 0;
     read_keys(&k, &in, &r);
     assert_int_equal(r.pads[0], 0);
@@ -116,7 +116,7 @@ static void a_chord_eats_its_key(void **state)
     press(&in, 230);
     press(&in, 40);
     read_keys(&k, &in, &r);
-    assert_int_equal(r.pressed, 1u << CAB_FULLSCREEN);
+    assert_int_equal(r.pressed, 1u << HOTKEY_FULLSCREEN);
     assert_int_equal(r.pads[0], 0);
     release(&in, 230); /* Alt let go first: Enter is still not Start */
     read_keys(&k, &in, &r);
@@ -142,10 +142,10 @@ static void pressed_is_once(void **state)
     press(&in, 19);
     press(&in, 29);
     read_keys(&k, &in, &r);
-    assert_int_equal(r.pressed, 1u << CAB_PAUSE);
+    assert_int_equal(r.pressed, 1u << HOTKEY_PAUSE);
     assert_true(r.fresh);
     read_keys(&k, &in, &r);
-    assert_int_equal(r.held, 1u << CAB_PAUSE);
+    assert_int_equal(r.held, 1u << HOTKEY_PAUSE);
     assert_int_equal(r.pressed, 0);
     assert_false(r.fresh);
     press(&in, 80);
@@ -624,12 +624,12 @@ static void a_quick_chord(void **state)
     release(&in, 224);
     press(&in, 20);
     read_keys(&k, &in, &r);
-    assert_true(r.pressed & (uint32_t)1 << CAB_QUIT);
+    assert_true(r.pressed & (uint32_t)1 << HOTKEY_QUIT);
     release(&in, 20);
     read_keys(&k, &in, &r);
     press(&in, 20);
     read_keys(&k, &in, &r);
-    assert_false(r.pressed & (uint32_t)1 << CAB_QUIT);
+    assert_false(r.pressed & (uint32_t)1 << HOTKEY_QUIT);
 }
 
 int main(void)

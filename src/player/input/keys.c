@@ -151,7 +151,7 @@ void keys_defaults(struct keys *k)
 
 /* ---- names ---- */
 
-/* The player of an action, from 0; -1: it is the cabinet's. */
+/* The player of an action, from 0; -1: it is the program's. */
 static int player_of(int action)
 {
     return action < MAX_PLAYERS * PAD_BUTTON_COUNT ? action / PAD_BUTTON_COUNT : -1;
@@ -181,7 +181,7 @@ static unsigned first_code(const struct keys *k, int action, bool controller)
 void keys_first(const struct keys *k, const char *action, char *out, size_t size)
 {
     int at = find(action), player = player_of(at);
-    const struct keys_device *last = player < 0 ? &k->cabinet : &k->player[player];
+    const struct keys_device *last = player < 0 ? &k->latest : &k->player[player];
     unsigned code = first_code(k, at, last->controller);
 
     if (!code)
@@ -300,7 +300,7 @@ void keys_drop(struct keys *k, const char *action, uint16_t code)
 }
 
 /* Could one press be both? A plain pad.south is another controller's for each player, and all of them's for the
- * cabinet. */
+ * program. */
 static bool same_switch(unsigned a, int player_a, unsigned b, int player_b)
 {
     if (!(a & b & SWITCH_CONTROLLER))
@@ -358,7 +358,7 @@ static void eat(struct keys *k, const struct plat_input *in)
         k->eaten[i] &= in->keys[i];
 }
 
-/* player: -1: the cabinet, which has all controllers. */
+/* player: -1: the program, which has all controllers. */
 static uint32_t controller(const struct seats *seats, unsigned which, int player)
 {
     uint32_t all = 0;
@@ -423,7 +423,7 @@ static void note_device(struct keys *k, const struct seats *seats, int player, s
         return;
     k->player[player].controller = !fresh.key;
     k->player[player].kind = i == SEAT_EMPTY ? PLAT_UNKNOWN_CONTROLLER : seats->is[i].kind;
-    k->cabinet = k->player[player];
+    k->latest = k->player[player];
 }
 
 static uint16_t read_pad(struct keys *k, const struct plat_input *in, const struct seats *seats, int player)
@@ -453,7 +453,7 @@ void keys_read(struct keys *k, const struct plat_input *in, const struct seats *
         out->pads_fresh[p] = (uint16_t)(out->pads[p] & ~was);
         out->fresh = out->fresh || out->pads_fresh[p];
     }
-    for (int i = 0; i < CAB_KEYS; i++) {
+    for (int i = 0; i < HOTKEYS; i++) {
         struct by by = action_held(k, in, seats, MAX_PLAYERS * PAD_BUTTON_COUNT + i);
         out->held |= (uint32_t)(by.key || by.controller) << i;
     }

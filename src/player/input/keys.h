@@ -1,13 +1,13 @@
 /*
- * keys.h - from raw switches to pads: the key map, and the cabinet's own keys.
+ * keys.h - from raw switches to pads: the key map, and the program's own keys.
  *
- * An action is a button of a player (p1.fire) or a key of the cabinet (pause). It has up to KEYS_EACH switches, written
+ * An action is a button of a player (p1.fire) or a key of the program (pause). It has up to KEYS_EACH switches, written
  * by name, with blanks between them:
  *
  *     z  enter  kp0  lshift  f12     a key, by its place on a US keyboard
  *     key100                         the key of USB HID usage 100
  *     alt+enter  ctrl+q              a key while that modifier is held; a plain binding of the key is then not seen
- *     pad.south  pad.r1              a switch of the player's controller (seats.h says which that is); to the cabinet
+ *     pad.south  pad.r1              a switch of the player's controller (seats.h says which that is); to the program
  *                                    of any
  *     pad1.south  pad4.south         a switch of a certain controller, as the host counts them
  *
@@ -25,50 +25,50 @@
 #include "seats.h"
 #include "switch.h"
 
-/* The cabinet's actions, after the players' MAX_PLAYERS * PAD_BUTTON_COUNT. */
-enum cab_key {
-    CAB_PAUSE,
-    CAB_STEP,
-    CAB_SLOW,
-    CAB_TURBO,
-    CAB_REWIND,
-    CAB_BACK,
-    CAB_BEFORE,
-    CAB_AFTER,
-    CAB_GOTO,
-    CAB_TAKE_OVER,
-    CAB_RELOAD,
-    CAB_PRACTICE,
-    CAB_RETRY,
-    CAB_MUTE,
-    CAB_QUIETER,
-    CAB_LOUDER,
-    CAB_SCREENSHOT,
-    CAB_CAPTURE,
-    CAB_FULLSCREEN,
-    CAB_QUIT,
-    CAB_MENU,
-    CAB_HELP,
-    CAB_LOG,
-    CAB_SHAPES, /* the overlay's panels, in their order */
-    CAB_GAUGES,
-    CAB_SPLIT,
-    CAB_TASKS,
-    CAB_MIXER,
-    CAB_CONSOLE,
-    CAB_KEYS
+/* The program's actions, after the players' MAX_PLAYERS * PAD_BUTTON_COUNT. */
+enum hotkey {
+    HOTKEY_PAUSE,
+    HOTKEY_STEP,
+    HOTKEY_SLOW,
+    HOTKEY_TURBO,
+    HOTKEY_REWIND,
+    HOTKEY_BACK,
+    HOTKEY_BEFORE,
+    HOTKEY_AFTER,
+    HOTKEY_GOTO,
+    HOTKEY_TAKE_OVER,
+    HOTKEY_RELOAD,
+    HOTKEY_PRACTICE,
+    HOTKEY_RETRY,
+    HOTKEY_MUTE,
+    HOTKEY_QUIETER,
+    HOTKEY_LOUDER,
+    HOTKEY_SCREENSHOT,
+    HOTKEY_CAPTURE,
+    HOTKEY_FULLSCREEN,
+    HOTKEY_QUIT,
+    HOTKEY_MENU,
+    HOTKEY_HELP,
+    HOTKEY_LOG,
+    HOTKEY_SHAPES, /* the overlay's panels, in their order */
+    HOTKEY_GAUGES,
+    HOTKEY_SPLIT,
+    HOTKEY_TASKS,
+    HOTKEY_MIXER,
+    HOTKEY_CONSOLE,
+    HOTKEYS
 };
 
-/* Of 1 << enum cab_key, the keys of those who make games: to move in time, which a replay has for everybody, and to
+/* Of 1 << enum hotkey, the keys of those who make games: to move in time, which a replay has for everybody, and to
  * look into the board. */
 #define KEYS_IN_TIME                                                                                                   \
-    (1u << CAB_STEP | 1u << CAB_SLOW | 1u << CAB_TURBO | 1u << CAB_REWIND | 1u << CAB_BACK | 1u << CAB_BEFORE |        \
-     1u << CAB_AFTER | 1u << CAB_GOTO)
+    (1u << HOTKEY_STEP | 1u << HOTKEY_SLOW | 1u << HOTKEY_TURBO | 1u << HOTKEY_REWIND | 1u << HOTKEY_BACK |            \
+     1u << HOTKEY_BEFORE | 1u << HOTKEY_AFTER | 1u << HOTKEY_GOTO)
 #define KEYS_INSIDE                                                                                                    \
-    (1u << CAB_RELOAD | 1u << CAB_SHAPES | 1u << CAB_GAUGES | 1u << CAB_SPLIT | 1u << CAB_TASKS | 1u << CAB_MIXER |    \
-     1u << CAB_CONSOLE)
+    (1u << HOTKEY_RELOAD | 1u << HOTKEY_SHAPES | 1u << HOTKEY_GAUGES | 1u << HOTKEY_SPLIT | 1u << HOTKEY_TASKS |       \
+     1u << HOTKEY_MIXER | 1u << HOTKEY_CONSOLE)
 
-enum { KEYS_EACH = 6, KEYS_HAND = 3, KEYS_ACTIONS = MAX_PLAYERS * PAD_BUTTON_COUNT + CAB_KEYS };
+enum { KEYS_EACH = 6, KEYS_HAND = 3, KEYS_ACTIONS = MAX_PLAYERS * PAD_BUTTON_COUNT + HOTKEYS };
 
 enum keys_hand { HAND_BOTH, HAND_LEFT, HAND_RIGHT };
 
@@ -84,7 +84,7 @@ struct keys {
     uint8_t eaten[PLAT_KEYS / 8];                            /* keys a chord has used, until they are released */
     bool alt, ctrl, had_alt, had_ctrl;                       /* held at this poll or the last one; at the last one */
     uint16_t by_key[MAX_PLAYERS], by_switch[MAX_PLAYERS];    /* of the last read: held by keys, by a controller */
-    struct keys_device player[MAX_PLAYERS], cabinet;         /* cabinet: whichever player pressed last */
+    struct keys_device player[MAX_PLAYERS], latest;          /* latest: of whichever player pressed last */
     uint32_t held;
 };
 
@@ -93,7 +93,7 @@ struct keys_read {
     uint16_t pads[MAX_PLAYERS];
     uint16_t pads_fresh[MAX_PLAYERS]; /* those that were not held at the last read */
     bool fresh;                       /* there is one of those */
-    uint32_t held, pressed;           /* cabinet keys, 1 << CAB_PAUSE ...; pressed: held now, not at the last read */
+    uint32_t held, pressed;           /* hotkeys, 1 << HOTKEY_PAUSE ...; pressed: held now, not at the last read */
 };
 
 /* The map of the table in keys.c; nothing held. */
@@ -108,7 +108,7 @@ void keys_hand(struct keys *k, int player, enum keys_hand hand);
 
 /* Writes what an action's player is to press, for hints: the first switch of what they used last, named as it is
  * printed on their controller ("cross") or on a key ("w", "enter"); or the first there is, a controller's spelled; or
- * "none". For an action of the cabinet, of what was used last by anybody. */
+ * "none". For an action of the program, of what was used last by anybody. */
 void keys_first(const struct keys *k, const char *action, char *out, size_t size);
 
 /* True when there is such an action. The functions above and below take one that is known. */
@@ -148,14 +148,14 @@ void keys_drop(struct keys *k, const char *action, uint16_t code);
  * pad.south to both players is no conflict, for each has a controller. */
 const char *keys_conflict(const struct keys *k, const char *action, uint16_t code);
 
-/* Escape and a controller's guide button open the cabinet's menu: a screen gives them to no other action, or there
+/* Escape and a controller's guide button open the program's menu: a screen gives them to no other action, or there
  * would be no way back. */
 bool keys_reserved(uint16_t code);
 
 /* seats: this poll's. */
 void keys_read(struct keys *k, const struct plat_input *in, const struct seats *seats, struct keys_read *out);
 
-/* Hands out the default map, a line an action, for `curtain help play`, but for these of the cabinet's. */
+/* Hands out the default map, a line an action, for `curtain help play`, but for these of the program's. */
 void keys_help(uint32_t without, void (*line)(const char *));
 
 #endif

@@ -1,5 +1,5 @@
 /*
- * canvas.h - draws text, boxes, lines and circles over a copy of the game's picture, in colours of the cabinet's own.
+ * canvas.h - draws text, boxes, lines and circles over a copy of the game's picture, in colours of the program's own.
  *
  * A game's font may lack letters and its palette may be faded to black, so two faces are built in, and the colours
  * replace the least used palette entries. A picture is opened once, and everything drawn over it uses that canvas: a

@@ -204,7 +204,7 @@ static void open_console(struct console *c)
 /* The key that opens and closes it has a letter too: what comes while it is held is not typed. */
 void console_poll(struct console *c, const struct plat_input *in, struct keys_read *k, struct board *b, bool keeps)
 {
-    const uint32_t key = (uint32_t)1 << CAB_CONSOLE;
+    const uint32_t key = (uint32_t)1 << HOTKEY_CONSOLE;
     bool was = c->open;
     if (!b || (k->pressed & key && was))
         c->open = false;

@@ -31,7 +31,7 @@ enum {
 void overlay_keys(struct overlay *o, uint32_t pressed)
 {
     for (int i = 0; i < OVERLAYS; i++)
-        o->on[i] ^= pressed >> (CAB_SHAPES + i) & 1;
+        o->on[i] ^= pressed >> (HOTKEY_SHAPES + i) & 1;
 }
 
 bool overlay_on(const struct overlay *o)
@@ -58,7 +58,7 @@ static void phase_ended(void *context, enum board_phase phase)
 
 static void before_tick(void *context)
 {
-    overlay_lap(context, SPLIT_CABINET);
+    overlay_lap(context, SPLIT_PROGRAM);
 }
 
 void overlay_begin(struct overlay *o, struct guard *g)
@@ -366,7 +366,7 @@ static void place_gauges(struct layout *l, const struct canvas *canvas, const st
 static void place_split(struct layout *l, const struct canvas *canvas, const struct split *t)
 {
     static const char *const names[SPLITS] = {
-        "scripts", "motion", "hits", "events", "rest", "cabinet", "draw", "show"
+        "scripts", "motion", "hits", "events", "rest", "program", "draw", "show"
     };
     struct panel s = { .lines = 0 };
     add(&s, CANVAS_CYAN, "%-7s %5s %5s", "usec", "mean", "most");

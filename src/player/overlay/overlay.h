@@ -1,6 +1,6 @@
 /*
  * overlay.h - the diagnostics over the picture: hit shapes, panels of gauges, frame times and tasks, and the object
- * under the mouse. The cabinet draws all of it, and none of it is in RAM.
+ * under the mouse. The program draws all of it, and none of it is in RAM.
  */
 #ifndef PLAYER_OVERLAY_H
 #define PLAYER_OVERLAY_H
@@ -12,12 +12,12 @@
 #include "../input/keys.h"
 #include "../speaker/speaker.h"
 
-/* In the order of the cabinet keys from CAB_SHAPES on. */
+/* In the order of the hotkeys from HOTKEY_SHAPES on. */
 enum overlay_panel { OVERLAY_SHAPES, OVERLAY_GAUGES, OVERLAY_SPLIT, OVERLAY_TASKS, OVERLAY_MIXER, OVERLAYS };
 
-/* What a frame of the cabinet consists of: the phases of its ticks, then these. */
+/* What a frame of the program consists of: the phases of its ticks, then these. */
 enum {
-    SPLIT_CABINET = PHASES, /* everything else: keys, key frames, recording, sound */
+    SPLIT_PROGRAM = PHASES, /* everything else: keys, key frames, recording, sound */
     SPLIT_DRAW,
     SPLIT_SHOW, /* this overlay, and the port showing the picture */
     SPLITS

@@ -98,9 +98,9 @@ static bool slow_tick_due(struct play_time *time)
 static void run(struct play *play, int frames, const struct keys_read *k, uint64_t now)
 {
     struct play_time *time = &play->time;
-    bool fast = k->held & 1 << CAB_TURBO, clear = time->paused || fast;
+    bool fast = k->held & 1 << HOTKEY_TURBO, clear = time->paused || fast;
 
-    time->rewinding = k->held & 1 << CAB_REWIND && !play->attract.on;
+    time->rewinding = k->held & 1 << HOTKEY_REWIND && !play->attract.on;
     time->quiet = time->paused || fast;
     if (play->prompt.open)
         return;
@@ -185,7 +185,7 @@ bool play_frame(struct play *play)
     play->seek.bar_frames -= play->seek.bar_frames > 0;
     play->message.frames -= play->message.frames > 0;
     save_regularly(play);
-    overlay_lap(&play->overlay, SPLIT_CABINET);
+    overlay_lap(&play->overlay, SPLIT_PROGRAM);
     draw_frame(play);
     pace_worked(&play->pace, play->window.handed - now);
     overlay_lap(&play->overlay, SPLIT_SHOW);

@@ -8,7 +8,7 @@
 
 enum { MAX_SLOW = 4, VOLUME_STEP = 10 /* percent */ };
 
-static bool is_pressed(const struct keys_read *k, enum cab_key key)
+static bool is_pressed(const struct keys_read *k, enum hotkey key)
 {
     return k->pressed >> key & 1;
 }
@@ -35,19 +35,19 @@ static void global_keys(struct play *play, const struct keys_read *k)
 {
     const struct speaker *s = &play->speaker;
 
-    if (is_pressed(k, CAB_QUIT))
+    if (is_pressed(k, HOTKEY_QUIT))
         play->quit = true;
-    if (is_pressed(k, CAB_FULLSCREEN))
+    if (is_pressed(k, HOTKEY_FULLSCREEN))
         play_toggle_fullscreen(play);
-    if (is_pressed(k, CAB_SCREENSHOT))
+    if (is_pressed(k, HOTKEY_SCREENSHOT))
         play_screenshot(play, &play->drawing.picture);
-    if (is_pressed(k, CAB_CAPTURE))
+    if (is_pressed(k, HOTKEY_CAPTURE))
         play_request_clip(play);
-    if (is_pressed(k, CAB_MUTE))
+    if (is_pressed(k, HOTKEY_MUTE))
         set_sound(play, !s->muted, s->volume);
-    if (is_pressed(k, CAB_QUIETER))
+    if (is_pressed(k, HOTKEY_QUIETER))
         set_sound(play, s->muted, s->volume - VOLUME_STEP);
-    if (is_pressed(k, CAB_LOUDER))
+    if (is_pressed(k, HOTKEY_LOUDER))
         set_sound(play, false, s->volume + VOLUME_STEP);
 }
 
@@ -55,11 +55,11 @@ static void speed_keys(struct play *play, const struct keys_read *k)
 {
     struct play_time *time = &play->time;
 
-    if (is_pressed(k, CAB_PAUSE))
+    if (is_pressed(k, HOTKEY_PAUSE))
         time->paused = !time->paused;
-    if (is_pressed(k, CAB_STEP))
+    if (is_pressed(k, HOTKEY_STEP))
         time->paused = time->step = true;
-    if (is_pressed(k, CAB_SLOW)) {
+    if (is_pressed(k, HOTKEY_SLOW)) {
         play_mark_assisted(play);
         time->slow = time->slow == MAX_SLOW ? 1 : time->slow * 2;
     }
@@ -75,19 +75,19 @@ static void seek_keys(struct play *play, const struct plat_input *in, const stru
 
     if (play->attract.on)
         return;
-    if (is_pressed(k, CAB_BACK)) {
+    if (is_pressed(k, HOTKEY_BACK)) {
         play->time.paused = true;
         play_rewind(play, 1);
     }
-    if (is_pressed(k, CAB_BEFORE))
+    if (is_pressed(k, HOTKEY_BEFORE))
         play_seek(play, timebar_previous(s, now));
-    if (is_pressed(k, CAB_AFTER))
+    if (is_pressed(k, HOTKEY_AFTER))
         play_seek(play, timebar_next(s, now));
-    if (is_pressed(k, CAB_TAKE_OVER))
+    if (is_pressed(k, HOTKEY_TAKE_OVER))
         play_take_over(play);
-    if (is_pressed(k, CAB_RELOAD))
+    if (is_pressed(k, HOTKEY_RELOAD))
         play_reload(play);
-    if (is_pressed(k, CAB_GOTO))
+    if (is_pressed(k, HOTKEY_GOTO))
         prompt_open(&play->prompt, in);
 }
 
@@ -126,7 +126,7 @@ static void console_keys(struct play *play, const struct plat_input *in, struct 
 {
     bool usable = !play_fault(play) && !play->attract.on && play->session.state == SESSION_PLAYING;
 
-    if (is_pressed(k, CAB_CONSOLE))
+    if (is_pressed(k, HOTKEY_CONSOLE))
         play_save_nvram(play);
     console_poll(&play->console, in, k, usable ? play_board(play) : NULL, !play->session.demo);
     if (console_kept(&play->console)) {
@@ -206,7 +206,7 @@ void play_poll(struct play *play, struct keys_read *k)
     play_seats_report(play, k);
     play_check_drop(play);
     if (play->replay.resuming) { /* only quitting is possible */
-        play->quit = play->quit || is_pressed(k, CAB_QUIT);
+        play->quit = play->quit || is_pressed(k, HOTKEY_QUIT);
         memset(k, 0, sizeof *k);
         return;
     }

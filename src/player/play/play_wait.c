@@ -115,13 +115,13 @@ static void poll(struct play *play)
 {
     struct plat_input in;
     struct keys_read k;
-    const uint32_t quit = (uint32_t)1 << CAB_QUIT | (uint32_t)1 << CAB_MENU;
+    const uint32_t quit = (uint32_t)1 << HOTKEY_QUIT | (uint32_t)1 << HOTKEY_MENU;
 
     plat_poll(&in);
     play_seats_poll(play, &in);
     keys_read(&play->config.keys, &in, &play->pads.seats, &k);
     play->quit = play->quit || in.quit || k.pressed & quit || plat_is_key_held(&in, KEY_ESCAPE);
-    if (k.pressed & (uint32_t)1 << CAB_FULLSCREEN)
+    if (k.pressed & (uint32_t)1 << HOTKEY_FULLSCREEN)
         play_toggle_fullscreen(play);
     play_scroll(play, &play->waiting.top, play->waiting.end, k.pads[0], in.wheel);
     play_check_drop(play);

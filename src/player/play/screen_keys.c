@@ -26,7 +26,7 @@ static int list_rows(const struct play *play, int list[MAX_ROWS])
         list[n++] = action;
     }
     list[n++] = HEADING - MAX_PLAYERS;
-    for (int key = 0; key < CAB_KEYS; key++)
+    for (int key = 0; key < HOTKEYS; key++)
         if (!play->options.sealed || !(KEYS_INSIDE >> key & 1))
             list[n++] = PLAYER_ACTIONS + key;
     list[n++] = RESET;
@@ -52,7 +52,7 @@ static int rows(void *of)
 static void labels_of(struct play *play, int action, char *out, size_t size)
 {
     const struct keys *k = &play->config.keys;
-    const struct keys_device *d = action < PLAYER_ACTIONS ? &k->player[action / PAD_BUTTON_COUNT] : &k->cabinet;
+    const struct keys_device *d = action < PLAYER_ACTIONS ? &k->player[action / PAD_BUTTON_COUNT] : &k->latest;
     char label[SWITCH_NAME];
     size_t n = 0;
 
@@ -68,7 +68,7 @@ static void labels_of(struct play *play, int action, char *out, size_t size)
 /* The action's meaning, and the keys of this screen, on the device that was used last. */
 static void describe_help(struct play *play, const char *meaning, struct screen_row *row)
 {
-    const struct keys_device *d = &play->config.keys.cabinet;
+    const struct keys_device *d = &play->config.keys.latest;
     char more[SWITCH_NAME] = "Enter", less[SWITCH_NAME] = "Delete";
 
     if (d->controller) {
@@ -116,7 +116,7 @@ static void take(struct play *play, uint16_t code)
     const char *name = keys_action(play->key_capture.action), *other = keys_conflict(k, name, code);
     char err[160], label[SWITCH_NAME], title[KEYS_TITLE], before[KEYS_TITLE];
 
-    switch_label(code, k->cabinet.kind, label, sizeof label);
+    switch_label(code, k->latest.kind, label, sizeof label);
     keys_title(name, title, sizeof title);
     if (!keys_add(k, name, code, err, sizeof err)) {
         screens_say(&play->screens, "%s", err);
@@ -186,7 +186,7 @@ static void remove_one(void *of, int at)
         const uint16_t code = play->config.keys.code[action][i];
         if (code && !keys_reserved(code)) {
             char label[SWITCH_NAME], title[KEYS_TITLE];
-            switch_label(code, play->config.keys.cabinet.kind, label, sizeof label);
+            switch_label(code, play->config.keys.latest.kind, label, sizeof label);
             keys_title(keys_action(action), title, sizeof title);
             screens_say(&play->screens, "%s: removed %s", title, label);
             keys_drop(&play->config.keys, keys_action(action), code);

@@ -1,6 +1,6 @@
 /*
- * ahead.c - look-ahead (ahead.h). A snapshot doesn't contain the output of the last tick, which the cabinet still reads,
- * so the output is saved separately.
+ * ahead.c - look-ahead (ahead.h). A snapshot doesn't contain the output of the last tick, which the program still
+ * reads, so the output is saved separately.
  */
 #include "ahead.h"
 

@@ -2,7 +2,7 @@
  * speaker.h - boards' sound on the host's speaker: volume, joints that do not click, and held in step with a clock that
  * is not quite ours.
  *
- * Each frame of the cabinet hands in the sound of the frames it ticked, none to some, and says how many sixtieths have
+ * Each frame of the program hands in the sound of the frames it ticked, none to some, and says how many sixtieths have
  * passed; what is missing is silence. Wherever a block does not go on from the one before, after a rewind, a reload, a
  * silence, the first SPEAKER_JOIN frames pass from one into the other; what follows is to the bit what the board says.
  *
@@ -70,7 +70,7 @@ struct speaker {
     struct speaker_seen seen;
 };
 
-/* The sixtieths that a frame of the cabinet stands for. */
+/* The sixtieths that a frame of the program stands for. */
 struct speaker_time {
     int sixtieths;
     int slow;      /* of them a tick lasts: 1, 2, 4 */

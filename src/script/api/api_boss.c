@@ -431,7 +431,7 @@ static const char *find_first_ship(const struct board *b)
 }
 
 /* Returns the tries and captures of a spell, after incrementing the counter that `add` selects, if any. In practice
- * nothing is incremented; the cabinet counts practice tries. */
+ * nothing is incremented; the program counts practice tries. */
 static int sys_history(lua_State *L, struct board *b, struct api_value *v)
 {
     const struct manifest *m = &b->cart.manifest;

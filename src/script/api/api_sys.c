@@ -148,7 +148,7 @@ static int sys_emit(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-/* Changes no RAM: marks are for the cabinet. */
+/* Changes no RAM: marks are for the program. */
 static int sys_mark(lua_State *L, struct board *b, struct api_value *v)
 {
     static const char *const kinds[MARKER_KINDS] = { "stage",  "point", "wave", "boss",  "phase", "death",
@@ -165,7 +165,7 @@ static int sys_mark(lua_State *L, struct board *b, struct api_value *v)
     return api_error(L, "sys.mark", "unknown mark \"%s\"", lua_tostring(L, v[M_KIND].at));
 }
 
-/* Changes no RAM: only reports to the cabinet that a pre-game menu is shown. */
+/* Changes no RAM: only reports to the program that a pre-game menu is shown. */
 static int sys_report_menu(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
@@ -710,11 +710,11 @@ static const struct api_entry entries[] = {
     SYS_ENTRY("sys.read", sys_run_library_file, 0, "any", "runs a file of the library, such as \"screens/title\"",
               REQUIRED("name", A_STR, "")),
     SYS_ENTRY("sys.emit", sys_emit, API_VARARGS | API_CHANGES, NULL, "queues an event", REQUIRED("name", A_STR, "")),
-    SYS_ENTRY("sys.mark", sys_mark, 0, NULL, "marks a moment of the run for the cabinet", REQUIRED("kind", A_STR, ""),
+    SYS_ENTRY("sys.mark", sys_mark, 0, NULL, "marks a moment of the run for the program", REQUIRED("kind", A_STR, ""),
               REQUIRED("name", A_STR, ""), OPTIONAL("of", A_STR, ""), OPTIONAL("title", A_STR, ""),
               PARAM("value", A_INT, OPT, INT32_MIN, INT32_MAX, NULL, NULL, "")),
     { "sys.tell_keys", sys_report_menu, NO_PARAMS, 0, API_SYS, NULL,
-      HELP("called in every frame of a menu: tells the cabinet to show new players the keys") },
+      HELP("called in every frame of a menu: tells the program to show new players the keys") },
     { "sys.practice", sys_practice, NO_PARAMS, 0, API_SYS, "mark, more",
       HELP("returns the practice start; more: lives, registers") },
     SYS_ENTRY(

@@ -1,5 +1,5 @@
 /*
- * api_table.h - the Lua API as data: names, arguments, units, help. Needs no Lua headers, because the cabinet includes
+ * api_table.h - the Lua API as data: names, arguments, units, help. Needs no Lua headers, because the program includes
  * it.
  */
 #ifndef SCRIPT_API_TABLE_H

@@ -16,7 +16,7 @@ enum {
 
 /* Runs `line` with the globals and rules of a game script, and no access to @std internals. The line is an expression
  * list ("player.get(1).x") or statements. Events it raises are applied at once, handlers included. Tasks it starts
- * first run in the next frame; the line itself cannot wait. Its requests to the cabinet (attract, quit) are dropped;
+ * first run in the next frame; the line itself cannot wait. Its requests to the program (attract, quit) are dropped;
  * board.reset takes effect at the end of the next tick.
  *
  * out (size bytes, size >= 1) receives the printed text, then the values, in lines ending in \n. Returns false if the

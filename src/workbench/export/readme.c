@@ -99,7 +99,8 @@ static void put_keys(struct byte_buffer *out, const struct keys *k, int first, i
 
 static void put_all_keys(struct byte_buffer *out, const struct manifest *m, bool window)
 {
-    static const enum cab_key shown[] = { CAB_PAUSE, CAB_MENU, CAB_HELP, CAB_FULLSCREEN, CAB_SCREENSHOT, CAB_QUIT };
+    static const enum hotkey shown[] = { HOTKEY_PAUSE,      HOTKEY_MENU,       HOTKEY_HELP,
+                                         HOTKEY_FULLSCREEN, HOTKEY_SCREENSHOT, HOTKEY_QUIT };
     struct keys k;
 
     keys_defaults(&k);
