@@ -63,6 +63,11 @@ void byte_buffer_print(struct byte_buffer *b, const char *format, ...)
     b->n--;
 }
 
+const char *byte_buffer_text(const struct byte_buffer *b)
+{
+    return b->bytes ? (const char *)b->bytes : "";
+}
+
 void byte_buffer_close(struct byte_buffer *b)
 {
     free(b->bytes);

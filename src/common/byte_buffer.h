@@ -27,6 +27,9 @@ void byte_buffer_byte(struct byte_buffer *b, uint8_t byte);
 /* Appends text like printf. A NUL follows the bytes but is not counted. */
 void byte_buffer_print(struct byte_buffer *b, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
+/* Returns what byte_buffer_print has appended; "" if the buffer is empty. */
+const char *byte_buffer_text(const struct byte_buffer *b);
+
 /* Frees the bytes and empties the buffer. */
 void byte_buffer_close(struct byte_buffer *b);
 

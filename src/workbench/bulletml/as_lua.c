@@ -13,7 +13,7 @@
 #include "as_lua_parts.h"
 
 /* Adds text, and a whole or started line of it, in its place. */
-#define PUT(w, ...)          prose_add(&(w)->body, __VA_ARGS__)
+#define PUT(w, ...)          byte_buffer_print(&(w)->body, __VA_ARGS__)
 #define LINE(w, format, ...) PUT(w, "%*s" format, 2 * (w)->indent, "", __VA_ARGS__)
 
 /* ---- names ---- */
@@ -33,12 +33,12 @@ static bool is_word(const char *s)
     return *s != '\0';
 }
 
-static void put_string(struct prose *t, const char *s)
+static void put_string(struct byte_buffer *t, const char *s)
 {
-    prose_add(t, "\"");
+    byte_buffer_print(t, "\"");
     for (; *s; s++)
-        prose_add(t, *s == '"' || *s == '\\' ? "\\%c" : (unsigned char)*s < 32 ? "\\%03d" : "%c", *s);
-    prose_add(t, "\"");
+        byte_buffer_print(t, *s == '"' || *s == '\\' ? "\\%c" : (unsigned char)*s < 32 ? "\\%03d" : "%c", *s);
+    byte_buffer_print(t, "\"");
 }
 
 /* "actions.ring", "bullets["two words"]" */
@@ -178,7 +178,7 @@ static void put_bullet(struct lua_writer *w, int32_t bullet)
 {
     const struct document_node *b = &w->d->node[bullet];
     const struct document_node *speed = child(w, bullet, NODE_SPEED), *direction = child(w, bullet, NODE_DIRECTION);
-    struct prose motion = { 0 };
+    struct byte_buffer motion = { 0 };
 
     if (speed) {
         LINE(w, "shot%s.speed = ", w->own);
@@ -402,19 +402,17 @@ static void put_tops(struct lua_writer *w)
 char *as_lua(const struct document *d, const char *file)
 {
     struct lua_writer w = { .d = d };
-    struct prose whole = { 0 };
+    struct byte_buffer whole = { 0 };
 
-    prose_add(&w.body, "%s", "");
     put_functions(&w);
     put_tops(&w);
-    if (!w.body.failed) {
-        as_lua_head(&whole, d, file, w.body.bytes);
-        as_lua_helpers(&whole, w.body.bytes);
-        prose_add(&whole, "%s", w.body.bytes + 1);
-    }
-    free(w.body.bytes);
-    if (!whole.failed)
-        return whole.bytes;
-    free(whole.bytes);
-    return NULL;
+    const char *body = byte_buffer_text(&w.body);
+    as_lua_head(&whole, d, file, body);
+    as_lua_helpers(&whole, body);
+    byte_buffer_print(&whole, "%s", body + (body[0] != '\0'));
+    whole.failed |= w.body.failed;
+    byte_buffer_close(&w.body);
+    if (whole.failed)
+        byte_buffer_close(&whole);
+    return (char *)whole.bytes;
 }

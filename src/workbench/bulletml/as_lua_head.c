@@ -41,26 +41,27 @@ static bool has_two(const struct document *d)
     return false;
 }
 
-void as_lua_head(struct prose *t, const struct document *d, const char *file, const char *body)
+void as_lua_head(struct byte_buffer *t, const struct document *d, const char *file, const char *body)
 {
-    prose_add(t, "-- ");
+    byte_buffer_print(t, "-- ");
     for (const char *c = strrchr(file, '/') ? strrchr(file, '/') + 1 : file; *c; c++)
-        prose_add(t, "%c", (unsigned char)*c < 32 ? '?' : *c);
-    prose_add(t, ", as Lua. Directions are Curtain's: 0 is right, 90 is down.\n");
-    prose_add(t, "-- A bullet moves in the frame that fires it, one frame earlier than in the document.\n");
+        byte_buffer_print(t, "%c", (unsigned char)*c < 32 ? '?' : *c);
+    byte_buffer_print(t, ", as Lua. Directions are Curtain's: 0 is right, 90 is down.\n");
+    byte_buffer_print(t, "-- A bullet moves in the frame that fires it, one frame earlier than in the document.\n");
     if (draws(d))
-        prose_add(t, "-- $rand draws from the game's random numbers, not from the seed of bullet.ml.\n");
+        byte_buffer_print(t, "-- $rand draws from the game's random numbers, not from the seed of bullet.ml.\n");
     if (has_two(d))
-        prose_add(t,
-                  "-- A bullet's next action starts immediately; in the document, one frame passes between actions.\n");
+        byte_buffer_print(
+            t, "-- A bullet's next action starts immediately; in the document, one frame passes between actions.\n");
     if (strstr(body, "motion.def"))
-        prose_add(t, "-- Changes in a motion program start one frame earlier.\n");
+        byte_buffer_print(t, "-- Changes in a motion program start one frame earlier.\n");
     if (root_vanishes(d))
-        prose_add(t, "-- When the document's root vanishes, the thing that runs it stays until you remove it.\n");
+        byte_buffer_print(t,
+                          "-- When the document's root vanishes, the thing that runs it stays until you remove it.\n");
     if (strstr(body, "_to(") || strstr(body, "_on("))
-        prose_add(t,
-                  "-- Each bullet that changes speed or direction has a task; for thousands of them, use bullet.ml.\n");
-    prose_add(t,
-              "local unit, rank = 1, 0.5         -- px per frame at speed 1; 0 to 1\nlocal kind, kinds = \"orb\", {}  "
-              "   -- for all bullets; by label: { petal = \"rice\" }\nlocal actions, fires, bullets = {}, {}, {}\n\n");
+        byte_buffer_print(
+            t, "-- Each bullet that changes speed or direction has a task; for thousands of them, use bullet.ml.\n");
+    byte_buffer_print(
+        t, "local unit, rank = 1, 0.5         -- px per frame at speed 1; 0 to 1\nlocal kind, kinds = \"orb\", {}  "
+           "   -- for all bullets; by label: { petal = \"rice\" }\nlocal actions, fires, bullets = {}, {}, {}\n\n");
 }

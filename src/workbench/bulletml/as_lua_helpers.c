@@ -147,21 +147,21 @@ static bool calls(const char *text, const char *name)
 }
 
 /* Two helpers have variants. */
-static void put_helper(struct prose *t, int i, bool pushes, bool changes)
+static void put_helper(struct byte_buffer *t, int i, bool pushes, bool changes)
 {
     const char *at = strstr(helpers[i].text, "FLY"), *update = strstr(helpers[i].text, "UPDATE");
 
     if (at)
-        prose_add(t, "%.*s%s%s\n", (int)(at - helpers[i].text), helpers[i].text, pushes ? "fly" : "fly_straight",
-                  at + 3);
+        byte_buffer_print(t, "%.*s%s%s\n", (int)(at - helpers[i].text), helpers[i].text,
+                          pushes ? "fly" : "fly_straight", at + 3);
     else if (update)
-        prose_add(t, "%.*s%s%s\n", (int)(update - helpers[i].text), helpers[i].text, changes ? "  update(s.o)\n" : "",
-                  update + 6);
+        byte_buffer_print(t, "%.*s%s%s\n", (int)(update - helpers[i].text), helpers[i].text,
+                          changes ? "  update(s.o)\n" : "", update + 6);
     else
-        prose_add(t, "%s\n", helpers[i].text);
+        byte_buffer_print(t, "%s\n", helpers[i].text);
 }
 
-void as_lua_helpers(struct prose *t, const char *body)
+void as_lua_helpers(struct byte_buffer *t, const char *body)
 {
     const bool pushes = calls(body, "push_to") || calls(body, "push_on");
     bool used[HELPERS] = { 0 }, changes = false;

@@ -11,7 +11,7 @@
 enum { DEPTH = 8 /* of actions in one another */, COMMANDS = 1000, LOOPS = 4 /* as motion.def takes them */ };
 
 struct steps {
-    struct prose text;
+    struct byte_buffer text;
     const struct document *d;
     int32_t speed, turn; /* changes that start with the next wait: nodes, or DOCUMENT_NONE */
     bool none;           /* it is not possible */
@@ -38,7 +38,7 @@ static const struct document_node *child(const struct steps *s, int32_t node, en
 
 static void put_step(struct steps *s, const char *format, double n)
 {
-    prose_add(&s->text, format, s->text.n ? ", " : "", n);
+    byte_buffer_print(&s->text, format, s->text.n ? ", " : "", n);
 }
 
 /* ---- changes ---- */
@@ -49,11 +49,11 @@ static void put_speed(struct steps *s, double over)
     const struct document_node *v = child(s, s->speed, NODE_SPEED);
 
     s->none |= !as_lua_fixed(v);
-    prose_add(&s->text, v->type == NODE_PLAIN || v->type == NODE_ABSOLUTE ? "speed = " : "accel = ");
+    byte_buffer_print(&s->text, v->type == NODE_PLAIN || v->type == NODE_ABSOLUTE ? "speed = " : "accel = ");
     as_lua_value(&s->text, v, 0, true);
-    prose_add(&s->text, " * unit");
+    byte_buffer_print(&s->text, " * unit");
     if (v->type == NODE_RELATIVE && over > 1)
-        prose_add(&s->text, " / %g", over);
+        byte_buffer_print(&s->text, " / %g", over);
 }
 
 static void put_turn(struct steps *s, double over)
@@ -63,20 +63,20 @@ static void put_turn(struct steps *s, double over)
 
     s->none |= !as_lua_fixed(v);
     if (v->type == NODE_SEQUENCE || (v->type == NODE_RELATIVE && over == 1)) {
-        prose_add(&s->text, "turn = ");
+        byte_buffer_print(&s->text, "turn = ");
         as_lua_value(&s->text, v, 0, false);
     } else if (v->type == NODE_RELATIVE && expression_constant(v->op, v->ops, &turn)) {
-        prose_add(&s->text, "turn = ");
+        byte_buffer_print(&s->text, "turn = ");
         as_lua_number(&s->text, round(remainder(turn, 360) / over * 1e8) / 1e8);
     } else if (over > 1) {
         s->none = true;
     } else if (v->type == NODE_ABSOLUTE) {
-        prose_add(&s->text, "dir = ");
+        byte_buffer_print(&s->text, "dir = ");
         as_lua_value(&s->text, v, as_lua_up(s->d), false);
     } else {
-        prose_add(&s->text, "aim = true");
+        byte_buffer_print(&s->text, "aim = true");
         if (!expression_constant(v->op, v->ops, &turn) || turn != 0) {
-            prose_add(&s->text, " }, { turn = ");
+            byte_buffer_print(&s->text, " }, { turn = ");
             as_lua_value(&s->text, v, 0, false);
         }
     }
@@ -85,16 +85,16 @@ static void put_turn(struct steps *s, double over)
 /* A step that changes speed, direction or both over `over` frames. */
 static void put_change(struct steps *s, double over, bool speed, bool turn)
 {
-    prose_add(&s->text, "%s{ ", s->text.n ? ", " : "");
+    byte_buffer_print(&s->text, "%s{ ", s->text.n ? ", " : "");
     if (speed)
         put_speed(s, over);
     if (turn)
-        prose_add(&s->text, speed ? ", " : "");
+        byte_buffer_print(&s->text, speed ? ", " : "");
     if (turn)
         put_turn(s, over);
     if (over > 1)
-        prose_add(&s->text, ", over = %g", over);
-    prose_add(&s->text, " }");
+        byte_buffer_print(&s->text, ", over = %g", over);
+    byte_buffer_print(&s->text, " }");
 }
 
 /* Starts the pending changes, and waits. */
@@ -136,15 +136,15 @@ static void put_repeat(struct steps *s, int32_t node, int depth, int loops)
     s->none |= loops == LOOPS;
     if (s->none)
         return;
-    struct prose outer = s->text;
-    s->text = (struct prose){ 0 };
+    struct byte_buffer outer = s->text;
+    s->text = (struct byte_buffer){ 0 };
     s->waited = 0;
     put_commands(s, node, depth, loops + 1);
     if (s->speed != DOCUMENT_NONE || s->turn != DOCUMENT_NONE || s->waited == 0 || s->over)
         s->none = true;
-    prose_add(&outer, "%s{ loop = %g, %s }", outer.n ? ", " : "", times, s->text.bytes ? s->text.bytes : "");
+    byte_buffer_print(&outer, "%s{ loop = %g, %s }", outer.n ? ", " : "", times, byte_buffer_text(&s->text));
     outer.failed |= s->text.failed;
-    free(s->text.bytes);
+    byte_buffer_close(&s->text);
     s->text = outer;
     s->waited += before;
 }
@@ -203,7 +203,7 @@ static void put_commands(struct steps *s, int32_t node, int depth, int loops)
         put_command(s, i, depth, loops);
 }
 
-bool as_lua_motion(struct prose *t, const struct document *d, int32_t bullet)
+bool as_lua_motion(struct byte_buffer *t, const struct document *d, int32_t bullet)
 {
     struct steps s = { .d = d, .left = COMMANDS, .speed = DOCUMENT_NONE, .turn = DOCUMENT_NONE };
 
@@ -211,7 +211,7 @@ bool as_lua_motion(struct prose *t, const struct document *d, int32_t bullet)
     if (!s.none && !s.over)
         begin(&s, INFINITY);
     if (!s.none && s.text.n > 0)
-        prose_add(t, "%s", s.text.bytes);
+        byte_buffer_print(t, "%s", s.text.bytes);
     t->failed |= s.text.failed;
     free(s.text.bytes);
     return !s.none;

@@ -7,24 +7,24 @@
 #include <stdlib.h>
 #include <string.h>
 
-void as_lua_number(struct prose *t, double v)
+void as_lua_number(struct byte_buffer *t, double v)
 {
-    prose_add(t, "%.10g", v == 0 ? 0 : v);
+    byte_buffer_print(t, "%.10g", v == 0 ? 0 : v);
 }
 
 /* Precedence. */
 enum tight { SUM, PRODUCT, SIGN, WORD };
 
 struct piece {
-    struct prose text;
+    struct byte_buffer text;
     enum tight tight;
 };
 
-static void put_piece(struct prose *t, const struct piece *p, enum tight least)
+static void put_piece(struct byte_buffer *t, const struct piece *p, enum tight least)
 {
     const bool open = p->tight < least;
 
-    prose_add(t, "%s%s%s", open ? "(" : "", p->text.bytes ? p->text.bytes : "", open ? ")" : "");
+    byte_buffer_print(t, "%s%s%s", open ? "(" : "", byte_buffer_text(&p->text), open ? ")" : "");
 }
 
 static void join(struct piece *a, struct piece *b, enum expression_kind kind)
@@ -39,7 +39,7 @@ static void join(struct piece *a, struct piece *b, enum expression_kind kind)
     struct piece both = { .tight = own };
 
     put_piece(&both.text, a, own);
-    prose_add(&both.text, "%s", signs[kind]);
+    byte_buffer_print(&both.text, "%s", signs[kind]);
     put_piece(&both.text, b, kind == EXPRESSION_ADD || kind == EXPRESSION_MULTIPLY ? own : own + 1);
     free(a->text.bytes);
     free(b->text.bytes);
@@ -50,7 +50,7 @@ static void negate(struct piece *p)
 {
     struct piece less = { .tight = SIGN };
 
-    prose_add(&less.text, "-");
+    byte_buffer_print(&less.text, "-");
     put_piece(&less.text, p, WORD);
     free(p->text.bytes);
     *p = less;
@@ -63,13 +63,13 @@ static struct piece one_word(const struct expression_op *op)
     if (op->kind == EXPRESSION_NUMBER)
         as_lua_number(&p.text, round((double)op->number / 4294967296.0 * 1e8) / 1e8);
     else if (op->kind == EXPRESSION_RAND)
-        prose_add(&p.text, "rng.number(0, 1)");
+        byte_buffer_print(&p.text, "rng.number(0, 1)");
     else if (op->kind == EXPRESSION_RANK)
-        prose_add(&p.text, "rank");
+        byte_buffer_print(&p.text, "rank");
     else if (op->number == 0)
-        prose_add(&p.text, "1");
+        byte_buffer_print(&p.text, "1");
     else
-        prose_add(&p.text, "p%d", (int)op->number);
+        byte_buffer_print(&p.text, "p%d", (int)op->number);
     return p;
 }
 
@@ -91,7 +91,7 @@ static struct piece whole_of(const struct document_node *node)
     return stack[0];
 }
 
-void as_lua_value(struct prose *t, const struct document_node *node, double add, bool tight)
+void as_lua_value(struct byte_buffer *t, const struct document_node *node, double add, bool tight)
 {
     double v;
 
@@ -101,17 +101,17 @@ void as_lua_value(struct prose *t, const struct document_node *node, double add,
     }
     struct piece p = whole_of(node);
     const bool open = tight && (add != 0 || p.tight < SIGN);
-    prose_add(t, "%s%s", open ? "(" : "", p.text.bytes ? p.text.bytes : "");
+    byte_buffer_print(t, "%s%s", open ? "(" : "", byte_buffer_text(&p.text));
     if (add != 0) {
-        prose_add(t, add < 0 ? " - " : " + ");
+        byte_buffer_print(t, add < 0 ? " - " : " + ");
         as_lua_number(t, fabs(add));
     }
-    prose_add(t, open ? ")" : "");
+    byte_buffer_print(t, open ? ")" : "");
     t->failed |= p.text.failed;
     free(p.text.bytes);
 }
 
-void as_lua_count(struct prose *t, const struct document_node *node, int least)
+void as_lua_count(struct byte_buffer *t, const struct document_node *node, int least)
 {
     double v;
 
@@ -120,9 +120,9 @@ void as_lua_count(struct prose *t, const struct document_node *node, int least)
         as_lua_number(t, n < least ? least : n > 1e9 ? 1e9 : n);
         return;
     }
-    prose_add(t, "count(");
+    byte_buffer_print(t, "count(");
     as_lua_value(t, node, 0, false);
-    prose_add(t, ", %d)", least);
+    byte_buffer_print(t, ", %d)", least);
 }
 
 bool as_lua_fixed(const struct document_node *node)

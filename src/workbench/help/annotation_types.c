@@ -56,7 +56,7 @@ static const char *const types[] = {
     [A_HOST_SCREEN] = "ask_word",
 };
 
-void annotation_aliases(struct prose *to)
+void annotation_aliases(struct byte_buffer *to)
 {
     const char *const *words;
     int n;
@@ -64,17 +64,17 @@ void annotation_aliases(struct prose *to)
     for (size_t t = 0; t < COUNT(types); t++) {
         words = api_get_type_words((enum api_type)t, &n);
         if (words) {
-            prose_add(to, "---@alias %s ", types[t]);
+            byte_buffer_print(to, "---@alias %s ", types[t]);
             for (int i = 0; i < n; i++)
-                prose_add(to, "%s\"%s\"", i ? "|" : "", words[i]);
-            prose_add(to, "\n");
+                byte_buffer_print(to, "%s\"%s\"", i ? "|" : "", words[i]);
+            byte_buffer_print(to, "\n");
         } else if (t >= A_BULLET_KIND) {
             if (!strchr(types[t], '|'))
-                prose_add(to, "---@alias %s string\n", types[t]);
+                byte_buffer_print(to, "---@alias %s string\n", types[t]);
         }
     }
-    prose_add(to, "---@alias motion_name string\n");
-    prose_add(to, "\n---a path that path.def returned\n---@class route\n");
+    byte_buffer_print(to, "---@alias motion_name string\n");
+    byte_buffer_print(to, "\n---a path that path.def returned\n---@class route\n");
 }
 
 /* Adds text to the n letters of out; returns how many there are then. */
@@ -257,13 +257,13 @@ static const char *return_type(const char *word)
     return "any";
 }
 
-void annotation_returns(struct prose *to, const char *words)
+void annotation_returns(struct byte_buffer *to, const char *words)
 {
     while (words && *words) {
         char word[32];
         const size_t n = strcspn(words, ",");
         snprintf(word, sizeof word, "%.*s", (int)n, words);
-        prose_add(to, "---@return %s # %s\n", return_type(word), word);
+        byte_buffer_print(to, "---@return %s # %s\n", return_type(word), word);
         words += n;
         words += strspn(words, ", ");
     }

@@ -6,10 +6,10 @@
 
 #include <stddef.h>
 #include "../../script/api/api_table.h"
-#include "../../common/prose.h"
+#include "../../common/byte_buffer.h"
 
 /* Adds the aliases that the types below name: words, and names that a game declares. */
-void annotation_aliases(struct prose *to);
+void annotation_aliases(struct byte_buffer *to);
 
 /* The type of a parameter of e, as it stands behind ---@param or ---@field: "integer", "bullet|enemy". */
 void annotation_type(const struct api_entry *e, const struct api_param *p, char *out, size_t size);
@@ -18,7 +18,7 @@ void annotation_type(const struct api_entry *e, const struct api_param *p, char 
 void annotation_property(const struct api_param *p, char *out, size_t size);
 
 /* What a function returns, `words` being what the table says: adds a line ---@return for each value. */
-void annotation_returns(struct prose *to, const char *words);
+void annotation_returns(struct byte_buffer *to, const char *words);
 
 /* The type of a plain name ("rom.title"), or of an argument of a function without checks ("row"); NULL: none known. */
 const char *annotation_plain(const char *name);

@@ -60,13 +60,13 @@ static void comment(const struct api_param *p, char out[WORDS_SIZE])
     snprintf(out, WORDS_SIZE, "%s%s[%s]", p->help ? p->help : "", p->help && p->help[0] ? " " : "", words);
 }
 
-static void field(struct prose *to, const struct api_entry *e, const struct api_param *p, bool optional)
+static void field(struct byte_buffer *to, const struct api_entry *e, const struct api_param *p, bool optional)
 {
     char type[TYPE_SIZE], words[WORDS_SIZE];
 
     annotation_type(e, p, type, sizeof type);
     comment(p, words);
-    prose_add(to, "---@field %s%s %s # %s\n", p->name, optional ? "?" : "", type, words);
+    byte_buffer_print(to, "---@field %s%s %s # %s\n", p->name, optional ? "?" : "", type, words);
 }
 
 /* ---- classes of arguments ---- */
@@ -81,7 +81,7 @@ static bool fired_before(int maker, const char *name)
 }
 
 /* Adds a field, whose comment names the first maker that has it. */
-static void fired_field(struct prose *to, const struct api_entry *e, const struct api_param *p)
+static void fired_field(struct byte_buffer *to, const struct api_entry *e, const struct api_param *p)
 {
     struct api_param any = *p;
     char type[TYPE_SIZE], words[WORDS_SIZE];
@@ -91,14 +91,14 @@ static void fired_field(struct prose *to, const struct api_entry *e, const struc
     if (any.type >= A_BULLET_KIND && any.type <= A_OPTION_KIND)
         any.type = A_STR; /* of whatever is fired */
     annotation_type(e, &any, type, sizeof type);
-    prose_add(to, "---@field %s? %s # %s: %s\n", p->name, type, e->name, words);
+    byte_buffer_print(to, "---@field %s? %s # %s: %s\n", p->name, type, e->name, words);
 }
 
 /* Adds the arguments that a pattern passes on. All are optional, because not every maker has them, and functions of
  * `each` may need none. */
-static void fired(struct prose *to)
+static void fired(struct byte_buffer *to)
 {
-    prose_add(to, "\n---arguments that a pattern passes on to each bullet, shot or laser\n---@class fired\n");
+    byte_buffer_print(to, "\n---arguments that a pattern passes on to each bullet, shot or laser\n---@class fired\n");
     for (int m = 0; m < MAKERS; m++) {
         const struct api_entry *e = api_find_entry(&api_table, makers[m]);
         for (int i = e->positional_count; i < e->count; i++)
@@ -112,18 +112,18 @@ static bool has_table(const struct api_entry *e)
     return e->count > e->positional_count || e->flags & API_PATTERN;
 }
 
-static void arguments_class(struct prose *to, const struct api_entry *e)
+static void arguments_class(struct byte_buffer *to, const struct api_entry *e)
 {
     char name[NAME_SIZE];
 
     class_name(e, name);
-    prose_add(to, "\n---%s%s\n---@class %s%s\n", is_part(e) ? e->help : "arguments of ", is_part(e) ? "" : e->name,
-              name, e->flags & API_PATTERN ? ": fired" : "");
+    byte_buffer_print(to, "\n---%s%s\n---@class %s%s\n", is_part(e) ? e->help : "arguments of ",
+                      is_part(e) ? "" : e->name, name, e->flags & API_PATTERN ? ": fired" : "");
     for (int i = is_part(e) ? 0 : e->positional_count; i < e->count; i++)
         field(to, e, &e->params[i], e->params[i].optional);
 }
 
-static void argument_classes(struct prose *to)
+static void argument_classes(struct byte_buffer *to)
 {
     fired(to);
     for (int i = 0; i < api_count_entries(&api_table); i++) {
@@ -135,7 +135,7 @@ static void argument_classes(struct prose *to)
 
 /* ---- functions ---- */
 
-static void function_params(struct prose *to, const struct api_entry *e)
+static void function_params(struct byte_buffer *to, const struct api_entry *e)
 {
     char type[TYPE_SIZE], words[WORDS_SIZE], name[NAME_SIZE];
 
@@ -143,64 +143,64 @@ static void function_params(struct prose *to, const struct api_entry *e)
         const struct api_param *p = &e->params[i];
         annotation_type(e, p, type, sizeof type);
         comment(p, words);
-        prose_add(to, "---@param %s%s %s # %s\n", p->name, p->optional ? "?" : "", type, words);
+        byte_buffer_print(to, "---@param %s%s %s # %s\n", p->name, p->optional ? "?" : "", type, words);
     }
     if (e->flags & API_VARARGS)
-        prose_add(to, "---@param ... any\n");
+        byte_buffer_print(to, "---@param ... any\n");
     if (!has_table(e))
         return;
     class_name(e, name);
     bool must = false;
     for (int i = e->positional_count; i < e->count; i++)
         must = must || !e->params[i].optional;
-    prose_add(to, "---@param args%s %s\n", must || e->flags & API_PATTERN ? "" : "?", name);
+    byte_buffer_print(to, "---@param args%s %s\n", must || e->flags & API_PATTERN ? "" : "?", name);
 }
 
 /* owner: the local that contains the methods of a kind of handle; NULL: the entry's own name is used. */
-static void function(struct prose *to, const struct api_entry *e, const char *owner)
+static void function(struct byte_buffer *to, const struct api_entry *e, const char *owner)
 {
     const int first = e->flags & API_METHOD ? 1 : 0;
     const char *comma = "";
 
-    prose_add(to, "\n---%s%s\n", e->help, e->flags & API_LOAD_ONLY ? " (only while scripts load)" : "");
+    byte_buffer_print(to, "\n---%s%s\n", e->help, e->flags & API_LOAD_ONLY ? " (only while scripts load)" : "");
     function_params(to, e);
     annotation_returns(to, e->returns);
-    prose_add(to, "function %s%s(", owner ? owner : "", owner ? strchr(e->name, ':') : e->name);
+    byte_buffer_print(to, "function %s%s(", owner ? owner : "", owner ? strchr(e->name, ':') : e->name);
     for (int i = first; i < e->positional_count; i++, comma = ", ")
-        prose_add(to, "%s%s", comma, e->params[i].name);
+        byte_buffer_print(to, "%s%s", comma, e->params[i].name);
     if (e->flags & API_VARARGS)
-        prose_add(to, "%s...", comma), comma = ", ";
+        byte_buffer_print(to, "%s...", comma), comma = ", ";
     if (has_table(e))
-        prose_add(to, "%sargs", comma);
-    prose_add(to, ") end\n");
+        byte_buffer_print(to, "%sargs", comma);
+    byte_buffer_print(to, ") end\n");
 }
 
 /* ---- handles ---- */
 
-static void property(struct prose *to, const struct api_param *p)
+static void property(struct byte_buffer *to, const struct api_param *p)
 {
     char type[TYPE_SIZE], words[WORDS_SIZE];
     const bool nil = strstr(p->help, "nil") != NULL, read = !(p->access & PROP_WRITE);
 
     annotation_property(p, type, sizeof type);
     help_property_words(p, words, sizeof words);
-    prose_add(to, "---@field %s%s %s # %s%s [%s]\n", p->name, nil ? "?" : "", type, read ? "read-only: " : "", p->help,
-              words);
+    byte_buffer_print(to, "---@field %s%s %s # %s%s [%s]\n", p->name, nil ? "?" : "", type, read ? "read-only: " : "",
+                      p->help, words);
 }
 
-static void handle(struct prose *to, enum handle_kind kind)
+static void handle(struct byte_buffer *to, enum handle_kind kind)
 {
     const struct api_thing *t = api_table.things[kind];
     const size_t n = strlen(t->name);
     char owner[NAME_SIZE];
 
-    prose_add(to, "\n---@class %s\n", t->name);
+    byte_buffer_print(to, "\n---@class %s\n", t->name);
     if (api_can_die(kind))
-        prose_add(to, "---@field alive boolean # read-only: true while it exists\n");
+        byte_buffer_print(to, "---@field alive boolean # read-only: true while it exists\n");
     for (int i = 0; i < t->n; i++)
         property(to, &t->props[i]);
     snprintf(owner, sizeof owner, "a_%s", t->name);
-    prose_add(to, "local %s = {}\n", owner);
+    byte_buffer_print(to, "local %s = {}\n", owner);
     for (int i = 0; i < api_count_entries(&api_table); i++) {
         const struct api_entry *e = api_get_entry(&api_table, i);
         if (!strncmp(e->name, t->name, n) && e->name[n] == ':' && is_public(e))
@@ -241,7 +241,7 @@ static bool space_before(int i, const char *space)
     return false;
 }
 
-static void space_fields(struct prose *to, const char *space)
+static void space_fields(struct byte_buffer *to, const char *space)
 {
     char of[NAME_SIZE];
 
@@ -251,11 +251,11 @@ static void space_fields(struct prose *to, const char *space)
         if (strcmp(of, space) || strchr(name, '('))
             continue;
         const char *type = annotation_plain(name);
-        prose_add(to, "---@field %s %s # %s\n", name + strlen(of) + 1, type ? type : "any", help);
+        byte_buffer_print(to, "---@field %s %s # %s\n", name + strlen(of) + 1, type ? type : "any", help);
     }
 }
 
-static void spaces(struct prose *to)
+static void spaces(struct byte_buffer *to)
 {
     char space[NAME_SIZE];
 
@@ -263,37 +263,37 @@ static void spaces(struct prose *to)
         space_of(any_name(i), space);
         if (!space[0] || space_before(i, space))
             continue;
-        prose_add(to, "\n---@class %slib\n", space);
+        byte_buffer_print(to, "\n---@class %slib\n", space);
         space_fields(to, space);
-        prose_add(to, "%s = {}\n", space);
+        byte_buffer_print(to, "%s = {}\n", space);
     }
 }
 
 /* Adds a function without an entry: "hud.banner(lines?, frames?)". */
-static void plain_function(struct prose *to, const char *name, const char *help)
+static void plain_function(struct byte_buffer *to, const char *name, const char *help)
 {
     char list[160] = "";
     size_t n = 0;
     const char *at = strchr(name, '(') + 1, *returns = strstr(help, "returns the row");
 
-    prose_add(to, "\n---%s\n", help);
+    byte_buffer_print(to, "\n---%s\n", help);
     while (*at != ')') {
         char word[32];
         const size_t length = strcspn(at, "?,)");
         snprintf(word, sizeof word, "%.*s", (int)length, at);
         const char *type = annotation_plain(word);
-        prose_add(to, "---@param %s%s %s\n", word, at[length] == '?' ? "?" : "", type ? type : "any");
+        byte_buffer_print(to, "---@param %s%s %s\n", word, at[length] == '?' ? "?" : "", type ? type : "any");
         n += (size_t)snprintf(list + n, sizeof list - n, "%s%s", n ? ", " : "", word);
         at += length;
         at += strspn(at, "?, ");
     }
     if (returns)
         annotation_returns(to, "row");
-    prose_add(to, "function %.*s(%s) end\n", (int)strcspn(name, "("), name, list);
+    byte_buffer_print(to, "function %.*s(%s) end\n", (int)strcspn(name, "("), name, list);
 }
 
 /* Without print and require, which the server knows. */
-static void plain_names(struct prose *to)
+static void plain_names(struct byte_buffer *to)
 {
     for (int i = 0; i < api_table.doc_name_count; i++) {
         const char *name = api_table.doc_names[i].name, *help = api_table.doc_names[i].help;
@@ -301,18 +301,18 @@ static void plain_names(struct prose *to)
         if (strchr(name, '(') && strcspn(name, ".") < strcspn(name, "("))
             plain_function(to, name, help);
         else if (!strpbrk(name, ".("))
-            prose_add(to, "\n---%s\n---@type %s\n%s = nil\n", help, type ? type : "any", name);
+            byte_buffer_print(to, "\n---%s\n---@type %s\n%s = nil\n", help, type ? type : "any", name);
     }
 }
 
-void annotations_write(struct prose *to)
+void annotations_write(struct byte_buffer *to)
 {
-    prose_add(to, "---@meta curtain\n");
-    prose_add(to,
-              "-- Curtain %s: the API for games, for the Lua language server. Generated by curtain help lua "
-              "--annotations.\n\n",
-              CURTAIN_VERSION);
-    prose_add(to, "-- luacheck: ignore\n");
+    byte_buffer_print(to, "---@meta curtain\n");
+    byte_buffer_print(to,
+                      "-- Curtain %s: the API for games, for the Lua language server. Generated by curtain help lua "
+                      "--annotations.\n\n",
+                      CURTAIN_VERSION);
+    byte_buffer_print(to, "-- luacheck: ignore\n");
     annotation_aliases(to);
     argument_classes(to);
     for (int k = 1; k < HANDLE_KINDS; k++)

@@ -5,12 +5,12 @@
 #ifndef WORKBENCH_ANNOTATIONS_H
 #define WORKBENCH_ANNOTATIONS_H
 
-#include "../../common/prose.h"
+#include "../../common/byte_buffer.h"
 
 /* Adds the text of a Lua file for editors. */
-void annotations_write(struct prose *to);
+void annotations_write(struct byte_buffer *to);
 
 /* The same for test scripts (test_script.h). */
-void annotations_test_write(struct prose *to);
+void annotations_test_write(struct byte_buffer *to);
 
 #endif

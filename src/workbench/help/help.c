@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../common/prose.h"
+#include "../../common/byte_buffer.h"
 #include "../../common/report.h"
 #include "../../player/command.h"
 #include "../test/test_script.h"
@@ -20,9 +20,9 @@ static void print_line(const char *line)
     puts(line);
 }
 
-static void print_prose(void (*write)(struct prose *))
+static void print_text(void (*write)(struct byte_buffer *))
 {
-    struct prose text = { 0 };
+    struct byte_buffer text = { 0 };
 
     write(&text);
     fwrite(text.bytes, 1, text.n, stdout);
@@ -87,9 +87,9 @@ static enum result help_lua(const char *name)
 static enum result help_lua_files(const struct args *a)
 {
     if (strcmp(a->words[0], "test") == 0)
-        print_prose(annotations_test_write);
+        print_text(annotations_test_write);
     else if (a->annotations)
-        print_prose(annotations_write);
+        print_text(annotations_write);
     else
         luacheck_print();
     return report_stdout(RESULT_DONE);

@@ -103,23 +103,23 @@ static bool save(struct start *s, const char *name, const void *data, size_t siz
 /* ---- names in the files ---- */
 
 /* Adds a text as between quotes in Lua. */
-static void add_quoted(struct prose *p, const char *text)
+static void add_quoted(struct byte_buffer *p, const char *text)
 {
     for (; *text != '\0'; text++)
-        prose_add(p, *text == '"' || *text == '\\' ? "\\%c" : "%c", *text);
+        byte_buffer_print(p, *text == '"' || *text == '\\' ? "\\%c" : "%c", *text);
 }
 
 /* Adds the text, with the part between the first `before` and the next `after` replaced. */
-static void add_named(struct prose *p, const char *text, const char *before, char after, const char *with)
+static void add_named(struct byte_buffer *p, const char *text, const char *before, char after, const char *with)
 {
     const char *at = strstr(text, before), *end = at ? strchr(at + strlen(before), after) : NULL;
 
     if (end) {
-        prose_add(p, "%.*s", (int)(at - text + (long)strlen(before)), text);
+        byte_buffer_print(p, "%.*s", (int)(at - text + (long)strlen(before)), text);
         add_quoted(p, with);
         text = end;
     }
-    prose_add(p, "%s", text);
+    byte_buffer_print(p, "%s", text);
 }
 
 /* Saves rom.lua with the game's id and title, README.md with its title, and any other file unchanged. */
@@ -127,24 +127,25 @@ static bool save_named(struct start *s, const char *name, const struct embedded 
 {
     const bool rom = strcmp(name, "rom.lua") == 0, page = strcmp(name, "README.md") == 0;
     const bool titled = game_name_has_glyphs(s->name);
-    struct prose first = { 0 }, text = { 0 };
+    struct byte_buffer first = { 0 }, text = { 0 };
 
     if ((!rom && !page) || (page && !titled))
         return save(s, name, file->data, file->size, err, err_size);
-    prose_add(&first, "%.*s", (int)file->size, (const char *)file->data);
+    byte_buffer_print(&first, "%.*s", (int)file->size, (const char *)file->data);
+    const char *was = byte_buffer_text(&first);
     if (page) {
-        prose_add(&text, "# %s%s", s->name, first.bytes ? first.bytes + strcspn(first.bytes, "\n") : "");
-    } else if (first.bytes) {
-        struct prose with_id = { 0 };
-        add_named(&with_id, first.bytes, "id = \"", '"', s->id);
-        if (with_id.bytes && titled)
-            add_named(&text, with_id.bytes, "title = \"", '"', s->name);
-        else if (with_id.bytes)
-            prose_add(&text, "%s", with_id.bytes);
+        byte_buffer_print(&text, "# %s%s", s->name, was + strcspn(was, "\n"));
+    } else {
+        struct byte_buffer with_id = { 0 };
+        add_named(&with_id, was, "id = \"", '"', s->id);
+        if (titled)
+            add_named(&text, byte_buffer_text(&with_id), "title = \"", '"', s->name);
+        else
+            byte_buffer_print(&text, "%s", byte_buffer_text(&with_id));
         text.failed = text.failed || with_id.failed;
-        free(with_id.bytes);
+        byte_buffer_close(&with_id);
     }
-    bool good = text.bytes && !text.failed && !first.failed;
+    bool good = !text.failed && !first.failed;
     if (!good)
         result_set_host_error(err, err_size, "out of memory");
     good = good && save(s, name, text.bytes, text.n, err, err_size);
@@ -154,9 +155,9 @@ static bool save_named(struct start *s, const char *name, const struct embedded 
 }
 
 /* Saves annotations for editors. */
-static bool save_api(struct start *s, const char *name, void (*write)(struct prose *), char *err, size_t err_size)
+static bool save_api(struct start *s, const char *name, void (*write)(struct byte_buffer *), char *err, size_t err_size)
 {
-    struct prose api = { 0 };
+    struct byte_buffer api = { 0 };
 
     write(&api);
     if (api.failed)
@@ -187,18 +188,18 @@ static bool save_all(struct start *s, char *err, size_t err_size)
 /* ---- the command ---- */
 
 /* Adds dir, quoted for a shell. */
-static void add_word(struct prose *p, const char *dir)
+static void add_word(struct byte_buffer *p, const char *dir)
 {
     if (dir[0] == '-')
-        prose_add(p, "./");
+        byte_buffer_print(p, "./");
     if (dir[strspn(dir, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./")] == '\0') {
-        prose_add(p, "%s", dir);
+        byte_buffer_print(p, "%s", dir);
         return;
     }
-    prose_add(p, "'");
+    byte_buffer_print(p, "'");
     for (; *dir != '\0'; dir++)
-        prose_add(p, *dir == '\'' ? "'\\%c'" : "%c", *dir);
-    prose_add(p, "'");
+        byte_buffer_print(p, *dir == '\'' ? "'\\%c'" : "%c", *dir);
+    byte_buffer_print(p, "'");
 }
 
 static void say_next(const struct start *s)
@@ -208,7 +209,7 @@ static void say_next(const struct start *s)
     } next[] = { { "play", "play it; the game reloads when you save a file" },
                  { "check", "look for mistakes" },
                  { "test", "run its tests" } };
-    struct prose text = { 0 };
+    struct byte_buffer text = { 0 };
 
     add_word(&text, s->dir);
     if (!text.failed) {
