@@ -14,6 +14,9 @@ names() { # PAGE: files that are not the examples' own
     return $bad
 }
 check "the files it names are there" names $page
+for internal in docs/internals/*.md; do
+    check "the files that $internal names are there" names "$internal"
+done
 echo 'See `src/entities/gone.c`.' >"$scratch/page.md"
 refuse "planted: one is not" "src/entities/gone.c" names "$scratch/page.md"
 

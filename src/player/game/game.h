@@ -10,7 +10,7 @@
 #include "../../demo/demo.h"
 #include "rom_image.h"
 
-/* The game linked into the program; size 0: none. An exported one (share/own.h) comes before it. */
+/* The game linked into the program; size 0: none. An exported one (embedded_rom.h) comes before it. */
 extern const uint8_t builtin_rom[];
 extern const size_t builtin_rom_size;
 

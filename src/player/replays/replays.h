@@ -20,7 +20,7 @@ struct replay_entry {
 
 struct replays {
     char id[32];
-    struct replay_entry *list; /* newest first; malloc */
+    struct replay_entry *list; /* newest first, which replays_add and others need: sort a copy; malloc */
     int n;
     uint32_t loads, loaded; /* number of files read for the list, and their bytes */
 };

@@ -20,11 +20,11 @@ struct diagnostics {
     bool failed; /* out of memory: some are lost */
 };
 
-/* Adds a finding. */
+/* Adds a finding: a mistake. `curtain check` then exits with 1. */
 void diagnostics_add(struct diagnostics *f, const char *file, int line, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
-/* Adds a note, which is printed after "note: ". */
+/* Adds a note, which is printed after "note: " and does not change the exit code. */
 void diagnostics_note(struct diagnostics *f, const char *file, int line, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 

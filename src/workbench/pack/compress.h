@@ -1,5 +1,5 @@
 /*
- * compress.h - a ROM to its compressed file (board/rom/compressed.h).
+ * compress.h - a ROM to its compressed file (src/rom/compressed.h).
  */
 #ifndef WORKBENCH_COMPRESS_H
 #define WORKBENCH_COMPRESS_H
