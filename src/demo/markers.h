@@ -21,7 +21,8 @@ struct marker_changes {
  * are; free c->list. */
 bool markers_compare(struct marker_changes *c, const struct demo *before, const struct demo *after);
 
-/* Returns the name of a kind in JSON and test scripts, such as "stage"; NULL for markers that do not describe the run. */
+/* Returns the name of a kind in JSON and test scripts, such as "stage"; NULL for markers that do not describe the run.
+ * */
 const char *markers_kind_name(enum board_marker_kind kind);
 
 /* Writes a change as text: "phase held 3030 -> 3041", "death of player 1 3100 -> never". */

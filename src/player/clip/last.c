@@ -1,6 +1,6 @@
 /*
- * last.c - records the last seconds of a run (last.h): goes back in the board's past, ticks to the present with the same
- * pads, and restores the board.
+ * last.c - records the last seconds of a run (last.h): goes back in the board's past, ticks to the present with the
+ * same pads, and restores the board.
  */
 #include "last.h"
 

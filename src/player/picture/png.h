@@ -29,8 +29,8 @@ void png_be32(uint8_t *p, uint32_t v);
 uint8_t *png_chunk(uint8_t *p, const char type[4], const uint8_t *data, uint32_t n);
 bool png_deflate(uint8_t *raw, size_t n, uint8_t **out, size_t *size);
 
-/* Reads any PNG file into *rgba (free it): 4 bytes per pixel, rows without padding. If the file is damaged or too large,
- * returns false and sets err to a sentence without the file's name. */
+/* Reads any PNG file into *rgba (free it): 4 bytes per pixel, rows without padding. If the file is damaged or too
+ * large, returns false and sets err to a sentence without the file's name. */
 bool png_read(const uint8_t *data, size_t n, uint8_t **rgba, int *w, int *h, char *err, size_t err_size);
 
 /* Like png_read. Also stores palette indices in *index (free it), one byte per pixel; NULL if the PNG has none. */

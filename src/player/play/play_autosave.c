@@ -33,7 +33,7 @@ static struct demo_writer *writer(struct play *play)
     return &play->session.now->writer;
 }
 
-/* Are this session's runs saved? */
+/* Are the runs of this window saved? */
 static bool saves_runs(struct play *play)
 {
     return !play->session.demo && !play->options.demo && !play->replay.taken_over && !play->start.practice.section[0] &&

@@ -157,7 +157,9 @@ static bool has_actions(const struct lua_writer *w, int32_t bullet)
 static void set_depth(struct lua_writer *w, int depth)
 {
     w->depth = depth;
-    snprintf(w->own, sizeof w->own, depth > 0 ? "%d" : "", depth + 1);
+    w->own[0] = '\0';
+    if (depth > 0)
+        snprintf(w->own, sizeof w->own, "%d", depth + 1);
 }
 
 /* shot.run = function(s2) ... end */

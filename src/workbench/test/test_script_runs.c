@@ -510,9 +510,11 @@ int test_run_printed(lua_State *L)
 
 static void check_kind(lua_State *L, const char *kind)
 {
-    for (int i = 0; i < MARKER_KINDS; i++)
-        if (markers_kind_name(i) && !strcmp(markers_kind_name(i), kind))
+    for (int i = 0; i < MARKER_KINDS; i++) {
+        const char *name = markers_kind_name((enum board_marker_kind)i);
+        if (name && !strcmp(name, kind))
             return;
+    }
     vm_fault(L, FAULT_SCRIPT,
              "run:moment: unknown kind \"%s\" (kinds: stage mark wave boss phase death clear won lost start "
              "game over row)",
