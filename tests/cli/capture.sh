@@ -57,7 +57,7 @@ python3 -c 'for i in range(1, 4201): __import__("os").link("long/000000.png", "l
 check "a GIF that stands still for 18 minutes" film_same long.gif long 0 4200 1 1/16
 same "... has a pixel more for what a delay cannot say" "2 1" "$(cut -d ' ' -f 2,4 .said)"
 
-# Colours change in the middle: a palette of its own for a picture of a GIF.
+# The palette changes in the middle: pictures of a GIF get their own palette.
 game colours <<'LUA'
 bullet.def("orb", { sprite = "dot", hit = "none" })
 task.go(function()
@@ -195,7 +195,7 @@ same "what scripts print is there once, though the run was gone through twice" 5
 
 echo 'task.go(function() wait(350) error("late") end)' >>loud/main.lua
 PATH="$scratch/bin:$PATH" "$curtain" capture loud --frames 10:420 --record l.demo -o loud.mp4 2>err
-same "a fault of the second time is told" "2 1" "$? $(grep -c 'late' err)"
+same "a fault in the second run is reported" "2 1" "$? $(grep -c 'late' err)"
 check "... and the recording is all of the run" grep -q "holds, 351 frames" <("$curtain" verify loud l.demo)
 touch broken
 refuse "ffmpeg fails" "x.mp4: ffmpeg failed" env PATH="$scratch/bin:$PATH" "$curtain" capture plain -o x.mp4

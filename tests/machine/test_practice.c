@@ -370,7 +370,7 @@ static void test_games(void **state)
     }
 }
 
-/* ---- what the program is told ---- */
+/* ---- markers ---- */
 
 /* The marks of a run, "kind name of" a line, but for the waves; a blank line a round. */
 static void tell(const char *mark, int frames, char *out, size_t size)

@@ -128,7 +128,7 @@ static bool open_demo(struct play *play, const char *path, const char *what, boo
 
     bool good = d && demo_load(d, path, err, sizeof err);
     if (good && !find_cart(play, d, &cart, &rom, err, sizeof err)) {
-        good = !exact; /* as far as it goes on the current ROM */
+        good = !exact; /* play what still works on the current ROM */
         cart = home_cart(play);
     }
     if (good && !demo_check_cart(d, cart, err, sizeof err))
