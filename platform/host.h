@@ -101,6 +101,9 @@ long host_process_id(void);
 /* Writes to standard error immediately. */
 void host_log(const char *text, size_t size);
 
+/* Opens a private temporary file, which fclose deletes. Returns NULL on failure, or if the host has none. */
+FILE *host_open_temp_file(void);
+
 /* Installs a handler that calls `on_crash` when the program crashes; the program then ends as it would have without the
  * handler. A second fault inside `on_crash` ends the program immediately. Returns false if the host does not support
  * this. */

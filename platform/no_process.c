@@ -95,7 +95,7 @@ bool plat_command_close(FILE *f)
     return false;
 }
 
-FILE *plat_open_temp_file(void)
+FILE *host_open_temp_file(void)
 {
 #ifdef __wasi__
     return NULL;

@@ -335,9 +335,6 @@ FILE *plat_command_open(const char *const args[]);
  * exit code 0. */
 bool plat_command_close(FILE *f);
 
-/* Opens a private temporary file, which fclose deletes. Returns NULL on failure, or if the host has none. */
-FILE *plat_open_temp_file(void);
-
 /* Shared libraries. Opens a library for the rest of the process: "sndfile" of version 1 is libsndfile.so.1 or
  * libsndfile-1.dll. Returns NULL if the library is not found. */
 void *plat_open_library(const char *name, int version);

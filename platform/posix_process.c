@@ -323,7 +323,7 @@ bool plat_command_close(FILE *f)
     return good && WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
-FILE *plat_open_temp_file(void)
+FILE *host_open_temp_file(void)
 {
     return tmpfile();
 }

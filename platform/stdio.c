@@ -428,7 +428,7 @@ PLAT_DEFAULT int plat_list(const char *dir, void (*visit)(void *user, const stru
 #ifndef PLAT_OWN_RUN_JOBS
 static bool run_job(int i, const struct plat_job_callbacks *w)
 {
-    FILE *out = plat_open_temp_file();
+    FILE *out = host_open_temp_file();
     if (!out)
         return false;
     w->run(w->context, i, out);

@@ -398,7 +398,7 @@ bool plat_command_close(FILE *f)
 }
 
 /* tmpfile of this C library creates the file in the drive's root, where users may not write. */
-FILE *plat_open_temp_file(void)
+FILE *host_open_temp_file(void)
 {
     wchar_t folder[MAX_PATH + 1], path[MAX_PATH + 1];
 

@@ -44,8 +44,7 @@ static bool outputs(const struct args *a, char *err, size_t err_size)
                                        { "--wav", a->wav, NULL },
                                        { "--atlas", a->atlas, NULL },
                                        { "--map", a->map, NULL },
-                                       { "--junit", a->junit, output_is_junit },
-                                       { "--page", a->page, NULL } };
+                                       { "--junit", a->junit, output_is_junit } };
 
     return output_paths_check(a->n_words ? a->words[0] : NULL, a->demo, out, sizeof out / sizeof *out, err, err_size);
 }

@@ -55,7 +55,7 @@ def main(path):
                      "tools/deps.sh does not know " + name)
     need(any(re.search(r"make -C \S+ null$", line) for line in lines), "nothing is built")
     tests = [line for line in lines if "curtain-null test" in line]
-    need(len(tests) == 1 and "--junit junit.xml" in tests[0] and "--page failed.html" in tests[0], "nothing is tested")
+    need(len(tests) == 1 and "--junit junit.xml" in tests[0], "nothing is tested")
     options = open("src/player/args/args_table.c", encoding="utf-8").read()
     for option in re.findall(r"--[a-z]+", tests[0]):
         need('"%s"' % option in options, "there is no " + option)

@@ -46,21 +46,21 @@ bad 'a sheet of the game' "--atlas: g/art/bullets.png $source" art g --atlas g/a
 bad 'by another way' "--map: ./g/../g/art/heron.png $source" survive g --map ./g/../g/art/heron.png
 bad 'a script' "--junit: g/tests/first.lua $source" test g --junit g/tests/first.lua
 bad 'the game itself, packed' "-o: g/rom.lua $source" pack g -o g/rom.lua
-bad 'two reports in one file' '--page: x is also written by --junit; choose another file' test g --page x --junit x
+bad 'two outputs in one file' '--map: x is also written by -o; choose another file' survive g --map x -o x
 check 'a film in the folder may be written anew' eval '"$curtain" capture g --frames 1:2 -o g/x.gif &&
     "$curtain" capture g --frames 1:2 -o g/x.gif && rm g/x.gif'
 bad 'a document of the game in place of a report' "--junit: g/doc.xml $source" test g --junit g/doc.xml
 mkdir pattern && printf 'fire = 1\n' >pattern/list.gpl
 bad 'a palette into what it is read from' "-o: pattern/../pattern/list.gpl $game" palette pattern/list.gpl \
     --bank 1 -o pattern/../pattern/list.gpl
-bad 'two files that are one where case does not count' '--page: ./R.x is also written by --junit; choose another file' \
-    test g --junit r.x --page ./R.x
+bad 'two files that are one where case does not count' '--map: ./R.x is also written by -o; choose another file' \
+    survive g -o r.x --map ./R.x
 ln -s . here
 ln -s r.x link
-bad 'two files by a folder that is a link' '--page: here/r.x is also written by --junit; choose another file' \
-    test g --junit r.x --page here/r.x
-bad 'two files by a link to none' '--page: link is also written by --junit; choose another file' \
-    test g --junit r.x --page link
+bad 'two files by a folder that is a link' '--map: here/r.x is also written by -o; choose another file' \
+    survive g -o r.x --map here/r.x
+bad 'two files by a link to none' '--map: link is also written by -o; choose another file' \
+    survive g -o r.x --map link
 check 'all of them are as they were' eval 'diff -r g kept && cmp g.rom kept.rom && cmp a.demo kept.demo'
 
 # ---- what nobody named is not written over, either ----
@@ -190,7 +190,6 @@ if mount -t tmpfs -o size=64k tmpfs locked; then
     printf '000000\nff0000\n' >two.hex
     host 'read-only: new' "locked/n/README.md: $locked" new locked/n
     host 'read-only: JUnit' "locked/j: $locked" test g --junit locked/j
-    host 'read-only: page' "locked/p: $locked" test g --page locked/p
     host 'read-only: atlas' "locked/a.png: $locked" art g --atlas locked/a.png
     host 'read-only: palette' "locked/p.png: $locked" palette two.hex --bank 1 -o locked/p.png
     host 'read-only: run' "locked/s.demo: $locked" survive g --frames 200 --effort 1 -o locked/s.demo

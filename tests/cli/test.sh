@@ -178,9 +178,9 @@ same "a picture" "FAILS tests/all.lua N frames     T s
 63,63
       | seen by who reads 3
 1 test: 0 passed, 1 failed; N frames in T s
-page: g/tests/failed/failed.html
+pictures: g/tests/failed
 exit 1" "$(said all | sed -E 's/all.lua:[0-9]+/all.lua:NN/')"
-same "its three pictures" "failed.html newest.difference.png newest.expected.png newest.got.png" \
+same "its three pictures" "newest.difference.png newest.expected.png newest.got.png" \
     "$(ls g/tests/failed | xargs)"
 cp g/tests/golden/newest.png green.png
 check "the one that is expected is the one that was kept" python3 "$repo/tests/golden/png.py" \
@@ -188,38 +188,6 @@ check "the one that is expected is the one that was kept" python3 "$repo/tests/g
 refuse "and is not the one that came" "" python3 "$repo/tests/golden/png.py" green.png g/tests/failed/newest.got.png \
     differs.png
 check "the folder keeps itself out of git" grep -qx '\*' g/tests/failed/.gitignore
-page() { # PAGE DIR COUNT: so many pictures stand in the page, the bytes of the files
-    python3 - "$@" <<'PY'
-import base64, glob, html.parser, sys
-found, text = [], []
-class Page(html.parser.HTMLParser):
-    void = {"meta", "img", "li"}
-    def __init__(self):
-        super().__init__()
-        self.open = []
-    def handle_starttag(self, tag, attrs):
-        if tag not in ("meta", "img"):
-            self.open.append(tag)
-        for name, value in attrs:
-            assert not (name in ("src", "href") and not value.startswith("data:")), value
-            if name == "src":
-                found.append(base64.b64decode(value.split(",", 1)[1], validate=True))
-    def handle_endtag(self, tag):
-        assert self.open.pop() == tag, tag
-    def handle_data(self, data):
-        text.append(data)
-page = Page()
-page.feed(open(sys.argv[1], encoding="utf-8").read())
-assert not page.open, page.open
-files = [open(f, "rb").read() for f in glob.glob(sys.argv[2] + "/*.png")]
-assert sorted(found) == sorted(files) and len(found) == int(sys.argv[3]), (len(found), len(files))
-assert "tests/golden/newest.png" in "".join(text)
-PY
-}
-check "the page has them in it and needs nothing else" page g/tests/failed/failed.html g/tests/failed 3
-"$curtain" test g all --page here.html >/dev/null 2>&1
-check "--page writes it elsewhere" page here.html g/tests/failed 3
-check "and not there, too" test ! -e g/tests/failed/failed.html
 "$curtain" test g all --update >/dev/null 2>&1
 same "--update keeps the picture of now" 0 "$("$curtain" test g all >/dev/null 2>&1; echo $?)"
 check "what failed before is taken away" test ! -e g/tests/failed/newest.got.png
@@ -234,7 +202,7 @@ check "the hashes of a demo" says \
     '^ +demos/run.demo: frame [0-9]+: script, .*enemy_kinds differ \(recorded with another game version\)$'
 check "the hashes of a kept frame" says \
     '^ +tests/all.lua:[0-9]+: fight: frame 120: script, .*enemy_kinds differ from tests/golden/fight.hash$'
-check "the page shows the frame from which a demo differs" grep -q 'demo-run: got' g/tests/failed/failed.html
+check "the frame from which a demo differs is there to look at" test -s g/tests/failed/demo-run.got.png
 sed -i 's/^bullets .*/bullets 0123456789abcdef/' kept/tests/golden/fight.hash
 back
 check "a part of a kept hash" says \
@@ -447,7 +415,6 @@ not ok 1 - tests/bad.lua
 # N frames, T s
 ok 2 - tests/good.lua
 # N frames, T s
-# page: g/tests/failed/failed.html
 exit 1" "$(said --tap)"
 echo "exec '$curtain' test g --tap" >t.sh
 prove -e bash t.sh >proved 2>&1
@@ -537,6 +504,5 @@ same "which has one result" 1 "$(grep -c '^not ok' lines)"
 check "and no directive in its name" grep -qF '\# TODO' lines
 check "nor JUnit" hidden ci.xml
 check "which is XML" python3 -c 'import sys, xml.dom.minidom; xml.dom.minidom.parse(sys.argv[1])' ci.xml
-check "nor the page" hidden hostile/g/tests/failed/failed.html
 
 finish

@@ -130,10 +130,9 @@ static void test_values(void **state)
     assert_string_equal(a.stage, "one:mark");
     assert_string_equal(a.difficulty, "hard");
     assert_string_equal(a.lang, "de");
-    reads("test game one --update --tap --junit j.xml --page p.html --jobs 3");
+    reads("test game one --update --tap --junit j.xml --jobs 3");
     assert_true(a.update && a.tap && a.jobs == 3);
     assert_string_equal(a.junit, "j.xml");
-    assert_string_equal(a.page, "p.html");
     reads("play --seed 18446744073709551615");
     assert_true(a.seeded && a.seed == UINT64_MAX);
     reads("play --seed 0xFfffffffffffffff");

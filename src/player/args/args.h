@@ -93,7 +93,7 @@ struct args {
         play;
     bool json, resume, no_resume, replays, annotations, luacheck, all;
     bool update, tap, keys, desktop, full, lua, remove, dialog;
-    const char *junit, *page;  /* NULL: not given */
+    const char *junit;         /* NULL: not given */
     int jobs;                  /* 0: not given */
     int scale;                 /* 0: not given */
     int faster, slower;        /* --speed: N and 1, or 1 and N; 0: not given */

@@ -209,9 +209,6 @@ const struct option_row args_options[OPTIONS] = {
     [OPTION_TAP] = { "--tap", NULL, FOR_TEST, SWITCH(tap),
                      "print TAP, the Test Anything Protocol, instead of plain text" },
     [OPTION_JUNIT] = { "--junit", "FILE", FOR_TEST, TEXT(junit), "also write a JUnit file for CI services" },
-    [OPTION_PAGE] = { "--page", "FILE", FOR_TEST, TEXT(page),
-                      "write the report page, one HTML file with pictures (default, if a test fails: "
-                      "tests/failed/failed.html)" },
     [OPTION_JOBS] = { "--jobs", "N", FOR_TEST, NUMBER(jobs, 1, ARGS_MAX_JOBS),
                       "tests to run at the same time, 1 to 64 (default: the number of processors)" },
     [OPTION_ANNOTATIONS] = { "--annotations", NULL, FOR_HELP, SWITCH(annotations),

@@ -161,19 +161,16 @@ static bool refuse_difference(const struct golden *g, const char *name, const st
                               const struct picture *got, char *err, size_t err_size)
 {
     struct picture both = { 0 };
-    bool good = save_picture(g, FAILED, name, ".expected.png", want) && save_picture(g, FAILED, name, ".got.png", got);
 
-    if (want->w != got->w || want->h != got->h) {
-        outcome_write(g->out, LINE_PICTURE, "%s", name);
+    save_picture(g, FAILED, name, ".expected.png", want);
+    save_picture(g, FAILED, name, ".got.png", got);
+    if (want->w != got->w || want->h != got->h)
         return err_set(err, err_size, "the picture is %d x %d, but " GOLDEN "/%s.png is %d x %d", got->w, got->h, name,
                        want->w, want->h);
-    }
     const struct difference d = differ(want, got);
     if (draw_difference(want, got, &both))
-        good = good && save_picture(g, FAILED, name, ".difference.png", &both);
+        save_picture(g, FAILED, name, ".difference.png", &both);
     free_picture(&both);
-    if (good)
-        outcome_write(g->out, LINE_PICTURE, "%s", name);
     return err_set(err, err_size, "%" PRId64 " of %d pixels differ from " GOLDEN "/%s.png, from %d,%d to %d,%d",
                    d.pixels, want->w * want->h, name, d.x0, d.y0, d.x1, d.y1);
 }
@@ -204,8 +201,7 @@ static bool compare_picture(const struct golden *g, const char *name, const stru
     if (plat_file_size(path) < 0) {
         if (g->update)
             return update_picture(g, name, got);
-        if (save_picture(g, FAILED, name, ".got.png", got))
-            outcome_write(g->out, LINE_PICTURE, "%s", name);
+        save_picture(g, FAILED, name, ".got.png", got);
         return err_set(err, err_size, "no %s yet: check " FAILED "/%s.got.png, then run with --update to save it",
                        shown, name);
     }
@@ -232,8 +228,8 @@ void golden_save_got(const struct golden *g, const struct board *b, const char *
 {
     struct picture got = { 0 };
 
-    if (draw(b, &got) && save_picture(g, FAILED, name, ".got.png", &got))
-        outcome_write(g->out, LINE_PICTURE, "%s", name);
+    if (draw(b, &got))
+        save_picture(g, FAILED, name, ".got.png", &got);
     free_picture(&got);
 }
 

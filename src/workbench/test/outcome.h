@@ -17,7 +17,6 @@ enum line_kind {
     LINE_HOST_ERROR = 'H', /* an error of the host */
     LINE_PRINTED = 'P',    /* a line that the script printed */
     LINE_TRACE = 'T',      /* a line of a traceback */
-    LINE_PICTURE = 'G',    /* the name of a picture that differs; its files are in tests/failed */
     LINE_UPDATED = 'U',    /* a file that --update wrote */
     LINE_GOLDEN = 'N',     /* a file in tests/golden that was compared */
     LINE_COST = 'C'        /* frames and microseconds; the last line */

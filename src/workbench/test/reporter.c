@@ -83,24 +83,24 @@ void reporter_tap(const struct test *t, int number)
 
 /* ---- JUnit ---- */
 
-void reporter_put_escaped(FILE *out, const char *text)
+static void put_escaped(struct byte_buffer *out, const char *text)
 {
     char as[CLEAN_MARKUP_SIZE];
 
     while (*text) {
         text += clean_escape_character(text, as);
-        fputs(as, out);
+        byte_buffer_put(out, as, strlen(as));
     }
 }
 
 static void escaped_line(void *out, const char *words)
 {
-    reporter_put_escaped(out, words);
-    fputc('\n', out);
+    put_escaped(out, words);
+    byte_buffer_byte(out, '\n');
 }
 
 struct first {
-    FILE *out;
+    struct byte_buffer *out;
     bool done;
 };
 
@@ -109,43 +109,43 @@ static void put_first(void *context, const char *words)
     struct first *f = context;
 
     if (!f->done)
-        reporter_put_escaped(f->out, words);
+        put_escaped(f->out, words);
     f->done = true;
 }
 
-static void junit_test(FILE *out, const struct test *t)
+static void junit_test(struct byte_buffer *out, const struct test *t)
 {
     struct first first = { .out = out };
     const char *what = t->verdict == TEST_HOST_ERROR ? "error" : "failure";
 
-    fputs("    <testcase classname=\"", out);
-    reporter_put_escaped(out, t->is_script ? "tests" : "demos");
-    fputs("\" name=\"", out);
-    reporter_put_escaped(out, t->name);
-    fprintf(out, "\" time=\"%.3f\">\n", (double)t->usec / 1e6);
+    byte_buffer_print(out, "    <testcase classname=\"");
+    put_escaped(out, t->is_script ? "tests" : "demos");
+    byte_buffer_print(out, "\" name=\"");
+    put_escaped(out, t->name);
+    byte_buffer_print(out, "\" time=\"%.3f\">\n", (double)t->usec / 1e6);
     if (t->verdict != TEST_PASSES) {
-        fprintf(out, "      <%s message=\"", what);
+        byte_buffer_print(out, "      <%s message=\"", what);
         outcome_each(t, t->verdict == TEST_HOST_ERROR ? LINE_HOST_ERROR : LINE_FAILURE, put_first, &first);
-        fputs("\">", out);
+        byte_buffer_print(out, "\">");
         outcome_each(t, LINE_HOST_ERROR, escaped_line, out);
         outcome_each(t, LINE_FAILURE, escaped_line, out);
         outcome_each(t, LINE_TRACE, escaped_line, out);
-        fprintf(out, "</%s>\n", what);
+        byte_buffer_print(out, "</%s>\n", what);
     }
-    fputs("      <system-out>", out);
+    byte_buffer_print(out, "      <system-out>");
     outcome_each(t, LINE_PRINTED, escaped_line, out);
-    fprintf(out, "%u frames</system-out>\n    </testcase>\n", (unsigned)t->frames);
+    byte_buffer_print(out, "%u frames</system-out>\n    </testcase>\n", (unsigned)t->frames);
 }
 
-void reporter_junit(FILE *out, const char *title, const struct test *tests, const struct sums *s)
+void reporter_junit(struct byte_buffer *out, const char *title, const struct test *tests, const struct sums *s)
 {
-    fputs(JUNIT_HEAD, out);
-    fprintf(out, " tests=\"%d\" failures=\"%d\" errors=\"%d\" time=\"%.3f\">\n  <testsuite name=\"", s->tests,
-            s->fail - s->host, s->host, (double)s->usec / 1e6);
-    reporter_put_escaped(out, title);
-    fprintf(out, "\" tests=\"%d\" failures=\"%d\" errors=\"%d\" time=\"%.3f\">\n", s->tests, s->fail - s->host, s->host,
-            (double)s->usec / 1e6);
+    byte_buffer_print(out, JUNIT_HEAD);
+    byte_buffer_print(out, " tests=\"%d\" failures=\"%d\" errors=\"%d\" time=\"%.3f\">\n  <testsuite name=\"",
+                      s->tests, s->fail - s->host, s->host, (double)s->usec / 1e6);
+    put_escaped(out, title);
+    byte_buffer_print(out, "\" tests=\"%d\" failures=\"%d\" errors=\"%d\" time=\"%.3f\">\n", s->tests,
+                      s->fail - s->host, s->host, (double)s->usec / 1e6);
     for (int i = 0; i < s->tests; i++)
         junit_test(out, &tests[i]);
-    fputs("  </testsuite>\n</testsuites>\n", out);
+    byte_buffer_print(out, "  </testsuite>\n</testsuites>\n");
 }

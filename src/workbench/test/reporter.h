@@ -4,6 +4,7 @@
 #ifndef WORKBENCH_REPORTER_H
 #define WORKBENCH_REPORTER_H
 
+#include "../../common/byte_buffer.h"
 #include "outcome.h"
 
 struct sums {
@@ -20,10 +21,7 @@ void reporter_sums(const struct sums *s);
 void reporter_tap_plan(int tests);
 void reporter_tap(const struct test *t, int number);
 
-/* Writes a JUnit file. title: the game's. */
-void reporter_junit(FILE *out, const char *title, const struct test *tests, const struct sums *s);
-
-/* Writes text, escaped for XML and HTML. */
-void reporter_put_escaped(FILE *out, const char *text);
+/* Appends a JUnit file. title: the game's. */
+void reporter_junit(struct byte_buffer *out, const char *title, const struct test *tests, const struct sums *s);
 
 #endif

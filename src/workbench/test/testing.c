@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../../platform/platform.h"
+#include "../../base/err.h"
+#include "../../common/byte_buffer.h"
 #include "../../common/clock.h"
 #include "../../base/edit.h"
 #include "../../common/files.h"
@@ -15,7 +17,7 @@
 #include "../../common/tree.h"
 #include "demo_test.h"
 #include "golden.h"
-#include "page.h"
+#include "reporter.h"
 #include "test_script.h"
 
 struct all {
@@ -131,33 +133,45 @@ static enum result choose(struct all *a, const struct tree *files)
 
 /* ---- tests/failed ---- */
 
-struct stale {
-    const char *dir;
-    struct tree files;
-};
-
-static void list_stale(void *user, const struct plat_folder_entry *file)
+static void add_picture(void *files, const struct plat_folder_entry *file)
 {
-    struct stale *s = user;
     const bool ours = files_has_suffix(file->name, ".expected.png") || files_has_suffix(file->name, ".got.png") ||
-                      files_has_suffix(file->name, ".difference.png") || !strcmp(file->name, "failed.html");
+                      files_has_suffix(file->name, ".difference.png");
 
     if (!file->is_folder && ours)
-        tree_add(&s->files, FAILED, file->name);
+        tree_add(files, FAILED, file->name);
 }
 
-/* Removes the files that earlier runs wrote, and no others. */
-static void clear_failed(const struct testing *t)
+/* Lists the pictures in tests/failed that a run wrote. */
+static void list_pictures(const struct testing *t, struct tree *files)
 {
-    struct stale s = { .dir = t->dir };
     char path[TREE_PATH];
 
     if (tree_join(path, t->dir, FAILED))
-        plat_list(path, list_stale, &s);
-    for (int i = 0; i < s.files.n; i++)
-        if (tree_join(path, t->dir, s.files.name[i]))
+        plat_list(path, add_picture, files);
+}
+
+/* Removes the pictures of earlier runs, and no other files. */
+static void clear_failed(const struct testing *t)
+{
+    struct tree files = { 0 };
+    char path[TREE_PATH];
+
+    list_pictures(t, &files);
+    for (int i = 0; i < files.n; i++)
+        if (tree_join(path, t->dir, files.name[i]))
             plat_remove(path);
-    tree_close(&s.files);
+    tree_close(&files);
+}
+
+static void print_failed(const struct testing *t)
+{
+    struct tree files = { 0 };
+
+    list_pictures(t, &files);
+    if (files.n > 0)
+        report_print("%spictures: %s/" FAILED "\n", t->args->tap ? "# " : "", t->dir);
+    tree_close(&files);
 }
 
 /* Keeps the pictures out of Git. */
@@ -263,38 +277,21 @@ static void show_progress(void *context)
 
 /* ---- reports ---- */
 
-/* Writes a report's file. False: the host cannot write it; this has been reported. */
-static bool write_file(const struct all *a, const char *path, void (*write)(FILE *out, const struct all *a))
+/* Returns false if the file cannot be written; this has been reported. */
+static bool write_junit(const struct all *a, const char *path)
 {
-    char err[FILES_ERR_SIZE], *text = NULL;
-    FILE *out = plat_open_temp_file();
-    bool good = out != NULL;
-    long size = -1;
+    char err[FILES_ERR_SIZE] = "";
+    struct byte_buffer text = { 0 };
 
-    if (good) {
-        write(out, a);
-        size = fflush(out) == 0 && !ferror(out) ? ftell(out) : -1;
-        rewind(out);
-        text = size >= 0 ? malloc((size_t)size + 1) : NULL;
-        good = text && fread(text, 1, (size_t)size, out) == (size_t)size;
-        fclose(out);
-    }
-    if (!good)
-        report_line(RESULT_HOST_FAILED, "%s: cannot create a temporary file", path);
-    else if (!(good = files_save(path, text, (size_t)size, err, sizeof err)))
+    reporter_junit(&text, a->t->game->cart.manifest.title, a->tests, &a->sums);
+    if (text.failed)
+        err_set(err, sizeof err, "%s: out of memory", path);
+    else
+        files_save(path, text.bytes, text.n, err, sizeof err);
+    byte_buffer_close(&text);
+    if (err[0])
         report_line(RESULT_HOST_FAILED, "%s", err);
-    free(text);
-    return good;
-}
-
-static void write_page(FILE *out, const struct all *a)
-{
-    page_write(out, a->t->dir, a->t->game->cart.manifest.title, a->tests, &a->sums);
-}
-
-static void write_junit(FILE *out, const struct all *a)
-{
-    reporter_junit(out, a->t->game->cart.manifest.title, a->tests, &a->sums);
+    return !err[0];
 }
 
 /* Prints the files in tests/golden that no test used. */
@@ -317,24 +314,17 @@ static void print_unused_goldens(const struct all *a)
 
 static enum result write_reports(struct all *a)
 {
-    char path[TREE_PATH];
     const bool fails = a->sums.fail > 0;
-    bool good = true;
 
     if (!a->t->args->tap)
         reporter_sums(&a->sums);
     if (!fails && a->t->n_names == 0)
         print_unused_goldens(a);
-    if (fails)
+    if (fails) {
         write_gitignore(a->t);
-    if (a->t->args->junit)
-        good = write_file(a, a->t->args->junit, write_junit) && good;
-    if (a->t->args->page)
-        good = write_file(a, a->t->args->page, write_page) && good;
-    else if (fails && tree_join(path, a->t->dir, FAILED "/failed.html") && write_file(a, path, write_page))
-        report_print("%spage: %s\n", a->t->args->tap ? "# " : "", path);
-    else
-        good = good && !fails;
+        print_failed(a->t);
+    }
+    const bool good = !a->t->args->junit || write_junit(a, a->t->args->junit);
     return a->sums.host || !good ? RESULT_HOST_FAILED : fails ? RESULT_DIFFERS : RESULT_DONE;
 }
 

@@ -1,6 +1,6 @@
 /*
- * testing.h - `curtain test`: runs the demos and test scripts of a game, and reports their outcomes as text, TAP, JUnit
- * and a page.
+ * testing.h - `curtain test`: runs the demos and test scripts of a game, and reports their outcomes as text, TAP and
+ * JUnit.
  *
  * Each test runs in its own process, several at a time. It writes its outcome as lines (outcome.h), and all reports are
  * made from these.
@@ -15,7 +15,7 @@
 struct testing {
     const char *dir; /* the game's folder */
     struct game *game;
-    const struct args *args; /* update, tap, junit, page and jobs are used */
+    const struct args *args; /* update, tap, junit and jobs are used */
     char **names;            /* of the wanted tests; n_names 0: all tests */
     int n_names;
 };
