@@ -104,16 +104,4 @@ void host_log(const char *text, size_t size);
 /* Opens a private temporary file, which fclose deletes. Returns NULL on failure, or if the host has none. */
 FILE *host_open_temp_file(void);
 
-/* Installs a handler that calls `on_crash` when the program crashes; the program then ends as it would have without the
- * handler. A second fault inside `on_crash` ends the program immediately. Returns false if the host does not support
- * this. */
-bool host_crash_arm(void (*on_crash)(const char *reason));
-void host_crash_disarm(void);
-
-/* File functions for `on_crash`; they and host_log are safe in a signal handler. host_crash_open_report creates a file,
- * on POSIX one that only the user can read, and returns its descriptor, or -1 on failure. */
-int host_crash_open_report(const char *path);
-void host_crash_write(int file, const void *bytes, size_t size);
-void host_crash_close_report(int file);
-
 #endif

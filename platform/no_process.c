@@ -35,28 +35,6 @@ void host_log(const char *text, size_t size)
     fwrite(text, 1, size, stderr);
 }
 
-bool host_crash_arm(void (*on_crash)(const char *what))
-{
-    return false;
-}
-
-void host_crash_disarm(void)
-{
-}
-
-int host_crash_open_report(const char *path)
-{
-    return -1;
-}
-
-void host_crash_write(int file, const void *bytes, size_t size)
-{
-}
-
-void host_crash_close_report(int file)
-{
-}
-
 void plat_catch_hangup(bool on)
 {
 }

@@ -272,16 +272,6 @@ struct plat_folder_entry {
  * folder cannot be read. */
 int plat_list(const char *dir, void (*visit)(void *user, const struct plat_folder_entry *file), void *user);
 
-/* Installs a crash handler. When the program crashes (POSIX: SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT; Windows: an
- * unhandled exception or abort), fn is called with context and the cause, such as "SIGSEGV" or "access violation". fn
- * passes the bytes of a report to `write`, which writes them to STEM-N.txt, with the first unused N from 1 on. Then a
- * log line names that file, and the program ends as it would have without a handler. fn runs in a signal handler: it
- * may only read memory and call `write`. stem is a file name as above; fn NULL removes the handler. Each call replaces
- * the handler of the previous one. Returns false if the host does not support this. */
-bool plat_set_crash_handler(const char *stem,
-                            void (*fn)(void *context, const char *reason, void (*write)(const void *bytes, size_t n)),
-                            void *context);
-
 /* Write, for reports, what the port is built with, such as "SDL 2.28.5, x11", or "no window" if it cannot play games;
  * and what it runs on, such as "Linux 6.1.0 x86_64". */
 void plat_describe_build(char *text, size_t size);

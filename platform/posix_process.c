@@ -97,17 +97,16 @@ void host_log(const char *text, size_t size)
 /* A signal that this file handles temporarily. */
 struct caught_signal {
     int sig;
-    const char *name; /* of a signal that reports a crash */
     bool installed;
     struct sigaction previous;
 };
 
-static void catch_signal(struct caught_signal *h, void (*handler)(int), int flags)
+static void catch_signal(struct caught_signal *h, void (*handler)(int))
 {
     struct sigaction act = { 0 };
 
     act.sa_handler = handler;
-    act.sa_flags = flags;
+    act.sa_flags = SA_RESTART;
     if (!h->installed)
         h->installed = sigaction(h->sig, &act, &h->previous) == 0;
 }
@@ -122,70 +121,9 @@ static void restore_signal(struct caught_signal *h)
 /* Like catch_signal, but a signal that was ignored stays ignored. */
 static void catch_unless_ignored(struct caught_signal *h, void (*handler)(int))
 {
-    catch_signal(h, handler, SA_RESTART);
+    catch_signal(h, handler);
     if (h->installed && h->previous.sa_handler == SIG_IGN)
         restore_signal(h);
-}
-
-/* ---- crashes ---- */
-
-enum { CRASH_STACK_SIZE = 1 << 16 };
-
-static struct caught_signal crash_signals[] = { { .sig = SIGSEGV, .name = "SIGSEGV" },
-                                                { .sig = SIGBUS, .name = "SIGBUS" },
-                                                { .sig = SIGFPE, .name = "SIGFPE" },
-                                                { .sig = SIGILL, .name = "SIGILL" },
-                                                { .sig = SIGABRT, .name = "SIGABRT" } };
-enum { CRASH_SIGNALS = sizeof crash_signals / sizeof *crash_signals };
-
-static struct {
-    void (*on_crash)(const char *what);
-    char stack[CRASH_STACK_SIZE]; /* the handler's stack; the program's may have overflowed */
-} crash;
-
-/* Restores the handlers from before host_crash_arm. */
-void host_crash_disarm(void)
-{
-    for (int i = 0; i < CRASH_SIGNALS; i++)
-        restore_signal(&crash_signals[i]);
-}
-
-static void handle_crash(int sig)
-{
-    const char *reason = "a signal";
-
-    for (int i = 0; i < CRASH_SIGNALS; i++)
-        reason = crash_signals[i].sig == sig ? crash_signals[i].name : reason;
-    host_crash_disarm();
-    crash.on_crash(reason);
-    raise(sig); /* delivered to the earlier handler when this one returns */
-}
-
-bool host_crash_arm(void (*on_crash)(const char *what))
-{
-    stack_t stack = { .ss_sp = crash.stack, .ss_size = sizeof crash.stack };
-
-    if (sigaltstack(&stack, 0) != 0)
-        return false;
-    crash.on_crash = on_crash;
-    for (int i = 0; i < CRASH_SIGNALS; i++)
-        catch_signal(&crash_signals[i], handle_crash, SA_ONSTACK);
-    return true;
-}
-
-int host_crash_open_report(const char *path)
-{
-    return open(path, O_WRONLY | O_CREAT | O_EXCL, 0600);
-}
-
-void host_crash_write(int file, const void *bytes, size_t size)
-{
-    write_fully(file, bytes, size);
-}
-
-void host_crash_close_report(int file)
-{
-    close(file);
 }
 
 /* ---- the end of the program ---- */
@@ -296,7 +234,7 @@ FILE *plat_command_open(const char *const args[])
     if (pipe(ends) != 0)
         return NULL;
     FILE *f = fdopen(ends[1], "w");
-    catch_signal(&command.broken_pipe, SIG_IGN, SA_RESTART);
+    catch_signal(&command.broken_pipe, SIG_IGN);
     const bool good = f && spawn_command(args, ends[0], ends[1]);
     close(ends[0]);
     if (good)

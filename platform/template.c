@@ -6,8 +6,7 @@
  * plat_get_window, plat_paint, plat_set_icon, plat_take_dropped_file, plat_key_label, plat_get_controller,
  * plat_queue_sound, plat_path, plat_file_size, plat_load, plat_open_stream, plat_is_same_file, plat_save, plat_append,
  * plat_remove, plat_list, plat_set_name, plat_program_file, plat_program_path, plat_alert, plat_installed_file,
- * plat_make_executable, plat_set_crash_handler, plat_describe_build, plat_describe_system and plat_log to your file:
- * the linker prefers yours.
+ * plat_make_executable, plat_describe_build, plat_describe_system and plat_log to your file: the linker prefers yours.
  *
  * src/workbench/main.c is the main loop. If the host has the main loop, leave that file out of the link, and call
  * program_open, program_run_frame and program_close from here.

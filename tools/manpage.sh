@@ -146,11 +146,9 @@ The current or unfinished run.
 Older versions of a game that replays still need.
 .TP
 .I $XDG_DATA_HOME/curtain/reports/GAME-DATE-N.txt
-The report of a script error or a crash.
-It contains the run up to there, and
-.BR verify " and"
-.B play \-\-demo
-accept it as a demo.
+.TQ
+.I $XDG_DATA_HOME/curtain/reports/GAME-DATE-N.demo
+The report of a script error, and a demo of the run up to it.
 The last twenty are stored.
 .TP
 .I $XDG_PICTURES_DIR/Curtain/GAME-N.png

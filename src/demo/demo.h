@@ -174,9 +174,6 @@ bool demo_retry_write(struct demo_writer *w);
 /* Sets which frames have checksums. Call it right after demo_begin, which sets DEMO_CHECKSUMS_AUTO. */
 bool demo_set_checksum_rate(struct demo_writer *w, enum demo_checksum_rate rate);
 
-/* Stores the pads of the tick that is about to run, for the dump in case the tick never returns. Optional. */
-void demo_begin_tick(struct demo_writer *w, const uint16_t pads[MAX_PLAYERS]);
-
 /* Records a frame. Call it after every board_tick, with the same pads. The file grows once a second. */
 bool demo_record_frame(struct demo_writer *w, const struct board *b, const uint16_t pads[MAX_PLAYERS]);
 

@@ -7,7 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include "demo_parts.h"
-#include "demo_text.h"
 #include "../common/files.h"
 
 bool demo_load(struct demo *d, const char *path, char *err, size_t err_size)
@@ -19,10 +18,6 @@ bool demo_load(struct demo *d, const char *path, char *err, size_t err_size)
     memset(d, 0, sizeof *d);
     if (!files_read(path, path, DEMO_MAX_BYTES, &data, &size, err, err_size))
         return false;
-    if (size < 4 || memcmp(data, DEMO_MAGIC, 4) != 0) { /* may be a text report that contains a demo */
-        files_strip_bom(data, &size);
-        demo_text_decode(data, &size);
-    }
     bool ok = demo_read(d, data, size, reason, sizeof reason);
     if (!ok)
         snprintf(err, err_size, "%s: %s", files_display_name(path, shown), reason);

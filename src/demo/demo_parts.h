@@ -63,11 +63,8 @@ uint64_t *demo_row(const struct demo *d, uint32_t i);
 struct demo_sink {
     uint8_t *p;
     size_t n, cap;
-    size_t record_start;                                       /* start of the open record */
-    void (*write)(void *user, const uint8_t *bytes, size_t n); /* NULL: p grows and has all records; otherwise p has a
-                                                                * fixed size, and each record is passed to `write` */
-    void *user;
-    bool failed; /* out of memory: bytes go to `waste` */
+    size_t record_start; /* start of the open record */
+    bool failed;         /* out of memory: bytes go to `waste` */
     uint8_t waste[256];
 };
 

@@ -11,7 +11,7 @@ static uint8_t *reserve_bytes(struct demo_sink *s, size_t n)
 {
     if (s->n + n > s->cap) {
         size_t cap = s->cap * 2 + n + 1024;
-        uint8_t *grown = s->failed || s->write ? NULL : realloc(s->p, cap);
+        uint8_t *grown = s->failed ? NULL : realloc(s->p, cap);
         if (!grown) {
             s->failed = true;
             return s->waste;
@@ -66,9 +66,6 @@ static void close_record(struct demo_sink *s, uint32_t *crc)
         *crc = hash_crc32_add(*crc, s->p + s->record_start, n);
     }
     write32(s, *crc);
-    if (s->write && !s->failed)
-        s->write(s->user, s->p, s->n);
-    s->n = s->write ? 0 : s->n;
 }
 
 /* Returns how many of the n bytes at p, starting with the first, equal p[0]; at most 130. */

@@ -294,14 +294,6 @@ bool demo_record_frame(struct demo_writer *w, const struct board *b, const uint1
     return write_both(w, put_all);
 }
 
-void demo_begin_tick(struct demo_writer *w, const uint16_t pads[MAX_PLAYERS])
-{
-    struct demo *d = &w->demo;
-
-    if (w->recording && d->frames < DEMO_MAX_FRAMES && demo_reserve_frames(d, 1))
-        memcpy(d->pads[d->frames], pads, sizeof d->pads[0]);
-}
-
 bool demo_add_flags(struct demo_writer *w, unsigned flags)
 {
     if (!w->recording || (w->demo.flags | flags) == w->demo.flags)

@@ -339,85 +339,6 @@ static void about(void **state)
     assert_true(strlen(text) > 5);
 }
 
-static void tell(void *context, const char *what, void (*out)(const void *bytes, size_t n))
-{
-    out(context, strlen(context));
-    out(what, strlen(what));
-}
-
-static void tell_and_fall(void *context, const char *what, void (*out)(const void *bytes, size_t n))
-{
-    (void)context;
-    out(what, strlen(what));
-    abort();
-}
-
-/* In a child: what the test's library does of a signal is not for it. */
-static void on_its_own(void)
-{
-    static const int sigs[] = { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT };
-    for (size_t i = 0; i < sizeof sigs / sizeof *sigs; i++)
-        signal(sigs[i], SIG_DFL);
-    (void)!freopen("said", "w", stderr);
-}
-
-/* What a child that dies of a signal leaves in `file`. */
-static void dies(int sig, void (*fn)(void *, const char *, void (*)(const void *, size_t)), const char *file,
-                 const char *want)
-{
-    char text[64] = "";
-    int status;
-    pid_t child = fork();
-    if (child == 0) {
-        on_its_own();
-        char context[] = "died of ";
-        if (!plat_set_crash_handler("user:reports/game", fn, context))
-            _exit(9);
-        raise(sig);
-        _exit(7);
-    }
-    assert_int_equal(waitpid(child, &status, 0), child);
-    assert_true(WIFSIGNALED(status) && WTERMSIG(status) == sig);
-    long n = plat_load(file, text, sizeof text - 1);
-    assert_true(n >= 0);
-    assert_string_equal(text, want);
-}
-
-/* Fills the stack: nothing it does ends it. */
-static int deep(volatile int n)
-{
-    volatile char room[4096];
-    room[n & 4095] = (char)n;
-    return n < 0 ? room[0] : deep(n + 1) + room[n & 4095];
-}
-
-static void a_crash_is_told(void **state)
-{
-    char text[4096] = "", want[4096];
-    int status;
-    (void)state;
-    dies(SIGSEGV, tell, "curtain/reports/game-1.txt", "died of SIGSEGV");
-    dies(SIGABRT, tell, "curtain/reports/game-2.txt", "died of SIGABRT");
-    dies(SIGFPE, tell, "user:reports/game-3.txt", "died of SIGFPE");
-    dies(SIGILL, tell, "user:reports/game-4.txt", "died of SIGILL");
-    dies(SIGBUS, tell, "user:reports/game-5.txt", "died of SIGBUS");
-    snprintf(want, sizeof want, "curtain: crashed (SIGBUS); report: %s/curtain/reports/game-5.txt\n", home);
-    assert_true(plat_load("said", text, sizeof text - 1) > 0);
-    assert_string_equal(text, want);
-    dies(SIGABRT, tell_and_fall, "user:reports/game-6.txt", "SIGABRT");
-    pid_t child = fork(); /* a full stack */
-    if (child == 0) {
-        on_its_own();
-        char context[] = "full: ";
-        plat_set_crash_handler("user:full", tell, context);
-        _exit(deep(0) & 1);
-    }
-    waitpid(child, &status, 0);
-    assert_true(WIFSIGNALED(status) && WTERMSIG(status) == SIGSEGV);
-    assert_true(plat_file_size("user:full-1.txt") == (long)strlen("full: SIGSEGV"));
-    assert_true(plat_set_crash_handler("user:none", tell, NULL) && plat_set_crash_handler("user:none", NULL, NULL));
-}
-
 /* From the program's own folder, upwards too; further than the root there is nothing. */
 static void what_is_beside(void **state)
 {
@@ -515,7 +436,6 @@ int main(void)
         cmocka_unit_test(real_paths),
         cmocka_unit_test(the_users_pictures),
         cmocka_unit_test(about),
-        cmocka_unit_test(a_crash_is_told),
         cmocka_unit_test(what_is_beside),
         cmocka_unit_test(listing),
         cmocka_unit_test(another_name),

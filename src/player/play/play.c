@@ -161,7 +161,6 @@ bool play_frame(struct play *play)
         return false;
     if (!wait_for_frame(play))
         return true;
-    play_report_arm(play);
     play_save_clip(play, &play->drawing.picture);
     const uint64_t now = plat_usec();
     if (play->waiting.on) {
@@ -215,7 +214,6 @@ static void end_run(struct play *play)
 /* Frees everything of a run; harmless if there is none. */
 static void close_run(struct play *play)
 {
-    play_report_close(&play->report);
     practice_close(&play->practice);
     if (!session_close(&play->session)) {
         play_log(play, "curtain: %s", play->session.err);
@@ -299,8 +297,6 @@ bool play_power_on(struct play *play)
     practice_init(&play->practice, o->cart, &play->start);
     if (!o->demo)
         practice_began(&play->practice, &play->start);
-    play_report_last_crash(play);
-    play_report_prepare(play);
     play_check_recording(play, !play->session.err[0]);
     if (play->time.slow > 1 && !o->demo)
         play_mark_assisted(play);

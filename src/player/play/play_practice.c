@@ -78,7 +78,6 @@ static void power_again(struct play *play, struct board_start start)
     play_free_replay(play);
     play_reset_run(play, &start);
     practice_began(&play->practice, &start);
-    play_report_prepare(play);
     play_log_output(play);
     play_report_fault(play);
     if (reloads)

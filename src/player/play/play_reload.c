@@ -61,7 +61,6 @@ void play_apply_rom(struct play *play)
 
     play->report.fault_reported = false;
     practice_reloaded(&play->practice, play_cart(play));
-    play_report_prepare(play);
     picture_close(p);
     if (!picture_open(p, play_board(play))) {
         plat_log("curtain: out of memory for the picture");

@@ -135,14 +135,8 @@ struct waiting {
     int top, end; /* lines scrolled, and the most */
 };
 
-/* play_report.c: fault and crash reports. */
+/* play_report.c: reports of faults. */
 struct report {
-    char known[4096]; /* lines written in advance */
-    size_t n;
-    char stem[128];  /* the file's name without its number */
-    uint8_t *memory; /* of demo_dump; NULL: reports have no demo */
-    size_t size;
-    struct byte_buffer text;     /* of a fault report */
     char where[FILES_PATH_SIZE]; /* the last report's path; "": none */
     uint32_t frame;              /* and the fault in it */
     char message[sizeof((struct board_fault *)0)->message];
@@ -329,18 +323,8 @@ void play_wait_frame(struct play *play);
 
 /* ---- play_report.c ---- */
 
-/* Prepares the report of a crash. Call it when a board was powered on, and when settings changed. */
-void play_report_prepare(struct play *play);
-
 /* Logs the board's fault, if it has one, and writes its report; once for each fault. */
 void play_report_fault(struct play *play);
-
-/* Crashes are this window's from now on: the port has one handler. */
-void play_report_arm(struct play *play);
-
-/* Shows a message if the program crashed last time, once. */
-void play_report_last_crash(struct play *play);
-void play_report_close(struct report *r);
 
 /* ---- play_messages.c ---- */
 

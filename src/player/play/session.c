@@ -146,12 +146,7 @@ static bool tick(struct session *s, const uint16_t pads[MAX_PLAYERS])
     struct session_run *r = s->now;
     bool seen = board_frame(r->guard.board) < r->writer.demo.frames;
 
-    s->at = board_frame(r->guard.board);
-    if (!seen)
-        demo_begin_tick(&r->writer, pads);
-    s->ticking = true;
     guard_tick(&r->guard, pads);
-    s->ticking = false;
     if (s->ticked)
         s->ticked(s->of, s);
     if (seen)

@@ -44,11 +44,9 @@ struct session {
     const char *record;             /* NULL: in memory only */
     struct session_run *now, *next; /* next: the run on the new ROM; it will replace now */
     enum session_state state;
-    uint32_t from, to;     /* frames: of the seek or reload */
-    uint32_t differs;      /* the first frame of a playback that differs from its recording; 0: none */
-    volatile uint32_t at;  /* the frame in which the present tick began, for crash reports */
-    volatile bool ticking; /* a tick is in progress */
-    bool rewound;          /* a live run went back once: its scores no longer count */
+    uint32_t from, to; /* frames: of the seek or reload */
+    uint32_t differs;  /* the first frame of a playback that differs from its recording; 0: none */
+    bool rewound;      /* a live run went back once: its scores no longer count */
     void (*ticked)(void *of, const struct session *s); /* called after each tick of the board; may be NULL */
     void *of;
     char gone[64];                 /* the music that was playing and is missing after a reload; "" */

@@ -140,8 +140,8 @@ static void junit_test(struct byte_buffer *out, const struct test *t)
 void reporter_junit(struct byte_buffer *out, const char *title, const struct test *tests, const struct sums *s)
 {
     byte_buffer_print(out, JUNIT_HEAD);
-    byte_buffer_print(out, " tests=\"%d\" failures=\"%d\" errors=\"%d\" time=\"%.3f\">\n  <testsuite name=\"",
-                      s->tests, s->fail - s->host, s->host, (double)s->usec / 1e6);
+    byte_buffer_print(out, " tests=\"%d\" failures=\"%d\" errors=\"%d\" time=\"%.3f\">\n  <testsuite name=\"", s->tests,
+                      s->fail - s->host, s->host, (double)s->usec / 1e6);
     put_escaped(out, title);
     byte_buffer_print(out, "\" tests=\"%d\" failures=\"%d\" errors=\"%d\" time=\"%.3f\">\n", s->tests,
                       s->fail - s->host, s->host, (double)s->usec / 1e6);
