@@ -24,12 +24,12 @@ plots_hold() {
     last=$(shown "$page" | tail -n 1)
     check "every plot is shown, and every plot shown is there" all_shown "$page" "$1"
     grep -v "]($measured/$last)" "$page" >"$scratch/unshown.md"
-    refuse "planted: a plot that is not shown" "> $last" all_shown "$scratch/unshown.md" "$1"
+    detects "a plot that is not shown" "> $last" all_shown "$scratch/unshown.md" "$1"
     check "plots are well-formed and hold their lines" well_formed "$2" "$3" "docs/measured/$measured"/*.svg
     sed "s/<$3 .*//" "docs/measured/$measured/$last" >"$scratch/$last"
-    refuse "planted: a plot without its lines" "$last: 0 of $3" well_formed "$2" "$3" "$scratch/$last"
+    detects "a plot without its lines" "$last: 0 of $3" well_formed "$2" "$3" "$scratch/$last"
     sed '$d' "docs/measured/$measured/$last" >"$scratch/$last"
-    refuse "planted: a plot that ends too early" "no element found" well_formed "$2" "$3" "$scratch/$last"
+    detects "a plot that ends too early" "no element found" well_formed "$2" "$3" "$scratch/$last"
 }
 
 # planted NAME WORDS SED COMMAND...: the command, given the page as SED changes it, fails and says the words

@@ -58,9 +58,12 @@ if [ "${1:-}" = --one ]; then # BASE NUMBER DIGEST
         mv "$saved/$digest.new" "$saved/$digest"
         exit 0
     }
-    rm -rf "$tree"
-    cp -a --reflink=auto "$base" "$tree"
+    [ -d "$tree" ] || cp -a "$base" "$tree"
+    # The file of the fault before is made new, so that make builds it again.
+    [ ! -f "$tree/planted" ] || cp "$base/$(cat "$tree/planted")" "$tree/$(cat "$tree/planted")"
+    rm -f "$tree/tried"
     what=$(mutants plant "$tree" "$number") || finish "NOT PLANTED $number $what"
+    echo "${what%%:*}" >"$tree/planted"
     # shellcheck disable=SC2046
     for program in $(mutants tests "$number") $(programs); do
         cat "$tree/tried" "$saved/broken" 2>/dev/null | grep -qxF "$program" && continue
@@ -87,8 +90,7 @@ if [ "${1:-}" = --restart ]; then
     rm -rf "$saved"
     shift
 fi
-files() { git ls-files -co --exclude-standard -z; }
-tree_is=$(files | grep -zvE '\.md$|^docs/|^tests/mutants' | sort -z | xargs -0 sha1sum 2>/dev/null | sha1sum)
+tree_is=$(tests/files.sh | grep -vE '\.md$|^docs/|^tests/mutants' | tr '\n' '\0' | xargs -0 sha1sum | sha1sum)
 if [ -d "$saved" ] && [ "$(cat "$saved/tree" 2>/dev/null)" != "$tree_is" ]; then
     echo "the tree has changed since the results in build/mutants: starting again"
     rm -rf "$saved"
@@ -107,10 +109,7 @@ if [ ${#todo[@]} != 0 ]; then
     [ -n "${MUTANTS_KEEP:-}" ] && echo "in $scratch" || trap 'rm -rf "$scratch"' EXIT
     base=$scratch/tree
     mkdir "$base"
-    files | while IFS= read -r -d '' f; do
-        [ ! -f "$f" ] || cp -a --parents "$f" "$base"
-    done
-    git init -q "$base" # tests list the tree's files by git
+    tests/files.sh | tr '\n' '\0' | xargs -0 cp -a --parents -t "$base"
     # What is built already need not be built again: the same objects, by the same flags.
     mkdir -p build/mutant
     cp -a build/mutant --parents "$base"

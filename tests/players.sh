@@ -35,8 +35,8 @@ oldest=$(glibc_of "$repo/build/chroot/compiler")
 for file in curtain-player-linux curtain-linux curtain_libretro.so; do
     check "$file needs nothing but glibc $oldest" needs "$players/$file" "$oldest"
 done
-refuse 'planted: a program that needs Lua is found' 'needs liblua5.4.so.0' needs "$repo/build/curtain" 9
-refuse 'planted: a newer glibc is found' 'needs glibc 2.' needs "$players/curtain-linux" 2.2
+detects 'a program that needs Lua is found' 'needs liblua5.4.so.0' needs "$repo/build/curtain" 9
+detects 'a newer glibc is found' 'needs glibc 2.' needs "$players/curtain-linux" 2.2
 
 # ---- what is compared ----
 "$native" pack "$game" -o game.rom

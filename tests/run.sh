@@ -1,17 +1,21 @@
 #!/usr/bin/env bash
 # run.sh - runs test programs, as many at a time as there are cores, and counts every single test case.
 #
-#     OUT=build/release tests/run.sh [all|unit|torture|sanitizer]
+#     OUT=build/release tests/run.sh check|test|all|unit|torture|sanitizer [WORD...]
 #
-# all: the C programs below $OUT/unit and $OUT/machine and the scripts tests/{machine,cli,golden,lint}/*.sh; unit: the
-# C programs below $OUT/unit; torture: only what has torture in its name, at length; sanitizer: the C programs, where
-# any finding ends the program. Those with a window of their own mostly wait: two of them run beside the others. Every
-# program prints TAP. A crash, a missing or wrong plan and a skipped test count as failed. One line a program; the
-# output of a program stays in $OUT/results, and is shown when something in it failed.
-# Exit 1: something failed. No verdict depends on the time: what hangs is told from what is slow by its own progress.
+# check, test and all are the tiers of tests/tiers: C programs below $OUT/unit and $OUT/machine, and the scripts
+# tests/{machine,cli,golden,lint}/*.sh. unit: the C programs below $OUT/unit; torture: what has torture in its name;
+# sanitizer: the C programs, where any finding ends the program. all and torture run the long forms of tests
+# (CURTAIN_LONG=1). With WORDs, only programs with one of them in their names run, of every tier.
+#
+# Every program prints TAP. A crash, a missing or wrong plan and a skipped test count as failed. A program's output
+# stays in $OUT/results, and is shown, with the command that repeats the program, when something in it failed. all
+# resumes: in an unchanged tree, what has passed is not run again. Tests that open a window mostly wait, so two of them
+# run beside the others. Exit 1: something failed. No verdict depends on the time: what hangs is told from what is slow
+# by its own progress.
 set -u
 cd "$(dirname "$0")/.." || exit 2
-what=${1:-all}
+what=${1:-test}
 export cpu OUT=${OUT:-build/release} CMOCKA_MESSAGE_OUTPUT=TAP LC_ALL=C
 results=$OUT/results
 cpu=900 # seconds of the processor's time without a line are a hang; see patient.py
@@ -54,6 +58,7 @@ one() {
             grep -avP '^ok (?!.*# *(SKIP|TODO))' "$file" | sed 's/^/    /'
             [ $rc -lt 128 ] || echo "    # killed by signal $((rc - 128))"
             sed 's/^/    /' "$file.why"
+            echo "    repeat: make test ONLY=$name"
         fi
     } >"$file.line"
     cat "$file.line"
@@ -64,19 +69,51 @@ if [ "$what" = --one ]; then
     exit 0
 fi
 
+shift
+words=("$@")
+
+# Does a program's name contain one of the words? Always, if there are none.
+wanted() { # NAME
+    local word
+    [ ${#words[@]} != 0 ] || return 0
+    for word in "${words[@]}"; do case $1 in *"$word"*) return 0 ;; esac; done
+    return 1
+}
+tier_of() { # NAME: check, test or all
+    local tier pattern
+    while read -r tier pattern; do
+        # shellcheck disable=SC2254
+        case $1 in $pattern) echo "$tier" && return ;; esac
+    done <<<"$tiers"
+    echo test
+}
+tiers=$(grep -E '^(check|all) ' tests/tiers | sed 's/ *#.*//' | sort) # those of `all` first
+in_tier() { # NAME
+    [ ${#words[@]} = 0 ] || return 0
+    case $what:$(tier_of "$1") in check:check | test:check | test:test | all:*) return 0 ;; esac
+    return 1
+}
+
 programs=()
 add() { # those of the globs that exist; what make built of a test that is gone is left out
-    local f
+    local f name
     for f in "$@"; do
         case $f in *.d | *.o) continue ;; esac
         [ -f "$f" ] || continue
-        case $f in "$OUT"/*) [ -f "tests/${f#"$OUT/"}.c" ] || continue ;; esac
-        programs+=("$f")
+        name=${f#"$OUT/"}
+        name=${name#tests/}
+        case $f in "$OUT"/*) [ -f "tests/$name.c" ] || continue ;; esac
+        wanted "$name" && programs+=("$f")
     done
 }
 case $what in
-all) # the longest first
-    add tests/machine/*.sh "$OUT"/machine/test_* tests/golden/*.sh tests/cli/*.sh tests/lint/*.sh "$OUT"/unit/test_*
+check | test | all) # the longest first
+    for f in tests/machine/*.sh "$OUT"/machine/test_* tests/golden/*.sh tests/cli/*.sh tests/lint/*.sh \
+        "$OUT"/unit/test_*; do
+        name=${f#"$OUT/"}
+        ! in_tier "${name#tests/}" || add "$f"
+    done
+    [ "$what" != all ] || export CURTAIN_LONG=1
     ;;
 unit) add "$OUT"/unit/test_* ;;
 torture)
@@ -92,13 +129,19 @@ sanitizer)
     add "$OUT"/machine/test_* "$OUT"/unit/test_*
     ;;
 *)
-    echo "tests/run.sh: \"$what\" is none of all, unit, torture, sanitizer" >&2
+    echo "tests/run.sh: \"$what\" is none of check, test, all, unit, torture, sanitizer" >&2
     exit 2
     ;;
 esac
 
-rm -rf "$results"
-mkdir -p "$results"
+# In `all`, what has passed in the same tree is kept.
+digest=""
+[ "$what${words[*]}" != all ] || digest=$(tests/files.sh --digest)
+if [ -z "$digest" ] || [ "$digest" != "$(cat "$results/tree" 2>/dev/null)" ]; then
+    rm -rf "$results"
+    mkdir -p "$results"
+    [ -z "$digest" ] || echo "$digest" >"$results/tree"
+fi
 if [ ${#programs[@]} = 0 ]; then
     echo "tests/run.sh: nothing to run below $OUT" >&2
     echo "0 passed, 1 failed"
@@ -110,8 +153,13 @@ at_once() {
     shift
     [ $# = 0 ] || printf '%s\0' "$@" | xargs -0 -n 1 -P "$n" "$0" --one
 }
+has_passed() { # PROGRAM, in an earlier run
+    local name=${1#"$OUT/"}
+    grep -qs ' 0$' "$results/$(tr / - <<<"${name#tests/}").count"
+}
 windows=() others=()
 for program in "${programs[@]}"; do
+    ! has_passed "$program" || continue
     case $program in
     *.sh) if grep -q '/xserver\.sh"$' "$program"; then windows+=("$program"); else others+=("$program"); fi ;;
     *) others+=("$program") ;;

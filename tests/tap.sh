@@ -51,6 +51,13 @@ refuse() { # NAME WORDS COMMAND...: passes when the command fails and says the w
         not_ok "$name" "does not say \"$words\": $*" "$(cat "$scratch/.said")"
     fi
 }
+# Is this the long form of a test? make test-all
+long() { [ -n "${CURTAIN_LONG:-}" ]; }
+detects() { # NAME WORDS COMMAND...: refuse, for a fault planted in what the test reads; in the long form only
+    local name=$1
+    shift
+    ! long || refuse "planted: $name" "$@"
+}
 finish() {
     echo "1..$tap_n"
     exit $tap_failed
@@ -94,12 +101,8 @@ keys() { # N [WORD...]: lines for it: so many polls with these held
     for _ in $(seq "$n"); do echo "$*"; done
 }
 
-# tree PATTERN...: the files of the repository as they are now: new ones too, removed ones not.
-tree() {
-    git ls-files -co --exclude-standard -- "$@" | while read -r f; do
-        [ ! -f "$f" ] || echo "$f"
-    done
-}
+# tree PATTERN...: the files of the repository (files.sh).
+tree() { "$repo/tests/files.sh" "$@"; }
 
 # game DIR: one of everything, 64 x 64, with a white 16 x 16 sheet; main.lua is standard input.
 game() {

@@ -71,7 +71,7 @@ x86_64-w64-mingw32-gcc -std=gnu99 -O2 -D__USE_MINGW_ANSI_STDIO=0 -static "$repo/
 gcc -std=gnu99 -O2 "$repo/tests/windows/numbers.c" -o numbers -lm
 numbers() { diff <(./numbers) <(wine "$1" | tr -d '\r'); }
 check 'numbers and their texts are those of Linux' numbers numbers.exe
-refuse 'planted: with the printf of Windows they are not' '> printed' numbers bare.exe
+detects 'with the printf of Windows they are not' '> printed' numbers bare.exe
 all=0
 for game in "$repo"/roms/*/; do
     demos=("$game"demos/*.demo)
@@ -88,7 +88,7 @@ data = bytearray(open(sys.argv[1], "rb").read())
 data[-9] ^= 1
 open("bad.demo", "wb").write(data)
 PY
-refuse 'planted: a demo that was changed is found' 'bad.demo' "$program" verify "$repo/roms/testcard" bad.demo
+detects 'a demo that was changed is found' 'bad.demo' "$program" verify "$repo/roms/testcard" bad.demo
 
 # ---- a list of commands, byte for byte ----
 for side in linux windows; do
@@ -143,7 +143,7 @@ alike() { # FOLDER FOLDER
 check "$n commands print the same bytes, and have the same exit code" alike linux windows
 check "and write the same files: $(find linux -type f | wc -l)" diff -r linux windows
 sed -i 's/^/x/' windows.said/9.out
-refuse 'planted: another byte is found' 'curtain' alike linux windows
+detects 'another byte is found' 'curtain' alike linux windows
 check 'some of them failed' grep -q '| 2 |' "$into/commands.txt"
 sed 's/^/# /' "$into/commands.txt"
 
@@ -204,7 +204,7 @@ done
 both/linux export "$repo/examples/moth" --all -o there
 wine both/windows.exe export "$repo/examples/moth" --all -o here
 check '--all: so are those of the zip files' diff -r there here
-refuse 'planted: another byte is found' 'differ' cmp there-linux.so there-windows.so
+detects 'another byte is found' 'differ' cmp there-linux.so there-windows.so
 check 'an exported program has the game, its icon and version' python3 "$repo/tests/cli/pe_read.py" here-windows.so
 check 'its manifest is that of the program' \
     cmp "$repo/tools/windows/curtain.manifest" <(python3 "$repo/tests/cli/pe_read.py" here-windows.so 24 1)
@@ -222,7 +222,7 @@ check 'the signature is good' osslsigncode verify -CAfile cert.pem signed.exe
 check 'and it is the game' eval 'wine signed.exe version | head -n 1 | grep -q "(moth)"'
 cp signed.exe bad.exe
 printf X | dd of=bad.exe bs=1 seek=$(($(stat -c %s moth.exe) - 9)) conv=notrunc 2>/dev/null
-refuse 'planted: a byte of the game is another' 'MISMATCH' osslsigncode verify -CAfile cert.pem bad.exe
+detects 'a byte of the game is another' 'MISMATCH' osslsigncode verify -CAfile cert.pem bad.exe
 refuse '... which the program sees, too' 'damaged' wine bad.exe version
 
 [ -z "$short" ] || finish
@@ -263,7 +263,7 @@ if plays 'Glass Tide' play "$glass" --seed 0 --scale 2 --record keys.demo; then
     check 'is where it is said to be' test -s "$(saved)"
     check 'the window shows it, to the last pixel' soon shows "$(saved)"
     convert "$(saved)" -fill red -draw 'point 9,9' planted.png
-    refuse 'planted: another pixel is found' 'differ' shows planted.png
+    detects 'another pixel is found' 'differ' shows planted.png
     stop
     check 'the demo holds on Linux' "$native" verify "$glass" keys.demo
     "$native" render "$glass" --demo keys.demo --frames "$(last "$glass" keys.demo)" -o shown >/dev/null
@@ -301,7 +301,7 @@ if SDL_AUDIODRIVER=disk plays 'Glass Tide' play "$glass" --seed 3 --scale 1 --re
     head -c 200000 sdlaudio.raw >bad.raw
     printf x >>bad.raw
     tail -c +200002 sdlaudio.raw >>bad.raw
-    refuse 'planted: another byte is found' 'expected frame' heard bad.raw
+    detects 'another byte is found' 'expected frame' heard bad.raw
 fi
 
 # ---- a window that is moved, minimised, and left ----
@@ -455,7 +455,7 @@ x86_64-w64-mingw32-gcc -std=gnu99 -O2 -D__USE_MINGW_ANSI_STDIO=0 -static "$repo/
 gcc -std=gnu99 -O2 "$repo/tests/windows/numbers.c" -o numbers -lm
 numbers() { diff <(./numbers) <(wine "$1" | tr -d '\r'); }
 check 'numbers and their texts are those of Linux' numbers numbers.exe
-refuse 'planted: with the printf of Windows they are not' '> printed' numbers bare.exe
+detects 'with the printf of Windows they are not' '> printed' numbers bare.exe
 all=0
 for game in "$repo"/roms/*/; do
     demos=("$game"demos/*.demo)
@@ -472,7 +472,7 @@ data = bytearray(open(sys.argv[1], "rb").read())
 data[-9] ^= 1
 open("bad.demo", "wb").write(data)
 PY
-refuse 'planted: a demo that was changed is found' 'bad.demo' "$program" verify "$repo/roms/testcard" bad.demo
+detects 'a demo that was changed is found' 'bad.demo' "$program" verify "$repo/roms/testcard" bad.demo
 
 # ---- a list of commands, byte for byte ----
 for side in linux windows; do
@@ -527,7 +527,7 @@ alike() { # FOLDER FOLDER
 check "$n commands print the same bytes, and have the same exit code" alike linux windows
 check "and write the same files: $(find linux -type f | wc -l)" diff -r linux windows
 sed -i 's/^/x/' windows.said/9.out
-refuse 'planted: another byte is found' 'curtain' alike linux windows
+detects 'another byte is found' 'curtain' alike linux windows
 check 'some of them failed' grep -q '| 2 |' "$into/commands.txt"
 sed 's/^/# /' "$into/commands.txt"
 
@@ -588,7 +588,7 @@ done
 both/linux export "$repo/examples/moth" --all -o there
 wine both/windows.exe export "$repo/examples/moth" --all -o here
 check '--all: so are those of the zip files' diff -r there here
-refuse 'planted: another byte is found' 'differ' cmp there-linux.so there-windows.so
+detects 'another byte is found' 'differ' cmp there-linux.so there-windows.so
 check 'an exported program has the game, its icon and version' python3 "$repo/tests/cli/pe_read.py" here-windows.so
 check 'its manifest is that of the program' \
     cmp "$repo/tools/windows/curtain.manifest" <(python3 "$repo/tests/cli/pe_read.py" here-windows.so 24 1)
@@ -606,7 +606,7 @@ check 'the signature is good' osslsigncode verify -CAfile cert.pem signed.exe
 check 'and it is the game' eval 'wine signed.exe version | head -n 1 | grep -q "(moth)"'
 cp signed.exe bad.exe
 printf X | dd of=bad.exe bs=1 seek=$(($(stat -c %s moth.exe) - 9)) conv=notrunc 2>/dev/null
-refuse 'planted: a byte of the game is another' 'MISMATCH' osslsigncode verify -CAfile cert.pem bad.exe
+detects 'a byte of the game is another' 'MISMATCH' osslsigncode verify -CAfile cert.pem bad.exe
 refuse '... which the program sees, too' 'damaged' wine bad.exe version
 
 [ -z "$short" ] || finish
@@ -647,7 +647,7 @@ if plays 'Glass Tide' play "$glass" --seed 0 --scale 2 --record keys.demo; then
     check 'is where it is said to be' test -s "$(saved)"
     check 'the window shows it, to the last pixel' soon shows "$(saved)"
     convert "$(saved)" -fill red -draw 'point 9,9' planted.png
-    refuse 'planted: another pixel is found' 'differ' shows planted.png
+    detects 'another pixel is found' 'differ' shows planted.png
     stop
     check 'the demo holds on Linux' "$native" verify "$glass" keys.demo
     "$native" render "$glass" --demo keys.demo --frames "$(last "$glass" keys.demo)" -o shown >/dev/null
@@ -685,7 +685,7 @@ if SDL_AUDIODRIVER=disk plays 'Glass Tide' play "$glass" --seed 3 --scale 1 --re
     head -c 200000 sdlaudio.raw >bad.raw
     printf x >>bad.raw
     tail -c +200002 sdlaudio.raw >>bad.raw
-    refuse 'planted: another byte is found' 'expected frame' heard bad.raw
+    detects 'another byte is found' 'expected frame' heard bad.raw
 fi
 
 # ---- a window that is moved, minimised, and left ----

@@ -10,11 +10,10 @@ cd "$(dirname "$0")/.." || exit 2
 export LC_ALL=C
 out=build/analyze
 mkdir -p $out
-sources() { git ls-files -co --exclude-standard -- "$@" | while read -r f; do [ ! -f "$f" ] || echo "$f"; done; }
 
 # cppcheck reads no system header, so it is told what float.h says; and it takes the C name "not" for C++'s.
 run_cppcheck() {
-    sources 'src/*.c' 'fb/*.c' 'platform/*.c' 'tools/*.c' 'tests/fuzz/*.c' 'tests/inject/*.c' >$out/files
+    tests/files.sh 'src/*.c' 'fb/*.c' 'platform/*.c' 'tools/*.c' 'tests/fuzz/*.c' 'tests/inject/*.c' >$out/files
     cppcheck --quiet -j2 --std=c11 --enable=warning,performance,portability --suppress=missingIncludeSystem \
         --template='cppcheck {id} {file}:{line}: {message}' -D_DEFAULT_SOURCE -DFLT_RADIX=2 -DDBL_MANT_DIG=53 \
         -DFLT_EVAL_METHOD=0 -Dnot=negated --file-list=$out/files 2>&1
@@ -32,7 +31,7 @@ run_gcc() {
     export flags
     export -f analyzed
     # what gcc says: FILE:LINE:COLUMN: warning: TEXT [CWE-...] [-Wanalyzer-ID]
-    sources 'src/*.c' 'fb/*.c' platform/{stdio,posix,posix_process,null,sdl2}.c |
+    tests/files.sh 'src/*.c' 'fb/*.c' platform/{stdio,posix,posix_process,null,sdl2}.c |
         xargs -P 2 -I % bash -c 'said=$0/$(echo % | tr / -); analyzed % "$said.o" >"$said.said"' $out
     cat $out/*.said |
         sed -nE 's/^([^ :]+):([0-9]+):[0-9]+: warning: (.*) \[-W(analyzer-[a-z-]*).*\]$/gcc \4 \1:\2: \3/p' |

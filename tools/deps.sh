@@ -1,15 +1,15 @@
 #!/bin/sh
 # Installs what is missing from Debian's packages; says nothing when all is there.
 #
-#     tools/deps.sh [--say] [null] [play] [test] [docs] [ports] [fuzz] [nightly] [bench] [bulletml] [cross] [web]
+#     tools/deps.sh [--say] [null] [play] [test] [docs] [ports] [fuzz] [all] [bench] [bulletml] [cross] [web]
 #     [firefox] [windows] [players]
 #
 # null: what curtain-null is built with; play: that, and SDL2; test: also the libraries with
-# which curtain packs OGG, FLAC and modules (it opens them when it needs them, and is built the same without); ports:
-# RetroArch, that the libretro core is tested in; bulletml: libbulletml, and the games whose documents are run beside
-# it; web: what a page is built with, and tested in; firefox: where it is tested too; windows: the cross compiler for
-# Windows, and Wine, which runs its programs here; players: what makes the Debian roots in which programs for other
-# machines are compiled and tested. Without arguments: play, test, fuzz and bench. With --say it installs nothing: it
+# which curtain packs OGG, FLAC and modules (it opens them when it needs them, and is built the same without); all: what
+# only make test-all needs; ports: RetroArch, that the libretro core is tested in; bulletml: libbulletml, and the games
+# whose documents are run beside it; web: what a page is built with, and tested in; firefox: where it is tested too;
+# windows: the cross compiler for Windows, and Wine, which runs its programs here; players: what makes the Debian roots
+# in which programs for other machines are compiled and tested. Without arguments: play, test, fuzz and bench. With --say it installs nothing: it
 # says, in one line to paste, what is missing, and exits with 3. On macOS, tools/macos/deps.sh does the same.
 set -eu
 [ "$(uname -s)" != Darwin ] || exec "$(dirname "$0")/macos/deps.sh" "$@"
@@ -68,7 +68,6 @@ for what; do
         have unzip || need unzip
         have pgrep || need procps
         have clang || need clang
-        ls /usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.msan-* >/dev/null 2>&1 || need libclang-rt-14-dev
         have Xvfb || need xvfb
         have xdotool || need xdotool
         have setxkbmap || need x11-xkb-utils
@@ -82,7 +81,6 @@ for what; do
         have gio || need libglib2.0-bin
         have appstreamcli || need appstream
         have mandoc || need mandoc
-        have valgrind || need valgrind
         have pcf2bdf || need pcf2bdf
         [ -e /usr/share/fonts/X11/misc/f12.pcf.gz ] || need xfonts-efont-unicode
         ;;
@@ -100,7 +98,8 @@ for what; do
         shared libopenmpt.so.0 || need libopenmpt0
         ls /usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.fuzzer-* >/dev/null 2>&1 || need libclang-rt-14-dev
         ;;
-    nightly)
+    all)
+        ls /usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.msan-* >/dev/null 2>&1 || need libclang-rt-14-dev
         have valgrind || need valgrind
         have cppcheck || need cppcheck
         have chromium || need chromium
@@ -175,7 +174,7 @@ for what; do
         have xz || need xz-utils
         ;;
     *)
-        echo "tools/deps.sh: \"$what\" is none of null, play, test, docs, ports, fuzz, nightly, bench, bulletml," \
+        echo "tools/deps.sh: \"$what\" is none of null, play, test, docs, ports, fuzz, all, bench, bulletml," \
             "cross, web, firefox, windows, players" >&2
         exit 2
         ;;

@@ -9,6 +9,6 @@ set -eu
 cd "$(dirname "$0")/.."
 if [ $# = 0 ]; then
     # shellcheck disable=SC2046
-    set -- $(git ls-files -- 'src/*.[ch]' 'platform/*.[ch]' 'scripts/*.lua')
+    set -- $(tests/files.sh 'src/*.[ch]' 'platform/*.[ch]' 'scripts/*.lua')
 fi
 exec python3 tools/messages.py "$@"

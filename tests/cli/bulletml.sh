@@ -129,7 +129,7 @@ faster() { # the Lua fires it a tenth faster
     "$curtain" hash pair --stage one --invincible --dip way=lua --frames 60:460:40 --trace bullets >lua.txt &&
         python3 "$near" document.txt lua.txt 5
 }
-refuse "planted: another speed" "too far off" faster
+detects "another speed" "too far off" faster
 cat >all.xml <<'XML'
 <bulletml type="horizontal"><action label="top"><repeat><times>40</times><action>
 <actionRef label="two words"><param>5</param></actionRef><wait>4+$rank*2</wait></action></repeat></action>

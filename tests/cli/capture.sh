@@ -162,7 +162,7 @@ rm -rf frames
 "$curtain" capture plain --seed 3 --frames 0:90 -o film.gif
 check "the frames as ImageMagick decodes them" shown_by_magick film.gif frames 90
 "$curtain" render plain --seed 4 --frames 0:90 -o frames
-refuse "planted: frames of another run" "is not frame" shown_by_magick film.gif frames 90
+detects "frames of another run" "is not frame" shown_by_magick film.gif frames 90
 
 # MP4 and WebM are another program's work: what it is given.
 mkdir bin

@@ -36,7 +36,7 @@ done
 check 'a game is lost' says lose ended over
 check 'a game in two is cleared' says two-players ended clear
 check '... in two' says two-players players 2
-refuse 'planted: another end' 'ended is over, expected clear' says lose ended clear
+detects 'another end' 'ended is over, expected clear' says lose ended clear
 
 # Each craft comes through in one of them, alone and in some form; one that has to be earned, too: its demo begins with
 # what the one before it left.
@@ -56,7 +56,7 @@ mkdir "$scratch/without"
 for name in "$scratch"/clear-*.json; do
     sed 's/"ship":"tern[a-z_]*"/"ship":"heron"/' "$name" >"$scratch/without/${name##*/}"
 done
-refuse 'planted: one does not' 'nobody comes through in tern' cleared_by_all "$scratch/without"
+detects 'one does not' 'nobody comes through in tern' cleared_by_all "$scratch/without"
 
 # A run is small: prints of seconds.
 small() {

@@ -12,7 +12,7 @@ all() { # FOLDER
 }
 check "every recipe is a page, once, and there are sixty" all $game/recipes
 cp -R $game/recipes "$scratch" && touch "$scratch/recipes/zzz.lua"
-refuse "planted: a recipe that is no page" "> zzz" all "$scratch/recipes"
+detects "a recipe that is no page" "> zzz" all "$scratch/recipes"
 
 # A recipe begins with its words, and is short.
 short() { # FILE...
@@ -26,7 +26,7 @@ short() { # FILE...
 }
 check "every recipe has its title and is short" short $game/recipes/*.lua
 printf -- '-- bad.lua - without a title\nreturn 1\n' >"$scratch/bad.lua"
-refuse "planted: a recipe without a title" "has no title" short "$scratch/bad.lua"
+detects "a recipe without a title" "has no title" short "$scratch/bad.lua"
 
 # But for the work of calls, which depends a little on addresses: what pairs() sorts stands in one order or another.
 steady() { cut -d ' ' -f 1-5 "$1"; }
@@ -35,16 +35,16 @@ same "no fault, and no pool was full" "" "$(cat "$scratch/says")"
 current() { diff <(steady "$1") <(steady tests/cookbook/table); }
 check "every page comes to what tests/cookbook/table says" current "$scratch/table"
 sed '5s/ [0-9a-f]\{16\} / 0123456789abcdef /' "$scratch/table" >"$scratch/other"
-refuse "planted: another hash" "0123456789abcdef" current "$scratch/other"
+detects "another hash" "0123456789abcdef" current "$scratch/other"
 
 book() { $made --book | diff - "$1"; }
 check "book.txt has the words of the recipes" book $game/book.txt
 sed 's/Accelerating/Slowing/' $game/book.txt >"$scratch/book.txt"
-refuse "planted: other words" "Slowing" book "$scratch/book.txt"
+detects "other words" "Slowing" book "$scratch/book.txt"
 page() { $made --page | diff - "$1"; }
 check "docs/cookbook.md is what its command writes" page docs/cookbook.md
 sed 's/^local faster/local slower/' docs/cookbook.md >"$scratch/cookbook.md"
-refuse "planted: other code" "slower" page "$scratch/cookbook.md"
+detects "other code" "slower" page "$scratch/cookbook.md"
 
 pictures() { diff <(list) <(ls docs/images/cookbook | sed 's/\.png$//' | sort); }
 check "every page has its picture" pictures

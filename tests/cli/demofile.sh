@@ -26,7 +26,7 @@ current() { page "$1" | diff "$1" -; }
 check 'the demo taken apart on the page' current docs/reference/demo-format.md
 check 'has been taken apart' grep -q '^0000  43 44 45 4d ' docs/reference/demo-format.md
 sed 's/player 1: 11/player 1: 10/' docs/reference/demo-format.md >"$scratch/demos.md"
-refuse 'planted: a byte that is not so' 'player 1: 11' current "$scratch/demos.md"
+detects 'a byte that is not so' 'player 1: 11' current "$scratch/demos.md"
 
 # What the reader finds against what Curtain computes: rows and prints are the hashes of every frame, the pads are what
 # the board's input held (opposites held at once are neither), and the header is what verify says.
@@ -104,7 +104,7 @@ print(at + 8 + 8 + 2)
 END
 }
 python3 tests/cli/demo_repair.py "$scratch/now.demo" "$scratch/other.demo" "$(pad_at "$scratch/now.demo")" 0x10
-refuse 'planted: another pad' 'frame 1: ' agrees tests/demos/frozen.rom "$scratch/other.demo"
+detects 'another pad' 'frame 1: ' agrees tests/demos/frozen.rom "$scratch/other.demo"
 
 # Changed bytes, checksums made good: both refuse, or neither does.
 cat >"$scratch/lies.py" <<'END'

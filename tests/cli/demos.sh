@@ -180,33 +180,33 @@ demo=$scratch/now.demo rom=tests/demos/frozen.rom frames=120
 "$program" hash "$rom" --frames 120 --every 120 --record "$demo" >"$scratch/hash" &&
     hash=$(sed -n 's/^120 //p' "$scratch/hash")
 check 'a demo of now' holds "$core" "$demo" "$rom" 120 "$hash"
-refuse 'planted: another hash' \
+detects 'another hash' \
     "now.demo ended in $hash, the table says 0000000000000000: the tick changed: raise CORE_VERSION" \
     holds "$core" "$demo" "$rom" 120 0000000000000000
-refuse 'planted: another length' 'is not the demo the table lists' holds "$core" "$demo" "$rom" 60 \
+detects 'another length' 'is not the demo the table lists' holds "$core" "$demo" "$rom" 60 \
     "$(last_hash "$rom" "$demo" 60)"
 grep -v frozen-2 tests/demos/table >"$scratch/table"
-refuse 'planted: a demo that is not listed' 'tests/demos/frozen-2.demo is not in tests/demos/table' listed \
+detects 'a demo that is not listed' 'tests/demos/frozen-2.demo is not in tests/demos/table' listed \
     tests/demos/frozen-2.demo "$scratch/table"
-refuse 'planted: a core version without its line' "no line for core version $((core + 1))" versions \
+detects 'a core version without its line' "no line for core version $((core + 1))" versions \
     docs/internals/determinism.md $((core + 1))
-refuse 'planted: a core version that is not frozen' "core version $((core + 1)) is not frozen" frozen $((core + 1)) \
+detects 'a core version that is not frozen' "core version $((core + 1)) is not frozen" frozen $((core + 1)) \
     tests/demos/table
-refuse 'planted: a format without a demo' 'no demo of format 2' formats 2 3 tests/demos/frozen-3.demo
-refuse 'planted: a format to come' "no demo of format $((newest + 1))" formats "$oldest" $((newest + 1)) \
+detects 'a format without a demo' 'no demo of format 2' formats 2 3 tests/demos/frozen-3.demo
+detects 'a format to come' "no demo of format $((newest + 1))" formats "$oldest" $((newest + 1)) \
     tests/demos/*.demo
 old=$scratch/old.demo
 aged "$demo" "$old" 1
 echo "$core $old $hash" >"$scratch/rerecorded"
 echo "$core $old 0123456789abcdef" >"$scratch/elsewhere"
 check 'a demo of an older core version' runs 1 "$old" "$rom" 120 "$scratch/rerecorded"
-refuse 'planted: it ends elsewhere' \
+detects 'it ends elsewhere' \
     "old.demo of core version 1 ended in $hash, tests/demos/rerecorded says 0123456789abcdef: the tick changed" \
     runs 1 "$old" "$rom" 120 "$scratch/elsewhere"
-refuse 'planted: nobody wrote where it ends' 'tests/demos/rerecorded says nothing' runs 1 "$old" "$rom" 120 /dev/null
-refuse 'planted: verify does not doubt it' 'holds, 120 frames' runs "$core" "$demo" "$rom" 120 /dev/null
+detects 'nobody wrote where it ends' 'tests/demos/rerecorded says nothing' runs 1 "$old" "$rom" 120 /dev/null
+detects 'verify does not doubt it' 'holds, 120 frames' runs "$core" "$demo" "$rom" 120 /dev/null
 cp -r tests/demos/frozen "$scratch/lost"
 echo 'task.go(function() wait(30) local gone = sys.gone() end)' >>"$scratch/lost/main.lua"
-refuse 'planted: what it calls is gone' 'a ROM of core version 1 does not run: what its scripts call has to stay' \
+detects 'what it calls is gone' 'a ROM of core version 1 does not run: what its scripts call has to stay' \
     runs 1 "$old" "$scratch/lost" 120 "$scratch/rerecorded"
 finish

@@ -76,7 +76,7 @@ same 'with --keys it has all commands, and its game is the built-in one' "$("$nu
 check '... and replays its demos' ./keys verify lanterns run.demo
 not_here() { ! grep -aq "$1" "$2"; }
 check 'the built-in game is not given along' not_here 'Glass Tide' game
-refuse 'planted: in curtain it is' '' bash -c "! grep -aq 'Glass Tide' '$curtain' || { echo is there; false; }"
+detects 'in curtain it is' '' bash -c "! grep -aq 'Glass Tide' '$curtain' || { echo is there; false; }"
 small() { [ "$(stat -c %s game)" -lt $(($(stat -c %s "$curtain") * 2 / 3)) ]; }
 check 'nor what debuggers read' small
 
@@ -352,7 +352,7 @@ convert 'of.ico[2]' -alpha extract -format '%[fx:mean>0.1&&mean<0.9]' info: >mea
 same '... with a picture on nothing' 1 "$(cat mean)"
 for old in 'old icon' 'old version' 'signature, names'; do
     check "nothing is left of the player's: $old" not_here "$old" lanterns.exe
-    refuse 'planted: in the player it is' '' bash -c "! grep -aq '$old' '$exe' || { echo is there; false; }"
+    detects 'in the player it is' '' bash -c "! grep -aq '$old' '$exe' || { echo is there; false; }"
 done
 in_exe() { # FILE: the ROM in it, where its mark says
     python3 - "$1" <<'END'
@@ -387,7 +387,7 @@ for name, at in (("time", 128 + 8), ("memory", optional + 57), ("checksum", opti
     open("spoiled-%s.exe" % name, "wb").write(b)
 END
 for fault in time:'has a time' memory:'size in memory' checksum:'a checksum' signature:'a signature' resources:''; do
-    refuse "planted: ${fault%%:*}" "${fault#*:}" pe read "spoiled-${fault%%:*}.exe"
+    detects "${fault%%:*}" "${fault#*:}" pe read "spoiled-${fault%%:*}.exe"
 done
 not_windows='expected an x86-64 Windows program with space for another section'
 echo MZ >spoiled && head -c 100 /dev/zero >>spoiled && cp "$exe" whole.exe && cp spoiled "$exe"

@@ -14,7 +14,7 @@ planted() { # WORDS IN WHAT
     there "$scratch/from.md"
 }
 while read -r want was is; do
-    refuse "planted: $is" "Curtain has no $want" planted "$want" "$was" "$is"
+    detects "$is" "Curtain has no $want" planted "$want" "$was" "$is"
 done <<'END'
 bullet.fyre `bullet.fire `bullet.fyre
 bullet.clean `bullet.clear `bullet.clean
@@ -28,5 +28,5 @@ survival `survive `survival
 spritesheets `sheets` `spritesheets`
 --hardness `--difficulty` `--hardness`
 END
-refuse "planted: hardly a name" "0 names" there README.md
+detects "hardly a name" "0 names" there README.md
 finish

@@ -66,7 +66,7 @@ real() { # every name by task is one that is explained
 # shellcheck disable=SC2046
 check "the names by task are all there" real $(tasks)
 # shellcheck disable=SC2046
-refuse "planted: one that is not" "bullet.fyre is none" real $(tasks) bullet.fyre
+detects "one that is not" "bullet.fyre is none" real $(tasks) bullet.fyre
 whole() { # what follows is the list of all, from its first entry on
     [ "$("$curtain" help lua | sed '1,/^  All entries:/d' | grep -c '^[^ ]')" = \
         "$(grep -c '^### ' docs/reference/api.md)" ]

@@ -29,7 +29,7 @@ listed() { # PROGRAM LIST: every library is in it
 check 'every library of curtain is listed' listed "$curtain" list
 check 'every library of curtain-null is' listed "$null" null
 grep -v '^Lua' list >fewer
-refuse 'planted: one of curtain is not listed' 'liblua5.4.so.0 is not in the list' listed "$curtain" fewer
+detects 'one of curtain is not listed' 'liblua5.4.so.0 is not in the list' listed "$curtain" fewer
 same 'curtain-null has no SDL' 0 "$(grep -c ^SDL null)"
 # What is compiled in, by its headers: those of the system that are no part of the C library.
 headers() { # the headers that sources name in <...> and that are another's
@@ -60,7 +60,7 @@ mit=$(sed '1,/^Permission/{/^Permission/!d}' "$repo/LICENSE" | words)
 check "Curtain's is LICENSE, whole" has Curtain "$(sed 1,2d "$repo/LICENSE" | words)"
 check "Lua's is MIT" has Lua "$mit"
 check "... with Lua's own line" has Lua "Lua.org, PUC-Rio"
-refuse 'planted: another text' 'there is no' has SDL "$mit"
+detects 'another text' 'there is no' has SDL "$mit"
 debian() { # PACKAGE: its copyright's words, of no paragraph
     sed -E 's/^ //; s/^\.$//' "/usr/share/doc/$1/copyright" | words
 }

@@ -38,18 +38,18 @@ planted() { # TEXT
 check "a good script is let through" planted \
     'bullet.fire { kind = "a", speed = math.pi, x = rom.field.w, y = 2 }
      hud.banks.bright = game.power talk.look.dim = 0'
-refuse "planted: a misspelt function" "undefined field 'fyre' of global 'bullet'" planted 'bullet.fyre { }'
-refuse "planted: a misspelt table" "undefined variable 'bulet'" planted 'bulet.fire { }'
-refuse "planted: a new global" "setting non-standard global variable 'speed'" planted 'speed = 3'
-refuse "planted: a name the sandbox lacks" "undefined variable 'os'" planted 'print(os.time())'
-refuse "planted: a random number of the host" "undefined field 'random' of global 'math'" planted \
+detects "a misspelt function" "undefined field 'fyre' of global 'bullet'" planted 'bullet.fyre { }'
+detects "a misspelt table" "undefined variable 'bulet'" planted 'bulet.fire { }'
+detects "a new global" "setting non-standard global variable 'speed'" planted 'speed = 3'
+detects "a name the sandbox lacks" "undefined variable 'os'" planted 'print(os.time())'
+detects "a random number of the host" "undefined field 'random' of global 'math'" planted \
     'print(math.random(6))'
-refuse "planted: a function of the API is replaced" "setting read-only field 'fire' of global 'bullet'" planted \
+detects "a function of the API is replaced" "setting read-only field 'fire' of global 'bullet'" planted \
     'function bullet.fire() end'
-refuse "planted: a function that the library keeps" "undefined field 'put' of global 'hud'" planted 'hud.put(1, 1, "x")'
-refuse "planted: a field that rom has not" "undefined field 'name' of global 'rom'" planted 'print(rom.name)'
-refuse "planted: a variable that nothing reads" "unused variable 'n'" planted 'local n = 1'
-refuse "planted: the title is set" "setting read-only field 'title' of global 'rom'" planted 'rom.title = "one"'
+detects "a function that the library keeps" "undefined field 'put' of global 'hud'" planted 'hud.put(1, 1, "x")'
+detects "a field that rom has not" "undefined field 'name' of global 'rom'" planted 'print(rom.name)'
+detects "a variable that nothing reads" "unused variable 'n'" planted 'local n = 1'
+detects "the title is set" "setting read-only field 'title' of global 'rom'" planted 'rom.title = "one"'
 mkdir "$scratch/std"
 within() { (cd "$scratch" && "$@"); } # the settings' folders are those of the folder it runs in
 echo 'hud.put(1, 1, "x") function hud.more() end' >"$scratch/std/hud.lua"

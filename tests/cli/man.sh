@@ -22,7 +22,7 @@ has() { # PAGE: every command, option, key, setting and exit code
 }
 check "all of the help's tables are on it" has "$page"
 sed '/rerecord/d' "$page" >"$scratch/short.1"
-refuse "planted: an option is missing" "--rerecord is not on the page" has "$scratch/short.1"
+detects "an option is missing" "--rerecord is not on the page" has "$scratch/short.1"
 explains() { # PAGE: what stands behind an option, a key, a setting, an exit code
     local words text
     text=$(shown "$1")
@@ -45,11 +45,11 @@ quiet() { # COMMAND...: finds nothing
 }
 check "mandoc finds nothing in it" quiet mandoc -T lint -W all "$page"
 { cat "$page"; echo '.XX'; } >"$scratch/bad.1"
-refuse "planted: an unknown macro, for mandoc" "unknown macro" quiet mandoc -T lint -W all "$scratch/bad.1"
+detects "an unknown macro, for mandoc" "unknown macro" quiet mandoc -T lint -W all "$scratch/bad.1"
 if command -v man >/dev/null && man --version 2>/dev/null | grep -q 'man 2'; then
     check "man does not warn of it" quiet env LC_ALL=C MANROFFSEQ= man --warnings -l "$page"
     printf '.TP\n.foo bar\n' >>"$scratch/bad.1"
-    refuse "planted: an unknown macro, for man" "warning" \
+    detects "an unknown macro, for man" "warning" \
         quiet env LC_ALL=C MANROFFSEQ= man --warnings -l "$scratch/bad.1"
 else
     echo "# no man of man-db here: its warnings are not looked at"

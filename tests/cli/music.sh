@@ -30,7 +30,7 @@ fault() { # NAME WORDS PIECE SED...
     shift 2
     planted "$@"
     ! cmp -s "x/music/$1.mml" "$game/music/$1.mml" || { not_ok "planted: $name" "nothing is changed"; return; }
-    refuse "planted: $name" "$words" music x "$1"
+    detects "$name" "$words" music x "$1"
 }
 
 planted over -e ''
@@ -61,11 +61,11 @@ fault "a melody that falls silent" "the melody rests" over -e '/^A /d' -e '$a A 
 
 cp -r "$game" twice
 cp twice/music/over.mml twice/music/clear.mml
-refuse "planted: two pieces of one key, tempo and chords" "over: key, tempo and chords are those of clear" \
+detects "two pieces of one key, tempo and chords" "over: key, tempo and chords are those of clear" \
     music twice clear over
 planted over -e 's/v1[0-9]/v15/g; s/v[5-9]/v15/g'
-refuse "planted: too loud" "in the limiter's curve" music --levels x over
-refuse "planted: a piece that there is not" "there is no x/music/tune.mml" music x tune
+detects "too loud" "in the limiter's curve" music --levels x over
+detects "a piece that there is not" "there is no x/music/tune.mml" music x tune
 
 cat >measures.py <<'END'
 import importlib.util, math, sys

@@ -30,7 +30,7 @@ for from in first pattern shooter bulletml; do
 done
 cp -r shooter broken
 sed -i 's/hp = 420/hp = 90000/' broken/bosses/keeper.lua
-refuse "planted: a boss that nobody beats" "wings: it can be beaten" "$curtain" test broken
+detects "a boss that nobody beats" "wings: it can be beaten" "$curtain" test broken
 check "without --from it is the shooter" "$curtain" new plain
 check "as with it" diff <(plain shooter) <(plain plain)
 check "the API is beside it, for editors" diff <("$curtain" help lua --annotations) plain/.curtain.lua

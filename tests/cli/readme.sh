@@ -22,5 +22,5 @@ check "the sandbox runs" run examples/sandbox try 600
 sed 's/speed = 1.6/speed = 1.7/' README.md >"$scratch/bad.md"
 take "$scratch/bad.md"
 other() { local f; for f in "$scratch"/blocks/*.file; do block "$f" || return; done; }
-refuse "planted: a text that is not the file's" "speed = 1.7" other
+detects "a text that is not the file's" "speed = 1.7" other
 finish

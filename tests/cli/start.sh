@@ -99,13 +99,13 @@ check "the exported program is that game" grep -q mygame <(out/mygame --help)
 cp -r mygame made1
 
 sed 's/speed = 4, focus = 1.8, lives/speed = 9, focus = 1.8, lives/' "$first" >bad.md
-refuse "planted: a line that the game does not have" "has no such line" lesson1 bad.md
+detects "a line that the game does not have" "has no such line" lesson1 bad.md
 sed 's/did you mean "speed"/did you mean "spread"/' "$first" >bad.md
-refuse "planted: a different message" 'did you mean "spread"' lesson1 bad.md
+detects "a different message" 'did you mean "spread"' lesson1 bad.md
 sed 's/pattern.rose {/pattern.rosé {/' "$first" >bad.md
-refuse "planted: an edit that does not run" "bosses/keeper.lua" lesson1 bad.md
+detects "an edit that does not run" "bosses/keeper.lua" lesson1 bad.md
 sed 's/--stage keeper\/mine/--stage keeper\/yours/' "$first" >bad.md
-refuse "planted: a command that fails" "keeper/yours" lesson1 bad.md
+detects "a command that fails" "keeper/yours" lesson1 bad.md
 
 pictures() { # SHEET...
     local sheet
@@ -138,9 +138,9 @@ rm mygame/tests/fight.lua
 
 plant2() { sed "s/$1/$2/; /^curtain survive/d; /way\.demo\$/d" "$second" >bad.md; } # without the slow search
 plant2 'if i % 40 > 10 then' 'if i % 40 > 10 the'
-refuse "planted: a spell with a mistake" "bosses/keeper.lua" lesson2 bad.md
+detects "a spell with a mistake" "bosses/keeper.lua" lesson2 bad.md
 sed 's/drops = { charm = 1,/drops = { charme = 1,/' "$third" >bad.md
-refuse "planted: an item that does not exist" 'charme' lesson3 bad.md
+detects "an item that does not exist" 'charme' lesson3 bad.md
 sed 's/--stage keeper\/dawn --press/--stage keeper\/dusk --press/' "$third" >bad.md
-refuse "planted: a command that fails" "keeper/dusk" lesson3 bad.md
+detects "a command that fails" "keeper/dusk" lesson3 bad.md
 finish

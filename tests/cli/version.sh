@@ -16,7 +16,7 @@ check "the release is a number of three parts" grep -qxE '[0-9]+\.[0-9]+\.[0-9]+
 check "version" says "curtain $release (core $core, $lua)" version
 check "--version is the same" says "curtain $release (core $core, $lua)" --version
 check "with a command too" says "curtain $release (core $core, $lua)" play --version
-refuse "planted: another core version" "expected curtain $release (core $((core + 1))" \
+detects "another core version" "expected curtain $release (core $((core + 1))" \
     says "curtain $release (core $((core + 1)), $lua)" version
 same() { [ "$("$curtain" version | grep -v ^platform)" = "$("$OUT/curtain" version | grep -v ^platform)" ]; }
 check "the program with a window says the same, but for its platform" same
@@ -47,7 +47,7 @@ newest() { # FILE: its first heading of a version is the release's
 }
 check "CHANGELOG.md begins with it" newest CHANGELOG.md
 sed 's/^## [0-9.]*/## 9.9.9/' CHANGELOG.md >"$scratch/changes.md"
-refuse "planted: another release" "begins with 9.9.9" newest "$scratch/changes.md"
+detects "another release" "begins with 9.9.9" newest "$scratch/changes.md"
 cores() { # FILE: has a line for every core version
     local v
     for v in $(seq "$core"); do
@@ -56,5 +56,5 @@ cores() { # FILE: has a line for every core version
 }
 check "CHANGELOG.md has every core version" cores CHANGELOG.md
 sed "/^| $core | /d" CHANGELOG.md >"$scratch/changes.md"
-refuse "planted: one is missing" "no core version $core" cores "$scratch/changes.md"
+detects "one is missing" "no core version $core" cores "$scratch/changes.md"
 finish

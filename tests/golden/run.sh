@@ -116,7 +116,7 @@ spoilt() {
     python3 -B "$scratch/spoil.py" "$here/frames/$first" "$scratch/spoilt.png" || return 0
     failed=$scratch picture_holds "$here/frames/$first" "$scratch/spoilt.png" spoilt
 }
-refuse "planted: one pixel, one shade off" "1 of" spoilt
+detects "one pixel, one shade off" "1 of" spoilt
 drawn() {
     [ -s "$scratch/spoilt.difference.png" ] && [ -s "$scratch/spoilt.got.png" ] && [ -s "$scratch/spoilt.expected.png" ]
 }
@@ -125,5 +125,5 @@ spoilt_hash() {
     sed -i '1s/.$/x/' "$scratch/hashes"
     hash_holds "$(awk 'NR == 1 { print $1 "-" $2 }' "$scratch/hashes")"
 }
-refuse "planted: one digit of a hash" "state hash" spoilt_hash
+detects "one digit of a hash" "state hash" spoilt_hash
 finish

@@ -18,7 +18,7 @@ for internal in docs/internals/*.md; do
     check "the files that $internal names are there" names "$internal"
 done
 echo 'See `src/entities/gone.c`.' >"$scratch/page.md"
-refuse "planted: one is not" "src/entities/gone.c" names "$scratch/page.md"
+detects "one is not" "src/entities/gone.c" names "$scratch/page.md"
 
 # The n-th block of C or shell, without its indent, into a file.
 block() { # KIND N

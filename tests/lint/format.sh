@@ -7,7 +7,7 @@ formatted() { clang-format --style=file --dry-run -Werror "$@"; }
 check "all C files are formatted" formatted $(tree '*.c' '*.h')
 cp .clang-format src/base/hash.c "$scratch"
 echo 'int planted( void );' >>"$scratch/hash.c"
-refuse "planted: a badly formatted line" "clang-format-violations" formatted "$scratch/hash.c"
+detects "a badly formatted line" "clang-format-violations" formatted "$scratch/hash.c"
 
 clean() {
     local found
@@ -18,7 +18,7 @@ clean() {
 check "no tabs, no blanks at line ends" clean \
     $(tree '*.c' '*.h' '*.lua' '*.sh' '*.py' '*.md' Makefile .ci/run | grep -v /seeds/)
 printf 'a line \n' >"$scratch/line.md"
-refuse "planted: a blank at a line's end" "line.md" clean "$scratch/line.md" /dev/null
+detects "a blank at a line's end" "line.md" clean "$scratch/line.md" /dev/null
 
 # setting FILE-PATTERN NAME: what .editorconfig says in that section
 setting() { sed -n "/^\[$1\]$/,/^$/s/^$2 = //p" "$editor"; }
@@ -33,7 +33,7 @@ agrees() {
 check ".editorconfig agrees with .clang-format" agrees
 sed 's/^indent_size = 4/indent_size = 8/' .editorconfig >"$scratch/editorconfig"
 editor=$scratch/editorconfig
-refuse "planted: another indent" "indent_size" agrees
+detects "another indent" "indent_size" agrees
 editor=.editorconfig
 ends() { # FILE...: each ends in a line end
     local f
@@ -42,7 +42,7 @@ ends() { # FILE...: each ends in a line end
 check "every text ends in a line end" ends \
     $(tree '*.c' '*.h' '*.lua' '*.sh' '*.py' '*.md' Makefile .editorconfig '*.desktop' '*.xml' | grep -v /seeds/)
 printf 'no end' >"$scratch/end.md"
-refuse "planted: a last line without its end" "end.md" ends "$scratch/end.md"
+detects "a last line without its end" "end.md" ends "$scratch/end.md"
 # Scripts of games are left out: their bytes are in hashes that demos hold.
 narrow() {
     local found
@@ -58,5 +58,5 @@ check "no line of more than 120 columns" narrow $(sources) CHANGELOG.md CONTRIBU
 } >"$scratch/line.sh"
 check "a line of 120 columns is none, in UTF-8 too" narrow "$scratch/line.sh"
 printf '# %0119d\n' 1 >>"$scratch/line.sh"
-refuse "planted: a line of 121 columns" "line.sh:4:" narrow "$scratch/line.sh"
+detects "a line of 121 columns" "line.sh:4:" narrow "$scratch/line.sh"
 finish

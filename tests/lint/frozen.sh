@@ -62,7 +62,7 @@ for rom in tests/demos/*.rom; do
     check "of which there are some" [ "$(wc -l <"$scratch/checked")" -gt 4 ]
 done
 echo gone >>"$scratch/used"
-refuse 'planted: a name that is gone' 'gone, and a frozen ROM calls it: sys.gone' there "$scratch/used"
+detects 'a name that is gone' 'gone, and a frozen ROM calls it: sys.gone' there "$scratch/used"
 echo boss.gone >>"$scratch/checked"
-refuse 'planted: an entry that is gone' 'checked by it: boss.gone' entries "$scratch/checked"
+detects 'an entry that is gone' 'checked by it: boss.gone' entries "$scratch/checked"
 finish

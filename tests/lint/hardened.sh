@@ -64,12 +64,12 @@ bare() { # FLAG...: a program without guards but for these
         "$compiler" -O2 -fcf-protection=none -c "$scratch/bare.c" -o "$scratch/bare.o"
 }
 if [ "$(uname -m)" = x86_64 ] && bare 2>/dev/null; then
-    refuse "planted: addresses bound when first used" "NOW" bound_early "$scratch/bare"
-    refuse "planted: a fixed address" "DYN" anywhere "$scratch/bare"
-    refuse "planted: an unwatched stack" "__stack_chk_fail" watches_stack "$scratch/bare"
-    refuse "planted: unchecked calls" "only 0" checked_calls "$scratch/bare"
-    refuse "planted: an object without marks" "no marks" marked "$scratch/bare.o"
+    detects "addresses bound when first used" "NOW" bound_early "$scratch/bare"
+    detects "a fixed address" "DYN" anywhere "$scratch/bare"
+    detects "an unwatched stack" "__stack_chk_fail" watches_stack "$scratch/bare"
+    detects "unchecked calls" "only 0" checked_calls "$scratch/bare"
+    detects "an object without marks" "no marks" marked "$scratch/bare.o"
     bare -z execstack 2>/dev/null
-    refuse "planted: a stack that is run" "GNU_STACK" no_code_in_data "$scratch/bare"
+    detects "a stack that is run" "GNU_STACK" no_code_in_data "$scratch/bare"
 fi
 finish

@@ -64,11 +64,11 @@ PY
 ja=roms/glasstide/lang/ja.txt
 check 'each text has words that fit' python3 "$scratch/words.py" $ja
 sed '/^PAUSE /d' $ja >"$scratch/ja.txt"
-refuse 'planted: a text without words' 'no words for "PAUSE"' python3 "$scratch/words.py" "$scratch/ja.txt"
+detects 'a text without words' 'no words for "PAUSE"' python3 "$scratch/words.py" "$scratch/ja.txt"
 sed 's/^PAUSE = \(.*\)/PAUSE = \1\1\1\1\1\1\1\1\1\1\1/' $ja >"$scratch/ja.txt"
-refuse 'planted: words that are too long' 'cells for "PAUSE"' python3 "$scratch/words.py" "$scratch/ja.txt"
+detects 'words that are too long' 'cells for "PAUSE"' python3 "$scratch/words.py" "$scratch/ja.txt"
 sed 's/^RESUME = .*/RESUME = ON/' $ja >"$scratch/ja.txt"
-refuse 'planted: Latin letters' 'Latin letters for "RESUME"' python3 "$scratch/words.py" "$scratch/ja.txt"
+detects 'Latin letters' 'Latin letters for "RESUME"' python3 "$scratch/words.py" "$scratch/ja.txt"
 { cat $ja; echo 'INSERT COIN = コインヲ イレテ'; } >"$scratch/ja.txt"
-refuse 'planted: what nothing shows' 'nothing shows "INSERT COIN"' python3 "$scratch/words.py" "$scratch/ja.txt"
+detects 'what nothing shows' 'nothing shows "INSERT COIN"' python3 "$scratch/words.py" "$scratch/ja.txt"
 finish

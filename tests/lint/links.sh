@@ -39,7 +39,7 @@ threads() {
 
 all_links() { links "$@" | threads; }
 check "every program that refers to threads is linked with -pthread" all_links
-refuse "planted: without it" "build/release/bench: tools/bench/threads.c refers to threads" all_links THREADS=
+detects "without it" "build/release/bench: tools/bench/threads.c refers to threads" all_links THREADS=
 check "WebAssembly has none" bash \
     -c "! make -n -B CONFIG=release CC='clang --target=wasm32-wasi' build/release/curtain-bare | grep -q pthread"
 
@@ -47,5 +47,5 @@ check "WebAssembly has none" bash \
 by_hand() { grep -Hn '(pkg-config --libs lua5.4' "$@" | awk '!/-pthread/ { print; bad = 1 } END { exit bad || !NR }'; }
 check "so are the programs that scripts link" by_hand $(tree 'tests/*.sh' 'tools/*.sh')
 sed 's/ -pthread//' tests/tap.sh >"$scratch/tap.sh"
-refuse "planted: a script without it" "tap.sh:" by_hand "$scratch/tap.sh"
+detects "a script without it" "tap.sh:" by_hand "$scratch/tap.sh"
 finish

@@ -32,10 +32,10 @@ planted() {
     cp "$scratch/kept" "$scratch/$1"
     return $rc
 }
-refuse "planted: Lua in the table that check reads" "check_lua.c sees lua.h" \
+detects "Lua in the table that check reads" "check_lua.c sees lua.h" \
     planted src/script/api/api_table.h '<lua.h>' src/workbench/check/check_lua.c
-refuse "planted: the same, by way of two headers" "machine.h" \
+detects "the same, by way of two headers" "machine.h" \
     planted src/base/slots.h '"../machine/machine.h"' src/player/cli.c
-refuse "planted: the board's insides in a port's header" "machine.h" \
+detects "the board's insides in a port's header" "machine.h" \
     planted platform/platform.h '"../src/machine/machine.h"' platform/null.c
 finish

@@ -9,11 +9,11 @@ wrong() { # LINE...
     printf '%s\n' "@ test_f" "$@" >"$list"
     tests/mutants.py check "$list"
 }
-refuse "planted: a line without a place" "expected PLACE: OLD => NEW" wrong "x + 1 => x - 1"
-refuse "planted: a line without a change" "expected PLACE: OLD => NEW" wrong "f: x + 1"
-refuse "planted: nothing is changed" "nothing is changed" wrong "f: x + 1 => x  + 1"
-refuse "planted: no test is named" "no test is named" wrong "f: x + 1 => x - 1" "@"
-refuse "planted: an empty list" "no mutant" wrong
+detects "a line without a place" "expected PLACE: OLD => NEW" wrong "x + 1 => x - 1"
+detects "a line without a change" "expected PLACE: OLD => NEW" wrong "f: x + 1"
+detects "nothing is changed" "nothing is changed" wrong "f: x + 1 => x  + 1"
+detects "no test is named" "no test is named" wrong "f: x + 1 => x - 1" "@"
+detects "an empty list" "no mutant" wrong
 
 # A tree with one source and one test, and what mutants.sh needs of this one.
 tree=$scratch/tree
@@ -79,8 +79,6 @@ int f(int x) { return x + 1; }
 int g(int x) { return x + 2; }
 END
 printf '@ test_f\nf: x + 1 => x - 1\ng: x + 2 => x - 2\nh: x => y\n' >"$tree/tests/mutants.list"
-git -C "$tree" init -q
-echo /build/ >"$tree/.gitignore"
 export LOG=$scratch/log
 run() { # ARGUMENT...: the last lines, and how often something was built
     local code

@@ -10,12 +10,12 @@ printf '/* struct other { */\nstruct thing {\n};\nint thing_make(void);\nint pla
     >"$scratch/planted/planted.h"
 check "a struct's name and the header's are prefixes" names "$scratch/planted/planted.h"
 echo 'int other_make(void);' >>"$scratch/planted/planted.h"
-refuse "planted: a name from nowhere" "planted.h: other_make" names "$scratch/planted/planted.h"
+detects "a name from nowhere" "planted.h: other_make" names "$scratch/planted/planted.h"
 {
     printf 'int f(void)\n{\n'
     for _ in $(seq 100); do echo '    f();'; done
     echo '}'
 } >"$scratch/planted/long.c"
-refuse "planted: a function of 101 lines" "long.c:2: a function of 101 lines" \
+detects "a function of 101 lines" "long.c:2: a function of 101 lines" \
     names src/script/vm.h "$scratch/planted/long.c"
 finish

@@ -93,32 +93,32 @@ planted() {
 }
 check "hit.c as it is has none" planted writable ""
 check "hit.c as it is calls none" planted calls ""
-refuse "planted: a static" ".bss" planted writable 'int planted(void); int planted(void) { static int n; return ++n; }'
-refuse "planted: a static with a value" ".data" planted writable \
+detects "a static" ".bss" planted writable 'int planted(void); int planted(void) { static int n; return ++n; }'
+detects "a static with a value" ".data" planted writable \
     'int planted(void); static int n = 3; int planted(void) { return n++; }'
-refuse "planted: a global" ".bss" planted writable 'int planted;'
-refuse "planted: a static of the thread" ".tbss" planted writable '_Thread_local int planted;'
-refuse "planted: a common symbol" "common" planted writable '__attribute__((common)) int planted;'
-refuse "planted: malloc" "calls malloc" planted calls '#include <stdlib.h>
+detects "a global" ".bss" planted writable 'int planted;'
+detects "a static of the thread" ".tbss" planted writable '_Thread_local int planted;'
+detects "a common symbol" "common" planted writable '__attribute__((common)) int planted;'
+detects "malloc" "calls malloc" planted calls '#include <stdlib.h>
 void *planted(void) { return malloc(8); }'
-refuse "planted: a clock" "calls time" planted calls '#include <time.h>
+detects "a clock" "calls time" planted calls '#include <time.h>
 long planted(void) { return (long)time(NULL); }'
-refuse "planted: a file" "calls fopen" planted calls '#include <stdio.h>
+detects "a file" "calls fopen" planted calls '#include <stdio.h>
 void *planted(void) { return fopen("a", "r"); }'
-refuse "planted: printf" "calls puts" planted calls '#include <stdio.h>
+detects "printf" "calls puts" planted calls '#include <stdio.h>
 void planted(void) { printf("here\n"); }'
-refuse "planted: rand" "calls rand" planted calls '#include <stdlib.h>
+detects "rand" "calls rand" planted calls '#include <stdlib.h>
 int planted(void) { return rand(); }'
-refuse "planted: a sine of the host" "calls sin" planted calls '#include <math.h>
+detects "a sine of the host" "calls sin" planted calls '#include <math.h>
 double planted(double x) { return sin(x); }'
-refuse "planted: pow" "calls pow" planted calls '#include <math.h>
+detects "pow" "calls pow" planted calls '#include <math.h>
 double planted(double x, double y) { return pow(x, y); }'
-refuse "planted: the host's decimal point" "calls localeconv" planted host '#include <locale.h>
+detects "the host's decimal point" "calls localeconv" planted host '#include <locale.h>
 char planted(void) { return *localeconv()->decimal_point; }'
-refuse "planted: another rounding" "calls fesetround" planted host '#include <fenv.h>
+detects "another rounding" "calls fesetround" planted host '#include <fenv.h>
 int planted(void) { return fesetround(FE_UPWARD); }'
-refuse "planted: a locale for the process" "calls setlocale" planted calls '#include <locale.h>
+detects "a locale for the process" "calls setlocale" planted calls '#include <locale.h>
 void *planted(void) { return setlocale(LC_ALL, ""); }'
-refuse "planted: Lua with the host's memory" "calls luaL_newstate" planted calls '#include <lauxlib.h>
+detects "Lua with the host's memory" "calls luaL_newstate" planted calls '#include <lauxlib.h>
 void *planted(void) { return luaL_newstate(); }'
 finish

@@ -10,9 +10,9 @@ simulated() { sed '/^## Cost/,$d' "$1"; }
 same_figures() { diff -B <(simulated "$1") <(simulated "$scratch/new/pacing.md"); }
 check "docs/measured/pacing.md has these figures" same_figures docs/measured/pacing.md
 sed '0,/| 59.94 Hz | yes | 36,000 |/s//| 59.94 Hz | yes | 35,964 |/' docs/measured/pacing.md >"$scratch/a.md"
-refuse "planted: another number of ticks" "35,964" same_figures "$scratch/a.md"
+detects "another number of ticks" "35,964" same_figures "$scratch/a.md"
 sed '0,/ ms | [0-9.]* |$/s// ms | 0.10 |/' docs/measured/pacing.md >"$scratch/a.md"
-refuse "planted: another latency" "0.10" same_figures "$scratch/a.md"
+detects "another latency" "0.10" same_figures "$scratch/a.md"
 
 # On a screen that is waited for there are 60 ticks a second, to a frame or two of ten minutes, and next to no refresh
 # that the rates do not ask for.
@@ -27,7 +27,7 @@ even() {
 }
 check "60 ticks a second on six screens, without a refresh too many or too few" even docs/measured/pacing.md
 sed 's/| 75 Hz | yes | 36,00. |/| 75 Hz | yes | 45,000 |/' docs/measured/pacing.md >"$scratch/a.md"
-refuse "planted: a screen that makes the game faster" "uneven" even "$scratch/a.md"
+detects "a screen that makes the game faster" "uneven" even "$scratch/a.md"
 
 whole() {
     local n
@@ -37,7 +37,7 @@ whole() {
 }
 check "what it costs has nine windows and a game" whole docs/measured/pacing.md
 sed '/^| 384 x 448 | 1280/d' docs/measured/pacing.md >"$scratch/a.md"
-refuse "planted: a window that is missing" "8 windows" whole "$scratch/a.md"
+detects "a window that is missing" "8 windows" whole "$scratch/a.md"
 
 # Where every refresh has a tick, the screen says how fast the game is.
 mkdir -p "$scratch/copy"
@@ -56,5 +56,5 @@ another() {
         even "$scratch/other/pacing.md"
 }
 sed -i 's,"../../base/int.h","'"$PWD"'/src/base/int.h",' "$scratch/copy/pace.c"
-refuse "planted: a tick at every refresh" "uneven" another
+detects "a tick at every refresh" "uneven" another
 finish

@@ -54,5 +54,5 @@ by_the_clock() {
 none() { ! by_the_clock "$@"; }
 check 'no test ends a program by the clock' none $(tree 'tests/*.sh')
 echo 'timeout 300 ./program' >"$scratch/planted.sh"
-refuse 'planted: one that does' 'timeout 300' none "$scratch/planted.sh"
+detects 'one that does' 'timeout 300' none "$scratch/planted.sh"
 finish

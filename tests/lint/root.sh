@@ -36,12 +36,12 @@ for name in $allowed; do echo x >"$scratch/root/$name"; done
 mkdir "$scratch/root/build"
 check "a tree without git" root "$scratch/root"
 echo 1 >"$scratch/root/keys.demo"
-refuse "planted: a stray file, without git" "keys.demo: unexpected file" root "$scratch/root"
+detects "a stray file, without git" "keys.demo: unexpected file" root "$scratch/root"
 git -C "$scratch/root" init -q
 echo /build/ >"$scratch/root/.gitignore"
 check "an author's untracked file is fine" root "$scratch/root"
 git -C "$scratch/root" add keys.demo
-refuse "planted: a stray file is staged" "keys.demo: unexpected file" root "$scratch/root"
+detects "a stray file is staged" "keys.demo: unexpected file" root "$scratch/root"
 rm "$scratch/root/LICENSE"
-refuse "planted: one is missing" "LICENSE: listed" root "$scratch/root"
+detects "one is missing" "LICENSE: listed" root "$scratch/root"
 finish

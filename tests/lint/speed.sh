@@ -55,5 +55,5 @@ another() {
     engine_build bench hit_shots || return 2
     "$scratch/bench" battle
 }
-refuse "planted: an engine that hits the enemy beside" "did not hit the nearest enemy" another
+detects "an engine that hits the enemy beside" "did not hit the nearest enemy" another
 finish

@@ -15,9 +15,9 @@ speaks() {
 check "no file names a machine's paths or how it was written" speaks \
     $(tree | grep -v '^tests/lint/texts.sh$' | grep -v /seeds/)
 echo 'see ../shared/DESIGN.md' >"$scratch/a.md"
-refuse "planted: a path of a machine" "shared" speaks "$scratch/a.md" /dev/null
+detects "a path of a machine" "shared" speaks "$scratch/a.md" /dev/null
 echo '/* TODO later */' >"$scratch/a.md"
-refuse "planted: work left" "TODO" speaks "$scratch/a.md" /dev/null
+detects "work left" "TODO" speaks "$scratch/a.md" /dev/null
 
 # Links of the pages, [text](target), to files that are here.
 links() {
@@ -31,5 +31,5 @@ links() {
 }
 check "the pages' links lead somewhere" links $(tree '*.md')
 echo '[gone](nowhere.md)' >"$scratch/b.md"
-refuse "planted: a link to nothing" "nowhere.md" links "$scratch/b.md"
+detects "a link to nothing" "nowhere.md" links "$scratch/b.md"
 finish

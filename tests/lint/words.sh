@@ -72,16 +72,16 @@ check "curtain help" help
 
 # Planted faults.
 echo 'The run begins anew.' >"$scratch/a.md"
-refuse "planted: in a page" "a.md:1: The run begins anew" words "$scratch/a.md"
+detects "in a page" "a.md:1: The run begins anew" words "$scratch/a.md"
 echo 'They fire, By Turns.' >"$scratch/a.md"
-refuse "planted: in capitals" "By Turns" words "$scratch/a.md"
+detects "in capitals" "By Turns" words "$scratch/a.md"
 printf '/* begins anew */\nint renewed;\nconst char *c = "the game "\n                "begins " /* here */ "anew";\n' \
     >"$scratch/b.c"
-refuse "planted: in a message of several literals" "b.c:3: the game begins anew" words "$scratch/b.c"
+detects "in a message of several literals" "b.c:3: the game begins anew" words "$scratch/b.c"
 printf '/* begins anew */\nconst char *c = "a renewed manewver";\n' >"$scratch/c.c"
 check "not in a comment, and not in a longer word" words "$scratch/c.c"
 printf -- '-- anew\nsys.fail("at", "start it anew")\nprint("anew it goes")\n' >"$scratch/d.lua"
-refuse "planted: in a fault of a script" "d.lua:2: start it anew" words "$scratch/d.lua"
+detects "in a fault of a script" "d.lua:2: start it anew" words "$scratch/d.lua"
 check "other strings of scripts are the game's" sh -c '[ "$(python3 tools/messages.py "$1" | wc -l)" = 1 ]' - \
     "$scratch/d.lua"
 cp "$scratch/allowed" "$scratch/before"

@@ -32,7 +32,7 @@ lists() { # GUIDE: each line of the settings
 }
 check 'help config lists every setting' lists guide
 sed '/^  volume/d' guide >short
-refuse 'planted: one is missing' 'not there: volume' lists short
+detects 'one is missing' 'not there: volume' lists short
 example() { sed -n '/^Example/,$s/^    //p' guide; }
 example >"$own/curtain.conf"
 check 'the example has settings' eval '[ $(grep -c = "$own/curtain.conf") -ge 5 ]'

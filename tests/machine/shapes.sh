@@ -31,7 +31,7 @@ planted() {
     return $rc
 }
 fault() { # SHAPE, FILE below src/base, OLD, NEW
-    refuse "planted: $1, \"$4\" for \"$3\"" "wrong for" planted "$1" "src/base/$2" "$3" "$4"
+    detects "$1, \"$4\" for \"$3\"" "wrong for" planted "$1" "src/base/$2" "$3" "$4"
 }
 fault circle-circle geom.h "dx * dx + dy * dy <= limit" "dx * dx + dy * dy < limit"
 fault circle-circle geom.h "& (dx <= limit) & (dy <= limit) &" "&"
