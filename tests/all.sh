@@ -15,8 +15,8 @@ export FUZZ_SECONDS=${FUZZ_SECONDS:-600}
 run() { # PART
     case $1 in
     tests)
-        make --no-print-directory -j"$(nproc)" build/curtain build/curtain-null programs tools build/players/player.html \
-            build/players/curtain_libretro.so && tests/run.sh all
+        make --no-print-directory -j"$(nproc)" build/curtain build/curtain-null programs tools \
+            build/players/player.html build/players/curtain_libretro.so && tests/run.sh all
         ;;
     builds) tests/builds.sh ;;
     bare) tests/bare_root.sh ;;

@@ -166,7 +166,8 @@ record() { # DIR [TEXT]
     export work to
     mkdir "$work/bin" "$work/files"
     cp "$OUT/curtain" "$OUT/curtain-player" "$OUT/curtain-null" "$work/bin" || exit 2
-    tests/files.sh 'roms/*' 'examples/*' 'tests/demos/*' 'tests/bulletml/*' | tr '\n' '\0' | xargs -0 cp --parents -t "$work/files"
+    tests/files.sh 'roms/*' 'examples/*' 'tests/demos/*' 'tests/bulletml/*' | tr '\n' '\0' |
+        xargs -0 cp --parents -t "$work/files"
     sums "$work/files" >"$work/sums"
     rows >"$work/rows" || exit 2
     grep -F -- "${2:-}" "$work/rows" >"$to/rows" || fail "no row contains \"${2:-}\""

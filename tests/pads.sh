@@ -17,5 +17,5 @@ pads_none() { : >"$pads_script"; }
 pad() {
     pads_said=$((pads_said + 1))
     printf '%s\nwait 1\nsay %d\n' "$*" $pads_said >>"$pads_script"
-    soon grep -qx "pads: $pads_said" "$scratch/err" || { tail -1 "$scratch/err" >&2; return 1; }
+    wait_until grep -qx "pads: $pads_said" "$scratch/err" || { tail -1 "$scratch/err" >&2; return 1; }
 }

@@ -143,7 +143,7 @@ if [ -z "$digest" ] || [ "$digest" != "$(cat "$results/tree" 2>/dev/null)" ]; th
     [ -z "$digest" ] || echo "$digest" >"$results/tree"
 fi
 if [ ${#programs[@]} = 0 ]; then
-    echo "tests/run.sh: nothing to run below $OUT" >&2
+    echo "tests/run.sh: no test${words:+ with \"${words[*]}\" in its name} below $OUT" >&2
     echo "0 passed, 1 failed"
     exit 1
 fi

@@ -47,6 +47,7 @@ programs: $(OUT)/lab $(OUT)/ear $(OUT)/bench $(OUT)/pacing $(OUT)/cookbook $(OUT
           $(OUT)/curtain-null $(OUT)/curtain-short $(OUT)/libcurtain.a $(OUT)/libcurtain.so $(OUT)/curtain_libretro.so \
           $(UNIT) $(MACHINE)
 checked: $(OUT)/curtain-null $(CHECKED)
+programs checked tools: ; @:
 # The programs of goals that no test runs: make test-all builds them, so that these goals work.
 tools: $(OUT)/bot $(OUT)/lively $(OUT)/need $(OUT)/libspeed $(OUT)/bench_fx_build/bench_fx \
        $(PROVE:%=$(OUT)/prove/%) $(OUT)/prove/digest $(OUT)/prove/shapes

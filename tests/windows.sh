@@ -238,30 +238,30 @@ press() { # KEY...: each is seen by a poll, however slow
     local key
     for key; do
         xdotool keydown "$key"
-        rounds 4
+        wait_cpu 4
         xdotool keyup "$key"
-        rounds 4
+        wait_cpu 4
     done
 }
-look() { shot "png:$into/$1.png"; } # NAME: kept for people
+look() { screenshot "png:$into/$1.png"; } # NAME: kept for people
 saved() { sed -n 's/^saved Z://p' err | tr -d '\r' | head -n 1; }
 shows() { # FRAME.png: the window shows it at twice its size, but for the eight lines of words below
-    shot rgb:got.rgb && convert "$1" -scale 200% -depth 8 rgb:want.rgb || return 1
+    screenshot rgb:got.rgb && convert "$1" -scale 200% -depth 8 rgb:want.rgb || return 1
     cmp -n $((480 * 624 * 3)) got.rgb want.rgb
 }
 last() { "$native" hash "$1" --demo "$2" | tail -n 1 | cut -d ' ' -f 1; } # GAME DEMO
 if plays 'Glass Tide' play "$glass" --seed 0 --scale 2 --record keys.demo; then
-    rounds 100
+    wait_cpu 100
     press Return
-    rounds 100
+    wait_cpu 100
     check 'a picture of the title' look title
     press Return z z z z z z z z Left Right x # through the menus into the stage
-    rounds 40
+    wait_cpu 40
     check 'a picture of play' look play
     press p period F12
-    check 'a screenshot' soon grep -q '^saved ' err
+    check 'a screenshot' wait_until grep -q '^saved ' err
     check 'is where it is said to be' test -s "$(saved)"
-    check 'the window shows it, to the last pixel' soon shows "$(saved)"
+    check 'the window shows it, to the last pixel' wait_until shows "$(saved)"
     convert "$(saved)" -fill red -draw 'point 9,9' planted.png
     detects 'another pixel is found' 'differ' shows planted.png
     stop
@@ -274,14 +274,14 @@ if plays 'Glass Tide' play "$glass" --seed 0 --scale 2 --record keys.demo; then
 fi
 if plays 'Glass Tide' play "$glass" --seed 0 --scale 2 --stage nautilus/chambers --invincible; then
     xdotool keydown z
-    rounds 900
+    wait_cpu 900
     check 'a picture of a boss' look boss
     xdotool keyup z
     press Escape
-    rounds 30
+    wait_cpu 30
     check 'a picture of the pause' look pause
     press Down Down Return
-    rounds 30
+    wait_cpu 30
     check 'a picture of the settings' look settings
     stop
 fi
@@ -292,7 +292,7 @@ export SDL_DISKAUDIODELAY=20 # and the file has SDL's name for it: on Windows SD
 played() { [ -f sdlaudio.raw ] && [ "$(wc -c <sdlaudio.raw)" -ge "$1" ]; } # BYTES: as many at least
 if SDL_AUDIODRIVER=disk plays 'Glass Tide' play "$glass" --seed 3 --scale 1 --record sound.demo; then
     press Return z z z Left
-    check 'it sounds' soon played 400000
+    check 'it sounds' wait_until played 400000
     stop
     check 'its demo holds' "$native" verify "$glass" sound.demo
     "$native" render "$glass" --demo sound.demo --frames "$(last "$glass" sound.demo)" --wav want.wav >/dev/null
@@ -306,36 +306,36 @@ fi
 
 # ---- a window that is moved, minimised, and left ----
 rm -f data/curtain/curtain.conf
-still() { shot rgb:one.rgb && sleep 1 && shot rgb:two.rgb && cmp -s one.rgb two.rgb; }
+still() { screenshot rgb:one.rgb && sleep 1 && screenshot rgb:two.rgb && cmp -s one.rgb two.rgb; }
 moves() { ! still; }
 if plays 'Glass Tide' play "$glass" --seed 1 --scale 1 --stage one --record away.demo; then
-    rounds 20
-    check 'it moves' soon moves
+    wait_cpu 20
+    check 'it moves' wait_until moves
     for at in 300x200 40x60; do timeout 100 xdotool windowmove --sync "$win" ${at/x/ }; done
-    check 'it moves, moved' soon moves
+    check 'it moves, moved' wait_until moves
     xev -name another >/dev/null 2>&1 &
     other=$!
     another() { another=$(xdotool search --onlyvisible --name '^another$' 2>/dev/null) && [ -n "$another" ]; }
-    check 'another window' soon another
+    check 'another window' wait_until another
     timeout 100 xdotool windowactivate --sync "$another"
-    check 'without the keys it opens the menu' soon still
+    check 'without the keys it opens the menu' wait_until still
     timeout 100 xdotool windowactivate --sync "$win"
     press Return # the menu's first line
-    check 'and goes on, the keys back' soon moves
+    check 'and goes on, the keys back' wait_until moves
     kill $other
     wait $other 2>/dev/null
     other=
     small=$win
     xdotool windowminimize "$small"
     sleep 1
-    check 'minimised it is not seen' eval '! found'
+    check 'minimised it is not seen' eval '! find_window'
     timeout 100 xdotool windowmap "$small" windowactivate "$small" 2>/dev/null
-    check 'and seen again' soon found
+    check 'and seen again' wait_until find_window
     timeout 100 xdotool windowactivate --sync "$win"
     press Return z
-    check 'it plays on' soon moves
+    check 'it plays on' wait_until moves
     timeout 100 xdotool windowsize --sync "$win" 500 700
-    check 'larger, too' soon moves
+    check 'larger, too' wait_until moves
     stop
     check 'the demo holds' "$native" verify "$glass" away.demo
 fi
@@ -346,14 +346,14 @@ if plays 'Glass Tide' play "$glass" --seed 1 --scale 1 --stage one; then
     "$program" play "$glass" --seed 2 --scale 1 --stage one >second.out 2>second.err &
     other=$!
     both() { [ "$(xdotool search --onlyvisible --name '^Glass Tide$' 2>/dev/null | wc -l)" = 2 ]; }
-    check 'two instances at once' soon both
-    rounds 20
+    check 'two instances at once' wait_until both
+    wait_cpu 20
     kill -INT "$first" "$other"
     ended() { ! kill -0 "$first" 2>/dev/null && ! kill -0 "$other" 2>/dev/null; }
-    check 'both end' soon ended
+    check 'both end' wait_until ended
     kill -KILL "$other" 2>/dev/null
     other=
-    leave
+    kill_program
     same 'neither complains' '' "$(grep -h curtain: err second.err)"
     same 'and no half a file is left' '' "$(find data -name '*.tmp')"
 fi
@@ -385,28 +385,28 @@ LUA
 echo 'return 1' >g/step.lua
 title=$(sed -n 's/.*title = "\([^"]*\)".*/\1/p' g/rom.lua)
 if plays "$title" play g --seed 5 --scale 1; then
-    rounds 20
+    wait_cpu 20
     echo 'return 3' >new.lua
     mv new.lua g/step.lua
     reloads() { [ "$(grep -c 'curtain: g: reloaded' err)" -ge "$1" ]; }
-    check 'a file that is replaced is read again' soon reloads 1
+    check 'a file that is replaced is read again' wait_until reloads 1
     echo 'return 4' >new.lua
     check 'an editor of Windows may rename over it' wine cmd /c move /y new.lua 'g\step.lua'
-    check 'which is read again' soon reloads 2
+    check 'which is read again' wait_until reloads 2
     echo 'return = 3' >new.lua
     mv new.lua g/step.lua
-    check 'a mistake is told' soon grep -q 'reload failed: g: step.lua:1' err
+    check 'a mistake is told' wait_until grep -q 'reload failed: g: step.lua:1' err
     stop
 fi
 
 # ---- how it ends ----
 if plays 'Glass Tide' play "$glass" --seed 1 --scale 1 --stage one --record broken-off.demo; then
-    rounds 20
+    wait_cpu 20
     kill -INT $child
-    check 'Ctrl+C ends it' soon gone
+    check 'Ctrl+C ends it' wait_until has_exited
     wait $child
     same 'well' 0 $?
-    leave
+    kill_program
     check 'its run is saved' "$native" verify "$glass" broken-off.demo
 fi
 
@@ -622,30 +622,30 @@ press() { # KEY...: each is seen by a poll, however slow
     local key
     for key; do
         xdotool keydown "$key"
-        rounds 4
+        wait_cpu 4
         xdotool keyup "$key"
-        rounds 4
+        wait_cpu 4
     done
 }
-look() { shot "png:$into/$1.png"; } # NAME: kept for people
+look() { screenshot "png:$into/$1.png"; } # NAME: kept for people
 saved() { sed -n 's/^saved Z://p' err | tr -d '\r' | head -n 1; }
 shows() { # FRAME.png: the window shows it at twice its size, but for the eight lines of words below
-    shot rgb:got.rgb && convert "$1" -scale 200% -depth 8 rgb:want.rgb || return 1
+    screenshot rgb:got.rgb && convert "$1" -scale 200% -depth 8 rgb:want.rgb || return 1
     cmp -n $((480 * 624 * 3)) got.rgb want.rgb
 }
 last() { "$native" hash "$1" --demo "$2" | tail -n 1 | cut -d ' ' -f 1; } # GAME DEMO
 if plays 'Glass Tide' play "$glass" --seed 0 --scale 2 --record keys.demo; then
-    rounds 100
+    wait_cpu 100
     press Return
-    rounds 100
+    wait_cpu 100
     check 'a picture of the title' look title
     press Return z z z z z z z z Left Right x # through the menus into the stage
-    rounds 40
+    wait_cpu 40
     check 'a picture of play' look play
     press p period F12
-    check 'a screenshot' soon grep -q '^saved ' err
+    check 'a screenshot' wait_until grep -q '^saved ' err
     check 'is where it is said to be' test -s "$(saved)"
-    check 'the window shows it, to the last pixel' soon shows "$(saved)"
+    check 'the window shows it, to the last pixel' wait_until shows "$(saved)"
     convert "$(saved)" -fill red -draw 'point 9,9' planted.png
     detects 'another pixel is found' 'differ' shows planted.png
     stop
@@ -658,14 +658,14 @@ if plays 'Glass Tide' play "$glass" --seed 0 --scale 2 --record keys.demo; then
 fi
 if plays 'Glass Tide' play "$glass" --seed 0 --scale 2 --stage nautilus/chambers --invincible; then
     xdotool keydown z
-    rounds 900
+    wait_cpu 900
     check 'a picture of a boss' look boss
     xdotool keyup z
     press Escape
-    rounds 30
+    wait_cpu 30
     check 'a picture of the pause' look pause
     press Down Down Return
-    rounds 30
+    wait_cpu 30
     check 'a picture of the settings' look settings
     stop
 fi
@@ -676,7 +676,7 @@ export SDL_DISKAUDIODELAY=20 # and the file has SDL's name for it: on Windows SD
 played() { [ -f sdlaudio.raw ] && [ "$(wc -c <sdlaudio.raw)" -ge "$1" ]; } # BYTES: as many at least
 if SDL_AUDIODRIVER=disk plays 'Glass Tide' play "$glass" --seed 3 --scale 1 --record sound.demo; then
     press Return z z z Left
-    check 'it sounds' soon played 400000
+    check 'it sounds' wait_until played 400000
     stop
     check 'its demo holds' "$native" verify "$glass" sound.demo
     "$native" render "$glass" --demo sound.demo --frames "$(last "$glass" sound.demo)" --wav want.wav >/dev/null
@@ -690,36 +690,36 @@ fi
 
 # ---- a window that is moved, minimised, and left ----
 rm -f data/curtain/curtain.conf
-still() { shot rgb:one.rgb && sleep 1 && shot rgb:two.rgb && cmp -s one.rgb two.rgb; }
+still() { screenshot rgb:one.rgb && sleep 1 && screenshot rgb:two.rgb && cmp -s one.rgb two.rgb; }
 moves() { ! still; }
 if plays 'Glass Tide' play "$glass" --seed 1 --scale 1 --stage one --record away.demo; then
-    rounds 20
-    check 'it moves' soon moves
+    wait_cpu 20
+    check 'it moves' wait_until moves
     for at in 300x200 40x60; do timeout 100 xdotool windowmove --sync "$win" ${at/x/ }; done
-    check 'it moves, moved' soon moves
+    check 'it moves, moved' wait_until moves
     xev -name another >/dev/null 2>&1 &
     other=$!
     another() { another=$(xdotool search --onlyvisible --name '^another$' 2>/dev/null) && [ -n "$another" ]; }
-    check 'another window' soon another
+    check 'another window' wait_until another
     timeout 100 xdotool windowactivate --sync "$another"
-    check 'without the keys it opens the menu' soon still
+    check 'without the keys it opens the menu' wait_until still
     timeout 100 xdotool windowactivate --sync "$win"
     press Return # the menu's first line
-    check 'and goes on, the keys back' soon moves
+    check 'and goes on, the keys back' wait_until moves
     kill $other
     wait $other 2>/dev/null
     other=
     small=$win
     xdotool windowminimize "$small"
     sleep 1
-    check 'minimised it is not seen' eval '! found'
+    check 'minimised it is not seen' eval '! find_window'
     timeout 100 xdotool windowmap "$small" windowactivate "$small" 2>/dev/null
-    check 'and seen again' soon found
+    check 'and seen again' wait_until find_window
     timeout 100 xdotool windowactivate --sync "$win"
     press Return z
-    check 'it plays on' soon moves
+    check 'it plays on' wait_until moves
     timeout 100 xdotool windowsize --sync "$win" 500 700
-    check 'larger, too' soon moves
+    check 'larger, too' wait_until moves
     stop
     check 'the demo holds' "$native" verify "$glass" away.demo
 fi
@@ -730,14 +730,14 @@ if plays 'Glass Tide' play "$glass" --seed 1 --scale 1 --stage one; then
     "$program" play "$glass" --seed 2 --scale 1 --stage one >second.out 2>second.err &
     other=$!
     both() { [ "$(xdotool search --onlyvisible --name '^Glass Tide$' 2>/dev/null | wc -l)" = 2 ]; }
-    check 'two instances at once' soon both
-    rounds 20
+    check 'two instances at once' wait_until both
+    wait_cpu 20
     kill -INT "$first" "$other"
     ended() { ! kill -0 "$first" 2>/dev/null && ! kill -0 "$other" 2>/dev/null; }
-    check 'both end' soon ended
+    check 'both end' wait_until ended
     kill -KILL "$other" 2>/dev/null
     other=
-    leave
+    kill_program
     same 'neither complains' '' "$(grep -h curtain: err second.err)"
     same 'and no half a file is left' '' "$(find data -name '*.tmp')"
 fi
@@ -769,37 +769,37 @@ LUA
 echo 'return 1' >g/step.lua
 title=$(sed -n 's/.*title = "\([^"]*\)".*/\1/p' g/rom.lua)
 if plays "$title" play g --seed 5 --scale 1; then
-    rounds 20
+    wait_cpu 20
     echo 'return 3' >new.lua
     mv new.lua g/step.lua
     reloads() { [ "$(grep -c 'curtain: g: reloaded' err)" -ge "$1" ]; }
-    check 'a file that is replaced is read again' soon reloads 1
+    check 'a file that is replaced is read again' wait_until reloads 1
     echo 'return 4' >new.lua
     check 'an editor of Windows may rename over it' wine cmd /c move /y new.lua 'g\step.lua'
-    check 'which is read again' soon reloads 2
+    check 'which is read again' wait_until reloads 2
     echo 'return = 3' >new.lua
     mv new.lua g/step.lua
-    check 'a mistake is told' soon grep -q 'reload failed: g: step.lua:1' err
+    check 'a mistake is told' wait_until grep -q 'reload failed: g: step.lua:1' err
     stop
 fi
 
 # ---- how it ends ----
 if plays 'Glass Tide' play "$glass" --seed 1 --scale 1 --stage one --record broken-off.demo; then
-    rounds 20
+    wait_cpu 20
     kill -INT $child
-    check 'Ctrl+C ends it' soon gone
+    check 'Ctrl+C ends it' wait_until has_exited
     wait $child
     same 'well' 0 $?
-    leave
+    kill_program
     check 'its run is saved' "$native" verify "$glass" broken-off.demo
 fi
 x86_64-w64-mingw32-gcc -O1 "$repo/tests/windows/crash.c" -o crash.exe
 if plays 'Glass Tide' play "$glass" --seed 1 --scale 1 --stage one; then
-    rounds 60
+    wait_cpu 60
     wine crash.exe curtain.exe
-    check 'a crash is told' soon grep -q 'crashed (access violation); report: ' err
+    check 'a crash is told' wait_until grep -q 'crashed (access violation); report: ' err
     kill -KILL $child 2>/dev/null
-    leave
+    kill_program
     report=$(sed -n 's/.*report: Z://p' err | tr -d '\r')
     check 'its report is there' test -s "$report"
     check 'and has the run up to it' eval '"$native" verify "$glass" "$report" 2>&1 | grep -qE "holds|truncated"'

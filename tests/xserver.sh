@@ -12,34 +12,34 @@ done
 child= xvfb= wm=
 trap 'for p in $child $wm $xvfb; do kill -KILL $p 2>/dev/null; done; cd /; rm -rf "$scratch"' EXIT
 
-# soon COMMAND...: tries until it holds. Gives up when the program has used 10 s of the processor's time, however long
-# that takes; one that uses none is given 2000 tries. The last try comes after that look: a program that ended between
-# the two has no time to read.
-soon() {
+# wait_until COMMAND...: tries until it holds. Gives up when the program has used 10 s of the processor's time, however
+# long that takes; one that uses none is given 2000 tries. The last try comes after that look: a program that ended
+# between the two has no time to read.
+wait_until() {
     local from try=0
-    from=$(used)
+    from=$(cpu_used)
     until "$@"; do
         try=$((try + 1))
-        [ $try -lt 2000 ] && { [ $try -lt 100 ] || [ $(($(used) - from)) -lt 1000 ]; } || { "$@"; return; }
+        [ $try -lt 2000 ] && { [ $try -lt 100 ] || [ $(($(cpu_used) - from)) -lt 1000 ]; } || { "$@"; return; }
         sleep 0.05
     done
 }
 # Hundredths of a second of the processor's time that the program has used: how far it has gone round, on any machine.
-used() { awk '{ sub(/.*\) /, ""); print $12 + $13 }' "/proc/$child/stat" 2>/dev/null || echo 999999999; }
-# rounds N: until it has gone on for that much.
-rounds() {
+cpu_used() { awk '{ sub(/.*\) /, ""); print $12 + $13 }' "/proc/$child/stat" 2>/dev/null || echo 999999999; }
+# wait_cpu N: until it has gone on for that much.
+wait_cpu() {
     local from
-    from=$(used)
-    until [ $(($(used) - from)) -gt "$1" ]; do sleep 0.05; done
+    from=$(cpu_used)
+    until [ $(($(cpu_used) - from)) -gt "$1" ]; do sleep 0.05; done
 }
 says() { grep -qx -- "$1" "$scratch/out"; }
 # A program that has ended stays as a zombie where the machine's first process does not collect those of others.
-gone() { ! readlink "/proc/$child/exe" >/dev/null; }
+has_exited() { ! readlink "/proc/$child/exe" >/dev/null; }
 
 # X picks a free display number and writes it down.
 Xvfb -displayfd 3 -screen 0 1100x1000x24 -nolisten tcp 3>"$scratch/display" >/dev/null 2>&1 &
 xvfb=$!
-soon test -s "$scratch/display" || { echo "xserver.sh: Xvfb does not start" >&2; exit 2; }
+wait_until test -s "$scratch/display" || { echo "xserver.sh: Xvfb does not start" >&2; exit 2; }
 DISPLAY=:$(cat "$scratch/display")
 export DISPLAY
 
@@ -52,28 +52,28 @@ start() {
     for try in 1 2 3; do
         "$@" >"$scratch/out" 2>"$scratch/err" &
         child=$!
-        soon found && break
-        leave
+        wait_until find_window && break
+        kill_program
     done
     if [ -z "$child" ]; then
         check "a window for: $*" cat "$scratch/err" /none
         return 1
     fi
-    soon focused
+    wait_until focus_window
 }
 # The window that is still there a moment after it got the keys.
-focused() {
+focus_window() {
     local first
-    found && first=$win && timeout 100 xdotool windowfocus --sync "$win" 2>/dev/null &&
-        xdotool windowmove "$win" 0 0 2>/dev/null && sleep 0.2 && found && [ "$win" = "$first" ]
+    find_window && first=$win && timeout 100 xdotool windowfocus --sync "$win" 2>/dev/null &&
+        xdotool windowmove "$win" 0 0 2>/dev/null && sleep 0.2 && find_window && [ "$win" = "$first" ]
 }
-found() { win=$(xdotool search --onlyvisible --name "^$title\$" 2>/dev/null | head -1) && [ -n "$win" ]; }
-# shot FORMAT:FILE: what the window shows, as rgb:FILE; its whole dump is $scratch/shot.xwd.
-shot() {
-    found && xwd -silent -id "$win" -out "$scratch/shot.xwd" 2>/dev/null &&
+find_window() { win=$(xdotool search --onlyvisible --name "^$title\$" 2>/dev/null | head -1) && [ -n "$win" ]; }
+# screenshot FORMAT:FILE: what the window shows, as rgb:FILE; its whole dump is $scratch/shot.xwd.
+screenshot() {
+    find_window && xwd -silent -id "$win" -out "$scratch/shot.xwd" 2>/dev/null &&
         convert "xwd:$scratch/shot.xwd" -depth 8 "$1" 2>/dev/null
 }
-leave() {
+kill_program() {
     kill -KILL "$child" 2>/dev/null
     wait "$child" 2>/dev/null
     child=
@@ -82,15 +82,15 @@ stop() { # [KEY]: which ends it; the program's is ctrl+q
     local key=${1:-ctrl+q}
     case $key in
     ctrl+*) # seen by a poll each, however slow they are
-        xdotool keydown ctrl && rounds 3
+        xdotool keydown ctrl && wait_cpu 3
         xdotool keydown "${key#*+}" && sleep 0.3
         xdotool keyup "${key#*+}" keyup ctrl
         ;;
     *) xdotool key "$key" ;;
     esac
-    check "ends on $key" soon gone
-    gone || kill -KILL "$child"
+    check "ends on $key" wait_until has_exited
+    has_exited || kill -KILL "$child"
     wait "$child"
     check "with exit code 0" [ $? = 0 ]
-    leave
+    kill_program
 }

@@ -4,13 +4,14 @@
 #     tools/deps.sh [--say] [null] [play] [test] [docs] [ports] [fuzz] [all] [bench] [bulletml] [cross] [web]
 #     [firefox] [windows] [players]
 #
-# null: what curtain-null is built with; play: that, and SDL2; test: also the libraries with
-# which curtain packs OGG, FLAC and modules (it opens them when it needs them, and is built the same without); all: what
-# only make test-all needs; ports: RetroArch, that the libretro core is tested in; bulletml: libbulletml, and the games
-# whose documents are run beside it; web: what a page is built with, and tested in; firefox: where it is tested too;
-# windows: the cross compiler for Windows, and Wine, which runs its programs here; players: what makes the Debian roots
-# in which programs for other machines are compiled and tested. Without arguments: play, test, fuzz and bench. With --say it installs nothing: it
-# says, in one line to paste, what is missing, and exits with 3. On macOS, tools/macos/deps.sh does the same.
+# null: what curtain-null is built with; play: that, and SDL2; test: also the libraries with which curtain packs OGG,
+# FLAC and modules (it opens them when it needs them, and is built the same without); all: what only make test-all
+# needs; ports: RetroArch, that the libretro core is tested in; bulletml: libbulletml, and the games whose documents
+# are run beside it; web: what a page is built with, and tested in; firefox: where it is tested too; windows: the cross
+# compiler for Windows, and Wine, which runs its programs here; players: what makes the Debian roots in which programs
+# for other machines are compiled and tested. Without arguments: play, test, fuzz and bench. With --say it installs
+# nothing: it says, in one line to paste, what is missing, and exits with 3. On macOS, tools/macos/deps.sh does the
+# same.
 set -eu
 [ "$(uname -s)" != Darwin ] || exec "$(dirname "$0")/macos/deps.sh" "$@"
 say=""

@@ -7,7 +7,7 @@
 rom=$repo/roms/glasstide golden=$repo/tests/golden/backwards
 export SDL_AUDIODRIVER=dummy
 
-window_png() { shot "png24:$1"; }
+window_png() { screenshot "png24:$1"; }
 pixels() { convert "$1" -depth 8 rgb:- 2>/dev/null; }
 is_golden() { window_png now.png && cmp -s <(pixels now.png) <(pixels "$golden/$1.png"); }
 # No two presses in one poll: a press is over when the window shows what it did, or the program has gone round for long
@@ -15,31 +15,31 @@ is_golden() { window_png now.png && cmp -s <(pixels now.png) <(pixels "$golden/$
 key() {
     window_png before.png
     local from
-    from=$(used)
+    from=$(cpu_used)
     xdotool key --delay 100 "$1"
-    until [ $(($(used) - from)) -gt 60 ] || { window_png after.png &&
+    until [ $(($(cpu_used) - from)) -gt 60 ] || { window_png after.png &&
         ! cmp -s <(pixels before.png) <(pixels after.png); }; do sleep 0.1; done
     sleep 0.3
 }
 # It has gone round for a while, and its picture stays the same.
-stands() {
+is_still() {
     window_png one.png || return 1
-    rounds 20
+    wait_cpu 20
     window_png two.png && cmp -s <(pixels one.png) <(pixels two.png)
 }
 # The golden picture of that name comes. A picture that stands for three looks is the last that will: then it does not.
 comes() {
     local still=0
     until is_golden "$1"; do
-        if stands; then still=$((still + 1)); else still=0; fi
-        [ $still -lt 3 ] && ! gone || return 1
+        if is_still; then still=$((still + 1)); else still=0; fi
+        [ $still -lt 3 ] && ! has_exited || return 1
     done
 }
 # shown NAME FRAME WHAT: the window is the golden picture NAME; its middle is FRAME's
 shown() {
     "$curtain" render "$rom" --demo "$demo" --frames "$2" -o want 2>/dev/null
     if [ -n "${CURTAIN_UPDATE:-}" ]; then
-        soon is_frame "$2" && stands
+        wait_until is_frame "$2" && is_still
         window_png "$golden/$1.png"
     fi
     check "$3" comes "$1"
@@ -69,7 +69,7 @@ mkdir -p "$golden"
 if start "Glass Tide" "$OUT/curtain" play "$rom" --demo "$demo" --scale 1; then
     for _ in 1 2 3 4 5; do # wherever it is; the press counts once it is seen
         key p
-        stands && break
+        is_still && break
     done
     for _ in 1 2 3 4; do key bracketright; done
     at=$(moments "$demo" | sed -n 4p)

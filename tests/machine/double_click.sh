@@ -38,7 +38,7 @@ head -c 4096 /dev/zero >other.rom
 kind() { gio info -a standard::content-type "$1" 2>&1 | sed -n 's/.*content-type: //p'; }
 opener() { gio mime "application/x-curtain-$1" 2>/dev/null | sed -n 's/^Default.*: //p'; }
 shows() { # FOLDER: the window shows its frame, four times as large
-    shot rgb:got.rgb && convert "$scratch/$1/000060.png" -scale 400% -depth 8 rgb:want.rgb && cmp got.rgb want.rgb
+    screenshot rgb:got.rgb && convert "$scratch/$1/000060.png" -scale 400% -depth 8 rgb:want.rgb && cmp got.rgb want.rgb
 }
 process() { # the program that a double click has started; none
     local exe
@@ -49,22 +49,22 @@ process() { # the program that a double click has started; none
 }
 ends() {
     [ "$child" = none ] || kill -KILL "$child"
-    soon gone
+    wait_until has_exited
     child=none
 }
-once() { rounds 20 && "$@"; }
+once() { wait_cpu 20 && "$@"; }
 box() { # the window of an error, which xdotool does not find
     win=$(xwininfo -root -tree | sed -n 's/^ *\(0x[0-9a-f]*\) "Curtain": ().*/\1/p') && [ -n "$win" ]
 }
 clicks() { # FILE LOOK: opens a window, that LOOK finds
     title=Probe child=none
     gio open "$1" >opened 2>&1 || { cat opened; return 1; }
-    soon "$2" || { echo 'no window'; cat opened; return 1; }
+    wait_until "$2" || { echo 'no window'; cat opened; return 1; }
     child=$(process)
 }
 opens() { # FILE FOLDER: in a window, that shows the frame
     local is
-    clicks "$1" found || return
+    clicks "$1" find_window || return
     "${until:-soon}" shows "$2"
     is=$?
     ends
@@ -73,11 +73,11 @@ opens() { # FILE FOLDER: in a window, that shows the frame
 dismissed() { # a key that comes before the box listens is lost, so it is pressed again
     xdotool windowfocus "$win" key Return 2>/dev/null
     sleep 0.2
-    gone
+    has_exited
 }
 says() { # FILE SENTENCE: a window shows an error, and the program ends once it is closed
     clicks "$1" box || return
-    soon dismissed || { ends; echo 'it does not end'; return 1; }
+    wait_until dismissed || { ends; echo 'it does not end'; return 1; }
     grep -F "$2" opened || { cat opened; return 1; }
 }
 
@@ -205,9 +205,9 @@ check '... and leaves it as it was' opens 'ある 記録.demo' replayed
 title=Probe
 ./probe 'ある 記録.demo' --scale 4 >said 2>&1 &
 child=$!
-soon found
-check 'an exported game plays its replays' soon shows replayed
-leave
+wait_until find_window
+check 'an exported game plays its replays' wait_until shows replayed
+kill_program
 cp "$repo/roms/testcard/demos/card.demo" .
 ./probe card.demo >said 2>&1
 same '... and no others' '2 probe: card.demo: recorded with the game "testcard"; this program only plays Probe' \

@@ -20,14 +20,14 @@ pressed() { # KEY...
     local key
     for key; do
         xdotool keydown "$key"
-        rounds 3
+        wait_cpu 3
         sleep 0.2
         xdotool keyup "$key"
         sleep 0.1
     done
 }
 if start Lanterns ./game --scale 2 --record game.demo; then
-    same 'its window has its icon' 'Icon (72 x 72)' "$(soon icon >/dev/null && icon)"
+    same 'its window has its icon' 'Icon (72 x 72)' "$(wait_until icon >/dev/null && icon)"
     same 'and its class is that of the file' '"game", "game"' "$(class)"
     pressed period comma slash BackSpace b grave F5 h
     stop
@@ -67,9 +67,9 @@ alone() {
     check "$what: it plays a demo to its end" "${inside[@]}" /game --demo /run.demo --mute
     "${inside[@]}" /game --scale 2 >"$scratch/out" 2>"$scratch/err" &
     child=$!
-    check "$what: its window has a picture" soon pictures
+    check "$what: its window has a picture" wait_until pictures
     same "$what: and nothing to complain of" '' "$(cat "$scratch/err")"
-    leave
+    kill_program
 }
 pictures() { # on the screen, more colours than black and one
     xwd -silent -root -out "$scratch/seen.xwd" && convert "xwd:$scratch/seen.xwd" "$scratch/seen.png" &&

@@ -17,24 +17,24 @@ LUA
 cp g/main.lua right.lua
 
 colours() { # at least N
-    shot "png:$scratch/seen.png" && [ "$(convert "$scratch/seen.png" -format %k info:)" -ge "$1" ]
+    screenshot "png:$scratch/seen.png" && [ "$(convert "$scratch/seen.png" -format %k info:)" -ge "$1" ]
 }
 size_is() {
-    found || return
+    find_window || return
     [ "$(xdotool getwindowgeometry --shell "$win" | sed -n 's/^WIDTH=//p;s/^HEIGHT=//p' | paste -sd x)" = "$1" ]
 }
 said() { grep -q -- "$1" "$scratch/err"; }
 
 echo 'local x = = 3' >g/main.lua
 if start "Curtain" "$OUT/curtain" play g --scale 2; then
-    check "the window is there" soon size_is 800x600
-    check "the log says what is wrong" soon said "^curtain: g: main.lua:1: unexpected symbol near '='$"
-    check "the window says it: title, sentence, what to do" soon colours 4
+    check "the window is there" wait_until size_is 800x600
+    check "the log says what is wrong" wait_until said "^curtain: g: main.lua:1: unexpected symbol near '='$"
+    check "the window says it: title, sentence, what to do" wait_until colours 4
     cp right.lua g/main.lua
     title=Probe
-    check "put right, the game begins" soon said "^it runs$"
-    check "in its own window" soon found
-    check "of its own size" soon size_is 128x128
+    check "put right, the game begins" wait_until said "^it runs$"
+    check "in its own window" wait_until find_window
+    check "of its own size" wait_until size_is 128x128
     kill -SEGV $child
     wait $child 2>/dev/null
     same "a crash ends it as ever" 139 $?
@@ -42,7 +42,7 @@ if start "Curtain" "$OUT/curtain" play g --scale 2; then
     check "and leaves a report" test -s "$report"
     check "which says what is here" grep -qE "^port      SDL 2\.[0-9]+\.[0-9]+, x11$" "$report"
     check "its demo holds" "$curtain" verify g "$report"
-    leave
+    kill_program
 fi
 
 # A monitor that stands upright: so does what is wrong.
@@ -50,26 +50,26 @@ echo 'local x = = 3' >g/main.lua
 settings=$("$curtain" help config | sed -n 's/^    \(.*curtain.conf\)$/\1/p')
 mkdir -p "${settings%/*}"
 title_at() { # CROP: the page's title, in its yellow, is in that part of the window
-    shot "png24:$scratch/seen.png" || return 1
+    screenshot "png24:$scratch/seen.png" || return 1
     convert "$scratch/seen.png" -crop "$1" +repage -fill black +opaque '#ffe050' -format '%[fx:maxima>0]' info: |
         grep -qx 1
 }
 echo 'turn = left' >"$settings"
 if start "Curtain" "$OUT/curtain" play g --scale 2; then
     check "turned, the window stands upright" size_is 600x800
-    check "and its title with it" soon title_at 40x400+0+400
-    leave
+    check "and its title with it" wait_until title_at 40x400+0+400
+    kill_program
 fi
 rm "$settings"
 
 echo 'local x = = 3' >g/main.lua
 if start "Curtain" "$OUT/curtain" play g --scale 1; then
-    check "at scale 1" soon size_is 400x300
+    check "at scale 1" wait_until size_is 400x300
     xdotool key Escape
-    check "Escape ends it" soon gone
+    check "Escape ends it" wait_until has_exited
     wait $child
     same "with the exit code of what is wrong" 2 $?
-    leave
+    kill_program
 fi
 check "without a display it is refused at once" eval \
     'env -u DISPLAY -u WAYLAND_DISPLAY "$OUT/curtain" play g >out 2>err; [ $? = 2 ] && grep -q "unexpected symbol" err'

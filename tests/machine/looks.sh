@@ -18,7 +18,7 @@ sed -i 's|^  board =|  border = "art/border.png",\n&|' g/rom.lua
 
 settings() { mkdir -p data/curtain && printf '%b' "$1" >data/curtain/curtain.conf; }
 size() { xdotool getwindowgeometry --shell "$win" | sed -n 's/^WIDTH=//p;s/^HEIGHT=//p' | paste -sd x; }
-size_is() { found && [ "$(size)" = "$1" ]; }
+size_is() { find_window && [ "$(size)" = "$1" ]; }
 compose() { # WxH: want.rgb is what the program shows there, after keys as in `pressed`
     { for _ in $(seq 5); do echo; done; echo "$pressed"; for _ in $(seq 9); do echo; done; } |
         KEYS_WHOLE=1 KEYS_WINDOW=$1 KEYS_PPM=15 ./player play g >none 2>none.err || return
@@ -27,9 +27,9 @@ compose() { # WxH: want.rgb is what the program shows there, after keys as in `p
     scale=$((${1%x*} / w < ${1#*x} / h ? ${1%x*} / w : ${1#*x} / h)) # 1 of what was composed
     convert picture.ppm -scale "${scale}00%" -background black -gravity center -extent "$1" -depth 8 rgb:want.rgb
 }
-is_shown() { shot rgb:shot.rgb && cmp shot.rgb want.rgb; }
+is_shown() { screenshot rgb:shot.rgb && cmp shot.rgb want.rgb; }
 shows() { # WxH
-    soon size_is "$1" && compose "$1" && soon is_shown
+    wait_until size_is "$1" && compose "$1" && wait_until is_shown
 }
 looks() { # SETTINGS NATURAL: the window opens in that size; then as large as another, and fullscreen
     local natural=$2
@@ -49,7 +49,7 @@ looks() { # SETTINGS NATURAL: the window opens in that size; then as large as an
 openbox --sm-disable >/dev/null 2>&1 &
 wm=$!
 managed() { xprop -root _NET_SUPPORTING_WM_CHECK 2>/dev/null | grep -q "window id"; }
-check "a window manager" soon managed
+check "a window manager" wait_until managed
 sleep 1 # it says so before it looks after windows
 
 looks 'border = no\nscale = 2\n' 256x192

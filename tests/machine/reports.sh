@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# reports.sh - what a script's fault leaves: a text with the message, the versions and the settings, and a demo of the run
-# up to there.
+# reports.sh - what a script's fault leaves: a text with the message, the versions and the settings, and a demo of the
+# run up to there.
 . "$(dirname "$0")/../scripted.sh"
 B=27 # X: bomb
 reports=$XDG_DATA_HOME/curtain/reports

@@ -60,10 +60,10 @@ press() {
     shift
     for key in "$@"; do
         xdotool key --delay 60 "$key"
-        rounds 2
+        wait_cpu 2
     done
-    check "$game: $* leads to \"$line\"" soon more "$line" "$before"
-    rounds 3 # it takes keys from its second frame on
+    check "$game: $* leads to \"$line\"" wait_until more "$line" "$before"
+    wait_cpu 3 # it takes keys from its second frame on
 }
 
 # way PLAYERS: title, mode, difficulty, ship, pause, results, ending, staff, name, scores, and back; then the other
@@ -71,17 +71,17 @@ press() {
 way() {
     local two=
     [ "$1" = 2 ] && two=Down
-    check "$game: the title" soon more "shown: title" 0
-    rounds 3
+    check "$game: the title" wait_until more "shown: title" 0
+    wait_cpu 3
     press "shown: mode" Return $two z
     press "shown: difficulty" z
     press "shown: ship" Up z
     if [ "$1" = 2 ]; then press "stage one" Right z d j; else press "stage one" Right z; fi
     press "shown: pause" Return
     xdotool key --delay 60 Return
-    check "$game: results" soon more "shown: results" 0
-    check "$game: an ending" soon more "shown: ending" 0
-    rounds 25
+    check "$game: results" wait_until more "shown: results" 0
+    check "$game: an ending" wait_until more "shown: ending" 0
+    wait_cpu 25
     press "shown: staff" z
     press "shown: name" Return
     if [ "$1" = 2 ]; then press "shown: scores" z z Return j j 2; else press "shown: scores" z z Return; fi
@@ -95,17 +95,17 @@ way() {
     press "shown: unlocks" Down z
     press "shown: title" z
     xdotool key --delay 60 x # from the list back to PRESS START
-    rounds 2
+    wait_cpu 2
     press "shown: mode" Return z
     press "shown: difficulty" Down z
     press "shown: ship" z
     press "stage doom" z
-    check "$game: a continue" soon more "shown: continue" 0
-    rounds 3
+    check "$game: a continue" wait_until more "shown: continue" 0
+    wait_cpu 3
     names=$(count "shown: name")
     xdotool key --delay 60 Return # goes on, with the one continue there is
-    check "$game: a name after the last life" soon more "shown: name" "$names"
-    rounds 3
+    check "$game: a name after the last life" wait_until more "shown: name" "$names"
+    wait_cpu 3
     press "shown: scores" z z Return
     press "shown: title" z
     press "shown: scores" # nobody comes: a demo, and then the scores

@@ -16,9 +16,9 @@ probe=$scratch/port_probe
 # same_pixels W H WIN_W WIN_H: the window shows the probe's picture so; it may take a few frames to.
 same_pixels() {
     "$probe" expect "$@" >"$scratch/want.rgb"
-    soon settled || { cmp "$scratch/shot.rgb" "$scratch/want.rgb"; return 1; }
+    wait_until settled || { cmp "$scratch/shot.rgb" "$scratch/want.rgb"; return 1; }
 }
-settled() { shot "rgb:$scratch/shot.rgb" && cmp -s "$scratch/shot.rgb" "$scratch/want.rgb"; }
+settled() { screenshot "rgb:$scratch/shot.rgb" && cmp -s "$scratch/shot.rgb" "$scratch/want.rgb"; }
 size_is() {
     [ "$(xdotool getwindowgeometry --shell "$win" | sed -n 's/^WIDTH=//p;s/^HEIGHT=//p' | paste -sd x)" = "$1" ]
 }
@@ -47,7 +47,7 @@ fi
 managed() { xprop -root _NET_SUPPORTING_WM_CHECK 2>/dev/null | grep -q "window id"; }
 openbox --sm-disable >/dev/null 2>&1 &
 wm=$!
-check "a window manager" soon managed
+check "a window manager" wait_until managed
 sleep 1 # it says so before it looks after windows
 
 # ---- what is printed on keys: the window manager is there all the time, for a server without a client forgets it ----
@@ -57,7 +57,8 @@ for layout in fr:W:A de:Y:Q us:Z:Q; do
     if start "port probe" "$probe" show 240 160 1; then
         xdotool key --delay 100 52 24 37 # by place: the first of the lowest row, the first of the upper one, Ctrl
         wanted=${layout#*:}
-        check "${layout%%:*}: what is printed on three keys, one of which has no character" soon labels "${wanted/:/ }"
+        check "${layout%%:*}: what is printed on three keys, one of which has no character" \
+            wait_until labels "${wanted/:/ }"
         stop Escape
     fi
 done
@@ -83,25 +84,25 @@ if start "port probe" "$probe" show 240 160 2; then
     # HID usages: A 4, Left 80, Shift 225, Enter 40, keypad 5 93, F12 69
     for pair in a:4 Left:80 Shift_L:225 Return:40 KP_5:93 F12:69; do
         xdotool keydown "${pair%:*}"
-        check "${pair%:*} arrives" soon says "key ${pair#*:} down"
+        check "${pair%:*} arrives" wait_until says "key ${pair#*:} down"
         xdotool keyup "${pair%:*}"
-        check "${pair%:*} is let go" soon says "key ${pair#*:} up"
+        check "${pair%:*} is let go" wait_until says "key ${pair#*:} up"
     done
     kill -STOP $child
     xdotool key --delay 1 z
     kill -CONT $child
-    check "a tap between two polls arrives" soon says "key 29 down"
-    check "and is over" soon says "key 29 up"
+    check "a tap between two polls arrives" wait_until says "key 29 down"
+    check "and is over" wait_until says "key 29 up"
     xdotool keydown x
-    check "x arrives" soon says "key 27 down"
+    check "x arrives" wait_until says "key 27 down"
     xdotool windowfocus "$(xdotool search --maxdepth 0 '.*' 2>/dev/null | head -1)" 2>/dev/null
-    check "a window that loses the keyboard lets go" soon says "key 27 up"
+    check "a window that loses the keyboard lets go" wait_until says "key 27 up"
     xdotool keyup x
     timeout 100 xdotool windowfocus --sync "$win"
     xdotool type q
-    check "typed text arrives" soon says "text q"
+    check "typed text arrives" wait_until says "text q"
     xdotool mousemove --window "$win" 101 51 click 1
-    check "the mouse is in picture pixels" soon says "mouse 1 at 50 25"
+    check "the mouse is in picture pixels" wait_until says "mouse 1 at 50 25"
     check "no card, no sound" says "sound 0"
     check "which is mentioned" grep -q "no sound" "$scratch/err"
     stop Escape
@@ -110,8 +111,8 @@ fi
 if SDL_AUDIODRIVER=dummy start "port probe" "$probe" show 64 64 1; then
     check "with a card there is sound" says "sound 1"
     kill -TERM $child
-    check "SIGTERM is a quit" soon says closed
-    leave
+    check "SIGTERM is a quit" wait_until says closed
+    kill_program
 fi
 check "controllers" env SDL_VIDEODRIVER=dummy "$scratch/port_pads"
 refuse "no display at all is refused" "no display" env -u DISPLAY -u WAYLAND_DISPLAY "$probe" show 64 64 1
@@ -119,7 +120,7 @@ refuse "no display is refused" "cannot open a window" env DISPLAY=:9999 SDL_VIDE
 
 # ---- a game: the picture played is the picture rendered ----
 # While paused our own words stand on the last 8 lines; above them every pixel of the window must be the picture's.
-window_rgb() { shot "rgb:$1"; }
+window_rgb() { screenshot "rgb:$1"; }
 expected_rgb() { # SHOT SCALE WIN_W WIN_H OUT: the picture by whole pixels, centred on black
     convert "$1" -scale "${2}00%" -background black -gravity center -extent "${3}x$4" -depth 8 "rgb:$5"
 }
@@ -140,14 +141,14 @@ play_at() { # SCALE [WIN_W WIN_H]
     start "Glass Tide" "$OUT/curtain" play "$play_rom" --seed 0 --scale "$scale" --mute --record one.demo || return
     [ $# = 1 ] || timeout 100 xdotool windowsize --sync "$win" "$w" "$h"
     xdotool key --delay 150 Return key --delay 150 z # the title is left: keys play the game
-    rounds 20
+    wait_cpu 20
     for key in p period F12; do
         xdotool key --delay 100 $key
-        rounds 5
+        wait_cpu 5
     done
-    check "a screenshot at ${w}x$h" soon grep -q "^saved " "$scratch/err"
+    check "a screenshot at ${w}x$h" wait_until grep -q "^saved " "$scratch/err"
     shot=$(sed -n 's/^saved //p' "$scratch/err" | head -1)
-    check "the window of ${w}x$h shows it" soon shows "$shot" "$scale" "$w" "$h"
+    check "the window of ${w}x$h shows it" wait_until shows "$shot" "$scale" "$w" "$h"
     stop
     frame=$("$curtain" hash "$play_rom" --demo one.demo | tail -1 | cut -d' ' -f1)
     check "renders frame $frame of the demo" "$curtain" render "$play_rom" --demo one.demo --frames "$frame" -o out
@@ -172,12 +173,12 @@ view_at() { # SETTINGS LEAST MOST OPTIONS-OF-RENDER...
     rm -rf "$scratch/view" && mkdir -p "$scratch/view" "$scratch/data/curtain" && cd "$scratch/view" || exit 2
     tr , '\n' <<<"$1" >"$scratch/data/curtain/curtain.conf"
     start "Glass Tide" "$OUT/curtain" play "$play_rom" --seed 0 --scale 1 --mute --stage one --record one.demo || return
-    rounds 20
+    wait_cpu 20
     for key in p period F12; do
         xdotool key --delay 100 $key
-        rounds 5
+        wait_cpu 5
     done
-    check "$1: a screenshot" soon grep -q "^saved " "$scratch/err"
+    check "$1: a screenshot" wait_until grep -q "^saved " "$scratch/err"
     shot=$(sed -n 's/^saved //p' "$scratch/err" | head -1)
     check "$1: the window" window_rgb got.rgb
     stop
@@ -198,10 +199,10 @@ cd "$scratch" || exit 2
 if start "Glass Tide" "$OUT/curtain" play "$play_rom" --seed 0 --scale 1 --mute --record keys.demo; then
     for key in Return Return z z z z z z z z; do # more than there are menus: in the game it is fire
         xdotool key --delay 120 $key
-        rounds 16
+        wait_cpu 16
     done
     xdotool keydown z keydown Left
-    rounds 40
+    wait_cpu 40
     xdotool keyup z keyup Left
     stop
     "$curtain" hash "$play_rom" --demo keys.demo --parts >parts

@@ -29,7 +29,7 @@ sed 's/players = 2/players = 1/' g/rom.lua >alone.lua
 seen_to=0
 said() {
     local at
-    soon line_after "$1" || { tail -n +$((seen_to + 1)) err >&2; return 1; }
+    wait_until line_after "$1" || { tail -n +$((seen_to + 1)) err >&2; return 1; }
     at=$(tail -n +$((seen_to + 1)) err | grep -nxF -- "$1" | head -1 | cut -d: -f1)
     seen_to=$((seen_to + at))
 }
@@ -51,7 +51,7 @@ over() {
     wait "$child"
     check "$1: it ends well" [ $? = 0 ]
     check "$1: the demo holds" "$curtain" verify g run.demo
-    leave
+    kill_program
 }
 
 # ---- two players ----
@@ -129,21 +129,21 @@ fi
 # ---- the screen ----
 sed -i 's/players = 1/players = 2/' g/rom.lua
 look() {
-    sized g
+    set_size g
     start Probe "${padded[@]}" "$OUT/curtain" play g --mute || return
     pad plug 1 xbox
     pad plug 2 ps4
     pad plug 3 nintendo
     pad tap 1 north
     pad tap 2 start
-    does menu down down down down yes
-    looks controllers
-    does down right
-    looks controllers-changed
+    press_each menu down down down down yes
+    expect_screen controllers
+    press_each down right
+    expect_screen controllers-changed
     pad down 3 r2 l3
     pad down 2 r2
-    looks controllers-pressed
-    leave
+    expect_screen controllers-pressed
+    kill_program
 }
-each_way look
+for_each_way look
 finish

@@ -43,7 +43,7 @@ leaves_run() { # in the data folder
 }
 
 opens() { # GAME: at this size and turn
-    sized "$1"
+    set_size "$1"
     [ "$1" = still ] || leaves_run
     TZ=UTC XDG_DATA_HOME=$scratch/data start Probe "${padded[@]}" "$OUT/curtain" play "$1" --seed 1 || return 1
     [ "$by" = keys ] || pad plug 1 xbox
@@ -51,32 +51,32 @@ opens() { # GAME: at this size and turn
 
 screens() {
     if opens still; then
-        does menu
-        looks menu
-        does down yes
-        looks no-replays
-        does no down yes
-        looks settings
-        does down down down down down right
-        looks settings-changed
-        does no
+        press_each menu
+        expect_screen menu
+        press_each down yes
+        expect_screen no-replays
+        press_each no down yes
+        expect_screen settings
+        press_each down down down down down right
+        expect_screen settings-changed
+        press_each no
         check "and it is written" grep -qx 'border = no' data/curtain/curtain.conf
-        does down yes
-        looks keys
-        leave
+        press_each down yes
+        expect_screen keys
+        kill_program
     fi
     if opens pieces; then
-        looks resume
-        does down yes menu down yes
-        looks replays
-        does yes
-        looks replay
-        does no no down down down down yes
-        looks practice
-        does down right
-        looks practice-changed
-        leave
+        expect_screen resume
+        press_each down yes menu down yes
+        expect_screen replays
+        press_each yes
+        expect_screen replay
+        press_each no no down down down down yes
+        expect_screen practice
+        press_each down right
+        expect_screen practice-changed
+        kill_program
     fi
 }
-each_way screens
+for_each_way screens
 finish

@@ -54,11 +54,11 @@ exactly() { # GAME TITLE BYTES [KEY...]
     SDL_DISKAUDIODELAY=20 start "$title" "$OUT/curtain" play "$game" --seed 3 --scale 1 --record run.demo || return
     for key; do
         xdotool keydown "$key"
-        rounds 3
+        wait_cpu 3
         xdotool keyup "$key"
-        rounds 3
+        wait_cpu 3
     done
-    check "$title sounds" soon played "$bytes"
+    check "$title sounds" wait_until played "$bytes"
     stop
     check "$title: the demo holds" "$curtain" verify "$game" run.demo
     rendered "$game" run.demo want.wav
@@ -91,7 +91,7 @@ for ppm in 4000 -4000; do
     rm -f played.raw
     SDL_DISKAUDIODELAY=5 start Probe env SLOWER=12 CARD_PPM=$ppm LD_PRELOAD="$scratch/slow_clock.so" \
         "$OUT/curtain" play steady --seed 0 --scale 1 --verbose || continue
-    check "a tone under load" soon played 330000
+    check "a tone under load" wait_until played 330000
     stop
     check "no gap and no repeat, the card $ppm ppm faster" unbroken played.raw 880
     check "which is what it says" grep -q "gaps 0, dropped blocks 0" err
@@ -113,13 +113,13 @@ export SDL_DISKAUDIODELAY=20
 quiet() { # TITLE ARGUMENT...: plays, and writes no file
     rm -f played.raw
     start Probe "$OUT/curtain" play "$@" --scale 1 || return
-    rounds 20
+    wait_cpu 20
     check "no speaker: $*" test ! -e played.raw
 }
 quiet silent && stop
 quiet g --mute && {
     xdotool key --delay 150 m
-    check "until M opens one" soon played 20000
+    check "until M opens one" wait_until played 20000
     stop
 }
 settings "mute = yes"
@@ -127,7 +127,7 @@ quiet g && stop
 settings "volume = 100"
 export SDL_AUDIODRIVER=alsa AUDIODEV=none
 if start Probe "$OUT/curtain" play g --scale 1 --verbose; then
-    rounds 20
+    wait_cpu 20
     stop
     check "without a card the game plays, and says so in a line" grep -q "^no sound: " err
     same "and no other" 2 "$(wc -l <err)"
@@ -144,7 +144,7 @@ rm -f played.raw
 check "a sound is over by itself" "$OUT/curtain" sound g hit --play
 check "and was played" played 20000
 if start "curtain: tide" "$OUT/curtain" sound g tide --play; then
-    check "a piece goes on" soon played 200000
+    check "a piece goes on" wait_until played 200000
     stop Escape
 fi
 
@@ -154,11 +154,11 @@ again() { # OUT OPTION...: plays run.demo, recorded anew
     local out=$1
     shift
     start Probe "$OUT/curtain" play g --demo run.demo --record "$out" --scale 1 "$@" || return
-    check "a playback ends: $out" soon gone
-    leave
+    check "a playback ends: $out" wait_until has_exited
+    kill_program
 }
 if start Probe "$OUT/curtain" play g --seed 3 --scale 1 --record run.demo; then
-    rounds 40
+    wait_cpu 40
     stop
 fi
 again on.demo

@@ -9,15 +9,15 @@ windows() { xdotool search --onlyvisible --name "$1" 2>/dev/null | wc -l; }
 x86_64-w64-mingw32-gcc -O1 "$repo/tests/windows/console.c" -o console.exe
 wine start console.exe >/dev/null 2>&1
 console_opens() { [ "$(windows 'console\.exe')" -gt 0 ]; }
-check 'planted: a program of the console opens one by a double click' soon console_opens
+check 'planted: a program of the console opens one by a double click' wait_until console_opens
 clicked() { # FILE TITLE
     title=$2
     wine start "$(as_windows "$1")" >/dev/null 2>&1
-    check "$2 opens its window" soon found
+    check "$2 opens its window" wait_until find_window
     same 'and no console' 0 "$(windows "$(basename "$1")")"
     xdotool windowactivate --sync "$win" 2>/dev/null
     xdotool keydown ctrl && sleep 1 && xdotool keydown q && sleep 1 && xdotool keyup q keyup ctrl
-    check 'and ends' soon eval '! found'
+    check 'and ends' wait_until eval '! find_window'
 }
 clicked "$exe" 'Glass Tide'
 clicked "$scratch/moth.exe" "$(sed -n 's/.*title = "\([^"]*\)".*/\1/p' "$repo/examples/moth/rom.lua")"
@@ -43,18 +43,18 @@ head -c 4096 /dev/zero >"$where/other.rom"
 "$native" render click --demo "$where/ある 記録.demo" --frames 60 -o clicked-replayed >/dev/null
 export XDG_DATA_HOME; XDG_DATA_HOME=$(as_windows "$scratch/data") # as tests/windows/curtain does
 frame() { # FOLDER: the window shows its frame, four times as large
-    shot rgb:got.rgb && convert "$1/000060.png" -scale 400% -depth 8 rgb:want.rgb && cmp got.rgb want.rgb
+    screenshot rgb:got.rgb && convert "$1/000060.png" -scale 400% -depth 8 rgb:want.rgb && cmp got.rgb want.rgb
 }
 leaves() { # the window that a double click has opened, by a key
     xdotool windowactivate --sync "$win" 2>/dev/null
     xdotool keydown ctrl && sleep 1 && xdotool keydown q && sleep 1 && xdotool keyup q keyup ctrl
-    soon eval '! found'
+    wait_until eval '! find_window'
 }
 opens() { # FILE FOLDER: in a window, that shows the frame
     local is
     title=Probe
     wine start "$(as_windows "$where/$1")" >opened 2>&1 || { cat opened; return 1; }
-    soon found && soon frame "$2"
+    wait_until find_window && wait_until frame "$2"
     is=$?
     leaves
     return $is
@@ -62,10 +62,10 @@ opens() { # FILE FOLDER: in a window, that shows the frame
 says() { # FILE PICTURE: a box shows an error
     title=Curtain
     wine start "$(as_windows "$where/$1")" >/dev/null 2>&1
-    soon found || return
-    shot "png:$into/$2.png" # for people
+    wait_until find_window || return
+    screenshot "png:$into/$2.png" # for people
     xdotool windowactivate --sync "$win" key Return
-    soon eval '! found'
+    wait_until eval '! find_window'
 }
 classes() { # [KEY]: of the user, and below
     rm -f classes.reg
