@@ -5,7 +5,7 @@ MACHINE := $(patsubst tests/machine/%.c,$(OUT)/machine/%,$(wildcard tests/machin
 CHECKED := $(UNIT) $(patsubst check_%,$(OUT)/%,$(filter check_machine/test_%,$(shell sed -n 's/^check /check_/p' tests/tiers)))
 NO_ROM  := $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
 
-.PHONY: checked golden asan ubsan monkey msan msan-short given valgrind analyze torture mutants fuzz walks tools
+.PHONY: checked golden asan ubsan monkey msan msan-short given valgrind analyze torture mutants fuzz walks tools coverage
 
 # -Wpedantic has two exceptions: the 128-bit products of src/base/fx.h (__extension__), and the constants of quadmath.h.
 QUAD_TESTS := $(OUT)/machine/test_fine $(OUT)/machine/test_lead
@@ -77,6 +77,16 @@ walks: deps-play-test
 	@python3 tests/walks/walks.py build/walks/walks docs/internals/design.md
 $(OUT)/walks: tests/walks/walks.c $(NO_ROM)
 	$(call link,-fno-instrument-functions -Wno-frame-address -Itests)
+
+# Lines of the sources that make test runs, by directory, in build/coverage/report.txt.
+coverage: deps-play-test-all
+	@$(MAKE) $(JOBS) CONFIG=coverage OPT="-O0 --coverage" programs
+	@OUT=build/coverage tests/run.sh test >build/coverage/tests.txt || tail -n 1 build/coverage/tests.txt
+	@gcovr -r . --object-directory build/coverage -f src/ -f fb/ --csv | awk -F, ' \
+		NR > 1 { split($$1, d, "/"); k = d[1] == "fb" ? "fb" : d[1] "/" d[2]; n[k] += $$2; c[k] += $$3; N += $$2; C += $$3 } \
+		END { for (k in n) printf "%-16s %6d of %6d lines\n", k, c[k], n[k]; print C " of " N " lines" }' | \
+		sort >build/coverage/report.txt
+	@cat build/coverage/report.txt
 
 # A monkey in the window's screens, in several games, for thousands of frames, under both sanitizers.
 monkey: deps-play-test
