@@ -71,7 +71,7 @@ static void draw(struct bed *t, int y0, int y1, int mouse_x, int mouse_y)
 {
     board_draw(t->r.b, NULL, &t->r.fb, t->rgb, t->r.scratch);
     canvas_open(&t->canvas, &t->r.fb, t->rgb);
-    const struct overlay_place at = { &t->canvas, NULL, y0, y1 };
+    const struct overlay_target at = { &t->canvas, NULL, y0, y1 };
     overlay_draw(&t->o, &at, t->r.b, mouse_x, mouse_y);
 }
 
@@ -88,7 +88,7 @@ static void must_see(const struct bed *t, const char *text)
 
 static void all_on(struct bed *t)
 {
-    overlay_keys(&t->o, 1u << HOTKEY_SHAPES | 1u << HOTKEY_GAUGES | 1u << HOTKEY_SPLIT | 1u << HOTKEY_TASKS);
+    overlay_toggle(&t->o, 1u << HOTKEY_HITBOXES | 1u << HOTKEY_GAUGES | 1u << HOTKEY_FRAME_TIMES | 1u << HOTKEY_TASKS);
 }
 
 /* ---- panels ---- */
@@ -107,19 +107,19 @@ static void nothing_is_drawn_when_it_is_off(void **state)
 {
     struct bed *t = *state;
 
-    assert_false(overlay_on(&t->o));
+    assert_false(overlay_is_visible(&t->o));
     draw(t, 0, 320, 180, 200);
     assert_int_equal(inked(t), 0);
     for (int i = 0; i < OVERLAYS; i++) {
-        overlay_keys(&t->o, 1u << (HOTKEY_SHAPES + i));
-        assert_true(t->o.on[i] && overlay_on(&t->o));
+        overlay_toggle(&t->o, 1u << (HOTKEY_HITBOXES + i));
+        assert_true(t->o.on[i] && overlay_is_visible(&t->o));
         draw(t, 0, 320, -1, -1);
         assert_true(inked(t) > 0);
-        overlay_keys(&t->o, 1u << (HOTKEY_SHAPES + i));
-        assert_false(overlay_on(&t->o));
+        overlay_toggle(&t->o, 1u << (HOTKEY_HITBOXES + i));
+        assert_false(overlay_is_visible(&t->o));
     }
-    overlay_keys(&t->o, 1u << HOTKEY_PAUSE | 1u << HOTKEY_CONSOLE);
-    assert_false(overlay_on(&t->o));
+    overlay_toggle(&t->o, 1u << HOTKEY_PAUSE | 1u << HOTKEY_CONSOLE);
+    assert_false(overlay_is_visible(&t->o));
 }
 
 static void see_gauges(const struct bed *t)
@@ -182,7 +182,7 @@ static void the_thing_under_the_mouse_is_told(void **state)
     static const char *const player[] = { "player 1", "kind   ship", "lives  2", NULL };
     struct bed *t = *state;
 
-    t->o.on[OVERLAY_SHAPES] = true;
+    t->o.on[OVERLAY_HITBOXES] = true;
     check_thing(t, 181, 201, bullet);
     check_thing(t, 70, 35, enemy);
     check_thing(t, 100, 150, player);
@@ -223,7 +223,7 @@ static void shapes_lie_where_they_hit(void **state)
 {
     struct bed *t = *state;
 
-    t->o.on[OVERLAY_SHAPES] = true;
+    t->o.on[OVERLAY_HITBOXES] = true;
     draw(t, 0, 320, -1, -1);
 #define COLOUR(x, y) t->r.fb.pix[(y)*t->r.fb.pitch + (x)]
     assert_int_equal(COLOUR(176, 200), t->canvas.colour[CANVAS_RED]);
@@ -248,7 +248,7 @@ static void ships_show_where_they_are_hit(void **state)
     struct player *p = &t->r.b->player;
 
     draw(t, 0, 320, -1, -1);
-    overlay_ships(&t->canvas, t->r.b);
+    overlay_draw_hitboxes(&t->canvas, t->r.b);
     assert_int_equal(COLOUR(99, 149), t->canvas.colour[CANVAS_WHITE]); /* at 100, 150, of 2 px */
     assert_int_equal(COLOUR(101, 150), t->canvas.colour[CANVAS_WHITE]);
     assert_int_equal(COLOUR(102, 150), t->canvas.colour[CANVAS_RED]);
@@ -258,7 +258,7 @@ static void ships_show_where_they_are_hit(void **state)
     t->r.b->screen = (struct screen){ .s = t->r.b->screen.s, .shake = 8, .shake_frames = 1, .shake_aimed = 1 };
     t->r.b->screen.shake_start = t->r.b->core.clock - 1; /* its first frame: 8 px to the right */
     draw(t, 0, 320, -1, -1);
-    overlay_ships(&t->canvas, t->r.b);
+    overlay_draw_hitboxes(&t->canvas, t->r.b);
     assert_int_equal(COLOUR(107, 149), t->canvas.colour[CANVAS_WHITE]);
     assert_true(COLOUR(99, 149) != t->canvas.colour[CANVAS_WHITE]);
     screen_reset(&t->r.b->screen);
@@ -266,13 +266,13 @@ static void ships_show_where_they_are_hit(void **state)
     p->x[1] = 30 << 16;
     p->y[1] = -(1 << 16); /* half of it beyond the field */
     draw(t, 0, 320, -1, -1);
-    overlay_ships(&t->canvas, t->r.b);
+    overlay_draw_hitboxes(&t->canvas, t->r.b);
     assert_int_equal(COLOUR(30, 1), t->canvas.colour[CANVAS_CYAN]);
     assert_int_equal(COLOUR(30, 0), t->canvas.colour[CANVAS_WHITE]);
     p->flags[0] |= PLAYER_HIDDEN;
     p->in_game[1] = 0;
     draw(t, 0, 320, -1, -1);
-    overlay_ships(&t->canvas, t->r.b);
+    overlay_draw_hitboxes(&t->canvas, t->r.b);
     assert_int_equal(inked(t), 0);
 }
 
@@ -288,29 +288,29 @@ static void the_game_does_not_notice(void **state)
     all_on(t);
     assert_true(guard_power(&a, &t->g.image.rom, &start, err, sizeof err));
     assert_true(guard_power(&b, &t->g.image.rom, &start, err, sizeof err));
-    for (int f = 0; f < 3 * SPLIT_WINDOW; f++) {
-        overlay_begin(&t->o, &a);
+    for (int f = 0; f < 3 * FRAME_TIMES_WINDOW; f++) {
+        overlay_begin_frame(&t->o, &a);
         guard_tick(&a, none);
-        overlay_lap(&t->o, SPLIT_PROGRAM);
+        overlay_add_time(&t->o, STEP_PROGRAM);
         board_draw(a.board, NULL, &t->r.fb, t->rgb, t->r.scratch);
-        overlay_lap(&t->o, SPLIT_DRAW);
+        overlay_add_time(&t->o, STEP_DRAW);
         canvas_open(&t->canvas, &t->r.fb, t->rgb);
-        const struct overlay_place at = { &t->canvas, NULL, 0, 320 };
+        const struct overlay_target at = { &t->canvas, NULL, 0, 320 };
         overlay_draw(&t->o, &at, a.board, f, f);
-        overlay_lap(&t->o, SPLIT_SHOW);
-        overlay_end(&t->o);
+        overlay_add_time(&t->o, STEP_SHOW);
+        overlay_end_frame(&t->o);
         guard_tick(&b, none);
         assert_true(board_hash(a.board) == board_hash(b.board));
     }
-    const struct split *s = &t->o.split;
+    const struct frame_times *s = &t->o.frame_times;
     uint64_t sum = 0;
-    for (int i = 0; i < SPLITS; i++) {
-        assert_true(s->peak[i] >= s->mean[i]);
-        sum += s->mean[i];
+    for (int i = 0; i < STEPS; i++) {
+        assert_true(s->shown_max[i] >= s->shown_mean[i]);
+        sum += s->shown_mean[i];
     }
-    assert_true(s->all == sum && s->worst >= s->all);
-    overlay_keys(&t->o, 1u << HOTKEY_SPLIT);
-    overlay_begin(&t->o, &a);
+    assert_true(s->shown_frame_mean == sum && s->shown_frame_max >= s->shown_frame_mean);
+    overlay_toggle(&t->o, 1u << HOTKEY_FRAME_TIMES);
+    overlay_begin_frame(&t->o, &a);
     assert_null(a.before);
     guard_close(&a);
     guard_close(&b);
@@ -416,9 +416,9 @@ static void keys_edit_the_line(void **state)
     for (int i = 0; i < 200; i++) /* held: again and again */
         polled(t, BACKSPACE, "", 0);
     assert_string_equal(t->c.line, "");
-    for (int i = 0; i < 2 * CONSOLE_LINE; i++)
+    for (int i = 0; i < 2 * CONSOLE_LINE_SIZE; i++)
         type(t, "y");
-    assert_int_equal(strlen(t->c.line), CONSOLE_LINE - 1);
+    assert_int_equal(strlen(t->c.line), CONSOLE_LINE_SIZE - 1);
     draw_console(t);
 }
 
@@ -463,11 +463,11 @@ static void a_line_is_undone_unless_it_is_kept(void **state)
     enter(t, "while true do end");
     enter(t, "keep player.get(1).x = 33 error('no')");
     enter(t, "keep player.get(1).x = 33 nonsense");
-    assert_false(console_kept(&t->c));
+    assert_false(console_take_kept(&t->c));
     assert_true(board_hash(t->r.b) == hash);
     enter(t, "keep player.get(1).x = 33");
-    assert_true(console_kept(&t->c));
-    assert_false(console_kept(&t->c));
+    assert_true(console_take_kept(&t->c));
+    assert_false(console_take_kept(&t->c));
     assert_true(board_hash(t->r.b) != hash);
     enter(t, "player.get(1).x");
     draw_console(t);
@@ -486,7 +486,7 @@ static void what_cannot_be_kept_is_not(void **state)
     type(t, "keep player.get(1).x = 33");
     in.keys[ENTER >> 3] = 1u << (ENTER & 7);
     console_poll(&t->c, &in, &k, t->r.b, false);
-    assert_false(console_kept(&t->c));
+    assert_false(console_take_kept(&t->c));
     assert_true(board_hash(t->r.b) == hash);
     draw_console(t);
     must_see(t, "unavailable while a demo plays");

@@ -26,7 +26,7 @@ static inline bool words_at(const struct canvas *canvas, const struct fb *shape,
 /* Does it stand anywhere on the picture? Then x, y (unless NULL) are where, the topmost. */
 static inline bool words_seen(const struct canvas *canvas, const char *text, int *at_x, int *at_y)
 {
-    int w = canvas_width(text) - 1, W = canvas->fb->w, H = canvas->fb->h;
+    int w = canvas_text_width(text) - 1, W = canvas->fb->w, H = canvas->fb->h;
     uint32_t rgb[256] = { 0 };
     void *mem = malloc(fb_size(w + 1, WORDS_H));
     bool seen = false;

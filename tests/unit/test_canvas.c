@@ -176,11 +176,11 @@ static void widths(void **state)
     struct bed *b = *state;
 
     canvas_open(&b->canvas, &b->fb, b->rgb);
-    assert_int_equal(canvas_width(""), 0);
-    assert_int_equal(canvas_width("abc"), 3 * CANVAS_CELL_W);
-    assert_int_equal(canvas_width("a\t\xC3\xA9"), 4 * CANVAS_CELL_W);
+    assert_int_equal(canvas_text_width(""), 0);
+    assert_int_equal(canvas_text_width("abc"), 3 * CANVAS_CELL_W);
+    assert_int_equal(canvas_text_width("a\t\xC3\xA9"), 4 * CANVAS_CELL_W);
     assert_int_equal(canvas_text(&b->canvas, -5, -3, CANVAS_RED, "a\t\xC3\xA9"), -5 + 4 * CANVAS_CELL_W);
-    assert_int_equal(canvas_bytes(&b->canvas, 2, 3, CANVAS_RED, "abcdef", 2), 2 + 2 * CANVAS_CELL_W);
+    assert_int_equal(canvas_text_n(&b->canvas, 2, 3, CANVAS_RED, "abcdef", 2), 2 + 2 * CANVAS_CELL_W);
 }
 
 /* Is the middle of pixel (px, py) in a circle? In units of half a Q15.16 pixel unit. */
@@ -202,7 +202,7 @@ static void rings_are_rims_of_what_is_inside(void **state)
         int64_t r = (int64_t)rng_below(&b->r, n % 2 ? 65536 * 3 : 65536 * 60) / 256 * 256;
         fb_fill(&b->fb, 0);
         canvas_open(&b->canvas, &b->fb, b->rgb);
-        canvas_ring(&b->canvas, (int32_t)x, (int32_t)y, (int32_t)r, CANVAS_GREEN);
+        canvas_circle(&b->canvas, (int32_t)x, (int32_t)y, (int32_t)r, CANVAS_GREEN);
         for (int i = 0; i < W * H; i++) {
             int64_t px = i % W, py = i / W, sx = px * 65536 + 32768 < x ? -1 : 1, sy = py * 65536 + 32768 < y ? -1 : 1;
             bool want = in_ring(px, py, x, y, r) && (!in_ring(px + sx, py, x, y, r) || !in_ring(px, py + sy, x, y, r));
@@ -255,7 +255,7 @@ static void words_are_readable_by_each_view(void **state)
         uint32_t was[256];
         canvas_open(&b->canvas, &b->fb, b->rgb);
         memcpy(was, b->rgb, sizeof was);
-        canvas_view(&b->canvas, (enum colour_blind_mode)view);
+        canvas_set_colour_blind_mode(&b->canvas, (enum colour_blind_mode)view);
         for (int i = 0; i < 256; i++) {
             bool own = false;
             for (int c = 0; c < CANVAS_COLOURS; c++)
@@ -344,13 +344,13 @@ static void extremes_are_clipped(void **state)
     canvas_open(&b->canvas, &b->fb, b->rgb);
     for (int i = 0; i < N * N * N; i++) {
         int x = v[i % N], y = v[i / N % N], r = v[i / N / N];
-        canvas_ring(&b->canvas, x, y, r, CANVAS_RED);
+        canvas_circle(&b->canvas, x, y, r, CANVAS_RED);
         canvas_disc(&b->canvas, x, y, r, CANVAS_RED);
         canvas_box(&b->canvas, x, y, r, x, CANVAS_RED);
         canvas_capsule(&b->canvas, x, y, r, y, x, CANVAS_RED);
         canvas_line(&b->canvas, x, y, r, x, CANVAS_RED);
         canvas_rect(&b->canvas, x, y, r, y, CANVAS_RED);
-        canvas_frame(&b->canvas, x, y, r, y, CANVAS_RED);
+        canvas_outline(&b->canvas, x, y, r, y, CANVAS_RED);
     }
     fb_fill(&b->fb, 0);
     canvas_open(&b->canvas, &b->fb, b->rgb);

@@ -89,10 +89,10 @@ static void every_character_is_itself(void **state)
 
     (void)state;
     for (uint32_t code = '!'; code < 0x3000; code++) {
-        if (!letter_known(code) || code == 0xA0 || code == 0x2610 || code == 0x201A)
+        if (!letter_exists(code) || code == 0xA0 || code == 0x2610 || code == 0x201A)
             continue;
         assert_true(n < 400);
-        letter_of(&all[n], code);
+        letter_load(&all[n], code);
         assert_true(all[n].w >= 1 && all[n].w <= 8);
         for (int i = 0; i < n; i++)
             assert_false(same(&all[i], &all[n]));
@@ -111,13 +111,13 @@ static void what_is_promised_is_there(void **state)
 
     (void)state;
     for (uint32_t code = ' '; code <= '~'; code++)
-        assert_true(letter_known(code));
+        assert_true(letter_exists(code));
     for (uint32_t code = 0xC0; code <= 0xFF; code++)
-        assert_true(letter_known(code));
+        assert_true(letter_exists(code));
     while (*s)
-        assert_true(letter_known(utf8_next(&s, text + sizeof text - 1)));
-    assert_false(letter_known(0x65E5));
-    assert_false(letter_known(7));
+        assert_true(letter_exists(utf8_next(&s, text + sizeof text - 1)));
+    assert_false(letter_exists(0x65E5));
+    assert_false(letter_exists(7));
 }
 
 static void what_is_not_known_is_a_box(void **state)
@@ -125,14 +125,14 @@ static void what_is_not_known_is_a_box(void **state)
     struct letter a, b, box;
 
     (void)state;
-    letter_of(&a, 0x65E5);
-    letter_of(&b, 7);
-    letter_of(&box, 0xFFFD);
+    letter_load(&a, 0x65E5);
+    letter_load(&b, 7);
+    letter_load(&box, 0xFFFD);
     assert_true(same(&a, &box) && same(&b, &box));
     assert_int_equal(box.w, 5);
-    assert_int_equal(box.rows[LETTER_UP], 0x1F);
-    assert_int_equal(box.rows[LETTER_UP + 3], 0x11);
-    assert_int_equal(box.rows[LETTER_UP + 6], 0x1F);
+    assert_int_equal(box.rows[LETTER_ACCENT_HEIGHT], 0x1F);
+    assert_int_equal(box.rows[LETTER_ACCENT_HEIGHT + 3], 0x11);
+    assert_int_equal(box.rows[LETTER_ACCENT_HEIGHT + 6], 0x1F);
 }
 
 /* A capital fills rows 0 to 6; no accent changes the letter under it; one row is free between the two. */
@@ -148,8 +148,8 @@ static void marks_leave_the_letter(void **state)
     for (size_t i = 0; i < sizeof v / sizeof *v; i++) {
         struct letter with, bare;
         int ink = 0;
-        letter_of(&with, v[i].code);
-        letter_of(&bare, v[i].letter);
+        letter_load(&with, v[i].code);
+        letter_load(&bare, v[i].letter);
         for (int row = 0; row < LETTER_ROWS; row++) {
             assert_int_equal(with.rows[row] & bare.rows[row], bare.rows[row]);
             ink += with.rows[row] != bare.rows[row];
@@ -160,8 +160,9 @@ static void marks_leave_the_letter(void **state)
     }
     for (uint32_t c = 'A'; c <= 'Z'; c++) {
         struct letter l;
-        letter_of(&l, c);
-        assert_true(l.rows[LETTER_UP] && l.rows[LETTER_UP + 6] && !l.rows[LETTER_UP - 1] && !l.rows[LETTER_UP + 7]);
+        letter_load(&l, c);
+        assert_true(l.rows[LETTER_ACCENT_HEIGHT] && l.rows[LETTER_ACCENT_HEIGHT + 6] &&
+                    !l.rows[LETTER_ACCENT_HEIGHT - 1] && !l.rows[LETTER_ACCENT_HEIGHT + 7]);
     }
 }
 
@@ -171,10 +172,10 @@ static void a_mark_wider_than_its_letter(void **state)
     struct letter l;
 
     (void)state;
-    letter_of(&l, 0xEF);
+    letter_load(&l, 0xEF);
     assert_int_equal(l.w, 3);
-    assert_int_equal(l.rows[LETTER_UP], 5);
-    assert_int_equal(l.rows[LETTER_UP + 2], 2);
+    assert_int_equal(l.rows[LETTER_ACCENT_HEIGHT], 5);
+    assert_int_equal(l.rows[LETTER_ACCENT_HEIGHT + 2], 2);
 }
 
 static void digits_stand_in_columns(void **state)
@@ -182,7 +183,7 @@ static void digits_stand_in_columns(void **state)
     (void)state;
     for (char c = '0'; c <= '9'; c++) {
         const char text[2] = { c, 0 };
-        assert_int_equal(canvas_say_width(text), 5);
+        assert_int_equal(canvas_large_text_width(text), 5);
     }
 }
 
@@ -197,18 +198,18 @@ static void texts_are_as_wide_as_they_say(void **state)
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
         struct ink ink;
         clear(b);
-        assert_int_equal(canvas_say(&b->canvas, 9, MIDDLE, CANVAS_CYAN, texts[i]),
-                         9 + canvas_say_width(texts[i]) + CANVAS_SAY_GAP);
+        assert_int_equal(canvas_large_text(&b->canvas, 9, MIDDLE, CANVAS_CYAN, texts[i]),
+                         9 + canvas_large_text_width(texts[i]) + CANVAS_LARGE_LETTER_SPACING);
         ink = look(b, CANVAS_CYAN);
         assert_int_equal(ink.x0, 9);
-        assert_int_equal(ink.x1, 9 + canvas_say_width(texts[i]) - 1);
-        assert_true(ink.y0 >= MIDDLE - CANVAS_SAY_UP && ink.y1 < MIDDLE + CANVAS_SAY_H);
+        assert_int_equal(ink.x1, 9 + canvas_large_text_width(texts[i]) - 1);
+        assert_true(ink.y0 >= MIDDLE - CANVAS_LARGE_ACCENT_HEIGHT && ink.y1 < MIDDLE + CANVAS_LARGE_HEIGHT);
     }
-    assert_int_equal(canvas_say_width(""), 0);
-    assert_int_equal(canvas_say(&b->canvas, 5, 5, CANVAS_RED, ""), 5);
-    assert_int_equal(canvas_say_width("H\tH"), canvas_say_width("H  H"));
-    assert_int_equal(canvas_say_width("H\xC2\xA0H"), canvas_say_width("H H"));
-    assert_true(CANVAS_LINE_H >= CANVAS_SAY_UP + CANVAS_SAY_H);
+    assert_int_equal(canvas_large_text_width(""), 0);
+    assert_int_equal(canvas_large_text(&b->canvas, 5, 5, CANVAS_RED, ""), 5);
+    assert_int_equal(canvas_large_text_width("H\tH"), canvas_large_text_width("H  H"));
+    assert_int_equal(canvas_large_text_width("H\xC2\xA0H"), canvas_large_text_width("H H"));
+    assert_true(CANVAS_LARGE_LINE_HEIGHT >= CANVAS_LARGE_ACCENT_HEIGHT + CANVAS_LARGE_HEIGHT);
 }
 
 /* A pixel of the rim is dark and beside ink, the ink is as without a rim. */
@@ -217,11 +218,11 @@ static void a_rim_is_round_the_ink(void **state)
     static bool plain[W * H];
     struct bed *b = *state;
 
-    canvas_say(&b->canvas, 5, 20, CANVAS_YELLOW, "Curtain \xC3\x84y");
+    canvas_large_text(&b->canvas, 5, 20, CANVAS_YELLOW, "Curtain \xC3\x84y");
     for (int i = 0; i < W * H; i++)
         plain[i] = inked(b, i % W, i / W, CANVAS_YELLOW);
     clear(b);
-    canvas_say_outlined(&b->canvas, 5, 20, CANVAS_YELLOW, "Curtain \xC3\x84y");
+    canvas_large_text_outlined(&b->canvas, 5, 20, CANVAS_YELLOW, "Curtain \xC3\x84y");
     for (int y = 1; y < H - 1; y++) {
         for (int x = 1; x < W - 1; x++) {
             bool near = false;
@@ -237,38 +238,39 @@ static void what_does_not_fit_is_cut(void **state)
 {
     static const char text[] = "a replay with quite a long name";
     struct bed *b = *state;
-    int whole = canvas_say_width(text);
+    int whole = canvas_large_text_width(text);
 
     for (int width = 8; width < whole; width++) {
         clear(b);
-        canvas_say_within(&b->canvas, 3, MIDDLE, CANVAS_RED, text, width);
+        canvas_large_text_truncated(&b->canvas, 3, MIDDLE, CANVAS_RED, text, width);
         assert_true(look(b, CANVAS_RED).x1 < 3 + width);
         assert_true(look(b, CANVAS_RED).x1 >= 3 + width - 16 || width < 20);
     }
     clear(b);
-    assert_int_equal(canvas_say_within(&b->canvas, 3, MIDDLE, CANVAS_RED, text, whole), 3 + whole + CANVAS_SAY_GAP);
+    assert_int_equal(canvas_large_text_truncated(&b->canvas, 3, MIDDLE, CANVAS_RED, text, whole),
+                     3 + whole + CANVAS_LARGE_LETTER_SPACING);
     clear(b);
-    canvas_say_within(&b->canvas, 3, MIDDLE, CANVAS_RED, "ab", canvas_say_width("ab") - 1);
+    canvas_large_text_truncated(&b->canvas, 3, MIDDLE, CANVAS_RED, "ab", canvas_large_text_width("ab") - 1);
     assert_int_equal(look(b, CANVAS_RED).n, 3);
 }
 
 static void lines_break_after_blanks(void **state)
 {
     static const char text[] = "one two three\nfour";
-    int w = canvas_say_width("one two t");
+    int w = canvas_large_text_width("one two t");
 
     (void)state;
-    assert_int_equal(canvas_say_fit(text, w), 8);
-    assert_int_equal(canvas_say_fit(text, 1000), 13);
-    assert_int_equal(canvas_say_fit("one two", canvas_say_width("one two")), 7);
-    assert_int_equal(canvas_say_fit("one two", canvas_say_width("one")), 4);
-    assert_int_equal(canvas_say_fit("a verylongword", canvas_say_width("a verylo")), 8);
-    assert_int_equal(canvas_say_fit("\xC3\x84\xC3\x84", 1), 2);
-    assert_int_equal(canvas_say_fit("", 50), 0);
-    assert_int_equal(canvas_say_fit("\nx", 50), 0);
-    assert_int_equal(canvas_say_lines(NULL, 0, 0, w, CANVAS_RED, text), 3);
-    assert_int_equal(canvas_say_lines(NULL, 0, 0, w, CANVAS_RED, "one\n\ntwo"), 3);
-    assert_int_equal(canvas_say_lines(NULL, 0, 0, w, CANVAS_RED, ""), 0);
+    assert_int_equal(canvas_large_text_fit(text, w), 8);
+    assert_int_equal(canvas_large_text_fit(text, 1000), 13);
+    assert_int_equal(canvas_large_text_fit("one two", canvas_large_text_width("one two")), 7);
+    assert_int_equal(canvas_large_text_fit("one two", canvas_large_text_width("one")), 4);
+    assert_int_equal(canvas_large_text_fit("a verylongword", canvas_large_text_width("a verylo")), 8);
+    assert_int_equal(canvas_large_text_fit("\xC3\x84\xC3\x84", 1), 2);
+    assert_int_equal(canvas_large_text_fit("", 50), 0);
+    assert_int_equal(canvas_large_text_fit("\nx", 50), 0);
+    assert_int_equal(canvas_large_text_wrapped(NULL, 0, 0, w, CANVAS_RED, text), 3);
+    assert_int_equal(canvas_large_text_wrapped(NULL, 0, 0, w, CANVAS_RED, "one\n\ntwo"), 3);
+    assert_int_equal(canvas_large_text_wrapped(NULL, 0, 0, w, CANVAS_RED, ""), 0);
 }
 
 static void lines_stand_below_each_other(void **state)
@@ -276,11 +278,11 @@ static void lines_stand_below_each_other(void **state)
     struct bed *b = *state;
     struct ink ink;
 
-    assert_int_equal(canvas_say_lines(&b->canvas, 4, 10, 30, CANVAS_GREEN, "HHH HHH\nHH"), 3);
+    assert_int_equal(canvas_large_text_wrapped(&b->canvas, 4, 10, 30, CANVAS_GREEN, "HHH HHH\nHH"), 3);
     ink = look(b, CANVAS_GREEN);
     assert_int_equal(ink.x0, 4);
     assert_int_equal(ink.y0, 10);
-    assert_int_equal(ink.y1, 10 + 2 * CANVAS_LINE_H + 6);
+    assert_int_equal(ink.y1, 10 + 2 * CANVAS_LARGE_LINE_HEIGHT + 6);
     assert_true(ink.x1 < 4 + 30);
 }
 
@@ -298,18 +300,18 @@ static void any_bytes(void **state)
             text[i] = (char)(n % 2 ? 32 + rng_below(&r, 95) : 1 + rng_below(&r, 255));
         text[rng_below(&r, sizeof text)] = 0;
         text[sizeof text - 1] = 0;
-        canvas_say_outlined(&b->canvas, x, y, CANVAS_RED, text);
-        canvas_say_within(&b->canvas, x, y, CANVAS_RED, text, width);
-        canvas_say_lines(&b->canvas, x, y, width, CANVAS_RED, text);
+        canvas_large_text_outlined(&b->canvas, x, y, CANVAS_RED, text);
+        canvas_large_text_truncated(&b->canvas, x, y, CANVAS_RED, text, width);
+        canvas_large_text_wrapped(&b->canvas, x, y, width, CANVAS_RED, text);
         left = (int)strlen(text);
         for (const char *s = text; left > 0;) {
-            int fit = canvas_say_fit(s, 60 + width), ink = fit;
+            int fit = canvas_large_text_fit(s, 60 + width), ink = fit;
             char line[sizeof text] = { 0 };
             assert_true(fit > 0 || *s == '\n');
             while (ink > 0 && s[ink - 1] == ' ')
                 ink--;
             memcpy(line, s, (size_t)ink);
-            assert_true(canvas_say_width(line) <= 60 + width);
+            assert_true(canvas_large_text_width(line) <= 60 + width);
             fit += s[fit] == '\n';
             s += fit;
             left -= fit;

@@ -79,8 +79,8 @@ static void short_ones_leave_the_picture(void **state)
 
     clear(b, 240, 320);
     int y = page_draw(&b->canvas, &p);
-    assert_int_equal(p.most, 0);
-    assert_true(y > 3 * CANVAS_LINE_H && y < 80);
+    assert_int_equal(p.max_top, 0);
+    assert_true(y > 3 * CANVAS_LARGE_LINE_HEIGHT && y < 80);
     assert_true(ink(b, CANVAS_YELLOW, 0, y) > 20 && ink(b, CANVAS_WHITE, 0, y) > 50 && ink(b, CANVAS_CYAN, 0, y) > 40);
     for (int x = 0; x < 240; x++) {
         assert_int_not_equal(b->fb.pix[(y - 1) * b->fb.pitch + x], 77);
@@ -104,7 +104,7 @@ static void long_ones_scroll(void **state)
         for (int y = 0; y < h; y++)
             shown += is(b, 6, y, CANVAS_WHITE);
         assert_int_equal(shown % 6, 0); /* a stem's first column is 6 px high */
-        assert_int_equal(p.most, 100 - shown / 6);
+        assert_int_equal(p.max_top, 100 - shown / 6);
         int before = ink(b, CANVAS_WHITE, 0, h);
         p.top = 1000;
         clear(b, sizes[i][0], h);
@@ -125,7 +125,7 @@ static void the_end_is_reached(void **state)
     strcat(text, "MMMMMMMMMM");
     clear(b, 240, 120);
     page_draw(&b->canvas, &p);
-    int most = p.most, none = 0;
+    int most = p.max_top, none = 0;
     for (p.top = 0; p.top <= most; p.top++) {
         clear(b, 240, 120);
         page_draw(&b->canvas, &p);
@@ -165,7 +165,7 @@ static void anything_ends(void **state)
         struct page p = { text[0], text[1], text[2], text[3], (int)rng_below(&r, 200) - 50, 0 };
         clear(b, (int)(1 + rng_below(&r, 50)) * 8, (int)(1 + rng_below(&r, 56)) * 8);
         assert_true(page_draw(&b->canvas, &p) > 0);
-        assert_true(p.most >= 0);
+        assert_true(p.max_top >= 0);
     }
 }
 

@@ -50,9 +50,9 @@ enum hotkey {
     HOTKEY_MENU,
     HOTKEY_HELP,
     HOTKEY_LOG,
-    HOTKEY_SHAPES, /* the overlay's panels, in their order */
+    HOTKEY_HITBOXES, /* the overlay's panels, in their order */
     HOTKEY_GAUGES,
-    HOTKEY_SPLIT,
+    HOTKEY_FRAME_TIMES,
     HOTKEY_TASKS,
     HOTKEY_MIXER,
     HOTKEY_CONSOLE,
@@ -65,7 +65,7 @@ enum hotkey {
     (1u << HOTKEY_STEP | 1u << HOTKEY_SLOW | 1u << HOTKEY_TURBO | 1u << HOTKEY_REWIND | 1u << HOTKEY_BACK |            \
      1u << HOTKEY_BEFORE | 1u << HOTKEY_AFTER | 1u << HOTKEY_GOTO)
 #define KEYS_INSIDE                                                                                                    \
-    (1u << HOTKEY_RELOAD | 1u << HOTKEY_SHAPES | 1u << HOTKEY_GAUGES | 1u << HOTKEY_SPLIT | 1u << HOTKEY_TASKS |       \
+    (1u << HOTKEY_RELOAD | 1u << HOTKEY_HITBOXES | 1u << HOTKEY_GAUGES | 1u << HOTKEY_FRAME_TIMES | 1u << HOTKEY_TASKS |       \
      1u << HOTKEY_MIXER | 1u << HOTKEY_CONSOLE)
 
 enum { KEYS_EACH = 6, KEYS_HAND = 3, KEYS_ACTIONS = MAX_PLAYERS * PAD_BUTTON_COUNT + HOTKEYS };

@@ -1,16 +1,17 @@
 /*
- * canvas.c - see canvas.h.
+ * canvas.c - colours, the small font and shapes (canvas.h). canvas_large.c draws the large font.
  */
 #include "canvas.h"
 
 #include <stdbool.h>
 #include <stdint.h>
+#include "../../base/fx.h"
 #include "../../base/geom.h"
 #include "../../base/int.h"
 
-enum { ROWS = 6, COLUMNS = 3 };
+enum { GLYPH_H = 6, GLYPH_W = 3 };
 
-/* ' ' to '~': an octal digit a row, its bits the pixels from left to right; the last row is below the line. */
+/* The glyphs of ' ' to '~'. Each octal digit is a row of three pixels; the last row is below the baseline. */
 static const uint32_t glyphs[95] = {
     0000000, 0222020, 0550000, 0575750, 0362360, 0512450, 0252530, 0220000, /*  !"#$%&' */
     0122210, 0422240, 0052500, 0027200, 0000240, 0007000, 0000020, 0112440, /* ()*+,-./ */
@@ -40,7 +41,7 @@ static void count_pixels(const struct fb *fb, uint32_t count[256])
             count[fb->pix[y * fb->pitch + x]]++;
 }
 
-/* The least used entry that is not taken yet; of several the last. */
+/* Returns the least used entry that is not taken, the last of equal ones. */
 static int least_used(const uint32_t count[256], const bool taken[256])
 {
     int best = -1;
@@ -60,16 +61,16 @@ static uint32_t distance(uint32_t a, uint32_t b)
     return sum;
 }
 
-static uint8_t nearest(const uint32_t rgb[256], const bool taken[256], int to)
+static uint8_t nearest(const uint32_t rgb[256], const bool taken[256], int entry)
 {
     int best = -1;
     for (int i = 0; i < 256; i++)
-        if (!taken[i] && (best < 0 || distance(rgb[i], rgb[to]) < distance(rgb[best], rgb[to])))
+        if (!taken[i] && (best < 0 || distance(rgb[i], rgb[entry]) < distance(rgb[best], rgb[entry])))
             best = i;
     return (uint8_t)best;
 }
 
-static void recolour(struct fb *fb, const uint8_t to[256])
+static void replace_entries(struct fb *fb, const uint8_t to[256])
 {
     for (int y = 0; y < fb->h; y++)
         for (int x = 0; x < fb->w; x++)
@@ -92,66 +93,66 @@ void canvas_open(struct canvas *canvas, struct fb *fb, uint32_t rgb[256])
     for (int i = 0; i < 256; i++)
         to[i] = taken[i] && count[i] ? nearest(rgb, taken, i) : (uint8_t)i;
     if (seen)
-        recolour(fb, to);
+        replace_entries(fb, to);
     for (int i = 0; i < CANVAS_COLOURS; i++)
         rgb[canvas->colour[i]] = colours[i];
 }
 
-/* ---- text ---- */
-
-void canvas_view(const struct canvas *canvas, enum colour_blind_mode view)
+void canvas_set_colour_blind_mode(const struct canvas *canvas, enum colour_blind_mode mode)
 {
     for (int i = 0; i < CANVAS_COLOURS; i++)
-        canvas->rgb[canvas->colour[i]] = view_adjust_colour(view, colours[i]);
+        canvas->rgb[canvas->colour[i]] = view_adjust_colour(mode, colours[i]);
 }
+
+/* ---- text ---- */
 
 static uint32_t glyph(unsigned char c)
 {
     return c >= ' ' && c <= '~' ? glyphs[c - ' '] : glyphs['?' - ' '];
 }
 
-static void letter(struct fb *fb, int x, int y, uint32_t rows, uint8_t colour)
+static void draw_glyph(struct fb *fb, int x, int y, uint32_t rows, uint8_t colour)
 {
-    for (int i = 0; i < ROWS * COLUMNS; i++)
-        if (rows >> (ROWS * COLUMNS - 1 - i) & 1)
-            fb_fill_rect(fb, x + i % COLUMNS, y + i / COLUMNS, 1, 1, colour);
+    for (int i = 0; i < GLYPH_H * GLYPH_W; i++)
+        if (rows >> (GLYPH_H * GLYPH_W - 1 - i) & 1)
+            fb_fill_rect(fb, x + i % GLYPH_W, y + i / GLYPH_W, 1, 1, colour);
 }
 
-/* Columns a byte takes: none when it continues a UTF-8 character. */
-static int columns(unsigned char c)
+/* Returns the columns that a byte occupies; 0 if it continues a UTF-8 character. */
+static int columns_of(unsigned char c)
 {
     return (c & 0xC0) == 0x80 ? 0 : c == '\t' ? 2 : 1;
 }
 
-int canvas_bytes(const struct canvas *canvas, int x, int y, enum canvas_colour c, const char *text, int n)
+int canvas_text_n(const struct canvas *canvas, int x, int y, enum canvas_colour c, const char *text, int n)
 {
     for (int i = 0; i < n && text[i]; i++) {
         unsigned char byte = (unsigned char)text[i];
-        if (columns(byte) == 1 && byte != ' ')
-            letter(canvas->fb, x, y, glyph(byte), canvas->colour[c]);
-        x += columns(byte) * CANVAS_CELL_W;
+        if (columns_of(byte) == 1 && byte != ' ')
+            draw_glyph(canvas->fb, x, y, glyph(byte), canvas->colour[c]);
+        x += columns_of(byte) * CANVAS_CELL_W;
     }
     return x;
 }
 
 int canvas_text(const struct canvas *canvas, int x, int y, enum canvas_colour c, const char *text)
 {
-    return canvas_bytes(canvas, x, y, c, text, INT32_MAX);
+    return canvas_text_n(canvas, x, y, c, text, INT32_MAX);
 }
 
-int canvas_width(const char *text)
+int canvas_text_width(const char *text)
 {
     int w = 0;
     for (; *text; text++)
-        w += columns((unsigned char)*text) * CANVAS_CELL_W;
+        w += columns_of((unsigned char)*text) * CANVAS_CELL_W;
     return w;
 }
 
-int canvas_fit(const char *text, int width)
+int canvas_text_fit(const char *text, int width)
 {
     int n = 0, used = 0, blank = 0;
     for (; text[n] && text[n] != '\n'; n++) {
-        used += columns((unsigned char)text[n]);
+        used += columns_of((unsigned char)text[n]);
         if (used > width)
             return blank > width / 2 ? blank : n ? n : 1;
         if (text[n] == ' ')
@@ -167,7 +168,7 @@ void canvas_rect(const struct canvas *canvas, int x, int y, int w, int h, enum c
     fb_fill_rect(canvas->fb, x, y, w, h, canvas->colour[c]);
 }
 
-void canvas_frame(const struct canvas *canvas, int x, int y, int w, int h, enum canvas_colour c)
+void canvas_outline(const struct canvas *canvas, int x, int y, int w, int h, enum canvas_colour c)
 {
     fb_outline(canvas->fb, x, y, w, h, canvas->colour[c]);
 }
@@ -177,39 +178,28 @@ void canvas_line(const struct canvas *canvas, int x0, int y0, int x1, int y1, en
     fb_line(canvas->fb, x0, y0, x1, y1, canvas->colour[c]);
 }
 
-/* The greatest whole number whose square is not above n >= 0. */
-static int64_t root(int64_t n)
-{
-    int64_t x = 0, step = 1;
-    while (step * step <= n / 4)
-        step *= 2;
-    for (; step > 0; step /= 2)
-        if ((x + step) * (x + step) <= n)
-            x += step;
-    return x;
-}
+enum { SUBPIXELS = 256 };
 
-enum { UNIT = 256 }; /* of a disc: parts of a pixel */
-
-/* The pixels whose middles are at most `square`'s root from (x, y). */
+/* The pixels whose centres are inside a circle, in subpixels. */
 struct disc {
-    int64_t x, y, square;
+    int64_t x, y, r_squared;
 };
 
-static int64_t floor_units(int64_t v)
+static int64_t floor_pixel(int64_t v)
 {
-    return v >= 0 ? v / UNIT : -((UNIT - 1 - v) / UNIT);
+    return v >= 0 ? v / SUBPIXELS : -((SUBPIXELS - 1 - v) / SUBPIXELS);
 }
 
-/* A row's pixels x0 to x1, x0 > x1 when it has none: both beyond any picture then. */
-static void span(const struct disc *d, int64_t row, int64_t *x0, int64_t *x1)
+/* Computes a row's pixels x0 to x1. An empty row has x0 > x1, both outside any picture. */
+static void row_span(const struct disc *d, int64_t row, int64_t *x0, int64_t *x1)
 {
-    int64_t dy = row * UNIT + UNIT / 2 - d->y, left = d->square - dy * dy, half = left < 0 ? 0 : root(left);
-    *x0 = left < 0 ? INT32_MAX : -floor_units(half + UNIT / 2 - d->x);
-    *x1 = left < 0 ? INT32_MIN : floor_units(d->x + half - UNIT / 2);
+    int64_t dy = row * SUBPIXELS + SUBPIXELS / 2 - d->y, left = d->r_squared - dy * dy,
+            half = left < 0 ? 0 : (int64_t)fx_root_bits((uint64_t)left);
+    *x0 = left < 0 ? INT32_MAX : -floor_pixel(half + SUBPIXELS / 2 - d->x);
+    *x1 = left < 0 ? INT32_MIN : floor_pixel(d->x + half - SUBPIXELS / 2);
 }
 
-static void row_of_dots(const struct canvas *canvas, int64_t row, int64_t x0, int64_t x1, enum canvas_colour c)
+static void draw_span(const struct canvas *canvas, int64_t row, int64_t x0, int64_t x1, enum canvas_colour c)
 {
     const struct fb *fb = canvas->fb;
     x0 = x0 < fb->x0 ? fb->x0 : x0;
@@ -218,125 +208,122 @@ static void row_of_dots(const struct canvas *canvas, int64_t row, int64_t x0, in
         fb_fill_rect(canvas->fb, (int)x0, (int)row, (int)(x1 - x0 + 1), 1, canvas->colour[c]);
 }
 
-/* Draws the pixels of a row that the next row, away from the middle, does not have, and its two ends. */
-static void rim(const struct canvas *canvas, const struct disc *d, int64_t row, enum canvas_colour c)
+/* Draws the outline in a row: its two ends, and the pixels that the next row outwards does not have. */
+static void draw_rim_row(const struct canvas *canvas, const struct disc *d, int64_t row, enum canvas_colour c)
 {
     int64_t x0, x1, next0, next1;
-    span(d, row, &x0, &x1);
+    row_span(d, row, &x0, &x1);
     if (x0 > x1)
         return;
-    span(d, row * UNIT + UNIT / 2 < d->y ? row - 1 : row + 1, &next0, &next1);
-    row_of_dots(canvas, row, x0, next0 > next1 || next0 <= x0 ? x0 : next0 - 1, c);
-    row_of_dots(canvas, row, next0 > next1 || next1 >= x1 ? x1 : next1 + 1, x1, c);
+    row_span(d, row * SUBPIXELS + SUBPIXELS / 2 < d->y ? row - 1 : row + 1, &next0, &next1);
+    draw_span(canvas, row, x0, next0 > next1 || next0 <= x0 ? x0 : next0 - 1, c);
+    draw_span(canvas, row, next0 > next1 || next1 >= x1 ? x1 : next1 + 1, x1, c);
     if (next0 > next1)
-        row_of_dots(canvas, row, x0, x1, c);
+        draw_span(canvas, row, x0, x1, c);
 }
 
-/* reach: the greatest distance of a row from the middle, in pixels. */
-static void disc_rim(const struct canvas *canvas, const struct disc *d, int64_t reach, enum canvas_colour c)
+/* reach: the greatest distance of a row from the centre, in pixels. */
+static void draw_rim(const struct canvas *canvas, const struct disc *d, int64_t reach, enum canvas_colour c)
 {
     const struct fb *fb = canvas->fb;
-    int64_t from = floor_units(d->y) - reach, to = floor_units(d->y) + reach;
+    int64_t from = floor_pixel(d->y) - reach, to = floor_pixel(d->y) + reach;
     from = from < fb->y0 ? fb->y0 : from;
     to = to >= fb->y1 ? fb->y1 - 1 : to;
     for (int64_t row = from; row <= to; row++)
-        rim(canvas, d, row, c);
+        draw_rim_row(canvas, d, row, c);
 }
 
-/* ---- hit shapes ---- */
+/* ---- hitboxes ---- */
 
-enum { FX = 65536, FX_UNIT = FX / UNIT };
+enum { FX = 65536, FX_PER_SUBPIXEL = FX / SUBPIXELS };
 
-/* The pixel of (x, y), for a shape that holds no pixel's middle. */
-static void speck(const struct canvas *canvas, int64_t x, int64_t y, enum canvas_colour c)
+/* Draws the pixel of (x, y), for a shape that may contain no pixel centre. */
+static void draw_pixel(const struct canvas *canvas, int64_t x, int64_t y, enum canvas_colour c)
 {
-    row_of_dots(canvas, y >> 16, x >> 16, x >> 16, c);
+    draw_span(canvas, y >> 16, x >> 16, x >> 16, c);
 }
 
-void canvas_ring(const struct canvas *canvas, int32_t x, int32_t y, int32_t r, enum canvas_colour c)
+void canvas_circle(const struct canvas *canvas, int32_t x, int32_t y, int32_t r, enum canvas_colour c)
 {
-    int64_t units = r / FX_UNIT;
-    struct disc d = { x / FX_UNIT, y / FX_UNIT, units * units };
+    int64_t units = r / FX_PER_SUBPIXEL;
+    struct disc d = { x / FX_PER_SUBPIXEL, y / FX_PER_SUBPIXEL, units * units };
     if (r < FX)
-        speck(canvas, x, y, c);
+        draw_pixel(canvas, x, y, c);
     if (r > 0)
-        disc_rim(canvas, &d, units / UNIT + 1, c);
+        draw_rim(canvas, &d, units / SUBPIXELS + 1, c);
 }
 
 void canvas_disc(const struct canvas *canvas, int32_t x, int32_t y, int32_t r, enum canvas_colour c)
 {
-    int64_t units = r / FX_UNIT, reach = units / UNIT + 1, x0, x1;
-    struct disc d = { x / FX_UNIT, y / FX_UNIT, units * units };
-    const int64_t from = int64_clamp(floor_units(d.y) - reach, canvas->fb->y0, canvas->fb->y1);
-    const int64_t to = int64_clamp(floor_units(d.y) + reach + 1, canvas->fb->y0, canvas->fb->y1);
+    int64_t units = r / FX_PER_SUBPIXEL, reach = units / SUBPIXELS + 1, x0, x1;
+    struct disc d = { x / FX_PER_SUBPIXEL, y / FX_PER_SUBPIXEL, units * units };
+    const int64_t from = int64_clamp(floor_pixel(d.y) - reach, canvas->fb->y0, canvas->fb->y1);
+    const int64_t to = int64_clamp(floor_pixel(d.y) + reach + 1, canvas->fb->y0, canvas->fb->y1);
 
     if (r < FX)
-        speck(canvas, x, y, c);
+        draw_pixel(canvas, x, y, c);
     for (int64_t row = from; row < to; row++) {
-        span(&d, row, &x0, &x1);
-        row_of_dots(canvas, row, x0, x1, c);
+        row_span(&d, row, &x0, &x1);
+        draw_span(canvas, row, x0, x1, c);
     }
 }
 
-/* The first pixel whose middle is at or after v. */
-static int64_t first_at(int64_t v)
+/* Returns the first pixel whose centre is at or after v. */
+static int64_t first_pixel_at(int64_t v)
 {
     return (v - FX / 2 + FX - 1) >> 16;
 }
 
 void canvas_box(const struct canvas *canvas, int32_t x, int32_t y, int32_t a, int32_t b, enum canvas_colour c)
 {
-    int64_t x0 = first_at((int64_t)x - a), x1 = first_at((int64_t)x + a + 1);
-    int64_t y0 = first_at((int64_t)y - b), y1 = first_at((int64_t)y + b + 1);
+    int64_t x0 = first_pixel_at((int64_t)x - a), x1 = first_pixel_at((int64_t)x + a + 1);
+    int64_t y0 = first_pixel_at((int64_t)y - b), y1 = first_pixel_at((int64_t)y + b + 1);
     if (x0 < x1 && y0 < y1)
-        canvas_frame(canvas, (int)x0, (int)y0, (int)(x1 - x0), (int)(y1 - y0), c);
+        canvas_outline(canvas, (int)x0, (int)y0, (int)(x1 - x0), (int)(y1 - y0), c);
     else
-        speck(canvas, x, y, c);
+        draw_pixel(canvas, x, y, c);
 }
 
-struct bar {
+struct capsule {
     int64_t x, y, hx, hy, r;
 };
 
-/* Is the middle of a pixel in the capsule? */
-static bool in_capsule(const struct bar *b, int px, int py)
+/* Returns whether the centre of a pixel is in the capsule. */
+static bool is_in_capsule(const struct capsule *b, int px, int py)
 {
     int64_t dx = b->x - b->hx - ((int64_t)px * FX + FX / 2), dy = b->y - b->hy - ((int64_t)py * FX + FX / 2);
     return geom_swept_circles(dx, dy, 2 * b->hx, 2 * b->hy, b->r);
 }
 
-/* On the rim: inside, and not all four beside it are. */
-static bool on_rim(const struct bar *b, int px, int py)
+/* Returns whether a pixel is inside, and one of its four neighbours is not. */
+static bool is_on_rim(const struct capsule *b, int px, int py)
 {
-    return in_capsule(b, px, py) && !(in_capsule(b, px - 1, py) && in_capsule(b, px + 1, py) &&
-                                      in_capsule(b, px, py - 1) && in_capsule(b, px, py + 1));
+    return is_in_capsule(b, px, py) && !(is_in_capsule(b, px - 1, py) && is_in_capsule(b, px + 1, py) &&
+                                         is_in_capsule(b, px, py - 1) && is_in_capsule(b, px, py + 1));
 }
 
-static bool beyond(int64_t v)
+static bool is_too_large(int64_t v)
 {
-    const int64_t most = (int64_t)1 << 30;
-    return v > most || v < -most;
-}
-
-static int within(int64_t v, int lo, int hi)
-{
-    return v < lo ? lo : v > hi ? hi : (int)v;
+    const int64_t limit = (int64_t)1 << 30;
+    return v > limit || v < -limit;
 }
 
 void canvas_capsule(const struct canvas *canvas, int32_t x, int32_t y, int32_t hx, int32_t hy, int32_t r,
                     enum canvas_colour c)
 {
     const struct fb *fb = canvas->fb;
-    const struct bar b = { x, y, hx, hy, r };
+    const struct capsule b = { x, y, hx, hy, r };
     int64_t w = (hx < 0 ? -b.hx : b.hx) + r, h = (hy < 0 ? -b.hy : b.hy) + r;
-    if (beyond(x) || beyond(y) || beyond(hx) || beyond(hy) || beyond(r))
+    if (is_too_large(x) || is_too_large(y) || is_too_large(hx) || is_too_large(hy) || is_too_large(r))
         return;
     if (r < FX)
-        speck(canvas, x, y, c);
-    int x0 = within((x - w) >> 16, fb->x0, fb->x1), x1 = within(((x + w) >> 16) + 1, fb->x0, fb->x1);
-    int y0 = within((y - h) >> 16, fb->y0, fb->y1), y1 = within(((y + h) >> 16) + 1, fb->y0, fb->y1);
+        draw_pixel(canvas, x, y, c);
+    const int x0 = (int)int64_clamp((x - w) >> 16, fb->x0, fb->x1);
+    const int x1 = (int)int64_clamp(((x + w) >> 16) + 1, fb->x0, fb->x1);
+    const int y0 = (int)int64_clamp((y - h) >> 16, fb->y0, fb->y1);
+    const int y1 = (int)int64_clamp(((y + h) >> 16) + 1, fb->y0, fb->y1);
     for (int py = y0; py < y1; py++)
         for (int px = x0; px < x1; px++)
-            if (on_rim(&b, px, py))
-                row_of_dots(canvas, py, px, px, c);
+            if (is_on_rim(&b, px, py))
+                draw_span(canvas, py, px, px, c);
 }

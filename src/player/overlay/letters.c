@@ -1,25 +1,25 @@
 /*
- * letters.c - see letters.h. The sheet is the face as it looks: a character's width is that of its ink, and one with an
- * accent is put together from a letter and a mark.
+ * letters.c - the glyphs of the large font (letters.h). The sheet shows the glyphs as text; a glyph is as wide as its
+ * ink. Accented letters are composed of a letter and a mark.
  */
 #include "letters.h"
 
 #include <stddef.h>
 
 enum {
-    CELL_W = 7, /* of the sheet, and a blank between two */
+    CELL_W = 7, /* of the sheet, without the space between cells */
     CELL_H = 9,
-    PER_LINE = 14,
+    PER_ROW = 14,
     FIRST = '!',
     LAST_PLAIN = '~',
     NBSP = 0xA0,
     DOTLESS_I = 0x131,
-    SQUARE = 0x25A1,
+    WHITE_SQUARE = 0x25A1,
     BALLOT_BOX = 0x2610,
     UNKNOWN = 0xFFFD
 };
 
-/* Row 0 is the top of capitals, row 6 the line, rows 7 and 8 below it. */
+/* Row 0 is the top of capitals, row 6 is on the baseline, and rows 7 and 8 are below it. */
 static const char *const sheet[] = {
     /* ! " # $ % & ' ( ) * + , - . */
     "#...... #.#.... .#.#... ..#.... ##..#.. .##.... #...... ..#.... #...... ....... ....... ....... ....... .......",
@@ -133,8 +133,8 @@ static const char *const sheet[] = {
     "....... ....... ....... ....... ....... ....... ....... ....... ....... ....... ....... ....... .......",
 };
 
-/* What the sheet has behind '~', in this order, ascending. */
-static const uint16_t further[] = {
+/* The code points in the sheet after '~', ascending. */
+static const uint16_t extra_codes[] = {
     0x00A1, 0x00A2, 0x00A3, 0x00A5, 0x00A7, 0x00A9, 0x00AA, 0x00AB, 0x00B0, 0x00B1, 0x00B5, 0x00B7,
     0x00BA, 0x00BB, 0x00BF, 0x00C6, 0x00D0, 0x00D7, 0x00D8, 0x00DE, 0x00DF, 0x00E6, 0x00F0, 0x00F7,
     0x00F8, 0x00FE, 0x0131, 0x0141, 0x0142, 0x0152, 0x0153, 0x2013, 0x2014, 0x2018, 0x2019, 0x201A,
@@ -154,12 +154,12 @@ enum mark {
     BREVE,
     DOT,
     DOUBLE_ACUTE,
-    CEDILLA, /* this and the next are below the letter */
+    CEDILLA, /* this and the next mark are below the letter */
     OGONEK
 };
 
-/* Rows that a mark has not are NULL. */
-static const char *const marks[][LETTER_UP] = {
+/* Rows after a mark's last one are NULL. */
+static const char *const marks[][LETTER_ACCENT_HEIGHT] = {
     [GRAVE] = { "#.", ".#" },
     [ACUTE] = { ".#", "#." },
     [CIRCUMFLEX] = { ".#.", "#.#" },
@@ -331,14 +331,14 @@ static const struct composed composed[] = {
 
 /* ---- the sheet ---- */
 
-/* The place of a character in the sheet; that of the box where it has none. */
-static int place_of(uint32_t code)
+/* Returns the index of a character in the sheet, or that of the box if the sheet does not have it. */
+static int sheet_index(uint32_t code)
 {
-    int n = sizeof further / sizeof *further, plain = LAST_PLAIN - FIRST + 1;
+    int n = sizeof extra_codes / sizeof *extra_codes, plain = LAST_PLAIN - FIRST + 1;
     if (code >= FIRST && code <= LAST_PLAIN)
         return (int)code - FIRST;
     for (int i = 0; i < n; i++)
-        if (further[i] == code)
+        if (extra_codes[i] == code)
             return plain + i;
     return plain + n - 1;
 }
@@ -348,21 +348,21 @@ static void add_row(struct letter *l, int row, int x, const char *ink, int n)
     for (int i = 0; i < n && ink[i]; i++) {
         if (ink[i] != '#')
             continue;
-        l->rows[LETTER_UP + row] |= (uint16_t)(1u << (x + i));
+        l->rows[LETTER_ACCENT_HEIGHT + row] |= (uint16_t)(1u << (x + i));
         l->w = x + i >= l->w ? x + i + 1 : l->w;
     }
 }
 
-static void take(struct letter *l, uint32_t code, int x)
+static void add_letter(struct letter *l, uint32_t code, int x)
 {
-    int place = place_of(code), line = place / PER_LINE * CELL_H, column = place % PER_LINE * (CELL_W + 1);
+    int place = sheet_index(code), line = place / PER_ROW * CELL_H, column = place % PER_ROW * (CELL_W + 1);
     for (int row = 0; row < CELL_H; row++)
         add_row(l, row, x, sheet[line + row] + column, CELL_W);
 }
 
 /* ---- marks ---- */
 
-static int width_of(enum mark m)
+static int mark_width(enum mark m)
 {
     int w = 0;
     while (marks[m][0][w])
@@ -370,28 +370,29 @@ static int width_of(enum mark m)
     return w;
 }
 
-static int height_of(enum mark m)
+static int mark_height(enum mark m)
 {
     int h = 0;
-    while (h < LETTER_UP && marks[m][h])
+    while (h < LETTER_ACCENT_HEIGHT && marks[m][h])
         h++;
     return h;
 }
 
-/* One row is free between a letter and the mark over it; not under a ring, which a capital wears as its tip. */
-static int top_of(const struct letter *l, enum mark m)
+/* One row separates a letter from the mark above it, except for the ring on a capital, which has no space for it. */
+static int mark_top(const struct letter *l, enum mark m)
 {
-    bool tall = l->rows[LETTER_UP] || l->rows[LETTER_UP + 1];
-    int top = (tall ? -1 : 1) - height_of(m);
+    bool tall = l->rows[LETTER_ACCENT_HEIGHT] || l->rows[LETTER_ACCENT_HEIGHT + 1];
+    int top = (tall ? -1 : 1) - mark_height(m);
     if (m >= CEDILLA)
-        return CELL_H - height_of(m);
-    return tall && top <= -LETTER_UP ? -LETTER_UP : top;
+        return CELL_H - mark_height(m);
+    return tall && top <= -LETTER_ACCENT_HEIGHT ? -LETTER_ACCENT_HEIGHT : top;
 }
 
-/* Where a mark begins, for a letter of width w: in the middle, acute ones right of it, an ogonek at the end. */
-static int left_of(int w, enum mark m)
+/* Returns the left edge of a mark on a letter of width w. Marks are centred, acute accents half a pixel further right;
+ * an ogonek is right-aligned. */
+static int mark_left(int w, enum mark m)
 {
-    int free = w - width_of(m), right = m == ACUTE || m == DOUBLE_ACUTE;
+    int free = w - mark_width(m), right = m == ACUTE || m == DOUBLE_ACUTE;
     if (m == OGONEK)
         return free;
     return free < 0 ? -((1 - free) / 2) + right : (free + right) / 2;
@@ -400,15 +401,15 @@ static int left_of(int w, enum mark m)
 static void compose(struct letter *l, const struct composed *c)
 {
     struct letter bare = { 0 };
-    take(&bare, c->letter, 0);
-    int left = left_of(bare.w, (enum mark)c->mark), shift = left < 0 ? -left : 0,
-        top = top_of(&bare, (enum mark)c->mark);
-    take(l, c->letter, shift);
-    for (int i = 0; i < height_of((enum mark)c->mark); i++)
+    add_letter(&bare, c->letter, 0);
+    int left = mark_left(bare.w, (enum mark)c->mark), shift = left < 0 ? -left : 0,
+        top = mark_top(&bare, (enum mark)c->mark);
+    add_letter(l, c->letter, shift);
+    for (int i = 0; i < mark_height((enum mark)c->mark); i++)
         add_row(l, top + i, left + shift, marks[c->mark][i], CELL_W);
 }
 
-/* ---- all ---- */
+/* ---- glyphs ---- */
 
 static const struct composed *find_composed(uint32_t code)
 {
@@ -418,20 +419,20 @@ static const struct composed *find_composed(uint32_t code)
     return NULL;
 }
 
-void letter_of(struct letter *l, uint32_t code)
+void letter_load(struct letter *l, uint32_t code)
 {
     const struct composed *c = code > LAST_PLAIN ? find_composed(code) : NULL;
     *l = (struct letter){ 0 };
     if (code == ' ' || code == NBSP)
-        l->w = LETTER_BLANK;
+        l->w = LETTER_SPACE_WIDTH;
     else if (c)
         compose(l, c);
     else
-        take(l, code == BALLOT_BOX ? SQUARE : code, 0);
+        add_letter(l, code == BALLOT_BOX ? WHITE_SQUARE : code, 0);
 }
 
-bool letter_known(uint32_t code)
+bool letter_exists(uint32_t code)
 {
     return code == ' ' || code == NBSP || code == BALLOT_BOX || find_composed(code) ||
-           place_of(code) != place_of(UNKNOWN) || code == UNKNOWN;
+           sheet_index(code) != sheet_index(UNKNOWN) || code == UNKNOWN;
 }

@@ -11,20 +11,20 @@
 #include <stdint.h>
 
 enum {
-    LETTER_UP = 3,    /* rows above a capital's top, for its accent */
-    LETTER_ROWS = 12, /* those, 7 of capitals, 2 below the line */
-    LETTER_BLANK = 3  /* px of a blank */
+    LETTER_ACCENT_HEIGHT = 3, /* rows above the top of capitals */
+    LETTER_ROWS = 12,         /* including the accent, 7 of capitals, and 2 below the baseline */
+    LETTER_SPACE_WIDTH = 3    /* px */
 };
 
 struct letter {
-    int w;                      /* px, without the gap behind it */
-    uint16_t rows[LETTER_ROWS]; /* bit n: the pixel n from the left */
+    int w;                      /* px, without letter spacing */
+    uint16_t rows[LETTER_ROWS]; /* bit n: pixel n from the left */
 };
 
 /* Stores the glyph of a code point, or a box if the font has none. */
-void letter_of(struct letter *l, uint32_t code);
+void letter_load(struct letter *l, uint32_t code);
 
 /* Returns whether the font has the code point. */
-bool letter_known(uint32_t code);
+bool letter_exists(uint32_t code);
 
 #endif

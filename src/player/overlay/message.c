@@ -1,5 +1,5 @@
 /*
- * message.c - see message.h. 60 columns on a 240 px screen.
+ * message.c - draws messages (message.h) in the small font.
  */
 #include "message.h"
 
@@ -10,10 +10,10 @@ static int columns_of(const struct canvas *canvas)
 
 int message_draw_above(const struct canvas *canvas, int end, const char *text)
 {
-    int h = 1;
+    int h = 1; /* the row above the text */
 
     for (const char *s = text; *s && h < end; h += CANVAS_CELL_H) {
-        s += canvas_fit(s, columns_of(canvas));
+        s += canvas_text_fit(s, columns_of(canvas));
         s += *s == '\n';
     }
     const int y = h < end ? end - h : 0;
@@ -26,9 +26,9 @@ int message_draw(const struct canvas *canvas, int y, const char *text)
     int columns = columns_of(canvas);
     canvas_rect(canvas, 0, y, canvas->fb->w, 1, CANVAS_DARK);
     for (y++; *text && y < canvas->fb->h; y += CANVAS_CELL_H) {
-        int n = canvas_fit(text, columns);
+        int n = canvas_text_fit(text, columns);
         canvas_rect(canvas, 0, y, canvas->fb->w, CANVAS_CELL_H, CANVAS_DARK);
-        canvas_bytes(canvas, 1, y, CANVAS_WHITE, text, n);
+        canvas_text_n(canvas, 1, y, CANVAS_WHITE, text, n);
         text += n;
         text += *text == '\n';
     }

@@ -1,6 +1,6 @@
 /*
- * overlay.h - the diagnostics over the picture: hit shapes, panels of gauges, frame times and tasks, and the object
- * under the mouse. The program draws all of it, and none of it is in RAM.
+ * overlay.h - diagnostics over the picture: hitboxes, panels of gauges, frame times and tasks, and the entity under the
+ * mouse. The overlay only reads the board.
  */
 #ifndef PLAYER_OVERLAY_H
 #define PLAYER_OVERLAY_H
@@ -12,30 +12,34 @@
 #include "../input/keys.h"
 #include "../speaker/speaker.h"
 
-/* In the order of the hotkeys from HOTKEY_SHAPES on. */
-enum overlay_panel { OVERLAY_SHAPES, OVERLAY_GAUGES, OVERLAY_SPLIT, OVERLAY_TASKS, OVERLAY_MIXER, OVERLAYS };
+/* In the order of the hotkeys that start with HOTKEY_HITBOXES. */
+enum overlay_panel { OVERLAY_HITBOXES, OVERLAY_GAUGES, OVERLAY_FRAME_TIMES, OVERLAY_TASKS, OVERLAY_MIXER, OVERLAYS };
 
-/* What a frame of the program consists of: the phases of its ticks, then these. */
+/* The steps of a frame: the phases of its ticks, then these. */
 enum {
-    SPLIT_PROGRAM = PHASES, /* everything else: keys, key frames, recording, sound */
-    SPLIT_DRAW,
-    SPLIT_SHOW, /* this overlay, and the port showing the picture */
-    SPLITS
+    STEP_PROGRAM = PHASES, /* input, key frames, recording, sound */
+    STEP_DRAW,             /* the board's picture */
+    STEP_SHOW,             /* the overlay, and the port showing the picture */
+    STEPS
 };
 
-/* The split: microseconds each part of a frame takes, over windows of SPLIT_WINDOW frames. */
-enum { SPLIT_WINDOW = 30 };
-struct split {
-    uint64_t last;        /* when the clock was last read */
-    uint64_t now[SPLITS]; /* of this frame */
-    uint64_t sum[SPLITS]; /* of this window's frames; their worst */
-    uint64_t most[SPLITS];
+/* The microseconds that each step takes. Results are shown for FRAME_TIMES_WINDOW frames, so that they can be read. */
+enum { FRAME_TIMES_WINDOW = 30 };
+struct frame_times {
+    uint64_t last_read;      /* when the clock was last read */
+    uint64_t current[STEPS]; /* of the current frame */
+
+    /* The current window. */
+    uint64_t sum[STEPS], max[STEPS];
+    uint32_t max_frame; /* the longest frame */
     int frames;
-    uint32_t slowest;                                /* whole frame of this window */
-    uint32_t mean[SPLITS], peak[SPLITS], all, worst; /* of the window before; all, worst: whole frames */
+
+    /* The results of the previous window. */
+    uint32_t shown_mean[STEPS], shown_max[STEPS];
+    uint32_t shown_frame_mean, shown_frame_max; /* of whole frames */
 };
 
-/* The mixer: levels as they fall, of 32768. */
+/* Peak levels, 0 to 32768, which decay from frame to frame. */
 struct mixer {
     int voice[VOICES], out[2];
     const struct speaker *speaker;
@@ -43,40 +47,41 @@ struct mixer {
 
 struct overlay {
     bool on[OVERLAYS];
-    struct split split;
+    struct frame_times frame_times;
     struct mixer mixer;
 };
 
-/* Toggles what was pressed. */
-void overlay_keys(struct overlay *o, uint32_t pressed);
+/* Toggles the panels whose hotkeys were pressed. */
+void overlay_toggle(struct overlay *o, uint32_t pressed);
 
-/* Is anything shown? */
-bool overlay_on(const struct overlay *o);
+/* Returns whether anything is shown. */
+bool overlay_is_visible(const struct overlay *o);
 
-/* Begins a frame in which g may tick. The clock is read only while the split is shown. */
-void overlay_begin(struct overlay *o, struct guard *g);
+/* Starts measuring a frame in which g may tick. The clock is read only while frame times are shown. */
+void overlay_begin_frame(struct overlay *o, struct guard *g);
 
-/* Adds the time since the last call to `part`. */
-void overlay_lap(struct overlay *o, int part);
+/* Adds the time since the last call to `step`. */
+void overlay_add_time(struct overlay *o, int step);
 
-/* Looks at what the board's frame sounds like, while the mixer is shown. */
-void overlay_listen(struct overlay *o, const struct board *b, const struct speaker *speaker);
+/* Updates the mixer's levels with the board's last frame, while the mixer is shown. */
+void overlay_update_mixer(struct overlay *o, const struct board *b, const struct speaker *speaker);
 
-/* Ends the frame. */
-void overlay_end(struct overlay *o);
+/* Ends the frame that overlay_begin_frame started. */
+void overlay_end_frame(struct overlay *o);
 
-/* Where it is drawn: shapes over the picture, panels there too, or beside it if that is not NULL, between its lines y0
- * and y1. */
-struct overlay_place {
-    const struct canvas *picture, *beside;
+/* Hitboxes are drawn on the picture. Panels are drawn on `side`, or on the picture if `side` is NULL, in rows y0 to
+ * y1 - 1. */
+struct overlay_target {
+    const struct canvas *picture, *side;
     int y0, y1;
 };
 
-/* Draws what is on over the picture of b. (mouse_x, mouse_y): a pixel of it, or -1, -1. */
-void overlay_draw(const struct overlay *o, const struct overlay_place *place, const struct board *b, int mouse_x,
+/* Draws everything that is shown. (mouse_x, mouse_y): a pixel of the picture of b, or -1, -1. */
+void overlay_draw(const struct overlay *o, const struct overlay_target *target, const struct board *b, int mouse_x,
                   int mouse_y);
 
-/* The hit shapes of the ships that are seen, on the field, for who plays: white, in a ring of a colour a player. */
-void overlay_ships(const struct canvas *canvas, const struct board *b);
+/* Draws the hitboxes of visible ships for the player: white, in a ring whose colour identifies the player. Clips them
+ * to the field. */
+void overlay_draw_hitboxes(const struct canvas *canvas, const struct board *b);
 
 #endif

@@ -1,31 +1,31 @@
 /*
- * page.c - draws a page (page.h). Title and foot are fixed; the lines between them scroll.
+ * page.c - draws a page (page.h). Title and footer are fixed; the lines between them scroll.
  */
 #include "page.h"
 
 #include <stdbool.h>
 
-enum { MARGIN = 6, GAP = 4, BAR = 2 /* px: the scroll bar's width */ };
+enum { MARGIN = 6, GAP = 4, BAR_W = 2 /* px: the scroll bar's width */ };
 
 struct body {
     int x, y, w;      /* of the first line, px */
     int first, shown; /* lines */
-    int at;           /* index of the next line */
+    int line;         /* index of the next line */
     const struct canvas *canvas;
 };
 
-static int lines_of(const char *text, int w)
+static int line_count(const char *text, int w)
 {
-    return text[0] ? canvas_say_lines(0, 0, 0, w, CANVAS_WHITE, text) : 0;
+    return text[0] ? canvas_large_text_wrapped(0, 0, 0, w, CANVAS_WHITE, text) : 0;
 }
 
 /* Draws the visible lines of a text. */
-static void draw_part(struct body *b, const char *text, enum canvas_colour c)
+static void draw_lines(struct body *b, const char *text, enum canvas_colour c)
 {
-    for (; *text; b->at++) {
-        int n = canvas_say_fit(text, b->w), row = b->at - b->first;
+    for (; *text; b->line++) {
+        int n = canvas_large_text_fit(text, b->w), row = b->line - b->first;
         if (row >= 0 && row < b->shown)
-            canvas_say_bytes(b->canvas, b->x, b->y + row * CANVAS_LINE_H, c, text, (size_t)n);
+            canvas_large_text_n(b->canvas, b->x, b->y + row * CANVAS_LARGE_LINE_HEIGHT, c, text, (size_t)n);
         text += n;
         text += *text == '\n';
     }
@@ -34,33 +34,34 @@ static void draw_part(struct body *b, const char *text, enum canvas_colour c)
 /* Draws the scroll bar at the right. */
 static void draw_bar(const struct body *b, int lines)
 {
-    int x = b->canvas->fb->w - MARGIN / 2 - BAR, h = b->shown * CANVAS_LINE_H;
+    int x = b->canvas->fb->w - MARGIN / 2 - BAR_W, h = b->shown * CANVAS_LARGE_LINE_HEIGHT;
 
-    canvas_rect(b->canvas, x, b->y, BAR, h, CANVAS_GREY);
-    canvas_rect(b->canvas, x, b->y + h * b->first / lines, BAR, h * b->shown / lines + 1, CANVAS_WHITE);
+    canvas_rect(b->canvas, x, b->y, BAR_W, h, CANVAS_GREY);
+    canvas_rect(b->canvas, x, b->y + h * b->first / lines, BAR_W, h * b->shown / lines + 1, CANVAS_WHITE);
 }
 
 int page_draw(const struct canvas *canvas, struct page *p)
 {
     const int w = canvas->fb->w - 2 * MARGIN, h = canvas->fb->h;
-    const int title = lines_of(p->title, w), foot = lines_of(p->foot, w);
-    const int text = lines_of(p->text, w), more = lines_of(p->more, w), lines = text + more + (text && more);
-    const int head_h = MARGIN + title * CANVAS_LINE_H + (title ? GAP : 0);
-    const int foot_h = MARGIN + foot * CANVAS_LINE_H + (foot ? GAP : 0);
-    const int room = (h - head_h - foot_h) / CANVAS_LINE_H;
-    const int shown = lines < room ? lines : room > 1 ? room : 1, most = lines - shown;
-    struct body b = { MARGIN, head_h, w, p->top < most ? p->top : most, shown, 0, canvas };
-    const int bottom = head_h + shown * CANVAS_LINE_H;
+    const int title = line_count(p->title, w), footer = line_count(p->footer, w);
+    const int text = line_count(p->text, w), details = line_count(p->details, w),
+              lines = text + details + (text && details);
+    const int header_h = MARGIN + title * CANVAS_LARGE_LINE_HEIGHT + (title ? GAP : 0);
+    const int footer_h = MARGIN + footer * CANVAS_LARGE_LINE_HEIGHT + (footer ? GAP : 0);
+    const int room = (h - header_h - footer_h) / CANVAS_LARGE_LINE_HEIGHT;
+    const int shown = lines < room ? lines : room > 1 ? room : 1, max_top = lines - shown;
+    struct body b = { MARGIN, header_h, w, p->top < max_top ? p->top : max_top, shown, 0, canvas };
+    const int bottom = header_h + shown * CANVAS_LARGE_LINE_HEIGHT;
 
-    canvas_rect(canvas, 0, 0, canvas->fb->w, bottom + foot_h, CANVAS_DARK);
-    canvas_rect(canvas, 0, bottom + foot_h - 1, canvas->fb->w, 1, CANVAS_GREY);
-    canvas_say_lines(canvas, MARGIN, MARGIN, w, CANVAS_YELLOW, p->title);
-    draw_part(&b, p->text, CANVAS_WHITE);
-    b.at += text && more;
-    draw_part(&b, p->more, CANVAS_GREY);
-    canvas_say_lines(canvas, MARGIN, bottom + GAP, w, CANVAS_CYAN, p->foot);
-    p->most = most;
-    if (most > 0)
+    canvas_rect(canvas, 0, 0, canvas->fb->w, bottom + footer_h, CANVAS_DARK);
+    canvas_rect(canvas, 0, bottom + footer_h - 1, canvas->fb->w, 1, CANVAS_GREY);
+    canvas_large_text_wrapped(canvas, MARGIN, MARGIN, w, CANVAS_YELLOW, p->title);
+    draw_lines(&b, p->text, CANVAS_WHITE);
+    b.line += text && details;
+    draw_lines(&b, p->details, CANVAS_GREY);
+    canvas_large_text_wrapped(canvas, MARGIN, bottom + GAP, w, CANVAS_CYAN, p->footer);
+    p->max_top = max_top;
+    if (max_top > 0)
         draw_bar(&b, lines);
-    return bottom + foot_h;
+    return bottom + footer_h;
 }

@@ -62,7 +62,7 @@ static void play_frame_audio(struct play *play, struct speaker_time *time)
     time->late = clock_since(time->late);
     speaker_frame(&play->speaker, time);
     play->speaker.meter = play->overlay.on[OVERLAY_MIXER];
-    overlay_listen(&play->overlay, play_shown_board(play), &play->speaker);
+    overlay_update_mixer(&play->overlay, play_shown_board(play), &play->speaker);
 }
 
 static void turbo(struct play *play, uint64_t now)
@@ -148,7 +148,7 @@ static void draw_frame(struct play *play)
 
     play_look_ahead(play);
     play_draw(play, &d->picture);
-    overlay_lap(&play->overlay, SPLIT_DRAW);
+    overlay_add_time(&play->overlay, STEP_DRAW);
     play_show(play, &d->picture);
     ahead_end(&d->ahead, &play->session.now->guard);
 }
@@ -172,7 +172,7 @@ bool play_frame(struct play *play)
     play_check_folder(play);
     struct speaker_time time = take_frames(play, now);
     play->time.ticked = false;
-    overlay_begin(&play->overlay, play->attract.on ? &play->attract.guard : &play->session.now->guard);
+    overlay_begin_frame(&play->overlay, play->attract.on ? &play->attract.guard : &play->session.now->guard);
     if (play->session.state != SESSION_PLAYING)
         play_continue_work(play, now);
     else if (play->console.open || play->time.stopped || screens_are_open(&play->screens))
@@ -184,11 +184,11 @@ bool play_frame(struct play *play)
     play->seek.bar_frames -= play->seek.bar_frames > 0;
     play->message.frames -= play->message.frames > 0;
     save_regularly(play);
-    overlay_lap(&play->overlay, SPLIT_PROGRAM);
+    overlay_add_time(&play->overlay, STEP_PROGRAM);
     draw_frame(play);
     pace_worked(&play->pace, play->window.handed - now);
-    overlay_lap(&play->overlay, SPLIT_SHOW);
-    overlay_end(&play->overlay);
+    overlay_add_time(&play->overlay, STEP_SHOW);
+    overlay_end_frame(&play->overlay);
     return !play->quit;
 }
 

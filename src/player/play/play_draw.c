@@ -93,9 +93,9 @@ static struct canvas copy_picture(struct play *play, struct picture *p)
         memcpy(p->composed.pix + y * p->composed.pitch, p->fb.pix + y * p->fb.pitch, (size_t)p->fb.w);
     memcpy(p->composed_rgb, p->rgb, sizeof p->rgb);
     canvas_open(&canvas, &p->composed, p->composed_rgb);
-    canvas_view(&canvas, (enum colour_blind_mode)play->config.colours);
+    canvas_set_colour_blind_mode(&canvas, (enum colour_blind_mode)play->config.colours);
     if (ships_shown(play))
-        overlay_ships(&canvas, play_board(play));
+        overlay_draw_hitboxes(&canvas, play_board(play));
     return canvas;
 }
 
@@ -139,11 +139,11 @@ static int draw_page(struct play *play, const struct canvas *canvas)
     if (play->message.frames != MESSAGE_UNTIL_RELOAD) {
         page.title = "Script error: the game has stopped";
         page.text = f->message;
-        page.more = f->trace;
+        page.details = f->trace;
         snprintf(foot, sizeof foot, "%s%s", play->report.where[0] ? "Report: " : "", play->report.where);
     }
     int y = page_draw(canvas, &page);
-    play->report.page_end = page.most;
+    play->report.page_end = page.max_top;
     return y;
 }
 
@@ -170,7 +170,7 @@ static void draw_hint(const struct canvas *canvas, const char *text)
     const int w = canvas->fb->w, y = canvas->fb->h - CANVAS_CELL_H;
 
     canvas_rect(canvas, 0, y - 1, w, CANVAS_CELL_H + 1, CANVAS_DARK);
-    canvas_text(canvas, (w - canvas_width(text)) / 2, y, CANVAS_WHITE, text);
+    canvas_text(canvas, (w - canvas_text_width(text)) / 2, y, CANVAS_WHITE, text);
 }
 
 bool play_timebar_shown(const struct play *play)
@@ -190,15 +190,15 @@ static void draw_progress(struct play *play, const struct canvas *canvas, int y)
 /* The overlay: its text, and where there is space for it. */
 struct over {
     char text[sizeof((struct play *)0)->message.text + 32], hint[160];
-    bool page;                     /* a page is shown, always over the picture */
-    struct canvas picture, beside; /* beside.fb NULL: everything is over the picture */
-    int y0, y1;                    /* rows that are free for panels */
+    bool page;                   /* a page is shown, always over the picture */
+    struct canvas picture, side; /* beside.fb NULL: everything is over the picture */
+    int y0, y1;                  /* rows that are free for panels */
 };
 
 static bool anything(struct play *play, const struct over *o)
 {
     return o->page || o->text[0] || o->hint[0] || play_timebar_shown(play) || play->console.open ||
-           overlay_on(&play->overlay) || ships_shown(play);
+           overlay_is_visible(&play->overlay) || ships_shown(play);
 }
 
 static struct canvas side_canvas(struct play *play, const struct canvas *picture)
@@ -232,7 +232,7 @@ static void draw_over(struct play *play, struct over *o)
 /* The message at the top, the console at the bottom, panels between them. */
 static void draw_beside(struct play *play, struct over *o)
 {
-    const struct canvas *canvas = &o->beside;
+    const struct canvas *canvas = &o->side;
 
     o->y1 = console_draw(&play->console, canvas);
     o->y0 = o->text[0] ? message_draw(canvas, 0, o->text) : o->hint[0] ? message_draw(canvas, 0, o->hint) : 0;
@@ -247,14 +247,14 @@ static void draw_beside(struct play *play, struct over *o)
 static void show_over(struct play *play, struct picture *p, struct over *o)
 {
     o->picture = copy_picture(play, p);
-    o->beside = side_canvas(play, &o->picture);
-    if (o->beside.fb)
+    o->side = side_canvas(play, &o->picture);
+    if (o->side.fb)
         draw_beside(play, o);
     else
         draw_over(play, o);
-    const struct overlay_place place = { &o->picture, o->beside.fb ? &o->beside : NULL, o->y0, o->y1 };
+    const struct overlay_target place = { &o->picture, o->side.fb ? &o->side : NULL, o->y0, o->y1 };
     overlay_draw(&play->overlay, &place, play_shown_board(play), play->mouse.x, play->mouse.y);
-    if (play_timebar_shown(play) && (o->beside.fb || !play->console.open))
+    if (play_timebar_shown(play) && (o->side.fb || !play->console.open))
         timebar_draw(&o->picture, &play->session);
     play_window_show(play, &p->composed, p->composed_rgb, true);
 }

@@ -100,7 +100,7 @@ static void time_bar_mouse(struct play *play, const struct plat_input *in)
 
     play->mouse.held = held;
     if (play->attract.on || play->console.open || !(play->session.demo || play_timebar_shown(play)) ||
-        !timebar_at(&play->session, fb->w, fb->h, in->mouse_x, in->mouse_y, &frame))
+        !timebar_frame_at(&play->session, fb->w, fb->h, in->mouse_x, in->mouse_y, &frame))
         return;
     play->seek.bar_frames = play->seek.bar_frames ? play->seek.bar_frames : 1;
     if (pressed || (held && play->session.state == SESSION_PLAYING && frame != board_frame(play_board(play))))
@@ -129,7 +129,7 @@ static void console_keys(struct play *play, const struct plat_input *in, struct 
     if (is_pressed(k, HOTKEY_CONSOLE))
         play_save_nvram(play);
     console_poll(&play->console, in, k, usable ? play_board(play) : NULL, !play->session.demo);
-    if (console_kept(&play->console)) {
+    if (console_take_kept(&play->console)) {
         play_check_recording(play, session_mark_touched(&play->session));
         practice_stop_counting(&play->practice);
     }
@@ -173,7 +173,7 @@ static void game_keys(struct play *play, const struct plat_input *in, struct key
         play->message.frames = 0;
     }
     console_keys(play, in, k);
-    overlay_keys(&play->overlay, k->pressed);
+    overlay_toggle(&play->overlay, k->pressed);
     take_pads(&play->pads, k);
     if (play_fault(play))
         play_scroll(play, &play->report.page_top, play->report.page_end, k->pads[0], in->wheel);

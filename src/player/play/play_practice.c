@@ -121,7 +121,7 @@ void play_open_practice(struct play *play)
     if (!may_practise(play))
         return;
     attract_end(&play->attract);
-    play->practice.hitbox = play->overlay.on[OVERLAY_SHAPES];
+    play->practice.hitbox = play->overlay.on[OVERLAY_HITBOXES];
     practice_open(&play->practice, &play->screens, play->time.slow);
 }
 
@@ -146,7 +146,7 @@ void play_practice_poll(struct play *play)
     if (menu->slow != play->time.slow)
         play_mark_assisted(play);
     play->time.slow = menu->slow;
-    play->overlay.on[OVERLAY_SHAPES] = menu->hitbox;
+    play->overlay.on[OVERLAY_HITBOXES] = menu->hitbox;
     if (!menu->start_chosen)
         return;
     menu->start_chosen = false;

@@ -131,7 +131,7 @@ struct waiting {
     bool on;
     bool settings; /* for the settings file */
     bool checking; /* it has changed: read it in the next frame, when the picture says so */
-    char why[FILES_ERR_SIZE + CONFIG_LINE], more[sizeof((struct board_fault *)0)->trace];
+    char why[FILES_ERR_SIZE + CONFIG_LINE], details[sizeof((struct board_fault *)0)->trace];
     int top, end; /* lines scrolled, and the most */
 };
 

@@ -35,13 +35,13 @@ static void set_error(struct play *play, const char *why, const char *more)
     struct waiting *w = &play->waiting;
 
     snprintf(w->why, sizeof w->why, "%s", why);
-    snprintf(w->more, sizeof w->more, "%s", more);
+    snprintf(w->details, sizeof w->details, "%s", more);
     clean_lines(w->why);
-    clean_lines(w->more);
+    clean_lines(w->details);
     w->top = 0;
     play_log(play, "curtain: %s", w->why);
-    if (w->more[0])
-        plat_log(w->more);
+    if (w->details[0])
+        plat_log(w->details);
     play->result = RESULT_REFUSED;
 }
 
@@ -74,7 +74,7 @@ static void draw(struct play *play)
     struct picture *p = &play->drawing.picture;
     struct waiting *w = &play->waiting;
     struct canvas canvas;
-    struct page page = { title, w->why, w->more,
+    struct page page = { title, w->why, w->details,
                          w->settings   ? "Fix and save the file to continue. Enter: play with default settings (the "
                                          "file is not changed). Escape: quit."
                          : w->checking ? "Checking the changes"
@@ -90,7 +90,7 @@ static void draw(struct play *play)
     canvas_open(&canvas, &p->composed, p->composed_rgb);
     canvas_rect(&canvas, 0, 0, PAGE_W, PAGE_H, CANVAS_DARK);
     page_draw(&canvas, &page);
-    w->end = page.most;
+    w->end = page.max_top;
     play_window_show(play, &p->composed, p->composed_rgb, false);
 }
 

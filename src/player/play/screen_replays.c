@@ -282,7 +282,7 @@ static int height(void *of, int w, int h)
     const int high = (m->screen_w > m->screen_h ? THUMB_SIDE * m->screen_h / m->screen_w : THUMB_SIDE) + 4;
 
     (void)w;
-    return h - high >= 4 * CANVAS_LINE_H ? high : h / 3;
+    return h - high >= 4 * CANVAS_LARGE_LINE_HEIGHT ? high : h / 3;
 }
 
 /* The screen covers the picture, so all palette entries except the canvas's own are free. */
@@ -305,7 +305,7 @@ static void draw_thumb(const struct thumb *t, const struct canvas *canvas, struc
     for (int y = 0; y < h; y++)
         for (int x = 0; x < w; x++)
             canvas->fb->pix[(y0 + y) * canvas->fb->pitch + x0 + x] = entry[t->pix[y * t->w + x]];
-    canvas_frame(canvas, x0 - 1, y0 - 1, w + 2, h + 2, CANVAS_GREY);
+    canvas_outline(canvas, x0 - 1, y0 - 1, w + 2, h + 2, CANVAS_GREY);
 }
 
 /* Beside the thumbnail: the details that don't fit in the row. */
@@ -321,9 +321,9 @@ static void draw_details(const struct replay_meta *c, const struct canvas *canva
     for (int p = 0; p < (c->players > 1 ? 2 : 1); p++)
         snprintf(lines[n++], sizeof lines[0], "%" PRId64 " points", c->points[p]);
     snprintf(lines[n++], sizeof lines[0], "%d stage%s", c->stages, c->stages == 1 ? "" : "s");
-    for (int i = 0; i < n && (i + 1) * CANVAS_LINE_H <= to.h; i++)
-        canvas_say_within(canvas, to.x, to.y + CANVAS_SAY_UP + i * CANVAS_LINE_H, i ? CANVAS_WHITE : CANVAS_YELLOW,
-                          lines[i], to.w);
+    for (int i = 0; i < n && (i + 1) * CANVAS_LARGE_LINE_HEIGHT <= to.h; i++)
+        canvas_large_text_truncated(canvas, to.x, to.y + CANVAS_LARGE_ACCENT_HEIGHT + i * CANVAS_LARGE_LINE_HEIGHT,
+                                    i ? CANVAS_WHITE : CANVAS_YELLOW, lines[i], to.w);
 }
 
 static void draw(void *of, int at, const struct canvas *canvas, struct screen_area to)

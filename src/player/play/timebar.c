@@ -1,5 +1,5 @@
 /*
- * timebar.c - see timebar.h.
+ * timebar.c - draws the time bar, and finds frames and markers on it (timebar.h).
  */
 #include "timebar.h"
 
@@ -14,7 +14,7 @@ static const enum canvas_colour colours[MARKER_KINDS] = {
     [MARKER_GAME] = CANVAS_WHITE,  [MARKER_OVER] = CANVAS_MAGENTA,
 };
 
-/* The pixel of a frame on a bar w pixels wide. */
+/* Returns the pixel of a frame on a bar of w pixels. */
 static int frame_x(const struct session *s, int w, uint32_t frame)
 {
     uint32_t first = session_first(s), last = session_last(s);
@@ -23,7 +23,7 @@ static int frame_x(const struct session *s, int w, uint32_t frame)
     return last > first ? (int)((uint64_t)at * (uint64_t)(w - 1) / (last - first)) : 0;
 }
 
-bool timebar_at(const struct session *s, int w, int h, int x, int y, uint32_t *frame)
+bool timebar_frame_at(const struct session *s, int w, int h, int x, int y, uint32_t *frame)
 {
     uint32_t first = session_first(s), last = session_last(s);
     int most = w - 2 * MARGIN - 1;
@@ -37,7 +37,7 @@ bool timebar_at(const struct session *s, int w, int h, int x, int y, uint32_t *f
 
 /* ---- markers ---- */
 
-/* Do the keys go to this marker? Not to waves, ends and attempts of sections, and rows of scores. */
+/* Returns whether the keys jump to this marker. Excludes waves, ends and attempts of sections, and rows of scores. */
 static bool is_target(const struct session *s, const struct demo_marker *m)
 {
     enum board_marker_kind kind = m->marker.kind;
@@ -69,7 +69,7 @@ uint32_t timebar_next(const struct session *s, uint32_t frame)
     return best;
 }
 
-/* The last marker of a kind up to a frame, not before one of another kind; NULL: none. */
+/* Returns the last marker of a kind up to a frame, or NULL. after: only markers after this one; NULL: all. */
 static const struct demo_marker *last_of(const struct session *s, uint32_t frame, enum board_marker_kind kind,
                                          const struct demo_marker *after)
 {
@@ -82,7 +82,7 @@ static const struct demo_marker *last_of(const struct session *s, uint32_t frame
     return found;
 }
 
-/* "stage:mark boss/phase" of the game in progress, as far as it has them. */
+/* Writes the position in the current game: "stage:mark boss/phase", or those parts of it that exist. */
 static void position_text(const struct session *s, uint32_t frame, char *text, size_t size)
 {
     const struct demo_marker *over = last_of(s, frame, MARKER_OVER, NULL);

@@ -8,7 +8,7 @@
 #include "../../base/int.h"
 
 enum {
-    LINE = CANVAS_LINE_H,
+    LINE = CANVAS_LARGE_LINE_HEIGHT,
     LETTER = 3, /* px from a line's top to the top of a capital */
     EDGE = 5,   /* px between a frame and its contents */
     TITLE = LINE + 2,
@@ -28,7 +28,7 @@ static int lines_of(const char *text, int w)
     int n = 0;
 
     while (*text) {
-        text += canvas_say_fit(text, w);
+        text += canvas_large_text_fit(text, w);
         text += *text == '\n';
         n++;
     }
@@ -42,9 +42,9 @@ static int draw_lines(const struct canvas *canvas, int x, int y, int w, int most
     char line[SCREEN_HELP];
 
     for (int i = 0; i < most && *text; i++, y += LINE) {
-        const int n = canvas_say_fit(text, w);
+        const int n = canvas_large_text_fit(text, w);
         snprintf(line, sizeof line, "%.*s", n, text);
-        canvas_say(canvas, x, y + LETTER, c, line);
+        canvas_large_text(canvas, x, y + LETTER, c, line);
         text += n;
         text += *text == '\n';
     }
@@ -74,13 +74,13 @@ static void draw_row(const struct screen_place *p, int at, const struct canvas *
     if (chosen)
         canvas_rect(canvas, to.x, to.y, to.w, LINE, CANVAS_WHITE);
     snprintf(value, sizeof value, chosen && row.changes ? "< %s >" : "%s", row.value);
-    const int room = to.w - 2 * EDGE, beside = room - canvas_say_width(row.label) - 2 * EDGE;
-    const int most = beside > room / 2 ? beside : room / 2, wide = canvas_say_width(value);
+    const int room = to.w - 2 * EDGE, beside = room - canvas_large_text_width(row.label) - 2 * EDGE;
+    const int most = beside > room / 2 ? beside : room / 2, wide = canvas_large_text_width(value);
     const int right = wide < most ? wide : most;
     const int x = to.x + to.w - EDGE - right;
-    canvas_say_within(canvas, to.x + EDGE, to.y + LETTER, chosen ? CANVAS_DARK : label_ink(&row), row.label,
-                      x - to.x - 2 * EDGE);
-    canvas_say_within(canvas, x, to.y + LETTER, chosen ? CANVAS_DARK : value_ink(&row), value, right);
+    canvas_large_text_truncated(canvas, to.x + EDGE, to.y + LETTER, chosen ? CANVAS_DARK : label_ink(&row), row.label,
+                                x - to.x - 2 * EDGE);
+    canvas_large_text_truncated(canvas, x, to.y + LETTER, chosen ? CANVAS_DARK : value_ink(&row), value, right);
 }
 
 /* The first visible row, such that the chosen one and its neighbours are visible: the one above may be a heading. */
@@ -115,12 +115,13 @@ static void draw_list(struct screens *s, struct screen_place *p, const struct ca
 /* Width of the widest row in px. */
 static int widest(const struct screen_place *p)
 {
-    int most = canvas_say_width(p->screen->title);
+    int most = canvas_large_text_width(p->screen->title);
 
     for (int i = 0, n = p->screen->rows(p->of); i < n; i++) {
         const struct screen_row row = screen_place_row(p, i);
-        const int w = canvas_say_width(row.label) +
-                      (row.value[0] ? canvas_say_width(row.value) + canvas_say_width("<  >") + 2 * EDGE : 0);
+        const int w =
+            canvas_large_text_width(row.label) +
+            (row.value[0] ? canvas_large_text_width(row.value) + canvas_large_text_width("<  >") + 2 * EDGE : 0);
         most = w > most ? w : most;
     }
     return most;
@@ -161,7 +162,7 @@ static struct screen_area area_of(const struct screen_place *p, const struct can
 static void draw_title(const struct screen_def *screen, const struct canvas *canvas, const struct screen_area *a)
 {
     canvas_rect(canvas, a->x, a->y, a->w, TITLE, CANVAS_CYAN);
-    canvas_say(canvas, a->x + EDGE, a->y + LETTER + 1, CANVAS_DARK, screen->title);
+    canvas_large_text(canvas, a->x + EDGE, a->y + LETTER + 1, CANVAS_DARK, screen->title);
 }
 
 /* Below the list: the line of screens_say, or the chosen row's help. */
@@ -205,7 +206,7 @@ void screens_draw(struct screens *s, const struct canvas *canvas, const char *fo
 
     canvas_rect(canvas, a.x, a.y, a.w, a.h, CANVAS_DARK);
     if (p->screen->small)
-        canvas_frame(canvas, a.x - 1, a.y - 1, a.w + 2, a.h + 2, CANVAS_GREY);
+        canvas_outline(canvas, a.x - 1, a.y - 1, a.w + 2, a.h + 2, CANVAS_GREY);
     draw_title(p->screen, canvas, &a);
     int y = a.y + TITLE + EDGE;
     y = draw_lines(canvas, a.x + EDGE, y, a.w - 2 * EDGE, a.h / LINE / 2, CANVAS_WHITE, text);
@@ -216,5 +217,5 @@ void screens_draw(struct screens *s, const struct canvas *canvas, const char *fo
     if (help)
         draw_help(s, p, canvas, &(struct screen_area){ a.x, bottom + EDGE / 2, a.w, help });
     if (feet)
-        canvas_say(canvas, a.x + EDGE, a.y + a.h - LINE + LETTER - 1, CANVAS_CYAN, foot);
+        canvas_large_text(canvas, a.x + EDGE, a.y + a.h - LINE + LETTER - 1, CANVAS_CYAN, foot);
 }

@@ -126,12 +126,12 @@ static int say(const struct atlas *a, int x, int y, uint32_t rgb, const char *te
     while (text < end) {
         const uint32_t code = utf8_next(&text, end);
         struct letter l;
-        letter_of(&l, code);
+        letter_load(&l, code);
         for (int row = 0; row < LETTER_ROWS; row++)
             for (int k = 0; k < l.w; k++)
                 if (code != ' ' && l.rows[row] >> k & 1)
-                    fill(a, x + k * TEXT, y + (row - LETTER_UP) * TEXT, TEXT, TEXT, rgb);
-        x += ((code == ' ' ? LETTER_BLANK : l.w) + 1) * TEXT;
+                    fill(a, x + k * TEXT, y + (row - LETTER_ACCENT_HEIGHT) * TEXT, TEXT, TEXT, rgb);
+        x += ((code == ' ' ? LETTER_SPACE_WIDTH : l.w) + 1) * TEXT;
     }
     return x - from;
 }
@@ -355,7 +355,7 @@ static void paint_cell(const struct atlas *a, const struct cell *c, int x, int y
     at += small_height(s, c->w);
     describe(a, c->sprite, s, &words);
     for (int k = 0; k < words.n; k++)
-        say(a, x, at + k * LINE + LETTER_UP * TEXT - 2, words.rgb[k], words.line[k]);
+        say(a, x, at + k * LINE + LETTER_ACCENT_HEIGHT * TEXT - 2, words.rgb[k], words.line[k]);
 }
 
 /* ---- the picture ---- */

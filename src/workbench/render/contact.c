@@ -50,10 +50,10 @@ static int add_letter(const struct contact *s, int x, int y, char c)
 {
     struct letter l;
 
-    letter_of(&l, (unsigned char)c);
+    letter_load(&l, (unsigned char)c);
     for (int row = 0; row < CAPITAL * s->scale; row++)
         for (int i = 0; i < l.w * s->scale; i++)
-            if (l.rows[LETTER_UP + row / s->scale] >> (i / s->scale) & 1)
+            if (l.rows[LETTER_ACCENT_HEIGHT + row / s->scale] >> (i / s->scale) & 1)
                 memset(at(s, x + i, y + row), TEXT, 3);
     return x + (l.w + 1) * s->scale;
 }

@@ -34,7 +34,7 @@ static void show(struct jukebox *h)
 
     memset(h->fb.pix, 0, (size_t)h->fb.pitch * H);
     canvas_open(&canvas, &h->fb, rgb);
-    const struct overlay_place at = { &canvas, NULL, 0, H };
+    const struct overlay_target at = { &canvas, NULL, 0, H };
     overlay_draw(&h->overlay, &at, h->b, -1, -1);
     plat_show(h->fb.pix, h->fb.pitch, W, H, rgb);
 }
@@ -69,7 +69,7 @@ bool jukebox_frame(struct jukebox *h)
     tick(h, time.sixtieths);
     time.late = clock_since(due);
     speaker_frame(&h->speaker, &time);
-    overlay_listen(&h->overlay, h->b, &h->speaker);
+    overlay_update_mixer(&h->overlay, h->b, &h->speaker);
     show(h);
     return !h->over && !in.quit && !plat_is_key_held(&in, KEY_ESCAPE);
 }

@@ -80,7 +80,7 @@ static void label(const struct atlas *m, int x, int y, const char *text)
     fb_init(&fb, mem, W, H);
     canvas_open(&canvas, &fb, rgb);
     canvas_rect(&canvas, 0, 0, W, H, CANVAS_DARK);
-    canvas_say(&canvas, 0, CANVAS_SAY_UP, CANVAS_WHITE, text);
+    canvas_large_text(&canvas, 0, CANVAS_LARGE_ACCENT_HEIGHT, CANVAS_WHITE, text);
     for (int py = 0; py < H; py++)
         for (int px = 0; px < W; px++)
             if (fb.pix[py * fb.pitch + px] == canvas.colour[CANVAS_WHITE])
