@@ -58,7 +58,7 @@ static void help_controls(void)
 {
     say("");
     say("Keys and buttons, by the names to use in key bindings:");
-    keys_help(embedded_rom_sealed() ? KEYS_INSIDE : 0, say);
+    keys_print_help(embedded_rom_sealed() ? KEYS_FOR_AUTHORS : 0, say);
     say("");
     say("Controllers: player 1 gets the first one used; press START on another one to join as player 2.");
     say("pad. is the player's own controller; pad1. to pad4. are specific controllers.");

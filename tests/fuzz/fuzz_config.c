@@ -23,19 +23,19 @@ static bool within(int v, int lo, int hi)
 static void play(struct keys *k, const uint8_t *data, size_t size)
 {
     struct plat_input in = { 0 };
-    struct keys_read out;
-    struct seats seats;
+    struct keys_state out;
+    struct controllers controllers;
 
-    seats_open(&seats);
+    controllers_open(&controllers);
     for (int turn = 0; turn < 3; turn++) {
         for (size_t i = 0; i < sizeof in.keys; i++)
             in.keys[i] = size ? data[(i + (size_t)turn * 31) % size] : 255;
         in.controllers[0] = size ? data[size / 2] * 0x01010101u : 0;
         in.controllers[1] = ~in.controllers[0];
-        memcpy(seats.switches, in.controllers, sizeof seats.switches);
-        seats.seat[0] = turn - 1;
-        seats.seat[1] = turn;
-        keys_read(k, &in, &seats, &out);
+        memcpy(controllers.buttons, in.controllers, sizeof controllers.buttons);
+        controllers.controller_of[0] = turn - 1;
+        controllers.controller_of[1] = turn;
+        keys_read(k, &in, &controllers, &out);
         for (int i = 0; i < MAX_PLAYERS; i++)
             need((out.pads[i] & ~PAD_ALL) == 0);
         need(out.held >> HOTKEYS == 0 && (out.pressed & ~out.held) == 0);

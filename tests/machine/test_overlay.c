@@ -320,10 +320,10 @@ static void the_game_does_not_notice(void **state)
 
 enum { ENTER = 40, ESCAPE = 41, BACKSPACE = 42, HOME = 74, DELETE = 76, END = 77, RIGHT = 79, LEFT = 80, DOWN, UP };
 
-static struct keys_read polled(struct bed *t, unsigned key, const char *text, uint32_t pressed)
+static struct keys_state polled(struct bed *t, unsigned key, const char *text, uint32_t pressed)
 {
     struct plat_input in = { .has_focus = true };
-    struct keys_read k = { .pressed = pressed, .held = pressed, .pads = { 16 } };
+    struct keys_state k = { .pressed = pressed, .held = pressed, .pads = { 16 } };
 
     if (key)
         in.keys[key >> 3] = (uint8_t)(1u << (key & 7));
@@ -368,7 +368,7 @@ static int draw_console(struct bed *t)
 static void it_opens_types_and_answers(void **state)
 {
     struct bed *t = *state;
-    struct keys_read k = polled(t, 0, "x", 0);
+    struct keys_state k = polled(t, 0, "x", 0);
 
     assert_true(k.pads[0] == 16 && !t->c.open);
     assert_int_equal(draw_console(t), 320);
@@ -478,7 +478,7 @@ static void a_line_is_undone_unless_it_is_kept(void **state)
 static void what_cannot_be_kept_is_not(void **state)
 {
     struct plat_input in = { .has_focus = true };
-    struct keys_read k = { .pressed = 0 };
+    struct keys_state k = { .pressed = 0 };
     struct bed *t = *state;
     uint64_t hash = board_hash(t->r.b);
 

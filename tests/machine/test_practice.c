@@ -790,7 +790,7 @@ static struct screens screens;
 static bool held(uint16_t pad)
 {
     const struct plat_input in = { .mouse_x = -1, .mouse_y = -1 };
-    const struct keys_read k = { .pads = { pad } };
+    const struct keys_state k = { .pads = { pad } };
 
     screens_poll(&screens, &in, &k);
     return screens_are_open(&screens);

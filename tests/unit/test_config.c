@@ -159,14 +159,14 @@ static void no_name_means_two_things(void **state)
 
     (void)state;
     for (int i = 0; (s = config_setting(i)) != NULL; i++) {
-        assert_false(keys_known(s->name));
+        assert_false(keys_is_action(s->name));
         assert_string_not_equal(s->name, "lang");
         for (int k = 0; k < i; k++)
             assert_string_not_equal(s->name, config_setting(k)->name);
     }
     for (int i = 0; i < KEYS_ACTIONS; i++)
         for (int k = 0; k < i; k++)
-            assert_string_not_equal(keys_action(i), keys_action(k));
+            assert_string_not_equal(keys_action_name(i), keys_action_name(k));
 }
 
 /* ---- whatever is set ---- */
@@ -196,10 +196,10 @@ static void any_settings(struct rng *r, struct config *c)
         if (below(r, 5) != 0)
             continue;
         list[0] = 0;
-        for (int k = below(r, KEYS_EACH + 1); k > 0; k--)
+        for (int k = below(r, KEYS_PER_ACTION + 1); k > 0; k--)
             n += (size_t)snprintf(list + n, sizeof list - n, "%s ",
                                   switches[below(r, (int)(sizeof switches / sizeof *switches))]);
-        assert_true(keys_bind(&c->keys, keys_action(i), n ? list : "none", err, sizeof err));
+        assert_true(keys_bind(&c->keys, keys_action_name(i), n ? list : "none", err, sizeof err));
     }
 }
 

@@ -24,36 +24,36 @@ static void release(struct plat_input *in, unsigned usage)
 }
 
 /* A poll with the first controller player 1's and the second player 2's. */
-static void read_keys(struct keys *k, const struct plat_input *in, struct keys_read *out)
+static void read_keys(struct keys *k, const struct plat_input *in, struct keys_state *out)
 {
-    struct seats seats;
+    struct controllers controllers;
 
-    seats_open(&seats);
-    memcpy(seats.switches, in->controllers, sizeof seats.switches);
+    controllers_open(&controllers);
+    memcpy(controllers.buttons, in->controllers, sizeof controllers.buttons);
     for (int p = 0; p < MAX_PLAYERS; p++)
-        seats.seat[p] = p;
-    seats.is[0].kind = PLAT_PS4;
-    seats.is[1].kind = PLAT_NINTENDO;
-    keys_read(k, in, &seats, out);
+        controllers.controller_of[p] = p;
+    controllers.info[0].kind = PLAT_PS4;
+    controllers.info[1].kind = PLAT_NINTENDO;
+    keys_read(k, in, &controllers, out);
 }
 
 /* The pads a single key makes, player 2 in the upper half. */
 static uint32_t of_key(unsigned usage)
 {
     struct keys k;
-    struct keys_read r;
+    struct keys_state r;
     struct plat_input in = { 0 };
-    keys_defaults(&k);
+    keys_set_defaults(&k);
     press(&in, usage);
     read_keys(&k, &in, &r);
     return r.pads[0] | (uint32_t)r.pads[1] << 16;
 }
 
-static void every_action_has_a_switch(void **state)
+static void every_action_has_an_input(void **state)
 {
     struct keys k;
     (void)state;
-    keys_defaults(&k);
+    keys_set_defaults(&k);
     for (int i = 0; i < KEYS_ACTIONS; i++)
         assert_int_not_equal(k.code[i][0], 0);
 }
@@ -89,10 +89,10 @@ static void standard_keys(void **state)
 static void controllers_are_the_players(void **state)
 {
     struct keys k;
-    struct keys_read r;
+    struct keys_state r;
     struct plat_input in = { .controllers = { 1u << PLAT_SOUTH, 1u << PLAT_LEFT_STICK_UP } };
     (void)state;
-    keys_defaults(&k);
+    keys_set_defaults(&k);
     read_keys(&k, &in, &r);
     assert_int_equal(r.pads[0], PAD_FIRE);
     assert_int_equal(r.pads[1], PAD_UP);
@@ -109,10 +109,10 @@ static void controllers_are_the_players(void **state)
 static void a_chord_eats_its_key(void **state)
 {
     struct keys k;
-    struct keys_read r;
+    struct keys_state r;
     struct plat_input in = { 0 };
     (void)state;
-    keys_defaults(&k);
+    keys_set_defaults(&k);
     press(&in, 230);
     press(&in, 40);
     read_keys(&k, &in, &r);
@@ -135,29 +135,29 @@ static void a_chord_eats_its_key(void **state)
 static void pressed_is_once(void **state)
 {
     struct keys k;
-    struct keys_read r;
+    struct keys_state r;
     struct plat_input in = { 0 };
     (void)state;
-    keys_defaults(&k);
+    keys_set_defaults(&k);
     press(&in, 19);
     press(&in, 29);
     read_keys(&k, &in, &r);
     assert_int_equal(r.pressed, 1u << HOTKEY_PAUSE);
-    assert_true(r.fresh);
+    assert_true(r.any_pad_pressed);
     read_keys(&k, &in, &r);
     assert_int_equal(r.held, 1u << HOTKEY_PAUSE);
     assert_int_equal(r.pressed, 0);
-    assert_false(r.fresh);
+    assert_false(r.any_pad_pressed);
     press(&in, 80);
     read_keys(&k, &in, &r);
-    assert_true(r.fresh);
+    assert_true(r.any_pad_pressed);
 }
 
 static void bad_bindings_change_nothing(void **state)
 {
     struct keys k, was;
     (void)state;
-    keys_defaults(&k);
+    keys_set_defaults(&k);
     was = k;
     assert_false(keys_bind(&k, "p3.fire", "z", err, sizeof err));
     assert_string_equal(err, "unknown action \"p3.fire\"");
@@ -263,8 +263,8 @@ static void bad_settings(void **state)
     refuse(longline, sizeof longline, "x.conf:1: expected a line of text");
 }
 
-/* The first switch of an action, as it would be written. */
-static void first_switch(void **state)
+/* The first input of an action, as it would be written. */
+static void first_input(void **state)
 {
     static const char *const words[] = { "a",         "z",         "1",         "9",         "0",
                                          "f1",        "f12",       "kp1",       "kp5",       "kp9",
@@ -275,16 +275,16 @@ static void first_switch(void **state)
     char name[32];
 
     (void)state;
-    keys_defaults(&k);
-    keys_first(&k, "p1.start", name, sizeof name);
+    keys_set_defaults(&k);
+    keys_hint(&k, "p1.start", name, sizeof name);
     assert_string_equal(name, "enter");
     for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
         assert_true(keys_bind(&k, "p2.bomb", words[i], err, sizeof err));
-        keys_first(&k, "p2.bomb", name, sizeof name);
+        keys_hint(&k, "p2.bomb", name, sizeof name);
         assert_string_equal(name, strcmp(words[i], "key4") ? words[i] : "a");
     }
     assert_true(keys_bind(&k, "p2.bomb", "kp3 x", err, sizeof err));
-    keys_first(&k, "p2.bomb", name, 3);
+    keys_hint(&k, "p2.bomb", name, 3);
     assert_string_equal(name, "kp");
 }
 
@@ -292,42 +292,42 @@ static void first_switch(void **state)
 static void hints_name_what_is_used(void **state)
 {
     struct keys k;
-    struct keys_read r;
+    struct keys_state r;
     struct plat_input in = { 0 };
-    char name[SWITCH_NAME];
+    char name[INPUT_CODE_NAME_SIZE];
 
     (void)state;
-    keys_defaults(&k);
+    keys_set_defaults(&k);
     in.controllers[0] = 1u << PLAT_LEFT_STICK_UP;
     read_keys(&k, &in, &r);
-    keys_first(&k, "p1.fire", name, sizeof name);
+    keys_hint(&k, "p1.fire", name, sizeof name);
     assert_string_equal(name, "cross");
-    keys_first(&k, "p1.start", name, sizeof name);
+    keys_hint(&k, "p1.start", name, sizeof name);
     assert_string_equal(name, "Options");
-    keys_first(&k, "p2.fire", name, sizeof name);
+    keys_hint(&k, "p2.fire", name, sizeof name);
     assert_string_equal(name, "j");
     in.controllers[1] = 1u << PLAT_EAST;
     read_keys(&k, &in, &r);
-    keys_first(&k, "p2.bomb", name, sizeof name);
+    keys_hint(&k, "p2.bomb", name, sizeof name);
     assert_string_equal(name, "A");
     keys_bind(&k, "silence", "m pad.north", err, sizeof err);
-    keys_first(&k, "silence", name, sizeof name);
+    keys_hint(&k, "silence", name, sizeof name);
     assert_string_equal(name, "X");
     press(&in, 29); /* the controllers are still held: what is new counts */
     read_keys(&k, &in, &r);
-    keys_first(&k, "p1.fire", name, sizeof name);
+    keys_hint(&k, "p1.fire", name, sizeof name);
     assert_string_equal(name, "z");
-    keys_first(&k, "silence", name, sizeof name);
+    keys_hint(&k, "silence", name, sizeof name);
     assert_string_equal(name, "m");
-    keys_first(&k, "p2.fire", name, sizeof name);
+    keys_hint(&k, "p2.fire", name, sizeof name);
     assert_string_equal(name, "B");
     in.controllers[0] = 1u << PLAT_SOUTH; /* and it is used again */
     read_keys(&k, &in, &r);
-    assert_int_equal(r.pads_fresh[0], 0); /* z holds fire already */
-    keys_first(&k, "p1.focus", name, sizeof name);
+    assert_int_equal(r.pads_pressed[0], 0); /* z holds fire already */
+    keys_hint(&k, "p1.focus", name, sizeof name);
     assert_string_equal(name, "R1");
     keys_bind(&k, "p1.focus", "q", err, sizeof err);
-    keys_first(&k, "p1.focus", name, sizeof name);
+    keys_hint(&k, "p1.focus", name, sizeof name);
     assert_string_equal(name, "q");
 }
 
@@ -345,27 +345,27 @@ bool plat_key_label(unsigned usage, char *text, size_t size)
 static void keys_are_called_as_printed(void **state)
 {
     struct keys k;
-    char name[SWITCH_NAME];
+    char name[INPUT_CODE_NAME_SIZE];
 
     (void)state;
-    keys_defaults(&k);
+    keys_set_defaults(&k);
     layout[29] = "W", layout[54] = ";", layout[31] = "\u00e9", layout[27] = "\u0447", layout[20] = "A";
-    keys_first(&k, "p1.fire", name, sizeof name);
+    keys_hint(&k, "p1.fire", name, sizeof name);
     assert_string_equal(name, "w");
-    keys_first(&k, "slow", name, sizeof name); /* ; is where a US keyboard has the comma */
+    keys_hint(&k, "slow", name, sizeof name); /* ; is where a US keyboard has the comma */
     assert_string_equal(name, "semicolon");
-    keys_first(&k, "p2.start", name, sizeof name);
+    keys_hint(&k, "p2.start", name, sizeof name);
     assert_string_equal(name, "\u00e9");
-    keys_first(&k, "p1.bomb", name, sizeof name); /* no picture of this letter */
+    keys_hint(&k, "p1.bomb", name, sizeof name); /* no picture of this letter */
     assert_string_equal(name, "x");
-    keys_first(&k, "quit", name, sizeof name);
+    keys_hint(&k, "quit", name, sizeof name);
     assert_string_equal(name, "ctrl+a");
-    keys_first(&k, "p1.start", name, sizeof name);
+    keys_hint(&k, "p1.start", name, sizeof name);
     assert_string_equal(name, "enter");
-    keys_text(&k, "p1.fire", name, sizeof name);
+    keys_write_list(&k, "p1.fire", name, sizeof name);
     assert_string_equal(name, "z pad.south");
     memset(layout, 0, sizeof layout);
-    keys_first(&k, "p1.fire", name, sizeof name);
+    keys_hint(&k, "p1.fire", name, sizeof name);
     assert_string_equal(name, "z");
 }
 
@@ -373,28 +373,28 @@ static void keys_are_called_as_printed(void **state)
 static void lists_are_written_and_read(void **state)
 {
     struct keys k, again;
-    char text[KEYS_EACH * SWITCH_NAME];
+    char text[KEYS_PER_ACTION * INPUT_CODE_NAME_SIZE];
 
     (void)state;
-    keys_defaults(&k);
+    keys_set_defaults(&k);
     assert_true(keys_bind(&k, "step", "alt+kp. ctrl+key100 pad.lup pad4.rright f12 0", err, sizeof err));
     assert_true(keys_bind(&k, "slow", "none", err, sizeof err));
-    keys_text(&k, "step", text, sizeof text);
+    keys_write_list(&k, "step", text, sizeof text);
     assert_string_equal(text, "alt+kp. ctrl+key100 pad.lup pad4.rright f12 0");
-    keys_text(&k, "slow", text, sizeof text);
+    keys_write_list(&k, "slow", text, sizeof text);
     assert_string_equal(text, "none");
     memset(&again, 0, sizeof again);
     for (int i = 0; i < KEYS_ACTIONS; i++) {
-        keys_text(&k, keys_action(i), text, sizeof text);
-        assert_true(keys_bind(&again, keys_action(i), text, err, sizeof err));
-        assert_non_null(keys_meaning(i));
+        keys_write_list(&k, keys_action_name(i), text, sizeof text);
+        assert_true(keys_bind(&again, keys_action_name(i), text, err, sizeof err));
+        assert_non_null(keys_action_help(i));
     }
     assert_memory_equal(k.code, again.code, sizeof k.code);
-    keys_text(&k, "step", text, 6);
+    keys_write_list(&k, "step", text, 6);
     assert_string_equal(text, "alt+k");
 }
 
-static void a_switch_is_captured(void **state)
+static void an_input_is_captured(void **state)
 {
     struct keys_capture c;
     struct plat_input in = { 0 };
@@ -402,68 +402,68 @@ static void a_switch_is_captured(void **state)
     (void)state;
     press(&in, 40); /* the enter that chose the row */
     keys_capture_begin(&c, &in);
-    assert_int_equal(keys_capture(&c, &in), 0);
+    assert_int_equal(keys_capture_poll(&c, &in), 0);
     release(&in, 40);
-    assert_int_equal(keys_capture(&c, &in), 0);
+    assert_int_equal(keys_capture_poll(&c, &in), 0);
     press(&in, 40);
-    assert_int_equal(keys_capture(&c, &in), 40);
+    assert_int_equal(keys_capture_poll(&c, &in), 40);
     release(&in, 40);
-    keys_capture(&c, &in);
+    keys_capture_poll(&c, &in);
     press(&in, 225); /* shift is a key as any other */
-    assert_int_equal(keys_capture(&c, &in), 225);
+    assert_int_equal(keys_capture_poll(&c, &in), 225);
     release(&in, 225);
     press(&in, 226); /* alt waits for what comes with it */
-    assert_int_equal(keys_capture(&c, &in), 0);
+    assert_int_equal(keys_capture_poll(&c, &in), 0);
     press(&in, 40);
-    assert_int_equal(keys_capture(&c, &in), switch_code("alt+enter"));
+    assert_int_equal(keys_capture_poll(&c, &in), input_code_parse("alt+enter"));
     keys_capture_begin(&c, &in);
     release(&in, 226);
     release(&in, 40);
     press(&in, 228);
-    assert_int_equal(keys_capture(&c, &in), 0);
+    assert_int_equal(keys_capture_poll(&c, &in), 0);
     press(&in, 20);
-    assert_int_equal(keys_capture(&c, &in), switch_code("ctrl+q"));
+    assert_int_equal(keys_capture_poll(&c, &in), input_code_parse("ctrl+q"));
     release(&in, 228);
     release(&in, 20);
     keys_capture_begin(&c, &in);
     press(&in, 230);
-    assert_int_equal(keys_capture(&c, &in), 0);
+    assert_int_equal(keys_capture_poll(&c, &in), 0);
     release(&in, 230); /* and is itself when nothing does */
-    assert_int_equal(keys_capture(&c, &in), 230);
+    assert_int_equal(keys_capture_poll(&c, &in), 230);
     keys_capture_begin(&c, &in);
     in.controllers[3] = 1u << PLAT_LEFT_STICK_PRESS;
-    assert_int_equal(keys_capture(&c, &in), switch_code("pad.l3"));
-    assert_int_equal(keys_capture(&c, &in), 0);
+    assert_int_equal(keys_capture_poll(&c, &in), input_code_parse("pad.l3"));
+    assert_int_equal(keys_capture_poll(&c, &in), 0);
 }
 
-static void switches_are_added_and_dropped(void **state)
+static void inputs_are_added_and_removed(void **state)
 {
     struct keys k;
-    char text[KEYS_EACH * SWITCH_NAME];
+    char text[KEYS_PER_ACTION * INPUT_CODE_NAME_SIZE];
 
     (void)state;
-    keys_defaults(&k);
-    assert_true(keys_add(&k, "p1.bomb", switch_code("q"), err, sizeof err));
-    assert_true(keys_add(&k, "p1.bomb", switch_code("q"), err, sizeof err));
-    keys_text(&k, "p1.bomb", text, sizeof text);
+    keys_set_defaults(&k);
+    assert_true(keys_add(&k, "p1.bomb", input_code_parse("q"), err, sizeof err));
+    assert_true(keys_add(&k, "p1.bomb", input_code_parse("q"), err, sizeof err));
+    keys_write_list(&k, "p1.bomb", text, sizeof text);
     assert_string_equal(text, "x pad.east q");
-    keys_drop(&k, "p1.bomb", switch_code("pad.east"));
-    keys_drop(&k, "p1.bomb", switch_code("f1"));
-    keys_text(&k, "p1.bomb", text, sizeof text);
+    keys_remove(&k, "p1.bomb", input_code_parse("pad.east"));
+    keys_remove(&k, "p1.bomb", input_code_parse("f1"));
+    keys_write_list(&k, "p1.bomb", text, sizeof text);
     assert_string_equal(text, "x q");
     assert_true(keys_bind(&k, "p1.bomb", "1 2 3 4 5 6", err, sizeof err));
-    assert_true(keys_add(&k, "p1.bomb", switch_code("6"), err, sizeof err));
-    assert_false(keys_add(&k, "p1.bomb", switch_code("7"), err, sizeof err));
+    assert_true(keys_add(&k, "p1.bomb", input_code_parse("6"), err, sizeof err));
+    assert_false(keys_add(&k, "p1.bomb", input_code_parse("7"), err, sizeof err));
     assert_string_equal(err, "Player 1 Bomb already has 6 keys, the maximum");
     for (int i = 1; i < 7; i++)
-        keys_drop(&k, "p1.bomb", (uint16_t)(29 + i));
-    keys_text(&k, "p1.bomb", text, sizeof text);
+        keys_remove(&k, "p1.bomb", (uint16_t)(29 + i));
+    keys_write_list(&k, "p1.bomb", text, sizeof text);
     assert_string_equal(text, "none");
 }
 
 static void conflict(const struct keys *k, const char *action, const char *name, const char *want)
 {
-    const char *got = keys_conflict(k, action, switch_code(name));
+    const char *got = keys_conflict(k, action, input_code_parse(name));
 
     if (!want)
         assert_null(got);
@@ -476,12 +476,12 @@ static void conflicts_are_named(void **state)
     struct keys k;
 
     (void)state;
-    keys_defaults(&k);
+    keys_set_defaults(&k);
     conflict(&k, "p1.bomb", "z", "p1.fire");
     conflict(&k, "p1.bomb", "x", NULL); /* its own */
     conflict(&k, "p1.bomb", "p", "pause");
     conflict(&k, "pause", "d", "p2.right");
-    conflict(&k, "pause", "alt+d", NULL); /* a chord is another switch */
+    conflict(&k, "pause", "alt+d", NULL); /* a chord is another input */
     conflict(&k, "p1.bomb", "pad.south", "p1.fire");
     conflict(&k, "p1.bomb", "pad.north", NULL);
     conflict(&k, "pause", "pad.south", "p1.fire");    /* the program hears every controller */
@@ -492,31 +492,31 @@ static void conflicts_are_named(void **state)
     conflict(&k, "p2.bomb", "pad1.south", "p1.fire");
     keys_bind(&k, "p2.fire", "pad.north", err, sizeof err);
     conflict(&k, "p1.bomb", "pad.north", NULL); /* each of them has a controller */
-    assert_true(keys_reserved(switch_code("escape")));
-    assert_true(keys_reserved(switch_code("pad.guide")));
-    assert_true(keys_reserved(switch_code("pad2.guide")));
-    assert_false(keys_reserved(switch_code("pad.start")));
-    assert_false(keys_reserved(switch_code("alt+escape")));
+    assert_true(keys_reserved(input_code_parse("escape")));
+    assert_true(keys_reserved(input_code_parse("pad.guide")));
+    assert_true(keys_reserved(input_code_parse("pad2.guide")));
+    assert_false(keys_reserved(input_code_parse("pad.start")));
+    assert_false(keys_reserved(input_code_parse("alt+escape")));
 }
 
-/* One hand: its switches mean what its layout says, and the other player's keys among them nothing to them. */
+/* One hand: its inputs mean what its layout says, and the other player's keys among them nothing to them. */
 static void a_hand_has_its_half(void **state)
 {
     struct keys k;
-    struct keys_read r;
+    struct keys_state r;
     struct plat_input in = { 0 };
-    char name[SWITCH_NAME];
+    char name[INPUT_CODE_NAME_SIZE];
 
     (void)state;
-    keys_defaults(&k);
-    keys_hand(&k, 0, HAND_LEFT);
+    keys_set_defaults(&k);
+    keys_set_hand(&k, 0, HAND_LEFT);
     press(&in, 26); /* w, player 2's up */
     press(&in, 44); /* space */
     in.controllers[0] = 1u << PLAT_SELECT;
     read_keys(&k, &in, &r);
     assert_int_equal(r.pads[0], PAD_UP | PAD_FIRE | PAD_START);
     assert_int_equal(r.pads[1], 0);
-    keys_first(&k, "p1.up", name, sizeof name);
+    keys_hint(&k, "p1.up", name, sizeof name);
     assert_string_equal(name, "w");
     memset(&in, 0, sizeof in);
     press(&in, 29); /* z is still there */
@@ -525,14 +525,14 @@ static void a_hand_has_its_half(void **state)
     read_keys(&k, &in, &r);
     assert_int_equal(r.pads[0], PAD_FIRE | PAD_BOMB | PAD_FOCUS);
     assert_int_equal(r.pads[1], PAD_SELECT);
-    keys_hand(&k, 0, HAND_RIGHT);
+    keys_set_hand(&k, 0, HAND_RIGHT);
     memset(&in, 0, sizeof in);
     in.controllers[0] = 1u << PLAT_SHOULDER_RIGHT | 1u << PLAT_RIGHT_STICK_LEFT;
     press(&in, 98); /* kp0, player 2's fire */
     read_keys(&k, &in, &r);
     assert_int_equal(r.pads[0], PAD_FIRE | PAD_SPECIAL | PAD_LEFT);
     assert_int_equal(r.pads[1], 0);
-    keys_hand(&k, 0, HAND_BOTH);
+    keys_set_hand(&k, 0, HAND_BOTH);
     read_keys(&k, &in, &r);
     assert_int_equal(r.pads[0], PAD_FOCUS);
     assert_int_equal(r.pads[1], PAD_FIRE);
@@ -544,13 +544,13 @@ static void each_hand_reaches_everything(void **state)
     (void)state;
     for (int hand = HAND_LEFT; hand <= HAND_RIGHT; hand++) {
         struct keys k;
-        keys_defaults(&k);
-        keys_hand(&k, 0, (enum keys_hand)hand);
+        keys_set_defaults(&k);
+        keys_set_hand(&k, 0, (enum keys_hand)hand);
         for (int i = 0; i < PAD_BUTTON_COUNT; i++) {
             bool key = false, pad = false;
-            for (int n = 0; n < KEYS_HAND; n++) {
-                pad = pad || k.hand[0][i][n] & SWITCH_CONTROLLER;
-                key = key || (k.hand[0][i][n] && !(k.hand[0][i][n] & SWITCH_CONTROLLER));
+            for (int n = 0; n < KEYS_PER_HAND; n++) {
+                pad = pad || k.hand[0][i][n] & INPUT_CODE_CONTROLLER;
+                key = key || (k.hand[0][i][n] && !(k.hand[0][i][n] & INPUT_CODE_CONTROLLER));
             }
             assert_true(key);
             assert_true(pad || 1 << i == PAD_SELECT);
@@ -575,18 +575,18 @@ static void labels(void **state)
         { "pad.lup", { "stick up", "stick up", "stick up", "stick up", "stick up", "stick up", "stick up" } },
         { "alt+enter", { "alt+enter", "alt+enter", "alt+enter", "alt+enter", "alt+enter", "alt+enter", "alt+enter" } },
     };
-    char name[SWITCH_NAME];
+    char name[INPUT_CODE_NAME_SIZE];
 
     (void)state;
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         for (int kind = 0; kind < PLAT_CONTROLLER_KINDS; kind++) {
-            switch_label(switch_code(rows[i].name), (enum plat_controller_kind)kind, name, sizeof name);
+            input_code_label(input_code_parse(rows[i].name), (enum plat_controller_kind)kind, name, sizeof name);
             assert_string_equal(name, rows[i].label[kind]);
         }
     }
     for (unsigned bit = 0; bit < PLAT_BUTTONS; bit++)
         for (int kind = 0; kind < PLAT_CONTROLLER_KINDS; kind++) {
-            switch_label(SWITCH_CONTROLLER | bit, (enum plat_controller_kind)kind, name, sizeof name);
+            input_code_label(INPUT_CODE_CONTROLLER | bit, (enum plat_controller_kind)kind, name, sizeof name);
             assert_true(name[0]);
         }
 }
@@ -601,7 +601,7 @@ static void help_has_them_all(void **state)
 {
     (void)state;
     lines = 0;
-    keys_help(0, count_line);
+    keys_print_help(0, count_line);
     assert_int_equal(lines, KEYS_ACTIONS);
     config_help(count_line);
     int settings = 0;
@@ -614,11 +614,11 @@ static void help_has_them_all(void **state)
 static void a_quick_chord(void **state)
 {
     struct keys k;
-    struct keys_read r;
+    struct keys_state r;
     struct plat_input in = { 0 };
 
     (void)state;
-    keys_defaults(&k);
+    keys_set_defaults(&k);
     press(&in, 224);
     read_keys(&k, &in, &r);
     release(&in, 224);
@@ -635,7 +635,7 @@ static void a_quick_chord(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_action_has_a_switch),
+        cmocka_unit_test(every_action_has_an_input),
         cmocka_unit_test(no_key_means_two_things),
         cmocka_unit_test(standard_keys),
         cmocka_unit_test(controllers_are_the_players),
@@ -647,11 +647,11 @@ int main(void)
         cmocka_unit_test(bad_settings),
         cmocka_unit_test(help_has_them_all),
         cmocka_unit_test(keys_are_called_as_printed),
-        cmocka_unit_test(first_switch),
+        cmocka_unit_test(first_input),
         cmocka_unit_test(hints_name_what_is_used),
         cmocka_unit_test(lists_are_written_and_read),
-        cmocka_unit_test(a_switch_is_captured),
-        cmocka_unit_test(switches_are_added_and_dropped),
+        cmocka_unit_test(an_input_is_captured),
+        cmocka_unit_test(inputs_are_added_and_removed),
         cmocka_unit_test(conflicts_are_named),
         cmocka_unit_test(a_hand_has_its_half),
         cmocka_unit_test(each_hand_reaches_everything),

@@ -99,7 +99,7 @@ static void long_lines(void **state)
 static void poll_with(const struct plat_input *in)
 {
     const struct plat_input nothing = { .has_focus = true, .mouse_x = -1, .mouse_y = -1 };
-    const struct keys_read none = { 0 };
+    const struct keys_state none = { 0 };
 
     screens_poll(&s, &nothing, &none);
     screens_poll(&s, in, &none);

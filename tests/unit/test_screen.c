@@ -163,7 +163,7 @@ static void show(struct bed *b)
 
 static void poll(struct bed *b, const struct plat_input *in, uint16_t pad)
 {
-    struct keys_read k = { .pads = { 0, pad } };
+    struct keys_state k = { .pads = { 0, pad } };
 
     screens_poll(&b->s, in, &k);
     show(b);
@@ -635,7 +635,7 @@ static void who_listens_has_all_switches(void **state)
 {
     struct bed *b = *state;
     const struct plat_input enter = holding(ENTER), escape = holding(ESCAPE);
-    const struct keys_read none = { 0 };
+    const struct keys_state none = { 0 };
 
     open_list(b, "  ");
     b->l.listens = true;

@@ -1,8 +1,8 @@
 /*
- * keys.c - see keys.h.
+ * keys.c - key bindings (keys.h).
  *
- * One table of actions is the default map, the names of the settings file and the help text. Its switches are strings
- * that go through the same parser as the user's own; so does what a hand has.
+ * One table of actions defines the default bindings, the names in the settings file and the help. Default bindings and
+ * one-handed layouts are strings, parsed like the user's own bindings.
  */
 #include "keys.h"
 
@@ -10,10 +10,10 @@
 #include <string.h>
 #include "../../base/err.h"
 
-enum { WORD = 32 };
+enum { WORD_SIZE = 32 };
 
 static const struct action {
-    const char *name, *label, *switches, *help;
+    const char *name, *label, *inputs, *help;
 } actions[KEYS_ACTIONS] = {
     { "p1.up", "Up", "up pad.up pad.lup", "move" },
     { "p1.down", "Down", "down pad.down pad.ldown", "move" },
@@ -66,9 +66,9 @@ static const struct action {
     { "console", "Console", "backquote", "run a line of Lua while the game is paused" },
 };
 
-/* What one hand reaches, by the order of buttons: of a keyboard one side, of a controller one stick and what lies round
- * it. A controller has fewer switches there than a player has buttons, but fire is held by itself (press.h), so special
- * shares its switch. */
+/* One-handed layouts, in the order of the pad's buttons: one side of the keyboard, and one stick of the controller with
+ * the buttons around it. These are fewer than a player's buttons, but fire is held automatically (pad_modes.h), so
+ * special shares its button. */
 static const char *const hands[][PAD_BUTTON_COUNT] = {
     [HAND_LEFT] = { "w pad.up pad.lup", "s pad.down pad.ldown", "a pad.left pad.lleft", "d pad.right pad.lright",
                     "space pad.l1", "q pad.l3", "lshift pad.l2", "e pad.l1", "1 pad.select", "tab" },
@@ -76,9 +76,9 @@ static const char *const hands[][PAD_BUTTON_COUNT] = {
                      "delete kp1 pad.r3", "rshift rctrl pad.r2", "end kp. pad.r1", "enter pad.start", "insert" },
 };
 
-/* ---- the map ---- */
+/* ---- bindings ---- */
 
-static int find(const char *action)
+static int find_action(const char *action)
 {
     for (int i = 0; i < KEYS_ACTIONS; i++)
         if (strcmp(action, actions[i].name) == 0)
@@ -86,29 +86,29 @@ static int find(const char *action)
     return -1;
 }
 
-bool keys_known(const char *action)
+bool keys_is_action(const char *action)
 {
-    return find(action) >= 0;
+    return find_action(action) >= 0;
 }
 
-/* The next word of a list, cut to fit; false at the end. */
-static bool next_word(const char **s, char word[WORD])
+/* Reads the next word of a list, truncated to fit. Returns false at the end. */
+static bool next_word(const char **s, char word[WORD_SIZE])
 {
     *s += strspn(*s, " \t");
     size_t n = strcspn(*s, " \t");
-    snprintf(word, WORD, "%.*s", (int)(n < WORD ? n : WORD), *s);
+    snprintf(word, WORD_SIZE, "%.*s", (int)(n < WORD_SIZE ? n : WORD_SIZE), *s);
     *s += n;
     return n > 0;
 }
 
-/* The codes of a list; false and a sentence. */
-static bool read_list(const char *action, const char *list, uint16_t *code, int most, char *err, size_t err_size)
+/* Parses a list of inputs. On failure, returns false and sets err. */
+static bool parse_list(const char *action, const char *list, uint16_t *code, int most, char *err, size_t err_size)
 {
-    char word[WORD];
+    char word[WORD_SIZE];
     int n = 0;
 
     for (const char *s = strcmp(list, "none") == 0 ? "" : list; next_word(&s, word);) {
-        uint16_t c = switch_code(word);
+        uint16_t c = input_code_parse(word);
         if (!c || n == most)
             return err_set(err, err_size,
                            c ? "%s: expected at most six keys and buttons; remove \"%s\""
@@ -121,90 +121,90 @@ static bool read_list(const char *action, const char *list, uint16_t *code, int 
 
 bool keys_bind(struct keys *k, const char *action, const char *list, char *err, size_t err_size)
 {
-    uint16_t code[KEYS_EACH] = { 0 };
-    int at = find(action);
+    uint16_t code[KEYS_PER_ACTION] = { 0 };
+    int at = find_action(action);
 
     if (at < 0)
         return err_set(err, err_size, "unknown action \"%s\"", action);
-    if (!read_list(action, list, code, KEYS_EACH, err, err_size))
+    if (!parse_list(action, list, code, KEYS_PER_ACTION, err, err_size))
         return false;
     memcpy(k->code[at], code, sizeof code);
     return true;
 }
 
-void keys_hand(struct keys *k, int player, enum keys_hand hand)
+void keys_set_hand(struct keys *k, int player, enum keys_hand hand)
 {
     char err[128];
 
     memset(k->hand[player], 0, sizeof k->hand[player]);
     for (int i = 0; i < PAD_BUTTON_COUNT && hand != HAND_BOTH; i++)
-        read_list(actions[i].name, hands[hand][i], k->hand[player][i], KEYS_HAND, err, sizeof err);
+        parse_list(actions[i].name, hands[hand][i], k->hand[player][i], KEYS_PER_HAND, err, sizeof err);
 }
 
-void keys_defaults(struct keys *k)
+void keys_set_defaults(struct keys *k)
 {
     char err[128];
     memset(k, 0, sizeof *k);
     for (int i = 0; i < KEYS_ACTIONS; i++)
-        keys_bind(k, actions[i].name, actions[i].switches, err, sizeof err);
+        keys_bind(k, actions[i].name, actions[i].inputs, err, sizeof err);
 }
 
 /* ---- names ---- */
 
-/* The player of an action, from 0; -1: it is the program's. */
+/* Returns the player of an action, from 0, or -1 for a hotkey. */
 static int player_of(int action)
 {
     return action < MAX_PLAYERS * PAD_BUTTON_COUNT ? action / PAD_BUTTON_COUNT : -1;
 }
 
-/* Switch i of an action, those that a hand has first; 0: none. */
+/* Returns input i of an action, starting with those of a one-handed layout; 0: none. */
 static unsigned nth_code(const struct keys *k, int action, int i)
 {
     int player = player_of(action);
 
-    if (i >= KEYS_HAND)
-        return k->code[action][i - KEYS_HAND];
+    if (i >= KEYS_PER_HAND)
+        return k->code[action][i - KEYS_PER_HAND];
     return player < 0 ? 0 : k->hand[player][action % PAD_BUTTON_COUNT][i];
 }
 
-/* The first that is a controller's, or a key; 0: none. */
+/* Returns an action's first input on a controller or on the keyboard; 0: none. */
 static unsigned first_code(const struct keys *k, int action, bool controller)
 {
-    for (int i = 0; i < KEYS_HAND + KEYS_EACH; i++) {
+    for (int i = 0; i < KEYS_PER_HAND + KEYS_PER_ACTION; i++) {
         unsigned code = nth_code(k, action, i);
-        if (code && !(code & SWITCH_CONTROLLER) == !controller)
+        if (code && !(code & INPUT_CODE_CONTROLLER) == !controller)
             return code;
     }
     return 0;
 }
 
-void keys_first(const struct keys *k, const char *action, char *out, size_t size)
+void keys_hint(const struct keys *k, const char *action, char *out, size_t size)
 {
-    int at = find(action), player = player_of(at);
-    const struct keys_device *last = player < 0 ? &k->latest : &k->player[player];
-    unsigned code = first_code(k, at, last->controller);
+    int at = find_action(action), player = player_of(at);
+    const struct keys_device *last = player < 0 ? &k->latest : &k->device[player];
+    unsigned code = first_code(k, at, last->is_controller);
 
     if (!code)
-        code = first_code(k, at, !last->controller);
-    if (code & SWITCH_CONTROLLER && !last->controller)
-        switch_name(code, out, size);
+        code = first_code(k, at, !last->is_controller);
+    if (code & INPUT_CODE_CONTROLLER && !last->is_controller)
+        input_code_name(code, out, size);
     else
-        switch_label(code, last->kind, out, size);
+        input_code_label(code, last->kind, out, size);
 }
 
-const char *keys_action(int i)
+const char *keys_action_name(int i)
 {
     return actions[i].name;
 }
 
-const char *keys_label(int i)
+const char *keys_action_label(int i)
 {
     return actions[i].label;
 }
 
 void keys_title(const char *action, char *out, size_t size)
 {
-    const int i = find(action), player = player_of(i);
+    const int i = find_action(action), player = player_of(i);
 
     if (player < 0)
         snprintf(out, size, "%s", actions[i].label);
@@ -212,25 +212,25 @@ void keys_title(const char *action, char *out, size_t size)
         snprintf(out, size, "Player %d %s", player + 1, actions[i].label);
 }
 
-const char *keys_meaning(int i)
+const char *keys_action_help(int i)
 {
     return actions[i].help;
 }
 
-void keys_text(const struct keys *k, const char *action, char *out, size_t size)
+void keys_write_list(const struct keys *k, const char *action, char *out, size_t size)
 {
-    const uint16_t *code = k->code[find(action)];
-    char word[SWITCH_NAME];
+    const uint16_t *code = k->code[find_action(action)];
+    char word[INPUT_CODE_NAME_SIZE];
     size_t n = 0;
 
     snprintf(out, size, "none");
-    for (int i = 0; i < KEYS_EACH && code[i] && n < size; i++) {
-        switch_name(code[i], word, sizeof word);
+    for (int i = 0; i < KEYS_PER_ACTION && code[i] && n < size; i++) {
+        input_code_name(code[i], word, sizeof word);
         n += (size_t)snprintf(out + n, size - n, "%s%s", i ? " " : "", word);
     }
 }
 
-/* ---- changing it by pressing ---- */
+/* ---- binding by pressing ---- */
 
 static bool is_modifier(unsigned usage)
 {
@@ -246,7 +246,7 @@ void keys_capture_begin(struct keys_capture *c, const struct plat_input *in)
 
 static unsigned captured_key(struct keys_capture *c, const struct plat_input *in)
 {
-    unsigned with = c->modifier == KEY_LEFT_ALT || c->modifier == KEY_RIGHT_ALT ? SWITCH_ALT : SWITCH_CTRL;
+    unsigned with = c->modifier == KEY_LEFT_ALT || c->modifier == KEY_RIGHT_ALT ? INPUT_CODE_ALT : INPUT_CODE_CTRL;
 
     for (unsigned u = 4; u < PLAT_KEYS; u++) {
         if (!plat_is_key_held(in, u) || c->keys[u >> 3] >> (u & 7) & 1)
@@ -258,14 +258,14 @@ static unsigned captured_key(struct keys_capture *c, const struct plat_input *in
     return c->modifier && !plat_is_key_held(in, c->modifier) ? c->modifier : 0;
 }
 
-uint16_t keys_capture(struct keys_capture *c, const struct plat_input *in)
+uint16_t keys_capture_poll(struct keys_capture *c, const struct plat_input *in)
 {
     unsigned code = captured_key(c, in);
 
     for (int i = 0; i < PLAT_MAX_CONTROLLERS && !code; i++)
         for (unsigned bit = 0; bit < PLAT_BUTTONS && !code; bit++)
             if ((in->controllers[i] & ~c->controllers[i]) >> bit & 1)
-                code = SWITCH_CONTROLLER | bit;
+                code = INPUT_CODE_CONTROLLER | bit;
     memcpy(c->keys, in->keys, sizeof c->keys);
     memcpy(c->controllers, in->controllers, sizeof c->controllers);
     return (uint16_t)code;
@@ -273,65 +273,66 @@ uint16_t keys_capture(struct keys_capture *c, const struct plat_input *in)
 
 bool keys_add(struct keys *k, const char *action, uint16_t code, char *err, size_t err_size)
 {
-    uint16_t *list = k->code[find(action)];
+    uint16_t *list = k->code[find_action(action)];
     int n = 0;
 
-    while (n < KEYS_EACH && list[n] && list[n] != code)
+    while (n < KEYS_PER_ACTION && list[n] && list[n] != code)
         n++;
-    if (n == KEYS_EACH) {
-        char title[KEYS_TITLE];
+    if (n == KEYS_PER_ACTION) {
+        char title[KEYS_TITLE_SIZE];
         keys_title(action, title, sizeof title);
-        return err_set(err, err_size, "%s already has %d keys, the maximum", title, KEYS_EACH);
+        return err_set(err, err_size, "%s already has %d keys, the maximum", title, KEYS_PER_ACTION);
     }
     list[n] = code;
     return true;
 }
 
-void keys_drop(struct keys *k, const char *action, uint16_t code)
+void keys_remove(struct keys *k, const char *action, uint16_t code)
 {
-    uint16_t *list = k->code[find(action)];
+    uint16_t *list = k->code[find_action(action)];
     int to = 0;
 
-    for (int i = 0; i < KEYS_EACH; i++)
+    for (int i = 0; i < KEYS_PER_ACTION; i++)
         if (list[i] != code)
             list[to++] = list[i];
-    while (to < KEYS_EACH)
+    while (to < KEYS_PER_ACTION)
         list[to++] = 0;
 }
 
-/* Could one press be both? A plain pad.south is another controller's for each player, and all of them's for the
- * program. */
-static bool same_switch(unsigned a, int player_a, unsigned b, int player_b)
+/* Returns whether one press can be both inputs. pad.south is a different controller for each player, and any controller
+ * for hotkeys. */
+static bool can_be_one_press(unsigned a, int player_a, unsigned b, int player_b)
 {
-    if (!(a & b & SWITCH_CONTROLLER))
+    if (!(a & b & INPUT_CODE_CONTROLLER))
         return a == b;
-    if (switch_bit(a) != switch_bit(b))
+    if (input_code_button(a) != input_code_button(b))
         return false;
-    if (switch_which(a) && switch_which(b))
-        return switch_which(a) == switch_which(b);
-    return switch_which(a) || switch_which(b) || player_a == player_b || player_a < 0 || player_b < 0;
+    if (input_code_controller(a) && input_code_controller(b))
+        return input_code_controller(a) == input_code_controller(b);
+    return input_code_controller(a) || input_code_controller(b) || player_a == player_b || player_a < 0 || player_b < 0;
 }
 
 const char *keys_conflict(const struct keys *k, const char *action, uint16_t code)
 {
-    int at = find(action);
+    int at = find_action(action);
 
     for (int i = 0; i < KEYS_ACTIONS; i++)
-        for (int n = 0; i != at && n < KEYS_EACH; n++)
-            if (k->code[i][n] && same_switch(code, player_of(at), k->code[i][n], player_of(i)))
+        for (int n = 0; i != at && n < KEYS_PER_ACTION; n++)
+            if (k->code[i][n] && can_be_one_press(code, player_of(at), k->code[i][n], player_of(i)))
                 return actions[i].name;
     return NULL;
 }
 
 bool keys_reserved(uint16_t code)
 {
-    return code == KEY_ESCAPE || (code & SWITCH_CONTROLLER && switch_bit(code) == PLAT_GUIDE);
+    return code == KEY_ESCAPE || (code & INPUT_CODE_CONTROLLER && input_code_button(code) == PLAT_GUIDE);
 }
 
 /* ---- reading ---- */
 
-/* A modifier counts for a poll longer than it is held: both keys of a quick chord may be up when the second is read. */
-static void note_modifiers(struct keys *k, const struct plat_input *in)
+/* A modifier counts for one more poll after its release, because it may be released before a quick chord's other key is
+ * read. */
+static void update_modifiers(struct keys *k, const struct plat_input *in)
 {
     const bool alt = plat_is_key_held(in, KEY_LEFT_ALT) || plat_is_key_held(in, KEY_RIGHT_ALT);
     const bool ctrl = plat_is_key_held(in, KEY_LEFT_CTRL) || plat_is_key_held(in, KEY_RIGHT_CTRL);
@@ -342,33 +343,33 @@ static void note_modifiers(struct keys *k, const struct plat_input *in)
     k->had_ctrl = ctrl;
 }
 
-static bool modifier(const struct keys *k, unsigned code)
+static bool modifiers_held(const struct keys *k, unsigned code)
 {
-    return !(code & SWITCH_ALT && !k->alt) && !(code & SWITCH_CTRL && !k->ctrl);
+    return !(code & INPUT_CODE_ALT && !k->alt) && !(code & INPUT_CODE_CTRL && !k->ctrl);
 }
 
-static void eat(struct keys *k, const struct plat_input *in)
+static void consume_chord_keys(struct keys *k, const struct plat_input *in)
 {
-    for (int i = 0; i < KEYS_ACTIONS * KEYS_EACH; i++) {
-        unsigned code = k->code[i / KEYS_EACH][i % KEYS_EACH], usage = code & 255;
-        if (switch_is_chord(code) && modifier(k, code))
-            k->eaten[usage >> 3] = (uint8_t)(k->eaten[usage >> 3] | 1u << (usage & 7));
+    for (int i = 0; i < KEYS_ACTIONS * KEYS_PER_ACTION; i++) {
+        unsigned code = k->code[i / KEYS_PER_ACTION][i % KEYS_PER_ACTION], usage = code & 255;
+        if (input_code_is_chord(code) && modifiers_held(k, code))
+            k->consumed[usage >> 3] = (uint8_t)(k->consumed[usage >> 3] | 1u << (usage & 7));
     }
     for (int i = 0; i < PLAT_KEYS / 8; i++)
-        k->eaten[i] &= in->keys[i];
+        k->consumed[i] &= in->keys[i];
 }
 
-/* player: -1: the program, which has all controllers. */
-static uint32_t controller(const struct seats *seats, unsigned which, int player)
+/* Returns the held buttons of a controller; which 0: of the player's own, or for hotkeys (player -1) of all. */
+static uint32_t held_buttons(const struct controllers *controllers, unsigned which, int player)
 {
     uint32_t all = 0;
 
     if (which)
-        return which <= PLAT_MAX_CONTROLLERS ? seats->switches[which - 1] : 0;
+        return which <= PLAT_MAX_CONTROLLERS ? controllers->buttons[which - 1] : 0;
     if (player >= 0)
-        return seats_switches(seats, player);
+        return controllers_buttons(controllers, player);
     for (int i = 0; i < PLAT_MAX_CONTROLLERS; i++)
-        all |= seats->switches[i];
+        all |= controllers->buttons[i];
     return all;
 }
 
@@ -376,98 +377,104 @@ static bool key_held(const struct keys *k, const struct plat_input *in, unsigned
 {
     unsigned usage = code & 255;
 
-    if (switch_is_chord(code))
-        return plat_is_key_held(in, usage) && modifier(k, code);
-    return plat_is_key_held(in, usage) && !(k->eaten[usage >> 3] >> (usage & 7) & 1);
+    if (input_code_is_chord(code))
+        return plat_is_key_held(in, usage) && modifiers_held(k, code);
+    return plat_is_key_held(in, usage) && !(k->consumed[usage >> 3] >> (usage & 7) & 1);
 }
 
-/* Does a hand's layout say what this switch is? To its own player of any switch, to the other of a key. */
-static bool hand_has(const struct keys *k, unsigned code, int player)
+/* Returns whether a one-handed layout uses an input: the player's own layout any input, the other player's layout a
+ * key. */
+static bool is_in_hand_layout(const struct keys *k, unsigned code, int player)
 {
     const uint16_t *list = &k->hand[0][0][0];
-    enum { EACH = PAD_BUTTON_COUNT * KEYS_HAND };
+    enum { EACH = PAD_BUTTON_COUNT * KEYS_PER_HAND };
 
     for (int i = 0; i < MAX_PLAYERS * EACH; i++)
-        if (list[i] == code && (i / EACH == player || !(code & SWITCH_CONTROLLER)))
+        if (list[i] == code && (i / EACH == player || !(code & INPUT_CODE_CONTROLLER)))
             return true;
     return false;
 }
 
-struct by {
+struct held_by {
     bool key, controller;
 };
 
-static struct by action_held(const struct keys *k, const struct plat_input *in, const struct seats *seats, int action)
+static struct held_by action_held(const struct keys *k, const struct plat_input *in,
+                                  const struct controllers *controllers, int action)
 {
-    struct by by = { false, false };
+    struct held_by held_by = { false, false };
     int player = player_of(action);
 
-    for (int i = 0; i < KEYS_HAND + KEYS_EACH; i++) {
+    for (int i = 0; i < KEYS_PER_HAND + KEYS_PER_ACTION; i++) {
         unsigned code = nth_code(k, action, i);
-        if (!code || (i >= KEYS_HAND && player >= 0 && hand_has(k, code, player)))
+        if (!code || (i >= KEYS_PER_HAND && player >= 0 && is_in_hand_layout(k, code, player)))
             continue;
-        if (code & SWITCH_CONTROLLER)
-            by.controller = by.controller || controller(seats, switch_which(code), player) >> switch_bit(code) & 1;
+        if (code & INPUT_CODE_CONTROLLER)
+            held_by.controller =
+                held_by.controller ||
+                held_buttons(controllers, input_code_controller(code), player) >> input_code_button(code) & 1;
         else
-            by.key = by.key || key_held(k, in, code);
+            held_by.key = held_by.key || key_held(k, in, code);
     }
-    return by;
+    return held_by;
 }
 
-/* What a player, or anybody, pressed last. */
-static void note_device(struct keys *k, const struct seats *seats, int player, struct by fresh)
+/* pressed: where the player has just pressed something. */
+static void update_device(struct keys *k, const struct controllers *controllers, int player, struct held_by pressed)
 {
-    int i = seats->seat[player];
+    int i = controllers->controller_of[player];
 
-    if (!fresh.key && !fresh.controller)
+    if (!pressed.key && !pressed.controller)
         return;
-    k->player[player].controller = !fresh.key;
-    k->player[player].kind = i == SEAT_EMPTY ? PLAT_UNKNOWN_CONTROLLER : seats->is[i].kind;
-    k->latest = k->player[player];
+    k->device[player].is_controller = !pressed.key;
+    k->device[player].kind = i == CONTROLLERS_NONE ? PLAT_UNKNOWN_CONTROLLER : controllers->info[i].kind;
+    k->latest = k->device[player];
 }
 
-static uint16_t read_pad(struct keys *k, const struct plat_input *in, const struct seats *seats, int player)
+static uint16_t read_pad(struct keys *k, const struct plat_input *in, const struct controllers *controllers, int player)
 {
-    unsigned keys = 0, switches = 0;
+    unsigned keys = 0, buttons = 0;
 
     for (int i = 0; i < PAD_BUTTON_COUNT; i++) {
-        struct by by = action_held(k, in, seats, player * PAD_BUTTON_COUNT + i);
-        keys |= (unsigned)by.key << i;
-        switches |= (unsigned)by.controller << i;
+        struct held_by held_by = action_held(k, in, controllers, player * PAD_BUTTON_COUNT + i);
+        keys |= (unsigned)held_by.key << i;
+        buttons |= (unsigned)held_by.controller << i;
     }
-    note_device(k, seats, player,
-                (struct by){ keys & ~(unsigned)k->by_key[player], switches & ~(unsigned)k->by_switch[player] });
-    k->by_key[player] = (uint16_t)keys;
-    k->by_switch[player] = (uint16_t)switches;
-    return (uint16_t)(keys | switches);
+    update_device(k, controllers, player,
+                  (struct held_by){ keys & ~(unsigned)k->held_by_key[player],
+                                    buttons & ~(unsigned)k->held_by_controller[player] });
+    k->held_by_key[player] = (uint16_t)keys;
+    k->held_by_controller[player] = (uint16_t)buttons;
+    return (uint16_t)(keys | buttons);
 }
 
-void keys_read(struct keys *k, const struct plat_input *in, const struct seats *seats, struct keys_read *out)
+void keys_read(struct keys *k, const struct plat_input *in, const struct controllers *controllers,
+               struct keys_state *out)
 {
     memset(out, 0, sizeof *out);
-    note_modifiers(k, in);
-    eat(k, in);
+    update_modifiers(k, in);
+    consume_chord_keys(k, in);
     for (int p = 0; p < MAX_PLAYERS; p++) {
-        unsigned was = k->by_key[p] | k->by_switch[p];
-        out->pads[p] = read_pad(k, in, seats, p);
-        out->pads_fresh[p] = (uint16_t)(out->pads[p] & ~was);
-        out->fresh = out->fresh || out->pads_fresh[p];
+        unsigned was = k->held_by_key[p] | k->held_by_controller[p];
+        out->pads[p] = read_pad(k, in, controllers, p);
+        out->pads_pressed[p] = (uint16_t)(out->pads[p] & ~was);
+        out->any_pad_pressed = out->any_pad_pressed || out->pads_pressed[p];
     }
     for (int i = 0; i < HOTKEYS; i++) {
-        struct by by = action_held(k, in, seats, MAX_PLAYERS * PAD_BUTTON_COUNT + i);
-        out->held |= (uint32_t)(by.key || by.controller) << i;
+        struct held_by held_by = action_held(k, in, controllers, MAX_PLAYERS * PAD_BUTTON_COUNT + i);
+        out->held |= (uint32_t)(held_by.key || held_by.controller) << i;
     }
     out->pressed = out->held & ~k->held;
     k->held = out->held;
 }
 
-void keys_help(uint32_t without, void (*line)(const char *))
+void keys_print_help(uint32_t without, void (*line)(const char *))
 {
     char text[128];
     for (int i = 0; i < KEYS_ACTIONS; i++) {
         if (player_of(i) < 0 && without >> (i - MAX_PLAYERS * PAD_BUTTON_COUNT) & 1)
             continue;
-        int n = snprintf(text, sizeof text, "  %-11s %-30s %s", actions[i].name, actions[i].switches, actions[i].help);
+        int n = snprintf(text, sizeof text, "  %-11s %-30s %s", actions[i].name, actions[i].inputs, actions[i].help);
         while (n > 0 && text[n - 1] == ' ')
             text[--n] = 0;
         line(text);

@@ -1,18 +1,17 @@
 /*
- * keys.h - from raw switches to pads: the key map, and the program's own keys.
+ * keys.h - key bindings: maps keys and controller buttons to players' buttons and to the program's hotkeys.
  *
- * An action is a button of a player (p1.fire) or a key of the program (pause). It has up to KEYS_EACH switches, written
- * by name, with blanks between them:
+ * An action is a button of a player (p1.fire) or a hotkey (pause). It is bound to up to KEYS_PER_ACTION inputs, which
+ * are written by name, separated by spaces:
  *
- *     z  enter  kp0  lshift  f12     a key, by its place on a US keyboard
- *     key100                         the key of USB HID usage 100
- *     alt+enter  ctrl+q              a key while that modifier is held; a plain binding of the key is then not seen
- *     pad.south  pad.r1              a switch of the player's controller (seats.h says which that is); to the program
- *                                    of any
- *     pad1.south  pad4.south         a switch of a certain controller, as the host counts them
+ *     z  enter  kp0  lshift  f12     a key, by its position on a US keyboard
+ *     key100                         the key with USB HID usage 100
+ *     alt+enter  ctrl+q              a key while the modifier is held; bindings of the key alone are then ignored
+ *     pad.south  pad.r1              a button of the player's controller (controllers.h); for hotkeys, of any one
+ *     pad1.south  pad4.south         a button of a specific controller, in the host's order
  *
- * A player with one hand has a layout beside the map, on one half of the keyboard and of the controller. A switch of it
- * means to that player what the layout says and nothing else; a key of it means nothing to the other player.
+ * A one-handed player also has a fixed layout on one half of the keyboard and of the controller. The inputs of this
+ * layout have no other meaning for that player, and its keys have no meaning for the other player.
  */
 #ifndef PLAYER_KEYS_H
 #define PLAYER_KEYS_H
@@ -22,19 +21,19 @@
 #include <stdint.h>
 #include "../../../platform/platform.h"
 #include "../../base/pads.h"
-#include "seats.h"
-#include "switch.h"
+#include "controllers.h"
+#include "input_code.h"
 
-/* The program's actions, after the players' MAX_PLAYERS * PAD_BUTTON_COUNT. */
+/* The program's actions, which follow the players' MAX_PLAYERS * PAD_BUTTON_COUNT. */
 enum hotkey {
     HOTKEY_PAUSE,
-    HOTKEY_STEP,
+    HOTKEY_FRAME_ADVANCE,
     HOTKEY_SLOW,
     HOTKEY_TURBO,
     HOTKEY_REWIND,
-    HOTKEY_BACK,
-    HOTKEY_BEFORE,
-    HOTKEY_AFTER,
+    HOTKEY_FRAME_BACK,
+    HOTKEY_PREVIOUS_EVENT,
+    HOTKEY_NEXT_EVENT,
     HOTKEY_GOTO,
     HOTKEY_TAKE_OVER,
     HOTKEY_RELOAD,
@@ -44,7 +43,7 @@ enum hotkey {
     HOTKEY_QUIETER,
     HOTKEY_LOUDER,
     HOTKEY_SCREENSHOT,
-    HOTKEY_CAPTURE,
+    HOTKEY_SAVE_CLIP,
     HOTKEY_FULLSCREEN,
     HOTKEY_QUIT,
     HOTKEY_MENU,
@@ -59,103 +58,108 @@ enum hotkey {
     HOTKEYS
 };
 
-/* Of 1 << enum hotkey, the keys of those who make games: to move in time, which a replay has for everybody, and to
- * look into the board. */
-#define KEYS_IN_TIME                                                                                                   \
-    (1u << HOTKEY_STEP | 1u << HOTKEY_SLOW | 1u << HOTKEY_TURBO | 1u << HOTKEY_REWIND | 1u << HOTKEY_BACK |            \
-     1u << HOTKEY_BEFORE | 1u << HOTKEY_AFTER | 1u << HOTKEY_GOTO)
-#define KEYS_INSIDE                                                                                                    \
-    (1u << HOTKEY_RELOAD | 1u << HOTKEY_HITBOXES | 1u << HOTKEY_GAUGES | 1u << HOTKEY_FRAME_TIMES | 1u << HOTKEY_TASKS |       \
-     1u << HOTKEY_MIXER | 1u << HOTKEY_CONSOLE)
+/* Sets of 1 << enum hotkey that exported games don't have: keys that move in time, which are available in replays, and
+ * keys for authors. */
+#define KEYS_FOR_SEEKING                                                                                               \
+    (1u << HOTKEY_FRAME_ADVANCE | 1u << HOTKEY_SLOW | 1u << HOTKEY_TURBO | 1u << HOTKEY_REWIND |                       \
+     1u << HOTKEY_FRAME_BACK | 1u << HOTKEY_PREVIOUS_EVENT | 1u << HOTKEY_NEXT_EVENT | 1u << HOTKEY_GOTO)
+#define KEYS_FOR_AUTHORS                                                                                               \
+    (1u << HOTKEY_RELOAD | 1u << HOTKEY_HITBOXES | 1u << HOTKEY_GAUGES | 1u << HOTKEY_FRAME_TIMES |                    \
+     1u << HOTKEY_TASKS | 1u << HOTKEY_MIXER | 1u << HOTKEY_CONSOLE)
 
-enum { KEYS_EACH = 6, KEYS_HAND = 3, KEYS_ACTIONS = MAX_PLAYERS * PAD_BUTTON_COUNT + HOTKEYS };
+enum { KEYS_PER_ACTION = 6, KEYS_PER_HAND = 3, KEYS_ACTIONS = MAX_PLAYERS * PAD_BUTTON_COUNT + HOTKEYS };
 
 enum keys_hand { HAND_BOTH, HAND_LEFT, HAND_RIGHT };
 
-/* What somebody pressed last: a key, or a switch of a controller of that kind. */
+/* The device that was used last: the keyboard, or a controller of this kind. */
 struct keys_device {
-    bool controller;
+    bool is_controller;
     enum plat_controller_kind kind;
 };
 
 struct keys {
-    uint16_t code[KEYS_ACTIONS][KEYS_EACH];                  /* as in switch.h; 0: none */
-    uint16_t hand[MAX_PLAYERS][PAD_BUTTON_COUNT][KEYS_HAND]; /* the layout of a player with one hand; 0: none */
-    uint8_t eaten[PLAT_KEYS / 8];                            /* keys a chord has used, until they are released */
-    bool alt, ctrl, had_alt, had_ctrl;                       /* held at this poll or the last one; at the last one */
-    uint16_t by_key[MAX_PLAYERS], by_switch[MAX_PLAYERS];    /* of the last read: held by keys, by a controller */
-    struct keys_device player[MAX_PLAYERS], latest;          /* latest: of whichever player pressed last */
-    uint32_t held;
+    uint16_t code[KEYS_ACTIONS][KEYS_PER_ACTION];                /* input codes (input_code.h); 0: none */
+    uint16_t hand[MAX_PLAYERS][PAD_BUTTON_COUNT][KEYS_PER_HAND]; /* layouts of one-handed players; 0: none */
+
+    /* The state between polls. */
+    uint8_t consumed[PLAT_KEYS / 8];                                    /* keys of chords, until they are released */
+    bool had_alt, had_ctrl;                                             /* held at the last poll */
+    bool alt, ctrl;                                                     /* held at this poll or the last one */
+    uint16_t held_by_key[MAX_PLAYERS], held_by_controller[MAX_PLAYERS]; /* pads at the last poll */
+    uint32_t held;                                                      /* hotkeys at the last poll */
+    struct keys_device device[MAX_PLAYERS], latest;                     /* latest: of the player who pressed last */
 };
 
-/* What one poll means. */
-struct keys_read {
+/* The result of a poll. "Pressed" means held now but not at the last poll. */
+struct keys_state {
     uint16_t pads[MAX_PLAYERS];
-    uint16_t pads_fresh[MAX_PLAYERS]; /* those that were not held at the last read */
-    bool fresh;                       /* there is one of those */
-    uint32_t held, pressed;           /* hotkeys, 1 << HOTKEY_PAUSE ...; pressed: held now, not at the last read */
+    uint16_t pads_pressed[MAX_PLAYERS];
+    bool any_pad_pressed;
+    uint32_t held, pressed; /* hotkeys, 1 << enum hotkey */
 };
 
-/* The map of the table in keys.c; nothing held. */
-void keys_defaults(struct keys *k);
+/* Sets the default bindings, with nothing held. */
+void keys_set_defaults(struct keys *k);
 
-/* Gives an action the switches of a list like "z pad.south", or none with "none", in place of those it had. False and
- * one sentence for an unknown action or switch, or too many; the map is then unchanged. */
+/* Replaces an action's inputs with those of a list such as "z pad.south", or "none". For an unknown action or input, or
+ * too many inputs, returns false, sets err, and changes nothing. */
 bool keys_bind(struct keys *k, const char *action, const char *list, char *err, size_t err_size);
 
-/* Gives a player (from 0) the layout of a hand; HAND_BOTH: none. */
-void keys_hand(struct keys *k, int player, enum keys_hand hand);
+/* Sets the one-handed layout of a player (from 0); HAND_BOTH: none. */
+void keys_set_hand(struct keys *k, int player, enum keys_hand hand);
 
-/* Writes what an action's player is to press, for hints: the first switch of what they used last, named as it is
- * printed on their controller ("cross") or on a key ("w", "enter"); or the first there is, a controller's spelled; or
- * "none". For an action of the program, of what was used last by anybody. */
-void keys_first(const struct keys *k, const char *action, char *out, size_t size);
+/* Writes the label of an action's first input for hints: on the device that its player used last (any player, for a
+ * hotkey), "cross" or "enter"; otherwise on the other device, with a button's name in the settings, "pad.south"; or
+ * "none". */
+void keys_hint(const struct keys *k, const char *action, char *out, size_t size);
 
-/* True when there is such an action. The functions above and below take one that is known. */
-bool keys_known(const char *action);
+/* Returns whether there is an action with this name. Other functions require an existing one. */
+bool keys_is_action(const char *name);
 
-/* Action i of KEYS_ACTIONS: its name in the file, "p1.fire"; its label on the screen, "Fire"; its help, "fire; confirm
- * in menus" or "". */
-const char *keys_action(int i);
-const char *keys_label(int i);
-const char *keys_meaning(int i);
+/* Return the name of action i of KEYS_ACTIONS in the settings file, "p1.fire"; its label on the screen, "Fire"; and its
+ * help, "fire; confirm in menus" or "". */
+const char *keys_action_name(int i);
+const char *keys_action_label(int i);
+const char *keys_action_help(int i);
 
-/* Writes the label of an action, with its player: "Player 1 Fire", "Take Over". */
-enum { KEYS_TITLE = 32 };
+/* Writes an action's label with its player: "Player 1 Fire", "Take Over". */
+enum { KEYS_TITLE_SIZE = 32 };
 void keys_title(const char *action, char *out, size_t size);
 
-/* Writes the list of an action's switches, as keys_bind reads it. */
-void keys_text(const struct keys *k, const char *action, char *out, size_t size);
+/* Writes the list of an action's inputs, as keys_bind reads it. */
+void keys_write_list(const struct keys *k, const char *action, char *out, size_t size);
 
-/* Waits for a switch that is pressed anew. */
+/* Waits for an input to bind. */
 struct keys_capture {
-    uint8_t keys[PLAT_KEYS / 8];
-    uint32_t controllers[PLAT_MAX_CONTROLLERS];
-    unsigned modifier; /* usage of Alt or Ctrl that is held, and may become a chord */
+    uint8_t keys[PLAT_KEYS / 8];                /* held at the last poll */
+    uint32_t controllers[PLAT_MAX_CONTROLLERS]; /* the same */
+    unsigned modifier;                          /* usage of the held Alt or Ctrl key, which may be part of a chord */
 };
 
-/* What is held now does not count. Then, each poll: the code of a switch, a key, a chord, or Alt or Ctrl when it is let
- * go alone; of whichever controller, as the player's own (pad.south). 0: none yet. */
+/* keys_capture_begin ignores inputs that are held now. keys_capture_poll, called at each poll, then returns the code of
+ * a newly pressed key, chord or button, or of an Alt or Ctrl key that is released alone; 0: none yet. A button of any
+ * controller is returned as that of the player's own (pad.south). */
 void keys_capture_begin(struct keys_capture *c, const struct plat_input *in);
-uint16_t keys_capture(struct keys_capture *c, const struct plat_input *in);
+uint16_t keys_capture_poll(struct keys_capture *c, const struct plat_input *in);
 
-/* Gives an action one switch more, as its last, or takes one away. keys_add: false and one sentence when it has
- * KEYS_EACH; true also when it has this one. */
+/* Add and remove an input of an action. If the action already has KEYS_PER_ACTION inputs, keys_add returns false and
+ * sets err. Adding an input twice has no effect. */
 bool keys_add(struct keys *k, const char *action, uint16_t code, char *err, size_t err_size);
-void keys_drop(struct keys *k, const char *action, uint16_t code);
+void keys_remove(struct keys *k, const char *action, uint16_t code);
 
-/* The first other action that one press of this switch would mean too, were it given to this one; NULL: none. What is
- * pad.south to both players is no conflict, for each has a controller. */
+/* Returns the first other action that the same press would trigger if this input were bound to the action; NULL: none.
+ * pad.south of both players is no conflict, because each player has a controller. */
 const char *keys_conflict(const struct keys *k, const char *action, uint16_t code);
 
-/* Escape and a controller's guide button open the program's menu: a screen gives them to no other action, or there
- * would be no way back. */
+/* Returns whether an input is reserved for the menu: Escape and the guide button. The settings don't bind these to
+ * other actions, because the menu could then become unreachable. */
 bool keys_reserved(uint16_t code);
 
-/* seats: this poll's. */
-void keys_read(struct keys *k, const struct plat_input *in, const struct seats *seats, struct keys_read *out);
+/* Computes the result of a poll. Call controllers_poll first. */
+void keys_read(struct keys *k, const struct plat_input *in, const struct controllers *controllers,
+               struct keys_state *out);
 
-/* Hands out the default map, a line an action, for `curtain help play`, but for these of the program's. */
-void keys_help(uint32_t without, void (*line)(const char *));
+/* Prints the default bindings for `curtain help play`, one action per line. without: hotkeys to leave out. */
+void keys_print_help(uint32_t without, void (*line)(const char *));
 
 #endif

@@ -197,7 +197,7 @@ static void open_console(struct console *c)
 }
 
 /* The console's hotkey is also a letter: text that arrives while it is held is ignored. */
-void console_poll(struct console *c, const struct plat_input *in, struct keys_read *k, struct board *b, bool can_keep)
+void console_poll(struct console *c, const struct plat_input *in, struct keys_state *k, struct board *b, bool can_keep)
 {
     const uint32_t key = (uint32_t)1 << HOTKEY_CONSOLE;
     bool was_open = c->open;

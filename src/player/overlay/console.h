@@ -44,7 +44,7 @@ struct console {
 
 /* Call it at every poll. b: the board that lines run in; NULL closes the console. can_keep: `keep` is available. An
  * open console uses all keys and therefore clears *k. The caller must not tick the board meanwhile. */
-void console_poll(struct console *c, const struct plat_input *in, struct keys_read *k, struct board *b, bool can_keep);
+void console_poll(struct console *c, const struct plat_input *in, struct keys_state *k, struct board *b, bool can_keep);
 
 /* Returns whether a line was kept since the last call. The caller must then mark the run as touched. */
 bool console_take_kept(struct console *c);

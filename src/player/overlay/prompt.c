@@ -5,7 +5,7 @@
 
 #include <stdlib.h>
 #include <string.h>
-#include "../input/switch.h"
+#include "../input/input_code.h"
 
 void prompt_open(struct prompt *p, const struct plat_input *in)
 {

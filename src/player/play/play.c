@@ -95,7 +95,7 @@ static bool slow_tick_due(struct play_time *time)
 }
 
 /* Presses accumulate in pads.held until a tick has seen them; those of a pause are dropped. */
-static void run(struct play *play, int frames, const struct keys_read *k, uint64_t now)
+static void run(struct play *play, int frames, const struct keys_state *k, uint64_t now)
 {
     struct play_time *time = &play->time;
     bool fast = k->held & 1 << HOTKEY_TURBO, clear = time->paused || fast;
@@ -155,7 +155,7 @@ static void draw_frame(struct play *play)
 
 bool play_frame(struct play *play)
 {
-    struct keys_read k;
+    struct keys_state k;
 
     if (play->quit)
         return false;

@@ -156,9 +156,9 @@ static void hint_text(struct play *play, const char *message, char *text, size_t
     text[0] = 0;
     if (message[0] || (!play->attract.on && (!board_last_output(play_board(play))->menu_shown || play->session.demo)))
         return;
-    keys_first(&play->config.keys, "p1.start", start, sizeof start);
-    keys_first(&play->config.keys, "p1.fire", fire, sizeof fire);
-    keys_first(&play->config.keys, "p1.bomb", bomb, sizeof bomb);
+    keys_hint(&play->config.keys, "p1.start", start, sizeof start);
+    keys_hint(&play->config.keys, "p1.fire", fire, sizeof fire);
+    keys_hint(&play->config.keys, "p1.bomb", bomb, sizeof bomb);
     if (!play->attract.on)
         snprintf(text, size, "Start: %s  Fire: %s  Bomb: %s", start, fire, bomb);
     else if (play->time.frames / BLINK % 3)
@@ -262,8 +262,8 @@ static void show_over(struct play *play, struct picture *p, struct over *o)
 /* The player's key for an action; the fixed one, if the player has no key for it. */
 static void foot_key(struct play *play, const char *action, const char *fixed, char *name, size_t size)
 {
-    keys_first(&play->config.keys, action, name, size);
-    if (!play->config.keys.player[0].controller && (strncmp(name, "pad", 3) == 0 || strcmp(name, "none") == 0))
+    keys_hint(&play->config.keys, action, name, size);
+    if (!play->config.keys.device[0].is_controller && (strncmp(name, "pad", 3) == 0 || strcmp(name, "none") == 0))
         snprintf(name, size, "%s", fixed);
 }
 

@@ -8,7 +8,7 @@
 
 enum { MAX_SLOW = 4, VOLUME_STEP = 10 /* percent */ };
 
-static bool is_pressed(const struct keys_read *k, enum hotkey key)
+static bool is_pressed(const struct keys_state *k, enum hotkey key)
 {
     return k->pressed >> key & 1;
 }
@@ -31,7 +31,7 @@ static void set_sound(struct play *play, bool muted, int volume)
 }
 
 /* The keys that also work while a screen is open. */
-static void global_keys(struct play *play, const struct keys_read *k)
+static void global_keys(struct play *play, const struct keys_state *k)
 {
     const struct speaker *s = &play->speaker;
 
@@ -41,7 +41,7 @@ static void global_keys(struct play *play, const struct keys_read *k)
         play_toggle_fullscreen(play);
     if (is_pressed(k, HOTKEY_SCREENSHOT))
         play_screenshot(play, &play->drawing.picture);
-    if (is_pressed(k, HOTKEY_CAPTURE))
+    if (is_pressed(k, HOTKEY_SAVE_CLIP))
         play_request_clip(play);
     if (is_pressed(k, HOTKEY_MUTE))
         set_sound(play, !s->muted, s->volume);
@@ -51,13 +51,13 @@ static void global_keys(struct play *play, const struct keys_read *k)
         set_sound(play, false, s->volume + VOLUME_STEP);
 }
 
-static void speed_keys(struct play *play, const struct keys_read *k)
+static void speed_keys(struct play *play, const struct keys_state *k)
 {
     struct play_time *time = &play->time;
 
     if (is_pressed(k, HOTKEY_PAUSE))
         time->paused = !time->paused;
-    if (is_pressed(k, HOTKEY_STEP))
+    if (is_pressed(k, HOTKEY_FRAME_ADVANCE))
         time->paused = time->step = true;
     if (is_pressed(k, HOTKEY_SLOW)) {
         play_mark_assisted(play);
@@ -66,7 +66,7 @@ static void speed_keys(struct play *play, const struct keys_read *k)
 }
 
 /* The keys that move in time. */
-static void seek_keys(struct play *play, const struct plat_input *in, const struct keys_read *k)
+static void seek_keys(struct play *play, const struct plat_input *in, const struct keys_state *k)
 {
     const struct session *s = &play->session;
     uint32_t now = s->state == SESSION_SEEKING
@@ -75,13 +75,13 @@ static void seek_keys(struct play *play, const struct plat_input *in, const stru
 
     if (play->attract.on)
         return;
-    if (is_pressed(k, HOTKEY_BACK)) {
+    if (is_pressed(k, HOTKEY_FRAME_BACK)) {
         play->time.paused = true;
         play_rewind(play, 1);
     }
-    if (is_pressed(k, HOTKEY_BEFORE))
+    if (is_pressed(k, HOTKEY_PREVIOUS_EVENT))
         play_seek(play, timebar_previous(s, now));
-    if (is_pressed(k, HOTKEY_AFTER))
+    if (is_pressed(k, HOTKEY_NEXT_EVENT))
         play_seek(play, timebar_next(s, now));
     if (is_pressed(k, HOTKEY_TAKE_OVER))
         play_take_over(play);
@@ -122,7 +122,7 @@ static bool prompt_keys(struct play *play, const struct plat_input *in)
 }
 
 /* An open console gets all keys. Scores are saved before a line can change them. */
-static void console_keys(struct play *play, const struct plat_input *in, struct keys_read *k)
+static void console_keys(struct play *play, const struct plat_input *in, struct keys_state *k)
 {
     bool usable = !play_fault(play) && !play->attract.on && play->session.state == SESSION_PLAYING;
 
@@ -139,7 +139,7 @@ static void console_keys(struct play *play, const struct plat_input *in, struct 
 /* ---- the frame's input ---- */
 
 /* Buttons accumulate until a tick has seen them. */
-static void take_pads(struct play_pads *pads, const struct keys_read *k)
+static void accumulate_pads(struct play_pads *pads, const struct keys_state *k)
 {
     for (int i = 0; i < MAX_PLAYERS; i++) {
         pads->ignored[i] &= k->pads[i];
@@ -157,24 +157,24 @@ void play_scroll(const struct play *play, int *top, int end, uint16_t pad, int w
     *top = *top < 0 ? 0 : *top;
 }
 
-static void take_away(struct keys_read *k, uint32_t keys)
+static void ignore_keys(struct keys_state *k, uint32_t keys)
 {
     k->held &= ~keys;
     k->pressed &= ~keys;
 }
 
 /* Input during play: no screen and no prompt is open. */
-static void game_keys(struct play *play, const struct plat_input *in, struct keys_read *k)
+static void game_keys(struct play *play, const struct plat_input *in, struct keys_state *k)
 {
     struct play_time *time = &play->time;
 
-    if (time->waits_for_button && (k->fresh || !time->paused)) {
+    if (time->waits_for_button && (k->any_pad_pressed || !time->paused)) {
         time->waits_for_button = time->paused = false;
         play->message.frames = 0;
     }
     console_keys(play, in, k);
     overlay_toggle(&play->overlay, k->pressed);
-    take_pads(&play->pads, k);
+    accumulate_pads(&play->pads, k);
     if (play_fault(play))
         play_scroll(play, &play->report.page_top, play->report.page_end, k->pads[0], in->wheel);
     global_keys(play, k);
@@ -184,11 +184,11 @@ static void game_keys(struct play *play, const struct plat_input *in, struct key
         return;
     seek_keys(play, in, k);
     time_bar_mouse(play, in);
-    if (play->attract.on && k->fresh)
+    if (play->attract.on && k->any_pad_pressed)
         attract_end(&play->attract);
 }
 
-void play_poll(struct play *play, struct keys_read *k)
+void play_poll(struct play *play, struct keys_state *k)
 {
     struct plat_input in;
 
@@ -198,12 +198,12 @@ void play_poll(struct play *play, struct keys_read *k)
     play->mouse.x = in.mouse_x;
     play->mouse.y = in.mouse_y;
     play->quit = play->quit || in.quit;
-    play_seats_poll(play, &in);
+    play_poll_controllers(play, &in);
     /* Also while the prompt is open: the key that closes it must not be read afterwards. */
-    keys_read(&play->config.keys, &in, &play->pads.seats, k);
+    keys_read(&play->config.keys, &in, &play->pads.controllers, k);
     if (play->options.sealed)
-        take_away(k, KEYS_INSIDE | (play->session.demo ? 0 : KEYS_IN_TIME));
-    play_seats_report(play, k);
+        ignore_keys(k, KEYS_FOR_AUTHORS | (play->session.demo ? 0 : KEYS_FOR_SEEKING));
+    play_report_controllers(play, k);
     play_check_drop(play);
     if (play->replay.resuming) { /* only quitting is possible */
         play->quit = play->quit || is_pressed(k, HOTKEY_QUIT);

@@ -1,15 +1,15 @@
 /*
- * play_pads.c - which controller belongs to which player, and the pads of a tick, made from the buttons held.
+ * play_pads.c - controllers, and the pads of a tick.
  */
 #include <stdarg.h>
 #include <stdio.h>
 #include "../../board/inspect.h"
-#include "../input/switch.h"
+#include "../input/input_code.h"
 #include "play_state.h"
 
 void play_pads_open(struct play *play)
 {
-    seats_open(&play->pads.seats);
+    controllers_open(&play->pads.controllers);
     play_pads_apply(play);
     play_pads_power(&play->pads);
 }
@@ -19,10 +19,10 @@ void play_pads_apply(struct play *play)
     struct config *c = &play->config;
 
     for (int p = 0; p < MAX_PLAYERS; p++) {
-        keys_hand(&c->keys, p, (enum keys_hand)c->one_hand[p]);
-        play->pads.modes[p] = (struct press_modes){ .autofire = c->autofire[p],
-                                                    .toggle_focus = c->focus[p],
-                                                    .one_hand = c->one_hand[p] != HAND_BOTH };
+        keys_set_hand(&c->keys, p, (enum keys_hand)c->one_hand[p]);
+        play->pads.modes[p] = (struct pad_modes){ .autofire = c->autofire[p],
+                                                  .toggle_focus = c->focus[p],
+                                                  .one_hand = c->one_hand[p] != HAND_BOTH };
     }
 }
 
@@ -32,10 +32,10 @@ void play_pads_power(struct play_pads *pads)
 {
     pads->next_frame = 0;
     for (int p = 0; p < MAX_PLAYERS; p++)
-        press_resume(&pads->press[p], 0);
+        pad_modes_resume(&pads->mode_state[p], 0);
 }
 
-/* After a move in time, the modes' state is what it was in that frame. */
+/* After a jump in time, restores the modes' state of that frame. */
 static void resume_modes(struct play *play, uint32_t frame)
 {
     uint16_t before[MAX_PLAYERS] = { 0 };
@@ -43,7 +43,7 @@ static void resume_modes(struct play *play, uint32_t frame)
     if (frame)
         demo_pads(&play->session.now->writer.demo, frame - 1, before);
     for (int p = 0; p < MAX_PLAYERS; p++)
-        press_resume(&play->pads.press[p], before[p]);
+        pad_modes_resume(&play->pads.mode_state[p], before[p]);
 }
 
 void play_pads_tick(struct play *play, uint16_t pads[MAX_PLAYERS])
@@ -56,26 +56,27 @@ void play_pads_tick(struct play *play, uint16_t pads[MAX_PLAYERS])
     play->pads.next_frame = frame + 1;
     for (int p = 0; p < MAX_PLAYERS; p++) {
         const struct inspect_controls ship = inspect_player_controls(b, p);
-        pads[p] = press_tick(&play->pads.press[p], &play->pads.modes[p],
-                             (struct press_ship){ ship.can_steer, ship.can_fire }, play->pads.held[p]);
+        pads[p] = pad_modes_tick(&play->pads.mode_state[p], &play->pads.modes[p],
+                                 (struct pad_modes_control){ ship.can_steer, ship.can_fire }, play->pads.held[p]);
     }
 }
 
 /* ---- controllers ---- */
 
-void play_seats_poll(struct play *play, const struct plat_input *in)
+void play_poll_controllers(struct play *play, const struct plat_input *in)
 {
     struct plat_controller controller[PLAT_MAX_CONTROLLERS];
     const struct plat_controller *plugged[PLAT_MAX_CONTROLLERS];
 
     for (int i = 0; i < PLAT_MAX_CONTROLLERS; i++)
         plugged[i] = plat_get_controller(i, &controller[i]) ? &controller[i] : NULL;
-    seats_poll(&play->pads.seats, play->session.now ? play_cart(play)->manifest.players : 1, in->controllers, plugged);
+    controllers_poll(&play->pads.controllers, play->session.now ? play_cart(play)->manifest.players : 1,
+                     in->controllers, plugged);
 }
 
 const char *play_controller_name(const struct plat_controller *c)
 {
-    return c->name[0] ? c->name : switch_kind_name(c->kind);
+    return c->name[0] ? c->name : input_code_controller_name(c->kind);
 }
 
 /* Shows a message over the picture, and at the foot of an open screen. */
@@ -96,7 +97,7 @@ __attribute__((format(printf, 3, 4))) static void show(struct play *play, int fr
 static void controller_unplugged(struct play *play, int player, const char *name)
 {
     const bool in_use =
-        play->config.keys.player[player].controller && !play->session.demo && !play->attract.on && !play_fault(play);
+        play->config.keys.device[player].is_controller && !play->session.demo && !play->attract.on && !play_fault(play);
 
     if (!in_use) {
         show(play, MESSAGE_FRAMES, "Player %d: %s unplugged", player + 1, name);
@@ -107,13 +108,13 @@ static void controller_unplugged(struct play *play, int player, const char *name
          name);
 }
 
-static void seat_event(struct play *play, const struct seats_event *e)
+static void report_event(struct play *play, const struct controllers_event *e)
 {
     const char *name = play_controller_name(&e->controller);
 
-    if (e->what == SEATS_LOST)
+    if (e->kind == CONTROLLERS_UNPLUGGED)
         controller_unplugged(play, e->player, name);
-    else if (e->what == SEATS_FULL)
+    else if (e->kind == CONTROLLERS_REFUSED)
         show(play, MESSAGE_FRAMES, "Every player already has a controller");
     else if (play->pads.unplugged)
         show(play, MESSAGE_STAYS, "Player %d: %s. Press START to resume", e->player + 1, name);
@@ -122,18 +123,18 @@ static void seat_event(struct play *play, const struct seats_event *e)
 }
 
 /* START ends the pause for an unplugged controller; the game does not see that press. */
-static void resume_at_start(struct play *play, const struct keys_read *k)
+static void resume_at_start(struct play *play, const struct keys_state *k)
 {
     struct play_pads *pads = &play->pads;
     bool paused = play->time.paused;
 
     if (!pads->unplugged || screens_are_open(&play->screens))
         return;
-    for (int i = 0; i < pads->seats.events; i++)
-        paused = paused && !pads->seats.event[i].start;
+    for (int i = 0; i < pads->controllers.event_count; i++)
+        paused = paused && !pads->controllers.event[i].start;
     for (int p = 0; p < MAX_PLAYERS; p++) {
-        paused = paused && !(k->pads_fresh[p] & PAD_START);
-        pads->ignored[p] |= k->pads_fresh[p] & PAD_START;
+        paused = paused && !(k->pads_pressed[p] & PAD_START);
+        pads->ignored[p] |= k->pads_pressed[p] & PAD_START;
     }
     play->time.paused = paused;
     if (paused)
@@ -142,9 +143,9 @@ static void resume_at_start(struct play *play, const struct keys_read *k)
     play->message.frames = 0;
 }
 
-void play_seats_report(struct play *play, const struct keys_read *k)
+void play_report_controllers(struct play *play, const struct keys_state *k)
 {
-    for (int i = 0; i < play->pads.seats.events; i++)
-        seat_event(play, &play->pads.seats.event[i]);
+    for (int i = 0; i < play->pads.controllers.event_count; i++)
+        report_event(play, &play->pads.controllers.event[i]);
     resume_at_start(play, k);
 }

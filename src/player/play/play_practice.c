@@ -125,7 +125,7 @@ void play_open_practice(struct play *play)
     practice_open(&play->practice, &play->screens, play->time.slow);
 }
 
-void play_practice_keys(struct play *play, const struct keys_read *k)
+void play_practice_keys(struct play *play, const struct keys_state *k)
 {
     if (k->pressed & 1 << HOTKEY_RETRY && may_practise(play)) {
         attract_end(&play->attract);

@@ -44,7 +44,7 @@ static void check_focus(struct play *play, const struct plat_input *in)
 }
 
 /* The keys that open a screen, while none is open. */
-static void open_by_key(struct play *play, const struct keys_read *k)
+static void open_by_key(struct play *play, const struct keys_state *k)
 {
     if (play->console.open)
         return;
@@ -57,7 +57,7 @@ static void open_by_key(struct play *play, const struct keys_read *k)
 }
 
 /* The same keys while a screen is open: the key's screen replaces the others, or is closed. */
-static void toggle_by_key(struct play *play, const struct keys_read *k)
+static void toggle_by_key(struct play *play, const struct keys_state *k)
 {
     const bool help = k->pressed >> HOTKEY_HELP & 1, practice = k->pressed >> HOTKEY_PRACTICE & 1;
     const struct screen_def *screen = help ? &keys_screen : &practice_screen;
@@ -74,7 +74,7 @@ static void toggle_by_key(struct play *play, const struct keys_read *k)
     }
 }
 
-bool play_screen_keys(struct play *play, const struct plat_input *in, struct keys_read *k)
+bool play_screen_keys(struct play *play, const struct plat_input *in, struct keys_state *k)
 {
     const bool was_open = screens_are_open(&play->screens);
 

@@ -12,8 +12,8 @@
 #include "pace.h"
 #include "practice.h"
 #include "session.h"
-#include "../input/press.h"
-#include "../input/seats.h"
+#include "../input/pad_modes.h"
+#include "../input/controllers.h"
 #include "../overlay/console.h"
 #include "../overlay/overlay.h"
 #include "../overlay/prompt.h"
@@ -190,14 +190,14 @@ struct play_replay {
     uint32_t changed; /* board_nvram's count at the last comparison */
 };
 
-/* play_pads.c: controllers, and how players press. */
+/* play_pads.c: controllers, and the players' pads. */
 struct play_pads {
-    uint16_t held[MAX_PLAYERS];    /* buttons held since the last tick, before press_tick */
-    uint16_t ignored[MAX_PLAYERS]; /* held since a screen was open: the game does not see them */
-    struct seats seats;
-    struct press_modes modes[MAX_PLAYERS];
-    struct press press[MAX_PLAYERS];
-    uint32_t next_frame; /* the frame after the last tick with pads of press_tick */
+    uint16_t held[MAX_PLAYERS];    /* buttons held since the last tick, the input of pad_modes_tick */
+    uint16_t ignored[MAX_PLAYERS]; /* held since a screen was open; the game does not see them */
+    struct controllers controllers;
+    struct pad_modes modes[MAX_PLAYERS];
+    struct pad_mode_state mode_state[MAX_PLAYERS];
+    uint32_t next_frame; /* the frame after the last tick with pads of pad_modes_tick */
     bool unplugged;      /* a player's controller was unplugged, and the game is paused for it */
 };
 
@@ -415,7 +415,7 @@ void play_set_language(struct play *play, struct board_start *start);
 uint64_t play_clock_seed(void);
 
 /* Handles the keys for the menu and retry; does what was chosen in a frame of the open menu. */
-void play_practice_keys(struct play *play, const struct keys_read *k);
+void play_practice_keys(struct play *play, const struct keys_state *k);
 void play_practice_poll(struct play *play);
 
 /* Opens the practice menu, if this run can be left for it. */
@@ -505,7 +505,7 @@ void play_offer_resume(struct play *play);
 
 /* Passes input to the screens, and to the keys that open them. True: a screen is open or was, the board doesn't tick,
  * and the keys left in k->pressed are those that no screen used. */
-bool play_screen_keys(struct play *play, const struct plat_input *in, struct keys_read *k);
+bool play_screen_keys(struct play *play, const struct plat_input *in, struct keys_state *k);
 
 /* Checks whether a game was dropped on the window; asks before a run is lost, and reports games that can't be
  * played. */
@@ -573,13 +573,13 @@ void play_window_mouse(const struct play_window *w, int *x, int *y);
 void play_scroll(const struct play *play, int *top, int end, uint16_t pad, int wheel);
 
 /* Reads the input and handles the program's keys. */
-void play_poll(struct play *play, struct keys_read *k);
+void play_poll(struct play *play, struct keys_state *k);
 
 /* ---- play_pads.c ---- */
 
 void play_pads_open(struct play *play);
 
-/* Applies the settings of how each player presses. */
+/* Applies each player's settings for autofire, focus and one-handed play. */
 void play_pads_apply(struct play *play);
 
 /* Call it when the board was powered on. */
@@ -588,10 +588,11 @@ void play_pads_power(struct play_pads *pads);
 /* The pads of the live board's next tick, from pads.held. */
 void play_pads_tick(struct play *play, uint16_t pads[MAX_PLAYERS]);
 
-/* Before keys_read: finds out which controllers are plugged in and who uses them. After it: reports changes, pauses for
- * a player whose controller was unplugged, and resumes at START. */
-void play_seats_poll(struct play *play, const struct plat_input *in);
-void play_seats_report(struct play *play, const struct keys_read *k);
+/* Call play_poll_controllers before keys_read, and play_report_controllers after it. The first updates the assignment
+ * of controllers to players. The second shows changes, pauses when a controller in use is unplugged, and resumes at
+ * START. */
+void play_poll_controllers(struct play *play, const struct plat_input *in);
+void play_report_controllers(struct play *play, const struct keys_state *k);
 
 /* The controller's own name, or its kind. */
 const char *play_controller_name(const struct plat_controller *c);

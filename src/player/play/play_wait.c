@@ -4,7 +4,7 @@
  */
 #include <stdio.h>
 #include <string.h>
-#include "../input/switch.h"
+#include "../input/input_code.h"
 #include "../../../platform/platform.h"
 #include "play_state.h"
 #include "../../common/clean.h"
@@ -114,12 +114,12 @@ static void try_settings(struct play *play)
 static void poll(struct play *play)
 {
     struct plat_input in;
-    struct keys_read k;
+    struct keys_state k;
     const uint32_t quit = (uint32_t)1 << HOTKEY_QUIT | (uint32_t)1 << HOTKEY_MENU;
 
     plat_poll(&in);
-    play_seats_poll(play, &in);
-    keys_read(&play->config.keys, &in, &play->pads.seats, &k);
+    play_poll_controllers(play, &in);
+    keys_read(&play->config.keys, &in, &play->pads.controllers, &k);
     play->quit = play->quit || in.quit || k.pressed & quit || plat_is_key_held(&in, KEY_ESCAPE);
     if (k.pressed & (uint32_t)1 << HOTKEY_FULLSCREEN)
         play_toggle_fullscreen(play);

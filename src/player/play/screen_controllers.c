@@ -4,7 +4,7 @@
  */
 #include <stdio.h>
 #include <string.h>
-#include "../input/switch.h"
+#include "../input/input_code.h"
 #include "play_state.h"
 
 static int player_count(struct play *play)
@@ -16,7 +16,7 @@ static int player_count(struct play *play)
 static int controller_at(struct play *play, int at)
 {
     for (int i = 0; i < PLAT_MAX_CONTROLLERS; i++)
-        if (play->pads.seats.there[i] && at-- == 0)
+        if (play->pads.controllers.connected[i] && at-- == 0)
             return i;
     return -1;
 }
@@ -39,13 +39,13 @@ static const char *text(void *of)
 /* The labels of the buttons held on controller i: "2: cross, L1  ". Returns the length. */
 static size_t describe_buttons(struct play *play, int i, char *out, size_t size)
 {
-    char label[SWITCH_NAME];
+    char label[INPUT_CODE_NAME_SIZE];
     size_t n = 0;
 
     for (unsigned bit = 0; bit < PLAT_BUTTONS && n < size; bit++) {
         if (!(play->controllers_held[i] >> bit & 1))
             continue;
-        switch_label(SWITCH_CONTROLLER | bit, play->pads.seats.is[i].kind, label, sizeof label);
+        input_code_label(INPUT_CODE_CONTROLLER | bit, play->pads.controllers.info[i].kind, label, sizeof label);
         n += n ? (size_t)snprintf(out + n, size - n, ", %s", label)
                : (size_t)snprintf(out, size, "%d: %s", i + 1, label);
     }
@@ -55,8 +55,8 @@ static size_t describe_buttons(struct play *play, int i, char *out, size_t size)
 static void describe(void *of, int at, struct screen_row *row)
 {
     struct play *play = of;
-    const struct seats *seats = &play->pads.seats;
-    const int i = controller_at(play, at), player = i < 0 ? -1 : seats_player(seats, i);
+    const struct controllers *controllers = &play->pads.controllers;
+    const int i = controller_at(play, at), player = i < 0 ? -1 : controllers_find_player(controllers, i);
     size_t n = 0;
 
     if (i < 0) {
@@ -64,7 +64,7 @@ static void describe(void *of, int at, struct screen_row *row)
         row->faint = true;
         return;
     }
-    snprintf(row->label, sizeof row->label, "%d %s", i + 1, play_controller_name(&seats->is[i]));
+    snprintf(row->label, sizeof row->label, "%d %s", i + 1, play_controller_name(&controllers->info[i]));
     if (player < 0)
         snprintf(row->value, sizeof row->value, "Unassigned");
     else
@@ -79,14 +79,14 @@ static void describe(void *of, int at, struct screen_row *row)
 static void change(void *of, int at, int by)
 {
     struct play *play = of;
-    struct seats *seats = &play->pads.seats;
-    const int i = controller_at(play, at), n = player_count(play) + 1, now = seats_player(seats, i) + 1,
-              to = (now + (by < 0 ? -1 : 1) + n) % n;
+    struct controllers *controllers = &play->pads.controllers;
+    const int i = controller_at(play, at), n = player_count(play) + 1,
+              now = controllers_find_player(controllers, i) + 1, to = (now + (by < 0 ? -1 : 1) + n) % n;
 
     if (to > 0)
-        seats_give(seats, to - 1, i);
+        controllers_assign(controllers, to - 1, i);
     else
-        seats_give(seats, now - 1, SEAT_EMPTY);
+        controllers_assign(controllers, now - 1, CONTROLLERS_NONE);
 }
 
 /* Here START assigns the controller, and changes no row. */
@@ -101,11 +101,11 @@ static bool listen(void *of, const struct plat_input *in)
     return all >> PLAT_START & 1;
 }
 
-static const struct screen_def controllers = {
+static const struct screen_def controllers_screen = {
     .title = "Controllers", .rows = rows, .row = describe, .text = text, .change = change, .listen = listen
 };
 
 void play_open_controllers(struct play *play)
 {
-    screens_open(&play->screens, &controllers, play);
+    screens_open(&play->screens, &controllers_screen, play);
 }

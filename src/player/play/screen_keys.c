@@ -4,7 +4,7 @@
  */
 #include <stdio.h>
 #include <string.h>
-#include "../input/switch.h"
+#include "../input/input_code.h"
 #include "play_state.h"
 
 /* A row is an action, RESET, or the heading of a group: HEADING - group. */
@@ -27,7 +27,7 @@ static int list_rows(const struct play *play, int list[MAX_ROWS])
     }
     list[n++] = HEADING - MAX_PLAYERS;
     for (int key = 0; key < HOTKEYS; key++)
-        if (!play->options.sealed || !(KEYS_INSIDE >> key & 1))
+        if (!play->options.sealed || !(KEYS_FOR_AUTHORS >> key & 1))
             list[n++] = PLAYER_ACTIONS + key;
     list[n++] = RESET;
     return n;
@@ -52,15 +52,15 @@ static int rows(void *of)
 static void labels_of(struct play *play, int action, char *out, size_t size)
 {
     const struct keys *k = &play->config.keys;
-    const struct keys_device *d = action < PLAYER_ACTIONS ? &k->player[action / PAD_BUTTON_COUNT] : &k->latest;
-    char label[SWITCH_NAME];
+    const struct keys_device *d = action < PLAYER_ACTIONS ? &k->device[action / PAD_BUTTON_COUNT] : &k->latest;
+    char label[INPUT_CODE_NAME_SIZE];
     size_t n = 0;
 
     snprintf(out, size, "-");
-    for (int i = 0; i < KEYS_EACH && n < size; i++) {
+    for (int i = 0; i < KEYS_PER_ACTION && n < size; i++) {
         if (!k->code[action][i])
             continue;
-        switch_label(k->code[action][i], d->kind, label, sizeof label);
+        input_code_label(k->code[action][i], d->kind, label, sizeof label);
         n += (size_t)snprintf(out + n, size - n, "%s%s", n ? ", " : "", label);
     }
 }
@@ -69,11 +69,11 @@ static void labels_of(struct play *play, int action, char *out, size_t size)
 static void describe_help(struct play *play, const char *meaning, struct screen_row *row)
 {
     const struct keys_device *d = &play->config.keys.latest;
-    char more[SWITCH_NAME] = "Enter", less[SWITCH_NAME] = "Delete";
+    char more[INPUT_CODE_NAME_SIZE] = "Enter", less[INPUT_CODE_NAME_SIZE] = "Delete";
 
-    if (d->controller) {
-        switch_label(SWITCH_CONTROLLER | PLAT_SOUTH, d->kind, more, sizeof more);
-        switch_label(SWITCH_CONTROLLER | PLAT_NORTH, d->kind, less, sizeof less);
+    if (d->is_controller) {
+        input_code_label(INPUT_CODE_CONTROLLER | PLAT_SOUTH, d->kind, more, sizeof more);
+        input_code_label(INPUT_CODE_CONTROLLER | PLAT_NORTH, d->kind, less, sizeof less);
     }
     char sentence[SCREEN_HELP / 2] = "";
     if (meaning[0])
@@ -100,12 +100,12 @@ static void describe(void *of, int at, struct screen_row *row)
             snprintf(row->label, sizeof row->label, "General");
         return;
     }
-    snprintf(row->label, sizeof row->label, "%s", keys_label(action));
+    snprintf(row->label, sizeof row->label, "%s", keys_action_label(action));
     labels_of(play, action, row->value, sizeof row->value);
     if (capture->listening && capture->action == action)
         snprintf(row->value, sizeof row->value, "Press a key...");
     /* both players' buttons mean the same */
-    describe_help(play, keys_meaning(action < PLAYER_ACTIONS ? action % PAD_BUTTON_COUNT : action), row);
+    describe_help(play, keys_action_help(action < PLAYER_ACTIONS ? action % PAD_BUTTON_COUNT : action), row);
 }
 
 /* ---- changes ---- */
@@ -113,10 +113,10 @@ static void describe(void *of, int at, struct screen_row *row)
 static void take(struct play *play, uint16_t code)
 {
     struct keys *k = &play->config.keys;
-    const char *name = keys_action(play->key_capture.action), *other = keys_conflict(k, name, code);
-    char err[160], label[SWITCH_NAME], title[KEYS_TITLE], before[KEYS_TITLE];
+    const char *name = keys_action_name(play->key_capture.action), *other = keys_conflict(k, name, code);
+    char err[160], label[INPUT_CODE_NAME_SIZE], title[KEYS_TITLE_SIZE], before[KEYS_TITLE_SIZE];
 
-    switch_label(code, k->latest.kind, label, sizeof label);
+    input_code_label(code, k->latest.kind, label, sizeof label);
     keys_title(name, title, sizeof title);
     if (!keys_add(k, name, code, err, sizeof err)) {
         screens_say(&play->screens, "%s", err);
@@ -129,7 +129,7 @@ static void take(struct play *play, uint16_t code)
     keys_title(other, before, sizeof before);
     screens_say(&play->screens, "%s: %s (was %s)", title, label, before);
     for (; other; other = keys_conflict(k, name, code))
-        keys_drop(k, other, code);
+        keys_remove(k, other, code);
 }
 
 static bool listen(void *of, const struct plat_input *in)
@@ -141,7 +141,7 @@ static bool listen(void *of, const struct plat_input *in)
         return false;
     if (!c->started)
         keys_capture_begin(&c->capture, in);
-    const uint16_t code = c->started ? keys_capture(&c->capture, in) : 0;
+    const uint16_t code = c->started ? keys_capture_poll(&c->capture, in) : 0;
     c->started = true;
     if (code) {
         c->listening = false;
@@ -156,7 +156,7 @@ static void reset_all(void *of)
     struct play *play = of;
     struct keys defaults;
 
-    keys_defaults(&defaults);
+    keys_set_defaults(&defaults);
     memcpy(play->config.keys.code, defaults.code, sizeof defaults.code);
     play_apply_settings(play);
 }
@@ -165,14 +165,14 @@ static void accept(void *of, int at)
 {
     struct play *play = of;
     const int action = row_at(play, at);
-    char title[KEYS_TITLE];
+    char title[KEYS_TITLE_SIZE];
 
     if (action == RESET) {
         screens_ask(&play->screens, "Reset all key bindings?", "Reset", reset_all, play);
         return;
     }
     play->key_capture = (struct key_capture){ .listening = true, .action = action };
-    keys_title(keys_action(action), title, sizeof title);
+    keys_title(keys_action_name(action), title, sizeof title);
     screens_say(&play->screens, "%s: press a key or button. Escape: cancel.", title);
 }
 
@@ -182,14 +182,14 @@ static void remove_one(void *of, int at)
     struct play *play = of;
     const int action = row_at(play, at);
 
-    for (int i = KEYS_EACH - 1; action >= 0 && i >= 0; i--) {
+    for (int i = KEYS_PER_ACTION - 1; action >= 0 && i >= 0; i--) {
         const uint16_t code = play->config.keys.code[action][i];
         if (code && !keys_reserved(code)) {
-            char label[SWITCH_NAME], title[KEYS_TITLE];
-            switch_label(code, play->config.keys.latest.kind, label, sizeof label);
-            keys_title(keys_action(action), title, sizeof title);
+            char label[INPUT_CODE_NAME_SIZE], title[KEYS_TITLE_SIZE];
+            input_code_label(code, play->config.keys.latest.kind, label, sizeof label);
+            keys_title(keys_action_name(action), title, sizeof title);
             screens_say(&play->screens, "%s: removed %s", title, label);
-            keys_drop(&play->config.keys, keys_action(action), code);
+            keys_remove(&play->config.keys, keys_action_name(action), code);
             return;
         }
     }

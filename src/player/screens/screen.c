@@ -236,7 +236,7 @@ static uint32_t controller_input(const struct plat_input *in)
     return held;
 }
 
-static uint32_t pad_input(const struct keys_read *k)
+static uint32_t pad_input(const struct keys_state *k)
 {
     static const struct {
         uint16_t button, does;
@@ -253,7 +253,7 @@ static uint32_t pad_input(const struct keys_read *k)
 }
 
 /* If a player has assigned yes or no to other buttons of a controller, south and east have the assigned meaning. */
-static uint32_t button_input(const struct plat_input *in, const struct keys_read *k)
+static uint32_t button_input(const struct plat_input *in, const struct keys_state *k)
 {
     const uint32_t pads = pad_input(k), controllers = controller_input(in);
 
@@ -346,7 +346,7 @@ static void move_page(struct screens *s, struct screen_place *p, int by)
     }
 }
 
-bool screens_poll(struct screens *s, const struct plat_input *in, const struct keys_read *k)
+bool screens_poll(struct screens *s, const struct plat_input *in, const struct keys_state *k)
 {
     if (s->deep == 0)
         return false;

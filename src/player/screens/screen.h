@@ -119,7 +119,7 @@ void screens_say(struct screens *s, const char *format, ...) __attribute__((form
 void screens_ask(struct screens *s, const char *question, const char *yes, void (*then)(void *of), void *of);
 
 /* Passes a frame's input to the topmost screen. True: it listened, and nothing else may use the input. */
-bool screens_poll(struct screens *s, const struct plat_input *in, const struct keys_read *k);
+bool screens_poll(struct screens *s, const struct plat_input *in, const struct keys_state *k);
 
 /* Draws the topmost screen. foot: a line with the keys, or "". */
 void screens_draw(struct screens *s, const struct canvas *canvas, const char *foot);

@@ -134,7 +134,7 @@ void config_label(const struct config *c, const struct config_setting *s, char *
 
 void config_defaults(struct config *c)
 {
-    keys_defaults(&c->keys);
+    keys_set_defaults(&c->keys);
     memset(c->lang, 0, sizeof c->lang);
     for (int i = 0; i < SETTINGS; i++)
         config_put(c, &settings[i], settings[i].standard);
@@ -190,7 +190,7 @@ static bool set(struct config *c, const char *name, const char *value, char *err
             return set_value(c, &settings[i], value, err, err_size);
     if (strcmp(name, "lang") == 0)
         return set_lang(c, value, err, err_size);
-    if (keys_known(name))
+    if (keys_is_action(name))
         return keys_bind(&c->keys, name, value, err, err_size);
     return err_set(err, err_size, "unknown setting \"%s\"", name);
 }

@@ -108,8 +108,8 @@ char *config_edit(const struct config *c, const char *text, size_t size, char *e
         set_line(&t, "lang", c->lang);
     for (int i = 0; i < KEYS_ACTIONS; i++)
         if (memcmp(c->keys.code[i], was.keys.code[i], sizeof c->keys.code[i]) != 0) {
-            keys_text(&c->keys, keys_action(i), value, sizeof value);
-            set_line(&t, keys_action(i), value);
+            keys_write_list(&c->keys, keys_action_name(i), value, sizeof value);
+            set_line(&t, keys_action_name(i), value);
         }
     if (t.at && t.n <= CONFIG_BYTES)
         return t.at;

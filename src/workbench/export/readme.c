@@ -72,7 +72,7 @@ static void add_keys(char *list, size_t size, const struct keys *k, int action)
 {
     char text[128];
 
-    keys_text(k, keys_action(action), text, sizeof text);
+    keys_write_list(k, keys_action_name(action), text, sizeof text);
     for (char *word = strtok(text, " "); word; word = strtok(NULL, " ")) {
         const size_t n = strlen(list);
         if (strncmp(word, "pad", 3) != 0)
@@ -87,9 +87,9 @@ static void put_keys(struct byte_buffer *out, const struct keys *k, int first, i
 
     for (int i = 0, last; i < n; i = last) {
         char list[128] = "";
-        const char *meaning = keys_meaning(first < player * MAX_PLAYERS ? i : first + i);
+        const char *meaning = keys_action_help(first < player * MAX_PLAYERS ? i : first + i);
         for (last = i; last < n; last++) {
-            if (strcmp(meaning, keys_meaning(first < player * MAX_PLAYERS ? last : first + last)) != 0)
+            if (strcmp(meaning, keys_action_help(first < player * MAX_PLAYERS ? last : first + last)) != 0)
                 break;
             add_keys(list, sizeof list, k, first + last);
         }
@@ -103,7 +103,7 @@ static void put_all_keys(struct byte_buffer *out, const struct manifest *m, bool
                                          HOTKEY_FULLSCREEN, HOTKEY_SCREENSHOT, HOTKEY_QUIT };
     struct keys k;
 
-    keys_defaults(&k);
+    keys_set_defaults(&k);
     byte_buffer_print(out, "KEYS\n\n");
     for (int p = 0; p < m->players && p < MAX_PLAYERS; p++) {
         if (p > 0)

@@ -1,15 +1,15 @@
-/* test_seats.c - which controller plays for whom: coming, going, START, and coming back. */
+/* test_controllers.c - the assignment of controllers to players: plugging in, unplugging, START, reconnecting. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>
 #include <cmocka.h>
-#include "../../src/player/input/seats.h"
+#include "../../src/player/input/controllers.h"
 
 enum { START = 1 << PLAT_START, SOUTH = 1 << PLAT_SOUTH, UP = 1 << PLAT_DPAD_UP };
 
-static struct seats s;
+static struct controllers s;
 static struct plat_controller in_it[PLAT_MAX_CONTROLLERS];
 static const struct plat_controller *plugged[PLAT_MAX_CONTROLLERS];
 static uint32_t held[PLAT_MAX_CONTROLLERS];
@@ -18,7 +18,7 @@ static uint32_t next_id;
 
 static void begin(int n)
 {
-    seats_open(&s);
+    controllers_open(&s);
     memset(plugged, 0, sizeof plugged);
     memset(held, 0, sizeof held);
     players = n;
@@ -39,25 +39,25 @@ static void unplug(int i)
 
 static void poll(void)
 {
-    seats_poll(&s, players, held, plugged);
+    controllers_poll(&s, players, held, plugged);
 }
 
-static void hold(int i, uint32_t switches)
+static void hold(int i, uint32_t buttons)
 {
-    held[i] = switches;
+    held[i] = buttons;
     poll();
 }
 
-static void told(int i, enum seats_what what, int player)
+static void told(int i, enum controllers_event_kind kind, int player)
 {
-    assert_true(i < s.events);
-    assert_int_equal(s.event[i].what, what);
+    assert_true(i < s.event_count);
+    assert_int_equal(s.event[i].kind, kind);
     assert_int_equal(s.event[i].player, player);
 }
 
 static void nothing_is_told(void)
 {
-    assert_int_equal(s.events, 0);
+    assert_int_equal(s.event_count, 0);
 }
 
 /* The one that is used plays, not the one that is first: some machines have a controller that nobody holds. */
@@ -71,17 +71,17 @@ static void the_first_used_is_player_1s(void **state)
     poll();
     nothing_is_told();
     hold(1, SOUTH);
-    told(0, SEATS_TAKEN, 0);
+    told(0, CONTROLLERS_ASSIGNED, 0);
     assert_true(s.event[0].first);
-    assert_int_equal(seats_switches(&s, 0), SOUTH); /* the press that took the place counts */
-    assert_int_equal(seats_switches(&s, 1), 0);
-    assert_int_equal(s.switches[0], 0);
+    assert_int_equal(controllers_buttons(&s, 0), SOUTH); /* the press that took the place counts */
+    assert_int_equal(controllers_buttons(&s, 1), 0);
+    assert_int_equal(s.buttons[0], 0);
     poll();
     nothing_is_told();
     hold(0, 0);
     hold(0, UP); /* pressed now, but it is no START */
     nothing_is_told();
-    assert_int_equal(seats_player(&s, 0), -1);
+    assert_int_equal(controllers_find_player(&s, 0), -1);
 }
 
 static void start_joins(void **state)
@@ -94,22 +94,22 @@ static void start_joins(void **state)
     poll();
     hold(0, SOUTH);
     hold(1, SOUTH);
-    assert_int_equal(seats_switches(&s, 1), 0);
+    assert_int_equal(controllers_buttons(&s, 1), 0);
     hold(1, SOUTH | START);
-    told(0, SEATS_TAKEN, 1);
+    told(0, CONTROLLERS_ASSIGNED, 1);
     assert_false(s.event[0].first);
     assert_true(s.event[0].start);
-    assert_int_equal(seats_switches(&s, 1), SOUTH); /* START was for the place */
+    assert_int_equal(controllers_buttons(&s, 1), SOUTH); /* START was for the place */
     hold(1, START);
-    assert_int_equal(seats_switches(&s, 1), 0);
+    assert_int_equal(controllers_buttons(&s, 1), 0);
     hold(1, 0);
     hold(1, START); /* and the next one is for the game */
-    assert_int_equal(seats_switches(&s, 1), START);
+    assert_int_equal(controllers_buttons(&s, 1), START);
     nothing_is_told();
     hold(2, START);
-    told(0, SEATS_FULL, 0);
-    assert_int_equal(seats_player(&s, 2), -1);
-    assert_int_equal(seats_player(&s, 0), 0);
+    told(0, CONTROLLERS_REFUSED, 0);
+    assert_int_equal(controllers_find_player(&s, 2), -1);
+    assert_int_equal(controllers_find_player(&s, 0), 0);
 }
 
 static void in_a_game_for_one_start_hands_over(void **state)
@@ -121,17 +121,17 @@ static void in_a_game_for_one_start_hands_over(void **state)
     poll();
     hold(0, UP);
     hold(3, SOUTH);
-    assert_int_equal(seats_player(&s, 3), -1);
+    assert_int_equal(controllers_find_player(&s, 3), -1);
     hold(3, START);
-    told(0, SEATS_TAKEN, 0);
-    assert_int_equal(seats_player(&s, 3), 0);
-    assert_int_equal(seats_player(&s, 0), -1);
-    assert_int_equal(seats_switches(&s, 0), 0);
+    told(0, CONTROLLERS_ASSIGNED, 0);
+    assert_int_equal(controllers_find_player(&s, 3), 0);
+    assert_int_equal(controllers_find_player(&s, 0), -1);
+    assert_int_equal(controllers_buttons(&s, 0), 0);
     begin(0); /* a manifest that says nothing */
     plug(0, "pad");
     poll();
     hold(0, UP);
-    assert_int_equal(seats_switches(&s, 0), UP);
+    assert_int_equal(controllers_buttons(&s, 0), UP);
 }
 
 static void what_goes_lets_go_and_comes_back(void **state)
@@ -146,25 +146,25 @@ static void what_goes_lets_go_and_comes_back(void **state)
     hold(1, UP);
     plugged[0] = NULL; /* the port may still say that something is held */
     poll();
-    told(0, SEATS_LOST, 0);
+    told(0, CONTROLLERS_UNPLUGGED, 0);
     assert_string_equal(s.event[0].controller.name, "one");
-    assert_int_equal(seats_switches(&s, 0), 0);
-    assert_int_equal(s.switches[0], 0);
-    assert_int_equal(seats_switches(&s, 1), UP);
+    assert_int_equal(controllers_buttons(&s, 0), 0);
+    assert_int_equal(s.buttons[0], 0);
+    assert_int_equal(controllers_buttons(&s, 1), UP);
     held[0] = 0;
     poll();
     nothing_is_told();
     hold(1, UP | SOUTH); /* player 2's stays player 2's */
-    assert_int_equal(seats_player(&s, 1), 1);
+    assert_int_equal(controllers_find_player(&s, 1), 1);
     plug(2, "one"); /* another socket */
     held[2] = SOUTH;
     poll();
-    told(0, SEATS_BACK, 0);
-    assert_int_equal(s.events, 1);
-    assert_int_equal(seats_switches(&s, 0), 0); /* held since it came: not pressed */
+    told(0, CONTROLLERS_RECONNECTED, 0);
+    assert_int_equal(s.event_count, 1);
+    assert_int_equal(controllers_buttons(&s, 0), 0); /* held since it came: not pressed */
     hold(2, 0);
     hold(2, SOUTH);
-    assert_int_equal(seats_switches(&s, 0), SOUTH);
+    assert_int_equal(controllers_buttons(&s, 0), SOUTH);
 }
 
 static void another_may_take_the_place(void **state)
@@ -179,20 +179,20 @@ static void another_may_take_the_place(void **state)
     hold(1, 0);
     unplug(1);
     poll();
-    told(0, SEATS_LOST, 1);
+    told(0, CONTROLLERS_UNPLUGGED, 1);
     plug(1, "three"); /* no model that was there */
     poll();
     nothing_is_told();
-    assert_int_equal(seats_player(&s, 1), -1);
+    assert_int_equal(controllers_find_player(&s, 1), -1);
     hold(1, START);
-    told(0, SEATS_TAKEN, 1);
+    told(0, CONTROLLERS_ASSIGNED, 1);
     unplug(0);
     poll();
-    told(0, SEATS_LOST, 0);
+    told(0, CONTROLLERS_UNPLUGGED, 0);
     plug(0, "four");
     poll();
     hold(0, SOUTH);
-    told(0, SEATS_TAKEN, 0);
+    told(0, CONTROLLERS_ASSIGNED, 0);
     assert_false(s.event[0].start);
     assert_false(s.event[0].first); /* the place was somebody's */
     plug(2, "two");                 /* too late */
@@ -210,17 +210,17 @@ static void an_exchange_is_seen(void **state)
     hold(0, UP);
     plug(0, "other");
     poll();
-    told(0, SEATS_LOST, 0);
-    assert_int_equal(s.events, 1);
-    assert_int_equal(seats_switches(&s, 0), 0);
+    told(0, CONTROLLERS_UNPLUGGED, 0);
+    assert_int_equal(s.event_count, 1);
+    assert_int_equal(controllers_buttons(&s, 0), 0);
     hold(0, 0);
     hold(0, UP);
-    told(0, SEATS_TAKEN, 0);
+    told(0, CONTROLLERS_ASSIGNED, 0);
     plug(0, "other"); /* a plug that is loose */
     held[0] = 0;
     poll();
-    told(0, SEATS_LOST, 0);
-    told(1, SEATS_BACK, 0);
+    told(0, CONTROLLERS_UNPLUGGED, 0);
+    told(1, CONTROLLERS_RECONNECTED, 0);
 }
 
 static void given_on_a_screen(void **state)
@@ -233,18 +233,18 @@ static void given_on_a_screen(void **state)
     hold(0, SOUTH);
     hold(1, START);
     hold(0, SOUTH);
-    seats_give(&s, 1, 0); /* player 1's goes to player 2, who gives theirs up */
-    assert_int_equal(seats_player(&s, 0), 1);
-    assert_int_equal(seats_player(&s, 1), -1);
-    assert_int_equal(seats_switches(&s, 0), 0);
-    assert_int_equal(seats_switches(&s, 1), 0); /* the button that chose it on the screen */
+    controllers_assign(&s, 1, 0); /* player 1's goes to player 2, who gives theirs up */
+    assert_int_equal(controllers_find_player(&s, 0), 1);
+    assert_int_equal(controllers_find_player(&s, 1), -1);
+    assert_int_equal(controllers_buttons(&s, 0), 0);
+    assert_int_equal(controllers_buttons(&s, 1), 0); /* the button that chose it on the screen */
     poll();
-    assert_int_equal(seats_switches(&s, 1), 0);
+    assert_int_equal(controllers_buttons(&s, 1), 0);
     hold(0, 0);
     hold(0, UP);
-    assert_int_equal(seats_switches(&s, 1), UP);
-    seats_give(&s, 1, SEAT_EMPTY);
-    assert_int_equal(seats_player(&s, 0), -1);
+    assert_int_equal(controllers_buttons(&s, 1), UP);
+    controllers_assign(&s, 1, CONTROLLERS_NONE);
+    assert_int_equal(controllers_find_player(&s, 0), -1);
     unplug(0);
     poll();
     nothing_is_told(); /* nobody's */
@@ -267,9 +267,9 @@ static void a_port_that_knows_nothing(void **state)
     poll();
     nothing_is_told();
     hold(0, SOUTH);
-    assert_int_equal(seats_switches(&s, 0), SOUTH);
+    assert_int_equal(controllers_buttons(&s, 0), SOUTH);
     hold(1, START);
-    told(0, SEATS_TAKEN, 1);
+    told(0, CONTROLLERS_ASSIGNED, 1);
 }
 
 int main(void)

@@ -1,7 +1,7 @@
 /*
- * switch.c - names and labels of keys and buttons (switch.h).
+ * input_code.c - names and labels of keys and buttons (input_code.h).
  */
-#include "switch.h"
+#include "input_code.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,7 +12,7 @@
 static const struct key {
     uint8_t usage;
     const char *name;
-} keys[] = {
+} key_names[] = {
     { 40, "enter" },     { 41, "escape" },   { 42, "backspace" },   { 43, "tab" },        { 44, "space" },
     { 45, "minus" },     { 46, "equals" },   { 47, "lbracket" },    { 48, "rbracket" },   { 49, "backslash" },
     { 51, "semicolon" }, { 52, "quote" },    { 53, "backquote" },   { 54, "comma" },      { 55, "period" },
@@ -26,16 +26,16 @@ static const struct key {
 };
 
 /* Buttons of a controller. */
-static const char *const switches[PLAT_BUTTONS] = {
+static const char *const button_names[PLAT_BUTTONS] = {
     "up",     "down",  "left", "right", "south", "east",  "west",  "north",  "l1",  "r1",    "l2",    "r2",     "start",
     "select", "guide", "l3",   "r3",    "lup",   "ldown", "lleft", "lright", "rup", "rdown", "rleft", "rright",
 };
 
-enum { COUNT_KEYS = sizeof keys / sizeof *keys };
+enum { KEY_NAMES = sizeof key_names / sizeof *key_names };
 
 /* ---- names to codes; 0: unknown ---- */
 
-static unsigned number_after(const char *s, const char *prefix, unsigned lo, unsigned hi)
+static unsigned parse_number(const char *s, const char *prefix, unsigned lo, unsigned hi)
 {
     size_t n = strlen(prefix);
     if (strncmp(s, prefix, n) != 0 || s[n] < '0' || s[n] > '9')
@@ -45,7 +45,7 @@ static unsigned number_after(const char *s, const char *prefix, unsigned lo, uns
     return *end || v < lo || v > hi ? 0 : (unsigned)v;
 }
 
-static unsigned key_code(const char *s)
+static unsigned parse_key(const char *s)
 {
     if (s[0] >= 'a' && s[0] <= 'z' && !s[1])
         return 4u + (unsigned)(s[0] - 'a');
@@ -54,58 +54,58 @@ static unsigned key_code(const char *s)
     if (strcmp(s, "0") == 0)
         return 39;
     unsigned n;
-    if ((n = number_after(s, "f", 1, 12)) != 0)
+    if ((n = parse_number(s, "f", 1, 12)) != 0)
         return 57 + n;
-    if ((n = number_after(s, "kp", 1, 9)) != 0)
+    if ((n = parse_number(s, "kp", 1, 9)) != 0)
         return 88 + n;
-    for (int i = 0; i < COUNT_KEYS; i++)
-        if (strcmp(s, keys[i].name) == 0)
-            return keys[i].usage;
-    return number_after(s, "key", 4, 255);
+    for (int i = 0; i < KEY_NAMES; i++)
+        if (strcmp(s, key_names[i].name) == 0)
+            return key_names[i].usage;
+    return parse_number(s, "key", 4, 255);
 }
 
-static unsigned controller_code(const char *s)
+static unsigned parse_button(const char *s)
 {
-    unsigned which = s[3] >= '1' && s[3] < '1' + PLAT_MAX_CONTROLLERS ? (unsigned)(s[3] - '0') : 0;
-    s += which ? 4 : 3;
+    unsigned controller = s[3] >= '1' && s[3] < '1' + PLAT_MAX_CONTROLLERS ? (unsigned)(s[3] - '0') : 0;
+    s += controller ? 4 : 3;
     if (*s++ != '.')
         return 0;
     for (unsigned i = 0; i < PLAT_BUTTONS; i++)
-        if (strcmp(s, switches[i]) == 0)
-            return SWITCH_CONTROLLER | which << 5 | i;
+        if (strcmp(s, button_names[i]) == 0)
+            return INPUT_CODE_CONTROLLER | controller << 5 | i;
     return 0;
 }
 
-static unsigned chord_code(const char *s, unsigned with)
+static unsigned parse_chord(const char *s, unsigned prefix)
 {
-    unsigned code = key_code(strchr(s, '+') + 1);
-    return code ? code | with : 0;
+    unsigned code = parse_key(strchr(s, '+') + 1);
+    return code ? code | prefix : 0;
 }
 
-uint16_t switch_code(const char *s)
+uint16_t input_code_parse(const char *s)
 {
     if (strncmp(s, "pad", 3) == 0)
-        return (uint16_t)controller_code(s);
+        return (uint16_t)parse_button(s);
     if (strncmp(s, "alt+", 4) == 0)
-        return (uint16_t)chord_code(s, SWITCH_ALT);
+        return (uint16_t)parse_chord(s, INPUT_CODE_ALT);
     if (strncmp(s, "ctrl+", 5) == 0)
-        return (uint16_t)chord_code(s, SWITCH_CTRL);
-    return (uint16_t)key_code(s);
+        return (uint16_t)parse_chord(s, INPUT_CODE_CTRL);
+    return (uint16_t)parse_key(s);
 }
 
 /* Writes the name of a key or button. */
-static void plain_name(unsigned code, char *out, size_t size)
+static void write_name(unsigned code, char *out, size_t size)
 {
-    unsigned which = switch_which(code);
+    unsigned controller = input_code_controller(code);
 
-    for (int i = 0; i < COUNT_KEYS; i++) {
-        if (code == keys[i].usage) {
-            snprintf(out, size, "%s", keys[i].name);
+    for (int i = 0; i < KEY_NAMES; i++) {
+        if (code == key_names[i].usage) {
+            snprintf(out, size, "%s", key_names[i].name);
             return;
         }
     }
-    if (code & SWITCH_CONTROLLER)
-        snprintf(out, size, which ? "pad%u.%s" : "pad%.0u.%s", which, switches[code & 31]);
+    if (code & INPUT_CODE_CONTROLLER)
+        snprintf(out, size, controller ? "pad%u.%s" : "pad%.0u.%s", controller, button_names[code & 31]);
     else if (code < 30)
         snprintf(out, size, "%c", 'a' + (int)code - 4);
     else if (code < 40)
@@ -118,38 +118,38 @@ static void plain_name(unsigned code, char *out, size_t size)
         snprintf(out, size, "key%u", code);
 }
 
-void switch_name(unsigned code, char *out, size_t size)
+void input_code_name(unsigned code, char *out, size_t size)
 {
-    const char *with = code & SWITCH_ALT ? "alt+" : code & SWITCH_CTRL ? "ctrl+" : "";
+    const char *prefix = code & INPUT_CODE_ALT ? "alt+" : code & INPUT_CODE_CTRL ? "ctrl+" : "";
 
-    snprintf(out, size, "%s", code ? with : "none");
-    if (code && size > strlen(with))
-        plain_name(code & ~(unsigned)(SWITCH_ALT | SWITCH_CTRL), out + strlen(with), size - strlen(with));
+    snprintf(out, size, "%s", code ? prefix : "none");
+    if (code && size > strlen(prefix))
+        write_name(code & ~(unsigned)(INPUT_CODE_ALT | INPUT_CODE_CTRL), out + strlen(prefix), size - strlen(prefix));
 }
 
 /* ---- labels of keys ---- */
 
-/* Returns the name of the key with a sign on a US keyboard, or NULL: "comma" is easier to read than ",". */
-static const char *sign_name(char sign)
+/* Returns the name of the key with a punctuation mark on a US keyboard, or NULL: "comma" is easier to read than ",". */
+static const char *punctuation_name(char sign)
 {
     static const char signs[] = "-=[]\\;'`,./";
     static const uint8_t usages[] = { 45, 46, 47, 48, 49, 51, 52, 53, 54, 55, 56 };
     const char *at = sign ? strchr(signs, sign) : NULL;
 
-    for (int i = 0; at && i < COUNT_KEYS; i++)
-        if (keys[i].usage == usages[at - signs])
-            return keys[i].name;
+    for (int i = 0; at && i < KEY_NAMES; i++)
+        if (key_names[i].usage == usages[at - signs])
+            return key_names[i].name;
     return NULL;
 }
 
-enum { DRAWN = 0x180 /* code points below this can be drawn by the canvas: Latin */ };
+enum { DRAWABLE_END = 0x180 /* code points below this can be drawn by the canvas: Latin */ };
 
 static bool can_be_drawn(const char *text)
 {
     const char *end = text + strlen(text);
 
     while (text < end)
-        if (utf8_next(&text, end) >= DRAWN)
+        if (utf8_next(&text, end) >= DRAWABLE_END)
             return false;
     return true;
 }
@@ -157,23 +157,23 @@ static bool can_be_drawn(const char *text)
 /* Letters are lower case, as in the settings. */
 static void key_label(unsigned code, char *out, size_t size)
 {
-    const unsigned chord = code & (SWITCH_ALT | SWITCH_CTRL);
-    char text[SWITCH_NAME];
+    const unsigned chord = code & (INPUT_CODE_ALT | INPUT_CODE_CTRL);
+    char text[INPUT_CODE_NAME_SIZE];
 
     if (!code || !plat_key_label(code & 255, text, sizeof text) || !can_be_drawn(text)) {
-        switch_name(code, out, size);
+        input_code_name(code, out, size);
         return;
     }
     if (text[0] >= 'A' && text[0] <= 'Z' && !text[1])
         text[0] = (char)(text[0] - 'A' + 'a');
-    const char *name = text[1] ? NULL : sign_name(text[0]);
-    snprintf(out, size, "%s%s", chord == SWITCH_ALT ? "alt+" : chord ? "ctrl+" : "", name ? name : text);
+    const char *name = text[1] ? NULL : punctuation_name(text[0]);
+    snprintf(out, size, "%s%s", chord == INPUT_CODE_ALT ? "alt+" : chord ? "ctrl+" : "", name ? name : text);
 }
 
 /* ---- labels of buttons ---- */
 
 /* The labels for unknown controllers, and for directions on all. */
-static const char *const common[PLAT_BUTTONS] = {
+static const char *const common_labels[PLAT_BUTTONS] = {
     [PLAT_DPAD_UP] = "D-pad up",
     [PLAT_DPAD_DOWN] = "D-pad down",
     [PLAT_DPAD_LEFT] = "D-pad left",
@@ -210,7 +210,7 @@ enum { BUTTONS = PLAT_RIGHT_STICK_PRESS + 1 };
 #define PLAYSTATION                                                                                                    \
     [PLAT_SOUTH] = "cross", [PLAT_EAST] = "circle", [PLAT_WEST] = "square", [PLAT_NORTH] = "triangle",                 \
     [PLAT_GUIDE] = "PS"
-static const char *const printed[PLAT_CONTROLLER_KINDS][BUTTONS] = {
+static const char *const labels[PLAT_CONTROLLER_KINDS][BUTTONS] = {
     [PLAT_XBOX] = { XBOX, [PLAT_START] = "Menu", [PLAT_SELECT] = "View", [PLAT_GUIDE] = "Xbox" },
     [PLAT_XBOX_360] = { XBOX, [PLAT_SELECT] = "Back" },
     [PLAT_PS3] = { PLAYSTATION },
@@ -229,19 +229,19 @@ static const char *const printed[PLAT_CONTROLLER_KINDS][BUTTONS] = {
                         [PLAT_GUIDE] = "HOME" },
 };
 
-void switch_label(unsigned code, enum plat_controller_kind kind, char *out, size_t size)
+void input_code_label(unsigned code, enum plat_controller_kind kind, char *out, size_t size)
 {
-    unsigned bit = switch_bit(code);
+    unsigned bit = input_code_button(code);
 
-    if (!(code & SWITCH_CONTROLLER))
+    if (!(code & INPUT_CODE_CONTROLLER))
         key_label(code, out, size);
     else if (bit >= PLAT_BUTTONS)
-        switch_name(code, out, size);
+        input_code_name(code, out, size);
     else
-        snprintf(out, size, "%s", bit < BUTTONS && printed[kind][bit] ? printed[kind][bit] : common[bit]);
+        snprintf(out, size, "%s", bit < BUTTONS && labels[kind][bit] ? labels[kind][bit] : common_labels[bit]);
 }
 
-const char *switch_kind_name(enum plat_controller_kind kind)
+const char *input_code_controller_name(enum plat_controller_kind kind)
 {
     static const char *const names[PLAT_CONTROLLER_KINDS] = {
         [PLAT_UNKNOWN_CONTROLLER] = "controller",

@@ -1,4 +1,4 @@
-/* test_press.c - how players press: sequences of held buttons to sequences of pads. */
+/* test_pad_modes.c - sequences of held buttons, and the pads computed from them. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -6,12 +6,12 @@
 #include <string.h>
 #include <cmocka.h>
 #include "../../src/base/rng.h"
-#include "../../src/player/input/press.h"
+#include "../../src/player/input/pad_modes.h"
 
-static const struct press_modes off, autofire = { .autofire = true }, toggle = { .toggle_focus = true },
-                                     one_hand = { .one_hand = true };
-static const struct press_ship flies = { true, true };
-static struct press p;
+static const struct pad_modes off, autofire = { .autofire = true }, toggle = { .toggle_focus = true },
+                                   one_hand = { .one_hand = true };
+static const struct pad_modes_control flies = { true, true };
+static struct pad_mode_state p;
 
 /* What is held, and what comes out: a letter a tick, F fire, f focus, L left, . nothing, * fire and left, + fire and
  * focus; a blank before a tick: the buttons are a
@@ -42,23 +42,23 @@ static char letter_of(uint16_t pads)
     return '?';
 }
 
-static void ticks(const struct press_modes *modes, const char *held, const char *want)
+static void ticks(const struct pad_modes *modes, const char *held, const char *want)
 {
     char got[128] = "";
     size_t n = 0;
 
     for (; *held; held++) {
-        const struct press_ship ship = { *held != ' ', *held != ' ' && *held != '_' };
-        held += !ship.fires;
-        got[n++] = letter_of(press_tick(&p, modes, ship, pads_of(*held)));
+        const struct pad_modes_control control = { *held != ' ', *held != ' ' && *held != '_' };
+        held += !control.can_fire;
+        got[n++] = letter_of(pad_modes_tick(&p, modes, control, pads_of(*held)));
     }
     assert_string_equal(got, want);
 }
 
 static void power(void)
 {
-    press_resume(&p, 0);
-    press_tick(&p, &off, flies, 0);
+    pad_modes_resume(&p, 0);
+    pad_modes_tick(&p, &off, flies, 0);
 }
 
 /* With everything off the pads are what is held, whatever went before. */
@@ -68,13 +68,13 @@ static void off_is_off(void **state)
 
     (void)state;
     rng_seed(&r, 7);
-    press_resume(&p, PAD_ALL);
+    pad_modes_resume(&p, PAD_ALL);
     for (int i = 0; i < 20000; i++) {
         uint64_t n = rng_next(&r);
         uint16_t held = (uint16_t)(n & PAD_ALL);
         if (n >> 20 & 1)
-            press_resume(&p, (uint16_t)(n >> 32 & PAD_ALL));
-        assert_int_equal(press_tick(&p, &off, (struct press_ship){ n >> 21 & 1, n >> 22 & 1 }, held), held);
+            pad_modes_resume(&p, (uint16_t)(n >> 32 & PAD_ALL));
+        assert_int_equal(pad_modes_tick(&p, &off, (struct pad_modes_control){ n >> 21 & 1, n >> 22 & 1 }, held), held);
     }
 }
 
@@ -89,11 +89,11 @@ static void no_other_button_changes(void **state)
     for (int i = 0; i < 20000; i++) {
         uint64_t n = rng_next(&r);
         uint16_t held = (uint16_t)(n & PAD_ALL);
-        const struct press_ship ship = { n >> 25 & 3, n >> 20 & 3 };
-        struct press_modes modes = { n >> 22 & 1, n >> 23 & 1, n >> 24 & 1 };
-        unsigned may = (ship.fires && (modes.autofire || modes.one_hand) ? PAD_FIRE : 0u) |
-                       (ship.steers && modes.toggle_focus ? PAD_FOCUS : 0u);
-        uint16_t got = press_tick(&p, &modes, ship, held);
+        const struct pad_modes_control control = { n >> 25 & 3, n >> 20 & 3 };
+        struct pad_modes modes = { n >> 22 & 1, n >> 23 & 1, n >> 24 & 1 };
+        unsigned may = (control.can_fire && (modes.autofire || modes.one_hand) ? PAD_FIRE : 0u) |
+                       (control.can_steer && modes.toggle_focus ? PAD_FOCUS : 0u);
+        uint16_t got = pad_modes_tick(&p, &modes, control, held);
         assert_int_equal((unsigned)(got ^ held) & ~may, 0);
     }
 }
@@ -107,7 +107,7 @@ static void fire_in_bursts(void **state)
     ticks(&autofire, ".FF++++FF", ".FFff++..");
     /* A tick that the game stands for is not counted; its menu sees what is held. */
     ticks(&autofire, ".FFF F F F F FFF", ".FF.FFFFFFF");
-    assert_int_equal(PRESS_ON + PRESS_OFF, 60 / 15);
+    assert_int_equal(AUTOFIRE_ON + AUTOFIRE_OFF, 60 / 15);
 }
 
 static void focus_is_switched(void **state)
@@ -127,7 +127,7 @@ static void focus_over_a_power_on(void **state)
     (void)state;
     power();
     ticks(&toggle, ".f..", ".fff");
-    press_resume(&p, 0); /* focus held through it: neither on nor a press */
+    pad_modes_resume(&p, 0); /* focus held through it: neither on nor a press */
     ticks(&toggle, "fff..f..", ".....fff");
 }
 
@@ -137,9 +137,9 @@ static void focus_over_a_rewind(void **state)
     (void)state;
     power();
     ticks(&toggle, ".f..f..", ".fff...");
-    press_resume(&p, PAD_FOCUS);
+    pad_modes_resume(&p, PAD_FOCUS);
     ticks(&toggle, "...f.", "fff..");
-    press_resume(&p, PAD_FIRE);
+    pad_modes_resume(&p, PAD_FIRE);
     ticks(&toggle, "..f", "..f");
 }
 
@@ -167,7 +167,7 @@ static void fire_holds_itself(void **state)
 
 static void one_hand_in_bursts(void **state)
 {
-    const struct press_modes both = { .autofire = true, .one_hand = true };
+    const struct pad_modes both = { .autofire = true, .one_hand = true };
 
     (void)state;
     power();
@@ -177,13 +177,13 @@ static void one_hand_in_bursts(void **state)
 /* A late frame gives the same buttons to several ticks: nothing is switched twice, and bursts go on in ticks. */
 static void several_ticks_a_poll(void **state)
 {
-    static const struct press_modes all = { true, true, true };
+    static const struct pad_modes all = { true, true, true };
     uint16_t got[6];
 
     (void)state;
     power();
     for (int i = 0; i < 6; i++)
-        got[i] = press_tick(&p, &all, flies, PAD_FOCUS | PAD_FIRE);
+        got[i] = pad_modes_tick(&p, &all, flies, PAD_FOCUS | PAD_FIRE);
     for (int i = 0; i < 6; i++)
         assert_int_equal(got[i], i % 4 < 2 ? PAD_FOCUS | PAD_FIRE : PAD_FOCUS);
 }
