@@ -15,7 +15,7 @@ enum { PLAYED = 48000 * 60, QUEUE = 48000, TAKEN = 512 };
 static struct {
     bool gone;
     double used;                /* frames that the card would have played until now */
-    int waiting;                /* frames of the queue */
+    int queued;                 /* frames of the queue */
     int16_t queue[2 * QUEUE];   /* the first one next */
     int16_t played[2 * PLAYED]; /* what was heard */
     int n, gaps, calls;
@@ -25,15 +25,15 @@ static struct {
 
 int plat_queue_sound(const int16_t *lr, int frames)
 {
-    const int waiting = card.waiting;
+    const int waiting = card.queued;
 
     card.calls++;
     if (card.gone)
         return -1;
-    assert_true(card.waiting + frames <= QUEUE);
+    assert_true(card.queued + frames <= QUEUE);
     if (frames)
-        memcpy(card.queue + 2 * card.waiting, lr, (size_t)frames * 4);
-    card.waiting += frames;
+        memcpy(card.queue + 2 * card.queued, lr, (size_t)frames * 4);
+    card.queued += frames;
     return waiting ? waiting + TAKEN : 0;
 }
 
@@ -44,14 +44,14 @@ static void pass(double usec)
     int n = (int)card.used;
 
     card.used -= n;
-    const int has = n < card.waiting ? n : card.waiting;
+    const int has = n < card.queued ? n : card.queued;
     assert_true(card.n + n <= PLAYED);
     memcpy(card.played + 2 * card.n, card.queue, (size_t)has * 4);
     memset(card.played + 2 * (card.n + has), 0, (size_t)(n - has) * 4);
     card.gaps += has < n && card.n > 0;
     card.n += n;
-    card.waiting -= has;
-    memmove(card.queue, card.queue + 2 * has, (size_t)card.waiting * 4);
+    card.queued -= has;
+    memmove(card.queue, card.queue + 2 * has, (size_t)card.queued * 4);
 }
 
 /* ---- a window ---- */
@@ -87,15 +87,15 @@ static const char steady[] = "music.play('tide')";
 static void tick(void)
 {
     rig_run(&rig, 1);
-    speaker_hear(&speaker, rig.b, SPEAKER_ON, 1);
+    speaker_add_frame(&speaker, rig.b, SPEAKER_FORWARD, 1);
 }
 
 static void frame(int ticks, double late, double lost)
 {
     for (int i = 0; i < ticks; i++)
         tick();
-    const struct speaker_time time = { ticks ? ticks : 1, 1, (uint64_t)late, (uint64_t)lost };
-    speaker_frame(&speaker, &time);
+    const struct speaker_elapsed time = { ticks ? ticks : 1, 1, (uint64_t)late, (uint64_t)lost };
+    speaker_advance(&speaker, &time);
 }
 
 static const double sixtieth = 1e6 / 60;
@@ -182,12 +182,12 @@ static void test_drift(void **state)
         for (int i = 0; i < 3000; i++)
             clock_frame(&c, 300, i % 7 ? 2000 : (double)rng_below(&rng, 30000));
         assert_int_equal(card.gaps, 0);
-        assert_int_equal(speaker.seen.dry, 0);
-        assert_int_equal(speaker.seen.refused, 0);
+        assert_int_equal(speaker.stats.underruns, 0);
+        assert_int_equal(speaker.stats.dropped, 0);
         assert_true(fabs(1 / (1 + speaker.drift.rate) - rates[k]) < 0.0006);
-        assert_true(speaker.seen.sum / speaker.seen.looks > SPEAKER_AHEAD - 150);
-        assert_true(speaker.seen.sum / speaker.seen.looks < SPEAKER_AHEAD + 150);
-        assert_true(speaker.seen.most + RESAMPLE_AFTER <= 2400);
+        assert_true(speaker.stats.queued_sum / speaker.stats.measurements > SPEAKER_TARGET_QUEUE - 150);
+        assert_true(speaker.stats.queued_sum / speaker.stats.measurements < SPEAKER_TARGET_QUEUE + 150);
+        assert_true(speaker.stats.queued_max + RESAMPLE_AFTER <= 2400);
         done();
     }
     assert_true(SPEAKER_LATENCY <= 2400); /* 50 ms */
@@ -206,7 +206,7 @@ static void test_latency(void **state)
             clock_frame(&c, ticks[k], 500);
             pass(c.base + c.frames * sixtieth - c.now);
             c.now = c.base + c.frames * sixtieth;
-            assert_true(i < 1200 || abs(card.waiting + TAKEN - SPEAKER_AHEAD) < 40);
+            assert_true(i < 1200 || abs(card.queued + TAKEN - SPEAKER_TARGET_QUEUE) < 40);
         }
         done();
     }
@@ -226,7 +226,7 @@ static void test_dips(void **state)
     for (int i = 0; c.now < 20e6; i++)
         clock_frame(&c, i % 40 < 3 ? 9000 : 500, i % 40 == 20 ? 42000 : 1000);
     assert_int_equal(card.gaps, 0);
-    look(SPEAKER_AHEAD, &silence, &bend);
+    look(SPEAKER_TARGET_QUEUE, &silence, &bend);
     assert_true(silence < 400);
     assert_true(bend < own * 5 / 4);
     done();
@@ -247,7 +247,7 @@ static void test_slow_game(void **state)
         assert_int_equal(card.gaps, 0);
         while (c.now < 3e6)
             clock_frame(&c, k ? 40000 : 20000, 1000);
-        const int began = card.n, gaps = card.gaps, refused = (int)speaker.seen.refused;
+        const int began = card.n, gaps = card.gaps, refused = (int)speaker.stats.dropped;
         while (c.now < 12e6)
             clock_frame(&c, k ? 40000 : 20000, 1000);
         const int over = card.n;
@@ -255,12 +255,12 @@ static void test_slow_game(void **state)
         while (c.now < 20e6)
             clock_frame(&c, 500, 1000);
         assert_int_equal(card.gaps, gaps);
-        assert_int_equal(speaker.seen.refused, refused);
+        assert_int_equal(speaker.stats.dropped, refused);
         look(began, &silence, &bend);
         assert_true(silence < 400 * (k ? 3 : 2));
         assert_true(bend < 30000);
         assert_true(over > began);
-        assert_true(speaker.pace == 1);
+        assert_true(speaker.game_speed == 1);
         done();
     }
 }
@@ -274,11 +274,11 @@ static void test_one_stop(void **state)
     power(steady);
     for (int i = 0; i < 900; i++) {
         clock_frame(&c, 500, i == 300 ? 1e6 : 1000);
-        assert_true(speaker.pace == 1);
-        assert_true(i < 304 || abs(speaker.waiting - SPEAKER_AHEAD) < 300);
+        assert_true(speaker.game_speed == 1);
+        assert_true(i < 304 || abs(speaker.queued - SPEAKER_TARGET_QUEUE) < 300);
     }
-    assert_int_equal(speaker.seen.dry, 1);
-    assert_int_equal(speaker.seen.refused, 1); /* of the four that are made up for, what would wait for too long */
+    assert_int_equal(speaker.stats.underruns, 1);
+    assert_int_equal(speaker.stats.dropped, 1); /* of the four that are made up for, what would wait for too long */
     done();
 }
 
@@ -307,7 +307,7 @@ static void exact(int frames)
 /* The place in what was played of a frame of the window: behind the first silence, blocks follow one another. */
 static const int16_t *heard(int block)
 {
-    return card.played + 2 * (SPEAKER_AHEAD - TAKEN + block * SPEAKER_BLOCK);
+    return card.played + 2 * (SPEAKER_TARGET_QUEUE - TAKEN + block * SPEAKER_BLOCK);
 }
 
 static void same_sound(const char *what, int block, int frame, int from, int to)
@@ -329,7 +329,7 @@ static void even(int frames)
 
 static void flush(void)
 {
-    while (card.waiting)
+    while (card.queued)
         pass(1000);
 }
 
@@ -350,24 +350,24 @@ static void test_exact(void **state)
 /* A pause is silent, and 8 ms after both of its ends what is heard is exact: silence, and the unbroken run. */
 static void test_pause(void **state)
 {
-    const struct speaker_time time = { 1, 1, 0, 0 };
+    const struct speaker_elapsed time = { 1, 1, 0, 0 };
 
     (void)state;
     exact(100);
     even(40);
     for (int i = 0; i < 20; i++) {
-        speaker_frame(&speaker, &time);
+        speaker_advance(&speaker, &time);
         pass(sixtieth);
     }
     even(20);
     flush();
     same_sound("before", 39, 40, 0, SPEAKER_BLOCK);
-    for (int i = 2 * SPEAKER_JOIN; i < 20 * 1600; i++)
+    for (int i = 2 * SPEAKER_CROSSFADE; i < 20 * 1600; i++)
         assert_int_equal(heard(40)[i], 0);
-    assert_true(heard(40)[2 * SPEAKER_JOIN / 4] != 0);
-    same_sound("after", 60, 41, SPEAKER_JOIN, SPEAKER_BLOCK);
+    assert_true(heard(40)[2 * SPEAKER_CROSSFADE / 4] != 0);
+    same_sound("after", 60, 41, SPEAKER_CROSSFADE, SPEAKER_BLOCK);
     same_sound("and on", 61, 42, 0, SPEAKER_BLOCK);
-    assert_true(memcmp(heard(60), unbroken + 40 * 1600, 4 * SPEAKER_JOIN) != 0);
+    assert_true(memcmp(heard(60), unbroken + 40 * 1600, 4 * SPEAKER_CROSSFADE) != 0);
     done();
     free(unbroken);
 }
@@ -384,10 +384,10 @@ static void test_restore(void **state)
     even(20);
     flush();
     same_sound("before", 59, 60, 0, SPEAKER_BLOCK);
-    same_sound("after", 60, 31, SPEAKER_JOIN, SPEAKER_BLOCK);
+    same_sound("after", 60, 31, SPEAKER_CROSSFADE, SPEAKER_BLOCK);
     for (int i = 1; i < 19; i++)
         same_sound("and on", 60 + i, 31 + i, 0, SPEAKER_BLOCK);
-    for (int i = 0; i < 2 * SPEAKER_JOIN; i++) {
+    for (int i = 0; i < 2 * SPEAKER_CROSSFADE; i++) {
         const int was = heard(60)[-1 - (i ^ 1)], is = unbroken[30 * 1600 + i], got = heard(60)[i];
         assert_true(got <= (was > is ? was : is) && got >= (was < is ? was : is));
     }
@@ -398,7 +398,7 @@ static void test_restore(void **state)
 /* Back in time: each block is turned round, and they follow one another to the bit. */
 static void test_rewind(void **state)
 {
-    const struct speaker_time time = { 1, 1, 0, 0 };
+    const struct speaker_elapsed time = { 1, 1, 0, 0 };
     uint8_t *saved[60];
 
     (void)state;
@@ -410,8 +410,8 @@ static void test_rewind(void **state)
     }
     for (int i = 58; i >= 30; i--) {
         board_restore(rig.b, saved[i]);
-        speaker_hear(&speaker, rig.b, SPEAKER_BACK, 1);
-        speaker_frame(&speaker, &time);
+        speaker_add_frame(&speaker, rig.b, SPEAKER_REVERSE, 1);
+        speaker_advance(&speaker, &time);
         pass(sixtieth);
     }
     even(10);
@@ -420,7 +420,7 @@ static void test_rewind(void **state)
         for (int i = 0; i < SPEAKER_BLOCK; i++)
             for (int c = 0; c < 2; c++)
                 assert_int_equal(heard(60 + k)[2 * i + c], unbroken[(58 - k) * 1600 + 2 * (SPEAKER_BLOCK - 1 - i) + c]);
-    same_sound("on again", 89, 32, SPEAKER_JOIN, SPEAKER_BLOCK);
+    same_sound("on again", 89, 32, SPEAKER_CROSSFADE, SPEAKER_BLOCK);
     same_sound("and on", 90, 33, 0, SPEAKER_BLOCK);
     for (int i = 0; i < 60; i++)
         free(saved[i]);
@@ -433,7 +433,7 @@ static void test_rewind(void **state)
 static void test_slow_motion(void **state)
 {
     for (int slow = 2; slow <= 4; slow *= 2) {
-        const struct speaker_time time = { 1, slow, 0, 0 };
+        const struct speaker_elapsed time = { 1, slow, 0, 0 };
 
         (void)state;
         exact(100);
@@ -441,18 +441,19 @@ static void test_slow_motion(void **state)
         for (int i = 0; i < 80; i++) {
             if (i % slow == slow - 1) { /* as play.c does: the tick comes last */
                 rig_run(&rig, 1);
-                speaker_hear(&speaker, rig.b, SPEAKER_ON, slow);
+                speaker_add_frame(&speaker, rig.b, SPEAKER_FORWARD, slow);
             }
-            speaker_frame(&speaker, &time);
+            speaker_advance(&speaker, &time);
             pass(sixtieth);
-            assert_true(card.waiting + TAKEN > SPEAKER_AHEAD - 64 && card.waiting + TAKEN < SPEAKER_AHEAD + 64);
+            assert_true(card.queued + TAKEN > SPEAKER_TARGET_QUEUE - 64 &&
+                        card.queued + TAKEN < SPEAKER_TARGET_QUEUE + 64);
         }
         assert_int_equal(card.gaps, 0);
         even(10);
         flush();
         const int lead = (slow - 1) * SPEAKER_BLOCK; /* silence until the first of them */
         const int16_t *got = heard(20) + 2 * lead, *want = unbroken + 20 * 1600;
-        for (int i = SPEAKER_JOIN; i < 4 * SPEAKER_BLOCK; i++)
+        for (int i = SPEAKER_CROSSFADE; i < 4 * SPEAKER_BLOCK; i++)
             assert_int_equal(got[2 * (slow * i + (slow - 1) * RESAMPLE_AFTER)], want[2 * i]);
         done();
         free(unbroken);
@@ -469,21 +470,21 @@ static void test_lost_and_found(void **state)
     exact(200);
     card.gone = true;
     even(10);
-    assert_int_equal(speaker.state, SPEAKER_GONE);
+    assert_int_equal(speaker.state, SPEAKER_MISSING);
     assert_int_equal(card.n - 8000, 0);
     card.n = 0;
     card.gone = false;
     even(30);
-    assert_int_equal(speaker.state, SPEAKER_GOOD);
+    assert_int_equal(speaker.state, SPEAKER_RUNNING);
     card.gone = true;
-    card.waiting = 0; /* the card took it along */
+    card.queued = 0; /* the card took it along */
     even(30);
-    assert_int_equal(speaker.state, SPEAKER_GONE);
+    assert_int_equal(speaker.state, SPEAKER_MISSING);
     card.gone = false;
     const int from = card.n;
     even(30);
     flush();
-    assert_int_equal(speaker.state, SPEAKER_GOOD);
+    assert_int_equal(speaker.state, SPEAKER_RUNNING);
     int at = 0; /* frame 72's second block is somewhere behind */
     for (int i = from; i < card.n - 800 && !at; i++)
         at = memcmp(card.played + 2 * i, unbroken + 72 * 1600, 3200) == 0 ? i : 0;
@@ -508,7 +509,7 @@ static void test_nothing_to_hear(void **state)
     power(steady);
     speaker.muted = true;
     even(10);
-    assert_null(speaker.memory);
+    assert_null(speaker.tables);
     done();
     assert_int_equal(card.calls, 0);
 }
@@ -528,9 +529,9 @@ static void test_mute_and_volume(void **state)
     speaker.volume = 0;
     even(10);
     flush();
-    for (int i = 2 * SPEAKER_JOIN; i < 10 * 1600; i++)
+    for (int i = 2 * SPEAKER_CROSSFADE; i < 10 * 1600; i++)
         assert_int_equal(heard(20)[i], 0);
-    same_sound("again", 30, 31, SPEAKER_JOIN, SPEAKER_BLOCK);
+    same_sound("again", 30, 31, SPEAKER_CROSSFADE, SPEAKER_BLOCK);
     same_sound("on", 31, 32, 0, SPEAKER_BLOCK);
     for (int i = 0; i < 1600; i++)
         assert_int_equal(heard(41)[i], unbroken[41 * 1600 + i] * 30 / 100);
@@ -548,11 +549,11 @@ static void test_stuck(void **state)
     even(60);
     for (int i = 0; i < 300; i++)
         frame(1, 0, 0);
-    assert_true(card.waiting < 2 * SPEAKER_MOST);
-    assert_true(speaker.seen.refused > 250);
+    assert_true(card.queued < 2 * SPEAKER_MAX_QUEUE);
+    assert_true(speaker.stats.dropped > 250);
     even(200);
     assert_int_equal(card.gaps, 0);
-    assert_true(card.waiting < SPEAKER_MOST);
+    assert_true(card.queued < SPEAKER_MAX_QUEUE);
     done();
 }
 
@@ -572,7 +573,7 @@ static void test_joints(void **state)
         even(3 + i % 5);
         board_restore(rig.b, rig.snapshot);
     }
-    look(SPEAKER_AHEAD, &silence, &bend);
+    look(SPEAKER_TARGET_QUEUE, &silence, &bend);
     assert_true(bend <= 3 * own);
     done();
 }
@@ -602,8 +603,8 @@ static void jump(double late, double lost)
 {
     frame(1, late, lost);
     const struct resample *r = speaker.resample;
-    assert_in_range(r->n, RESAMPLE_BEFORE, RESAMPLE_ROOM);
-    assert_in_range(r->at >> 32, RESAMPLE_BEFORE, r->n);
+    assert_in_range(r->frames, RESAMPLE_BEFORE, RESAMPLE_CAPACITY);
+    assert_in_range(r->position >> 32, RESAMPLE_BEFORE, r->frames);
     pass(sixtieth);
 }
 
@@ -621,7 +622,7 @@ static void test_clock_jumps(void **state)
                 jump(2e4, 1e5);
             for (int k = 0; k < 40 && slowed == 2; k++)
                 jump(0, 0);
-            assert_int_equal(speaker.slowed > 0, slowed > 0);
+            assert_int_equal(speaker.slow_left > 0, slowed > 0);
             jump(times[i], 0);
             jump(0, times[i]);
             jump(times[i], times[i]);
@@ -650,9 +651,9 @@ static void test_any_step(void **state)
     resample_open(&r);
     for (int i = 0; i < 1000; i++) {
         resample_add(&r, in, SPEAKER_BLOCK);
-        resample_take(&r, steps[i % 5], RESAMPLE_ROOM, out, SPEAKER_BLOCK);
-        assert_in_range(r.n, RESAMPLE_BEFORE, RESAMPLE_ROOM);
-        assert_in_range(r.at >> 32, RESAMPLE_BEFORE, r.n);
+        resample_take(&r, steps[i % 5], RESAMPLE_CAPACITY, out, SPEAKER_BLOCK);
+        assert_in_range(r.frames, RESAMPLE_BEFORE, RESAMPLE_CAPACITY);
+        assert_in_range(r.position >> 32, RESAMPLE_BEFORE, r.frames);
     }
 }
 

@@ -28,7 +28,7 @@ static void run(struct replay_meta *c, int frames, double *worst)
         const double seen =
             c->off + (c->jitter ? (double)rng_below(&c->rng, (uint32_t)(2 * c->jitter)) - c->jitter : 0);
         const double rate = drift_step(&c->drift, seen);
-        assert_true(fabs(rate) <= DRIFT_MOST);
+        assert_true(fabs(rate) <= DRIFT_MAX);
         c->off += BLOCK / (1 + rate) - BLOCK * (1 + c->differs);
         *worst = fmax(*worst, fabs(c->off));
     }
@@ -81,7 +81,7 @@ static void jumps_are_made_up(void **state)
     }
 }
 
-/* drift_jump: what waits is another, so the rate does not follow the step; the clocks' difference stays known. */
+/* drift_reset_error: the rate does not follow a step of the queue; the difference of the clocks stays known. */
 static void a_jump_that_is_told_moves_nothing(void **state)
 {
     struct replay_meta c = card(0.003, 0);
@@ -91,14 +91,14 @@ static void a_jump_that_is_told_moves_nothing(void **state)
     const double rate = c.drift.rate;
     for (int i = 0; i < 600; i++) {
         c.off = 0;
-        drift_jump(&c.drift);
+        drift_reset_error(&c.drift);
         drift_step(&c.drift, 0);
     }
     assert_true(fabs(c.drift.rate - rate) < 0.0002);
     drift_step(&c.drift, -1900);
-    drift_jump(&c.drift);
+    drift_reset_error(&c.drift);
     drift_step(&c.drift, 40);
-    assert_true(c.drift.off == 40);
+    assert_true(c.drift.error == 40);
 }
 
 /* Whatever jitters and jumps, the rate moves by a ten thousandth a frame at most. */
@@ -129,7 +129,7 @@ static int pass(int frames, int at_once, uint64_t step)
     resample_clear(&r);
     for (int i = 0; i < frames; i += at_once) {
         resample_add(&r, in + 2 * i, at_once);
-        n += resample_take(&r, step, RESAMPLE_ROOM, out + 2 * n, 60000 - n);
+        n += resample_take(&r, step, RESAMPLE_CAPACITY, out + 2 * n, 60000 - n);
     }
     return n;
 }
@@ -220,7 +220,7 @@ static void nothing_is_lost(void **state)
     const uint64_t step = RESAMPLE_ONE + RESAMPLE_ONE / 997;
     for (int i = 0; i < 216000; i++) {
         resample_add(&r, in, 800);
-        came += (uint64_t)resample_take(&r, step, RESAMPLE_ROOM, out, 60000);
+        came += (uint64_t)resample_take(&r, step, RESAMPLE_CAPACITY, out, 60000);
     }
     assert_true(llabs((int64_t)came - (int64_t)(216000.0 * 800 / (1 + 1 / 997.0))) < 40);
 }

@@ -16,6 +16,6 @@ struct change {
 struct change change_find(const uint32_t *shown, const uint8_t *pix, const uint32_t rgb[256], int w, int h);
 
 /* Copies the rectangle's colours to `shown`. */
-void change_take(uint32_t *shown, const uint8_t *pix, const uint32_t rgb[256], int w, const struct change *c);
+void change_copy(uint32_t *shown, const uint8_t *pix, const uint32_t rgb[256], int w, const struct change *c);
 
 #endif

@@ -1,6 +1,6 @@
 /*
- * gif.c - see gif.h. What a byte means is in the GIF89a specification; the block that repeats the animation is
- * Netscape's, which every reader knows.
+ * gif.c - makes animated GIFs (gif.h). The GIF89a specification describes the format. The block that repeats the
+ * animation is Netscape's extension, which every reader supports.
  */
 #include "gif.h"
 
@@ -11,12 +11,12 @@
 
 enum {
     COLOURS = 256,
-    LONGEST = 65534,      /* hundredths of a delay: the most it holds, in whole pictures */
-    STAYS = 1 << 2,       /* a picture is left as it is when the next one comes */
-    HAS_TRANSPARENT = 1,  /* in a control block */
-    HAS_PALETTE = 0x80,   /* and 2 to the power of the low three bits, and one */
-    PALETTE_BITS = 8 - 1, /* those */
-    CHANNEL_BITS = 8 - 1  /* what the colours were chosen from */
+    MAX_DELAY = 65534,     /* hundredths of a second, a multiple of the shortest picture */
+    KEEP_PICTURE = 1 << 2, /* control block: the next picture is drawn over this one */
+    HAS_TRANSPARENT = 1,   /* control block */
+    HAS_PALETTE = 0x80,    /* header and descriptor; the low three bits are PALETTE_BITS */
+    PALETTE_BITS = 8 - 1,  /* the palette has 2^(n + 1) colours */
+    CHANNEL_BITS = 8 - 1   /* header: bits per colour channel, minus one */
 };
 
 bool gif_open(struct gif *g, int w, int h)
@@ -26,18 +26,18 @@ bool gif_open(struct gif *g, int w, int h)
     *g = (struct gif){ .w = w, .h = h };
     if (w < 1 || h < 1 || w > GIF_MAX_SIDE || h > GIF_MAX_SIDE || n > BYTE_BUFFER_MAX / 4)
         return false;
-    g->shown = malloc(n * sizeof *g->shown);
-    g->part = malloc(n);
-    return g->shown && g->part;
+    g->canvas = malloc(n * sizeof *g->canvas);
+    g->rect = malloc(n);
+    return g->canvas && g->rect;
 }
 
 void gif_close(struct gif *g)
 {
     byte_buffer_close(&g->out);
-    byte_buffer_close(&g->solid);
-    byte_buffer_close(&g->see);
-    free(g->shown);
-    free(g->part);
+    byte_buffer_close(&g->opaque);
+    byte_buffer_close(&g->transparent);
+    free(g->canvas);
+    free(g->rect);
     *g = (struct gif){ 0 };
 }
 
@@ -54,20 +54,20 @@ static void put_palette(struct gif *g, const uint32_t rgb[256])
 
 static void put_head(struct gif *g, const uint32_t rgb[256])
 {
-    static const uint8_t again[] = "!\377\013NETSCAPE2.0\003\001\0\0"; /* and its NUL ends the block */
-    uint8_t head[13] = "GIF89a";
+    static const uint8_t loop_block[] = "!\377\013NETSCAPE2.0\003\001\0\0"; /* the string's NUL ends the block */
+    uint8_t header[13] = "GIF89a";
 
-    bytes_put16(head + 6, (uint16_t)g->w);
-    bytes_put16(head + 8, (uint16_t)g->h);
-    head[10] = HAS_PALETTE | CHANNEL_BITS << 4 | PALETTE_BITS;
-    byte_buffer_put(&g->out, head, sizeof head);
+    bytes_put16(header + 6, (uint16_t)g->w);
+    bytes_put16(header + 8, (uint16_t)g->h);
+    header[10] = HAS_PALETTE | CHANNEL_BITS << 4 | PALETTE_BITS;
+    byte_buffer_put(&g->out, header, sizeof header);
     memcpy(g->palette, rgb, sizeof g->palette);
     put_palette(g, rgb);
-    byte_buffer_put(&g->out, again, sizeof again);
+    byte_buffer_put(&g->out, loop_block, sizeof loop_block);
 }
 
-/* Indices that the rectangle has. */
-static void used(const struct gif *g, const uint8_t *pix, const struct change *c, bool is[COLOURS])
+/* Finds the indices that occur in the rectangle. */
+static void find_used(const struct gif *g, const uint8_t *pix, const struct change *c, bool is[COLOURS])
 {
     memset(is, 0, COLOURS);
     for (int y = c->y; y < c->y + c->h; y++)
@@ -75,34 +75,34 @@ static void used(const struct gif *g, const uint8_t *pix, const struct change *c
             is[pix[(size_t)y * (size_t)g->w + (size_t)x]] = true;
 }
 
-/* The rectangle packed; free: the index for what is shown already, -1: none. */
+/* Compresses the rectangle. free_index: replaces the index of unchanged pixels; -1: none. */
 static void pack(struct gif *g, struct byte_buffer *to, const uint8_t *pix, const uint32_t rgb[256],
                  const struct change *c, int free_index)
 {
-    uint8_t *part = g->part;
+    uint8_t *rect = g->rect;
 
     for (int y = c->y; y < c->y + c->h; y++)
         for (int x = c->x; x < c->x + c->w; x++) {
             const size_t at = (size_t)y * (size_t)g->w + (size_t)x;
-            *part++ = free_index >= 0 && g->shown[at] == rgb[pix[at]] ? (uint8_t)free_index : pix[at];
+            *rect++ = free_index >= 0 && g->canvas[at] == rgb[pix[at]] ? (uint8_t)free_index : pix[at];
         }
     to->n = 0;
-    lzw_put(to, g->part, (size_t)(part - g->part));
+    lzw_append(to, g->rect, (size_t)(rect - g->rect));
 }
 
 static void put_control(struct gif *g, int transparent)
 {
-    uint8_t control[8] = { '!', 0xf9, 4, STAYS };
+    uint8_t control[8] = { '!', 0xf9, 4, KEEP_PICTURE };
 
     if (transparent >= 0) {
         control[3] |= HAS_TRANSPARENT;
         control[6] = (uint8_t)transparent;
     }
-    g->control = g->out.n + 4;
+    g->delay_at = g->out.n + 4;
     byte_buffer_put(&g->out, control, sizeof control);
 }
 
-static void put_descriptor(struct gif *g, const struct change *c, bool own_palette)
+static void put_descriptor(struct gif *g, const struct change *c, bool has_palette)
 {
     uint8_t d[10] = { ',' };
 
@@ -110,57 +110,57 @@ static void put_descriptor(struct gif *g, const struct change *c, bool own_palet
     bytes_put16(d + 3, (uint16_t)c->y);
     bytes_put16(d + 5, (uint16_t)c->w);
     bytes_put16(d + 7, (uint16_t)c->h);
-    d[9] = own_palette ? HAS_PALETTE | PALETTE_BITS : 0;
+    d[9] = has_palette ? HAS_PALETTE | PALETTE_BITS : 0;
     byte_buffer_put(&g->out, d, sizeof d);
 }
 
 static void put_picture(struct gif *g, const uint8_t *pix, const uint32_t rgb[256], const struct change *c)
 {
-    bool is[COLOURS], own = false;
+    bool is[COLOURS], needs_palette = false;
     int spare = -1;
 
-    used(g, pix, c, is);
+    find_used(g, pix, c, is);
     for (int i = 0; i < COLOURS; i++) {
-        own = own || (is[i] && rgb[i] != g->palette[i]);
-        spare = spare < 0 && !is[i] && g->control ? i : spare;
+        needs_palette = needs_palette || (is[i] && rgb[i] != g->palette[i]);
+        spare = spare < 0 && !is[i] && g->delay_at ? i : spare;
     }
-    pack(g, &g->solid, pix, rgb, c, -1);
+    pack(g, &g->opaque, pix, rgb, c, -1);
     if (spare >= 0)
-        pack(g, &g->see, pix, rgb, c, spare);
-    const bool see = spare >= 0 && g->see.n < g->solid.n;
-    const struct byte_buffer *smaller = see ? &g->see : &g->solid;
-    g->out.failed = g->out.failed || g->solid.failed || g->see.failed;
-    put_control(g, see ? spare : -1);
-    put_descriptor(g, c, own);
-    if (own)
+        pack(g, &g->transparent, pix, rgb, c, spare);
+    const bool transparent = spare >= 0 && g->transparent.n < g->opaque.n;
+    const struct byte_buffer *smaller = transparent ? &g->transparent : &g->opaque;
+    g->out.failed = g->out.failed || g->opaque.failed || g->transparent.failed;
+    put_control(g, transparent ? spare : -1);
+    put_descriptor(g, c, needs_palette);
+    if (needs_palette)
         put_palette(g, rgb);
     byte_buffer_put(&g->out, smaller->bytes, smaller->n);
-    change_take(g->shown, pix, rgb, g->w, c);
+    change_copy(g->canvas, pix, rgb, g->w, c);
 }
 
-/* The last picture lasts until then. What lasts longer than a delay can say goes on as a pixel of itself. */
-static void last_until(struct gif *g, const uint8_t *pix, const uint32_t rgb[256], uint32_t at)
+/* Extends the last picture to the time `at`. If that is longer than MAX_DELAY, repeats one pixel of the picture. */
+static void extend_to(struct gif *g, const uint8_t *pix, const uint32_t rgb[256], uint32_t at)
 {
     const struct change pixel = { 0, 0, 1, 1 };
 
-    for (; !g->out.failed && at - g->begun > LONGEST; g->begun += LONGEST) {
-        bytes_put16(g->out.bytes + g->control, LONGEST);
+    for (; !g->out.failed && at - g->start > MAX_DELAY; g->start += MAX_DELAY) {
+        bytes_put16(g->out.bytes + g->delay_at, MAX_DELAY);
         put_picture(g, pix, rgb, &pixel);
     }
     if (!g->out.failed)
-        bytes_put16(g->out.bytes + g->control, (uint16_t)(at - g->begun));
-    g->begun = at;
+        bytes_put16(g->out.bytes + g->delay_at, (uint16_t)(at - g->start));
+    g->start = at;
 }
 
-/* The pixel at 0, 0 as it is shown: all that last_until asks for. */
-static void last_as_shown(struct gif *g, uint32_t at)
+/* The same, with the picture that is shown: extend_to needs only its first pixel. */
+static void extend_last(struct gif *g, uint32_t at)
 {
     const uint8_t pix = 0;
     uint32_t rgb[COLOURS];
 
     memcpy(rgb, g->palette, sizeof rgb);
-    rgb[0] = g->shown[0];
-    last_until(g, &pix, rgb, at);
+    rgb[0] = g->canvas[0];
+    extend_to(g, &pix, rgb, at);
 }
 
 void gif_add(struct gif *g, const uint8_t *pix, const uint32_t rgb[256], uint32_t at)
@@ -169,10 +169,10 @@ void gif_add(struct gif *g, const uint8_t *pix, const uint32_t rgb[256], uint32_
 
     if (g->out.failed)
         return;
-    if (g->control) {
-        c = change_find(g->shown, pix, rgb, g->w, g->h);
+    if (g->delay_at) {
+        c = change_find(g->canvas, pix, rgb, g->w, g->h);
         if (c.w)
-            last_as_shown(g, at);
+            extend_last(g, at);
     } else {
         put_head(g, rgb);
     }
@@ -182,9 +182,9 @@ void gif_add(struct gif *g, const uint8_t *pix, const uint32_t rgb[256], uint32_
 
 bool gif_end(struct gif *g, uint32_t at)
 {
-    if (!g->control || g->out.failed)
+    if (!g->delay_at || g->out.failed)
         return false;
-    last_as_shown(g, at);
+    extend_last(g, at);
     byte_buffer_byte(&g->out, ';');
     return !g->out.failed;
 }

@@ -14,26 +14,26 @@
 
 enum {
     GIF_MAX_SIDE = 65535,
-    GIF_SECOND = 100, /* units of time */
-    GIF_RATE = 50     /* pictures a second; browsers slow down faster animations */
+    GIF_UNITS_PER_SECOND = 100,
+    GIF_MAX_FPS = 50 /* browsers slow down faster animations */
 };
 
 struct gif {
     struct byte_buffer out; /* the file */
     int w, h;
-    uint32_t *shown;               /* malloc: colours */
-    uint8_t *part;                 /* malloc: the rectangle */
-    uint32_t palette[256];         /* of the file */
-    struct byte_buffer solid, see; /* the rectangle compressed without and with transparency */
-    size_t control;                /* offset of the last picture's delay; 0: no picture yet */
-    uint32_t begun;                /* its start time */
+    uint32_t *canvas;                       /* the colours that are shown; malloc */
+    uint8_t *rect;                          /* the changed rectangle; malloc */
+    uint32_t palette[256];                  /* of the file */
+    struct byte_buffer opaque, transparent; /* the rectangle compressed without and with transparency */
+    size_t delay_at;                        /* offset of the last picture's delay; 0: no picture yet */
+    uint32_t start;                         /* time of the last picture */
 };
 
 /* Starts a GIF of w x h pixels. Returns false when out of memory or too large. Close it either way. */
 bool gif_open(struct gif *g, int w, int h);
 
-/* Adds a picture that starts at `at`, in hundredths of a second; 0 for the first one, and increasing. pix: palette
- * indices, rows without padding. Colours are 0xRRGGBB. */
+/* Adds a picture that starts at the time `at`, in hundredths of a second: 0 for the first one, then increasing. pix:
+ * palette indices, rows without padding. Colours are 0xRRGGBB. */
 void gif_add(struct gif *g, const uint8_t *pix, const uint32_t rgb[256], uint32_t at);
 
 /* Ends the last picture at `at` and completes the file in g->out. Returns false without a picture or when out of

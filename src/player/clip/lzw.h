@@ -7,6 +7,6 @@
 #include "../../common/byte_buffer.h"
 
 /* Appends the code size, the blocks and the terminating empty block. */
-void lzw_put(struct byte_buffer *out, const uint8_t *bytes, size_t n);
+void lzw_append(struct byte_buffer *out, const uint8_t *bytes, size_t n);
 
 #endif

@@ -432,10 +432,10 @@ void overlay_update_mixer(struct overlay *o, const struct board *b, const struct
     struct mixer *m = &o->mixer;
 
     m->speaker = speaker;
-    if (!o->on[OVERLAY_MIXER] || !speaker->memory)
+    if (!o->on[OVERLAY_MIXER] || !speaker->tables)
         return;
     for (int i = 0; i < VOICES; i++)
-        m->voice[i] = decay(m->voice[i], inspect_voice_peak(b, i, speaker->memory));
+        m->voice[i] = decay(m->voice[i], inspect_voice_peak(b, i, speaker->tables));
     for (int c = 0; c < 2; c++)
         m->out[c] = decay(m->out[c], speaker->peak[c]);
 }
@@ -474,13 +474,14 @@ static void add_speaker(struct panel *s, const struct speaker *p)
 {
     if (p->muted)
         add_line(s, CANVAS_YELLOW, "muted");
-    else if (p->state == SPEAKER_GONE)
+    else if (p->state == SPEAKER_MISSING)
         add_line(s, CANVAS_RED, "no sound device");
-    else if (p->state == SPEAKER_OFF || !p->seen.looks)
+    else if (p->state == SPEAKER_UNUSED || !p->stats.measurements)
         add_line(s, CANVAS_GREY, "no sound yet");
     else
-        add_line(s, p->seen.dry ? CANVAS_YELLOW : CANVAS_WHITE, "volume %d%%  latency %.1f ms  gaps %u", p->volume,
-                 (double)p->seen.sum / (double)p->seen.looks * 1000 / SPEAKER_RATE, (unsigned)p->seen.dry);
+        add_line(s, p->stats.underruns ? CANVAS_YELLOW : CANVAS_WHITE, "volume %d%%  latency %.1f ms  gaps %u",
+                 p->volume, (double)p->stats.queued_sum / (double)p->stats.measurements * 1000 / SPEAKER_RATE,
+                 (unsigned)p->stats.underruns);
 }
 
 static void add_voice(struct panel *s, int i, const struct board *b, int level)

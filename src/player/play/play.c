@@ -29,7 +29,7 @@ enum {
 static bool speaker_frame_due(struct play *play, uint64_t now)
 {
     pace_refresh(&play->pace, 0, now);
-    if (!speaker_due(&play->speaker) && now < pace_due(&play->pace) + SECOND) {
+    if (!speaker_is_due(&play->speaker) && now < pace_due(&play->pace) + SECOND) {
         plat_wait(now + CHECK_USEC);
         return false;
     }
@@ -40,7 +40,7 @@ static bool speaker_frame_due(struct play *play, uint64_t now)
 /* False: plat_wait returned before the frame is due. */
 static bool wait_for_frame(struct play *play)
 {
-    if (speaker_leads(&play->speaker))
+    if (speaker_sets_pace(&play->speaker))
         return speaker_frame_due(play, plat_usec());
     pace_refresh(&play->pace, play->window.refresh, plat_usec());
     plat_wait(pace_due(&play->pace));
@@ -48,20 +48,20 @@ static bool wait_for_frame(struct play *play)
 }
 
 /* Frames that are due by now, at least one. */
-static struct speaker_time take_frames(struct play *play, uint64_t now)
+static struct speaker_elapsed take_frames(struct play *play, uint64_t now)
 {
     const struct pace_frame f = pace_take(&play->pace, now);
 
     play->time.frames += (uint64_t)f.ticks;
-    return (struct speaker_time){ .sixtieths = f.ticks, .late = f.due, .lost = f.lost };
+    return (struct speaker_elapsed){ .sixtieths = f.ticks, .late = f.due, .lost = f.lost };
 }
 
-static void play_frame_audio(struct play *play, struct speaker_time *time)
+static void play_frame_audio(struct play *play, struct speaker_elapsed *time)
 {
     time->slow = play->time.slow;
     time->late = clock_since(time->late);
-    speaker_frame(&play->speaker, time);
-    play->speaker.meter = play->overlay.on[OVERLAY_MIXER];
+    speaker_advance(&play->speaker, time);
+    play->speaker.metering = play->overlay.on[OVERLAY_MIXER];
     overlay_update_mixer(&play->overlay, play_shown_board(play), &play->speaker);
 }
 
@@ -83,7 +83,7 @@ static void rewind_by(struct play *play, int frames)
         const uint32_t before = board_frame(play_board(play));
         play_rewind(play, 1);
         if (play->session.state == SESSION_PLAYING && board_frame(play_board(play)) < before)
-            play_queue_sound(play, SPEAKER_BACK);
+            play_queue_sound(play, SPEAKER_REVERSE);
     }
 }
 
@@ -170,7 +170,7 @@ bool play_frame(struct play *play)
     }
     play_poll(play, &k);
     play_check_folder(play);
-    struct speaker_time time = take_frames(play, now);
+    struct speaker_elapsed time = take_frames(play, now);
     play->time.ticked = false;
     overlay_begin_frame(&play->overlay, play->attract.on ? &play->attract.guard : &play->session.now->guard);
     if (play->session.state != SESSION_PLAYING)
@@ -316,7 +316,7 @@ void play_start(struct play *play)
 
     play->saved_config = *c;
     speaker_open(&play->speaker, c->volume, o->mute || c->mute, !c->resample);
-    speaker_levels(&play->speaker, c->music, c->sounds);
+    speaker_set_levels(&play->speaker, c->music, c->sounds);
     play->time.slow = 1 << c->speed;
     c->scale = o->scale ? o->scale : c->scale;
     c->fullscreen = o->fullscreen || c->fullscreen;

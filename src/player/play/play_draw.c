@@ -9,7 +9,7 @@
 #include <string.h>
 #include "../../../platform/platform.h"
 #include "play_state.h"
-#include "../clip/last.h"
+#include "../clip/clip.h"
 #include "../../common/files.h"
 #include "../overlay/message.h"
 #include "../overlay/page.h"
@@ -356,8 +356,8 @@ void play_save_clip(struct play *play, struct picture *p)
     if (!can_save_clip(play))
         return;
     const uint32_t now = board_frame(play_board(play)), before = (uint32_t)play->config.capture_seconds * 60 - 1;
-    if (last_film(&gif, &play->session.now->guard, now > before ? now - before : 0, &p->composed, p->composed_rgb,
-                  p->scratch)) {
+    if (clip_record(&gif, &play->session.now->guard, now > before ? now - before : 0, &p->composed, p->composed_rgb,
+                    p->scratch)) {
         play_unused_name(play, name, "pictures:", "gif");
         save_picture(play, name, gif.out.bytes, gif.out.n);
     } else {

@@ -356,7 +356,7 @@ void play_unused_name(struct play *play, char name[PLAY_NAME_SIZE], const char *
 void play_log_output(struct play *play);
 
 /* Queues the sound of the present frame, a sixtieth of a second. */
-void play_queue_sound(struct play *play, enum speaker_way way);
+void play_queue_sound(struct play *play, enum speaker_mode mode);
 
 /* Reports, once, that a playback differs from its recording. */
 void play_report_difference(struct play *play);

@@ -171,7 +171,7 @@ void play_apply_settings(struct play *play)
     play_pads_apply(play);
     play->speaker.volume = c->volume;
     play->speaker.muted = c->mute;
-    speaker_levels(&play->speaker, c->music, c->sounds);
+    speaker_set_levels(&play->speaker, c->music, c->sounds);
     if (slow != play->time.slow)
         play_mark_assisted(play);
     play->time.slow = slow;

@@ -9,25 +9,25 @@
 
 enum { BLOCK = 800, TAU = 60, LONG = 300, SMOOTH = 10 };
 
-#define MOST_CHANGE 0.0001 /* of the rate, in a sixtieth: 0.006 a second */
+#define MAX_CHANGE 0.0001 /* of the rate, in a sixtieth: 0.006 a second */
 
-static double limited(double v, double most)
+static double clamp(double v, double limit)
 {
-    return fmax(-most, fmin(most, v));
+    return fmax(-limit, fmin(limit, v));
 }
 
-double drift_step(struct drift *d, double off)
+double drift_step(struct drift *d, double error)
 {
-    d->off = d->known ? d->off + (off - d->off) / SMOOTH : off;
+    d->error = d->known ? d->error + (error - d->error) / SMOOTH : error;
     d->known = true;
-    const double now = d->off / (BLOCK * TAU), sum = d->sum + d->off / ((double)BLOCK * TAU * LONG);
-    if (fabs(now + sum) < DRIFT_MOST || fabs(sum) < fabs(d->sum)) /* anti-windup */
-        d->sum = limited(sum, DRIFT_MOST);
-    d->rate += limited(limited(now + d->sum, DRIFT_MOST) - d->rate, MOST_CHANGE);
+    const double now = d->error / (BLOCK * TAU), sum = d->sum + d->error / ((double)BLOCK * TAU * LONG);
+    if (fabs(now + sum) < DRIFT_MAX || fabs(sum) < fabs(d->sum)) /* anti-windup */
+        d->sum = clamp(sum, DRIFT_MAX);
+    d->rate += clamp(clamp(now + d->sum, DRIFT_MAX) - d->rate, MAX_CHANGE);
     return d->rate;
 }
 
-void drift_jump(struct drift *d)
+void drift_reset_error(struct drift *d)
 {
     d->known = false;
 }

@@ -24,14 +24,14 @@ static double bessel(double x)
 }
 
 /* Returns the weight of a sample at this distance from the position. */
-static double weight(double away)
+static double weight(double distance)
 {
-    const double share = away / (RESAMPLE_TAPS / 2);
+    const double fraction = distance / (RESAMPLE_TAPS / 2);
 
-    if (fabs(share) >= 1)
+    if (fabs(fraction) >= 1)
         return 0;
-    const double window = bessel(beta * sqrt(1 - share * share)) / bessel(beta);
-    return away == 0 ? 1 : sin(pi * away) / (pi * away) * window;
+    const double window = bessel(beta * sqrt(1 - fraction * fraction)) / bessel(beta);
+    return distance == 0 ? 1 : sin(pi * distance) / (pi * distance) * window;
 }
 
 /* Makes a row with the sum 1, so that levels don't change. */
@@ -40,8 +40,8 @@ static void make_row(float row[RESAMPLE_TAPS], double phase)
     double w[RESAMPLE_TAPS], sum = 0;
 
     for (int i = 0; i < RESAMPLE_TAPS; i++) {
-        const double away = i - RESAMPLE_BEFORE - phase;
-        w[i] = phase == 0 || phase == 1 ? away == 0 : weight(away);
+        const double distance = i - RESAMPLE_BEFORE - phase;
+        w[i] = phase == 0 || phase == 1 ? distance == 0 : weight(distance);
         sum += w[i];
     }
     for (int i = 0; i < RESAMPLE_TAPS; i++)
@@ -58,24 +58,24 @@ void resample_open(struct resample *r)
 void resample_clear(struct resample *r)
 {
     memset(r->in, 0, sizeof r->in);
-    r->n = RESAMPLE_BEFORE;
-    r->at = RESAMPLE_BEFORE * RESAMPLE_ONE;
+    r->frames = RESAMPLE_BEFORE;
+    r->position = RESAMPLE_BEFORE * RESAMPLE_ONE;
 }
 
 void resample_add(struct resample *r, const int16_t *lr, int frames)
 {
-    const int room = RESAMPLE_ROOM - r->n;
+    const int space = RESAMPLE_CAPACITY - r->frames;
 
-    frames = frames < room ? frames : room;
-    memcpy(r->in + 2 * r->n, lr, (size_t)frames * 2 * sizeof *lr);
-    r->n += frames;
+    frames = frames < space ? frames : space;
+    memcpy(r->in + 2 * r->frames, lr, (size_t)frames * 2 * sizeof *lr);
+    r->frames += frames;
 }
 
 int resample_ready(const struct resample *r)
 {
-    const int n = r->n - RESAMPLE_AFTER - (int)(r->at >> 32);
+    const int frames = r->frames - RESAMPLE_AFTER - (int)(r->position >> 32);
 
-    return n > 0 ? n : 0;
+    return frames > 0 ? frames : 0;
 }
 
 static int16_t rounded(float v)
@@ -84,16 +84,17 @@ static int16_t rounded(float v)
     return (int16_t)lrintf(v);
 }
 
-static void between(const struct resample *r, int16_t out[2])
+static void interpolate(const struct resample *r, int16_t out[2])
 {
-    const uint32_t part = (uint32_t)r->at, phase = part / (UINT32_MAX / RESAMPLE_PHASES + 1);
-    const float share = (float)(part % (UINT32_MAX / RESAMPLE_PHASES + 1)) / (float)(UINT32_MAX / RESAMPLE_PHASES + 1);
+    const uint32_t part = (uint32_t)r->position, phase = part / (UINT32_MAX / RESAMPLE_PHASES + 1);
+    const float fraction =
+        (float)(part % (UINT32_MAX / RESAMPLE_PHASES + 1)) / (float)(UINT32_MAX / RESAMPLE_PHASES + 1);
     const float *k0 = r->kernel[phase], *k1 = r->kernel[phase + 1];
-    const int16_t *x = r->in + 2 * ((int)(r->at >> 32) - RESAMPLE_BEFORE);
+    const int16_t *x = r->in + 2 * ((int)(r->position >> 32) - RESAMPLE_BEFORE);
     float left = 0, right = 0;
 
     for (int i = 0; i < RESAMPLE_TAPS; i++) {
-        const float k = k0[i] + (k1[i] - k0[i]) * share;
+        const float k = k0[i] + (k1[i] - k0[i]) * fraction;
         left += k * x[2 * i];
         right += k * x[2 * i + 1];
     }
@@ -102,29 +103,29 @@ static void between(const struct resample *r, int16_t out[2])
 }
 
 /* Removes frames that have passed. */
-static void forget(struct resample *r)
+static void drop_passed(struct resample *r)
 {
-    const int passed = (int)(r->at >> 32) - RESAMPLE_BEFORE;
+    const int passed = (int)(r->position >> 32) - RESAMPLE_BEFORE;
 
-    memmove(r->in, r->in + 2 * passed, (size_t)(r->n - passed) * 2 * sizeof *r->in);
-    r->n -= passed;
-    r->at -= (uint64_t)passed << 32;
+    memmove(r->in, r->in + 2 * passed, (size_t)(r->frames - passed) * 2 * sizeof *r->in);
+    r->frames -= passed;
+    r->position -= (uint64_t)passed << 32;
 }
 
-int resample_take(struct resample *r, uint64_t step, int most, int16_t *out, int room)
+int resample_take(struct resample *r, uint64_t step, int max_input, int16_t *out, int capacity)
 {
-    const int ready = resample_ready(r), pass = most < ready ? most : ready;
-    const uint64_t end = ((r->at >> 32) + (uint64_t)pass) << 32;
-    int n = 0;
+    const int ready = resample_ready(r), pass = max_input < ready ? max_input : ready;
+    const uint64_t end = ((r->position >> 32) + (uint64_t)pass) << 32;
+    int frames = 0;
 
-    step = step < RESAMPLE_STEP_MOST ? step : RESAMPLE_STEP_MOST;
-    for (; r->at < end && n < room; n++, r->at += step) {
-        const bool whole = (uint32_t)r->at == 0;
-        if (whole)
-            memcpy(out + 2 * n, r->in + 2 * (r->at >> 32), 2 * sizeof *out);
+    step = step < RESAMPLE_MAX_STEP ? step : RESAMPLE_MAX_STEP;
+    for (; r->position < end && frames < capacity; frames++, r->position += step) {
+        const bool is_input_frame = (uint32_t)r->position == 0;
+        if (is_input_frame)
+            memcpy(out + 2 * frames, r->in + 2 * (r->position >> 32), 2 * sizeof *out);
         else
-            between(r, out + 2 * n);
+            interpolate(r, out + 2 * frames);
     }
-    forget(r);
-    return n;
+    drop_passed(r);
+    return frames;
 }

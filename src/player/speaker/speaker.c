@@ -1,12 +1,12 @@
 /*
- * speaker.c - see speaker.h.
+ * speaker.c - plays sound (speaker.h).
  *
- * At a joint what was heard last is carried on as its own mirror image and fades out while the new sound fades in: the
- * level does not jump, and nothing has to be kept back for it.
+ * In a crossfade, the last samples are played backwards and fade out while the new sound fades in. The level therefore
+ * doesn't jump, and no samples have to be held back.
  *
- * The queue is looked at when a frame comes, which may be late; as much as the card has used up meanwhile is added to
- * what waits, so that the rate follows the clocks and not the load. A game that cannot follow the clock at all is heard
- * as slow as it is, and lower, as a tape would be: there is no gap in it and nothing comes twice.
+ * The length of the queue is read when a frame arrives, which may be late. The sound that the card has played meanwhile
+ * is added to the length, so the rate follows the clocks and not the load. If the game is too slow for the clock, its
+ * sound is slowed down like a tape's, without gaps or repetitions.
  */
 #include "speaker.h"
 
@@ -20,39 +20,41 @@
 #include "../../base/int.h"
 
 enum {
-    ROOM = 2 * RESAMPLE_ROOM, /* frames that may come of one look */
-    SIXTIETH = 1000000 / 60,  /* usec */
-    LATE_MOST = 100000,       /* usec; later frames say nothing of the clocks */
-    SLOWED = 60,              /* frames */
-    PRIME = 160,              /* frames at once */
-    DRAIN_STEP = 2000,        /* usec */
-    DRAIN_MOST = 250000,
-    DRAIN_EXACT = 4000000
+    MAX_OUTPUT = 2 * RESAMPLE_CAPACITY, /* frames per call */
+    SIXTIETH_USEC = 1000000 / 60,
+    MAX_LATE_USEC = 100000, /* later frames are not used for measuring */
+    SLOW_FRAMES = 60,
+    PRIME_FRAMES = 160, /* of silence per call */
+    DRAIN_STEP_USEC = 2000,
+    MAX_DRAIN_USEC = 250000,
+    MAX_EXACT_DRAIN_USEC = 4000000
 };
 
-#define PACE_LEAST 0.25
-#define PACE_MOST  4.0
-#define PACE_MENDS 0.125 /* of what is missing, in a frame */
+#define MIN_SPEED      0.25
+#define MAX_SPEED      4.0
+#define SPEED_RECOVERY 0.125 /* of the difference, per frame */
 
 void speaker_open(struct speaker *s, int volume, bool muted, bool exact)
 {
-    *s = (struct speaker){ .volume = volume, .music = 100, .sounds = 100, .muted = muted, .exact = exact, .pace = 1 };
+    *s = (struct speaker){
+        .volume = volume, .music = 100, .sounds = 100, .muted = muted, .exact = exact, .game_speed = 1
+    };
 }
 
-void speaker_levels(struct speaker *s, int music, int sounds)
+void speaker_set_levels(struct speaker *s, int music, int sounds)
 {
     s->music = music;
     s->sounds = sounds;
-    if (s->memory)
-        board_sound_set_levels(s->memory, music, sounds);
+    if (s->tables)
+        board_sound_set_levels(s->tables, music, sounds);
 }
 
 /* ---- blocks ---- */
 
-/* What is made when it is first needed: tables and a resampler. */
-static bool ready(struct speaker *s)
+/* Allocates tables and resampler if necessary. Returns false when out of memory. */
+static bool prepare(struct speaker *s)
 {
-    if (s->memory)
+    if (s->tables)
         return true;
     struct resample *r = malloc(sizeof *r);
     void *tables = malloc(board_sound_tables_size());
@@ -64,46 +66,46 @@ static bool ready(struct speaker *s)
     board_sound_init_tables(tables);
     board_sound_set_levels(tables, s->music, s->sounds);
     resample_open(r);
-    s->memory = tables;
+    s->tables = tables;
     s->resample = r;
     return true;
 }
 
-static void begin_joint(struct speaker *s)
+static void start_crossfade(struct speaker *s)
 {
-    memcpy(s->from, s->past, sizeof s->from);
-    s->joint = SPEAKER_JOIN;
+    memcpy(s->fading_out, s->recent, sizeof s->fading_out);
+    s->crossfade_left = SPEAKER_CROSSFADE;
 }
 
-/* Of 32768, how much is left of the old sound `left` frames before the joint's end: a curve without corners. */
-static int32_t old_share(int left)
+/* Returns the weight of the old sound `left` frames before the end of the crossfade, 0 to 32768, on a smooth curve. */
+static int32_t fade_out_weight(int left)
 {
-    const int64_t t = ((int64_t)left << 15) / (SPEAKER_JOIN + 1);
+    const int64_t t = ((int64_t)left << 15) / (SPEAKER_CROSSFADE + 1);
 
     return (int32_t)((t * t * (3 * 32768 - 2 * t)) >> 30);
 }
 
-static void join(struct speaker *s, int16_t *block, int frames)
+static void crossfade(struct speaker *s, int16_t *block, int frames)
 {
-    for (int i = 0; i < frames && s->joint > 0; i++, s->joint--) {
-        const int32_t old = old_share(s->joint);
+    for (int i = 0; i < frames && s->crossfade_left > 0; i++, s->crossfade_left--) {
+        const int32_t old = fade_out_weight(s->crossfade_left);
         for (int c = 0; c < 2; c++) {
-            const int32_t was = s->from[2 * (s->joint - 1) + c], is = block[2 * i + c];
+            const int32_t was = s->fading_out[2 * (s->crossfade_left - 1) + c], is = block[2 * i + c];
             block[2 * i + c] = (int16_t)((was * old + is * (32768 - old)) / 32768);
         }
     }
 }
 
-static void append(struct speaker *s, int16_t *block, int frames, bool follows)
+static void append(struct speaker *s, int16_t *block, int frames, bool continues)
 {
-    const int kept = int_max(SPEAKER_JOIN - frames, 0), taken = SPEAKER_JOIN - kept;
+    const int kept_frames = int_max(SPEAKER_CROSSFADE - frames, 0), new_frames = SPEAKER_CROSSFADE - kept_frames;
 
-    if (!follows)
-        begin_joint(s);
-    join(s, block, frames);
+    if (!continues)
+        start_crossfade(s);
+    crossfade(s, block, frames);
     resample_add(s->resample, block, frames);
-    memmove(s->past, s->past + 2 * taken, (size_t)kept * 2 * sizeof *block);
-    memcpy(s->past + 2 * kept, block + 2 * (frames - taken), (size_t)taken * 2 * sizeof *block);
+    memmove(s->recent, s->recent + 2 * new_frames, (size_t)kept_frames * 2 * sizeof *block);
+    memcpy(s->recent + 2 * kept_frames, block + 2 * (frames - new_frames), (size_t)new_frames * 2 * sizeof *block);
 }
 
 static void append_silence(struct speaker *s, int frames)
@@ -114,7 +116,7 @@ static void append_silence(struct speaker *s, int frames)
     s->board = NULL;
 }
 
-static void turn_round(int16_t block[2 * SPEAKER_BLOCK])
+static void reverse(int16_t block[2 * SPEAKER_BLOCK])
 {
     for (int i = 0, k = SPEAKER_BLOCK - 1; i < k; i++, k--)
         for (int c = 0; c < 2; c++) {
@@ -124,227 +126,227 @@ static void turn_round(int16_t block[2 * SPEAKER_BLOCK])
         }
 }
 
-/* Does this frame follow the one heard before, without a joint? The first one ever follows silence as it is. */
-static bool follows(const struct speaker *s, const struct board *b, enum speaker_way way)
+/* Returns whether this frame continues the last block. The first frame of a run continues silence. */
+static bool is_continuous(const struct speaker *s, const struct board *b, enum speaker_mode mode)
 {
     const uint32_t frame = board_frame(b);
 
     if (!s->board)
-        return frame == 1 && way == SPEAKER_ON;
-    return s->board == b && s->way == way && frame == (way == SPEAKER_BACK ? s->frame - 1 : s->frame + 1);
+        return frame == 1 && mode == SPEAKER_FORWARD;
+    return s->board == b && s->mode == mode && frame == (mode == SPEAKER_REVERSE ? s->frame - 1 : s->frame + 1);
 }
 
-static void find_peak(struct speaker *s, const int16_t *block)
+static void measure_peak(struct speaker *s, const int16_t *block)
 {
     s->peak[0] = s->peak[1] = 0;
     for (int i = 0; i < 2 * SPEAKER_BLOCK; i++)
         s->peak[i & 1] = int_max(s->peak[i & 1], abs(block[i]));
 }
 
-static void take(struct speaker *s, const struct board *b, int16_t *block, enum speaker_way way)
+static void add_block(struct speaker *s, const struct board *b, int16_t *block, enum speaker_mode mode)
 {
-    const int volume = way == SPEAKER_FAST ? s->volume / 2 : s->volume;
+    const int volume = mode == SPEAKER_FAST ? s->volume / 2 : s->volume;
 
     for (int i = 0; i < 2 * SPEAKER_BLOCK && volume != 100; i++)
         block[i] = (int16_t)(block[i] * volume / 100);
-    if (way == SPEAKER_BACK)
-        turn_round(block);
-    append(s, block, SPEAKER_BLOCK, follows(s, b, way));
+    if (mode == SPEAKER_REVERSE)
+        reverse(block);
+    append(s, block, SPEAKER_BLOCK, is_continuous(s, b, mode));
     s->board = b;
     s->frame = board_frame(b);
-    s->way = way;
+    s->mode = mode;
 }
 
-void speaker_hear(struct speaker *s, const struct board *b, enum speaker_way way, int slow)
+void speaker_add_frame(struct speaker *s, const struct board *b, enum speaker_mode mode, int slow)
 {
-    const bool plays = !s->muted && s->state != SPEAKER_GONE;
+    const bool plays = !s->muted && s->state != SPEAKER_MISSING;
     int16_t block[2 * SPEAKER_BLOCK];
 
-    if (!(plays || s->meter) || !board_has_sound(b) || !ready(s))
+    if (!(plays || s->metering) || !board_has_sound(b) || !prepare(s))
         return;
     if (plays)
-        s->credit += slow;
-    if (plays && s->refuse > 0) {
-        s->refuse--;
-        s->seen.refused++;
+        s->buffered_sixtieths += slow;
+    if (plays && s->drop_blocks > 0) {
+        s->drop_blocks--;
+        s->stats.dropped++;
         return;
     }
-    board_mix_sound(b, s->memory, block);
-    find_peak(s, block);
+    board_mix_sound(b, s->tables, block);
+    measure_peak(s, block);
     if (plays)
-        take(s, b, block, way);
+        add_block(s, b, block, mode);
 }
 
 /* ---- the queue ---- */
 
-/* Nothing waits: silence does, so that it is as after this frame it should be. */
-static void prime(struct speaker *s, int sixtieths)
+/* Fills an empty queue with silence, so that it has its target length after this frame. */
+static void prime_queue(struct speaker *s, int sixtieths)
 {
     static const int16_t silence[2 * SPEAKER_BLOCK];
-    const int want = SPEAKER_AHEAD - SPEAKER_BLOCK * (sixtieths - 1);
+    const int target = SPEAKER_TARGET_QUEUE - SPEAKER_BLOCK * (sixtieths - 1);
 
-    if (s->state == SPEAKER_GOOD) { /* there was a gap: what follows does not begin with a click */
-        s->seen.dry++;
-        s->rises = s->exact ? 0 : SPEAKER_JOIN;
+    if (s->state == SPEAKER_RUNNING) { /* fade in, because a sudden start would click */
+        s->stats.underruns++;
+        s->fade_in_left = s->exact ? 0 : SPEAKER_CROSSFADE;
     }
-    for (int has = 0, i = 0; has < want && i < SPEAKER_AHEAD / PRIME; i++, has = plat_queue_sound(NULL, 0))
-        plat_queue_sound(silence, int_min(want - has, PRIME));
-    drift_jump(&s->drift);
+    for (int n = 0, i = 0; n < target && i < SPEAKER_TARGET_QUEUE / PRIME_FRAMES; i++, n = plat_queue_sound(NULL, 0))
+        plat_queue_sound(silence, int_min(target - n, PRIME_FRAMES));
+    drift_reset_error(&s->drift);
 }
 
-/* How fast the game goes by the clock. A single stop is no slowness: what was missed then is a gap. */
-static void find_pace(struct speaker *s, const struct speaker_time *t)
+/* Estimates the game's speed relative to the clock. A single stall doesn't count as slowness; it causes a gap. */
+static void estimate_game_speed(struct speaker *s, const struct speaker_elapsed *t)
 {
-    const double passed = (double)t->sixtieths * SIXTIETH, pace = passed / (passed + (double)t->lost);
+    const double passed = (double)t->sixtieths * SIXTIETH_USEC, speed = passed / (passed + (double)t->lost);
 
-    s->slowed = t->lost && s->stumbled ? SLOWED : int_max(s->slowed - 1, 0);
-    s->stumbled = t->lost ? SLOWED : int_max(s->stumbled - 1, 0);
-    s->pace = pace < s->pace ? pace : s->pace + (pace - s->pace) * PACE_MENDS;
-    s->pace = s->slowed ? fmax(s->pace, PACE_LEAST) : 1;
+    s->slow_left = t->lost && s->stall_window ? SLOW_FRAMES : int_max(s->slow_left - 1, 0);
+    s->stall_window = t->lost ? SLOW_FRAMES : int_max(s->stall_window - 1, 0);
+    s->game_speed = speed < s->game_speed ? speed : s->game_speed + (speed - s->game_speed) * SPEED_RECOVERY;
+    s->game_speed = s->slow_left ? fmax(s->game_speed, MIN_SPEED) : 1;
 }
 
-static void measure(struct speaker *s, double ahead)
+static void record_latency(struct speaker *s, double ahead)
 {
-    s->seen.looks++;
-    s->seen.sum += (uint64_t)ahead;
-    s->seen.most = (uint32_t)fmax(s->seen.most, ahead);
+    s->stats.measurements++;
+    s->stats.queued_sum += (uint64_t)ahead;
+    s->stats.queued_max = (uint32_t)fmax(s->stats.queued_max, ahead);
 }
 
-/* As the game goes, and towards what should wait, in some frames. `off` has no bound: a frame after a stop, or after
- * the host's clock was set, is late by any time. */
-static double slowed_rate(const struct speaker *s, double off)
+/* Returns the rate for a slow game: its speed, adjusted to bring the queue to its target length. `error` (frames above
+ * the target) can have any size after a stall, or when the host's clock is set. */
+static double slow_rate(const struct speaker *s, double error)
 {
-    return fmin(fmax(s->pace * (1 + off / (2 * SPEAKER_AHEAD)), PACE_LEAST), PACE_MOST);
+    return fmin(fmax(s->game_speed * (1 + error / (2 * SPEAKER_TARGET_QUEUE)), MIN_SPEED), MAX_SPEED);
 }
 
-/* How fast the blocks pass, so that what waits is as much as should. */
-static double rate(struct speaker *s, const struct speaker_time *t)
+/* Returns the rate that holds the queue at its target length. */
+static double choose_rate(struct speaker *s, const struct speaker_elapsed *t)
 {
-    const double ahead = s->waiting + (double)t->late * SPEAKER_RATE / 1e6;
+    const double ahead = s->queued + (double)t->late * SPEAKER_RATE / 1e6;
 
-    if (s->waiting > 0 && t->late < LATE_MOST && !s->slowed)
-        measure(s, ahead);
+    if (s->queued > 0 && t->late < MAX_LATE_USEC && !s->slow_left)
+        record_latency(s, ahead);
     if (s->exact)
         return 1;
-    if (s->slowed) /* its frames come late, several at once: so much waits all the time */
-        return slowed_rate(s, (s->slowed > SLOWED / 2 ? s->waiting : ahead) - SPEAKER_AHEAD);
-    if (s->waiting > 0 && t->late < LATE_MOST)
-        drift_step(&s->drift, ahead - SPEAKER_AHEAD);
+    if (s->slow_left) /* frames arrive late and in groups, so the queue is always this long */
+        return slow_rate(s, (s->slow_left > SLOW_FRAMES / 2 ? s->queued : ahead) - SPEAKER_TARGET_QUEUE);
+    if (s->queued > 0 && t->late < MAX_LATE_USEC)
+        drift_step(&s->drift, ahead - SPEAKER_TARGET_QUEUE);
     return 1 + s->drift.rate;
 }
 
-static void send(struct speaker *s, const struct speaker_time *t)
+static void send_to_queue(struct speaker *s, const struct speaker_elapsed *t)
 {
-    static int16_t out[2 * ROOM];
-    const int most = t->slow > 1 ? t->sixtieths * SPEAKER_BLOCK / t->slow : RESAMPLE_ROOM;
-    const uint64_t step = (uint64_t)llrint((double)RESAMPLE_ONE * rate(s, t)) / (uint64_t)t->slow;
-    const int n = resample_take(s->resample, step, most, out, ROOM);
+    static int16_t out[2 * MAX_OUTPUT];
+    const int most = t->slow > 1 ? t->sixtieths * SPEAKER_BLOCK / t->slow : RESAMPLE_CAPACITY;
+    const uint64_t step = (uint64_t)llrint((double)RESAMPLE_ONE * choose_rate(s, t)) / (uint64_t)t->slow;
+    const int n = resample_take(s->resample, step, most, out, MAX_OUTPUT);
 
-    for (int i = 0; i < n && s->rises > 0; i++, s->rises--)
+    for (int i = 0; i < n && s->fade_in_left > 0; i++, s->fade_in_left--)
         for (int c = 0; c < 2; c++)
-            out[2 * i + c] = (int16_t)(out[2 * i + c] * (32768 - old_share(s->rises)) / 32768);
+            out[2 * i + c] = (int16_t)(out[2 * i + c] * (32768 - fade_out_weight(s->fade_in_left)) / 32768);
     plat_queue_sound(out, n);
 }
 
-/* What has not passed is silence; frames that are taken in slow motion last longer. */
-static void fill(struct speaker *s, int sixtieths, int slow)
+/* Adds silence for elapsed time without sound. In slow motion, frames last longer. */
+static void add_missing_silence(struct speaker *s, int sixtieths, int slow)
 {
-    s->credit -= sixtieths;
-    for (; s->credit < 0; s->credit++) {
-        if (s->refuse > 0)
-            s->refuse--;
+    s->buffered_sixtieths -= sixtieths;
+    for (; s->buffered_sixtieths < 0; s->buffered_sixtieths++) {
+        if (s->drop_blocks > 0)
+            s->drop_blocks--;
         else
             append_silence(s, SPEAKER_BLOCK / slow);
     }
-    s->credit = slow > 1 ? s->credit : 0;
+    s->buffered_sixtieths = slow > 1 ? s->buffered_sixtieths : 0;
 }
 
-/* There is a speaker, again or for the first time: nothing was heard. */
-static void found(struct speaker *s)
+/* Starts from silence when the host's speaker is available again. */
+static void restart(struct speaker *s)
 {
-    memset(s->past, 0, sizeof s->past);
+    memset(s->recent, 0, sizeof s->recent);
     s->board = NULL;
-    s->joint = s->credit = s->refuse = 0;
+    s->crossfade_left = s->buffered_sixtieths = s->drop_blocks = 0;
     resample_clear(s->resample);
-    drift_jump(&s->drift);
+    drift_reset_error(&s->drift);
 }
 
-/* What would wait for too long is not played: after a card that stood still, and after a stop of the game, whose last
- * frames come all at once. */
-static void refuse_what_is_late(struct speaker *s, const struct speaker_time *t)
+/* Decides how many blocks to drop because the queue would become too long: after the card or the game has stalled. */
+static void drop_late_blocks(struct speaker *s, const struct speaker_elapsed *t)
 {
-    if (s->exact || s->slowed)
+    if (s->exact || s->slow_left)
         return;
-    if (s->waiting > SPEAKER_MOST)
-        s->refuse = (s->waiting - SPEAKER_AHEAD) / SPEAKER_BLOCK;
-    else if (s->waiting == 0 && t->lost)
-        s->refuse = int_max(t->sixtieths * SPEAKER_BLOCK - SPEAKER_AHEAD, 0) / SPEAKER_BLOCK;
+    if (s->queued > SPEAKER_MAX_QUEUE)
+        s->drop_blocks = (s->queued - SPEAKER_TARGET_QUEUE) / SPEAKER_BLOCK;
+    else if (s->queued == 0 && t->lost)
+        s->drop_blocks = int_max(t->sixtieths * SPEAKER_BLOCK - SPEAKER_TARGET_QUEUE, 0) / SPEAKER_BLOCK;
 }
 
-void speaker_frame(struct speaker *s, const struct speaker_time *t)
+void speaker_advance(struct speaker *s, const struct speaker_elapsed *t)
 {
-    if (!s->memory && s->state == SPEAKER_OFF) /* nothing was ever heard */
+    if (!s->tables && s->state == SPEAKER_UNUSED) /* nothing was played yet */
         return;
-    s->waiting = plat_queue_sound(NULL, 0);
-    if (s->waiting < 0 || !ready(s)) {
-        s->state = SPEAKER_GONE;
+    s->queued = plat_queue_sound(NULL, 0);
+    if (s->queued < 0 || !prepare(s)) {
+        s->state = SPEAKER_MISSING;
         return;
     }
-    if (s->state == SPEAKER_GONE)
-        found(s);
-    find_pace(s, t);
-    fill(s, t->sixtieths, t->slow);
-    if (s->waiting == 0)
-        prime(s, t->sixtieths);
-    s->state = SPEAKER_GOOD;
-    send(s, t);
-    refuse_what_is_late(s, t);
+    if (s->state == SPEAKER_MISSING)
+        restart(s);
+    estimate_game_speed(s, t);
+    add_missing_silence(s, t->sixtieths, t->slow);
+    if (s->queued == 0)
+        prime_queue(s, t->sixtieths);
+    s->state = SPEAKER_RUNNING;
+    send_to_queue(s, t);
+    drop_late_blocks(s, t);
 }
 
-bool speaker_leads(const struct speaker *s)
+bool speaker_sets_pace(const struct speaker *s)
 {
-    return s->exact && s->state == SPEAKER_GOOD;
+    return s->exact && s->state == SPEAKER_RUNNING;
 }
 
-bool speaker_due(const struct speaker *s)
+bool speaker_is_due(const struct speaker *s)
 {
-    return !speaker_leads(s) || plat_queue_sound(NULL, 0) <= SPEAKER_AHEAD;
+    return !speaker_sets_pace(s) || plat_queue_sound(NULL, 0) <= SPEAKER_TARGET_QUEUE;
 }
 
 void speaker_report(const struct speaker *s, char *line, size_t size)
 {
-    const struct speaker_seen *n = &s->seen;
+    const struct speaker_stats *n = &s->stats;
     const double frame = 1000.0 / SPEAKER_RATE;
 
-    if (s->state == SPEAKER_OFF || !n->looks) {
+    if (s->state == SPEAKER_UNUSED || !n->measurements) {
         snprintf(line, size, "sound: nothing was played");
         return;
     }
     snprintf(line, size,
              "sound: latency %.1f ms on average, %.1f ms at most; clock drift of the sound card %+.3f %%; gaps %u, "
              "dropped blocks %u",
-             ((double)n->sum / (double)n->looks + RESAMPLE_AFTER) * frame, (n->most + RESAMPLE_AFTER) * frame,
-             -100 * s->drift.sum, (unsigned)n->dry, (unsigned)n->refused);
+             ((double)n->queued_sum / (double)n->measurements + RESAMPLE_AFTER) * frame,
+             (n->queued_max + RESAMPLE_AFTER) * frame, -100 * s->drift.sum, (unsigned)n->underruns,
+             (unsigned)n->dropped);
 }
 
-/* Waits until all is heard, `most` usec at most, also of a clock that is set back meanwhile. */
-static void drain(uint64_t most)
+/* Waits until the queue is empty, at most `limit` usec, even if the clock is set back meanwhile. */
+static void drain(uint64_t limit)
 {
-    for (uint64_t passed = 0, last = plat_usec(); passed < most && plat_queue_sound(NULL, 0) > 0;
+    for (uint64_t passed = 0, last = plat_usec(); passed < limit && plat_queue_sound(NULL, 0) > 0;
          passed += clock_lap(&last))
-        plat_wait(last + DRAIN_STEP);
+        plat_wait(last + DRAIN_STEP_USEC);
 }
 
 void speaker_close(struct speaker *s)
 {
-    static const struct speaker_time one = { 1, 1, LATE_MOST, 0 };
+    static const struct speaker_elapsed one = { 1, 1, MAX_LATE_USEC, 0 };
 
-    if (s->state == SPEAKER_GOOD) {
+    if (s->state == SPEAKER_RUNNING) {
         append_silence(s, SPEAKER_BLOCK);
-        send(s, &one);
-        drain(s->exact ? DRAIN_EXACT : DRAIN_MOST);
+        send_to_queue(s, &one);
+        drain(s->exact ? MAX_EXACT_DRAIN_USEC : MAX_DRAIN_USEC);
     }
-    free(s->memory);
+    free(s->tables);
     free(s->resample);
     *s = (struct speaker){ 0 };
 }

@@ -1,12 +1,12 @@
 /*
- * speaker.h - boards' sound on the host's speaker: volume, joints that do not click, and held in step with a clock that
- * is not quite ours.
+ * speaker.h - plays boards' sound on the host's speaker: volume, crossfades at breaks, and synchronisation with the
+ * sound card's clock.
  *
- * Each frame of the program hands in the sound of the frames it ticked, none to some, and says how many sixtieths have
- * passed; what is missing is silence. Wherever a block does not go on from the one before, after a rewind, a reload, a
- * silence, the first SPEAKER_JOIN frames pass from one into the other; what follows is to the bit what the board says.
+ * In each frame of the program, speaker_add_frame gets the sound of each tick, and speaker_advance the elapsed time;
+ * missing sound becomes silence. Where a block doesn't continue the previous one (after a rewind, a reload or silence),
+ * the first SPEAKER_CROSSFADE frames are a crossfade. All other samples are exactly the board's.
  *
- * From the moment a tick is due until its sound is heard, SPEAKER_LATENCY frames pass.
+ * A tick's sound is heard SPEAKER_LATENCY frames after the tick is due.
  */
 #ifndef PLAYER_SPEAKER_H
 #define PLAYER_SPEAKER_H
@@ -19,86 +19,90 @@
 
 enum {
     SPEAKER_RATE = 48000,
-    SPEAKER_BLOCK = SPEAKER_RATE / 60, /* stereo frames a tick makes */
-    SPEAKER_AHEAD = 1920, /* that wait when a frame is on time, before its own come, the card's own included: 40 ms */
-    SPEAKER_LATENCY = SPEAKER_AHEAD + RESAMPLE_AFTER,
-    SPEAKER_MOST = SPEAKER_AHEAD + 2 * SPEAKER_BLOCK, /* with more, what comes is not played */
-    SPEAKER_JOIN = 384                                /* 8 ms */
+    SPEAKER_BLOCK = SPEAKER_RATE / 60, /* stereo frames per tick */
+
+    /* Frames in the queue, including the card's own buffer, when a frame of the program is on time: 40 ms. */
+    SPEAKER_TARGET_QUEUE = 1920,
+    SPEAKER_MAX_QUEUE = SPEAKER_TARGET_QUEUE + 2 * SPEAKER_BLOCK, /* above it, blocks are dropped */
+    SPEAKER_LATENCY = SPEAKER_TARGET_QUEUE + RESAMPLE_AFTER,
+    SPEAKER_CROSSFADE = 384 /* 8 ms */
 };
 
-/* How the frame of a block follows the one heard before. */
-enum speaker_way {
-    SPEAKER_ON,   /* in time */
-    SPEAKER_BACK, /* backwards, and so is the block */
-    SPEAKER_FAST  /* one of many that passed: half as loud */
+enum speaker_mode {
+    SPEAKER_FORWARD,
+    SPEAKER_REVERSE, /* frames, and the samples in each, are played backwards */
+    SPEAKER_FAST     /* most frames are skipped; at half volume */
 };
 
-/* The state of the host's speaker, as speaker_frame found it. */
-enum speaker_state { SPEAKER_OFF, SPEAKER_GONE, SPEAKER_GOOD };
+/* The host's speaker at the last speaker_advance. */
+enum speaker_state { SPEAKER_UNUSED, SPEAKER_MISSING, SPEAKER_RUNNING };
 
-/* What was measured since the beginning. */
-struct speaker_seen {
-    uint64_t looks, sum; /* frames on time; frames of sound before theirs, added up */
-    uint32_t most;
-    uint32_t dry;     /* how often nothing waited any more */
-    uint32_t refused; /* blocks that were not played, for too much waited */
+struct speaker_stats {
+    uint64_t measurements, queued_sum; /* of frames that were on time: their number, and the sum of queue lengths */
+    uint32_t queued_max;
+    uint32_t underruns;
+    uint32_t dropped; /* blocks, because the queue was too long */
 };
 
 struct speaker {
     int volume;        /* percent */
     int music, sounds; /* percent of it */
     bool muted;
-    bool exact;                /* blocks are played as they are: the rate is not adjusted, the card's clock leads */
-    bool meter;                /* levels are wanted, be it muted or not */
-    void *memory;              /* of board_mix_sound, once there is something to play; malloc */
-    struct resample *resample; /* malloc, as memory */
+    bool exact;                /* sound is not resampled; the card's clock sets the pace */
+    bool metering;             /* measure `peak` even when muted */
+    void *tables;              /* for board_mix_sound; malloc when first needed */
+    struct resample *resample; /* the same */
     struct drift drift;
     enum speaker_state state;
-    const struct board *board; /* of the last block; NULL: it was silence */
-    uint32_t frame;            /* and its frame */
-    enum speaker_way way;
-    int16_t past[2 * SPEAKER_JOIN], from[2 * SPEAKER_JOIN]; /* the end of what was heard; as it was at the last joint */
-    int joint;                                              /* frames that a joint still takes */
-    int rises;                                              /* frames in which what comes after a gap gets loud */
-    int credit;                                             /* sixtieths that have been handed in and not passed */
-    int refuse;                                             /* blocks that are not taken: too much waits */
-    int waiting;                                            /* frames that waited at the last look */
-    double pace;                                            /* of the game, by the clock: 1, or it cannot follow */
-    int stumbled;                                           /* frames in which another stop would not be the only one */
-    int slowed;                                             /* frames until it is believed that it can again */
-    int peak[2];                                            /* of the board's last block, as it made it */
-    struct speaker_seen seen;
+
+    /* The last block. */
+    const struct board *board; /* NULL: it was silence */
+    uint32_t frame;
+    enum speaker_mode mode;
+    int peak[2]; /* before volume */
+
+    int16_t recent[2 * SPEAKER_CROSSFADE];     /* the last samples that were queued */
+    int16_t fading_out[2 * SPEAKER_CROSSFADE]; /* `recent` at the start of the crossfade */
+    int crossfade_left;                        /* frames */
+    int fade_in_left;                          /* frames, after an underrun */
+    int buffered_sixtieths;                    /* of sound added before the time for it has elapsed */
+    int drop_blocks;                           /* number of blocks still to be dropped */
+    int queued;                                /* frames in the queue at the last speaker_advance */
+    double game_speed;                         /* relative to the clock; below 1 if the game is too slow */
+    int stall_window;                          /* frames in which another stall counts as slowness */
+    int slow_left;                             /* frames until the game counts as fast enough again */
+    struct speaker_stats stats;
 };
 
-/* The sixtieths that a frame of the program stands for. */
-struct speaker_time {
+/* The time that a frame of the program stands for. */
+struct speaker_elapsed {
     int sixtieths;
-    int slow;      /* of them a tick lasts: 1, 2, 4 */
-    uint64_t late; /* usec since the first one was due */
-    uint64_t lost; /* usec that passed and are left out: the game cannot follow */
+    int slow;      /* sixtieths per tick: 1, 2, 4 */
+    uint64_t late; /* usec since the first sixtieth was due */
+    uint64_t lost; /* usec that are skipped, because the game is too slow */
 };
 
 void speaker_open(struct speaker *s, int volume, bool muted, bool exact);
 
-/* How loud music and the other sounds are from the next frame on: percent of the volume, 100 at first. */
-void speaker_levels(struct speaker *s, int music, int sounds);
+/* Sets the levels of music and of other sounds, in percent of the volume; initially 100. */
+void speaker_set_levels(struct speaker *s, int music, int sounds);
 
-/* Takes the sound of the frame that the board has just ticked; slow: sixtieths it is to last. Does nothing for a
- * board without sound, or muted. */
+/* Adds the sound of the board's last tick. slow: sixtieths that it lasts. Does nothing for a board without sound, or
+ * when muted. */
 struct board;
-void speaker_hear(struct speaker *s, const struct board *b, enum speaker_way way, int slow);
+void speaker_add_frame(struct speaker *s, const struct board *b, enum speaker_mode mode, int slow);
 
-/* So much time has passed: what was heard goes to the card. */
-void speaker_frame(struct speaker *s, const struct speaker_time *t);
+/* Sends the sound of the elapsed time to the card. */
+void speaker_advance(struct speaker *s, const struct speaker_elapsed *t);
 
-/* With `exact`: does the card's clock lead? Is the next frame due by it? */
-bool speaker_leads(const struct speaker *s);
-bool speaker_due(const struct speaker *s);
+/* Returns whether the card's clock sets the pace (with `exact`), and whether it says that the next frame is due. */
+bool speaker_sets_pace(const struct speaker *s);
+bool speaker_is_due(const struct speaker *s);
 
-/* Writes a line: how long a sound takes to the air, how the clocks differ, what was lost. */
+/* Writes a line with latency, clock drift, underruns and dropped blocks. */
 void speaker_report(const struct speaker *s, char *line, size_t size);
 
-/* Fades what sounds and waits, not long, until it has been heard; gives memory back. */
+/* Fades out, waits briefly until the queue is empty, and frees the memory. */
 void speaker_close(struct speaker *s);
 
 #endif

@@ -20,7 +20,7 @@
 #include "../../player/picture/png.h"
 #include "../../common/output_paths.h"
 #include "../../player/picture/shade.h"
-#include "../../player/speaker/tape.h"
+#include "../../player/speaker/wav_writer.h"
 #include "../render/headless_run.h"
 
 enum format { GIF, Y4M, WAV, MP4, WEBM, FORMATS };
@@ -33,7 +33,7 @@ struct capture {
     bool to_stdout;
     uint32_t first, last;
     struct headless_run run;
-    struct tape tape;
+    struct wav_writer wav;
     struct fb fb;
     struct view view;
     struct shade_kept shades;
@@ -176,7 +176,7 @@ static void enlarge(const struct capture *c)
 /* Returns the frame of picture k, counted from the first frame. */
 static uint64_t frame_of(const struct capture *c, uint32_t k)
 {
-    const uint64_t rate = c->format == GIF ? GIF_RATE : 60;
+    const uint64_t rate = c->format == GIF ? GIF_MAX_FPS : 60;
     const uint64_t faster = c->a->faster ? (uint64_t)c->a->faster : 1,
                    slower = c->a->slower ? (uint64_t)c->a->slower : 1;
 
@@ -185,7 +185,7 @@ static uint64_t frame_of(const struct capture *c, uint32_t k)
 
 static uint32_t time_of(const struct capture *c, uint32_t k)
 {
-    return c->format == GIF ? k * (GIF_SECOND / GIF_RATE) : k;
+    return c->format == GIF ? k * (GIF_UNITS_PER_SECOND / GIF_MAX_FPS) : k;
 }
 
 static void add_picture(struct capture *c)
@@ -216,7 +216,7 @@ static void add_frame(struct capture *c, uint32_t frame)
 
 static bool failed(const struct capture *c)
 {
-    return c->gif.out.failed || c->tape.file.failed || (c->stream && ferror(c->stream));
+    return c->gif.out.failed || c->wav.file.failed || (c->stream && ferror(c->stream));
 }
 
 /* Plays the run from power-on to the last frame. */
@@ -229,7 +229,7 @@ static enum result play(struct capture *c, bool sound)
         if (f >= c->first && !sound)
             add_frame(c, f);
         else if (f >= c->first && (f > 0 || through_ffmpeg(c)))
-            tape_add(&c->tape, c->run.guard.board);
+            wav_writer_add(&c->wav, c->run.guard.board);
         if (f == c->last || result != RESULT_DONE || failed(c))
             break;
         progress_tell(f + 1, (uint64_t)c->last + 1, "frame %u of %u", (unsigned)f, (unsigned)c->last);
@@ -287,12 +287,12 @@ static enum result capture_gif(struct capture *c)
 
 static enum result capture_wav(struct capture *c)
 {
-    if (!tape_open(&c->tape))
+    if (!wav_writer_open(&c->wav))
         return no_memory(c);
     enum result result = play(c, true);
-    if (!tape_end(&c->tape))
+    if (!wav_writer_end(&c->wav))
         return no_memory(c);
-    return first_error(result, write_out(c, c->tape.file.bytes, c->tape.file.n));
+    return first_error(result, write_out(c, c->wav.file.bytes, c->wav.file.n));
 }
 
 /* If the disk is full, the file remains: players show it up to there. */
@@ -406,14 +406,14 @@ static enum result capture_video(struct capture *c)
         return report_line(RESULT_REFUSED, "-o: path too long");
     if (!heard)
         return run_ffmpeg(c, NULL, part);
-    if (!tape_open(&c->tape))
+    if (!wav_writer_open(&c->wav))
         return no_memory(c);
     enum result result = play(c, true);
-    if (!tape_end(&c->tape))
+    if (!wav_writer_end(&c->wav))
         return no_memory(c);
-    if (!files_save(sound, c->tape.file.bytes, c->tape.file.n, err, sizeof err))
+    if (!files_save(sound, c->wav.file.bytes, c->wav.file.n, err, sizeof err))
         return report_line(RESULT_HOST_FAILED, "%s", err);
-    tape_close(&c->tape);
+    wav_writer_close(&c->wav);
     enum result second = restart(c);
     second = second == RESULT_DONE ? run_ffmpeg(c, sound, part) : second;
     plat_remove(sound);
@@ -455,7 +455,7 @@ enum result capture_run(const struct args *a)
     }
     run_close(c);
     gif_close(&c->gif);
-    tape_close(&c->tape);
+    wav_writer_close(&c->wav);
     free(c);
     return result;
 }

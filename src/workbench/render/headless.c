@@ -9,7 +9,7 @@
 #include "contact.h"
 #include "../../common/files.h"
 #include "../../common/report.h"
-#include "../../player/speaker/tape.h"
+#include "../../player/speaker/wav_writer.h"
 #include "../../common/output_paths.h"
 #include "../../../platform/platform.h"
 #include "../../player/picture/png.h"
@@ -29,7 +29,7 @@ struct render {
     struct view view;
     struct game_files game; /* frames must not overwrite these */
     struct contact sheet;
-    struct tape tape;
+    struct wav_writer wav;
 };
 
 static uint32_t count_wanted(const struct args *a)
@@ -47,7 +47,7 @@ static void render_close(struct render *s)
     free(s->scratch);
     game_files_close(&s->game);
     contact_close(&s->sheet);
-    tape_close(&s->tape);
+    wav_writer_close(&s->wav);
 }
 
 static enum result render_open(struct render *s, const struct headless_run *r)
@@ -66,7 +66,7 @@ static enum result render_open(struct render *s, const struct headless_run *r)
                              .softens_flashes = r->a->flashes,
                              .colour_blind_mode = (enum colour_blind_mode)r->a->colours,
                              .shades = shade_for(&s->shades, &r->game.cart) };
-    if (r->a->wav && !tape_open(&s->tape))
+    if (r->a->wav && !wav_writer_open(&s->wav))
         return report_line(RESULT_HOST_FAILED, "out of memory");
     if (r->a->sheet && !contact_open(&s->sheet, count_wanted(r->a), w, h))
         return report_line(RESULT_REFUSED, "--sheet: too many frames for one picture");
@@ -121,7 +121,7 @@ static enum result render_frames(struct render *s, struct headless_run *r)
             break;
         result = headless_run_tick(r);
         if (r->a->wav)
-            tape_add(&s->tape, r->guard.board);
+            wav_writer_add(&s->wav, r->guard.board);
     }
     return result;
 }
@@ -130,7 +130,7 @@ static enum result wav_save(struct render *s, const char *path)
 {
     char err[1200];
 
-    return tape_save(&s->tape, path, err, sizeof err) ? RESULT_DONE : report_line(RESULT_HOST_FAILED, "%s", err);
+    return wav_writer_save(&s->wav, path, err, sizeof err) ? RESULT_DONE : report_line(RESULT_HOST_FAILED, "%s", err);
 }
 
 static enum result sheet_save(struct render *s, const char *path)
@@ -162,7 +162,7 @@ enum result headless_render(const struct args *a)
         enum result saved = sheet_save(&s, a->sheet);
         result = result == RESULT_DONE ? saved : result;
     }
-    if (s.tape.file.bytes) { /* also for frame 0 alone, which has no sound */
+    if (s.wav.file.bytes) { /* also for frame 0 alone, which has no sound */
         enum result saved = wav_save(&s, a->wav);
         result = result == RESULT_DONE ? saved : result;
     }

@@ -43,7 +43,7 @@ static void tick(struct jukebox *h, int frames)
 {
     for (int i = 0; i < frames && !h->over; i++) {
         h->over = !board_jukebox_tick(h->b);
-        speaker_hear(&h->speaker, h->b, SPEAKER_ON, 1);
+        speaker_add_frame(&h->speaker, h->b, SPEAKER_FORWARD, 1);
     }
 }
 
@@ -62,13 +62,13 @@ bool jukebox_frame(struct jukebox *h)
     if (now < due)
         return true;
     const uint64_t n = (now - due) * 60 / SECOND + 1;
-    struct speaker_time time = { .sixtieths = n < MOST_LATE ? (int)n : MOST_LATE, .slow = 1 };
+    struct speaker_elapsed time = { .sixtieths = n < MOST_LATE ? (int)n : MOST_LATE, .slow = 1 };
     time.lost = (n - (uint64_t)time.sixtieths) * SECOND / 60;
     h->frames += n;
     plat_poll(&in);
     tick(h, time.sixtieths);
     time.late = clock_since(due);
-    speaker_frame(&h->speaker, &time);
+    speaker_advance(&h->speaker, &time);
     overlay_update_mixer(&h->overlay, h->b, &h->speaker);
     show(h);
     return !h->over && !in.quit && !plat_is_key_held(&in, KEY_ESCAPE);
@@ -102,7 +102,7 @@ enum result jukebox_open(struct jukebox **out, struct board *b, const char *name
         return report_line(RESULT_HOST_FAILED, "out of memory");
     h->b = b;
     h->overlay.on[OVERLAY_MIXER] = true;
-    h->speaker.meter = true;
+    h->speaker.metering = true;
     const enum result result = open_window(h, name);
     if (result != RESULT_DONE) {
         jukebox_close(h);

@@ -14,7 +14,7 @@
 #include "../../board/board.h"
 #include "jukebox.h"
 #include "../../common/report.h"
-#include "../../player/speaker/tape.h"
+#include "../../player/speaker/wav_writer.h"
 #include "notes.h"
 #include "../pack/pack.h"
 #include "loudness.h"
@@ -23,7 +23,7 @@
 enum { MOST_FRAMES = 7200, HEADER = 44 };
 
 /* Returns the tape's samples (malloc); NULL: out of memory. */
-static int16_t *samples_of(const struct tape *t)
+static int16_t *samples_of(const struct wav_writer *t)
 {
     int16_t *lr = malloc((size_t)t->frames * 4 + 1);
 
@@ -33,11 +33,11 @@ static int16_t *samples_of(const struct tape *t)
 }
 
 /* Records at most `most` frames onto the tape. */
-static void record(struct board *b, struct tape *t, const char *name, int most)
+static void record(struct board *b, struct wav_writer *t, const char *name, int most)
 {
     board_jukebox_play(b, name);
     for (int i = 0; i < most && board_jukebox_tick(b); i++)
-        tape_add(t, b);
+        wav_writer_add(t, b);
 }
 
 /* Prints the length and loudness; endless music is played through once. */
@@ -46,21 +46,21 @@ static bool print_measured(struct board *b, const struct board_tune *t)
     const struct tune tune = tune_of(t->data);
     const struct tune_time time = tune_time(&tune);
     const int most = time.loop > 0 ? (int)(time.all * 60) + 1 : MOST_FRAMES;
-    struct tape tape;
+    struct wav_writer wav;
     int16_t *lr = NULL;
 
-    if (tape_open(&tape)) {
-        record(b, &tape, t->name, most < MOST_FRAMES ? most : MOST_FRAMES);
-        lr = samples_of(&tape);
+    if (wav_writer_open(&wav)) {
+        record(b, &wav, t->name, most < MOST_FRAMES ? most : MOST_FRAMES);
+        lr = samples_of(&wav);
     }
     if (lr) {
-        report_print("%.2f s", time.loop > 0 ? time.all : tape.frames / 48000.0);
+        report_print("%.2f s", time.loop > 0 ? time.all : wav.frames / 48000.0);
         if (time.loop > 0)
             report_print(", loop %.2f s", time.loop);
-        report_print(", peak %.1f dB, %.1f LUFS", loudness_peak(lr, tape.frames), loudness(lr, tape.frames));
+        report_print(", peak %.1f dB, %.1f LUFS", loudness_peak(lr, wav.frames), loudness(lr, wav.frames));
     }
     free(lr);
-    tape_close(&tape);
+    wav_writer_close(&wav);
     return lr != NULL;
 }
 
@@ -82,7 +82,7 @@ static enum result list(void *block, const struct rom *rom)
     return RESULT_DONE;
 }
 
-static bool print_level(const char *name, const struct tape *t)
+static bool print_level(const char *name, const struct wav_writer *t)
 {
     int16_t *lr = samples_of(t);
 
@@ -128,20 +128,20 @@ static enum result print_notes(const struct board *b, const struct rom *rom, con
 static enum result measure(struct board *b, const struct args *a)
 {
     const char *out = a->out ? a->out : a->wav;
-    struct tape t;
+    struct wav_writer t;
     char err[1200];
     bool good = true;
 
-    if (!tape_open(&t)) {
-        tape_close(&t);
+    if (!wav_writer_open(&t)) {
+        wav_writer_close(&t);
         return report_line(RESULT_HOST_FAILED, "out of memory");
     }
     record(b, &t, a->words[1], MOST_FRAMES);
     if (!print_level(a->words[1], &t))
         good = result_set_host_error(err, sizeof err, "out of memory");
     if (good && out)
-        good = tape_save(&t, out, err, sizeof err);
-    tape_close(&t);
+        good = wav_writer_save(&t, out, err, sizeof err);
+    wav_writer_close(&t);
     return good ? RESULT_DONE : report_line(RESULT_HOST_FAILED, "%s", err);
 }
 

@@ -1,7 +1,7 @@
 /*
- * tape.c - records sound (tape.h).
+ * wav_writer.c - records sound (wav_writer.h).
  */
-#include "tape.h"
+#include "wav_writer.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -12,23 +12,23 @@
 
 enum { WAVE_HEADER = 44, WAVE_RATE = 48000 };
 
-bool tape_open(struct tape *t)
+bool wav_writer_open(struct wav_writer *t)
 {
-    *t = (struct tape){ .tables = malloc(board_sound_tables_size()) };
+    *t = (struct wav_writer){ .tables = malloc(board_sound_tables_size()) };
     if (!t->tables || !byte_buffer_take(&t->file, WAVE_HEADER))
         return false;
     board_sound_init_tables(t->tables);
     return true;
 }
 
-void tape_close(struct tape *t)
+void wav_writer_close(struct wav_writer *t)
 {
     free(t->tables);
     byte_buffer_close(&t->file);
-    *t = (struct tape){ 0 };
+    *t = (struct wav_writer){ 0 };
 }
 
-void tape_add(struct tape *t, const struct board *b)
+void wav_writer_add(struct wav_writer *t, const struct board *b)
 {
     int16_t sound[2 * BOARD_SOUND_FRAMES];
     uint8_t *out = byte_buffer_take(&t->file, sizeof sound);
@@ -41,7 +41,7 @@ void tape_add(struct tape *t, const struct board *b)
     t->frames += BOARD_SOUND_FRAMES;
 }
 
-/* For two channels of 16 bits. */
+/* Writes the header of a file with two channels of 16 bits. */
 static void wave_header(uint8_t out[WAVE_HEADER], uint32_t frames)
 {
     memcpy(out, "RIFF....WAVEfmt ", 16);
@@ -57,16 +57,16 @@ static void wave_header(uint8_t out[WAVE_HEADER], uint32_t frames)
     bytes_put32(out + 40, 4 * frames);
 }
 
-bool tape_end(struct tape *t)
+bool wav_writer_end(struct wav_writer *t)
 {
     if (!t->file.failed)
         wave_header(t->file.bytes, t->frames);
     return !t->file.failed;
 }
 
-bool tape_save(struct tape *t, const char *path, char *err, size_t err_size)
+bool wav_writer_save(struct wav_writer *t, const char *path, char *err, size_t err_size)
 {
-    if (!tape_end(t))
+    if (!wav_writer_end(t))
         return result_set_host_error(err, err_size, "%s: out of memory", path);
     return files_save(path, t->file.bytes, t->file.n, err, err_size);
 }
