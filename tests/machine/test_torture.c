@@ -7,13 +7,13 @@
 #include "rig.h"
 
 static void *tables; /* of board_mix_sound */
-static struct shade_kept shades;
+static struct shade_cache shades;
 
 /* The picture, by a view that the frame picks, and the samples of a game that has any, as one number. */
 static uint64_t seen_and_heard(struct rig *r)
 {
     const uint32_t any = board_frame(r->b) * 2654435769u >> 16;
-    const struct view view = rig_view((int)(any % RIG_VIEWS), shade_for(&shades, &r->game->cart));
+    const struct view view = rig_view((int)(any % RIG_VIEWS), shade_get_tables(&shades, &r->game->cart));
     int16_t sound[2 * BOARD_SOUND_FRAMES];
 
     if (!tables) {

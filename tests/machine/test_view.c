@@ -7,7 +7,7 @@
 #include "../../src/player/picture/shade.h"
 #include "rig.h"
 
-static struct shade_kept kept;
+static struct shade_cache kept;
 
 struct picture {
     int w, h;
@@ -56,7 +56,7 @@ static void coloured(const struct rig *r, const struct picture *plain, const str
 static void all_views(struct rig *r)
 {
     static struct picture plain, ever;
-    const uint8_t *shades = shade_for(&kept, &r->game->cart);
+    const uint8_t *shades = shade_get_tables(&kept, &r->game->cart);
     const uint64_t before = hash_bytes(HASH_START, r->ram, r->ram_size);
 
     draw(r, NULL, &plain);
@@ -90,7 +90,7 @@ static void dims(struct rig *r)
     static struct picture plain, a, b, dimmed;
     static uint8_t one[CART_SHADES_SIZE], other[CART_SHADES_SIZE];
     const struct manifest *m = &r->b->cart.manifest;
-    const uint8_t **at = shades_at(r->b), *made = *at, *shades = made ? made : shade_for(&kept, &r->game->cart);
+    const uint8_t **at = shades_at(r->b), *made = *at, *shades = made ? made : shade_get_tables(&kept, &r->game->cart);
     struct view view = { .dim = VIEW_DIM_QUARTER, .shades = one };
 
     if (screen_get_dim(&r->b->screen, r->b->core.frame)) /* it moves entries */
@@ -329,8 +329,8 @@ static void test_older(void **state)
     rig_run(&r, 200);
     rig_run(&r_old, 200);
     for (int i = 0; i < RIG_VIEWS; i++) {
-        const struct view view = rig_view(i, shade_for(&kept, &g.cart)),
-                          older = rig_view(i, shade_for(&kept, &old.cart));
+        const struct view view = rig_view(i, shade_get_tables(&kept, &g.cart)),
+                          older = rig_view(i, shade_get_tables(&kept, &old.cart));
         assert_true(!view.shades && older.shades);
         draw(&r, &view, &has);
         draw(&r_old, &older, &had);

@@ -8,7 +8,7 @@
 #include <cmocka.h>
 #include "../../src/board/board.h"
 #include "../../src/player/settings/config.h"
-#include "../../src/player/picture/quarter.h"
+#include "../../src/player/picture/rotation.h"
 
 static char err[256];
 static int lines;
@@ -225,15 +225,15 @@ static void settings_of_the_window(void **state)
     struct config c;
     (void)state;
     config_defaults(&c);
-    assert_true(c.turn == QUARTER_NONE && c.scaling == SCALING_WHOLE && c.panels == PANELS_OVER);
+    assert_true(c.rotation == ROTATION_NONE && c.scaling == SCALING_INTEGER && c.panels == PANELS_OVER);
     assert_true(!c.crt && c.border && c.vsync && !c.run_ahead);
     assert_true(config_read(&c, "x.conf", text, sizeof text - 1, err, sizeof err));
-    assert_true(c.turn == QUARTER_OVER && c.scaling == SCALING_SMOOTH && c.panels == PANELS_BESIDE);
+    assert_true(c.rotation == ROTATION_180 && c.scaling == SCALING_SMOOTH && c.panels == PANELS_BESIDE);
     assert_true(c.crt && !c.border && !c.vsync && c.run_ahead);
     assert_true(config_read(&c, "x.conf", "turn = left", 11, err, sizeof err));
-    assert_int_equal(c.turn, QUARTER_LEFT);
+    assert_int_equal(c.rotation, ROTATION_LEFT);
     assert_true(config_read(&c, "x.conf", "turn = right", 12, err, sizeof err));
-    assert_int_equal(c.turn, QUARTER_RIGHT);
+    assert_int_equal(c.rotation, ROTATION_RIGHT);
 }
 
 static void bad_settings(void **state)

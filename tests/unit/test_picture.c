@@ -32,21 +32,21 @@ static void test_to_and_fro(void **state)
 {
     (void)state;
     draw();
-    for (enum quarter t = QUARTER_NONE; t < QUARTERS; t++) {
-        uint8_t turned[W * H], back[W * H];
+    for (enum rotation t = ROTATION_NONE; t < ROTATIONS; t++) {
+        uint8_t rotated[W * H], back[W * H];
         int w = W, h = H;
-        quarter_size(t, &w, &h);
-        quarter_picture(t, pix, W, W, H, turned, w);
-        quarter_picture(quarter_back(t), turned, w, w, h, back, W);
+        rotation_size(t, &w, &h);
+        rotation_picture(t, pix, W, W, H, rotated, w);
+        rotation_picture(rotation_inverse(t), rotated, w, w, h, back, W);
         assert_memory_equal(back, pix, sizeof pix);
         for (int y = 0; y < H; y++)
             for (int x = 0; x < W; x++) {
                 int tx = x, ty = y;
-                quarter_point(t, W, H, &tx, &ty);
+                rotation_point(t, W, H, &tx, &ty);
                 assert_in_range(tx, 0, w - 1);
                 assert_in_range(ty, 0, h - 1);
-                assert_int_equal(turned[ty * w + tx], pix[y * W + x]);
-                quarter_point(quarter_back(t), w, h, &tx, &ty);
+                assert_int_equal(rotated[ty * w + tx], pix[y * W + x]);
+                rotation_point(rotation_inverse(t), w, h, &tx, &ty);
                 assert_true(tx == x && ty == y);
             }
     }
@@ -59,14 +59,14 @@ static void test_which_way(void **state)
     struct area a;
 
     (void)state;
-    quarter_point(QUARTER_LEFT, W, H, &x, &y);
+    rotation_point(ROTATION_LEFT, W, H, &x, &y);
     assert_true(x == 0 && y == 0);
     x = 0, y = 0;
-    quarter_point(QUARTER_RIGHT, W, H, &x, &y);
+    rotation_point(ROTATION_RIGHT, W, H, &x, &y);
     assert_true(x == H - 1 && y == 0);
-    a = quarter_area(QUARTER_LEFT, W, H, (struct area){ 1, 2, 3, 4 });
+    a = rotation_area(ROTATION_LEFT, W, H, (struct area){ 1, 2, 3, 4 });
     assert_true(a.x == 2 && a.y == W - 4 && a.w == 4 && a.h == 3);
-    a = quarter_area(QUARTER_OVER, W, H, (struct area){ 1, 2, 3, 4 });
+    a = rotation_area(ROTATION_180, W, H, (struct area){ 1, 2, 3, 4 });
     assert_true(a.x == W - 4 && a.y == H - 6 && a.w == 3 && a.h == 4);
 }
 
@@ -76,9 +76,9 @@ static const int windows[][2] = { { 24, 40 }, { 40, 24 },   { 97, 131 },   { 131
                                   { 300, 7 }, { 640, 480 }, { 1280, 721 }, { 23, 39 },  { 1201, 333 }, { 73, 121 } };
 enum { WINDOWS = sizeof windows / sizeof *windows };
 
-static struct place_want want_place(int i, enum quarter t, bool smooth, bool beside)
+static struct place_options want_place(int i, enum rotation t, bool smooth, bool side_panel)
 {
-    return (struct place_want){ windows[i][0], windows[i][1], W, H, t, smooth, beside };
+    return (struct place_options){ windows[i][0], windows[i][1], W, H, t, smooth, side_panel };
 }
 
 /* Every pixel of a window is one of the picture's or none, and neighbours there are the same or neighbours here. */
@@ -86,48 +86,48 @@ static void test_points(void **state)
 {
     (void)state;
     for (int i = 0; i < WINDOWS; i++)
-        for (int t = 0; t < 2 * QUARTERS; t++) {
-            const struct place_want want = want_place(i, (enum quarter)(t / 2), t % 2, false);
-            const struct placed p = place(&want);
+        for (int t = 0; t < 2 * ROTATIONS; t++) {
+            const struct place_options options = want_place(i, (enum rotation)(t / 2), t % 2, false);
+            const struct placed p = place(&options);
             int64_t inside = 0, most = (int64_t)p.picture.w * p.picture.h;
-            for (int y = 0; y < want.window_h; y++)
-                for (int x = 0; x < want.window_w; x++) {
+            for (int y = 0; y < options.window_h; y++)
+                for (int x = 0; x < options.window_w; x++) {
                     int px = x, py = y;
-                    if (!place_point(&want, &p, &px, &py))
+                    if (!place_to_picture(&options, &p, &px, &py))
                         continue;
                     assert_in_range(px, 0, W - 1);
                     assert_in_range(py, 0, H - 1);
                     inside++;
                 }
             assert_true(inside > 0 && inside <= most);
-            if (want.window_w >= p.picture.w && want.window_h >= p.picture.h)
+            if (options.window_w >= p.picture.w && options.window_h >= p.picture.h)
                 assert_true(inside == most);
         }
 }
 
 static void test_places(void **state)
 {
-    struct place_want want = { 640, 480, 240, 320, QUARTER_NONE, false, false };
-    struct placed p = place(&want);
+    struct place_options options = { 640, 480, 240, 320, ROTATION_NONE, false, false };
+    struct placed p = place(&options);
 
     (void)state;
     assert_true(p.picture.x == 200 && p.picture.y == 80 && p.picture.w == 240 && p.picture.h == 320 && !p.side.w);
-    want.turn = QUARTER_LEFT;
-    p = place(&want);
+    options.rotation = ROTATION_LEFT;
+    p = place(&options);
     assert_true(p.picture.x == 0 && p.picture.y == 0 && p.picture.w == 640 && p.picture.h == 480);
-    want.turn = QUARTER_NONE;
-    want.smooth = true;
-    p = place(&want);
+    options.rotation = ROTATION_NONE;
+    options.smooth = true;
+    p = place(&options);
     assert_true(p.picture.x == 140 && p.picture.y == 0 && p.picture.w == 360 && p.picture.h == 480);
-    want = (struct place_want){ 1920, 1080, 320, 240, QUARTER_NONE, false, true };
-    p = place(&want);
+    options = (struct place_options){ 1920, 1080, 320, 240, ROTATION_NONE, false, true };
+    p = place(&options);
     assert_true(p.picture.x == 320 && p.picture.w == 1280 && p.side_scale == 2 && p.side_w == 160);
     assert_true(p.side.x == 1600 && p.side.y == 0 && p.side.w == 320 && p.side.h == 1080 && p.side_h == 540);
-    want.turn = QUARTER_OVER; /* to the right of it for who stands on the head */
-    p = place(&want);
+    options.rotation = ROTATION_180; /* to the right of it for who stands on the head */
+    p = place(&options);
     assert_true(p.side.x == 0 && p.side.w == 320);
-    want = (struct place_want){ 1280, 1024, 320, 240, QUARTER_NONE, false, true };
-    p = place(&want);
+    options = (struct place_options){ 1280, 1024, 320, 240, ROTATION_NONE, false, true };
+    p = place(&options);
     assert_int_equal(p.side.w, 0);
 }
 
@@ -257,7 +257,7 @@ static void test_border(void **state)
     draw_art();
     assert_true(border_open(&b, art, BW, BH, err, sizeof err));
     assert_true(b.hole.x == 12 && b.hole.y == 4 && b.hole.w == 8 && b.hole.h == 10);
-    border_paint(&b, out, 100, 80, (struct area){ 30, 20, 32, 40 }, QUARTER_NONE);
+    border_paint(&b, out, 100, 80, (struct area){ 30, 20, 32, 40 }, ROTATION_NONE);
     assert_int_equal(out[0], 0xFF0000);
     assert_int_equal(out[50 * 100 + 29], 0xFF0000);
     assert_int_equal(out[50 * 100 + 62], 0x00FF00);
@@ -265,7 +265,7 @@ static void test_border(void **state)
     assert_int_equal(out[60 * 100 + 40], 0x0000FF);
     assert_int_equal(out[30 * 100 + 40], 0); /* the hole */
     assert_int_equal(out[79 * 100 + 99], 0x00FF00);
-    border_paint(&b, out, 100, 80, (struct area){ 30, 20, 40, 32 }, QUARTER_LEFT); /* its top is at the left */
+    border_paint(&b, out, 100, 80, (struct area){ 30, 20, 40, 32 }, ROTATION_LEFT); /* its top is at the left */
     assert_int_equal(out[40 * 100 + 29], 0x0000FF);
     assert_int_equal(out[79 * 100 + 50], 0xFF0000);
     assert_int_equal(out[0 * 100 + 50], 0x00FF00);
@@ -287,7 +287,7 @@ static void test_border_as_it_is(void **state)
     for (int y = 4; y < 14; y++)
         memset(art + 4 * (y * BW + 12), 0, 4 * 8);
     assert_true(border_open(&b, art, BW, BH, err, sizeof err));
-    border_paint(&b, out, BW, BH, b.hole, QUARTER_NONE);
+    border_paint(&b, out, BW, BH, b.hole, ROTATION_NONE);
     for (int i = 0; i < BW * BH; i++)
         assert_int_equal(out[i], (uint32_t)art[4 * i] << 16 | (uint32_t)art[4 * i + 1] << 8 | art[4 * i + 2]);
 }
@@ -300,16 +300,16 @@ static void test_whole(void **state)
     (void)state;
     draw();
     for (int i = 0; i < WINDOWS; i++)
-        for (enum quarter t = QUARTER_NONE; t < QUARTERS; t++) {
+        for (enum rotation t = ROTATION_NONE; t < ROTATIONS; t++) {
             struct compose c = { 0 };
-            const struct compose_want want = { .place = want_place(i, t, false, false) };
-            assert_true(compose_fit(&c, &want));
+            const struct compose_options options = { .place = want_place(i, t, false, false) };
+            assert_true(compose_prepare(&c, &options));
             assert_true(c.w == windows[i][0] && c.h == windows[i][1]);
             compose_picture(&c, pix, W, rgb);
             for (int y = 0; y < c.h; y++)
                 for (int x = 0; x < c.w; x++) {
                     int px = x, py = y;
-                    const bool on = compose_point(&c, &px, &py);
+                    const bool on = compose_to_picture(&c, &px, &py);
                     assert_int_equal(c.pixels[y * c.w + x], on ? rgb[pix[py * W + px]] : 0);
                 }
             compose_close(&c);
@@ -329,10 +329,10 @@ static void test_all(void **state)
     assert_true(border_open(&b, art, BW, BH, err, sizeof err));
     for (int i = 0; i < WINDOWS; i++)
         for (int n = 0; n < 32; n++) {
-            const struct compose_want want = { .place = want_place(i, (enum quarter)(n % 4), n & 4, true),
-                                               .crt = n & 8,
-                                               .border = n & 16 ? &b : NULL };
-            assert_true(compose_fit(&c, &want));
+            const struct compose_options options = { .place = want_place(i, (enum rotation)(n % 4), n & 4, true),
+                                                     .crt = n & 8,
+                                                     .border = n & 16 ? &b : NULL };
+            assert_true(compose_prepare(&c, &options));
             uint32_t *before = malloc((size_t)(c.w * c.h) * sizeof *before);
             compose_picture(&c, pix, W, rgb);
             memcpy(before, c.pixels, (size_t)(c.w * c.h) * sizeof *before);
@@ -351,17 +351,17 @@ static void test_all(void **state)
 static void test_side(void **state)
 {
     struct compose c = { 0 };
-    const struct compose_want want = { .place = { 1201, 333, W, H, QUARTER_LEFT, false, true } };
+    const struct compose_options options = { .place = { 1201, 333, W, H, ROTATION_LEFT, false, true } };
     static uint8_t side[1201 * 333];
 
     (void)state;
     draw();
-    assert_true(compose_fit(&c, &want));
+    assert_true(compose_prepare(&c, &options));
     assert_int_equal(c.placed.side.w, 0); /* for who looks at it the window is narrow */
-    struct compose_want wide = want;
-    wide.place.turn = QUARTER_NONE;
-    assert_true(compose_fit(&c, &wide));
-    assert_true(c.placed.side.w >= PLACE_SIDE);
+    struct compose_options wide = options;
+    wide.place.rotation = ROTATION_NONE;
+    assert_true(compose_prepare(&c, &wide));
+    assert_true(c.placed.side.w >= PLACE_MIN_SIDE_WIDTH);
     memset(side, 9, sizeof side);
     side[0] = 17;
     compose_picture(&c, pix, W, rgb);
@@ -375,14 +375,14 @@ static void test_side(void **state)
 static void test_large(void **state)
 {
     struct compose c = { 0 };
-    const struct compose_want want = { .place = { 3840, 2160, W, H, QUARTER_NONE, true, false }, .crt = true };
+    const struct compose_options options = { .place = { 3840, 2160, W, H, ROTATION_NONE, true, false }, .crt = true };
     int x = 960, y = 540;
 
     (void)state;
-    assert_true(compose_fit(&c, &want));
+    assert_true(compose_prepare(&c, &options));
     assert_true(c.w == 1920 && c.h == 1080);
     compose_picture(&c, pix, W, rgb);
-    assert_true(compose_point(&c, &x, &y));
+    assert_true(compose_to_picture(&c, &x, &y));
     assert_true(x == W / 2 && y == H / 2);
     compose_close(&c);
 }

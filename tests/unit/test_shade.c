@@ -94,7 +94,7 @@ static void test_kept(void **state)
 {
     static uint8_t manifest[MANIFEST_BYTES], bytes[8192], want[CART_SHADES_SIZE];
     uint8_t rgb[CART_PALETTE_SIZE];
-    struct shade_kept kept = { 0 };
+    struct shade_cache kept = { 0 };
     struct cart cart;
     struct manifest m;
     struct rom rom;
@@ -116,12 +116,12 @@ static void test_kept(void **state)
         assert_true(rom_open(&rom, bytes, rom_write_size(lumps, n), err, sizeof err));
         assert_true(cart_open(&cart, &rom, err, sizeof err));
         assert_int_equal(cart.main_tables.shades != NULL, with == 2);
-        const uint8_t *got = shade_for(&kept, &cart);
+        const uint8_t *got = shade_get_tables(&kept, &cart);
         assert_ptr_equal(got, with == 2 ? NULL : kept.tables);
         shade_make(rgb, want);
         assert_true(with == 2 || memcmp(got, want, CART_SHADES_SIZE) == 0);
         kept.tables[5] ^= (uint8_t)(with == 0);
-        assert_true(with > 0 || shade_for(&kept, &cart)[5] == (want[5] ^ 1)); /* not made again */
+        assert_true(with > 0 || shade_get_tables(&kept, &cart)[5] == (want[5] ^ 1)); /* not made again */
     }
 }
 

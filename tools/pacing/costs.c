@@ -38,7 +38,7 @@ static double median(double *v, int n)
 
 /* ---- a window ---- */
 
-static const char *composing(int w, int h, const struct compose_want *want)
+static const char *composing(int w, int h, const struct compose_options *options)
 {
     static uint8_t pix[1024 * 1024];
     uint32_t rgb[256];
@@ -49,7 +49,7 @@ static const char *composing(int w, int h, const struct compose_want *want)
         pix[i] = (uint8_t)(i * 7 + i / w * 13);
     for (uint32_t i = 0; i < 256; i++)
         rgb[i] = i * 0x9E3779 & 0xFFFFFF;
-    if (!compose_fit(&c, want))
+    if (!compose_prepare(&c, options))
         report_fail("out of memory");
     for (int i = 0; i < TIMES; i++) {
         const double from = now_us();
@@ -70,16 +70,16 @@ static void windows(void)
     for (int p = 0; p < 3; p++)
         for (int s = 0; s < 3; s++) {
             const int w = pictures[p][0], h = pictures[p][1];
-            const struct place_want plain = { sizes[s][0], sizes[s][1], w, h, QUARTER_NONE, false, false };
-            struct place_want smooth = plain, turned = plain, all = plain;
+            const struct place_options plain = { sizes[s][0], sizes[s][1], w, h, ROTATION_NONE, false, false };
+            struct place_options smooth = plain, rotated = plain, all = plain;
             smooth.smooth = all.smooth = true;
-            turned.turn = all.turn = QUARTER_LEFT;
+            rotated.rotation = all.rotation = ROTATION_LEFT;
             report_row(false, report_string("%d x %d", w, h), report_string("%d x %d", sizes[s][0], sizes[s][1]),
-                       composing(w, h, &(struct compose_want){ turned, false, NULL }),
-                       composing(w, h, &(struct compose_want){ smooth, false, NULL }),
-                       composing(w, h, &(struct compose_want){ plain, true, NULL }),
-                       composing(w, h, &(struct compose_want){ smooth, true, NULL }),
-                       composing(w, h, &(struct compose_want){ all, true, NULL }), NULL);
+                       composing(w, h, &(struct compose_options){ rotated, false, NULL }),
+                       composing(w, h, &(struct compose_options){ smooth, false, NULL }),
+                       composing(w, h, &(struct compose_options){ plain, true, NULL }),
+                       composing(w, h, &(struct compose_options){ smooth, true, NULL }),
+                       composing(w, h, &(struct compose_options){ all, true, NULL }), NULL);
         }
     report_table_end();
 }

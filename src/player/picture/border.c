@@ -31,8 +31,9 @@ bool border_open(struct border *b, const uint8_t *rgba, int w, int h, char *err,
     return err_set(err, err_size, "the border has no hole; make the area of the game's picture fully transparent");
 }
 
-/* Along one axis: returns the art's pixel at the point p, in units of 1 / SAMPLES window pixels. from, size: the
- * picture in the window; hole, hole_size: the hole in the art, which has n pixels. */
+/* Returns the art's pixel along one axis, at the point p in units of 1 / SAMPLES window pixels. from, size: the picture
+ * in the window; hole, hole_size: the hole in the art, which has n pixels. Beside the hole, the art has the hole's
+ * scale, or is stretched to the window's edge if it would not reach it. */
 static int art_at(int64_t p, int64_t from, int64_t size, int64_t hole, int64_t hole_size, int64_t window, int64_t n)
 {
     const int64_t at = 2 * p + 1, unit = 2 * SAMPLES; /* so that the middle of a point is an integer */
@@ -41,8 +42,7 @@ static int art_at(int64_t p, int64_t from, int64_t size, int64_t hole, int64_t h
     if (at >= from * unit && at < (from + size) * unit)
         return (int)(hole + (at - from * unit) * hole_size / (size * unit));
     if (at < from * unit) {
-        const int64_t away =
-            from * unit - at; /* the art is size / hole_size as large, or as large as the margin asks */
+        const int64_t away = from * unit - at;
         const bool reaches = hole * size >= left * hole_size;
         const int64_t back = reaches ? away * hole_size / (size * unit) : away * hole / (left * unit);
         return (int)int64_clamp(hole - 1 - back, 0, n - 1);
@@ -53,7 +53,7 @@ static int art_at(int64_t p, int64_t from, int64_t size, int64_t hole, int64_t h
     return (int)int64_clamp(hole + hole_size + on, 0, n - 1);
 }
 
-static uint32_t mean(const struct border *b, const int *columns, const int *rows)
+static uint32_t mean_colour(const struct border *b, const int *columns, const int *rows)
 {
     uint32_t sum[3] = { 0 };
 
@@ -68,26 +68,26 @@ static uint32_t mean(const struct border *b, const int *columns, const int *rows
     return sum[0] << 16 | sum[1] << 8 | sum[2];
 }
 
-static void paint(const struct border *b, uint32_t *out, int w, int h, const int *columns, const int *rows,
-                  enum quarter turn)
+static void paint_rotated(const struct border *b, uint32_t *out, int w, int h, const int *columns, const int *rows,
+                          enum rotation rotation)
 {
-    int pitch = w, turned_h = h;
+    int pitch = w, rotated_h = h;
 
-    quarter_size(turn, &pitch, &turned_h);
+    rotation_size(rotation, &pitch, &rotated_h);
     for (int y = 0; y < h; y++)
         for (int x = 0; x < w; x++) {
             int tx = x, ty = y;
-            quarter_point(turn, w, h, &tx, &ty);
-            out[(size_t)ty * (size_t)pitch + (size_t)tx] = mean(b, columns + x * SAMPLES, rows + y * SAMPLES);
+            rotation_point(rotation, w, h, &tx, &ty);
+            out[(size_t)ty * (size_t)pitch + (size_t)tx] = mean_colour(b, columns + x * SAMPLES, rows + y * SAMPLES);
         }
 }
 
-void border_paint(const struct border *b, uint32_t *out, int w, int h, struct area picture, enum quarter turn)
+void border_paint(const struct border *b, uint32_t *out, int w, int h, struct area picture, enum rotation rotation)
 {
-    const struct area p = quarter_area(quarter_back(turn), w, h, picture), *hole = &b->hole;
+    const struct area p = rotation_area(rotation_inverse(rotation), w, h, picture), *hole = &b->hole;
 
     memset(out, 0, (size_t)w * (size_t)h * sizeof *out);
-    quarter_size(turn, &w, &h); /* from here on as the player sees it */
+    rotation_size(rotation, &w, &h); /* from here on as the player sees it */
     int *points = b->rgba ? malloc((size_t)(w + h) * SAMPLES * sizeof *points) : NULL;
     if (!points)
         return;
@@ -95,6 +95,6 @@ void border_paint(const struct border *b, uint32_t *out, int w, int h, struct ar
         points[i] = art_at(i, p.x, p.w, hole->x, hole->w, w, b->w);
     for (int i = 0; i < h * SAMPLES; i++)
         points[w * SAMPLES + i] = art_at(i, p.y, p.h, hole->y, hole->h, h, b->h);
-    paint(b, out, w, h, points, points + w * SAMPLES, turn);
+    paint_rotated(b, out, w, h, points, points + w * SAMPLES, rotation);
     free(points);
 }

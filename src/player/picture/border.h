@@ -11,11 +11,11 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
-#include "quarter.h"
+#include "rotation.h"
 
 #define BORDER_LUMP "border" /* a lump that contains a PNG file */
 
-enum { BORDER_BYTES = 16 << 20 /* most bytes of that file */ };
+enum { BORDER_MAX_BYTES = 16 << 20 /* most bytes of that file */ };
 
 struct border {
     const uint8_t *rgba; /* 4 bytes per pixel, rows without padding; NULL: black */
@@ -27,6 +27,6 @@ struct border {
 bool border_open(struct border *b, const uint8_t *rgba, int w, int h, char *err, size_t err_size);
 
 /* Fills a whole window of w x h pixels, 0xRRGGBB. picture: the area of the hole, after rotation. */
-void border_paint(const struct border *b, uint32_t *out, int w, int h, struct area picture, enum quarter turn);
+void border_paint(const struct border *b, uint32_t *out, int w, int h, struct area picture, enum rotation rotation);
 
 #endif

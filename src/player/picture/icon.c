@@ -15,21 +15,21 @@ struct rgba {
     int w, h;
 };
 
-static bool fits(int w, int h, char *err, size_t err_size)
+static bool check_side(int w, int h, char *err, size_t err_size)
 {
     const int most = w > h ? w : h;
 
-    if (most >= ICON_LEAST && most <= ICON_MOST)
+    if (most >= ICON_MIN_SIDE && most <= ICON_MAX_SIDE)
         return true;
-    return err_set(err, err_size, "expected an icon whose longer side is %d to %d px, got %d x %d", ICON_LEAST,
-                   ICON_MOST, w, h);
+    return err_set(err, err_size, "expected an icon whose longer side is %d to %d px, got %d x %d", ICON_MIN_SIDE,
+                   ICON_MAX_SIDE, w, h);
 }
 
 static bool read_png(const uint8_t *png, size_t size, struct rgba *out, char *err, size_t err_size)
 {
     if (!png_read(png, size, &out->pix, &out->w, &out->h, err, err_size))
         return false;
-    if (fits(out->w, out->h, err, err_size))
+    if (check_side(out->w, out->h, err, err_size))
         return true;
     free(out->pix);
     return false;
@@ -83,19 +83,19 @@ static bool read_icon(const struct cart *cart, struct rgba *out)
     return read_sprite(cart, &lump, out);
 }
 
-uint8_t *icon_make(const struct cart *cart, int least, int *side)
+uint8_t *icon_make(const struct cart *cart, int min_side, int *side)
 {
     struct rgba p;
 
     if (!read_icon(cart, &p))
         return NULL;
-    const int longer = p.w > p.h ? p.w : p.h, times = longer >= least ? 1 : (least + longer - 1) / longer;
-    const int left = (longer - p.w) * times / 2, top = (longer - p.h) * times / 2;
-    *side = longer * times;
+    const int longer = p.w > p.h ? p.w : p.h, scale = longer >= min_side ? 1 : (min_side + longer - 1) / longer;
+    const int left = (longer - p.w) * scale / 2, top = (longer - p.h) * scale / 2;
+    *side = longer * scale;
     uint8_t *out = calloc((size_t)*side * (size_t)*side, 4);
-    for (int y = 0; out && y < p.h * times; y++)
-        for (int x = 0; x < p.w * times; x++)
-            memcpy(out + 4 * ((y + top) * *side + x + left), p.pix + 4 * (y / times * p.w + x / times), 4);
+    for (int y = 0; out && y < p.h * scale; y++)
+        for (int x = 0; x < p.w * scale; x++)
+            memcpy(out + 4 * ((y + top) * *side + x + left), p.pix + 4 * (y / scale * p.w + x / scale), 4);
     free(p.pix);
     return out;
 }
@@ -129,7 +129,7 @@ uint8_t *icon_fit(const struct cart *cart, int side)
 void icon_show(const struct cart *cart)
 {
     int side;
-    uint8_t *rgba = icon_make(cart, ICON_SHOWN, &side);
+    uint8_t *rgba = icon_make(cart, ICON_WINDOW_SIDE, &side);
 
     if (rgba)
         plat_set_icon(rgba, side, side);

@@ -5,16 +5,16 @@
 #define PLAYER_PLACE_H
 
 #include <stdbool.h>
-#include "quarter.h"
+#include "rotation.h"
 
-enum { PLACE_SIDE = 156 /* px: the least width of a side panel */ };
+enum { PLACE_MIN_SIDE_WIDTH = 156 /* px of the side panel */ };
 
-struct place_want {
+struct place_options {
     int window_w, window_h; /* pixels, at least 1 */
     int w, h;               /* of the picture, before rotation */
-    enum quarter turn;
-    bool smooth; /* fill the window; otherwise scale by an integer, by 1 even if the window is too small */
-    bool beside; /* a side panel is allowed */
+    enum rotation rotation;
+    bool smooth;     /* fill the window; otherwise scale by an integer, by 1 even if the window is too small */
+    bool side_panel; /* show a side panel if it fits */
 };
 
 /* Areas are in window pixels, after rotation. With integer scaling, an area may extend beyond the window. */
@@ -25,9 +25,9 @@ struct placed {
     int side_w, side_h; /* pixels of the panel, before rotation */
 };
 
-struct placed place(const struct place_want *want);
+struct placed place(const struct place_options *options);
 
 /* Converts a window pixel to a pixel of the picture before rotation. Returns false outside the picture. */
-bool place_point(const struct place_want *want, const struct placed *placed, int *x, int *y);
+bool place_to_picture(const struct place_options *options, const struct placed *placed, int *x, int *y);
 
 #endif

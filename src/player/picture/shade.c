@@ -1,5 +1,5 @@
 /*
- * shade.c - see shade.h.
+ * shade.c - finds darker palette entries (shade.h).
  */
 #include "shade.h"
 
@@ -10,7 +10,7 @@ static int brightness(const uint8_t c[3])
     return 2 * c[0] + 3 * c[1] + c[2];
 }
 
-/* Four times as far as a candidate is from c with `dim` quarters less, squared. */
+/* Returns the squared distance between a candidate and the colour c reduced by `dim` quarters, times 16. */
 static int distance(const uint8_t candidate[3], const uint8_t c[3], int dim)
 {
     int sum = 0;
@@ -27,41 +27,42 @@ static bool is_shown(int entry)
     return entry == 0 || entry % 16 != 0;
 }
 
-static uint8_t shade(const uint8_t *rgb, int entry, int dim, int before)
+static uint8_t find_shade(const uint8_t *rgb, int entry, int dim, int previous)
 {
     int best = -1, least = 0;
 
-    for (int k = 0; k < 256; k++) {
-        int d = distance(rgb + 3 * k, rgb + 3 * entry, dim);
-        if (!is_shown(k) || brightness(rgb + 3 * k) > brightness(rgb + 3 * before) || (best >= 0 && d >= least))
+    for (int candidate = 0; candidate < 256; candidate++) {
+        int d = distance(rgb + 3 * candidate, rgb + 3 * entry, dim);
+        if (!is_shown(candidate) || brightness(rgb + 3 * candidate) > brightness(rgb + 3 * previous) ||
+            (best >= 0 && d >= least))
             continue;
-        best = k;
+        best = candidate;
         least = d;
     }
-    return (uint8_t)(best >= 0 ? best : before);
+    return (uint8_t)(best >= 0 ? best : previous);
 }
 
 void shade_make(const uint8_t rgb[CART_PALETTE_SIZE], uint8_t tables[CART_SHADES_SIZE])
 {
     for (int i = 0; i < 256; i++) {
-        uint8_t before = (uint8_t)i;
+        uint8_t previous = (uint8_t)i;
         for (int dim = VIEW_DIM_QUARTER; dim < VIEW_DIMS; dim++) {
-            before = shade(rgb, i, dim, before);
-            tables[(dim - 1) * 256 + i] = before;
+            previous = find_shade(rgb, i, dim, previous);
+            tables[(dim - 1) * 256 + i] = previous;
         }
     }
 }
 
-const uint8_t *shade_for(struct shade_kept *k, const struct cart *cart)
+const uint8_t *shade_get_tables(struct shade_cache *cache, const struct cart *cart)
 {
     const uint8_t *palette = cart_palette(cart, "main");
 
     if (cart->main_tables.shades)
         return NULL;
-    if (!k->made || memcmp(k->of, palette, sizeof k->of) != 0) {
-        memcpy(k->of, palette, sizeof k->of);
-        shade_make(palette, k->tables);
-        k->made = true;
+    if (!cache->made || memcmp(cache->palette, palette, sizeof cache->palette) != 0) {
+        memcpy(cache->palette, palette, sizeof cache->palette);
+        shade_make(palette, cache->tables);
+        cache->made = true;
     }
-    return k->tables;
+    return cache->tables;
 }

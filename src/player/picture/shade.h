@@ -14,14 +14,13 @@
  * previous result. Brightness is 2 red + 3 green + blue. */
 void shade_make(const uint8_t rgb[CART_PALETTE_SIZE], uint8_t tables[CART_SHADES_SIZE]);
 
-/* Tables made for a game when it is shown; zero before the first use. */
-struct shade_kept {
+/* The tables of the last palette. Zero it before the first use. */
+struct shade_cache {
     bool made;
-    uint8_t of[CART_PALETTE_SIZE], tables[CART_SHADES_SIZE];
+    uint8_t palette[CART_PALETTE_SIZE], tables[CART_SHADES_SIZE];
 };
 
-/* Returns the tables for a view of an older ROM that has none, or NULL if the ROM has them. Makes them again only for
- * another palette. */
-const uint8_t *shade_for(struct shade_kept *k, const struct cart *cart);
+/* Returns the tables for a view of an older ROM that contains none, or NULL if the ROM contains them. */
+const uint8_t *shade_get_tables(struct shade_cache *cache, const struct cart *cart);
 
 #endif

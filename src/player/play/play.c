@@ -186,7 +186,7 @@ bool play_frame(struct play *play)
     save_regularly(play);
     overlay_add_time(&play->overlay, STEP_PROGRAM);
     draw_frame(play);
-    pace_worked(&play->pace, play->window.handed - now);
+    pace_worked(&play->pace, play->window.handed_over - now);
     overlay_add_time(&play->overlay, STEP_SHOW);
     overlay_end_frame(&play->overlay);
     return !play->quit;

@@ -57,7 +57,7 @@ void play_draw(struct play *play, struct picture *p)
     const struct view view = { .dim = (enum view_dim)c->dim,
                                .softens_flashes = c->flashes,
                                .colour_blind_mode = (enum colour_blind_mode)c->colours,
-                               .shades = c->dim ? shade_for(&p->shades, play_cart(play)) : NULL };
+                               .shades = c->dim ? shade_get_tables(&p->shades, play_cart(play)) : NULL };
     const struct board *b = drawable_board(play);
 
     if (b)

@@ -26,7 +26,7 @@ static void set_sound(struct play *play, bool muted, int volume)
         play_show_message(play, MESSAGE_FRAMES / 2, "Sound off");
     else
         play_show_message(play, MESSAGE_FRAMES / 2, "Volume %d%%", play->speaker.volume);
-    if (!muted && !play->window.want.sound_rate)
+    if (!muted && !play->window.config.sound_rate)
         play_update_window(play);
 }
 
@@ -133,7 +133,7 @@ static void console_keys(struct play *play, const struct plat_input *in, struct 
         play_check_recording(play, session_mark_touched(&play->session));
         practice_stop_counting(&play->practice);
     }
-    play_want_text(play, play->console.open);
+    play_set_text_input(play, play->console.open);
 }
 
 /* ---- the frame's input ---- */

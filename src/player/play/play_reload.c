@@ -69,7 +69,7 @@ void play_apply_rom(struct play *play)
         return;
     }
     if (w != m->screen_w || h != m->screen_h || strcmp(play->window.title, m->title) != 0 ||
-        play->window.want.sound_rate != play_sound_rate(play))
+        play->window.config.sound_rate != play_sound_rate(play))
         play_update_window(play);
 }
 

@@ -91,7 +91,7 @@ struct picture {
     void *memory;
     void *scratch;
     uint32_t rgb[256], composed_rgb[256];
-    struct shade_kept shades;
+    struct shade_cache shades;
 };
 
 struct drawing {
@@ -103,7 +103,7 @@ struct drawing {
 
 /* play_window.c: the window, and how the last picture was shown in it. */
 struct play_window {
-    struct plat_config want;
+    struct plat_config config;
     char title[sizeof((struct manifest *)0)->title];
     struct compose compose;
     struct border border; /* of the ROM; rgba NULL: it has none */
@@ -111,17 +111,17 @@ struct play_window {
     bool border_read;
     uint32_t border_crc; /* of the ROM whose border was read */
     bool has_icon;
-    uint32_t icon_crc;       /* of the ROM whose icon the window shows */
-    uint64_t handed;         /* usec: when the last picture was passed to the port */
-    int refresh;             /* thousandths of a Hz at which showing a picture returns; 0: it returns at once */
-    bool composes;           /* this picture will be composed */
-    bool cannot;             /* the port has no plat_paint, or there is no memory */
-    bool composed;           /* the last picture was composed */
-    enum quarter shown_turn; /* otherwise, how it was rotated */
-    int w, h;                /* its size before the rotation; 0: none was shown */
-    uint8_t *turned;         /* the rotated picture; malloc */
-    size_t turned_size;
-    struct fb side; /* beside the picture */
+    uint32_t icon_crc;            /* of the ROM whose icon the window shows */
+    uint64_t handed_over;         /* usec: when the last picture was passed to the port */
+    int refresh;                  /* thousandths of a Hz at which showing a picture returns; 0: it returns at once */
+    bool will_compose;            /* this picture will be composed */
+    bool cannot_compose;          /* the port has no plat_paint, or there is no memory */
+    bool composed;                /* the last picture was composed */
+    enum rotation shown_rotation; /* of the last picture, if it was not composed */
+    int w, h;                     /* of the last picture, before rotation; 0: none was shown */
+    uint8_t *rotated;             /* the rotated picture; malloc */
+    size_t rotated_size;
+    struct fb side; /* the area next to the picture */
     void *side_memory;
     bool has_side;
 };
@@ -537,10 +537,10 @@ void play_save_clip(struct play *play, struct picture *p);
 
 /* ---- play_window.c ---- */
 
-/* The wanted sample rate: 0 for a silent game, and for one that starts muted. */
+/* Returns the sample rate to open: 0 for a silent game, and for one that starts muted. */
 int play_sound_rate(struct play *play);
 
-/* Fills in the part of window.want that doesn't depend on the game. w, h: the picture. */
+/* Sets the fields of window.config that don't depend on the game. w, h: the picture. */
 void play_window_configure(struct play *play, int w, int h, const char *title);
 
 /* Opens the window, or changes it, as play->config and the game's manifest say. False: no window. */
@@ -551,20 +551,20 @@ void play_update_window(struct play *play);
 
 void play_toggle_fullscreen(struct play *play);
 
-/* Whether the window takes text. */
-void play_want_text(struct play *play, bool on);
+/* Turns text input of the window on or off. */
+void play_set_text_input(struct play *play, bool on);
 
 void play_window_close(struct play_window *w);
 
-/* Call it before a picture of w x h is shown: gets the window's size. play_window_side is then the area beside the
- * picture, in its colours; NULL: there is no space, or it is disabled. */
+/* Call play_window_begin before a picture of w x h is shown: gets the window's size. play_window_side then returns the
+ * area next to the picture, with the picture's palette; NULL: there is no space, or it is disabled. */
 void play_window_begin(struct play *play, int w, int h);
 struct fb *play_window_side(struct play_window *w);
 
-/* Shows a picture; side: and the area beside it. */
+/* Shows a picture, and the area next to it if `side` is set. */
 void play_window_show(struct play *play, const struct fb *fb, const uint32_t rgb[256], bool side);
 
-/* From a position of plat_input to a pixel of the picture; -1, -1: none. */
+/* Converts a position of plat_input to a pixel of the picture; -1, -1: none. */
 void play_window_mouse(const struct play_window *w, int *x, int *y);
 
 /* ---- play_keys.c ---- */

@@ -26,8 +26,8 @@ static bool open_page(struct play *play)
     if (!picture_alloc(p, PAGE_W, PAGE_H))
         return false;
     play_window_configure(play, PAGE_W, PAGE_H, "Curtain");
-    play->window.want.sound_rate = 0;
-    return plat_open(&play->window.want);
+    play->window.config.sound_rate = 0;
+    return plat_open(&play->window.config);
 }
 
 static void set_error(struct play *play, const char *why, const char *more)

@@ -14,7 +14,7 @@
 
 /* ---- the border ---- */
 
-static void drop_border(struct play_window *w)
+static void free_border(struct play_window *w)
 {
     free(w->border_rgba);
     w->border_rgba = NULL;
@@ -22,7 +22,7 @@ static void drop_border(struct play_window *w)
     compose_close(&w->compose); /* it contains the old border */
 }
 
-/* The running ROM's border; a damaged one is reported and not shown. */
+/* Reads the border of the running ROM, once. Reports a damaged border. */
 static void read_border(struct play *play)
 {
     struct play_window *window = &play->window;
@@ -34,7 +34,7 @@ static void read_border(struct play *play)
 
     if (window->border_read && window->border_crc == rom->crc)
         return;
-    drop_border(window);
+    free_border(window);
     window->border_read = true;
     window->border_crc = rom->crc;
     if (i < 0)
@@ -44,15 +44,15 @@ static void read_border(struct play *play)
         border_open(&window->border, window->border_rgba, w, h, why, sizeof why))
         return;
     play_log(play, "curtain: %s: cannot show the border: %s", play_game_name(play), why);
-    drop_border(window);
+    free_border(window);
 }
 
 /* ---- opening ---- */
 
 int play_sound_rate(struct play *play)
 {
-    return board_has_sound(play_board(play)) && (!play->speaker.muted || play->window.want.sound_rate) ? SPEAKER_RATE
-                                                                                                       : 0;
+    return board_has_sound(play_board(play)) && (!play->speaker.muted || play->window.config.sound_rate) ? SPEAKER_RATE
+                                                                                                         : 0;
 }
 
 /* Sets the icon of the running ROM, once. */
@@ -67,30 +67,30 @@ static void show_icon(struct play_window *w, const struct cart *cart)
 
 void play_window_configure(struct play *play, int w, int h, const char *title)
 {
-    struct plat_config *want = &play->window.want;
+    struct plat_config *config = &play->window.config;
     const struct config *c = &play->config;
 
-    want->w = w;
-    want->h = h;
-    quarter_size((enum quarter)c->turn, &want->w, &want->h);
-    want->scale = c->scale;
-    want->fullscreen = c->fullscreen;
+    config->w = w;
+    config->h = h;
+    rotation_size((enum rotation)c->rotation, &config->w, &config->h);
+    config->scale = c->scale;
+    config->fullscreen = c->fullscreen;
     snprintf(play->window.title, sizeof play->window.title, "%s", title); /* a manifest's is freed at a reload */
-    want->title = play->window.title;
+    config->title = play->window.title;
 }
 
 bool play_open_window(struct play *play)
 {
     const struct manifest *m = &play_cart(play)->manifest;
-    struct plat_config *want = &play->window.want;
+    struct plat_config *config = &play->window.config;
     const struct config *c = &play->config;
 
     play_window_configure(play, m->screen_w, m->screen_h, m->title);
-    want->sound_rate = play_sound_rate(play);
-    want->fractional = c->scaling == SCALING_SMOOTH;
-    want->vsync = c->vsync && !play->speaker.exact; /* with exact sound the card's clock sets the pace */
-    play->window.cannot = false;
-    if (!plat_open(want))
+    config->sound_rate = play_sound_rate(play);
+    config->fractional = c->scaling == SCALING_SMOOTH;
+    config->vsync = c->vsync && !play->speaker.exact; /* with exact sound the card's clock sets the pace */
+    play->window.cannot_compose = false;
+    if (!plat_open(config))
         return false;
     show_icon(&play->window, play_cart(play));
     return true;
@@ -108,44 +108,44 @@ void play_toggle_fullscreen(struct play *play)
         play_update_window(play);
         return;
     }
-    play->window.want.fullscreen = play->config.fullscreen;
-    play->quit = !plat_open(&play->window.want) || play->quit;
+    play->window.config.fullscreen = play->config.fullscreen;
+    play->quit = !plat_open(&play->window.config) || play->quit;
 }
 
-void play_want_text(struct play *play, bool on)
+void play_set_text_input(struct play *play, bool on)
 {
-    if (play->window.want.text_input == on)
+    if (play->window.config.text_input == on)
         return;
-    play->window.want.text_input = on;
+    play->window.config.text_input = on;
     play_update_window(play);
 }
 
 void play_window_close(struct play_window *w)
 {
-    drop_border(w);
-    free(w->turned);
+    free_border(w);
+    free(w->rotated);
     free(w->side_memory);
     *w = (struct play_window){ 0 };
 }
 
 /* ---- before a picture is drawn ---- */
 
-static bool covers(const struct placed *p, int w, int h)
+static bool covers_window(const struct placed *p, int w, int h)
 {
     return p->picture.x <= 0 && p->picture.y <= 0 && p->picture.w >= w && p->picture.h >= h;
 }
 
-/* Can plat_show not show all of it? */
-static bool must_compose(const struct compose_want *want)
+/* Returns whether plat_show cannot show the picture with these options. */
+static bool must_compose(const struct compose_options *options)
 {
-    const struct placed placed = place(&want->place);
+    const struct placed placed = place(&options->place);
 
-    return want->place.smooth || want->crt || (want->place.beside && placed.side.w) ||
-           (want->border && !covers(&placed, want->place.window_w, want->place.window_h));
+    return options->place.smooth || options->crt || (options->place.side_panel && placed.side.w) ||
+           (options->border && !covers_window(&placed, options->place.window_w, options->place.window_h));
 }
 
-/* Allocates the area beside the picture. */
-static void fit_side(struct play_window *w)
+/* Allocates the area next to the picture. */
+static void allocate_side(struct play_window *w)
 {
     const struct placed *p = &w->compose.placed;
 
@@ -171,21 +171,21 @@ void play_window_begin(struct play *play, int w, int h)
     const bool known = plat_get_window(&host);
 
     window->refresh = known && host.vsync ? host.refresh_rate : 0;
-    window->composes = window->has_side = false;
-    if (!known || window->cannot)
+    window->will_compose = window->has_side = false;
+    if (!known || window->cannot_compose)
         return;
     if (c->border)
         read_border(play);
-    const struct compose_want want = { .place = { host.w, host.h, w, h, (enum quarter)c->turn,
-                                                  c->scaling == SCALING_SMOOTH, c->panels == PANELS_BESIDE },
-                                       .crt = c->crt,
-                                       .border = c->border && window->border.rgba ? &window->border : NULL };
-    if (!must_compose(&want))
+    const struct compose_options options = { .place = { host.w, host.h, w, h, (enum rotation)c->rotation,
+                                                        c->scaling == SCALING_SMOOTH, c->panels == PANELS_BESIDE },
+                                             .crt = c->crt,
+                                             .border = c->border && window->border.rgba ? &window->border : NULL };
+    if (!must_compose(&options))
         return;
-    window->composes = compose_fit(&window->compose, &want);
-    window->cannot = !window->composes;
-    if (window->composes)
-        fit_side(window);
+    window->will_compose = compose_prepare(&window->compose, &options);
+    window->cannot_compose = !window->will_compose;
+    if (window->will_compose)
+        allocate_side(window);
 }
 
 struct fb *play_window_side(struct play_window *w)
@@ -201,35 +201,35 @@ static bool show_composed(struct play_window *w, const struct fb *fb, const uint
 
     compose_picture(c, fb->pix, fb->pitch, rgb);
     compose_side(c, side ? w->side.pix : NULL, w->side.pitch, rgb);
-    w->handed = plat_usec();
+    w->handed_over = plat_usec();
     return plat_paint(c->pixels, c->w, c->w, c->h);
 }
 
-/* Memory for a rotated picture; NULL: there is none. */
-static uint8_t *turned_memory(struct play_window *w, size_t size)
+/* Returns memory for a rotated picture, or NULL when out of memory. */
+static uint8_t *rotated_memory(struct play_window *w, size_t size)
 {
-    if (size > w->turned_size) {
-        free(w->turned);
-        w->turned = malloc(size);
-        w->turned_size = w->turned ? size : 0;
+    if (size > w->rotated_size) {
+        free(w->rotated);
+        w->rotated = malloc(size);
+        w->rotated_size = w->rotated ? size : 0;
     }
-    return w->turned;
+    return w->rotated;
 }
 
-static void show_plain(struct play_window *window, enum quarter turn, const struct fb *fb, const uint32_t rgb[256])
+static void show_plain(struct play_window *window, enum rotation rotation, const struct fb *fb, const uint32_t rgb[256])
 {
-    uint8_t *turned = turn ? turned_memory(window, (size_t)fb->w * (size_t)fb->h) : NULL;
+    uint8_t *rotated = rotation ? rotated_memory(window, (size_t)fb->w * (size_t)fb->h) : NULL;
     const uint8_t *pix = fb->pix;
     int w = fb->w, h = fb->h, pitch = fb->pitch;
 
-    window->shown_turn = turned ? turn : QUARTER_NONE;
-    if (turned) {
-        quarter_size(turn, &w, &h);
-        quarter_picture(turn, fb->pix, fb->pitch, fb->w, fb->h, turned, w);
-        pix = turned;
+    window->shown_rotation = rotated ? rotation : ROTATION_NONE;
+    if (rotated) {
+        rotation_size(rotation, &w, &h);
+        rotation_picture(rotation, fb->pix, fb->pitch, fb->w, fb->h, rotated, w);
+        pix = rotated;
         pitch = w;
     }
-    window->handed = plat_usec();
+    window->handed_over = plat_usec();
     plat_show(pix, pitch, w, h, rgb);
 }
 
@@ -239,11 +239,11 @@ void play_window_show(struct play *play, const struct fb *fb, const uint32_t rgb
 
     w->w = fb->w;
     w->h = fb->h;
-    w->composed = w->composes && show_composed(w, fb, rgb, side && w->has_side);
+    w->composed = w->will_compose && show_composed(w, fb, rgb, side && w->has_side);
     if (w->composed)
         return;
-    w->cannot = w->cannot || w->composes; /* until the window is opened again */
-    show_plain(w, (enum quarter)play->config.turn, fb, rgb);
+    w->cannot_compose = w->cannot_compose || w->will_compose; /* until the window is opened again */
+    show_plain(w, (enum rotation)play->config.rotation, fb, rgb);
 }
 
 void play_window_mouse(const struct play_window *window, int *x, int *y)
@@ -253,10 +253,10 @@ void play_window_mouse(const struct play_window *window, int *x, int *y)
     if (*x < 0 || *y < 0 || !w)
         return;
     if (window->composed) {
-        if (!compose_point(&window->compose, x, y))
+        if (!compose_to_picture(&window->compose, x, y))
             *x = *y = -1;
         return;
     }
-    quarter_size(window->shown_turn, &w, &h);
-    quarter_point(quarter_back(window->shown_turn), w, h, x, y);
+    rotation_size(window->shown_rotation, &w, &h);
+    rotation_point(rotation_inverse(window->shown_rotation), w, h, x, y);
 }

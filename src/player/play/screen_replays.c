@@ -98,7 +98,7 @@ static void delete (void *of)
 static void set_typing(struct play *play, bool on)
 {
     play->replay_list.typing = on;
-    play_want_text(play, on);
+    play_set_text_input(play, on);
 }
 
 static void start_typing(struct play *play)

@@ -39,7 +39,7 @@ static const struct config_setting settings[] = {
       "screen pixels per game pixel; 0 (Auto): fit the screen", "x", "Auto" },
     { "fullscreen", "Fullscreen", "Display", AT(fullscreen), 0, 1, 0, no_yes, off_on, 1, "fill the screen", NULL,
       NULL },
-    { "turn", "Rotate", "Display", AT(turn), 0, 3, 0, turns, turn_labels, 1,
+    { "turn", "Rotate", "Display", AT(rotation), 0, 3, 0, turns, turn_labels, 1,
       "rotate to match a rotated monitor; over: upside down", NULL, NULL },
     { "scaling", "Scaling", "Display", AT(scaling), 0, 1, 0, scalings, scaling_labels, 1,
       "whole (Integer): sharp pixels; smooth: fill the window", NULL, NULL },

@@ -21,7 +21,7 @@
 
 #define CONFIG_FILE "user:curtain.conf"
 
-enum scaling { SCALING_WHOLE, SCALING_SMOOTH };
+enum scaling { SCALING_INTEGER, SCALING_SMOOTH };
 enum panels { PANELS_OVER, PANELS_BESIDE };
 
 enum { CONFIG_BYTES = 65536, CONFIG_LINE = 512 };
@@ -35,7 +35,7 @@ struct config {
     int sounds;                /* percent, of volume */
     int resample;              /* 0 or 1 */
     int fullscreen;            /* 0 or 1 */
-    int turn;                  /* enum quarter */
+    int rotation;              /* enum rotation; the setting `turn` */
     int scaling;               /* enum scaling */
     int crt;                   /* 0 or 1 */
     int border;                /* 0 or 1 */

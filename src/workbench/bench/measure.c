@@ -35,7 +35,7 @@ struct player {
     struct guard guard;
     struct fb fb;
     struct view view;
-    struct shade_kept shades;
+    struct shade_cache shades;
     void *memory, *scratch, *sounds; /* sounds: NULL: the game is silent */
     uint32_t rgb[256];
     int16_t mix[2 * BOARD_SOUND_FRAMES];
@@ -339,7 +339,7 @@ static bool open_player(struct player *p)
     if (!p->memory || !p->scratch || (board_has_sound(b) && !p->sounds))
         return false;
     fb_init(&p->fb, p->memory, w, h);
-    p->view = (struct view){ .shades = shade_for(&p->shades, p->m->cart) };
+    p->view = (struct view){ .shades = shade_get_tables(&p->shades, p->m->cart) };
     if (p->sounds)
         board_sound_init_tables(p->sounds);
     p->guard.before = tick_begins;

@@ -36,7 +36,7 @@ struct capture {
     struct wav_writer wav;
     struct fb fb;
     struct view view;
-    struct shade_kept shades;
+    struct shade_cache shades;
     void *memory, *scratch;
     uint8_t *pix; /* the picture, scaled */
     int w, h;     /* and its size */
@@ -143,7 +143,7 @@ static enum result pictures_open(struct capture *c)
     c->view = (struct view){ .dim = (enum view_dim)c->a->dim,
                              .softens_flashes = c->a->flashes,
                              .colour_blind_mode = (enum colour_blind_mode)c->a->colours,
-                             .shades = shade_for(&c->shades, &c->run.game.cart) };
+                             .shades = shade_get_tables(&c->shades, &c->run.game.cart) };
     return RESULT_DONE;
 }
 

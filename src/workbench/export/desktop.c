@@ -91,7 +91,7 @@ bool desktop_write(const char *program, const struct cart *cart, char *err, size
     clean_line(line);
     escaped(line, title);
     escaped(path, shown);
-    rgba = icon_make(cart, ICON_SAVED, &side);
+    rgba = icon_make(cart, ICON_FILE_SIDE, &side);
     const bool icon = rgba && png_write_rgba(rgba, side, side, &png, &size);
     free(rgba);
     snprintf(text, sizeof text,

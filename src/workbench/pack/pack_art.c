@@ -524,7 +524,7 @@ static bool add_border(struct packer *p)
 
     if (!file[0])
         return true;
-    if (!pack_load(p, file, BORDER_BYTES, &data, &size))
+    if (!pack_load(p, file, BORDER_MAX_BYTES, &data, &size))
         return false;
     bool good =
         png_read(data, size, &rgba, &w, &h, why, sizeof why) && border_open(&border, rgba, w, h, why, sizeof why);
@@ -549,7 +549,7 @@ static bool add_icon(struct packer *p)
         return pack_add_copy(p, "", ICON_LUMP, icon, strlen(icon));
     if (!tree_has(&p->files, icon))
         return pack_refuse_missing(p, icon);
-    if (!pack_load(p, icon, ICON_BYTES, &data, &size))
+    if (!pack_load(p, icon, ICON_MAX_BYTES, &data, &size))
         return false;
     if (icon_check(data, size, why, sizeof why))
         return pack_add(p, "", ICON_LUMP, data, size);

@@ -25,7 +25,7 @@ struct render {
     struct fb fb;
     void *mem, *scratch;
     uint32_t rgb[256];
-    struct shade_kept shades;
+    struct shade_cache shades;
     struct view view;
     struct game_files game; /* frames must not overwrite these */
     struct contact sheet;
@@ -65,7 +65,7 @@ static enum result render_open(struct render *s, const struct headless_run *r)
     s->view = (struct view){ .dim = (enum view_dim)r->a->dim,
                              .softens_flashes = r->a->flashes,
                              .colour_blind_mode = (enum colour_blind_mode)r->a->colours,
-                             .shades = shade_for(&s->shades, &r->game.cart) };
+                             .shades = shade_get_tables(&s->shades, &r->game.cart) };
     if (r->a->wav && !wav_writer_open(&s->wav))
         return report_line(RESULT_HOST_FAILED, "out of memory");
     if (r->a->sheet && !contact_open(&s->sheet, count_wanted(r->a), w, h))
