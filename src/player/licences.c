@@ -1,6 +1,6 @@
 /*
- * licences.c - see licences.h. What a port is made with it says itself (plat_describe_build); what is not known there
- * is said to be so. tests/cli/licences.sh compares the list with what the program is linked with.
+ * licences.c - lists licences (licences.h). A port reports its own library (plat_describe_build). tests/cli/licences.sh
+ * compares the list with the libraries that the program is linked with.
  */
 #include "licences.h"
 
@@ -12,7 +12,7 @@
 #include "game/version.h"
 #include "game/embedded_rom.h"
 
-/* MIT and zlib ask that their text comes along with copies; these are the licences' own words. */
+/* The texts of the MIT and zlib licences, which must accompany copies. */
 static const char mit[] =
     "Permission is hereby granted, free of charge, to any person obtaining a copy of this software and associated\n"
     "documentation files (the \"Software\"), to deal in the Software without restriction, including without "
@@ -85,7 +85,7 @@ static const char mingw[] =
     "WHETHER IN AN ACTION OF CONTRACT, NEGLIGENCE OR OTHER TORTIOUS ACTION, ARISING OUT OF OR IN CONNECTION WITH\n"
     "THE USE OR PERFORMANCE OF THIS SOFTWARE.\n";
 
-/* The BSD licence of two clauses, but for the copyright line. */
+/* The two-clause BSD licence, without the copyright line. */
 static const char bsd[] =
     "Redistribution and use in source and binary forms, with or without modification, are permitted provided that\n"
     "the following conditions are met:\n"
@@ -129,7 +129,7 @@ static struct work work(const char *name, const char *licence, const char *what,
     return w;
 }
 
-/* "SDL 2.28.5, x11", or what another port says. False: it has no library. */
+/* Describes the port's library, from "SDL 2.28.5, x11" or what another port reports. Returns false if it has none. */
 static bool of_port(struct work *w)
 {
     char about[128];

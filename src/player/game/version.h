@@ -1,7 +1,7 @@
 /*
- * version.h - which release of Curtain this is. CHANGELOG.md says what is in it, and begins with the same number.
+ * version.h - the release of Curtain. CHANGELOG.md starts with the same number.
  *
- * What a release computes is told by CORE_VERSION (board.h), which changes by other rules.
+ * CORE_VERSION (board.h) is a separate number, which changes when the same ROM and demo could give a different hash.
  */
 #ifndef PLAYER_VERSION_H
 #define PLAYER_VERSION_H

@@ -1,5 +1,6 @@
 /*
- * workbench.h - what `curtain` can do and `curtain-player` cannot: the author's commands, and games that are folders.
+ * workbench.h - the functions that `curtain` has and `curtain-player` does not: the author's commands, and loading
+ * games from folders.
  */
 #ifndef PLAYER_WORKBENCH_H
 #define PLAYER_WORKBENCH_H

@@ -54,54 +54,55 @@ struct config {
     char lang[16];             /* of games that have it; "": none */
 };
 
-/* A setting whose value is a number or a word: all except lang and key bindings. */
+/* A setting with a number or a word as value: all except lang and key bindings. */
 struct config_setting {
     const char *name;  /* in the file */
     const char *label; /* on the screen */
     const char *group; /* of settings on the screen; those of a group follow one another */
     size_t at;         /* an int of struct config */
     int lo, hi, standard;
-    const char *const *words;  /* in the file, of its values from 0 on, NULL-ended; NULL: it is a number */
-    const char *const *labels; /* the same on the screen */
+    const char *const *words;  /* in the file, for the values from 0, ending with NULL; NULL: it is a number */
+    const char *const *labels; /* the same words on the screen */
     int step;                  /* of a number, on the screen */
     const char *help;          /* a sentence without its full stop */
-    const char *unit, *zero;   /* of a number, on the screen: "%"; the word for 0; NULL: none */
+    const char *unit, *zero;   /* of a number, on the screen: "%", and the word for 0; NULL: none */
 };
 
-/* The i-th setting, from 0 on; NULL: there are no more. */
+/* Returns setting i, from 0, or NULL after the last one. */
 const struct config_setting *config_setting(int i);
 
 int config_value(const struct config *c, const struct config_setting *s);
 
-/* Sets a value, which is brought into the setting's range. */
+/* Sets a value, clamped to the setting's range. */
 void config_put(struct config *c, const struct config_setting *s, int value);
 
-/* Writes a setting's value as the file has it: "80", "yes". */
+/* Writes a setting's value as in the file: "80", "yes". */
 void config_text(const struct config *c, const struct config_setting *s, char *out, size_t size);
 
-/* Writes a setting's value as the settings screen shows it: "80%", "On", "Auto". */
+/* Writes a setting's value as on the settings screen: "80%", "On", "Auto". */
 void config_label(const struct config *c, const struct config_setting *s, char *out, size_t size);
 
 void config_defaults(struct config *c);
 
-/* Takes over the settings of a text (file: its name for errors). False and one sentence with file and line; *c is
- * unchanged. */
+/* Reads settings from a text; file: its name in errors. On failure, returns false, sets err to an error with file and
+ * line, and leaves *c unchanged. */
 bool config_read(struct config *c, const char *file, const char *text, size_t size, char *err, size_t err_size);
 
-/* Defaults, and what CONFIG_FILE says if there is one. False and one sentence for a file that is not right. */
+/* Sets the defaults, and reads CONFIG_FILE if it exists. If it contains an error, returns false and sets err. */
 bool config_load(struct config *c, char *err, size_t err_size);
 
-/* Writes what differs between CONFIG_FILE and *c into it: the last line of each such name, or a new one at the end; no
- * file is written when nothing does. False and one sentence: the file is as it was. A wrong one is left alone. */
+/* Updates CONFIG_FILE: replaces the last line of each name whose value differs from *c, or adds a line. Does not write
+ * an unchanged file. If the file contains an error or cannot be written, returns false, sets err, and leaves it
+ * unchanged. */
 bool config_save(const struct config *c, char *err, size_t err_size);
 
-/* The same, of a text: a new one, malloc'ed, ending in NUL. NULL and one sentence. */
+/* The same for a text: returns the new text, from malloc, ending with NUL. On failure, returns NULL and sets err. */
 char *config_edit(const struct config *c, const char *text, size_t size, char *err, size_t err_size);
 
-/* Hands out a line a setting, for `curtain help play`. */
+/* Prints the settings for `curtain help play`, one per line. */
 void config_help(void (*line)(const char *));
 
-/* The lines of `curtain help config`: the file by its real path, every setting, an example. */
+/* Prints `curtain help config`: the file's real path, every setting, and an example. */
 void config_guide(void (*line)(const char *));
 
 #endif

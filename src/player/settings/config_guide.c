@@ -1,12 +1,12 @@
 /*
- * config_guide.c - `curtain help config`: where the settings are, what they may say, and an example.
+ * config_guide.c - `curtain help config`: the settings' file, all settings, and an example (config.h).
  */
 #include "config.h"
 
 #include <stdio.h>
 #include "../../common/files.h"
 
-/* A file as it could be; a test reads it. */
+/* An example of the file, which a test reads. */
 static const char *const example[] = {
     "    # three screen pixels per game pixel, and a lower volume",
     "    scale = 3",

@@ -1,5 +1,5 @@
 /*
- * views.c - see views.h.
+ * views.c - the words for views (views.h).
  */
 #include "views.h"
 

@@ -1,5 +1,5 @@
 /*
- * views.h - the words by which a view is chosen, in the settings and on the command line.
+ * views.h - the words for views, in the settings and on the command line.
  */
 #ifndef PLAYER_VIEWS_H
 #define PLAYER_VIEWS_H
@@ -7,13 +7,13 @@
 #include <stddef.h>
 #include "../../board/board.h"
 
-/* Lists that end with NULL; the place of a word is the field's value. */
+/* Lists that end with NULL; the index of a word is the value of the field of struct view. */
 extern const char *const views_dim[], *const views_flashes[], *const views_colours[];
 
-/* The place of a word in a list, or -1. */
+/* Returns the index of a word in a list, or -1. */
 int views_find(const char *const *words, const char *word);
 
-/* "none, quarter, half or most"; cut to fit. */
+/* Writes "none, quarter, half or most", truncated to fit. */
 void views_list(const char *const *words, char *out, size_t size);
 
 #endif
