@@ -1,5 +1,5 @@
 /*
- * array.c - see array.h.
+ * array.c - arrays that grow (array.h).
  */
 #include "array.h"
 

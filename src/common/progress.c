@@ -1,5 +1,5 @@
 /*
- * progress.c - see progress.h.
+ * progress.c - shows progress (progress.h).
  */
 #include "progress.h"
 
@@ -54,7 +54,7 @@ void progress_line(char line[PROGRESS_LINE], const char *what, uint64_t usec, ui
     snprintf(line, PROGRESS_LINE, "%.*s%s%s", (int)n, what, long_one ? "..." : "", left);
 }
 
-void progress_tell(uint64_t done, uint64_t of, const char *format, ...)
+void progress_update(uint64_t done, uint64_t of, const char *format, ...)
 {
     char what[256], line[PROGRESS_LINE];
     va_list args;
@@ -79,7 +79,7 @@ void progress_tell(uint64_t done, uint64_t of, const char *format, ...)
     now.shown = true;
 }
 
-void progress_wipe(void)
+void progress_clear(void)
 {
     if (!now.shown)
         return;
@@ -91,6 +91,6 @@ void progress_wipe(void)
 
 void progress_end(void)
 {
-    progress_wipe();
+    progress_clear();
     now.going = false;
 }

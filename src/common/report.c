@@ -16,7 +16,7 @@ static void log_clean(char *s)
 {
     clean_line(s);
     fflush(stdout); /* keeps the order if both streams go to the same file */
-    progress_wipe();
+    progress_clear();
     plat_log(s);
 }
 
@@ -88,7 +88,7 @@ void report_log(const struct board_out *out, const char *prefix)
     char line[LOG_LINE];
 
     if (out->log_size)
-        progress_wipe();
+        progress_clear();
     for (size_t i = 0; i < out->log_size;) {
         const char *from = out->log + i, *end = memchr(from, '\n', out->log_size - i);
         size_t n = end ? (size_t)(end - from) : out->log_size - i;

@@ -60,7 +60,7 @@ static enum play_opened open_game(void *user, struct play_options *o, char *err,
     o->cart = NULL;
     enum game_opened opened = game_try(&p->game, p->path, p->a, err, err_size);
     if (opened != GAME_OPENED)
-        return opened == GAME_WRONG ? PLAY_BROKEN_FOLDER : PLAY_BAD_ARGUMENTS;
+        return opened == GAME_BAD_FILES ? PLAY_BROKEN_FOLDER : PLAY_BAD_ARGUMENTS;
     o->cart = &p->game.cart;
     o->start = p->game.start;
     o->demo = p->game.has_demo ? &p->game.demo : NULL;
@@ -96,8 +96,8 @@ static bool play_it(struct play_command *p)
     return p->window != NULL;
 }
 
-/* A game that was dropped on the window: with what was said of the window, and nothing of the run. False: none was, or
- * it cannot be played. */
+/* Plays a game that was dropped on the window, with the options for the window but not those for the run. Returns false
+ * if there is none, or it cannot be played. */
 static bool play_next(struct play_command *p)
 {
     const struct args *was = p->a;
@@ -119,16 +119,16 @@ static bool play_next(struct play_command *p)
     return play_it(p);
 }
 
-static bool frame(void *of)
+static bool frame(void *context)
 {
-    struct play_command *p = of;
+    struct play_command *p = context;
 
     return p->window && (play_frame(p->window) || play_next(p));
 }
 
-static enum result close(void *of)
+static enum result close(void *context)
 {
-    struct play_command *p = of;
+    struct play_command *p = context;
     const enum result result = p->window ? play_close(p->window) : p->result;
 
     game_close(&p->game);

@@ -16,7 +16,7 @@ static enum result out_of_memory(char *err, size_t err_size)
 
 static enum result power(struct replay *r, const struct cart *cart, const struct demo *d, char *err, size_t err_size)
 {
-    if (r->guard.board ? !guard_again(&r->guard, &d->start, err, err_size)
+    if (r->guard.board ? !guard_restart(&r->guard, &d->start, err, err_size)
                        : !guard_power(&r->guard, cart->rom, &d->start, err, err_size))
         return RESULT_REFUSED;
     size_t size = board_hash_cache_size(r->guard.board);

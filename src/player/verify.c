@@ -232,8 +232,8 @@ static void show_progress(void *context, uint32_t frame)
 
     if (v->all)
         snprintf(of, sizeof of, " of %llu", (unsigned long long)v->all);
-    progress_tell(done, v->all * WHOLE, "demo %llu%s, frame %u of %u", (unsigned long long)v->done + 1, of,
-                  (unsigned)frame, (unsigned)v->demo.frames);
+    progress_update(done, v->all * WHOLE, "demo %llu%s, frame %u of %u", (unsigned long long)v->done + 1, of,
+                    (unsigned)frame, (unsigned)v->demo.frames);
 }
 
 /* Saves the recording of the replay as the demo, in the newest format and with this ROM and core version. */
@@ -272,7 +272,7 @@ static enum result judge(struct verify *v, const char *path)
     enum result result =
         replay_run(&v->replay, &v->game.cart, &v->demo, records ? &v->again : NULL, &w, err, sizeof err);
 
-    progress_wipe();
+    progress_clear();
     if (result != RESULT_DONE)
         return refuse(v, result, "%s: %s", path, err);
     if (w.kind == VERDICT_HOLDS && v->a->restamp)
@@ -427,7 +427,7 @@ static enum result rerecord(struct verify *v, const char *path)
     v->replay.checksum_rate = (enum demo_checksum_rate)v->a->prints;
     enum result result = replay_whole(&v->replay, &v->game.cart, &v->demo, &v->again, &o, err, sizeof err);
 
-    progress_wipe();
+    progress_clear();
     if (result != RESULT_DONE)
         return refuse(v, result, "%s: %s", path, err);
     const char *why = o.first.kind == VERDICT_HOLDS ? NULL : no_rerun(v, &o);

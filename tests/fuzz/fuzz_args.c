@@ -29,11 +29,11 @@ static void frames(const struct args *a)
     uint32_t last = args_last_frame(a);
 
     need(a->n_spans >= 0 && a->n_spans <= ARGS_MAX_SPANS && last <= ARGS_MAX_FRAME);
-    need(a->n_spans == 0 || args_wants(a, last));
-    need(!args_wants(a, last + 1) && !args_wants(a, UINT32_MAX));
+    need(a->n_spans == 0 || args_has_frame(a, last));
+    need(!args_has_frame(a, last + 1) && !args_has_frame(a, UINT32_MAX));
     for (int i = 0; i < a->n_spans; i++) {
         const struct span *s = &a->spans[i];
-        need(s->step > 0 && s->first <= s->last && s->last <= ARGS_MAX_FRAME && args_wants(a, s->first));
+        need(s->step > 0 && s->first <= s->last && s->last <= ARGS_MAX_FRAME && args_has_frame(a, s->first));
     }
 }
 

@@ -43,7 +43,7 @@ static void test_leaves_nothing(void **state)
     assert_true(rig_demo(&game, "run", &demo));
     rig_power(&straight, &game, &demo.start);
     assert_true(guard_power(&g, &game.image.rom, &demo.start, err, sizeof err));
-    assert_true(guard_remember(&g));
+    assert_true(guard_store_past(&g));
     uint8_t *was = malloc(board_output_size()), *now = malloc(board_output_size());
     for (uint32_t f = 0; f < FRAMES; f++) {
         uint16_t pads[MAX_PLAYERS], next[MAX_PLAYERS];
@@ -64,7 +64,7 @@ static void test_leaves_nothing(void **state)
         guard_tick(&g, next); /* the frame that was seen */
         see(&straight, g.board, &then);
         assert_memory_equal(&ahead, &then, sizeof ahead);
-        assert_true(guard_back(&g, f + 1)); /* the past knows nothing of it either */
+        assert_true(guard_rewind(&g, f + 1)); /* the past knows nothing of it either */
         assert_true(board_hash(g.board) == board_hash(straight.b));
         same_pads++;
     }
@@ -131,7 +131,7 @@ static void refuses(const char *script, enum board_fault_kind kind)
         guard_tick(&g, pads);
     const uint64_t hash = board_hash(g.board);
     assert_false(ahead_begin(&a, &g, pads));
-    assert_false(a.on);
+    assert_false(a.saved);
     assert_null(board_last_output(g.board)->fault);
     assert_true(board_hash(g.board) == hash && board_frame(g.board) == 3);
     assert_int_equal(guard_tick(&g, pads)->fault->kind, kind);

@@ -201,7 +201,7 @@ static void test_go_on(void **state)
     assert_true(session_open(&s, &game.cart, &d.start, &d, NULL));
     assert_false(session_resume(&s, DEMO_RESUMED)); /* not there yet */
     s.ticked = count;
-    s.of = &s;
+    s.context = &s;
     ticks = 0;
     session_goto(&s, d.frames);
     while (s.state != SESSION_PLAYING)

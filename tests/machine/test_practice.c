@@ -803,7 +803,7 @@ static int row_now(void)
 
 static void begin_menu(const struct board_start *start, int slow)
 {
-    practice_began(&menu, start);
+    practice_start_run(&menu, start);
     practice_open(&menu, &screens, slow);
 }
 
@@ -957,7 +957,7 @@ static void test_counting(void **state)
 
     (void)state;
     menu = (struct practice_menu){ .cart = &game.cart };
-    practice_began(&menu, &phase);
+    practice_start_run(&menu, &phase);
     told_now(MARKER_WON, "second", "queen"); /* before it began */
     told_now(MARKER_START, "", "");
     told_now(MARKER_WON, "first", "queen");
@@ -977,7 +977,7 @@ static void test_counting(void **state)
     told_now(MARKER_WON, "second", "queen");
     told_now(MARKER_START, "", "");
     expect_record("queen/second", 1, 3);
-    practice_began(&menu, &stage);
+    practice_start_run(&menu, &stage);
     told_now(MARKER_START, "", "");
     told_now(MARKER_WON, "guard", "one");
     told_now(MARKER_CLEAR, "on", "");
@@ -986,9 +986,9 @@ static void test_counting(void **state)
     told_now(MARKER_CLEAR, "one", "");
     expect_record("one:guard", 1, 1);
     stage.practice.invincible = true;
-    practice_began(&menu, &stage);
+    practice_start_run(&menu, &stage);
     told_now(MARKER_START, "", "");
-    practice_began(&menu, &none);
+    practice_start_run(&menu, &none);
     told_now(MARKER_START, "", "");
     told_now(MARKER_CLEAR, "one", "");
     expect_record("one:guard", 1, 1);

@@ -189,7 +189,7 @@ static void wants(const char *list, const char *bits)
     snprintf(line, sizeof line, "render game --frames %s", list);
     reads(line);
     for (uint32_t f = 0; f < n; f++)
-        got[f] = args_wants(&a, f) ? '1' : '0';
+        got[f] = args_has_frame(&a, f) ? '1' : '0';
     got[n] = 0;
     assert_string_equal(got, bits);
     assert_int_equal(args_last_frame(&a), strrchr(bits, '1') - bits);
@@ -213,7 +213,7 @@ static uint32_t pressed(uint32_t frame)
 {
     uint16_t pads[MAX_PLAYERS];
 
-    args_pressed(&a, frame, pads);
+    args_held_pads(&a, frame, pads);
     return pads[0] | (uint32_t)pads[1] << 16;
 }
 

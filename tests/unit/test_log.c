@@ -122,7 +122,7 @@ static struct screen_row row_at(int at)
 {
     struct screen_row row = { 0 };
 
-    screens_top(&s)->row(s.place[0].of, at, &row);
+    screens_top(&s)->row(s.place[0].context, at, &row);
     return row;
 }
 
@@ -158,7 +158,7 @@ static void opens_at_the_end(void **state)
     log_open(&l, &s);
     draw();
     assert_int_equal(chosen(), 99);
-    assert_int_equal(row_at(99).ink, CANVAS_RED);
+    assert_int_equal(row_at(99).colour, CANVAS_RED);
     assert_string_equal(row_at(98).label, "line 98");
     assert_string_equal(row_at(98).value, "98");
     assert_string_equal(row_at(98).help, "line 98");

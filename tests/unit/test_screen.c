@@ -27,14 +27,14 @@ struct list {
     struct screens *s; /* accepting its last row closes all */
 };
 
-static int rows(void *of)
+static int rows(void *context)
 {
-    return ((const struct list *)of)->n;
+    return ((const struct list *)context)->n;
 }
 
-static void row(void *of, int at, struct screen_row *row)
+static void row(void *context, int at, struct screen_row *row)
 {
-    const struct list *l = of;
+    const struct list *l = context;
 
     assert_in_range(at, 0, l->n - 1);
     snprintf(row->label, sizeof row->label, "row %d", at);
@@ -42,59 +42,59 @@ static void row(void *of, int at, struct screen_row *row)
              at);
     row->heading = l->kind[at] == '#';
     row->changes = l->kind[at] == '=';
-    row->faint = l->kind[at] == '-';
+    row->disabled = l->kind[at] == '-';
     if (row->changes)
         snprintf(row->value, sizeof row->value, "%d", l->value[at]);
 }
 
-static void change(void *of, int at, int by)
+static void change(void *context, int at, int by)
 {
-    ((struct list *)of)->value[at] += by;
+    ((struct list *)context)->value[at] += by;
 }
 
-static void accept(void *of, int at)
+static void accept(void *context, int at)
 {
-    ((struct list *)of)->accepted = at;
+    ((struct list *)context)->accepted = at;
 }
 
-static void take_away(void *of, int at)
+static void take_away(void *context, int at)
 {
-    struct list *l = of;
+    struct list *l = context;
 
     l->removed = at;
     l->n--;
 }
 
-static void closed(void *of)
+static void closed(void *context)
 {
-    ((struct list *)of)->closed++;
+    ((struct list *)context)->closed++;
 }
 
-static bool listen(void *of, const struct plat_input *in)
+static bool listen(void *context, const struct plat_input *in)
 {
-    struct list *l = of;
+    struct list *l = context;
 
     (void)in;
     l->listened += l->listens;
     return l->listens;
 }
 
-static const char *text(void *of)
+static const char *text(void *context)
 {
-    (void)of;
+    (void)context;
     return "Sentences above the list, of which there may be more than fit into one line.\nAnd a second one.";
 }
 
-static int height(void *of, int w, int h)
+static int height(void *context, int w, int h)
 {
-    (void)of;
+    (void)context;
     (void)w;
     return h / 3;
 }
 
-static void draw(void *of, int at, const struct canvas *canvas, struct screen_area to)
+static void draw(void *context, int at, const struct canvas *canvas, struct screen_area to)
 {
-    assert_in_range(at, 0, ((const struct list *)of)->n - 1);
+    assert_in_range(at, 0, ((const struct list *)context)->n - 1);
     canvas_rect(canvas, to.x, to.y, to.w, to.h, CANVAS_RED);
 }
 
@@ -213,7 +213,7 @@ static void tap_switch(struct bed *b, int which, enum plat_button s)
 
 static int chosen(const struct bed *b)
 {
-    return b->s.place[b->s.deep - 1].row;
+    return b->s.place[b->s.depth - 1].row;
 }
 
 static void open_list(struct bed *b, const char *kinds)
@@ -272,11 +272,11 @@ static void screens_lie_on_one_another(void **state)
     tap(b, BACKSPACE);
     assert_int_equal(below.closed, 1);
     assert_false(screens_are_open(&b->s));
-    for (int i = 0; i < SCREENS_DEEP + 3; i++)
+    for (int i = 0; i < SCREENS_MAX_DEPTH + 3; i++)
         screens_open(&b->s, i % 2 ? &all : &bare, &below);
-    assert_int_equal(b->s.deep, SCREENS_DEEP);
+    assert_int_equal(b->s.depth, SCREENS_MAX_DEPTH);
     screens_close_all(&b->s);
-    assert_int_equal(below.closed, 1 + SCREENS_DEEP / 2);
+    assert_int_equal(below.closed, 1 + SCREENS_MAX_DEPTH / 2);
     assert_false(screens_are_open(&b->s));
 }
 
@@ -598,35 +598,35 @@ static void a_window_that_moves_under_the_mouse(void **state)
 
 static int asked;
 
-static void then(void *of)
+static void then(void *context)
 {
-    assert_string_equal(of, "of");
+    assert_string_equal(context, "of");
     asked++;
 }
 
 static void a_question(void **state)
 {
     struct bed *b = *state;
-    char of[] = "of";
+    char context[] = "of";
 
     asked = 0;
     open_list(b, " ");
-    screens_ask(&b->s, "Lose it?", "lose it", then, of);
+    screens_ask(&b->s, "Lose it?", "lose it", then, context);
     rest(b);
     assert_int_equal(chosen(b), 0);
     tap(b, ENTER); /* no comes first */
-    assert_int_equal(b->s.deep, 1);
-    screens_ask(&b->s, "Lose it?", "lose it", then, of);
+    assert_int_equal(b->s.depth, 1);
+    screens_ask(&b->s, "Lose it?", "lose it", then, context);
     rest(b);
     tap(b, DOWN);
     tap(b, ESCAPE);
-    assert_int_equal(b->s.deep, 1);
+    assert_int_equal(b->s.depth, 1);
     assert_int_equal(asked, 0);
-    screens_ask(&b->s, "Lose it?", "lose it", then, of);
+    screens_ask(&b->s, "Lose it?", "lose it", then, context);
     rest(b);
     tap(b, DOWN);
     tap(b, ENTER);
-    assert_int_equal(b->s.deep, 1);
+    assert_int_equal(b->s.depth, 1);
     assert_int_equal(asked, 1);
     assert_int_equal(b->l.accepted, -1);
 }
@@ -668,7 +668,7 @@ static void what_is_said_goes_again(void **state)
 
     open_list(b, " ");
     const uint32_t before = ink(b);
-    screens_say(&b->s, "%d settings are not kept", 3);
+    screens_show_message(&b->s, "%d settings are not kept", 3);
     show(b);
     assert_int_not_equal(ink(b), before);
     for (int i = 0; i < 239; i++)
@@ -687,7 +687,7 @@ static void what_is_said_is_of_one_row(void **state)
     tap(b, DOWN);
     const uint32_t second = ink(b);
     tap(b, UP);
-    screens_say(&b->s, "%s", "of the first");
+    screens_show_message(&b->s, "%s", "of the first");
     tap(b, DOWN);
     assert_int_equal(ink(b), second);
 }

@@ -515,12 +515,12 @@ static void test_roms(void **state)
         rom_write(bytes, &lump, 1);
         assert_true(rom_open(&rom, bytes, rom_write_size(&lump, 1), err, sizeof err));
         hash[i] = rom_hash(&rom);
-        assert_true(roms_keep(&unsaved, "lanterns", &rom, err, sizeof err));
-        assert_true(roms_keep(&unsaved, "lanterns", &rom, err, sizeof err)); /* it is there */
+        assert_true(roms_store(&unsaved, "lanterns", &rom, err, sizeof err));
+        assert_true(roms_store(&unsaved, "lanterns", &rom, err, sizeof err)); /* it is there */
         assert_true(roms_has("lanterns", hash[i]));
     }
     assert_true(hash[0] != hash[1] && hash[1] != hash[2]);
-    assert_true(roms_keep(&unsaved, "lantern", &rom, err, sizeof err)); /* another game */
+    assert_true(roms_store(&unsaved, "lantern", &rom, err, sizeof err)); /* another game */
     assert_true(replays_open(&r, "lanterns"));
     struct replay_meta c = a_card(1);
     c.rom = hash[1];

@@ -118,7 +118,7 @@ static void play(struct past_run *r, const struct rom *rom)
     int w, h;
 
     power(r, rom);
-    if (!guard_remember(&r->guard))
+    if (!guard_store_past(&r->guard))
         report_fail("out of memory");
     board_screen_size(r->guard.board, &w, &h);
     uint8_t *mem = aligned_bytes(fb_size(w, h)), *scratch = aligned_bytes(board_scratch_size(r->guard.board));
@@ -162,7 +162,7 @@ static void copy_plainly(struct past_run *r)
 static void step_back(struct past_run *r, uint32_t f, uint64_t hash, struct samples *steps)
 {
     double from = bench_now();
-    bool back = guard_back(&r->guard, f);
+    bool back = guard_rewind(&r->guard, f);
 
     samples_add(steps, bench_since(from));
     bench_claim(back && board_hash(r->guard.board) == hash ? NULL : "a frame is not the frame it was", "stepping back");
@@ -184,7 +184,7 @@ static void from_late(struct past_run *r)
     static uint64_t hash[LATE_STEPS];
     const struct board *b = r->guard.board;
 
-    guard_back(&r->guard, rewind_end(r->guard.past));
+    guard_rewind(&r->guard, rewind_end(r->guard.past));
     while (board_frame(b) < LATE) {
         uint16_t pads[MAX_PLAYERS];
         if (board_frame(b) >= LATE - LATE_STEPS)

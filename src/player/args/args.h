@@ -121,10 +121,10 @@ bool args_frames(struct args *a, const char *text, char *err, size_t err_size);
 bool args_presses(struct args *a, const char *text, char *err, size_t err_size);
 
 /* Stores the buttons (PAD_) that --press holds in the tick after a frame. */
-void args_pressed(const struct args *a, uint32_t frame, uint16_t pads[MAX_PLAYERS]);
+void args_held_pads(const struct args *a, uint32_t frame, uint16_t pads[MAX_PLAYERS]);
 
-/* args_wants returns whether --frames contains a frame; args_last_frame returns the last frame in it. */
-bool args_wants(const struct args *a, uint32_t frame);
+/* args_has_frame returns whether --frames contains a frame; args_last_frame returns the last frame in it. */
+bool args_has_frame(const struct args *a, uint32_t frame);
 uint32_t args_last_frame(const struct args *a);
 
 /* args_command returns the command with a name, or -1; args_name returns a command's name. */

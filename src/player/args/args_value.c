@@ -127,7 +127,7 @@ bool args_speed(struct args *a, const char *text, char *err, size_t err_size)
     return true;
 }
 
-void args_pressed(const struct args *a, uint32_t frame, uint16_t pads[MAX_PLAYERS])
+void args_held_pads(const struct args *a, uint32_t frame, uint16_t pads[MAX_PLAYERS])
 {
     memset(pads, 0, MAX_PLAYERS * sizeof *pads);
     for (int i = 0; i < a->n_presses; i++)
@@ -135,7 +135,7 @@ void args_pressed(const struct args *a, uint32_t frame, uint16_t pads[MAX_PLAYER
             pads[a->presses[i].player] |= a->presses[i].pad;
 }
 
-bool args_wants(const struct args *a, uint32_t frame)
+bool args_has_frame(const struct args *a, uint32_t frame)
 {
     for (int i = 0; i < a->n_spans; i++)
         if (in_span(&a->spans[i], frame))

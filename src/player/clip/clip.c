@@ -36,12 +36,12 @@ static bool add_pictures(struct recorder *r, const struct board *b)
 
 static bool replay(struct recorder *r, struct guard *g, uint32_t first, uint32_t present)
 {
-    if (first < present && !guard_back(g, first))
+    if (first < present && !guard_rewind(g, first))
         return false;
     for (uint32_t f = first; add_pictures(r, g->board); f++) {
         if (f == present)
             return true;
-        if (!guard_ahead(g, rewind_pads(g->past, f)))
+        if (!guard_tick_ahead(g, rewind_pads(g->past, f)))
             return false;
     }
     return false;
@@ -51,13 +51,13 @@ static bool replay(struct recorder *r, struct guard *g, uint32_t first, uint32_t
 static bool record_past(struct recorder *r, struct guard *g, uint32_t first)
 {
     const uint32_t present = board_frame(g->board), oldest = rewind_first(g->past);
-    struct ahead saved = { .on = false };
-    bool ok = ahead_save(&saved, g->board);
+    struct ahead ahead = { .saved = false };
+    bool ok = ahead_save(&ahead, g->board);
 
     first = first < oldest ? oldest : first;
     ok = ok && replay(r, g, first < present ? first : present, present);
-    ahead_end(&saved, g);
-    ahead_close(&saved);
+    ahead_end(&ahead, g);
+    ahead_close(&ahead);
     return ok;
 }
 

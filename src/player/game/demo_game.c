@@ -31,7 +31,7 @@ struct search {
     struct game game;
 };
 
-/* path NULL: the built-in game. */
+/* Compares a game with the demo's; path NULL: the built-in game. */
 static void try_game(struct search *s, const char *path)
 {
     char err[1024];
@@ -73,9 +73,9 @@ static void try_path(struct search *s, const char *path)
         try_game(s, path);
 }
 
-static void try_entry(void *of, const struct plat_folder_entry *file)
+static void try_entry(void *context, const struct plat_folder_entry *file)
 {
-    struct search *s = of;
+    struct search *s = context;
     char path[FILES_PATH_SIZE];
 
     if (snprintf(path, sizeof path, "%s/%s", s->folder, file->name) < (int)sizeof path)

@@ -9,13 +9,12 @@
 
 struct demo_game {
     char path[FILES_PATH_SIZE]; /* "": the built-in game */
-    char *word;                 /* path, as a list of words */
+    char *word;                 /* points to path; args.words points to it */
 };
 
-/* If a plays a file that is a demo, turns the file into --demo and the game into the ROM to play; *found must last as
- * long as a. The game is searched for in the program, in the demo's folder, in that folder's parent, and among the ROMs
- * that are stored for replays. Other commands and files are left alone. False and one sentence: the game of exactly
- * this version was not found. */
+/* If *a plays a demo file, changes *a to play the demo's game with --demo; *found must last as long as *a. Searches for
+ * the game in the program, in the demo's folder, in that folder's parent, and among the ROMs stored for replays. Leaves
+ * other commands and files unchanged. If the game in exactly this version is not found, returns false and sets err. */
 bool demo_game_find(struct args *a, struct demo_game *found, char *err, size_t err_size);
 
 #endif

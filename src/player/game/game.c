@@ -257,7 +257,7 @@ enum game_opened game_try(struct game *g, const char *path, const struct args *a
     if (loaded && (a->demo ? start_of_demo(g, a->demo, err, err_size) : game_start(g, a, err, err_size)))
         return GAME_OPENED;
     game_close(g);
-    return loaded ? GAME_REFUSED : GAME_WRONG;
+    return loaded ? GAME_BAD_ARGUMENTS : GAME_BAD_FILES;
 }
 
 bool game_open(struct game *g, const char *path, const struct args *a, char *err, size_t err_size)

@@ -1,5 +1,5 @@
 /*
- * game.h - a ROM taken from the command line: loaded, checked, and how its board is to start.
+ * game.h - a game named on the command line: its ROM, and how its board starts.
  */
 #ifndef PLAYER_GAME_H
 #define PLAYER_GAME_H
@@ -10,7 +10,7 @@
 #include "../../demo/demo.h"
 #include "rom_image.h"
 
-/* The game linked into the program; size 0: none. An exported one (embedded_rom.h) comes before it. */
+/* The game linked into the program; size 0: none. An exported game (embedded_rom.h) takes precedence. */
 extern const uint8_t builtin_rom[];
 extern const size_t builtin_rom_size;
 
@@ -24,22 +24,22 @@ struct game {
     bool has_demo;
 };
 
-/* What becomes of game_open: the folder or file is wrong, or what the arguments say of the start. */
-enum game_opened { GAME_OPENED, GAME_WRONG, GAME_REFUSED };
+/* GAME_BAD_FILES: the folder or file cannot be loaded. GAME_BAD_ARGUMENTS: the arguments don't fit the game. */
+enum game_opened { GAME_OPENED, GAME_BAD_FILES, GAME_BAD_ARGUMENTS };
 
-/* Loads the folder or .rom file at path (NULL: the built-in game), and reads what the arguments say of its start. False
- * and one sentence that names the file or option; nothing is left to close then. g stays where it is: it points into
- * itself. */
+/* Loads the folder or .rom file at path (NULL: the built-in game), and sets its start from the arguments. On failure,
+ * returns false, sets err to a sentence that names the file or option, and leaves nothing to close. *g must not be
+ * moved, because it contains pointers to itself. */
 bool game_open(struct game *g, const char *path, const struct args *a, char *err, size_t err_size);
 
-/* The same, and why not. */
+/* The same, but returns the kind of failure. */
 enum game_opened game_try(struct game *g, const char *path, const struct args *a, char *err, size_t err_size);
 
-/* What the arguments say of the start (--dip, --difficulty, --stage and what goes with it), for the game in g->cart.
- * False and one sentence that names the option. */
+/* Sets g->start from the arguments (--dip, --difficulty, --stage and its options), for the game in g->cart. On failure,
+ * returns false and sets err to a sentence that names the option. */
 bool game_start(struct game *g, const struct args *a, char *err, size_t err_size);
 
-/* Gives everything back; a zeroed game is fine. */
+/* Frees everything. Does nothing if *g is zeroed. */
 void game_close(struct game *g);
 
 #endif

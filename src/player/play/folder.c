@@ -1,5 +1,5 @@
 /*
- * folder.c - see folder.h. A stamp is a sum of hashes, because files are listed in any order.
+ * folder.c - detects changed files (folder.h). A stamp is a sum of hashes, because files are listed in any order.
  */
 #include "folder.h"
 
@@ -41,7 +41,7 @@ static void add(void *user, const struct plat_folder_entry *file)
     l->path[n] = 0;
 }
 
-/* 0: it isn't a folder. */
+/* Returns a folder's stamp, or 0 if it isn't a folder. */
 static uint64_t stamp(const char *path)
 {
     struct walk l = { .stamp = 1 };

@@ -13,11 +13,11 @@ struct folder {
     uint64_t fresh; /* stamp at the last check, if it was different */
 };
 
-/* Watches a folder: its present contents are known. False: it isn't a folder; checks then find nothing. */
+/* Starts watching a folder. If it isn't a folder, returns false, and folder_changed never finds a change. */
 bool folder_open(struct folder *f, const char *path);
 
-/* True once after a change, when two checks in a row find the same stamp, so that an editor has time to finish. Names
- * and times of all files count, except hidden ones (starting with a dot) and those in demos/ and tests/. */
+/* Returns true once after a change, when two calls in a row find the same stamp, so that an editor has time to finish.
+ * Compares names and times of all files except hidden ones (starting with a dot) and those in demos/ and tests/. */
 bool folder_changed(struct folder *f);
 
 #endif

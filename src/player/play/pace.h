@@ -1,5 +1,5 @@
 /*
- * pace.h - when a frame is due, and how many ticks it has: 60 a second on every screen.
+ * pace.h - decides when a frame is due and how many ticks it has: 60 ticks a second on every screen.
  *
  * The caller passes the time, in microseconds, so a test can simulate it.
  *
@@ -22,52 +22,52 @@
 #include <stdint.h>
 
 enum {
-    PACE_SECOND = 1000000, /* usec; a tick in parts of a sixtieth of one */
-    PACE_LATE = 4,         /* ticks a frame has at most; the rest is lost, and the game slows down */
-    PACE_LEAST = 20000,    /* thousandths of a Hz: the pace is not locked to slower or faster screens */
-    PACE_MOST = 1000000
+    PACE_SECOND = 1000000,    /* usec */
+    PACE_MAX_TICKS = 4,       /* per frame; the rest is lost, and the game slows down */
+    PACE_MIN_REFRESH = 20000, /* thousandths of a Hz: the pace is not locked to slower or faster screens */
+    PACE_MAX_REFRESH = 1000000
 };
 
 struct pace {
-    uint64_t base;  /* usec: when tick 0 was due */
-    uint64_t ticks; /* taken since then */
-    int refresh;    /* of the screen, in thousandths of a Hz; 0: free */
-    int64_t step;   /* a refresh, in millionths of a tick, as are at and off */
-    int64_t at;     /* the last counted refresh, since base */
-    int64_t off;    /* the mean delay between a refresh and the call that reports it */
-    int counted;    /* refreshes since the clock was last corrected */
-    bool asleep;    /* this code waits for the next refresh, not the screen */
-    uint64_t begin; /* usec: the time at which the frame of a due tick starts; 0: no tick is due */
-    int64_t spare;  /* usec by which the start of the last frame was delayed */
-    int64_t work;   /* usec from a frame's start to its picture: the recent maximum */
-    int careful;    /* refreshes in which frames start at once */
+    uint64_t base;    /* usec: when tick 0 was due */
+    uint64_t ticks;   /* taken since then */
+    int refresh;      /* rate of the screen, in thousandths of a Hz; 0: free */
+    int64_t step;     /* time between refreshes, in millionths of a tick; at and off have the same unit */
+    int64_t at;       /* time of the last counted refresh, since base */
+    int64_t off;      /* mean delay between a refresh and the call that reports it */
+    int counted;      /* refreshes since the clock was last corrected */
+    bool asleep;      /* this code waits for the next refresh, not the screen */
+    uint64_t begin;   /* usec: when the frame of a due tick starts; 0: no tick is due */
+    int64_t delay;    /* usec by which the start of the last frame was delayed */
+    int64_t work;     /* usec from a frame's start to its picture: the recent maximum */
+    int careful_left; /* refreshes in which frames start at once */
 };
 
 struct pace_frame {
-    int ticks;     /* 1 to PACE_LATE */
-    uint64_t due;  /* usec: never after now */
+    int ticks;     /* 1 to PACE_MAX_TICKS */
+    uint64_t due;  /* usec, not after now */
     uint64_t lost; /* usec that are skipped, because the game is too slow */
 };
 
-/* Starts, or restarts, now: free, and the first frame is due at once. */
+/* Starts or restarts in free mode, with the first frame due at once. */
 void pace_open(struct pace *p, uint64_t now);
 
-/* The screen's refreshes in a thousand seconds, if showing a picture waits for one; 0, or out of range: it doesn't.
- * Does nothing if the rate hasn't changed. Call it before each wait: it restarts the pace if the host's clock was set
- * back, which would delay the next frame. */
+/* Sets the screen's refresh rate in thousandths of a Hz, if showing a picture waits for a refresh; otherwise 0. Rates
+ * out of range count as 0. Does nothing if the rate hasn't changed. Call it before each wait: it restarts the pace if
+ * the host's clock was set back, which would delay the next frame. */
 void pace_refresh(struct pace *p, int refresh, uint64_t now);
 
-/* Wait until this time before calling pace_frame_due. */
+/* Returns the time to wait for before calling pace_frame_due. */
 uint64_t pace_due(const struct pace *p);
 
-/* Is a frame due? Call it once after each wait, and then pace_take if it returns true. */
+/* Returns whether a frame is due. Call it once after each wait; if it returns true, call pace_take. */
 bool pace_frame_due(struct pace *p, uint64_t now);
 struct pace_frame pace_take(struct pace *p, uint64_t now);
 
-/* The time from pace_take to the picture, in usec. */
+/* Reports the time from pace_take to the picture, in usec. */
 void pace_worked(struct pace *p, uint64_t usec);
 
-/* The present frame is on time: another clock sets the pace. */
+/* Counts a frame as on time now, when another clock sets the pace. */
 void pace_follow(struct pace *p, uint64_t now);
 
 #endif

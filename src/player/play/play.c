@@ -1,5 +1,5 @@
 /*
- * play.c - see play.h: opening, the frame, and closing.
+ * play.c - opening a window, its frames, and closing it (play.h).
  *
  * The caller has the loop and calls play_frame, so all state is in one struct. pace.h decides when a frame is due and
  * how many ticks it has. The input is read just before the tick, so it is no older than the time that the tick and the
@@ -25,7 +25,7 @@ enum {
 
 /* ---- time ---- */
 
-/* With the speaker's clock, a frame is due when one has been played; or after a second, in case the card is stuck. */
+/* Returns whether a frame is due by the sound card's clock, or after a second in case the card is stuck. */
 static bool speaker_frame_due(struct play *play, uint64_t now)
 {
     pace_refresh(&play->pace, 0, now);
@@ -37,7 +37,7 @@ static bool speaker_frame_due(struct play *play, uint64_t now)
     return true;
 }
 
-/* False: plat_wait returned before the frame is due. */
+/* Returns false if plat_wait returned before the frame is due. */
 static bool wait_for_frame(struct play *play)
 {
     if (speaker_sets_pace(&play->speaker))
@@ -47,7 +47,7 @@ static bool wait_for_frame(struct play *play)
     return pace_frame_due(&play->pace, plat_usec());
 }
 
-/* Frames that are due by now, at least one. */
+/* Takes the frames that are due by now, at least one. */
 static struct speaker_elapsed take_frames(struct play *play, uint64_t now)
 {
     const struct pace_frame f = pace_take(&play->pace, now);
@@ -76,7 +76,7 @@ static void turbo(struct play *play, uint64_t now)
         play_queue_sound(play, SPEAKER_FAST);
 }
 
-/* Frame by frame, because each of them is heard. */
+/* Rewinds frame by frame, because each frame is heard. */
 static void rewind_by(struct play *play, int frames)
 {
     for (int i = 0; i < frames; i++) {
@@ -87,7 +87,7 @@ static void rewind_by(struct play *play, int frames)
     }
 }
 
-/* In slow motion: does this frame tick? */
+/* Returns whether the board ticks in this frame of slow motion. */
 static bool slow_tick_due(struct play_time *time)
 {
     time->slow_frames = (time->slow_frames + 1) % time->slow;
@@ -225,7 +225,7 @@ static void close_run(struct play *play)
     play->nvram.image = NULL;
 }
 
-/* The game can't run. If the reason is in the files of a folder, waits for a change. */
+/* Reports that the game can't run. If the reason is in the files of a folder, waits for a change. */
 static bool refuse(struct play *play, enum result result, const char *reason)
 {
     char why[FILES_ERR_SIZE + sizeof play->session.err];
@@ -255,7 +255,7 @@ static bool wait_for_fault(struct play *play)
     return false;
 }
 
-/* Why plat_open failed. */
+/* Returns why plat_open failed. */
 static const char *window_error(void)
 {
     char about[128];
@@ -296,7 +296,7 @@ bool play_power_on(struct play *play)
         return refuse(play, RESULT_HOST_FAILED, "out of memory for the picture");
     practice_init(&play->practice, o->cart, &play->start);
     if (!o->demo)
-        practice_began(&play->practice, &play->start);
+        practice_start_run(&play->practice, &play->start);
     play_check_recording(play, !play->session.err[0]);
     if (play->time.slow > 1 && !o->demo)
         play_mark_assisted(play);

@@ -34,8 +34,8 @@ struct play_options {
     bool nearest;             /* as `curtain pack --nearest`, when a folder is packed again */
     bool sealed;              /* an exported game: no development keys, and no other game */
 
-    /* For a folder, otherwise NULL: opens the game again and sets cart, start and demo. If there is such a function,
-     * the window shows the errors in a folder and waits until the folder changes. */
+    /* For a folder, otherwise NULL: opens the game again and sets cart, start and demo. With such a function, the
+     * window shows errors in the folder and waits until the folder changes. */
     enum play_opened (*open)(void *user, struct play_options *o, char *err, size_t err_size);
     void *user;
     const char *wrong; /* one sentence, if cart is NULL */
@@ -45,19 +45,20 @@ struct play_options {
  * platform only during these calls, so a port with several windows knows which window a call is for. */
 struct play;
 
-/* The options' pointers must last until play_close. NULL: out of memory. */
+/* Opens a window. The options' pointers must last until play_close. Returns NULL when out of memory. */
 struct play *play_open(const struct play_options *options);
 
-/* Waits with plat_wait until the next frame is due and runs it; returns at once if plat_wait does. False: the game has
- * ended, and stays ended; close it. */
+/* Waits with plat_wait until the next frame is due and runs it; returns at once if plat_wait does. Returns false when
+ * the game has ended; then close it. */
 bool play_frame(struct play *play);
 
-/* The folder or ROM that was dropped on the window and is to be played next. False: there is none. */
+/* Writes the path of the folder or ROM that was dropped on the window to be played next. Returns false if there is
+ * none. */
 bool play_dropped_game(const struct play *play, char *path, size_t size);
 
-/* Ends the game as quitting does, and frees everything. Can be called between any two frames. RESULT_REFUSED: a script
- * fault, a folder with errors, or an invalid settings file. RESULT_HOST_FAILED: the host failed. The reason was written
- * to plat_log, after a script fault with its traceback. */
+/* Ends the game as if the player quit, and frees everything. Can be called between any two frames. Returns
+ * RESULT_REFUSED after a script fault, a folder with errors, or an invalid settings file, and RESULT_HOST_FAILED if the
+ * host failed. The reason was written to plat_log, after a script fault with its traceback. */
 enum result play_close(struct play *play);
 
 #endif

@@ -33,7 +33,7 @@ static struct demo_writer *writer(struct play *play)
     return &play->session.now->writer;
 }
 
-/* Are the runs of this window saved? */
+/* Returns whether runs of this window are saved. */
 static bool saves_runs(struct play *play)
 {
     return !play->session.demo && !play->options.demo && !play->replay.taken_over && !play->start.practice.section[0] &&
@@ -84,13 +84,13 @@ static bool save_rom(struct play *play)
 
     roms_path(path, cart->manifest.id, rom_hash(cart->rom));
     const bool known = is_unsaved(play, path);
-    const bool saved = roms_keep(&play->unsaved.files, cart->manifest.id, cart->rom, err, sizeof err);
+    const bool saved = roms_store(&play->unsaved.files, cart->manifest.id, cart->rom, err, sizeof err);
     return check_saved(play, saved, known, err);
 }
 
 /* ---- score tables ---- */
 
-/* The present rows of a table. */
+/* Reads the present rows of a table. Returns their number. */
 static int table_rows(struct play *play, const char *table, const char *ship, struct nv_row rows[NV_MAX_ROWS])
 {
     size_t size;
@@ -101,10 +101,10 @@ static int table_rows(struct play *play, const char *table, const char *ship, st
     return nvram_get_rows(&nv, table, ship, rows);
 }
 
-static bool has_row(void *of, const struct replay_meta_row *row)
+static bool has_row(void *context, const struct replay_meta_row *row)
 {
     struct nv_row rows[NV_MAX_ROWS];
-    const int n = table_rows(of, row->table, row->row.ship, rows);
+    const int n = table_rows(context, row->table, row->row.ship, rows);
 
     for (int i = 0; i < n; i++)
         if (rows[i].score == row->row.score && strcmp(rows[i].name, row->row.name) == 0)
@@ -112,7 +112,7 @@ static bool has_row(void *of, const struct replay_meta_row *row)
     return false;
 }
 
-/* The row that a marker reports. */
+/* Finds the row that a marker reports. Returns false if there is none. */
 static bool marker_row(struct play *play, const struct board_marker *m, struct replay_meta_row *row)
 {
     struct nv_row rows[NV_MAX_ROWS];
@@ -218,7 +218,7 @@ static void add_unsaved_run(struct play *play, uint8_t *bytes, size_t size, cons
     play->autosave.waits = true;
 }
 
-/* Saves the run in progress, which ends here. False: its replay could not be written yet. */
+/* Saves the run in progress, which ends here. Returns false if its replay could not be written yet. */
 static bool save_run(struct play *play, enum replay_meta_end end)
 {
     struct replay_meta card;
@@ -380,7 +380,7 @@ static enum replay_meta_end end_of(const char *marker)
     return strcmp(marker, "clear") == 0 ? REPLAY_CLEAR : strcmp(marker, "quit") == 0 ? REPLAY_QUIT : REPLAY_OVER;
 }
 
-/* The run in progress before a frame, according to the recording. */
+/* Finds the run in progress before a frame in the recording. */
 static void find_run(struct play *play, uint32_t before)
 {
     const struct demo *d = &writer(play)->demo;
@@ -396,7 +396,7 @@ static void find_run(struct play *play, uint32_t before)
     }
 }
 
-/* The recording was truncated because the player went back, or is another one. */
+/* Finds the run in progress after the recording was truncated, because the player went back, or replaced. */
 static void sync_to(struct play *play, uint32_t frames)
 {
     find_run(play, frames);
@@ -463,14 +463,14 @@ void play_autosave_end(struct play *play)
 
 /* ---- trying again ---- */
 
-static void log_lost(void *of, const char *err)
+static void log_lost(void *context, const char *err)
 {
-    play_log(of, "curtain: not saved: %s", err);
+    play_log(context, "curtain: not saved: %s", err);
 }
 
-static void ignore(void *of, const char *err)
+static void ignore(void *context, const char *err)
 {
-    (void)of;
+    (void)context;
     (void)err;
 }
 
@@ -483,8 +483,8 @@ static void free_run(struct unsaved_run **at)
     free(run);
 }
 
-/* The oldest first, because replays are listed by age. */
-static bool retry_runs(struct play *play, struct unsaved_run **at, void (*failed)(void *of, const char *err))
+/* Retries the oldest run first, because replays are listed by age. */
+static bool retry_runs(struct play *play, struct unsaved_run **at, void (*failed)(void *context, const char *err))
 {
     struct unsaved_run *run = *at;
     char err[FILES_ERR_SIZE];
@@ -507,7 +507,7 @@ static bool retry_runs(struct play *play, struct unsaved_run **at, void (*failed
     return true;
 }
 
-static bool retry_settings(struct play *play, void (*failed)(void *of, const char *err))
+static bool retry_settings(struct play *play, void (*failed)(void *context, const char *err))
 {
     char err[FILES_ERR_SIZE + CONFIG_LINE];
 
@@ -517,7 +517,7 @@ static bool retry_settings(struct play *play, void (*failed)(void *of, const cha
     return !play->unsaved.settings;
 }
 
-/* The unfinished run, then the resume file of the present one. */
+/* Retries the unfinished run, then the resume file of the present one. */
 static bool retry_resume_file(struct play *play)
 {
     struct play_unsaved *u = &play->unsaved;
@@ -533,7 +533,7 @@ static bool retry_resume_file(struct play *play)
     return !u->resume_file;
 }
 
-static bool retry(struct play *play, void (*failed)(void *of, const char *err))
+static bool retry(struct play *play, void (*failed)(void *context, const char *err))
 {
     const bool files = unsaved_retry(&play->unsaved.files, failed, play),
                runs = retry_runs(play, &play->unsaved.runs, failed), settings = retry_settings(play, failed);

@@ -1,6 +1,6 @@
 /*
- * play_draw.c - the board's picture, and over a copy of it, or beside it, messages, time bar, panels, console or
- * screens; screenshots and clips.
+ * play_draw.c - draws the board's picture, and over a copy of it or next to it, messages, time bar, panels, console or
+ * screens; saves screenshots and clips.
  *
  * Everything over the picture is at its bottom, because most games show scores at the top.
  */
@@ -45,7 +45,7 @@ void picture_close(struct picture *p)
     *p = (struct picture){ 0 };
 }
 
-/* NULL: a board with a fault is not drawn again. */
+/* Returns the board to draw, or NULL for a board with a fault, which is not drawn again. */
 static const struct board *drawable_board(struct play *play)
 {
     return !play->attract.on && play_fault(play) ? NULL : play_shown_board(play);
@@ -64,7 +64,7 @@ void play_draw(struct play *play, struct picture *p)
         board_draw(b, &view, &p->fb, p->rgb, p->scratch);
 }
 
-/* Are the ships' hit shapes shown, and is there a ship? */
+/* Returns whether hitboxes of ships are enabled and there is a ship. */
 static bool ships_shown(struct play *play)
 {
     struct inspect_body ship;
@@ -73,7 +73,7 @@ static bool ships_shown(struct play *play)
            (inspect_ship(play_board(play), 0, &ship) || inspect_ship(play_board(play), 1, &ship));
 }
 
-/* Only if the next tick is the player's, and nothing needs the present frame. */
+/* Looks ahead only if the next tick is the player's, and nothing needs the present frame. */
 void play_look_ahead(struct play *play)
 {
     const struct play_time *time = &play->time;
@@ -101,7 +101,7 @@ static struct canvas copy_picture(struct play *play, struct picture *p)
 
 /* ---- the overlay ---- */
 
-/* The message over the picture; "": none. */
+/* Writes the message over the picture; "": none. */
 static void message_text(struct play *play, char *text, size_t size)
 {
     uint32_t at = board_frame(play_board(play));
@@ -122,7 +122,7 @@ static void message_text(struct play *play, char *text, size_t size)
         snprintf(text, size, "1/%d speed: frame %u", play->time.slow, (unsigned)at);
 }
 
-/* Is there a page to read: a fault, or a failed reload? */
+/* Returns whether a page is shown: a fault, or a failed reload. */
 static bool shows_page(struct play *play)
 {
     return play->session.state == SESSION_PLAYING && !play->prompt.open && !play->time.rewinding &&
@@ -133,22 +133,22 @@ static bool shows_page(struct play *play)
 static int draw_page(struct play *play, const struct canvas *canvas)
 {
     const struct board_fault *f = play_fault(play);
-    char foot[FILES_PATH_SIZE + 64] = "The old version is still running.";
-    struct page page = { "Reload failed", play->message.text, "", foot, play->report.page_top, 0 };
+    char footer[FILES_PATH_SIZE + 64] = "The old version is still running.";
+    struct page page = { "Reload failed", play->message.text, "", footer, play->report.page_top, 0 };
 
     if (play->message.frames != MESSAGE_UNTIL_RELOAD) {
         page.title = "Script error: the game has stopped";
         page.text = f->message;
         page.details = f->trace;
-        snprintf(foot, sizeof foot, "%s%s", play->report.where[0] ? "Report: " : "", play->report.where);
+        snprintf(footer, sizeof footer, "%s%s", play->report.where[0] ? "Report: " : "", play->report.where);
     }
     int y = page_draw(canvas, &page);
     play->report.page_end = page.max_top;
     return y;
 }
 
-/* The keys for new players, below a menu before the game and below an attract demo. "": neither is shown, or there is a
- * message. */
+/* Writes the hint with the keys for new players, which is shown below the game's menu and below an attract demo; "":
+ * none, or there is a message. */
 static void hint_text(struct play *play, const char *message, char *text, size_t size)
 {
     char start[32], fire[32], bomb[32];
@@ -187,15 +187,15 @@ static void draw_progress(struct play *play, const struct canvas *canvas, int y)
     canvas_rect(canvas, 0, y, done, 2, CANVAS_GREEN);
 }
 
-/* The overlay: its text, and where there is space for it. */
-struct over {
+/* The overlay's text, and the areas that it is drawn on. */
+struct overlay_layout {
     char text[sizeof((struct play *)0)->message.text + 32], hint[160];
     bool page;                   /* a page is shown, always over the picture */
     struct canvas picture, side; /* beside.fb NULL: everything is over the picture */
     int y0, y1;                  /* rows that are free for panels */
 };
 
-static bool anything(struct play *play, const struct over *o)
+static bool has_overlay(struct play *play, const struct overlay_layout *o)
 {
     return o->page || o->text[0] || o->hint[0] || play_timebar_shown(play) || play->console.open ||
            overlay_is_visible(&play->overlay) || ships_shown(play);
@@ -213,8 +213,8 @@ static struct canvas side_canvas(struct play *play, const struct canvas *picture
     return side;
 }
 
-/* From the bottom upwards: the console or the time bar, the message above it. */
-static void draw_over(struct play *play, struct over *o)
+/* Draws the console or the time bar at the bottom, and the message above it. */
+static void draw_over_picture(struct play *play, struct overlay_layout *o)
 {
     const struct canvas *canvas = &o->picture;
     const bool bar = play_timebar_shown(play) && !play->console.open;
@@ -229,8 +229,8 @@ static void draw_over(struct play *play, struct over *o)
         draw_hint(canvas, o->hint);
 }
 
-/* The message at the top, the console at the bottom, panels between them. */
-static void draw_beside(struct play *play, struct over *o)
+/* Draws the message at the top and the console at the bottom of the side area; panels are drawn between them. */
+static void draw_in_side(struct play *play, struct overlay_layout *o)
 {
     const struct canvas *canvas = &o->side;
 
@@ -244,14 +244,14 @@ static void draw_beside(struct play *play, struct over *o)
         draw_page(play, &o->picture);
 }
 
-static void show_over(struct play *play, struct picture *p, struct over *o)
+static void show_with_overlay(struct play *play, struct picture *p, struct overlay_layout *o)
 {
     o->picture = copy_picture(play, p);
     o->side = side_canvas(play, &o->picture);
     if (o->side.fb)
-        draw_beside(play, o);
+        draw_in_side(play, o);
     else
-        draw_over(play, o);
+        draw_over_picture(play, o);
     const struct overlay_target place = { &o->picture, o->side.fb ? &o->side : NULL, o->y0, o->y1 };
     overlay_draw(&play->overlay, &place, play_shown_board(play), play->mouse.x, play->mouse.y);
     if (play_timebar_shown(play) && (o->side.fb || !play->console.open))
@@ -259,40 +259,40 @@ static void show_over(struct play *play, struct picture *p, struct over *o)
     play_window_show(play, &p->composed, p->composed_rgb, true);
 }
 
-/* The player's key for an action; the fixed one, if the player has no key for it. */
-static void foot_key(struct play *play, const char *action, const char *fixed, char *name, size_t size)
+/* Writes the player's key for an action, or the fixed key if the player has none. */
+static void footer_key(struct play *play, const char *action, const char *fixed, char *name, size_t size)
 {
     keys_hint(&play->config.keys, action, name, size);
     if (!play->config.keys.device[0].is_controller && (strncmp(name, "pad", 3) == 0 || strcmp(name, "none") == 0))
         snprintf(name, size, "%s", fixed);
 }
 
-/* The line below a screen. */
-static void screens_foot(struct play *play, char *text, size_t size)
+/* Writes the line below a screen. */
+static void screens_footer(struct play *play, char *text, size_t size)
 {
     char yes[32], no[32];
 
-    foot_key(play, "p1.fire", "enter", yes, sizeof yes);
-    foot_key(play, "p1.bomb", "escape", no, sizeof no);
+    footer_key(play, "p1.fire", "enter", yes, sizeof yes);
+    footer_key(play, "p1.bomb", "escape", no, sizeof no);
     snprintf(text, size, "%s: Select  %s: Back", yes, no);
 }
 
 void play_show(struct play *play, struct picture *p)
 {
-    struct over o = { .page = shows_page(play) };
+    struct overlay_layout o = { .page = shows_page(play) };
 
     play_window_begin(play, p->fb.w, p->fb.h);
     if (screens_are_open(&play->screens)) {
         struct canvas canvas = copy_picture(play, p);
-        screens_foot(play, o.hint, sizeof o.hint);
+        screens_footer(play, o.hint, sizeof o.hint);
         screens_draw(&play->screens, &canvas, o.hint);
         play_window_show(play, &p->composed, p->composed_rgb, false);
         return;
     }
     message_text(play, o.text, sizeof o.text);
     hint_text(play, o.page ? " " : o.text, o.hint, sizeof o.hint);
-    if (anything(play, &o))
-        show_over(play, p, &o);
+    if (has_overlay(play, &o))
+        show_with_overlay(play, p, &o);
     else
         play_window_show(play, &p->fb, p->rgb, false);
 }

@@ -1,5 +1,5 @@
 /*
- * play_keys.c - what each of the program's keys does, and which buttons reach the game.
+ * play_keys.c - the effect of each hotkey, and the buttons that reach the game.
  */
 #include <stdio.h>
 #include <string.h>
@@ -107,7 +107,7 @@ static void time_bar_mouse(struct play *play, const struct plat_input *in)
         play_seek(play, frame);
 }
 
-/* True while the prompt is open: it gets all keys, and the board doesn't tick. */
+/* Returns true while the prompt is open: it gets all keys, and the board doesn't tick. */
 static bool prompt_keys(struct play *play, const struct plat_input *in)
 {
     uint32_t frame;

@@ -90,7 +90,7 @@ __attribute__((format(printf, 3, 4))) static void show(struct play *play, int fr
     va_end(args);
     play_show_message(play, frames, "%s", text);
     if (screens_are_open(&play->screens))
-        screens_say(&play->screens, "%s", text);
+        screens_show_message(&play->screens, "%s", text);
 }
 
 /* Pauses the game for a player who was using the controller. */

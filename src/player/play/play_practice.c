@@ -77,16 +77,16 @@ static void power_again(struct play *play, struct board_start start)
     play->nvram.image = nvram;
     play_free_replay(play);
     play_reset_run(play, &start);
-    practice_began(&play->practice, &start);
+    practice_start_run(&play->practice, &start);
     play_log_output(play);
     play_report_fault(play);
     if (reloads)
         play_reload(play);
 }
 
-void play_restart(void *of)
+void play_restart(void *context)
 {
-    struct play *play = of;
+    struct play *play = context;
     struct board_start start;
     char path[PLAY_NAME_SIZE];
 

@@ -78,9 +78,9 @@ static void finish_reload(struct play *play)
     attract_end(&play->attract); /* its board reads the ROM that was freed */
     play_apply_rom(play);
     play_log(play, "curtain: %s: reloaded", play_game_name(play));
-    if (play->session.gone[0])
+    if (play->session.missing_music[0])
         play_log(play, "curtain: %s: the music \"%s\" was playing and is no longer in the game", play_game_name(play),
-                 play->session.gone);
+                 play->session.missing_music);
     play_show_message(play, MESSAGE_FRAMES / 3, "Reloaded");
 }
 

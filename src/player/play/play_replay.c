@@ -14,7 +14,7 @@
 static bool refuse(struct play *play, const char *what, const char *why)
 {
     play_warn(play, "%s: %s", what, why);
-    screens_say(&play->screens, "%s", play->message.text);
+    screens_show_message(&play->screens, "%s", play->message.text);
     return false;
 }
 
@@ -178,7 +178,7 @@ void play_return_to_title(struct play *play)
     }
     free(play->nvram.image);
     play->nvram.image = nvram;
-    practice_began(&play->practice, &start);
+    practice_start_run(&play->practice, &start);
     play_log_output(play);
     play_report_fault(play);
     play_offer_resume(play); /* the replay may have interrupted a run */
@@ -205,9 +205,9 @@ bool play_find_unfinished(struct play *play, struct replay_meta *c)
 }
 
 /* Compares the run's image with the saved one, whenever the run has written to it. */
-static void compare_nvram(void *of, const struct session *s)
+static void compare_nvram(void *context, const struct session *s)
 {
-    struct play_replay *r = of;
+    struct play_replay *r = context;
     size_t size;
     uint32_t changed;
     const uint8_t *image = board_nvram(session_board(s), &size, &changed);
@@ -231,7 +231,7 @@ static void start_comparing(struct play *play)
     r->same = r->nvram_size == start->nvram_size &&
               (r->nvram_size == 0 || memcmp(r->nvram, start->nvram, r->nvram_size) == 0);
     play->session.ticked = r->nvram ? compare_nvram : NULL;
-    play->session.of = r;
+    play->session.context = r;
 }
 
 bool play_resume(struct play *play)

@@ -63,7 +63,7 @@ static void toggle_by_key(struct play *play, const struct keys_state *k)
     const struct screen_def *screen = help ? &keys_screen : &practice_screen;
 
     if (help || practice) {
-        const bool was_open = screens_have(&play->screens, screen);
+        const bool was_open = screens_contain(&play->screens, screen);
         screens_close_all(&play->screens);
         if (!was_open && help)
             play_open_keys(play);
@@ -100,9 +100,9 @@ bool play_screen_keys(struct play *play, const struct plat_input *in, struct key
 
 /* ---- games dropped on the window ---- */
 
-static void play_dropped(void *of)
+static void play_dropped(void *context)
 {
-    struct play *play = of;
+    struct play *play = context;
 
     snprintf(play->drop.accepted, sizeof play->drop.accepted, "%s", play->drop.asked);
     play->quit = true;

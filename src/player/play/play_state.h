@@ -41,10 +41,10 @@ struct play_time {
     bool ticked;     /* the live board has ticked in this frame */
     bool paused, step;
     bool waits_for_button; /* the pause ends when a button is pressed */
-    bool stopped;          /* in this frame the board does not tick, because a screen is open or was */
+    bool stopped;          /* the board does not tick in this frame, because a screen is open or was */
     bool rewinding;
-    bool quiet;      /* ticks are not heard: single steps, or turbo */
-    int slow;        /* 1, 2, 4: frames a tick */
+    bool quiet;      /* ticks make no sound: single steps, or turbo */
+    int slow;        /* frames per tick: 1, 2, 4 */
     int slow_frames; /* since the last tick */
 };
 
@@ -58,7 +58,7 @@ struct attract {
 /* play_seek.c: moving in time. */
 struct play_seek {
     bool used;                      /* the player has moved in a playback: it pauses at its end instead of quitting */
-    int bar_frames;                 /* that the time bar is still shown */
+    int bar_frames;                 /* for which the time bar is still shown */
     uint32_t reported_difference;   /* the value of session.differs that was reported last */
     char recording[PLAY_NAME_SIZE]; /* of a playback that was taken over, unless --record names one */
 };
@@ -81,7 +81,7 @@ struct play_nvram {
 /* play_messages.c: the line over the picture. */
 struct message {
     char text[FILES_PATH_SIZE + 256];
-    int frames; /* that it is still shown; MESSAGE_UNTIL_RELOAD */
+    int frames; /* for which it is still shown, or MESSAGE_UNTIL_RELOAD */
 };
 
 /* play_draw.c. fb, rgb: the board's picture, drawn with the view of the settings. composed, composed_rgb: a copy with
@@ -172,7 +172,7 @@ struct play_unsaved {
     bool settings;
     bool resume_file;    /* user:resume/ID.demo of the run in progress */
     bool unfinished_run; /* user:resume/ID.demo is of an earlier run, whose replay could not be written yet */
-    bool shown;          /* the player was told, and something is still unsaved */
+    bool shown;          /* a message was shown, and something is still unsaved */
     int frames;          /* until the next try */
 };
 
@@ -186,7 +186,7 @@ struct play_replay {
     bool resuming;                /* an unfinished run is replayed, to be continued at its end */
     uint8_t *nvram;               /* the saved image when the run was resumed; malloc */
     size_t nvram_size;
-    bool same;        /* the run's image was identical to it once, so the run's image may replace it */
+    bool same;        /* the run's image was identical to `nvram` once, so it may replace the saved image */
     uint32_t changed; /* board_nvram's count at the last comparison */
 };
 
@@ -303,8 +303,8 @@ struct play {
 
 /* ---- play.c ---- */
 
-/* Powers the session on with the options and opens its window. False: play->quit, with a line in the log and
- * play->result set; or the window waits for the folder. */
+/* Powers the session on with the options and opens its window. On failure, returns false: either sets play->quit and
+ * play->result and logs the reason, or the window waits for the folder. */
 bool play_power_on(struct play *play);
 
 /* Starts with the loaded settings: powers on, or waits for a folder. */
@@ -312,11 +312,11 @@ void play_start(struct play *play);
 
 /* ---- play_wait.c ---- */
 
-/* Shows why the game's folder can't be played, and waits for a change. False: no window. */
+/* Shows why the game's folder can't be played, and waits for a change. Returns false if there is no window. */
 bool play_wait_for_folder(struct play *play, const char *why, const char *more);
 
 /* Shows why the settings can't be read, and waits until their file is fixed or the player accepts the defaults; then
- * calls play_start. False: no window. */
+ * calls play_start. Returns false if there is no window. */
 bool play_wait_for_settings(struct play *play, const char *why);
 
 void play_wait_frame(struct play *play);
@@ -340,16 +340,16 @@ void play_show_message(struct play *play, int frames, const char *format, ...) _
 /* Shows a line over the picture, and logs it with "curtain: " before it. */
 void play_warn(struct play *play, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* The game's name as the user typed it; the running cart, its board, and its fault or NULL. */
+/* Return the game's name as the user typed it; the running cart; its board; its fault, or NULL. */
 const char *play_game_name(const struct play *play);
 const struct cart *play_cart(const struct play *play);
 struct board *play_board(const struct play *play);
 const struct board_fault *play_fault(const struct play *play);
 
-/* The board that is shown and heard: the attract demo's, or the live one. */
+/* Returns the board that is shown and heard: the attract demo's, or the live one. */
 struct board *play_shown_board(const struct play *play);
 
-/* The first name "ID-N.TYPE" that no file has. where: "pictures:", or "" for the current directory. */
+/* Writes the first unused name "ID-N.TYPE". where: "pictures:", or "" for the current directory. */
 void play_unused_name(struct play *play, char name[PLAY_NAME_SIZE], const char *where, const char *type);
 
 /* Logs what scripts printed in the last tick. */
@@ -361,13 +361,13 @@ void play_queue_sound(struct play *play, enum speaker_mode mode);
 /* Reports, once, that a playback differs from its recording. */
 void play_report_difference(struct play *play);
 
-/* Harmless if no attract demo is shown. */
+/* Ends the attract demo, if one is shown. */
 void attract_end(struct attract *a);
 
 /* ---- play_nvram.c ---- */
 
-/* Loads the saved image for a start without nvram: malloc'ed, and start points to it. NULL: there is none, or a
- * practice start, which has empty nvram. */
+/* Loads the saved image for a start without nvram, and lets start point to it. Returns the image, from malloc, or NULL
+ * if there is none, or for a practice start, which has empty nvram. */
 uint8_t *play_load_nvram(struct play *play, struct board_start *start);
 
 /* Saves nvram if it has changed, in a live run that was neither rewound nor touched. */
@@ -387,7 +387,7 @@ void play_take_over(struct play *play);
 
 /* ---- play_reload.c ---- */
 
-/* Loads the game again; does so if files in its folder have changed. */
+/* play_reload loads the game again. play_check_folder does so if files in its folder have changed. */
 void play_reload(struct play *play);
 void play_check_folder(struct play *play);
 
@@ -414,7 +414,8 @@ void play_set_language(struct play *play, struct board_start *start);
 
 uint64_t play_clock_seed(void);
 
-/* Handles the keys for the menu and retry; does what was chosen in a frame of the open menu. */
+/* play_practice_keys handles the keys for the menu and retry. play_practice_poll applies what was chosen in a frame of
+ * the open menu. */
 void play_practice_keys(struct play *play, const struct keys_state *k);
 void play_practice_poll(struct play *play);
 
@@ -422,14 +423,14 @@ void play_practice_poll(struct play *play);
 void play_open_practice(struct play *play);
 
 /* Closes all screens and starts the game again at its title. of: the struct play, as for screens_ask. */
-void play_restart(void *of);
+void play_restart(void *context);
 
-/* A start of the game at its title, without nvram. */
+/* Makes a start of the game at its title, without nvram. */
 void play_title_start(struct play *play, struct board_start *start);
 
 /* ---- play_autosave.c ---- */
 
-/* Takes the result of a call that may write the recording. false: logs session.err, and the exit code is 3. */
+/* Call it with the result of a call that may write the recording. On failure, logs session.err and sets exit code 3. */
 void play_check_recording(struct play *play, bool good);
 
 /* Call autosave_tick after each new tick of the session, autosave_end before the session ends or the game is powered on
@@ -443,39 +444,42 @@ void play_autosave_start(struct play *play);
 /* Finds the run in progress in the recording, when the session was changed in the middle of a run. */
 void play_autosave_sync(struct play *play);
 
-/* The resume file. archive: saves the unfinished run in it as a replay; if that fails, the file stays until it can. */
+/* play_resume_path writes the path of the resume file. play_archive_unfinished saves the unfinished run in it as a
+ * replay; if that fails, the file stays until it succeeds. */
 void play_resume_path(struct play *play, char path[PLAY_NAME_SIZE]);
 void play_archive_unfinished(struct play *play);
 
-/* Writes a file. False: it can't be written yet, and the player was told. */
+/* Writes a file. If it can't be written yet, shows a message and returns false. */
 bool play_save(struct play *play, const char *path, const void *bytes, size_t size);
 
 /* Logs that something can't be written; shows one message until everything is saved. */
 void play_save_failed(struct play *play, const char *err);
 
-/* In each frame: tries unsaved data again every minute. At the end: tries it once more, and logs what is lost. */
+/* play_retry_saves, called in each frame, tries unsaved data again every minute. play_final_retry tries a last time,
+ * and logs what is lost. */
 void play_retry_saves(struct play *play);
 void play_final_retry(struct play *play);
 
 /* ---- play_replay.c ---- */
 
-/* Shows a replay from a frame on, and ends the present run. False, and a message: it can't be shown. */
+/* Shows a replay from a frame on, and ends the present run. If it can't be shown, shows a message and returns false. */
 bool play_watch(struct play *play, const char *path, uint32_t frame);
 
-/* Back to the game's title. */
+/* Returns to the game's title. */
 void play_return_to_title(struct play *play);
 
-/* Frees the demo that was opened last, which no session plays any more; and the game's own ROM. */
+/* play_free_replay frees the last opened demo, which no session may play any more; play_close_replay also frees the
+ * game's current ROM. */
 void play_free_replay(struct play *play);
 void play_close_replay(struct play *play);
 
-/* Replays the unfinished run, then pauses. False, and a message: it can't. */
+/* Replays the unfinished run, then pauses. If that is impossible, shows a message and returns false. */
 bool play_resume(struct play *play);
 
 /* Call it when a seek has ended. */
 void play_resume_finish(struct play *play);
 
-/* The unfinished run's metadata; false: there is none. */
+/* Reads the unfinished run's metadata. Returns false if there is none. */
 bool play_find_unfinished(struct play *play, struct replay_meta *c);
 
 /* ---- play_screens.c, screen_*.c ---- */
@@ -483,10 +487,10 @@ bool play_find_unfinished(struct play *play, struct replay_meta *c);
 /* Writes the changed settings to their file; shows a message if that fails. */
 void play_save_settings(struct play *play);
 
-/* Opens the screen that the game asks for: only in a live run's new ticks. */
+/* Opens the screen that the game requests; does nothing except in a new tick of a live run. */
 void play_open_requested(struct play *play, enum board_host_screen screen);
 
-/* Would the player lose a run by leaving? */
+/* Returns whether the player would lose a run by leaving. */
 bool play_has_run(const struct play *play);
 
 /* Applies play->config; call it after any change. */
@@ -503,8 +507,8 @@ void play_open_replays(struct play *play);
 /* Asks whether to resume the unfinished run, if there is one. */
 void play_offer_resume(struct play *play);
 
-/* Passes input to the screens, and to the keys that open them. True: a screen is open or was, the board doesn't tick,
- * and the keys left in k->pressed are those that no screen used. */
+/* Passes input to the screens, and to the keys that open them. Returns true if a screen is open or was: the board
+ * doesn't tick, and the keys left in k->pressed are those that no screen used. */
 bool play_screen_keys(struct play *play, const struct plat_input *in, struct keys_state *k);
 
 /* Checks whether a game was dropped on the window; asks before a run is lost, and reports games that can't be
@@ -513,7 +517,7 @@ void play_check_drop(struct play *play);
 
 /* ---- play_draw.c ---- */
 
-/* Allocates the pictures of a board, or pictures of any size. False: out of memory. */
+/* Allocate the pictures of a board, or pictures of any size. Return false when out of memory. */
 bool picture_open(struct picture *p, const struct board *b);
 bool picture_alloc(struct picture *p, int w, int h);
 void picture_close(struct picture *p);
@@ -521,17 +525,18 @@ void picture_close(struct picture *p);
 /* If enabled, ticks the board a frame ahead, until ahead_end. */
 void play_look_ahead(struct play *play);
 
-/* Draws the visible board; shows the picture with the overlay on it. */
+/* play_draw draws the visible board. play_show shows the picture with the overlay on it. */
 void play_draw(struct play *play, struct picture *p);
 void play_show(struct play *play, struct picture *p);
 
-/* True while the player moves in time, and in a playback when the mouse is on the time bar. */
+/* Returns true while the player moves in time, and in a playback when the mouse is on the time bar. */
 bool play_timebar_shown(const struct play *play);
 
-/* Saves the board's picture in the user's pictures, without the overlay and not changed by the settings. */
+/* Saves the board's picture in the user's pictures folder, without the overlay and unaffected by the settings. */
 void play_screenshot(struct play *play, struct picture *p);
 
-/* Requests a GIF of the last seconds in the user's pictures; writes it before the next frame, all at once. */
+/* play_request_clip requests a GIF of the last seconds in the user's pictures folder. play_save_clip writes it before
+ * the next frame, all at once. */
 void play_request_clip(struct play *play);
 void play_save_clip(struct play *play, struct picture *p);
 
@@ -543,7 +548,8 @@ int play_sound_rate(struct play *play);
 /* Sets the fields of window.config that don't depend on the game. w, h: the picture. */
 void play_window_configure(struct play *play, int w, int h, const char *title);
 
-/* Opens the window, or changes it, as play->config and the game's manifest say. False: no window. */
+/* Opens or changes the window according to play->config and the game's manifest. Returns false if there is no window.
+ * */
 bool play_open_window(struct play *play);
 
 /* Changes the window; quits if that fails. */
@@ -585,7 +591,7 @@ void play_pads_apply(struct play *play);
 /* Call it when the board was powered on. */
 void play_pads_power(struct play_pads *pads);
 
-/* The pads of the live board's next tick, from pads.held. */
+/* Computes the pads of the live board's next tick from pads.held. */
 void play_pads_tick(struct play *play, uint16_t pads[MAX_PLAYERS]);
 
 /* Call play_poll_controllers before keys_read, and play_report_controllers after it. The first updates the assignment
@@ -594,7 +600,7 @@ void play_pads_tick(struct play *play, uint16_t pads[MAX_PLAYERS]);
 void play_poll_controllers(struct play *play, const struct plat_input *in);
 void play_report_controllers(struct play *play, const struct keys_state *k);
 
-/* The controller's own name, or its kind. */
+/* Returns the controller's own name, or its kind. */
 const char *play_controller_name(const struct plat_controller *c);
 
 #endif

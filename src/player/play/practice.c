@@ -1,5 +1,5 @@
 /*
- * practice.c - see practice.h. The menu is one list of rows: the game's title, the settings, the sections.
+ * practice.c - the practice menu (practice.h), one list of rows: the game's title, the settings, the sections.
  */
 #include "practice.h"
 
@@ -44,13 +44,13 @@ static struct row row_at(const struct practice_menu *m, int at)
     return (struct row){ ROW_SECTION, at - 7 - n };
 }
 
-/* Rows that can't be chosen: the blank line, and the bosses' headings. */
+/* Returns whether a row can't be chosen: the blank line, and the bosses' headings. */
 static bool is_heading(const struct practice_menu *m, struct row r)
 {
     return r.kind == ROW_BLANK || (r.kind == ROW_SECTION && m->sections.section[r.i].kind == SECTION_BOSS);
 }
 
-/* The row of a section; if no section has that id, the first section's, or the title's. */
+/* Returns the row of a section, or if there is none with that id, that of the first section or the title. */
 static int row_of(const struct practice_menu *m, const char *id)
 {
     int first = 0;
@@ -80,7 +80,7 @@ void practice_init(struct practice_menu *m, const struct cart *cart, const struc
     records_load(&m->records, cart->manifest.id);
 }
 
-void practice_began(struct practice_menu *m, const struct board_start *start)
+void practice_start_run(struct practice_menu *m, const struct board_start *start)
 {
     m->start = *start;
     m->counts = start->practice.section[0] && !start->practice.invincible;
@@ -99,7 +99,7 @@ void practice_reloaded(struct practice_menu *m, const struct cart *cart)
     practice_stop_counting(m);
 }
 
-/* Does the marker complete the section? The ship, "@NAME", doesn't matter. */
+/* Returns whether the marker completes the section, ignoring its ship, "@NAME". */
 static bool completes(const char *section, const struct board_marker *marker)
 {
     char name[80];
@@ -202,9 +202,9 @@ static int32_t add_within(int32_t v, int by)
 }
 
 /* by: -1 or 1; -10 or 10 for numbers. */
-static void change(void *of, int at, int by)
+static void change(void *context, int at, int by)
 {
-    struct practice_menu *m = of;
+    struct practice_menu *m = context;
     const struct row r = row_at(m, at);
     const int direction = by < 0 ? -1 : 1;
 
@@ -232,9 +232,9 @@ static void change(void *of, int at, int by)
     }
 }
 
-static void accept(void *of, int at)
+static void accept(void *context, int at)
 {
-    struct practice_menu *m = of;
+    struct practice_menu *m = context;
     const struct row r = row_at(m, at);
 
     if (r.kind == ROW_TITLE)
@@ -247,9 +247,9 @@ static void accept(void *of, int at)
 
 /* ---- rows as they are shown ---- */
 
-static int count(void *of)
+static int count(void *context)
 {
-    return rows(of);
+    return rows(context);
 }
 
 static const struct record *record_of(const struct practice_menu *m, const struct section *section)
@@ -272,7 +272,7 @@ static void describe_section(const struct practice_menu *m, const struct section
     if (section->kind == SECTION_BOSS) {
         snprintf(row->label, sizeof row->label, "%s", titled ? section->title : section->name);
         snprintf(row->value, sizeof row->value, "%s", titled ? section->name : "");
-        row->value_ink = CANVAS_GREY;
+        row->value_colour = CANVAS_GREY;
         return;
     }
     snprintf(row->label, sizeof row->label, "%s%s%s%s", stage ? "Stage " : "  ", section->name, titled ? "  " : "",
@@ -284,8 +284,8 @@ static void describe_section(const struct practice_menu *m, const struct section
         snprintf(row->help, sizeof row->help, "Cleared in %d of %d attempts.", (int)r->captures, (int)r->attempts);
     else
         snprintf(row->help, sizeof row->help, "No attempts yet.");
-    row->ink = stage ? CANVAS_CYAN : CANVAS_WHITE;
-    row->value_ink = colour_of(r);
+    row->colour = stage ? CANVAS_CYAN : CANVAS_WHITE;
+    row->value_colour = colour_of(r);
 }
 
 static void describe_setting(const struct practice_menu *m, struct row r, struct screen_row *row)
@@ -317,9 +317,9 @@ static void describe_setting(const struct practice_menu *m, struct row r, struct
     }
 }
 
-static void describe(void *of, int at, struct screen_row *row)
+static void describe(void *context, int at, struct screen_row *row)
 {
-    const struct practice_menu *m = of;
+    const struct practice_menu *m = context;
     const struct row r = row_at(m, at);
 
     row->heading = is_heading(m, r);
@@ -331,9 +331,9 @@ static void describe(void *of, int at, struct screen_row *row)
         describe_setting(m, r, row);
 }
 
-static const char *text(void *of)
+static const char *text(void *context)
 {
-    return ((const struct practice_menu *)of)->sections.why;
+    return ((const struct practice_menu *)context)->sections.why;
 }
 
 const struct screen_def practice_screen = {

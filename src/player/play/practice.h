@@ -39,7 +39,7 @@ struct practice_menu {
 void practice_init(struct practice_menu *m, const struct cart *cart, const struct board_start *start);
 
 /* Call it when a live board was powered on with this start. */
-void practice_began(struct practice_menu *m, const struct board_start *start);
+void practice_start_run(struct practice_menu *m, const struct board_start *start);
 
 /* Counts attempts and captures. Call it after each tick of the live board, with its output. */
 void practice_after_tick(struct practice_menu *m, const struct board_out *out);

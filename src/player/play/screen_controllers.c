@@ -21,19 +21,20 @@ static int controller_at(struct play *play, int at)
     return -1;
 }
 
-static int rows(void *of)
+static int rows(void *context)
 {
     int n = 0;
 
-    while (controller_at(of, n) >= 0)
+    while (controller_at(context, n) >= 0)
         n++;
     return n > 0 ? n : 1;
 }
 
-static const char *text(void *of)
+static const char *text(void *context)
 {
-    return player_count(of) > 1 ? "Player 1 gets the first controller used. Press START on another to add player 2."
-                                : "The first controller you use controls the game. Press START on another to switch.";
+    return player_count(context) > 1
+               ? "Player 1 gets the first controller used. Press START on another to add player 2."
+               : "The first controller you use controls the game. Press START on another to switch.";
 }
 
 /* The labels of the buttons held on controller i: "2: cross, L1  ". Returns the length. */
@@ -52,16 +53,16 @@ static size_t describe_buttons(struct play *play, int i, char *out, size_t size)
     return n && n < size ? n + (size_t)snprintf(out + n, size - n, "  ") : n;
 }
 
-static void describe(void *of, int at, struct screen_row *row)
+static void describe(void *context, int at, struct screen_row *row)
 {
-    struct play *play = of;
+    struct play *play = context;
     const struct controllers *controllers = &play->pads.controllers;
     const int i = controller_at(play, at), player = i < 0 ? -1 : controllers_find_player(controllers, i);
     size_t n = 0;
 
     if (i < 0) {
         snprintf(row->label, sizeof row->label, "No controllers");
-        row->faint = true;
+        row->disabled = true;
         return;
     }
     snprintf(row->label, sizeof row->label, "%d %s", i + 1, play_controller_name(&controllers->info[i]));
@@ -76,9 +77,9 @@ static void describe(void *of, int at, struct screen_row *row)
 }
 
 /* Unassigned, player 1, player 2, and unassigned again. */
-static void change(void *of, int at, int by)
+static void change(void *context, int at, int by)
 {
-    struct play *play = of;
+    struct play *play = context;
     struct controllers *controllers = &play->pads.controllers;
     const int i = controller_at(play, at), n = player_count(play) + 1,
               now = controllers_find_player(controllers, i) + 1, to = (now + (by < 0 ? -1 : 1) + n) % n;
@@ -90,9 +91,9 @@ static void change(void *of, int at, int by)
 }
 
 /* Here START assigns the controller, and changes no row. */
-static bool listen(void *of, const struct plat_input *in)
+static bool listen(void *context, const struct plat_input *in)
 {
-    struct play *play = of;
+    struct play *play = context;
     uint32_t all = 0;
 
     memcpy(play->controllers_held, in->controllers, sizeof play->controllers_held);

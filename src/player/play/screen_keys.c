@@ -41,11 +41,11 @@ static int row_at(const struct play *play, int at)
     return list[at];
 }
 
-static int rows(void *of)
+static int rows(void *context)
 {
     int list[MAX_ROWS];
 
-    return list_rows(of, list);
+    return list_rows(context, list);
 }
 
 /* The labels of all keys and buttons of an action: "z, cross". */
@@ -81,9 +81,9 @@ static void describe_help(struct play *play, const char *meaning, struct screen_
     snprintf(row->help, sizeof row->help, "%s\n%s: add a key. %s: remove one.", sentence, more, less);
 }
 
-static void describe(void *of, int at, struct screen_row *row)
+static void describe(void *context, int at, struct screen_row *row)
 {
-    struct play *play = of;
+    struct play *play = context;
     const struct key_capture *capture = &play->key_capture;
     const int action = row_at(play, at);
 
@@ -119,22 +119,22 @@ static void take(struct play *play, uint16_t code)
     input_code_label(code, k->latest.kind, label, sizeof label);
     keys_title(name, title, sizeof title);
     if (!keys_add(k, name, code, err, sizeof err)) {
-        screens_say(&play->screens, "%s", err);
+        screens_show_message(&play->screens, "%s", err);
         return;
     }
     if (!other) {
-        screens_say(&play->screens, "%s: %s", title, label);
+        screens_show_message(&play->screens, "%s: %s", title, label);
         return;
     }
     keys_title(other, before, sizeof before);
-    screens_say(&play->screens, "%s: %s (was %s)", title, label, before);
+    screens_show_message(&play->screens, "%s: %s (was %s)", title, label, before);
     for (; other; other = keys_conflict(k, name, code))
         keys_remove(k, other, code);
 }
 
-static bool listen(void *of, const struct plat_input *in)
+static bool listen(void *context, const struct plat_input *in)
 {
-    struct play *play = of;
+    struct play *play = context;
     struct key_capture *c = &play->key_capture;
 
     if (!c->listening)
@@ -151,9 +151,9 @@ static bool listen(void *of, const struct plat_input *in)
     return true;
 }
 
-static void reset_all(void *of)
+static void reset_all(void *context)
 {
-    struct play *play = of;
+    struct play *play = context;
     struct keys defaults;
 
     keys_set_defaults(&defaults);
@@ -161,9 +161,9 @@ static void reset_all(void *of)
     play_apply_settings(play);
 }
 
-static void accept(void *of, int at)
+static void accept(void *context, int at)
 {
-    struct play *play = of;
+    struct play *play = context;
     const int action = row_at(play, at);
     char title[KEYS_TITLE_SIZE];
 
@@ -173,13 +173,13 @@ static void accept(void *of, int at)
     }
     play->key_capture = (struct key_capture){ .listening = true, .action = action };
     keys_title(keys_action_name(action), title, sizeof title);
-    screens_say(&play->screens, "%s: press a key or button. Escape: cancel.", title);
+    screens_show_message(&play->screens, "%s: press a key or button. Escape: cancel.", title);
 }
 
 /* Removes the last key that can be removed. */
-static void remove_one(void *of, int at)
+static void remove_one(void *context, int at)
 {
-    struct play *play = of;
+    struct play *play = context;
     const int action = row_at(play, at);
 
     for (int i = KEYS_PER_ACTION - 1; action >= 0 && i >= 0; i--) {
@@ -188,16 +188,16 @@ static void remove_one(void *of, int at)
             char label[INPUT_CODE_NAME_SIZE], title[KEYS_TITLE_SIZE];
             input_code_label(code, play->config.keys.latest.kind, label, sizeof label);
             keys_title(keys_action_name(action), title, sizeof title);
-            screens_say(&play->screens, "%s: removed %s", title, label);
+            screens_show_message(&play->screens, "%s: removed %s", title, label);
             keys_remove(&play->config.keys, keys_action_name(action), code);
             return;
         }
     }
 }
 
-static void closed(void *of)
+static void closed(void *context)
 {
-    struct play *play = of;
+    struct play *play = context;
 
     play->key_capture.listening = false;
     memcpy(play->saved_config.keys.code, play->config.keys.code, sizeof play->saved_config.keys.code);

@@ -23,7 +23,7 @@ enum entry {
 /* ---- leaving a run ---- */
 
 /* Asks first if a run would be lost. */
-static void end_run(struct play *play, const char *question, const char *yes, void (*then)(void *of))
+static void end_run(struct play *play, const char *question, const char *yes, void (*then)(void *context))
 {
     if (play_has_run(play))
         screens_ask(&play->screens, question, yes, then, play);
@@ -39,9 +39,9 @@ static void quit_to_title(struct play *play)
             "Quit to Title", play_restart);
 }
 
-static void quit_now(void *of)
+static void quit_now(void *context)
 {
-    ((struct play *)of)->quit = true;
+    ((struct play *)context)->quit = true;
 }
 
 static void quit(struct play *play)
@@ -102,26 +102,26 @@ static enum entry entry_at(const struct play *play, int at)
     return e;
 }
 
-static int rows(void *of)
+static int rows(void *context)
 {
     int n = 0;
 
-    while (entry_at(of, n) < ENTRIES)
+    while (entry_at(context, n) < ENTRIES)
         n++;
     return n;
 }
 
-static void row(void *of, int at, struct screen_row *row)
+static void row(void *context, int at, struct screen_row *row)
 {
-    const enum entry e = entry_at(of, at);
+    const enum entry e = entry_at(context, at);
 
     snprintf(row->label, sizeof row->label, "%s", entries[e].label);
     snprintf(row->help, sizeof row->help, "%s", entries[e].help);
 }
 
-static void accept(void *of, int at)
+static void accept(void *context, int at)
 {
-    struct play *play = of;
+    struct play *play = context;
     const enum entry e = entry_at(play, at);
 
     if (entries[e].closes)

@@ -48,15 +48,15 @@ static const struct replay_meta *card(const struct play *play, int i)
 
 enum { WATCH, NAME, DELETE, ACTIONS };
 
-static int action_rows(void *of)
+static int action_rows(void *context)
 {
-    (void)of;
+    (void)context;
     return ACTIONS;
 }
 
-static void action_row(void *of, int at, struct screen_row *row)
+static void action_row(void *context, int at, struct screen_row *row)
 {
-    struct play *play = of;
+    struct play *play = context;
     static const struct {
         const char *label, *help;
     } texts[ACTIONS] = {
@@ -70,9 +70,9 @@ static void action_row(void *of, int at, struct screen_row *row)
     snprintf(row->help, sizeof row->help, "%s", texts[at].help);
 }
 
-static const char *action_text(void *of)
+static const char *action_text(void *context)
 {
-    struct play *play = of;
+    struct play *play = context;
 
     if (!play->replay_list.typing)
         return card(play, play->replay_list.thumb_of)->name;
@@ -81,13 +81,13 @@ static const char *action_text(void *of)
     return play->replay_list.text;
 }
 
-static void delete (void *of)
+static void delete (void *context)
 {
-    struct play *play = of;
+    struct play *play = context;
     char err[256];
 
     if (!replays_delete(&play->replay_list.list, play->replay_list.thumb_of, err, sizeof err)) {
-        screens_say(&play->screens, "%s", err);
+        screens_show_message(&play->screens, "%s", err);
         return;
     }
     play->replay_list.thumb_of = -1;
@@ -121,9 +121,9 @@ static void ask_to_delete(struct play *play)
     screens_ask(&play->screens, "Delete this replay? This cannot be undone.", "Delete", delete, play);
 }
 
-static void do_action(void *of, int at)
+static void do_action(void *context, int at)
 {
-    struct play *play = of;
+    struct play *play = context;
     struct replay_list *l = &play->replay_list;
     char path[REPLAY_PATH];
 
@@ -174,11 +174,11 @@ static void save_name(struct play *play)
     char err[256];
 
     if (!replays_name(&play->replay_list.list, play->replay_list.thumb_of, play->replay_list.typed, err, sizeof err))
-        screens_say(&play->screens, "%s", err);
+        screens_show_message(&play->screens, "%s", err);
     else if (card(play, play->replay_list.thumb_of)->name[0])
-        screens_say(&play->screens, "Saved as \"%s\"", card(play, play->replay_list.thumb_of)->name);
+        screens_show_message(&play->screens, "Saved as \"%s\"", card(play, play->replay_list.thumb_of)->name);
     else
-        screens_say(&play->screens, "Name removed");
+        screens_show_message(&play->screens, "Name removed");
 }
 
 /* Pressed now and not at the last poll. */
@@ -187,9 +187,9 @@ static bool key(const struct replay_list *l, const struct plat_input *in, unsign
     return plat_is_key_held(in, usage) && !(l->held[usage >> 3 & 31] >> (usage & 7) & 1);
 }
 
-static bool listen(void *of, const struct plat_input *in)
+static bool listen(void *context, const struct plat_input *in)
 {
-    struct play *play = of;
+    struct play *play = context;
     struct replay_list *l = &play->replay_list;
     enum { ENTER = 40, ESCAPE = 41, BACKSPACE = 42, KEYPAD_ENTER = 88 };
     const uint32_t now = in->controllers[0] | in->controllers[1], fresh = now & ~l->buttons;
@@ -209,9 +209,9 @@ static bool listen(void *of, const struct plat_input *in)
     return true;
 }
 
-static void actions_closed(void *of)
+static void actions_closed(void *context)
 {
-    struct play *play = of;
+    struct play *play = context;
 
     set_typing(play, false);
 }
@@ -227,16 +227,16 @@ static const struct screen_def actions = { .title = "Replay",
 
 /* ---- the list ---- */
 
-static int rows(void *of)
+static int rows(void *context)
 {
-    struct play *play = of;
+    struct play *play = context;
 
     return play->replay_list.list.n;
 }
 
-static void row(void *of, int at, struct screen_row *row)
+static void row(void *context, int at, struct screen_row *row)
 {
-    struct play *play = of;
+    struct play *play = context;
     const struct replay_meta *c = card(play, at);
     char date[32];
 
@@ -247,37 +247,37 @@ static void row(void *of, int at, struct screen_row *row)
     describe(c, row->help, sizeof row->help);
 }
 
-static const char *text(void *of)
+static const char *text(void *context)
 {
-    struct play *play = of;
+    struct play *play = context;
 
     return play->replay_list.list.n ? "" : "No replays yet. Runs are saved automatically when they end.";
 }
 
-static void accept(void *of, int at)
+static void accept(void *context, int at)
 {
-    struct play *play = of;
+    struct play *play = context;
 
     play->replay_list.thumb_of = at;
     screens_open(&play->screens, &actions, play);
 }
 
-static void remove_replay(void *of, int at)
+static void remove_replay(void *context, int at)
 {
-    accept(of, at);
-    ask_to_delete(of);
+    accept(context, at);
+    ask_to_delete(context);
 }
 
-static void closed(void *of)
+static void closed(void *context)
 {
-    struct play *play = of;
+    struct play *play = context;
 
     replays_close(&play->replay_list.list);
 }
 
-static int height(void *of, int w, int h)
+static int height(void *context, int w, int h)
 {
-    struct play *play = of;
+    struct play *play = context;
     const struct manifest *m = &play_cart(play)->manifest;
     const int high = (m->screen_w > m->screen_h ? THUMB_SIDE * m->screen_h / m->screen_w : THUMB_SIDE) + 4;
 
@@ -326,9 +326,9 @@ static void draw_details(const struct replay_meta *c, const struct canvas *canva
                                     i ? CANVAS_WHITE : CANVAS_YELLOW, lines[i], to.w);
 }
 
-static void draw(void *of, int at, const struct canvas *canvas, struct screen_area to)
+static void draw(void *context, int at, const struct canvas *canvas, struct screen_area to)
 {
-    struct play *play = of;
+    struct play *play = context;
     struct replay_list *l = &play->replay_list;
     int side = 0;
 
@@ -358,6 +358,6 @@ void play_open_replays(struct play *play)
     replays_close(&play->replay_list.list);
     play->replay_list.thumb_of = -1;
     if (!replays_open(&play->replay_list.list, play_cart(play)->manifest.id))
-        screens_say(&play->screens, "Out of memory: some replays are not listed");
+        screens_show_message(&play->screens, "Out of memory: some replays are not listed");
     screens_open(&play->screens, &replays, play);
 }

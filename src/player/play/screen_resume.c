@@ -9,31 +9,31 @@
 
 enum { RESUME, NEW_GAME, ROWS };
 
-static int rows(void *of)
+static int rows(void *context)
 {
-    (void)of;
+    (void)context;
     return ROWS;
 }
 
-static void row(void *of, int at, struct screen_row *row)
+static void row(void *context, int at, struct screen_row *row)
 {
-    struct play *play = of;
+    struct play *play = context;
 
     snprintf(row->label, sizeof row->label, "%s", at == RESUME ? "Resume" : "New Game");
     snprintf(row->help, sizeof row->help, "%s",
              at == RESUME ? "Replays the run to where you left off, then pauses."
                           : "Saves the unfinished run as a replay.");
-    row->faint = at == RESUME && !play->resume_offer.possible;
+    row->disabled = at == RESUME && !play->resume_offer.possible;
 }
 
-static const char *text(void *of)
+static const char *text(void *context)
 {
-    return ((struct play *)of)->resume_offer.text;
+    return ((struct play *)context)->resume_offer.text;
 }
 
-static void accept(void *of, int at)
+static void accept(void *context, int at)
 {
-    struct play *play = of;
+    struct play *play = context;
 
     screens_close_all(&play->screens);
     if (at == RESUME)

@@ -53,9 +53,9 @@ static void change_lang(struct play *play, int by)
 
 /* ---- rows ---- */
 
-static int rows(void *of)
+static int rows(void *context)
 {
-    return ((struct play *)of)->settings_list.rows;
+    return ((struct play *)context)->settings_list.rows;
 }
 
 static void describe_value(struct play *play, const struct config_setting *s, struct screen_row *row)
@@ -66,9 +66,9 @@ static void describe_value(struct play *play, const struct config_setting *s, st
     row->changes = true;
 }
 
-static void describe(void *of, int at, struct screen_row *row)
+static void describe(void *context, int at, struct screen_row *row)
 {
-    struct play *play = of;
+    struct play *play = context;
 
     switch (play->settings_list.row[at].kind) {
     case SETTINGS_GROUP:
@@ -101,9 +101,9 @@ static void change_value(struct play *play, const struct config_setting *s, int 
     play_apply_settings(play);
 }
 
-static void change(void *of, int at, int by)
+static void change(void *context, int at, int by)
 {
-    struct play *play = of;
+    struct play *play = context;
 
     if (play->settings_list.row[at].kind == SETTINGS_VALUE)
         change_value(play, play->settings_list.row[at].setting, by);
@@ -111,17 +111,17 @@ static void change(void *of, int at, int by)
         change_lang(play, by);
 }
 
-static void accept(void *of, int at)
+static void accept(void *context, int at)
 {
-    struct play *play = of;
+    struct play *play = context;
 
     if (play->settings_list.row[at].kind == SETTINGS_TO_KEYS)
         play_open_keys(play);
 }
 
-static void closed(void *of)
+static void closed(void *context)
 {
-    struct play *play = of;
+    struct play *play = context;
     const bool changed = strcmp(play->config.lang, play->settings_list.lang) != 0;
 
     play_save_settings(play);
@@ -159,7 +159,7 @@ void play_save_settings(struct play *play)
         folder--;
     play_save_failed(play, err);
     /* a small menu has three lines: leave out the folder, which the message and the log contain */
-    screens_say(&play->screens, "Not saved: %s", strncmp(err, path, folder) == 0 ? err + folder : err);
+    screens_show_message(&play->screens, "Not saved: %s", strncmp(err, path, folder) == 0 ? err + folder : err);
 }
 
 /* All other settings are read where they are used. */

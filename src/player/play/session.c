@@ -1,6 +1,6 @@
 /*
- * session.c - see session.h. A session_run owns everything that is freed with its board; reloads and restarts make a
- * new one.
+ * session.c - runs, seeks and reloads (session.h). A session_run owns everything that is freed with its board; reloads
+ * and restarts make a new one.
  */
 #include "session.h"
 
@@ -37,7 +37,8 @@ static void run_free(struct session_run *r)
     free(r);
 }
 
-/* A board just powered on, recording in memory; takes ownership of `rom`, even if it returns NULL. */
+/* Powers a board on and records it in memory. Takes ownership of `rom`, even on failure. On failure, returns NULL and
+ * sets s->err. */
 static struct session_run *run_power(struct session *s, const struct cart *cart, struct session_rom *rom,
                                      const struct board_start *start)
 {
@@ -51,7 +52,7 @@ static struct session_run *run_power(struct session *s, const struct cart *cart,
     r->cart = cart;
     r->rom = rom;
     if (guard_power(&r->guard, cart->rom, start, s->err, sizeof s->err)) {
-        if (guard_remember(&r->guard)) {
+        if (guard_store_past(&r->guard)) {
             demo_begin(&r->writer, NULL, cart, r->guard.board, start, 0);
             return r;
         }
@@ -119,7 +120,7 @@ bool session_restart(struct session *s, const struct board_start *start)
 
 /* ---- forward ---- */
 
-/* The pads of the board's next tick. False: they are unknown. */
+/* Finds the recorded pads of the board's next tick. Returns false if there are none. */
 static bool known_pads(const struct session *s, uint16_t pads[MAX_PLAYERS])
 {
     uint32_t frame = board_frame(session_board(s));
@@ -148,7 +149,7 @@ static bool tick(struct session *s, const uint16_t pads[MAX_PLAYERS])
 
     guard_tick(&r->guard, pads);
     if (s->ticked)
-        s->ticked(s->of, s);
+        s->ticked(s->context, s);
     if (seen)
         return true;
     bool good = demo_record_frame(&r->writer, r->guard.board, pads);
@@ -207,7 +208,7 @@ void session_goto(struct session *s, uint32_t frame)
         s->rewound = true;
     s->from = board_frame(session_board(s));
     s->to = frame;
-    guard_back(&s->now->guard, frame < end ? frame : end);
+    guard_rewind(&s->now->guard, frame < end ? frame : end);
     s->state = board_frame(session_board(s)) == frame ? SESSION_PLAYING : SESSION_SEEKING;
 }
 
@@ -341,7 +342,7 @@ bool session_reload(struct session *s, rom_loader *load, const char *path, bool 
     return true;
 }
 
-/* The new run replaces the old one, and continues its file. */
+/* Replaces the old run with the new one, which continues its file. */
 static bool finish_reload(struct session *s)
 {
     struct session_run *old = s->now;
@@ -352,7 +353,8 @@ static bool finish_reload(struct session *s)
     s->state = SESSION_PLAYING;
     s->differs = 0;
     const char *song = board_music_name(old->guard.board);
-    snprintf(s->gone, sizeof s->gone, "%s", song[0] && cart_find(s->now->cart, CART_TUNES, song) < 0 ? song : "");
+    snprintf(s->missing_music, sizeof s->missing_music, "%s",
+             song[0] && cart_find(s->now->cart, CART_TUNES, song) < 0 ? song : "");
     run_free(old);
     demo_add_flags(&s->now->writer, flags);
     return !s->record || check_written(s, demo_record_to_file(&s->now->writer, s->record));
@@ -378,7 +380,7 @@ static bool arrived(const struct session *s)
     return board_frame(b) >= s->to || board_last_output(b)->fault;
 }
 
-/* None is left if the clock was set back. */
+/* Returns whether `until` is not reached; false also if the clock was set back. */
 static bool time_left(uint64_t start, uint64_t until)
 {
     const uint64_t now = plat_usec();

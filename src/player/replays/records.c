@@ -42,7 +42,7 @@ const struct record *records_find(const struct records *r, const char *section, 
 void records_free(struct records *r)
 {
     for (int i = 0; i < r->n; i++)
-        free(r->line[i].kept);
+        free(r->line[i].other);
     free(r->line);
     *r = (struct records){ 0 };
 }
@@ -100,10 +100,10 @@ static bool read_line(struct records *r, const char *s, const char **why)
     if (!line)
         return false;
     line->r = got;
-    line->kept = digit ? NULL : malloc(strlen(s) + 1);
-    if (!digit && line->kept)
-        strcpy(line->kept, s);
-    return digit || line->kept;
+    line->other = digit ? NULL : malloc(strlen(s) + 1);
+    if (!digit && line->other)
+        strcpy(line->other, s);
+    return digit || line->other;
 }
 
 /* Copies a line of n bytes. Returns false if it is too long or not printable ASCII. */
@@ -165,8 +165,8 @@ char *records_text(const struct records *r, size_t *size)
     n = (size_t)snprintf(text, room, "%s\n", first_line);
     for (int i = 0; i < r->n; i++) {
         const struct record *at = &r->line[i].r;
-        if (r->line[i].kept)
-            n += (size_t)snprintf(text + n, room - n, "%s\n", r->line[i].kept);
+        if (r->line[i].other)
+            n += (size_t)snprintf(text + n, room - n, "%s\n", r->line[i].other);
         else
             n += (size_t)snprintf(text + n, room - n, "%d %d %s %s\n", (int)at->captures, (int)at->attempts,
                                   at->difficulty, at->section);

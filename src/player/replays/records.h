@@ -28,7 +28,7 @@ struct record {
 /* A record, or if r.section is empty, another line. */
 struct records_line {
     struct record r;
-    char *kept; /* the other line; malloc */
+    char *other; /* the text of another line; malloc */
 };
 
 struct records {

@@ -10,7 +10,7 @@
 #include "../../base/hash.h"
 #include "../../common/clean.h"
 
-enum { FORMAT = 1, BEFORE = 12 /* bytes before the fields */ };
+enum { FORMAT = 1, HEADER_SIZE = 12 /* bytes before the fields */ };
 static const char magic[] = "CCRD";
 
 /* Writes the fields to `out`, or reads them from `in`. */
@@ -18,7 +18,7 @@ struct walk {
     uint8_t *out; /* NULL: read */
     const uint8_t *in;
     size_t at, size;
-    bool bad;
+    bool failed;
 };
 
 /* Writes or reads an integer field of 1, 4 or 8 bytes. */
@@ -27,7 +27,7 @@ static void walk_number(struct walk *w, void *field, size_t size)
     uint64_t v = size == 8 ? *(uint64_t *)field : size == 4 ? *(uint32_t *)field : *(uint8_t *)field;
 
     if (w->size - w->at < size) {
-        w->bad = true;
+        w->failed = true;
         return;
     }
     if (!w->out)
@@ -49,13 +49,13 @@ static void walk_number(struct walk *w, void *field, size_t size)
 #define WALK(w, field) walk_number(w, &(field), sizeof(field))
 
 /* Writes or reads a text: its length and its bytes. Rejects NUL bytes and cleans control characters when reading. */
-static void walk_text(struct walk *w, char *s, size_t room)
+static void walk_text(struct walk *w, char *s, size_t capacity)
 {
     uint8_t n = w->out ? (uint8_t)strlen(s) : 0;
 
     WALK(w, n);
-    if (w->bad || n >= room || w->size - w->at < n) {
-        w->bad = true;
+    if (w->failed || n >= capacity || w->size - w->at < n) {
+        w->failed = true;
         return;
     }
     if (w->out) {
@@ -63,7 +63,7 @@ static void walk_text(struct walk *w, char *s, size_t room)
     } else {
         memcpy(s, w->in + w->at, n);
         s[n] = 0;
-        w->bad = w->bad || strlen(s) != n;
+        w->failed = w->failed || strlen(s) != n;
         clean_line(s);
     }
     w->at += n;
@@ -103,9 +103,9 @@ static void walk(struct walk *w, struct replay_meta *c)
         WALK(w, c->points[p]);
     walk_text(w, c->name, sizeof c->name);
     WALK(w, rows);
-    w->bad = w->bad || end >= REPLAY_ENDS || rows > REPLAY_MAX_ROWS || c->first > c->last;
-    c->end = w->bad ? REPLAY_LEFT : (enum replay_meta_end)end;
-    c->rows = w->bad ? 0 : rows;
+    w->failed = w->failed || end >= REPLAY_ENDS || rows > REPLAY_MAX_ROWS || c->first > c->last;
+    c->end = w->failed ? REPLAY_LEFT : (enum replay_meta_end)end;
+    c->rows = w->failed ? 0 : rows;
     for (int i = 0; i < c->rows; i++)
         walk_row(w, &c->row[i]);
 }
@@ -113,13 +113,13 @@ static void walk(struct walk *w, struct replay_meta *c)
 size_t replay_meta_write(const struct replay_meta *c, const struct thumb *t, uint8_t *out)
 {
     struct replay_meta copy = *c;
-    struct walk w = { .out = out, .at = BEFORE, .size = REPLAY_META_HEAD - 4 };
+    struct walk w = { .out = out, .at = HEADER_SIZE, .size = REPLAY_META_HEAD - 4 };
     const size_t pixels = (size_t)t->w * (size_t)t->h;
 
     walk(&w, &copy);
     memcpy(out, magic, 4);
     bytes_put32(out + 4, FORMAT);
-    bytes_put32(out + 8, (uint32_t)(w.at - BEFORE));
+    bytes_put32(out + 8, (uint32_t)(w.at - HEADER_SIZE));
     bytes_put32(out + w.at, hash_crc32(out, w.at));
     uint8_t *p = out + w.at + 4;
     p[0] = (uint8_t)t->w;
@@ -130,25 +130,25 @@ size_t replay_meta_write(const struct replay_meta *c, const struct thumb *t, uin
 }
 
 /* Returns where the fields end; 0 if the file is not valid metadata. */
-static size_t end_of_head(const uint8_t *data, size_t size)
+static size_t fields_end(const uint8_t *data, size_t size)
 {
-    if (size < BEFORE + 4 || memcmp(data, magic, 4) != 0 || bytes_get32(data + 4) != FORMAT)
+    if (size < HEADER_SIZE + 4 || memcmp(data, magic, 4) != 0 || bytes_get32(data + 4) != FORMAT)
         return 0;
     const size_t n = bytes_get32(data + 8);
-    if (n > REPLAY_META_HEAD - BEFORE - 4 || n > size - BEFORE - 4)
+    if (n > REPLAY_META_HEAD - HEADER_SIZE - 4 || n > size - HEADER_SIZE - 4)
         return 0;
-    return bytes_get32(data + BEFORE + n) == hash_crc32(data, BEFORE + n) ? BEFORE + n : 0;
+    return bytes_get32(data + HEADER_SIZE + n) == hash_crc32(data, HEADER_SIZE + n) ? HEADER_SIZE + n : 0;
 }
 
 bool replay_meta_read(struct replay_meta *c, const uint8_t *data, size_t size)
 {
-    struct walk w = { .in = data, .at = BEFORE, .size = end_of_head(data, size) };
+    struct walk w = { .in = data, .at = HEADER_SIZE, .size = fields_end(data, size) };
 
     memset(c, 0, sizeof *c);
     if (w.size == 0)
         return false;
     walk(&w, c);
-    if (!w.bad && w.at == w.size)
+    if (!w.failed && w.at == w.size)
         return true;
     memset(c, 0, sizeof *c);
     return false;
@@ -156,7 +156,7 @@ bool replay_meta_read(struct replay_meta *c, const uint8_t *data, size_t size)
 
 bool replay_meta_read_thumb(struct thumb *t, const uint8_t *data, size_t size)
 {
-    const size_t at = end_of_head(data, size) + 4;
+    const size_t at = fields_end(data, size) + 4;
 
     t->w = t->h = 0;
     if (at == 4 || size < at + 2)

@@ -145,7 +145,7 @@ static void find(void *user, const struct plat_folder_entry *file)
         f->newest = file->time;
     if (has_ending(file->name, ".card", stem))
         find_meta(f, stem);
-    if (!has_ending(file->name, ".demo", stem) || f->r->n == REPLAYS_MOST)
+    if (!has_ending(file->name, ".demo", stem) || f->r->n == REPLAYS_MAX)
         return;
     struct replay_entry *e = array_append(&f->r->list, (size_t)f->r->n, sizeof *e);
     f->full = f->full || !e;
@@ -351,22 +351,24 @@ bool replays_delete(struct replays *r, int i, char *err, size_t err_size)
     return true;
 }
 
-static bool stays(const struct replay_meta *c, bool (*in_table)(void *of, const struct replay_meta_row *row), void *of)
+static bool stays(const struct replay_meta *c, bool (*in_table)(void *context, const struct replay_meta_row *row),
+                  void *context)
 {
     for (int i = 0; in_table && i < c->rows; i++)
-        if (in_table(of, &c->row[i]))
+        if (in_table(context, &c->row[i]))
             return true;
     return c->name[0] != 0;
 }
 
-void replays_prune(struct replays *r, int keep, bool (*in_table)(void *of, const struct replay_meta_row *row), void *of)
+void replays_prune(struct replays *r, int keep, bool (*in_table)(void *context, const struct replay_meta_row *row),
+                   void *context)
 {
     char err[256];
     int kept = 0;
 
     for (int i = 0; i < r->n;) {
-        if (stays(&r->list[i].meta, in_table, of) || kept < keep) {
-            kept += !stays(&r->list[i].meta, in_table, of);
+        if (stays(&r->list[i].meta, in_table, context) || kept < keep) {
+            kept += !stays(&r->list[i].meta, in_table, context);
             i++;
         } else if (!replays_delete(r, i, err, sizeof err)) {
             i++; /* try again next time */
@@ -396,9 +398,9 @@ struct needs {
     uint64_t also;
 };
 
-static bool needed(void *of, uint64_t hash)
+static bool needed(void *context, uint64_t hash)
 {
-    const struct needs *n = of;
+    const struct needs *n = context;
 
     for (int i = 0; i < n->r->n; i++)
         if (n->r->list[i].meta.rom == hash)

@@ -11,7 +11,7 @@
 #include "replay_meta.h"
 #include "unsaved.h"
 
-enum { REPLAY_STEM = 24, REPLAY_PATH = 96, REPLAYS_MOST = 9999 /* of a game; more are not listed */ };
+enum { REPLAY_STEM = 24, REPLAY_PATH = 96, REPLAYS_MAX = 9999 /* of a game; more are not listed */ };
 
 struct replay_entry {
     char stem[REPLAY_STEM]; /* the file's name without extension: UTC date "20261123-154412", or with "-002" etc. */
@@ -54,8 +54,8 @@ bool replays_delete(struct replays *r, int i, char *err, size_t err_size);
 
 /* Of the replays without a name and without a row that is still in its table (in_table), removes the oldest until
  * `keep` are left. in_table may be NULL: no row is in a table. */
-void replays_prune(struct replays *r, int keep, bool (*in_table)(void *of, const struct replay_meta_row *row),
-                   void *of);
+void replays_prune(struct replays *r, int keep, bool (*in_table)(void *context, const struct replay_meta_row *row),
+                   void *context);
 
 /* Returns the newest replay that entered exactly this row into a score table, or -1. */
 int replays_of_row(const struct replays *r, const char *table, const struct nv_row *row);

@@ -1,5 +1,5 @@
 /*
- * replays_print.h - `curtain list ROM --replays`: the kept runs of a game, a line each, newest first.
+ * replays_print.h - `curtain list ROM --replays`: the saved runs of a game, one per line, newest first.
  */
 #ifndef PLAYER_REPLAYS_PRINT_H
 #define PLAYER_REPLAYS_PRINT_H
@@ -7,8 +7,8 @@
 #include <stdbool.h>
 #include "replays.h"
 
-/* Prints all of a game: "FILE DATE LENGTH_PARAM SHIP DIFFICULTY POINTS END[, flags][ "NAME"]", or with
- * json an object each. DATE is UTC. False: no memory for all of them. */
+/* Prints each run as "FILE DATE LENGTH SHIP DIFFICULTY POINTS END[, flags][ "NAME"]", or with json as an object. DATE
+ * is UTC. Returns false if there is not enough memory for all of them. */
 bool replays_print(const char *id, bool json);
 
 #endif

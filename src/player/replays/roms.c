@@ -11,7 +11,7 @@
 
 #define FOLDER "user:roms"
 
-enum { HASH_DIGITS = 16, MOST = 64 /* removed by one call of roms_collect */ };
+enum { HASH_DIGITS = 16, MAX_REMOVED = 64 /* removed by one call of roms_collect */ };
 
 void roms_path(char path[ROMS_PATH], const char *id, uint64_t hash)
 {
@@ -26,7 +26,7 @@ bool roms_has(const char *id, uint64_t hash)
     return plat_file_size(path) > 0;
 }
 
-bool roms_keep(struct unsaved **unsaved, const char *id, const struct rom *rom, char *err, size_t err_size)
+bool roms_store(struct unsaved **unsaved, const char *id, const struct rom *rom, char *err, size_t err_size)
 {
     char path[ROMS_PATH];
 
@@ -36,9 +36,9 @@ bool roms_keep(struct unsaved **unsaved, const char *id, const struct rom *rom, 
 
 struct collection {
     const char *id;
-    bool (*needed)(void *of, uint64_t hash);
-    void *of;
-    uint64_t gone[MOST];
+    bool (*needed)(void *context, uint64_t hash);
+    void *context;
+    uint64_t unneeded[MAX_REMOVED];
     int n;
 };
 
@@ -53,24 +53,24 @@ static bool hash_in(const char *name, const char *id, uint64_t *hash)
     return sscanf(name + n + 1, "%16" SCNx64 "%7s", hash, rest) == 2 && strcmp(rest, ".rom") == 0;
 }
 
-static void look(void *user, const struct plat_folder_entry *file)
+static void find_unneeded(void *user, const struct plat_folder_entry *file)
 {
     struct collection *c = user;
     uint64_t hash;
 
-    if (file->is_folder || c->n == MOST || !hash_in(file->name, c->id, &hash) || c->needed(c->of, hash))
+    if (file->is_folder || c->n == MAX_REMOVED || !hash_in(file->name, c->id, &hash) || c->needed(c->context, hash))
         return;
-    c->gone[c->n++] = hash;
+    c->unneeded[c->n++] = hash;
 }
 
-void roms_collect(const char *id, bool (*needed)(void *of, uint64_t hash), void *of)
+void roms_collect(const char *id, bool (*needed)(void *context, uint64_t hash), void *context)
 {
-    struct collection c = { .id = id, .needed = needed, .of = of };
+    struct collection c = { .id = id, .needed = needed, .context = context };
     char path[ROMS_PATH];
 
-    plat_list(FOLDER, look, &c);
+    plat_list(FOLDER, find_unneeded, &c);
     for (int i = 0; i < c.n; i++) {
-        roms_path(path, id, c.gone[i]);
+        roms_path(path, id, c.unneeded[i]);
         plat_remove(path);
     }
 }

@@ -19,9 +19,9 @@ void roms_path(char path[ROMS_PATH], const char *id, uint64_t hash);
 bool roms_has(const char *id, uint64_t hash);
 
 /* Stores a ROM unless it is stored. If it cannot be written, adds it to *unsaved, sets err and returns false. */
-bool roms_keep(struct unsaved **unsaved, const char *id, const struct rom *rom, char *err, size_t err_size);
+bool roms_store(struct unsaved **unsaved, const char *id, const struct rom *rom, char *err, size_t err_size);
 
 /* Removes all stored ROMs of a game that are not needed. */
-void roms_collect(const char *id, bool (*needed)(void *of, uint64_t hash), void *of);
+void roms_collect(const char *id, bool (*needed)(void *context, uint64_t hash), void *context);
 
 #endif

@@ -61,7 +61,7 @@ const uint8_t *unsaved_bytes(const struct unsaved *list, const char *path, size_
     return list ? list->bytes : NULL;
 }
 
-bool unsaved_retry(struct unsaved **list, void (*failed)(void *of, const char *err), void *of)
+bool unsaved_retry(struct unsaved **list, void (*failed)(void *context, const char *err), void *context)
 {
     char err[FILES_ERR_SIZE];
 
@@ -69,7 +69,7 @@ bool unsaved_retry(struct unsaved **list, void (*failed)(void *of, const char *e
         if (files_save((*at)->path, (*at)->bytes, (*at)->size, err, sizeof err)) {
             drop(at);
         } else {
-            failed(of, err);
+            failed(context, err);
             at = &(*at)->next;
         }
     }

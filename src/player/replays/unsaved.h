@@ -23,7 +23,7 @@ bool unsaved_save(struct unsaved **list, const char *path, const void *bytes, si
 const uint8_t *unsaved_bytes(const struct unsaved *list, const char *path, size_t *size);
 
 /* Saves the listed files again. Calls `failed` for each that still cannot be written. Returns whether none is left. */
-bool unsaved_retry(struct unsaved **list, void (*failed)(void *of, const char *err), void *of);
+bool unsaved_retry(struct unsaved **list, void (*failed)(void *context, const char *err), void *context);
 
 void unsaved_free(struct unsaved **list);
 

@@ -12,16 +12,16 @@ bool ahead_save(struct ahead *a, const struct board *b)
 {
     const size_t size = board_snapshot_size(b);
 
-    if (size > a->room) {
+    if (size > a->capacity) {
         free(a->snapshot);
-        a->room = size + size / 4 + SLACK;
-        a->snapshot = malloc(a->room);
-        a->room = a->snapshot ? a->room : 0;
+        a->capacity = size + size / 4 + SLACK;
+        a->snapshot = malloc(a->capacity);
+        a->capacity = a->snapshot ? a->capacity : 0;
     }
     if (!a->output)
         a->output = malloc(board_output_size());
-    a->on = a->snapshot && a->output;
-    if (!a->on)
+    a->saved = a->snapshot && a->output;
+    if (!a->saved)
         return false;
     board_save(b, a->snapshot);
     board_output_save(b, a->output);
@@ -30,16 +30,16 @@ bool ahead_save(struct ahead *a, const struct board *b)
 
 bool ahead_begin(struct ahead *a, struct guard *g, const uint16_t pads[MAX_PLAYERS])
 {
-    if (ahead_save(a, g->board) && !guard_ahead(g, pads))
+    if (ahead_save(a, g->board) && !guard_tick_ahead(g, pads))
         ahead_end(a, g);
-    return a->on;
+    return a->saved;
 }
 
 void ahead_end(struct ahead *a, struct guard *g)
 {
-    if (!a->on)
+    if (!a->saved)
         return;
-    a->on = false;
+    a->saved = false;
     board_restore(g->board, a->snapshot);
     board_output_restore(g->board, a->output);
 }

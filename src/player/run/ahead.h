@@ -12,8 +12,8 @@
 
 struct ahead {
     void *snapshot, *output; /* malloc */
-    size_t room;             /* bytes allocated for the snapshot */
-    bool on;                 /* a state is saved, and not restored yet */
+    size_t capacity;         /* bytes allocated for the snapshot */
+    bool saved;              /* a state is saved, and not restored yet */
 };
 
 /* Saves the board's state and output, for ahead_end. Returns false when out of memory. Call it only between frames. */

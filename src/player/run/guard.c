@@ -11,7 +11,7 @@ enum {
     PAST_BYTES = GUARD_PAST_MIB << 20
 };
 
-static bool take_ram(struct guard *g, char *err, size_t err_size)
+static bool allocate_ram(struct guard *g, char *err, size_t err_size)
 {
     if (!board_size(g->rom, &g->ram_size, err, err_size))
         return false;
@@ -22,7 +22,7 @@ static bool take_ram(struct guard *g, char *err, size_t err_size)
     return true;
 }
 
-bool guard_remember(struct guard *g)
+bool guard_store_past(struct guard *g)
 {
     void *memory = malloc(PAST_BYTES);
 
@@ -30,12 +30,12 @@ bool guard_remember(struct guard *g)
     return memory != NULL;
 }
 
-bool guard_back(struct guard *g, uint32_t frame)
+bool guard_rewind(struct guard *g, uint32_t frame)
 {
     return rewind_to(g->past, g->board, frame);
 }
 
-bool guard_again(struct guard *g, const struct board_start *start, char *err, size_t err_size)
+bool guard_restart(struct guard *g, const struct board_start *start, char *err, size_t err_size)
 {
     g->board = board_power_on(g->ram, g->ram_size, g->rom, start, err, err_size);
     if (g->board)
@@ -47,8 +47,8 @@ bool guard_again(struct guard *g, const struct board_start *start, char *err, si
 bool guard_power(struct guard *g, const struct rom *rom, const struct board_start *start, char *err, size_t err_size)
 {
     *g = (struct guard){ .rom = rom };
-    if (take_ram(g, err, err_size))
-        return guard_again(g, start, err, err_size);
+    if (allocate_ram(g, err, err_size))
+        return guard_restart(g, start, err, err_size);
     guard_close(g);
     return false;
 }
@@ -62,7 +62,7 @@ const struct board_out *guard_tick(struct guard *g, const uint16_t pads[MAX_PLAY
     return board_tick(g->board, pads);
 }
 
-bool guard_ahead(struct guard *g, const uint16_t pads[MAX_PLAYERS])
+bool guard_tick_ahead(struct guard *g, const uint16_t pads[MAX_PLAYERS])
 {
     board_set_phase_callback(g->board, NULL, NULL);
     return !board_tick(g->board, pads)->fault;

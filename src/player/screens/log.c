@@ -1,5 +1,6 @@
 /*
- * log.c - see log.h. A row shows the start of a line; the whole line is below the list while it is chosen.
+ * log.c - the log and its screen (log.h). A row shows the start of a line; the whole line is shown below the list while
+ * the row is chosen.
  */
 #include "log.h"
 
@@ -61,21 +62,21 @@ void log_add(struct log *log, enum log_kind kind, uint32_t frame, const char *te
 
 /* ---- the screen ---- */
 
-static int rows(void *of)
+static int rows(void *context)
 {
-    return log_count(of);
+    return log_count(context);
 }
 
-static void row(void *of, int at, struct screen_row *row)
+static void row(void *context, int at, struct screen_row *row)
 {
-    static const enum canvas_colour inks[] = {
+    static const enum canvas_colour colours[] = {
         [LOG_SCRIPT] = CANVAS_WHITE, [LOG_PROGRAM] = CANVAS_GREY, [LOG_FAULT] = CANVAS_RED
     };
-    const struct log_line *line = log_line(of, at);
+    const struct log_line *line = log_line(context, at);
 
     copy(row->label, sizeof row->label, line->text, strlen(line->text));
-    row->ink = inks[line->kind];
-    row->value_ink = CANVAS_GREY;
+    row->colour = colours[line->kind];
+    row->value_colour = CANVAS_GREY;
     if (line->times > 1)
         snprintf(row->value, sizeof row->value, "%u x  %u", (unsigned)line->times, (unsigned)line->frame);
     else
@@ -83,9 +84,9 @@ static void row(void *of, int at, struct screen_row *row)
     copy(row->help, sizeof row->help, line->text, strlen(line->text));
 }
 
-static const char *text(void *of)
+static const char *text(void *context)
 {
-    return log_count(of) ? "" : "No messages yet.";
+    return log_count(context) ? "" : "No messages yet.";
 }
 
 static const struct screen_def screen = { .title = "Log", .rows = rows, .row = row, .text = text };

@@ -1,5 +1,5 @@
 /*
- * log.h - the last lines that were printed, with errors, on a screen that scrolls.
+ * log.h - the log: the last lines and errors that were printed, on a screen that scrolls.
  */
 #ifndef PLAYER_LOG_H
 #define PLAYER_LOG_H
@@ -25,7 +25,7 @@ struct log {
     uint32_t lines; /* written in total; the last LOG_LINES are stored */
 };
 
-/* Adds the lines of a text that aren't empty. A line that is the same as the last one is only counted. */
+/* Adds the non-empty lines of a text. Only counts a line that is the same as the last one. */
 void log_add(struct log *log, enum log_kind kind, uint32_t frame, const char *text);
 
 /* Opens the screen, with the newest line chosen. */
@@ -34,7 +34,7 @@ void log_open(struct log *log, struct screens *screens);
 /* Opens it above the open screens, or closes it if it is the topmost. */
 void log_toggle(struct log *log, struct screens *screens);
 
-/* The number of stored lines, and the i-th of them, from the oldest. */
+/* Return the number of stored lines, and line i, from the oldest. */
 int log_count(const struct log *log);
 const struct log_line *log_line(const struct log *log, int i);
 

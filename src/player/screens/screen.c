@@ -1,5 +1,5 @@
 /*
- * screen.c - see screen.h: the stack, and the effect of each input. screen_draw.c draws the screens.
+ * screen.c - the stack of screens, and the effect of each input (screen.h). screen_draw.c draws the screens.
  */
 #include "screen.h"
 
@@ -14,31 +14,31 @@ enum {
     RIGHT = 1 << 3,
     PAGE_UP = 1 << 4,
     PAGE_DOWN = 1 << 5,
-    YES = 1 << 6,
-    NO = 1 << 7,
+    ACCEPT = 1 << 6,
+    BACK = 1 << 7,
     REMOVE = 1 << 8,
-    TEN = 1 << 9,
+    TEN_STEPS = 1 << 9,
     REPEATS = UP | DOWN | LEFT | RIGHT | PAGE_UP | PAGE_DOWN
 };
 
 enum {
     REPEAT_DELAY = 20, /* frames until a held arrow repeats, and between repeats */
     REPEAT_EVERY = 3,
-    SAID = 240,    /* frames for which a line is shown */
-    SETTLE = 30,   /* frames after a change in which the window may move under the mouse */
-    NO_MOUSE = 255 /* instead of its buttons: its position and buttons were meant for another screen */
+    MESSAGE_FRAMES = 240,
+    SETTLE_FRAMES = 30, /* after a change, because the window may move under the mouse */
+    NO_MOUSE = 255      /* instead of mouse buttons: position and buttons were meant for another screen */
 };
 
 /* ---- the stack ---- */
 
-static struct screen_place *top_of(struct screens *s)
+static struct screen_place *top_place(struct screens *s)
 {
-    return &s->place[s->deep - 1];
+    return &s->place[s->depth - 1];
 }
 
-static int rows_of(const struct screen_place *p)
+static int row_count(const struct screen_place *p)
 {
-    return p->screen->rows(p->of);
+    return p->screen->rows(p->context);
 }
 
 static bool is_heading(const struct screen_place *p, int at)
@@ -46,10 +46,10 @@ static bool is_heading(const struct screen_place *p, int at)
     return screen_place_row(p, at).heading;
 }
 
-/* The next row that can be chosen, with wrap-around; `at` if there is no other. */
+/* Returns the next row that can be chosen, with wrap-around, or `at` if there is no other. */
 static int step(const struct screen_place *p, int at, int by)
 {
-    const int n = rows_of(p);
+    const int n = row_count(p);
     int to = at;
 
     for (int i = 0; i < n; i++) {
@@ -60,10 +60,10 @@ static int step(const struct screen_place *p, int at, int by)
     return at;
 }
 
-/* Rows may have been removed, or the chosen one may have become a heading. */
+/* Chooses another row if the chosen one was removed or became a heading. */
 static void settle(struct screen_place *p)
 {
-    const int n = rows_of(p);
+    const int n = row_count(p);
 
     if (p->row >= n)
         p->row = n - 1;
@@ -75,69 +75,69 @@ static void settle(struct screen_place *p)
 
 const struct screen_def *screens_top(const struct screens *s)
 {
-    return s->deep > 0 ? s->place[s->deep - 1].screen : NULL;
+    return s->depth > 0 ? s->place[s->depth - 1].screen : NULL;
 }
 
-bool screens_have(const struct screens *s, const struct screen_def *screen)
+bool screens_contain(const struct screens *s, const struct screen_def *screen)
 {
-    for (int i = 0; i < s->deep; i++)
+    for (int i = 0; i < s->depth; i++)
         if (s->place[i].screen == screen)
             return true;
     return false;
 }
 
-void screens_open(struct screens *s, const struct screen_def *screen, void *of)
+void screens_open(struct screens *s, const struct screen_def *screen, void *context)
 {
-    if (s->deep == SCREENS_DEEP)
+    if (s->depth == SCREENS_MAX_DEPTH)
         return;
-    s->place[s->deep++] = (struct screen_place){ .screen = screen, .of = of };
-    settle(top_of(s));
+    s->place[s->depth++] = (struct screen_place){ .screen = screen, .context = context };
+    settle(top_place(s));
     s->held = UINT32_MAX; /* keys held now were pressed for something else */
     s->held_for = 0;
     s->mouse = NO_MOUSE;
-    s->said_for = 0;
+    s->message_frames = 0;
 }
 
 void screens_close(struct screens *s)
 {
-    if (s->deep == 0)
+    if (s->depth == 0)
         return;
-    const struct screen_place p = *top_of(s);
-    s->deep--;
-    s->said_for = 0;
+    const struct screen_place p = *top_place(s);
+    s->depth--;
+    s->message_frames = 0;
     if (p.screen->closed)
-        p.screen->closed(p.of);
+        p.screen->closed(p.context);
 }
 
 void screens_close_all(struct screens *s)
 {
-    while (s->deep > 0)
+    while (s->depth > 0)
         screens_close(s);
 }
 
 void screens_settle(struct screens *s)
 {
-    if (s->deep > 0)
-        settle(top_of(s));
+    if (s->depth > 0)
+        settle(top_place(s));
 }
 
 void screens_choose(struct screens *s, int row)
 {
-    if (s->deep == 0)
+    if (s->depth == 0)
         return;
-    struct screen_place *p = top_of(s);
-    if (row >= 0 && row < rows_of(p) && !is_heading(p, row))
+    struct screen_place *p = top_place(s);
+    if (row >= 0 && row < row_count(p) && !is_heading(p, row))
         p->row = row;
 }
 
-void screens_say(struct screens *s, const char *format, ...)
+void screens_show_message(struct screens *s, const char *format, ...)
 {
     va_list args;
 
     va_start(args, format);
-    vsnprintf(s->said, sizeof s->said, format, args);
+    vsnprintf(s->message, sizeof s->message, format, args);
     va_end(args);
-    s->said_for = SAID;
+    s->message_frames = MESSAGE_FRAMES;
 }
 
 void screen_sentence(char *out, size_t size, const char *phrase)
@@ -149,46 +149,49 @@ void screen_sentence(char *out, size_t size, const char *phrase)
 
 /* ---- questions ---- */
 
-enum { ASK_NO, ASK_YES, ASK_ROWS };
+enum { CONFIRM_CANCEL, CONFIRM_ACCEPT, CONFIRM_ROWS };
 
-static const char *ask_text(void *of)
+static const char *confirm_text(void *context)
 {
-    return ((const struct screens *)of)->asked.question;
+    return ((const struct screens *)context)->confirm.question;
 }
 
-static int ask_rows(void *of)
+static int confirm_rows(void *context)
 {
-    (void)of;
-    return ASK_ROWS;
+    (void)context;
+    return CONFIRM_ROWS;
 }
 
-static void ask_row(void *of, int at, struct screen_row *row)
+static void confirm_row(void *context, int at, struct screen_row *row)
 {
-    const struct screens *s = of;
+    const struct screens *s = context;
 
-    snprintf(row->label, sizeof row->label, "%s", at == ASK_NO ? "Cancel" : s->asked.yes);
+    snprintf(row->label, sizeof row->label, "%s", at == CONFIRM_CANCEL ? "Cancel" : s->confirm.yes);
 }
 
-static void ask_accept(void *of, int at)
+static void confirm_accept(void *context, int at)
 {
-    struct screens *s = of;
+    struct screens *s = context;
 
     screens_close(s);
-    if (at == ASK_YES)
-        s->asked.then(s->asked.of);
+    if (at == CONFIRM_ACCEPT)
+        s->confirm.then(s->confirm.context);
 }
 
-static const struct screen_def ask = {
-    .title = "Confirm", .small = true, .text = ask_text, .rows = ask_rows, .row = ask_row, .accept = ask_accept
-};
+static const struct screen_def confirm_screen = { .title = "Confirm",
+                                                  .small = true,
+                                                  .text = confirm_text,
+                                                  .rows = confirm_rows,
+                                                  .row = confirm_row,
+                                                  .accept = confirm_accept };
 
-void screens_ask(struct screens *s, const char *question, const char *yes, void (*then)(void *of), void *of)
+void screens_ask(struct screens *s, const char *question, const char *yes, void (*then)(void *context), void *context)
 {
-    snprintf(s->asked.question, sizeof s->asked.question, "%s", question);
-    snprintf(s->asked.yes, sizeof s->asked.yes, "%s", yes);
-    s->asked.then = then;
-    s->asked.of = of;
-    screens_open(s, &ask, s);
+    snprintf(s->confirm.question, sizeof s->confirm.question, "%s", question);
+    snprintf(s->confirm.yes, sizeof s->confirm.yes, "%s", yes);
+    s->confirm.then = then;
+    s->confirm.context = context;
+    screens_open(s, &confirm_screen, s);
 }
 
 /* ---- input ---- */
@@ -197,21 +200,22 @@ static uint32_t keyboard_input(const struct plat_input *in)
 {
     static const struct {
         uint8_t usage;
-        uint16_t does;
+        uint16_t input;
     } keys[] = {
-        { 82, UP },  { 81, DOWN }, { 80, LEFT }, { 79, RIGHT },  { 75, PAGE_UP }, { 78, PAGE_DOWN }, { 40, YES },
-        { 88, YES }, { 41, NO },   { 42, NO },   { 76, REMOVE }, { 225, TEN },    { 229, TEN },
+        { 82, UP },        { 81, DOWN },       { 80, LEFT },       { 79, RIGHT }, { 75, PAGE_UP },
+        { 78, PAGE_DOWN }, { 40, ACCEPT },     { 88, ACCEPT },     { 41, BACK },  { 42, BACK },
+        { 76, REMOVE },    { 225, TEN_STEPS }, { 229, TEN_STEPS },
     };
     uint32_t held = 0;
 
     for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
-        held |= plat_is_key_held(in, keys[i].usage) ? keys[i].does : 0;
+        held |= plat_is_key_held(in, keys[i].usage) ? keys[i].input : 0;
     return held;
 }
 
 static uint32_t controller_input(const struct plat_input *in)
 {
-    static const uint16_t does[PLAT_BUTTONS] = {
+    static const uint16_t input[PLAT_BUTTONS] = {
         [PLAT_DPAD_UP] = UP,
         [PLAT_DPAD_DOWN] = DOWN,
         [PLAT_DPAD_LEFT] = LEFT,
@@ -220,10 +224,10 @@ static uint32_t controller_input(const struct plat_input *in)
         [PLAT_LEFT_STICK_DOWN] = DOWN,
         [PLAT_LEFT_STICK_LEFT] = LEFT,
         [PLAT_LEFT_STICK_RIGHT] = RIGHT,
-        [PLAT_SOUTH] = YES,
-        [PLAT_EAST] = NO,
-        [PLAT_START] = YES,
-        [PLAT_GUIDE] = NO,
+        [PLAT_SOUTH] = ACCEPT,
+        [PLAT_EAST] = BACK,
+        [PLAT_START] = ACCEPT,
+        [PLAT_GUIDE] = BACK,
         [PLAT_NORTH] = REMOVE,
         [PLAT_SHOULDER_LEFT] = PAGE_UP,
         [PLAT_SHOULDER_RIGHT] = PAGE_DOWN,
@@ -232,47 +236,48 @@ static uint32_t controller_input(const struct plat_input *in)
 
     for (int c = 0; c < PLAT_MAX_CONTROLLERS; c++)
         for (int i = 0; i < PLAT_BUTTONS; i++)
-            held |= in->controllers[c] >> i & 1 ? does[i] : 0;
+            held |= in->controllers[c] >> i & 1 ? input[i] : 0;
     return held;
 }
 
 static uint32_t pad_input(const struct keys_state *k)
 {
     static const struct {
-        uint16_t button, does;
+        uint16_t button, input;
     } buttons[] = {
-        { PAD_UP, UP },     { PAD_DOWN, DOWN }, { PAD_LEFT, LEFT },      { PAD_RIGHT, RIGHT }, { PAD_FIRE, YES },
-        { PAD_START, YES }, { PAD_BOMB, NO },   { PAD_SPECIAL, REMOVE }, { PAD_FOCUS, TEN },
+        { PAD_UP, UP },       { PAD_DOWN, DOWN },      { PAD_LEFT, LEFT },
+        { PAD_RIGHT, RIGHT }, { PAD_FIRE, ACCEPT },    { PAD_START, ACCEPT },
+        { PAD_BOMB, BACK },   { PAD_SPECIAL, REMOVE }, { PAD_FOCUS, TEN_STEPS },
     };
     uint32_t held = 0;
 
     for (int p = 0; p < MAX_PLAYERS; p++)
         for (size_t i = 0; i < sizeof buttons / sizeof *buttons; i++)
-            held |= k->pads[p] & buttons[i].button ? buttons[i].does : 0;
+            held |= k->pads[p] & buttons[i].button ? buttons[i].input : 0;
     return held;
 }
 
-/* If a player has assigned yes or no to other buttons of a controller, south and east have the assigned meaning. */
+/* If players have bound accept or back to other buttons of a controller, south and east have their bound meaning. */
 static uint32_t button_input(const struct plat_input *in, const struct keys_state *k)
 {
     const uint32_t pads = pad_input(k), controllers = controller_input(in);
 
-    return pads | (pads & (YES | NO) ? controllers & ~(uint32_t)(YES | NO) : controllers);
+    return pads | (pads & (ACCEPT | BACK) ? controllers & ~(uint32_t)(ACCEPT | BACK) : controllers);
 }
 
-/* Inputs that were just pressed, and repeats of held arrows that were pressed here. */
-static uint32_t pressed(struct screens *s, uint32_t held)
+/* Returns inputs that were just pressed, and repeats of held arrows that were pressed on this screen. */
+static uint32_t find_presses(struct screens *s, uint32_t held)
 {
-    uint32_t fresh = held & ~s->held;
+    uint32_t newly_pressed = held & ~s->held;
 
-    if (fresh & REPEATS)
+    if (newly_pressed & REPEATS)
         s->held_for = 1;
     else
         s->held_for = held & REPEATS && s->held_for > 0 ? s->held_for + 1 : 0;
     s->held = held;
     if (s->held_for > REPEAT_DELAY && (s->held_for - REPEAT_DELAY - 1) % REPEAT_EVERY == 0)
-        fresh |= held & REPEATS;
-    return fresh;
+        newly_pressed |= held & REPEATS;
+    return newly_pressed;
 }
 
 /* ---- the mouse ---- */
@@ -282,7 +287,7 @@ static int row_under(const struct screens *s, const struct screen_place *p, int 
     const struct screen_area *l = &s->list;
     const int at = p->top + (y - l->y) / screen_row_height();
 
-    if (x < l->x || x >= l->x + l->w || y < l->y || at >= p->top + s->shown || at >= rows_of(p))
+    if (x < l->x || x >= l->x + l->w || y < l->y || at >= p->top + s->shown || at >= row_count(p))
         return -1;
     return at;
 }
@@ -291,29 +296,29 @@ static int row_under(const struct screens *s, const struct screen_place *p, int 
  * button accepts the row, the right one closes the screen. */
 static uint32_t use_mouse(struct screens *s, struct screen_place *p, const struct plat_input *in)
 {
-    const uint8_t fresh = (uint8_t)(in->mouse_buttons & ~s->mouse);
-    const bool moved = s->mouse != NO_MOUSE && s->settle == 0 && s->mouse_x >= 0 &&
+    const uint8_t newly_pressed = (uint8_t)(in->mouse_buttons & ~s->mouse);
+    const bool moved = s->mouse != NO_MOUSE && s->mouse_settle == 0 && s->mouse_x >= 0 &&
                        (in->mouse_x != s->mouse_x || in->mouse_y != s->mouse_y);
     const int at = in->mouse_x >= 0 ? row_under(s, p, in->mouse_x, in->mouse_y) : -1;
 
     s->mouse = in->mouse_buttons;
     s->mouse_x = in->mouse_x;
     s->mouse_y = in->mouse_y;
-    if (at >= 0 && (moved || fresh))
+    if (at >= 0 && (moved || newly_pressed))
         screens_choose(s, at);
-    if (fresh & 2)
-        return NO;
+    if (newly_pressed & 2)
+        return BACK;
     if (in->wheel)
         return in->wheel > 0 ? UP : DOWN;
-    return fresh & 1 && at == p->row ? YES : 0;
+    return newly_pressed & 1 && at == p->row ? ACCEPT : 0;
 }
 
 /* ---- the frame ---- */
 
 static void change(struct screens *s, const struct screen_place *p, int by)
 {
-    s->settle = SETTLE;
-    p->screen->change(p->of, p->row, by);
+    s->mouse_settle = SETTLE_FRAMES;
+    p->screen->change(p->context, p->row, by);
 }
 
 static bool changes(const struct screen_place *p)
@@ -325,20 +330,20 @@ static void accept(struct screens *s, const struct screen_place *p)
 {
     const struct screen_row row = screen_place_row(p, p->row);
 
-    if (row.faint || row.heading)
+    if (row.disabled || row.heading)
         return;
     if (changes(p))
         change(s, p, 1);
     else if (p->screen->accept)
-        p->screen->accept(p->of, p->row);
+        p->screen->accept(p->context, p->row);
 }
 
-/* Moves by a page of rows, at most to the end of the list. */
+/* Moves by a page of rows, but not beyond the end of the list. */
 static void move_page(struct screens *s, struct screen_place *p, int by)
 {
-    const int n = rows_of(p), far = s->shown > 1 ? s->shown - 1 : 1;
+    const int n = row_count(p), count = s->shown > 1 ? s->shown - 1 : 1;
 
-    for (int i = 0; i < far; i++) {
+    for (int i = 0; i < count; i++) {
         const int to = step(p, p->row, by);
         if (by > 0 ? to < p->row : to > p->row)
             return;
@@ -348,38 +353,38 @@ static void move_page(struct screens *s, struct screen_place *p, int by)
 
 bool screens_poll(struct screens *s, const struct plat_input *in, const struct keys_state *k)
 {
-    if (s->deep == 0)
+    if (s->depth == 0)
         return false;
-    struct screen_place *p = top_of(s);
+    struct screen_place *p = top_place(s);
     const uint32_t held = keyboard_input(in) | button_input(in, k);
 
-    s->said_for -= s->said_for > 0;
-    s->settle -= s->settle > 0;
-    if (p->screen->listen && p->screen->listen(p->of, in)) {
+    s->message_frames -= s->message_frames > 0;
+    s->mouse_settle -= s->mouse_settle > 0;
+    if (p->screen->listen && p->screen->listen(p->context, in)) {
         s->held = UINT32_MAX;
         s->mouse = NO_MOUSE;
         return true;
     }
     settle(p);
     const int chosen = p->row;
-    const uint32_t fresh = pressed(s, held) | use_mouse(s, p, in);
-    if (rows_of(p) > 0) {
-        if (fresh & UP)
+    const uint32_t newly_pressed = find_presses(s, held) | use_mouse(s, p, in);
+    if (row_count(p) > 0) {
+        if (newly_pressed & UP)
             p->row = step(p, p->row, -1);
-        if (fresh & DOWN)
+        if (newly_pressed & DOWN)
             p->row = step(p, p->row, 1);
-        if (fresh & (PAGE_UP | PAGE_DOWN))
-            move_page(s, p, fresh & PAGE_UP ? -1 : 1);
-        if (fresh & (LEFT | RIGHT) && changes(p))
-            change(s, p, (fresh & LEFT ? -1 : 1) * (held & TEN ? 10 : 1));
+        if (newly_pressed & (PAGE_UP | PAGE_DOWN))
+            move_page(s, p, newly_pressed & PAGE_UP ? -1 : 1);
+        if (newly_pressed & (LEFT | RIGHT) && changes(p))
+            change(s, p, (newly_pressed & LEFT ? -1 : 1) * (held & TEN_STEPS ? 10 : 1));
     }
-    if (p->row != chosen) /* it was about the other row, or has been read */
-        s->said_for = 0;
-    if (fresh & NO) /* yes and no together mean no */
+    if (p->row != chosen) /* the message was about the other row, or has been read */
+        s->message_frames = 0;
+    if (newly_pressed & BACK) /* also if accept is pressed too */
         screens_close(s);
-    else if (fresh & REMOVE && p->screen->remove && rows_of(p) > 0)
-        p->screen->remove(p->of, p->row);
-    else if (fresh & YES && rows_of(p) > 0)
+    else if (newly_pressed & REMOVE && p->screen->remove && row_count(p) > 0)
+        p->screen->remove(p->context, p->row);
+    else if (newly_pressed & ACCEPT && row_count(p) > 0)
         accept(s, p);
     return false;
 }

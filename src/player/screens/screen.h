@@ -1,6 +1,6 @@
 /*
- * screen.h - the program's screens: stacked lists of rows over the picture. Meanwhile the board doesn't tick, and it
- * gets no input from them.
+ * screen.h - the program's screens: a stack of lists of rows over the picture. While a screen is open, the board
+ * doesn't tick and gets no input.
  *
  * A screen is a table of functions that describe the state `of`; they are called whenever a row is drawn, so a screen
  * stores no text. Every player's pad controls screens, and so do inputs that no setting can remove: arrows, Enter,
@@ -14,17 +14,17 @@
 #include "../input/keys.h"
 #include "../overlay/canvas.h"
 
-enum { SCREENS_DEEP = 8, SCREEN_LABEL = 96, SCREEN_VALUE = 64, SCREEN_HELP = 256 };
+enum { SCREENS_MAX_DEPTH = 8, SCREEN_LABEL = 96, SCREEN_VALUE = 64, SCREEN_HELP = 256 };
 
 /* A row, filled in by its screen. */
 struct screen_row {
     char label[SCREEN_LABEL];
-    char value[SCREEN_VALUE];          /* at the right; "": none */
-    char help[SCREEN_HELP];            /* sentences, shown below the list while the row is chosen; "": none */
-    bool heading;                      /* can't be chosen */
-    bool changes;                      /* left and right change it */
-    bool faint;                        /* unavailable at present */
-    enum canvas_colour ink, value_ink; /* CANVAS_DARK: the default */
+    char value[SCREEN_VALUE]; /* at the right; "": none */
+    char help[SCREEN_HELP];   /* sentences, shown below the list while the row is chosen; "": none */
+    bool heading;             /* can't be chosen */
+    bool changes;             /* left and right change it */
+    bool disabled;
+    enum canvas_colour colour, value_colour; /* CANVAS_DARK: the default */
 };
 
 /* A rectangle of the picture, in px. */
@@ -34,72 +34,72 @@ struct screen_area {
 
 struct screen_def {
     const char *title;
-    bool small; /* a box in the middle, as large as its rows; otherwise the whole picture */
-    int (*rows)(void *of);
-    void (*row)(void *of, int at, struct screen_row *row); /* *row is zeroed */
+    bool small; /* a box in the middle, as large as its rows; otherwise it covers the whole picture */
+    int (*rows)(void *context);
+    void (*row)(void *context, int at, struct screen_row *row); /* *row is zeroed */
 
     /* The rest may be NULL. */
-    const char *(*text)(void *of);            /* sentences above the list */
-    void (*change)(void *of, int at, int by); /* left: -1, right: 1; -10 and 10 while focus or Shift is held */
-    void (*accept)(void *of, int at);
-    void (*remove)(void *of, int at); /* Delete, or the pad's special button */
-    void (*closed)(void *of);         /* called after it was closed, in any way */
+    const char *(*text)(void *context);            /* sentences above the list */
+    void (*change)(void *context, int at, int by); /* left: -1, right: 1; -10 and 10 while focus or Shift is held */
+    void (*accept)(void *context, int at);
+    void (*remove)(void *context, int at); /* Delete, or the pad's special button */
+    void (*closed)(void *context);         /* called after it was closed, in any way */
 
     /* Called first. While it returns true, it gets all input, for reading a key or a line of text. */
-    bool (*listen)(void *of, const struct plat_input *in);
+    bool (*listen)(void *context, const struct plat_input *in);
 
     /* Draws a picture of the chosen row in `to`, above the list. `height`: the height it needs, on a canvas of this
      * size; 0: no picture. */
-    int (*height)(void *of, int w, int h);
-    void (*draw)(void *of, int at, const struct canvas *canvas, struct screen_area to);
+    int (*height)(void *context, int w, int h);
+    void (*draw)(void *context, int at, const struct canvas *canvas, struct screen_area to);
 };
 
 struct screens {
     struct screen_place {
         const struct screen_def *screen;
-        void *of;
+        void *context;
         int row, top; /* the chosen row; the first visible one */
-    } place[SCREENS_DEEP];
-    int deep;
+    } place[SCREENS_MAX_DEPTH];
+    int depth;
     uint32_t held; /* at the last poll */
     int held_for;  /* frames that an arrow is held, including the one of its press; 0: it was pressed elsewhere */
     uint8_t mouse; /* its buttons at the last poll */
     int mouse_x, mouse_y; /* at the last poll */
-    int settle;           /* frames in which mouse movements choose nothing, because a value has changed the window */
+    int mouse_settle;     /* frames in which mouse movements choose nothing, because a value has changed the window */
     int shown;            /* visible rows at the last drawing, each screen_row_height() high */
     struct screen_area list;
-    char said[SCREEN_HELP];
-    int said_for; /* frames for which it is still shown */
+    char message[SCREEN_HELP];
+    int message_frames; /* frames for which it is still shown */
     struct {
         char question[SCREEN_HELP], yes[SCREEN_LABEL];
-        void (*then)(void *of);
-        void *of;
-    } asked;
+        void (*then)(void *context);
+        void *context;
+    } confirm;
 };
 
-/* The row's present contents. */
+/* Returns the row's present contents. */
 static inline struct screen_row screen_place_row(const struct screen_place *p, int at)
 {
     struct screen_row row = { 0 };
 
-    p->screen->row(p->of, at, &row);
+    p->screen->row(p->context, at, &row);
     return row;
 }
 
 static inline bool screens_are_open(const struct screens *s)
 {
-    return s->deep > 0;
+    return s->depth > 0;
 }
 
-/* The topmost screen; NULL: none is open. */
+/* Returns the topmost screen, or NULL if none is open. */
 const struct screen_def *screens_top(const struct screens *s);
 
-/* Is it open, anywhere in the stack? */
-bool screens_have(const struct screens *s, const struct screen_def *screen);
+/* Returns whether the screen is open, anywhere in the stack. */
+bool screens_contain(const struct screens *s, const struct screen_def *screen);
 
-/* Opens a screen above the open ones, with its first possible row chosen. Does nothing if SCREENS_DEEP are open. screen
- * and of must stay valid until it is closed. */
-void screens_open(struct screens *s, const struct screen_def *screen, void *of);
+/* Opens a screen above the open ones, with its first possible row chosen. Does nothing if SCREENS_MAX_DEPTH are open.
+ * screen and of must stay valid until it is closed. */
+void screens_open(struct screens *s, const struct screen_def *screen, void *context);
 
 /* Closes the topmost screen, or all; harmless if none is open. */
 void screens_close(struct screens *s);
@@ -112,17 +112,18 @@ void screens_choose(struct screens *s, int row);
  * first. */
 void screens_settle(struct screens *s);
 
-/* Shows a line at the foot for some seconds. */
-void screens_say(struct screens *s, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/* Shows a line instead of the chosen row's help for some seconds. */
+void screens_show_message(struct screens *s, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* Opens a small screen with the question, "Cancel" and `yes`. After yes, it closes this screen and calls then(of). */
-void screens_ask(struct screens *s, const char *question, const char *yes, void (*then)(void *of), void *of);
+void screens_ask(struct screens *s, const char *question, const char *yes, void (*then)(void *context), void *context);
 
-/* Passes a frame's input to the topmost screen. True: it listened, and nothing else may use the input. */
+/* Passes a frame's input to the topmost screen. Returns true if the screen listened; nothing else may then use the
+ * input. */
 bool screens_poll(struct screens *s, const struct plat_input *in, const struct keys_state *k);
 
-/* Draws the topmost screen. foot: a line with the keys, or "". */
-void screens_draw(struct screens *s, const struct canvas *canvas, const char *foot);
+/* Draws the topmost screen. footer: a line with the keys, or "". */
+void screens_draw(struct screens *s, const struct canvas *canvas, const char *footer);
 
 /* Turns a phrase of the help into a sentence: "Fill the screen." */
 void screen_sentence(char *out, size_t size, const char *phrase);

@@ -151,7 +151,7 @@ static bool begin(struct player *p)
 {
     char err[512];
 
-    if (!guard_again(&p->guard, &p->run->start, err, sizeof err)) {
+    if (!guard_restart(&p->guard, &p->run->start, err, sizeof err)) {
         report_line(RESULT_REFUSED, "%s: %s", p->run->name, err);
         return false;
     }
@@ -169,7 +169,7 @@ static void show_progress(struct player *p, uint32_t frame, const char *what)
     struct measure *m = p->m;
 
     if (frame % PROGRESS_EVERY == 0)
-        progress_tell(m->done, m->planned, "%s: %s", p->run->name, what);
+        progress_update(m->done, m->planned, "%s: %s", p->run->name, what);
 }
 
 static bool make_room(struct player *p)

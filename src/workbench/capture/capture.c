@@ -232,7 +232,7 @@ static enum result play(struct capture *c, bool sound)
             wav_writer_add(&c->wav, c->run.guard.board);
         if (f == c->last || result != RESULT_DONE || failed(c))
             break;
-        progress_tell(f + 1, (uint64_t)c->last + 1, "frame %u of %u", (unsigned)f, (unsigned)c->last);
+        progress_update(f + 1, (uint64_t)c->last + 1, "frame %u of %u", (unsigned)f, (unsigned)c->last);
         result = headless_run_tick(&c->run);
         if (result != RESULT_DONE)
             break;

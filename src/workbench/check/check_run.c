@@ -237,8 +237,8 @@ void check_run_show_progress(const struct run *r, uint32_t f, uint32_t n)
 {
     const uint64_t each = SWEEP_FRAMES;
 
-    progress_tell((uint64_t)r->runs * each + (n ? f * each / n : 0), (uint64_t)r->planned * each,
-                  "%s, %d of %d, frame %" PRIu32, r->what, r->runs + 1, r->planned, f);
+    progress_update((uint64_t)r->runs * each + (n ? f * each / n : 0), (uint64_t)r->planned * each,
+                    "%s, %d of %d, frame %" PRIu32, r->what, r->runs + 1, r->planned, f);
 }
 
 bool check_run_power_on(struct run *r, const char *what, const struct board_start *start)
@@ -247,7 +247,7 @@ bool check_run_power_on(struct run *r, const char *what, const struct board_star
 
     r->what = what;
     r->forced = false;
-    if (r->guard.ram != NULL ? guard_again(&r->guard, start, err, sizeof err)
+    if (r->guard.ram != NULL ? guard_restart(&r->guard, start, err, sizeof err)
                              : guard_power(&r->guard, &r->image.rom, start, err, sizeof err)) {
         note_full(r, board_last_output(r->guard.board));
         if (!r->measured) {

@@ -60,7 +60,7 @@ void pack_tell(struct packer *p, const char *file)
 {
     const int all = p->files.n + p->art.n_sheets + p->art.n_maps + p->art.n_sounds + p->art.n_tunes;
 
-    progress_tell((uint64_t)p->told++, (uint64_t)all, "packing %s", file);
+    progress_update((uint64_t)p->told++, (uint64_t)all, "packing %s", file);
 }
 
 bool pack_load(struct packer *p, const char *name, size_t max, uint8_t **data, size_t *size)

@@ -37,7 +37,7 @@ static uint32_t count_wanted(const struct args *a)
     uint32_t n = 0, last = args_last_frame(a);
 
     for (uint32_t f = 0; f <= last; f++)
-        n += args_wants(a, f);
+        n += args_has_frame(a, f);
     return n;
 }
 
@@ -115,7 +115,7 @@ static enum result render_frames(struct render *s, struct headless_run *r)
     enum result result = RESULT_DONE;
 
     for (uint32_t f = 0; result == RESULT_DONE; f++) {
-        if (args_wants(r->a, f))
+        if (args_has_frame(r->a, f))
             result = picture(s, r, f);
         if (f == last || result != RESULT_DONE)
             break;
@@ -238,7 +238,7 @@ static void print_frame(struct hashing *h, const struct headless_run *r, uint32_
         return;
     if (!h->trace)
         print_hash(h, r->guard.board, r->a->parts);
-    else if (!r->a->n_spans || args_wants(r->a, f))
+    else if (!r->a->n_spans || args_has_frame(r->a, f))
         trace_frame(stdout, r->guard.board, h->trace);
 }
 

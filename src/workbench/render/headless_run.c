@@ -50,7 +50,7 @@ enum result headless_run_tick(struct headless_run *r)
 {
     uint16_t pads[MAX_PLAYERS];
 
-    args_pressed(r->a, board_frame(r->guard.board), pads);
+    args_held_pads(r->a, board_frame(r->guard.board), pads);
     if (r->game.has_demo)
         demo_pads(&r->game.demo, board_frame(r->guard.board), pads);
     guard_tick(&r->guard, pads);

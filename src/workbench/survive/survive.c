@@ -37,7 +37,7 @@ static void show_progress(void *user, uint32_t done, uint32_t of)
 {
     const struct survive *s = user;
 
-    progress_tell(done, of, "%s: survived to frame %u of %u", s->name, (unsigned)done, (unsigned)of);
+    progress_update(done, of, "%s: survived to frame %u of %u", s->name, (unsigned)done, (unsigned)of);
 }
 
 /* ---- a section ---- */

@@ -216,7 +216,7 @@ static bool tick(lua_State *L, struct test_run *r)
     if (r->plays_demo)
         demo_pads(&r->demo, board_frame(r->b), pads);
     else
-        args_pressed(&r->held, board_frame(r->b), pads);
+        args_held_pads(&r->held, board_frame(r->b), pads);
     guard_tick(&r->guard, pads);
     record_frame(L, r);
     check_fault(L, r);

@@ -249,7 +249,7 @@ static void report(struct all *a, int i)
     a->sums.frames += t->frames;
     a->sums.fail += t->verdict != TEST_PASSES;
     a->sums.host += t->verdict == TEST_HOST_ERROR;
-    progress_wipe();
+    progress_clear();
     if (a->t->args->tap)
         reporter_tap(t, i + 1);
     else
@@ -272,7 +272,7 @@ static void show_progress(void *context)
     struct all *a = context;
 
     if (a->done < a->n)
-        progress_tell((uint64_t)a->done, (uint64_t)a->n, "%d of %d tests done", a->done, a->n);
+        progress_update((uint64_t)a->done, (uint64_t)a->n, "%d of %d tests done", a->done, a->n);
 }
 
 /* ---- reports ---- */
