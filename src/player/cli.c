@@ -21,7 +21,7 @@
 #include "game/workbench.h"
 
 /* Checks that a program with an embedded game supports the command. */
-static bool allowed(const struct args *a, char *err, size_t err_size)
+static bool check_allowed(const struct args *a, char *err, size_t err_size)
 {
     const bool prints = a->command == COMMAND_HELP || a->command == COMMAND_VERSION || a->command == COMMAND_LICENCES;
     const char *title = embedded_rom_game()->m.title;
@@ -36,7 +36,7 @@ static bool allowed(const struct args *a, char *err, size_t err_size)
 }
 
 /* Checks that writing the outputs doesn't overwrite an input. For render, -o is a directory. */
-static bool outputs(const struct args *a, char *err, size_t err_size)
+static bool check_outputs(const struct args *a, char *err, size_t err_size)
 {
     const struct output_path out[] = { { "-o", a->out, NULL },
                                        { "--record", a->record, NULL },
@@ -85,8 +85,8 @@ static enum result run(struct program *p, int argc, char **argv, const struct wo
     if (!args_parse(a, argc, argv, err, sizeof err))
         return report_line(RESULT_REFUSED, "%s", err);
     a->workbench = workbench;
-    if (!demo_game_find(a, &p->demo_game, err, sizeof err) || !allowed(a, err, sizeof err) ||
-        !outputs(a, err, sizeof err))
+    if (!demo_game_find(a, &p->demo_game, err, sizeof err) || !check_allowed(a, err, sizeof err) ||
+        !check_outputs(a, err, sizeof err))
         return report_line(RESULT_REFUSED, "%s", err);
     const char *wrong = ieee_find_fault();
     if (wrong && a->command != COMMAND_HELP && a->command != COMMAND_VERSION)
@@ -137,7 +137,7 @@ bool program_run_frame(struct program *p)
     return continues;
 }
 
-enum { BOX = 64 /* columns */ };
+enum { BOX_COLUMNS = 64 /* columns */ };
 
 /* Shows the last error in a message box. SDL's boxes don't break lines, so this does. */
 static void show_error(void)
@@ -149,7 +149,7 @@ static void show_error(void)
     for (char *p = text; *p; p++) {
         blank = *p == ' ' ? p : blank;
         column += (*p & 0xc0) != 0x80; /* bytes that continue a character of UTF-8 have no column */
-        if (column <= BOX || !blank)
+        if (column <= BOX_COLUMNS || !blank)
             continue;
         *blank = '\n';
         column = (int)(p - blank);

@@ -27,22 +27,22 @@
 #define COMPILER "unknown"
 #endif
 
-static void say(const char *line)
+static void print_line(const char *line)
 {
     puts(line);
 }
 
 /* Prints only the options in the help for play. */
-static void say_option(const char *line)
+static void print_option(const char *line)
 {
     if (strncmp(line, "  -", 3) == 0)
-        say(line);
+        print_line(line);
 }
 
 static void help_own(void)
 {
-    embedded_rom_help(say);
-    args_help(COMMAND_PLAY, true, say_option);
+    embedded_rom_help(print_line);
+    args_help(COMMAND_PLAY, true, print_option);
 }
 
 static enum result help_unknown(const char *topic)
@@ -56,16 +56,16 @@ static enum result help_unknown(const char *topic)
 
 static void help_controls(void)
 {
-    say("");
-    say("Keys and buttons, by the names to use in key bindings:");
-    keys_print_help(embedded_rom_sealed() ? KEYS_FOR_AUTHORS : 0, say);
-    say("");
-    say("Controllers: player 1 gets the first one used; press START on another one to join as player 2.");
-    say("pad. is the player's own controller; pad1. to pad4. are specific controllers.");
-    say("south is the bottom face button and east is the right one, whatever is printed on them.");
-    say("");
-    say("Settings:");
-    config_help(say);
+    print_line("");
+    print_line("Keys and buttons, by the names to use in key bindings:");
+    keys_print_help(embedded_rom_sealed() ? KEYS_FOR_AUTHORS : 0, print_line);
+    print_line("");
+    print_line("Controllers: player 1 gets the first one used; press START on another one to join as player 2.");
+    print_line("pad. is the player's own controller; pad1. to pad4. are specific controllers.");
+    print_line("south is the bottom face button and east is the right one, whatever is printed on them.");
+    print_line("");
+    print_line("Settings:");
+    config_help(print_line);
 }
 
 /* command: -1 for all commands. */
@@ -74,7 +74,7 @@ static enum result help_command(int command, bool is_player)
     if (embedded_rom_sealed())
         help_own();
     else
-        args_help(command, is_player, say);
+        args_help(command, is_player, print_line);
     if (command == COMMAND_PLAY || embedded_rom_sealed())
         help_controls();
     return report_stdout(RESULT_DONE);
@@ -92,7 +92,7 @@ enum result command_help(const struct args *a)
         return report_line(RESULT_REFUSED, "help: unexpected argument \"%s\"", a->words[1]);
     if (!config)
         return help_command(command, !a->workbench);
-    config_guide(say);
+    config_guide(print_line);
     return report_stdout(RESULT_DONE);
 }
 

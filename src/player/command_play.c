@@ -15,12 +15,12 @@
 #include "game/embedded_rom.h"
 
 /* Returns whether a word names neither a file nor a folder; it is then more likely a misspelt command than a game. */
-static bool is_nothing(const char *word)
+static bool does_not_exist(const char *word)
 {
     return files_size(word) < 0 && files_count_entries(word) < 0;
 }
 
-static enum result no_such_word(const char *word, bool after_play)
+static enum result report_missing(const char *word, bool after_play)
 {
     const char *meant = args_near_command(word);
     char err[1024];
@@ -68,7 +68,7 @@ static enum play_opened open_game(void *user, struct play_options *o, char *err,
 }
 
 /* Opens a window for the game. On failure, sets p->result and returns false. */
-static bool play_it(struct play_command *p)
+static bool open_window(struct play_command *p)
 {
     const struct args *a = p->a;
     struct play_options o = { .path = p->path, .seeded = a->seeded, .record = a->record, .scale = a->scale };
@@ -102,7 +102,7 @@ static bool play_next(struct play_command *p)
 {
     const struct args *was = p->a;
     struct args a = { .command = COMMAND_PLAY, .every = 1, .scale = was->scale, .fullscreen = was->fullscreen };
-    const bool is = play_dropped_game(p->window, p->dropped, sizeof p->dropped);
+    const bool has_next = play_dropped_game(p->window, p->dropped, sizeof p->dropped);
 
     a.workbench = was->workbench;
     a.mute = was->mute;
@@ -110,16 +110,16 @@ static bool play_next(struct play_command *p)
     a.verbose = was->verbose;
     p->result = play_close(p->window);
     p->window = NULL;
-    if (!is)
+    if (!has_next)
         return false;
     game_close(&p->game);
     p->next = a;
     p->a = &p->next;
     p->path = p->dropped;
-    return play_it(p);
+    return open_window(p);
 }
 
-static bool frame(void *context)
+static bool run_frame(void *context)
 {
     struct play_command *p = context;
 
@@ -140,14 +140,14 @@ enum result command_play(const struct args *a, bool named, struct frame_command 
 {
     const char *path = a->n_words ? a->words[0] : NULL;
 
-    if (path && is_nothing(path))
-        return no_such_word(path, named);
+    if (path && does_not_exist(path))
+        return report_missing(path, named);
     struct play_command *p = calloc(1, sizeof *p);
     if (!p)
         return report_line(RESULT_HOST_FAILED, "out of memory");
     p->a = a;
     p->path = path;
-    play_it(p);
-    *running = (struct frame_command){ frame, close, p };
+    open_window(p);
+    *running = (struct frame_command){ run_frame, close, p };
     return RESULT_DONE;
 }

@@ -103,34 +103,35 @@ static const char bsd[] =
     "LIABILITY, WHETHER IN CONTRACT, STRICT LIABILITY, OR TORT (INCLUDING NEGLIGENCE OR OTHERWISE) ARISING IN ANY\n"
     "WAY OUT OF THE USE OF THIS SOFTWARE, EVEN IF ADVISED OF THE POSSIBILITY OF SUCH DAMAGE.\n";
 
-static const char curtain_whose[] = "Copyright (c) The Curtain authors";
-static const char sdl_whose[] = "Copyright (C) Sam Lantinga and others";
-static const char mingw_whose[] = "Copyright (c) 2009-2016 the mingw-w64 project, 1997-2001 Lucent Technologies";
+static const char curtain_copyright[] = "Copyright (c) The Curtain authors";
+static const char sdl_copyright[] = "Copyright (C) Sam Lantinga and others";
+static const char mingw_copyright[] = "Copyright (c) 2009-2016 the mingw-w64 project, 1997-2001 Lucent Technologies";
 
-static const char nothing[] = "No notice is required.\n";
+static const char no_notice[] = "No notice is required.\n";
 #ifndef __MINGW32__
-static const char of_system[] =
+static const char system_library[] =
     "This library is part of the operating system, not of this program, so no notice is required.\n";
 #endif
-static const char unknown[] = "The licence is unknown; ask the author of this port of Curtain.\n";
+static const char unknown_licence[] = "The licence is unknown; ask the author of this port of Curtain.\n";
 
 struct work {
     char name[32], version[128];
-    const char *licence, *what, *whose, *text;
+    const char *licence, *purpose, *copyright, *text;
 };
 
 enum { WORKS = 5 };
 
-static struct work work(const char *name, const char *licence, const char *what, const char *whose, const char *text)
+static struct work work(const char *name, const char *licence, const char *purpose, const char *copyright,
+                        const char *text)
 {
-    struct work w = { .licence = licence, .what = what, .whose = whose, .text = text };
+    struct work w = { .licence = licence, .purpose = purpose, .copyright = copyright, .text = text };
 
     snprintf(w.name, sizeof w.name, "%s", name);
     return w;
 }
 
 /* Describes the port's library, from "SDL 2.28.5, x11" or what another port reports. Returns false if it has none. */
-static bool of_port(struct work *w)
+static bool describe_port(struct work *w)
 {
     char about[128];
 
@@ -139,10 +140,10 @@ static bool of_port(struct work *w)
     if (strcmp(about, "no window") == 0)
         return false;
     if (strncmp(about, "SDL ", 4) == 0) {
-        *w = work("SDL", "zlib", "window, sound, controllers", sdl_whose, zlib);
+        *w = work("SDL", "zlib", "window, sound, controllers", sdl_copyright, zlib);
         snprintf(w->version, sizeof w->version, "%s", about + 4);
     } else {
-        *w = work("port", "unknown", "window and other platform support", "", unknown);
+        *w = work("port", "unknown", "window and other platform support", "", unknown_licence);
         snprintf(w->version, sizeof w->version, "%s", about);
     }
     return true;
@@ -152,21 +153,21 @@ static int list(struct work all[WORKS])
 {
     int n = 0;
 
-    all[n] = work("Curtain", "MIT", "engine, and the Lua library in every ROM", curtain_whose, mit);
+    all[n] = work("Curtain", "MIT", "engine, and the Lua library in every ROM", curtain_copyright, mit);
     snprintf(all[n++].version, sizeof all->version, "%s", CURTAIN_VERSION);
     all[n] = work("Lua", "MIT", "script interpreter", board_lua_copyright(), mit);
     snprintf(all[n++].version, sizeof all->version, "%s", board_lua_release());
     all[n++] = work("stb", "public domain", "PNG reader and writer",
-                    "Sean Barrett and others; also available under MIT", nothing);
-    n += of_port(&all[n]);
+                    "Sean Barrett and others; also available under MIT", no_notice);
+    n += describe_port(&all[n]);
 #ifdef __GLIBC__
-    all[n] = work("glibc", "LGPL 2.1", "system C library", "the GNU C Library", of_system);
+    all[n] = work("glibc", "LGPL 2.1", "system C library", "the GNU C Library", system_library);
     snprintf(all[n++].version, sizeof all->version, "%d.%d", __GLIBC__, __GLIBC_MINOR__);
 #elif defined __MINGW32__ /* parts of it are in the program's file */
-    all[n] = work("mingw-w64", "ZPL 2.1, Lucent", "C library for Windows", mingw_whose, mingw);
+    all[n] = work("mingw-w64", "ZPL 2.1, Lucent", "C library for Windows", mingw_copyright, mingw);
     snprintf(all[n++].version, sizeof all->version, "%s", __MINGW64_VERSION_STR);
 #else
-    all[n++] = work("libc", "its own", "system C library", "the system's C library", of_system);
+    all[n++] = work("libc", "its own", "system C library", "the system's C library", system_library);
 #endif
     return n;
 }
@@ -175,8 +176,8 @@ static void print_texts(const struct work *all, int n)
 {
     for (int i = 0; i < n; i++) {
         report_print("\n---- %s %s: %s ----\n\n", all[i].name, all[i].version, all[i].licence);
-        if (all[i].whose[0])
-            report_print("%s\n\n", all[i].whose);
+        if (all[i].copyright[0])
+            report_print("%s\n\n", all[i].copyright);
         report_print("%s", all[i].text);
     }
 }
@@ -184,12 +185,12 @@ static void print_texts(const struct work *all, int n)
 void licences_notices(struct byte_buffer *out)
 {
     const struct {
-        const char *name, *whose, *texts[2];
+        const char *name, *copyright, *texts[2];
     } all[] = {
-        { "Curtain, the game engine", curtain_whose, { mit } },
+        { "Curtain, the game engine", curtain_copyright, { mit } },
         { "Lua", board_lua_copyright(), { mit } },
-        { "SDL, in Windows programs (Linux programs use the SDL that is installed)", sdl_whose, { zlib } },
-        { "mingw-w64, in Windows programs", mingw_whose, { mingw } },
+        { "SDL, in Windows programs (Linux programs use the SDL that is installed)", sdl_copyright, { zlib } },
+        { "mingw-w64, in Windows programs", mingw_copyright, { mingw } },
         { "wasi-libc, in web pages",
           "Copyright (c) 2005-2019 Rich Felker and others (musl: MIT), 1993-2004 Sun Microsystems, Inc. (musl's "
           "mathematics),\n2015-2017 Nuxi and contributors (cloudlibc: BSD)",
@@ -200,7 +201,7 @@ void licences_notices(struct byte_buffer *out)
         out, "This game contains software by others. The notices below cover the downloads for all systems. Your\n"
              "download may contain only some of this software.\n");
     for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
-        byte_buffer_print(out, "\n---- %s ----\n\n%s\n", all[i].name, all[i].whose);
+        byte_buffer_print(out, "\n---- %s ----\n\n%s\n", all[i].name, all[i].copyright);
         for (int k = 0; k < 2 && all[i].texts[k]; k++)
             byte_buffer_print(out, "\n%s", all[i].texts[k]);
     }
@@ -217,7 +218,7 @@ enum result licences_run(bool full)
                      own->m.author[0] ? own->m.author : "an unnamed author");
     for (int i = 0; i < n; i++)
         report_print("%-8s %-8s %-14s %s\n", all[i].name, all[i].version[0] ? all[i].version : "-", all[i].licence,
-                     all[i].what);
+                     all[i].purpose);
     puts("To pack a game, this program also loads these libraries if they are installed:");
     puts("libsndfile (LGPL 2.1 or later) for OGG and FLAC, and libopenmpt (BSD) for tracker modules.");
     puts("Playing a game needs none of them.");

@@ -29,7 +29,7 @@ static enum result power(struct replay *r, const struct cart *cart, const struct
 }
 
 /* Stores the difficulty when a game starts; before and after the game, a menu may have set another one. */
-static void note_difficulty(struct replay *r)
+static void store_difficulty(struct replay *r)
 {
     const struct board_out *out = board_last_output(r->guard.board);
 
@@ -88,7 +88,7 @@ static int part_of_points(const struct demo *d)
 
 /* Compares frame f: finds the first difference, and the last frame up to which the part *points, which contains the
  * points, is as recorded. When that part differs, sets *points to MAX_PARTS. */
-static void look(struct replay *r, const struct demo *d, uint32_t f, int *points, struct rerun *o)
+static void compare_frame(struct replay *r, const struct demo *d, uint32_t f, int *points, struct rerun *o)
 {
     struct verdict v = { .kind = VERDICT_HOLDS };
     uint16_t checksum;
@@ -119,14 +119,14 @@ static bool play(struct replay *r, const struct demo *d, struct demo_writer *aga
     *o = (struct rerun){ .first.kind = VERDICT_HOLDS };
     for (uint32_t f = 0;; f++) {
         if (!replay_fault(r))
-            look(r, d, f, &points, o);
+            compare_frame(r, d, f, &points, o);
         if ((o->first.kind != VERDICT_HOLDS && !whole) || ends(r, d, f, &o->end))
             break;
         demo_pads(d, f, pads);
         guard_tick(&r->guard, pads);
         if (r->ticked)
             r->ticked(r->context, board_frame(r->guard.board));
-        note_difficulty(r);
+        store_difficulty(r);
         if (again && !demo_record_frame(again, r->guard.board, pads))
             return false;
     }

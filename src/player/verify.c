@@ -36,7 +36,7 @@ struct verify {
 
 static enum result refuse(const struct verify *v, enum result result, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
-static void say(const struct verify *v, const char *path, const char *format, ...)
+static void print_result(const struct verify *v, const char *path, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
 /* Prints a file name or another untrusted text. */
@@ -69,7 +69,7 @@ static enum result refuse(const struct verify *v, enum result result, const char
     return result;
 }
 
-static void say(const struct verify *v, const char *path, const char *format, ...)
+static void print_result(const struct verify *v, const char *path, const char *format, ...)
 {
     char line[2048];
     va_list args;
@@ -84,17 +84,17 @@ static void say(const struct verify *v, const char *path, const char *format, ..
     putchar('\n');
 }
 
-static void say_verdict(const struct verify *v, const char *path, const struct verdict *w)
+static void print_verdict(const struct verify *v, const char *path, const struct verdict *w)
 {
     char text[1400];
 
     replay_text(&v->replay, &v->demo, w, text, sizeof text);
-    say(v, path, "%s%s", text, w->kind == VERDICT_HOLDS && v->a->restamp ? ", restamped" : "");
+    print_result(v, path, "%s%s", text, w->kind == VERDICT_HOLDS && v->a->restamp ? ", restamped" : "");
 }
 
 /* ---- --verbose ---- */
 
-static void say_hashes(const struct verify *v, const struct verdict *w)
+static void print_hashes(const struct verify *v, const struct verdict *w)
 {
     const uint64_t *row = demo_hashes(&v->demo, w->frame);
     uint16_t checksum = 0;
@@ -141,7 +141,7 @@ static void markers_at(const struct demo *d, uint32_t frame, const struct demo_m
 }
 
 /* "in stage one, boss queen, phase bloom, 12.3 s after its start; player 1 died 2.0 s earlier" */
-static void say_place(const struct demo *d, uint32_t frame)
+static void print_place_in_game(const struct demo *d, uint32_t frame)
 {
     static const char *const kinds[MARKER_DEATH] = { "stage", "mark", "wave", "boss", "phase" };
     const struct demo_marker *in[MARKER_KINDS], *last = NULL, *death;
@@ -163,7 +163,7 @@ static void say_place(const struct demo *d, uint32_t frame)
     putchar('\n');
 }
 
-static void say_pads(const struct demo *d, uint32_t frame)
+static void print_pads(const struct demo *d, uint32_t frame)
 {
     static const char *const names[PAD_BUTTON_COUNT] = PAD_BUTTON_NAMES;
     uint16_t pads[MAX_PLAYERS];
@@ -183,7 +183,7 @@ static void say_pads(const struct demo *d, uint32_t frame)
     putchar('\n');
 }
 
-static void say_trace(const char *text)
+static void print_trace(const char *text)
 {
     for (size_t n; *text; text += n + (text[n] == '\n')) {
         n = strcspn(text, "\n");
@@ -191,7 +191,7 @@ static void say_trace(const char *text)
     }
 }
 
-static void say_header(const struct demo *d)
+static void print_header(const struct demo *d)
 {
     report_print("  format %u, core version %u, Lua %s, game %016llx, ROM %016llx\n", (unsigned)d->format,
                  (unsigned)d->core_version, d->lua_release, (unsigned long long)d->game_hash,
@@ -205,19 +205,19 @@ static void say_header(const struct demo *d)
     report_print("\n  %d parts, %u rows, %u markers\n", d->n_parts, (unsigned)d->n_rows, (unsigned)d->n_markers);
 }
 
-static void say_more(const struct verify *v, const struct verdict *w)
+static void print_details(const struct verify *v, const struct verdict *w)
 {
     const struct board_fault *fault = replay_fault(&v->replay);
 
-    say_header(&v->demo);
+    print_header(&v->demo);
     if (w->kind == VERDICT_HOLDS)
         return;
     if (w->kind == VERDICT_DIFFERS)
-        say_hashes(v, w);
-    say_place(&v->demo, w->frame);
-    say_pads(&v->demo, w->frame);
+        print_hashes(v, w);
+    print_place_in_game(&v->demo, w->frame);
+    print_pads(&v->demo, w->frame);
     if (fault && fault->trace[0])
-        say_trace(fault->trace);
+        print_trace(fault->trace);
 }
 
 /* ---- demos ---- */
@@ -263,7 +263,7 @@ static enum result print_json(const struct verify *v, const char *path, const st
     return w->kind == VERDICT_HOLDS ? RESULT_DONE : RESULT_DIFFERS;
 }
 
-static enum result judge(struct verify *v, const char *path)
+static enum result verify_recording(struct verify *v, const char *path)
 {
     struct verdict w;
     char err[512];
@@ -281,9 +281,9 @@ static enum result judge(struct verify *v, const char *path)
         return result;
     if (v->a->json)
         return print_json(v, path, &w);
-    say_verdict(v, path, &w);
+    print_verdict(v, path, &w);
     if (v->a->verbose)
-        say_more(v, &w);
+        print_details(v, &w);
     return w.kind == VERDICT_HOLDS ? RESULT_DONE : RESULT_DIFFERS;
 }
 
@@ -368,7 +368,7 @@ static void add_end(const struct verify *v, const struct rerun *o, struct summar
 }
 
 /* Prints the line about a demo that was rerecorded. */
-static enum result say_again(const struct verify *v, const char *path, const struct rerun *o)
+static enum result print_rerecorded(const struct verify *v, const char *path, const struct rerun *o)
 {
     struct summary t = { .same = true };
     struct marker_changes c;
@@ -386,7 +386,7 @@ static enum result say_again(const struct verify *v, const char *path, const str
         add_end(v, o, &t);
     }
     if (!t.text.failed)
-        say(v, path, "%s", (const char *)t.text.bytes);
+        print_result(v, path, "%s", (const char *)t.text.bytes);
     byte_buffer_close(&t.text);
     for (uint32_t i = 0; v->a->verbose && v->demo.format >= 3 && i < c.n; i++) {
         markers_format_change(&c.list[i], text, sizeof text);
@@ -397,7 +397,7 @@ static enum result say_again(const struct verify *v, const char *path, const str
 }
 
 /* Returns why a replay that differs must not replace the demo, or NULL if it may. */
-static const char *no_rerun(const struct verify *v, const struct rerun *o)
+static const char *reason_to_keep(const struct verify *v, const struct rerun *o)
 {
     if (!v->doubt[0])
         return "it was recorded with this build";
@@ -406,16 +406,16 @@ static const char *no_rerun(const struct verify *v, const struct rerun *o)
     return o->end.kind == VERDICT_FAULT ? "the rest of the run would be lost" : NULL;
 }
 
-static enum result leave_alone(const struct verify *v, const char *path, const struct rerun *o, const char *why)
+static enum result keep_demo(const struct verify *v, const char *path, const struct rerun *o, const char *why)
 {
     char text[1400];
 
     replay_text(&v->replay, &v->demo, o->end.kind == VERDICT_FAULT ? &o->end : &o->first, text, sizeof text);
     if (o->end.frame != v->demo.frames)
-        say(v, path, "%s; length %u -> %u; not rerecorded: %s", text, (unsigned)v->demo.frames, (unsigned)o->end.frame,
-            why);
+        print_result(v, path, "%s; length %u -> %u; not rerecorded: %s", text, (unsigned)v->demo.frames,
+                     (unsigned)o->end.frame, why);
     else
-        say(v, path, "%s; not rerecorded: %s", text, why);
+        print_result(v, path, "%s; not rerecorded: %s", text, why);
     return RESULT_REFUSED;
 }
 
@@ -430,11 +430,11 @@ static enum result rerecord(struct verify *v, const char *path)
     progress_clear();
     if (result != RESULT_DONE)
         return refuse(v, result, "%s: %s", path, err);
-    const char *why = o.first.kind == VERDICT_HOLDS ? NULL : no_rerun(v, &o);
+    const char *why = o.first.kind == VERDICT_HOLDS ? NULL : reason_to_keep(v, &o);
     if (why)
-        return leave_alone(v, path, &o, why);
+        return keep_demo(v, path, &o, why);
     result = save_rerecorded(v, path);
-    return result == RESULT_DONE ? say_again(v, path, &o) : result;
+    return result == RESULT_DONE ? print_rerecorded(v, path, &o) : result;
 }
 
 static enum result verify_loaded(struct verify *v, const char *path)
@@ -448,7 +448,7 @@ static enum result verify_loaded(struct verify *v, const char *path)
     v->doubt[0] = 0;
     if (demo_replay_warning(&v->demo, &v->game.cart, doubt, sizeof doubt))
         snprintf(v->doubt, sizeof v->doubt, " (%s)", doubt);
-    return v->a->rerecord ? rerecord(v, path) : judge(v, path);
+    return v->a->rerecord ? rerecord(v, path) : verify_recording(v, path);
 }
 
 static enum result verify_demo(struct verify *v, const char *path)

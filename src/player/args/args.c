@@ -84,7 +84,7 @@ static bool take_over(struct args *a, enum command command)
 }
 
 /* Longer arguments would leave no space for the reason in error messages. */
-static bool short_enough(int argc, char **argv, char *err, size_t err_size)
+static bool check_lengths(int argc, char **argv, char *err, size_t err_size)
 {
     for (int i = 1; i < argc; i++)
         if (strlen(argv[i]) > ARGS_MAX_WORD)
@@ -98,7 +98,7 @@ bool args_parse(struct args *a, int argc, char **argv, char *err, size_t err_siz
     bool only_words = false;
 
     *a = (struct args){ .words = argv, .every = 1, .bank = -1, .machine = 1 };
-    if (!short_enough(argc, argv, err, err_size))
+    if (!check_lengths(argc, argv, err, err_size))
         return false;
     for (int i = 1; i < argc; i++) /* only paths contain backslashes */
         plat_normalize_slashes(argv[i]);

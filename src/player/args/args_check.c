@@ -100,7 +100,7 @@ static bool check_help(const struct args *a, char *err, size_t err_size)
     return true;
 }
 
-static bool among(enum option o, const enum option *list, size_t n)
+static bool is_among(enum option o, const enum option *list, size_t n)
 {
     while (n > 0 && list[n - 1] != o)
         n--;
@@ -122,9 +122,9 @@ static bool check_options(const struct args *a, const bool seen[OPTIONS], char *
             return err_set(err, err_size, "%s does not work with %s (only with %s)", args_options[o].name,
                            args_commands[a->command].name, with);
         }
-        if (a->demo && among(o, fixed, sizeof fixed / sizeof *fixed))
+        if (a->demo && is_among(o, fixed, sizeof fixed / sizeof *fixed))
             return err_set(err, err_size, "%s cannot be combined with --demo: the demo sets it", args_options[o].name);
-        if (!a->stage && among(o, fixed, 3))
+        if (!a->stage && is_among(o, fixed, 3))
             return err_set(err, err_size, "%s needs --stage: it applies only to practice starts", args_options[o].name);
     }
     return check_exclusive(seen, err, err_size) && check_pairs(a, seen, err, err_size);
@@ -149,15 +149,15 @@ static bool check_words(const struct args *a, char *err, size_t err_size)
 {
     const char *name = args_commands[a->command].name;
 
-    if (a->n_words < args_commands[a->command].least)
+    if (a->n_words < args_commands[a->command].min)
         return err_set(err, err_size, "%s: expected %s (see curtain help %s)", name, args_commands[a->command].words,
                        name);
     if (a->n_words && !a->words[0][0] && FOR_GAMES >> a->command & 1)
         return err_set(err, err_size, "%s: expected %s, got \"\" (see curtain help %s)", name,
                        args_commands[a->command].words, name);
-    if (a->n_words > args_commands[a->command].most)
+    if (a->n_words > args_commands[a->command].max)
         return err_set(err, err_size, "%s: unexpected argument \"%s\" (see curtain help %s)", name,
-                       a->words[args_commands[a->command].most], name);
+                       a->words[args_commands[a->command].max], name);
     return true;
 }
 

@@ -113,11 +113,11 @@ enum option {
 enum store {
     STORE_NOTHING,
     STORE_SWITCH,  /* bool: it was given */
-    STORE_CHOICE,  /* int: set to `least` */
+    STORE_CHOICE,  /* int: set to `min` */
     STORE_TEXT,    /* const char *: as typed, not empty */
     STORE_WORD,    /* int: the index in `words` */
-    STORE_NUMBER,  /* of `size` bytes, from `least` to `most` */
-    STORE_SETTING, /* adds NAME=VALUE to a list of at most `most` const char * */
+    STORE_NUMBER,  /* of `size` bytes, from `min` to `max` */
+    STORE_SETTING, /* adds NAME=VALUE to a list of at most `max` const char * */
     STORE_NAME,    /* adds any text to such a list */
     STORE_READ     /* calls `read` */
 };
@@ -126,14 +126,14 @@ struct store_rule {
     enum store kind;
     size_t at, count; /* offsets in struct args: of the field, and of a list's counter */
     size_t size;
-    uint64_t least, most;
+    uint64_t min, max;
     const char *const *words; /* ends with NULL */
     bool (*read)(struct args *a, const char *text, char *err, size_t err_size);
 };
 
 struct command_row {
     const char *name, *words;
-    int least, most; /* words */
+    int min, max; /* words */
     const char *help;
 };
 

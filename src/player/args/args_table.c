@@ -66,7 +66,7 @@ const struct command_row args_commands[COMMANDS] = {
     }
 #define CHOICE(field, value)                                                                                           \
     {                                                                                                                  \
-        .kind = STORE_CHOICE, .at = FIELD(int, field), .least = value                                                  \
+        .kind = STORE_CHOICE, .at = FIELD(int, field), .min = value                                                    \
     }
 #define TEXT(field)                                                                                                    \
     {                                                                                                                  \
@@ -78,13 +78,13 @@ const struct command_row args_commands[COMMANDS] = {
     }
 #define NUMBER(field, low, high)                                                                                       \
     {                                                                                                                  \
-        .kind = STORE_NUMBER, .at = offsetof(struct args, field), .size = sizeof((struct args *)0)->field,             \
-        .least = low, .most = high                                                                                     \
+        .kind = STORE_NUMBER, .at = offsetof(struct args, field), .size = sizeof((struct args *)0)->field, .min = low, \
+        .max = high                                                                                                    \
     }
 #define LIST(how, field, n)                                                                                            \
     {                                                                                                                  \
         .kind = how, .at = FIELD(const char *, field[0]), .count = FIELD(int, n),                                      \
-        .most = sizeof((struct args *)0)->field / sizeof(char *)                                                       \
+        .max = sizeof((struct args *)0)->field / sizeof(char *)                                                        \
     }
 #define SETTINGS(field, n) LIST(STORE_SETTING, field, n)
 #define NAMES(field, n)    LIST(STORE_NAME, field, n)

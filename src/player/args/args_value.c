@@ -182,9 +182,9 @@ static bool store_number(void *to, enum option o, const char *value, char *err, 
     const struct store_rule *k = &args_options[o].store;
     uint64_t v;
 
-    if (!number(value, value + strlen(value), k->most, &v) || v < k->least)
+    if (!number(value, value + strlen(value), k->max, &v) || v < k->min)
         return err_set(err, err_size, "%s: expected a whole number from %llu to %llu, got \"%s\"", args_options[o].name,
-                       (unsigned long long)k->least, (unsigned long long)k->most, value);
+                       (unsigned long long)k->min, (unsigned long long)k->max, value);
     if (k->size == sizeof(uint64_t))
         *(uint64_t *)to = v;
     else
@@ -199,8 +199,8 @@ static bool add_to_list(const char **list, int *n, enum option o, const char *va
 
     if (k->kind == STORE_SETTING && (!equals || equals == value || !equals[1]))
         return err_set(err, err_size, "%s: expected NAME=VALUE, got \"%s\"", args_options[o].name, value);
-    if (*n == (int)k->most)
-        return err_set(err, err_size, "%s: given more than %d times", args_options[o].name, (int)k->most);
+    if (*n == (int)k->max)
+        return err_set(err, err_size, "%s: given more than %d times", args_options[o].name, (int)k->max);
     list[(*n)++] = value;
     return true;
 }
@@ -222,7 +222,7 @@ bool args_store(struct args *a, enum option o, const char *value, char *err, siz
         *(bool *)to = true;
         return true;
     case STORE_CHOICE:
-        *(int *)to = (int)args_options[o].store.least;
+        *(int *)to = (int)args_options[o].store.min;
         return true;
     case STORE_TEXT:
         return store_text(to, o, value, err, err_size);

@@ -16,14 +16,14 @@
 #include "rom_image.h"
 #include "mark.h"
 
-enum { MOST = 1 << 30 /* bytes of a program's file */ };
+enum { MAX_FILE_BYTES = 1 << 30 /* bytes of a program's file */ };
 
 static struct embedded_rom own;
 
 static const char itself[] = "this program's own file";
 
 /* Replaces the file's bytes in *in with the ROM in it. */
-static enum result take(uint8_t **in, size_t size, const struct mark *m, char *err, size_t err_size)
+static enum result extract_rom(uint8_t **in, size_t size, const struct mark *m, char *err, size_t err_size)
 {
     uint8_t *file = *in;
     struct rom rom;
@@ -67,9 +67,9 @@ enum result embedded_rom_open(char *err, size_t err_size)
         err_set(err, err_size, "%s, which contains the game, cannot be found on this system", itself);
         return RESULT_HOST_FAILED;
     }
-    if (!files_read(name, itself, MOST, &file, &size, err, err_size))
+    if (!files_read(name, itself, MAX_FILE_BYTES, &file, &size, err, err_size))
         return RESULT_HOST_FAILED;
-    enum result result = take(&file, size, &m, err, err_size);
+    enum result result = extract_rom(&file, size, &m, err, err_size);
     if (result == RESULT_DONE)
         plat_set_name(own.m.id);
     else

@@ -93,9 +93,9 @@ static bool set_difficulty(struct game *g, const char *name, char *err, size_t e
 
 static bool set_lang(struct game *g, const char *name, char *err, size_t err_size)
 {
-    enum { MOST = 64 };
-    const char *names[MOST];
-    int n = g->cart.count[CART_LANGS] < MOST ? g->cart.count[CART_LANGS] : MOST;
+    enum { MAX_NAMES = 64 };
+    const char *names[MAX_NAMES];
+    int n = g->cart.count[CART_LANGS] < MAX_NAMES ? g->cart.count[CART_LANGS] : MAX_NAMES;
     struct words words;
 
     for (int i = 0; i < n; i++)

@@ -238,7 +238,7 @@ struct layout {
     size_t pixels; /* bytes in all IDAT */
 };
 
-static void note(struct layout *l, const uint8_t *type, const uint8_t *data, uint32_t n)
+static void record_chunk(struct layout *l, const uint8_t *type, const uint8_t *data, uint32_t n)
 {
     if (memcmp(type, "PLTE", 4) == 0) {
         l->palette = data;
@@ -262,7 +262,7 @@ static bool walk_chunks(const uint8_t *data, size_t n, struct layout *l, char *e
             break;
         if (get_be32(p + 8 + len) != hash_crc32(p + 4, (size_t)len + 4))
             return err_set(err, err_size, "damaged PNG: wrong CRC in the chunk at byte %zu", at);
-        note(l, p + 4, p + 8, len);
+        record_chunk(l, p + 4, p + 8, len);
         if (memcmp(p + 4, "IEND", 4) == 0)
             return true;
         at += 12 + (size_t)len;

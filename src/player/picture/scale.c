@@ -17,7 +17,7 @@ static uint32_t mix(uint32_t a, uint32_t b, uint32_t share)
 
 /* In units of 1 / large small pixels, a large pixel has length `small` and a small pixel `large`. The part of the large
  * pixel beyond the small pixel in which it begins is the share of the next one. */
-static void place_pixel(struct scale_axis *a, int i, int small, int large)
+static void set_pixel(struct scale_axis *a, int i, int small, int large)
 {
     const int64_t begin = (int64_t)i * small, border = (begin / large + 1) * large, end = begin + small;
 
@@ -36,7 +36,7 @@ bool scale_open(struct scale_axis *a, int small, int large)
         return false;
     }
     for (int i = 0; i < large; i++)
-        place_pixel(a, i, small, large);
+        set_pixel(a, i, small, large);
     return true;
 }
 

@@ -16,7 +16,7 @@ struct walk {
     uint64_t stamp;
 };
 
-static bool descends(const struct walk *l, const char *name)
+static bool is_searched(const struct walk *l, const char *name)
 {
     const bool no_assets = strcmp(name, "demos") == 0 || strcmp(name, "tests") == 0;
 
@@ -33,7 +33,7 @@ static void add(void *user, const struct plat_folder_entry *file)
     snprintf(l->path + n, sizeof l->path - n, "/%s", file->name);
     if (!file->is_folder) {
         l->stamp += hash_fold(hash_bytes(HASH_START, l->path, strlen(l->path)), (uint64_t)file->time);
-    } else if (descends(l, file->name)) {
+    } else if (is_searched(l, file->name)) {
         l->depth++;
         plat_list(l->path, add, l);
         l->depth--;

@@ -147,7 +147,7 @@ static void take_row(struct play *play, const struct board_marker *m)
 
     if (!marker_row(play, m, &row))
         return;
-    if (!a->on && a->waits && run)
+    if (!a->on && a->last_run_unsaved && run)
         run->meta.row[run->meta.rows < REPLAY_MAX_ROWS ? run->meta.rows++ : REPLAY_MAX_ROWS - 1] = row;
     else if (!a->on && a->stem[0])
         add_row_to_replay(play, &row);
@@ -215,20 +215,20 @@ static void add_unsaved_run(struct play *play, uint8_t *bytes, size_t size, cons
     }
     *run = (struct unsaved_run){ play->unsaved.runs, bytes, size, *c, *t };
     play->unsaved.runs = run;
-    play->autosave.waits = true;
+    play->autosave.last_run_unsaved = true;
 }
 
 /* Saves the run in progress, which ends here. Returns false if its replay could not be written yet. */
 static bool save_run(struct play *play, enum replay_meta_end end)
 {
-    struct replay_meta card;
+    struct replay_meta meta;
     struct thumb thumb;
     char err[FILES_ERR_SIZE];
     size_t size;
     const uint32_t frames = writer(play)->demo.frames - play->autosave.first;
 
     play->autosave.stem[0] = 0;
-    play->autosave.waits = false;
+    play->autosave.last_run_unsaved = false;
     if (play->config.replays == 0 || (frames < SHORTEST && end != REPLAY_FAULT))
         return true;
     uint8_t *bytes = demo_encode_now(writer(play), play_board(play), &size);
@@ -236,16 +236,16 @@ static bool save_run(struct play *play, enum replay_meta_end end)
         play_warn(play, "This run is not saved: out of memory");
         return false;
     }
-    describe_run(play, &card, end);
+    describe_run(play, &meta, end);
     thumb_make(&thumb, &play->drawing.picture.fb, play->drawing.picture.rgb);
     const bool rom = save_rom(play);
-    if (rom && add_replay(play, bytes, size, &card, &thumb, err, sizeof err)) {
+    if (rom && add_replay(play, bytes, size, &meta, &thumb, err, sizeof err)) {
         free(bytes);
         return true;
     }
     if (rom)
         play_save_failed(play, err);
-    add_unsaved_run(play, bytes, size, &card, &thumb);
+    add_unsaved_run(play, bytes, size, &meta, &thumb);
     return false;
 }
 
@@ -286,7 +286,7 @@ static bool resume_file_failed(struct play *play)
     return true;
 }
 
-static bool has_replay(struct play *play, const struct replay_meta *card)
+static bool has_replay(struct play *play, const struct replay_meta *meta)
 {
     struct replays list;
     bool found = false;
@@ -294,7 +294,7 @@ static bool has_replay(struct play *play, const struct replay_meta *card)
     replays_open(&list, play_cart(play)->manifest.id);
     for (int i = 0; i < list.n; i++) {
         const struct replay_meta *c = &list.list[i].meta;
-        found = found || (c->seed == card->seed && c->first == card->first && c->last >= card->last);
+        found = found || (c->seed == meta->seed && c->first == meta->first && c->last >= meta->last);
     }
     replays_close(&list);
     return found;
@@ -304,17 +304,17 @@ static bool has_replay(struct play *play, const struct replay_meta *card)
 static bool archive(struct play *play, const uint8_t *file, size_t size, char *err, size_t err_size)
 {
     struct demo d;
-    struct replay_meta card;
+    struct replay_meta meta;
     bool saved = true;
 
-    if (demo_read(&d, file, size, err, err_size) && replay_meta_of_demo(&card, &d) &&
-        card.last - card.first >= SHORTEST && play->config.replays > 0 &&
-        (d.complete || d.checksum_frames == d.frames) && !has_replay(play, &card)) {
+    if (demo_read(&d, file, size, err, err_size) && replay_meta_of_demo(&meta, &d) &&
+        meta.last - meta.first >= SHORTEST && play->config.replays > 0 &&
+        (d.complete || d.checksum_frames == d.frames) && !has_replay(play, &meta)) {
         d.complete = true; /* there is no more of it */
-        card.date = (int64_t)time(NULL);
+        meta.date = (int64_t)time(NULL);
         snprintf(err, err_size, "out of memory");
         uint8_t *bytes = demo_encode(&d, &size);
-        saved = bytes && add_replay(play, bytes, size, &card, NULL, err, err_size);
+        saved = bytes && add_replay(play, bytes, size, &meta, NULL, err, err_size);
         free(bytes);
     }
     demo_free(&d);
@@ -499,8 +499,8 @@ static bool retry_runs(struct play *play, struct unsaved_run **at, void (*failed
         failed(play, err);
         return false;
     }
-    if (play->autosave.waits && run == play->unsaved.runs)
-        play->autosave.waits = false;
+    if (play->autosave.last_run_unsaved && run == play->unsaved.runs)
+        play->autosave.last_run_unsaved = false;
     else
         play->autosave.stem[0] = 0; /* not the last run's */
     free_run(at);

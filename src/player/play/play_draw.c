@@ -143,7 +143,7 @@ static int draw_page(struct play *play, const struct canvas *canvas)
         snprintf(footer, sizeof footer, "%s%s", play->report.where[0] ? "Report: " : "", play->report.where);
     }
     int y = page_draw(canvas, &page);
-    play->report.page_end = page.max_top;
+    play->report.page_max_top = page.max_top;
     return y;
 }
 
@@ -191,7 +191,7 @@ static void draw_progress(struct play *play, const struct canvas *canvas, int y)
 struct overlay_layout {
     char text[sizeof((struct play *)0)->message.text + 32], hint[160];
     bool page;                   /* a page is shown, always over the picture */
-    struct canvas picture, side; /* beside.fb NULL: everything is over the picture */
+    struct canvas picture, side; /* side.fb NULL: everything is over the picture */
     int y0, y1;                  /* rows that are free for panels */
 };
 

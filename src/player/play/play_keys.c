@@ -176,7 +176,7 @@ static void game_keys(struct play *play, const struct plat_input *in, struct key
     overlay_toggle(&play->overlay, k->pressed);
     accumulate_pads(&play->pads, k);
     if (play_fault(play))
-        play_scroll(play, &play->report.page_top, play->report.page_end, k->pads[0], in->wheel);
+        play_scroll(play, &play->report.page_top, play->report.page_max_top, k->pads[0], in->wheel);
     global_keys(play, k);
     speed_keys(play, k);
     play_practice_keys(play, k);

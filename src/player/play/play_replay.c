@@ -40,7 +40,7 @@ void play_close_replay(struct play *play)
 
 /* ---- changing the session ---- */
 
-/* The game's current ROM. */
+/* Returns the game's current ROM. */
 static const struct cart *home_cart(const struct play *play)
 {
     return play->replay.home ? play->replay.home : play_cart(play);
@@ -66,8 +66,8 @@ static void move_roms(struct play_replay *r, struct session_run *old, struct ses
     }
 }
 
-/* Replaces the session and ends the present run. Takes ownership of rom, which owns the cart; NULL: the cart is the
- * present one or the current one. */
+/* Replaces the session and ends the present run. Takes ownership of rom, which owns the cart. If rom is NULL, the cart
+ * is the present one or the current one. */
 static bool change_session(struct play *play, const struct cart *cart, struct session_rom *rom,
                            const struct board_start *start, struct demo *demo, const char *what)
 {
@@ -92,8 +92,8 @@ static bool change_session(struct play *play, const struct cart *cart, struct se
     return true;
 }
 
-/* The ROM that a demo is played on: the current one if the game is the same, otherwise the stored one that the demo was
- * recorded on. *rom NULL: *cart is loaded already. */
+/* Finds the ROM to play a demo on: the current one if the game is the same, otherwise the stored one that the demo was
+ * recorded on. Sets *rom to NULL if *cart is loaded already. On failure, returns false and sets err. */
 static bool find_cart(struct play *play, const struct demo *d, const struct cart **cart, struct session_rom **rom,
                       char *err, size_t err_size)
 {
@@ -118,7 +118,7 @@ static bool find_cart(struct play *play, const struct demo *d, const struct cart
     return *rom != NULL;
 }
 
-/* Loads a demo and opens its playback. exact: only if it can be played as it was recorded. */
+/* Loads a demo and starts its playback. exact: only if it can be played as it was recorded. */
 static bool open_demo(struct play *play, const char *path, const char *what, bool exact)
 {
     struct demo *d = calloc(1, sizeof *d);

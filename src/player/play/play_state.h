@@ -130,9 +130,9 @@ struct play_window {
 struct waiting {
     bool on;
     bool settings; /* for the settings file */
-    bool checking; /* it has changed: read it in the next frame, when the picture says so */
+    bool checking; /* it has changed; read it in the next frame, after the picture shows this */
     char why[FILES_ERR_SIZE + CONFIG_LINE], details[sizeof((struct board_fault *)0)->trace];
-    int top, end; /* lines scrolled, and the most */
+    int top, max_top; /* scroll position, and its maximum */
 };
 
 /* play_report.c: reports of faults. */
@@ -140,8 +140,8 @@ struct report {
     char where[FILES_PATH_SIZE]; /* the last report's path; "": none */
     uint32_t frame;              /* and the fault in it */
     char message[sizeof((struct board_fault *)0)->message];
-    bool fault_reported;    /* of the board's present fault */
-    int page_top, page_end; /* lines of the fault's page that are scrolled, and the most */
+    bool fault_reported;        /* of the board's present fault */
+    int page_top, page_max_top; /* scroll position of the fault's page, and its maximum */
 };
 
 /* play_autosave.c: the run in progress, and the replay of the last run. */
@@ -153,7 +153,7 @@ struct autosave {
     char stem[REPLAY_STEM];                      /* the last run's replay; "": none, or it could not be written yet */
     struct replay_meta_row row[REPLAY_MAX_ROWS]; /* entered during the run */
     int rows;
-    bool waits; /* the last run is the first of play_unsaved.runs */
+    bool last_run_unsaved; /* it is the first of play_unsaved.runs */
 };
 
 /* A run whose replay could not be written yet. malloc, and so are its bytes. */

@@ -90,7 +90,7 @@ static void draw(struct play *play)
     canvas_open(&canvas, &p->composed, p->composed_rgb);
     canvas_rect(&canvas, 0, 0, PAGE_W, PAGE_H, CANVAS_DARK);
     page_draw(&canvas, &page);
-    w->end = page.max_top;
+    w->max_top = page.max_top;
     play_window_show(play, &p->composed, p->composed_rgb, false);
 }
 
@@ -123,7 +123,7 @@ static void poll(struct play *play)
     play->quit = play->quit || in.quit || k.pressed & quit || plat_is_key_held(&in, KEY_ESCAPE);
     if (k.pressed & (uint32_t)1 << HOTKEY_FULLSCREEN)
         play_toggle_fullscreen(play);
-    play_scroll(play, &play->waiting.top, play->waiting.end, k.pads[0], in.wheel);
+    play_scroll(play, &play->waiting.top, play->waiting.max_top, k.pads[0], in.wheel);
     play_check_drop(play);
     if (play->waiting.settings && !play->quit && (plat_is_key_held(&in, KEY_ENTER) || k.pads[0] & PAD_START))
         end_settings(play);

@@ -110,7 +110,7 @@ static void describe(void *context, int at, struct screen_row *row)
 
 /* ---- changes ---- */
 
-static void take(struct play *play, uint16_t code)
+static void bind_input(struct play *play, uint16_t code)
 {
     struct keys *k = &play->config.keys;
     const char *name = keys_action_name(play->key_capture.action), *other = keys_conflict(k, name, code);
@@ -146,7 +146,7 @@ static bool listen(void *context, const struct plat_input *in)
     if (code) {
         c->listening = false;
         if (!keys_reserved(code))
-            take(play, code);
+            bind_input(play, code);
     }
     return true;
 }

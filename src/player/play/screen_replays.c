@@ -39,7 +39,7 @@ static void describe(const struct replay_meta *c, char *out, size_t size)
         snprintf(out + n, size - (size_t)n, ", core version %u: playback may diverge", (unsigned)c->core);
 }
 
-static const struct replay_meta *card(const struct play *play, int i)
+static const struct replay_meta *meta_of(const struct play *play, int i)
 {
     return &play->replay_list.list.list[i].meta;
 }
@@ -64,7 +64,7 @@ static void action_row(void *context, int at, struct screen_row *row)
         [NAME] = { "Name Replay", "Named replays stay until you delete them." },
         [DELETE] = { "Delete", "" },
     };
-    const bool named = card(play, play->replay_list.thumb_of)->name[0];
+    const bool named = meta_of(play, play->replay_list.thumb_of)->name[0];
 
     snprintf(row->label, sizeof row->label, "%s", at == NAME && named ? "Rename" : texts[at].label);
     snprintf(row->help, sizeof row->help, "%s", texts[at].help);
@@ -75,7 +75,7 @@ static const char *action_text(void *context)
     struct play *play = context;
 
     if (!play->replay_list.typing)
-        return card(play, play->replay_list.thumb_of)->name;
+        return meta_of(play, play->replay_list.thumb_of)->name;
     snprintf(play->replay_list.text, sizeof play->replay_list.text, "Name: %s_\nEnter: save. Escape: cancel.",
              play->replay_list.typed);
     return play->replay_list.text;
@@ -104,7 +104,7 @@ static void set_typing(struct play *play, bool on)
 static void start_typing(struct play *play)
 {
     struct replay_list *l = &play->replay_list;
-    const struct replay_meta *c = card(play, l->thumb_of);
+    const struct replay_meta *c = meta_of(play, l->thumb_of);
 
     if (c->name[0])
         snprintf(l->typed, sizeof l->typed, "%s", c->name);
@@ -133,7 +133,7 @@ static void do_action(void *context, int at)
         ask_to_delete(play);
     } else {
         replays_path(&l->list, l->thumb_of, path);
-        if (play_watch(play, path, card(play, l->thumb_of)->first))
+        if (play_watch(play, path, meta_of(play, l->thumb_of)->first))
             screens_close_all(&play->screens);
     }
 }
@@ -175,8 +175,8 @@ static void save_name(struct play *play)
 
     if (!replays_name(&play->replay_list.list, play->replay_list.thumb_of, play->replay_list.typed, err, sizeof err))
         screens_show_message(&play->screens, "%s", err);
-    else if (card(play, play->replay_list.thumb_of)->name[0])
-        screens_show_message(&play->screens, "Saved as \"%s\"", card(play, play->replay_list.thumb_of)->name);
+    else if (meta_of(play, play->replay_list.thumb_of)->name[0])
+        screens_show_message(&play->screens, "Saved as \"%s\"", meta_of(play, play->replay_list.thumb_of)->name);
     else
         screens_show_message(&play->screens, "Name removed");
 }
@@ -237,7 +237,7 @@ static int rows(void *context)
 static void row(void *context, int at, struct screen_row *row)
 {
     struct play *play = context;
-    const struct replay_meta *c = card(play, at);
+    const struct replay_meta *c = meta_of(play, at);
     char date[32];
 
     date_text(c->date, date, sizeof date);
@@ -339,7 +339,7 @@ static void draw(void *context, int at, const struct canvas *canvas, struct scre
         draw_thumb(&l->thumb, canvas, to);
         side = l->thumb.w + 8;
     }
-    draw_details(card(play, at), canvas, (struct screen_area){ to.x + side + 4, to.y, to.w - side - 4, to.h });
+    draw_details(meta_of(play, at), canvas, (struct screen_area){ to.x + side + 4, to.y, to.w - side - 4, to.h });
 }
 
 static const struct screen_def replays = { .title = "Replays",

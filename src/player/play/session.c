@@ -62,9 +62,9 @@ static struct session_run *run_power(struct session *s, const struct cart *cart,
     return NULL;
 }
 
-static bool check_written(struct session *s, bool good)
+static bool check_written(struct session *s, bool ok)
 {
-    return good || fail(s, s->now->writer.err);
+    return ok || fail(s, s->now->writer.err);
 }
 
 bool session_open(struct session *s, const struct cart *cart, const struct board_start *start, const struct demo *demo,
@@ -82,21 +82,21 @@ static bool finish(struct session *s)
 {
     struct demo_writer *w = &s->now->writer;
     const struct board *b = session_board(s);
-    bool good = true;
+    bool ok = true;
 
     if (!board_last_output(b)->fault && board_frame(b) < w->demo.frames)
-        good = demo_rewind(w, board_frame(b));
-    return check_written(s, demo_end(w, b) && good);
+        ok = demo_rewind(w, board_frame(b));
+    return check_written(s, demo_end(w, b) && ok);
 }
 
 bool session_close(struct session *s)
 {
-    bool good = !s->now || finish(s);
+    bool ok = !s->now || finish(s);
 
     run_free(s->now);
     run_free(s->next);
     s->now = s->next = NULL;
-    return good;
+    return ok;
 }
 
 bool session_restart(struct session *s, const struct board_start *start)
@@ -152,10 +152,10 @@ static bool tick(struct session *s, const uint16_t pads[MAX_PLAYERS])
         s->ticked(s->context, s);
     if (seen)
         return true;
-    bool good = demo_record_frame(&r->writer, r->guard.board, pads);
+    bool ok = demo_record_frame(&r->writer, r->guard.board, pads);
     if (s->demo && !s->differs && r->writer.recording && !board_last_output(r->guard.board)->fault)
         compare(s);
-    return check_written(s, good);
+    return check_written(s, ok);
 }
 
 bool session_replay_tick(struct session *s)
@@ -171,15 +171,15 @@ bool session_tick(struct session *s, const uint16_t pads[MAX_PLAYERS])
 {
     const struct board *b = session_board(s);
     struct demo_writer *w = &s->now->writer;
-    bool good = true;
+    bool ok = true;
 
     if (s->demo)
         return session_replay_tick(s);
     if (board_last_output(b)->fault)
         return true;
     if (board_frame(b) < w->demo.frames)
-        good = check_written(s, demo_rewind(w, board_frame(b)));
-    return tick(s, pads) && good;
+        ok = check_written(s, demo_rewind(w, board_frame(b)));
+    return tick(s, pads) && ok;
 }
 
 /* ---- moving in time ---- */
@@ -269,11 +269,11 @@ bool session_mark_touched(struct session *s)
 {
     struct demo_writer *w = &s->now->writer;
     uint32_t frame = board_frame(session_board(s));
-    bool good = frame >= w->demo.frames || demo_rewind(w, frame);
+    bool ok = frame >= w->demo.frames || demo_rewind(w, frame);
 
     session_stop(s);
     rewind_forget(s->now->guard.past, frame);
-    return check_written(s, demo_add_flags(w, DEMO_TOUCHED) && good);
+    return check_written(s, demo_add_flags(w, DEMO_TOUCHED) && ok);
 }
 
 const struct demo_marker *session_markers(const struct session *s, uint32_t *n)
@@ -373,7 +373,7 @@ static bool reload_tick(struct session *s)
     return !reload_ended(s);
 }
 
-static bool arrived(const struct session *s)
+static bool reached_target(const struct session *s)
 {
     const struct board *b = s->next ? s->next->guard.board : session_board(s);
 
@@ -391,15 +391,15 @@ static bool time_left(uint64_t start, uint64_t until)
 bool session_work(struct session *s, uint64_t until)
 {
     const uint64_t start = plat_usec();
-    bool good = true;
+    bool ok = true;
 
-    for (int i = 1; s->state != SESSION_PLAYING && !arrived(s) && good; i++) {
-        good = s->next ? reload_tick(s) : session_replay_tick(s);
+    for (int i = 1; s->state != SESSION_PLAYING && !reached_target(s) && ok; i++) {
+        ok = s->next ? reload_tick(s) : session_replay_tick(s);
         if (i % CLOCK_EVERY == 0 && !time_left(start, until))
-            return good;
+            return ok;
     }
-    if (!good || s->state == SESSION_PLAYING)
-        return good;
+    if (!ok || s->state == SESSION_PLAYING)
+        return ok;
     if (s->state == SESSION_RELOADING)
         return finish_reload(s);
     session_stop(s);

@@ -222,7 +222,7 @@ static bool is_listed(const struct replays *r, const char *stem)
 }
 
 /* Removes metadata without a demo, and partially written files that are older than some complete file. */
-static void sweep(const struct found *f)
+static void remove_leftovers(const struct found *f)
 {
     char path[2 * REPLAY_PATH];
 
@@ -251,7 +251,7 @@ bool replays_open(struct replays *r, const char *id)
     if (r->n)
         qsort(r->list, (size_t)r->n, sizeof r->list[0], by_stem);
     if (!f.full)
-        sweep(&f);
+        remove_leftovers(&f);
     for (int i = 0; i < r->n; i++)
         if (load_meta(r, &r->list[i]) || repair(r, &r->list[i]))
             r->list[n++] = r->list[i];
@@ -351,8 +351,8 @@ bool replays_delete(struct replays *r, int i, char *err, size_t err_size)
     return true;
 }
 
-static bool stays(const struct replay_meta *c, bool (*in_table)(void *context, const struct replay_meta_row *row),
-                  void *context)
+static bool is_protected(const struct replay_meta *c,
+                         bool (*in_table)(void *context, const struct replay_meta_row *row), void *context)
 {
     for (int i = 0; in_table && i < c->rows; i++)
         if (in_table(context, &c->row[i]))
@@ -364,11 +364,11 @@ void replays_prune(struct replays *r, int keep, bool (*in_table)(void *context, 
                    void *context)
 {
     char err[256];
-    int kept = 0;
+    int kept_count = 0;
 
     for (int i = 0; i < r->n;) {
-        if (stays(&r->list[i].meta, in_table, context) || kept < keep) {
-            kept += !stays(&r->list[i].meta, in_table, context);
+        if (is_protected(&r->list[i].meta, in_table, context) || kept_count < keep) {
+            kept_count += !is_protected(&r->list[i].meta, in_table, context);
             i++;
         } else if (!replays_delete(r, i, err, sizeof err)) {
             i++; /* try again next time */
@@ -376,7 +376,7 @@ void replays_prune(struct replays *r, int keep, bool (*in_table)(void *context, 
     }
 }
 
-/* ---- questions ---- */
+/* ---- rows and ROMs ---- */
 
 static bool is_row(const struct replay_meta_row *a, const char *table, const struct nv_row *b)
 {

@@ -9,7 +9,7 @@
 #include "../../common/report.h"
 #include "guard.h"
 
-enum { PATIENCE = 10000 /* frames */ };
+enum { MAX_FRAMES = 10000 /* frames */ };
 
 /* Inserts an empty section at index i. Returns NULL if the list is full. */
 static struct section *insert(struct sections *p, int i)
@@ -115,7 +115,7 @@ static void read_sections(struct sections *p, struct guard *g, bool log)
     const struct board_out *out = board_last_output(g->board);
     bool done = false;
 
-    for (int f = 0; !out->fault && !done && f < PATIENCE; f++) {
+    for (int f = 0; !out->fault && !done && f < MAX_FRAMES; f++) {
         out = guard_tick(g, none);
         for (int i = 0; i < out->marker_count; i++)
             done |= read_marker(p, &out->marker[i]);

@@ -64,12 +64,12 @@ static void draw_row(const struct screen_place *p, int at, const struct canvas *
         canvas_rect(canvas, to.x, to.y, to.w, LINE, CANVAS_WHITE);
     snprintf(value, sizeof value, chosen && row.changes ? "< %s >" : "%s", row.value);
     const int space = to.w - 2 * PADDING, space_beside = space - canvas_large_text_width(row.label) - 2 * PADDING;
-    const int max_lines = space_beside > space / 2 ? space_beside : space / 2, width = canvas_large_text_width(value);
-    const int right = width < max_lines ? width : max_lines;
-    const int x = to.x + to.w - PADDING - right;
+    const int max_width = space_beside > space / 2 ? space_beside : space / 2, width = canvas_large_text_width(value);
+    const int value_w = width < max_width ? width : max_width;
+    const int x = to.x + to.w - PADDING - value_w;
     canvas_large_text_truncated(canvas, to.x + PADDING, to.y + TEXT_TOP, chosen ? CANVAS_DARK : label_colour(&row),
                                 row.label, x - to.x - 2 * PADDING);
-    canvas_large_text_truncated(canvas, x, to.y + TEXT_TOP, chosen ? CANVAS_DARK : value_colour(&row), value, right);
+    canvas_large_text_truncated(canvas, x, to.y + TEXT_TOP, chosen ? CANVAS_DARK : value_colour(&row), value, value_w);
 }
 
 /* Returns the first visible row, such that the chosen row and its neighbours are visible; the one above may be a

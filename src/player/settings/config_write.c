@@ -34,7 +34,7 @@ static void splice(struct text *t, size_t at, size_t removed, const char *s)
 }
 
 /* Returns whether a line of n bytes sets that name; its value is then from *from to *to. */
-static bool is_of(const char *line, size_t n, const char *name, size_t *from, size_t *to)
+static bool is_line_of(const char *line, size_t n, const char *name, size_t *from, size_t *to)
 {
     const char *hash = memchr(line, '#', n), *equals;
     const size_t end = hash ? (size_t)(hash - line) : n, len = strlen(name);
@@ -66,7 +66,7 @@ static void set_line(struct text *t, const char *name, const char *value)
         const char *end = memchr(t->at + i, '\n', t->n - i);
         const size_t n = end ? (size_t)(end - (t->at + i)) : t->n - i;
         size_t a, b;
-        if (is_of(t->at + i, n, name, &a, &b)) {
+        if (is_line_of(t->at + i, n, name, &a, &b)) {
             found = n - (b - a) + 1 + strlen(value) < CONFIG_LINE;
             at = i;
             from = a;
