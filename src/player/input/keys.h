@@ -98,6 +98,11 @@ struct keys_state {
     uint32_t held, pressed; /* hotkeys, 1 << enum hotkey */
 };
 
+static inline bool keys_pressed(const struct keys_state *k, enum hotkey key)
+{
+    return k->pressed >> key & 1;
+}
+
 /* Sets the default bindings, with nothing held. */
 void keys_set_defaults(struct keys *k);
 

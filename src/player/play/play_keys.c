@@ -8,11 +8,6 @@
 
 enum { MAX_SLOW = 4, VOLUME_STEP = 10 /* percent */ };
 
-static bool is_pressed(const struct keys_state *k, enum hotkey key)
-{
-    return k->pressed >> key & 1;
-}
-
 /* ---- keys ---- */
 
 /* The sound card is opened when there is something to hear. */
@@ -35,19 +30,19 @@ static void global_keys(struct play *play, const struct keys_state *k)
 {
     const struct speaker *s = &play->speaker;
 
-    if (is_pressed(k, HOTKEY_QUIT))
+    if (keys_pressed(k, HOTKEY_QUIT))
         play->quit = true;
-    if (is_pressed(k, HOTKEY_FULLSCREEN))
+    if (keys_pressed(k, HOTKEY_FULLSCREEN))
         play_toggle_fullscreen(play);
-    if (is_pressed(k, HOTKEY_SCREENSHOT))
+    if (keys_pressed(k, HOTKEY_SCREENSHOT))
         play_screenshot(play, &play->drawing.picture);
-    if (is_pressed(k, HOTKEY_SAVE_CLIP))
+    if (keys_pressed(k, HOTKEY_SAVE_CLIP))
         play_request_clip(play);
-    if (is_pressed(k, HOTKEY_MUTE))
+    if (keys_pressed(k, HOTKEY_MUTE))
         set_sound(play, !s->muted, s->volume);
-    if (is_pressed(k, HOTKEY_QUIETER))
+    if (keys_pressed(k, HOTKEY_QUIETER))
         set_sound(play, s->muted, s->volume - VOLUME_STEP);
-    if (is_pressed(k, HOTKEY_LOUDER))
+    if (keys_pressed(k, HOTKEY_LOUDER))
         set_sound(play, false, s->volume + VOLUME_STEP);
 }
 
@@ -55,11 +50,11 @@ static void speed_keys(struct play *play, const struct keys_state *k)
 {
     struct play_time *time = &play->time;
 
-    if (is_pressed(k, HOTKEY_PAUSE))
+    if (keys_pressed(k, HOTKEY_PAUSE))
         time->paused = !time->paused;
-    if (is_pressed(k, HOTKEY_FRAME_ADVANCE))
+    if (keys_pressed(k, HOTKEY_FRAME_ADVANCE))
         time->paused = time->step = true;
-    if (is_pressed(k, HOTKEY_SLOW)) {
+    if (keys_pressed(k, HOTKEY_SLOW)) {
         play_mark_assisted(play);
         time->slow = time->slow == MAX_SLOW ? 1 : time->slow * 2;
     }
@@ -75,19 +70,19 @@ static void seek_keys(struct play *play, const struct plat_input *in, const stru
 
     if (play->attract.on)
         return;
-    if (is_pressed(k, HOTKEY_FRAME_BACK)) {
+    if (keys_pressed(k, HOTKEY_FRAME_BACK)) {
         play->time.paused = true;
         play_rewind(play, 1);
     }
-    if (is_pressed(k, HOTKEY_PREVIOUS_EVENT))
+    if (keys_pressed(k, HOTKEY_PREVIOUS_EVENT))
         play_seek(play, timebar_previous(s, now));
-    if (is_pressed(k, HOTKEY_NEXT_EVENT))
+    if (keys_pressed(k, HOTKEY_NEXT_EVENT))
         play_seek(play, timebar_next(s, now));
-    if (is_pressed(k, HOTKEY_TAKE_OVER))
+    if (keys_pressed(k, HOTKEY_TAKE_OVER))
         play_take_over(play);
-    if (is_pressed(k, HOTKEY_RELOAD))
+    if (keys_pressed(k, HOTKEY_RELOAD))
         play_reload(play);
-    if (is_pressed(k, HOTKEY_GOTO))
+    if (keys_pressed(k, HOTKEY_GOTO))
         prompt_open(&play->prompt, in);
 }
 
@@ -126,7 +121,7 @@ static void console_keys(struct play *play, const struct plat_input *in, struct 
 {
     bool usable = !play_fault(play) && !play->attract.on && play->session.state == SESSION_PLAYING;
 
-    if (is_pressed(k, HOTKEY_CONSOLE))
+    if (keys_pressed(k, HOTKEY_CONSOLE))
         play_save_nvram(play);
     console_poll(&play->console, in, k, usable ? play_board(play) : NULL, !play->session.demo);
     if (console_take_kept(&play->console)) {
@@ -206,7 +201,7 @@ void play_poll(struct play *play, struct keys_state *k)
     play_report_controllers(play, k);
     play_check_drop(play);
     if (play->replay.resuming) { /* only quitting is possible */
-        play->quit = play->quit || is_pressed(k, HOTKEY_QUIT);
+        play->quit = play->quit || keys_pressed(k, HOTKEY_QUIT);
         memset(k, 0, sizeof *k);
         return;
     }

@@ -127,13 +127,13 @@ void play_open_practice(struct play *play)
 
 void play_practice_keys(struct play *play, const struct keys_state *k)
 {
-    if (k->pressed & 1 << HOTKEY_RETRY && may_practise(play)) {
+    if (keys_pressed(k, HOTKEY_RETRY) && may_practise(play)) {
         attract_end(&play->attract);
         if (play->start.practice.section[0])
             power_again(play, play->start);
         else
             play_show_message(play, MESSAGE_FRAMES, "Nothing to retry: choose a section first");
-    } else if (k->pressed & 1 << HOTKEY_PRACTICE) {
+    } else if (keys_pressed(k, HOTKEY_PRACTICE)) {
         play_open_practice(play);
     }
 }

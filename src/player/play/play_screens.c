@@ -48,18 +48,18 @@ static void open_by_key(struct play *play, const struct keys_state *k)
 {
     if (play->console.open)
         return;
-    if (k->pressed >> HOTKEY_HELP & 1)
+    if (keys_pressed(k, HOTKEY_HELP))
         play_open_keys(play);
-    else if (k->pressed >> HOTKEY_LOG & 1)
+    else if (keys_pressed(k, HOTKEY_LOG))
         play_open_log(play);
-    else if (k->pressed >> HOTKEY_MENU & 1)
+    else if (keys_pressed(k, HOTKEY_MENU))
         play_open_menu(play);
 }
 
 /* The same keys while a screen is open: the key's screen replaces the others, or is closed. */
 static void toggle_by_key(struct play *play, const struct keys_state *k)
 {
-    const bool help = k->pressed >> HOTKEY_HELP & 1, practice = k->pressed >> HOTKEY_PRACTICE & 1;
+    const bool help = keys_pressed(k, HOTKEY_HELP), practice = keys_pressed(k, HOTKEY_PRACTICE);
     const struct screen_def *screen = help ? &keys_screen : &practice_screen;
 
     if (help || practice) {
@@ -69,7 +69,7 @@ static void toggle_by_key(struct play *play, const struct keys_state *k)
             play_open_keys(play);
         else if (!was_open)
             play_open_practice(play);
-    } else if (k->pressed >> HOTKEY_LOG & 1) {
+    } else if (keys_pressed(k, HOTKEY_LOG)) {
         log_toggle(&play->log, &play->screens);
     }
 }

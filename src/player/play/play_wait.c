@@ -115,13 +115,13 @@ static void poll(struct play *play)
 {
     struct plat_input in;
     struct keys_state k;
-    const uint32_t quit = (uint32_t)1 << HOTKEY_QUIT | (uint32_t)1 << HOTKEY_MENU;
 
     plat_poll(&in);
     play_poll_controllers(play, &in);
     keys_read(&play->config.keys, &in, &play->pads.controllers, &k);
-    play->quit = play->quit || in.quit || k.pressed & quit || plat_is_key_held(&in, KEY_ESCAPE);
-    if (k.pressed & (uint32_t)1 << HOTKEY_FULLSCREEN)
+    play->quit = play->quit || in.quit || keys_pressed(&k, HOTKEY_QUIT) || keys_pressed(&k, HOTKEY_MENU) ||
+                 plat_is_key_held(&in, KEY_ESCAPE);
+    if (keys_pressed(&k, HOTKEY_FULLSCREEN))
         play_toggle_fullscreen(play);
     play_scroll(play, &play->waiting.top, play->waiting.max_top, k.pads[0], in.wheel);
     play_check_drop(play);
