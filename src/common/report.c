@@ -5,9 +5,11 @@
 
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include "../../platform/platform.h"
 #include "clean.h"
+#include "files.h"
 #include "progress.h"
 
 enum { LINE = 2048, LOG_LINE = 512, PRINT = 8192 };
@@ -97,6 +99,17 @@ void report_log(const struct board_out *out, const char *prefix)
         plat_log(line);
         i += n + 1;
     }
+}
+
+enum result report_save_png(const char *path, uint8_t *png, size_t size)
+{
+    char err[FILES_ERR_SIZE];
+
+    if (!png)
+        return report_line(RESULT_HOST_FAILED, "%s: out of memory", path);
+    const bool saved = files_save(path, png, size, err, sizeof err);
+    free(png);
+    return saved ? RESULT_DONE : report_line(RESULT_HOST_FAILED, "%s", err);
 }
 
 enum result report_stdout(enum result result)

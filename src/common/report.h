@@ -26,6 +26,9 @@ enum result report_fault(const struct board_fault *fault, bool trace);
 /* Prints the script output of a tick, with `prefix` before each line. */
 void report_log(const struct board_out *out, const char *prefix);
 
+/* Saves a PNG picture of png_write in a file and frees it; NULL: there was no memory for it. Prints an error. */
+enum result report_save_png(const char *path, uint8_t *png, size_t size);
+
 /* Flushes standard output. Returns result, or if that failed, prints an error and returns RESULT_HOST_FAILED. */
 enum result report_stdout(enum result result);
 

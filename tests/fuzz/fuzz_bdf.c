@@ -46,8 +46,8 @@ static void as_lump(const uint8_t *data, size_t size)
 
 static void as_font(const char *text, size_t n)
 {
-    static struct faces_set all;
-    struct faces f;
+    static struct pack_font_chars all;
+    struct pack_font f;
     struct face face;
     char err[256] = "";
     uint8_t *lump;
@@ -55,17 +55,17 @@ static void as_font(const char *text, size_t n)
     memset(&all, 0xff, sizeof all);
     if (!bdf_read(&f, text, n, &all, err, sizeof err)) {
         need(strlen(err) > 9);
-        faces_close(&f);
+        pack_font_free(&f);
         return;
     }
     need(f.n < 2 || f.list[0].code < f.list[1].code);
-    need(faces_shadow(&f));
-    size_t size = faces_make(&f, &lump);
+    need(pack_font_add_shadow(&f));
+    size_t size = pack_font_make(&f, &lump);
     need(size > 0 && face_open(&face, lump, size, err, sizeof err) && face.n == (uint32_t)f.n);
     for (int i = 0; i < f.n; i++)
         need(look(&face, f.list[i].code) > 0);
     free(lump);
-    faces_close(&f);
+    pack_font_free(&f);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);

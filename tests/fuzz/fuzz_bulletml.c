@@ -109,7 +109,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
             run(program, bytes);
         free(program);
     }
-    document_close(&d);
+    document_free(&d);
     free(copy);
     return 0;
 }

@@ -65,7 +65,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         round_trip(&l);
     else
         need(strncmp(err, "de.txt:", 7) == 0 && strlen(err) > 9);
-    lang_close(&l);
+    lang_free(&l);
     as_lump(copy, size);
     free(copy);
     return 0;

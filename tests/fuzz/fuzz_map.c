@@ -11,7 +11,7 @@ static void check_cells(const struct map_cells *c)
 {
     uint32_t sum = 0;
 
-    if (c->sheets < 1 || c->sheets > MAP_SHEETS || c->cols < 1 || c->rows < 1 ||
+    if (c->tilesets < 1 || c->tilesets > MAP_MAX_TILESETS || c->cols < 1 || c->rows < 1 ||
         (int64_t)c->cols * c->rows > CART_MAX_MAP_CELLS || c->cell == NULL)
         abort();
     for (int i = 0; i < c->cols * c->rows; i++)
@@ -24,16 +24,16 @@ static void make(const struct map_cells *c)
 {
     static uint8_t rgba[64 * 64 * 4], rgb[CART_PALETTE_SIZE];
     const struct art_picture sheet = { .rgba = rgba, .w = 64, .h = 64 };
-    struct map_picture picture[MAP_SHEETS];
+    struct map_picture picture[MAP_MAX_TILESETS];
     char err[256] = "";
     uint8_t *lump = NULL;
     size_t size = 0;
 
     for (int i = 0; i < (int)sizeof rgba; i++)
         rgba[i] = (uint8_t)(i % 4 == 3 ? i * 7 : 0);
-    for (int i = 0; i < c->sheets; i++) {
+    for (int i = 0; i < c->tilesets; i++) {
         picture[i] = (struct map_picture){ &sheet, "t.png" };
-        if (!map_fits(c, i, &picture[i], err, sizeof err) && err[0] == '\0')
+        if (!map_check_columns(c, i, &picture[i], err, sizeof err) && err[0] == '\0')
             abort();
     }
     bool good = map_make(c, "m.tmx", c->side ? c->side : 8, picture, 3, rgb, true, &lump, &size, err, sizeof err);

@@ -39,12 +39,12 @@ static void play(const uint8_t *bytes)
 
 static void as_mml(const uint8_t *data, size_t size)
 {
-    const struct mml_about about = { .volume = 255, .priority = 4, .limit = 2, .title = "" };
+    const struct mml_settings settings = { .volume = 255, .priority = 4, .limit = 2, .title = "" };
     uint8_t *out;
     char err[256] = "";
     size_t n;
 
-    if (!mml_compile((const char *)data, size, "x.mml", &about, &out, &n, err, sizeof err)) {
+    if (!mml_compile((const char *)data, size, "x.mml", &settings, &out, &n, err, sizeof err)) {
         need(strncmp(err, "x.mml:", 6) == 0 && strlen(err) > 9);
         return;
     }

@@ -52,12 +52,12 @@ static size_t names(const struct symbols *f)
         n += strlen(f->globals[i].name) + text(f->globals[i].field) + text(f->globals[i].local);
         need(f->globals[i].line > 0);
     }
-    for (int i = 0; i < f->n_walks; i++) {
-        const struct symbol_origin *of = &f->walks[i].of;
-        n += strlen(f->walks[i].how) + text(of->space) + text(of->name) + text(of->key);
+    for (int i = 0; i < f->n_iterations; i++) {
+        const struct symbol_origin *of = &f->iterations[i].origin;
+        n += strlen(f->iterations[i].operation) + text(of->space) + text(of->name) + text(of->key);
     }
-    for (int i = 0; i < f->n_zeros; i++)
-        n += strlen(f->zeros[i].how);
+    for (int i = 0; i < f->n_divisions; i++)
+        n += strlen(f->divisions[i].operation);
     for (int i = 0; i < f->n_formats; i++)
         n += strlen(f->formats[i].s);
     for (int i = 0; i < f->n_texts; i++)
@@ -78,7 +78,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     if (size)
         memcpy(copy, data, size);
     bool whole = symbols_read(&f, copy, size, NULL);
-    need(whole == f.whole && names(&f) + calls_and_tables(&f) < SIZE_MAX / 2 && symbols_line(&f, path) > 0);
+    need(whole == f.complete && names(&f) + calls_and_tables(&f) < SIZE_MAX / 2 && symbols_line(&f, path) > 0);
     symbols_free(&f);
     free(copy);
     return 0;

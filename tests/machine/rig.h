@@ -270,7 +270,7 @@ static inline void rig_sounds(struct rig_game *g)
         { "sound/hit", "t200 @noise E0,60,0,10 o6 c8" },
         { "sound/siren", "t60 r1" },
     };
-    struct mml_about about = { .volume = 255, .priority = 4, .limit = 2, .title = "" };
+    struct mml_settings settings = { .volume = 255, .priority = 4, .limit = 2, .title = "" };
     struct rig_game had = *g;
     struct lump lumps[RIG_LUMPS];
     struct recording_bytes bell;
@@ -283,8 +283,9 @@ static inline void rig_sounds(struct rig_game *g)
     for (int i = 0; i < n; i++)
         rom_lump(&had.image.rom, i, &lumps[i]);
     for (; k < 5; k++) {
-        about.duck = k == 4 ? 128 : 0;
-        if (!mml_compile(texts[k].text, strlen(texts[k].text), texts[k].lump, &about, &made[k], &size, err, sizeof err))
+        settings.duck = k == 4 ? 128 : 0;
+        if (!mml_compile(texts[k].text, strlen(texts[k].text), texts[k].lump, &settings, &made[k], &size, err,
+                         sizeof err))
             fail_msg("%s", err);
         lumps[n++] = (struct lump){ texts[k].lump, made[k], (uint32_t)size };
     }
@@ -307,7 +308,7 @@ static inline bool rig_compile(const char *xml, uint8_t **out, size_t *size, cha
     const bool good = document_read(&d, xml, strlen(xml), "test.xml", NULL, NULL, err, err_size) &&
                       bulletml_compile(&d, "test.xml", out, size, err, err_size);
 
-    document_close(&d);
+    document_free(&d);
     return good;
 }
 

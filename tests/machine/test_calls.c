@@ -1,16 +1,12 @@
 /*
  * test_calls.c - the window and the program by calls, for a host that has the loop: 40 windows opened and closed in
- * the middle leave nothing on the heap, two at once behave as each alone, an endless loop is found, a crash is reported
- * for the window in which it happened.
+ * the middle leave nothing on the heap, two at once behave as each alone, an endless loop is found.
  *
  * Without arguments all of it; with a number only so many are opened and closed, for valgrind (calls.sh).
  */
 #define _GNU_SOURCE
 #include <malloc.h>
-#include <signal.h>
 #include <string.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 #include "rig.h"
 #include "../temp.h"
@@ -35,7 +31,6 @@ static struct window {
     int hold, polls, shown, logged;
     char title[64];
     const char *drop; /* a path that is dropped on it */
-    bool crash;       /* the next picture is a crash */
 } windows[2], *at = windows;
 
 bool plat_open(const struct plat_config *want)
@@ -79,8 +74,6 @@ void plat_show(const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[2
         for (int x = 0; x < w; x++)
             sum += rgb[pix[y * pitch + x]];
     at->shown += sum != 0;
-    if (at->crash)
-        raise(SIGSEGV);
 }
 
 /* Each window has a clock, which its host moves by a sixtieth a call. */
@@ -276,41 +269,6 @@ static void test_endless_loop(void **state)
     expect_loop_found();
 }
 
-/* ---- crashes ---- */
-
-static void look(void *user, const struct plat_folder_entry *file)
-{
-    snprintf(user, 64, "%s", file->name);
-}
-
-static void test_a_crash_is_its_own(void **state)
-{
-    char name[64] = "", text[128] = "";
-    int status;
-
-    (void)state;
-    const pid_t child = fork();
-    if (child == 0) {
-        const struct rlimit none = { 0, 0 };
-        setrlimit(RLIMIT_CORE, &none);
-        signal(SIGSEGV, SIG_DFL);
-        (void)!freopen("said", "w", stderr);
-        struct play *first = open_play(0, NULL), *second = open_play(1, NULL);
-        for (int k = 0; k < 10; k++) {
-            frame(0, first);
-            frame(1, second);
-        }
-        windows[0].crash = true;
-        frame(0, first);
-        _exit(9);
-    }
-    assert_int_equal(waitpid(child, &status, 0), child);
-    assert_true(WIFSIGNALED(status) && WTERMSIG(status) == SIGSEGV);
-    assert_int_equal(plat_list("user:reports", look, name), 1);
-    snprintf(text, sizeof text, "%s-", games[0].cart.manifest.id);
-    assert_int_equal(strncmp(name, text, strlen(text)), 0);
-}
-
 /* ---- the program ---- */
 
 static struct program *open_program(char **words)
@@ -411,7 +369,6 @@ static void test_a_sound_is_heard(void **state)
 int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_crash_is_its_own), /* reports are counted */
         cmocka_unit_test(test_nothing_is_kept),
         cmocka_unit_test(test_two_at_once),
         cmocka_unit_test(test_endless_loop),

@@ -95,18 +95,18 @@ static void test_same_hits(void **state)
     for (uint64_t seed = 1; seed <= 6; seed++) {
         struct forecast f = { 0 };
         begin(seed);
-        t.into = &f;
+        t.recording = &f;
         danger_set_invincible(t.b, true);
         for (uint32_t i = 0; i < FRAMES; i++) {
             const unsigned buttons = PAD_UP | PAD_DOWN | PAD_LEFT | PAD_RIGHT | PAD_FOCUS;
             const uint16_t pads[MAX_PLAYERS] = { (uint16_t)(rng_below(&rng, PAD_ALL) & buttons) };
-            assert_int_equal(simulation_tick(&t, pads), SIMULATION_ON);
+            assert_int_equal(simulation_tick(&t, pads), SIMULATION_RUNNING);
             if (!f.frame[i].ship.in_game)
                 continue;
             assert_int_equal(touching(&f, i), t.b->counts.hit);
             hits += (uint32_t)t.b->counts.hit;
         }
-        assert_false(t.astray);
+        assert_false(t.ship_was_moved);
         forecast_close(&f);
         end();
     }
@@ -123,11 +123,11 @@ static uint64_t fly(const struct forecast *f, const struct reach *r, uint32_t fr
     for (uint32_t i = from; i < f->frames; i++, flown++) {
         const struct forecast_frame *at = &f->frame[i];
         if (rng_below(&rng, 6) == 0)
-            choice = (int)rng_below(&rng, REACH_WAYS);
+            choice = (int)rng_below(&rng, REACH_MOVES);
         way.prev_x = way.x;
         way.prev_y = way.y;
         way.radius = at->ship.path.radius;
-        reach_step(&at->ship, choice, &way.x, &way.y);
+        reach_apply_move(&at->ship, choice, &way.x, &way.y);
         if (plan_hits(f, i, &way, 0))
             break;
         assert_true(reach_has(r, i + 1, way.x, way.y));
@@ -149,16 +149,16 @@ static void test_sets_hold_all(void **state)
         while (!simulation_can_steer(&t))
             simulation_tick(&t, none);
         danger_get_ship(t.b, 0, &ship);
-        t.into = &f;
+        t.recording = &f;
         danger_set_invincible(t.b, true);
         for (uint32_t i = 0; i < FRAMES / 2; i++)
             simulation_tick(&t, none);
         for (int c = 0; c < 3; c++) {
             struct reach r;
-            assert_true(reach_open(&r, &f, cells[c], 0, ship.path.x, ship.path.y));
+            assert_true(reach_compute(&r, &f, cells[c], 0, ship.path.x, ship.path.y));
             for (int i = 0; i < SHIPS; i++)
                 flown += fly(&f, &r, 0, ship.path.x, ship.path.y);
-            reach_close(&r);
+            reach_free(&r);
         }
         forecast_close(&f);
         end();
@@ -166,7 +166,7 @@ static void test_sets_hold_all(void **state)
     assert_in_range(flown, 2000, 1000000);
 }
 
-/* Pads of a plan lead where reach_step says, and the board agrees: nothing hits on a way that plan_make found. */
+/* Pads of a plan lead where reach_apply_move says, and the board agrees: nothing hits on a way that plan_make found. */
 static void test_plan_is_flown(void **state)
 {
     struct forecast f = { 0 };
@@ -181,24 +181,24 @@ static void test_plan_is_flown(void **state)
     while (!simulation_can_steer(&t))
         simulation_tick(&t, none);
     assert_true(simulation_save(&t, &start));
-    t.into = &f;
+    t.recording = &f;
     danger_set_invincible(t.b, true);
     for (uint32_t i = 0; i < FRAMES; i++)
         simulation_tick(&t, none);
-    t.into = NULL;
-    assert_true(reach_open(&r, &f, FX_ONE, 0, start.ship.path.x, start.ship.path.y));
-    reach_back(&r);
+    t.recording = NULL;
+    assert_true(reach_compute(&r, &f, FX_ONE, 0, start.ship.path.x, start.ship.path.y));
+    reach_prune(&r);
     assert_true(plan_make(&p, &r, start.ship.path.x, start.ship.path.y, 1 << 20, 0, false));
     assert_in_range(p.frames, 20, FRAMES);
     simulation_restore(&t, &start);
     for (; lived < p.frames; lived++) {
         const uint16_t pads[MAX_PLAYERS] = { p.pads[lived], 0 };
-        if (simulation_tick(&t, pads) != SIMULATION_ON)
+        if (simulation_tick(&t, pads) != SIMULATION_RUNNING)
             break;
     }
     assert_int_equal(lived, p.frames);
     plan_free(&p);
-    reach_close(&r);
+    reach_free(&r);
     simulation_state_free(&start);
     forecast_close(&f);
     end();

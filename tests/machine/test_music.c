@@ -585,7 +585,7 @@ static const struct {
 /* A game with one sound, of that name. */
 static void power_sound(const char *name, const char *script)
 {
-    const struct mml_about about = { .volume = 255, .priority = 4, .limit = 2, .title = "" };
+    const struct mml_settings settings = { .volume = 255, .priority = 4, .limit = 2, .title = "" };
     struct manifest m = rig_manifest();
     static char text[1 << 13], lump[64];
     struct lump lumps[128];
@@ -604,7 +604,7 @@ static void power_sound(const char *name, const char *script)
     n = (int)had.image.rom.count;
     for (int i = 0; i < n; i++)
         rom_lump(&had.image.rom, i, &lumps[i]);
-    assert_true(mml_compile("t200 @noise o6 c8", 17, name, &about, &made, &size, text, sizeof text));
+    assert_true(mml_compile("t200 @noise o6 c8", 17, name, &settings, &made, &size, text, sizeof text));
     snprintf(lump, sizeof lump, "sound/%s", name);
     lumps[n++] = (struct lump){ lump, made, (uint32_t)size };
     rig_write(&game, lumps, n);

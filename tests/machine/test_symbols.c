@@ -96,15 +96,19 @@ static const char *found(const char *text)
         say("(not whole) ");
     for (int i = 0; i < f.n_globals; i++)
         say_global(&f.globals[i]);
-    for (int i = 0; i < f.n_walks; i++) {
-        say("{%s ", f.walks[i].how);
-        say_origin(&f.walks[i].of);
+    for (int i = 0; i < f.n_iterations; i++) {
+        say("{%s ", f.iterations[i].operation);
+        say_origin(&f.iterations[i].origin);
         say("}");
-        say_line(f.walks[i].line);
+        say_line(f.iterations[i].line);
     }
-    for (int i = 0; i < f.n_zeros; i++) {
-        say("<%s%s0>", f.zeros[i].zero ? "0" : f.zeros[i].constant ? "n" : "x", f.zeros[i].how);
-        say_line(f.zeros[i].line);
+    for (int i = 0; i < f.n_divisions; i++) {
+        say("<%s%s0>",
+            f.divisions[i].left_is_zero     ? "0"
+            : f.divisions[i].left_is_number ? "n"
+                                            : "x",
+            f.divisions[i].operation);
+        say_line(f.divisions[i].line);
     }
     for (int i = 0; i < f.n_formats; i++) {
         say("\"%s\"", f.formats[i].s);

@@ -161,7 +161,7 @@ static void add_german(struct rig_game *game)
     lumps[n - 1].data = lump;
     rig_write(game, lumps, n);
     free(lump);
-    lang_close(&l);
+    lang_free(&l);
     free(had.image.bytes);
 }
 

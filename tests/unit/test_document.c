@@ -56,7 +56,7 @@ static void bad_n(const char *text, size_t n, const char *want)
     if (strcmp(err, want) != 0)
         print_message("%.400s\n", text);
     assert_string_equal(err, want);
-    document_close(&d);
+    document_free(&d);
 }
 
 static void bad(const char *text, const char *want)
@@ -70,7 +70,7 @@ static void tells_of(const char *text, const char *want)
     if (strcmp(told, want) != 0)
         print_message("%s\n", text);
     assert_string_equal(told, want);
-    document_close(&d);
+    document_free(&d);
 }
 
 /* ---- the tree ---- */
@@ -113,12 +113,12 @@ static void test_tree(void **state)
     assert_int_equal(d.node[d.node[param].next].op[0].kind, EXPRESSION_RANK);
     assert_string_equal(document_element_name(d.node[param].element), "param");
     assert_string_equal(document_type_name(d.node[speed].type), "sequence");
-    document_close(&d);
+    document_free(&d);
     good("<bulletml/>");
     assert_int_equal(d.n, 1);
-    document_close(&d);
+    document_free(&d);
     good("\xef\xbb\xbf<bulletml type='none'><action label='top'/></bulletml>"); /* with a byte order mark */
-    document_close(&d);
+    document_free(&d);
     assert_int_equal(tells, 0);
 }
 
@@ -133,7 +133,7 @@ static void test_labels(void **state)
     assert_int_equal(d.node[ref].target, document_find(&d, NODE_ACTION, "a"));
     assert_string_equal(
         told, "a.xml:3:43: <action>: duplicate label \"a\": line 3 defines it again; the last definition is used\n");
-    document_close(&d);
+    document_free(&d);
     tells_of(HEAD
              "<action label=\"top\"><actionRef label=\"caf\xc3\xa9\"/></action><action label=\"caf\xc3\xa9\"/>" TAIL,
              "");
@@ -357,7 +357,7 @@ static void test_encodings(void **state)
         "a.xml:1:53: <action>: non-ASCII label; save the document as UTF-8");
     good("<?xml version=\"1.0\" encoding=\"iso-8859-1\"?><bulletml><action label=\"caf\xe9\"/></bulletml>");
     assert_string_equal(d.node[1].label, "caf\xc3\xa9");
-    document_close(&d);
+    document_free(&d);
 }
 
 /* ---- what is told ---- */
@@ -408,7 +408,7 @@ static void fill(char *out, size_t *n, const char *text, int times)
 
 static void test_harm(void **state)
 {
-    char *text = malloc(DOCUMENT_FILE + 4096);
+    char *text = malloc(DOCUMENT_MAX_FILE + 4096);
     size_t n = 0;
 
     (void)state;
@@ -421,28 +421,28 @@ static void test_harm(void **state)
     bad_n(text, n, "a.xml:1:515: <action>: elements nested deeper than 64");
     n = 0;
     fill(text, &n, "<bulletml>", 1);
-    fill(text, &n, "<action/>", DOCUMENT_NODES);
+    fill(text, &n, "<action/>", DOCUMENT_MAX_NODES);
     bad_n(text, n, "a.xml:1:589826: <action>: more than 65536 elements");
     n = 0;
     fill(text, &n, "<bulletml><action label='top'><wait>", 1);
     fill(text, &n, "(", 9000);
     bad_n(text, n, "a.xml:1:37: <wait>: number longer than 8192 bytes");
     n = 0;
-    fill(text, &n, " ", DOCUMENT_FILE + 1);
+    fill(text, &n, " ", DOCUMENT_MAX_FILE + 1);
     bad_n(text, n, "a.xml: expected a document of at most 1048576 bytes, got 1048577");
     n = 0;
     fill(text, &n, "<bulletml><action label='top", 1); /* a label may be as long as the document */
     fill(text, &n, "\xe3\x81\x82", 100000);
     fill(text, &n, "'/></bulletml>", 1);
     assert_true(reads_n(text, n) && strlen(d.node[1].label) == 300003);
-    document_close(&d);
+    document_free(&d);
     free(text);
 }
 
 /* Thousands of refs and of repeats: read, and what is told of them, in no time that grows with their square. */
 static void test_many(void **state)
 {
-    char *text = malloc(DOCUMENT_FILE);
+    char *text = malloc(DOCUMENT_MAX_FILE);
     size_t n = 0;
 
     (void)state;
@@ -454,14 +454,14 @@ static void test_many(void **state)
         fail_msg("%s", err);
     assert_int_equal(d.n, 18002);
     assert_string_equal(d.node[d.node[16002].target].label, "a8000");
-    document_close(&d);
+    document_free(&d);
     n = 0;
     fill(text, &n, "<bulletml><action label='top'>", 1);
     fill(text, &n, "<repeat><times>9999</times><actionRef label='top'/></repeat>", 15000);
     fill(text, &n, "</action></bulletml>", 1);
     if (!reads_n(text, n))
         fail_msg("%s", err);
-    document_close(&d);
+    document_free(&d);
     free(text);
 }
 
@@ -477,14 +477,14 @@ static void test_spoilt(void **state)
     for (size_t i = 0; i < sizeof text - 1; i++) {
         if (!reads_n(text, i))
             assert_memory_equal(err, "a.xml:", 6);
-        document_close(&d);
+        document_free(&d);
         for (int bit = 0; bit < 8; bit++) {
             memcpy(copy, text, sizeof text);
             copy[i] = (char)(copy[i] ^ 1 << bit);
             if (!reads_n(copy, sizeof text - 1))
                 assert_memory_equal(err, "a.xml:", 6);
             assert_null(strchr(err, '\n'));
-            document_close(&d);
+            document_free(&d);
         }
     }
 }

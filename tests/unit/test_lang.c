@@ -41,14 +41,14 @@ static void good(const char *text, const char *const *pairs, int n)
         assert_null(words_find(&w, pairs[2 * i], m - 1));
     }
     free(lump);
-    lang_close(&l);
+    lang_free(&l);
 }
 
 static void refused(const char *text, size_t n, const char *want)
 {
     assert_false(lang_read(&l, text, n, "lang/de.txt", err, sizeof err));
     assert_string_equal(err, want);
-    lang_close(&l);
+    lang_free(&l);
 }
 
 #define REFUSED(text, want) refused(text, sizeof(text) - 1, want)
@@ -88,7 +88,7 @@ static void test_refused(void **state)
     memcpy(text, "a = ", 4);
     refused(text, 4 + WORDS_MAX_TEXT, "lang/de.txt:1: text of 1024 bytes, expected at most 1023");
     assert_true(lang_read(&l, text, 3 + WORDS_MAX_TEXT, "lang/de.txt", err, sizeof err));
-    lang_close(&l);
+    lang_free(&l);
 }
 
 static void test_many(void **state)
@@ -103,13 +103,13 @@ static void test_many(void **state)
     n = (size_t)(strstr(text, "16384=") - text);
     assert_true(lang_read(&l, text, n, "lang/de.txt", err, sizeof err));
     assert_int_equal(l.n, WORDS_MAX_ENTRIES);
-    lang_close(&l);
+    lang_free(&l);
     free(text);
-    text = calloc(1, LANG_FILE + 1);
-    memset(text, ' ', LANG_FILE + 1);
-    refused(text, LANG_FILE + 1, "lang/de.txt: longer than 1048576 bytes");
-    assert_true(lang_read(&l, text, LANG_FILE, "lang/de.txt", err, sizeof err));
-    lang_close(&l);
+    text = calloc(1, LANG_MAX_FILE + 1);
+    memset(text, ' ', LANG_MAX_FILE + 1);
+    refused(text, LANG_MAX_FILE + 1, "lang/de.txt: longer than 1048576 bytes");
+    assert_true(lang_read(&l, text, LANG_MAX_FILE, "lang/de.txt", err, sizeof err));
+    lang_free(&l);
     free(text);
 }
 
@@ -147,7 +147,7 @@ static void test_lump(void **state)
     lump_refused(bad, size, "translation 1 is out of order (expected byte order)");
     free(bad);
     free(lump);
-    lang_close(&l);
+    lang_free(&l);
 }
 
 int main(void)

@@ -66,12 +66,12 @@ static void little_and_nothing(void **state)
 
 static struct tune_time time_of(const char *mml)
 {
-    const struct mml_about about = { .volume = 255, .priority = 4, .limit = 2, .title = "" };
+    const struct mml_settings settings = { .volume = 255, .priority = 4, .limit = 2, .title = "" };
     uint8_t *made;
     size_t size;
     char err[256];
 
-    if (!mml_compile(mml, strlen(mml), "x", &about, &made, &size, err, sizeof err))
+    if (!mml_compile(mml, strlen(mml), "x", &settings, &made, &size, err, sizeof err))
         fail_msg("%s", err);
     const struct tune t = tune_of(made);
     const struct tune_time time = tune_time(&t);

@@ -233,20 +233,20 @@ static void test_tmx_external(void **state)
     (void)state;
     snprintf(text, sizeof text, map, "3,0");
     assert_true(tmx_at("maps/m.tmx", text, "", &c));
-    assert_true(c.sheets == 1 && c.named && c.sheet[0].spacing == 1 && c.sheet[0].margin == 2);
-    assert_true(c.sheet[0].columns == 4 && c.sheet[0].width == 71);
-    assert_string_equal(c.sheet[0].picture, "art/p.png");
-    assert_string_equal(c.sheet[0].place, "maps/plain.tsx:2");
+    assert_true(c.tilesets == 1 && c.match_pictures && c.tileset[0].spacing == 1 && c.tileset[0].margin == 2);
+    assert_true(c.tileset[0].columns == 4 && c.tileset[0].width == 71);
+    assert_string_equal(c.tileset[0].picture, "art/p.png");
+    assert_string_equal(c.tileset[0].place, "maps/plain.tsx:2");
     cells_are(&c, 2, 1, (const uint32_t[]){ 3, 0 });
     snprintf(text, sizeof text, map, "3,11");
     assert_true(tmx_at("maps/m.tmx", text, "", &c));
-    assert_true(c.sheets == 2 && c.sheet[0].base == 0 && c.sheet[1].base == 3 && c.sheet[1].spacing == 0);
-    assert_string_equal(c.sheet[1].picture, "t.png");
+    assert_true(c.tilesets == 2 && c.tileset[0].base == 0 && c.tileset[1].base == 3 && c.tileset[1].spacing == 0);
+    assert_string_equal(c.tileset[1].picture, "t.png");
     cells_are(&c, 2, 1, (const uint32_t[]){ 3, 6 });
     snprintf(text, sizeof text, map, "0,10");
     assert_true(tmx_at("maps/m.tmx", text, "", &c));
-    assert_true(c.sheets == 1 && c.sheet[0].base == 0);
-    assert_string_equal(c.sheet[0].picture, "t.png");
+    assert_true(c.tilesets == 1 && c.tileset[0].base == 0);
+    assert_string_equal(c.tileset[0].picture, "t.png");
     cells_are(&c, 2, 1, (const uint32_t[]){ 0, 2 });
 }
 
@@ -494,14 +494,14 @@ static int turned(uint32_t flips, int x, int y)
 static void test_lump(void **state)
 {
     uint32_t cell[] = { 1, 1, 0, 2, 2 | MAP_FLIP_X, 0, 0, 0, 0, 0 };
-    struct map_cells c = { .cols = 5, .rows = 2, .cell = cell, .sheets = 1 };
+    struct map_cells c = { .cols = 5, .rows = 2, .cell = cell, .tilesets = 1 };
     uint8_t rgb[CART_PALETTE_SIZE], *lump;
     size_t size;
 
     (void)state;
     art_default_palette(rgb);
     struct art_picture sheet = sheet_of(rgb);
-    const struct map_picture picture[MAP_SHEETS] = { { &sheet, "t.png" } };
+    const struct map_picture picture[MAP_MAX_TILESETS] = { { &sheet, "t.png" } };
     for (uint32_t k = 1; k < 5; k++)
         cell[5 + k] = 1 | (k & 1 ? MAP_FLIP_X : 0) | (k & 2 ? MAP_FLIP_Y : 0) | (k & 4 ? MAP_DIAGONAL : 0);
     assert_true(map_make(&c, "m.tmx", 8, picture, 5, rgb, false, &lump, &size, err, sizeof err));
@@ -542,18 +542,18 @@ static void test_lump(void **state)
 static void test_lump_sheets(void **state)
 {
     uint32_t cell[] = { 1, 4, 5, 6 };
-    struct map_cells c = { .cols = 4, .rows = 1, .side = 8, .cell = cell, .sheets = 2 };
+    struct map_cells c = { .cols = 4, .rows = 1, .side = 8, .cell = cell, .tilesets = 2 };
     struct art_picture a = { .rgba = calloc(25 * 24, 4), .w = 25, .h = 24 },
                        b = { .rgba = calloc(16 * 8, 4), .w = 16, .h = 8 };
-    const struct map_picture picture[MAP_SHEETS] = { { &a, "a.png" }, { &b, "b.png" } };
+    const struct map_picture picture[MAP_MAX_TILESETS] = { { &a, "a.png" }, { &b, "b.png" } };
     uint8_t rgb[CART_PALETTE_SIZE], *lump;
     size_t size;
 
     (void)state;
     art_default_palette(rgb);
-    c.sheet[0].spacing = 3;
-    c.sheet[0].margin = 2;
-    c.sheet[1].base = 4;
+    c.tileset[0].spacing = 3;
+    c.tileset[0].margin = 2;
+    c.tileset[1].base = 4;
     for (int k = 0; k < 6; k++)
         for (int i = 0; i < 64; i++) {
             const struct art_picture *p = k < 4 ? &a : &b;
@@ -572,17 +572,17 @@ static void test_lump_sheets(void **state)
     cell[3] = 7;
     assert_false(map_make(&c, "m.tmx", 8, picture, 0, rgb, false, &lump, &size, err, sizeof err));
     assert_string_equal(err, "m.tmx: column 4, row 1: tile 3, but the sheet has 2 tiles of 8x8 px");
-    snprintf(c.sheet[0].place, sizeof c.sheet[0].place, "t.tsx:2");
-    c.sheet[0].columns = 2;
-    c.sheet[0].width = 24; /* a px less at the right is no column less */
-    assert_true(map_fits(&c, 0, &picture[0], err, sizeof err));
-    assert_true(map_fits(&c, 1, &picture[1], err, sizeof err));
-    c.sheet[0].width = 20;
-    assert_false(map_fits(&c, 0, &picture[0], err, sizeof err));
+    snprintf(c.tileset[0].place, sizeof c.tileset[0].place, "t.tsx:2");
+    c.tileset[0].columns = 2;
+    c.tileset[0].width = 24; /* a px less at the right is no column less */
+    assert_true(map_check_columns(&c, 0, &picture[0], err, sizeof err));
+    assert_true(map_check_columns(&c, 1, &picture[1], err, sizeof err));
+    c.tileset[0].width = 20;
+    assert_false(map_check_columns(&c, 0, &picture[0], err, sizeof err));
     assert_string_equal(err, "t.tsx:2: the tileset's picture is 20 px wide, but a.png is 25 px; open the map in Tiled "
                              "with that picture and save it");
-    c.sheet[0].columns = 3;
-    assert_false(map_fits(&c, 0, &picture[0], err, sizeof err));
+    c.tileset[0].columns = 3;
+    assert_false(map_check_columns(&c, 0, &picture[0], err, sizeof err));
     assert_string_equal(err, "t.tsx:2: the tileset has 3 columns, but a.png has 2; open the map in Tiled with that "
                              "picture and save it");
     free(a.rgba);

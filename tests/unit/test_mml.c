@@ -16,7 +16,7 @@
 #include "../../src/sound/tune.h"
 #include "../voiced.h"
 
-static const struct mml_about about = { .volume = 200, .priority = 3, .limit = 5, .title = "" };
+static const struct mml_settings settings = { .volume = 200, .priority = 3, .limit = 5, .title = "" };
 
 /* ---- what it compiles to ---- */
 
@@ -56,7 +56,7 @@ static const char *events(const char *text)
     size_t size;
 
     memset(&l, 0, sizeof l);
-    if (!mml_compile(text, strlen(text), "x.mml", &about, &bytes, &size, err, sizeof err))
+    if (!mml_compile(text, strlen(text), "x.mml", &settings, &bytes, &size, err, sizeof err))
         return strcpy(l.text, err);
     const struct tune t = tune_of(bytes);
     assert_true(tune_validate(bytes, size, err, sizeof err));
@@ -120,7 +120,7 @@ static struct tune compiled(const char *text)
     uint8_t *bytes;
     size_t size;
 
-    if (!mml_compile(text, strlen(text), "x.mml", &about, &bytes, &size, err, sizeof err))
+    if (!mml_compile(text, strlen(text), "x.mml", &settings, &bytes, &size, err, sizeof err))
         fail_msg("%s", err);
     return tune_of(bytes);
 }
@@ -246,7 +246,7 @@ static void keep_warning(void *context, const char *sentence)
 static const char *warnings(const char *text)
 {
     static char said[1024];
-    const struct mml_about heard = { .limit = 1, .title = "", .warn = keep_warning, .context = said };
+    const struct mml_settings heard = { .limit = 1, .title = "", .warn = keep_warning, .context = said };
     char err[256];
     uint8_t *bytes;
     size_t size;
@@ -290,7 +290,7 @@ static void test_damage(void **state)
     (void)state;
     snd_tables_make(&tables);
     rng_seed(&r, 11);
-    assert_true(mml_compile(text, strlen(text), "x", &about, &out, &tune_size, err, sizeof err));
+    assert_true(mml_compile(text, strlen(text), "x", &settings, &out, &tune_size, err, sizeof err));
     memcpy(tune, out, tune_size);
     free(out);
     for (int i = 0; i < 10000; i++) {
@@ -298,7 +298,7 @@ static void test_damage(void **state)
         for (int k = 0; k < 1 + i % 4; k++)
             bad[rng_next(&r) % (sizeof text - 1)] = text[rng_next(&r) % (sizeof text - 1)];
         err[0] = '\0';
-        if (mml_compile(bad, strlen(bad), "x", &about, &out, &size, err, sizeof err)) {
+        if (mml_compile(bad, strlen(bad), "x", &settings, &out, &size, err, sizeof err)) {
             if (!tune_validate(out, size, err, sizeof err))
                 fail_msg("%s: %s", bad, err);
             free(out);

@@ -543,22 +543,22 @@ static void test_flaws(void **state)
     struct flaws f;
 
     (void)state;
-    flaws_of_frames(&p, &f);
-    flaws_of_loop(&p, &f);
-    assert_true(f.clipped == 0 && fabs(f.mean) < 0.0001 && !f.clicks);
+    flaws_measure_frames(&p, &f);
+    flaws_measure_loop(&p, &f);
+    assert_true(f.clipped == 0 && fabs(f.dc_offset) < 0.0001 && !f.clicks);
     p.loop = 4003; /* of 20 frames: not where it goes on */
-    flaws_of_loop(&p, &f);
-    assert_true(f.clicks && f.jump > 0.2 && f.usual > 0.04 && f.usual < 0.06);
+    flaws_measure_loop(&p, &f);
+    assert_true(f.clicks && f.jump > 0.2 && f.nearby > 0.04 && f.nearby < 0.06);
     for (int i = 0; i < 10000; i++)
         p.frames[i] = (int16_t)(p.frames[i] + 1638);
     p.frames[300] = p.frames[301] = 32767; /* twice is no clipping */
     p.frames[77] = p.frames[78] = p.frames[79] = p.frames[80] = -32768;
-    flaws_of_frames(&p, &f);
-    assert_true(f.clipped == 4 && f.first == 77 && fabs(f.mean - 0.05) < 0.001);
+    flaws_measure_frames(&p, &f);
+    assert_true(f.clipped == 4 && f.first_clipped == 77 && fabs(f.dc_offset - 0.05) < 0.001);
     p.clipped = 5;
     p.clipped_at = 9;
-    flaws_of_frames(&p, &f);
-    assert_true(f.clipped == 5 && f.first == 9);
+    flaws_measure_frames(&p, &f);
+    assert_true(f.clipped == 5 && f.first_clipped == 9);
     pcm_free(&p);
 }
 

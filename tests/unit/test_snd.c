@@ -391,7 +391,7 @@ static void run_in(const struct tune *t, uint32_t tempo, int piece, int64_t samp
 static void test_time(void **state)
 {
     static struct played whole, parts;
-    const struct mml_about about = { .volume = 255, .priority = 4, .limit = 2, .title = "" };
+    const struct mml_settings settings = { .volume = 255, .priority = 4, .limit = 2, .title = "" };
     const char *text = "t137.31 l16 c d e4. r32 L f&g {ab}4 v3 p9 [c32]5 {{cdefgab}}2 r";
     const int pieces[] = { 1, 7, 32, 799, 800, 12345 };
     uint8_t *bytes;
@@ -399,7 +399,7 @@ static void test_time(void **state)
     size_t size;
 
     (void)state;
-    assert_true(mml_compile(text, strlen(text), "t", &about, &bytes, &size, err, sizeof err));
+    assert_true(mml_compile(text, strlen(text), "t", &settings, &bytes, &size, err, sizeof err));
     const struct tune t = tune_of(bytes);
     assert_int_equal(t.tempo, 13731);
     run_in(&t, t.tempo, 100000, 800000, &whole);
@@ -436,13 +436,13 @@ static struct voices *make_voices(uint8_t **block)
 static struct voices *played(const char *settings, int frames, int16_t out[2 * SND_FRAME], uint8_t **rom,
                              uint8_t **block)
 {
-    const struct mml_about about = { .volume = 255, .limit = 2, .title = "" };
+    const struct mml_settings music = { .volume = 255, .limit = 2, .title = "" };
     char text[256], err[128];
     struct voices *v = make_voices(block);
     size_t size;
 
     snprintf(text, sizeof text, "@x %s\nA @x c", settings);
-    if (!mml_compile(text, strlen(text), "t", &about, rom, &size, err, sizeof err))
+    if (!mml_compile(text, strlen(text), "t", &music, rom, &size, err, sizeof err))
         fail_msg("%s", err);
     const struct tune t = tune_of(*rom);
     const uint32_t inst = (uint32_t)(tune_inst(&t, 0) - *rom);

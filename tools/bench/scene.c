@@ -71,7 +71,7 @@ static bool compile(const char *xml, uint8_t **out, uint32_t *size, char *err, s
     const bool fine = document_read(&d, xml, strlen(xml), "doc.xml", NULL, NULL, err, err_size) &&
                       bulletml_compile(&d, "doc.xml", out, &n, err, err_size);
 
-    document_close(&d);
+    document_free(&d);
     *size = (uint32_t)n;
     return fine;
 }

@@ -40,12 +40,12 @@ static void write_recording(uint8_t *out, enum sample_coding coding)
 
 static void make_rom(void)
 {
-    const struct mml_about about = { .volume = 255, .limit = 1, .title = "" };
+    const struct mml_settings settings = { .volume = 255, .limit = 1, .title = "" };
     char err[256];
     uint8_t *tune;
     size_t n;
 
-    if (!mml_compile(PIECE, strlen(PIECE), "bench", &about, &tune, &n, err, sizeof err))
+    if (!mml_compile(PIECE, strlen(PIECE), "bench", &settings, &tune, &n, err, sizeof err))
         report_fail(err);
     const size_t exact = sample_size(LONG, SAMPLE_PCM16), packed = sample_size(LONG, SAMPLE_ADPCM);
     rom.bytes = realloc(tune, n + exact + packed);
@@ -165,14 +165,14 @@ static void play(struct voices *v, int voice, const struct tune_played_event *p)
 static void measure_seq(struct samples *s)
 {
     static const char text[] = "ABCDEFGHIJKLMNOP t150 L l16 [c d8 e32 f32 g4 v9 a]8\n";
-    const struct mml_about about = { .volume = 255, .limit = 1, .title = "" };
+    const struct mml_settings settings = { .volume = 255, .limit = 1, .title = "" };
     struct band band = { .notes = 0 };
     struct seq q = { 0 };
     char err[256];
     uint8_t *tune, *block, *next;
     size_t n;
 
-    if (!mml_compile(text, strlen(text), "bench", &about, &tune, &n, err, sizeof err))
+    if (!mml_compile(text, strlen(text), "bench", &settings, &tune, &n, err, sizeof err))
         report_fail(err);
     next = block = calloc(1, (size_t)slots_size(&seq_chip, SEQ_SLOTS, 0) + 64);
     if (!block)

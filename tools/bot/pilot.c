@@ -106,17 +106,17 @@ static uint16_t extra_at(uint16_t extra, uint32_t f)
 static void foresee(struct work *w, uint32_t frames, uint16_t extra)
 {
     static const uint16_t none[MAX_PLAYERS];
-    enum simulation_end end = SIMULATION_ON;
+    enum simulation_end end = SIMULATION_RUNNING;
     uint16_t pads[MAX_PLAYERS];
 
     forecast_clear(&w->forecast, board_frame(w->t->b));
-    w->t->into = &w->forecast;
+    w->t->recording = &w->forecast;
     danger_set_invincible(w->t->b, true);
     for (uint32_t f = 0; f < frames && end != SIMULATION_FAULT && !w->forecast.full; f++) {
         held(w, f < AHEAD ? w->guess[f] : none, extra_at(extra, f), pads);
         end = simulation_tick(w->t, pads);
     }
-    w->t->into = NULL;
+    w->t->recording = NULL;
 }
 
 /* A plan for player p, into the guess. */
@@ -126,22 +126,22 @@ static void plan_for(struct work *w, int p, const struct simulation_state *at, u
     struct reach r = { 0 };
     struct plan plan = { 0 };
 
-    w->t->who = p;
+    w->t->player = p;
     simulation_restore(w->t, at);
     danger_get_ship(w->t->b, p, &ship);
     w->t->ship = ship;
     foresee(w, frames, extra);
     for (uint32_t f = 0; f < AHEAD; f++)
         w->guess[f][p] = 0;
-    if (reach_open(&r, &w->forecast, 2 * FX_ONE, 0, ship.path.x, ship.path.y)) {
-        reach_back(&r);
+    if (reach_compute(&r, &w->forecast, 2 * FX_ONE, 0, ship.path.x, ship.path.y)) {
+        reach_prune(&r);
         plan_make(&plan, &r, ship.path.x, ship.path.y, WAYS, w->taste, w->eager ? 2 : 1);
         for (uint32_t f = 0; f < plan.frames && f < AHEAD; f++)
             w->guess[f][p] = plan.pads[f];
     }
     plan_free(&plan);
-    reach_close(&r);
-    w->t->who = 0;
+    reach_free(&r);
+    w->t->player = 0;
 }
 
 /* Flies the guess, as far as nobody is hit. */

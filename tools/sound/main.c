@@ -82,13 +82,13 @@ double ear_snr(const double *right, const double *heard, int n)
 
 struct ear_inst ear_inst(const char *settings)
 {
-    const struct mml_about about = { .volume = 255, .limit = 1, .title = "" };
+    const struct mml_settings music = { .volume = 255, .limit = 1, .title = "" };
     char err[256];
     const char *text = report_string("@x %s\nA @x c", settings);
     struct ear_inst i;
     size_t size;
 
-    if (!mml_compile(text, strlen(text), "ear", &about, &i.rom, &size, err, sizeof err))
+    if (!mml_compile(text, strlen(text), "ear", &music, &i.rom, &size, err, sizeof err))
         report_fail(err);
     const struct tune t = tune_of(i.rom);
     i.at = (uint32_t)(tune_inst(&t, 0) - i.rom);

@@ -1,6 +1,6 @@
 /*
- * art_run.c - see art_run.h: `curtain art`. Hit shapes are those of the kinds that the scripts declare at power-on, so
- * none is guessed; if a script faults, only the hit shapes are missing.
+ * art_run.c - see art_run.h: `curtain art`. The hit shapes are those of the kinds that the scripts declare at power-on.
+ * If a script faults, only the hit shapes are missing.
  */
 #include "art_run.h"
 
@@ -25,7 +25,7 @@ struct art_game {
 
 /* ---- hit shapes ---- */
 
-static bool in_use(const struct atlas_shapes *shapes, const char *sprite)
+static bool has_shape(const struct atlas_shapes *shapes, const char *sprite)
 {
     for (int i = 0; i < shapes->n; i++)
         if (strcmp(shapes->list[i].sprite, sprite) == 0)
@@ -33,7 +33,7 @@ static bool in_use(const struct atlas_shapes *shapes, const char *sprite)
     return false;
 }
 
-/* A shape that was drawn with a sprite and belongs to no kind. */
+/* Converts a hitbox that was drawn with its sprite and is used by no kind. */
 static struct inspect_kind_shape drawn_shape(const struct cart_hitbox *h, const char *sprite)
 {
     struct inspect_kind_shape s = { .entity = "drawn", .name = "hit", .sprite = sprite, .r = h->row[0].a };
@@ -55,19 +55,19 @@ static struct inspect_kind_shape drawn_shape(const struct cart_hitbox *h, const 
     return s;
 }
 
-static void add_drawn(struct art_game *g)
+static void add_drawn_shapes(struct art_game *g)
 {
     for (int i = 0; i < g->cart.count[CART_SPRITES]; i++) {
         const char *name = cart_name(&g->cart, CART_SPRITES, i);
         struct cart_hitbox hit;
-        if (!cart_find_hitbox(&g->cart, name, &hit) || in_use(&g->shapes, name))
+        if (!cart_find_hitbox(&g->cart, name, &hit) || has_shape(&g->shapes, name))
             continue;
         const struct inspect_kind_shape shape = drawn_shape(&hit, name);
         atlas_shapes_add(&g->shapes, &shape);
     }
 }
 
-/* Powers the game on to find its kinds. */
+/* Powers on the game to find its kinds. */
 static enum result find_shapes(struct art_game *g, const char *path)
 {
     struct board_start start = { .difficulty = -1 };
@@ -85,7 +85,7 @@ static enum result find_shapes(struct art_game *g, const char *path)
             report_line(RESULT_REFUSED, "hitboxes are missing because the scripts failed to load: %s", fault->message);
     else
         inspect_kinds(g->guard.board, atlas_shapes_add, &g->shapes);
-    add_drawn(g);
+    add_drawn_shapes(g);
     return g->shapes.failed ? report_line(RESULT_HOST_FAILED, "out of memory") : result;
 }
 
@@ -98,7 +98,7 @@ static void print_shapes(const struct art_game *g, const char *sprite)
     for (int i = 0; i < g->shapes.n; i++) {
         if (strcmp(g->shapes.list[i].sprite, sprite) != 0)
             continue;
-        atlas_shape_words(&g->shapes.list[i], words, sizeof words);
+        atlas_shape_describe(&g->shapes.list[i], words, sizeof words);
         report_print("; %s", words);
     }
 }
@@ -125,7 +125,6 @@ static enum result write_atlas(const struct art_game *g, const char *file)
 {
     uint8_t *rgb, *png = NULL;
     size_t size = 0;
-    char err[FILES_ERR_SIZE];
     int w, h;
 
     if (g->cart.count[CART_SPRITES] == 0)
@@ -133,13 +132,10 @@ static enum result write_atlas(const struct art_game *g, const char *file)
     const bool made = atlas_make(&g->cart, &g->shapes, &rgb, &w, &h);
     if (!made && h > PNG_MAX_SIDE)
         return report_line(RESULT_REFUSED, "--atlas: %d x %d pixels is too large for a PNG", w, h);
-    const bool packed = made && png_write_rgb(rgb, w, h, &png, &size);
+    if (made)
+        png_write_rgb(rgb, w, h, &png, &size);
     free(rgb);
-    if (!packed)
-        return report_line(RESULT_HOST_FAILED, "out of memory");
-    const bool saved = files_save(file, png, size, err, sizeof err);
-    free(png);
-    return saved ? RESULT_DONE : report_line(RESULT_HOST_FAILED, "%s", err);
+    return report_save_png(file, png, size);
 }
 
 enum result art_run(const char *path, bool nearest, const char *atlas)
@@ -154,14 +150,14 @@ enum result art_run(const char *path, bool nearest, const char *atlas)
         report_line(result, "%s: %s", path, err);
     else {
         result = find_shapes(&g, path);
-        enum result shown = RESULT_DONE;
+        enum result output = RESULT_DONE;
         if (g.powered && atlas)
-            shown = write_atlas(&g, atlas);
+            output = write_atlas(&g, atlas);
         else if (g.powered)
             print_sprites(&g);
-        result = shown > result ? shown : result;
+        result = output > result ? output : result;
     }
-    atlas_shapes_close(&g.shapes);
+    atlas_shapes_free(&g.shapes);
     if (g.powered)
         guard_close(&g.guard);
     rom_image_free(&g.image);

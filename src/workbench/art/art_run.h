@@ -7,12 +7,12 @@
 #include <stdbool.h>
 #include "../../common/result.h"
 
-/* Lists the sprites of the game at path (a folder or a .rom file), or puts them on the picture `atlas`, a PNG;
- * NULL: not asked for. What is not done has been told on plat_log. */
+/* Lists the sprites of the game at `path` (a directory or a .rom file). With `atlas`, saves a PNG of all sprites there
+ * instead. Errors have been reported. */
 enum result art_run(const char *path, bool nearest, const char *atlas);
 
-/* Puts the colours of a .hex or .gpl into a bank of the palette `out`, or a bank of a palette into such a file. bank:
- * below 0, and out: NULL: not given. */
+/* Imports a .hex or .gpl file into a bank of the palette `out`, or exports a bank of the palette `from` to such a file.
+ * A negative bank or `out` NULL means that the option is missing, which is refused. */
 enum result art_run_palette(const char *from, int bank, const char *out);
 
 #endif

@@ -1,6 +1,5 @@
 /*
- * atlas.c - see atlas.h. The same code lays the picture out twice: first without memory, to measure it, then to paint
- * it.
+ * atlas.c - see atlas.h. The same code runs twice: first without a canvas, to measure the picture, then to draw it.
  */
 #include "atlas.h"
 
@@ -14,42 +13,43 @@
 #include "../../common/array.h"
 
 enum {
-    WIDTH = 1080, /* px; more, if one sprite needs it, or all of them would be higher than a PNG can be */
-    EDGE = 24,
-    GAP = 22,         /* between two sprites */
-    LEAST = 132,      /* px of a sprite's text */
-    TEXT = 2,         /* px of a pixel of letters */
-    LINE = 12 * TEXT, /* from line to line */
-    HEAD = 44,        /* of a bank: its name and colours */
-    SWATCH = 18,      /* px of a colour there */
-    SMALL = 10,       /* px above and below the frames */
-    BETWEEN = 4,      /* px between two frames */
-    MOST_WORDS = 5,   /* listed hit shapes of a sprite */
-    MOST_FRAMES = 12, /* of one sprite that are shown small */
-    ARM = 7           /* px of the cross at the origin */
+    WIDTH = 1080, /* px; wider for a wide sprite, or if the picture would be higher than a PNG can be */
+    MARGIN = 24,
+    GAP = 22,                      /* between two sprites */
+    MIN_CELL_WIDTH = 132,          /* px, for the caption */
+    TEXT_SCALE = 2,                /* px per pixel of a letter */
+    LINE_HEIGHT = 12 * TEXT_SCALE, /* px */
+    HEADING_HEIGHT = 44,           /* a bank's name and colours */
+    SWATCH = 18,                   /* px of a colour in the heading */
+    FRAMES_MARGIN = 10,            /* px above and below the frames */
+    FRAME_GAP = 4,                 /* px between two frames */
+    MAX_SHAPES = 5,                /* hit shapes listed for a sprite */
+    MAX_FRAMES = 12,               /* of a sprite, drawn without scaling */
+    CROSS_ARM = 7                  /* px, of the cross at the origin */
 };
 
-#define GROUND 0x17181d
-#define TILE_A 0x26272e
-#define TILE_B 0x2d2e36
-#define INK    0xf2f2ee
-#define FAINT  0x9a9ca6
-#define RULE   0x3a3b44
-#define DARK   0x000000
+#define BACKGROUND 0x17181d
+#define TILE_A     0x26272e
+#define TILE_B     0x2d2e36
+#define INK        0xf2f2ee
+#define MUTED      0x9a9ca6
+#define RULE       0x3a3b44
+#define DARK       0x000000
 
 struct atlas {
     const struct cart *cart;
     const struct atlas_shapes *shapes;
     const uint8_t *palette;
-    uint8_t *rgb; /* NULL: only measuring */
+    uint8_t *rgb; /* NULL: only measure */
     int w, h;
 };
 
-struct colour_of {
-    const char *of;
+struct entity_colour {
+    const char *entity;
     uint32_t rgb;
 };
-static const struct colour_of colours[] = {
+
+static const struct entity_colour colours[] = {
     { "player", 0x5fe3ff }, { "bullet", 0xff6a7a }, { "shot", 0x7dff8a }, { "enemy", 0xffd24a }
 };
 
@@ -63,7 +63,7 @@ void atlas_shapes_add(void *shapes, const struct inspect_kind_shape *kind)
         s->failed = true;
 }
 
-void atlas_shapes_close(struct atlas_shapes *shapes)
+void atlas_shapes_free(struct atlas_shapes *shapes)
 {
     free(shapes->list);
     *shapes = (struct atlas_shapes){ 0 };
@@ -74,33 +74,33 @@ static double px(int32_t v)
     return v / 65536.0;
 }
 
-/* Rounds to a hundredth. */
-static double rounded(double v)
+static double round_hundredth(double v)
 {
     return floor(v * 100 + 0.5) / 100;
 }
 
-void atlas_shape_words(const struct inspect_kind_shape *s, char *out, size_t size)
+void atlas_shape_describe(const struct inspect_kind_shape *s, char *out, size_t size)
 {
     switch (s->shape) {
     case INSPECT_BOX:
-        snprintf(out, size, "%s %s: box %g x %g", s->entity, s->name, rounded(px(s->x1) * 2), rounded(px(s->y1) * 2));
+        snprintf(out, size, "%s %s: box %g x %g", s->entity, s->name, round_hundredth(px(s->x1) * 2),
+                 round_hundredth(px(s->y1) * 2));
         break;
     case INSPECT_CAPSULE:
-        snprintf(out, size, "%s %s: capsule %g, %g", s->entity, s->name, rounded(2 * hypot(px(s->bar_x), px(s->bar_y))),
-                 rounded(px(s->r)));
+        snprintf(out, size, "%s %s: capsule %g, %g", s->entity, s->name,
+                 round_hundredth(2 * hypot(px(s->bar_x), px(s->bar_y))), round_hundredth(px(s->r)));
         break;
     case INSPECT_CIRCLES:
         snprintf(out, size, "%s %s: %d circle%s", s->entity, s->name, s->n, s->n == 1 ? "" : "s");
         break;
     default:
-        snprintf(out, size, "%s %s: circle %g", s->entity, s->name, rounded(px(s->r)));
+        snprintf(out, size, "%s %s: circle %g", s->entity, s->name, round_hundredth(px(s->r)));
     }
 }
 
 /* ---- paint ---- */
 
-static void dot(const struct atlas *a, int x, int y, uint32_t rgb)
+static void set_pixel(const struct atlas *a, int x, int y, uint32_t rgb)
 {
     if (!a->rgb || x < 0 || y < 0 || x >= a->w || y >= a->h)
         return;
@@ -114,11 +114,11 @@ static void fill(const struct atlas *a, int x, int y, int w, int h, uint32_t rgb
 {
     for (int j = 0; j < h; j++)
         for (int i = 0; i < w; i++)
-            dot(a, x + i, y + j, rgb);
+            set_pixel(a, x + i, y + j, rgb);
 }
 
-/* Draws a line of text with the top of capitals at y; returns its width in px. Without memory it only measures. */
-static int say(const struct atlas *a, int x, int y, uint32_t rgb, const char *text)
+/* Draws a line of text with the top of capitals at y; returns its width in px. */
+static int draw_text(const struct atlas *a, int x, int y, uint32_t rgb, const char *text)
 {
     const char *end = text + strlen(text);
     const int from = x;
@@ -130,41 +130,42 @@ static int say(const struct atlas *a, int x, int y, uint32_t rgb, const char *te
         for (int row = 0; row < LETTER_ROWS; row++)
             for (int k = 0; k < l.w; k++)
                 if (code != ' ' && l.rows[row] >> k & 1)
-                    fill(a, x + k * TEXT, y + (row - LETTER_ACCENT_HEIGHT) * TEXT, TEXT, TEXT, rgb);
-        x += ((code == ' ' ? LETTER_SPACE_WIDTH : l.w) + 1) * TEXT;
+                    fill(a, x + k * TEXT_SCALE, y + (row - LETTER_ACCENT_HEIGHT) * TEXT_SCALE, TEXT_SCALE, TEXT_SCALE,
+                         rgb);
+        x += ((code == ' ' ? LETTER_SPACE_WIDTH : l.w) + 1) * TEXT_SCALE;
     }
     return x - from;
 }
 
-static uint32_t entry(const struct atlas *a, int i)
+static uint32_t palette_colour(const struct atlas *a, int i)
 {
     return (uint32_t)a->palette[3 * i] << 16 | (uint32_t)a->palette[3 * i + 1] << 8 | a->palette[3 * i + 2];
 }
 
-/* One picture of a sprite, each pixel a square. */
-static void paint(const struct atlas *a, const struct sprite *s, int frame, int x, int y, int scale)
+/* Draws a frame of a sprite, each pixel as a square. */
+static void draw_frame(const struct atlas *a, const struct sprite *s, int frame, int x, int y, int scale)
 {
     const uint8_t *pix = s->pix + (size_t)frame * s->rotations * s->pitch * s->h;
 
     for (int j = 0; j < s->h; j++)
         for (int i = 0; i < s->w; i++)
             if (pix[j * s->pitch + i])
-                fill(a, x + i * scale, y + j * scale, scale, scale, entry(a, pix[j * s->pitch + i]));
+                fill(a, x + i * scale, y + j * scale, scale, scale, palette_colour(a, pix[j * s->pitch + i]));
 }
 
-/* A chequered background, which shows through transparent pixels. */
-static void ground(const struct atlas *a, int x, int y, int w, int h)
+/* Draws a checkerboard, which shows through transparent pixels. */
+static void draw_checkerboard(const struct atlas *a, int x, int y, int w, int h)
 {
     enum { SIDE = 8 * ATLAS_SCALE };
 
     for (int j = 0; j < h; j++)
         for (int i = 0; i < w; i++)
-            dot(a, x + i, y + j, (i / SIDE + j / SIDE) % 2 ? TILE_A : TILE_B);
+            set_pixel(a, x + i, y + j, (i / SIDE + j / SIDE) % 2 ? TILE_A : TILE_B);
 }
 
 /* ---- hit shapes ---- */
 
-static double from_bar(double x, double y, double bar_x, double bar_y)
+static double distance_to_bar(double x, double y, double bar_x, double bar_y)
 {
     const double length = bar_x * bar_x + bar_y * bar_y;
     double at = length > 0 ? (x * bar_x + y * bar_y) / length : 0;
@@ -173,8 +174,8 @@ static double from_bar(double x, double y, double bar_x, double bar_y)
     return hypot(x - at * bar_x, y - at * bar_y);
 }
 
-/* Distance of a point from the shape, px; negative inside. */
-static double outside(const struct inspect_kind_shape *s, double x, double y)
+/* Signed distance of a point from the shape, px; negative inside. */
+static double distance(const struct inspect_kind_shape *s, double x, double y)
 {
     double least = 1e9;
 
@@ -184,7 +185,7 @@ static double outside(const struct inspect_kind_shape *s, double x, double y)
         return dx > dy ? dx : dy;
     }
     case INSPECT_CAPSULE:
-        return from_bar(x, y, px(s->bar_x), px(s->bar_y)) - px(s->r);
+        return distance_to_bar(x, y, px(s->bar_x), px(s->bar_y)) - px(s->r);
     case INSPECT_CIRCLES:
         for (int i = 0; i < s->n; i++) {
             const double d = hypot(x - px(s->circle[i].x), y - px(s->circle[i].y)) - px(s->circle[i].r);
@@ -196,31 +197,31 @@ static double outside(const struct inspect_kind_shape *s, double x, double y)
     }
 }
 
-static uint32_t colour_for(const struct inspect_kind_shape *s)
+static uint32_t shape_colour(const struct inspect_kind_shape *s)
 {
     for (size_t i = 0; i < sizeof colours / sizeof *colours; i++)
-        if (strcmp(colours[i].of, s->entity) == 0)
+        if (strcmp(colours[i].entity, s->entity) == 0)
             return colours[i].rgb;
     return INK;
 }
 
-/* The outline around (ox, oy), with a dark rim, inside the sprite's cell. */
-static void outline(const struct atlas *a, const struct inspect_kind_shape *s, int x, int y, int w, int h, double ox,
-                    double oy)
+/* Draws the shape's outline around (ox, oy), with a dark rim, inside the sprite's cell. */
+static void draw_outline(const struct atlas *a, const struct inspect_kind_shape *s, int x, int y, int w, int h,
+                         double ox, double oy)
 {
     for (int rim = 1; rim >= 0; rim--)
         for (int j = 0; a->rgb && j < h; j++)
             for (int i = 0; i < w; i++) {
-                const double d = outside(s, (i + 0.5) / ATLAS_SCALE - ox, (j + 0.5) / ATLAS_SCALE - oy) * ATLAS_SCALE;
+                const double d = distance(s, (i + 0.5) / ATLAS_SCALE - ox, (j + 0.5) / ATLAS_SCALE - oy) * ATLAS_SCALE;
                 if (d >= (rim ? -2 : -1) && d < (rim ? 2 : 1))
-                    dot(a, x + i, y + j, rim ? DARK : colour_for(s));
+                    set_pixel(a, x + i, y + j, rim ? DARK : shape_colour(s));
             }
 }
 
-/* The origin: a cross, smaller in small pictures. */
-static void cross(const struct atlas *a, int x, int y, int side)
+/* Draws a cross at the origin, smaller in small sprites. */
+static void draw_origin(const struct atlas *a, int x, int y, int side)
 {
-    const int third = side * ATLAS_SCALE / 3, arm = third > ARM ? ARM : third < 2 ? 2 : third;
+    const int third = side * ATLAS_SCALE / 3, arm = third > CROSS_ARM ? CROSS_ARM : third < 2 ? 2 : third;
 
     fill(a, x - arm - 1, y - 1, 2 * arm + 3, 3, DARK);
     fill(a, x - 1, y - arm - 1, 3, 2 * arm + 3, DARK);
@@ -230,20 +231,20 @@ static void cross(const struct atlas *a, int x, int y, int side)
 
 /* ---- a sprite ---- */
 
-/* The lines of text under a picture. */
-struct lines {
-    char line[MOST_WORDS + 4][96];
-    uint32_t rgb[MOST_WORDS + 4];
+/* The lines of text below a sprite. */
+struct caption {
+    char line[MAX_SHAPES + 4][96];
+    uint32_t rgb[MAX_SHAPES + 4];
     int n;
 };
 
-static void add_words(struct lines *w, uint32_t rgb, const char *text)
+static void add_line(struct caption *w, uint32_t rgb, const char *text)
 {
     snprintf(w->line[w->n], sizeof w->line[0], "%s", text);
     w->rgb[w->n++] = rgb;
 }
 
-static bool has(const struct lines *w, const char *text)
+static bool has_line(const struct caption *w, const char *text)
 {
     for (int i = 0; i < w->n; i++)
         if (strcmp(w->line[i], text) == 0)
@@ -251,116 +252,116 @@ static bool has(const struct lines *w, const char *text)
     return false;
 }
 
-static void describe(const struct atlas *a, int i, const struct sprite *s, struct lines *out)
+static void make_caption(const struct atlas *a, int i, const struct sprite *s, struct caption *out)
 {
     const char *name = cart_name(a->cart, CART_SPRITES, i);
     char text[96];
     int left_out = 0;
 
     out->n = 0;
-    add_words(out, INK, name);
+    add_line(out, INK, name);
     snprintf(text, sizeof text, "%d x %d", s->w, s->h);
     if (s->rotations > 1)
         snprintf(text + strlen(text), sizeof text - strlen(text), ", %d rotations", s->rotations);
-    add_words(out, FAINT, text);
+    add_line(out, MUTED, text);
     if (s->frames > 1) {
         snprintf(text, sizeof text, "%d frames, every = %d", s->frames, s->frame_ticks);
-        add_words(out, FAINT, text);
+        add_line(out, MUTED, text);
     }
     for (int k = 0; k < a->shapes->n; k++) {
         const struct inspect_kind_shape *shape = &a->shapes->list[k];
         if (strcmp(shape->sprite, name) != 0)
             continue;
-        atlas_shape_words(shape, text, sizeof text);
-        if (has(out, text))
+        atlas_shape_describe(shape, text, sizeof text);
+        if (has_line(out, text))
             continue;
-        if (out->n < MOST_WORDS + 3)
-            add_words(out, colour_for(shape), text);
+        if (out->n < MAX_SHAPES + 3)
+            add_line(out, shape_colour(shape), text);
         else
             left_out++;
     }
     if (left_out) {
         snprintf(text, sizeof text, "and %d more", left_out);
-        add_words(out, FAINT, text);
+        add_line(out, MUTED, text);
     }
 }
 
-/* Small frames under the picture, and their columns in w px. */
-static int small_frames(const struct sprite *s)
+/* Returns the number of thumbnails, which show the frames without scaling, and how many fit in a row of w px. */
+static int thumbnail_count(const struct sprite *s)
 {
-    return s->frames < 2 ? 0 : s->frames < MOST_FRAMES ? s->frames : MOST_FRAMES;
+    return s->frames < 2 ? 0 : s->frames < MAX_FRAMES ? s->frames : MAX_FRAMES;
 }
 
-static int small_columns(const struct sprite *s, int w)
+static int thumbnail_columns(const struct sprite *s, int w)
 {
-    return (w + BETWEEN) / (s->w + BETWEEN);
+    return (w + FRAME_GAP) / (s->w + FRAME_GAP);
 }
 
-/* Their height with the gap below them, px. */
-static int small_height(const struct sprite *s, int w)
+/* Returns the height of the thumbnails with the gap below them, px. */
+static int thumbnails_height(const struct sprite *s, int w)
 {
-    const int columns = small_columns(s, w), n = small_frames(s);
+    const int columns = thumbnail_columns(s, w), n = thumbnail_count(s);
 
-    return n ? (n + columns - 1) / columns * (s->h + BETWEEN) - BETWEEN + SMALL : 0;
+    return n ? (n + columns - 1) / columns * (s->h + FRAME_GAP) - FRAME_GAP + FRAMES_MARGIN : 0;
 }
 
 struct cell {
-    int sprite, w, h, picture; /* px; how high the picture is */
+    int sprite, w, h, picture_h; /* px */
     struct sprite s;
 };
 
-static struct cell measure(const struct atlas *a, int i)
+static struct cell measure_cell(const struct atlas *a, int i)
 {
-    const struct atlas blind = { .cart = a->cart };
-    struct cell c = { .sprite = i, .w = LEAST };
-    struct lines words;
+    const struct atlas no_canvas = { .cart = a->cart };
+    struct cell c = { .sprite = i, .w = MIN_CELL_WIDTH };
+    struct caption words;
 
     cart_sprite(a->cart, i, &c.s);
-    describe(a, i, &c.s, &words);
+    make_caption(a, i, &c.s, &words);
     for (int k = 0; k < words.n; k++) {
-        const int w = say(&blind, 0, 0, 0, words.line[k]);
+        const int w = draw_text(&no_canvas, 0, 0, 0, words.line[k]);
         c.w = w > c.w ? w : c.w;
     }
     c.w = c.s.w * ATLAS_SCALE > c.w ? c.s.w * ATLAS_SCALE : c.w;
-    c.picture = c.s.h * ATLAS_SCALE;
-    c.h = c.picture + SMALL + small_height(&c.s, c.w) + words.n * LINE;
+    c.picture_h = c.s.h * ATLAS_SCALE;
+    c.h = c.picture_h + FRAMES_MARGIN + thumbnails_height(&c.s, c.w) + words.n * LINE_HEIGHT;
     return c;
 }
 
-/* The place of the origin in a picture, px. */
-static double place_of(int origin, int side)
+/* Returns the origin's position in px of the sprite: the exact centre, or the middle of a pixel. */
+static double origin_px(int origin, int side)
 {
     return origin == side / 2 ? side / 2.0 : origin + 0.5;
 }
 
-/* The pictures of a row are aligned at `floor` px below y. */
-static void paint_cell(const struct atlas *a, const struct cell *c, int x, int y, int floor)
+/* Draws a cell at (x, y). All sprites of a row end `baseline` px below y. */
+static void draw_cell(const struct atlas *a, const struct cell *c, int x, int y, int baseline)
 {
     const struct sprite *s = &c->s;
     const char *name = cart_name(a->cart, CART_SPRITES, c->sprite);
-    const int w = s->w * ATLAS_SCALE, h = s->h * ATLAS_SCALE, top = y + floor - h;
-    const int columns = small_columns(s, c->w);
-    const double ox = place_of(s->ox, s->w), oy = place_of(s->oy, s->h);
-    struct lines words;
-    int at = y + floor + SMALL;
+    const int w = s->w * ATLAS_SCALE, h = s->h * ATLAS_SCALE, top = y + baseline - h;
+    const int columns = thumbnail_columns(s, c->w);
+    const double ox = origin_px(s->ox, s->w), oy = origin_px(s->oy, s->h);
+    struct caption words;
+    int at = y + baseline + FRAMES_MARGIN;
 
-    ground(a, x, top, w, h);
-    paint(a, s, 0, x, top, ATLAS_SCALE);
+    draw_checkerboard(a, x, top, w, h);
+    draw_frame(a, s, 0, x, top, ATLAS_SCALE);
     for (int k = 0; k < a->shapes->n; k++)
         if (strcmp(a->shapes->list[k].sprite, name) == 0)
-            outline(a, &a->shapes->list[k], x, top, w, h, ox, oy);
-    cross(a, x + (int)(ox * ATLAS_SCALE), top + (int)(oy * ATLAS_SCALE), s->w < s->h ? s->w / 2 : s->h / 2);
-    for (int k = 0; k < small_frames(s); k++)
-        paint(a, s, k, x + k % columns * (s->w + BETWEEN), at + k / columns * (s->h + BETWEEN), 1);
-    at += small_height(s, c->w);
-    describe(a, c->sprite, s, &words);
+            draw_outline(a, &a->shapes->list[k], x, top, w, h, ox, oy);
+    draw_origin(a, x + (int)(ox * ATLAS_SCALE), top + (int)(oy * ATLAS_SCALE), s->w < s->h ? s->w / 2 : s->h / 2);
+    for (int k = 0; k < thumbnail_count(s); k++)
+        draw_frame(a, s, k, x + k % columns * (s->w + FRAME_GAP), at + k / columns * (s->h + FRAME_GAP), 1);
+    at += thumbnails_height(s, c->w);
+    make_caption(a, c->sprite, s, &words);
     for (int k = 0; k < words.n; k++)
-        say(a, x, at + k * LINE + LETTER_ACCENT_HEIGHT * TEXT - 2, words.rgb[k], words.line[k]);
+        draw_text(a, x, at + k * LINE_HEIGHT + LETTER_ACCENT_HEIGHT * TEXT_SCALE - 2, words.rgb[k], words.line[k]);
 }
 
 /* ---- the picture ---- */
 
-static int by_size(const void *a, const void *b)
+static int compare_cells(const void *a, const void *b)
 {
     const struct cell *one = a, *other = b;
 
@@ -369,48 +370,48 @@ static int by_size(const void *a, const void *b)
     return one->s.h != other->s.h ? other->s.h - one->s.h : one->sprite - other->sprite;
 }
 
-static int paint_head(const struct atlas *a, int bank, int y)
+static int draw_bank_heading(const struct atlas *a, int bank, int y)
 {
     char text[16];
 
     snprintf(text, sizeof text, "bank %d", bank);
-    fill(a, EDGE, y + HEAD - 8, a->w - 2 * EDGE, 1, RULE);
-    say(a, EDGE, y + 12, INK, text);
+    fill(a, MARGIN, y + HEADING_HEIGHT - 8, a->w - 2 * MARGIN, 1, RULE);
+    draw_text(a, MARGIN, y + 12, INK, text);
     for (int shade = 1; shade < 16; shade++)
-        fill(a, EDGE + 96 + (shade - 1) * (SWATCH + 2), y + 8, SWATCH, SWATCH, entry(a, bank * 16 + shade));
-    return y + HEAD + 4;
+        fill(a, MARGIN + 96 + (shade - 1) * (SWATCH + 2), y + 8, SWATCH, SWATCH, palette_colour(a, bank * 16 + shade));
+    return y + HEADING_HEIGHT + 4;
 }
 
-/* Number of cells in the row that starts at i, and the height of its highest picture and cell. */
-static int row_of(const struct atlas *a, const struct cell *cells, int n, int i, int *floor, int *h)
+/* Returns the number of cells in the row that starts at i, and the height of its highest sprite and cell. */
+static int measure_row(const struct atlas *a, const struct cell *cells, int n, int i, int *baseline, int *h)
 {
-    int x = EDGE, k = i;
+    int x = MARGIN, k = i;
 
-    *floor = *h = 0;
-    for (; k < n && cells[k].s.bank == cells[i].s.bank && (k == i || x + cells[k].w <= a->w - EDGE); k++) {
+    *baseline = *h = 0;
+    for (; k < n && cells[k].s.bank == cells[i].s.bank && (k == i || x + cells[k].w <= a->w - MARGIN); k++) {
         x += cells[k].w + GAP;
-        *floor = cells[k].picture > *floor ? cells[k].picture : *floor;
+        *baseline = cells[k].picture_h > *baseline ? cells[k].picture_h : *baseline;
     }
     for (int c = i; c < k; c++)
-        *h = *floor + cells[c].h - cells[c].picture > *h ? *floor + cells[c].h - cells[c].picture : *h;
+        *h = *baseline + cells[c].h - cells[c].picture_h > *h ? *baseline + cells[c].h - cells[c].picture_h : *h;
     return k - i;
 }
 
-/* Paints everything; returns the height. */
+/* Draws everything; returns the height. */
 static int lay_out(const struct atlas *a, const struct cell *cells, int n)
 {
-    int y = EDGE - 8, floor, h;
+    int y = MARGIN - 8, baseline, h;
 
     for (int i = 0; i < n;) {
         if (i == 0 || cells[i].s.bank != cells[i - 1].s.bank)
-            y = paint_head(a, cells[i].s.bank, y);
-        const int row = row_of(a, cells, n, i, &floor, &h);
-        for (int k = 0, x = EDGE; k < row; x += cells[i + k].w + GAP, k++)
-            paint_cell(a, &cells[i + k], x, y, floor);
+            y = draw_bank_heading(a, cells[i].s.bank, y);
+        const int row = measure_row(a, cells, n, i, &baseline, &h);
+        for (int k = 0, x = MARGIN; k < row; x += cells[i + k].w + GAP, k++)
+            draw_cell(a, &cells[i + k], x, y, baseline);
         y += h + GAP;
         i += row;
     }
-    return y + EDGE - GAP;
+    return y + MARGIN - GAP;
 }
 
 bool atlas_make(const struct cart *cart, const struct atlas_shapes *shapes, uint8_t **rgb, int *w, int *h)
@@ -420,11 +421,11 @@ bool atlas_make(const struct cart *cart, const struct atlas_shapes *shapes, uint
 
     *rgb = NULL;
     for (int i = 0; cells && i < cart->count[CART_SPRITES]; i++) {
-        cells[i] = measure(&a, i);
-        a.w = cells[i].w + 2 * EDGE > a.w ? cells[i].w + 2 * EDGE : a.w;
+        cells[i] = measure_cell(&a, i);
+        a.w = cells[i].w + 2 * MARGIN > a.w ? cells[i].w + 2 * MARGIN : a.w;
     }
     if (cells) {
-        qsort(cells, (size_t)cart->count[CART_SPRITES], sizeof *cells, by_size);
+        qsort(cells, (size_t)cart->count[CART_SPRITES], sizeof *cells, compare_cells);
         a.h = lay_out(&a, cells, cart->count[CART_SPRITES]);
         while (a.h > PNG_MAX_SIDE && a.w <= PNG_MAX_SIDE / 3 * 2) { /* too high for a PNG: wider */
             a.w += a.w / 2;
@@ -434,7 +435,7 @@ bool atlas_make(const struct cart *cart, const struct atlas_shapes *shapes, uint
     if (cells && a.h <= PNG_MAX_SIDE && a.w <= PNG_MAX_SIDE)
         a.rgb = malloc((size_t)a.w * (size_t)a.h * 3);
     if (a.rgb) {
-        fill(&a, 0, 0, a.w, a.h, GROUND);
+        fill(&a, 0, 0, a.w, a.h, BACKGROUND);
         lay_out(&a, cells, cart->count[CART_SPRITES]);
     }
     free(cells);

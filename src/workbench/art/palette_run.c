@@ -1,6 +1,6 @@
 /*
- * palette_run.c - see art_run.h: `curtain palette`. A palette is written as an indexed PNG whose palette is the game's,
- * entry for entry, so that an editor shows all banks in their places.
+ * palette_run.c - see art_run.h: `curtain palette`. A palette is saved as an indexed PNG with the game's palette, entry
+ * for entry, so that an editor shows every bank.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,12 +13,12 @@
 #include "art_run.h"
 #include "swatch.h"
 
-static bool is_list(const char *path)
+static bool is_swatch_file(const char *path)
 {
     return files_has_suffix(path, ".hex") || files_has_suffix(path, ".gpl");
 }
 
-/* The palette in a PNG; false and one sentence. */
+/* Reads the palette from a PNG. On failure, err is one sentence. */
 static bool load_palette(const char *path, uint8_t rgb[CART_PALETTE_SIZE], char *err, size_t err_size)
 {
     struct art_picture picture = { 0 };
@@ -41,29 +41,25 @@ static enum result save_palette(const char *path, const uint8_t rgb[CART_PALETTE
 {
     uint8_t pix[256], *png;
     uint32_t colours[256];
-    char err[FILES_ERR_SIZE];
     size_t size;
 
     for (int i = 0; i < 256; i++) {
         pix[i] = (uint8_t)i;
         colours[i] = (uint32_t)rgb[3 * i] << 16 | (uint32_t)rgb[3 * i + 1] << 8 | rgb[3 * i + 2];
     }
-    if (!png_write(pix, 16, 16, 16, colours, &png, &size))
-        return report_line(RESULT_HOST_FAILED, "out of memory");
-    const bool saved = files_save(path, png, size, err, sizeof err);
-    free(png);
-    return saved ? RESULT_DONE : report_line(RESULT_HOST_FAILED, "%s", err);
+    png_write(pix, 16, 16, 16, colours, &png, &size);
+    return report_save_png(path, png, size);
 }
 
-/* Reads a list into a palette; the other banks of an existing one stay as they are. */
-static enum result import_list(const char *from, int bank, const char *out)
+/* Imports a list into a palette. Other banks of an existing palette don't change. */
+static enum result import_swatch(const char *from, int bank, const char *out)
 {
     uint8_t rgb[CART_PALETTE_SIZE], *text;
     struct swatch s;
     char err[FILES_ERR_SIZE];
     size_t n;
 
-    if (!files_read_text(from, from, SWATCH_FILE, &text, &n, err, sizeof err))
+    if (!files_read_text(from, from, SWATCH_MAX_FILE, &text, &n, err, sizeof err))
         return report_error(err);
     const bool good = swatch_read(&s, (const char *)text, n, from, files_has_suffix(from, ".gpl"), err, sizeof err);
     free(text);
@@ -86,8 +82,8 @@ static enum result import_list(const char *from, int bank, const char *out)
     return report_stdout(RESULT_DONE);
 }
 
-/* Writes a bank of a palette as a list. */
-static enum result export_list(const char *from, int bank, const char *out)
+/* Exports a bank of a palette as a list. */
+static enum result export_swatch(const char *from, int bank, const char *out)
 {
     uint8_t rgb[CART_PALETTE_SIZE];
     char text[SWATCH_TEXT], err[FILES_ERR_SIZE];
@@ -105,10 +101,10 @@ enum result art_run_palette(const char *from, int bank, const char *out)
                                            "-o FILE.hex to export one of its banks");
     if (bank < 0)
         return report_line(RESULT_REFUSED, "palette: expected --bank N, 0 to 15");
-    if (is_list(from) && files_has_suffix(out, ".png"))
-        return import_list(from, bank, out);
-    if (files_has_suffix(from, ".png") && is_list(out))
-        return export_list(from, bank, out);
+    if (is_swatch_file(from) && files_has_suffix(out, ".png"))
+        return import_swatch(from, bank, out);
+    if (files_has_suffix(from, ".png") && is_swatch_file(out))
+        return export_swatch(from, bank, out);
     return report_line(RESULT_REFUSED, "palette: expected a .hex or .gpl file and -o FILE.png, or a .png file and "
                                        "-o FILE.gpl or -o FILE.hex");
 }

@@ -30,7 +30,7 @@ static bool read_hex(const char *p, size_t n, uint8_t rgb[3])
     return n == 6;
 }
 
-/* Three numbers; a name may follow. */
+/* Reads three numbers; a name may follow. */
 static bool read_rgb(const char *p, size_t n, uint8_t rgb[3])
 {
     for (int c = 0; c < 3; c++) {
@@ -46,18 +46,17 @@ static bool read_rgb(const char *p, size_t n, uint8_t rgb[3])
     return n == 0 || *p == ' ' || *p == '\t';
 }
 
-static bool begins(const char *p, size_t n, const char *word)
+static bool starts_with(const char *p, size_t n, const char *word)
 {
     return n >= strlen(word) && memcmp(p, word, strlen(word)) == 0;
 }
 
-/* True for a line without a colour. */
-static bool is_other(const char *p, size_t n, int line, bool gpl)
+static bool has_no_colour(const char *p, size_t n, int line, bool gpl)
 {
     if (n == 0)
         return true;
-    return gpl &&
-           (line == 1 || *p == '#' || begins(p, n, "Name:") || begins(p, n, "Columns:") || begins(p, n, "Channels:"));
+    return gpl && (line == 1 || *p == '#' || starts_with(p, n, "Name:") || starts_with(p, n, "Columns:") ||
+                   starts_with(p, n, "Channels:"));
 }
 
 static bool add_line(struct swatch *s, const char *p, size_t n, const char *file, int line, bool gpl, char *err,
@@ -67,14 +66,14 @@ static bool add_line(struct swatch *s, const char *p, size_t n, const char *file
 
     if (gpl && line == 1 && (n != strlen("GIMP Palette") || memcmp(p, "GIMP Palette", n) != 0))
         return err_set(err, err_size, "%s:1: expected \"GIMP Palette\"", file);
-    if (is_other(p, n, line, gpl))
+    if (has_no_colour(p, n, line, gpl))
         return true;
     if (!(gpl ? read_rgb(p, n, rgb) : read_hex(p, n, rgb)))
         return err_set(err, err_size, "%s:%d: expected %s, got \"%.*s\"", file, line,
                        gpl ? "red, green and blue from 0 to 255" : "a colour of six hexadecimal digits",
                        (int)(n < 40 ? n : 40), p);
-    if (s->n == SWATCH_MOST)
-        return err_set(err, err_size, "%s:%d: more than %d colours (15 per bank)", file, line, SWATCH_MOST);
+    if (s->n == SWATCH_MAX_COLOURS)
+        return err_set(err, err_size, "%s:%d: more than %d colours (15 per bank)", file, line, SWATCH_MAX_COLOURS);
     memcpy(s->rgb[s->n++], rgb, 3);
     return true;
 }
@@ -85,12 +84,12 @@ bool swatch_read(struct swatch *s, const char *text, size_t n, const char *file,
 
     s->n = 0;
     for (const char *p = text, *end = text + n; p < end; line++) {
-        const char *to = memchr(p, '\n', (size_t)(end - p)), *from = p;
-        size_t size = (size_t)((to ? to : end) - p);
+        const char *line_end = memchr(p, '\n', (size_t)(end - p)), *from = p;
+        size_t size = (size_t)((line_end ? line_end : end) - p);
         trim(&from, &size);
         if (!add_line(s, from, size, file, line, gpl, err, err_size))
             return false;
-        p = to ? to + 1 : end;
+        p = line_end ? line_end + 1 : end;
     }
     return s->n > 0 || err_set(err, err_size, "%s: no colours", file);
 }

@@ -1,6 +1,6 @@
 /*
- * bench.c - see bench.h. It plays the demo or the section of the command line; otherwise every demo of the game, and
- * then each stage and phase that no demo reached, with an invincible ship that flies from side to side.
+ * bench.c - see bench.h. Plays the demo or the section of the command line; otherwise every demo of the game, and then
+ * each stage and phase that no demo reached, with an invincible ship that flies from side to side.
  */
 #include "bench.h"
 
@@ -89,7 +89,7 @@ static struct measure_run section_run(const struct work *w, const char *id, enum
     return run;
 }
 
-static enum result one_run(struct work *w, const struct measure_run *run)
+static enum result measure_one(struct work *w, const struct measure_run *run)
 {
     measure_plan(&w->measure, run);
     return measure_add(&w->measure, run);
@@ -110,31 +110,31 @@ static enum result play_demos(struct work *w)
     return result;
 }
 
-static bool is_unseen(const struct work *w, const struct section *s)
+static bool is_unvisited(const struct work *w, const struct section *s)
 {
     return (s->kind == SECTION_STAGE || s->kind == SECTION_PHASE) && !measure_has(&w->measure, s->id);
 }
 
-/* A stage contains its bosses, so is_unseen is checked again before each section. */
+/* A stage contains its bosses, so is_unvisited is checked before each section. */
 static enum result play_sections(struct work *w)
 {
     enum result result = RESULT_DONE;
 
     sections_list(&w->sections, w->b->cart->rom, &w->b->start, false);
     for (int i = 0; i < w->sections.n && result == RESULT_DONE; i++)
-        if (is_unseen(w, &w->sections.section[i])) {
+        if (is_unvisited(w, &w->sections.section[i])) {
             const struct section *s = &w->sections.section[i];
             const struct measure_run run = section_run(w, s->id, s->kind);
-            result = one_run(w, &run);
+            result = measure_one(w, &run);
         }
     return result;
 }
 
-static enum result play_start(struct work *w)
+static enum result play_from_start(struct work *w)
 {
-    const struct measure_run run = { .name = "start", .start = w->b->start, .most = START_FRAMES };
+    const struct measure_run run = { .name = "start", .start = w->b->start, .max_frames = START_FRAMES };
 
-    return one_run(w, &run);
+    return measure_one(w, &run);
 }
 
 static enum result play(struct work *w)
@@ -144,15 +144,15 @@ static enum result play(struct work *w)
 
     if (b->demo) {
         const struct measure_run run = demo_run(b->demo, b->demo_name);
-        return one_run(w, &run);
+        return measure_one(w, &run);
     }
     if (section[0]) {
         const struct measure_run run = section_run(w, section, strchr(section, '/') ? SECTION_PHASE : SECTION_STAGE);
-        return one_run(w, &run);
+        return measure_one(w, &run);
     }
-    enum result result = b->own_start ? RESULT_DONE : play_demos(w);
+    enum result result = b->custom_start ? RESULT_DONE : play_demos(w);
     result = result == RESULT_DONE ? play_sections(w) : result;
-    return result == RESULT_DONE && w->measure.runs == 0 ? play_start(w) : result;
+    return result == RESULT_DONE && w->measure.runs == 0 ? play_from_start(w) : result;
 }
 
 static enum result bench_run(const struct bench *b)
@@ -201,7 +201,7 @@ enum result bench_command(const struct args *a)
                                  .start = g->start,
                                  .demo = g->has_demo ? &g->demo : NULL,
                                  .demo_name = a->demo,
-                                 .own_start = a->seeded || a->n_dips || a->difficulty || a->lang,
+                                 .custom_start = a->seeded || a->n_dips || a->difficulty || a->lang,
                                  .slower = a->machine,
                                  .json = a->json };
         result = bench_run(&b);

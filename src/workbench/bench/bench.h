@@ -17,8 +17,8 @@ struct bench {
     struct board_start start; /* of runs without a demo; if it has a section, only that is played */
     const struct demo *demo;  /* the only run; NULL: the game's demos are played */
     const char *demo_name;
-    bool own_start; /* the command line changes the start: demos, which have their own, are not played */
-    int slower;     /* shares of a frame are those of a machine that is this many times slower */
+    bool custom_start; /* the command line changes the start, so demos, which have their own start, are not played */
+    int slower;        /* shares of a frame are for a machine this many times slower */
     bool json;
 };
 

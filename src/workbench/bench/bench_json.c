@@ -11,7 +11,7 @@
 
 enum { NANO = 1000 /* in a microsecond */, LINES = 100, TEXT = 160 };
 
-static int64_t each(uint64_t usec, uint32_t frames)
+static int64_t nsec_per_frame(uint64_t usec, uint32_t frames)
 {
     return frames ? (int64_t)(usec * NANO / frames) : 0;
 }
@@ -22,16 +22,16 @@ static void put_section(struct json *j, const struct bench *b, const char *key, 
     if (!key)
         json_text(j, "name", s->name[0] ? s->name : NULL);
     json_number(j, "frames", s->frames);
-    json_number(j, "tick", each(s->tick, s->frames));
-    json_number(j, "draw", each(s->draw, s->frames));
-    json_number(j, "sound", each(s->sound, s->frames));
-    json_number(j, "mean", each(s->tick + s->draw + s->sound, s->frames));
-    json_number(j, "p99", (int64_t)measure_most(s, 99) * NANO);
+    json_number(j, "tick", nsec_per_frame(s->tick, s->frames));
+    json_number(j, "draw", nsec_per_frame(s->draw, s->frames));
+    json_number(j, "sound", nsec_per_frame(s->sound, s->frames));
+    json_number(j, "mean", nsec_per_frame(s->tick + s->draw + s->sound, s->frames));
+    json_number(j, "p99", (int64_t)measure_percentile(s, 99) * NANO);
     json_number(j, "worst", (int64_t)s->worst * NANO);
-    json_number(j, "late", measure_over(s, (uint64_t)(MEASURE_FRAME / b->slower)));
+    json_number(j, "late", measure_count_over(s, (uint64_t)(MEASURE_FRAME_USEC / b->slower)));
     json_number(j, "lua", (int64_t)s->lua);
-    json_text(j, "worst_run", s->in);
-    json_number(j, "worst_frame", s->at);
+    json_text(j, "worst_run", s->worst_run);
+    json_number(j, "worst_frame", s->worst_frame);
     json_close(j, '}');
 }
 
@@ -54,7 +54,7 @@ static void put_phases(struct json *j, const struct measure *m)
 
     json_open(j, "phases", '{');
     for (int i = 0; i < PHASES; i++)
-        json_number(j, names[i], each(m->all.phase[i], m->all.frames));
+        json_number(j, names[i], nsec_per_frame(m->all.phase[i], m->all.frames));
     json_close(j, '}');
 }
 
@@ -62,7 +62,7 @@ static void put_line(struct json *j, const struct measure *m, const struct profi
 {
     char text[TEXT];
 
-    bench_text(m, line->location, text, sizeof text);
+    bench_line_text(m, line->location, text, sizeof text);
     json_open(j, NULL, '{');
     json_text(j, "line", line->location);
     json_text(j, "text", text);
@@ -77,7 +77,7 @@ static void put_line(struct json *j, const struct measure *m, const struct profi
 static void put_lines(struct json *j, const struct measure *m)
 {
     const struct profile_line *line[LINES];
-    const int n = bench_lines(m, line, LINES);
+    const int n = bench_top_lines(m, line, LINES);
 
     json_number(j, "work", (int64_t)profile_work(&m->profile.total));
     json_open(j, "lines", '[');
@@ -88,19 +88,19 @@ static void put_lines(struct json *j, const struct measure *m)
 
 static void put_capacities(struct json *j, const struct measure *m)
 {
-    struct capacity room[CAPACITIES];
-    const int n = capacities_measure(m, room);
+    struct capacity list[CAPACITIES];
+    const int n = capacities_measure(m, list);
 
     json_number(j, "ram", (int64_t)board_ram_needed(m->cart));
     json_open(j, "rooms", '[');
     for (int i = 0; i < n; i++) {
         json_open(j, NULL, '{');
-        json_text(j, "name", room[i].name);
-        json_number(j, "asked", room[i].asked);
-        json_number(j, "most", room[i].most);
-        json_number(j, "refused", room[i].refused);
-        json_number(j, "would_do", room[i].would_do);
-        json_number(j, "saves", (int64_t)room[i].saves);
+        json_text(j, "name", list[i].name);
+        json_number(j, "asked", list[i].limit);
+        json_number(j, "most", list[i].peak);
+        json_number(j, "refused", list[i].refused);
+        json_number(j, "would_do", list[i].enough);
+        json_number(j, "saves", (int64_t)list[i].saves);
         json_close(j, '}');
     }
     json_close(j, ']');

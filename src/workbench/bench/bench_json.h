@@ -7,7 +7,7 @@
 #include "bench.h"
 #include "measure.h"
 
-/* One object on one line of standard output. Times are nanoseconds, of a frame; work as profile_work has it. */
+/* Prints one object on one line of standard output. Times are nanoseconds per frame; work is that of profile_work. */
 void bench_json(const struct bench *b, const struct measure *m);
 
 #endif

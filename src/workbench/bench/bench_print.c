@@ -12,10 +12,10 @@
 #include "../../common/report.h"
 
 enum {
-    NAME_LEAST = 10, /* columns of a section's name */
-    NAME_MOST = 24,
-    TEXT = 44,       /* columns of a line's text */
-    WORTH = 16 << 10 /* bytes; smaller savings are not mentioned */
+    MIN_NAME_WIDTH = 10, /* columns of a section's name */
+    MAX_NAME_WIDTH = 24,
+    TEXT_WIDTH = 44,      /* columns of a line's text */
+    MIN_SAVING = 16 << 10 /* bytes; smaller savings are not mentioned */
 };
 
 static const char outside[] = "(outside)";
@@ -27,11 +27,11 @@ static double ms(uint64_t usec, uint32_t frames)
 
 static int percent(double usec, const struct bench *b)
 {
-    return (int)(100 * usec * b->slower / MEASURE_FRAME + 0.5);
+    return (int)(100 * usec * b->slower / MEASURE_FRAME_USEC + 0.5);
 }
 
-/* 19200 as "19,200". */
-static const char *grouped(char text[32], uint64_t n)
+/* Formats 19200 as "19,200". */
+static const char *group_digits(char text[32], uint64_t n)
 {
     char digits[24];
     int len = snprintf(digits, sizeof digits, "%llu", (unsigned long long)n), at = 0;
@@ -49,16 +49,16 @@ static const char *grouped(char text[32], uint64_t n)
 
 static int name_width(const struct measure *m)
 {
-    int width = NAME_LEAST;
+    int width = MIN_NAME_WIDTH;
 
     for (int i = 0; i < m->n; i++) {
         const int n = (int)strlen(m->section[i].name);
         width = n > width ? n : width;
     }
-    return width < NAME_MOST ? width : NAME_MOST;
+    return width < MAX_NAME_WIDTH ? width : MAX_NAME_WIDTH;
 }
 
-static void print_head(const struct bench *b, int width)
+static void print_heading(const struct bench *b, int width)
 {
     char share[32] = "% of a frame";
 
@@ -78,18 +78,18 @@ static void print_section(const struct bench *b, const struct measure_section *s
         return;
     report_print("%-*.*s %7u %6llu %6.3f %6.3f %6.3f %6.3f %6.3f %6.3f %4d%% %5d%%", width, width, name,
                  (unsigned)s->frames, (unsigned long long)(s->lua / s->frames), ms(s->tick, s->frames),
-                 ms(s->draw, s->frames), ms(s->sound, s->frames), ms(all, s->frames), ms(measure_most(s, 99), 1),
+                 ms(s->draw, s->frames), ms(s->sound, s->frames), ms(all, s->frames), ms(measure_percentile(s, 99), 1),
                  ms(s->worst, 1), percent((double)all / s->frames, b), percent((double)s->worst, b));
     if (b->slower > 1)
-        report_print(" %6u", (unsigned)measure_over(s, (uint64_t)(MEASURE_FRAME / b->slower)));
-    report_print("  %u of %s\n", (unsigned)s->at, s->in);
+        report_print(" %6u", (unsigned)measure_count_over(s, (uint64_t)(MEASURE_FRAME_USEC / b->slower)));
+    report_print("  %u of %s\n", (unsigned)s->worst_frame, s->worst_run);
 }
 
 static void print_sections(const struct bench *b, const struct measure *m)
 {
     const int width = name_width(m);
 
-    print_head(b, width);
+    print_heading(b, width);
     for (int i = 1; i < m->n; i++)
         print_section(b, &m->section[i], m->section[i].name, width);
     print_section(b, &m->section[0], outside, width);
@@ -115,23 +115,23 @@ static void print_phases(const struct measure *m)
     report_print(".\n");
 }
 
-static double times(uint32_t usec)
+static double slowdown(uint32_t usec)
 {
-    return (double)MEASURE_FRAME / (usec ? usec : 1);
+    return (double)MEASURE_FRAME_USEC / (usec ? usec : 1);
 }
 
 static void print_verdict(const struct bench *b, const struct measure *m)
 {
-    const uint32_t late = measure_over(&m->all, (uint64_t)(MEASURE_FRAME / b->slower));
-    const uint32_t most = measure_most(&m->all, 99);
+    const uint32_t late = measure_count_over(&m->all, (uint64_t)(MEASURE_FRAME_USEC / b->slower));
+    const uint32_t p99 = measure_percentile(&m->all, 99);
     char text[32];
 
     report_print("On a machine %.1f times slower than this one, 99 %% of the frames would be on time at 60 frames per "
                  "second;\non a machine %.1f times slower, all of them.",
-                 times(most), times(m->all.worst));
+                 slowdown(p99), slowdown(m->all.worst));
     if (b->slower > 1 && late)
         report_print(" On a machine %d times slower, %s frame%s would be late (%.2f %%).", b->slower,
-                     grouped(text, late), late == 1 ? "" : "s", 100.0 * late / m->all.frames);
+                     group_digits(text, late), late == 1 ? "" : "s", 100.0 * late / m->all.frames);
     else if (b->slower > 1)
         report_print(" On a machine %d times slower, no frame would be late.", b->slower);
     report_print("\n");
@@ -147,7 +147,7 @@ static int by_work(const void *a, const void *b)
     return v != w ? (v < w ? 1 : -1) : strcmp(x->location, y->location);
 }
 
-int bench_lines(const struct measure *m, const struct profile_line *out[], int n)
+int bench_top_lines(const struct measure *m, const struct profile_line *out[], int n)
 {
     const struct profile_line **all = malloc(PROFILE_CAPACITY * sizeof *all);
     int found = 0;
@@ -164,7 +164,7 @@ int bench_lines(const struct measure *m, const struct profile_line *out[], int n
     return found;
 }
 
-void bench_text(const struct measure *m, const char *place, char *text, size_t size)
+void bench_line_text(const struct measure *m, const char *place, char *text, size_t size)
 {
     const char *colon = strrchr(place, ':'), *from, *end;
     char name[PROFILE_LOCATION_SIZE];
@@ -192,7 +192,7 @@ void bench_text(const struct measure *m, const char *place, char *text, size_t s
     clean_line(text);
 }
 
-static int part_of(uint64_t part, uint64_t all)
+static int percent_of(uint64_t part, uint64_t all)
 {
     return all ? (int)((100 * part + all / 2) / all) : 0;
 }
@@ -200,18 +200,18 @@ static int part_of(uint64_t part, uint64_t all)
 static void print_line(const struct measure *m, const struct profile_line *line)
 {
     const uint64_t work = profile_work(line), all = profile_work(&m->profile.total);
-    char text[TEXT + 1];
+    char text[TEXT_WIDTH + 1];
 
-    bench_text(m, line->location, text, sizeof text);
+    bench_line_text(m, line->location, text, sizeof text);
     report_print("%6.1f %% %8.1f %5d %% %5d %%   %-24s %s\n", 100.0 * (double)work / (double)all,
-                 (double)work / m->all.frames, part_of(line->call_work, work),
-                 part_of(line->library_instructions, work), line->location, text);
+                 (double)work / m->all.frames, percent_of(line->call_work, work),
+                 percent_of(line->library_instructions, work), line->location, text);
 }
 
 static void print_lines(const struct measure *m)
 {
     const struct profile_line *line[BENCH_LINES];
-    const int n = bench_lines(m, line, BENCH_LINES);
+    const int n = bench_top_lines(m, line, BENCH_LINES);
     const uint64_t work = profile_work(&m->profile.total);
     char text[32];
 
@@ -219,7 +219,7 @@ static void print_lines(const struct measure *m)
         return;
     report_print("\nScripts use %s units of work per frame: a Lua instruction is one unit, an API call 100 or "
                  "more.\nThe most expensive lines:\n\n",
-                 grouped(text, work / m->all.frames));
+                 group_digits(text, work / m->all.frames));
     report_print("%8s %8s %7s %7s   %s\n", "share", "per frame", "in API", "in @std", "line");
     for (int i = 0; i < n; i++)
         print_line(m, line[i]);
@@ -229,10 +229,10 @@ static void print_lines(const struct measure *m)
 
 static void print_capacity(const struct capacity *r)
 {
-    report_print("%-20s %8lld %8lld %6d %%", r->name, (long long)r->asked, (long long)r->most,
-                 (int)(100 * r->most / r->asked));
-    if (r->saves >= WORTH)
-        report_print(" %9lld %7llu KiB", (long long)r->would_do, (unsigned long long)r->saves / 1024);
+    report_print("%-20s %8lld %8lld %6d %%", r->name, (long long)r->limit, (long long)r->peak,
+                 (int)(100 * r->peak / r->limit));
+    if (r->saves >= MIN_SAVING)
+        report_print(" %9lld %7llu KiB", (long long)r->enough, (unsigned long long)r->saves / 1024);
     if (r->refused)
         report_print("   full: rejected %u times", (unsigned)r->refused);
     report_print("\n");
@@ -240,17 +240,18 @@ static void print_capacity(const struct capacity *r)
 
 static void print_capacities(const struct measure *m)
 {
-    struct capacity room[CAPACITIES];
-    const int n = capacities_measure(m, room);
-    const uint64_t saved = capacities_save(m, room, n);
+    struct capacity list[CAPACITIES];
+    const int n = capacities_measure(m, list);
+    const uint64_t saved = capacities_saved(m, list, n);
     char ram[32], less[32];
 
     report_print("\n%-20s %8s %8s %8s %9s %11s\n", "capacity", "limit", "peak", "used", "enough", "saves");
     for (int i = 0; i < n; i++)
-        print_capacity(&room[i]);
-    report_print("\nThe board uses %s KiB of RAM", grouped(ram, board_ram_needed(m->cart) / 1024));
-    if (saved >= WORTH)
-        report_print("; %s KiB less with capacities that are just enough for these runs", grouped(less, saved / 1024));
+        print_capacity(&list[i]);
+    report_print("\nThe board uses %s KiB of RAM", group_digits(ram, board_ram_needed(m->cart) / 1024));
+    if (saved >= MIN_SAVING)
+        report_print("; %s KiB less with capacities that are just enough for these runs",
+                     group_digits(less, saved / 1024));
     report_print(".\n");
 }
 
@@ -261,10 +262,10 @@ static void print_ram(const struct measure *m)
     const int n = ram_parts(m->cart, part, &sum);
     char kib[32];
 
-    report_print("With its picture and sound, the game uses %s KiB:\n\n", grouped(kib, (sum + 1023) / 1024));
+    report_print("With its picture and sound, the game uses %s KiB:\n\n", group_digits(kib, (sum + 1023) / 1024));
     for (int i = 0; i < n; i++)
-        report_print("%-20s %8s KiB %5d %%\n", part[i].name, grouped(kib, part[i].bytes / 1024),
-                     part_of(part[i].bytes, sum));
+        report_print("%-20s %8s KiB %5d %%\n", part[i].name, group_digits(kib, part[i].bytes / 1024),
+                     percent_of(part[i].bytes, sum));
 }
 
 void bench_print(const struct bench *b, const struct measure *m)
@@ -272,7 +273,7 @@ void bench_print(const struct bench *b, const struct measure *m)
     char frames[32];
 
     report_print("%s: %s frames from %d run%s, each timed %d times; at 60 frames per second a frame lasts 16.67 ms\n\n",
-                 b->path, grouped(frames, m->all.frames), m->runs, m->runs == 1 ? "" : "s", MEASURE_ROUNDS);
+                 b->path, group_digits(frames, m->all.frames), m->runs, m->runs == 1 ? "" : "s", MEASURE_ROUNDS);
     print_sections(b, m);
     print_phases(m);
     print_verdict(b, m);

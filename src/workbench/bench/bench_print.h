@@ -13,9 +13,9 @@ enum { BENCH_LINES = 10 };
 void bench_print(const struct bench *b, const struct measure *m);
 
 /* Stores the most expensive lines of Lua, at most n, the most expensive first; returns how many. */
-int bench_lines(const struct measure *m, const struct profile_line *out[], int n);
+int bench_top_lines(const struct measure *m, const struct profile_line *out[], int n);
 
-/* Writes the text of a line ("stages/one.lua:42") without blanks at both ends, cut to fit; "": not known. */
-void bench_text(const struct measure *m, const char *place, char *text, size_t size);
+/* Writes the source text of a line ("stages/one.lua:42"), trimmed and cut to fit; "" if the line is unknown. */
+void bench_line_text(const struct measure *m, const char *place, char *text, size_t size);
 
 #endif

@@ -12,16 +12,16 @@
 #include "../../entities/motion.h"
 #include "ram.h"
 
-enum { SPARE = 4 /* a suggestion is 1/SPARE larger than the peak */, POOL = 64, LIST = 16 };
+enum { HEADROOM = 4 /* a suggestion is 1/HEADROOM larger than the peak */, POOL = 64, LIST = 16 };
 
 #define BOARD(field) offsetof(struct manifest, field)
 
 static const struct {
     const char *name;
-    size_t offset; /* of the manifest's number */
-    const char *part;
-    int each;    /* units of rom.lua in a slot of the part */
-    int rounded; /* to a multiple of this: pools come in blocks */
+    size_t offset;      /* of the number in struct manifest */
+    const char *part;   /* of inspect_gauges */
+    int units_per_slot; /* units of rom.lua in a slot of the part */
+    int multiple;       /* of the limit: pools are allocated in blocks */
 } table[CAPACITIES] = {
     { "board.bullets", BOARD(bullets), "bullets", 1, POOL },
     { "board.shots", BOARD(shots), "shots", 1, POOL },
@@ -40,11 +40,11 @@ static const struct {
     { "board.lua_kib", BOARD(lua_kib), NULL, 1, 1 },
 };
 
-static struct inspect_gauge gauge(const struct measure *m, const char *part)
+static struct inspect_gauge find_gauge(const struct measure *m, const char *part)
 {
     for (int i = 0; i < m->parts; i++)
-        if (strcmp(m->most[i].name, part) == 0)
-            return m->most[i];
+        if (strcmp(m->peak[i].name, part) == 0)
+            return m->peak[i];
     return (struct inspect_gauge){ 0 };
 }
 
@@ -53,42 +53,42 @@ static int64_t rounded_up(int64_t n, int64_t to)
     return (n + to - 1) / to * to;
 }
 
-/* rom.lua has one number for programs and their steps. */
-static void measure_motions(const struct measure *m, struct capacity *r, int64_t *enough)
+/* In rom.lua, one number limits both programs and their steps. */
+static void add_motion_steps(const struct measure *m, struct capacity *r, int64_t *enough)
 {
-    const struct inspect_gauge steps = gauge(m, "steps");
+    const struct inspect_gauge steps = find_gauge(m, "steps");
 
-    r->most = int64_max(r->most, rounded_up(steps.live, MOTION_STEPS_PER_PROGRAM) / MOTION_STEPS_PER_PROGRAM);
+    r->peak = int64_max(r->peak, rounded_up(steps.live, MOTION_STEPS_PER_PROGRAM) / MOTION_STEPS_PER_PROGRAM);
     r->refused += steps.refused;
-    *enough = r->most;
+    *enough = r->peak;
 }
 
 static void measure_capacity(const struct measure *m, int i, struct capacity *r)
 {
-    int64_t enough, spared;
+    int64_t enough, suggested;
 
     if (table[i].part) {
-        const struct inspect_gauge g = gauge(m, table[i].part);
-        r->most = (int64_t)g.live * table[i].each;
+        const struct inspect_gauge g = find_gauge(m, table[i].part);
+        r->peak = (int64_t)g.live * table[i].units_per_slot;
         r->refused = g.refused;
-        enough = (int64_t)g.high * table[i].each;
+        enough = (int64_t)g.high * table[i].units_per_slot;
         if (strcmp(table[i].part, "motions") == 0)
-            measure_motions(m, r, &enough);
+            add_motion_steps(m, r, &enough);
         /* never 0, which disables the functions of the part */
-        spared = rounded_up(int64_max(1, int64_max(enough, r->most + r->most / SPARE)), table[i].rounded);
+        suggested = rounded_up(int64_max(1, int64_max(enough, r->peak + r->peak / HEADROOM)), table[i].multiple);
     } else {
-        r->most = (int64_t)(m->lua_peak + 1023) / 1024;
-        spared = ram_enough_lua_kib(m->lua_peak);
+        r->peak = (int64_t)(m->lua_peak + 1023) / 1024;
+        suggested = ram_enough_lua_kib(m->lua_peak);
     }
-    r->would_do = r->refused || spared > r->asked ? r->asked : spared;
+    r->enough = r->refused || suggested > r->limit ? r->limit : suggested;
 }
 
-static uint64_t saved(const struct measure *m, const struct capacity *room, int n)
+static uint64_t saved_bytes(const struct measure *m, const struct capacity *list, int n)
 {
     struct cart less = *m->cart;
 
     for (int i = 0; i < n; i++)
-        memcpy((char *)&less.manifest + room[i].offset, &(int32_t){ (int32_t)room[i].would_do }, sizeof(int32_t));
+        memcpy((char *)&less.manifest + list[i].offset, &(int32_t){ (int32_t)list[i].enough }, sizeof(int32_t));
     return board_ram_needed(m->cart) - board_ram_needed(&less);
 }
 
@@ -97,19 +97,19 @@ int capacities_measure(const struct measure *m, struct capacity out[CAPACITIES])
     int n = 0;
 
     for (int i = 0; i < CAPACITIES; i++) {
-        int32_t asked;
-        memcpy(&asked, (const char *)&m->cart->manifest + table[i].offset, sizeof asked);
-        if (asked == 0)
+        int32_t limit;
+        memcpy(&limit, (const char *)&m->cart->manifest + table[i].offset, sizeof limit);
+        if (limit == 0)
             continue;
-        out[n] = (struct capacity){ .name = table[i].name, .offset = table[i].offset, .asked = asked };
+        out[n] = (struct capacity){ .name = table[i].name, .offset = table[i].offset, .limit = limit };
         measure_capacity(m, i, &out[n]);
-        out[n].saves = saved(m, &out[n], 1);
+        out[n].saves = saved_bytes(m, &out[n], 1);
         n++;
     }
     return n;
 }
 
-uint64_t capacities_save(const struct measure *m, const struct capacity *room, int n)
+uint64_t capacities_saved(const struct measure *m, const struct capacity *list, int n)
 {
-    return saved(m, room, n);
+    return saved_bytes(m, list, n);
 }

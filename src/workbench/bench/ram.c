@@ -1,6 +1,6 @@
 /*
- * ram.c - see ram.h. The RAM for a capacity is what the board needs less when the capacity is 0. Capacities depend on
- * each other, so they are set to 0 one after the other: then the parts add up.
+ * ram.c - see ram.h. The RAM for a capacity is how much less the board needs when the capacity is 0. Capacities depend
+ * on each other, so they are set to 0 one after the other and the parts add up.
  */
 #include "ram.h"
 
@@ -10,7 +10,7 @@
 #include "../../../fb/fb.h"
 #include "../../board/board.h"
 
-enum { KIB = 1024, LUA_STEP = 64 /* KiB */, LUA_LEAST = 256, LUA_MOST = 262144 /* as in manifest_numbers */ };
+enum { KIB = 1024, LUA_STEP = 64 /* KiB */, MIN_LUA_KIB = 256, MAX_LUA_KIB = 262144 /* as in manifest_numbers */ };
 
 static int largest_first(const void *a, const void *b)
 {
@@ -26,8 +26,8 @@ static void add(struct ram_part out[RAM_MAX_PARTS], int *n, const char *name, ui
         out[(*n)++] = (struct ram_part){ name, bytes };
 }
 
-/* Returns the name of a capacity in `board`, or NULL if the number is none. The columns that flags and values add to a
- * pool belong to the pool's capacity. */
+/* Returns the name of a capacity in `board`, or NULL for any other number. The columns that flags and values add to a
+ * pool are counted for the pool. */
 static const char *capacity_name(const struct manifest_number *number)
 {
     static const char board[] = "board.";
@@ -79,5 +79,5 @@ int32_t ram_enough_lua_kib(size_t peak)
 {
     const size_t kib = (peak + KIB - 1) / KIB, enough = (kib + kib * 3 / 4 + LUA_STEP - 1) / LUA_STEP * LUA_STEP;
 
-    return (int32_t)(enough < LUA_LEAST ? LUA_LEAST : enough > LUA_MOST ? LUA_MOST : enough);
+    return (int32_t)(enough < MIN_LUA_KIB ? MIN_LUA_KIB : enough > MAX_LUA_KIB ? MAX_LUA_KIB : enough);
 }

@@ -5,12 +5,12 @@
 
 #include <string.h>
 
-enum { ONE_WAY = 40 /* frames a ship flies one way */ };
+enum { FRAMES_PER_DIRECTION = 40 };
 
 void sweep_pads(uint32_t frame, uint16_t pads[MAX_PLAYERS])
 {
     memset(pads, 0, MAX_PLAYERS * sizeof *pads);
-    pads[0] = PAD_FIRE | (frame / ONE_WAY % 2 ? PAD_RIGHT : PAD_LEFT);
+    pads[0] = PAD_FIRE | (frame / FRAMES_PER_DIRECTION % 2 ? PAD_RIGHT : PAD_LEFT);
 }
 
 bool sweep_over(enum section_kind kind, const struct board_out *out)

@@ -1,8 +1,8 @@
 /*
  * as_lua.c - see as_lua.h. The script has a function for each element that is used by its label, in the tables actions,
- * fires and bullets, and follows the document with one or two lines per element. `s` runs a list of commands; it has
- * the thing and the last shot. Functions inside functions have s2, shot2 and so on. A bullet has a motion program if
- * one can express its actions, and otherwise a task.
+ * fires and bullets, and follows the document with one or two lines per element. `s` is the state of a list of
+ * commands; it contains the entity and the last shot. Nested functions use s2, shot2 and so on. A bullet has a motion
+ * program if one can express its actions, and otherwise a task.
  */
 #include "as_lua.h"
 
@@ -12,13 +12,13 @@
 #include <string.h>
 #include "as_lua_parts.h"
 
-/* Adds text, and a whole or started line of it, in its place. */
+/* PUT appends text; LINE starts an indented line. */
 #define PUT(w, ...)          byte_buffer_print(&(w)->body, __VA_ARGS__)
 #define LINE(w, format, ...) PUT(w, "%*s" format, 2 * (w)->indent, "", __VA_ARGS__)
 
 /* ---- names ---- */
 
-static bool is_word(const char *s)
+static bool is_identifier(const char *s)
 {
     static const char *const keywords[] = { "and",      "break",  "do",   "else", "elseif", "end",  "false", "for",
                                             "function", "goto",   "if",   "in",   "local",  "nil",  "not",   "or",
@@ -41,11 +41,11 @@ static void put_string(struct byte_buffer *t, const char *s)
     byte_buffer_print(t, "\"");
 }
 
-/* "actions.ring", "bullets["two words"]" */
+/* Writes the function of a label: actions.ring, bullets["two words"]. */
 static void put_name(struct lua_writer *w, enum document_element element, const char *label)
 {
     PUT(w, element == NODE_ACTION ? "actions" : element == NODE_FIRE ? "fires" : "bullets");
-    if (is_word(label)) {
+    if (is_identifier(label)) {
         PUT(w, ".%s", label);
         return;
     }
@@ -67,7 +67,7 @@ static void put_direction(struct lua_writer *w, const struct document_node *v)
 {
     static const char *const names[] = { "aimed", "aimed", "straight", "turned", "next_dir" };
 
-    PUT(w, "%s(s%s, ", names[v->type], w->own);
+    PUT(w, "%s(s%s, ", names[v->type], w->suffix);
     as_lua_value(&w->body, v, v->type == NODE_ABSOLUTE ? as_lua_up(w->d) : 0, false);
     PUT(w, ")");
 }
@@ -76,12 +76,12 @@ static void put_speed(struct lua_writer *w, const struct document_node *v)
 {
     static const char *const names[] = { "plain", "plain", "plain", "faster", "next_speed" };
 
-    PUT(w, "%s(s%s, ", names[v->type], w->own);
+    PUT(w, "%s(s%s, ", names[v->type], w->suffix);
     as_lua_value(&w->body, v, 0, false);
     PUT(w, ")");
 }
 
-/* The end of a change, turn_to(s, ..., term). */
+/* Writes the end of a change: the term in turn_to(s, ..., term). */
 static void put_term(struct lua_writer *w, int32_t node)
 {
     PUT(w, ", ");
@@ -94,7 +94,7 @@ static void put_change(struct lua_writer *w, int32_t node, enum document_element
     const struct document_node *v = child(w, node, element);
     const bool sequence = v->type == NODE_SEQUENCE;
 
-    LINE(w, "%s_%s(s%s, ", element == NODE_SPEED ? "speed" : "turn", sequence ? "on" : "to", w->own);
+    LINE(w, "%s_%s(s%s, ", element == NODE_SPEED ? "speed" : "turn", sequence ? "on" : "to", w->suffix);
     if (sequence)
         as_lua_value(&w->body, v, 0, false);
     else
@@ -102,18 +102,18 @@ static void put_change(struct lua_writer *w, int32_t node, enum document_element
     put_term(w, node);
 }
 
-/* In a horizontal document `vertical` leads to the right, and `horizontal` upwards. */
-static void put_push(struct lua_writer *w, int32_t node, enum document_element element)
+/* Writes an accel on one axis. In a horizontal document, `vertical` points to the right, and `horizontal` up. */
+static void put_accel(struct lua_writer *w, int32_t node, enum document_element element)
 {
     const struct document_node *v = child(w, node, element);
-    const bool x = (element == NODE_HORIZONTAL) != w->d->horizontal, back = w->d->horizontal && !x;
+    const bool x = (element == NODE_HORIZONTAL) != w->d->horizontal, negated = w->d->horizontal && !x;
 
     if (!v)
         return;
-    LINE(w, "push_%s(s%s, \"%s\", %s", v->type == NODE_RELATIVE || v->type == NODE_SEQUENCE ? "on" : "to", w->own,
-         x ? "x" : "y", back ? "-(" : "");
-    as_lua_value(&w->body, v, 0, v->type == NODE_SEQUENCE && !back);
-    PUT(w, back ? ")" : "");
+    LINE(w, "push_%s(s%s, \"%s\", %s", v->type == NODE_RELATIVE || v->type == NODE_SEQUENCE ? "on" : "to", w->suffix,
+         x ? "x" : "y", negated ? "-(" : "");
+    as_lua_value(&w->body, v, 0, v->type == NODE_SEQUENCE && !negated);
+    PUT(w, negated ? ")" : "");
     if (v->type == NODE_SEQUENCE) {
         PUT(w, " * ");
         as_lua_count(&w->body, child(w, node, NODE_TERM), 1);
@@ -125,7 +125,7 @@ static void put_push(struct lua_writer *w, int32_t node, enum document_element e
 
 static void put_params(struct lua_writer *w, int32_t ref)
 {
-    int n = 0; /* more than nine have no name */
+    int n = 0; /* only nine parameters have names */
 
     for (int32_t i = w->d->node[ref].first; i != DOCUMENT_NONE && n < 9; i = w->d->node[i].next, n++) {
         PUT(w, ", ");
@@ -133,12 +133,12 @@ static void put_params(struct lua_writer *w, int32_t ref)
     }
 }
 
-static int highest_param(const struct document *d, int32_t node)
+static int find_highest_param(const struct document *d, int32_t node)
 {
     int most = document_param(&d->node[node]);
 
     for (int32_t i = d->node[node].first; i != DOCUMENT_NONE; i = d->node[i].next) {
-        const int inner = highest_param(d, i);
+        const int inner = find_highest_param(d, i);
         most = inner > most ? inner : most;
     }
     return most;
@@ -157,17 +157,17 @@ static bool has_actions(const struct lua_writer *w, int32_t bullet)
 static void set_depth(struct lua_writer *w, int depth)
 {
     w->depth = depth;
-    w->own[0] = '\0';
+    w->suffix[0] = '\0';
     if (depth > 0)
-        snprintf(w->own, sizeof w->own, "%d", depth + 1);
+        snprintf(w->suffix, sizeof w->suffix, "%d", depth + 1);
 }
 
-/* shot.run = function(s2) ... end */
+/* Writes shot.run = function(s2) ... end. */
 static void put_run(struct lua_writer *w, int32_t bullet)
 {
-    LINE(w, "shot%s.run = function(", w->own);
+    LINE(w, "shot%s.run = function(", w->suffix);
     set_depth(w, w->depth + 1);
-    PUT(w, "s%s)\n", w->own);
+    PUT(w, "s%s)\n", w->suffix);
     w->indent++;
     put_commands(w, bullet);
     w->indent--;
@@ -175,7 +175,7 @@ static void put_run(struct lua_writer *w, int32_t bullet)
     LINE(w, "%s", "end\n");
 }
 
-/* A bullet's own settings, and its start. */
+/* Writes a bullet's own settings, and launches it. */
 static void put_bullet(struct lua_writer *w, int32_t bullet)
 {
     const struct document_node *b = &w->d->node[bullet];
@@ -183,32 +183,32 @@ static void put_bullet(struct lua_writer *w, int32_t bullet)
     struct byte_buffer motion = { 0 };
 
     if (speed) {
-        LINE(w, "shot%s.speed = ", w->own);
+        LINE(w, "shot%s.speed = ", w->suffix);
         put_speed(w, speed);
         PUT(w, "\n");
     }
     if (direction) {
-        LINE(w, "shot%s.dir = ", w->own);
+        LINE(w, "shot%s.dir = ", w->suffix);
         put_direction(w, direction);
         PUT(w, "\n");
     }
     if (b->label[0]) {
-        LINE(w, "shot%s.label = ", w->own);
+        LINE(w, "shot%s.label = ", w->suffix);
         put_string(&w->body, b->label);
         PUT(w, "\n");
     }
     if (has_actions(w, bullet) && !as_lua_motion(&motion, w->d, bullet))
         put_run(w, bullet);
     else if (motion.n > 0)
-        LINE(w, "shot%s.motion = motion.def { %s }\n", w->own, motion.bytes);
+        LINE(w, "shot%s.motion = motion.def { %s }\n", w->suffix, motion.bytes);
     w->body.failed |= motion.failed;
     free(motion.bytes);
-    LINE(w, "launch(s%s, shot%s)\n", w->own, w->own);
+    LINE(w, "launch(s%s, shot%s)\n", w->suffix, w->suffix);
 }
 
 /* ---- fires ---- */
 
-/* { speed = plain(s, 2), dir = aimed(s, 10) } */
+/* Writes { speed = plain(s, 2), dir = aimed(s, 10) }. */
 static void put_shot(struct lua_writer *w, int32_t fire)
 {
     const struct document_node *speed = child(w, fire, NODE_SPEED), *direction = child(w, fire, NODE_DIRECTION);
@@ -227,26 +227,27 @@ static void put_shot(struct lua_writer *w, int32_t fire)
 
 static void put_fire(struct lua_writer *w, int32_t fire)
 {
-    const int32_t ref = document_child(w->d, fire, NODE_BULLET_REF), own = document_child(w->d, fire, NODE_BULLET);
+    const int32_t ref = document_child(w->d, fire, NODE_BULLET_REF),
+                  inline_bullet = document_child(w->d, fire, NODE_BULLET);
 
     if (ref != DOCUMENT_NONE) {
         LINE(w, "%s", "");
         put_name(w, NODE_BULLET, w->d->node[ref].label);
-        PUT(w, "(s%s, ", w->own);
+        PUT(w, "(s%s, ", w->suffix);
         put_shot(w, fire);
         put_params(w, ref);
         PUT(w, ")\n");
-    } else if (w->d->node[own].first == DOCUMENT_NONE && w->d->node[own].label[0] == '\0') {
-        LINE(w, "launch(s%s, ", w->own);
+    } else if (w->d->node[inline_bullet].first == DOCUMENT_NONE && w->d->node[inline_bullet].label[0] == '\0') {
+        LINE(w, "launch(s%s, ", w->suffix);
         put_shot(w, fire);
         PUT(w, ")\n");
     } else {
         LINE(w, "%s", "do\n");
         w->indent++;
-        LINE(w, "local shot%s = ", w->own);
+        LINE(w, "local shot%s = ", w->suffix);
         put_shot(w, fire);
         PUT(w, "\n");
-        put_bullet(w, own);
+        put_bullet(w, inline_bullet);
         w->indent--;
         LINE(w, "%s", "end\n");
     }
@@ -265,8 +266,9 @@ static void put_repeat(struct lua_writer *w, int32_t node)
     LINE(w, "%s", "end\n");
 }
 
-/* An action that calls itself at its end would go deeper each time; a `return` is a tail call. */
-static bool is_last(const struct lua_writer *w, int32_t node)
+/* Returns whether the call is the last command of a top-level action. It becomes a tail call, so that an action that
+ * calls itself at its end does not overflow the stack. */
+static bool is_tail_call(const struct lua_writer *w, int32_t node)
 {
     const struct document_node *n = &w->d->node[node], *in = &w->d->node[n->parent];
 
@@ -277,18 +279,18 @@ static void put_call(struct lua_writer *w, int32_t node)
 {
     const struct document_node *n = &w->d->node[node];
 
-    LINE(w, "%s", is_last(w, node) ? "return " : "");
+    LINE(w, "%s", is_tail_call(w, node) ? "return " : "");
     put_name(w,
              document_find(w->d, n->element, n->label) == DOCUMENT_NONE ? NODE_ACTION : w->d->node[n->target].element,
              n->label);
-    PUT(w, "(s%s", w->own);
+    PUT(w, "(s%s", w->suffix);
     put_params(w, node);
     PUT(w, ")\n");
 }
 
 static void put_wait(struct lua_writer *w, int32_t node)
 {
-    LINE(w, "pause(s%s, ", w->own);
+    LINE(w, "pause(s%s, ", w->suffix);
     as_lua_count(&w->body, &w->d->node[node], 0);
     PUT(w, ")\n");
 }
@@ -300,7 +302,7 @@ static void put_command(struct lua_writer *w, int32_t node)
         put_wait(w, node);
         break;
     case NODE_VANISH:
-        LINE(w, "s%s.o.gone = true\n", w->own);
+        LINE(w, "s%s.o.gone = true\n", w->suffix);
         break;
     case NODE_FIRE:
         put_fire(w, node);
@@ -315,8 +317,8 @@ static void put_command(struct lua_writer *w, int32_t node)
         put_change(w, node, NODE_SPEED);
         break;
     case NODE_ACCEL:
-        put_push(w, node, NODE_HORIZONTAL);
-        put_push(w, node, NODE_VERTICAL);
+        put_accel(w, node, NODE_HORIZONTAL);
+        put_accel(w, node, NODE_VERTICAL);
         break;
     case NODE_ACTION:
         put_commands(w, node);
@@ -341,10 +343,10 @@ static void put_commands(struct lua_writer *w, int32_t node)
 static void put_function(struct lua_writer *w, int32_t node)
 {
     const struct document_node *n = &w->d->node[node];
-    const int params = highest_param(w->d, node);
+    const int params = find_highest_param(w->d, node);
 
     PUT(w, "\nfunction ");
-    if (is_word(n->label)) {
+    if (is_identifier(n->label)) {
         put_name(w, n->element, n->label);
     } else {
         w->body.n -= strlen("function ");
@@ -368,7 +370,7 @@ static void put_function(struct lua_writer *w, int32_t node)
     PUT(w, "end\n");
 }
 
-/* All elements that are used by their labels. */
+/* Writes functions for all elements that are used by their labels. */
 static void put_functions(struct lua_writer *w)
 {
     uint8_t *used = calloc((size_t)w->d->n, 1);
@@ -386,7 +388,7 @@ static void put_functions(struct lua_writer *w)
     free(used);
 }
 
-static void put_tops(struct lua_writer *w)
+static void put_main(struct lua_writer *w)
 {
     PUT(w, "\n-- Runs the document in tasks of e: play(e), or play(e, { rank = 0.8, unit = 2, kind = "
            "\"orb\" }).\nreturn function(me, options)\n  options = options or {}\n  rank, unit = "
@@ -407,7 +409,7 @@ char *as_lua(const struct document *d, const char *file)
     struct byte_buffer whole = { 0 };
 
     put_functions(&w);
-    put_tops(&w);
+    put_main(&w);
     const char *body = byte_buffer_text(&w.body);
     as_lua_head(&whole, d, file, body);
     as_lua_helpers(&whole, body);

@@ -1,13 +1,13 @@
 /*
- * as_lua.h - a BulletML document as a script of Lua that does the same, for authors who move over.
+ * as_lua.h - converts a BulletML document to a Lua script, for authors who move to Lua.
  */
 #ifndef WORKBENCH_AS_LUA_H
 #define WORKBENCH_AS_LUA_H
 
 #include "document.h"
 
-/* The script (malloc, ends with a 0) of a document that document_read has taken. NULL: out of memory. What cannot be
- * said stands in its comments. */
+/* Returns the script (malloc, NUL-terminated) for a document that document_read has accepted. NULL: out of memory.
+ * Differences from the document are listed in the script's comments. */
 char *as_lua(const struct document *d, const char *file);
 
 #endif

@@ -1,11 +1,11 @@
 /*
- * as_lua_head.c - the first lines of a script: differences from the document, and settings.
+ * as_lua_head.c - writes the first lines of a script: differences from the document, and settings.
  */
 #include "as_lua_parts.h"
 
 #include <string.h>
 
-/* True if a vanish is outside of all bullets. */
+/* Returns whether a vanish is outside all bullets. */
 static bool root_vanishes(const struct document *d)
 {
     for (int32_t i = 0; i < d->n; i++) {
@@ -20,7 +20,7 @@ static bool root_vanishes(const struct document *d)
     return false;
 }
 
-static bool draws(const struct document *d)
+static bool uses_random(const struct document *d)
 {
     for (int32_t i = 0; i < d->n; i++)
         for (int k = 0; k < d->node[i].ops; k++)
@@ -29,7 +29,7 @@ static bool draws(const struct document *d)
     return false;
 }
 
-static bool has_two(const struct document *d)
+static bool has_parallel_actions(const struct document *d)
 {
     for (int32_t i = 0; i < d->n; i++) {
         int n = 0;
@@ -48,9 +48,9 @@ void as_lua_head(struct byte_buffer *t, const struct document *d, const char *fi
         byte_buffer_print(t, "%c", (unsigned char)*c < 32 ? '?' : *c);
     byte_buffer_print(t, ", as Lua. Directions are Curtain's: 0 is right, 90 is down.\n");
     byte_buffer_print(t, "-- A bullet moves in the frame that fires it, one frame earlier than in the document.\n");
-    if (draws(d))
+    if (uses_random(d))
         byte_buffer_print(t, "-- $rand draws from the game's random numbers, not from the seed of bullet.ml.\n");
-    if (has_two(d))
+    if (has_parallel_actions(d))
         byte_buffer_print(
             t, "-- A bullet's next action starts immediately; in the document, one frame passes between actions.\n");
     if (strstr(body, "motion.def"))

@@ -1,9 +1,10 @@
 /*
- * as_lua_helpers.c - helper functions of scripts. A script contains only those that it calls; each may call those
+ * as_lua_helpers.c - helper functions for scripts. A script contains only those that it calls; each may call those
  * before it.
  *
- * `o` is a bullet, or the thing that runs the document: me (the thing), dir and speed (in the document's sense),
- * pending changes. `s` runs a list of commands: its o, and the direction and speed of its last shot.
+ * `o` is the state of a bullet, or of the entity that runs the document: me (the handle), dir and speed (as the
+ * document defines them), pending changes. `s` is the state of a list of commands: o, and the direction and speed of
+ * the last shot.
  */
 #include "as_lua_parts.h"
 
@@ -146,7 +147,7 @@ static bool calls(const char *text, const char *name)
     return false;
 }
 
-/* Two helpers have variants. */
+/* Writes a helper; two of them have variants. */
 static void put_helper(struct byte_buffer *t, int i, bool pushes, bool changes)
 {
     const char *at = strstr(helpers[i].text, "FLY"), *update = strstr(helpers[i].text, "UPDATE");

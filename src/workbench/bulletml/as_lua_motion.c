@@ -1,6 +1,6 @@
 /*
- * as_lua_motion.c - a bullet's actions as a motion program. This is possible if the bullet fires nothing, its frames
- * and times are plain numbers, and each change ends before the next command starts.
+ * as_lua_motion.c - converts a bullet's actions to a motion program. This is possible if the bullet fires nothing, its
+ * frames and repeat counts are constants, and each change ends before the next command starts.
  */
 #include "as_lua_parts.h"
 
@@ -8,25 +8,25 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { DEPTH = 8 /* of actions in one another */, COMMANDS = 1000, LOOPS = 4 /* as motion.def takes them */ };
+enum { DEPTH = 8 /* of nested actions */, COMMANDS = 1000, LOOPS = 4 /* nested loops of motion.def */ };
 
 struct steps {
     struct byte_buffer text;
     const struct document *d;
-    int32_t speed, turn; /* changes that start with the next wait: nodes, or DOCUMENT_NONE */
-    bool none;           /* it is not possible */
-    bool over;           /* a vanish has ended it */
-    int left;            /* commands until giving up; actions may be recursive */
-    double waited;       /* frames, in the current loop */
+    int32_t speed, turn; /* pending changes, which start with the next wait: nodes, or DOCUMENT_NONE */
+    bool impossible;     /* a motion program is not possible */
+    bool over;           /* a vanish has ended the program */
+    int left;            /* remaining commands; actions may be recursive */
+    double waited;       /* frames waited in the current loop */
 };
 
-/* A plain number of frames or times, at least 1. */
+/* Returns a constant number of frames or times, at least 1. */
 static double frames(struct steps *s, int32_t node)
 {
     double v = 1;
 
     if (node == DOCUMENT_NONE || !expression_constant(s->d->node[node].op, s->d->node[node].ops, &v) || v > 65534)
-        s->none = true;
+        s->impossible = true;
     v = trunc(v + 1e-6);
     return v < 1 ? 1 : v;
 }
@@ -43,12 +43,12 @@ static void put_step(struct steps *s, const char *format, double n)
 
 /* ---- changes ---- */
 
-/* The inner part of a step for a change over `over` frames. */
+/* Writes the fields of a step that changes the speed over `over` frames. */
 static void put_speed(struct steps *s, double over)
 {
     const struct document_node *v = child(s, s->speed, NODE_SPEED);
 
-    s->none |= !as_lua_fixed(v);
+    s->impossible |= !as_lua_is_fixed(v);
     byte_buffer_print(&s->text, v->type == NODE_PLAIN || v->type == NODE_ABSOLUTE ? "speed = " : "accel = ");
     as_lua_value(&s->text, v, 0, true);
     byte_buffer_print(&s->text, " * unit");
@@ -61,7 +61,7 @@ static void put_turn(struct steps *s, double over)
     const struct document_node *v = child(s, s->turn, NODE_DIRECTION);
     double turn = 0;
 
-    s->none |= !as_lua_fixed(v);
+    s->impossible |= !as_lua_is_fixed(v);
     if (v->type == NODE_SEQUENCE || (v->type == NODE_RELATIVE && over == 1)) {
         byte_buffer_print(&s->text, "turn = ");
         as_lua_value(&s->text, v, 0, false);
@@ -69,7 +69,7 @@ static void put_turn(struct steps *s, double over)
         byte_buffer_print(&s->text, "turn = ");
         as_lua_number(&s->text, round(remainder(turn, 360) / over * 1e8) / 1e8);
     } else if (over > 1) {
-        s->none = true;
+        s->impossible = true;
     } else if (v->type == NODE_ABSOLUTE) {
         byte_buffer_print(&s->text, "dir = ");
         as_lua_value(&s->text, v, as_lua_up(s->d), false);
@@ -82,7 +82,7 @@ static void put_turn(struct steps *s, double over)
     }
 }
 
-/* A step that changes speed, direction or both over `over` frames. */
+/* Writes a step that changes speed, direction or both over `over` frames. */
 static void put_change(struct steps *s, double over, bool speed, bool turn)
 {
     byte_buffer_print(&s->text, "%s{ ", s->text.n ? ", " : "");
@@ -98,15 +98,15 @@ static void put_change(struct steps *s, double over, bool speed, bool turn)
 }
 
 /* Starts the pending changes, and waits. */
-static void begin(struct steps *s, double wait)
+static void start_changes(struct steps *s, double wait)
 {
     const double speed = s->speed == DOCUMENT_NONE ? 0 : frames(s, document_child(s->d, s->speed, NODE_TERM));
     const double turn = s->turn == DOCUMENT_NONE ? 0 : frames(s, document_child(s->d, s->turn, NODE_TERM));
     const double last = fmax(speed, turn);
 
     if (speed > 0 && turn > 0 && speed != turn && fmin(speed, turn) > 1)
-        s->none = true;
-    if (s->none)
+        s->impossible = true;
+    if (s->impossible)
         return;
     if (speed == 1 || (speed == turn && speed > 0))
         put_change(s, speed, true, turn == speed);
@@ -118,7 +118,7 @@ static void begin(struct steps *s, double wait)
     s->waited += wait;
     wait -= last > 1 ? last : 0;
     if (wait < 0)
-        s->none = true;
+        s->impossible = true;
     else if (wait > 0 && isfinite(wait))
         put_step(s, "%s{ wait = %g }", wait);
 }
@@ -132,16 +132,16 @@ static void put_repeat(struct steps *s, int32_t node, int depth, int loops)
     const double times = frames(s, document_child(s->d, node, NODE_TIMES)), before = s->waited;
 
     if (s->speed != DOCUMENT_NONE || s->turn != DOCUMENT_NONE)
-        begin(s, 0); /* what takes no time */
-    s->none |= loops == LOOPS;
-    if (s->none)
+        start_changes(s, 0); /* changes that take no time */
+    s->impossible |= loops == LOOPS;
+    if (s->impossible)
         return;
     struct byte_buffer outer = s->text;
     s->text = (struct byte_buffer){ 0 };
     s->waited = 0;
     put_commands(s, node, depth, loops + 1);
     if (s->speed != DOCUMENT_NONE || s->turn != DOCUMENT_NONE || s->waited == 0 || s->over)
-        s->none = true;
+        s->impossible = true;
     byte_buffer_print(&outer, "%s{ loop = %g, %s }", outer.n ? ", " : "", times, byte_buffer_text(&s->text));
     outer.failed |= s->text.failed;
     byte_buffer_close(&s->text);
@@ -153,14 +153,14 @@ static void put_command(struct steps *s, int32_t node, int depth, int loops)
 {
     const struct document_node *n = &s->d->node[node];
 
-    s->none |= --s->left < 0;
+    s->impossible |= --s->left < 0;
     switch (n->element) {
     case NODE_WAIT: {
         double v = 0;
         if (!expression_constant(n->op, n->ops, &v))
-            s->none = true;
+            s->impossible = true;
         else if (v + 1e-6 >= 1)
-            begin(s, frames(s, node));
+            start_changes(s, frames(s, node));
         break;
     }
     case NODE_CHANGE_SPEED:
@@ -182,7 +182,7 @@ static void put_command(struct steps *s, int32_t node, int depth, int loops)
         break;
     case NODE_ACTION_REF:
         if (n->first != DOCUMENT_NONE)
-            s->none = true;
+            s->impossible = true;
         else
             put_commands(s, n->target, depth + 1, loops);
         break;
@@ -191,15 +191,15 @@ static void put_command(struct steps *s, int32_t node, int depth, int loops)
     case NODE_SPEED:
         break;
     default:
-        s->none = true;
+        s->impossible = true;
     }
 }
 
 static void put_commands(struct steps *s, int32_t node, int depth, int loops)
 {
     if (depth > DEPTH)
-        s->none = true;
-    for (int32_t i = s->d->node[node].first; i != DOCUMENT_NONE && !s->none && !s->over; i = s->d->node[i].next)
+        s->impossible = true;
+    for (int32_t i = s->d->node[node].first; i != DOCUMENT_NONE && !s->impossible && !s->over; i = s->d->node[i].next)
         put_command(s, i, depth, loops);
 }
 
@@ -208,11 +208,11 @@ bool as_lua_motion(struct byte_buffer *t, const struct document *d, int32_t bull
     struct steps s = { .d = d, .left = COMMANDS, .speed = DOCUMENT_NONE, .turn = DOCUMENT_NONE };
 
     put_commands(&s, bullet, 0, 0);
-    if (!s.none && !s.over)
-        begin(&s, INFINITY);
-    if (!s.none && s.text.n > 0)
+    if (!s.impossible && !s.over)
+        start_changes(&s, INFINITY);
+    if (!s.impossible && s.text.n > 0)
         byte_buffer_print(t, "%s", s.text.bytes);
     t->failed |= s.text.failed;
     free(s.text.bytes);
-    return !s.none;
+    return !s.impossible;
 }

@@ -11,34 +11,35 @@
 struct lua_writer {
     const struct document *d;
     struct byte_buffer body;
-    int indent;   /* steps of two blanks */
-    int depth;    /* of functions inside functions */
-    char own[12]; /* suffix of s and shot at that depth: "", "2" */
+    int indent;      /* in units of two spaces */
+    int depth;       /* of nested functions */
+    char suffix[12]; /* suffix of s and shot at this depth: "", "2" */
 };
 
-/* A number as an expression of Lua; `add` is added to it. tight: in parentheses, if it is more than one word. */
+/* Writes a number as a Lua expression, with the constant `add` added. tight: in parentheses if it has operators. */
 void as_lua_value(struct byte_buffer *t, const struct document_node *node, double add, bool tight);
 
-/* The same as a whole number of frames or times, at least `least`. */
+/* Writes a number as an integer number of frames or times, at least `least`. */
 void as_lua_count(struct byte_buffer *t, const struct document_node *node, int least);
 
-/* The shortest text of a number. */
+/* Writes a number in its shortest form. */
 void as_lua_number(struct byte_buffer *t, double v);
 
-/* Is it the same for all bullets of a run: neither drawn by chance nor a parameter? */
-bool as_lua_fixed(const struct document_node *node);
+/* Returns whether the number is the same for all bullets of a run: it uses neither $rand nor parameters. */
+bool as_lua_is_fixed(const struct document_node *node);
 
-/* Degrees to add to an absolute direction of a document, whose 0 is up, or left in a horizontal document. */
+/* Returns the degrees to add to an absolute direction of a document, whose 0 is up, or left in a horizontal
+ * document. */
 double as_lua_up(const struct document *d);
 
-/* Adds the steps of a motion program for a bullet's actions, "{ wait = 30 }, { speed = 2 }". False, and adds nothing:
- * a motion program cannot express them. */
+/* Appends the steps of a motion program for a bullet's actions, "{ wait = 30 }, { speed = 2 }". False: a motion program
+ * cannot express them, and nothing was appended. */
 bool as_lua_motion(struct byte_buffer *t, const struct document *d, int32_t bullet);
 
-/* Adds the helper functions that the text calls, and those that they call. */
+/* Appends the helper functions that the text calls, directly or indirectly. */
 void as_lua_helpers(struct byte_buffer *t, const char *body);
 
-/* The first lines of a script with that body. */
+/* Appends the first lines of a script. body: the rest of the script. */
 void as_lua_head(struct byte_buffer *t, const struct document *d, const char *file, const char *body);
 
 #endif

@@ -1,5 +1,6 @@
 /*
- * as_lua_value.c - numbers of a document in Lua. A stack of expressions, each with its precedence, becomes one.
+ * as_lua_value.c - converts a document's numbers to Lua. The operations are evaluated on a stack of Lua expressions,
+ * each with its precedence.
  */
 #include "as_lua_parts.h"
 
@@ -12,22 +13,21 @@ void as_lua_number(struct byte_buffer *t, double v)
     byte_buffer_print(t, "%.10g", v == 0 ? 0 : v);
 }
 
-/* Precedence. */
-enum tight { SUM, PRODUCT, SIGN, WORD };
+enum precedence { SUM, PRODUCT, SIGN, WORD };
 
-struct piece {
+struct fragment {
     struct byte_buffer text;
-    enum tight tight;
+    enum precedence precedence;
 };
 
-static void put_piece(struct byte_buffer *t, const struct piece *p, enum tight least)
+static void put_fragment(struct byte_buffer *t, const struct fragment *p, enum precedence least)
 {
-    const bool open = p->tight < least;
+    const bool open = p->precedence < least;
 
     byte_buffer_print(t, "%s%s%s", open ? "(" : "", byte_buffer_text(&p->text), open ? ")" : "");
 }
 
-static void join(struct piece *a, struct piece *b, enum expression_kind kind)
+static void combine(struct fragment *a, struct fragment *b, enum expression_kind kind)
 {
     static const char *const signs[] = {
         [EXPRESSION_ADD] = " + ",
@@ -35,30 +35,30 @@ static void join(struct piece *a, struct piece *b, enum expression_kind kind)
         [EXPRESSION_MULTIPLY] = " * ",
         [EXPRESSION_DIVIDE] = " / ",
     };
-    const enum tight own = kind == EXPRESSION_ADD || kind == EXPRESSION_SUBTRACT ? SUM : PRODUCT;
-    struct piece both = { .tight = own };
+    const enum precedence own = kind == EXPRESSION_ADD || kind == EXPRESSION_SUBTRACT ? SUM : PRODUCT;
+    struct fragment both = { .precedence = own };
 
-    put_piece(&both.text, a, own);
+    put_fragment(&both.text, a, own);
     byte_buffer_print(&both.text, "%s", signs[kind]);
-    put_piece(&both.text, b, kind == EXPRESSION_ADD || kind == EXPRESSION_MULTIPLY ? own : own + 1);
+    put_fragment(&both.text, b, kind == EXPRESSION_ADD || kind == EXPRESSION_MULTIPLY ? own : own + 1);
     free(a->text.bytes);
     free(b->text.bytes);
     *a = both;
 }
 
-static void negate(struct piece *p)
+static void negate(struct fragment *p)
 {
-    struct piece less = { .tight = SIGN };
+    struct fragment less = { .precedence = SIGN };
 
     byte_buffer_print(&less.text, "-");
-    put_piece(&less.text, p, WORD);
+    put_fragment(&less.text, p, WORD);
     free(p->text.bytes);
     *p = less;
 }
 
-static struct piece one_word(const struct expression_op *op)
+static struct fragment make_operand(const struct expression_op *op)
 {
-    struct piece p = { .tight = WORD };
+    struct fragment p = { .precedence = WORD };
 
     if (op->kind == EXPRESSION_NUMBER)
         as_lua_number(&p.text, round((double)op->number / 4294967296.0 * 1e8) / 1e8);
@@ -73,25 +73,25 @@ static struct piece one_word(const struct expression_op *op)
     return p;
 }
 
-static struct piece whole_of(const struct document_node *node)
+static struct fragment make_fragment(const struct document_node *node)
 {
-    struct piece stack[EXPRESSION_STACK] = { 0 };
+    struct fragment stack[EXPRESSION_STACK] = { 0 };
     int top = 0;
 
     for (int i = 0; i < node->ops; i++) {
         if (node->op[i].kind <= EXPRESSION_PARAM)
-            stack[top++] = one_word(&node->op[i]);
+            stack[top++] = make_operand(&node->op[i]);
         else if (node->op[i].kind == EXPRESSION_NEGATE)
             negate(&stack[top - 1]);
         else {
-            join(&stack[top - 2], &stack[top - 1], node->op[i].kind);
+            combine(&stack[top - 2], &stack[top - 1], node->op[i].kind);
             top--;
         }
     }
     return stack[0];
 }
 
-void as_lua_value(struct byte_buffer *t, const struct document_node *node, double add, bool tight)
+void as_lua_value(struct byte_buffer *t, const struct document_node *node, double add, bool precedence)
 {
     double v;
 
@@ -99,8 +99,8 @@ void as_lua_value(struct byte_buffer *t, const struct document_node *node, doubl
         as_lua_number(t, round((v + add) * 1e8) / 1e8);
         return;
     }
-    struct piece p = whole_of(node);
-    const bool open = tight && (add != 0 || p.tight < SIGN);
+    struct fragment p = make_fragment(node);
+    const bool open = precedence && (add != 0 || p.precedence < SIGN);
     byte_buffer_print(t, "%s%s", open ? "(" : "", byte_buffer_text(&p.text));
     if (add != 0) {
         byte_buffer_print(t, add < 0 ? " - " : " + ");
@@ -125,7 +125,7 @@ void as_lua_count(struct byte_buffer *t, const struct document_node *node, int l
     byte_buffer_print(t, ", %d)", least);
 }
 
-bool as_lua_fixed(const struct document_node *node)
+bool as_lua_is_fixed(const struct document_node *node)
 {
     for (int i = 0; i < node->ops; i++)
         if (node->op[i].kind == EXPRESSION_RAND || node->op[i].kind == EXPRESSION_PARAM)

@@ -15,7 +15,7 @@
 
 enum { SENTENCE = 1200 };
 
-static void say(char *text)
+static void print_line(char *text)
 {
     clean_line(text);
     puts(text);
@@ -27,10 +27,10 @@ static void warn(void *context, const char *sentence)
 
     (void)context;
     snprintf(text, sizeof text, "%s", sentence);
-    say(text);
+    print_line(text);
 }
 
-/* ---- what is in it ---- */
+/* ---- the description ---- */
 
 static int count(const struct document *d, enum document_element element)
 {
@@ -41,7 +41,7 @@ static int count(const struct document *d, enum document_element element)
     return n;
 }
 
-/* "2 actions", "1 bullet" */
+/* Appends ", 2 actions" or ", 1 bullet". */
 static void add_count(char *text, size_t size, int n, const char *what)
 {
     const size_t at = strlen(text);
@@ -54,7 +54,7 @@ struct uses {
     int param; /* the highest, 0: none */
 };
 
-static struct uses uses_of(const struct document *d)
+static struct uses find_uses(const struct document *d)
 {
     struct uses u = { 0 };
 
@@ -78,9 +78,9 @@ static void add_word(char *text, size_t size, const char *before, const char *wo
     snprintf(text + at, size - at, "%s%s", at ? ", " : before, word);
 }
 
-static void say_uses(const struct document *d)
+static void print_uses(const struct document *d)
 {
-    const struct uses u = uses_of(d);
+    const struct uses u = find_uses(d);
     char text[160] = "", params[32];
 
     if (u.aims)
@@ -98,21 +98,21 @@ static void say_uses(const struct document *d)
         puts(text);
 }
 
-/* "  bullets: petal, seed", in the order of the document. */
-static void say_labels(const struct document *d, enum document_element element, bool tops, const char *head)
+/* Prints the labels of an element in the order of the document: "  bullets: petal, seed". */
+static void print_labels(const struct document *d, enum document_element element, bool tops, const char *head)
 {
-    size_t room = 64, n = 0;
+    size_t size = 64, n = 0;
     char *text = NULL;
 
     for (int32_t i = 0; i < d->n; i++)
-        room += d->node[i].element == element ? strlen(d->node[i].label) + 2 : 0;
-    text = malloc(room);
+        size += d->node[i].element == element ? strlen(d->node[i].label) + 2 : 0;
+    text = malloc(size);
     for (int32_t i = 0; text && i < d->n; i++)
         if (d->node[i].element == element && d->node[i].label[0] && document_is_top(d, i) == tops &&
             document_find(d, element, d->node[i].label) == i)
-            n += (size_t)snprintf(text + n, room - n, "%s%s", n ? ", " : head, d->node[i].label);
+            n += (size_t)snprintf(text + n, size - n, "%s%s", n ? ", " : head, d->node[i].label);
     if (n)
-        say(text);
+        print_line(text);
     free(text);
 }
 
@@ -128,12 +128,12 @@ static void describe(const struct document *d, const char *file)
     add_count(text, sizeof text, count(d, NODE_FIRE), "fire");
     add_count(text, sizeof text, count(d, NODE_BULLET), "bullet");
     add_count(text, sizeof text, d->n, "element");
-    say(text);
-    say_uses(d);
-    say_labels(d, NODE_ACTION, true, "  top actions: ");
-    say_labels(d, NODE_ACTION, false, "  other actions: ");
-    say_labels(d, NODE_FIRE, false, "  fires: ");
-    say_labels(d, NODE_BULLET, false, "  bullets: ");
+    print_line(text);
+    print_uses(d);
+    print_labels(d, NODE_ACTION, true, "  top actions: ");
+    print_labels(d, NODE_ACTION, false, "  other actions: ");
+    print_labels(d, NODE_FIRE, false, "  fires: ");
+    print_labels(d, NODE_BULLET, false, "  bullets: ");
 }
 
 /* ---- the command ---- */
@@ -149,7 +149,7 @@ static enum result print_lua(const struct document *d, const char *file)
     return RESULT_DONE;
 }
 
-static enum result look_at(const char *file, bool lua)
+static enum result process_file(const char *file, bool lua)
 {
     char err[SENTENCE];
     uint8_t *text, *program = NULL;
@@ -158,7 +158,7 @@ static enum result look_at(const char *file, bool lua)
 
     if (files_size(file) < 0)
         return report_line(RESULT_REFUSED, "%s", files_set_missing_error(file, "file", err, sizeof err));
-    if (!files_read(file, file, DOCUMENT_FILE, &text, &size, err, sizeof err))
+    if (!files_read(file, file, DOCUMENT_MAX_FILE, &text, &size, err, sizeof err))
         return report_error(err);
     enum result result = RESULT_DONE;
     if (!document_read(&d, (const char *)text, size, file, lua ? NULL : warn, NULL, err, sizeof err) ||
@@ -170,7 +170,7 @@ static enum result look_at(const char *file, bool lua)
         describe(&d, file);
     free(program);
     free(text);
-    document_close(&d);
+    document_free(&d);
     return result;
 }
 
@@ -181,7 +181,7 @@ enum result bulletml_command(char *const *files, int n, bool lua)
     if (lua && n > 1)
         return report_line(RESULT_REFUSED, "bulletml: --lua takes one document, got %d", n);
     for (int i = 0; i < n; i++) {
-        const enum result one = look_at(files[i], lua);
+        const enum result one = process_file(files[i], lua);
         worst = one > worst ? one : worst;
     }
     return report_stdout(worst);

@@ -1,6 +1,6 @@
 /*
- * document.c - see document.h. Nodes are numbers into one block that grows; labels and the operations of numbers are
- * kept in pieces of their own, which do not move.
+ * document.c - see document.h. Nodes are indices into an array that grows. Labels and the operations of numbers are
+ * stored in separate blocks, which do not move.
  */
 #include "document_parts.h"
 
@@ -36,14 +36,14 @@ static const char *const elements[NODE_ELEMENTS] = {
     [NODE_PARAM] = "param",
 };
 
-struct piece {
-    struct piece *before;
+struct block {
+    struct block *previous;
     _Alignas(16) char bytes[];
 };
 
 /* ---- building ---- */
 
-void document_bad(struct document_reader *r, struct xml_place place, const char *format, ...)
+void document_fail(struct document_reader *r, struct xml_place place, const char *format, ...)
 {
     char why[512];
     va_list args;
@@ -57,7 +57,7 @@ void document_bad(struct document_reader *r, struct xml_place place, const char 
     err_set(r->err, r->err_size, "%s:%d:%d: %s", r->file, place.line, place.column, why);
 }
 
-void document_suspect(struct document_reader *r, int32_t node, const char *format, ...)
+void document_warn_at(struct document_reader *r, int32_t node, const char *format, ...)
 {
     const struct document_node *at = &r->d->node[node];
     char why[512], sentence[1024];
@@ -73,30 +73,30 @@ void document_suspect(struct document_reader *r, int32_t node, const char *forma
     r->warn(r->context, sentence);
 }
 
-void *document_keep(struct document_reader *r, const void *bytes, size_t n)
+void *document_store(struct document_reader *r, const void *bytes, size_t n)
 {
-    struct piece *piece = malloc(sizeof *piece + n);
+    struct block *block = malloc(sizeof *block + n);
 
-    if (!piece) {
+    if (!block) {
         result_set_host_failed();
-        document_bad(r, (struct xml_place){ 1, 1 }, "out of memory");
+        document_fail(r, (struct xml_place){ 1, 1 }, "out of memory");
         return NULL;
     }
-    memcpy(piece->bytes, bytes, n);
-    piece->before = r->d->store;
-    r->d->store = piece;
-    return piece->bytes;
+    memcpy(block->bytes, bytes, n);
+    block->previous = r->d->store;
+    r->d->store = block;
+    return block->bytes;
 }
 
 int32_t document_add(struct document_reader *r, int32_t parent, enum document_element element, struct xml_place place)
 {
     struct document *d = r->d;
 
-    if (d->n == DOCUMENT_NODES)
-        document_bad(r, place, "<%s>: more than %d elements", elements[element], (int)DOCUMENT_NODES);
+    if (d->n == DOCUMENT_MAX_NODES)
+        document_fail(r, place, "<%s>: more than %d elements", elements[element], (int)DOCUMENT_MAX_NODES);
     else if (!array_append(&d->node, (size_t)d->n, sizeof *d->node)) {
         result_set_host_failed();
-        document_bad(r, place, "out of memory");
+        document_fail(r, place, "out of memory");
     }
     if (r->failed)
         return DOCUMENT_NONE;
@@ -119,7 +119,7 @@ int32_t document_add(struct document_reader *r, int32_t parent, enum document_el
     return d->n++;
 }
 
-enum document_element document_element_of(const char *name, const char **near)
+enum document_element document_find_element(const char *name, const char **near)
 {
     struct edit_nearest nearest = { .word = name };
 
@@ -137,7 +137,7 @@ bool document_has_number(enum document_element element)
     return element == NODE_WAIT || element >= NODE_DIRECTION;
 }
 
-enum document_element document_meant(enum document_element ref)
+enum document_element document_ref_element(enum document_element ref)
 {
     switch (ref) {
     case NODE_BULLET_REF:
@@ -161,9 +161,9 @@ bool document_read(struct document *d, const char *bytes, size_t n, const char *
     };
 
     memset(d, 0, sizeof *d);
-    if (n > DOCUMENT_FILE)
-        return err_set(err, err_size, "%s: expected a document of at most %d bytes, got %zu", file, (int)DOCUMENT_FILE,
-                       n);
+    if (n > DOCUMENT_MAX_FILE)
+        return err_set(err, err_size, "%s: expected a document of at most %d bytes, got %zu", file,
+                       (int)DOCUMENT_MAX_FILE, n);
     document_xml(&r, bytes, n);
     if (!r.failed)
         document_check(&r);
@@ -172,17 +172,17 @@ bool document_read(struct document *d, const char *bytes, size_t n, const char *
     return !r.failed;
 }
 
-void document_close(struct document *d)
+void document_free(struct document *d)
 {
-    for (struct piece *p = d->store, *before; p; p = before) {
-        before = p->before;
+    for (struct block *p = d->store, *before; p; p = before) {
+        before = p->previous;
         free(p);
     }
     free(d->node);
     memset(d, 0, sizeof *d);
 }
 
-/* ---- what it has ---- */
+/* ---- queries ---- */
 
 const char *document_element_name(enum document_element element)
 {
@@ -206,7 +206,7 @@ int32_t document_child(const struct document *d, int32_t node, enum document_ele
 
 int32_t document_find(const struct document *d, enum document_element element, const char *label)
 {
-    element = document_meant(element);
+    element = document_ref_element(element);
     for (int32_t i = d->n - 1; i >= 0; i--)
         if (d->node[i].element == element && d->node[i].label[0] != '\0' && strcmp(d->node[i].label, label) == 0)
             return i;

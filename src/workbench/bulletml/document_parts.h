@@ -17,36 +17,36 @@ struct document_reader {
     size_t err_size;
 };
 
-/* Ends reading with a sentence about a place. The first one counts. */
-void document_bad(struct document_reader *r, struct xml_place place, const char *format, ...)
+/* Stops reading with an error. Only the first error is stored. */
+void document_fail(struct document_reader *r, struct xml_place place, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
 /* Warns about a node. */
-void document_suspect(struct document_reader *r, int32_t node, const char *format, ...)
+void document_warn_at(struct document_reader *r, int32_t node, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* Adds the last child of parent; DOCUMENT_NONE: reading has ended. */
+/* Appends a child to parent; DOCUMENT_NONE: an error, and reading has stopped. */
 int32_t document_add(struct document_reader *r, int32_t parent, enum document_element element, struct xml_place place);
 
-/* Copies n bytes for the document's lifetime; NULL: out of memory, and reading has ended. */
-void *document_keep(struct document_reader *r, const void *bytes, size_t n);
+/* Copies n bytes for the document's lifetime; NULL: out of memory, and reading has stopped. */
+void *document_store(struct document_reader *r, const void *bytes, size_t n);
 
-/* The element of that name; NODE_ELEMENTS: unknown, and *near is a similar name or "". */
-enum document_element document_element_of(const char *name, const char **near);
+/* Returns the element with the name; NODE_ELEMENTS: unknown, and *near is a similar name or "". */
+enum document_element document_find_element(const char *name, const char **near);
 
-/* True if its text is a number. */
+/* Returns whether the element's text is a number. */
 bool document_has_number(enum document_element element);
 
-/* The element that a ref's label names; any other element itself. */
-enum document_element document_meant(enum document_element ref);
+/* Returns the element to which a ref refers; for any other element, the element itself. */
+enum document_element document_ref_element(enum document_element ref);
 
-/* XML to the tree. */
+/* Reads the XML into the tree. */
 void document_xml(struct document_reader *r, const char *bytes, size_t n);
 
-/* Checks that each element is in its place and has all it needs. */
+/* Checks the structure of the document. */
 void document_check(struct document_reader *r);
 
-/* Warns about a document that is valid. */
+/* Adds warnings about a valid document. */
 void document_warn(struct document_reader *r);
 
 #endif

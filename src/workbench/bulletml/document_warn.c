@@ -1,38 +1,38 @@
 /*
- * document_warn.c - warnings about constructs that are valid but probably unintended: a repeat of 0, which runs once,
- * actions one after another, labels that are never used, loops that never wait.
+ * document_warn.c - warns about constructs that are valid but probably unintended: a repeat with times 0, which runs
+ * once, several actions of a bullet, labels that are never used, loops that never wait.
  */
 #include "document_parts.h"
 
 #include <stdlib.h>
 
-enum { MANY = 50000 /* repeats without a wait that are a mistake */ };
+enum { TOO_MANY = 50000 /* this many repeats without a wait are a mistake */ };
 
-static bool constant(const struct document *d, int32_t node, double *value)
+static bool get_constant(const struct document *d, int32_t node, double *value)
 {
     return node != DOCUMENT_NONE && expression_constant(d->node[node].op, d->node[node].ops, value);
 }
 
 /* ---- waits ---- */
 
-/* The budget, in nodes, bounds the search for waits in a document with very many repeats. */
+/* The search for waits. The budget, in nodes, limits it in documents with many repeats. */
 struct search {
-    int32_t *seen; /* number of the search that visited a node last: cycles end there */
-    int32_t now;
+    int32_t *visited; /* number of the last search that visited the node, to stop at cycles */
+    int32_t number;
     long budget;
 };
 
-/* True if a frame may end in it. */
+/* Returns whether the node may wait for a frame. */
 static bool may_wait(const struct document *d, int32_t node, struct search *s)
 {
     double frames;
 
-    if (s->seen[node] == s->now)
+    if (s->visited[node] == s->number)
         return false;
-    s->seen[node] = s->now;
+    s->visited[node] = s->number;
     s->budget--;
     if (d->node[node].element == NODE_WAIT)
-        return !constant(d, node, &frames) || frames >= 1;
+        return !get_constant(d, node, &frames) || frames >= 1;
     if (d->node[node].element == NODE_ACTION_REF)
         return may_wait(d, d->node[node].target, s);
     if (d->node[node].element != NODE_ACTION && d->node[node].element != NODE_REPEAT)
@@ -52,14 +52,14 @@ static void warn_repeat(struct document_reader *r, int32_t node, struct search *
     for (int32_t i = d->node[node].first; i != DOCUMENT_NONE; i = d->node[i].next)
         bodies += d->node[i].element != NODE_TIMES;
     if (bodies > 1)
-        document_suspect(r, node, "elements after the first action are repeated, too");
-    if (!constant(d, document_child(d, node, NODE_TIMES), &times))
+        document_warn_at(r, node, "elements after the first action are repeated, too");
+    if (!get_constant(d, document_child(d, node, NODE_TIMES), &times))
         return;
     if (times < 1)
-        document_suspect(r, node, "times is %g, but a repeat runs at least once", times);
-    s->now++;
-    if (times >= MANY && s->budget > 0 && !may_wait(d, node, s))
-        document_suspect(r, node, "%.0f times without a wait: too many for one frame", times);
+        document_warn_at(r, node, "times is %g, but a repeat runs at least once", times);
+    s->number++;
+    if (times >= TOO_MANY && s->budget > 0 && !may_wait(d, node, s))
+        document_warn_at(r, node, "%.0f times without a wait: too many for one frame", times);
 }
 
 /* ---- parameters ---- */
@@ -79,29 +79,29 @@ static void find_params(const struct document *d, uint8_t *most)
 static void warn_params(struct document_reader *r, int32_t ref, const uint8_t *most)
 {
     const struct document *d = r->d;
-    int given = 0;
+    int count = 0;
 
     for (int32_t i = d->node[ref].first; i != DOCUMENT_NONE; i = d->node[i].next)
-        given++;
-    if (given > 9)
-        document_suspect(r, ref, "%d params, but only the first 9 have names ($1 to $9)", given);
-    else if (most[d->node[ref].target] > given)
-        document_suspect(r, ref, "\"%s\" uses $%d, which is 1 because only %d param%s given", d->node[ref].label,
-                         most[d->node[ref].target], given, given == 1 ? " is" : "s are");
+        count++;
+    if (count > 9)
+        document_warn_at(r, ref, "%d params, but only the first 9 have names ($1 to $9)", count);
+    else if (most[d->node[ref].target] > count)
+        document_warn_at(r, ref, "\"%s\" uses $%d, which is 1 because only %d param%s given", d->node[ref].label,
+                         most[d->node[ref].target], count, count == 1 ? " is" : "s are");
 }
 
 /* ---- labels ---- */
 
-/* Children of bulletml run only through their labels. */
+/* Checks the label of a child of <bulletml>, which runs only by its label. */
 static void warn_label(struct document_reader *r, int32_t node, const uint8_t *used)
 {
     const struct document *d = r->d;
 
     if (d->node[node].label[0] == '\0')
-        document_suspect(r, node, "no label, so it never runs");
+        document_warn_at(r, node, "no label, so it never runs");
     else if (!used[node] && !document_is_top(d, node) &&
              document_find(d, d->node[node].element, d->node[node].label) == node)
-        document_suspect(r, node, "label \"%s\" is never used", d->node[node].label);
+        document_warn_at(r, node, "label \"%s\" is never used", d->node[node].label);
 }
 
 static void warn_top(struct document_reader *r)
@@ -111,17 +111,17 @@ static void warn_top(struct document_reader *r)
     for (int32_t i = 0; i < d->n; i++)
         if (document_is_top(d, i))
             return;
-    document_suspect(r, 0, "no action has a label that starts with \"top\", so nothing runs");
+    document_warn_at(r, 0, "no action has a label that starts with \"top\", so nothing runs");
 }
 
-/* ---- the whole ---- */
+/* ---- nodes ---- */
 
 static void warn_wait(struct document_reader *r, int32_t node)
 {
     double frames;
 
-    if (constant(r->d, node, &frames) && frames < 1 && frames != 0)
-        document_suspect(r, node, "a wait of %g frames has no effect: the action continues immediately", frames);
+    if (get_constant(r->d, node, &frames) && frames < 1 && frames != 0)
+        document_warn_at(r, node, "a wait of %g frames has no effect: the action continues immediately", frames);
 }
 
 static void warn_bullet(struct document_reader *r, int32_t node)
@@ -132,11 +132,11 @@ static void warn_bullet(struct document_reader *r, int32_t node)
     for (int32_t i = d->node[node].first; i != DOCUMENT_NONE; i = d->node[i].next)
         actions += document_is_action(d, i);
     if (actions > 1)
-        document_suspect(r, node, "its %d actions run one after another, not in parallel", actions);
+        document_warn_at(r, node, "its %d actions run one after another, not in parallel", actions);
 }
 
 struct facts {
-    uint8_t *most, *used; /* the highest parameter in a node; is a ref's target */
+    uint8_t *most, *used; /* per node: highest parameter; whether it is a ref's target */
     struct search search;
 };
 
@@ -160,9 +160,9 @@ void document_warn(struct document_reader *r)
 {
     const struct document *d = r->d;
     const size_t n = (size_t)d->n;
-    struct facts l = { calloc(n, 1), calloc(n, 1), { calloc(n, sizeof(int32_t)), 0, 16 * DOCUMENT_NODES } };
+    struct facts l = { calloc(n, 1), calloc(n, 1), { calloc(n, sizeof(int32_t)), 0, 16 * DOCUMENT_MAX_NODES } };
 
-    if (l.most && l.used && l.search.seen) {
+    if (l.most && l.used && l.search.visited) {
         find_params(d, l.most);
         for (int32_t i = 0; i < d->n; i++)
             if (d->node[i].target != DOCUMENT_NONE)
@@ -173,5 +173,5 @@ void document_warn(struct document_reader *r)
     }
     free(l.most);
     free(l.used);
-    free(l.search.seen);
+    free(l.search.visited);
 }

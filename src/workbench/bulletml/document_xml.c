@@ -1,5 +1,5 @@
 /*
- * document_xml.c - turns a document's XML into nodes, labels and types.
+ * document_xml.c - reads a document's XML into nodes, labels and types.
  *
  * Old documents are often Shift_JIS or EUC-JP because of their comments; labels in these encodings are errors.
  */
@@ -20,12 +20,12 @@ struct reader {
     char text[TEXT];
     size_t n;
     struct xml_place text_place; /* where the text starts */
-    bool closed;                 /* a comment follows the number: as in libbulletml, later text is ignored */
+    bool closed;                 /* a comment followed the number, so later text is ignored, as in libbulletml */
     bool warned;
 };
 
-/* The number of blanks at the start. */
-static size_t blanks(const char *s, size_t n)
+/* Returns the number of blanks at the start. */
+static size_t count_blanks(const char *s, size_t n)
 {
     size_t i = 0;
 
@@ -34,18 +34,18 @@ static size_t blanks(const char *s, size_t n)
     return i;
 }
 
-static enum document_element element_of(const struct reader *x, int32_t node)
+static enum document_element get_element(const struct reader *x, int32_t node)
 {
     return node == DOCUMENT_NONE ? NODE_ELEMENTS : x->r->d->node[node].element;
 }
 
-static const char *name_of(const struct reader *x, int32_t node)
+static const char *get_name(const struct reader *x, int32_t node)
 {
     return document_element_name(x->r->d->node[node].element);
 }
 
-/* The place of a byte of a text that starts at `place`. */
-static struct xml_place place_in(struct xml_place place, const char *text, size_t at)
+/* Returns the position of a byte of a text that starts at `place`. */
+static struct xml_place position_in(struct xml_place place, const char *text, size_t at)
 {
     for (size_t i = 0; i < at; i++)
         place = xml_next_place(place, text[i]);
@@ -61,17 +61,17 @@ static void read_label(struct document_reader *r, struct document_node *node, co
 
     for (size_t i = 0; approximate && i < n; i++)
         if (value[i] & 0x80) {
-            document_bad(r, node->place, "<%s>: non-ASCII label; save the document as UTF-8", name);
+            document_fail(r, node->place, "<%s>: non-ASCII label; save the document as UTF-8", name);
             return;
         }
-    const char *kept = document_keep(r, value, n + 1);
-    if (kept)
-        node->label = kept;
+    const char *copy = document_store(r, value, n + 1);
+    if (copy)
+        node->label = copy;
 }
 
-/* The types an element may have, and the one that was meant, if any. */
-static void bad_type(struct document_reader *r, const struct document_node *node, const char *const *names, int n,
-                     const char *value)
+/* Reports an unknown type, with the valid types and a similar one. */
+static void fail_type(struct document_reader *r, const struct document_node *node, const char *const *names, int n,
+                      const char *value)
 {
     char list[80] = "";
     struct edit_nearest near = { .word = value };
@@ -81,35 +81,35 @@ static void bad_type(struct document_reader *r, const struct document_node *node
         snprintf(list + at, sizeof list - at, "%s%s", i == 0 ? "" : i == n - 1 ? " or " : ", ", names[i]);
         edit_consider(&near, names[i]);
     }
-    document_bad(r, node->place, "<%s>: type: expected %s, got \"%.40s\"%s%s%s", document_element_name(node->element),
-                 list, value, near.found ? " (did you mean \"" : "", near.found ? near.found : "",
-                 near.found ? "\"?)" : "");
+    document_fail(r, node->place, "<%s>: type: expected %s, got \"%.40s\"%s%s%s", document_element_name(node->element),
+                  list, value, near.found ? " (did you mean \"" : "", near.found ? near.found : "",
+                  near.found ? "\"?)" : "");
 }
 
 static void read_type(struct document_reader *r, struct document_node *node, const char *value)
 {
     static const char *const names[] = { "aim", "absolute", "relative", "sequence" };
-    static const char *const ways[] = { "none", "vertical", "horizontal" };
-    const bool root = node->element == NODE_BULLETML, turns = node->element == NODE_DIRECTION;
+    static const char *const orientations[] = { "none", "vertical", "horizontal" };
+    const bool root = node->element == NODE_BULLETML, is_direction = node->element == NODE_DIRECTION;
 
     for (int i = 0; root && i < 3; i++)
-        if (strcmp(value, ways[i]) == 0) {
+        if (strcmp(value, orientations[i]) == 0) {
             r->d->horizontal = i == 2;
             return;
         }
     for (int i = 0; !root && i < 4; i++)
         if (strcmp(value, names[i]) == 0) {
             node->type = (enum document_type)(NODE_AIM + i);
-            if (node->type != NODE_AIM || turns)
+            if (node->type != NODE_AIM || is_direction)
                 return;
             node->type = NODE_ABSOLUTE;
-            document_suspect(r, (int32_t)(node - r->d->node), "type \"aim\" means \"absolute\" here");
+            document_warn_at(r, (int32_t)(node - r->d->node), "type \"aim\" means \"absolute\" here");
             return;
         }
     if (root)
-        bad_type(r, node, ways, 3, value);
+        fail_type(r, node, orientations, 3, value);
     else
-        bad_type(r, node, names + !turns, turns ? 4 : 3, value);
+        fail_type(r, node, names + !is_direction, is_direction ? 4 : 3, value);
 }
 
 static bool has_type(enum document_element element)
@@ -122,8 +122,8 @@ static bool has_label(enum document_element element)
     return (element >= NODE_BULLET && element <= NODE_FIRE) || (element >= NODE_BULLET_REF && element <= NODE_FIRE_REF);
 }
 
-/* Names that other programs put on the root, for their readers. */
-static bool known_elsewhere(enum document_element element, const char *name)
+/* Returns whether other programs write the attribute. */
+static bool is_foreign_attribute(enum document_element element, const char *name)
 {
     return strncmp(name, "xml", 3) == 0 ||
            (element == NODE_BULLETML && (strcmp(name, "name") == 0 || strcmp(name, "description") == 0));
@@ -139,8 +139,8 @@ static void read_attributes(struct document_reader *r, int32_t at, const struct 
             read_label(r, node, value, x->approximate);
         else if (strcmp(key, "type") == 0 && has_type(node->element))
             read_type(r, node, value);
-        else if (!known_elsewhere(node->element, key))
-            document_suspect(r, at, "attribute \"%.40s\" has no effect here", key);
+        else if (!is_foreign_attribute(node->element, key))
+            document_warn_at(r, at, "attribute \"%.40s\" has no effect here", key);
     }
 }
 
@@ -151,21 +151,21 @@ static void open_element(struct reader *x)
     const char *name = x->xml.name, *near;
     const struct xml_place at = x->xml.start;
 
-    if (element_of(x, x->open) == NODE_VANISH) {
+    if (get_element(x, x->open) == NODE_VANISH) {
         if (!x->warned)
-            document_suspect(x->r, x->open, "its content has no effect");
+            document_warn_at(x->r, x->open, "its content has no effect");
         x->warned = true;
         x->r->failed = !xml_skip(&x->xml);
         return;
     }
-    const enum document_element element = document_element_of(name, &near);
+    const enum document_element element = document_find_element(name, &near);
     if (element == NODE_ELEMENTS)
-        document_bad(x->r, at, "<%.40s> is not a BulletML element%s%s%s", name, near[0] ? " (did you mean <" : "", near,
-                     near[0] ? ">?)" : "");
+        document_fail(x->r, at, "<%.40s> is not a BulletML element%s%s%s", name, near[0] ? " (did you mean <" : "",
+                      near, near[0] ? ">?)" : "");
     else if (x->open == DOCUMENT_NONE && element != NODE_BULLETML)
-        document_bad(x->r, at, "<%s>: expected <bulletml> as the root element", name);
+        document_fail(x->r, at, "<%s>: expected <bulletml> as the root element", name);
     else if (x->open != DOCUMENT_NONE && element == NODE_BULLETML)
-        document_bad(x->r, at, "<%s> is inside another element", name);
+        document_fail(x->r, at, "<%s> is inside another element", name);
     if (x->r->failed)
         return;
     const int32_t node = document_add(x->r, x->open, element, at);
@@ -184,23 +184,23 @@ static void read_number(struct reader *x, int32_t at)
     struct expression_error error;
     bool large;
 
-    if (blanks(x->text, x->n) == x->n) {
-        document_bad(x->r, node->place, "<%s>: expected a number, got nothing", name_of(x, at));
+    if (count_blanks(x->text, x->n) == x->n) {
+        document_fail(x->r, node->place, "<%s>: expected a number, got nothing", get_name(x, at));
         return;
     }
     node->ops = expression_read(x->text, x->n, ops, &large, &error);
     if (node->ops == 0) {
-        document_bad(x->r, place_in(x->text_place, x->text, error.at), "<%s>: %s", name_of(x, at), error.text);
+        document_fail(x->r, position_in(x->text_place, x->text, error.at), "<%s>: %s", get_name(x, at), error.text);
         return;
     }
-    node->op = document_keep(x->r, ops, (size_t)node->ops * sizeof *ops);
+    node->op = document_store(x->r, ops, (size_t)node->ops * sizeof *ops);
     if (large)
-        document_suspect(x->r, at, "numbers above 2147483647 are clamped to 2147483647");
+        document_warn_at(x->r, at, "numbers above 2147483647 are clamped to 2147483647");
 }
 
 static void close_element(struct reader *x)
 {
-    if (document_has_number(element_of(x, x->open)))
+    if (document_has_number(get_element(x, x->open)))
         read_number(x, x->open);
     x->open = x->r->d->node[x->open].parent;
     x->n = 0;
@@ -210,19 +210,19 @@ static void close_element(struct reader *x)
 
 static void add_text(struct reader *x, struct xml_place place, const char *s, size_t n)
 {
-    const enum document_element element = element_of(x, x->open);
-    const size_t start = blanks(s, n);
+    const enum document_element element = get_element(x, x->open);
+    const size_t start = count_blanks(s, n);
 
     if (element == NODE_VANISH || (start == n && (x->closed || !document_has_number(element))))
         return;
     if (!document_has_number(element)) {
-        document_bad(x->r, place_in(place, s, start), "<%s>: expected elements, got text", name_of(x, x->open));
+        document_fail(x->r, position_in(place, s, start), "<%s>: expected elements, got text", get_name(x, x->open));
     } else if (x->closed) {
         if (!x->warned)
-            document_suspect(x->r, x->open, "text after the comment is ignored");
+            document_warn_at(x->r, x->open, "text after the comment is ignored");
         x->warned = true;
     } else if (n > TEXT - x->n) {
-        document_bad(x->r, place, "<%s>: number longer than %d bytes", name_of(x, x->open), (int)TEXT);
+        document_fail(x->r, place, "<%s>: number longer than %d bytes", get_name(x, x->open), (int)TEXT);
     } else {
         memcpy(x->text, s, n);
         x->text_place = place;
@@ -230,7 +230,7 @@ static void add_text(struct reader *x, struct xml_place place, const char *s, si
     }
 }
 
-/* Text and comments up to the next tag. A comment before the number has no effect; a comment after it ends it. */
+/* Reads text and comments up to the next tag. A comment before the number has no effect; a comment after it ends it. */
 static void read_text(struct reader *x)
 {
     bool skipped = true;
@@ -243,7 +243,7 @@ static void read_text(struct reader *x)
         if (!x->r->failed)
             x->r->failed = !xml_skip_markup(&x->xml, &skipped);
         if (skipped)
-            x->closed = blanks(x->text, x->n) < x->n;
+            x->closed = count_blanks(x->text, x->n) < x->n;
     }
 }
 
@@ -265,7 +265,7 @@ static void read_elements(struct reader *x)
             break;
     }
     if (!x->r->failed && x->r->d->n == 0)
-        document_bad(x->r, x->xml.place, "expected <bulletml> as the root element");
+        document_fail(x->r, x->xml.place, "expected <bulletml> as the root element");
 }
 
 void document_xml(struct document_reader *r, const char *bytes, size_t n)
@@ -274,7 +274,7 @@ void document_xml(struct document_reader *r, const char *bytes, size_t n)
 
     if (!x) {
         result_set_host_failed();
-        document_bad(r, (struct xml_place){ 1, 1 }, "out of memory");
+        document_fail(r, (struct xml_place){ 1, 1 }, "out of memory");
         return;
     }
     x->r = r;

@@ -1,12 +1,12 @@
 /*
- * expression.h - the numbers of a BulletML document: text to operations for a stack.
+ * expression.h - parses the numbers of a BulletML document into operations for a stack machine.
  *
  *     sum     := product (("+" | "-") product)*
  *     product := factor (("*" | "/") factor)*
  *     factor  := "-" factor | "(" sum ")" | NUMBER | "$rand" | "$rank" | "$" DIGIT
  *
- * Operations are in the order of evaluation, left operand first, so that $rand is drawn in reading order. Blanks, tabs
- * and new lines are ignored.
+ * Operations are in evaluation order, left operand first, so that $rand is drawn in reading order. Whitespace is
+ * ignored.
  */
 #ifndef WORKBENCH_EXPRESSION_H
 #define WORKBENCH_EXPRESSION_H
@@ -22,15 +22,15 @@ enum {
 };
 
 enum expression_kind {
-    EXPRESSION_NUMBER, /* put `number` on the stack */
-    EXPRESSION_RAND,   /* put a draw from 0 up to 1 on it */
+    EXPRESSION_NUMBER, /* push `number` */
+    EXPRESSION_RAND,   /* push a random number from 0 to less than 1 */
     EXPRESSION_RANK,
     EXPRESSION_PARAM, /* $1 to $9, and $0, which some documents use: `number` is the digit */
-    EXPRESSION_ADD,   /* take two, put one: the one below is the left operand */
+    EXPRESSION_ADD,   /* pop two, push one: the lower one is the left operand */
     EXPRESSION_SUBTRACT,
     EXPRESSION_MULTIPLY,
     EXPRESSION_DIVIDE,
-    EXPRESSION_NEGATE /* take one, put one */
+    EXPRESSION_NEGATE /* pop one, push one */
 };
 
 struct expression_op {
@@ -38,21 +38,21 @@ struct expression_op {
     int64_t number; /* Q31.32, nearest to the decimal; INT64_MAX if too large */
 };
 
-/* An error, and its byte in the text. */
+/* An error, and its offset in the text. */
 struct expression_error {
     size_t at;
     char text[128];
 };
 
-/* Reads n bytes into ops, at most EXPRESSION_OPS; returns their number, 0: error. *large: a number was clamped to the
- * largest of Q31.32. */
+/* Parses n bytes into ops, at most EXPRESSION_OPS; returns their number, 0: error. *large: a number was clamped to the
+ * maximum of Q31.32. */
 int expression_read(const char *text, size_t n, struct expression_op *ops, bool *large, struct expression_error *error);
 
-/* The largest size of the stack during evaluation; at least 1. */
+/* Returns the maximum size of the stack during evaluation, at least 1. */
 int expression_depth(const struct expression_op *ops, int n);
 
-/* True if the number doesn't depend on $rand, rank or parameters. *value is for messages; the board calculates as in
- * bulletml.h. Division by 0 is not constant. */
+/* Returns whether the number doesn't depend on $rand, rank or parameters. *value is for messages, because the board
+ * calculates as in bulletml.h. A division by 0 is not constant. */
 bool expression_constant(const struct expression_op *ops, int n, double *value);
 
 #endif

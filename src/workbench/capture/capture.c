@@ -1,8 +1,7 @@
 /*
  * capture.c - see capture.h.
  *
- * A run is played once, or twice for a film with sound: ffmpeg needs the sound first. The second run is the same as the
- * first.
+ * A run is played once, or twice for a video with sound, because ffmpeg needs the sound first. Both runs are identical.
  */
 #include "capture.h"
 
@@ -38,12 +37,12 @@ struct capture {
     struct view view;
     struct shade_cache shades;
     void *memory, *scratch;
-    uint8_t *pix; /* the picture, scaled */
-    int w, h;     /* and its size */
+    uint8_t *pix; /* the scaled picture */
+    int w, h;     /* of the scaled picture, px */
     uint32_t rgb[256];
-    uint32_t pictures; /* so far */
+    uint32_t pictures; /* written so far */
     struct gif gif;
-    FILE *stream; /* of y4m, to a file or another program */
+    FILE *stream; /* y4m output, to a file or another program */
 };
 
 static const struct {
@@ -54,7 +53,7 @@ static const struct {
 
 /* ---- the command line ---- */
 
-static bool ends_in(const char *path, const char *ending)
+static bool has_suffix(const char *path, const char *ending)
 {
     const size_t n = strlen(path), m = strlen(ending);
 
@@ -64,17 +63,17 @@ static bool ends_in(const char *path, const char *ending)
 static enum format find_format(const struct args *a)
 {
     for (int i = 0; i < FORMATS; i++)
-        if (a->format ? strcmp(a->format, formats[i].name) == 0 : ends_in(a->out, formats[i].ending))
+        if (a->format ? strcmp(a->format, formats[i].name) == 0 : has_suffix(a->out, formats[i].ending))
             return (enum format)i;
     return FORMATS;
 }
 
-static bool through_ffmpeg(const struct capture *c)
+static bool uses_ffmpeg(const struct capture *c)
 {
     return c->format == MP4 || c->format == WEBM;
 }
 
-static enum result refuse_format(const char *got)
+static enum result report_bad_format(const char *got)
 {
     const char *words[FORMATS + 1] = { NULL };
     char list[128];
@@ -94,7 +93,7 @@ static enum result check_format(struct capture *c)
     c->to_stdout = strcmp(a->out, "-") == 0;
     c->format = find_format(a);
     if (c->format == FORMATS && a->format)
-        return refuse_format(a->format);
+        return report_bad_format(a->format);
     if (c->format == FORMATS && c->to_stdout)
         return report_line(RESULT_REFUSED, "-o - needs --format: standard output has no file extension");
     if (c->format == FORMATS)
@@ -102,13 +101,13 @@ static enum result check_format(struct capture *c)
                            "-o: expected a name that ends in .gif, .y4m, .wav, .mp4 or .webm, got \"%s\" "
                            "(or use --format)",
                            a->out);
-    if (through_ffmpeg(c) && c->to_stdout)
+    if (uses_ffmpeg(c) && c->to_stdout)
         return report_line(RESULT_REFUSED, "-o - cannot be combined with %s, which is written to a file",
                            formats[c->format].name);
     if (c->format == WAV && (a->scale || a->faster))
         return report_line(RESULT_REFUSED, "%s cannot be combined with WAV, which has no picture",
                            a->scale ? "--scale" : "--speed");
-    if (through_ffmpeg(c) && !plat_has_command("ffmpeg"))
+    if (uses_ffmpeg(c) && !plat_has_command("ffmpeg"))
         return report_line(RESULT_HOST_FAILED,
                            "%s needs ffmpeg, which is not installed; install it, or write a .gif, .png or .y4m",
                            formats[c->format].name);
@@ -156,7 +155,7 @@ static void run_close(struct capture *c)
     c->pictures = 0;
 }
 
-static void enlarge(const struct capture *c)
+static void scale_picture(const struct capture *c)
 {
     const int scale = c->w / c->fb.w;
     uint8_t *to = c->pix;
@@ -173,8 +172,8 @@ static void enlarge(const struct capture *c)
     }
 }
 
-/* Returns the frame of picture k, counted from the first frame. */
-static uint64_t frame_of(const struct capture *c, uint32_t k)
+/* Returns the frame that picture k shows, counted from the first captured frame. */
+static uint64_t picture_frame(const struct capture *c, uint32_t k)
 {
     const uint64_t rate = c->format == GIF ? GIF_MAX_FPS : 60;
     const uint64_t faster = c->a->faster ? (uint64_t)c->a->faster : 1,
@@ -183,19 +182,19 @@ static uint64_t frame_of(const struct capture *c, uint32_t k)
     return k * 60 * faster / (rate * slower);
 }
 
-static uint32_t time_of(const struct capture *c, uint32_t k)
+static uint32_t picture_time(const struct capture *c, uint32_t k)
 {
     return c->format == GIF ? k * (GIF_UNITS_PER_SECOND / GIF_MAX_FPS) : k;
 }
 
 static void add_picture(struct capture *c)
 {
-    const uint32_t at = time_of(c, c->pictures);
+    const uint32_t at = picture_time(c, c->pictures);
 
     if (c->format == GIF)
         gif_add(&c->gif, c->pix, c->rgb, at);
     else
-        y4m_picture(c->stream, c->pix, c->rgb, c->w, c->h);
+        y4m_write_picture(c->stream, c->pix, c->rgb, c->w, c->h);
     c->pictures++;
 }
 
@@ -205,11 +204,11 @@ static void add_frame(struct capture *c, uint32_t frame)
     const uint64_t from_first = frame - c->first;
     bool drawn = false;
 
-    for (; frame_of(c, c->pictures) == from_first; add_picture(c)) {
+    for (; picture_frame(c, c->pictures) == from_first; add_picture(c)) {
         if (drawn)
             continue;
         board_draw(c->run.guard.board, &c->view, &c->fb, c->rgb, c->scratch);
-        enlarge(c);
+        scale_picture(c);
         drawn = true;
     }
 }
@@ -228,7 +227,7 @@ static enum result play(struct capture *c, bool sound)
     for (uint32_t f = 0;; f++) {
         if (f >= c->first && !sound)
             add_frame(c, f);
-        else if (f >= c->first && (f > 0 || through_ffmpeg(c)))
+        else if (f >= c->first && (f > 0 || uses_ffmpeg(c)))
             wav_writer_add(&c->wav, c->run.guard.board);
         if (f == c->last || result != RESULT_DONE || failed(c))
             break;
@@ -243,7 +242,7 @@ static enum result play(struct capture *c, bool sound)
 
 /* ---- output ---- */
 
-static enum result write_out(const struct capture *c, const uint8_t *bytes, size_t n)
+static enum result write_output(const struct capture *c, const uint8_t *bytes, size_t n)
 {
     char err[FILES_ERR_SIZE];
 
@@ -254,7 +253,7 @@ static enum result write_out(const struct capture *c, const uint8_t *bytes, size
     return report_stdout(RESULT_DONE);
 }
 
-static enum result no_memory(const struct capture *c)
+static enum result report_no_memory(const struct capture *c)
 {
     return report_line(RESULT_HOST_FAILED, "%s: out of memory, or larger than 1 GiB", c->a->out);
 }
@@ -269,39 +268,39 @@ static enum result restart(struct capture *c)
 {
     run_close(c);
     headless_run_close(&c->run, RESULT_DONE);
-    enum result result = headless_run_again(&c->run, c->a);
+    enum result result = headless_run_repeat(&c->run, c->a);
     return result == RESULT_DONE ? pictures_open(c) : result;
 }
 
 static enum result capture_gif(struct capture *c)
 {
     if (!gif_open(&c->gif, c->w, c->h))
-        return no_memory(c);
+        return report_no_memory(c);
     enum result result = play(c, false);
     if (c->pictures == 0)
         return result;
-    if (!gif_end(&c->gif, time_of(c, c->pictures)))
-        return no_memory(c);
-    return first_error(result, write_out(c, c->gif.out.bytes, c->gif.out.n));
+    if (!gif_end(&c->gif, picture_time(c, c->pictures)))
+        return report_no_memory(c);
+    return first_error(result, write_output(c, c->gif.out.bytes, c->gif.out.n));
 }
 
 static enum result capture_wav(struct capture *c)
 {
     if (!wav_writer_open(&c->wav))
-        return no_memory(c);
+        return report_no_memory(c);
     enum result result = play(c, true);
     if (!wav_writer_end(&c->wav))
-        return no_memory(c);
-    return first_error(result, write_out(c, c->wav.file.bytes, c->wav.file.n));
+        return report_no_memory(c);
+    return first_error(result, write_output(c, c->wav.file.bytes, c->wav.file.n));
 }
 
-/* If the disk is full, the file remains: players show it up to there. */
+/* If the disk is full, the partial file remains, because players can show it. */
 static enum result capture_y4m(struct capture *c)
 {
     c->stream = c->to_stdout ? stdout : plat_open_stream(c->a->out, true);
     if (!c->stream)
         return report_line(RESULT_HOST_FAILED, "%s: cannot be written (%s)", c->a->out, strerror(errno));
-    y4m_head(c->stream, c->w, c->h);
+    y4m_write_header(c->stream, c->w, c->h);
     enum result result = play(c, false);
     if (c->to_stdout)
         return report_stdout(result);
@@ -327,7 +326,7 @@ static void add_words(struct ffmpeg *f, const char *const words[])
         f->words[f->n++] = *words;
 }
 
-/* Adds a file name in the form that ffmpeg accepts for any name. */
+/* Adds a file name with the prefix file:, so that ffmpeg accepts any name. */
 static bool add_file(struct ffmpeg *f, char *to, size_t size, const char *name)
 {
     f->words[f->n++] = to;
@@ -358,7 +357,7 @@ static bool ffmpeg_words(struct ffmpeg *f, const struct capture *c, const char *
     return good;
 }
 
-/* Writes the video like any other output file, so that links and devices remain. */
+/* Copies the video with files_save, so that links and devices are preserved. */
 static enum result move_video(const struct capture *c, const char *part)
 {
     char err[FILES_ERR_SIZE];
@@ -379,13 +378,13 @@ static enum result run_ffmpeg(struct capture *c, const char *sound, const char *
 
     if (!ffmpeg_words(&ffmpeg, c, sound, part))
         return report_line(RESULT_REFUSED, "-o: path too long");
-    if (!files_save(part, "", 0, err, sizeof err)) /* reports an error before the work */
+    if (!files_save(part, "", 0, err, sizeof err)) /* finds errors before the encoding */
         return report_line(RESULT_HOST_FAILED, "%s", err);
     fflush(stdout);
     c->stream = plat_command_open(ffmpeg.words);
     if (!c->stream)
         return report_line(RESULT_HOST_FAILED, "cannot run ffmpeg (%s)", strerror(errno));
-    y4m_head(c->stream, c->w, c->h);
+    y4m_write_header(c->stream, c->w, c->h);
     enum result result = play(c, false);
     const bool good = plat_command_close(c->stream);
     c->stream = NULL;
@@ -395,22 +394,22 @@ static enum result run_ffmpeg(struct capture *c, const char *sound, const char *
     return report_line(RESULT_HOST_FAILED, "%s: ffmpeg failed", c->a->out);
 }
 
-/* The sound is left out at another speed. */
+/* Captures with ffmpeg. Videos at another speed have no sound. */
 static enum result capture_video(struct capture *c)
 {
     char part[FILES_PATH_SIZE], sound[FILES_PATH_SIZE], err[FILES_ERR_SIZE];
-    const bool heard = board_has_sound(c->run.guard.board) && c->a->faster <= 1 && c->a->slower <= 1;
+    const bool with_sound = board_has_sound(c->run.guard.board) && c->a->faster <= 1 && c->a->slower <= 1;
 
     if (!output_path_temporary(c->a->out, ".part", part, sizeof part) ||
         !output_path_temporary(c->a->out, ".part.wav", sound, sizeof sound))
         return report_line(RESULT_REFUSED, "-o: path too long");
-    if (!heard)
+    if (!with_sound)
         return run_ffmpeg(c, NULL, part);
     if (!wav_writer_open(&c->wav))
-        return no_memory(c);
+        return report_no_memory(c);
     enum result result = play(c, true);
     if (!wav_writer_end(&c->wav))
-        return no_memory(c);
+        return report_no_memory(c);
     if (!files_save(sound, c->wav.file.bytes, c->wav.file.n, err, sizeof err))
         return report_line(RESULT_HOST_FAILED, "%s", err);
     wav_writer_close(&c->wav);
@@ -424,7 +423,7 @@ static enum result capture_video(struct capture *c)
 
 static enum result capture(struct capture *c)
 {
-    static enum result (*const ways[FORMATS])(struct capture *) = {
+    static enum result (*const captures[FORMATS])(struct capture *) = {
         [GIF] = capture_gif, [Y4M] = capture_y4m, [WAV] = capture_wav, [MP4] = capture_video, [WEBM] = capture_video,
     };
     const struct args *a = c->a;
@@ -435,7 +434,7 @@ static enum result capture(struct capture *c)
     if (result == RESULT_DONE && c->format != WAV &&
         (c->w > PNG_MAX_SIDE || c->h > PNG_MAX_SIDE || c->w > PNG_MAX_PIXELS / c->h))
         return report_line(RESULT_REFUSED, "--scale: frames of %d x %d pixels are too large", c->w, c->h);
-    return result == RESULT_DONE ? ways[c->format](c) : result;
+    return result == RESULT_DONE ? captures[c->format](c) : result;
 }
 
 enum result capture_run(const struct args *a)

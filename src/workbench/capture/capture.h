@@ -1,8 +1,9 @@
 /*
  * capture.h - `curtain capture`: records a run as a video.
  *
- * Picture k is shown k / R seconds after the start, with R = 50 for GIF and 60 for the other formats, and is the last
- * frame that started by then. A frame of a GIF is therefore never more than a sixtieth late, and the others are exact.
+ * Picture k is shown k / R seconds after the start, where R is 50 for GIF and 60 for other formats. It is the last
+ * frame that has started at this time, so a frame of a GIF is at most a sixtieth of a second late, and others are
+ * exact.
  */
 #ifndef WORKBENCH_CAPTURE_H
 #define WORKBENCH_CAPTURE_H

@@ -16,8 +16,8 @@
 #include "../../common/array.h"
 
 static const char *const libraries[] = { "string", "table", "math", "utf8" };
-static const char *const others[] = { "print", "require", "forever" };
-enum { LUA_OTHERS = 2 }; /* the first of them belong to Lua */
+static const char *const extra_globals[] = { "print", "require", "forever" };
+enum { LUA_EXTRA_GLOBALS = 2 }; /* the first of them belong to Lua */
 static const char *const rom_fields[] = { "title", "field", "screen" };
 
 bool name_set_has(const struct name_set *s, const char *space, const char *name)
@@ -41,7 +41,7 @@ void name_set_add(struct name_set *s, const char *space, const char *name)
     s->failed = s->failed || s->arena.failed;
 }
 
-const char *name_set_near(const struct name_set *s, const char *space, const char *name)
+const char *name_set_nearest(const struct name_set *s, const char *space, const char *name)
 {
     int best = (int)strlen(name) < 3 ? 0 : EDIT_TOO_FAR - 1;
     const char *found = NULL;
@@ -59,7 +59,7 @@ const char *name_set_near(const struct name_set *s, const char *space, const cha
 
 /* ---- names ---- */
 
-/* Adds the words of a list separated by blanks. */
+/* Adds the words of a list separated by spaces. */
 static void add_words(struct name_set *s, const char *space, const char *words)
 {
     for (const char *end; *words != '\0'; words = end + strspn(end, " ")) {
@@ -70,8 +70,8 @@ static void add_words(struct name_set *s, const char *space, const char *words)
     }
 }
 
-/* Splits "bullet.fire" into "bullet" and "fire"; false for methods, parts of entries and sys, which are not names of
- * games. */
+/* Splits "bullet.fire" into "bullet" and "fire"; false for methods, parts of entries and sys, which games cannot
+ * use. */
 static bool split(const struct api_entry *e, char space[32], const char **name)
 {
     const char *dot = strchr(e->name, '.');
@@ -101,22 +101,22 @@ void builtins_open_lua(struct name_set *s)
     add_words(s, NULL, api_library_names(""));
     for (size_t i = 0; i < COUNT(libraries); i++)
         add_words(s, libraries[i], api_library_names(libraries[i]));
-    for (size_t i = 0; i < LUA_OTHERS; i++)
-        name_set_add(s, NULL, others[i]);
+    for (size_t i = 0; i < LUA_EXTRA_GLOBALS; i++)
+        name_set_add(s, NULL, extra_globals[i]);
 }
 
 void builtins_open(struct name_set *s)
 {
     builtins_open_lua(s);
-    for (size_t i = LUA_OTHERS; i < COUNT(others); i++)
-        name_set_add(s, NULL, others[i]);
+    for (size_t i = LUA_EXTRA_GLOBALS; i < COUNT(extra_globals); i++)
+        name_set_add(s, NULL, extra_globals[i]);
     for (size_t i = 0; i < COUNT(rom_fields); i++)
         name_set_add(s, "rom", rom_fields[i]);
     for (int i = 0; i < api_count_entries(&api_table); i++)
         add_entry(s, api_get_entry(&api_table, i));
 }
 
-void name_set_close(struct name_set *s)
+void name_set_free(struct name_set *s)
 {
     free(s->list);
     arena_close(&s->arena);
@@ -124,7 +124,7 @@ void name_set_close(struct name_set *s)
 }
 
 /* Returns whether the script only extends a table of another module or of the board. */
-static bool adds_only(const char *script)
+static bool only_extends(const char *script)
 {
     for (int i = 0; i < STD_MODULE_COUNT; i++)
         if (strcmp(script, std_modules[i].name) == 0)
@@ -136,7 +136,7 @@ bool builtins_add_library(struct name_set *s, const char *script, const struct s
 {
     const char *space = strcmp(script, "prelude") == 0 ? NULL : script;
 
-    if (adds_only(script))
+    if (only_extends(script))
         return true;
     if (space != NULL)
         name_set_add(s, NULL, space);
@@ -146,7 +146,7 @@ bool builtins_add_library(struct name_set *s, const char *script, const struct s
     for (int i = 0; i < f->n_members; i++)
         if (f->members[i].local == f->result_local)
             name_set_add(s, space, f->members[i].field);
-    return f->whole && f->result_table >= 0 && !f->result_open;
+    return f->complete && f->result_table >= 0 && !f->result_open;
 }
 
 bool builtins_global(const char *name)
@@ -155,11 +155,11 @@ bool builtins_global(const char *name)
 
     if (script_list_has(api_library_names(""), name, n))
         return true;
-    for (size_t i = 0; i < COUNT(others); i++)
-        if (strcmp(others[i], name) == 0)
+    for (size_t i = 0; i < COUNT(extra_globals); i++)
+        if (strcmp(extra_globals[i], name) == 0)
             return true;
     for (int i = 0; i < std_script_count; i++)
-        if (strcmp(std_scripts[i].name, name) == 0 && !adds_only(name))
+        if (strcmp(std_scripts[i].name, name) == 0 && !only_extends(name))
             return true;
     for (int i = 0; i < api_count_entries(&api_table); i++)
         if (strncmp(api_get_entry(&api_table, i)->name, name, n) == 0 &&
@@ -190,12 +190,12 @@ const char *builtins_handle(const char *space, const char *name)
     return e && is_handle(e->returns) ? e->returns : NULL;
 }
 
-bool builtins_handed(const struct symbol_origin *of)
+bool builtins_is_handle_param(const struct symbol_origin *of)
 {
     static const struct {
         const char *space, *name, *key;
         int arg, params; /* the first `params` parameters are handles */
-    } handed[] = {
+    } callbacks[] = {
         { "enemy", "def", "run", 2, 1 },       { "enemy", "def", "on_hit", 2, 1 },
         { "enemy", "def", "on_death", 2, 1 },  { "enemy", "spawn", "run", 1, 1 },
         { "stage", "wave", "run", 1, 1 },      { "enemy", "spawn", "on_death", 1, 1 },
@@ -210,9 +210,9 @@ bool builtins_handed(const struct symbol_origin *of)
         { "laser", "each", NULL, 2, 1 },       { "boss", "def", "talk", 2, 1 },
     };
 
-    for (size_t i = 0; i < COUNT(handed); i++)
-        if (symbols_same(handed[i].space, of->space) && symbols_same(handed[i].name, of->name) &&
-            symbols_same(handed[i].key, of->key) && handed[i].arg == of->arg && of->param <= handed[i].params)
+    for (size_t i = 0; i < COUNT(callbacks); i++)
+        if (symbols_same(callbacks[i].space, of->space) && symbols_same(callbacks[i].name, of->name) &&
+            symbols_same(callbacks[i].key, of->key) && callbacks[i].arg == of->arg && of->param <= callbacks[i].params)
             return true;
     return false;
 }

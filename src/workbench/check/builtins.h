@@ -19,7 +19,7 @@ struct name_set {
     bool failed; /* out of memory */
 };
 
-void name_set_close(struct name_set *s);
+void name_set_free(struct name_set *s);
 
 /* Adds a name, once. */
 void name_set_add(struct name_set *s, const char *space, const char *name);
@@ -28,9 +28,9 @@ void name_set_add(struct name_set *s, const char *space, const char *name);
 bool name_set_has(const struct name_set *s, const char *space, const char *name);
 
 /* Returns the name most similar to a misspelt one, or NULL. */
-const char *name_set_near(const struct name_set *s, const char *space, const char *name);
+const char *name_set_nearest(const struct name_set *s, const char *space, const char *name);
 
-/* Fills *s with the names of Lua and the API; close it. */
+/* Fills *s with the names of Lua and the API; free it with name_set_free. */
 void builtins_open(struct name_set *s);
 
 /* The same with the names of Lua only. */
@@ -46,7 +46,7 @@ bool builtins_global(const char *name);
 /* Returns the kind of handle that a function returns ("bullet", "group"), or NULL. */
 const char *builtins_handle(const char *space, const char *name);
 
-/* Returns whether a parameter of a callback is a handle. of.arg and of.param are set. */
-bool builtins_handed(const struct symbol_origin *of);
+/* Returns whether a parameter of a callback is a handle. arg and param are set. */
+bool builtins_is_handle_param(const struct symbol_origin *of);
 
 #endif

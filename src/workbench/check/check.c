@@ -98,9 +98,9 @@ static void check_close(struct check *c)
     free(c->texts);
     symbols_free(&c->rom);
     free(c->rom_text);
-    name_set_close(&c->builtins);
-    name_set_close(&c->open);
-    name_set_close(&c->changed);
+    name_set_free(&c->builtins);
+    name_set_free(&c->open);
+    name_set_free(&c->changed);
     diagnostics_close(&c->found);
     tree_close(&c->files);
 }
@@ -123,7 +123,7 @@ static void print_summary(const struct check *c)
     char scripts[32], sprites[32], demos[32], samples[32], sections[32], forced[32], enough[64] = "";
     char line[TREE_PATH + 256];
     size_t room = (size_t)c->m.lua_kib * 1024;
-    const int32_t lua_kib = ram_enough_lua_kib(c->lua_most);
+    const int32_t lua_kib = ram_enough_lua_kib(c->lua_peak);
 
     count(scripts, c->n_scripts, "script");
     count(sprites, c->art.n_sprites, "sprite");
@@ -135,7 +135,7 @@ static void print_summary(const struct check *c)
         snprintf(enough, sizeof enough, ", board.lua_kib = %d is enough", (int)lua_kib);
     snprintf(line, sizeof line,
              "%s: no problems: %s, %s; played %s, %s, %s; sampled %s for contrast; Lua RAM %d %% of %d KiB%s", c->dir,
-             scripts, sprites, demos, sections, forced, samples, (int)((c->lua_most * 100 + room - 1) / room),
+             scripts, sprites, demos, sections, forced, samples, (int)((c->lua_peak * 100 + room - 1) / room),
              (int)c->m.lua_kib, enough);
     clean_line(line);
     puts(line);

@@ -9,13 +9,7 @@
 #include <string.h>
 #include "../pack/sheet.h"
 
-static void refuse(struct check *c, const char *file, int line, const char *why)
-{
-    diagnostics_add(&c->found, file, line, "%s", why);
-    c->broken = true;
-}
-
-/* Reads a picture that rom.lua names in that line. False: it cannot be read, which is a finding. */
+/* Reads a picture that rom.lua names in the line. False: it cannot be read, which is a finding. */
 static bool load_art(struct check *c, const char *file, int line, uint8_t **data, size_t *size)
 {
     char why[256];
@@ -23,11 +17,11 @@ static bool load_art(struct check *c, const char *file, int line, uint8_t **data
     if (tree_has(&c->files, file))
         return check_load(c, file, TREE_FILE, data, size);
     snprintf(why, sizeof why, "%s does not exist", file);
-    refuse(c, "rom.lua", line, why);
+    check_add_broken(c, "rom.lua", line, why);
     return false;
 }
 
-/* The same for a PNG, decoded. */
+/* Reads and decodes a PNG. */
 static bool load_picture(struct check *c, const char *file, int line, bool by_index, struct art_picture *out)
 {
     char why[256];
@@ -39,7 +33,7 @@ static bool load_picture(struct check *c, const char *file, int line, bool by_in
     bool good = sheet_read_png(out, data, size, by_index, why, sizeof why);
     free(data);
     if (!good)
-        refuse(c, file, 0, why);
+        check_add_broken(c, file, 0, why);
     return good;
 }
 
@@ -53,11 +47,11 @@ static bool load_palette(struct check *c, const char *file, int line, uint8_t rg
     bool good = art_make_palette(&picture, rgb, why, sizeof why);
     art_picture_free(&picture);
     if (!good)
-        refuse(c, file, 0, why);
+        check_add_broken(c, file, 0, why);
     return good;
 }
 
-/* The colours of the main palette and of the others, in the order of rom.lua. */
+/* The main palette and the other palettes, in the order of rom.lua. */
 struct colours {
     uint8_t main[CART_PALETTE_SIZE], other[MAX_ART_PALETTES][CART_PALETTE_SIZE];
     bool good, other_good[MAX_ART_PALETTES];
@@ -73,8 +67,8 @@ static void load_palettes(struct check *c, struct colours *to)
     to->good = c->art.palette[0] == '\0' || load_palette(c, c->art.palette, CHECK_LINE(c, "palette"), to->main);
 }
 
-/* Returns the colours of a palette, "": the main palette; NULL: it is invalid. */
-static const uint8_t *colours_of(const struct check *c, const struct colours *colours, const char *name)
+/* Returns the colours of a palette ("": the main palette); NULL: it is invalid. */
+static const uint8_t *find_colours(const struct check *c, const struct colours *colours, const char *name)
 {
     for (int i = 0; i < c->art.n_palettes; i++)
         if (strcmp(c->art.palettes[i].name, name) == 0)
@@ -83,13 +77,13 @@ static const uint8_t *colours_of(const struct check *c, const struct colours *co
 }
 
 /* Returns advice for a picture whose palette was changed, or "". */
-static const char *remedy(const struct art_strays *s)
+static const char *palette_advice(const struct art_strays *s)
 {
-    return s->fits ? " (the picture's indices fit the bank; to use them, set match = \"index\" in rom.lua)" : "";
+    return s->indices_fit ? " (the picture's indices fit the bank; to use them, set match = \"index\" in rom.lua)" : "";
 }
 
-static void note_strays(struct check *c, const char *file, int bank, const struct art_picture *picture,
-                        struct art_strays s)
+static void report_strays(struct check *c, const char *file, int bank, const struct art_picture *picture,
+                          struct art_strays s)
 {
     char other[48] = "", count[48] = "", place[ART_PLACE];
 
@@ -105,7 +99,7 @@ static void note_strays(struct check *c, const char *file, int bank, const struc
                         s.index / 16, bank, count);
     else
         diagnostics_add(&c->found, file, 0, "%s: colour #%02x%02x%02x is not in bank %d%s%s%s", place, s.c[0], s.c[1],
-                        s.c[2], bank, other, count, remedy(&s));
+                        s.c[2], bank, other, count, palette_advice(&s));
     c->broken = c->broken || s.index >= 0; /* such an index has no nearest colour */
 }
 
@@ -119,23 +113,23 @@ static void check_font(struct check *c, const uint8_t *rgb)
     if (c->art.font[0] == '\0' || !load_picture(c, c->art.font, CHECK_LINE(c, "font"), c->art.by_index, &picture))
         return;
     if (!art_make_font(&picture, rgb, true, &data, &size, why, sizeof why)) {
-        refuse(c, c->art.font, 0, why);
+        check_add_broken(c, c->art.font, 0, why);
     } else {
         free(data);
-        note_strays(c, c->art.font, 0, &picture, art_find_strays(&picture, NULL, 0, rgb));
+        report_strays(c, c->art.font, 0, &picture, art_find_strays(&picture, NULL, 0, rgb));
     }
     art_picture_free(&picture);
 }
 
 /* Checks the colours of a font's picture; the packer reports other mistakes. */
-static void check_cells(struct check *c, const struct art_font *font, const uint8_t *rgb)
+static void check_font_colours(struct check *c, const struct art_font *font, const uint8_t *rgb)
 {
     struct art_picture picture;
 
     if (font->w == 0 ||
         !load_picture(c, font->file, CHECK_LINE(c, "fonts", font->name, "file"), font->by_index, &picture))
         return;
-    note_strays(c, font->file, 0, &picture, art_find_strays(&picture, NULL, 0, rgb));
+    report_strays(c, font->file, 0, &picture, art_find_strays(&picture, NULL, 0, rgb));
     art_picture_free(&picture);
 }
 
@@ -148,17 +142,17 @@ static void check_sprite(struct check *c, const struct sheet *sheet, const struc
     uint8_t *data;
     size_t size;
     bool pixel = false;
-    const bool cut = sheet_sprite(sheet, of, s, &made, why, sizeof why);
+    const bool made_sprite = sheet_sprite(sheet, of, s, &made, why, sizeof why);
 
-    if (cut && sheet->is_ase)
-        note_strays(c, of->file, of->bank, &made.picture, art_find_strays(&made.picture, NULL, of->bank, rgb));
-    const bool good =
-        cut && art_make_sprite(&made.picture, &made.sprite, of->bank, rgb, true, &data, &size, &pixel, why, sizeof why);
-    if (cut)
+    if (made_sprite && sheet->is_ase)
+        report_strays(c, of->file, of->bank, &made.picture, art_find_strays(&made.picture, NULL, of->bank, rgb));
+    const bool good = made_sprite && art_make_sprite(&made.picture, &made.sprite, of->bank, rgb, true, &data, &size,
+                                                     &pixel, why, sizeof why);
+    if (made_sprite)
         sheet_sprite_close(sheet, &made);
     if (good)
         free(data);
-    else if (!pixel) { /* note_strays has reported pixels */
+    else if (!pixel) { /* report_strays has reported pixels */
         diagnostics_add(&c->found, "rom.lua", CHECK_LINE(c, "sprites", s->name), "sprite \"%s\": %s", s->name, why);
         c->broken = true;
     }
@@ -172,7 +166,7 @@ static void check_colours(struct check *c, const struct sheet *sheet, int i, con
 
     c->found.failed = c->found.failed || marked == NULL;
     if (marked != NULL)
-        note_strays(c, of->file, of->bank, &sheet->picture, art_find_strays(&sheet->picture, marked, of->bank, rgb));
+        report_strays(c, of->file, of->bank, &sheet->picture, art_find_strays(&sheet->picture, marked, of->bank, rgb));
     free(marked);
 }
 
@@ -190,7 +184,7 @@ static void check_sheet(struct check *c, int i, const uint8_t *rgb)
     const bool good = sheet_read(&sheet, of, data, size, why, sizeof why);
     free(data);
     if (!good)
-        refuse(c, of->file, 0, why);
+        check_add_broken(c, of->file, 0, why);
     if (good && rgb != NULL && !sheet.is_ase)
         check_colours(c, &sheet, i, rgb);
     for (int k = 0; good && rgb != NULL && k < c->art.n_sprites; k++)
@@ -209,7 +203,7 @@ void check_art(struct check *c)
     if (colours.good)
         check_font(c, colours.main);
     for (int i = 0; colours.good && i < c->art.n_fonts; i++)
-        check_cells(c, &c->art.fonts[i], colours.main);
+        check_font_colours(c, &c->art.fonts[i], colours.main);
     for (int i = 0; i < c->art.n_sheets; i++)
-        check_sheet(c, i, colours_of(c, &colours, c->art.sheets[i].palette));
+        check_sheet(c, i, find_colours(c, &colours, c->art.sheets[i].palette));
 }

@@ -21,14 +21,14 @@ static void check_document(struct check *c, const char *path)
     char err[1200];
     size_t size;
 
-    if (!check_load(c, path, DOCUMENT_FILE, &text, &size))
+    if (!check_load(c, path, DOCUMENT_MAX_FILE, &text, &size))
         return;
     if (!document_read(&d, (const char *)text, size, path, add_sentence, c, err, sizeof err) ||
         !bulletml_compile(&d, path, &program, &size, err, sizeof err)) {
         diagnostics_add_sentence(&c->found, path, err);
         c->broken = c->broken || c->m.bulletml_runners > 0;
     }
-    document_close(&d);
+    document_free(&d);
     free(program);
     free(text);
 }

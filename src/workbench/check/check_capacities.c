@@ -1,6 +1,6 @@
 /*
- * check_capacities.c - capacities in rom.lua that no script uses: none contains a word of the functions that need them.
- * They take RAM, and time in each snapshot; the finding has the size.
+ * check_capacities.c - finds capacities in rom.lua that no script uses: no script contains a name of a function that
+ * needs them. They cost RAM, and time in each snapshot; the finding names the size.
  */
 #include "check_parts.h"
 
@@ -11,12 +11,12 @@
 
 #define BOARD(name) offsetof(struct manifest, name)
 
-/* Without sprites, tasks and nvram, which the library's screens use too; motions, which take no RAM until a script
- * declares one; and the capacities that pictures and sounds imply. */
+/* The list omits sprites, tasks and nvram, which the library's screens use too; motions, which take no RAM until a
+ * script declares one; and the capacities that pictures and sounds imply. */
 static const struct capacity {
     const char *path[3]; /* in rom.lua */
     size_t at;           /* of the manifest's int32_t */
-    const char *words;   /* of functions that use it, separated by blanks */
+    const char *words;   /* names of functions that use it, separated by spaces */
 } capacities[] = {
     { { "board", "bullets" }, BOARD(bullets), "bullet" },
     { { "board", "shots" }, BOARD(shots), "shot" },
@@ -40,7 +40,7 @@ static const struct capacity {
     { { "board", "values", "enemy" }, BOARD(enemy_values), "value" },
 };
 
-static int32_t asked(const struct manifest *m, const struct capacity *k)
+static int32_t get_value(const struct manifest *m, const struct capacity *k)
 {
     int32_t n;
 
@@ -63,13 +63,13 @@ static bool may_use(const struct check *c, const char *words)
 
     snprintf(all, sizeof all, "%s", words);
     for (char *w = strtok(all, " "); w != NULL; w = strtok(NULL, " "))
-        if (is_global(c, w) || check_mentioned(c, w))
+        if (is_global(c, w) || check_is_mentioned(c, w))
             return true;
     return false;
 }
 
-/* Returns the KiB, rounded up, that the board needs less without it. */
-static unsigned long long saved(const struct cart *cart, const struct capacity *k)
+/* Returns how many KiB less the board needs without the capacity, rounded up. */
+static unsigned long long saved_kib(const struct cart *cart, const struct capacity *k)
 {
     const int32_t none = 0;
     struct cart without = *cart;
@@ -80,18 +80,19 @@ static unsigned long long saved(const struct cart *cart, const struct capacity *
 
 void check_capacities(struct check *c, const struct cart *cart)
 {
-    struct manifest plain;
+    struct manifest defaults;
 
     if (!check_all_parsed(c))
         return;
-    manifest_set_defaults(&plain);
+    manifest_set_defaults(&defaults);
     for (size_t i = 0; i < sizeof capacities / sizeof *capacities; i++) {
         const struct capacity *k = &capacities[i];
-        if (asked(&c->m, k) == 0 || asked(&c->m, k) == asked(&plain, k) || may_use(c, k->words))
+        if (get_value(&c->m, k) == 0 || get_value(&c->m, k) == get_value(&defaults, k) || may_use(c, k->words))
             continue;
         diagnostics_add(&c->found, "rom.lua", symbols_line(&c->rom, k->path),
                         "%s%s%s.%s: no script uses %.*s; remove this entry from rom.lua to save %llu KiB of RAM",
                         k->path[0], k->path[2] ? "." : "", k->path[2] ? k->path[1] : "",
-                        k->path[2] ? k->path[2] : k->path[1], (int)strcspn(k->words, " "), k->words, saved(cart, k));
+                        k->path[2] ? k->path[2] : k->path[1], (int)strcspn(k->words, " "), k->words,
+                        saved_kib(cart, k));
     }
 }

@@ -21,7 +21,7 @@ bool check_load(struct check *c, const char *path, size_t max, uint8_t **data, s
     return false;
 }
 
-/* Returns the line of "sprites.orb.sheet", the n bytes at `at`. */
+/* Returns the line of a path such as "sprites.orb.sheet", n bytes long. */
 static int named_line(const struct check *c, const char *at, size_t n)
 {
     char words[256];
@@ -46,10 +46,16 @@ void check_rom_sentence(struct check *c, const char *sentence)
         diagnostics_add_sentence(&c->found, "rom.lua", sentence);
 }
 
+void check_add_broken(struct check *c, const char *file, int line, const char *why)
+{
+    diagnostics_add(&c->found, file, line, "%s", why);
+    c->broken = true;
+}
+
 bool check_all_parsed(const struct check *c)
 {
     for (int i = 0; i < c->n_scripts; i++)
-        if (!c->scripts[i].symbols.whole)
+        if (!c->scripts[i].symbols.complete)
             return false;
     return true;
 }

@@ -4,9 +4,9 @@
  * players, with continues, to a game over and to the end, in each language and with each DIP switch; each entry of the
  * title menu is opened.
  *
- * The buttons depend only on the frame and the board, so a run is the same each time. force_run causes what buttons
- * cannot cause with certainty. Fire passes menus like the library's; if a game's own menus need other buttons, the game
- * does not start, which is not reported.
+ * The buttons depend only on the frame and the board, so runs are reproducible. force_run causes events that buttons
+ * cannot cause reliably. Fire is enough for menus like those of the library. If a game's own menus need other buttons,
+ * the game doesn't start, which is not reported.
  */
 #include "check_run.h"
 
@@ -16,32 +16,32 @@
 #include "../bench/sweep.h"
 
 enum {
-    SHIP_FRAMES = 1000,   /* of a ship at a difficulty */
+    SHIP_FRAMES = 1000,   /* per ship and difficulty */
     STAGE_FRAMES = 480,   /* of a stage at another difficulty */
     PHASE_FRAMES = 180,   /* of a phase */
     BEFORE_FRAMES = 1800, /* in menus, until a game begins */
     GAME_FRAMES = 4000,   /* of a game that is lost */
     CLEAR_FRAMES = 30000, /* of one that is won */
-    AFTER_FRAMES = 1500,  /* after a game: its end, names and scores */
+    AFTER_FRAMES = 1500,  /* after a game: the ending, name entry and scores */
     START_FRAMES = 900,   /* of a game in another language, or with another switch */
     MENU_FRAMES = 2400,   /* of a run with pseudo-random buttons */
     ENTRIES = 12,         /* of the title menu */
     ENTRY_FRAMES = 900,   /* in an entry: a third without buttons, a third with fire, a third pseudo-random */
-    TAP = 2,              /* frames a button is held */
-    EVERY = 24,           /* frames from one press to the next; menus need some between them */
+    TAP = 2,              /* frames for which a button is held */
+    EVERY = 24,           /* frames from one press to the next; menus need a pause between presses */
     PAUSE_FRAMES = 60     /* from the pause to the resume */
 };
 
 enum tour_kind { TOUR_LOST, TOUR_TWO, TOUR_WON, TOUR_START, TOUR_MENUS, TOUR_ENTRY };
 
-/* A game from its title. */
+/* A run of the game from its title. */
 struct tour {
     enum tour_kind kind;
     struct board_start start;
-    int entry; /* of TOUR_ENTRY: 1 is the one below the first */
+    int entry; /* of TOUR_ENTRY, from 0 */
     bool playing, over;
-    uint32_t since; /* the frame in which the game started, or was over */
-    uint32_t out;   /* frames since the last player lost the last life */
+    uint32_t since;      /* the frame in which the game started or ended */
+    uint32_t frames_out; /* frames since the last player lost the last life */
     int continues;
 };
 
@@ -71,7 +71,7 @@ static const struct forced_event events[] = {
 
 enum { PAUSES_AT = 200, DIES_FROM = 820, DIES_EVERY = 16, FOCUS_FROM = 560 };
 
-/* An event that caused a fault is not forced again: the run restarts without it and continues further. */
+/* Forces an event, unless it has caused a fault before: then the run is repeated without the event. */
 static void force(struct run *r, enum force_kind kind, int player)
 {
     const struct force f = { kind, player };
@@ -84,7 +84,7 @@ static void force(struct run *r, enum force_kind kind, int player)
         r->faulting_forces |= 1u << kind;
 }
 
-/* Forces the events of a frame in a game that is lost. */
+/* Forces the events of a frame in a game that ends in game over. */
 static void force_loss(struct run *r, uint32_t frame, int players)
 {
     for (int p = 0; p < players; p++) {
@@ -96,8 +96,8 @@ static void force_loss(struct run *r, uint32_t frame, int players)
     }
 }
 
-/* Sets the buttons of a ship in a frame of a game: it flies and fires, partly focused, and pauses once. Fire is
- * released now and then, for dialogues. */
+/* Sets the buttons of a ship in a frame of a game: it moves and fires, sometimes focused, and pauses once. Fire is
+ * released regularly, for dialogues. */
 static void ship_pads(struct run *r, uint32_t frame, uint16_t pads[MAX_PLAYERS])
 {
     const uint32_t paused = frame - PAUSES_AT;
@@ -119,7 +119,8 @@ static void ship_pads(struct run *r, uint32_t frame, uint16_t pads[MAX_PLAYERS])
 
 /* ---- sections ---- */
 
-static void practise(struct run *r, const char *what, const char *section, int difficulty, uint32_t frames, bool loses)
+static void play_practice(struct run *r, const char *what, const char *section, int difficulty, uint32_t frames,
+                          bool loses)
 {
     struct board_start start = check_run_start(r);
     uint16_t pads[MAX_PLAYERS];
@@ -140,7 +141,7 @@ static void practise(struct run *r, const char *what, const char *section, int d
 }
 
 /* Writes the section with a ship, "one@petrel". False: too long. */
-static bool with_ship(const struct sections *s, const char *section, int ship, char out[64])
+static bool append_ship(const struct sections *s, const char *section, int ship, char out[64])
 {
     if (s->ships < 2)
         return snprintf(out, 64, "%s", section) < 64;
@@ -155,8 +156,8 @@ static const char *first_stage(const struct sections *s)
     return NULL;
 }
 
-/* A game without difficulties counts as one. */
-static int difficulties(const struct run *r)
+/* Returns the number of difficulties, at least 1. */
+static int count_difficulties(const struct run *r)
 {
     const int n = r->cart.manifest.n_difficulties;
 
@@ -175,31 +176,32 @@ static void play_ship(struct run *r, int ship, int difficulty)
     const struct sections *s = r->sections;
     char section[64], what[128];
 
-    if (!with_ship(s, first_stage(s), ship, section))
+    if (!append_ship(s, first_stage(s), ship, section))
         return;
     snprintf(what, sizeof what, "%s %s", section, difficulty_name(r, difficulty));
     unsigned before;
     do {
         before = r->faulting_forces;
-        practise(r, what, section, difficulty, SHIP_FRAMES, true);
+        play_practice(r, what, section, difficulty, SHIP_FRAMES, true);
     } while (r->faulting_forces != before);
 }
 
-/* Plays a section at a difficulty, with one ship after the other; check_run.c plays the default difficulty. */
+/* Plays a section at a difficulty; ships alternate. check_run.c plays the default difficulty. */
 static void play_section(struct run *r, int i, int difficulty)
 {
     const struct sections *s = r->sections;
     char section[64], what[128];
 
-    if (!with_ship(s, s->section[i].id, s->ships ? (i + difficulty) % s->ships : 0, section))
+    if (!append_ship(s, s->section[i].id, s->ships ? (i + difficulty) % s->ships : 0, section))
         return;
     snprintf(what, sizeof what, "%s %s", section, difficulty_name(r, difficulty));
-    practise(r, what, section, difficulty, s->section[i].kind == SECTION_STAGE ? STAGE_FRAMES : PHASE_FRAMES, false);
+    play_practice(r, what, section, difficulty, s->section[i].kind == SECTION_STAGE ? STAGE_FRAMES : PHASE_FRAMES,
+                  false);
 }
 
 /* ---- games ---- */
 
-/* Fire passes menus; fire and down, alternately, find "2 PLAYERS", other modes and other ships. */
+/* Fire goes through menus; fire and down, alternately, choose "2 PLAYERS", other modes and other ships. */
 static uint16_t menu_pads(const struct tour *t, uint32_t frame)
 {
     if (t->kind == TOUR_TWO && frame / EVERY % 2)
@@ -207,8 +209,7 @@ static uint16_t menu_pads(const struct tour *t, uint32_t frame)
     return tap(frame, EVERY, PAD_FIRE);
 }
 
-/* Pseudo-random buttons. */
-static uint16_t any_pads(uint32_t frame)
+static uint16_t random_pads(uint32_t frame)
 {
     static const uint16_t buttons[] = {
         PAD_FIRE, PAD_DOWN, PAD_FIRE, PAD_RIGHT, PAD_DOWN, PAD_BOMB, PAD_UP, PAD_START
@@ -218,15 +219,15 @@ static uint16_t any_pads(uint32_t frame)
     return tap(frame, EVERY, buttons[(n ^ n >> 15) >> 7 & 7]);
 }
 
-static uint32_t opened_at(const struct tour *t)
+static uint32_t opening_frame(const struct tour *t)
 {
     return (uint32_t)(t->entry + 2) * EVERY;
 }
 
-/* Goes down to the entry of the title menu and opens it. */
+/* Moves down to the entry of the title menu and opens it. */
 static uint16_t entry_pads(const struct tour *t, uint32_t frame)
 {
-    const uint32_t opened = opened_at(t);
+    const uint32_t opened = opening_frame(t);
 
     if (frame < EVERY)
         return 0;
@@ -234,18 +235,18 @@ static uint16_t entry_pads(const struct tour *t, uint32_t frame)
         return tap(frame, EVERY, frame < 2 * EVERY ? PAD_START : PAD_DOWN);
     if (frame < opened + ENTRY_FRAMES / 3)
         return frame < opened + TAP ? PAD_FIRE : 0;
-    return frame < opened + 2 * ENTRY_FRAMES / 3 ? tap(frame, EVERY, PAD_FIRE) : any_pads(frame);
+    return frame < opened + 2 * ENTRY_FRAMES / 3 ? tap(frame, EVERY, PAD_FIRE) : random_pads(frame);
 }
 
-static bool anyone_in(const struct run *r)
+static bool any_player_in_game(const struct run *r)
 {
     return force_player_in_game(r->guard.board, 0) || force_player_in_game(r->guard.board, 1);
 }
 
 /* Accepts the first continue and refuses the second. */
-static uint16_t out_pads(const struct tour *t)
+static uint16_t continue_pads(const struct tour *t)
 {
-    return t->continues == 0 ? tap(t->out, EVERY, PAD_START) : tap(t->out, EVERY, PAD_BOMB);
+    return t->continues == 0 ? tap(t->frames_out, EVERY, PAD_START) : tap(t->frames_out, EVERY, PAD_BOMB);
 }
 
 static void tour_pads(struct run *r, const struct tour *t, uint32_t frame, uint16_t pads[MAX_PLAYERS])
@@ -254,24 +255,24 @@ static void tour_pads(struct run *r, const struct tour *t, uint32_t frame, uint1
 
     memset(pads, 0, MAX_PLAYERS * sizeof *pads);
     if (t->kind == TOUR_MENUS)
-        pads[0] = any_pads(frame);
+        pads[0] = random_pads(frame);
     else if (t->kind == TOUR_ENTRY)
         pads[0] = entry_pads(t, frame);
     else if (t->over)
         pads[0] = age / EVERY % 4 == 3 ? tap(age, EVERY, PAD_START) : tap(age, EVERY, PAD_FIRE);
     else if (!t->playing)
         pads[0] = menu_pads(t, frame);
-    else if (!anyone_in(r))
-        pads[0] = out_pads(t);
+    else if (!any_player_in_game(r))
+        pads[0] = continue_pads(t);
     else
         ship_pads(r, age, pads);
-    if (!t->playing || t->over || !anyone_in(r))
+    if (!t->playing || t->over || !any_player_in_game(r))
         pads[1] = t->kind == TOUR_TWO ? pads[0] : 0;
     else if (!force_player_in_game(r->guard.board, 1))
         pads[1] = tap(age, EVERY, PAD_START); /* rejoin while the other player plays */
 }
 
-/* Forces the events of a frame in a game. Of two players, the second loses all lives first. */
+/* Forces the events of a frame in a game. With two players, the second loses all lives first. */
 static void tour_force(struct run *r, struct tour *t, uint32_t age)
 {
     switch (t->kind) {
@@ -301,7 +302,7 @@ static void tour_force(struct run *r, struct tour *t, uint32_t age)
 
 static void update_tour(struct run *r, struct tour *t, const struct board_out *out, uint32_t frame)
 {
-    const bool in = anyone_in(r);
+    const bool in = any_player_in_game(r);
 
     for (int i = 0; i < out->marker_count; i++) {
         const enum board_marker_kind kind = out->marker[i].kind;
@@ -311,11 +312,11 @@ static void update_tour(struct run *r, struct tour *t, const struct board_out *o
         t->over = kind == MARKER_OVER;
         t->since = frame;
     }
-    if (in && t->out > 0 && t->playing && !t->over)
+    if (in && t->frames_out > 0 && t->playing && !t->over)
         t->continues++;
-    t->out = in ? 0 : t->out + 1;
+    t->frames_out = in ? 0 : t->frames_out + 1;
     if (!t->playing)
-        t->out = 0;
+        t->frames_out = 0;
 }
 
 static uint32_t game_frames(enum tour_kind kind)
@@ -330,7 +331,7 @@ static bool is_over(const struct tour *t, uint32_t frame)
     if (t->kind == TOUR_MENUS)
         return frame >= MENU_FRAMES;
     if (t->kind == TOUR_ENTRY)
-        return frame >= opened_at(t) + ENTRY_FRAMES;
+        return frame >= opening_frame(t) + ENTRY_FRAMES;
     if (!t->playing)
         return frame >= BEFORE_FRAMES;
     if (frame >= BEFORE_FRAMES + most + AFTER_FRAMES) /* a game may restart forever */
@@ -338,7 +339,7 @@ static bool is_over(const struct tour *t, uint32_t frame)
     return age >= (t->over ? AFTER_FRAMES : most);
 }
 
-/* nvram: gets the nvram at the end (malloc), or NULL. */
+/* nvram: receives the nvram at the end (malloc); may be NULL. */
 static void play_tour(struct run *r, const char *what, struct tour *t, uint8_t **nvram, size_t *size)
 {
     uint16_t pads[MAX_PLAYERS];
@@ -387,7 +388,7 @@ static void open_entries(struct run *r, const struct board_start *start)
 }
 
 /* Wins a game, and then plays its menus with the nvram of that game: scores, spells, unlocks. */
-static void win(struct run *r)
+static void play_won_game(struct run *r)
 {
     struct tour won = { .kind = TOUR_WON, .start = check_run_start(r) };
     uint8_t *nvram = NULL;
@@ -405,62 +406,62 @@ static void win(struct run *r)
 /* ---- all ---- */
 
 /* An iteration over all runs. */
-struct each {
+struct run_iterator {
     struct run *r;
-    int n;   /* runs so far */
-    bool go; /* play them; otherwise only count */
+    int n;     /* runs so far */
+    bool play; /* play them; otherwise only count */
 };
 
 /* Counts a run; returns whether to play it. */
-static bool next(struct each *e)
+static bool count_run(struct run_iterator *e)
 {
     e->n++;
-    return e->go;
+    return e->play;
 }
 
-static void each_ship(struct each *e)
+static void each_ship(struct run_iterator *e)
 {
     const struct sections *s = e->r->sections;
     const int ships = s->ships > 0 ? s->ships : 1;
 
-    for (int d = 0; d < difficulties(e->r) && first_stage(s) != NULL; d++)
+    for (int d = 0; d < count_difficulties(e->r) && first_stage(s) != NULL; d++)
         for (int k = 0; k < ships; k++)
-            if (next(e))
+            if (count_run(e))
                 play_ship(e->r, k, d);
 }
 
-/* The first and the last difficulty differ most from the default. */
-static void each_section(struct each *e)
+/* Plays sections at the first and the last difficulty, which differ most from the default. */
+static void each_section(struct run_iterator *e)
 {
     const struct sections *s = e->r->sections;
-    const int last = difficulties(e->r) - 1;
+    const int last = count_difficulties(e->r) - 1;
 
     for (int d = 0; d <= last; d += last > 0 ? last : 1)
         for (int i = 0; i < s->n; i++)
-            if (d != e->r->cart.manifest.difficulty && check_run_plays(&s->section[i]) && next(e))
+            if (d != e->r->cart.manifest.difficulty && check_run_plays(&s->section[i]) && count_run(e))
                 play_section(e->r, i, d);
 }
 
-static void each_game(struct each *e)
+static void each_game(struct run_iterator *e)
 {
     char what[128];
 
-    for (int d = 0; d < difficulties(e->r); d++) {
+    for (int d = 0; d < count_difficulties(e->r); d++) {
         struct board_start start = check_run_start(e->r);
         start.difficulty = e->r->cart.manifest.n_difficulties > 0 ? d : -1;
         const char *name = difficulty_name(e->r, d);
         snprintf(what, sizeof what, "a lost game%s%s", name[0] ? ", " : "", name);
-        if (next(e))
+        if (count_run(e))
             tour(e->r, what, TOUR_LOST, &start);
     }
     const struct board_start start = check_run_start(e->r);
-    if (e->r->cart.manifest.players > 1 && next(e))
+    if (e->r->cart.manifest.players > 1 && count_run(e))
         tour(e->r, "a two-player game", TOUR_TWO, &start);
-    if (next(e))
-        win(e->r);
+    if (count_run(e))
+        play_won_game(e->r);
 }
 
-static void each_language(struct each *e)
+static void each_language(struct run_iterator *e)
 {
     const struct cart *cart = &e->r->cart;
     char what[128];
@@ -469,13 +470,13 @@ static void each_language(struct each *e)
         struct board_start start = check_run_start(e->r);
         snprintf(start.lang, sizeof start.lang, "%s", cart_name(cart, CART_LANGS, i));
         snprintf(what, sizeof what, "a game in language %s", start.lang);
-        if (next(e))
+        if (count_run(e))
             tour(e->r, what, TOUR_START, &start);
     }
 }
 
 /* Plays each value of a DIP switch; of a number, the minimum and the maximum. */
-static void each_switch(struct each *e)
+static void each_switch(struct run_iterator *e)
 {
     const struct manifest *m = &e->r->cart.manifest;
     char what[128];
@@ -486,15 +487,15 @@ static void each_switch(struct each *e)
             struct board_start start = check_run_start(e->r);
             start.dip[i] = dip->is_number ? (k ? dip->hi : dip->lo) : k;
             snprintf(what, sizeof what, "a game with switch %s", dip->name);
-            if (start.dip[i] != dip->default_value && next(e))
+            if (start.dip[i] != dip->default_value && count_run(e))
                 tour(e->r, what, TOUR_START, &start);
         }
     }
 }
 
-static int run_each(struct run *r, bool go)
+static int visit_runs(struct run *r, bool go)
 {
-    struct each e = { r, 0, go };
+    struct run_iterator e = { r, 0, go };
 
     each_ship(&e);
     each_game(&e);
@@ -506,10 +507,10 @@ static int run_each(struct run *r, bool go)
 
 int check_forced_count(struct run *r)
 {
-    return run_each(r, false);
+    return visit_runs(r, false);
 }
 
 int check_forced_play(struct run *r)
 {
-    return run_each(r, true);
+    return visit_runs(r, true);
 }

@@ -43,23 +43,17 @@ static void compile(struct check *c, const struct check_script *s, size_t size)
     free(block);
 }
 
-static void refuse(struct check *c, const char *path, const char *what)
-{
-    diagnostics_add(&c->found, path, 0, "%s", what);
-    c->broken = true;
-}
-
 static void read_script(struct check *c, const char *path)
 {
     struct check_script *s = &c->scripts[c->n_scripts];
     size_t size;
 
     if (!manifest_path_ok(path)) {
-        refuse(c, path, "expected a name of letters, digits, _ - and . only");
+        check_add_broken(c, path, 0, "expected a name of letters, digits, _ - and . only");
         return;
     }
     if (strncmp(path, "std/", 4) == 0 && !pack_is_std(path)) {
-        refuse(c, path, "the standard library has no script with this name");
+        check_add_broken(c, path, 0, "the standard library has no script with this name");
         return;
     }
     *s = (struct check_script){ .path = path };
@@ -73,7 +67,7 @@ static void read_script(struct check *c, const char *path)
     symbols_read(&s->symbols, (const char *)s->text, size, builtins_global);
 }
 
-static bool replaced(const struct check *c, const char *name)
+static bool is_replaced(const struct check *c, const char *name)
 {
     char path[64];
 
@@ -85,7 +79,7 @@ static void read_library(struct check *c)
 {
     for (int i = 0; i < std_script_count; i++) {
         struct check_script *s = &c->library[c->n_library];
-        if (replaced(c, std_scripts[i].name))
+        if (is_replaced(c, std_scripts[i].name))
             continue;
         c->n_library++;
         snprintf(s->name, sizeof s->name, "std/%s", std_scripts[i].name);
@@ -117,7 +111,7 @@ static void add_library(struct check *c, const struct check_script *s)
         name_set_add(&c->open, NULL, name);
 }
 
-/* Notes what the use of a global may change. */
+/* Records which names the use of a global may change. */
 static void add_use(struct check *c, const struct symbol_global *g)
 {
     bool all = strcmp(g->name, "_G") == 0 || strcmp(g->name, "_ENV") == 0;
@@ -134,7 +128,7 @@ static void add_use(struct check *c, const struct symbol_global *g)
     name_set_add(&c->open, NULL, g->name);
 }
 
-static void gather(struct check *c)
+static void collect_names(struct check *c)
 {
     builtins_open(&c->builtins);
     for (int i = 0; i < c->n_library; i++)
@@ -156,17 +150,17 @@ static bool is_changed(const struct check *c, const char *space, const char *nam
 /* ---- names ---- */
 
 /* Writes " (did you mean "speed"?)", or "". */
-static void hint(char out[96], const char *word, const char *near, const char *local)
+static void make_hint(char out[96], const char *word, const char *near, const char *local)
 {
-    bool inner = local != NULL && (near == NULL || edit_distance(word, local) <= edit_distance(word, near));
-    const char *meant = inner ? local : near;
+    bool use_local = local != NULL && (near == NULL || edit_distance(word, local) <= edit_distance(word, near));
+    const char *meant = use_local ? local : near;
 
     out[0] = '\0';
     if (meant != NULL)
         snprintf(out, 96, " (did you mean \"%s\"?)", meant);
 }
 
-static void unknown_global(struct check *c, const char *path, const struct symbol_global *g)
+static void report_unknown_global(struct check *c, const char *path, const struct symbol_global *g)
 {
     const char *instead = api_replacement(NULL, g->name);
     char meant[96];
@@ -175,8 +169,8 @@ static void unknown_global(struct check *c, const char *path, const struct symbo
         diagnostics_add(&c->found, path, g->line, "%s is not available (%s)", g->name, instead);
         return;
     }
-    const char *near = g->use == USE_WRITE ? NULL : name_set_near(&c->builtins, NULL, g->name);
-    hint(meant, g->name, near, g->local);
+    const char *near = g->use == USE_WRITE ? NULL : name_set_nearest(&c->builtins, NULL, g->name);
+    make_hint(meant, g->name, near, g->local);
     if (api_is_reserved(g->name) && g->use != USE_WRITE)
         diagnostics_add(&c->found, path, g->line, "undeclared global \"%s\" (%s %s)%s", g->name, g->name,
                         RESERVED_MESSAGE, g->local != NULL ? meant : "");
@@ -188,12 +182,12 @@ static void unknown_global(struct check *c, const char *path, const struct symbo
         diagnostics_add(&c->found, path, g->line, "undeclared global \"%s\"%s", g->name, meant);
 }
 
-static void unknown_field(struct check *c, const char *path, const struct symbol_global *g)
+static void report_unknown_field(struct check *c, const char *path, const struct symbol_global *g)
 {
     const char *instead = api_replacement(g->name, g->field);
     char meant[96];
 
-    hint(meant, g->field, name_set_near(&c->builtins, g->name, g->field), NULL);
+    make_hint(meant, g->field, name_set_nearest(&c->builtins, g->name, g->field), NULL);
     if (instead != NULL)
         diagnostics_add(&c->found, path, g->line, "%s.%s is not available (%s)", g->name, g->field, instead);
     else
@@ -204,7 +198,7 @@ static void unknown_field(struct check *c, const char *path, const struct symbol
 static bool in_broken_script(const struct check *c, const char *word)
 {
     for (int i = 0; i < c->n_scripts; i++)
-        if (!c->scripts[i].symbols.whole && strstr((const char *)c->scripts[i].text, word) != NULL)
+        if (!c->scripts[i].symbols.complete && strstr((const char *)c->scripts[i].text, word) != NULL)
             return true;
     return false;
 }
@@ -217,7 +211,7 @@ static bool has_fields(const struct check *c, const char *space)
     return false;
 }
 
-static const struct api_entry *entry(const char *space, const char *name)
+static const struct api_entry *find_api_entry(const char *space, const char *name)
 {
     char full[96];
 
@@ -225,13 +219,13 @@ static const struct api_entry *entry(const char *space, const char *name)
     return api_find_entry(&api_table, full);
 }
 
-/* Code that load runs may change any table. */
+/* Returns whether a table may have unknown fields. Code that `load` runs may change any table. */
 static bool is_open(const struct check *c, const char *space)
 {
     return c->any_global || name_set_has(&c->open, NULL, space) || name_set_has(&c->open, NULL, "load");
 }
 
-static void judge_global(struct check *c, const char *path, const struct symbol_global *g)
+static void check_global(struct check *c, const char *path, const struct symbol_global *g)
 {
     const char *line = c->manifest ? api_disabled_reason(&c->m, g->name) : NULL;
 
@@ -243,54 +237,54 @@ static void judge_global(struct check *c, const char *path, const struct symbol_
     }
     if (!name_set_has(&c->builtins, NULL, g->name)) {
         if (!c->any_global)
-            unknown_global(c, path, g);
+            report_unknown_global(c, path, g);
         return;
     }
     bool read = g->use == USE_FIELD || g->use == USE_METHOD;
     if (!read || is_open(c, g->name) || !has_fields(c, g->name) || in_broken_script(c, g->field))
         return;
     if (!name_set_has(&c->builtins, g->name, g->field))
-        unknown_field(c, path, g);
-    else if (g->use == USE_METHOD && entry(g->name, g->field) != NULL && !is_changed(c, g->name, g->field))
+        report_unknown_field(c, path, g);
+    else if (g->use == USE_METHOD && find_api_entry(g->name, g->field) != NULL && !is_changed(c, g->name, g->field))
         diagnostics_add(&c->found, path, g->line, "%s:%s: call it with a dot, as %s.%s", g->name, g->field, g->name,
                         g->field);
 }
 
 /* ---- values ---- */
 
-static void judge_walk(struct check *c, const char *path, const struct symbol_walk *w)
+static void check_iteration(struct check *c, const char *path, const struct symbol_iteration *w)
 {
-    const char *space = w->of.space, *dot = space != NULL ? "." : "";
-    const char *handle = w->of.arg == 0 ? builtins_handle(space, w->of.name) : NULL;
-    bool handed = w->of.arg > 0 && builtins_handed(&w->of);
+    const char *space = w->origin.space, *dot = space != NULL ? "." : "";
+    const char *handle = w->origin.arg == 0 ? builtins_handle(space, w->origin.name) : NULL;
+    bool handed = w->origin.arg > 0 && builtins_is_handle_param(&w->origin);
 
-    if ((handle == NULL && !handed) || is_changed(c, space, w->of.name) || is_changed(c, NULL, w->how))
+    if ((handle == NULL && !handed) || is_changed(c, space, w->origin.name) || is_changed(c, NULL, w->operation))
         return;
     space = space != NULL ? space : "";
     bool group = handle != NULL && strcmp(handle, "group") == 0;
     if (handed)
-        diagnostics_add(&c->found, path, w->line, "%s: %s%s%s passes a handle to its function, not a table", w->how,
-                        space, dot, w->of.name);
+        diagnostics_add(&c->found, path, w->line, "%s: %s%s%s passes a handle to its function, not a table",
+                        w->operation, space, dot, w->origin.name);
     else
-        diagnostics_add(&c->found, path, w->line, "%s: %s%s%s returns a handle of kind %s, not a table%s%s%s", w->how,
-                        space, dot, w->of.name, handle, group ? " (" : "", group ? space : "",
+        diagnostics_add(&c->found, path, w->line, "%s: %s%s%s returns a handle of kind %s, not a table%s%s%s",
+                        w->operation, space, dot, w->origin.name, handle, group ? " (" : "", group ? space : "",
                         group ? ".each visits each member)" : "");
 }
 
-static void judge_zero(struct check *c, const char *path, const struct symbol_zero *z)
+static void check_division(struct check *c, const char *path, const struct symbol_division *z)
 {
-    if (strcmp(z->how, "/") != 0)
-        diagnostics_add(&c->found, path, z->line, "%s 0 is an error when both operands are integers", z->how);
-    else if (z->zero)
+    if (strcmp(z->operation, "/") != 0)
+        diagnostics_add(&c->found, path, z->line, "%s 0 is an error when both operands are integers", z->operation);
+    else if (z->left_is_zero)
         diagnostics_add(&c->found, path, z->line, "0/0 is NaN: it equals nothing, and the board rejects it");
-    else if (z->constant)
+    else if (z->left_is_number)
         diagnostics_add(&c->found, path, z->line,
                         "division by 0: the board rejects infinite values (use math.huge to compare)");
     else
         diagnostics_add(&c->found, path, z->line, "division by 0: the result is infinite or NaN");
 }
 
-static void judge_format(struct check *c, const struct check_script *s, const struct symbol_text *t)
+static void check_format(struct check *c, const struct check_script *s, const struct symbol_text *t)
 {
     for (const char *p = t->s; (p = strchr(p, '%')) != NULL; p++) {
         p += 1 + strspn(p + 1, "-+ #0123456789.");
@@ -306,7 +300,7 @@ static void judge_format(struct check *c, const struct check_script *s, const st
 
 /* ---- names of files and of rom.lua ---- */
 
-static void judge_require(struct check *c, const struct check_script *s, const struct symbol_call *call)
+static void check_require(struct check *c, const struct check_script *s, const struct symbol_call *call)
 {
     const char *name = call->arg[0];
     char path[TREE_PATH], there[TREE_PATH], meant[SCRIPT_NAME_BYTES];
@@ -325,7 +319,8 @@ static void judge_require(struct check *c, const struct check_script *s, const s
         diagnostics_add(&c->found, s->path, call->line, "require: no script %s in the game", path);
 }
 
-static void judge_demo(struct check *c, const struct check_script *s, int line, const char *how, const char *name)
+static void check_demo_exists(struct check *c, const struct check_script *s, int line, const char *how,
+                              const char *name)
 {
     char path[TREE_PATH];
 
@@ -334,8 +329,8 @@ static void judge_demo(struct check *c, const struct check_script *s, int line, 
         diagnostics_add(&c->found, s->path, line, "%s: %s does not exist", how, path);
 }
 
-/* Returns whether a script calls rom.has for the name, and so can do without it. */
-static bool is_asked_for(const struct check *c, const char *name)
+/* Returns whether a script calls rom.has for the name, so the name is optional. */
+static bool is_optional(const struct check *c, const char *name)
 {
     for (int i = 0; i < c->n_scripts; i++) {
         const struct symbols *f = &c->scripts[i].symbols;
@@ -348,37 +343,37 @@ static bool is_asked_for(const struct check *c, const char *name)
 
 /* The names of one kind in rom.lua. */
 struct names {
-    const char *what, *first; /* the other names follow every `stride` bytes */
+    const char *what, *first; /* the next name is `stride` bytes after the first */
     size_t stride;
     int n;
 };
 
 #define NAMES(what, list, n) ((struct names){ what, (list)[0].name, sizeof(list)[0], n })
 
-static void judge_name(struct check *c, const struct check_script *s, int line, struct names have, const char *name)
+static void check_name(struct check *c, const struct check_script *s, int line, struct names have, const char *name)
 {
     struct edit_nearest near = { .word = name };
     const char *at = have.first;
     char meant[96];
 
-    if (!c->manifest || is_asked_for(c, name))
+    if (!c->manifest || is_optional(c, name))
         return;
     for (int i = 0; i < have.n; i++, at += have.stride) {
         if (strcmp(name, at) == 0)
             return;
         edit_consider(&near, at);
     }
-    hint(meant, name, near.found, NULL);
+    make_hint(meant, name, near.found, NULL);
     diagnostics_add(&c->found, s->path, line, "unknown %s \"%s\"%s", have.what, name, meant);
 }
 
-static void judge_palette(struct check *c, const struct check_script *s, int line, const char *name)
+static void check_palette_name(struct check *c, const struct check_script *s, int line, const char *name)
 {
     if (strcmp(name, "main") != 0)
-        judge_name(c, s, line, NAMES("palette", c->art.palettes, c->art.n_palettes), name);
+        check_name(c, s, line, NAMES("palette", c->art.palettes, c->art.n_palettes), name);
 }
 
-static enum api_type type_of(const struct api_entry *e, const char *param)
+static enum api_type parameter_type(const struct api_entry *e, const char *param)
 {
     for (int i = 0; e != NULL && i < e->count; i++)
         if (strcmp(e->params[i].name, param) == 0)
@@ -387,68 +382,68 @@ static enum api_type type_of(const struct api_entry *e, const char *param)
 }
 
 /* Checks a key with a string value in the table that is the argument of an API function. */
-static void judge_key(struct check *c, const struct check_script *s, const struct symbol_key *k)
+static void check_key(struct check *c, const struct check_script *s, const struct symbol_key *k)
 {
     const struct symbol_table *t = &s->symbols.tables[k->table];
 
     if (k->value == NULL || t->space == NULL || t->key >= 0 || is_changed(c, t->space, t->name))
         return;
-    enum api_type type = type_of(entry(t->space, t->name), k->name);
+    enum api_type type = parameter_type(find_api_entry(t->space, t->name), k->name);
     if (type == A_SPRITE)
-        judge_name(c, s, k->line, NAMES("sprite", c->art.sprites, c->art.n_sprites), k->value);
+        check_name(c, s, k->line, NAMES("sprite", c->art.sprites, c->art.n_sprites), k->value);
     else if (type == A_BLEND)
-        judge_name(c, s, k->line, NAMES("blend", c->art.blends, c->art.n_blends), k->value);
+        check_name(c, s, k->line, NAMES("blend", c->art.blends, c->art.n_blends), k->value);
     else if (type == A_FONT)
-        judge_name(c, s, k->line, NAMES("font", c->art.fonts, c->art.n_fonts), k->value);
+        check_name(c, s, k->line, NAMES("font", c->art.fonts, c->art.n_fonts), k->value);
     else if (symbols_same(t->space, "palette") && symbols_same(t->name, "fade") && symbols_same(k->name, "to"))
-        judge_palette(c, s, k->line, k->value);
+        check_palette_name(c, s, k->line, k->value);
     else if (symbols_same(t->space, "boot") && symbols_same(t->name, "run") && symbols_same(k->name, "demo"))
-        judge_demo(c, s, k->line, "boot.run: demo", k->value);
+        check_demo_exists(c, s, k->line, "boot.run: demo", k->value);
 }
 
-static void judge_call(struct check *c, const struct check_script *s, const struct symbol_call *call)
+static void check_call(struct check *c, const struct check_script *s, const struct symbol_call *call)
 {
     const char *arg = call->arg[0];
 
-    judge_require(c, s, call);
+    check_require(c, s, call);
     if (arg == NULL || call->space == NULL || is_changed(c, call->space, call->name))
         return;
     if (symbol_call_is(call, "palette", "load"))
-        judge_palette(c, s, call->line, arg);
+        check_palette_name(c, s, call->line, arg);
     if (symbol_call_is(call, "board", "attract"))
-        judge_demo(c, s, call->line, "board.attract", arg);
+        check_demo_exists(c, s, call->line, "board.attract", arg);
 }
 
-static void judge(struct check *c, const struct check_script *s)
+static void check_symbols(struct check *c, const struct check_script *s)
 {
     const struct symbols *f = &s->symbols;
 
     for (int i = 0; i < f->n_globals; i++)
-        judge_global(c, s->path, &f->globals[i]);
-    for (int i = 0; i < f->n_walks; i++)
-        judge_walk(c, s->path, &f->walks[i]);
-    for (int i = 0; i < f->n_zeros; i++)
-        judge_zero(c, s->path, &f->zeros[i]);
+        check_global(c, s->path, &f->globals[i]);
+    for (int i = 0; i < f->n_iterations; i++)
+        check_iteration(c, s->path, &f->iterations[i]);
+    for (int i = 0; i < f->n_divisions; i++)
+        check_division(c, s->path, &f->divisions[i]);
     for (int i = 0; i < f->n_formats; i++)
-        judge_format(c, s, &f->formats[i]);
+        check_format(c, s, &f->formats[i]);
     for (int i = 0; i < f->n_calls; i++)
-        judge_call(c, s, &f->calls[i]);
+        check_call(c, s, &f->calls[i]);
     for (int i = 0; i < f->n_keys; i++)
-        judge_key(c, s, &f->keys[i]);
+        check_key(c, s, &f->keys[i]);
 }
 
 void check_lua(struct check *c)
 {
-    gather(c);
+    collect_names(c);
     for (int i = 0; i < c->n_scripts; i++)
-        if (c->scripts[i].symbols.whole)
-            judge(c, &c->scripts[i]);
+        if (c->scripts[i].symbols.complete)
+            check_symbols(c, &c->scripts[i]);
 }
 
 /* ---- spells ---- */
 
 /* Returns the key of that name in table t, or NULL. */
-static const struct symbol_key *key_of(const struct symbols *f, int t, const char *name)
+static const struct symbol_key *find_key(const struct symbols *f, int t, const char *name)
 {
     for (int i = 0; i < f->n_keys; i++)
         if (f->keys[i].table == t && strcmp(f->keys[i].name, name) == 0)
@@ -457,30 +452,31 @@ static const struct symbol_key *key_of(const struct symbols *f, int t, const cha
 }
 
 /* Returns the spell of table t if it is a phase with a bonus, or NULL. */
-static const struct symbol_key *spell_of(const struct symbols *f, int t)
+static const struct symbol_key *find_spell(const struct symbols *f, int t)
 {
     const struct symbol_table *table = &f->tables[t];
     const bool phase = symbols_same(table->space, "boss") && symbols_same(table->name, "def") && table->key >= 0;
 
-    return phase && key_of(f, t, "bonus") != NULL ? key_of(f, t, "spell") : NULL;
+    return phase && find_key(f, t, "bonus") != NULL ? find_key(f, t, "spell") : NULL;
 }
 
-static bool any_falls(const struct check *c)
+static bool any_bonus_decreases(const struct check *c)
 {
     for (int i = 0; i < c->n_scripts; i++)
         for (int t = 0; t < c->scripts[i].symbols.n_tables; t++)
-            if (spell_of(&c->scripts[i].symbols, t) != NULL && key_of(&c->scripts[i].symbols, t, "bonus_to") != NULL)
+            if (find_spell(&c->scripts[i].symbols, t) != NULL &&
+                find_key(&c->scripts[i].symbols, t, "bonus_to") != NULL)
                 return true;
     return false;
 }
 
-static void judge_spells(struct check *c, const struct check_script *s)
+static void check_script_spells(struct check *c, const struct check_script *s)
 {
     const struct symbols *f = &s->symbols;
 
     for (int t = 0; t < f->n_tables; t++) {
-        const struct symbol_key *spell = spell_of(f, t);
-        if (spell != NULL && key_of(f, t, "bonus_to") == NULL && key_of(f, t, "survive") == NULL)
+        const struct symbol_key *spell = find_spell(f, t);
+        if (spell != NULL && find_key(f, t, "bonus_to") == NULL && find_key(f, t, "survive") == NULL)
             diagnostics_add(
                 &c->found, s->path, spell->line,
                 "spell \"%s\": its bonus does not decrease, unlike the bonus of other spells (set bonus_to)",
@@ -488,11 +484,11 @@ static void judge_spells(struct check *c, const struct check_script *s)
     }
 }
 
-/* A bonus that does not fall is a mistake if that of other spells does, except in phases to be survived. */
+/* A constant bonus is a mistake if the bonus of other spells decreases, except in survival phases. */
 void check_spells(struct check *c)
 {
-    if (!any_falls(c))
+    if (!any_bonus_decreases(c))
         return;
     for (int i = 0; i < c->n_scripts; i++)
-        judge_spells(c, &c->scripts[i]);
+        check_script_spells(c, &c->scripts[i]);
 }

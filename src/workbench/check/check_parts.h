@@ -1,5 +1,5 @@
 /*
- * check_parts.h - what the files of `curtain check` share.
+ * check_parts.h - shared by the files of `curtain check`.
  */
 #ifndef WORKBENCH_CHECK_PARTS_H
 #define WORKBENCH_CHECK_PARTS_H
@@ -19,14 +19,14 @@
 struct check_script {
     const char *path; /* "stages/one.lua"; NULL: of the built-in library */
     char name[128];   /* "stages/one" */
-    uint8_t *text;    /* malloc, with a 0 after it; NULL: of the built-in library */
+    uint8_t *text;    /* malloc, NUL-terminated; NULL: of the built-in library */
     struct symbols symbols;
     bool reached; /* from the entry script, by require */
 };
 
 struct check_text {
     const char *path;
-    uint8_t *bytes; /* malloc, with a 0 after it */
+    uint8_t *bytes; /* malloc, NUL-terminated */
 };
 
 struct check {
@@ -47,12 +47,12 @@ struct check {
     struct name_set open;                 /* globals used as values */
     struct name_set changed;              /* globals and fields that scripts write */
     bool any_global;                      /* scripts may have created globals */
-    int demos;                            /* played */
+    int demos;                            /* demos played */
     int sections;                         /* stages and phases played */
-    int forced;                           /* runs of check_forced.c */
+    int forced;                           /* runs of check_forced.c played */
     int samples;                          /* frames in which contrast was measured */
     uint8_t shown[UTF8_MAX_CODE / 8 + 1]; /* a bit for each character that a run showed */
-    size_t lua_most;                      /* peak of Lua RAM in all runs, bytes */
+    size_t lua_peak;                      /* peak of Lua RAM in all runs, bytes */
     char ram[RAM_TEXT_SIZE];              /* ram_describe */
 };
 
@@ -62,14 +62,16 @@ bool check_load(struct check *c, const char *path, size_t max, uint8_t **data, s
 /* The line of a key in rom.lua: CHECK_LINE(c, "sheets", name, "file"). */
 #define CHECK_LINE(c, ...) symbols_line(&(c)->rom, (const char *const[]){ __VA_ARGS__, NULL })
 
-/* Adds an error about rom.lua ("rom.lua: sheets.all.bank: what"), with the line of the key. */
+/* Adds a finding that prevents packing. line 0: none. */
+void check_add_broken(struct check *c, const char *file, int line, const char *why);
+/* Adds an error about rom.lua ("rom.lua: sheets.all.bank: why"), with the line of the key. */
 void check_rom_sentence(struct check *c, const char *sentence);
 
 /* Returns whether all scripts could be parsed. */
 bool check_all_parsed(const struct check *c);
 
-/* Returns whether the game contains the name, or may compose it. All scripts must be parsed. */
-bool check_mentioned(const struct check *c, const char *name);
+/* Returns whether the game contains the name, or may compose it at run time. All scripts must be parsed. */
+bool check_is_mentioned(const struct check *c, const char *name);
 
 /* The checks. check_scripts comes first, because the others use its symbols. */
 void check_scripts(struct check *c);
@@ -88,18 +90,20 @@ void check_run(struct check *c);
 struct board;
 struct cart;
 
-/* Notes that a run showed a character; finds characters without a glyph. Both are parts of check_run. */
-void check_shown(struct check *c, uint32_t code);
+/* check_note_shown records that a run showed a character; check_text finds characters without a glyph. Part of
+ * check_run. */
+void check_note_shown(struct check *c, uint32_t code);
 void check_text(struct check *c, const struct cart *cart);
 
 /* Finds capacities that no script uses. Part of check_run. */
 void check_capacities(struct check *c, const struct cart *cart);
 
-/* The sound of a run: too loud frames, and sounds whose voice another sound takes. */
-struct check_heard;
-struct check_heard *check_heard_open(void); /* NULL: out of memory */
-void check_heard_frame(struct check_heard *h, const struct board *b);
-void check_heard_judge(struct check *c, struct check_heard *h, const char *what); /* and restarts */
-void check_heard_close(struct check_heard *h);
+/* Checks the sound of a run: frames that are too loud, and sounds that are cut off because another sound takes their
+ * voice. check_audio_report adds the findings and resets the state for the next run. */
+struct check_audio;
+struct check_audio *check_audio_open(void); /* NULL: out of memory */
+void check_audio_frame(struct check_audio *h, const struct board *b);
+void check_audio_report(struct check *c, struct check_audio *h, const char *what);
+void check_audio_close(struct check_audio *h);
 
 #endif

@@ -17,11 +17,11 @@ static void report_flaws(struct check *c, const char *file, uint32_t rate, const
     if (f->clipped)
         diagnostics_add(&c->found, file, 0,
                         "%" PRIu32 " samples clip, the first at %.3f s: the recording itself is too loud", f->clipped,
-                        (double)f->first / rate);
-    if (fabs(f->mean) > mean_most)
+                        (double)f->first_clipped / rate);
+    if (fabs(f->dc_offset) > mean_most)
         diagnostics_add(&c->found, file, 0,
                         "its mean is %.1f %% of full scale (DC offset), so it clicks at its start and end",
-                        f->mean * 100);
+                        f->dc_offset * 100);
 }
 
 static void report_loop(struct check *c, const struct art_sound *s, const struct pcm *p, const struct flaws *f)
@@ -30,7 +30,7 @@ static void report_loop(struct check *c, const struct art_sound *s, const struct
         diagnostics_add(&c->found, s->file, 0,
                         "its loop clicks: from the loop's end (%.3f s) to its start (%.3f s), the signal jumps by "
                         "%.1f %% of full scale; elsewhere, it jumps by at most %.1f %%",
-                        (double)p->n / p->rate, (double)p->loop / p->rate, f->jump * 100, f->usual * 100);
+                        (double)p->n / p->rate, (double)p->loop / p->rate, f->jump * 100, f->nearby * 100);
     if (p->loop < 0 || s->tempo == 0)
         return;
     const double beats = (double)(p->n - p->loop) / p->rate * s->tempo / 6000;
@@ -54,11 +54,11 @@ static void check_recording(struct check *c, const struct art_sound *s)
     bool good = recording_read(s->file, data, n, &s->loop, &p, why, sizeof why);
     free(data);
     if (good) {
-        flaws_of_frames(&p, &f);
+        flaws_measure_frames(&p, &f);
         report_flaws(c, s->file, p.rate, &f);
         good = recording_prepare(&p, &s->loop, why, sizeof why);
         if (good) {
-            flaws_of_loop(&p, &f);
+            flaws_measure_loop(&p, &f);
             report_loop(c, s, &p, &f);
         }
         pcm_free(&p);

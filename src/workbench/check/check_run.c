@@ -16,21 +16,21 @@
 #include "../bench/sweep.h"
 
 enum {
-    IDLE_FRAMES = 600,   /* of a game without demos */
-    MOST_FRAMES = 36000, /* of a demo: ten minutes */
-    MOST_LUA = 75,       /* percent of board.lua_kib */
-    SAMPLE_EVERY = 120,  /* frames between two samples of contrast */
-    SAMPLES = 150,       /* in a run */
-    FEW_BULLETS = 40,    /* too few to report */
-    TEXT_EVERY = 12      /* frames between two checks of the text on the screen */
+    IDLE_FRAMES = 600,       /* of a game without demos */
+    MAX_DEMO_FRAMES = 36000, /* of a demo: ten minutes */
+    MAX_LUA_PERCENT = 75,    /* percent of board.lua_kib */
+    SAMPLE_EVERY = 120,      /* frames between two samples of contrast */
+    SAMPLES = 150,           /* in a run */
+    FEW_BULLETS = 40,        /* too few to report */
+    TEXT_EVERY = 12          /* frames between two checks of the text on the screen */
 };
 
-#define ALL UINT32_MAX /* frames */
+#define NO_FRAME UINT32_MAX /* frames */
 
 /* ---- hit shapes and pictures ---- */
 
 /* Returns the file and line in which a kind is declared with a literal name; line 0: not found. */
-static const char *declared(const struct check *c, const char *of, const char *name, int *line)
+static const char *find_declaration(const struct check *c, const char *of, const char *name, int *line)
 {
     *line = 0;
     for (int i = 0; i < c->n_scripts; i++)
@@ -45,7 +45,7 @@ static const char *declared(const struct check *c, const char *of, const char *n
 }
 
 /* Returns the size of a sprite's picture, unrotated: from rom.lua, or from the ROM if rom.lua has none. */
-static void drawn_size(const struct run *r, const struct art_sprite *s, int *w, int *h)
+static void sprite_size(const struct run *r, const struct art_sprite *s, int *w, int *h)
 {
     struct sprite packed;
 
@@ -58,8 +58,8 @@ static void drawn_size(const struct run *r, const struct art_sprite *s, int *w, 
     *h = packed.h;
 }
 
-/* A shape that is larger than its picture is probably a mistake. */
-static void note_large(void *context, const struct inspect_kind_shape *kind)
+/* Reports a hit shape that is larger than its sprite, which is probably a mistake. */
+static void report_large_shape(void *context, const struct inspect_kind_shape *kind)
 {
     static const char *const words[] = { [INSPECT_CIRCLE] = "hit circle",
                                          [INSPECT_BOX] = "hit box",
@@ -75,12 +75,12 @@ static void note_large(void *context, const struct inspect_kind_shape *kind)
         if (strcmp(s->name, kind->sprite) != 0)
             continue;
         int pic_w, pic_h;
-        drawn_size(r, s, &pic_w, &pic_h);
+        sprite_size(r, s, &pic_w, &pic_h);
         int side = pic_w > pic_h ? pic_w : pic_h;
         bool any_way = kind->is_rotated && kind->shape == INSPECT_BOX;
         if (w <= (int64_t)(any_way ? side : pic_w) << 16 && h <= (int64_t)(any_way ? side : pic_h) << 16)
             continue;
-        const char *file = declared(c, kind->entity, kind->name, &line);
+        const char *file = find_declaration(c, kind->entity, kind->name, &line);
         diagnostics_add(&c->found, file, line,
                         "%s \"%s\": its %s (%.7g x %.7g px) %s larger than its sprite \"%s\" (%d x %d px)",
                         kind->entity, kind->name, words[kind->shape], (double)w / 65536, (double)h / 65536,
@@ -96,7 +96,7 @@ static int luminance(const uint8_t rgb[3])
 
 /* Returns the first colour of a bank that is darker than the one before it, or 0 if the bank is a ramp from dark to
  * bright. Black colours at its end are unused. */
-static int falls_at(const uint8_t *bank)
+static int find_darker(const uint8_t *bank)
 {
     int last = 15, before = 0;
 
@@ -108,15 +108,15 @@ static int falls_at(const uint8_t *bank)
     return 0;
 }
 
-/* A blend of ramps mixes indices in banks, so the kind's bank must be a ramp. */
-static void note_ramp(void *context, const struct inspect_kind_shape *kind)
+/* Reports a kind with a ramp blend whose bank is not a ramp. Ramp blends mix indices within a bank. */
+static void report_ramp(void *context, const struct inspect_kind_shape *kind)
 {
     struct run *r = context;
-    int line, at = kind->ramp ? falls_at(cart_palette(&r->cart, "main") + 3 * 16 * kind->bank) : 0;
+    int line, at = kind->ramp ? find_darker(cart_palette(&r->cart, "main") + 3 * 16 * kind->bank) : 0;
 
     if (at == 0)
         return;
-    const char *file = declared(r->c, kind->entity, kind->name, &line);
+    const char *file = find_declaration(r->c, kind->entity, kind->name, &line);
     diagnostics_add(&r->c->found, file, line,
                     "%s \"%s\": its blend \"%s\" needs a dark-to-light bank, but colour %d in bank %d "
                     "is darker than colour %d",
@@ -126,7 +126,7 @@ static void note_ramp(void *context, const struct inspect_kind_shape *kind)
 /* ---- games that cannot be started ---- */
 
 /* Returns the first literal name in a call of space.def, or NULL. *found: there is a call. */
-static const char *first_declared(const struct check *c, const char *space, bool *found)
+static const char *find_first_declared(const struct check *c, const char *space, bool *found)
 {
     for (int i = 0; i < c->n_scripts; i++)
         for (int k = 0; k < c->scripts[i].symbols.n_calls; k++) {
@@ -140,8 +140,8 @@ static const char *first_declared(const struct check *c, const char *space, bool
     return NULL;
 }
 
-/* Only boot.run plays stages and ships. A game without stages may use its own tasks. */
-static void judge_boot(struct run *r)
+/* Reports a game that never calls boot.run, which starts stages and ships. A game without stages may use tasks. */
+static void check_boot(struct run *r)
 {
     const struct board *b = r->guard.board;
     const bool idle = board_live_count(b, "tasks") == 0;
@@ -151,7 +151,8 @@ static void judge_boot(struct run *r)
     if (board_called_boot_run(b) || board_last_output(b)->fault)
         return;
     snprintf(entry, sizeof entry, "%s.lua", r->c->m.entry);
-    const char *ship = first_declared(r->c, "player", &ships), *stage = first_declared(r->c, "stage", &stages);
+    const char *ship = find_first_declared(r->c, "player", &ships),
+               *stage = find_first_declared(r->c, "stage", &stages);
     if (stages || (ships && idle))
         diagnostics_add(
             &r->c->found, entry, 0,
@@ -165,8 +166,8 @@ static void judge_boot(struct run *r)
 
 /* ---- one run ---- */
 
-/* Writes the name that a fault reports as nil; "": another fault. */
-static void missing_name(const char *message, char *name, size_t size)
+/* Writes the undeclared or nil name of a fault's message; "": another fault. */
+static void find_missing_name(const char *message, char *name, size_t size)
 {
     static const char *const before[] = { "undeclared global \"", "(field '", "(global '", "(method '" };
 
@@ -179,22 +180,22 @@ static void missing_name(const char *message, char *name, size_t size)
 }
 
 /* Adds a fault, unless check_lua.c has reported the same missing name. */
-static void note_fault(struct run *r, const struct board_fault *fault)
+static void report_fault(struct run *r, const struct board_fault *fault)
 {
     struct diagnostics alone = { 0 };
     char name[64];
 
     r->memory_fault = r->memory_fault || fault->kind == FAULT_MEMORY;
-    missing_name(fault->message, name, sizeof name);
-    diagnostics_add_sentence(&alone, r->what, fault->message);
+    find_missing_name(fault->message, name, sizeof name);
+    diagnostics_add_sentence(&alone, r->name, fault->message);
     const bool known = alone.n > 0 && name[0] && alone.list[0].line > 0 &&
                        diagnostics_misses(&r->c->found, alone.list[0].file, alone.list[0].line, name);
     diagnostics_close(&alone);
     if (!known)
-        diagnostics_add_sentence(&r->c->found, r->what, fault->message);
+        diagnostics_add_sentence(&r->c->found, r->name, fault->message);
 }
 
-/* Returns whether a script calls board.refused for the pool, and so expects that it may be full. */
+/* Returns whether a script calls board.refused for the pool, so it handles a full pool. */
 static bool is_watched(const struct check *c, const char *part)
 {
     for (int i = 0; i < c->n_scripts; i++) {
@@ -209,27 +210,27 @@ static bool is_watched(const struct check *c, const char *part)
 }
 
 /* Reports pools that are full for the first time, except sparks, which no script depends on. */
-static void note_full(struct run *r, const struct board_out *out)
+static void report_full_pools(struct run *r, const struct board_out *out)
 {
     for (int i = 0; i < out->full_pool_count && !r->forced; i++)
         if (strcmp(out->full_pool[i].part, "sparks") != 0 && !is_watched(r->c, out->full_pool[i].part))
-            diagnostics_add_sentence(&r->c->found, r->what, out->full_pool[i].line);
+            diagnostics_add_sentence(&r->c->found, r->name, out->full_pool[i].line);
 }
 
-static void note_shown(void *context, uint32_t code)
+static void add_shown(void *context, uint32_t code)
 {
-    check_shown(context, code);
+    check_note_shown(context, code);
 }
 
 const struct board_out *check_run_tick(struct run *r, const uint16_t pads[MAX_PLAYERS])
 {
     const struct board_out *out = guard_tick(&r->guard, pads);
 
-    note_full(r, out);
+    report_full_pools(r, out);
     if (board_frame(r->guard.board) % TEXT_EVERY == 0 && !out->fault)
-        inspect_codes(r->guard.board, note_shown, r->c);
-    if (r->heard != NULL)
-        check_heard_frame(r->heard, r->guard.board);
+        inspect_codes(r->guard.board, add_shown, r->c);
+    if (r->audio != NULL)
+        check_audio_frame(r->audio, r->guard.board);
     return out;
 }
 
@@ -238,25 +239,25 @@ void check_run_show_progress(const struct run *r, uint32_t f, uint32_t n)
     const uint64_t each = SWEEP_FRAMES;
 
     progress_update((uint64_t)r->runs * each + (n ? f * each / n : 0), (uint64_t)r->planned * each,
-                    "%s, %d of %d, frame %" PRIu32, r->what, r->runs + 1, r->planned, f);
+                    "%s, %d of %d, frame %" PRIu32, r->name, r->runs + 1, r->planned, f);
 }
 
 bool check_run_power_on(struct run *r, const char *what, const struct board_start *start)
 {
     char err[512];
 
-    r->what = what;
+    r->name = what;
     r->forced = false;
     if (r->guard.ram != NULL ? guard_restart(&r->guard, start, err, sizeof err)
                              : guard_power(&r->guard, &r->image.rom, start, err, sizeof err)) {
-        note_full(r, board_last_output(r->guard.board));
+        report_full_pools(r, board_last_output(r->guard.board));
         if (!r->measured) {
-            inspect_kinds(r->guard.board, note_large, r);
-            inspect_kinds(r->guard.board, note_ramp, r);
+            inspect_kinds(r->guard.board, report_large_shape, r);
+            inspect_kinds(r->guard.board, report_ramp, r);
         }
         r->boots = board_called_boot_run(r->guard.board);
         if (!r->measured)
-            judge_boot(r);
+            check_boot(r);
         r->measured = true;
         return true;
     }
@@ -264,36 +265,36 @@ bool check_run_power_on(struct run *r, const char *what, const struct board_star
     return false;
 }
 
-/* An infinite loop may have filled the memory, so its peak does not count. */
+/* Ignores the peak of a run that ended in an infinite loop, which may have filled the memory. */
 void check_run_finish(struct run *r)
 {
     const struct board_fault *fault = board_last_output(r->guard.board)->fault;
     size_t peak = board_lua_peak(r->guard.board);
 
     if (fault)
-        note_fault(r, fault);
+        report_fault(r, fault);
     if (peak > r->lua_peak && !(fault && fault->kind == FAULT_LOOP)) {
         r->lua_peak = peak;
-        snprintf(r->lua_peak_run, sizeof r->lua_peak_run, "%s", r->what);
+        snprintf(r->lua_peak_run, sizeof r->lua_peak_run, "%s", r->name);
     }
     r->runs++;
 }
 
-/* Checks the sound of a run. This takes longer than to play it, so sections are left out. */
-static void open_heard(struct run *r)
+/* Starts to check the sound of a run. This takes longer than the run itself, so it isn't done for sections. */
+static void start_audio(struct run *r)
 {
     if (!board_has_sound(r->guard.board))
         return;
-    r->heard = check_heard_open();
-    r->c->found.failed = r->c->found.failed || r->heard == NULL;
+    r->audio = check_audio_open();
+    r->c->found.failed = r->c->found.failed || r->audio == NULL;
 }
 
-static void judge_heard(struct run *r)
+static void finish_audio(struct run *r)
 {
-    if (r->heard != NULL)
-        check_heard_judge(r->c, r->heard, r->what);
-    check_heard_close(r->heard);
-    r->heard = NULL;
+    if (r->audio != NULL)
+        check_audio_report(r->c, r->audio, r->name);
+    check_audio_close(r->audio);
+    r->audio = NULL;
 }
 
 struct board_start check_run_start(const struct run *r)
@@ -312,25 +313,25 @@ static void run_idle(struct run *r)
 
     if (!check_run_power_on(r, "600 frames without input", &start))
         return;
-    open_heard(r);
+    start_audio(r);
     for (uint32_t f = 0; f < IDLE_FRAMES && !board_last_output(r->guard.board)->fault; f++) {
         check_run_show_progress(r, f, IDLE_FRAMES);
         check_run_tick(r, nothing);
     }
-    judge_heard(r);
+    finish_audio(r);
     check_run_finish(r);
 }
 
 /* ---- contrast ---- */
 
-/* Keeps what has been reported. */
+/* Starts a run; only the entries that have been reported remain. */
 static bool contrast_open(struct contrast *k, const struct board *b)
 {
     int w, h, n = 0;
 
     for (int i = 0; i < k->n; i++)
-        if (k->look[i].reported)
-            k->look[n++] = k->look[i];
+        if (k->entry[i].reported)
+            k->entry[n++] = k->entry[i];
     k->n = n;
     k->samples = 0;
     board_screen_size(b, &w, &h);
@@ -350,40 +351,40 @@ static void contrast_close(struct contrast *k)
 }
 
 /* Returns the entry of a kind and bank, or NULL if there are too many. */
-static struct look *look_of(struct contrast *k, const struct contrast_bullet *b)
+static struct contrast_entry *find_entry(struct contrast *k, const struct contrast_bullet *b)
 {
     int i = 0;
 
-    while (i < k->n && (k->look[i].bank != b->bank || strcmp(k->look[i].kind, b->kind) != 0))
+    while (i < k->n && (k->entry[i].bank != b->bank || strcmp(k->entry[i].kind, b->kind) != 0))
         i++;
-    if (i == MAX_LOOKS || strlen(b->kind) >= sizeof k->look[i].kind)
+    if (i == MAX_CONTRAST_ENTRIES || strlen(b->kind) >= sizeof k->entry[i].kind)
         return NULL;
     if (i == k->n) {
         k->n++;
-        k->look[i] = (struct look){ .bank = b->bank };
-        snprintf(k->look[i].kind, sizeof k->look[i].kind, "%s", b->kind);
+        k->entry[i] = (struct contrast_entry){ .bank = b->bank };
+        snprintf(k->entry[i].kind, sizeof k->entry[i].kind, "%s", b->kind);
     }
-    return &k->look[i];
+    return &k->entry[i];
 }
 
-static void note_bullet(void *context, const struct contrast_bullet *b)
+static void add_bullet(void *context, const struct contrast_bullet *b)
 {
     struct contrast *k = context;
-    struct look *look = look_of(k, b);
+    struct contrast_entry *contrast_entry = find_entry(k, b);
 
-    if (look == NULL)
+    if (contrast_entry == NULL)
         return;
-    look->seen++;
+    contrast_entry->total++;
     if (b->share > CONTRAST_FAINT_SHARE)
         return;
-    if (look->faint++ == 0) {
-        look->frame = k->frame;
-        look->x = b->x;
-        look->y = b->y;
+    if (contrast_entry->faint++ == 0) {
+        contrast_entry->frame = k->frame;
+        contrast_entry->x = b->x;
+        contrast_entry->y = b->y;
     }
 }
 
-static void contrast_look(struct run *r, uint32_t frame)
+static void sample_contrast(struct run *r, uint32_t frame)
 {
     struct contrast *k = &r->contrast;
 
@@ -392,23 +393,23 @@ static void contrast_look(struct run *r, uint32_t frame)
     k->frame = frame;
     k->samples++;
     r->c->samples++;
-    contrast_sample(r->guard.board, &k->fb, k->scratch, note_bullet, k);
+    contrast_sample(r->guard.board, &k->fb, k->scratch, add_bullet, k);
 }
 
 /* Reports kinds of which most bullets have little contrast. */
-static void judge_contrast(struct run *r)
+static void report_contrast(struct run *r)
 {
     struct contrast *k = &r->contrast;
 
     for (int i = 0; i < k->n; i++) {
-        struct look *l = &k->look[i];
-        if (l->reported || l->seen < FEW_BULLETS || 2 * l->faint <= l->seen)
+        struct contrast_entry *l = &k->entry[i];
+        if (l->reported || l->total < FEW_BULLETS || 2 * l->faint <= l->total)
             continue;
         l->reported = true;
-        diagnostics_add(&r->c->found, r->what, 0,
+        diagnostics_add(&r->c->found, r->name, 0,
                         "bullets \"%s\" in bank %d are hard to see: %d of %d in %d sampled frames; the "
                         "first is at %d,%d in frame %" PRIu32,
-                        l->kind, l->bank, l->faint, l->seen, k->samples, l->x, l->y, l->frame);
+                        l->kind, l->bank, l->faint, l->total, k->samples, l->x, l->y, l->frame);
     }
 }
 
@@ -421,7 +422,7 @@ static void play_section(struct run *r, const struct section *section)
 
     for (uint32_t f = 0; f < SWEEP_FRAMES && !over && !board_last_output(r->guard.board)->fault; f++) {
         check_run_show_progress(r, f, SWEEP_FRAMES);
-        contrast_look(r, f);
+        sample_contrast(r, f);
         sweep_pads(f, pads);
         over = sweep_over(section->kind, check_run_tick(r, pads));
     }
@@ -438,7 +439,7 @@ static void run_section(struct run *r, const struct section *section)
         return;
     if (contrast_open(&r->contrast, r->guard.board)) {
         play_section(r, section);
-        judge_contrast(r);
+        report_contrast(r);
     } else {
         r->c->found.failed = true;
     }
@@ -457,7 +458,7 @@ static void run_sections(struct run *r)
 /* ---- a demo ---- */
 
 /* Compares the board with the checksums of the demo. */
-static bool agrees(struct run *r, uint32_t frame)
+static bool matches_checksums(struct run *r, uint32_t frame)
 {
     uint64_t hashes[MAX_PARTS];
 
@@ -466,7 +467,7 @@ static bool agrees(struct run *r, uint32_t frame)
            demo_differing_parts(&r->demo, frame, hashes) == 0;
 }
 
-/* A demo that ended in a fault must end in the same fault, in the same frame. */
+/* Returns whether the run agrees with the demo. A demo that ends in a fault must fault in the same way and frame. */
 static bool is_as_recorded(struct run *r, uint32_t frame)
 {
     const struct board_fault *fault = board_last_output(r->guard.board)->fault;
@@ -474,19 +475,19 @@ static bool is_as_recorded(struct run *r, uint32_t frame)
 
     if (fault)
         return d->fault == fault->kind && frame == d->frames;
-    return agrees(r, frame) && (frame < d->frames || d->fault == FAULT_NONE);
+    return matches_checksums(r, frame) && (frame < d->frames || d->fault == FAULT_NONE);
 }
 
 /* Plays the demo to its end. Returns the first frame that differs from the recording, or ALL. */
 static uint32_t play(struct run *r)
 {
-    uint32_t last = r->demo.frames < MOST_FRAMES ? r->demo.frames : MOST_FRAMES, wrong = ALL;
+    uint32_t last = r->demo.frames < MAX_DEMO_FRAMES ? r->demo.frames : MAX_DEMO_FRAMES, wrong = NO_FRAME;
     uint16_t pads[MAX_PLAYERS];
 
     for (uint32_t f = 0;; f++) {
-        if (wrong == ALL && !is_as_recorded(r, f))
+        if (wrong == NO_FRAME && !is_as_recorded(r, f))
             wrong = f;
-        contrast_look(r, f);
+        sample_contrast(r, f);
         check_run_show_progress(r, f, last);
         if (f == last || board_last_output(r->guard.board)->fault)
             return wrong;
@@ -498,9 +499,9 @@ static uint32_t play(struct run *r)
 static void run_loaded(struct run *r)
 {
     char warning[128];
-    bool doubted = demo_replay_warning(&r->demo, &r->cart, warning, sizeof warning) != NULL;
+    bool may_diverge = demo_replay_warning(&r->demo, &r->cart, warning, sizeof warning) != NULL;
 
-    if (!check_run_power_on(r, r->what, &r->demo.start))
+    if (!check_run_power_on(r, r->name, &r->demo.start))
         return;
     r->hash_cache = calloc(1, board_hash_cache_size(r->guard.board));
     if (!contrast_open(&r->contrast, r->guard.board) || r->hash_cache == NULL) {
@@ -509,16 +510,16 @@ static void run_loaded(struct run *r)
         free(r->hash_cache);
         return;
     }
-    open_heard(r);
+    start_audio(r);
     uint32_t wrong = play(r);
-    judge_heard(r);
-    judge_contrast(r);
+    finish_audio(r);
+    report_contrast(r);
     contrast_close(&r->contrast);
     free(r->hash_cache);
-    if (wrong != ALL && !doubted)
-        diagnostics_add(&r->c->found, r->what, 0,
+    if (wrong != NO_FRAME && !may_diverge)
+        diagnostics_add(&r->c->found, r->name, 0,
                         "playback diverges at frame %" PRIu32 " (see curtain verify %s %s/%s)", wrong, r->c->dir,
-                        r->c->dir, r->what);
+                        r->c->dir, r->name);
     check_run_finish(r);
     r->c->demos++;
 }
@@ -529,7 +530,7 @@ static void run_demo(struct run *r, const char *path)
     uint8_t *data;
     size_t size;
 
-    r->what = path;
+    r->name = path;
     if (!check_load(r->c, path, DEMO_MAX_BYTES, &data, &size))
         return;
     bool good = demo_read(&r->demo, data, size, err, sizeof err);
@@ -552,16 +553,16 @@ static bool is_demo(const char *path)
 
 /* ---- all runs ---- */
 
-static void judge_memory(struct run *r)
+static void check_memory(struct run *r)
 {
     size_t room = (size_t)r->cart.manifest.lua_kib * 1024;
 
-    r->c->lua_most = r->lua_peak;
-    if (r->lua_peak * 100 <= room * MOST_LUA || r->memory_fault)
+    r->c->lua_peak = r->lua_peak;
+    if (r->lua_peak * 100 <= room * MAX_LUA_PERCENT || r->memory_fault)
         return;
     diagnostics_add(&r->c->found, "rom.lua", CHECK_LINE(r->c, "board", "lua_kib"),
                     "board.lua_kib = %d: %s used %zu KiB of it, more than %d %%; raise it to %d",
-                    (int)r->cart.manifest.lua_kib, r->lua_peak_run, r->lua_peak / 1024, MOST_LUA,
+                    (int)r->cart.manifest.lua_kib, r->lua_peak_run, r->lua_peak / 1024, MAX_LUA_PERCENT,
                     (int)ram_enough_lua_kib(r->lua_peak));
 }
 
@@ -592,7 +593,7 @@ static void run_all(struct run *r)
     run_sections(r);
     if (r->boots)
         r->c->forced = check_forced_play(r);
-    judge_memory(r);
+    check_memory(r);
 }
 
 static void add_sentence(void *context, const char *sentence)
@@ -602,7 +603,7 @@ static void add_sentence(void *context, const char *sentence)
     check_rom_sentence(c, sentence);
 }
 
-/* Packs with the nearest colours; check_art.c reports the others. */
+/* Packs with the nearest colours, because check_art.c has reported wrong colours. */
 void check_run(struct check *c)
 {
     struct run *r = calloc(1, sizeof *r);

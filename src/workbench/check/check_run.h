@@ -13,14 +13,14 @@
 #include "../pack/pack.h"
 #include "check_parts.h"
 
-enum { MAX_LOOKS = 128 /* pairs of a kind and a bank */ };
+enum { MAX_CONTRAST_ENTRIES = 128 /* pairs of a kind and a bank */ };
 
-/* Bullets of a kind in a bank, in the sampled frames of a run. */
-struct look {
+/* Counts of the bullets of a kind in a bank, in the sampled frames of a run. */
+struct contrast_entry {
     char kind[64];
-    int bank, seen, faint;
-    uint32_t frame; /* of the first faint one */
-    int x, y;       /* of it */
+    int bank, total, faint;
+    uint32_t frame; /* of the first faint bullet */
+    int x, y;       /* of this bullet */
     bool reported;  /* in this or an earlier run */
 };
 
@@ -30,12 +30,12 @@ struct contrast {
     void *pixels, *scratch;
     uint32_t frame;
     int samples, n;
-    struct look look[MAX_LOOKS];
+    struct contrast_entry entry[MAX_CONTRAST_ENTRIES];
 };
 
 struct run {
     struct check *c;
-    const char *what; /* "demos/attract.demo", "600 frames without input" */
+    const char *name; /* "demos/attract.demo", "600 frames without input" */
     struct rom_image image;
     struct cart cart;
     struct guard guard;
@@ -46,16 +46,16 @@ struct run {
     char lua_peak_run[TREE_PATH]; /* the run with this peak */
     bool memory_fault;
     struct contrast contrast;
-    struct check_heard *heard; /* NULL: the sound is not checked */
+    struct check_audio *audio; /* NULL: the sound is not checked */
     bool measured;             /* the shapes of kinds have been compared with their pictures */
     struct sections *sections;
-    int runs, planned;        /* played so far; of all */
+    int runs, planned;        /* played so far; in total */
     bool boots;               /* boot.run was called */
-    unsigned faulting_forces; /* 1 << force_kind: caused a fault, and is not forced again */
-    bool forced;              /* something was forced in this run, so full pools are not reported */
+    unsigned faulting_forces; /* bits 1 << force_kind: events that caused a fault, and are not forced again */
+    bool forced;              /* an event was forced in this run, so full pools are not reported */
 };
 
-/* Powers the board on; false: it cannot be, which is a finding. `what` is the name of the run. */
+/* Powers the board on for a run. False: it could not be powered on, which is a finding. `what`: the name of the run. */
 bool check_run_power_on(struct run *r, const char *what, const struct board_start *start);
 
 /* Runs a frame. */
@@ -70,14 +70,14 @@ void check_run_finish(struct run *r);
 /* Returns a start with the default DIP switches. */
 struct board_start check_run_start(const struct run *r);
 
-/* Returns whether the section is played: marks are inside of stages. */
+/* Returns whether the section is played. Marks are skipped, because they are inside stages. */
 static inline bool check_run_plays(const struct section *s)
 {
     return s->kind == SECTION_STAGE || s->kind == SECTION_PHASE;
 }
 
-/* Plays the runs of check_forced.c, which force what only players cause: each ship and difficulty, deaths, bombs,
- * continues, pauses, the end of the game. Returns how many; check_forced_count only counts them. */
+/* check_forced_play plays the runs of check_forced.c, which force events that otherwise only players cause: each ship
+ * and difficulty, deaths, bombs, continues, pauses, the end of the game. Both functions return the number of runs. */
 int check_forced_count(struct run *r);
 int check_forced_play(struct run *r);
 

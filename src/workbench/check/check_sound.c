@@ -12,13 +12,13 @@
 
 /* ---- names ---- */
 
-/* Functions whose first argument is the name of a sound or a piece of music. */
+/* Functions whose first argument is the name of a sound or of music. */
 static const struct {
     const char *space, *name;
     bool music;
-} namers[] = { { "sound", "play", false }, { "sound", "stop", false }, { "music", "play", true } };
+} sound_functions[] = { { "sound", "play", false }, { "sound", "stop", false }, { "music", "play", true } };
 
-static void look_up(struct check *c, const char *path, const struct symbol_call *call, bool music)
+static void check_name(struct check *c, const char *path, const struct symbol_call *call, bool music)
 {
     const struct art_sound *list = music ? c->art.tunes : c->art.sounds;
     const int n = music ? c->art.n_tunes : c->art.n_sounds;
@@ -42,9 +42,9 @@ void check_sounds(struct check *c)
     for (int i = 0; i < c->n_scripts; i++)
         for (int k = 0; k < c->scripts[i].symbols.n_calls; k++) {
             const struct symbol_call *call = &c->scripts[i].symbols.calls[k];
-            for (size_t n = 0; n < sizeof namers / sizeof *namers && call->arg[0]; n++)
-                if (symbol_call_is(call, namers[n].space, namers[n].name))
-                    look_up(c, c->scripts[i].path, call, namers[n].music);
+            for (size_t n = 0; n < sizeof sound_functions / sizeof *sound_functions && call->arg[0]; n++)
+                if (symbol_call_is(call, sound_functions[n].space, sound_functions[n].name))
+                    check_name(c, c->scripts[i].path, call, sound_functions[n].music);
         }
 }
 
@@ -52,26 +52,26 @@ void check_sounds(struct check *c)
 
 enum {
     SLOTS = 32,
-    FULL = 27913, /* the output of the limiter for a mix at full scale (wave.h) */
-    RARELY = 100, /* one frame in 100 may be above */
-    FEW = 10,     /* starts of a sound that are too few to report */
-    TENTH = 10    /* one in 10 may be cut off */
+    FULL_SCALE = 27913, /* the output of the limiter for a mix at full scale (wave.h) */
+    LOUD_RATIO = 100,   /* one frame in 100 may exceed full scale */
+    MIN_STARTS = 10,    /* a sound with fewer starts is not reported */
+    CUT_OFF_RATIO = 10  /* one start in 10 may be cut off */
 };
 
-struct heard_sound {
+struct played_sound {
     char name[64];
-    uint32_t began, lost, first;
+    uint32_t starts, cut_off, first;
 };
 
-struct check_heard {
+struct check_audio {
     void *tables;
-    uint32_t frames, over, first;
+    uint32_t frames, over, first_clipped;
     int n;
-    struct heard_sound sound[256];
+    struct played_sound sound[256];
     int slot[SLOTS]; /* the sound of each voice, or -1 */
 };
 
-static void restart(struct check_heard *h)
+static void reset(struct check_audio *h)
 {
     void *tables = h->tables;
 
@@ -81,9 +81,9 @@ static void restart(struct check_heard *h)
         h->slot[i] = -1;
 }
 
-struct check_heard *check_heard_open(void)
+struct check_audio *check_audio_open(void)
 {
-    struct check_heard *h = calloc(1, sizeof *h);
+    struct check_audio *h = calloc(1, sizeof *h);
 
     if (h == NULL)
         return NULL;
@@ -93,11 +93,11 @@ struct check_heard *check_heard_open(void)
         return NULL;
     }
     board_sound_init_tables(h->tables);
-    restart(h);
+    reset(h);
     return h;
 }
 
-static int index_of(struct check_heard *h, const char *name)
+static int find_or_add(struct check_audio *h, const char *name)
 {
     int i = 0;
 
@@ -110,14 +110,14 @@ static int index_of(struct check_heard *h, const char *name)
     return i;
 }
 
-static void lose(struct check_heard *h, int i, uint32_t frame)
+static void note_cut_off(struct check_audio *h, int i, uint32_t frame)
 {
-    if (i >= 0 && h->sound[i].lost++ == 0)
+    if (i >= 0 && h->sound[i].cut_off++ == 0)
         h->sound[i].first = frame;
 }
 
 /* Returns whether a sound of the same name started in the frame. */
-static bool restarted(const struct check_heard *h, const struct board_cue *cues, int n, int of, uint32_t frame)
+static bool same_sound_started(const struct check_audio *h, const struct board_cue *cues, int n, int of, uint32_t frame)
 {
     for (int i = 0; i < n; i++)
         if (cues[i].name && cues[i].start_frame == frame && strcmp(cues[i].name, h->sound[of].name) == 0)
@@ -125,22 +125,23 @@ static bool restarted(const struct check_heard *h, const struct board_cue *cues,
     return false;
 }
 
-/* Counts voices that another sound took before their end. A sound of the same name takes it because of its limit. */
-static void note_slots(struct check_heard *h, const struct board_cue *cues, int n, uint32_t frame)
+/* Counts sounds whose voice another sound took before their end. A sound with the same name is ignored: it takes the
+ * voice because of its limit. */
+static void update_voices(struct check_audio *h, const struct board_cue *cues, int n, uint32_t frame)
 {
     for (int i = 0; i < n; i++) {
         const int was = h->slot[i];
         const bool begins = cues[i].name && cues[i].start_frame == frame;
-        const int is = cues[i].name ? index_of(h, cues[i].name) : -1;
-        h->slot[i] = cues[i].ends_next_frame ? -1 : is; /* losing the last frame does not count */
-        if (begins && was >= 0 && !restarted(h, cues, n, was, frame))
-            lose(h, was, frame);
+        const int is = cues[i].name ? find_or_add(h, cues[i].name) : -1;
+        h->slot[i] = cues[i].ends_next_frame ? -1 : is; /* losing only the last frame doesn't count */
+        if (begins && was >= 0 && !same_sound_started(h, cues, n, was, frame))
+            note_cut_off(h, was, frame);
         if (begins && cues[i].is_first_track && is >= 0)
-            h->sound[is].began++;
+            h->sound[is].starts++;
     }
 }
 
-void check_heard_frame(struct check_heard *h, const struct board *b)
+void check_audio_frame(struct check_audio *h, const struct board *b)
 {
     int16_t sound[2 * BOARD_SOUND_FRAMES];
     struct board_cue cues[SLOTS];
@@ -151,34 +152,34 @@ void check_heard_frame(struct check_heard *h, const struct board *b)
         return;
     while (n < SLOTS && board_get_cue(b, n, &cues[n]))
         n++;
-    note_slots(h, cues, n, board_frame(b) - 1);
+    update_voices(h, cues, n, board_frame(b) - 1);
     board_mix_sound(b, h->tables, sound);
     for (int i = 0; i < 2 * BOARD_SOUND_FRAMES; i++)
-        over = over || sound[i] > FULL || sound[i] < -FULL;
+        over = over || sound[i] > FULL_SCALE || sound[i] < -FULL_SCALE;
     if (over && h->over++ == 0)
-        h->first = board_frame(b) - 1;
+        h->first_clipped = board_frame(b) - 1;
     h->frames++;
 }
 
-void check_heard_judge(struct check *c, struct check_heard *h, const char *what)
+void check_audio_report(struct check *c, struct check_audio *h, const char *what)
 {
-    if (h->over > h->frames / RARELY)
+    if (h->over > h->frames / LOUD_RATIO)
         diagnostics_add(&c->found, what, 0,
                         "the mix exceeds full scale in %" PRIu32 " of %" PRIu32 " frames, first in frame %" PRIu32
                         ": too loud",
-                        h->over, h->frames, h->first);
+                        h->over, h->frames, h->first_clipped);
     for (int i = 0; i < h->n; i++) {
-        const struct heard_sound *s = &h->sound[i];
-        if (s->began >= FEW && s->lost > s->began / TENTH)
+        const struct played_sound *s = &h->sound[i];
+        if (s->starts >= MIN_STARTS && s->cut_off > s->starts / CUT_OFF_RATIO)
             diagnostics_add(&c->found, what, 0,
                             "sound \"%s\" is cut off %" PRIu32 " of %" PRIu32 " times, first in frame %" PRIu32
                             ": other sounds take its voice",
-                            s->name, s->lost, s->began, s->first);
+                            s->name, s->cut_off, s->starts, s->first);
     }
-    restart(h);
+    reset(h);
 }
 
-void check_heard_close(struct check_heard *h)
+void check_audio_close(struct check_audio *h)
 {
     if (h != NULL)
         free(h->tables);

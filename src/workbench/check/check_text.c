@@ -1,10 +1,10 @@
 /*
- * check_text.c - characters without a glyph in any font of the game, which are shown as boxes; and missing
+ * check_text.c - finds characters without a glyph in any font of the game, which are drawn as boxes, and missing
  * translations.
  *
- * A literal that is certainly shown is checked completely: in text.put, text.line, say, titles and names of spells. Any
- * other literal may be for a file, a log or a comparison. In these, only characters outside of ASCII are checked; one
- * is a problem if a run showed it, otherwise a note.
+ * Literals that are certainly shown are checked completely: those in text.put, text.line, say, titles and names of
+ * spells. Any other literal may be for a file, a log or a comparison. In these, only characters outside ASCII are
+ * checked; such a character is a problem if a run showed it, and otherwise a note.
  */
 #include "check_parts.h"
 
@@ -18,19 +18,20 @@
 #include "../../common/files.h"
 #include "../pack/pack.h"
 
-/* Where a text is shown: codes below `from` are not checked, and codes above `most` cannot be shown. */
-struct place {
-    uint32_t from, most;
-    bool sure; /* the text is certainly shown */
+/* How a text is shown: codes below `first` are not checked, and codes above `last` cannot be displayed. */
+struct display {
+    uint32_t first, last;
+    bool certain; /* the text is certainly shown */
 };
 
-void check_shown(struct check *c, uint32_t code)
+void check_note_shown(struct check *c, uint32_t code)
 {
     if (code <= UTF8_MAX_CODE)
         c->shown[code / 8] |= (uint8_t)(1 << code % 8);
 }
 
-/* Returns whether a run showed the character. A cell that cannot hold a code does not store which one it is. */
+/* Returns whether a run may have showed the character. A text cell shows FIX_UNKNOWN for every code that doesn't
+ * fit. */
 static bool was_shown(const struct check *c, uint32_t code)
 {
     const bool other = !c->m.has_wide_text && code > 255 && c->shown[FIX_UNKNOWN / 8] >> FIX_UNKNOWN % 8 & 1;
@@ -38,15 +39,15 @@ static bool was_shown(const struct check *c, uint32_t code)
     return other || c->shown[code / 8] >> code % 8 & 1;
 }
 
-/* Returns the first character without a glyph, or 0. *n: how many have none. */
-static uint32_t first_missing(const struct cart *cart, const char *s, struct place place, int *n)
+/* Returns the first character without a glyph, or 0. *n: number of characters without a glyph. */
+static uint32_t first_missing(const struct cart *cart, const char *s, struct display display, int *n)
 {
     const char *end = s + strlen(s);
     uint32_t first = 0;
 
     for (*n = 0; s < end;) {
         uint32_t code = utf8_next(&s, end);
-        if (code < place.from || (code <= place.most && cart_has_glyph(cart, code)))
+        if (code < display.first || (code <= display.last && cart_has_glyph(cart, code)))
             continue;
         first = first ? first : code;
         ++*n;
@@ -54,24 +55,24 @@ static uint32_t first_missing(const struct cart *cart, const char *s, struct pla
     return first;
 }
 
-static bool any_shown(const struct check *c, const struct cart *cart, const char *s, struct place place)
+static bool any_was_shown(const struct check *c, const struct cart *cart, const char *s, struct display display)
 {
     const char *end = s + strlen(s);
 
     while (s < end) {
         uint32_t code = utf8_next(&s, end);
-        if (code >= place.from && (code > place.most || !cart_has_glyph(cart, code)) && was_shown(c, code))
+        if (code >= display.first && (code > display.last || !cart_has_glyph(cart, code)) && was_shown(c, code))
             return true;
     }
     return false;
 }
 
-static void judge(struct check *c, const struct cart *cart, const char *path, int line, const char *s,
-                  struct place place)
+static void check_glyphs(struct check *c, const struct cart *cart, const char *path, int line, const char *s,
+                         struct display display)
 {
     char bytes[UTF8_MAX_BYTES + 1] = "", more[48] = "", what[200];
     int n;
-    uint32_t code = first_missing(cart, s, place, &n);
+    uint32_t code = first_missing(cart, s, display, &n);
 
     if (code == 0)
         return;
@@ -82,7 +83,7 @@ static void judge(struct check *c, const struct cart *cart, const char *path, in
     snprintf(what, sizeof what, "%s %s%s%sU+%04X%s",
              cart_has_glyph(cart, code) ? "text cells cannot hold" : "no font in the game has a glyph for",
              bytes[0] != '\0' ? "\"" : "", bytes, bytes[0] != '\0' ? "\", " : "", (unsigned)code, more);
-    if (!place.sure && !any_shown(c, cart, s, place))
+    if (!display.certain && !any_was_shown(c, cart, s, display))
         diagnostics_note(&c->found, path, line, "%s; no run shows this text", what);
     else
         diagnostics_add(&c->found, path, line, "%s: a box is drawn instead%s", what,
@@ -100,8 +101,8 @@ static bool is_for_log(const struct symbols *f, int line)
     return false;
 }
 
-/* Returns whether it is the title of a boss, the name of a spell or of a speaker, or the title of a choice. */
-static bool is_asked(const struct symbols *f, const struct symbol_key *k)
+/* Returns whether the key is the title of a boss, the name of a spell or of a speaker, or the title of a choice. */
+static bool is_translated_key(const struct symbols *f, const struct symbol_key *k)
 {
     const struct symbol_table *table = &f->tables[k->table];
 
@@ -114,8 +115,8 @@ static bool is_asked(const struct symbols *f, const struct symbol_key *k)
     return table->space == NULL && symbols_same(table->name, "choose") && symbols_same(k->name, "title");
 }
 
-/* Returns whether it is the text of text.put or text.line. */
-static bool is_put(const struct symbols *f, const struct symbol_key *k)
+/* Returns whether the key is the text of text.put or text.line. */
+static bool is_text_key(const struct symbols *f, const struct symbol_key *k)
 {
     const struct symbol_table *t = &f->tables[k->table];
 
@@ -123,25 +124,24 @@ static bool is_put(const struct symbols *f, const struct symbol_key *k)
            (symbols_same(t->name, "put") || symbols_same(t->name, "line"));
 }
 
-/* Returns whether the HUD writes it into text cells. */
+/* Returns whether the HUD writes the key's value into text cells. */
 static bool is_in_cells(const struct check *c, const struct symbols *f, const struct symbol_key *k)
 {
-    return !tree_has(&c->files, "std/hud.lua") && is_asked(f, k);
+    return !tree_has(&c->files, "std/hud.lua") && is_translated_key(f, k);
 }
 
-static struct place cells(const struct check *c, uint32_t from)
+static struct display cell_display(const struct check *c, uint32_t from)
 {
-    return (struct place){ from, c->m.has_wide_text ? UTF8_MAX_CODE : 255, true };
+    return (struct display){ from, c->m.has_wide_text ? UTF8_MAX_CODE : 255, true };
 }
 
-/* Text in a font. */
-static struct place font(bool sure)
+static struct display font_display(bool sure)
 {
-    return (struct place){ 128, UTF8_MAX_CODE, sure };
+    return (struct display){ 128, UTF8_MAX_CODE, sure };
 }
 
 /* Returns the text that a call shows in the language of the run (text.lang, say), or NULL. */
-static const char *asked_by(const struct symbol_call *call)
+static const char *translated_argument(const struct symbol_call *call)
 {
     if (symbols_same(call->space, "text") && symbols_same(call->name, "lang"))
         return call->arg[0];
@@ -149,42 +149,43 @@ static const char *asked_by(const struct symbol_call *call)
 }
 
 /* Returns whether the text is checked as an argument or a key. */
-static bool is_judged(const struct check *c, const struct symbols *f, const struct symbol_text *t)
+static bool is_checked_elsewhere(const struct check *c, const struct symbols *f, const struct symbol_text *t)
 {
     for (int i = 0; i < f->n_keys; i++)
         if (f->keys[i].value != NULL && f->keys[i].line == t->line && strcmp(f->keys[i].value, t->s) == 0 &&
-            (is_put(f, &f->keys[i]) || is_in_cells(c, f, &f->keys[i])))
+            (is_text_key(f, &f->keys[i]) || is_in_cells(c, f, &f->keys[i])))
             return true;
     for (int i = 0; i < f->n_calls; i++)
-        if (f->calls[i].line == t->line && symbols_same(asked_by(&f->calls[i]), t->s))
+        if (f->calls[i].line == t->line && symbols_same(translated_argument(&f->calls[i]), t->s))
             return true;
     return false;
 }
 
-static void judge_key(struct check *c, const struct cart *cart, const struct check_script *s,
+static void check_key(struct check *c, const struct cart *cart, const struct check_script *s,
                       const struct symbol_key *k)
 {
     const struct symbols *f = &s->symbols;
 
-    if (is_put(f, k))
-        judge(c, cart, s->path, k->line, k->value,
-              symbols_same(f->tables[k->table].name, "put") ? cells(c, 1) : font(true));
+    if (is_text_key(f, k))
+        check_glyphs(c, cart, s->path, k->line, k->value,
+                     symbols_same(f->tables[k->table].name, "put") ? cell_display(c, 1) : font_display(true));
     else if (is_in_cells(c, f, k))
-        judge(c, cart, s->path, k->line, k->value, cells(c, 128));
+        check_glyphs(c, cart, s->path, k->line, k->value, cell_display(c, 128));
 }
 
-static void judge_script(struct check *c, const struct cart *cart, const struct check_script *s)
+static void check_script(struct check *c, const struct cart *cart, const struct check_script *s)
 {
     const struct symbols *f = &s->symbols;
 
     for (int i = 0; i < f->n_keys; i++)
-        judge_key(c, cart, s, &f->keys[i]);
+        check_key(c, cart, s, &f->keys[i]);
     for (int i = 0; i < f->n_calls; i++)
-        if (asked_by(&f->calls[i]) != NULL)
-            judge(c, cart, s->path, f->calls[i].line, asked_by(&f->calls[i]), font(true));
+        if (translated_argument(&f->calls[i]) != NULL)
+            check_glyphs(c, cart, s->path, f->calls[i].line, translated_argument(&f->calls[i]), font_display(true));
     for (int i = 0; i < f->n_texts; i++)
-        if (!(f->texts[i].how & SYMBOL_KEY) && !is_judged(c, f, &f->texts[i]) && !is_for_log(f, f->texts[i].line))
-            judge(c, cart, s->path, f->texts[i].line, f->texts[i].s, font(false));
+        if (!(f->texts[i].how & SYMBOL_KEY) && !is_checked_elsewhere(c, f, &f->texts[i]) &&
+            !is_for_log(f, f->texts[i].line))
+            check_glyphs(c, cart, s->path, f->texts[i].line, f->texts[i].s, font_display(false));
 }
 
 /* ---- languages ---- */
@@ -210,7 +211,7 @@ static void read_languages(struct check *c, struct languages *t)
     for (int i = 0; i < c->files.n && t->n < MAX_LANGUAGES; i++) {
         struct language *one = &t->list[t->n];
         one->path = c->files.name[i];
-        if (!pack_is_lang(one->path) || !check_load(c, one->path, LANG_FILE, &text, &size))
+        if (!pack_is_lang(one->path) || !check_load(c, one->path, LANG_MAX_FILE, &text, &size))
             continue;
         files_strip_bom(text, &size);
         t->n++;
@@ -222,7 +223,7 @@ static void read_languages(struct check *c, struct languages *t)
     }
 }
 
-static bool knows(const struct lang *l, const char *text)
+static bool has_translation(const struct lang *l, const char *text)
 {
     for (int i = 0; i < l->n; i++)
         if (strcmp(l->list[i].text, text) == 0)
@@ -231,30 +232,30 @@ static bool knows(const struct lang *l, const char *text)
 }
 
 /* Reports languages that have no translation of a text. */
-static void judge_words(struct check *c, const struct languages *t, const char *path, int line, const char *text)
+static void check_translation(struct check *c, const struct languages *t, const char *path, int line, const char *text)
 {
-    char lacking[256] = "";
+    char missing[256] = "";
     size_t at = 0;
 
-    for (int i = 0; i < t->n && at < sizeof lacking; i++)
-        if (!knows(&t->list[i].lang, text))
-            at += (size_t)snprintf(lacking + at, sizeof lacking - at, "%s%s", at > 0 ? ", " : "", t->list[i].path);
+    for (int i = 0; i < t->n && at < sizeof missing; i++)
+        if (!has_translation(&t->list[i].lang, text))
+            at += (size_t)snprintf(missing + at, sizeof missing - at, "%s%s", at > 0 ? ", " : "", t->list[i].path);
     if (at > 0)
-        diagnostics_add(&c->found, path, line, "no translation for \"%.80s\" in %s", text, lacking);
+        diagnostics_add(&c->found, path, line, "no translation for \"%.80s\" in %s", text, missing);
 }
 
 /* Checks the translations of titles, names and literals that are shown in the language of the run. */
-static void judge_asked(struct check *c, const struct languages *t, const struct check_script *s)
+static void check_translations(struct check *c, const struct languages *t, const struct check_script *s)
 {
     const struct symbols *f = &s->symbols;
 
     for (int i = 0; i < f->n_calls; i++)
-        if (asked_by(&f->calls[i]) != NULL)
-            judge_words(c, t, s->path, f->calls[i].line, asked_by(&f->calls[i]));
+        if (translated_argument(&f->calls[i]) != NULL)
+            check_translation(c, t, s->path, f->calls[i].line, translated_argument(&f->calls[i]));
     for (int i = 0; i < f->n_keys; i++) {
         const struct symbol_key *k = &f->keys[i];
-        if (is_asked(f, k))
-            judge_words(c, t, s->path, k->line, k->value);
+        if (is_translated_key(f, k))
+            check_translation(c, t, s->path, k->line, k->value);
     }
 }
 
@@ -267,9 +268,9 @@ void check_langs(struct check *c)
         return;
     read_languages(c, t);
     for (int i = 0; i < c->n_scripts; i++)
-        judge_asked(c, t, &c->scripts[i]);
+        check_translations(c, t, &c->scripts[i]);
     for (int i = 0; i < t->n; i++)
-        lang_close(&t->list[i].lang);
+        lang_free(&t->list[i].lang);
     free(t);
 }
 
@@ -279,36 +280,37 @@ static bool is_shown(const struct check *c, const char *text)
     for (int i = 0; i < c->n_scripts; i++) {
         const struct symbols *f = &c->scripts[i].symbols;
         for (int k = 0; k < f->n_calls; k++)
-            if (symbols_same(asked_by(&f->calls[k]), text))
+            if (symbols_same(translated_argument(&f->calls[k]), text))
                 return true;
         for (int k = 0; k < f->n_keys; k++)
-            if (is_asked(f, &f->keys[k]) && symbols_same(f->keys[k].value, text))
+            if (is_translated_key(f, &f->keys[k]) && symbols_same(f->keys[k].value, text))
                 return true;
     }
     return false;
 }
 
 /* Checks the translation of a text that the HUD writes into cells; NULL: all translations. */
-static void judge_language(struct check *c, const struct cart *cart, const struct language *t, const char *text)
+static void check_language(struct check *c, const struct cart *cart, const struct language *t, const char *text)
 {
     for (int k = 0; k < t->lang.n; k++) {
         const struct lang_line *one = &t->lang.list[k];
         if (text == NULL)
-            judge(c, cart, t->path, one->line, one->words, (struct place){ 33, UTF8_MAX_CODE, is_shown(c, one->text) });
+            check_glyphs(c, cart, t->path, one->line, one->words,
+                         (struct display){ 33, UTF8_MAX_CODE, is_shown(c, one->text) });
         else if (symbols_same(text, one->text))
-            judge(c, cart, t->path, one->line, one->words, cells(c, 128));
+            check_glyphs(c, cart, t->path, one->line, one->words, cell_display(c, 128));
     }
 }
 
-static void judge_titles(struct check *c, const struct cart *cart, const struct language *t)
+static void check_titles(struct check *c, const struct cart *cart, const struct language *t)
 {
     if (tree_has(&c->files, "std/hud.lua"))
         return;
     for (int i = 0; i < c->n_scripts; i++) {
         const struct symbols *f = &c->scripts[i].symbols;
         for (int k = 0; k < f->n_keys; k++)
-            if (is_asked(f, &f->keys[k]))
-                judge_language(c, cart, t, f->keys[k].value);
+            if (is_translated_key(f, &f->keys[k]))
+                check_language(c, cart, t, f->keys[k].value);
     }
 }
 
@@ -317,16 +319,16 @@ void check_text(struct check *c, const struct cart *cart)
     struct languages *t = calloc(1, sizeof *t);
 
     for (int i = 0; i < c->n_scripts; i++)
-        judge_script(c, cart, &c->scripts[i]);
+        check_script(c, cart, &c->scripts[i]);
     c->found.failed = c->found.failed || t == NULL;
     if (t == NULL)
         return;
     read_languages(c, t);
     for (int i = 0; i < t->n; i++) {
-        judge_titles(c, cart, &t->list[i]);
-        judge_language(c, cart, &t->list[i], NULL);
+        check_titles(c, cart, &t->list[i]);
+        check_language(c, cart, &t->list[i], NULL);
     }
     for (int i = 0; i < t->n; i++)
-        lang_close(&t->list[i].lang);
+        lang_free(&t->list[i].lang);
     free(t);
 }

@@ -1,9 +1,10 @@
 /*
  * check_unused.c - files, pictures and names that the game does not use.
  *
- * A name counts as used if it is anywhere in the game: as a string, a key, a field, a word of a text, or a switch of
- * rom.lua; and if it may be composed: it starts with a string before `..`, ends with a string after `..`, or fits a
- * format. A reported name is therefore certainly unused, unless a script composes it letter by letter.
+ * A name counts as used if it is anywhere in the game: as a string, a key, a field, a word of a text, or a DIP switch
+ * of rom.lua. It also counts as used if a script may compose it: if it starts with a string before `..`, ends with a
+ * string after `..`, or matches a format. A reported name is therefore unused, unless a script composes it letter by
+ * letter.
  */
 #include "check_parts.h"
 #include "../../rom/cart.h"
@@ -29,7 +30,7 @@ static bool ends_with(const char *s, const char *tail)
 
 /* Returns whether the format may produce the name: "bead%d" may produce "bead1". The text before the first conversion
  * or after the last must match. */
-static bool fits_format(const char *name, const char *format)
+static bool matches_format(const char *name, const char *format)
 {
     size_t n = strcspn(format, "%");
     const char *last = strrchr(format, '%');
@@ -42,7 +43,7 @@ static bool fits_format(const char *name, const char *format)
     return *last != '\0' && last[1] != '\0' && ends_with(name, last + 1);
 }
 
-static bool fits(const struct symbol_text *t, const char *name)
+static bool may_produce(const struct symbol_text *t, const char *name)
 {
     if (strcmp(t->s, name) == 0)
         return true;
@@ -51,19 +52,19 @@ static bool fits(const struct symbol_text *t, const char *name)
     if (t->how == (SYMBOL_FIRST | SYMBOL_LAST))
         return strstr(name, t->s) != NULL;
     return (t->how == SYMBOL_FIRST && starts_with(name, t->s)) || (t->how == SYMBOL_LAST && ends_with(name, t->s)) ||
-           fits_format(name, t->s);
+           matches_format(name, t->s);
 }
 
 static bool in_scripts(const struct check *c, const char *name)
 {
     for (int i = 0; i < c->n_scripts; i++)
         for (int k = 0; k < c->scripts[i].symbols.n_texts; k++)
-            if (fits(&c->scripts[i].symbols.texts[k], name))
+            if (may_produce(&c->scripts[i].symbols.texts[k], name))
                 return true;
     return false;
 }
 
-/* In the library, only equal strings count: "logo". */
+/* Returns whether the library contains the name as a string, such as "logo". */
 static bool in_library(const struct check *c, const char *name)
 {
     for (int i = 0; i < c->n_library; i++) {
@@ -93,7 +94,7 @@ static bool in_texts(const struct check *c, const char *name)
     return false;
 }
 
-/* The names that board.dip and board.difficulty return. */
+/* Returns whether it is a name that board.dip or board.difficulty returns. */
 static bool in_manifest(const struct check *c, const char *name)
 {
     for (int i = 0; i < c->m.n_difficulties; i++)
@@ -106,7 +107,7 @@ static bool in_manifest(const struct check *c, const char *name)
     return false;
 }
 
-bool check_mentioned(const struct check *c, const char *name)
+bool check_is_mentioned(const struct check *c, const char *name)
 {
     return in_scripts(c, name) || in_library(c, name) || in_texts(c, name) || in_manifest(c, name);
 }
@@ -142,7 +143,7 @@ static struct check_script *find_script(struct check *c, const char *name)
     return NULL;
 }
 
-static void reach(struct check *c, struct check_script *s)
+static void mark_reached(struct check *c, struct check_script *s)
 {
     if (s == NULL || s->reached)
         return;
@@ -150,18 +151,18 @@ static void reach(struct check *c, struct check_script *s)
     for (int k = 0; k < s->symbols.n_calls; k++) {
         const struct symbol_call *call = &s->symbols.calls[k];
         if (symbol_call_is(call, NULL, "require") && call->arg[0] != NULL)
-            reach(c, find_script(c, call->arg[0]));
+            mark_reached(c, find_script(c, call->arg[0]));
     }
 }
 
-static void unused_scripts(struct check *c)
+static void find_unused_scripts(struct check *c)
 {
     if (is_dynamic(c, NULL, "require"))
         return;
-    reach(c, find_script(c, c->m.entry));
+    mark_reached(c, find_script(c, c->m.entry));
     for (int i = 0; i < c->n_scripts; i++)
         if (starts_with(c->scripts[i].path, "std/"))
-            reach(c, &c->scripts[i]);
+            mark_reached(c, &c->scripts[i]);
     for (int i = 0; i < c->n_scripts; i++)
         if (!c->scripts[i].reached)
             diagnostics_add(&c->found, c->scripts[i].path, 0, "no script requires it");
@@ -169,7 +170,7 @@ static void unused_scripts(struct check *c)
 
 /* ---- names and files of rom.lua ---- */
 
-static bool sheet_used(const struct check *c, int sheet)
+static bool is_sheet_used(const struct check *c, int sheet)
 {
     for (int i = 0; i < c->art.n_sprites; i++)
         if (c->art.sprites[i].sheet == sheet)
@@ -178,29 +179,29 @@ static bool sheet_used(const struct check *c, int sheet)
 }
 
 /* Adds a finding for a name in rom.lua that no script mentions. */
-static void unused_name(struct check *c, const char *section, const char *what, const char *name)
+static void check_used(struct check *c, const char *section, const char *what, const char *name)
 {
-    if (!check_mentioned(c, name))
+    if (!check_is_mentioned(c, name))
         diagnostics_add(&c->found, "rom.lua", CHECK_LINE(c, section, name), "%s \"%s\" is not used by any script", what,
                         name);
 }
 
-static void unused_names(struct check *c)
+static void find_unused_names(struct check *c)
 {
     const struct art *a = &c->art;
 
     for (int i = 0; i < a->n_sheets; i++)
-        if (!sheet_used(c, i))
+        if (!is_sheet_used(c, i))
             diagnostics_add(&c->found, "rom.lua", CHECK_LINE(c, "sheets", a->sheets[i].name),
                             "sheet \"%s\" has no sprites", a->sheets[i].name);
     for (int i = 0; i < a->n_sprites; i++)
-        unused_name(c, "sprites", "sprite", a->sprites[i].name);
+        check_used(c, "sprites", "sprite", a->sprites[i].name);
     for (int i = 0; i < a->n_blends; i++)
-        unused_name(c, "blends", "blend", a->blends[i].name);
+        check_used(c, "blends", "blend", a->blends[i].name);
     for (int i = 0; i < a->n_palettes; i++)
-        unused_name(c, "palettes", "palette", a->palettes[i].name);
+        check_used(c, "palettes", "palette", a->palettes[i].name);
     for (int i = 0; i < a->n_maps; i++)
-        unused_name(c, "maps", "map", a->maps[i].name);
+        check_used(c, "maps", "map", a->maps[i].name);
 }
 
 /* Returns whether the bytes contain "sample NAME". */
@@ -215,7 +216,7 @@ static bool names_sample(const uint8_t *bytes, size_t size, const char *name)
     return false;
 }
 
-/* Returns whether an instrument of a piece of music plays the sound. */
+/* Returns whether an instrument in a .mml file plays the sound. */
 static bool in_music(struct check *c, const char *name)
 {
     bool found = false;
@@ -239,18 +240,18 @@ static bool is_cue(const char *sound)
     return false;
 }
 
-static void unused_sounds(struct check *c)
+static void find_unused_sounds(struct check *c)
 {
     for (int i = 0; i < c->art.n_sounds; i++)
-        if (!is_cue(c->art.sounds[i].name) && !check_mentioned(c, c->art.sounds[i].name) &&
+        if (!is_cue(c->art.sounds[i].name) && !check_is_mentioned(c, c->art.sounds[i].name) &&
             !in_music(c, c->art.sounds[i].name))
-            unused_name(c, "sounds", "sound", c->art.sounds[i].name);
+            check_used(c, "sounds", "sound", c->art.sounds[i].name);
     for (int i = 0; i < c->art.n_tunes; i++)
-        unused_name(c, "music", "music", c->art.tunes[i].name);
+        check_used(c, "music", "music", c->art.tunes[i].name);
 }
 
-/* Returns whether it is the file of a sound or a piece of music. */
-static bool sound_file(const struct check *c, const char *path)
+/* Returns whether rom.lua lists the file as a sound or as music. */
+static bool is_sound_file(const struct check *c, const char *path)
 {
     for (int i = 0; i < c->art.n_sounds; i++)
         if (strcmp(path, c->art.sounds[i].file) == 0)
@@ -261,7 +262,7 @@ static bool sound_file(const struct check *c, const char *path)
     return false;
 }
 
-static bool picture_used(const struct check *c, const char *path)
+static bool is_picture_used(const struct check *c, const char *path)
 {
     bool used = strcmp(path, c->art.palette) == 0 || strcmp(path, c->art.font) == 0 ||
                 strcmp(path, c->art.border) == 0 || strcmp(path, c->art.icon) == 0;
@@ -278,13 +279,13 @@ static bool picture_used(const struct check *c, const char *path)
     return used;
 }
 
-static void unused_files(struct check *c, bool texts)
+static void find_unused_files(struct check *c, bool texts)
 {
     for (int i = 0; i < c->files.n; i++) {
         const char *path = c->files.name[i];
-        if ((ends_with(path, ".png") || art_is_ase(path)) && !picture_used(c, path))
+        if ((ends_with(path, ".png") || art_is_ase(path)) && !is_picture_used(c, path))
             diagnostics_add(&c->found, path, 0, "not listed in rom.lua");
-        if ((art_is_recording(path) || ends_with(path, ".mml")) && !sound_file(c, path))
+        if ((art_is_recording(path) || ends_with(path, ".mml")) && !is_sound_file(c, path))
             diagnostics_add(&c->found, path, 0, "not listed in rom.lua");
         if (texts && ends_with(path, ".txt") && !pack_is_lang(path) && !in_scripts(c, path))
             diagnostics_add(&c->found, path, 0, "packed, but not read by any script");
@@ -303,7 +304,7 @@ static void read_texts(struct check *c)
     }
 }
 
-/* A script that cannot be parsed may use anything. */
+/* If a script cannot be parsed, most checks are skipped, because it may use anything. */
 void check_unused(struct check *c)
 {
     bool whole = check_all_parsed(c);
@@ -312,9 +313,9 @@ void check_unused(struct check *c)
         return;
     read_texts(c);
     if (whole) {
-        unused_scripts(c);
-        unused_names(c);
-        unused_sounds(c);
+        find_unused_scripts(c);
+        find_unused_names(c);
+        find_unused_sounds(c);
     }
-    unused_files(c, whole && !is_dynamic(c, "rom", "text"));
+    find_unused_files(c, whole && !is_dynamic(c, "rom", "text"));
 }

@@ -22,7 +22,7 @@ static char *copy(const char *s)
     return to;
 }
 
-static void drop(struct diagnostic *one)
+static void free_diagnostic(struct diagnostic *one)
 {
     free(one->file);
     free(one->text);
@@ -36,7 +36,7 @@ static void add(struct diagnostics *f, const char *file, int line, bool note, co
     clean_line(text);
     struct diagnostic one = { copy(file), copy(text), line, f->n, note };
     if (one.file == NULL || one.text == NULL || !array_append(&f->list, (size_t)f->n, sizeof one)) {
-        drop(&one);
+        free_diagnostic(&one);
         f->failed = true;
         return;
     }
@@ -91,7 +91,7 @@ bool diagnostics_misses(const struct diagnostics *f, const char *file, int line,
     return false;
 }
 
-static int by_place(const void *a, const void *b)
+static int compare_diagnostics(const void *a, const void *b)
 {
     const struct diagnostic *p = a, *q = b;
     int files = strcmp(p->file, q->file);
@@ -101,19 +101,19 @@ static int by_place(const void *a, const void *b)
     return p->line != q->line ? (p->line < q->line ? -1 : 1) : p->order - q->order;
 }
 
-static bool same_place(const struct diagnostic *a, const struct diagnostic *b)
+static bool same_position(const struct diagnostic *a, const struct diagnostic *b)
 {
     return a->line == b->line && strcmp(a->file, b->file) == 0;
 }
 
-/* Returns whether the text is contained in another one at the same place. Of equal ones, the first stays. */
+/* Returns whether the text is part of another finding at the same position. Of equal texts, the first remains. */
 static bool is_redundant(const struct diagnostics *f, int i)
 {
     int first = i;
 
-    while (first > 0 && same_place(&f->list[first - 1], &f->list[i]))
+    while (first > 0 && same_position(&f->list[first - 1], &f->list[i]))
         first--;
-    for (int k = first; k < f->n && same_place(&f->list[k], &f->list[i]); k++) {
+    for (int k = first; k < f->n && same_position(&f->list[k], &f->list[i]); k++) {
         const struct diagnostic *other = &f->list[k], *one = &f->list[i];
         if (k == i || other->note > one->note || strstr(other->text, one->text) == NULL)
             continue;
@@ -128,13 +128,13 @@ void diagnostics_sort(struct diagnostics *f)
     int n = 0;
 
     if (f->n > 0)
-        qsort(f->list, (size_t)f->n, sizeof f->list[0], by_place);
+        qsort(f->list, (size_t)f->n, sizeof f->list[0], compare_diagnostics);
     for (int i = 0; i < f->n; i++)
         f->list[i].order = is_redundant(f, i);
     for (int i = 0; i < f->n; i++) {
         if (f->list[i].order) {
             f->notes -= f->list[i].note;
-            drop(&f->list[i]);
+            free_diagnostic(&f->list[i]);
         } else {
             f->list[n++] = f->list[i];
         }
@@ -169,7 +169,7 @@ void diagnostics_print(const struct diagnostics *f, void (*line)(const char *))
 void diagnostics_close(struct diagnostics *f)
 {
     for (int i = 0; i < f->n; i++)
-        drop(&f->list[i]);
+        free_diagnostic(&f->list[i]);
     free(f->list);
     *f = (struct diagnostics){ 0 };
 }

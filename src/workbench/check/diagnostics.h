@@ -28,16 +28,16 @@ void diagnostics_add(struct diagnostics *f, const char *file, int line, const ch
 void diagnostics_note(struct diagnostics *f, const char *file, int line, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
-/* Adds the message of a loader or a fault, "FILE:LINE: what" or "FILE: what". file: for a message without a file. */
+/* Adds the message of a loader or a fault, "FILE:LINE: text" or "FILE: text". file: used if the message has none. */
 void diagnostics_add_sentence(struct diagnostics *f, const char *file, const char *sentence);
 
-/* Returns whether a finding at that place reports the name as missing. */
+/* Returns whether a finding at the position reports the name as missing. */
 bool diagnostics_misses(const struct diagnostics *f, const char *file, int line, const char *name);
 
-/* Sorts by file, line and order, and removes findings whose text is contained in another one at the same place. */
+/* Sorts by file, line and order, and removes findings whose text is part of another finding at the same position. */
 void diagnostics_sort(struct diagnostics *f);
 
-/* Prints a line for each: "stages/one.lua:42: what". */
+/* Prints a line for each finding: "stages/one.lua:42: text". */
 void diagnostics_print(const struct diagnostics *f, void (*line)(const char *));
 
 void diagnostics_close(struct diagnostics *f);

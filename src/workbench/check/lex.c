@@ -12,7 +12,7 @@
 enum { ARENA_BLOCK = 1 << 16 };
 
 struct arena_block {
-    struct arena_block *before;
+    struct arena_block *previous;
     size_t used;
     char bytes[];
 };
@@ -47,7 +47,7 @@ const char *arena_copy(struct arena *a, const char *s, size_t n)
 void arena_close(struct arena *a)
 {
     while (a->last != NULL) {
-        struct arena_block *before = a->last->before;
+        struct arena_block *before = a->last->previous;
         free(a->last);
         a->last = before;
     }
@@ -64,8 +64,8 @@ static void add_byte(struct lex *l, unsigned c)
         l->arena->failed = true;
 }
 
-/* Reads a long bracket; false: it has no end. A line break in it is \n; one at its start is skipped. */
-static bool long_string(struct lex *l, int level)
+/* Reads a long string or comment; false: it has no end. Line breaks become \n; one at the start is skipped. */
+static bool read_long_string(struct lex *l, int level)
 {
     l->at.p += level + 2;
     l->n = 0;
@@ -81,7 +81,7 @@ static bool long_string(struct lex *l, int level)
     return true;
 }
 
-/* A code point as UTF-8, in up to six bytes. */
+/* Appends a code point as UTF-8, in up to six bytes. */
 static void add_utf8(struct lex *l, uint32_t c)
 {
     int more = c < 0x80 ? 0 : c < 0x800 ? 1 : c < 0x10000 ? 2 : c < 0x200000 ? 3 : c < 0x4000000 ? 4 : 5;
@@ -92,7 +92,7 @@ static void add_utf8(struct lex *l, uint32_t c)
         add_byte(l, 0x80 | (c >> (6 * more) & 0x3f));
 }
 
-/* \u{XXX} */
+/* Reads \u{XXX} after the backslash. */
 static bool escape_unicode(struct lex *l)
 {
     uint32_t v = 0;
@@ -164,7 +164,7 @@ static bool escape(struct lex *l)
     return true;
 }
 
-static bool quoted(struct lex *l)
+static bool read_quoted(struct lex *l)
 {
     char quote = *l->at.p++;
 
@@ -180,7 +180,7 @@ static bool quoted(struct lex *l)
     return l->at.p < l->at.end ? l->at.p++, true : false;
 }
 
-static int string(struct lex *l, struct token *t, bool good)
+static int finish_string(struct lex *l, struct token *t, bool good)
 {
     t->s = good ? arena_copy(l->arena, l->n > 0 ? l->value : "", l->n) : "";
     t->n = good ? l->n : 0;
@@ -200,7 +200,7 @@ static bool is_zero(const char *s, size_t n)
     return true;
 }
 
-static int number(struct lex *l, struct token *t)
+static int read_number(struct lex *l, struct token *t)
 {
     const char *from = l->at.p;
     bool is_hex = *from == '0' && (cursor_peek(&l->at, 1) == 'x' || cursor_peek(&l->at, 1) == 'X');
@@ -219,7 +219,7 @@ static int number(struct lex *l, struct token *t)
     return cursor_is_letter(cursor_peek(&l->at, 0)) ? T_BAD : T_NUMBER;
 }
 
-static int name(struct lex *l, struct token *t)
+static int read_name(struct lex *l, struct token *t)
 {
     static const char *const reserved[] = { "and",      "break",  "do",   "else", "elseif", "end",  "false", "for",
                                             "function", "goto",   "if",   "in",   "local",  "nil",  "not",   "or",
@@ -235,7 +235,7 @@ static int name(struct lex *l, struct token *t)
     return T_NAME;
 }
 
-static int sign(struct lex *l)
+static int read_operator(struct lex *l)
 {
     static const struct {
         char s[4];
@@ -254,8 +254,8 @@ static int sign(struct lex *l)
     return c != '\0' && strchr("+-*/%^#&~|<>=(){}[];:,.", c) != NULL ? c : T_BAD;
 }
 
-/* Skips blanks and comments; false: a comment has no end. */
-static bool skip(struct lex *l)
+/* Skips whitespace and comments; false: a comment has no end. */
+static bool skip_space(struct lex *l)
 {
     while (l->at.p < l->at.end) {
         if (cursor_is_blank(*l->at.p)) {
@@ -263,7 +263,7 @@ static bool skip(struct lex *l)
         } else if (*l->at.p == '-' && cursor_peek(&l->at, 1) == '-') {
             l->at.p += 2;
             int level = cursor_peek(&l->at, 0) == '[' ? cursor_long_level(&l->at) : -1;
-            if (level >= 0 && !long_string(l, level))
+            if (level >= 0 && !read_long_string(l, level))
                 return false;
             while (level < 0 && l->at.p < l->at.end && *l->at.p != '\n' && *l->at.p != '\r')
                 l->at.p++;
@@ -276,7 +276,7 @@ static bool skip(struct lex *l)
 
 static void read_token(struct lex *l, struct token *t)
 {
-    bool good = skip(l);
+    bool good = skip_space(l);
     char c = cursor_peek(&l->at, 0);
 
     *t = (struct token){ .line = l->at.line };
@@ -285,15 +285,15 @@ static void read_token(struct lex *l, struct token *t)
     else if (l->at.p == l->at.end)
         t->type = T_END;
     else if (cursor_is_letter(c))
-        t->type = name(l, t);
+        t->type = read_name(l, t);
     else if (cursor_is_digit(c) || (c == '.' && cursor_is_digit(cursor_peek(&l->at, 1))))
-        t->type = number(l, t);
+        t->type = read_number(l, t);
     else if (c == '"' || c == '\'')
-        t->type = string(l, t, quoted(l));
+        t->type = finish_string(l, t, read_quoted(l));
     else if (c == '[' && cursor_long_level(&l->at) >= 0)
-        t->type = string(l, t, long_string(l, cursor_long_level(&l->at)));
+        t->type = finish_string(l, t, read_long_string(l, cursor_long_level(&l->at)));
     else
-        t->type = sign(l);
+        t->type = read_operator(l);
 }
 
 void lex_step(struct lex *l)

@@ -1,7 +1,7 @@
 /*
- * lex.h - Lua 5.4's tokens.
+ * lex.h - a lexer for Lua 5.4.
  *
- * Any text can be read, but only what the Lua compiler accepts is guaranteed to be read without T_BAD.
+ * It reads any text, and never returns T_BAD for a text that the Lua compiler accepts.
  */
 #ifndef WORKBENCH_LEX_H
 #define WORKBENCH_LEX_H
@@ -11,21 +11,21 @@
 #include <stdint.h>
 #include "../../base/cursor.h"
 
-/* Memory for texts, freed together. */
+/* Memory for strings, which are freed together. */
 struct arena {
     struct arena_block *last;
-    size_t left; /* free bytes at its end */
-    bool failed; /* out of memory: some text became "" */
+    size_t left; /* free bytes of the last block */
+    bool failed; /* out of memory: some strings are "" */
 };
 
-/* Returns a copy of n bytes with a 0 after it. */
+/* Returns a NUL-terminated copy of n bytes. */
 const char *arena_copy(struct arena *a, const char *s, size_t n);
 void arena_close(struct arena *a);
 
-/* A token of one character is that character. */
+/* The type of a token of one character is the character. */
 enum {
-    T_END = 256, /* of the text */
-    T_BAD,       /* not Lua; also all tokens after it */
+    T_END = 256, /* end of the text */
+    T_BAD,       /* invalid; so are all tokens after it */
     T_NAME,
     T_STRING,
     T_NUMBER,

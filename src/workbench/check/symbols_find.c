@@ -8,8 +8,8 @@
 
 void symbols_free(struct symbols *f)
 {
-    void *const lists[] = { f->globals, f->walks,  f->zeros, f->formats, f->texts,
-                            f->calls,   f->tables, f->keys,  f->members };
+    void *const lists[] = { f->globals, f->iterations, f->divisions, f->formats, f->texts,
+                            f->calls,   f->tables,     f->keys,      f->members };
 
     for (size_t i = 0; i < sizeof lists / sizeof lists[0]; i++)
         free(lists[i]);
@@ -26,7 +26,7 @@ static int find_key(const struct symbols *f, int table, const char *name)
     return -1;
 }
 
-static int table_of(const struct symbols *f, int key)
+static int find_table(const struct symbols *f, int key)
 {
     for (int i = 0; i < f->n_tables; i++)
         if (f->tables[i].key == key)
@@ -48,7 +48,7 @@ int symbols_line(const struct symbols *f, const char *const *path)
         if (key < 0)
             break;
         line = f->keys[key].line;
-        table = table_of(f, key);
+        table = find_table(f, key);
     }
     return line;
 }

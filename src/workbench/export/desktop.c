@@ -22,7 +22,7 @@ static bool is_entry(const uint8_t *head, size_t n)
     return n >= strlen(ENTRY) && memcmp(head, ENTRY, strlen(ENTRY)) == 0;
 }
 
-bool desktop_may_name(const char *path)
+bool desktop_can_name(const char *path)
 {
     for (const char *p = path, *end = path + strlen(path); p < end;)
         if (!utf8_may_show(utf8_next(&p, end)))
@@ -30,11 +30,11 @@ bool desktop_may_name(const char *path)
     return true;
 }
 
-bool desktop_may_write(const char *rom, const char *program, char *err, size_t err_size)
+bool desktop_check_writable(const char *rom, const char *program, char *err, size_t err_size)
 {
     char path[FILES_PATH_SIZE + 16];
 
-    if (plat_path(program, path, FILES_PATH_SIZE) && !desktop_may_name(path))
+    if (plat_path(program, path, FILES_PATH_SIZE) && !desktop_can_name(path))
         return err_set(err, err_size,
                        "--desktop: %s: the program's path must not contain line breaks or control characters", program);
     snprintf(path, sizeof path, "%s.desktop", program);
@@ -44,7 +44,7 @@ bool desktop_may_write(const char *rom, const char *program, char *err, size_t e
     return output_path_derived(rom, path, png_is_signed, err, err_size);
 }
 
-/* Applies the escapes of the shell, and then those of the file. */
+/* Escapes first for the shell, then for the file format. */
 void desktop_quote(const char *path, char *out, size_t size)
 {
     size_t n = 0;
@@ -65,8 +65,8 @@ void desktop_quote(const char *path, char *out, size_t size)
     out[n] = '\0';
 }
 
-/* Doubles each \ for a value of an entry. */
-static void escaped(const char *line, char *out)
+/* Doubles each backslash, for a value of an entry. */
+static void double_backslashes(const char *line, char *out)
 {
     for (; *line; line++) {
         if (*line == '\\')
@@ -89,8 +89,8 @@ bool desktop_write(const char *program, const struct cart *cart, char *err, size
     desktop_quote(path, exec, sizeof exec);
     snprintf(line, sizeof line, "%s", cart->manifest.title);
     clean_line(line);
-    escaped(line, title);
-    escaped(path, shown);
+    double_backslashes(line, title);
+    double_backslashes(path, shown);
     rgba = icon_make(cart, ICON_FILE_SIDE, &side);
     const bool icon = rgba && png_write_rgba(rgba, side, side, &png, &size);
     free(rgba);

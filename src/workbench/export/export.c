@@ -36,14 +36,14 @@ struct export
     enum export_kind kind; /* of the file that is being made */
     struct rom_image image;
     struct cart cart;
-    uint8_t *small; /* the compressed game; malloc, NULL: not smaller */
+    uint8_t *compressed; /* compressed game, malloc; NULL: not smaller */
     const uint8_t *game;
     size_t game_size;
-    char name[72]; /* of the file without -o */
+    char name[72]; /* default name of the file */
     const char *out;
     char info[FILES_PATH_SIZE]; /* of a core's .info */
-    char from[FILES_PATH_SIZE]; /* what the file is a copy of, as messages call it */
-    uint8_t *file;              /* what is written; malloc */
+    char from[FILES_PATH_SIZE]; /* path of the player, for messages */
+    uint8_t *file;              /* contents of the output file; malloc */
     size_t size;
     char *err;
     size_t err_size;
@@ -53,10 +53,10 @@ static bool append_game(struct export *e);
 static bool make_page(struct export *e);
 
 static const struct kind {
-    const char *option;             /* without --; also in the name of the zip. NULL: none */
-    const char *noun;               /* as messages call it */
-    const char *ending;             /* of the file name, after the game's id */
-    const char *player;             /* file that the game is added to */
+    const char *option;             /* without --; also used in the name of the zip. NULL: none */
+    const char *noun;               /* for messages */
+    const char *suffix;             /* suffix of the file name, after the game's id */
+    const char *player;             /* file to which the game is added */
     const char *program;            /* the same with --keys; NULL: this program */
     bool (*make)(struct export *e); /* into e->file */
     bool runs;                      /* the file is made executable */
@@ -89,8 +89,8 @@ static void blank_builtin(uint8_t *file, size_t size)
     }
 }
 
-/* The ending of this system's programs: .exe on Windows, which runs no others. */
-static const char *program_ending(void)
+/* Returns the suffix of this system's programs: .exe on Windows. */
+static const char *program_suffix(void)
 {
     static const char exe[] = ".exe";
     char name[FILES_PATH_SIZE];
@@ -126,7 +126,7 @@ static bool load_player(struct export *e)
     char name[64];
 
     for (size_t i = 0; i < sizeof folders / sizeof *folders; i++) {
-        snprintf(name, sizeof name, "%s%s%s", is_here ? "" : folders[i], player, is_here ? program_ending() : "");
+        snprintf(name, sizeof name, "%s%s%s", is_here ? "" : folders[i], player, is_here ? program_suffix() : "");
         if (plat_installed_file(name, e->from, sizeof e->from) && plat_file_size(e->from) >= 0)
             return files_read(e->from, e->from, PROGRAM, &e->file, &e->size, e->err, e->err_size);
     }
@@ -157,7 +157,7 @@ static bool make_page(struct export *e)
     return good;
 }
 
-/* Trims the player to what the system loads, and finds its mark: *at. */
+/* Trims the player to the bytes that the system loads, and finds its mark: *at. */
 static bool prepare_player(struct export *e, size_t *at)
 {
     const char *player = player_name(e), *make = e->kind == EXPORT_PROGRAM ? "make all" : "make players";
@@ -209,14 +209,14 @@ static bool is_info(const uint8_t *head, size_t n)
 }
 
 /* Checks that the files next to the export can be written. */
-static bool may_write_companions(struct export *e)
+static bool check_companions(struct export *e)
 {
     if (e->kind == EXPORT_LIBRETRO)
         return output_path_derived(e->a->words[0], e->info, is_info, e->err, e->err_size);
-    return !e->a->desktop || desktop_may_write(e->a->words[0], e->out, e->err, e->err_size);
+    return !e->a->desktop || desktop_check_writable(e->a->words[0], e->out, e->err, e->err_size);
 }
 
-/* Returns whether the file is an export of that kind. */
+/* Returns whether the file is an export of the kind. */
 static bool is_exported(enum export_kind kind, const uint8_t *file, size_t size)
 {
     struct mark m = { .size = 0 };
@@ -231,20 +231,20 @@ static bool is_exported(enum export_kind kind, const uint8_t *file, size_t size)
     return m.size > 0;
 }
 
-/* An existing file is replaced only if it is an export. */
-static bool may_replace(struct export *e, const char *path, enum export_kind kind)
+/* Checks that the path doesn't exist or is an export of the kind, which may be replaced. */
+static bool check_replaceable(struct export *e, const char *path, enum export_kind kind)
 {
-    uint8_t *there;
+    uint8_t *existing;
     size_t size;
 
     if (plat_file_size(path) < 0 && files_count_entries(path) >= 0)
         return err_set(e->err, e->err_size, "%s: a folder with this name exists; choose another file with -o", path);
     if (plat_file_size(path) < 0)
         return true;
-    if (!files_read(path, path, PROGRAM, &there, &size, e->err, e->err_size))
+    if (!files_read(path, path, PROGRAM, &existing, &size, e->err, e->err_size))
         return false;
-    const bool exported = is_exported(kind, there, size);
-    free(there);
+    const bool exported = is_exported(kind, existing, size);
+    free(existing);
     return exported ? true
                     : err_set(e->err, e->err_size, "%s: already exists and is not an exported %s; remove it first",
                               path, kinds[kind].noun);
@@ -294,7 +294,7 @@ static bool make_zip(struct export *e, struct zip *z)
 
     if (!kind->make(e))
         return false;
-    snprintf(name, sizeof name, "%s%s", e->cart.manifest.id, kind->ending);
+    snprintf(name, sizeof name, "%s%s", e->cart.manifest.id, kind->suffix);
     zip_add(z, e->kind == EXPORT_WEB ? "index.html" : name, e->file, e->size, kind->runs);
     free(e->file);
     e->file = NULL;
@@ -319,7 +319,7 @@ static bool zip_path(struct export *e, enum export_kind kind, char path[FILES_PA
     return n < FILES_PATH_SIZE ? true : err_set(e->err, e->err_size, "%s: path too long", e->out);
 }
 
-/* Writes nothing until all zips are made. */
+/* Makes all zips before the first is written. */
 static bool export_all(struct export *e)
 {
     struct zip zips[EXPORT_ALL] = { 0 };
@@ -327,7 +327,7 @@ static bool export_all(struct export *e)
     bool good = true;
 
     for (e->kind = EXPORT_LINUX; good && e->kind < EXPORT_ALL; e->kind++)
-        good = make_zip(e, &zips[e->kind]) && zip_path(e, e->kind, path) && may_replace(e, path, EXPORT_ALL);
+        good = make_zip(e, &zips[e->kind]) && zip_path(e, e->kind, path) && check_replaceable(e, path, EXPORT_ALL);
     for (enum export_kind k = EXPORT_LINUX; good && k < EXPORT_ALL; k++)
         good = zip_path(e, k, path) && files_save(path, zips[k].bytes.bytes, zips[k].bytes.n, e->err, e->err_size);
     for (enum export_kind k = EXPORT_LINUX; k < EXPORT_ALL; k++)
@@ -338,12 +338,12 @@ static bool export_all(struct export *e)
 /* ---- the command ---- */
 
 /* Chooses the names of the output files. */
-static bool name_out(struct export *e)
+static bool choose_names(struct export *e)
 {
     size_t n;
 
     snprintf(e->name, sizeof e->name, "%s%s", e->cart.manifest.id,
-             e->kind == EXPORT_PROGRAM ? program_ending() : kinds[e->kind].ending);
+             e->kind == EXPORT_PROGRAM ? program_suffix() : kinds[e->kind].suffix);
     e->out = e->a->out ? e->a->out : e->name;
     n = strlen(e->out);
     if (e->kind != EXPORT_LIBRETRO)
@@ -363,14 +363,14 @@ static bool load_game(struct export *e)
         return false;
     if (!cart_open(&e->cart, &e->image.rom, why, sizeof why))
         return err_set(e->err, e->err_size, "%s: %s", e->a->words[0], why);
-    if (!compress_rom(e->image.bytes, e->image.size, &e->small, &e->game_size))
+    if (!compress_rom(e->image.bytes, e->image.size, &e->compressed, &e->game_size))
         return result_set_host_error(e->err, e->err_size, "out of memory");
-    e->game = e->small ? e->small : e->image.bytes;
-    e->game_size = e->small ? e->game_size : e->image.size;
-    return name_out(e);
+    e->game = e->compressed ? e->compressed : e->image.bytes;
+    e->game_size = e->compressed ? e->game_size : e->image.size;
+    return choose_names(e);
 }
 
-static bool may_export(struct export *e)
+static bool check_allowed(struct export *e)
 {
     if (embedded_rom_game()->rom)
         return err_set(e->err, e->err_size, "export: this program is the exported game %s; use curtain to export games",
@@ -383,7 +383,7 @@ static bool may_export(struct export *e)
 
 static bool export_one(struct export *e)
 {
-    return may_replace(e, e->out, e->kind) && may_write_companions(e) && kinds[e->kind].make(e) && save(e) &&
+    return check_replaceable(e, e->out, e->kind) && check_companions(e) && kinds[e->kind].make(e) && save(e) &&
            (!e->a->desktop || desktop_write(e->out, &e->cart, e->err, e->err_size));
 }
 
@@ -393,9 +393,9 @@ enum result export_command(const struct args *a)
     struct export e = { .a = a, .err = err, .err_size = sizeof err };
 
     e.kind = a->all ? EXPORT_ALL : (enum export_kind)a->export;
-    const bool good = may_export(&e) && load_game(&e) && (a->all ? export_all(&e) : export_one(&e));
+    const bool good = check_allowed(&e) && load_game(&e) && (a->all ? export_all(&e) : export_one(&e));
     free(e.file);
-    free(e.small);
+    free(e.compressed);
     rom_image_free(&e.image);
     return good ? RESULT_DONE : report_error(err);
 }

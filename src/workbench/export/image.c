@@ -14,7 +14,7 @@ static const struct layout {
     int segment, offset, filesz;               /* of a program header: its bytes, and fields */
 } layouts[] = { { 4, 28, 32, 42, 44, 48, 32, 4, 16 }, { 8, 32, 40, 54, 56, 60, 56, 8, 32 } };
 
-static uint64_t get(const uint8_t *p, int n, bool big_endian)
+static uint64_t read_uint(const uint8_t *p, int n, bool big_endian)
 {
     uint64_t v = 0;
 
@@ -31,12 +31,13 @@ size_t image_trim(uint8_t *file, size_t size)
         return size;
     const struct layout *l = &layouts[file[CLASS] - 1];
     const bool big = file[ORDER] == 2;
-    const uint64_t at = get(file + l->phoff, l->word, big), n = get(file + l->phnum, 2, big);
-    if (get(file + l->phentsize, 2, big) != (uint64_t)l->segment || at > size || n * (uint64_t)l->segment > size - at)
+    const uint64_t at = read_uint(file + l->phoff, l->word, big), n = read_uint(file + l->phnum, 2, big);
+    if (read_uint(file + l->phentsize, 2, big) != (uint64_t)l->segment || at > size ||
+        n * (uint64_t)l->segment > size - at)
         return size;
     uint64_t end = at + n * (uint64_t)l->segment;
     for (const uint8_t *p = file + at; p < file + at + n * (uint64_t)l->segment; p += l->segment) {
-        const uint64_t from = get(p + l->offset, l->word, big), bytes = get(p + l->filesz, l->word, big);
+        const uint64_t from = read_uint(p + l->offset, l->word, big), bytes = read_uint(p + l->filesz, l->word, big);
         if (from > size || bytes > size - from)
             return size;
         end = from + bytes > end ? from + bytes : end;

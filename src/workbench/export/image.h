@@ -7,8 +7,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Returns the number of bytes that are needed. In an ELF file of any machine, these end with the last segment, and the
- * header is changed accordingly; other files are unchanged. */
+/* Returns the number of bytes that are needed. In an ELF file for any machine, these end with the last segment, and the
+ * header is updated; other files are unchanged. */
 size_t image_trim(uint8_t *file, size_t size);
 
 #endif

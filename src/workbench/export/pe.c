@@ -44,8 +44,8 @@ struct resource {
 struct pe {
     uint8_t *file, *header, *optional, *sections;
     uint32_t size, n_sections;
-    uint32_t address_end, file_end;                         /* of the last section: in memory, in the file */
-    struct resource old[MAX_RESOURCES], all[MAX_RESOURCES]; /* of the input; of the output */
+    uint32_t address_end, file_end;                               /* end of the last section: in memory, in the file */
+    struct resource old[MAX_RESOURCES], resources[MAX_RESOURCES]; /* resources of the input, of the output */
     int n_old, n;
 };
 
@@ -93,8 +93,8 @@ static bool read_sections(struct pe *pe)
     return pe->file_end >= bytes_get32(pe->optional + HEADERS_SIZE);
 }
 
-/* The n bytes loaded at an address, or NULL if they are not all in one section. */
-static uint8_t *at_address(const struct pe *pe, uint32_t address, uint32_t n)
+/* Returns the n bytes loaded at an address, or NULL if they are not all in one section. */
+static uint8_t *bytes_at(const struct pe *pe, uint32_t address, uint32_t n)
 {
     for (uint32_t i = 0; i < pe->n_sections; i++) {
         const uint8_t *s = pe->sections + i * SECTION;
@@ -105,11 +105,11 @@ static uint8_t *at_address(const struct pe *pe, uint32_t address, uint32_t n)
     return NULL;
 }
 
-/* Reads the resource directory at `at` and those below it. Levels: 0 types, 1 ids, 2 languages. */
+/* Reads the resource directory at offset `at` and its subdirectories. Levels: 0 types, 1 ids, 2 languages. */
 static bool read_directory(struct pe *pe, uint32_t at, int level, struct resource r)
 {
     const uint32_t base = bytes_get32(pe->optional + RESOURCES), size = bytes_get32(pe->optional + RESOURCES + 4);
-    const uint8_t *tree = at_address(pe, base, size);
+    const uint8_t *tree = bytes_at(pe, base, size);
 
     if (!tree || at > size || size - at < 16)
         return false;
@@ -128,7 +128,7 @@ static bool read_directory(struct pe *pe, uint32_t at, int level, struct resourc
         if (to > size || size - to < 16 || pe->n_old == MAX_RESOURCES)
             return false;
         r.size = bytes_get32(tree + to + 4);
-        r.data = at_address(pe, bytes_get32(tree + to), r.size);
+        r.data = bytes_at(pe, bytes_get32(tree + to), r.size);
         if (!r.data)
             return false;
         pe->old[pe->n_old++] = r;
@@ -305,14 +305,14 @@ static void make_version(struct byte_buffer *r, const struct manifest *m)
 
 /* ---- writing ---- */
 
-static void add(struct pe *pe, struct resource r)
+static void add_resource(struct pe *pe, struct resource r)
 {
     if (pe->n < MAX_RESOURCES)
-        pe->all[pe->n++] = r;
+        pe->resources[pe->n++] = r;
 }
 
 /* Orders by type, then by id, as a directory requires. */
-static int compare(const void *a, const void *b)
+static int compare_resources(const void *a, const void *b)
 {
     const struct resource *x = a, *y = b;
 
@@ -332,7 +332,7 @@ static void put_directory(struct byte_buffer *r, unsigned n)
 /* Writes the directory tree of the sorted resources, and their data. address: where the tree is loaded. */
 static void put_tree(const struct pe *pe, struct byte_buffer *r, uint32_t address)
 {
-    const struct resource *all = pe->all;
+    const struct resource *all = pe->resources;
     const uint32_t n = (uint32_t)pe->n;
     uint32_t types = 0, at;
 
@@ -408,7 +408,7 @@ static bool write_copy(struct pe *pe, uint8_t **file, size_t *size)
     const uint32_t file_align = bytes_get32(pe->optional + FILE_ALIGN), from = align(pe->file_end, file_align);
     struct byte_buffer tree = { 0 };
 
-    qsort(pe->all, (size_t)pe->n, sizeof pe->all[0], compare);
+    qsort(pe->resources, (size_t)pe->n, sizeof pe->resources[0], compare_resources);
     put_tree(pe, &tree, address);
     const uint32_t raw = align((uint32_t)tree.n, file_align);
     uint8_t *out = tree.failed ? NULL : calloc((size_t)from + raw, 1);
@@ -426,7 +426,7 @@ static bool write_copy(struct pe *pe, uint8_t **file, size_t *size)
     return out != NULL;
 }
 
-/* ---- both ---- */
+/* ---- replacing resources ---- */
 
 bool pe_is(const uint8_t *file, size_t size)
 {
@@ -447,12 +447,12 @@ bool pe_set_resources(uint8_t **file, size_t *size, const struct cart *cart, cha
     make_version(&version, &cart->manifest);
     for (int i = 0; i < pe.n_old; i++)
         if (pe.old[i].type != RT_VERSION && !(icon && (pe.old[i].type == RT_ICON || pe.old[i].type == RT_GROUP_ICON)))
-            add(&pe, pe.old[i]);
+            add_resource(&pe, pe.old[i]);
     for (uint32_t i = 0; icon && i < ICONS; at += sizes[i++])
-        add(&pe, (struct resource){ RT_ICON, i + 1, ENGLISH, pictures.bytes + at, sizes[i] });
+        add_resource(&pe, (struct resource){ RT_ICON, i + 1, ENGLISH, pictures.bytes + at, sizes[i] });
     if (icon)
-        add(&pe, (struct resource){ RT_GROUP_ICON, 1, ENGLISH, group.bytes, (uint32_t)group.n });
-    add(&pe, (struct resource){ RT_VERSION, 1, ENGLISH, version.bytes, (uint32_t)version.n });
+        add_resource(&pe, (struct resource){ RT_GROUP_ICON, 1, ENGLISH, group.bytes, (uint32_t)group.n });
+    add_resource(&pe, (struct resource){ RT_VERSION, 1, ENGLISH, version.bytes, (uint32_t)version.n });
     const bool good = !version.failed && write_copy(&pe, file, size);
     byte_buffer_close(&pictures);
     byte_buffer_close(&group);

@@ -9,13 +9,13 @@
 #include <stdint.h>
 #include "../../rom/cart.h"
 
-/* Does the file claim to be a Windows program? */
+/* Returns whether the file has the signature of a Windows program. */
 bool pe_is(const uint8_t *file, size_t size);
 
-/* Replaces *file (malloc) with a copy that ends with a resource section for the game: its version, and its icon if it
- * has one; other resources are copied. Symbols and a signature are removed. The result depends only on the file and the
- * game. Returns false with a sentence in err if the file is damaged, is not for x86-64, or has no space for another
- * section header; the caller frees *file in any case. */
+/* Replaces *file (malloc) by a copy that ends with a resource section for the game: its version, and its icon if it has
+ * one; other resources are copied. Symbols and a signature are removed. The result depends only on the file and the
+ * game. False: the file is damaged, is not for x86-64, or has no space for another section header. The caller frees
+ * *file in either case. */
 bool pe_set_resources(uint8_t **file, size_t *size, const struct cart *cart, char *err, size_t err_size);
 
 #endif

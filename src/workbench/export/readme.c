@@ -11,7 +11,7 @@
 
 static const struct {
     const char *start, *saves, *remove;
-    bool keys, window; /* list the players' keys; list the window's keys */
+    bool keys, window; /* list the players' keys, list the window's keys */
 } texts[] = {
     [EXPORT_LINUX] = {
         "Double-click the file \"@\", or run ./@ in a terminal in this folder. If the game does not start,\n"
@@ -67,7 +67,7 @@ static void put_text(struct byte_buffer *out, const char *text, const char *id)
             byte_buffer_byte(out, (uint8_t)*text);
 }
 
-/* Adds an action's keys to a list, without controller buttons, which F1 shows. */
+/* Appends an action's keys to a list, without controller buttons, which F1 shows. */
 static void add_keys(char *list, size_t size, const struct keys *k, int action)
 {
     char text[128];

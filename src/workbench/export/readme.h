@@ -1,5 +1,5 @@
 /*
- * readme.h - the README that a download of a game has for players.
+ * readme.h - the README for players in a game's zip file.
  */
 #ifndef WORKBENCH_README_H
 #define WORKBENCH_README_H
@@ -8,7 +8,7 @@
 #include "../../common/byte_buffer.h"
 #include "export.h"
 
-/* Adds the text, in lines that end in \n, for EXPORT_LINUX to EXPORT_LIBRETRO. */
+/* Appends the text for an export, EXPORT_LINUX to EXPORT_LIBRETRO. Lines end in \n. */
 void readme_write(struct byte_buffer *out, enum export_kind kind, const struct manifest *m);
 
 #endif

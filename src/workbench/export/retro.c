@@ -6,8 +6,8 @@
 #include <stdio.h>
 #include "../../board/board.h"
 
-/* Replaces ", which a value cannot contain. */
-static void value(const char *text, char *out)
+/* Copies a value with " replaced by ', because values cannot contain double quotes. */
+static void copy_value(const char *text, char *out)
 {
     do
         *out++ = *text == '"' ? '\'' : *text;
@@ -18,8 +18,8 @@ void retro_info(const struct manifest *m, char *text, size_t size)
 {
     char title[sizeof m->title], author[sizeof m->author];
 
-    value(m->title, title);
-    value(m->author, author);
+    copy_value(m->title, title);
+    copy_value(m->author, author);
     snprintf(text, size,
              RETRO_INFO_FIRST "\n"
                               "display_name = \"%s\"\n"

@@ -13,10 +13,10 @@
 #include "../../rom/manifest.h"
 #include "../../common/clean.h"
 
-static const char title_mark[] = "@TITLE@", rom_mark[] = "@ROM@";
+static const char title_placeholder[] = "@TITLE@", rom_placeholder[] = "@ROM@";
 static const char generator[] = "<meta name=\"generator\" content=\"Curtain, core ";
 
-/* Returns the next occurrence of a text from `at` on, or NULL. */
+/* Returns the first occurrence of a text from `at`, or NULL. */
 static const uint8_t *find(const uint8_t *file, size_t size, const uint8_t *at, const char *text)
 {
     const size_t n = strlen(text);
@@ -40,7 +40,7 @@ static int count(const uint8_t *file, size_t size, const char *text)
 }
 
 /* Returns the core version in a page; 0: it is not a page of Curtain. */
-static unsigned core_of(const uint8_t *file, size_t size)
+static unsigned read_core_version(const uint8_t *file, size_t size)
 {
     const uint8_t *p = find(file, size, file, generator);
     char digits[8] = "";
@@ -55,7 +55,7 @@ static unsigned core_of(const uint8_t *file, size_t size)
 
 bool web_is_page(const uint8_t *file, size_t size)
 {
-    return core_of(file, size) > 0 && count(file, size, rom_mark) == 0;
+    return read_core_version(file, size) > 0 && count(file, size, rom_placeholder) == 0;
 }
 
 /* ---- the ROM ---- */
@@ -65,7 +65,7 @@ static size_t base64_size(size_t n)
     return (n + 2) / 3 * 4;
 }
 
-static uint8_t *put_base64(uint8_t *out, const uint8_t *bytes, size_t n)
+static uint8_t *append_base64(uint8_t *out, const uint8_t *bytes, size_t n)
 {
     static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
@@ -82,7 +82,7 @@ static uint8_t *put_base64(uint8_t *out, const uint8_t *bytes, size_t n)
 /* ---- the page ---- */
 
 /* Escapes a title for HTML, and @, with which placeholders start. */
-static void escape(const char *title, char *out, size_t size)
+static void escape_title(const char *title, char *out, size_t size)
 {
     size_t n = 0;
 
@@ -95,11 +95,11 @@ static void escape(const char *title, char *out, size_t size)
     out[n] = '\0';
 }
 
-static bool is_player(const uint8_t *player, size_t size, const char *name, char *err, size_t err_size)
+static bool check_player(const uint8_t *player, size_t size, const char *name, char *err, size_t err_size)
 {
-    const unsigned core = core_of(player, size);
+    const unsigned core = read_core_version(player, size);
 
-    if (core == 0 || count(player, size, rom_mark) != 1 || count(player, size, title_mark) < 1)
+    if (core == 0 || count(player, size, rom_placeholder) != 1 || count(player, size, title_placeholder) < 1)
         return err_set(err, err_size, "%s: not a valid player; rebuild it with `make players`", name);
     if (core != CORE_VERSION)
         return err_set(err, err_size, "%s: expected core version %d, got %u; rebuild it with `make players`", name,
@@ -107,28 +107,28 @@ static bool is_player(const uint8_t *player, size_t size, const char *name, char
     return true;
 }
 
-static uint8_t *put(uint8_t *out, const void *bytes, size_t n)
+static uint8_t *append(uint8_t *out, const void *bytes, size_t n)
 {
     memcpy(out, bytes, n);
     return out + n;
 }
 
 /* Copies the player with its placeholders replaced. */
-static uint8_t *fill(uint8_t *out, const uint8_t *player, size_t size, const char *title, const uint8_t *rom,
-                     size_t rom_size)
+static uint8_t *fill_placeholders(uint8_t *out, const uint8_t *player, size_t size, const char *title,
+                                  const uint8_t *rom, size_t rom_size)
 {
-    const uint8_t *from = player, *const end = player + size, *rom_at = find(player, size, player, rom_mark);
+    const uint8_t *from = player, *const end = player + size, *rom_at = find(player, size, player, rom_placeholder);
 
     for (;;) {
-        const uint8_t *next = find(player, size, from, title_mark);
+        const uint8_t *next = find(player, size, from, title_placeholder);
         const bool is_rom = rom_at >= from && (!next || rom_at < next);
         if (is_rom)
             next = rom_at;
         if (!next)
-            return put(out, from, (size_t)(end - from));
-        out = put(out, from, (size_t)(next - from));
-        out = is_rom ? put_base64(out, rom, rom_size) : put(out, title, strlen(title));
-        from = next + (is_rom ? sizeof rom_mark : sizeof title_mark) - 1;
+            return append(out, from, (size_t)(end - from));
+        out = append(out, from, (size_t)(next - from));
+        out = is_rom ? append_base64(out, rom, rom_size) : append(out, title, strlen(title));
+        from = next + (is_rom ? sizeof rom_placeholder : sizeof title_placeholder) - 1;
     }
 }
 
@@ -138,13 +138,13 @@ bool web_make(const struct web_game *game, const uint8_t *player, size_t player_
     char title[6 * sizeof((struct manifest *)0)->title + 8];
 
     *out = NULL;
-    if (!is_player(player, player_size, name, err, err_size))
+    if (!check_player(player, player_size, name, err, err_size))
         return false;
-    escape(game->title, title, sizeof title);
-    const size_t titles = (size_t)count(player, player_size, title_mark) * strlen(title);
+    escape_title(game->title, title, sizeof title);
+    const size_t titles = (size_t)count(player, player_size, title_placeholder) * strlen(title);
     *out = malloc(player_size + titles + base64_size(game->size));
     if (!*out)
         return result_set_host_error(err, err_size, "out of memory");
-    *size = (size_t)(fill(*out, player, player_size, title, game->rom, game->size) - *out);
+    *size = (size_t)(fill_placeholders(*out, player, player_size, title, game->rom, game->size) - *out);
     return true;
 }

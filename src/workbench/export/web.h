@@ -1,5 +1,5 @@
 /*
- * web.h - a game as a web page: the player for browsers (platform/web) with the title and the ROM of the game.
+ * web.h - makes a web page of a game: the player for browsers (platform/web) with the title and the ROM of the game.
  */
 #ifndef WORKBENCH_WEB_H
 #define WORKBENCH_WEB_H
@@ -14,7 +14,7 @@ struct web_game {
     size_t size;
 };
 
-/* Makes the page, *out (malloc), from player.html, whose name in messages is `name`. False: it is not a player, or has
+/* Makes the page, *out (malloc), from player.html. name: its name for messages. False: it is not a player, or has
  * another core version. */
 bool web_make(const struct web_game *game, const uint8_t *player, size_t player_size, const char *name, uint8_t **out,
               size_t *size, char *err, size_t err_size);

@@ -1,5 +1,5 @@
 /*
- * zip.c - see zip.h. Every file has the date 1980-01-01 00:00, the earliest that the format has. The archive's comment
+ * zip.c - see zip.h. Every file has the date 1980-01-01 00:00, the earliest of the format. The archive's comment
  * identifies it as an export.
  */
 #include "zip.h"
@@ -16,7 +16,7 @@ enum {
     DEFLATED = 8,
     VERSION = 20, /* 2.0, the first with DEFLATED */
     UNIX = 3 << 8,
-    FIRST_DATE = 1 << 5 | 1,
+    EARLIEST_DATE = 1 << 5 | 1,
     HEADER = 30, /* bytes */
     ENTRY = 46,
     END = 22
@@ -24,14 +24,14 @@ enum {
 
 static const char comment[] = "made with Curtain";
 
-/* Writes the 26 bytes that a file's header and its directory entry share. */
+/* Writes the 26 bytes that are equal in a file's header and in its directory entry. */
 static void put_common(uint8_t *p, int method, uint32_t crc, size_t packed, size_t size, size_t name)
 {
     bytes_put16(p, VERSION);
     bytes_put16(p + 2, UTF8_NAMES);
     bytes_put16(p + 4, (uint16_t)method);
     bytes_put16(p + 6, 0); /* time */
-    bytes_put16(p + 8, FIRST_DATE);
+    bytes_put16(p + 8, EARLIEST_DATE);
     bytes_put32(p + 10, crc);
     bytes_put32(p + 14, (uint32_t)packed);
     bytes_put32(p + 18, (uint32_t)size);

@@ -1,5 +1,5 @@
 /*
- * zip.h - writes zip archives whose bytes depend on nothing but the files: APPNOTE.TXT 6.3, without ZIP64.
+ * zip.h - writes zip archives whose bytes depend only on the files: APPNOTE.TXT 6.3, without ZIP64.
  */
 #ifndef WORKBENCH_ZIP_H
 #define WORKBENCH_ZIP_H
@@ -12,10 +12,10 @@ struct zip {
     unsigned n;
 };
 
-/* Adds a file, name in UTF-8. runs: it is a program, executable on Unix after unpacking. */
+/* Adds a file; its name is UTF-8. runs: the file is a program, executable on Unix after unpacking. */
 void zip_add(struct zip *z, const char *name, const void *data, size_t size, bool runs);
 
-/* Completes the archive in z->bytes, and frees the rest; zip_free frees all. False: out of memory. */
+/* Completes the archive in z->bytes. Free it with zip_free. False: out of memory. */
 bool zip_finish(struct zip *z);
 void zip_free(struct zip *z);
 

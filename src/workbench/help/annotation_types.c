@@ -1,6 +1,6 @@
 /*
  * annotation_types.c - see annotation_types.h. A word list becomes an alias of its own, so that completion offers the
- * words; a name that a game declares (a kind, a sprite) is an alias of string, which says in an editor what is meant.
+ * words; a name that a game declares (a kind, a sprite) is an alias of string, so that an editor shows its purpose.
  */
 #include "annotation_types.h"
 
@@ -10,7 +10,7 @@
 #include "../../base/int.h"
 #include "help_lua.h"
 
-/* By type; NULL: not one word. */
+/* Indexed by type. NULL: more than one word. */
 static const char *const types[] = {
     [A_INT] = "integer",
     [A_COUNT] = "integer",
@@ -77,14 +77,14 @@ void annotation_aliases(struct byte_buffer *to)
     byte_buffer_print(to, "\n---a path that path.def returned\n---@class route\n");
 }
 
-/* Adds text to the n letters of out; returns how many there are then. */
+/* Appends text to the n characters of out. Returns the new number of characters. */
 static size_t add(char *out, size_t size, size_t n, const char *text)
 {
     return n >= size ? n : n + (size_t)snprintf(out + n, size - n, "%s%s", n ? "|" : "", text);
 }
 
-/* A mask of handle kinds; none: any of them. */
-static void things(unsigned kinds, char *out, size_t size)
+/* Writes the types in a mask of handle kinds. 0: all kinds. */
+static void write_handle_types(unsigned kinds, char *out, size_t size)
 {
     size_t n = 0;
 
@@ -94,8 +94,8 @@ static void things(unsigned kinds, char *out, size_t size)
             n = add(out, size, n, api_table.things[k]->name);
 }
 
-/* A hit shape, of the forms that the table words. */
-static void hits(const struct api_param *p, char *out, size_t size)
+/* Writes the type of a hit shape: the forms that the API table allows. */
+static void write_shape_type(const struct api_param *p, char *out, size_t size)
 {
     static const struct {
         const char *form, *type;
@@ -115,8 +115,8 @@ static void hits(const struct api_param *p, char *out, size_t size)
             n = add(out, size, n, forms[i].type);
 }
 
-/* The names in brackets behind NAME in a help text, "f(player, by): it was hit", are those of a function's arguments,
- * and say what it gets. */
+/* Parentheses after NAME in a help text ("f(player, by): it was hit") contain the names of a function's arguments, from
+ * which their types follow. */
 static const struct {
     const char *name, *type;
 } given[] = {
@@ -137,8 +137,8 @@ static const char *given_type(const char *name, size_t n)
     return "any";
 }
 
-/* Where the help calls the parameter: behind its "(". NULL: it does not. */
-static const char *called(const char *help, const char *name)
+/* Returns the text after NAME( in the help. NULL: there is none. */
+static const char *find_call(const char *help, const char *name)
 {
     const size_t n = strlen(name);
 
@@ -150,7 +150,7 @@ static const char *called(const char *help, const char *name)
 
 static void functions(const struct api_entry *e, const struct api_param *p, char *out, size_t size)
 {
-    const char *own = p->help ? called(p->help, p->name) : NULL, *at = own ? own : called(e->help, p->name);
+    const char *own = p->help ? find_call(p->help, p->name) : NULL, *at = own ? own : find_call(e->help, p->name);
     const char *help = own ? p->help : e->help;
     size_t n = (size_t)snprintf(out, size, "function");
 
@@ -170,11 +170,11 @@ static void functions(const struct api_entry *e, const struct api_param *p, char
         snprintf(out + n, size - n, ")");
 }
 
-/* What is in the parameter, if it has an entry of its own: the `steps` of motion.def are a list of "motion.def step",
- * the `cast` of boss.def of what is "one of the cast", a `list` of the only part there is; `emit` of a step is a
- * "motion.def emit". A part whose help begins with "each " is a table by name, { NAME = part }. It may be another table
- * too, for some hold several things. */
-static bool parts(const struct api_entry *e, const struct api_param *p, char *out, size_t size)
+/* Writes the type of a parameter whose contents have an entry. The `steps` of motion.def are a list of "motion.def
+ * step"; the `cast` of boss.def is a list of the entry with the help "one of the cast"; a `list` contains the entry's
+ * only part; `emit` of a step is a "motion.def emit". If the help of a part begins with "each ", the type is a table by
+ * name, { NAME = part }. Some parameters also accept another table. */
+static bool write_part_type(const struct api_entry *e, const struct api_param *p, char *out, size_t size)
 {
     const size_t n = strcspn(e->name, " ");
 
@@ -201,17 +201,17 @@ static bool parts(const struct api_entry *e, const struct api_param *p, char *ou
 void annotation_type(const struct api_entry *e, const struct api_param *p, char *out, size_t size)
 {
     if (p->type == A_THING)
-        things((unsigned)p->lo, out, size);
+        write_handle_types((unsigned)p->lo, out, size);
     else if (p->type == A_HIT_SHAPE)
-        hits(p, out, size);
+        write_shape_type(p, out, size);
     else if (p->type == A_FUNC)
         functions(e, p, out, size);
-    else if (p->type != A_TABLE || !parts(e, p, out, size))
+    else if (p->type != A_TABLE || !write_part_type(e, p, out, size))
         snprintf(out, size, "%s", types[p->type]);
 }
 
-/* The words in quotes of a text, each once; false: there are none. */
-static bool quoted(const char *text, char *out, size_t size)
+/* Writes the quoted words of a text, each once. False: there are none. */
+static bool write_quoted_words(const char *text, char *out, size_t size)
 {
     size_t n = 0;
 
@@ -229,7 +229,7 @@ void annotation_property(const struct api_param *p, char *out, size_t size)
 {
     const struct api_entry none = { .name = "", .help = "" };
 
-    if (p->type != A_STR || p->access & PROP_WRITE || !quoted(p->help, out, size))
+    if (p->type != A_STR || p->access & PROP_WRITE || !write_quoted_words(p->help, out, size))
         annotation_type(&none, p, out, size);
 }
 

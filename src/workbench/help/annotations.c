@@ -72,7 +72,7 @@ static void field(struct byte_buffer *to, const struct api_entry *e, const struc
 /* ---- classes of arguments ---- */
 
 /* Returns whether an earlier maker has the parameter. */
-static bool fired_before(int maker, const char *name)
+static bool is_earlier_argument(int maker, const char *name)
 {
     for (int i = 0; i < maker; i++)
         if (find_param(api_find_entry(&api_table, makers[i]), name))
@@ -81,7 +81,7 @@ static bool fired_before(int maker, const char *name)
 }
 
 /* Adds a field, whose comment names the first maker that has it. */
-static void fired_field(struct byte_buffer *to, const struct api_entry *e, const struct api_param *p)
+static void add_pattern_argument(struct byte_buffer *to, const struct api_entry *e, const struct api_param *p)
 {
     struct api_param any = *p;
     char type[TYPE_SIZE], words[WORDS_SIZE];
@@ -96,14 +96,14 @@ static void fired_field(struct byte_buffer *to, const struct api_entry *e, const
 
 /* Adds the arguments that a pattern passes on. All are optional, because not every maker has them, and functions of
  * `each` may need none. */
-static void fired(struct byte_buffer *to)
+static void add_pattern_arguments(struct byte_buffer *to)
 {
     byte_buffer_print(to, "\n---arguments that a pattern passes on to each bullet, shot or laser\n---@class fired\n");
     for (int m = 0; m < MAKERS; m++) {
         const struct api_entry *e = api_find_entry(&api_table, makers[m]);
         for (int i = e->positional_count; i < e->count; i++)
-            if (!fired_before(m, e->params[i].name))
-                fired_field(to, e, &e->params[i]);
+            if (!is_earlier_argument(m, e->params[i].name))
+                add_pattern_argument(to, e, &e->params[i]);
     }
 }
 
@@ -125,7 +125,7 @@ static void arguments_class(struct byte_buffer *to, const struct api_entry *e)
 
 static void argument_classes(struct byte_buffer *to)
 {
-    fired(to);
+    add_pattern_arguments(to);
     for (int i = 0; i < api_count_entries(&api_table); i++) {
         const struct api_entry *e = api_get_entry(&api_table, i);
         if (is_public(e) && (is_part(e) || has_table(e)))
@@ -211,7 +211,7 @@ static void handle(struct byte_buffer *to, enum handle_kind kind)
 /* ---- globals ---- */
 
 /* Writes the table of a name, "bullet" of "bullet.fire"; "": a global. */
-static void space_of(const char *name, char out[NAME_SIZE])
+static void get_namespace(const char *name, char out[NAME_SIZE])
 {
     const size_t n = strcspn(name, ".(");
 
@@ -234,7 +234,7 @@ static bool space_before(int i, const char *space)
     char other[NAME_SIZE];
 
     for (int k = 0; k < i; k++) {
-        space_of(any_name(k), other);
+        get_namespace(any_name(k), other);
         if (!strcmp(other, space))
             return true;
     }
@@ -247,7 +247,7 @@ static void space_fields(struct byte_buffer *to, const char *space)
 
     for (int i = 0; i < api_table.doc_name_count; i++) {
         const char *name = api_table.doc_names[i].name, *help = api_table.doc_names[i].help;
-        space_of(name, of);
+        get_namespace(name, of);
         if (strcmp(of, space) || strchr(name, '('))
             continue;
         const char *type = annotation_plain(name);
@@ -260,7 +260,7 @@ static void spaces(struct byte_buffer *to)
     char space[NAME_SIZE];
 
     for (int i = 0; any_name(i); i++) {
-        space_of(any_name(i), space);
+        get_namespace(any_name(i), space);
         if (!space[0] || space_before(i, space))
             continue;
         byte_buffer_print(to, "\n---@class %slib\n", space);
@@ -292,7 +292,7 @@ static void plain_function(struct byte_buffer *to, const char *name, const char 
     byte_buffer_print(to, "function %.*s(%s) end\n", (int)strcspn(name, "("), name, list);
 }
 
-/* Without print and require, which the server knows. */
+/* Leaves out print and require, which the language server knows. */
 static void plain_names(struct byte_buffer *to)
 {
     for (int i = 0; i < api_table.doc_name_count; i++) {

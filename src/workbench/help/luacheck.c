@@ -135,7 +135,7 @@ static void test_standard(void)
 
     add_test_names(&s);
     standard(&s, "curtain_test", false);
-    name_set_close(&s);
+    name_set_free(&s);
 }
 
 void luacheck_print(void)
@@ -155,5 +155,5 @@ void luacheck_print(void)
     printf("unused_args = false -- a task's function gets its owner even if it does not use it\n");
     printf("files[\"**/std/**\"] = { std = \"curtain_library\" } -- these replace library scripts\n");
     printf("files[\"**/tests/**\"] = { std = \"curtain_test\" } -- run by curtain test\n");
-    name_set_close(&s);
+    name_set_free(&s);
 }

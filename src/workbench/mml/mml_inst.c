@@ -1,5 +1,5 @@
 /*
- * mml_inst.c - instruments of MML: those built in, and lines like
+ * mml_inst.c - instruments of MML: built-in ones, and lines like
  *     @bell fm ratio=3.5 depth=2 dull=300 attack=2 decay=400 sustain=0 release=300 vibrato=20,5.5,200
  */
 #include "mml_parts.h"
@@ -13,23 +13,23 @@ static const char *const kinds[INST_KINDS] = { "pulse", "triangle", "saw", "sine
 static const char all_kinds[] =
     "pulse, triangle, saw, sine, fm, fm4, wave, noise, sample, or an instrument defined above";
 
-/* Times in samples: 48 a millisecond. An operator is at the note's pitch. */
-static const struct op plain_op = { .ratio = 256, .env.sustain = 32767 };
-static const struct mml_inst plain = {
+/* Times are in samples: 48 per millisecond. An operator plays at the note's pitch. */
+static const struct op default_op = { .ratio = 256, .env.sustain = 32767 };
+static const struct mml_inst default_inst = {
     .inst = { .duty = 32768, .env = { 24000, 96, 4800, 0, 1920 }, .root = 60 * PITCH_ONE }
 };
 
-uint32_t mml_samples(int64_t thousandths)
+uint32_t mml_to_samples(int64_t thousandths)
 {
     return (uint32_t)(thousandths * (SND_RATE / 1000) / 1000);
 }
 
-uint32_t mml_hertz(int64_t thousandths)
+uint32_t mml_to_step(int64_t thousandths)
 {
     return (uint32_t)((thousandths << 32) / (1000 * SND_RATE));
 }
 
-int64_t mml_decimal(struct mml *m, uint32_t *at, uint32_t end, const char *what, int64_t lo, int64_t hi)
+int64_t mml_parse_decimal(struct mml *m, uint32_t *at, uint32_t end, const char *what, int64_t lo, int64_t hi)
 {
     const uint32_t from = *at;
     const bool minus = *at < end && m->text[*at] == '-';
@@ -45,12 +45,12 @@ int64_t mml_decimal(struct mml *m, uint32_t *at, uint32_t end, const char *what,
             v += (m->text[*at] - '0') * place;
     v = minus ? -v : v;
     if (!digits || v < lo || v > hi)
-        mml_bad(m, from, "expected %s from %g to %g, got \"%.*s\"", what, (double)lo / 1000, (double)hi / 1000,
-                (int)(*at > from ? *at - from : *at < end), m->text + from);
+        mml_fail(m, from, "expected %s from %g to %g, got \"%.*s\"", what, (double)lo / 1000, (double)hi / 1000,
+                 (int)(*at > from ? *at - from : *at < end), m->text + from);
     return v;
 }
 
-static int kind_named(const char *name)
+static int find_kind(const char *name)
 {
     for (int k = 0; k < INST_KINDS; k++)
         if (strcmp(kinds[k], name) == 0)
@@ -58,10 +58,11 @@ static int kind_named(const char *name)
     return -1;
 }
 
-/* The default settings. The first of two operators modulates by two radians; all four of algorithm 7 are audible. */
-static struct mml_inst plain_of(int kind)
+/* Returns the default settings of a kind. With two operators, the first modulates by two radians; with four operators,
+ * the default is algorithm 7, in which all are audible. */
+static struct mml_inst make_default(int kind)
 {
-    struct mml_inst i = plain;
+    struct mml_inst i = default_inst;
 
     i.inst.kind = (uint8_t)kind;
     if (kind == INST_SAMPLE)
@@ -69,7 +70,7 @@ static struct mml_inst plain_of(int kind)
     if (kind == INST_FM4)
         i.inst.algorithm = FM_ALGORITHMS - 1;
     for (int k = 0; k < inst_op_count(kind); k++) {
-        i.ops[k] = plain_op;
+        i.ops[k] = default_op;
         i.ops[k].level = kind == INST_FM && k == 0 ? 1304 : 32767;
     }
     return i;
@@ -78,7 +79,7 @@ static struct mml_inst plain_of(int kind)
 /* Every kind except sample and wave is a built-in instrument. */
 bool mml_find_inst(const struct mml *m, const char *name, struct mml_inst *out)
 {
-    const int kind = kind_named(name);
+    const int kind = find_kind(name);
 
     for (int i = 0; i < m->n_named; i++)
         if (strcmp(m->named[i].name, name) == 0) {
@@ -87,12 +88,12 @@ bool mml_find_inst(const struct mml *m, const char *name, struct mml_inst *out)
         }
     if (kind < 0 || kind == INST_SAMPLE || kind == INST_WAVE)
         return false;
-    *out = plain_of(kind);
+    *out = make_default(kind);
     return true;
 }
 
-/* Audible operators together are at most as loud as one. */
-static void balance(struct mml_inst *i)
+/* Scales audible operators so that together they are not louder than one. */
+static void limit_loudness(struct mml_inst *i)
 {
     const int n = inst_op_count(i->inst.kind);
     uint32_t loud = 0;
@@ -110,7 +111,7 @@ int mml_use_inst(struct mml *m, const struct mml_inst *inst)
     uint8_t bytes[INST_BYTES];
     int i = 0;
 
-    balance(&balanced);
+    limit_loudness(&balanced);
     balanced.inst.arpeggio = balanced.arpeggio;
     inst_write(bytes, &balanced.inst, balanced.ops, balanced.sample);
     while (i < m->n_insts && memcmp(m->insts[i], bytes, INST_BYTES) != 0)
@@ -122,26 +123,26 @@ int mml_use_inst(struct mml *m, const struct mml_inst *inst)
     return i;
 }
 
-void mml_word(struct mml *m, uint32_t *at, uint32_t end, char out[MML_NAME], const char *what)
+void mml_parse_word(struct mml *m, uint32_t *at, uint32_t end, char out[MML_NAME], const char *what)
 {
     const uint32_t from = *at;
 
     while (*at < end && mml_name_char(m->text[*at]))
         ++*at;
     if (*at == from || *at - from >= MML_NAME)
-        mml_bad(m, from, "expected %s", what);
+        mml_fail(m, from, "expected %s", what);
     memset(out, 0, MML_NAME);
     memcpy(out, m->text + from, *at - from);
 }
 
-uint32_t mml_skip(const struct mml *m, uint32_t at, uint32_t end)
+uint32_t mml_skip_blanks(const struct mml *m, uint32_t at, uint32_t end)
 {
     while (at < end && mml_is_blank(m->text[at]))
         at++;
     return at;
 }
 
-bool mml_comma(const struct mml *m, uint32_t *at, uint32_t end)
+bool mml_take_comma(const struct mml *m, uint32_t *at, uint32_t end)
 {
     const bool found = *at < end && m->text[*at] == ',';
 
@@ -151,9 +152,9 @@ bool mml_comma(const struct mml *m, uint32_t *at, uint32_t end)
 
 /* ---- settings ---- */
 
-enum { LONG = 60000000 /* a minute in thousandths of a millisecond: the longest time */ };
+enum { MAX_TIME = 60000000 /* a minute in thousandths of a millisecond: the longest time */ };
 
-/* A setting being read: its instrument, its name and place, the rest of its value, the end of the line. */
+/* The setting being read: its instrument, name, offset of the name, offset of the value, and end of the line. */
 struct setting {
     struct mml *m;
     struct mml_inst *i;
@@ -161,75 +162,76 @@ struct setting {
     uint32_t key_at, at, end;
 };
 
-static int64_t number(struct setting *s, const char *what, int64_t lo, int64_t hi)
+static int64_t parse_number(struct setting *s, const char *what, int64_t lo, int64_t hi)
 {
-    return mml_decimal(s->m, &s->at, s->end, what, lo, hi);
+    return mml_parse_decimal(s->m, &s->at, s->end, what, lo, hi);
 }
 
-static uint32_t time_of(struct setting *s)
+static uint32_t parse_time(struct setting *s)
 {
-    return mml_samples(number(s, "milliseconds", 0, LONG));
+    return mml_to_samples(parse_number(s, "milliseconds", 0, MAX_TIME));
 }
 
-static uint16_t share(struct setting *s, const char *what)
+static uint16_t parse_percent(struct setting *s, const char *what)
 {
-    return (uint16_t)(number(s, what, 0, 100000) * 32767 / 100000);
+    return (uint16_t)(parse_number(s, what, 0, 100000) * 32767 / 100000);
 }
 
-static uint16_t ratio(struct setting *s)
+static uint16_t parse_ratio(struct setting *s)
 {
-    return (uint16_t)(number(s, "a pitch ratio", 10, 32000) * 256 / 1000);
+    return (uint16_t)(parse_number(s, "a pitch ratio", 10, 32000) * 256 / 1000);
 }
 
-static uint16_t radians(struct setting *s)
+static uint16_t parse_radians(struct setting *s)
 {
-    return (uint16_t)(number(s, "radians", 0, 24000) * 652 / 1000);
+    return (uint16_t)(parse_number(s, "radians", 0, 24000) * 652 / 1000);
 }
 
-static bool next(struct setting *s)
+static bool take_comma(struct setting *s)
 {
-    return mml_comma(s->m, &s->at, s->end);
+    return mml_take_comma(s->m, &s->at, s->end);
 }
 
-static void comma(struct setting *s, const char *form)
+static void need_comma(struct setting *s, const char *form)
 {
-    if (!next(s))
-        mml_bad(s->m, s->at, "expected %s", form);
+    if (!take_comma(s))
+        mml_fail(s->m, s->at, "expected %s", form);
 }
 
 static void read_lfo(struct setting *s, struct lfo *l, const char *form)
 {
-    comma(s, form);
-    l->step = mml_hertz(number(s, "hertz", 10, 25000));
-    comma(s, form);
-    l->delay = time_of(s);
+    need_comma(s, form);
+    l->step = mml_to_step(parse_number(s, "hertz", 10, 25000));
+    need_comma(s, form);
+    l->delay = parse_time(s);
 }
 
-/* op2=RATIO,LEVEL,ATTACK,DECAY,SUSTAIN,RELEASE; later values may be missing. */
+/* Reads op2=RATIO,LEVEL,ATTACK,DECAY,SUSTAIN,RELEASE; trailing values may be missing. */
 static void read_op(struct setting *s, int k)
 {
     struct op *o = &s->i->ops[k];
     const int n = inst_op_count(s->i->inst.kind);
 
     if (k >= n)
-        mml_bad(s->m, s->key_at, n ? "this instrument has %d operators" : "only fm and fm4 have operators", n);
-    o->ratio = ratio(s);
-    if (!next(s))
+        mml_fail(s->m, s->key_at, n ? "this instrument has %d operators" : "only fm and fm4 have operators", n);
+    o->ratio = parse_ratio(s);
+    if (!take_comma(s))
         return;
-    o->level =
-        inst_audible_ops(n, s->i->inst.algorithm) >> k & 1 ? share(s, "percent (for an audible operator)") : radians(s);
-    if (!next(s))
+    o->level = inst_audible_ops(n, s->i->inst.algorithm) >> k & 1
+                   ? parse_percent(s, "percent (for an audible operator)")
+                   : parse_radians(s);
+    if (!take_comma(s))
         return;
-    o->env.attack = time_of(s);
-    if (!next(s))
+    o->env.attack = parse_time(s);
+    if (!take_comma(s))
         return;
-    o->env.decay = time_of(s);
+    o->env.decay = parse_time(s);
     o->env.sustain = 0;
-    if (!next(s))
+    if (!take_comma(s))
         return;
-    o->env.sustain = share(s, "percent");
-    if (next(s))
-        o->env.release = time_of(s);
+    o->env.sustain = parse_percent(s, "percent");
+    if (take_comma(s))
+        o->env.release = parse_time(s);
 }
 
 /* The algorithm decides the meaning of levels, so it must be before them. */
@@ -238,14 +240,14 @@ static void read_algorithm(struct setting *s)
     const uint32_t from = s->at;
 
     if (s->i->inst.kind != INST_FM4)
-        mml_bad(s->m, s->key_at, "only fm4 has an algorithm");
-    s->i->inst.algorithm = (uint8_t)(number(s, "an algorithm", 0, 7000) / 1000);
+        mml_fail(s->m, s->key_at, "only fm4 has an algorithm");
+    s->i->inst.algorithm = (uint8_t)(parse_number(s, "an algorithm", 0, 7000) / 1000);
     for (int k = 0; k < FM_OPS; k++) {
-        const bool heard = inst_audible_ops(FM_OPS, s->i->inst.algorithm) >> k & 1;
+        const bool audible = inst_audible_ops(FM_OPS, s->i->inst.algorithm) >> k & 1;
         const struct op *o = &s->i->ops[k];
         if (o->ratio != 256 || o->env.attack || o->env.decay)
-            mml_bad(s->m, from, "expected the algorithm before the operators: it decides which of them are audible");
-        s->i->ops[k].level = heard ? 32767 : 652;
+            mml_fail(s->m, from, "expected the algorithm before the operators: it decides which of them are audible");
+        s->i->ops[k].level = audible ? 32767 : 652;
     }
 }
 
@@ -254,14 +256,14 @@ static void read_arpeggio(struct setting *s)
     struct inst *i = &s->i->inst;
 
     i->arpeggio_count = 0;
-    i->arpeggio_frames = (uint16_t)(number(s, "frames per note", 1000, 3600000) / 1000);
+    i->arpeggio_frames = (uint16_t)(parse_number(s, "frames per note", 1000, 3600000) / 1000);
     if (s->at == s->end || s->m->text[s->at++] != ':')
-        mml_bad(s->m, s->key_at, "expected arpeggio=FRAMES:SEMITONES,SEMITONES..., as in arpeggio=2:0,4,7");
+        mml_fail(s->m, s->key_at, "expected arpeggio=FRAMES:SEMITONES,SEMITONES..., as in arpeggio=2:0,4,7");
     do {
         if (i->arpeggio_count == ARPEGGIO_MAX_NOTES)
-            mml_bad(s->m, s->key_at, "expected at most %d pitches", (int)ARPEGGIO_MAX_NOTES);
-        s->i->arpeggio[i->arpeggio_count++] = (uint8_t)(number(s, "semitones", -48000, 48000) / 1000);
-    } while (next(s));
+            mml_fail(s->m, s->key_at, "expected at most %d pitches", (int)ARPEGGIO_MAX_NOTES);
+        s->i->arpeggio[i->arpeggio_count++] = (uint8_t)(parse_number(s, "semitones", -48000, 48000) / 1000);
+    } while (take_comma(s));
 }
 
 static bool read_time(struct setting *s)
@@ -274,33 +276,33 @@ static bool read_time(struct setting *s)
 
     for (size_t k = 0; k < sizeof times / sizeof *times; k++)
         if (strcmp(s->key, times[k].name) == 0) {
-            *times[k].samples = time_of(s);
+            *times[k].samples = parse_time(s);
             return true;
         }
     return false;
 }
 
-/* Settings of FM: `ratio`, `depth` and `dull` are short for the first operator's. */
+/* Reads FM settings; `ratio`, `depth` and `dull` are those of the first operator. */
 static bool read_fm(struct setting *s)
 {
     struct op *o = s->i->ops;
     const size_t n = strlen(s->key);
 
     if (strcmp(s->key, "ratio") == 0) {
-        o->ratio = ratio(s);
+        o->ratio = parse_ratio(s);
     } else if (strcmp(s->key, "depth") == 0) {
-        o->level = radians(s);
+        o->level = parse_radians(s);
     } else if (strcmp(s->key, "dull") == 0) {
-        o->env.decay = time_of(s);
+        o->env.decay = parse_time(s);
         o->env.sustain = o->env.decay ? 0 : 32767;
     } else if (strcmp(s->key, "feedback") == 0) {
-        s->i->inst.feedback = (uint16_t)(number(s, "radians", 0, 1500) * FM_MAX_FEEDBACK / 1500);
+        s->i->inst.feedback = (uint16_t)(parse_number(s, "radians", 0, 1500) * FM_MAX_FEEDBACK / 1500);
     } else if (strcmp(s->key, "algorithm") == 0) {
         read_algorithm(s);
     } else if (n == 3 && memcmp(s->key, "op", 2) == 0 && s->key[2] >= '1' && s->key[2] <= '4') {
         read_op(s, s->key[2] - '1');
     } else if (n == 7 && memcmp(s->key, "detune", 6) == 0 && s->key[6] >= '1' && s->key[6] <= '4') {
-        const int64_t hertz = number(s, "hertz", -1000000, 1000000);
+        const int64_t hertz = parse_number(s, "hertz", -1000000, 1000000);
         o[s->key[6] - '1'].detune = (int32_t)(hertz * ((int64_t)1 << 32) / (1000 * SND_RATE));
     } else {
         return false;
@@ -329,7 +331,7 @@ static bool read_shape(struct setting *s)
     return true;
 }
 
-_Noreturn static void unknown(const struct setting *s)
+_Noreturn static void fail_unknown(const struct setting *s)
 {
     static const char *const names[] = { "duty",     "attack",    "decay",  "sustain",  "fade",     "release",
                                          "vibrato",  "tremolo",   "ratio",  "depth",    "dull",     "root",
@@ -338,14 +340,14 @@ _Noreturn static void unknown(const struct setting *s)
     struct edit_nearest near = { .word = s->key };
 
     if (strcmp(s->key, "harmonics") == 0 || strcmp(s->key, "points") == 0)
-        mml_bad(s->m, s->key_at, "only wave instruments have %s", s->key);
+        mml_fail(s->m, s->key_at, "only wave instruments have %s", s->key);
     for (size_t k = 0; k < sizeof names / sizeof *names; k++)
         edit_consider(&near, names[k]);
-    mml_bad(s->m, s->key_at, near.found ? "unknown setting \"%s\" (did you mean \"%s\"?)" : "unknown setting \"%s\"",
-            s->key, near.found);
+    mml_fail(s->m, s->key_at, near.found ? "unknown setting \"%s\" (did you mean \"%s\"?)" : "unknown setting \"%s\"",
+             s->key, near.found);
 }
 
-/* One key=value. */
+/* Reads a value, key=value. */
 static void read_setting(struct setting *s)
 {
     struct inst *i = &s->i->inst;
@@ -353,28 +355,28 @@ static void read_setting(struct setting *s)
     if (read_time(s) || read_shape(s) || (inst_op_count(i->kind) && read_fm(s)))
         return;
     if (strcmp(s->key, "duty") == 0)
-        i->duty = (uint16_t)(number(s, "percent", 1000, 99000) * 65536 / 100000);
+        i->duty = (uint16_t)(parse_number(s, "percent", 1000, 99000) * 65536 / 100000);
     else if (strcmp(s->key, "sustain") == 0)
-        i->env.sustain = share(s, "percent");
+        i->env.sustain = parse_percent(s, "percent");
     else if (strcmp(s->key, "vibrato") == 0) {
-        i->vibrato.depth = (uint16_t)(number(s, "cents", 0, 2400000) * 256 / 100000);
+        i->vibrato.depth = (uint16_t)(parse_number(s, "cents", 0, 2400000) * 256 / 100000);
         read_lfo(s, &i->vibrato, "vibrato=CENTS,HERTZ,MILLISECONDS");
     } else if (strcmp(s->key, "tremolo") == 0) {
-        i->tremolo.depth = share(s, "percent");
+        i->tremolo.depth = parse_percent(s, "percent");
         read_lfo(s, &i->tremolo, "tremolo=PERCENT,HERTZ,MILLISECONDS");
     } else if (strcmp(s->key, "root") == 0)
-        i->root = (int32_t)(number(s, "a note number (60 is o4c)", 0, 127000) / 1000) * PITCH_ONE;
+        i->root = (int32_t)(parse_number(s, "a note number (60 is o4c)", 0, 127000) / 1000) * PITCH_ONE;
     else
-        unknown(s);
+        fail_unknown(s);
 }
 
 static void check_name(struct mml *m, uint32_t at, const char *name)
 {
-    if (m->n_named == MML_NAMES)
-        mml_bad(m, at, "more than %d instruments", (int)MML_NAMES);
+    if (m->n_named == MML_MAX_NAMES)
+        mml_fail(m, at, "more than %d instruments", (int)MML_MAX_NAMES);
     for (int i = 0; i < m->n_named; i++)
         if (strcmp(m->named[i].name, name) == 0)
-            mml_bad(m, at, "duplicate instrument \"%s\"", name);
+            mml_fail(m, at, "duplicate instrument \"%s\"", name);
 }
 
 /* Reads a kind, or the name of an instrument to start from. */
@@ -384,15 +386,15 @@ static struct mml_inst read_kind(struct mml *m, uint32_t *at, uint32_t end)
     struct mml_inst inst;
     char word[MML_NAME];
 
-    mml_word(m, at, end, word, all_kinds);
+    mml_parse_word(m, at, end, word, all_kinds);
     if (mml_find_inst(m, word, &inst))
         return inst;
-    if (kind_named(word) < 0)
-        mml_bad(m, from, "expected %s, got \"%s\"", all_kinds, word);
-    inst = plain_of(kind_named(word));
+    if (find_kind(word) < 0)
+        mml_fail(m, from, "expected %s, got \"%s\"", all_kinds, word);
+    inst = make_default(find_kind(word));
     if (inst.inst.kind == INST_SAMPLE) {
-        *at = mml_skip(m, *at, end);
-        mml_word(m, at, end, inst.sample, "sample NAME, a sound from rom.lua that is a sample");
+        *at = mml_skip_blanks(m, *at, end);
+        mml_parse_word(m, at, end, inst.sample, "sample NAME, a sound from rom.lua that is a sample");
     }
     return inst;
 }
@@ -402,23 +404,23 @@ void mml_read_inst(struct mml *m, uint32_t at, uint32_t end)
     char name[MML_NAME], word[MML_NAME];
     uint32_t p = at + 1;
 
-    mml_word(m, &p, end, name, "an instrument name");
+    mml_parse_word(m, &p, end, name, "an instrument name");
     check_name(m, at, name);
-    p = mml_skip(m, p, end);
+    p = mml_skip_blanks(m, p, end);
     struct mml_inst inst = read_kind(m, &p, end);
-    while ((p = mml_skip(m, p, end)) < end) {
+    while ((p = mml_skip_blanks(m, p, end)) < end) {
         struct setting s = { m, &inst, word, p, 0, end };
-        mml_word(m, &p, end, word, "a setting, as in attack=5");
+        mml_parse_word(m, &p, end, word, "a setting, as in attack=5");
         if (p == end || m->text[p] != '=')
-            mml_bad(m, s.key_at, "expected a value, %s=VALUE", word);
+            mml_fail(m, s.key_at, "expected a value, %s=VALUE", word);
         s.at = p + 1;
         read_setting(&s);
         p = s.at;
         if (p < end && !mml_is_blank(m->text[p]))
-            mml_bad(m, p, "expected a space after %s, got \"%c\"", word, m->text[p]);
+            mml_fail(m, p, "expected a space after %s, got \"%c\"", word, m->text[p]);
     }
     if (inst.inst.kind == INST_WAVE && inst.inst.wave == 0)
-        mml_bad(m, at, "expected harmonics= or points=: a wave needs a waveform");
+        mml_fail(m, at, "expected harmonics= or points=: a wave needs a waveform");
     memcpy(m->named[m->n_named].name, name, MML_NAME);
     m->named[m->n_named++].inst = inst;
 }

@@ -11,30 +11,30 @@
 
 enum {
     MML_NAME = 32,
-    MML_NAMES = 128,      /* instruments of the text, and as many macros and curves */
-    MML_PIECES = 256,     /* different curves and waves */
-    MML_WIDE = 1 << 20,   /* characters of a track, with macros expanded */
-    MML_EVENTS = 1 << 18, /* of all tracks */
-    MML_TICKS = 480 * 4 * 4096,
-    MML_DEPTH = 8 /* of nested macros and loops */
+    MML_MAX_NAMES = 128,        /* of instruments, of macros, and of curves */
+    MML_MAX_TABLES = 256,       /* distinct curves and waves */
+    MML_MAX_EXPANDED = 1 << 20, /* characters of a track, with macros expanded */
+    MML_MAX_EVENTS = 1 << 18,   /* of all tracks */
+    MML_MAX_TICKS = 480 * 4 * 4096,
+    MML_MAX_DEPTH = 8 /* of nested macros and loops */
 };
 
 struct mml_event {
     uint32_t tick;
     uint32_t order; /* order in the file */
-    uint32_t from;  /* place in the file */
+    uint32_t from;  /* offset in the file */
     uint8_t event;
-    uint16_t value, more;
+    uint16_t value, value2;
 };
 
-/* A track's text with macros expanded, each character with its place in the file. */
+/* A track's text with macros expanded, and the offset of each character in the file. */
 struct mml_line {
-    char *text;     /* malloc; MML_WIDE */
+    char *text;     /* malloc; MML_MAX_EXPANDED */
     uint32_t *from; /* malloc */
     uint32_t n;
 };
 
-/* An instrument as declared: its wave and curves are numbers of pieces, from 1. */
+/* An instrument as declared. Its wave and curves are table numbers, from 1. */
 struct mml_inst {
     struct inst inst;
     struct op ops[FM_OPS];
@@ -42,10 +42,10 @@ struct mml_inst {
     char sample[INST_NAME_SIZE];
 };
 
-/* A curve or a wave: bytes after a tune's markers. */
-struct mml_piece {
+/* The bytes of a curve or a wave, which are stored after a tune's markers. */
+struct mml_table {
     uint8_t *bytes; /* malloc */
-    uint32_t n, at; /* at: offset in the tune, 0: not in it */
+    uint32_t n, at; /* at: offset in the tune; 0: not written */
 };
 
 struct mml_track {
@@ -62,38 +62,39 @@ struct mml {
     const char *file;
     char *err;
     size_t err_size;
-    jmp_buf out; /* errors return here */
+    jmp_buf on_error; /* errors return here */
     struct {
         char name[MML_NAME];
         struct mml_inst inst;
-    } named[MML_NAMES];
+    } named[MML_MAX_NAMES];
     struct {
         char name[MML_NAME];
         uint32_t from, to;
-    } macros[MML_NAMES];
+    } macros[MML_MAX_NAMES];
     struct {
         char name[MML_NAME];
         char kind; /* E, M or P */
         uint32_t piece;
-    } curves[MML_NAMES];
+    } curves[MML_MAX_NAMES];
     int n_named, n_macros, n_curves;
-    struct mml_piece pieces[MML_PIECES];
-    uint32_t n_pieces;
-    uint8_t insts[TUNE_MAX_INSTS][INST_BYTES]; /* that notes use */
+    struct mml_table tables[MML_MAX_TABLES];
+    uint32_t n_tables;
+    uint8_t insts[TUNE_MAX_INSTS][INST_BYTES]; /* used by notes */
     int n_insts;
-    char marks[TUNE_MAX_MARKERS][TUNE_NAME_SIZE];
-    int n_marks;
+    char markers[TUNE_MAX_MARKERS][TUNE_NAME_SIZE];
+    int n_markers;
     char title[TUNE_TITLE_SIZE];
     int bar;
-    uint32_t swing, swing_percent, swing_from; /* ticks of half a pair, 0: no swing; percent of the pair */
-    uint32_t now;                              /* place in the file being read */
+    uint32_t swing, swing_percent,
+        swing_from;    /* ticks of half a pair, 0: none; percent of the first half; offset in the file */
+    uint32_t position; /* current offset in the file */
     struct mml_line line;
     struct mml_track tracks[TUNE_MAX_TRACKS], conductor;
     uint32_t events;
 };
 
-/* Ends compiling with a sentence about the place `at` of the file. */
-_Noreturn void mml_bad(struct mml *m, uint32_t at, const char *format, ...) __attribute__((format(printf, 3, 4)));
+/* Stops compiling with an error at an offset in the file. */
+_Noreturn void mml_fail(struct mml *m, uint32_t at, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
 static inline bool mml_is_blank(char c)
 {
@@ -108,61 +109,63 @@ static inline bool mml_name_char(char c)
 /* Finds an instrument by name, declared or built in. */
 bool mml_find_inst(const struct mml *m, const char *name, struct mml_inst *out);
 
-/* Its number among the instruments that notes use; -1: too many. */
+/* Returns the number of an instrument in the tune, and adds it if it is missing; -1: too many. */
 int mml_use_inst(struct mml *m, const struct mml_inst *inst);
 
 /* Reads the line of an instrument, [at, end) of the file. */
 void mml_read_inst(struct mml *m, uint32_t at, uint32_t end);
 
-/* Reads FRAMES:value,value|value at *at: a curve of that kind, E (percent), M (cents) or P (place); its number. */
+/* Reads a curve, FRAMES:value,value|value, at *at; returns its table number. kind: E (percent), M (cents) or P
+ * (pan). */
 uint32_t mml_read_curve(struct mml *m, uint32_t *at, uint32_t end, char kind);
 
-/* Read percent of harmonics, or points of a cycle; return the wave's number. */
+/* Read harmonics in percent, or points of a cycle; return the table number of the wave. */
 uint32_t mml_read_harmonics(struct mml *m, uint32_t *at, uint32_t end);
 uint32_t mml_read_points(struct mml *m, uint32_t *at, uint32_t end);
 
-/* Reads the line of a curve, @E, @M or @P and a blank. */
+/* Reads the line of a curve, which starts with @E, @M or @P and a space. */
 void mml_read_curve_line(struct mml *m, uint32_t at, uint32_t end);
 
 /* Reads a word of letters, digits and _, and moves *at past it. */
-void mml_word(struct mml *m, uint32_t *at, uint32_t end, char out[MML_NAME], const char *what);
+void mml_parse_word(struct mml *m, uint32_t *at, uint32_t end, char out[MML_NAME], const char *what);
 
-/* The place after blanks. */
-uint32_t mml_skip(const struct mml *m, uint32_t at, uint32_t end);
+/* Returns the offset after blanks. */
+uint32_t mml_skip_blanks(const struct mml *m, uint32_t at, uint32_t end);
 
-/* Reads a number with three decimals, in thousandths, and moves *at past it. mml_comma moves past a comma, if any. */
-bool mml_comma(const struct mml *m, uint32_t *at, uint32_t end);
-int64_t mml_decimal(struct mml *m, uint32_t *at, uint32_t end, const char *what, int64_t lo, int64_t hi);
+/* mml_take_comma moves *at past a comma; false: there is none. mml_parse_decimal reads a number with three decimals, in
+ * thousandths, and moves *at past it. */
+bool mml_take_comma(const struct mml *m, uint32_t *at, uint32_t end);
+int64_t mml_parse_decimal(struct mml *m, uint32_t *at, uint32_t end, const char *what, int64_t lo, int64_t hi);
 
-/* Thousandths of milliseconds to samples; thousandths of a hertz to 2^-32 cycles per sample. */
-uint32_t mml_samples(int64_t thousandths);
-uint32_t mml_hertz(int64_t thousandths);
+/* Convert thousandths of milliseconds to samples, and thousandths of a hertz to 2^-32 cycles per sample. */
+uint32_t mml_to_samples(int64_t thousandths);
+uint32_t mml_to_step(int64_t thousandths);
 
 /* Adds an event. */
 void mml_add(struct mml *m, struct mml_track *t, uint32_t tick, enum tune_event event, int value, int more);
 
-/* The number of the marker of that name; -1: too many. */
-int mml_mark(struct mml *m, const char name[TUNE_NAME_SIZE]);
+/* Returns the number of a marker, and adds it if it is missing; -1: too many. */
+int mml_marker(struct mml *m, const char name[TUNE_NAME_SIZE]);
 
-/* The piece of the curve of that kind, E, M or P, and name; 0: none. */
+/* Returns the table number of a curve by kind (E, M or P) and name; 0: none. */
 uint32_t mml_find_curve(const struct mml *m, char kind, const char *name);
 
 /* Applies #swing. */
 void mml_swing(struct mml *m);
 
 /* Warns about notes of a track that are so close that they cut each other off. */
-void mml_warn_notes(struct mml *m, const struct mml_about *about);
+void mml_warn_notes(struct mml *m, const struct mml_settings *settings);
 
 /* Sorts a track's events by time. */
 void mml_sort(struct mml_track *t);
 
-/* The tempo in force at a tick. */
+/* Returns the tempo at a tick. */
 int mml_tempo_at(const struct mml_track *conductor, uint32_t tick);
 
 /* Reads m->line into a track. */
 void mml_read_track(struct mml *m, struct mml_track *t);
 
 /* Makes the tune. */
-void mml_make(struct mml *m, const struct mml_about *about, uint8_t **out, size_t *size);
+void mml_make(struct mml *m, const struct mml_settings *settings, uint8_t **out, size_t *size);
 
 #endif

@@ -1,5 +1,5 @@
 /*
- * mml_tune.c - the bytes of a tune. Events are sorted by time, as they were written where times are equal.
+ * mml_tune.c - writes the bytes of a tune. Events are sorted by time, and at the same time by their order in the text.
  */
 #include "mml_parts.h"
 
@@ -8,41 +8,41 @@
 #include "../../base/bytes.h"
 #include "../../common/array.h"
 
-struct bytes {
+struct output {
     struct mml *m;
     uint8_t *p; /* malloc */
     size_t n;
 };
 
-static void add_byte(struct bytes *b, uint8_t v)
+static void add_byte(struct output *b, uint8_t v)
 {
     if (b->n == TUNE_MAX_BYTES || !array_append(&b->p, b->n, 1)) {
         free(b->p);
-        mml_bad(b->m, 0, "longer than %d bytes (with loops expanded)", (int)TUNE_MAX_BYTES);
+        mml_fail(b->m, 0, "longer than %d bytes (with loops expanded)", (int)TUNE_MAX_BYTES);
     }
     b->p[b->n++] = v;
 }
 
-static void add_bytes(struct bytes *b, const void *p, size_t n)
+static void add_bytes(struct output *b, const void *p, size_t n)
 {
     for (size_t i = 0; i < n; i++)
         add_byte(b, ((const uint8_t *)p)[i]);
 }
 
-static void add_zeros(struct bytes *b, size_t n)
+static void add_zeros(struct output *b, size_t n)
 {
     while (n-- > 0)
         add_byte(b, 0);
 }
 
-static void add_ticks(struct bytes *b, uint32_t v)
+static void add_ticks(struct output *b, uint32_t v)
 {
     for (; v > 127; v >>= 7)
         add_byte(b, (uint8_t)(v | 128));
     add_byte(b, (uint8_t)v);
 }
 
-static int by_tick(const void *a, const void *b)
+static int compare_events(const void *a, const void *b)
 {
     const struct mml_event *x = a, *y = b;
 
@@ -54,12 +54,13 @@ static int by_tick(const void *a, const void *b)
 void mml_sort(struct mml_track *t)
 {
     if (t->n > 0)
-        qsort(t->events, t->n, sizeof *t->events, by_tick);
+        qsort(t->events, t->n, sizeof *t->events, compare_events);
 }
 
-static void add_event(struct bytes *b, const struct mml_event *e)
+static void add_event(struct output *b, const struct mml_event *e)
 {
-    const uint8_t value[4] = { (uint8_t)e->value, (uint8_t)(e->value >> 8), (uint8_t)e->more, (uint8_t)(e->more >> 8) };
+    const uint8_t value[4] = { (uint8_t)e->value, (uint8_t)(e->value >> 8), (uint8_t)e->value2,
+                               (uint8_t)(e->value2 >> 8) };
     const int n = e->event == TUNE_GLIDE                                                     ? 4
                   : e->event == TUNE_NOTE || e->event == TUNE_SLUR || e->event == TUNE_TEMPO ? 2
                   : e->event == TUNE_OFF || e->event == TUNE_END                             ? 0
@@ -78,8 +79,9 @@ int mml_tempo_at(const struct mml_track *c, uint32_t tick)
     return tempo;
 }
 
-/* The first event of the loop, by its order: a note that was let go just there was let go before it. */
-static uint32_t loop_order(const struct mml_track *t)
+/* Returns the order of the loop's first event. A note that is released at the start of the loop is released before
+ * it. */
+static uint32_t first_loop_order(const struct mml_track *t)
 {
     uint32_t order = UINT32_MAX;
 
@@ -89,8 +91,8 @@ static uint32_t loop_order(const struct mml_track *t)
     return order;
 }
 
-/* Just before the loop begins stands an event that changes nothing, so that what follows counts from there. */
-static uint32_t begin_loop(struct bytes *b, const struct mml_track *t, uint32_t now)
+/* Starts the loop after an event that changes nothing, so that the times in the loop are relative to its start. */
+static uint32_t start_loop(struct output *b, const struct mml_track *t, uint32_t now)
 {
     const uint32_t tick = (uint32_t)t->loop;
     const struct mml_event off = { .event = TUNE_OFF },
@@ -101,19 +103,19 @@ static uint32_t begin_loop(struct bytes *b, const struct mml_track *t, uint32_t 
     return (uint32_t)b->n;
 }
 
-/* Writes a track; returns where its loop begins, 0: it has none. */
-static uint32_t add_track(struct bytes *b, struct mml_track *t)
+/* Writes a track; returns the offset of its loop, or 0. */
+static uint32_t add_track(struct output *b, struct mml_track *t)
 {
-    const uint32_t first = loop_order(t);
+    const uint32_t first = first_loop_order(t);
     uint32_t now = 0, loop = 0;
 
     mml_sort(t);
     for (uint32_t i = 0; i < t->n && t->events[i].tick <= t->end; i++) {
         const struct mml_event *e = &t->events[i];
-        const bool inside =
+        const bool in_loop =
             t->loop >= 0 && (e->tick > (uint64_t)t->loop || (e->tick == (uint64_t)t->loop && e->order >= first));
-        if (inside && !loop) {
-            loop = begin_loop(b, t, now);
+        if (in_loop && !loop) {
+            loop = start_loop(b, t, now);
             now = (uint32_t)t->loop;
         }
         add_ticks(b, e->tick - now);
@@ -125,7 +127,7 @@ static uint32_t add_track(struct bytes *b, struct mml_track *t)
     return loop;
 }
 
-/* Loops of all tracks are equally long: the conductor's is that of the first. */
+/* Checks that all loops have the same length. The conductor gets the loop of the first track that has one. */
 static void check_loops(struct mml *m)
 {
     int first = -1;
@@ -138,10 +140,10 @@ static void check_loops(struct mml *m)
             first = i;
         const struct mml_track *f = &m->tracks[first];
         if (t->end - t->loop != f->end - f->loop)
-            mml_bad(m, t->loop_from,
-                    "track %c loops every %u ticks, track %c every %u (%d per quarter note): they would drift apart",
-                    'A' + i, (unsigned)(t->end - t->loop), 'A' + first, (unsigned)(f->end - f->loop),
-                    (int)TUNE_QUARTER);
+            mml_fail(m, t->loop_from,
+                     "track %c loops every %u ticks, track %c every %u (%d per quarter note): they would drift apart",
+                     'A' + i, (unsigned)(t->end - t->loop), 'A' + first, (unsigned)(f->end - f->loop),
+                     (int)TUNE_QUARTER);
     }
     if (first >= 0) {
         m->conductor.loop = m->tracks[first].loop;
@@ -166,70 +168,72 @@ static void prepare_conductor(struct mml *m)
         mml_add(m, c, 0, TUNE_TEMPO, mml_tempo_at(c, 0), 0);
 }
 
-static void put_place(struct bytes *b, int k, size_t at, uint32_t loop)
+static void set_track_offset(struct output *b, int k, size_t at, uint32_t loop)
 {
     bytes_put32(b->p + TUNE_HEADER_SIZE + TUNE_TITLE_SIZE + 8 * (size_t)k, (uint32_t)at);
     bytes_put32(b->p + TUNE_HEADER_SIZE + TUNE_TITLE_SIZE + 8 * (size_t)k + 4, loop);
 }
 
-/* Where in an instrument's bytes stands which piece it has. */
-static const uint8_t piece_places[] = { INST_WAVE_AT, INST_CURVES_AT, INST_CURVES_AT + 4, INST_CURVES_AT + 8 };
+/* Offsets of the table numbers in an instrument's bytes. */
+static const uint8_t table_fields[] = { INST_WAVE_AT, INST_CURVES_AT, INST_CURVES_AT + 4, INST_CURVES_AT + 8 };
 
-/* The waves and curves of the instruments that begin at `insts`, which then say how far from them they are. */
-static void add_pieces(struct bytes *b, size_t insts)
+/* Writes the tables of the instruments, which are at `insts`, and replaces table numbers by offsets from the
+ * instrument. */
+static void add_tables(struct output *b, size_t insts)
 {
     struct mml *m = b->m;
 
     for (int i = 0; i < m->n_insts; i++)
-        for (size_t k = 0; k < sizeof piece_places; k++) {
+        for (size_t k = 0; k < sizeof table_fields; k++) {
             const size_t inst = insts + INST_BYTES * (size_t)i;
-            const uint32_t number = bytes_get32(b->p + inst + piece_places[k]);
+            const uint32_t number = bytes_get32(b->p + inst + table_fields[k]);
             if (number == 0)
                 continue;
-            struct mml_piece *piece = &m->pieces[number - 1];
-            if (piece->at == 0) {
-                piece->at = (uint32_t)b->n;
-                add_bytes(b, piece->bytes, piece->n);
+            struct mml_table *table = &m->tables[number - 1];
+            if (table->at == 0) {
+                table->at = (uint32_t)b->n;
+                add_bytes(b, table->bytes, table->n);
             }
-            bytes_put32(b->p + inst + piece_places[k], piece->at - (uint32_t)inst);
+            bytes_put32(b->p + inst + table_fields[k], table->at - (uint32_t)inst);
         }
 }
 
-static void add_head(struct bytes *b, const struct mml_about *about, int tracks)
+static void add_header(struct output *b, const struct mml_settings *settings, int tracks)
 {
     struct mml *m = b->m;
-    uint8_t head[TUNE_HEADER_SIZE] = { TUNE_FORMAT,           (uint8_t)about->volume, (uint8_t)about->priority,
-                                       (uint8_t)about->limit, (uint8_t)m->bar,        (uint8_t)tracks,
-                                       (uint8_t)m->n_insts,   (uint8_t)m->n_marks };
+    uint8_t header[TUNE_HEADER_SIZE] = {
+        TUNE_FORMAT,     (uint8_t)settings->volume, (uint8_t)settings->priority, (uint8_t)settings->limit,
+        (uint8_t)m->bar, (uint8_t)tracks,           (uint8_t)m->n_insts,         (uint8_t)m->n_markers
+    };
     char title[TUNE_TITLE_SIZE] = "";
 
-    head[TUNE_DUCK_AT] = (uint8_t)about->duck;
-    bytes_put32(head + 8, (uint32_t)mml_tempo_at(&m->conductor, 0));
-    memcpy(title, about->title && about->title[0] ? about->title : m->title,
-           about->title && about->title[0] ? strlen(about->title) : sizeof title);
-    add_bytes(b, head, sizeof head);
+    header[TUNE_DUCK_AT] = (uint8_t)settings->duck;
+    bytes_put32(header + 8, (uint32_t)mml_tempo_at(&m->conductor, 0));
+    memcpy(title, settings->title && settings->title[0] ? settings->title : m->title,
+           settings->title && settings->title[0] ? strlen(settings->title) : sizeof title);
+    add_bytes(b, header, sizeof header);
     add_bytes(b, title, sizeof title);
     add_zeros(b, 8 * ((size_t)tracks + 1));
     add_bytes(b, m->insts, (size_t)m->n_insts * INST_BYTES);
-    add_bytes(b, m->marks, (size_t)m->n_marks * TUNE_NAME_SIZE);
-    add_pieces(b, TUNE_HEADER_SIZE + TUNE_TITLE_SIZE + 8 * ((size_t)tracks + 1));
+    add_bytes(b, m->markers, (size_t)m->n_markers * TUNE_NAME_SIZE);
+    add_tables(b, TUNE_HEADER_SIZE + TUNE_TITLE_SIZE + 8 * ((size_t)tracks + 1));
 }
 
-void mml_make(struct mml *m, const struct mml_about *about, uint8_t **out, size_t *size)
+void mml_make(struct mml *m, const struct mml_settings *settings, uint8_t **out, size_t *size)
 {
-    struct bytes b = { m, NULL, 0 };
+    struct output b = { m, NULL, 0 };
     int last = TUNE_MAX_TRACKS - 1;
 
     while (!m->tracks[last].used)
         last--;
     check_loops(m);
     prepare_conductor(m);
-    add_head(&b, about, last + 1);
+    add_header(&b, settings, last + 1);
     for (int k = 0; k <= last + 1; k++) {
         struct mml_track *t = k == 0 ? &m->conductor : &m->tracks[k - 1];
         const size_t at = b.n;
         const uint32_t loop = add_track(&b, t);
-        put_place(&b, k, at, loop);
+        set_track_offset(&b, k, at, loop);
     }
     add_zeros(&b, 8 + (0 - b.n) % 4);
     bytes_put32(b.p + 16, (uint32_t)b.n);

@@ -20,14 +20,14 @@ bool game_name_of_folder(const char *dir, char name[GAME_TITLE_SIZE])
     while (name[at] != '\0') {
         int n = clean_decode_character(name + at, &c);
         if (c == NO_CHARACTER && n == 1 && strlen(name + at) < 4 && strlen(name) > GAME_TITLE_SIZE - 5)
-            name[at] = '\0'; /* a character that was cut */
+            name[at] = '\0'; /* a truncated character */
         else
             at += (size_t)n;
     }
     return name[0] != '\0';
 }
 
-static bool fits_id(char c)
+static bool is_id_character(char c)
 {
     return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
 }
@@ -39,7 +39,7 @@ void game_name_id(const char *name, char id[GAME_ID_SIZE])
 
     for (; *name != '\0' && n < GAME_ID_SIZE - 1; name++) {
         char c = *name >= 'A' && *name <= 'Z' ? (char)(*name - 'A' + 'a') : *name;
-        if (fits_id(c))
+        if (is_id_character(c))
             id[n++] = c;
         else if (n > 0 && id[n - 1] != '_')
             id[n++] = '_';

@@ -1,5 +1,5 @@
 /*
- * game_name.h - the title and the id of a new game, made from the name of its folder.
+ * game_name.h - makes the title and the id of a new game from the name of its folder.
  */
 #ifndef WORKBENCH_GAME_NAME_H
 #define WORKBENCH_GAME_NAME_H
@@ -8,7 +8,8 @@
 
 enum { GAME_ID_SIZE = 32, GAME_TITLE_SIZE = 64 }; /* bytes, as in struct manifest */
 
-/* Writes the last name of a path (tree_id), cut at a whole character; false: it has none ("", ".", "a/.."). */
+/* Writes the last name of a path (tree_id), without a truncated character at its end; false: it has none ("", ".",
+ * "a/.."). */
 bool game_name_of_folder(const char *dir, char name[GAME_TITLE_SIZE]);
 
 /* Writes the id: lower case, with one _ for each run of other characters. If nothing is left, the id is game_ and a

@@ -25,9 +25,9 @@ static const char LUARC[] = "{\n"
                             "  \"workspace.library\": [\".curtain.lua\", \".curtain-test.lua\"]\n"
                             "}\n";
 
-enum { GAMES = 16 /* in the list of an error */ };
+enum { GAMES = 16 /* listed in an error */ };
 
-struct start {
+struct new_game_files {
     const char *dir, *from;
     char name[GAME_TITLE_SIZE], id[GAME_ID_SIZE];
     char *path[256]; /* of written files, relative to dir */
@@ -37,17 +37,17 @@ struct start {
 /* ---- files ---- */
 
 /* Returns the path in the game's folder; NULL: the file belongs to another game. */
-static const char *file_of(const char *from, const char *name)
+static const char *path_in_game(const char *from, const char *name)
 {
     const size_t n = strlen(from);
 
     return strncmp(name, from, n) == 0 && name[n] == '/' ? name + n + 1 : NULL;
 }
 
-static bool known(const char *from)
+static bool is_known_game(const char *from)
 {
     for (int i = 0; i < start_file_count; i++)
-        if (file_of(from, start_files[i].name))
+        if (path_in_game(from, start_files[i].name))
             return true;
     return false;
 }
@@ -61,7 +61,7 @@ static void list_games(char *out, size_t size)
 
     for (int i = 0; i < start_file_count && n < GAMES; i++) {
         const char *name = start_files[i].name;
-        if (n > 0 && file_of(list[n - 1], name))
+        if (n > 0 && path_in_game(list[n - 1], name))
             continue;
         snprintf(names[n], sizeof names[n], "%.*s", (int)strcspn(name, "/"), name);
         list[n] = names[n];
@@ -71,7 +71,7 @@ static void list_games(char *out, size_t size)
 }
 
 /* Removes the written files and their folders; folders with other files remain. */
-static void remove_written(const struct start *s, bool existed)
+static void remove_written(const struct new_game_files *s, bool existed)
 {
     char path[TREE_PATH];
 
@@ -88,7 +88,7 @@ static void remove_written(const struct start *s, bool existed)
         plat_remove(s->dir);
 }
 
-static bool save(struct start *s, const char *name, const void *data, size_t size, char *err, size_t err_size)
+static bool save(struct new_game_files *s, const char *name, const void *data, size_t size, char *err, size_t err_size)
 {
     char path[TREE_PATH];
 
@@ -102,15 +102,15 @@ static bool save(struct start *s, const char *name, const void *data, size_t siz
 
 /* ---- names in the files ---- */
 
-/* Adds a text as between quotes in Lua. */
+/* Appends a text, escaped for a Lua string. */
 static void add_quoted(struct byte_buffer *p, const char *text)
 {
     for (; *text != '\0'; text++)
         byte_buffer_print(p, *text == '"' || *text == '\\' ? "\\%c" : "%c", *text);
 }
 
-/* Adds the text, with the part between the first `before` and the next `after` replaced. */
-static void add_named(struct byte_buffer *p, const char *text, const char *before, char after, const char *with)
+/* Appends the text, with the part between the first `before` and the next `after` replaced. */
+static void add_replaced(struct byte_buffer *p, const char *text, const char *before, char after, const char *with)
 {
     const char *at = strstr(text, before), *end = at ? strchr(at + strlen(before), after) : NULL;
 
@@ -123,7 +123,8 @@ static void add_named(struct byte_buffer *p, const char *text, const char *befor
 }
 
 /* Saves rom.lua with the game's id and title, README.md with its title, and any other file unchanged. */
-static bool save_named(struct start *s, const char *name, const struct embedded *file, char *err, size_t err_size)
+static bool save_named(struct new_game_files *s, const char *name, const struct embedded *file, char *err,
+                       size_t err_size)
 {
     const bool rom = strcmp(name, "rom.lua") == 0, page = strcmp(name, "README.md") == 0;
     const bool titled = game_name_has_glyphs(s->name);
@@ -132,14 +133,14 @@ static bool save_named(struct start *s, const char *name, const struct embedded 
     if ((!rom && !page) || (page && !titled))
         return save(s, name, file->data, file->size, err, err_size);
     byte_buffer_print(&first, "%.*s", (int)file->size, (const char *)file->data);
-    const char *was = byte_buffer_text(&first);
+    const char *old = byte_buffer_text(&first);
     if (page) {
-        byte_buffer_print(&text, "# %s%s", s->name, was + strcspn(was, "\n"));
+        byte_buffer_print(&text, "# %s%s", s->name, old + strcspn(old, "\n"));
     } else {
         struct byte_buffer with_id = { 0 };
-        add_named(&with_id, was, "id = \"", '"', s->id);
+        add_replaced(&with_id, old, "id = \"", '"', s->id);
         if (titled)
-            add_named(&text, byte_buffer_text(&with_id), "title = \"", '"', s->name);
+            add_replaced(&text, byte_buffer_text(&with_id), "title = \"", '"', s->name);
         else
             byte_buffer_print(&text, "%s", byte_buffer_text(&with_id));
         text.failed = text.failed || with_id.failed;
@@ -155,7 +156,8 @@ static bool save_named(struct start *s, const char *name, const struct embedded 
 }
 
 /* Saves annotations for editors. */
-static bool save_api(struct start *s, const char *name, void (*write)(struct byte_buffer *), char *err, size_t err_size)
+static bool save_api(struct new_game_files *s, const char *name, void (*write)(struct byte_buffer *), char *err,
+                     size_t err_size)
 {
     struct byte_buffer api = { 0 };
 
@@ -167,19 +169,19 @@ static bool save_api(struct start *s, const char *name, void (*write)(struct byt
     return good;
 }
 
-static bool save_editors(struct start *s, char *err, size_t err_size)
+static bool save_editors(struct new_game_files *s, char *err, size_t err_size)
 {
     return save_api(s, ".curtain.lua", annotations_write, err, err_size) &&
            save_api(s, ".curtain-test.lua", annotations_test_write, err, err_size) &&
            save(s, ".luarc.json", LUARC, sizeof LUARC - 1, err, err_size);
 }
 
-static bool save_all(struct start *s, char *err, size_t err_size)
+static bool save_all(struct new_game_files *s, char *err, size_t err_size)
 {
     bool good = true;
 
     for (int i = 0; i < start_file_count && good; i++) {
-        const char *name = file_of(s->from, start_files[i].name);
+        const char *name = path_in_game(s->from, start_files[i].name);
         good = !name || save_named(s, name, &start_files[i], err, err_size);
     }
     return good && save_editors(s, err, err_size);
@@ -187,8 +189,8 @@ static bool save_all(struct start *s, char *err, size_t err_size)
 
 /* ---- the command ---- */
 
-/* Adds dir, quoted for a shell. */
-static void add_word(struct byte_buffer *p, const char *dir)
+/* Appends dir, quoted for a shell. */
+static void add_shell_word(struct byte_buffer *p, const char *dir)
 {
     if (dir[0] == '-')
         byte_buffer_print(p, "./");
@@ -202,7 +204,7 @@ static void add_word(struct byte_buffer *p, const char *dir)
     byte_buffer_print(p, "'");
 }
 
-static void say_next(const struct start *s)
+static void print_next_steps(const struct new_game_files *s)
 {
     static const struct {
         const char *words, *what;
@@ -211,7 +213,7 @@ static void say_next(const struct start *s)
                  { "test", "run its tests" } };
     struct byte_buffer text = { 0 };
 
-    add_word(&text, s->dir);
+    add_shell_word(&text, s->dir);
     if (!text.failed) {
         report_print("%s: new game, %d files; see its README.md. Next:\n", s->dir, s->n);
         for (size_t i = 0; i < sizeof next / sizeof *next; i++)
@@ -222,11 +224,11 @@ static void say_next(const struct start *s)
 
 enum result new_game(const char *dir, const char *from)
 {
-    struct start s = { .dir = dir, .from = from ? from : "shooter" };
+    struct new_game_files s = { .dir = dir, .from = from ? from : "shooter" };
     char games[256];
     char err[FILES_ERR_SIZE];
 
-    if (!known(s.from)) {
+    if (!is_known_game(s.from)) {
         list_games(games, sizeof games);
         return report_line(RESULT_REFUSED, "--from: expected %s, got \"%s\"", games, s.from);
     }
@@ -242,6 +244,6 @@ enum result new_game(const char *dir, const char *from)
         remove_written(&s, files == 0);
         return report_line(RESULT_HOST_FAILED, "%s", err);
     }
-    say_next(&s);
+    print_next_steps(&s);
     return report_stdout(RESULT_DONE);
 }

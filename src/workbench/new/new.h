@@ -1,5 +1,5 @@
 /*
- * new.h - `curtain new`: creates a folder with a complete game to change.
+ * new.h - `curtain new`: creates a folder with a complete game.
  *
  * The games are those of examples/, embedded in the program. The command also writes the API for editors (.curtain.lua,
  * .luarc.json). The id and title in rom.lua are made from the folder's name.
@@ -10,12 +10,12 @@
 #include "../../common/result.h"
 #include "../pack/pack.h"
 
-/* Files of the games, "shooter/art/kite.png", in the order of their names; made by tools/embed.c. */
+/* Files of the games, such as "shooter/art/kite.png", in alphabetical order; made by tools/embed.c. */
 extern const struct embedded start_files[];
 extern const int start_file_count;
 
-/* Creates the folder `dir` with the game `from` (NULL: shooter), and prints what to do next. Refuses a folder that has
- * files. After a failure, nothing is left. */
+/* Creates the folder `dir` with the game `from` (NULL: shooter), and prints the next steps. A folder with files is
+ * refused. After a failure, everything is removed. */
 enum result new_game(const char *dir, const char *from);
 
 #endif

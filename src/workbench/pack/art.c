@@ -1,7 +1,7 @@
 /*
- * art.c - see art.h. A sprite is made in two steps: its pictures, frames and turns, into one loose stack of equal
- * cells; then the rectangle that all of them need, out of the stack into the lump. A sprite that is not turned keeps
- * the size it was given.
+ * art.c - see art.h. A sprite is made in two steps: its frames and their rotated copies are drawn into a stack of cells
+ * of equal size; then the rectangle that all of them need is copied from each cell into the lump. A sprite without
+ * rotations keeps its size.
  */
 #include "art.h"
 
@@ -14,10 +14,10 @@
 #include "../../base/err.h"
 #include "../../common/result.h"
 
-enum { MAX_STACK = 64 << 20 /* bytes of one sprite's pictures */ };
+enum { MAX_STACK = 64 << 20 /* bytes of a sprite's cells */ };
 
-/* The colour of hue sixth * 256 + part (6 sixths round the wheel) at full strength, channel 0 to 2. */
-static int wheel(int hue, int channel)
+/* Returns a channel (0 to 2) of a saturated colour; hues are 0 to 1535, 256 for each sixth of the colour wheel. */
+static int hue_channel(int hue, int channel)
 {
     int at = (hue + 512 * (3 - channel)) % 1536; /* red is at 0, green at 512, blue at 1024 */
     int away = at < 768 ? at : 1536 - at;
@@ -30,7 +30,7 @@ void art_default_palette(uint8_t rgb[CART_PALETTE_SIZE])
     for (int i = 0; i < 256; i++) {
         int bank = i / 16, shade = i % 16;
         for (int c = 0; c < 3; c++) {
-            int full = bank == 0 ? 255 : wheel((bank - 1) * 1536 / 15, c);
+            int full = bank == 0 ? 255 : hue_channel((bank - 1) * 1536 / 15, c);
             int light = bank == 0 || shade <= 8 ? 0 : (255 - full) * (shade - 8) / 7;
             int dark = bank == 0 ? shade * 17 : shade < 8 ? full * shade / 8 : full;
             rgb[i * 3 + c] = (uint8_t)(dark + light);
@@ -48,8 +48,8 @@ bool art_make_palette(const struct art_picture *picture, uint8_t rgb[CART_PALETT
     return true;
 }
 
-/* Squares of the differences between two colours. */
-static int difference(const uint8_t *a, const uint8_t *b)
+/* Returns the squared distance of two colours. */
+static int squared_distance(const uint8_t *a, const uint8_t *b)
 {
     int sum = 0;
 
@@ -58,15 +58,15 @@ static int difference(const uint8_t *a, const uint8_t *b)
     return sum;
 }
 
-/* The shade 1 to 15 of the bank (its 48 bytes) that is nearest to the colour, the lowest of equals; *off is how far it
- * is. */
+/* Returns the shade, 1 to 15, that is nearest to the colour, the lowest of equals. colours: the bank's 48 bytes. *off:
+ * the squared distance. */
 static int nearest_shade(const uint8_t *colours, const uint8_t *colour, int *off)
 {
     int best = 1;
 
-    *off = difference(colours + 3, colour);
+    *off = squared_distance(colours + 3, colour);
     for (int shade = 2; shade < 16 && *off > 0; shade++) {
-        int d = difference(colours + shade * 3, colour);
+        int d = squared_distance(colours + shade * 3, colour);
         if (d < *off) {
             *off = d;
             best = shade;
@@ -92,8 +92,7 @@ void art_place(const struct art_picture *p, int x, int y, char out[ART_PLACE])
         snprintf(out, ART_PLACE, "pixel %d,%d", x, y);
 }
 
-/* Is the index one of the bank, or of a palette of 16? */
-static bool index_fits(int index, int bank)
+static bool index_in_bank(int index, int bank)
 {
     return index < 16 || index / 16 == bank;
 }
@@ -121,9 +120,8 @@ static int refuse_colour(const struct art_picture *p, int x, int y, const uint8_
     return -1;
 }
 
-/* art_shade, which every pixel of every sprite goes through. */
-static int shade_of(const struct art_picture *p, int x, int y, int bank, const uint8_t *rgb, bool nearest, char *err,
-                    size_t err_size)
+static int find_shade(const struct art_picture *p, int x, int y, int bank, const uint8_t *rgb, bool nearest, char *err,
+                      size_t err_size)
 {
     const size_t at = (size_t)y * (size_t)p->w + (size_t)x;
     const uint8_t *colour = p->rgba + at * 4;
@@ -132,8 +130,8 @@ static int shade_of(const struct art_picture *p, int x, int y, int bank, const u
     if (colour[3] < 128)
         return 0;
     if (p->by_index)
-        return index_fits(p->index[at], bank) ? p->index[at] % 16
-                                              : refuse_index(p, x, y, p->index[at], bank, err, err_size);
+        return index_in_bank(p->index[at], bank) ? p->index[at] % 16
+                                                 : refuse_index(p, x, y, p->index[at], bank, err, err_size);
     shade = nearest_shade(rgb + bank * 48, colour, &off);
     return off == 0 || nearest ? shade : refuse_colour(p, x, y, colour, bank, err, err_size);
 }
@@ -141,7 +139,7 @@ static int shade_of(const struct art_picture *p, int x, int y, int bank, const u
 int art_shade(const struct art_picture *p, int x, int y, int bank, const uint8_t *rgb, bool nearest, char *err,
               size_t err_size)
 {
-    return shade_of(p, x, y, bank, rgb, nearest, err, err_size);
+    return find_shade(p, x, y, bank, rgb, nearest, err, err_size);
 }
 
 bool art_make_font(const struct art_picture *p, const uint8_t rgb[CART_PALETTE_SIZE], bool nearest, uint8_t **out,
@@ -156,7 +154,7 @@ bool art_make_font(const struct art_picture *p, const uint8_t rgb[CART_PALETTE_S
         return result_set_host_error(err, err_size, "out of memory");
     for (int y = 0; y < p->h; y++) {
         for (int x = 0; x < p->w; x++) {
-            int shade = shade_of(p, x, y, 0, rgb, nearest, err, err_size);
+            int shade = find_shade(p, x, y, 0, rgb, nearest, err, err_size);
             if (shade < 0) {
                 free(*out);
                 *out = NULL;
@@ -168,7 +166,7 @@ bool art_make_font(const struct art_picture *p, const uint8_t rgb[CART_PALETTE_S
     return true;
 }
 
-static int bank_with(const uint8_t *rgb, const uint8_t *colour)
+static int find_bank(const uint8_t *rgb, const uint8_t *colour)
 {
     for (int bank = 0, off; bank < 16; bank++) {
         nearest_shade(rgb + bank * 48, colour, &off);
@@ -181,16 +179,16 @@ static int bank_with(const uint8_t *rgb, const uint8_t *colour)
 struct art_strays art_find_strays(const struct art_picture *picture, const uint8_t *marked, int bank,
                                   const uint8_t rgb[CART_PALETTE_SIZE])
 {
-    struct art_strays s = { .bank = -1, .index = -1, .fits = picture->index != NULL };
+    struct art_strays s = { .bank = -1, .index = -1, .indices_fit = picture->index != NULL };
 
     for (size_t i = 0; i < (size_t)picture->w * (size_t)picture->h; i++) {
         const uint8_t *colour = picture->rgba + i * 4;
         int off = 0;
         if ((marked != NULL && !marked[i]) || colour[3] < 128)
             continue;
-        s.fits = s.fits && index_fits(picture->index[i], bank);
+        s.indices_fit = s.indices_fit && index_in_bank(picture->index[i], bank);
         if (picture->by_index)
-            off = !index_fits(picture->index[i], bank);
+            off = !index_in_bank(picture->index[i], bank);
         else
             nearest_shade(rgb + bank * 48, colour, &off);
         if (off == 0 || s.n++ > 0)
@@ -200,7 +198,7 @@ struct art_strays art_find_strays(const struct art_picture *picture, const uint8
         s.y = (int)(i / (size_t)picture->w);
         memcpy(s.c, colour, 3);
     }
-    s.bank = s.n > 0 ? bank_with(rgb, s.c) : -1;
+    s.bank = s.n > 0 ? find_bank(rgb, s.c) : -1;
     return s;
 }
 
@@ -219,7 +217,7 @@ struct art_faint art_find_faint(const struct art_picture *picture, const uint8_t
     return f;
 }
 
-void art_faint_say(const struct art_picture *picture, const struct art_faint *f, char *out, size_t size)
+void art_faint_describe(const struct art_picture *picture, const struct art_faint *f, char *out, size_t size)
 {
     char place[ART_PLACE], count[48] = "";
 
@@ -229,11 +227,11 @@ void art_faint_say(const struct art_picture *picture, const struct art_faint *f,
     snprintf(out, size, "%s: %d %% opaque; pixels below 50 %% become transparent%s", place, f->percent, count);
 }
 
-/* Pictures of w x h on end, without padding: picture = frame * rotations + rotation. */
+/* Cells of w x h pixels, without padding: cell = frame * rotations + rotation. */
 struct stack {
     uint8_t *pix;
     int w, h, n;
-    int px, py; /* the point turned about, half pixels: the anchor's */
+    int px, py; /* centre of rotation, half pixels */
 };
 
 static size_t stack_bytes(const struct stack *s)
@@ -241,31 +239,31 @@ static size_t stack_bytes(const struct stack *s)
     return (size_t)s->w * (size_t)s->h * (size_t)s->n;
 }
 
-static uint8_t *stack_picture(const struct stack *s, int i)
+static uint8_t *stack_cell(const struct stack *s, int i)
 {
     return s->pix + (size_t)s->w * (size_t)s->h * (size_t)i;
 }
 
-/* The sprite's frames, as indices. */
+/* Copies the sprite's frames from the sheet as palette indices. */
 static bool cut_frames(struct stack *s, const struct art_picture *sheet, const struct art_sprite *sprite, int bank,
                        const uint8_t *rgb, bool nearest, char *err, size_t err_size)
 {
     for (int y = 0; y < s->h; y++) {
         for (int x = 0; x < s->w * s->n; x++) {
-            int shade = shade_of(sheet, sprite->x + x, sprite->y + y, bank, rgb, nearest, err, err_size);
+            int shade = find_shade(sheet, sprite->x + x, sprite->y + y, bank, rgb, nearest, err, err_size);
             if (shade < 0)
                 return false;
-            stack_picture(s, x / s->w)[y * s->w + x % s->w] = shade == 0 ? 0 : (uint8_t)(bank * 16 + shade);
+            stack_cell(s, x / s->w)[y * s->w + x % s->w] = shade == 0 ? 0 : (uint8_t)(bank * 16 + shade);
         }
     }
     return true;
 }
 
-/* The point a sprite is turned about, in half pixels, for its anchor: the exact middle for the middle one, else the
- * pixel's. */
-static int pivot(int anchor, int side)
+/* Returns the centre of rotation in half pixels: the exact centre if the origin is the middle pixel, otherwise the
+ * middle of the origin's pixel. */
+static int pivot(int origin, int side)
 {
-    return anchor == side / 2 ? side : 2 * anchor + 1;
+    return origin == side / 2 ? side : 2 * origin + 1;
 }
 
 static bool make_stack(struct stack *s, int w, int h, int n, char *err, size_t err_size)
@@ -277,38 +275,38 @@ static bool make_stack(struct stack *s, int w, int h, int n, char *err, size_t e
     return s->pix != NULL ? true : result_set_host_error(err, err_size, "out of memory");
 }
 
-/* The size that holds all turns of all frames. */
-static void turned_size(const struct stack *s, int *w, int *h)
+/* Computes the size that fits every rotation of every frame. */
+static void rotated_size(const struct stack *s, int *w, int *h)
 {
     *w = *h = 0;
     for (int i = 0; i < s->n; i++) {
         int one_w, one_h;
-        turn_size(stack_picture(s, i), s->w, s->h, s->w, s->px, s->py, &one_w, &one_h);
+        turn_size(stack_cell(s, i), s->w, s->h, s->w, s->px, s->py, &one_w, &one_h);
         *w = one_w > *w ? one_w : *w;
         *h = one_h > *h ? one_h : *h;
     }
 }
 
-/* All turns of all frames of s. */
-static void turn_stack(struct stack *turned, const struct stack *s, int rotations, void *scratch)
+/* Draws every rotation of every frame of s. */
+static void rotate_stack(struct stack *to, const struct stack *s, int rotations, void *scratch)
 {
     struct turn t;
 
-    for (int i = 0; i < turned->n; i++) {
+    for (int i = 0; i < to->n; i++) {
         ang turn = (ang)(((uint64_t)(i % rotations) << 32) / (uint64_t)rotations);
         if (i % rotations == 0)
-            turn_init(&t, stack_picture(s, i / rotations), s->w, s->h, s->w, s->px, s->py, scratch);
-        turn_paint(&t, turn, stack_picture(turned, i), turned->w, turned->h, turned->w);
+            turn_init(&t, stack_cell(s, i / rotations), s->w, s->h, s->w, s->px, s->py, scratch);
+        turn_paint(&t, turn, stack_cell(to, i), to->w, to->h, to->w);
     }
 }
 
-/* Replaces the frames by all turns of each. */
-static bool turn_frames(struct stack *s, int rotations, char *err, size_t err_size)
+/* Replaces each frame by all its rotations. */
+static bool rotate_frames(struct stack *s, int rotations, char *err, size_t err_size)
 {
     struct stack t;
     int w, h;
 
-    turned_size(s, &w, &h);
+    rotated_size(s, &w, &h);
     if (w > CART_MAX_SIDE || h > CART_MAX_SIDE)
         return err_set(err, err_size, "%dx%d pixels when rotated, expected at most %d in each direction", w, h,
                        CART_MAX_SIDE);
@@ -319,7 +317,7 @@ static bool turn_frames(struct stack *s, int rotations, char *err, size_t err_si
         free(scratch);
         return false;
     }
-    turn_stack(&t, s, rotations, scratch);
+    rotate_stack(&t, s, rotations, scratch);
     free(scratch);
     t.px = w;
     t.py = h;
@@ -335,15 +333,15 @@ int art_resized(int side, int percent)
     return to < 1 ? 1 : to;
 }
 
-/* The pixel in which a point of the sheet's picture, the middle of pixel v, comes to lie. */
-static int resized_at(int v, int percent)
+/* Returns the pixel that contains the middle of pixel v after scaling. */
+static int resized_position(int v, int percent)
 {
     int64_t to = (2 * (int64_t)v + 1) * percent;
 
     return (int)(to / 200 - (to % 200 < 0));
 }
 
-/* Replaces the frames by copies of another size, turned about (ox, oy). */
+/* Replaces the frames by scaled copies with the origin (ox, oy). */
 static bool resize_frames(struct stack *s, int percent, int ox, int oy, char *err, size_t err_size)
 {
     const int w = art_resized(s->w, percent), h = art_resized(s->h, percent);
@@ -361,8 +359,8 @@ static bool resize_frames(struct stack *s, int percent, int ox, int oy, char *er
         return false;
     }
     for (int i = 0; i < s->n; i++) {
-        turn_init(&t, stack_picture(s, i), s->w, s->h, s->w, s->px, s->py, scratch);
-        resize_paint(&t, stack_picture(&to, i), w, h);
+        turn_init(&t, stack_cell(s, i), s->w, s->h, s->w, s->px, s->py, scratch);
+        resize_paint(&t, stack_cell(&to, i), w, h);
     }
     free(scratch);
     to.px = pivot(ox, w);
@@ -376,8 +374,8 @@ struct box {
     int x0, y0, x1, y1; /* half open */
 };
 
-/* The pixels that are drawn in any picture; one pixel when there is none. */
-static struct box used_box(const struct stack *s)
+/* Returns the bounding box of the opaque pixels of all cells; one pixel if there are none. */
+static struct box bounding_box(const struct stack *s)
 {
     struct box b = { s->w, s->h, 0, 0 };
 
@@ -407,7 +405,7 @@ static void write_header(uint8_t *p, const struct art_sprite *sprite, struct box
     bytes_put16(p + 16, (uint16_t)bank);
 }
 
-/* The lump: the header, then the box of each picture, its rows padded to a multiple of 8. */
+/* Writes the header, then the box of each cell, with rows padded to a multiple of 8. */
 static bool write_lump(const struct stack *s, const struct art_sprite *sprite, struct box b, int ox, int oy, int bank,
                        uint8_t **out, size_t *size)
 {
@@ -421,7 +419,7 @@ static bool write_lump(const struct stack *s, const struct art_sprite *sprite, s
     uint8_t *row = *out + CART_GFX_HEADER_SIZE;
     for (int i = 0; i < s->n; i++)
         for (int y = b.y0; y < b.y1; y++, row += pitch)
-            memcpy(row, stack_picture(s, i) + y * s->w + b.x0, (size_t)w);
+            memcpy(row, stack_cell(s, i) + y * s->w + b.x0, (size_t)w);
     return true;
 }
 
@@ -446,8 +444,8 @@ bool art_make_sprite(const struct art_picture *sheet, const struct art_sprite *s
     if (pixel)
         *pixel = !good;
     if (good && sprite->scale_percent != 100) {
-        ox = resized_at(ox, sprite->scale_percent);
-        oy = resized_at(oy, sprite->scale_percent);
+        ox = resized_position(ox, sprite->scale_percent);
+        oy = resized_position(oy, sprite->scale_percent);
         if (!sprite->has_origin) {
             ox = art_resized(sprite->w, sprite->scale_percent) / 2;
             oy = art_resized(sprite->h, sprite->scale_percent) / 2;
@@ -456,8 +454,8 @@ bool art_make_sprite(const struct art_picture *sheet, const struct art_sprite *s
     }
     struct box box = { 0, 0, s.w, s.h };
     if (good && sprite->rotations > 1) {
-        good = turn_frames(&s, sprite->rotations, err, err_size);
-        box = used_box(&s);
+        good = rotate_frames(&s, sprite->rotations, err, err_size);
+        box = bounding_box(&s);
         ox = s.px / 2;
         oy = s.py / 2;
     }

@@ -1,6 +1,6 @@
 /*
- * ase.c - see ase.h: the file. It is frames of chunks, each with its size, so unknown ones are skipped. The cursor
- * returns zeros after the end and remembers that, so each chunk is checked once, at its end.
+ * ase.c - see ase.h: the file format. A file consists of frames, and a frame of chunks with their sizes, so unknown
+ * chunks can be skipped. Reads past the end of a chunk return zeros and set `past`, which is checked once, at its end.
  */
 #include "ase.h"
 
@@ -19,7 +19,7 @@ enum {
     FILE_HEADER = 128,
     FRAME_HEADER = 16,
     CHUNK_HEADER = 6,
-    MAX_LEVEL = 64,        /* groups in groups */
+    MAX_LEVEL = 64,        /* of nested groups */
     MAX_PALETTE = 1 << 16, /* colours */
     CHUNK_PALETTE_OLD = 0x0004,
     CHUNK_PALETTE_OLDER = 0x0011, /* channels of 6 bits */
@@ -32,15 +32,15 @@ enum {
 
 struct reader {
     const uint8_t *p;
-    size_t n, at; /* n: of the chunk */
-    bool past;    /* a read went past the end */
+    size_t n, at; /* bytes of the chunk, and read position */
+    bool past;    /* a read was past the end */
     struct ase *a;
     ase_inflate *inflate;
-    bool opacities, groups; /* the header's flags: layers, and groups, have a valid opacity */
+    bool layer_opacity, group_opacity; /* header flags: layers, groups have a valid opacity */
     bool new_palette;
-    bool group_shown[MAX_LEVEL + 1]; /* groups around the next layer, by level */
-    int level;                       /* of the innermost group that is open; -1: none */
-    size_t bytes;                    /* of all images */
+    bool group_visible[MAX_LEVEL + 1]; /* visibility of the enclosing groups, by level */
+    int level;                         /* of the innermost enclosing group; -1: none */
+    size_t bytes;                      /* of all images */
     int slices;
     char *err;
     size_t err_size;
@@ -56,9 +56,9 @@ __attribute__((format(printf, 2, 3))) static bool refuse(struct reader *r, const
     return false;
 }
 
-/* ---- the cursor ---- */
+/* ---- reading ---- */
 
-static const uint8_t *take(struct reader *r, size_t n)
+static const uint8_t *read_bytes(struct reader *r, size_t n)
 {
     static const uint8_t zeros[8];
 
@@ -78,40 +78,40 @@ static void skip(struct reader *r, size_t n)
     r->at = r->past ? r->n : r->at + n;
 }
 
-static int take8(struct reader *r)
+static int read8(struct reader *r)
 {
-    return *take(r, 1);
+    return *read_bytes(r, 1);
 }
 
-static int take16(struct reader *r)
+static int read16(struct reader *r)
 {
-    return bytes_get16(take(r, 2));
+    return bytes_get16(read_bytes(r, 2));
 }
 
-static int take16s(struct reader *r)
+static int read16s(struct reader *r)
 {
-    return (int16_t)bytes_get16(take(r, 2));
+    return (int16_t)bytes_get16(read_bytes(r, 2));
 }
 
-static uint32_t take32(struct reader *r)
+static uint32_t read32(struct reader *r)
 {
-    return bytes_get32(take(r, 4));
+    return bytes_get32(read_bytes(r, 4));
 }
 
-static void take_name(struct reader *r, char out[ASE_NAME])
+static void read_name(struct reader *r, char out[ASE_NAME])
 {
-    size_t n = (size_t)take16(r), kept = n < ASE_NAME ? n : ASE_NAME - 1;
-    const bool whole = n <= r->n - r->at;
+    size_t n = (size_t)read16(r), length = n < ASE_NAME ? n : ASE_NAME - 1;
+    const bool complete = n <= r->n - r->at;
 
     memset(out, 0, ASE_NAME);
-    if (whole)
-        memcpy(out, r->p + r->at, kept);
-    for (size_t i = 0; i < kept; i++)
+    if (complete)
+        memcpy(out, r->p + r->at, length);
+    for (size_t i = 0; i < length; i++)
         out[i] = (unsigned char)out[i] < 32 || out[i] == 127 ? '?' : out[i];
     skip(r, n);
 }
 
-static bool no_memory(struct reader *r)
+static bool fail_memory(struct reader *r)
 {
     result_set_host_failed();
     return refuse(r, "out of memory");
@@ -125,7 +125,7 @@ static const char *const blend_names[ASE_BLENDS] = { "normal",     "multiply",  
                                                      "hue",        "saturation", "colour",       "luminosity",
                                                      "addition",   "subtract",   "divide" };
 
-static bool blend_known(int blend)
+static bool is_supported_blend(int blend)
 {
     return blend < ASE_BLENDS && blend != ASE_SOFT_LIGHT && (blend < ASE_HUE || blend > ASE_LUMINOSITY);
 }
@@ -139,7 +139,7 @@ static bool check_layer(struct reader *r, const struct ase_layer *l, int type)
         return refuse(r, "layer \"%s\" is a tilemap: convert it to a normal layer", l->name);
     if (type == LAYER_GROUP && (l->opacity != 255 || l->blend != ASE_NORMAL))
         return refuse(r, "group \"%s\" has its own opacity or blend mode: set them on its layers", l->name);
-    if (!blend_known(l->blend))
+    if (!is_supported_blend(l->blend))
         return refuse(r, "layer \"%s\": blend mode \"%s\" is not supported: merge the layer with the one below",
                       l->name, l->blend < ASE_BLENDS ? blend_names[l->blend] : "unknown");
     return true;
@@ -149,7 +149,7 @@ static bool read_layer(struct reader *r)
 {
     enum { VISIBLE = 1, BACKGROUND = 8, REFERENCE = 64 };
     struct ase *a = r->a;
-    const int flags = take16(r), type = take16(r), level = take16(r);
+    const int flags = read16(r), type = read16(r), level = read16(r);
 
     if (a->n_layers == ASE_MAX_LAYERS)
         return refuse(r, "the Aseprite file has more than %d layers", ASE_MAX_LAYERS);
@@ -157,27 +157,27 @@ static bool read_layer(struct reader *r)
         return refuse(r, "damaged Aseprite file: unknown layer type %d", a->n_layers + 1);
     struct ase_layer *l = array_append(&a->layers, (size_t)a->n_layers, sizeof *l);
     if (!l)
-        return no_memory(r);
+        return fail_memory(r);
     a->n_layers++;
     skip(r, 4);
-    const int blend = take16(r), opacity = take8(r);
+    const int blend = read16(r), opacity = read8(r);
     skip(r, 3);
-    take_name(r, l->name);
-    const bool valid = type == LAYER_GROUP ? r->groups : r->opacities;
-    l->opacity = valid ? (uint8_t)opacity : 255;
-    l->blend = type == LAYER_GROUP && !r->groups ? ASE_NORMAL : blend < 255 ? (uint8_t)blend : 255;
+    read_name(r, l->name);
+    const bool has_opacity = type == LAYER_GROUP ? r->group_opacity : r->layer_opacity;
+    l->opacity = has_opacity ? (uint8_t)opacity : 255;
+    l->blend = type == LAYER_GROUP && !r->group_opacity ? ASE_NORMAL : blend < 255 ? (uint8_t)blend : 255;
     l->background = flags & BACKGROUND;
-    l->shown = flags & VISIBLE && !(flags & REFERENCE) && r->group_shown[level];
-    r->group_shown[level + 1] = l->shown;
+    l->visible = flags & VISIBLE && !(flags & REFERENCE) && r->group_visible[level];
+    r->group_visible[level + 1] = l->visible;
     r->level = type == LAYER_GROUP ? level : level - 1;
-    return r->past || !l->shown || check_layer(r, l, type);
+    return r->past || !l->visible || check_layer(r, l, type);
 }
 
-/* The pixels of a cel that is not linked, a new image. */
+/* Reads the pixels of a raw or compressed cel as a new image. */
 static bool read_image(struct reader *r, int layer, bool packed, int *image)
 {
     struct ase *a = r->a;
-    const int w = take16(r), h = take16(r), frame = a->n_frames;
+    const int w = read16(r), h = read16(r), frame = a->n_frames;
     const size_t size = (size_t)w * (size_t)h * (size_t)a->depth;
 
     if (r->past)
@@ -187,7 +187,7 @@ static bool read_image(struct reader *r, int layer, bool packed, int *image)
                       w < 1 || h < 1 ? "small" : "large");
     struct ase_image *i = array_append(&a->images, (size_t)a->n_images, sizeof *i);
     if (!i || !(i->pix = malloc(size + 1)))
-        return no_memory(r);
+        return fail_memory(r);
     *image = a->n_images++;
     r->bytes += size;
     i->w = w;
@@ -202,8 +202,8 @@ static bool read_image(struct reader *r, int layer, bool packed, int *image)
     return true;
 }
 
-/* The image of the same layer in an earlier frame (from 0 on). */
-static bool find_link(struct reader *r, int layer, int frame, int *image)
+/* Finds the image of the same layer in an earlier frame (from 0). */
+static bool find_linked_image(struct reader *r, int layer, int frame, int *image)
 {
     const struct ase *a = r->a;
 
@@ -222,13 +222,13 @@ static bool read_cel(struct reader *r)
     enum { RAW, LINKED, COMPRESSED, TILES };
     struct ase *a = r->a;
     struct ase_frame *f = &a->frames[a->n_frames - 1];
-    struct ase_cel c = { .layer = take16(r) };
+    struct ase_cel c = { .layer = read16(r) };
 
-    c.x = take16s(r);
-    c.y = take16s(r);
-    c.opacity = (uint8_t)take8(r);
-    const int type = take16(r);
-    c.z = take16s(r);
+    c.x = read16s(r);
+    c.y = read16s(r);
+    c.opacity = (uint8_t)read8(r);
+    const int type = read16(r);
+    c.z = read16s(r);
     skip(r, 5);
     if (r->past)
         return true;
@@ -243,13 +243,13 @@ static bool read_cel(struct reader *r)
         if (a->cels[f->first_cel + i].layer == c.layer)
             return refuse(r, "damaged Aseprite file: frame %d has two cels in layer \"%s\"", a->n_frames,
                           a->layers[c.layer].name);
-    const bool good = type == LINKED ? find_link(r, c.layer, take16(r), &c.image)
+    const bool good = type == LINKED ? find_linked_image(r, c.layer, read16(r), &c.image)
                                      : read_image(r, c.layer, type == COMPRESSED, &c.image);
     if (!good || r->past)
         return good;
     struct ase_cel *to = array_append(&a->cels, (size_t)a->n_cels, sizeof *to);
     if (!to)
-        return no_memory(r);
+        return fail_memory(r);
     *to = c;
     a->n_cels++;
     f->cels++;
@@ -259,21 +259,21 @@ static bool read_cel(struct reader *r)
 static bool read_tags(struct reader *r)
 {
     struct ase *a = r->a;
-    const int n = take16(r);
+    const int n = read16(r);
 
     skip(r, 8);
     for (int i = 0; i < n && !r->past; i++) {
         struct ase_tag *t = a->n_tags < ASE_MAX_LIST ? array_append(&a->tags, (size_t)a->n_tags, sizeof *t) : NULL;
         if (!t)
-            return a->n_tags < ASE_MAX_LIST ? no_memory(r)
+            return a->n_tags < ASE_MAX_LIST ? fail_memory(r)
                                             : refuse(r, "the Aseprite file has more than %d tags", ASE_MAX_LIST);
         a->n_tags++;
-        t->from = take16(r);
-        t->to = take16(r);
-        const int way = take8(r);
+        t->from = read16(r);
+        t->to = read16(r);
+        const int direction = read8(r);
         skip(r, 12);
-        take_name(r, t->name);
-        t->way = way > ASE_PING_PONG_REVERSE ? ASE_FORWARD : (enum ase_way)way;
+        read_name(r, t->name);
+        t->direction = direction > ASE_PING_PONG_REVERSE ? ASE_FORWARD : (enum ase_direction)direction;
     }
     return true;
 }
@@ -281,7 +281,7 @@ static bool read_tags(struct reader *r)
 static bool read_palette(struct reader *r)
 {
     struct ase *a = r->a;
-    const uint32_t size = take32(r), first = take32(r), last = take32(r);
+    const uint32_t size = read32(r), first = read32(r), last = read32(r);
 
     skip(r, 8);
     if (r->past)
@@ -290,30 +290,30 @@ static bool read_palette(struct reader *r)
         return refuse(r, "the Aseprite file has a palette of %lu colours, expected 1 to %d", (unsigned long)size,
                       MAX_PALETTE);
     for (uint32_t i = first; i <= last && !r->past; i++) {
-        const int named = take16(r) & 1;
-        const uint8_t *rgba = take(r, 4);
+        const int named = read16(r) & 1;
+        const uint8_t *rgba = read_bytes(r, 4);
         if (i < 256)
             memcpy(a->palette[i], rgba, 4);
         if (named)
-            skip(r, (size_t)take16(r));
+            skip(r, (size_t)read16(r));
     }
     a->colours = (int)size;
     r->new_palette = true;
     return true;
 }
 
-/* Before version 1.3 a palette is packets: colours to skip, colours to set. */
+/* The palette chunk of old versions consists of packets: a number of colours to skip, then colours to set. */
 static bool read_old_palette(struct reader *r, bool six_bits)
 {
     struct ase *a = r->a;
-    const int packets = take16(r);
+    const int packets = read16(r);
     int at = 0;
 
     for (int p = 0; p < packets && !r->past; p++) {
-        at += take8(r);
-        const int given = take8(r), n = given ? given : 256;
+        at += read8(r);
+        const int count = read8(r), n = count ? count : 256;
         for (int i = 0; i < n; i++, at++) {
-            const uint8_t *rgb = take(r, 3);
+            const uint8_t *rgb = read_bytes(r, 3);
             for (int c = 0; c < 4 && at < 256; c++)
                 a->palette[at][c] = (uint8_t)(c == 3 ? 255 : six_bits ? rgb[c] % 64 * 255 / 63 : rgb[c]);
         }
@@ -326,29 +326,30 @@ static bool read_slice(struct reader *r)
 {
     enum { NINE_PATCH = 1, PIVOT = 2 };
     struct ase *a = r->a;
-    const uint32_t n = take32(r), flags = take32(r);
+    const uint32_t n = read32(r), flags = read32(r);
     char name[ASE_NAME];
 
     skip(r, 4);
-    take_name(r, name);
+    read_name(r, name);
     for (uint32_t i = 0; i < n && !r->past; i++) {
-        struct ase_key *k = a->n_keys < ASE_MAX_LIST ? array_append(&a->keys, (size_t)a->n_keys, sizeof *k) : NULL;
+        struct ase_slice_key *k =
+            a->n_keys < ASE_MAX_LIST ? array_append(&a->keys, (size_t)a->n_keys, sizeof *k) : NULL;
         if (!k)
-            return a->n_keys < ASE_MAX_LIST ? no_memory(r)
+            return a->n_keys < ASE_MAX_LIST ? fail_memory(r)
                                             : refuse(r, "the Aseprite file has more than %d slice keys", ASE_MAX_LIST);
         a->n_keys++;
         memcpy(k->name, name, sizeof name);
         k->slice = r->slices;
-        k->frame = (int)(take32(r) & 0xffff);
-        k->x = (int32_t)take32(r);
-        k->y = (int32_t)take32(r);
-        k->w = (int32_t)(take32(r) & INT32_MAX);
-        k->h = (int32_t)(take32(r) & INT32_MAX);
+        k->frame = (int)(read32(r) & 0xffff);
+        k->x = (int32_t)read32(r);
+        k->y = (int32_t)read32(r);
+        k->w = (int32_t)(read32(r) & INT32_MAX);
+        k->h = (int32_t)(read32(r) & INT32_MAX);
         if (flags & NINE_PATCH)
             skip(r, 16);
-        k->pivoted = flags & PIVOT;
-        k->px = k->pivoted ? (int32_t)take32(r) : 0;
-        k->py = k->pivoted ? (int32_t)take32(r) : 0;
+        k->has_pivot = flags & PIVOT;
+        k->px = k->has_pivot ? (int32_t)read32(r) : 0;
+        k->py = k->has_pivot ? (int32_t)read32(r) : 0;
     }
     r->slices++;
     return true;
@@ -356,7 +357,7 @@ static bool read_slice(struct reader *r)
 
 static bool read_chunk(struct reader *r, int type)
 {
-    const bool first = r->a->n_frames == 1; /* a game has one palette */
+    const bool first = r->a->n_frames == 1; /* the sprite is read with its first palette */
 
     switch (type) {
     case CHUNK_LAYER:
@@ -379,19 +380,19 @@ static bool read_chunk(struct reader *r, int type)
 
 /* ---- frames ---- */
 
-static bool cut_short(struct reader *r)
+static bool fail_truncated(struct reader *r)
 {
     return refuse(r, "truncated Aseprite file");
 }
 
-/* The chunks of a frame, n bytes at p. */
+/* Reads the chunks of a frame, n bytes at p. */
 static bool read_chunks(struct reader *r, const uint8_t *p, size_t n, uint32_t chunks)
 {
     size_t at = 0;
 
     for (uint32_t i = 0; i < chunks; i++) {
         if (n - at < CHUNK_HEADER)
-            return cut_short(r);
+            return fail_truncated(r);
         const uint32_t size = bytes_get32(p + at);
         if (size < CHUNK_HEADER || size > n - at)
             return refuse(r, "damaged Aseprite file: chunk %lu in frame %d has the wrong size", (unsigned long)i + 1,
@@ -417,19 +418,20 @@ static bool read_frames(struct reader *r, const uint8_t *data, size_t n, int fra
 
     for (int f = 0; f < frames; f++) {
         if (n - at < FRAME_HEADER)
-            return cut_short(r);
-        const uint32_t size = bytes_get32(data + at), now = bytes_get32(data + at + 12);
+            return fail_truncated(r);
+        const uint32_t size = bytes_get32(data + at), chunks = bytes_get32(data + at + 12);
         if (bytes_get16(data + at + 4) != FRAME_MAGIC || size < FRAME_HEADER)
             return refuse(r, "damaged Aseprite file: frame %d has no header", f + 1);
         if (size > n - at)
-            return cut_short(r);
+            return fail_truncated(r);
         struct ase_frame *frame = array_append(&a->frames, (size_t)a->n_frames, sizeof *frame);
         if (!frame)
-            return no_memory(r);
+            return fail_memory(r);
         a->n_frames++;
         frame->ms = bytes_get16(data + at + 8);
         frame->first_cel = a->n_cels;
-        if (!read_chunks(r, data + at + FRAME_HEADER, size - FRAME_HEADER, now ? now : bytes_get16(data + at + 6)))
+        if (!read_chunks(r, data + at + FRAME_HEADER, size - FRAME_HEADER,
+                         chunks ? chunks : bytes_get16(data + at + 6)))
             return false;
         at += size;
     }
@@ -444,7 +446,7 @@ static bool read_header(struct reader *r, const uint8_t *p, size_t n, int *frame
     if (n < 6 || bytes_get16(p + 4) != FILE_MAGIC)
         return refuse(r, "not an Aseprite file");
     if (n < FILE_HEADER)
-        return cut_short(r);
+        return fail_truncated(r);
     *frames = bytes_get16(p + 6);
     a->w = bytes_get16(p + 8);
     a->h = bytes_get16(p + 10);
@@ -457,14 +459,14 @@ static bool read_header(struct reader *r, const uint8_t *p, size_t n, int *frame
         return refuse(r, "the Aseprite file has %dx%d pixels, expected 1x1 to %dx%d", a->w, a->h, ASE_MAX_SIDE,
                       ASE_MAX_SIDE);
     a->depth = bits / 8;
-    a->clear = a->depth == 1 ? p[28] : 0;
-    r->opacities = flags & 1;
-    r->groups = flags & 2;
+    a->transparent_index = a->depth == 1 ? p[28] : 0;
+    r->layer_opacity = flags & 1;
+    r->group_opacity = flags & 2;
     return true;
 }
 
-/* Checks frames of tags; blending removes the indices. */
-static bool finish(struct reader *r)
+/* Checks the frames of tags, and finds out whether anything is blended. */
+static bool check_tags(struct reader *r)
 {
     struct ase *a = r->a;
 
@@ -474,7 +476,8 @@ static bool finish(struct reader *r)
                           a->tags[i].from + 1, a->tags[i].to + 1, a->n_frames);
     for (int i = 0; i < a->n_cels; i++) {
         const struct ase_layer *l = &a->layers[a->cels[i].layer];
-        a->mixed = a->mixed || (l->shown && (l->blend != ASE_NORMAL || l->opacity != 255 || a->cels[i].opacity != 255));
+        a->blended =
+            a->blended || (l->visible && (l->blend != ASE_NORMAL || l->opacity != 255 || a->cels[i].opacity != 255));
     }
     return true;
 }
@@ -485,11 +488,11 @@ bool ase_read(struct ase *a, const uint8_t *data, size_t n, ase_inflate *inflate
     int frames = 0;
 
     memset(a, 0, sizeof *a);
-    r.group_shown[0] = true;
-    return read_header(&r, data, n, &frames) && read_frames(&r, data, n, frames) && finish(&r);
+    r.group_visible[0] = true;
+    return read_header(&r, data, n, &frames) && read_frames(&r, data, n, frames) && check_tags(&r);
 }
 
-void ase_close(struct ase *a)
+void ase_free(struct ase *a)
 {
     for (int i = 0; i < a->n_images; i++)
         free(a->images[i].pix);

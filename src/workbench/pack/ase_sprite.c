@@ -21,7 +21,7 @@ static const struct ase_tag *find_tag(const struct ase *a, const char *name)
     return NULL;
 }
 
-/* The tags there are, for a sentence: "fly", "sit". */
+/* Lists the tags for a message: "fly", "sit". */
 static void list_tags(const struct ase *a, char *out, size_t size)
 {
     size_t n = 0;
@@ -34,7 +34,7 @@ static void list_tags(const struct ase *a, char *out, size_t size)
     }
 }
 
-static bool refuse_tag(const struct ase *a, const char *name, char *err, size_t err_size)
+static bool report_unknown_tag(const struct ase *a, const char *name, char *err, size_t err_size)
 {
     char tags[128];
 
@@ -44,59 +44,60 @@ static bool refuse_tag(const struct ase *a, const char *name, char *err, size_t 
     return err_set(err, err_size, "no tag \"%s\"; the file has %s", name, tags);
 }
 
-/* The frames of a tag in the order they play, from 0 on; returns how many there are, of which `most` are written. Back
- * and forth, the ends are not shown twice. */
+/* Writes the frames of a tag, from 0, in the order they are played; at most `most`. Returns how many there are. In
+ * ping-pong tags, the first and the last frame are not repeated. */
 static int play_order(const struct ase_tag *t, uint16_t *out, int most)
 {
     const int n = t->to - t->from + 1;
-    const bool swings = t->way == ASE_PING_PONG || t->way == ASE_PING_PONG_REVERSE;
-    const bool back = t->way == ASE_REVERSE || t->way == ASE_PING_PONG_REVERSE;
-    const int all = swings && n > 2 ? 2 * n - 2 : n;
+    const bool ping_pong = t->direction == ASE_PING_PONG || t->direction == ASE_PING_PONG_REVERSE;
+    const bool reverse = t->direction == ASE_REVERSE || t->direction == ASE_PING_PONG_REVERSE;
+    const int all = ping_pong && n > 2 ? 2 * n - 2 : n;
 
     for (int i = 0; i < all && i < most; i++) {
         const int at = i < n ? i : 2 * n - 2 - i;
-        out[i] = (uint16_t)(back ? t->to - at : t->from + at);
+        out[i] = (uint16_t)(reverse ? t->to - at : t->from + at);
     }
     return all;
 }
 
-static int ticks_of(const struct ase *a, int frame)
+static int duration_ticks(const struct ase *a, int frame)
 {
     const int ticks = (a->frames[frame].ms * TICKS + SECOND / 2) / SECOND;
 
     return ticks < 1 ? 1 : ticks;
 }
 
-static int common_divisor(int a, int b)
+static int gcd(int a, int b)
 {
     while (b) {
-        int rest = a % b;
+        int remainder = a % b;
         a = b;
-        b = rest;
+        b = remainder;
     }
     return a;
 }
 
-/* Repeats frames for as many common parts of time as they stand. `order` has n and room for CART_MAX_FRAMES. */
-static bool spread(const struct ase *a, uint16_t *order, int *n, int32_t *every, char *err, size_t err_size)
+/* Repeats frames so that all have the same duration, the greatest common divisor. order: n frames, and capacity for
+ * CART_MAX_FRAMES. */
+static bool repeat_frames(const struct ase *a, uint16_t *order, int *n, int32_t *every, char *err, size_t err_size)
 {
-    uint16_t shown[CART_MAX_FRAMES];
-    int part = 0, all = 0;
+    uint16_t repeated[CART_MAX_FRAMES];
+    int unit = 0, all = 0;
 
     for (int i = 0; i < *n; i++)
-        part = common_divisor(ticks_of(a, order[i]), part);
+        unit = gcd(duration_ticks(a, order[i]), unit);
     for (int i = 0; i < *n; i++)
-        for (int k = ticks_of(a, order[i]) / part; k > 0; k--, all++)
+        for (int k = duration_ticks(a, order[i]) / unit; k > 0; k--, all++)
             if (all < CART_MAX_FRAMES)
-                shown[all] = order[i];
+                repeated[all] = order[i];
     if (all > CART_MAX_FRAMES)
         return err_set(err, err_size,
                        "its frames have different durations and need %d pictures, expected at most %d (set `every` in "
                        "rom.lua to give every frame the same duration)",
                        all, CART_MAX_FRAMES);
-    memcpy(order, shown, (size_t)all * sizeof *shown);
+    memcpy(order, repeated, (size_t)all * sizeof *repeated);
     *n = all;
-    *every = part;
+    *every = unit;
     return true;
 }
 
@@ -106,12 +107,12 @@ static bool choose_frames(const struct ase *a, struct ase_sprite *s, char *err, 
     const struct ase_tag *tag = s->sprite.tag[0] ? find_tag(a, s->sprite.tag) : &all;
 
     if (!tag)
-        return refuse_tag(a, s->sprite.tag, err, err_size);
+        return report_unknown_tag(a, s->sprite.tag, err, err_size);
     int n = play_order(tag, s->frames, CART_MAX_FRAMES);
     if (n > CART_MAX_FRAMES)
         return err_set(err, err_size, "%d frames, expected at most %d (choose some with tag = \"NAME\")", n,
                        CART_MAX_FRAMES);
-    if (s->sprite.frame_ticks == 0 && !spread(a, s->frames, &n, &s->sprite.frame_ticks, err, err_size))
+    if (s->sprite.frame_ticks == 0 && !repeat_frames(a, s->frames, &n, &s->sprite.frame_ticks, err, err_size))
         return false;
     s->sprite.frames = n;
     return true;
@@ -119,9 +120,9 @@ static bool choose_frames(const struct ase *a, struct ase_sprite *s, char *err, 
 
 /* ---- pixels ---- */
 
-/* Copies the sprite's rectangle of a canvas, `size` bytes a pixel, to its place in the strip. */
-static void cut(const struct ase *a, const struct art_sprite *asked, const uint8_t *canvas, uint8_t *strip, int frame,
-                int frames, size_t size)
+/* Copies the sprite's rectangle of a canvas, `size` bytes per pixel, to the strip. */
+static void copy_frame(const struct ase *a, const struct art_sprite *asked, const uint8_t *canvas, uint8_t *strip,
+                       int frame, int frames, size_t size)
 {
     const size_t row = (size_t)asked->w * size;
 
@@ -130,7 +131,7 @@ static void cut(const struct ase *a, const struct art_sprite *asked, const uint8
                canvas + ((size_t)(asked->y + y) * (size_t)a->w + (size_t)asked->x) * size, row);
 }
 
-/* All frames; rgba and index are of one, to work in. at: the sprite's rectangle. */
+/* Fills in all frames. rgba, index: buffers for a merged frame. at: the sprite's rectangle. */
 static bool fill_strip(const struct ase *a, const struct art_sprite *at, struct ase_sprite *s, uint8_t *rgba,
                        uint8_t *index, char *err, size_t err_size)
 {
@@ -141,9 +142,9 @@ static bool fill_strip(const struct ase *a, const struct art_sprite *at, struct 
         if ((i == 0 || s->frames[i] != s->frames[i - 1]) &&
             !ase_merge(a, s->frames[i], rgba, s->picture.index ? index : NULL, why, sizeof why))
             return err_set(err, err_size, "frame %d: %s", s->frames[i] + 1, why);
-        cut(a, at, rgba, s->picture.rgba, i, n, 4);
+        copy_frame(a, at, rgba, s->picture.rgba, i, n, 4);
         if (s->picture.index)
-            cut(a, at, index, s->picture.index, i, n, 1);
+            copy_frame(a, at, index, s->picture.index, i, n, 1);
     }
     return true;
 }
@@ -158,16 +159,16 @@ static bool make_strip(const struct ase *a, const struct art_sprite *at, bool by
         return err_set(err, err_size, "its %d frames of %dx%d pixels are too large", (int)s->sprite.frames, (int)at->w,
                        (int)at->h);
     s->picture = (struct art_picture){ .rgba = malloc(all * 4), .w = at->w * s->sprite.frames, .h = at->h };
-    s->picture.index = a->depth == 1 && !a->mixed ? malloc(all) : NULL;
+    s->picture.index = a->depth == 1 && !a->blended ? malloc(all) : NULL;
     s->picture.by_index = by_index;
     s->picture.cell = at->w;
-    uint8_t *work = malloc(canvas * 5);
-    bool good = s->picture.rgba && work && (s->picture.index || a->depth != 1 || a->mixed);
+    uint8_t *buffer = malloc(canvas * 5);
+    bool good = s->picture.rgba && buffer && (s->picture.index || a->depth != 1 || a->blended);
     if (good)
-        good = fill_strip(a, at, s, work, work + canvas * 4, err, err_size);
+        good = fill_strip(a, at, s, buffer, buffer + canvas * 4, err, err_size);
     else
         result_set_host_error(err, err_size, "out of memory");
-    free(work);
+    free(buffer);
     if (!good)
         art_picture_free(&s->picture);
     return good;
@@ -177,13 +178,13 @@ static bool check_index(const struct ase *a, char *err, size_t err_size)
 {
     if (a->depth != 1)
         return err_set(err, err_size, "match = \"index\" needs indexed colour; this sprite is RGB or greyscale");
-    return !a->mixed || err_set(err, err_size, "match = \"index\" needs opaque layers in normal mode");
+    return !a->blended || err_set(err, err_size, "match = \"index\" needs opaque layers in normal mode");
 }
 
 /* ---- slices ---- */
 
-/* Is the first word of the name that one? */
-static bool is_named(const char *name, const char *word)
+/* Returns whether `word` is the first word of the name. */
+static bool starts_with_word(const char *name, const char *word)
 {
     const size_t n = strlen(word);
     const char next = strncmp(name, word, n) == 0 ? name[n] : 'x';
@@ -191,10 +192,11 @@ static bool is_named(const char *name, const char *word)
     return !((next >= 'a' && next <= 'z') || (next >= 'A' && next <= 'Z'));
 }
 
-/* The slice as it is in that frame; NULL: it is not there. *i is its first key, and is moved behind its last. */
-static const struct ase_key *slice_in(const struct ase *a, int *i, int frame)
+/* Returns the key of a slice that is in effect in the frame; NULL: the slice is not in the frame. *i is the slice's
+ * first key, and is advanced past the last one. */
+static const struct ase_slice_key *key_at_frame(const struct ase *a, int *i, int frame)
 {
-    const struct ase_key *found = NULL;
+    const struct ase_slice_key *found = NULL;
     const int slice = a->keys[*i].slice;
 
     for (; *i < a->n_keys && a->keys[*i].slice == slice; ++*i)
@@ -203,7 +205,7 @@ static const struct ase_key *slice_in(const struct ase *a, int *i, int frame)
     return found && found->w > 0 && found->h > 0 ? found : NULL;
 }
 
-static bool near_canvas(const struct ase_key *k)
+static bool is_near_canvas(const struct ase_slice_key *k)
 {
     const int32_t most = ASE_MAX_SIDE;
 
@@ -211,30 +213,29 @@ static bool near_canvas(const struct ase_key *k)
            k->px >= -most && k->px <= most && k->py >= -most && k->py <= most;
 }
 
-/* The origin from the first pivot there is, in px of the sprite. */
+/* Sets the origin from the first pivot of a slice, in px of the sprite. */
 static void find_origin(const struct ase *a, struct ase_sprite *s, const struct art_sprite *at)
 {
     s->sprite.ox = at->w / 2;
     s->sprite.oy = at->h / 2;
     for (int i = 0; i < a->n_keys;) {
-        const struct ase_key *k = slice_in(a, &i, s->frames[0]);
-        if (!k || !k->pivoted || !near_canvas(k))
+        const struct ase_slice_key *k = key_at_frame(a, &i, s->frames[0]);
+        if (!k || !k->has_pivot || !is_near_canvas(k))
             continue;
         s->sprite.ox = k->x + k->px - at->x;
         s->sprite.oy = k->y + k->py - at->y;
-        s->sprite.has_origin = s->sprite.ox != at->w / 2 || s->sprite.oy != at->h / 2; /* else the very middle */
+        s->sprite.has_origin = s->sprite.ox != at->w / 2 || s->sprite.oy != at->h / 2; /* otherwise the exact centre */
         return;
     }
 }
 
-/* Half pixels from a side's edge to the point that is the thing's place, as in art.c: the middle of the origin's pixel,
- * or of the whole side. */
-static int place_of(int origin, int side)
+/* Returns the distance of the origin from the edge in half pixels, as `pivot` in art.c. */
+static int origin_half_px(int origin, int side)
 {
     return origin == side / 2 ? side : 2 * origin + 1;
 }
 
-/* A length, or place, in half px at the size that rom.lua asks for, in fx; false: nothing can be so large. */
+/* Converts half pixels to fx, scaled by the percentage in rom.lua. False: too large. */
 static bool scale(int64_t half, int percent, int32_t *out)
 {
     const int64_t to = half * HALF * percent, px = (to + (to < 0 ? -50 : 50)) / 100, most = (int64_t)MAX_SPEED << 16;
@@ -243,12 +244,12 @@ static bool scale(int64_t half, int percent, int32_t *out)
     return *out == px;
 }
 
-static bool add_shape(struct ase_sprite *s, const struct ase_key *k, uint32_t shape, const struct art_sprite *at,
+static bool add_shape(struct ase_sprite *s, const struct ase_slice_key *k, uint32_t shape, const struct art_sprite *at,
                       char *err, size_t err_size)
 {
-    const int64_t dx = 2 * ((int64_t)k->x - at->x) + k->w - place_of(s->sprite.ox, at->w);
-    const int64_t dy = 2 * ((int64_t)k->y - at->y) + k->h - place_of(s->sprite.oy, at->h);
-    const int32_t small = k->w < k->h ? k->w : k->h;
+    const int64_t dx = 2 * ((int64_t)k->x - at->x) + k->w - origin_half_px(s->sprite.ox, at->w);
+    const int64_t dy = 2 * ((int64_t)k->y - at->y) + k->h - origin_half_px(s->sprite.oy, at->h);
+    const int32_t short_side = k->w < k->h ? k->w : k->h;
     struct cart_hitbox *h = &s->hit;
     const uint32_t i = h->rows;
 
@@ -265,26 +266,27 @@ static bool add_shape(struct ase_sprite *s, const struct ase_key *k, uint32_t sh
     h->shape = shape;
     h->rows = i + 1;
     const int percent = s->sprite.scale_percent;
-    bool good = scale(shape == SHAPE_BOX ? k->w : small, percent, &h->row[i].a);
+    bool good = scale(shape == SHAPE_BOX ? k->w : short_side, percent, &h->row[i].a);
     if (shape == SHAPE_BOX)
         good = scale(k->h, percent, &h->row[i].b) && good;
     else
-        good = scale(shape == SHAPE_CIRCLES ? dx : k->w - small, percent, &h->row[i].x) &&
-               scale(shape == SHAPE_CIRCLES ? dy : k->h - small, percent, &h->row[i].y) && good;
+        good = scale(shape == SHAPE_CIRCLES ? dx : k->w - short_side, percent, &h->row[i].x) &&
+               scale(shape == SHAPE_CIRCLES ? dy : k->h - short_side, percent, &h->row[i].y) && good;
     return good || err_set(err, err_size, "slice \"%s\" is far outside the picture", k->name);
 }
 
-static bool find_hit(const struct ase *a, struct ase_sprite *s, const struct art_sprite *at, char *err, size_t err_size)
+static bool find_hitbox(const struct ase *a, struct ase_sprite *s, const struct art_sprite *at, char *err,
+                        size_t err_size)
 {
     static const struct {
         const char *word;
         uint32_t shape;
-    } words[] = { { "hit", SHAPE_CIRCLES }, { "box", SHAPE_BOX }, { "capsule", SHAPE_CAPSULE } };
+    } slices[] = { { "hit", SHAPE_CIRCLES }, { "box", SHAPE_BOX }, { "capsule", SHAPE_CAPSULE } };
 
     for (int i = 0; i < a->n_keys;) {
-        const struct ase_key *k = slice_in(a, &i, s->frames[0]);
+        const struct ase_slice_key *k = key_at_frame(a, &i, s->frames[0]);
         for (int w = 0; k && w < 3; w++)
-            if (is_named(k->name, words[w].word) && !add_shape(s, k, words[w].shape, at, err, err_size))
+            if (starts_with_word(k->name, slices[w].word) && !add_shape(s, k, slices[w].shape, at, err, err_size))
                 return false;
     }
     if (s->hit.rows == 1 && s->hit.shape == SHAPE_CIRCLES && s->hit.row[0].x == 0 && s->hit.row[0].y == 0)
@@ -301,7 +303,7 @@ bool ase_make_sprite(const struct ase *a, const struct art_sprite *asked, bool b
     out->sprite = *asked;
     at.w = asked->w ? asked->w : a->w - asked->x;
     at.h = asked->h ? asked->h : a->h - asked->y;
-    at.w = at.w < 1 ? 1 : at.w; /* a place outside of the canvas is told as such */
+    at.w = at.w < 1 ? 1 : at.w; /* so that the next check reports an origin outside the canvas */
     at.h = at.h < 1 ? 1 : at.h;
     if (at.x + at.w > a->w || at.y + at.h > a->h)
         return err_set(err, err_size, "%dx%d at %d,%d is outside the canvas of %dx%d pixels", (int)at.w, (int)at.h,
@@ -313,10 +315,10 @@ bool ase_make_sprite(const struct ase *a, const struct art_sprite *asked, bool b
         return false;
     if (!asked->has_origin)
         find_origin(a, out, &at);
-    if (!find_hit(a, out, &at, err, err_size) || !make_strip(a, &at, by_index, out, err, err_size))
+    if (!find_hitbox(a, out, &at, err, err_size) || !make_strip(a, &at, by_index, out, err, err_size))
         return false;
     for (int i = 0; i < out->sprite.frames; i++)
-        out->frames[i]++; /* as people count */
+        out->frames[i]++; /* counted from 1 in messages */
     out->picture.frames = out->frames;
     out->sprite.x = out->sprite.y = 0;
     out->sprite.w = at.w;

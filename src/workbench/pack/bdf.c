@@ -1,5 +1,5 @@
 /*
- * bdf.c - see bdf.h. A line is a word and numbers; words that don't concern the pictures are skipped.
+ * bdf.c - see bdf.h. A line is a keyword and numbers; lines that don't affect the glyphs are skipped.
  */
 #include "bdf.h"
 
@@ -14,17 +14,17 @@
 
 enum { LINE = 1024, NUMBERS = 4, NAME = 80 };
 
-/* A character set: ASCII below `first`, then these characters; U+FFFD is none. */
+/* A character set: ASCII below `first`, then these characters, where U+FFFD means none. */
 struct charset {
     const char *name;
     uint32_t first;
-    const char *letters; /* NULL: as Unicode, up to `first` */
+    const char *letters; /* NULL: the same as Unicode below `first` */
 };
 
 static const struct charset charsets[] = {
     { "ISO10646", UTF8_MAX_CODE + 1, NULL },
     { "ISO10646-1", UTF8_MAX_CODE + 1, NULL },
-    { "FONTSPECIFIC", UTF8_MAX_CODE + 1, NULL }, /* its own numbers, or names that give the code */
+    { "FONTSPECIFIC", UTF8_MAX_CODE + 1, NULL }, /* its own numbers, or names that contain the code point */
     { "ISO8859-1", 0x100, NULL },
     { "US-ASCII", 0x80, NULL },
     { "ASCII", 0x80, NULL },
@@ -60,28 +60,28 @@ static const struct charset charsets[] = {
 };
 
 struct reader {
-    struct faces *f;
-    const struct faces_set *wanted;
+    struct pack_font *f;
+    const struct pack_font_chars *wanted;
     const char *p, *end;
-    char line[LINE]; /* its first bytes */
-    int at;          /* number of the line */
+    char line[LINE]; /* truncated */
+    int line_number;
     char *err;
     size_t err_size;
-    char registry[NAME], encoding[NAME], font[NAME]; /* upper case; font: both, of the font's name */
+    char registry[NAME], encoding[NAME], font[NAME]; /* upper case; font: both, from the FONT line */
     int charset_line;
     const struct charset *charset;
     int bits; /* of a pixel */
     bool has_ascent, has_descent, has_box, has_advance;
-    int ascent, descent, advance; /* advance: of characters that give none */
+    int ascent, descent, advance; /* advance: of characters without DWIDTH */
     int64_t box[NUMBERS];         /* FONTBOUNDINGBOX */
 };
 
-/* A character while it is read. */
-struct letter {
-    bool encoded, boxed, drawn;
+/* The character that is being read. */
+struct character {
+    bool has_encoding, has_box, has_bitmap;
     bool has_advance;
-    int64_t code;                  /* of Unicode, or -1 */
-    int advance, rise, w, h, x, y; /* x, y: of the lower left corner, y up, from the baseline */
+    int64_t code;                       /* Unicode, or -1 */
+    int advance, advance_y, w, h, x, y; /* x, y: lower left corner, y upwards from the baseline */
 };
 
 static bool refuse(const struct reader *r, const char *format, ...) __attribute__((format(printf, 2, 3)));
@@ -89,7 +89,7 @@ static bool refuse(const struct reader *r, const char *format, ...) __attribute_
 static bool refuse(const struct reader *r, const char *format, ...)
 {
     va_list args;
-    int n = snprintf(r->err, r->err_size, "line %d: ", r->at);
+    int n = snprintf(r->err, r->err_size, "line %d: ", r->line_number);
 
     va_start(args, format);
     if (n > 0 && (size_t)n < r->err_size)
@@ -99,14 +99,14 @@ static bool refuse(const struct reader *r, const char *format, ...)
 }
 
 /* Reads the next line; false: the end. */
-static bool next(struct reader *r)
+static bool next_line(struct reader *r)
 {
     if (r->p == r->end)
         return false;
     const char *newline = memchr(r->p, '\n', (size_t)(r->end - r->p)), *stop = newline != NULL ? newline : r->end;
     size_t n = (size_t)(stop - r->p);
 
-    r->at++;
+    r->line_number++;
     n = n < LINE ? n : LINE - 1;
     for (size_t i = 0; i < n; i++)
         r->line[i] = r->p[i] == '\0' ? '?' : r->p[i];
@@ -117,8 +117,8 @@ static bool next(struct reader *r)
     return true;
 }
 
-/* The rest of the line after its first word, if that is `word`; otherwise NULL. */
-static const char *behind(const struct reader *r, const char *word)
+/* Returns the rest of the line if its keyword is `word`; otherwise NULL. */
+static const char *after_keyword(const struct reader *r, const char *word)
 {
     size_t n = strlen(word);
 
@@ -127,8 +127,8 @@ static const char *behind(const struct reader *r, const char *word)
     return r->line + n + strspn(r->line + n, " \t");
 }
 
-/* Reads n whole numbers from lo to hi. */
-static bool numbers(const struct reader *r, const char *s, int n, int64_t lo, int64_t hi, int64_t out[NUMBERS])
+/* Parses n integers from lo to hi. */
+static bool parse_numbers(const struct reader *r, const char *s, int n, int64_t lo, int64_t hi, int64_t out[NUMBERS])
 {
     for (int i = 0; i < n; i++) {
         char *stop;
@@ -143,10 +143,10 @@ static bool numbers(const struct reader *r, const char *s, int n, int64_t lo, in
     return true;
 }
 
-/* ---- the head ---- */
+/* ---- the header ---- */
 
-/* A property's text in upper case, without quotes. */
-static void take_name(const char *from, char out[NAME])
+/* Copies a property's text in upper case, without quotes. */
+static void copy_property(const char *from, char out[NAME])
 {
     size_t n = 0;
 
@@ -157,13 +157,13 @@ static void take_name(const char *from, char out[NAME])
 }
 
 /* Registry and encoding are at the end of an X logical font description, "-misc-fixed-...-iso8859-2". */
-static void take_font(struct reader *r, const char *name)
+static void parse_font_name(struct reader *r, const char *name)
 {
     int dashes = 0;
 
     for (const char *s = name; *s != '\0' && *name == '-'; s++)
         if (*s == '-' && ++dashes == 13)
-            take_name(s + 1, r->font);
+            copy_property(s + 1, r->font);
 }
 
 /* Finds the character set of the font's numbers. The default is Unicode. */
@@ -172,19 +172,19 @@ static bool find_charset(struct reader *r)
     char name[2 * NAME + 1];
 
     snprintf(name, sizeof name, "%s%s%s", r->registry, r->encoding[0] != '\0' ? "-" : "", r->encoding);
-    const char *said = r->registry[0] != '\0' || r->encoding[0] != '\0' ? name : r->font;
-    const char *tail = strstr(said, "FONTSPECIFIC") != NULL ? "FONTSPECIFIC" : said;
+    const char *charset = r->registry[0] != '\0' || r->encoding[0] != '\0' ? name : r->font;
+    const char *key = strstr(charset, "FONTSPECIFIC") != NULL ? "FONTSPECIFIC" : charset;
     r->charset = &charsets[0];
-    for (size_t i = 0; said[0] != '\0'; i++) {
+    for (size_t i = 0; charset[0] != '\0'; i++) {
         if (i == sizeof charsets / sizeof *charsets) {
-            r->at = r->charset_line;
+            r->line_number = r->charset_line;
             return refuse(r,
                           "unsupported character set %.60s; expected ISO10646-1 (Unicode), US-ASCII, KOI8-R, "
                           "FontSpecific, or ISO8859-1 to 5, 7, 9, 10, 13 to 16",
-                          said);
+                          charset);
         }
         r->charset = &charsets[i];
-        if (strcmp(tail, charsets[i].name) == 0)
+        if (strcmp(key, charsets[i].name) == 0)
             break;
     }
     return true;
@@ -200,7 +200,7 @@ static bool read_bits(struct reader *r, int64_t bits)
     return true;
 }
 
-/* SIZE points x y, and in greyscale fonts the bits per pixel. */
+/* Parses SIZE: points, x, y, and in greyscale fonts bits per pixel. */
 static bool read_size(struct reader *r, const char *s)
 {
     int64_t v[NUMBERS];
@@ -209,61 +209,61 @@ static bool read_size(struct reader *r, const char *s)
         s += strcspn(s, " \t");
         s += strspn(s, " \t");
     }
-    return *s == '\0' || (numbers(r, s, 1, 0, 64, v) && read_bits(r, v[0]));
+    return *s == '\0' || (parse_numbers(r, s, 1, 0, 64, v) && read_bits(r, v[0]));
 }
 
-/* A metric of the font: FONT_ASCENT and the like. */
+/* Parses a metric of the font, such as FONT_ASCENT. */
 static bool read_metric(const struct reader *r, const char *s, bool *has, int *out)
 {
     int64_t v[NUMBERS];
 
-    if (!numbers(r, s, 1, -32768, 32767, v))
+    if (!parse_numbers(r, s, 1, -32768, 32767, v))
         return false;
     *has = true;
     *out = (int)v[0];
     return true;
 }
 
-static bool read_head(struct reader *r)
+static bool read_header_line(struct reader *r)
 {
     const char *s;
     int64_t v[NUMBERS];
 
-    if ((s = behind(r, "CHARSET_REGISTRY")) != NULL || (s = behind(r, "CHARSET_ENCODING")) != NULL) {
-        take_name(s, r->line[8] == 'R' ? r->registry : r->encoding);
-        r->charset_line = r->at;
-    } else if ((s = behind(r, "FONT")) != NULL && r->font[0] == '\0') {
-        take_font(r, s);
-        r->charset_line = r->charset_line > 0 ? r->charset_line : r->at;
-    } else if ((s = behind(r, "FONT_ASCENT")) != NULL) {
+    if ((s = after_keyword(r, "CHARSET_REGISTRY")) != NULL || (s = after_keyword(r, "CHARSET_ENCODING")) != NULL) {
+        copy_property(s, r->line[8] == 'R' ? r->registry : r->encoding);
+        r->charset_line = r->line_number;
+    } else if ((s = after_keyword(r, "FONT")) != NULL && r->font[0] == '\0') {
+        parse_font_name(r, s);
+        r->charset_line = r->charset_line > 0 ? r->charset_line : r->line_number;
+    } else if ((s = after_keyword(r, "FONT_ASCENT")) != NULL) {
         return read_metric(r, s, &r->has_ascent, &r->ascent);
-    } else if ((s = behind(r, "FONT_DESCENT")) != NULL) {
+    } else if ((s = after_keyword(r, "FONT_DESCENT")) != NULL) {
         return read_metric(r, s, &r->has_descent, &r->descent);
-    } else if ((s = behind(r, "DWIDTH")) != NULL) {
+    } else if ((s = after_keyword(r, "DWIDTH")) != NULL) {
         return read_metric(r, s, &r->has_advance, &r->advance);
-    } else if ((s = behind(r, "FONTBOUNDINGBOX")) != NULL) {
+    } else if ((s = after_keyword(r, "FONTBOUNDINGBOX")) != NULL) {
         r->has_box = true;
-        return numbers(r, s, 4, -32768, 32767, r->box);
-    } else if ((s = behind(r, "SIZE")) != NULL) {
+        return parse_numbers(r, s, 4, -32768, 32767, r->box);
+    } else if ((s = after_keyword(r, "SIZE")) != NULL) {
         return read_size(r, s);
-    } else if ((s = behind(r, "BITS_PER_PIXEL")) != NULL) {
-        return numbers(r, s, 1, 0, 64, v) && read_bits(r, v[0]);
-    } else if ((s = behind(r, "METRICSSET")) != NULL) {
-        return numbers(r, s, 1, 0, 2, v) && (v[0] != 1 || refuse(r, "vertical fonts are not supported"));
+    } else if ((s = after_keyword(r, "BITS_PER_PIXEL")) != NULL) {
+        return parse_numbers(r, s, 1, 0, 64, v) && read_bits(r, v[0]);
+    } else if ((s = after_keyword(r, "METRICSSET")) != NULL) {
+        return parse_numbers(r, s, 1, 0, 2, v) && (v[0] != 1 || refuse(r, "vertical fonts are not supported"));
     }
     return true;
 }
 
 /* Completes the header before the first character. */
-static bool begin(struct reader *r)
+static bool finish_header(struct reader *r)
 {
-    const bool none = r->has_ascent && r->has_descent && r->ascent == 0 && r->descent == 0;
+    const bool zero_metrics = r->has_ascent && r->has_descent && r->ascent == 0 && r->descent == 0;
 
     if (!r->has_box && !(r->has_ascent && r->has_descent))
         return refuse(r, "the header has no %s and no FONTBOUNDINGBOX", r->has_ascent ? "FONT_DESCENT" : "FONT_ASCENT");
-    if (r->has_box && (none || !r->has_ascent))
+    if (r->has_box && (zero_metrics || !r->has_ascent))
         r->ascent = (int)(r->box[1] + r->box[3]);
-    if (r->has_box && (none || !r->has_descent))
+    if (r->has_box && (zero_metrics || !r->has_descent))
         r->descent = (int)-r->box[3];
     r->f->height = r->ascent + r->descent;
     if (r->f->height < 1 || r->f->height > FACE_MAX_HEIGHT)
@@ -274,8 +274,8 @@ static bool begin(struct reader *r)
 
 /* ---- characters ---- */
 
-/* The code point of a number of the font; -1: none. */
-static int64_t code_of(const struct charset *set, int64_t number)
+/* Returns the code point of a number in a character set; -1: none. */
+static int64_t code_point(const struct charset *set, int64_t number)
 {
     if (number < 0 || (uint64_t)number < set->first)
         return number;
@@ -288,27 +288,27 @@ static int64_t code_of(const struct charset *set, int64_t number)
     return code != 0xfffd ? (int64_t)code : -1;
 }
 
-/* The code point in a character's name: "uni20AC", "u1F600", "U+20AC"; -1: none. */
-static int64_t code_of_name(const char *name)
+/* Returns the code point in a character's name ("uni20AC", "u1F600", "U+20AC"); -1: none. */
+static int64_t code_from_name(const char *name)
 {
-    const size_t head = strncmp(name, "uni", 3) == 0 ? 3 : strncmp(name, "U+", 2) == 0 ? 2 : *name == 'u' ? 1 : 0;
+    const size_t prefix = strncmp(name, "uni", 3) == 0 ? 3 : strncmp(name, "U+", 2) == 0 ? 2 : *name == 'u' ? 1 : 0;
     size_t n = 0;
     int64_t code = 0;
 
-    for (; cursor_hex_value(name[head + n]) >= 0 && n < 7; n++)
-        code = code * 16 + cursor_hex_value(name[head + n]);
-    return head > 0 && n >= 4 && n <= 6 && name[head + n] == '\0' && code <= UTF8_MAX_CODE ? code : -1;
+    for (; cursor_hex_value(name[prefix + n]) >= 0 && n < 7; n++)
+        code = code * 16 + cursor_hex_value(name[prefix + n]);
+    return prefix > 0 && n >= 4 && n <= 6 && name[prefix + n] == '\0' && code <= UTF8_MAX_CODE ? code : -1;
 }
 
-/* Reads a row of hexadecimal digits into w shades; NULL: skips it. */
+/* Reads a row of hexadecimal digits as w shades. out NULL: skips the row. */
 static bool read_row(struct reader *r, int w, uint8_t *out)
 {
-    const int digits = (w * r->bits + 7) / 8 * 2, most = (1 << r->bits) - 1;
+    const int digits = (w * r->bits + 7) / 8 * 2, max = (1 << r->bits) - 1;
 
     do
-        if (!next(r))
+        if (!next_line(r))
             return refuse(r, "the file ends inside a BITMAP");
-    while (behind(r, "COMMENT") != NULL);
+    while (after_keyword(r, "COMMENT") != NULL);
     const char *s = r->line + strspn(r->line, " \t");
     for (int i = 0; i < digits && i < LINE - 64; i++)
         if (cursor_hex_value(s[i]) < 0)
@@ -316,39 +316,39 @@ static bool read_row(struct reader *r, int w, uint8_t *out)
     for (int x = 0; out != NULL && x < w; x++) {
         const int bit = x * r->bits,
                   byte = cursor_hex_value(s[bit / 8 * 2]) << 4 | cursor_hex_value(s[bit / 8 * 2 + 1]);
-        out[x] = (uint8_t)(((byte >> (8 - r->bits - bit % 8) & most) * 15 + most / 2) / most);
+        out[x] = (uint8_t)(((byte >> (8 - r->bits - bit % 8) & max) * 15 + max / 2) / max);
     }
     return true;
 }
 
-static bool fits(int v, int lo, int hi)
+static bool in_range(int v, int lo, int hi)
 {
     return v >= lo && v <= hi;
 }
 
 /* Checks a wanted character. */
-static bool check_letter(const struct reader *r, const struct letter *l, const struct faces_glyph *g)
+static bool check_character(const struct reader *r, const struct character *l, const struct pack_font_glyph *g)
 {
     if (!l->has_advance)
         return refuse(r, "U+%04X has no DWIDTH, and the header has none", (unsigned)l->code);
-    if (l->rise != 0 || l->advance < 0 || l->advance > FACE_MAX_HEIGHT)
+    if (l->advance_y != 0 || l->advance < 0 || l->advance > FACE_MAX_HEIGHT)
         return refuse(r, "U+%04X: DWIDTH %d %d; expected a width of 0 to %d and a height of 0", (unsigned)l->code,
-                      l->advance, l->rise, FACE_MAX_HEIGHT);
+                      l->advance, l->advance_y, FACE_MAX_HEIGHT);
     if (l->w > FACE_MAX_SIDE || l->h > FACE_MAX_SIDE)
         return refuse(r, "character of %dx%d px; expected at most %d in each direction", l->w, l->h, FACE_MAX_SIDE);
-    if (!fits(g->x, -128, 127) || !fits(g->y, -128, 127))
+    if (!in_range(g->x, -128, 127) || !in_range(g->y, -128, 127))
         return refuse(r, "U+%04X is too far from the baseline", (unsigned)l->code);
     return true;
 }
 
-static bool read_bitmap(struct reader *r, const struct letter *l)
+static bool read_bitmap(struct reader *r, const struct character *l)
 {
-    struct faces_glyph g = { .w = l->w, .h = l->h, .x = l->x, .y = r->ascent - l->y - l->h, .advance = l->advance };
-    const bool wanted = l->encoded && l->code >= 0 && faces_has(r->wanted, (uint32_t)l->code);
+    struct pack_font_glyph g = { .w = l->w, .h = l->h, .x = l->x, .y = r->ascent - l->y - l->h, .advance = l->advance };
+    const bool wanted = l->has_encoding && l->code >= 0 && pack_font_has(r->wanted, (uint32_t)l->code);
 
-    if (!l->boxed || !l->encoded)
+    if (!l->has_box || !l->has_encoding)
         return refuse(r, "BITMAP needs ENCODING and BBX before it");
-    if (wanted && !check_letter(r, l, &g))
+    if (wanted && !check_character(r, l, &g))
         return false;
     g.code = (uint32_t)l->code;
     g.pix = wanted ? calloc((size_t)g.w + 1, (size_t)g.h + 1) : NULL;
@@ -361,60 +361,60 @@ static bool read_bitmap(struct reader *r, const struct letter *l)
         }
     if (!wanted)
         return true;
-    return faces_put(r->f, g) ? true : result_set_host_error(r->err, r->err_size, "out of memory");
+    return pack_font_add_glyph(r->f, g) ? true : result_set_host_error(r->err, r->err_size, "out of memory");
 }
 
-static bool read_advance(const struct reader *r, const char *s, struct letter *l)
+static bool read_advance(const struct reader *r, const char *s, struct character *l)
 {
     const char *second = s + strcspn(s, " \t");
     int64_t v[NUMBERS] = { 0 };
 
-    if (!numbers(r, s, second[strspn(second, " \t")] != '\0' ? 2 : 1, -32768, 32767, v))
+    if (!parse_numbers(r, s, second[strspn(second, " \t")] != '\0' ? 2 : 1, -32768, 32767, v))
         return false;
     l->has_advance = true;
     l->advance = (int)v[0];
-    l->rise = (int)v[1];
+    l->advance_y = (int)v[1];
     return true;
 }
 
-/* A line between STARTCHAR and ENDCHAR. */
-static bool read_letter_line(struct reader *r, struct letter *l, int64_t named)
+/* Reads a line between STARTCHAR and ENDCHAR. */
+static bool read_character_line(struct reader *r, struct character *l, int64_t named)
 {
     const char *s;
     int64_t v[NUMBERS];
 
-    if ((s = behind(r, "ENCODING")) != NULL) {
-        if (!numbers(r, s, 1, -1, UTF8_MAX_CODE, v))
+    if ((s = after_keyword(r, "ENCODING")) != NULL) {
+        if (!parse_numbers(r, s, 1, -1, UTF8_MAX_CODE, v))
             return false;
-        l->encoded = true;
-        l->code = strcmp(r->charset->name, "FONTSPECIFIC") == 0 && named >= 0 ? named : code_of(r->charset, v[0]);
-    } else if ((s = behind(r, "DWIDTH")) != NULL) {
+        l->has_encoding = true;
+        l->code = strcmp(r->charset->name, "FONTSPECIFIC") == 0 && named >= 0 ? named : code_point(r->charset, v[0]);
+    } else if ((s = after_keyword(r, "DWIDTH")) != NULL) {
         return read_advance(r, s, l);
-    } else if ((s = behind(r, "BBX")) != NULL) {
-        if (!numbers(r, s, 4, -32768, 32767, v))
+    } else if ((s = after_keyword(r, "BBX")) != NULL) {
+        if (!parse_numbers(r, s, 4, -32768, 32767, v))
             return false;
         if (v[0] < 0 || v[1] < 0)
             return refuse(r, "character of %dx%d px; expected at most %d in each direction", (int)v[0], (int)v[1],
                           FACE_MAX_SIDE);
-        l->boxed = true;
+        l->has_box = true;
         l->w = (int)v[0], l->h = (int)v[1], l->x = (int)v[2], l->y = (int)v[3];
-    } else if (behind(r, "BITMAP") != NULL) {
-        l->drawn = true;
+    } else if (after_keyword(r, "BITMAP") != NULL) {
+        l->has_bitmap = true;
         return read_bitmap(r, l);
     }
     return true;
 }
 
-/* From STARTCHAR to ENDCHAR. */
-static bool read_letter(struct reader *r)
+/* Reads a character from STARTCHAR to ENDCHAR. */
+static bool read_character(struct reader *r)
 {
-    const int64_t named = code_of_name(behind(r, "STARTCHAR"));
-    struct letter l = { .code = -1, .has_advance = r->has_advance, .advance = r->advance };
+    const int64_t named = code_from_name(after_keyword(r, "STARTCHAR"));
+    struct character l = { .code = -1, .has_advance = r->has_advance, .advance = r->advance };
 
-    while (next(r)) {
-        if (behind(r, "ENDCHAR") != NULL)
-            return l.drawn ? true : refuse(r, "character without BITMAP");
-        if (!read_letter_line(r, &l, named))
+    while (next_line(r)) {
+        if (after_keyword(r, "ENDCHAR") != NULL)
+            return l.has_bitmap ? true : refuse(r, "character without BITMAP");
+        if (!read_character_line(r, &l, named))
             return false;
     }
     return refuse(r, "the file ends inside a character");
@@ -422,34 +422,35 @@ static bool read_letter(struct reader *r)
 
 static bool read_all(struct reader *r)
 {
-    bool begun = false;
+    bool header_done = false;
 
-    if (!next(r) || behind(r, "STARTFONT") == NULL) /* 2.1, 2.2, and 2.3 with greys */
+    if (!next_line(r) || after_keyword(r, "STARTFONT") == NULL) /* 2.1, 2.2, and 2.3 with greys */
         return refuse(r, "expected STARTFONT: not a BDF file");
-    while (next(r)) {
-        if (behind(r, "ENDFONT") != NULL)
-            return begun ? true : refuse(r, "no characters");
-        if (behind(r, "STARTCHAR") == NULL) {
-            if (!begun && !read_head(r))
+    while (next_line(r)) {
+        if (after_keyword(r, "ENDFONT") != NULL)
+            return header_done ? true : refuse(r, "no characters");
+        if (after_keyword(r, "STARTCHAR") == NULL) {
+            if (!header_done && !read_header_line(r))
                 return false;
             continue;
         }
-        if ((!begun && !begin(r)) || !read_letter(r))
+        if ((!header_done && !finish_header(r)) || !read_character(r))
             return false;
-        begun = true;
+        header_done = true;
     }
     return refuse(r, "the file ends without ENDFONT");
 }
 
-bool bdf_read(struct faces *f, const char *text, size_t n, const struct faces_set *wanted, char *err, size_t err_size)
+bool bdf_read(struct pack_font *f, const char *text, size_t n, const struct pack_font_chars *wanted, char *err,
+              size_t err_size)
 {
     struct reader r = {
         .f = f, .wanted = wanted, .p = text, .end = text + n, .bits = 1, .err = err, .err_size = err_size
     };
     uint32_t code;
 
-    *f = (struct faces){ 0 };
+    *f = (struct pack_font){ 0 };
     if (!read_all(&r))
         return false;
-    return faces_sort(f, &code) ? true : err_set(err, err_size, "duplicate character U+%04X", (unsigned)code);
+    return pack_font_sort(f, &code) ? true : err_set(err, err_size, "duplicate character U+%04X", (unsigned)code);
 }

@@ -1,5 +1,5 @@
 /*
- * compress.h - a ROM to its compressed file (src/rom/compressed.h).
+ * compress.h - compresses a ROM (format: src/rom/compressed.h).
  */
 #ifndef WORKBENCH_COMPRESS_H
 #define WORKBENCH_COMPRESS_H
@@ -8,8 +8,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Makes *out (free it) of `size` bytes. They depend on nothing but the ROM. NULL: it stays plain, for compressed it
- * would be no smaller, or is one that no reader takes. False: out of memory. */
+/* Compresses to *out (malloc) of `size` bytes, which depend only on the ROM. *out is NULL if the ROM should stay
+ * uncompressed: it would not be smaller, or no reader would accept it. False: out of memory. */
 bool compress_rom(const void *rom, size_t rom_size, uint8_t **out, size_t *size);
 
 #endif

@@ -1,6 +1,5 @@
 /*
- * lang.c - see lang.h. The texts are copied to a block as large as the file, because a text is never longer than its
- * line.
+ * lang.c - see lang.h. All strings are copied to a block of twice the size of the file.
  */
 #include "lang.h"
 
@@ -51,27 +50,27 @@ static bool check_bytes(const struct reader *r, const char *p, const char *end)
     return true;
 }
 
-static bool blank(char c)
+static bool is_blank(char c)
 {
     return c == ' ' || c == '\t' || c == '\r';
 }
 
-/* The = between text and words, or NULL. */
-static const char *equals(const char *p, const char *end)
+/* Returns the = between text and translation, or NULL. */
+static const char *find_equals(const char *p, const char *end)
 {
     for (; p < end && *p != '='; p++)
         p += *p == '\\' && p + 1 < end;
     return p < end ? p : NULL;
 }
 
-/* Copies [p, end) without blanks at its ends, and replaces escapes. NULL and one sentence: an error. */
-static const char *take(struct reader *r, const char *p, const char *end)
+/* Copies [p, end) without spaces at its ends, and replaces escapes. NULL: an error. */
+static const char *copy_unescaped(struct reader *r, const char *p, const char *end)
 {
     char *out = r->l->block + r->used, *to = out;
 
-    while (p < end && blank(*p))
+    while (p < end && is_blank(*p))
         p++;
-    while (end > p && blank(end[-1]) && !(end - 1 > p && end[-2] == '\\'))
+    while (end > p && is_blank(end[-1]) && !(end - 1 > p && end[-2] == '\\'))
         end--;
     for (; p < end; p++) {
         if (*p != '\\') {
@@ -98,7 +97,7 @@ static bool read_line(struct reader *r, const char *p, const char *end)
 {
     struct lang_line one = { .line = r->line };
 
-    while (p < end && blank(*p))
+    while (p < end && is_blank(*p))
         p++;
     if (p == end || *p == '#')
         return true;
@@ -106,11 +105,11 @@ static bool read_line(struct reader *r, const char *p, const char *end)
         end--;
     if (!check_bytes(r, p, end))
         return false;
-    const char *middle = equals(p, end);
+    const char *middle = find_equals(p, end);
     if (middle == NULL)
         return refuse(r, "expected text = translation, got \"%.*s\"", (int)(end - p < 60 ? end - p : 60), p);
-    one.text = take(r, p, middle);
-    one.words = one.text != NULL ? take(r, middle + 1, end) : NULL;
+    one.text = copy_unescaped(r, p, middle);
+    one.words = one.text != NULL ? copy_unescaped(r, middle + 1, end) : NULL;
     if (one.words == NULL)
         return false;
     if (one.text[0] == '\0' || one.words[0] == '\0')
@@ -123,7 +122,7 @@ static bool read_line(struct reader *r, const char *p, const char *end)
     return true;
 }
 
-static int by_text(const void *a, const void *b)
+static int compare_lines(const void *a, const void *b)
 {
     const struct lang_line *x = a, *y = b;
     int order = strcmp(x->text, y->text);
@@ -131,12 +130,12 @@ static int by_text(const void *a, const void *b)
     return order ? order : (x->line > y->line) - (x->line < y->line);
 }
 
-static bool sort(struct reader *r)
+static bool sort_lines(struct reader *r)
 {
     struct lang *l = r->l;
 
     if (l->n > 0)
-        qsort(l->list, (size_t)l->n, sizeof *l->list, by_text);
+        qsort(l->list, (size_t)l->n, sizeof *l->list, compare_lines);
     for (int i = 1; i < l->n; i++) {
         r->line = l->list[i].line;
         if (strcmp(l->list[i - 1].text, l->list[i].text) == 0)
@@ -153,18 +152,18 @@ bool lang_read(struct lang *l, const char *bytes, size_t n, const char *file, ch
     *l = (struct lang){ .block = malloc(2 * n + 2) };
     if (l->block == NULL)
         return result_set_host_error(err, err_size, "out of memory");
-    if (n > LANG_FILE)
-        return err_set(err, err_size, "%s: longer than %d bytes", file, LANG_FILE);
+    if (n > LANG_MAX_FILE)
+        return err_set(err, err_size, "%s: longer than %d bytes", file, LANG_MAX_FILE);
     for (const char *p = bytes; p < end; r.line++) {
         const char *newline = memchr(p, '\n', (size_t)(end - p)), *stop = newline != NULL ? newline : end;
         if (!read_line(&r, p, stop))
             return false;
         p = stop + (newline != NULL);
     }
-    return sort(&r);
+    return sort_lines(&r);
 }
 
-void lang_close(struct lang *l)
+void lang_free(struct lang *l)
 {
     free(l->block);
     free(l->list);

@@ -5,8 +5,8 @@
  *     PRESS START = Bitte START drücken
  *     Wave %d\nof %d = Welle %d\nvon %d
  *
- * A line is `text = words`, UTF-8; blanks at its ends and around the = are ignored. Escapes: \n new line, \= equals
- * sign, \# number sign at the start, \\ backslash, and a backslash before a blank that is not ignored.
+ * A line is `text = translation` in UTF-8. Spaces at its ends and around the = are ignored. Escapes: \n newline, \=
+ * equals sign, \# number sign at the start, \\ backslash, and a backslash before a space that is not ignored.
  */
 #ifndef WORKBENCH_LANG_H
 #define WORKBENCH_LANG_H
@@ -15,7 +15,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { LANG_FILE = 1 << 20 /* bytes */ };
+enum { LANG_MAX_FILE = 1 << 20 /* bytes */ };
 
 struct lang_line {
     const char *text, *words;
@@ -28,11 +28,11 @@ struct lang {
     int n;
 };
 
-/* Reads the n bytes; file is their name for messages. False and one sentence; close it either way. */
+/* Reads n bytes. file: the name for messages. Free l in either case. */
 bool lang_read(struct lang *l, const char *bytes, size_t n, const char *file, char *err, size_t err_size);
-void lang_close(struct lang *l);
+void lang_free(struct lang *l);
 
-/* The lump of words.h; *out is malloc, NULL: out of memory. */
+/* Makes the lump of words.h in *out (malloc); NULL: out of memory. Returns its size. */
 size_t lang_make(const struct lang *l, uint8_t **out);
 
 #endif

@@ -14,7 +14,7 @@ static void read_palette(const struct manifest_value *v, void *entry, struct art
     (void)art;
     value_to_file(v, p->file);
     if (strcmp(p->name, "main") == 0)
-        value_bad(v, "this name is already used by `palette`");
+        value_fail(v, "this name is already used by `palette`");
 }
 
 /* "add", { mix = percent } or { ramp = rule }. */
@@ -29,7 +29,7 @@ static void read_blend(const struct manifest_value *v, void *entry, struct art *
     if (lua_type(v->lua, v->index) == LUA_TSTRING && strcmp(lua_tostring(v->lua, v->index), "add") == 0)
         return;
     if (!lua_istable(v->lua, v->index))
-        value_bad(v, "expected \"add\", { mix = percent } or { ramp = rule }, got %s", value_describe(v));
+        value_fail(v, "expected \"add\", { mix = percent } or { ramp = rule }, got %s", value_describe(v));
     value_check_keys(v, NULL, 0, others);
     if (!value_get(v, "ramp", &one)) {
         blend->mix = value_get_whole(v, "mix", 1, 99);
@@ -37,10 +37,10 @@ static void read_blend(const struct manifest_value *v, void *entry, struct art *
     }
     blend->mix = -1 - value_to_choice(&one, rules, 3, "\"add\", \"half\" or \"max\"");
     if (value_get(v, "mix", &one))
-        value_bad(v, "expected mix or ramp, got both");
+        value_fail(v, "expected mix or ramp, got both");
 }
 
-/* The palette in whose colours the picture is drawn. */
+/* Reads the name of the palette that a picture uses; "" is the main palette. */
 static void read_palette_name(const struct manifest_value *picture, const struct art *art, char name[ART_NAME_SIZE])
 {
     struct manifest_value v;
@@ -55,7 +55,7 @@ static void read_palette_name(const struct manifest_value *picture, const struct
     for (int i = 0; i < art->n_palettes; i++)
         if (strcmp(art->palettes[i].name, name) == 0)
             return;
-    value_bad(&v, "\"%s\" is not listed in palettes", name);
+    value_fail(&v, "\"%s\" is not listed in palettes", name);
 }
 
 static void read_font(const struct manifest_value *v, void *entry, struct art *art)
@@ -75,12 +75,12 @@ static void read_font(const struct manifest_value *v, void *entry, struct art *a
     f->by_index = art->by_index;
     READ_TABLE(v, fields, NULL, f);
     if (f->file[0] == '\0')
-        value_bad(v, "expected file=\"art/NAME.bdf\" or \"art/NAME.png\"");
+        value_fail(v, "expected file=\"art/NAME.bdf\" or \"art/NAME.png\"");
     const bool has_chars = value_get(v, "chars", &chars);
     if (has_chars && f->w == 0)
-        value_bad(v, "`chars` needs `cell = { w, h }`");
+        value_fail(v, "`chars` needs `cell = { w, h }`");
     if (!has_chars && f->w != 0)
-        value_bad(v, "expected `chars`, the characters of the cells from left to right and top to bottom");
+        value_fail(v, "expected `chars`, the characters of the cells from left to right and top to bottom");
 }
 
 static void read_sheet(const struct manifest_value *v, void *entry, struct art *art)
@@ -96,7 +96,7 @@ static void read_sheet(const struct manifest_value *v, void *entry, struct art *
     s->by_index = art->by_index;
     READ_TABLE(v, fields, others, s);
     if (s->file[0] == '\0')
-        value_bad(v, "expected file=\"art/NAME.png\" (or .ase, .aseprite)");
+        value_fail(v, "expected file=\"art/NAME.png\" (or .ase, .aseprite)");
     read_palette_name(v, art, s->palette);
 }
 
@@ -106,12 +106,12 @@ static int32_t read_sheet_index(const struct manifest_value *sprite, const struc
     struct manifest_value v;
 
     if (!value_get(sprite, "sheet", &v))
-        value_bad(&v, "expected the name of a sheet, got nil");
+        value_fail(&v, "expected the name of a sheet, got nil");
     value_to_text(&v, "a sheet's name", name, sizeof name);
     for (int i = 0; i < art->n_sheets; i++)
         if (strcmp(art->sheets[i].name, name) == 0)
             return i;
-    value_bad(&v, "\"%s\" is not listed in sheets", name);
+    value_fail(&v, "\"%s\" is not listed in sheets", name);
 }
 
 bool art_is_ase(const char *file)
@@ -121,7 +121,7 @@ bool art_is_ase(const char *file)
     return dot != NULL && (strcmp(dot, ".ase") == 0 || strcmp(dot, ".aseprite") == 0);
 }
 
-/* sizes = { 50, 150 }: more sprites, added at the end and named after this one: orb_50, orb_150. */
+/* sizes = { 50, 150 } appends scaled copies of the sprite: orb_50, orb_150. */
 static void read_sprite_sizes(const struct manifest_value *sprite, const struct art_sprite *s, struct art *art)
 {
     struct manifest_value sizes, v;
@@ -133,12 +133,12 @@ static void read_sprite_sizes(const struct manifest_value *sprite, const struct 
         value_get_item(&sizes, i, &v);
         const int percent = (int)value_to_whole(&v, 1, 1000);
         if (art->n_sprites == MAX_ART_SPRITES)
-            value_bad(&v, "more than %d sprites", MAX_ART_SPRITES);
+            value_fail(&v, "more than %d sprites", MAX_ART_SPRITES);
         struct art_sprite *more = &art->sprites[art->n_sprites++];
         *more = *s;
         more->scale_percent = percent;
         if (snprintf(more->name, ART_NAME_SIZE, "%s_%d", s->name, percent) >= ART_NAME_SIZE)
-            value_bad(&v, "sprite name %s_%d is longer than %d bytes", s->name, percent, ART_NAME_SIZE - 1);
+            value_fail(&v, "sprite name %s_%d is longer than %d bytes", s->name, percent, ART_NAME_SIZE - 1);
     }
 }
 
@@ -165,10 +165,11 @@ static void read_sprite(const struct manifest_value *v, void *entry, struct art 
     s->sheet = read_sheet_index(v, art);
     if (art_is_ase(art->sheets[s->sheet].file)) {
         if (value_get(v, "frames", &one))
-            value_bad(&one, "sprites from an .ase file use all its frames; to choose some of them, use tag = \"NAME\"");
+            value_fail(&one,
+                       "sprites from an .ase file use all its frames; to choose some of them, use tag = \"NAME\"");
     } else {
         if (value_get(v, "tag", &one))
-            value_bad(&one, "only .ase and .aseprite files have tags");
+            value_fail(&one, "only .ase and .aseprite files have tags");
         s->w = value_get_whole(v, "w", 1, 1024);
         s->h = value_get_whole(v, "h", 1, 1024);
         s->frames = s->frames > 0 ? s->frames : 1;
@@ -182,7 +183,7 @@ static void read_sprite(const struct manifest_value *v, void *entry, struct art 
     read_sprite_sizes(v, s, art);
 }
 
-/* Moves the sprites that `sizes` added to their places in the alphabetical order. */
+/* Restores the alphabetical order after `sizes` has appended sprites. */
 static void sort_sprites(const struct manifest_value *root, struct art *art)
 {
     struct art_sprite *s = art->sprites;
@@ -197,7 +198,7 @@ static void sort_sprites(const struct manifest_value *root, struct art *art)
         if (at == 0 || strcmp(s[at - 1].name, one.name) != 0)
             continue;
         value_get(root, "sprites", &v);
-        value_bad(&v, "two sprites are named %s; one of them gets this name from `sizes`", one.name);
+        value_fail(&v, "two sprites are named %s; one of them gets this name from `sizes`", one.name);
     }
 }
 
@@ -206,14 +207,14 @@ static void read_row(const struct manifest_value *row, bool is_first, struct art
     struct manifest_value v;
 
     if (!lua_istable(row->lua, row->index))
-        value_bad(row, "expected a list of tiles, got %s", value_describe(row));
+        value_fail(row, "expected a list of tiles, got %s", value_describe(row));
     const int n = value_to_length(row, MAX_ART_CELLS);
     if (is_first)
         map->cols = n;
     if (n != map->cols || n == 0)
-        value_bad(row, "expected %d tiles, as in the first row, got %d", map->cols > 0 ? map->cols : 1, n);
+        value_fail(row, "expected %d tiles, as in the first row, got %d", map->cols > 0 ? map->cols : 1, n);
     if (n > MAX_ART_CELLS - art->n_cells)
-        value_bad(row, "more than %d tiles in rom.lua; use a map file instead", MAX_ART_CELLS);
+        value_fail(row, "more than %d tiles in rom.lua; use a map file instead", MAX_ART_CELLS);
     for (int k = 1; k <= n; k++) {
         value_get_item(row, k, &v);
         art->cells[art->n_cells++] = (uint16_t)(value_to_whole(&v, map->first_tile - 1, 65534) - map->first_tile + 1);
@@ -233,16 +234,16 @@ static void read_rows(const struct manifest_value *table, struct art *art, struc
         read_row(&row, i == 1, art, map);
     }
     if (map->rows == 0)
-        value_bad(&rows, "expected at least one row");
+        value_fail(&rows, "expected at least one row");
 }
 
-/* A picture, or a list of them. */
+/* Reads `tiles`: a picture, or a list of pictures. */
 static void read_tiles(const struct manifest_value *table, struct art_map *map)
 {
     struct manifest_value tiles, v;
 
     if (!value_get(table, "tiles", &tiles))
-        value_bad(table, "expected tiles=\"art/NAME.png\"");
+        value_fail(table, "expected tiles=\"art/NAME.png\"");
     if (!lua_istable(tiles.lua, tiles.index)) {
         value_to_file(&tiles, map->tile_files[0]);
         map->n_tile_files = 1;
@@ -254,10 +255,10 @@ static void read_tiles(const struct manifest_value *table, struct art_map *map)
         value_to_file(&v, map->tile_files[i]);
     }
     if (map->n_tile_files == 0)
-        value_bad(&tiles, "expected at least one picture");
+        value_fail(&tiles, "expected at least one picture");
 }
 
-/* The tile size: 0 if only the map file says it. */
+/* Checks the tile size; it stays 0 if only the map file has it. */
 static void check_tile_size(const struct manifest_value *table, bool is_tmx, struct art_map *map)
 {
     struct manifest_value v;
@@ -267,7 +268,7 @@ static void check_tile_size(const struct manifest_value *table, bool is_tmx, str
     if (map->tile_size == 0 || map->tile_size == 8 || map->tile_size == 16 || map->tile_size == 32)
         return;
     value_get(table, "size", &v);
-    value_bad(&v, "expected 8, 16 or 32, got %d", (int)map->tile_size);
+    value_fail(&v, "expected 8, 16 or 32, got %d", (int)map->tile_size);
 }
 
 static void read_map(const struct manifest_value *v, void *entry, struct art *art)
@@ -287,18 +288,18 @@ static void read_map(const struct manifest_value *v, void *entry, struct art *ar
     read_palette_name(v, art, map->palette);
     const bool is_file = map->file[0] != '\0', is_tmx = files_has_suffix(map->file, ".tmx");
     if (is_file && !is_tmx && !files_has_suffix(map->file, ".csv"))
-        value_bad(v, "file: expected a .csv or .tmx file, got \"%s\"", map->file);
+        value_fail(v, "file: expected a .csv or .tmx file, got \"%s\"", map->file);
     if (map->n_tile_files > 1 && !is_tmx)
-        value_bad(v, "tiles: only a .tmx map can use tiles from several pictures");
+        value_fail(v, "tiles: only a .tmx map can use tiles from several pictures");
     if (map->layer[0] != '\0' && !is_tmx)
-        value_bad(v, "layer: only a .tmx map has layers");
+        value_fail(v, "layer: only a .tmx map has layers");
     check_tile_size(v, is_tmx, map);
     read_rows(v, art, map);
     if (is_file == (map->rows > 0))
-        value_bad(v, "expected either file=\"maps/NAME.tmx\" (or .csv) or rows={ { 1, 2, .. }, .. }");
+        value_fail(v, "expected either file=\"maps/NAME.tmx\" (or .csv) or rows={ { 1, 2, .. }, .. }");
 }
 
-/* A file, or one of the sprites. */
+/* Reads `icon`: a file, or the name of a sprite. */
 static void read_icon(const struct manifest_value *root, struct art *art)
 {
     struct manifest_value v;
@@ -314,11 +315,10 @@ static void read_icon(const struct manifest_value *root, struct art *art)
     while (i < art->n_sprites && strcmp(art->sprites[i].name, art->icon) != 0)
         i++;
     if (i == art->n_sprites)
-        value_bad(&v, "expected a .png file or the name of a sprite, got \"%s\"", art->icon);
+        value_fail(&v, "expected a .png file or the name of a sprite, got \"%s\"", art->icon);
 }
 
-/* The tables of named entries, in an order in which each can refer to those before it. An entry starts with its
- * name. */
+/* The tables of named entries, ordered so that entries refer only to earlier tables. An entry starts with its name. */
 static const struct art_table {
     const char *key;
     size_t offset, stride, count_offset; /* offset: of the array in struct art */

@@ -1,12 +1,12 @@
 /*
- * manifest_sound.c - the entries of sounds and music in rom.lua: MML, or a recording and its loop and beat.
+ * manifest_sound.c - the entries of sounds and music in rom.lua: MML, or a sample file with its loop and beat.
  */
 #include <string.h>
 #include "manifest_parts.h"
 #include "../../common/files.h"
 
 enum {
-    MAX_MARKERS = 64,       /* of a recording */
+    MAX_MARKERS = 64,       /* of a sample */
     MAX_LOOP_TIME = 1 << 30 /* sample frames or seconds */
 };
 
@@ -26,9 +26,9 @@ static void read_loop_table(const struct manifest_value *table, struct art_loop 
         value_to_text(&v, "a word", unit, sizeof unit);
     loop->in_seconds = strcmp(unit, "seconds") == 0;
     if (!loop->in_seconds && strcmp(unit, "frames") != 0)
-        value_bad(table, "unit: expected \"frames\" or \"seconds\", got \"%s\"", unit);
+        value_fail(table, "unit: expected \"frames\" or \"seconds\", got \"%s\"", unit);
     if (!loop->in_seconds && (loop->start != (int32_t)loop->start || loop->length != (int32_t)loop->length))
-        value_bad(table, "expected whole numbers of frames (or unit=\"seconds\")");
+        value_fail(table, "expected whole numbers of frames (or unit=\"seconds\")");
 }
 
 static void read_markers(const struct manifest_value *tune, struct art_sound *s, struct art *art)
@@ -51,15 +51,17 @@ static void read_markers(const struct manifest_value *tune, struct art_sound *s,
 
 bool art_is_recording(const char *file)
 {
-    static const char *const tails[] = { ".wav", ".ogg", ".oga", ".opus", ".flac", ".xm", ".it", ".s3m", ".mod", NULL };
+    static const char *const suffixes[] = {
+        ".wav", ".ogg", ".oga", ".opus", ".flac", ".xm", ".it", ".s3m", ".mod", NULL
+    };
 
-    for (int i = 0; tails[i]; i++)
-        if (files_has_suffix(file, tails[i]))
+    for (int i = 0; suffixes[i]; i++)
+        if (files_has_suffix(file, suffixes[i]))
             return true;
     return false;
 }
 
-/* Reads `loop`: true for all of the recording, false for none, or a range. MML may have none of a recording's keys. */
+/* Reads `loop`: true for the whole sample, false for none, or a range. The keys of samples are errors for MML. */
 static void read_loop(const struct manifest_value *sound, struct art_sound *s)
 {
     static const char *const names[] = { "exact", "stereo", "loop", "tempo", "bar", "offset", "markers", NULL };
@@ -67,7 +69,7 @@ static void read_loop(const struct manifest_value *sound, struct art_sound *s)
 
     for (int i = 0; !art_is_recording(s->file) && names[i]; i++)
         if (value_get(sound, names[i], &v))
-            value_bad(sound, "%s: only for samples (.wav, .ogg, .flac); MML has its own commands for it", names[i]);
+            value_fail(sound, "%s: only for samples (.wav, .ogg, .flac); MML has its own commands for it", names[i]);
     if (!value_get(sound, "loop", &v))
         return;
     if (lua_isboolean(v.lua, v.index))
@@ -106,7 +108,7 @@ void manifest_read_sound(const struct manifest_value *v, void *sound, struct art
     const bool is_file = s->file[0] != '\0';
     if (is_file == value_get(v, "mml", &mml) ||
         (is_file && !art_is_recording(s->file) && !files_has_suffix(s->file, ".mml")))
-        value_bad(v, "expected either file=\"sfx/NAME.wav\" (or .ogg, .flac, .mml) or mml=\"...\"");
+        value_fail(v, "expected either file=\"sfx/NAME.wav\" (or .ogg, .flac, .mml) or mml=\"...\"");
     read_loop(v, s);
 }
 
@@ -129,7 +131,7 @@ void manifest_read_tune(const struct manifest_value *v, void *sound, struct art 
     s->stereo = true;
     READ_TABLE(v, fields, others, s);
     if (!art_is_recording(s->file) && !files_has_suffix(s->file, ".mml"))
-        value_bad(v, "expected file=\"music/NAME.mml\" (or .ogg, .flac, .wav)");
+        value_fail(v, "expected file=\"music/NAME.mml\" (or .ogg, .flac, .wav)");
     read_loop(v, s);
     if (value_get(v, "tempo", &tempo))
         s->tempo = (int32_t)(value_to_real(&tempo, 10, 600) * 100 + 0.5);

@@ -1,9 +1,9 @@
 /*
- * manifest_text.c - manifest_read of manifest.h: rom.lua, read by Lua in a state that has no function to call.
+ * manifest_text.c - manifest_read of manifest.h: runs rom.lua in a Lua state without any functions.
  *
- * The state lives in the caller's block and dies with it. What bounds it: the block's size, the length of a string (so
- * that no one instruction is slow), the bytes ever allocated, and a count of instructions. Errors are Lua errors up to
- * the one pcall; none of the text's own code can catch one.
+ * The state uses the caller's block of memory. Four limits bound it: the size of the block, the length of a string (so
+ * that no single instruction is slow), the total of allocated bytes, and the number of instructions. Errors are Lua
+ * errors up to a single pcall; code in rom.lua cannot catch them.
  */
 #include "manifest_parts.h"
 
@@ -16,8 +16,8 @@
 
 enum {
     MAX_FILE = 1 << 20,   /* bytes of rom.lua */
-    MAX_STRING = 1 << 14, /* bytes of one string in it */
-    MAX_WORK = 256 << 20, /* bytes ever allocated while it runs */
+    MAX_STRING = 1 << 14, /* bytes of a string */
+    MAX_WORK = 256 << 20, /* total of bytes allocated while it runs */
     MAX_STEPS = 1 << 20   /* VM instructions */
 };
 
@@ -94,7 +94,7 @@ static void read_difficulties(const struct manifest_value *root, struct manifest
         memset(m->difficulties, 0, sizeof m->difficulties);
         m->n_difficulties = value_to_words(&v, m->difficulties, MAX_DIFFICULTIES);
         if (m->n_difficulties == 0)
-            value_bad(&v, "expected at least one word");
+            value_fail(&v, "expected at least one word");
     }
     const bool is_given = value_get(root, "difficulty", &v);
     if (is_given)
@@ -104,7 +104,7 @@ static void read_difficulties(const struct manifest_value *root, struct manifest
     if (m->difficulty < m->n_difficulties)
         return;
     if (is_given)
-        value_bad(&v, "\"%s\" is not listed in difficulties", word);
+        value_fail(&v, "\"%s\" is not listed in difficulties", word);
     m->difficulty = 0;
 }
 
@@ -113,9 +113,9 @@ static void read_dip(const struct manifest_value *v, struct dip *d)
     static const char *const others[] = { "min", "max", "default", NULL };
     struct manifest_value usual;
 
-    value_need_table(v);
+    value_check_table(v);
     if (!manifest_setting_name_ok(d->name))
-        value_bad(v, "expected a name of letters, digits, _ and -");
+        value_fail(v, "expected a name of letters, digits, _ and -");
     if (lua_rawlen(v->lua, v->index) > 0) {
         d->n_values = value_to_words(v, d->value_name, MAX_DIP_VALUES);
         d->hi = d->n_values - 1;
@@ -169,14 +169,14 @@ static void read_root(const struct manifest_value *root, struct manifest *m, str
     m->has_sound |= art->n_sounds + art->n_tunes > 0;
 }
 
-static void too_long(lua_State *lua, lua_Debug *ar)
+static void fail_too_long(lua_State *lua, lua_Debug *ar)
 {
     lua_getinfo(lua, "Sl", ar);
     lua_pushfstring(lua, "%s:%d: takes too long (an endless loop?)", ar->short_src, ar->currentline);
     lua_error(lua);
 }
 
-/* Runs the text and reads what it returns; the one function called from C, protected. */
+/* Runs the text and reads the table it returns. Called with lua_pcall. */
 static int run(lua_State *lua)
 {
     struct reader *r = lua_touserdata(lua, 1);
@@ -185,13 +185,13 @@ static int run(lua_State *lua)
     snprintf(chunk, sizeof chunk, "@%s", r->file);
     if (luaL_loadbufferx(lua, r->text, r->n, chunk, "t") != LUA_OK)
         return lua_error(lua);
-    lua_sethook(lua, too_long, LUA_MASKCOUNT, MAX_STEPS);
+    lua_sethook(lua, fail_too_long, LUA_MASKCOUNT, MAX_STEPS);
     lua_call(lua, 0, 1);
     lua_sethook(lua, NULL, 0, 0);
     struct manifest_value root = { lua, lua_gettop(lua), "" };
     if (!lua_istable(lua, root.index)) {
         snprintf(root.path, sizeof root.path, "%s", r->file);
-        value_bad(&root, "expected `return { ... }`, got %s", value_describe(&root));
+        value_fail(&root, "expected `return { ... }`, got %s", value_describe(&root));
     }
     read_root(&root, r->m, r->art);
     return 0;
@@ -200,10 +200,10 @@ static int run(lua_State *lua)
 struct memory {
     struct heap *heap;
     lua_State *lua; /* NULL: not made yet */
-    int line;       /* of the text, where memory last ran out; 0: elsewhere */
+    int line;       /* of the text at which memory last ran out; 0: elsewhere */
 };
 
-/* After running out, the stack is gone. */
+/* Notes the current line now, because after the error the stack has been unwound. */
 static void note_line(struct memory *m)
 {
     lua_Debug ar;
@@ -215,23 +215,23 @@ static void note_line(struct memory *m)
     }
 }
 
-/* lua_Alloc over the block. When p is NULL, old is the kind of thing to be made. */
+/* A lua_Alloc that uses the block. If p is NULL, `old` is the type of the new object. */
 static void *allocate(void *memory, void *p, size_t old, size_t size)
 {
     struct memory *m = memory;
-    bool more = (p == NULL || size > old) && size > 0;
+    bool grows = (p == NULL || size > old) && size > 0;
     bool refused = p == NULL && old == LUA_TSTRING && size > MAX_STRING + 64;
     void *q = NULL;
 
-    if (!refused && !(more && heap_work(m->heap) > MAX_WORK))
+    if (!refused && !(grows && heap_work(m->heap) > MAX_WORK))
         q = heap_realloc(m->heap, p, p == NULL ? 0 : old, size);
-    if (q == NULL && more)
+    if (q == NULL && grows)
         note_line(m);
     return q;
 }
 
-/* The message of a failed run, with the file's name in front where Lua has not put it. */
-static void explain(lua_State *lua, int status, int line, const char *file, char *err, size_t err_size)
+/* Writes the message of a failed run, and adds the file's name unless Lua has added it. */
+static void write_error(lua_State *lua, int status, int line, const char *file, char *err, size_t err_size)
 {
     const char *message = lua_tostring(lua, -1);
     size_t n = strlen(file);
@@ -246,11 +246,11 @@ static void explain(lua_State *lua, int status, int line, const char *file, char
         snprintf(err, err_size, "%s", message);
     else
         snprintf(err, err_size, "%s: %s", file, message);
-    utf8_replace_hidden(err, false); /* a sentence stays one line, whatever the text quotes */
+    utf8_replace_hidden(err, false); /* a message is one line, whatever it quotes */
 }
 
-/* A folder's name as an id: lower case, _ for what an id may not hold. */
-static void id_from(const char *folder, char id[32])
+/* Converts a folder's name to an id: lower case, with _ for characters that are not allowed. */
+static void make_id(const char *folder, char id[32])
 {
     size_t i = 0;
 
@@ -261,7 +261,6 @@ static void id_from(const char *folder, char id[32])
     memset(id + i, 0, 32 - i);
 }
 
-/* Runs the text; false and one sentence when it is no manifest. */
 static bool read_text(struct reader *r, void *work, char *err, size_t err_size)
 {
     struct memory memory = { heap_init(work, MANIFEST_SCRATCH_SIZE), NULL, 0 };
@@ -272,7 +271,7 @@ static bool read_text(struct reader *r, void *work, char *err, size_t err_size)
     lua_pushlightuserdata(lua, r);
     int status = lua_pcall(lua, 1, 0, 0);
     if (status != LUA_OK)
-        explain(lua, status, memory.line, r->file, err, err_size);
+        write_error(lua, status, memory.line, r->file, err, err_size);
     lua_close(lua);
     return status == LUA_OK;
 }
@@ -286,7 +285,7 @@ bool manifest_read(const char *text, size_t n, const char *file, const char *fol
 
     manifest_set_defaults(m);
     if (folder[0] != '\0')
-        id_from(folder, m->id);
+        make_id(folder, m->id);
     memset(art, 0, sizeof *art);
     if (n > MAX_FILE) {
         snprintf(err, err_size, "%s: longer than %d bytes", file, MAX_FILE);

@@ -1,7 +1,7 @@
 /*
  * map_tmx.c - reads Tiled's maps (https://doc.mapeditor.org/en/stable/reference/tmx-map-format/). Tables list the
- * supported elements and attributes, and those that do not change the picture; all others are errors. An error in a
- * tileset is a flaw, which matters only if the layer uses the tileset, or the tile.
+ * supported elements and attributes, and those that do not change the picture; all others are errors. Errors in a
+ * tileset are deferred: they are reported only if the layer uses the tileset, or the tile.
  */
 #include "map.h"
 
@@ -18,25 +18,25 @@
 #include "../../player/picture/png.h"
 #include "../xml/xml.h"
 
-enum { TILESETS = 64, FLAWS = 256, SENTENCE = 256, WHOLE = -1 /* a flaw of all tiles */ };
+enum { MAX_TILESETS = 64, MAX_DEFERRED = 256, SENTENCE = 256, WHOLE = -1 /* an error in the tileset itself */ };
 
 struct tileset {
-    int64_t first, count; /* number of its first tile in the map; tiles, 0: not stated */
-    uint32_t used;        /* by the layer: number of its last tile, from 1; 0: none */
-    int w, h;             /* px of a tile, 0: not stated */
-    struct map_sheet sheet;
+    int64_t first, count; /* first gid; number of tiles, 0: not in the file */
+    uint32_t used;        /* highest tile that the layer uses, from 1; 0: none */
+    int w, h;             /* px of a tile; 0: not in the file */
+    struct map_tileset sheet;
 };
 
-struct flaw {
+struct deferred_error {
     int set;
-    int64_t tile; /* of the tileset, or WHOLE */
+    int64_t tile; /* in the tileset, or WHOLE */
     char why[SENTENCE];
 };
 
 /* A rectangle of cells. */
 struct chunk {
     int64_t x, y, w, h;
-    size_t at; /* its first cell in gid */
+    size_t first; /* index of its first cell in gid */
 };
 
 struct tmx {
@@ -46,28 +46,29 @@ struct tmx {
     bool infinite, found;
     int64_t cols, rows, side;
     int layers;
-    struct xml_place other; /* of a layer that is not read */
-    char names[96];         /* of the skipped layers, with commas */
-    struct tileset set[TILESETS];
+    struct xml_place other; /* of a skipped layer */
+    char names[96];         /* of the skipped layers, separated by commas */
+    struct tileset set[MAX_TILESETS];
     int sets;
-    struct flaw flaw[FLAWS];
-    int flaws;
-    int at_set; /* tileset that is being read, and its tile */
-    int64_t at_tile;
+    struct deferred_error deferred[MAX_DEFERRED];
+    int n_deferred;
+    int current_set; /* tileset that is being read, -1: none; and its tile */
+    int64_t current_tile;
     struct chunk *chunk;
     int chunks;
-    uint32_t *gid; /* cells of all chunks */
+    uint32_t *gid; /* of the cells of all chunks */
     size_t gids;
     struct map_cells *out;
     char *err;
     size_t err_size;
 };
 
-/* Sets an error. Inside a tileset it becomes a flaw, and true is returned: reading continues. */
-static bool refuse(struct tmx *t, struct xml *x, struct xml_place place, const char *format, ...)
+/* Sets an error and returns false. An error inside a tileset is deferred instead: returns true, and reading
+ * continues. */
+static bool fail_or_defer(struct tmx *t, struct xml *x, struct xml_place place, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
-static bool refuse(struct tmx *t, struct xml *x, struct xml_place place, const char *format, ...)
+static bool fail_or_defer(struct tmx *t, struct xml *x, struct xml_place place, const char *format, ...)
 {
     char why[SENTENCE];
     va_list args;
@@ -75,19 +76,19 @@ static bool refuse(struct tmx *t, struct xml *x, struct xml_place place, const c
     va_start(args, format);
     vsnprintf(why, sizeof why, format, args);
     va_end(args);
-    if (t->at_set < 0 || t->flaws == FLAWS)
+    if (t->current_set < 0 || t->n_deferred == MAX_DEFERRED)
         return xml_refuse(x, place, "%s", why);
-    struct flaw *f = &t->flaw[t->flaws++];
-    f->set = t->at_set;
-    f->tile = t->at_tile;
+    struct deferred_error *f = &t->deferred[t->n_deferred++];
+    f->set = t->current_set;
+    f->tile = t->current_tile;
     snprintf(f->why, sizeof f->why, "%.80s:%d: %.160s", x->file, place.line, why);
     return true;
 }
 
 /* ---- attributes ---- */
 
-/* True for the same text, or the same number with zeros after its point. */
-static bool same_value(const char *value, const char *plain)
+/* Returns whether the texts are equal, or equal numbers with zeros after the decimal point. */
+static bool equal_values(const char *value, const char *plain)
 {
     const size_t n = strlen(plain);
 
@@ -104,14 +105,14 @@ static bool check_attribute(struct tmx *t, struct xml *x, const struct xml_attri
 
     for (; *rules != NULL; rules++) {
         const bool same = strncmp(*rules, a->key, n) == 0;
-        if (same && ((*rules)[n] == '\0' || ((*rules)[n] == '=' && same_value(a->value, *rules + n + 1))))
+        if (same && ((*rules)[n] == '\0' || ((*rules)[n] == '=' && equal_values(a->value, *rules + n + 1))))
             return true;
         plain = same && (*rules)[n] == '=' && plain == NULL ? *rules + n + 1 : plain;
     }
     if (plain == NULL)
-        return refuse(t, x, x->start, "<%.40s> %.40s=\"%.40s\" is not supported", x->name, a->key, a->value);
-    return refuse(t, x, x->start, "<%.40s> %.40s=\"%.40s\" is not supported, expected \"%s\"", x->name, a->key,
-                  a->value, plain);
+        return fail_or_defer(t, x, x->start, "<%.40s> %.40s=\"%.40s\" is not supported", x->name, a->key, a->value);
+    return fail_or_defer(t, x, x->start, "<%.40s> %.40s=\"%.40s\" is not supported, expected \"%s\"", x->name, a->key,
+                         a->value, plain);
 }
 
 static bool check_attributes(struct tmx *t, struct xml *x, const char *const *rules)
@@ -129,8 +130,8 @@ static bool is_one_of(const char *name, const char *const *list)
     return *list != NULL;
 }
 
-/* A whole number that is all of the value. */
-static bool number(const char *s, int64_t lo, int64_t hi, int64_t *out)
+/* Parses a value that is an integer. */
+static bool parse_integer(const char *s, int64_t lo, int64_t hi, int64_t *out)
 {
     const bool minus = *s == '-';
     const size_t n = strspn(s + minus, "0123456789");
@@ -141,21 +142,22 @@ static bool number(const char *s, int64_t lo, int64_t hi, int64_t *out)
     return *out >= lo && *out <= hi;
 }
 
-/* The number of an attribute; `missing` if the attribute is missing, an error if that is below lo. */
-static bool get(struct xml *x, const char *key, int64_t lo, int64_t hi, int64_t missing, int64_t *out)
+/* Reads the integer of an attribute. *out is `missing` without the attribute; this is an error if `missing` is below
+ * lo. */
+static bool get_integer(struct xml *x, const char *key, int64_t lo, int64_t hi, int64_t missing, int64_t *out)
 {
     const char *value = xml_value(x, key);
 
     *out = missing;
-    if (value == NULL ? missing >= lo : number(value, lo, hi, out))
+    if (value == NULL ? missing >= lo : parse_integer(value, lo, hi, out))
         return true;
     return xml_refuse(x, x->start, "<%.40s> %s: expected a whole number from %" PRId64 " to %" PRId64 ", got %.40s",
                       x->name, key, lo, hi, value != NULL ? value : "nothing");
 }
 
-static bool need(struct xml *x, const char *key, int64_t lo, int64_t hi, int64_t *out)
+static bool need_integer(struct xml *x, const char *key, int64_t lo, int64_t hi, int64_t *out)
 {
-    return get(x, key, lo, hi, lo - 1, out);
+    return get_integer(x, key, lo, hi, lo - 1, out);
 }
 
 /* ---- paths ---- */
@@ -198,9 +200,10 @@ static bool read_image(struct tmx *t, struct xml *x, struct tileset *s)
     const char *source = xml_value(x, "source");
     int64_t w;
 
-    if (source == NULL && !refuse(t, x, x->start, "<image> without a source: embedded pictures are not supported"))
+    if (source == NULL &&
+        !fail_or_defer(t, x, x->start, "<image> without a source: embedded pictures are not supported"))
         return false;
-    if (!check_attributes(t, x, rules) || !get(x, "width", 0, 1 << 20, 0, &w))
+    if (!check_attributes(t, x, rules) || !get_integer(x, "width", 0, 1 << 20, 0, &w))
         return false;
     s->sheet.width = (int)w;
     if (source != NULL && !resolve(x->file, source, s->sheet.picture))
@@ -208,28 +211,28 @@ static bool read_image(struct tmx *t, struct xml *x, struct tileset *s)
     return xml_skip(x);
 }
 
-/* A tile's own properties, shapes and names are for editors and games. */
+/* Reads a tile's element. Its properties and shapes are ignored. */
 static bool read_tile(struct tmx *t, struct xml *x)
 {
     static const char *const rules[] = { "id", "type", "class", "terrain", "probability", NULL };
     static const char *const harmless[] = { "properties", "objectgroup", NULL };
     enum xml_event event;
 
-    if (!need(x, "id", 0, INT32_MAX, &t->at_tile) || !check_attributes(t, x, rules))
+    if (!need_integer(x, "id", 0, INT32_MAX, &t->current_tile) || !check_attributes(t, x, rules))
         return false;
     while ((event = xml_next(x)) == XML_OPEN) {
-        const char *what = strcmp(x->name, "animation") == 0 ? "animated tiles are not supported; remove the animation"
-                           : strcmp(x->name, "image") == 0
-                               ? "image collections are not supported; put the tiles in one picture"
-                               : NULL;
+        const char *problem =
+            strcmp(x->name, "animation") == 0 ? "animated tiles are not supported; remove the animation"
+            : strcmp(x->name, "image") == 0   ? "image collections are not supported; put the tiles in one picture"
+                                              : NULL;
         if (!is_one_of(x->name, harmless) &&
-            !(what != NULL ? refuse(t, x, x->start, "%s", what)
-                           : refuse(t, x, x->start, "<%.40s> in a tile is not supported", x->name)))
+            !(problem != NULL ? fail_or_defer(t, x, x->start, "%s", problem)
+                              : fail_or_defer(t, x, x->start, "<%.40s> in a tile is not supported", x->name)))
             return false;
         if (!xml_skip(x))
             return false;
     }
-    t->at_tile = WHOLE;
+    t->current_tile = WHOLE;
     return event == XML_CLOSE;
 }
 
@@ -245,12 +248,13 @@ static bool read_tileset_child(struct tmx *t, struct xml *x, struct tileset *s)
         return read_tile(t, x);
     if (strcmp(x->name, "tileoffset") == 0)
         return check_attributes(t, x, offset) && xml_skip(x);
-    if (!is_one_of(x->name, harmless) && !refuse(t, x, x->start, "<%.40s> in a tileset is not supported", x->name))
+    if (!is_one_of(x->name, harmless) &&
+        !fail_or_defer(t, x, x->start, "<%.40s> in a tileset is not supported", x->name))
         return false;
     return xml_skip(x);
 }
 
-/* From <tileset> to </tileset>, in the map or in its own file. */
+/* Reads from <tileset> to </tileset>, in the map or in a .tsx file. */
 static bool read_tileset_body(struct tmx *t, struct xml *x, struct tileset *s)
 {
     static const char *const rules[] = {
@@ -261,18 +265,18 @@ static bool read_tileset_body(struct tmx *t, struct xml *x, struct tileset *s)
     int64_t w, h, spacing, margin, columns;
     enum xml_event event;
 
-    if (!check_attributes(t, x, rules) || !get(x, "tilewidth", 0, 1 << 20, 0, &w) ||
-        !get(x, "tileheight", 0, 1 << 20, 0, &h) || !get(x, "spacing", 0, 1024, 0, &spacing) ||
-        !get(x, "margin", 0, 1024, 0, &margin) || !get(x, "columns", 0, 1 << 20, 0, &columns) ||
-        !get(x, "tilecount", 0, 1 << 27, 0, &s->count))
+    if (!check_attributes(t, x, rules) || !get_integer(x, "tilewidth", 0, 1 << 20, 0, &w) ||
+        !get_integer(x, "tileheight", 0, 1 << 20, 0, &h) || !get_integer(x, "spacing", 0, 1024, 0, &spacing) ||
+        !get_integer(x, "margin", 0, 1024, 0, &margin) || !get_integer(x, "columns", 0, 1 << 20, 0, &columns) ||
+        !get_integer(x, "tilecount", 0, 1 << 27, 0, &s->count))
         return false;
     snprintf(s->sheet.place, sizeof s->sheet.place, "%s:%d", x->file, x->start.line);
     s->sheet.spacing = (int)spacing;
     s->sheet.margin = (int)margin;
     s->sheet.columns = (int)columns;
     if (((w && w != t->side) || (h && h != t->side)) &&
-        !refuse(t, x, x->start, "tiles of %dx%d px, expected %dx%d, as in the map", (int)w, (int)h, (int)t->side,
-                (int)t->side))
+        !fail_or_defer(t, x, x->start, "tiles of %dx%d px, expected %dx%d, as in the map", (int)w, (int)h, (int)t->side,
+                       (int)t->side))
         return false;
     while ((event = xml_next(x)) == XML_OPEN)
         if (!read_tileset_child(t, x, s))
@@ -280,7 +284,6 @@ static bool read_tileset_body(struct tmx *t, struct xml *x, struct tileset *s)
     return event == XML_CLOSE;
 }
 
-/* A .tsx file. */
 static bool read_tsx(struct tmx *t, const char *source, struct tileset *s)
 {
     char file[TREE_PATH];
@@ -314,20 +317,20 @@ static bool read_tileset(struct tmx *t, struct xml *x)
     struct tileset *s = &t->set[t->sets];
     const char *source = xml_value(x, "source");
 
-    if (t->sets == TILESETS)
-        return xml_refuse(x, x->start, "more than %d tilesets", (int)TILESETS);
-    if (!need(x, "firstgid", 1, 1 << 28, &s->first))
+    if (t->sets == MAX_TILESETS)
+        return xml_refuse(x, x->start, "more than %d tilesets", (int)MAX_TILESETS);
+    if (!need_integer(x, "firstgid", 1, 1 << 28, &s->first))
         return false;
-    t->at_set = t->sets++;
-    t->at_tile = WHOLE;
+    t->current_set = t->sets++;
+    t->current_tile = WHOLE;
     const bool good = source == NULL ? read_tileset_body(t, x, s)
                                      : check_attributes(t, x, rules) && read_tsx(t, source, s) && xml_skip(x);
-    t->at_set = -1;
+    t->current_set = -1;
     return good;
 }
 
-/* The tileset of a tile, or NULL. */
-static struct tileset *set_of(struct tmx *t, uint32_t id)
+/* Returns the tileset of a gid without flags, or NULL. */
+static struct tileset *find_tileset(struct tmx *t, uint32_t id)
 {
     struct tileset *best = NULL;
 
@@ -341,22 +344,22 @@ static struct tileset *set_of(struct tmx *t, uint32_t id)
 
 static bool set_gid(struct tmx *t, struct xml *x, struct xml_place place, uint32_t *to, int64_t gid)
 {
-    const uint32_t id = (uint32_t)gid & ~MAP_GID_TURNS;
+    const uint32_t id = (uint32_t)gid & ~MAP_GID_FLIPS;
 
     if (gid > UINT32_MAX || id >> 28)
         return xml_refuse(x, place, "expected a tile number, got %" PRId64, gid);
     if (id) {
-        struct tileset *s = set_of(t, id);
+        struct tileset *s = find_tileset(t, id);
         if (s == NULL)
             return xml_refuse(x, place, "tile %" PRIu32 " does not belong to a tileset", id);
-        const uint32_t behind = (uint32_t)(id - s->first + 1);
-        s->used = behind > s->used ? behind : s->used;
+        const uint32_t last = (uint32_t)(id - s->first + 1);
+        s->used = last > s->used ? last : s->used;
     }
     *to = id ? (uint32_t)gid : 0;
     return true;
 }
 
-/* Numbers separated by commas. */
+/* Reads gids separated by commas. */
 static bool read_csv(struct tmx *t, struct xml *x, uint32_t *to, int64_t n, int64_t *got)
 {
     struct xml_place place = x->place;
@@ -385,7 +388,7 @@ static bool read_csv(struct tmx *t, struct xml *x, uint32_t *to, int64_t n, int6
     }
 }
 
-/* <tile gid="n"/> up to the end of the element around them. */
+/* Reads <tile gid="n"/> up to the end of the enclosing element. */
 static bool read_xml(struct tmx *t, struct xml *x, uint32_t *to, int64_t n, int64_t *got)
 {
     static const char *const rules[] = { "gid", NULL };
@@ -397,15 +400,15 @@ static bool read_xml(struct tmx *t, struct xml *x, uint32_t *to, int64_t n, int6
             return xml_refuse(x, x->start, "expected <tile gid=\"...\"/>, got <%.40s>", x->name);
         if (*got == n)
             return xml_refuse(x, x->start, "more than %" PRId64 " tiles", n);
-        if (!check_attributes(t, x, rules) || !get(x, "gid", 0, UINT32_MAX, 0, &gid) ||
+        if (!check_attributes(t, x, rules) || !get_integer(x, "gid", 0, UINT32_MAX, 0, &gid) ||
             !set_gid(t, x, x->start, &to[(*got)++], gid) || !xml_skip(x))
             return false;
     }
     return event == XML_CLOSE;
 }
 
-/* Decodes base64 into `out`, which is as large; the bytes, or -1. */
-static int64_t decode64(const char *s, size_t n, uint8_t *out)
+/* Decodes base64 into `out`, which has at least n bytes. Returns the number of bytes; -1: invalid. */
+static int64_t decode_base64(const char *s, size_t n, uint8_t *out)
 {
     uint32_t bits = 0;
     int64_t size = 0;
@@ -429,8 +432,8 @@ static int64_t decode64(const char *s, size_t n, uint8_t *out)
     return count % 4 == 1 ? -1 : size;
 }
 
-/* The first byte of the deflated data of a gzip file (RFC 1952), or 0. */
-static size_t gzip_data(const uint8_t *p, size_t n)
+/* Returns the offset of the deflated data in a gzip file (RFC 1952), or 0. */
+static size_t find_gzip_data(const uint8_t *p, size_t n)
 {
     enum { CHECK = 2, EXTRA = 4, NAME = 8, COMMENT = 16 };
     size_t at = 10;
@@ -449,22 +452,22 @@ static size_t gzip_data(const uint8_t *p, size_t n)
     return at + 8 <= n ? at : 0;
 }
 
-/* Inflates packed bytes to exactly `size`; out has space for one more. */
+/* Inflates to exactly `size` bytes; out has space for one more. */
 static bool inflate(uint8_t *packed, size_t n, bool gzip, uint8_t *out, size_t size)
 {
-    const size_t at = gzip ? gzip_data(packed, n) : 0;
+    const size_t at = gzip ? find_gzip_data(packed, n) : 0;
 
     if (!gzip)
         return png_inflate(packed, n, out, size);
     if (at == 0)
         return false;
-    packed[at - 2] = 0x78; /* zlib's header; the checksums after the data are ignored */
+    packed[at - 2] = 0x78; /* replace the header by zlib's; png_inflate ignores the checksum after the data */
     packed[at - 1] = 0x9c;
     return png_inflate(packed + at - 2, n - (at - 2), out, size) &&
            hash_crc32(out, size) == bytes_get32(packed + n - 8);
 }
 
-/* Four bytes per cell, possibly compressed, in base64. */
+/* Reads four bytes per cell in base64, possibly compressed. */
 static bool read_base64(struct tmx *t, struct xml *x, const char *compression, uint32_t *to, int64_t n, int64_t *got)
 {
     const struct xml_place place = x->place;
@@ -472,7 +475,7 @@ static bool read_base64(struct tmx *t, struct xml *x, const char *compression, u
     const size_t length = xml_text(x, &s), size = (size_t)n * 4;
     uint8_t *packed = malloc(length + 1), *bytes = malloc(size + 1);
     bool good = packed != NULL && bytes != NULL ? true : result_set_host_error(t->err, t->err_size, "out of memory");
-    const int64_t packed_size = good ? decode64(s, length, packed) : 0;
+    const int64_t packed_size = good ? decode_base64(s, length, packed) : 0;
 
     if (good && packed_size < 0)
         good = xml_refuse(x, place, "invalid base64");
@@ -500,13 +503,13 @@ static bool add_chunk(struct tmx *t, struct xml *x, struct chunk c)
     t->gid = gid != NULL ? gid : t->gid;
     if (gid == NULL || !array_append(&t->chunk, (size_t)t->chunks, sizeof c))
         return result_set_host_error(t->err, t->err_size, "out of memory");
-    c.at = t->gids;
+    c.first = t->gids;
     t->chunk[t->chunks++] = c;
     t->gids += n;
     return true;
 }
 
-/* The cells of <data> or <chunk>, up to its end. */
+/* Reads the cells of <data> or <chunk>, up to its end. */
 static bool read_chunk(struct tmx *t, struct xml *x, const char *encoding, const char *compression, struct chunk c)
 {
     const struct xml_place place = x->start;
@@ -539,9 +542,10 @@ static bool read_chunks(struct tmx *t, struct xml *x, const char *encoding, cons
     while ((event = xml_next(x)) == XML_OPEN) {
         if (strcmp(x->name, "chunk") != 0)
             return xml_refuse(x, x->start, "expected <chunk>, got <%.40s>", x->name);
-        if (!check_attributes(t, x, rules) || !need(x, "x", INT32_MIN, INT32_MAX, &c.x) ||
-            !need(x, "y", INT32_MIN, INT32_MAX, &c.y) || !need(x, "width", 1, CART_MAX_MAP_SIDE, &c.w) ||
-            !need(x, "height", 1, CART_MAX_MAP_SIDE, &c.h) || !read_chunk(t, x, encoding, compression, c))
+        if (!check_attributes(t, x, rules) || !need_integer(x, "x", INT32_MIN, INT32_MAX, &c.x) ||
+            !need_integer(x, "y", INT32_MIN, INT32_MAX, &c.y) ||
+            !need_integer(x, "width", 1, CART_MAX_MAP_SIDE, &c.w) ||
+            !need_integer(x, "height", 1, CART_MAX_MAP_SIDE, &c.h) || !read_chunk(t, x, encoding, compression, c))
             return false;
     }
     return event == XML_CLOSE;
@@ -570,49 +574,49 @@ static bool read_data(struct tmx *t, struct xml *x)
     return read_chunk(t, x, encoding, compression, (struct chunk){ 0, 0, t->cols, t->rows, 0 });
 }
 
-/* ---- the cells of a layer, in the order of the sheets ---- */
+/* ---- the cells of a layer ---- */
 
-/* The sheets of the tilesets that are used. */
-static bool collect_sheets(struct tmx *t, struct xml *x, struct xml_place place)
+/* Collects the tilesets that the layer uses. */
+static bool collect_tilesets(struct tmx *t, struct xml *x, struct xml_place place)
 {
     struct map_cells *out = t->out;
     int64_t base = 0;
 
-    out->named = t->sets > 1;
+    out->match_pictures = t->sets > 1;
     for (int i = 0; i < t->sets; i++) {
         struct tileset *s = &t->set[i];
         if (s->used == 0)
             continue;
-        if (out->sheets == MAP_SHEETS)
-            return xml_refuse(x, place, "the layer uses tiles from more than %d tilesets", (int)MAP_SHEETS);
+        if (out->tilesets == MAP_MAX_TILESETS)
+            return xml_refuse(x, place, "the layer uses tiles from more than %d tilesets", (int)MAP_MAX_TILESETS);
         const int64_t count = s->count > 0 ? s->count : MAP_NUMBER - base;
         if (s->used > count)
             return xml_refuse(x, place, "tile %" PRId64 " does not belong to a tileset: %s has only %" PRId64 " tiles",
                               s->first + s->used - 1, s->sheet.place, count);
         s->sheet.base = (uint32_t)base;
-        out->sheet[out->sheets++] = s->sheet;
+        out->tileset[out->tilesets++] = s->sheet;
         base += s->used;
     }
-    out->sheets += out->sheets == 0; /* an empty layer */
+    out->tilesets += out->tilesets == 0; /* an empty layer */
     return true;
 }
 
-static bool check_flaws(struct tmx *t)
+static bool report_deferred(struct tmx *t)
 {
-    for (int i = 0; i < t->flaws; i++) {
-        const struct flaw *f = &t->flaw[i];
+    for (int i = 0; i < t->n_deferred; i++) {
+        const struct deferred_error *f = &t->deferred[i];
         const struct tileset *s = &t->set[f->set];
-        bool met = f->tile == WHOLE && s->used > 0;
-        for (size_t k = 0; !met && f->tile < s->used && k < t->gids; k++)
-            met = (t->gid[k] & ~MAP_GID_TURNS) == (uint64_t)(s->first + f->tile) && t->gid[k] != 0;
-        if (met)
+        bool used = f->tile == WHOLE && s->used > 0;
+        for (size_t k = 0; !used && f->tile < s->used && k < t->gids; k++)
+            used = (t->gid[k] & ~MAP_GID_FLIPS) == (uint64_t)(s->first + f->tile) && t->gid[k] != 0;
+        if (used)
             return err_set(t->err, t->err_size, "%s", f->why);
     }
     return true;
 }
 
-/* The smallest rectangle that holds all tiles of an infinite map. */
-static bool bound(const struct tmx *t, struct chunk *box)
+/* Computes the bounding box of the tiles of an infinite map; false: it has none. */
+static bool find_bounds(const struct tmx *t, struct chunk *box)
 {
     int64_t right = INT64_MIN, bottom = INT64_MIN;
 
@@ -621,7 +625,7 @@ static bool bound(const struct tmx *t, struct chunk *box)
         const struct chunk *c = &t->chunk[i];
         for (int64_t k = 0; k < c->w * c->h; k++) {
             const int64_t x = c->x + k % c->w, y = c->y + k / c->w;
-            if (t->gid[c->at + (size_t)k] == 0)
+            if (t->gid[c->first + (size_t)k] == 0)
                 continue;
             box->x = x < box->x ? x : box->x;
             box->y = y < box->y ? y : box->y;
@@ -644,12 +648,12 @@ static bool place_cells(struct tmx *t, struct chunk box)
     for (int i = 0; i < t->chunks; i++) {
         const struct chunk *c = &t->chunk[i];
         for (int64_t k = 0; k < c->w * c->h; k++) {
-            const uint32_t gid = t->gid[c->at + (size_t)k], id = gid & ~MAP_GID_TURNS;
+            const uint32_t gid = t->gid[c->first + (size_t)k], id = gid & ~MAP_GID_FLIPS;
             if (gid == 0)
                 continue;
-            const struct tileset *s = set_of(t, id);
+            const struct tileset *s = find_tileset(t, id);
             t->out->cell[(c->y + k / c->w - box.y) * box.w + c->x + k % c->w - box.x] =
-                (uint32_t)(id - s->first + 1 + s->sheet.base) | map_turns(gid);
+                (uint32_t)(id - s->first + 1 + s->sheet.base) | map_flips(gid);
         }
     }
     t->out->cols = (int)box.w;
@@ -662,18 +666,18 @@ static bool finish_layer(struct tmx *t, struct xml *x, struct xml_place place)
 {
     struct chunk box = { 0, 0, t->cols, t->rows, 0 };
 
-    if (t->infinite && !bound(t, &box))
+    if (t->infinite && !find_bounds(t, &box))
         return xml_refuse(x, place, "the layer has no tiles");
     if (box.w > CART_MAX_MAP_SIDE / 8 || box.h > CART_MAX_MAP_SIDE / 8 || box.w * box.h > CART_MAX_MAP_CELLS)
         return xml_refuse(x, place,
                           "the layer covers %" PRId64 "x%" PRId64 " tiles, expected at most %d in each direction",
                           box.w, box.h, CART_MAX_MAP_SIDE / 8);
-    return check_flaws(t) && collect_sheets(t, x, place) && place_cells(t, box);
+    return report_deferred(t) && collect_tilesets(t, x, place) && place_cells(t, box);
 }
 
 /* ---- layers ---- */
 
-/* Attributes of layers and groups, with the only values that are drawn alike. */
+/* Attributes of layers and groups. Those that change the picture must have their default values. */
 static const char *const layer_rules[] = { "id",
                                            "name",
                                            "class",
@@ -703,7 +707,8 @@ static bool read_layer(struct tmx *t, struct xml *x)
 
     if (!check_attributes(t, x, layer_rules))
         return false;
-    if (!t->infinite && (!need(x, "width", t->cols, t->cols, &cols) || !need(x, "height", t->rows, t->rows, &rows)))
+    if (!t->infinite &&
+        (!need_integer(x, "width", t->cols, t->cols, &cols) || !need_integer(x, "height", t->rows, t->rows, &rows)))
         return false;
     while ((event = xml_next(x)) == XML_OPEN) {
         if (strcmp(x->name, "data") == 0) {
@@ -724,22 +729,22 @@ static bool read_layer(struct tmx *t, struct xml *x)
 }
 
 /* Adds a name to the list for messages, if it fits. */
-static void skip_layer_name(struct tmx *t, const char *name)
+static void add_skipped_name(struct tmx *t, const char *name)
 {
-    size_t at = strlen(t->names), room = sizeof t->names - at;
+    size_t at = strlen(t->names), left = sizeof t->names - at;
 
-    if (name != NULL && name[0] != '\0' && strlen(name) + 3 <= room)
-        snprintf(t->names + at, room, "%s%s", at > 0 ? ", " : "", name);
+    if (name != NULL && name[0] != '\0' && strlen(name) + 3 <= left)
+        snprintf(t->names + at, left, "%s%s", at > 0 ? ", " : "", name);
 }
 
-static bool tile_layer(struct tmx *t, struct xml *x)
+static bool read_tile_layer(struct tmx *t, struct xml *x)
 {
     const char *name = xml_value(x, "name");
 
     t->layers++;
     if (t->wanted[0] != '\0' ? name == NULL || strcmp(name, t->wanted) != 0 : t->layers > 1) {
         t->other = x->start;
-        skip_layer_name(t, name);
+        add_skipped_name(t, name);
         return xml_skip(x);
     }
     if (t->found)
@@ -747,7 +752,7 @@ static bool tile_layer(struct tmx *t, struct xml *x)
     return read_layer(t, x);
 }
 
-/* Objects are visible if they are tiles or text. */
+/* Only tiles and text are visible objects. */
 static bool read_object(struct xml *x)
 {
     const char *visible = xml_value(x, "visible");
@@ -779,26 +784,26 @@ static bool read_objects(struct xml *x)
 
 static bool read_children(struct tmx *t, struct xml *x, bool (*other)(struct tmx *t, struct xml *x));
 
-/* Layers of all kinds, in the map or in a group. If a layer is named, the others do not matter. */
-static bool any_layer(struct tmx *t, struct xml *x)
+/* Reads a layer of any kind, in the map or in a group. If a layer is named, the others are ignored. */
+static bool read_any_layer(struct tmx *t, struct xml *x)
 {
     const char *visible = xml_value(x, "visible");
-    const bool unseen = t->wanted[0] != '\0' || (visible != NULL && strcmp(visible, "0") == 0);
+    const bool ignored = t->wanted[0] != '\0' || (visible != NULL && strcmp(visible, "0") == 0);
 
     if (strcmp(x->name, "layer") == 0)
-        return tile_layer(t, x);
+        return read_tile_layer(t, x);
     if (strcmp(x->name, "group") == 0)
-        return check_attributes(t, x, layer_rules) && read_children(t, x, any_layer);
+        return check_attributes(t, x, layer_rules) && read_children(t, x, read_any_layer);
     if (strcmp(x->name, "properties") == 0)
         return xml_skip(x);
     if (strcmp(x->name, "objectgroup") == 0)
-        return unseen ? xml_skip(x) : read_objects(x);
+        return ignored ? xml_skip(x) : read_objects(x);
     if (strcmp(x->name, "imagelayer") != 0)
         return xml_refuse(x, x->start, "<%.40s> is not supported", x->name);
-    return unseen ? xml_skip(x)
-                  : xml_refuse(x, x->start,
-                               "image layers are not supported; hide the layer, or choose another in rom.lua with "
-                               "layer = \"NAME\"");
+    return ignored ? xml_skip(x)
+                   : xml_refuse(x, x->start,
+                                "image layers are not supported; hide the layer, or choose another in rom.lua with "
+                                "layer = \"NAME\"");
 }
 
 static bool read_children(struct tmx *t, struct xml *x, bool (*other)(struct tmx *t, struct xml *x))
@@ -813,15 +818,15 @@ static bool read_children(struct tmx *t, struct xml *x, bool (*other)(struct tmx
 
 /* ---- the map ---- */
 
-static bool map_child(struct tmx *t, struct xml *x)
+static bool read_map_child(struct tmx *t, struct xml *x)
 {
     if (strcmp(x->name, "editorsettings") == 0)
         return xml_skip(x);
-    return strcmp(x->name, "tileset") == 0 ? read_tileset(t, x) : any_layer(t, x);
+    return strcmp(x->name, "tileset") == 0 ? read_tileset(t, x) : read_any_layer(t, x);
 }
 
-/* An alpha of 0 in front: "#00rrggbb". */
-static bool is_clear(const char *color)
+/* Returns whether a colour has alpha 0 ("#00rrggbb"). */
+static bool is_transparent(const char *color)
 {
     return color == NULL || (strlen(color) == 9 && strncmp(color, "#00", 3) == 0);
 }
@@ -842,22 +847,22 @@ static bool read_map(struct tmx *t, struct xml *x)
     const char *color = xml_value(x, "backgroundcolor");
     int64_t h, infinite;
 
-    if (!check_attributes(t, x, rules) || !get(x, "infinite", 0, 1, 0, &infinite))
+    if (!check_attributes(t, x, rules) || !get_integer(x, "infinite", 0, 1, 0, &infinite))
         return false;
-    if (!is_clear(color))
+    if (!is_transparent(color))
         return xml_refuse(
             x, x->start, "<map> backgroundcolor=\"%.40s\" is not supported; clear it in Tiled's Map Properties", color);
     t->infinite = infinite;
-    if (!t->infinite && (!need(x, "width", 1, CART_MAX_MAP_SIDE / 8, &t->cols) ||
-                         !need(x, "height", 1, CART_MAX_MAP_SIDE / 8, &t->rows)))
+    if (!t->infinite && (!need_integer(x, "width", 1, CART_MAX_MAP_SIDE / 8, &t->cols) ||
+                         !need_integer(x, "height", 1, CART_MAX_MAP_SIDE / 8, &t->rows)))
         return false;
-    if (!need(x, "tilewidth", 1, 1024, &t->side) || !need(x, "tileheight", 1, 1024, &h))
+    if (!need_integer(x, "tilewidth", 1, 1024, &t->side) || !need_integer(x, "tileheight", 1, 1024, &h))
         return false;
     if (t->side != h || (h != 8 && h != 16 && h != 32))
         return xml_refuse(x, x->start, "tiles of %dx%d px, expected 8x8, 16x16 or 32x32", (int)t->side, (int)h);
     if (t->cols * t->rows > CART_MAX_MAP_CELLS)
         return xml_refuse(x, x->start, "more than %d tiles", CART_MAX_MAP_CELLS);
-    return read_children(t, x, map_child);
+    return read_children(t, x, read_map_child);
 }
 
 static bool read_file(struct tmx *t)
@@ -889,7 +894,7 @@ bool map_read_tmx(const char *text, size_t n, const char *file, const char *laye
     if (good) {
         t->files = files;
         t->wanted = layer;
-        t->at_set = -1;
+        t->current_set = -1;
         t->out = out;
         t->err = err;
         t->err_size = err_size;

@@ -1,7 +1,7 @@
 /*
- * pack.c - see pack.h. The folder is walked once into a sorted list of paths; each path that belongs in the ROM and
- * each picture that rom.lua names adds a lump to a list; the list is sorted and written. The list owns its lumps, so
- * one close frees everything wherever packing stopped.
+ * pack.c - see pack.h. The folder is walked once, which gives a sorted list of paths. Each file that belongs in the ROM
+ * and each picture and sound of rom.lua adds a lump to a list, which is then sorted and written. The list owns its
+ * lumps, so lumps_free frees everything if packing fails.
  */
 #include "pack_parts.h"
 #include <stdio.h>
@@ -22,7 +22,7 @@
 #include "../../common/files.h"
 #include "../../common/progress.h"
 
-static void lumps_close(struct lumps *l)
+static void lumps_free(struct lumps *l)
 {
     for (int i = 0; i < l->n; i++) {
         free((void *)(uintptr_t)l->lump[i].name);
@@ -56,11 +56,11 @@ bool pack_add_copy(struct packer *p, const char *folder, const char *name, const
     return pack_add(p, folder, name, copy, size);
 }
 
-void pack_tell(struct packer *p, const char *file)
+void pack_progress(struct packer *p, const char *file)
 {
     const int all = p->files.n + p->art.n_sheets + p->art.n_maps + p->art.n_sounds + p->art.n_tunes;
 
-    progress_update((uint64_t)p->told++, (uint64_t)all, "packing %s", file);
+    progress_update((uint64_t)p->done++, (uint64_t)all, "packing %s", file);
 }
 
 bool pack_load(struct packer *p, const char *name, size_t max, uint8_t **data, size_t *size)
@@ -117,7 +117,7 @@ static bool add_manifest(struct packer *p)
     return pack_add_copy(p, "", "manifest", bytes, size);
 }
 
-/* True if p is after -- in its line. */
+/* Returns whether p is in a comment that starts with --. */
 static bool in_comment(const char *text, const char *p)
 {
     for (; p > text && p[-1] != '\n'; p--)
@@ -126,8 +126,8 @@ static bool in_comment(const char *text, const char *p)
     return false;
 }
 
-/* The line of rom.lua that contains the file's name; 0: none. */
-static int line_of(const char *text, const char *file)
+/* Returns the line of rom.lua that contains the file's name; 0: none. */
+static int find_line(const char *text, const char *file)
 {
     size_t n = strlen(file);
     int line = 1;
@@ -140,7 +140,7 @@ static int line_of(const char *text, const char *file)
 
 bool pack_refuse_missing(struct packer *p, const char *file)
 {
-    int line = line_of(p->rom_text, file);
+    int line = find_line(p->rom_text, file);
 
     if (line > 0)
         return err_set(p->err, p->err_size, "rom.lua:%d: %s does not exist", line, file);
@@ -193,11 +193,11 @@ static bool add_script(struct packer *p, const char *path)
     }
     p->std |= std_find_used_modules((const char *)text, size);
     if (p->art.n_fonts > 0)
-        faces_add_script(&p->shown, (const char *)text, size);
+        pack_font_add_script(&p->shown, (const char *)text, size);
     return std ? pack_add(p, "script/@std/", path + 4, text, size) : pack_add(p, "script/", path, text, size);
 }
 
-/* demos/NAME.demo is the lump demo/NAME. */
+/* Adds demos/NAME.demo as the lump demo/NAME. */
 static bool add_demo(struct packer *p, const char *path)
 {
     char name[PATH];
@@ -226,7 +226,7 @@ static bool add_text(struct packer *p, const char *path)
     return pack_add(p, "data/", path, data, size);
 }
 
-/* lang/NAME.txt is the lump lang/NAME. */
+/* Adds lang/NAME.txt as the lump lang/NAME. */
 static bool add_lang(struct packer *p, const char *path)
 {
     char name[PATH];
@@ -238,13 +238,13 @@ static bool add_lang(struct packer *p, const char *path)
     if (!manifest_setting_name_ok(name))
         return err_set(p->err, p->err_size, "%s: expected a language name of 1 to %d letters, digits, _ and -", path,
                        MAX_SETTING_NAME - 1);
-    if (!pack_load_text(p, path, LANG_FILE, &text, &size))
+    if (!pack_load_text(p, path, LANG_MAX_FILE, &text, &size))
         return false;
     bool good = lang_read(&lang, (const char *)text, size, path, p->err, p->err_size);
     for (int i = 0; good && i < lang.n; i++)
-        faces_add_text(&p->shown, lang.list[i].words, strlen(lang.list[i].words));
+        pack_font_add_text(&p->shown, lang.list[i].words, strlen(lang.list[i].words));
     size = good ? lang_make(&lang, &data) : 0;
-    lang_close(&lang);
+    lang_free(&lang);
     free(text);
     if (!good)
         return false;
@@ -257,8 +257,8 @@ bool pack_is_bulletml(const char *path)
     return pack_starts_with(path, "bulletml/") && files_has_suffix(path + strlen("bulletml/"), ".xml");
 }
 
-/* The name of a document: the path after bulletml/, with _ for characters that are not allowed in names, because
- * collections have names such as "[game] boss 2.xml". */
+/* Makes the name of a document: the path after bulletml/, with _ for characters that are not allowed in names, because
+ * collections of documents contain names such as "[game] boss 2.xml". */
 static void name_bulletml(const char *path, char name[PATH])
 {
     const char *from = path + strlen("bulletml/");
@@ -270,8 +270,8 @@ static void name_bulletml(const char *path, char name[PATH])
             *c = '_';
 }
 
-/* True if no other document has the name. */
-static bool name_free(const struct packer *p, const char *name)
+/* Returns whether no other document has the name. */
+static bool is_name_unused(const struct packer *p, const char *name)
 {
     for (int i = 0; i < p->lumps.n; i++)
         if (pack_starts_with(p->lumps.lump[i].name, "bulletml/") &&
@@ -280,7 +280,7 @@ static bool name_free(const struct packer *p, const char *name)
     return true;
 }
 
-/* A document becomes the program that the board runs. */
+/* Adds a document as a compiled program. */
 static bool add_bulletml(struct packer *p, const char *path)
 {
     char name[PATH];
@@ -288,14 +288,14 @@ static bool add_bulletml(struct packer *p, const char *path)
     struct document d;
     size_t size;
 
-    if (!pack_load(p, path, DOCUMENT_FILE, &text, &size))
+    if (!pack_load(p, path, DOCUMENT_MAX_FILE, &text, &size))
         return false;
     const bool good = document_read(&d, (const char *)text, size, path, p->warn, p->context, p->err, p->err_size) &&
                       bulletml_compile(&d, path, &data, &size, p->err, p->err_size);
-    document_close(&d);
+    document_free(&d);
     free(text);
     name_bulletml(path, name);
-    if (good && !name_free(p, name)) {
+    if (good && !is_name_unused(p, name)) {
         free(data);
         return err_set(p->err, p->err_size, "%s: another document is also packed as \"%s\"", path, name);
     }
@@ -303,7 +303,7 @@ static bool add_bulletml(struct packer *p, const char *path)
 }
 
 /* Documents are packed only if the game enables BulletML. */
-static bool goes_in(const struct packer *p, const char *path)
+static bool is_packed(const struct packer *p, const char *path)
 {
     return files_has_suffix(path, ".txt") || (p->m.bulletml_runners > 0 && pack_is_bulletml(path));
 }
@@ -313,7 +313,7 @@ static bool add_file(struct packer *p, const char *path)
     bool lua = files_has_suffix(path, ".lua"),
          demo = pack_starts_with(path, "demos/") && files_has_suffix(path + 6, ".demo");
 
-    if (strcmp(path, "rom.lua") == 0 || (!lua && !demo && !goes_in(p, path)))
+    if (strcmp(path, "rom.lua") == 0 || (!lua && !demo && !is_packed(p, path)))
         return true;
     if (!manifest_path_ok(path) && !pack_is_bulletml(path))
         return err_set(p->err, p->err_size, "%s: expected a name of letters, digits, _ - and . only", path);
@@ -338,14 +338,14 @@ static bool add_files(struct packer *p)
     if (!tree_has(&p->files, path))
         return err_set(p->err, p->err_size, "rom.lua: entry: %s does not exist", path);
     for (int i = 0; i < p->files.n; i++) {
-        pack_tell(p, p->files.name[i]);
+        pack_progress(p, p->files.name[i]);
         if (!add_file(p, p->files.name[i]))
             return false;
     }
     return true;
 }
 
-static bool replaced(const struct packer *p, const char *name)
+static bool is_replaced(const struct packer *p, const char *name)
 {
     char path[PATH];
 
@@ -353,7 +353,7 @@ static bool replaced(const struct packer *p, const char *name)
     return tree_has(&p->files, path);
 }
 
-static const struct embedded *library(const char *name)
+static const struct embedded *find_library_script(const char *name)
 {
     for (int i = 0; i < std_script_count; i++)
         if (strcmp(std_scripts[i].name, name) == 0)
@@ -361,13 +361,13 @@ static const struct embedded *library(const char *name)
     return NULL;
 }
 
-/* The game's own versions of modules are always packed. */
-static uint64_t own_modules(const struct packer *p)
+/* Returns the modules that the game replaces, which are always packed. */
+static uint64_t replaced_modules(const struct packer *p)
 {
     uint64_t own = 0;
 
     for (int i = 0; i < STD_MODULE_COUNT; i++)
-        own |= (uint64_t)replaced(p, std_modules[i].name) << i;
+        own |= (uint64_t)is_replaced(p, std_modules[i].name) << i;
     return own;
 }
 
@@ -379,35 +379,35 @@ static bool add_module(struct packer *p, const struct embedded *s)
     return pack_add_copy(p, "script/@std/", file, s->data, s->size);
 }
 
-/* The files of the modules that are packed; the game's own are packed already. */
-static bool add_pieces(struct packer *p)
+/* Adds the additional files of packed modules; files of the game have been added. */
+static bool add_extra_files(struct packer *p)
 {
     for (int i = 0; i < std_script_count; i++) {
         int of = std_module_of_file(std_scripts[i].name);
-        if (of >= 0 && p->std >> of & 1 && !replaced(p, std_scripts[i].name) && !add_module(p, &std_scripts[i]))
+        if (of >= 0 && p->std >> of & 1 && !is_replaced(p, std_scripts[i].name) && !add_module(p, &std_scripts[i]))
             return false;
     }
     return true;
 }
 
-/* Modules that the game's scripts name, and modules that these name; any module needs the prelude. */
+/* Adds the modules that the game's scripts use, and those that these modules use. Every module needs the prelude. */
 static bool add_std(struct packer *p)
 {
-    uint64_t in = own_modules(p), missing;
+    uint64_t in = replaced_modules(p), missing;
 
     p->std |= (p->std | in) != 0 ? 1 : 0;
     while ((missing = p->std & ~in) != 0) {
         int i = (int)bits_lowest(missing);
-        const struct embedded *s = library(std_modules[i].name);
+        const struct embedded *s = find_library_script(std_modules[i].name);
         if (!add_module(p, s))
             return false;
         p->std |= std_find_needed_modules(i, (const char *)s->data, s->size);
         in |= (uint64_t)1 << i;
     }
-    return add_pieces(p);
+    return add_extra_files(p);
 }
 
-static int by_name(const void *a, const void *b)
+static int compare_names(const void *a, const void *b)
 {
     return strcmp(((const struct lump *)a)->name, ((const struct lump *)b)->name);
 }
@@ -416,7 +416,7 @@ static bool write_image(struct packer *p, uint8_t **image, size_t *size)
 {
     struct rom rom;
 
-    qsort(p->lumps.lump, (size_t)p->lumps.n, sizeof p->lumps.lump[0], by_name);
+    qsort(p->lumps.lump, (size_t)p->lumps.n, sizeof p->lumps.lump[0], compare_names);
     *size = rom_write_size(p->lumps.lump, p->lumps.n);
     *image = NULL;
     if (*size == 0)
@@ -432,7 +432,7 @@ static bool write_image(struct packer *p, uint8_t **image, size_t *size)
     return false;
 }
 
-static bool gather(struct packer *p)
+static bool add_all(struct packer *p)
 {
     if (!tree_walk(p->dir, &p->files, p->err, p->err_size))
         return false;
@@ -452,9 +452,9 @@ bool pack_folder(const char *dir, bool nearest, pack_warning *warn, void *contex
     p->context = context;
     p->err = err;
     p->err_size = err_size;
-    bool good = gather(p) && write_image(p, image, size);
+    bool good = add_all(p) && write_image(p, image, size);
     tree_close(&p->files);
-    lumps_close(&p->lumps);
+    lumps_free(&p->lumps);
     free(p->rom_text);
     free(p);
     return good;

@@ -1,5 +1,5 @@
 /*
- * pack_art.c - the pictures and sounds of a game, as lumps.
+ * pack_art.c - makes the lumps of a game's pictures and sounds.
  */
 #include "pack_parts.h"
 #include <stdio.h>
@@ -21,7 +21,7 @@
 #include "../../player/picture/border.h"
 #include "../../player/picture/icon.h"
 
-/* Warns about pixels that are not shown. */
+/* Warns about pixels that vanish. */
 static void warn_faint(struct packer *p, const char *file, const struct art_picture *picture, const uint8_t *marked)
 {
     const struct art_faint f = art_find_faint(picture, marked);
@@ -29,12 +29,12 @@ static void warn_faint(struct packer *p, const char *file, const struct art_pict
 
     if (f.n == 0 || p->warn == NULL)
         return;
-    art_faint_say(picture, &f, why, sizeof why);
+    art_faint_describe(picture, &f, why, sizeof why);
     snprintf(sentence, sizeof sentence, "%s: %s", file, why);
     p->warn(p->context, sentence);
 }
 
-/* A picture of the folder into *out (art_picture_free). */
+/* Reads a picture of the folder; free it with art_picture_free. */
 static bool load_picture(struct packer *p, const char *file, bool by_index, struct art_picture *out)
 {
     char why[256];
@@ -75,8 +75,8 @@ static bool add_palettes(struct packer *p)
     return true;
 }
 
-/* The colours of a sheet, or of a map's tiles. */
-static const uint8_t *palette_of(const struct packer *p, const char *name)
+/* Returns the colours of the palette with the name; "" is the main palette. */
+static const uint8_t *find_palette(const struct packer *p, const char *name)
 {
     for (int i = 0; i < p->art.n_palettes; i++)
         if (strcmp(p->art.palettes[i].name, name) == 0)
@@ -101,7 +101,7 @@ static bool add_shades(struct packer *p)
     return true;
 }
 
-/* The table of a blend in one palette; malloc. NULL: out of memory. */
+/* Makes the table of a blend for a palette (malloc). NULL: out of memory. */
 static uint8_t *blend_table(struct packer *p, const uint8_t *rgb, int mix)
 {
     uint8_t *table = malloc(CART_BLEND_SIZE);
@@ -113,8 +113,8 @@ static uint8_t *blend_table(struct packer *p, const uint8_t *rgb, int mix)
     return NULL;
 }
 
-/* Tables of the other palettes, where they differ. */
-static bool add_blend_looks(struct packer *p, const struct art_blend *blend, const uint8_t *main)
+/* Adds the tables for other palettes, if they differ. */
+static bool add_palette_blends(struct packer *p, const struct art_blend *blend, const uint8_t *main)
 {
     char folder[ROM_MAX_NAME + 16];
 
@@ -136,13 +136,13 @@ static bool add_blends(struct packer *p)
     for (int i = 0; i < p->art.n_blends; i++) {
         uint8_t *table = blend_table(p, p->palette, p->art.blends[i].mix);
         if (table == NULL || !pack_add(p, "blend/", p->art.blends[i].name, table, CART_BLEND_SIZE) ||
-            !add_blend_looks(p, &p->art.blends[i], table))
+            !add_palette_blends(p, &p->art.blends[i], table))
             return false;
     }
     return true;
 }
 
-static bool add_font(struct packer *p)
+static bool add_cell_font(struct packer *p)
 {
     const char *file = p->art.font;
     struct art_picture picture;
@@ -160,7 +160,8 @@ static bool add_font(struct packer *p)
     return good ? pack_add(p, "", "font", data, size) : err_set(p->err, p->err_size, "%s: %s", file, why);
 }
 
-static bool read_bdf(struct packer *p, const struct art_font *font, const struct faces_set *wanted, struct faces *f)
+static bool read_bdf(struct packer *p, const struct art_font *font, const struct pack_font_chars *wanted,
+                     struct pack_font *f)
 {
     char why[256];
     uint8_t *text;
@@ -168,14 +169,15 @@ static bool read_bdf(struct packer *p, const struct art_font *font, const struct
 
     if (!tree_has(&p->files, font->file))
         return pack_refuse_missing(p, font->file);
-    if (!pack_load_text(p, font->file, BDF_FILE, &text, &size))
+    if (!pack_load_text(p, font->file, BDF_MAX_FILE, &text, &size))
         return false;
     bool good = bdf_read(f, (const char *)text, size, wanted, why, sizeof why);
     free(text);
     return good ? true : err_set(p->err, p->err_size, "%s: %s", font->file, why);
 }
 
-static bool read_cells(struct packer *p, const struct art_font *font, const struct faces_set *wanted, struct faces *f)
+static bool read_cells(struct packer *p, const struct art_font *font, const struct pack_font_chars *wanted,
+                       struct pack_font *f)
 {
     struct art_picture picture;
     char why[256];
@@ -184,8 +186,8 @@ static bool read_cells(struct packer *p, const struct art_font *font, const stru
     if (!load_picture(p, font->file, font->by_index, &picture))
         return false;
     warn_faint(p, font->file, &picture, NULL);
-    bool good = faces_cut(f, &picture, font, wanted, p->palette, p->nearest, why, sizeof why);
-    if (good && !faces_sort(f, &code)) {
+    bool good = pack_font_cut(f, &picture, font, wanted, p->palette, p->nearest, why, sizeof why);
+    if (good && !pack_font_sort(f, &code)) {
         snprintf(why, sizeof why, "`chars` contains U+%04X twice", (unsigned)code);
         good = false;
     }
@@ -193,11 +195,12 @@ static bool read_cells(struct packer *p, const struct art_font *font, const stru
     return good ? true : err_set(p->err, p->err_size, "%s: %s", font->file, why);
 }
 
-/* A font is packed with all of ASCII, because numbers are made at run time, and with the characters of the texts. */
-static bool add_face(struct packer *p, const struct art_font *font)
+/* Packs a font with all of ASCII, because numbers are formatted at run time, and with the characters of the game's
+ * text. */
+static bool add_proportional_font(struct packer *p, const struct art_font *font)
 {
-    struct faces_set *wanted = malloc(sizeof *wanted);
-    struct faces f = { 0 };
+    struct pack_font_chars *wanted = malloc(sizeof *wanted);
+    struct pack_font f = { 0 };
     uint8_t *data;
     size_t size = 0;
 
@@ -205,36 +208,36 @@ static bool add_face(struct packer *p, const struct art_font *font)
         return result_set_host_error(p->err, p->err_size, "out of memory");
     *wanted = p->shown;
     for (uint32_t c = 32; c < 127; c++)
-        faces_add(wanted, c);
-    faces_add_text(wanted, font->extra_chars, strlen(font->extra_chars));
+        pack_font_add(wanted, c);
+    pack_font_add_text(wanted, font->extra_chars, strlen(font->extra_chars));
     bool good = font->w == 0 ? read_bdf(p, font, wanted, &f) : read_cells(p, font, wanted, &f);
     free(wanted);
-    if (good && (!font->shadow || faces_shadow(&f)))
-        size = faces_make(&f, &data);
-    faces_close(&f);
+    if (good && (!font->shadow || pack_font_add_shadow(&f)))
+        size = pack_font_make(&f, &data);
+    pack_font_free(&f);
     if (!good)
         return false;
     return size > 0 ? pack_add(p, "fonts/", font->name, data, size)
                     : result_set_host_error(p->err, p->err_size, "out of memory");
 }
 
-static bool add_faces(struct packer *p)
+static bool add_proportional_fonts(struct packer *p)
 {
     for (int i = 0; i < p->art.n_fonts; i++)
-        if (!add_face(p, &p->art.fonts[i]))
+        if (!add_proportional_font(p, &p->art.fonts[i]))
             return false;
     return true;
 }
 
-/* Adds a sprite, and its hit shape if any. */
-static bool add_made(struct packer *p, const struct ase_sprite *made, const struct art_sheet *s)
+/* Adds a sprite's lump, and its hitbox if it has one. */
+static bool add_sprite_lump(struct packer *p, const struct ase_sprite *made, const struct art_sheet *s)
 {
     uint8_t hit[CART_HITBOX_SIZE], *data;
     size_t size;
     char why[256];
     bool pixel;
 
-    if (!art_make_sprite(&made->picture, &made->sprite, s->bank, palette_of(p, s->palette), p->nearest, &data, &size,
+    if (!art_make_sprite(&made->picture, &made->sprite, s->bank, find_palette(p, s->palette), p->nearest, &data, &size,
                          &pixel, why, sizeof why))
         return pixel && !made->picture.cell
                    ? err_set(p->err, p->err_size, "%s: %s", s->file, why)
@@ -253,14 +256,14 @@ static bool add_sprite(struct packer *p, const struct sheet *sheet, const struct
 
     if (!sheet_sprite(sheet, s, sprite, &made, why, sizeof why))
         return err_set(p->err, p->err_size, "%s: sprite \"%s\": %s", s->file, sprite->name, why);
-    const bool good = add_made(p, &made, s);
+    const bool good = add_sprite_lump(p, &made, s);
     if (good && sheet->is_ase)
         warn_faint(p, s->file, &made.picture, NULL);
     sheet_sprite_close(sheet, &made);
     return good;
 }
 
-/* The sprites of one sheet. */
+/* Adds the sprites of a sheet. */
 static bool add_sheet(struct packer *p, int i)
 {
     const struct art_sheet *s = &p->art.sheets[i];
@@ -286,18 +289,18 @@ static bool add_sheet(struct packer *p, int i)
     return good;
 }
 
-/* The cells of a map whose rows are in rom.lua. */
-static bool rows_of(struct packer *p, const struct art_map *m, struct map_cells *out)
+/* Copies the cells of a map whose rows are in rom.lua. */
+static bool copy_rows(struct packer *p, const struct art_map *m, struct map_cells *out)
 {
     const size_t n = (size_t)m->cols * (size_t)m->rows;
 
-    *out = (struct map_cells){ .cols = m->cols, .rows = m->rows, .cell = malloc(n * sizeof *out->cell), .sheets = 1 };
+    *out = (struct map_cells){ .cols = m->cols, .rows = m->rows, .cell = malloc(n * sizeof *out->cell), .tilesets = 1 };
     for (size_t i = 0; out->cell != NULL && i < n; i++)
         out->cell[i] = p->art.cells[(size_t)m->first_cell + i];
     return out->cell != NULL ? true : result_set_host_error(p->err, p->err_size, "out of memory");
 }
 
-/* A tileset that a map names. */
+/* Reads a tileset's file, for map_files. */
 static bool load_tileset(void *context, const char *file, uint8_t **text, size_t *n, char *err, size_t err_size)
 {
     struct packer *p = context;
@@ -314,7 +317,7 @@ static bool load_cells(struct packer *p, const struct art_map *m, struct map_cel
     size_t n;
 
     if (m->file[0] == '\0')
-        return rows_of(p, m, out);
+        return copy_rows(p, m, out);
     if (!tree_portable(m->file))
         return err_set(p->err, p->err_size, "%s: not a valid file name on Windows", m->file);
     if (!tree_has(&p->files, m->file))
@@ -332,12 +335,12 @@ static bool load_cells(struct packer *p, const struct art_map *m, struct map_cel
                    (int)m->tile_size, m->file, out->side);
 }
 
-/* Index of the picture of rom.lua for sheet i; -1 and one sentence. */
-static int picture_of(struct packer *p, const struct art_map *m, const struct map_cells *cells, int i)
+/* Returns the index of the picture in rom.lua for tileset i; -1: an error. */
+static int find_picture(struct packer *p, const struct art_map *m, const struct map_cells *cells, int i)
 {
-    const struct map_sheet *s = &cells->sheet[i];
+    const struct map_tileset *s = &cells->tileset[i];
 
-    if (!cells->named && m->n_tile_files == 1)
+    if (!cells->match_pictures && m->n_tile_files == 1)
         return 0;
     for (int k = 0; k < m->n_tile_files; k++)
         if (strcmp(m->tile_files[k], s->picture) == 0)
@@ -350,26 +353,25 @@ static int picture_of(struct packer *p, const struct art_map *m, const struct ma
     return -1;
 }
 
-/* Makes the lump of a map. */
 static bool make_map(struct packer *p, const struct art_map *m, const struct map_cells *cells,
                      const struct art_picture *art)
 {
-    struct map_picture picture[MAP_SHEETS];
+    struct map_picture picture[MAP_MAX_TILESETS];
     char where[ART_FILE_SIZE + ART_NAME_SIZE + 16];
     uint8_t *data;
     size_t size;
 
     snprintf(where, sizeof where, "%s: map \"%s\"", m->file[0] ? m->file : "rom.lua", m->name);
-    for (int i = 0; i < cells->sheets; i++) {
-        const int k = picture_of(p, m, cells, i);
+    for (int i = 0; i < cells->tilesets; i++) {
+        const int k = find_picture(p, m, cells, i);
         if (k < 0)
             return false;
         picture[i] = (struct map_picture){ &art[k], m->tile_files[k] };
-        if (!map_fits(cells, i, &picture[i], p->err, p->err_size))
+        if (!map_check_columns(cells, i, &picture[i], p->err, p->err_size))
             return false;
     }
-    return map_make(cells, where, cells->side ? cells->side : m->tile_size, picture, m->bank, palette_of(p, m->palette),
-                    p->nearest, &data, &size, p->err, p->err_size) &&
+    return map_make(cells, where, cells->side ? cells->side : m->tile_size, picture, m->bank,
+                    find_palette(p, m->palette), p->nearest, &data, &size, p->err, p->err_size) &&
            pack_add(p, "map/", m->name, data, size);
 }
 
@@ -393,7 +395,7 @@ static bool add_map(struct packer *p, const struct art_map *m)
     return good;
 }
 
-/* Adds the tune of a recording, and its samples if it is music. */
+/* Adds the tune of a sample file, and its samples separately if it is music. */
 static bool make_recording(struct packer *p, const struct art_sound *s, const struct pcm *pcm, bool music, char *why,
                            size_t why_size)
 {
@@ -427,8 +429,8 @@ static bool add_recording(struct packer *p, const struct art_sound *s, bool musi
     return good || !why[0] ? good : err_set(p->err, p->err_size, "%s: %s", s->file, why);
 }
 
-/* The tune of a text: a file's, or one in rom.lua. */
-static bool compile_mml(struct packer *p, const struct art_sound *s, const char *list, const struct mml_about *about,
+/* Compiles MML from a file, or from rom.lua. */
+static bool compile_mml(struct packer *p, const struct art_sound *s, const char *list, const struct mml_settings *about,
                         uint8_t **tune, size_t *size)
 {
     char place[64];
@@ -439,7 +441,7 @@ static bool compile_mml(struct packer *p, const struct art_sound *s, const char 
         snprintf(place, sizeof place, "rom.lua: %s.%s.mml", list, s->name);
         return mml_compile(s->mml, strlen(s->mml), place, about, tune, size, p->err, p->err_size);
     }
-    if (!pack_load_named(p, s->file, MML_FILE, &text, &n))
+    if (!pack_load_named(p, s->file, MML_MAX_FILE, &text, &n))
         return false;
     files_strip_bom(text, &n);
     bool good = mml_compile((const char *)text, n, s->file, about, tune, size, p->err, p->err_size);
@@ -447,7 +449,7 @@ static bool compile_mml(struct packer *p, const struct art_sound *s, const char 
     return good;
 }
 
-/* The sound of that name if it is a recording; else NULL. */
+/* Returns the sound with the name if it is a sample file; otherwise NULL. */
 static const struct art_sound *find_recording(const struct packer *p, const char *name)
 {
     for (int i = 0; i < p->art.n_sounds; i++)
@@ -456,7 +458,7 @@ static const struct art_sound *find_recording(const struct packer *p, const char
     return NULL;
 }
 
-/* Instruments name recordings of `sounds`. */
+/* Checks the samples that instruments name. */
 static bool check_recordings(struct packer *p, const struct art_sound *s, const uint8_t *tune)
 {
     const struct tune t = tune_of(tune);
@@ -477,13 +479,13 @@ static bool check_recordings(struct packer *p, const struct art_sound *s, const 
 
 static bool add_sound(struct packer *p, const struct art_sound *s, bool music)
 {
-    const struct mml_about about = { .volume = s->volume,
-                                     .priority = s->priority,
-                                     .limit = s->limit,
-                                     .title = s->title,
-                                     .duck = s->duck,
-                                     .warn = p->warn,
-                                     .context = p->context };
+    const struct mml_settings about = { .volume = s->volume,
+                                        .priority = s->priority,
+                                        .limit = s->limit,
+                                        .title = s->title,
+                                        .duck = s->duck,
+                                        .warn = p->warn,
+                                        .context = p->context };
     uint8_t *tune;
     size_t size;
 
@@ -500,19 +502,19 @@ static bool add_sound(struct packer *p, const struct art_sound *s, bool music)
 bool pack_add_sounds(struct packer *p)
 {
     for (int i = 0; i < p->art.n_sounds; i++) {
-        pack_tell(p, p->art.sounds[i].name);
+        pack_progress(p, p->art.sounds[i].name);
         if (!add_sound(p, &p->art.sounds[i], false))
             return false;
     }
     for (int i = 0; i < p->art.n_tunes; i++) {
-        pack_tell(p, p->art.tunes[i].name);
+        pack_progress(p, p->art.tunes[i].name);
         if (!add_sound(p, &p->art.tunes[i], true))
             return false;
     }
     return true;
 }
 
-/* The border is packed as it is: the board never draws it, and it has its own colours. */
+/* Adds the border's PNG file unchanged: the board never draws it, and it has its own colours. */
 static bool add_border(struct packer *p)
 {
     const char *file = p->art.border;
@@ -535,7 +537,7 @@ static bool add_border(struct packer *p)
     return err_set(p->err, p->err_size, "%s: %s", file, why);
 }
 
-/* A file is packed as it is, a sprite by its name. */
+/* Adds the icon: a PNG file unchanged, or the name of a sprite. */
 static bool add_icon(struct packer *p)
 {
     const char *icon = p->art.icon;
@@ -559,16 +561,16 @@ static bool add_icon(struct packer *p)
 
 bool pack_add_art(struct packer *p)
 {
-    if (!add_palettes(p) || !add_shades(p) || !add_blends(p) || !add_font(p) || !add_faces(p) || !add_border(p) ||
-        !add_icon(p))
+    if (!add_palettes(p) || !add_shades(p) || !add_blends(p) || !add_cell_font(p) || !add_proportional_fonts(p) ||
+        !add_border(p) || !add_icon(p))
         return false;
     for (int i = 0; i < p->art.n_sheets; i++) {
-        pack_tell(p, p->art.sheets[i].file);
+        pack_progress(p, p->art.sheets[i].file);
         if (!add_sheet(p, i))
             return false;
     }
     for (int i = 0; i < p->art.n_maps; i++) {
-        pack_tell(p, p->art.maps[i].name);
+        pack_progress(p, p->art.maps[i].name);
         if (!add_map(p, &p->art.maps[i]))
             return false;
     }

@@ -32,7 +32,7 @@ bool sheet_read(struct sheet *s, const struct art_sheet *asked, const uint8_t *d
 
 void sheet_close(struct sheet *s)
 {
-    ase_close(&s->ase);
+    ase_free(&s->ase);
     art_picture_free(&s->picture);
 }
 

@@ -1,5 +1,5 @@
 /*
- * unpack.c - see pack.h: the lumps of a ROM, as a list and as files.
+ * unpack.c - see pack.h: lists the lumps of a ROM, and writes them to files.
  */
 #include "pack_parts.h"
 
@@ -22,10 +22,10 @@ void pack_list(const struct rom *rom, void (*each)(void *user, const char *line)
     }
 }
 
-/* ---- files again ---- */
+/* ---- files ---- */
 
-/* The lump's file below the folder. */
-static void unpacked_name(const char *name, char out[PATH])
+/* Writes the path of a lump's file in the folder. */
+static void file_name(const char *name, char out[PATH])
 {
     if (pack_starts_with(name, "script/@std/"))
         snprintf(out, PATH, "std/%s", name + strlen("script/@std/"));
@@ -39,8 +39,8 @@ static void unpacked_name(const char *name, char out[PATH])
         snprintf(out, PATH, "lumps/%s", name);
 }
 
-/* Checks that no folder of the file's path is itself a file, in the ROM or on disk. */
-static bool folders_free(const struct tree *files, const char *name, const char *dir, char *err, size_t err_size)
+/* Checks that no folder of the path is a file, in the ROM or on disk. */
+static bool check_folders(const struct tree *files, const char *name, const char *dir, char *err, size_t err_size)
 {
     char folder[PATH], path[PATH];
 
@@ -55,8 +55,8 @@ static bool folders_free(const struct tree *files, const char *name, const char 
     return true;
 }
 
-/* Checks that all files (sorted) can be written. */
-static bool may_unpack(const struct tree *files, const char *dir, char *err, size_t err_size)
+/* Checks that all files can be written. files: sorted. */
+static bool check_files(const struct tree *files, const char *dir, char *err, size_t err_size)
 {
     char path[PATH];
 
@@ -70,7 +70,7 @@ static bool may_unpack(const struct tree *files, const char *dir, char *err, siz
             return err_set(err, err_size, "two lumps would be written to %s", name);
         if (plat_file_size(path) >= 0)
             return err_set(err, err_size, "%s: already exists", path);
-        if (!folders_free(files, name, dir, err, err_size))
+        if (!check_folders(files, name, dir, err, err_size))
             return false;
     }
     return true;
@@ -84,7 +84,7 @@ static void remove_lumps(const struct rom *rom, uint32_t n, const char *dir)
     while (n-- > 0) {
         struct lump l;
         rom_lump(rom, (int)n, &l);
-        unpacked_name(l.name, name);
+        file_name(l.name, name);
         if (tree_join(path, dir, name))
             plat_remove(path);
     }
@@ -97,7 +97,7 @@ static bool save_lumps(const struct rom *rom, const char *dir, char *err, size_t
     for (uint32_t i = 0; i < rom->count; i++) {
         struct lump l;
         rom_lump(rom, (int)i, &l);
-        unpacked_name(l.name, name);
+        file_name(l.name, name);
         bool named = tree_join(path, dir, name);
         if (named && files_save(path, l.data, l.size, err, err_size))
             continue;
@@ -115,12 +115,12 @@ bool pack_unpack(const struct rom *rom, const char *dir, char *err, size_t err_s
     for (uint32_t i = 0; i < rom->count; i++) {
         struct lump l;
         rom_lump(rom, (int)i, &l);
-        unpacked_name(l.name, name);
+        file_name(l.name, name);
         tree_add(&files, "", name);
     }
     tree_sort(&files);
     bool good =
-        !files.failed ? may_unpack(&files, dir, err, err_size) : err_set(err, err_size, "%s", tree_failed(&files));
+        !files.failed ? check_files(&files, dir, err, err_size) : err_set(err, err_size, "%s", tree_failed(&files));
     tree_close(&files);
     return good && save_lumps(rom, dir, err, err_size);
 }

@@ -13,7 +13,7 @@
 
 enum { MAX_KEYS = 64 /* that a table accepts */ };
 
-_Noreturn void value_bad(const struct manifest_value *v, const char *format, ...)
+_Noreturn void value_fail(const struct manifest_value *v, const char *format, ...)
 {
     va_list args;
 
@@ -53,10 +53,10 @@ bool value_get(const struct manifest_value *table, const char *key, struct manif
     return lua_rawget(v->lua, table->index) != LUA_TNIL;
 }
 
-void value_need_table(const struct manifest_value *v)
+void value_check_table(const struct manifest_value *v)
 {
     if (!lua_istable(v->lua, v->index))
-        value_bad(v, "expected a table, got %s", value_describe(v));
+        value_fail(v, "expected a table, got %s", value_describe(v));
 }
 
 bool value_get_table(const struct manifest_value *table, const char *key, struct manifest_value *v)
@@ -64,7 +64,7 @@ bool value_get_table(const struct manifest_value *table, const char *key, struct
     const bool is_given = value_get(table, key, v);
 
     if (is_given)
-        value_need_table(v);
+        value_check_table(v);
     return is_given;
 }
 
@@ -82,8 +82,8 @@ int64_t value_to_whole(const struct manifest_value *v, int64_t lo, int64_t hi)
     int64_t whole = lua_type(v->lua, v->index) == LUA_TNUMBER ? lua_tointegerx(v->lua, v->index, &is_whole) : 0;
 
     if (!is_whole || whole < lo || whole > hi)
-        value_bad(v, "expected a whole number from %I to %I, got %s", (LUAI_UACINT)lo, (LUAI_UACINT)hi,
-                  value_describe(v));
+        value_fail(v, "expected a whole number from %I to %I, got %s", (LUAI_UACINT)lo, (LUAI_UACINT)hi,
+                   value_describe(v));
     return whole;
 }
 
@@ -100,7 +100,7 @@ double value_to_real(const struct manifest_value *v, double lo, double hi)
     const lua_Number real = lua_type(v->lua, v->index) == LUA_TNUMBER ? lua_tonumber(v->lua, v->index) : lo - 1;
 
     if (!(real >= lo && real <= hi))
-        value_bad(v, "expected a number from %d to %d, got %s", (int)lo, (int)hi, value_describe(v));
+        value_fail(v, "expected a number from %d to %d, got %s", (int)lo, (int)hi, value_describe(v));
     return real;
 }
 
@@ -110,9 +110,9 @@ void value_to_text(const struct manifest_value *v, const char *noun, char *out, 
     const char *s = lua_type(v->lua, v->index) == LUA_TSTRING ? lua_tolstring(v->lua, v->index, &n) : NULL;
 
     if (s == NULL)
-        value_bad(v, "expected %s, got %s", noun, value_describe(v));
+        value_fail(v, "expected %s, got %s", noun, value_describe(v));
     if (n >= size || strlen(s) != n)
-        value_bad(v, "expected %s of at most %d bytes, got %s", noun, (int)size - 1, value_describe(v));
+        value_fail(v, "expected %s of at most %d bytes, got %s", noun, (int)size - 1, value_describe(v));
     memset(out, 0, size);
     memcpy(out, s, n);
 }
@@ -121,7 +121,7 @@ void value_to_file(const struct manifest_value *v, char out[ART_FILE_SIZE])
 {
     value_to_text(v, "a file", out, ART_FILE_SIZE);
     if (!manifest_path_ok(out))
-        value_bad(v, "expected a file inside the folder (letters, digits, _ - . /), got \"%s\"", out);
+        value_fail(v, "expected a file inside the folder (letters, digits, _ - . /), got \"%s\"", out);
 }
 
 int value_to_choice(const struct manifest_value *v, const char *const *words, int n, const char *form)
@@ -129,7 +129,7 @@ int value_to_choice(const struct manifest_value *v, const char *const *words, in
     for (int i = 0; i < n; i++)
         if (lua_type(v->lua, v->index) == LUA_TSTRING && strcmp(lua_tostring(v->lua, v->index), words[i]) == 0)
             return i;
-    value_bad(v, "expected %s, got %s", form, value_describe(v));
+    value_fail(v, "expected %s, got %s", form, value_describe(v));
 }
 
 int value_to_length(const struct manifest_value *list, int max)
@@ -140,9 +140,9 @@ int value_to_length(const struct manifest_value *list, int max)
     for (lua_pushnil(lua); lua_next(lua, list->index) != 0; keys++)
         lua_pop(lua, 1);
     if (keys != n)
-        value_bad(list, "expected a list");
+        value_fail(list, "expected a list");
     if (n > (lua_Unsigned)max)
-        value_bad(list, "expected at most %d entries, got %d", max, (int)n);
+        value_fail(list, "expected at most %d entries, got %d", max, (int)n);
     return (int)n;
 }
 
@@ -155,10 +155,10 @@ int value_to_words(const struct manifest_value *list, char out[][MAX_SETTING_NAM
         value_get_item(list, i + 1, &word);
         value_to_text(&word, "a word", out[i], MAX_SETTING_NAME);
         if (!manifest_setting_name_ok(out[i]))
-            value_bad(&word, "expected a word of letters, digits, _ and -, got \"%s\"", out[i]);
+            value_fail(&word, "expected a word of letters, digits, _ and -, got \"%s\"", out[i]);
         for (int j = 0; j < i; j++)
             if (strcmp(out[i], out[j]) == 0)
-                value_bad(&word, "duplicate \"%s\"", out[i]);
+                value_fail(&word, "duplicate \"%s\"", out[i]);
     }
     return n;
 }
@@ -169,14 +169,14 @@ static bool is_name(lua_State *lua, const char *key, const void *size)
     return key != NULL && strlen(key) < *(const size_t *)size && manifest_path_ok(key);
 }
 
-/* The unknown key on top of the stack, under the path of its table; raises an error if it is not text. */
+/* Returns the unknown key on top of the stack, with the path of its table. Raises an error if it is not a string. */
 static struct manifest_value get_key(const struct manifest_value *table)
 {
     struct manifest_value key = *table;
 
     key.index = lua_gettop(key.lua);
     if (luakeys_text(key.lua, key.index) == NULL)
-        value_bad(&key, "expected only names as keys, got %s", value_describe(&key));
+        value_fail(&key, "expected only names as keys, got %s", value_describe(&key));
     return key;
 }
 
@@ -194,12 +194,12 @@ int value_to_names(const struct manifest_value *table, void *out, int max, size_
     if (luakeys_push_unknown(lua, table->index, is_name, &name_size)) {
         const struct manifest_value key = get_key(table);
         value_to_text(&key, "a name", name, name_size);
-        value_bad(&key, "\"%s\": expected a name of letters, digits, _ - . and /", name);
+        value_fail(&key, "\"%s\": expected a name of letters, digits, _ - . and /", name);
     }
     for (lua_pushnil(lua); lua_next(lua, table->index) != 0; n++, name += stride) {
         lua_pop(lua, 1);
         if (n == max)
-            value_bad(table, "expected at most %d entries", max);
+            value_fail(table, "expected at most %d entries", max);
         snprintf(name, name_size, "%s", lua_tostring(lua, -1));
     }
     qsort(out, (size_t)n, stride, compare_names);
@@ -210,9 +210,9 @@ static void read_pair(const struct manifest_value *v, const struct manifest_fiel
 {
     struct manifest_value item;
 
-    value_need_table(v);
+    value_check_table(v);
     if (value_to_length(v, 2) != 2)
-        value_bad(v, "expected %s", f->noun);
+        value_fail(v, "expected %s", f->noun);
     for (int i = 0; i < 2; i++) {
         value_get_item(v, i + 1, &item);
         pair[i] = (int32_t)value_to_whole(&item, (int64_t)f->lo, (int64_t)f->hi);
@@ -222,7 +222,7 @@ static void read_pair(const struct manifest_value *v, const struct manifest_fiel
 static void read_flag(const struct manifest_value *v, size_t size, void *out)
 {
     if (!lua_isboolean(v->lua, v->index))
-        value_bad(v, "expected true or false, got %s", value_describe(v));
+        value_fail(v, "expected true or false, got %s", value_describe(v));
     if (size == sizeof(bool))
         *(bool *)out = lua_toboolean(v->lua, v->index);
     else
@@ -270,7 +270,7 @@ void value_read_fields(const struct manifest_value *table, const struct manifest
             read_field(&v, &fields[i], (char *)out + fields[i].offset);
 }
 
-/* The keys that a table accepts. */
+/* The keys that are allowed in a table. */
 struct known_keys {
     const char *names[MAX_KEYS];
     int n;
@@ -294,7 +294,7 @@ void value_check_keys(const struct manifest_value *table, const struct manifest_
     struct api_suggestion s;
     struct manifest_value v;
 
-    value_need_table(table);
+    value_check_table(table);
     for (size_t i = 0; i < n; i++)
         known.names[known.n++] = fields[i].key;
     for (; others != NULL && *others != NULL; others++)
@@ -307,6 +307,6 @@ void value_check_keys(const struct manifest_value *table, const struct manifest_
         api_consider(&s, known.names[i]);
     value_get(table, s.word, &v);
     if (s.nearest == NULL)
-        value_bad(&v, "unknown key");
-    value_bad(&v, "unknown key (did you mean \"%s\"?)", s.nearest);
+        value_fail(&v, "unknown key");
+    value_fail(&v, "unknown key (did you mean \"%s\"?)", s.nearest);
 }

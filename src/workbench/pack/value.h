@@ -9,8 +9,8 @@
 
 enum { MAX_PATH = 128 /* "sprites.orb.origin" */ };
 
-/* A value on the Lua stack. Above a table, the stack has room for one of its values: value_get and value_get_item
- * replace the one before, and nothing is popped. */
+/* A value on the Lua stack. The slot above a table holds one of its values: value_get and value_get_item replace the
+ * previous one, and nothing is popped. */
 struct manifest_value {
     lua_State *lua;
     int index;
@@ -18,7 +18,7 @@ struct manifest_value {
 };
 
 /* Raises "PATH: message". */
-_Noreturn void value_bad(const struct manifest_value *v, const char *format, ...);
+_Noreturn void value_fail(const struct manifest_value *v, const char *format, ...);
 
 /* Describes the value: nil, 2.5, "text", a table. */
 const char *value_describe(const struct manifest_value *v);
@@ -28,11 +28,11 @@ const char *value_describe(const struct manifest_value *v);
 bool value_get(const struct manifest_value *table, const char *key, struct manifest_value *v);
 bool value_get_table(const struct manifest_value *table, const char *key, struct manifest_value *v);
 void value_get_item(const struct manifest_value *list, int i, struct manifest_value *v);
-void value_need_table(const struct manifest_value *v);
+void value_check_table(const struct manifest_value *v);
 
-/* Converts a value. value_get_whole gets the value first, and it may not be nil. noun: "a line", in messages. A text
- * fills the rest of `out` with zeros. A file is a path in the game's folder. value_to_choice returns the index in
- * `words`, and `form` lists the words for messages. */
+/* Convert a value. value_get_whole gets the value first; it must not be nil. noun: "a line", for messages.
+ * value_to_text fills the rest of `out` with zeros. A file is a path in the game's folder. value_to_choice returns the
+ * index in `words`; `form` lists the words for messages. */
 int64_t value_to_whole(const struct manifest_value *v, int64_t lo, int64_t hi);
 int32_t value_get_whole(const struct manifest_value *table, const char *key, int32_t lo, int32_t hi);
 double value_to_real(const struct manifest_value *v, double lo, double hi);
@@ -48,14 +48,14 @@ int value_to_words(const struct manifest_value *list, char out[][MAX_SETTING_NAM
  * number. */
 int value_to_names(const struct manifest_value *table, void *out, int max, size_t stride, size_t name_size);
 
-/* A key of a table, and the member of a struct that receives its value. A value that is nil leaves the member as it
- * is. */
+/* A key of a table, and the member of a struct that receives its value. The member doesn't change if the value is
+ * nil. */
 struct manifest_field {
     const char *key;
     enum {
         FIELD_WHOLE, /* int32_t from lo to hi */
         FIELD_REAL,  /* double from lo to hi */
-        FIELD_SHARE, /* int32_t: a number from 0 to 1, of 255 */
+        FIELD_SHARE, /* int32_t: a number from 0 to 1, scaled to 255 */
         FIELD_FLAG,  /* bool or int32_t */
         FIELD_TEXT,  /* char[size]; noun: what it is */
         FIELD_FILE,  /* char[ART_FILE_SIZE] */

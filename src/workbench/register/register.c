@@ -17,7 +17,7 @@
 #include "../export/desktop.h"
 #include "../../player/game/embedded_rom.h"
 
-/* The entry is the first; names are paths in the data folder. Made by tools/embed.c. */
+/* The first file is the desktop entry; names are paths in the data folder. Made by tools/embed.c. */
 extern const struct embedded desktop_files[];
 extern const int desktop_file_count;
 
@@ -25,7 +25,7 @@ extern const int desktop_file_count;
 #define EXEC  "Exec=curtain "
 #define MARK  "X-Curtain-Registered=true\n" /* at the end of an entry that this command wrote */
 
-enum { TYPES = 2, TEXT_MOST = 1 << 20, LINE = 128 };
+enum { TYPES = 2, MAX_TEXT_FILE = 1 << 20, LINE = 128 };
 
 static const struct {
     struct plat_file_type file;
@@ -61,7 +61,7 @@ static void data_path(const struct registration *r, const char *name, char path[
     snprintf(path, FILES_PATH_SIZE, "%s/%s", r->data, name);
 }
 
-/* Returns a text file of the user's (malloc), or "" if it does not exist; NULL: it cannot be read. */
+/* Returns a text file of the data folder (malloc), or "" if it does not exist; NULL: it cannot be read. */
 static char *read_text(struct registration *r, const char *name)
 {
     char path[FILES_PATH_SIZE];
@@ -71,7 +71,7 @@ static char *read_text(struct registration *r, const char *name)
     data_path(r, name, path);
     if (plat_file_size(path) < 0)
         return calloc(1, 1);
-    return files_read(path, path, TEXT_MOST, &text, &size, r->err, sizeof r->err) ? (char *)text : NULL;
+    return files_read(path, path, MAX_TEXT_FILE, &text, &size, r->err, sizeof r->err) ? (char *)text : NULL;
 }
 
 static bool save(struct registration *r, const char *name, const void *bytes, size_t size)
@@ -123,7 +123,7 @@ static void type_line(int i, char line[LINE])
     snprintf(line, LINE, "%s=curtain.desktop\n", types[i].mime);
 }
 
-/* Returns the line that begins with `start`, or NULL. */
+/* Returns the line that starts with `start`, or NULL. */
 static char *find_line(char *text, const char *start)
 {
     for (char *at = text; (at = strstr(at, start)) != NULL; at++)
@@ -132,7 +132,7 @@ static char *find_line(char *text, const char *start)
     return NULL;
 }
 
-static void cut(char *at, size_t n)
+static void delete_bytes(char *at, size_t n)
 {
     memmove(at, at + n, strlen(at + n) + 1);
 }
@@ -144,14 +144,14 @@ static void remove_defaults(char *text)
     for (int i = 0; i < TYPES; i++) {
         type_line(i, line);
         while ((at = find_line(text, line)) != NULL)
-            cut(at, strlen(line));
+            delete_bytes(at, strlen(line));
     }
     at = find_line(text, DEFAULTS);
     if (at && at[strlen(DEFAULTS)] == 0) /* the section is empty */
         *at = 0;
 }
 
-/* Adds the lines to a text that has memory for them; a type that has a default keeps it. */
+/* Adds the lines to a text with enough memory. A type that has a default keeps it. */
 static void add_defaults(char *text, bool second[TYPES])
 {
     char line[LINE];
@@ -176,30 +176,30 @@ static void add_defaults(char *text, bool second[TYPES])
 static bool set_defaults(struct registration *r, bool second[TYPES])
 {
     static const char list[] = "applications/mimeapps.list";
-    char path[FILES_PATH_SIZE], *was = read_text(r, list),
-                                *text = was ? malloc(strlen(was) + sizeof DEFAULTS + 3 * LINE) : NULL;
+    char path[FILES_PATH_SIZE], *old = read_text(r, list),
+                                *text = old ? malloc(strlen(old) + sizeof DEFAULTS + 3 * LINE) : NULL;
     bool good = true;
 
     if (text) {
-        memcpy(text, was, strlen(was) + 1);
+        memcpy(text, old, strlen(old) + 1);
         remove_defaults(text);
         if (!r->remove)
             add_defaults(text, second);
         data_path(r, list, path);
-        if (text[0] == 0 && was[0] != 0)
+        if (text[0] == 0 && old[0] != 0)
             good = plat_remove(path) || result_set_host_error(r->err, sizeof r->err, "%s: cannot be removed", path);
-        else if (strcmp(text, was) != 0)
+        else if (strcmp(text, old) != 0)
             good = save(r, list, text, strlen(text));
     }
     good = good && text;
-    free(was);
+    free(old);
     free(text);
     return good;
 }
 
 /* ---- desktops ---- */
 
-/* Runs a desktop's tool that compiles a folder's files into an index. */
+/* Runs a tool of the desktop that compiles a folder's files into an index. */
 static bool run_tool(const struct registration *r, const char *tool, const char *folder)
 {
     char path[FILES_PATH_SIZE];
@@ -220,14 +220,14 @@ static bool find_folders(struct registration *r)
     r->data[strlen(r->data) - strlen(own)] = 0;
     if (!plat_program_path(r->program, sizeof r->program))
         return result_set_host_error(r->err, sizeof r->err, "cannot find this program's own file");
-    if (desktop_may_name(r->program) && !strchr(r->program, '%')) /* GLib does not find a program of such a name */
+    if (desktop_can_name(r->program) && !strchr(r->program, '%')) /* GLib doesn't find a program with % in its path */
         return true;
     return err_set(r->err, sizeof r->err,
                    "register: %s: the program's path must not contain %%, line breaks or control characters",
                    r->program);
 }
 
-/* If another command wrote the entry (make install MAX_PREFIX=~/.local), nothing needs to be done. */
+/* Registers with a desktop. If another command wrote the entry (make install PREFIX=~/.local), nothing is changed. */
 static enum result register_desktop(struct registration *r)
 {
     bool second[TYPES] = { false };

@@ -1,12 +1,12 @@
 /*
- * register.h - `curtain register`: a double click on a .rom or .demo file opens it with this program, for this user.
+ * register.h - `curtain register`: makes this program open .rom and .demo files on double click, for the current user.
  */
 #ifndef WORKBENCH_REGISTER_H
 #define WORKBENCH_REGISTER_H
 
 #include "../../common/result.h"
 
-/* Sets it up, again if it was set up before; with remove, removes what it wrote. Prints what changed. */
+/* Registers the program, or updates the registration; with remove, removes the registration. Prints the changes. */
 enum result register_command(bool remove);
 
 #endif

@@ -1,5 +1,5 @@
 /*
- * headless.c - see headless.h. The commands differ in what they do between the ticks of a run (headless_run.h).
+ * headless.c - see headless.h. Both commands play a run (headless_run.h) and write output between the ticks.
  */
 #include "headless.h"
 
@@ -73,19 +73,7 @@ static enum result render_open(struct render *s, const struct headless_run *r)
     return RESULT_DONE;
 }
 
-/* Writes and frees a PNG file; data NULL: it could not be made. */
-static enum result save(const char *path, uint8_t *data, size_t size)
-{
-    char err[1200];
-    bool made = data != NULL, ok = made && files_save(path, data, size, err, sizeof err);
-
-    free(data);
-    if (!made)
-        return report_line(RESULT_HOST_FAILED, "%s: out of memory", path);
-    return ok ? RESULT_DONE : report_line(RESULT_HOST_FAILED, "%s", err);
-}
-
-static enum result picture(struct render *s, const struct headless_run *r, uint32_t frame)
+static enum result render_picture(struct render *s, const struct headless_run *r, uint32_t frame)
 {
     char path[DEMO_PATH_SIZE];
     const char *dir = r->a->out ? r->a->out : ".";
@@ -106,7 +94,7 @@ static enum result picture(struct render *s, const struct headless_run *r, uint3
     if (r->a->sheet && plat_is_same_file(path, r->a->sheet))
         return report_line(RESULT_REFUSED, "--sheet: %s is also the name of a frame file; choose another name", path);
     png_write(s->fb.pix, s->fb.pitch, s->fb.w, s->fb.h, s->rgb, &png, &size);
-    return save(path, png, size);
+    return report_save_png(path, png, size);
 }
 
 static enum result render_frames(struct render *s, struct headless_run *r)
@@ -116,7 +104,7 @@ static enum result render_frames(struct render *s, struct headless_run *r)
 
     for (uint32_t f = 0; result == RESULT_DONE; f++) {
         if (args_has_frame(r->a, f))
-            result = picture(s, r, f);
+            result = render_picture(s, r, f);
         if (f == last || result != RESULT_DONE)
             break;
         result = headless_run_tick(r);
@@ -126,20 +114,20 @@ static enum result render_frames(struct render *s, struct headless_run *r)
     return result;
 }
 
-static enum result wav_save(struct render *s, const char *path)
+static enum result save_wav(struct render *s, const char *path)
 {
     char err[1200];
 
     return wav_writer_save(&s->wav, path, err, sizeof err) ? RESULT_DONE : report_line(RESULT_HOST_FAILED, "%s", err);
 }
 
-static enum result sheet_save(struct render *s, const char *path)
+static enum result save_sheet(struct render *s, const char *path)
 {
     size_t size = 0;
     uint8_t *png;
 
     png_write_rgb(s->sheet.rgb, s->sheet.w, s->sheet.h, &png, &size);
-    return save(path, png, size);
+    return report_save_png(path, png, size);
 }
 
 enum result headless_render(const struct args *a)
@@ -159,11 +147,11 @@ enum result headless_render(const struct args *a)
     if (result == RESULT_DONE)
         result = render_frames(&s, r);
     if (s.sheet.count > 0) { /* also after a run that stopped early */
-        enum result saved = sheet_save(&s, a->sheet);
+        enum result saved = save_sheet(&s, a->sheet);
         result = result == RESULT_DONE ? saved : result;
     }
     if (s.wav.file.bytes) { /* also for frame 0 alone, which has no sound */
-        enum result saved = wav_save(&s, a->wav);
+        enum result saved = save_wav(&s, a->wav);
         result = result == RESULT_DONE ? saved : result;
     }
     render_close(&s);
@@ -174,13 +162,13 @@ enum result headless_render(const struct args *a)
 
 /* ---- hash ---- */
 
-struct hashing {
+struct hasher {
     uint64_t hashes[MAX_PARTS];
     void *hash_cache; /* of board_hashes_cached */
-    uint64_t trace;   /* parts to trace instead, 1 << part */
+    uint64_t trace;   /* parts to trace instead, bits 1 << part */
 };
 
-static void print_hash(struct hashing *h, const struct board *b, bool parts)
+static void print_hash(struct hasher *h, const struct board *b, bool parts)
 {
     board_hashes_cached(b, h->hash_cache, h->hashes);
     printf("%u %016llx", (unsigned)board_frame(b), (unsigned long long)board_combine_hashes(h->hashes));
@@ -189,7 +177,7 @@ static void print_hash(struct hashing *h, const struct board *b, bool parts)
     putchar('\n');
 }
 
-static enum result unknown_part(const struct board *b, const char *name, int n)
+static enum result report_unknown_part(const struct board *b, const char *name, int n)
 {
     const char *names[MAX_PARTS], *meant;
     char word[64];
@@ -203,7 +191,7 @@ static enum result unknown_part(const struct board *b, const char *name, int n)
     return report_line(RESULT_REFUSED, "--trace: unknown part \"%s\" (hash --parts lists all parts)", word);
 }
 
-/* Adds the part of that name, or all parts, to *set; false: unknown name. */
+/* Adds the part with the name, or all parts, to *set; false: unknown name. */
 static bool add_part(const struct board *b, const char *name, size_t n, uint64_t *set)
 {
     bool all = n == 3 && memcmp(name, "all", n) == 0, known = all;
@@ -223,7 +211,7 @@ static enum result read_traces(const struct args *a, const struct board *b, uint
         for (const char *p = a->traces[i];; p++) {
             size_t n = strcspn(p, ",");
             if (!add_part(b, p, n, set))
-                return unknown_part(b, p, (int)n);
+                return report_unknown_part(b, p, (int)n);
             p += n;
             if (!*p)
                 break;
@@ -232,7 +220,7 @@ static enum result read_traces(const struct args *a, const struct board *b, uint
     return RESULT_DONE;
 }
 
-static void print_frame(struct hashing *h, const struct headless_run *r, uint32_t f)
+static void print_frame(struct hasher *h, const struct headless_run *r, uint32_t f)
 {
     if (f % r->a->every != 0)
         return;
@@ -244,7 +232,7 @@ static void print_frame(struct hashing *h, const struct headless_run *r, uint32_
 
 static enum result hash_frames(struct headless_run *r, uint32_t frames)
 {
-    struct hashing h = { .hash_cache = calloc(1, board_hash_cache_size(r->guard.board)) };
+    struct hasher h = { .hash_cache = calloc(1, board_hash_cache_size(r->guard.board)) };
     enum result result =
         h.hash_cache ? read_traces(r->a, r->guard.board, &h.trace) : report_line(RESULT_HOST_FAILED, "out of memory");
 

@@ -1,8 +1,8 @@
 /*
  * headless.h - the commands `render` and `hash`, which run a game without a window.
  *
- * These runs have no clock and no nvram, and seed 0 without --seed. Requests for attract or to quit are ignored. Output
- * of scripts and errors go to plat_log.
+ * These runs have no clock and no nvram; without --seed, the seed is 0. Requests for attract or to quit are ignored.
+ * Output of scripts and errors go to plat_log.
  */
 #ifndef WORKBENCH_HEADLESS_H
 #define WORKBENCH_HEADLESS_H

@@ -7,7 +7,7 @@
 #include "../../common/report.h"
 
 /* Reports the outcome of a power-on or tick. */
-static enum result outcome(struct headless_run *r)
+static enum result report_outcome(struct headless_run *r)
 {
     const struct board_out *out = board_last_output(r->guard.board);
 
@@ -33,7 +33,7 @@ static enum result open_run(struct headless_run *r, const struct args *a, uint32
         return report_line(RESULT_HOST_FAILED, "%s", r->writer.err);
     if (a->record && !demo_set_checksum_rate(&r->writer, (enum demo_checksum_rate)a->prints))
         return report_line(RESULT_HOST_FAILED, "%s", r->writer.err);
-    return outcome(r);
+    return report_outcome(r);
 }
 
 enum result headless_run_open(struct headless_run *r, const struct args *a)
@@ -41,7 +41,7 @@ enum result headless_run_open(struct headless_run *r, const struct args *a)
     return open_run(r, a, 0);
 }
 
-enum result headless_run_again(struct headless_run *r, const struct args *a)
+enum result headless_run_repeat(struct headless_run *r, const struct args *a)
 {
     return open_run(r, a, r->outcomes);
 }
@@ -56,7 +56,7 @@ enum result headless_run_tick(struct headless_run *r)
     guard_tick(&r->guard, pads);
     if (!demo_record_frame(&r->writer, r->guard.board, pads))
         return report_line(RESULT_HOST_FAILED, "%s", r->writer.err);
-    return outcome(r);
+    return report_outcome(r);
 }
 
 enum result headless_run_close(struct headless_run *r, enum result result)

@@ -15,15 +15,15 @@ struct headless_run {
     struct guard guard;
     struct demo_writer writer; /* of --record */
     const struct args *a;
-    uint32_t outcomes; /* of power-on and ticks so far */
-    uint32_t reported; /* outcomes that the previous run has reported */
+    uint32_t outcomes; /* number of outcomes (of power-on and ticks) so far */
+    uint32_t reported; /* outcomes that an earlier run has reported */
 };
 
-/* Opens the game of the arguments and powers it on. Close it either way. */
+/* Opens the game of the arguments and powers it on. Close it in either case. */
 enum result headless_run_open(struct headless_run *r, const struct args *a);
 
-/* Repeats the run after headless_run_close, without reporting again what has been reported. */
-enum result headless_run_again(struct headless_run *r, const struct args *a);
+/* Repeats the run after headless_run_close. Faults and script output that have been reported are not reported again. */
+enum result headless_run_repeat(struct headless_run *r, const struct args *a);
 
 /* Runs a frame; any result but RESULT_DONE ends the run. */
 enum result headless_run_tick(struct headless_run *r);

@@ -6,25 +6,30 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { FULL = 32767, IN_A_ROW = 3, AROUND = 1024 /* frames */, QUIET = 128 /* an inaudible bend */ };
+enum {
+    FULL_SCALE = 32767,
+    MIN_RUN = 3,
+    NEARBY = 1024 /* frames */,
+    INAUDIBLE = 128 /* an inaudible second difference */
+};
 
-static bool full(int v)
+static bool is_full_scale(int v)
 {
-    return v >= FULL || v < -FULL;
+    return v >= FULL_SCALE || v < -FULL_SCALE;
 }
 
-/* Counts samples of a channel at full scale, in runs. */
-static void count_full(const struct pcm *p, int channel, struct flaws *out)
+/* Counts the samples of a channel in runs at full scale. */
+static void count_clipped(const struct pcm *p, int channel, struct flaws *out)
 {
-    uint32_t row = 0;
+    uint32_t run = 0;
 
     for (uint32_t i = 0; i < p->n; i++) {
-        row = full(p->frames[(size_t)i * (size_t)p->channels + (size_t)channel]) ? row + 1 : 0;
-        if (row < IN_A_ROW)
+        run = is_full_scale(p->frames[(size_t)i * (size_t)p->channels + (size_t)channel]) ? run + 1 : 0;
+        if (run < MIN_RUN)
             continue;
         if (out->clipped == 0)
-            out->first = i + 1 - IN_A_ROW;
-        out->clipped += row == IN_A_ROW ? IN_A_ROW : 1;
+            out->first_clipped = i + 1 - MIN_RUN;
+        out->clipped += run == MIN_RUN ? MIN_RUN : 1;
     }
 }
 
@@ -34,25 +39,25 @@ static double mean(const struct pcm *p, int channel)
 
     for (uint32_t i = 0; i < p->n; i++)
         sum += p->frames[(size_t)i * (size_t)p->channels + (size_t)channel];
-    return p->n ? (double)sum / p->n / (FULL + 1) : 0;
+    return p->n ? (double)sum / p->n / (FULL_SCALE + 1) : 0;
 }
 
-void flaws_of_frames(const struct pcm *p, struct flaws *out)
+void flaws_measure_frames(const struct pcm *p, struct flaws *out)
 {
     *out = (struct flaws){ 0 };
     for (int c = 0; c < p->channels; c++) {
         const double m = mean(p, c);
-        count_full(p, c, out);
-        out->mean = fabs(m) > fabs(out->mean) ? m : out->mean;
+        count_clipped(p, c, out);
+        out->dc_offset = fabs(m) > fabs(out->dc_offset) ? m : out->dc_offset;
     }
     if (p->clipped > out->clipped) {
         out->clipped = p->clipped;
-        out->first = p->clipped_at;
+        out->first_clipped = p->clipped_at;
     }
 }
 
-/* The second difference at frame i; frames after the end continue in the loop. */
-static int bend(const struct pcm *p, int channel, int64_t i)
+/* Returns the second difference at frame i; frames after the end are those of the loop. */
+static int second_difference(const struct pcm *p, int channel, int64_t i)
 {
     int x[3];
 
@@ -64,24 +69,24 @@ static int bend(const struct pcm *p, int channel, int64_t i)
     return abs(x[0] - 2 * x[1] + x[2]);
 }
 
-void flaws_of_loop(const struct pcm *p, struct flaws *out)
+void flaws_measure_loop(const struct pcm *p, struct flaws *out)
 {
     if (p->loop < 0)
         return;
     for (int c = 0; c < p->channels; c++) {
-        int jump = 0, usual = 0;
-        for (int64_t i = (int64_t)p->n - AROUND; i < (int64_t)p->n + AROUND; i++) {
-            const bool border = i == (int64_t)p->n - 1 || i == (int64_t)p->n;
-            const int b = i > 0 ? bend(p, c, i) : 0;
-            if (border)
+        int jump = 0, nearby = 0;
+        for (int64_t i = (int64_t)p->n - NEARBY; i < (int64_t)p->n + NEARBY; i++) {
+            const bool at_loop_point = i == (int64_t)p->n - 1 || i == (int64_t)p->n;
+            const int b = i > 0 ? second_difference(p, c, i) : 0;
+            if (at_loop_point)
                 jump = b > jump ? b : jump;
             else
-                usual = b > usual ? b : usual;
+                nearby = b > nearby ? b : nearby;
         }
-        if (jump <= 2 * usual + QUIET || (out->clicks && jump <= out->jump * (FULL + 1)))
+        if (jump <= 2 * nearby + INAUDIBLE || (out->clicks && jump <= out->jump * (FULL_SCALE + 1)))
             continue;
         out->clicks = true;
-        out->jump = (double)jump / (FULL + 1);
-        out->usual = (double)usual / (FULL + 1);
+        out->jump = (double)jump / (FULL_SCALE + 1);
+        out->nearby = (double)nearby / (FULL_SCALE + 1);
     }
 }

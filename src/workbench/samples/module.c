@@ -1,8 +1,8 @@
 /*
- * module.c - see pcm.h. The first pass starts in silence; the second one also contains notes that ring on from the
- * first, so the third one usually equals the second to the last bit, and that pass is the loop. A loop that equals the
- * end of the samples before it is not stored twice. If no pass equals the previous one, or the next one is too long to
- * store, the last pass is the loop.
+ * module.c - see pcm.h. The first pass starts in silence. The second pass also contains notes that ring on from the
+ * first pass, so usually the third pass equals the second to the last bit, and this pass is the loop. A loop that
+ * equals the end of the samples before it is not stored twice. If no pass equals the previous one, or the next one is
+ * too long to store, the last pass is the loop.
  */
 #include "pcm.h"
 
@@ -33,7 +33,7 @@ struct functions {
     double (*tempo)(openmpt_module *module);
 };
 
-static bool find(struct functions *f)
+static bool load_functions(struct functions *f)
 {
     const struct library_function list[] = { { "openmpt_module_create_from_memory2", &f->open },
                                              { "openmpt_module_destroy", &f->close },
@@ -44,28 +44,28 @@ static bool find(struct functions *f)
     return library_open(LIBRARY_OPENMPT, list, sizeof list / sizeof *list);
 }
 
-/* Errors come as results. */
+/* Errors are also return values. */
 static int ignore(int error, void *user)
 {
     (void)error, (void)user;
     return OPENMPT_ERROR_FUNC_RESULT_NONE;
 }
 
-enum { PART = 1024 /* frames at a time */, PASSES = 4 /* at most, until one equals the previous one */ };
+enum { BLOCK = 1024 /* frames at a time */, PASSES = 4 /* at most, until one equals the previous one */ };
 
-/* Plays from the module's present position to its end. */
+/* Renders from the module's current position to its end. */
 static bool read_pass(const struct functions *f, openmpt_module *module, struct pcm *pass, char *err, size_t err_size)
 {
-    float part[PART * PCM_CHANNELS] = { 0 };
+    float block[BLOCK * PCM_CHANNELS] = { 0 };
 
     *pass = (struct pcm){ .rate = SND_RATE, .channels = PCM_CHANNELS, .loop = -1, .loop_end = -1 };
-    for (size_t n; (n = f->read(module, SND_RATE, PART, part)) > 0;)
-        if (!pcm_add(pass, part, n))
+    for (size_t n; (n = f->read(module, SND_RATE, BLOCK, block)) > 0;)
+        if (!pcm_add(pass, block, n))
             return err_set(err, err_size, "too long: more than %d frames", (int)SAMPLE_MAX_LENGTH);
     return pass->n > 0 ? true : err_set(err, err_size, "it contains no music");
 }
 
-/* True if p ends with the same frames. */
+/* Returns whether p ends with the same frames. */
 static bool ends_with(const struct pcm *p, const struct pcm *pass)
 {
     const size_t frame = PCM_CHANNELS * sizeof *p->frames;
@@ -100,10 +100,10 @@ static bool read_loop(const struct functions *f, openmpt_module *module, struct 
 static bool decode(const struct functions *f, openmpt_module *module, bool loops, struct pcm *out, char *err,
                    size_t err_size)
 {
-    const double seconds = f->duration(module), most = (double)SAMPLE_MAX_LENGTH / SND_RATE;
+    const double seconds = f->duration(module), max = (double)SAMPLE_MAX_LENGTH / SND_RATE;
 
-    if (!(seconds > 0 && seconds <= most))
-        return err_set(err, err_size, "expected music of at most %.0f s, got %.1f", most, seconds);
+    if (!(seconds > 0 && seconds <= max))
+        return err_set(err, err_size, "expected music of at most %.0f s, got %.1f", max, seconds);
     const double tempo = f->tempo(module); /* of its start */
     if (!read_pass(f, module, out, err, err_size))
         return false;
@@ -117,7 +117,7 @@ bool pcm_read_module(const uint8_t *data, size_t n, bool loops, struct pcm *out,
     struct functions f;
 
     *out = (struct pcm){ .loop = -1, .loop_end = -1 };
-    if (!find(&f))
+    if (!load_functions(&f))
         return library_missing(LIBRARY_OPENMPT, err, err_size);
     openmpt_module *module = f.open(data, n, NULL, NULL, ignore, NULL, NULL, NULL, ctls);
     if (!module)

@@ -1,5 +1,5 @@
 /*
- * recording.h - makes a sound or music of the board from samples.
+ * recording.h - makes a sound or music for the board from a sample file.
  */
 #ifndef WORKBENCH_RECORDING_H
 #define WORKBENCH_RECORDING_H
@@ -7,15 +7,15 @@
 #include "../../rom/manifest.h"
 #include "pcm.h"
 
-/* Reads a file's bytes by the suffix of its name; pcm_free the result. Skips ID3 tags around the file. False and one
- * sentence without its name. */
+/* Reads a file in the format of its suffix; free the result with pcm_free. Skips ID3 tags around the file. Errors don't
+ * name the file. */
 bool recording_read(const char *file, const uint8_t *data, size_t n, const struct art_loop *loop, struct pcm *out,
                     char *err, size_t err_size);
 
-/* Sets the loop of rom.lua, if any, and calls pcm_prepare. False and one sentence. */
+/* Sets the loop of rom.lua, if any, and calls pcm_prepare. */
 bool recording_prepare(struct pcm *p, const struct art_loop *loop, char *err, size_t err_size);
 
-/* free data. */
+/* data is malloc. */
 struct recording_bytes {
     uint8_t *data;
     size_t n;

@@ -1,7 +1,7 @@
 /*
  * sndfile.c - see pcm.h. libsndfile reads damaged data as silence or as the end, and reads dozens of formats, so
- * tags.c checks files first. It is opened for the first such file (library.h). Its declarations are those of sndfile.h,
- * version 1.
+ * tags.c checks files first. The library is opened when a file needs it (library.h). The declarations are those of
+ * sndfile.h, version 1.
  */
 #include "pcm.h"
 
@@ -38,16 +38,16 @@ struct functions {
     int (*close)(SNDFILE *file);
     sf_count_t (*read)(SNDFILE *file, float *to, sf_count_t frames);
     int (*error)(SNDFILE *file);
-    const char *(*say)(SNDFILE *file);
+    const char *(*error_text)(SNDFILE *file);
 };
 
-static bool find(struct functions *f)
+static bool load_functions(struct functions *f)
 {
     const struct library_function list[] = { { "sf_open_virtual", &f->open },
                                              { "sf_close", &f->close },
                                              { "sf_readf_float", &f->read },
                                              { "sf_error", &f->error },
-                                             { "sf_strerror", &f->say } };
+                                             { "sf_strerror", &f->error_text } };
 
     return library_open(LIBRARY_SNDFILE, list, sizeof list / sizeof *list);
 }
@@ -56,7 +56,7 @@ static bool find(struct functions *f)
 
 struct memory {
     const uint8_t *data;
-    sf_count_t n, at;
+    sf_count_t n, position;
 };
 
 static sf_count_t memory_size(void *user)
@@ -67,22 +67,22 @@ static sf_count_t memory_size(void *user)
 static sf_count_t memory_seek(sf_count_t by, int whence, void *user)
 {
     struct memory *m = user;
-    const sf_count_t to = by + (whence == SEEK_SET ? 0 : whence == SEEK_CUR ? m->at : m->n);
+    const sf_count_t to = by + (whence == SEEK_SET ? 0 : whence == SEEK_CUR ? m->position : m->n);
 
-    m->at = to < 0 ? 0 : to > m->n ? m->n : to;
-    return m->at;
+    m->position = to < 0 ? 0 : to > m->n ? m->n : to;
+    return m->position;
 }
 
 static sf_count_t memory_read(void *to, sf_count_t n, void *user)
 {
     struct memory *m = user;
 
-    if (n > m->n - m->at)
-        n = m->n - m->at;
+    if (n > m->n - m->position)
+        n = m->n - m->position;
     if (n <= 0)
         return 0;
-    memcpy(to, m->data + m->at, (size_t)n);
-    m->at += n;
+    memcpy(to, m->data + m->position, (size_t)n);
+    m->position += n;
     return n;
 }
 
@@ -94,24 +94,24 @@ static sf_count_t memory_write(const void *from, sf_count_t n, void *user)
 
 static sf_count_t memory_tell(void *user)
 {
-    return ((struct memory *)user)->at;
+    return ((struct memory *)user)->position;
 }
 
 /* ---- a recording ---- */
 
-enum { PART = 1024 /* frames at a time */ };
+enum { BLOCK = 1024 /* frames at a time */ };
 #define LENGTH_UNKNOWN INT64_MAX /* of a FLAC file that was written to a pipe */
 
 static bool read_frames(const struct functions *f, SNDFILE *file, sf_count_t promised, struct pcm *out, char *err,
                         size_t err_size)
 {
-    float part[PART * PCM_CHANNELS] = { 0 };
+    float block[BLOCK * PCM_CHANNELS] = { 0 };
 
-    for (sf_count_t n; (n = f->read(file, part, PART)) > 0;)
-        if (!pcm_add(out, part, (size_t)n))
+    for (sf_count_t n; (n = f->read(file, block, BLOCK)) > 0;)
+        if (!pcm_add(out, block, (size_t)n))
             return err_set(err, err_size, "too long: more than %d frames", (int)SAMPLE_MAX_LENGTH);
     if (f->error(file) != 0)
-        return err_set(err, err_size, "damaged after frame %" PRIu32 " (%s)", out->n, f->say(file));
+        return err_set(err, err_size, "damaged after frame %" PRIu32 " (%s)", out->n, f->error_text(file));
     if (promised != LENGTH_UNKNOWN && out->n != promised)
         return err_set(err, err_size, "its header says %" PRId64 " frames, but the file has %" PRIu32,
                        (int64_t)promised, out->n);
@@ -137,7 +137,7 @@ static bool decode(const struct functions *f, const uint8_t *data, size_t n, str
     SNDFILE *file = f->open(&io, SFM_READ, &info, &memory);
 
     if (!file)
-        return err_set(err, err_size, "cannot be read (%s)", f->say(NULL));
+        return err_set(err, err_size, "cannot be read (%s)", f->error_text(NULL));
     bool good = check_info(&info, err, err_size);
     if (good) {
         out->channels = info.channels;
@@ -148,15 +148,15 @@ static bool decode(const struct functions *f, const uint8_t *data, size_t n, str
     return good;
 }
 
-/* Sets the loop of the tags. */
-static void take_loop(const struct tags *t, struct pcm *out)
+/* Sets the loop from the tags. */
+static void set_loop(const struct tags *t, struct pcm *out)
 {
-    const int64_t by = strcmp(t->codec, "Opus") == 0 ? 48000 / (int64_t)out->rate : 1;
+    const int64_t divisor = strcmp(t->codec, "Opus") == 0 ? 48000 / (int64_t)out->rate : 1;
 
     if (t->start < 0 && t->length < 0 && t->end < 0)
         return;
-    out->loop = (t->start < 0 ? 0 : t->start) / by;
-    out->loop_end = t->length >= 0 ? out->loop + t->length / by : t->end >= 0 ? t->end / by : -1;
+    out->loop = (t->start < 0 ? 0 : t->start) / divisor;
+    out->loop_end = t->length >= 0 ? out->loop + t->length / divisor : t->end >= 0 ? t->end / divisor : -1;
 }
 
 bool pcm_read_sndfile(const uint8_t *data, size_t n, struct pcm *out, char *err, size_t err_size)
@@ -167,12 +167,12 @@ bool pcm_read_sndfile(const uint8_t *data, size_t n, struct pcm *out, char *err,
     *out = (struct pcm){ .loop = -1, .loop_end = -1 };
     if (!(n > 4 && memcmp(data, "fLaC", 4) == 0 ? tags_flac : tags_ogg)(data, n, &t, err, err_size))
         return false;
-    if (!find(&f))
+    if (!load_functions(&f))
         return library_missing(LIBRARY_SNDFILE, err, err_size);
     if (!decode(&f, data, n, out, err, err_size)) {
         pcm_free(out);
         return false;
     }
-    take_loop(&t, out);
+    set_loop(&t, out);
     return true;
 }

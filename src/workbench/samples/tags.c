@@ -1,7 +1,8 @@
 /*
- * tags.c - see tags.h. An OGG file is pages: a header, the lengths of up to 255 segments, the segments; a segment of
- * less than 255 bytes ends a packet. The second packet has the comments, like FLAC's block 4: u32 length and vendor,
- * u32 count, then for each comment u32 length and "NAME=value". (RFC 3533, RFC 7845, RFC 9639, Vorbis I.)
+ * tags.c - see tags.h. An OGG file consists of pages: a header, the lengths of up to 255 segments, the segments. A
+ * segment of less than 255 bytes ends a packet. The second packet contains the comments, as does block 4 of FLAC: u32
+ * length and vendor, u32 count, then for each comment u32 length and "NAME=value". (RFC 3533, RFC 7845, RFC 9639,
+ * Vorbis I.)
  */
 #include "tags.h"
 
@@ -10,27 +11,32 @@
 #include "../../base/bytes.h"
 #include "../../base/err.h"
 
-enum { PAGE = 27 /* bytes of its header */, LAST_PAGE = 4 /* of its flags */, MOST_COMMENTS = 1 << 24, DIGITS = 12 };
+enum {
+    PAGE_HEADER = 27 /* bytes of its header */,
+    LAST_PAGE = 4 /* of its flags */,
+    MAX_COMMENTS = 1 << 24,
+    DIGITS = 12
+};
 
 static char upper(char c)
 {
     return (char)(c >= 'a' && c <= 'z' ? c - 32 : c);
 }
 
-/* The value of a comment of that name, in any case, or NULL. */
-static const char *value_of(const char *comment, size_t n, const char *name)
+/* Returns the value of a comment if it has the name, in upper or lower case; otherwise NULL. */
+static const char *comment_value(const char *comment, size_t n, const char *name)
 {
-    const size_t long_ = strlen(name);
+    const size_t length = strlen(name);
 
-    if (n <= long_ || comment[long_] != '=')
+    if (n <= length || comment[length] != '=')
         return NULL;
-    for (size_t i = 0; i < long_; i++)
+    for (size_t i = 0; i < length; i++)
         if (upper(comment[i]) != name[i])
             return NULL;
-    return comment + long_ + 1;
+    return comment + length + 1;
 }
 
-static bool whole_number(const char *text, const char *end, int64_t *out)
+static bool parse_number(const char *text, const char *end, int64_t *out)
 {
     *out = 0;
     if (text == end || end - text > DIGITS)
@@ -49,8 +55,8 @@ static bool read_comment(const char *comment, size_t n, struct tags *out, char *
     int64_t *const to[] = { &out->start, &out->length, &out->end };
 
     for (int i = 0; i < 3; i++) {
-        const char *text = value_of(comment, n, names[i]);
-        if (text && !whole_number(text, comment + n, to[i]))
+        const char *text = comment_value(comment, n, names[i]);
+        if (text && !parse_number(text, comment + n, to[i]))
             return err_set(err, err_size, "tag %s: expected a whole number of frames, got \"%.*s\"", names[i],
                            (int)(comment + n - text > 40 ? 40 : comment + n - text), text);
     }
@@ -59,38 +65,38 @@ static bool read_comment(const char *comment, size_t n, struct tags *out, char *
 
 static bool read_comments(const uint8_t *p, size_t n, struct tags *out, char *err, size_t err_size)
 {
-    size_t at = 4;
-    uint32_t many = 0;
+    size_t position = 4;
+    uint32_t count = 0;
 
     if (n >= 8 && bytes_get32(p) <= n - 8) {
-        at += bytes_get32(p);
-        many = bytes_get32(p + at);
-        at += 4;
+        position += bytes_get32(p);
+        count = bytes_get32(p + position);
+        position += 4;
     } else if (n > 0) {
         return err_set(err, err_size, "its tags are longer than the file");
     }
-    for (; many > 0; many--) {
-        if (n - at < 4 || bytes_get32(p + at) > n - at - 4)
+    for (; count > 0; count--) {
+        if (n - position < 4 || bytes_get32(p + position) > n - position - 4)
             return err_set(err, err_size, "its tags are longer than the file");
-        const size_t size = bytes_get32(p + at);
-        if (!read_comment((const char *)p + at + 4, size, out, err, err_size))
+        const size_t size = bytes_get32(p + position);
+        if (!read_comment((const char *)p + position + 4, size, out, err, err_size))
             return false;
-        at += 4 + size;
+        position += 4 + size;
     }
     return true;
 }
 
 /* ---- FLAC ---- */
 
-enum { STREAMINFO_BYTES = 34, FRAME_MOST = 1 << 20 /* bytes; 65535 samples of two channels have half as many */ };
+enum { STREAMINFO_BYTES = 34, MAX_FRAME = 1 << 20 /* bytes; 65535 samples of two channels have half as many */ };
 
-/* True if STREAMINFO contains the number of samples, 36 bits, 0: unknown. RFC 9639, section 8.2. */
-static bool states_length(const uint8_t *p)
+/* Returns whether STREAMINFO contains the number of samples (36 bits, 0: unknown). RFC 9639, section 8.2. */
+static bool has_length(const uint8_t *p)
 {
     return (p[13] & 15) != 0 || bytes_get32(p + 14) != 0;
 }
 
-/* 0 for a frame with its checksum: RFC 9639, section 9.3. */
+/* Returns the CRC-16, which is 0 for a frame that includes its checksum. RFC 9639, section 9.3. */
 static uint16_t crc16(const uint8_t *p, size_t n)
 {
     uint32_t crc = 0;
@@ -103,12 +109,12 @@ static uint16_t crc16(const uint8_t *p, size_t n)
     return (uint16_t)crc;
 }
 
-/* True if a complete frame is at the end. Without a length, nothing else shows that a file is truncated. */
+/* Returns whether the file ends with a complete frame. If the length is unknown, only this shows a truncated file. */
 static bool ends_in_frame(const uint8_t *data, size_t from, size_t n)
 {
-    const size_t least = n - from > FRAME_MOST ? n - FRAME_MOST : from;
+    const size_t first = n - from > MAX_FRAME ? n - MAX_FRAME : from;
 
-    for (size_t at = n; at-- > least;)
+    for (size_t at = n; at-- > first;)
         if (n - at > 2 && data[at] == 0xff && (data[at + 1] & 0xfe) == 0xf8 && crc16(data + at, n - at) == 0)
             return true;
     return false;
@@ -116,7 +122,7 @@ static bool ends_in_frame(const uint8_t *data, size_t from, size_t n)
 
 bool tags_flac(const uint8_t *data, size_t n, struct tags *out, char *err, size_t err_size)
 {
-    bool last = false, open = false;
+    bool last = false, unknown_length = false;
     size_t at = 4;
 
     *out = (struct tags){ "FLAC", -1, -1, -1 };
@@ -131,19 +137,19 @@ bool tags_flac(const uint8_t *data, size_t n, struct tags *out, char *err, size_
         if (size > n - at - 4)
             return err_set(err, err_size, "block %d (%zu bytes, at byte %zu) is longer than the file", kind, size, at);
         if (kind == 0 && size == STREAMINFO_BYTES)
-            open = !states_length(data + at + 4);
+            unknown_length = !has_length(data + at + 4);
         if (kind == 4 && !read_comments(data + at + 4, size, out, err, err_size))
             return false;
         at += 4 + size;
     }
-    if (open && !ends_in_frame(data, at, n))
+    if (unknown_length && !ends_in_frame(data, at, n))
         return err_set(err, err_size, "truncated inside a frame");
     return true;
 }
 
 /* ---- OGG ---- */
 
-static uint32_t crc_of(const uint8_t *page, size_t n)
+static uint32_t page_crc(const uint8_t *page, size_t n)
 {
     uint32_t crc = 0;
 
@@ -155,21 +161,21 @@ static uint32_t crc_of(const uint8_t *page, size_t n)
     return crc;
 }
 
-/* Bytes of the page; 0 and one sentence: it is damaged. */
+/* Returns the size of the page; 0: the page is damaged. */
 static size_t page_size(const uint8_t *data, size_t n, size_t at, char *err, size_t err_size)
 {
     const uint8_t *p = data + at;
-    size_t size = PAGE;
+    size_t size = PAGE_HEADER;
 
-    if (n - at < PAGE || memcmp(p, "OggS", 4) != 0 || p[4] != 0) {
+    if (n - at < PAGE_HEADER || memcmp(p, "OggS", 4) != 0 || p[4] != 0) {
         err_set(err, err_size, "expected a page (OggS) at byte %zu", at);
         return 0;
     }
-    for (size_t i = 0; i < p[26] && PAGE + i < n - at; i++)
-        size += 1u + p[PAGE + i];
+    for (size_t i = 0; i < p[26] && PAGE_HEADER + i < n - at; i++)
+        size += 1u + p[PAGE_HEADER + i];
     if (size > n - at)
         err_set(err, err_size, "the page at byte %zu is longer than the file", at);
-    else if (crc_of(p, size) != bytes_get32(p + 22))
+    else if (page_crc(p, size) != bytes_get32(p + 22))
         err_set(err, err_size, "damaged page at byte %zu: wrong checksum", at);
     else if (bytes_get32(p + 14) != bytes_get32(data + 14))
         err_set(err, err_size, "expected a single stream; another starts at byte %zu", at);
@@ -178,31 +184,31 @@ static size_t page_size(const uint8_t *data, size_t n, size_t at, char *err, siz
     return 0;
 }
 
-/* The first two packets, before the music; `now` is the one being read. */
+/* The first two packets, before the audio; `current` is the one being read. */
 struct packets {
     uint8_t *bytes; /* malloc */
     size_t n, end[2];
-    int now;
+    int current;
 };
 
-/* Adds a page's segments. */
+/* Appends a page's segments. */
 static bool add_page(struct packets *k, const uint8_t *page, char *err, size_t err_size)
 {
-    const uint8_t *piece = page + PAGE + page[26];
+    const uint8_t *segment = page + PAGE_HEADER + page[26];
 
-    for (int i = 0; i < page[26] && k->now < 2; i++) {
-        const size_t size = page[PAGE + i];
+    for (int i = 0; i < page[26] && k->current < 2; i++) {
+        const size_t size = page[PAGE_HEADER + i];
         uint8_t *more = realloc(k->bytes, k->n + size + 1);
-        if (more == NULL || k->n > MOST_COMMENTS) {
+        if (more == NULL || k->n > MAX_COMMENTS) {
             k->bytes = more ? more : k->bytes;
-            return err_set(err, err_size, "its tags are longer than %d bytes", MOST_COMMENTS);
+            return err_set(err, err_size, "its tags are longer than %d bytes", MAX_COMMENTS);
         }
         k->bytes = more;
-        memcpy(k->bytes + k->n, piece, size);
+        memcpy(k->bytes + k->n, segment, size);
         k->n += size;
-        piece += size;
+        segment += size;
         if (size < 255)
-            k->end[k->now++] = k->n;
+            k->end[k->current++] = k->n;
     }
     return true;
 }
@@ -212,7 +218,7 @@ static bool read_packets(const struct packets *k, struct tags *out, char *err, s
     const size_t id = k->end[0], n = k->end[1] - id;
     const uint8_t *second = k->bytes + id;
 
-    if (k->now < 2)
+    if (k->current < 2)
         return err_set(err, err_size, "truncated before its tags");
     if (id >= 7 && memcmp(k->bytes, "\1vorbis", 7) == 0 && n >= 7 && memcmp(second, "\3vorbis", 7) == 0) {
         out->codec = "Vorbis";
@@ -231,7 +237,7 @@ bool tags_ogg(const uint8_t *data, size_t n, struct tags *out, char *err, size_t
     bool good = true, ended = false;
 
     *out = (struct tags){ "", -1, -1, -1 };
-    if (n < PAGE || memcmp(data, "OggS", 4) != 0)
+    if (n < PAGE_HEADER || memcmp(data, "OggS", 4) != 0)
         return err_set(err, err_size, "expected an OGG or FLAC file (starting with OggS or fLaC)");
     for (size_t at = 0, size; good && at < n; at += size) {
         size = page_size(data, n, at, err, err_size);

@@ -13,7 +13,7 @@ struct tags {
     int64_t start, length, end; /* LOOPSTART, LOOPLENGTH, LOOPEND, frames; -1: none */
 };
 
-/* Checks a file. False and one sentence without its name. */
+/* Check a file. Errors don't name the file. */
 bool tags_ogg(const uint8_t *data, size_t n, struct tags *out, char *err, size_t err_size);
 bool tags_flac(const uint8_t *data, size_t n, struct tags *out, char *err, size_t err_size);
 

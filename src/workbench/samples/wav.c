@@ -1,7 +1,7 @@
 /*
- * wav.c - see pcm.h. A file is chunks: four letters, a length, that many bytes, one more if the length is odd.
- * The length of the whole, before them, is ignored as players do, because many programs write a wrong one. The last
- * chunk shows whether a file is truncated.
+ * wav.c - see pcm.h. A file consists of chunks: four letters, a length, that many bytes, and a padding byte if the
+ * length is odd. The total length in the header is ignored, as players do, because many programs write a wrong one. The
+ * last chunk shows whether a file is truncated.
  */
 #include "pcm.h"
 
@@ -24,18 +24,19 @@ struct wav {
 /* WAVE_FORMAT_EXTENSIBLE repeats the format at the start of a GUID. */
 static bool read_format(struct wav *w, const uint8_t *p, uint32_t n, char *err, size_t err_size)
 {
-    const int format = n >= 16 ? bytes_get16(p) : 0, real = format == 0xfffe && n >= 26 ? bytes_get16(p + 24) : format;
+    const int format = n >= 16 ? bytes_get16(p) : 0,
+              format_tag = format == 0xfffe && n >= 26 ? bytes_get16(p + 24) : format;
 
-    if (real != INTEGERS && real != FLOATS)
+    if (format_tag != INTEGERS && format_tag != FLOATS)
         return err_set(err, err_size, "expected PCM samples (format 1: integers, or format 3: floats), got format %d",
-                       real);
-    w->format = real;
+                       format_tag);
+    w->format = format_tag;
     w->channels = bytes_get16(p + 2);
     w->rate = bytes_get32(p + 4);
     w->bits = bytes_get16(p + 14);
     if (w->channels < 1 || w->channels > 2)
         return err_set(err, err_size, "expected one or two channels, got %d", w->channels);
-    if (real == FLOATS && w->bits != 32)
+    if (format_tag == FLOATS && w->bits != 32)
         return err_set(err, err_size, "expected 32-bit floats, got %d bits", w->bits);
     if (w->bits != 8 && w->bits != 16 && w->bits != 24 && w->bits != 32)
         return err_set(err, err_size, "expected samples of 8, 16, 24 or 32 bits, got %d", w->bits);
@@ -100,14 +101,14 @@ static bool read_chunks(struct wav *w, const uint8_t *data, size_t n, char *err,
     return true;
 }
 
-/* One channel of one frame, full scale from -1 to 1. */
+/* Returns a sample; full scale is -1 to 1. */
 static float sample_at(const struct wav *w, const uint8_t *p)
 {
-    const uint32_t whole = w->bits == 32 ? bytes_get32(p) : 0;
+    const uint32_t word = w->bits == 32 ? bytes_get32(p) : 0;
     float v;
 
     if (w->format == FLOATS) {
-        memcpy(&v, &whole, sizeof v);
+        memcpy(&v, &word, sizeof v);
         return v;
     }
     switch (w->bits) {
@@ -118,22 +119,23 @@ static float sample_at(const struct wav *w, const uint8_t *p)
     case 24:
         return (float)((int32_t)((uint32_t)bytes_get16(p) << 8 | (uint32_t)p[2] << 24) >> 8) / 8388608;
     default:
-        return (float)((double)(int32_t)whole / 2147483648.0);
+        return (float)((double)(int32_t)word / 2147483648.0);
     }
 }
 
-enum { PART = 1024 /* frames at a time */ };
+enum { BLOCK = 1024 /* frames at a time */ };
 
 static bool read_frames(const struct wav *w, struct pcm *out)
 {
-    const size_t one = (size_t)w->bits / 8, each = one * (size_t)w->channels, frames = w->bytes / each;
-    float part[PART * PCM_CHANNELS] = { 0 };
+    const size_t sample_bytes = (size_t)w->bits / 8, frame_bytes = sample_bytes * (size_t)w->channels,
+                 frames = w->bytes / frame_bytes;
+    float block[BLOCK * PCM_CHANNELS] = { 0 };
 
     for (size_t at = 0, n; at < frames; at += n) {
-        n = frames - at < PART ? frames - at : PART;
+        n = frames - at < BLOCK ? frames - at : BLOCK;
         for (size_t i = 0; i < n * (size_t)w->channels; i++)
-            part[i] = sample_at(w, w->samples + at * each + i * one);
-        if (!pcm_add(out, part, n))
+            block[i] = sample_at(w, w->samples + at * frame_bytes + i * sample_bytes);
+        if (!pcm_add(out, block, n))
             return false;
     }
     return true;

@@ -14,47 +14,47 @@
 #include "../../player/speaker/speaker.h"
 #include "../../player/overlay/overlay.h"
 
-enum { W = 216, H = 224, SECOND = 1000000, MOST_LATE = 4, TITLE = 64 };
+enum { W = 216, H = 224, SECOND = 1000000, MAX_LATE_FRAMES = 4, TITLE = 64 };
 
 struct jukebox {
-    struct board *b;
+    struct board *board;
     struct speaker speaker;
     struct overlay overlay;
     struct fb fb;
     void *pix;
-    uint64_t base, frames;
+    uint64_t start_usec, frames_due;
     bool over;
     char title[TITLE];
 };
 
-static void show(struct jukebox *h)
+static void show(struct jukebox *j)
 {
     uint32_t rgb[256] = { 0 };
     struct canvas canvas;
 
-    memset(h->fb.pix, 0, (size_t)h->fb.pitch * H);
-    canvas_open(&canvas, &h->fb, rgb);
+    memset(j->fb.pix, 0, (size_t)j->fb.pitch * H);
+    canvas_open(&canvas, &j->fb, rgb);
     const struct overlay_target at = { &canvas, NULL, 0, H };
-    overlay_draw(&h->overlay, &at, h->b, -1, -1);
-    plat_show(h->fb.pix, h->fb.pitch, W, H, rgb);
+    overlay_draw(&j->overlay, &at, j->board, -1, -1);
+    plat_show(j->fb.pix, j->fb.pitch, W, H, rgb);
 }
 
-static void tick(struct jukebox *h, int frames)
+static void tick(struct jukebox *j, int frames)
 {
-    for (int i = 0; i < frames && !h->over; i++) {
-        h->over = !board_jukebox_tick(h->b);
-        speaker_add_frame(&h->speaker, h->b, SPEAKER_FORWARD, 1);
+    for (int i = 0; i < frames && !j->over; i++) {
+        j->over = !board_jukebox_tick(j->board);
+        speaker_add_frame(&j->speaker, j->board, SPEAKER_FORWARD, 1);
     }
 }
 
-bool jukebox_frame(struct jukebox *h)
+bool jukebox_frame(struct jukebox *j)
 {
     struct plat_input in;
-    const uint64_t due = h->base + h->frames * SECOND / 60;
+    const uint64_t due = j->start_usec + j->frames_due * SECOND / 60;
 
     if (plat_usec() + SECOND < due) { /* the clock was set back */
-        h->base = plat_usec();
-        h->frames = 0;
+        j->start_usec = plat_usec();
+        j->frames_due = 0;
         return true;
     }
     plat_wait(due);
@@ -62,62 +62,62 @@ bool jukebox_frame(struct jukebox *h)
     if (now < due)
         return true;
     const uint64_t n = (now - due) * 60 / SECOND + 1;
-    struct speaker_elapsed time = { .sixtieths = n < MOST_LATE ? (int)n : MOST_LATE, .slow = 1 };
+    struct speaker_elapsed time = { .sixtieths = n < MAX_LATE_FRAMES ? (int)n : MAX_LATE_FRAMES, .slow = 1 };
     time.lost = (n - (uint64_t)time.sixtieths) * SECOND / 60;
-    h->frames += n;
+    j->frames_due += n;
     plat_poll(&in);
-    tick(h, time.sixtieths);
+    tick(j, time.sixtieths);
     time.late = clock_since(due);
-    speaker_advance(&h->speaker, &time);
-    overlay_update_mixer(&h->overlay, h->b, &h->speaker);
-    show(h);
-    return !h->over && !in.quit && !plat_is_key_held(&in, KEY_ESCAPE);
+    speaker_advance(&j->speaker, &time);
+    overlay_update_mixer(&j->overlay, j->board, &j->speaker);
+    show(j);
+    return !j->over && !in.quit && !plat_is_key_held(&in, KEY_ESCAPE);
 }
 
-static enum result open_window(struct jukebox *h, const char *name)
+static enum result open_window(struct jukebox *j, const char *name)
 {
     struct config config;
     char err[512];
 
     if (!config_load(&config, err, sizeof err))
         return report_line(RESULT_REFUSED, "%s", err);
-    speaker_open(&h->speaker, config.volume, false, false);
-    snprintf(h->title, sizeof h->title, "curtain: %s", name);
-    h->pix = calloc(1, fb_size(W, H));
-    if (!h->pix)
+    speaker_open(&j->speaker, config.volume, false, false);
+    snprintf(j->title, sizeof j->title, "curtain: %s", name);
+    j->pix = calloc(1, fb_size(W, H));
+    if (!j->pix)
         return report_line(RESULT_HOST_FAILED, "out of memory");
-    fb_init(&h->fb, h->pix, W, H);
+    fb_init(&j->fb, j->pix, W, H);
     if (!plat_open(&(struct plat_config){
-            .w = W, .h = H, .scale = config.scale, .title = h->title, .sound_rate = SPEAKER_RATE }))
+            .w = W, .h = H, .scale = config.scale, .title = j->title, .sound_rate = SPEAKER_RATE }))
         return report_line(RESULT_HOST_FAILED, "sound: cannot open a window to play in");
     return RESULT_DONE;
 }
 
 enum result jukebox_open(struct jukebox **out, struct board *b, const char *name)
 {
-    struct jukebox *h = calloc(1, sizeof *h);
+    struct jukebox *j = calloc(1, sizeof *j);
 
     *out = NULL;
-    if (!h)
+    if (!j)
         return report_line(RESULT_HOST_FAILED, "out of memory");
-    h->b = b;
-    h->overlay.on[OVERLAY_MIXER] = true;
-    h->speaker.metering = true;
-    const enum result result = open_window(h, name);
+    j->board = b;
+    j->overlay.on[OVERLAY_MIXER] = true;
+    j->speaker.metering = true;
+    const enum result result = open_window(j, name);
     if (result != RESULT_DONE) {
-        jukebox_close(h);
+        jukebox_close(j);
         return result;
     }
     board_jukebox_play(b, name);
-    h->base = plat_usec();
-    *out = h;
+    j->start_usec = plat_usec();
+    *out = j;
     return RESULT_DONE;
 }
 
-void jukebox_close(struct jukebox *h)
+void jukebox_close(struct jukebox *j)
 {
-    speaker_close(&h->speaker);
+    speaker_close(&j->speaker);
     plat_close();
-    free(h->pix);
-    free(h);
+    free(j->pix);
+    free(j);
 }

@@ -1,5 +1,5 @@
 /*
- * jukebox.h - plays a sound or a piece of music in a window that shows the mixer.
+ * jukebox.h - plays a sound or music in a window that shows the mixer.
  */
 #ifndef WORKBENCH_JUKEBOX_H
 #define WORKBENCH_JUKEBOX_H

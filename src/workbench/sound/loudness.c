@@ -1,6 +1,6 @@
 /*
- * loudness.c - see loudness.h. The filters are those of the recommendation's tables for 48 kHz: a shelf, for the head,
- * and a high pass.
+ * loudness.c - see loudness.h. The K-weighting filters are those of the recommendation's tables for 48 kHz: a high
+ * shelf, which models the head, and a high pass.
  */
 #include "loudness.h"
 
@@ -9,9 +9,9 @@
 
 enum { STEP = 4800, BLOCK_STEPS = 4 /* blocks overlap: one starts at each step */ };
 
-#define SILENT   (-70.0)
-#define RELATIVE (-10.0)
-#define OFFSET   (-0.691)
+#define SILENCE_LUFS  (-70.0)
+#define RELATIVE_GATE (-10.0)
+#define OFFSET        (-0.691)
 
 struct biquad {
     double b0, b1, b2, a1, a2;
@@ -19,7 +19,7 @@ struct biquad {
 
 static const struct biquad shelf = { 1.53512485958697, -2.69169618940638, 1.19839281085285, -1.69065929318241,
                                      0.73248077421585 };
-static const struct biquad high = { 1, -2, 1, -1.99004745483398, 0.99007225036621 };
+static const struct biquad high_pass = { 1, -2, 1, -1.99004745483398, 0.99007225036621 };
 
 static double filter(const struct biquad *f, double z[2], double x)
 {
@@ -30,13 +30,13 @@ static double filter(const struct biquad *f, double z[2], double x)
     return y;
 }
 
-/* The power of each step, both channels; the last one may be short. */
-static void powers(const int16_t *lr, size_t frames, double *power)
+/* Adds up the power of each step over both channels; the last step may be short. */
+static void add_power(const int16_t *lr, size_t frames, double *power)
 {
     for (int c = 0; c < 2; c++) {
         double z0[2] = { 0 }, z1[2] = { 0 };
         for (size_t i = 0; i < frames; i++) {
-            const double y = filter(&high, z1, filter(&shelf, z0, lr[2 * i + (size_t)c] / 32768.0));
+            const double y = filter(&high_pass, z1, filter(&shelf, z0, lr[2 * i + (size_t)c] / 32768.0));
             power[i / STEP] += y * y;
         }
     }
@@ -48,7 +48,7 @@ static double lufs(double power)
 }
 
 /* Returns the mean of the blocks louder than the gate, in LUFS. */
-static double gated(const double *power, size_t blocks, double gate)
+static double gated_mean(const double *power, size_t blocks, double gate)
 {
     double sum = 0;
     size_t n = 0;
@@ -66,24 +66,24 @@ static double gated(const double *power, size_t blocks, double gate)
 double loudness(const int16_t *lr, size_t frames)
 {
     const size_t steps = frames / STEP;
-    double *power = calloc(steps + 1, sizeof *power), result = SILENT;
+    double *power = calloc(steps + 1, sizeof *power), result = SILENCE_LUFS;
 
     if (!power || !frames) {
         free(power);
-        return SILENT;
+        return SILENCE_LUFS;
     }
-    powers(lr, frames, power);
+    add_power(lr, frames, power);
     if (steps < BLOCK_STEPS) {
         double sum = 0;
         for (size_t i = 0; i <= steps; i++)
             sum += power[i];
         result = lufs(sum / (double)frames);
     } else {
-        result = gated(power, steps - BLOCK_STEPS + 1, SILENT);
-        result = gated(power, steps - BLOCK_STEPS + 1, result + RELATIVE);
+        result = gated_mean(power, steps - BLOCK_STEPS + 1, SILENCE_LUFS);
+        result = gated_mean(power, steps - BLOCK_STEPS + 1, result + RELATIVE_GATE);
     }
     free(power);
-    return result > SILENT ? result : SILENT;
+    return result > SILENCE_LUFS ? result : SILENCE_LUFS;
 }
 
 static double decibels(double level)

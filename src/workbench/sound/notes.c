@@ -14,7 +14,7 @@ struct walk {
     const struct tune *t;
     char track;
     uint32_t tick;
-    bool quiet;
+    bool silent;
 };
 
 static void print_inst(const struct walk *w, int i)
@@ -26,7 +26,7 @@ static void print_inst(const struct walk *w, int i)
 
 static void print_event(const struct walk *w, const struct tune_played_event *e)
 {
-    if (w->quiet)
+    if (w->silent)
         return;
     report_print("%c %u ", w->track, (unsigned)w->tick);
     switch (e->event) {
@@ -75,9 +75,9 @@ static uint32_t walk(struct walk *w, int track, uint32_t until)
         while (tune_next_event(&run, &e))
             print_event(w, &e);
         c = run.cursor;
-        /* A loop of one event leads to the same place, with all its time left. */
-        const bool back = c.cursor < before.cursor || (c.cursor == before.cursor && c.units_left > before.units_left);
-        if (c.cursor == until || (c.cursor != 0 && back))
+        /* A loop of one event jumps back to the same position, with all its time left. */
+        const bool looped = c.cursor < before.cursor || (c.cursor == before.cursor && c.units_left > before.units_left);
+        if (c.cursor == until || (c.cursor != 0 && looped))
             break;
     }
     return c.cursor;
@@ -92,7 +92,7 @@ void notes_print(const char *name, const struct tune *t)
         if (at == 0)
             continue;
         const uint32_t end = w.tick;
-        w.quiet = true;
+        w.silent = true;
         walk(&w, i, at);
         report_print("%c %u loop %u\n", w.track, (unsigned)end, (unsigned)w.tick);
     }

@@ -1,5 +1,5 @@
 /*
- * notes.h - `curtain sound GAME NAME --notes`: the events of a tune as text, as the board reads them.
+ * notes.h - `curtain sound GAME NAME --notes`: prints the events of a tune as the board reads them.
  */
 #ifndef WORKBENCH_NOTES_H
 #define WORKBENCH_NOTES_H
@@ -7,7 +7,7 @@
 #include "../../sound/tune.h"
 
 /* Prints a line for each event: TRACK TICK EVENT VALUES; the conductor's track is -. docs/measured/music.md explains
- * the events. An endless track is printed up to the end of its loop, followed by TRACK END loop START. */
+ * the events. A looping track is printed up to the end of its loop, followed by TRACK END loop START. */
 void notes_print(const char *name, const struct tune *t);
 
 #endif

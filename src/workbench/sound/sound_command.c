@@ -1,5 +1,5 @@
 /*
- * sound_command.c - see sound_command.h. The board's jukebox (board.h) plays without the game's scripts. Endless sounds
+ * sound_command.c - see sound_command.h. The board's jukebox (board.h) plays without the game's scripts. Looping sounds
  * are played for two minutes.
  */
 #include "sound_command.h"
@@ -20,38 +20,38 @@
 #include "loudness.h"
 #include "../samples/tune_time.h"
 
-enum { MOST_FRAMES = 7200, HEADER = 44 };
+enum { MAX_FRAMES = 7200, WAV_HEADER_SIZE = 44 };
 
-/* Returns the tape's samples (malloc); NULL: out of memory. */
-static int16_t *samples_of(const struct wav_writer *t)
+/* Returns the recorded samples (malloc); NULL: out of memory. */
+static int16_t *copy_samples(const struct wav_writer *t)
 {
     int16_t *lr = malloc((size_t)t->frames * 4 + 1);
 
     for (size_t i = 0; lr && i < 2 * (size_t)t->frames; i++)
-        lr[i] = (int16_t)bytes_get16(t->file.bytes + HEADER + 2 * i);
+        lr[i] = (int16_t)bytes_get16(t->file.bytes + WAV_HEADER_SIZE + 2 * i);
     return lr;
 }
 
-/* Records at most `most` frames onto the tape. */
-static void record(struct board *b, struct wav_writer *t, const char *name, int most)
+/* Records at most `max_frames` frames. */
+static void record(struct board *b, struct wav_writer *t, const char *name, int max_frames)
 {
     board_jukebox_play(b, name);
-    for (int i = 0; i < most && board_jukebox_tick(b); i++)
+    for (int i = 0; i < max_frames && board_jukebox_tick(b); i++)
         wav_writer_add(t, b);
 }
 
-/* Prints the length and loudness; endless music is played through once. */
-static bool print_measured(struct board *b, const struct board_tune *t)
+/* Prints the length and loudness; looping music is played until it has looped once. */
+static bool print_measurements(struct board *b, const struct board_tune *t)
 {
     const struct tune tune = tune_of(t->data);
     const struct tune_time time = tune_time(&tune);
-    const int most = time.loop > 0 ? (int)(time.all * 60) + 1 : MOST_FRAMES;
+    const int max_frames = time.loop > 0 ? (int)(time.all * 60) + 1 : MAX_FRAMES;
     struct wav_writer wav;
     int16_t *lr = NULL;
 
     if (wav_writer_open(&wav)) {
-        record(b, &wav, t->name, most < MOST_FRAMES ? most : MOST_FRAMES);
-        lr = samples_of(&wav);
+        record(b, &wav, t->name, max_frames < MAX_FRAMES ? max_frames : MAX_FRAMES);
+        lr = copy_samples(&wav);
     }
     if (lr) {
         report_print("%.2f s", time.loop > 0 ? time.all : wav.frames / 48000.0);
@@ -72,7 +72,7 @@ static enum result list(void *block, const struct rom *rom)
 
     for (int i = 0; b && board_jukebox_get_tune(b, i, &t); i++) {
         report_print("%s %s: ", t.is_music ? "music" : "sound", t.name);
-        if (!print_measured(b, &t))
+        if (!print_measurements(b, &t))
             return report_line(RESULT_HOST_FAILED, "out of memory");
         report_print(", %zu bytes, %s, tracks %d, %s %d%s%s\n", t.bytes, t.is_recording ? "recording" : "MML",
                      t.track_count, t.is_music ? "markers" : "limit", t.is_music ? t.mark_count : t.limit,
@@ -84,7 +84,7 @@ static enum result list(void *block, const struct rom *rom)
 
 static bool print_level(const char *name, const struct wav_writer *t)
 {
-    int16_t *lr = samples_of(t);
+    int16_t *lr = copy_samples(t);
 
     if (lr)
         report_print("%s: %.2f s, peak %.1f dB, mean %.1f dB, %.1f LUFS\n", name, t->frames / 48000.0,
@@ -93,7 +93,7 @@ static bool print_level(const char *name, const struct wav_writer *t)
     return lr != NULL;
 }
 
-static enum result unknown(const struct board *b, const char *name)
+static enum result report_unknown(const struct board *b, const char *name)
 {
     struct edit_nearest near = { .word = name };
     struct board_tune t;
@@ -105,7 +105,7 @@ static enum result unknown(const struct board *b, const char *name)
     return report_line(RESULT_REFUSED, "sound: no \"%s\" in this game", name);
 }
 
-/* Prints the notes of the sound or, if there is none of that name, of the music. The tunes are valid in a valid ROM. */
+/* Prints the notes of the sound or, if no sound has the name, of the music. Tunes in a valid ROM are valid. */
 static enum result print_notes(const struct board *b, const struct rom *rom, const char *name)
 {
     static const char *const folders[] = { "sound/", "tune/" };
@@ -122,7 +122,7 @@ static enum result print_notes(const struct board *b, const struct rom *rom, con
         notes_print(name, &t);
         return RESULT_DONE;
     }
-    return unknown(b, name);
+    return report_unknown(b, name);
 }
 
 static enum result measure(struct board *b, const struct args *a)
@@ -136,7 +136,7 @@ static enum result measure(struct board *b, const struct args *a)
         wav_writer_close(&t);
         return report_line(RESULT_HOST_FAILED, "out of memory");
     }
-    record(b, &t, a->words[1], MOST_FRAMES);
+    record(b, &t, a->words[1], MAX_FRAMES);
     if (!print_level(a->words[1], &t))
         good = result_set_host_error(err, sizeof err, "out of memory");
     if (good && out)
@@ -156,10 +156,10 @@ static bool has(const struct board *b, const char *name)
     return false;
 }
 
-static enum result one(struct board *b, const struct args *a, struct jukebox **j)
+static enum result play_or_measure(struct board *b, const struct args *a, struct jukebox **j)
 {
     if (!has(b, a->words[1]))
-        return unknown(b, a->words[1]);
+        return report_unknown(b, a->words[1]);
     return a->play ? jukebox_open(j, b, a->words[1]) : measure(b, a);
 }
 
@@ -169,14 +169,14 @@ struct sound_command {
     struct jukebox *jukebox;
 };
 
-static bool frame(void *of)
+static bool frame(void *context)
 {
-    return jukebox_frame(((struct sound_command *)of)->jukebox);
+    return jukebox_frame(((struct sound_command *)context)->jukebox);
 }
 
-static enum result close(void *of)
+static enum result close(void *context)
 {
-    struct sound_command *c = of;
+    struct sound_command *c = context;
 
     if (c->jukebox)
         jukebox_close(c->jukebox);
@@ -200,7 +200,7 @@ static enum result run(struct sound_command *c, const struct args *a)
         return report_line(RESULT_REFUSED, "%s", err);
     if (a->n_words < 2)
         return list(b, &c->image.rom);
-    return a->notes ? print_notes(b, &c->image.rom, a->words[1]) : one(b, a, &c->jukebox);
+    return a->notes ? print_notes(b, &c->image.rom, a->words[1]) : play_or_measure(b, a, &c->jukebox);
 }
 
 enum result sound_command(const struct args *a, struct frame_command *running)

@@ -11,21 +11,21 @@
 #include "reach.h"
 
 enum {
-    PICTURES = 24, /* of a sheet */
-    KEYS = 3,      /* lines of the legend */
+    PICTURES = 24,    /* of a sheet */
+    LEGEND_LINES = 3, /* lines of the legend */
     GAP = 6,
-    LABEL = 14,  /* px of height above a picture */
-    LEGEND = 16, /* of a line below all of them */
-    KEY = 10,    /* px of a colour in the legend */
+    LABEL = 14,       /* px of height above a picture */
+    LINE_HEIGHT = 16, /* px, of a line of the legend */
+    SWATCH = 10,      /* px, of a colour in the legend */
     GREY = 0x28,
     LAST_SCALE = 2,
     BEFORE = 15 /* frames */
 };
 
-struct atlas {
+struct reach_map {
     struct section_run *s;
     const struct cart *cart;
-    struct reach could, leads; /* reachable cells; those that lead to the end */
+    struct reach reachable, useful; /* reachable cells, and those that lead to the end */
     struct fb fb;
     void *screen, *scratch;
     uint32_t rgb[256];
@@ -35,22 +35,22 @@ struct atlas {
 
 /* ---- the sheet ---- */
 
-static uint8_t *at(const struct atlas *m, int x, int y)
+static uint8_t *pixel_at(const struct reach_map *m, int x, int y)
 {
     return m->sheet + ((size_t)y * (size_t)m->w + (size_t)x) * 3;
 }
 
-static void put(const struct atlas *m, int x, int y, int red, int green, int blue)
+static void set_pixel(const struct reach_map *m, int x, int y, int red, int green, int blue)
 {
     if (x < 0 || y < 0 || x >= m->w || y >= m->h)
         return;
-    uint8_t *p = at(m, x, y);
+    uint8_t *p = pixel_at(m, x, y);
     p[0] = (uint8_t)red;
     p[1] = (uint8_t)green;
     p[2] = (uint8_t)blue;
 }
 
-static bool sheet_open(struct atlas *m, int n)
+static bool sheet_open(struct reach_map *m, int n)
 {
     const int w = m->cart->manifest.field_w * m->scale + GAP, h = m->cart->manifest.field_h * m->scale + GAP + LABEL;
 
@@ -59,15 +59,15 @@ static bool sheet_open(struct atlas *m, int n)
         m->columns++;
     m->columns = m->columns > n ? n : m->columns;
     m->w = m->columns * w + GAP;
-    m->h = (n + m->columns - 1) / m->columns * h + KEYS * LEGEND + 2 * GAP;
+    m->h = (n + m->columns - 1) / m->columns * h + LEGEND_LINES * LINE_HEIGHT + 2 * GAP;
     m->sheet = malloc((size_t)m->w * (size_t)m->h * 3);
     if (m->sheet)
         memset(m->sheet, GREY, (size_t)m->w * (size_t)m->h * 3);
     return m->sheet != NULL;
 }
 
-/* Writes text in the canvas's font, by way of a separate picture. */
-static void label(const struct atlas *m, int x, int y, const char *text)
+/* Draws text in the canvas's font, via a separate picture. */
+static void draw_label(const struct reach_map *m, int x, int y, const char *text)
 {
     enum { W = 320, H = LABEL };
     struct fb fb;
@@ -84,59 +84,59 @@ static void label(const struct atlas *m, int x, int y, const char *text)
     for (int py = 0; py < H; py++)
         for (int px = 0; px < W; px++)
             if (fb.pix[py * fb.pitch + px] == canvas.colour[CANVAS_WHITE])
-                put(m, x + px, y + py, 0xe8, 0xe8, 0xe8);
+                set_pixel(m, x + px, y + py, 0xe8, 0xe8, 0xe8);
     free(mem);
 }
 
 /* ---- the legend ---- */
 
-static const int leads_colour[3] = { 0x20, 0xd0, 0x50 }, dead_colour[3] = { 0x30, 0x70, 0xff };
+static const int useful_colour[3] = { 0x20, 0xd0, 0x50 }, dead_colour[3] = { 0x30, 0x70, 0xff };
 
-/* Explains a colour on each line, because a sheet may be as narrow as one picture. */
-static void legend(const struct atlas *m)
+/* Explains one colour per line, because a sheet may be as narrow as one picture. */
+static void draw_legend(const struct reach_map *m)
 {
-    static const char *const words[KEYS] = { "reachable, and leads to the end", "reachable, but a dead end",
-                                             "the ship in the run that was found" };
-    const int *const colours[KEYS] = { leads_colour, dead_colour, NULL };
+    static const char *const words[LEGEND_LINES] = { "reachable, and leads to the end", "reachable, but a dead end",
+                                                     "the ship in the run that was found" };
+    const int *const colours[LEGEND_LINES] = { useful_colour, dead_colour, NULL };
 
-    for (int k = 0; k < KEYS; k++) {
-        const int y = m->h - GAP - (KEYS - k) * LEGEND;
-        for (int i = 0; i < KEY * KEY; i++) {
-            const int dx = i % KEY, dy = i / KEY, from = KEY / 2;
+    for (int k = 0; k < LEGEND_LINES; k++) {
+        const int y = m->h - GAP - (LEGEND_LINES - k) * LINE_HEIGHT;
+        for (int i = 0; i < SWATCH * SWATCH; i++) {
+            const int dx = i % SWATCH, dy = i / SWATCH, from = SWATCH / 2;
             const int *c = colours[k];
             if (c)
-                put(m, GAP + dx, y + dy, c[0], c[1], c[2]);
+                set_pixel(m, GAP + dx, y + dy, c[0], c[1], c[2]);
             else if ((dx == from) != (dy == from))
-                put(m, GAP + dx, y + dy, 255, 255, 255);
+                set_pixel(m, GAP + dx, y + dy, 255, 255, 255);
         }
-        label(m, GAP + KEY + GAP, y, words[k]);
+        draw_label(m, GAP + SWATCH + GAP, y, words[k]);
     }
 }
 
 /* ---- a picture ---- */
 
-static bool is_in(const struct reach *r, uint32_t t, int px, int py)
+static bool contains(const struct reach *r, uint32_t t, int px, int py)
 {
     const fx x = px * FX_ONE + FX_ONE / 2, y = py * FX_ONE + FX_ONE / 2;
 
     return r->sets && t <= r->frames && reach_has(r, t, x, y);
 }
 
-/* The picture's pixel (px, py) of the field, tinted. */
-static void tint(const struct atlas *m, uint32_t t, int px, int py, int out[3])
+/* Returns the tinted colour of pixel (px, py) of the field. */
+static void tint(const struct reach_map *m, uint32_t t, int px, int py, int out[3])
 {
     const struct manifest *f = &m->cart->manifest;
     const uint32_t rgb = m->rgb[m->fb.pix[(f->field_y + py) * m->fb.pitch + f->field_x + px]];
-    const bool could = is_in(&m->could, t, px, py), leads = could && is_in(&m->leads, t, px, py);
-    const int *colour = leads ? leads_colour : dead_colour;
+    const bool reachable = contains(&m->reachable, t, px, py), useful = reachable && contains(&m->useful, t, px, py);
+    const int *colour = useful ? useful_colour : dead_colour;
 
     for (int i = 0; i < 3; i++) {
         const int v = (int)(rgb >> (16 - 8 * i) & 255);
-        out[i] = could ? v / 2 + colour[i] * 2 / 5 : v * 3 / 5;
+        out[i] = reachable ? v / 2 + colour[i] * 2 / 5 : v * 3 / 5;
     }
 }
 
-static void cross(const struct atlas *m, int x0, int y0)
+static void draw_ship(const struct reach_map *m, int x0, int y0)
 {
     struct danger_ship ship;
 
@@ -148,12 +148,12 @@ static void cross(const struct atlas *m, int x0, int y0)
     for (int i = -5 * m->scale; i <= 5 * m->scale; i++) {
         if (abs(i) < 2 * m->scale)
             continue;
-        put(m, x + i, y, 255, 255, 255);
-        put(m, x, y + i, 255, 255, 255);
+        set_pixel(m, x + i, y, 255, 255, 255);
+        set_pixel(m, x, y + i, 255, 255, 255);
     }
 }
 
-static void add_picture(struct atlas *m, uint32_t frame)
+static void add_picture(struct reach_map *m, uint32_t frame)
 {
     const struct manifest *f = &m->cart->manifest;
     const int x0 = GAP + m->count % m->columns * (f->field_w * m->scale + GAP);
@@ -167,25 +167,25 @@ static void add_picture(struct atlas *m, uint32_t frame)
         for (int x = 0; x < f->field_w * m->scale; x++) {
             if (x % m->scale == 0)
                 tint(m, frame - m->s->search.begin, x / m->scale, y / m->scale, out);
-            put(m, x0 + x, y0 + y, out[0], out[1], out[2]);
+            set_pixel(m, x0 + x, y0 + y, out[0], out[1], out[2]);
         }
-    cross(m, x0, y0);
+    draw_ship(m, x0, y0);
     snprintf(text, sizeof text, "frame %u", (unsigned)frame);
-    label(m, x0, y0 - LABEL, text);
+    draw_label(m, x0, y0 - LABEL, text);
 }
 
 /* ---- a run ---- */
 
-static void map_close(struct atlas *m)
+static void map_free(struct reach_map *m)
 {
-    reach_close(&m->could);
-    reach_close(&m->leads);
+    reach_free(&m->reachable);
+    reach_free(&m->useful);
     free(m->screen);
     free(m->scratch);
     free(m->sheet);
 }
 
-static bool map_open(struct atlas *m, int n)
+static bool map_open(struct reach_map *m, int n)
 {
     struct section_run *s = m->s;
     int w, h;
@@ -198,17 +198,17 @@ static bool map_open(struct atlas *m, int n)
     if (!m->screen || !m->scratch || !sheet_open(m, n))
         return false;
     fb_init(&m->fb, m->screen, w, h);
-    if (s->course.frames == 0)
+    if (s->forecast.frames == 0)
         return true;
-    if (!reach_open(&m->could, &s->course, FX_ONE, 0, s->x, s->y) ||
-        !reach_open(&m->leads, &s->course, FX_ONE, 0, s->x, s->y))
+    if (!reach_compute(&m->reachable, &s->forecast, FX_ONE, 0, s->x, s->y) ||
+        !reach_compute(&m->useful, &s->forecast, FX_ONE, 0, s->x, s->y))
         return false;
-    reach_back(&m->leads);
+    reach_prune(&m->useful);
     return true;
 }
 
-/* Repeats the run, with a picture of each of the frames, which are in ascending order. */
-static void map_run(struct atlas *m, const uint32_t *frame, int n)
+/* Repeats the run, and draws the frames in `frame`, which are in ascending order. */
+static void map_run(struct reach_map *m, const uint32_t *frame, int n)
 {
     struct simulation *t = &m->s->simulation;
     const struct search *k = &m->s->search;
@@ -227,29 +227,29 @@ static void map_run(struct atlas *m, const uint32_t *frame, int n)
     }
 }
 
-static uint8_t *make(struct section_run *s, const struct cart *cart, int scale, const uint32_t *frame, int n,
-                     size_t *size)
+static uint8_t *make_png(struct section_run *s, const struct cart *cart, int scale, const uint32_t *frame, int n,
+                         size_t *size)
 {
-    struct atlas m = { .s = s, .cart = cart, .scale = scale };
+    struct reach_map m = { .s = s, .cart = cart, .scale = scale };
     uint8_t *png = NULL;
 
     if (map_open(&m, n)) {
         map_run(&m, frame, n);
-        legend(&m);
+        draw_legend(&m);
         png_write_rgb(m.sheet, m.w, m.h, &png, size);
     }
-    map_close(&m);
+    map_free(&m);
     return png;
 }
 
 uint8_t *map_sheet(struct section_run *s, const struct cart *cart, size_t *size)
 {
     uint32_t frame[PICTURES];
-    const uint32_t begin = s->search.begin, frames = s->course.frames;
+    const uint32_t begin = s->search.begin, frames = s->forecast.frames;
 
     for (uint32_t i = 0; i < PICTURES; i++)
         frame[i] = begin + (uint32_t)((uint64_t)frames * (i + 1) / PICTURES);
-    return make(s, cart, 1, frame, PICTURES, size);
+    return make_png(s, cart, 1, frame, PICTURES, size);
 }
 
 uint8_t *map_last(struct section_run *s, const struct cart *cart, size_t *size)
@@ -260,5 +260,5 @@ uint8_t *map_last(struct section_run *s, const struct cart *cart, size_t *size)
     const uint32_t first = last > begin + BEFORE ? last - BEFORE : begin;
     const uint32_t frame[3] = { first, last, last + 1 };
 
-    return make(s, cart, LAST_SCALE, frame, 3, size);
+    return make_png(s, cart, LAST_SCALE, frame, 3, size);
 }

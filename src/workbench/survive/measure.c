@@ -7,56 +7,56 @@
 #include <stdlib.h>
 #include "plan.h"
 
-enum { WIDTHS = 12, LOOK = 240 /* frames that a bullet is followed */, MOVES_GAP = 1 << 18 };
+enum { RADII = 12, MAX_FLIGHT = 240 /* frames that a bullet is followed */, MOVES_GAP = 1 << 18 };
 
 /* ---- the narrowest gap ---- */
 
-/* Returns whether there is a path for a ship with a larger radius. */
-static bool fits(const struct forecast *f, fx grown, fx x, fx y)
+/* Returns whether a ship with a larger radius has a path. */
+static bool has_path(const struct forecast *f, fx extra_radius, fx x, fx y)
 {
     struct reach r;
     struct plan p = { 0 };
-    bool good = reach_open(&r, f, 2 * FX_ONE, grown, x, y) && !reach_ended(&r);
+    bool good = reach_compute(&r, f, 2 * FX_ONE, extra_radius, x, y) && !reach_is_empty(&r);
 
     if (good) {
-        reach_back(&r);
+        reach_prune(&r);
         good = plan_make(&p, &r, x, y, MOVES_GAP, 0, 0) && p.frames == f->frames;
     }
     plan_free(&p);
-    reach_close(&r);
+    reach_free(&r);
     return good;
 }
 
-/* The same for the path of the run. */
-static bool run_fits(const struct forecast *f, fx grown)
+/* Returns whether it survives on the path of the run. */
+static bool run_survives(const struct forecast *f, fx extra_radius)
 {
     for (uint32_t i = 0; i < f->frames; i++)
-        if (plan_hits(f, i, &f->frame[i].ship.path, grown))
+        if (plan_hits(f, i, &f->frame[i].ship.path, extra_radius))
             return false;
     return true;
 }
 
 static void measure_gap(struct measure *m, const struct forecast *f, fx x, fx y)
 {
-    static const int more[WIDTHS] = { 0, 2, 5, 10, 15, 20, 30, 40, 60, 80, 120, 160 }; /* tenths of a px of radius */
-    int lo = 0, hi = WIDTHS; /* more[lo] fits, more[hi] does not */
+    static const int extra[RADII] = { 0, 2, 5, 10, 15, 20, 30, 40, 60, 80, 120, 160 }; /* tenths of a px of radius */
+    int lo = 0, hi = RADII; /* extra[lo] has a path, extra[hi] has none */
 
-    while (lo + 1 < WIDTHS && run_fits(f, (fx)((int64_t)more[lo + 1] * FX_ONE / 10)))
+    while (lo + 1 < RADII && run_survives(f, (fx)((int64_t)extra[lo + 1] * FX_ONE / 10)))
         lo++;
     while (hi - lo > 1) {
         const int at = (lo + hi) / 2;
-        if (fits(f, (fx)((int64_t)more[at] * FX_ONE / 10), x, y))
+        if (has_path(f, (fx)((int64_t)extra[at] * FX_ONE / 10), x, y))
             lo = at;
         else
             hi = at;
     }
-    m->gap = m->ship + 2 * more[lo];
+    m->gap = m->ship + 2 * extra[lo];
 }
 
 /* ---- reaction ---- */
 
 /* Returns the bullet or laser in a frame, or NULL after its end. Dangers are in slot order. */
-static const struct danger *find(const struct forecast *f, uint32_t frame, const struct danger *d)
+static const struct danger *find_danger(const struct forecast *f, uint32_t frame, const struct danger *d)
 {
     const struct forecast_frame *at = &f->frame[frame];
     uint32_t lo = 0, hi = at->n;
@@ -73,17 +73,17 @@ static const struct danger *find(const struct forecast *f, uint32_t frame, const
     return e && e->source == d->source && e->slot == d->slot ? e : NULL;
 }
 
-/* Returns the frames until it would hit a ship that does not move, or 0. */
+/* Returns the frames until the bullet would hit a ship that doesn't move, or 0. */
 static int until_hit(const struct forecast *f, uint32_t frame, const struct danger *d)
 {
     struct danger_path stay = f->frame[frame].ship.path;
 
     stay.prev_x = stay.x;
     stay.prev_y = stay.y;
-    for (uint32_t i = 1; i < LOOK && frame + i < f->frames; i++) {
+    for (uint32_t i = 1; i < MAX_FLIGHT && frame + i < f->frames; i++) {
         if (f->frame[frame + i].n == 0)
             continue;
-        const struct danger *now = find(f, frame + i, d);
+        const struct danger *now = find_danger(f, frame + i, d);
         if (!now || now->age < d->age)
             return 0;
         if (danger_would_hit(now, &stay))
@@ -92,7 +92,7 @@ static int until_hit(const struct forecast *f, uint32_t frame, const struct dang
     return 0;
 }
 
-static int by_size(const void *a, const void *b)
+static int compare_ints(const void *a, const void *b)
 {
     return *(const int *)a - *(const int *)b;
 }
@@ -111,7 +111,7 @@ static void measure_reaction(struct measure *m, const struct forecast *f)
         }
     }
     if (m->aimed) {
-        qsort(frames, (size_t)m->aimed, sizeof *frames, by_size);
+        qsort(frames, (size_t)m->aimed, sizeof *frames, compare_ints);
         m->reaction = frames[m->aimed / 10];
     }
     free(frames);
@@ -139,13 +139,13 @@ uint32_t measure_per_second(const struct measure *m)
 
 void measure_compare(const struct measure *easier, const struct measure *harder, char *why, size_t size)
 {
-    const int live = bots_lived(&easier->bots), live_then = bots_lived(&harder->bots);
+    const int live = bots_survived(&easier->bots), live_then = bots_survived(&harder->bots);
     const uint32_t rate = measure_per_second(easier), rate_then = measure_per_second(harder);
     const uint32_t last = bots_mean(&easier->bots), last_then = bots_mean(&harder->bots);
 
     why[0] = 0;
     if (live + 2 < live_then)
-        snprintf(why, size, "%d of %d bots survive, compared with %d", live, bots_all(&easier->bots), live_then);
+        snprintf(why, size, "%d of %d bots survive, compared with %d", live, bots_count(&easier->bots), live_then);
     else if (live <= live_then && last + last / 5 + 60 < last_then)
         snprintf(why, size, "bots survive %u.%u s on average, compared with %u.%u", (unsigned)(last / 60),
                  (unsigned)(last / 6 % 10), (unsigned)(last_then / 60), (unsigned)(last_then / 6 % 10));

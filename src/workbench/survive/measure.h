@@ -10,17 +10,17 @@ struct measure {
     struct bots bots;
     uint32_t seconds100; /* length in hundredths of a second, from when the ship could be steered */
     uint32_t fired;      /* bullets and lasers */
-    uint32_t most;       /* most shapes at a time that could hit */
-    int gap;             /* tenths of a px: a ship of this width could fly through; wider ones may too. 0: not known */
+    uint32_t most;       /* maximum number of dangerous shapes at a time */
+    int gap;             /* tenths of a px: a ship of this width has a path; a wider ship may have one. 0: unknown */
     int ship;            /* width of the ship in tenths of a px */
-    int aimed;           /* bullets that would have hit the ship where it was when they spawned */
-    int reaction;        /* 10th percentile of the frames from their spawn to that hit; 0: none */
+    int aimed;           /* bullets that would have hit the ship at its position when they spawned */
+    int reaction;        /* 10th percentile of the frames from spawn to hit of these bullets; 0: none */
 };
 
-/* Measures a run from its forecast; the ship starts at (x, y). Leaves `bots` to the caller. */
+/* Measures a run by its forecast; the ship starts at (x, y). Doesn't set `bots`. */
 void measure_run(struct measure *m, const struct forecast *course, fx x, fx y);
 
-/* Bullets per second, in hundredths. */
+/* Returns bullets per second in hundredths. */
 uint32_t measure_per_second(const struct measure *m);
 
 /* Writes why the easier difficulty is harder than the next one; "": it is not. */

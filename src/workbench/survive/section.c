@@ -6,40 +6,40 @@
 #include "../../base/err.h"
 #include "../../common/result.h"
 
-enum { AFTER = 30 /* frames that the course continues after the hit */ };
+enum { FRAMES_AFTER_HIT = 30 /* frames that the forecast continues after the hit */ };
 
-static uint16_t held(const struct section_run *s, uint32_t f)
+static uint16_t choose_pads(const struct section_run *s, uint32_t f)
 {
     if (f < s->search.frames)
         return s->search.pads[f];
     return simulation_can_steer(&s->simulation) ? PAD_FIRE : simulation_menu_pads(&s->simulation);
 }
 
-/* Repeats the longest run, and records its forecast. */
-static bool run_again(struct section_run *s, struct simulation_state *start)
+/* Repeats the longest run and records its forecast. */
+static bool replay_run(struct section_run *s, struct simulation_state *start)
 {
     struct simulation *t = &s->simulation;
-    const uint32_t more = section_survived(s) ? 0 : AFTER, lived = s->search.frames;
+    const uint32_t more = section_survived(s) ? 0 : FRAMES_AFTER_HIT, lived = s->search.frames;
     const uint32_t want = s->search.last > lived ? s->search.last : lived;
-    enum simulation_end end = SIMULATION_ON;
+    enum simulation_end end = SIMULATION_RUNNING;
 
     if (!simulation_restart(t, s->err, sizeof s->err))
         return false;
-    for (uint32_t f = 0; f < want + more && end == SIMULATION_ON; f++) {
-        const uint16_t pads[MAX_PLAYERS] = { held(s, f), 0 };
+    for (uint32_t f = 0; f < want + more && end == SIMULATION_RUNNING; f++) {
+        const uint16_t pads[MAX_PLAYERS] = { choose_pads(s, f), 0 };
         if (f == s->search.begin) {
             if (!simulation_save(t, start))
                 return result_set_host_error(s->err, sizeof s->err, "out of memory");
             s->x = start->ship.path.x;
             s->y = start->ship.path.y;
-            forecast_clear(&s->course, f);
-            t->into = &s->course;
+            forecast_clear(&s->forecast, f);
+            t->recording = &s->forecast;
         }
         if (f >= lived)
             danger_set_invincible(t->b, true);
         end = simulation_tick(t, pads);
     }
-    t->into = NULL;
+    t->recording = NULL;
     return true;
 }
 
@@ -57,11 +57,11 @@ bool section_search(struct section_run *s, const struct rom *rom, const struct b
         return result_set_host_error(s->err, sizeof s->err, "out of memory");
     if (s->search.verdict == SEARCH_FAULT || s->search.verdict == SEARCH_NO_SHIP)
         return true;
-    bool good = run_again(s, &mark);
+    bool good = replay_run(s, &mark);
     if (good) {
         if (section_survived(s))
-            measure_run(&s->measure, &s->course, s->x, s->y);
-        *host = !mark.at || !bots_play(&s->simulation, &mark, s->search.limit, &s->measure.bots);
+            measure_run(&s->measure, &s->forecast, s->x, s->y);
+        *host = !mark.snapshot || !bots_play(&s->simulation, &mark, s->search.limit, &s->measure.bots);
         good = !*host || result_set_host_error(s->err, sizeof s->err, "out of memory");
     }
     simulation_state_free(&mark);
@@ -76,7 +76,7 @@ bool section_play_bots(struct section_run *s, const struct rom *rom, const struc
     *host = false;
     if (!simulation_open(&s->simulation, rom, start, s->err, sizeof s->err))
         return false;
-    s->simulation.parts = true;
+    s->simulation.stop_at_marks = true;
     s->search.t = &s->simulation;
     if (!search_begin(&s->search)) {
         *host = s->search.verdict == SEARCH_NO_MEMORY;
@@ -84,7 +84,7 @@ bool section_play_bots(struct section_run *s, const struct rom *rom, const struc
     }
     s->search.verdict = SEARCH_BOTS;
     *host = !simulation_save(&s->simulation, &mark) ||
-            !bots_play_on(&s->simulation, &mark, s->search.limit, bots, &s->measure.bots);
+            !bots_play_invincible(&s->simulation, &mark, s->search.limit, bots, &s->measure.bots);
     if (s->measure.bots.fault)
         s->search.verdict = SEARCH_FAULT;
     simulation_state_free(&mark);
@@ -94,6 +94,6 @@ bool section_play_bots(struct section_run *s, const struct rom *rom, const struc
 void section_close(struct section_run *s)
 {
     search_close(&s->search);
-    forecast_close(&s->course);
+    forecast_close(&s->forecast);
     simulation_close(&s->simulation);
 }

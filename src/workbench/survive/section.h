@@ -10,17 +10,17 @@
 struct section_run {
     struct simulation simulation;
     struct search search;
-    struct forecast course; /* of the longest run, from the first frame in which the ship was steered */
-    fx x, y;                /* of the ship in that frame */
+    struct forecast forecast; /* of the longest run, from the first frame in which the ship was steered */
+    fx x, y;                  /* of the ship in that frame */
     struct measure measure;
     char err[1024];
 };
 
-/* Searches within search.effort and search.limit, and measures the result. Close it either way. False: err is set;
- * *host: because of an error of the host. */
+/* Searches within search.effort and search.limit, and measures the result. Close it in either case. False: err is set.
+ * *host: it is an error of the host. */
 bool section_search(struct section_run *s, const struct rom *rom, const struct board_start *start, bool *host);
 
-/* Lets bots play it instead. Of a stage, they play a part: from its start or a mark to the next mark or a boss. */
+/* Lets bots play the section instead. In a stage, they play from its start or a mark to the next mark or a boss. */
 bool section_play_bots(struct section_run *s, const struct rom *rom, const struct board_start *start, int bots,
                        bool *host);
 void section_close(struct section_run *s);

@@ -20,7 +20,7 @@
 enum {
     SURVIVE_FRAMES = 7200, /* without --frames */
     SURVIVE_EFFORT = 4,    /* without --effort */
-    EMPTY = 60             /* frames: a shorter part of a stage is left out */
+    MIN_PART = 60          /* frames; a shorter part of a stage is skipped */
 };
 
 struct survive {
@@ -75,7 +75,7 @@ static const char *demo_path(const struct survive *s)
     return s->a->out ? s->a->out : "survive.demo";
 }
 
-/* Writes the demo's path with the ending .png. */
+/* Writes the demo's path with the suffix .png. */
 static bool picture_path(const char *demo, char *out, size_t size)
 {
     const char *dot = strrchr(demo, '.'), *slash = strrchr(demo, '/');
@@ -84,24 +84,13 @@ static bool picture_path(const char *demo, char *out, size_t size)
     return snprintf(out, size, "%.*s.png", n, demo) < (int)size;
 }
 
-static enum result save_picture(const char *path, uint8_t *png, size_t size)
-{
-    char err[FILES_ERR_SIZE];
-    const bool good = png && files_save(path, png, size, err, sizeof err);
-
-    free(png);
-    if (!png)
-        return report_line(RESULT_HOST_FAILED, "%s: out of memory", path);
-    return good ? RESULT_DONE : report_line(RESULT_HOST_FAILED, "%s", err);
-}
-
 static bool is_demo(const uint8_t *head, size_t n)
 {
     return n >= 4 && memcmp(head, "CDEM", 4) == 0;
 }
 
 /* Checks before the search that the output files can be written. */
-static bool may_write(const struct survive *s, char *err, size_t err_size)
+static bool check_outputs(const struct survive *s, char *err, size_t err_size)
 {
     char picture[FILES_PATH_SIZE];
     const char *demo = demo_path(s);
@@ -114,14 +103,6 @@ static bool may_write(const struct survive *s, char *err, size_t err_size)
            (s->a->out || output_path_derived(s->path, demo, is_demo, err, err_size));
 }
 
-static enum result write_map(struct survive *s, struct section_run *run, const char *path)
-{
-    size_t size = 0;
-    uint8_t *png = map_sheet(run, &s->game.cart, &size);
-
-    return save_picture(path, png, size);
-}
-
 static enum result write_files(struct survive *s, struct section_run *run, struct survive_output *of, char *picture,
                                size_t size)
 {
@@ -131,7 +112,8 @@ static enum result write_files(struct survive *s, struct section_run *run, struc
     enum result result = RESULT_DONE;
 
     if (s->a->map) {
-        result = write_map(s, run, s->a->map);
+        uint8_t *png = map_sheet(run, &s->game.cart, &bytes);
+        result = report_save_png(s->a->map, png, bytes);
         of->map = s->a->map;
     }
     if (result == RESULT_DONE && section_survived(run)) {
@@ -144,24 +126,24 @@ static enum result write_files(struct survive *s, struct section_run *run, struc
             return report_line(RESULT_REFUSED, "-o: path too long");
         of->picture = picture;
         uint8_t *png = map_last(run, &s->game.cart, &bytes);
-        result = save_picture(picture, png, bytes);
+        result = report_save_png(picture, png, bytes);
     }
     return result;
 }
 
-static enum result result_of(const struct section_run *run)
+static enum result section_result(const struct section_run *run)
 {
     return section_survived(run) || run->search.verdict == SEARCH_BOTS ? RESULT_DONE : RESULT_DIFFERS;
 }
 
-static enum result one_section(struct survive *s)
+static enum result survive_section(struct survive *s)
 {
     struct section_run *run = calloc(1, sizeof *run);
     char picture[FILES_PATH_SIZE], err[FILES_ERR_SIZE];
 
     if (!run)
         return report_line(RESULT_HOST_FAILED, "out of memory");
-    if (!s->a->bots && !may_write(s, err, sizeof err)) {
+    if (!s->a->bots && !check_outputs(s, err, sizeof err)) {
         free(run);
         return report_line(RESULT_REFUSED, "%s", err);
     }
@@ -173,7 +155,7 @@ static enum result one_section(struct survive *s)
         result = write_files(s, run, &of, picture, sizeof picture);
     if (result == RESULT_DONE) {
         (s->a->json ? survive_print_json : survive_print_section)(&of, run);
-        result = report_stdout(result_of(run));
+        result = report_stdout(section_result(run));
     }
     section_close(run);
     free(run);
@@ -200,7 +182,7 @@ static enum result compare(const struct survive *s, const struct section_run *ea
                        difficulty_name(s, difficulty + 1), why);
 }
 
-static enum result worse(enum result a, enum result b)
+static enum result worst(enum result a, enum result b)
 {
     return a > b ? a : b;
 }
@@ -240,15 +222,15 @@ static void print_row(const struct survive *s, const struct survive_output *of, 
         survive_print_row(of, run);
 }
 
-/* A part from a mark at which a boss enters has no frames to play. */
+/* Returns whether a part has no frames to play, as from a mark at which a boss enters. */
 static bool is_empty(const struct survive *s, const struct section_run *run)
 {
     return s->a->bots &&
-           (run->search.verdict == SEARCH_NO_SHIP || bots_flown(&run->measure.bots) < EMPTY * (uint32_t)s->a->bots);
+           (run->search.verdict == SEARCH_NO_SHIP || bots_flown(&run->measure.bots) < MIN_PART * (uint32_t)s->a->bots);
 }
 
 /* Plays a section at each wanted difficulty. */
-static enum result one_row(struct survive *s, const char *section, struct section_run run[2])
+static enum result survive_difficulties(struct survive *s, const char *section, struct section_run run[2])
 {
     const struct manifest *m = &s->game.cart.manifest;
     const int first = s->a->difficulty ? s->game.start.difficulty : 0;
@@ -263,18 +245,18 @@ static enum result one_row(struct survive *s, const char *section, struct sectio
         struct section_run *now = &run[d & 1], *before = &run[1 - (d & 1)];
         section_close(now);
         const enum result found = play_section(s, now, &start);
-        result = worse(result, found);
+        result = worst(result, found);
         if (found != RESULT_DONE)
             break;
         if (is_empty(s, now))
             break;
         struct survive_output of = { .section = section, .difficulty = difficulty_name(s, start.difficulty) };
-        result = worse(result, save_demo(s, now, &of, path, sizeof path));
+        result = worst(result, save_demo(s, now, &of, path, sizeof path));
         print_row(s, &of, now);
         fflush(stdout);
-        result = worse(result, result_of(now));
+        result = worst(result, section_result(now));
         if (d > first)
-            result = worse(result, compare(s, before, now, section, d - 1));
+            result = worst(result, compare(s, before, now, section, d - 1));
     }
     section_close(&run[0]);
     section_close(&run[1]);
@@ -291,7 +273,7 @@ static bool is_wanted(const struct survive *s, const struct section *section)
     return !stage || (strncmp(section->id, stage, n) == 0 && strchr("/:", section->id[n])); /* or the end of the id */
 }
 
-static enum result all_sections(struct survive *s)
+static enum result survive_all(struct survive *s)
 {
     struct sections *list = calloc(1, sizeof *list);
     struct section_run *run = calloc(2, sizeof *run);
@@ -308,10 +290,10 @@ static enum result all_sections(struct survive *s)
         if (is_wanted(s, &list->section[i])) {
             if (n++ == 0 && !s->a->json)
                 (s->a->bots ? survive_print_bots_head : survive_print_head)();
-            result = worse(result, one_row(s, list->section[i].id, run));
+            result = worst(result, survive_difficulties(s, list->section[i].id, run));
         }
     if (n > 0 && list->why[0])
-        result = worse(result, report_line(RESULT_DIFFERS, "--all: cannot list all sections: %s", list->why));
+        result = worst(result, report_line(RESULT_DIFFERS, "--all: cannot list all sections: %s", list->why));
     if (n == 0)
         result = report_line(RESULT_REFUSED, "--all: %s",
                              list->why[0] ? list->why : "--stage: no such stage or boss in the game");
@@ -338,7 +320,7 @@ enum result survive_command(const struct args *a)
         result = report_error(err);
     } else {
         s->path = s->game.path ? s->game.path : "the built-in game";
-        result = a->all ? all_sections(s) : one_section(s);
+        result = a->all ? survive_all(s) : survive_section(s);
         game_close(&s->game);
     }
     free(s);

@@ -27,7 +27,7 @@ static const char *verdict_text(enum search_verdict v)
     }
 }
 
-static unsigned tenth(uint32_t frames)
+static unsigned tenths_of_second(uint32_t frames)
 {
     return (unsigned)(frames * 10 / 60);
 }
@@ -35,7 +35,7 @@ static unsigned tenth(uint32_t frames)
 static void print_survived(const struct search *s)
 {
     report_print("survived: frames %u to %u without a hit, %u.%u s%s\n", (unsigned)s->begin, (unsigned)s->frames,
-                 tenth(s->frames - s->begin) / 10, tenth(s->frames - s->begin) % 10,
+                 tenths_of_second(s->frames - s->begin) / 10, tenths_of_second(s->frames - s->begin) % 10,
                  s->verdict == SEARCH_LASTED ? "; the section continues (--frames sets the limit)" : "");
 }
 
@@ -73,9 +73,9 @@ static void print_measure(const struct measure *m, bool survived)
     const struct bots *b = &m->bots;
 
     report_print("  surviving bots     %d of %d (stand %d/%d, wander %d/%d, dodge %d/%d); average lifetime %u.%u s\n",
-                 bots_lived(b), bots_all(b), b->lived[BOT_STAND], b->n[BOT_STAND], b->lived[BOT_WANDER],
-                 b->n[BOT_WANDER], b->lived[BOT_DODGE], b->n[BOT_DODGE], tenth(bots_mean(b)) / 10,
-                 tenth(bots_mean(b)) % 10);
+                 bots_survived(b), bots_count(b), b->survived[BOT_STAND], b->n[BOT_STAND], b->survived[BOT_WANDER],
+                 b->n[BOT_WANDER], b->survived[BOT_DODGE], b->n[BOT_DODGE], tenths_of_second(bots_mean(b)) / 10,
+                 tenths_of_second(bots_mean(b)) % 10);
     if (!survived)
         return;
     report_print("  narrowest gap      at least %d.%d px; the ship is %d.%d px wide\n", m->gap / 10, m->gap % 10,
@@ -93,10 +93,10 @@ static void print_measure(const struct measure *m, bool survived)
 
 static void print_bots(const struct bots *b)
 {
-    const unsigned rate = bots_rate(b), each = tenth(bots_flown(b) / (uint32_t)bots_all(b));
+    const unsigned rate = bots_rate(b), each = tenths_of_second(bots_flown(b) / (uint32_t)bots_count(b));
 
     report_print("%u.%u hits per minute: %u hits on %d bots in %u.%u s each; %d were not hit\n", rate / 10, rate % 10,
-                 (unsigned)bots_hits(b), bots_all(b), each / 10, each % 10, bots_lived(b));
+                 (unsigned)bots_hits(b), bots_count(b), each / 10, each % 10, bots_survived(b));
 }
 
 void survive_print_section(const struct survive_output *of, const struct section_run *s)
@@ -145,7 +145,7 @@ static void json_bots(struct json *j, const struct bots *b)
     json_open(j, "bots", '{');
     for (int i = 0; i < BOT_KINDS; i++) {
         json_open(j, names[i], '{');
-        json_number(j, "lived", b->lived[i]);
+        json_number(j, "lived", b->survived[i]);
         json_number(j, "of", b->n[i]);
         if (bots_flown(b)) {
             json_number(j, "hits", b->hits[i]);
@@ -204,10 +204,11 @@ void survive_print_head(void)
 void survive_print_row(const struct survive_output *of, const struct section_run *s)
 {
     const struct measure *m = &s->measure;
-    const unsigned length = tenth(s->search.frames - s->search.begin), last = tenth(bots_mean(&m->bots));
+    const unsigned length = tenths_of_second(s->search.frames - s->search.begin),
+                   last = tenths_of_second(bots_mean(&m->bots));
     char bots[16], gap[24] = "", rate[24] = "", reaction[16] = "";
 
-    snprintf(bots, sizeof bots, "%d/%d", bots_lived(&m->bots), bots_all(&m->bots));
+    snprintf(bots, sizeof bots, "%d/%d", bots_survived(&m->bots), bots_count(&m->bots));
     if (section_survived(s)) {
         snprintf(gap, sizeof gap, ">= %d.%d", m->gap / 10, m->gap % 10);
         snprintf(rate, sizeof rate, "%u.%u/s", (unsigned)(measure_per_second(m) / 100),
@@ -230,8 +231,8 @@ void survive_print_bots_row(const struct survive_output *of, const struct sectio
 {
     const struct bots *b = &s->measure.bots;
     const unsigned rate = bots_rate(b), dodging = bots_rate_of(b, BOT_DODGE);
-    const unsigned each = tenth(bots_flown(b) / (uint32_t)bots_all(b));
+    const unsigned each = tenths_of_second(bots_flown(b) / (uint32_t)bots_count(b));
 
-    report_print("%-24s %-10s %6d %6u.%u %6u %12u.%u %8u.%u\n", of->section, of->difficulty, bots_all(b), each / 10,
+    report_print("%-24s %-10s %6d %6u.%u %6u %12u.%u %8u.%u\n", of->section, of->difficulty, bots_count(b), each / 10,
                  each % 10, (unsigned)bots_hits(b), rate / 10, rate % 10, dodging / 10, dodging % 10);
 }

@@ -15,8 +15,8 @@
 
 /* ---- files ---- */
 
-static bool path_of(const struct golden *g, char path[FILES_PATH_SIZE], const char *folder, const char *name,
-                    const char *ending)
+static bool make_path(const struct golden *g, char path[FILES_PATH_SIZE], const char *folder, const char *name,
+                      const char *ending)
 {
     return snprintf(path, FILES_PATH_SIZE, "%s/%s/%s%s", g->dir, folder, name, ending) < FILES_PATH_SIZE;
 }
@@ -26,7 +26,7 @@ static bool save(const struct golden *g, const char *folder, const char *name, c
 {
     char path[FILES_PATH_SIZE], err[FILES_ERR_SIZE];
 
-    if (bytes && path_of(g, path, folder, name, ending) && files_save(path, bytes, n, err, sizeof err))
+    if (bytes && make_path(g, path, folder, name, ending) && files_save(path, bytes, n, err, sizeof err))
         return true;
     outcome_write(g->out, LINE_HOST_ERROR, "%s", bytes ? err : "out of memory");
     return false;
@@ -35,7 +35,7 @@ static bool save(const struct golden *g, const char *folder, const char *name, c
 /* ---- pictures ---- */
 
 struct picture {
-    uint8_t *rgb; /* 3 bytes a pixel; NULL: none */
+    uint8_t *rgb; /* 3 bytes per pixel; NULL: none */
     uint8_t *pix; /* palette indices; NULL: the picture was read from a file */
     int w, h;
     uint32_t colours[256];
@@ -114,13 +114,13 @@ static bool read_golden(const char *path, const char *shown, struct picture *p, 
     return true;
 }
 
-/* The pixels in which two pictures of the same size differ, and the rectangle around them. */
+/* Compares two pictures of the same size. Counts the pixels that differ, and finds the rectangle around them. */
 struct difference {
     int64_t pixels;
     int x0, y0, x1, y1;
 };
 
-static struct difference differ(const struct picture *a, const struct picture *b)
+static struct difference find_difference(const struct picture *a, const struct picture *b)
 {
     struct difference d = { 0, a->w, a->h, -1, -1 };
 
@@ -157,7 +157,7 @@ static bool draw_difference(const struct picture *a, const struct picture *b, st
 }
 
 /* Sets the error, and writes the pictures to tests/failed. */
-static bool refuse_difference(const struct golden *g, const char *name, const struct picture *want,
+static bool report_difference(const struct golden *g, const char *name, const struct picture *want,
                               const struct picture *got, char *err, size_t err_size)
 {
     struct picture both = { 0 };
@@ -167,7 +167,7 @@ static bool refuse_difference(const struct golden *g, const char *name, const st
     if (want->w != got->w || want->h != got->h)
         return err_set(err, err_size, "the picture is %d x %d, but " GOLDEN "/%s.png is %d x %d", got->w, got->h, name,
                        want->w, want->h);
-    const struct difference d = differ(want, got);
+    const struct difference d = find_difference(want, got);
     if (draw_difference(want, got, &both))
         save_picture(g, FAILED, name, ".difference.png", &both);
     free_picture(&both);
@@ -194,7 +194,7 @@ static bool compare_picture(const struct golden *g, const char *name, const stru
     char path[FILES_PATH_SIZE], shown[128];
     struct picture want = { 0 };
 
-    if (!path_of(g, path, GOLDEN, name, ".png"))
+    if (!make_path(g, path, GOLDEN, name, ".png"))
         return err_set(err, err_size, "path too long");
     snprintf(shown, sizeof shown, GOLDEN "/%s.png", name);
     outcome_write(g->out, LINE_GOLDEN, "%s", shown);
@@ -209,7 +209,7 @@ static bool compare_picture(const struct golden *g, const char *name, const stru
         return g->update && update_picture(g, name, got);
     bool same = same_picture(&want, got);
     if (!same)
-        same = g->update ? update_picture(g, name, got) : refuse_difference(g, name, &want, got, err, err_size);
+        same = g->update ? update_picture(g, name, got) : report_difference(g, name, &want, got, err, err_size);
     free_picture(&want);
     return same;
 }
@@ -284,7 +284,7 @@ bool golden_hash(const struct golden *g, const struct board *b, const char *name
     uint8_t *golden;
     size_t size;
 
-    if (!path_of(g, path, GOLDEN, name, ".hash"))
+    if (!make_path(g, path, GOLDEN, name, ".hash"))
         return err_set(err, err_size, "path too long");
     snprintf(shown, sizeof shown, GOLDEN "/%s.hash", name);
     outcome_write(g->out, LINE_GOLDEN, "%s", shown);

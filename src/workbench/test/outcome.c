@@ -38,7 +38,7 @@ void outcome_each(const struct test *t, enum line_kind kind, void (*each)(void *
     }
 }
 
-static void judge(void *verdict, const char *words)
+static void mark_failed(void *verdict, const char *words)
 {
     enum test_verdict *v = verdict;
 
@@ -46,7 +46,7 @@ static void judge(void *verdict, const char *words)
     *v = *v == TEST_PASSES ? TEST_FAILS : *v;
 }
 
-static void judge_host(void *verdict, const char *words)
+static void mark_host_error(void *verdict, const char *words)
 {
     (void)words;
     *(enum test_verdict *)verdict = TEST_HOST_ERROR;
@@ -78,7 +78,7 @@ bool outcome_add(struct test *t, const char *sentence)
     const int n = snprintf(line, sizeof line, "%c %s\n", LINE_FAILURE, sentence);
     const bool cut = t->n > 0 && t->lines[t->n - 1] != '\n'; /* the test's process died while writing */
 
-    judge(&t->verdict, NULL);
+    mark_failed(&t->verdict, NULL);
     return (!cut || append(t, "\n", 1)) && n > 0 && append(t, line, n < LINE ? (size_t)n : LINE - 1);
 }
 
@@ -89,8 +89,8 @@ bool outcome_read(struct test *t, const char *lines, size_t n, int signal)
     t->done = true;
     if (!append(t, lines, n))
         return false;
-    outcome_each(t, LINE_FAILURE, judge, &t->verdict);
-    outcome_each(t, LINE_HOST_ERROR, judge_host, &t->verdict);
+    outcome_each(t, LINE_FAILURE, mark_failed, &t->verdict);
+    outcome_each(t, LINE_HOST_ERROR, mark_host_error, &t->verdict);
     outcome_each(t, LINE_COST, read_cost, t);
     if (!signal)
         return true;

@@ -1,5 +1,5 @@
 /*
- * test_script_options.c - reads the table that test.run is given.
+ * test_script_options.c - reads the argument of test.run.
  */
 #include <lauxlib.h>
 #include <stdio.h>
@@ -9,20 +9,20 @@
 
 enum { SETTINGS = ARGS_MAX_DIPS }; /* as many as ARGS_MAX_REGISTERS */
 
-static void wrong(lua_State *L, const char *field, const char *expected)
+static void fail_type(lua_State *L, const char *field, const char *expected)
 {
     vm_fault(L, FAULT_SCRIPT, "test.run: %s: expected %s, got %s", field, expected, luaL_typename(L, -1));
 }
 
 /* Returns the text on top, which is the value of the field. */
-static const char *text(lua_State *L, const char *field)
+static const char *get_string(lua_State *L, const char *field)
 {
     if (lua_type(L, -1) != LUA_TSTRING)
-        wrong(L, field, "a string");
+        fail_type(L, field, "a string");
     return lua_tostring(L, -1);
 }
 
-static lua_Integer whole(lua_State *L, const char *field, lua_Integer low, lua_Integer high)
+static lua_Integer get_integer(lua_State *L, const char *field, lua_Integer low, lua_Integer high)
 {
     char expected[80];
     int is;
@@ -33,14 +33,14 @@ static lua_Integer whole(lua_State *L, const char *field, lua_Integer low, lua_I
     snprintf(expected, sizeof expected, "a whole number from %lld to %lld", (long long)low, (long long)high);
     if (lua_type(L, -1) == LUA_TNUMBER)
         vm_fault(L, FAULT_SCRIPT, "test.run: %s: expected %s, got %s", field, expected, lua_tostring(L, -1));
-    wrong(L, field, expected);
+    fail_type(L, field, expected);
     return 0;
 }
 
-static bool truth(lua_State *L, const char *field)
+static bool get_boolean(lua_State *L, const char *field)
 {
     if (!lua_isboolean(L, -1))
-        wrong(L, field, "true or false");
+        fail_type(L, field, "true or false");
     return lua_toboolean(L, -1);
 }
 
@@ -52,7 +52,7 @@ static int settings(lua_State *L, const char *field, const char *list[SETTINGS])
     const int table = lua_gettop(L);
 
     if (!lua_istable(L, table))
-        wrong(L, field, "a table { NAME = value }");
+        fail_type(L, field, "a table { NAME = value }");
     luaL_checkstack(L, SETTINGS + 8, NULL);
     const int n = api_read_sorted_keys(L, "test.run", field, expected, table, list, SETTINGS);
     for (int i = 0; i < n; i++) {
@@ -73,23 +73,23 @@ static int settings(lua_State *L, const char *field, const char *list[SETTINGS])
 
 static void read_stage(lua_State *L, struct test_options *o)
 {
-    o->start.stage = text(L, "stage");
+    o->start.stage = get_string(L, "stage");
 }
 
 static void read_seed(lua_State *L, struct test_options *o)
 {
-    o->start.seed = (uint64_t)whole(L, "seed", LUA_MININTEGER, LUA_MAXINTEGER);
+    o->start.seed = (uint64_t)get_integer(L, "seed", LUA_MININTEGER, LUA_MAXINTEGER);
     o->start.seeded = true;
 }
 
 static void read_difficulty(lua_State *L, struct test_options *o)
 {
-    o->start.difficulty = text(L, "difficulty");
+    o->start.difficulty = get_string(L, "difficulty");
 }
 
 static void read_frames(lua_State *L, struct test_options *o)
 {
-    o->frames = (uint32_t)whole(L, "frames", 0, TEST_FRAMES);
+    o->frames = (uint32_t)get_integer(L, "frames", 0, TEST_FRAMES);
     o->has_frames = true;
 }
 
@@ -97,28 +97,28 @@ static void read_pads(lua_State *L, struct test_options *o)
 {
     o->pads_is_function = lua_isfunction(L, -1);
     if (!o->pads_is_function && lua_type(L, -1) != LUA_TSTRING)
-        wrong(L, "pads", "buttons such as \"fire,left@60:90\" or a function");
+        fail_type(L, "pads", "buttons such as \"fire,left@60:90\" or a function");
     o->pads = o->pads_is_function ? NULL : lua_tostring(L, -1);
 }
 
 static void read_demo(lua_State *L, struct test_options *o)
 {
-    o->demo = text(L, "demo");
+    o->demo = get_string(L, "demo");
 }
 
 static void read_lang(lua_State *L, struct test_options *o)
 {
-    o->start.lang = text(L, "lang");
+    o->start.lang = get_string(L, "lang");
 }
 
 static void read_lives(lua_State *L, struct test_options *o)
 {
-    o->start.lives = (int)whole(L, "lives", 1, PRACTICE_MAX_LIVES);
+    o->start.lives = (int)get_integer(L, "lives", 1, PRACTICE_MAX_LIVES);
 }
 
 static void read_invincible(lua_State *L, struct test_options *o)
 {
-    o->start.invincible = truth(L, "invincible");
+    o->start.invincible = get_boolean(L, "invincible");
 }
 
 static void read_dips(lua_State *L, struct test_options *o)
@@ -133,7 +133,7 @@ static void read_registers(lua_State *L, struct test_options *o)
 
 static void read_faults(lua_State *L, struct test_options *o)
 {
-    o->faults = truth(L, "faults");
+    o->faults = get_boolean(L, "faults");
 }
 
 static const struct {

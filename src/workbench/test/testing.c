@@ -20,7 +20,7 @@
 #include "reporter.h"
 #include "test_script.h"
 
-struct all {
+struct test_suite {
     const struct testing *t;
     struct test *tests;
     int n, done, reported;
@@ -63,7 +63,7 @@ static bool is_named(const char *name, const char *word)
            (strlen(word) == (size_t)(dot - base) && !strncmp(base, word, strlen(word)));
 }
 
-static enum result unknown_test(const struct all *a, const struct tree *files, const char *word)
+static enum result unknown_test(const struct test_suite *a, const struct tree *files, const char *word)
 {
     const char *near = NULL;
     int best = EDIT_TOO_FAR;
@@ -105,7 +105,7 @@ static const char *unknown_word(const struct testing *t, const struct tree *file
 }
 
 /* Lists the wanted tests; their names belong to `files`. */
-static enum result choose(struct all *a, const struct tree *files)
+static enum result choose(struct test_suite *a, const struct tree *files)
 {
     const char *word = unknown_word(a->t, files);
 
@@ -188,7 +188,7 @@ static void write_gitignore(const struct testing *t)
 
 static void run_test(void *context, int i, FILE *out)
 {
-    const struct all *a = context;
+    const struct test_suite *a = context;
     const struct test *t = &a->tests[i];
 
     (t->is_script ? test_script_run : demo_test_run)(a->t, t->name, out);
@@ -215,16 +215,16 @@ static bool uses_golden(const struct test *t, const char *file)
     return search.found;
 }
 
-struct sharing {
-    struct all *a;
+struct shared_check {
+    struct test_suite *a;
     int i;
 };
 
 /* Fails test i for each earlier test that uses the same file: with --update, they would overwrite each other's. */
 static void check_shared(void *context, const char *file)
 {
-    const struct sharing *s = context;
-    struct all *a = s->a;
+    const struct shared_check *s = context;
+    struct test_suite *a = s->a;
     char sentence[300];
 
     for (int k = 0; k < s->i; k++) {
@@ -236,14 +236,14 @@ static void check_shared(void *context, const char *file)
     }
 }
 
-static void report(struct all *a, int i)
+static void report(struct test_suite *a, int i)
 {
-    struct sharing sharing = { a, i };
+    struct shared_check shared_check = { a, i };
     struct test copy = a->tests[i]; /* check_shared adds lines to the test */
 
     copy.lines = a->tests[i].lines ? strdup(a->tests[i].lines) : NULL;
     if (copy.lines)
-        outcome_each(&copy, LINE_GOLDEN, check_shared, &sharing);
+        outcome_each(&copy, LINE_GOLDEN, check_shared, &shared_check);
     free(copy.lines);
     const struct test *t = &a->tests[i];
     a->sums.frames += t->frames;
@@ -259,7 +259,7 @@ static void report(struct all *a, int i)
 
 static void test_done(void *context, int i, const char *lines, size_t n, int signal)
 {
-    struct all *a = context;
+    struct test_suite *a = context;
 
     a->done++;
     a->no_memory |= !outcome_read(&a->tests[i], lines, n, signal);
@@ -269,7 +269,7 @@ static void test_done(void *context, int i, const char *lines, size_t n, int sig
 
 static void show_progress(void *context)
 {
-    struct all *a = context;
+    struct test_suite *a = context;
 
     if (a->done < a->n)
         progress_update((uint64_t)a->done, (uint64_t)a->n, "%d of %d tests done", a->done, a->n);
@@ -278,7 +278,7 @@ static void show_progress(void *context)
 /* ---- reports ---- */
 
 /* Returns false if the file cannot be written; this has been reported. */
-static bool write_junit(const struct all *a, const char *path)
+static bool write_junit(const struct test_suite *a, const char *path)
 {
     char err[FILES_ERR_SIZE] = "";
     struct byte_buffer text = { 0 };
@@ -295,7 +295,7 @@ static bool write_junit(const struct all *a, const char *path)
 }
 
 /* Prints the files in tests/golden that no test used. */
-static void print_unused_goldens(const struct all *a)
+static void print_unused_goldens(const struct test_suite *a)
 {
     struct tree files = { 0 };
 
@@ -312,7 +312,7 @@ static void print_unused_goldens(const struct all *a)
     tree_close(&files);
 }
 
-static enum result write_reports(struct all *a)
+static enum result write_reports(struct test_suite *a)
 {
     const bool fails = a->sums.fail > 0;
 
@@ -328,7 +328,7 @@ static enum result write_reports(struct all *a)
     return a->sums.host || !good ? RESULT_HOST_FAILED : fails ? RESULT_DIFFERS : RESULT_DONE;
 }
 
-static enum result run_all(struct all *a)
+static enum result run_all(struct test_suite *a)
 {
     const struct plat_job_callbacks work = {
         .context = a, .run = run_test, .on_done = test_done, .on_wait = show_progress
@@ -350,7 +350,7 @@ static enum result run_all(struct all *a)
 
 static enum result run_tests(const struct testing *t)
 {
-    struct all a = { .t = t };
+    struct test_suite a = { .t = t };
     struct tree files = { 0 };
 
     list_folder(t->dir, "demos", ".demo", &files);

@@ -1,8 +1,8 @@
 /*
  * bisect.c - see bisect.h.
  *
- * Both files are read in parallel. In traces, the lines of a frame are merged: each part starts with its registers, so
- * a slot's line has no partner if the next line of the other file belongs to a later slot, part or frame.
+ * Both files are read in parallel. In traces, the lines of a frame are merged. Each part starts with its registers, so
+ * a slot is missing in the other file if the next line there belongs to a later slot, part or frame.
  */
 #include "bisect.h"
 
@@ -19,18 +19,18 @@
 
 enum {
     LINE = 1 << 16,
-    MOST = 40, /* differences that are printed */
+    MAX_PRINTED = 40, /* differences that are printed */
     HASH_DIGITS = 16,
     NAMES = 512
 };
 
-/* A file, and the line it is at. */
+/* A file and its current line. */
 struct side {
     const char *path; /* for messages */
     FILE *file;
     unsigned long line;
     bool trace; /* otherwise a track */
-    bool end;
+    bool at_end;
     uint32_t frame;
     char part[32];   /* of a trace */
     int64_t slot;    /* -1: registers */
@@ -44,19 +44,19 @@ struct bisect {
     uint32_t first;  /* frame of the first line */
     uint32_t frame;  /* the last frame looked at */
     uint32_t frames; /* number of frames */
-    unsigned long found;
+    unsigned long count_difference;
     char err[2200];
 };
 
 /* ---- lines ---- */
 
-static bool all_of(const char *p, size_t n, const char *set)
+static bool has_only(const char *p, size_t n, const char *set)
 {
     return n > 0 && strspn(p, set) >= n;
 }
 
-/* Ends the word at *p at its blank, and moves *p after it. */
-static char *take_word(char **p)
+/* Terminates the word at *p, and moves *p past it. */
+static char *parse_word(char **p)
 {
     char *word = *p, *blank = strchr(word, ' ');
 
@@ -66,10 +66,10 @@ static char *take_word(char **p)
     return word;
 }
 
-static bool take_number(const char *word, uint32_t *out)
+static bool parse_number(const char *word, uint32_t *out)
 {
     size_t n = strlen(word);
-    unsigned long long v = n <= 10 && all_of(word, n, "0123456789") ? strtoull(word, NULL, 10) : UINT64_MAX;
+    unsigned long long v = n <= 10 && has_only(word, n, "0123456789") ? strtoull(word, NULL, 10) : UINT64_MAX;
 
     *out = (uint32_t)v;
     return v <= UINT32_MAX;
@@ -90,7 +90,7 @@ static const char *value_of(const char *values, const char *name, size_t name_n,
 }
 
 /* Returns whether all words are NAME=VALUE, with unique names and values of the characters in `set`. */
-static bool good_values(const char *p, const char *set)
+static bool valid_values(const char *p, const char *set)
 {
     const char *values = p;
 
@@ -100,7 +100,7 @@ static bool good_values(const char *p, const char *set)
             return false;
         p += name + 1;
         n = strcspn(p, " ");
-        if (!all_of(p, n, set))
+        if (!has_only(p, n, set))
             return false;
         p += n;
         if (*p == ' ' && *++p == 0)
@@ -111,35 +111,35 @@ static bool good_values(const char *p, const char *set)
 
 static bool is_hash(const char *p)
 {
-    return all_of(p, HASH_DIGITS, "0123456789abcdef") && (p[HASH_DIGITS] == ' ' || p[HASH_DIGITS] == 0);
+    return has_only(p, HASH_DIGITS, "0123456789abcdef") && (p[HASH_DIGITS] == ' ' || p[HASH_DIGITS] == 0);
 }
 
 static bool parse_track(struct side *f, char *p)
 {
     f->values = p;
     return is_hash(p) &&
-           (!p[HASH_DIGITS] || (p[HASH_DIGITS + 1] && good_values(p + HASH_DIGITS + 1, "0123456789abcdef")));
+           (!p[HASH_DIGITS] || (p[HASH_DIGITS + 1] && valid_values(p + HASH_DIGITS + 1, "0123456789abcdef")));
 }
 
 static bool parse_trace(struct side *f, char *p)
 {
-    const char *part = take_word(&p), *slot = take_word(&p);
+    const char *part = parse_word(&p), *slot = parse_word(&p);
     uint32_t number = 0;
 
-    f->gen = take_word(&p);
+    f->gen = parse_word(&p);
     f->values = p;
     f->slot = -1;
     snprintf(f->part, sizeof f->part, "%s", part);
     if (strcmp(slot, "-") != 0) {
-        if (!take_number(slot, &number))
+        if (!parse_number(slot, &number))
             return false;
         f->slot = number;
     }
-    return all_of(part, strlen(part), "abcdefghijklmnopqrstuvwxyz0123456789_") && strlen(part) < sizeof f->part &&
-           all_of(f->gen, strlen(f->gen), "-0123456789") && *p && good_values(p, "0123456789abcdef,()-");
+    return has_only(part, strlen(part), "abcdefghijklmnopqrstuvwxyz0123456789_") && strlen(part) < sizeof f->part &&
+           has_only(f->gen, strlen(f->gen), "-0123456789") && *p && valid_values(p, "0123456789abcdef,()-");
 }
 
-/* Returns whether the line follows the one before; in a trace, the one of the same part. */
+/* Returns whether the line may follow the one before it. */
 static bool in_order(const struct side *now, const struct side *before)
 {
     if (before->line == 0)
@@ -155,16 +155,16 @@ static bool read_failed(struct bisect *s, struct side *f)
 {
     if (ferror(f->file))
         return err_set(s->err, sizeof s->err, "%s: cannot be read", f->path);
-    f->end = true;
+    f->at_end = true;
     return f->line > 0 || err_set(s->err, sizeof s->err, "%s: empty", f->path);
 }
 
-static bool next(struct bisect *s, struct side *f)
+static bool next_line(struct bisect *s, struct side *f)
 {
     struct side before = *f;
     size_t n;
 
-    if (f->end)
+    if (f->at_end)
         return true;
     if (!fgets(f->text, LINE, f->file))
         return read_failed(s, f);
@@ -175,7 +175,7 @@ static bool next(struct bisect *s, struct side *f)
         return err_set(s->err, sizeof s->err, "%s:%lu: truncated line", f->path, f->line);
     f->text[n - 1] = 0;
     char *p = f->text;
-    bool number = take_number(take_word(&p), &f->frame);
+    bool number = parse_number(parse_word(&p), &f->frame);
     f->trace = !is_hash(p);
     if (!number || !(f->trace ? parse_trace(f, p) : parse_track(f, p)))
         return err_set(s->err, sizeof s->err, "%s:%lu: expected a line printed by \"hash\" or \"hash --trace\"",
@@ -185,35 +185,35 @@ static bool next(struct bisect *s, struct side *f)
     return true;
 }
 
-static bool next_both(struct bisect *s)
+static bool next_lines(struct bisect *s)
 {
-    return next(s, &s->a) && next(s, &s->b);
+    return next_line(s, &s->a) && next_line(s, &s->b);
 }
 
 /* ---- differences ---- */
 
-/* Counts a difference, and prints the frame of the first; false: enough have been printed. */
-static bool found(struct bisect *s, uint32_t frame)
+/* Counts a difference, and prints the frame of the first one. False: enough differences have been printed. */
+static bool count_difference(struct bisect *s, uint32_t frame)
 {
-    if (s->found == 0)
+    if (s->count_difference == 0)
         report_print("first difference: frame %u\n", (unsigned)frame);
-    return s->found++ < MOST;
+    return s->count_difference++ < MAX_PRINTED;
 }
 
-static void name_slot(const struct side *f)
+static void print_slot(const struct side *f)
 {
     report_print("  %s", f->part);
     if (f->slot >= 0)
         report_print(" %lld", (long long)f->slot);
 }
 
-/* Prints a difference of a column, or of its i-th value if it has several; an empty value is zero. */
-static void differ(struct bisect *s, const struct side *f, const char *column, int column_n, int i, bool several,
-                   const char *a, int a_n, const char *b, int b_n)
+/* Prints a difference in a column, or in its i-th value if it has several. An empty value is zero. */
+static void print_difference(struct bisect *s, const struct side *f, const char *column, int column_n, int i,
+                             bool several, const char *a, int a_n, const char *b, int b_n)
 {
-    if (!found(s, f->frame))
+    if (!count_difference(s, f->frame))
         return;
-    name_slot(f);
+    print_slot(f);
     report_print(" %.*s", column_n, column);
     if (several)
         report_print("[%d]", i);
@@ -230,9 +230,9 @@ static void compare_values(struct bisect *s, const struct side *f, const char *c
     for (int i = 0; a_n || b_n; i++) {
         const char *comma_a = memchr(a, ',', a_n), *comma_b = memchr(b, ',', b_n);
         size_t n = comma_a ? (size_t)(comma_a - a) : a_n, m = comma_b ? (size_t)(comma_b - b) : b_n;
-        bool zero = (n == 0 && all_of(b, m, "0")) || (m == 0 && all_of(a, n, "0"));
+        bool zero = (n == 0 && has_only(b, m, "0")) || (m == 0 && has_only(a, n, "0"));
         if (!zero && (n != m || memcmp(a, b, n) != 0))
-            differ(s, f, column, column_n, i, several, a, (int)n, b, (int)m);
+            print_difference(s, f, column, column_n, i, several, a, (int)n, b, (int)m);
         a += n + (comma_a != NULL);
         a_n -= n + (comma_a != NULL);
         b += m + (comma_b != NULL);
@@ -240,7 +240,7 @@ static void compare_values(struct bisect *s, const struct side *f, const char *c
     }
 }
 
-/* Compares the columns of a line with its partner, or with no values. swapped: the line is b's. */
+/* Compares the columns of two lines; `theirs` may be empty. swapped: `mine` is from file b. */
 static void compare_columns(struct bisect *s, const struct side *f, const char *mine, const char *theirs, bool swapped,
                             bool only_missing)
 {
@@ -257,21 +257,21 @@ static void compare_columns(struct bisect *s, const struct side *f, const char *
     }
 }
 
-/* Compares two lines of the same slot, or registers. */
+/* Compares two lines of the same slot, or of registers. */
 static void compare_lines(struct bisect *s)
 {
     const struct side *a = &s->a, *b = &s->b;
 
     if (strcmp(a->gen, b->gen) != 0)
-        differ(s, a, "generation", 10, 0, false, a->gen, (int)strlen(a->gen), b->gen, (int)strlen(b->gen));
+        print_difference(s, a, "generation", 10, 0, false, a->gen, (int)strlen(a->gen), b->gen, (int)strlen(b->gen));
     if (strcmp(a->values, b->values) == 0)
         return;
     compare_columns(s, a, a->values, b->values, false, false);
     compare_columns(s, b, b->values, a->values, true, true);
 }
 
-/* Prints a slot that is only in one file: alive there, or an entry of a list that is not zero. */
-static void compare_alone(struct bisect *s, const struct side *f)
+/* Prints a slot that is only in one file: a live slot, or a list entry that is not zero. */
+static void print_unpaired(struct bisect *s, const struct side *f)
 {
     bool b = f == &s->b;
 
@@ -279,9 +279,9 @@ static void compare_alone(struct bisect *s, const struct side *f)
         compare_columns(s, f, f->values, "", b, false);
         return;
     }
-    if (!found(s, f->frame))
+    if (!count_difference(s, f->frame))
         return;
-    name_slot(f);
+    print_slot(f);
     report_print(" is alive only in %s (generation %s)\n", f->path, f->gen);
 }
 
@@ -291,10 +291,10 @@ static bool set_mismatch(struct bisect *s)
 {
     const struct side *a = &s->a, *b = &s->b;
 
-    if (a->end || b->end)
+    if (a->at_end || b->at_end)
         return err_set(s->err, sizeof s->err,
                        "%s ends in frame %u; %s is longer, and the two are equal up to that frame",
-                       (a->end ? a : b)->path, (unsigned)s->frame, (a->end ? b : a)->path);
+                       (a->at_end ? a : b)->path, (unsigned)s->frame, (a->at_end ? b : a)->path);
     if (a->frame == b->frame)
         return err_set(s->err, sizeof s->err,
                        "%s:%lu has part %s, but %s:%lu has part %s: the traces cover different parts", a->path, a->line,
@@ -304,27 +304,27 @@ static bool set_mismatch(struct bisect *s)
                    (unsigned)a->frame, b->path, b->line, (unsigned)b->frame);
 }
 
-/* Returns whether a slot's line has no partner: the next line of the other file is of a later slot, part or frame. */
-static bool is_alone(const struct bisect *s, const struct side *f, const struct side *other)
+/* Returns whether the other file has no line for this slot: its next line is for a later slot, part or frame. */
+static bool is_unpaired(const struct bisect *s, const struct side *f, const struct side *other)
 {
-    if (f->end || f->slot < 0 || f->frame != s->frame)
+    if (f->at_end || f->slot < 0 || f->frame != s->frame)
         return false;
-    return other->end || other->frame > f->frame || other->slot < 0 || other->slot > f->slot;
+    return other->at_end || other->frame > f->frame || other->slot < 0 || other->slot > f->slot;
 }
 
 /* Returns whether both lines are of the same part and slot. */
-static bool partners(const struct side *a, const struct side *b)
+static bool is_pair(const struct side *a, const struct side *b)
 {
-    return !a->end && !b->end && a->frame == b->frame && a->slot == b->slot && strcmp(a->part, b->part) == 0;
+    return !a->at_end && !b->at_end && a->frame == b->frame && a->slot == b->slot && strcmp(a->part, b->part) == 0;
 }
 
-static bool is_over(const struct bisect *s)
+static bool is_done(const struct bisect *s)
 {
     const struct side *a = &s->a, *b = &s->b;
 
-    if (a->end && b->end)
+    if (a->at_end && b->at_end)
         return true;
-    return s->found && (a->end || a->frame > s->frame) && (b->end || b->frame > s->frame);
+    return s->count_difference && (a->at_end || a->frame > s->frame) && (b->at_end || b->frame > s->frame);
 }
 
 static void enter_frame(struct bisect *s, uint32_t frame)
@@ -338,20 +338,20 @@ static void enter_frame(struct bisect *s, uint32_t frame)
 
 static bool compare_traces(struct bisect *s)
 {
-    while (!is_over(s)) {
+    while (!is_done(s)) {
         bool ok;
-        if (is_alone(s, &s->a, &s->b)) {
-            compare_alone(s, &s->a);
-            ok = next(s, &s->a);
-        } else if (is_alone(s, &s->b, &s->a)) {
-            compare_alone(s, &s->b);
-            ok = next(s, &s->b);
-        } else if (partners(&s->a, &s->b)) {
+        if (is_unpaired(s, &s->a, &s->b)) {
+            print_unpaired(s, &s->a);
+            ok = next_line(s, &s->a);
+        } else if (is_unpaired(s, &s->b, &s->a)) {
+            print_unpaired(s, &s->b);
+            ok = next_line(s, &s->b);
+        } else if (is_pair(&s->a, &s->b)) {
             enter_frame(s, s->a.frame);
             compare_lines(s);
-            ok = next_both(s);
+            ok = next_lines(s);
         } else {
-            return s->found ? true : set_mismatch(s);
+            return s->count_difference ? true : set_mismatch(s);
         }
         if (!ok)
             return false;
@@ -368,7 +368,7 @@ static void add_name(char *names, size_t size, const char *name, size_t n)
     snprintf(names + at, size - at, "%s%.*s", at ? "," : "", (int)n, name);
 }
 
-/* Compares the parts of one line with those of the other; adds the names of different parts to `names`. */
+/* Compares the parts of two lines; appends the names of differing parts to `names`. */
 static void compare_parts(struct bisect *s, const struct side *mine, const struct side *theirs, bool only_missing,
                           char *names)
 {
@@ -380,7 +380,7 @@ static void compare_parts(struct bisect *s, const struct side *mine, const struc
         bool same = against && n == word - name - 1 && memcmp(hash, against, n) == 0;
         if (!same && !(against && only_missing)) {
             add_name(names, NAMES, p, name);
-            s->found++;
+            s->count_difference++;
             report_print("  %.*s: %.*s in %s, %.*s in %s\n", (int)name, p, (int)(word - name - 1), hash, mine->path,
                          against ? (int)n : 7, against ? against : "missing", theirs->path);
         }
@@ -388,15 +388,15 @@ static void compare_parts(struct bisect *s, const struct side *mine, const struc
     }
 }
 
-static void compare_rows(struct bisect *s)
+static void compare_track_lines(struct bisect *s)
 {
     char names[NAMES] = "";
 
     report_print("first difference: frame %u\n", (unsigned)s->frame);
     compare_parts(s, &s->a, &s->b, false, names);
     compare_parts(s, &s->b, &s->a, true, names);
-    if (s->found == 0) {
-        s->found = 1;
+    if (s->count_difference == 0) {
+        s->count_difference = 1;
         report_print("  %.*s in %s, %.*s in %s; use hash --parts to compare parts\n", HASH_DIGITS, s->a.values,
                      s->a.path, HASH_DIGITS, s->b.values, s->b.path);
         return;
@@ -407,25 +407,25 @@ static void compare_rows(struct bisect *s)
 
 static bool compare_tracks(struct bisect *s)
 {
-    while (!s->a.end && !s->b.end) {
+    while (!s->a.at_end && !s->b.at_end) {
         if (s->a.frame != s->b.frame)
             return set_mismatch(s);
         enter_frame(s, s->a.frame);
         if (strcmp(s->a.values, s->b.values) != 0) {
-            compare_rows(s);
+            compare_track_lines(s);
             return true;
         }
-        if (!next_both(s))
+        if (!next_lines(s))
             return false;
     }
-    return (s->a.end && s->b.end) || set_mismatch(s);
+    return (s->a.at_end && s->b.at_end) || set_mismatch(s);
 }
 
 /* ---- files ---- */
 
 static bool compare(struct bisect *s)
 {
-    if (!next_both(s))
+    if (!next_lines(s))
         return false;
     if (s->a.trace != s->b.trace)
         return err_set(s->err, sizeof s->err, "%s is a %s, %s a %s", s->a.path, s->a.trace ? "trace" : "track",
@@ -435,18 +435,18 @@ static bool compare(struct bisect *s)
 
 static enum result print_report(const struct bisect *s)
 {
-    if (s->found > MOST)
-        report_print("  and %lu more\n", s->found - MOST);
-    if (s->found && s->a.end != s->b.end)
-        report_print("  (%s ends in this frame: it may be truncated)\n", (s->a.end ? &s->a : &s->b)->path);
-    if (s->found == 0)
+    if (s->count_difference > MAX_PRINTED)
+        report_print("  and %lu more\n", s->count_difference - MAX_PRINTED);
+    if (s->count_difference && s->a.at_end != s->b.at_end)
+        report_print("  (%s ends in this frame: it may be truncated)\n", (s->a.at_end ? &s->a : &s->b)->path);
+    if (s->count_difference == 0)
         report_print("%s and %s are equal: %u frames, %u to %u\n", s->a.path, s->b.path, (unsigned)s->frames,
                      (unsigned)s->first, (unsigned)s->frame);
-    return s->found ? RESULT_DIFFERS : RESULT_DONE;
+    return s->count_difference ? RESULT_DIFFERS : RESULT_DONE;
 }
 
 /* Returns a path for printing. */
-static const char *shown(char out[DEMO_PATH_SIZE], const char *path)
+static const char *printable_path(char out[DEMO_PATH_SIZE], const char *path)
 {
     snprintf(out, DEMO_PATH_SIZE, "%s", path);
     clean_line(out);
@@ -460,8 +460,8 @@ enum result bisect_files(FILE *a, const char *a_name, FILE *b, const char *b_nam
     enum result result = RESULT_HOST_FAILED;
 
     if (s && lines) {
-        s->a = (struct side){ .path = shown(names[0], a_name), .file = a, .text = lines };
-        s->b = (struct side){ .path = shown(names[1], b_name), .file = b, .text = lines + LINE };
+        s->a = (struct side){ .path = printable_path(names[0], a_name), .file = a, .text = lines };
+        s->b = (struct side){ .path = printable_path(names[1], b_name), .file = b, .text = lines + LINE };
         result = compare(s) ? print_report(s) : RESULT_REFUSED;
     }
     if (result == RESULT_HOST_FAILED || result == RESULT_REFUSED)

@@ -11,12 +11,12 @@
 #include "../../common/result.h"
 #include "../../player/args/args.h"
 
-/* RESULT_DONE: equal. RESULT_DIFFERS: the frame and its differences have been printed. Otherwise err is set:
- * RESULT_REFUSED: other files, other frames or parts, or equal but of different lengths; RESULT_HOST_FAILED: out of
- * memory. */
+/* RESULT_DONE: equal. RESULT_DIFFERS: the frame and its differences have been printed. Otherwise err is set.
+ * RESULT_REFUSED: invalid files, different frames or parts, or equal files of different lengths. RESULT_HOST_FAILED:
+ * out of memory. */
 enum result bisect_paths(const char *a, const char *b, char *err, size_t err_size);
 
-/* The same for two open files, with their names for messages. */
+/* The same for two open files. */
 enum result bisect_files(FILE *a, const char *a_name, FILE *b, const char *b_name, char *err, size_t err_size);
 
 /* The command verify --bisect. */

@@ -1,6 +1,6 @@
 /*
- * xml.c - see xml.h. Names and values are slices of the copied text: each ends in a 0 that replaces the character
- * after it, and a decoded value is never longer than its source.
+ * xml.c - see xml.h. Names and values are slices of the copied text: the character after each is replaced by a NUL, and
+ * a decoded value is never longer than its source.
  */
 #include "xml.h"
 
@@ -38,7 +38,7 @@ static bool is_character(uint32_t code)
            (code < 0x80 && is_space((char)code));
 }
 
-/* Bytes of `most` up to a blank or the end of a tag: messages are one line. */
+/* Returns the number of bytes up to whitespace or the end of a tag, at most `most`, for messages of one line. */
 static int word_length(const char *s, int most)
 {
     const size_t n = strcspn(s, " \t\r\n>/");
@@ -52,14 +52,14 @@ struct xml_place xml_next_place(struct xml_place place, char c)
                      : (struct xml_place){ place.line, place.column + ((c & 0xc0) != 0x80) };
 }
 
-static bool starts(const struct xml *x, const char *head)
+static bool starts_with(const struct xml *x, const char *head)
 {
     const size_t n = strlen(head);
 
     return (size_t)(x->end - x->at) >= n && memcmp(x->at, head, n) == 0;
 }
 
-static void step(struct xml *x)
+static void advance(struct xml *x)
 {
     x->place = xml_next_place(x->place, *x->at++);
 }
@@ -67,7 +67,7 @@ static void step(struct xml *x)
 static void skip_space(struct xml *x)
 {
     while (x->at < x->end && is_space(*x->at))
-        step(x);
+        advance(x);
 }
 
 /* Moves past `tail`. */
@@ -75,22 +75,22 @@ static bool skip_past(struct xml *x, const char *tail, const char *what)
 {
     const struct xml_place place = x->place;
 
-    while (x->at < x->end && !starts(x, tail))
-        step(x);
+    while (x->at < x->end && !starts_with(x, tail))
+        advance(x);
     if (x->at == x->end)
         return xml_refuse(x, place, "%s without an end, expected %s", what, tail);
     for (size_t n = strlen(tail); n > 0; n--)
-        step(x);
+        advance(x);
     return true;
 }
 
 /* ---- encodings ---- */
 
-/* All but UTF-8 are read byte by byte as ISO-8859-1. Shift_JIS and EUC-JP are common in comments of old documents;
- * none of their bytes is a character of markup. */
+/* All encodings except UTF-8 are read as ISO-8859-1. Shift_JIS and EUC-JP are common in comments of old documents; none
+ * of their bytes is a markup character. */
 enum encoding { UTF_8, LATIN_1, APPROXIMATE };
 
-static bool same_letters(const char *a, const char *b, size_t n)
+static bool equal_ignoring_case(const char *a, const char *b, size_t n)
 {
     for (size_t i = 0; i < n; i++)
         if ((a[i] | 0x20) != (b[i] | 0x20))
@@ -98,7 +98,7 @@ static bool same_letters(const char *a, const char *b, size_t n)
     return b[n] == '\0';
 }
 
-/* <?xml version="1.0" encoding="UTF-8"?> */
+/* Reads the encoding from <?xml version="1.0" encoding="UTF-8"?>. */
 static bool find_encoding(struct xml *x, enum encoding *encoding)
 {
     static const struct {
@@ -116,13 +116,13 @@ static bool find_encoding(struct xml *x, enum encoding *encoding)
     const char *end = strstr(x->at, "?>"), *name = strstr(x->at, "encoding");
 
     *encoding = UTF_8;
-    if (!starts(x, "<?xml") || end == NULL || name == NULL || name > end)
+    if (!starts_with(x, "<?xml") || end == NULL || name == NULL || name > end)
         return true;
     name += strcspn(name, "\"'");
     name += *name != '\0';
     const size_t n = strcspn(name, "\"'");
     for (size_t i = 0; i < sizeof known / sizeof *known; i++)
-        if (n <= strlen(known[i].name) && same_letters(name, known[i].name, n)) {
+        if (n <= strlen(known[i].name) && equal_ignoring_case(name, known[i].name, n)) {
             *encoding = known[i].encoding;
             return true;
         }
@@ -156,7 +156,7 @@ bool xml_open(struct xml *x, const char *bytes, size_t n, const char *file, bool
     x->text = malloc(2 * n + 1);
     if (x->text == NULL)
         return result_set_host_error(err, err_size, "out of memory");
-    x->at = x->text + n; /* ISO-8859-1 becomes at most twice as long */
+    x->at = x->text + n; /* converted from ISO-8859-1, the text is at most twice as long */
     x->end = x->at + n;
     memcpy(x->at, bytes, n);
     *x->end = '\0';
@@ -181,8 +181,8 @@ void xml_close(struct xml *x)
 
 /* ---- values ---- */
 
-/* The code of what is between & and ;, or 0. */
-static uint32_t reference(const char *s, size_t n)
+/* Returns the code point of the reference between & and ;, or 0. */
+static uint32_t decode_reference(const char *s, size_t n)
 {
     static const struct {
         const char *name;
@@ -206,13 +206,13 @@ static uint32_t reference(const char *s, size_t n)
 }
 
 /* Decodes a value in place. */
-static bool decode(struct xml *x, struct xml_place place, char *value)
+static bool decode_value(struct xml *x, struct xml_place place, char *value)
 {
     char *to = value;
 
     for (const char *from = value; *from != '\0';) {
         const size_t n = *from == '&' ? strcspn(from, ";") : 0;
-        const uint32_t code = n > 0 && from[n] == ';' ? reference(from + 1, n - 1) : 0;
+        const uint32_t code = n > 0 && from[n] == ';' ? decode_reference(from + 1, n - 1) : 0;
         if (*from == '&' && code == 0)
             return xml_refuse(x, place, "\"%.*s\" is not a character reference; write a literal & as &amp;",
                               word_length(from, 20), from);
@@ -238,17 +238,17 @@ const char *xml_value(const struct xml *x, const char *key)
 
 /* ---- tags ---- */
 
-/* A name, or NULL. It ends at x->at; the caller writes its 0 once that character has been read. */
+/* Reads a name, or returns NULL. The name ends at x->at; the caller terminates it after it has read this character. */
 static char *read_name(struct xml *x)
 {
     char *from = x->at;
 
     while (x->at < x->end && !is_space(*x->at) && strchr("=></\"'", *x->at) == NULL)
-        step(x);
+        advance(x);
     return x->at > from ? from : NULL;
 }
 
-/* key="value" or key='value'. */
+/* Reads key="value" or key='value'. */
 static bool read_attribute(struct xml *x)
 {
     const struct xml_place place = x->place;
@@ -257,12 +257,12 @@ static bool read_attribute(struct xml *x)
     skip_space(x);
     if (key == NULL || x->at == x->end || *x->at != '=')
         return xml_refuse(x, place, "<%.40s>: expected an attribute, name=\"value\"", x->name);
-    step(x);
+    advance(x);
     skip_space(x);
     if (x->at == x->end || (*x->at != '"' && *x->at != '\''))
         return xml_refuse(x, place, "<%.40s>: expected a value in quotes", x->name);
     const char quote[2] = { *x->at, 0 };
-    step(x);
+    advance(x);
     char *value = x->at;
     if (!skip_past(x, quote, "a value"))
         return false;
@@ -271,13 +271,13 @@ static bool read_attribute(struct xml *x)
         return xml_refuse(x, place, "<%.40s> %.40s: value contains \"<\"; is its closing quote missing?", x->name, key);
     if (xml_value(x, key) != NULL)
         return xml_refuse(x, place, "<%.40s> has %.40s twice", x->name, key);
-    if (x->n == XML_ATTRIBUTES)
-        return xml_refuse(x, place, "<%.40s> has more than %d attributes", x->name, (int)XML_ATTRIBUTES);
+    if (x->n == XML_MAX_ATTRIBUTES)
+        return xml_refuse(x, place, "<%.40s> has more than %d attributes", x->name, (int)XML_MAX_ATTRIBUTES);
     x->attribute[x->n++] = (struct xml_attribute){ key, value };
-    return decode(x, place, value);
+    return decode_value(x, place, value);
 }
 
-/* </name> */
+/* Reads the rest of </name>. */
 static enum xml_event close_tag(struct xml *x, char *name)
 {
     char *name_end = x->at;
@@ -285,7 +285,7 @@ static enum xml_event close_tag(struct xml *x, char *name)
     skip_space(x);
     if (name == NULL || x->at == x->end || *x->at != '>')
         return xml_refuse(x, x->start, "a tag without a closing >"), XML_BAD;
-    step(x);
+    advance(x);
     *name_end = '\0';
     if (x->depth == 0 || strcmp(x->open[x->depth - 1], name) != 0)
         return xml_refuse(x, x->start, "</%.40s> has no opening tag, expected %s%.40s%s", name,
@@ -296,7 +296,7 @@ static enum xml_event close_tag(struct xml *x, char *name)
     return XML_CLOSE;
 }
 
-/* The attributes up to >; the name ends at name_end. */
+/* Reads the attributes up to >. The element's name ends at name_end. */
 static bool read_attributes(struct xml *x, char *name_end)
 {
     for (;;) {
@@ -304,9 +304,9 @@ static bool read_attributes(struct xml *x, char *name_end)
         skip_space(x);
         x->empty = x->at < x->end && *x->at == '/';
         if (x->empty)
-            step(x);
+            advance(x);
         if (x->at < x->end && *x->at == '>') {
-            step(x);
+            advance(x);
             *name_end = x->at[-1] = '\0';
             return true;
         }
@@ -320,12 +320,12 @@ static bool read_attributes(struct xml *x, char *name_end)
 
 static enum xml_event read_tag(struct xml *x)
 {
-    const bool closes = starts(x, "</");
+    const bool closes = starts_with(x, "</");
 
     x->start = x->place;
-    step(x);
+    advance(x);
     if (closes)
-        step(x);
+        advance(x);
     char *name = read_name(x);
     if (closes)
         return close_tag(x, name);
@@ -333,8 +333,9 @@ static enum xml_event read_tag(struct xml *x)
         return xml_refuse(x, x->place, "expected a name after <"), XML_BAD;
     if (x->depth == 0 && x->started)
         return xml_refuse(x, x->start, "more than one root element"), XML_BAD;
-    if (x->depth == XML_NEST)
-        return xml_refuse(x, x->start, "<%.*s>: elements nested deeper than %d", word_length(name, 40), name, XML_NEST),
+    if (x->depth == XML_MAX_DEPTH)
+        return xml_refuse(x, x->start, "<%.*s>: elements nested deeper than %d", word_length(name, 40), name,
+                          XML_MAX_DEPTH),
                XML_BAD;
     x->name = name;
     x->n = 0;
@@ -345,7 +346,7 @@ static enum xml_event read_tag(struct xml *x)
     return XML_OPEN;
 }
 
-/* A document type names a grammar, which is never read. */
+/* Skips a document type, which names a grammar that is never read. */
 static bool skip_type(struct xml *x)
 {
     const struct xml_place place = x->place;
@@ -353,33 +354,33 @@ static bool skip_type(struct xml *x)
     while (x->at < x->end && *x->at != '>' && *x->at != '[')
         if (*x->at == '"' || *x->at == '\'') {
             const char quote[2] = { *x->at, 0 };
-            step(x);
+            advance(x);
             if (!skip_past(x, quote, "a <!DOCTYPE"))
                 return false;
         } else {
-            step(x);
+            advance(x);
         }
     if (x->at == x->end || *x->at == '[')
         return xml_refuse(x, place, "<!DOCTYPE> with declarations is not supported; delete the line");
-    step(x);
+    advance(x);
     return true;
 }
 
 bool xml_skip_markup(struct xml *x, bool *skipped)
 {
-    *skipped = !x->empty && (starts(x, "<!") || starts(x, "<?"));
+    *skipped = !x->empty && (starts_with(x, "<!") || starts_with(x, "<?"));
     if (!*skipped)
         return true;
-    if (starts(x, "<!--"))
+    if (starts_with(x, "<!--"))
         return skip_past(x, "-->", "a comment");
-    if (starts(x, "<?"))
+    if (starts_with(x, "<?"))
         return skip_past(x, "?>", "a <?");
-    if (starts(x, "<!DOCTYPE") && !x->started)
+    if (starts_with(x, "<!DOCTYPE") && !x->started)
         return skip_type(x);
     return xml_refuse(x, x->place, "\"%.*s\" is not supported here", word_length(x->at, 9), x->at);
 }
 
-static enum xml_event next(struct xml *x, bool skipping)
+static enum xml_event next_event(struct xml *x, bool skipping)
 {
     bool skipped = true;
 
@@ -390,7 +391,7 @@ static enum xml_event next(struct xml *x, bool skipping)
     }
     while (skipped) {
         while (x->at < x->end && *x->at != '<' && (skipping || is_space(*x->at)))
-            step(x);
+            advance(x);
         if (x->at == x->end && x->depth == 0)
             return XML_END;
         if (x->at == x->end)
@@ -405,7 +406,7 @@ static enum xml_event next(struct xml *x, bool skipping)
 
 enum xml_event xml_next(struct xml *x)
 {
-    return next(x, false);
+    return next_event(x, false);
 }
 
 bool xml_skip(struct xml *x)
@@ -414,7 +415,7 @@ bool xml_skip(struct xml *x)
     enum xml_event event;
 
     do
-        event = next(x, true);
+        event = next_event(x, true);
     while (event == XML_OPEN || (event == XML_CLOSE && x->depth >= depth));
     return event != XML_BAD;
 }
@@ -423,6 +424,6 @@ size_t xml_text(struct xml *x, const char **text)
 {
     *text = x->at;
     while (!x->empty && x->at < x->end && *x->at != '<')
-        step(x);
+        advance(x);
     return (size_t)(x->at - *text);
 }

@@ -1,7 +1,7 @@
 /*
- * faces.c - see faces.h.
+ * pack_font.c - see pack_font.h.
  */
-#include "faces.h"
+#include "pack_font.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -12,17 +12,17 @@
 #include "../../base/cursor.h"
 #include "../../rom/face.h"
 
-/* ---- the characters ---- */
+/* ---- characters ---- */
 
-void faces_add_text(struct faces_set *s, const char *text, size_t n)
+void pack_font_add_text(struct pack_font_chars *s, const char *text, size_t n)
 {
     const char *end = text + n;
 
     while (text < end)
-        faces_add(s, utf8_next(&text, end));
+        pack_font_add(s, utf8_next(&text, end));
 }
 
-/* Behind a comment that begins at at->p. */
+/* Skips the comment at at->p. */
 static void skip_comment(struct cursor *at)
 {
     at->p += 2;
@@ -37,8 +37,8 @@ static void skip_comment(struct cursor *at)
         at->p++;
 }
 
-/* \u{5f3e} at at->p, if it is one. */
-static void add_escape(struct faces_set *s, const struct cursor *at)
+/* Adds the character of the escape sequence at at->p if it is \u{...}. */
+static void add_escape(struct pack_font_chars *s, const struct cursor *at)
 {
     uint32_t code = 0;
 
@@ -46,10 +46,10 @@ static void add_escape(struct faces_set *s, const struct cursor *at)
         return;
     for (size_t i = 3; cursor_hex_value(cursor_peek(at, i)) >= 0 && code <= UTF8_MAX_CODE; i++)
         code = code * 16 + (uint32_t)cursor_hex_value(cursor_peek(at, i));
-    faces_add(s, code);
+    pack_font_add(s, code);
 }
 
-static void add_quoted(struct faces_set *s, struct cursor *at)
+static void add_quoted(struct pack_font_chars *s, struct cursor *at)
 {
     const char quote = *at->p++;
 
@@ -58,13 +58,13 @@ static void add_quoted(struct faces_set *s, struct cursor *at)
             add_escape(s, at);
             at->p += at->end - at->p > 1 ? 2 : 1;
         } else {
-            faces_add(s, utf8_next(&at->p, at->end));
+            pack_font_add(s, utf8_next(&at->p, at->end));
         }
     }
     at->p += at->p < at->end;
 }
 
-void faces_add_script(struct faces_set *s, const char *text, size_t n)
+void pack_font_add_script(struct pack_font_chars *s, const char *text, size_t n)
 {
     struct cursor at = { text, text + n, 1 };
 
@@ -74,13 +74,13 @@ void faces_add_script(struct faces_set *s, const char *text, size_t n)
         else if (*at.p == '"' || *at.p == '\'')
             add_quoted(s, &at);
         else
-            faces_add(s, utf8_next(&at.p, at.end));
+            pack_font_add(s, utf8_next(&at.p, at.end));
     }
 }
 
-/* ---- the pictures ---- */
+/* ---- glyphs ---- */
 
-bool faces_put(struct faces *f, struct faces_glyph g)
+bool pack_font_add_glyph(struct pack_font *f, struct pack_font_glyph g)
 {
     if (!array_append(&f->list, (size_t)f->n, sizeof g)) {
         free(g.pix);
@@ -90,22 +90,22 @@ bool faces_put(struct faces *f, struct faces_glyph g)
     return true;
 }
 
-void faces_close(struct faces *f)
+void pack_font_free(struct pack_font *f)
 {
     for (int i = 0; i < f->n; i++)
         free(f->list[i].pix);
     free(f->list);
-    *f = (struct faces){ 0 };
+    *f = (struct pack_font){ 0 };
 }
 
 static int by_code(const void *a, const void *b)
 {
-    const struct faces_glyph *x = a, *y = b;
+    const struct pack_font_glyph *x = a, *y = b;
 
     return (x->code > y->code) - (x->code < y->code);
 }
 
-bool faces_sort(struct faces *f, uint32_t *code)
+bool pack_font_sort(struct pack_font *f, uint32_t *code)
 {
     if (f->n > 0)
         qsort(f->list, (size_t)f->n, sizeof *f->list, by_code);
@@ -117,7 +117,7 @@ bool faces_sort(struct faces *f, uint32_t *code)
     return true;
 }
 
-static bool any_ink(const struct faces_glyph *g)
+static bool has_ink(const struct pack_font_glyph *g)
 {
     for (int i = 0; i < g->w * g->h; i++)
         if (g->pix[i] != 0)
@@ -125,12 +125,12 @@ static bool any_ink(const struct faces_glyph *g)
     return false;
 }
 
-bool faces_shadow(struct faces *f)
+bool pack_font_add_shadow(struct pack_font *f)
 {
     for (int i = 0; i < f->n; i++) {
-        struct faces_glyph *g = &f->list[i];
+        struct pack_font_glyph *g = &f->list[i];
         const int w = g->w + 1, h = g->h + 1;
-        if (!any_ink(g) || w > FACE_MAX_SIDE || h > FACE_MAX_SIDE)
+        if (!has_ink(g) || w > FACE_MAX_SIDE || h > FACE_MAX_SIDE)
             continue;
         uint8_t *pix = calloc((size_t)w, (size_t)h);
         if (pix == NULL)
@@ -153,7 +153,7 @@ bool faces_shadow(struct faces *f)
     return true;
 }
 
-size_t faces_make(const struct faces *f, uint8_t **out)
+size_t pack_font_make(const struct pack_font *f, uint8_t **out)
 {
     size_t at = FACE_HEADER_SIZE + (size_t)f->n * FACE_GLYPH_SIZE, size = at;
 
@@ -165,7 +165,7 @@ size_t faces_make(const struct faces *f, uint8_t **out)
     bytes_put16(*out, (uint16_t)f->height);
     bytes_put32(*out + 4, (uint32_t)f->n);
     for (int i = 0; i < f->n; i++) {
-        const struct faces_glyph *g = &f->list[i];
+        const struct pack_font_glyph *g = &f->list[i];
         const int pitch = (g->w + 7) / 8 * 8;
         uint8_t *p = *out + FACE_HEADER_SIZE + (size_t)i * FACE_GLYPH_SIZE;
         bytes_put32(p, g->code);
@@ -181,10 +181,11 @@ size_t faces_make(const struct faces *f, uint8_t **out)
     return size;
 }
 
-/* ---- from a picture ---- */
+/* ---- a picture as a grid of cells ---- */
 
-/* Cuts a cell to the columns that are drawn. An empty one is a blank, half a cell wide. */
-static void trim(struct faces_glyph *g, bool fixed)
+/* Removes the empty columns at both sides of a glyph and sets its advance. An empty cell becomes a space, half a cell
+ * wide. */
+static void trim_columns(struct pack_font_glyph *g, bool fixed)
 {
     int first = g->w, last = -1;
 
@@ -202,7 +203,7 @@ static void trim(struct faces_glyph *g, bool fixed)
     g->w = w;
 }
 
-static bool cut_cell(struct faces_glyph *g, const struct art_picture *p, int x0, int y0, const uint8_t *rgb,
+static bool cut_cell(struct pack_font_glyph *g, const struct art_picture *p, int x0, int y0, const uint8_t *rgb,
                      bool nearest, char *err, size_t err_size)
 {
     g->pix = calloc((size_t)g->w, (size_t)g->h);
@@ -219,9 +220,9 @@ static bool cut_cell(struct faces_glyph *g, const struct art_picture *p, int x0,
     return true;
 }
 
-bool faces_cut(struct faces *f, const struct art_picture *picture, const struct art_font *font,
-               const struct faces_set *wanted, const uint8_t rgb[CART_PALETTE_SIZE], bool nearest, char *err,
-               size_t err_size)
+bool pack_font_cut(struct pack_font *f, const struct art_picture *picture, const struct art_font *font,
+                   const struct pack_font_chars *wanted, const uint8_t rgb[CART_PALETTE_SIZE], bool nearest, char *err,
+                   size_t err_size)
 {
     const int across = picture->w / font->w, cells = across * (picture->h / font->h);
     const char *chars = font->chars, *end = chars + strlen(chars);
@@ -232,13 +233,13 @@ bool faces_cut(struct faces *f, const struct art_picture *picture, const struct 
         return err_set(err, err_size, "%dx%d pixels hold %d cells of %dx%d, but `chars` has %d characters", picture->w,
                        picture->h, cells, (int)font->w, (int)font->h, n);
     for (int i = 0; chars < end; i++) {
-        struct faces_glyph g = { .code = utf8_next(&chars, end), .w = font->w, .h = font->h };
-        if (!faces_has(wanted, g.code))
+        struct pack_font_glyph g = { .code = utf8_next(&chars, end), .w = font->w, .h = font->h };
+        if (!pack_font_has(wanted, g.code))
             continue;
         if (!cut_cell(&g, picture, i % across * font->w, i / across * font->h, rgb, nearest, err, err_size))
             return false;
-        trim(&g, font->fixed);
-        if (!faces_put(f, g))
+        trim_columns(&g, font->fixed);
+        if (!pack_font_add_glyph(f, g))
             return result_set_host_error(err, err_size, "out of memory");
     }
     return true;

@@ -1,6 +1,6 @@
 /*
- * test_faces.c - fonts on their way into a ROM: which characters a script shows, BDF files and each way in which one is
- * refused, pictures with a grid of cells, shadows, and the lump.
+ * test_pack_font.c - fonts on their way into a ROM: which characters a script shows, BDF files and each way in which
+ * one is refused, pictures with a grid of cells, shadows, and the lump.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -14,8 +14,8 @@
 #include "../../src/rom/face.h"
 #include "../../src/workbench/pack/bdf.h"
 
-static struct faces_set set;
-static struct faces f;
+static struct pack_font_chars set;
+static struct pack_font f;
 static char err[512];
 
 static int count(void)
@@ -23,7 +23,7 @@ static int count(void)
     int n = 0;
 
     for (uint32_t c = 0; c <= UTF8_MAX_CODE; c++)
-        n += faces_has(&set, c);
+        n += pack_font_has(&set, c);
     return n;
 }
 
@@ -35,20 +35,22 @@ static void test_set(void **state)
 
     (void)state;
     memset(&set, 0, sizeof set);
-    faces_add_script(&set, script, sizeof script - 1);
-    assert_true(faces_has(&set, 0xe9) && faces_has(&set, 0x5f3e) && faces_has(&set, 0x5e55) && faces_has(&set, 0xdf));
-    assert_false(faces_has(&set, 0xe4) || faces_has(&set, 0xf6) || faces_has(&set, 0xfc));
-    assert_false(faces_has(&set, UTF8_MAX_CODE + 1) || faces_has(&set, UINT32_MAX));
+    pack_font_add_script(&set, script, sizeof script - 1);
+    assert_true(pack_font_has(&set, 0xe9) && pack_font_has(&set, 0x5f3e) && pack_font_has(&set, 0x5e55) &&
+                pack_font_has(&set, 0xdf));
+    assert_false(pack_font_has(&set, 0xe4) || pack_font_has(&set, 0xf6) || pack_font_has(&set, 0xfc));
+    assert_false(pack_font_has(&set, UTF8_MAX_CODE + 1) || pack_font_has(&set, UINT32_MAX));
     for (size_t n = 0; n < sizeof script; n++) { /* nothing is read beyond the end */
         char *cut = malloc(n + (n == 0));
         memcpy(cut, script, n);
-        faces_add_script(&set, cut, n);
+        pack_font_add_script(&set, cut, n);
         free(cut);
     }
     memset(&set, 0, sizeof set);
-    faces_add_text(&set, "a\xf4\x8f\xbf\xbf\xff", 6);
-    assert_true(faces_has(&set, 'a') && faces_has(&set, UTF8_MAX_CODE) && faces_has(&set, 0xff) && count() == 3);
-    faces_add_script(&set, "'\\u{110000}\\u{ffffffffff}'", 26);
+    pack_font_add_text(&set, "a\xf4\x8f\xbf\xbf\xff", 6);
+    assert_true(pack_font_has(&set, 'a') && pack_font_has(&set, UTF8_MAX_CODE) && pack_font_has(&set, 0xff) &&
+                count() == 3);
+    pack_font_add_script(&set, "'\\u{110000}\\u{ffffffffff}'", 26);
     assert_int_equal(count(), 3 + 5); /* {10f} */
 }
 
@@ -67,12 +69,12 @@ static void test_bdf(void **state)
 
     (void)state;
     memset(&set, 0, sizeof set);
-    faces_add_text(&set, " A\xe5\xbc\xbe\xe5\xb9\x95", 8);
+    pack_font_add_text(&set, " A\xe5\xbc\xbe\xe5\xb9\x95", 8);
     if (!bdf_read(&f, text, sizeof text - 1, &set, err, sizeof err))
         fail_msg("%s", err);
     assert_int_equal(f.n, 3);
     assert_int_equal(f.height, 9);
-    const struct faces_glyph *a = &f.list[1], *dan = &f.list[2];
+    const struct pack_font_glyph *a = &f.list[1], *dan = &f.list[2];
     assert_true(a->code == 65 && a->w == 4 && a->h == 3 && a->x == -1 && a->y == 4 && a->advance == 5);
     assert_memory_equal(a->pix, "\17\0\0\17\0\17\17\0\17\17\17\17", 12);
     assert_true(dan->code == 0x5f3e && dan->w == 9 && dan->y == 8 && dan->pix[0] == 15 && dan->pix[8] == 15);
@@ -81,7 +83,7 @@ static void test_bdf(void **state)
     uint8_t *lump;
     struct face face;
     struct face_glyph g;
-    size_t size = faces_make(&f, &lump);
+    size_t size = pack_font_make(&f, &lump);
     assert_int_equal(size, 8 + 3 * 16 + 3 * 8 + 16);
     assert_true(face_open(&face, lump, size, err, sizeof err) && face.height == 9 && face.n == 3);
     assert_true(face_find(&face, 65, &g) && g.w == 4 && g.h == 3 && g.pitch == 8 && g.x == -1 && g.y == 4);
@@ -90,10 +92,10 @@ static void test_bdf(void **state)
     assert_false(face_find(&face, 66, &g) || face_find(&face, 0, &g) || face_find(&face, UINT32_MAX, &g));
     free(lump);
 
-    assert_true(faces_shadow(&f));
+    assert_true(pack_font_add_shadow(&f));
     assert_true(f.list[1].w == 5 && f.list[1].h == 4 && f.list[0].w == 0);
     assert_memory_equal(f.list[1].pix, "\17\1\0\17\1\1\17\17\1\1\17\17\17\17\1\1\1\1\1\1", 20);
-    faces_close(&f);
+    pack_font_free(&f);
 }
 
 static void refused(const char *text, const char *want)
@@ -103,7 +105,7 @@ static void refused(const char *text, const char *want)
     memcpy(copy, text, strlen(text));
     assert_false(bdf_read(&f, copy, strlen(text), &set, err, sizeof err));
     assert_string_equal(err, want);
-    faces_close(&f);
+    pack_font_free(&f);
     free(copy);
 }
 
@@ -159,7 +161,7 @@ static uint32_t code_in(const char *head, const char *letter)
     snprintf(text, sizeof text, "STARTFONT 2.1\n" BOX "%s%sENDFONT\n", head, letter);
     const bool good = bdf_read(&f, text, strlen(text), &set, err, sizeof err);
     const uint32_t code = good && f.n == 1 ? f.list[0].code : 0;
-    faces_close(&f);
+    pack_font_free(&f);
     return code;
 }
 
@@ -245,7 +247,7 @@ static void test_bdf_head(void **state)
         assert_true(f.list[0].y == 5 && f.list[1].y == 5);
         assert_memory_equal(f.list[0].pix, "\17\0\0\17", 4);
         assert_memory_equal(f.list[1].pix, "\0\17\17\0", 4);
-        faces_close(&f);
+        pack_font_free(&f);
     }
 }
 
@@ -272,7 +274,7 @@ static void test_bdf_greys(void **state)
         if (!bdf_read(&f, text, strlen(text), &set, err, sizeof err))
             fail_msg("%s", err);
         assert_memory_equal(f.list[0].pix, greys[i].shades, 4);
-        faces_close(&f);
+        pack_font_free(&f);
     }
 }
 
@@ -292,25 +294,25 @@ static void test_cells(void **state)
             memcpy(rgba + 4 * i, rgb + 3 * 15, 3);
             rgba[4 * i + 3] = 255;
         }
-    f = (struct faces){ 0 };
-    assert_false(faces_cut(&f, &picture, &font, &set, rgb, false, err, sizeof err));
+    f = (struct pack_font){ 0 };
+    assert_false(pack_font_cut(&f, &picture, &font, &set, rgb, false, err, sizeof err));
     assert_string_equal(err, "8x3 pixels hold 2 cells of 4x3, but `chars` has 3 characters");
     font.chars[3] = '\0';
-    assert_true(faces_cut(&f, &picture, &font, &set, rgb, false, err, sizeof err));
+    assert_true(pack_font_cut(&f, &picture, &font, &set, rgb, false, err, sizeof err));
     assert_true(f.n == 2 && f.height == 3 && f.list[0].code == 0xe9 && f.list[0].w == 2 && f.list[0].advance == 3);
     assert_memory_equal(f.list[0].pix, "\17\0\17\17\0\0", 6);
     assert_true(f.list[1].code == 'i' && f.list[1].w == 1 && f.list[1].advance == 2);
-    faces_close(&f);
+    pack_font_free(&f);
     font.fixed = true;
     set.bits[0xe9 / 8] = 0;
-    assert_true(faces_cut(&f, &picture, &font, &set, rgb, false, err, sizeof err));
+    assert_true(pack_font_cut(&f, &picture, &font, &set, rgb, false, err, sizeof err));
     assert_true(f.n == 1 && f.list[0].code == 'i' && f.list[0].w == 4 && f.list[0].advance == 4);
-    faces_close(&f);
+    pack_font_free(&f);
     rgba[16] ^= 0x55;
-    assert_false(faces_cut(&f, &picture, &font, &set, rgb, false, err, sizeof err));
+    assert_false(pack_font_cut(&f, &picture, &font, &set, rgb, false, err, sizeof err));
     assert_non_null(strstr(err, "pixel 4,0: colour #"));
-    assert_true(faces_cut(&f, &picture, &font, &set, rgb, true, err, sizeof err));
-    faces_close(&f);
+    assert_true(pack_font_cut(&f, &picture, &font, &set, rgb, true, err, sizeof err));
+    pack_font_free(&f);
 }
 
 static void spoilt(size_t at, uint8_t v, const char *want)
@@ -322,12 +324,12 @@ static void spoilt(size_t at, uint8_t v, const char *want)
 
     memset(&set, 0xff, sizeof set);
     assert_true(bdf_read(&f, text, sizeof text - 1, &set, err, sizeof err));
-    size_t size = faces_make(&f, &lump);
+    size_t size = pack_font_make(&f, &lump);
     assert_true(face_open(&face, lump, size, err, sizeof err));
     lump[at] = v;
     assert_false(face_open(&face, lump, size, err, sizeof err));
     assert_string_equal(err, want);
-    faces_close(&f);
+    pack_font_free(&f);
     free(lump);
 }
 
