@@ -63,7 +63,7 @@ HOST      := $(if $(findstring mingw,$(CC)),win win_process win_register,$(if $(
 HOST_OBJ  := $(patsubst %,$(OUT)/platform/%.o,stdio $(HOST))
 CORE_OBJ  := $(BOARD_OBJ) $(PROGRAM_OBJ) $(HOST_OBJ) \
              $(if $(findstring sanitize=memory,$(OPT)),$(OUT)/tests/inject/unpoison.o)
-GAME_SRC  := $(shell find $(GAME) -type f 2>/dev/null)
+GAME_SRC  := $(shell find $(GAME) -type f ! -path '$(GAME)/source/*' 2>/dev/null)
 
 # V=1 shows the commands.
 Q := $(if $(V),,@)

@@ -13,7 +13,8 @@ mkdir -p $out
 
 # cppcheck reads no system header, so it is told what float.h says; and it takes the C name "not" for C++'s.
 run_cppcheck() {
-    tests/files.sh 'src/*.c' 'fb/*.c' 'platform/*.c' 'tools/*.c' 'tests/fuzz/*.c' 'tests/inject/*.c' >$out/files
+    tests/files.sh 'src/*.c' 'fb/*.c' 'platform/*.c' 'tools/*.c' 'roms/*.c' 'tests/fuzz/*.c' 'tests/inject/*.c' \
+        >$out/files
     cppcheck --quiet -j2 --std=c11 --enable=warning,performance,portability --suppress=missingIncludeSystem \
         --template='cppcheck {id} {file}:{line}: {message}' -D_DEFAULT_SOURCE -DFLT_RADIX=2 -DDBL_MANT_DIG=53 \
         -DFLT_EVAL_METHOD=0 -Dnot=negated --file-list=$out/files 2>&1

@@ -26,7 +26,7 @@ list() {
     done
     find README.md CHANGELOG.md CONTRIBUTING.md LICENSE docs -type f | sort | sed "s,.*,644 & $doc/&,"
     echo "644 build/curtain.html $doc/curtain.html"
-    find examples roms -type f | sort | sed "s,.*,644 & $data/&,"
+    find examples roms -type f ! -path 'roms/*/source/*' | sort | sed "s,.*,644 & $data/&,"
 }
 
 # What make library made; only then is it installed.

@@ -1,6 +1,6 @@
 # What publishes, ports, paints and measures.
 
-.PHONY: windows players ports library web demos cookbook patterns docs survive accuracy sound pacing bench bench-fx
+.PHONY: windows players ports library web art demos cookbook patterns docs survive accuracy sound pacing bench bench-fx
 .PHONY: bench-fx-objects compare bulletml prove cross
 
 # LUA_INSIDE=1: programs contain Lua, compiled as Debian does it, without its program and what the sandbox leaves out.
@@ -188,12 +188,19 @@ web: say-null-web
 	@$(OUT)/curtain-bare export $(GAME) --web -o $(WEB)/$(basename $(notdir $(patsubst %/,%,$(GAME)))).html
 	@ls -l $(WEB)/$(basename $(notdir $(patsubst %/,%,$(GAME)))).html
 
-# ---- art: the pictures of the games in roms/ are made by a program ----
+# ---- art: a program draws the pictures of Glass Tide and of the games that borrow them ----
 
-$(OUT)/art: $(wildcard tools/art/*.c)
+$(OUT)/art: $(wildcard roms/glasstide/source/art/*.c)
 	@mkdir -p $(@D)
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(SEMANTIC) -O2 -Wno-unused-function $^ -lm -o $@
+
+art:
+	@$(MAKE) $(OUT)/art
+	$(Q)$(OUT)/art roms/glasstide/art
+	$(Q)set -e; for made in roms/testcard/art=card roms/bench/art=bench roms/cookbook/art=cookbook \
+		examples/shooter/art=night examples/sandbox/art=glow share/icons=icon; do \
+		$(OUT)/art $${made%=*} $${made#*=}; done
 
 $(OUT)/cookbook: tools/cookbook/cookbook.c $(NO_ROM)
 	$(link)
@@ -210,7 +217,7 @@ $(OUT)/libspeed: tools/ports/speed.c $(NO_ROM) $(OUT)/libcurtain.a
 $(OUT)/need: tools/ports/need.c $(NO_ROM)
 	$(link)
 
-$(OUT)/lively: $(OUT)/%: tools/%.c $(NO_ROM)
+$(OUT)/lively: roms/glasstide/source/lively.c $(NO_ROM)
 	$(link)
 
 # Against libfixmath. The script builds the program, for it links several builds of that library.
@@ -239,7 +246,7 @@ cookbook: deps-play
 # The patterns of Glass Tide with their pictures, docs/measured/patterns.md; of the demos that make demos records.
 patterns: deps-play
 	@$(MAKE) build/curtain-null $(OUT)/lively
-	@OUT=$(OUT) python3 tools/patterns.py
+	@OUT=$(OUT) python3 roms/glasstide/source/patterns.py
 
 # README and docs/ as one file; make install takes it along, if it was made.
 docs: deps-docs

@@ -1,4 +1,4 @@
--- rom.lua - the manifest of Glass Tide. tools/art/art.c draws the pictures in art/.
+-- rom.lua - the manifest of Glass Tide. source/art/art.c draws the pictures in art/.
 return {
   id = "glasstide", title = "Glass Tide", author = "The Curtain authors", version = 1, entry = "main",
   screen = { w = 240, h = 320 },

@@ -1,4 +1,4 @@
--- rom.lua - the test card: the first game to run on a new port. `art OUTDIR card` (tools/art/art.c) draws art/.
+-- rom.lua - the test card: the first game to run on a new port. `art OUTDIR card` (Glass Tide's painter) draws art/.
 return {
   id = "testcard", title = "Test Card", author = "The Curtain authors", version = 1, entry = "main",
   screen = { w = 320, h = 240 },

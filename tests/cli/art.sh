@@ -21,11 +21,11 @@ done
 same "games" 45 "$(find games -maxdepth 1 -mindepth 1 | wc -l)"
 check "planted: another picture is another lump" [ "$(lump games/clear gfx/a)" != "$(lump games/old gfx/b)" ]
 
-# ---- the example: what tools/art/moth.py draws, in a palette that curtain palette made ----
+# ---- the example: what tools/moth.py draws, in a palette that curtain palette made ----
 
 cp -r "$repo/examples/moth" moth
 cp "$repo/roms/glasstide/art/palette.png" moth/art/palette.png
-python3 "$repo/tools/art/moth.py" moth/art
+python3 "$repo/tools/moth.py" moth/art
 same "its palette" "moth/art/palette.png: 15 colours in bank 11" \
     "$("$curtain" palette moth/art/moth.hex --bank 11 -o moth/art/palette.png)"
 check "... is that of the example" cmp moth/art/palette.png "$repo/examples/moth/art/palette.png"

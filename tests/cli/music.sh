@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
 # music.sh - the music of Glass Tide is in the key, on the chords and of the form that its files declare, as loud as one
-# another, without a click; its sounds are short and heard. tools/music.py measures it; every planted fault is found.
+# another, without a click; its sounds are short and heard. The game's source/music.py measures
+# it; every planted fault is found.
 . "$(dirname "$0")/../tap.sh"
 sandbox
 game=$repo/roms/glasstide
-checker=$repo/tools/music.py
+checker=$repo/roms/glasstide/source/music.py
 music() { python3 "$checker" --curtain "$curtain" "$@"; }
 
 declared() { sed '/^## Levels/,$d' "$1"; } # what follows is measured, and is another with another engine

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # art.sh - the pictures in roms/, the sandbox's own, those of the games that `curtain new` writes and the icons are what
-# tools/art/art.c draws, pixel by pixel, with gcc and clang.
+# roms/glasstide/source/art/art.c draws, pixel by pixel, with gcc and clang.
 . "$(dirname "$0")/../tap.sh"
 sandbox
 
@@ -39,8 +39,8 @@ done
 for cc in gcc clang; do
     opt=-O2
     [ $cc = gcc ] || opt=-O0
-    $cc -std=c11 $opt -ffp-contract=off -w "$repo"/tools/art/*.c -lm -o art-$cc ||
-        { not_ok "$cc builds tools/art/art.c"; continue; }
+    $cc -std=c11 $opt -ffp-contract=off -w "$repo"/roms/glasstide/source/art/*.c -lm -o art-$cc ||
+        { not_ok "$cc builds roms/glasstide/source/art/art.c"; continue; }
     compare art-$cc roms/glasstide
     compare art-$cc roms/testcard card
     compare art-$cc roms/bench bench

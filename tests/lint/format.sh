@@ -50,7 +50,9 @@ narrow() {
     echo "$found"
     [ -z "$found" ]
 }
-sources() { tree '*.c' '*.h' '*.sh' '*.py' '*.lua' .ci/run | grep -vE '/seeds/|^(roms|scripts|examples|tests/demos)/'; }
+sources() {
+    tree '*.c' '*.h' '*.sh' '*.py' '*.lua' .ci/run | grep -vE '/seeds/|^(roms|scripts|examples|tests/demos)/.*lua$'
+}
 check "no line of more than 120 columns" narrow $(sources) CHANGELOG.md CONTRIBUTING.md
 {
     printf '# %0118d\n' 1 2

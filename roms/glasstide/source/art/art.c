@@ -3,8 +3,7 @@
  * OUTDIR bench` the bench's, `art OUTDIR cookbook` the cookbook's; `art OUTDIR glow` what the sandbox has of its own;
  * `art OUTDIR night` those of examples/shooter; and `art OUTDIR icon` the program's icons.
  *
- * The same bytes on every host. `art OUTDIR sheet` writes one picture with everything on it, three times as large, to
- * look at.
+ * The same bytes on every host. `make art` writes them all.
  */
 #include "art.h"
 
@@ -157,22 +156,6 @@ static bool write_palette(const char *dir, const char *name, const uint32_t rgb[
     return write_png(dir, name, rgba, 16, 16);
 }
 
-/* Everything below one another on the floor's colour, magnified. */
-static bool write_contact(const char *dir, const char *name, const struct sheet *s, const uint32_t rgb[256], int scale)
-{
-    int w = s->w * scale, h = s->h * scale;
-    uint8_t *rgba = calloc((size_t)(w * h), 4);
-    if (!rgba)
-        return false;
-    for (int i = 0; i < w * h; i++) {
-        int c = sheet_get(s, i % w / scale, i / w / scale);
-        colour(&rgba[4 * i], c ? rgb[s->bank * 16 + c] : rgb[13 * 16 + 4], 255);
-    }
-    bool ok = write_png(dir, name, rgba, w, h);
-    free(rgba);
-    return ok;
-}
-
 /* The icon in three sizes: 48 is drawn as it is, 128 and 256 are 64 magnified. */
 static bool write_icons(const char *dir, const uint32_t rgb[256])
 {
@@ -200,7 +183,7 @@ static const struct picture *pictures(const char *what)
     static const struct {
         const char *name;
         const struct picture *list;
-    } lists[] = { { "", GAME },         { "sheet", GAME }, { "card", CARD },  { "bench", BENCH },
+    } lists[] = { { "", GAME },         { "card", CARD },  { "bench", BENCH },
                   { "cookbook", BOOK }, { "glow", LIGHT }, { "night", NIGHT } };
 
     for (size_t i = 0; i < sizeof lists / sizeof *lists; i++) {
@@ -235,11 +218,11 @@ int main(int argc, char **argv)
 {
     const char *dir = argc > 1 ? argv[1] : "", *what = argc > 2 ? argv[2] : "";
     const struct picture *p = pictures(what);
-    bool game = p == GAME, icon = !strcmp(what, "icon"), look = !strcmp(what, "sheet"), ok = true;
+    bool game = p == GAME, icon = !strcmp(what, "icon"), ok = true;
     uint32_t rgb[256];
 
     if (argc < 2 || argc > 3 || (!p && !icon)) {
-        fprintf(stderr, "usage: art OUTDIR [card | bench | cookbook | glow | night | icon | sheet]\n");
+        fprintf(stderr, "usage: art OUTDIR [card | bench | cookbook | glow | night | icon]\n");
         return 2;
     }
     if (p == NIGHT)
@@ -252,11 +235,11 @@ int main(int argc, char **argv)
         struct sheet s = p->make();
         if (game)
             art_stage_palette(p->stage, rgb);
-        ok = look ? write_contact(dir, p->name, &s, rgb, 3) : write_sheet(dir, p->name, &s, rgb);
+        ok = write_sheet(dir, p->name, &s, rgb);
         sheet_free(&s);
     }
     if (game)
         art_palette(rgb);
-    ok = ok && (look || (write_palette(dir, "palette", rgb) && (!game || write_stages(dir))));
+    ok = ok && write_palette(dir, "palette", rgb) && (!game || write_stages(dir));
     return ok ? 0 : 3;
 }

@@ -13,7 +13,7 @@ import tempfile
 import zlib
 
 sys.dont_write_bytecode = True
-sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "tests", "golden"))
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), "..", "..", "..", "tests", "golden"))
 import png  # noqa: E402
 
 OUT = os.environ.get("OUT", "build/release")

@@ -6,11 +6,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../platform/platform.h"
-#include "../src/machine/machine.h"
-#include "../src/demo/demo.h"
-#include "../src/workbench/pack/pack.h"
-#include "../src/workbench/survive/simulation.h"
+#include "../../../platform/platform.h"
+#include "../../../src/machine/machine.h"
+#include "../../../src/demo/demo.h"
+#include "../../../src/workbench/pack/pack.h"
+#include "../../../src/workbench/survive/simulation.h"
 
 enum { LASER = 6 /* bullets that a laser counts as */ };
 

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """music.py - checks the music of a game against what is declared beside it, and how loud all of it is.
 
-    tools/music.py [--curtain PROGRAM] GAME [NAME...]           notes: key, chords, form (docs/measured/music.md)
-    tools/music.py [--curtain PROGRAM] --levels GAME [NAME...]  loudness, peaks, loops
-    tools/music.py [--curtain PROGRAM] --sounds GAME [NAME...]  the sounds: length, peak, level
-    tools/music.py [--curtain PROGRAM] --page GAME              docs/measured/music.md
+    music.py [--curtain PROGRAM] GAME [NAME...]           notes: key, chords, form (docs/measured/music.md)
+    music.py [--curtain PROGRAM] --levels GAME [NAME...]  loudness, peaks, loops
+    music.py [--curtain PROGRAM] --sounds GAME [NAME...]  the sounds: length, peak, level
+    music.py [--curtain PROGRAM] --page GAME              docs/measured/music.md
 
 Prints a line of figures for each piece, and a sentence for each fault; exit code 1: there was one. Notes come from
 `curtain sound GAME NAME --notes`, which is the packed tune as the board reads it, so MML is not read here: of a file
@@ -504,8 +504,8 @@ def check_sounds(curtain, game, names):
 
 PAGE = """# The music of Glass Tide
 
-`tools/music.py --page roms/glasstide >docs/measured/music.md` writes this page; [music.sh](../../tests/cli/music.sh)
-checks it.
+`roms/glasstide/source/music.py --page roms/glasstide >docs/measured/music.md` writes this page;
+[music.sh](../../tests/cli/music.sh) checks it.
 
 The game has {count} pieces and {sounds} sounds, all written in MML, in [music](../../{game}/music) and
 [sfx](../../{game}/sfx). All pieces share a motif of scale degrees, 1 5 4 | 5 2 3. The motif is like a wave: it
@@ -534,7 +534,7 @@ Comments in each piece declare its key, tempo, form, tracks and chords:
 bars, two chords in a bar last half a bar each, and `%` repeats the previous bar. If `A'` has no line, it uses the
 chords of `A`. A key can be major, minor, harmonic minor, melodic minor, dorian, phrygian, lydian or mixolydian.
 
-`tools/music.py GAME` reads the notes from the packer (`curtain sound GAME NAME --notes`) and checks them against these
+`music.py GAME` reads the notes from the packer (`curtain sound GAME NAME --notes`) and checks them against these
 rules:
 
 | | required |

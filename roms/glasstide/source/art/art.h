@@ -4,8 +4,8 @@
  * Everything is made of + - * / and sqrt on doubles, so that every host writes the same bytes. Angles are turns (1 is a
  * whole turn), clockwise with y down; lengths are pixels. Light comes from the top left.
  */
-#ifndef TOOLS_ART_H
-#define TOOLS_ART_H
+#ifndef ART_H
+#define ART_H
 
 #include <stdbool.h>
 #include <stdint.h>
