@@ -9,6 +9,7 @@ import sys
 
 CURTAIN = os.environ.get("CURTAIN", "build/curtain-null")
 COLOURS = ["#3a9d5d", "#2f7fc1", "#d08a1d", "#c23b4e"]  # of difficulties, the easiest first
+MEASURED = subprocess.check_output("tools/docs/measured.sh", text=True).strip()
 BOTS = 16  # of survive without --bots
 APART = ("caravan", "rush")  # games of their own
 
@@ -106,6 +107,8 @@ def survive_page(folder):
 Tide* at every difficulty, and for every page of the cookbook. Each run that the command finds is saved as a demo that
 passes `curtain verify`; the demos for phases are in `tests/demos/phases`. [game.md](game.md) shows the difficulty as
 curves.
+
+""" + MEASURED + """
 
 [The guide](../guide/28-survive.md) explains the columns and their limits. In short:
 
@@ -259,6 +262,8 @@ def game_page(folder):
 `make survive` writes this page together with [survive.md](survive.md). The picture shows the sections of *Glass Tide*
 in the order of play, with one curve per difficulty. Dots on solid lines are boss phases; dots on dotted lines are the
 stage sections between them.
+
+""" + MEASURED + """
 
 ![Hits per minute over the sections of the game, one curve per difficulty](../images/game-curve.svg)
 

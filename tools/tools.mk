@@ -1,6 +1,6 @@
 # What publishes, ports, paints and measures.
 
-.PHONY: windows players ports library web art demos cookbook patterns docs survive accuracy sound pacing bench bench-fx
+.PHONY: windows players ports library web art demos cookbook patterns docs docs-stale survive accuracy sound pacing bench bench-fx
 .PHONY: bench-fx-objects compare bulletml prove cross
 
 # LUA_INSIDE=1: programs contain Lua, compiled as Debian does it, without its program and what the sandbox leaves out.
@@ -247,6 +247,10 @@ cookbook: deps-play
 patterns: deps-play
 	@$(MAKE) build/curtain-null $(OUT)/lively
 	@OUT=$(OUT) python3 roms/glasstide/source/patterns.py
+
+# The measured pages that are older than what they measure (tools/README.md).
+docs-stale:
+	@tools/docs/stale.sh
 
 # README and docs/ as one file; make install takes it along, if it was made.
 docs: deps-docs

@@ -1,14 +1,15 @@
 #!/usr/bin/env bash
 # music.sh - the music of Glass Tide is in the key, on the chords and of the form that its files declare, as loud as one
-# another, without a click; its sounds are short and heard. The game's source/music.py measures
-# it; every planted fault is found.
+# another, without a click; its sounds are short and heard. source/music.py of the game
+# measures it; every planted fault is found.
 . "$(dirname "$0")/../tap.sh"
 sandbox
 game=$repo/roms/glasstide
 checker=$repo/roms/glasstide/source/music.py
 music() { python3 "$checker" --curtain "$curtain" "$@"; }
 
-declared() { sed '/^## Levels/,$d' "$1"; } # what follows is measured, and is another with another engine
+# What follows is measured, and is another with another engine.
+declared() { sed '/^## Levels/,$d; /^Measured at commit/d' "$1"; }
 
 (cd "$repo" && music --page roms/glasstide) >page 2>faults
 same "pieces are what their files declare; levels are equal, unclipped, centred, without a click" "" "$(cat faults)"

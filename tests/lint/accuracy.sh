@@ -5,9 +5,9 @@ measured=accuracy
 . "$(dirname "$0")/../measured.sh"
 lab=$OUT/lab
 
-# A page with its times taken out.
-masked() { sed -e 's/≈[^ |]*/≈/g' -e 's/^Measured on: .*/Measured on: ≈/' "$1"; }
-same_page() { diff <(masked "$1") <(masked "$scratch/new/accuracy.md"); }
+# A page without its times, commit and machine.
+masked() { sed -e 's/≈[^ |]*/≈/g' -e '/^Measured /d' "$1"; }
+same_page() { diff -B <(masked "$1") <(masked "$scratch/new/accuracy.md"); }
 same_plot() { diff -q "$1" "$scratch/new/accuracy/$(basename "$1")"; }
 
 mkdir "$scratch/new"

@@ -4,7 +4,7 @@ measured=sound
 . "$(dirname "$0")/../measured.sh"
 ear=$OUT/ear
 
-same_page() { diff "$1" "$scratch/new/sound.md"; }
+same_page() { diff -B -I "^Measured at commit" "$1" "$scratch/new/sound.md"; }
 same_plots() { diff -r "$1" "$scratch/new/sound"; }
 
 mkdir "$scratch/new"

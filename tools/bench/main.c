@@ -127,24 +127,6 @@ void bench_claim(const char *wrong, const char *where)
     bench.wrong = true;
 }
 
-/* The line that names the commit measured, or "" outside a repository. */
-static const char *commit_line(void)
-{
-    static char line[128];
-    char commit[64] = "";
-    FILE *f = popen("git log -1 --format='%h (%cs)' 2>/dev/null", "r");
-
-    if (!f)
-        return "";
-    if (!fgets(commit, sizeof commit, f))
-        commit[0] = 0;
-    pclose(f);
-    commit[strcspn(commit, "\n")] = 0;
-    if (commit[0])
-        snprintf(line, sizeof line, "Measured at commit %s.\n\n", commit);
-    return line;
-}
-
 int main(int argc, char **argv)
 {
     struct report_options o = { .usage = "bench [--out FOLDER]" };
@@ -159,14 +141,10 @@ int main(int argc, char **argv)
                                                       : NULL,
                                    .page = "speed",
                                    .echo = true });
-    printf("%s\n\n", report_machine());
     double from = bench_now();
     bench_own_clock(false);
     report_run(&o, SECTIONS, COUNT);
-    snprintf(intro, sizeof intro,
-             "%s%sMeasured on: %s; the bench was running for %s of the time.\n"
-             "\n",
-             ABOUT, commit_line(), report_machine(),
+    snprintf(intro, sizeof intro, "%sThe bench was running for %s of the time.\n\n", ABOUT,
              report_percent((double)clock() / CLOCKS_PER_SEC * 1e9 / (bench_now() - from)));
     report_finish(intro, "## Targets\n"
                          "\n"

@@ -220,7 +220,6 @@ bool tool_speed(struct tool_times *out)
     double ratio[DOCUMENTS * SIZES][HOSTS], line[SIZES][HOSTS];
 
     report_section("Speed");
-    report_text("%s", report_machine());
     report_text(
         "libbulletml only computes the directions and speeds of bullets; a *host* moves them. The *plain host* "
         "computes a bullet's velocity in every frame; the *fast host* computes it only when the direction or speed "

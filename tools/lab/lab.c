@@ -150,10 +150,7 @@ static const char ABOUT[] =
 
 int lab_finish(void)
 {
-    char intro[8192];
-
-    snprintf(intro, sizeof intro, "%sMeasured on: %s\n\n", ABOUT, lab.exact ? "≈" : report_machine());
-    report_finish(intro, "## Conclusions\n"
+    report_finish(ABOUT, "## Conclusions\n"
                          "\n"
                          "| choice | engine default | reason | alternative |\n"
                          "|---|---|---|---|\n");

@@ -137,11 +137,9 @@ static void looking(const char *folder, const char *recording)
 void section_costs(void)
 {
     report_section("Cost");
-    report_text("Measured on: %s. A frame lasts 16.7 ms.\n"
-                "The host composes the window itself if it shows anything besides an integer-scaled picture, such as "
-                "smooth scaling, the\n"
-                "CRT filter, a border, or side panels.",
-                report_machine());
+    report_text("A frame lasts 16.7 ms. The host composes the window itself if it shows anything besides an "
+                "integer-scaled\n"
+                "picture, such as smooth scaling, the CRT filter, a border, or side panels.");
     windows();
     report_text("Run-ahead (`run_ahead = 1`) adds a snapshot, a tick and a restore to each frame:");
     report_table("Microseconds, medians over a recorded run",

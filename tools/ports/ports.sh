@@ -81,6 +81,7 @@ cat $into/need
 cat $into/speed
 while IFS= read -r line; do
     case $line in
+    @MEASURED@) tools/docs/measured.sh "$(${CC:-cc} --version | head -n 1)" ;;
     @TABLE@) cat $into/table ;;
     @SLOTS@) sed '/^$/,$d' $into/need ;;
     @GAMES@) sed '1,/^$/d' $into/need ;;

@@ -35,5 +35,6 @@ summary=$(awk '$3 ~ /^inputs/ { functions++; inputs += $2; wrong += $4 }
     echo "The last output of make prove. Each line has the number of inputs, the number misrounded, the largest error,"
     echo "the number of ties, the number of inputs near a tie and the nearest of them, and how the inputs were chosen."
     echo
+    tools/docs/measured.sh
     cat "$dir/said" "$dir/end"
 } | sed 's/ ([0-9.]* s)$//' >docs/measured/proof.txt

@@ -307,36 +307,6 @@ void *report_plot_file(const char *file, bool timed)
     return open_file(report_string("%s/%s/%s.svg", r->folder, r->page, file));
 }
 
-/* What the system tells of the processor under that key, or `otherwise`; *times: how often, as a rule once a core. */
-static const char *cpuinfo(const char *key, const char *otherwise, int *times)
-{
-    char line[4096];
-    const char *value = otherwise;
-    FILE *f = fopen("/proc/cpuinfo", "r");
-
-    *times = 0;
-    while (f && fgets(line, sizeof line, f)) {
-        char *colon = strchr(line, ':');
-        if (strncmp(line, key, strlen(key)) || !colon || !colon[1])
-            continue;
-        line[strcspn(line, "\n")] = 0;
-        value = ++*times == 1 ? report_string("%.200s", colon + 2) : value;
-    }
-    if (f)
-        fclose(f);
-    return value;
-}
-
-static const char *processor(void)
-{
-    int times, cores;
-    const char *name = cpuinfo("model name", "a processor that does not tell its name", &times);
-    const char *mhz = cpuinfo("cpu MHz", "?", &times), *cache = cpuinfo("cache size", "? KB", &times);
-
-    cpuinfo("processor", "", &cores);
-    return report_string("%s, %d cores, %.*s MHz, %s of cache", name, cores, (int)strcspn(mhz, "."), mhz, cache);
-}
-
 #ifdef __clang__
 #define COMPILER "clang " __clang_version__
 #elif defined(__GNUC__)
@@ -358,9 +328,21 @@ static size_t flags_length(void)
     return n;
 }
 
-const char *report_machine(void)
+/* The script's lines; the compiler's name goes through the environment, so nothing is quoted. */
+static const char *measured(void)
 {
-    return report_string("%s; %s; `%.*s`", processor(), COMPILER, (int)flags_length(), REPORT_FLAGS);
+    char lines[512];
+    size_t n = 0;
+    FILE *f;
+
+    setenv("WITH", report_string("%s; `%.*s`", COMPILER, (int)flags_length(), REPORT_FLAGS), 1);
+    f = popen(report.about.exact ? "tools/docs/measured.sh" : "tools/docs/measured.sh \"$WITH\"", "r");
+    if (f) {
+        n = fread(lines, 1, sizeof lines - 1, f);
+        pclose(f);
+    }
+    lines[n] = 0;
+    return report_string("%s", lines);
 }
 
 void report_conclude(const char *const *cells, int n)
@@ -384,7 +366,7 @@ void report_finish(const char *intro, const char *conclusions)
         body->s[--body->n] = 0;
     if (report.about.folder) {
         FILE *f = open_file(report_string("%s/%s.md", report.about.folder, report.about.page));
-        fputs(intro, f);
+        fprintf(f, "%s%s", intro, measured());
         if (report.conclusions.n)
             fprintf(f, "%s%s\n", conclusions, report.conclusions.s);
         fputs(body->s ? body->s : "", f);

@@ -23,13 +23,13 @@ struct report {
     const char *program; /* for messages */
     const char *folder;  /* NULL: nothing is written */
     const char *page;
-    bool exact; /* no times are taken: plots of times are not written */
+    bool exact; /* no times are taken: plots of times are not written, and the page names no machine */
     bool echo;  /* what is collected is printed as well */
 };
 
 void report_begin(const struct report *report);
 
-/* Writes the page: intro, then (if there are any) conclusions and the rows of report_conclude, then the body. */
+/* Writes the page: intro, the commit and the machine (tools/docs/measured.sh), then (if there are any) conclusions and the rows of report_conclude, then the body. */
 void report_finish(const char *intro, const char *conclusions);
 
 /* A row of the table that opens the page; the second cell is bold. */
@@ -40,9 +40,6 @@ void report_conclude(const char *const *cells, int n);
 __attribute__((noreturn))
 #endif
 void report_fail(const char *what);
-
-/* "PROCESSOR; COMPILER; `FLAGS`" of this machine and this program. */
-const char *report_machine(void);
 
 /* ---- the command line: [--exact] [--out FOLDER] [SECTION...] ---- */
 

@@ -502,6 +502,8 @@ def check_sounds(curtain, game, names):
 
 # ---- the page ----
 
+MEASURED = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../../tools/docs/measured.sh")
+
 PAGE = """# The music of Glass Tide
 
 `roms/glasstide/source/music.py --page roms/glasstide >docs/measured/music.md` writes this page;
@@ -510,6 +512,8 @@ PAGE = """# The music of Glass Tide
 The game has {count} pieces and {sounds} sounds, all written in MML, in [music](../../{game}/music) and
 [sfx](../../{game}/sfx). All pieces share a motif of scale degrees, 1 5 4 | 5 2 3. The motif is like a wave: it
 rises, falls back, and then rises less than before.
+
+{measured}
 
 The column *form and bars* lists the sections of each piece, each with its number of bars.
 
@@ -622,7 +626,7 @@ def page(curtain, game):
     rules += [f"| {what} | {most} |" for what, most in LIMITS]
     sizes = dict(re.findall(r"^\w+ (\w+): (?:.*, )?([\d,]+) bytes", listing(curtain, game), re.M))
     print(PAGE.format(
-        count=len(pieces), sounds=len(sounds), game=game, notes=table(notes), levels=table(levels),
+        measured=run(MEASURED).strip(), count=len(pieces), sounds=len(sounds), game=game, notes=table(notes), levels=table(levels),
         heard=table(heard_rows), long=LONG, short=SHORT, spread=SPREAD, peak=PEAK, round=100 * ROUND, dc=DC,
         pieces="\n".join(f"{about(game, n, WHERE.get(n, ''))} {seconds[n]} |" for n in pieces),
         rules="\n".join(rules),

@@ -204,6 +204,7 @@ pattern has a description from the script and two pictures: one on normal and on
 of the pattern with the most objects. The pictures come from recordings of complete games in `tests/demos/glasstide`,
 played by an invincible bot. The [cookbook](../cookbook.md) shows how to write patterns.
 """
+    yield subprocess.check_output("tools/docs/measured.sh", text=True)
     for stage in stages:
         yield "\n## %s\n" % stage.title()
         said, boss = marks(files, stage), ""
