@@ -14,7 +14,7 @@ rows() { # the page and its directories, which are the last cell
 }
 rows | while read -r page paths; do
     page=$(realpath -m --relative-to=. "$(dirname "$table")/$page")
-    read -ra paths <<<"$paths :!roms/*/source"
+    read -ra paths <<<"$paths :!roms/*/source/*"
     [ -f "$page" ] || { echo "$page: no such page"; continue; }
     commit=$(sed -nE 's/.*(Measured at|from) commit ([0-9a-f]{7,40}).*/\2/p' "$page" | head -n 1)
     if [ -z "$commit" ]; then

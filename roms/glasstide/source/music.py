@@ -626,7 +626,8 @@ def page(curtain, game):
     rules += [f"| {what} | {most} |" for what, most in LIMITS]
     sizes = dict(re.findall(r"^\w+ (\w+): (?:.*, )?([\d,]+) bytes", listing(curtain, game), re.M))
     print(PAGE.format(
-        measured=run(MEASURED).strip(), count=len(pieces), sounds=len(sounds), game=game, notes=table(notes), levels=table(levels),
+        measured=run(MEASURED).strip(),
+        count=len(pieces), sounds=len(sounds), game=game, notes=table(notes), levels=table(levels),
         heard=table(heard_rows), long=LONG, short=SHORT, spread=SPREAD, peak=PEAK, round=100 * ROUND, dc=DC,
         pieces="\n".join(f"{about(game, n, WHERE.get(n, ''))} {seconds[n]} |" for n in pieces),
         rules="\n".join(rules),

@@ -37,6 +37,13 @@ void art_night_palette(uint32_t rgb[256]);
 double art_sin(double turns);
 double art_cos(double turns);
 double art_clamp(double v, double lo, double hi);
+/* A number that rises and falls once in four frames. */
+double art_sway(int frame, double phase);
+/* The next number of a seed's sequence: 0 to 1, and lo to hi. */
+double art_random(uint32_t *seed);
+double art_pick(uint32_t *seed, double lo, double hi);
+/* The threshold of a pixel, 1/32 to 31/32: the 4 x 4 ordered matrix of Bayer, 1973. */
+double art_dither(int x, int y);
 
 /* -- the modeller -- */
 
@@ -62,9 +69,11 @@ void paint_band(struct paint *p, double y0, double y1);
 void paint_ball(struct paint *p, struct mat m, double x, double y, double rx, double ry, double turn);
 /* A tube from a to b whose radius goes from ra to rb. */
 void paint_limb(struct paint *p, struct mat m, double ax, double ay, double ra, double bx, double by, double rb);
-/* A tube along the curve a..b pulled towards c. */
+/* A tube along the curve a..b pulled towards c; a bow is the same with numbers. */
 void paint_curve(struct paint *p, struct mat m, const double a[2], const double c[2], const double b[2], double ra,
                  double rb);
+void paint_bow(struct paint *p, struct mat m, double ax, double ay, double cx, double cy, double bx, double by,
+               double ra, double rb);
 /* A plate with edges bevelled over `bevel` pixels; xy holds n points, clockwise. */
 void paint_poly(struct paint *p, struct mat m, int n, const double *xy, double bevel);
 /* A fin: a skin from the root to n tips, with a rib to each and an edge that hangs in by `sag` (0..1) between them. */

@@ -8,12 +8,6 @@
 
 enum { SIDE = 128, ACROSS = 5, PLATES = ACROSS * ACROSS };
 
-static double random_from(uint32_t *seed)
-{
-    *seed = *seed * 1664525u + 1013904223u;
-    return (*seed >> 8 & 0xffff) / 65536.0;
-}
-
 struct plate {
     double x, y, shade, lean_x, lean_y;
     bool lit; /* what its cracks hold glimmers */
@@ -25,11 +19,11 @@ static void lay_plates(struct plate *plates)
 
     for (int i = 0; i < PLATES; i++) {
         double side = (double)SIDE / ACROSS;
-        plates[i].x = (i % ACROSS + 0.12 + 0.76 * random_from(&seed)) * side;
-        plates[i].y = (i / ACROSS + 0.12 + 0.76 * random_from(&seed)) * side;
-        plates[i].shade = 4.2 + 2.4 * random_from(&seed);
-        plates[i].lean_x = 0.16 * (random_from(&seed) - 0.5);
-        plates[i].lean_y = 0.16 * (random_from(&seed) - 0.5);
+        plates[i].x = (i % ACROSS + 0.12 + 0.76 * art_random(&seed)) * side;
+        plates[i].y = (i / ACROSS + 0.12 + 0.76 * art_random(&seed)) * side;
+        plates[i].shade = 4.2 + 2.4 * art_random(&seed);
+        plates[i].lean_x = 0.16 * (art_random(&seed) - 0.5);
+        plates[i].lean_y = 0.16 * (art_random(&seed) - 0.5);
         plates[i].lit = i % 7 == 3;
     }
 }

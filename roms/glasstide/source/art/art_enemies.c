@@ -9,16 +9,11 @@ static const struct mat GLAZE = { GLASS, 2, 9, 0 }, CLEAR = { VEIL, 2, 9, 0 }, S
 static const struct mat INNER = { MATTE, 10, 13, 0.1 }, BEAD = { GLASS, 10, 14, 0.1 }, EYE = { FLAT, 1, 1, 0 },
                         GLEAM = { FLAT, 15, 15, 0 };
 
-static double wave(int frame, double phase)
-{
-    return art_sin(frame / 4.0 + phase);
-}
-
 /* The smallest: a drop with two long feelers that row. */
 static void krill(struct sheet *s, int x, int y, int frame)
 {
     struct paint *p = paint_new(20, 22);
-    double k = wave(frame, 0);
+    double k = art_sway(frame, 0);
     double a[2] = { 2.0, 5.0 }, c[2] = { 8.6, 6.5 - k * 2.0 }, b[2] = { 8.6 - k * 0.4, -2.6 - k * 2.2 };
     double fork[] = { 0.2, -10.2, 2.6, -9.6 + k * 0.5, 3.4, -8.0 };
     paint_mirror(p, true);
@@ -35,7 +30,7 @@ static void krill(struct sheet *s, int x, int y, int frame)
 static void fish(struct sheet *s, int x, int y, int frame)
 {
     struct paint *p = paint_new(28, 32);
-    double k = wave(frame, 0), l = wave(frame, 0.25), tx = k * 3.0;
+    double k = art_sway(frame, 0), l = art_sway(frame, 0.25), tx = k * 3.0;
     double a[2] = { 0, 1 }, c[2] = { 0, -5 }, b[2] = { tx, -9 };
     double tail[] = { tx - 4.6 + l, -14.6, tx - 1.6, -13.2, tx + l * 1.2, -12.2, tx + 1.6, -13.2, tx + 4.6 + l, -14.6 };
     double fin[] = { 5.0, 6.2, 9.6, 3.4 - k * 0.4, 12.0, -3.0 + k * 0.8, 7.0, -2.2 };
@@ -59,9 +54,9 @@ static void fish(struct sheet *s, int x, int y, int frame)
 static void jelly(struct sheet *s, int x, int y, int frame)
 {
     struct paint *p = paint_new(36, 44);
-    double k = wave(frame, 0), rx = 13.6 + k * 1.3, ry = 13.4 - k * 1.2, top = -7.0;
+    double k = art_sway(frame, 0), rx = 13.6 + k * 1.3, ry = 13.4 - k * 1.2, top = -7.0;
     for (int i = 0; i < 5; i++) {
-        double tx = (i - 2) * 4.4, sway = wave(frame, 0.17 * i);
+        double tx = (i - 2) * 4.4, sway = art_sway(frame, 0.17 * i);
         double a[2] = { tx * 0.8, top + 3 }, c[2] = { tx + sway * 4.0, 7 },
                b[2] = { tx * 1.2 - sway * 3.4, 19.4 - (i % 2) * 3.5 - k };
         paint_curve(p, i % 2 ? SKIN : INNER, a, c, b, 1.5, 0.5);
@@ -86,9 +81,9 @@ static void jelly(struct sheet *s, int x, int y, int frame)
 static void ray(struct sheet *s, int x, int y, int frame)
 {
     struct paint *p = paint_new(52, 44);
-    double k = wave(frame, 0), tip = 23.0 - 2.6 * (k < 0 ? -k : k), lift = k * 4.0;
+    double k = art_sway(frame, 0), tip = 23.0 - 2.6 * (k < 0 ? -k : k), lift = k * 4.0;
     double wing[] = { 2, 13.5, 8, 12.0, 14, 7.0 + lift * 0.2, tip, 3.0 + lift, 16, -3.5 + lift * 0.4, 9, -7.2, 2, -9 };
-    double a[2] = { 0, -5 }, c[2] = { wave(frame, 0.2) * 3.0, -13 }, b[2] = { wave(frame, 0.45) * 4.4, -20.5 };
+    double a[2] = { 0, -5 }, c[2] = { art_sway(frame, 0.2) * 3.0, -13 }, b[2] = { art_sway(frame, 0.45) * 4.4, -20.5 };
     double spot[] = { 9.0, 5.2, 13.0, 3.4 + lift * 0.2, 12.6, 0.4 + lift * 0.2, 8.6, 0.6 };
     double horn0[2] = { 2.8, 11 }, hornc[2] = { 5.6, 14 }, horn1[2] = { 4.0, 18.4 };
     paint_curve(p, GLAZE, a, c, b, 2.0, 0.5);
@@ -136,7 +131,7 @@ static void nautilus(struct sheet *s, int x, int y, int frame)
     struct paint *p = paint_new(44, 42);
     double cx = -4.0, cy = -2.6;
     for (int i = 0; i < 6; i++) {
-        double sway = wave(frame, i * 0.19), bx = 17.6 - i * 2.6, by = 10.0 + i * 1.5;
+        double sway = art_sway(frame, i * 0.19), bx = 17.6 - i * 2.6, by = 10.0 + i * 1.5;
         double a[2] = { 7.0 - i * 0.6, 7.0 + i * 0.3 }, c[2] = { 14.0 - i, 9.0 + i + sway },
                b[2] = { bx + sway * 1.4, by + 3.0 - sway };
         paint_curve(p, i % 2 ? SKIN : INNER, a, c, b, 1.9, 0.6);
@@ -171,7 +166,7 @@ static void buoy(struct sheet *s, int x, int y, int frame)
 {
     static const struct mat rope = { MATTE, 10, 13, 0.2 };
     struct paint *p = paint_new(36, 40);
-    double k = wave(frame, 0), cx = k * 0.8, r = 15.0;
+    double k = art_sway(frame, 0), cx = k * 0.8, r = 15.0;
     paint_ball(p, (struct mat){ GLASS, 2, 9, 0.05 }, cx, 2, r, r, 0);
     for (int i = -1; i <= 1; i++) {
         double a[2] = { cx, 2 - r }, c[2] = { cx + i * 19.0 + k * 1.5, 2 }, b[2] = { cx, 2 + r };
@@ -210,7 +205,7 @@ static const struct mat FLESH = { MATTE, 12, 13, 0.1 }, NIGHT = { FLAT, 1, 1, 0 
 static void crab_legs(struct paint *p, int frame)
 {
     for (int i = 0; i < 3; i++) {
-        double k = wave(frame, i * 0.33) * 1.6, kx = 30 - i * 3.0, ky = -17.0 + i * 8.5 + k;
+        double k = art_sway(frame, i * 0.33) * 1.6, kx = 30 - i * 3.0, ky = -17.0 + i * 8.5 + k;
         double a[2] = { 14, -5.0 + i * 4.5 }, c[2] = { 24, ky - 3 }, b[2] = { kx, ky };
         paint_curve(p, PANE, a, c, b, 2.6, 2.0);
         paint_limb(p, PANE, kx, ky, 2.0, kx + 8.0 - i * 2.2, ky + 8.5 - k, 0.7);
@@ -222,7 +217,7 @@ static void crab_claw(struct paint *p, int frame)
 {
     static const double out[] = { -4.0, -4.5, 4.4, -5.5, 7.6, 1.5, 6.0, 9.5, 0.6, 16.0, 1.6, 8.4, 0.2, 3.6, -4.6, 2.6 };
     static const double in[] = { -5.4, -1.0, 0.6, 3.6, -0.4, 8.6, -3.4, 14.0, -6.2, 7.6 };
-    double k = wave(frame, 0.1), open = 0.6 + 0.6 * wave(frame, 0.4), cx = 25.0 + k, cy = 12.0 + k, outer[16],
+    double k = art_sway(frame, 0.1), open = 0.6 + 0.6 * art_sway(frame, 0.4), cx = 25.0 + k, cy = 12.0 + k, outer[16],
            inner[10];
     double a[2] = { 14, 4 }, c[2] = { 27, -1 }, b[2] = { cx, cy };
     for (int i = 0; i < 16; i++)
@@ -242,7 +237,7 @@ static void crab(struct sheet *s, int x, int frame)
     static const double horn[] = { 5.5, -12.4, 9.6, -16.6, 9.4, -11.0 };
     static const double spike[] = { 16, -9.0, 22.6, -11.6, 19.4, -5.4 };
     struct paint *p = paint_new(80, 60);
-    double k = wave(frame, 0) * 0.6;
+    double k = art_sway(frame, 0) * 0.6;
     paint_mirror(p, true);
     crab_legs(p, frame);
     crab_claw(p, frame);
@@ -269,7 +264,7 @@ static void crab(struct sheet *s, int x, int frame)
 
 static void queen_fins(struct paint *p, int frame)
 {
-    double k = wave(frame, 0) * 3.0, l = wave(frame, 0.3) * 3.0;
+    double k = art_sway(frame, 0) * 3.0, l = art_sway(frame, 0.3) * 3.0;
     double lower[] = { 20, 32 + l, 30, 28 + l, 37, 20 + l * 0.6, 38, 11, 30, 6 };
     double upper[] = { 34, 6,  43, -4 + k * 0.4, 47, -17 + k, 45.5, -30 + k, 37, -38 + k * 0.8, 27, -30 + k * 0.4,
                        17, -20 };
@@ -282,7 +277,7 @@ static void queen_fins(struct paint *p, int frame)
 static void queen_arms(struct paint *p, int frame)
 {
     for (int i = 0; i < 4; i++) {
-        double sway = wave(frame, 0.21 * i), tx = 3.5 + i * 5.2;
+        double sway = art_sway(frame, 0.21 * i), tx = 3.5 + i * 5.2;
         double a[2] = { tx * 0.8, 8 }, c[2] = { tx + 5 + sway * 5, 26 },
                b[2] = { tx * 1.25 - sway * 5, 46.5 - i * 4.6 };
         paint_curve(p, i % 2 ? PANE : FLESH, a, c, b, 2.5, 0.6);
@@ -306,7 +301,7 @@ static void queen(struct sheet *s, int x, int frame)
 {
     static const double slit[] = { 0, -12.4, 2.3, -6.0, 0, 0.4, -2.3, -6.0 };
     struct paint *p = paint_new(96, 96);
-    double k = wave(frame, 0), rx = 22.5 + k * 0.8;
+    double k = art_sway(frame, 0), rx = 22.5 + k * 0.8;
     paint_mirror(p, true);
     queen_fins(p, frame);
     queen_arms(p, frame);
@@ -324,7 +319,7 @@ static void queen(struct sheet *s, int x, int frame)
     paint_mirror(p, false);
     for (int row = 0; row < 2; row++) {
         for (int i = 0; i < 9 - row; i++) {
-            double u = (i - 4 + row * 0.5) / 4.0, ry = 3.4 + wave(frame, i * 0.25 + row * 0.5) * 0.6;
+            double u = (i - 4 + row * 0.5) / 4.0, ry = 3.4 + art_sway(frame, i * 0.25 + row * 0.5) * 0.6;
             paint_ball(p, row ? GOLD : PANE, u * (rx - 1.0), 7.6 + row * -1.8 - u * u * 3.0, row ? 1.5 : 3.6,
                        row ? 1.5 : ry, 0);
         }

@@ -38,18 +38,10 @@ static double cloud(double x, double y, uint32_t seed)
            0.16 * noise(4.3 * x, 4.3 * y, seed + 2);
 }
 
-/* The threshold of a pixel: the 4 x 4 ordered matrix of Bayer, 1973. */
-static double threshold(int x, int y)
-{
-    static const int order[4][4] = { { 0, 8, 2, 10 }, { 12, 4, 14, 6 }, { 3, 11, 1, 9 }, { 15, 7, 13, 5 } };
-
-    return (order[y & 3][x & 3] * 2 + 1) / 32.0;
-}
-
 /* Puts light of 0 to 1; under the darkest shade nothing is left. */
 static void put(struct sheet *s, int x, int y, double v)
 {
-    int shade = (int)(art_clamp(v, 0, 1) * 14.9 + threshold(x, y));
+    int shade = (int)(art_clamp(v, 0, 1) * 14.9 + art_dither(x, y));
 
     if (shade > sheet_get(s, x, y))
         sheet_set(s, x, y, shade > 15 ? 15 : shade);
@@ -218,7 +210,7 @@ struct sheet art_logo_light(void)
         for (int i = 0; i < logo.w * logo.h; i++) {
             int x = i % logo.w, y = i / logo.w, shade = sheet_get(&logo, x, y);
             double at = (k + 0.5) / RINGS * (logo.w + 80) - 20, off = fabs(x + y * 0.5 - at) / 15;
-            if (shade > 1 && off + 0.6 * threshold(x, y) < 1)
+            if (shade > 1 && off + 0.6 * art_dither(x, y) < 1)
                 sheet_set(&s, logo.w * k + x, y, off < 0.4 ? 15 : shade < 10 ? 9 : 14);
         }
     sheet_free(&logo);

@@ -6,14 +6,6 @@
  */
 #include "art.h"
 
-/* The threshold of a pixel, 1/32 to 31/32: the 4 x 4 ordered matrix of Bayer, 1973. */
-static double threshold(int x, int y)
-{
-    static const int order[4][4] = { { 0, 8, 2, 10 }, { 12, 4, 14, 6 }, { 3, 11, 1, 9 }, { 15, 7, 13, 5 } };
-
-    return (order[y & 3][x & 3] * 2 + 1) / 32.0;
-}
-
 /* Light that falls off from `core` in the middle to nothing at the rim, as the square of the depth (squared again for a
  * ball: its middle is broad). */
 static void light(struct sheet *s, int x, int y, int size, double core, bool ball)
@@ -26,7 +18,7 @@ static void light(struct sheet *s, int x, int y, int size, double core, bool bal
             if (depth <= 0)
                 continue;
             double v = core * depth * depth * (ball ? 1 : depth);
-            int shade = (int)(v + threshold(i, j));
+            int shade = (int)(v + art_dither(i, j));
             sheet_set(s, x + i, y + j, shade > 15 ? 15 : shade);
         }
 }
@@ -46,7 +38,7 @@ static void glow_strip(struct sheet *s, int x, int y, int h)
     for (int j = 0; j < h; j++)
         for (int i = 0; i < 4; i++) {
             double d = (j + 0.5) / h * 2 - 1, depth = 1 - d * d;
-            sheet_set(s, x + i, y + j, (int)(art_clamp(15 * depth * depth, 0, 14.9) + threshold(i, j)));
+            sheet_set(s, x + i, y + j, (int)(art_clamp(15 * depth * depth, 0, 14.9) + art_dither(i, j)));
         }
 }
 

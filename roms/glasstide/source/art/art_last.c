@@ -36,14 +36,6 @@ static const double craters[CRATERS][3] = {
     { 28, 42, 6 },    { -8, 56, 4.5 }, { 26, -48, 4 },  { -56, -12, 4 }, { 46, 38, 4.5 },
 };
 
-/* 4 x 4 steps between two shades. */
-static double order(int x, int y)
-{
-    static const int bayer[4][4] = { { 0, 8, 2, 10 }, { 12, 4, 14, 6 }, { 3, 11, 1, 9 }, { 15, 7, 13, 5 } };
-
-    return (bayer[y & 3][x & 3] + 0.5) / 16;
-}
-
 /* The ground's normal is bent by craters: *nx, *ny in, *nx, *ny out. What lies deeper is darker: returned. */
 static double bend(double x, double y, double *nx, double *ny)
 {
@@ -74,10 +66,10 @@ static int ground(const struct face *f, int px, int py, double x, double y)
     double edge = sqrt(x * x + y * y) / DISC;
 
     if (f->eclipse)
-        return edge > 0.955 ? 11 : 1 + (order(px, py) < 0.6 * edge * edge - dark);
+        return edge > 0.955 ? 11 : 1 + (art_dither(px, py) < 0.6 * edge * edge - dark);
     if (light <= 0.04) /* where no light falls only the sea's glimmer shows it */
-        return 1 + (order(px, py) < 0.25 + 0.9 * (1 - edge) - 2 * dark + 0.4 * (nx + ny));
-    return (int)art_clamp(2.4 + 4.6 * light - 9 * dark * light + order(px, py), 2, 8);
+        return 1 + (art_dither(px, py) < 0.25 + 0.9 * (1 - edge) - 2 * dark + 0.4 * (nx + ny));
+    return (int)art_clamp(2.4 + 4.6 * light - 9 * dark * light + art_dither(px, py), 2, 8);
 }
 
 /* The iris: rays about the slit, dark at both of its edges. 0..2. */
@@ -108,11 +100,11 @@ static int eye(const struct face *f, int frame, int px, int py, double x, double
     if (r < ring && fabs(x) < slit)
         return fabs(x) > slit - 1 ? 12 : 1;
     if (r < ring)
-        return 9 + (int)art_clamp(iris_light(x, y, r / ring) + 0.8 * order(px, py), 0, 2.99);
+        return 9 + (int)art_clamp(iris_light(x, y, r / ring) + 0.8 * art_dither(px, py), 0, 2.99);
     if (r < ring + 1.6)
         return 1;
     double ball = 0.9 - r / wide - (y < 0 ? 0.25 : 0);
-    return ball + 0.3 * order(px, py) > 0.52 ? 13 : 12;
+    return ball + 0.3 * art_dither(px, py) > 0.52 ? 13 : 12;
 }
 
 static double sway(int frame, int i)

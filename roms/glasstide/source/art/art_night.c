@@ -19,11 +19,6 @@ static const struct mat GLOWING = { GLOW, 3, 9, 0.02 }, SHADED = { MATTE, 2, 7, 
 static const struct mat WING = { VEIL, 2, 8, 0.0 }, DOWN = { MATTE, 3, 8, 0.16 }, GOLD = { MATTE, 9, 11, 0.14 },
                         EMBER = { GLOW, 12, 15, 0.0 }, DARK = { FLAT, 1, 1, 0 }, SPARK = { FLAT, 15, 15, 0 };
 
-static double wave(int frame, double phase)
-{
-    return art_sin(frame / 4.0 + phase);
-}
-
 /* ---- the kite ---- */
 
 static void kite(struct sheet *s, int x, int frame)
@@ -33,7 +28,7 @@ static void kite(struct sheet *s, int x, int frame)
     static const double body[] = { 0, -15.0, 3.4, -6.0, 2.6, 8.0, 0, 11.6, -2.6, 8.0, -3.4, -6.0 };
     static const double crest[] = { 0, -14.0, 1.7, -8.4, 0, -5.0, -1.7, -8.4 };
     struct paint *p = paint_new(28, 36);
-    double k = wave(frame, 0), l = wave(frame, 0.3);
+    double k = art_sway(frame, 0), l = art_sway(frame, 0.3);
     double a[2] = { 2.0, 8.0 }, c[2] = { 5.6 + 1.6 * k, 11.0 }, b[2] = { 3.6 + 2.0 * l, 16.4 };
 
     paint_mirror(p, true);
@@ -82,7 +77,7 @@ static void tassel(struct paint *p, double x, double y, double sway, double leng
 static void lantern(struct sheet *s, int x, int y, int frame)
 {
     struct paint *p = paint_new(24, 34);
-    double k = wave(frame, 0), sway = 0.9 * wave(frame, 0.2);
+    double k = art_sway(frame, 0), sway = 0.9 * art_sway(frame, 0.2);
 
     tassel(p, sway * 0.4, 8.5, sway, 3.4);
     paint_ball(p, GLOWING, 0, -1.5, 10.2, 9.8, 0);
@@ -98,7 +93,7 @@ static void lantern(struct sheet *s, int x, int y, int frame)
 static void moth(struct sheet *s, int x, int y, int frame)
 {
     struct paint *p = paint_new(40, 32);
-    double k = wave(frame, 0.25), tip = 17.4 - 3.6 * (k < 0 ? -k : 0), lift = 3.4 * k;
+    double k = art_sway(frame, 0.25), tip = 17.4 - 3.6 * (k < 0 ? -k : 0), lift = 3.4 * k;
     double upper[] = { 6, -10.4 - lift * 0.4, 14, -10.6 - lift, tip, -6.4 - lift, 15.0, 0.5, 6, 2 };
     double lower[] = { 8, 1.5, 13.4, 4.0 - lift * 0.3, 12.4, 9.8 - lift * 0.5, 7.0, 11.6, 3, 8 };
     double a[2] = { 0.8, -8 }, c[2] = { 2.4, -12 }, b[2] = { 5.2, -13.6 };
@@ -120,7 +115,7 @@ static void moth(struct sheet *s, int x, int y, int frame)
 static void drum(struct sheet *s, int x, int y, int frame)
 {
     struct paint *p = paint_new(40, 56);
-    double k = wave(frame, 0), sway = 1.1 * wave(frame, 0.2);
+    double k = art_sway(frame, 0), sway = 1.1 * art_sway(frame, 0.2);
 
     tassel(p, -5, 17.5, sway, 3.6);
     tassel(p, 5, 17.5, sway, 3.6);
@@ -158,7 +153,7 @@ static void wing_eye(struct paint *p, double x, double y, double r)
 
 static void keeper_wings(struct paint *p, int frame)
 {
-    double k = wave(frame, 0.25), lift = 5.0 * k, in = k < 0 ? -2.4 * k : 0;
+    double k = art_sway(frame, 0.25), lift = 5.0 * k, in = k < 0 ? -2.4 * k : 0;
     double upper[] = { 10,      -34 - lift * 0.3, 28, -43 - lift, 45 - in, -42 - lift, 54 - in, -31 - lift,
                        52 - in, -16 - lift * 0.6, 42, -4,         24,      4,          8,       2 };
     double lower[] = {
@@ -180,7 +175,7 @@ static void keeper_wings(struct paint *p, int frame)
 static void keeper(struct sheet *s, int x, int frame)
 {
     struct paint *p = paint_new(112, 96);
-    double k = wave(frame, 0), l = wave(frame, 0.3);
+    double k = art_sway(frame, 0), l = art_sway(frame, 0.3);
     double a[2] = { 2.0, -26 }, c[2] = { 7.0, -37 }, b[2] = { 17.0 + l, -43 };
 
     keeper_wings(p, frame);
@@ -236,9 +231,7 @@ static uint32_t noise(int x, int y)
 /* A shade between two, by the 4 x 4 matrix. */
 static int dither(double v, int x, int y)
 {
-    static const int order[4][4] = { { 0, 8, 2, 10 }, { 12, 4, 14, 6 }, { 3, 11, 1, 9 }, { 15, 7, 13, 5 } };
-
-    return (int)(v + (order[y & 3][x & 3] + 0.5) / 16);
+    return (int)(v + art_dither(x, y));
 }
 
 /* The hills' height at x, which repeats after SKY_W. */

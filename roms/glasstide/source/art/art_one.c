@@ -4,11 +4,6 @@
  */
 #include "art.h"
 
-static double wave(int frame, double phase)
-{
-    return art_sin(frame / 4.0 + phase);
-}
-
 /* Bank 10: 2..9 glass, 10..13 what is inside. */
 static const struct mat GLAZE = { GLASS, 2, 9, 0 }, SKIN = { VEIL, 3, 9, 0.05 }, HEART = { GLOW, 10, 15, 0 },
                         INNER = { MATTE, 10, 13, 0.1 }, EYE = { FLAT, 1, 1, 0 }, GLEAM = { FLAT, 15, 15, 0 };
@@ -17,11 +12,11 @@ static const struct mat GLAZE = { GLASS, 2, 9, 0 }, SKIN = { VEIL, 3, 9, 0.05 },
 static void squid(struct sheet *s, int x, int y, int frame)
 {
     struct paint *p = paint_new(30, 44);
-    double k = wave(frame, 0), fat = 6.4 - k * 0.9;
+    double k = art_sway(frame, 0), fat = 6.4 - k * 0.9;
     double fin[] = { 1.0, 21.6, 11.8 - k, 12.5, 8.6 - k * 0.6, 9.0, 2.0, 7.0 };
 
     for (int i = 0; i < 5; i++) {
-        double tx = (i - 2) * 2.6, sway = wave(frame, 0.2 * i) * 2.4, reach = i == 0 || i == 4 ? -20.0 : -17.0;
+        double tx = (i - 2) * 2.6, sway = art_sway(frame, 0.2 * i) * 2.4, reach = i == 0 || i == 4 ? -20.0 : -17.0;
         double a[2] = { tx * 0.7, -5 }, c[2] = { tx * 1.6 + sway, -11 }, b[2] = { tx * 1.3 - sway, reach - k };
         paint_curve(p, i % 2 ? INNER : SKIN, a, c, b, 1.5, 0.6);
     }
@@ -44,7 +39,7 @@ static void squid(struct sheet *s, int x, int y, int frame)
 static void seahorse(struct sheet *s, int x, int y, int frame)
 {
     struct paint *p = paint_new(32, 48);
-    double k = wave(frame, 0);
+    double k = art_sway(frame, 0);
     double neck[3][2] = { { 0, -12 }, { 6.5, -8 }, { 4, 0 } }, belly[3][2] = { { 3, -3 }, { 0, 8 }, { 4, 13 } };
     double tail[3][2] = { { 3.6, 11 }, { 7, 21 }, { -1, 20.5 } }, curl[3][2] = { { -1, 20.5 }, { -7, 18 }, { -2, 15 } };
     double fin[] = { 8.0, -6.0, 13.0 + k, -3.0, 14.0 - k, 2.0, 11.0 + k, 6.0, 6.0, 7.0 };
@@ -155,10 +150,10 @@ static void shell(struct paint *p, double cx, double cy, double r)
 static void lantern(struct sheet *s, int x, int frame)
 {
     struct paint *p = paint_new(84, 80);
-    double k = wave(frame, 0), swing = wave(frame, 0.2) * 1.6;
+    double k = art_sway(frame, 0), swing = art_sway(frame, 0.2) * 1.6;
 
     for (int i = 0; i < 9; i++) {
-        double sway = wave(frame, i * 0.13), bx = 33.0 - i * 5.0, by = 20.0 + i * 2.0 + (i % 3) * 3;
+        double sway = art_sway(frame, i * 0.13), bx = 33.0 - i * 5.0, by = 20.0 + i * 2.0 + (i % 3) * 3;
         double a[2] = { 15.0 - i * 1.4, 12.0 + i * 0.6 }, c[2] = { 27.0 - i * 2.4, 17.0 + i + 2 * sway },
                b[2] = { bx + sway * 2.2, by + 6.0 - sway * 1.6 };
         paint_curve(p, i % 2 ? PANE : FLESH, a, c, b, 2.9, 0.8);
@@ -190,7 +185,7 @@ struct sheet art_lantern_nautilus(void)
 static void legs(struct paint *p, int frame)
 {
     for (int i = 0; i < 3; i++) {
-        double k = wave(frame, i * 0.33) * 2.0, kx = 47 - i * 4.0, ky = -20.0 + i * 12.0 + k;
+        double k = art_sway(frame, i * 0.33) * 2.0, kx = 47 - i * 4.0, ky = -20.0 + i * 12.0 + k;
         double a[2] = { 24, -6.0 + i * 5.5 }, c[2] = { 38, ky - 5 }, b[2] = { kx, ky };
         paint_curve(p, PANE, a, c, b, 3.6, 2.6);
         paint_limb(p, PANE, kx, ky, 2.6, kx + 7.4 - i * 2.0, ky + 13.0 - k, 0.8);
@@ -210,12 +205,12 @@ static void candelabra(struct paint *p, int frame)
         paint_mirror(p, true);
         paint_curve(p, SILVER, a, c, b, 1.7, 1.3);
         paint_limb(p, SILVER, tx - 2.6, ty + 4.6, 1.2, tx + 2.6, ty + 4.6, 1.2);
-        paint_ball(p, SOUL, tx, ty - 0.4, 2.7, 4.2 + 0.5 * wave(frame, 0.3 * i), 0);
+        paint_ball(p, SOUL, tx, ty - 0.4, 2.7, 4.2 + 0.5 * art_sway(frame, 0.3 * i), 0);
         paint_ball(p, LAMP, tx, ty + 0.6, 1.1, 1.9, 0);
         paint_mirror(p, false);
     }
     paint_limb(p, SILVER, -3, -30, 1.3, 3, -30, 1.3);
-    paint_ball(p, SOUL, 0, -35, 3.0, 4.6 + 0.5 * wave(frame, 0.5), 0);
+    paint_ball(p, SOUL, 0, -35, 3.0, 4.6 + 0.5 * art_sway(frame, 0.5), 0);
     paint_ball(p, LAMP, 0, -34, 1.2, 2.1, 0);
 }
 
@@ -223,7 +218,8 @@ static void candelabra(struct paint *p, int frame)
 static void pendants(struct paint *p, int frame)
 {
     for (int i = 0; i < 4; i++) {
-        double x = 4.5 + 8.4 * i, y = 20.5 - i * i * 1.1, sway = wave(frame, 0.12 * i) * 1.1, long_one = i % 2 ? 9 : 12;
+        double x = 4.5 + 8.4 * i, y = 20.5 - i * i * 1.1, sway = art_sway(frame, 0.12 * i) * 1.1,
+               long_one = i % 2 ? 9 : 12;
         double drop[] = { x,
                           y,
                           x + 2.7 + sway * 0.5,
@@ -241,7 +237,7 @@ static void crab(struct sheet *s, int x, int frame)
 {
     static const double spike[] = { 29, -7, 40, -8.5, 33.5, 1.5 };
     struct paint *p = paint_new(112, 88);
-    double k = wave(frame, 0) * 0.7, arm[3][2] = { { 24, 9 }, { 38, 6 }, { 43, 17 } };
+    double k = art_sway(frame, 0) * 0.7, arm[3][2] = { { 24, 9 }, { 38, 6 }, { 43, 17 } };
 
     paint_mirror(p, true);
     legs(p, frame);
@@ -276,7 +272,7 @@ static void claw(struct sheet *s, int x, int y, int frame)
     static const double out[] = { -8, -15, 6, -18, 14, -6, 12, 11, 3, 26, 2.6, 13, -1, 4, -9, 2 };
     static const double in[] = { -11, -6, -1, 2, -2, 13, -8, 24, -14, 11 };
     struct paint *p = paint_new(48, 64);
-    double open = 1.5 + 1.5 * wave(frame, 0.4), outer[16], inner[10];
+    double open = 1.5 + 1.5 * art_sway(frame, 0.4), outer[16], inner[10];
 
     for (int i = 0; i < 16; i++)
         outer[i] = out[i] + (i == 8 ? open * 1.6 : i == 10 ? open : 0);

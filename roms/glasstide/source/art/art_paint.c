@@ -61,6 +61,29 @@ double art_clamp(double v, double lo, double hi)
     return v < lo ? lo : v > hi ? hi : v;
 }
 
+double art_sway(int frame, double phase)
+{
+    return art_sin(frame / 4.0 + phase);
+}
+
+double art_random(uint32_t *seed)
+{
+    *seed = *seed * 1664525u + 1013904223u;
+    return (*seed >> 8 & 0xffff) / 65536.0;
+}
+
+double art_pick(uint32_t *seed, double lo, double hi)
+{
+    return lo + (hi - lo) * art_random(seed);
+}
+
+double art_dither(int x, int y)
+{
+    static const int order[4][4] = { { 0, 8, 2, 10 }, { 12, 4, 14, 6 }, { 3, 11, 1, 9 }, { 15, 7, 13, 5 } };
+
+    return (order[y & 3][x & 3] + 0.5) / 16;
+}
+
 /* Taylor's series on [-1/4, 1/4] turn; the error is below 1e-9, far under a shade. */
 double art_sin(double turns)
 {
@@ -257,6 +280,12 @@ void paint_curve(struct paint *p, struct mat m, const double a[2], const double 
     curve_once(p, m, a, c, b, ra, rb, 1);
     if (p->mirror)
         curve_once(p, m, a, c, b, ra, rb, -1);
+}
+
+void paint_bow(struct paint *p, struct mat m, double ax, double ay, double cx, double cy, double bx, double by,
+               double ra, double rb)
+{
+    paint_curve(p, m, (double[]){ ax, ay }, (double[]){ cx, cy }, (double[]){ bx, by }, ra, rb);
 }
 
 struct poly {

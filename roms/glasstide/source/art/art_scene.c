@@ -7,17 +7,6 @@
 
 /* -- explosions: bank 14, 1 dark .. 15 white -- */
 
-static uint32_t next(uint32_t *seed)
-{
-    *seed = *seed * 1664525u + 1013904223u;
-    return *seed >> 8;
-}
-
-static double pick(uint32_t *seed, double lo, double hi)
-{
-    return lo + (hi - lo) * (next(seed) & 0xffff) / 65536.0;
-}
-
 /* Puffs thrown outward that burn from white to dark and are eaten from within; t runs from 0 to 1. */
 static void blast(struct sheet *s, int x, int y, int size, double t, int puffs, uint32_t seed)
 {
@@ -25,8 +14,8 @@ static void blast(struct sheet *s, int x, int y, int size, double t, int puffs, 
     double r = size * 0.5 - 1, ease = 1 - (1 - t) * (1 - t);
     for (int ring = 0; ring < 2; ring++) {
         for (int i = 0; i < puffs; i++) {
-            double a = (i + pick(&seed, 0.1, 0.9)) / puffs, far = pick(&seed, 0.42, 0.72) * (ring ? 0.55 : 1),
-                   big = pick(&seed, 0.22, 0.34);
+            double a = (i + art_pick(&seed, 0.1, 0.9)) / puffs, far = art_pick(&seed, 0.42, 0.72) * (ring ? 0.55 : 1),
+                   big = art_pick(&seed, 0.22, 0.34);
             double heat = 1.0 - t * (ring ? 0.95 : 1.15),
                    grow = art_clamp(0.45 + t * 2.2, 0, 1) * art_clamp((1.06 - t) * 1.6, 0, 1);
             int hi = 2 + (int)(art_clamp(heat, 0, 1) * 12.9), lo = hi > 4 ? hi - 3 : 1;
@@ -47,7 +36,7 @@ static void splinters(struct sheet *s, int x, int y, int size, double t, int n, 
     struct paint *p = paint_new(size, size);
     double r = size * 0.5 - 1, ease = 1 - (1 - t) * (1 - t);
     for (int i = 0; i < n; i++) {
-        double a = (i + pick(&seed, 0, 0.8)) / n, v = pick(&seed, 0.7, 1.0), d1 = r * v * ease,
+        double a = (i + art_pick(&seed, 0, 0.8)) / n, v = art_pick(&seed, 0.7, 1.0), d1 = r * v * ease,
                d0 = d1 - r * 0.34 * (1 - t);
         double wide = r * 0.055 * (1.1 - t), c = art_cos(a), q = art_sin(a);
         paint_limb(p, (struct mat){ FLAT, 15 - (int)(t * 8), 15 - (int)(t * 8), 0 }, c * d0, q * d0, wide * 0.3, c * d1,
@@ -101,14 +90,15 @@ static void debris(struct sheet *s)
     for (int copy = -1; copy <= 1; copy++) {
         uint32_t seed = 19;
         for (int i = 0; i < 26; i++) {
-            double x = pick(&seed, -118, 118), y = pick(&seed, -160, 160), r = pick(&seed, 1.6, 4.6),
-                   turn = pick(&seed, 0, 1);
+            double x = art_pick(&seed, -118, 118), y = art_pick(&seed, -160, 160), r = art_pick(&seed, 1.6, 4.6),
+                   turn = art_pick(&seed, 0, 1);
             x = x < 0 ? x * 0.5 - 60 : x * 0.5 + 60;
             paint_ball(p, pebble, x, y + copy * 320, r * 1.3, r * 0.9, turn);
             paint_ball(p, pebble, x + r * 1.9, y + r * 0.7 + copy * 320, r * 0.55, r * 0.45, 0);
         }
         for (int i = 0; i < 5; i++) {
-            double x = pick(&seed, -90, 90), y = pick(&seed, -160, 160) + copy * 320, turn = pick(&seed, 0, 1);
+            double x = art_pick(&seed, -90, 90), y = art_pick(&seed, -160, 160) + copy * 320,
+                   turn = art_pick(&seed, 0, 1);
             for (int k = 0; k < 5; k++)
                 paint_limb(p, star, x, y, 1.8, x + art_cos(turn + k / 5.0) * 5.4, y + art_sin(turn + k / 5.0) * 5.4,
                            0.5);
@@ -124,10 +114,10 @@ static void splinters_in_sand(struct sheet *s)
     for (int copy = -1; copy <= 1; copy++) {
         uint32_t seed = 51;
         for (int i = 0; i < 11; i++) {
-            double x = pick(&seed, -104, 104), y = pick(&seed, -160, 160) + copy * 320;
+            double x = art_pick(&seed, -104, 104), y = art_pick(&seed, -160, 160) + copy * 320;
             for (int k = 0; k < 5; k++) {
-                double turn = pick(&seed, 0, 1), far = pick(&seed, 2, 13), long_by = pick(&seed, 2.4, 6.5);
-                double cx = x + art_cos(turn) * far, cy = y + art_sin(turn) * far * 0.7, lean = pick(&seed, 0, 1);
+                double turn = art_pick(&seed, 0, 1), far = art_pick(&seed, 2, 13), long_by = art_pick(&seed, 2.4, 6.5);
+                double cx = x + art_cos(turn) * far, cy = y + art_sin(turn) * far * 0.7, lean = art_pick(&seed, 0, 1);
                 double ux = art_cos(lean) * long_by, uy = art_sin(lean) * long_by;
                 double shard[] = { cx - ux, cy - uy, cx + uy * 0.35, cy - ux * 0.35,
                                    cx + ux, cy + uy, cx - uy * 0.25, cy + ux * 0.25 };
@@ -145,8 +135,8 @@ static void caustics(struct sheet *s, int y0)
     double px[CELLS], py[CELLS];
     uint32_t seed = 2;
     for (int i = 0; i < CELLS; i++) {
-        px[i] = (i % 6 + pick(&seed, 0.1, 0.9)) * 40;
-        py[i] = (i / 6 + pick(&seed, 0.1, 0.9)) * (320.0 / 9);
+        px[i] = (i % 6 + art_pick(&seed, 0.1, 0.9)) * 40;
+        py[i] = (i / 6 + art_pick(&seed, 0.1, 0.9)) * (320.0 / 9);
     }
     for (int y = 0; y < 320; y++) {
         for (int x = 0; x < 240; x++) {
@@ -193,14 +183,14 @@ static void branch(struct paint *p, struct mat m, double x, double y, double tur
         paint_ball(p, BUD, nx, ny, 0.9, 0.9, 0);
         return;
     }
-    branch(p, m, nx, ny, turn - pick(seed, 0.05, 0.12), len * 0.8, r * 0.74, depth - 1, seed);
-    branch(p, m, nx, ny, turn + pick(seed, 0.05, 0.12), len * 0.8, r * 0.74, depth - 1, seed);
+    branch(p, m, nx, ny, turn - art_pick(seed, 0.05, 0.12), len * 0.8, r * 0.74, depth - 1, seed);
+    branch(p, m, nx, ny, turn + art_pick(seed, 0.05, 0.12), len * 0.8, r * 0.74, depth - 1, seed);
 }
 
 static void boulders(struct paint *p, double y, uint32_t seed)
 {
     for (int i = 0; i < 5; i++) {
-        double r = pick(&seed, 6, 13), x = pick(&seed, -36, -16), turn = pick(&seed, 0, 0.5);
+        double r = art_pick(&seed, 6, 13), x = art_pick(&seed, -36, -16), turn = art_pick(&seed, 0, 0.5);
         paint_ball(p, STONE, x - r * 0.4, y + (i - 2) * 9.0, r, r * 0.85, turn);
     }
 }
@@ -208,7 +198,7 @@ static void boulders(struct paint *p, double y, uint32_t seed)
 static void tubes(struct paint *p, double y, uint32_t seed)
 {
     for (int i = 0; i < 5; i++) {
-        double x = -33 + i * 5.5 + pick(&seed, -1, 1), top = y - pick(&seed, 4, 14), r = 3.4 - i * 0.25;
+        double x = -33 + i * 5.5 + art_pick(&seed, -1, 1), top = y - art_pick(&seed, 4, 14), r = 3.4 - i * 0.25;
         paint_limb(p, TUBE, x - 5, y + 16, r * 0.8, x, top, r);
         paint_ball(p, TUBE, x, top - 0.6, r * 1.12, r * 0.75, 0);
         paint_ball(p, HOLE, x + 0.2, top - 0.5, r * 0.7, r * 0.42, 0);

@@ -25,13 +25,6 @@ static double random_at(int x, int y)
     return (hashed(x, y) & 0xffff) / 65536.0;
 }
 
-static double order(int x, int y)
-{
-    static const int bayer[4][4] = { { 0, 8, 2, 10 }, { 12, 4, 14, 6 }, { 3, 11, 1, 9 }, { 15, 7, 13, 5 } };
-
-    return (bayer[y & 3][x & 3] + 0.5) / 16;
-}
-
 /* ---- what is behind ---- */
 
 /* From `top` at the upper edge to `low` at the horizon, with long clouds; stars where it is dark. */
@@ -43,7 +36,7 @@ static void sky(struct sheet *s, int horizon, double top, double low, double clo
             double c = art_sin(y / 21.0 + 0.5 * art_sin(x / 210.0) + 0.2 * art_sin(x / 67.0 + y / 50.0)) +
                        0.5 * art_sin(x / 150.0 - y / 9.0);
             v += c > 0.55 ? clouds * (c - 0.3) : 0;
-            sheet_set(s, x, y, (int)art_clamp(v + order(x, y), 1, 7));
+            sheet_set(s, x, y, (int)art_clamp(v + art_dither(x, y), 1, 7));
         }
     }
     for (int i = 0; i < stars; i++) {
@@ -61,7 +54,7 @@ static void moon(struct sheet *s, double cx, double cy, double r)
         for (int x = 0; x < WIDE; x++) {
             double d = sqrt((x - cx) * (x - cx) + (y - cy) * (y - cy)), near = 1 - (d - r) / (0.9 * r);
             int c = sheet_get(s, x, y);
-            if (near > 0 && d > r && c && c < 7 && order(x, y) < 0.7 * near * near)
+            if (near > 0 && d > r && c && c < 7 && art_dither(x, y) < 0.7 * near * near)
                 sheet_set(s, x, y, c + 1);
         }
     }
@@ -92,7 +85,7 @@ static void mud(struct sheet *s, int horizon)
             }
             double edge = sqrt(d2) - sqrt(d1), near = (double)(y - horizon) / (HIGH - horizon);
             double light = 9.9 - 1.1 * near + (edge < 0.25 ? 0.5 : 0) - 0.9 * sqrt(d1);
-            sheet_set(s, x, y, edge < 0.13 * near ? 8 : (int)art_clamp(light + order(x, y), 8, 10));
+            sheet_set(s, x, y, edge < 0.13 * near ? 8 : (int)art_clamp(light + art_dither(x, y), 8, 10));
         }
     }
 }
@@ -214,7 +207,7 @@ struct sheet art_brink(void)
     for (int y = 70; y < HIGH; y++) /* the mist that comes up */
         for (int x = 130; x < WIDE; x++) {
             double v = 2 + 3.2 * (y - 70) / 90.0 + art_sin(x / 80.0 + y / 40.0);
-            sheet_set(&s, x, y, (int)art_clamp(v + order(x, y), 1, 7));
+            sheet_set(&s, x, y, (int)art_clamp(v + art_dither(x, y), 1, 7));
         }
     paint_poly(p, (struct mat){ MATTE, 8, 10, -0.1 }, 5, ledge, 4);
     paint_poly(p, NEAR, 10, cliff, 5);
@@ -314,7 +307,7 @@ static void cone(struct sheet *s, double x, double y, double turn, double wide, 
             if (along < 0 || along > far || off > wide * along || was > 7)
                 continue;
             double light = 3.6 * (1 - along / far) * (1 - off / (wide * along + 0.01)) + 1;
-            sheet_set(s, px, py, (int)art_clamp(was + light + order(px, py) - 0.5, 1, 7));
+            sheet_set(s, px, py, (int)art_clamp(was + light + art_dither(px, py) - 0.5, 1, 7));
         }
     }
 }
@@ -351,7 +344,7 @@ struct sheet art_dive(void)
             double t = (double)y / HIGH,
                    rays = art_sin((x - 0.5 * y) / 46.0) + 0.6 * art_sin((x - 0.5 * y) / 19.0 + 0.3);
             double v = 6.4 * (1 - t) * (1 - t) + rays * (1 - t) * 0.9 + 0.4;
-            sheet_set(&s, x, y, (int)art_clamp(v + order(x, y), 1, 7));
+            sheet_set(&s, x, y, (int)art_clamp(v + art_dither(x, y), 1, 7));
         }
     }
     cone(&s, 160, 82, 0.17, 0.3, 110);

@@ -9,11 +9,6 @@ static const struct mat GLAZE = { GLASS, 2, 9, 0 }, DEEP = { GLASS, 2, 7, -0.05 
 static const struct mat INNER = { MATTE, 10, 13, 0.1 }, TOOTH = { FLAT, 9, 9, 0 }, EYE = { FLAT, 1, 1, 0 },
                         GLEAM = { FLAT, 15, 15, 0 }, LIT = { FLAT, 13, 13, 0 }, DIM = { FLAT, 11, 11, 0 };
 
-static double wave(int frame, double phase)
-{
-    return art_sin(frame / 4.0 + phase);
-}
-
 /* One of a row of lights that run along: the brightest of four is at another place in each frame. */
 static struct mat running(int place, int frame)
 {
@@ -25,7 +20,7 @@ static struct mat running(int place, int frame)
 static void mite(struct sheet *s, int x, int y, int frame)
 {
     struct paint *p = paint_new(24, 22);
-    double k = wave(frame, 0);
+    double k = art_sway(frame, 0);
     double a[2] = { 1.4, 3.4 }, c[2] = { 7.0, 7.6 - k }, b[2] = { 10.8 - k * 0.6, 1.4 - k * 3.4 };
     double fan[] = { 0.2, -10.0, 2.4, -9.8, 4.2 + k * 0.5, -8.2 };
     paint_mirror(p, true);
@@ -43,7 +38,7 @@ static void mite(struct sheet *s, int x, int y, int frame)
 static void bell(struct sheet *s, int x, int y, int frame)
 {
     struct paint *p = paint_new(20, 22);
-    double k = wave(frame, 0);
+    double k = art_sway(frame, 0);
     for (int i = -1; i <= 1; i++) {
         double a[2] = { i * 2.6, 2 }, c[2] = { i * 3.6 + k * 1.4, 6 }, b[2] = { i * 4.0 - k * 1.2, 9.6 - i * i };
         paint_curve(p, i ? SKIN : INNER, a, c, b, 1.0, 0.4);
@@ -62,9 +57,9 @@ static void bell(struct sheet *s, int x, int y, int frame)
 static void chain_head(struct sheet *s, int x, int y, int frame)
 {
     struct paint *p = paint_new(40, 44);
-    double k = wave(frame, 0);
+    double k = art_sway(frame, 0);
     for (int i = -2; i <= 2; i++) {
-        double sway = wave(frame, i * 0.17);
+        double sway = art_sway(frame, i * 0.17);
         double a[2] = { i * 3.0, 4 }, c[2] = { i * 4.4 + sway * 4, 12 },
                b[2] = { i * 3.4 - sway * 3, 20.6 - (i & 1) * 4.0 };
         paint_curve(p, i & 1 ? SKIN : INNER, a, c, b, 1.5, 0.5);
@@ -86,7 +81,7 @@ static void chain_head(struct sheet *s, int x, int y, int frame)
 static void viper(struct sheet *s, int x, int y, int frame)
 {
     struct paint *p = paint_new(32, 52);
-    double k = wave(frame, 0), l = wave(frame, 0.22), tx = k * 4.2, open = 1.2 + 0.8 * wave(frame, 0.5);
+    double k = art_sway(frame, 0), l = art_sway(frame, 0.22), tx = k * 4.2, open = 1.2 + 0.8 * art_sway(frame, 0.5);
     double a[2] = { 0, 8 }, c[2] = { -k * 4.6, -6 }, b[2] = { tx, -19 };
     double tail[] = { tx - 5.4, -25 + l, tx - 1.2, -23, tx + 1.2, -23, tx + 5.4, -25 - l };
     double fin[] = { 8.6, 5.0, 13.6, 0.6 - k * 1.2, 10.4, -1.8 };
@@ -124,10 +119,10 @@ static void viper(struct sheet *s, int x, int y, int frame)
 static void squid(struct sheet *s, int x, int y, int frame)
 {
     struct paint *p = paint_new(40, 56);
-    double k = wave(frame, 0), rx = 8.0 + k * 0.9;
+    double k = art_sway(frame, 0), rx = 8.0 + k * 0.9;
     double fin[] = { 3.0, -26.4, 13.8, -23.0 + k * 1.4, 16.0, -16.4 + k * 2.0, 6.0, -12.0 };
     for (int i = 0; i < 4; i++) {
-        double sway = wave(frame, 0.19 * i), tx = 1.4 + i * 2.0;
+        double sway = art_sway(frame, 0.19 * i), tx = 1.4 + i * 2.0;
         double a[2] = { tx, 8 }, c[2] = { tx + 3 + sway * 2.6, 15 }, b[2] = { tx * 1.7 - sway * 2.4, 22.4 - i * 1.8 };
         paint_mirror(p, true);
         paint_curve(p, i % 2 ? GLAZE : INNER, a, c, b, 1.7, 0.5);
@@ -156,7 +151,7 @@ static void squid(struct sheet *s, int x, int y, int frame)
 static void comb(struct sheet *s, int x, int y, int frame)
 {
     struct paint *p = paint_new(36, 48);
-    double k = wave(frame, 0), rx = 14.6 + k * 0.7, ry = 18.0 - k * 0.6;
+    double k = art_sway(frame, 0), rx = 14.6 + k * 0.7, ry = 18.0 - k * 0.6;
     for (int i = -1; i <= 1; i += 2) {
         double a[2] = { i * 5.0, 10 }, c[2] = { i * (10.0 + k * 2.0), 16 }, b[2] = { i * (5.0 - k * 3.0), 22.6 };
         paint_curve(p, SKIN, a, c, b, 1.2, 0.4);
@@ -186,7 +181,7 @@ static void spider(struct sheet *s, int x, int y, int frame)
     struct paint *p = paint_new(60, 56);
     for (int i = 0; i < 8; i++) {
         int leg = i / 2, side = i % 2 ? 1 : -1;
-        double k = wave(frame, leg * 0.25 + (side > 0 ? 0.5 : 0)) * 1.7;
+        double k = art_sway(frame, leg * 0.25 + (side > 0 ? 0.5 : 0)) * 1.7;
         double kx = side * knee[leg][0], ky = knee[leg][1] + k, fx = side * (foot[leg][0] - k * 0.5),
                fy = foot[leg][1] + k * 1.2;
         paint_limb(p, GLAZE, side * 3.0, -5.0 + leg * 4.0, 1.7, kx, ky, 1.3);
@@ -208,7 +203,7 @@ static void spider(struct sheet *s, int x, int y, int frame)
 static void shark(struct sheet *s, int x, int y, int frame)
 {
     struct paint *p = paint_new(52, 72);
-    double k = wave(frame, 0), l = wave(frame, 0.22), tx = k * 5.0;
+    double k = art_sway(frame, 0), l = art_sway(frame, 0.22), tx = k * 5.0;
     double a[2] = { 0, 8 }, c[2] = { -k * 3.4, -12 }, b[2] = { tx, -28 };
     double tail[] = { tx - 2.4 + l * 2, -35.2, tx + 0.4, -33, tx + 4.0 + l * 3, -34.4 };
     double fin[] = { 9.0, 11.0, 18.0, 6.4 - k * 0.8, 23.6, -1.6 - k * 1.8, 17.0, -1.0 - k, 7.0, -1.0 };
@@ -244,8 +239,8 @@ static void shark(struct sheet *s, int x, int y, int frame)
 static void gulper(struct sheet *s, int x, int y, int frame)
 {
     struct paint *p = paint_new(64, 64);
-    double k = wave(frame, 0), wide = 20.0 + k * 2.0, drop = 6.0 + k * 1.6;
-    double a[2] = { 0, 0 }, c[2] = { 14 + k * 4, -20 }, b[2] = { -6 + wave(frame, 0.3) * 5, -29 };
+    double k = art_sway(frame, 0), wide = 20.0 + k * 2.0, drop = 6.0 + k * 1.6;
+    double a[2] = { 0, 0 }, c[2] = { 14 + k * 4, -20 }, b[2] = { -6 + art_sway(frame, 0.3) * 5, -29 };
     double frill[] = { 12, -10, 22, -14 + k, 27, -4 + k * 1.6, 24, 6, 16, 8 };
     paint_curve(p, GLAZE, a, c, b, 7.0, 0.9);
     paint_ball(p, LIT, b[0], b[1], 1.8, 1.8, 0);

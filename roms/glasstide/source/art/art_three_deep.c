@@ -13,16 +13,11 @@ static const struct mat PANE = { GLASS, 2, 8, 0 }, DEEP = { GLASS, 2, 5, -0.05 }
 static const struct mat FLESH = { MATTE, 12, 13, 0.1 }, NIGHT = { FLAT, 1, 1, 0 }, LAMP = { FLAT, 15, 15, 0 },
                         TOOTH = { FLAT, 11, 11, 0 };
 
-static double wave(int frame, double phase)
-{
-    return art_sin(frame / 4.0 + phase);
-}
-
 /* -- the Anglerlamp, from the front: a mouth with a fish behind it -- */
 
 static void angler_fins(struct paint *p, int frame)
 {
-    double k = wave(frame, 0) * 3.0, l = wave(frame, 0.25) * 2.0;
+    double k = art_sway(frame, 0) * 3.0, l = art_sway(frame, 0.25) * 2.0;
     double side[] = { 44, -14, 56, -16 + k, 59, -4 + k * 1.3, 57, 9 + k, 48, 16 + k * 0.5, 38, 14 };
     double back[] = { 8, -42, 15, -47 + l, 22, -44 + l, 29, -41 + l, 37, -32 };
     double low[] = { 26, 30, 35, 40 + l, 27, 44 + l, 18, 40 };
@@ -33,7 +28,7 @@ static void angler_fins(struct paint *p, int frame)
 
 static void angler_jaws(struct paint *p, int frame)
 {
-    double open = 1.5 + 1.5 * wave(frame, 0), floor = 24.0 + open;
+    double open = 1.5 + 1.5 * art_sway(frame, 0), floor = 24.0 + open;
     paint_ball(p, PANE, 0, floor - 2, 38, 17.0 + open * 0.5, 0);
     paint_ball(p, NIGHT, 0, 15.0 + open * 0.5, 33.5, 14.0 + open, 0);
     paint_ball(p, (struct mat){ FLAT, 2, 2, 0 }, 0, 20.0 + open * 0.5, 26, 8.0 + open * 0.7, 0);
@@ -50,7 +45,7 @@ static void angler_jaws(struct paint *p, int frame)
 
 static void angler_brow(struct paint *p, int frame)
 {
-    double k = wave(frame, 0.25) * 0.5;
+    double k = art_sway(frame, 0.25) * 0.5;
     double lip0[2] = { -37, 13 }, lipc[2] = { 0, -11 }, lip1[2] = { 37, 13 };
     paint_band(p, -1e9, 5.0);
     paint_ball(p, PANE, 0, -10 + k, 41, 29, 0);
@@ -92,7 +87,7 @@ static void angler(struct sheet *s, int x, int frame)
 static void lantern(struct sheet *s, int x, int y, int frame)
 {
     struct paint *p = paint_new(28, 32);
-    double k = wave(frame, 0);
+    double k = art_sway(frame, 0);
     paint_mirror(p, true);
     for (int i = 0; i < 2; i++) {
         double a[2] = { 3.0 + 3 * i, 6 }, c[2] = { 6.0 + 4 * i + k, 10 },
@@ -148,7 +143,7 @@ struct sheet art_lamplight(void)
 
 static void queen_fins(struct paint *p, int frame)
 {
-    double k = wave(frame, 0) * 3.4, l = wave(frame, 0.3) * 3.2, m = wave(frame, 0.15) * 3.0;
+    double k = art_sway(frame, 0) * 3.4, l = art_sway(frame, 0.3) * 3.2, m = art_sway(frame, 0.15) * 3.0;
     double low[] = { 26, 47 + l, 36, 44 + l, 44, 36 + l * 0.7, 47, 26, 40, 14 };
     double mid[] = { 42, 18, 53, 18 + m * 0.4, 60, 9 + m, 60, -3 + m, 52, -8 };
     double top[] = { 40, 0,       52, -10 + k * 0.4, 59, -24 + k,       61.5, -40 + k,
@@ -168,7 +163,7 @@ static void queen_fins(struct paint *p, int frame)
 static void queen_arms(struct paint *p, int frame)
 {
     for (int i = 0; i < 5; i++) {
-        double sway = wave(frame, 0.19 * i), tx = 3.5 + i * 5.6;
+        double sway = art_sway(frame, 0.19 * i), tx = 3.5 + i * 5.6;
         double a[2] = { tx * 0.8, 14 }, c[2] = { tx + 6 + sway * 6, 36 },
                b[2] = { tx * 1.2 - sway * 6, 62.0 - i * 5.4 };
         paint_curve(p, i % 2 ? PANE : FLESH, a, c, b, 3.0, 0.7);
@@ -213,7 +208,7 @@ static void queen_crown(struct paint *p)
 
 static void queen_bell(struct paint *p, int frame)
 {
-    double k = wave(frame, 0), rx = 28.5 + k;
+    double k = art_sway(frame, 0), rx = 28.5 + k;
     paint_band(p, -1e9, 13);
     paint_ball(p, PANE, 0, -4, rx, 33.5, 0);
     paint_band(p, -1e9, 1e9);
@@ -226,7 +221,7 @@ static void queen_bell(struct paint *p, int frame)
     paint_mirror(p, false);
     for (int row = 0; row < 3; row++) { /* two frills, and the pearls above them */
         for (int i = 0; i < 12 - row; i++) {
-            double u = (i - 5.5 + row * 0.5) / 5.5, ry = 4.6 + wave(frame, i * 0.25 + row * 0.5) * 0.8;
+            double u = (i - 5.5 + row * 0.5) / 5.5, ry = 4.6 + art_sway(frame, i * 0.25 + row * 0.5) * 0.8;
             double y = 16.0 - row * 3.6 - u * u * 4.6;
             paint_ball(p,
                        row == 2 ? SILVER

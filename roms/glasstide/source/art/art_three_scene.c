@@ -11,19 +11,13 @@ enum { GROUND = 256, PLATES = 128, WIDE = 256, TALL = 320 };
 static const struct mat STONE = { MATTE, 1, 7, -0.02 }, BONE = { MATTE, 3, 11, 0.02 }, LINK = { GLASS, 2, 11, -0.02 };
 static const struct mat EMBER = { FLAT, 14, 14, 0 }, SPARK = { FLAT, 15, 15, 0 }, FAINT = { FLAT, 13, 13, 0 };
 
-static double pick(uint32_t *seed, double lo, double hi)
-{
-    *seed = *seed * 1664525u + 1013904223u;
-    return lo + (*seed >> 8 & 0xffff) / 65536.0 * (hi - lo);
-}
-
 /* -- the ground -- */
 
 /* A vent: a ring of stone about a hole in which something burns. */
 static void vent(struct paint *p, double x, double y, double r, uint32_t *seed)
 {
     for (int i = 0; i < 9; i++) {
-        double a = i / 9.0, size = r * pick(seed, 0.34, 0.52);
+        double a = i / 9.0, size = r * art_pick(seed, 0.34, 0.52);
         paint_ball(p, STONE, x + art_cos(a) * r, y + art_sin(a) * r, size, size, 0);
     }
     paint_ball(p, (struct mat){ FLAT, 1, 1, 0 }, x, y, r * 0.82, r * 0.82, 0);
@@ -52,7 +46,8 @@ static void ribs(struct paint *p, double x, double y)
 static void splinters(struct paint *p, double x, double y, uint32_t *seed)
 {
     for (int i = 0; i < 5; i++) {
-        double dx = pick(seed, -9, 9), dy = pick(seed, -8, 8), h = pick(seed, 7, 14), lean = pick(seed, -5, 5);
+        double dx = art_pick(seed, -9, 9), dy = art_pick(seed, -8, 8), h = art_pick(seed, 7, 14),
+               lean = art_pick(seed, -5, 5);
         double shard[] = { x + dx - 2.2, y + dy, x + dx + lean, y + dy - h, x + dx + 2.2, y + dy };
         paint_poly(p, LINK, 3, shard, 1.2);
     }
@@ -133,10 +128,10 @@ static void walls(struct sheet *s, int y0)
         struct mat rock = { MATTE, 1, 4 + 2 * depth, -0.06 + 0.03 * depth };
         uint32_t seed = 40 + (uint32_t)depth;
         for (int i = 0; i < 16; i++) {
-            double side = i % 2 ? 1 : -1, y = -TALL / 2.0 + i * (TALL / 16.0) + pick(&seed, -10, 10);
-            double half = pick(&seed, 8, 13), tall = pick(&seed, 26, 54),
+            double side = i % 2 ? 1 : -1, y = -TALL / 2.0 + i * (TALL / 16.0) + art_pick(&seed, -10, 10);
+            double half = art_pick(&seed, 8, 13), tall = art_pick(&seed, 26, 54),
                    x = side * (WIDE / 2.0 - 8 - 11 * (2 - depth));
-            x -= side * pick(&seed, -5, 5);
+            x -= side * art_pick(&seed, -5, 5);
             for (int copy = -1; copy <= 1; copy++) {
                 double top = y - tall + copy * TALL, foot = y + tall + copy * TALL;
                 double column[] = { x - half, top + 6,  x - half * 0.4, top, x + half * 0.5, top + 2,  x + half,
@@ -158,7 +153,10 @@ static void snow(struct sheet *s, int y0)
 {
     uint32_t seed = 5;
     for (int i = 0; i < 92; i++) {
-        int x = (int)pick(&seed, 0, WIDE), y = (int)pick(&seed, 0, TALL), shade = i % 9 == 0 ? 14 : i % 3 ? 9 : 12;
+        int x = (int)art_pick(&seed, 0, WIDE), y = (int)art_pick(&seed, 0, TALL),
+            shade = i % 9 == 0 ? 14
+                    : i % 3    ? 9
+                               : 12;
         sheet_set(s, x, y0 + y, shade);
         if (i % 4 == 0)
             sheet_set(s, (x + 1) % WIDE, y0 + y, shade - (shade > 12 ? 1 : 2));

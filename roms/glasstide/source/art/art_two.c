@@ -8,34 +8,22 @@ static const struct mat METAL = { MATTE, 2, 9, 0.04 }, SHINE = { MATTE, 4, 9, 0.
                         JAR = { GLASS, 2, 9, 0 }, FIRE = { GLOW, 10, 15, 0 }, COAL = { MATTE, 10, 13, 0.1 },
                         EYE = { FLAT, 1, 1, 0 }, DARK = { FLAT, 2, 2, 0 }, GLEAM = { FLAT, 15, 15, 0 };
 
-static double wave(int frame, double phase)
-{
-    return art_sin(frame / 4.0 + phase);
-}
-
-static void bow(struct paint *p, struct mat m, double ax, double ay, double cx, double cy, double bx, double by,
-                double ra, double rb)
-{
-    double a[2] = { ax, ay }, c[2] = { cx, cy }, b[2] = { bx, by };
-    paint_curve(p, m, a, c, b, ra, rb);
-}
-
 /* A lantern with a flame in it, on two small fins. */
 static void drone(struct sheet *s, int x, int y, int frame)
 {
     static const double cap[] = { -4.5, -7.5, -3, -10.5, 3, -10.5, 4.5, -7.5 };
     static const double foot[] = { -5, 8.4, -3.4, 11.8, 3.4, 11.8, 5, 8.4 };
     struct paint *p = paint_new(24, 28);
-    double k = wave(frame, 0), l = wave(frame, 0.3);
+    double k = art_sway(frame, 0), l = art_sway(frame, 0.3);
     double fin[] = { 7.5, -3.5 - k * 2.2, 11.4, -6.4 - k * 3.4, 10.4, -0.5 - k * 1.4, 6, 2 };
     paint_mirror(p, true);
     paint_fin(p, METAL, 4.5, 0, 4, fin, 0.08);
     paint_mirror(p, false);
-    bow(p, METAL, -2.6, -10, 0, -15.4, 2.6, -10, 0.8, 0.8);
+    paint_bow(p, METAL, -2.6, -10, 0, -15.4, 2.6, -10, 0.8, 0.8);
     paint_ball(p, JAR, 0, 0.6, 7, 8.6, 0);
     paint_ball(p, FIRE, 0, 1.6 - l * 0.5, 4.2 + k * 0.4, 5.6 + l * 0.6, 0);
     paint_mirror(p, true);
-    bow(p, METAL, 2.6, -7.6, 7.8, 0.6, 2.8, 8.6, 0.75, 0.75);
+    paint_bow(p, METAL, 2.6, -7.6, 7.8, 0.6, 2.8, 8.6, 0.75, 0.75);
     paint_mirror(p, false);
     paint_poly(p, SHINE, 4, cap, 1.4);
     paint_poly(p, METAL, 4, foot, 1.4);
@@ -47,7 +35,7 @@ static void drone(struct sheet *s, int x, int y, int frame)
 static void bottle(struct sheet *s, int x, int y, int frame)
 {
     struct paint *p = paint_new(22, 34);
-    double k = wave(frame, 0), nx = k * 0.9, slop = wave(frame, 0.2) * 1.2;
+    double k = art_sway(frame, 0), nx = k * 0.9, slop = art_sway(frame, 0.2) * 1.2;
     static const double cork[] = { -2.2, 11.4, -2.8, 16, 2.8, 16, 2.2, 11.4 };
     double plug[8];
     for (int i = 0; i < 8; i++)
@@ -70,15 +58,15 @@ static void bottle(struct sheet *s, int x, int y, int frame)
 static void tongs(struct sheet *s, int x, int y, int frame)
 {
     struct paint *p = paint_new(36, 38);
-    double open = 1.6 + 1.6 * wave(frame, 0), k = wave(frame, 0.25);
+    double open = 1.6 + 1.6 * art_sway(frame, 0), k = art_sway(frame, 0.25);
     paint_mirror(p, true);
     for (int i = 0; i < 3; i++) {
-        double step = wave(frame, i * 0.34) * 1.5, kx = 13.6 - i * 1.4, ky = -14 + i * 5.2 + step;
-        bow(p, METAL, 4, -8 + i * 1.6, 10, ky - 4, kx, ky, 1.3, 1.0);
+        double step = art_sway(frame, i * 0.34) * 1.5, kx = 13.6 - i * 1.4, ky = -14 + i * 5.2 + step;
+        paint_bow(p, METAL, 4, -8 + i * 1.6, 10, ky - 4, kx, ky, 1.3, 1.0);
         paint_limb(p, METAL, kx, ky, 1.1, kx + 2.6, ky + 5.2, 0.5);
     }
-    bow(p, METAL, 2, -7, 15 + open, -3, 11 + open * 0.9, 7, 2.2, 2.4);
-    bow(p, SHINE, 11 + open * 0.9, 6, 10 + open, 14, 4.2 + open * 0.9, 16.6, 2.3, 0.8);
+    paint_bow(p, METAL, 2, -7, 15 + open, -3, 11 + open * 0.9, 7, 2.2, 2.4);
+    paint_bow(p, SHINE, 11 + open * 0.9, 6, 10 + open, 14, 4.2 + open * 0.9, 16.6, 2.3, 0.8);
     paint_ball(p, SHINE, 11.4 + open, 6, 2.2, 2.2, 0);
     paint_mirror(p, false);
     paint_ball(p, METAL, 0, -9, 7.6, 6.2, 0);
@@ -98,7 +86,7 @@ static void tongs(struct sheet *s, int x, int y, int frame)
 static void puffer(struct sheet *s, int x, int y, int frame)
 {
     struct paint *p = paint_new(36, 40);
-    double k = wave(frame, 0), full = 10.4 + 2.6 * k, tall = 1 + 0.05 * k;
+    double k = art_sway(frame, 0), full = 10.4 + 2.6 * k, tall = 1 + 0.05 * k;
     double tail[] = { -6 + k, -18.4, -2, -17, 0, -15.6, 2, -17, 6 + k, -18.4 };
     double fin[] = { full + 1, -2, full + 4.6, 0.4 + k * 1.4, full + 4, 5.4 + k, full - 1.4, 5 };
     paint_fin(p, METAL, 0, -10, 5, tail, 0.12);
@@ -126,9 +114,9 @@ static void puffer(struct sheet *s, int x, int y, int frame)
 static void crucible(struct sheet *s, int x, int y, int frame)
 {
     struct paint *p = paint_new(44, 46);
-    double k = wave(frame, 0), lean = k * 0.8;
+    double k = art_sway(frame, 0), lean = k * 0.8;
     paint_mirror(p, true);
-    bow(p, DULL, 0.6, -21.6, 9, -19, 14.6 + lean * 0.4, -6.4, 1.0, 1.0);
+    paint_bow(p, DULL, 0.6, -21.6, 9, -19, 14.6 + lean * 0.4, -6.4, 1.0, 1.0);
     paint_ball(p, SHINE, 15.4, -4.6, 2.4, 2.6, 0);
     paint_mirror(p, false);
     paint_band(p, -4.6, 1e9);
@@ -139,13 +127,13 @@ static void crucible(struct sheet *s, int x, int y, int frame)
     paint_ball(p, FIRE, 0, -4.6, 13.8, 3.6, 0);
     for (int i = 0; i < 4; i++) {
         static const double at[4] = { -11, -4.6, 3.6, 10.4 };
-        double run = 4.2 + 3.2 * wave(frame, 0.29 * i) + (i % 2 ? 4 : 0);
+        double run = 4.2 + 3.2 * art_sway(frame, 0.29 * i) + (i % 2 ? 4 : 0);
         paint_limb(p, COAL, at[i], -2.6, 2, at[i] * 0.96, -1 + run, 1.7);
         paint_ball(p, FIRE, at[i] * 0.96, -0.6 + run, 1.6, 2, 0);
     }
     for (int i = -1; i <= 1; i++)
         paint_ball(p, SHINE, i * 8.6, 12.6 - i * i * 2.2, 1.3, 1.3, 0);
-    bow(p, SHINE, -13.6, 10, 0, 15.6, 13.6, 10, 0.8, 0.8);
+    paint_bow(p, SHINE, -13.6, 10, 0, 15.6, 13.6, 10, 0.8, 0.8);
     paint_ball(p, FIRE, 0, 19.4, 2.4, 1.6 + k * 0.4, 0);
     paint_done(p, s, x, y, 1, 2);
 }
@@ -157,7 +145,7 @@ static void worm(struct sheet *s, int x, int y, int frame)
     struct paint *p = paint_new(32, 56);
     double px = 0, py = 0;
     for (int i = 0; i <= JOINTS; i++) {
-        double t = (double)i / JOINTS, nx = wave(frame, 0.21 * i) * (7 - 5 * t), ny = -25 + 38 * t;
+        double t = (double)i / JOINTS, nx = art_sway(frame, 0.21 * i) * (7 - 5 * t), ny = -25 + 38 * t;
         if (i)
             paint_limb(p, i % 2 ? METAL : DULL, px, py, 2.2 + 2.4 * (t - 0.15), nx, ny, 2.2 + 2.6 * t);
         px = nx;
@@ -165,7 +153,7 @@ static void worm(struct sheet *s, int x, int y, int frame)
     }
     for (int i = 0; i < JOINTS; i++) {
         double t = (double)i / JOINTS;
-        paint_ball(p, SHINE, wave(frame, 0.21 * i) * (7 - 5 * t), -25 + 38 * t, 3.4 + 2.9 * t, 1.7, 0);
+        paint_ball(p, SHINE, art_sway(frame, 0.21 * i) * (7 - 5 * t), -25 + 38 * t, 3.4 + 2.9 * t, 1.7, 0);
     }
     paint_limb(p, METAL, px, 11, 6, px * 0.7, 19, 6.4);
     paint_mirror(p, true);
@@ -179,7 +167,7 @@ static void worm(struct sheet *s, int x, int y, int frame)
     paint_ball(p, COAL, 0, 13.4, 1.4, 1.2, 0);
     paint_ball(p, SHINE, 0, 23, 7.4, 3.2, 0);
     paint_ball(p, EYE, 0, 24, 5.6, 2.2, 0);
-    paint_ball(p, FIRE, 0, 24, 4.2, 1.4 + 0.4 * wave(frame, 0), 0);
+    paint_ball(p, FIRE, 0, 24, 4.2, 1.4 + 0.4 * art_sway(frame, 0), 0);
     paint_mirror(p, true);
     paint_ball(p, GLEAM, 4.6, 18.6, 1.5, 1.5, 0);
     paint_ball(p, EYE, 4.8, 19.2, 0.8, 0.8, 0);
@@ -206,14 +194,14 @@ static void cog(struct paint *p, double x, double y, double r, int n, double tur
 static void gear_ray(struct sheet *s, int x, int y, int frame)
 {
     struct paint *p = paint_new(60, 50);
-    double k = wave(frame, 0), tip = 27 - 2.4 * (k < 0 ? -k : k), lift = k * 3.6, turn = frame / 4.0;
+    double k = art_sway(frame, 0), tip = 27 - 2.4 * (k < 0 ? -k : k), lift = k * 3.6, turn = frame / 4.0;
     double wing[] = { 2, 15.5, 10, 13.6, 17, 8 + lift * 0.3, tip, 2 + lift, 19, -5 + lift * 0.4, 10, -8.6, 2, -11 };
     paint_mirror(p, true);
     paint_fin(p, DULL, 0, 2, 7, wing, 0.06);
-    bow(p, METAL, 3, 12, 6.6, 16, 5, 21, 1.6, 0.8);
+    paint_bow(p, METAL, 3, 12, 6.6, 16, 5, 21, 1.6, 0.8);
     paint_mirror(p, false);
     for (int i = 5; i >= 0; i--)
-        paint_ball(p, i % 2 ? SHINE : DULL, wave(frame, 0.1 * i) * 0.7 * i, -10 - 2.7 * i, 2.6 - 0.26 * i, 2, 0);
+        paint_ball(p, i % 2 ? SHINE : DULL, art_sway(frame, 0.1 * i) * 0.7 * i, -10 - 2.7 * i, 2.6 - 0.26 * i, 2, 0);
     paint_ball(p, METAL, 0, 2.6, 7, 13.4, 0);
     cog(p, -13, 2.2 + lift * 0.14, 7, 8, turn);
     cog(p, 13, 2.2 + lift * 0.14, 7, 8, 1 - turn);
@@ -230,7 +218,7 @@ static void kiln_shell(struct paint *p)
     paint_ball(p, METAL, 0, -3, 23, 20, 0);
     for (int row = 0; row < 4; row++) {
         double y = -17 + row * 7.4, half = row == 0 ? 15 : row == 1 ? 20 : row == 2 ? 21.6 : 18;
-        bow(p, DARK, -half, y + 1, 0, y + 6.4, half, y + 1, 0.5, 0.5);
+        paint_bow(p, DARK, -half, y + 1, 0, y + 6.4, half, y + 1, 0.5, 0.5);
         for (int i = -2; i <= 2; i++) {
             double bx = (i + (row % 2 ? 0.5 : 0)) * 9.4;
             if (bx * bx < half * half * 0.8)
@@ -246,7 +234,7 @@ static void kiln(struct sheet *s, int x, int y, int frame)
     static const double hole[] = { -5.6, 13.4, -5.6, 5, -3, 1.6, 3, 1.6, 5.6, 5, 5.6, 13.4 };
     static const double stack[] = { -5, -14, -4, -27, 4, -27, 5, -14 };
     struct paint *p = paint_new(68, 62);
-    double k = wave(frame, 0), l = wave(frame, 0.25);
+    double k = art_sway(frame, 0), l = art_sway(frame, 0.25);
     double front[] = { 24, 9 + k * 3, 32, 16 + k * 4, 30, 21 + k * 3, 20, 15 + k };
     double hind[] = { 22, -13 - k, 29, -19 - k * 3, 24, -22 - k * 2, 16, -17 };
     paint_mirror(p, true);

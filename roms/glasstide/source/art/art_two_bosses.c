@@ -11,18 +11,6 @@ static const struct mat IRON = { MATTE, 2, 8, 0.02 }, SKIN = { VEIL, 2, 7, 0.04 
                         BRASS = { MATTE, 9, 11, 0.12 }, FIRE = { GLOW, 12, 15, 0 }, EMBER = { MATTE, 12, 13, 0.15 },
                         NIGHT = { FLAT, 1, 1, 0 }, LAMP = { FLAT, 15, 15, 0 };
 
-static double wave(int frame, double phase)
-{
-    return art_sin(frame / 4.0 + phase);
-}
-
-static void bow(struct paint *p, struct mat m, double ax, double ay, double cx, double cy, double bx, double by,
-                double ra, double rb)
-{
-    double a[2] = { ax, ay }, c[2] = { cx, cy }, b[2] = { bx, by };
-    paint_curve(p, m, a, c, b, ra, rb);
-}
-
 /* -- the Bellows -- */
 
 static void bellows_wings(struct paint *p, double k, double lift)
@@ -44,7 +32,8 @@ static void bellows_wings(struct paint *p, double k, double lift)
         paint_ball(p, BRASS, wing[2 * i] - 1.2, wing[2 * i + 1], 2, 2, 0);
     for (int i = 0; i < 3; i++) {
         double x = 19 + 9 * i;
-        bow(p, LEATHER, x, -14 + 6 * i + lift * 0.3, x + 6, 2 + lift * 0.4, x - 3, 22 - 4 * i + lift * 0.3, 1.3, 1.0);
+        paint_bow(p, LEATHER, x, -14 + 6 * i + lift * 0.3, x + 6, 2 + lift * 0.4, x - 3, 22 - 4 * i + lift * 0.3, 1.3,
+                  1.0);
     }
     paint_mirror(p, false);
 }
@@ -58,7 +47,7 @@ static void bellows_body(struct paint *p, double full, double k)
     }
     for (int i = 0; i < 8; i += 2) {
         double v = (i - 3.5) / 4.4, wide = full * (1 - v * v * 0.55), y = -19 + i * 5.6 * (1 + 0.03 * k);
-        bow(p, BRASS, -wide + 1.6, y + 1, 0, y + 4, wide - 1.6, y + 1, 0.9, 0.9);
+        paint_bow(p, BRASS, -wide + 1.6, y + 1, 0, y + 4, wide - 1.6, y + 1, 0.9, 0.9);
     }
     paint_limb(p, IRON, 0, -24, 4.6, 0, 20, 5.6);
     paint_ball(p, BRASS, 0, -8, 6.4, 8.6, 0);
@@ -70,13 +59,13 @@ static void bellows_body(struct paint *p, double full, double k)
 static void bellows(struct sheet *s, int x, int frame)
 {
     struct paint *p = paint_new(116, 96);
-    double k = wave(frame, 0), l = wave(frame, 0.25), lift = l * 6;
+    double k = art_sway(frame, 0), l = art_sway(frame, 0.25), lift = l * 6;
     for (int i = 8; i >= 0; i--)
-        paint_ball(p, i % 2 ? BRASS : IRON, wave(frame, 0.08 * i) * 0.5 * i, -27 - 2.3 * i, 3.4 - 0.3 * i, 2.2, 0);
+        paint_ball(p, i % 2 ? BRASS : IRON, art_sway(frame, 0.08 * i) * 0.5 * i, -27 - 2.3 * i, 3.4 - 0.3 * i, 2.2, 0);
     bellows_wings(p, k, lift);
     bellows_body(p, 18 + 3.4 * k, k);
     paint_mirror(p, true);
-    bow(p, IRON, 6, 22, 17, 30, 10, 41 + l, 3.6, 1.4);
+    paint_bow(p, IRON, 6, 22, 17, 30, 10, 41 + l, 3.6, 1.4);
     paint_ball(p, BRASS, 10.2, 40 + l, 1.8, 1.8, 0);
     paint_ball(p, IRON, 10.6, 20, 5, 5, 0);
     paint_ball(p, LAMP, 11, 21.4, 3.2, 3.2, 0);
@@ -126,7 +115,7 @@ static const struct eel QUENCH = { { MATTE, 2, 8, 0.02 },
 static void spine(const struct eel *e, int frame, double t, double *x, double *y, double *r)
 {
     double coil = 0.06 + 1.02 * t;
-    *x = e->side * (27 - 12 * t) * art_sin(coil + 0.035 * wave(frame, -t)) + 1.6 * wave(frame, 0.3 - t);
+    *x = e->side * (27 - 12 * t) * art_sin(coil + 0.035 * art_sway(frame, -t)) + 1.6 * art_sway(frame, 0.3 - t);
     *y = -37 + 46 * t + 7 * art_sin(2 * coil + 0.2) * (1 - t);
     *r = 2.6 + 7.4 * t * (2 - t);
 }
@@ -139,7 +128,7 @@ static void eel_fins(struct paint *p, const struct eel *e, int frame)
         spine(e, frame, t, &x, &y, &r);
         spine(e, frame, t + 0.05, &nx, &ny, &nr);
         double dx = nx - x, dy = ny - y, len = sqrt(dx * dx + dy * dy) + 0.01;
-        double far = r + 4 + 3 * (i % 2) + 1.6 * wave(frame, 0.37 * i);
+        double far = r + 4 + 3 * (i % 2) + 1.6 * art_sway(frame, 0.37 * i);
         dx /= len;
         dy /= len;
         for (int side = -1; side <= 1; side += 2) {
@@ -177,11 +166,11 @@ static void cinder_head(struct paint *p, int frame)
     static const double jaw[] = { -8, 4, -9, 13, -4.6, 21, 4.6, 21, 9, 13, 8, 4 };
     static const double horn[] = { 7, -9, 15, -17, 20, -27, 12, -21, 3, -12 };
     static const double brow[] = { 2, -5, 12.6, -9, 16, -2, 10, -1.4, 3, 1 };
-    double k = wave(frame, 0), gape = 1 + k;
+    double k = art_sway(frame, 0), gape = 1 + k;
     paint_mirror(p, true);
     paint_poly(p, CINDER.ring, 5, horn, 1.6);
-    bow(p, CINDER.fin, 9, 2, 18, 1 + k, 19 + k, 9, 3.4, 0.6);
-    bow(p, CINDER.fin, 8, 6, 15, 9, 15 + k, 16, 2.8, 0.5);
+    paint_bow(p, CINDER.fin, 9, 2, 18, 1 + k, 19 + k, 9, 3.4, 0.6);
+    paint_bow(p, CINDER.fin, 8, 6, 15, 9, 15 + k, 16, 2.8, 0.5);
     paint_mirror(p, false);
     paint_ball(p, CINDER.hide, 0, -2, 13.6, 12, 0);
     paint_poly(p, CINDER.plate, 6, jaw, 3);
@@ -202,7 +191,7 @@ static void quench_head(struct paint *p, int frame)
 {
     static const double crest[] = { -3, -2, -6, -16, 0, -29, 6, -16, 3, -2 };
     static const double snout[] = { -9, 2, -7.4, 12, -3.2, 22, 3.2, 22, 7.4, 12, 9, 2 };
-    double k = wave(frame, 0), l = wave(frame, 0.25);
+    double k = art_sway(frame, 0), l = art_sway(frame, 0.25);
     double veil[] = { 9, -9, 19, -13 - k * 2, 22, -3 - k * 2, 17, 7 - k, 9, 6 };
     double vent[] = { 8, 4, 14, 8 + l, 15, 16 + l * 2, 10, 13, 6, 9 };
     paint_mirror(p, true);
@@ -260,8 +249,8 @@ static void neck(struct paint *p, const struct eel *e)
         double t = i / 6.0, x = -26 + 18 * t * t, y = 50 - 38 * t;
         paint_limb(p, i % 2 ? e->plate : e->hide, x, y, 20 - 2 * t, x + 3, y - 5, 19 - 2 * t);
     }
-    bow(p, e->ring, -38, 36, -12, 46, 4, 30, 2.4, 2.4);
-    bow(p, e->coal, -36, 22, -12, 32, 6, 17, 1.4, 1.4);
+    paint_bow(p, e->ring, -38, 36, -12, 46, 4, 30, 2.4, 2.4);
+    paint_bow(p, e->coal, -36, 22, -12, 32, 6, 17, 1.4, 1.4);
 }
 
 static void cinder_mane(struct paint *p)
@@ -271,7 +260,7 @@ static void cinder_mane(struct paint *p)
                                      { 3, -28, 8, -44 } };
     for (int i = 0; i < 7; i++) {
         double wx = (at[i][0] + at[i][2]) * 0.5 + 3, wy = (at[i][1] + at[i][3]) * 0.5 + 3;
-        bow(p, CINDER.fin, at[i][0], at[i][1], wx, wy, at[i][2], at[i][3], 7, 0.8);
+        paint_bow(p, CINDER.fin, at[i][0], at[i][1], wx, wy, at[i][2], at[i][3], 7, 0.8);
     }
 }
 
@@ -324,15 +313,15 @@ static void quench_face(struct sheet *s, int x, bool cross)
     paint_poly(p, QUENCH.hide, 8, low, 4);
     paint_ball(p, QUENCH.hide, -4, -3, 18, 17, 0);
     paint_poly(p, QUENCH.plate, 8, top, 6);
-    bow(p, NIGHT, -6, 11, 14, cross ? 14 : 8.6, 33, 10, 0.8, 0.6);
-    bow(p, QUENCH.plate, -10, -15, 8, -16, 30, 3, 1.6, 1.0);
+    paint_bow(p, NIGHT, -6, 11, 14, cross ? 14 : 8.6, 33, 10, 0.8, 0.6);
+    paint_bow(p, QUENCH.plate, -10, -15, 8, -16, 30, 3, 1.6, 1.0);
     paint_ball(p, NIGHT, 9, -3.4, 7.6, cross ? 3.4 : 5, 0.06);
     paint_ball(p, QUENCH.glow, 9.4, -3.2, 6.2, cross ? 2.6 : 4, 0.06);
     paint_ball(p, NIGHT, 11, -3, 1.3, cross ? 2.4 : 3.4, 0.06);
     paint_ball(p, LAMP, 7, -5, 1.3, 1, 0);
     paint_limb(p, QUENCH.plate, -1, cross ? -7 : -9, 1.8, 17, cross ? -4.6 : -4, 1.4);
     for (int i = 0; i < 3; i++)
-        bow(p, NIGHT, -15 + 4 * i, -4, -12 + 4 * i, 3, -15 + 4 * i, 10, 0.6, 0.6);
+        paint_bow(p, NIGHT, -15 + 4 * i, -4, -12 + 4 * i, 3, -15 + 4 * i, 10, 0.6, 0.6);
     paint_ball(p, QUENCH.ring, -9, -13, 3, 3, 0);
     paint_ball(p, QUENCH.ring, -17, -10, 2.4, 2.4, 0);
     paint_ball(p, NIGHT, 29.6, 3.4, 1.4, 1, 0.08);

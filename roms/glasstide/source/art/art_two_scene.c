@@ -8,24 +8,13 @@
 
 enum { WIDE = 240, TALL = 320, STREET = 128, BAY = 160 };
 
-static uint32_t next(uint32_t *seed)
-{
-    *seed = *seed * 1664525u + 1013904223u;
-    return *seed >> 8;
-}
-
-static double pick(uint32_t *seed, double lo, double hi)
-{
-    return lo + (hi - lo) * (next(seed) & 0xffff) / 65536.0;
-}
-
 /* 0 to 1, the same for the same place. */
 static double grain(int x, int y)
 {
     uint32_t seed = (uint32_t)x * 374761393u + (uint32_t)y * 668265263u + 17u;
     seed = (seed ^ seed >> 13) * 1274126177u;
     seed ^= seed >> 16;
-    return pick(&seed, 0, 1);
+    return art_pick(&seed, 0, 1);
 }
 
 static int dithered(double v, int x, int y)
@@ -232,13 +221,13 @@ struct sheet art_two_skyline(void)
     struct paint *p = paint_new(WIDE, SKY);
     uint32_t seed = 41;
     for (int i = 0; i < 9; i++) {
-        double x = -108 + 27 * i + pick(&seed, -4, 4), top = pick(&seed, -22, 4), r = pick(&seed, 4, 6.5);
+        double x = -108 + 27 * i + art_pick(&seed, -4, 4), top = art_pick(&seed, -22, 4), r = art_pick(&seed, 4, 6.5);
         for (int k = 0; k < 4; k++)
             paint_ball(p, smoke, x + 3 * k + k * k, top - 5 - 4.6 * k, 3.4 + 1.5 * k, 2.6 + k, 0);
         chimney(p, x, top, 44, r);
     }
     for (int i = 0; i < 10; i++) {
-        double x = -112 + 25 * i, top = 14 + pick(&seed, -4, 6);
+        double x = -112 + 25 * i, top = 14 + art_pick(&seed, -4, 6);
         double roof[] = { x - 13, 44, x - 13, top + 6, x - 4, top - 3, x - 4, top + 6, x + 13, top - 1, x + 13, 44 };
         paint_poly(p, shed, 6, roof, 2);
         for (int k = 0; k < 3; k++)

@@ -8,19 +8,6 @@
 
 enum { WIDE = 240, HIGH = 320, STROKES = 430, SPARKS = 120 };
 
-static double random_from(uint32_t *seed)
-{
-    *seed = *seed * 1664525u + 1013904223u;
-    return (*seed >> 8 & 0xffff) / 65536.0;
-}
-
-static double order(int x, int y)
-{
-    static const int bayer[4][4] = { { 0, 8, 2, 10 }, { 12, 4, 14, 6 }, { 3, 11, 1, 9 }, { 15, 7, 13, 5 } };
-
-    return (bayer[y & 3][x & 3] + 0.5) / 16;
-}
-
 /* Swells that lie across: long, low, and bent by each other. */
 static void swell(struct sheet *s)
 {
@@ -30,7 +17,7 @@ static void swell(struct sheet *s)
             double warp = 0.5 * art_sin(b + 2 * a) + 0.3 * art_sin(2 * b - 3 * a + 0.2);
             double v = art_sin(9 * a + warp) + 0.6 * art_sin(21 * a + 1.4 * warp + b) + 0.3 * art_sin(34 * a - 3 * b);
             double off = (b - 0.5) * (b - 0.5) * 4;
-            sheet_set(s, x, y, (int)art_clamp(3.3 + 1.25 * v - 1.6 * off + order(x, y), 1, 6));
+            sheet_set(s, x, y, (int)art_clamp(3.3 + 1.25 * v - 1.6 * off + art_dither(x, y), 1, 6));
         }
     }
 }
@@ -52,16 +39,16 @@ static void light(struct sheet *s)
     uint32_t seed = 41;
 
     for (int i = 0; i < STROKES; i++) {
-        double y = random_from(&seed) * HIGH, turn = y / HIGH;
-        double off = random_from(&seed) + random_from(&seed) + random_from(&seed) - 1.5;
+        double y = art_random(&seed) * HIGH, turn = y / HIGH;
+        double off = art_random(&seed) + art_random(&seed) + art_random(&seed) - 1.5;
         double wide = 34 + 12 * art_sin(3 * turn) + 7 * art_sin(7 * turn + 0.3);
         double near = 1 - fabs(off) / 1.5;
-        int half = 2 + (int)(7 * near * random_from(&seed));
+        int half = 2 + (int)(7 * near * art_random(&seed));
         stroke(s, 120 + (int)(off * wide), (int)y, half, 6 + (int)(6.4 * near * near));
     }
     for (int i = 0; i < SPARKS; i++) { /* what glimmers: the palette goes round in these */
-        double off = random_from(&seed) + random_from(&seed) + random_from(&seed) - 1.5;
-        int x = 120 + (int)(off * 36), y = (int)(random_from(&seed) * HIGH);
+        double off = art_random(&seed) + art_random(&seed) + art_random(&seed) - 1.5;
+        int x = 120 + (int)(off * 36), y = (int)(art_random(&seed) * HIGH);
         sheet_set(s, x, HIGH + y, 13 + i % 3);
         sheet_set(s, x + 1, HIGH + y, 13 + i % 3);
     }

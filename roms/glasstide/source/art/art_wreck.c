@@ -8,19 +8,6 @@
 
 enum { WRECK_W = 160, WRECK_H = 640, TALL = 320, WIDE = 240 };
 
-static double pick(uint32_t *seed, double lo, double hi)
-{
-    *seed = *seed * 1664525u + 1013904223u;
-    return lo + (hi - lo) * (*seed >> 8 & 0xffff) / 65536.0;
-}
-
-/* Half-tones: the threshold of a pixel, 0 to 1. */
-static double threshold(int x, int y)
-{
-    static const int order[4][4] = { { 0, 8, 2, 10 }, { 12, 4, 14, 6 }, { 3, 11, 1, 9 }, { 15, 7, 13, 5 } };
-    return (order[y & 3][x & 3] + 0.5) / 16;
-}
-
 /* -- the wreck: its bow is below, for that comes first -- */
 
 /* How wide half of the hull is at line y of the picture. */
@@ -58,7 +45,7 @@ static int plank(int x, int y, double edge)
 {
     int board = (x + 400) / 9;
     uint32_t seed = (uint32_t)(board * 977 + ((y + board * 37) / 74) * 131);
-    double v = 6.6 + pick(&seed, -0.9, 0.9) + 0.35 * art_sin(y / 41.0 + board * 0.3) - x * 0.012;
+    double v = 6.6 + art_pick(&seed, -0.9, 0.9) + 0.35 * art_sin(y / 41.0 + board * 0.3) - x * 0.012;
     bool seam = (x + 400) % 9 == 0, joint = (y + board * 37) % 74 == 0;
     if (edge < 9)
         v -= 1.4;
@@ -66,7 +53,7 @@ static int plank(int x, int y, double edge)
         v -= 2.2;
     if (joint)
         v -= 1.6;
-    return (int)(art_clamp(v, 2, 9) + threshold(x + 400, y) * 0.9);
+    return (int)(art_clamp(v, 2, 9) + art_dither(x + 400, y) * 0.9);
 }
 
 /* The dark below the deck, with the ribs and the keel of the ship. */
@@ -75,7 +62,7 @@ static int below(int x, int y, double deep)
     bool rib = y % 22 < 5, keel = x > -4 && x < 4;
     if (deep < 0.12)
         return 9;
-    return rib || keel ? (y % 22 == 0 ? 5 : 3) : 1 + (deep < 0.4 && threshold(x + 400, y) > 0.6);
+    return rib || keel ? (y % 22 == 0 ? 5 : 3) : 1 + (deep < 0.4 && art_dither(x + 400, y) > 0.6);
 }
 
 static void hull(struct sheet *s)
@@ -86,7 +73,7 @@ static void hull(struct sheet *s)
             int x = i - WRECK_W / 2;
             double edge = half - (x < 0 ? -x : x), shadow = half_width(y - 10) - (x - 9 < 0 ? 9 - x : x - 9);
             if (half < 2 || edge < 0) {
-                if (shadow > 0 && (shadow > 5 || threshold(i, y) < shadow / 5))
+                if (shadow > 0 && (shadow > 5 || art_dither(i, y) < shadow / 5))
                     sheet_set(s, i, y, 1);
                 continue;
             }
@@ -135,7 +122,7 @@ static void cabin(struct paint *p, double x, double y)
 static void tuft(struct paint *p, double x, double y, uint32_t seed)
 {
     for (int i = 0; i < 6; i++) {
-        double a = pick(&seed, 0, 1), far = pick(&seed, 5, 12);
+        double a = art_pick(&seed, 0, 1), far = art_pick(&seed, 5, 12);
         double from[2] = { x, y }, c[2] = { x + art_cos(a) * far * 0.6 + 2, y + art_sin(a) * far * 0.6 - 2 },
                to[2] = { x + art_cos(a) * far, y + art_sin(a) * far };
         paint_curve(p, WEED, from, c, to, 1.5, 0.5);
@@ -159,8 +146,8 @@ struct sheet art_wreck(void)
         paint_curve(p, ROPE, a, c, b, 0.7, 0.7);
     }
     for (int i = 0; i < 18; i++) {
-        double y = pick(&seed, -290, 290), half = half_width(y + WRECK_H / 2.0);
-        tuft(p, (i % 2 ? 1 : -1) * pick(&seed, half * 0.6, half), y, (uint32_t)(i * 71 + 3));
+        double y = art_pick(&seed, -290, 290), half = half_width(y + WRECK_H / 2.0);
+        tuft(p, (i % 2 ? 1 : -1) * art_pick(&seed, half * 0.6, half), y, (uint32_t)(i * 71 + 3));
     }
     paint_done(p, &s, 0, 0, 1, 0);
     return s;
@@ -175,7 +162,7 @@ static void frond(struct paint *p, double side, double y, double reach, uint32_t
 
     for (int i = 1; i <= 8; i++) {
         double t = i / 8.0, x = x0 + (x1 - x0) * t + side * 5 * art_sin(t * 1.2), ny = y + 60 - 130 * t;
-        double far = pick(&seed, 9, 17) * (1.15 - 0.5 * t), up = pick(&seed, -9, -3);
+        double far = art_pick(&seed, 9, 17) * (1.15 - 0.5 * t), up = art_pick(&seed, -9, -3);
         double a[2] = { x, ny }, c[2] = { x - side * far * 0.6, ny + up * 0.2 - 4 }, b[2] = { x - side * far, ny + up };
         double c2[2] = { x + side * far * 0.6, ny - 5 }, b2[2] = { x + side * far, ny + up };
         paint_limb(p, stem, px, py, 1.4, x, ny, 1.2);
@@ -212,7 +199,7 @@ static void shaft(struct sheet *s, int x0, double wide, double slant, double str
         double middle = x0 + 96 - slant * y, fade = strength * (1 - (double)y / TALL);
         for (int x = x0; x < x0 + 112; x++) {
             double off = (x - middle) / (wide * (0.7 + 0.5 * y / TALL)), soft = 1 - off * off;
-            if (soft > 0 && threshold(x, y) < soft * fade)
+            if (soft > 0 && art_dither(x, y) < soft * fade)
                 sheet_set(s, x, y, 12);
         }
     }
