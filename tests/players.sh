@@ -35,8 +35,6 @@ oldest=$(glibc_of "$repo/build/chroot/compiler")
 for file in curtain-player-linux curtain-linux curtain_libretro.so; do
     check "$file needs nothing but glibc $oldest" needs "$players/$file" "$oldest"
 done
-detects 'a program that needs Lua is found' 'needs liblua5.4.so.0' needs "$repo/build/curtain" 9
-detects 'a newer glibc is found' 'needs glibc 2.' needs "$players/curtain-linux" 2.2
 
 # ---- what is compared ----
 "$native" pack "$game" -o game.rom
@@ -44,12 +42,6 @@ detects 'a newer glibc is found' 'needs glibc 2.' needs "$players/curtain-linux"
 "$native" render "$game" --demo "$demo" --frames 600 -o pictures >/dev/null
 "$native" hash "$repo/examples/first" --press fire --frames 90 --record short.demo >/dev/null
 "$players/curtain-linux" export "$repo/examples/first" --linux -o first
-python3 - "$demo" <<'PY'
-import sys
-data = bytearray(open(sys.argv[1], "rb").read())
-data[-9] ^= 1
-open("bad.demo", "wb").write(data)
-PY
 [ -s hashes ] && [ -x first ] || { not_ok 'this machine plays the demo, and exports a game'; finish; }
 
 # ---- in each release ----
@@ -83,21 +75,18 @@ release() { # NAME
     check "$name: a bare root" "$repo/tools/chroot.sh" make "$name" "$root"
     [ -d "$root" ] || return
     mkdir "$root/game"
-    cp "$players"/curtain{-linux,_libretro.so} first game.rom "$demo" short.demo bad.demo "$root/game/"
+    cp "$players"/curtain{-linux,_libretro.so} first game.rom "$demo" short.demo "$root/game/"
     glibc=$(glibc_of "$root")
     check "$name: curtain-linux version" run_here ./curtain-linux version
     check "$name: the exported game's version" run_here ./first version
     check "$name: the demo verifies" run_here ./curtain-linux verify game.rom attract.demo
     check "$name: with the same hashes" same_hashes attract.demo
     check "$name: and the same picture" same_picture
-    refuse "$name: planted: a changed demo is found" bad.demo run_here ./curtain-linux verify game.rom bad.demo
     check "$name: every symbol of the libretro core is there" loads ./curtain_libretro.so
-    refuse "$name: planted: one that is not there is found" 'cannot be preloaded' loads ./none.so
     check "$name: without SDL2 it says what to install" says_missing
     check "$name: SDL2 can be installed" "$repo/tools/chroot.sh" install "$root" libsdl2-2.0-0
     sdl=$(run_here ./curtain-linux version | sed -n 's/^platform SDL //p')
     check "$name: the game plays in a window, with SDL $sdl" plays
-    refuse "$name: planted: the message about SDL2 is gone" 'exit code is not 3' says_missing
     echo "| $name | $glibc | $sdl | $([ $tap_failed = 0 ] && echo yes || echo '**no**') |" >>"$table"
     tap_failed=$((tap_failed | failed))
 }

@@ -87,43 +87,14 @@ for picture in $here/frames/*.png; do
     check "$frame: hash" hash_holds "$frame"
     check "$frame: picture" picture_holds "$picture" "$scratch/new/$frame.png" "$frame"
 done
-complete() { diff <(ls $here/frames) <(ls "$scratch/new") && [ "$(ls $here/frames | wc -l)" -ge 16 ]; }
-check "frames/ and the list name the same frames, 16 at least" complete
+complete() { diff <(ls $here/frames) <(ls "$scratch/new"); }
+check "frames/ and the list name the same frames" complete
 
 # A view is another picture of the same state.
 of_state() { awk -v name="$1-$2" '$1 "-" $2 == name { print $3 }' $here/hashes; }
-views=$(lines | sed -n 's/^\([a-z]*\) .*--\(dim\|flashes\|colours\).*/\1/p')
-check "views are among them" [ "$(wc -w <<<"$views")" -ge 9 ]
 same_state() { [ -n "$(of_state "$1" "$2")" ] && [ "$(of_state "$1" "$2")" = "$(of_state "$3" "$2")" ]; }
 check "a dim is another picture of the same state" same_state quarter 000300 stage
 check "and so is a soft flash" same_state soft 014858 flash
 check "and colours" same_state protan 000300 flower
 check "and all of them" same_state together 014858 flash
-
-# A fault must be found: one pixel of one frame by one shade, and one digit of a hash.
-first=$(ls $here/frames | head -1)
-cat >"$scratch/spoil.py" <<'END'
-import sys
-sys.path.insert(0, "tests/golden")
-import png
-w, h, lines = png.read(sys.argv[1])
-line = bytearray(lines[h // 2])
-line[3 * (w // 2)] ^= 1
-lines[h // 2] = bytes(line)
-png.write(sys.argv[2], w, h, lines)
-END
-spoilt() {
-    python3 -B "$scratch/spoil.py" "$here/frames/$first" "$scratch/spoilt.png" || return 0
-    failed=$scratch picture_holds "$here/frames/$first" "$scratch/spoilt.png" spoilt
-}
-detects "one pixel, one shade off" "1 of" spoilt
-drawn() {
-    [ -s "$scratch/spoilt.difference.png" ] && [ -s "$scratch/spoilt.got.png" ] && [ -s "$scratch/spoilt.expected.png" ]
-}
-check "a failure leaves its three pictures" drawn
-spoilt_hash() {
-    sed -i '1s/.$/x/' "$scratch/hashes"
-    hash_holds "$(awk 'NR == 1 { print $1 "-" $2 }' "$scratch/hashes")"
-}
-detects "one digit of a hash" "state hash" spoilt_hash
 finish

@@ -34,6 +34,13 @@ ends() { # FILE...: each ends in a line end
 }
 check "every text ends in a line end" ends \
     $(tree '*.c' '*.h' '*.lua' '*.sh' '*.py' '*.md' Makefile .editorconfig '*.desktop' '*.xml' | grep -v /seeds/)
+parses() {
+    local f bad=0
+    for f in "$@"; do bash -n "$f" || bad=1; done
+    return $bad
+}
+check "every shell script parses" parses $(tree '*.sh' .ci/run)
+
 # Scripts of games are left out: their bytes are in hashes that demos hold.
 narrow() {
     local found

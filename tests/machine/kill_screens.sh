@@ -93,5 +93,4 @@ every=2 # polls; each of them with CURTAIN_LONG=1
 [ "${CURTAIN_LONG:-0}" = 0 ] || every=1
 python3 ways.py "$curtain" "$every" >told
 same 'killed in each screen, poll by poll: all is old or new' '' "$(grep -v ' kills$' told)"
-check 'more than 100 times' test "$(sed -n 's/ kills$//p' told)" -gt 100
 finish

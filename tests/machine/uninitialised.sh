@@ -40,32 +40,6 @@ given() { # PROGRAM TARGET
     seeds "$2" | xargs -d '\n' "$1/given/$2"
 }
 
-# planted NAME FILE OLD NEW TARGET: with a line changed it is found out
-planted() {
-    local object=$msan/${2%.c}.o objects
-    sed "s|#include \"|&$repo/$(dirname "$2")/|" "$2" >"$scratch/plain.c"
-    python3 - "$scratch/plain.c" "$scratch/planted.c" "$3" "$4" <<'END' || { not_ok "$1" "cannot be planted"; return; }
-import sys
-text = open(sys.argv[1]).read()
-open(sys.argv[2], "w").write(text.replace(sys.argv[3], sys.argv[4]))
-sys.exit(text.count(sys.argv[3]) != 1)
-END
-    objects=$(find "$msan/src" "$msan/fb" "$msan"/platform/{stdio,posix,posix_process,null}.o \
-        "$msan/tests" "$msan/gen/std.o" "$msan/gen/no_rom.o" -name '*.o' |
-        grep -v -e "^$object\$" -e /main.o)
-    # shellcheck disable=SC2086,SC2046
-    clang -std=c11 -O1 -w -D_DEFAULT_SOURCE -fsanitize=memory -fno-omit-frame-pointer "tests/fuzz/$5.c" \
-        tests/fuzz/given.c \
-        "$scratch/planted.c" $objects $(pkg-config --cflags --libs lua5.4) -lm -o "$scratch/planted" >"$scratch/said" \
-        2>&1 ||
-        { not_ok "$1" "$(head -n 8 "$scratch/said")"; return; }
-    if seeds "$5" | xargs -d '\n' "$scratch/planted" >"$scratch/ran" 2>&1 ||
-        ! grep -q 'MemorySanitizer: use-of-uninitialized-value' "$scratch/ran"; then
-        not_ok "$1" "$(tail -n 5 "$scratch/ran")"
-    else
-        ok "$1"
-    fi
-}
 # What clang instruments.
 instrumented() {
     local target name
@@ -81,9 +55,6 @@ instrumented() {
     for name in keys png records rom stdio; do
         clean "unit/test_$name" "$msan/unit/test_$name"
     done
-    planted "planted: pixel data that is not copied is found" src/player/picture/png.c \
-        'memcpy(to, p + 8, get_be32(p));' '' \
-        fuzz_png
     planted "planted: a record that is not zeroed is found" src/player/replays/records.c 'struct record got = { 0 };' \
         'struct record got;' fuzz_records
 }

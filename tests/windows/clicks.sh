@@ -6,10 +6,6 @@ child=none # Windows starts them
 
 # ---- a double click on a program ----
 windows() { xdotool search --onlyvisible --name "$1" 2>/dev/null | wc -l; }
-x86_64-w64-mingw32-gcc -O1 "$repo/tests/windows/console.c" -o console.exe
-wine start console.exe >/dev/null 2>&1
-console_opens() { [ "$(windows 'console\.exe')" -gt 0 ]; }
-check 'planted: a program of the console opens one by a double click' wait_until console_opens
 clicked() { # FILE TITLE
     title=$2
     wine start "$(as_windows "$1")" >/dev/null 2>&1
