@@ -124,12 +124,6 @@ alike() { # DOCUMENT PX
 for name in carousel clockwork orrery loom gulls peacock; do # without $rand, which is another's there
     check "the Lua of $name fires what it does" alike "$gallery/bulletml/$name.xml" 5
 done
-faster() { # the Lua fires it a tenth faster
-    sed -i 's/speed = speed \* unit,/speed = 1.1 * speed * unit,/' pair/played.lua
-    "$curtain" hash pair --stage one --invincible --dip way=lua --frames 60:460:40 --trace bullets >lua.txt &&
-        python3 "$near" document.txt lua.txt 5
-}
-detects "another speed" "too far off" faster
 cat >all.xml <<'XML'
 <bulletml type="horizontal"><action label="top"><repeat><times>40</times><action>
 <actionRef label="two words"><param>5</param></actionRef><wait>4+$rank*2</wait></action></repeat></action>

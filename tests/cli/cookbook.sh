@@ -8,11 +8,9 @@ made=tools/cookbook/cookbook.sh
 
 list() { sed -n '/^local pages/,/^}/p' $game/main.lua | grep -o '"[a-z0-9_]*"' | tr -d '"' | sort; }
 all() { # FOLDER
-    diff <(list) <(ls "$1" | sed 's/\.lua$//' | sort) && [ "$(list | wc -l)" -ge 60 ]
+    diff <(list) <(ls "$1" | sed 's/\.lua$//' | sort)
 }
-check "every recipe is a page, once, and there are sixty" all $game/recipes
-cp -R $game/recipes "$scratch" && touch "$scratch/recipes/zzz.lua"
-detects "a recipe that is no page" "> zzz" all "$scratch/recipes"
+check "every recipe is a page, once" all $game/recipes
 
 # A recipe begins with its words, and is short.
 short() { # FILE...
@@ -25,8 +23,6 @@ short() { # FILE...
     done
 }
 check "every recipe has its title and is short" short $game/recipes/*.lua
-printf -- '-- bad.lua - without a title\nreturn 1\n' >"$scratch/bad.lua"
-detects "a recipe without a title" "has no title" short "$scratch/bad.lua"
 
 # But for the work of calls, which depends a little on addresses: what pairs() sorts stands in one order or another.
 steady() { cut -d ' ' -f 1-5 "$1"; }
@@ -39,13 +35,8 @@ detects "another hash" "0123456789abcdef" current "$scratch/other"
 
 book() { $made --book | diff - "$1"; }
 check "book.txt has the words of the recipes" book $game/book.txt
-sed 's/Accelerating/Slowing/' $game/book.txt >"$scratch/book.txt"
-detects "other words" "Slowing" book "$scratch/book.txt"
 page() { $made --page | diff - "$1"; }
 check "docs/cookbook.md is what its command writes" page docs/cookbook.md
-sed 's/^local faster/local slower/' docs/cookbook.md >"$scratch/cookbook.md"
-detects "other code" "slower" page "$scratch/cookbook.md"
-
 pictures() { diff <(list) <(ls docs/images/cookbook | sed 's/\.png$//' | sort); }
 check "every page has its picture" pictures
 light() { [ "$(cat docs/images/cookbook/*.png | wc -c)" -lt "$1" ]; }

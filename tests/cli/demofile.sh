@@ -93,19 +93,6 @@ check "the page's reader agrees about one of now" agrees tests/demos/frozen.rom 
 check "the page's reader agrees about one with prints of seconds" agrees tests/demos/frozen.rom "$scratch/sparse.demo"
 check "the page's reader agrees about a practice start" agrees roms/glasstide "$scratch/fresh.demo"
 
-# A pad of the first second, which has one run: behind the header, the first row, and its own head and frames.
-pad_at() {
-    python3 - "$1" <<'END'
-import struct, sys
-data, at = open(sys.argv[1], "rb").read(), 8
-for _ in range(2):
-    at += 12 + struct.unpack_from("<I", data, at + 4)[0]
-print(at + 8 + 8 + 2)
-END
-}
-python3 tests/cli/demo_repair.py "$scratch/now.demo" "$scratch/other.demo" "$(pad_at "$scratch/now.demo")" 0x10
-detects 'another pad' 'frame 1: ' agrees tests/demos/frozen.rom "$scratch/other.demo"
-
 # Changed bytes, checksums made good: both refuse, or neither does.
 cat >"$scratch/lies.py" <<'END'
 import random, re, subprocess, sys

@@ -2,12 +2,10 @@
 """explained.py - what docs/reference/api.md, which is the output of `curtain help lua NAME`, leaves unexplained.
 
     explained.py API.md             lists rows without a meaning, entries without an example or guide
-    explained.py --count API.md     counts them by table
     explained.py --texts API.md     prints all help sentences and meanings, one a line
 
 An example has one to five lines of at most 96 columns. The guide's page exists.
 """
-import collections
 import os
 import re
 import sys
@@ -60,16 +58,6 @@ def main(arguments):
         found = list(unexplained(page.read(), texts))
     if arguments[0] == "--texts":
         print("\n".join(sorted({t for t in texts if len(t) > 12})))
-        return 0
-    if arguments[0] == "--count":
-        rows, entries = collections.Counter(), collections.Counter()
-        for name, what in found:
-            (rows if what.endswith("meaning") else entries)[re.split(r"[.:]", name)[0]] += 1
-        for table in sorted(set(rows) | set(entries)):
-            print("%-14s %3d rows without a meaning, %3d entries without an example" %
-                  (table, rows[table], entries[table]))
-        print("%-14s %3d rows without a meaning, %3d entries without an example" %
-              ("all", sum(rows.values()), sum(entries.values())))
         return 0
     for _, what in found:
         print(what)

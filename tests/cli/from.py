@@ -81,7 +81,7 @@ def main():
                     wrong = 1
                     print(f"{page}:{number}: Curtain has no {name}")
     print(f"{count} names")
-    return wrong or count < 300
+    return wrong or not count
 
 
 sys.exit(main())

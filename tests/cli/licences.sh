@@ -60,7 +60,6 @@ mit=$(sed '1,/^Permission/{/^Permission/!d}' "$repo/LICENSE" | words)
 check "Curtain's is LICENSE, whole" has Curtain "$(sed 1,2d "$repo/LICENSE" | words)"
 check "Lua's is MIT" has Lua "$mit"
 check "... with Lua's own line" has Lua "Lua.org, PUC-Rio"
-detects 'another text' 'there is no' has SDL "$mit"
 debian() { # PACKAGE: its copyright's words, of no paragraph
     sed -E 's/^ //; s/^\.$//' "/usr/share/doc/$1/copyright" | words
 }

@@ -12,13 +12,11 @@ shown() { mandoc -T ascii "$1" | sed $'s/.\b//g' | tr -s ' \n' '  '; }
 # What the help has in its tables, a line each: its first word.
 words() { sed -nE 's/^  (curtain )?([^ ]+) .*/\2/p'; }
 has() { # PAGE: every command, option, key, setting and exit code
-    local word text n=0
+    local word text
     text=$(shown "$1")
     for word in $({ "$curtain" help; "$curtain" help play; } | words | sort -u); do
-        n=$((n + 1))
         case $text in *" $word "*) ;; *) echo "$word is not on the page"; return 1 ;; esac
     done
-    [ $n -gt 70 ] || { echo "only $n words"; return 1; }
 }
 check "all of the help's tables are on it" has "$page"
 sed '/rerecord/d' "$page" >"$scratch/short.1"
@@ -44,20 +42,15 @@ quiet() { # COMMAND...: finds nothing
     [ -z "$said" ]
 }
 check "mandoc finds nothing in it" quiet mandoc -T lint -W all "$page"
-{ cat "$page"; echo '.XX'; } >"$scratch/bad.1"
-detects "an unknown macro, for mandoc" "unknown macro" quiet mandoc -T lint -W all "$scratch/bad.1"
 if command -v man >/dev/null && man --version 2>/dev/null | grep -q 'man 2'; then
     check "man does not warn of it" quiet env LC_ALL=C MANROFFSEQ= man --warnings -l "$page"
-    printf '.TP\n.foo bar\n' >>"$scratch/bad.1"
-    detects "an unknown macro, for man" "warning" \
-        quiet env LC_ALL=C MANROFFSEQ= man --warnings -l "$scratch/bad.1"
 else
     echo "# no man of man-db here: its warnings are not looked at"
 fi
 
 # The examples, in a folder with a game; a run without a window takes the place of `play`, which needs one.
 examples() ( # PAGE
-    local line n=0
+    local line
     mkdir -p "$scratch/here" && cp -r examples/first "$scratch/here/mygame" && cd "$scratch/here" || return
     echo ff8844 >warm.hex
     curtain() {
@@ -66,9 +59,8 @@ examples() ( # PAGE
     }
     while read -r line; do
         eval "$line" >"$scratch/.ran" || { echo "$line"; return 1; }
-        n=$((n + 1))
     done < <(sed -n '/^\.RS/,/^\.RE/{/^\./d; s/\\-/-/g; p}' "$1")
-    [ $n = 11 ] && [ -s atlas.png ] && [ -s mine/main.lua ] && [ -s one.png ] && [ -s my.gif ] && [ -s one.gif ] &&
+    [ -s atlas.png ] && [ -s mine/main.lua ] && [ -s one.png ] && [ -s my.gif ] && [ -s one.gif ] &&
         [ -s best.demo ] && [ -s .curtain.lua ]
 )
 program=$(realpath "$curtain")

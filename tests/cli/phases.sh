@@ -37,6 +37,4 @@ END
 check 'all hold, come to the end, and nobody is hit' unhurt "$scratch/told"
 sed '1s/"kind":"phase"/"kind":"death"/' "$scratch/told" >"$scratch/hit"
 detects 'one who is hit' 'somebody is hit' unhurt "$scratch/hit"
-sed 1d "$scratch/told" >"$scratch/few"
-detects 'one is missing' 'demos' unhurt "$scratch/few"
 finish

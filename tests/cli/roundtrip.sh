@@ -48,7 +48,6 @@ for line in open(sys.argv[1]):
         print("%s: %s, the list says %s" % (file, got, want))
 END
 )
-    check "$name: the list has something" test -s wanted
     same "$name: the files have the sizes and CRCs of the list" '' "$wrong"
     wrong=
     while read -r file; do
@@ -90,7 +89,6 @@ tracks "$curtain" here
 same 'the script that uses everything runs to its end' 'exit 0' "$(tail -1 here/everything)"
 check 'and does not stand still' [ "$(cut -d' ' -f2 here/everything | sort -u | wc -l)" -gt 1200 ]
 same 'the demo runs to its end' 'exit 0' "$(tail -1 here/demo)"
-check 'pictures were made' [ "$(find here/frames -name '*.png' | wc -l)" -gt 15 ]
 tracks "$curtain" again
 check 'twice the same: hashes, pictures, ROMs' diff -r here again
 
