@@ -18,8 +18,6 @@ for game in games/*; do
         same "$name: $lump is the merged picture" "${b:-none}" "$a"
     done
 done
-same "games" 45 "$(find games -maxdepth 1 -mindepth 1 | wc -l)"
-check "planted: another picture is another lump" [ "$(lump games/clear gfx/a)" != "$(lump games/old gfx/b)" ]
 
 # ---- the example: what tools/moth.py draws, in a palette that curtain palette made ----
 
@@ -380,8 +378,6 @@ echo 'return {}' >faint/rom.lua
 refuse "no sprites" "--atlas: this game has no sprites" "$curtain" art faint --atlas atlas.png
 refuse "no game" "nowhere: no such file or folder" "$curtain" art nowhere
 refuse "no room to write" "atlas.png/full.png: cannot be written" "$curtain" art written --atlas atlas.png/full.png
-refuse "an option of another command" "--bank does not work with art (only with palette)" "$curtain" art hits --bank 2
-refuse "--atlas elsewhere" "--atlas does not work with list (only with art)" "$curtain" list written --atlas a.png
 
 # ---- curtain palette ----
 

@@ -177,14 +177,10 @@ slip() { # NAME WORDS ARGUMENT...: it is refused in one sentence
     refuse "$why" "curtain: $words" "$curtain" bench "$@"
     same "... in one line" 1 "$(wc -l <.said)"
 }
-slip "no game" "bench: expected ROM"
-slip "two" 'bench: unexpected argument "b"' a b
 slip "no such game" "none: no such file or folder" none
-slip "how much slower" '--slower: expected a whole number from 1 to 1000, got "0"' plain --slower 0
 slip "words for it" '--slower: expected a whole number from 1 to 1000, got "slow"' plain --slower slow
 slip "no such demo" "none.demo: " plain --demo none.demo
 slip "a demo of another game's section" "--stage cannot be combined with --demo" plain --demo a --stage one
-slip "frames" "--frames does not work with bench" plain --frames 1
 slip "a difficulty" '--difficulty: unknown difficulty "mad"' plain --difficulty mad
 echo 'task.go(function() wait(30) local x; x.y = 1 end)' >>plain/main.lua
 refuse "a script's fault" "main.lua:15: attempt to index a nil value" "$curtain" bench plain

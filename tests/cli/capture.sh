@@ -208,20 +208,22 @@ slip() { # WHY WORDS OPTIONS...
     refuse "$why" "curtain: $words" "$curtain" capture plain "$@"
     same "... in one line" 1 "$(wc -l <.said)"
 }
-slip "no file" "capture needs -o"
-slip "no format" '-o: expected a name that ends in .gif, .y4m, ' -o film.avi
-slip "standard output" "-o - needs --format" -o -
-slip "an unknown format" '--format: expected gif, y4m, wav, mp4 or webm, got "avi"' --format avi -o film
-slip "a film to standard output" "-o - cannot be combined with webm" --format webm -o -
-slip "sound enlarged" "--scale cannot be combined with WAV" --scale 2 -o a.wav
-slip "sound made faster" "--speed cannot be combined with WAV" --speed 2 -o a.wav
-slip "pieces" "--frames: capture takes one range" --frames 1,2 -o a.gif
-slip "steps" "--frames: capture takes one range" --frames 0:60:2 -o a.gif
-slip "a speed" '--speed: expected a whole number from 1 to 16, or 1/2 to 1/16, got "0"' --speed 0 -o a.gif
-slip "another" '--speed: expected a whole number from 1 to 16, or 1/2 to 1/16, got "1/17"' --speed 1/17 -o a.gif
-slip "a scale" "--scale: expected a whole number from 1 to 16" --scale 17 -o a.gif
-slip "a folder that is a file" "plain/main.lua/a.gif: cannot be written" --frames 1 -o plain/main.lua/a.gif
-slip "the same of y4m" "plain/main.lua/a.y4m: cannot be written" --frames 1 -o plain/main.lua/a.y4m
+while IFS='|' read -r options text; do
+    # shellcheck disable=SC2086
+    slip "capture $options" "$text" $options
+done <<'END'
+|capture needs -o
+-o film.avi|-o: expected a name that ends in .gif, .y4m,
+-o -|-o - needs --format
+--format avi -o film|--format: expected gif, y4m, wav, mp4 or webm, got "avi"
+--format webm -o -|-o - cannot be combined with webm
+--scale 2 -o a.wav|--scale cannot be combined with WAV
+--speed 2 -o a.wav|--speed cannot be combined with WAV
+--frames 1,2 -o a.gif|--frames: capture takes one range
+--frames 0:60:2 -o a.gif|--frames: capture takes one range
+--frames 1 -o plain/main.lua/a.gif|plain/main.lua/a.gif: cannot be written
+--frames 1 -o plain/main.lua/a.y4m|plain/main.lua/a.y4m: cannot be written
+END
 sed 's/w = 64, h = 64/w = 384, h = 448/' plain/rom.lua >rom.lua && mv rom.lua plain/rom.lua
 slip "too large" "--scale: frames of 6144 x 7168 pixels are too large" --scale 16 --frames 0 -o a.gif
 

@@ -35,24 +35,22 @@ check "from the beginning, whichever frames are wanted" cmp run.wav again.wav
 "$curtain" hash g --frames 300 --every 300 >heard
 check "hearing it changes nothing" cmp quiet heard
 
-refuse "a name that is not there" 'sound: no "hut" in this game (did you mean "hit"?)' "$curtain" sound g hut
-refuse "no game" 'curtain: sound: expected' "$curtain" sound
-refuse "nothing too many" 'sound: unexpected argument "x"' "$curtain" sound g hit x
-refuse "a file for no name" '-o needs the name of a sound or a piece of music' "$curtain" sound g -o x.wav
-refuse "nor as WAV" '--wav needs the name of a sound or a piece of music' "$curtain" sound g --wav x.wav
-refuse "nor to hear" '--play needs the name of a sound or a piece of music' "$curtain" sound g --play
-refuse "nor its notes" '--notes needs the name of a sound or a piece of music' "$curtain" sound g --notes
-refuse "two files" '--wav cannot be combined with -o' "$curtain" sound g hit -o x.wav --wav y.wav
-refuse "heard and written" '--play cannot be combined with -o' "$curtain" sound g hit --play -o x.wav
-refuse "notes and a file" '--notes cannot be combined with -o' "$curtain" sound g hit --notes -o x.wav
-refuse "--play has no value" '--play takes no value, got "1"' "$curtain" sound g hit --play=1
-refuse "no file's name" '--wav: expected F.wav, got nothing' "$curtain" sound g hit --wav=
-refuse "an option of another command" '--mute does not work with sound (only with play)' "$curtain" sound g --mute
-refuse "nor this one here" '--play does not work with render (only with sound)' "$curtain" render g --play
-refuse "nobody hears it without a window" 'cannot open a window' "$curtain" sound g hit --play
+while IFS='|' read -r words text; do
+    # shellcheck disable=SC2086
+    refuse "$words" "$text" "$curtain" $words
+done <<'END'
+sound g hut|sound: no "hut" in this game (did you mean "hit"?)
+sound g -o x.wav|-o needs the name of a sound or a piece of music
+sound g --wav x.wav|--wav needs the name of a sound or a piece of music
+sound g --play|--play needs the name of a sound or a piece of music
+sound g --notes|--notes needs the name of a sound or a piece of music
+sound g hit -o x.wav --wav y.wav|--wav cannot be combined with -o
+sound g hit --play -o x.wav|--play cannot be combined with -o
+sound g hit --notes -o x.wav|--notes cannot be combined with -o
+sound g hit --play|cannot open a window
+END
 "$curtain" sound g hit --play 2>/dev/null
 same "which is the host's fault" 3 $?
-refuse "no such game" 'nowhere' "$curtain" sound nowhere
 check "nothing was written" test ! -e x.wav
 refuse "a file that cannot be" 'g/rom.lua/x.wav' "$curtain" sound g hit -o g/rom.lua/x.wav
 printf 'A c7\n' >g/music/tide.mml
