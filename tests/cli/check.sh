@@ -33,12 +33,6 @@ fine() { # NAME DIR [OPTION...]: no finding, two lines and perhaps the note on m
     local all="^$1: no problems: [0-9]+ scripts?, [0-9]+ sprites?; played $played; $lua"$'\n'"$ram"$'\n''exit 0$'
     check "$name (${got%%$'\n'*})" eval '[[ $got =~ $all ]]'
 }
-refuses() { # NAME LINE WORD...
-    local name=$1 line=$2 got
-    shift 2
-    got=$("$curtain" "$@" 2>&1)
-    same "$name" "curtain: $line"$'\n'"exit 2" "$got"$'\n'"exit $?"
-}
 png() { python3 "$repo/tests/cli/png_make.py" "$@"; }
 lua() { # NAME, standard input: main.lua of a game whose two sprites are used; then the findings after a line of ----
     local text
@@ -218,13 +212,6 @@ main.lua:2: laser.def: unknown sprite "dott" (did you mean "dot"?)
 main.lua:3: laser has no "grop" (did you mean "group"?)
 2 problems
 LUA
-lua 'lasers in a run' <<'LUA'
-laser.def("thin", { strip = "dot", width = 3, hit = { share = 1 } })
-task.go(function() laser.bolt { kind = "thn", x = 1, y = 1, speed = 1, length = 9 } end)
-----
-main.lua:3: laser.bolt: unknown laser kind "thn" (did you mean "thin"?)
-1 problem
-LUA
 lua 'names that are kept for later' <<'LUA'
 local tests = {}
 print(test)
@@ -253,12 +240,6 @@ main.lua:5: undeclared global "zzz" (scripts cannot create globals; write "local
 main.lua:6: undeclared global "inner"
 main.lua:8: undeclared global "wait_untill" (did you mean "wait_until"?)
 9 problems
-LUA
-lua 'a new global that is like one there is' <<'LUA'
-count = 0
-----
-main.lua:2: undeclared global "count" (scripts cannot create globals; write "local count")
-1 problem
 LUA
 lua 'fields nobody put there' <<'LUA'
 print(bullet.fier, hud.bannre, string.trim, math.sing(1), rom.titel, menu["choos"], utf8.length)
@@ -515,34 +496,9 @@ art 'an unknown name in rom.lua' 's/bullets = 256/bulets = 256/' <<END
 rom.lua:3: board.bulets: unknown key (did you mean "bullets"?)
 1 problem$not_run
 END
-art 'a number out of range' 's/w = 64/w = 60/' <<END
-rom.lua:2: screen.w: expected a whole number from 64 to 1024, got 60
-1 problem$not_run
-END
-art 'a sprite without its size' 's/dot = { sheet = "all", x = 0, y = 0, w = 8/dot = { sheet = "all", x = 0, y = 0/' \
-    <<END
-rom.lua:5: sprites.dot.w: expected a whole number from 1 to 1024, got nil
-1 problem$not_run
-END
-art 'a sheet that is not there' 's/sheet = "all"/sheet = "al"/' <<END
-rom.lua:5: sprites.dot.sheet: "al" is not listed in sheets
-1 problem$not_run
-END
 art 'a syntax error in rom.lua' '3s/,$/ ,,/' <<END
 rom.lua:3: unexpected symbol near ','
 1 problem$not_run
-END
-art 'an entry that is not there' '2s/id = "probe"/id = "probe", entry = "start"/' <<END
-main.lua: no script requires it
-rom.lua:2: entry: start.lua does not exist
-2 problems$not_run
-END
-art 'no palette, no font, no picture' \
-    '4s/.*/palette = "p.png", font = "f.png", sheets = { all = { file = "all.png" } },/' <<END
-art/all.png: not listed in rom.lua
-rom.lua:4: p.png does not exist
-rom.lua:4: all.png does not exist
-3 problems$not_run
 END
 echo 'print("dot", "dart")' | game r
 png r/art/all.png 16 16 ffffff 1 1 ff0000
@@ -852,16 +808,17 @@ reaches() { # NAME LINE
     got=$("$curtain" check forced 2>&1)
     check "$1" grep -q '^more.lua:1: a player has no property "pwoer"$' <<<"$got"
 }
-reaches 'a death' 'on.death(function(p) print(p.pwoer) end)'
-reaches 'a hit' 'on.hit(function(p) print(p.pwoer) end)'
-reaches 'a graze' 'on.graze(function(p) print(p.pwoer) end)'
-reaches 'an extra life' 'on.extend(function(p) print(p.pwoer) end)'
-reaches 'a continue' 'on.continue(function(p) print(p.pwoer) end)'
-reaches 'the end of a game' 'on.game_over(function() print(player.get(1).pwoer) end)'
-reaches 'another ship' 'on.death(function(p) if p.kind == "other" then print(p.pwoer) end end)'
-reaches 'another difficulty' \
-    'on.death(function(p) if board.difficulty() == "hard" then print(p.pwoer) end end)'
-reaches 'a second player' 'on.start(function() if player.get(2).alive then print(player.get(1).pwoer) end end)'
+while IFS='|' read -r name text; do reaches "$name" "$text"; done <<'END'
+a death|on.death(function(p) print(p.pwoer) end)
+a hit|on.hit(function(p) print(p.pwoer) end)
+a graze|on.graze(function(p) print(p.pwoer) end)
+an extra life|on.extend(function(p) print(p.pwoer) end)
+a continue|on.continue(function(p) print(p.pwoer) end)
+the end of a game|on.game_over(function() print(player.get(1).pwoer) end)
+another ship|on.death(function(p) if p.kind == "other" then print(p.pwoer) end end)
+another difficulty|on.death(function(p) if board.difficulty() == "hard" then print(p.pwoer) end end)
+a second player|on.start(function() if player.get(2).alive then print(player.get(1).pwoer) end end)
+END
 # The screens that the title opens: pages of the game's own, and its screens in place of the library's.
 started() { # TEXT START: reaches TEXT, in a game that START begins
     player <<<'return function() print(player.get(1).pwoer) end'
@@ -929,13 +886,11 @@ END
 # ---- what is no game ----
 
 mkdir empty
-refuses 'no such folder' 'none: no such folder' check none
-refuses 'a file' "d/main.lua: expected a game's folder, got a file" check d/main.lua
-refuses 'a folder without rom.lua' "empty: not a game's folder: it has no rom.lua" check empty
-refuses 'no word' 'check: expected DIR (see curtain help check)' check
-refuses 'a word too many' 'check: unexpected argument "d" (see curtain help check)' check d d
-refuses 'an option of another command' '--frames does not work with check (only with render, capture, hash, survive)' \
-    check d --frames 3
+usage_errors 2 <<'END'
+check none|none: no such folder
+check d/main.lua|d/main.lua: expected a game's folder, got a file
+check empty|empty: not a game's folder: it has no rom.lua
+END
 same 'its help' 'curtain check DIR [OPTIONS]' "$("$curtain" help check | head -1)"
 "$curtain" check d >/dev/full 2>err
 same 'standard output is full' "3 curtain: cannot write to standard output" "$? $(cat err)"
