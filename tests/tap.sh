@@ -80,6 +80,7 @@ small_disk() {
     mkdir "$1" && mount -t tmpfs -o "$2" tmpfs "$1" || { not_ok "mount a tmpfs at $1"; return 1; }
     disks+=("$PWD/$1")
 }
+files_differ() { ! cmp -s "$1" "$2"; }
 # Is this the long form of a test? make test-all
 long() { [ -n "${CURTAIN_LONG:-}" ]; }
 detects() { # NAME WORDS COMMAND...: refuse, for a fault planted in what the test reads; in the long form only

@@ -210,9 +210,7 @@ refuse '... which the program sees, too' 'damaged' wine bad.exe version
 [ -z "$short" ] || finish
 
 # ---- a window ----
-openbox --sm-disable >/dev/null 2>&1 &
-wm=$!
-sleep 1
+start_openbox
 glass=$repo/roms/glasstide
 mkdir -p data/curtain
 plays() { start "$1" "$program" "${@:2}"; } # TITLE ARGUMENT...: in a window

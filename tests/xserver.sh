@@ -30,7 +30,7 @@ cpu_used() { awk '{ sub(/.*\) /, ""); print $12 + $13 }' "/proc/$child/stat" 2>/
 wait_cpu() {
     local from
     from=$(cpu_used)
-    until [ $(($(cpu_used) - from)) -gt "$1" ]; do sleep 0.05; done
+    until has_exited || [ $(($(cpu_used) - from)) -gt "$1" ]; do sleep 0.05; done
 }
 says() { grep -qx -- "$1" "$scratch/out"; }
 # A program that has ended stays as a zombie where the machine's first process does not collect those of others.
@@ -73,6 +73,16 @@ screenshot() {
     find_window && xwd -silent -id "$win" -out "$scratch/shot.xwd" 2>/dev/null &&
         convert "xwd:$scratch/shot.xwd" -depth 8 "$1" 2>/dev/null
 }
+window_size_is() { # WxH
+    find_window &&
+        [ "$(xdotool getwindowgeometry --shell "$win" | sed -n 's/^WIDTH=//p;s/^HEIGHT=//p' | paste -sd x)" = "$1" ]
+}
+is_managed() { xprop -root _NET_SUPPORTING_WM_CHECK 2>/dev/null | grep -q "window id"; }
+start_openbox() {
+    openbox --sm-disable >/dev/null 2>&1 &
+    wm=$!
+    check "a window manager" wait_until is_managed
+}
 kill_program() {
     kill -KILL "$child" 2>/dev/null
     wait "$child" 2>/dev/null
@@ -83,7 +93,7 @@ stop() { # [KEY]: which ends it; the program's is ctrl+q
     case $key in
     ctrl+*) # seen by a poll each, however slow they are
         xdotool keydown ctrl && wait_cpu 3
-        xdotool keydown "${key#*+}" && sleep 0.3
+        xdotool keydown "${key#*+}" && wait_cpu 3
         xdotool keyup "${key#*+}" keyup ctrl
         ;;
     *) xdotool key "$key" ;;

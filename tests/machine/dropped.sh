@@ -5,7 +5,6 @@
 . "$(dirname "$0")/../kept.sh"
 export KEYS_WHOLE=1
 ENTER=40 ESCAPE=41 DOWN=81 CTRL=224 Q=20
-press() { for key; do echo "$key"; echo; done; }
 
 kept_game <<'LUA'
 stage.def("one", function() wait(forever) end)

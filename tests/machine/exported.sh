@@ -21,9 +21,8 @@ pressed() { # KEY...
     for key; do
         xdotool keydown "$key"
         wait_cpu 3
-        sleep 0.2
         xdotool keyup "$key"
-        sleep 0.1
+        wait_cpu 3
     done
 }
 if start Lanterns ./game --scale 2 --record game.demo; then

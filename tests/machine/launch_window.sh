@@ -19,22 +19,18 @@ cp g/main.lua right.lua
 colours() { # at least N
     screenshot "png:$scratch/seen.png" && [ "$(convert "$scratch/seen.png" -format %k info:)" -ge "$1" ]
 }
-size_is() {
-    find_window || return
-    [ "$(xdotool getwindowgeometry --shell "$win" | sed -n 's/^WIDTH=//p;s/^HEIGHT=//p' | paste -sd x)" = "$1" ]
-}
 said() { grep -q -- "$1" "$scratch/err"; }
 
 echo 'local x = = 3' >g/main.lua
 if start "Curtain" "$OUT/curtain" play g --scale 2; then
-    check "the window is there" wait_until size_is 800x600
+    check "the window is there" wait_until window_size_is 800x600
     check "the log says what is wrong" wait_until said "^curtain: g: main.lua:1: unexpected symbol near '='$"
     check "the window says it: title, sentence, what to do" wait_until colours 4
     cp right.lua g/main.lua
     title=Probe
     check "put right, the game begins" wait_until said "^it runs$"
     check "in its own window" wait_until find_window
-    check "of its own size" wait_until size_is 128x128
+    check "of its own size" wait_until window_size_is 128x128
     kill -SEGV $child
     wait $child 2>/dev/null
     same "a crash ends it as ever" 139 $?
@@ -56,7 +52,7 @@ title_at() { # CROP: the page's title, in its yellow, is in that part of the win
 }
 echo 'turn = left' >"$settings"
 if start "Curtain" "$OUT/curtain" play g --scale 2; then
-    check "turned, the window stands upright" size_is 600x800
+    check "turned, the window stands upright" window_size_is 600x800
     check "and its title with it" wait_until title_at 40x400+0+400
     kill_program
 fi
@@ -64,7 +60,7 @@ rm "$settings"
 
 echo 'local x = = 3' >g/main.lua
 if start "Curtain" "$OUT/curtain" play g --scale 1; then
-    check "at scale 1" wait_until size_is 400x300
+    check "at scale 1" wait_until window_size_is 400x300
     xdotool key Escape
     check "Escape ends it" wait_until has_exited
     wait $child

@@ -17,12 +17,10 @@ sed -i 's/    wait(1)/    if i == 50 then local boss; boss.hp = 1 end\n&/' broke
 sed -i 's/screen = { w = 64, h = 64/screen = { w = 240, h = 320/' g/rom.lua broken/rom.lua
 
 UP=82 DOWN=81 ENTER=40 ESCAPE=41 F8=65 F9=66 PAGE_UP=75
-press() { for key; do echo "$key"; echo; done; } # KEY...: two polls each
 plays() { # GAME OUT
     ./player play "$1" --seed 5 --record "$2.demo" >"$2" 2>err
 }
 seen() { tail -n 1 "$1"; } # OUT: a hash of the last picture
-differs() { ! cmp -s "$1" "$2"; }
 
 keys 100 | plays g straight
 { keys 40; press $F8 $UP $UP; keys 20; keys 1 $F8; keys 60; } | plays g log
@@ -41,22 +39,22 @@ same 'in a menu F8 opens it above that' "$(seen end)" "$(seen above)"
 { keys 40; press $ESCAPE $F8 $F8; keys 9; } | plays g below
 same 'and closes it: the menu stays' "$(seen open)" "$(seen below)"
 { keys 40; press $F8 $UP; keys 9; } | plays g up
-check 'it scrolls' differs <(seen end) <(seen up)
+check 'it scrolls' files_differ <(seen end) <(seen up)
 { keys 40; press $F8 $UP $UP $DOWN $DOWN; keys 9; } | plays g back
 same 'and back' "$(seen end)" "$(seen back)"
 { keys 40; press $F8 $PAGE_UP; keys 9; } | plays g page
-check 'by pages' differs <(seen up) <(seen page)
+check 'by pages' files_differ <(seen up) <(seen page)
 { keys 40; press $F8 c1:1; keys 9; } | plays g pad
-check 'by a controller' differs <(seen end) <(seen pad)
+check 'by a controller' files_differ <(seen end) <(seen pad)
 
 # A fault stands: its page, the log over it, and its page again. The log is another than one without the fault.
 { keys 90; } | plays broken fault
 { keys 90; press $F8; keys 9; } | plays broken over
 { keys 90; press $F8 $F8; keys 9; } | plays broken after
-check 'with a fault it opens' differs <(seen fault) <(seen over)
+check 'with a fault it opens' files_differ <(seen fault) <(seen over)
 same 'and closes' "$(part after 90 90)" "$(seen after)"
 { keys 49; press $F8; keys 9; } | plays broken before
-check 'and has the fault in it' differs <(seen before) <(seen over)
+check 'and has the fault in it' files_differ <(seen before) <(seen over)
 
 mkdir -p data/curtain
 echo 'log = f9' >data/curtain/curtain.conf

@@ -17,8 +17,6 @@ convert -size 400x440 'gradient:#802020-#204080' -alpha set \( -size 256x192 xc:
 sed -i 's|^  board =|  border = "art/border.png",\n&|' g/rom.lua
 
 settings() { mkdir -p data/curtain && printf '%b' "$1" >data/curtain/curtain.conf; }
-size() { xdotool getwindowgeometry --shell "$win" | sed -n 's/^WIDTH=//p;s/^HEIGHT=//p' | paste -sd x; }
-size_is() { find_window && [ "$(size)" = "$1" ]; }
 compose() { # WxH: want.rgb is what the program shows there, after keys as in `pressed`
     { for _ in $(seq 5); do echo; done; echo "$pressed"; for _ in $(seq 9); do echo; done; } |
         KEYS_WHOLE=1 KEYS_WINDOW=$1 KEYS_PPM=15 ./player play g >none 2>none.err || return
@@ -29,7 +27,7 @@ compose() { # WxH: want.rgb is what the program shows there, after keys as in `p
 }
 is_shown() { screenshot rgb:shot.rgb && cmp shot.rgb want.rgb; }
 shows() { # WxH
-    wait_until size_is "$1" && compose "$1" && wait_until is_shown
+    wait_until window_size_is "$1" && compose "$1" && wait_until is_shown
 }
 looks() { # SETTINGS NATURAL: the window opens in that size; then as large as another, and fullscreen
     local natural=$2
@@ -46,11 +44,7 @@ looks() { # SETTINGS NATURAL: the window opens in that size; then as large as an
     check "$1 in a window again" shows 701x555
     stop
 }
-openbox --sm-disable >/dev/null 2>&1 &
-wm=$!
-managed() { xprop -root _NET_SUPPORTING_WM_CHECK 2>/dev/null | grep -q "window id"; }
-check "a window manager" wait_until managed
-sleep 1 # it says so before it looks after windows
+start_openbox
 
 looks 'border = no\nscale = 2\n' 256x192
 looks 'border = no\nscale = 2\nturn = left\n' 192x256

@@ -26,7 +26,6 @@ sed -i 's/screen = { w = 64, h = 64/screen = { w = 240, h = 320/' g/rom.lua asks
 
 UP=82 DOWN=81 RIGHT=79 LEFT=80 ENTER=40 ESCAPE=41 F1=58 F2=59 F7=64 F8=65 CTRL=224 Q=20 M=16 GUIDE=4000
 conf=data/curtain/curtain.conf
-press() { for key; do echo "$key"; echo; done; } # KEY...: two polls each
 times() { # N KEY: so often
     for _ in $(seq "$1"); do press "$2"; done
 }
@@ -39,11 +38,7 @@ watches() { # GAME OUT DEMO
     ./player play "$1" --demo "$3" >"$2" 2>err
 }
 frames() { "$curtain" verify "${2:-g}" "$1" | sed -n 's/.*, \([0-9]*\) frames.*/\1/p'; } # DEMO [GAME]
-flags() { # DEMO: of all its records F; 4: assisted
-    python3 "$repo/tests/cli/demo_read.py" "$1" | sed -n "s/^flags //p"
-}
 shots() { wc -l <"$1"; } # OUT: pictures shown
-differs() { ! cmp -s "$1" "$2"; }
 
 # Where a setting stands among the settings: presses of Down from the first one.
 place() { "$curtain" help play | sed -n '/^Settings:/,$p' | sed 1d | awk -v name="$1" '$1 == name { print NR - 1 }'; }
@@ -71,7 +66,7 @@ same 'afterwards nothing differs' "$(part straight 41 100)" "$(part menu 81 140)
 check "a controller's guide button opens and closes it" cmp straight.demo menu.demo
 { keys 40; keys 1 $F1; keys 20; keys 1 $F1; keys 60; } | plays g menu
 check 'F1 opens the keys, and closes them' cmp straight.demo menu.demo
-check 'while they are open no picture is of the game' differs <(part straight 41 60) <(part menu 41 60)
+check 'while they are open no picture is of the game' files_differ <(part straight 41 60) <(part menu 41 60)
 { keys 40; press $F1; times 30 $DOWN; keys 1 $ESCAPE; keys 60; } | plays g menu
 check 'Escape closes them' cmp straight.demo menu.demo
 shows() { # OUT KEY...: each pressed once, in a game that has stages; then for a while nothing
@@ -182,14 +177,14 @@ unsaved() { # WHY: said when it happens, and at exit
         "$XDG_DATA_HOME/curtain/curtain.conf$1"
 }
 shown() { until [ -f "$1" ] && [ "$(shots "$1")" -ge "$2" ]; do sleep 0.02; done; }
-spoilt() { # COMMAND...: plays, and runs it between a change of volume and the end of the settings
+change_while() { # COMMAND...: plays, and runs it between a change of volume and the end of the settings
     rm -f menu
     { to_setting volume; press $LEFT; } >first
     { cat first; shown menu "$(wc -l <first)"; "$@" >&2; press $ESCAPE; keys 1 $ESCAPE; keys 80; } |
         plays g menu
 }
 breaks() { echo 'volum = 3' >$conf; }
-spoilt breaks
+change_while breaks
 same 'a file that is not right by now stays, and is said' \
     "$(unsaved ':1: unknown setting "volum"')" "$(cat err)"
 same '... as it is' 'volum = 3' "$(cat $conf)"
@@ -200,25 +195,20 @@ same 'at the next start it is refused' \
 rm -r data
 blocks() { rm -rf data/curtain && echo 'a file' >data/curtain; }
 mkdir data
-spoilt blocks
+change_while blocks
 same 'a folder that is none' \
     "$(unsaved ': cannot be written (Not a directory)')" "$(cat err)"
 rm -r data
-full() {
-    mkdir -p data/curtain && mount -t tmpfs -o size=64k tmpfs data/curtain || return 1
-    trap 'cd /; umount "$scratch/data/curtain"; rm -rf "$scratch"' EXIT
-    echo 'volume = 40 # mine' >$conf
-    dd if=/dev/zero of=data/curtain/filler bs=1k >/dev/null 2>&1
-    true
-}
-check 'a disk of its own' full
-spoilt true
+mkdir data
+small_disk data/curtain size=64k || finish
+echo 'volume = 40 # mine' >$conf
+dd if=/dev/zero of=data/curtain/filler bs=1k >/dev/null 2>&1
+change_while true
 same 'a full disk is said, and at exit' \
     "$(unsaved ': cannot be written (No space left on device)')" "$(cat err)"
 same '... and the old file is whole' 'volume = 40 # mine|curtain.conf filler' \
     "$(cat $conf)|$(cd data/curtain && echo *)"
 umount data/curtain
-trap 'cd /; rm -rf "$scratch"' EXIT
 rm -r data
 
 # ---- a game asks ----

@@ -29,22 +29,8 @@ plays() { # OUT ARGUMENT...: standard input are the keys
     shift
     KEYS_WHOLE=1 ./player play g --seed 5 "$@" >"$out" 2>err
 }
-part() { sed -n "$2,$3p" "$1"; } # FILE FIRST LAST
-refuted() { ! cmp -s "$1" "$2"; }
 says() { # TEXT...: picture.ppm does
     python3 "$repo/tests/machine/words.py" picture.ppm "$@"
-}
-flags() { # DEMO: of all its records F
-    python3 -c '
-import struct, sys
-d = open(sys.argv[1], "rb").read()
-at, flags = 8, 0
-while at < len(d):
-    kind, size = d[at:at + 4], struct.unpack_from("<I", d, at + 4)[0]
-    if kind.rstrip(b"\0") == b"F":
-        flags |= struct.unpack_from("<I", d, at + 8)[0]
-    at += 12 + size
-print(flags)' "$1"
 }
 
 keys 200 | plays straight --record straight.demo
@@ -141,7 +127,7 @@ same 'the demo is touched' 2 "$(flags kept.demo)"
 "$curtain" verify g kept.demo >out 2>&1
 same 'and does not hold' 1 $?
 check 'from the frame of the line on' grep -q 'frame 61\b' out
-refuted straight.nv data/curtain/probe.nv && [ -f data/curtain/probe.nv ]
+files_differ straight.nv data/curtain/probe.nv && [ -f data/curtain/probe.nv ]
 same 'scores of before are kept, those of after are not saved' 0 $?
 rm -rf data
 { cat kept; keys 20; keys 100 $BACKSPACE; keys 130; } | plays out # the bar of time goes after 120

@@ -57,10 +57,10 @@ begin() {
     cp -R data was
     keys 20 >script
 }
-press() { for key; do keys 1 "$key"; keys 4; done >>script; } # KEY...
-expect_screen() { # NAME: the picture after these keys
+press_each() { for key; do keys 1 "$key"; keys 4; done >>script; } # KEY...
+expect_screen() { # NAME [WORD...]: the picture after these keys, with the words held
     local golden=$goldens/$size$turn-$1.png
-    keys 20 >>script
+    keys 20 "${@:2}" >>script
     rm -rf data
     cp -R was data
     KEYS_PPM=$(wc -l <script) ./player play "$game" "${start[@]}" <script >out 2>err
@@ -72,35 +72,34 @@ expect_screen() { # NAME: the picture after these keys
 for size in 240x320 320x240 384x448; do
     for turn in '' -turned; do
         begin still $size "$turn"
-        press $ESCAPE
+        press_each $ESCAPE
         expect_screen menu
-        press $DOWN $ENTER
+        press_each $DOWN $ENTER
         expect_screen no-replays
-        press $ESCAPE $DOWN $ENTER
+        press_each $ESCAPE $DOWN $ENTER
         expect_screen settings
-        press $DOWN $DOWN $DOWN $DOWN $DOWN $RIGHT
+        press_each $DOWN $DOWN $DOWN $DOWN $DOWN $RIGHT
         expect_screen settings-changed
-        press $ESCAPE $DOWN $ENTER
+        press_each $ESCAPE $DOWN $ENTER
         expect_screen keys
         check "the setting is written" grep -qx 'border = no' data/curtain/curtain.conf
         begin pieces $size "$turn"
         expect_screen resume
-        press $DOWN $ENTER $ESCAPE $DOWN $ENTER
+        press_each $DOWN $ENTER $ESCAPE $DOWN $ENTER
         expect_screen replays
-        press $ENTER
+        press_each $ENTER
         expect_screen replay
-        press $ESCAPE $ESCAPE $DOWN $DOWN $DOWN $DOWN $ENTER
+        press_each $ESCAPE $ESCAPE $DOWN $DOWN $DOWN $DOWN $ENTER
         expect_screen practice
-        press $DOWN $RIGHT
+        press_each $DOWN $RIGHT
         expect_screen practice-changed
         begin pads $size "$turn"
         keys 1 +1:1 +2:4 +3:6 >>script
-        press c1:$NORTH c2:$START $ESCAPE $DOWN $DOWN $DOWN $DOWN $ENTER
+        press_each c1:$NORTH c2:$START $ESCAPE $DOWN $DOWN $DOWN $DOWN $ENTER
         expect_screen controllers
-        press $DOWN $RIGHT
+        press_each $DOWN $RIGHT
         expect_screen controllers-changed
-        keys 20 c3:$L3_R2 c2:$R2 >>script
-        expect_screen controllers-pressed
+        expect_screen controllers-pressed c3:$L3_R2 c2:$R2
     done
 done
 
@@ -108,6 +107,6 @@ done
 game=$repo/roms/glasstide size=240x320 turn= start=(--demo "$repo/roms/glasstide/demos/run.demo")
 rm -rf was && mkdir was
 keys 20 >script
-press $P $AFTER $AFTER $AFTER $AFTER
+press_each $P $AFTER $AFTER $AFTER $AFTER
 expect_screen playback
 finish

@@ -71,7 +71,7 @@ check 'a lost file is told' grep -q 'main.lua:1: .*step' err
 unchanged
 same '... and the old game goes on' "$(played four.demo 1)" "$("$curtain" verify g four.demo)"
 
-edited 100 'echo "return = 3" >g/step.lua; sleep 0.1; pressed | sed -n "101,160p" >&7; shown 160; unchanged'
+edited 100 'echo "return = 3" >g/step.lua; pressed | sed -n "101,160p" >&7; shown 160; unchanged'
 check 'what is put right again is not told twice' test "$(wc -l <err)" = 1
 
 # While a demo is shown, twice: the demo's board is of a ROM that goes.
@@ -79,7 +79,7 @@ mkdir -p g/demos
 sed -i "1i task.go(function() wait(120) board.attract 'a' end)" g/main.lua
 cp g/main.lua attracts.lua
 keys 60 | ./player play g --seed 5 --record g/demos/a.demo >out 2>err
-edited 20 'echo "return 3" >g/step.lua; sleep 0.1; pressed | sed -n "21,150p" >&7; shown 150; unchanged'
+edited 20 'echo "return 3" >g/step.lua; pressed | sed -n "21,150p" >&7; shown 150; unchanged'
 same 'two reloads, one while a demo is shown' 0 $code
 same '... are told' 2 "$(grep -c reloaded err)"
 rm -r g/demos

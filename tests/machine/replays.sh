@@ -33,7 +33,6 @@ verdicts() { "$curtain" verify "${1:-g}" $(demos) | sed 's/.*: //' | sort | uniq
 
 { begin; keys 200 $Z; ends; } | plays out --seed 5
 same 'a run that was played to its end' '0:04 ship normal 2020 game over' "$(list)"
-refuted() { ! "$@"; }
 check 'its recording is of the frames up to there' test "$("$curtain" verify g $(demos) --json | jq .frames)" -lt 480
 same 'and holds' '1 holds' "$(verdicts | cut -d, -f1)"
 check 'nothing is left to go on with' test ! -e data/curtain/resume/probe.demo

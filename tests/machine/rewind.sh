@@ -55,8 +55,7 @@ cp data/curtain/probe.nv straight.nv
 rm -rf data
 keys 100 | plays out
 cp data/curtain/probe.nv before.nv
-refuted() { ! cmp -s "$1" "$2"; }
-check 'the two saves differ' refuted straight.nv before.nv
+check 'the two saves differ' files_differ straight.nv before.nv
 rm -rf data
 { keys 40; keys 5 $BACKSPACE; keys 200; } | plays out
 check 'what was saved before going back is kept, what came later is not' cmp data/curtain/probe.nv before.nv
@@ -83,7 +82,7 @@ same 'the demo is of the branch' "one.demo: holds, 110 frames" "$("$curtain" ver
 { keys 60; keys 50 $Z; } | plays out --record two.demo
 same 'and is as one that went there straight' '' \
     "$(diff <("$curtain" hash g --demo one.demo) <("$curtain" hash g --demo two.demo) 2>&1)"
-check 'but it knows that it branched' refuted one.demo two.demo
+check 'but it knows that it branched' files_differ one.demo two.demo
 { keys 100; keys 40 $BACKSPACE; } | plays out --record three.demo
 same 'who stops in the past ends there' "three.demo: holds, 60 frames" "$("$curtain" verify g three.demo)"
 

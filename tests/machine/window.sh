@@ -19,14 +19,11 @@ same_pixels() {
     wait_until settled || { cmp "$scratch/shot.rgb" "$scratch/want.rgb"; return 1; }
 }
 settled() { screenshot "rgb:$scratch/shot.rgb" && cmp -s "$scratch/shot.rgb" "$scratch/want.rgb"; }
-size_is() {
-    [ "$(xdotool getwindowgeometry --shell "$win" | sed -n 's/^WIDTH=//p;s/^HEIGHT=//p' | paste -sd x)" = "$1" ]
-}
 
 # ---- pictures ----
 for scale in 1 2 3; do
     if start "port probe" "$probe" show 240 160 $scale; then
-        check "the window at scale $scale" size_is $((240 * scale))x$((160 * scale))
+        check "the window at scale $scale" window_size_is $((240 * scale))x$((160 * scale))
         check "pixels at scale $scale" same_pixels 240 160 $((240 * scale)) $((160 * scale))
         stop Escape
     fi
@@ -39,16 +36,12 @@ if start "port probe" "$probe" show 240 160 2; then
     stop Escape
 fi
 if start "port probe" "$probe" show 64 1000 0; then
-    check "a picture taller than the screen gets scale 1" size_is 64x1000
+    check "a picture taller than the screen gets scale 1" window_size_is 64x1000
     stop Escape
 fi
 
 # ---- fullscreen: X has it only with a window manager ----
-managed() { xprop -root _NET_SUPPORTING_WM_CHECK 2>/dev/null | grep -q "window id"; }
-openbox --sm-disable >/dev/null 2>&1 &
-wm=$!
-check "a window manager" wait_until managed
-sleep 1 # it says so before it looks after windows
+start_openbox
 
 # ---- what is printed on keys: the window manager is there all the time, for a server without a client forgets it ----
 labels() { [ "$(sed -n 's/^label //p' "$scratch/out" | paste -sd ' ')" = "$1" ]; }

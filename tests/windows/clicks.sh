@@ -1,7 +1,7 @@
 # clicks.sh - double clicks, for ../windows.sh: on programs, and, after `curtain register`, on games and replays; the
 # registry before and after.
 child=none # Windows starts them
-[ -n "$wm" ] || { openbox --sm-disable >/dev/null 2>&1 & wm=$! && sleep 1; }
+[ -n "$wm" ] || start_openbox
 [ -e moth.exe ] || "$program" export "$repo/examples/moth" >/dev/null 2>&1
 
 # ---- a double click on a program ----
