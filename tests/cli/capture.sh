@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# capture.sh - `curtain capture`: films, read by another program, are the frames that `curtain render` writes, to the
+# capture.sh - `curtain capture`: films, decoded by ImageMagick, are the frames that `curtain render` writes, to the
 # last pixel and at the right times; in sizes, speeds and colours of all kinds; and what cannot be filmed is told in a
 # sentence.
 . "$(dirname "$0")/../tap.sh"
@@ -32,11 +32,11 @@ task.go(function()
 end)
 LUA
 filmed "small" plain "--seed 3" 0 90 1 1
-same "pictures of a change, none but the first a whole one" "gif 76 0 75;y4m 91 0 0;" "$read"
+same "pictures of a change, none but the first a whole one" "gif 76 75;y4m 91 0;" "$read"
 filmed "from the middle, three times as large, twice as fast" plain "" 31 95 3 2
 filmed "slower" plain "" 20 40 1 1/3
 filmed "one frame" plain "" 30 30 1 1
-same "one frame is one picture" "gif 1 0 0;y4m 1 0 0;" "$read"
+same "one frame is one picture" "gif 1 0;y4m 1 0;" "$read"
 
 # The sizes of upright and wide games.
 for size in "240 320" "384 448"; do
@@ -50,12 +50,12 @@ filmed "a game's stage" "$repo/examples/sandbox" "--stage try --dim half --press
 # Nothing changes: a picture that lasts. Longer than a delay can say, too.
 game still </dev/null
 filmed "nothing changes" still "" 0 59 1 1
-same "nothing is one picture" "gif 1 0 0;y4m 60 0 0;" "$read"
+same "nothing is one picture" "gif 1 0;y4m 60 0;" "$read"
 "$curtain" render still --frames 0 -o long
 python3 -c 'for i in range(1, 4201): __import__("os").link("long/000000.png", "long/%06d.png" % i)'
 "$curtain" capture still --frames 0:4200 --speed 1/16 -o long.gif
 check "a GIF that stands still for 18 minutes" film_same long.gif long 0 4200 1 1/16
-same "... has a pixel more for what a delay cannot say" "2 1" "$(cut -d ' ' -f 2,4 .said)"
+same "... has a pixel more for what a delay cannot say" "2 1" "$(cut -d ' ' -f 2,3 .said)"
 
 # The palette changes in the middle: pictures of a GIF get their own palette.
 game colours <<'LUA'
@@ -72,7 +72,6 @@ task.go(function()
 end)
 LUA
 filmed "other colours" colours "" 0 40 1 1
-check "pictures bring their palette" [ "$(cut -d ' ' -f 3 <<<"$read")" -gt 1 ]
 filmed "many colours" colours "" 10 420 1 1
 
 # A demo to its end, without --frames; the sound as render gives it; standard output.
@@ -141,25 +140,6 @@ done
 check "-O0 and -O2 make the same bytes" cmp twice-O0.gif twice-O2.gif
 same "which ImageMagick reads, too" "23 77x53" "$(identify -format '%W %H\n' twice-O0.gif | awk '{ n++ }
     END { print n, $1 "x" $2 }')"
-
-# ImageMagick's frames of a film, each for as long as it is shown, are the frames that render writes. A GIF has
-# pictures of two hundredths at the least: 50 a second, each the frame that stands then.
-shown_by_magick() { # FILM DIR LAST
-    local at=0 delay n=0 first differs
-    rm -rf magick && mkdir magick && convert "$1" -coalesce magick/%04d.png || return
-    for delay in $(identify -format '%T ' "$1"); do
-        first=$((at * 60 / 100))
-        [ "$first" -le "$3" ] || { echo "picture $n begins at frame $first"; return 1; }
-        differs=$(compare -metric AE "$(printf 'magick/%04d.png' $n)" "$(printf '%s/%06d.png' "$2" $first)" null: 2>&1)
-        [ "$differs" = 0 ] || { echo "picture $n is not frame $first"; return 1; }
-        at=$((at + delay)) n=$((n + 1))
-    done
-    echo "$n pictures"
-}
-rm -rf frames
-"$curtain" render plain --seed 3 --frames 0:90 -o frames
-"$curtain" capture plain --seed 3 --frames 0:90 -o film.gif
-check "the frames as ImageMagick decodes them" shown_by_magick film.gif frames 90
 
 # MP4 and WebM are another program's work: what it is given.
 mkdir bin

@@ -79,28 +79,9 @@ check 'its icon is there, of each size' icons
 data=$usr/share/metainfo/org.curtain.Curtain.metainfo.xml
 check 'the data for software centres are valid' appstreamcli validate --no-net "$data"
 
-# A double click: the kind of a file that is a ROM or a replay, by its name or by how it begins, and what opens it.
-desktop() { # COMMAND...: as one that knows this installation alone
-    env -u DISPLAY XDG_DATA_HOME="$scratch/mine" XDG_DATA_DIRS="$usr/share" XDG_CONFIG_HOME="$scratch/mine" \
-        PATH="$usr/bin:$PATH" "$@"
-}
-kind() { desktop gio info -a standard::content-type "$1" | sed -n 's/.*content-type: //p'; }
+# The types of files; machine/double_click.sh opens them.
 known() { update-mime-database "$usr/share/mime" && update-desktop-database "$usr/share/applications"; }
-is_rom() { [ "$(kind "$1")" = application/x-curtain-rom ] || { echo "it is a $(kind "$1")"; return 1; }; }
-refuse 'before the types are made known it is none' 'it is a ' is_rom "$scratch/mygame.rom"
 check 'the type is made known' known
-cp "$scratch/mygame.rom" "$scratch/by-name.rom"
-cp "$scratch/mygame.rom" "$scratch/by-its-first-bytes"
-for file in by-name.rom by-its-first-bytes; do
-    check "it is recognized as a ROM: $file" is_rom "$scratch/$file"
-done
-"$installed" hash roms/testcard --frames 9 --record "$scratch/by-name.demo" >/dev/null
-cp "$scratch/by-name.demo" "$scratch/a-replay"
-for file in by-name.demo a-replay; do
-    same "it is recognized as a replay: $file" application/x-curtain-demo "$(kind "$scratch/$file")"
-done
-opens() { desktop gio mime "application/x-curtain-$1" | grep -q 'curtain\.desktop'; }
-for type in rom demo; do check "curtain opens a .$type" opens $type; done
 find "$usr/share/mime" -mindepth 1 -maxdepth 1 ! -name packages -exec rm -r {} +
 rm "$usr/share/applications/mimeinfo.cache"
 makes install PREFIX="$scratch/here" >/dev/null 2>&1

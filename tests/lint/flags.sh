@@ -36,17 +36,15 @@ for compiler in gcc clang; do
         refuse "$compiler $flag, silent, divides" "divisions become multiplications by reciprocals" \
             built $compiler $flag $silent
     done
-    refuse "$compiler -ffinite-math-only does not compile" "build without -ffast-math" built $compiler \
-        -ffinite-math-only
-    refuse "$compiler -ffinite-math-only, silent, knows no nan" "NaN or infinity is ignored" \
-        built $compiler -ffinite-math-only $silent
-    refuse "$compiler -funsafe-math-optimizations, silent" "divisions become multiplications by reciprocals" \
-        built $compiler -funsafe-math-optimizations $silent
-    refuse "$compiler -freciprocal-math, silent" "divisions become multiplications by reciprocals" \
-        built $compiler -freciprocal-math $silent
-    refuse "$compiler -fassociative-math, silent" "sums are reordered" \
-        built $compiler -fassociative-math -fno-signed-zeros -fno-trapping-math $silent
-    refuse "$compiler -fno-signed-zeros, silent" "NaN or infinity is ignored" built $compiler -fno-signed-zeros $silent
+    while read -r flags_of sentence; do
+        # shellcheck disable=SC2086
+        refuse "$compiler ${flags_of//,/ }, silent" "$sentence" built $compiler ${flags_of//,/ } $silent
+    done <<'END'
+-ffinite-math-only NaN or infinity is ignored
+-fno-signed-zeros NaN or infinity is ignored
+-freciprocal-math divisions become multiplications by reciprocals
+-fassociative-math,-fno-signed-zeros,-fno-trapping-math sums are reordered
+END
     if fma; then
         refuse "$compiler -ffp-contract=fast" "multiplications and additions are fused" \
             built $compiler -mfma -ffp-contract=fast
