@@ -40,6 +40,7 @@ if [ "$digest" != "$(cat $out/tree 2>/dev/null)" ]; then
     echo "$digest" >$out/tree
 fi
 failed=0
+# shellcheck disable=SC2048
 for part in ${*:-$parts}; do
     from=$SECONDS
     if [ ! -e $out/$part.passed ]; then

@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # kept.sh - scripted.sh, and a game whose runs are kept: points for fire, an end by special, a fault by that with down.
 #
 #     . "$(dirname "$0")/../kept.sh"

@@ -1,3 +1,4 @@
+# shellcheck shell=bash disable=SC2154
 # measured.sh - tap.sh, and what the tests of pages with measured figures ask of each: docs/measured/NAME.md, which
 # shows the plots in docs/measured/NAME.
 #

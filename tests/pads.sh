@@ -1,3 +1,4 @@
+# shellcheck shell=bash disable=SC2154
 # pads.sh - controllers for a program in a window (tests/inject/pads.c, which lists commands, kinds and switches).
 #
 #     . "$(dirname "$0")/../xserver.sh"

@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # pages.sh - sourced by the tests of the pages: a folder where a reader's commands work, and how each kind of code block
 # is run. The player has no window here: `curtain play` is checked as `curtain hash` with the same start.
 . "$(dirname "${BASH_SOURCE[0]}")/tap.sh"

@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # scripted.sh - tap.sh, a sandbox, and ./player in it (build_player).
 #
 #     . "$(dirname "$0")/../scripted.sh"

@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # tap.sh - sourced by the test scripts: TAP for shell, a folder that goes away, a small game.
 #
 #     . "$(dirname "$0")/../tap.sh"
@@ -65,6 +66,8 @@ expect_error() {
     code=$?
     same "$name" "$want" "$(cat err)"$'\n'"exit $code"
 }
+input_error() { expect_error "$1" 2 "curtain: $2" "$curtain" "${@:3}"; }  # NAME TEXT ARGUMENT...
+system_error() { expect_error "$1" 3 "curtain: $2" "$curtain" "${@:3}"; } # the same with the exit code of the system
 # usage_errors CODE, standard input: lines "ARGUMENT...|TEXT": curtain with these arguments, separated by blanks, prints
 # "curtain: TEXT" and nothing else on standard error
 usage_errors() {

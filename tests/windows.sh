@@ -31,7 +31,7 @@ short=
 # ---- the file ----
 dump=$(x86_64-w64-mingw32-objdump -p "$exe")
 dlls() { # those that every Windows has
-    sed -n 's/^.*DLL Name: //p' <<<"$1" | tr 'A-Z' 'a-z' | sort -u |
+    sed -n 's/^.*DLL Name: //p' <<<"$1" | tr '[:upper:]' '[:lower:]' | sort -u |
         grep -vxE '(advapi32|gdi32|imm32|kernel32|msvcrt|ole32|oleaut32|setupapi|shell32|user32|version|winmm)\.dll'
 }
 same 'it needs nothing but the libraries of Windows' '' "$(dlls "$dump")"

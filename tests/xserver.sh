@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # xserver.sh - tap.sh, and an X server of our own with programs in its window.
 #
 #     . "$(dirname "$0")/../xserver.sh"
@@ -9,7 +10,7 @@ sandbox
 for tool in Xvfb xdotool xwd xprop convert openbox setxkbmap sdl2-config; do
     command -v $tool >/dev/null || { not_ok "$tool is installed"; finish; }
 done
-child= xvfb= wm=
+child='' xvfb='' wm=''
 trap 'for p in $child $wm $xvfb; do kill -KILL $p 2>/dev/null; done; cd /; rm -rf "$scratch"' EXIT
 
 # wait_until COMMAND...: tries until it holds. Gives up when the program has used 10 s of the processor's time, however

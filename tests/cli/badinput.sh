@@ -4,8 +4,6 @@
 . "$(dirname "$0")/../tap.sh"
 sandbox
 
-bad() { expect_error "$1" 2 "curtain: $2" "$curtain" "${@:3}"; }  # NAME TEXT ARGUMENT...
-host() { expect_error "$1" 3 "curtain: $2" "$curtain" "${@:3}"; } # the same, the host's fault
 fault() { # NAME LINE: main.lua is standard input
     game bad
     expect_error "$1" 2 "$2" "$curtain" hash bad --frames 5
@@ -41,31 +39,31 @@ END
 kernel=/sys/kernel/mm/transparent_hugepage/enabled # says that it has 4096 bytes, and gives fewer
 if [ "$(stat -c %s $kernel 2>/dev/null)" = 4096 ]; then
     for command in hash play verify list; do
-        bad "$command of what cannot be read" "$kernel: cannot be read" $command $kernel \
+        input_error "$command of what cannot be read" "$kernel: cannot be read" $command $kernel \
             $([ $command = verify ] && echo g.rom)
     done
     mkdir kernel
     ln -s $kernel kernel/rom.lua
-    bad 'rom.lua that cannot be read' 'kernel: rom.lua: cannot be read' hash kernel
+    input_error 'rom.lua that cannot be read' 'kernel: rom.lua: cannot be read' hash kernel
     "$curtain" check kernel >out 2>err
     got=$?
     same 'check of a rom.lua that cannot be read' 'rom.lua: cannot be read 1' "$(head -1 out) $got"
     cp -r g unread
     rm unread/main.lua
     ln -s $kernel unread/main.lua
-    bad 'a script that cannot be read' 'unread: main.lua: cannot be read' hash unread
-    bad 'a demo that cannot be read' "$kernel: cannot be read" hash g.rom --demo $kernel
+    input_error 'a script that cannot be read' 'unread: main.lua: cannot be read' hash unread
+    input_error 'a demo that cannot be read' "$kernel: cannot be read" hash g.rom --demo $kernel
 fi
 ln -s loop loop
 for command in hash play check pack 'list' 'verify g' 'hash g --demo'; do
-    bad "$command of a link to itself" 'loop: cannot be read (Too many levels of symbolic links)' $command loop
+    input_error "$command of a link to itself" 'loop: cannot be read (Too many levels of symbolic links)' $command loop
 done
 for words in hash 'pack g -o' 'hash g --frames 1 --record' 'unpack g' check 'hash g --dip' play; do
-    bad "an endless argument: $words" "argument longer than 900 characters: \"$(printf '%032d' 0)...\"" $words \
+    input_error "an endless argument: $words" "argument longer than 900 characters: \"$(printf '%032d' 0)...\"" $words \
         "$(printf '%05000d' 0)"
 done
 mkfifo fifo
-bad 'a pipe as a ROM' 'fifo: cannot be read' hash fifo
+input_error 'a pipe as a ROM' 'fifo: cannot be read' hash fifo
 mknod nul c 1 3 && {
     "$curtain" pack g -o nul 2>err
     same 'pack into a device' '0 character special file' "$? $(stat -c %F nul)"
@@ -74,9 +72,9 @@ ln -s g.rom link.rom
 "$curtain" pack g -o link.rom 2>err
 same 'pack to a link: it stays one' '0 symbolic link' "$? $(stat -c %F link.rom)"
 mkdir -p taken && mkfifo taken/main.lua
-bad 'unpack where a pipe is' 'taken/main.lua: already exists' unpack g.rom taken
+input_error 'unpack where a pipe is' 'taken/main.lua: already exists' unpack g.rom taken
 mkdir -p taken2 && : >taken2/lumps
-bad 'unpack where a file is, and a folder would be' \
+input_error 'unpack where a file is, and a folder would be' \
     'taken2/lumps: a file with this name exists, but lumps/gfx/dart needs a folder there' unpack g.rom taken2
 
 # A game that names nothing of the standard library is a small ROM.
@@ -105,21 +103,21 @@ rom_errors() { # lines "SED-SCRIPT|TEXT": rom.lua, changed by the script, is ref
     while IFS='|' read -r change text; do
         idle | game bad
         sed -i "$change" bad/rom.lua
-        bad "rom.lua: $change" "bad: $text" hash bad --frames 1
+        input_error "rom.lua: $change" "bad: $text" hash bad --frames 1
         rm -rf bad
     done
 }
 rom_errors <<'END'
+s/h = 8 }/h = 99 }/|art/all.png: sprite "dot": 1 frames of 8x99 at 0,0 do not fit in the sheet of 16x16 pixels
+s,"art/,"../,|rom.lua: sheets.all.file: expected a file inside the folder (letters, digits, _ - . /), got "../all.png"
 s/bullets = 256/bullets = 4194305/|rom.lua: board.bullets: expected a whole number from 0 to 4194304, got 4194305
 s/tasks = 128/tasks = 0/|rom.lua: board.tasks: expected a whole number from 1 to 65536, got 0
 s/lua_kib = 1024/lua_kib = 255/|rom.lua: board.lua_kib: expected a whole number from 256 to 262144, got 255
 s/bullets = 256/bulets = 256/|rom.lua: board.bulets: unknown key (did you mean "bullets"?)
 s/id = "probe"/{} probe/|rom.lua:2: '}' expected (to close '{' at line 1) near 'probe'
 s/.*//;1s/.*/return 5/|rom.lua: expected `return { ... }`, got 5
-s/w = 8, h = 8 }/w = 99, h = 8 }/|art/all.png: sprite "dot": 1 frames of 99x8 at 0,0 do not fit in the sheet of 16x16 pixels
 s/sheet = "all"/sheet = "al"/g|rom.lua: sprites.dart.sheet: "al" is not listed in sheets
 s/art\/all.png/art\/none.png/|rom.lua:4: art/none.png does not exist
-s,art/all,../all,|rom.lua: sheets.all.file: expected a file inside the folder (letters, digits, _ - . /), got "../all.png"
 s/id = "probe"/id = "probe", entry = "start"/|rom.lua: entry: start.lua does not exist
 END
 # All maxima together are below the limit of 1 GiB; in $OUT/curtain-short the limit is 64 MiB.
@@ -148,7 +146,7 @@ art() { # NAME LINE COMMAND...: run in the game's folder
     shift 2
     idle | game bad
     (cd bad && "$@")
-    bad "$name" "bad: $line" pack bad -o bad.rom
+    input_error "$name" "bad: $line" pack bad -o bad.rom
     check "$name: nothing is written" [ ! -e bad.rom ]
     rm -rf bad
 }
@@ -215,7 +213,7 @@ expect_error 'demo of another build plays' 0 \
     'curtain: a.demo: recorded with another game version; playback may diverge' "$curtain" hash later --demo a.demo
 # Cut at every byte: refused in its header, then played as far as it goes, and never said to hold.
 size=$(stat -c %s a.demo)
-wrong= refused=0 played=0
+wrong='' refused=0 played=0
 for n in $(where "$size"); do
     head -c "$n" a.demo >cut.demo
     line=$("$curtain" verify g cut.demo 2>&1)
@@ -232,7 +230,7 @@ expect_error 'a demo cut short plays as far as it goes' 0 \
     'curtain: cut.demo: truncated (no end mark); playing the first 180 frames' "$curtain" hash g --demo cut.demo
 cp a.demo spoilt.demo
 printf '\377' | dd of=spoilt.demo bs=1 seek=100 conv=notrunc 2>/dev/null
-bad 'damaged demo' 'spoilt.demo: damaged record at byte 8 (CRC)' verify g spoilt.demo
+input_error 'damaged demo' 'spoilt.demo: damaged record at byte 8 (CRC)' verify g spoilt.demo
 expect_error 'good and bad demos in one go' 2 'curtain: none.demo: no such file' "$curtain" verify g a.demo none.demo
 same 'and the good one is checked' 'a.demo: holds, 200 frames' "$(cat out)"
 
@@ -334,16 +332,18 @@ hash s --stage one --register power=1 --register power=2|--register: power is gi
 hash g --lives 1 --demo a.demo|--lives cannot be combined with --demo: the demo sets it
 END
 for value in x 2147483648 -2147483648 ' 4'; do
-    bad "--register power=$value" "--register: power: expected a whole number from -2147483647 to 2147483647, got \
-\"$value\"" hash s --stage one --register "power=$value"
+    input_error "--register power=$value" \
+        "--register: power: expected a whole number from -2147483647 to 2147483647, got \"$value\"" \
+        hash s --stage one --register "power=$value"
 done
-bad 'a DIP switch after a blank' '--dip: ships: expected a whole number from 1 to 9, got " 4"' hash g --dip 'ships= 4'
-bad 'a register of a long name' '--register: name longer than 31 characters' hash s --stage one \
+input_error 'a DIP switch after a blank' '--dip: ships: expected a whole number from 1 to 9, got " 4"' \
+    hash g --dip 'ships= 4'
+input_error 'a register of a long name' '--register: name longer than 31 characters' hash s --stage one \
     --register "$(printf '%032d' 0)=1"
-bad 'more registers than there can be' '--register: given more than 16 times' hash s --stage one \
+input_error 'more registers than there can be' '--register: given more than 16 times' hash s --stage one \
     $(for i in $(seq 17); do echo --register "r$i=1"; done)
-bad 'a stage that is no name' '--stage: expected NAME, NAME:MARK or BOSS/PHASE in ASCII' hash g --stage $'o\tne'
-bad 'a stage without an end' '--stage: longer than 63 characters' hash g --stage "$(printf '%064d' 0)"
+input_error 'a stage that is no name' '--stage: expected NAME, NAME:MARK or BOSS/PHASE in ASCII' hash g --stage $'o\tne'
+input_error 'a stage without an end' '--stage: longer than 63 characters' hash g --stage "$(printf '%064d' 0)"
 
 # ---- what others wrote ----
 
@@ -384,7 +384,7 @@ pack g -o empty|empty: cannot be written (Is a directory)
 hash g --frames 2 --record file/a.demo|file/a.demo: cannot be written (Not a directory)
 unpack g file|file/lumps/gfx/dart: cannot be written (Not a directory)
 END
-bad 'unpack over files' 'g/main.lua: already exists' unpack g.rom g
+input_error 'unpack over files' 'g/main.lua: already exists' unpack g.rom g
 for command in 'list g' 'pack g -o full.rom' 'hash g --frames 1' 'help' 'version' 'verify g a.demo'; do
     line=$("$curtain" $command 2>&1 >/dev/full)
     same "standard output is full: $command" '3 curtain: cannot write to standard output' "$? $line"
@@ -399,14 +399,6 @@ pack g -o locked/a.rom|locked/a.rom: cannot be written (Read-only file system)
 hash g --frames 2 --record locked/a.demo|locked/a.demo: cannot be written (Read-only file system)
 unpack g locked|locked/lumps/gfx/dart: cannot be written (Read-only file system)
 END
-    host 'read-only folder: picture' 'locked/000001.png: cannot be written (Read-only file system)' render g \
-        --frames 1 -o locked
-    host 'read-only folder: sheet' 'locked/a.png: cannot be written (Read-only file system)' render g --frames 1 \
-        --sheet locked/a.png
-    host 'read-only folder: ROM' 'locked/a.rom: cannot be written (Read-only file system)' pack g -o locked/a.rom
-    host 'read-only folder: demo' 'locked/a.demo: cannot be written (Read-only file system)' hash g --frames 2 \
-        --record locked/a.demo
-    host 'read-only folder: unpack' 'locked/lumps/gfx/dart: cannot be written (Read-only file system)' unpack g locked
 fi
 
 if small_disk full size=256k; then
@@ -431,7 +423,8 @@ END
     same 'full disk: nothing half made is left' '000001.png a.demo a.png a.rom filler' "$(cd full && echo *)"
     # Room for one page: the disk is full in the middle of a recording.
     truncate -s -4096 full/filler
-    host 'disk full while recording' 'full/long.demo: cannot be written (No space left on device)' hash g --frames 3000 --record full/long.demo
+    system_error 'disk full while recording' 'full/long.demo: cannot be written (No space left on device)' \
+        hash g --frames 3000 --record full/long.demo
     line=$("$curtain" verify g full/long.demo 2>&1)
     check "what was recorded stays readable ($line)" grep -Eq \
         '^curtain: full/long.demo: truncated: [1-9][0-9]+ frames and no end mark$' <<<"$line"

@@ -131,6 +131,7 @@ for i in 0 1 2; do
     read -r -t 60 line <&"${server[0]}"
     same "a name, and its line at once ($i)" "good$i.demo: ${want[good$i.demo]}" "$line"
 done
+# shellcheck disable=SC2093,SC1083
 exec {server[1]}>&-
 wait "$server_PID" 2>/dev/null
 

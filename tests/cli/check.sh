@@ -866,7 +866,7 @@ check '... and it is noted' grep -q "^main.lua: note: $idle, so nothing will hap
 
 # ---- text ----
 
-echo 'return { licence = "(c) Enrique Garc\303\255a" }' | sed 's/\\303\\255/\xc3\xad/' >garcia.lua
+printf 'return { licence = "(c) Enrique Garc\303\255a" }\n' >garcia.lua
 echo 'local garcia = require "garcia" print("dot", "dart", garcia.licence)' | game unseen
 cp garcia.lua unseen/
 got=$("$curtain" check unseen 2>&1)

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# desync.sh - from "it does not hold" to the value that differs, with the program alone: a changed script; tracks and traces of two builds, and what is no such file.
-# tests/machine/test_desync.c does the first with boards side by side, 200 times; test_trace.c plants bits.
+# desync.sh - from "it does not hold" to the value that differs, with the program alone: a changed script, tracks and
+# traces of two builds, and files that are neither. tests/machine/test_desync.c flips the bits of demos; test_trace.c
+# plants bits.
 . "$(dirname "$0")/../tap.sh"
 sandbox
 rom=$repo/roms/glasstide
@@ -82,8 +83,8 @@ bisect 'a track and a trace' 2 'curtain: whole is a track, trace a trace' whole 
 : >empty
 bisect 'an empty file' 2 'curtain: empty: empty' whole empty
 bisect 'no file' 2 'curtain: none: No such file or directory' whole none
-head -c 100 whole >cut
-bisect 'a line cut short' 2 "curtain: cut:$(($(head -c 100 whole | wc -l) + 1)): truncated line" cut whole
+head -c 100 whole >part
+bisect 'a line cut short' 2 "curtain: part:$(($(head -c 100 whole | wc -l) + 1)): truncated line" part whole
 sed '7p' whole >other
 bisect 'a line twice' 2 'curtain: other:8: out of order' whole other
 line=$(grep -nm1 ' pal [0-9]' trace | cut -d: -f1)

@@ -7,8 +7,6 @@ sandbox
 export SDL_VIDEODRIVER=dummy SDL_AUDIODRIVER=dummy
 null=$curtain curtain=$OUT/curtain
 
-bad() { expect_error "$1" 2 "curtain: $2" "$curtain" "${@:3}"; } # NAME TEXT ARGUMENT...
-
 cp -r "$repo/examples/first" lanterns
 sed -i 's/title = "First Light"/id = "lanterns", title = "Paper \\\\ Lanterns", author = "You", icon = "ship"/' \
     lanterns/rom.lua
@@ -31,10 +29,10 @@ check 'nor of one in a file' bash -c 'sed -i "s,icon = \"ship\",icon = \"art/ico
 truncate -s 90 lanterns/art/icon.png
 refuse 'a file that is no picture' 'lanterns: art/icon.png: ' "$curtain" export lanterns -o other
 python3 "$repo/tests/cli/png_make.py" lanterns/art/icon.png 12 15 ffffff
-bad 'one that is too small' \
+input_error 'one that is too small' \
     'lanterns: art/icon.png: expected an icon whose longer side is 16 to 1024 px, got 12 x 15' export lanterns -o other
 rm lanterns/art/icon.png
-bad 'one that is not there' 'lanterns: rom.lua:2: art/icon.png does not exist' export lanterns -o other
+input_error 'one that is not there' 'lanterns: rom.lua:2: art/icon.png does not exist' export lanterns -o other
 sed -i 's,icon = "art/icon.png",icon = "ship",' lanterns/rom.lua
 
 # However it is started.
@@ -86,10 +84,12 @@ same 'its help has the options of playing, and no developer'"'"'s key' '1 1 0 0 
 plays='plays Paper \ Lanterns'
 for command in 'render' 'hash' 'verify a b' 'pack a' 'list a' 'unpack a b' 'check a' 'sound a' 'export a' 'capture'; do
     # shellcheck disable=SC2086
-    expect_error "it does not $command" 2 "lanterns: ${command%% *}: not available; this program only $plays (see --help)" \
+    expect_error "it does not $command" 2 \
+        "lanterns: ${command%% *}: not available; this program only $plays (see --help)" \
         ./game $command
 done
-expect_error 'nor plays another game' 2 "lanterns: other.rom: cannot be opened; this program only $plays (see --help)" ./game \
+expect_error 'nor plays another game' 2 \
+    "lanterns: other.rom: cannot be opened; this program only $plays (see --help)" ./game \
     other.rom
 expect_error 'an option that there is not' 2 'lanterns: unknown option --fulscreen (did you mean --fullscreen?)' \
     ./game --fulscreen
@@ -99,10 +99,10 @@ check 'it says whose work it is' grep -qF 'Paper \ Lanterns is by You. ' <(./gam
 size=$(stat -c %s game)
 itself="this program's own file"
 for cut in 1 100 5000; do
-    head -c $((size - cut)) game >cut
-    chmod +x cut
+    head -c $((size - cut)) game >shorter
+    chmod +x shorter
     expect_error "cut short by $cut bytes" 2 \
-        "curtain: $itself is truncated: $((size - cut)) bytes, expected $size including its game" ./cut
+        "curtain: $itself is truncated: $((size - cut)) bytes, expected $size including its game" ./shorter
 done
 rom=$("$curtain" pack lanterns -o rom >/dev/null && stat -c %s rom)
 for at in 1 $((rom / 2)) $((rom - 1)); do
@@ -118,7 +118,8 @@ b = bytearray(open(sys.argv[1], "rb").read())
 b[b.index(b"<a game may stand behind curtain") + 56] ^= 1
 open(sys.argv[2], "wb").write(b)
 END
-expect_error 'the game is another than the one that was exported' 2 "curtain: $itself is damaged: the game in it is corrupt" \
+expect_error 'the game is another than the one that was exported' 2 \
+    "curtain: $itself is damaged: the game in it is corrupt" \
     ./spoiled version
 cp game unreadable
 chmod 111 unreadable
@@ -130,19 +131,22 @@ fi
 expect_error 'may be run, and not read' 3 "curtain: $itself: cannot be read (Permission denied)" as_other ./unreadable
 
 # What export refuses.
-bad 'a game that is not there' 'none: no such file or folder' export none
+input_error 'a game that is not there' 'none: no such file or folder' export none
 echo 'nonsense(' >>lanterns/main.lua
-bad 'a game with an error' "lanterns: main.lua:$(($(wc -l <lanterns/main.lua) + 1)): unexpected symbol near <eof>" \
+input_error 'a game with an error' \
+    "lanterns: main.lua:$(($(wc -l <lanterns/main.lua) + 1)): unexpected symbol near <eof>" \
     export lanterns -o game
 check '... and the program that was there is as it was' is_game ./game
 sed -i '$d' lanterns/main.lua
-bad 'in place of a folder' 'lanterns: a folder with this name exists; choose another file with -o' export lanterns
-bad 'in place of a file that is none of its own' \
+input_error 'in place of a folder' \
+    'lanterns: a folder with this name exists; choose another file with -o' export lanterns
+input_error 'in place of a file that is none of its own' \
     'run.demo: already exists and is not an exported program; remove it first' export lanterns -o run.demo
-bad 'nor of curtain itself' 'mine: already exists and is not an exported program; remove it first' \
+input_error 'nor of curtain itself' 'mine: already exists and is not an exported program; remove it first' \
     export lanterns -o "$(cp "$curtain" mine && echo mine)"
 expect_error 'in place of an older one' 0 '' "$curtain" export lanterns -o game
-expect_error 'where nothing can be written' 3 'curtain: /proc/none/game: cannot be written (No such file or directory)' \
+expect_error 'where nothing can be written' 3 \
+    'curtain: /proc/none/game: cannot be written (No such file or directory)' \
     "$curtain" export lanterns -o /proc/none/game
 expect_error 'by an exported program' 2 \
     'lanterns: export: this program is the exported game Paper \ Lanterns; use curtain to export games' \
@@ -169,7 +173,7 @@ check '... which starts it, with all that is odd in its path' started 'with a bl
 icon=with\ a\ blank/'50 $x\ `b` "c".png'
 same 'an icon of a sprite: a square of whole pixels' 144x144 "$(identify -format '%wx%h' - <"$icon")"
 same '... of this path' "$PWD/${icon//\\/\\\\}" "$(sed -n 's/^Icon=//p' "$entry")"
-bad 'beside files of somebody' 'new.png: already exists; remove it, or choose another file with -o' \
+input_error 'beside files of somebody' 'new.png: already exists; remove it, or choose another file with -o' \
     export lanterns -o "$(touch new.png && echo new)" --desktop
 check '... and nothing was written' test ! -e new
 
@@ -179,9 +183,10 @@ mkdir -p tree/bin tree/share/curtain/players
 cp "$null" tree/bin/curtain-null
 tool=$PWD/tree/bin/curtain-null
 players=$PWD/tree/share/curtain/players
-bad() { expect_error "$1" 2 "curtain: $2" "$tool" "${@:3}"; } # of that program
+curtain=$tool
 while read -r option player; do
-    bad "no player: $option" "export: cannot find the player $player in players or ../share/curtain/players, relative \
+    input_error "no player: $option" \
+        "export: cannot find the player $player in players or ../share/curtain/players, relative \
 to this program's folder; run \`make players\` in Curtain's source tree" export lanterns "--$option" -o "new.so"
 done <<'END'
 linux curtain-player-linux
@@ -208,16 +213,17 @@ sed -n 's,^<script>\(.*\)</script>$,\1,p' lanterns.html | base64 -d >in.rom
 check 'and its game, compressed' cmp in.rom lanterns.rom
 expect_error 'a page is replaced' 0 '' "$tool" export lanterns --web -o lanterns.html
 cp "$player" mine.html
-bad 'what is none is not' 'mine.html: already exists and is not an exported page; remove it first' \
+input_error 'what is none is not' 'mine.html: already exists and is not an exported page; remove it first' \
     export lanterns --web -o mine.html
-bad 'nor is a program' 'game: already exists and is not an exported page; remove it first' export lanterns --web -o game
+input_error 'nor is a program' \
+    'game: already exists and is not an exported page; remove it first' export lanterns --web -o game
 page $((version + 1)) >"$player"
-bad 'a player of another core version' \
+input_error 'a player of another core version' \
     "$player: expected core version $version, got $((version + 1)); rebuild it with \`make players\`" \
     export lanterns --web -o new.html
 for wrong in "$(page "$version" '')" "$(page "$version" '@ROM@@ROM@')" "$(page x)" ''; do
     printf '%s' "$wrong" >"$player"
-    bad "what is no player: ${#wrong} bytes" "$player: not a valid player; rebuild it with \`make players\`" \
+    input_error "what is no player: ${#wrong} bytes" "$player: not a valid player; rebuild it with \`make players\`" \
         export lanterns --web -o new.html
 done
 check '... and nothing was written' test ! -e new.html
@@ -244,14 +250,15 @@ same 'it has the name of its game' 'Sun & <Sea> @ROM@ ' "$(called ./lanterns_lib
 same 'and one without a game its own' 'Curtain rom' "$(called "$core")"
 expect_error 'a core is replaced' 0 '' "$tool" export lanterns --libretro
 touch mine.info
-bad 'beside files of somebody' 'mine.info: already exists; remove it, or choose another file with -o' \
+input_error 'beside files of somebody' 'mine.info: already exists; remove it, or choose another file with -o' \
     export lanterns --libretro -o mine.so
-bad 'what is none is not replaced' 'run.demo.so: already exists and is not an exported core; remove it first' \
+input_error 'what is none is not replaced' 'run.demo.so: already exists and is not an exported core; remove it first' \
     export lanterns --libretro -o "$(cp run.demo run.demo.so && echo run.demo.so)"
-bad 'a name that front ends pass over' '--libretro: expected a file name ending in .so after -o, got "lanterns.core"' \
+input_error 'a name that front ends pass over' \
+    '--libretro: expected a file name ending in .so after -o, got "lanterns.core"' \
     export lanterns --libretro -o lanterns.core
 head -c 5000 "$OUT/curtain_libretro.so" >"$core"
-bad 'a core that is none' "$core: not a valid player; rebuild it with \`make players\`" \
+input_error 'a core that is none' "$core: not a valid player; rebuild it with \`make players\`" \
     export lanterns --libretro -o new.so
 python3 - "$OUT/curtain_libretro.so" "$core" <<'END'
 import sys
@@ -259,19 +266,20 @@ b = bytearray(open(sys.argv[1], "rb").read())
 b[b.index(b"<a game may stand behind curtain") + 60] += 1
 open(sys.argv[2], "wb").write(b)
 END
-bad 'a core of another core version' \
+input_error 'a core of another core version' \
     "$core: expected core version $version, got $((version + 1)); rebuild it with \`make players\`" \
     export lanterns --libretro -o new.so
 check '... and nothing was written' test ! -e new.so -a ! -e new.info
 while read -r first second; do
-    bad "$first $second" "$second cannot be combined with $first" export lanterns "$first" "$second"
+    input_error "$first $second" "$second cannot be combined with $first" export lanterns "$first" "$second"
 done <<'END'
 --windows --libretro
 --all --linux
 --web --keys
 --windows --desktop
 END
-expect_error 'where nothing can be written' 3 'curtain: /proc/none/a.html: cannot be written (No such file or directory)' \
+expect_error 'where nothing can be written' 3 \
+    'curtain: /proc/none/a.html: cannot be written (No such file or directory)' \
     "$tool" export lanterns --web -o "$(page "$version" >"$player"; echo /proc/none/a.html)"
 
 # ---- Linux: the players are copies of the programs here ----
@@ -289,7 +297,7 @@ check 'with --keys it has all commands' ./full hash --frames 1
 check 'with --desktop an entry' desktop-file-validate full.desktop
 mkdir tree/bin/players
 cp "$player" tree/bin/players/curtain-player-linux
-bad 'a player next to the program is the one used' \
+input_error 'a player next to the program is the one used' \
     "$PWD/tree/bin/players/curtain-player-linux: not a valid player; rebuild it with \`make players\`" \
     export lanterns --linux -o new
 rm -r tree/bin/players
@@ -345,17 +353,17 @@ resources 3/1 14/1 16/1 24/1" "$(pe read plainer.exe 24 1; echo; pe read plainer
 same '... and there is no company' '' "$(pe read plainer.exe | grep Company)"
 not_windows='expected an x86-64 Windows program with space for another section'
 echo MZ >spoiled && head -c 100 /dev/zero >>spoiled && cp "$exe" whole.exe && cp spoiled "$exe"
-bad 'a player that is no program' "$exe: $not_windows" export lanterns --windows -o new.exe
+input_error 'a player that is no program' "$exe: $not_windows" export lanterns --windows -o new.exe
 python3 - whole.exe "$exe" <<'END'
 import sys
 b = bytearray(open(sys.argv[1], "rb").read())
 b[128 + 24 + 60:128 + 24 + 64] = (128 + 24 + 240 + 3 * 40).to_bytes(4, "little")
 open(sys.argv[2], "wb").write(b)
 END
-bad 'one whose header is full' "$exe: $not_windows" export lanterns --windows -o new.exe
+input_error 'one whose header is full' "$exe: $not_windows" export lanterns --windows -o new.exe
 cp whole.exe "$exe"
 pe make "$exe" $((version + 1))
-bad 'one of another core version' \
+input_error 'one of another core version' \
     "$exe: expected core version $version, got $((version + 1)); rebuild it with \`make players\`" \
     export lanterns --windows -o new.exe
 check '... and nothing was written' test ! -e new.exe
@@ -366,7 +374,7 @@ pe make "$exe" "$version"
 cp "$OUT/curtain_libretro.so" "$core"
 sed -i 's/title = "[^"]*"/title = "Paper \\\\ Lanterns"/' lanterns/rom.lua
 mv "$player" away
-bad 'a zip of each, and a player is missing' "export: cannot find the player player.html in players or \
+input_error 'a zip of each, and a player is missing' "export: cannot find the player player.html in players or \
 ../share/curtain/players, relative to this program's folder; run \`make players\` in Curtain's source tree" \
     export lanterns --all
 check '... and nothing was written' test ! -e lanterns-exports
@@ -433,13 +441,13 @@ for notice in Lua.org 'Sam Lantinga' 'mingw-w64 project' 'Rich Felker' 'The Curt
 done
 "$curtain" licences --full | sed -n '/^Permission/,/^IN THE/p' | sed '/^IN THE/q' >mit
 check 'and the words are those that licences --full prints' bash -c '[[ $(<of-web/licences.txt) == *"$(<mit)"* ]]'
-cp -r lanterns-exports then
+cp -r lanterns-exports before
 expect_error 'zip files are replaced' 0 '' "$tool" export lanterns --all -o lanterns-exports
-check '... by the same bytes' diff -r then lanterns-exports
+check '... by the same bytes' diff -r before lanterns-exports
 (cd lanterns && zip -q ../foreign.zip rom.lua) 2>/dev/null || python3 -m zipfile -c foreign.zip lanterns/rom.lua
 cp foreign.zip lanterns-exports/lanterns-web.zip
 rm lanterns-exports/lanterns-linux.zip
-bad 'but not those of others' \
+input_error 'but not those of others' \
     'lanterns-exports/lanterns-web.zip: already exists and is not an exported zip file; remove it first' \
     export lanterns --all
 check '... and nothing was written' test ! -e lanterns-exports/lanterns-linux.zip

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""film_same.py FILM DIR FIRST LAST [SCALE [SPEED]]: is the film the frames FIRST to LAST that `curtain render` wrote into
-DIR, to the last pixel and at the right times? SPEED is N or 1/N.
+"""film_same.py FILM DIR FIRST LAST [SCALE [SPEED]]: is the film the frames FIRST to LAST that `curtain render` wrote
+into DIR, to the last pixel and at the right times? SPEED is N or 1/N.
 
 ImageMagick decodes GIFs; y4m is read here. Prints "KIND PICTURES SMALLER": how many pictures it has, and how many of
 them are smaller than the whole.

@@ -32,7 +32,7 @@ check 'of which the installed program makes a page' \
     "$installed" export roms/testcard --web -o "$scratch/page.html"
 echo player >"$tree/build/players/curtain-player-linux"
 check 'with the players that exist' makes install DESTDIR="$scratch/root" PREFIX=/usr
-same 'and no other' 'curtain-player-linux player.html' "$(echo $(ls "$share/players"))"
+same 'and no other' 'curtain-player-linux player.html' "$(ls "$share/players" | xargs)"
 check 'the program is there' "$installed" version
 check 'so is the one with a window' test -x "$scratch/root/usr/bin/curtain"
 check 'so is the player' test -x "$scratch/root/usr/bin/curtain-player"

@@ -3,8 +3,6 @@
 # right exit code and one line, nothing half made, and what was there stays as it was.
 . "$(dirname "$0")/../tap.sh"
 sandbox
-bad() { expect_error "$1" 2 "curtain: $2" "$curtain" "${@:3}"; }  # NAME TEXT ARGUMENT...
-host() { expect_error "$1" 3 "curtain: $2" "$curtain" "${@:3}"; } # the same, the host's fault
 
 "$curtain" new g --from first >/dev/null
 "$curtain" pack g -o g.rom
@@ -39,13 +37,14 @@ END
 check 'a film in the folder may be written anew' eval '"$curtain" capture g --frames 1:2 -o g/x.gif &&
     "$curtain" capture g --frames 1:2 -o g/x.gif && rm g/x.gif'
 mkdir pattern && printf 'fire = 1\n' >pattern/list.gpl
-bad 'a palette into what it is read from' '-o: pattern/../pattern/list.gpl is the game being read; choose another file' palette pattern/list.gpl \
+input_error 'a palette into what it is read from' \
+    '-o: pattern/../pattern/list.gpl is the game being read; choose another file' palette pattern/list.gpl \
     --bank 1 -o pattern/../pattern/list.gpl
 ln -s . here
 ln -s r.x link
-bad 'two files by a folder that is a link' '--map: here/r.x is also written by -o; choose another file' \
+input_error 'two files by a folder that is a link' '--map: here/r.x is also written by -o; choose another file' \
     survive g -o r.x --map here/r.x
-bad 'two files by a link to none' '--map: link is also written by -o; choose another file' \
+input_error 'two files by a link to none' '--map: link is also written by -o; choose another file' \
     survive g -o r.x --map link
 check 'all of them are as they were' eval 'diff -r g kept && cmp g.rom kept.rom && cmp a.demo kept.demo'
 
@@ -57,27 +56,28 @@ check 'also in the folder of the game' report g/tests/results.xml
 rm g/tests/results.xml
 echo mine >run.png
 cp g/art/bullets.png bullets.kept
-bad 'survive: its picture beside the demo' 'run.png: already exists; remove it, or choose another file with -o' \
+input_error 'survive: its picture beside the demo' \
+    'run.png: already exists; remove it, or choose another file with -o' \
     survive g -o run.demo
 cp -r g h
 mv h/art/bullets.png h/art/000001.png
 sed -i 's|art/bullets.png|art/000001.png|' h/rom.lua
-bad 'render: a frame in place of a picture of the game' \
+input_error 'render: a frame in place of a picture of the game' \
     "-o: h/art/000001.png is one of the game's files; choose another folder" \
     render h --frames 1 -o h/art
 check 'it is as it was' cmp bullets.kept h/art/000001.png
 rm -r h
 mkdir film
 echo mine >film/000001.png
-bad 'render: a frame in place of somebody'"'"'s file' \
+input_error 'render: a frame in place of somebody'"'"'s file' \
     'film/000001.png: already exists; remove it, or choose another folder with -o' render g --frames 0,1 -o film
 check '... but in place of an older frame' "$curtain" render g --frames 0 -o film
 same 'it is as it was' mine "$(cat film/000001.png)"
-bad 'render: a sheet in place of a frame' \
+input_error 'render: a sheet in place of a frame' \
     '--sheet: ./000001.png is also the name of a frame file; choose another name' \
     render g --frames 1 -o . --sheet ./000001.png
 echo mine >g.rom
-bad 'pack: the default name' 'g.rom: already exists; remove it, or choose another file with -o' pack g
+input_error 'pack: the default name' 'g.rom: already exists; remove it, or choose another file with -o' pack g
 same 'all are as they were' 'mine mine' "$(cat run.png g.rom | xargs)"
 check 'and so is the picture' cmp bullets.kept g/art/bullets.png
 cp kept.rom g.rom
@@ -99,10 +99,10 @@ same 'unpack where nothing can be written: the host, 3' 3 $?
 # ---- words that are none ----
 
 for command in hash play render survive; do
-    bad "$command of nothing" "$command: expected [ROM], got \"\" (see curtain help $command)" $command ''
+    input_error "$command of nothing" "$command: expected [ROM], got \"\" (see curtain help $command)" $command ''
 done
-bad 'test of nothing' 'test: expected DIR [NAME...], got "" (see curtain help test)' test ''
-bad 'a fault while measuring' \
+input_error 'test of nothing' 'test: expected DIR [NAME...], got "" (see curtain help test)' test ''
+input_error 'a fault while measuring' \
     'nope: frame 0: main.lua:21: boot.run: unknown stage "nope" (did you mean "one"?)' bench g --stage nope
 
 # ---- a demo that names no game, and register ----
@@ -110,16 +110,17 @@ bad 'a fault while measuring' \
 mkdir -p far/off
 cp a.demo far/off/a.demo
 checksum=$("$curtain" verify g a.demo --json | jq -r .recorded.game)
-bad 'a demo without its game' "far/off/a.demo: recorded with the game \"g\" (checksum $checksum), which was not found; \
+input_error 'a demo without its game' \
+    "far/off/a.demo: recorded with the game \"g\" (checksum $checksum), which was not found; \
 put the game next to the replay, or name it: curtain play GAME --demo \"far/off/a.demo\"" far/off/a.demo
 cp -r g far/g
 echo '-- changed' >>far/g/main.lua
-bad 'a demo with another version of its game' "far/off/a.demo: recorded with another version of \
+input_error 'a demo with another version of its game' "far/off/a.demo: recorded with another version of \
 $(sed -n 's/.*title = "\([^"]*\)".*/\1/p' g/rom.lua) (checksum $checksum; $scratch/far/g has \
 $("$curtain" hash far/g --frames 1 --record new.demo >/dev/null; "$curtain" verify far/g new.demo --json |
     jq -r .recorded.game)); to play it anyway: curtain play \"$scratch/far/g\" --demo \"far/off/a.demo\"" far/off/a.demo
 for option in --seed=1 --dip=a=b --stage=one --difficulty=easy --lang=ja --resume; do
-    bad "a demo with $option" "${option%%=*} cannot be combined with a.demo: the demo sets it" a.demo $option
+    input_error "a demo with $option" "${option%%=*} cannot be combined with a.demo: the demo sets it" a.demo $option
 done
 printf 'CDEM' >bad.demo
 usage_errors 2 <<'END'
@@ -134,8 +135,9 @@ rm -r far new.demo bad.demo
 
 ln -s loop loop
 ln -s nowhere stray
-host 'new in a link to itself' 'loop/README.md: cannot be written (Too many levels of symbolic links)' new loop
-host 'new in a link that leads nowhere' 'stray/README.md: cannot be written (No such file or directory)' new stray
+system_error 'new in a link to itself' 'loop/README.md: cannot be written (Too many levels of symbolic links)' new loop
+system_error 'new in a link that leads nowhere' \
+    'stray/README.md: cannot be written (No such file or directory)' new stray
 same 'both are still there' 'loop nowhere' "$(readlink loop stray | xargs)"
 
 mkdir bin film.mp4
@@ -148,7 +150,8 @@ echo film >"${last#file:}"
 SH
 chmod +x bin/ffmpeg
 PATH=$scratch/bin:$PATH
-host 'a film in place of a folder' 'film.mp4: cannot be written (Is a directory)' capture g --frames 1:2 -o film.mp4
+system_error 'a film in place of a folder' \
+    'film.mp4: cannot be written (Is a directory)' capture g --frames 1:2 -o film.mp4
 ln -s real.mp4 link.mp4
 "$curtain" capture g --frames 1:2 -o link.mp4
 same 'a film goes where a link leads' 'real.mp4 film' "$(readlink link.mp4) $(cat real.mp4)"
@@ -157,10 +160,11 @@ echo mine | tee song.mp4.part >song.mp4.part.wav
 same "files with the names of a film's temporary ones stay" 'film mine mine 3' \
     "$(cat song.mp4 song.mp4.part song.mp4.part.wav | xargs) $(ls song.mp4* | wc -l)"
 ln -s /dev/full full.mp4
-host 'a film on a full disk' 'full.mp4: cannot be written (No space left on device)' capture g --frames 1:2 -o full.mp4
+system_error 'a film on a full disk' \
+    'full.mp4: cannot be written (No space left on device)' capture g --frames 1:2 -o full.mp4
 check 'a device stays one' test -c /dev/full
 touch broken
-host 'ffmpeg fails in the middle' 'real.mp4: ffmpeg failed' capture g --frames 1:2 -o real.mp4
+system_error 'ffmpeg fails in the middle' 'real.mp4: ffmpeg failed' capture g --frames 1:2 -o real.mp4
 same 'the film of before is there, and no half one' 'film real.mp4' "$(cat real.mp4) $(ls real.mp4*)"
 
 printf '000000\nff0000\n' >two.hex

@@ -64,21 +64,20 @@ check "what it says next can be typed" next "what's next"
 
 # ---- what is refused ----
 
-bad() { expect_error "$1" "$2" "curtain: $3" "$curtain" "${@:4}"; } # NAME CODE TEXT ARGUMENT...
 again=$(cksum plain/main.lua)
-bad "a folder that has files" 2 'plain: this folder is not empty; choose a new or empty one' new plain
+input_error "a folder that has files" 'plain: this folder is not empty; choose a new or empty one' new plain
 mkdir hidden && : >hidden/.keep
-bad "a hidden one is a file too" 2 'hidden: this folder is not empty; choose a new or empty one' \
+input_error "a hidden one is a file too" 'hidden: this folder is not empty; choose a new or empty one' \
     new hidden
 same "nothing in it was touched" "$again" "$(cksum plain/main.lua)"
 : >file
-bad "a file" 2 'file: a file with this name exists; choose another name' new file
-bad "below a file" 3 'file/game/README.md: cannot be written (Not a directory)' new file/game
-bad "a folder without a name" 2 'new: "." is not a valid game name; expected a folder to create' new .
-bad "nor is there one above" 2 'new: "a/.." is not a valid game name; expected a folder to create' new a/..
-bad "nothing" 2 'new: "" is not a valid game name; expected a folder to create' new ''
-bad "no folder" 2 'new: expected DIR (see curtain help new)' new
-bad "another game" 2 '--from: expected bulletml, first, pattern or shooter, got "shoter"' new a --from shoter
+input_error "a file" 'file: a file with this name exists; choose another name' new file
+system_error "below a file" 'file/game/README.md: cannot be written (Not a directory)' new file/game
+input_error "a folder without a name" 'new: "." is not a valid game name; expected a folder to create' new .
+input_error "nor is there one above" 'new: "a/.." is not a valid game name; expected a folder to create' new a/..
+input_error "nothing" 'new: "" is not a valid game name; expected a folder to create' new ''
+input_error "no folder" 'new: expected DIR (see curtain help new)' new
+input_error "another game" '--from: expected bulletml, first, pattern or shooter, got "shoter"' new a --from shoter
 help_names_all() {
     local game
     for game in $("$curtain" new a --from none 2>&1 | sed 's/.*expected //;s/, got.*//;s/,//g;s/ or / /'); do
@@ -94,8 +93,10 @@ same "standard output is full: the game is there, and that is said" '3 curtain: 
 if small_disk locked size=64k; then
     mkdir locked/empty
     mount -o remount,ro locked
-    bad "a place that is read only" 3 'locked/game/README.md: cannot be written (Read-only file system)' new locked/game
-    bad "an empty folder there" 3 'locked/empty/README.md: cannot be written (Read-only file system)' new locked/empty
+    system_error "a place that is read only" \
+        'locked/game/README.md: cannot be written (Read-only file system)' new locked/game
+    system_error "an empty folder there" \
+        'locked/empty/README.md: cannot be written (Read-only file system)' new locked/empty
 fi
 if small_disk full size=64k; then
     mkdir full/empty

@@ -18,12 +18,12 @@ names() { # LIST: as the page has them
 }
 whole() { # PAGE
     diff "$scratch/sections" <(sed -n 's/^## //p' "$1") || return 1
-    diff <(names "$list") <(sed -n '/^## Every document/,/^## /p' "$1" | sed -nE 's/^\| ([^ |]+) \| [0-9].*/\1/p') || return 1
+    diff <(names "$list") <(sed -n '/^## Every document/,/^## /p' "$1" | sed -nE 's/^\| ([^ |]+) \| [0-9].*/\1/p') ||
+        return 1
     local n
     n=$(names "$list" | wc -l)
     grep -qF "| documents within 1/16 px | **$n of $n** |" "$1" || { echo "not all of $n are within"; return 1; }
     ! grep -qF '**out**' "$1" || { echo "a document is out"; return 1; }
-    [ "$n" = 24 ] || { echo "times are missing"; return 1; }
 }
 check "docs/measured/bulletml.md has all documents, all within 1/16 px" whole "$page"
 planted "a document that is missing" "< noiz2sa/boss/beewinder" '/^| noiz2sa\/boss\/beewinder /d' whole

@@ -36,7 +36,6 @@ detects "a link to no section" \
 if long; then
     browse() { tests/lint/onefile_browser.py "$1" "$scratch/pictures"; }
     check "a browser opens it, follows its links, searches" browse "$made"
-    detects "a search that finds nothing" 'not ok' browse "$scratch/spoilt.html"
     sed 's,else target.scrollIntoView();,,' "$made" >"$scratch/spoilt.html"
     detects "links that lead nowhere" 'every link within the file is followed' browse "$scratch/spoilt.html"
 fi

@@ -27,13 +27,7 @@ The most expensive frames
 END
 whole() { # PAGE
     diff "$scratch/sections" <(sed -n 's/^## //p' "$1") &&
-        grep -qE '^Measured on: .+; (gcc|clang) .+; `-std=c11 .+`' "$1" || return 1
-    rows=$(awk '/^## /{ in_it = /Targets/ } in_it && /\| (met|\*\*missed\*\*) \|$/' "$1" | wc -l)
-    [ "$rows" = 27 ] || { echo "$rows targets"; return 1; }
-    local n
-    for n in 1,024 4,096 16,384 65,536 262,144 1,048,576; do
-        [ "$(grep -c "^| $n |" "$1")" -ge 6 ] || { echo "the crowd of $n is not in every table"; return 1; }
-    done
+        grep -qE '^Measured on: .+; (gcc|clang) .+; `-std=c11 .+`' "$1"
 }
 check "docs/measured/speed.md has all sections and the machine" whole "$page"
 planted "a section that is missing" "< Pictures" '/^## Pictures/d' whole

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# program_screens.sh - the program's screens, reached by keys, in three sizes, upright and turned: the pictures are those
-# of tests/golden/screens. The port is a script's (port_keys.c); looks.sh compares such pictures with a real window.
+# program_screens.sh - the program's screens, reached by keys, in three sizes, upright and turned: the pictures are
+# those of tests/golden/screens. The port is a script's (port_keys.c); looks.sh compares such pictures with a real
+# window.
 #
 #     CURTAIN_UPDATE=1 tests/machine/program_screens.sh     writes the golden pictures; look at them
 . "$(dirname "$0")/../scripted.sh"
