@@ -4,7 +4,7 @@ API table.
     annotations.py ANNOTATIONS API.md      fails and says what differs
 
 The annotations are read by LuaLS's grammar: every line --- with a tag is parsed to its end, every type that is named
-must be declared. Types, optional marks, ranges and defaults are derived here from the words of the page.
+must be declared. Optional marks, ranges and defaults are those of the page, and rows of the same words have the same type.
 """
 import re
 import sys
@@ -189,41 +189,14 @@ class Definitions:
 
 # ---- the page ----
 
-WORDS = {
+# What rows of the page must be typed as. The other rows are only compared with each other: rows of the same words have
+# the same type.
+TYPES = {
     "whole number": "integer", "whole number or forever": "integer", "number": "number", "degrees": "number",
-    "string": "string", "true or false": "boolean", "function": "function", "table": "table", "any value": "any",
-    "{ first, last }, whole numbers": "integer[]", "route": "route", "motion or its name": "motion|motion_name",
-    "1, 2 or a player": "player|1|2",
+    "string": "string", "true or false": "boolean", "any value": "any", "1, 2 or a player": "player|1|2",
+    "name of a bullet kind": "bullet_kind", "name of a sprite": "sprite_name", "linear, in, out or both": "ease_word",
 }
-NAMES = {"a sprite": "sprite_name", "a blend": "blend_name", "a font": "font_name", "a map": "map_name",
-         "a sound": "sound_name", "a piece of music": "music_name"}
-LISTS = {"up, down, left, right, fire, bomb, focus, special, start or select": "button_word",
-         "linear, in, out or both": "ease_word", "back, middle, front or over": "layer_word",
-         "middle or front": "spark_layer_word",
-         "back or front": "depth_word", "left, center or right": "align_word", "bullet or shot": "shoot_word",
-         "bullet, shot, bolt, curve or beam": "fire_word", "none, first, second or both": "meet_word",
-         "one, ring, fan, arc, stack or line": "emit_word", "all or any": "down_word",
-         "settings, replays, practice or keys": "ask_word"}
-HITS = [("{ circle =", "{ circle: number }"), ("{ box =", "{ box: number[] }"),
-        ("{ capsule =", "{ capsule: number[] }"), ("{ circles =", "{ circles: number[][] }"),
-        ("{ share =", "{ share: number }"), ("{ sprite =", "{ sprite: sprite_name }"),
-        ('"none"', '"none"')]
-RETURNS = {"boolean": "boolean", "count": "integer", "integer": "integer", "frames": "integer", "row": "integer",
-           "degrees": "number", "number": "number", "share": "number", "list": "any[]", "name": "string",
-           "name or nil": "string?", "string": "string", "value": "any", "tries": "integer", "captures": "integer",
-           "scope": "task", "route": "route", "boss": "string", "id": "string", "stars": "integer",
-           "ship": "string", "got": "integer", "most": "integer"}
-GIVEN = {"player": "player", "bullet": "bullet", "enemy": "enemy", "item": "item", "laser": "laser", "shot": "shot",
-         "a": "bullet", "b": "bullet", "e": "enemy", "p": "player", "o": "option", "by": "bullet|enemy",
-         "late": "boolean", "id": "string", "won": "boolean", "captured": "boolean", "name": "string",
-         "state": '"start"|"clear"', "args": "table", "i": "integer", "run": "table", "stage": "string",
-         "row": "integer", "rows": "integer", "damage": "integer", "label": "string"}
-THINGS = {"enemy", "player", "task"}
 MAKERS = ["bullet.fire", "shot.fire", "laser.bolt", "laser.curve", "laser.beam"]
-
-
-def split_words(text):
-    return [w for w in re.split(r", | or | ", text) if w]
 
 
 def bare(words):
@@ -236,33 +209,6 @@ def bare(words):
     words = re.sub(r"^(whole number|number|\{ first, last \}, whole numbers) "
                    r"from -?[\d.e+]+ to -?[\d.e+]+.*$", r"\1", words)
     return re.sub(r"^string of \d+ to \d+ bytes$", "string", words)
-
-
-def type_of(words, help_text="", name=""):
-    meaning, words = words, bare(words)
-    if words == "function":
-        if name and re.search(r"(?<!\w)%s\((?!\.)" % re.escape(name), meaning):
-            help_text = meaning
-        called = re.search(r"(?<!\w)%s\(([^.)][^)]*|)\)" % re.escape(name), help_text) if name else None
-        if not called:
-            return "function"
-        names = [n for n in called.group(1).split(", ") if n]
-        return "fun(%s)" % ", ".join(
-            "%s: %s%s" % (n, GIVEN.get(n, "any"), "?" if n + " may be nil" in help_text else "") for n in names)
-    if words in WORDS or words in LISTS:
-        return WORDS.get(words) or LISTS[words]
-    if words in THINGS:
-        return words
-    if words.startswith("thing"):
-        return "|".join(split_words(words[6:])) if words != "thing" else "thing"
-    kind = re.match(r"name of an? (\w+) kind$", words)
-    if kind:
-        return kind.group(1) + "_kind"
-    if words.startswith("name of "):
-        return NAMES[words[8:]]
-    if words.startswith(("{ circle =", "{ share =")):
-        return "|".join(t for form, t in HITS if form in words)
-    return "any"
 
 
 class Entry:
@@ -320,9 +266,8 @@ class Page:
 
 class Comparison:
     def __init__(self, definitions, page):
-        self.d, self.page, self.found = definitions, page, []
+        self.d, self.page, self.found, self.types = definitions, page, [], {}
         self.wanted_classes, self.wanted_functions = {"route", "fired"}, set()
-        self.words()
         for e in page.entries.values():
             self.entry(e)
         self.fired()
@@ -344,25 +289,14 @@ class Comparison:
                 want, got = [w for w in want if w not in got], [g for g in got if g not in want]
             self.found.append("%s: the table says %s, the annotations %s" % (what, want, got))
 
-    def words(self):
-        for words, alias in LISTS.items():
-            self.same("alias " + alias, "|".join('"%s"' % w for w in split_words(words)), self.d.aliases.get(alias))
-        for alias in [k for k in self.d.aliases if k not in LISTS.values()]:
-            self.same("alias " + alias, "string", self.d.aliases[alias])
+    def typed(self, what, words, got):
+        """Rows of the same words have the same type; functions and tables have types of their own."""
+        words = bare(words)
+        if words in ("function", "table") or words.startswith("{"):
+            return
+        self.same("type of %s, %s" % (what, words), TYPES.get(words, self.types.setdefault(words, got)), got)
 
-    def type(self, entry, words, name, help_text):
-        if bare(words) != "table":
-            return type_of(words, help_text, name)
-        for part in entry.parts:
-            if name in (part, part + "s", "list"):
-                kind = "%s.%s" % (entry.name, part)
-                if entry.helps[part].startswith("each "):
-                    return "table<string, %s>|table" % kind
-                one = name == part and not entry.helps[part].startswith("one ")
-                return kind + ("" if one else "[]") + "|table"
-        return "table"
-
-    def fields(self, name, wanted, entry):
+    def fields(self, name, wanted):
         got = self.d.classes.get(name)
         self.wanted_classes.add(name)
         if got is None:
@@ -371,8 +305,9 @@ class Comparison:
         self.same("fields of " + name, list(wanted), list(got))
         for field, words in wanted.items():
             required = words.endswith("(required)]")
-            want = (not required, self.type(entry, words, field, entry.help), words)
-            self.same("field %s of %s" % (field, name), want, got.get(field))
+            optional, kind, comment = got.get(field, (None, None, None))
+            self.same("field %s of %s" % (field, name), (not required, words), (optional, comment))
+            self.typed("field %s of %s" % (field, name), words, kind)
 
     def entry(self, e):
         method = ":" in e.name
@@ -380,24 +315,27 @@ class Comparison:
         base = e.name.replace(":", ".") + (".self" if method else "")
         self.wanted_functions.add(name)
         for part, params in e.parts.items():
-            self.fields("%s.%s" % (e.name, part), params, e)
+            self.fields("%s.%s" % (e.name, part), params)
         if e.table:
-            self.fields(base + ".args", {p: w for p, w in e.params.items() if p not in e.plain}, e)
+            self.fields(base + ".args", {p: w for p, w in e.params.items() if p not in e.plain})
             self.same("what %s is" % base, "fired" if e.fires else None, self.d.parents.get(base + ".args"))
         if name not in self.d.functions:
             self.found.append("%s is missing" % name)
             return
         params, returns, doc = self.d.functions[name]
         self.same("help of " + name, e.help, doc)
-        want = [(p, "(required)" not in e.params[p], self.type(e, e.params[p], p, e.help), e.params[p])
-                for p in e.plain]
+        want = [(p, "(required)" not in e.params[p], e.params[p]) for p in e.plain]
+        for p, kind in [(p[0], p[2]) for p in params if p[0] in e.plain]:
+            self.typed("parameter %s of %s" % (p, name), e.params[p], kind)
         if e.more:
-            want.append(("...", False, "any", ""))
+            want.append(("...", False, ""))
         if e.table:
             must = e.fires or any(w.endswith("(required)]") for p, w in e.params.items() if p not in e.plain)
-            want.append(("args", not must, base + ".args", ""))
-        self.same("parameters of " + name, want, params)
-        self.same("results of " + name, [(RETURNS.get(r, r), r) for r in e.returns], returns)
+            want.append(("args", not must, ""))
+        self.same("parameters of " + name, want, [(p, optional, comment) for p, optional, _, comment in params])
+        self.same("results of " + name, e.returns, [comment for _, comment in returns])
+        for kind, comment in returns:
+            self.typed("result of " + name, comment, kind)
 
     def fired(self):
         want = {}
@@ -406,9 +344,8 @@ class Comparison:
             for p, words in e.params.items():
                 if p not in e.plain and p not in want:
                     words = words.replace(" (required)", "")
-                    kind = type_of(words)
-                    want[p] = (True, "string" if kind.endswith("_kind") else kind, "%s: %s" % (maker, words))
-        self.same("class fired", want, self.d.classes.get("fired"))
+                    want[p] = (True, "%s: %s" % (maker, words))
+        self.same("class fired", want, {p: (o, c) for p, (o, _, c) in self.d.classes.get("fired", {}).items()})
 
     def handle(self, kind):
         self.wanted_classes.add(kind)
@@ -417,12 +354,11 @@ class Comparison:
         self.same("properties of " + kind, [p[0] for p in self.page.properties[kind]], list(got))
         for name, how, text in self.page.properties[kind]:
             words = re.search(r" \[(.*)\]$", text)
-            kind_of = type_of(words.group(1)) if words else "boolean"
-            quoted = list(dict.fromkeys(re.findall(r'"[^"]*"', text)))
-            if how == "read" and kind_of == "string" and quoted:
-                kind_of = "|".join(quoted)
-            want = ("nil" in text, kind_of, ("read-only: " if how == "read" else "") + text)
-            self.same("%s.%s" % (kind, name), want, got.get(name))
+            optional, of, comment = got.get(name, (None, None, None))
+            want = ("nil" in text, ("read-only: " if how == "read" else "") + text)
+            self.same("%s.%s" % (kind, name), want, (optional, comment))
+            if '"' not in text:
+                self.typed("%s.%s" % (kind, name), words.group(1) if words else "true or false", of)
 
     def value(self, name, arguments, text):
         if name in ("print", "require"):
