@@ -14,5 +14,4 @@ root=build/bare
 tools/chroot.sh make bookworm $root git ca-certificates make
 git clone -q --no-hardlinks . $root/curtain
 echo "commit $(git -C $root/curtain log -1 --format='%h %s')"
-# shellcheck disable=SC2016
 exec tools/chroot.sh run $root sh -ec 'cd /curtain; exec "$@"' sh "$@"

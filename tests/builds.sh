@@ -18,7 +18,6 @@ unit() { # NAME COMPILER [VARIABLE=VALUE...]: builds the unit tests and test_ext
     local name=$1 compiler=$2 said=build/$1.said p=0 f=1 programs
     shift 2
     programs="$(ls tests/unit/test_*.c | sed "s,^tests/,build/$name/,; s,\.c\$,,") build/$name/machine/test_extremes"
-    # shellcheck disable=SC2086
     if make --no-print-directory -s -j2 CONFIG="$name" CC="$compiler" BUILD_CC=gcc CFLAGS=-Werror "$@" $programs \
         >"$said" 2>&1; then
         OUT=build/$name tests/run.sh sanitizer | tee "$said" | sed "\$d; s,^unit/,$name/,"
@@ -32,7 +31,6 @@ unit() { # NAME COMPILER [VARIABLE=VALUE...]: builds the unit tests and test_ext
 
 # Does a program with the unit tests' libraries link?
 links_32() {
-    # shellcheck disable=SC2046
     echo 'int main(void) { return 0; }' |
         $cc32 -x c - -o build/probe32 $(pkg-config --libs lua5.4) -lcmocka -lquadmath -lm -pthread >/dev/null 2>&1 &&
         build/probe32
@@ -48,7 +46,6 @@ demo=$game/demos/run.demo
 heard() { # NAME COMPILER OPT: builds the program in build/NAME; $digest: of the sound of the demo's whole run
     local program=build/$1/curtain-bare wav=build/$1.wav
     digest=none
-    # shellcheck disable=SC2086
     make --no-print-directory -s -j2 CONFIG="$1" CC="$2" BUILD_CC=gcc OPT="$3" "$program" >"$wav.said" 2>&1 || return
     frames=${frames:-$("$program" hash $game --demo $demo 2>/dev/null | tail -n 1 | cut -d ' ' -f 1)}
     "$program" render $game --demo $demo --frames "$frames" --wav "$wav" -o "$wav.frames" >"$wav.said" 2>&1 || return

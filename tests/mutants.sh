@@ -64,7 +64,6 @@ if [ "${1:-}" = --one ]; then # BASE NUMBER DIGEST
     rm -f "$tree/tried"
     what=$(mutants plant "$tree" "$number") || finish "NOT PLANTED $number $what"
     echo "${what%%:*}" >"$tree/planted"
-    # shellcheck disable=SC2046
     for program in $(mutants tests "$number") $(programs); do
         cat "$tree/tried" "$saved/broken" 2>/dev/null | grep -qxF "$program" && continue
         echo "$program" >>"$tree/tried"
@@ -119,7 +118,6 @@ if [ ${#todo[@]} != 0 ]; then
     cp -a "$base/build/mutant" build/
     echo "without a fault:"
     named() { # the scripts that are named with these faults
-        # shellcheck disable=SC2046
         mutants tests $(printf '%s\n' "${todo[@]}" | cut -d ' ' -f 1) | grep '\.sh$'
     }
     for program in $( (programs && named) | sort -u); do

@@ -74,7 +74,6 @@ usage_errors() {
     local - words text
     set -f
     while IFS='|' read -r words text; do
-        # shellcheck disable=SC2086
         expect_error "${words:-no argument}" "$1" "curtain: $text" "$curtain" $words
     done
 }
@@ -110,7 +109,6 @@ engine_copy() {
 engine_build() {
     local tool=$1 objects=$2
     shift 2
-    # shellcheck disable=SC2046,SC2086
     ${CC:-cc} -std=c11 -fwrapv -ffp-contract=off -O2 -w -D_DEFAULT_SOURCE $(pkg-config --cflags lua5.4) \
         -o "$scratch/$tool" "$copy"/src/machine/collision/$objects.c \
         $(printf "$OUT/%s " tools/{$tool,report}/*.c | sed "s/\.c /.o /g") \
@@ -123,7 +121,6 @@ engine_build() {
 # build_player: ./player, curtain with a port that is played by a script (machine/port_keys.c), without window and
 # clock.
 build_player() {
-    # shellcheck disable=SC2046
     ${CC:-cc} -std=c11 -O1 -o player "$repo/tests/machine/port_keys.c" \
         $(find "$OUT/src" -name '*.o') "$OUT"/fb/*.o "$OUT"/gen/{std,no_rom}.o \
         "$OUT"/platform/{stdio,posix,posix_process}.o $(pkg-config --libs lua5.4) -lm -pthread || exit 2

@@ -363,7 +363,6 @@ print(sum(rows[y][3 * x:3 * x + 3] == want for y in range(h) for x in range(w)) 
 PY
 }
 for colour in "5fe3ff 20" "ff6a7a 100" "7dff8a 40" "ffd24a 100" "f2f2ee 500"; do
-    # shellcheck disable=SC2086
     same "it has pixels of #${colour% *}" True "$(colour_at "$repo" $colour)"
 done
 sed -i 's/bullet.def/bullet.fire/' hits/main.lua

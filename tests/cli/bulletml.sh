@@ -151,7 +151,6 @@ same "a bullet that fires nothing has a motion program" "{ wait = 20 }, { turn =
 
 "$curtain" pack "$gallery" -o gallery.rom
 cd "$repo" || exit 2
-# shellcheck disable=SC2046
 ${CC:-cc} -std=c11 -fwrapv -ffp-contract=off -O1 -w -D_DEFAULT_SOURCE -DWITHOUT_LIBRARIES -o "$scratch/plain" \
     platform/posix_process.c $(find "$OUT/src" -name '*.o') "$OUT"/fb/*.o \
     "$OUT"/gen/std.o "$OUT"/gen/no_rom.o "$OUT"/platform/{null,stdio,posix}.o \

@@ -10,11 +10,9 @@ film_same() { python3 "$repo/tests/cli/film_same.py" "$@"; }
 filmed() {
     local name=$1 game=$2 options=$3 first=$4 last=$5 scale=$6 speed=$7 kind
     rm -rf frames film.*
-    # shellcheck disable=SC2086
     "$curtain" render "$game" $options --frames "$first:$last" -o frames || { not_ok "$name: frames"; return; }
     read=""
     for kind in gif y4m; do
-        # shellcheck disable=SC2086
         check "$name: a $kind" "$curtain" capture "$game" $options --frames "$first:$last" --scale "$scale" \
             --speed "$speed" -o film.$kind
         check "$name: the $kind is the frames" film_same film.$kind frames "$first" "$last" "$scale" "$speed"
@@ -189,7 +187,6 @@ slip() { # WHY WORDS OPTIONS...
     same "... in one line" 1 "$(wc -l <.said)"
 }
 while IFS='|' read -r options text; do
-    # shellcheck disable=SC2086
     slip "capture $options" "$text" $options
 done <<'END'
 |capture needs -o

@@ -28,7 +28,6 @@ check "the page has texts" texts
 objects() { # FLAG...
     local file
     for file in $(find src/script/api -name '*.c'); do
-        # shellcheck disable=SC2046
         gcc -std=c11 -D_DEFAULT_SOURCE $(sed -n 's/^WARN *:= //p' Makefile) -Werror "$@" \
             $(pkg-config --cflags lua5.4 | sed 's/-I/-isystem /g') \
             -c "$file" -o "$scratch/$(basename "$file").o" || return

@@ -83,7 +83,6 @@ same 'its help has the options of playing, and no developer'"'"'s key' '1 1 0 0 
         paste -sd ' ')"
 plays='plays Paper \ Lanterns'
 for command in 'render' 'hash' 'verify a b' 'pack a' 'list a' 'unpack a b' 'check a' 'sound a' 'export a' 'capture'; do
-    # shellcheck disable=SC2086
     expect_error "it does not $command" 2 \
         "lanterns: ${command%% *}: not available; this program only $plays (see --help)" \
         ./game $command

@@ -46,7 +46,6 @@ command_of() {
     esac
 }
 inject() { # WHAT CALL N: exit code in $got
-    # shellcheck disable=SC2046
     env INJECT=$2:$3 INJECT_COUNT=count LD_PRELOAD="$PWD/inject.so" "$curtain" $(command_of "$1") >said 2>err
     got=$?
 }

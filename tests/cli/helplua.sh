@@ -59,9 +59,7 @@ real() { # every name by task is one that is explained
         find_word "$name" | head -1 | grep -qE "^$name([({ ]|\$)" || { echo "$name is none"; return 1; }
     done
 }
-# shellcheck disable=SC2046
 check "the names by task are all there" real $(tasks)
-# shellcheck disable=SC2046
 detects "one that is not" "bullet.fyre is none" real $(tasks) bullet.fyre
 whole() { # what follows is the list of all, from its first entry on
     [ "$("$curtain" help lua | sed '1,/^  All entries:/d' | grep -c '^[^ ]')" = \

@@ -27,7 +27,6 @@ clean() { # FILE...: nothing at all
     [ ! -s "$scratch/found" ] || { cat "$scratch/found"; return 1; }
 }
 scripts=$(tree 'scripts/*.lua' 'roms/*.lua' 'examples/*.lua')
-# shellcheck disable=SC2086
 check "nothing is wrong with scripts, roms and examples" clean $scripts
 
 finds_nothing() { # TEXT

@@ -18,7 +18,7 @@ says 'a command of the workbench' 'check: not available in curtain-player; use c
 says '... misspelt' 'unknown command "chekc" (did you mean check?)' chekc first.rom
 says 'verify --bisect' 'verify: --bisect is not available in curtain-player; use curtain' verify --bisect a b
 same 'help lists its commands' 'play verify help version licences' \
-    "$(echo $("$player" help | sed -n 's/^  curtain \([a-z]*\) .*/\1/p'))"
+    "$("$player" help | sed -n 's/^  curtain \([a-z]*\) .*/\1/p' | xargs)"
 check '... and one of them' eval '"$player" help verify | grep -q -e --restamp'
 check 'its version' eval '"$player" version | grep -q "^curtain "'
 check 'its licences' eval '"$player" licences | grep -q SDL'

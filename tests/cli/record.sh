@@ -108,7 +108,6 @@ cp "$seeds"/* g/music
 
 # A build without shared libraries.
 cd "$repo" || exit 2
-# shellcheck disable=SC2046
 ${CC:-cc} -std=c11 -fwrapv -ffp-contract=off -O1 -w -D_DEFAULT_SOURCE -DWITHOUT_LIBRARIES -o "$scratch/plain" \
     platform/posix_process.c $(find "$OUT/src" -name '*.o') "$OUT"/fb/*.o "$OUT"/gen/std.o \
     "$OUT"/gen/no_rom.o "$OUT"/platform/{null,stdio,posix}.o $(pkg-config --libs lua5.4) -lm -pthread -ldl

@@ -36,7 +36,6 @@ check "from the beginning, whichever frames are wanted" cmp run.wav again.wav
 check "hearing it changes nothing" cmp quiet heard
 
 while IFS='|' read -r words text; do
-    # shellcheck disable=SC2086
     refuse "$words" "$text" "$curtain" $words
 done <<'END'
 sound g hut|sound: no "hut" in this game (did you mean "hit"?)

@@ -52,7 +52,6 @@ cp -r src fb platform "$copy/"
 cp -r tests/machine "$copy/tests/"
 lua=$(pkg-config --cflags lua5.4)
 compile() { # ARGUMENT...: by the Makefile's flags, without a warning
-    # shellcheck disable=SC2046
     gcc -std=c11 -fwrapv -ffp-contract=off -D_DEFAULT_SOURCE \
         $(sed -n 's/^WARN *:= //p' Makefile) -Werror ${lua//-I/-isystem } "$@"
 }
@@ -60,7 +59,6 @@ compile() { # ARGUMENT...: by the Makefile's flags, without a warning
 objects() { # NAME...
     local not
     not=$(printf -- '-e /%s ' workbench/main.o gen/rom.o "$@")
-    # shellcheck disable=SC2086
     sed -n "s,^LOAD \($OUT/.*\.o\)$,\1,p" "$OUT/curtain-null.map" | grep -v $not
 }
 libraries() { pkg-config --libs lua5.4; echo -lm -pthread; }
@@ -86,7 +84,6 @@ api() {
             /^static const struct api_entry entries/ { while ((getline line <row) > 0) print line }' \
             src/script/api/api_rng.c >"$copy/src/script/api/api_rng.c" || return
     grep -q '^static int rng_sign' "$copy/src/script/api/api_rng.c" || return
-    # shellcheck disable=SC2046
     compile "$copy/src/script/api/api_rng.c" $(objects script/api/api_rng.o) \
         "$OUT/gen/no_rom.o" "$OUT/src/workbench/main.o" $(libraries) -o "$scratch/curtain" &&
         mkdir -p "$scratch/game" && cp -r examples/first/* "$scratch/game/" &&
@@ -105,7 +102,6 @@ unit() {
 check "its unit test passes" unit
 machine() {
     { echo '#include "rig.h"'; find_block 'test_leaves(void'; main_of; } >"$copy/tests/machine/leaves.c" &&
-        # shellcheck disable=SC2046
         compile "$copy/tests/machine/leaves.c" $(objects) "$OUT/gen/no_rom.o" $(libraries) -lcmocka \
             -o "$scratch/machine" && "$scratch/machine"
 }

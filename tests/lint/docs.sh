@@ -35,7 +35,7 @@ check "README has the proofs' figures" figures README.md
 # The glossary: sorted, every word once, every file there.
 glossary() {
     awk '/^## /{ on = $0 == "## Words" } on' "$1" | grep '^| ' | sed '1d' >"$scratch/words"
-    cut -d '|' -f 2 "$scratch/words" | tr -d '@' | tr A-Z a-z | sort -fc || return 1
+    cut -d '|' -f 2 "$scratch/words" | tr -d '@' | tr '[:upper:]' '[:lower:]' | sort -fc || return 1
     sed -n 's/.*| `\([^`]*\)` |$/\1/p' "$scratch/words" | while read -r file; do
         [ -f "$file" ] || { echo "there is no $file"; return 1; }
     done

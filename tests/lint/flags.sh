@@ -19,7 +19,6 @@ EOL
 silent="-U__FAST_MATH__ -U__ASSOCIATIVE_MATH__ -U__RECIPROCAL_MATH__ -U__NO_SIGNED_ZEROS__ -U__FINITE_MATH_ONLY__"
 
 built() { # COMPILER FLAG...: compiles the sums; then does them
-    # shellcheck disable=SC2086
     $1 $flags "${@:2}" -I. "$scratch/main.c" src/base/ieee.c -o "$scratch/sums" -lm && "$scratch/sums"
 }
 fma() { grep -qw fma /proc/cpuinfo; }
@@ -37,7 +36,6 @@ for compiler in gcc clang; do
             built $compiler $flag $silent
     done
     while read -r flags_of sentence; do
-        # shellcheck disable=SC2086
         refuse "$compiler ${flags_of//,/ }, silent" "$sentence" built $compiler ${flags_of//,/ } $silent
     done <<'END'
 -ffinite-math-only NaN or infinity is ignored
@@ -73,7 +71,6 @@ whole() { # WORD...: what it prints, and its exit code
 }
 objects() { sed -n "s,^LOAD \($OUT/.*\.o\)$,\1,p" "$OUT/curtain-null.map" | grep -v base/ieee.o; }
 link() {
-    # shellcheck disable=SC2046
     clang $flags -freciprocal-math -c src/base/ieee.c -o "$scratch/sums.o" &&
         ${CC:-cc} $(objects) "$scratch/sums.o" $(pkg-config --libs lua5.4) -lm -pthread -o "$scratch/curtain"
 }
@@ -84,7 +81,6 @@ check "a program with such sums links" link
 for command in "hash roms/testcard --frames 1" "pack roms/testcard -o $scratch/x.rom" \
     "verify roms/testcard roms/testcard/demos/card.demo" \
     "check roms/testcard" "play roms/testcard"; do
-    # shellcheck disable=SC2086
     check "it refuses to ${command%% *}" [ "$(whole $command)" = "$said" ]
 done
 check "it tells its flags" bash -c "'$scratch/curtain' version | grep '^flags'"
@@ -111,7 +107,6 @@ int main(void)
 }
 EOL
 host() { # OBJECT: the sums
-    # shellcheck disable=SC2046,SC2086
     ${CC:-cc} $flags -I. "$scratch/power.c" $(objects | grep -v workbench/main.o) "$1" \
         $(pkg-config --libs lua5.4) -lm -pthread -o "$scratch/host" && "$scratch/host"
 }

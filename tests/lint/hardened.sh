@@ -4,7 +4,6 @@
 
 has() { # FILE COMMAND WORDS: what the command prints of the file has the words
     local file=$1 words=$3
-    # shellcheck disable=SC2086
     $2 "$file" | grep -qE -- "$words" || { echo "$file: no \"$words\" in what $2 prints"; return 1; }
 }
 lacks() { ! has "$@" >/dev/null || { echo "$1: \"$3\" in what $2 prints"; return 1; }; }

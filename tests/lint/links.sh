@@ -7,7 +7,6 @@ targets="programs build/release/bot build/release/curtain-bare build/release/cur
 
 # links [VARIABLE=VALUE...]: the lines by which make links programs
 links() {
-    # shellcheck disable=SC2086
     make -n -B CONFIG=release "$@" $targets | grep -E ' -o [^ ]+$' | grep -v ' -c '
 }
 

@@ -60,18 +60,15 @@ known_headers() { # FILE...
         }
         END { exit bad }' "$@"
 }
-# shellcheck disable=SC2046
 check "macOS has all headers that they include" known_headers $(cat "$scratch/files") $(tree 'src/*.h' 'fb/*.h') \
     platform/{host,platform}.h
 
 compiles() { # FILE...
-    # shellcheck disable=SC2046
     printf '%s\n' "$@" | xargs -P 2 -n 48 gcc -std=c11 -fsyntax-only -Werror -D_DEFAULT_SOURCE \
         -U__linux__ -U__linux -U__gnu_linux__ -U__unix__ -U__unix -U__ELF__ -D__APPLE__ -D__MACH__ \
         -Dst_mtimespec=st_mtim -iquote platform -iquote src/base -iquote src/workbench/survive \
         -isystem "$set" -isystem "$macos/include" $(pkg-config --cflags lua5.4 sdl2)
 }
-# shellcheck disable=SC2046
 check "they compile" compiles $(cat "$scratch/files")
 
 { cat platform/posix_process.c; echo 'int f(int e[2]); int f(int e[2]) { return pipe2(e, O_CLOEXEC); }'; } \

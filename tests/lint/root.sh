@@ -17,7 +17,6 @@ entries() {
 root() { # DIR
     local name bad=0
     while IFS= read -r name; do
-        # shellcheck disable=SC2086
         printf '%s\n' $allowed | grep -qxF -- "$name" && continue
         echo "$name: unexpected file in the repository's root; remove it, or list it in tests/lint/root.sh"
         bad=1

@@ -7,7 +7,6 @@
 commands() {
     local proofs
     proofs=$(for f in tools/prove/{roots,sines,polar,directions,products,shapes,digest}.c; do basename "$f" .c; done)
-    # shellcheck disable=SC2086
     make -n -B CONFIG=release V=1 CC=gcc "$@" programs build/release/bot build/release/given/fuzz_rom \
         $(printf 'build/release/prove/%s ' $proofs) | grep '^gcc ' |
         sed -E 's/ -o [^ ]+//; s/ [^ ]+\.o\b//g; s/ -(MMD|MP|c|pie|Wl,[^ ]*|l[a-z0-9.]+)\b//g' |

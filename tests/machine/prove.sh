@@ -16,7 +16,6 @@ two() { xargs -n 1 -P 2 "$@"; }
 make_program() {
     local tree=$1 program=$2 to=$3
     shift 3
-    # shellcheck disable=SC2086
     "$CC" $FLAGS "$@" "$tree/tools/prove/$program.c" "$tree/src/base/trig.c" "$scratch/prove.o" "$scratch/oracle.o" \
         $LIBS -o "$to"
 }
@@ -32,7 +31,6 @@ case ${1:-} in
     ;;
 --digest) # COMPILER,FLAG,FLAG...
     read -r -a command <<<"${2//,/ }"
-    # shellcheck disable=SC2086
     "${command[@]}" -std=c11 -ffp-contract=off "$repo/tools/prove/digest.c" "$repo/src/base/trig.c" -lm \
         -o "$scratch/digest-$2" &&
         "$scratch/digest-$2" --each >"$scratch/digest-$2.said" 2>&1
@@ -45,14 +43,12 @@ sandbox
 export PROVE_SCRATCH=$scratch
 self=$repo/tests/machine/prove.sh
 for f in prove oracle; do
-    # shellcheck disable=SC2086
     "$CC" $FLAGS -O2 -c "$repo/tools/prove/$f.c" -o "$scratch/$f.o" || { echo "Bail out! $f.c does not compile"
         exit 2; }
 done
 check "the oracles include nothing of src" sh -c \
     "! grep -n 'include.*src/' $repo/tools/prove/oracle.[ch] $repo/tools/prove/prove.[ch]"
 
-# shellcheck disable=SC2086
 printf '%s\n' $PROGRAMS | two "$self" --try
 for program in $PROGRAMS; do
     for flag in -DPLAIN -DFX_INTEGER; do
@@ -81,7 +77,6 @@ builds="$builds gcc,-O3,-DFX_INTEGER clang,-O0,-DFX_INTEGER clang,-O3,-DFX_INTEG
 builds="$builds gcc,-O0,-DFX_NO_INT128 clang,-O3,-DFX_NO_INT128"
 builds="$builds gcc,-O2,-DFX_INTEGER,-DFX_NO_INT128 gcc,-O1,-fsanitize=undefined,-fno-sanitize-recover=all"
 builds="$builds gcc,-O1,-DFX_INTEGER,-fsanitize=undefined,-fno-sanitize-recover=all"
-# shellcheck disable=SC2086
 printf '%s\n' $builds | two "$self" --digest
 for build in $builds; do
     same "the same results: ${build//,/ }" "$(cat digest-gcc,-O0.said)" "$(cat "digest-$build.said" 2>&1)"

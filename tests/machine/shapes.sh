@@ -9,7 +9,6 @@ cp --parents src/base/fx.h src/base/int.h src/base/geom.h src/base/geom.c tools/
 shapes() {
     local flags=$1
     shift
-    # shellcheck disable=SC2086
     (cd "$scratch" && ${CC:-cc} -std=c11 -ffp-contract=off -D_DEFAULT_SOURCE $flags tools/prove/shapes.c \
         src/base/geom.c -o shapes -lm -pthread &&
         ./shapes --sample --threads 1 "$@")

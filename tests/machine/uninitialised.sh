@@ -74,7 +74,6 @@ through_lua() {
     for command in "check examples/first" "list examples/first" "pack examples/first -o $scratch/first.rom" \
         "unpack $scratch/first.rom $scratch/first" "hash examples/first --frames 60 --record $scratch/first.demo" \
         "verify examples/first $scratch/first.demo" "render examples/first --frames 30 -o $scratch/out"; do
-        # shellcheck disable=SC2086
         clean "curtain ${command%% *} under valgrind" grind "$curtain" $command
     done
     printf '#include <stdlib.h>\nint main(void) { char *p = malloc(8); return p[3] ? 1 : 2; }\n' >"$scratch/read.c"
