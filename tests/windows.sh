@@ -18,10 +18,7 @@ export WINEPREFIX=$into/wine WINEDEBUG=-all WINEDLLOVERRIDES='mscoree,mshtml=' S
 program=$repo/tests/windows/curtain # $exe under Wine
 as_windows() { tr / '\\' <<<"Z:$1"; }
 wine() { LC_ALL=C.UTF-8 /usr/lib/wine/wine64 "$@"; } # by the locale Wine reads arguments
-mounted=
-trap 'for p in $child $other $wm $xvfb; do kill -KILL $p 2>/dev/null; done; /usr/lib/wine/wineserver64 -k; cd /
-    for m in $mounted; do umount "$m"; done; rm -rf "$scratch"' EXIT
-other=
+trap 'kill -KILL $child $other $wm $xvfb 2>/dev/null; /usr/lib/wine/wineserver64 -k; clean_up' EXIT
 [ -d "$WINEPREFIX" ] || "$program" version >/dev/null 2>&1 # the first start makes the folder, and says so
 /usr/lib/wine/wineserver64 -p 2>/dev/null
 short=
@@ -158,8 +155,7 @@ same 'without one, in that of Windows' C:/users"/$(id -un)/AppData/Roaming/curta
     "$(env -u XDG_DATA_HOME "$program" help config | sed -n 's/^ *\(.*curtain\.conf\)$/\1/p' | head -n 1)"
 
 # ---- a folder that cannot be written ----
-mkdir locked
-mount -t tmpfs -o size=4m tmpfs locked && mounted=$scratch/locked
+small_disk locked size=4m || finish
 echo old >locked/card.rom
 mount -o remount,ro locked
 refuse 'a folder that cannot be written' 'locked/new.rom: cannot be written' \

@@ -10,8 +10,8 @@ sandbox
 for tool in Xvfb xdotool xwd xprop convert openbox setxkbmap sdl2-config; do
     command -v $tool >/dev/null || { not_ok "$tool is installed"; finish; }
 done
-child='' xvfb='' wm=''
-trap 'for p in $child $wm $xvfb; do kill -KILL $p 2>/dev/null; done; cd /; rm -rf "$scratch"' EXIT
+child='' other='' busy='' xvfb='' wm='' # processes that end with the script
+trap 'kill -KILL $child $other $busy $wm $xvfb 2>/dev/null; clean_up' EXIT
 
 # wait_until COMMAND...: tries until it holds. Gives up when the program has used 10 s of the processor's time, however
 # long that takes; one that uses none is given 2000 tries. The last try comes after that look: a program that ended

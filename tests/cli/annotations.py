@@ -4,7 +4,8 @@ API table.
     annotations.py ANNOTATIONS API.md      fails and says what differs
 
 The annotations are read by LuaLS's grammar: every line --- with a tag is parsed to its end, every type that is named
-must be declared. Optional marks, ranges and defaults are those of the page, and rows of the same words have the same type.
+must be declared. Optional marks, ranges and defaults are those of the page, and rows of the same words have the same
+type.
 """
 import re
 import sys

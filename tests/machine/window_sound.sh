@@ -5,8 +5,6 @@
 . "$(dirname "$0")/../xserver.sh"
 ${CC:-cc} -std=c11 -O1 -shared -fPIC -o slow_clock.so "$repo/tests/machine/slow_clock.c" || exit 2
 export SDL_AUDIODRIVER=disk SDL_DISKAUDIOFILE=$scratch/played.raw
-busy=
-trap 'for p in $busy $child $wm $xvfb; do kill -KILL $p 2>/dev/null; done; cd /; rm -rf "$scratch"' EXIT
 
 game g <<'LUA'
 music.play("tide")
