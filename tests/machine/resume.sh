@@ -150,18 +150,7 @@ python3 "$repo/tests/cli/png_make.py" g/art/all.png 16 16 cccccc
 same 'a changed picture is no other game' '["holds",["resumed"]]' "$(told '[.verdict, .flags]')"
 rm -rf g && cp -R old g
 again
-python3 - "$left" <<'PY'
-import struct, sys, zlib
-d = bytearray(open(sys.argv[1], "rb").read())
-d[16:20] = struct.pack("<I", 7)  # the core version; and all CRCs, which go on from record to record
-at, crc = 8, 0
-while at < len(d):
-    n, = struct.unpack("<I", d[at + 4:at + 8])
-    crc = zlib.crc32(d[at:at + 8 + n], crc)
-    d[at + 8 + n:at + 12 + n] = struct.pack("<I", crc)
-    at += 12 + n
-open(sys.argv[1], "wb").write(d)
-PY
+python3 "$repo/tests/cli/demo_repair.py" "$left" "$left" 16 7 # the core version
 { keys 60; } | plays out --resume
 check 'a run of another core version does not go on, which is said' grep -q \
     'Cannot resume the run: recorded with core version 7; this is version 9' err
