@@ -26,23 +26,23 @@ begins() {
     tail -n "+$(at)" pictures | head -n 20 | cmp - <(head -n 20 of_b)
 }
 
-{ keys 40; echo =b.rom; keys 30; } | plays g
+{ keys 40; echo '=b.rom'; keys 30; } | plays g
 same 'at the title it begins, and all ends well' '0 ' "$? $(cat err)"
 check '... at once' [ "$(at)" -lt 45 ]
 check '... from its start' begins
-{ keys 40; echo =b; keys 30; } | plays g
+{ keys 40; echo '=b'; keys 30; } | plays g
 check 'a folder does' begins
-{ keys 40; echo =b.rom; keys 20; echo =g; keys 9; press $DOWN $ENTER; keys 30; echo =b; keys 30; } | plays g
+{ keys 40; echo '=b.rom'; keys 20; echo '=g'; keys 9; press $DOWN $ENTER; keys 30; echo '=b'; keys 30; } | plays g
 same 'and back again, and again' 2 "$(grep -cx "$(head -1 of_b)" pictures)"
 
 # A run is on.
 rm -rf data
-{ begin; keys 300 $Z; echo =b.rom; keys 9; press $ENTER; keys 60; } | plays g --seed 5
+{ begin; keys 300 $Z; echo '=b.rom'; keys 9; press $ENTER; keys 60; } | plays g --seed 5
 refuse 'in a run it is asked first, and no comes first' 'does not begin' begins
-{ begin; keys 300 $Z; echo =b.rom; keys 9; press $ESCAPE; keys 60; } | plays g --seed 5
+{ begin; keys 300 $Z; echo '=b.rom'; keys 9; press $ESCAPE; keys 60; } | plays g --seed 5
 refuse 'back is no as well' 'does not begin' begins
 rm -rf data
-{ begin; keys 300 $Z; echo =b.rom; keys 9; press $DOWN $ENTER; keys 40; } | plays g --seed 5
+{ begin; keys 300 $Z; echo '=b.rom'; keys 9; press $DOWN $ENTER; keys 40; } | plays g --seed 5
 same 'yes is yes' '0 ' "$? $(cat err)"
 check '... and the other game begins' begins
 verdict() { "$curtain" verify g data/curtain/resume/probe.demo --json | jq -c '[.verdict, .frames]'; }
@@ -66,7 +66,7 @@ says 'what is not there' 'curtain: none.rom: no such file or folder' none.rom
 # A folder that cannot be played yet is waited for; another game need not be.
 cp -r g broken
 echo 'end' >>broken/main.lua
-{ keys 40; echo =b.rom; keys 30; } | plays broken
+{ keys 40; echo '=b.rom'; keys 30; } | plays broken
 same 'while one is waited for: it begins' 0 $?
 check '... from its start' begins
 finish

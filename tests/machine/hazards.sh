@@ -66,7 +66,7 @@ stock() { # NAME EXPECTATION
 }
 
 settings=(LUA_PATH=./a/rather/long/path/that/is/not/there/?.lua LC_ALL=de_DE.UTF-8 TZ=Asia/Tokyo LUA_INIT=error
-    GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2_Usable,-FMA_Usable,-AVX2,-FMA MALLOC_PERTURB_=85 MALLOC_ARENA_MAX=1)
+    "GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2_Usable,-FMA_Usable,-AVX2,-FMA" MALLOC_PERTURB_=85 MALLOC_ARENA_MAX=1)
 hint='s/ ([^()]*not available: .*)$//; s/ (only a task can wait; .*)$//' # hints, which guards.sh looks at
 board() { # NAME EXPECTATION
     local line=${2#* }

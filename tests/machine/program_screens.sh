@@ -105,7 +105,7 @@ for size in 240x320 320x240 384x448; do
 done
 
 # A playback, paused at its fourth marker: the bar of time and the message are over the demo's frame.
-game=$repo/roms/glasstide size=240x320 turn= start=(--demo "$repo/roms/glasstide/demos/run.demo")
+game=$repo/roms/glasstide size=240x320 turn='' start=(--demo "$repo/roms/glasstide/demos/run.demo")
 rm -rf was && mkdir was
 keys 20 >script
 press_each $P $AFTER $AFTER $AFTER $AFTER

@@ -21,7 +21,7 @@ echo 'volume = 70' >"$XDG_DATA_HOME/curtain/curtain.conf"
 played() { for _ in $(seq 40); do keys 2 $Z; keys 2; done; }
 count() { find "$reports" -name '*.txt' 2>/dev/null | wc -l; }
 newest() { ls -t "$reports"/*.txt | head -n 1; }
-demo() { echo "$(newest | sed 's/txt$/demo/')"; }
+demo() { newest | sed 's/txt$/demo/'; }
 # has WORDS...: the newest report has each
 has() {
     local words

@@ -1,3 +1,4 @@
+# shellcheck shell=bash disable=SC2154
 # clicks.sh - double clicks, for ../windows.sh: on programs, and, after `curtain register`, on games and replays; the
 # registry before and after.
 child=none # Windows starts them
