@@ -43,14 +43,13 @@ $(OUT)/given/%: tests/fuzz/%.c tests/fuzz/given.c $(NO_ROM)
 $(OUT)/fuzz/%: tests/fuzz/%.c $(NO_ROM)
 	$(call link,-fsanitize=fuzzer)
 
-programs: $(OUT)/lab $(OUT)/ear $(OUT)/bench $(OUT)/pacing $(OUT)/cookbook $(OUT)/curtain $(OUT)/curtain-player \
-          $(OUT)/curtain-null $(OUT)/curtain-short $(OUT)/libcurtain.a $(OUT)/libcurtain.so $(OUT)/curtain_libretro.so \
-          $(UNIT) $(MACHINE)
+programs: $(OUT)/cookbook $(OUT)/curtain $(OUT)/curtain-player $(OUT)/curtain-null $(OUT)/curtain-short \
+          $(OUT)/libcurtain.a $(OUT)/libcurtain.so $(OUT)/curtain_libretro.so $(UNIT) $(MACHINE)
 checked: $(OUT)/curtain-null $(CHECKED)
 programs checked tools: ; @:
-# The programs of goals that no test runs: make test-all builds them, so that these goals work.
-tools: $(OUT)/bot $(OUT)/lively $(OUT)/need $(OUT)/libspeed $(OUT)/bench_fx_build/bench_fx \
-       $(PROVE:%=$(OUT)/prove/%) $(OUT)/prove/digest $(OUT)/prove/shapes
+# The programs of other goals: make test-all builds them, so that these goals work.
+tools: $(OUT)/lab $(OUT)/ear $(OUT)/bench $(OUT)/pacing $(OUT)/bot $(OUT)/lively $(OUT)/need $(OUT)/libspeed \
+       $(OUT)/bench_fx_build/bench_fx $(PROVE:%=$(OUT)/prove/%) $(OUT)/prove/digest $(OUT)/prove/shapes
 
 torture: deps-play-test
 	@$(MAKE) $(JOBS) programs

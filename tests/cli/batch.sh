@@ -133,6 +133,7 @@ for i in 0 1 2; do
 done
 # shellcheck disable=SC2093,SC1083
 exec {server[1]}>&-
+# shellcheck disable=SC2154 # coproc sets it
 wait "$server_PID" 2>/dev/null
 
 # ---- the same as arguments ----

@@ -11,7 +11,7 @@ unset MAKEFLAGS MAKELEVEL MFLAGS
 tree=$scratch/tree
 mkdir -p "$tree/build/release"
 cp -a Makefile README.md CHANGELOG.md LICENSE docs examples fb platform roms scripts share src tools "$tree"
-mkdir "$tree/tests" && cp -a tests/tests.mk tests/tiers "$tree/tests"
+mkdir "$tree/tests" && cp tests/tests.mk tests/tiers "$tree/tests/"
 for part in src fb platform gen lib embed curtain-bare curtain curtain-player curtain-null game.rom game.is; do
     [ ! -e "build/release/$part" ] || cp -a "build/release/$part" "$tree/build/release/"
 done

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# music.sh - the music of Glass Tide is in the key, on the chords and of the form that its files declare, as loud as one
- without a click; its sounds are short and heard. tools/music.py measures it., without a click; its sounds are short and heard. tools/music.py measures it.
+# music.sh - the music of Glass Tide is in the key, on the chords and of the form that its files declare, as loud as
+# one another, without a click; its sounds are short and heard. The game's source/music.py measures it.
 . "$(dirname "$0")/../tap.sh"
 sandbox
 game=$repo/roms/glasstide

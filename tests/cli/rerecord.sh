@@ -218,13 +218,14 @@ status=$? good="rerecorded: holds, 400 frames$doubt"
 same 'names from standard input' \
     "2 old.demo: $good|short.demo: truncated: 400 frames and no end mark|untold.demo: $good|" \
     "$status $(tr '\n' '|' <out)"
-small_disk full size=64k || finish
-cp old.was full/old.demo
-dd if=/dev/zero of=full/filler bs=1k >/dev/null 2>&1
-says 'a full disk' '3 curtain: full/old.demo: cannot be written (No space left on device)' "$curtain" verify g \
-    --rerecord full/old.demo
-check 'a full disk: the demo is whole' cmp full/old.demo old.was
-same 'a full disk: nothing half made is left' 'filler old.demo' "$(cd full && echo *)"
+if small_disk full size=64k; then
+    cp old.was full/old.demo
+    dd if=/dev/zero of=full/filler bs=1k >/dev/null 2>&1
+    says 'a full disk' '3 curtain: full/old.demo: cannot be written (No space left on device)' "$curtain" verify g \
+        --rerecord full/old.demo
+    check 'a full disk: the demo is whole' cmp full/old.demo old.was
+    same 'a full disk: nothing half made is left' 'filler old.demo' "$(cd full && echo *)"
+fi
 
 # ---- older demos play ----
 

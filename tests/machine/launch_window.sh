@@ -1,6 +1,5 @@
 #!/usr/bin/env bash
-# launch_window.sh - in a window of a real (virtual) X server: a folder that is wrong at launch is told and waited for,
-# and a crash leaves a report that says what it happened in.
+# launch_window.sh - in a window of a real (virtual) X server: a folder that is wrong at launch is told and waited for.
 . "$(dirname "$0")/../xserver.sh"
 export SDL_AUDIODRIVER=dummy
 
@@ -31,13 +30,6 @@ if start "Curtain" "$OUT/curtain" play g --scale 2; then
     check "put right, the game begins" wait_until said "^it runs$"
     check "in its own window" wait_until find_window
     check "of its own size" wait_until window_size_is 128x128
-    kill -SEGV $child
-    wait $child 2>/dev/null
-    same "a crash ends it as ever" 139 $?
-    report=$(sed -n 's/^curtain: crashed (SIGSEGV); report: //p' "$scratch/err")
-    check "and leaves a report" test -s "$report"
-    check "which says what is here" grep -qE "^port      SDL 2\.[0-9]+\.[0-9]+, x11$" "$report"
-    check "its demo holds" "$curtain" verify g "$report"
     kill_program
 fi
 

@@ -29,7 +29,8 @@ struct report {
 
 void report_begin(const struct report *report);
 
-/* Writes the page: intro, the commit and the machine (tools/docs/measured.sh), then (if there are any) conclusions and the rows of report_conclude, then the body. */
+/* Writes the page: intro, the commit and the machine (tools/docs/measured.sh), then (if there are any) conclusions and
+ * the rows of report_conclude, then the body. */
 void report_finish(const char *intro, const char *conclusions);
 
 /* A row of the table that opens the page; the second cell is bold. */
