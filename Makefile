@@ -130,7 +130,7 @@ test: deps-play-test
 	@OUT=$(OUT) tests/macos/run.sh
 else
 test: deps-play-test
-	@$(MAKE) $(JOBS) build/curtain build/curtain-null programs
+	@$(MAKE) $(JOBS) $(if $(ONLY),named,build/curtain build/curtain-null programs)
 	@OUT=$(OUT) tests/run.sh test $(ONLY)
 endif
 # Everything, in hours; resumes. ARGS="asan fuzz": these parts only.

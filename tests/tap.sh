@@ -43,7 +43,7 @@ check() { # NAME COMMAND...: passes when the command succeeds; what it says is s
     if "$@" >"$scratch/.said" 2>&1; then
         ok "$name"
     else
-        not_ok "$name" "does not hold: $(head -c 400 <<<"$*")" "$(cat "$scratch/.said")"
+        not_ok "$name" "does not hold: $(head -c 100 <<<"$*")" "$(cat "$scratch/.said")"
     fi
 }
 refuse() { # NAME WORDS COMMAND...: passes when the command fails and says the words, so that a planted fault is found

@@ -5,7 +5,7 @@ MACHINE := $(patsubst tests/machine/%.c,$(OUT)/machine/%,$(wildcard tests/machin
 CHECKED := $(UNIT) $(patsubst check_%,$(OUT)/%,$(filter check_machine/test_%,$(shell sed -n 's/^check /check_/p' tests/tiers)))
 NO_ROM  := $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
 
-.PHONY: checked golden asan ubsan monkey msan msan-short given valgrind analyze torture mutants fuzz walks tools coverage
+.PHONY: products checked named golden asan ubsan monkey msan msan-short given valgrind analyze torture mutants fuzz walks tools coverage
 
 # -Wpedantic has two exceptions: the 128-bit products of src/base/fx.h (__extension__), and the constants of quadmath.h.
 QUAD_TESTS := $(OUT)/machine/test_fine $(OUT)/machine/test_lead
@@ -43,10 +43,14 @@ $(OUT)/given/%: tests/fuzz/%.c tests/fuzz/given.c $(NO_ROM)
 $(OUT)/fuzz/%: tests/fuzz/%.c $(NO_ROM)
 	$(call link,-fsanitize=fuzzer)
 
-programs: $(OUT)/cookbook $(OUT)/curtain $(OUT)/curtain-player $(OUT)/curtain-null $(OUT)/curtain-short \
-          $(OUT)/libcurtain.a $(OUT)/libcurtain.so $(OUT)/curtain_libretro.so $(UNIT) $(MACHINE)
+products: $(OUT)/cookbook $(OUT)/curtain $(OUT)/curtain-player $(OUT)/curtain-null $(OUT)/curtain-short \
+          $(OUT)/libcurtain.a $(OUT)/libcurtain.so $(OUT)/curtain_libretro.so
+programs: products $(UNIT) $(MACHINE)
 checked: $(OUT)/curtain-null $(CHECKED)
-programs checked tools: ; @:
+# What the tests of ONLY need: those in C with one of its words, and the products if a script has one.
+named: $(foreach word,$(ONLY),$(foreach t,$(UNIT) $(MACHINE),$(if $(findstring $(word),$t),$t))) \
+       $(if $(filter %.sh,$(wildcard $(foreach word,$(ONLY),tests/*/*$(word)* tests/*$(word)*))),products)
+products programs checked named tools: ; @:
 # The programs of other goals: make test-all builds them, so that these goals work.
 tools: $(OUT)/lab $(OUT)/ear $(OUT)/bench $(OUT)/pacing $(OUT)/bot $(OUT)/lively $(OUT)/need $(OUT)/libspeed \
        $(OUT)/bench_fx_build/bench_fx $(PROVE:%=$(OUT)/prove/%) $(OUT)/prove/digest $(OUT)/prove/shapes

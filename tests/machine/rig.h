@@ -28,10 +28,10 @@
 #include "../../src/workbench/samples/recording.h"
 #include "../../src/sound/adpcm.h"
 
-/* A game in memory. */
 /* The most lumps a test's game has: the library's pieces are lumps too. */
 enum { RIG_LUMPS = 512 };
 
+/* A game in memory. */
 struct rig_game {
     struct rom_image image;
     struct cart cart;

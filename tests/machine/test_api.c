@@ -949,12 +949,13 @@ static void test_entries(void **state)
                        : entry->count > 8         ? 600
                        : entry->count > 4         ? 260
                                                   : 240);
-        for (int k = 0; k < n; k++)
-            try_once(entry->name, entry->flags & API_LOAD_ONLY, &t);
         bool never = !strcmp(entry->name, "sys.fail") || !strcmp(entry->name, "boss.fight") || /* too long */
                      !strcmp(entry->name, "sys.text_back"); /* takes what sys.keep_text returned alone */
+        for (int k = 0; k < n || (!t.good && !never && k < 20 * n); k++)
+            try_once(entry->name, entry->flags & API_LOAD_ONLY, &t);
         if (!t.good && !never)
-            fail_msg("%s never returned: %s", entry->name, rig_fault(&rig) ? rig_fault(&rig)->message : "?");
+            fail_msg("%s never returned, with any drawn arguments: %s", entry->name,
+                     rig_fault(&rig) ? rig_fault(&rig)->message : "?");
         if (!t.faults && entry->count)
             fail_msg("%s never faulted", entry->name);
     }
@@ -1061,7 +1062,6 @@ static void test_death_once(void **state)
         "");
 }
 
-/* Functions of enemies that go without dying do not pile up. */
 /* Who dies while scripts load is gone in the first frame, and its handlers are told. */
 static void test_killed_at_load(void **state)
 {
@@ -1081,6 +1081,7 @@ static void test_killed_at_load(void **state)
     rig_game_free(&game);
 }
 
+/* Functions of enemies that go without dying do not pile up. */
 static void test_no_leak(void **state)
 {
     static const char text[] = "for i = 1, 3000 do\n"
