@@ -2,7 +2,7 @@
 # links.sh - what refers to threads is linked with -pthread: glibc has had them in a library of its own until 2.34.
 . "$(dirname "$0")/../tap.sh"
 
-targets="programs build/release/bot build/release/curtain-bare build/release/curtain-null
+targets="programs tools build/release/curtain-bare build/release/curtain-null
     $(ls tools/prove/{roots,sines,polar,directions,products,shapes}.c | sed 's,.*/,build/release/prove/,;s,\.c$,,')"
 
 # links [VARIABLE=VALUE...]: the lines by which make links programs

@@ -7,7 +7,7 @@
 commands() {
     local proofs
     proofs=$(for f in tools/prove/{roots,sines,polar,directions,products,shapes,digest}.c; do basename "$f" .c; done)
-    make -n -B CONFIG=release V=1 CC=gcc "$@" programs build/release/bot build/release/given/fuzz_rom \
+    make -n -B CONFIG=release V=1 CC=gcc "$@" programs tools build/release/given/fuzz_rom \
         $(printf 'build/release/prove/%s ' $proofs) | grep '^gcc ' |
         sed -E 's/ -o [^ ]+//; s/ [^ ]+\.o\b//g; s/ -(MMD|MP|c|pie|Wl,[^ ]*|l[a-z0-9.]+)\b//g' |
         grep -E ' [a-z0-9_/]+\.c( |$)' | grep -v ' build/release/gen/' | sort -u
