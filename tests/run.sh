@@ -11,8 +11,8 @@
 # Every program prints TAP. A crash, a missing or wrong plan and a skipped test count as failed. A program's output
 # stays in $OUT/results, and is shown, with the command that repeats the program, when something in it failed. all
 # resumes: in an unchanged tree, what has passed is not run again. Tests that open a window mostly wait, so two of them
-# run beside the others. Exit 1: something failed. No verdict depends on the time: what hangs is told from what is slow
-# by its own progress.
+# run beside the others. Exit 1: something failed. No verdict depends on the time: a test hangs if it makes no progress
+# (tests/patient.py), however slow the machine is.
 set -u
 cd "$(dirname "$0")/.." || exit 2
 what=${1:-test}

@@ -83,7 +83,7 @@ same 'differs: exit code 1' 1 $got
 same 'where' '"differs"' "$(field verdict <line)"
 same 'parts' '["script", "player", "fix"]' "$(field difference.parts <line)"
 same 'the first frame' "$(field difference.frame <line)" "$(field difference.first <line)"
-same 'no score is told' 0 "$(grep -c '"score"\|"moments"' line)"
+same 'no score is reported' 0 "$(grep -c '"score"\|"moments"' line)"
 same 'the doubt' '"recorded with another game version"' "$(field doubt <line)"
 sed -i 's/score.add(20/score.add(10/' g/main.lua
 echo rubbish >"$(printf 'a"b\\c\x01\xff\xc3\xa4\xf0\x9f\x8e\xb6.demo')"

@@ -5,7 +5,7 @@
 sandbox
 null=$curtain curtain=$OUT/curtain
 
-# What a library is called in the list; a new one has no line here, and is told.
+# What a library is called in the list; a new one has no line here, and is reported.
 # libm, the loader and what glibc 2.34 took in are glibc's; libgcc is the compiler's, whose licence excepts programs.
 name_of() {
     case $1 in

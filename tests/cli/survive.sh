@@ -101,7 +101,7 @@ at = text.index("table.insert(names")
 end = text.index("\n", text.index("boot.run", at)) + 1
 open("planted/main.lua", "w").write(text[:at] + text[end:] + text[at:end])
 PY
-check "an easier difficulty that is harder is told" says "upside_down: easy is harder than hard" --all \
+check "an easier difficulty that is harder is reported" says "upside_down: easy is harder than hard" --all \
     --stage upside_down
 same "and is exit code 1" 1 "$("$curtain" survive planted --all --stage upside_down >/dev/null 2>&1; echo $?)"
 "$curtain" survive planted --all --json --stage can_gap >said 2>/dev/null

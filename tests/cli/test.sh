@@ -345,7 +345,7 @@ for does in 'test.run { frames = 3, pads = function() more() end }' 'test.run():
 done
 wrong "a name that is taken twice" 'tests/try.lua:1: a: frame 0: no tests/golden/a.png yet: check '\
 'tests/failed/a.got.png, then run with --update to save it' 'test.run() test.shot("a") test.shot("a")'
-check "is told" says 'tests/try.lua:1: a: frame 0: duplicate name in this test' try
+check "is reported" says 'tests/try.lua:1: a: frame 0: duplicate name in this test' try
 for other in one two; do script $other <<<'test.run() test.shot("both")'; done
 check "a name of two tests" says \
     '^ +tests/golden/both.png is also used by tests/one.lua: tests cannot share pictures and hashes$' one two \
@@ -391,7 +391,7 @@ for _ in $(seq 500); do
 done
 wait
 check "a test whose process dies" grep -qE '^      the program was killed by signal 11 during the test$' died
-check "what it said before is told" grep -qE '^ +\| so far$' died
+check "what it said before is reported" grep -qE '^ +\| so far$' died
 check "takes no other with it" grep -qE '^ok +tests/title.lua' died
 check "and has failed" grep -qx 'exit 1' died
 

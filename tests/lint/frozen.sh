@@ -7,7 +7,7 @@
 curtain=$OUT/curtain-null
 
 # Names after "sys." in all scripts of a ROM but those that these scripts declare, or those of the library that a game
-# without need of them does not bring; names sys.check is told.
+# without need of them does not bring; names sys.check is reported.
 used() { # ROM
     local dir
     dir=$(mktemp -d -p "$scratch")

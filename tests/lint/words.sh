@@ -13,7 +13,7 @@ what fits
 a slip
 once more
 not taken in
-is told from
+is reported from
 it is you who
 who plays with which
 can not stand

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # dropped.sh - a ROM or a folder that is dropped on the window is played: at once where no run is on, else after a
-# question that keeps the run as leaving does; what cannot be played is told, and the game goes on. The port is a
+# question that keeps the run as leaving does; what cannot be played is reported, and the game goes on. The port is a
 # script's (port_keys.c): no window, no clock.
 . "$(dirname "$0")/../kept.sh"
 export KEYS_WHOLE=1

@@ -29,7 +29,7 @@ xdotool key --delay 100 Escape
 check "Escape closes it, and nothing more" wait_until hides "> { #'p'"
 xdotool key --delay 100 h
 xdotool mousemove --window "$win" 181 41
-check "the bullet under the mouse is told" wait_until shows 'kind   dot' 'tag    lone' 'by     task 1 main.lua:4'
+check "the bullet under the mouse is reported" wait_until shows 'kind   dot' 'tag    lone' 'by     task 1 main.lua:4'
 xdotool key --delay 100 g
 check "with gauges beside it" wait_until shows 'bullets          1    64   256       0' 'kind   dot'
 stop

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# launch_window.sh - in a window of a real (virtual) X server: a folder that is wrong at launch is told and waited for.
+# launch_window.sh - in a real window: a folder that is wrong at launch is reported and waited for.
 . "$(dirname "$0")/../xserver.sh"
 export SDL_AUDIODRIVER=dummy
 

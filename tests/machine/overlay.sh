@@ -61,7 +61,7 @@ for n in $(seq 65 79); do
     KEYS_PPM=$n plays shown <script
     says 'kind   dot' 'tag    rain' 'by     task 1 main.lua:8' >/dev/null && found=yes
 done
-same 'a bullet under the mouse is told' yes "$found"
+same 'a bullet under the mouse is reported' yes "$found"
 
 # ---- the mixer, and the keys of the volume ----
 

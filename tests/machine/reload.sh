@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # reload.sh - a game's folder changes while it is played: the run goes on in the changed game at the same frame, as if
-# it had always been so; and a change that does not run is told, with file and line, and the old game goes on.
+# it had always been so; and a change that does not run is reported, with file and line, and the old game goes on.
 . "$(dirname "$0")/../scripted.sh"
 
 game g <<'LUA'
@@ -47,12 +47,12 @@ edited 100 'echo "return 3" >g/step.lua' --record one.demo
 same 'it ends well' 0 $code
 same 'until then it is the old game' "$(part straight 1 100)" "$(part out 1 100)"
 same 'soon it is the changed one, at the same frame' "$(part other 180 250)" "$(part out 181 251)"
-same 'which is told' 'curtain: g: reloaded' "$(cat err)"
+same 'which is reported' 'curtain: g: reloaded' "$(cat err)"
 same 'the demo is of the changed game, from its first frame' "one.demo: holds, $(($(wc -l <out) - 2)) frames" \
     "$("$curtain" verify changed one.demo)"
 unchanged
 
-# What is told covers more of the picture than the test leaves out: the demos say what was played.
+# What is reported covers more of the picture than the test leaves out: the demos say what was played.
 played() { echo "$1: holds, $(($(wc -l <out) - $2)) frames"; } # DEMO PICTURES: so many are not of a tick
 edited 100 'echo "return = 3" >g/step.lua' --record two.demo
 same 'an error of syntax is none of the old game' 0 $code
@@ -67,7 +67,7 @@ unchanged
 same '... which goes on' "$(played three.demo 2)" "$("$curtain" verify g three.demo)"
 
 edited 100 'rm g/step.lua' --record four.demo
-check 'a lost file is told' grep -q 'main.lua:1: .*step' err
+check 'a lost file is reported' grep -q 'main.lua:1: .*step' err
 unchanged
 same '... and the old game goes on' "$(played four.demo 1)" "$("$curtain" verify g four.demo)"
 
@@ -81,7 +81,7 @@ cp g/main.lua attracts.lua
 keys 60 | ./player play g --seed 5 --record g/demos/a.demo >out 2>err
 edited 20 'echo "return 3" >g/step.lua; pressed | sed -n "21,150p" >&7; shown 150; unchanged'
 same 'two reloads, one while a demo is shown' 0 $code
-same '... are told' 2 "$(grep -c reloaded err)"
+same '... are reported' 2 "$(grep -c reloaded err)"
 rm -r g/demos
 sed -i 1d g/main.lua
 
@@ -97,7 +97,7 @@ unchanged
 
 edited 100 'touch g/main.lua'
 same 'a file that only got another time changes nothing' "$(part straight 1 290)" "$(part out 1 290)"
-same '... and nothing is told' '' "$(cat err)"
+same '... and nothing is reported' '' "$(cat err)"
 edited 100 'cp g/art/all.png g/art/unused.png'
 same 'nor does a file that the game does not name' "$(part straight 1 290)" "$(part out 1 290)"
 
@@ -125,7 +125,7 @@ back() { rm -rf g old && cp -R before g; }
 back
 edited 100 'cp notes/music/tide.mml g/music/'
 same 'other notes: it goes on at the same beat' "$(part straight 180 250)" "$(part out 181 251)"
-same '... which is told' 'curtain: g: reloaded' "$(cat err)"
+same '... which is reported' 'curtain: g: reloaded' "$(cat err)"
 back
 sed -i 's/t133.25/t260/' notes/music/tide.mml
 pressed | ./player play notes --seed 5 >other 2>err
@@ -169,9 +169,9 @@ pressed | ./player play changed2 --seed 5 >other 2>err
 check 'the two differ' test "$(part straight 180 250)" != "$(part other 180 250)"
 edited 100 'sed -i s/120/150/ g/bulletml/fall.xml'
 same 'a document changes' "$(part other 180 250)" "$(part out 181 251)"
-same '... which is told' 'curtain: g: reloaded' "$(cat err)"
+same '... which is reported' 'curtain: g: reloaded' "$(cat err)"
 back
 edited 100 'sed -i "s,</wait>,</waits>," g/bulletml/fall.xml'
-same 'one that is wrong is told with its place' \
+same 'one that is wrong is reported with its place' \
     'curtain: reload failed: g: bulletml/fall.xml:2:8: </waits> has no opening tag, expected </wait>' "$(cat err)"
 finish

@@ -157,7 +157,7 @@ check 'a run of another core version does not go on, which is said' grep -q \
 again
 echo rubbish >$left
 { keys 60; } | plays out
-same 'a file that is none is told by its real path, and the game begins' \
+same 'a file that is none is named by its real path, and the game begins' \
     "curtain: $PWD/$left: not a demo; the unfinished run is lost" "$(cat err)"
 
 # ---- nothing to go on with ----

@@ -188,7 +188,7 @@ convert -size 40x40 xc:red full.png
 refuse 'a border without a hole is refused' 'art/border.png: the border has no hole' bad full.png
 echo 'no picture' >text.png
 refuse 'so is one that is no picture' 'art/border.png: ' bad text.png
-same 'a setting that is none is told' \
+same 'a setting that is none is reported' \
     'turn: expected none, left, right or over, got "up"' \
     "$(mkdir -p data/curtain; echo 'turn = up' >data/curtain/curtain.conf; ./player play g </dev/null 2>&1 |
         grep -o 'turn: .*')"

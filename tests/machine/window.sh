@@ -79,7 +79,7 @@ if start "port probe" "$probe" show 240 160 2; then
         xdotool keydown "${pair%:*}"
         check "${pair%:*} arrives" wait_until says "key ${pair#*:} down"
         xdotool keyup "${pair%:*}"
-        check "${pair%:*} is let go" wait_until says "key ${pair#*:} up"
+        check "${pair%:*} is released" wait_until says "key ${pair#*:} up"
     done
     kill -STOP $child
     xdotool key --delay 1 z

@@ -71,7 +71,7 @@ if play; then
     check "each for themselves" sees 'player 1: left+focus' down 2 lleft r2
     check "a third one's START takes nothing" pad tap 3 start
     check "player 1's is pulled out" pad unplug 2
-    # The game stands: nothing is let go until it goes on.
+    # The game stands: nothing is released until it goes on.
     pad wait 8
     check "the game waits" silent
     check "another game's is not theirs" pad tap 1 south
@@ -79,7 +79,7 @@ if play; then
     pad wait 8
     check "the game still waits" silent
     check "START goes on" pad down 2 start
-    check "what player 1 held is let go" said 'player 1: '
+    check "what player 1 held is released" said 'player 1: '
     check "and START was not the game's" sees 'player 1: right' down 2 right
     check "player 2's is pulled out" pad unplug 1
     check "the third takes its place" pad tap 3 start
