@@ -161,9 +161,14 @@ def test_paths(name):
 def main(command, path, *rest):
     mutants, wrong = read(path)
     if command == "list":
-        for m in mutants:
-            if not rest or any(word in m.line for word in rest):
-                print(m.number, hashlib.sha1(m.line.encode()).hexdigest())
+        def digest(m, salt=""):
+            return hashlib.sha1((salt + m.line).encode()).hexdigest()
+        if rest[:1] == ("--sample",):  # COUNT SEED: the same lines however many others the list gains or loses
+            chosen = sorted(mutants, key=lambda m: digest(m, rest[2]))[:int(rest[1])]
+        else:
+            chosen = [m for m in mutants if not rest or any(word in m.line for word in rest)]
+        for m in chosen:
+            print(m.number, digest(m))
     elif command == "tests":
         for name in (name for number in rest for name in mutants[int(number) - 1].tests):
             print("\n".join(test_paths(name)))

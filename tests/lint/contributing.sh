@@ -49,7 +49,7 @@ check "the sample of code is src/machine/video/pal.c's" sample src/machine/video
 copy=$scratch/copy
 mkdir -p "$copy/tests"
 cp -r src fb platform "$copy/"
-cp -r tests/machine "$copy/tests/"
+cp -r tests/machine tests/test.h "$copy/tests/"
 lua=$(pkg-config --cflags lua5.4)
 compile() { # ARGUMENT...: by the Makefile's flags, without a warning
     gcc -std=c11 -fwrapv -ffp-contract=off -D_DEFAULT_SOURCE \
@@ -92,16 +92,14 @@ api() {
 }
 check "its function of the API does what it says" api
 
-main_of() { sed 's/test_seed/test_leaves/' <<<"$(find_block 'cmocka_unit_test(test_seed)' | sed -n '/^int main/,$p')"; }
-headers='setjmp.h stdarg.h stddef.h stdint.h cmocka.h'
 unit() {
-    { printf '#include <%s>\n' $headers; echo '#include "../src/base/rng.h"'; find_block 'test_seed(void'; } \
+    { printf '#include "%s"\n' test.h ../src/base/rng.h; find_block 'TEST(seed'; } \
         >"$copy/tests/unit.c" &&
         compile "$copy/tests/unit.c" -lcmocka -o "$scratch/unit" && "$scratch/unit"
 }
 check "its unit test passes" unit
 machine() {
-    { echo '#include "rig.h"'; find_block 'test_leaves(void'; main_of; } >"$copy/tests/machine/leaves.c" &&
+    { echo '#include "rig.h"'; find_block 'TEST(leaves'; } >"$copy/tests/machine/leaves.c" &&
         compile "$copy/tests/machine/leaves.c" $(objects) "$OUT/gen/no_rom.o" $(libraries) -lcmocka \
             -o "$scratch/machine" && "$scratch/machine"
 }

@@ -7,14 +7,7 @@
 #ifndef TESTS_RIG_H
 #define TESTS_RIG_H
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../src/base/bytes.h"
 #include "../../src/base/hash.h"
 #include "../../src/base/rng.h"

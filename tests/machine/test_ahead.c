@@ -27,7 +27,7 @@ static void output_is(const struct board *b, const uint8_t *was, uint8_t *now)
 }
 
 /* A recorded run, looked ahead in each frame, beside the same run straight on. */
-static void test_leaves_nothing(void **state)
+TEST(leaves_nothing)
 {
     static struct seen ahead, then;
     struct rig_game game;
@@ -38,7 +38,6 @@ static void test_leaves_nothing(void **state)
     char err[256];
     int same_pads = 0;
 
-    (void)state;
     rig_folder(&game, "glasstide");
     assert_true(rig_demo(&game, "run", &demo));
     rig_power(&straight, &game, &demo.start);
@@ -90,7 +89,7 @@ static void power(struct guard *g, struct rig_game *game, const char *script)
 }
 
 /* What the next tick says and saves is its own: nothing of it is here yet. */
-static void test_says_nothing(void **state)
+TEST(says_nothing)
 {
     const uint16_t pads[MAX_PLAYERS] = { 0 };
     struct rig_game game;
@@ -99,7 +98,6 @@ static void test_says_nothing(void **state)
     uint32_t changed, writes;
     size_t size;
 
-    (void)state;
     power(&g, &game, "task.go(function() wait(2) print('two') save.set('two', 2) board.attract('x') end)");
     board_nvram(g.board, &size, &changed);
     guard_tick(&g, pads);
@@ -140,20 +138,10 @@ static void refuses(const char *script, enum board_fault_kind kind)
     rig_game_free(&game);
 }
 
-static void test_refuses(void **state)
+TEST(refuses)
 {
-    (void)state;
     refuses("task.go(function() wait(3) error('now') end)", FAULT_SCRIPT);
     refuses("task.go(function() wait(3) while true do end end)", FAULT_LOOP);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_leaves_nothing),
-        cmocka_unit_test(test_says_nothing),
-        cmocka_unit_test(test_refuses),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

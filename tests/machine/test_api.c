@@ -934,9 +934,8 @@ static int trials(int brief)
     return rig_long() ? 20 * brief : brief;
 }
 
-static void test_entries(void **state)
+TEST(entries)
 {
-    (void)state;
     prop = NULL;
     for (int i = 0; i < api_count_entries(&api_table); i++) {
         struct tally t = { 0 };
@@ -961,9 +960,8 @@ static void test_entries(void **state)
     }
 }
 
-static void test_properties(void **state)
+TEST(properties)
 {
-    (void)state;
     entry = NULL;
     for (int k = 1; k < HANDLE_KINDS; k++)
         for (int i = 0; i < api_table.things[k]->n; i++) {
@@ -1004,11 +1002,10 @@ static const char *outcome(const char *text, int frames)
 
 #define FORGED "local function forged(kind, gen, slot) return (1 << 62) | (gen << 32) | (kind << 24) | slot end\n"
 
-static void test_forged(void **state)
+TEST(forged)
 {
     const char *said;
 
-    (void)state;
     said = outcome(FORGED "bullet.fire { kind = 'dot', x = 1, y = 1, speed = 1, motion = forged(7, 1, 30000) }", 5);
     assert_non_null(strstr(said, "motion"));
     said = outcome(
@@ -1023,9 +1020,8 @@ static void test_forged(void **state)
 }
 
 /* A player that is not there: nobody's pad, no score. */
-static void test_nobody(void **state)
+TEST(nobody)
 {
-    (void)state;
     assert_string_equal(outcome("string.sys.leave(1)\n"
                                 "local p = player.nearest(1, 1)\n"
                                 "assert(not p.alive and p.score == nil)\n"
@@ -1037,9 +1033,8 @@ static void test_nobody(void **state)
                         "");
 }
 
-static void test_zeros(void **state)
+TEST(zeros)
 {
-    (void)state;
     assert_non_null(strstr(outcome("score.enter('\\0', { name = 'A', score = 1 })", 1), "table"));
     assert_non_null(strstr(outcome("score.enter('t', { name = '\\0', score = 1 })", 1), "name"));
     assert_non_null(strstr(outcome("save.set('\\0a', 1)", 1), "key"));
@@ -1047,9 +1042,8 @@ static void test_zeros(void **state)
 }
 
 /* on_death that kills again: once is all. */
-static void test_death_once(void **state)
+TEST(death_once)
 {
-    (void)state;
     assert_string_equal(
         outcome(
             "local n = 0\n"
@@ -1063,12 +1057,11 @@ static void test_death_once(void **state)
 }
 
 /* Who dies while scripts load is gone in the first frame, and its handlers are told. */
-static void test_killed_at_load(void **state)
+TEST(killed_at_load)
 {
     struct rig_game game;
     struct rig r;
 
-    (void)state;
     rig_script(&game, NULL,
                "enemy.def('foe', { sprite = 'dot', hit = { box = { 8, 8 } } })\n"
                "on.kill(function() board.note(1) end)\n"
@@ -1082,7 +1075,7 @@ static void test_killed_at_load(void **state)
 }
 
 /* Functions of enemies that go without dying do not pile up. */
-static void test_no_leak(void **state)
+TEST(no_leak)
 {
     static const char text[] = "for i = 1, 3000 do\n"
                                "  local e = enemy.spawn { kind = 'foe', x = 9, y = 9, run = function() end,\n"
@@ -1091,7 +1084,6 @@ static void test_no_leak(void **state)
                                "  if i % 20 == 0 then wait(1) end\n"
                                "end\n";
 
-    (void)state;
     assert_string_equal(outcome(text, 40), "");
     size_t early = heap_used(rig.b->vm.heap);
     assert_string_equal(outcome(text, 140), "");
@@ -1101,14 +1093,13 @@ static void test_no_leak(void **state)
 }
 
 /* Functions are made when a script reads them: it must not be able to tell. */
-static void test_made_when_read(void **state)
+TEST(made_when_read)
 {
     struct rig_game game;
     struct rig r;
     int members = 0;
     char text[1024];
 
-    (void)state;
     for (int i = 0; i < api_count_entries(&api_table); i++)
         members += !strncmp(api_get_entry(&api_table, i)->name, "query.", 6);
     assert_true(members >= 3);
@@ -1134,7 +1125,7 @@ static void test_made_when_read(void **state)
 }
 
 /* A start that no manifest allows is refused, not believed. */
-static void test_start(void **state)
+TEST(start)
 {
     struct manifest m = rig_manifest();
     struct board_start start = { .difficulty = -1 };
@@ -1143,7 +1134,6 @@ static void test_start(void **state)
     char err[512] = "";
     size_t size;
 
-    (void)state;
     m.n_dips = 1;
     snprintf(m.dips[0].name, sizeof m.dips[0].name, "coins");
     m.dips[0].n_values = 2;
@@ -1213,14 +1203,4 @@ static int teardown(void **state)
     return 0;
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_forged),         cmocka_unit_test(test_nobody),         cmocka_unit_test(test_zeros),
-        cmocka_unit_test(test_death_once),     cmocka_unit_test(test_killed_at_load), cmocka_unit_test(test_no_leak),
-        cmocka_unit_test(test_made_when_read), cmocka_unit_test(test_start),          cmocka_unit_test(test_entries),
-        cmocka_unit_test(test_properties),
-    };
-
-    return cmocka_run_group_tests(tests, setup, teardown);
-}
+RUN_TESTS(setup, teardown)

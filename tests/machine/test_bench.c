@@ -2,12 +2,7 @@
  * test_bench.c - the bench's crowds against references that share nothing with the engine: hits in 128-bit arithmetic
  * over every bullet, the picture by a painter that copies byte by byte; and the two programs it is measured beside.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../src/board/board.h"
 #include "../../src/machine/machine.h"
 #include "../../src/workbench/pack/pack.h"
@@ -113,13 +108,12 @@ static uint16_t wander(uint32_t frame)
     return way[frame / 37 % 6] | (frame / 500 & 1 ? PAD_FOCUS : 0);
 }
 
-static void test_hits(void **state)
+TEST(hits)
 {
     struct bench x;
     uint64_t hits = 0, misses = 0, grazes = 0;
     static uint8_t before[4096];
 
-    (void)state;
     power(&x, 4096);
     for (uint32_t f = 0; f < 4000; f++) {
         uint16_t pads[MAX_PLAYERS] = { wander(f), 0 };
@@ -174,7 +168,7 @@ static void paint_bullets(const struct board *b, uint8_t *out, int w, int h)
         }
 }
 
-static void test_picture(void **state)
+TEST(picture)
 {
     struct bench x;
     const uint16_t pads[MAX_PLAYERS] = { 0 };
@@ -182,7 +176,6 @@ static void test_picture(void **state)
     struct fb fb;
     int w, h;
 
-    (void)state;
     power(&x, 4096);
     board_screen_size(x.b, &w, &h);
     uint8_t *plain = malloc((size_t)(w * h)), *mem = malloc(fb_size(w, h)), *scratch = malloc(board_scratch_size(x.b));
@@ -264,12 +257,11 @@ static uint64_t hits_of(const struct board *b)
 }
 
 /* Each frame the four agree, in counts, places and pixels: more than a way and back, and past a change of the pace. */
-static void test_crowd(void **state)
+TEST(crowd)
 {
     static const int sizes[] = { 1, 63, 64, 1000, 3001 };
     static struct match m;
 
-    (void)state;
     for (size_t k = 0; k < sizeof sizes / sizeof *sizes; k++) {
         open_match(&m, sizes[k], 77 + k);
         for (int f = 0; f < 600; f++) {
@@ -293,11 +285,10 @@ static void test_crowd(void **state)
 }
 
 /* Those who compare can tell: one bullet an ulp away, one pixel a shade off. */
-static void test_crowd_spoilt(void **state)
+TEST(crowd_spoilt)
 {
     static struct match m;
 
-    (void)state;
     open_match(&m, 1000, 5);
     for (int f = 0; f < 70; f++)
         play_match(&m);
@@ -329,11 +320,10 @@ static int opaque(const uint8_t *pix)
 }
 
 /* No two pictures of a run are alike, nor the same kind's in two runs; as many pixels are opaque as of the disc. */
-static void test_crowd_shuffled(void **state)
+TEST(crowd_shuffled)
 {
     static struct match m[2];
 
-    (void)state;
     open_match(&m[0], 64, 1);
     open_match(&m[1], 64, 2);
     for (int k = 0; k < CROWD_KINDS; k++) {
@@ -355,11 +345,4 @@ static void test_crowd_shuffled(void **state)
     close_match(&m[1]);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_hits), cmocka_unit_test(test_picture),
-                                        cmocka_unit_test(test_crowd), cmocka_unit_test(test_crowd_spoilt),
-                                        cmocka_unit_test(test_crowd_shuffled) };
-
-    return cmocka_run_group_tests_name("bench", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

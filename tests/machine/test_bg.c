@@ -231,13 +231,12 @@ static void random_shake(struct board *b)
 }
 
 /* Layers, plane, fog and fades at random, and with extremes: the picture is the plain program's. */
-static void test_plain(void **state)
+TEST(plain)
 {
     struct rig_game g;
     struct rig r;
     int covered = 0;
 
-    (void)state;
     power(&g, &r, "bg.plane().fog = { to = 0x123456, far = 9 }");
     bg_fill_shades(r.b->bg_shades.table + BG_BLACK_OFFSET, cart_palette(&r.b->cart, "main"), 0);
     rng_seed(&rng, 77);
@@ -257,12 +256,11 @@ static void test_plain(void **state)
 }
 
 /* A layer of whole tiles covers all that is behind it; with a hole, blended, hidden or without wrap it does not. */
-static void test_covers(void **state)
+TEST(covers)
 {
     struct rig_game g;
     struct rig r;
 
-    (void)state;
     power(&g, &r, "bg.layer(2).map = 'sea'");
     assert_true(video_bg_covers(r.b));
     r.b->bg.flags[1] &= (uint8_t)~BG_WRAP;
@@ -280,11 +278,10 @@ static void test_covers(void **state)
     rig_game_free(&g);
 }
 
-static void test_rows(void **state)
+TEST(rows)
 {
     uint8_t s[80], d[80], want[80], to[256], *table = malloc(65536);
 
-    (void)state;
     rng_seed(&rng, 5);
     for (int i = 0; i < 65536; i++)
         table[i] = (uint8_t)rng_next(&rng);
@@ -314,11 +311,10 @@ static void test_rows(void **state)
 }
 
 /* The nearest colour, of equals the lowest; the last table shows one colour alone. */
-static void test_shades(void **state)
+TEST(shades)
 {
     static uint8_t tables[BG_SHADES * 256], rgb[768];
 
-    (void)state;
     rng_seed(&rng, 9);
     for (int i = 0; i < 768; i++)
         rgb[i] = (uint8_t)rng_next(&rng);
@@ -346,12 +342,11 @@ static void test_shades(void **state)
 /* ---- motion ---- */
 
 /* Positions add up exactly, and go on beyond the world; a frozen board does not move them. */
-static void test_motion(void **state)
+TEST(motion)
 {
     struct rig_game g;
     struct rig r;
 
-    (void)state;
     power(&g, &r,
           "local a, p = bg.layer(1), bg.plane()\n"
           "a.map, a.x, a.vx, a.vy = 'sea', 100, 0.3, -8191\n"
@@ -372,13 +367,12 @@ static void test_motion(void **state)
     rig_game_free(&g);
 }
 
-static void test_wave(void **state)
+TEST(wave)
 {
     struct rig_game g;
     struct rig r;
     const fx list[] = { 65536, -65536, 3 };
 
-    (void)state;
     power(&g, &r, "bg.lines(2, { wave = 8, every = 32 })");
     struct bg *b = &r.b->bg;
     assert_int_equal(bg_line_offset(b, &r.b->bg_lines, 1, 0), 0);
@@ -411,12 +405,11 @@ static const char shows[] =
     "  bg.show(nil, { over = 4 })\n"
     "end)";
 
-static void test_show(void **state)
+TEST(show)
 {
     struct rig_game g;
     struct rig r;
 
-    (void)state;
     power(&g, &r, shows);
     rig_run(&r, 1);
     assert_int_equal(r.b->bg.shown_id[0], 1);
@@ -461,14 +454,13 @@ static const char bosses[] =
     "end)\n"
     "boot.run { stages = { 's' }, players = { 'ship' } }";
 
-static void test_phase(void **state)
+TEST(phase)
 {
     struct board_start start = { .difficulty = -1, .practice.section = "s:m" };
     struct manifest m = rig_manifest();
     struct rig_game g;
     struct rig r;
 
-    (void)state;
     m.has_backgrounds = 1;
     rig_script(&g, &m, bosses);
     rig_maps(&g);
@@ -515,14 +507,13 @@ static void until_marked(struct rig *r)
     assert_true(r->b->bg.map[1] != 0);
 }
 
-static void test_practice(void **state)
+TEST(practice)
 {
     struct board_start start = { .difficulty = -1, .practice.section = "s" };
     struct manifest m = rig_manifest();
     struct rig_game g;
     struct rig run, practice;
 
-    (void)state;
     m.has_backgrounds = 1;
     rig_script(&g, &m, marked);
     rig_maps(&g);
@@ -547,7 +538,7 @@ static void test_practice(void **state)
 }
 
 /* A boss that is practised has its background, and its phase's, from the first frame on; in a stage they fade in. */
-static void test_boss(void **state)
+TEST(boss)
 {
     static const char text[] =
         "for _, name in ipairs { 'day', 'dusk', 'dark' } do bg.def(name, function() bg.layer(1).map = 'sea' end) end\n"
@@ -568,7 +559,6 @@ static void test_boss(void **state)
     struct rig_game g;
     struct rig r;
 
-    (void)state;
     m.has_backgrounds = 1;
     rig_script(&g, &m, text);
     rig_maps(&g);
@@ -592,13 +582,12 @@ static void test_boss(void **state)
 
 /* ---- without ---- */
 
-static void test_off(void **state)
+TEST(off)
 {
     struct board_start start = { .difficulty = -1 };
     struct rig_game g;
     struct rig r;
 
-    (void)state;
     rig_script(&g, NULL, "local a = 1");
     rig_power(&r, &g, NULL);
     assert_int_equal(r.b->bg.s.cap + r.b->bg_lines.s.cap + r.b->bg_shades.s.cap, 0);
@@ -616,7 +605,7 @@ static void test_off(void **state)
 }
 
 /* A map that is wrong is refused when the ROM is opened: byte `at` of map/reef, counted from its end if negative. */
-static void test_lumps(void **state)
+TEST(lumps)
 {
     static const struct {
         int at, value;
@@ -637,7 +626,6 @@ static void test_lumps(void **state)
         { -1, 17, "tile 3 does not match the map's flags" },
     };
 
-    (void)state;
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         struct manifest m = rig_manifest();
         struct rig_game g;
@@ -674,7 +662,7 @@ static void test_lumps(void **state)
     }
 }
 
-static void test_said(void **state)
+TEST(said)
 {
     static const char *const said[][2] = {
         { "bg.layer(5)", "bg.layer: i: expected a whole number from 1 to 4, got 5" },
@@ -698,7 +686,6 @@ static void test_said(void **state)
     struct rig_game g;
     struct rig r;
 
-    (void)state;
     m.has_backgrounds = 1;
     for (size_t i = 0; i < sizeof said / sizeof *said; i++) {
         char want[200];
@@ -713,15 +700,4 @@ static void test_said(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_plain),    cmocka_unit_test(test_covers), cmocka_unit_test(test_rows),
-        cmocka_unit_test(test_shades),   cmocka_unit_test(test_motion), cmocka_unit_test(test_wave),
-        cmocka_unit_test(test_show),     cmocka_unit_test(test_phase),  cmocka_unit_test(test_boss),
-        cmocka_unit_test(test_practice), cmocka_unit_test(test_off),    cmocka_unit_test(test_said),
-        cmocka_unit_test(test_lumps),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

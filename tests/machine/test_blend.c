@@ -81,9 +81,8 @@ static void expect(const char *thing, const char *sprite, int picture, int bank,
     }
 }
 
-static void bullets_and_shots(void **state)
+TEST(bullets_and_shots)
 {
-    (void)state;
     expect("bullet.def('b', { sprite = 'dot', hit = 'none', bank = 5, blend = 'glow' })\n"
            "bullet.fire { kind = 'b', x = 100, y = 80, speed = 0 }",
            "dot", 0, 5, 0, "glow");
@@ -102,9 +101,8 @@ static void bullets_and_shots(void **state)
            "dot", 0, 0, 0, "glow");
 }
 
-static void enemies_and_sparks(void **state)
+TEST(enemies_and_sparks)
 {
-    (void)state;
     expect("enemy.def('e', { sprite = 'dot', hit = 'none', bank = 2, blend = 'ghost' })\n"
            "enemy.spawn { kind = 'e', x = 100, y = 80 }",
            "dot", 0, 2, 0, "ghost");
@@ -113,9 +111,8 @@ static void enemies_and_sparks(void **state)
            "arrow", 0, 9, 0, "glow");
 }
 
-static void sprites(void **state)
+TEST(sprites)
 {
-    (void)state;
     expect("sprite.put { sprite = 'arrow', x = 100, y = 80, bank = 1, blend = 'glow', flip_x = true }", "arrow", 0, 1,
            BLIT_FLIP_X, "glow");
     expect("sprite.put { sprite = 'dot', x = 100, y = 80, screen = true, blend = 'ghost', flip_y = true }", "dot", 0, 0,
@@ -153,11 +150,10 @@ static void script_faults(const char *text, const char *line)
     rig_game_free(&g);
 }
 
-static void errors(void **state)
+TEST(errors)
 {
     struct rig_game none;
 
-    (void)state;
     script_faults("bullet.def('b', { sprite = 'dot', hit = 'none', blend = 'glwo' })",
                   "main.lua:1: bullet.def: unknown blend \"glwo\" (did you mean \"glow\"?)");
     script_faults("spark.def('b', { sprite = 'dot', life = 1, blend = 3 })",
@@ -170,7 +166,7 @@ static void errors(void **state)
 }
 
 /* What a blend changes in the state: the kind, and what scripts said. Bullets fly, graze and hit as they did. */
-static void state_differs_where_it_should(void **state)
+TEST(state_differs_where_it_should)
 {
     static const char text[] = "bullet.def('b', { sprite = 'dot', hit = { circle = 3 }, turns = true%s })\n"
                                "spark.def('k', { sprite = 'dot', life = 90, bank = 15%s })\n"
@@ -190,7 +186,6 @@ static void state_differs_where_it_should(void **state)
     uint64_t a[MAX_PARTS], b[MAX_PARTS];
     int differ = 0;
 
-    (void)state;
     snprintf(plain, sizeof plain, text, "", "");
     snprintf(blended, sizeof blended, text, ", blend = 'glow'", ", blend = 'ghost'");
     for (int i = 0; i < 2; i++) {
@@ -216,15 +211,4 @@ static void state_differs_where_it_should(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(bullets_and_shots),
-        cmocka_unit_test(enemies_and_sparks),
-        cmocka_unit_test(sprites),
-        cmocka_unit_test(errors),
-        cmocka_unit_test(state_differs_where_it_should),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

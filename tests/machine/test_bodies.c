@@ -273,14 +273,13 @@ static uint64_t draw(void *context, uint64_t n)
     return rng_below(&chance, n);
 }
 
-static void test_places(void **state)
+TEST(places)
 {
     const struct box all = { fx_int(-1000), fx_int(-1000), fx_int(1000), fx_int(1000) };
     struct manifest m = rig_manifest();
     struct rig_game g;
     struct rig r;
 
-    (void)state;
     m.enemies = FOES;
     m.has_bodies = m.has_freeze = 1;
     rig_script(&g, &m, "enemy.def('foe', { sprite = 'dot', hit = { circle = 4 } })");
@@ -326,7 +325,7 @@ static void hurt_reference(whole left[], const struct enemies *e, int i, whole a
     }
 }
 
-static void test_damage(void **state)
+TEST(damage)
 {
     enum { CHAIN = MAX_PART_DEPTH + 1 };
     struct manifest m = rig_manifest();
@@ -334,7 +333,6 @@ static void test_damage(void **state)
     struct rig r;
     long passed = 0;
 
-    (void)state;
     rng_seed(&rng, 3);
     m.has_bodies = 1;
     rig_script(&g, &m, "enemy.def('foe', { sprite = 'dot', hit = { circle = 4 } })");
@@ -417,9 +415,8 @@ static const char *says(bool on, const char *text)
 
 #define SAYS(text, words) assert_string_equal(says(true, text), words)
 
-static void test_spawned_along(void **state)
+TEST(spawned_along)
 {
-    (void)state;
     SAYS("local e = enemy.spawn { kind = 'crab', x = 100, y = 100 } print(enemy.count(), #e:parts())\n"
          "for _, a in ipairs(e:parts()) do print(a.tag, a.x, a.y, a.hp, a.rate, a.follow == e, #a:parts()) end\n"
          "local tip = e:parts('left')[1]:parts()[1] print(tip.x, tip.y, tip.dx, tip.dy, tip.share, tip.rate)\n"
@@ -431,9 +428,8 @@ static void test_spawned_along(void **state)
          "170.0\t85.0\t170.0\t95.0\n");
 }
 
-static void test_places_by_hand(void **state)
+TEST(places_by_hand)
 {
-    (void)state;
     /* writes, and moves of its own */
     SAYS("local e = foe() local c = part(e, { dx = 10 }) c.dx = 30 print(c.x) c.y = 90 print(c.dy) e.x = 50 wait(1)\n"
          "print(c.x, c.y) c:move { dx = 0, dy = 20, over = 4 } wait(4) print(c.x, c.y) c:move { x = 70, y = 100, over "
@@ -456,9 +452,8 @@ static void test_places_by_hand(void **state)
          "true\nfalse\nkill\tfoe\n");
 }
 
-static void test_damage_by_hand(void **state)
+TEST(damage_by_hand)
 {
-    (void)state;
     SAYS("local e = foe() e.rate = 0.25 for i = 1, 5 do e:hurt(1) print(e.hp) end e.rate = 0 e:hurt(99) print(e.hp)\n"
          "e.rate = 3 e:hurt(2) print(e.hp) e.hp = 7 e:hurt(2) print(e.hp)",
          "20\n20\n20\n19\n19\n19\n13\n1\n");
@@ -479,9 +474,8 @@ static void test_damage_by_hand(void **state)
          "3\t18\n");
 }
 
-static void test_bursts(void **state)
+TEST(bursts)
 {
-    (void)state;
     SAYS("local e = enemy.spawn { kind = 'crab', x = 100, y = 100, on_death = function(e) print(#e:parts()) end }\n"
          "e:kill() print(enemy.count(), board.live('sparks')) wait(1) print(board.live('enemies'))",
          "2\n0\t48\nkill\tcrab\n0\n");
@@ -499,9 +493,8 @@ static void test_bursts(void **state)
          "0\n");
 }
 
-static void test_leads(void **state)
+TEST(leads)
 {
-    (void)state;
     SAYS("local e = foe() e:orbit { x = 100, y = 60, spin = 90, over = 3 } wait(1) print(e.x, e.y) wait(1) print(e.x, "
          "e.y)\n"
          "wait(4) print(e.x, e.y)",
@@ -529,9 +522,8 @@ static void test_leads(void **state)
          "true\n50.0\n5.0\n");
 }
 
-static void test_mistakes(void **state)
+TEST(mistakes)
 {
-    (void)state;
     SAYS("enemy.spawn { kind = 'foe', x = 1, follow = foe() }",
          "enemy.spawn: `follow` cannot be combined with a position or a path");
     SAYS("enemy.spawn { kind = 'foe', x = 1, y = 1, share = 1 }", "enemy.spawn: share: requires `follow`");
@@ -570,9 +562,8 @@ static void refuses(bool on, const char *of, const char *words)
 
 #define DEF(settings) "enemy.def('body', { sprite = 'dot', hit = { circle = 2 }, " settings " })"
 
-static void test_refused(void **state)
+TEST(refused)
 {
-    (void)state;
     refuses(false, DEF("rate = 1"), "enemy.def: rate: disabled; add `bodies = true` to `board` in rom.lua");
     refuses(true, DEF("rate = 101"), "enemy.def: rate: expected a number from 0 to 100, got 101");
     refuses(true, DEF("parts = {}"),
@@ -612,9 +603,8 @@ static void forms(const char *wave, const char *places)
     rig_game_free(&g);
 }
 
-static void test_formations(void **state)
+TEST(formations)
 {
-    (void)state;
     forms("n = 5, formation = 'v', gap = 10", "100.00 60.00, 90.00 50.00, 110.00 50.00, 80.00 40.00, 120.00 40.00\n");
     forms("n = 3, formation = 'line', gap = 10", "90.00 60.00, 100.00 60.00, 110.00 60.00\n");
     forms("n = 2, formation = 'column'", "100.00 60.00, 100.00 36.00\n");
@@ -629,9 +619,8 @@ static void test_formations(void **state)
 
 /* ---- hit-stop ---- */
 
-static void test_stop(void **state)
+TEST(stop)
 {
-    (void)state;
     SAYS("local e, at = foe(), board.frame() e:move { x = 200, y = 100, over = 50 } wait(1) print(e.x, e.age)\n"
          "board.stop(10) wait(1) print(e.x, e.age, board.frame() - at) wait(1) print(e.x, board.frame() - at)",
          "102.0\t1\n104.0\t2\t12\n106.0\t13\n");
@@ -643,7 +632,7 @@ static void test_stop(void **state)
 }
 
 /* Special goes down just before the stop; fire goes down and up within it, bomb goes down in it and stays. */
-static void test_presses(void **state)
+TEST(presses)
 {
     static struct rig_game g;
     const uint16_t none[MAX_PLAYERS] = { 0 }, fire[MAX_PLAYERS] = { PAD_FIRE }, bomb[MAX_PLAYERS] = { PAD_BOMB },
@@ -651,7 +640,6 @@ static void test_presses(void **state)
     char said[256] = "";
     struct rig r;
 
-    (void)state;
     rig_script(&g, NULL,
                "task.go(function() wait(2) board.stop(6) wait(1) for i = 1, 4 do\n"
                "  print(pad.pressed('fire'), pad.take('fire', 0), pad.released('fire'), pad.pressed('bomb'), "
@@ -670,16 +658,4 @@ static void test_presses(void **state)
     rig_game_free(&g);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_places),         cmocka_unit_test(test_damage),
-        cmocka_unit_test(test_spawned_along),  cmocka_unit_test(test_places_by_hand),
-        cmocka_unit_test(test_damage_by_hand), cmocka_unit_test(test_bursts),
-        cmocka_unit_test(test_leads),          cmocka_unit_test(test_mistakes),
-        cmocka_unit_test(test_refused),        cmocka_unit_test(test_formations),
-        cmocka_unit_test(test_stop),           cmocka_unit_test(test_presses),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

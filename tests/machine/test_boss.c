@@ -234,24 +234,22 @@ static void tell(const struct story *s, bool spoilt)
     close_it();
 }
 
-static void test_stories(void **state)
+TEST(stories)
 {
-    (void)state;
     for (size_t i = 0; i < sizeof stories / sizeof *stories; i++)
         for (int spoilt = 0; spoilt < 2; spoilt++)
             tell(&stories[i], spoilt);
 }
 
-static void test_casts(void **state)
+TEST(casts)
 {
-    (void)state;
     for (size_t i = 0; i < sizeof casts / sizeof *casts; i++)
         for (int spoilt = 0; spoilt < 2; spoilt++)
             tell(&casts[i], spoilt);
 }
 
 /* Tries and captures of spells, by difficulty and ship; a phase without a spell has none. */
-static void test_history(void **state)
+TEST(history)
 {
     static const char code[] =
         "player.def('other', { sprite = 'dot', hit = { circle = 2 } })\n"
@@ -267,7 +265,6 @@ static void test_history(void **state)
                       "lost false false 2 2 1 1";
     struct board_start practice = { .seed = 1, .difficulty = -1 };
 
-    (void)state;
     open_with(code, NULL);
     rig_run(&r, 330);
     assert_string_equal(rig_told(&r), all);
@@ -284,9 +281,8 @@ static void test_history(void **state)
 }
 
 /* In a talk nobody fires, and a stage's clock that goes on in the fight does so in its talks. */
-static void test_talk(void **state)
+TEST(talk)
 {
-    (void)state;
     open_with("one({ talk = function() wait(20) end }, phase { run = down(9) })\n"
               "stage.def('s', function() task.go(function() boss.fight('b', { clock = true }) end) stage.at(75) "
               "say('at', board.frame()) wait(99) end) stage.play('s', string.sys.scope())",
@@ -302,11 +298,10 @@ static void test_talk(void **state)
 }
 
 /* A phase alone, of a cast with a warning and talks: none of these, again and again. */
-static void test_practice(void **state)
+TEST(practice)
 {
     struct board_start start = { .seed = 1, .difficulty = -1, .practice = { .section = "b/c" } };
 
-    (void)state;
     open_with("boss.def('b', { title = 'B', warning = 50, cast = {\n"
               "  { name = 'iris', title = 'Iris', kind = 'e', x = 30, y = 40 },\n"
               "  { name = 'opal', title = 'Opal', kind = 'e', x = 90, y = 40 } }, phases = { phase {},\n"
@@ -333,9 +328,8 @@ static void says(const char *code, const char *line)
     rig_game_free(&played);
 }
 
-static void test_errors(void **state)
+TEST(errors)
 {
-    (void)state;
     says("one()", "boss.def: phases: expected at least one phase");
     says("one({ talk = idle })", "boss.def: phases: expected at least one phase");
     says("one(phase {}, phase {})", "boss.def: duplicate phase \"a\"");
@@ -382,12 +376,4 @@ static void test_errors(void **state)
     says("one(phase {}) alone { clok = true }", "boss.fight: unknown argument \"clok\" (did you mean \"clock\"?)");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_stories),  cmocka_unit_test(test_casts), cmocka_unit_test(test_history),
-        cmocka_unit_test(test_practice), cmocka_unit_test(test_talk),  cmocka_unit_test(test_errors),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -522,9 +522,8 @@ static void check_answer(const struct answer *a)
     close_game(&g, &r);
 }
 
-static void test_answers(void **state)
+TEST(answers)
 {
-    (void)state;
     for (size_t i = 0; i < sizeof answers / sizeof *answers; i++)
         check_answer(&answers[i]);
 }
@@ -551,12 +550,11 @@ static const char *said(struct rig *r, const char *name)
     "<bullet label='late'/></fire></action><bullet label='a'><action><wait>3</wait><vanish/></action></bullet>"        \
     "</bulletml>"
 
-static void test_labels(void **state)
+TEST(labels)
 {
     struct rig_game g;
     struct rig r;
 
-    (void)state;
     open_game(
         &g, &r, FAN,
         "string.out = ''\n"
@@ -604,9 +602,8 @@ static void check_turned(const char *more, double x, double y)
 }
 
 /* accel shows in the move after the next: nine of the ten frames go down as well. */
-static void test_turned(void **state)
+TEST(turned)
 {
-    (void)state;
     check_turned("x = 100, y = 50", 110, 59);
     check_turned("x = 100, y = 50, speed = 2", 120, 68);
     check_turned("x = 100, y = 50, mirror = true", 90, 59);
@@ -615,7 +612,7 @@ static void test_turned(void **state)
     check_turned("from = e, dx = 9", 119, 59);
 }
 
-static void test_follows(void **state)
+TEST(follows)
 {
     static const char doc[] = "<bulletml><action label='top'><changeSpeed><speed>1</speed><term>1</term></changeSpeed>"
                               "<changeDirection><direction type='absolute'>90</direction><term>1</term>"
@@ -624,7 +621,6 @@ static void test_follows(void **state)
     struct rig_game g;
     struct rig r;
 
-    (void)state;
     open_game(&g, &r, doc,
               "local e = enemy.spawn { kind = 'foe', x = 100, y = 50 }\n"
               "local d = bullet.ml { name = 'doc', kind = 'orb', from = e }\n"
@@ -647,12 +643,11 @@ static void test_follows(void **state)
     "<wait>1</wait></action></repeat></action></bulletml>"
 
 /* It ends with its owner, or by stop; loop begins anew. */
-static void test_owner(void **state)
+TEST(owner)
 {
     struct rig_game g;
     struct rig r;
 
-    (void)state;
     open_game(&g, &r, STREAM,
               "local e = enemy.spawn { kind = 'foe', x = 100, y = 50 }\n"
               "task.own(e, function()\n"
@@ -698,13 +693,12 @@ static void check_refused(const char *call, const char *sentence)
     close_game(&g, &r);
 }
 
-static void test_arguments(void **state)
+TEST(arguments)
 {
     struct manifest m = rig_manifest();
     struct rig_game g;
     struct rig r;
 
-    (void)state;
     check_refused("bullet.ml { kind = 'orb', x = 1, y = 1 }", "bullet.ml: name: expected");
     check_refused("bullet.ml { name = 'dok', kind = 'orb', x = 1, y = 1 }",
                   "bullet.ml: name: no bulletml/dok.xml in the game (did you mean \"doc\"?)");
@@ -767,9 +761,8 @@ static void check_written(const char *what, double x, double y, uint32_t runners
 }
 
 /* Alone: speed 1 up to frame 5, then 1.25, 1.5, 1.75, then 2. */
-static void test_written(void **state)
+TEST(written)
 {
-    (void)state;
     check_written("", 100 + 5 + 4.5 + 11 * 2, 50, 1);
     check_written("b.x = 50", 50 + 1 + 4.5 + 11 * 2, 50, 1);
     check_written("b.dir = 90", 104, 50 + 1 + 4.5 + 11 * 2, 1);
@@ -781,7 +774,7 @@ static void test_written(void **state)
 }
 
 /* RAM is spoilt and restored after every frame, and nothing changes. */
-static void test_torture(void **state)
+TEST(torture)
 {
     static const char doc[] =
         "<bulletml><action label='top'><repeat><times>40</times><action><fire><direction type='sequence'>37</direction>"
@@ -798,7 +791,6 @@ static void test_torture(void **state)
     struct rig_game g;
     struct rig r, t;
 
-    (void)state;
     open_game(&g, &r, doc, script);
     rig_power(&t, &g, NULL);
     for (int i = 0; i < 160; i++) {
@@ -834,9 +826,8 @@ static const char *harm(const char *actions, int frames)
     return out;
 }
 
-static void test_harm(void **state)
+TEST(harm)
 {
-    (void)state;
     assert_string_equal(
         harm("<action "
              "label='top'><repeat><times>1000000000</times>\n<action><fire><bullet/></fire></action></repeat></action>",
@@ -869,7 +860,7 @@ static void test_harm(void **state)
 }
 
 /* A byte of a program set to anything: refused, or it runs to some end. */
-static void test_mutations(void **state)
+TEST(mutations)
 {
     char err[256];
     struct manifest m = manifest();
@@ -879,7 +870,6 @@ static void test_mutations(void **state)
     struct rng rng;
     int good = 0, bad = 0;
 
-    (void)state;
     assert_true(
         rig_compile("<bulletml><action label='top'><actionRef "
                     "label='a'><param>$rand*3</param></actionRef><repeat><times>2</times><action><fire><speed>$1+2</"
@@ -917,14 +907,4 @@ static void test_mutations(void **state)
     free(out);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_answers),   cmocka_unit_test(test_labels),  cmocka_unit_test(test_turned),
-        cmocka_unit_test(test_follows),   cmocka_unit_test(test_owner),   cmocka_unit_test(test_arguments),
-        cmocka_unit_test(test_written),   cmocka_unit_test(test_torture), cmocka_unit_test(test_harm),
-        cmocka_unit_test(test_mutations),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -166,9 +166,8 @@ static void open_and_close(int n, int frames)
     }
 }
 
-static void test_nothing_is_kept(void **state)
+TEST(nothing_is_kept)
 {
-    (void)state;
     open_and_close(MANY, FRAMES);
 }
 
@@ -194,13 +193,12 @@ static void expect_same_file(const char *a, const char *b)
     free(pb);
 }
 
-static void test_two_at_once(void **state)
+TEST(two_at_once)
 {
     static const char *const alone[] = { "alone-0.demo", "alone-1.demo" }, *const both[] = { "0.demo", "1.demo" };
     struct play *plays[2];
     int shown[2];
 
-    (void)state;
     for (int i = 0; i < 2; i++) {
         struct play *play = open_play(i, alone[i]);
         for (int k = 0; k < (4 + i) * FRAMES; k++)
@@ -262,9 +260,8 @@ static void expect_loop_found(void)
     games[0] = was;
 }
 
-static void test_endless_loop(void **state)
+TEST(endless_loop)
 {
-    (void)state;
     write_game("endless", "task.go(function() wait(5) while true do end end)\n");
     expect_loop_found();
 }
@@ -291,12 +288,11 @@ static bool program_goes(struct program *p)
     return program_run_frame(p);
 }
 
-static void test_the_program(void **state)
+TEST(the_program)
 {
     char first[1200], card[1200];
     size_t before = 0;
 
-    (void)state;
     snprintf(first, sizeof first, "%s/%s", repo, names[0]);
     snprintf(card, sizeof card, "%s/%s", repo, names[1]);
     for (int i = 0; i < 6; i++) {
@@ -328,13 +324,12 @@ static void test_the_program(void **state)
 }
 
 /* What has no window is done at once; what cannot be played is told. */
-static void test_the_program_without_a_window(void **state)
+TEST(the_program_without_a_window)
 {
     char *nothing[] = { "curtain", "play", "nothing", NULL }, *wrong[] = { "curtain", "play", "--scale", "-3", NULL };
     char *unheard[] = { "curtain", "sound", "nothing", "a", "--play", NULL };
     char **const words[] = { nothing, wrong, unheard };
 
-    (void)state;
     for (int i = 0; i < 3; i++) {
         struct program *p = open_program(words[i]);
         assert_int_equal(at->logged, 1);
@@ -343,12 +338,11 @@ static void test_the_program_without_a_window(void **state)
     }
 }
 
-static void test_a_sound_is_heard(void **state)
+TEST(a_sound_is_heard)
 {
     char game[1200];
     char *words[] = { "curtain", "sound", game, "back", "--play", NULL };
 
-    (void)state;
     snprintf(game, sizeof game, "%s/roms/glasstide", repo);
     char *list[] = { "curtain", "sound", game, "no such sound", NULL };
     struct program *p = open_program(list);
@@ -368,14 +362,6 @@ static void test_a_sound_is_heard(void **state)
 
 int main(int argc, char **argv)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_nothing_is_kept),
-        cmocka_unit_test(test_two_at_once),
-        cmocka_unit_test(test_endless_loop),
-        cmocka_unit_test(test_the_program),
-        cmocka_unit_test(test_the_program_without_a_window),
-        cmocka_unit_test(test_a_sound_is_heard),
-    };
     int failed = 0;
 
     if (!getenv(TUNABLES)) { /* or what was freed would count as somebody's until it is used again */
@@ -394,7 +380,7 @@ int main(int argc, char **argv)
     if (argc > 1)
         open_and_close(atoi(argv[1]), FEW);
     else
-        failed = cmocka_run_group_tests(tests, NULL, NULL);
+        failed = run_all_tests(NULL, NULL);
     for (int i = 0; i < 2; i++)
         rom_image_free(&games[i].image);
     char command[sizeof root + 16];

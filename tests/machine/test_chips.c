@@ -22,7 +22,7 @@ struct thing {
 enum { CAP = 200 }; /* no multiple of 64 */
 
 /* Against a list that is as plain as can be. */
-static void test_slots(void **state)
+TEST(slots)
 {
     static uint8_t room[8192];
     uint64_t words[4];
@@ -32,7 +32,6 @@ static void test_slots(void **state)
     struct thing t;
     struct rng rng;
 
-    (void)state;
     assert_true(slots_size(&thing_chip, CAP, 0) <= sizeof room);
     slots_layout(&thing_chip, &t, CAP, 0, &next);
     assert_int_equal(next - room, slots_size(&thing_chip, CAP, 0));
@@ -105,7 +104,7 @@ static void test_slots(void **state)
 
 /* Slots near their last generation, among others: none is given a second time under the same one, and a pool of slots
  * that have had their last tenant is full. */
-static void test_retired_slots(void **state)
+TEST(retired_slots)
 {
     static uint8_t room[8192], copy[8192];
     uint32_t last[CAP] = { 0 }, refused = 0, left[CAP];
@@ -113,7 +112,6 @@ static void test_retired_slots(void **state)
     struct thing t;
     struct rng rng;
 
-    (void)state;
     slots_layout(&thing_chip, &t, CAP, 0, &next);
     for (int i = 0; i < CAP; i++)
         assert_int_equal(slots_take(&t.s), i);
@@ -160,14 +158,13 @@ static void test_retired_slots(void **state)
 
 /* ---- input ---- */
 
-static void test_input(void **state)
+TEST(input)
 {
     struct rig_game g;
     struct rig r;
     const struct input *in;
     uint16_t pads[MAX_PLAYERS] = { 0 };
 
-    (void)state;
     rig_script(&g, NULL, "");
     rig_power(&r, &g, NULL);
     in = &r.b->input;
@@ -200,13 +197,12 @@ static void test_input(void **state)
 
 /* ---- bullets ---- */
 
-static void test_bullets(void **state)
+TEST(bullets)
 {
     struct rig_game g;
     struct rig r;
     struct bullet_spec s = { .x = px(100), .y = px(50), .speed = px(3), .dir = 0 };
 
-    (void)state;
     rig_script(&g, NULL, "");
     rig_power(&r, &g, NULL);
     struct board *b = r.b;
@@ -382,9 +378,8 @@ static void fly(const struct flight *f)
     rig_game_free(&g);
 }
 
-static void test_motion(void **state)
+TEST(motion)
 {
-    (void)state;
     for (size_t i = 0; i < sizeof flights / sizeof *flights; i++)
         fly(&flights[i]);
 }
@@ -408,9 +403,8 @@ static void holds(const char *text, int frames)
     "local function dot(m, s) return bullet.fire { kind = 'dot', x = 100, y = 100, speed = s or 0, dir = 0, motion = " \
     "m } end\n"
 
-static void test_styles(void **state)
+TEST(styles)
 {
-    (void)state;
     /* a kind brings its bank, unless the step gives one; with over, at the start */
     holds(DOTS
           "task.go(function()\n"
@@ -462,7 +456,7 @@ static void test_styles(void **state)
 
 /* ---- enemies ---- */
 
-static void test_enemies(void **state)
+TEST(enemies)
 {
     static const double eased[4][4] = {
         { 25, 50, 75, 100 }, { 6.25, 25, 56.25, 100 }, { 43.75, 75, 93.75, 100 }, { 12.5, 50, 87.5, 100 }
@@ -470,7 +464,6 @@ static void test_enemies(void **state)
     struct rig_game g;
     struct rig r;
 
-    (void)state;
     rig_script(&g, NULL, "");
     rig_power(&r, &g, NULL);
     rig_reserve_kinds(r.b);
@@ -583,7 +576,7 @@ static bool nearest_place(fx from, fx to, uint32_t k, uint32_t n, enum ease ease
                          (int64_t)FX_MAX + 1);
 }
 
-static void test_enemy_ways(void **state)
+TEST(enemy_ways)
 {
     static const uint32_t times[] = { 1,     2,     3,     4,     7,       60,         1000,     46341,
                                       65534, 65535, 65536, 65537, 1000000, 1000000000, INT32_MAX };
@@ -593,7 +586,6 @@ static void test_enemy_ways(void **state)
     struct rig r;
     struct rng rng;
 
-    (void)state;
     rig_script(&g, NULL, "");
     rig_power(&r, &g, NULL);
     rig_reserve_kinds(r.b);
@@ -625,7 +617,7 @@ static void test_enemy_ways(void **state)
 }
 
 /* The last tenants of slots, whose handles must stay dead; and the last game of a player. */
-static void test_last_generations(void **state)
+TEST(last_generations)
 {
     static const char text[] =
         "bullet.def('dot', { sprite = 'dot', hit = 'none' }) shot.def('bolt', { sprite = 'dot', hit = 'none' })\n"
@@ -657,7 +649,6 @@ static void test_last_generations(void **state)
     struct rig_game g;
     struct rig r;
 
-    (void)state;
     rig_with_sys(&g, NULL, text);
     rig_power(&r, &g, NULL);
     rig_run(&r, 1);
@@ -682,9 +673,8 @@ static void test_last_generations(void **state)
     rig_game_free(&g);
 }
 
-static void test_score(void **state)
+TEST(score)
 {
-    (void)state;
     char text[] =
         "player.def('ship', { sprite = 'dot', hit = { circle = 2 } }) string.sys.join(1, 'ship')\n"
         "local p = player.get(1)\n"
@@ -702,7 +692,7 @@ static void test_score(void **state)
     rig_game_free(&g);
 }
 
-static void test_player(void **state)
+TEST(player)
 {
     static const char text[] =
         "player.def('a', { sprite = 'dot', hit = { circle = 2 }, speed = 4, focus = 1.5, lives = 3, safe = 5 })\n"
@@ -714,7 +704,6 @@ static void test_player(void **state)
     struct rig_game g;
     struct rig r;
 
-    (void)state;
     rig_script(&g, NULL, text);
     rig_power(&r, &g, &start);
     rig_run(&r, 1);
@@ -754,12 +743,11 @@ static void test_player(void **state)
 
 /* ---- sparks ---- */
 
-static void test_sparks(void **state)
+TEST(sparks)
 {
     struct rig_game g;
     struct rig r;
 
-    (void)state;
     rig_script(&g, NULL,
                "spark.def('a', { sprite = 'dot', life = 5, gravity = 0.5, drag = 0.25 })\n"
                "spark.def('b', { sprite = 'dot', life = 9 })");
@@ -827,13 +815,12 @@ static void row_is(const struct fix *f, uint32_t row, const char *s)
     }
 }
 
-static void test_fix(void **state)
+TEST(fix)
 {
     struct manifest m = rig_manifest();
     struct rig_game g;
     struct rig r;
 
-    (void)state;
     m.screen_w = 80;
     m.screen_h = 76; /* 9 rows and a half */
     m.field_w = 80;
@@ -898,13 +885,12 @@ static void test_fix(void **state)
 
 /* After k of n frames |2 (rgb - from) n - 2 (to - from) k| <= n, and where it is n the colour is the one nearer to
  * `to`. */
-static void test_fades(void **state)
+TEST(fades)
 {
     struct rig_game g;
     struct rig r;
     struct rng rng;
 
-    (void)state;
     rig_script(&g, NULL, "");
     rig_power(&r, &g, NULL);
     struct pal *p = &r.b->pal;
@@ -926,12 +912,11 @@ static void test_fades(void **state)
     rig_game_free(&g);
 }
 
-static void test_pal(void **state)
+TEST(pal)
 {
     struct rig_game g;
     struct rig r;
 
-    (void)state;
     rig_script(&g, NULL, "");
     rig_power(&r, &g, NULL);
     struct pal *p = &r.b->pal;
@@ -1023,13 +1008,12 @@ static uint32_t nvram_changed(const struct rig *r)
 }
 
 /* Values of every type under keys of every length; what goes leaves no gap. */
-static void test_nvram_saves(void **state)
+TEST(nvram_saves)
 {
     struct rig_game g;
     struct rig r;
     struct nv_value v = { .type = NV_INT, .bits = 42 };
 
-    (void)state;
     nvram_power(&r, &g, 1, NULL);
     struct nvram *nv = &r.b->nvram;
     assert_int_equal(nvram_size(&r), 4);
@@ -1080,7 +1064,7 @@ static bool best_row(const struct nvram *nv, const char *table, int r, char name
     return true;
 }
 
-static void test_nvram_tables(void **state)
+TEST(nvram_tables)
 {
     static const int64_t scores[] = { 50, 70, 50, -3, 900, 70, 60, 10, 20, 30 };
     static const int rows[] = { 0, 0, 2, 3, 0, 2, 3, 6, 6, 6 };
@@ -1090,7 +1074,6 @@ static void test_nvram_tables(void **state)
     char name[NV_MAX_NAME + 1];
     int64_t score;
 
-    (void)state;
     nvram_power(&r, &g, 1, NULL);
     struct nvram *nv = &r.b->nvram;
     assert_true(nvram_set(nv, "t", &v)); /* a key of the same name is another thing */
@@ -1119,13 +1102,12 @@ static void test_nvram_tables(void **state)
 
 /* Each ship has ten rows of its own, under its own name; the table shows the best of all. How far a score went is kept
  * with it, in the bytes that a row had before. */
-static void test_nvram_ships(void **state)
+TEST(nvram_ships)
 {
     struct nv_row row = { .ship = "crow", .stage = 3, .continues = 2 }, rows[NV_MAX_ROWS];
     struct rig_game g;
     struct rig r;
 
-    (void)state;
     nvram_power(&r, &g, 1, NULL);
     struct nvram *nv = &r.b->nvram;
     assert_int_equal(enter(nv, "t", "alone", 55), 0);
@@ -1154,7 +1136,7 @@ static void test_nvram_ships(void **state)
 }
 
 /* As many small records as the manifest has room for; then nothing more fits, and nothing is lost. */
-static void test_nvram_full(void **state)
+TEST(nvram_full)
 {
     static const int32_t sizes[] = { 1, 32, 256 };
     struct rig_game g;
@@ -1162,7 +1144,6 @@ static void test_nvram_full(void **state)
     char key[NV_MAX_KEY + 1], name[NV_MAX_NAME + 1];
     int64_t score;
 
-    (void)state;
     for (int k = 0; k < 3; k++) {
         struct nv_value v = { .type = NV_INT };
         int tables = sizes[k] == 1 ? 2 : 40, n = 0;
@@ -1198,7 +1179,7 @@ static void test_nvram_full(void **state)
 }
 
 /* The image is the whole of it; a damaged one is blank; of one for which there is no room comes what fits. */
-static void test_nvram_image(void **state)
+TEST(nvram_image)
 {
     static uint8_t image[64 << 10];
     struct board_start start = { .difficulty = -1, .nvram = image };
@@ -1208,7 +1189,6 @@ static void test_nvram_image(void **state)
     char key[NV_MAX_KEY + 1];
     size_t size;
 
-    (void)state;
     nvram_power(&r, &g, 64, NULL);
     for (int i = 0; i < 900; i++) {
         snprintf(key, sizeof key, "%d", i);
@@ -1247,7 +1227,7 @@ static void test_nvram_image(void **state)
 
 /* nvram-1.nv was saved by a program of core version 4, full: 256 keys, 16 tables. All of it is there, and as much of
  * it comes into less room as fits. */
-static void test_nvram_old(void **state)
+TEST(nvram_old)
 {
     static uint8_t image[NV_OLD_IMAGE_SIZE];
     struct board_start start = { .difficulty = -1, .nvram = image, .nvram_size = sizeof image };
@@ -1255,7 +1235,6 @@ static void test_nvram_old(void **state)
     struct rig r;
     FILE *f = fopen("tests/machine/nvram-1.nv", "rb");
 
-    (void)state;
     assert_true(f && fread(image, 1, sizeof image, f) == sizeof image && fgetc(f) == EOF && !fclose(f));
     assert_true(nvram_is_valid(image, sizeof image));
     nvram_power(&r, &g, NV_DEFAULT_KIB, &start);
@@ -1305,14 +1284,13 @@ static void test_nvram_old(void **state)
 }
 
 /* A full list has kept every event as it was, in memory of no more than it asks for. */
-static void test_events(void **state)
+TEST(events)
 {
     enum { FULL = 100, FENCE = 0xa5 };
     struct events e;
     uint64_t size = events_size(FULL);
     uint8_t *memory = malloc(size + 64);
 
-    (void)state;
     assert_non_null(memory);
     memset(memory, FENCE, size + 64);
     events_init(&e, FULL, memory);
@@ -1330,32 +1308,4 @@ static void test_events(void **state)
     free(memory);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_slots),
-        cmocka_unit_test(test_fades),
-        cmocka_unit_test(test_score),
-        cmocka_unit_test(test_enemy_ways),
-        cmocka_unit_test(test_last_generations),
-        cmocka_unit_test(test_retired_slots),
-        cmocka_unit_test(test_input),
-        cmocka_unit_test(test_bullets),
-        cmocka_unit_test(test_motion),
-        cmocka_unit_test(test_styles),
-        cmocka_unit_test(test_enemies),
-        cmocka_unit_test(test_player),
-        cmocka_unit_test(test_sparks),
-        cmocka_unit_test(test_fix),
-        cmocka_unit_test(test_pal),
-        cmocka_unit_test(test_nvram_saves),
-        cmocka_unit_test(test_nvram_tables),
-        cmocka_unit_test(test_nvram_ships),
-        cmocka_unit_test(test_nvram_full),
-        cmocka_unit_test(test_nvram_image),
-        cmocka_unit_test(test_nvram_old),
-        cmocka_unit_test(test_events),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

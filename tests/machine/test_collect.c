@@ -39,14 +39,13 @@ static void done(struct rig_game *g, struct rig *r)
 }
 
 /* It rests, so what is in use grows; it comes, so it falls again, and never grows far. */
-static void test_rests_and_comes(void **state)
+TEST(rests_and_comes)
 {
     struct rig_game g;
     struct rig r;
     size_t least = SIZE_MAX, most = 0, last = 0;
     int fell = 0, same = 0;
 
-    (void)state;
     open(&g, &r, 8, 1024);
     rig_run(&r, WARM);
     for (int f = 0; f < FRAMES; f++) {
@@ -83,23 +82,21 @@ static bool holds(int texts, int frames)
 
 /* With a heap as full as it can be when the first frame is over, but for little, there is room for what each frame
  * leaves. */
-static void test_nearly_full(void **state)
+TEST(nearly_full)
 {
     int texts = 16;
 
-    (void)state;
     while (holds(texts + 8, 1))
         texts += 8;
     assert_true(holds(texts - 8, FRAMES));
 }
 
 /* The same frames, where it never comes and where a round begins anew in each frame. */
-static void test_no_state(void **state)
+TEST(no_state)
 {
     struct rig_game g[3];
     struct rig r[3];
 
-    (void)state;
     for (int k = 0; k < 3; k++)
         open(&g[k], &r[k], 8, 4096);
     for (int f = 0; f < WARM; f++) {
@@ -114,13 +111,4 @@ static void test_no_state(void **state)
         done(&g[k], &r[k]);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_rests_and_comes),
-        cmocka_unit_test(test_nearly_full),
-        cmocka_unit_test(test_no_state),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

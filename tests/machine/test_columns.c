@@ -181,11 +181,10 @@ static void check_bytes(const struct chip *chip, const struct home *home)
     free(of);
 }
 
-static void test_tables(void **state)
+TEST(tables)
 {
     char names[64][40];
 
-    (void)state;
     assert_int_equal(sizeof homes / sizeof *homes, PART_COUNT);
     for (int i = 0; i < PART_COUNT; i++) {
         const struct chip *chip = machine_parts[i].chip;
@@ -203,12 +202,11 @@ static void test_tables(void **state)
 }
 
 /* Every chip's struct in struct board is a part, in the order of machine_parts[]. */
-static void test_parts(void **state)
+TEST(parts)
 {
     char names[64][40], types[64][40];
     int n, first = 0;
 
-    (void)state;
     assert_true((int)PART_COUNT <= (int)MAX_PARTS);
     n = members("src/machine/machine.h", "board", names, types, 64);
     while (first < n && strcmp(names[first], "script"))
@@ -222,9 +220,8 @@ static void test_parts(void **state)
     assert_int_equal(machine_parts[0].offset, offsetof(struct board, script));
 }
 
-static void test_reasons(void **state)
+TEST(reasons)
 {
-    (void)state;
     for (int i = 0; i < PART_COUNT; i++)
         for (int k = 0; k < machine_parts[i].chip->count; k++) {
             const struct column *c = &machine_parts[i].chip->columns[k];
@@ -408,7 +405,7 @@ static const char document[] =
     "</changeDirection><wait>3+$rand*9</wait></action></repeat><vanish/></action></bullet></bulletml>";
 static const char without_items[] = SCENE("", "", "");
 
-static void test_flips(void **state)
+TEST(flips)
 {
     struct manifest m = rig_manifest();
     struct board_start start = { .seed = 1, .difficulty = -1, .practice.section = "s" };
@@ -416,7 +413,6 @@ static void test_flips(void **state)
     struct rig r;
     struct rng rng;
 
-    (void)state;
     m.tasks = 128;
     m.sprites = 128;
     m.shots = m.enemies = 128;
@@ -453,7 +449,7 @@ static void test_flips(void **state)
 }
 
 /* Columns of a group that the manifest does not ask for take no RAM. */
-static void test_groups(void **state)
+TEST(groups)
 {
     struct manifest m = rig_manifest(), all;
     struct board_start start = { .seed = 1, .difficulty = -1, .practice.section = "s" };
@@ -461,7 +457,6 @@ static void test_groups(void **state)
     struct rig a, b;
     int there = 0;
 
-    (void)state;
     m.lasers = 128;
     m.curve_points = 4096;
     m.options = 64;
@@ -505,14 +500,13 @@ static void test_groups(void **state)
 }
 
 /* Derived columns are what they say: spoiling those that a frame rewrites changes no frame after. */
-static void test_derived(void **state)
+TEST(derived)
 {
     struct board_start start = { .seed = 1, .difficulty = -1, .practice.section = "s" };
     struct manifest m = rig_manifest();
     struct rig_game g;
     struct rig a, b;
 
-    (void)state;
     m.items = 64;
     m.has_backgrounds = 1;
     m.lines = 32;
@@ -564,7 +558,7 @@ static void count_both(const struct board *b)
 }
 
 /* bullet_kinds.live: kept up to date by what fires bullets, gives them another kind, holds them and takes them away. */
-static void test_counts(void **state)
+TEST(counts)
 {
     static const char script[] =
         "bullet.def('one', { sprite = 'dot', hit = { circle = 3 }, cloud = 'wink' })\n"
@@ -592,7 +586,6 @@ static void test_counts(void **state)
     uint16_t pads[MAX_PLAYERS] = { 0 };
     int some = 0;
 
-    (void)state;
     m.has_hp = 1;
     rig_with_sys(&g, &m, script);
     rig_power(&r, &g, NULL);
@@ -619,14 +612,13 @@ static void test_counts(void **state)
 }
 
 /* tasks.next, prev, first, last: the live slots by serial. */
-static void test_links(void **state)
+TEST(links)
 {
     struct rig_game g;
     struct rig r;
     struct rng rng;
     uint16_t pads[MAX_PLAYERS] = { 0 };
 
-    (void)state;
     rig_folder(&g, "torture");
     rig_power(&r, &g, NULL);
     rng_seed(&rng, 9);
@@ -648,13 +640,4 @@ static void test_links(void **state)
     rig_game_free(&g);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_tables), cmocka_unit_test(test_parts),  cmocka_unit_test(test_reasons),
-        cmocka_unit_test(test_flips),  cmocka_unit_test(test_groups), cmocka_unit_test(test_derived),
-        cmocka_unit_test(test_counts), cmocka_unit_test(test_links),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

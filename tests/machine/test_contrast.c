@@ -57,13 +57,12 @@ static void expect(const char *text, int want)
     done();
 }
 
-static void test_shares(void **state)
+TEST(shares)
 {
     struct sprite s;
     int pixels = 0, ones = 0;
     char text[256];
 
-    (void)state;
     expect("bullet.fire { kind = 'b', x = 100, y = 80, speed = 0, bank = 2 }", 0); /* black on black */
     expect("for i = 32, 47 do palette.set(i, 0xffffff) end bullet.fire { kind = 'b', x = 100, y = 80, speed = 0, bank "
            "= 2 }",
@@ -106,9 +105,8 @@ static void test_shares(void **state)
     expect(text, 100 * ones / pixels);
 }
 
-static void test_which(void **state)
+TEST(which)
 {
-    (void)state;
     look("bullet.fire { kind = 'air', x = 100, y = 80, speed = 0 }");
     assert_int_equal(visited, 0); /* it only looks */
     done();
@@ -128,9 +126,4 @@ static void test_which(void **state)
     done();
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_shares), cmocka_unit_test(test_which) };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -23,11 +23,10 @@ static const char *turned(struct rig *r, uint16_t buttons, int frames)
     return name;
 }
 
-static void test_turning(void **state)
+TEST(turning)
 {
     struct rig r;
 
-    (void)state;
     rig_power(&r, &game, NULL);
     assert_string_equal(turned(&r, 0, 2), "spiral");
     assert_string_equal(turned(&r, PAD_RIGHT, 5), "counter");
@@ -44,11 +43,10 @@ static void test_turning(void **state)
 }
 
 /* The ship flies while the list is closed, and stands while it is open. */
-static void test_flying(void **state)
+TEST(flying)
 {
     struct rig r;
 
-    (void)state;
     rig_power(&r, &game, NULL);
     rig_run(&r, 5);
     fx x = r.b->player.x[0];
@@ -61,11 +59,10 @@ static void test_flying(void **state)
 }
 
 /* Left alone, a page begins anew. */
-static void test_again(void **state)
+TEST(again)
 {
     struct rig r;
 
-    (void)state;
     rig_power(&r, &game, NULL);
     assert_string_equal(turned(&r, 0, 5), "spiral");
     assert_string_equal(turned(&r, 0, 880), "");
@@ -73,14 +70,13 @@ static void test_again(void **state)
     rig_free(&r);
 }
 
-static void test_practice(void **state)
+TEST(practice)
 {
     struct board_start start = { .seed = 1, .difficulty = -1, .practice = { .section = PRACTICE_LIST } };
     struct rig r;
     int pages = 0;
     bool listed = false;
 
-    (void)state;
     rig_power(&r, &game, &start);
     for (int f = 0; f < 200 && !listed; f++) {
         rig_run(&r, 1);
@@ -102,11 +98,8 @@ static void test_practice(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_turning), cmocka_unit_test(test_flying),
-                                        cmocka_unit_test(test_again), cmocka_unit_test(test_practice) };
-
     rig_folder(&game, "cookbook");
-    int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    int failed = run_all_tests(NULL, NULL);
     rig_game_free(&game);
     return failed;
 }

@@ -164,11 +164,10 @@ static void compare(const struct bullets *a, const struct bullets *b, uint32_t c
         assert_true(a->busy[block] == b->busy[block] && a->idle[block] == b->idle[block]);
 }
 
-static void test_courses(void **state)
+TEST(courses)
 {
     long moved = 0;
 
-    (void)state;
     rng_seed(&rng, 31);
     for (int run = 0; run < 120; run++) {
         bool fine[PROGRAMS + 1] = { false };
@@ -193,9 +192,4 @@ static void test_courses(void **state)
     assert_true(moved > 100000);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_courses) };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

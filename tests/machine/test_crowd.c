@@ -228,12 +228,11 @@ static void picture(struct rig *r, const struct bullets *s, const struct bullet_
     free(backdrop);
 }
 
-static void test_pictures(void **state)
+TEST(pictures)
 {
     const struct board_start start = { .difficulty = -1 };
     int games = rig_long() ? 600 : 60;
 
-    (void)state;
     rng_seed(&rng, 5);
     for (int i = 0; i < games; i++) {
         struct rig_game game;
@@ -257,12 +256,11 @@ static void test_pictures(void **state)
 
 /* A whole block in the middle of the field, but for one bullet, which goes over the edges by single units: with it the
  * block needs clipping, or does not. */
-static void test_edges(void **state)
+TEST(edges)
 {
     const struct board_start start = { .difficulty = -1 };
     enum { GAMES = 40, SPOTS = 200 };
 
-    (void)state;
     rng_seed(&rng, 7);
     for (int game_no = 0; game_no < GAMES; game_no++) {
         struct rig_game game;
@@ -370,14 +368,13 @@ static void move(struct board *b, const struct box *keep, const struct bullets_q
     bullets_release_all(s);
 }
 
-static void test_moves(void **state)
+TEST(moves)
 {
     const struct board_start start = { .difficulty = -1 };
     const fx world = WORLD_EDGE << 16, fastest = MAX_SPEED << 16;
     struct rig_game game;
     struct rig r;
 
-    (void)state;
     rng_seed(&rng, 6);
     rig_folder(&game, "glasstide");
     rig_power(&r, &game, &start);
@@ -415,10 +412,4 @@ static void test_moves(void **state)
     rig_game_free(&game);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_pictures), cmocka_unit_test(test_edges),
-                                        cmocka_unit_test(test_moves) };
-
-    return cmocka_run_group_tests_name("crowd", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

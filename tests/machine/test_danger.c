@@ -87,11 +87,10 @@ static uint32_t touching(const struct forecast *f, uint32_t frame)
 }
 
 /* Frame by frame, as many bullets and lasers hit as the board has counted. */
-static void test_same_hits(void **state)
+TEST(same_hits)
 {
     uint32_t hits = 0;
 
-    (void)state;
     for (uint64_t seed = 1; seed <= 6; seed++) {
         struct forecast f = { 0 };
         begin(seed);
@@ -135,12 +134,11 @@ static uint64_t fly(const struct forecast *f, const struct reach *r, uint32_t fr
     return flown;
 }
 
-static void test_sets_hold_all(void **state)
+TEST(sets_hold_all)
 {
     static const fx cells[] = { FX_ONE / 2, FX_ONE, 2 * FX_ONE };
     uint64_t flown = 0;
 
-    (void)state;
     for (uint64_t seed = 1; seed <= 3; seed++) {
         struct forecast f = { 0 };
         struct danger_ship ship;
@@ -167,7 +165,7 @@ static void test_sets_hold_all(void **state)
 }
 
 /* Pads of a plan lead where reach_apply_move says, and the board agrees: nothing hits on a way that plan_make found. */
-static void test_plan_is_flown(void **state)
+TEST(plan_is_flown)
 {
     struct forecast f = { 0 };
     struct simulation_state start = { 0 };
@@ -176,7 +174,6 @@ static void test_plan_is_flown(void **state)
     const uint16_t none[MAX_PLAYERS] = { 0 };
     uint32_t lived = 0;
 
-    (void)state;
     begin(9);
     while (!simulation_can_steer(&t))
         simulation_tick(&t, none);
@@ -204,13 +201,4 @@ static void test_plan_is_flown(void **state)
     end();
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_same_hits),
-        cmocka_unit_test(test_sets_hold_all),
-        cmocka_unit_test(test_plan_is_flown),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -70,7 +70,7 @@ static void same(const char *args, const char *writes, int n)
     rig_game_free(&h);
 }
 
-static void test_same(void **state)
+TEST(same)
 {
     static const char *const args[] = {
         "kind = 'orb', x = 60, y = 40, speed = 1.5, dir = 33",
@@ -95,7 +95,6 @@ static void test_same(void **state)
     };
     static const int delays[] = { 1, 2, 40, 255, 256, 257, 600 };
 
-    (void)state;
     for (size_t i = 0; i < sizeof args / sizeof *args; i++) {
         for (size_t k = 0; k < sizeof delays / sizeof *delays; k++)
             same(args[i], "", delays[k]);
@@ -116,12 +115,11 @@ static double global(struct rig *r, const char *name)
 }
 
 /* A player stands in it all the while; the frame in which it starts is the first that touches. */
-static void test_harmless(void **state)
+TEST(harmless)
 {
     struct rig_game g;
     struct rig r;
 
-    (void)state;
     power(&g, &r,
           "string.hits, string.grazes = 0, 0\n"
           "on.hit(function() string.hits = string.hits + 1 end)\n"
@@ -142,12 +140,11 @@ static void test_harmless(void **state)
     rig_game_free(&g);
 }
 
-static void test_read(void **state)
+TEST(read)
 {
     struct rig_game g;
     struct rig r;
 
-    (void)state;
     power(&g, &r,
           "string.good = 0\n"
           "task.go(function()\n"
@@ -174,13 +171,12 @@ static void test_read(void **state)
 }
 
 /* The cloud's four frames share the delay; a slot that is used again flies at once. */
-static void test_cloud(void **state)
+TEST(cloud)
 {
     const int delay = 10;
     struct rig_game g;
     struct rig r;
 
-    (void)state;
     power(&g, &r,
           "task.go(function() local b = bullet.fire { kind = 'orb', x = 100, y = 80, speed = 0, delay = %d }\n"
           "  wait(%d) b:remove() bullet.fire { kind = 'orb', x = 100, y = 80, speed = 1 } end)\n",
@@ -206,10 +202,4 @@ static void test_cloud(void **state)
     rig_game_free(&g);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_same), cmocka_unit_test(test_harmless),
-                                        cmocka_unit_test(test_read), cmocka_unit_test(test_cloud) };
-
-    return cmocka_run_group_tests_name("delay", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

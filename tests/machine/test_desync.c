@@ -214,14 +214,13 @@ static void advance(struct runner *a, struct runner *b, uint32_t frame)
 }
 
 /* In the order of their frames, so that the two boards go through the run once. */
-static void test_flips(void **state)
+TEST(flips)
 {
     static struct replay r;
     struct flip *flips[FLIPS];
     struct runner a, b;
     struct rng rng;
 
-    (void)state;
     rng_seed(&rng, 11);
     for (int i = 0; i < FLIPS; i++)
         flips[i] = flip(&rng);
@@ -246,13 +245,12 @@ static void test_flips(void **state)
     stop(&b);
 }
 
-static void test_seed(void **state)
+TEST(seed)
 {
     static struct replay r;
     struct verdict got, want;
     struct runner a, b;
 
-    (void)state;
     for (int bit = 0; bit < 64; bit += 9) {
         struct board_start seeded = original.start;
         seeded.seed ^= 1ull << bit;
@@ -272,14 +270,13 @@ static void test_seed(void **state)
 
 /* A part that this build does not have differs from the start, also if its hash was 0; one that the demo does not have
  * is not asked for. */
-static void test_parts(void **state)
+TEST(parts)
 {
     static struct replay r;
     struct verdict got;
     char was[sizeof original.part_name[0]];
     uint64_t *first = original.rows + 3, hash = *first;
 
-    (void)state;
     memcpy(was, original.part_name[3], sizeof was);
     snprintf(original.part_name[3], sizeof was, "parrots");
     assert_int_equal(replay_run(&r, &game.cart, &original, NULL, &got, err, sizeof err), RESULT_DONE);
@@ -345,13 +342,12 @@ static enum verdict_kind changed(int script, uint32_t at, uint8_t c)
     return got.kind;
 }
 
-static void test_scripts(void **state)
+TEST(scripts)
 {
     static const char *const scripts[] = { "script/stages/one.lua", "script/main.lua" };
     int kinds[4] = { 0 };
     struct rng rng;
 
-    (void)state;
     rng_seed(&rng, 3);
     for (int i = 0; i < 24; i++) {
         int script = rom_find(&game.image.rom, scripts[i % 4 == 3]);
@@ -370,14 +366,4 @@ static void test_scripts(void **state)
     assert_int_equal(changed(script, (uint32_t)(comment - (const char *)lump.data) + 3, 'x'), VERDICT_HOLDS);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_flips),
-        cmocka_unit_test(test_seed),
-        cmocka_unit_test(test_parts),
-        cmocka_unit_test(test_scripts),
-    };
-
-    return cmocka_run_group_tests(tests, setup, teardown);
-}
+RUN_TESTS(setup, teardown)

@@ -70,9 +70,8 @@ static void dimmed(const char *over, const char *dim, int n, fx share)
 
 #define TEXT "text.put { col = 3, row = 4, text = 'PAUSE', bank = 6 }"
 
-static void test_share(void **state)
+TEST(share)
 {
-    (void)state;
     dimmed(TEXT, "screen.dim()", 1, FX_ONE / 2);
     dimmed(TEXT, "screen.dim { share = 1 }", 1, FX_ONE);
     dimmed(TEXT, "screen.dim { share = 0.75, over = 4 }", 1, FX_ONE * 3 / 16);
@@ -82,9 +81,8 @@ static void test_share(void **state)
 }
 
 /* What is over it keeps its colours, though the picture has them too. */
-static void test_over(void **state)
+TEST(over)
 {
-    (void)state;
     dimmed("sprite.put { sprite = 'arrow', x = 60, y = 200, layer = 'over', bank = 3, screen = true } " TEXT,
            "screen.dim()", 2, FX_ONE / 2);
     dimmed("for i = 0, 3 do sprite.put { sprite = 'arrow', x = 9 + 16 * i, y = 200, layer = 'over', bank = i } end",
@@ -95,11 +93,10 @@ static void test_over(void **state)
 }
 
 /* The flash is of all colours, and comes first. */
-static void test_flash(void **state)
+TEST(flash)
 {
     static struct shot plain, got;
 
-    (void)state;
     draw("screen.flash { over = 9, share = 0.5 }", 1, &plain);
     draw("screen.flash { over = 9, share = 0.5 } screen.dim()", 1, &got);
     for (int y = 0; y < H; y++)
@@ -108,12 +105,11 @@ static void test_flash(void **state)
 }
 
 /* Its frames pass while the board is frozen; a wipe takes it away. */
-static void test_frozen(void **state)
+TEST(frozen)
 {
     struct rig_game g;
     struct rig r;
 
-    (void)state;
     rig_with_sys(&g, NULL,
                  "task.go(function()\n"
                  "  local s = string.sys.scope()\n"
@@ -135,7 +131,7 @@ static void test_frozen(void **state)
 }
 
 /* More colours than there are entries: none of those over it is another, and the rest comes near. */
-static void test_crowded(void **state)
+TEST(crowded)
 {
     static struct shot plain, stays, got;
     long off = 0, far = 0;
@@ -145,7 +141,6 @@ static void test_crowded(void **state)
         "for i = 0, 15 do text.put { col = i, row = 30, text = 'AZ%&', bank = i } end";
     static char lines[1024];
 
-    (void)state;
     draw(over, 1, &stays);
     snprintf(lines, sizeof lines, "%s screen.dim()", over);
     draw(lines, 1, &got);
@@ -164,11 +159,10 @@ static void test_crowded(void **state)
     assert_true(off * 2 < far);
 }
 
-static void test_plate(void **state)
+TEST(plate)
 {
     static struct shot plain, got;
 
-    (void)state;
     draw("", 1, &plain);
     draw("local p = sprite.plate { x = 20, y = 150, w = 8, h = 8, bank = 2 } p.w, p.h, p.x = 40, 30, 10.5", 1, &got);
     const uint32_t dark = got.at[165][30], rim = got.at[151][30];
@@ -198,9 +192,8 @@ static void says(const char *text, const char *line)
 
 #define PLATE "local p = sprite.plate { x = 0, y = 0, w = 60, h = 20 }\n"
 
-static void test_errors(void **state)
+TEST(errors)
 {
-    (void)state;
     says("screen.dim { share = 2 }", "main.lua:1: screen.dim: share: expected a number from 0 to 1, got 2");
     says("screen.dim(0.5)", "main.lua:1: screen.dim: expected a table of named arguments, got 0.5");
     says("sprite.plate { x = 0, y = 0, w = 60 }",
@@ -221,13 +214,4 @@ static void test_errors(void **state)
          "main.lua:1: sprite.put: layer: expected back, middle, front or over, got \"ovre\"");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_share),  cmocka_unit_test(test_over),    cmocka_unit_test(test_flash),
-        cmocka_unit_test(test_frozen), cmocka_unit_test(test_crowded), cmocka_unit_test(test_plate),
-        cmocka_unit_test(test_errors),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

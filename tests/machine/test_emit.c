@@ -55,9 +55,8 @@ static void holds(const char *text, int frames)
 
 /* Twins in the same frame: one runs an emit, a task fires the pattern from the other. A frame later each has moved
  * once. */
-static void test_patterns(void **state)
+TEST(patterns)
 {
-    (void)state;
     holds(KINDS
           "local own = { one = {}, ring = {}, fan = 'spread', arc = 'sweep', stack = 'speed_to', line = 'width' }\n"
           "local names = { 'one', 'ring', 'fan', 'arc', 'stack', 'line' }\n"
@@ -106,9 +105,8 @@ static void test_patterns(void **state)
 
 /* A pattern as one call fires what its loop does, which `each` asks for: of bullets and shots, of fine ones, from
  * places at the edge of the world, into a full pool, aimed, skipped, from what is gone. */
-static void test_volleys(void **state)
+TEST(volleys)
 {
-    (void)state;
     holds(KINDS
           "local own = { ring = {}, fan = 'spread', arc = 'sweep', stack = 'speed_to', line = 'width' }\n"
           "local names = { 'ring', 'fan', 'arc', 'stack', 'line' }\n"
@@ -168,7 +166,7 @@ static void test_volleys(void **state)
 }
 
 /* Both say the same of what is wrong; but a place is missing where the bullets are fired: with `each`, by that. */
-static void test_volley_errors(void **state)
+TEST(volley_errors)
 {
     static const char *const wrong[][2] = {
         { "pattern.line { kind = 'dot', speed = 1, n = 3, width = 90, x = 16380, y = 1",
@@ -181,7 +179,6 @@ static void test_volley_errors(void **state)
           "main.lua:12: pattern.arc: n: expected a whole number from 0 to 65535 bullets, got -1" },
     };
 
-    (void)state;
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
         for (int each = 0; each < 2; each++) {
             struct manifest m = manifest();
@@ -201,9 +198,8 @@ static void test_volley_errors(void **state)
 
 /* ---- the queue ---- */
 
-static void test_order(void **state)
+TEST(order)
 {
-    (void)state;
     /* in slot order, though the slots were given from above and the emitters go; across blocks */
     holds(KINDS
           "task.go(function()\n"
@@ -261,9 +257,8 @@ static void test_order(void **state)
 }
 
 /* Names of values: read when it fires; cut, bounded. */
-static void test_names(void **state)
+TEST(names)
 {
-    (void)state;
     holds(
         KINDS
         "task.go(function()\n"
@@ -300,12 +295,11 @@ static void test_names(void **state)
 }
 
 /* A full pool: all that finds no room is counted, one by one, and the log says it once. */
-static void test_full(void **state)
+TEST(full)
 {
     const uint16_t none[MAX_PLAYERS] = { 0 };
     int lines = 0;
 
-    (void)state;
     power(KINDS
           "task.go(function()\n"
           "  dot { x = 50, y = 50, speed = 0, motion = { { loop = 300, { emit = { pattern = 'ring', n = 1000, skip = { "
@@ -334,7 +328,7 @@ static void test_full(void **state)
 }
 
 /* A board that fires much of what it has room for, without and with a restore in each frame: the same hashes. */
-static void test_restore(void **state)
+TEST(restore)
 {
     static const char text[] = KINDS "motion.def { name = 'split', { wait = 4 }, { emit = { pattern = 'ring', n = 3, "
                                      "kind = 'dot', speed = 1, aim = true } } }\n"
@@ -346,7 +340,6 @@ static void test_restore(void **state)
                                      "  end end)\n";
     static uint64_t hashes[60];
 
-    (void)state;
     for (int pass = 0; pass < 2; pass++) {
         power(text);
         for (int f = 0; f < 60; f++) {
@@ -364,9 +357,8 @@ static void test_restore(void **state)
 
 /* ---- wait_for ---- */
 
-static void test_waits(void **state)
+TEST(waits)
 {
-    (void)state;
     /* x and y, either way; on the line itself; at once where it begins there; a jump over it */
     holds(KINDS "local function at(t, w) t.motion = { { wait_for = w }, { bank = 7 } } return dot(t) end\n"
                 "task.go(function()\n"
@@ -426,9 +418,8 @@ static void test_waits(void **state)
         8);
 }
 
-static void test_signals(void **state)
+TEST(signals)
 {
-    (void)state;
     /* one before the step began is nothing; then the tag's alone; any; each round anew */
     holds(KINDS "local m = { { wait = 2 }, { loop = 2, { wait_for = { tag = 'go' } }, { turn = 10 } } }\n"
                 "task.go(function()\n"
@@ -464,11 +455,10 @@ static void test_signals(void **state)
 /* ---- path ---- */
 
 /* Random routes: where it begins at the route's start, it is where the enemy is, in every frame. */
-static void test_paths(void **state)
+TEST(paths)
 {
     static char text[8192];
 
-    (void)state;
     for (int seed = 1; seed <= 12; seed++) {
         snprintf(text, sizeof text,
                  "%slocal rnd = %d local function r(n) rnd = (rnd * 1103515245 + 12345) %% 2147483648 return rnd "
@@ -539,9 +529,8 @@ static void refused(const char *steps, const char *message)
     end();
 }
 
-static void test_errors(void **state)
+TEST(errors)
 {
-    (void)state;
     refused("{ emit = 3 }", "step 1: emit: expected a table");
     refused("{ emit = {} }", "step 1: emit: kind: expected a name, got nil");
     refused("{ emit = { 'dot' } }", "step 1: emit: expected named arguments");
@@ -603,14 +592,4 @@ static void test_errors(void **state)
     refused("fine = true, { path = route }", "`path` cannot be used in a fine motion (this step is always exact)");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_patterns),      cmocka_unit_test(test_volleys),
-                                        cmocka_unit_test(test_volley_errors), cmocka_unit_test(test_order),
-                                        cmocka_unit_test(test_names),         cmocka_unit_test(test_full),
-                                        cmocka_unit_test(test_restore),       cmocka_unit_test(test_waits),
-                                        cmocka_unit_test(test_signals),       cmocka_unit_test(test_paths),
-                                        cmocka_unit_test(test_errors) };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -104,7 +104,7 @@ static void fails(struct bed *t, const char *line, const char *part)
         fail_msg("%s: %s\"%s\", not \"%s\"", line, fine ? "worked: " : "", t->out, part);
 }
 
-static void values_are_shown(void **state)
+TEST(values_are_shown)
 {
     struct bed *t = *state;
 
@@ -131,7 +131,7 @@ static void values_are_shown(void **state)
     says(t, "string.rep('x', 3):upper()", "XXX\n");
 }
 
-static void long_answers_are_cut(void **state)
+TEST(long_answers_are_cut)
 {
     struct bed *t = *state;
     char small[8];
@@ -145,7 +145,7 @@ static void long_answers_are_cut(void **state)
     assert_string_equal(small, "abcdefg");
 }
 
-static void mistakes_are_told(void **state)
+TEST(mistakes_are_told)
 {
     struct bed *t = *state;
 
@@ -165,7 +165,7 @@ static void mistakes_are_told(void **state)
     assert_true(strncmp(t->out, "console", 7) != 0);
 }
 
-static void what_does_not_end_is_ended(void **state)
+TEST(what_does_not_end_is_ended)
 {
     struct bed *t = *state;
 
@@ -187,7 +187,7 @@ static void what_does_not_end_is_ended(void **state)
 }
 
 /* What is not restored stays, and the game goes on with it. */
-static void what_is_kept_stays(void **state)
+TEST(what_is_kept_stays)
 {
     struct bed *t = *state;
     int64_t bullets = board_live_count(t->r.b, "bullets"), tasks = board_live_count(t->r.b, "tasks");
@@ -208,7 +208,7 @@ static void what_is_kept_stays(void **state)
 }
 
 /* What a line raises is applied at once: no event waits between frames. */
-static void events_are_applied(void **state)
+TEST(events_are_applied)
 {
     struct bed *t = *state;
 
@@ -222,7 +222,7 @@ static void events_are_applied(void **state)
 }
 
 /* A line cannot reach what a tick hands out, and the next tick knows nothing of it. */
-static void what_a_tick_hands_out_stays(void **state)
+TEST(what_a_tick_hands_out_stays)
 {
     struct bed *t = *state;
 
@@ -239,7 +239,7 @@ static void what_a_tick_hands_out_stays(void **state)
 }
 
 /* After a fault nothing happens any more, and the fault stays: a host that does not look ends no process. */
-static void a_board_with_a_fault_stays(void **state)
+TEST(a_board_with_a_fault_stays)
 {
     const uint16_t pads[MAX_PLAYERS] = { 0 };
     struct bed *t = *state;
@@ -258,7 +258,7 @@ static void a_board_with_a_fault_stays(void **state)
 }
 
 /* Two boards, one of which is asked things all the time. */
-static void undone_lines_change_nothing(void **state)
+TEST(undone_lines_change_nothing)
 {
     static const char *const lines[] = {
         "rng.int(1, 9)",
@@ -382,7 +382,7 @@ static void garbage(struct rng *r, char *line, size_t size)
     }
 }
 
-static void any_line_ends_and_is_undone(void **state)
+TEST(any_line_ends_and_is_undone)
 {
     struct bed *t = *state;
     struct rng r;
@@ -404,7 +404,7 @@ static void any_line_ends_and_is_undone(void **state)
 }
 
 /* Kept, one after the other, as long as they work. */
-static void kept_lines_leave_a_board_that_runs(void **state)
+TEST(kept_lines_leave_a_board_that_runs)
 {
     struct bed *t = *state;
     struct rng r;
@@ -424,22 +424,4 @@ static void kept_lines_leave_a_board_that_runs(void **state)
     }
 }
 
-int main(void)
-{
-#define TEST(f) cmocka_unit_test_setup_teardown(f, bed_open, bed_close)
-    const struct CMUnitTest tests[] = {
-        TEST(values_are_shown),
-        TEST(long_answers_are_cut),
-        TEST(mistakes_are_told),
-        TEST(what_does_not_end_is_ended),
-        TEST(what_is_kept_stays),
-        TEST(events_are_applied),
-        TEST(what_a_tick_hands_out_stays),
-        TEST(a_board_with_a_fault_stays),
-        TEST(undone_lines_change_nothing),
-        TEST(any_line_ends_and_is_undone),
-        TEST(kept_lines_leave_a_board_that_runs),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS_EACH(bed_open, bed_close)

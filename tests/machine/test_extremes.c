@@ -179,11 +179,10 @@ static void check_hits(void)
     b->events.n = 0;
 }
 
-static void test_scripts(void **state)
+TEST(scripts)
 {
     int seeds = rig_long() ? 2000 : 120;
 
-    (void)state;
     for (int seed = 0; seed < seeds; seed++) {
         uint16_t pads[MAX_PLAYERS];
         struct rng r;
@@ -208,12 +207,11 @@ static void test_scripts(void **state)
 }
 
 /* A bullet at the greatest speed, from the world's ends, towards each of them: it leaves, and is not seen again. */
-static void test_no_return(void **state)
+TEST(no_return)
 {
     struct board *b;
     const fx most = (fx)MAX_SPEED << 16;
 
-    (void)state;
     begin(1);
     b = rig.b;
     for (int i = 0; i < 64; i++) {
@@ -234,9 +232,4 @@ static void test_no_return(void **state)
     end();
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_scripts), cmocka_unit_test(test_no_return) };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -38,12 +38,11 @@ static double off(uint32_t i, __float128 way)
 }
 
 /* 0.002 px a frame for ten minutes: 16 headings, each a fine bullet (even slots) and an ordinary one. */
-static void test_drift(void **state)
+TEST(drift)
 {
     enum { HEADINGS = 16 };
     double fine = 0, plain = 0, fine_600 = 0, plain_600 = 0;
 
-    (void)state;
     begin("bullet.def('dot', { sprite = 'dot', hit = 'none' })\n"
           "local fine = motion.def { fine = true }\n"
           "task.go(function()\n"
@@ -118,9 +117,8 @@ static void fly(uint32_t n, __float128 way, ang dir)
                  (double)(way * cosq(turn)), (double)(way * sinq(turn)));
 }
 
-static void test_closed_form(void **state)
+TEST(closed_form)
 {
-    (void)state;
     begin("");
     rng_seed(&rng, 7);
     for (int run = 0; run < 3000; run++) {
@@ -149,7 +147,7 @@ static void test_closed_form(void **state)
 }
 
 /* The greatest speed to and fro for hours: the count of the way goes round and round, and the place stays. */
-static void test_ends(void **state)
+TEST(ends)
 {
     const int64_t most = (int64_t)MAX_SPEED << 32;
     const struct motion_step still = { .actions = DOES_WAIT, .duration = UINT32_MAX },
@@ -157,7 +155,6 @@ static void test_ends(void **state)
     struct bullets *s;
     int64_t x, y;
 
-    (void)state;
     begin("");
     s = &rig.b->bullets;
     set_off(&still, most, 0x12345678);
@@ -194,9 +191,8 @@ static void test_ends(void **state)
 
 /* Velocities by their parts: off by what a direction is, half an ang, and by the bits beyond 31 that it is taken
  * from. */
-static void test_parts(void **state)
+TEST(parts)
 {
-    (void)state;
     begin("");
     rng_seed(&rng, 8);
     set_off(&(struct motion_step){ .actions = DOES_WAIT, .duration = UINT32_MAX }, 1, 0);
@@ -213,9 +209,8 @@ static void test_parts(void **state)
 }
 
 /* What scripts see and do. */
-static void test_scripts(void **state)
+TEST(scripts)
 {
-    (void)state;
     begin("bullet.def('dot', { sprite = 'dot', hit = 'none' })\n"
           "local fine, plain = motion.def { fine = true }, motion.def { { wait = 9 } }\n"
           "assert(fine ~= motion.def { fine = false, { wait = 8 } } and fine == motion.def { fine = true })\n"
@@ -249,11 +244,4 @@ static void test_scripts(void **state)
     end();
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_drift), cmocka_unit_test(test_closed_form),
-                                        cmocka_unit_test(test_ends), cmocka_unit_test(test_parts),
-                                        cmocka_unit_test(test_scripts) };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

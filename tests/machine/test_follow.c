@@ -39,9 +39,8 @@ static void at(double x, double y)
     assert_true(fx_to_double(sx) == x && fx_to_double(sy) == y);
 }
 
-static void test_follow(void **state)
+TEST(follow)
 {
-    (void)state;
     open_with("local e = enemy.spawn { kind = 'e', x = 50, y = 60 }\n"
               "local s = sprite.put { sprite = 'arrow', follow = e, dx = 10, dy = -5 }\n"
               "assert(s.x == 60 and s.y == 55 and s.dx == 10 and s.dy == -5)\n"
@@ -76,9 +75,8 @@ static void test_follow(void **state)
 }
 
 /* A sprite that a phase puts on a player goes with the phase. */
-static void test_scene(void **state)
+TEST(scene)
 {
-    (void)state;
     open_with("string.sys.join(1, 'p')\n"
               "local scene = string.sys.scene(string.sys.scope())\n"
               "task.own(scene, function() sprite.put { sprite = 'dot', follow = player.get(1) } wait(forever) end)\n"
@@ -91,11 +89,10 @@ static void test_scene(void **state)
 }
 
 /* The picture of one that follows is where one would be that was put there. */
-static void test_picture(void **state)
+TEST(picture)
 {
     uint64_t h[2];
 
-    (void)state;
     for (int i = 0; i < 2; i++) {
         open_with(i ? "local e = enemy.spawn { kind = 'e', x = 50, y = 60 } e.hidden = true sprite.put { sprite = "
                       "'arrow', follow = e, dx = 3, dy = 4, bank = 2 }"
@@ -109,9 +106,8 @@ static void test_picture(void **state)
 }
 
 /* A spark each three frames, where the thing is when the task has its turn; each lives 12 frames. */
-static void test_trail(void **state)
+TEST(trail)
 {
-    (void)state;
     open_with("local e = enemy.spawn { kind = 'e', x = 50, y = 60 }\n"
               "spark.trail { kind = 'k', follow = e, every = 3, dx = 2 }\n"
               "task.go(function() e:move { x = 90, y = 60, over = 40 } wait(30) e:remove() end)");
@@ -143,9 +139,8 @@ static void spark_at(int i, double x, double y, double vx, double vy)
                  fx_to_double(s->vx[i]), fx_to_double(s->vy[i]));
 }
 
-static void test_shapes(void **state)
+TEST(shapes)
 {
-    (void)state;
     open_with("spark.burst { kind = 'z', x = 100, y = 100, n = 4, radius = 20, speed = 0 }");
     spark_at(0, 120, 100, 0, 0);
     spark_at(1, 100, 120, 0, 0);
@@ -173,11 +168,10 @@ static void test_shapes(void **state)
 }
 
 /* Three banks in ten frames: from 0, 4 and 7 on. A kind after it is not touched. */
-static void test_ramp(void **state)
+TEST(ramp)
 {
     const uint8_t want[10] = { 1, 1, 1, 1, 5, 5, 5, 2, 2, 2 };
 
-    (void)state;
     open_with("assert(table.concat(string.sys.kinds('spark'), ' ') == 'k ramp z')");
     for (uint16_t age = 0; age < 10; age++) {
         assert_int_equal(sparks_bank(&r.b->spark_kinds, 0, age), 3);
@@ -209,9 +203,8 @@ static void says(const char *text, const char *line)
     rig_game_free(&game);
 }
 
-static void test_errors(void **state)
+TEST(errors)
 {
-    (void)state;
     says("sprite.put { sprite = 'dot', x = 1 }",
          "sprite.put: place: expected `x` and `y`, or `follow` (a thing), got only one of `x` and `y`");
     says("sprite.put { sprite = 'dot', x = 1, y = 2, follow = player.get(1) }",
@@ -236,13 +229,4 @@ static void test_errors(void **state)
     says("spark.trail { kind = 'k', every = 2 }", "spark.trail: follow: expected a thing with a position, got nil");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_follow), cmocka_unit_test(test_scene),  cmocka_unit_test(test_picture),
-        cmocka_unit_test(test_trail),  cmocka_unit_test(test_shapes), cmocka_unit_test(test_ramp),
-        cmocka_unit_test(test_errors),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

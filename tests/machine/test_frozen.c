@@ -197,12 +197,11 @@ static void compare(const struct board *b, int frame, int pool, uint32_t i, long
         fail_msg("frame %d: pool %d, thing %u differs after %d moves", frame, pool, (unsigned)i, moves[pool][i]);
 }
 
-static void test_goes_on(void **state)
+TEST(goes_on)
 {
     const int seeds = rig_long() ? 300 : 12;
     long standing = 0, all = 0;
 
-    (void)state;
     for (int seed = 1; seed <= seeds; seed++) {
         power(&g, &rig, false, seed);
         power(&other_game, &other, true, seed);
@@ -254,9 +253,8 @@ static const char *says(bool on, const char *text)
 
 #define SAYS(text, words) assert_string_equal(says(true, text), words)
 
-static void test_seen(void **state)
+TEST(seen)
 {
-    (void)state;
     SAYS("local b = bullet.fire { kind = 'dot', x = 20, y = 20, dir = 0, speed = 2 } wait(1)\n"
          "b.frozen = 3 print(b.frozen, b.x, b.vx, b.age) wait(1) print(b.frozen, b.x, b.vx, b.age) wait(2)\n"
          "print(b.frozen, b.x, b.vx, b.age) wait(1) print(b.frozen, b.x, b.vx, b.age)",
@@ -291,9 +289,8 @@ static void test_seen(void **state)
          "group: frozen: expected forever or a whole number from 0 to 2147483647 frames, got -1");
 }
 
-static void test_hits(void **state)
+TEST(hits)
 {
-    (void)state;
     /* it hits where it stands, and does not sweep its way */
     SAYS(
         "local b = bullet.fire { kind = 'dot', x = 100, y = 200, dir = 0, speed = 30 } b.frozen = 9 wait(1) b:remove()",
@@ -312,13 +309,4 @@ static void test_hits(void **state)
          "8\tfalse\n8\ttrue\n7\tfalse\n");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_goes_on),
-        cmocka_unit_test(test_seen),
-        cmocka_unit_test(test_hits),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

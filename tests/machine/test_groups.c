@@ -100,7 +100,7 @@ static int part(const char *name)
     return 0;
 }
 
-static void test_random(void **state)
+TEST(random)
 {
     static const char *const same[] = { "bullets", "shots", "enemies", "sparks", "player" };
     const int frames = rig_long() ? 20000 : 1500;
@@ -108,7 +108,6 @@ static void test_random(void **state)
     struct rig other;
     uint64_t ha[MAX_PARTS], hb[MAX_PARTS], seen = 0;
 
-    (void)state;
     power(&g, &rig, "local GROUPS, rng_low = true, false\n", random_script);
     power(&other_game, &other, "local GROUPS, rng_low = false, false\n", random_script);
     for (int f = 0; f < frames; f++) {
@@ -235,15 +234,13 @@ static void run_shapes(const char *script, int frames)
     rig_game_free(&g);
 }
 
-static void test_clears(void **state)
+TEST(clears)
 {
-    (void)state;
     run_shapes(clears_script, rig_long() ? 2000 : 150);
 }
 
-static void test_queries(void **state)
+TEST(queries)
 {
-    (void)state;
     run_shapes(queries_script, rig_long() ? 2000 : 150);
 }
 
@@ -283,9 +280,8 @@ static const char sweeps_script[] =
     "  lead:remove()\n"
     "end end)\n";
 
-static void test_sweeps(void **state)
+TEST(sweeps)
 {
-    (void)state;
     run_shapes(sweeps_script, rig_long() ? 20000 : 1000);
 }
 
@@ -306,9 +302,8 @@ static const char *says(const char *text)
 
 #define SAYS(text, words) assert_string_equal(says(text), words)
 
-static void test_words(void **state)
+TEST(words)
 {
-    (void)state;
     SAYS("bullet.clear { x = 1, y = 2 }",
          "bullet.clear: shape: expected `radius`, or `w` and `h`, or `to_x`, `to_y` and `width`, got only a place");
     SAYS("bullet.clear { radius = 2 }", "bullet.clear: place: expected `x` and `y`, or `from` (a thing), got neither");
@@ -374,9 +369,8 @@ static void test_words(void **state)
     SAYS("enemy.group():aim()", "a group of enemies has no property \"aim\"");
 }
 
-static void test_places(void **state)
+TEST(places)
 {
-    (void)state;
     /* by a thing, moved on; a dead one clears nothing */
     SAYS("local e = enemy.spawn { kind = 'foe', x = 50, y = 50 }\n"
          "for i = 0, 9 do bullet.fire { kind = 'dot', x = 50 + 10 * i, y = 50, speed = 0, tag = 'r' } end\n"
@@ -429,12 +423,4 @@ static void test_places(void **state)
          "2\nnil\n");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random), cmocka_unit_test(test_clears), cmocka_unit_test(test_queries),
-        cmocka_unit_test(test_sweeps), cmocka_unit_test(test_words),  cmocka_unit_test(test_places),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

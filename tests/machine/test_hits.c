@@ -174,12 +174,11 @@ static void empty(struct board *b)
     b->events.n = 0;
 }
 
-static void test_random(void **state)
+TEST(random)
 {
     struct board *b = rig.b;
     int scenes = rig_long() ? 200000 : 10000;
 
-    (void)state;
     rng_seed(&rng, 77);
     for (int i = 0; i < scenes; i++) {
         fx scale = length(fastest), place = one_in(4) ? edge : length(edge);
@@ -259,9 +258,8 @@ static void scene(const char *code, int frames, const char *says)
     rig_game_free(&gg);
 }
 
-static void test_by_hand(void **state)
+TEST(by_hand)
 {
-    (void)state;
     /* across the middle of player 1 between two frames: 60 px a frame, 12 px of contact */
     scene("bullet.fire { kind = 'ball', x = 60, y = 100, speed = 60 } wait(1) bullet.clear()", 3, "");
     scene("bullet.fire { kind = 'ball', x = 60, y = 170, speed = 60 }", 1, "h1 ");
@@ -442,9 +440,8 @@ static void refused(const char *script, const char *says)
     rig_game_free(&gg);
 }
 
-static void test_refused(void **state)
+TEST(refused)
 {
-    (void)state;
     refused(
         "bullet.def('a', { sprite = 'dot', hit = { capsule = 4 } })",
         "hit: expected { circle = r }, { box = { w, h } }, { capsule = { length, radius } }, { circles = { { x, y, r "
@@ -490,10 +487,4 @@ static int teardown(void **state)
     return 0;
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_random), cmocka_unit_test(test_by_hand),
-                                        cmocka_unit_test(test_refused) };
-
-    return cmocka_run_group_tests(tests, setup, teardown);
-}
+RUN_TESTS(setup, teardown)

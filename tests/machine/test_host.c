@@ -332,12 +332,11 @@ static const char numbers[] =
     "  end\n"
     "end)\n";
 
-static void test_script(void **state)
+TEST(script)
 {
     static const char first[] = "0.5\t0.5\t0.5\tx-1e+100y\t0.500 1e-09   2.2\n1e+15\t3.0\tinf\t-inf\n";
     struct rig_game g;
 
-    (void)state;
     rig_script(&g, NULL, numbers);
     in_all_hosts(&g, NULL, 40);
     assert_memory_equal(plain.text, first, sizeof first - 1);
@@ -345,7 +344,7 @@ static void test_script(void **state)
 }
 
 /* What ends in a fault ends in the same one. */
-static void test_faults(void **state)
+TEST(faults)
 {
     static const char *const scripts[] = {
         "local b = bullet.fire{ x = 0.5, y = 1.5, kind = 'none' }",
@@ -355,7 +354,6 @@ static void test_faults(void **state)
     };
     struct rig_game g;
 
-    (void)state;
     for (size_t i = 0; i < sizeof scripts / sizeof *scripts; i++) {
         rig_script(&g, NULL, scripts[i]);
         in_all_hosts(&g, NULL, 5);
@@ -379,9 +377,8 @@ static void demo_in_all_hosts(const char *rom, const char *file, int frames)
     rig_game_free(&g);
 }
 
-static void test_demos(void **state)
+TEST(demos)
 {
-    (void)state;
     demo_in_all_hosts("roms/glasstide", "roms/glasstide/demos/attract.demo", FRAMES);
     demo_in_all_hosts("roms/torture", "roms/torture/demos/torture.demo", 150);
     demo_in_all_hosts("tests/demos/frozen.rom", "tests/demos/frozen-3.demo", 300);
@@ -393,11 +390,10 @@ static volatile long double third = 3; /* of the 387, on x86 */
 static volatile double none = 0;
 
 /* Between the two all is as it is by default, and what is raised or set there is not left. */
-static void test_settings(void **state)
+TEST(settings)
 {
     struct settings usual;
 
-    (void)state;
     no_host();
     feclearexcept(FE_ALL_EXCEPT);
     usual = settings();
@@ -450,7 +446,7 @@ static void pack(const struct host_kind *h, const char *text, struct run *run)
     no_host();
 }
 
-static void test_packer(void **state)
+TEST(packer)
 {
     static const char *const texts[] = {
         "return { title = 'T' .. 0.5, field = { w = 200 + (0.1 + 0.7) * 10 // 1 * 8 } }",
@@ -460,7 +456,6 @@ static void test_packer(void **state)
         "return { title = 0,5 .. 0.5. }",
     };
 
-    (void)state;
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
         pack(&hosts[0], texts[i], &plain);
         for (int h = 1; h < HOSTS; h++) {
@@ -511,14 +506,13 @@ static void command_in_all_hosts(int argc, char **words)
 }
 
 /* A demo that does not hold: the times of its moments are told in tenths of a second. */
-static void test_command_line(void **state)
+TEST(command_line)
 {
     char path[300], err[512];
     char *help[] = { "curtain", "help", "lua" };
     char *verify[] = { "curtain", "verify", "-v", "roms/glasstide", path };
     struct demo d = { 0 };
 
-    (void)state;
     assert_true(demo_load(&d, "roms/glasstide/demos/attract.demo", err, sizeof err));
     d.pads[1000][0] ^= PAD_LEFT;
     snprintf(path, sizeof path, "%s/other.demo", dir);
@@ -563,12 +557,4 @@ static int tear_down(void **state)
     return system(line);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_settings), cmocka_unit_test(test_script), cmocka_unit_test(test_faults),
-        cmocka_unit_test(test_demos),    cmocka_unit_test(test_packer), cmocka_unit_test(test_command_line),
-    };
-
-    return cmocka_run_group_tests(tests, set_up, tear_down);
-}
+RUN_TESTS(set_up, tear_down)

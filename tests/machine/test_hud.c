@@ -65,11 +65,10 @@ static const char ships[] =
     "hud.start(string.sys.scope(), string.sys.players())\n";
 
 /* 240 px over the whole screen: 30 columns, a cell off each edge. */
-static void test_margins(void **state)
+TEST(margins)
 {
     struct manifest m = rig_manifest();
 
-    (void)state;
     m.players = 1;
     open_with(&m, ships);
     rig_run(&r, 1);
@@ -86,7 +85,7 @@ static void test_margins(void **state)
 
 /* At the lower edge, from below: each player's at their side; a factor in hundredths, a text of its own or none before
  * it; what is 0 is not shown; from its mark on it is bright. */
-static void test_low(void **state)
+TEST(low)
 {
     static const char text[] =
         "player.def('p', { sprite = 'dot', hit = { circle = 2 }, registers = {\n"
@@ -98,7 +97,6 @@ static void test_low(void **state)
         "  wait(1) player.get(1).b = 1000 player.get(1).a = 100 wait(3) string.sys.leave(1) end)";
     struct manifest m = rig_manifest();
 
-    (void)state;
     m.players = 2;
     open_with(&m, text);
     rig_run(&r, 1);
@@ -120,12 +118,11 @@ static void test_low(void **state)
     close_it();
 }
 
-static void test_registers(void **state)
+TEST(registers)
 {
     static char text[2048];
     struct manifest m = rig_manifest();
 
-    (void)state;
     snprintf(text, sizeof text,
              "%s local p = player.get(1) task.go(function() wait(1) p.bombs, p.coins, p.heat = 50, 5000, 0\n"
              "assert(p.bombs == 9 and p.coins == 5000) p.plain = 2000000 p.heat = -4 assert(p.heat == 0) wait(1) "
@@ -150,12 +147,11 @@ static void test_registers(void **state)
 }
 
 /* A field of 192 px and a panel of 15 columns: a cell is left free at each of its edges; nothing is cut. */
-static void test_panel(void **state)
+TEST(panel)
 {
     static char text[2048];
     struct manifest m = rig_manifest();
 
-    (void)state;
     m.players = 1;
     m.screen_w = 320;
     m.screen_h = 240;
@@ -198,7 +194,7 @@ static void test_panel(void **state)
 }
 
 /* What stands at the lower edge goes while a craft is near; and a word stands before the grazes. */
-static void test_shy(void **state)
+TEST(shy)
 {
     static const char text[] =
         "player.def('p', { sprite = 'dot', hit = { circle = 2 }, registers = {\n"
@@ -208,7 +204,6 @@ static void test_shy(void **state)
         "local p = player.get(1) task.go(function() wait(4) p.x, p.y = 60, 300 wait(4) p.x = 107 wait(4) p.x = 113\n"
         "  wait(4) p.x, p.b = 60, 101 wait(4) p.y = 280 end)";
 
-    (void)state;
     open_with(NULL, text);
     rig_run(&r, 3);
     row_is(2, 1, "**                   GRAZE 0");
@@ -230,7 +225,7 @@ static void test_shy(void **state)
 
 /* Two players: side by side where there is room, a bar as long as it leaves; in a panel one below the other, in rows
  * that stay where they are when one is out. */
-static void test_two(void **state)
+TEST(two)
 {
     static const char text[] =
         "game.def { registers = { rank = { start = 4, show = 'number' } } }\n"
@@ -258,7 +253,6 @@ static void test_two(void **state)
                  { 14, "", "" } };
     struct manifest m = rig_manifest();
 
-    (void)state;
     m.players = 2;
     open_with(&m, text);
     rig_run(&r, 1);
@@ -296,7 +290,7 @@ static void boss_text(char *text, size_t size, const char *title, int phases)
 }
 
 /* A star for each phase to come stands behind the bar, and the title in one row below, whatever of it has room. */
-static void test_title(void **state)
+TEST(title)
 {
     static char text[2048];
     static const struct {
@@ -310,7 +304,6 @@ static void test_title(void **state)
         { "NINE", { "=============== ******    11", "NINE                      11" }, 9 },
     };
 
-    (void)state;
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         boss_text(text, sizeof text, rows[i].title, rows[i].phases);
         open_with(NULL, text);
@@ -342,9 +335,8 @@ static void open_spell(const struct manifest *m, const char *then)
     open_with(m, text);
 }
 
-static void test_spell(void **state)
+TEST(spell)
 {
-    (void)state;
     open_spell(NULL, "");
     rig_run(&r, 68);
     row_is(3, 1, "===----------------- *  1111"); /* it fills */
@@ -379,7 +371,7 @@ static void test_spell(void **state)
 }
 
 /* A death, whose bonus it was; and the names of a cast, with a bar each. */
-static void test_failed(void **state)
+TEST(failed)
 {
     static const struct {
         int col;
@@ -393,7 +385,6 @@ static void test_failed(void **state)
     static char text[2048];
     struct manifest m = rig_manifest();
 
-    (void)state;
     open_spell(NULL, "local p = player.get(1) p.x, p.y = e.x, e.y");
     rig_run(&r, 200);
     row_is(5, 1, "GLASS SIGN       0/1  FAILED"); /* this is the first try */
@@ -420,9 +411,8 @@ static void test_failed(void **state)
 }
 
 /* The band before a boss: it opens, runs, closes, and leaves nothing. */
-static void test_warning(void **state)
+TEST(warning)
 {
-    (void)state;
     open_with(NULL, "hud.banks.alarm = 7\n"
                     "enemy.def('e', { sprite = 'dot', hit = { circle = 2 } })\n"
                     "boss.def('b', { title = 'NINE', epithet = 'OF TWO DOZ', kind = 'e', x = 99, y = 9, warning = 90, "
@@ -451,12 +441,11 @@ static void test_warning(void **state)
 }
 
 /* Rows are written again only when what they tell of is another, and after hud.refresh. */
-static void test_again(void **state)
+TEST(again)
 {
     static char text[2048];
     struct manifest m = rig_manifest();
 
-    (void)state;
     m.players = 1;
     snprintf(text, sizeof text,
              "%s task.go(function() wait(19) player.get(1).heat = 1 wait(10) hud.refresh() wait(10) score.add(7, 1) "
@@ -480,12 +469,11 @@ static void test_again(void **state)
 }
 
 /* A letter's rim is the darkest colour next to each of its pixels, and under every letter. */
-static void test_rim(void **state)
+TEST(rim)
 {
     uint32_t rgb[256];
     int dark = 0, rims = 0;
 
-    (void)state;
     open_with(NULL, "text.put { col = 3, row = 3, text = 'AB', bank = 1, rim = true } text.put { col = 3, row = 9, "
                     "text = 'AB', bank = 1 }\n"
                     "for i = 0, 9 do sprite.put { sprite = 'arrow', x = 8 + 8 * i, y = 28, bank = 9 } sprite.put { "
@@ -525,12 +513,11 @@ static int ink(int code, int x, int y)
 }
 
 /* A letter twice as large is what scale2x makes of the letter; half of one at the screen's edge is that half. */
-static void test_large(void **state)
+TEST(large)
 {
     uint32_t rgb[256];
     int other = 0;
 
-    (void)state;
     open_with(NULL, "text.put { col = 3, row = 3, text = 'KA', bank = 1, size = 2 }\n"
                     "text.put { col = 29, row = 9, text = 'A', bank = 1, size = 2, rim = true }");
     rig_run(&r, 1);
@@ -569,9 +556,8 @@ static void says(const char *registers, const char *line)
     rig_game_free(&game);
 }
 
-static void test_errors(void **state)
+TEST(errors)
 {
-    (void)state;
     says("a = { strat = 3 }", "player.def: registers.a: unknown argument \"strat\" (did you mean \"start\"?)");
     says("a = { start = 3, max = 2 }", "player.def: registers.a: start 3 is greater than max 2");
     says("a = { at = 'left' }", "player.def: registers.a.at: expected top or low, got \"left\"");
@@ -584,15 +570,4 @@ static void test_errors(void **state)
     says("x = 1", "player.def: registers: \"x\" is already a property of players");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_margins),   cmocka_unit_test(test_low),    cmocka_unit_test(test_shy),
-        cmocka_unit_test(test_registers), cmocka_unit_test(test_panel),  cmocka_unit_test(test_two),
-        cmocka_unit_test(test_rim),       cmocka_unit_test(test_errors), cmocka_unit_test(test_title),
-        cmocka_unit_test(test_again),     cmocka_unit_test(test_spell),  cmocka_unit_test(test_failed),
-        cmocka_unit_test(test_warning),   cmocka_unit_test(test_large),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -79,7 +79,7 @@ static void add(void *context, const struct inspect_body *body)
 
 #define PX(v) ((int32_t)((v)*65536))
 
-static void shapes_are_those_of_the_tests(void **state)
+TEST(shapes_are_those_of_the_tests)
 {
     struct bed *t = *state;
     struct list l = { 0 };
@@ -104,14 +104,13 @@ static void shapes_are_those_of_the_tests(void **state)
 }
 
 /* A capsule lies along the bullet's dir; what is beside it is not under the mouse. */
-static void capsules_lie_as_they_fly(void **state)
+TEST(capsules_lie_as_they_fly)
 {
     struct inspect_entity thing;
     struct rig_game g;
     struct rig r;
     struct list l = { 0 };
 
-    (void)state;
     rig_script(&g, NULL,
                "bullet.def('pin', { sprite = 'dot', hit = { capsule = { 40, 3 } } })\n"
                "bullet.fire { kind = 'pin', x = 50, y = 60, dir = 0, speed = 0 }\n"
@@ -144,7 +143,7 @@ static const struct inspect_gauge *gauge(const struct inspect_gauge *g, int n, c
     return NULL;
 }
 
-static void gauges_show_how_full_it_is(void **state)
+TEST(gauges_show_how_full_it_is)
 {
     struct bed *t = *state;
     struct inspect_gauge g[MAX_PARTS];
@@ -165,13 +164,12 @@ static void gauges_show_how_full_it_is(void **state)
     assert_true(size == 1024 * 1024 && used > 20000 && used < size);
 }
 
-static void refused_are_counted(void **state)
+TEST(refused_are_counted)
 {
     struct inspect_gauge g[MAX_PARTS];
     struct rig_game game;
     struct rig r;
 
-    (void)state;
     rig_script(&game, NULL,
                "bullet.def('b', { sprite = 'dot', hit = 'none' })\n"
                "for i = 1, 300 do bullet.fire { kind = 'b', x = 9, y = 9, dir = 0, speed = 0 } end\n");
@@ -183,7 +181,7 @@ static void refused_are_counted(void **state)
 }
 
 /* Every number a script takes counts, and going back takes them back. */
-static void numbers_drawn_are_counted(void **state)
+TEST(numbers_drawn_are_counted)
 {
     struct bed *t = *state;
 
@@ -199,7 +197,7 @@ static void numbers_drawn_are_counted(void **state)
     assert_true(inspect_random_draws(t->r.b) == 1);
 }
 
-static void tasks_say_where_they_wait(void **state)
+TEST(tasks_say_where_they_wait)
 {
     struct bed *t = *state;
     struct inspect_task k[8];
@@ -224,13 +222,12 @@ static void tasks_say_where_they_wait(void **state)
 }
 
 /* A pause freezes what is not of it. */
-static void frozen_and_stopped_tasks(void **state)
+TEST(frozen_and_stopped_tasks)
 {
     struct inspect_task k[4];
     struct rig_game game;
     struct rig r;
 
-    (void)state;
     rig_with_sys(&game, NULL,
                  "local t = task.go(function() wait(forever) end)\n"
                  "task.own(t, function() wait(forever) end)\n"
@@ -244,7 +241,7 @@ static void frozen_and_stopped_tasks(void **state)
     rig_game_free(&game);
 }
 
-static void what_is_under_a_point(void **state)
+TEST(what_is_under_a_point)
 {
     struct bed *t = *state;
     struct inspect_entity at;
@@ -325,7 +322,7 @@ static void check_untouched(struct rig *r)
     free(ram);
 }
 
-static void asking_changes_nothing(void **state)
+TEST(asking_changes_nothing)
 {
     struct bed *t = *state;
 
@@ -336,14 +333,13 @@ static void asking_changes_nothing(void **state)
 }
 
 /* The torture game has every kind of thing and task. Two boards, one of which is asked all the time. */
-static void a_board_that_is_asked_runs_on_alike(void **state)
+TEST(a_board_that_is_asked_runs_on_alike)
 {
     struct rig_game g;
     struct rig a, b;
     struct rng rng;
     uint16_t pads[MAX_PLAYERS] = { 0 };
 
-    (void)state;
     rig_folder(&g, "torture");
     rig_power(&a, &g, NULL);
     rig_power(&b, &g, NULL);
@@ -365,14 +361,13 @@ static void a_board_that_is_asked_runs_on_alike(void **state)
 }
 
 /* Names outlive growing lists, collections and snapshots. */
-static void names_stay(void **state)
+TEST(names_stay)
 {
     struct inspect_entity at;
     struct rig_game game;
     struct rig r;
     char want[16];
 
-    (void)state;
     rig_script(&game, NULL,
                "bullet.def('b', { sprite = 'dot', hit = { circle = 1 } })\n"
                "task.go(function() for i = 1, 100 do\n"
@@ -396,7 +391,7 @@ static void names_stay(void **state)
 }
 
 /* Where the music is, as scripts are told it, and voices by what they play; a voice that is alone is as loud as all. */
-static void what_sounds(void **state)
+TEST(what_sounds)
 {
     struct manifest m = rig_manifest();
     void *tables = malloc(board_sound_tables_size());
@@ -407,7 +402,6 @@ static void what_sounds(void **state)
     struct rig r;
     char want[64];
 
-    (void)state;
     board_sound_init_tables(tables);
     m.has_sound = 1;
     rig_script(
@@ -468,14 +462,13 @@ static void what_sounds(void **state)
 }
 
 /* A board without sound has nothing to show. */
-static void silence(void **state)
+TEST(silence)
 {
     struct inspect_voice v;
     struct inspect_music music;
     struct rig_game game;
     struct rig r;
 
-    (void)state;
     rig_script(&game, NULL, "");
     rig_power(&r, &game, NULL);
     inspect_voice(r.b, 3, &v);
@@ -487,7 +480,7 @@ static void silence(void **state)
 }
 
 /* In which frames fire is the ship's: not before there is one, nor while a talk or a pause has the buttons. */
-static void who_plays(void **state)
+TEST(who_plays)
 {
     static const char script[] = "player.def('ship', { sprite = 'dot', hit = { circle = 2 } })\n"
                                  "local sys = string.sys\n"
@@ -514,7 +507,6 @@ static void who_plays(void **state)
     struct rig r;
     size_t step = 0;
 
-    (void)state;
     rig_with_sys(&game, NULL, script);
     rig_power(&r, &game, NULL);
     for (int frame = 0; frame < 40; frame++) {
@@ -531,25 +523,4 @@ static void who_plays(void **state)
     rig_game_free(&game);
 }
 
-int main(void)
-{
-#define TEST(f) cmocka_unit_test_setup_teardown(f, bed_open, bed_close)
-    const struct CMUnitTest tests[] = {
-        TEST(shapes_are_those_of_the_tests),
-        TEST(gauges_show_how_full_it_is),
-        cmocka_unit_test(refused_are_counted),
-        TEST(numbers_drawn_are_counted),
-        TEST(tasks_say_where_they_wait),
-        cmocka_unit_test(frozen_and_stopped_tasks),
-        TEST(what_is_under_a_point),
-        TEST(asking_changes_nothing),
-        cmocka_unit_test(a_board_that_is_asked_runs_on_alike),
-        cmocka_unit_test(names_stay),
-        cmocka_unit_test(capsules_lie_as_they_fly),
-        cmocka_unit_test(what_sounds),
-        cmocka_unit_test(silence),
-        cmocka_unit_test(who_plays),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS_EACH(bed_open, bed_close)

@@ -66,9 +66,8 @@ static int64_t sum(int64_t start, int64_t d, int64_t to, int64_t n, int64_t *v)
 }
 
 /* Both axes after n frames in closed form: down to `top`, and sideways to 0 from the frame on that does not rise. */
-static void test_fall(void **state)
+TEST(fall)
 {
-    (void)state;
     power("");
     struct items *s = &rig.b->items;
     struct item_kinds *k = &rig.b->item_kinds;
@@ -111,9 +110,8 @@ static wide square(wide v)
 }
 
 /* Straight, never past the player, and no slower than asked by more than what two units of rounding are. */
-static void test_pull(void **state)
+TEST(pull)
 {
-    (void)state;
     power("");
     struct items *s = &rig.b->items;
     rng_seed(&rng, 12);
@@ -148,9 +146,8 @@ static void test_pull(void **state)
 }
 
 /* What flies to one player is let go; what flies to the other is not. */
-static void test_let_go(void **state)
+TEST(let_go)
 {
-    (void)state;
     power("");
     struct items *s = &rig.b->items;
     for (uint32_t i = 0; i < 8; i++) {
@@ -209,11 +206,10 @@ static struct taken reference(const struct board *b)
 }
 
 /* Random scenes, far and near, fast and slow; the events against the reference, in slot order. */
-static void test_taken(void **state)
+TEST(taken)
 {
     long takes = 0, misses = 0, seconds = 0, left = 0;
 
-    (void)state;
     power("sys.join(1, 'ship') sys.join(2, 'barge')");
     struct board *b = rig.b;
     struct items *s = &b->items;
@@ -266,9 +262,8 @@ static void test_taken(void **state)
 /* ---- how they set out ---- */
 
 /* Evenly, mirrored about dir, the same distance between any two; no number is drawn. */
-static void test_directions(void **state)
+TEST(directions)
 {
-    (void)state;
     for (uint32_t n = 1; n < 40; n++)
         for (uint64_t spread = 0; spread <= 1ull << 32; spread += 1u << 28) {
             for (uint32_t k = 0; k < n; k++) {
@@ -296,12 +291,11 @@ static void test_directions(void **state)
 
 /* ---- points ---- */
 
-static void test_points(void **state)
+TEST(points)
 {
     int64_t low[1] = { 3 }, high[1] = { 9 };
     const struct item_kinds k = { .low_points = low, .high_points = high };
 
-    (void)state;
     assert_int_equal(items_points(&k, 0, 70, 70, 50), 9); /* a line below the bottom */
     assert_int_equal(items_points(&k, 0, 71, 70, 50), 3);
     rng_seed(&rng, 14);
@@ -350,9 +344,8 @@ static const char *says(const char *text, int frames)
 #define TASK                      "task.go(function() "
 #define SAYS(frames, text, words) assert_string_equal(says(text, frames), words)
 
-static void test_gives(void **state)
+TEST(gives)
 {
-    (void)state;
     /* by height: at 210, half way from the line at 100 to the bottom at 320 */
     SAYS(3, IN TASK "p.y = 210 item.drop { kind = 'gem', from = p, speed = 0 } wait(1) print(p.score) end)", "200\n");
     SAYS(3, IN TASK "p.y = 100 item.drop { kind = 'gem', from = p, speed = 0 } wait(1) print(p.score) end)", "300\n");
@@ -374,9 +367,8 @@ static void test_gives(void **state)
          "life\t8\nlife\t8\nlife\t99\n99\n");
 }
 
-static void test_events(void **state)
+TEST(events)
 {
-    (void)state;
     /* the kind's handler first, then on.take; the item is not alive, and can be read; slot order */
     SAYS(3,
          "item.def('note', { sprite = 'dot', radius = 4, magnet = false, gives = { score = 3 }, on_take = function(p, "
@@ -405,9 +397,8 @@ static void test_events(void **state)
          "take\t700.0\n0\n");
 }
 
-static void test_attracts(void **state)
+TEST(attracts)
 {
-    (void)state;
     /* the magnet's circle, to its edge; a ship without one; the line; the full register */
     SAYS(9,
          IN TASK "p.power = 0 item.drop { kind = 'cell', x = 100, y = 176, speed = 0, tag = 'in' } "
@@ -448,9 +439,8 @@ static void test_attracts(void **state)
          "true\ntrue\n0.0\t0.0\n0.0\t0.0\n");
 }
 
-static void test_sources(void **state)
+TEST(sources)
 {
-    (void)state;
     /* an enemy's drops in byte order of their names, laid out together; its own before its kind's */
     SAYS(3,
          IN TASK "enemy.spawn { kind = 'foe', x = 50, y = 50 }:kill(1) "
@@ -492,7 +482,7 @@ static void test_sources(void **state)
 }
 
 /* A phase that is beaten drops, and the bullets it leaves turn into items; of one that is not, they are only gone. */
-static void test_phases(void **state)
+TEST(phases)
 { /* the fifth rock is what the boss itself drops when it dies */
     static const char text[] =
         "boss.def('b', { title = 'B', kind = 'foe', x = 100, y = 60, phases = {\n"
@@ -512,9 +502,8 @@ static void test_phases(void **state)
     }
 }
 
-static void test_frozen(void **state)
+TEST(frozen)
 {
-    (void)state;
     SAYS(20,
          TASK "item.drop { kind = 'gem', x = 50, y = 50, speed = 2 } item.group().frozen = 3 local a, b "
               "wait(3) item.each(nil, function(i) print(i.y, i.age, i.frozen) end) wait(1) "
@@ -528,7 +517,7 @@ static void test_frozen(void **state)
          "cell\t185.0\n");
 }
 
-static void test_refused(void **state)
+TEST(refused)
 {
     static const char *const wrong[][2] = {
         { "item.def('x', { sprite = 'dot', radius = 3, gives = { score = { 9, 3 } } })",
@@ -565,7 +554,6 @@ static void test_refused(void **state)
         { "print(item.group().x)", "items: x cannot be read from a group (only `count` can)" },
     };
 
-    (void)state;
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         struct manifest m = rig_manifest();
         char script[4096], want[300];
@@ -582,12 +570,11 @@ static void test_refused(void **state)
 }
 
 /* Every item taken at once, with lives, by two players: the list of events holds them. */
-static void test_event_room(void **state)
+TEST(event_room)
 {
     struct manifest m = rig_manifest();
     char script[4096];
 
-    (void)state;
     m.items = 4096;
     m.bullets = m.shots = m.enemies = m.sparks = 0;
     snprintf(script, sizeof script,
@@ -604,14 +591,13 @@ static void test_event_room(void **state)
 }
 
 /* Without room for items, a part has no hash and nothing to trace; with room, it is another game. */
-static void test_absent(void **state)
+TEST(absent)
 {
     static const char text[] = "bullet.def('dot', { sprite = 'dot', hit = { circle = 3 } })";
     struct manifest m = rig_manifest();
     uint64_t hashes[MAX_PARTS], all[2];
     size_t size[2];
 
-    (void)state;
     for (int with = 0; with < 2; with++) {
         m.items = with ? 16 : 0;
         rig_script(&g, &m, text);
@@ -627,15 +613,4 @@ static void test_absent(void **state)
     assert_true(all[0] != all[1] && size[0] < size[1]);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_fall),    cmocka_unit_test(test_pull),       cmocka_unit_test(test_let_go),
-        cmocka_unit_test(test_taken),   cmocka_unit_test(test_directions), cmocka_unit_test(test_points),
-        cmocka_unit_test(test_gives),   cmocka_unit_test(test_events),     cmocka_unit_test(test_attracts),
-        cmocka_unit_test(test_sources), cmocka_unit_test(test_phases),     cmocka_unit_test(test_frozen),
-        cmocka_unit_test(test_refused), cmocka_unit_test(test_event_room), cmocka_unit_test(test_absent),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -69,14 +69,13 @@ static void same_files(void)
 }
 
 /* Whenever it is begun, the spare reads as the recording does; from the beginning on they are the same bytes. */
-static void test_spare(void **state)
+TEST(spare)
 {
     struct demo_writer w = { .recording = false };
     struct rng rng;
     struct rig r;
     struct demo d;
 
-    (void)state;
     rng_seed(&rng, 1);
     rig_power(&r, &game, &start);
     assert_true(demo_begin(&w, file, &game.cart, r.b, &start, 0));
@@ -103,14 +102,13 @@ static void test_spare(void **state)
 }
 
 /* The end is written into both. A spare that cannot be written does not end the recording. */
-static void test_spare_ends(void **state)
+TEST(spare_ends)
 {
     struct demo_writer w = { .recording = false };
     struct rng rng;
     struct rig r;
     struct demo d;
 
-    (void)state;
     rng_seed(&rng, 2);
     rig_power(&r, &game, &start);
     assert_true(demo_begin(&w, NULL, &game.cart, r.b, &start, DEMO_RESUMED));
@@ -144,7 +142,7 @@ static void holds(const uint8_t *bytes, size_t size, uint32_t frames)
 }
 
 /* At any frame the bytes are a whole demo that holds, and the recording goes on as if nothing had been. */
-static void test_now(void **state)
+TEST(now)
 {
     struct demo_writer w = { .recording = false };
     uint16_t select[MAX_PLAYERS] = { PAD_SELECT };
@@ -153,7 +151,6 @@ static void test_now(void **state)
     size_t size;
     uint8_t *bytes;
 
-    (void)state;
     assert_null(demo_encode_now(&w, NULL, &size)); /* nothing is recorded */
     rng_seed(&rng, 3);
     rig_power(&r, &game, &start);
@@ -186,13 +183,12 @@ static void count(void *of, const struct session *s)
 }
 
 /* A session that was left goes on: the same run, not branched, flagged; its scores would count. */
-static void test_go_on(void **state)
+TEST(go_on)
 {
     static const uint16_t bomb[MAX_PLAYERS] = { PAD_BOMB };
     struct session s, straight;
     struct demo d;
 
-    (void)state;
     assert_true(session_open(&straight, &game.cart, &start, NULL, file));
     for (int i = 0; i < 500; i++)
         assert_true(session_tick(&straight, bomb));
@@ -225,13 +221,12 @@ static void test_go_on(void **state)
 }
 
 /* Where the run is another one now, it does not go on. */
-static void test_differs(void **state)
+TEST(differs)
 {
     static const uint16_t none[MAX_PLAYERS] = { 0 };
     struct session s;
     struct demo d;
 
-    (void)state;
     assert_true(session_open(&s, &game.cart, &start, NULL, file));
     for (int i = 0; i < 100; i++)
         assert_true(session_tick(&s, none));
@@ -248,12 +243,4 @@ static void test_differs(void **state)
     demo_free(&d);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_spare), cmocka_unit_test(test_spare_ends), cmocka_unit_test(test_now),
-        cmocka_unit_test(test_go_on), cmocka_unit_test(test_differs),
-    };
-
-    return cmocka_run_group_tests(tests, open_game, close_game);
-}
+RUN_TESTS(open_game, close_game)

@@ -41,9 +41,8 @@ static void holds(const char *task, int pings, int pongs)
     rig_game_free(&g);
 }
 
-static void test_clear(void **state)
+TEST(clear)
 {
-    (void)state;
     holds("many() assert(bullet.clear() == 10 and count() == 5)", 5, 0);
     holds("many() assert(bullet.clear { spark = 'pong' } == 10 and count() == 5)", 0, 10);
     holds("many() assert(bullet.clear { all = true } == 15 and count() == 0)", 10, 0);
@@ -60,9 +59,8 @@ static void test_clear(void **state)
 }
 
 /* A delayed bullet is cleared as its kind says, not as its cloud. */
-static void test_delayed(void **state)
+TEST(delayed)
 {
-    (void)state;
     holds("fire('fixed', 10, 30) fire('gone', 20, 30) fire('plain', 30, 30) wait(5)\n"
           "assert(bullet.clear() == 2 and count() == 1) wait(40) assert(count() == 1)",
           1, 0);
@@ -70,7 +68,7 @@ static void test_delayed(void **state)
 }
 
 /* The end of a phase takes all, and leaves the kinds' sparks. */
-static void test_phase(void **state)
+TEST(phase)
 {
     static const char text[] = "enemy.def('foe', { sprite = 'dot', hit = { circle = 4 } })\n"
                                "bullet.def('fixed', { sprite = 'dot', hit = 'none', clearable = false })\n"
@@ -83,7 +81,6 @@ static void test_phase(void **state)
     struct rig r;
     bool was = false;
 
-    (void)state;
     rig_script(&g, NULL, text);
     rig_power(&r, &g, NULL);
     for (int f = 0; f < 400; f++) {
@@ -120,9 +117,8 @@ static uint8_t seen(const char *a, const char *b)
     return pixel / 16;
 }
 
-static void test_order(void **state)
+TEST(order)
 {
-    (void)state;
     assert_int_equal(seen("", ""), 2);
     assert_int_equal(seen(", order = 1", ""), 1);
     assert_int_equal(seen(", order = -99", ", order = -100"), 1);
@@ -130,12 +126,11 @@ static void test_order(void **state)
     assert_int_equal(seen(", order = 7", ", order = 8"), 2);
 }
 
-static void test_errors(void **state)
+TEST(errors)
 {
     struct rig_game g;
     struct rig r;
 
-    (void)state;
     rig_script(&g, NULL, "bullet.def('a', { sprite = 'dot', hit = 'none', spin = 3 })");
     rig_power_any(&r, &g, NULL);
     assert_non_null(rig_fault(&r));
@@ -146,11 +141,4 @@ static void test_errors(void **state)
     rig_game_free(&g);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_clear), cmocka_unit_test(test_delayed),
-                                        cmocka_unit_test(test_phase), cmocka_unit_test(test_order),
-                                        cmocka_unit_test(test_errors) };
-
-    return cmocka_run_group_tests_name("kinds", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -87,14 +87,13 @@ static struct lasers *l(void)
 
 /* A beam through the player's place: warns 5 frames, grows 3, holds 4, fades 2; 10 px wide. It grazes from its growth
  * on and hits as soon as half of its half width, and the player's 2 px, reach 4 px: when it is 8 px wide. */
-static void test_states(void **state)
+TEST(states)
 {
     static const enum laser_state states[] = { LASER_WARN, LASER_WARN, LASER_WARN, LASER_WARN, LASER_WARN,
                                                LASER_GROW, LASER_GROW, LASER_GROW, LASER_ON,   LASER_ON,
                                                LASER_ON,   LASER_ON,   LASER_FADE, LASER_FADE };
     static const double widths[] = { 10, 10, 10, 10, 10, 2.5, 5, 7.5, 10, 10, 10, 10, 6.666, 3.333 };
 
-    (void)state;
     begin(
         "laser.beam { kind = 'ray', x = 124, y = 20, dir = 90, length = 250, hold = 4, warn = 5, grow = 3, fade = 2 }");
     for (uint32_t age = 0; age < 14; age++) {
@@ -114,11 +113,10 @@ static void test_states(void **state)
 
 /* It passes what lies between two frames, but not in the first one in which it is dangerous, and not when a script
  * turns it. 10 degrees a frame at 180 px are 31 px. */
-static void test_spin(void **state)
+TEST(spin)
 {
     int frames = 0;
 
-    (void)state;
     begin("p.x, p.y = 120, 190\n"
           "laser.beam { kind = 'wall', x = 120, y = 10, dir = 90 + 24, length = 200, hold = forever, warn = 0, grow = "
           "0,\n"
@@ -142,9 +140,8 @@ static void test_spin(void **state)
 }
 
 /* It stays with what it follows, turns as that turns, and goes with it. */
-static void test_follow(void **state)
+TEST(follow)
 {
-    (void)state;
     begin("local e = enemy.spawn { kind = 'fly', x = 50, y = 50 }\n"
           "local o = bullet.fire { kind = 'orb', x = 60, y = 100, dir = 10, speed = 2 }\n"
           "laser.beam { kind = 'ray', follow = e, dx = 3, dy = 4, dir = 90, length = 50, hold = forever }\n"
@@ -172,9 +169,8 @@ static void test_follow(void **state)
 }
 
 /* A beam is where the laser that it follows is, also where that one has a higher slot. */
-static void test_follow_laser(void **state)
+TEST(follow_laser)
 {
-    (void)state;
     begin("local first = laser.beam { kind = 'ray', x = 1, y = 1, length = 5, hold = forever }\n"
           "local c = laser.curve { kind = 'ray', x = 20, y = 50, dir = 10, speed = 3, points = 9 }\n"
           "first:remove()\n"
@@ -189,11 +185,10 @@ static void test_follow_laser(void **state)
 }
 
 /* What goes round a laser flies alike whichever of the two has the lower slot. */
-static void test_around_laser(void **state)
+TEST(around_laser)
 {
     static fx path[2][60][2];
 
-    (void)state;
     for (int lower = 0; lower < 2; lower++) {
         char script[1024];
         snprintf(script, sizeof script,
@@ -222,9 +217,8 @@ static void test_around_laser(void **state)
 /* ---- bolts ---- */
 
 /* It comes out of where it was fired, is as long as it says, and goes when all of it has left. */
-static void test_bolt(void **state)
+TEST(bolt)
 {
-    (void)state;
     begin("laser.bolt { kind = 'ray', x = 20, y = 30, dir = 0, speed = 4, length = 30 }");
     for (int frame = 1; frame < 80; frame++) {
         one_frame();
@@ -243,9 +237,8 @@ static void test_bolt(void **state)
 }
 
 /* It hits what it passes, however fast it is; a delayed one warns and does not. */
-static void test_bolt_hits(void **state)
+TEST(bolt_hits)
 {
-    (void)state;
     begin("laser.bolt { kind = 'wall', x = 120, y = 20, dir = 90, speed = 400, length = 4 }\n"
           "laser.bolt { kind = 'wall', x = 120, y = 200, dir = 90, speed = 0, length = 4, delay = 3 }");
     one_frame();
@@ -263,12 +256,11 @@ static void test_bolt_hits(void **state)
 
 /* The body is where the head was; it has as many points as frames, at most those it asks for; it goes when the last one
  * has left. A bullet of the same motion flies beside the head, a pixel away. */
-static void test_curve(void **state)
+TEST(curve)
 {
     static fx xs[400], ys[400];
     fx x, y;
 
-    (void)state;
     begin("local m = motion.def { { turn = 2, over = 60 }, { bounce = 1, walls = 'right' } }\n"
           "laser.curve { kind = 'wall', x = 20, y = 150, dir = 300, speed = 3, points = 40, motion = m }\n"
           "bullet.fire { kind = 'orb', x = 20, y = 151, dir = 300, speed = 3, motion = m }");
@@ -306,11 +298,10 @@ static void test_curve(void **state)
 }
 
 /* A write of the place moves all of it, and passes nothing. */
-static void test_curve_moves(void **state)
+TEST(curve_moves)
 {
     fx x, y;
 
-    (void)state;
     begin("local c = laser.curve { kind = 'wall', x = 60, y = 100, dir = 0, speed = 2, points = 10 }\n"
           "wait(20) c.y = 300\n"
           "wait(5) c:shift(7, -30)");
@@ -376,7 +367,7 @@ static bool touches_sometime(const struct was *was, const struct was *now, int64
 
 /* Many lasers at random, and a player who is moved about by its pad: hits are those that the formula has at one of many
  * moments of the frame; what it has not, is no further off than two of these moments. */
-static void test_hits(void **state)
+TEST(hits)
 {
     static const char *const scripts[] = {
         "laser.beam { kind = 'wall', x = 120, y = 100, dir = 0, length = 140, hold = forever, warn = 0, grow = 0,\n"
@@ -396,7 +387,6 @@ static void test_hits(void **state)
     struct rng rng;
     int hits = 0, near_misses = 0, frames = 0;
 
-    (void)state;
     rng_seed(&rng, 5);
     for (size_t s = 0; s < sizeof scripts / sizeof *scripts; s++) {
         begin(scripts[s]);
@@ -432,11 +422,10 @@ static void test_hits(void **state)
 
 /* ---- grazes, shots, clears ---- */
 
-static void test_graze(void **state)
+TEST(graze)
 {
     int grazes = 0;
 
-    (void)state;
     begin("laser.beam { kind = 'ray', x = 132, y = 10, dir = 90, length = 250, hold = forever, warn = 0, grow = 0 }\n"
           "laser.beam { kind = 'wall', x = 108, y = 10, dir = 90, length = 250, hold = forever, warn = 0, grow = 0 }");
     for (int frame = 0; frame < 25; frame++) {
@@ -451,9 +440,8 @@ static void test_graze(void **state)
 }
 
 /* A player's laser hurts each enemy it touches, every fourth frame, and no player. */
-static void test_shoots(void **state)
+TEST(shoots)
 {
-    (void)state;
     begin("local a = enemy.spawn { kind = 'fly', x = 120, y = 60 }\n"
           "local b = enemy.spawn { kind = 'box', x = 127, y = 100 }\n"
           "local c = enemy.spawn { kind = 'box', x = 129, y = 130 }\n"
@@ -473,9 +461,8 @@ static void test_shoots(void **state)
 }
 
 /* A clear takes what it touches, whole, and leaves sparks along it, `every` px. */
-static void test_clear(void **state)
+TEST(clear)
 {
-    (void)state;
     begin("local function some()\n"
           "  laser.beam { kind = 'ray', x = 10, y = 50, dir = 0, length = 120, hold = forever, warn = 0 }\n"
           "  laser.beam { kind = 'wall', x = 10, y = 60, dir = 0, length = 120, hold = forever, warn = 0 }\n"
@@ -533,11 +520,10 @@ static void row_of_items(uint32_t from, uint32_t n, double x, double y, double d
 
 /* A laser that a clear turns into items leaves them each so many px along its line, the first half of that from its
  * head; no chance is drawn. */
-static void test_items(void **state)
+TEST(items)
 {
     uint64_t chance[4];
 
-    (void)state;
     begin("laser.beam { kind = 'ray', x = 10, y = 50, dir = 0, length = 120, hold = forever, warn = 0 }\n"
           "wait(2) print('took', bullet.clear { items = 'gem' })\n"
           "wait(2) laser.beam { kind = 'ray', x = 10, y = 90, dir = 90, length = 100, hold = forever, tag = 't' }\n"
@@ -570,9 +556,8 @@ static void test_items(void **state)
 }
 
 /* A curve leaves them along its body, round its bends; where there is no room, they are counted. */
-static void test_items_of_curves(void **state)
+TEST(items_of_curves)
 {
-    (void)state;
     begin("local m = motion.def { { wait = 9 }, { dir = 90 } }\n"
           "laser.curve { kind = 'ray', x = 20, y = 40, dir = 0, speed = 4, points = 31, motion = m }\n"
           "wait(31) laser.clear { items = 'gem', every = 20 }\n"
@@ -600,7 +585,7 @@ static void test_items_of_curves(void **state)
 }
 
 /* A phase that is beaten turns the lasers it leaves into items as well. */
-static void test_phase(void **state)
+TEST(phase)
 {
     static const char boss[] =
         "boss.def('b', { title = 'B', kind = 'fly', x = 100, y = 60, phases = { { id = 'p', hp = 5, time = 30, rest = "
@@ -612,7 +597,6 @@ static void test_phase(void **state)
     static char text[8192];
     struct manifest m = manifest();
 
-    (void)state;
     snprintf(text, sizeof text, "%s%stask.go(function() boss.fight('b') end)\n", kinds, boss);
     rig_with_sys(&g, &m, text);
     rig_power(&r, &g, NULL);
@@ -629,9 +613,8 @@ static void test_phase(void **state)
 /* A query finds a laser by what is drawn of it, and sorts by the place of its line that is nearest. In the first b is
  * 15 - 4 px away and a 25 - 5; in the third c is at 10, a at 22, b at 58; the fifth box begins at 147.5, b
  * ends at 154. */
-static void test_queries(void **state)
+TEST(queries)
 {
-    (void)state;
     begin(
         "local function names(list) local t = {} for i, x in ipairs(list) do t[i] = x.tag end\n"
         "  return table.concat(t, ' ') end\n"
@@ -661,11 +644,10 @@ static void test_queries(void **state)
 }
 
 /* The place found is nearer than all others of the line, but for a 256th of a px. */
-static void test_nearest(void **state)
+TEST(nearest)
 {
     struct rng rng;
 
-    (void)state;
     begin("local m = motion.def { { turn = 7, over = forever } }\n"
           "laser.curve { kind = 'ray', x = 90, y = 40, dir = 20, speed = 9, points = 60, motion = m }\n"
           "laser.beam { kind = 'ray', x = 20, y = 300, dir = 320, length = 250, hold = forever }\n"
@@ -694,9 +676,8 @@ static void test_nearest(void **state)
 
 /* ---- properties, verbs, pools ---- */
 
-static void test_properties(void **state)
+TEST(properties)
 {
-    (void)state;
     begin("local b = laser.beam { kind = 'ray', x = 50, y = 40, length = 60, hold = forever, tag = 'one', bank = 3 }\n"
           "local c = laser.curve { kind = 'ray', x = 50, y = 40, dir = 0, speed = 5, points = 8 }\n"
           "assert(b.x == 50 and b.y == 40 and b.dir == 90 and b.length == 60 and b.width == 10 and b.spin == 0)\n"
@@ -737,9 +718,8 @@ static void test_properties(void **state)
 }
 
 /* A field that is emptied has none of them, a player's neither. */
-static void test_wipe(void **state)
+TEST(wipe)
 {
-    (void)state;
     begin("laser.beam { kind = 'lance', x = 1, y = 1, length = 9, hold = forever }\n"
           "laser.beam { kind = 'wall', x = 1, y = 1, length = 9, hold = forever }\n"
           "laser.curve { kind = 'ray', x = 50, y = 50, speed = 1, points = 40 }\n"
@@ -752,12 +732,11 @@ static void test_wipe(void **state)
 }
 
 /* A laser owns tasks: they end with it, and have no turn while it stands. */
-static void test_tasks(void **state)
+TEST(tasks)
 {
     struct inspect_task tasks[4];
     uint32_t owned = 0;
 
-    (void)state;
     begin("local c = laser.curve { kind = 'ray', x = 50, y = 50, speed = 1 }\n"
           "task.own(c, function() for i = 1, forever do print('turn', i) wait(1) end end)\n"
           "wait(3) c.frozen = 4 wait(8) c:remove()");
@@ -779,9 +758,8 @@ static void test_tasks(void **state)
 }
 
 /* Heads run every step: they wait for a signal, and fire as they fly, as the bullet beside them does. */
-static void test_steps(void **state)
+TEST(steps)
 {
-    (void)state;
     begin("local m = motion.def { { wait_for = { tag = 'go', limit = 50 } }, { emit = { pattern = 'ring', n = 3,\n"
           "  kind = 'orb', speed = 2 } }, { wait_for = { x = 150, limit = 90 } }, { turn = 90 } }\n"
           "local c = laser.curve { kind = 'ray', x = 60, y = 50, dir = 0, speed = 5, motion = m, points = 64 }\n"
@@ -800,13 +778,12 @@ static void test_steps(void **state)
 }
 
 /* There is room for the events of a frame in which every laser grazes both players. */
-static void test_room(void **state)
+TEST(room)
 {
     enum { MANY = 2000 };
     static char text[8192];
     struct manifest m = manifest();
 
-    (void)state;
     m.lasers = MANY;
     m.players = 2;
     snprintf(
@@ -826,9 +803,8 @@ static void test_room(void **state)
 }
 
 /* Patterns fire them. */
-static void test_patterns(void **state)
+TEST(patterns)
 {
-    (void)state;
     begin("pattern.ring { kind = 'ray', fire = 'curve', x = 120, y = 100, n = 3, speed = 2, points = 9 }\n"
           "pattern.fan { kind = 'ray', fire = 'bolt', x = 120, y = 100, n = 2, spread = 40, speed = 2, length = 9 }\n"
           "pattern.line { kind = 'mist', fire = 'beam', x = 120, y = 60, n = 2, width = 40, hold = 9, length = 50 }\n"
@@ -856,9 +832,8 @@ static void fault(const char *script, const char *message)
     end();
 }
 
-static void test_faults(void **state)
+TEST(faults)
 {
-    (void)state;
     fault("laser.beam { kind = 'rya', x = 1, y = 1, length = 9, hold = 1 }",
           "laser.beam: unknown laser kind \"rya\" (did you mean \"ray\"?)");
     fault("pattern.ring { kind = 'ray', x = 1, y = 1, n = 3, speed = 3 }",
@@ -889,12 +864,11 @@ static void test_faults(void **state)
 }
 
 /* Without room there is no table, no memory, and a word that says what to do. */
-static void test_without(void **state)
+TEST(without)
 {
     struct manifest m = rig_manifest();
     uint64_t hashes[MAX_PARTS];
 
-    (void)state;
     rig_script(&g, &m,
                "bullet.def('orb', { sprite = 'dot', hit = 'none' })\n"
                "task.go(function() wait(5) laser.group() end)\n");
@@ -923,14 +897,13 @@ static void test_without(void **state)
 }
 
 /* Beams and bolts without curves. */
-static void test_without_curves(void **state)
+TEST(without_curves)
 {
     static const char *const texts[] = {
         "laser.curve { kind = 'ray', x = 9, y = 9, speed = 1 }",
         "pattern.ring { fire = 'curve', kind = 'ray', x = 9, y = 9, speed = 1, n = 3 }"
     };
 
-    (void)state;
     for (int i = 0; i < 2; i++) {
         struct manifest m = rig_manifest();
         char text[300];
@@ -951,37 +924,4 @@ static void test_without_curves(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_states),
-        cmocka_unit_test(test_spin),
-        cmocka_unit_test(test_follow),
-        cmocka_unit_test(test_follow_laser),
-        cmocka_unit_test(test_around_laser),
-        cmocka_unit_test(test_bolt),
-        cmocka_unit_test(test_bolt_hits),
-        cmocka_unit_test(test_curve),
-        cmocka_unit_test(test_curve_moves),
-        cmocka_unit_test(test_hits),
-        cmocka_unit_test(test_graze),
-        cmocka_unit_test(test_shoots),
-        cmocka_unit_test(test_clear),
-        cmocka_unit_test(test_items),
-        cmocka_unit_test(test_items_of_curves),
-        cmocka_unit_test(test_phase),
-        cmocka_unit_test(test_queries),
-        cmocka_unit_test(test_nearest),
-        cmocka_unit_test(test_properties),
-        cmocka_unit_test(test_wipe),
-        cmocka_unit_test(test_tasks),
-        cmocka_unit_test(test_steps),
-        cmocka_unit_test(test_room),
-        cmocka_unit_test(test_patterns),
-        cmocka_unit_test(test_faults),
-        cmocka_unit_test(test_without),
-        cmocka_unit_test(test_without_curves),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -139,11 +139,10 @@ static void lead(const struct motion_step *p, const struct start *a, uint32_t n,
     assert_true(b->x[0] == x + vx && b->y[0] == y + vy && !b->motion[0] && !b->travel_q32[0]);
 }
 
-static void test_formulas(void **state)
+TEST(formulas)
 {
     double worst = 0;
 
-    (void)state;
     rig_script(&g, NULL, "");
     rig_power(&rig, &g, NULL);
     rng_seed(&rng, 5);
@@ -201,11 +200,10 @@ static int64_t folded(int64_t v, int64_t speed, uint32_t k, int64_t w)
 }
 
 /* Bounces between all walls, exactly at the reflected place in every frame; the bound on speeds holds. */
-static void test_bounces(void **state)
+TEST(bounces)
 {
     struct bullets *b;
 
-    (void)state;
     rig_script(&g, NULL, "");
     rig_power(&rig, &g, NULL);
     rng_seed(&rng, 8);
@@ -261,9 +259,8 @@ static void holds(const char *text, int frames)
     end();
 }
 
-static void test_scripts(void **state)
+TEST(scripts)
 {
-    (void)state;
     /* go_to: at a speed, to values, which may change meanwhile; then on with the next step */
     holds(KINDS "value.def('tx') value.def('ty') \n"
                 "task.go(function()\n"
@@ -339,9 +336,8 @@ static void test_scripts(void **state)
           14);
 }
 
-static void test_bounce_steps(void **state)
+TEST(bounce_steps)
 {
-    (void)state;
     /* two walls, then on; what stands inside runs in the frame after the bounce, and takes its time */
     holds("bullet.def('red', { sprite = 'dot', hit = 'none', bank = 9 })\n" KINDS "task.go(function()\n"
           "  local a = dot { x = 5, y = 50, dir = 180, speed = 2, motion = { { bounce = 1, walls = 'left right',\n"
@@ -392,9 +388,8 @@ static void refused(const char *steps, const char *message)
     end();
 }
 
-static void test_errors(void **state)
+TEST(errors)
 {
-    (void)state;
     refused("{ go_to = { 1, 2 } }", "step 1: `go_to` requires either `over` (frames) or `speed`");
     refused("{ go_to = { 1, 2 }, over = 3, speed = 2 }", "`go_to` requires either `over` (frames) or `speed`");
     refused("{ go_to = { 1, 2 }, speed = 2, ease = 'in' }", "`ease` requires `over`");
@@ -424,11 +419,4 @@ static void test_errors(void **state)
     refused("fine = true, { go_to = { 1, 2 }, over = 3 }", "cannot be used in a fine motion");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_formulas), cmocka_unit_test(test_bounces),
-                                        cmocka_unit_test(test_bounce_steps), cmocka_unit_test(test_scripts),
-                                        cmocka_unit_test(test_errors) };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -385,12 +385,11 @@ static void off(void)
     rig_game_free(&g);
 }
 
-static void test_model(void **state)
+TEST(model)
 {
     static const int margins[] = { 0, 1, 16, 64 };
     const uint16_t none[MAX_PLAYERS] = { 0 };
 
-    (void)state;
     rng_seed(&rng, 11);
     for (int i = 0; i < 4; i++) {
         power(margins[i]);
@@ -439,11 +438,10 @@ static bool hits_once(fx x, fx y, fx v)
     return strchr(rig_told(&rig), 'h') != NULL;
 }
 
-static void test_speeds(void **state)
+TEST(speeds)
 {
     static const int speeds[] = { 1, 3, 16, 79, 80, 81, 100, 300, 1000, 8191 };
 
-    (void)state;
     power(64);
     for (int i = 0; i < 10; i++)
         if (!hits_once(120 * 65536, 304 * 65536, speeds[i] * 65536))
@@ -490,9 +488,8 @@ static void run(const char *code, const char *says)
     off();
 }
 
-static void test_handlers(void **state)
+TEST(handlers)
 {
-    (void)state;
     /* readable, not alive, not counted, not written, its slot nobody's; gone in the next frame */
     run("local b\n"
         "on.hit(function(_, t) t.x = 5 say(t.alive, t.x, t.y, bullet.group().count, t == b) p.safe = 9 end)\n"
@@ -542,10 +539,4 @@ static void test_handlers(void **state)
         "kill 0");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_model), cmocka_unit_test(test_speeds),
-                                        cmocka_unit_test(test_handlers) };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -53,9 +53,8 @@ static void faults(const char *text, const char *want)
     end();
 }
 
-static void test_properties(void **state)
+TEST(properties)
 {
-    (void)state;
     holds("task.go(function()\n"
           "  local l = text.line { x = 3.5, y = -7, text = '\xc3\xa9t\xc3\xa9', bank = 4 }\n"
           "  assert(l.alive and l.x == 3.5 and l.y == -7 and l.dx == 0 and l.dy == 0 and l.bank == 4 and l.done)\n"
@@ -83,9 +82,8 @@ static void test_properties(void **state)
            "main.lua:1: text.line: width: expected a whole number from 8 to 1024 px, got 7");
 }
 
-static void test_letters(void **state)
+TEST(letters)
 {
-    (void)state;
     power("text.line { x = 0, y = 0, text = 'abcd', letter = 3 }", 0);
     const uint32_t want[] = { 0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4 };
     for (int f = 0; f < 14; f++, rig_run(&rig, 1))
@@ -102,9 +100,8 @@ static void test_letters(void **state)
 }
 
 /* With a thing, with the phase or the task's scene that made it, with the field. */
-static void test_gone(void **state)
+TEST(gone)
 {
-    (void)state;
     holds(WORDS "task.go(function()\n"
                 "  local b = bullet.fire { kind = 'dot', x = 50, y = 50, dir = 0, speed = 2 }\n"
                 "  local l = text.line { follow = b, dx = 3, dy = -4.5, text = 'x' }\n"
@@ -156,9 +153,8 @@ static void draw(const char *text, int frames)
     rig_picture(&rig);
 }
 
-static void test_places(void **state)
+TEST(places)
 {
-    (void)state;
     draw("text.line { x = 20, y = 30, text = 'AAA', font = 'tiny', bank = 2 }", 1);
     assert_true(is_a(20, 30, 2) && is_a(24, 30, 2) && is_a(28, 30, 2) && pixel(19, 31) == 0 && pixel(32, 31) == 0);
     end();
@@ -180,9 +176,8 @@ static void test_places(void **state)
     end();
 }
 
-static void test_rows(void **state)
+TEST(rows)
 {
-    (void)state;
     /* a blank is 2 px, an A 4: three of them and two blanks are 16 */
     draw("text.line { x = 0, y = 0, text = 'A A A A', font = 'tiny', width = 16 }", 1);
     assert_true(is_a(0, 0, 0) && is_a(6, 0, 0) && is_a(12, 0, 0) && is_a(0, 6, 0) && pixel(18, 1) == 0);
@@ -206,9 +201,8 @@ static void test_rows(void **state)
     end();
 }
 
-static void test_box(void **state)
+TEST(box)
 {
-    (void)state;
     draw("text.line { x = 20, y = 30, text = 'A AA', font = 'tiny', box = true, bank = 3, letter = 99 }", 1);
     assert_true(pixel(14, 32) == 49 && pixel(15, 32) == 58 && pixel(16, 32) == 49 && pixel(38, 32) == 58);
     assert_true(pixel(26, 24) == 49 && pixel(26, 25) == 58 && pixel(26, 40) == 58 && pixel(26, 41) == 49);
@@ -220,9 +214,8 @@ static void test_box(void **state)
 }
 
 /* Another font's picture, then the cells' own at the row's foot, then a box. */
-static void test_fallback(void **state)
+TEST(fallback)
 {
-    (void)state;
     draw("text.line { x = 20, y = 30, text = '\xe5\xbc\xbe' }", 1); /* of tiny, at the foot of 8 px */
     assert_true(pixel(22, 32) == 3 && pixel(22, 31) == 0);
     end();
@@ -237,11 +230,10 @@ static void test_fallback(void **state)
     end();
 }
 
-static void test_clip(void **state)
+TEST(clip)
 {
     struct manifest m = with_lines(8);
 
-    (void)state;
     m.field_x = 40;
     m.field_w = 100;
     const char *const places[] = { "x = -2", "x = 38, screen = true", "x = 99" };
@@ -263,9 +255,8 @@ static void test_clip(void **state)
     }
 }
 
-static void test_cells(void **state)
+TEST(cells)
 {
-    (void)state;
     draw("text.put { col = 2, row = 3, text = '\xe5\xbc\xbe\xf0\x9f\x98\x80', bank = 1 }\n"
          "text.put { col = 2, row = 5, text = 'A', font = 'tiny' }",
          1);
@@ -308,14 +299,13 @@ static void test_cells(void **state)
 }
 
 /* The state is the same whatever the fonts look like. */
-static void test_no_widths(void **state)
+TEST(no_widths)
 {
     const char *script =
         "task.go(function() local l = text.line { x = 9, y = 9, text = 'A A', width = 9, font = 'tiny',"
         " letter = 2 } while true do board.note(l.done and l.x or 3) wait(1) end end)";
     uint64_t hash;
 
-    (void)state;
     power(script, 9);
     hash = board_hash(rig.b);
     end();
@@ -331,13 +321,4 @@ static void test_no_widths(void **state)
     end();
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_properties), cmocka_unit_test(test_letters), cmocka_unit_test(test_gone),
-        cmocka_unit_test(test_places),     cmocka_unit_test(test_rows),    cmocka_unit_test(test_box),
-        cmocka_unit_test(test_fallback),   cmocka_unit_test(test_clip),    cmocka_unit_test(test_cells),
-        cmocka_unit_test(test_no_widths),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

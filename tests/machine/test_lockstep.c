@@ -38,27 +38,24 @@ static void lockstep(const char *name, int frames)
     rig_game_free(&g);
 }
 
-static void test_torture(void **state)
+TEST(torture)
 {
-    (void)state;
     lockstep("torture", 1500);
 }
 
-static void test_glasstide(void **state)
+TEST(glasstide)
 {
-    (void)state;
     lockstep("glasstide", 3000);
 }
 
 /* Another seed, other pads: other hashes. A hash that never moves would pass everything above. */
-static void test_hash_moves(void **state)
+TEST(hash_moves)
 {
     struct rig_game g;
     struct rig a, b;
     struct board_start start = { .seed = 2, .difficulty = -1 };
     const uint16_t fire[MAX_PLAYERS] = { PAD_FIRE, 0 }, none[MAX_PLAYERS] = { 0 };
 
-    (void)state;
     rig_folder(&g, "torture");
     rig_power(&a, &g, NULL);
     rig_power(&b, &g, &start);
@@ -125,7 +122,7 @@ static int play(const struct rig_game *g, const struct demo *d, const struct boa
     return wrong;
 }
 
-static void test_record_play(void **state)
+TEST(record_play)
 {
     struct rig_game g;
     struct board_start start = { .seed = 99, .difficulty = -1 };
@@ -133,7 +130,6 @@ static void test_record_play(void **state)
     struct demo d;
     const char *part = NULL;
 
-    (void)state;
     rig_folder(&g, "torture");
     record(&g, &start, &w, path);
     assert_int_equal(w.demo.frames, RECORDED);
@@ -241,9 +237,8 @@ static void diverges(const struct act *act)
     rig_game_free(&g);
 }
 
-static void test_diverges(void **state)
+TEST(diverges)
 {
-    (void)state;
     for (size_t i = 0; i < sizeof acts / sizeof *acts; i++)
         diverges(&acts[i]);
 }
@@ -267,9 +262,8 @@ static void demo_diverges(const struct act *act)
     rig_game_free(&g);
 }
 
-static void test_demo_diverges(void **state)
+TEST(demo_diverges)
 {
-    (void)state;
     for (size_t i = 0; i < sizeof acts / sizeof *acts; i++)
         demo_diverges(&acts[i]);
 }
@@ -291,12 +285,4 @@ static int teardown(void **state)
     return 0;
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_torture),     cmocka_unit_test(test_glasstide), cmocka_unit_test(test_hash_moves),
-        cmocka_unit_test(test_record_play), cmocka_unit_test(test_diverges),  cmocka_unit_test(test_demo_diverges),
-    };
-
-    return cmocka_run_group_tests(tests, setup, teardown);
-}
+RUN_TESTS(setup, teardown)

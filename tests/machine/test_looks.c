@@ -89,9 +89,8 @@ static void shows(const char *name, int frame, int bank, int white, unsigned fli
     assert_int_equal(seen > 30, name != NULL);
 }
 
-static void test_pictures(void **state)
+TEST(pictures)
 {
-    (void)state;
     open_with("local e = enemy.spawn { kind = 'e', x = 100, y = 80 }\n"
               "task.go(function()\n"
               "  assert(e.picture == nil and not e.flip_x and not e.hidden and e.bank == 2) wait(1)\n"
@@ -117,9 +116,8 @@ static void test_pictures(void **state)
 }
 
 /* White for two frames, plain for six; hits in the meantime do not begin anew. */
-static void test_blink(void **state)
+TEST(blink)
 {
-    (void)state;
     open_with("local e = enemy.spawn { kind = 'e', x = 100, y = 80 }\n"
               "task.go(function() wait(1) e:hurt(1) assert(e.bank == 2) wait(1) e:hurt(1) e.bank = 3 wait(7) e.picture "
               "= 'cast' e:hurt(1) end)");
@@ -159,7 +157,7 @@ static void test_blink(void **state)
 }
 
 /* Sparks of the layer middle are under bullets and players, others over them. */
-static void test_sparks(void **state)
+TEST(sparks)
 {
     static const char *const who[] = {
         "bullet.def('b', { sprite = 'dot', hit = { circle = 2 } })\n"
@@ -168,7 +166,6 @@ static void test_sparks(void **state)
     };
     char text[512];
 
-    (void)state;
     for (int i = 0; i < 4; i++) {
         snprintf(text, sizeof text,
                  "spark.def('s', { sprite = 'dot', life = 99, bank = 9%s })\n"
@@ -191,9 +188,8 @@ static void held(uint16_t buttons, const char *name, int frame)
     shows(name, frame, 0, false, 0);
 }
 
-static void test_banking(void **state)
+TEST(banking)
 {
-    (void)state;
     open_with("string.sys.join(1, 'p')\n"
               "local p = player.get(1)\n"
               "task.go(function() wait(6) p.picture = 'win' assert(p.picture == 'win') wait(2) p.picture = nil\n"
@@ -217,9 +213,8 @@ static void test_banking(void **state)
     close_it();
 }
 
-static void test_first(void **state)
+TEST(first)
 {
-    (void)state;
     open_with("string.sys.join(1, 'first') local p = player.get(1) p.safe = 0 assert(not p.flip_x) p.flip_x = true "
               "assert(p.flip_x)\n"
               "assert(p.kind == 'first' and p.bombs == 2 and p.picture == nil)");
@@ -237,9 +232,8 @@ static void test_first(void **state)
 }
 
 /* Kinds are found by their names alone, whatever rows lie between; shapes of several rows stay next to theirs. */
-static void test_rows(void **state)
+TEST(rows)
 {
-    (void)state;
     open_with("local sys = string.sys\n"
               "assert(table.concat(sys.kinds('enemy'), ' ') == 'e plain brief')\n"
               "assert(table.concat(sys.kinds('player'), ' ') == 'first second p half')\n"
@@ -261,9 +255,8 @@ static void says(const char *text, const char *line)
     rig_game_free(&game);
 }
 
-static void test_errors(void **state)
+TEST(errors)
 {
-    (void)state;
     says("enemy.spawn { kind = 'e', x = 1, y = 1 }.picture = 'csat'",
          "enemy: its kind has no picture \"csat\" (did you mean \"cast\"?)");
     says("enemy.spawn { kind = 'e', x = 1, y = 1 }.picture = 'zzzzzzz'", "enemy: its kind has no picture \"zzzzzzz\"");
@@ -286,7 +279,7 @@ static void test_errors(void **state)
 }
 
 /* What looks do is in the enemies' and players' own bits: all else goes on as without. */
-static void test_state(void **state)
+TEST(state)
 {
     static const char game[] = "string.sys.join(1, 'p')\n"
                                "bullet.def('b', { sprite = 'dot', hit = { circle = 3 } })\n"
@@ -300,7 +293,6 @@ static void test_state(void **state)
     static char text[4096];
     uint64_t h[2][MAX_PARTS];
 
-    (void)state;
     for (int i = 0; i < 2; i++) {
         snprintf(text, sizeof text, game,
                  i ? "e.picture = 'cast' e.flip_x = true player.get(1).picture = 'win' player.get(1).hidden = true"
@@ -321,9 +313,8 @@ static void test_state(void **state)
 }
 
 /* Reading the tables of a kind may run functions that declare kinds too, so that the list of kinds moves meanwhile. */
-static void test_nested(void **state)
+TEST(nested)
 {
-    (void)state;
     open_with("local n = 0\n"
               "local function more(count, make)\n"
               "  return setmetatable({}, { __index = function()\n"
@@ -346,13 +337,4 @@ static void test_nested(void **state)
     close_it();
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_sparks),  cmocka_unit_test(test_pictures), cmocka_unit_test(test_blink),
-        cmocka_unit_test(test_banking), cmocka_unit_test(test_first),    cmocka_unit_test(test_rows),
-        cmocka_unit_test(test_errors),  cmocka_unit_test(test_state),    cmocka_unit_test(test_nested),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -182,14 +182,13 @@ static void compare_pairs(const struct board *b, int scene)
 }
 
 /* At all scales up to the ends of the world: crowds of small ones, single large or fast ones, places in a raster. */
-static void test_random(void **state)
+TEST(random)
 {
     int n = rig_long() ? 60000 : 6000;
     struct manifest m = rig_manifest();
     struct rig_game g;
     struct rig r;
 
-    (void)state;
     m.bullets = BULLETS;
     m.bullets_can_meet = 1;
     rig_script(&g, &m, "");
@@ -219,13 +218,12 @@ static void test_random(void **state)
 }
 
 /* In a crowd each looks at few: 4,000 and 4,000 in a field, and one that is fast and large. */
-static void test_crowd(void **state)
+TEST(crowd)
 {
     struct manifest m = rig_manifest();
     struct rig_game g;
     struct rig r;
 
-    (void)state;
     m.bullets = 8000;
     m.bullets_can_meet = 1;
     rig_script(&g, &m,
@@ -301,12 +299,11 @@ static void holds(const char *pairs, const char *task, int pings, int pongs)
     rig_game_free(&g);
 }
 
-static void test_clear(void **state)
+TEST(clear)
 {
     const char *two = "local a, b = fire('fire', 50, 50), fire('ice', 57, 50) wait(1) ";
     char text[400];
 
-    (void)state;
 #define TWO(asserted) (snprintf(text, sizeof text, "%sassert(%s)", two, asserted), text)
     holds("bullet.meet('fire', 'ice', { clear = 'both' })", TWO("not a.alive and not b.alive"), 0, 2);
     holds("bullet.meet('fire', 'ice', { clear = 'first' })", TWO("not a.alive and b.alive"), 0, 1);
@@ -331,9 +328,8 @@ static void test_clear(void **state)
 }
 
 /* One that is taken away meets no more; one that stays meets all that touch it. */
-static void test_many(void **state)
+TEST(many)
 {
-    (void)state;
     holds("bullet.meet('fire', 'ice', { clear = 'both' })",
           "for i = 1, 5 do fire('fire', 50, 50) end for i = 1, 3 do fire('ice', 50, 50) end wait(1)\n"
           "assert(bullet.group('fire').count == 2 and bullet.group('ice').count == 0)",
@@ -364,11 +360,10 @@ static void test_many(void **state)
           0, 1);
 }
 
-static void test_who(void **state)
+TEST(who)
 {
     const char *both = "bullet.meet('fire', 'ice', { clear = 'both', on_meet = tell })";
 
-    (void)state;
     /* on their ways, or where a kind that is not swept stands */
     holds(both,
           "local a, b = fire('fire', 50, 50, { dir = 0, speed = 90 }), fire('ice', 100, 50) wait(1)\n"
@@ -428,9 +423,8 @@ static void test_who(void **state)
           0, 1);
 }
 
-static void test_harmless(void **state)
+TEST(harmless)
 {
-    (void)state;
     holds("on.hit(function() told = told .. 'hit ' end) on.graze(function() told = told .. 'graze ' end)",
           "p.safe = 0 local b = fire('fire', p.x, p.y, { kind = 'shade' }) fire('fire', p.x + 14, p.y, { kind = "
           "'shade' }) wait(3)\n"
@@ -455,9 +449,8 @@ static void see(void *context, const struct slots_value *v)
         s->last = v->value;
 }
 
-static void test_trace(void **state)
+TEST(trace)
 {
-    (void)state;
     for (int on = 0; on < 2; on++) {
         struct manifest m = rig_manifest();
         struct pair_seen s = { 0 };
@@ -495,9 +488,8 @@ static void fault(bool on, const char *text, const char *words)
     rig_game_free(&g);
 }
 
-static void test_errors(void **state)
+TEST(errors)
 {
-    (void)state;
     fault(false, "bullet.meet('a', 'b', { clear = 'both' })",
           "main.lua:1: bullet.meet: disabled; add `meet = true` to `board` in rom.lua");
     fault(true, "bullet.meet('a', 'b', { clear = 'frist' })",
@@ -516,13 +508,4 @@ static void test_errors(void **state)
           "main.lua:1: bullet.meet: can only be called while scripts load");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random), cmocka_unit_test(test_crowd),  cmocka_unit_test(test_clear),
-        cmocka_unit_test(test_many),   cmocka_unit_test(test_who),    cmocka_unit_test(test_harmless),
-        cmocka_unit_test(test_trace),  cmocka_unit_test(test_errors),
-    };
-
-    return cmocka_run_group_tests_name("meets", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

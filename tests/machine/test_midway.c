@@ -200,9 +200,8 @@ static int close_game(void **state)
 }
 
 /* Each run comes by all that it is made for. */
-static void comes_by(void **state)
+TEST(comes_by)
 {
-    (void)state;
     for (int i = 0; i < RUNS; i++) {
         char all[400] = "";
         for (uint32_t k = 0; k < runs[i].moments; k++)
@@ -293,9 +292,8 @@ static void back(void)
     assert_true(session_close(&s));
 }
 
-static void rewinds(void **state)
+TEST(rewinds)
 {
-    (void)state;
     each_moment(back);
 }
 
@@ -335,9 +333,8 @@ static void over(void)
     assert_true(session_close(&s));
 }
 
-static void takes_over(void **state)
+TEST(takes_over)
 {
-    (void)state;
     for (int i = 0; i < RUNS; i++) {
         now = &runs[i];
         when = &now->moment[0];
@@ -362,9 +359,8 @@ static void anew(void)
     assert_true(session_close(&s));
 }
 
-static void restarts(void **state)
+TEST(restarts)
 {
-    (void)state;
     each_moment(anew);
 }
 
@@ -409,18 +405,9 @@ static void edited(void)
     assert_true(session_close(&s));
 }
 
-static void reloads(void **state)
+TEST(reloads)
 {
-    (void)state;
     each_moment(edited);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(comes_by), cmocka_unit_test(rewinds), cmocka_unit_test(takes_over),
-        cmocka_unit_test(restarts), cmocka_unit_test(reloads),
-    };
-
-    return cmocka_run_group_tests(tests, open_game, close_game);
-}
+RUN_TESTS(open_game, close_game)

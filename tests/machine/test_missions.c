@@ -53,9 +53,8 @@ static void to_list(void)
 }
 
 /* The first is done, with one star for its goal and one for its time: 5 rises of 5 frames each. */
-static void test_done(void **state)
+TEST(done)
 {
-    (void)state;
     open_game(three);
     to_list();
     soon("0/12", 10);
@@ -80,9 +79,8 @@ static void test_done(void **state)
 }
 
 /* The second cannot be done in its time; the third ends when the phase does, the fourth at its mark. */
-static void test_ends(void **state)
+TEST(ends)
 {
-    (void)state;
     open_game(three);
     to_list();
     press(PAD_DOWN, 0);
@@ -110,9 +108,8 @@ static void test_ends(void **state)
 }
 
 /* Left from the pause menu, it leads back to the list; and a bomb too many ends it. */
-static void test_left(void **state)
+TEST(left)
 {
-    (void)state;
     open_game("bomb.def('flare', { over = 5, run = function() end })\n"
               "player.def('gull', { sprite = 'dot', hit = { circle = 2 }, registers = { bombs = 3, chain = 0 }, bomb = "
               "'flare' })\n"
@@ -144,9 +141,8 @@ static const char forms[] =
     "  { kind = 'heron', title = 'DARTS', text = 'Two darts.' }, { kind = 'lens', text = 'A ray.' } } } } }\n";
 
 /* Ship, then form, each player for itself; bomb goes from the form back to the ship. */
-static void test_forms(void **state)
+TEST(forms)
 {
-    (void)state;
     open_game(forms);
     soon("PRESS START", 60);
     press(PAD_START, 0);
@@ -173,7 +169,7 @@ static void test_forms(void **state)
 }
 
 /* A practice start says with which ship; the first form without. */
-static void test_practised(void **state)
+TEST(practised)
 {
     static const struct {
         const char *section;
@@ -181,7 +177,6 @@ static void test_practised(void **state)
     } starts[] = { { "reef", 1 }, { "reef:deep@lens", 2 }, { "king/bow@tern", 3 } };
     char full[1 << 13];
 
-    (void)state;
     snprintf(full, sizeof full, "%s%s", kinds, forms);
     for (size_t i = 0; i < sizeof starts / sizeof *starts; i++) {
         struct board_start start = { .practice = { .section = "" } };
@@ -223,9 +218,8 @@ static void forms_say(const char *list, const char *want)
     says(text, want);
 }
 
-static void test_mistakes(void **state)
+TEST(mistakes)
 {
-    (void)state;
     mission_says("clear = true", "mission.def: expected either stage (and mark, to) or boss (and phase)");
     mission_says("stage = 'reef', boss = 'king', clear = true", "mission.def: expected either stage");
     mission_says("stage = 'reef', phase = 'bow', clear = true", "mission.def: phase: only with boss");
@@ -255,12 +249,4 @@ static void test_mistakes(void **state)
     forms_say("{ { kind = 'lens', figures = { 'x' } } }", "boot.run: ship heron: form 1: figures: expected a list of");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_done),  cmocka_unit_test(test_ends),      cmocka_unit_test(test_left),
-        cmocka_unit_test(test_forms), cmocka_unit_test(test_practised), cmocka_unit_test(test_mistakes),
-    };
-
-    return cmocka_run_group_tests_name("missions", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

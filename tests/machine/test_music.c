@@ -189,18 +189,16 @@ static int tell(const struct story *list, size_t n)
     return failed;
 }
 
-static void test_stories(void **state)
+TEST(stories)
 {
-    (void)state;
     assert_int_equal(tell(stories, sizeof stories / sizeof *stories), 0);
 }
 
 /* With RAM spoilt after each frame, and put back twice from ten frames before, it sounds the same. */
-static void test_restored(void **state)
+TEST(restored)
 {
     static uint64_t straight[300], hashes[300];
 
-    (void)state;
     for (size_t i = 0; i < sizeof stories / sizeof *stories; i += 3) {
         power(stories[i].script);
         for (int f = 0; f < 300; f++) {
@@ -253,9 +251,8 @@ static void goes_on(const char *before)
     }
 }
 
-static void test_goes_on(void **state)
+TEST(goes_on)
 {
-    (void)state;
     goes_on("music.play('tide')");
     goes_on("music.play('deep') music.play('tide', { back = true })");
 }
@@ -293,9 +290,8 @@ static const struct story screens[] = {
       "30 deep 2, 161 tide 3, 341 deep 2, 391 - 0", 420 },
 };
 
-static void test_screens(void **state)
+TEST(screens)
 {
-    (void)state;
     assert_int_equal(tell(screens, sizeof screens / sizeof *screens), 0);
 }
 
@@ -333,7 +329,7 @@ static void run_from(const char *script, const char *section, uint64_t out[AFTER
 }
 
 /* A stage that waits and whose clock is waited for, in a practice start of the stage and of its mark. */
-static void test_marks(void **state)
+TEST(marks)
 {
     static const char *const ways[] = {
         "music.play('tide') stage.at(200)",
@@ -355,7 +351,6 @@ static void test_marks(void **state)
     };
     static uint64_t whole[AFTER], part[AFTER];
 
-    (void)state;
     for (size_t i = 0; i < sizeof ways / sizeof *ways; i++) {
         char text[2048];
         snprintf(text, sizeof text,
@@ -376,7 +371,7 @@ static void test_marks(void **state)
 
 /* A phase that is practised has its own music, or the boss's, from its first frame on; what the phase before had too
  * plays while the boss flies in. */
-static void test_phases(void **state)
+TEST(phases)
 {
     static const struct {
         const char *script, *section, *changes;
@@ -391,7 +386,6 @@ static void test_phases(void **state)
         { "one({ music = 'deep' }, phase('a', 90))", "s", "0 tide 3" },
     };
 
-    (void)state;
     for (size_t i = 0; i < sizeof tries / sizeof *tries; i++) {
         char text[1024];
         snprintf(text, sizeof text,
@@ -407,13 +401,12 @@ static void test_phases(void **state)
 /* ---- pause and stop ---- */
 
 /* After a pause every frame sounds as without it, but for the first, in which the music comes back. */
-static void test_pause(void **state)
+TEST(pause)
 {
     static uint64_t straight[200], paused[200];
     static const char held[] = "music.play('tide') local scope = task.scope()\n"
                                "task.own(scope, function() wait(50) sys.freeze(scope) wait(%d) sys.freeze() end)\n";
 
-    (void)state;
     power("music.play('tide')");
     for (int f = 0; f < 200; f++) {
         rig_run(&rig, 1);
@@ -438,9 +431,8 @@ static void test_pause(void **state)
 }
 
 /* In a pause what is asked for waits, and cues sound. */
-static void test_cue_in_pause(void **state)
+TEST(cue_in_pause)
 {
-    (void)state;
     power(
         "music.play('tide') local scope = task.scope() task.own(scope, function() wait(9) sys.freeze(scope) wait(20)\n"
         "sound.play('hit') music.play('deep') wait(20) sys.freeze() end)");
@@ -456,11 +448,10 @@ static void test_cue_in_pause(void **state)
 }
 
 /* Through a hit-stop it runs on. */
-static void test_stop(void **state)
+TEST(stop)
 {
     static uint64_t straight[100];
 
-    (void)state;
     power("music.play('tide')");
     for (int f = 0; f < 100; f++) {
         rig_run(&rig, 1);
@@ -486,9 +477,8 @@ static void press(uint16_t button)
 }
 
 /* From the title: play, hear another, leave. "deep" needs what is not earned yet. */
-static void test_room(void **state)
+TEST(room)
 {
-    (void)state;
     power("stage.def('s', function() end)\n"
           "boot.run { stages = { 's' }, players = { 'ship' }, music = { title = 'tide', room = true } }");
     rig_run(&rig, 5);
@@ -629,9 +619,8 @@ static int begun(int frames, bool presses_any)
 }
 
 /* Each plays in a game that names it, alone; in a game of another sound none does. */
-static void test_cues(void **state)
+TEST(cues)
 {
-    (void)state;
     for (int i = 0; i < CART_CUES; i++) {
         assert_string_equal(deeds[i].name, cart_cue_names[i]);
         power_sound(deeds[i].name, deeds[i].script);
@@ -649,9 +638,8 @@ static void test_cues(void **state)
 }
 
 /* Grazes in every frame are heard in every fourth. */
-static void test_apart(void **state)
+TEST(apart)
 {
-    (void)state;
     power_sound("graze", "task.go(function() while true do p.safe = 0\n"
                          "bullet.fire { kind = 'orb', from = p, dx = 12, speed = 0 } wait(1) end end)");
     assert_int_equal(begun(41, false), 11);
@@ -660,9 +648,8 @@ static void test_apart(void **state)
 }
 
 /* One in the very first frames is heard, though none was before. */
-static void test_first(void **state)
+TEST(first)
 {
-    (void)state;
     power_sound("graze", "");
     rig.b->core.frame = 2;
     sound_play_cue(rig.b, CUE_GRAZE, 0);
@@ -671,12 +658,11 @@ static void test_first(void **state)
 }
 
 /* A slot tells what plays in it, which frame is its last, and nothing of what is no sound. */
-static void test_slots(void **state)
+TEST(slots)
 {
     struct board_cue cue = { 0 };
     int lasts = 0, frames = 0;
 
-    (void)state;
     power("sound.play('hit')");
     for (; rig_run(&rig, 1), board_get_cue(rig.b, 0, &cue) && cue.name; frames++) {
         assert_string_equal(cue.name, "hit");
@@ -690,9 +676,8 @@ static void test_slots(void **state)
 }
 
 /* Of two fades, both as long as a warning may be, the second goes on from where the first was. */
-static void test_long_fades(void **state)
+TEST(long_fades)
 {
-    (void)state;
     power("music.play('tide')");
     rig_run(&rig, 2);
     sound_stop_music(rig.b, 65535);
@@ -716,9 +701,8 @@ static void refuses(const char *script, const char *message)
     rig_game_free(&game);
 }
 
-static void test_mistakes(void **state)
+TEST(mistakes)
 {
-    (void)state;
     refuses("music.play('tied', { back = true })",
             "main.lua:1: music.play: unknown music \"tied\" (did you mean \"tide\"?)");
     refuses("music.play('boom')", "main.lua:1: music.play: unknown music \"boom\" (rom.lua declares it in `sounds`)");
@@ -760,9 +744,8 @@ static void test_mistakes(void **state)
     "stage.def('s', print) player.def('p', { sprite = 'dot', hit = { circle = 1 } })\n"                                \
     "boot.run { stages = { 's' }, players = { 'p' }, music = "
 
-static void test_room_mistakes(void **state)
+TEST(room_mistakes)
 {
-    (void)state;
     refuses(BOOT "{ titel = 'tide' } }",
             "main.lua:2: boot.run: unknown music screen \"titel\" (did you mean \"title\"?)");
     refuses(BOOT "{ title = 'tidy' } }", "main.lua:2: boot.run music: unknown music \"tidy\" (did you mean \"tide\"?)");
@@ -781,9 +764,8 @@ static void test_room_mistakes(void **state)
 }
 
 /* At the bounds nothing breaks; in an event, while scripts load, in a task that ends at once. */
-static void test_extremes(void **state)
+TEST(extremes)
 {
-    (void)state;
     refuses(
         "assert(music.volume(0, 3600) == 1 and music.volume(1) == 1 and music.frames(65536) == 1966080)\n"
         "for i = 1, 2000 do sound.play('boom', { pitch = i % 97 - 48, pan = i % 3 - 1, volume = i % 2 }) end\n"
@@ -813,9 +795,8 @@ static int voices_of(const char *line, int frames)
     return n;
 }
 
-static void test_voices(void **state)
+TEST(voices)
 {
-    (void)state;
     assert_int_equal(voices_of("say('sen', 'ABCDEFGH')", 60), 0);
     assert_int_equal(voices_of("say(nil, 'ABCDEFGH')", 60), 0);
     assert_int_equal(voices_of("say('iri', 'ABCDEFGH', { letter = 4 })", 60), 8);
@@ -825,17 +806,4 @@ static void test_voices(void **state)
     assert_int_equal(voices_of("say('iri', 'ABCDEFGH', { voice = 'bell' })", 60), 1);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_stories),    cmocka_unit_test(test_restored),      cmocka_unit_test(test_goes_on),
-        cmocka_unit_test(test_screens),    cmocka_unit_test(test_marks),         cmocka_unit_test(test_phases),
-        cmocka_unit_test(test_pause),      cmocka_unit_test(test_cue_in_pause),  cmocka_unit_test(test_stop),
-        cmocka_unit_test(test_room),       cmocka_unit_test(test_cues),          cmocka_unit_test(test_apart),
-        cmocka_unit_test(test_mistakes),   cmocka_unit_test(test_room_mistakes), cmocka_unit_test(test_extremes),
-        cmocka_unit_test(test_voices),     cmocka_unit_test(test_first),         cmocka_unit_test(test_slots),
-        cmocka_unit_test(test_long_fades),
-    };
-
-    return cmocka_run_group_tests(tests, make_tables, NULL);
-}
+RUN_TESTS(make_tables, NULL)

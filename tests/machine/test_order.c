@@ -292,14 +292,13 @@ static void run(const struct order *o)
     rig_game_free(&g);
 }
 
-static void test_order(void **state)
+TEST(order)
 {
-    (void)state;
     for (size_t i = 0; i < sizeof orders / sizeof *orders; i++)
         run(&orders[i]);
 }
 
-static void test_load(void **state)
+TEST(load)
 {
     static const struct {
         const char *code, *fault;
@@ -309,7 +308,6 @@ static void test_load(void **state)
         { "error 'plain'", "plain" },       { "by_difficulty { normal = 1 }", "during the game" },
     };
 
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct rig_game g;
         struct rig r;
@@ -323,7 +321,7 @@ static void test_load(void **state)
 }
 
 /* board.reset: as after power-on, but frames and nvram go on, and so does what the frame said. */
-static void test_reset(void **state)
+TEST(reset)
 {
     static const char text[] =
         "print('load')\n"
@@ -333,7 +331,6 @@ static void test_reset(void **state)
     struct rig_game g;
     struct rig r;
 
-    (void)state;
     rig_script(&g, NULL, text);
     rig_power(&r, &g, NULL);
     assert_int_equal(board_last_output(r.b)->log_size, 5);
@@ -357,10 +354,4 @@ static void test_reset(void **state)
     rig_game_free(&g);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_order), cmocka_unit_test(test_load),
-                                        cmocka_unit_test(test_reset) };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -103,7 +103,7 @@ static int inked(const struct bed *t)
     return n;
 }
 
-static void nothing_is_drawn_when_it_is_off(void **state)
+TEST(nothing_is_drawn_when_it_is_off)
 {
     struct bed *t = *state;
 
@@ -132,7 +132,7 @@ static void see_gauges(const struct bed *t)
     assert_false(sees(t, "nvram"));
 }
 
-static void gauges_can_be_read(void **state)
+TEST(gauges_can_be_read)
 {
     struct bed *t = *state;
 
@@ -141,7 +141,7 @@ static void gauges_can_be_read(void **state)
     see_gauges(t);
 }
 
-static void tasks_can_be_read(void **state)
+TEST(tasks_can_be_read)
 {
     struct bed *t = *state;
 
@@ -167,7 +167,7 @@ static void check_thing(struct bed *t, int mouse_x, int mouse_y, const char *con
         must_see(t, *lines);
 }
 
-static void the_thing_under_the_mouse_is_told(void **state)
+TEST(the_thing_under_the_mouse_is_told)
 {
     static const char *const bullet[] = { "bullet 0",
                                           "kind   rice",
@@ -196,7 +196,7 @@ static void the_thing_under_the_mouse_is_told(void **state)
 }
 
 /* With everything on and the mouse anywhere, whatever could be read without the mouse still can. */
-static void panels_do_not_hide_each_other(void **state)
+TEST(panels_do_not_hide_each_other)
 {
     static const int sizes[][2] = { { 240, 320 }, { 320, 240 }, { 384, 448 } };
     struct bed *t = *state;
@@ -219,7 +219,7 @@ static void panels_do_not_hide_each_other(void **state)
 }
 
 /* A bullet's circle of radius 4 is a ring of pixels whose middles are inside, none of whose neighbours outwards is. */
-static void shapes_lie_where_they_hit(void **state)
+TEST(shapes_lie_where_they_hit)
 {
     struct bed *t = *state;
 
@@ -242,7 +242,7 @@ static void shapes_lie_where_they_hit(void **state)
 
 /* A ship's hit shape is white to the pixel, in a red ring in a dark one; of a second player in a cyan one. What is not
  * seen has none; a shake takes it along. */
-static void ships_show_where_they_are_hit(void **state)
+TEST(ships_show_where_they_are_hit)
 {
     struct bed *t = *state;
     struct player *p = &t->r.b->player;
@@ -277,7 +277,7 @@ static void ships_show_where_they_are_hit(void **state)
 }
 
 /* Asking for times and drawing leave the game alone. */
-static void the_game_does_not_notice(void **state)
+TEST(the_game_does_not_notice)
 {
     const uint16_t none[MAX_PLAYERS] = { 0 };
     struct bed *t = *state;
@@ -365,7 +365,7 @@ static int draw_console(struct bed *t)
     return console_draw(&t->c, &t->canvas);
 }
 
-static void it_opens_types_and_answers(void **state)
+TEST(it_opens_types_and_answers)
 {
     struct bed *t = *state;
     struct keys_state k = polled(t, 0, "x", 0);
@@ -393,7 +393,7 @@ static void it_opens_types_and_answers(void **state)
     assert_false(t->c.open);
 }
 
-static void keys_edit_the_line(void **state)
+TEST(keys_edit_the_line)
 {
     struct bed *t = *state;
 
@@ -422,7 +422,7 @@ static void keys_edit_the_line(void **state)
     draw_console(t);
 }
 
-static void lines_come_back(void **state)
+TEST(lines_come_back)
 {
     char line[16];
     struct bed *t = *state;
@@ -453,7 +453,7 @@ static void lines_come_back(void **state)
     assert_string_equal(t->c.line, line);
 }
 
-static void a_line_is_undone_unless_it_is_kept(void **state)
+TEST(a_line_is_undone_unless_it_is_kept)
 {
     struct bed *t = *state;
     uint64_t hash = board_hash(t->r.b);
@@ -475,7 +475,7 @@ static void a_line_is_undone_unless_it_is_kept(void **state)
     rig_run(&t->r, 20);
 }
 
-static void what_cannot_be_kept_is_not(void **state)
+TEST(what_cannot_be_kept_is_not)
 {
     struct plat_input in = { .has_focus = true };
     struct keys_state k = { .pressed = 0 };
@@ -498,7 +498,7 @@ static void what_cannot_be_kept_is_not(void **state)
 }
 
 /* Long answers and many of them, on pictures of any size. */
-static void whatever_is_said_is_drawn(void **state)
+TEST(whatever_is_said_is_drawn)
 {
     struct bed *t = *state;
 
@@ -516,25 +516,4 @@ static void whatever_is_said_is_drawn(void **state)
     draw(t, 60, 20, 20, 20);
 }
 
-int main(void)
-{
-#define TEST(f) cmocka_unit_test_setup_teardown(f, bed_open, bed_close)
-    const struct CMUnitTest tests[] = {
-        TEST(nothing_is_drawn_when_it_is_off),
-        TEST(gauges_can_be_read),
-        TEST(tasks_can_be_read),
-        TEST(the_thing_under_the_mouse_is_told),
-        TEST(panels_do_not_hide_each_other),
-        TEST(shapes_lie_where_they_hit),
-        TEST(ships_show_where_they_are_hit),
-        TEST(the_game_does_not_notice),
-        TEST(it_opens_types_and_answers),
-        TEST(keys_edit_the_line),
-        TEST(lines_come_back),
-        TEST(a_line_is_undone_unless_it_is_kept),
-        TEST(what_cannot_be_kept_is_not),
-        TEST(whatever_is_said_is_drawn),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS_EACH(bed_open, bed_close)

@@ -124,9 +124,8 @@ static void outline(struct want *w, double dir, const double *cx, const double *
     }
 }
 
-static void test_polygon(void **state)
+TEST(polygon)
 {
-    (void)state;
     for (int k = 0; k < 60; k++) {
         struct want w[MOST];
         double cx[20], cy[20], dir = between(-720, 720), speed = between(0.01, 9);
@@ -149,9 +148,8 @@ static void test_polygon(void **state)
     }
 }
 
-static void test_star(void **state)
+TEST(star)
 {
-    (void)state;
     for (int k = 0; k < 60; k++) {
         struct want w[MOST];
         double cx[32], cy[32], dir = between(-720, 720), speed = between(0.01, 9), inner = between(0.01, 1);
@@ -170,9 +168,8 @@ static void test_star(void **state)
 
 /* The first flies along dir; the others stand at equal steps of the circle that was stretched. Stretching makes the
  * rounding of an angle as many times larger. */
-static void test_ellipse(void **state)
+TEST(ellipse)
 {
-    (void)state;
     for (int k = 0; k < 60; k++) {
         struct want w[MOST];
         double dir = between(-720, 720), a = between(0.1, 9), b = between(0.1, 9),
@@ -190,9 +187,8 @@ static void test_ellipse(void **state)
     }
 }
 
-static void test_rose(void **state)
+TEST(rose)
 {
-    (void)state;
     for (int k = 0; k < 60; k++) {
         struct want w[MOST];
         double dir = between(-720, 720), speed = between(-3, 9), low = between(-3, 9);
@@ -206,9 +202,8 @@ static void test_rose(void **state)
     }
 }
 
-static void test_whip(void **state)
+TEST(whip)
 {
-    (void)state;
     for (int k = 0; k < 60; k++) {
         struct want w[MOST];
         double dir = between(-720, 720), speed = between(-3, 9), to = between(-3, 9), bend = between(-400, 400);
@@ -224,9 +219,8 @@ static void test_whip(void **state)
 }
 
 /* Two numbers a bullet from the game's own stream: direction, then speed. */
-static void test_scatter(void **state)
+TEST(scatter)
 {
-    (void)state;
     for (int k = 0; k < 20; k++) {
         struct want w[MOST];
         double dir = between(-720, 720), speed = between(-3, 9), to = between(-3, 9), spread = between(-400, 400);
@@ -249,9 +243,8 @@ static void test_scatter(void **state)
 
 /* ---- places ---- */
 
-static void test_points(void **state)
+TEST(points)
 {
-    (void)state;
     for (int k = 0; k < 60; k++) {
         struct want w[MOST];
         char list[1500] = "";
@@ -272,7 +265,7 @@ static void test_points(void **state)
 }
 
 /* Blanks round a picture are none of it, dots are; a bullet is numbered as it is read. */
-static void test_picture(void **state)
+TEST(picture)
 {
     static const struct {
         const char *dots;
@@ -286,7 +279,6 @@ static void test_picture(void **state)
         { "ab", 1, { 0, 0 }, { -5, 5 } }, /* dir = 90: what was to the right is below */
     };
 
-    (void)state;
     for (size_t i = 0; i < sizeof of / sizeof *of; i++) {
         struct want w[4];
         uint32_t n = 0;
@@ -334,11 +326,10 @@ static void fire_twelve(int which, const char *more)
 }
 
 /* A gap leaves out what it names, from `first` to `last`, and changes nothing else; chance is drawn all the same. */
-static void test_skip(void **state)
+TEST(skip)
 {
     static const int gaps[][2] = { { 1, 1 }, { 5, 8 }, { 12, 12 }, { 1, 12 }, { -3, 2 }, { 11, 99 }, { 13, 20 } };
 
-    (void)state;
     for (int k = 0; k < PATTERNS; k++) {
         fx x[12], y[12];
         ang dir[12];
@@ -371,9 +362,8 @@ static void test_skip(void **state)
 }
 
 /* `each` gets numbers that count from 1, in order, and arguments that bullet.fire takes; skipped ones are not asked. */
-static void test_each(void **state)
+TEST(each)
 {
-    (void)state;
     for (int k = 0; k < PATTERNS; k++) {
         fire_twelve(k, "skip = { 4, 6 }, each = function(a, i) board.note(i) string.all = (string.all or '') .. i .. "
                        "' ' if i == 12 then assert(string.all == '1 2 3 7 8 9 10 11 12 ', string.all) end "
@@ -384,9 +374,8 @@ static void test_each(void **state)
 }
 
 /* The same directions, speeds and places from the pool of shots; up where nothing else is said; a shot of player 1. */
-static void test_shots(void **state)
+TEST(shots)
 {
-    (void)state;
     for (int k = 0; k < PATTERNS; k++) {
         fx x[12], y[12];
         ang dir[12];
@@ -411,9 +400,8 @@ static void test_shots(void **state)
 }
 
 /* Aimed figures point at the player, of shots at the enemy; side by side, from their middle. */
-static void test_aim(void **state)
+TEST(aim)
 {
-    (void)state;
     for (int shots = 0; shots < 2; shots++) {
         for (int k = 0; k < PATTERNS; k++) {
             if (!strncmp(twelve[k], "scatter", 7) || !strncmp(twelve[k], "fan", 3))
@@ -440,9 +428,8 @@ static void test_aim(void **state)
 #define PLAIN SPAN "expected { first, last }, whole numbers from -65535 to 65535, got "
 #define DOT   " kind = 'dot', x = 9, y = 9, speed = 1, "
 
-static void test_errors(void **state)
+TEST(errors)
 {
-    (void)state;
     says(RING "skip = 3 }", PLAIN "3");
     says(RING "skip = { 3 } }", PLAIN "nil as the last");
     says(RING "skip = { first = 3 } }", PLAIN "nil as the first");
@@ -495,14 +482,6 @@ static void test_errors(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_polygon), cmocka_unit_test(test_star),    cmocka_unit_test(test_ellipse),
-        cmocka_unit_test(test_rose),    cmocka_unit_test(test_whip),    cmocka_unit_test(test_scatter),
-        cmocka_unit_test(test_points),  cmocka_unit_test(test_picture), cmocka_unit_test(test_skip),
-        cmocka_unit_test(test_each),    cmocka_unit_test(test_shots),   cmocka_unit_test(test_aim),
-        cmocka_unit_test(test_errors),
-    };
-
     rng_seed(&rng, 20);
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_all_tests(NULL, NULL);
 }

@@ -178,14 +178,13 @@ static void scene(struct board *b, int number)
     compare(b, number);
 }
 
-static void test_random(void **state)
+TEST(random)
 {
     const int n = rig_long() ? 40000 : 2500;
     struct manifest m = rig_manifest();
     struct rig_game g;
     struct rig r;
 
-    (void)state;
     rng_seed(&rng, 21);
     m.bullets = BULLETS;
     m.shots = SHOTS;
@@ -234,9 +233,8 @@ static const char *says(const char *text)
 
 #define SAYS(text, words) assert_string_equal(says(text), words)
 
-static void test_counts(void **state)
+TEST(counts)
 {
-    (void)state;
     /* one goes through one and is used up by the next, in one frame */
     SAYS("local a, b, c = foe(180), foe(160), foe(140) local s = shoot('one', 100) wait(2)\n"
          "print(a.hp, b.hp, c.hp, s.alive)",
@@ -258,9 +256,8 @@ static void test_counts(void **state)
          "false\n8\n");
 }
 
-static void test_bullets(void **state)
+TEST(bullets)
 {
-    (void)state;
     SAYS("local a, b, c = fire('nut', 180), foe(160), fire('nut', 140) local s = shoot('all', 100) wait(2)\n"
          "print(a.hp, b.hp, c.hp, s.alive)",
          "8\t8\t8\ttrue\n");
@@ -273,9 +270,8 @@ static void test_bullets(void **state)
 }
 
 /* Eight things at once, and the ninth when one is forgotten. */
-static void test_most(void **state)
+TEST(most)
 {
-    (void)state;
     SAYS("local all = {} for i = 1, 9 do all[i] = foe(200) end shoot('all', 0) wait(1)\n"
          "print(all[8].hp, all[9].hp) wait(10) print(all[8].hp, all[9].hp) all[1]:kill() wait(2) print(all[9].hp)",
          "8\t9\n7\t9\n8\n");
@@ -294,21 +290,12 @@ static void refuses(bool on, const char *of, const char *words)
     rig_game_free(&g);
 }
 
-static void test_refused(void **state)
+TEST(refused)
 {
-    (void)state;
     refuses(false, "pierce = 1", "shot.def: pierce: piercing is disabled; add `pierce = true` to `board` in rom.lua");
     refuses(false, "pierce = 0", "");
     refuses(true, "every = 3", "shot.def: every: requires `pierce`");
     refuses(true, "pierce = -1", "shot.def: pierce: expected forever or a whole number from 0 to 1000000, got -1");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random), cmocka_unit_test(test_counts),  cmocka_unit_test(test_bullets),
-        cmocka_unit_test(test_most),   cmocka_unit_test(test_refused),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -330,7 +330,7 @@ static void warm(struct bed *t, const struct api_entry *e)
 }
 
 /* Every function that takes named arguments, with tables of all sorts. */
-static void test_random(void **state)
+TEST(random)
 {
     static struct end planned, plain;
     struct bed *t = *state;
@@ -361,7 +361,7 @@ static void test_random(void **state)
 }
 
 /* A table that is changed between calls: in its values, by keys that come, by keys that go. */
-static void test_changed(void **state)
+TEST(changed)
 {
     static struct end planned, plain;
     struct bed *t = *state;
@@ -379,7 +379,7 @@ static void test_changed(void **state)
 }
 
 /* A plan is used once there are calls enough, and is none of a state: neither hash nor digest has anything of it. */
-static void test_used(void **state)
+TEST(used)
 {
     struct bed *t = *state;
     char out[EVAL_TEXT_SIZE];
@@ -394,13 +394,4 @@ static void test_used(void **state)
     assert_int_equal(b->vm.plan_count, 40 + 1 - 15);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(test_used, bed_open, bed_close),
-        cmocka_unit_test_setup_teardown(test_changed, bed_open, bed_close),
-        cmocka_unit_test_setup_teardown(test_random, bed_open, bed_close),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS_EACH(bed_open, bed_close)

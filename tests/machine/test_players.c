@@ -52,9 +52,8 @@ static void hold(uint16_t first, uint16_t second, int frames)
 /* ---- registers ---- */
 
 /* Drains every 5 frames by 2 down to 3; a rise stands 7 frames. */
-static void test_drain(void **state)
+TEST(drain)
 {
-    (void)state;
     power(
         "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, registers = {\n"
         "  a = { start = 10, min = 3, max = 20, drain = 2, every = 5, hold = 7 },\n"
@@ -91,9 +90,8 @@ static void test_drain(void **state)
 }
 
 /* What is full, what is kept, and what begins anew. */
-static void test_fresh(void **state)
+TEST(fresh)
 {
-    (void)state;
     power("player.def('ship', { sprite = 'dot', hit = { circle = 2 }, registers = { a = { start = 1, max = 3 } } })\n"
           "game.def { registers = { rank = { start = 50, min = -10, max = 100, drain = 1, every = 60 }, luck = 3 } }\n"
           "on.start(function() say('start', game.rank, game.frames, game.continues) task.go(function() while true do "
@@ -110,9 +108,8 @@ static void test_fresh(void **state)
 }
 
 /* An item gives a register of the ship that takes it, or else one of the run. */
-static void test_gives_run(void **state)
+TEST(gives_run)
 {
-    (void)state;
     power("game.def { registers = { rank = { max = 9 }, power = 50 } }\n"
           "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, registers = { power = 1 } })\n"
           "item.def('gem', { sprite = 'dot', radius = 9, gives = { rank = 7, power = 3 } })\n"
@@ -125,9 +122,8 @@ static void test_gives_run(void **state)
 
 /* At the most of a run's register an item gives its points alone, and all come to a ship that says so; a register of
  * the ship of that name goes first. */
-static void test_full_run(void **state)
+TEST(full_run)
 {
-    (void)state;
     power("game.def { registers = { heat = { max = 2 }, power = { max = 1 } } }\n"
           "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, collect_full = 'heat', magnet = 0,\n"
           "  registers = { power = { max = 2 }, luck = 0 } })\n"
@@ -170,11 +166,10 @@ static void beside(uint32_t i, double dx, double dy)
     assert_int_equal(b->options.y[i], b->player.y[p] + px(dy));
 }
 
-static void test_fixed(void **state)
+TEST(fixed)
 {
     char text[4096];
 
-    (void)state;
     snprintf(text, sizeof text,
              "%stask.go(function() sys.join(1, 'ship') sys.join(2, 'ship') local p, q = player.get(1), player.get(2)\n"
              "wait(2) p.power = 3 wait(10) p.power = 5 q.power = 2 wait(20) p.power = 1 wait(5) sys.leave(2) end)",
@@ -216,9 +211,8 @@ static void test_fixed(void **state)
     done();
 }
 
-static void test_trail(void **state)
+TEST(trail)
 {
-    (void)state;
     power("option.def('bead', { sprite = 'dot' })\n"
           "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, speed = 2,\n"
           "  options = { kind = 'bead', style = 'trail', apart = 5, levels = { { n = 3 } } } })\n"
@@ -243,12 +237,11 @@ static void test_trail(void **state)
     done();
 }
 
-static void test_orbit(void **state)
+TEST(orbit)
 {
     fx dx, dy;
     ang step;
 
-    (void)state;
     power("option.def('bead', { sprite = 'dot' })\n"
           "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, registers = { n = 4 },\n"
           "  options = { kind = 'bead', by = 'n', style = 'orbit', radius = 30, close = 10, spin = 3, over = 10,\n"
@@ -273,9 +266,8 @@ static void test_orbit(void **state)
 }
 
 /* Shots, beams, sprites and lines come from an option and go with it; its player gets the points. */
-static void test_options_serve(void **state)
+TEST(options_serve)
 {
-    (void)state;
     power("laser.def('ray', { strip = 'dot', width = 8, hit = { share = 1 }, damage = 1 })\n"
           "shot.def('bolt', { sprite = 'dot', hit = { circle = 3 } })\n"
           "option.def('bead', { sprite = 'dot', run = function(o)\n"
@@ -305,12 +297,11 @@ static void test_options_serve(void **state)
 }
 
 /* What finds no room is not there, and comes when there is. */
-static void test_options_full(void **state)
+TEST(options_full)
 {
     struct manifest m = rig_manifest();
     char text[4096];
 
-    (void)state;
     m.options = 3;
     snprintf(text, sizeof text,
              "%s%stask.go(function() for i = 1, 2 do sys.join(i, 'ship') player.get(i).power = 5 end wait(9)\n"
@@ -352,9 +343,8 @@ static void power_bombs(const char *task)
     power(text);
 }
 
-static void test_bomb(void **state)
+TEST(bomb)
 {
-    (void)state;
     power_bombs("sys.join(1, 'ship') sys.join(2, 'ship') wait(2)\n"
                 "for i = 1, 20 do bullet.fire { kind = 'orb', x = 9 * i, y = 50, speed = 0 } end wait(100) "
                 "say(p:bomb(), p.bombs)\n"
@@ -387,9 +377,8 @@ static void test_bomb(void **state)
 }
 
 /* A press that a screen answered to, over a game that stands, is no bomb; one that a script took is none either. */
-static void test_bomb_press(void **state)
+TEST(bomb_press)
 {
-    (void)state;
     power_bombs("sys.join(1, 'ship') wait(5) local s = sys.scope()\n"
                 "task.own(s, function() wait_until(function() return pad.pressed('bomb', 1) end) sys.freeze() end)\n"
                 "sys.freeze(s) wait(1) say('on') wait(4) say(pad.take('bomb', 0, 1)) end) task.go(function()");
@@ -411,9 +400,8 @@ static const char hit_at_10[] =
     "bullet.fire { kind = 'orb', from = p, speed = 0 } bullet.fire { kind = 'orb', from = q, speed = 0 }";
 
 /* A press in the n frames of the window saves; one frame later it is too late. */
-static void test_deathbomb(void **state)
+TEST(deathbomb)
 {
-    (void)state;
     for (int n = 1; n <= 7; n++) {
         power_bombs(hit_at_10);
         hold(0, 0, 11);
@@ -433,9 +421,8 @@ static void test_deathbomb(void **state)
 }
 
 /* It stands, fires nothing, and nothing else hits it; a bomb of a script saves too. */
-static void test_hit_state(void **state)
+TEST(hit_state)
 {
-    (void)state;
     power_bombs("shot.group():remove() end)\n"
                 "shot.def('ball', { sprite = 'dot', hit = { circle = 1 } })\n"
                 "local function ball(p)\n"
@@ -452,12 +439,11 @@ static void test_hit_state(void **state)
 }
 
 /* A hit ends the beams of that ship alone, with a window or without one; in the window it fires none. */
-static void test_hit_beams(void **state)
+TEST(hit_beams)
 {
     static const char *const window[2] = { "deathbomb = 6, bomb = 'wave'", "lives = 3" };
     char text[2048];
 
-    (void)state;
     for (int i = 0; i < 2; i++) {
         snprintf(
             text, sizeof text,
@@ -508,9 +494,8 @@ static void power_arcade(const char *answers, const char *task)
     power(text);
 }
 
-static void test_continues(void **state)
+TEST(continues)
 {
-    (void)state;
     /* both fly; 1 dies and comes back by START; then both die, 2 says no, 1 yes; at the end none is left */
     power_arcade("true, false, false",
                  "score.add(777, 1) player.get(1).power = 9 die(1) say(player.get(1).alive) wait(5)\n"
@@ -525,9 +510,8 @@ static void test_continues(void **state)
 }
 
 /* Through boot.run: the board stands while it asks; START goes on, a bomb shortens, and silence is a no. */
-static void test_asks(void **state)
+TEST(asks)
 {
-    (void)state;
     power(
         "bullet.def('orb', { sprite = 'dot', hit = { circle = 3 } })\n"
         "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, safe = 9, lives = 1 })\n"
@@ -562,13 +546,12 @@ static void test_asks(void **state)
 }
 
 /* A practice start sets registers of the ship, and of the run, in each try; F2 is told of both. */
-static void test_practised(void **state)
+TEST(practised)
 {
     struct board_start start = { .seed = 1, .difficulty = -1, .practice = { .section = "s", .register_count = 2 } };
     const uint16_t none[MAX_PLAYERS] = { 0 };
     char names[64] = "";
 
-    (void)state;
     power(
         "game.def { registers = { rank = { start = 5, min = -9, max = 50, show = 'number' } } }\n"
         "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, lives = 1, registers = { power = { max = 4 } } })\n"
@@ -600,16 +583,4 @@ static void test_practised(void **state)
     done();
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_drain),     cmocka_unit_test(test_fresh),         cmocka_unit_test(test_gives_run),
-        cmocka_unit_test(test_full_run),  cmocka_unit_test(test_fixed),         cmocka_unit_test(test_trail),
-        cmocka_unit_test(test_orbit),     cmocka_unit_test(test_options_serve), cmocka_unit_test(test_options_full),
-        cmocka_unit_test(test_bomb),      cmocka_unit_test(test_bomb_press),    cmocka_unit_test(test_deathbomb),
-        cmocka_unit_test(test_hit_state), cmocka_unit_test(test_hit_beams),     cmocka_unit_test(test_continues),
-        cmocka_unit_test(test_asks),      cmocka_unit_test(test_practised),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -106,20 +106,18 @@ static void check_game(const char *name)
     rig_game_free(&game);
 }
 
-static void test_testcard(void **state)
+TEST(testcard)
 {
-    (void)state;
     check_game("testcard");
 }
 
-static void test_glasstide(void **state)
+TEST(glasstide)
 {
-    (void)state;
     check_game("glasstide");
 }
 
 /* Every index, every pixel different from its neighbours, a width that is no multiple of anything. */
-static void test_all_indices(void **state)
+TEST(all_indices)
 {
     enum { W = 67, H = 41 };
     uint8_t *mem = malloc(fb_size(W, H)), *png;
@@ -129,7 +127,6 @@ static void test_all_indices(void **state)
     struct rng rng;
     size_t size;
 
-    (void)state;
     fb_init(&fb, mem, W, H);
     rng_seed(&rng, 3);
     for (int i = 0; i < 256; i++)
@@ -160,13 +157,4 @@ static int drop_folder(void **state)
     return system(command);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_all_indices),
-        cmocka_unit_test(test_testcard),
-        cmocka_unit_test(test_glasstide),
-    };
-
-    return cmocka_run_group_tests(tests, make_folder, drop_folder);
-}
+RUN_TESTS(make_folder, drop_folder)

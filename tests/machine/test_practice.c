@@ -117,11 +117,10 @@ static void until_round(struct rig *r, int n)
     }
 }
 
-static void test_lives(void **state)
+TEST(lives)
 {
     static const int32_t lives[] = { 0, 1, 2, 7, 99 };
 
-    (void)state;
     for (size_t i = 0; i < sizeof lives / sizeof *lives; i++)
         for (int round = 1; round <= 2; round++) {
             struct board_start start = start_at(round == 1 ? "rain" : "knight/stand");
@@ -152,21 +151,19 @@ static int deaths_in_round(int32_t lives)
     return deaths;
 }
 
-static void test_deaths(void **state)
+TEST(deaths)
 {
-    (void)state;
     assert_int_equal(deaths_in_round(0), 3);
     assert_int_equal(deaths_in_round(1), 1);
     assert_int_equal(deaths_in_round(5), 5);
 }
 
 /* bombs is register 0, power 1: in byte order. */
-static void test_registers(void **state)
+TEST(registers)
 {
     struct board_start start = start_at("rain");
     struct rig r;
 
-    (void)state;
     rig_power(&r, &game, &start);
     rig_run(&r, 2);
     assert_int_equal(board_get_register(r.b, 0, 0), 2);
@@ -197,11 +194,10 @@ static void expect_fault(const struct board_start *start, const char *message)
     rig_free(&r);
 }
 
-static void test_unknown_registers(void **state)
+TEST(unknown_registers)
 {
     struct board_start near = start_at("rain"), far = start_at(PRACTICE_LIST);
 
-    (void)state;
     add_register(&near, "power", 1);
     add_register(&near, "bomb", 1);
     expect_fault(&near, "main.lua:40: --register: ship \"ship\" has no register \"bomb\" (did you mean \"bombs\"?)");
@@ -221,11 +217,10 @@ static void expect_refusal(const struct board_start *start, const char *message)
     free(ram);
 }
 
-static void test_ranges(void **state)
+TEST(ranges)
 {
     struct board_start start = start_at("one");
 
-    (void)state;
     start.practice.lives = -1;
     expect_refusal(&start, "practice start: lives: expected 0 to 99, got -1");
     start.practice.lives = 100;
@@ -268,11 +263,10 @@ static struct hits suffer(const char *mark, bool invincible)
     return h;
 }
 
-static void test_invincible(void **state)
+TEST(invincible)
 {
     static const char *const marks[] = { "rain", "crash" };
 
-    (void)state;
     for (int i = 0; i < 2; i++) {
         struct hits mortal = suffer(marks[i], false), god = suffer(marks[i], true);
         assert_true(mortal.hits > 0 && mortal.deaths > 0);
@@ -284,7 +278,7 @@ static void test_invincible(void **state)
 }
 
 /* The second player, whom a game's own start brings in, is spared too. */
-static void test_both_invincible(void **state)
+TEST(both_invincible)
 {
     static const char text[] = "local sys = ...\n"
                                "return { run = function()\n"
@@ -299,7 +293,6 @@ static void test_both_invincible(void **state)
     struct rig_game own;
     struct rig r;
 
-    (void)state;
     rig_scripts(&own, NULL, scripts, 2);
     for (int god = 0; god < 2; god++) {
         start.practice.invincible = god;
@@ -349,7 +342,7 @@ static const char a_game[] =
     "wait(5) end end)\n";
 
 /* The beginning and the end of a game, and its row in the table. */
-static void test_games(void **state)
+TEST(games)
 {
     static const struct {
         const char *stages, *want;
@@ -361,7 +354,6 @@ static void test_games(void **state)
     };
     char text[1024], out[1024];
 
-    (void)state;
     for (size_t i = 0; i < sizeof games / sizeof *games; i++) {
         snprintf(text, sizeof text, "%sboot.run { stages = { %s }, players = { 'ship' } }", a_game, games[i].stages);
         tell_games(text, games[i].pads, 4000, out, sizeof out);
@@ -398,11 +390,10 @@ static void tell(const char *mark, int frames, char *out, size_t size)
     rig_free(&r);
 }
 
-static void test_marks(void **state)
+TEST(marks)
 {
     char all[4096];
 
-    (void)state;
     tell("one", 270, all, sizeof all);
     assert_string_equal(all, "start \nstage one\npoint guard of one\nboss queen \"The Queen\"\nphase first of queen\n"
                              "won first of queen\nphase second of queen \"Sign of Rain\"\nwon second of queen\n"
@@ -463,12 +454,11 @@ static void list(const struct rig_game *g, char *out, size_t size, int *frames)
     rig_free(&r);
 }
 
-static void test_list(void **state)
+TEST(list)
 {
     char all[4096];
     int frames;
 
-    (void)state;
     list(&game, all, sizeof all, &frames);
     assert_string_equal(other_ships, "other ");
     assert_string_equal(all, "ship=3\nbombs=2\npower=7\n"
@@ -490,9 +480,8 @@ static void list_of_folder(const char *path, const char *expected)
     rig_game_free(&g);
 }
 
-static void test_lists_of_games(void **state)
+TEST(lists_of_games)
 {
-    (void)state;
     list_of_folder("roms/glasstide", "heron=3\n"
                                      "bombs=3\n"
                                      "chain=0\n"
@@ -575,13 +564,12 @@ static void test_lists_of_games(void **state)
 }
 
 /* What a game without boot.run says. */
-static void test_list_of_none(void **state)
+TEST(list_of_none)
 {
     struct board_start start = start_at(PRACTICE_LIST);
     struct rig_game g;
     struct rig r;
 
-    (void)state;
     rig_script(&g, NULL, "task.go(function() end)");
     rig_power_any(&r, &g, &start);
     assert_string_equal(rig_fault(&r)->message,
@@ -591,12 +579,11 @@ static void test_list_of_none(void **state)
 }
 
 /* Every section that is told can be started. */
-static void test_list_starts(void **state)
+TEST(list_starts)
 {
     char all[4096], *line = all;
     int frames, sections = 0;
 
-    (void)state;
     list(&game, all, sizeof all, &frames);
     for (int i = 0; i < 3; i++) /* the ship and its registers */
         line = strchr(line, '\n') + 1;
@@ -617,7 +604,7 @@ static void test_list_starts(void **state)
 
 /* ---- what is skipped for ever ---- */
 
-static void test_endless(void **state)
+TEST(endless)
 {
     static const char *const marks[] = { "ever:after", "waits:none" };
     static const char *const faults[] = {
@@ -626,7 +613,6 @@ static void test_endless(void **state)
     };
     const uint16_t none[MAX_PLAYERS] = { 0 };
 
-    (void)state;
     for (int i = 0; i < 2; i++) {
         struct board_start start = start_at(marks[i]);
         struct rig r;
@@ -638,13 +624,12 @@ static void test_endless(void **state)
     }
 }
 
-static void test_endless_in_list(void **state)
+TEST(endless_in_list)
 {
     struct board_start start = start_at(PRACTICE_LIST);
     struct rig r;
     int ever = 0, waits = 0, one = 0;
 
-    (void)state;
     rig_power(&r, &game, &start);
     for (bool done = false; !done; done = told(&r, MARKER_LISTED, NULL)) {
         rig_run(&r, 1);
@@ -690,16 +675,15 @@ static void run_twice(const char *mark, bool invincible, uint32_t frames)
     rig_game_free(&torture);
 }
 
-static void test_same(void **state)
+TEST(same)
 {
-    (void)state;
     run_twice("first:boss", true, 900);
     run_twice("twin/two", false, 600);
     run_twice(PRACTICE_LIST, false, 30);
 }
 
 /* After board.reset it is the same practice. */
-static void test_reset(void **state)
+TEST(reset)
 {
     static const char more[] = "task.go(function() wait(50) board.reset() end)\n";
     char text[sizeof game_text + sizeof more];
@@ -707,7 +691,6 @@ static void test_reset(void **state)
     struct rig_game g;
     struct rig r;
 
-    (void)state;
     snprintf(text, sizeof text, "%s%s", game_text, more);
     rig_script(&g, NULL, text);
     start.practice.lives = 1;
@@ -730,12 +713,11 @@ static void expect_section(const struct sections *p, int i, enum section_kind ki
     assert_string_equal(p->section[i].title, title);
 }
 
-static void test_sections(void **state)
+TEST(sections)
 {
     static struct sections p;
     struct board_start start = start_at("");
 
-    (void)state;
     sections_list(&p, &game.image.rom, &start, true);
     assert_string_equal(p.why, "");
     assert_string_equal(p.ship, "ship");
@@ -758,7 +740,7 @@ static void test_sections(void **state)
 }
 
 /* A stage that faults when it is run through: what was told before is kept. */
-static void test_sections_of_the_wrong(void **state)
+TEST(sections_of_the_wrong)
 {
     static struct sections p;
     static const char wrong[] = "player.def('ship', { sprite = 'dot', hit = { circle = 2 } })\n"
@@ -768,7 +750,6 @@ static void test_sections_of_the_wrong(void **state)
     struct board_start start = start_at("good");
     struct rig_game g;
 
-    (void)state;
     rig_script(&g, NULL, wrong);
     sections_list(&p, &g.image.rom, &start, true);
     assert_string_equal(p.why, "main.lua:3: boo");
@@ -829,12 +810,11 @@ static enum answer tap(const uint16_t *pads, int n)
 
 #define TAP(...) tap((const uint16_t[]){ __VA_ARGS__ }, sizeof((const uint16_t[]){ __VA_ARGS__ }) / 2)
 
-static void test_menu(void **state)
+TEST(menu)
 {
     struct board_start start = start_at(""), got;
     const uint16_t up = PAD_UP, down = PAD_DOWN, left = PAD_LEFT, right = PAD_RIGHT, fire = PAD_FIRE;
 
-    (void)state;
     start.seed = 77;
     open_menu(&start); /* on the first section */
     assert_int_equal(TAP(down, fire), STARTS);
@@ -874,12 +854,11 @@ static void test_menu(void **state)
 }
 
 /* Held buttons: nothing of before the menu; then again after a while. */
-static void test_menu_held(void **state)
+TEST(menu_held)
 {
     struct board_start start = start_at("one");
     int row;
 
-    (void)state;
     screens = (struct screens){ 0 };
     menu = (struct practice_menu){ .cart = &game.cart, .home = start, .slow = 1 };
     begin_menu(&start, 1);
@@ -896,12 +875,11 @@ static void test_menu_held(void **state)
 }
 
 /* On pictures of any size: nothing is drawn outside, the chosen row is shown, whatever it is. */
-static void test_menu_pictures(void **state)
+TEST(menu_pictures)
 {
     static const int sizes[][2] = { { 240, 320 }, { 320, 240 }, { 64, 64 }, { 64, 320 }, { 320, 64 }, { 160, 160 } };
     struct board_start start = start_at("");
 
-    (void)state;
     for (size_t s = 0; s < sizeof sizes / sizeof *sizes; s++) {
         int w = sizes[s][0], h = sizes[s][1];
         void *mem = malloc(fb_size(w, h));
@@ -951,11 +929,10 @@ static void expect_record(const char *mark, int captures, int attempts)
     assert_int_equal(r ? r->attempts : 0, attempts);
 }
 
-static void test_counting(void **state)
+TEST(counting)
 {
     struct board_start phase = start_at("queen/second"), stage = start_at("one:guard"), none = start_at("");
 
-    (void)state;
     menu = (struct practice_menu){ .cart = &game.cart };
     practice_start_run(&menu, &phase);
     told_now(MARKER_WON, "second", "queen"); /* before it began */
@@ -996,33 +973,4 @@ static void test_counting(void **state)
     records_free(&menu.records);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_lives),
-        cmocka_unit_test(test_deaths),
-        cmocka_unit_test(test_registers),
-        cmocka_unit_test(test_unknown_registers),
-        cmocka_unit_test(test_ranges),
-        cmocka_unit_test(test_invincible),
-        cmocka_unit_test(test_both_invincible),
-        cmocka_unit_test(test_marks),
-        cmocka_unit_test(test_list),
-        cmocka_unit_test(test_lists_of_games),
-        cmocka_unit_test(test_games),
-        cmocka_unit_test(test_list_of_none),
-        cmocka_unit_test(test_list_starts),
-        cmocka_unit_test(test_endless),
-        cmocka_unit_test(test_endless_in_list),
-        cmocka_unit_test(test_same),
-        cmocka_unit_test(test_reset),
-        cmocka_unit_test(test_sections),
-        cmocka_unit_test(test_sections_of_the_wrong),
-        cmocka_unit_test(test_menu),
-        cmocka_unit_test(test_menu_held),
-        cmocka_unit_test(test_menu_pictures),
-        cmocka_unit_test(test_counting),
-    };
-
-    return cmocka_run_group_tests_name("practice", tests, open_game, close_game);
-}
+RUN_TESTS(open_game, close_game)

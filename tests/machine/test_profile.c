@@ -53,12 +53,11 @@ static const char counts[] = "task.go(function()\n"
                              "  end\n"
                              "end)\n";
 
-static void exact(void **state)
+TEST(exact)
 {
     struct rig_game g;
     struct rig r;
 
-    (void)state;
     begin(&g, &r, counts);
     rig_run(&r, 1);
     board_set_profile(r.b, &profile);
@@ -79,12 +78,11 @@ static void exact(void **state)
 }
 
 /* After the end no line is counted, and the tasks have the hook again that every tick has. */
-static void ends(void **state)
+TEST(ends)
 {
     struct rig_game g;
     struct rig r;
 
-    (void)state;
     begin(&g, &r, counts);
     rig_run(&r, 1);
     const lua_Hook hook = lua_gethook(r.b->vm.L);
@@ -113,12 +111,11 @@ static const char library[] =
     "task.go(pattern.spiral, { kind = 'orb', x = 100, y = 90, n = 400, every = 1, step = 7, speed = 1 })\n";
 
 /* What the library does at once is its caller's, what it does in a task of its own is the line's that started that. */
-static void of_author(void **state)
+TEST(of_author)
 {
     struct rig_game g;
     struct rig r;
 
-    (void)state;
     begin(&g, &r, library);
     board_set_profile(r.b, &profile);
     rig_run(&r, 4 * FRAMES);
@@ -135,7 +132,7 @@ static void of_author(void **state)
 }
 
 /* A handler that a line between frames calls is the last to run before the next tick, whose work begins at 0 again. */
-static void between_frames(void **state)
+TEST(between_frames)
 {
     static const char script[] = "enemy.def('fly', { sprite = 'dot', hp = 5, hit = { circle = 8 } })\n"
                                  "on.kill(function()\n"
@@ -147,7 +144,6 @@ static void between_frames(void **state)
     struct rig r;
     char out[EVAL_TEXT_SIZE];
 
-    (void)state;
     begin(&g, &r, script);
     rig_run(&r, 1);
     board_set_profile(r.b, &profile);
@@ -161,7 +157,7 @@ static void between_frames(void **state)
 
 /* Every frame's hash is the one without, and so is its work, but for where Lua's stacks grow; also through a reset,
  * which gives the board another heap, and with turns inside of turns. */
-static void changes_nothing(void **state)
+TEST(changes_nothing)
 {
     static const char script[] =
         "bullet.def('orb', { sprite = 'dot', hit = { circle = 3 } })\n"
@@ -179,7 +175,6 @@ static void changes_nothing(void **state)
     struct rig_game g;
     struct rig r, other;
 
-    (void)state;
     begin(&g, &r, script);
     rig_power(&other, &g, NULL);
     board_set_profile(r.b, &profile);
@@ -212,7 +207,7 @@ static void power_at(struct rig *r, const struct rig_game *g, int pad)
 }
 
 /* Whether a script is stopped must not depend on the order that Lua's tables have: work is the same for every seed. */
-static void work_is_the_same_for_every_seed(void **state)
+TEST(work_is_the_same_for_every_seed)
 {
     static const char script[] =
         "bullet.def('orb', { sprite = 'dot', hit = { circle = 3 } })\n"
@@ -243,7 +238,6 @@ static void work_is_the_same_for_every_seed(void **state)
     struct rig_game g;
     struct rig r[SEEDS];
 
-    (void)state;
     rig_script(&g, NULL, script);
     for (int i = 0; i < SEEDS; i++)
         power_at(&r[i], &g, i);
@@ -257,12 +251,4 @@ static void work_is_the_same_for_every_seed(void **state)
     rig_game_free(&g);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(exact),           cmocka_unit_test(ends),
-        cmocka_unit_test(of_author),       cmocka_unit_test(between_frames),
-        cmocka_unit_test(changes_nothing), cmocka_unit_test(work_is_the_same_for_every_seed),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

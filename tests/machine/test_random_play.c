@@ -536,55 +536,45 @@ static void many(unsigned mode)
         one_run(mode & WALK ? games[i % 4] : "first", (uint64_t)i * 16 + mode, mode, 2500);
 }
 
-static void test_hands(void **state)
+TEST(hands)
 {
-    (void)state;
     many(0);
 }
 
-static void test_console(void **state)
+TEST(console)
 {
-    (void)state;
     many(CONSOLE);
 }
 
-static void test_practice(void **state)
+TEST(practice)
 {
-    (void)state;
     many(FREE);
     many(FREE | CONSOLE | FILES);
 }
 
-static void test_files(void **state)
+TEST(files)
 {
-    (void)state;
     many(FILES);
     many(CONSOLE | FILES);
 }
 
-static void test_screens(void **state)
+TEST(screens)
 {
-    (void)state;
     many(WALK);
     many(WALK | FILES);
 }
 
 /* The hands got that far. */
-static void test_seen(void **state)
+TEST(seen)
 {
-    (void)state;
     assert_true(kept > 0 && painted > 0 && dropped > 0);
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_hands),   cmocka_unit_test(test_console),
-                                        cmocka_unit_test(test_files),   cmocka_unit_test(test_practice),
-                                        cmocka_unit_test(test_screens), cmocka_unit_test(test_seen) };
-
     if (!getcwd(repo, sizeof repo) || !temp_folder(root, sizeof root, "program") || chdir(root) != 0)
         return 2;
-    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    const int failed = run_all_tests(NULL, NULL);
     if (chdir(repo) != 0)
         return 2;
     shell("rm -rf '%s%s'", root, "");

@@ -81,18 +81,16 @@ static void assert_reach(const struct tally *t, uint32_t percent)
 
 /* ---- ROMs ---- */
 
-static void test_as_it_is(void **state)
+TEST(as_it_is)
 {
-    (void)state;
     assert_int_equal(try_rom(game.image.bytes, game.image.size, &plain, 1), SPOIL_RAN);
     assert_int_equal(try_rom(game.image.bytes, game.image.size, &practice, 1), SPOIL_RAN);
 }
 
-static void test_random_bytes(void **state)
+TEST(random_bytes)
 {
     struct rng r;
 
-    (void)state;
     rng_seed(&r, 11);
     for (int i = 0; i < 3000; i++) {
         size_t n = (size_t)rng_below(&r, i % 10 ? 300 : 20000);
@@ -107,9 +105,8 @@ static void test_random_bytes(void **state)
 }
 
 /* Cut anywhere, as it is, and with its header and checksums saying that it is whole. */
-static void test_truncated(void **state)
+TEST(truncated)
 {
-    (void)state;
     for (size_t n = 0; n < game.image.size; n++) {
         uint8_t *p = copy_of(game.image.bytes, n);
         assert_int_equal(try_rom(p, n, &plain, n), SPOIL_REFUSED);
@@ -122,13 +119,12 @@ static void test_truncated(void **state)
 }
 
 /* One lump after the other left out, and emptied. */
-static void test_lumps_gone(void **state)
+TEST(lumps_gone)
 {
     const struct rom *rom = &game.image.rom;
     struct lump lumps[128];
     struct tally t = { 0 };
 
-    (void)state;
     assert_true(rom->count <= 128);
     for (uint32_t gone = 0; gone < 2 * rom->count; gone++) {
         int n = 0;
@@ -224,17 +220,15 @@ static void mutate_roms(const struct rig_game *g, const struct board_start *star
     assert_reach(&t, percent);
 }
 
-static void test_mutants(void **state)
+TEST(mutants)
 {
-    (void)state;
     mutate_roms(&game, &practice, ROM_MUTANTS, 100000, 30);
 }
 
-static void test_card_mutants(void **state)
+TEST(card_mutants)
 {
     struct rig_game card;
 
-    (void)state;
     rig_folder(&card, "testcard");
     mutate_roms(&card, &plain, CARD_MUTANTS, 200000, 30);
     rig_game_free(&card);
@@ -296,11 +290,10 @@ static enum spoil_outcome try_demo(const uint8_t *p, size_t n, uint64_t seed)
     return out;
 }
 
-static void test_demo_random_bytes(void **state)
+TEST(demo_random_bytes)
 {
     struct rng r;
 
-    (void)state;
     rng_seed(&r, 12);
     for (int i = 0; i < 3000; i++) {
         size_t n = (size_t)rng_below(&r, i % 10 ? 200 : 9000);
@@ -317,7 +310,7 @@ static void test_demo_random_bytes(void **state)
 }
 
 /* Cut anywhere, a demo is read up to its last whole second, or refused. All are read, and one of each length is run. */
-static void test_demo_truncated(void **state)
+TEST(demo_truncated)
 {
     static struct demo d; /* large for a stack */
     uint32_t frames = UINT32_MAX;
@@ -326,7 +319,6 @@ static void test_demo_truncated(void **state)
     size_t size;
     uint8_t *whole = record(&size);
 
-    (void)state;
     assert_int_equal(try_demo(whole, size, 0), SPOIL_RAN);
     for (size_t n = 0; n < size; n++) {
         uint8_t *p = copy_of(whole, n);
@@ -346,14 +338,13 @@ static void test_demo_truncated(void **state)
     free(whole);
 }
 
-static void test_demo_mutants(void **state)
+TEST(demo_mutants)
 {
     struct tally t = { 0 };
     struct rng r;
     size_t size;
     uint8_t *whole = record(&size);
 
-    (void)state;
     rng_seed(&r, 300000);
     for (int i = 0; i < DEMO_MUTANTS; i++) {
         uint8_t *p = copy_of(whole, size);
@@ -367,15 +358,4 @@ static void test_demo_mutants(void **state)
     free(whole);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_as_it_is),          cmocka_unit_test(test_random_bytes),
-        cmocka_unit_test(test_truncated),         cmocka_unit_test(test_lumps_gone),
-        cmocka_unit_test(test_mutants),           cmocka_unit_test(test_card_mutants),
-        cmocka_unit_test(test_demo_random_bytes), cmocka_unit_test(test_demo_truncated),
-        cmocka_unit_test(test_demo_mutants),
-    };
-
-    return cmocka_run_group_tests(tests, set_up, tear_down);
-}
+RUN_TESTS(set_up, tear_down)

@@ -133,11 +133,10 @@ static void walk(const struct run *run, size_t bytes, int steps, uint64_t seed)
     rig_free(&r);
 }
 
-static void walks(void **state)
+TEST(walks)
 {
     int steps = rig_long() ? 20000 : 1500;
 
-    (void)state;
     walk(&glasstide, PLENTY, steps, 1);
     walk(&glasstide, 12 * MIB, steps, 2);
     walk(&glasstide, 6 * MIB, steps / 3, 3);
@@ -162,12 +161,11 @@ static uint64_t backwards(struct rewind *p, const struct run *run, struct rig *r
 }
 
 /* A minute is there, and back through all of it no gap is run through again for every frame. */
-static void a_minute_backwards(void **state)
+TEST(a_minute_backwards)
 {
     struct rewind *p = open_past(PLENTY);
     struct rig r;
 
-    (void)state;
     rig_power(&r, &glasstide.game, &glasstide.demo.start);
     forward(p, &glasstide, &r, 3600);
     assert_int_equal(rewind_first(p), 0);
@@ -197,13 +195,12 @@ static void a_minute_backwards(void **state)
 }
 
 /* Pads alone do not grow for ever either. */
-static void pads_have_a_share(void **state)
+TEST(pads_have_a_share)
 {
     struct rig_game g;
     struct rig r;
     const uint16_t none[MAX_PLAYERS] = { 0 };
 
-    (void)state;
     rig_script(&g, NULL, "");
     rig_power(&r, &g, NULL);
     const size_t bytes = board_snapshot_size(r.b) * 10;
@@ -222,14 +219,13 @@ static void pads_have_a_share(void **state)
 
 /* ---- another future ---- */
 
-static void taking_over(void **state)
+TEST(taking_over)
 {
     struct rewind *p = open_past(PLENTY);
     struct rig r, straight;
     struct rng rng;
     uint16_t pads[200][MAX_PLAYERS];
 
-    (void)state;
     rng_seed(&rng, 6);
     rig_power(&r, &glasstide.game, &glasstide.demo.start);
     rig_power(&straight, &glasstide.game, &glasstide.demo.start);
@@ -262,13 +258,12 @@ static void taking_over(void **state)
 }
 
 /* A board that is at a frame of no past begins one. */
-static void another_place(void **state)
+TEST(another_place)
 {
     struct rewind *p = open_past(PLENTY);
     struct rig r;
     const uint16_t none[MAX_PLAYERS] = { 0 };
 
-    (void)state;
     rig_power(&r, &glasstide.game, &glasstide.demo.start);
     forward(p, &glasstide, &r, 100);
     rig_run(&r, 5); /* not pushed */
@@ -285,7 +280,7 @@ static void another_place(void **state)
 
 /* ---- faults ---- */
 
-static void back_from_a_fault(void **state)
+TEST(back_from_a_fault)
 {
     static const char text[] = "task.go(function()\n"
                                "  for i = 1, 150 do board.note(i * rng.int(1, 1000)) wait(1) end\n"
@@ -298,7 +293,6 @@ static void back_from_a_fault(void **state)
     uint64_t hash[151];
     uint32_t dead = 0;
 
-    (void)state;
     rig_script(&g, NULL, text);
     rig_power(&r, &g, NULL);
     while (!rig_fault(&r)) {
@@ -326,7 +320,7 @@ static void back_from_a_fault(void **state)
 }
 
 /* board.reset lays RAM out anew in the middle of a run. */
-static void back_before_a_reset(void **state)
+TEST(back_before_a_reset)
 {
     static const char text[] = "board.note(save.get('n', 0))\n"
                                "local t = {}\n"
@@ -344,7 +338,6 @@ static void back_before_a_reset(void **state)
     struct rng rng;
     uint64_t hash[401];
 
-    (void)state;
     rng_seed(&rng, 8);
     rig_script(&g, NULL, text);
     rig_power(&r, &g, NULL);
@@ -368,7 +361,7 @@ static void back_before_a_reset(void **state)
 /* ---- snapshots that grow ---- */
 
 /* The slots are enlarged several times, while some of them are free. */
-static void slots_grow(void **state)
+TEST(slots_grow)
 {
     static const char text[] = "local t = {}\n"
                                "task.go(function()\n"
@@ -388,7 +381,6 @@ static void slots_grow(void **state)
     int grown = 0;
     size_t slot_size = 0;
 
-    (void)state;
     rng_seed(&rng, 9);
     rig_script(&g, NULL, text);
     rig_power(&r, &g, NULL);
@@ -451,11 +443,10 @@ static int play_lean(size_t bytes, int steps)
     return without;
 }
 
-static void memory_runs_out(void **state)
+TEST(memory_runs_out)
 {
     struct rig r;
 
-    (void)state;
     rig_power(&r, &glasstide.game, &glasstide.demo.start);
     const size_t size = board_snapshot_size(r.b);
     rig_free(&r);
@@ -465,7 +456,7 @@ static void memory_runs_out(void **state)
 }
 
 /* The key frames used last stay, whatever their gaps. */
-static void recent_stay(void **state)
+TEST(recent_stay)
 {
     enum { RECENT = 12, STEPS = 300 };
     const size_t bytes = 64 * MIB;
@@ -473,7 +464,6 @@ static void recent_stay(void **state)
     struct rig r;
     uint32_t removed = 0;
 
-    (void)state;
     assert_non_null(memory);
     struct rewind *p = rewind_open(memory, bytes, RECENT);
     rig_power(&r, &glasstide.game, &glasstide.demo.start);
@@ -501,14 +491,13 @@ static void recent_stay(void **state)
 }
 
 /* With space for two key frames, the one that was used stays, though it is the first and the gaps are wide. */
-static void first_stays(void **state)
+TEST(first_stays)
 {
     const size_t most = 64 * MIB;
     void *memory = malloc(most);
     struct rewind *p;
     struct rig r;
 
-    (void)state;
     assert_non_null(memory);
     rig_power(&r, &glasstide.game, &glasstide.demo.start);
     size_t bytes = board_snapshot_size(r.b);
@@ -527,21 +516,4 @@ static void first_stays(void **state)
     rig_free(&r);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(walks),
-        cmocka_unit_test(a_minute_backwards),
-        cmocka_unit_test(pads_have_a_share),
-        cmocka_unit_test(taking_over),
-        cmocka_unit_test(another_place),
-        cmocka_unit_test(back_from_a_fault),
-        cmocka_unit_test(back_before_a_reset),
-        cmocka_unit_test(slots_grow),
-        cmocka_unit_test(memory_runs_out),
-        cmocka_unit_test(recent_stay),
-        cmocka_unit_test(first_stays),
-    };
-
-    return cmocka_run_group_tests(tests, open_runs, close_runs);
-}
+RUN_TESTS(open_runs, close_runs)

@@ -2,14 +2,8 @@
  * test_run.c - the demos of the built-in game show what they are there to show: the attract demo is long enough, and
  * the whole run goes from the title through every part of the game to the score table. And two runs that must fail, do.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <lauxlib.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../src/demo/demo.h"
 #include "../../src/workbench/pack/pack.h"
 #include "../../tools/tally.h"
@@ -61,7 +55,7 @@ static int boss_left(struct board *b, char *title, size_t size)
     return left;
 }
 
-static void test_whole_run(void **state)
+TEST(whole_run)
 {
     struct game g;
     struct demo d = { 0 };
@@ -70,7 +64,6 @@ static void test_whole_run(void **state)
     char err[256], title[64];
     unsigned phases = 0, stages = 0;
 
-    (void)state;
     assert_true(demo_load(&d, "tests/demos/glasstide/clear-normal.demo", err, sizeof err));
     assert_true(d.complete);
     assert_string_equal(d.start.practice.section, "");
@@ -104,12 +97,11 @@ static void test_whole_run(void **state)
     drop(&g);
 }
 
-static void test_attract(void **state)
+TEST(attract)
 {
     struct demo d = { 0 };
     char err[256];
 
-    (void)state;
     assert_true(demo_load(&d, "roms/glasstide/demos/attract.demo", err, sizeof err));
     assert_true(d.complete && d.fault == FAULT_NONE);
     assert_true(d.frames >= 30 * 60);
@@ -117,14 +109,13 @@ static void test_attract(void **state)
 }
 
 /* Who stands still and shoots is out of the game before the midboss; who only flies about never clears the stage. */
-static void test_standing_still(void **state)
+TEST(standing_still)
 {
     struct game g;
     struct board_start start = { .difficulty = -1, .practice.section = "one" };
     const uint16_t pads[MAX_PLAYERS] = { PAD_FIRE, 0 };
     uint32_t f = 0;
 
-    (void)state;
     power(&g, &start);
     while (f < 60 * 60 && !(f > 60 && !g.b->player.in_game[0])) {
         assert_null(board_tick(g.b, pads)->fault);
@@ -136,14 +127,13 @@ static void test_standing_still(void **state)
 }
 
 /* Each round of a practice start is like the first: what the round before started has ended. */
-static void test_practice_rounds(void **state)
+TEST(practice_rounds)
 {
     struct game g;
     struct board_start start = { .difficulty = -1, .practice.section = "one" };
     const uint16_t pads[MAX_PLAYERS] = { PAD_FIRE, 0 };
     uint32_t tasks[3], shots[3], rounds = 0, since = 0;
 
-    (void)state;
     power(&g, &start);
     for (uint32_t f = 0; f < 6000 && rounds < 3; f++) {
         assert_null(board_tick(g.b, pads)->fault);
@@ -161,7 +151,7 @@ static void test_practice_rounds(void **state)
     drop(&g);
 }
 
-static void test_never_shooting(void **state)
+TEST(never_shooting)
 {
     struct game g;
     struct board_start start = { .difficulty = -1, .practice.section = "one" };
@@ -169,7 +159,6 @@ static void test_never_shooting(void **state)
     char title[64];
     bool crab = false;
 
-    (void)state;
     power(&g, &start);
     for (uint32_t f = 0; f < 25000; f++) {
         g.b->player.safe_left[0] = 100; /* nothing can hit it: only shooting is missing */
@@ -183,11 +172,4 @@ static void test_never_shooting(void **state)
     drop(&g);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_attract), cmocka_unit_test(test_whole_run),
-                                        cmocka_unit_test(test_standing_still), cmocka_unit_test(test_never_shooting),
-                                        cmocka_unit_test(test_practice_rounds) };
-
-    return cmocka_run_group_tests_name("run", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -258,12 +258,11 @@ static void play(struct rig *r, struct rig_game *g, const char *code, int again,
 }
 
 /* A stage that is over fires no more while its results are shown. */
-static void test_results(void **state)
+TEST(results)
 {
     struct rig_game g;
     struct rig r;
 
-    (void)state;
     play(&r, &g, "stage.def('s', function() brood() guest() put() wait(20) say('end') end)\n", 0, 90);
     assert_int_equal(r.b->sprites.s.live, 6); /* what is behind the results stays; their plate */
     assert_int_equal(r.b->bullets.s.live, 0);
@@ -273,9 +272,8 @@ static void test_results(void **state)
 }
 
 /* The pause takes a scope and a task: without room for both it does not come, and the game goes on. */
-static void test_pause(void **state)
+TEST(pause)
 {
-    (void)state;
     for (int room = 0; room <= 2; room++) {
         char code[256];
         struct rig_game g;
@@ -296,17 +294,10 @@ static void test_pause(void **state)
     }
 }
 
-static void test_scenes(void **state)
+TEST(scenes)
 {
-    (void)state;
     for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++)
         run(&scenes[i]);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_scenes), cmocka_unit_test(test_results),
-                                        cmocka_unit_test(test_pause) };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -72,9 +72,8 @@ static void says(int frames, const char *text, const char *words)
 /* ---- rules ---- */
 
 /* A kill is one more of the chain, and worth as many times 10 as the chain is then; to the player who did it. */
-static void test_chain(void **state)
+TEST(chain)
 {
-    (void)state;
     says(3,
          "score.rule { on = 'kill', gain = { chain = 1 }, points = 10, times = 'chain', most = { best = 'chain' } }\n"
          "score.rule { on = 'kill', kind = 'ace', set = { chain = 0 } }\n" TASK(
@@ -87,9 +86,8 @@ static void test_chain(void **state)
 }
 
 /* Without points, what a thing gave itself comes `times` times in place of once, at any height. */
-static void test_times(void **state)
+TEST(times)
 {
-    (void)state;
     says(3,
          "score.rule { on = 'kill', times = 3 }\n"
          "score.rule { on = 'take', kind = 'gem', times = function(p, i) return p.value / 200 end }\n" TASK(
@@ -104,9 +102,8 @@ static void test_times(void **state)
 }
 
 /* A register may be the run's, which both players count on. */
-static void test_run(void **state)
+TEST(run)
 {
-    (void)state;
     says(
         2,
         "score.rule { on = 'kill', gain = { rank = 3 }, points = 10, times = 'rank', most = { best = 'rank' } }\n" TASK(
@@ -117,9 +114,8 @@ static void test_run(void **state)
 }
 
 /* A rule with a name of its own counts when it is told, n deeds at once; a register stops at its max. */
-static void test_count(void **state)
+TEST(count)
 {
-    (void)state;
     says(2,
          "score.rule { name = 'cancel', gain = { chain = 2 }, points = 5, times = 'chain' }\n" TASK(
              "for i = 1, 4 do bullet.fire { kind = 'dot', x = 60 + i, y = 40, dir = 0, speed = 0 } end "
@@ -131,9 +127,8 @@ static void test_count(void **state)
 
 /* ---- the tally ---- */
 
-static void test_tally(void **state)
+TEST(tally)
 {
-    (void)state;
     says(4,
          "score.tally { { label = 'GRAZE', value = 'value', points = 2, stage = true },\n"
          "  { label = 'BEST', value = 'best', points = 10 }, { label = 'NONE', value = function() end, points = 1 },\n"
@@ -151,9 +146,8 @@ static void test_tally(void **state)
 
 /* ---- tables ---- */
 
-static void test_rows(void **state)
+TEST(rows)
 {
-    (void)state;
     says(2,
          "local function show(...) for i, r in ipairs(score.rows(...)) do "
          "print(i, r.name, r.score, r.ship, r.stage, r.clear, r.continues) end end " TASK(
@@ -166,7 +160,7 @@ static void test_rows(void **state)
 
 /* ---- unlocks ---- */
 
-static void test_unlock(void **state)
+TEST(unlock)
 {
     static const char script[] =
         "unlock.def('all', { when = { clear = true } })\n"
@@ -194,12 +188,11 @@ static void test_unlock(void **state)
         "earn { clear = true }\n"
         "print(save.get('unlock/odd'), unlock.has('odd')) end)";
 
-    (void)state;
     says(2, script, "\n\nHalf of It\nALL\ntrue\tfalse\nMILD\n\nACE\nBe odd\tnil\n\nODD\n\ntrue\ttrue\n");
 }
 
 /* What was kept is there at the next power-on; a practice start is given none of it. */
-static void test_unlock_kept(void **state)
+TEST(unlock_kept)
 {
     static const char script[] = "unlock.def('x', { when = { clear = true } })\n"
                                  "task.go(function() print(unlock.has('x')) save.set('unlock/x', true) end)";
@@ -207,7 +200,6 @@ static void test_unlock_kept(void **state)
     struct board_start start = { .difficulty = -1, .nvram = image };
     uint32_t changed;
 
-    (void)state;
     assert_string_equal(says_from(script, 2, NULL), "false\n");
     const uint8_t *bytes = board_nvram(rig.b, &start.nvram_size, &changed);
     memcpy(image, bytes, start.nvram_size);
@@ -218,7 +210,7 @@ static void test_unlock_kept(void **state)
 
 /* ---- mistakes ---- */
 
-static void test_mistakes(void **state)
+TEST(mistakes)
 {
     static const char *const wrong[][2] = {
         { "score.rule { on = 'kil', points = 1 }", "score.rule: unknown event \"kil\" (did you mean \"kill\"?)" },
@@ -268,7 +260,6 @@ static void test_mistakes(void **state)
           "score.enter: stage: expected a whole number from 1 to 14, got 15" },
     };
 
-    (void)state;
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         char want[300];
         power(wrong[i][0], NULL);
@@ -281,7 +272,7 @@ static void test_mistakes(void **state)
 }
 
 /* What boot.run finds when all is declared. */
-static void test_expected(void **state)
+TEST(expected)
 {
     static const char *const wrong[][2] = {
         { "unlock.def('a', { when = { clear = 'too' } })",
@@ -301,7 +292,6 @@ static void test_expected(void **state)
           "player.def: unknown unlock \"c\" (known: a)" },
     };
 
-    (void)state;
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         char text[1000];
         snprintf(text, sizeof text,
@@ -317,7 +307,7 @@ static void test_expected(void **state)
 
 /* Two players through two stages, of which one is opened by the first, twice: what results, names and tables are told,
  * and what is kept. */
-static void test_whole(void **state)
+TEST(whole)
 {
     static const char script[] =
         "score.rule { on = 'kill', points = 100 }\n"
@@ -346,7 +336,6 @@ static void test_whole(void **state)
         "  difficulty = function() return 'easy' end, ship = function() return { 'ship', 'barge' } end, name = name,\n"
         "  scores = scores, ending = function() end } }";
 
-    (void)state;
     says(1500, script,
          "2\tVALUE\t1\t2\n2\tSCORE\t131\t132\nMore\n2\tLIVES\t40\t20\n2\tVALUE\t0\t0\n2\tSCORE\t171\t152\n\n"
          "1\t171\t1\n2\t152\t1\neasy\t1\tnil\n"
@@ -356,14 +345,4 @@ static void test_whole(void **state)
          "true\ttrue\tfalse\n");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_chain),    cmocka_unit_test(test_times),       cmocka_unit_test(test_count),
-        cmocka_unit_test(test_run),      cmocka_unit_test(test_tally),       cmocka_unit_test(test_rows),
-        cmocka_unit_test(test_unlock),   cmocka_unit_test(test_unlock_kept), cmocka_unit_test(test_mistakes),
-        cmocka_unit_test(test_expected), cmocka_unit_test(test_whole),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

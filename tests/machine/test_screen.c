@@ -78,13 +78,12 @@ static void shaken(const char *line, int n, int dx, int dy)
     assert_true(seen > 5000);
 }
 
-static void test_shake(void **state)
+TEST(shake)
 {
     const char *aimed = "text.clear() screen.shake { size = 10, over = 5, dir = 0 }";
     const char *down = "text.clear() screen.shake { size = 8, over = 4, dir = 90 }";
     const char *round = "text.clear() screen.shake { size = 16, over = 2 }";
 
-    (void)state;
     shaken(aimed, 1, 10, 0); /* 10 * 5/5 to the right, nothing, 10 * 3/5 to the left, nothing, 10 * 1/5 */
     shaken(aimed, 2, 0, 0);
     shaken(aimed, 3, -6, 0);
@@ -124,23 +123,21 @@ static void edge(const char *dir, int x0, int y0, int w, int h)
         fail_msg("dir %s: %d filled, %d others", dir, filled, others);
 }
 
-static void test_edges(void **state)
+TEST(edges)
 {
     const struct manifest m = roomy();
 
-    (void)state;
     edge("90", m.field_x, m.field_y, m.field_w, 12);
     edge("270", m.field_x, m.field_y + m.field_h - 12, m.field_w, 12);
     edge("0", m.field_x, m.field_y, 12, m.field_h);
 }
 
-static void test_flash(void **state)
+TEST(flash)
 {
     static struct shot plain, got;
     /* white over 4 frames with half of it: shares of 1/2, 3/8, 1/4, 1/8 */
     const char *line = "screen.flash { over = 4, share = 0.5 }";
 
-    (void)state;
     draw("", 1, &plain);
     for (int n = 1; n <= 5; n++) {
         draw(line, n, &got);
@@ -175,12 +172,11 @@ static void bars(const char *line, int n, int h)
         }
 }
 
-static void test_letterbox(void **state)
+TEST(letterbox)
 {
     const char *line = "screen.letterbox { h = 30, over = 4 }";
     const char *back = "screen.letterbox { h = 40, over = 4 } wait(2) screen.letterbox { h = 0, over = 2 }";
 
-    (void)state;
     bars(line, 1, 7);
     bars(line, 2, 15);
     bars(line, 3, 22);
@@ -194,7 +190,7 @@ static void test_letterbox(void **state)
 }
 
 /* Only the part of its own and what scripts did are others; the wipe before a game takes all of it away. */
-static void test_state(void **state)
+TEST(state)
 {
     static const char text[] = "player.def('p', { sprite = 'dot', hit = { circle = 3 } })\n"
                                "bullet.def('b', { sprite = 'dot', hit = { circle = 3 } })\n"
@@ -212,7 +208,6 @@ static void test_state(void **state)
     uint64_t a[MAX_PARTS], b[MAX_PARTS];
     int dx, dy;
 
-    (void)state;
     snprintf(with, sizeof with, text,
              "screen.shake { size = 20, over = 9 } screen.flash { over = 5 } screen.letterbox { h = 50 }");
     snprintf(without, sizeof without, text, "");
@@ -244,14 +239,13 @@ static void test_state(void **state)
 }
 
 /* Hashes with copies of the lists are those without, before, while and after the part is in them. */
-static void test_hashes(void **state)
+TEST(hashes)
 {
     struct rig_game g;
     struct rig r;
     uint64_t plain[MAX_PARTS], cached[MAX_PARTS];
     int there = 0, part = 0;
 
-    (void)state;
     rig_with_sys(&g, NULL,
                  "task.go(function() wait(5) screen.shake { size = 3, over = 4 } wait(9) string.sys.wipe() end)");
     rig_power(&r, &g, NULL);
@@ -279,12 +273,11 @@ static void test_hashes(void **state)
     rig_game_free(&g);
 }
 
-static void test_wipe(void **state)
+TEST(wipe)
 {
     struct rig_game g;
     struct rig r;
 
-    (void)state;
     rig_with_sys(&g, NULL,
                  "task.go(function() screen.letterbox { h = 50, over = 0 } screen.flash { over = 99 } screen.shake { "
                  "size = 3, over = 99 } wait(1) "
@@ -301,13 +294,12 @@ static void test_wipe(void **state)
 }
 
 /* A shaken crowd shows the bullets that a still one does. */
-static void test_crowd(void **state)
+TEST(crowd)
 {
     static uint8_t pix[2][H][W];
     int edge = 0;
     struct manifest m = rig_manifest();
 
-    (void)state;
     m.bullets = 4096;
     for (int i = 0; i < 2; i++) {
         static char full[1024];
@@ -345,9 +337,8 @@ static void says(const char *text, const char *line)
     rig_game_free(&g);
 }
 
-static void test_errors(void **state)
+TEST(errors)
 {
-    (void)state;
     says("screen.shake { size = 65, over = 3 }",
          "main.lua:1: screen.shake: size: expected a whole number from 0 to 64 px, got 65");
     says("screen.shake { size = 5 }",
@@ -360,13 +351,4 @@ static void test_errors(void **state)
          "main.lua:1: screen.letterbox: h: expected a whole number from 0 to 2048 px, got -1");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_shake),     cmocka_unit_test(test_edges), cmocka_unit_test(test_flash),
-        cmocka_unit_test(test_letterbox), cmocka_unit_test(test_state), cmocka_unit_test(test_hashes),
-        cmocka_unit_test(test_wipe),      cmocka_unit_test(test_crowd), cmocka_unit_test(test_errors),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -171,9 +171,8 @@ static void through_all(int w, int h, int field_w, int players)
     close_game();
 }
 
-static void test_all(void **state)
+TEST(all)
 {
-    (void)state;
     through_all(240, 320, 240, 1);
     through_all(240, 320, 240, 2);
     through_all(320, 240, 320, 1);
@@ -182,9 +181,8 @@ static void test_all(void **state)
 }
 
 /* Bomb goes back, page by page, and a page that nobody answers gives up. */
-static void test_back(void **state)
+TEST(back)
 {
-    (void)state;
     open_sized(run_all, 240, 320, 240, 2);
     soon("PRESS START", 60);
     press(PAD_FIRE, 0);
@@ -246,9 +244,8 @@ static void quit_to(const char *item, int down)
 }
 
 /* RESTART starts the same game again, QUIT TO TITLE leaves it without a name. */
-static void test_leaving(void **state)
+TEST(leaving)
 {
-    (void)state;
     open_game(run_all);
     start(1, false);
     soon("STAGE ONE CLEAR", 300);
@@ -267,11 +264,10 @@ static void test_leaving(void **state)
 }
 
 /* However fast fire is pressed, by hand or by a turbo button: the choices lead into the game. */
-static void test_mashed(void **state)
+TEST(mashed)
 {
     static const uint16_t down[MAX_PLAYERS] = { PAD_FIRE };
 
-    (void)state;
     for (int every = 2; every <= 12; every++) {
         open_game(run_all);
         soon("PRESS START", 60);
@@ -284,11 +280,10 @@ static void test_mashed(void **state)
 }
 
 /* Right that is held fills a name, and does not end it. */
-static void test_held_in_a_name(void **state)
+TEST(held_in_a_name)
 {
     static const uint16_t right[MAX_PLAYERS] = { PAD_RIGHT };
 
-    (void)state;
     open_game("boot.run { players = { 'heron' }, stages = { 'one' }, screens = { results = function() end,\n"
               "  title = function() wait(1) return 'start' end, difficulty = function() return 'calm' end,\n"
               "  ending = function() end } }");
@@ -329,9 +324,8 @@ static void until_attract(void)
 
 /* START leads to the title's list from each part that is shown while nobody comes: the opening, a demo (which the
  * program ends by that press) and the scores. */
-static void test_attract(void **state)
+TEST(attract)
 {
-    (void)state;
     open_game("boot.run { players = { 'heron' }, stages = { 'one' }, demos = { 'a' },\n"
               "  opening = function() hud.centre(3, 'ONCE') wait(600) end }");
     soon("ONCE", 5);
@@ -373,9 +367,8 @@ static enum board_host_screen press_asked(uint16_t button)
 }
 
 /* SETTINGS and REPLAYS are the host's: the game asks once, and the list is there again with the same entry chosen. */
-static void test_asks(void **state)
+TEST(asks)
 {
-    (void)state;
     open_game(run_all);
     soon("PRESS START", 60);
     press(PAD_START, 0);
@@ -411,7 +404,7 @@ static void test_asks(void **state)
 
 /* What a script wrote once under a window stands there again, in its bank and of any character; so does the dark of a
  * talk. */
-static void test_puts_back(void **state)
+TEST(puts_back)
 {
     static const char own[] =
         "on.start(function() screen.dim { share = 0.25, over = 0 }\n"
@@ -421,7 +414,6 @@ static void test_puts_back(void **state)
         "  screens = { title = function() wait(1) return 'start' end, difficulty = function() return 'calm' end } }";
     static uint8_t before[4][40 * 30], *columns[4];
 
-    (void)state;
     for (int wide = 0; wide < 2; wide++) {
         widens = wide;
         open_game(own);
@@ -459,7 +451,7 @@ static int over_all(void)
 
 /* Nothing of the game is drawn over a window, or bright beside it: a portrait, a plate with its words and a line are
  * away while it is there. What stands beside the field stays. */
-static void test_nothing_over(void **state)
+TEST(nothing_over)
 {
     static const char own[] =
         "talk.def('sen', { name = 'SEN', faces = { calm = 'wink' } })\n"
@@ -481,7 +473,6 @@ static void test_nothing_over(void **state)
     static uint8_t before[40 * 40];
     const int panel = 2, window = 6; /* it, its bar and four items */
 
-    (void)state;
     for (size_t i = 0; i < sizeof talks / sizeof *talks; i++) {
         snprintf(text, sizeof text, own, talks[i].ship);
         lines_of_board = 8;
@@ -523,7 +514,7 @@ static int reach_right(int n)
 }
 
 /* A warning and a talk stay in a field that has a panel beside it; where there is none the bars have no ends. */
-static void test_beside_a_panel(void **state)
+TEST(beside_a_panel)
 {
     static const char own[] =
         "enemy.def('e', { sprite = 'dot', hit = { circle = 3 } })\n"
@@ -534,7 +525,6 @@ static void test_beside_a_panel(void **state)
         "boot.run { players = { 'heron' }, stages = { 's' },\n"
         "  screens = { title = function() wait(1) return 'start' end, difficulty = function() return 'calm' end } }";
 
-    (void)state;
     for (int panel = 0; panel < 2; panel++) {
         open_sized(own, 320, 320, panel ? 208 : 320, 1);
         soon("WARNING", 120);
@@ -555,9 +545,8 @@ static void test_beside_a_panel(void **state)
 }
 
 /* The window counts down, faster with bomb; START goes on, and without a continue the game is over. */
-static void test_continue(void **state)
+TEST(continue)
 {
-    (void)state;
     open_game(run_all);
     start(1, true);
     soon("CONTINUE?", 600);
@@ -579,7 +568,7 @@ static void test_continue(void **state)
 /* ---- a game's own ---- */
 
 /* What each is called with, and that what it answers is taken; the rest is silent. */
-static void test_own(void **state)
+TEST(own)
 {
     static const char own[] =
         "local log = {}\n"
@@ -612,7 +601,6 @@ static void test_own(void **state)
     struct manifest m = rig_manifest();
 
     (void)m;
-    (void)state;
     open_sized(own, 240, 320, 240, 2);
     got[0] = shown[0] = 0;
     for (int i = 0; i < 600 && strlen(got) < strlen(want) && !rig_fault(&r); i++) {
@@ -630,7 +618,7 @@ static void test_own(void **state)
 }
 
 /* The first ending whose conditions hold; a piece of the game's own takes the library's place. */
-static void test_endings(void **state)
+TEST(endings)
 {
     static const struct rig_script scripts[] = {
         { "main",
@@ -645,7 +633,6 @@ static void test_endings(void **state)
     };
     static char got[1024];
 
-    (void)state;
     rig_scripts(&g, NULL, scripts, 3);
     rig_power(&r, &g, NULL);
     got[0] = 0;
@@ -659,7 +646,7 @@ static void test_endings(void **state)
 }
 
 /* A part of the staff may be of some runs alone. */
-static void test_staff(void **state)
+TEST(staff)
 {
     static const char own[] =
         "stage.def('s', function() wait(5) end)\n"
@@ -670,7 +657,6 @@ static void test_staff(void **state)
         "    staff = function(parts) for _, p in ipairs(parts) do print(p[1]) end end } }";
     char got[64] = "";
 
-    (void)state;
     open_game(own);
     for (int i = 0; i < 400 && !rig_fault(&r) && strlen(got) < 4; i++) {
         frames(1);
@@ -683,7 +669,7 @@ static void test_staff(void **state)
 
 /* An opening comes before the title, and again where nobody came; an ending's condition may be a function, and one
  * that returns false is followed by no staff. */
-static void test_opening(void **state)
+TEST(opening)
 {
     static const struct rig_script scripts[] = {
         { "main",
@@ -701,7 +687,6 @@ static void test_opening(void **state)
     };
     static char got[1024];
 
-    (void)state;
     rig_scripts(&g, NULL, scripts, 1);
     rig_power(&r, &g, NULL);
     got[0] = 0;
@@ -731,9 +716,8 @@ static void says(const char *call, const char *want)
     rig_game_free(&g);
 }
 
-static void test_mistakes(void **state)
+TEST(mistakes)
 {
-    (void)state;
     says("screens = { titel = print }", "boot.run: unknown screen \"titel\" (did you mean \"title\"?)");
     says("screens = { title = 'mine' }", "boot.run: screen title: expected a function, got string");
     says("modes = {}", "boot.run: modes: expected a list of at least one mode, got none");
@@ -760,7 +744,7 @@ static void test_mistakes(void **state)
 }
 
 /* What a game's own screens answer is looked at too. */
-static void test_answers(void **state)
+TEST(answers)
 {
     static const struct {
         const char *screens, *want;
@@ -775,7 +759,6 @@ static void test_answers(void **state)
     };
     char text[600];
 
-    (void)state;
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         snprintf(text, sizeof text, "boot.run { stages = { 'one' }, players = { 'heron', 'tern' }, screens = { %s } }",
                  wrong[i].screens);
@@ -797,7 +780,7 @@ static int row_of(const char *text)
 }
 
 /* A list that is longer than the title has room for keeps its empty rows, and scrolls to what was not seen. */
-static void test_long_title(void **state)
+TEST(long_title)
 {
     static const char own[] = "local pages = {} for i = 1, 16 do pages[i] = { name = 'page_' .. string.char(64 + i),\n"
                               "  show = function() wait(forever) end } end\n"
@@ -806,7 +789,6 @@ static void test_long_title(void **state)
         int w, h;
     } sizes[] = { { 240, 320 }, { 320, 240 } };
 
-    (void)state;
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
         open_sized(own, sizes[i].w, sizes[i].h, sizes[i].w, 1);
         soon("PRESS START", 5);
@@ -834,9 +816,8 @@ static const char with_pages[] =
     "  grades = function(stage, p) return p.lives and stage == 'one' and 'S' or 'B' end }\n";
 
 /* The list has the page by its name; what it puts goes with it. A grade stands large below the values. */
-static void test_pages(void **state)
+TEST(pages)
 {
-    (void)state;
     open_sized(with_pages, 240, 320, 240, 1);
     soon("PRESS START", 5);
     press(PAD_START, 0);
@@ -864,7 +845,7 @@ static void test_pages(void **state)
     close_game();
 }
 
-static void test_page_mistakes(void **state)
+TEST(page_mistakes)
 {
     static const struct {
         const char *args, *want;
@@ -878,7 +859,6 @@ static void test_page_mistakes(void **state)
     };
     char text[300];
 
-    (void)state;
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         snprintf(text, sizeof text, "boot.run { stages = { 'one' }, players = { 'heron' }, %s }", wrong[i].args);
         open_game(text);
@@ -891,13 +871,12 @@ static void test_page_mistakes(void **state)
 
 /* ---- any frame of any screen can be taken back ---- */
 
-static void test_snapshots(void **state)
+TEST(snapshots)
 {
     static const uint16_t pads[] = { PAD_START, PAD_FIRE, PAD_DOWN, PAD_FIRE, PAD_RIGHT, PAD_FIRE, PAD_UP, PAD_BOMB };
     struct rng rng;
     struct rig b;
 
-    (void)state;
     open_sized(run_all, 240, 320, 240, 2);
     rig_power(&b, &g, NULL);
     rng_seed(&rng, 3);
@@ -919,17 +898,4 @@ static void test_snapshots(void **state)
     close_game();
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_all),      cmocka_unit_test(test_back),           cmocka_unit_test(test_leaving),
-        cmocka_unit_test(test_asks),     cmocka_unit_test(test_continue),       cmocka_unit_test(test_puts_back),
-        cmocka_unit_test(test_own),      cmocka_unit_test(test_endings),        cmocka_unit_test(test_opening),
-        cmocka_unit_test(test_mistakes), cmocka_unit_test(test_pages),          cmocka_unit_test(test_page_mistakes),
-        cmocka_unit_test(test_answers),  cmocka_unit_test(test_snapshots),      cmocka_unit_test(test_long_title),
-        cmocka_unit_test(test_mashed),   cmocka_unit_test(test_attract),        cmocka_unit_test(test_nothing_over),
-        cmocka_unit_test(test_staff),    cmocka_unit_test(test_held_in_a_name), cmocka_unit_test(test_beside_a_panel)
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -89,14 +89,13 @@ static void get_there(struct session *s)
 /* ---- to and fro ---- */
 
 /* A playback goes anywhere in its demo, whatever is pressed; most steps are short. */
-static void walks(void **state)
+TEST(walks)
 {
     static const uint16_t pressed[MAX_PLAYERS] = { PAD_FIRE | PAD_LEFT, PAD_BOMB };
     struct session s;
     struct rng rng;
     int steps = rig_long() ? 10000 : 700;
 
-    (void)state;
     rng_seed(&rng, 11);
     open_session(&s, true, NULL);
     for (int i = 0; i < steps; i++) {
@@ -125,12 +124,11 @@ static void walks(void **state)
 }
 
 /* Far ahead in pieces: each does some of the way, and progress grows. */
-static void seeks(void **state)
+TEST(seeks)
 {
     struct session s;
     int pieces = 0, before = 0;
 
-    (void)state;
     open_session(&s, true, NULL);
     session_goto(&s, FRAMES);
     assert_int_equal(s.state, SESSION_SEEKING);
@@ -154,7 +152,7 @@ static void seeks(void **state)
 }
 
 /* A live run: back, forward as it was, and on by other inputs, which makes it another run. */
-static void branches(void **state)
+TEST(branches)
 {
     static const uint16_t other[MAX_PLAYERS] = { PAD_START };
     char path[NAME];
@@ -163,7 +161,6 @@ static void branches(void **state)
     struct rig_game g = { 0 };
     struct rig r;
 
-    (void)state;
     snprintf(path, sizeof path, "%s/branch.demo", dir);
     open_session(&s, false, path);
     play_to(&s, 800);
@@ -200,13 +197,12 @@ static void branches(void **state)
 }
 
 /* Who stops in the past has played so far and no further. */
-static void stops_in_the_past(void **state)
+TEST(stops_in_the_past)
 {
     char path[NAME];
     struct session s;
     struct demo d;
 
-    (void)state;
     snprintf(path, sizeof path, "%s/past.demo", dir);
     open_session(&s, false, path);
     play_to(&s, 300);
@@ -223,13 +219,12 @@ static void stops_in_the_past(void **state)
     assert_true(session_close(&s));
 }
 
-static void takes_over(void **state)
+TEST(takes_over)
 {
     char path[NAME];
     struct session s;
     struct demo d;
 
-    (void)state;
     snprintf(path, sizeof path, "%s/mine.demo", dir);
     open_session(&s, true, NULL);
     session_goto(&s, 700);
@@ -252,13 +247,12 @@ static void takes_over(void **state)
 }
 
 /* A board that was changed from outside has no past, and its recording says so; from there on it is a run like any. */
-static void touched(void **state)
+TEST(touched)
 {
     char out[EVAL_TEXT_SIZE];
     uint64_t changed, later;
     struct session s;
 
-    (void)state;
     open_session(&s, false, NULL);
     play_to(&s, 1500);
     session_goto(&s, 1300);
@@ -281,12 +275,11 @@ static void touched(void **state)
     assert_true(session_close(&s));
 }
 
-static void starts_anew(void **state)
+TEST(starts_anew)
 {
     struct board_start start = demo.start;
     struct session s;
 
-    (void)state;
     open_session(&s, true, NULL);
     session_goto(&s, 100);
     get_there(&s);
@@ -376,13 +369,12 @@ static void lands(struct session *s, uint32_t frame, const struct board_start *s
     assert_true(picture(s) == shown);
 }
 
-static void reloads(void **state)
+TEST(reloads)
 {
     char path[NAME];
     struct session s;
     struct demo d;
 
-    (void)state;
     snprintf(path, sizeof path, "%s/reload.demo", dir);
     open_session(&s, false, path);
     play_to(&s, 2800);
@@ -422,11 +414,10 @@ static void keeps(struct session *s, const char *why)
     assert_true(board_hash(session_board(s)) == hash);
 }
 
-static void bad_edits(void **state)
+TEST(bad_edits)
 {
     struct session s;
 
-    (void)state;
     open_session(&s, false, NULL);
     play_to(&s, 1900);
     edit("stages/one.lua", habit, "n = = 8, every = 14, path = swoop, run");
@@ -447,13 +438,12 @@ static void bad_edits(void **state)
 }
 
 /* A run that ended in a fault is put right by putting the script right. */
-static void mends_a_fault(void **state)
+TEST(mends_a_fault)
 {
     struct session s;
     struct rom_image broken;
     struct cart its;
 
-    (void)state;
     edit("stages/one.lua", habit, "n = 'two', every = 14, path = swoop, run");
     assert_true(pack_load_game(dir, false, &broken, err, sizeof err) && cart_open(&its, &broken.rom, err, sizeof err));
     assert_true(session_open(&s, &its, &demo.start, NULL, NULL));
@@ -477,11 +467,10 @@ static void mends_a_fault(void **state)
 }
 
 /* In a playback the demo goes on, on the new ROM. */
-static void reloads_a_playback(void **state)
+TEST(reloads_a_playback)
 {
     struct session s;
 
-    (void)state;
     open_session(&s, true, NULL);
     session_goto(&s, 2100);
     get_there(&s);
@@ -498,12 +487,11 @@ static void reloads_a_playback(void **state)
 }
 
 /* A change is told once, and only when it has settled. */
-static void watches(void **state)
+TEST(watches)
 {
     struct folder f;
     char name[NAME];
 
-    (void)state;
     assert_false(folder_open(&f, NULL));
     assert_false(folder_changed(&f));
     assert_false(folder_open(&f, "/nowhere/at/all"));
@@ -532,15 +520,4 @@ static void watches(void **state)
     assert_true(folder_changed(&f));
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(walks),         cmocka_unit_test(seeks),
-        cmocka_unit_test(branches),      cmocka_unit_test(stops_in_the_past),
-        cmocka_unit_test(takes_over),    cmocka_unit_test(starts_anew),
-        cmocka_unit_test(reloads),       cmocka_unit_test(bad_edits),
-        cmocka_unit_test(mends_a_fault), cmocka_unit_test(reloads_a_playback),
-        cmocka_unit_test(touched),       cmocka_unit_test(watches),
-    };
-    return cmocka_run_group_tests(tests, open_game, close_game);
-}
+RUN_TESTS(open_game, close_game)

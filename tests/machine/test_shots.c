@@ -147,11 +147,10 @@ static void check(struct board *b, int scene, uint64_t m, uint64_t k)
 
 /* ---- tests ---- */
 
-static void test_few(void **state)
+TEST(few)
 {
     int scenes = rig_long() ? 400000 : 20000;
 
-    (void)state;
     rng_seed(&rng, 5);
     memset(&seen, 0, sizeof seen);
     for (int i = 0; i < scenes; i++)
@@ -160,11 +159,10 @@ static void test_few(void **state)
         fail_msg("too few: shots %ld misses %ld ties %ld", seen.shots, seen.shot_misses, seen.ties);
 }
 
-static void test_many(void **state)
+TEST(many)
 {
     int scenes = rig_long() ? 4000 : 200;
 
-    (void)state;
     rng_seed(&rng, 6);
     memset(&seen, 0, sizeof seen);
     for (int i = 0; i < scenes; i++)
@@ -175,9 +173,8 @@ static void test_many(void **state)
 }
 
 /* All there is room for. */
-static void test_full(void **state)
+TEST(full)
 {
-    (void)state;
     rng_seed(&rng, 7);
     for (int i = 0; i < 4; i++)
         check(rig.b, i, SHOTS, FOES * 2 / 3);
@@ -209,10 +206,4 @@ static int teardown(void **state)
     return 0;
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_few), cmocka_unit_test(test_many),
-                                        cmocka_unit_test(test_full) };
-
-    return cmocka_run_group_tests(tests, setup, teardown);
-}
+RUN_TESTS(setup, teardown)

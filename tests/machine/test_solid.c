@@ -88,11 +88,10 @@ static void scenes(bool hp, int n)
     rig_game_free(&g);
 }
 
-static void test_random(void **state)
+TEST(random)
 {
     int n = rig_long() ? 60000 : 3000;
 
-    (void)state;
     rng_seed(&rng, 11);
     memset(&seen, 0, sizeof seen);
     scenes(true, n);
@@ -158,9 +157,8 @@ static void holds(bool hp, const char *task, int pings, int pongs)
     rig_game_free(&g);
 }
 
-static void test_hp(void **state)
+TEST(hp)
 {
-    (void)state;
     holds(true,
           "local b, s = fire('crate'), shoot('bolt', p) assert(b.hp == 5) wait(10)\n"
           "assert(b.hp == 3 and not s.alive and told == '')",
@@ -191,9 +189,8 @@ static void test_hp(void **state)
 }
 
 /* The nearest first; an enemy or a bullet; a delayed bullet lets shots pass; one that leaves the field can be hit. */
-static void test_whom(void **state)
+TEST(whom)
 {
-    (void)state;
     holds(true,
           "local a, b = fire('crate', 60), fire('crate', 90) shoot('bolt') wait(12)\n"
           "assert(a.hp == 5 and b.hp == 3)",
@@ -223,9 +220,8 @@ static void test_whom(void **state)
           12, 0);
 }
 
-static void test_cancels(void **state)
+TEST(cancels)
 {
-    (void)state;
     for (int hp = 0; hp < 2; hp++) {
         holds(hp, "local b, s = fire('plain'), shoot('eraser') wait(10) assert(not b.alive and not s.alive)", 0, 1);
         holds(hp, "local b, s = fire('fixed'), shoot('eraser') wait(10) assert(b.alive and s.alive)", 0, 0);
@@ -253,9 +249,8 @@ static void fault(const char *text, const char *words)
     rig_game_free(&g);
 }
 
-static void test_errors(void **state)
+TEST(errors)
 {
-    (void)state;
     fault("bullet.def('a', { sprite = 'dot', hit = 'none', hp = 3 })",
           "main.lua:1: bullet.def: hp: bullet hp is disabled; add `hp = true` to `board` in rom.lua");
     fault("bullet.def('a', { sprite = 'dot', hit = 'none', score = 3 })",
@@ -268,11 +263,4 @@ static void test_errors(void **state)
           "main.lua:2: bullet: hp: bullet hp is disabled; add `hp = true` to `board` in rom.lua");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_random), cmocka_unit_test(test_hp),
-                                        cmocka_unit_test(test_whom), cmocka_unit_test(test_cancels),
-                                        cmocka_unit_test(test_errors) };
-
-    return cmocka_run_group_tests_name("solid", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -72,12 +72,11 @@ static const char much[] =
 enum { LONG = 300 };
 
 /* Every frame heard, every third, backwards from snapshots, or none: the same samples, the same hashes. */
-static void test_heard_or_not(void **state)
+TEST(heard_or_not)
 {
     static uint64_t sums[LONG], hashes[LONG];
     void *saved[LONG / 50];
 
-    (void)state;
     power(much);
     for (int f = 0; f < LONG; f++) {
         if (f % 50 == 0) {
@@ -104,11 +103,10 @@ static void test_heard_or_not(void **state)
 }
 
 /* The same bytes on every machine, with every compiler. */
-static void test_digest(void **state)
+TEST(digest)
 {
     uint64_t h = 0;
 
-    (void)state;
     power(much);
     for (int f = 0; f < LONG; f++) {
         rig_run(&rig, 1);
@@ -140,7 +138,7 @@ static uint64_t heard_at(const char *script, int music, int sounds, uint64_t *ha
 }
 
 /* Who listens without music hears the sounds alone, to the bit, and the other way round; no hash knows of it. */
-static void test_levels(void **state)
+TEST(levels)
 {
     static const char sounds[] = "task.go(function() for i = 1, 30 do wait(7)\n"
                                  "sound.play(i % 3 == 0 and 'bell' or i % 2 == 0 and 'boom' or 'hit',\n"
@@ -150,7 +148,6 @@ static void test_levels(void **state)
     uint64_t whole = 0, quiet = 0, none = 0;
     int full, half, silent, alone;
 
-    (void)state;
     const uint64_t all = heard_at(much, 100, 100, &whole, &full);
     assert_true(all == 0x092b30cc153670afu);
     assert_true(heard_at(much, 0, 100, &none, &alone) == heard_at(sounds, 100, 100, &quiet, &half));
@@ -167,9 +164,8 @@ static void test_levels(void **state)
 }
 
 /* At 133.25 quarter notes a minute for a beat and a half, then 97, the loop of 6.5 beats again and again. */
-static void test_beats(void **state)
+TEST(beats)
 {
-    (void)state;
     power("music.play('tide')");
     rig_run(&rig, 600);
     const double first = 1.5 / 133.25, second = 4.5 / 97, third = 0.5 / 133.25; /* minutes */
@@ -184,9 +180,8 @@ static void test_beats(void **state)
     done();
 }
 
-static void test_script(void **state)
+TEST(script)
 {
-    (void)state;
     power("print(music.name(), music.marker(), music.beat(), music.frames(4))\n"
           "music.play('tide')\n"
           "print(music.name(), music.frames(4))\n"
@@ -210,12 +205,11 @@ static void test_script(void **state)
 }
 
 /* On the way to a mark nothing is waited for, and no sound is heard; what was asked last plays there. */
-static void test_skipped(void **state)
+TEST(skipped)
 {
     struct manifest m = rig_manifest();
     struct board_start start = { .seed = 1, .difficulty = -1, .practice.section = "s:here" };
 
-    (void)state;
     m.has_sound = 1;
     rig_script(&game, &m,
                "player.def('ship', { sprite = 'dot', hit = { circle = 1 } })\n"
@@ -252,9 +246,8 @@ static void refuses(const char *script, const char *message)
     done();
 }
 
-static void test_mistakes(void **state)
+TEST(mistakes)
 {
-    (void)state;
     refuses("sound.play('bom')", "main.lua:1: sound.play: unknown sound \"bom\" (did you mean \"boom\"?)");
     refuses("sound.play(3)", "main.lua:1: sound.play: name: expected a sound name, got 3");
     refuses("sound.play('boom', { volum = 1 })",
@@ -272,12 +265,11 @@ static void test_mistakes(void **state)
 }
 
 /* Of a kind as many as its limit says play, twice in a frame is once, and the important ones take room. */
-static void test_cues(void **state)
+TEST(cues)
 {
     struct cues *c;
     int n = 0;
 
-    (void)state;
     power("");
     c = &rig.b->cues;
     for (int i = 0; i < 3; i++)
@@ -308,9 +300,8 @@ static void test_cues(void **state)
 }
 
 /* A pause holds the music, where it is and how it sounds, and fades it within a frame; sounds go on. */
-static void test_pause(void **state)
+TEST(pause)
 {
-    (void)state;
     power_with(rig_with_sys, "music.play('tide')\n"
                              "local sys, scope = string.sys, task.scope()\n"
                              "task.own(scope, function() wait(20) sys.freeze(scope) wait(30) sys.freeze() end)\n");
@@ -328,9 +319,8 @@ static void test_pause(void **state)
 }
 
 /* While a sound that ducks plays, music is half as loud; before and behind it as loud as ever, without a jump. */
-static void test_duck(void **state)
+TEST(duck)
 {
-    (void)state;
     power("music.play('tide') task.go(function() wait(60) sound.play('siren') end)");
     rig_run(&rig, 60);
     assert_int_equal(rig.b->voices.gain1, VOICE_FULL_GAIN);
@@ -345,11 +335,10 @@ static void test_duck(void **state)
     done();
 }
 
-static void test_fade(void **state)
+TEST(fade)
 {
     int before;
 
-    (void)state;
     power("music.play('tide') task.go(function() wait(60) music.stop { fade = 30 } end)");
     rig_run(&rig, 60);
     before = loudest(rig.b);
@@ -362,13 +351,12 @@ static void test_fade(void **state)
 }
 
 /* A game that declares none has none of it. */
-static void test_none(void **state)
+TEST(none)
 {
     struct rig_game g;
     struct rig r;
     int16_t sound[2 * BOARD_SOUND_FRAMES];
 
-    (void)state;
     rig_script(&g, NULL, "");
     rig_power(&r, &g, NULL);
     rig_run(&r, 3);
@@ -386,15 +374,4 @@ static void test_none(void **state)
     rig_game_free(&g);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_heard_or_not), cmocka_unit_test(test_digest), cmocka_unit_test(test_levels),
-        cmocka_unit_test(test_beats),        cmocka_unit_test(test_script), cmocka_unit_test(test_mistakes),
-        cmocka_unit_test(test_cues),         cmocka_unit_test(test_pause),  cmocka_unit_test(test_duck),
-        cmocka_unit_test(test_duck),         cmocka_unit_test(test_fade),   cmocka_unit_test(test_none),
-        cmocka_unit_test(test_skipped),
-    };
-
-    return cmocka_run_group_tests(tests, make_tables, NULL);
-}
+RUN_TESTS(make_tables, NULL)

@@ -168,12 +168,11 @@ static int own_bend(int frames)
 
 /* A card half a percent faster or slower than it says, with frames that come late by anything up to 15 ms: no gap in a
  * minute but the one before the first sound, what waits stays where it is said to, and no sound is later than 50 ms. */
-static void test_drift(void **state)
+TEST(drift)
 {
     static const double rates[] = { 1, 1.005, 0.995, 1.0003 };
     struct rng rng;
 
-    (void)state;
     rng_seed(&rng, 5);
     for (int k = 0; k < 4; k++) {
         struct clock c = { 0 };
@@ -194,11 +193,10 @@ static void test_drift(void **state)
 }
 
 /* What waits when a frame is due is what is said, however long its tick takes then. */
-static void test_latency(void **state)
+TEST(latency)
 {
     static const double ticks[] = { 300, 12000 };
 
-    (void)state;
     for (int k = 0; k < 2; k++) {
         struct clock c = { 0 };
         power(steady);
@@ -213,12 +211,11 @@ static void test_latency(void **state)
 }
 
 /* A game that dips: frames of up to 45 ms now and then are made up for, and nobody hears them. */
-static void test_dips(void **state)
+TEST(dips)
 {
     struct clock c = { 0 };
     int silence, bend;
 
-    (void)state;
     power(steady);
     const int own = own_bend(1300);
     rig_free(&rig);
@@ -234,7 +231,7 @@ static void test_dips(void **state)
 
 /* A game that cannot follow the clock for some seconds, a tick taking 20 or 40 ms: once it is known, what is heard is
  * slower and lower, without a gap, nothing cut and nothing twice; afterwards it is as before. */
-static void test_slow_game(void **state)
+TEST(slow_game)
 {
     for (int k = 0; k < 2; k++) {
         struct clock c = { 0 };
@@ -266,11 +263,10 @@ static void test_slow_game(void **state)
 }
 
 /* A single stop, as of a reload, is one gap and no slowness. */
-static void test_one_stop(void **state)
+TEST(one_stop)
 {
     struct clock c = { 0 };
 
-    (void)state;
     power(steady);
     for (int i = 0; i < 900; i++) {
         clock_frame(&c, 500, i == 300 ? 1e6 : 1000);
@@ -334,9 +330,8 @@ static void flush(void)
 }
 
 /* From the first sample on, to the bit. */
-static void test_exact(void **state)
+TEST(exact)
 {
-    (void)state;
     exact(200);
     even(200);
     flush();
@@ -348,11 +343,10 @@ static void test_exact(void **state)
 }
 
 /* A pause is silent, and 8 ms after both of its ends what is heard is exact: silence, and the unbroken run. */
-static void test_pause(void **state)
+TEST(pause)
 {
     const struct speaker_elapsed time = { 1, 1, 0, 0 };
 
-    (void)state;
     exact(100);
     even(40);
     for (int i = 0; i < 20; i++) {
@@ -373,9 +367,8 @@ static void test_pause(void **state)
 }
 
 /* A restored board: the first 8 ms pass over, and then it is the unbroken run. Not louder on the way than the two. */
-static void test_restore(void **state)
+TEST(restore)
 {
-    (void)state;
     exact(100);
     even(30);
     rig_save(&rig);
@@ -396,12 +389,11 @@ static void test_restore(void **state)
 }
 
 /* Back in time: each block is turned round, and they follow one another to the bit. */
-static void test_rewind(void **state)
+TEST(rewind)
 {
     const struct speaker_elapsed time = { 1, 1, 0, 0 };
     uint8_t *saved[60];
 
-    (void)state;
     exact(100);
     for (int i = 0; i < 60; i++) {
         even(1);
@@ -430,7 +422,7 @@ static void test_rewind(void **state)
 
 /* Half and quarter speed: no gap, as many frames as time passes, an octave lower: what is heard of every second or
  * fourth sample is the block. */
-static void test_slow_motion(void **state)
+TEST(slow_motion)
 {
     for (int slow = 2; slow <= 4; slow *= 2) {
         const struct speaker_elapsed time = { 1, slow, 0, 0 };
@@ -464,9 +456,8 @@ static void test_slow_motion(void **state)
 
 /* No speaker, then one, then none, then one: what is there is used, nothing is asked of what is not, and after the
  * first 8 ms it is the board's sound. */
-static void test_lost_and_found(void **state)
+TEST(lost_and_found)
 {
-    (void)state;
     exact(200);
     card.gone = true;
     even(10);
@@ -496,9 +487,8 @@ static void test_lost_and_found(void **state)
 }
 
 /* A game without sound, or a muted one, asks nothing of the host. */
-static void test_nothing_to_hear(void **state)
+TEST(nothing_to_hear)
 {
-    (void)state;
     rig_script(&game, NULL, "");
     rig_power(&rig, &game, NULL);
     memset(&card, 0, sizeof card);
@@ -515,9 +505,8 @@ static void test_nothing_to_hear(void **state)
 }
 
 /* Muted and loud again is a pause for the ear, and the run goes on; volume is a share of each sample. */
-static void test_mute_and_volume(void **state)
+TEST(mute_and_volume)
 {
-    (void)state;
     exact(100);
     even(20);
     speaker.muted = true;
@@ -542,9 +531,8 @@ static void test_mute_and_volume(void **state)
 }
 
 /* A card that stands still: what would wait for too long is left out, so what is heard then is not late for ever. */
-static void test_stuck(void **state)
+TEST(stuck)
 {
-    (void)state;
     power(steady);
     even(60);
     for (int i = 0; i < 300; i++)
@@ -558,11 +546,10 @@ static void test_stuck(void **state)
 }
 
 /* A joint does not click: of a level that turns round, no step is larger than a raised cosine's of 8 ms. */
-static void test_joints(void **state)
+TEST(joints)
 {
     int silence, bend;
 
-    (void)state;
     power(steady);
     const int own = own_bend(600);
     rig_free(&rig);
@@ -579,11 +566,10 @@ static void test_joints(void **state)
 }
 
 /* What is reported is what was seen. */
-static void test_report(void **state)
+TEST(report)
 {
     char line[256];
 
-    (void)state;
     power(steady);
     speaker_report(&speaker, line, sizeof line);
     assert_string_equal(line, "sound: nothing was played");
@@ -609,11 +595,10 @@ static void jump(double late, double lost)
 }
 
 /* A machine that slept, a clock that was set, a card that stands still: in each state of the speaker, by any time. */
-static void test_clock_jumps(void **state)
+TEST(clock_jumps)
 {
     static const double times[] = { 0, 1e5, 1e6, 5e6, 3.6e9, 8.64e10, 1.8e19 };
 
-    (void)state;
     for (size_t i = 0; i < sizeof times / sizeof *times; i++)
         for (int slowed = 0; slowed < 3; slowed++) { /* the second and third time it is believed to be */
             power(steady);
@@ -641,13 +626,12 @@ static void test_clock_jumps(void **state)
 }
 
 /* No step takes the place out of the buffer. */
-static void test_any_step(void **state)
+TEST(any_step)
 {
     static struct resample r;
     static int16_t in[2 * SPEAKER_BLOCK], out[2 * SPEAKER_BLOCK];
     static const uint64_t steps[] = { RESAMPLE_ONE, 3 * RESAMPLE_ONE + 7, 30 * RESAMPLE_ONE, 1 << 20, UINT64_MAX / 2 };
 
-    (void)state;
     resample_open(&r);
     for (int i = 0; i < 1000; i++) {
         resample_add(&r, in, SPEAKER_BLOCK);
@@ -672,19 +656,4 @@ static int free_tables(void **state)
     return 0;
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_drift),           cmocka_unit_test(test_one_stop),
-        cmocka_unit_test(test_latency),         cmocka_unit_test(test_dips),
-        cmocka_unit_test(test_slow_game),       cmocka_unit_test(test_exact),
-        cmocka_unit_test(test_pause),           cmocka_unit_test(test_restore),
-        cmocka_unit_test(test_rewind),          cmocka_unit_test(test_slow_motion),
-        cmocka_unit_test(test_lost_and_found),  cmocka_unit_test(test_nothing_to_hear),
-        cmocka_unit_test(test_mute_and_volume), cmocka_unit_test(test_stuck),
-        cmocka_unit_test(test_joints),          cmocka_unit_test(test_report),
-        cmocka_unit_test(test_clock_jumps),     cmocka_unit_test(test_any_step),
-    };
-
-    return cmocka_run_group_tests(tests, make_tables, free_tables);
-}
+RUN_TESTS(make_tables, free_tables)

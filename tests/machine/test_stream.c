@@ -101,12 +101,11 @@ static int16_t *listen(int n)
 
 /* Beyond the attack of the first frame it is the recording, at a third of its level, left and right apart; and from the
  * loop's end on what is eight beats before, to the last bit. */
-static void test_exact(void **state)
+TEST(exact)
 {
     enum { N = 1200 };
     struct pcm p;
 
-    (void)state;
     for (int exact = 0; exact < 2; exact++) {
         power("music.play('reel')", exact);
         make_stream(&p);
@@ -144,9 +143,8 @@ static const char *said(int n)
 
 /* The first beat is 0.1 s behind the beginning; a beat is 30 frames. A marker comes in the frame of its beat, and again
  * each time round; beats and bars count on. */
-static void test_beats(void **state)
+TEST(beats)
 {
-    (void)state;
     power(
         "music.play('reel')\n"
         "task.go(function() while true do print('beat', music.wait(), music.bar(), board.frame()) wait(200) end end)\n"
@@ -171,9 +169,8 @@ static void test_beats(void **state)
 }
 
 /* A stream without a loop ends, and its voices are free; in a pause it is held where it is. */
-static void test_end(void **state)
+TEST(end)
 {
-    (void)state;
     power("music.play('short')", false);
     rig_run(&rig, 30);
     board_mix_sound(rig.b, &tables, sound);
@@ -186,11 +183,10 @@ static void test_end(void **state)
 }
 
 /* From snapshots, in any order and with RAM spoilt between, the same samples. */
-static void test_restored(void **state)
+TEST(restored)
 {
     enum { N = 400 };
 
-    (void)state;
     power("music.play('reel')", false);
     int16_t *all = listen(N);
     rig_free(&rig);
@@ -207,11 +203,10 @@ static void test_restored(void **state)
 
 /* Put aside for another piece and back: it goes on where it was, to the sample, in the frame after the one in which it
  * comes in; also when the other one ends by itself, and with the loop passed before. */
-static void test_aside(void **state)
+TEST(aside)
 {
     enum { N = 200 };
 
-    (void)state;
     for (int at = 90; at < 700; at += 500) {
         char script[256];
         power("music.play('reel')", false);
@@ -239,9 +234,8 @@ static void test_aside(void **state)
 }
 
 /* After thirteen hours, when the place in the recording would leave its number's range, it goes on as ever. */
-static void test_hours(void **state)
+TEST(hours)
 {
-    (void)state;
     power("music.play('reel')", true);
     rig_run(&rig, 100);
     int16_t *all = listen(600);
@@ -261,11 +255,4 @@ static void test_hours(void **state)
     done();
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_exact), cmocka_unit_test(test_beats),
-                                        cmocka_unit_test(test_end),   cmocka_unit_test(test_restored),
-                                        cmocka_unit_test(test_aside), cmocka_unit_test(test_hours) };
-
-    return cmocka_run_group_tests(tests, make_tables, NULL);
-}
+RUN_TESTS(make_tables, NULL)

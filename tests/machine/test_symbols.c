@@ -3,15 +3,8 @@
  * compiler resolves them: luac's listing of each script of the repository and of generated programs is the judge.
  */
 #define _POSIX_C_SOURCE 200809L /* popen, mkdtemp */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../src/base/rng.h"
 #include "../../src/script/script.h"
 #include "../../src/workbench/check/symbols.h"
@@ -231,9 +224,8 @@ static const struct {
     { "#!shell", "(not whole)" },
 };
 
-static void test_table(void **state)
+TEST(table)
 {
-    (void)state;
     for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
         bool refused = strstr(table[i].want, "(not whole)") != NULL;
         const char *got = found(table[i].text);
@@ -266,9 +258,8 @@ static const char *calls_of(const char *text)
     return out;
 }
 
-static void test_calls(void **state)
+TEST(calls)
 {
-    (void)state;
     assert_string_equal(calls_of("require 'a/b' require(\"c\") require(d) local r = require"),
                         "require(a/b)1 require(c)1 require(?)1 ");
     assert_string_equal(calls_of("a.b('x',\n'y', z, 'w') a.b.c('x') a:b('x') a.b { 'x' }\nf()"),
@@ -293,9 +284,8 @@ static const char *keys_of(const char *text)
     return out;
 }
 
-static void test_keys(void **state)
+TEST(keys)
 {
-    (void)state;
     assert_string_equal(keys_of("bullet.def('n', { sprite = 'orb',\n['hit'] = 'none', [1] = 'x', n = 1 })"),
                         "def/2.sprite=orb@1 def/2.hit=none@2 def/2.n=?@2 ");
     assert_string_equal(keys_of("f { a = { b = 'c' }, { d = 'e' } }"), "f/1.a=?@1 f/1a.b=c@1 f/1.=?@1 f/1.d=e@1 ");
@@ -315,11 +305,10 @@ static int texts_with(const char *text, const char *s, int how)
     return n;
 }
 
-static void test_texts(void **state)
+TEST(texts)
 {
     static const char joins[] = "return 'a' .. i, i .. 'b', i .. 'c' .. i, 'd', 'e' .. 'f', ('g') .. i, ('h' .. i)";
 
-    (void)state;
     assert_int_equal(texts_with(joins, "a", SYMBOL_FIRST), 1);
     assert_int_equal(texts_with(joins, "b", SYMBOL_LAST), 1);
     assert_int_equal(texts_with(joins, "c", SYMBOL_FIRST | SYMBOL_LAST), 1);
@@ -354,9 +343,8 @@ static void result(const char *text, const char *names, bool open)
     symbols_free(&f);
 }
 
-static void test_result(void **state)
+TEST(result)
 {
-    (void)state;
     result("return { a = 1, b = 2 }", "a b ", false);
     result("local m = { a = 1 } function m.b() end m.c, m['d'] = 1, 2 return m", "a b c d ", false);
     result("local m = {} local n = {} n.x = 1 m.y = 1 return m", "y ", false);
@@ -368,13 +356,12 @@ static void test_result(void **state)
     result("if x then return { a = 1 } end", "", false);
 }
 
-static void test_lines(void **state)
+TEST(lines)
 {
     static const char rom[] = "return {\n title = 'T',\n sheets = {\n  small = {\n   file = 'x' } },\n"
                               " ['sprites'] = { ['a.b'] = { sheet = 'small',\n x = 1 } } }";
     struct symbols f;
 
-    (void)state;
     assert_true(read_copy(&f, rom, strlen(rom)));
     assert_int_equal(symbols_line(&f, (const char *const[]){ "title", NULL }), 2);
     assert_int_equal(symbols_line(&f, (const char *const[]){ "sheets", "small", "file", NULL }), 5);
@@ -529,9 +516,8 @@ static int compare_folder(const char *dir)
     return n;
 }
 
-static void test_repository(void **state)
+TEST(repository)
 {
-    (void)state;
     assert_true(compare_folder("scripts") >= 8);
     assert_true(compare_folder("roms") >= 20);
     assert_true(compare_folder("examples") >= 5);
@@ -809,12 +795,11 @@ static void put_block(struct writer *w)
 
 /* Assigning to k, a constant, and more than luac's short forms can name are the only ways not to compile; the words
  * above have neither. */
-static void test_programs(void **state)
+TEST(programs)
 {
     char dir[] = "/tmp/names-XXXXXX", path[64];
     struct writer w = { .text = malloc(TEXT) };
 
-    (void)state;
     assert_non_null(mkdtemp(dir));
     snprintf(path, sizeof path, "%s/a.lua", dir);
     for (uint64_t seed = 0; seed < 150; seed++) {
@@ -834,7 +819,7 @@ static void test_programs(void **state)
 }
 
 /* Scripts with a few tokens changed: what still compiles is read whole, and nothing is read beyond the end. */
-static void test_spoilt(void **state)
+TEST(spoilt)
 {
     static const char *const bits[] = { " end ", " local ", "(",  ")",  "{",  "}",         "=",    ",",  " ",
                                         "\n",    "[[",      "]]", "'",  "..", "function ", " do ", "--", "0",
@@ -842,7 +827,6 @@ static void test_spoilt(void **state)
     struct writer w = { .text = malloc(TEXT) };
     int good = 0;
 
-    (void)state;
     rng_seed(&w.rng, 7);
     for (int round = 0; round < 4000; round++) {
         struct symbols f;
@@ -887,7 +871,7 @@ static void repeat(char *text, size_t *n, const char *head, const char *bit, int
     *n += strlen(tail);
 }
 
-static void test_deep(void **state)
+TEST(deep)
 {
     static const struct {
         const char *head, *bit, *tail;
@@ -915,7 +899,6 @@ static void test_deep(void **state)
     struct symbols f;
     size_t n;
 
-    (void)state;
     for (size_t i = 0; i < sizeof deep / sizeof deep[0]; i++) {
         repeat(text, &n, deep[i].head, deep[i].bit, 50000, deep[i].tail);
         assert_false(read_copy(&f, text, n));
@@ -938,7 +921,7 @@ static void test_deep(void **state)
     free(text);
 }
 
-static void test_long(void **state)
+TEST(long)
 {
     static const struct {
         const char *head, *bit, *tail;
@@ -954,7 +937,6 @@ static void test_long(void **state)
     struct symbols f;
     size_t n;
 
-    (void)state;
     for (size_t i = 0; i < sizeof wide / sizeof wide[0]; i++) {
         repeat(text, &n, wide[i].head, wide[i].bit, (int)(TEXT / strlen(wide[i].bit)), wide[i].tail);
         assert_int_equal(read_copy(&f, text, n), wide[i].whole);
@@ -966,12 +948,11 @@ static void test_long(void **state)
     free(text);
 }
 
-static void test_zero_bytes(void **state)
+TEST(zero_bytes)
 {
     static const char in_string[] = "x = 'a\0b' y = z", in_code[] = "x = 1 \0 y = 2", in_comment[] = "-- \0 x\ny = 1";
     struct symbols f;
 
-    (void)state;
     assert_true(read_copy(&f, in_string, sizeof in_string - 1));
     assert_int_equal(f.n_globals, 3);
     symbols_free(&f);
@@ -982,14 +963,4 @@ static void test_zero_bytes(void **state)
     symbols_free(&f);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_table),      cmocka_unit_test(test_calls),    cmocka_unit_test(test_keys),
-        cmocka_unit_test(test_texts),      cmocka_unit_test(test_result),   cmocka_unit_test(test_lines),
-        cmocka_unit_test(test_repository), cmocka_unit_test(test_programs), cmocka_unit_test(test_spoilt),
-        cmocka_unit_test(test_deep),       cmocka_unit_test(test_long),     cmocka_unit_test(test_zero_bytes),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -49,14 +49,13 @@ static void model_forget(uint32_t p, enum press_side side)
             model.list[i].gone = true;
 }
 
-static void test_model(void **state)
+TEST(model)
 {
     struct rig_game g;
     struct rig r;
     struct rng rng;
     int taken = 0;
 
-    (void)state;
     rig_script(&g, NULL, "");
     rig_power(&r, &g, NULL);
     struct input *in = &r.b->input;
@@ -125,9 +124,8 @@ static void frames(int n)
         frame(0, 0);
 }
 
-static void test_ages(void **state)
+TEST(ages)
 {
-    (void)state;
     /* n = 0 is this very frame; n = 3 is this one and the three before */
     for (int n = 0; n <= 3; n++)
         for (int age = 0; age <= 5; age++) {
@@ -152,9 +150,8 @@ static void test_ages(void **state)
     }
 }
 
-static void test_once(void **state)
+TEST(once)
 {
-    (void)state;
     /* held is one press; who asks first has it; two presses between two looks are two; each player's are their own */
     open("task.go(function() while true do if pad.take('fire', 4) then print 'a' end wait(1) end end)\n"
          "task.go(function() while true do if pad.take('fire', 4) then print 'b' end wait(1) end end)\n"
@@ -191,9 +188,8 @@ static void test_once(void **state)
     shut();
 }
 
-static void test_opposites(void **state)
+TEST(opposites)
 {
-    (void)state;
     /* as pad.pressed has it: right is held still, so left is none, until right comes up */
     open("task.go(function() while true do for _, k in ipairs { 'left', 'right' } do if pad.take(k, 0) then "
          "print(k:sub(1, 1)) end end wait(1) end end)");
@@ -226,9 +222,8 @@ static const char pausing[] =
 
 /* However the press, the pause and the loop lie: what was pressed before the pause is the game's and waits for it, what
  * was pressed in the pause is the pause's, and each counts once. */
-static void test_pause(void **state)
+TEST(pause)
 {
-    (void)state;
     for (int phase = 0; phase < 4; phase++)
         for (int before = 0; before <= 4; before++) {
             open(pausing);
@@ -271,9 +266,8 @@ static void test_pause(void **state)
     shut();
 }
 
-static void test_joining(void **state)
+TEST(joining)
 {
-    (void)state;
     /* what was pressed before the player came is not for the ship, the other player's presses stay */
     open("player.def('ship', { sprite = 'dot', hit = { circle = 2 }, run = function(p) while true do if "
          "pad.take('bomb', "
@@ -293,9 +287,8 @@ static void test_joining(void **state)
     shut();
 }
 
-static void test_menu(void **state)
+TEST(menu)
 {
-    (void)state;
     /* a press from before a menu opens is stale, the one that answers it is not the game's, and every step counts */
     open("task.go(function() wait(10) print(menu.choose { items = { 'a', 'b', 'c' }, row = 3 })\n"
          "  while true do if pad.take('fire', 7) then print 'g' end wait(7) end end)");
@@ -328,7 +321,7 @@ static void test_menu(void **state)
     shut();
 }
 
-static void test_errors(void **state)
+TEST(errors)
 {
     static const struct {
         const char *call, *says;
@@ -340,7 +333,6 @@ static void test_errors(void **state)
         { "pad.take('bomb', 4, 3)", "main.lua:1: pad.take: p: expected 1, 2 or a player, got 3" },
     };
 
-    (void)state;
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         rig_script(&g, NULL, wrong[i].call);
         rig_power_any(&rig, &g, NULL);
@@ -485,12 +477,11 @@ static int play_page(const char *page)
     return n;
 }
 
-static void test_examples(void **state)
+TEST(examples)
 {
     glob_t pages;
     int n = 0;
 
-    (void)state;
     assert_int_equal(glob("docs/guide/*.md", 0, NULL, &pages), 0);
     for (size_t i = 0; i < pages.gl_pathc; i++)
         n += play_page(pages.gl_pathv[i]);
@@ -499,13 +490,4 @@ static void test_examples(void **state)
     play_page("README.md");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_model),     cmocka_unit_test(test_ages),   cmocka_unit_test(test_once),
-        cmocka_unit_test(test_opposites), cmocka_unit_test(test_pause),  cmocka_unit_test(test_joining),
-        cmocka_unit_test(test_menu),      cmocka_unit_test(test_errors), cmocka_unit_test(test_examples),
-    };
-
-    return cmocka_run_group_tests_name("take", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

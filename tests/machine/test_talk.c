@@ -114,9 +114,8 @@ static void told(const char *want)
 }
 
 /* A letter every second frame, blanks for nothing; the first in the frame in which it is said. */
-static void test_letters(void **state)
+TEST(letters)
 {
-    (void)state;
     open_it("say(nil, 'AB CD')");
     rig_run(&r, 1);
     assert_string_equal(words(0), "A");
@@ -146,9 +145,8 @@ static void test_letters(void **state)
 }
 
 /* Three rows a page; fire turns it. What was held before is no press. */
-static void test_pages(void **state)
+TEST(pages)
 {
-    (void)state;
     open_it("say(nil, 'ONE\\nTWO\\nTHREE\\nFOUR AND THIS GOES ON UNTIL IT DOES NOT FIT', { letter = 0 })");
     hold(9, PAD_FIRE, PAD_FIRE);
     assert_string_equal(words(0), "ONE");
@@ -165,11 +163,10 @@ static void test_pages(void **state)
 }
 
 /* The mark blinks while it waits, and not while letters come. */
-static void test_mark(void **state)
+TEST(mark)
 {
     bool on = false, off = false;
 
-    (void)state;
     open_it("say(nil, 'AB', { letter = 20 })");
     rig_run(&r, 21);
     assert_string_equal(cells(LAST_ROW + 1, BOX_COL, BOX_COLS), "");
@@ -200,11 +197,10 @@ static int standing(int layer, bool right, int *seen)
 }
 
 /* Who speaks is in front, the other dimmed; who has no face has a name; nobody has none. */
-static void test_faces(void **state)
+TEST(faces)
 {
     int seen;
 
-    (void)state;
     open_it("talk.run(function()\n"
             "say('iri', 'A') say('sen', 'B') say('iri', 'C', { face = 'cross' }) say('voice', 'D') say(nil, 'E')\n"
             "say('iri', 'F', { side = 'right' }) end)");
@@ -260,9 +256,8 @@ static void sees(const char *how, const char *want)
 }
 
 /* What the ships see of fire and left, by hold. */
-static void test_hold(void **state)
+TEST(hold)
 {
-    (void)state;
     sees("", "l.end");
     sees(", { hold = 'fire' }", "l.end");
     sees(", { hold = 'all' }", ".end");
@@ -270,9 +265,8 @@ static void test_hold(void **state)
 }
 
 /* A press of the time that ships do not see is nobody's afterwards. */
-static void test_presses(void **state)
+TEST(presses)
 {
-    (void)state;
     open_it("say(nil, 'A', { letter = 0 }) told = tostring(taken) wait(9) told = told .. taken");
     hold(1, 0, 0);
     press(PAD_FIRE, 0);
@@ -282,9 +276,8 @@ static void test_presses(void **state)
 }
 
 /* Special held for a third of a second: no say, wait or choose takes time, but the talk goes through. */
-static void test_skip(void **state)
+TEST(skip)
 {
-    (void)state;
     open_it(
         "talk.run(function() say(nil, 'A') wait(600) told = told .. choose({ 'X', 'Y' }, { chosen = 2 })\n"
         "say('iri', 'B') told = told .. 'all ' end) local f = board.frame() wait(3) told = told .. board.frame() - f");
@@ -309,9 +302,8 @@ static void test_skip(void **state)
     close_it();
 }
 
-static void test_choose(void **state)
+TEST(choose)
 {
-    (void)state;
     open_it("told = choose({ 'ONE', 'TWO', 'THREE' }, { title = 'WHICH?' }) .. ''");
     fx y = r.b->player.y[0];
     rig_run(&r, 1);
@@ -343,9 +335,8 @@ static void test_choose(void **state)
 }
 
 /* In a talk the words stay behind the list; afterwards ships see what they saw. */
-static void test_choose_in_talk(void **state)
+TEST(choose_in_talk)
 {
-    (void)state;
     open_it("talk.run(function() say('iri', 'A', { letter = 0 }) told = choose({ 'X', 'Y' }) .. ''\n"
             "say(nil, 'B', { letter = 0 }) end)");
     rig_run(&r, 1);
@@ -363,9 +354,8 @@ static void test_choose_in_talk(void **state)
 }
 
 /* A list stands where a banner does: what was there is gone before. */
-static void test_banner(void **state)
+TEST(banner)
 {
-    (void)state;
     open_it("hud.banner({ 'A STAGE' }, 900) wait(2) talk.run(function() wait(3) end)");
     rig_run(&r, 2);
     assert_string_equal(cells(13, 0, 30), "           A STAGE");
@@ -375,7 +365,7 @@ static void test_banner(void **state)
 }
 
 /* A stage's clock stands unless clock; bullets go unless clear is false. */
-static void test_stage(void **state)
+TEST(stage)
 {
     static const char lines[] = "stage.def('s', function()\n"
                                 "  bullet.fire { kind = 'b', x = 100, y = 100, speed = 0 }\n"
@@ -386,7 +376,6 @@ static void test_stage(void **state)
                                 "task.go(function() stage.play('s', string.sys.scope()) end)";
     static const char *const how[] = { "", ", { clock = true, clear = false }" }, *const want[] = { "0 70", "1 40" };
 
-    (void)state;
     for (int i = 0; i < 2; i++) {
         static char text[4096];
         snprintf(text, sizeof text, START "%s", ships);
@@ -401,9 +390,8 @@ static void test_stage(void **state)
 }
 
 /* A stage on its way to a mark: f is not called, a line said takes no time, a choice is what it would begin with. */
-static void test_practice(void **state)
+TEST(practice)
 {
-    (void)state;
     static char text[4096];
     snprintf(text, sizeof text,
              START "%s"
@@ -424,9 +412,8 @@ static void test_practice(void **state)
 }
 
 /* The task is stopped: all of it goes. After a wipe, what stands in its place is another's. */
-static void test_stop(void **state)
+TEST(stop)
 {
-    (void)state;
     open_it("local t = task.go(function() talk.run(function() say('iri', 'A') end, { hold = 'all' }) end)\n"
             "wait(20) task.stop(t)");
     rig_run(&r, 15);
@@ -454,9 +441,8 @@ static void test_stop(void **state)
 
 /* Fire that is held goes on by itself, quickly, after half a second; not if it was held before the talk, and a list
  * waits for a press. */
-static void test_hurry(void **state)
+TEST(hurry)
 {
-    (void)state;
     open_it("wait(5) for i = 1, 4 do say(nil, 'ABCDEFGHIJ' .. i) end told = told .. 'all '\n"
             "choose { 'YES', 'NO' } say(nil, 'X')");
     hold(200, PAD_FIRE, 0); /* as when it shot at somebody */
@@ -483,9 +469,8 @@ static void test_hurry(void **state)
 }
 
 /* What freezes the board sees all buttons, and its presses are not the talk's. */
-static void test_pause(void **state)
+TEST(pause)
 {
-    (void)state;
     open_it("task.go(function() wait(10)\n"
             "  local s = string.sys.scope()\n"
             "  task.own(s, function()\n"
@@ -506,13 +491,12 @@ static void test_pause(void **state)
 }
 
 /* A copy made in the middle, put back into RAM full of rubbish, goes on as the run does: letters, faces, lists. */
-static void test_snapshots(void **state)
+TEST(snapshots)
 {
     struct rng rng;
     uint64_t hash[MAX_PARTS], again[MAX_PARTS];
     uint16_t pads[40][MAX_PLAYERS];
 
-    (void)state;
     rng_seed(&rng, 3);
     open_it("for i = 1, 50 do\n"
             "talk.run(function() say('iri', 'HOW ARE YOU?') say('sen', 'FINE. AND YOU, AND ALL OF YOURS?')\n"
@@ -536,9 +520,8 @@ static void test_snapshots(void **state)
 }
 
 /* In a boss's phase: the boss and its clock go on, and the phase's end takes the talk away. */
-static void test_boss(void **state)
+TEST(boss)
 {
-    (void)state;
     open_it("boss.fight 'b'");
     rig_run(&r, 75);
     assert_string_equal(words(0), "MINE");
@@ -551,12 +534,11 @@ static void test_boss(void **state)
 }
 
 /* No module of the library but these brings dialogue into a game's ROM. */
-static void test_packed(void **state)
+TEST(packed)
 {
     uint64_t dialogue = 0;
     int others = 0;
 
-    (void)state;
     for (int i = 0; i < STD_MODULE_COUNT; i++)
         if (!strcmp(std_modules[i].name, "talk") || !strcmp(std_modules[i].name, "say") ||
             !strcmp(std_modules[i].name, "choose"))
@@ -591,9 +573,8 @@ static void says_at_load(const char *line, const char *want)
     rig_game_free(&g);
 }
 
-static void test_errors(void **state)
+TEST(errors)
 {
-    (void)state;
     says("say('irl', 'A')", "main.lua:2: say: unknown speaker \"irl\" (did you mean \"iri\"?)");
     says("say('iri', 'A', { face = 'calmer' })",
          "main.lua:2: say: \"iri\": unknown face \"calmer\" (did you mean \"calm\"?)");
@@ -620,17 +601,4 @@ static void test_errors(void **state)
     says_at_load("say(nil, 'A')", "main.lua:1: talk.run: only a task can talk; start one with task.go");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_letters), cmocka_unit_test(test_pages),  cmocka_unit_test(test_mark),
-        cmocka_unit_test(test_faces),   cmocka_unit_test(test_hold),   cmocka_unit_test(test_presses),
-        cmocka_unit_test(test_skip),    cmocka_unit_test(test_choose), cmocka_unit_test(test_choose_in_talk),
-        cmocka_unit_test(test_banner),  cmocka_unit_test(test_stage),  cmocka_unit_test(test_practice),
-        cmocka_unit_test(test_stop),    cmocka_unit_test(test_pause),  cmocka_unit_test(test_snapshots),
-        cmocka_unit_test(test_boss),    cmocka_unit_test(test_packed), cmocka_unit_test(test_errors),
-        cmocka_unit_test(test_hurry),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -72,9 +72,8 @@ static const char *const made[HANDLE_KINDS] = {
     [H_OPTION] = "string.bead",
 };
 
-static void test_read_only(void **state)
+TEST(read_only)
 {
-    (void)state;
     int seen = 0;
     for (int k = 1; k < HANDLE_KINDS; k++) {
         const struct api_thing *t = api_table.things[k];
@@ -110,9 +109,8 @@ static void test_read_only(void **state)
 
 /* ---- registers ---- */
 
-static void test_registers(void **state)
+TEST(registers)
 {
-    (void)state;
     SAYS("p.power = -5 print(p.power) p.power = 2 p.power = p.power - 3 print(p.power) p.power = p.power - 1.0 "
          "print(p.power) "
          "p.power = math.mininteger print(p.power) p.power = 2147483647 print(p.power)",
@@ -135,9 +133,8 @@ static void test_registers(void **state)
 
 /* ---- names for later ---- */
 
-static void test_later(void **state)
+TEST(later)
 {
-    (void)state;
     SAYS("sound.play('x')",
          "main.lua:2: sound: sound is disabled; add `sounds = { ... }` or `music = { ... }` in rom.lua");
     SAYS("local f = optn", "main.lua:2: undeclared global \"optn\" (did you mean \"on\"?)");
@@ -188,12 +185,11 @@ static bool has_global(const char *name)
 }
 
 /* No reserved global exists: the error would be wrong. */
-static void test_none_is_there(void **state)
+TEST(none_is_there)
 {
     char word[32];
     int n = 0;
 
-    (void)state;
     for (const char *names = api_reserved_globals; *names; names += strspn(names, " "), n++) {
         const size_t length = strcspn(names, " ");
         snprintf(word, sizeof word, "%.*s", (int)length, names);
@@ -213,11 +209,10 @@ static void test_none_is_there(void **state)
 }
 
 /* A chip's names are off until rom.lua gives it room. */
-static void test_off(void **state)
+TEST(off)
 {
     struct manifest m;
 
-    (void)state;
     manifest_set_defaults(&m);
     assert_string_equal(api_disabled_reason(&m, "item"), "items are disabled; add `items = 512` to `board`");
     assert_string_equal(api_disabled_reason(&m, "items"), "items are disabled; add `items = 512` to `board`");
@@ -240,7 +235,7 @@ static void test_off(void **state)
 }
 
 /* What is off says which line of rom.lua switches it on. */
-static void test_off_says(void **state)
+TEST(off_says)
 {
     static const char *const uses[][2] = {
         { "local i = item", "item" },
@@ -254,7 +249,6 @@ static void test_off_says(void **state)
     };
     struct board_start start = { .difficulty = -1 };
 
-    (void)state;
     for (size_t i = 0; i < sizeof uses / sizeof *uses; i++) {
         char want[200];
         rig_script(&g, NULL, uses[i][0]);
@@ -286,9 +280,8 @@ static const char *script_says(const char *text)
     return said(script, 600);
 }
 
-static void test_fights(void **state)
+TEST(fights)
 {
-    (void)state;
     assert_string_equal(
         script_says(QUEEN "task.go(function() boss.fight 'queen' end)\n"
                           "task.go(function() wait(70)\n"
@@ -325,7 +318,7 @@ static void test_fights(void **state)
 
 /* ---- each ---- */
 
-static void test_each(void **state)
+TEST(each)
 {
     static const char *const patterns[] = { "ring { n = 3,",
                                             "fan { n = 3, spread = 30,",
@@ -337,7 +330,6 @@ static void test_each(void **state)
     static const char cannot[] = "main.lua:2: wait: cannot wait inside a callback from C (bullet.each, table.sort, "
                                  "string.gsub, <close> and the like)";
 
-    (void)state;
     SAYS("for i = 1, 3 do bullet.fire { kind = 'dot', x = i, y = 9, speed = 0, tag = i < 3 and 't' or nil } end "
          "local n = 0 bullet.each(nil, function(b) n = n + b.x end) print(n) "
          "n = 0 bullet.each('t', function(b) n = n + b.x end) print(n) print(bullet.group().count, "
@@ -365,7 +357,7 @@ static void test_each(void **state)
 
 /* ---- full pools ---- */
 
-static void test_full(void **state)
+TEST(full)
 {
     static const struct {
         const char *text, *words;
@@ -401,7 +393,6 @@ static void test_full(void **state)
           "enemy pool full (32): new enemies are dropped; raise `board.enemies` in rom.lua" },
     };
 
-    (void)state;
     for (size_t i = 0; i < sizeof of / sizeof *of; i++) {
         char text[2000], want[600];
         /* said once, whatever comes after; the place is of the line that asked */
@@ -431,7 +422,7 @@ static void test_full(void **state)
 }
 
 /* A run that goes on from a snapshot says what the other said, and a reset is a new run. */
-static void test_full_again(void **state)
+TEST(full_again)
 {
     static const char text[] =
         "task.go(function() wait(5) for i = 1, 300 do bullet.fire { kind = 'dot', x = 9, y = 9, speed = "
@@ -441,7 +432,6 @@ static void test_full_again(void **state)
     char script[2048];
     int heard[2] = { 0 };
 
-    (void)state;
     snprintf(script, sizeof script, "%s%s", kinds, text);
     struct manifest m = rig_manifest();
     m.items = m.lasers = m.options = 8;
@@ -478,9 +468,8 @@ static void test_full_again(void **state)
 }
 
 /* What a task of the library's does wrong is placed where it was started. */
-static void test_places(void **state)
+TEST(places)
 {
-    (void)state;
     assert_string_equal(script_says("stage.def('s', function() wait(1) end)\n"
                                     "task.go(boss.fight,\n'quen')"),
                         "main.lua:3: boss.fight: unknown boss \"quen\" (known: none)");
@@ -494,7 +483,7 @@ static void test_places(void **state)
 }
 
 /* What Lua itself refuses inside a library file stands behind the author's line. */
-static void test_places_in_library(void **state)
+TEST(places_in_library)
 {
     static const char library[] = "return { def = function(a)\nreturn a.b.c end, known = function() end,\n"
                                   "run = function() task.go(function() wait(1)\nreturn nil + 1 end) end }";
@@ -509,7 +498,6 @@ static void test_places_in_library(void **state)
     };
     static const uint16_t none[MAX_PLAYERS];
 
-    (void)state;
     for (size_t i = 0; i < sizeof of / sizeof *of; i++) {
         const struct rig_script scripts[] = { { "@std/path", library }, { "main", of[i].text } };
         rig_scripts(&g, NULL, scripts, 2);
@@ -524,7 +512,7 @@ static void test_places_in_library(void **state)
 }
 
 /* A piece is run anew each time it is read, with sys, and one that is not there is a fault. */
-static void test_pieces(void **state)
+TEST(pieces)
 {
     static const char piece[] = "local sys = ...\nstring.runs = (string.runs or 0) + 1\n"
                                 "return function(x) return x .. string.runs .. type(sys.read) end";
@@ -540,7 +528,6 @@ static void test_pieces(void **state)
                                           { "main", game } };
     static const uint16_t none[MAX_PLAYERS];
 
-    (void)state;
     rig_scripts(&g, NULL, scripts, 3);
     rig_power(&rig, &g, NULL);
     for (int f = 0; f < 4 && !rig_fault(&rig); f++)
@@ -553,9 +540,8 @@ static void test_pieces(void **state)
 
 /* ---- what docs/guide/10-players.md says of places, grazes and hits ---- */
 
-static void test_guide(void **state)
+TEST(guide)
 {
-    (void)state;
     SAYS("p.x = -50 print(p.x) wait(1) print(p.x, p.y < rom.field.h - 8) p.y = 9999 wait(1) print(p.y == rom.field.h - "
          "8)",
          "-50.0\n8.0\ttrue\ntrue\n");
@@ -589,13 +575,12 @@ static void test_guide(void **state)
 /* ---- the host is asked ---- */
 
 /* What a frame asks for is told once, and stands in the digest of what scripts did, each screen in its own way. */
-static void test_ask(void **state)
+TEST(ask)
 {
     static const char *const words[] = { "settings", "replays", "practice", "keys" };
     uint64_t hash[HOST_SCREENS + 1];
     char text[120];
 
-    (void)state;
     for (int i = 0; i <= HOST_SCREENS; i++) {
         snprintf(text, sizeof text, "task.go(function() wait(5) %s%s%s wait(forever) end)",
                  i < HOST_SCREENS ? "board.ask '" : "", i < HOST_SCREENS ? words[i] : "", i < HOST_SCREENS ? "'" : "");
@@ -620,7 +605,7 @@ static void test_ask(void **state)
 
 /* ---- how many play ---- */
 
-static void test_players(void **state)
+TEST(players)
 {
     static const char text[] = "player.def('ship', { sprite = 'dot', hit = { circle = 2 } })\n"
                                "stage.def('s', function() wait(forever) end)\n"
@@ -628,7 +613,6 @@ static void test_players(void **state)
     const uint16_t none[MAX_PLAYERS] = { 0 }, start[MAX_PLAYERS] = { PAD_START }, down[MAX_PLAYERS] = { PAD_DOWN };
     struct manifest m;
 
-    (void)state;
     for (int players = 0; players <= 2; players++) {
         manifest_set_defaults(&m);
         m.players = players ? players : m.players; /* 0: rom.lua says nothing */
@@ -916,14 +900,13 @@ static void mistake_all(struct blame *t, const struct api_entry *e, const struct
         }
 }
 
-static void test_blame(void **state)
+TEST(blame)
 {
     static const char *const words[FIRE_ENTRY_COUNT] = { "bullet", "shot", "bolt", "curve", "beam" };
     struct blame t = { 0 };
     struct manifest m = rig_manifest();
     char script[8192];
 
-    (void)state;
     m.items = m.lines = m.lasers = 8;
     m.curve_points = 64;
     m.options = 4;
@@ -960,7 +943,7 @@ static void test_blame(void **state)
     "zt = 1, zs = 1, zr = 1, zq = 1, zp = 1, zo = 1, zn = 1, zm = 1, zl = 1, zk = 1, za = 1, zb = 1, zc = 1, zd = 1, " \
     "ze = 1, zf = 1, zg = 1, zh = 1, zi = 1, zj = 1"
 
-static void test_first_key(void **state)
+TEST(first_key)
 {
     static const struct {
         const char *text, *words;
@@ -1006,7 +989,6 @@ static void test_first_key(void **state)
     };
     char script[4096];
 
-    (void)state;
     for (size_t i = 0; i < sizeof of / sizeof *of; i++) {
         snprintf(script, sizeof script, "%s%s", kinds, of[i].text);
         const char *all = said(script, 1);
@@ -1017,9 +999,8 @@ static void test_first_key(void **state)
 
 /* ---- what is meant ---- */
 
-static void test_meant(void **state)
+TEST(meant)
 {
-    (void)state;
     SAYS("bullet.fire { kind = 'dot', x = 1, y = 1, speed = 1, angle = 3 }",
          "main.lua:2: bullet.fire: unknown argument \"angle\" (did you mean \"dir\"?)");
     SAYS("bullet.fire { kind = 'dot', x = 1, y = 1, velocity = 1 }",
@@ -1076,9 +1057,8 @@ static void test_meant(void **state)
 }
 
 /* A kind that is misspelt, where rows of the list of kinds have no name: a cloud's, a picture's. */
-static void test_nameless(void **state)
+TEST(nameless)
 {
-    (void)state;
     assert_string_equal(said("bullet.def('orb', { sprite = 'dot', hit = { circle = 3 }, cloud = 'dot' }) "
                              "bullet.def('rice', { sprite = 'dot', hit = { circle = 3 } }) "
                              "task.go(function() bullet.fire { kind = 'ricee', x = 1, y = 1, speed = 1 } end)",
@@ -1091,9 +1071,8 @@ static void test_nameless(void **state)
 }
 
 /* Every word that the help offers is one that the function takes, and so is every default. */
-static void test_words(void **state)
+TEST(words)
 {
-    (void)state;
     assert_string_equal(said("spark.def('a', { sprite = 'dot', life = 9, layer = 'back' })", 1),
                         "main.lua:1: spark.def: layer: expected middle or front, got \"back\"");
     for (int i = 0; i < api_count_entries(&api_table); i++)
@@ -1112,7 +1091,7 @@ static void test_words(void **state)
 
 /* ---- mistakes that are found when the game starts ---- */
 
-static void test_late(void **state)
+TEST(late)
 {
     static const struct {
         const char *text, *words;
@@ -1140,7 +1119,6 @@ static void test_late(void **state)
     };
     char script[4096];
 
-    (void)state;
     for (size_t i = 0; i < sizeof of / sizeof *of; i++) {
         char want[200];
         snprintf(script, sizeof script,
@@ -1154,32 +1132,4 @@ static void test_late(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_read_only),
-        cmocka_unit_test(test_registers),
-        cmocka_unit_test(test_later),
-        cmocka_unit_test(test_none_is_there),
-        cmocka_unit_test(test_off),
-        cmocka_unit_test(test_off_says),
-        cmocka_unit_test(test_fights),
-        cmocka_unit_test(test_ask),
-        cmocka_unit_test(test_players),
-        cmocka_unit_test(test_full),
-        cmocka_unit_test(test_full_again),
-        cmocka_unit_test(test_places),
-        cmocka_unit_test(test_places_in_library),
-        cmocka_unit_test(test_pieces),
-        cmocka_unit_test(test_guide),
-        cmocka_unit_test(test_each),
-        cmocka_unit_test(test_first_key),
-        cmocka_unit_test(test_meant),
-        cmocka_unit_test(test_nameless),
-        cmocka_unit_test(test_words),
-        cmocka_unit_test(test_late),
-        cmocka_unit_test(test_blame),
-    };
-
-    return cmocka_run_group_tests_name("told", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -146,30 +146,27 @@ static void folder(const char *name, const char *const *demos, uint32_t brief, u
     rig_game_free(&g);
 }
 
-static void test_torture(void **state)
+TEST(torture)
 {
     const char *const demos[] = { "torture", NULL };
 
-    (void)state;
     folder("torture", demos, 1000, 20000);
 }
 
-static void test_glasstide(void **state)
+TEST(glasstide)
 {
     const char *const demos[] = { "attract", "run", "whole", NULL };
 
-    (void)state;
     folder("glasstide", demos, 1000, 30000);
 }
 
 /* A game with all of the shell and the library: menus, talks, bombs, continues, several bosses, names and scores. */
-static void test_whole(void **state)
+TEST(whole)
 {
     char path[64], err[512];
     struct rig_game g;
     struct demo d;
 
-    (void)state;
     snprintf(path, sizeof path, "tests/demos/whole%d-run.demo", CORE_VERSION);
     rig_folder(&g, "tests/demos/whole");
     assert_true(demo_load(&d, path, err, sizeof err));
@@ -179,13 +176,12 @@ static void test_whole(void **state)
 }
 
 /* Documents of BulletML, one after the other as the pads by hand ask for them: titles, ranks and seeds change, too. */
-static void test_gallery(void **state)
+TEST(gallery)
 {
     struct board_start start = { .seed = 3, .dip = { 1, 70, 1, 100 }, .difficulty = -1 };
     struct rig_game g;
     struct rig r;
 
-    (void)state;
     snprintf(start.practice.section, sizeof start.practice.section, "gallery");
     rig_folder(&g, "examples/bulletml");
     rig_power(&r, &g, &start);
@@ -199,11 +195,10 @@ static void test_gallery(void **state)
     rig_game_free(&g);
 }
 
-static void test_lua_only(void **state)
+TEST(lua_only)
 {
     struct rig_game g;
 
-    (void)state;
     rig_script(&g, NULL, lua_only);
     every_frame("lua", &g, NULL, most(1200, 6000));
     rig_game_free(&g);
@@ -312,20 +307,18 @@ static void go_back_in(const char *name, uint32_t brief, uint32_t full)
     rig_game_free(&g);
 }
 
-static void test_back_torture(void **state)
+TEST(back_torture)
 {
-    (void)state;
     go_back_in("torture", 8, 1000);
 }
 
-static void test_back_glasstide(void **state)
+TEST(back_glasstide)
 {
-    (void)state;
     go_back_in("glasstide", 5, 1000);
 }
 
 /* A snapshot of a board that grew smaller since, and one of a board that grew larger. */
-static void test_sizes(void **state)
+TEST(sizes)
 {
     static const char text[] = "bullet.def('dot', { sprite = 'dot', hit = 'none' })\n"
                                "local keep = {}\n"
@@ -345,7 +338,6 @@ static void test_sizes(void **state)
     struct rig_game g;
     struct rig a, b;
 
-    (void)state;
     m.lua_kib = 8192;
     rig_script(&g, &m, text);
     rig_power(&a, &g, NULL);
@@ -377,13 +369,4 @@ static void test_sizes(void **state)
     rig_game_free(&g);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_torture),        cmocka_unit_test(test_glasstide), cmocka_unit_test(test_gallery),
-        cmocka_unit_test(test_lua_only),       cmocka_unit_test(test_whole),     cmocka_unit_test(test_back_torture),
-        cmocka_unit_test(test_back_glasstide), cmocka_unit_test(test_sizes),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

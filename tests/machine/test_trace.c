@@ -71,14 +71,13 @@ static void fold(void *context, const struct slots_value *v)
     assert_true(v->i < v->n && (v->width == 8 || v->value >> 8 * v->width == 0));
 }
 
-static void test_all_of_the_hash(void **state)
+TEST(all_of_the_hash)
 {
     static const struct {
         const char *game, *demo;
         uint32_t frames;
     } rows[] = { { "glasstide", "run", 900 }, { "torture", "torture", 300 }, { "testcard", "card", 100 } };
 
-    (void)state;
     for (size_t k = 0; k < sizeof rows / sizeof rows[0]; k++) {
         struct rig_game g;
         struct rig r;
@@ -256,14 +255,13 @@ static int plant_part(struct rig *r, int part, struct rng *rng)
     return planted;
 }
 
-static void test_planted(void **state)
+TEST(planted)
 {
     struct rig_game g;
     struct rig r;
     struct rng rng;
     int planted = 0;
 
-    (void)state;
     rig_folder(&g, "glasstide");
     rng_seed(&rng, 5);
     for (uint32_t frame = 700; frame <= 2000; frame += 650) {
@@ -278,7 +276,7 @@ static void test_planted(void **state)
 }
 
 /* A bit that is planted while the game runs on: the frame is the first of many that differ. */
-static void test_first_frame(void **state)
+TEST(first_frame)
 {
     static const char text[] =
         "bullet.def(\"orb\", { sprite = \"dot\", hit = \"none\" })\n"
@@ -287,7 +285,6 @@ static void test_first_frame(void **state)
     struct rig_game g;
     struct rig r;
 
-    (void)state;
     rig_script(&g, NULL, text);
     for (uint32_t at = 1; at <= 60; at += 59) {
         uint32_t x = 0;
@@ -312,7 +309,7 @@ static void test_first_frame(void **state)
 }
 
 /* One that is alive in one trace only, and a slot with another tenant. */
-static void test_who_lives(void **state)
+TEST(who_lives)
 {
     static const char text[] = "bullet.def(\"orb\", { sprite = \"dot\", hit = \"none\" })\n"
                                "for i = 1, 20 do bullet.fire { kind = \"orb\", x = 20, y = 10 * i, speed = 0 } end";
@@ -320,7 +317,6 @@ static void test_who_lives(void **state)
     struct rig r;
     char want[1024];
 
-    (void)state;
     rig_script(&g, NULL, text);
     rig_power(&r, &g, NULL);
     rig_run(&r, 5);
@@ -347,14 +343,4 @@ static void test_who_lives(void **state)
     rig_game_free(&g);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_all_of_the_hash),
-        cmocka_unit_test(test_planted),
-        cmocka_unit_test(test_first_frame),
-        cmocka_unit_test(test_who_lives),
-    };
-
-    return cmocka_run_group_tests(tests, setup, teardown);
-}
+RUN_TESTS(setup, teardown)

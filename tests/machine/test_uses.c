@@ -7,7 +7,6 @@
  * do not count. CURTAIN_UPDATE=1 records roms/torture/demos/torture.demo anew, which a change of the game makes
  * necessary.
  */
-#define _POSIX_C_SOURCE 200809L /* unsetenv */
 #include "rig.h"
 #include "../../src/script/api/api_parts.h"
 
@@ -289,41 +288,13 @@ static const char path[] = "roms/torture/demos/torture.demo";
 static struct rig_game g;
 static struct demo d;
 
-static int setup(void **state)
-{
-    const char *update = getenv("CURTAIN_UPDATE");
-
-    (void)state;
-    if (update && *update == '1') {
-        remove(path); /* the old one is a part of the ROM, whose hash is in the new one */
-        rig_folder(&g, "torture");
-        record(&g, path);
-        rig_game_free(&g);
-    }
-    rig_folder(&g, "torture");
-    if (!rig_demo(&g, "torture", &d)) {
-        fprintf(stderr, "roms/torture has no demo: CURTAIN_UPDATE=1 records it\n");
-        return -1;
-    }
-    return 0;
-}
-
-static int teardown(void **state)
-{
-    (void)state;
-    demo_free(&d);
-    rig_game_free(&g);
-    return 0;
-}
-
-static void test_demo_holds(void **state)
+TEST(demo_holds)
 {
     char err[512];
     uint64_t hashes[MAX_PARTS];
     uint16_t pads[MAX_PLAYERS];
     struct rig r;
 
-    (void)state;
     assert_true(d.complete && demo_check_cart(&d, &g.cart, err, sizeof err));
     const char *doubt = demo_replay_warning(&d, &g.cart, err, sizeof err);
     if (doubt)
@@ -396,14 +367,12 @@ static void look(const struct board *b, struct reached *at)
 static struct reached at;
 
 /* Plays the demo, up to the reset, on a board that counts. */
-static int play(void **state)
+static void count_uses(void)
 {
     struct rig_game counted;
     struct rig r;
     uint16_t pads[MAX_PLAYERS];
 
-    if (setup(state))
-        return -1;
     assert_true(api_count_entries(&api_table) <= MOST);
     for (int i = 0; i < api_count_entries(&api_table); i++) {
         copies[i] = *api_get_entry(&api_table, i);
@@ -424,7 +393,6 @@ static int play(void **state)
     }
     rig_free(&r);
     rig_game_free(&counted);
-    return 0;
 }
 
 static void append(char *to, size_t size, const char *a, const char *b)
@@ -434,11 +402,10 @@ static void append(char *to, size_t size, const char *a, const char *b)
     snprintf(to + n, size - n, " %s%s", a, b);
 }
 
-static void test_functions(void **state)
+TEST(functions)
 {
     char missing[4096] = "";
 
-    (void)state;
     for (int i = 0; i < api_count_entries(&api_table); i++)
         /* missions are another way through the menus: test_missions.c; its ROM has no documents: test_bulletml.c */
         if (!(api_get_entry(&api_table, i)->flags & API_SYS) && !uses[i] &&
@@ -451,11 +418,10 @@ static void test_functions(void **state)
         fail_msg("roms/torture does not use:%s", missing);
 }
 
-static void test_properties(void **state)
+TEST(properties)
 {
     char missing[4096] = "", name[80];
 
-    (void)state;
     for (int k = 1; k < HANDLE_KINDS; k++)
         for (int i = 0; i < api_table.things[k]->n; i++) {
             const struct api_param *p = &api_table.things[k]->props[i];
@@ -472,11 +438,10 @@ static void test_properties(void **state)
         fail_msg("roms/torture does not use:%s", missing);
 }
 
-static void test_steps(void **state)
+TEST(steps)
 {
     const unsigned all = (1u << STEP_KEYS) - 1, never_timed = 1u << 0 | 1u << 3 | 1u << 9 | 1u << 10 | 15u << 23;
 
-    (void)state;
     for (int k = 0; k < STEP_KEYS; k++) {
         if (!(step_seen >> k & 1))
             fail_msg("no motion has the key %s", step_keys[k]);
@@ -487,9 +452,8 @@ static void test_steps(void **state)
     assert_int_equal(at.does, DOES_ALL); /* all there are */
 }
 
-static void test_pools(void **state)
+TEST(pools)
 {
-    (void)state;
     for (int i = 0; i < PART_COUNT; i++) {
         const char *name = machine_parts[i].chip->name;
         bool kinds = strstr(name, "_kinds") != NULL;
@@ -508,13 +472,12 @@ static void test_pools(void **state)
 }
 
 /* Every model a scene can choose: hit shapes, grazed or not, swept or not, fine. */
-static void test_models(void **state)
+TEST(models)
 {
     const unsigned plain = 1u << SHAPE_NONE | 1u << SHAPE_CIRCLE | 1u << SHAPE_BOX, bars = plain | 1u << SHAPE_CAPSULE,
                    all = bars | 1u << SHAPE_CIRCLES, shapes[] = { all, bars, all };
     static const unsigned choices[] = { KIND_GRAZE | KIND_SWEPT, KIND_SWEPT, ENEMY_TOUCH | ENEMY_SWEPT };
 
-    (void)state;
     for (int pool = 0; pool < 3; pool++) {
         assert_int_equal(at.shapes[pool] & shapes[pool], shapes[pool]);
         assert_int_equal(at.flags[pool] & choices[pool], choices[pool]);
@@ -523,14 +486,32 @@ static void test_models(void **state)
     assert_true(at.fine);
 }
 
-int main(void)
+static int setup(void **state)
 {
-    const struct CMUnitTest holds[] = { cmocka_unit_test(test_demo_holds) };
-    const struct CMUnitTest counts[] = { cmocka_unit_test(test_functions), cmocka_unit_test(test_properties),
-                                         cmocka_unit_test(test_steps), cmocka_unit_test(test_pools),
-                                         cmocka_unit_test(test_models) };
-    int failed = cmocka_run_group_tests_name("the demo holds", holds, setup, teardown);
+    const char *update = getenv("CURTAIN_UPDATE");
 
-    unsetenv("CURTAIN_UPDATE");
-    return failed + cmocka_run_group_tests_name("uses", counts, play, teardown);
+    (void)state;
+    if (update && *update == '1') {
+        remove(path); /* the old one is a part of the ROM, whose hash is in the new one */
+        rig_folder(&g, "torture");
+        record(&g, path);
+        rig_game_free(&g);
+    }
+    rig_folder(&g, "torture");
+    if (!rig_demo(&g, "torture", &d)) {
+        fprintf(stderr, "roms/torture has no demo: CURTAIN_UPDATE=1 records it\n");
+        return -1;
+    }
+    count_uses();
+    return 0;
 }
+
+static int teardown(void **state)
+{
+    (void)state;
+    demo_free(&d);
+    rig_game_free(&g);
+    return 0;
+}
+
+RUN_TESTS(setup, teardown)

@@ -37,11 +37,10 @@ static void holds(const struct manifest *m, const char *text, int frames)
     end();
 }
 
-static void test_use(void **state)
+TEST(use)
 {
     struct manifest m = with_values(2, 1, 1);
 
-    (void)state;
     holds(&m,
           KINDS
           "value.def('heat', { start = 2.5 }) value.def('goal')\n"
@@ -92,11 +91,10 @@ static void refused(const struct manifest *m, const char *code, const char *mess
     end();
 }
 
-static void test_errors(void **state)
+TEST(errors)
 {
     struct manifest none = with_values(0, 0, 0), few = with_values(1, 0, 1), all = with_values(4, 4, 4);
 
-    (void)state;
     refused(&none, "value.def('heat')",
             "value.def: \"heat\": too few value columns; set `values = { bullet = 1 }` in `board` in rom.lua");
     refused(&few, "value.def('a') value.def('b')",
@@ -141,12 +139,11 @@ static void note(void *context, const struct slots_value *v)
     assert_string_not_equal(v->column, "value1");
 }
 
-static void test_state(void **state)
+TEST(state)
 {
     struct manifest m = with_values(1, 1, 1);
     int64_t seen = 0;
 
-    (void)state;
     rig_script(&g, &m,
                KINDS "value.def('heat', { start = 2 }) value.def('heat', { of = 'shot' }) value.def('anger', { of = "
                      "'enemy' })\n"
@@ -173,7 +170,7 @@ static void test_state(void **state)
 
 /* A program with names does what one with their numbers does, in every frame; what becomes of a value in the middle of
  * a step does not matter to that step. */
-static void test_steps(void **state)
+TEST(steps)
 {
     static const char text[] =
         KINDS "for _, of in ipairs { 'bullet', 'shot' } do\n"
@@ -220,7 +217,6 @@ static void test_steps(void **state)
               "end)\n";
     struct manifest m = with_values(3, 4, 0);
 
-    (void)state;
     m.motions = 512;
     rig_script(&g, &m, text);
     rig_power(&rig, &g, NULL);
@@ -251,10 +247,4 @@ static void test_steps(void **state)
     refused(&m, "value.def('swift') motion.def { { dir = 'swift', over = 3 } }", "`dir` takes effect immediately");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_use), cmocka_unit_test(test_errors),
-                                        cmocka_unit_test(test_state), cmocka_unit_test(test_steps) };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

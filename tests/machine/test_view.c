@@ -165,11 +165,10 @@ static void play(const char *name, const char *section, const char *demo, uint32
     rig_game_free(&g);
 }
 
-static void test_games(void **state)
+TEST(games)
 {
     const uint32_t often = rig_long() ? 5 : 1;
 
-    (void)state;
     play("testcard", NULL, NULL, 600, 75 / often);
     play("torture", NULL, "torture", 1000, 125 / often);
     play("bench", NULL, NULL, 400, 100 / often);
@@ -247,7 +246,7 @@ static int shaded(struct rig *r, const struct picture *plain, int x, int y)
 }
 
 /* Of what matters the picture covers all that its opaque pixels cover; a sprite at the back lies behind. */
-static void test_matters(void **state)
+TEST(matters)
 {
     static const struct {
         int x, y;
@@ -258,7 +257,6 @@ static void test_matters(void **state)
     struct rig r;
     int holes = 0;
 
-    (void)state;
     things_power(&g, &r);
     rig_run(&r, 2);
     assert_int_equal(r.b->options.s.live, 1);
@@ -287,14 +285,13 @@ static void test_matters(void **state)
 }
 
 /* A ROM that has no tables, and a view without: nothing is dimmed. */
-static void test_none(void **state)
+TEST(none)
 {
     static struct picture plain, p;
     const struct view view = { .dim = VIEW_DIM_MOST };
     struct rig_game g;
     struct rig r;
 
-    (void)state;
     things_power(&g, &r);
     rig_run(&r, 2);
     assert_null(g.cart.main_tables.shades);
@@ -306,7 +303,7 @@ static void test_none(void **state)
 }
 
 /* A ROM that was packed before there were shades is dimmed by tables made of its palette: as if it had them. */
-static void test_older(void **state)
+TEST(older)
 {
     static struct picture has, had;
     struct board_start start = { .seed = 1, .difficulty = -1, .practice = { .section = "one:deep" } };
@@ -315,7 +312,6 @@ static void test_older(void **state)
     struct rig r, r_old;
     int n = 0;
 
-    (void)state;
     rig_folder(&g, "glasstide");
     assert_true(g.image.rom.count <= RIG_LUMPS);
     for (int i = 0; i < (int)g.image.rom.count; i++) {
@@ -343,7 +339,7 @@ static void test_older(void **state)
 }
 
 /* A soft flash is a quarter of its share in each frame, of all colours. */
-static void test_flash(void **state)
+TEST(flash)
 {
     const struct view soft = { .softens_flashes = true };
     static struct picture full, p;
@@ -351,7 +347,6 @@ static void test_flash(void **state)
     struct rig r;
     int flashed = 0;
 
-    (void)state;
     things_power(&g, &r);
     for (int f = 0; f < 16; f++) {
         rig_run(&r, 1);
@@ -370,11 +365,4 @@ static void test_flash(void **state)
     rig_game_free(&g);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_games), cmocka_unit_test(test_matters),
-                                        cmocka_unit_test(test_none), cmocka_unit_test(test_older),
-                                        cmocka_unit_test(test_flash) };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

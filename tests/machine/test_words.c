@@ -32,9 +32,8 @@ static void row_is(uint32_t row, uint32_t col, const char *want)
             fail_msg("row %u, column %u: %d", row, i, at[i]);
 }
 
-static void test_cells(void **state)
+TEST(cells)
 {
-    (void)state;
     power(NULL,
           "text.put { col = 0, row = 0, text = '\xe5\xbc\xbe\xe5\xb9\x95 \xc3\xa9t\xc3\xa9 \xc3\x9f' }\n"
           "text.put { col = 10, row = 1, text = '\xc3\xa9t\xc3\xa9s', align = 'center' }\n"
@@ -55,11 +54,10 @@ static void test_cells(void **state)
 }
 
 /* What stands in a cell and has no picture is a box, as another such character is; a blank is nothing. */
-static void test_boxes(void **state)
+TEST(boxes)
 {
     uint64_t empty, box, other;
 
-    (void)state;
     power(NULL, "", 0);
     empty = rig_picture(&rig);
     end();
@@ -76,9 +74,8 @@ static void test_boxes(void **state)
 }
 
 /* Rows of characters, not of bytes; none begins with a sign that closes. */
-static void test_hud(void **state)
+TEST(hud)
 {
-    (void)state;
     power(NULL,
           "hud.centre(0, '\xc3\xa9t\xc3\xa9')\n"
           "hud.put(28, 1, '\xc3\xa9\xc3\xa9\xc3\xa9\xc3\xa9')\n"
@@ -116,11 +113,10 @@ static void boss_with(const struct manifest *m, const char *title)
     rig_run(&rig, 140);
 }
 
-static void test_boss(void **state)
+TEST(boss)
 {
     struct manifest m = rig_manifest();
 
-    (void)state;
     boss_with(&m, "\xc3\x89t\xc3\xa9");
     row_is(4, 1,
            "\xc9t\xe9\2\2\2\2\2\2\2\2\2\2\2\2\2\2\2\2\2\2\2\2\2"
@@ -180,13 +176,12 @@ static void say_in(const char *lang)
     rig_run(&rig, 2);
 }
 
-static void test_lang(void **state)
+TEST(lang)
 {
     struct board_start start = { .seed = 1, .difficulty = -1, .lang = "fr" };
     uint64_t hash;
     char err[256];
 
-    (void)state;
     say_in("");
     row_is(0, 0, "HelloOther");
     row_is(1, 0, "Ship 3");
@@ -206,11 +201,4 @@ static void test_lang(void **state)
     end();
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_cells), cmocka_unit_test(test_boxes), cmocka_unit_test(test_hud),
-        cmocka_unit_test(test_boss),  cmocka_unit_test(test_lang),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

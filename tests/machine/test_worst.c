@@ -4,13 +4,7 @@
  * tools/bench/dearest.c counts what it does, and stays below the limit or ends in a fault soon above it. How long all
  * that takes, `make bench ARGS=guards` measures.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../tools/bench/dearest.h"
 #include "../../tools/bench/scene.h"
 #include "../../tools/bench/worst.h"
@@ -49,15 +43,14 @@ static void stops(const struct worst *w)
     scene_close(&s);
 }
 
-static void every_operation_is_charged(void **state)
+TEST(every_operation_is_charged)
 {
-    (void)state;
     for (int i = 0; i < WORST_COUNT; i++)
         stops(&WORST[i]);
 }
 
 /* What stands beside the loop is named. */
-static void the_reason_is_said(void **state)
+TEST(the_reason_is_said)
 {
     static const struct {
         const char *text, *says;
@@ -71,7 +64,6 @@ static void the_reason_is_said(void **state)
         { "while true do end", "worst:1: infinite loop: more than 5000000 instructions in one line" },
     };
     const struct scene_want want = { .does = "prices", .price = "straight", .n = 1, .bullets = 64 };
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         const struct worst w = { "", 1, cases[i].text };
         const char *fault;
@@ -85,7 +77,7 @@ static void the_reason_is_said(void **state)
 }
 
 /* A text of 65,536 bytes is made in any way; one more byte is a fault that names place and length. */
-static void texts_have_a_limit(void **state)
+TEST(texts_have_a_limit)
 {
     static const char *const make[] = {
         "local s = ('a'):rep(%d) while true do end",
@@ -95,7 +87,6 @@ static void texts_have_a_limit(void **state)
         "local s = ('b'):rep(%d // 16):gsub('b', ('a'):rep(16)) .. ('a'):rep(%d %% 16) while true do end",
     };
     const struct scene_want want = { .does = "prices", .price = "straight", .n = 1, .bullets = 64 };
-    (void)state;
     for (size_t i = 0; i < 2 * (sizeof make / sizeof *make); i++) {
         char text[256], err[256];
         struct worst w = { "", 1, text };
@@ -137,21 +128,19 @@ static void counts(const struct dearest *d)
     scene_close(&s);
 }
 
-static void every_frame_is_bounded(void **state)
+TEST(every_frame_is_bounded)
 {
-    (void)state;
     for (int i = 0; i < DEAREST_COUNT; i++)
         counts(&DEAREST[i]);
 }
 
 /* What is too much to draw is not drawn: a host that draws after the fault must not hang. */
-static void too_large_a_picture_is_not_drawn(void **state)
+TEST(too_large_a_picture_is_not_drawn)
 {
     const struct dearest *d = NULL;
     struct scene s;
     char err[256];
 
-    (void)state;
     for (int i = 0; i < DEAREST_COUNT; i++)
         d = DEAREST[i].says && strstr(DEAREST[i].says, "drawing: ") ? &DEAREST[i] : d;
     assert_non_null(d);
@@ -164,15 +153,4 @@ static void too_large_a_picture_is_not_drawn(void **state)
     scene_close(&s);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_operation_is_charged),
-        cmocka_unit_test(the_reason_is_said),
-        cmocka_unit_test(texts_have_a_limit),
-        cmocka_unit_test(every_frame_is_bounded),
-        cmocka_unit_test(too_large_a_picture_is_not_drawn),
-    };
-
-    return cmocka_run_group_tests_name("worst", tests, load, drop);
-}
+RUN_TESTS(load, drop)

@@ -1,10 +1,5 @@
 /* test_blend.c - blend.h: every entry of a table against a look at all colours. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../src/base/rng.h"
 #include "../../src/workbench/pack/art.h"
 #include "../../src/workbench/pack/blend.h"
@@ -43,24 +38,22 @@ static void check(const uint8_t *rgb, int mix)
             assert_int_equal(table[under * 256 + over], wanted(rgb, under, over, mix));
 }
 
-static void default_palette(void **state)
+TEST(default_palette)
 {
     uint8_t rgb[CART_PALETTE_SIZE];
 
-    (void)state;
     art_default_palette(rgb);
     check(rgb, BLEND_ADD);
     check(rgb, 50);
     check(rgb, 99);
 }
 
-static void random_palettes(void **state)
+TEST(random_palettes)
 {
     static const int mixes[] = { BLEND_ADD, 1, 37, 50 };
     uint8_t rgb[CART_PALETTE_SIZE];
     struct rng r;
 
-    (void)state;
     rng_seed(&r, 8);
     for (size_t k = 0; k < sizeof mixes / sizeof *mixes; k++) {
         for (int i = 0; i < CART_PALETTE_SIZE; i++)
@@ -70,11 +63,10 @@ static void random_palettes(void **state)
 }
 
 /* Of ramps: what the rule says, whatever the colours. */
-static void of_ramps(void **state)
+TEST(of_ramps)
 {
     static const uint8_t black[CART_PALETTE_SIZE];
 
-    (void)state;
     for (int rule = BLIT_RAMP_ADD; rule < BLIT_MIXES; rule++) {
         assert_true(blend_make(black, BLEND_RULE + BLIT_RAMP_ADD - rule, table));
         for (int i = 0; i < CART_BLEND_SIZE; i++)
@@ -83,11 +75,10 @@ static void of_ramps(void **state)
 }
 
 /* Few colours, many times each: ties everywhere, and at the corners of the cube. */
-static void equal_colours(void **state)
+TEST(equal_colours)
 {
     uint8_t rgb[CART_PALETTE_SIZE];
 
-    (void)state;
     memset(rgb, 0, sizeof rgb);
     check(rgb, BLEND_ADD);
     assert_int_equal(table[65535], 0);
@@ -99,11 +90,10 @@ static void equal_colours(void **state)
 }
 
 /* What is over, or under, by one percent changes next to nothing: the entry itself, or one of its colour. */
-static void ends(void **state)
+TEST(ends)
 {
     uint8_t rgb[CART_PALETTE_SIZE];
 
-    (void)state;
     art_default_palette(rgb);
     check(rgb, 1);
     for (int i = 0; i < 256; i++) {
@@ -112,15 +102,4 @@ static void ends(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(default_palette),
-        cmocka_unit_test(random_palettes),
-        cmocka_unit_test(of_ramps),
-        cmocka_unit_test(equal_colours),
-        cmocka_unit_test(ends),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

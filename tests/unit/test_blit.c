@@ -1,14 +1,8 @@
 /*
  * test_blit.c - sprites against a painter that sets one byte after the other.
  */
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../fb/stamp.h"
 #include "../../src/base/rng.h"
 
@@ -175,7 +169,7 @@ static void one_sprite(struct bed *b, unsigned flags)
     expect(b);
 }
 
-static void sprites_of_every_width(void **state)
+TEST(sprites_of_every_width)
 {
     struct bed *b = *state;
 
@@ -202,9 +196,8 @@ static const uint8_t *table_of(enum blit_mix mix)
 }
 
 /* What the rules are, for a few. */
-static void rules(void **state)
+TEST(rules)
 {
-    (void)state;
     assert_int_equal(blit_ramp_entry(BLIT_RAMP_ADD, 0x23, 0x54), 0x57);
     assert_int_equal(blit_ramp_entry(BLIT_RAMP_ADD, 0x2c, 0x54), 0x5f);
     assert_int_equal(blit_ramp_entry(BLIT_RAMP_ADD, 0xff, 0x01), 0x0f);
@@ -216,7 +209,7 @@ static void rules(void **state)
 }
 
 /* A rule draws what its table draws, or says that it does not. */
-static void ruled_sprites(void **state)
+TEST(ruled_sprites)
 {
     struct bed *b = *state;
     int drawn = 0;
@@ -247,7 +240,7 @@ static enum blit_mix any_mix(struct rng *r)
 }
 
 /* Many in one go, of every size: in order, one over the other. */
-static void batches(void **state)
+TEST(batches)
 {
     struct bed *b = *state;
     enum { MANY = 9 };
@@ -272,7 +265,7 @@ static void batches(void **state)
 }
 
 /* Every place round the edge of picture and band, for the widths whose last word hangs over. */
-static void sprites_at_every_edge(void **state)
+TEST(sprites_at_every_edge)
 {
     struct bed *b = *state;
     static const int widths[] = { 1, 3, 7, 8, 9, 16, 17 };
@@ -292,7 +285,7 @@ static void sprites_at_every_edge(void **state)
 }
 
 /* In one colour, whole or every second pixel of the image, whichever part of it is seen. */
-static void in_one_colour(void **state)
+TEST(in_one_colour)
 {
     struct bed *b = *state;
 
@@ -317,7 +310,7 @@ static void in_one_colour(void **state)
     }
 }
 
-static void banks_wrap(void **state)
+TEST(banks_wrap)
 {
     struct bed *b = *state;
 
@@ -335,7 +328,7 @@ static void banks_wrap(void **state)
     }
 }
 
-static void nothing_to_draw(void **state)
+TEST(nothing_to_draw)
 {
     struct bed *b = *state;
 
@@ -358,9 +351,8 @@ static void nothing_to_draw(void **state)
 
 /* Rows shorter and longer than those that are turned round before they are painted, and more of them than are turned at
  * once. */
-static void flipped_rows_of_any_length(void **state)
+TEST(flipped_rows_of_any_length)
 {
-    (void)state;
     static const int widths[] = { 31, 32, 33, 40, 41, 127, 511, 512, 513, 1015, 1016, 1017, 1023, 1024, 1025, 1040 };
     enum { LONG = 1040, ROWS = 37 };
     uint8_t *pix = malloc(LONG * ROWS), *mem = malloc(fb_size(LONG, ROWS));
@@ -396,7 +388,7 @@ static void random_table(struct bed *b, uint8_t *table)
         table[i] = (uint8_t)rng_next(&b->r);
 }
 
-static void blended_sprites(void **state)
+TEST(blended_sprites)
 {
     struct bed *b = *state;
     uint8_t *table = malloc(65536);
@@ -419,7 +411,7 @@ static void blended_sprites(void **state)
 }
 
 /* What lies under a pixel, and what is drawn over it: all pairs. */
-static void blended_pairs(void **state)
+TEST(blended_pairs)
 {
     struct bed *b = *state;
     uint8_t *table = malloc(65536);
@@ -440,7 +432,7 @@ static void blended_pairs(void **state)
     free(table);
 }
 
-static void blended_nothing(void **state)
+TEST(blended_nothing)
 {
     struct bed *b = *state;
     uint8_t *table = calloc(1, 65536);
@@ -473,7 +465,7 @@ static uint32_t any_less(struct bed *b)
 }
 
 /* A list of places, between them what is none; stamps stop there. */
-static void stamps_are_sprites(void **state)
+TEST(stamps_are_sprites)
 {
     struct bed *b = *state;
     uint32_t list[PLACES];
@@ -524,7 +516,7 @@ static void place_copy(struct bed *b, const struct stamp_unclipped_area *c, uint
 }
 
 /* Copies of one size behind each other: each destination shows the one that it is said to. */
-static void stamps_of_copies(void **state)
+TEST(stamps_of_copies)
 {
     struct bed *b = *state;
     enum { COPIES = 7, FEW = 200, MOST = 700 };
@@ -568,23 +560,4 @@ static void stamps_of_copies(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(sprites_of_every_width),
-        cmocka_unit_test(rules),
-        cmocka_unit_test(ruled_sprites),
-        cmocka_unit_test(batches),
-        cmocka_unit_test(stamps_of_copies),
-        cmocka_unit_test(sprites_at_every_edge),
-        cmocka_unit_test(banks_wrap),
-        cmocka_unit_test(nothing_to_draw),
-        cmocka_unit_test(flipped_rows_of_any_length),
-        cmocka_unit_test(blended_sprites),
-        cmocka_unit_test(blended_pairs),
-        cmocka_unit_test(blended_nothing),
-        cmocka_unit_test(stamps_are_sprites),
-        cmocka_unit_test(in_one_colour),
-    };
-    return cmocka_run_group_tests(tests, bed_open, bed_close);
-}
+RUN_TESTS(bed_open, bed_close)

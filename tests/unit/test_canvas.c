@@ -1,14 +1,8 @@
 /* test_canvas.c - what the program draws over a picture: borrowed colours, words, shapes. */
 #include <limits.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../src/base/rng.h"
 #include "../../src/player/overlay/message.h"
 
@@ -73,7 +67,7 @@ static bool is_free(int colour)
 }
 
 /* Every colour but CANVAS_COLOURS of them is on the picture: those are taken, and not a pixel changes. */
-static void unused_colours_are_taken(void **state)
+TEST(unused_colours_are_taken)
 {
     struct bed *b = *state;
     bool seen[256] = { false };
@@ -93,7 +87,7 @@ static void unused_colours_are_taken(void **state)
 }
 
 /* All 256 are on it: a pixel of a colour that was taken gets the nearest of those that were not. */
-static void a_full_palette_gives_up_a_few(void **state)
+TEST(a_full_palette_gives_up_a_few)
 {
     struct bed *b = *state;
     uint32_t was[256];
@@ -112,7 +106,7 @@ static void a_full_palette_gives_up_a_few(void **state)
     }
 }
 
-static void words_stand_on_a_band(void **state)
+TEST(words_stand_on_a_band)
 {
     struct bed *b = *state;
     int white = 0;
@@ -132,7 +126,7 @@ static void words_stand_on_a_band(void **state)
 }
 
 /* The same words, ending above a row; what is higher than that begins at the top. */
-static void words_stand_above_a_row(void **state)
+TEST(words_stand_above_a_row)
 {
     struct bed *b = *state;
     const char *text = "hello there, this is it, it is longer\nthan a line \xC3\xA9";
@@ -150,7 +144,7 @@ static void words_stand_above_a_row(void **state)
 }
 
 /* Each printable character differs from every other, and stays in its cell. */
-static void letters_can_be_told_apart(void **state)
+TEST(letters_can_be_told_apart)
 {
     struct bed *b = *state;
     uint32_t shape[127] = { 0 };
@@ -171,7 +165,7 @@ static void letters_can_be_told_apart(void **state)
     }
 }
 
-static void widths(void **state)
+TEST(widths)
 {
     struct bed *b = *state;
 
@@ -192,7 +186,7 @@ static bool in_ring(int64_t px, int64_t py, int64_t x, int64_t y, int64_t r)
 }
 
 /* In multiples of 1/256 px, which is as exact as it draws. */
-static void rings_are_rims_of_what_is_inside(void **state)
+TEST(rings_are_rims_of_what_is_inside)
 {
     struct bed *b = *state;
 
@@ -213,7 +207,7 @@ static void rings_are_rims_of_what_is_inside(void **state)
 }
 
 /* Of a disc each pixel that is inside; below a pixel's size one at least. */
-static void discs_are_what_is_inside(void **state)
+TEST(discs_are_what_is_inside)
 {
     struct bed *b = *state;
 
@@ -247,7 +241,7 @@ static double light_of(uint32_t rgb)
 
 /* By each view, words in every colour stand out from the band they are written on: 4.5 to 1 is what WCAG 2 asks of
  * text. */
-static void words_are_readable_by_each_view(void **state)
+TEST(words_are_readable_by_each_view)
 {
     struct bed *b = *state;
 
@@ -268,7 +262,7 @@ static void words_are_readable_by_each_view(void **state)
     }
 }
 
-static void boxes_frame_what_is_inside(void **state)
+TEST(boxes_frame_what_is_inside)
 {
     struct bed *b = *state;
 
@@ -304,7 +298,7 @@ static bool in_capsule(int64_t px, int64_t py, const int64_t at[5])
 }
 
 /* Numbers are odd multiples of 1/16 px, so that doubles decide right. */
-static void capsules_are_rims_of_what_is_inside(void **state)
+TEST(capsules_are_rims_of_what_is_inside)
 {
     struct bed *b = *state;
     long drawn = 0;
@@ -335,7 +329,7 @@ static void capsules_are_rims_of_what_is_inside(void **state)
 }
 
 /* Whatever the numbers, drawing ends and stays inside. */
-static void extremes_are_clipped(void **state)
+TEST(extremes_are_clipped)
 {
     static const int v[] = { INT_MIN, INT_MIN / 2, -70000, -1, 0, 5, 70000, INT_MAX / 2, INT_MAX };
     enum { N = sizeof v / sizeof *v };
@@ -363,7 +357,7 @@ static void extremes_are_clipped(void **state)
 }
 
 /* Any text on any picture ends and stays inside. */
-static void any_words(void **state)
+TEST(any_words)
 {
     struct bed *b = *state;
     char text[600];
@@ -380,23 +374,4 @@ static void any_words(void **state)
     }
 }
 
-int main(void)
-{
-#define TEST(f) cmocka_unit_test_setup_teardown(f, bed_open, bed_close)
-    const struct CMUnitTest tests[] = {
-        TEST(unused_colours_are_taken),
-        TEST(a_full_palette_gives_up_a_few),
-        TEST(words_stand_on_a_band),
-        TEST(words_stand_above_a_row),
-        TEST(letters_can_be_told_apart),
-        TEST(widths),
-        TEST(rings_are_rims_of_what_is_inside),
-        TEST(discs_are_what_is_inside),
-        TEST(words_are_readable_by_each_view),
-        TEST(boxes_frame_what_is_inside),
-        TEST(capsules_are_rims_of_what_is_inside),
-        TEST(extremes_are_clipped),
-        TEST(any_words),
-    };
-    return cmocka_run_group_tests(tests, 0, 0);
-}
+RUN_TESTS_EACH(bed_open, bed_close)

@@ -1,11 +1,5 @@
 /* test_clean.c - text of others on its way to a terminal. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../src/base/rng.h"
 #include "../../src/common/clean.h"
 
@@ -18,11 +12,10 @@ static void becomes(const char *want, const char *text)
     assert_string_equal(line, want);
 }
 
-static void control_characters(void **state)
+TEST(control_characters)
 {
     char lines[] = "a\nb\033\n";
 
-    (void)state;
     becomes("", "");
     becomes("plain, 100 %", "plain, 100 %");
     becomes("a [31mb", "a\033[31mb");
@@ -35,9 +28,8 @@ static void control_characters(void **state)
     assert_string_equal(lines, "a\nb \n");
 }
 
-static void characters(void **state)
+TEST(characters)
 {
-    (void)state;
     becomes("\xc3\xa4\xe3\x82\xab\xf0\x9f\x8e\xb6\xc2\xa0", "\xc3\xa4\xe3\x82\xab\xf0\x9f\x8e\xb6\xc2\xa0");
     becomes("\xf4\x8f\xbf\xbd", "\xf4\x8f\xbf\xbd"); /* U+10FFFD */
     becomes("??", "\xc0\x9b");                       /* too long for what it says */
@@ -49,11 +41,10 @@ static void characters(void **state)
 }
 
 /* What controls text instead of being seen: separators, turns of direction, what is no character. */
-static void hidden(void **state)
+TEST(hidden)
 {
     char as[CLEAN_MARKUP_SIZE];
 
-    (void)state;
     becomes("a   b", "a\xe2\x80\xa8"
                      "b"); /* U+2028 */
     becomes("a   b", "a\xe2\x80\xae"
@@ -80,12 +71,11 @@ static void hidden(void **state)
 }
 
 /* Whatever comes: no byte more or less, and what is clean stays so. */
-static void any_bytes(void **state)
+TEST(any_bytes)
 {
     struct rng rng;
     char text[40], once[40];
 
-    (void)state;
     rng_seed(&rng, 7);
     for (int i = 0; i < 100000; i++) {
         size_t n = rng_below(&rng, sizeof text);
@@ -105,13 +95,4 @@ static void any_bytes(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(control_characters),
-        cmocka_unit_test(characters),
-        cmocka_unit_test(hidden),
-        cmocka_unit_test(any_bytes),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

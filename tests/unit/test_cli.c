@@ -3,15 +3,8 @@
  * small game in a temporary folder, with their output and exit codes.
  */
 #define _POSIX_C_SOURCE 200809L /* mkdtemp, dup2 */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../platform/platform.h"
 #include "../../src/base/pads.h"
 #include "../../src/player/args/args.h"
@@ -55,9 +48,8 @@ static void refuses(const char *line, const char *sentence)
     assert_string_equal(err, sentence);
 }
 
-static void test_commands(void **state)
+TEST(commands)
 {
-    (void)state;
     reads("");
     assert_int_equal(a.command, COMMAND_PLAY);
     assert_int_equal(a.n_words, 0);
@@ -113,9 +105,8 @@ static void test_commands(void **state)
     assert_int_equal(args_command("Play"), -1);
 }
 
-static void test_values(void **state)
+TEST(values)
 {
-    (void)state;
     reads("art game --atlas a.png --nearest");
     assert_string_equal(a.atlas, "a.png");
     assert_int_equal(a.bank, -1);
@@ -195,9 +186,8 @@ static void wants(const char *list, const char *bits)
     assert_int_equal(args_last_frame(&a), strrchr(bits, '1') - bits);
 }
 
-static void test_frames(void **state)
+TEST(frames)
 {
-    (void)state;
     wants("0", "100");
     wants("3", "000100");
     wants("1,4,2", "0110100");
@@ -217,9 +207,8 @@ static uint32_t pressed(uint32_t frame)
     return pads[0] | (uint32_t)pads[1] << 16;
 }
 
-static void test_press(void **state)
+TEST(press)
 {
-    (void)state;
     reads("hash game --press fire,focus");
     assert_int_equal(pressed(0), PAD_FIRE | PAD_FOCUS);
     assert_int_equal(pressed(99999), PAD_FIRE | PAD_FOCUS);
@@ -244,7 +233,7 @@ static void test_press(void **state)
     refuses("play game --press fire", "--press does not work with play (only with render, capture, hash)");
 }
 
-static void test_bad_values(void **state)
+TEST(bad_values)
 {
     static const char *const frames[] = {
         "x",  "1:", ":1", "1:2:", "1:2:3:4", "1,,2", ",", "1,", "-1", "1:5:0", "1.5", "8388609", "99999999999999999999",
@@ -252,7 +241,6 @@ static void test_bad_values(void **state)
     };
     char line[128];
 
-    (void)state;
     for (size_t i = 0; i < sizeof frames / sizeof frames[0]; i++) {
         snprintf(line, sizeof line, "render game --frames %s", frames[i]);
         assert_false(parse(line));
@@ -288,9 +276,8 @@ static void test_bad_values(void **state)
     refuses("play --seed 1 --seed 2", "--seed is given twice");
 }
 
-static void test_misfits(void **state)
+TEST(misfits)
 {
-    (void)state;
     refuses("render g --framse 3", "unknown option --framse (did you mean --frames?)");
     refuses("render g --frame=3", "unknown option --frame (did you mean --frames?)");
     refuses("hash g --xyzzy", "unknown option --xyzzy (see curtain help)");
@@ -320,11 +307,10 @@ static void test_misfits(void **state)
     refuses("hash g h", "hash: unexpected argument \"h\" (see curtain help hash)");
 }
 
-static void test_near(void **state)
+TEST(near)
 {
     static const char *const list[] = { "play", "render", "hash", "verify" };
 
-    (void)state;
     assert_string_equal(args_near("rendre", list, 4), "render");
     assert_string_equal(args_near("hahs", list, 4), "hash");
     assert_string_equal(args_near("pay", list, 4), "play");
@@ -333,9 +319,8 @@ static void test_near(void **state)
     assert_null(args_near("a-word-of-more-than-thirty-one-letters", list, 4));
 }
 
-static void test_help_and_version(void **state)
+TEST(help_and_version)
 {
-    (void)state;
     reads("--version");
     assert_int_equal(a.command, COMMAND_VERSION);
     reads("-h");
@@ -364,9 +349,8 @@ static void is_whole(const char *line)
     assert_true(strlen(line) < 600);
 }
 
-static void test_help_text(void **state)
+TEST(help_text)
 {
-    (void)state;
     args_help(-1, false, is_whole);
     for (int i = 0; i < COMMANDS; i++)
         args_help(i, false, is_whole);
@@ -493,7 +477,7 @@ static int teardown(void **state)
     return remove(dir);
 }
 
-static void test_exit_codes(void **state)
+TEST(exit_codes)
 {
     static const char *const bad[] = { "hash",
                                        "hash /nowhere/at-all.rom",
@@ -515,7 +499,6 @@ static void test_exit_codes(void **state)
                                        "pack @/g/main.lua",
                                        "render @/g --frames 0:8388608 --sheet @/s.png" };
 
-    (void)state;
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++)
         runs(bad[i], EXIT_INPUT);
     runs("hash @/g --dip coin=one", EXIT_INPUT);
@@ -526,9 +509,8 @@ static void test_exit_codes(void **state)
     assert_string_equal(log_text, "curtain: --difficulty: unknown difficulty \"medium\" (expected easy or hard)\n");
 }
 
-static void test_host_failures(void **state)
+TEST(host_failures)
 {
-    (void)state;
     write_file("plain", "x"); /* a file where a folder is asked for */
     runs("render @/g --frames 1 -o @/plain", EXIT_HOST);
     says(log_text, "/plain/000001.png: cannot be written");
@@ -538,13 +520,12 @@ static void test_host_failures(void **state)
     says(log_text, "/plain/x.demo: cannot be written");
 }
 
-static void test_hash(void **state)
+TEST(hash)
 {
     char first[sizeof out];
     unsigned frame;
     int n = 0, at;
 
-    (void)state;
     runs("hash @/g --frames 7 --every 3", EXIT_DONE);
     strcpy(first, out);
     for (const char *p = out; sscanf(p, "%u %*16[0-9a-f]\n%n", &frame, &at) == 1; p += at, n++)
@@ -563,9 +544,8 @@ static void test_hash(void **state)
 }
 
 /* Record, verify; then the same on a game that acts otherwise from some frame on. */
-static void test_verify(void **state)
+TEST(verify)
 {
-    (void)state;
     runs("hash @/g --frames 150 --every 150 --record @/a.demo", EXIT_DONE);
     runs("hash @/g --frames 20 --every 20 --seed 9 --dip lives=3 --record @/b.demo", EXIT_DONE);
     runs("verify @/g @/a.demo @/b.demo", EXIT_DONE);
@@ -580,11 +560,10 @@ static void test_verify(void **state)
     says(out, "/a.demo: holds, 150 frames\n");
 }
 
-static void test_cut_demo(void **state)
+TEST(cut_demo)
 {
     char path[300], bytes[8192];
 
-    (void)state;
     runs("hash @/g --frames 150 --every 150 --record @/a.demo", EXIT_DONE);
     snprintf(path, sizeof path, "%s/a.demo", dir);
     long n = plat_load(path, bytes, sizeof bytes);
@@ -598,9 +577,8 @@ static void test_cut_demo(void **state)
 }
 
 /* A fault is one line that names file and line; recorded, it has to happen again. */
-static void test_fault(void **state)
+TEST(fault)
 {
-    (void)state;
     write_file("g/main.lua", "task.go(function()\n wait(70) error('boom') end)\n");
     runs("hash @/g --every 1000 --record @/f.demo", EXIT_INPUT);
     assert_string_equal(log_text, "main.lua:2: boom\n");
@@ -613,11 +591,10 @@ static void test_fault(void **state)
     write_game(1);
 }
 
-static void test_render(void **state)
+TEST(render)
 {
     char path[300];
 
-    (void)state;
     runs("render @/g --frames 0,3:9:3 -o @/deep/er --sheet @/sheet.png", EXIT_DONE);
     for (int f = 0; f <= 10; f++) {
         snprintf(path, sizeof path, "%s/deep/er/%06d.png", dir, f);
@@ -627,9 +604,8 @@ static void test_render(void **state)
     assert_true(plat_file_size(path) > 0);
 }
 
-static void test_rom_commands(void **state)
+TEST(rom_commands)
 {
-    (void)state;
     runs("pack @/g -o @/g.rom", EXIT_DONE);
     runs("list @/g.rom", EXIT_DONE);
     says(out, "script/main.lua ");
@@ -647,16 +623,4 @@ static void test_rom_commands(void **state)
     says(out, "bullet.fire");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_commands),   cmocka_unit_test(test_values),           cmocka_unit_test(test_frames),
-        cmocka_unit_test(test_press),      cmocka_unit_test(test_bad_values),       cmocka_unit_test(test_misfits),
-        cmocka_unit_test(test_near),       cmocka_unit_test(test_help_and_version), cmocka_unit_test(test_help_text),
-        cmocka_unit_test(test_exit_codes), cmocka_unit_test(test_host_failures),    cmocka_unit_test(test_hash),
-        cmocka_unit_test(test_verify),     cmocka_unit_test(test_cut_demo),         cmocka_unit_test(test_fault),
-        cmocka_unit_test(test_render),     cmocka_unit_test(test_rom_commands),
-    };
-
-    return cmocka_run_group_tests(tests, setup, teardown);
-}
+RUN_TESTS(setup, teardown)

@@ -1,13 +1,6 @@
 /* test_compressed.c - compressed.h, lzma.h and compress.h: what is compressed comes back, of all kinds of bytes; what
  * is spoilt, cut short or too good to be true is refused in one sentence. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../src/base/rng.h"
 #include "../../src/rom/lzma.h"
 #include "../../src/workbench/pack/compress.h"
@@ -63,13 +56,12 @@ static void some_bytes(uint8_t *p, size_t size)
     }
 }
 
-static void test_all_kinds(void **state)
+TEST(all_kinds)
 {
     enum { MOST = 40000 };
     uint8_t *bytes = malloc(MOST);
     int smaller = 0;
 
-    (void)state;
     assert_non_null(bytes);
     rng_seed(&dice, 3);
     for (int i = 0; i < 400; i++) {
@@ -88,12 +80,11 @@ static void test_all_kinds(void **state)
 }
 
 /* What no reader takes is not written: a thousand times as many bytes as the file has. */
-static void test_too_good(void **state)
+TEST(too_good)
 {
     enum { MANY = 4 << 20 };
     uint8_t *bytes = calloc(1, MANY);
 
-    (void)state;
     assert_non_null(bytes);
     assert_int_equal(there_and_back(bytes, MANY), 0);
     for (int i = 0; i < MANY; i += 97)
@@ -128,14 +119,13 @@ static void refused(const uint8_t *p, size_t n, const char *why)
     free(out);
 }
 
-static void test_refused(void **state)
+TEST(refused)
 {
     enum { SIZE = 4000 };
     uint8_t bytes[SIZE], *p;
     char why[256];
     const size_t n = a_file(&p, bytes, SIZE);
 
-    (void)state;
     refused(p, 8, "too short for a compressed ROM (8 bytes)");
     for (size_t cut = COMPRESSED_HEADER_SIZE; cut < n; cut++) {
         snprintf(why, sizeof why, "%zu bytes long, but its header says %zu", cut, n);
@@ -180,14 +170,13 @@ static void test_refused(void **state)
 }
 
 /* Streams with any byte changed, cut or grown, and no bytes behind what is claimed: they end, and write no further. */
-static void test_streams(void **state)
+TEST(streams)
 {
     enum { SIZE = 4000, TIMES = 30000 };
     uint8_t bytes[SIZE], *p;
     const size_t n = a_file(&p, bytes, SIZE) - COMPRESSED_HEADER_SIZE;
     int good = 0, other = 0;
 
-    (void)state;
     for (int i = 0; i < TIMES; i++) {
         const size_t cut = below(4) ? n : below(n), size = below(4) ? SIZE : below(SIZE);
         uint8_t *in = malloc(cut + !cut), *out = malloc(size + !size);
@@ -211,14 +200,4 @@ static void test_streams(void **state)
     free(p);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_all_kinds),
-        cmocka_unit_test(test_too_good),
-        cmocka_unit_test(test_refused),
-        cmocka_unit_test(test_streams),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

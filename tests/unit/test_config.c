@@ -3,16 +3,9 @@
  * changed, whatever is written is read as what was meant, and no damage is more than a sentence.
  */
 #define _POSIX_C_SOURCE 200809L
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../src/base/rng.h"
 #include "../../src/player/settings/config.h"
 #include "../temp.h"
@@ -56,9 +49,8 @@ static void edits(const char *was, const char *now, const char *want)
     free(text);
 }
 
-static void what_stands_there_stays(void **state)
+TEST(what_stands_there_stays)
 {
-    (void)state;
     edits("# mine\n\n  scale=3   # wide\n volume = 40\t# quiet\n", "scale = 4\nvolume = 40",
           "# mine\n\n  scale= 4   # wide\n volume = 40\t# quiet\n");
     edits("volume=40#quiet", "volume = 50", "volume= 50#quiet");
@@ -70,9 +62,8 @@ static void what_stands_there_stays(void **state)
     edits("", "", "");
 }
 
-static void the_last_line_counts(void **state)
+TEST(the_last_line_counts)
 {
-    (void)state;
     edits("volume = 1\nvolume = 2\nmute = yes\n", "volume = 3\nmute = yes", "volume = 1\nvolume = 3\nmute = yes\n");
     edits("volume = 1\n\rvolume = 2\n", "volume = 3", "volume = 1\n\rvolume = 3\n");
     edits("volume = 1\nvolume\r= 2\n", "volume = 3", "volume = 1\nvolume\r= 3\n");
@@ -83,9 +74,8 @@ static void the_last_line_counts(void **state)
     edits("p1.up = q\n", "p1.up = q\np1.up = w", "p1.up = w\n");
 }
 
-static void a_new_line_comes_at_the_end(void **state)
+TEST(a_new_line_comes_at_the_end)
 {
-    (void)state;
     edits("", "volume = 70", "volume = 70\n");
     edits("scale = 2", "scale = 2\nvolume = 70", "scale = 2\nvolume = 70\n");
     edits("scale = 2\n", "scale = 2\nspeed = half\nlang = de", "scale = 2\nspeed = half\nlang = de\n");
@@ -93,18 +83,16 @@ static void a_new_line_comes_at_the_end(void **state)
     edits("lang = de\n", "", "lang =\n");
 }
 
-static void lines_end_as_they_did(void **state)
+TEST(lines_end_as_they_did)
 {
-    (void)state;
     edits("scale = 2\r\nvolume = 5 # low\r\n", "scale = 3\nvolume = 6", "scale = 3\r\nvolume = 6 # low\r\n");
     edits("scale = 2\r", "scale = 3", "scale = 3\r");
 }
 
 /* A comment that leaves no room in its line stays; the value gets a line of its own. */
-static void a_line_never_gets_too_long(void **state)
+TEST(a_line_never_gets_too_long)
 {
     char was[CONFIG_LINE + 64], want[CONFIG_LINE + 128];
-    (void)state;
     memset(was, '-', sizeof was);
     memcpy(was, "volume = 5 #", 12);
     was[CONFIG_LINE - 2] = 0;
@@ -139,11 +127,10 @@ static void refused(const char *was, size_t n, const char *want)
     says(want);
 }
 
-static void what_is_not_right_is_refused(void **state)
+TEST(what_is_not_right_is_refused)
 {
     char *large = malloc(CONFIG_BYTES);
 
-    (void)state;
     refused("scael = 3\n", 10, ":1: unknown setting \"scael\"");
     refused("mute = no\n\0", 11, ":2: expected a line of text");
     assert_non_null(large);
@@ -153,11 +140,10 @@ static void what_is_not_right_is_refused(void **state)
 }
 
 /* Settings and actions stand in one file. */
-static void no_name_means_two_things(void **state)
+TEST(no_name_means_two_things)
 {
     const struct config_setting *s;
 
-    (void)state;
     for (int i = 0; (s = config_setting(i)) != NULL; i++) {
         assert_false(keys_is_action(s->name));
         assert_string_not_equal(s->name, "lang");
@@ -204,13 +190,12 @@ static void any_settings(struct rng *r, struct config *c)
 }
 
 /* The text of one round is the file of the next, and none of its comments is lost. */
-static void what_is_written_is_read(void **state)
+TEST(what_is_written_is_read)
 {
     static const char first[] = "# mine\r\nvolume=3 # low\r\n\r\nmute = no\np1.up = q # far\nlang = fr#x\n\n#end";
     char *text = strdup(first);
     struct rng r;
 
-    (void)state;
     rng_seed(&r, 19);
     for (int round = 0; round < 400; round++) {
         struct config c = read_text(text), again;
@@ -233,14 +218,13 @@ static void what_is_written_is_read(void **state)
 }
 
 /* Spoilt files, each in memory of its own size: refused in a sentence, or edited into what was meant. */
-static void no_damage_is_more_than_a_sentence(void **state)
+TEST(no_damage_is_more_than_a_sentence)
 {
     static const char good[] = "# mine\nvolume = 40 # low\r\nmute=yes\n\nlang = de\np1.fire = z pad.south\nspeed=half";
     static const char likely[] = "\n\r\t =#\0az.09\xff";
     int edited = 0, refusals = 0;
     struct rng r;
 
-    (void)state;
     rng_seed(&r, 20);
     for (int round = 0; round < 20000; round++) {
         const size_t n = (size_t)below(&r, sizeof good);
@@ -294,11 +278,10 @@ static void file_is(const char *want)
     assert_string_equal(text, want);
 }
 
-static void the_file(void **state)
+TEST(the_file)
 {
     struct config c;
 
-    (void)state;
     assert_true(config_load(&c, err, sizeof err));
     assert_true(config_save(&c, err, sizeof err));
     assert_int_not_equal(access(path, F_OK), 0); /* nothing differs, so there is none yet */
@@ -344,14 +327,4 @@ static int close_folder(void **state)
     return rmdir(path) | rmdir(folder);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_stands_there_stays),           cmocka_unit_test(the_last_line_counts),
-        cmocka_unit_test(a_new_line_comes_at_the_end),       cmocka_unit_test(lines_end_as_they_did),
-        cmocka_unit_test(a_line_never_gets_too_long),        cmocka_unit_test(what_is_not_right_is_refused),
-        cmocka_unit_test(no_name_means_two_things),          cmocka_unit_test(what_is_written_is_read),
-        cmocka_unit_test(no_damage_is_more_than_a_sentence), cmocka_unit_test(the_file),
-    };
-    return cmocka_run_group_tests(tests, open_folder, close_folder);
-}
+RUN_TESTS(open_folder, close_folder)

@@ -1,10 +1,5 @@
 /* test_controllers.c - the assignment of controllers to players: plugging in, unplugging, START, reconnecting. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../src/player/input/controllers.h"
 
 enum { START = 1 << PLAT_START, SOUTH = 1 << PLAT_SOUTH, UP = 1 << PLAT_DPAD_UP };
@@ -61,9 +56,8 @@ static void nothing_is_told(void)
 }
 
 /* The one that is used plays, not the one that is first: some machines have a controller that nobody holds. */
-static void the_first_used_is_player_1s(void **state)
+TEST(the_first_used_is_player_1s)
 {
-    (void)state;
     begin(2);
     plug(0, "a thing with axes");
     plug(1, "pad");
@@ -84,9 +78,8 @@ static void the_first_used_is_player_1s(void **state)
     assert_int_equal(controllers_find_player(&s, 0), -1);
 }
 
-static void start_joins(void **state)
+TEST(start_joins)
 {
-    (void)state;
     begin(2);
     plug(0, "pad");
     plug(1, "pad");
@@ -112,9 +105,8 @@ static void start_joins(void **state)
     assert_int_equal(controllers_find_player(&s, 0), 0);
 }
 
-static void in_a_game_for_one_start_hands_over(void **state)
+TEST(in_a_game_for_one_start_hands_over)
 {
-    (void)state;
     begin(1);
     plug(0, "pad");
     plug(3, "other");
@@ -134,9 +126,8 @@ static void in_a_game_for_one_start_hands_over(void **state)
     assert_int_equal(controllers_buttons(&s, 0), UP);
 }
 
-static void what_goes_lets_go_and_comes_back(void **state)
+TEST(what_goes_lets_go_and_comes_back)
 {
-    (void)state;
     begin(2);
     plug(0, "one");
     plug(1, "two");
@@ -167,9 +158,8 @@ static void what_goes_lets_go_and_comes_back(void **state)
     assert_int_equal(controllers_buttons(&s, 0), SOUTH);
 }
 
-static void another_may_take_the_place(void **state)
+TEST(another_may_take_the_place)
 {
-    (void)state;
     begin(2);
     plug(0, "one");
     plug(1, "two");
@@ -201,9 +191,8 @@ static void another_may_take_the_place(void **state)
 }
 
 /* Between two polls one goes and another comes under the same number. */
-static void an_exchange_is_seen(void **state)
+TEST(an_exchange_is_seen)
 {
-    (void)state;
     begin(1);
     plug(0, "one");
     poll();
@@ -223,9 +212,8 @@ static void an_exchange_is_seen(void **state)
     told(1, CONTROLLERS_RECONNECTED, 0);
 }
 
-static void given_on_a_screen(void **state)
+TEST(given_on_a_screen)
 {
-    (void)state;
     begin(2);
     plug(0, "one");
     plug(1, "two");
@@ -254,9 +242,8 @@ static void given_on_a_screen(void **state)
 }
 
 /* A port that knows no controllers by name has them all there, always. */
-static void a_port_that_knows_nothing(void **state)
+TEST(a_port_that_knows_nothing)
 {
-    (void)state;
     begin(2);
     for (int i = 0; i < PLAT_MAX_CONTROLLERS; i++) {
         assert_true(plat_get_controller(i, &in_it[i]));
@@ -272,17 +259,4 @@ static void a_port_that_knows_nothing(void **state)
     told(0, CONTROLLERS_ASSIGNED, 1);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_first_used_is_player_1s),
-        cmocka_unit_test(start_joins),
-        cmocka_unit_test(in_a_game_for_one_start_hands_over),
-        cmocka_unit_test(what_goes_lets_go_and_comes_back),
-        cmocka_unit_test(another_may_take_the_place),
-        cmocka_unit_test(an_exchange_is_seen),
-        cmocka_unit_test(given_on_a_screen),
-        cmocka_unit_test(a_port_that_knows_nothing),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

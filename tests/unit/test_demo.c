@@ -3,15 +3,8 @@
  * select is down; its script acts in every frame in which start is.
  */
 #define _POSIX_C_SOURCE 200809L /* mkdtemp */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../platform/platform.h"
 #include "../../src/base/bytes.h"
 #include "../../src/base/hash.h"
@@ -198,14 +191,13 @@ static size_t file_bytes(void)
 
 /* ---- tests ---- */
 
-static void test_round_trip(void **state)
+TEST(round_trip)
 {
     static const uint32_t lengths[] = { 0, 1, 59, 60, 61, 119, 120, 200, 1000 };
     struct board_start start = { .seed = 0xfedcba9876543210u, .difficulty = -1 };
     struct demo_writer w = { .recording = false };
     struct demo d;
 
-    (void)state;
     for (size_t i = 0; i < sizeof lengths / sizeof lengths[0]; i++) {
         record(&w, &start, lengths[i]);
         loads(&d);
@@ -221,7 +213,7 @@ static void test_round_trip(void **state)
 }
 
 /* The track holds what the board said at those frames, the checksums what each part said at each. */
-static void test_track(void **state)
+TEST(track)
 {
     struct board_start start = { .seed = 5, .difficulty = -1 };
     struct demo_writer w = { .recording = false };
@@ -229,7 +221,6 @@ static void test_track(void **state)
     uint16_t pads[MAX_PLAYERS];
     struct demo d;
 
-    (void)state;
     record(&w, &start, 130);
     loads(&d);
     struct board *b = power(&d.start);
@@ -278,14 +269,13 @@ static uint32_t disagrees(const struct demo *d, uint32_t frame)
 }
 
 /* What a script does differently shows in that frame, wherever in its second that is. */
-static void test_divergence(void **state)
+TEST(divergence)
 {
     static const uint32_t at[] = { 1, 2, 59, 60, 61, 75, 119, 120, 121, 180, 181, 199, 200 };
     struct board_start start = { .seed = 2, .difficulty = -1 };
     struct demo_writer w = { .recording = false };
     struct demo d;
 
-    (void)state;
     record(&w, &start, 200);
     loads(&d);
     assert_int_equal(disagrees(&d, 0), UINT32_MAX);
@@ -306,7 +296,7 @@ static void fill_nvram(uint8_t *p, size_t n, int kind)
         p[i] = kind == 0 ? 0 : kind == 1 ? (uint8_t)rng_next(&r) : kind == 2 ? (uint8_t)(i / 2) : (uint8_t)(i / 131);
 }
 
-static void test_start(void **state)
+TEST(start)
 {
     static const size_t sizes[] = { 1, 2, 3, 127, 128, 129, 130, 131, 257, 32768, MAX_NVRAM };
     static uint8_t nvram[MAX_NVRAM];
@@ -314,7 +304,6 @@ static void test_start(void **state)
     struct demo_writer w = { .recording = false };
     struct demo d;
 
-    (void)state;
     for (int i = 0; i < MAX_DIPS; i++)
         start.dip[i] = i < cart.manifest.n_dips ? 0 : -i * 100000000;
     for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
@@ -335,7 +324,7 @@ static void test_start(void **state)
 }
 
 /* A crash: the file holds all but the second that was going on. */
-static void test_crash(void **state)
+TEST(crash)
 {
     struct board_start start = { .difficulty = -1 };
     struct board *b = power(&start);
@@ -343,7 +332,6 @@ static void test_crash(void **state)
     struct rng r;
     struct demo d;
 
-    (void)state;
     rng_seed(&r, 1);
     assert_true(demo_begin(&w, path, &cart, b, &start, 0));
     for (uint32_t f = 0; f < 250; f++) {
@@ -359,14 +347,13 @@ static void test_crash(void **state)
     demo_writer_free(&w);
 }
 
-static void test_cut(void **state)
+TEST(cut)
 {
     struct board_start start = { .difficulty = -1 };
     struct demo_writer w = { .recording = false };
     struct demo d;
     uint32_t frames = 0;
 
-    (void)state;
     record(&w, &start, 200);
     size_t n = file_bytes();
     for (size_t i = 0; i < n; i++) {
@@ -387,13 +374,12 @@ static void test_cut(void **state)
     demo_free(&w.demo);
 }
 
-static void test_flips(void **state)
+TEST(flips)
 {
     struct board_start start = { .difficulty = -1 };
     struct demo_writer w = { .recording = false };
     struct demo d;
 
-    (void)state;
     record(&w, &start, 100);
     size_t n = file_bytes();
     for (size_t i = 0; i < n * 8; i++) {
@@ -443,12 +429,11 @@ static void refused_with(size_t n, size_t at, int value, const char *part)
     repair_demo(file, n);
 }
 
-static void test_order(void **state)
+TEST(order)
 {
     struct board_start start = { .difficulty = -1 };
     struct demo_writer w = { .recording = false };
 
-    (void)state;
     record(&w, &start, 300);
     size_t n = file_bytes(), from = record_at(3), to = record_at(4);
     memmove(file + from, file + to, n - to); /* a lost second: each record alone is good */
@@ -459,12 +444,11 @@ static void test_order(void **state)
     demo_free(&w.demo);
 }
 
-static void test_nonsense(void **state)
+TEST(nonsense)
 {
     struct board_start start = { .difficulty = -1 };
     struct demo_writer w = { .recording = false };
 
-    (void)state;
     record(&w, &start, 100);
     size_t n = file_bytes(), head = record_at(0) + 8, first = record_at(1) + 8, second = record_at(2) + 8;
     size_t end = record_at(4 + MAX_PLAYERS) + 8; /* behind the points */
@@ -519,13 +503,12 @@ static size_t resize(int i, int by)
 }
 
 /* Prints there are too many or too few of, of parts that are none, and no part script. */
-static void test_checksum_lies(void **state)
+TEST(checksum_lies)
 {
     static const int by[] = { -2, -1, 1, 2 };
     struct board_start start = { .difficulty = -1 };
     struct demo_writer w = { .recording = false };
 
-    (void)state;
     record(&w, &start, 100);
     for (int i = 1; i <= 3; i++)
         for (size_t k = 0; k < sizeof by / sizeof by[0]; k++)
@@ -548,14 +531,13 @@ static size_t practice_at(void)
 }
 
 /* A practice start with everything in it; and what it may not say. */
-static void test_practice(void **state)
+TEST(practice)
 {
     struct board_start start = { .seed = 9, .difficulty = -1 };
     struct practice *p = &start.practice;
     struct demo_writer w = { .recording = false };
     struct demo d;
 
-    (void)state;
     struct board *b = power(&start);
     snprintf(p->section, sizeof p->section, "%063d", 0);
     p->lives = 99;
@@ -601,14 +583,13 @@ static void mark_frames(struct demo_writer *w, struct board *b, uint32_t n)
     }
 }
 
-static void test_markers(void **state)
+TEST(markers)
 {
     struct board_start start = { .difficulty = -1 };
     struct demo_writer w = { .recording = false };
     struct board *b = power(&start);
     struct demo d;
 
-    (void)state;
     assert_true(demo_begin(&w, path, &cart, b, &start, 0));
     mark_frames(&w, b, 300);
     assert_int_equal(w.demo.n_markers, 300 / 7 + 300 / 21);
@@ -647,7 +628,7 @@ static void test_markers(void **state)
 }
 
 /* A recording ends with what everybody had. */
-static void test_points(void **state)
+TEST(points)
 {
     static const int64_t points[][MAX_PLAYERS] = { { 0, 0 }, { 120300, 0 }, { 7, 999999999999 } };
     static const uint32_t frames[] = { 0, 60, 61 };
@@ -657,7 +638,6 @@ static void test_points(void **state)
     struct rng r;
     int64_t got;
 
-    (void)state;
     for (size_t i = 0; i < sizeof points / sizeof points[0]; i++) {
         struct board *b = power(&start);
         memcpy(b->player.score, points[i], sizeof points[i]);
@@ -677,7 +657,7 @@ static void test_points(void **state)
     }
 }
 
-static void test_points_lies(void **state)
+TEST(points_lies)
 {
     static const char *const texts[] = { "",
                                          "points",
@@ -694,7 +674,6 @@ static void test_points_lies(void **state)
     struct demo d = { .markers = list, .n_markers = 2, .frames = 9, .complete = true };
     int64_t got;
 
-    (void)state;
     list[0] = (struct demo_marker){ 8, { .kind = MARKER_LISTED, .name = "points 1 5" } };
     for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
         list[1] = (struct demo_marker){ 9, { .kind = MARKER_LISTED } };
@@ -716,14 +695,13 @@ static void test_points_lies(void **state)
     assert_false(demo_points(&d, 0, &got));
 }
 
-static void test_marker_lies(void **state)
+TEST(marker_lies)
 {
     struct board_start start = { .difficulty = -1 };
     struct demo_writer w = { .recording = false };
     struct board *b = power(&start);
     int at = 0;
 
-    (void)state;
     assert_true(demo_begin(&w, path, &cart, b, &start, 0));
     mark_frames(&w, b, 100);
     assert_true(demo_end(&w, b));
@@ -747,7 +725,7 @@ static void test_marker_lies(void **state)
 }
 
 /* Values of moments: any but 0, which is not written. */
-static void test_values(void **state)
+TEST(values)
 {
     static const int32_t values[] = { 1, 10, -1, INT32_MIN, INT32_MAX };
     struct board_start start = { .difficulty = -1 };
@@ -755,7 +733,6 @@ static void test_values(void **state)
     struct board *b = power(&start);
     struct demo d;
 
-    (void)state;
     assert_true(demo_begin(&w, path, &cart, b, &start, 0));
     static const uint16_t none[MAX_PLAYERS];
     for (int i = 0; i < 5; i++) {
@@ -781,14 +758,13 @@ static void test_values(void **state)
 }
 
 /* The language of a start, of any length there is room for. */
-static void test_lang(void **state)
+TEST(lang)
 {
     static const char *const langs[] = { "", "d", "deutsch", "123456789_abcde" };
     struct board_start start = { .difficulty = -1 };
     struct demo_writer w = { .recording = false };
     struct demo d;
 
-    (void)state;
     for (size_t i = 0; i < sizeof langs / sizeof *langs; i++) {
         snprintf(start.lang, sizeof start.lang, "%s", langs[i]);
         record(&w, &start, 10);
@@ -811,7 +787,7 @@ static void test_lang(void **state)
 }
 
 /* As many parts as there may be, and sets of them of 1 to 8 bytes. */
-static void test_many_parts(void **state)
+TEST(many_parts)
 {
     static const int counts[] = { 1, 7, 8, 9, 31, 32, 33, 56, 57, 63, 64 };
     static uint64_t track[2 * 64];
@@ -820,7 +796,6 @@ static void test_many_parts(void **state)
     uint16_t pads[59][MAX_PLAYERS] = { { 0 } };
     struct rng r;
 
-    (void)state;
     rng_seed(&r, 64);
     for (size_t k = 0; k < sizeof counts / sizeof *counts; k++) {
         int parts = counts[k];
@@ -858,11 +833,10 @@ static void test_many_parts(void **state)
 }
 
 /* A demo of format 3 says the same in the newest, in no more bytes. */
-static void test_format_3(void **state)
+TEST(format_3)
 {
     struct demo was, is;
 
-    (void)state;
     if (!demo_load(&was, "tests/demos/frozen-3.demo", err, sizeof err))
         fail_msg("%s", err);
     assert_int_equal(was.format, 3);
@@ -881,12 +855,11 @@ static void test_format_3(void **state)
 }
 
 /* A demo of format 2, written by the program of its time. */
-static void test_old_format(void **state)
+TEST(old_format)
 {
     uint64_t hashes[MAX_PARTS];
     struct demo d;
 
-    (void)state;
     if (!demo_load(&d, "tests/demos/frozen-2.demo", err, sizeof err))
         fail_msg("%s", err);
     assert_int_equal(d.format, 2);
@@ -909,7 +882,7 @@ static void test_old_format(void **state)
 }
 
 /* demo_save writes what was read, byte for byte: whole, cut short, and with a fault. */
-static void test_save(void **state)
+TEST(save)
 {
     static const uint16_t select[MAX_PLAYERS] = { PAD_SELECT, 0 };
     static uint8_t was[MOST];
@@ -918,7 +891,6 @@ static void test_save(void **state)
     struct demo d;
     struct rng r;
 
-    (void)state;
     for (int kind = 0; kind < 4; kind++) {
         struct board *b = power(&start);
         rng_seed(&r, (uint64_t)kind);
@@ -943,14 +915,13 @@ static void test_save(void **state)
 }
 
 /* An nvram that would unpack to more than there is room for, or to less than it says. */
-static void test_nvram_lies(void **state)
+TEST(nvram_lies)
 {
     static uint8_t nvram[1000];
     struct board_start start = { .difficulty = -1, .nvram = nvram, .nvram_size = sizeof nvram };
     struct board *b = power(&(struct board_start){ .difficulty = -1 });
     struct demo_writer w = { .recording = false };
 
-    (void)state;
     assert_true(demo_begin(&w, path, &cart, b, &start, 0));
     assert_true(demo_end(&w, b));
     size_t n = file_bytes(), coded = record_at(1) - 4 - 16, size = coded - 4; /* 8 runs, 2 bytes each */
@@ -965,14 +936,13 @@ static void test_nvram_lies(void **state)
 
 /* ---- going back, ends ---- */
 
-static void test_rewind(void **state)
+TEST(rewind)
 {
     static const uint32_t to[] = { 0, 1, 59, 60, 61, 120, 149, 150 };
     struct board_start start = { .seed = 3, .difficulty = -1 };
     struct demo_writer w = { .recording = false };
     struct demo d;
 
-    (void)state;
     for (size_t i = 0; i < sizeof to / sizeof to[0]; i++) {
         struct board *b = power(&start);
         struct rng r;
@@ -1015,13 +985,12 @@ static struct board *record_sparse(struct demo_writer *w, uint32_t n)
 
 /* It is read as it was written, and written as it was read; its last row is whole wherever it ends, and one a minute
  * is. */
-static void test_sparse(void **state)
+TEST(sparse)
 {
     static const uint32_t lengths[] = { 0, 1, 59, 60, 61, 120, 3599, 3600, 3601, 3660, 3700 };
     struct demo_writer w = { .recording = false };
     struct demo d, again;
 
-    (void)state;
     for (size_t i = 0; i < sizeof lengths / sizeof lengths[0]; i++) {
         record_sparse(&w, lengths[i]);
         loads(&d);
@@ -1046,14 +1015,13 @@ static void test_sparse(void **state)
 }
 
 /* A difference is found in the second that it is in, by part, as far as 16 bits tell; a whole row knows all. */
-static void test_sparse_differs(void **state)
+TEST(sparse_differs)
 {
     struct demo_writer w = { .recording = false };
     uint64_t hashes[MAX_PARTS];
     uint16_t pads[MAX_PLAYERS], print;
     struct demo d;
 
-    (void)state;
     record_sparse(&w, 130);
     loads(&d);
     struct board *b = power(&d.start);
@@ -1081,7 +1049,7 @@ static void test_sparse_differs(void **state)
 
 /* What nobody chose for is dense while it is short; a second beyond that the file is written anew. Gone back in, it
  * stays as it is. */
-static void test_grows_long(void **state)
+TEST(grows_long)
 {
     struct board_start start = { .seed = 3, .difficulty = -1 };
     struct demo_writer w = { .recording = false };
@@ -1089,7 +1057,6 @@ static void test_grows_long(void **state)
     struct rng r;
     struct demo d;
 
-    (void)state;
     rng_seed(&r, 1);
     assert_true(demo_begin(&w, path, &cart, b, &start, 0));
     play(&w, b, &r, DEMO_DENSE_FRAMES);
@@ -1118,14 +1085,13 @@ static void test_grows_long(void **state)
 }
 
 /* Any byte that is another is refused, or the demo still hangs together; checksums of records are made good. */
-static void test_sparse_lies(void **state)
+TEST(sparse_lies)
 {
     static uint8_t good[1 << 16], bad[1 << 16];
     struct demo_writer w = { .recording = false };
     struct demo d;
     FILE *f;
 
-    (void)state;
     record_sparse(&w, 120);
     f = fopen(path, "rb");
     assert_non_null(f);
@@ -1147,7 +1113,7 @@ static void test_sparse_lies(void **state)
     demo_free(&w.demo);
 }
 
-static void test_flags(void **state)
+TEST(flags)
 {
     struct board_start start = { .difficulty = -1 };
     struct board *b = power(&start);
@@ -1155,7 +1121,6 @@ static void test_flags(void **state)
     struct rng r;
     struct demo d;
 
-    (void)state;
     rng_seed(&r, 1);
     assert_true(demo_begin(&w, path, &cart, b, &start, 0));
     play(&w, b, &r, 70);
@@ -1174,7 +1139,7 @@ static void test_flags(void **state)
 }
 
 /* A run that ends in a fault holds the tick that faulted, and no hash after it. */
-static void test_fault(void **state)
+TEST(fault)
 {
     static const uint32_t at[] = { 0, 30, 59, 60, 119 };
     static const uint16_t select[MAX_PLAYERS] = { PAD_SELECT, 0 };
@@ -1182,7 +1147,6 @@ static void test_fault(void **state)
     struct demo_writer w = { .recording = false };
     struct demo d;
 
-    (void)state;
     for (size_t i = 0; i < sizeof at / sizeof at[0]; i++) {
         struct board *b = power(&start);
         struct rng r;
@@ -1212,7 +1176,7 @@ static void test_fault(void **state)
 }
 
 /* Only the last second has no hashes. */
-static void test_after_fault(void **state)
+TEST(after_fault)
 {
     static const uint16_t select[MAX_PLAYERS] = { PAD_SELECT, 0 };
     struct board_start start = { .difficulty = -1 };
@@ -1220,7 +1184,6 @@ static void test_after_fault(void **state)
     struct demo_writer w = { .recording = false };
     struct rng r;
 
-    (void)state;
     rng_seed(&r, 1);
     assert_true(demo_begin(&w, path, &cart, b, &start, 0));
     play(&w, b, &r, 59);
@@ -1246,7 +1209,7 @@ static void misfits(struct demo *d, const char *part)
 }
 
 /* A start from another build, or made up, never reaches a board that does not know it. */
-static void test_foreign_start(void **state)
+TEST(foreign_start)
 {
     static const struct {
         int dip;
@@ -1256,7 +1219,6 @@ static void test_foreign_start(void **state)
     struct demo_writer w = { .recording = false };
     struct demo d;
 
-    (void)state;
     record(&w, &start, 1);
     loads(&d);
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
@@ -1272,14 +1234,13 @@ static void test_foreign_start(void **state)
 }
 
 /* Where nothing can be written the recording continues in memory, and says so at once and at its end. */
-static void test_no_file(void **state)
+TEST(no_file)
 {
     struct board_start start = { .difficulty = -1 };
     struct board *b = power(&start);
     struct demo_writer w = { .recording = false };
     struct rng r;
 
-    (void)state;
     rng_seed(&r, 1);
     assert_false(demo_begin(&w, dir, &cart, b, &start, 0)); /* a folder has that name */
     assert_non_null(strstr(w.err, "cannot be written"));
@@ -1292,14 +1253,13 @@ static void test_no_file(void **state)
     demo_free(&w.demo);
 }
 
-static void test_idle_writer(void **state)
+TEST(idle_writer)
 {
     struct board_start start = { .difficulty = -1 };
     struct board *b = power(&start);
     struct demo_writer w = { .recording = false };
     uint16_t pads[MAX_PLAYERS] = { 0 };
 
-    (void)state;
     assert_true(demo_record_frame(&w, b, pads) && demo_add_flags(&w, 1) && demo_rewind(&w, 0) && demo_end(&w, b));
     assert_int_equal(w.demo.frames, 0);
     assert_true(demo_begin(&w, NULL, &cart, b, &start, 0));
@@ -1307,14 +1267,13 @@ static void test_idle_writer(void **state)
     demo_free(&w.demo);
 }
 
-static void test_fits(void **state)
+TEST(fits)
 {
     struct board_start start = { .difficulty = -1 };
     struct demo_writer w = { .recording = false };
     struct demo d;
     char buf[128];
 
-    (void)state;
     record(&w, &start, 1);
     loads(&d);
     assert_true(demo_check_cart(&d, &cart, err, sizeof err));
@@ -1332,44 +1291,4 @@ static void test_fits(void **state)
     demo_free(&w.demo);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_round_trip),
-        cmocka_unit_test(test_track),
-        cmocka_unit_test(test_start),
-        cmocka_unit_test(test_crash),
-        cmocka_unit_test(test_cut),
-        cmocka_unit_test(test_flips),
-        cmocka_unit_test(test_order),
-        cmocka_unit_test(test_nonsense),
-        cmocka_unit_test(test_nvram_lies),
-        cmocka_unit_test(test_rewind),
-        cmocka_unit_test(test_flags),
-        cmocka_unit_test(test_fault),
-        cmocka_unit_test(test_after_fault),
-        cmocka_unit_test(test_no_file),
-        cmocka_unit_test(test_idle_writer),
-        cmocka_unit_test(test_fits),
-        cmocka_unit_test(test_foreign_start),
-        cmocka_unit_test(test_divergence),
-        cmocka_unit_test(test_checksum_lies),
-        cmocka_unit_test(test_sparse),
-        cmocka_unit_test(test_sparse_differs),
-        cmocka_unit_test(test_grows_long),
-        cmocka_unit_test(test_sparse_lies),
-        cmocka_unit_test(test_practice),
-        cmocka_unit_test(test_markers),
-        cmocka_unit_test(test_points),
-        cmocka_unit_test(test_points_lies),
-        cmocka_unit_test(test_marker_lies),
-        cmocka_unit_test(test_old_format),
-        cmocka_unit_test(test_save),
-        cmocka_unit_test(test_values),
-        cmocka_unit_test(test_lang),
-        cmocka_unit_test(test_many_parts),
-        cmocka_unit_test(test_format_3),
-    };
-
-    return cmocka_run_group_tests(tests, setup, teardown);
-}
+RUN_TESTS(setup, teardown)

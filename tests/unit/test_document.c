@@ -2,14 +2,7 @@
  * test_document.c - BulletML documents: the tree that is read, numbers to the last bit, each way in which one is
  * refused with its place, what is told of those that are allowed, and documents that mean harm.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../src/workbench/bulletml/document.h"
 
 #define HEAD       "<?xml version=\"1.0\"?>\n<bulletml>\n"
@@ -75,9 +68,8 @@ static void tells_of(const char *text, const char *want)
 
 /* ---- the tree ---- */
 
-static void test_tree(void **state)
+TEST(tree)
 {
-    (void)state;
     good("<?xml version=\"1.0\" ?>\n"
          "<!DOCTYPE bulletml SYSTEM \"http://example.org/bulletml.dtd\">\n"
          "<bulletml type=\"horizontal\" xmlns=\"http://example.org/\">\n"
@@ -123,9 +115,8 @@ static void test_tree(void **state)
 }
 
 /* libbulletml takes the last of two, wherever they stand. */
-static void test_labels(void **state)
+TEST(labels)
 {
-    (void)state;
     good(TOP("<actionRef label=\"a\"/><action label=\"a\"/><fireRef label=\"a\"/>"
              "<repeat><times>2</times><action label=\"a\"><fire label=\"a\"><bullet/></fire></action></repeat>"));
     const int32_t ref = d.node[d.node[0].first].first;
@@ -154,11 +145,10 @@ static int64_t number(const char *text)
     return op[0].number;
 }
 
-static void test_decimals(void **state)
+TEST(decimals)
 {
     const int64_t one = (int64_t)1 << 32;
 
-    (void)state;
     assert_true(number("0") == 0 && number(" 007\t\n") == 7 * one && number("1.") == one && number(".5") == one / 2);
     assert_true(number("0.1") == 429496730); /* 429496729.6 */
     assert_true(number("0.7") == 3006477107 && number("2.3") == 2 * one + 1288490189);
@@ -195,11 +185,10 @@ static void refused(const char *text, size_t at, const char *want)
     assert_int_equal(error.at, at);
 }
 
-static void test_expressions(void **state)
+TEST(expressions)
 {
     double v = 0;
 
-    (void)state;
     words("$rand-$rank", "?r-");
     words("1+2*3-4/5", "nnn*+nn/-");
     words("10-4-3", "nn-n-");
@@ -217,11 +206,10 @@ static void test_expressions(void **state)
     assert_false(expression_constant(op, 1, &v));
 }
 
-static void test_bad_expressions(void **state)
+TEST(bad_expressions)
 {
     char deep[200];
 
-    (void)state;
     refused("10%3", 2, "expected + - * / or the end, got \"%\"");
     refused("1e2", 1, "expected + - * / or the end, got \"e\"");
     refused("1.5.2", 3, "expected + - * / or the end, got \".\"");
@@ -245,11 +233,10 @@ static void test_bad_expressions(void **state)
     refused(deep, 0, "expression too complex; use fewer parentheses");
 }
 
-static void test_long(void **state)
+TEST(long)
 {
     char text[2 * EXPRESSION_OPS + 8] = "";
 
-    (void)state;
     for (int i = 0; i <= EXPRESSION_OPS / 2; i++)
         strcat(text, "1+");
     refused(text, EXPRESSION_OPS + 1, "more than 250 numbers and operators");
@@ -257,9 +244,8 @@ static void test_long(void **state)
 
 /* ---- what is refused ---- */
 
-static void test_elements(void **state)
+TEST(elements)
 {
-    (void)state;
     bad(TOP("<fyre/>"), "a.xml:3:21: <fyre> is not a BulletML element (did you mean <fire>?)");
     bad(TOP("<notify/>"), "a.xml:3:21: <notify> is not a BulletML element");
     bad("<action/>", "a.xml:1:1: <action>: expected <bulletml> as the root element");
@@ -278,9 +264,8 @@ static void test_elements(void **state)
     bad("<bulletml type=\"up\"/>", "a.xml:1:1: <bulletml>: type: expected none, vertical or horizontal, got \"up\"");
 }
 
-static void test_missing(void **state)
+TEST(missing)
 {
-    (void)state;
     bad(TOP("<fire/>"), "a.xml:3:21: <fire> has no <bullet> or <bulletRef>");
     bad(TOP("<changeDirection><direction>1</direction></changeDirection>"),
         "a.xml:3:21: <changeDirection> has no <term>");
@@ -302,9 +287,8 @@ static void test_missing(void **state)
 }
 
 /* What libbulletml crashes on. What it takes is taken. */
-static void test_order(void **state)
+TEST(order)
 {
-    (void)state;
     bad(FIRE("<bullet/><direction>1</direction>"), "a.xml:3:36: <direction> must be before the bullet in its <fire>");
     bad(FIRE("<bullet/><bullet/>"),
         "a.xml:3:36: <bullet>: second bullet in one <fire>; use a separate <fire> for each");
@@ -319,9 +303,8 @@ static void test_order(void **state)
              "");
 }
 
-static void test_xml(void **state)
+TEST(xml)
 {
-    (void)state;
     bad("", "a.xml:1:1: expected <bulletml> as the root element");
     bad("hello", "a.xml:1:1: expected <, got text");
     bad(TOP("<fire>"), "a.xml:3:27: </action> has no opening tag, expected </fire>");
@@ -341,9 +324,8 @@ static void test_xml(void **state)
 }
 
 /* Old documents have their comments in what their authors' machines had. */
-static void test_encodings(void **state)
+TEST(encodings)
 {
-    (void)state;
     tells_of("<?xml version=\"1.0\" encoding=\"Shift_JIS\"?><bulletml><!-- \x92\x65\x96\x8b \xb1 \x83\x5c -->"
              "<action label=\"top\"/></bulletml>",
              "");
@@ -362,9 +344,8 @@ static void test_encodings(void **state)
 
 /* ---- what is told ---- */
 
-static void test_told(void **state)
+TEST(told)
 {
-    (void)state;
     tells_of(TOP("<repeat><times>0</times><action/></repeat>"),
              "a.xml:3:21: <repeat>: times is 0, but a repeat runs at least once\n");
     tells_of(TOP("<repeat><times>1-$rank</times><action/></repeat>"), "");
@@ -406,12 +387,11 @@ static void fill(char *out, size_t *n, const char *text, int times)
         memcpy(out + *n, text, size);
 }
 
-static void test_harm(void **state)
+TEST(harm)
 {
     char *text = malloc(DOCUMENT_MAX_FILE + 4096);
     size_t n = 0;
 
-    (void)state;
     bad("<!DOCTYPE bulletml [<!ENTITY a \"lol\">\n<!ENTITY b \"&a;&a;&a;&a;&a;&a;&a;&a;\">]>\n<bulletml>&b;</bulletml>",
         "a.xml:1:1: <!DOCTYPE> with declarations is not supported; delete the line");
     bad("<?xml version=\"1.0\"?>\n<!DOCTYPE bulletml [<!ENTITY e SYSTEM \"/etc/passwd\">]><bulletml>&e;</bulletml>",
@@ -440,12 +420,11 @@ static void test_harm(void **state)
 }
 
 /* Thousands of refs and of repeats: read, and what is told of them, in no time that grows with their square. */
-static void test_many(void **state)
+TEST(many)
 {
     char *text = malloc(DOCUMENT_MAX_FILE);
     size_t n = 0;
 
-    (void)state;
     fill(text, &n, "<bulletml><action label='top'>", 1);
     for (int i = 0; i < 9000; i++)
         n += (size_t)sprintf(text + n, "<actionRef label='a%d'/><action label='a%d'/>", i, i);
@@ -466,14 +445,13 @@ static void test_many(void **state)
 }
 
 /* Wherever a document is cut off, and whatever a byte of it becomes, it is read or refused in one sentence. */
-static void test_spoilt(void **state)
+TEST(spoilt)
 {
     static const char text[] =
         TOP("<repeat><times>3+$rank*2</times><action><fire><direction type=\"sequence\">10</direction><bulletRef "
             "label=\"b\"><param>$rand</param></bulletRef></fire></action></repeat><!-- x -->") "<!-- y -->";
     char copy[sizeof text];
 
-    (void)state;
     for (size_t i = 0; i < sizeof text - 1; i++) {
         if (!reads_n(text, i))
             assert_memory_equal(err, "a.xml:", 6);
@@ -489,15 +467,4 @@ static void test_spoilt(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_tree),     cmocka_unit_test(test_labels),      cmocka_unit_test(test_decimals),
-        cmocka_unit_test(test_long),     cmocka_unit_test(test_expressions), cmocka_unit_test(test_bad_expressions),
-        cmocka_unit_test(test_elements), cmocka_unit_test(test_missing),     cmocka_unit_test(test_order),
-        cmocka_unit_test(test_xml),      cmocka_unit_test(test_encodings),   cmocka_unit_test(test_told),
-        cmocka_unit_test(test_harm),     cmocka_unit_test(test_many),        cmocka_unit_test(test_spoilt),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

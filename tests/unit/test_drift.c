@@ -1,12 +1,6 @@
 /* test_drift.c - the rate that holds two clocks together, by simulated clocks; and the resampler that plays at it. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../src/base/rng.h"
 #include "../../src/player/speaker/drift.h"
 #include "../../src/player/speaker/resample.h"
@@ -44,11 +38,10 @@ static struct replay_meta card(double differs, int jitter)
 
 /* Whichever way the clocks differ, up to half a percent: never a third of a block off on the way, and in the end held
  * where it should be, at the rate that is theirs. */
-static void clocks_are_held(void **state)
+TEST(clocks_are_held)
 {
     static const double each[] = { 0, 0.0001, -0.0003, 0.002, -0.002, 0.005, -0.005 };
     double worst;
-    (void)state;
     for (size_t i = 0; i < sizeof each / sizeof each[0]; i++)
         for (int jitter = 0; jitter <= 256; jitter += 256) {
             struct replay_meta c = card(each[i], jitter);
@@ -63,11 +56,10 @@ static void clocks_are_held(void **state)
 
 /* Frames that are lost or thrown away at once are made up for, without swinging to the other side by more than a tenth,
  * and what is known of the clocks is not forgotten. */
-static void jumps_are_made_up(void **state)
+TEST(jumps_are_made_up)
 {
     static const double jumps[] = { 1500, -1500, 300 };
     double worst;
-    (void)state;
     for (int i = 0; i < 3; i++) {
         struct replay_meta c = card(0.001, 0);
         run(&c, 120 * SECOND, &worst);
@@ -82,11 +74,10 @@ static void jumps_are_made_up(void **state)
 }
 
 /* drift_reset_error: the rate does not follow a step of the queue; the difference of the clocks stays known. */
-static void a_jump_that_is_told_moves_nothing(void **state)
+TEST(a_jump_that_is_told_moves_nothing)
 {
     struct replay_meta c = card(0.003, 0);
     double worst;
-    (void)state;
     run(&c, 120 * SECOND, &worst);
     const double rate = c.drift.rate;
     for (int i = 0; i < 600; i++) {
@@ -102,11 +93,10 @@ static void a_jump_that_is_told_moves_nothing(void **state)
 }
 
 /* Whatever jitters and jumps, the rate moves by a ten thousandth a frame at most. */
-static void the_rate_never_steps(void **state)
+TEST(the_rate_never_steps)
 {
     struct replay_meta c = card(-0.005, 512);
     double before = 0;
-    (void)state;
     for (int i = 0; i < 60 * SECOND; i++) {
         c.off += i == 900 ? 1200 : 0;
         const double rate = drift_step(&c.drift, c.off + (double)rng_below(&c.rng, 1024) - 512);
@@ -144,10 +134,9 @@ static void noise(void)
 }
 
 /* At its own rate every bit passes, whatever it is and however it is cut. */
-static void one_is_transparent(void **state)
+TEST(one_is_transparent)
 {
     static const int cuts[] = { 800, 1, 37, 2400 };
-    (void)state;
     noise();
     for (int i = 0; i < 4; i++) {
         const int n = pass(cuts[i] * (24000 / cuts[i]), cuts[i], RESAMPLE_ONE);
@@ -157,9 +146,8 @@ static void one_is_transparent(void **state)
 }
 
 /* A level stays what it is, the loudest one too; what is beyond full scale is cut and does not wrap. */
-static void levels_stay(void **state)
+TEST(levels_stay)
 {
-    (void)state;
     for (int level = -32768; level <= 32767; level += 13107) {
         for (int i = 0; i < 2 * 8000; i++)
             in[i] = (int16_t)level;
@@ -197,9 +185,8 @@ static double wrong(double hz, double rate)
     return 10 * log10(sum / all);
 }
 
-static void sines_stay_sines(void **state)
+TEST(sines_stay_sines)
 {
-    (void)state;
     for (int way = -1; way <= 1; way += 2) {
         const double rate = 1 + way * 0.005;
         assert_true(wrong(100, rate) < -88);
@@ -211,10 +198,9 @@ static void sines_stay_sines(void **state)
 }
 
 /* As many frames come as the step says, and not one is lost or comes twice over an hour of blocks. */
-static void nothing_is_lost(void **state)
+TEST(nothing_is_lost)
 {
     uint64_t came = 0;
-    (void)state;
     memset(in, 0, sizeof in);
     resample_clear(&r);
     const uint64_t step = RESAMPLE_ONE + RESAMPLE_ONE / 997;
@@ -226,9 +212,8 @@ static void nothing_is_lost(void **state)
 }
 
 /* No more passes than is asked for, and what is asked for and not there waits. */
-static void it_takes_what_it_may(void **state)
+TEST(it_takes_what_it_may)
 {
-    (void)state;
     noise();
     resample_clear(&r);
     resample_add(&r, in, 2000);
@@ -248,18 +233,4 @@ static int make(void **state)
     return 0;
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(clocks_are_held),
-        cmocka_unit_test(jumps_are_made_up),
-        cmocka_unit_test(a_jump_that_is_told_moves_nothing),
-        cmocka_unit_test(the_rate_never_steps),
-        cmocka_unit_test(one_is_transparent),
-        cmocka_unit_test(levels_stay),
-        cmocka_unit_test(sines_stay_sines),
-        cmocka_unit_test(nothing_is_lost),
-        cmocka_unit_test(it_takes_what_it_may),
-    };
-    return cmocka_run_group_tests(tests, make, NULL);
-}
+RUN_TESTS(make, NULL)

@@ -1,14 +1,8 @@
 /*
  * test_fb.c - the surface, its clip, rectangles and lines, against painters that ask every pixel of the picture.
  */
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../fb/fb.h"
 #include "../../src/base/rng.h"
 
@@ -88,9 +82,8 @@ static void random_clip(struct fb *fb, struct rng *r)
         fb_set_clip(fb, (int)rng_below(r, W), (int)rng_below(r, H), 1 + (int)rng_below(r, W), 1 + (int)rng_below(r, H));
 }
 
-static void size_and_start(void **state)
+TEST(size_and_start)
 {
-    (void)state;
     static const int sizes[][2] = { { 1, 1 }, { 7, 3 }, { 64, 64 }, { 320, 240 }, { 1024, 1024 } };
 
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
@@ -114,9 +107,8 @@ static void size_and_start(void **state)
     }
 }
 
-static void clip_is_the_intersection(void **state)
+TEST(clip_is_the_intersection)
 {
-    (void)state;
     struct rng r;
     struct bed b;
 
@@ -147,9 +139,8 @@ static void clip_is_the_intersection(void **state)
 }
 
 /* It fills the band between the picture's rows too, and nothing before the first or after the last. */
-static void fill_ignores_the_clip(void **state)
+TEST(fill_ignores_the_clip)
 {
-    (void)state;
     struct rng r;
     struct bed b;
     bool want[H][W];
@@ -169,9 +160,8 @@ static void fill_ignores_the_clip(void **state)
     bed_close(&b);
 }
 
-static void rects_and_frames(void **state)
+TEST(rects_and_frames)
 {
-    (void)state;
     struct rng r;
     struct bed b;
 
@@ -229,9 +219,8 @@ static void formula(const struct fb *fb, int64_t x0, int64_t y0, int64_t x1, int
     }
 }
 
-static void lines_near(void **state)
+TEST(lines_near)
 {
-    (void)state;
     struct rng r;
     struct bed b;
     static const int reach[] = { 5, 100, 3000 };
@@ -253,9 +242,8 @@ static void lines_near(void **state)
 }
 
 /* A line that took its time per step of the whole length would not end here. */
-static void lines_far(void **state)
+TEST(lines_far)
 {
-    (void)state;
     struct rng r;
     struct bed b;
     int seen = 0;
@@ -283,9 +271,8 @@ static void lines_far(void **state)
     bed_close(&b);
 }
 
-static void lines_known(void **state)
+TEST(lines_known)
 {
-    (void)state;
     struct rng r;
     struct bed b;
     static const int known[][4] = {
@@ -318,16 +305,4 @@ static void lines_known(void **state)
     bed_close(&b);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(size_and_start),
-        cmocka_unit_test(clip_is_the_intersection),
-        cmocka_unit_test(fill_ignores_the_clip),
-        cmocka_unit_test(rects_and_frames),
-        cmocka_unit_test(lines_near),
-        cmocka_unit_test(lines_far),
-        cmocka_unit_test(lines_known),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

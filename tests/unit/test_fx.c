@@ -6,10 +6,7 @@
 #include "../../src/base/rng.h"
 #include "big.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <cmocka.h>
+#include "../test.h"
 
 enum { RUNS = 30000 };
 
@@ -81,9 +78,8 @@ static void check_roots(fx a, fx b)
     assert_true(big_compare(big_mul(A, big_mul(above, above)), n) > 0);
 }
 
-static void edges(void **state)
+TEST(edges)
 {
-    (void)state;
     for (int i = 0; i < EDGES; i++)
         for (int j = 0; j < EDGES; j++) {
             check_roots(EDGE[i], EDGE[j]);
@@ -92,11 +88,10 @@ static void edges(void **state)
         }
 }
 
-static void random_numbers(void **state)
+TEST(random_numbers)
 {
     struct rng r;
 
-    (void)state;
     rng_seed(&r, 1);
     for (int i = 0; i < RUNS; i++) {
         fx a = any(&r), b = any(&r), t = any(&r);
@@ -107,11 +102,10 @@ static void random_numbers(void **state)
 }
 
 /* Quotients and products made to lie halfway or one unit off. */
-static void ties(void **state)
+TEST(ties)
 {
     struct rng r;
 
-    (void)state;
     rng_seed(&r, 2);
     for (int i = 0; i < RUNS; i++) {
         fx odd = (fx)(rng_next(&r) % 0x4000) * 2 + 1, half = odd * 0x8000;
@@ -135,11 +129,10 @@ static void ties(void **state)
 }
 
 /* Both sides of the places where a root is halfway. */
-static void root_boundaries(void **state)
+TEST(root_boundaries)
 {
     struct rng r;
 
-    (void)state;
     rng_seed(&r, 3);
     for (int i = 0; i < RUNS; i++) {
         uint64_t root = rng_next(&r) >> 33 >> rng_next(&r) % 31, n = root * root + root;
@@ -156,9 +149,8 @@ static void root_boundaries(void **state)
         check_roots(a, 1);
 }
 
-static void written_results(void **state)
+TEST(written_results)
 {
-    (void)state;
     assert_int_equal(fx_sat(INT64_MAX), FX_MAX);
     assert_int_equal(fx_sat(INT64_MIN), FX_MIN);
     assert_int_equal(fx_add(FX_MAX, 1), FX_MAX);
@@ -217,7 +209,7 @@ static void check_double(double v)
         assert_int_equal(out, 12345);
 }
 
-static void doubles(void **state)
+TEST(doubles)
 {
     static const double UNITS[] = { 0,
                                     0.5,
@@ -238,7 +230,6 @@ static void doubles(void **state)
     struct rng r;
     fx out = 7;
 
-    (void)state;
     rng_seed(&r, 4);
     for (size_t i = 0; i < sizeof UNITS / sizeof UNITS[0]; i++) {
         check_double(UNITS[i] / 65536);
@@ -263,12 +254,11 @@ static void doubles(void **state)
     assert_int_equal(out, 7);
 }
 
-static void wide_product(void **state)
+TEST(wide_product)
 {
     static const uint64_t V[] = { 0, 1, 0xffffffff, 0x100000000, UINT64_MAX, (uint64_t)1 << 63, 0xffffffff00000000 };
     struct rng r;
 
-    (void)state;
     rng_seed(&r, 5);
     for (int i = 0; i < RUNS; i++) {
         uint64_t a = i < 49 ? V[i / 7] : rng_next(&r) >> rng_next(&r) % 64;
@@ -284,11 +274,10 @@ static void wide_product(void **state)
 }
 
 /* Mirrored inputs give mirrored results; more weight never moves a mixture backwards. */
-static void laws(void **state)
+TEST(laws)
 {
     struct rng r;
 
-    (void)state;
     rng_seed(&r, 6);
     for (int i = 0; i < RUNS; i++) {
         fx a = any(&r), b = any(&r), t = any(&r) & 0xffff;
@@ -306,13 +295,4 @@ static void laws(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(edges),   cmocka_unit_test(random_numbers),  cmocka_unit_test(ties),
-        cmocka_unit_test(doubles), cmocka_unit_test(root_boundaries), cmocka_unit_test(written_results),
-        cmocka_unit_test(laws),    cmocka_unit_test(wide_product),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -4,10 +4,7 @@
 #include "big.h"
 
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <cmocka.h>
+#include "../test.h"
 
 enum { RUNS = 20000 };
 
@@ -164,11 +161,10 @@ static fx length(struct rng *r)
     return place(r) & FX_MAX;
 }
 
-static void still_shapes(void **state)
+TEST(still_shapes)
 {
     struct rng r;
 
-    (void)state;
     start(&r, 1);
     for (int i = 0; i < RUNS; i++) {
         fx x1 = place(&r), y1 = place(&r), x2 = place(&r), y2 = place(&r), a = length(&r), b = length(&r);
@@ -184,11 +180,10 @@ static void still_shapes(void **state)
 }
 
 /* On all small lattices, where touching is frequent. */
-static void still_lattice(void **state)
+TEST(still_lattice)
 {
     struct rng r;
 
-    (void)state;
     start(&r, 2);
     for (fx x = -9; x <= 9; x++)
         for (fx y = -9; y <= 9; y++)
@@ -202,11 +197,10 @@ static void still_lattice(void **state)
 }
 
 /* The rim: y as the square root gives it, and two units either way. */
-static void still_contact(void **state)
+TEST(still_contact)
 {
     struct rng r;
 
-    (void)state;
     start(&r, 3);
     for (int i = 0; i < RUNS; i++) {
         fx radius = length(&r), x = (fx)between(&r, 0, radius), hw = length(&r) >> 2, hh = length(&r) >> 2;
@@ -222,9 +216,8 @@ static void still_contact(void **state)
     both_seen();
 }
 
-static void negative_sizes(void **state)
+TEST(negative_sizes)
 {
-    (void)state;
     assert_true(geom_circles(3, 4, 3, 4, 0));
     assert_true(geom_circles(FX_MIN, 0, -1, 0, FX_MAX));
     assert_false(geom_circles(FX_MIN, 0, 0, 0, FX_MAX));
@@ -252,11 +245,10 @@ static void negative_sizes(void **state)
     assert_false(geom_capsule_circle(0, 0, 0, 0, FX_MIN, 0, 0, FX_MAX));
 }
 
-static void swept_lattice(void **state)
+TEST(swept_lattice)
 {
     struct rng r;
 
-    (void)state;
     start(&r, 4);
     for (int dx = -6; dx <= 6; dx++)
         for (int dy = -6; dy <= 6; dy++)
@@ -266,11 +258,10 @@ static void swept_lattice(void **state)
     both_seen();
 }
 
-static void swept_random(void **state)
+TEST(swept_random)
 {
     struct rng r;
 
-    (void)state;
     start(&r, 5);
     for (int i = 0; i < RUNS; i++) {
         int bits = (int)between(&r, 1, 31);
@@ -285,12 +276,11 @@ static void swept_random(void **state)
 }
 
 /* All combinations of the ends of the domain. */
-static void swept_extremes(void **state)
+TEST(swept_extremes)
 {
     static const int64_t UNIT = 1 << 30;
     struct rng r;
 
-    (void)state;
     start(&r, 6);
     for (int i = 0; i < RUNS; i++) {
         int64_t dx = between(&r, -4, 4) * UNIT + between(&r, -1, 1), wx = between(&r, -2, 2) * UNIT;
@@ -325,11 +315,10 @@ static void check_tangent(struct rng *r, int bits, int64_t hw, int64_t hh, int64
     check_swept(dx, dy, wx, wy, radius, 0, 0);
 }
 
-static void swept_contact(void **state)
+TEST(swept_contact)
 {
     struct rng r;
 
-    (void)state;
     start(&r, 7);
     for (int i = 0; i < RUNS; i++) {
         int bits = (int)between(&r, 2, 31);
@@ -341,11 +330,10 @@ static void swept_contact(void **state)
 }
 
 /* Pythagorean paths touch in one exact point, where one unit decides. */
-static void swept_exact_touch(void **state)
+TEST(swept_exact_touch)
 {
     static const int64_t K = (1 << 30) / 5;
 
-    (void)state;
     for (int64_t k = 1; k <= K; k += k < 50 ? 1 : k) {
         /* The path (4, 3) passes the origin at distance 5k, at (-3k, 4k). */
         assert_true(geom_swept_circles(-3 * k - 4 * k, 4 * k - 3 * k, 8 * k, 6 * k, 5 * k));
@@ -369,11 +357,10 @@ static void swept_exact_touch(void **state)
 }
 
 /* A motion seen from the other shape, or in a mirror, touches alike. */
-static void swept_symmetry(void **state)
+TEST(swept_symmetry)
 {
     struct rng r;
 
-    (void)state;
     start(&r, 8);
     for (int i = 0; i < RUNS; i++) {
         int64_t dx = between(&r, -900, 900), dy = between(&r, -900, 900), wx = between(&r, -900, 900);
@@ -394,12 +381,11 @@ static void swept_symmetry(void **state)
 }
 
 /* The world's ends and beyond: 2^30 is 16384 pixels, the largest radius half of it. */
-static void capsules(void **state)
+TEST(capsules)
 {
     static const fx END = 1 << 30;
     struct rng r;
 
-    (void)state;
     start(&r, 9);
     for (int i = 0; i < RUNS; i++) {
         int bits = (int)between(&r, 1, 30);
@@ -420,14 +406,4 @@ static void capsules(void **state)
     assert_false(geom_capsule_circle(0, 0, 80, 60, 10, 80 + 12, 60 + 9, 4));
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(still_shapes),   cmocka_unit_test(still_lattice), cmocka_unit_test(still_contact),
-        cmocka_unit_test(negative_sizes), cmocka_unit_test(swept_lattice), cmocka_unit_test(swept_random),
-        cmocka_unit_test(swept_extremes), cmocka_unit_test(swept_contact), cmocka_unit_test(swept_exact_touch),
-        cmocka_unit_test(swept_symmetry), cmocka_unit_test(capsules),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

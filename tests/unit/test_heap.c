@@ -1,13 +1,7 @@
 /*
  * test_heap.c - the allocator against a model: contents, alignment, determinism, limits, snapshots.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../src/base/heap.h"
 #include "../../src/base/rng.h"
 
@@ -96,9 +90,8 @@ static void free_all(struct model *m)
             heap_realloc(m->h, m->things[i].p, m->things[i].size, 0);
 }
 
-static void keeps_contents_and_its_books(void **state)
+TEST(keeps_contents_and_its_books)
 {
-    (void)state;
     void *block = block_of(4 * BLOCK);
     static struct model m;
 
@@ -117,9 +110,8 @@ static void keeps_contents_and_its_books(void **state)
 }
 
 /* In a block too small for the load, calls fail cleanly and shrinking still works. */
-static void survives_being_full(void **state)
+TEST(survives_being_full)
 {
-    (void)state;
     void *block = block_of(BLOCK / 4);
     static struct model m;
     int failed = 0;
@@ -146,9 +138,8 @@ static void survives_being_full(void **state)
 }
 
 /* Once all is freed one block can have nearly everything again: slabs come back, neighbours coalesce. */
-static void joins_what_is_freed(void **state)
+TEST(joins_what_is_freed)
 {
-    (void)state;
     void *block = block_of(BLOCK);
     static struct model m;
 
@@ -163,9 +154,8 @@ static void joins_what_is_freed(void **state)
     free(block);
 }
 
-static void places_by_calls_alone(void **state)
+TEST(places_by_calls_alone)
 {
-    (void)state;
     unsigned char *a = block_of(BLOCK + 4096), *b = block_of(BLOCK + 4096);
     static struct model m, n;
 
@@ -221,9 +211,8 @@ static void snapshot_restores(uint64_t seed, int at, int on)
     free(again);
 }
 
-static void snapshots_restore_all(void **state)
+TEST(snapshots_restore_all)
 {
-    (void)state;
     snapshot_restores(5, 3000, 20000);
     snapshot_restores(6, 20000, 3000);
     snapshot_restores(7, 0, 1000);
@@ -232,9 +221,8 @@ static void snapshots_restore_all(void **state)
 }
 
 /* What is free is not in a snapshot. */
-static void snapshots_leave_holes_out(void **state)
+TEST(snapshots_leave_holes_out)
 {
-    (void)state;
     unsigned char *block = block_of(BLOCK);
     struct heap *h = heap_init(block, BLOCK);
     size_t empty = heap_save(h, NULL);
@@ -251,9 +239,8 @@ static void snapshots_leave_holes_out(void **state)
     free(block);
 }
 
-static void refuses_what_cannot_fit(void **state)
+TEST(refuses_what_cannot_fit)
 {
-    (void)state;
     void *block = block_of(HEAP_MIN);
     struct heap *h = heap_init(block, HEAP_MIN);
     size_t n = 0;
@@ -277,9 +264,8 @@ static void refuses_what_cannot_fit(void **state)
 }
 
 /* The highest use counts what a block that moves takes twice, and goes back with a snapshot. */
-static void knows_its_highest_use(void **state)
+TEST(knows_its_highest_use)
 {
-    (void)state;
     void *block = block_of(BLOCK), *kept = malloc(BLOCK);
     struct heap *h = heap_init(block, BLOCK);
     assert_int_equal(heap_peak(h), 0);
@@ -300,9 +286,8 @@ static void knows_its_highest_use(void **state)
 }
 
 /* A block shrunk in a full heap stays where it is and can grow back into its own room. */
-static void shrinks_in_place_when_full(void **state)
+TEST(shrinks_in_place_when_full)
 {
-    (void)state;
     void *block = block_of(HEAP_MIN);
     struct heap *h = heap_init(block, HEAP_MIN);
     void *p = heap_realloc(h, NULL, 0, 512);
@@ -322,9 +307,8 @@ static void shrinks_in_place_when_full(void **state)
 }
 
 /* An array that doubles beside nothing else moves seldom and never wastes more than it holds. */
-static void grows_at_the_top(void **state)
+TEST(grows_at_the_top)
 {
-    (void)state;
     void *block = block_of(BLOCK);
     struct heap *h = heap_init(block, BLOCK);
     char *p = heap_realloc(h, NULL, 0, 1024), *first = p;
@@ -336,14 +320,4 @@ static void grows_at_the_top(void **state)
     free(block);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(keeps_contents_and_its_books), cmocka_unit_test(survives_being_full),
-        cmocka_unit_test(joins_what_is_freed),          cmocka_unit_test(places_by_calls_alone),
-        cmocka_unit_test(snapshots_restore_all),        cmocka_unit_test(snapshots_leave_holes_out),
-        cmocka_unit_test(refuses_what_cannot_fit),      cmocka_unit_test(shrinks_in_place_when_full),
-        cmocka_unit_test(knows_its_highest_use),        cmocka_unit_test(grows_at_the_top),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -1,11 +1,5 @@
 /* test_keys.c - the key map, its names, chords, and the settings file that changes it. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../src/board/board.h"
 #include "../../src/player/settings/config.h"
 #include "../../src/player/picture/rotation.h"
@@ -49,27 +43,24 @@ static uint32_t of_key(unsigned usage)
     return r.pads[0] | (uint32_t)r.pads[1] << 16;
 }
 
-static void every_action_has_an_input(void **state)
+TEST(every_action_has_an_input)
 {
     struct keys k;
-    (void)state;
     keys_set_defaults(&k);
     for (int i = 0; i < KEYS_ACTIONS; i++)
         assert_int_not_equal(k.code[i][0], 0);
 }
 
-static void no_key_means_two_things(void **state)
+TEST(no_key_means_two_things)
 {
-    (void)state;
     for (unsigned u = 4; u < 256; u++) {
         uint32_t pads = of_key(u);
         assert_true((pads & (pads - 1)) == 0);
     }
 }
 
-static void standard_keys(void **state)
+TEST(standard_keys)
 {
-    (void)state;
     assert_int_equal(of_key(82), PAD_UP);
     assert_int_equal(of_key(81), PAD_DOWN);
     assert_int_equal(of_key(80), PAD_LEFT);
@@ -86,12 +77,11 @@ static void standard_keys(void **state)
     assert_int_equal(of_key(16), 0); /* m: the program's */
 }
 
-static void controllers_are_the_players(void **state)
+TEST(controllers_are_the_players)
 {
     struct keys k;
     struct keys_state r;
     struct plat_input in = { .controllers = { 1u << PLAT_SOUTH, 1u << PLAT_LEFT_STICK_UP } };
-    (void)state;
     keys_set_defaults(&k);
     read_keys(&k, &in, &r);
     assert_int_equal(r.pads[0], PAD_FIRE);
@@ -106,12 +96,11 @@ static void controllers_are_the_players(void **state)
     assert_int_equal(r.pads[0], 0);
 }
 
-static void a_chord_eats_its_key(void **state)
+TEST(a_chord_eats_its_key)
 {
     struct keys k;
     struct keys_state r;
     struct plat_input in = { 0 };
-    (void)state;
     keys_set_defaults(&k);
     press(&in, 230);
     press(&in, 40);
@@ -132,12 +121,11 @@ static void a_chord_eats_its_key(void **state)
     assert_int_equal(r.pads[0], PAD_START);
 }
 
-static void pressed_is_once(void **state)
+TEST(pressed_is_once)
 {
     struct keys k;
     struct keys_state r;
     struct plat_input in = { 0 };
-    (void)state;
     keys_set_defaults(&k);
     press(&in, 19);
     press(&in, 29);
@@ -153,10 +141,9 @@ static void pressed_is_once(void **state)
     assert_true(r.any_pad_pressed);
 }
 
-static void bad_bindings_change_nothing(void **state)
+TEST(bad_bindings_change_nothing)
 {
     struct keys k, was;
-    (void)state;
     keys_set_defaults(&k);
     was = k;
     assert_false(keys_bind(&k, "p3.fire", "z", err, sizeof err));
@@ -177,13 +164,12 @@ static void bad_bindings_change_nothing(void **state)
     assert_int_equal(k.code[4][0], 0);
 }
 
-static void a_settings_file(void **state)
+TEST(a_settings_file)
 {
     static const char text[] =
         "# mine\n\n scale=3\r\nvolume = 40 # quiet\nmute = yes\np1.fire =  space\tpad.l2  \nscale = 5\n"
         "dim = half\nflashes = soft\ncolours = tritan\nhitbox = yes";
     struct config c;
-    (void)state;
     config_defaults(&c);
     assert_int_equal(c.volume, 100);
     assert_true(config_read(&c, "x.conf", text, sizeof text - 1, err, sizeof err));
@@ -218,12 +204,11 @@ static void refuse(const char *text, size_t n, const char *want)
     assert_memory_equal(&c, &was, sizeof c);
 }
 
-static void settings_of_the_window(void **state)
+TEST(settings_of_the_window)
 {
     static const char text[] = "turn = over\nscaling = smooth\ncrt = yes\nborder = no\nvsync = no\nrun_ahead = 1\n"
                                "panels = beside\n";
     struct config c;
-    (void)state;
     config_defaults(&c);
     assert_true(c.rotation == ROTATION_NONE && c.scaling == SCALING_INTEGER && c.panels == PANELS_OVER);
     assert_true(!c.crt && c.border && c.vsync && !c.run_ahead);
@@ -236,10 +221,9 @@ static void settings_of_the_window(void **state)
     assert_int_equal(c.rotation, ROTATION_RIGHT);
 }
 
-static void bad_settings(void **state)
+TEST(bad_settings)
 {
     char longline[CONFIG_LINE + 8];
-    (void)state;
 #define REFUSE(text, want) refuse(text, sizeof text - 1, want)
     REFUSE("volume = 5\nscael = 3\n", "x.conf:2: unknown setting \"scael\"");
     REFUSE("volume = 101", "x.conf:1: volume: expected a number from 0 to 100, got \"101\"");
@@ -264,7 +248,7 @@ static void bad_settings(void **state)
 }
 
 /* The first input of an action, as it would be written. */
-static void first_input(void **state)
+TEST(first_input)
 {
     static const char *const words[] = { "a",         "z",         "1",         "9",         "0",
                                          "f1",        "f12",       "kp1",       "kp5",       "kp9",
@@ -274,7 +258,6 @@ static void first_input(void **state)
     struct keys k;
     char name[32];
 
-    (void)state;
     keys_set_defaults(&k);
     keys_hint(&k, "p1.start", name, sizeof name);
     assert_string_equal(name, "enter");
@@ -289,14 +272,13 @@ static void first_input(void **state)
 }
 
 /* What a hint names follows what its player pressed last. */
-static void hints_name_what_is_used(void **state)
+TEST(hints_name_what_is_used)
 {
     struct keys k;
     struct keys_state r;
     struct plat_input in = { 0 };
     char name[INPUT_CODE_NAME_SIZE];
 
-    (void)state;
     keys_set_defaults(&k);
     in.controllers[0] = 1u << PLAT_LEFT_STICK_UP;
     read_keys(&k, &in, &r);
@@ -342,12 +324,11 @@ bool plat_key_label(unsigned usage, char *text, size_t size)
 }
 
 /* A key is called by what is printed on it, where that can be drawn; the settings go on calling it by its place. */
-static void keys_are_called_as_printed(void **state)
+TEST(keys_are_called_as_printed)
 {
     struct keys k;
     char name[INPUT_CODE_NAME_SIZE];
 
-    (void)state;
     keys_set_defaults(&k);
     layout[29] = "W", layout[54] = ";", layout[31] = "\u00e9", layout[27] = "\u0447", layout[20] = "A";
     keys_hint(&k, "p1.fire", name, sizeof name);
@@ -370,12 +351,11 @@ static void keys_are_called_as_printed(void **state)
 }
 
 /* All lists, as text, give the same codes again. */
-static void lists_are_written_and_read(void **state)
+TEST(lists_are_written_and_read)
 {
     struct keys k, again;
     char text[KEYS_PER_ACTION * INPUT_CODE_NAME_SIZE];
 
-    (void)state;
     keys_set_defaults(&k);
     assert_true(keys_bind(&k, "step", "alt+kp. ctrl+key100 pad.lup pad4.rright f12 0", err, sizeof err));
     assert_true(keys_bind(&k, "slow", "none", err, sizeof err));
@@ -394,12 +374,11 @@ static void lists_are_written_and_read(void **state)
     assert_string_equal(text, "alt+k");
 }
 
-static void an_input_is_captured(void **state)
+TEST(an_input_is_captured)
 {
     struct keys_capture c;
     struct plat_input in = { 0 };
 
-    (void)state;
     press(&in, 40); /* the enter that chose the row */
     keys_capture_begin(&c, &in);
     assert_int_equal(keys_capture_poll(&c, &in), 0);
@@ -436,12 +415,11 @@ static void an_input_is_captured(void **state)
     assert_int_equal(keys_capture_poll(&c, &in), 0);
 }
 
-static void inputs_are_added_and_removed(void **state)
+TEST(inputs_are_added_and_removed)
 {
     struct keys k;
     char text[KEYS_PER_ACTION * INPUT_CODE_NAME_SIZE];
 
-    (void)state;
     keys_set_defaults(&k);
     assert_true(keys_add(&k, "p1.bomb", input_code_parse("q"), err, sizeof err));
     assert_true(keys_add(&k, "p1.bomb", input_code_parse("q"), err, sizeof err));
@@ -471,11 +449,10 @@ static void conflict(const struct keys *k, const char *action, const char *name,
         assert_string_equal(got, want);
 }
 
-static void conflicts_are_named(void **state)
+TEST(conflicts_are_named)
 {
     struct keys k;
 
-    (void)state;
     keys_set_defaults(&k);
     conflict(&k, "p1.bomb", "z", "p1.fire");
     conflict(&k, "p1.bomb", "x", NULL); /* its own */
@@ -500,14 +477,13 @@ static void conflicts_are_named(void **state)
 }
 
 /* One hand: its inputs mean what its layout says, and the other player's keys among them nothing to them. */
-static void a_hand_has_its_half(void **state)
+TEST(a_hand_has_its_half)
 {
     struct keys k;
     struct keys_state r;
     struct plat_input in = { 0 };
     char name[INPUT_CODE_NAME_SIZE];
 
-    (void)state;
     keys_set_defaults(&k);
     keys_set_hand(&k, 0, HAND_LEFT);
     press(&in, 26); /* w, player 2's up */
@@ -539,9 +515,8 @@ static void a_hand_has_its_half(void **state)
 }
 
 /* Either hand reaches each button, on the keyboard and on a controller; select alone is missing on a controller. */
-static void each_hand_reaches_everything(void **state)
+TEST(each_hand_reaches_everything)
 {
-    (void)state;
     for (int hand = HAND_LEFT; hand <= HAND_RIGHT; hand++) {
         struct keys k;
         keys_set_defaults(&k);
@@ -558,7 +533,7 @@ static void each_hand_reaches_everything(void **state)
     }
 }
 
-static void labels(void **state)
+TEST(labels)
 {
     static const struct {
         const char *name, *label[PLAT_CONTROLLER_KINDS];
@@ -577,7 +552,6 @@ static void labels(void **state)
     };
     char name[INPUT_CODE_NAME_SIZE];
 
-    (void)state;
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         for (int kind = 0; kind < PLAT_CONTROLLER_KINDS; kind++) {
             input_code_label(input_code_parse(rows[i].name), (enum plat_controller_kind)kind, name, sizeof name);
@@ -597,9 +571,8 @@ static void count_line(const char *line)
     lines++;
 }
 
-static void help_has_them_all(void **state)
+TEST(help_has_them_all)
 {
-    (void)state;
     lines = 0;
     keys_print_help(0, count_line);
     assert_int_equal(lines, KEYS_ACTIONS);
@@ -611,13 +584,12 @@ static void help_has_them_all(void **state)
 }
 
 /* Ctrl is read at one poll, q and its release at the next, when both are up. */
-static void a_quick_chord(void **state)
+TEST(a_quick_chord)
 {
     struct keys k;
     struct keys_state r;
     struct plat_input in = { 0 };
 
-    (void)state;
     keys_set_defaults(&k);
     press(&in, 224);
     read_keys(&k, &in, &r);
@@ -632,31 +604,4 @@ static void a_quick_chord(void **state)
     assert_false(r.pressed & (uint32_t)1 << HOTKEY_QUIT);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_action_has_an_input),
-        cmocka_unit_test(no_key_means_two_things),
-        cmocka_unit_test(standard_keys),
-        cmocka_unit_test(controllers_are_the_players),
-        cmocka_unit_test(a_chord_eats_its_key),
-        cmocka_unit_test(pressed_is_once),
-        cmocka_unit_test(bad_bindings_change_nothing),
-        cmocka_unit_test(a_settings_file),
-        cmocka_unit_test(settings_of_the_window),
-        cmocka_unit_test(bad_settings),
-        cmocka_unit_test(help_has_them_all),
-        cmocka_unit_test(keys_are_called_as_printed),
-        cmocka_unit_test(first_input),
-        cmocka_unit_test(hints_name_what_is_used),
-        cmocka_unit_test(lists_are_written_and_read),
-        cmocka_unit_test(an_input_is_captured),
-        cmocka_unit_test(inputs_are_added_and_removed),
-        cmocka_unit_test(conflicts_are_named),
-        cmocka_unit_test(a_hand_has_its_half),
-        cmocka_unit_test(each_hand_reaches_everything),
-        cmocka_unit_test(labels),
-        cmocka_unit_test(a_quick_chord),
-    };
-    return cmocka_run_group_tests(tests, 0, 0);
-}
+RUN_TESTS(NULL, NULL)

@@ -1,14 +1,7 @@
 /*
  * test_lang.c - language files: what is read of them, each way in which one is refused, and the lump that is made.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../src/base/bytes.h"
 #include "../../src/rom/words.h"
 #include "../../src/workbench/pack/lang.h"
@@ -53,14 +46,13 @@ static void refused(const char *text, size_t n, const char *want)
 
 #define REFUSED(text, want) refused(text, sizeof(text) - 1, want)
 
-static void test_read(void **state)
+TEST(read)
 {
     static const char *const some[] = {
         "Hello",       "Gr\xc3\xbc\xc3\x9f Gott", "a=b", "c=d", "#1", "no. 1", "two", " words ", "x", "a\nb\\", "Z",
         "\xe5\xbc\xbe"
     };
 
-    (void)state;
     good("", NULL, 0);
     good("# nothing = here\n\n \t \r\n  # nor here", NULL, 0);
     good("two = \\ words\\ \nHello = Gr\xc3\xbc\xc3\x9f Gott\r\n# comment\n\ta\\=b\t=c=d\n\\#1=no. 1\nx=a\\nb\\\\\n"
@@ -68,11 +60,10 @@ static void test_read(void **state)
          some, 6);
 }
 
-static void test_refused(void **state)
+TEST(refused)
 {
     static char text[WORDS_MAX_TEXT + 64];
 
-    (void)state;
     REFUSED("a = b\nHello", "lang/de.txt:2: expected text = translation, got \"Hello\"");
     REFUSED("a\\= b", "lang/de.txt:1: expected text = translation, got \"a\\= b\"");
     REFUSED("a =", "lang/de.txt:1: expected a translation after the =");
@@ -91,12 +82,11 @@ static void test_refused(void **state)
     lang_free(&l);
 }
 
-static void test_many(void **state)
+TEST(many)
 {
     char *text = calloc(WORDS_MAX_ENTRIES + 1, 16);
     size_t n = 0;
 
-    (void)state;
     for (int i = 0; i <= WORDS_MAX_ENTRIES; i++)
         n += (size_t)sprintf(text + n, "%d=%d\n", i, i);
     refused(text, n, "lang/de.txt:16385: more than 16384 texts");
@@ -121,13 +111,12 @@ static void lump_refused(const uint8_t *data, size_t size, const char *want)
     assert_string_equal(err, want);
 }
 
-static void test_lump(void **state)
+TEST(lump)
 {
     static const char text[] = "a = bb\nc = d\n";
     uint8_t *lump, *bad;
     size_t size;
 
-    (void)state;
     assert_true(lang_read(&l, text, sizeof text - 1, "x", err, sizeof err));
     size = lang_make(&l, &lump);
     bad = malloc(size);
@@ -150,13 +139,4 @@ static void test_lump(void **state)
     lang_free(&l);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_read),
-        cmocka_unit_test(test_refused),
-        cmocka_unit_test(test_many),
-        cmocka_unit_test(test_lump),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

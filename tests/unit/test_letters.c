@@ -1,12 +1,6 @@
 /* test_letters.c - the canvas's larger face: each character is itself, texts are as wide as they say and stay there. */
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../fb/utf8.h"
 #include "../../src/base/rng.h"
 #include "../../src/player/overlay/canvas.h"
@@ -82,12 +76,11 @@ static bool same(const struct letter *a, const struct letter *b)
 }
 
 /* No two of all there are look alike, but for a comma and the quotation mark that is one. */
-static void every_character_is_itself(void **state)
+TEST(every_character_is_itself)
 {
     static struct letter all[400];
     int n = 0;
 
-    (void)state;
     for (uint32_t code = '!'; code < 0x3000; code++) {
         if (!letter_exists(code) || code == 0xA0 || code == 0x2610 || code == 0x201A)
             continue;
@@ -101,7 +94,7 @@ static void every_character_is_itself(void **state)
     assert_true(n > 280);
 }
 
-static void what_is_promised_is_there(void **state)
+TEST(what_is_promised_is_there)
 {
     static const char text[] = "\xE2\x86\x90\xE2\x86\x92\xE2\x86\x91\xE2\x86\x93" /* arrows */
                                "\xE2\x97\x8B\xE2\x9C\x95\xE2\x96\xA1\xE2\x96\xB3" /* circle, cross, square, triangle */
@@ -109,7 +102,6 @@ static void what_is_promised_is_there(void **state)
                                "\xE2\x80\xA6\xC2\xA9\xC3\x97\xE2\x80\x93";        /* ellipsis, copyright, times, dash */
     const char *s = text;
 
-    (void)state;
     for (uint32_t code = ' '; code <= '~'; code++)
         assert_true(letter_exists(code));
     for (uint32_t code = 0xC0; code <= 0xFF; code++)
@@ -120,11 +112,10 @@ static void what_is_promised_is_there(void **state)
     assert_false(letter_exists(7));
 }
 
-static void what_is_not_known_is_a_box(void **state)
+TEST(what_is_not_known_is_a_box)
 {
     struct letter a, b, box;
 
-    (void)state;
     letter_load(&a, 0x65E5);
     letter_load(&b, 7);
     letter_load(&box, 0xFFFD);
@@ -136,7 +127,7 @@ static void what_is_not_known_is_a_box(void **state)
 }
 
 /* A capital fills rows 0 to 6; no accent changes the letter under it; one row is free between the two. */
-static void marks_leave_the_letter(void **state)
+TEST(marks_leave_the_letter)
 {
     static const struct {
         uint32_t code, letter;
@@ -144,7 +135,6 @@ static void marks_leave_the_letter(void **state)
     } v[] = { { 0xC9, 'E', 2 }, { 0xE9, 'e', 4 }, { 0xD6, 'O', 2 },  { 0xF6, 'o', 4 },  { 0xD1, 'N', 2 },
               { 0xE5, 'a', 4 }, { 0xFB, 'u', 4 }, { 0x17D, 'Z', 2 }, { 0xE7, 'c', -1 }, { 0x119, 'e', -1 } };
 
-    (void)state;
     for (size_t i = 0; i < sizeof v / sizeof *v; i++) {
         struct letter with, bare;
         int ink = 0;
@@ -167,20 +157,18 @@ static void marks_leave_the_letter(void **state)
 }
 
 /* An i with dots is wider than its stem: it starts where the dots do, and the stem is in their middle. */
-static void a_mark_wider_than_its_letter(void **state)
+TEST(a_mark_wider_than_its_letter)
 {
     struct letter l;
 
-    (void)state;
     letter_load(&l, 0xEF);
     assert_int_equal(l.w, 3);
     assert_int_equal(l.rows[LETTER_ACCENT_HEIGHT], 5);
     assert_int_equal(l.rows[LETTER_ACCENT_HEIGHT + 2], 2);
 }
 
-static void digits_stand_in_columns(void **state)
+TEST(digits_stand_in_columns)
 {
-    (void)state;
     for (char c = '0'; c <= '9'; c++) {
         const char text[2] = { c, 0 };
         assert_int_equal(canvas_large_text_width(text), 5);
@@ -188,7 +176,7 @@ static void digits_stand_in_columns(void **state)
 }
 
 /* Ink goes from x to x + width, and from the accents' row to the descenders'; what is returned is behind a gap. */
-static void texts_are_as_wide_as_they_say(void **state)
+TEST(texts_are_as_wide_as_they_say)
 {
     static const char *const texts[] = { "H",           "l",
                                          "Kg",          "\xC3\x89p\xC3\xA5j|",
@@ -213,7 +201,7 @@ static void texts_are_as_wide_as_they_say(void **state)
 }
 
 /* A pixel of the rim is dark and beside ink, the ink is as without a rim. */
-static void a_rim_is_round_the_ink(void **state)
+TEST(a_rim_is_round_the_ink)
 {
     static bool plain[W * H];
     struct bed *b = *state;
@@ -234,7 +222,7 @@ static void a_rim_is_round_the_ink(void **state)
     }
 }
 
-static void what_does_not_fit_is_cut(void **state)
+TEST(what_does_not_fit_is_cut)
 {
     static const char text[] = "a replay with quite a long name";
     struct bed *b = *state;
@@ -254,12 +242,11 @@ static void what_does_not_fit_is_cut(void **state)
     assert_int_equal(look(b, CANVAS_RED).n, 3);
 }
 
-static void lines_break_after_blanks(void **state)
+TEST(lines_break_after_blanks)
 {
     static const char text[] = "one two three\nfour";
     int w = canvas_large_text_width("one two t");
 
-    (void)state;
     assert_int_equal(canvas_large_text_fit(text, w), 8);
     assert_int_equal(canvas_large_text_fit(text, 1000), 13);
     assert_int_equal(canvas_large_text_fit("one two", canvas_large_text_width("one two")), 7);
@@ -273,7 +260,7 @@ static void lines_break_after_blanks(void **state)
     assert_int_equal(canvas_large_text_wrapped(NULL, 0, 0, w, CANVAS_RED, ""), 0);
 }
 
-static void lines_stand_below_each_other(void **state)
+TEST(lines_stand_below_each_other)
 {
     struct bed *b = *state;
     struct ink ink;
@@ -287,7 +274,7 @@ static void lines_stand_below_each_other(void **state)
 }
 
 /* Any bytes at any place end and stay inside; lines are never wider than they may be, and take every byte. */
-static void any_bytes(void **state)
+TEST(any_bytes)
 {
     struct bed *b = *state;
     struct rng r;
@@ -320,14 +307,4 @@ static void any_bytes(void **state)
     }
 }
 
-int main(void)
-{
-#define TEST(f) cmocka_unit_test_setup_teardown(f, bed_open, bed_close)
-    const struct CMUnitTest tests[] = {
-        TEST(every_character_is_itself),     TEST(what_is_promised_is_there),    TEST(what_is_not_known_is_a_box),
-        TEST(marks_leave_the_letter),        TEST(a_mark_wider_than_its_letter), TEST(digits_stand_in_columns),
-        TEST(texts_are_as_wide_as_they_say), TEST(a_rim_is_round_the_ink),       TEST(what_does_not_fit_is_cut),
-        TEST(lines_break_after_blanks),      TEST(lines_stand_below_each_other), TEST(any_bytes),
-    };
-    return cmocka_run_group_tests(tests, 0, 0);
-}
+RUN_TESTS_EACH(bed_open, bed_close)

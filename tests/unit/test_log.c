@@ -1,12 +1,5 @@
 /* test_log.c - the lines that the window's log keeps, and the screen that shows them. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../src/player/screens/log.h"
 
 enum { KEY_PAGE_UP = 75, W = 240, H = 160 };
@@ -27,9 +20,8 @@ static const char *kept(int i)
     return log_line(&l, i)->text;
 }
 
-static void lines(void **state)
+TEST(lines)
 {
-    (void)state;
     assert_int_equal(log_count(&l), 0);
     log_add(&l, LOG_SCRIPT, 7, "one");
     log_add(&l, LOG_FAULT, 8, "two\n\n\tthree\n");
@@ -43,9 +35,8 @@ static void lines(void **state)
 }
 
 /* What is printed in every frame takes one line, as long as nothing else comes between. */
-static void again(void **state)
+TEST(again)
 {
-    (void)state;
     for (uint32_t i = 0; i < 60; i++)
         log_add(&l, LOG_SCRIPT, 100 + i, "hp 12");
     log_add(&l, LOG_FAULT, 160, "hp 12");
@@ -57,11 +48,10 @@ static void again(void **state)
 }
 
 /* The oldest lines go. */
-static void many(void **state)
+TEST(many)
 {
     char text[16];
 
-    (void)state;
     for (int i = 0; i < 3 * LOG_LINES + 5; i++) {
         snprintf(text, sizeof text, "line %d", i);
         log_add(&l, LOG_SCRIPT, (uint32_t)i, text);
@@ -74,11 +64,10 @@ static void many(void **state)
 }
 
 /* A long line is cut behind a whole character; what a terminal would obey is blanked. */
-static void long_lines(void **state)
+TEST(long_lines)
 {
     char text[2 * LOG_LINE];
 
-    (void)state;
     for (size_t first = 0; first < 3; first++) {
         memset(text, 'x', first);
         for (size_t i = first; i + 3 < sizeof text; i += 3)
@@ -141,11 +130,10 @@ static void draw(void)
     free(memory);
 }
 
-static void opens_at_the_end(void **state)
+TEST(opens_at_the_end)
 {
     char text[16];
 
-    (void)state;
     log_open(&l, &s);
     draw();
     assert_string_equal(screens_top(&s)->text(&l), "No messages yet.");
@@ -165,11 +153,11 @@ static void opens_at_the_end(void **state)
 }
 
 /* By keys, a controller and the wheel; and out. */
-static void scrolls(void **state)
+TEST(scrolls)
 {
     struct plat_input in = { .has_focus = true, .mouse_x = -1, .mouse_y = -1 };
 
-    opens_at_the_end(state);
+    test_opens_at_the_end(state);
     in = with_key(KEY_UP);
     poll_with(&in);
     assert_int_equal(chosen(), 98);
@@ -190,11 +178,11 @@ static void scrolls(void **state)
 }
 
 /* Lines that come while it is open, of a reload, push the oldest out. */
-static void stays_in_range(void **state)
+TEST(stays_in_range)
 {
     char text[16];
 
-    opens_at_the_end(state);
+    test_opens_at_the_end(state);
     for (int i = 0; i < 2 * LOG_LINES; i++) {
         snprintf(text, sizeof text, "more %d", i);
         log_add(&l, LOG_PROGRAM, 0, text);
@@ -207,16 +195,4 @@ static void stays_in_range(void **state)
     assert_string_equal(row_at(LOG_LINES - 1).value, "2 x  5");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(lines, begin),
-        cmocka_unit_test_setup(again, begin),
-        cmocka_unit_test_setup(many, begin),
-        cmocka_unit_test_setup(long_lines, begin),
-        cmocka_unit_test_setup(opens_at_the_end, begin),
-        cmocka_unit_test_setup(scrolls, begin),
-        cmocka_unit_test_setup(stays_in_range, begin),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS_EACH(begin, NULL)

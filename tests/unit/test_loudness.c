@@ -1,12 +1,6 @@
 /* test_loudness.c - levels as ITU-R BS.1770 and EBU Tech 3341 have them; and how long tunes are. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../src/workbench/sound/loudness.h"
 #include "../../src/workbench/mml/mml.h"
 #include "../../src/workbench/samples/tune_time.h"
@@ -31,7 +25,7 @@ static double of_levels(const double *level, const int *seconds, int n, bool rig
 }
 
 /* Tech 3341, cases 1 to 5: 0.1 LU. */
-static void tech_3341(void **state)
+TEST(tech_3341)
 {
     static const struct {
         double level[5];
@@ -44,16 +38,14 @@ static void tech_3341(void **state)
         { { -72, -36, -23, -36, -72 }, { 10, 10, 60, 10, 10 }, 5, -23 },
         { { -26, -20, -26 }, { 20, 20, 20 }, 3, -23 },
     };
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
         assert_true(fabs(of_levels(cases[i].level, cases[i].seconds, cases[i].n, true) - cases[i].lufs) < 0.1);
     assert_true(fabs(of_levels(cases[0].level, cases[0].seconds, 1, false) + 26.01) < 0.1);
 }
 
-static void little_and_nothing(void **state)
+TEST(little_and_nothing)
 {
     int16_t lr[2 * 4800] = { 0 };
-    (void)state;
     assert_true(loudness(lr, 4800) == -70 && loudness(lr, 0) == -70);
     assert_true(loudness_peak(lr, 4800) == -120 && loudness_mean(lr, 0) == -120);
     for (int i = 0; i < 4800; i++)
@@ -87,9 +79,8 @@ static void lasts(const char *mml, double all, double loop)
         fail_msg("%s: %.4f s and %.4f, expected %.4f and %.4f", mml, time.all, time.loop, all, loop);
 }
 
-static void how_long_tunes_are(void **state)
+TEST(how_long_tunes_are)
 {
-    (void)state;
     lasts("A t120 @pulse c4 d4 e2", 2, 0);
     lasts("A t120 @pulse L c4 d4 e2", 2, 2);
     lasts("A t120 @pulse c1 L c4", 2.5, 0.5);
@@ -99,12 +90,4 @@ static void how_long_tunes_are(void **state)
     lasts("A t90 @pulse r1 r1", 5.3333, 0);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(tech_3341),
-        cmocka_unit_test(little_and_nothing),
-        cmocka_unit_test(how_long_tunes_are),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -7,14 +7,7 @@
  * write. CURTAIN_SEED=n tries other calls. CURTAIN_CALLS=n makes as many of each function.
  */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "luagen.h"
 #include "luapair.h"
 
@@ -691,7 +684,7 @@ static void forget(struct call *c)
     free(c->ours.after.s);
 }
 
-static void agrees_with_the_linked_lua(void **state)
+TEST(agrees_with_the_linked_lua)
 {
     struct reference *r = *state;
     struct call c = { 0 };
@@ -718,9 +711,8 @@ static void agrees_with_the_linked_lua(void **state)
 }
 
 /* An exemption that is never used is one too many, or the calls do not reach what it is for. */
-static void uses_every_exemption(void **state)
+TEST(uses_every_exemption)
 {
-    (void)state;
     for (size_t i = 0; i < sizeof exemptions / sizeof *exemptions; i++) {
         print_message("%6d  %s\n", exemptions[i].times, exemptions[i].why);
         if (!exemptions[i].times && !exemptions[i].release)
@@ -759,7 +751,7 @@ static void same_value(struct reference *r, const char *name)
     free(values[1].s);
 }
 
-static void calls_every_name(void **state)
+TEST(calls_every_name)
 {
     static const char *const libraries[] = { "", "string", "table", "math", "utf8" };
 
@@ -794,12 +786,4 @@ static int close_reference(void **state)
     return 0;
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(calls_every_name),
-        cmocka_unit_test(agrees_with_the_linked_lua),
-        cmocka_unit_test(uses_every_exemption),
-    };
-    return cmocka_run_group_tests(tests, open_reference, close_reference);
-}
+RUN_TESTS(open_reference, close_reference)

@@ -3,14 +3,7 @@
  * bounded everywhere. Every comparison runs one chunk in a stock state and in ours and compares what comes back, bit by
  * bit.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "luapair.h"
 
 enum { TEXT = 8192 };
@@ -263,7 +256,7 @@ static const char *const pattern_chunks[] = {
     "local t = '' for x, y, z in string.gmatch(...) do t = ('%s|%s,%s,%s'):format(t, x, y, z) end return t",
 };
 
-static void matches_as_stock_does(void **state)
+TEST(matches_as_stock_does)
 {
     struct pair *p = *state;
     char s[32], pat[128];
@@ -282,7 +275,7 @@ static void matches_as_stock_does(void **state)
 }
 
 /* Of garbage, what we accept means the same; what stock always refuses we refuse. */
-static void refuses_malformed_patterns(void **state)
+TEST(refuses_malformed_patterns)
 {
     struct pair *p = *state;
     static const char letters[] = "ab%%%[]()^$*+-?.1fb";
@@ -312,7 +305,7 @@ static void refuses_malformed_patterns(void **state)
     fails(p, "return ('a'):gsub('a', true)", "string/function/table expected");
 }
 
-static void matches_corner_cases(void **state)
+TEST(matches_corner_cases)
 {
     struct pair *p = *state;
     static const char *const chunks[] = {
@@ -357,7 +350,7 @@ static const char *const formats[] = {
     "%.20s", "%99.99f", "%-+5d",  "%--5d", "%5.5s|", "%00d",
 };
 
-static void formats_as_stock_does(void **state)
+TEST(formats_as_stock_does)
 {
     struct pair *p = *state;
     static const double floats[] = {
@@ -393,7 +386,7 @@ static void formats_as_stock_does(void **state)
     }
 }
 
-static void writes_no_address(void **state)
+TEST(writes_no_address)
 {
     struct pair *p = *state;
 
@@ -417,7 +410,7 @@ static void writes_no_address(void **state)
 }
 
 /* Both signs of NaN, however it arose. */
-static void writes_one_nan(void **state)
+TEST(writes_one_nan)
 {
     struct pair *p = *state;
 
@@ -432,7 +425,7 @@ static void writes_one_nan(void **state)
           "'inf';'-inf';'inf\\32.+inf\\32.-inf';");
 }
 
-static void repeats_as_stock_does(void **state)
+TEST(repeats_as_stock_does)
 {
     struct pair *p = *state;
 
@@ -473,7 +466,7 @@ static const char *const table_chunks[] = {
     "table.concat(t, ' ', 1, 3), table.unpack(t)",
 };
 
-static void handles_tables_as_stock_does(void **state)
+TEST(handles_tables_as_stock_does)
 {
     struct pair *p = *state;
     int fine = 0;
@@ -499,7 +492,7 @@ static void handles_tables_as_stock_does(void **state)
     fails(p, "return table.move({}, 1, math.maxinteger, 2)", "wrap around");
 }
 
-static void sorts_stably_and_always_ends(void **state)
+TEST(sorts_stably_and_always_ends)
 {
     struct pair *p = *state;
 
@@ -528,7 +521,7 @@ static void sorts_stably_and_always_ends(void **state)
           "false;3;2;1;");
 }
 
-static void visits_in_order(void **state)
+TEST(visits_in_order)
 {
     struct pair *p = *state;
     static const char list[] =
@@ -598,7 +591,7 @@ static const char *const utf8_chunks[] = {
     "local s = ... local t = {} for c in s:gmatch(utf8.charpattern) do t[#t + 1] = c end return table.concat(t, ' ')",
 };
 
-static void reads_utf8_as_stock_does(void **state)
+TEST(reads_utf8_as_stock_does)
 {
     struct pair *p = *state;
     char s[64];
@@ -655,7 +648,7 @@ static void computes_angles(struct pair *p, const char *chunk, double x, double 
         fail_msg("%s of %a, %a is %.17g, not %.17g", chunk, x, y, a, b);
 }
 
-static void computes_trigonometry(void **state)
+TEST(computes_trigonometry)
 {
     struct pair *p = *state;
     static const double edges[] = { 0, -0.0, 1, -1, 0.5, 1e-300, -1e-300, 5e-324, 1e300, -1e300, 1.7976931348623157e308,
@@ -693,7 +686,7 @@ static void computes_trigonometry(void **state)
 
 /* ---- errors ---- */
 
-static void catches_what_scripts_raise(void **state)
+TEST(catches_what_scripts_raise)
 {
     struct pair *p = *state;
     static const char *const chunks[] = {
@@ -733,7 +726,7 @@ static void catches_what_scripts_raise(void **state)
           "false;'e';'e';");
 }
 
-static void lets_faults_through(void **state)
+TEST(lets_faults_through)
 {
     struct pair *p = *state;
     static const char *const faults[][2] = {
@@ -768,7 +761,7 @@ static void lets_faults_through(void **state)
     *state = p;
 }
 
-static void keeps_the_first_traceback(void **state)
+TEST(keeps_the_first_traceback)
 {
     struct pair *p = *state;
 
@@ -788,7 +781,7 @@ static void keeps_the_first_traceback(void **state)
     lua_settop(p->ours, 0);
 }
 
-static void catches_across_yields(void **state)
+TEST(catches_across_yields)
 {
     struct pair *p = *state;
     lua_register(p->ours, "pause_here", pause_here);
@@ -816,7 +809,7 @@ static void catches_across_yields(void **state)
 
 /* ---- the sandbox ---- */
 
-static void loads_text_only(void **state)
+TEST(loads_text_only)
 {
     struct pair *p = *state;
 
@@ -831,7 +824,7 @@ static void loads_text_only(void **state)
     fails(p, "return load(function() return {} end)", "must return a string");
 }
 
-static void refuses_weak_and_finalized(void **state)
+TEST(refuses_weak_and_finalized)
 {
     struct pair *p = *state;
 
@@ -858,7 +851,7 @@ static bool metatables_are_clean(struct pair *p)
     return clean;
 }
 
-static void finds_fields_set_later(void **state)
+TEST(finds_fields_set_later)
 {
     struct pair *p = *state;
 
@@ -879,7 +872,7 @@ static void finds_fields_set_later(void **state)
     assert_true(metatables_are_clean(p)); /* the list holds nothing alive */
 }
 
-static void keeps_only_what_is_listed(void **state)
+TEST(keeps_only_what_is_listed)
 {
     struct pair *p = *state;
     static const char names[] = "local function names(t) local n = {} for k in pairs(t) do n[#n + 1] = k end\n"
@@ -911,7 +904,7 @@ static void keeps_only_what_is_listed(void **state)
 /* ---- hazards ---- */
 
 /* Library calls that would run for ever, or for hours: each is cut off, and no pcall of the script's hides that. */
-static void cuts_off_endless_work(void **state)
+TEST(cuts_off_endless_work)
 {
     struct pair *p = *state;
     static const char *const bombs[] = {
@@ -946,7 +939,7 @@ static void cuts_off_endless_work(void **state)
 }
 
 /* Ordinary use is charged little. */
-static void charges_fairly(void **state)
+TEST(charges_fairly)
 {
     struct pair *p = *state;
 
@@ -959,32 +952,4 @@ static void charges_fairly(void **state)
     assert_true(p->b->vm.work < 300000);
 }
 
-int main(void)
-{
-#define TEST(f) cmocka_unit_test_setup_teardown(f, setup, teardown)
-    const struct CMUnitTest tests[] = {
-        TEST(matches_as_stock_does),
-        TEST(refuses_malformed_patterns),
-        TEST(matches_corner_cases),
-        TEST(formats_as_stock_does),
-        TEST(writes_no_address),
-        TEST(writes_one_nan),
-        TEST(repeats_as_stock_does),
-        TEST(handles_tables_as_stock_does),
-        TEST(sorts_stably_and_always_ends),
-        TEST(visits_in_order),
-        TEST(reads_utf8_as_stock_does),
-        TEST(computes_trigonometry),
-        TEST(catches_what_scripts_raise),
-        TEST(lets_faults_through),
-        TEST(keeps_the_first_traceback),
-        TEST(catches_across_yields),
-        TEST(loads_text_only),
-        TEST(refuses_weak_and_finalized),
-        TEST(finds_fields_set_later),
-        TEST(keeps_only_what_is_listed),
-        TEST(cuts_off_endless_work),
-        TEST(charges_fairly),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS_EACH(setup, teardown)

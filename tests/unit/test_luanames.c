@@ -2,14 +2,7 @@
  * test_luanames.c - a function whose locals lost their names is the same function: the same code, constants, lines and
  * upvalues, of every module of the standard library and of Lua that has all sorts of constants in it.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include <dirent.h>
 #include <lauxlib.h>
 #include <lua.h>
@@ -82,13 +75,12 @@ static void assert_same(const char *text, size_t size)
     lua_settop(L, 0);
 }
 
-static void modules_stay_the_same(void **state)
+TEST(modules_stay_the_same)
 {
     static char text[1 << 16];
     DIR *d = opendir("scripts");
     int modules = 0;
 
-    (void)state;
     assert_non_null(d);
     for (struct dirent *e; (e = readdir(d));) {
         char path[512];
@@ -107,9 +99,8 @@ static void modules_stay_the_same(void **state)
     assert_true(modules > 8);
 }
 
-static void all_sorts_stay_the_same(void **state)
+TEST(all_sorts_stay_the_same)
 {
-    (void)state;
     assert_same(SORTS, sizeof SORTS - 1);
     for (int dropped = 0; dropped < 2; dropped++) {
         load(SORTS, sizeof SORTS - 1);
@@ -130,7 +121,7 @@ static void all_sorts_stay_the_same(void **state)
 }
 
 /* Lines, globals and upvalues are told as before; a local has no name. */
-static void faults_have_their_place(void **state)
+TEST(faults_have_their_place)
 {
     static const struct {
         const char *text, *before, *after;
@@ -143,7 +134,6 @@ static void faults_have_their_place(void **state)
           "here.lua:2: attempt to index a nil value (global 'gone')" },
     };
 
-    (void)state;
     for (size_t i = 0; i < sizeof of / sizeof *of; i++)
         for (int dropped = 0; dropped < 2; dropped++) {
             load(of[i].text, strlen(of[i].text));
@@ -156,9 +146,8 @@ static void faults_have_their_place(void **state)
 }
 
 /* It takes less memory. */
-static void takes_less(void **state)
+TEST(takes_less)
 {
-    (void)state;
     load(SORTS, sizeof SORTS - 1);
     lua_gc(L, LUA_GCCOLLECT);
     const int before = lua_gc(L, LUA_GCCOUNT) * 1024 + lua_gc(L, LUA_GCCOUNTB);
@@ -168,10 +157,4 @@ static void takes_less(void **state)
     assert_int_equal(lua_gettop(L), 1);
 }
 
-int main(void)
-{
-#define TEST(f) cmocka_unit_test_setup_teardown(f, setup, teardown)
-    const struct CMUnitTest tests[] = { TEST(modules_stay_the_same), TEST(all_sorts_stay_the_same),
-                                        TEST(faults_have_their_place), TEST(takes_less) };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS_EACH(setup, teardown)

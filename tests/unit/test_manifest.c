@@ -1,12 +1,5 @@
 /* test_manifest.c - manifest.h: rom.lua as text, each of its errors as a whole line, and the binary form. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../src/base/bytes.h"
 #include "../../src/base/rng.h"
 #include "../../src/rom/manifest.h"
@@ -55,11 +48,10 @@ static void entry_refused(const char *text, const char *line)
     refused(whole, want);
 }
 
-static void test_defaults(void **state)
+TEST(defaults)
 {
     struct result *r = read_good("return {}");
 
-    (void)state;
     assert_string_equal(r->m.id, "glass_tide");
     assert_string_equal(r->m.title, "glass_tide");
     assert_string_equal(r->m.author, "");
@@ -92,7 +84,7 @@ static void test_defaults(void **state)
     free(r);
 }
 
-static void test_sizes(void **state)
+TEST(sizes)
 {
     struct result *r = read_good("return { sheets = { s = { file = 'a.png' } }, sprites = {\n"
                                  "  orb = { sheet = 's', w = 8, h = 6, frames = 2, sizes = { 200, 50, 1000 } },\n"
@@ -100,7 +92,6 @@ static void test_sizes(void **state)
     static const char *const names[] = { "orb", "orb_1000", "orb_200", "orb_3", "orb_50" };
     static const int percents[] = { 100, 1000, 200, 100, 50 };
 
-    (void)state;
     assert_int_equal(r->art.n_sprites, 5);
     for (int i = 0; i < 5; i++) {
         assert_string_equal(r->art.sprites[i].name, names[i]);
@@ -125,12 +116,11 @@ static const char lanterns[] =
     "  dip = { rate = { min = -1, max = 10, default = 3 }, coins = { 'free', 'one' }, n = { min = 2, max = 2 } },\n"
     "  extends = { 100000, 9007199254740992 } }\n";
 
-static void test_all(void **state)
+TEST(all)
 {
     struct result *r = read_good(lanterns);
     const struct manifest *m = &r->m;
 
-    (void)state;
     assert_string_equal(m->id, "lanterns");
     assert_string_equal(m->title, "Paper Lanterns");
     assert_string_equal(m->author, "You");
@@ -159,12 +149,11 @@ static void test_all(void **state)
     free(r);
 }
 
-static void test_dips(void **state)
+TEST(dips)
 {
     struct result *r = read_good(lanterns);
     const struct dip *d = r->m.dips;
 
-    (void)state;
     assert_int_equal(r->m.n_dips, 3);
     assert_string_equal(d[0].name, "coins");
     assert_false(d[0].is_number);
@@ -183,12 +172,11 @@ static void test_dips(void **state)
     free(r);
 }
 
-static void test_art(void **state)
+TEST(art)
 {
     struct result *r = read_good(lanterns);
     const struct art *a = &r->art;
 
-    (void)state;
     assert_string_equal(a->palette, "art/palette.png");
     assert_string_equal(a->font, "art/font.png");
     assert_int_equal(a->n_palettes, 1);
@@ -224,12 +212,11 @@ static void test_art(void **state)
 }
 
 /* What is left out follows from what is there. */
-static void test_derived(void **state)
+TEST(derived)
 {
     struct result *r = read_good("return { screen = { w = 400 }, field = { x = 100, h = 50 },"
                                  "  difficulties = { 'a', 'normal' } }");
 
-    (void)state;
     assert_int_equal(r->m.field_w, 300);
     assert_int_equal(r->m.field_h, 50);
     assert_int_equal(r->m.difficulty, 1);
@@ -242,9 +229,8 @@ static void test_derived(void **state)
     free(r);
 }
 
-static void test_unknown_names(void **state)
+TEST(unknown_names)
 {
-    (void)state;
     entry_refused("board = { bulets = 1 }", "board.bulets: unknown key (did you mean \"bullets\"?)");
     entry_refused("titel = 'x'", "titel: unknown key (did you mean \"title\"?)");
     entry_refused("zebra = 1, muzak = 2", "muzak: unknown key");
@@ -263,13 +249,12 @@ static void test_unknown_names(void **state)
         "sheets: \"a/\": expected a name of letters, digits, _ - . and /");
 }
 
-static void test_sounds(void **state)
+TEST(sounds)
 {
     struct result *r = read_good(
         "return { sounds = { b = { file = 'b.wav', volume = 0.5, limit = 3, duck = 0.4 }, a = { mml = 'c' } },"
         " music = { t = { file = 'm/t.mml', title = 'T' } } }");
 
-    (void)state;
     assert_true(r->m.has_sound == 1 && r->art.n_sounds == 2 && r->art.n_tunes == 1);
     assert_string_equal(r->art.sounds[0].mml, "c");
     assert_true(r->art.sounds[1].volume == 128 && r->art.sounds[1].limit == 3 && r->art.sounds[1].duck == 102 &&
@@ -292,7 +277,7 @@ static void test_sounds(void **state)
                   "music.a: expected file=\"music/NAME.mml\" (or .ogg, .flac, .wav)");
 }
 
-static void test_recordings(void **state)
+TEST(recordings)
 {
     struct result *r = read_good("return { sounds = { b = { file = 'b.ogg', exact = true, stereo = true } },"
                                  " music = { s = { file = 's.flac', stereo = false, loop = false },"
@@ -300,7 +285,6 @@ static void test_recordings(void **state)
                                  " length = 2, unit = 'seconds' }, markers = { drop = 8.5, back = 0 } } } }");
     const struct art_sound *b = &r->art.sounds[0], *s = &r->art.tunes[0], *t = &r->art.tunes[1];
 
-    (void)state;
     assert_true(b->exact && b->stereo && b->loop.kind == LOOP_FROM_FILE);
     assert_true(!s->exact && !s->stereo && s->loop.kind == LOOP_NONE && s->tempo == 0 && s->beats_per_bar == 4);
     assert_true(t->stereo && t->tempo == 9725 && t->beats_per_bar == 3 && t->offset == 0.5 && t->n_markers == 2);
@@ -341,9 +325,8 @@ static void spell_out(char *text, size_t size, const char *name, long long v)
         n += (size_t)snprintf(text + n, size - n, " }");
 }
 
-static void test_numbers(void **state)
+TEST(numbers)
 {
-    (void)state;
     for (int i = 0; i < MANIFEST_NUMBERS; i++) {
         const struct manifest_number *f = &manifest_numbers[i];
         char text[128], want[128];
@@ -378,9 +361,8 @@ static void test_numbers(void **state)
     entry_refused("field = { x = 230 }", "field.w: expected a whole number from 16 to 1024, got 10");
 }
 
-static void test_texts(void **state)
+TEST(texts)
 {
-    (void)state;
     entry_refused("id = 'A b'", "id: expected 1 to 31 of the characters a-z 0-9 _");
     entry_refused("id = ''", "id: expected 1 to 31 of the characters a-z 0-9 _");
     entry_refused("id = 5", "id: expected a name, got 5");
@@ -397,9 +379,8 @@ static void test_texts(void **state)
     entry_refused("entry = ''", "entry: expected a script's path without .lua, at most 63 bytes");
 }
 
-static void test_lists(void **state)
+TEST(lists)
 {
-    (void)state;
     entry_refused("extends = { 0 }", "extends[1]: expected a whole number from 1 to 9007199254740992, got 0");
     entry_refused("extends = { 5, 5 }", "extends[2]: expected a whole number from 6 to 9007199254740992, got 5");
     entry_refused("extends = { 1, 2, 3, 4, 5, 6, 7, 8, 9 }", "extends: expected at most 8 entries, got 9");
@@ -415,9 +396,8 @@ static void test_lists(void **state)
                   "difficulty: \"hard\" is not listed in difficulties");
 }
 
-static void test_dip_errors(void **state)
+TEST(dip_errors)
 {
-    (void)state;
     entry_refused("dip = { 'a' }", "dip: expected only names as keys, got 1");
     entry_refused("dip = { ['a.b'] = { 'x' } }", "dip.a.b: expected a name of letters, digits, _ and -");
     entry_refused("dip = { ['a b'] = { 'x' } }", "dip: \"a b\": expected a name of letters, digits, _ - . and /");
@@ -439,9 +419,8 @@ static void test_dip_errors(void **state)
                   "dip: expected at most 16 entries");
 }
 
-static void test_art_errors(void **state)
+TEST(art_errors)
 {
-    (void)state;
     entry_refused("palette = 3", "palette: expected a file, got 3");
     entry_refused("font = '/etc/font.png'",
                   "font: expected a file inside the folder (letters, digits, _ - . /), got \"/etc/font.png\"");
@@ -485,7 +464,7 @@ static void test_art_errors(void **state)
 }
 
 /* By index: said of one, of all, of all but one. And what a sprite of an .ase leaves to its file. */
-static void test_index_and_tags(void **state)
+TEST(index_and_tags)
 {
     struct result *r = read_good(
         "return { match = 'index', sheets = { a = { file = 'a.ase' }, b = { file = 'b.png', match = 'colour' } },"
@@ -493,7 +472,6 @@ static void test_index_and_tags(void **state)
         "maps = { m = { tiles = 't.png', rows = { { 1 } } } },"
         "sprites = { s = { sheet = 'a', tag = 'fly', sizes = { 50 } }, t = { sheet = 'b', w = 3, h = 4 } } }");
 
-    (void)state;
     assert_true(r->art.by_index && r->art.sheets[0].by_index && r->art.fonts[0].by_index && r->art.maps[0].by_index);
     assert_false(r->art.sheets[1].by_index);
     const struct art_sprite *s = &r->art.sprites[1], *cut = &r->art.sprites[2];
@@ -517,14 +495,13 @@ static void test_index_and_tags(void **state)
 }
 
 /* A sheet, or a map, that is drawn in another palette than the first. */
-static void test_palette_of_a_sheet(void **state)
+TEST(palette_of_a_sheet)
 {
     struct result *r = read_good("return { palettes = { dusk = 'd.png' }, maps = { m = { tiles = 't.png',"
                                  "palette = 'dusk', rows = { { 1 } } } },"
                                  "sheets = { a = { file = 'a.png', palette = 'dusk' }, b = { file = 'b.png' },"
                                  "c = { file = 'c.png', palette = 'main' } } }");
 
-    (void)state;
     assert_string_equal(r->art.sheets[0].palette, "dusk");
     assert_string_equal(r->art.sheets[1].palette, "");
     assert_string_equal(r->art.sheets[2].palette, "");
@@ -536,9 +513,8 @@ static void test_palette_of_a_sheet(void **state)
                   "maps.m.palette: expected a palette's name, got 3");
 }
 
-static void test_not_a_manifest(void **state)
+TEST(not_a_manifest)
 {
-    (void)state;
     refused("", "rom.lua: expected `return { ... }`, got nil");
     refused("return 'x'", "rom.lua: expected `return { ... }`, got \"x\"");
     refused("return {\n  title = = 3 }", "rom.lua:2: unexpected symbol near '='");
@@ -551,11 +527,10 @@ static void test_not_a_manifest(void **state)
 }
 
 /* Neither time nor memory without end, whatever the text does. */
-static void test_bombs(void **state)
+TEST(bombs)
 {
     char *text;
 
-    (void)state;
     refused("while true do end", "rom.lua:1: takes too long (an endless loop?)");
     refused("local function f() return f() end\nreturn f()", "rom.lua:1: takes too long (an endless loop?)");
     refused("::a:: goto a", "rom.lua:1: takes too long (an endless loop?)");
@@ -576,12 +551,11 @@ static void test_bombs(void **state)
 }
 
 /* A manifest as large as any game's fits. */
-static void test_many_sprites(void **state)
+TEST(many_sprites)
 {
     size_t room = 1 << 20, n = 0;
     char *text = malloc(room);
 
-    (void)state;
     n += (size_t)snprintf(text, room, "return { sheets = { s = { file = 's.png' } }, sprites = {\n");
     for (int i = 0; i < MAX_ART_SPRITES; i++)
         n += (size_t)snprintf(text + n, room - n,
@@ -600,14 +574,13 @@ static void test_many_sprites(void **state)
 
 /* ---- the binary form ---- */
 
-static void test_pack(void **state)
+TEST(pack)
 {
     struct result *r = read_good(lanterns);
     uint8_t bytes[MANIFEST_BYTES], again[MANIFEST_BYTES];
     struct manifest m;
     char err[256] = "";
 
-    (void)state;
     const uint32_t size = manifest_pack(&r->m, bytes);
     assert_int_equal(size, 5252);
     assert_true(manifest_unpack(bytes, size, &m, err, sizeof err));
@@ -621,7 +594,7 @@ static void test_pack(void **state)
 }
 
 /* A lump of an older format is shorter by the numbers that came later, which then have their defaults. */
-static void test_unpack_old(void **state)
+TEST(unpack_old)
 {
     struct result *r = read_good(
         "return { board = { values = { bullet = 2 }, hp = true, frozen = true, meet = true, items = 9, bg = true, "
@@ -630,7 +603,6 @@ static void test_unpack_old(void **state)
     struct manifest m;
     char err[256] = "";
 
-    (void)state;
     assert_true(r->m.bullet_values == 2 && r->m.has_hp && !r->m.has_orbit && r->m.has_freeze);
     const uint32_t size = manifest_pack(&r->m, bytes);
     assert_int_equal(size, 5252);
@@ -664,7 +636,7 @@ static void test_unpack_old(void **state)
 }
 
 /* Maps switch backgrounds on; their rows stand one after the other. */
-static void test_maps(void **state)
+TEST(maps)
 {
     static const char *const bad[][2] = {
         { "sea = {}", "rom.lua: maps.sea: expected tiles=\"art/NAME.png\"" },
@@ -688,7 +660,6 @@ static void test_maps(void **state)
     };
     char text[256];
 
-    (void)state;
     struct result *r =
         read_good("return { maps = { b = { tiles = 't.png', size = 8, first = 0, rows = { { -1, 0, 5 } } },"
                   " a = { tiles = 't.png', bank = 3, rows = { { 7 }, { 0 } } },"
@@ -713,14 +684,13 @@ static void test_maps(void **state)
     }
 }
 
-static void test_unpack_refuses(void **state)
+TEST(unpack_refuses)
 {
     struct result *r = read_good(lanterns);
     uint8_t bytes[MANIFEST_BYTES];
     struct manifest m;
     char err[256] = "";
 
-    (void)state;
     const uint32_t size = manifest_pack(&r->m, bytes);
     assert_false(manifest_unpack(bytes, size - 1, &m, err, sizeof err));
     assert_string_equal(err, "5251 bytes long, expected 5256");
@@ -744,14 +714,13 @@ static void test_unpack_refuses(void **state)
 }
 
 /* Of format 1 comes what there was of it, and for the rest what a rom.lua gets that says nothing. */
-static void test_format_1(void **state)
+TEST(format_1)
 {
     struct result *r = read_good(lanterns);
     uint8_t bytes[MANIFEST_BYTES], again[MANIFEST_BYTES];
     struct manifest m, plain;
     char err[256] = "";
 
-    (void)state;
     manifest_set_defaults(&plain);
     assert_int_equal(r->m.nvram_kib, 3);
     manifest_pack(&r->m, bytes);
@@ -786,14 +755,13 @@ static void unpack_refused(const struct manifest *m, const char *line)
         unpack_refused(&m, line);                                                                                      \
     } while (0)
 
-static void test_check(void **state)
+TEST(check)
 {
     static const char words[] = "difficulties: expected 1 to 8 different words of at most 15 letters";
     static const char coins[] = "dip.coins: expected 1 to 16 different words of at most 15 letters";
     static const char either[] = "dip.coins: expected either a range or 1 to 16 values";
     struct result *r = read_good(lanterns);
 
-    (void)state;
     SPOILED(memset(m.id, 'a', sizeof m.id), "id: expected 1 to 31 of the characters a-z 0-9 _");
     SPOILED(m.id[20] = 'x', "id: expected 1 to 31 of the characters a-z 0-9 _");
     SPOILED(m.title[0] = 1, "title: expected a line of 1 to 63 bytes");
@@ -836,14 +804,13 @@ static void test_check(void **state)
 }
 
 /* A byte of the lump set to anything: refused, or a manifest that packs to these very bytes. */
-static void test_unpack_mutations(void **state)
+TEST(unpack_mutations)
 {
     struct result *r = read_good(lanterns);
     uint8_t bytes[MANIFEST_BYTES], again[MANIFEST_BYTES];
     struct rng rng;
     int good = 0;
 
-    (void)state;
     r->m.bulletml_runners = 300; /* the format with all numbers */
     manifest_pack(&r->m, bytes);
     rng_seed(&rng, 3);
@@ -865,50 +832,16 @@ static void test_unpack_mutations(void **state)
     free(r);
 }
 
-static void test_paths(void **state)
+TEST(paths)
 {
     static const char *const good[] = { "a", "a/b", "stages/one.lua", "A-b_c.9/x..y" };
     static const char *const bad[] = { "",       "/",  "/a",   "a/",  "a//b", ".",   "..",
                                        "a/../b", ".a", "a/.b", "a b", "a\\b", "c:a", "\xc3" };
 
-    (void)state;
     for (size_t i = 0; i < sizeof good / sizeof good[0]; i++)
         assert_true(manifest_path_ok(good[i]));
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++)
         assert_false(manifest_path_ok(bad[i]));
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_defaults),
-        cmocka_unit_test(test_all),
-        cmocka_unit_test(test_dips),
-        cmocka_unit_test(test_art),
-        cmocka_unit_test(test_derived),
-        cmocka_unit_test(test_unknown_names),
-        cmocka_unit_test(test_sounds),
-        cmocka_unit_test(test_recordings),
-        cmocka_unit_test(test_numbers),
-        cmocka_unit_test(test_texts),
-        cmocka_unit_test(test_lists),
-        cmocka_unit_test(test_dip_errors),
-        cmocka_unit_test(test_art_errors),
-        cmocka_unit_test(test_index_and_tags),
-        cmocka_unit_test(test_palette_of_a_sheet),
-        cmocka_unit_test(test_not_a_manifest),
-        cmocka_unit_test(test_bombs),
-        cmocka_unit_test(test_many_sprites),
-        cmocka_unit_test(test_pack),
-        cmocka_unit_test(test_maps),
-        cmocka_unit_test(test_unpack_refuses),
-        cmocka_unit_test(test_unpack_old),
-        cmocka_unit_test(test_format_1),
-        cmocka_unit_test(test_check),
-        cmocka_unit_test(test_unpack_mutations),
-        cmocka_unit_test(test_sizes),
-        cmocka_unit_test(test_paths),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

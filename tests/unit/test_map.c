@@ -1,12 +1,5 @@
 /* test_map.c - map.h: CSV and Tiled's maps, good and bad, and the lump with its turned tiles. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../src/base/bytes.h"
 #include "../../src/workbench/pack/map.h"
 
@@ -66,12 +59,11 @@ static void cells_are(const struct map_cells *c, int cols, int rows, const uint3
 
 /* ---- CSV ---- */
 
-static void test_csv(void **state)
+TEST(csv)
 {
     static const uint32_t cells[] = { 1, 0, 3, 40, 5, 6 };
     struct map_cells c;
 
-    (void)state;
     assert_true(csv("1,0,3\n40,5,6\n", 1, &c));
     cells_are(&c, 3, 2, cells);
     assert_true(csv(" 1 ,0,\t3,\r\n40,5,6\r\n\n \n", 1, &c));
@@ -81,13 +73,12 @@ static void test_csv(void **state)
 }
 
 /* Tiled's export has the flags of turned tiles in the number, which may be written as a negative one. */
-static void test_csv_turns(void **state)
+TEST(csv_turns)
 {
     static const uint32_t cells[] = { 1 | MAP_FLIP_X, 2 | MAP_FLIP_Y, 3 | MAP_DIAGONAL,
                                       4 | MAP_FLIP_X | MAP_FLIP_Y | MAP_DIAGONAL };
     struct map_cells c;
 
-    (void)state;
     assert_true(csv("2147483648,1073741825,536870914,3758096387\n", 0, &c));
     cells_are(&c, 4, 1, cells);
     assert_true(csv("-2147483648,1073741825,536870914,-536870909\n", 0, &c));
@@ -98,7 +89,7 @@ static void test_csv_turns(void **state)
     assert_false(csv("268435456\n", 0, &c));  /* the flag of hexagonal maps */
 }
 
-static void test_csv_bad(void **state)
+TEST(csv_bad)
 {
     static const struct {
         const char *text;
@@ -121,7 +112,6 @@ static void test_csv_bad(void **state)
     };
     struct map_cells c;
 
-    (void)state;
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         assert_false(csv(bad[i].text, bad[i].first, &c));
         assert_string_equal(err, bad[i].said);
@@ -137,14 +127,13 @@ static void test_csv_bad(void **state)
 #define LAYER(name, data) "<layer name=\"" name "\" width=\"3\" height=\"2\">" data "</layer>\n"
 #define CSV(text)         "<data encoding=\"csv\">" text "</data>"
 
-static void test_tmx(void **state)
+TEST(tmx)
 {
     static const uint32_t cells[] = {
         1, 0, 3, 7 | MAP_FLIP_X, 8 | MAP_FLIP_Y, 9 | MAP_DIAGONAL | MAP_FLIP_X | MAP_FLIP_Y
     };
     struct map_cells c;
 
-    (void)state;
     assert_true(tmx(HEAD LAYER("a", CSV("\n1,0,3,\n2147483655,1073741832,3758096393\n")) "</map>", "", &c));
     assert_int_equal(c.side, 16);
     cells_are(&c, 3, 2, cells);
@@ -164,7 +153,7 @@ static void test_tmx(void **state)
 #define PACKED(kind, text) "<data encoding=\"base64\"" kind ">\n" text "\n</data>"
 
 /* The same cells, packed in each way. */
-static void test_tmx_packed(void **state)
+TEST(tmx_packed)
 {
     static const char *const maps[] = {
         HEAD LAYER("a", PACKED("", "AQAAAAAAAAADAAAABwAAgAgAAEAJAADg")) "</map>",
@@ -178,7 +167,6 @@ static void test_tmx_packed(void **state)
     };
     struct map_cells c;
 
-    (void)state;
     for (size_t i = 0; i < sizeof maps / sizeof *maps; i++) {
         const bool read = tmx(maps[i], "", &c);
         assert_string_equal(err, "");
@@ -192,11 +180,10 @@ static void test_tmx_packed(void **state)
 #define CHUNK(x, y, data) "<chunk x=\"" x "\" y=\"" y "\" width=\"2\" height=\"2\">" data "</chunk>"
 
 /* An infinite map is as large as its tiles need. */
-static void test_tmx_infinite(void **state)
+TEST(tmx_infinite)
 {
     struct map_cells c;
 
-    (void)state;
     assert_true(tmx(ENDLESS LAYER("a", "<data encoding=\"csv\">" CHUNK("-2", "-4", "0,0,0,1")
                                            CHUNK("0", "-4", "0,0,0,0") CHUNK("0", "-2", "0,2,3,0") "</data>") "</map>",
                     "", &c));
@@ -221,7 +208,7 @@ static void test_tmx_infinite(void **state)
 }
 
 /* What stands in a .tsx counts as if it were in the map. */
-static void test_tmx_external(void **state)
+TEST(tmx_external)
 {
     static const char map[] =
         "<map width=\"2\" height=\"1\" tilewidth=\"16\" tileheight=\"16\">"
@@ -230,7 +217,6 @@ static void test_tmx_external(void **state)
     struct map_cells c;
     char text[1024];
 
-    (void)state;
     snprintf(text, sizeof text, map, "3,0");
     assert_true(tmx_at("maps/m.tmx", text, "", &c));
     assert_true(c.tilesets == 1 && c.match_pictures && c.tileset[0].spacing == 1 && c.tileset[0].margin == 2);
@@ -251,7 +237,7 @@ static void test_tmx_external(void **state)
 }
 
 /* What is written in other words, and what is wrong where it does not show. */
-static void test_tmx_harmless(void **state)
+TEST(tmx_harmless)
 {
     static const uint32_t cells[] = { 1, 2, 3, 4, 5, 6 };
     static const char *const maps[] = {
@@ -276,7 +262,6 @@ static void test_tmx_harmless(void **state)
     };
     struct map_cells c;
 
-    (void)state;
     for (size_t i = 0; i < sizeof maps / sizeof *maps; i++) {
         const bool read = tmx(maps[i], i == 1 ? "<a\xc3\xa2&>" : "", &c);
         assert_string_equal(err, "");
@@ -293,7 +278,7 @@ static void test_tmx_harmless(void **state)
     "<map width=\"3\" height=\"2\" tilewidth=\"16\" tileheight=\"16\"><tileset firstgid=\"1\"" attributes ">" inside   \
     "</tileset>" LAYER("a", CSV("0,0,1,0,0,0")) "</map>"
 
-static void test_tmx_bad(void **state)
+TEST(tmx_bad)
 {
     static const struct {
         const char *text, *layer, *said;
@@ -456,7 +441,6 @@ static void test_tmx_bad(void **state)
     };
     struct map_cells c;
 
-    (void)state;
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         assert_false(tmx(bad[i].text, bad[i].layer, &c));
         assert_string_equal(err, bad[i].said);
@@ -491,14 +475,13 @@ static int turned(uint32_t flips, int x, int y)
     return 1 + (flips & MAP_DIAGONAL ? y + 2 * x : x + 2 * y) % 15;
 }
 
-static void test_lump(void **state)
+TEST(lump)
 {
     uint32_t cell[] = { 1, 1, 0, 2, 2 | MAP_FLIP_X, 0, 0, 0, 0, 0 };
     struct map_cells c = { .cols = 5, .rows = 2, .cell = cell, .tilesets = 1 };
     uint8_t rgb[CART_PALETTE_SIZE], *lump;
     size_t size;
 
-    (void)state;
     art_default_palette(rgb);
     struct art_picture sheet = sheet_of(rgb);
     const struct map_picture picture[MAP_MAX_TILESETS] = { { &sheet, "t.png" } };
@@ -539,7 +522,7 @@ static void test_lump(void **state)
 }
 
 /* Two pictures of tiles: in the first they are 3 px apart and 2 px from its border; tile k is all of shade k + 1. */
-static void test_lump_sheets(void **state)
+TEST(lump_sheets)
 {
     uint32_t cell[] = { 1, 4, 5, 6 };
     struct map_cells c = { .cols = 4, .rows = 1, .side = 8, .cell = cell, .tilesets = 2 };
@@ -549,7 +532,6 @@ static void test_lump_sheets(void **state)
     uint8_t rgb[CART_PALETTE_SIZE], *lump;
     size_t size;
 
-    (void)state;
     art_default_palette(rgb);
     c.tileset[0].spacing = 3;
     c.tileset[0].margin = 2;
@@ -589,14 +571,4 @@ static void test_lump_sheets(void **state)
     free(b.rgba);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_csv),          cmocka_unit_test(test_csv_turns),    cmocka_unit_test(test_csv_bad),
-        cmocka_unit_test(test_tmx),          cmocka_unit_test(test_tmx_packed),   cmocka_unit_test(test_tmx_infinite),
-        cmocka_unit_test(test_tmx_external), cmocka_unit_test(test_tmx_harmless), cmocka_unit_test(test_tmx_bad),
-        cmocka_unit_test(test_lump),         cmocka_unit_test(test_lump_sheets),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

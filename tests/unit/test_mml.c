@@ -2,14 +2,7 @@
 * test_mml.c - MML: what it compiles to, what is refused and in which words, and that no damage is more
  * than a sentence.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../src/base/bytes.h"
 #include "../../src/base/rng.h"
 #include "../../src/workbench/mml/mml.h"
@@ -69,9 +62,8 @@ static const char *events(const char *text)
 
 #define EVENTS(text, list) assert_string_equal(events(text), "0v100 " list)
 
-static void test_commands(void **state)
+TEST(commands)
 {
-    (void)state;
     EVENTS("c4", "0i0 0n60 480o 480. ");
     EVENTS("A c4 r8 d8", "0i0 0n60 480o 720n62 960o 960. ");
     EVENTS("l8 c d+ e-4. f=", "0i0 0n60 240o 240n63 480o 480n63 1200o 1200n65 1440o 1440. ");
@@ -99,9 +91,8 @@ static void test_commands(void **state)
 }
 
 /* Those beside the notes themselves: slides, strokes, grace notes, swing. */
-static void test_ornaments(void **state)
+TEST(ornaments)
 {
-    (void)state;
     EVENTS("l8 c G16 d e G0 f", "0i0 0n60 240o 240n60 240/62 480o 480n62 480/64 720o 720n65 960o 960. ");
     EVENTS("S2,16 c4 S0 d8", "0i0 0n58 0/60 480o 480n62 720o 720. ");
     EVENTS("v8 W16,-2 c8. W0 d16", "0v67 0i0 0n60 120v51 120n60 240v35 240n60 360v67 360o 360n62 480o 480. ");
@@ -125,12 +116,11 @@ static struct tune compiled(const char *text)
     return tune_of(bytes);
 }
 
-static void test_header(void **state)
+TEST(header)
 {
     struct tune t = compiled("#title The  tide\n#bar 3\n@b fm ratio=3.5 depth=2 attack=2 vibrato=20,5.5,200\n"
                              "A t99.5 @b c4 \"up\" c4 t120 c4 \"down\" c4 \"up\"\nC c4\n#echo B=A,8,-3\n");
 
-    (void)state;
     assert_string_equal(tune_title(&t), "The  tide");
     assert_int_equal(t.beats_per_bar, 3);
     assert_int_equal(t.tempo, 9950);
@@ -147,7 +137,7 @@ static void test_header(void **state)
 
 /* ---- what is refused ---- */
 
-static void test_mistakes(void **state)
+TEST(mistakes)
 {
     static const char *const list[][2] = {
         { "c7", "x.mml:1:2: a length of 1/7 is not a whole number of ticks (1920 per whole note); {{ }} divides by any "
@@ -231,7 +221,6 @@ static void test_mistakes(void **state)
         { "[[[[[c%1]255]255]255]255]255", "x.mml:1:6: more than 262144 notes and settings (with loops expanded)" },
     };
 
-    (void)state;
     for (size_t i = 0; i < sizeof list / sizeof *list; i++)
         assert_string_equal(events(list[i][0]), list[i][1]);
 }
@@ -258,9 +247,8 @@ static const char *warnings(const char *text)
 }
 
 /* At 120 a frame is 16 ticks. What is near the first note of a track takes nothing away. */
-static void test_warnings(void **state)
+TEST(warnings)
 {
-    (void)state;
     assert_string_equal(warnings("A c4 d%16 e4"), "");
     assert_string_equal(warnings("A c%15 d4"), "");
     assert_string_equal(warnings("A c4\nA [d%15 e4]3"), "x.mml:2:9: this note starts within one frame (1/60 s) of the "
@@ -271,7 +259,7 @@ static void test_warnings(void **state)
 /* ---- damage ---- */
 
 /* Ten thousand texts and tunes with some bytes changed: each is taken, and then good, or refused. */
-static void test_damage(void **state)
+TEST(damage)
 {
     static const char text[] =
         "#title Tide\n#bar 4\n#swing 16,55\n@E up 2:0,100|50\n@b fm ratio=3.5 depth=2 vibrato=20,5.5,200\n"
@@ -287,7 +275,6 @@ static void test_damage(void **state)
     char err[256];
     size_t size, tune_size;
 
-    (void)state;
     snd_tables_make(&tables);
     rng_seed(&r, 11);
     assert_true(mml_compile(text, strlen(text), "x", &settings, &out, &tune_size, err, sizeof err));
@@ -323,12 +310,4 @@ static void test_damage(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_commands), cmocka_unit_test(test_ornaments), cmocka_unit_test(test_warnings),
-        cmocka_unit_test(test_header),   cmocka_unit_test(test_mistakes),  cmocka_unit_test(test_damage),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

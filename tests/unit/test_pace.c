@@ -2,13 +2,8 @@
  * test_pace.c - 60 ticks a second on any screen: no drift, no more refreshes with two ticks or none than the rates ask
  * for, and a late host that loses what it says.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "../test.h"
 #include <math.h>
-#include <stdlib.h>
 #include "../../src/player/play/pace.h"
 #include "../../tools/pacing/simulate.h"
 
@@ -37,20 +32,18 @@ static void holds(struct simulate s, int uneven)
 }
 
 /* Some thousandths of a second of jitter make no refresh another than the rates do. */
-static void test_screens(void **state)
+TEST(screens)
 {
     static const double rates[] = { 50, 59.94, 60, 60.05, 75, 100, 119.88, 120, 143.98, 144, 165, 240 };
 
-    (void)state;
     for (size_t i = 0; i < sizeof rates / sizeof *rates; i++)
         for (int late = 0; late <= 1500; late += 500)
             holds(screen(rates[i], rates[i], late), 4);
 }
 
 /* A rate that the host tells wrong is found out: 59 for 59.94, 144 for 143.86. */
-static void test_told_wrong(void **state)
+TEST(told_wrong)
 {
-    (void)state;
     holds(screen(59.94, 59, 500), 4);
     holds(screen(59.94, 60, 500), 4);
     holds(screen(143.86, 144, 500), 4);
@@ -58,13 +51,12 @@ static void test_told_wrong(void **state)
 }
 
 /* A screen that does not wait, or is faster than it says, is waited for here: there are 60 ticks, not more. */
-static void test_does_not_wait(void **state)
+TEST(does_not_wait)
 {
     struct pace p;
     uint64_t now = 1000000;
     int ticks = 0;
 
-    (void)state;
     pace_open(&p, now);
     pace_refresh(&p, 60000, now);
     for (int calls = 0; now < 1000000 + 10 * PACE_SECOND; calls++) {
@@ -77,12 +69,11 @@ static void test_does_not_wait(void **state)
 }
 
 /* Every now and then a frame takes too long: it costs no tick. */
-static void test_stalls(void **state)
+TEST(stalls)
 {
     struct simulate s = screen(60, 60, 500);
     struct simulated r;
 
-    (void)state;
     s.stalls = 600;
     r = simulate(&s);
     assert_true(llabs(r.ticks - 60 * SECONDS) <= 3);
@@ -90,12 +81,11 @@ static void test_stalls(void **state)
 }
 
 /* Without a screen's rate a frame is due every sixtieth, to the microsecond, for ever. */
-static void test_no_screen(void **state)
+TEST(no_screen)
 {
     struct pace p;
     const uint64_t base = 12345;
 
-    (void)state;
     pace_open(&p, base);
     for (uint64_t i = 0; i < 100000; i++) {
         const uint64_t due = base + i * PACE_SECOND / 60;
@@ -109,12 +99,11 @@ static void test_no_screen(void **state)
 }
 
 /* Four ticks at most; the rest is lost, and said. */
-static void test_late(void **state)
+TEST(late)
 {
     struct pace p;
     struct pace_frame f;
 
-    (void)state;
     pace_open(&p, 0);
     assert_int_equal(pace_take(&p, 0).ticks, 1);
     f = pace_take(&p, 40000); /* those of 16666 and 33333 */
@@ -130,11 +119,10 @@ static void test_late(void **state)
 }
 
 /* Rates that no screen has are none. */
-static void test_no_rate(void **state)
+TEST(no_rate)
 {
     struct pace p;
 
-    (void)state;
     pace_open(&p, 0);
     pace_refresh(&p, 1000, 0);
     assert_int_equal(p.refresh, 0);
@@ -164,13 +152,12 @@ static uint64_t runs(struct pace *p, int refresh, uint64_t now, int ticks)
 }
 
 /* A clock that jumps, both ways and by any time: the game goes on at once, at its rate. */
-static void test_jumps(void **state)
+TEST(jumps)
 {
     static const int64_t jumps[] = { -7200000000, -1000000, 200000, 5000000, 86400000000, -86400000000 };
     static const int rates[] = { 0, 60000, 143980, 50000 };
     struct pace p;
 
-    (void)state;
     for (size_t r = 0; r < sizeof rates / sizeof *rates; r++) {
         uint64_t now = 100000000000;
         pace_open(&p, now);
@@ -186,13 +173,4 @@ static void test_jumps(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_screens), cmocka_unit_test(test_told_wrong), cmocka_unit_test(test_does_not_wait),
-        cmocka_unit_test(test_stalls),  cmocka_unit_test(test_no_screen),  cmocka_unit_test(test_late),
-        cmocka_unit_test(test_no_rate), cmocka_unit_test(test_jumps),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -1,13 +1,6 @@
 /* test_pack.c - pack.h: folders made in a temporary place, packed, looked at, and unpacked again. */
 #define _POSIX_C_SOURCE 200809L /* mkdtemp */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include <lua.h>
 #include "../../platform/platform.h"
 #include "../../src/base/bytes.h"
@@ -230,13 +223,12 @@ static struct sprite sprite(const struct rom *rom, const char *name)
     return s;
 }
 
-static void test_smallest(void **state)
+TEST(smallest)
 {
     struct rom_image image;
     struct cart cart;
     char want[32] = "pack_";
 
-    (void)state;
     put_game("return {}");
     image = packed(false);
     assert_true(cart_open(&cart, &image.rom, err, sizeof err));
@@ -253,11 +245,10 @@ static void test_smallest(void **state)
     assert_null(image.bytes);
 }
 
-static void test_what_goes_in(void **state)
+TEST(what_goes_in)
 {
     struct rom_image image;
 
-    (void)state;
     put_game("\xef\xbb\xbfreturn { entry = 'boot/start' }");
     put_text("boot/start.lua", "\xef\xbb\xbfreturn 7");
     put_text("stages/deep/one.lua", "return 1");
@@ -284,11 +275,10 @@ static void test_what_goes_in(void **state)
     rom_image_free(&image);
 }
 
-static void test_same_bytes(void **state)
+TEST(same_bytes)
 {
     struct rom_image a, b;
 
-    (void)state;
     put_game("return { sheets = { s = { file = 's.png', bank = 3 } },"
              "  sprites = { a = { sheet = 's', w = 2, h = 1, rotations = 7 }, b = { sheet = 's', w = 1, h = 1 } } }");
     put_sheet("s.png", (const char *const[]){ "ab" }, 2, 1);
@@ -331,9 +321,8 @@ static const char every[] =
     "bg boot boss choose figure game hud menu mission path pattern prelude say scoring stage sweep talk trail unlock";
 
 /* A module is in the ROM when a script of the game names it, or a module that is. */
-static void test_modules(void **state)
+TEST(modules)
 {
-    (void)state;
     put_game("return {}");
     assert_string_equal(modules_of("-- pattern, boss\nlocal s = 'path' print(s.stage, s:menu()) s.hud = 1"), "");
     assert_string_equal(modules_of("wait_until(print)"), "prelude");
@@ -363,11 +352,10 @@ static void test_modules(void **state)
 }
 
 /* A module of the game's own is in the ROM unasked, and what it names too; it is the library's name it has. */
-static void test_std(void **state)
+TEST(std)
 {
     struct rom_image image;
 
-    (void)state;
     put_game("return {}");
     put_text("std/menu.lua", "return 'mine', path");
     image = packed(false);
@@ -380,11 +368,10 @@ static void test_std(void **state)
 }
 
 /* A piece is in the ROM with its module, and the game's own in its stead; a game without the module has none. */
-static void test_pieces(void **state)
+TEST(pieces)
 {
     struct rom_image image;
 
-    (void)state;
     put_game("return {}");
     put_text("main.lua", "return wait_until");
     image = packed(false);
@@ -403,11 +390,10 @@ static void test_pieces(void **state)
 }
 
 /* The library's files are the modules that the board knows and their pieces. */
-static void test_library(void **state)
+TEST(library)
 {
     int pieces = 0;
 
-    (void)state;
     for (int k = 0; k < std_script_count; k++)
         pieces += std_module_of_file(std_scripts[k].name) >= 0;
     assert_int_equal(std_script_count, STD_MODULE_COUNT + pieces);
@@ -466,9 +452,8 @@ static struct price price_of(const char *text)
 }
 
 /* A game that names no module pays for none: neither in the ROM, nor in Lua's memory, nor at load. */
-static void test_price(void **state)
+TEST(price)
 {
-    (void)state;
     put_game("return {}");
     struct price none = price_of("local t = 'pattern path stage boss hud menu boot'");
     struct price one = price_of("local t = pattern");
@@ -490,13 +475,12 @@ static void fails(struct bed *t, const char *line, const char *want)
 }
 
 /* A line that is typed while the game runs may name a module that the ROM does not have. */
-static void test_not_here(void **state)
+TEST(not_here)
 {
     const char *missing =
         "undeclared global \"pattern\" (not packed in this ROM; a library module is packed if a script names it)";
     char out[EVAL_TEXT_SIZE];
 
-    (void)state;
     put_palette("p.png");
     put_game("return { palette = 'p.png', sheets = { s = { file = 's.png', bank = 3 } },"
              "  sprites = { a = { sheet = 's', w = 2, h = 1 } } }");
@@ -518,11 +502,10 @@ static void test_not_here(void **state)
 }
 
 /* The globals that modules bind are those that std_module_of_global knows, and no others. */
-static void test_globals(void **state)
+TEST(globals)
 {
     int bound = 0;
 
-    (void)state;
     put_game("return {}");
     struct bed none = bed_open("local t = 1"), all = bed_open("local t = _G");
     lua_State *L = all.b->vm.L, *M = none.b->vm.L;
@@ -541,12 +524,11 @@ static void test_globals(void **state)
     bed_close(&all);
 }
 
-static void test_palette(void **state)
+TEST(palette)
 {
     struct rom_image image;
     struct lump l;
 
-    (void)state;
     put_game("return { palette = 'art/p.png', palettes = { dusk = 'art/p.png' } }");
     put_palette("art/p.png");
     image = packed(false);
@@ -558,12 +540,11 @@ static void test_palette(void **state)
 }
 
 /* Same palette, same tables; and the table is that of the game's palette. */
-static void test_blends(void **state)
+TEST(blends)
 {
     struct rom_image image, again;
     struct lump l;
 
-    (void)state;
     put_game("return { palette = 'p.png', blends = { glow = 'add', ghost = { mix = 30 } } }");
     put_palette("p.png");
     image = packed(false);
@@ -593,12 +574,11 @@ static void put_turned(const char *name)
 
 /* A palette has tables of its own where they differ from those of the first; one of the same colours, and a blend of
  * ramps, have none. */
-static void test_own_tables(void **state)
+TEST(own_tables)
 {
     struct rom_image image;
     uint8_t *table = malloc(CART_BLEND_SIZE), shades[CART_SHADES_SIZE];
 
-    (void)state;
     put_game("return { palette = 'p.png', palettes = { dusk = 'd.png', same = 'p.png' },"
              "  blends = { glow = 'add', ramp = { ramp = 'add' } } }");
     put_palette("p.png");
@@ -636,9 +616,8 @@ static void shown_as(const char *lines, const char *palette)
     bed_close(&t);
 }
 
-static void test_loaded(void **state)
+TEST(loaded)
 {
-    (void)state;
     put_game("return { palette = 'p.png', palettes = { dusk = 'd.png' }, blends = { glow = 'add' },"
              "  maps = { m = { tiles = 's.png', bank = 3, rows = { { 1 } } } } }");
     put_palette("p.png");
@@ -658,13 +637,12 @@ static const char art_manifest[] =
     "return { palette = 'p.png', sheets = { s = { file = 'art/s.png', bank = 3 } }, sprites = {\n"
     "  two = { sheet = 's', x = 1, y = 1, w = 3, h = 2, frames = 2, every = 9, origin = { -1, 2 } } } }";
 
-static void test_sprite(void **state)
+TEST(sprite)
 {
     static const uint8_t want[4][8] = { { 0x31, 0, 0x33 }, { 0x3f }, { 0, 0x35 }, { 0, 0, 0x31 } };
     struct rom_image image;
     struct sprite s;
 
-    (void)state;
     put_game(art_manifest);
     put_palette("p.png");
     put_sheet("art/s.png", (const char *const[]){ "########", "#a.c.e.#", "#o....b#" }, 8, 3);
@@ -683,11 +661,10 @@ static void test_sprite(void **state)
     rom_image_free(&image);
 }
 
-static void test_half_transparent(void **state)
+TEST(half_transparent)
 {
     struct rom_image image;
 
-    (void)state;
     put_game(art_manifest);
     put_palette("p.png");
     put_sheet("art/s.png", (const char *const[]){ "........", ".~~~~~~.", ".~~~~~d." }, 8, 3);
@@ -697,11 +674,10 @@ static void test_half_transparent(void **state)
     rom_image_free(&image);
 }
 
-static void test_foreign_colour(void **state)
+TEST(foreign_colour)
 {
     struct rom_image image;
 
-    (void)state;
     put_game(art_manifest);
     put_palette("p.png");
     put_sheet("art/s.png", (const char *const[]){ "........", ".aaaaaa.", ".aaaa#a." }, 8, 3);
@@ -727,7 +703,7 @@ static int map_shade(const struct rom *rom, const char *name, int i)
     "<layer width='2' height='1'><data encoding='csv'>" cells "</data></layer></map>"
 
 /* A map's tilesets are in files of their own, and its tiles on several pictures. */
-static void test_maps(void **state)
+TEST(maps)
 {
     static const char *const one[] = { "ccccccccccccccccccc", "cddddddddcaaaaaaaac", "cddddddddcaaaaaaaac",
                                        "cddddddddcaaaaaaaac", "cddddddddcaaaaaaaac", "cddddddddcaaaaaaaac",
@@ -737,7 +713,6 @@ static void test_maps(void **state)
                                               "eeeeeeee", "eeeeeeee", "eeeeeeee", "eeeeee#e" };
     struct rom_image image;
 
-    (void)state;
     put_palette("p.png");
     put_sheet("art/one.png", one, 19, 10);
     put_sheet("art/two.png", two, 8, 8);
@@ -791,12 +766,11 @@ static uint8_t at(const struct sprite *s, int i, int x, int y)
 }
 
 /* Quarter turns keep every pixel; about the anchor's pixel when it is named, and clockwise. */
-static void test_turned(void **state)
+TEST(turned)
 {
     struct rom_image image;
     struct sprite s;
 
-    (void)state;
     put_game("return { palette = 'p.png', sheets = { s = { file = 's.png', bank = 3 } }, sprites = {\n"
              "  pin = { sheet = 's', w = 4, h = 1, frames = 2, rotations = 4, origin = { 0, 0 } },\n"
              "  odd = { sheet = 's', x = 0, w = 3, h = 1, rotations = 4 } } }");
@@ -827,12 +801,11 @@ static void test_turned(void **state)
 }
 
 /* Sizes: frames stay, the anchor's pixel too; what is turned is turned at its size. */
-static void test_sized(void **state)
+TEST(sized)
 {
     struct rom_image image;
     struct sprite s;
 
-    (void)state;
     put_game("return { palette = 'p.png', sheets = { s = { file = 's.png', bank = 3 } }, sprites = {\n"
              "  two = { sheet = 's', w = 2, h = 2, frames = 2, every = 9, sizes = { 300, 50 } },\n"
              "  pin = { sheet = 's', w = 4, h = 2, rotations = 4, origin = { 0, -1 }, sizes = { 200, 300 } } } }");
@@ -863,11 +836,10 @@ static void test_sized(void **state)
 }
 
 /* Two sheets with a sprite each, one of nothing at all, turned: a picture of one empty pixel. */
-static void test_two_sheets(void **state)
+TEST(two_sheets)
 {
     struct rom_image image;
 
-    (void)state;
     put_game(
         "return { palette = 'p.png', sheets = { s = { file = 's.png', bank = 3 }, t = { file = 't.png', bank = 3 } },"
         "  sprites = { a = { sheet = 't', w = 1, h = 1 }, b = { sheet = 's', w = 2, h = 1, rotations = 3 } } }");
@@ -882,12 +854,11 @@ static void test_two_sheets(void **state)
 }
 
 /* All turns lie inside the picture: as many pixels as the sprite has, about. */
-static void test_many_turns(void **state)
+TEST(many_turns)
 {
     struct rom_image image;
     struct sprite s;
 
-    (void)state;
     put_game("return { palette = 'p.png', sheets = { s = { file = 's.png', bank = 3 } }, sprites = {\n"
              "  bar = { sheet = 's', w = 16, h = 4, rotations = 64 } } }");
     put_palette("p.png");
@@ -906,13 +877,12 @@ static void test_many_turns(void **state)
     rom_image_free(&image);
 }
 
-static void test_font(void **state)
+TEST(font)
 {
     static uint32_t argb[128 * 16];
     struct rom_image image;
     struct lump l;
 
-    (void)state;
     argb[8 * 128 + 9] = 0xff000005; /* cell 17, that is character 49, pixel 1,0 */
     put_game("return { palette = 'p.png', font = 'font.png' }");
     put_palette("p.png");
@@ -933,9 +903,8 @@ static void test_font(void **state)
     refused("font.png: 128x12 pixels, expected 128 wide and 8 to 112 high: cells of 8x8, 16 per row");
 }
 
-static void test_art_errors(void **state)
+TEST(art_errors)
 {
-    (void)state;
     put_game("return { palette = 'art/p.png' }");
     refused("rom.lua:1: art/p.png does not exist");
     put_game("return {\n -- font = 'art/p.png'\n font = 'art/p.pngx', palette =\n\"art/p.png\" }");
@@ -957,9 +926,8 @@ static void test_art_errors(void **state)
     refused("s.png: sprite \"a\": 1 frames of 1x1 at 0,1 do not fit in the sheet of 2x1 pixels");
 }
 
-static void test_too_large_turned(void **state)
+TEST(too_large_turned)
 {
-    (void)state;
     put_game("return { palette = 'p.png', sheets = { s = { file = 's.png', bank = 3 } }, sprites = {"
              "  a = { sheet = 's', w = 2, h = 1, rotations = 2, origin = { 1000, 0 } } } }");
     put_palette("p.png");
@@ -969,9 +937,8 @@ static void test_too_large_turned(void **state)
     assert_non_null(strstr(err, " pixels when rotated, expected at most 1024 in each direction"));
 }
 
-static void test_too_large(void **state)
+TEST(too_large)
 {
-    (void)state;
     put_game("return { palette = 'p.png', sheets = { s = { file = 's.png', bank = 3 } }, sprites = {"
              "  a = { sheet = 's', w = 16, h = 1, rotations = 256, frames = 256, origin = { 64, 64 } } } }");
     put_palette("p.png");
@@ -982,11 +949,10 @@ static void test_too_large(void **state)
 }
 
 /* The id follows the folder's name, however it is spelled. */
-static void test_id(void **state)
+TEST(id)
 {
     static const char *const spelled[] = { "My-Game", "My-Game/", "My-Game//", "x/../My-Game", "My-Game/." };
 
-    (void)state;
     put_text("My-Game/rom.lua", "return {}");
     put_text("My-Game/main.lua", "");
     put_text("x/y", "");
@@ -1002,11 +968,10 @@ static void test_id(void **state)
     }
 }
 
-static void test_errors(void **state)
+TEST(errors)
 {
     char want[PATH + 64];
 
-    (void)state;
     refused("rom.lua: no such file");
     put_text("rom.lua", "return { bord = {} }");
     refused("rom.lua: bord: unknown key (did you mean \"board\"?)");
@@ -1040,11 +1005,10 @@ static void test_errors(void **state)
     *strrchr(dir, '/') = '\0';
 }
 
-static void test_long_name(void **state)
+TEST(long_name)
 {
     char name[160] = "stages/", want[300];
 
-    (void)state;
     put_game("return {}");
     memset(name + 7, 'n', 120);
     strcpy(name + 127, ".lua");
@@ -1053,11 +1017,10 @@ static void test_long_name(void **state)
     refused(want);
 }
 
-static void test_long_text(void **state)
+TEST(long_text)
 {
     static char text[MAX_TEXT + 2];
 
-    (void)state;
     put_game("return {}");
     memset(text, 'a', MAX_TEXT);
     put_text("lines.txt", text);
@@ -1068,12 +1031,11 @@ static void test_long_text(void **state)
     refused("lines.txt: expected text of at most 65536 bytes, got 65537");
 }
 
-static void test_load(void **state)
+TEST(load)
 {
     struct rom_image folder, file;
     char path[PATH + 16], want[PATH + 128];
 
-    (void)state;
     put_game("return { title = 'T' }");
     folder = packed(false);
     snprintf(path, sizeof path, "%s/game.rom", dir);
@@ -1115,13 +1077,12 @@ static void add_line(void *user, const char *line)
     strcat(user, "\n");
 }
 
-static void test_list(void **state)
+TEST(list)
 {
     const struct lump lumps[] = { { "data/a.txt", (const uint8_t *)"123456789", 9 }, { "gfx/b", NULL, 0 } };
     struct rom_image image = loose(lumps, 2);
     char text[200] = "";
 
-    (void)state;
     pack_list(&image.rom, add_line, text);
     assert_string_equal(text, "data/a.txt 9 cbf43926\ngfx/b 0 00000000\n");
     rom_image_free(&image);
@@ -1138,12 +1099,11 @@ static void assert_file(const char *name, const struct lump *l)
 }
 
 /* Every lump is a file again, byte for byte, under the name this says. */
-static void test_unpack(void **state)
+TEST(unpack)
 {
     struct rom_image image;
     char out[PATH + 8];
 
-    (void)state;
     put_game(
         "return { sheets = { s = { file = 's.png', bank = 3 } }, sprites = { orb = { sheet = 's', w = 2, h = 1 } } }");
     put_sheet("s.png", (const char *const[]){ ".." }, 2, 1);
@@ -1174,7 +1134,7 @@ static void test_unpack(void **state)
     rom_image_free(&image);
 }
 
-static void test_unpack_refuses(void **state)
+TEST(unpack_refuses)
 {
     static const char *const names[] = { "script/../evil.lua",
                                          "data/a/../../evil.txt",
@@ -1187,7 +1147,6 @@ static void test_unpack_refuses(void **state)
                                          "demo/x/" };
     char want[256], out[PATH + 8];
 
-    (void)state;
     snprintf(out, sizeof out, "%s/out", dir);
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
         struct lump lumps[] = { { "aaa", (const uint8_t *)"x", 1 }, { names[i], (const uint8_t *)"x", 1 } };
@@ -1210,46 +1169,4 @@ static void test_unpack_refuses(void **state)
     rom_image_free(&image);
 }
 
-#define TEST(f) cmocka_unit_test_setup_teardown(f, new_folder, drop_folder)
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(test_smallest),
-        TEST(test_what_goes_in),
-        TEST(test_maps),
-        TEST(test_same_bytes),
-        TEST(test_std),
-        TEST(test_palette),
-        TEST(test_blends),
-        TEST(test_own_tables),
-        TEST(test_loaded),
-        TEST(test_sprite),
-        TEST(test_half_transparent),
-        TEST(test_foreign_colour),
-        TEST(test_turned),
-        TEST(test_two_sheets),
-        TEST(test_too_large),
-        TEST(test_id),
-        TEST(test_many_turns),
-        TEST(test_font),
-        TEST(test_art_errors),
-        TEST(test_too_large_turned),
-        TEST(test_errors),
-        TEST(test_long_name),
-        TEST(test_long_text),
-        TEST(test_load),
-        TEST(test_list),
-        TEST(test_unpack),
-        TEST(test_unpack_refuses),
-        TEST(test_pieces),
-        TEST(test_modules),
-        TEST(test_library),
-        TEST(test_price),
-        TEST(test_globals),
-        TEST(test_not_here),
-        TEST(test_sized),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS_EACH(new_folder, drop_folder)

@@ -2,14 +2,7 @@
  * test_pack_font.c - fonts on their way into a ROM: which characters a script shows, BDF files and each way in which
  * one is refused, pictures with a grid of cells, shadows, and the lump.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../src/base/bytes.h"
 #include "../../src/rom/face.h"
 #include "../../src/workbench/pack/bdf.h"
@@ -27,13 +20,12 @@ static int count(void)
     return n;
 }
 
-static void test_set(void **state)
+TEST(set)
 {
     static const char script[] =
         "local a = 'x\xc3\xa9' -- \xc3\xa4 is not shown\n--[[ nor\n\xc3\xb6 ]] local b = \"\\\"--\\u{5f3e}\\\\\"\n"
         "--[==[ ]] \xc3\xbc ]==] c = [[\xe5\xb9\x95]] d = '\\'\xc3\x9f";
 
-    (void)state;
     memset(&set, 0, sizeof set);
     pack_font_add_script(&set, script, sizeof script - 1);
     assert_true(pack_font_has(&set, 0xe9) && pack_font_has(&set, 0x5f3e) && pack_font_has(&set, 0x5e55) &&
@@ -59,7 +51,7 @@ static void test_set(void **state)
     "CHARSET_REGISTRY \"ISO10646\"\nENDPROPERTIES\nCHARS 3\n"
 #define LETTER_A "STARTCHAR A\nENCODING 65\nSWIDTH 1 0\nDWIDTH 5 0\nBBX 4 3 -1 0\nBITMAP\n90\n60\nF0\nENDCHAR\n"
 
-static void test_bdf(void **state)
+TEST(bdf)
 {
     static const char text[] =
         HEAD "STARTCHAR dan\r\nENCODING 24382\r\nDWIDTH 9 0\r\nBBX 9 1 0 -2\r\nBITMAP\r\n8080\r\nENDCHAR\r\n" LETTER_A
@@ -67,7 +59,6 @@ static void test_bdf(void **state)
              "STARTCHAR B\nENCODING 66\nDWIDTH 5 0\nBBX 1 1 0 0\nBITMAP\n80\nENDCHAR\n"
              "STARTCHAR space\nENCODING 32\nDWIDTH 3 0\nBBX 0 0 0 0\nBITMAP\nENDCHAR\nENDFONT\n";
 
-    (void)state;
     memset(&set, 0, sizeof set);
     pack_font_add_text(&set, " A\xe5\xbc\xbe\xe5\xb9\x95", 8);
     if (!bdf_read(&f, text, sizeof text - 1, &set, err, sizeof err))
@@ -109,9 +100,8 @@ static void refused(const char *text, const char *want)
     free(copy);
 }
 
-static void test_bdf_refused(void **state)
+TEST(bdf_refused)
 {
-    (void)state;
     memset(&set, 0xff, sizeof set);
     refused("", "line 0: expected STARTFONT: not a BDF file");
     refused("\x89PNG", "line 1: expected STARTFONT: not a BDF file");
@@ -177,9 +167,8 @@ static uint32_t code_by(const char *registry, const char *encoding, const char *
 }
 
 /* Registry and encoding together say what the numbers are. */
-static void test_bdf_charset(void **state)
+TEST(bdf_charset)
 {
-    (void)state;
     memset(&set, 0xff, sizeof set);
     assert_int_equal(code_by("ISO10646", "1", DOT("x", "261")), 261);
     assert_int_equal(code_by("iso10646", "", DOT("x", "261")), 261);
@@ -221,7 +210,7 @@ static void test_bdf_charset(void **state)
 }
 
 /* What the head says once holds for all characters. */
-static void test_bdf_head(void **state)
+TEST(bdf_head)
 {
     static const char *const heads[] = {
         "DWIDTH 6 0\n" BOX "FONT_ASCENT 6\nFONT_DESCENT 2\n",
@@ -232,7 +221,6 @@ static void test_bdf_head(void **state)
     };
     char text[1024];
 
-    (void)state;
     memset(&set, 0xff, sizeof set);
     for (size_t i = 0; i < sizeof heads / sizeof *heads; i++) {
         snprintf(
@@ -252,7 +240,7 @@ static void test_bdf_head(void **state)
 }
 
 /* Of greys, 0 is nothing and the greatest is ink. */
-static void test_bdf_greys(void **state)
+TEST(bdf_greys)
 {
     static const struct {
         const char *head, *row, *shades;
@@ -264,7 +252,6 @@ static void test_bdf_greys(void **state)
     };
     char text[512];
 
-    (void)state;
     memset(&set, 0xff, sizeof set);
     for (size_t i = 0; i < sizeof greys / sizeof *greys; i++) {
         snprintf(text, sizeof text,
@@ -279,14 +266,13 @@ static void test_bdf_greys(void **state)
 }
 
 /* A picture of two cells of 4 x 3 px, in bank 0 of the standard palette. */
-static void test_cells(void **state)
+TEST(cells)
 {
     static const char *const dots[] = { ".#..#...", ".##.#...", "........" };
     static uint8_t rgb[CART_PALETTE_SIZE], rgba[8 * 3 * 4];
     static struct art_font font = { .w = 4, .h = 3, .chars = "\xc3\xa9i " };
     struct art_picture picture = { .rgba = rgba, .w = 8, .h = 3 };
 
-    (void)state;
     memset(&set, 0xff, sizeof set);
     art_default_palette(rgb);
     for (int i = 0; i < 24; i++)
@@ -333,11 +319,10 @@ static void spoilt(size_t at, uint8_t v, const char *want)
     free(lump);
 }
 
-static void test_lump(void **state)
+TEST(lump)
 {
     struct face face;
 
-    (void)state;
     assert_false(face_open(&face, (const uint8_t *)"1234567", 7, err, sizeof err));
     spoilt(0, 0, "its header is out of range");
     spoilt(1, 1, "its header is out of range");
@@ -358,12 +343,4 @@ static void test_lump(void **state)
     spoilt(64, 255, "glyph 1 is out of range");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_set),         cmocka_unit_test(test_bdf),      cmocka_unit_test(test_bdf_refused),
-        cmocka_unit_test(test_bdf_charset), cmocka_unit_test(test_bdf_head), cmocka_unit_test(test_bdf_greys),
-        cmocka_unit_test(test_cells),       cmocka_unit_test(test_lump),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -1,10 +1,5 @@
 /* test_pad_modes.c - sequences of held buttons, and the pads computed from them. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../src/base/rng.h"
 #include "../../src/player/input/pad_modes.h"
 
@@ -62,11 +57,10 @@ static void power(void)
 }
 
 /* With everything off the pads are what is held, whatever went before. */
-static void off_is_off(void **state)
+TEST(off_is_off)
 {
     struct rng r;
 
-    (void)state;
     rng_seed(&r, 7);
     pad_modes_resume(&p, PAD_ALL);
     for (int i = 0; i < 20000; i++) {
@@ -79,11 +73,10 @@ static void off_is_off(void **state)
 }
 
 /* A mode touches its own button alone, and nothing when the player does not play. */
-static void no_other_button_changes(void **state)
+TEST(no_other_button_changes)
 {
     struct rng r;
 
-    (void)state;
     rng_seed(&r, 8);
     power();
     for (int i = 0; i < 20000; i++) {
@@ -98,9 +91,8 @@ static void no_other_button_changes(void **state)
     }
 }
 
-static void fire_in_bursts(void **state)
+TEST(fire_in_bursts)
 {
-    (void)state;
     power();
     ticks(&autofire, "..FFFFFFFFFF..F..FFFFF", "..FF..FF..FF..F..FF..F");
     /* Focus comes and goes meanwhile. */
@@ -110,9 +102,8 @@ static void fire_in_bursts(void **state)
     assert_int_equal(AUTOFIRE_ON + AUTOFIRE_OFF, 60 / 15);
 }
 
-static void focus_is_switched(void **state)
+TEST(focus_is_switched)
 {
-    (void)state;
     power();
     ticks(&toggle, ".f..f..f.F.fff.", ".fff...ff+f....");
     /* A pause menu has focus as a button, and afterwards it is as it was: a press there is no switch. */
@@ -122,9 +113,8 @@ static void focus_is_switched(void **state)
     ticks(&toggle, ".f._._._f_._F..", ".ffff..F..");
 }
 
-static void focus_over_a_power_on(void **state)
+TEST(focus_over_a_power_on)
 {
-    (void)state;
     power();
     ticks(&toggle, ".f..", ".fff");
     pad_modes_resume(&p, 0); /* focus held through it: neither on nor a press */
@@ -132,9 +122,8 @@ static void focus_over_a_power_on(void **state)
 }
 
 /* Time is turned to where focus was on, or off. */
-static void focus_over_a_rewind(void **state)
+TEST(focus_over_a_rewind)
 {
-    (void)state;
     power();
     ticks(&toggle, ".f..f..", ".fff...");
     pad_modes_resume(&p, PAD_FOCUS);
@@ -144,17 +133,15 @@ static void focus_over_a_rewind(void **state)
 }
 
 /* The window lost the keyboard: everything is let go, and what is switched stays. */
-static void focus_over_a_loss_of_the_window(void **state)
+TEST(focus_over_a_loss_of_the_window)
 {
-    (void)state;
     power();
     ticks(&toggle, ".f.......f", ".ffffffff.");
     ticks(&one_hand, "LL.......", "**FFFFFFF");
 }
 
-static void fire_holds_itself(void **state)
+TEST(fire_holds_itself)
 {
-    (void)state;
     power();
     /* From the first move on, also standing; a press of fire lets it go for a tick, and is then a press. */
     ticks(&one_hand, "..LL...FFF...L.", "..**FFF.FF...*F");
@@ -165,22 +152,20 @@ static void fire_holds_itself(void **state)
     ticks(&one_hand, "._L_._F_._L.L", "FL.F.L.*");
 }
 
-static void one_hand_in_bursts(void **state)
+TEST(one_hand_in_bursts)
 {
     const struct pad_modes both = { .autofire = true, .one_hand = true };
 
-    (void)state;
     power();
     ticks(&both, ".L......", ".*F..FF.");
 }
 
 /* A late frame gives the same buttons to several ticks: nothing is switched twice, and bursts go on in ticks. */
-static void several_ticks_a_poll(void **state)
+TEST(several_ticks_a_poll)
 {
     static const struct pad_modes all = { true, true, true };
     uint16_t got[6];
 
-    (void)state;
     power();
     for (int i = 0; i < 6; i++)
         got[i] = pad_modes_tick(&p, &all, flies, PAD_FOCUS | PAD_FIRE);
@@ -188,19 +173,4 @@ static void several_ticks_a_poll(void **state)
         assert_int_equal(got[i], i % 4 < 2 ? PAD_FOCUS | PAD_FIRE : PAD_FOCUS);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(off_is_off),
-        cmocka_unit_test(no_other_button_changes),
-        cmocka_unit_test(fire_in_bursts),
-        cmocka_unit_test(focus_is_switched),
-        cmocka_unit_test(focus_over_a_power_on),
-        cmocka_unit_test(focus_over_a_rewind),
-        cmocka_unit_test(focus_over_a_loss_of_the_window),
-        cmocka_unit_test(fire_holds_itself),
-        cmocka_unit_test(one_hand_in_bursts),
-        cmocka_unit_test(several_ticks_a_poll),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -1,12 +1,6 @@
 /* test_page.c - messages to be read: all of a text can be got to, on any picture, and nothing is drawn twice. */
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../src/base/rng.h"
 #include "../../src/player/overlay/page.h"
 
@@ -72,7 +66,7 @@ static void lines(char *text, int n)
 }
 
 /* A short message covers what it needs, and the picture is seen below. */
-static void short_ones_leave_the_picture(void **state)
+TEST(short_ones_leave_the_picture)
 {
     struct bed *b = *state;
     struct page p = { "title", "what happened", "", "what to do", 0, -1 };
@@ -89,7 +83,7 @@ static void short_ones_leave_the_picture(void **state)
 }
 
 /* Title and foot stay, and from the top to the end each line is seen. */
-static void long_ones_scroll(void **state)
+TEST(long_ones_scroll)
 {
     static const int sizes[][2] = { { 240, 320 }, { 320, 240 }, { 384, 448 }, { 64, 64 } };
     struct bed *b = *state;
@@ -115,7 +109,7 @@ static void long_ones_scroll(void **state)
 }
 
 /* The last line is seen where it is scrolled to, and not before. */
-static void the_end_is_reached(void **state)
+TEST(the_end_is_reached)
 {
     struct bed *b = *state;
     char text[400];
@@ -137,7 +131,7 @@ static void the_end_is_reached(void **state)
     }
 }
 
-static void the_second_part_is_fainter(void **state)
+TEST(the_second_part_is_fainter)
 {
     struct bed *b = *state;
     struct page p = { "", "", "stack", "", 0, 0 };
@@ -148,7 +142,7 @@ static void the_second_part_is_fainter(void **state)
     assert_true(ink(b, CANVAS_GREY, 0, 15) > 20);
 }
 
-static void anything_ends(void **state)
+TEST(anything_ends)
 {
     struct bed *b = *state;
     struct rng r;
@@ -169,12 +163,4 @@ static void anything_ends(void **state)
     }
 }
 
-int main(void)
-{
-#define TEST(f) cmocka_unit_test_setup_teardown(f, bed_open, bed_close)
-    const struct CMUnitTest tests[] = {
-        TEST(short_ones_leave_the_picture), TEST(long_ones_scroll), TEST(the_end_is_reached),
-        TEST(the_second_part_is_fainter),   TEST(anything_ends),
-    };
-    return cmocka_run_group_tests(tests, 0, 0);
-}
+RUN_TESTS_EACH(bed_open, bed_close)

@@ -2,14 +2,7 @@
  * test_picture.c - quarter turns, places, sizes, the look of a tube, borders, and the window made of them: every pixel
  * of what each must be, and nothing outside of the memory it has, at odd sizes.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
+#include "../test.h"
 #include "../../src/base/rng.h"
 #include "../../src/player/picture/compose.h"
 
@@ -28,9 +21,8 @@ static void draw(void)
 
 /* ---- quarter turns ---- */
 
-static void test_to_and_fro(void **state)
+TEST(to_and_fro)
 {
-    (void)state;
     draw();
     for (enum rotation t = ROTATION_NONE; t < ROTATIONS; t++) {
         uint8_t rotated[W * H], back[W * H];
@@ -53,12 +45,11 @@ static void test_to_and_fro(void **state)
 }
 
 /* Left: what was at the top is at the left. */
-static void test_which_way(void **state)
+TEST(which_way)
 {
     int x = W - 1, y = 0;
     struct area a;
 
-    (void)state;
     rotation_point(ROTATION_LEFT, W, H, &x, &y);
     assert_true(x == 0 && y == 0);
     x = 0, y = 0;
@@ -82,9 +73,8 @@ static struct place_options want_place(int i, enum rotation t, bool smooth, bool
 }
 
 /* Every pixel of a window is one of the picture's or none, and neighbours there are the same or neighbours here. */
-static void test_points(void **state)
+TEST(points)
 {
-    (void)state;
     for (int i = 0; i < WINDOWS; i++)
         for (int t = 0; t < 2 * ROTATIONS; t++) {
             const struct place_options options = want_place(i, (enum rotation)(t / 2), t % 2, false);
@@ -105,12 +95,11 @@ static void test_points(void **state)
         }
 }
 
-static void test_places(void **state)
+TEST(places)
 {
     struct place_options options = { 640, 480, 240, 320, ROTATION_NONE, false, false };
     struct placed p = place(&options);
 
-    (void)state;
     assert_true(p.picture.x == 200 && p.picture.y == 80 && p.picture.w == 240 && p.picture.h == 320 && !p.side.w);
     options.rotation = ROTATION_LEFT;
     p = place(&options);
@@ -133,9 +122,8 @@ static void test_places(void **state)
 
 /* ---- sizes ---- */
 
-static void test_sizes(void **state)
+TEST(sizes)
 {
-    (void)state;
     for (int small = 1; small < 60; small += 7)
         for (int large = 1; large < 400; large += 3) {
             struct scale_axis a;
@@ -152,14 +140,13 @@ static void test_sizes(void **state)
 }
 
 /* Three pixels of four: the second one is a third of the first and two of the second, and so on. */
-static void test_shares(void **state)
+TEST(shares)
 {
     static const uint16_t from[] = { 0, 0, 1, 2 }, share[] = { 0, 170, 85, 0 };
     static const uint32_t row[] = { 0x000000, 0xFF8000, 0x0080FF };
     uint32_t out[4];
     struct scale_axis a;
 
-    (void)state;
     assert_true(scale_open(&a, 3, 4));
     assert_memory_equal(a.from, from, sizeof from);
     assert_memory_equal(a.share, share, sizeof share);
@@ -173,12 +160,11 @@ static void test_shares(void **state)
 }
 
 /* Squares stay squares: of a pixel's columns at most one at either end is mixed. */
-static void test_edges(void **state)
+TEST(edges)
 {
     struct scale_axis a;
     int mixed[W + 1] = { 0 };
 
-    (void)state;
     assert_true(scale_open(&a, W, W * 7 / 2));
     for (int i = 0; i < a.n; i++)
         mixed[a.from[i]] += a.share[i] > 0;
@@ -189,9 +175,8 @@ static void test_edges(void **state)
 
 /* ---- the tube ---- */
 
-static void test_lines(void **state)
+TEST(lines)
 {
-    (void)state;
     for (int scale = 2; scale < 9; scale++) {
         int least = 256, most = 0, sum = 0;
         for (int y = 0; y < scale; y++) {
@@ -208,11 +193,10 @@ static void test_lines(void **state)
     assert_int_equal(crt_line(3, 100, 199).dark, 256); /* too small for lines */
 }
 
-static void test_tube_bytes(void **state)
+TEST(tube_bytes)
 {
     uint32_t row[256], mask[256], lifted[256], greys[256];
 
-    (void)state;
     for (uint32_t i = 0; i < 256; i++)
         greys[i] = i * 0x010101;
     crt_colours(lifted, greys);
@@ -247,13 +231,12 @@ static void draw_art(void)
         }
 }
 
-static void test_border(void **state)
+TEST(border)
 {
     struct border b;
     char err[128] = "";
     static uint32_t out[100 * 80];
 
-    (void)state;
     draw_art();
     assert_true(border_open(&b, art, BW, BH, err, sizeof err));
     assert_true(b.hole.x == 12 && b.hole.y == 4 && b.hole.w == 8 && b.hole.h == 10);
@@ -275,13 +258,12 @@ static void test_border(void **state)
 }
 
 /* Art that is as large as the window is shown as it is. */
-static void test_border_as_it_is(void **state)
+TEST(border_as_it_is)
 {
     static uint32_t out[BW * BH];
     struct border b;
     char err[128];
 
-    (void)state;
     for (int i = 0; i < 4 * BW * BH; i++)
         art[i] = i % 4 == 3 ? 255 : (uint8_t)(i * 31);
     for (int y = 4; y < 14; y++)
@@ -295,9 +277,8 @@ static void test_border_as_it_is(void **state)
 /* ---- the whole window ---- */
 
 /* Whole numbers: a pixel of the window is one of the picture's colours, turned, or black. */
-static void test_whole(void **state)
+TEST(whole)
 {
-    (void)state;
     draw();
     for (int i = 0; i < WINDOWS; i++)
         for (enum rotation t = ROTATION_NONE; t < ROTATIONS; t++) {
@@ -317,13 +298,12 @@ static void test_whole(void **state)
 }
 
 /* Everything at once, at every size: what one picture left is gone with the next, and memory is kept to. */
-static void test_all(void **state)
+TEST(all)
 {
     struct compose c = { 0 };
     struct border b;
     char err[128];
 
-    (void)state;
     draw();
     draw_art();
     assert_true(border_open(&b, art, BW, BH, err, sizeof err));
@@ -348,13 +328,12 @@ static void test_all(void **state)
     compose_close(&c);
 }
 
-static void test_side(void **state)
+TEST(side)
 {
     struct compose c = { 0 };
     const struct compose_options options = { .place = { 1201, 333, W, H, ROTATION_LEFT, false, true } };
     static uint8_t side[1201 * 333];
 
-    (void)state;
     draw();
     assert_true(compose_prepare(&c, &options));
     assert_int_equal(c.placed.side.w, 0); /* for who looks at it the window is narrow */
@@ -372,13 +351,12 @@ static void test_side(void **state)
 }
 
 /* A very large window is composed smaller, in the same shape. */
-static void test_large(void **state)
+TEST(large)
 {
     struct compose c = { 0 };
     const struct compose_options options = { .place = { 3840, 2160, W, H, ROTATION_NONE, true, false }, .crt = true };
     int x = 960, y = 540;
 
-    (void)state;
     assert_true(compose_prepare(&c, &options));
     assert_true(c.w == 1920 && c.h == 1080);
     compose_picture(&c, pix, W, rgb);
@@ -387,25 +365,4 @@ static void test_large(void **state)
     compose_close(&c);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_to_and_fro),
-        cmocka_unit_test(test_which_way),
-        cmocka_unit_test(test_points),
-        cmocka_unit_test(test_places),
-        cmocka_unit_test(test_sizes),
-        cmocka_unit_test(test_edges),
-        cmocka_unit_test(test_shares),
-        cmocka_unit_test(test_lines),
-        cmocka_unit_test(test_tube_bytes),
-        cmocka_unit_test(test_border),
-        cmocka_unit_test(test_border_as_it_is),
-        cmocka_unit_test(test_whole),
-        cmocka_unit_test(test_all),
-        cmocka_unit_test(test_side),
-        cmocka_unit_test(test_large),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -1,11 +1,5 @@
 /* test_png.c - png.h: what is written is read back, the bytes never change, and nothing damaged is taken. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../src/base/hash.h"
 #include "../../src/base/rng.h"
 #include "../../src/player/picture/png.h"
@@ -48,9 +42,8 @@ static void round_trip(int w, int h, int pitch, uint64_t most)
     free(pix);
 }
 
-static void test_round_trip(void **state)
+TEST(round_trip)
 {
-    (void)state;
     round_trip(1, 1, 1, 256);
     round_trip(7, 5, 7, 256);
     round_trip(240, 320, 304, 4);   /* compresses */
@@ -58,13 +51,12 @@ static void test_round_trip(void **state)
     round_trip(1024, 3, 1024, 2);
 }
 
-static void test_rgb(void **state)
+TEST(rgb)
 {
     uint8_t rgb[5 * 3 * 3], *file, *rgba;
     size_t size;
     int w, h;
 
-    (void)state;
     for (size_t i = 0; i < sizeof rgb; i++)
         rgb[i] = (uint8_t)(i * 37);
     assert_true(png_write_rgb(rgb, 5, 3, &file, &size));
@@ -78,13 +70,12 @@ static void test_rgb(void **state)
 }
 
 /* Golden pictures are compared as files too: the same picture is the same bytes with every compiler. */
-static void test_same_bytes(void **state)
+TEST(same_bytes)
 {
     uint32_t rgb[256];
     uint8_t pix[64 * 48], *file;
     size_t size;
 
-    (void)state;
     colours(rgb);
     for (int i = 0; i < 64 * 48; i++)
         pix[i] = (uint8_t)((i % 64) * (i / 64) / 16);
@@ -94,13 +85,12 @@ static void test_same_bytes(void **state)
     free(file);
 }
 
-static void test_sizes(void **state)
+TEST(sizes)
 {
     uint32_t rgb[256] = { 0 };
     uint8_t pix[1] = { 0 }, *file;
     size_t size;
 
-    (void)state;
     assert_false(png_write(pix, 1, 0, 1, rgb, &file, &size));
     assert_null(file);
     assert_false(png_write(pix, 1, 1, PNG_MAX_SIDE + 1, rgb, &file, &size));
@@ -129,23 +119,21 @@ static void refused(const uint8_t *data, size_t n, const char *part)
         fail_msg("\"%s\" does not say \"%s\"", err, part);
 }
 
-static void test_cut(void **state)
+TEST(cut)
 {
     size_t size;
     uint8_t *file = small(&size);
 
-    (void)state;
     for (size_t n = 0; n < size; n++)
         refused(file, n, n < 8 ? "not a PNG" : "truncated");
     free(file);
 }
 
-static void test_damage(void **state)
+TEST(damage)
 {
     size_t size;
     uint8_t *file = small(&size);
 
-    (void)state;
     for (size_t i = 0; i < size; i++) {
         file[i] ^= 1;
         refused(file, size, "PNG");
@@ -162,12 +150,11 @@ static void be32(uint8_t *p, uint32_t v)
         p[i] = (uint8_t)(v >> (24 - 8 * i));
 }
 
-static void test_huge(void **state)
+TEST(huge)
 {
     size_t size;
     uint8_t *file = small(&size);
 
-    (void)state;
     be32(file + 16, 8192);
     be32(file + 20, 8192);
     be32(file + 29, hash_crc32(file + 12, 17));
@@ -280,7 +267,7 @@ static size_t fill(const struct kind *k, struct rng *r, uint8_t *raw)
     return at;
 }
 
-static void test_kinds(void **state)
+TEST(kinds)
 {
     static const struct kind kinds[] = {
         { 0, 0, 1, 0, 0 }, { 0, 0, 2, 0, 0 },  { 0, 0, 4, 0, 0 }, { 0, 0, 8, 0, 0 },  { 0, 0, 16, 0, 0 },
@@ -290,7 +277,6 @@ static void test_kinds(void **state)
     static uint8_t raw[64 * 64 * 8 + 4096], palette[768];
     struct rng r;
 
-    (void)state;
     rng_seed(&r, 5);
     for (int i = 0; i < 768; i++)
         palette[i] = (uint8_t)rng_next(&r);
@@ -327,7 +313,7 @@ static void test_kinds(void **state)
 }
 
 /* A pixel whose index is beyond a short palette is named; the last one is no such pixel. */
-static void test_short_palette(void **state)
+TEST(short_palette)
 {
     const struct kind k = { 3, 2, 8, 3, 0 };
     const uint8_t palette[] = { 9, 8, 7, 6, 5, 4 };
@@ -335,7 +321,6 @@ static void test_short_palette(void **state)
     size_t size;
     int w, h;
 
-    (void)state;
     uint8_t *file = make(&k, raw, sizeof raw, palette, 2, &size);
     assert_true(png_read(file, size, &rgba, &w, &h, err, sizeof err));
     free(rgba);
@@ -350,28 +335,17 @@ static void test_short_palette(void **state)
 }
 
 /* Data that inflates to 16 MiB, where the header asks for 68 bytes. */
-static void test_bomb(void **state)
+TEST(bomb)
 {
     enum { SIZE = 1 << 24 };
     const struct kind k = { 4, 4, 8, 6, 0 };
     uint8_t *raw = calloc(1, SIZE);
     size_t size;
 
-    (void)state;
     uint8_t *file = make(&k, raw, SIZE, NULL, 0, &size);
     free(raw);
     refused(file, size, "more pixels than its header says");
     free(file);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_round_trip), cmocka_unit_test(test_rgb),   cmocka_unit_test(test_same_bytes),
-        cmocka_unit_test(test_sizes),      cmocka_unit_test(test_cut),   cmocka_unit_test(test_damage),
-        cmocka_unit_test(test_huge),       cmocka_unit_test(test_kinds), cmocka_unit_test(test_short_palette),
-        cmocka_unit_test(test_bomb),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

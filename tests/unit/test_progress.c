@@ -1,11 +1,6 @@
 /* test_progress.c - how far something is, as a line of a terminal. */
-#include <setjmp.h>
 #include <signal.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../platform/platform.h"
 #include "../../src/common/progress.h"
 
@@ -20,9 +15,8 @@ static const char *said(const char *what, uint64_t usec, uint64_t done, uint64_t
 }
 
 /* What is left takes as long for its size as what is done took; a second that has begun is one. */
-static void time_left(void **state)
+TEST(time_left)
 {
-    (void)state;
     assert_string_equal(said("frame 100 of 400", SECOND, 100, 400), "frame 100 of 400, 0:04 left");
     assert_string_equal(said("frame 1", 2 * SECOND, 1, 31), "frame 1, 1:01 left");
     assert_string_equal(said("frame 1", 1999999, 1, 2), "frame 1, 0:02 left");
@@ -30,20 +24,18 @@ static void time_left(void **state)
 }
 
 /* More may turn out to be done than was thought to be there, and of nothing no pace is known. */
-static void odd_shares(void **state)
+TEST(odd_shares)
 {
-    (void)state;
     assert_string_equal(said("begun", 5 * SECOND, 0, 100), "begun");
     assert_string_equal(said("late", 5 * SECOND, 120, 100), "late, 0:01 left");
     assert_string_equal(said("slow", (uint64_t)1 << 60, 1, UINT64_MAX), "slow, 9999:59 left");
 }
 
 /* A line that is too wide would not be overwritten, so the text gives way: never the time, and never half a letter. */
-static void long_text(void **state)
+TEST(long_text)
 {
     char what[200];
 
-    (void)state;
     memset(what, 'x', sizeof what - 1);
     what[sizeof what - 1] = 0;
     const char *line = said(what, SECOND, 1, 2);
@@ -69,11 +61,10 @@ static void host_hears(int sig)
 }
 
 /* A host that runs the program has handlers of its own: they hear the signal, then and afterwards. */
-static void hosts_handlers(void **state)
+TEST(hosts_handlers)
 {
     static const int signals[] = { SIGINT, SIGTERM };
 
-    (void)state;
     for (size_t i = 0; i < sizeof signals / sizeof *signals; i++) {
         signal(signals[i], host_hears);
         plat_set_exit_text("");
@@ -95,13 +86,4 @@ static void hosts_handlers(void **state)
     assert_true(signal(SIGPIPE, SIG_DFL) == host_hears);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(time_left),
-        cmocka_unit_test(odd_shares),
-        cmocka_unit_test(long_text),
-        cmocka_unit_test(hosts_handlers),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -2,14 +2,7 @@
  * test_record.c - recordings: what of WAV, OGG, FLAC and modules is read, ADPCM and other rates, the tunes they become,
  * what is refused and in which words, and that no damage is more than a sentence.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include <math.h>
 #include "../../src/base/bytes.h"
 #include "../../src/base/hash.h"
@@ -123,13 +116,12 @@ static void test_wav_lengths(uint8_t *p, size_t n)
     wav_refuses(p, n - 1, "chunk \"data\" of 1200 bytes is longer than the file");
 }
 
-static void test_wav(void **state)
+TEST(wav)
 {
     static uint8_t p[8192];
     struct pcm out;
     char err[256];
 
-    (void)state;
     for (int bits = 8; bits <= 32; bits += 8)
         for (int channels = 1; channels <= 2; channels++) {
             size_t n = make_wav(p, channels, bits, 22050, 600);
@@ -178,14 +170,20 @@ static double below(const int16_t *a, const int16_t *b, size_t n)
     return 10 * log10(loud / wrong);
 }
 
-static void test_library(void **state)
+static void needs_libraries(void)
+{
+    if (sizeof(void *) == 4 && !library_open(LIBRARY_SNDFILE, NULL, 0))
+        skip(); /* libsndfile is rarely there in 32 bits: WAV and ADPCM alone */
+}
+
+TEST(library)
 {
     struct pcm flac = read_seed("loop.flac", &own_loop), ogg = read_seed("loop.ogg", &own_loop),
                mono = read_seed("mono.flac", &own_loop);
     struct pcm opus = read_seed("mono.opus", &own_loop), wav = read_seed("loop.wav", &own_loop),
                stereo = read_seed("stereo.wav", &own_loop);
 
-    (void)state;
+    needs_libraries();
     assert_true(flac.n == 2400 && flac.rate == 12000 && flac.channels == 2 && flac.loop == 600 &&
                 flac.loop_end == 2400);
     assert_true(ogg.n == 2400 && ogg.rate == 12000 && ogg.channels == 2 && ogg.loop == 600 && ogg.loop_end == 2400);
@@ -230,7 +228,7 @@ static float *played_on(const char *name, size_t n)
 }
 
 /* A program that writes into a pipe does not state the length in STREAMINFO: 36 bits from byte 21 on. */
-static void test_open_flac(void **state)
+TEST(open_flac)
 {
     struct pcm p, stated = read_seed("loop.flac", &own_loop);
     char err[256];
@@ -238,7 +236,7 @@ static void test_open_flac(void **state)
     uint8_t *data = load("loop.flac", &n);
     int ends_whole = 0;
 
-    (void)state;
+    needs_libraries();
     data[21] &= 0xf0;
     memset(data + 22, 0, 4);
     assert_true(recording_read("a.flac", data, n, &own_loop, &p, err, sizeof err));
@@ -257,12 +255,12 @@ static void test_open_flac(void **state)
 }
 
 /* ID3 in front, with and without a footer, and at the end. */
-static void test_id3(void **state)
+TEST(id3)
 {
     static const char *const names[] = { "loop.flac", "loop.ogg", "loop.wav" };
     char err[256];
 
-    (void)state;
+    needs_libraries();
     for (int i = 0; i < 3; i++)
         for (int way = 0; way < 4; way++) { /* without and with a footer, one tag and two */
             struct pcm p, bare = read_seed(names[i], &own_loop);
@@ -285,7 +283,7 @@ static void test_id3(void **state)
 }
 
 /* Each loops exactly: for ten passes and more it is, to the last bit, what the library plays on and on. */
-static void test_modules(void **state)
+TEST(modules)
 {
     static const struct {
         const char *name;
@@ -296,7 +294,7 @@ static void test_modules(void **state)
                  { "tiny.s3m", 15360, 7680, 7680, 375 },
                  { "tiny.it", 7680, 7680, 0, 375 } };
 
-    (void)state;
+    needs_libraries();
     for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
         struct pcm p = read_seed(list[k].name, &own_loop);
         assert_true(p.n == list[k].n && p.loop == list[k].loop);
@@ -316,13 +314,13 @@ static void test_modules(void **state)
 }
 
 /* Where a library is missing, a sentence says which and what for. */
-static void test_missing(void **state)
+TEST(missing)
 {
     void (*function)(void);
     const struct library_function here = { "sf_open_virtual", &function }, nowhere = { "sf_open_door", &function };
     char err[256];
 
-    (void)state;
+    needs_libraries();
     assert_true(library_open(LIBRARY_SNDFILE, &here, 1));
     assert_false(library_open(LIBRARY_SNDFILE, &nowhere, 1));
     assert_false(library_missing(LIBRARY_OPENMPT, err, sizeof err));
@@ -394,7 +392,7 @@ static bool decode_elsewhere(const uint8_t *blocks, int16_t *out)
 }
 
 /* All samples of such blocks are ffmpeg's, and those that ffmpeg 5.1.9 gave once. */
-static void test_decoder(void **state)
+TEST(decoder)
 {
     enum { N = BLOCKS * ADPCM_BLOCK_SAMPLES };
     static uint8_t bytes[SAMPLE_HEADER_SIZE + BLOCKS * ADPCM_BLOCK_BYTES];
@@ -402,7 +400,6 @@ static void test_decoder(void **state)
     struct sample s;
     uint64_t h = HASH_START;
 
-    (void)state;
     make_blocks(bytes + SAMPLE_HEADER_SIZE);
     bytes_put32(bytes, 48000);
     bytes_put32(bytes + 4, N);
@@ -422,7 +419,7 @@ static void test_decoder(void **state)
 }
 
 /* Nothing is lost of 16 bits; ADPCM loses little of what is no noise, and less than the nearest code each time. */
-static void test_encoder(void **state)
+TEST(encoder)
 {
     enum { N = 5050 };
     static int16_t in[N], out[N], greedy[N];
@@ -430,7 +427,6 @@ static void test_encoder(void **state)
     struct sample s;
     struct adpcm_state a = { 0, 0 };
 
-    (void)state;
     for (int i = 0; i < N; i++)
         in[i] = (int16_t)(9000 * sin(i * 0.11) * exp(-(i % 1700) / 600.0) + 3000 * sin(i * 0.47 + sin(i * 0.013)));
     assert_int_equal(sample_size(N, SAMPLE_PCM16), sizeof bytes);
@@ -472,12 +468,11 @@ static struct pcm sine(uint32_t rate, uint32_t n, double hertz, int64_t loop)
 }
 
 /* A rate above 48,000 comes down to it: what can be heard stays, what would fold is gone, a loop is whole. */
-static void test_rates(void **state)
+TEST(rates)
 {
     const struct art_loop own = { 0 };
     char err[256];
 
-    (void)state;
     struct pcm p = sine(44100, 4410, 1000, -1);
     assert_true(recording_prepare(&p, &own, err, sizeof err) && p.rate == 44100 && p.n == 4410);
     pcm_free(&p);
@@ -516,13 +511,12 @@ static void refused(const struct art_loop *loop, const char *message)
     pcm_free(&p);
 }
 
-static void test_loops(void **state)
+TEST(loops)
 {
     struct art_loop loop = { LOOP_RANGE, true, 0.02, 0.05 };
     struct pcm p = sine(10000, 1000, 500, 300);
     char err[256];
 
-    (void)state;
     assert_true(recording_prepare(&p, &loop, err, sizeof err) && p.loop == 200 && p.n == 700);
     pcm_free(&p);
     p = sine(10000, 1000, 500, 300);
@@ -537,12 +531,11 @@ static void test_loops(void **state)
             "the loop from frame 100 to 5100 is not inside its 1000 frames");
 }
 
-static void test_flaws(void **state)
+TEST(flaws)
 {
     struct pcm p = sine(10000, 10000, 500, 4000);
     struct flaws f;
 
-    (void)state;
     flaws_measure_frames(&p, &f);
     flaws_measure_loop(&p, &f);
     assert_true(f.clipped == 0 && fabs(f.dc_offset) < 0.0001 && !f.clicks);
@@ -595,14 +588,14 @@ static const char *events(const uint8_t *tune, int track, int64_t n)
     return l.text;
 }
 
-static void test_sound(void **state)
+TEST(sound)
 {
     struct art_sound about = { .title = "Drum", .volume = 200, .priority = 3, .limit = 5 };
     struct pcm p = sine(24000, 2400, 500, -1), stereo = read_seed("loop.flac", &own_loop);
     struct recording_bytes b;
     char err[256];
 
-    (void)state;
+    needs_libraries();
     assert_true(recording_sound(&p, &about, &b, err, sizeof err) && tune_validate(b.data, b.n, err, sizeof err));
     struct tune t = tune_of(b.data);
     assert_true(t.n_tracks == 1 && t.channels == 1 && t.volume == 200 && t.priority == 3 && t.limit == 5);
@@ -624,7 +617,7 @@ static void test_sound(void **state)
 }
 
 /* At 120 beats a minute a beat is 24,000 samples. The loop is 12 beats, its first marker in beat 5. */
-static void test_music(void **state)
+TEST(music)
 {
     static const struct art_marker markers[] = { { "", 0 }, { "drop", 5 }, { "lead", 0 }, { "off", 12.5 } };
     struct art_sound about = { .volume = 255,
@@ -639,7 +632,6 @@ static void test_music(void **state)
     struct recording_bytes tune, wave;
     char err[256];
 
-    (void)state;
     static float quiet[2 * 4410];
     for (int i = 0; i < 81; i++) /* 0.1 s and 16 beats */
         assert_true(pcm_add(&p, quiet, 4410));
@@ -722,9 +714,9 @@ static bool takes(const char *name, const uint8_t *data, size_t n)
 
 /* No WAV, OGG or FLAC is taken that was cut off, but for a WAV that ends between two chunks. Modules may be: what is
  * missing is silence. */
-static void test_truncated(void **state)
+TEST(truncated)
 {
-    (void)state;
+    needs_libraries();
     for (int i = 0; i < SEED_FILES; i++) {
         size_t n;
         uint8_t *data = load(seeds[i], &n);
@@ -742,14 +734,14 @@ static void test_truncated(void **state)
 }
 
 /* An OGG file of many pages that was cut off behind one of them. */
-static void test_cut_pages(void **state)
+TEST(cut_pages)
 {
     uint8_t *data;
     size_t n, last;
     struct pcm p;
     char err[256];
 
-    (void)state;
+    needs_libraries();
     assert_true(files_read("examples/tape/music/reel.ogg", "reel.ogg", 1 << 20, &data, &n, err, sizeof err));
     assert_true(takes("reel.ogg", data, n));
     for (last = n - 4; memcmp(data + last, "OggS", 4) != 0;)
@@ -784,12 +776,12 @@ static void repair_page(uint8_t *p, size_t n)
 }
 
 /* Ten thousand recordings with some bits changed. */
-static void test_damage(void **state)
+TEST(damage)
 {
     int taken[SEED_FILES] = { 0 }, tried[SEED_FILES] = { 0 };
     struct rng r;
 
-    (void)state;
+    needs_libraries();
     rng_seed(&r, 17);
     for (int i = 0; i < 10000; i++) {
         const int k = i % 16 == 0 ? 6 + i / 16 % 4 : i % 6; /* modules more seldom, for they take long */
@@ -810,21 +802,4 @@ static void test_damage(void **state)
 }
 
 /* A build in 32 bits may be on a machine whose libraries are all of 64. */
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_wav),   cmocka_unit_test(test_decoder), cmocka_unit_test(test_encoder),
-        cmocka_unit_test(test_rates), cmocka_unit_test(test_loops),   cmocka_unit_test(test_flaws),
-        cmocka_unit_test(test_music),
-    };
-    const struct CMUnitTest with_libraries[] = {
-        cmocka_unit_test(test_library),   cmocka_unit_test(test_modules),   cmocka_unit_test(test_open_flac),
-        cmocka_unit_test(test_id3),       cmocka_unit_test(test_missing),   cmocka_unit_test(test_sound),
-        cmocka_unit_test(test_truncated), cmocka_unit_test(test_cut_pages), cmocka_unit_test(test_damage),
-    };
-    const bool there = sizeof(void *) > 4 || library_open(LIBRARY_SNDFILE, NULL, 0);
-
-    if (!there)
-        printf("# libsndfile is not there in 32 bits: WAV and ADPCM alone\n");
-    return cmocka_run_group_tests(tests, NULL, NULL) + (there ? cmocka_run_group_tests(with_libraries, NULL, NULL) : 0);
-}
+RUN_TESTS(NULL, NULL)

@@ -1,13 +1,7 @@
 /*
  * test_records.c - the file of attempts and captures: what it may say, what is damage, what is kept.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../platform/platform.h"
 #include "../../src/base/rng.h"
 #include "../../src/player/replays/records.h"
@@ -28,14 +22,13 @@ static void expect_text(const struct records *r, const char *expected)
     free(text);
 }
 
-static void test_round(void **state)
+TEST(round)
 {
     static const char text[] = "practice 1\n3 12 normal queen/held\n# mine\n0 1 hard one:a b \n\n  x\n"
                                "999999999 999999999 e 0\nlater things = 3\n0 0 normal queen/bloom\n";
     struct records r;
     char err[128];
 
-    (void)state;
     assert_true(reads(&r, text, err));
     expect_text(&r, text);
     const struct record *held = records_find(&r, "queen/held", "normal");
@@ -50,12 +43,11 @@ static void test_round(void **state)
     records_free(&r);
 }
 
-static void test_counting(void **state)
+TEST(counting)
 {
     struct records r = { 0 };
     char err[128];
 
-    (void)state;
     records_capture(&r, "one", "easy"); /* of what was never tried */
     assert_int_equal(r.n, 0);
     for (int i = 0; i < 40; i++)
@@ -83,7 +75,7 @@ static void test_counting(void **state)
     records_free(&r);
 }
 
-static void test_damage(void **state)
+TEST(damage)
 {
     static const char form[] = "expected CAPTURES ATTEMPTS DIFFICULTY MARK";
     static const struct {
@@ -114,7 +106,6 @@ static void test_damage(void **state)
     struct records r;
     char err[128], line[100];
 
-    (void)state;
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         assert_false(reads(&r, bad[i].text, err));
         snprintf(line, sizeof line, "line 2: %s", form);
@@ -126,12 +117,11 @@ static void test_damage(void **state)
     assert_string_equal(err, "line 2: expected a line of text");
 }
 
-static void test_long_lines(void **state)
+TEST(long_lines)
 {
     char text[400], err[128];
     struct records r;
 
-    (void)state;
     for (int n = RECORDS_LINE - 2; n <= RECORDS_LINE; n++) {
         snprintf(text, sizeof text, "practice 1\n%0*d\n", n, 0);
         text[11] = '#';
@@ -144,7 +134,7 @@ static void test_long_lines(void **state)
 }
 
 /* Whatever a file says, what is read of it is written as it was. */
-static void test_anything(void **state)
+TEST(anything)
 {
     static const char some[] = "0123 9 1 2 easy one:x/\n\n\n#\tpractice 1\n\x80\0";
     struct records r;
@@ -152,7 +142,6 @@ static void test_anything(void **state)
     char text[160], err[128];
     int good = 0;
 
-    (void)state;
     rng_seed(&rng, 3);
     for (int i = 0; i < 200000; i++) {
         size_t n = 11 + (size_t)rng_below(&rng, 40), size;
@@ -200,11 +189,10 @@ static void saves(struct records *r)
     assert_null(unsaved);
 }
 
-static void test_file(void **state)
+TEST(file)
 {
     struct records r;
 
-    (void)state;
     records_load(&r, "probe"); /* none */
     assert_false(r.damaged);
     saves(&r);
@@ -231,13 +219,12 @@ static void take_sentence(void *of, const char *err)
 }
 
 /* What cannot be written waits, its newest bytes alone, and gets into the file when it can. */
-static void test_unsaved(void **state)
+TEST(unsaved)
 {
     struct records r;
     char again[sizeof why] = "";
     size_t size;
 
-    (void)state;
     assert_true(plat_save("user:other.practice/in_the_way", "x", 1));
     records_load(&r, "other");
     records_attempt(&r, "one", "easy");
@@ -257,11 +244,10 @@ static void test_unsaved(void **state)
     records_free(&r);
 }
 
-static void test_damaged_file(void **state)
+TEST(damaged_file)
 {
     struct records r;
 
-    (void)state;
     put_file("practice 1\n2 x easy one\n");
     records_load(&r, "probe");
     assert_true(r.damaged);
@@ -291,13 +277,4 @@ static int remove_folder(void **state)
     return system(command);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_round),        cmocka_unit_test(test_counting), cmocka_unit_test(test_damage),
-        cmocka_unit_test(test_long_lines),   cmocka_unit_test(test_anything), cmocka_unit_test(test_file),
-        cmocka_unit_test(test_damaged_file), cmocka_unit_test(test_unsaved),
-    };
-
-    return cmocka_run_group_tests_name("records", tests, make_folder, remove_folder);
-}
+RUN_TESTS(make_folder, remove_folder)

@@ -1,13 +1,8 @@
 /*
  * test_resize.c - pictures at other sizes, against a count of points.
  */
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../fb/resize.h"
 #include "../../src/base/rng.h"
 
@@ -46,12 +41,11 @@ static uint8_t expected(const struct turn *t, int x, int y, int w, int h)
     return (uint8_t)(2 * opaque >= (long)sw * sh ? best : 0);
 }
 
-static void test_random(void **state)
+TEST(random)
 {
     uint8_t in[MOST * MOST], out[64 * 64];
     struct turn t;
 
-    (void)state;
     rng_seed(&rng, 8);
     for (int i = 0; i < 300; i++) {
         int w = 1 + below(12), h = 1 + below(12), to_w = 1 + below(30), to_h = 1 + below(30);
@@ -69,12 +63,11 @@ static void test_random(void **state)
 }
 
 /* A picture of large pixels, made smaller by just that, is the picture. */
-static void test_back(void **state)
+TEST(back)
 {
     uint8_t in[8 * 8], large[MOST * MOST], out[8 * 8];
     struct turn t;
 
-    (void)state;
     rng_seed(&rng, 9);
     for (int i = 0; i < 300; i++) {
         int w = 1 + below(8), h = 1 + below(8), by = 2 + below(2);
@@ -88,9 +81,4 @@ static void test_back(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_random), cmocka_unit_test(test_back) };
-
-    return cmocka_run_group_tests_name("resize", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -1,15 +1,10 @@
 /* test_rng.c - rng.h and hash.h: published values, and what makes them fit for use. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../src/base/hash.h"
 #include "../../src/base/rng.h"
 
 /* xoshiro256** from the state 1, 2, 3, 4 (rand_xoshiro's reference vector). */
-static void test_published(void **state)
+TEST(published)
 {
     static const uint64_t want[] = { 11520u,
                                      0u,
@@ -23,17 +18,15 @@ static void test_published(void **state)
                                      2904607092377533576u };
     struct rng r = { { 1, 2, 3, 4 } };
 
-    (void)state;
     for (size_t i = 0; i < sizeof want / sizeof *want; i++)
         assert_true(rng_next(&r) == want[i]);
 }
 
 /* splitmix64 from 0 and 1234567, its published first values. */
-static void test_seed(void **state)
+TEST(seed)
 {
     struct rng r;
 
-    (void)state;
     rng_seed(&r, 0);
     assert_true(r.s[0] == 0xe220a8397b1dcdafu && r.s[1] == 0x6e789e6aa1b965f4u);
     assert_true(r.s[2] == 0x06c45d188009454fu && r.s[3] == 0xf88bb8a8724c81ecu);
@@ -41,12 +34,11 @@ static void test_seed(void **state)
     assert_true(r.s[0] == 6457827717110365317u && r.s[1] == 3203168211198807973u);
 }
 
-static void test_below(void **state)
+TEST(below)
 {
     uint32_t count[7] = { 0 };
     struct rng r;
 
-    (void)state;
     rng_seed(&r, 1);
     for (int i = 0; i < 70000; i++) {
         uint64_t v = rng_below(&r, 7);
@@ -60,34 +52,31 @@ static void test_below(void **state)
 }
 
 /* Three quarters of 2^64 do not divide it: without drawing again the first third would come twice as often. */
-static void test_below_is_fair(void **state)
+TEST(below_is_fair)
 {
     const uint64_t n = (uint64_t)3 << 62;
     uint32_t low = 0;
     struct rng r;
 
-    (void)state;
     rng_seed(&r, 2);
     for (int i = 0; i < 30000; i++)
         low += rng_below(&r, n) < n / 3;
     assert_in_range(low, 9700, 10300);
 }
 
-static void test_crc(void **state)
+TEST(crc)
 {
-    (void)state;
     assert_int_equal(hash_crc32("123456789", 9), 0xcbf43926u);
     assert_int_equal(hash_crc32("", 0), 0);
     assert_int_equal(hash_crc32_add(hash_crc32("1234", 4), "56789", 5), 0xcbf43926u);
 }
 
 /* Any length, from any address, in two pieces: as bit by bit. */
-static void test_crc_of_pieces(void **state)
+TEST(crc_of_pieces)
 {
     uint8_t bytes[64];
     struct rng r;
 
-    (void)state;
     rng_seed(&r, 3);
     for (int k = 0; k < 5000; k++) {
         size_t from = (size_t)rng_below(&r, 16), n = (size_t)rng_below(&r, sizeof bytes - from + 1),
@@ -104,13 +93,12 @@ static void test_crc_of_pieces(void **state)
 }
 
 /* One bit more, one zero byte more, another start: another hash. */
-static void test_hash(void **state)
+TEST(hash)
 {
     uint8_t bytes[64] = { 0 };
     uint64_t seen[64 * 8 + 65];
     size_t n = 0;
 
-    (void)state;
     for (size_t size = 0; size <= sizeof bytes; size++)
         seen[n++] = hash_bytes(HASH_START, bytes, size);
     for (int bit = 0; bit < 64 * 8; bit++) {
@@ -124,13 +112,4 @@ static void test_hash(void **state)
     assert_true(hash_bytes(1, bytes, 9) != hash_bytes(2, bytes, 9));
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_published),     cmocka_unit_test(test_seed), cmocka_unit_test(test_below),
-        cmocka_unit_test(test_below_is_fair), cmocka_unit_test(test_crc),  cmocka_unit_test(test_crc_of_pieces),
-        cmocka_unit_test(test_hash),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

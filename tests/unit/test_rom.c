@@ -1,13 +1,6 @@
 /* test_rom.c - rom.h and cart.h: what is written is read back, and whatever is wrong with a ROM is refused in one
  * sentence. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../src/base/bytes.h"
 #include "../../src/base/hash.h"
 #include "../../src/base/rng.h"
@@ -91,13 +84,12 @@ static void opened(struct rom *rom, struct block b)
     assert_true(good);
 }
 
-static void test_round_trip(void **state)
+TEST(round_trip)
 {
     struct block b = make_small();
     struct rom rom;
     struct lump l;
 
-    (void)state;
     opened(&rom, b);
     assert_int_equal(rom.count, 4);
     assert_int_equal(rom.crc, bytes_get32(b.p + 12));
@@ -117,34 +109,31 @@ static void test_round_trip(void **state)
     free(b.p);
 }
 
-static void test_empty(void **state)
+TEST(empty)
 {
     struct block b = make(NULL, 0);
     struct rom rom;
 
-    (void)state;
     assert_int_equal(b.size, ROM_HEADER_SIZE);
     opened(&rom, b);
     assert_int_equal(rom_find(&rom, "a"), -1);
     free(b.p);
 }
 
-static void test_same_bytes(void **state)
+TEST(same_bytes)
 {
     struct block a = make_small(), b = make_small();
 
-    (void)state;
     assert_int_equal(a.size, b.size);
     assert_memory_equal(a.p, b.p, a.size);
     free(a.p);
     free(b.p);
 }
 
-static void test_too_large(void **state)
+TEST(too_large)
 {
     struct lump lumps[2] = { { "a", NULL, UINT32_MAX - 100 }, { "b", NULL, 100 } };
 
-    (void)state;
     assert_int_equal(rom_write_size(lumps, 2), 0);
     assert_true(rom_write_size(lumps, 1) > 0);
 }
@@ -157,11 +146,10 @@ static const char *letters(char *out, size_t n)
     return out;
 }
 
-static void test_names(void **state)
+TEST(names)
 {
     char name[200];
 
-    (void)state;
     assert_true(rom_name_ok(letters(name, ROM_MAX_NAME - 1)));
     assert_false(rom_name_ok(letters(name, ROM_MAX_NAME)));
     assert_false(rom_name_ok(""));
@@ -169,12 +157,11 @@ static void test_names(void **state)
     assert_false(rom_name_ok("\xc3\xa4"));
 }
 
-static void test_cut_anywhere(void **state)
+TEST(cut_anywhere)
 {
     struct block whole = make_small();
     struct rom rom;
 
-    (void)state;
     for (size_t n = 0; n < whole.size; n++) {
         char err[256] = "";
         uint8_t *cut = malloc(n + (n == 0));
@@ -191,23 +178,21 @@ static void test_cut_anywhere(void **state)
     free(whole.p);
 }
 
-static void test_one_byte_more(void **state)
+TEST(one_byte_more)
 {
     struct block b = make_small();
     char want[80];
 
-    (void)state;
     snprintf(want, sizeof want, "%zu bytes long, but its header says %zu", b.size + 1, b.size);
     b.p = realloc(b.p, ++b.size);
     b.p[b.size - 1] = 0;
     refused(b, want);
 }
 
-static void test_header(void **state)
+TEST(header)
 {
     struct block b;
 
-    (void)state;
     refused((struct block){ calloc(1, 31), 31 }, "too short for a ROM (31 bytes)");
     for (int i = 0; i < 8; i++) {
         b = make_small();
@@ -246,12 +231,11 @@ static struct block with(uint32_t i, int field, uint32_t v)
     return b;
 }
 
-static void test_directory(void **state)
+TEST(directory)
 {
     struct block b = make_small();
     uint32_t size = (uint32_t)b.size, name2 = bytes_get32(entry(b, 2)), data0 = bytes_get32(entry(b, 0) + 4);
 
-    (void)state;
     free(b.p);
     refused(with(1, 0, ROM_HEADER_SIZE), "lump 1: its name is outside the file");
     refused(with(1, 0, size), "lump 1: its name is outside the file");
@@ -271,7 +255,7 @@ static void test_directory(void **state)
     refused(with(2, 3, 0), "lump 2 \"script/main.lua\" is damaged: its checksum does not match");
 }
 
-static void test_hashes(void **state)
+TEST(hashes)
 {
     struct lump lumps[] = { TEXT("data/a.txt", "alpha"), TEXT("demo/d", "demo"),
                             TEXT("font", "font"),        TEXT("gfx/b", "pix"),
@@ -283,7 +267,6 @@ static void test_hashes(void **state)
     struct rom rom;
     uint64_t all, game;
 
-    (void)state;
     opened(&rom, b);
     all = rom_hash(&rom);
     game = rom_game_hash(&rom);
@@ -370,7 +353,7 @@ static void full_refused(const struct full *f, int skip, const char *sentence)
     assert_string_equal(err, sentence);
 }
 
-static void test_cart(void **state)
+TEST(cart)
 {
     struct full f;
     struct block b;
@@ -381,7 +364,6 @@ static void test_cart(void **state)
     const char *text;
     size_t size;
 
-    (void)state;
     full_init(&f);
     b = make(f.lumps, FULL);
     opened(&rom, b);
@@ -436,7 +418,7 @@ static bool open_blends(const struct full *f, int n, uint32_t size, struct cart 
     return cart_open(cart, rom, err, err_size);
 }
 
-static void test_cart_blends(void **state)
+TEST(cart_blends)
 {
     struct full f;
     struct cart cart;
@@ -444,7 +426,6 @@ static void test_cart_blends(void **state)
     struct rom rom;
     char err[256] = "", name[200];
 
-    (void)state;
     full_init(&f);
     assert_true(open_blends(&f, 0, 0, &cart, &rom, &b, err, sizeof err));
     assert_int_equal(cart.count[CART_BLENDS], 0);
@@ -471,7 +452,7 @@ static void test_cart_blends(void **state)
 }
 
 /* Tables of shades may be missing, as in older ROMs; those that are there are whole. */
-static void test_cart_shades(void **state)
+TEST(cart_shades)
 {
     static uint8_t tables[CART_SHADES_SIZE + 1];
     struct lump lumps[1 + FULL];
@@ -481,7 +462,6 @@ static void test_cart_shades(void **state)
     struct rom rom;
     char err[256] = "";
 
-    (void)state;
     full_init(&f);
     tables[CART_SHADES_SIZE - 1] = 77;
     memcpy(lumps, f.lumps, sizeof f.lumps);
@@ -536,7 +516,7 @@ static void hit_refused(struct cart_hitbox hit, const char *name, uint32_t size,
 }
 
 /* A drawn shape has lengths that are none below 0 and within reach, and nothing that it does not use. */
-static void test_cart_hits(void **state)
+TEST(cart_hits)
 {
     enum { PX = 65536, FAR = 8191 * PX };
     static const char bad[] = "lump \"hit/orb\": not a hitbox";
@@ -566,7 +546,6 @@ static void test_cart_hits(void **state)
                                          { 8, 2, { { PX, 0, 0, 0 }, { PX, 0, INT32_MIN, 0 } } } };
     char err[256] = "";
 
-    (void)state;
     for (size_t i = 0; i < sizeof good / sizeof *good; i++)
         assert_true(open_hit(&good[i], "hit/orb", CART_HITBOX_SIZE, err, sizeof err));
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
@@ -576,21 +555,19 @@ static void test_cart_hits(void **state)
     hit_refused(good[0], "hit/other", CART_HITBOX_SIZE, "lump \"hit/other\": no sprite has this name");
 }
 
-static void test_cart_without_font(void **state)
+TEST(cart_without_font)
 {
     struct full f;
     char err[256] = "";
 
-    (void)state;
     full_init(&f);
     assert_true(open_full(&f, 1, err, sizeof err));
 }
 
-static void test_cart_lumps(void **state)
+TEST(cart_lumps)
 {
     struct full f;
 
-    (void)state;
     full_init(&f);
     full_refused(&f, 4, "no lump \"manifest\"");
     full_refused(&f, 5, "no lump \"palette/main\"");
@@ -614,11 +591,10 @@ static void test_cart_lumps(void **state)
     full_refused(&f, -1, "lump \"font\": shade 16 in character 33, expected 0 to 15");
 }
 
-static void test_sprite_size(void **state)
+TEST(sprite_size)
 {
     struct full f;
 
-    (void)state;
     full_init(&f);
     f.lumps[2].size = 23;
     full_refused(&f, -1, "lump \"gfx/a\": too short for a sprite (23 bytes)");
@@ -632,7 +608,7 @@ static void test_sprite_size(void **state)
     full_refused(&f, -1, "lump \"gfx/a\": 56 bytes long, its header says 68719476760");
 }
 
-static void test_sprite_header(void **state)
+TEST(sprite_header)
 {
     static const struct {
         int at;
@@ -642,7 +618,6 @@ static void test_sprite_header(void **state)
                   { 12, 0 },   { 14, 0 },    { 14, 257 }, { 16, 16 },   { 18, 1 },   { 20, 1 }, { 22, 1 } };
     struct full f;
 
-    (void)state;
     for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
         full_init(&f);
         bytes_put16(f.gfx + wrong[i].at, (uint16_t)wrong[i].v);
@@ -650,12 +625,11 @@ static void test_sprite_header(void **state)
     }
 }
 
-static void test_sprite_pixels(void **state)
+TEST(sprite_pixels)
 {
     static const uint8_t wrong[][2] = { { 24, 0x41 }, { 24, 0x30 }, { 24, 1 }, { 29, 0x31 }, { 31, 0x31 } };
     struct full f;
 
-    (void)state;
     for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
         full_init(&f);
         f.gfx[wrong[i][0]] = wrong[i][1];
@@ -684,14 +658,13 @@ static uint64_t read_everything(const struct rom *rom)
 }
 
 /* Spoiled anywhere, with checksums that hold: refused with a sentence or good to the last byte, and never a crash. */
-static void test_mutations(void **state)
+TEST(mutations)
 {
     struct full f;
     struct rng r;
     struct block whole;
     int good = 0, bad = 0;
 
-    (void)state;
     full_init(&f);
     whole = make(f.lumps, FULL);
     rng_seed(&r, 7);
@@ -718,20 +691,4 @@ static void test_mutations(void **state)
     free(whole.p);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_round_trip),    cmocka_unit_test(test_empty),
-        cmocka_unit_test(test_same_bytes),    cmocka_unit_test(test_too_large),
-        cmocka_unit_test(test_names),         cmocka_unit_test(test_cut_anywhere),
-        cmocka_unit_test(test_one_byte_more), cmocka_unit_test(test_header),
-        cmocka_unit_test(test_directory),     cmocka_unit_test(test_hashes),
-        cmocka_unit_test(test_cart),          cmocka_unit_test(test_cart_without_font),
-        cmocka_unit_test(test_cart_lumps),    cmocka_unit_test(test_sprite_size),
-        cmocka_unit_test(test_sprite_header), cmocka_unit_test(test_sprite_pixels),
-        cmocka_unit_test(test_mutations),     cmocka_unit_test(test_cart_blends),
-        cmocka_unit_test(test_cart_shades),   cmocka_unit_test(test_cart_hits),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -2,14 +2,7 @@
  * test_screen.c - the program's screens: the stack of them, what each switch and the mouse do, questions, and that any
  * list fits any picture, whatever becomes of its rows.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../src/base/rng.h"
 #include "../../src/player/screens/screen.h"
 
@@ -246,7 +239,7 @@ static int bed_close(void **state)
 
 /* ---- the stack ---- */
 
-static void screens_lie_on_one_another(void **state)
+TEST(screens_lie_on_one_another)
 {
     struct bed *b = *state;
     struct list below, above;
@@ -281,7 +274,7 @@ static void screens_lie_on_one_another(void **state)
 }
 
 /* What is held when a screen opens was pressed for something else. */
-static void what_was_held_before_means_nothing(void **state)
+TEST(what_was_held_before_means_nothing)
 {
     struct bed *b = *state;
     struct plat_input in = holding(ENTER);
@@ -305,7 +298,7 @@ static void what_was_held_before_means_nothing(void **state)
 
 /* ---- switches ---- */
 
-static void headings_are_passed_over(void **state)
+TEST(headings_are_passed_over)
 {
     struct bed *b = *state;
 
@@ -331,7 +324,7 @@ static void headings_are_passed_over(void **state)
     assert_int_equal(b->l.accepted, -1);
 }
 
-static void every_device_works(void **state)
+TEST(every_device_works)
 {
     struct bed *b = *state;
 
@@ -378,7 +371,7 @@ static void every_device_works(void **state)
     assert_int_equal(b->l.closed, 1);
 }
 
-static void ten_steps_with_shift(void **state)
+TEST(ten_steps_with_shift)
 {
     struct bed *b = *state;
     struct plat_input in = holding(RIGHT);
@@ -389,7 +382,7 @@ static void ten_steps_with_shift(void **state)
     assert_int_equal(b->l.value[0], 10);
 }
 
-static void what_is_faint_or_plain_stays(void **state)
+TEST(what_is_faint_or_plain_stays)
 {
     struct bed *b = *state;
 
@@ -411,7 +404,7 @@ static void what_is_faint_or_plain_stays(void **state)
     assert_false(screens_are_open(&b->s));
 }
 
-static void yes_and_no_is_no(void **state)
+TEST(yes_and_no_is_no)
 {
     struct bed *b = *state;
 
@@ -428,7 +421,7 @@ static void yes_and_no_is_no(void **state)
     assert_int_equal(b->l.closed, 1);
 }
 
-static void arrows_repeat(void **state)
+TEST(arrows_repeat)
 {
     struct bed *b = *state;
 
@@ -453,7 +446,7 @@ static void arrows_repeat(void **state)
     assert_int_equal(b->l.accepted, -1);
 }
 
-static void pages(void **state)
+TEST(pages)
 {
     struct bed *b = *state;
 
@@ -476,7 +469,7 @@ static void pages(void **state)
 }
 
 /* The chosen row is always one of those that are shown. */
-static void the_list_follows(void **state)
+TEST(the_list_follows)
 {
     struct bed *b = *state;
 
@@ -502,7 +495,7 @@ static void point(struct bed *b, int at, uint8_t buttons, int wheel)
          0);
 }
 
-static void a_mouse(void **state)
+TEST(a_mouse)
 {
     struct bed *b = *state;
 
@@ -541,7 +534,7 @@ static void a_mouse(void **state)
 }
 
 /* One that lies on a row when the screen opens has not chosen it, wherever it was when the last one closed. */
-static void a_mouse_that_lies_there(void **state)
+TEST(a_mouse_that_lies_there)
 {
     struct bed *b = *state;
 
@@ -566,7 +559,7 @@ static void a_mouse_that_lies_there(void **state)
 }
 
 /* A value that is changed may give the window another size: then the mouse lies elsewhere, and nobody moved it. */
-static void a_window_that_moves_under_the_mouse(void **state)
+TEST(a_window_that_moves_under_the_mouse)
 {
     struct bed *b = *state;
 
@@ -604,7 +597,7 @@ static void then(void *context)
     asked++;
 }
 
-static void a_question(void **state)
+TEST(a_question)
 {
     struct bed *b = *state;
     char context[] = "of";
@@ -631,7 +624,7 @@ static void a_question(void **state)
     assert_int_equal(b->l.accepted, -1);
 }
 
-static void who_listens_has_all_switches(void **state)
+TEST(who_listens_has_all_switches)
 {
     struct bed *b = *state;
     const struct plat_input enter = holding(ENTER), escape = holding(ESCAPE);
@@ -662,7 +655,7 @@ static uint32_t ink(const struct bed *b)
     return n;
 }
 
-static void what_is_said_goes_again(void **state)
+TEST(what_is_said_goes_again)
 {
     struct bed *b = *state;
 
@@ -679,7 +672,7 @@ static void what_is_said_goes_again(void **state)
 }
 
 /* What is said of a row is not read below another one. */
-static void what_is_said_is_of_one_row(void **state)
+TEST(what_is_said_is_of_one_row)
 {
     struct bed *b = *state;
 
@@ -694,7 +687,7 @@ static void what_is_said_is_of_one_row(void **state)
 
 /* ---- any list in any picture ---- */
 
-static void a_list_that_becomes_shorter(void **state)
+TEST(a_list_that_becomes_shorter)
 {
     struct bed *b = *state;
 
@@ -721,7 +714,7 @@ static void a_list_that_becomes_shorter(void **state)
     assert_int_equal(chosen(b), 1);
 }
 
-static void whatever_happens(void **state)
+TEST(whatever_happens)
 {
     static const struct screen_def *const defs[] = { &all, &bare, &full, &window };
     static const int sizes[][2] = { { 240, 320 }, { 320, 240 }, { 384, 448 }, { 160, 144 }, { 64, 64 }, { 16, 16 } };
@@ -754,31 +747,4 @@ static void whatever_happens(void **state)
     }
 }
 
-#define TEST(name) cmocka_unit_test_setup_teardown(name, bed_open, bed_close)
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(screens_lie_on_one_another),
-        TEST(what_was_held_before_means_nothing),
-        TEST(headings_are_passed_over),
-        TEST(every_device_works),
-        TEST(ten_steps_with_shift),
-        TEST(what_is_faint_or_plain_stays),
-        TEST(yes_and_no_is_no),
-        TEST(arrows_repeat),
-        TEST(pages),
-        TEST(the_list_follows),
-        TEST(a_mouse),
-        TEST(a_mouse_that_lies_there),
-        TEST(a_window_that_moves_under_the_mouse),
-        TEST(a_question),
-        TEST(who_listens_has_all_switches),
-        TEST(what_is_said_goes_again),
-        TEST(what_is_said_is_of_one_row),
-        TEST(a_list_that_becomes_shorter),
-        TEST(whatever_happens),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS_EACH(bed_open, bed_close)

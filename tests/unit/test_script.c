@@ -1,12 +1,5 @@
 /* test_script.c - script.h: what is refused, where it is found, and what looks like it but is fine. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../src/base/rng.h"
 #include "../../src/script/script.h"
 #include "../../src/script/std.h"
@@ -51,9 +44,8 @@ static void refused(const char *text, int line, const char *what)
     refused_n(text, strlen(text), line, what);
 }
 
-static void test_power(void **state)
+TEST(power)
 {
-    (void)state;
     refused("return 2^3", 1, POWER);
     refused("x = 1\ny = x ^2", 2, POWER);
     refused("local s = 'a' ^ 1", 1, POWER);
@@ -68,9 +60,8 @@ static void test_power(void **state)
     refused("a[ [[x]] ] = 1 ^ 1", 1, POWER);
 }
 
-static void test_names(void **state)
+TEST(names)
 {
-    (void)state;
     refused("t.__gc = 1", 1, GC);
     refused("t = { __mode = 'k' }", 1, MODE);
     refused("t['__gc'] = 1", 1, GC);
@@ -85,9 +76,8 @@ static void test_names(void **state)
     fine("return '__gc__mode'");
 }
 
-static void test_escapes(void **state)
+TEST(escapes)
 {
-    (void)state;
     refused("'\\95_gc'", 1, GC);
     refused("'\\095_gc'", 1, GC);
     refused("'\\x5f\\x5Fgc'", 1, GC);
@@ -106,9 +96,8 @@ static void test_escapes(void **state)
     refused("'\\'' ^ 2", 1, POWER);
 }
 
-static void test_lines(void **state)
+TEST(lines)
 {
-    (void)state;
     refused("\n\n^", 3, POWER);
     refused("\r\n\r\n^", 3, POWER);
     refused("\r\r^", 3, POWER);
@@ -122,7 +111,7 @@ static void test_lines(void **state)
 }
 
 /* Text that is not Lua is the compiler's business, but the scan ends. */
-static void test_unfinished(void **state)
+TEST(unfinished)
 {
     static const char *const texts[] = { "",
                                          "'",
@@ -152,19 +141,17 @@ static void test_unfinished(void **state)
                                          "[=[]",
                                          "[=[]=" };
 
-    (void)state;
     for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++)
         fine(texts[i]);
 }
 
 /* Bytes of all kinds, and every cut of them: the scan ends and stays inside. */
-static void test_any_bytes(void **state)
+TEST(any_bytes)
 {
     static const char alphabet[] = "'\"[]=-\\xzu{}5f_gcmode^\n\r a9";
     struct rng r;
     char text[40];
 
-    (void)state;
     rng_seed(&r, 11);
     for (int i = 0; i < 20000; i++) {
         size_t n = (size_t)rng_below(&r, sizeof text);
@@ -187,9 +174,8 @@ static void checked(const char *text, const char *want)
     assert_string_equal(err, want);
 }
 
-static void test_check(void **state)
+TEST(check)
 {
-    (void)state;
     checked("local x <const> = 1 return x // 2 & 3", "");
     checked("-- nothing", "");
     checked("\n\nx = 2 ^ 2", "stages/one.lua:3: " POWER);
@@ -200,9 +186,8 @@ static void test_check(void **state)
 }
 
 /* A missing end: the block that Lua means, and by the indentation the one that the author means. */
-static void test_end(void **state)
+TEST(end)
 {
-    (void)state;
     checked("do\n  x = 1\n", "stages/one.lua:3: expected `end` to close `do` at line 1, got the end of the file");
     checked("if x then y = 1", "stages/one.lua:1: expected `end` to close `if` at line 1, got the end of the file");
     checked("function f()\n  if a then\n    b()\nend\nlocal x = 2\n",
@@ -222,14 +207,13 @@ static void test_end(void **state)
 }
 
 /* Deeper than is looked at, and cut everywhere: no more than Lua says itself, and nothing is read beyond the end. */
-static void test_end_anywhere(void **state)
+TEST(end_anywhere)
 {
     static _Alignas(16) char work[1 << 20];
     static const char all[] = "local function f(a)\n  for i = 1, 2 do if a then repeat x = \"end\" until y end end\n"
                               "  while z do do end end -- end\n  return function() end\nend\n";
     char err[256], deep[300 * 3 + 1];
 
-    (void)state;
     for (size_t n = 0; n < sizeof all; n++) {
         char *cut = malloc(n ? n : 1);
         memcpy(cut, all, n);
@@ -242,7 +226,7 @@ static void test_end_anywhere(void **state)
 }
 
 /* One call after the other finds all, with their lines. */
-static void test_all(void **state)
+TEST(all)
 {
     static const char text[] = "x = 2 ^ 3\ny = [[\n__gc]] ^ 1\nt.__mode = '^'\n";
     static const struct {
@@ -253,7 +237,6 @@ static void test_all(void **state)
     const char *what;
     int line;
 
-    (void)state;
     for (size_t i = 0; i < sizeof want / sizeof want[0]; i++) {
         assert_false(script_scan_from(text, sizeof text - 1, &place, &line, &what));
         assert_int_equal(line, want[i].line);
@@ -277,9 +260,8 @@ static void gives(const char *text, const char *want)
     assert_string_equal(got, want);
 }
 
-static void test_reads(void **state)
+TEST(reads)
 {
-    (void)state;
     gives("", "");
     gives("a.b:c 'd' \"e\" [[f]] [=[g]] ]=] -- h\n --[[ i ]] --[==[ j ]==] k", "a k");
     gives("a . b : c", "a");
@@ -298,11 +280,10 @@ static void test_reads(void **state)
     gives("pattern_x xpattern pattern2", "pattern_x xpattern pattern2");
 }
 
-static void test_modules(void **state)
+TEST(modules)
 {
     const uint64_t all = ((uint64_t)1 << STD_MODULE_COUNT) - 1;
 
-    (void)state;
     for (int i = 1; i < STD_MODULE_COUNT; i++) {
         char text[64];
         int n = snprintf(text, sizeof text, "x = %s.y", std_modules[i].name);
@@ -343,14 +324,4 @@ static void test_modules(void **state)
     assert_true(std_find_used_modules("stages._G = s:load()", 20) == 0);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_power), cmocka_unit_test(test_names),      cmocka_unit_test(test_escapes),
-        cmocka_unit_test(test_lines), cmocka_unit_test(test_unfinished), cmocka_unit_test(test_any_bytes),
-        cmocka_unit_test(test_check), cmocka_unit_test(test_end),        cmocka_unit_test(test_end_anywhere),
-        cmocka_unit_test(test_all),   cmocka_unit_test(test_reads),      cmocka_unit_test(test_modules),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

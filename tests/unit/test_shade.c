@@ -1,10 +1,5 @@
 /* test_shade.c - shade.h: every entry of the tables against a look at all colours, and which ROM they are made for. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../src/base/rng.h"
 #include "../../src/workbench/pack/art.h"
 #include "../../src/player/picture/shade.h"
@@ -53,12 +48,11 @@ static void check(const uint8_t *rgb)
     }
 }
 
-static void test_tables(void **state)
+TEST(tables)
 {
     uint8_t rgb[CART_PALETTE_SIZE];
     struct rng r;
 
-    (void)state;
     art_default_palette(rgb);
     check(rgb);
     rng_seed(&r, 8);
@@ -72,11 +66,10 @@ static void test_tables(void **state)
 }
 
 /* On the default palette, which is made of ramps, shades are about as dark as they should be. */
-static void test_dark(void **state)
+TEST(dark)
 {
     uint8_t rgb[CART_PALETTE_SIZE], tables[CART_SHADES_SIZE];
 
-    (void)state;
     art_default_palette(rgb);
     shade_make(rgb, tables);
     for (int dim = VIEW_DIM_QUARTER; dim <= VIEW_DIM_MOST; dim++) {
@@ -90,7 +83,7 @@ static void test_dark(void **state)
 }
 
 /* A ROM without the lump gets tables, made once a palette; one that has it none. */
-static void test_kept(void **state)
+TEST(kept)
 {
     static uint8_t manifest[MANIFEST_BYTES], bytes[8192], want[CART_SHADES_SIZE];
     uint8_t rgb[CART_PALETTE_SIZE];
@@ -100,7 +93,6 @@ static void test_kept(void **state)
     struct rom rom;
     char err[256];
 
-    (void)state;
     art_default_palette(rgb);
     manifest_set_defaults(&m);
     const uint32_t manifest_size = manifest_pack(&m, manifest);
@@ -125,10 +117,4 @@ static void test_kept(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_tables), cmocka_unit_test(test_dark),
-                                        cmocka_unit_test(test_kept) };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -1,12 +1,5 @@
 /* test_share.c - the mark of an exported program, and what of a program's file is loaded. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../platform/platform.h"
 #include "../../src/board/board.h"
 #include "../../src/workbench/export/image.h"
@@ -25,14 +18,13 @@ static uint8_t *itself(size_t *size)
     return file;
 }
 
-static void one_mark_is_found(void **state)
+TEST(one_mark_is_found)
 {
     size_t size, at, again;
     uint8_t *file = itself(&size);
     const struct mark put = { MARK_KEYS, 0x12345678, 1ull << 33, 99, 0 };
     struct mark got = mark_own();
 
-    (void)state;
     assert_true(got.size == 0 && got.at == 0 && got.flags == 0 && got.core == CORE_VERSION);
     assert_true(mark_find(file, size, &at));
     assert_true(mark_find(file, at + MARK_BYTES, &again) && again == at);
@@ -52,13 +44,12 @@ static void one_mark_is_found(void **state)
 }
 
 /* What is behind the last piece goes; what is no whole program stays. */
-static void what_is_loaded(void **state)
+TEST(what_is_loaded)
 {
     uint8_t text[512] = "\177ELF and no more";
     size_t size, end, at;
     uint8_t *file = itself(&size);
 
-    (void)state;
     assert_int_equal(image_trim(text, sizeof text), sizeof text);
     assert_int_equal(image_trim(text, 3), 3);
     uint8_t *copy = malloc(size);
@@ -78,13 +69,12 @@ static void what_is_loaded(void **state)
 }
 
 /* A file for a 32-bit, big-endian machine: its header, two segments, and the table of sections behind them. */
-static void what_is_loaded_elsewhere(void **state)
+TEST(what_is_loaded_elsewhere)
 {
     uint8_t file[512] = {
         0x7f, 'E', 'L', 'F', 1, 2, 1, [31] = 52, [34] = 1, [35] = 0x80, [43] = 32, [45] = 2, [49] = 3
     };
 
-    (void)state;
     file[52 + 7] = 52, file[52 + 19] = 64;  /* the headers */
     file[84 + 6] = 1, file[84 + 19] = 0x11; /* 17 bytes from 256 on */
     assert_int_equal(image_trim(file, sizeof file), 273);
@@ -98,10 +88,4 @@ static void what_is_loaded_elsewhere(void **state)
     assert_int_equal(image_trim(file, sizeof file), sizeof file);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(one_mark_is_found), cmocka_unit_test(what_is_loaded),
-                                        cmocka_unit_test(what_is_loaded_elsewhere) };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -1,15 +1,8 @@
 /*
  * test_snd.c - what sounds are made of: pitches, levels, recordings, filters, and time. Oracles are doubles.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include <math.h>
-#include <stdio.h>
 #include "../../src/base/bytes.h"
 #include "../../src/base/rng.h"
 #include "../../src/workbench/samples/encode.h"
@@ -28,9 +21,8 @@ static int make_tables(void **state)
     return 0;
 }
 
-static void test_pitch(void **state)
+TEST(pitch)
 {
-    (void)state;
     for (int32_t p = 0; p <= PITCH_MAX; p += 997) {
         const long double hz = 440 * exp2l(((long double)p / PITCH_ONE - 69) / 12), step = hz / SND_RATE * 0x1p56l;
         assert_true(fabsl(1200 * log2l((long double)pitch_step(p) / step)) < 0.0001l);
@@ -43,9 +35,8 @@ static void test_pitch(void **state)
     assert_true(pitch_ratio(0) == (uint64_t)1 << 32 && pitch_ratio(12 * PITCH_ONE) == (uint64_t)2 << 32);
 }
 
-static void test_halved(void **state)
+TEST(halved)
 {
-    (void)state;
     for (uint64_t x = 0; x < (uint64_t)31 << 32; x += 12345678) {
         const double right = 0x1p30 * exp2(-(double)x / 0x1p32);
         assert_true(fabs(pitch_exp2_neg(x) - right) <= 0x1p30 * 4e-6 * exp2(-(double)x / 0x1p32) + 1);
@@ -55,9 +46,8 @@ static void test_halved(void **state)
 }
 
 /* Weights add up to one; one that stands on a sample gives it back; each phase is the mirror of its opposite. */
-static void test_sinc(void **state)
+TEST(sinc)
 {
-    (void)state;
     for (int p = 0; p < SINC_PHASES; p++) {
         int sum = 0;
         for (int j = 0; j < SINC_TAPS; j++)
@@ -91,9 +81,8 @@ static double snr(double hz, double ratio)
     return 10 * log10(all / wrong);
 }
 
-static void test_filter(void **state)
+TEST(filter)
 {
-    (void)state;
     assert_true(snr(1000, 0.73) > 76);
     assert_true(snr(3000, 1.29) > 65);
     assert_true(snr(6000, 0.51) > 61);
@@ -101,13 +90,12 @@ static void test_filter(void **state)
 }
 
 /* Of a saw nothing folds back that is louder than -80 dB: what is not a harmonic of the note. */
-static void test_alias(void **state)
+TEST(alias)
 {
     enum { N = 4096 };
     static double re[N];
     const struct inst saw = { .kind = INST_SAW };
 
-    (void)state;
     for (int cycles = 37; cycles < 700; cycles += 83) { /* so many whole turns in N samples */
         const uint64_t step = (uint64_t)cycles << 44;
         struct wave_params at = { 0, step, 0, 0, 0, 0, NULL };
@@ -133,11 +121,10 @@ static void test_alias(void **state)
     }
 }
 
-static void test_limit(void **state)
+TEST(limit)
 {
     int16_t last = 0;
 
-    (void)state;
     for (int32_t v = 0; v < 1 << 25; v += 997) {
         const int16_t out = wave_limit(v);
         assert_true(out >= last && wave_limit(-v) == -out);
@@ -149,12 +136,11 @@ static void test_limit(void **state)
 }
 
 /* The level rises in its attack, halves as it says, and has no jump. */
-static void test_level(void **state)
+TEST(level)
 {
     const struct env i = { .sustain = 8000, .attack = 480, .decay = 1000, .fade = 48000, .release = 2000 };
     int32_t last = 0;
 
-    (void)state;
     for (int32_t age = -10; age < 60000; age++) {
         const int32_t level = wave_level(&i, age, 20000);
         assert_true(level >= 0 && level <= 32767 && abs(level - last) <= 32767 / 480 + 2);
@@ -167,7 +153,7 @@ static void test_level(void **state)
 }
 
 /* What is read does not depend on where reading begins, nor on loops that are read at once or piece by piece. */
-static void test_adpcm(void **state)
+TEST(adpcm)
 {
     enum { N = 3000 };
     static int16_t in[N], all[4 * N], part[200];
@@ -175,7 +161,6 @@ static void test_adpcm(void **state)
     struct sample s;
     struct rng r;
 
-    (void)state;
     rng_seed(&r, 4);
     for (int i = 0; i < N; i++)
         in[i] = (int16_t)(12000 * sin(i * 0.05) + 4000 * sin(i * 0.31));
@@ -218,12 +203,11 @@ static int16_t any16(void)
 }
 
 /* All sines there are. */
-static void test_sines(void **state)
+TEST(sines)
 {
     uint32_t phase[FM_BLOCK];
     int16_t fast[FM_BLOCK], plain[FM_BLOCK];
 
-    (void)state;
     for (uint32_t p = 0; p < 65536; p += FM_BLOCK) {
         for (uint32_t n = 0; n < FM_BLOCK; n++)
             phase[n] = (p + n) << 16 | (n * 2114 & 0xffff);
@@ -307,9 +291,8 @@ static void same_mix(void)
 }
 
 /* Filters and the mix are what is written here one by one, whatever comes. */
-static void test_plain(void **state)
+TEST(plain)
 {
-    (void)state;
     rng_seed(&chance, 8);
     for (int round = 0; round < 3000; round++) {
         for (size_t i = 0; i < sizeof x / sizeof *x; i++)
@@ -321,12 +304,11 @@ static void test_plain(void **state)
 }
 
 /* Operators at their extremes: the sum of those that are heard stays within 16 bits, and silence is silent. */
-static void test_operators(void **state)
+TEST(operators)
 {
     struct fm_op op[FM_OPS];
     int16_t out[FM_BLOCK];
 
-    (void)state;
     rng_seed(&chance, 9);
     for (int round = 0; round < 4000; round++) {
         const int algorithm = round % FM_ALGORITHMS, ops = round % 5 ? 4 : 2;
@@ -388,7 +370,7 @@ static void run_in(const struct tune *t, uint32_t tempo, int piece, int64_t samp
 }
 
 /* A track read in frames, or in pieces of any length, is the same one, to the sample. */
-static void test_time(void **state)
+TEST(time)
 {
     static struct played whole, parts;
     const struct mml_settings settings = { .volume = 255, .priority = 4, .limit = 2, .title = "" };
@@ -398,7 +380,6 @@ static void test_time(void **state)
     char err[128];
     size_t size;
 
-    (void)state;
     assert_true(mml_compile(text, strlen(text), "t", &settings, &bytes, &size, err, sizeof err));
     const struct tune t = tune_of(bytes);
     assert_int_equal(t.tempo, 13731);
@@ -487,11 +468,10 @@ static double loudness(const char *settings, int frames, int side)
 #define NEAR(a, b, by) assert_true(fabs((a) - (b)) < (by))
 
 /* Arpeggios jump where a frame begins, curves go straight from value to value, tremolo starts at the full level. */
-static void test_shapes(void **state)
+TEST(shapes)
 {
     static const double arpeggio[] = { 0, 0, 4, 4, 7, 7, 0, 0 };
 
-    (void)state;
     for (int f = 0; f < 8; f++) {
         NEAR(semitones("sine arpeggio=2:0,4,7", f + 1, 0), arpeggio[f], 0.001);
         NEAR(semitones("sine arpeggio=2:0,4,7", f + 1, 1), arpeggio[f], 0.001);
@@ -516,7 +496,7 @@ static void test_shapes(void **state)
 }
 
 /* A note that glides from a frame to the next has no jump at their border, larger than within. */
-static void test_borders(void **state)
+TEST(borders)
 {
     uint8_t *block, rom[INST_BYTES + 16] = { 0 };
     const struct inst inst = { .kind = INST_TRIANGLE,
@@ -526,7 +506,6 @@ static void test_borders(void **state)
     static int16_t out[30 * 2 * SND_FRAME];
     int most = 0, border = 0;
 
-    (void)state;
     inst_write(rom + 16, &inst, NULL, "");
     for (int f = 0; f < 30; f++) {
         voices_step(v, rom);
@@ -553,15 +532,4 @@ static void test_borders(void **state)
     free(block);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_pitch),  cmocka_unit_test(test_halved),  cmocka_unit_test(test_sinc),
-        cmocka_unit_test(test_filter), cmocka_unit_test(test_alias),   cmocka_unit_test(test_limit),
-        cmocka_unit_test(test_level),  cmocka_unit_test(test_adpcm),   cmocka_unit_test(test_time),
-        cmocka_unit_test(test_sines),  cmocka_unit_test(test_plain),   cmocka_unit_test(test_operators),
-        cmocka_unit_test(test_shapes), cmocka_unit_test(test_borders),
-    };
-
-    return cmocka_run_group_tests(tests, make_tables, NULL);
-}
+RUN_TESTS(make_tables, NULL)

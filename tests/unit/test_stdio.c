@@ -1,19 +1,12 @@
 /* test_stdio.c - the defaults of the platform seam: files, folders. Works in a folder of its own under TMPDIR. */
 #define _XOPEN_SOURCE 700
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <fcntl.h>
 #include <signal.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/stat.h>
 #include <sys/sysmacros.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../platform/platform.h"
 #include "../../src/base/rng.h"
 #include "../temp.h"
@@ -46,9 +39,8 @@ static void fits(int picture_w, int picture_h, int scale, bool any, int room_w, 
 }
 
 /* The largest size that fits, and no larger one does; never less than the picture. */
-static void windows_fit(void **state)
+TEST(windows_fit)
 {
-    (void)state;
     fits(240, 320, 0, false, 1916, 1010, 720, 960);
     fits(240, 320, 2, false, 1916, 1010, 480, 640);
     fits(240, 320, 9, true, 1916, 1010, 2160, 2880); /* what was asked for is given */
@@ -71,10 +63,9 @@ static void windows_fit(void **state)
                 }
 }
 
-static void save_load_append(void **state)
+TEST(save_load_append)
 {
     char buf[16] = { 0 };
-    (void)state;
     assert_int_equal(plat_file_size("a"), -1);
     assert_int_equal(plat_load("a", buf, sizeof buf), -1);
     assert_true(plat_save("a", "hello", 5));
@@ -91,11 +82,10 @@ static void save_load_append(void **state)
 }
 
 /* What is no regular file is written to and stays what it is; reading one is refused, not waited for. */
-static void devices_and_pipes(void **state)
+TEST(devices_and_pipes)
 {
     struct stat st;
     char buf[16];
-    (void)state;
     /* root can make devices, and would lose the host's own to a save that replaces them; nobody else can */
     const char *null = mknod("null", S_IFCHR | 0600, makedev(1, 3)) == 0 ? "null" : "/dev/null";
     const char *full = mknod("full", S_IFCHR | 0600, makedev(1, 7)) == 0 ? "full" : "/dev/full";
@@ -126,11 +116,10 @@ static bool is_link(const char *path)
     return lstat(path, &st) == 0 && S_ISLNK(st.st_mode);
 }
 
-static void links_stay(void **state)
+TEST(links_stay)
 {
     char far[700], buf[8];
     struct stat st;
-    (void)state;
     assert_true(plat_save("d/real", "old", 3));
     assert_int_equal(chmod("d/real", 0640), 0);
     assert_int_equal(symlink("real", "d/near"), 0);
@@ -156,10 +145,9 @@ static void count_entry(void *user, const struct plat_folder_entry *file)
     ++*(int *)user;
 }
 
-static void linked_folders_are_not_listed(void **state)
+TEST(linked_folders_are_not_listed)
 {
     int n = 0;
-    (void)state;
     assert_true(plat_save("l/in/file", "1", 1));
     assert_int_equal(symlink("in", "l/folder"), 0);
     assert_int_equal(symlink("in/file", "l/file"), 0);
@@ -170,9 +158,8 @@ static void linked_folders_are_not_listed(void **state)
     assert_false(plat_remove("l/in/file"));
 }
 
-static void folders_are_made(void **state)
+TEST(folders_are_made)
 {
-    (void)state;
     assert_true(plat_save("x/y/z", "1", 1));
     assert_int_equal(plat_file_size("x/y/z"), 1);
     assert_int_equal(plat_file_size("x/y"), -1);
@@ -182,9 +169,8 @@ static void folders_are_made(void **state)
     assert_int_equal(plat_file_size("user:game.nv"), 2);
 }
 
-static void the_users_folder(void **state)
+TEST(the_users_folder)
 {
-    (void)state;
     setenv("XDG_DATA_HOME", "relative", 1);
     setenv("HOME", home, 1);
     assert_true(plat_save("user:h", "123", 3));
@@ -210,10 +196,9 @@ static void is_below(const char *below, const char *file)
     is_at(want, file);
 }
 
-static void real_paths(void **state)
+TEST(real_paths)
 {
     char path[4096];
-    (void)state;
     is_at("/some/file.lua", "/some/file.lua");
     is_below("/some/file.lua", "some/file.lua");
     is_below("/curtain/game.nv", "user:game.nv");
@@ -226,9 +211,8 @@ static void real_paths(void **state)
 }
 
 /* Another name has other folders; without one, those of Curtain. */
-static void another_name(void **state)
+TEST(another_name)
 {
-    (void)state;
     plat_set_name("lanterns");
     is_below("/curtain-lanterns/a.nv", "user:a.nv");
     setenv("XDG_PICTURES_DIR", home, 1);
@@ -240,12 +224,11 @@ static void another_name(void **state)
 }
 
 /* The program's own file is there under the name it says; a file that could be read can be run. */
-static void programs(void **state)
+TEST(programs)
 {
     char own[256];
     struct stat st;
 
-    (void)state;
     assert_true(plat_program_file(own, sizeof own) && plat_file_size(own) > 1000);
     assert_false(plat_program_file(own, 3));
     assert_true(plat_save("tool", "x", 1) && chmod("tool", 0640) == 0);
@@ -255,9 +238,8 @@ static void programs(void **state)
 }
 
 /* By whatever name, and only what is there and is a file. */
-static void same_files(void **state)
+TEST(same_files)
 {
-    (void)state;
     assert_true(plat_save("one", "x", 1) && plat_save("two", "x", 1) && symlink("one", "also") == 0);
     assert_true(plat_is_same_file("one", "one") && plat_is_same_file("one", "./one") &&
                 plat_is_same_file("also", "one"));
@@ -266,9 +248,8 @@ static void same_files(void **state)
 }
 
 /* Of files that are not there yet: the same one by another way, a link that leads to it, another case. */
-static void same_files_to_be(void **state)
+TEST(same_files_to_be)
 {
-    (void)state;
     assert_true(plat_save("to/be/x", "", 0) && symlink("to/be", "to_be") == 0 &&
                 symlink("to/be/none", "none_yet") == 0);
     assert_true(plat_is_same_file("none", "none") && plat_is_same_file("none", "./NONE") &&
@@ -280,10 +261,9 @@ static void same_files_to_be(void **state)
 }
 
 /* The file that a save goes by way of is a new one: another's of that name stays. */
-static void temporary_files_are_new(void **state)
+TEST(temporary_files_are_new)
 {
     char temp[64], read[8];
-    (void)state;
     snprintf(temp, sizeof temp, "saved.%ld.tmp", (long)getpid());
     assert_true(plat_save(temp, "mine", 4) && plat_save("saved", "new", 3));
     assert_int_equal(plat_load(temp, read, sizeof read), 4);
@@ -296,10 +276,9 @@ static void user_dirs_say(const char *text)
 }
 
 /* The environment, then user-dirs.dirs, then ~/Pictures; without a home the current folder. */
-static void the_users_pictures(void **state)
+TEST(the_users_pictures)
 {
     char config[4096];
-    (void)state;
     snprintf(config, sizeof config, "%s/conf", home);
     unsetenv("XDG_PICTURES_DIR");
     unsetenv("HOME");
@@ -329,10 +308,9 @@ static void the_users_pictures(void **state)
     unsetenv("XDG_PICTURES_DIR");
 }
 
-static void about(void **state)
+TEST(about)
 {
     char text[128] = "";
-    (void)state;
     plat_describe_build(text, sizeof text);
     assert_string_equal(text, "no window");
     plat_describe_system(text, sizeof text);
@@ -340,10 +318,9 @@ static void about(void **state)
 }
 
 /* From the program's own folder, upwards too; further than the root there is nothing. */
-static void what_is_beside(void **state)
+TEST(what_is_beside)
 {
     char program[512], path[512], up[600], tight[8];
-    (void)state;
     const ssize_t n = readlink("/proc/self/exe", program, sizeof program - 1);
     assert_true(n > 0);
     program[n] = 0;
@@ -368,10 +345,9 @@ static void count(void *user, const struct plat_folder_entry *file)
     seen[1] += strcmp(file->name, "sub") == 0 && file->is_folder;
 }
 
-static void listing(void **state)
+TEST(listing)
 {
     int seen[2] = { 0 };
-    (void)state;
     assert_true(plat_save("list/one", "1", 1));
     assert_true(plat_save("list/sub/two", "1", 1));
     assert_int_equal(plat_list("list", count, seen), 2);
@@ -381,10 +357,9 @@ static void listing(void **state)
 }
 
 /* What cannot be replaced stays, and no half file is left beside it. */
-static void a_failed_save_leaves_all(void **state)
+TEST(a_failed_save_leaves_all)
 {
     int seen[2] = { 0 };
-    (void)state;
     assert_true(plat_save("dir/taken/file", "1", 1));
     assert_false(plat_save("dir/taken", "22", 2)); /* a folder is in the way */
     assert_int_equal(plat_file_size("dir/taken/file"), 1);
@@ -394,7 +369,7 @@ static void a_failed_save_leaves_all(void **state)
 }
 
 /* Sizes, pitches and places of any kind: as pixel by pixel, and nothing between the rows. */
-static void pictures_become_colours(void **state)
+TEST(pictures_become_colours)
 {
     enum { PIX = 4096, OUT = 4096, NONE = 0x12345678 };
     static uint8_t pix[PIX];
@@ -402,7 +377,6 @@ static void pictures_become_colours(void **state)
     uint32_t rgb[256];
     struct rng r;
 
-    (void)state;
     rng_seed(&r, 5);
     for (int k = 0; k < 3000; k++) {
         int w = (int)rng_below(&r, 41), h = (int)rng_below(&r, 21), pitch = w + (int)rng_below(&r, 20);
@@ -422,28 +396,4 @@ static void pictures_become_colours(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(pictures_become_colours),
-        cmocka_unit_test(windows_fit),
-        cmocka_unit_test(save_load_append),
-        cmocka_unit_test(devices_and_pipes),
-        cmocka_unit_test(links_stay),
-        cmocka_unit_test(linked_folders_are_not_listed),
-        cmocka_unit_test(folders_are_made),
-        cmocka_unit_test(the_users_folder),
-        cmocka_unit_test(real_paths),
-        cmocka_unit_test(the_users_pictures),
-        cmocka_unit_test(about),
-        cmocka_unit_test(what_is_beside),
-        cmocka_unit_test(listing),
-        cmocka_unit_test(another_name),
-        cmocka_unit_test(programs),
-        cmocka_unit_test(same_files),
-        cmocka_unit_test(same_files_to_be),
-        cmocka_unit_test(temporary_files_are_new),
-        cmocka_unit_test(a_failed_save_leaves_all),
-    };
-    return cmocka_run_group_tests(tests, into_folder, out_of_folder);
-}
+RUN_TESTS(into_folder, out_of_folder)

@@ -3,14 +3,7 @@
  * itself; which go and which stay; kept ROMs.
  */
 #define _POSIX_C_SOURCE 200809L /* mkdtemp, setenv */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../platform/platform.h"
 #include "../../src/base/bytes.h"
 #include "../../src/base/hash.h"
@@ -46,11 +39,9 @@ static int close_folder(void **state)
     return remove(dir);
 }
 
-static int empty_folder(void **state)
+static void empty_folder(void)
 {
-    (void)state;
     shell("rm -rf curtain");
-    return 0;
 }
 
 /* ---- cards ---- */
@@ -110,14 +101,13 @@ static struct thumb a_thumb(int w, int h)
     return t;
 }
 
-static void test_card(void **state)
+TEST(card)
 {
     static const int sides[] = { 0, 1, 72, THUMB_SIDE };
     uint8_t bytes[REPLAY_META_BYTES];
     struct replay_meta c = a_card(3), back;
     struct thumb t, seen;
 
-    (void)state;
     replay_meta_take_name(&c, "caf\xc3\xa9 \xe3\x82\xab");
     for (size_t i = 0; i < sizeof sides / sizeof *sides; i++) {
         t = a_thumb(sides[i], sides[i]);
@@ -134,13 +124,12 @@ static void test_card(void **state)
 }
 
 /* As long as can be: it stays below what the list reads. */
-static void test_longest(void **state)
+TEST(longest)
 {
     uint8_t bytes[REPLAY_META_BYTES];
     struct replay_meta c = a_card(1), back;
     struct thumb t = { 0 };
 
-    (void)state;
     memset(c.id, 'i', sizeof c.id - 1);
     memset(c.ship, 's', sizeof c.ship - 1);
     memset(c.difficulty, 'd', sizeof c.difficulty - 1);
@@ -158,14 +147,13 @@ static void test_longest(void **state)
 }
 
 /* One row more than a card has is refused, though it is whole and its CRC is right. */
-static void test_too_many(void **state)
+TEST(too_many)
 {
     enum { BEFORE = 12 };
     uint8_t bytes[REPLAY_META_BYTES];
     struct replay_meta c = a_card(1), back;
     const struct thumb t = { 0 };
 
-    (void)state;
     c.rows = 0;
     replay_meta_write(&c, &t, bytes);
     const size_t rows = BEFORE + bytes_get32(bytes + 8) - 1; /* their number is the last byte before them */
@@ -183,7 +171,7 @@ static void test_too_many(void **state)
 }
 
 /* Spoilt, and its CRC often made good again, it is refused or within its bounds. Exact blocks, for a sanitizer. */
-static void test_mutants(void **state)
+TEST(mutants)
 {
     uint8_t whole[REPLAY_META_BYTES];
     struct replay_meta c = a_card(2), back;
@@ -192,7 +180,6 @@ static void test_mutants(void **state)
     struct rng r;
     long refused = 0;
 
-    (void)state;
     rng_seed(&r, 4);
     for (int i = 0; i < MUTANTS; i++) {
         const size_t n = rng_below(&r, 4) ? size : (size_t)rng_below(&r, size + 1);
@@ -228,11 +215,10 @@ static void name_becomes(const char *want, const char *name)
     assert_string_equal(c.name, want);
 }
 
-static void test_names(void **state)
+TEST(names)
 {
     struct replay_meta c = { .rows = 0 };
 
-    (void)state;
     name_becomes("", "");
     name_becomes("", " \t ");
     name_becomes("my best", "  my best ");
@@ -246,7 +232,7 @@ static void test_names(void **state)
 
 /* ---- what a demo tells ---- */
 
-static void test_of_demo(void **state)
+TEST(of_demo)
 {
     struct demo_marker markers[] = {
         { 10, { .kind = MARKER_GAME, .name = "tern", .value = 1 } },
@@ -260,7 +246,6 @@ static void test_of_demo(void **state)
     struct demo d = { .id = "x", .frames = 950, .n_markers = 7, .markers = markers, .complete = true, .flags = 1 };
     struct replay_meta c;
 
-    (void)state;
     assert_true(replay_meta_of_demo(&c, &d));
     assert_string_equal(c.ship, "heron");
     assert_true(c.first == 500 && c.last == 950 && c.end == REPLAY_OVER && c.players == 2 && c.stages == 3);
@@ -278,7 +263,7 @@ static void test_of_demo(void **state)
 
 /* ---- pictures ---- */
 
-static void test_thumb(void **state)
+TEST(thumb)
 {
     static uint8_t memory[1 << 20];
     static const int sizes[][4] = { { 240, 320, 72, 96 }, { 320, 240, 96, 72 }, { 384, 448, 82, 96 },
@@ -286,7 +271,6 @@ static void test_thumb(void **state)
     uint32_t rgb[256] = { 0, 0xffffff, 0xff0000, 0x0000ff };
     struct thumb t;
 
-    (void)state;
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
         struct fb fb;
         assert_true(fb_size(sizes[i][0], sizes[i][1]) <= sizeof memory);
@@ -333,13 +317,13 @@ static void listed(struct replays *r, int n)
     assert_int_equal(r->n, n);
 }
 
-static void test_folder(void **state)
+TEST(folder)
 {
     struct replays r;
     struct thumb t;
     char path[REPLAY_PATH];
 
-    (void)state;
+    empty_folder();
     assert_true(replays_open(&r, "lanterns"));
     assert_int_equal(r.n, 0);
     for (int i = 0; i < 5; i++)
@@ -365,11 +349,11 @@ static void test_folder(void **state)
 }
 
 /* 200 replays cost a read of at most REPLAY_META_HEAD bytes each. */
-static void test_many(void **state)
+TEST(many)
 {
     struct replays r;
 
-    (void)state;
+    empty_folder();
     assert_true(replays_open(&r, "lanterns"));
     for (int i = 0; i < MANY; i++)
         add(&r, i);
@@ -385,13 +369,13 @@ static bool stands(void *of, const struct replay_meta_row *row)
 }
 
 /* The oldest go; a name, and a row that stands, keep. */
-static void test_prune(void **state)
+TEST(prune)
 {
     struct replays r;
     int64_t best = 1000; /* of replay 1 */
     uint64_t kept = 0;
 
-    (void)state;
+    empty_folder();
     assert_true(replays_open(&r, "lanterns"));
     for (int i = 0; i < 20; i++)
         add(&r, i);
@@ -407,14 +391,14 @@ static void test_prune(void **state)
     replays_close(&r);
 }
 
-static void test_rows(void **state)
+TEST(rows)
 {
     struct replays r;
     struct replay_meta_row row = { .table = "hard",
                                    .row = { .name = "XYZ", .ship = "tern", .score = 7, .continues = 2 } };
     struct nv_row asked;
 
-    (void)state;
+    empty_folder();
     assert_true(replays_open(&r, "lanterns"));
     for (int i = 0; i < 5; i++)
         add(&r, i);
@@ -437,14 +421,14 @@ static void test_rows(void **state)
 }
 
 /* What a crash or a hand leaves: the list is right, and the folder after it. */
-static void test_repair(void **state)
+TEST(repair)
 {
     struct replays r;
     const char *demo = "tests/demos/whole8-run.demo";
     static uint8_t bytes[1 << 21];
     struct replay_meta c = { .rows = 0 };
 
-    (void)state;
+    empty_folder();
     const long n = plat_load(demo, bytes, sizeof bytes);
     assert_in_range(n, 1000, sizeof bytes - 1);
     struct demo d;
@@ -483,13 +467,13 @@ static void test_repair(void **state)
 }
 
 /* Nowhere to write: a sentence, and nothing is half there. */
-static void test_refused(void **state)
+TEST(refused)
 {
     struct replays r;
     const struct replay_meta c = a_card(1);
     const uint8_t bytes[4] = { 0 };
 
-    (void)state;
+    empty_folder();
     shell("mkdir -p curtain && touch curtain/replays");
     assert_true(replays_open(&r, "lanterns"));
     assert_false(replays_add(&r, bytes, sizeof bytes, &c, NULL, err, sizeof err));
@@ -500,7 +484,7 @@ static void test_refused(void **state)
 
 /* ---- ROMs ---- */
 
-static void test_roms(void **state)
+TEST(roms)
 {
     struct replays r;
     static uint8_t bytes[256], data[1];
@@ -509,7 +493,7 @@ static void test_roms(void **state)
     uint64_t hash[3];
     char path[ROMS_PATH];
 
-    (void)state;
+    empty_folder();
     for (int i = 0; i < 3; i++) {
         data[0] = (uint8_t)i;
         rom_write(bytes, &lump, 1);
@@ -537,17 +521,4 @@ static void test_roms(void **state)
     replays_close(&r);
 }
 
-#define IN_FOLDER(test) cmocka_unit_test_setup(test, empty_folder)
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_card),    cmocka_unit_test(test_longest), cmocka_unit_test(test_too_many),
-        cmocka_unit_test(test_mutants), cmocka_unit_test(test_names),   cmocka_unit_test(test_of_demo),
-        cmocka_unit_test(test_thumb),   IN_FOLDER(test_folder),         IN_FOLDER(test_many),
-        IN_FOLDER(test_prune),          IN_FOLDER(test_rows),           IN_FOLDER(test_repair),
-        IN_FOLDER(test_refused),        IN_FOLDER(test_roms),
-    };
-
-    return cmocka_run_group_tests(tests, open_folder, close_folder);
-}
+RUN_TESTS(open_folder, close_folder)

@@ -3,14 +3,8 @@
  * is well outside, with the picture's row by its distance; no pixel is blended twice at a bend; nothing is drawn
  * outside of the clip. The oracle measures with doubles.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
+#include "../test.h"
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 #include "../../fb/strip.h"
 #include "../../src/base/rng.h"
 
@@ -84,12 +78,11 @@ static int random_line(struct rng *rng, struct strip_corner *c, int n)
     return n;
 }
 
-static void test_coverage(void **state)
+TEST(coverage)
 {
     struct rng rng;
     long inside = 0, edges = 0;
 
-    (void)state;
     rng_seed(&rng, 9);
     for (int round = 0; round < 400; round++) {
         const struct image img = { tall, 1, ROWS, 8 };
@@ -126,12 +119,11 @@ static void test_coverage(void **state)
 }
 
 /* Every pixel once, also where it bends. */
-static void test_once(void **state)
+TEST(once)
 {
     struct rng rng;
     long drawn = 0;
 
-    (void)state;
     rng_seed(&rng, 10);
     fb_reset_clip(&fb);
     for (int round = 0; round < 300; round++) {
@@ -158,7 +150,7 @@ static void test_once(void **state)
 }
 
 /* The picture repeats along the line, whichever way that goes. */
-static void test_along(void **state)
+TEST(along)
 {
     uint8_t wide[8 * 4];
     const struct image img = { wide, 5, 4, 8 };
@@ -166,7 +158,6 @@ static void test_along(void **state)
     const struct strip_corner right[] = { { 10 << 16, 50 << 16 }, { 60 << 16, 50 << 16 } },
                               up[] = { { 80 << 16, 100 << 16 }, { 80 << 16, 20 << 16 } };
 
-    (void)state;
     for (int i = 0; i < 32; i++)
         wide[i] = (uint8_t)(i % 8 < 5 ? 1 + i % 8 + 16 * (i / 8) : 0);
     fb_reset_clip(&fb);
@@ -182,12 +173,11 @@ static void test_along(void **state)
 }
 
 /* Corners anywhere, widths to the most: nothing is written outside of the clip. */
-static void test_extremes(void **state)
+TEST(extremes)
 {
     static const int32_t ends[] = { 0, 1, -1, 65535, 1966080000, -1966080000, 100 << 16, -(9 << 16) };
     struct rng rng;
 
-    (void)state;
     rng_seed(&rng, 11);
     fb_set_clip(&fb, 30, 30, 40, 40);
     fb_fill(&fb, 0);
@@ -209,14 +199,4 @@ static void test_extremes(void **state)
                 assert_int_equal(fb.pix[y * fb.pitch + x], 0);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_coverage),
-        cmocka_unit_test(test_once),
-        cmocka_unit_test(test_along),
-        cmocka_unit_test(test_extremes),
-    };
-
-    return cmocka_run_group_tests(tests, setup, teardown);
-}
+RUN_TESTS(setup, teardown)

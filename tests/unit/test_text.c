@@ -1,14 +1,8 @@
 /*
  * test_text.c - text against a painter that sets one pixel after the other.
  */
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../fb/text.h"
 #include "../../src/base/rng.h"
 
@@ -96,7 +90,7 @@ static void expect(struct bed *b)
         assert_memory_equal(b->fb.pix + y * b->fb.pitch, b->want[y], W);
 }
 
-static void every_code(void **state)
+TEST(every_code)
 {
     struct bed *b = *state;
 
@@ -120,7 +114,7 @@ static int any_place(struct rng *r)
     return rng_below(r, 6) == 0 ? ends[rng_below(r, 4)] : (int)rng_below(r, 120) - 60;
 }
 
-static void any_string_anywhere(void **state)
+TEST(any_string_anywhere)
 {
     struct bed *b = *state;
 
@@ -149,7 +143,7 @@ static void any_string_anywhere(void **state)
 }
 
 /* The start of a long text is far off; its end is seen. */
-static void long_text_from_far_left(void **state)
+TEST(long_text_from_far_left)
 {
     struct bed *b = *state;
     char *s = malloc(SAFE + 3);
@@ -167,7 +161,7 @@ static void long_text_from_far_left(void **state)
 }
 
 /* Its pixels and the eight places next to each, by words where nothing is cut off, at every place near the edges. */
-static void any_rim_anywhere(void **state)
+TEST(any_rim_anywhere)
 {
     struct bed *b = *state;
 
@@ -188,13 +182,4 @@ static void any_rim_anywhere(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_code),
-        cmocka_unit_test(any_string_anywhere),
-        cmocka_unit_test(long_text_from_far_left),
-        cmocka_unit_test(any_rim_anywhere),
-    };
-    return cmocka_run_group_tests(tests, bed_open, bed_close);
-}
+RUN_TESTS(bed_open, bed_close)

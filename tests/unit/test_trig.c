@@ -3,10 +3,7 @@
 #include "../../src/base/rng.h"
 #include "big.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <cmocka.h>
+#include "../test.h"
 
 enum { Q = 160, RUNS = 4000 };
 
@@ -60,11 +57,10 @@ static const ang HARD[] = { 0x0ae1ed8e, 0x0c54420f, 0x0c8ce016, 0x0ce62007, 0x13
                             0x1c0795e3, 0x1e3e7558, 0x1e562c91, 0x214dfda9, 0x2263a98a,
                             0x228d03c9, 0x2363354b, 0x2db635ce, 0x2f776f82, 0x34c914ad };
 
-static void sines(void **state)
+TEST(sines)
 {
     struct rng r;
 
-    (void)state;
     rng_seed(&r, 1);
     for (uint32_t i = 0; i < sizeof HARD / sizeof HARD[0]; i++)
         for (uint32_t k = 0; k < 4; k++) {
@@ -79,12 +75,11 @@ static void sines(void **state)
 }
 
 /* Many more angles, as well as the host's library can tell. */
-static void sines_by_library(void **state)
+TEST(sines_by_library)
 {
     const double rad = 6.283185307179586476925 / 4294967296.0;
     struct rng r;
 
-    (void)state;
     rng_seed(&r, 2);
     for (int i = 0; i < 1000000; i++) {
         ang a = (ang)rng_next(&r);
@@ -95,11 +90,10 @@ static void sines_by_library(void **state)
     }
 }
 
-static void sine_symmetry(void **state)
+TEST(sine_symmetry)
 {
     struct rng r;
 
-    (void)state;
     rng_seed(&r, 3);
     for (int i = 0; i < 100000; i++) {
         ang a = (ang)rng_next(&r);
@@ -157,13 +151,12 @@ static void check_mirrored(fx x, fx y)
     assert_int_equal(trig_atan2(y, -x), 0x80000000 - a);
 }
 
-static void directions(void **state)
+TEST(directions)
 {
     static const fx V[] = { 0, 1, 2, 3, 0xffff, FX_ONE, FX_MAX - 1, FX_MAX, FX_MIN, FX_MIN + 1, -1, -FX_ONE };
     enum { N = sizeof V / sizeof V[0] };
     struct rng r;
 
-    (void)state;
     rng_seed(&r, 4);
     for (int i = 1; i < N * N; i++)
         check_mirrored(V[i / N], V[i % N]);
@@ -212,11 +205,10 @@ static void check_convergents(uint32_t k)
     convergents(s, c, check_mirrored);
 }
 
-static void hardest_directions(void **state)
+TEST(hardest_directions)
 {
     struct rng r;
 
-    (void)state;
     rng_seed(&r, 5);
     for (int i = 0; i < 300; i++)
         check_convergents((uint32_t)(rng_next(&r) >> 35));
@@ -227,12 +219,11 @@ static void hardest_directions(void **state)
     check_convergents(0x1fffffff);
 }
 
-static void polar(void **state)
+TEST(polar)
 {
     static const fx SPEED[] = { 0, 1, -1, FX_ONE, -FX_ONE, FX_MAX, FX_MIN };
     struct rng r;
 
-    (void)state;
     rng_seed(&r, 6);
     for (int i = 0; i < RUNS; i++) {
         uint64_t v = rng_next(&r);
@@ -264,11 +255,10 @@ static void polar(void **state)
     }
 }
 
-static void strides(void **state)
+TEST(strides)
 {
     struct rng r;
 
-    (void)state;
     rng_seed(&r, 12);
     for (int i = 0; i < RUNS; i++) {
         ang a = i % 5 ? (ang)rng_next(&r) : (ang)i << 26;
@@ -324,7 +314,7 @@ static int64_t any_length(struct rng *r, int lot)
 }
 
 /* What columns hold comes to the same as one by one, at all lengths, and nothing is written beyond. */
-static void columns(void **state)
+TEST(columns)
 {
     static fx x[MANY], y[MANY], vx[MANY + 1], vy[MANY + 1];
     static ang a[MANY], out[MANY + 1];
@@ -332,7 +322,6 @@ static void columns(void **state)
     struct rng r;
     long compared = 0;
 
-    (void)state;
     rng_seed(&r, 13);
     for (int turn = 0; turn < TURNS; turn++) {
         const int n = turn % (MANY + 1), lot = turn % 49;
@@ -407,11 +396,10 @@ static struct big whole_root(struct big n)
 }
 
 /* Vectors with a part that is all but halfway: odd / 2^17. */
-static void hardest_units(void **state)
+TEST(hardest_units)
 {
     struct rng r;
 
-    (void)state;
     rng_seed(&r, 10);
     for (int i = 0; i < 200; i++) {
         int64_t odd = (int64_t)(rng_next(&r) & 0xffff) * 2 + 1;
@@ -422,13 +410,12 @@ static void hardest_units(void **state)
     }
 }
 
-static void unit_vectors(void **state)
+TEST(unit_vectors)
 {
     static const fx V[] = { 0, 1, 2, FX_ONE, FX_MAX, FX_MIN, -1, 46341 };
     struct rng r;
     fx x = 5, y = 5;
 
-    (void)state;
     rng_seed(&r, 7);
     for (int i = 1; i < 64; i++)
         check_unit(V[i / 8], V[i % 8]);
@@ -442,9 +429,8 @@ static void unit_vectors(void **state)
     assert_int_equal(y, 0);
 }
 
-static void differences(void **state)
+TEST(differences)
 {
-    (void)state;
     assert_int_equal(trig_difference(0xfffffff0, 0x10), 0x20);
     assert_int_equal(trig_difference(0x10, 0xfffffff0), -0x20);
     assert_int_equal(trig_difference(0, 0x80000000), INT32_MIN);
@@ -478,12 +464,11 @@ static void check_degrees(double deg)
     assert_int_equal((ang)turn, a);
 }
 
-static void degrees(void **state)
+TEST(degrees)
 {
     static const double WRITTEN[] = { 0, 1, 45, 90, 180, 270, 359.9999999999999, 360, 720.5, 1e9, 1e15, 1e25 };
     struct rng r;
 
-    (void)state;
     rng_seed(&r, 8);
     for (size_t i = 0; i < sizeof WRITTEN / sizeof WRITTEN[0]; i++) {
         check_degrees(WRITTEN[i]);
@@ -500,12 +485,11 @@ static void degrees(void **state)
     }
 }
 
-static void degrees_edges(void **state)
+TEST(degrees_edges)
 {
     ang a = 9;
     int32_t turn = 9;
 
-    (void)state;
     assert_false(trig_from_degrees(NAN, &a));
     assert_false(trig_from_degrees(INFINITY, &a));
     assert_false(trig_turn_from_degrees(-INFINITY, &turn));
@@ -522,12 +506,11 @@ static void degrees_edges(void **state)
 }
 
 /* Exact: a * 45 / 2^29, and the way back ends at the start. */
-static void degrees_back(void **state)
+TEST(degrees_back)
 {
     struct rng r;
     ang b;
 
-    (void)state;
     rng_seed(&r, 9);
     for (int i = 0; i < 100000; i++) {
         ang a = (ang)rng_next(&r);
@@ -540,17 +523,4 @@ static void degrees_back(void **state)
     assert_true(trig_to_degrees(UINT32_MAX) < 360);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(sines),         cmocka_unit_test(sines_by_library),
-        cmocka_unit_test(sine_symmetry), cmocka_unit_test(directions),
-        cmocka_unit_test(polar),         cmocka_unit_test(hardest_directions),
-        cmocka_unit_test(unit_vectors),  cmocka_unit_test(hardest_units),
-        cmocka_unit_test(differences),   cmocka_unit_test(degrees),
-        cmocka_unit_test(degrees_edges), cmocka_unit_test(degrees_back),
-        cmocka_unit_test(strides),       cmocka_unit_test(columns),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -1,14 +1,8 @@
 /*
  * test_turn.c - turned copies by what must be true of them.
  */
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../fb/turn.h"
 #include "../../src/base/hash.h"
 #include "../../src/base/rng.h"
@@ -96,7 +90,7 @@ static void draw_rice(uint8_t pix[12][16])
             pix[y][x] = (uint8_t)(rice[y][x] == '.' ? 0 : rice[y][x] - '0');
 }
 
-static void turn_of_nothing_is_the_image(void **state)
+TEST(turn_of_nothing_is_the_image)
 {
     struct bed *b = *state;
     uint8_t out[MAX_SIDE * MAX_PITCH];
@@ -112,7 +106,7 @@ static void turn_of_nothing_is_the_image(void **state)
     }
 }
 
-static void quarters_are_exact(void **state)
+TEST(quarters_are_exact)
 {
     struct bed *b = *state;
     uint8_t out[MAX_SIDE * MAX_PITCH];
@@ -135,9 +129,8 @@ static void quarters_are_exact(void **state)
 }
 
 /* About a point of its own: a pixel that touches the point from below and right goes round it. */
-static void turns_about_the_point(void **state)
+TEST(turns_about_the_point)
 {
-    (void)state;
     uint8_t in[8 * 8] = { 0 }, out[10 * 16];
     static const int at[4][2] = { { 5, 5 }, { 4, 5 }, { 4, 4 }, { 5, 4 } };
 
@@ -151,9 +144,8 @@ static void turns_about_the_point(void **state)
 }
 
 /* A quarter more turns the result, whatever the angle. */
-static void quarters_of_any_turn(void **state)
+TEST(quarters_of_any_turn)
 {
-    (void)state;
     uint8_t in[12][16], a[18 * 24], c[18 * 24];
 
     draw_rice(in);
@@ -168,7 +160,7 @@ static void quarters_of_any_turn(void **state)
 }
 
 /* No colour that the image has not, nothing outside, and the size told is enough: a bigger one shows no more pixels. */
-static void turned_random_images(void **state)
+TEST(turned_random_images)
 {
     struct bed *b = *state;
     uint8_t big[SIDE * SIDE], fit[SIDE * SIDE];
@@ -207,9 +199,8 @@ static bool is_rim(const uint8_t *p, int x, int y)
 }
 
 /* The rice bullet in 32 directions: its outline (shade 1) stays closed, its middle white, its area within a fifth. */
-static void rice_stays_rice(void **state)
+TEST(rice_stays_rice)
 {
-    (void)state;
     uint8_t in[12][16], out[18 * 24];
 
     draw_rice(in);
@@ -231,9 +222,8 @@ static void rice_stays_rice(void **state)
 }
 
 /* A mark on the right goes clockwise, y down: where the direction points. */
-static void turns_clockwise(void **state)
+TEST(turns_clockwise)
 {
-    (void)state;
     static const int dir[8][2] = {
         { 8, 0 }, { 6, 6 }, { 0, 8 }, { -6, 6 }, { -8, 0 }, { -6, -6 }, { 0, -8 }, { 6, -6 }
     };
@@ -257,9 +247,8 @@ static void turns_clockwise(void **state)
 }
 
 /* Same input, same bytes, on every host. */
-static void turned_bytes(void **state)
+TEST(turned_bytes)
 {
-    (void)state;
     uint8_t in[12][16], out[18 * 18];
     uint64_t h = HASH_START;
 
@@ -273,7 +262,7 @@ static void turned_bytes(void **state)
 }
 
 /* The same of noise in few colours, where votes are often equal. */
-static void turned_noise(void **state)
+TEST(turned_noise)
 {
     struct bed *b = *state;
     uint8_t out[SIDE * SIDE];
@@ -291,18 +280,4 @@ static void turned_noise(void **state)
     assert_true(h == 0x1c0f1c48242d4df7u);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(turn_of_nothing_is_the_image),
-        cmocka_unit_test(quarters_are_exact),
-        cmocka_unit_test(turns_about_the_point),
-        cmocka_unit_test(quarters_of_any_turn),
-        cmocka_unit_test(turned_random_images),
-        cmocka_unit_test(rice_stays_rice),
-        cmocka_unit_test(turns_clockwise),
-        cmocka_unit_test(turned_bytes),
-        cmocka_unit_test(turned_noise),
-    };
-    return cmocka_run_group_tests(tests, bed_open, bed_close);
-}
+RUN_TESTS(bed_open, bed_close)

@@ -1,18 +1,12 @@
 /*
  * test_utf8.c - code points, against the rules of Unicode's table 3-7 said anew; what is none, byte by byte.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../fb/utf8.h"
 
 /* Every code point comes back from its bytes, also with others behind it, and a text that ends within is none. */
-static void test_all(void **state)
+TEST(all)
 {
-    (void)state;
     for (uint32_t code = 0; code <= UTF8_MAX_CODE; code++) {
         char s[UTF8_MAX_BYTES + 1];
         const char *at = s;
@@ -72,13 +66,12 @@ static void judge(const uint8_t *p, size_t n)
     }
 }
 
-static void test_any_bytes(void **state)
+TEST(any_bytes)
 {
     static const uint8_t edges[] = { 0x00, 0x41, 0x7f, 0x80, 0x8f, 0x90, 0x9f, 0xa0, 0xbf, 0xc0, 0xc1, 0xc2, 0xdf,
                                      0xe0, 0xe1, 0xec, 0xed, 0xee, 0xef, 0xf0, 0xf1, 0xf3, 0xf4, 0xf5, 0xff };
     enum { N = sizeof edges };
 
-    (void)state;
     for (int i = 0; i < N * N * N * N; i++) {
         uint8_t s[4] = { edges[i % N], edges[i / N % N], edges[i / N / N % N], edges[i / N / N / N] };
         judge(s, 4);
@@ -88,12 +81,11 @@ static void test_any_bytes(void **state)
     }
 }
 
-static void test_count(void **state)
+TEST(count)
 {
     const char *s = "a\xc3\xa9\xe5\xbc\xbe\xf0\x9f\x98\x80\xff";
     size_t bytes;
 
-    (void)state;
     assert_int_equal(utf8_count(s, strlen(s), 99, NULL), 5);
     assert_int_equal(utf8_count(s, strlen(s), 3, &bytes), 3);
     assert_int_equal(bytes, 6);
@@ -105,12 +97,4 @@ static void test_count(void **state)
     assert_int_equal(bytes, 0);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_all),
-        cmocka_unit_test(test_any_bytes),
-        cmocka_unit_test(test_count),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

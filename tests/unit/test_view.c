@@ -3,12 +3,7 @@
  * and that what was alike to such eyes no longer is.
  */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <cmocka.h>
+#include "../test.h"
 #include "../../src/base/rng.h"
 #include "../../src/board/board.h"
 #include "../../src/workbench/pack/art.h"
@@ -78,11 +73,10 @@ static void as_published(enum colour_blind_mode kind, uint32_t rgb)
     }
 }
 
-static void test_published(void **state)
+TEST(published)
 {
     struct rng r;
 
-    (void)state;
     rng_seed(&r, 3);
     for (int kind = COLOUR_BLIND_PROTAN; kind < COLOUR_BLIND_MODES; kind++) {
         for (uint32_t i = 0; i < 4096; i++) /* each of the cube's 16 x 16 x 16 corners */
@@ -92,11 +86,10 @@ static void test_published(void **state)
     }
 }
 
-static void test_stays(void **state)
+TEST(stays)
 {
     struct rng r;
 
-    (void)state;
     for (int kind = 0; kind < COLOUR_BLIND_MODES; kind++)
         for (uint32_t grey = 0; grey < 256; grey++)
             assert_int_equal(view_adjust_colour((enum colour_blind_mode)kind, grey * 0x10101), grey * 0x10101);
@@ -133,12 +126,11 @@ static double apart_seen(enum colour_blind_mode kind, uint32_t a, uint32_t b)
 }
 
 /* Of all pairs of a palette that look apart, and alike to such eyes: they are parted to twice as far on the whole. */
-static void test_parts(void **state)
+TEST(parts)
 {
     uint8_t rgb[CART_PALETTE_SIZE];
     uint32_t colour[256];
 
-    (void)state;
     art_default_palette(rgb);
     for (int i = 0; i < 256; i++)
         colour[i] = (uint32_t)(rgb[3 * i] << 16 | rgb[3 * i + 1] << 8 | rgb[3 * i + 2]);
@@ -163,11 +155,10 @@ static void test_parts(void **state)
 }
 
 /* What was light stays light: so bullets stand out from backgrounds as they did. */
-static void test_light(void **state)
+TEST(light)
 {
     struct rng r;
 
-    (void)state;
     rng_seed(&r, 6);
     for (int kind = COLOUR_BLIND_PROTAN; kind < COLOUR_BLIND_MODES; kind++) {
         double off = 0;
@@ -182,10 +173,4 @@ static void test_light(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_published), cmocka_unit_test(test_stays),
-                                        cmocka_unit_test(test_parts), cmocka_unit_test(test_light) };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)
