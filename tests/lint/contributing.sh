@@ -98,6 +98,13 @@ unit() {
         compile "$copy/tests/unit.c" -lcmocka -o "$scratch/unit" && "$scratch/unit"
 }
 check "its unit test passes" unit
+root=$PWD
+script() {
+    mkdir -p "$scratch/script/tests/scripts" && block lua 2 >"$scratch/script/tests/scripts/orb.lua" &&
+        grep -q '^--case' "$scratch/script/tests/scripts/orb.lua" || return
+    (cd "$scratch/script" && "$root/$OUT/machine/test_scripts")
+}
+check "its script test passes" script
 machine() {
     { echo '#include "rig.h"'; find_block 'TEST(leaves'; } >"$copy/tests/machine/leaves.c" &&
         compile "$copy/tests/machine/leaves.c" $(objects) "$OUT/gen/no_rom.o" $(libraries) -lcmocka \

@@ -1,6 +1,6 @@
 /*
  * test_pierce.c - shots that go through what they hit: which things each hits in a frame, against a plain list of all
- * that it touches; and by hand how often, in which frames, and when it is used up.
+ * that it touches. tests/scripts/pierce.lua has how often, in which frames, and when it is used up.
  */
 #include "hits.h"
 
@@ -199,103 +199,6 @@ TEST(random)
         fail_msg("too few: through %ld, kept out %ld, stopped %ld, full %ld", through, kept_out, stopped, full);
     rig_free(&r);
     rig_game_free(&g);
-}
-
-/* ---- what comes of it ---- */
-
-static const char *says(const char *text)
-{
-    static char script[4096];
-    static struct rig_game g;
-    struct manifest m = rig_manifest();
-
-    m.has_pierce = m.has_hp = 1;
-    snprintf(script, sizeof script,
-             "enemy.def('foe', { sprite = 'dot', hit = { circle = 4 }, hp = 9, touch = false })\n"
-             "bullet.def('nut', { sprite = 'dot', hit = { circle = 4 }, hp = 9 })\n"
-             "bullet.def('wall', { sprite = 'dot', hit = { circle = 4 }, hp = forever })\n"
-             "bullet.def('dot', { sprite = 'dot', hit = { circle = 4 } })\n"
-             "shot.def('one', { sprite = 'dot', hit = { circle = 2 }, pierce = 1 })\n"
-             "shot.def('all', { sprite = 'dot', hit = { circle = 2 }, pierce = forever, every = 10 })\n"
-             "shot.def('once', { sprite = 'dot', hit = { circle = 2 }, pierce = forever, every = forever })\n"
-             "shot.def('broom', { sprite = 'dot', hit = { circle = 2 }, pierce = 2, cancels = true })\n"
-             "local function foe(y) return enemy.spawn { kind = 'foe', x = 50, y = y } end\n"
-             "local function fire(kind, y) return bullet.fire { kind = kind, x = 50, y = y, speed = 0 } end\n"
-             "local function shoot(kind, speed)\n"
-             "  return shot.fire { kind = kind, x = 50, y = 200, speed = speed, dir = 270 } end\n"
-             "task.go(function() wait(1) %s end)",
-             text);
-    rig_with_sys(&g, &m, script);
-    const char *said = rig_said(&g, 60, false);
-    rig_game_free(&g);
-    return said;
-}
-
-#define SAYS(text, words) assert_string_equal(says(text), words)
-
-TEST(counts)
-{
-    /* one goes through one and is used up by the next, in one frame */
-    SAYS("local a, b, c = foe(180), foe(160), foe(140) local s = shoot('one', 100) wait(2)\n"
-         "print(a.hp, b.hp, c.hp, s.alive)",
-         "8\t8\t9\tfalse\n");
-    SAYS("local a, b = foe(180), foe(160) local s = shoot('one', 21) wait(4) print(a.hp, b.hp, s.alive)",
-         "8\t8\tfalse\n");
-    /* it stands in one: a hit each 10 frames, the first at once; the usual 6 count too */
-    SAYS("local a = foe(200) local s = shoot('all', 0) wait(10) print(a.hp) wait(1) print(a.hp) wait(10) print(a.hp)",
-         "8\n7\n6\n");
-    SAYS("local a = foe(200) local s = shoot('one', 0) wait(6) print(a.hp, s.alive) wait(1) print(a.hp, s.alive)",
-         "8\ttrue\n7\tfalse\n");
-    SAYS("local a = foe(200) local s = shoot('once', 0) wait(40) print(a.hp, s.alive)", "8\ttrue\n");
-    /* one that is safe counts as hit */
-    SAYS("local a, b = foe(180), foe(160) a.safe = 9 local s = shoot('one', 60) wait(2) print(a.hp, b.hp, s.alive)",
-         "9\t8\tfalse\n");
-    /* a new one in the slot of one that died is hit at once */
-    SAYS("local a = foe(200) a.hp = 1 local s = shoot('once', 0) wait(2) print(a.alive) local b = foe(200) wait(1)\n"
-         "print(b.hp)",
-         "false\n8\n");
-}
-
-TEST(bullets)
-{
-    SAYS("local a, b, c = fire('nut', 180), foe(160), fire('nut', 140) local s = shoot('all', 100) wait(2)\n"
-         "print(a.hp, b.hp, c.hp, s.alive)",
-         "8\t8\t8\ttrue\n");
-    SAYS("local a, b = fire('wall', 180), foe(160) local s = shoot('all', 100) wait(2) print(b.hp, s.alive)",
-         "9\tfalse\n");
-    SAYS("local a = {} for i = 1, 5 do a[i] = fire('dot', 200 - 10 * i) end local s = shoot('broom', 100) wait(2)\n"
-         "print(bullet.group().count, a[3].alive, a[4].alive, s.alive)",
-         "2\tfalse\ttrue\tfalse\n");
-    SAYS("local a = fire('dot', 180) local s = shoot('all', 100) wait(2) print(a.alive, s.alive)", "true\ttrue\n");
-}
-
-/* Eight things at once, and the ninth when one is forgotten. */
-TEST(most)
-{
-    SAYS("local all = {} for i = 1, 9 do all[i] = foe(200) end shoot('all', 0) wait(1)\n"
-         "print(all[8].hp, all[9].hp) wait(10) print(all[8].hp, all[9].hp) all[1]:kill() wait(2) print(all[9].hp)",
-         "8\t9\n7\t9\n8\n");
-}
-
-static void refuses(bool on, const char *of, const char *words)
-{
-    struct manifest m = rig_manifest();
-    struct rig_game g;
-    char script[256];
-
-    m.has_pierce = on;
-    snprintf(script, sizeof script, "shot.def('bolt', { sprite = 'dot', hit = { circle = 2 }, %s })", of);
-    rig_script(&g, &m, script);
-    assert_string_equal(rig_said(&g, 1, false), words);
-    rig_game_free(&g);
-}
-
-TEST(refused)
-{
-    refuses(false, "pierce = 1", "shot.def: pierce: piercing is disabled; add `pierce = true` to `board` in rom.lua");
-    refuses(false, "pierce = 0", "");
-    refuses(true, "every = 3", "shot.def: every: requires `pierce`");
-    refuses(true, "pierce = -1", "shot.def: pierce: expected forever or a whole number from 0 to 1000000, got -1");
 }
 
 RUN_TESTS(NULL, NULL)
