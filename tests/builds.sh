@@ -37,7 +37,7 @@ links_32() {
 }
 
 cross_32() { # every demo, in the i386 build of make cross
-    if tools/cross/run.sh i386; then passed=$((passed + 1)); else failed=$((failed + 1)); fi
+    if tools/lab/cross/run.sh i386; then passed=$((passed + 1)); else failed=$((failed + 1)); fi
 }
 
 game=roms/glasstide

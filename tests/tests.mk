@@ -30,10 +30,10 @@ OWN_PORT := test_random_play test_calls
 $(OUT)/machine/%: tests/machine/%.c $(NO_ROM)
 	$(call link,-Itests,$(if $(filter $*,$(OWN_PORT)),%/null.o))
 
-$(OUT)/unit/test_pace: $(OUT)/tools/pacing/simulate.o
-$(OUT)/machine/test_worst: $(patsubst %,$(OUT)/tools/bench/%.o,scene worst dearest)
-$(OUT)/machine/test_answers: $(OUT)/tools/bulletml/board.o
-$(OUT)/machine/test_bench: $(patsubst %,$(OUT)/tools/bench/%.o,scene crowd reference array columns)
+$(OUT)/unit/test_pace: $(OUT)/tools/lab/pacing/simulate.o
+$(OUT)/machine/test_worst: $(patsubst %,$(OUT)/tools/lab/bench/%.o,scene worst dearest)
+$(OUT)/machine/test_answers: $(OUT)/tools/lab/bulletml/board.o
+$(OUT)/machine/test_bench: $(patsubst %,$(OUT)/tools/lab/bench/%.o,scene crowd reference array columns)
 
 # A fuzz target that takes what it is given from files, and no more: for valgrind.
 $(OUT)/given/%: tests/fuzz/%.c tests/fuzz/given.c $(NO_ROM)

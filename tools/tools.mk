@@ -126,7 +126,7 @@ ports: deps-play-test-ports-web-firefox-windows-players
 	@$(MAKE) $(JOBS) $(OUT)/curtain $(OUT)/curtain-null $(OUT)/curtain-bare $(OUT)/libcurtain.a \
 		$(OUT)/libcurtain.so $(OUT)/need $(OUT)/libspeed build/curtain build/curtain-null
 	@$(MAKE) players
-	@OUT=$(OUT) tools/ports/ports.sh $(ARGS)
+	@OUT=$(OUT) tools/lab/ports/ports.sh $(ARGS)
 
 library: say-null
 	@$(MAKE) build/libcurtain.a build/libcurtain.so build/curtain.pc build/curtain_libretro.so build/players/curtain_libretro.so
@@ -143,11 +143,11 @@ $(OUT)/curtain_libretro.so: $(RETRO_OBJ) $(OUT)/libcurtain.a | $(filter %.o,$(LU
 
 # ---- the web port: libcurtain and Lua for WebAssembly, and pages with games inside; docs/internals/porting.md ----
 
-# Lua has tools/cross/wasi in place of setjmp.
+# Lua has tools/lab/cross/wasi in place of setjmp.
 WEB_CC    ?= clang
 WEB_OPT   ?= -Oz -msimd128
 WEB_C      = --target=wasm32-wasi $(WEB_OPT) -DWITHOUT_HELP -ffunction-sections \
-             -fdata-sections -I$(LUA_SRC) -Ibuild/cross/include -Itools/cross/wasi
+             -fdata-sections -I$(LUA_SRC) -Ibuild/cross/include -Itools/lab/cross/wasi
 WEB_LUA   := $(LUA_OBJ:$(OUT)/%=$(WEB)/%)
 WEB_OBJ   := $(patsubst $(OUT)/lib/%,$(WEB)/obj/%,$(LIB_OBJ)) \
              $(WEB)/obj/platform/web/web.o $(WEB)/obj/platform/web/no_host.o
@@ -156,7 +156,7 @@ WEB_PAGE  := $(patsubst %,platform/web/%,page.html player.css player.js worklet.
 $(WEB)/lua/%.o: $(LUA_H)
 	@mkdir -p $(@D)
 	$(SAY) "  CC    $*.c (web)"
-	$(Q)$(WEB_CC) -std=gnu99 $(WEB_C) -DLUA_COMPAT_5_3 -include tools/cross/wasi/lua_try.h -c $(LUA_SRC)/$*.c -o $@
+	$(Q)$(WEB_CC) -std=gnu99 $(WEB_C) -DLUA_COMPAT_5_3 -include tools/lab/cross/wasi/lua_try.h -c $(LUA_SRC)/$*.c -o $@
 $(WEB)/obj/gen/std.o: $(OUT)/gen/std.c $(LUA_H)
 	@mkdir -p $(@D)
 	$(SAY) "  CC    $< (web)"
@@ -211,10 +211,10 @@ $(OUT)/bot: $(BOT_OBJ) $(NO_ROM)
 	$(link)
 
 # Both the program's board and the library's: one hides its names.
-$(OUT)/libspeed: tools/ports/speed.c $(NO_ROM) $(OUT)/libcurtain.a
+$(OUT)/libspeed: tools/lab/ports/speed.c $(NO_ROM) $(OUT)/libcurtain.a
 	$(link)
 
-$(OUT)/need: tools/ports/need.c $(NO_ROM)
+$(OUT)/need: tools/lab/ports/need.c $(NO_ROM)
 	$(link)
 
 $(OUT)/lively: roms/glasstide/source/lively.c $(NO_ROM)
@@ -222,16 +222,16 @@ $(OUT)/lively: roms/glasstide/source/lively.c $(NO_ROM)
 
 # Against libfixmath. The script builds the program, for it links several builds of that library.
 BENCH_FX := $(filter-out %/trig.o,$(CORE_OBJ)) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o \
-            $(patsubst %,$(OUT)/tools/bench_fx/%.o,bench_fx bench_fx_inputs)
+            $(patsubst %,$(OUT)/tools/lab/bench_fx/%.o,bench_fx bench_fx_inputs)
 bench-fx: deps-play-bench
 	@$(MAKE) bench-fx-objects
-	@OUT="$(OUT)" CC="$(CC)" FLAGS="$(SEMANTIC) $(OPT) $(CFLAGS)" LIBS="$(LIBS)" tools/bench_fx/bench_fx.sh $(BENCH_FX)
+	@OUT="$(OUT)" CC="$(CC)" FLAGS="$(SEMANTIC) $(OPT) $(CFLAGS)" LIBS="$(LIBS)" tools/lab/bench_fx/bench_fx.sh $(BENCH_FX)
 bench-fx-objects: $(BENCH_FX)
 	@:
-$(OUT)/bench_fx_build/bench_fx: $(BENCH_FX) $(wildcard tools/bench_fx/*)
+$(OUT)/bench_fx_build/bench_fx: $(BENCH_FX) $(wildcard tools/lab/bench_fx/*)
 	$(SAY) "  LINK  $@"
 	$(Q)OUT="$(OUT)" CC="$(CC)" FLAGS="$(SEMANTIC) $(OPT) $(CFLAGS)" LIBS="$(LIBS)" \
-		tools/bench_fx/bench_fx.sh --build $(BENCH_FX)
+		tools/lab/bench_fx/bench_fx.sh --build $(BENCH_FX)
 
 # The demos are recorded by a program that plays; needed when scripts or the core change.
 demos: deps-play
@@ -248,7 +248,7 @@ patterns: deps-play
 	@$(MAKE) build/curtain-null $(OUT)/lively
 	@OUT=$(OUT) python3 roms/glasstide/source/patterns.py
 
-# The measured pages that are older than what they measure (tools/README.md).
+# The measured pages that are older than what they measure (tools/lab/README.md).
 docs-stale:
 	@tools/docs/stale.sh
 
@@ -263,12 +263,12 @@ survive: deps-play
 
 # ---- pages of measurements: text, tables, plots ----
 
-REPORT_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tools/report/*.c))
-$(OUT)/tools/report/report.o: ALL_C += '-DREPORT_FLAGS="$(SEMANTIC) $(OPT) $(CFLAGS)"'
+REPORT_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tools/lab/report/*.c))
+$(OUT)/tools/lab/report/report.o: ALL_C += '-DREPORT_FLAGS="$(SEMANTIC) $(OPT) $(CFLAGS)"'
 
 # ---- the lab: what each choice costs, measured; docs/measured/accuracy.md ----
 
-LAB_SRC := $(wildcard tools/lab/*.c)
+LAB_SRC := $(wildcard tools/lab/accuracy/*.c)
 LAB_OBJ := $(LAB_SRC:%.c=$(OUT)/%.o)
 LAB_L   := -llibfixmath
 
@@ -282,7 +282,7 @@ accuracy: deps-play-test
 
 # ---- the ear: how good sound is, measured; docs/measured/sound.md ----
 
-EAR_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tools/sound/*.c))
+EAR_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tools/lab/sound/*.c))
 
 $(OUT)/ear: $(EAR_OBJ) $(REPORT_OBJ) $(NO_ROM)
 	$(link)
@@ -293,7 +293,7 @@ sound: deps-play
 
 # ---- pacing: frames, screens, and the way from a switch to the picture; docs/measured/pacing.md. It has a port of its own ----
 
-PACING_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tools/pacing/*.c))
+PACING_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tools/lab/pacing/*.c))
 
 $(OUT)/pacing: $(PACING_OBJ) $(REPORT_OBJ) $(CORE_OBJ) $(OUT)/gen/no_rom.o
 	$(link)
@@ -304,7 +304,7 @@ pacing: deps-play
 
 # ---- the bench: what a frame costs; docs/measured/speed.md. ARGS="crowd battle" prints these sections only ----
 
-BENCH_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tools/bench/*.c))
+BENCH_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tools/lab/bench/*.c))
 
 $(OUT)/bench: $(BENCH_OBJ) $(REPORT_OBJ) $(NO_ROM)
 	$(link)
@@ -318,15 +318,15 @@ bench: deps-play
 compare: export OPT += -falign-functions=64
 compare: deps-null
 	@OUT=build/aligned CC="$(CC)" FLAGS="$(ALL_C)" LIBS="$(LIBS)" TABLE="$(TABLE)" \
-		tools/compare/compare.sh "$(BASE)" "$(GAME)" "$(if $(filter undefined,$(origin START)),one,$(START))"
+		tools/lab/compare/compare.sh "$(BASE)" "$(GAME)" "$(if $(filter undefined,$(origin START)),one,$(START))"
 
 # ---- BulletML beside libbulletml, which is linked here and nowhere else; docs/measured/bulletml.md ----
 
 CXX       ?= c++
-BULLETML_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tools/bulletml/*.c)) $(OUT)/tools/bulletml/reference.o \
-                $(OUT)/tools/bench/measure.o
+BULLETML_OBJ := $(patsubst %.c,$(OUT)/%.o,$(wildcard tools/lab/bulletml/*.c)) $(OUT)/tools/lab/bulletml/reference.o \
+                $(OUT)/tools/lab/bench/measure.o
 
-$(OUT)/tools/bulletml/reference.o: tools/bulletml/reference.cpp tools/bulletml/reference.h
+$(OUT)/tools/lab/bulletml/reference.o: tools/lab/bulletml/reference.cpp tools/lab/bulletml/reference.h
 	@mkdir -p $(@D)
 	$(SAY) "  CXX   $<"
 	$(Q)$(CXX) -std=c++11 -O2 -g -ffp-contract=off -Wall -Wextra -Wno-deprecated-declarations \
@@ -343,18 +343,18 @@ bulletml: deps-play-bulletml
 # ---- the proofs: every function of base is the correctly rounded one ----
 
 PROVE := roots sines polar directions products
-$(PROVE:%=$(OUT)/prove/%): $(OUT)/prove/%: $(OUT)/tools/prove/%.o $(OUT)/tools/prove/prove.o \
-		$(OUT)/tools/prove/oracle.o $(OUT)/src/base/trig.o
+$(PROVE:%=$(OUT)/prove/%): $(OUT)/prove/%: $(OUT)/tools/lab/prove/%.o $(OUT)/tools/lab/prove/prove.o \
+		$(OUT)/tools/lab/prove/oracle.o $(OUT)/src/base/trig.o
 	@mkdir -p $(@D)
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) $^ -lmpfr -lgmp -lm $(THREADS) -o $@
 
-$(OUT)/prove/digest: $(OUT)/tools/prove/digest.o $(OUT)/src/base/trig.o
+$(OUT)/prove/digest: $(OUT)/tools/lab/prove/digest.o $(OUT)/src/base/trig.o
 	@mkdir -p $(@D)
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) $^ -lm -o $@
 
-$(OUT)/prove/shapes: $(OUT)/tools/prove/shapes.o $(OUT)/src/base/geom.o
+$(OUT)/prove/shapes: $(OUT)/tools/lab/prove/shapes.o $(OUT)/src/base/geom.o
 	@mkdir -p $(@D)
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) $^ -lm $(THREADS) -o $@
@@ -362,10 +362,10 @@ $(OUT)/prove/shapes: $(OUT)/tools/prove/shapes.o $(OUT)/src/base/geom.o
 # With CONFIG=twins CFLAGS=-DFX_INTEGER: the same of the integer twins.
 prove: deps-test
 	@$(MAKE) $(JOBS) $(PROVE:%=$(OUT)/prove/%) $(OUT)/prove/digest $(OUT)/prove/shapes
-	@OUT=$(OUT) tools/prove/run.sh $(PROVE)
+	@OUT=$(OUT) tools/lab/prove/run.sh $(PROVE)
 
 # ---- other machines; docs/internals/determinism.md. ARGS="s390x armhf" tries these builds only ----
 
 cross: deps-play-cross
-	@tools/cross/run.sh $(ARGS)
+	@tools/lab/cross/run.sh $(ARGS)
 

@@ -79,7 +79,7 @@ async function loadCore() {
   for (const { module: from, name } of WebAssembly.Module.imports(module))
     if (from === 'wasi_snapshot_preview1') wasi[name] = () => 8 // there are no files, and no clock
   wasi.proc_exit = () => { throw new Error('the core has exited') }
-  const lua = { // tools/cross/wasi/lua_try.h
+  const lua = { // tools/lab/cross/wasi/lua_try.h
     host_throw() { throw thrown },
     host_try(f, L, ud) {
       const stack = core.__stack_pointer.value

@@ -5,7 +5,7 @@
 -- on both sides of a screen edge, so about 5 % are drawn clipped.
 local n = board.dip("n") + 65536 * board.dip("n_high")
 local does = board.dip("does")
-assert(pattern) -- a line that tools/bench/worst.c runs in this game needs it, so it must be packed
+assert(pattern) -- a line that tools/lab/bench/worst.c runs in this game needs it, so it must be packed
 
 local function shuttle()
   bullet.def("d8",  { sprite = "d8",  hit = { circle = 3 } })

@@ -2,7 +2,7 @@
 # compare.sh - make compare: bytes and times of a game on this engine and on another; here on this one twice.
 . "$(dirname "$0")/../tap.sh"
 
-compare() { tools/compare/compare.sh "$@"; }
+compare() { tools/lab/compare/compare.sh "$@"; }
 refuse "nothing to compare with" "make compare BASE=COMMIT" compare ""
 refuse "no such commit" '"never" is neither a commit nor a folder' compare never
 refuse "a folder without an engine" "docs is no checkout" compare docs
@@ -12,7 +12,7 @@ for n in 3 1 5; do
     printf 'base ram 100\nhere ram 150\nbase load_ns %d000000\nhere load_ns %d000000\n' $n $((3 * n)) # 3 times as long
 done >"$scratch/figures"
 echo 'here frame_ns 7' >>"$scratch/figures"
-awk -f tools/compare/table.awk "$scratch/figures" >"$scratch/table"
+awk -f tools/lab/compare/table.awk "$scratch/figures" >"$scratch/table"
 same "medians, and the ratio of the rounds" "RAM, bytes 100 150 1.500|load, ms 3.000 9.000 3.000|" \
     "$(sed 1d "$scratch/table" | tr -s ' ' | tr '\n' '|')"
 
@@ -22,7 +22,7 @@ for k in 1 2 3; do
     echo "price a|$k|base|10000 2000" && echo "price a|$k|here|1${k}000 2000"
     echo "price b|$k|base|10000 500" && echo "price b|$k|here|10${k}00 900"
 done >"$scratch/turns"
-turns() { awk -v limit=1.03 "$@" -f tools/compare/turns.awk "$scratch/turns"; }
+turns() { awk -v limit=1.03 "$@" -f tools/lab/compare/turns.awk "$scratch/turns"; }
 same "the row that is slower is measured again" "price a" "$(turns -v want=slower)"
 said() { turns | tr -s ' '; }
 refuse "a slower row fails it" "1 of 3 figures are slower than 1.03 times" turns

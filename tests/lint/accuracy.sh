@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # accuracy.sh - docs/measured/accuracy.md says what the lab measures: every figure and plot that does not depend on the
-# machine is computed again. Figures that do begin with "≈" and end before the next blank or bar (tools/lab/lab.h).
+# machine is computed again. Figures that do begin with "≈" and end before the next blank or bar
+# (tools/lab/accuracy/lab.h).
 measured=accuracy
 . "$(dirname "$0")/../measured.sh"
 lab=$OUT/lab

@@ -4,7 +4,7 @@
 # tests/machine/test_answers.c.
 measured=bulletml
 . "$(dirname "$0")/../measured.sh"
-list=tools/bulletml/documents.list
+list=tools/lab/bulletml/documents.list
 
 cat >"$scratch/sections" <<'END'
 Every document

@@ -68,7 +68,9 @@ fi
 # ---- a build that diverges ----
 
 "$curtain" hash tests/cross/keys --record "$scratch/keys.demo" --frames 120 --every 120 >"$scratch/.said"
-found_out() { tools/cross/unsorted.sh "$OUT" "$scratch/keys.demo" | grep -E 'keys\.demo: frames? [0-9]+.* differs?$'; }
+found_out() {
+    tools/lab/cross/unsorted.sh "$OUT" "$scratch/keys.demo" | grep -E 'keys\.demo: frames? [0-9]+.* differs?$'
+}
 check "unsorted pairs differ, in a frame and a part" found_out
 check "as it is, the demo holds" "$curtain" verify tests/cross/keys "$scratch/keys.demo"
 finish

@@ -3,7 +3,7 @@
 . "$(dirname "$0")/../tap.sh"
 
 targets="programs tools build/release/curtain-bare build/release/curtain-null
-    $(ls tools/prove/{roots,sines,polar,directions,products,shapes}.c | sed 's,.*/,build/release/prove/,;s,\.c$,,')"
+    $(ls tools/lab/prove/{roots,sines,polar,directions,products,shapes}.c | sed 's,.*/,build/release/prove/,;s,\.c$,,')"
 
 # links [VARIABLE=VALUE...]: the lines by which make links programs
 links() {
@@ -38,7 +38,7 @@ threads() {
 
 all_links() { links "$@" | threads; }
 check "every program that refers to threads is linked with -pthread" all_links
-detects "without it" "build/release/bench: tools/bench/threads.c refers to threads" all_links THREADS=
+detects "without it" "build/release/bench: tools/lab/bench/threads.c refers to threads" all_links THREADS=
 check "WebAssembly has none" bash \
     -c "! make -n -B CONFIG=release CC='clang --target=wasm32-wasi' build/release/curtain-bare | grep -q pthread"
 

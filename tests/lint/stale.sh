@@ -3,16 +3,16 @@
 . "$(dirname "$0")/../tap.sh"
 
 missing() { # a page or directory of the table that is not there
-    sed -nE '/^\| \[/s/^\| \[[^]]*\]\(([^)]*)\) .* \| ([^|]*) \|$/\1 \2/p' tools/README.md | tr -d '`' |
+    sed -nE '/^\| \[/s/^\| \[[^]]*\]\(([^)]*)\) .* \| ([^|]*) \|$/\1 \2/p' tools/lab/README.md | tr -d '`' |
         while read -r page paths; do
-            for path in "tools/$page" $paths; do [ -e "$path" ] || echo "$path"; done
+            for path in "tools/lab/$page" $paths; do [ -e "$path" ] || echo "$path"; done
         done
 }
-same "every page and directory of tools/README.md is there" "" "$(missing)"
+same "every page and directory of tools/lab/README.md is there" "" "$(missing)"
 unlisted() {
-    for page in docs/measured/*.*; do grep -qF "](../$page)" tools/README.md || echo "$page"; done
+    for page in docs/measured/*.*; do grep -qF "](../../$page)" tools/lab/README.md || echo "$page"; done
 }
-same "every measured page is in tools/README.md" "" "$(unlisted)"
+same "every measured page is in tools/lab/README.md" "" "$(unlisted)"
 
 # A repository with a commit for each page, then one that changes engine/.
 mkdir "$scratch/repo" && cd "$scratch/repo" || exit 2

@@ -6,7 +6,7 @@
 # commands [VARIABLE=VALUE...]: a line for each file that make compiles: its flags and its name
 commands() {
     local proofs
-    proofs=$(for f in tools/prove/{roots,sines,polar,directions,products,shapes,digest}.c; do basename "$f" .c; done)
+    proofs=$(basename -s .c tools/lab/prove/{roots,sines,polar,directions,products,shapes,digest}.c)
     make -n -B CONFIG=release V=1 CC=gcc "$@" programs tools build/release/given/fuzz_rom \
         $(printf 'build/release/prove/%s ' $proofs) | grep '^gcc ' |
         sed -E 's/ -o [^ ]+//; s/ [^ ]+\.o\b//g; s/ -(MMD|MP|c|pie|Wl,[^ ]*|l[a-z0-9.]+)\b//g' |
@@ -14,7 +14,8 @@ commands() {
 }
 quiet() { xargs -P 2 -d '\n' -I LINE sh -c 'LINE -Werror -fsyntax-only' <"$1"; }
 all_there() {
-    for f in $(tree 'src/*.c' 'fb/*.c' 'tests/unit/*.c' 'tests/machine/test_*.c' 'tools/bench/*.c' 'tools/lab/*.c'); do
+    for f in $(tree 'src/*.c' 'fb/*.c' 'tests/unit/*.c' 'tests/machine/test_*.c' 'tools/lab/bench/*.c' \
+        'tools/lab/accuracy/*.c'); do
         grep -q " $f\b" "$scratch/commands" || { echo "make does not compile $f"; return 1; }
     done
 }

@@ -12,12 +12,12 @@ PROGRAMS="roots sines polar directions products"
 # two COMMAND...: a word of standard input a run, two at a time.
 two() { xargs -n 1 -P 2 "$@"; }
 
-# make_program SOURCES PROGRAM TO FLAGS...: SOURCES holds src/base and tools/prove.
+# make_program SOURCES PROGRAM TO FLAGS...: SOURCES holds src/base and tools/lab/prove.
 make_program() {
     local tree=$1 program=$2 to=$3
     shift 3
-    "$CC" $FLAGS "$@" "$tree/tools/prove/$program.c" "$tree/src/base/trig.c" "$scratch/prove.o" "$scratch/oracle.o" \
-        $LIBS -o "$to"
+    "$CC" $FLAGS "$@" "$tree/tools/lab/prove/$program.c" "$tree/src/base/trig.c" "$scratch/prove.o" \
+        "$scratch/oracle.o" $LIBS -o "$to"
 }
 
 # The parts below are run by `two`, in processes of their own, in $scratch; what they say goes to files.
@@ -31,7 +31,7 @@ case ${1:-} in
     ;;
 --digest) # COMPILER,FLAG,FLAG...
     read -r -a command <<<"${2//,/ }"
-    "${command[@]}" -std=c11 -ffp-contract=off "$repo/tools/prove/digest.c" "$repo/src/base/trig.c" -lm \
+    "${command[@]}" -std=c11 -ffp-contract=off "$repo/tools/lab/prove/digest.c" "$repo/src/base/trig.c" -lm \
         -o "$scratch/digest-$2" &&
         "$scratch/digest-$2" --each >"$scratch/digest-$2.said" 2>&1
     exit 0
@@ -43,11 +43,11 @@ sandbox
 export PROVE_SCRATCH=$scratch
 self=$repo/tests/machine/prove.sh
 for f in prove oracle; do
-    "$CC" $FLAGS -O2 -c "$repo/tools/prove/$f.c" -o "$scratch/$f.o" || { echo "Bail out! $f.c does not compile"
+    "$CC" $FLAGS -O2 -c "$repo/tools/lab/prove/$f.c" -o "$scratch/$f.o" || { echo "Bail out! $f.c does not compile"
         exit 2; }
 done
 check "the oracles include nothing of src" sh -c \
-    "! grep -n 'include.*src/' $repo/tools/prove/oracle.[ch] $repo/tools/prove/prove.[ch]"
+    "! grep -n 'include.*src/' $repo/tools/lab/prove/oracle.[ch] $repo/tools/lab/prove/prove.[ch]"
 
 printf '%s\n' $PROGRAMS | two "$self" --try
 for program in $PROGRAMS; do
@@ -63,9 +63,9 @@ for program in $PROGRAMS; do
 done
 
 # A product that is rounded one unit too low.
-mkdir -p wrong/src wrong/tools
+mkdir -p wrong/src wrong/tools/lab
 cp -r "$repo/src/base" wrong/src
-cp -r "$repo/tools/prove" "$repo/tools/numbers.h" wrong/tools
+cp -r "$repo/tools/lab/prove" "$repo/tools/lab/numbers.h" wrong/tools/lab
 sed -i 's/(int64_t)a \* b + 0x8000)/(int64_t)a * b + 0x7fff)/' wrong/src/base/fx.h
 make_program wrong products wrong/products -O1
 detects "a product rounded down" "fx_mul" wrong/products --sample --seed 1 --only fx_mul

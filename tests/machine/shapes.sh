@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
-# shapes.sh - the contact tests against 256-bit integers (tools/prove/shapes.c, sampled): no mismatch, in any way they
+# shapes.sh - the contact tests against 256-bit integers (tools/lab/prove/shapes.c, sampled): no mismatch, however they
 # can be built, and no overflow without -fwrapv; and planted faults, which show as mismatches.
 . "$(dirname "$0")/../tap.sh"
 
-cp --parents src/base/fx.h src/base/int.h src/base/geom.h src/base/geom.c tools/prove/shapes.c \
-    tools/prove/shapes_oracle.h "$scratch"
+cp --parents src/base/fx.h src/base/int.h src/base/geom.h src/base/geom.c tools/lab/prove/shapes.c \
+    tools/lab/prove/shapes_oracle.h "$scratch"
 # shapes FLAGS [ARGUMENT...]: built in the copy with the flags, and run
 shapes() {
     local flags=$1
     shift
-    (cd "$scratch" && ${CC:-cc} -std=c11 -ffp-contract=off -D_DEFAULT_SOURCE $flags tools/prove/shapes.c \
+    (cd "$scratch" && ${CC:-cc} -std=c11 -ffp-contract=off -D_DEFAULT_SOURCE $flags tools/lab/prove/shapes.c \
         src/base/geom.c -o shapes -lm -pthread &&
         ./shapes --sample --threads 1 "$@")
 }

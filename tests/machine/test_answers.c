@@ -1,10 +1,11 @@
 /*
  * test_answers.c - the documents of tests/bulletml on a board, beside what libbulletml makes of them, which is written
- * down in NAME.out (tools/bulletml/answer.c): every bullet in every frame, within 1/16 px, made and gone in the same.
+ * down in NAME.out (tools/lab/bulletml/answer.c): every bullet in every frame, within 1/16 px, made and removed in the
+ * same.
  */
 #include <dirent.h>
 #include <math.h>
-#include "../../tools/bulletml/compare.h"
+#include "../../tools/lab/bulletml/compare.h"
 #include "rig.h"
 
 enum { MOST = 512, ROOM = 64 };

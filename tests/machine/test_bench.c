@@ -6,7 +6,7 @@
 #include "../../src/board/board.h"
 #include "../../src/machine/machine.h"
 #include "../../src/workbench/pack/pack.h"
-#include "../../tools/bench/crowd.h"
+#include "../../tools/lab/bench/crowd.h"
 
 __extension__ typedef __int128 wide;
 

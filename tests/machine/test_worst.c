@@ -1,13 +1,13 @@
 /*
- * test_worst.c - no operation of Lua does much for little: each of tools/bench/worst.c, in an endless loop, is stopped
- * by the guard, and after no more rounds than its work allows. Nor does C do much that is not counted: each frame of
- * tools/bench/dearest.c counts what it does, and stays below the limit or ends in a fault soon above it. How long all
- * that takes, `make bench ARGS=guards` measures.
+ * test_worst.c - no operation of Lua does much for little: each of tools/lab/bench/worst.c, in an endless loop, is
+ * stopped by the guard, and after no more rounds than its work allows. Nor does C do much that is not counted: each
+ * frame of tools/lab/bench/dearest.c counts what it does, and stays below the limit or ends in a fault soon above it.
+ * How long all that takes, `make bench ARGS=guards` measures.
  */
 #include "../test.h"
-#include "../../tools/bench/dearest.h"
-#include "../../tools/bench/scene.h"
-#include "../../tools/bench/worst.h"
+#include "../../tools/lab/bench/dearest.h"
+#include "../../tools/lab/bench/scene.h"
+#include "../../tools/lab/bench/worst.h"
 
 static struct rom_image image;
 

@@ -5,7 +5,7 @@
 #include "../test.h"
 #include <math.h>
 #include "../../src/player/play/pace.h"
-#include "../../tools/pacing/simulate.h"
+#include "../../tools/lab/pacing/simulate.h"
 
 enum { MINUTES = 10, SECONDS = MINUTES * 60 };
 

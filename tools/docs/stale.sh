@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # stale.sh - lists the measured pages that are older than what they measure.
 #
-#     tools/docs/stale.sh [TABLE]     TABLE: tools/README.md, whose rows name a page first and its directories last
+#     tools/docs/stale.sh [TABLE]     TABLE: tools/lab/README.md, whose rows name a page first and its directories last
 #
 # A page names its commit: "Measured at commit 1234567" or "from commit 1234567". One line for each page with newer
 # commits, with another commit's name, or with none; nothing for a page that is up to date.
 set -eu
 cd "$(git rev-parse --show-toplevel)"
-table=${1:-tools/README.md}
+table=${1:-tools/lab/README.md}
 
 rows() { # the page and its directories, which are the last cell
     sed -nE '/^\| \[/s/^\| \[[^]]*\]\(([^)]*)\) .* \| ([^|]*) \|$/\1 \2/p' "$table" | tr -d '`'
