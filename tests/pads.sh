@@ -15,8 +15,15 @@ padded=(env "PADS=$pads_script" "LD_PRELOAD=$scratch/pads.so")
 
 pads_none() { : >"$pads_script"; }
 # pad COMMAND...: false: the program did not get that far, or the library says that it is no command.
+# tap P SWITCH...: one switch after the other is down for 4 polls and up for 4.
 pad() {
+    local switch
+    if [ "$1" = tap ]; then
+        for switch in "${@:3}"; do printf '%s\nwait 4\n' "down $2 $switch" "up $2 $switch"; done
+    else
+        printf '%s\n' "$*"
+    fi >>"$pads_script"
     pads_said=$((pads_said + 1))
-    printf '%s\nwait 1\nsay %d\n' "$*" $pads_said >>"$pads_script"
+    printf 'wait 1\nsay %d\n' $pads_said >>"$pads_script"
     wait_until grep -qx "pads: $pads_said" "$scratch/err" || { tail -1 "$scratch/err" >&2; return 1; }
 }

@@ -2,19 +2,10 @@
  * fuzz_args.c - libFuzzer: any words, each up to a NUL byte, as a command line; and the first as what --frames is
  * given. What is taken is in range and points at these words; what is refused says why in one sentence.
  */
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
 #include "../../src/player/args/args.h"
+#include "fuzz.h"
 
 enum { WORDS = 64 };
-
-static void need(bool good)
-{
-    if (!good)
-        abort();
-}
 
 static bool one_of(const char *s, char *const *words, int n)
 {
@@ -63,21 +54,14 @@ static void sentence(const char *err, size_t size)
     need(memchr(err, 0, size) && err[0]);
 }
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
-
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     static char program[] = "curtain";
     char *argv[WORDS + 1] = { program }, *given[WORDS + 1], err[512] = "";
-    char *copy = malloc(size + 1);
+    char *copy = fuzz_text(data, size);
     struct args a = { 0 };
     int argc = 1;
 
-    if (!copy)
-        return 0;
-    if (size)
-        memcpy(copy, data, size);
-    copy[size] = 0;
     for (size_t at = 0; at < size && argc < WORDS; at += strlen(copy + at) + 1)
         argv[argc++] = copy + at;
     argv[argc] = NULL;

@@ -4,9 +4,8 @@
  * tag, and a part of the canvas.
  */
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include "../../src/workbench/pack/sheet.h"
+#include "fuzz.h"
 
 /* Every pixel is looked at, and what came of the slices is in order. */
 static void look(const struct ase_sprite *s)
@@ -14,16 +13,13 @@ static void look(const struct ase_sprite *s)
     const size_t pixels = (size_t)s->picture.w * (size_t)s->picture.h;
     uint32_t sum = 0;
 
-    if (s->sprite.frames < 1 || s->sprite.frames > CART_MAX_FRAMES || s->sprite.frame_ticks < 1 ||
-        s->picture.w != s->sprite.w * s->sprite.frames || s->picture.h != s->sprite.h || s->hit.rows > 4)
-        abort();
+    need(s->sprite.frames >= 1 && s->sprite.frames <= CART_MAX_FRAMES && s->sprite.frame_ticks >= 1);
+    need(s->picture.w == s->sprite.w * s->sprite.frames && s->picture.h == s->sprite.h && s->hit.rows <= 4);
     for (size_t i = 0; i < pixels; i++)
         sum += s->picture.rgba[4 * i] + (s->picture.index != NULL ? s->picture.index[i] : 0u);
     for (uint32_t i = 0; i < s->hit.rows; i++)
-        if (s->hit.row[i].a < 0 || s->hit.row[i].b < 0)
-            abort();
-    if (sum == 1 && pixels > 1 << 24)
-        abort();
+        need(s->hit.row[i].a >= 0 && s->hit.row[i].b >= 0);
+    need(sum != 1 || pixels <= 1 << 24); /* uses the sum */
 }
 
 static void make(const struct sheet *sheet, const struct art_sheet *asked, struct art_sprite sprite)
@@ -36,19 +32,15 @@ static void make(const struct sheet *sheet, const struct art_sheet *asked, struc
 
     sprite.rotations = 1;
     if (!sheet_sprite(sheet, asked, &sprite, &made, err, sizeof err)) {
-        if (err[0] == '\0')
-            abort();
+        need(err[0]);
         return;
     }
     look(&made);
     bool good = art_make_sprite(&made.picture, &made.sprite, 0, rgb, true, &lump, &size, NULL, err, sizeof err);
-    if (good ? size < CART_GFX_HEADER_SIZE : err[0] == '\0')
-        abort();
+    need(good ? size >= CART_GFX_HEADER_SIZE : err[0] != '\0');
     free(lump);
     sheet_sprite_close(sheet, &made);
 }
-
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
@@ -67,8 +59,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
             memcpy(all.tag, sheet.ase.tags[i].name, sizeof all.tag);
             make(&sheet, &asked, all);
         }
-    } else if (err[0] == '\0')
-        abort();
+    } else {
+        need(err[0]);
+    }
     sheet_close(&sheet);
     return 0;
 }

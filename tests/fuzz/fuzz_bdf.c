@@ -2,18 +2,9 @@
  * fuzz_bdf.c - libFuzzer: any bytes as a BDF font, and as the lump of a font. What is read makes a lump that is taken,
  * in which each character is found; what is refused says why. Of a lump that is taken every pixel can be read.
  */
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
 #include "../../src/rom/face.h"
 #include "../../src/workbench/pack/bdf.h"
-
-static void need(bool good)
-{
-    if (!good)
-        abort();
-}
+#include "fuzz.h"
 
 static unsigned look(const struct face *face, uint32_t code)
 {
@@ -68,16 +59,10 @@ static void as_font(const char *text, size_t n)
     pack_font_free(&f);
 }
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
-
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    uint8_t *copy = malloc(size + (size == 0)); /* of exactly this size */
+    uint8_t *copy = fuzz_copy(data, size);
 
-    if (!copy)
-        return 0;
-    if (size)
-        memcpy(copy, data, size);
     as_font((const char *)copy, size);
     as_lump(copy, size);
     free(copy);

@@ -3,12 +3,9 @@
  * The same twice never differs, and what differs does so the other way round.
  */
 #define _POSIX_C_SOURCE 200809L /* fmemopen */
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include "../../src/workbench/verify/bisect.h"
+#include "fuzz.h"
 
 static enum result compare(const uint8_t *a, size_t a_n, const uint8_t *b, size_t b_n)
 {
@@ -19,8 +16,7 @@ static enum result compare(const uint8_t *a, size_t a_n, const uint8_t *b, size_
 
     if (first && second) {
         result = bisect_files(first, "a", second, "b", err, sizeof err);
-        if (result == RESULT_HOST_FAILED || (result == RESULT_REFUSED) != (err[0] != 0))
-            abort();
+        need(result != RESULT_HOST_FAILED && (result == RESULT_REFUSED) == (err[0] != 0));
     }
     if (first)
         fclose(first);
@@ -29,22 +25,18 @@ static enum result compare(const uint8_t *a, size_t a_n, const uint8_t *b, size_
     return result;
 }
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
-
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     static FILE *quiet;
     const uint8_t *nul = size ? memchr(data, 0, size) : NULL;
     size_t n = nul ? (size_t)(nul - data) : size;
 
-    if (!quiet && (quiet = freopen("/dev/null", "w", stdout)) == NULL)
-        abort();
-    if (compare(data, n, data, n) == RESULT_DIFFERS)
-        abort();
+    if (!quiet)
+        quiet = freopen("/dev/null", "w", stdout);
+    need(quiet && compare(data, n, data, n) != RESULT_DIFFERS);
     if (!nul)
         return 0;
     enum result there = compare(data, n, nul + 1, size - n - 1), back = compare(nul + 1, size - n - 1, data, n);
-    if ((there == RESULT_DONE) != (back == RESULT_DONE))
-        abort();
+    need((there == RESULT_DONE) == (back == RESULT_DONE));
     return 0;
 }

@@ -7,13 +7,11 @@
  * At the end it says how many got to a powered board.
  */
 #include "../spoil.h"
+#include "fuzz.h"
 
 static struct spoil_bench bench;
 static struct rig_game game;
 static uint64_t outcomes[SPOIL_OUTCOMES];
-
-int LLVMFuzzerInitialize(int *argc, char ***argv);
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 static void report(void)
 {
@@ -49,15 +47,12 @@ static size_t edit(uint8_t *rom, size_t size, const uint8_t *data, size_t left)
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     size_t n = game.image.size;
-    uint8_t *copy = malloc(n);
+    uint8_t *copy = fuzz_copy(game.image.bytes, n);
     const struct board_start start = { .seed = 1, .difficulty = -1, .practice.section = "one" };
     char err[512] = "";
     struct rom rom;
     bool bad = false;
 
-    if (copy == NULL)
-        return 0;
-    memcpy(copy, game.image.bytes, n);
     for (size_t at = 0; size - at >= 4;)
         at += edit(copy, n, data + at, size - at);
     repair_rom(copy, n);
@@ -65,8 +60,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         outcomes[spoil_run(&bench, &rom, &start, NULL, 1, &bad)]++;
     else
         bad = !spoil_sentence(err, sizeof err);
-    if (bad)
-        abort();
+    need(!bad);
     free(copy);
     return 0;
 }

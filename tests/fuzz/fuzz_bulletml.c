@@ -8,21 +8,11 @@
 #include "../../src/workbench/bulletml/as_lua.h"
 #include "../../src/workbench/bulletml/compile.h"
 #include "../../src/workbench/bulletml/document.h"
+#include "fuzz.h"
 
 enum { FRAMES = 40, COSTLY = 20000 /* bytes: a longer one is read, compiled and written, but not run */ };
 
 static struct rig_game game;
-
-static void need(bool good)
-{
-    if (!good)
-        abort();
-}
-
-static void need_line(const char *err)
-{
-    need(err[0] != '\0' && strchr(err, '\n') == NULL && strlen(err) > 10);
-}
 
 static void told(void *context, const char *sentence)
 {
@@ -68,8 +58,6 @@ static void run(const uint8_t *program, size_t size)
     rig_game_free(&with);
 }
 
-int LLVMFuzzerInitialize(int *argc, char ***argv);
-
 int LLVMFuzzerInitialize(int *argc, char ***argv)
 {
     struct manifest m = rig_manifest();
@@ -84,19 +72,13 @@ int LLVMFuzzerInitialize(int *argc, char ***argv)
     return 0;
 }
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
-
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    uint8_t *copy = malloc(size + (size == 0)), *program = NULL; /* of exactly this size */
+    uint8_t *copy = fuzz_copy(data, size), *program = NULL;
     struct document d;
     char err[1200] = "", why[128];
     size_t bytes;
 
-    if (!copy)
-        return 0;
-    if (size)
-        memcpy(copy, data, size);
     if (!document_read(&d, (const char *)copy, size, "a.xml", told, NULL, err, sizeof err)) {
         need(strncmp(err, "a.xml:", 6) == 0);
         need_line(err);

@@ -2,19 +2,10 @@
  * fuzz_card.c - libFuzzer: any bytes as a replay's card; for even ones the CRCs are made good first. What is read is
  * within its bounds, and written it reads as the same.
  */
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
 #include "../../src/base/bytes.h"
 #include "../../src/base/hash.h"
 #include "../../src/player/replays/replay_meta.h"
-
-static void need(bool good)
-{
-    if (!good)
-        abort();
-}
+#include "fuzz.h"
 
 /* The head's CRC, and behind it the picture's, as far as they are there. */
 static void repair(uint8_t *p, size_t n)
@@ -41,19 +32,13 @@ static void round_trip(const struct replay_meta *c, const struct thumb *t)
     need(replay_meta_write(&back, &seen, again) == n && memcmp(bytes, again, n) == 0);
 }
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
-
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     static struct thumb t;
     const size_t n = size > 0 ? size - 1 : 0;
-    uint8_t *copy = malloc(n + (n == 0)); /* of exactly this size */
+    uint8_t *copy = fuzz_copy(data + 1, n);
     struct replay_meta c;
 
-    if (!copy)
-        return 0;
-    if (n)
-        memcpy(copy, data + 1, n);
     if (n && data[0] % 2 == 0)
         repair(copy, n);
     if (!replay_meta_read_thumb(&t, copy, n))

@@ -2,17 +2,8 @@
  * fuzz_config.c - libFuzzer: any bytes as the settings file. What is taken is in range, and its key map reads pads that
  * there are, whatever is held; what is refused says file, line and why, and changes nothing.
  */
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
 #include "../../src/player/settings/config.h"
-
-static void need(bool good)
-{
-    if (!good)
-        abort();
-}
+#include "fuzz.h"
 
 static bool within(int v, int lo, int hi)
 {
@@ -42,19 +33,13 @@ static void play(struct keys *k, const uint8_t *data, size_t size)
     }
 }
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
-
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     static struct config standard, c; /* the table is read once, for it takes long */
     static bool ready;
-    char *copy = malloc(size + (size == 0)); /* of exactly this size */
+    char *copy = fuzz_copy(data, size);
     char err[256] = "";
 
-    if (!copy)
-        return 0;
-    if (size)
-        memcpy(copy, data, size);
     if (!ready)
         config_defaults(&standard);
     ready = true;

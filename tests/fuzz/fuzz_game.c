@@ -3,19 +3,10 @@
  * --lives are given: a word's first letter, d r s h or l, names its option. What is taken is what the words say, in the
  * game's ranges; what is refused says which option and why, in one sentence.
  */
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
 #include "../../src/player/game/game.h"
+#include "fuzz.h"
 
 enum { WORDS = 64 };
-
-static void need(bool good)
-{
-    if (!good)
-        abort();
-}
 
 /* A game with a switch of names, one of numbers, and one of every number there is. */
 static void make(struct manifest *m)
@@ -45,7 +36,7 @@ static const char *given(const char *const *words, int n, const char *name)
     return NULL;
 }
 
-/* Is it a whole number, and this one? Read anew, digit by digit. */
+/* Is it a whole number, and this one? */
 static bool reads(const char *s, int64_t v)
 {
     int64_t sum = 0;
@@ -103,24 +94,17 @@ static int cut(char *text, const char *end, char *argv[WORDS + 1], int argc)
     return argc;
 }
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
-
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     static char program[] = "curtain", command[] = "hash", rom[] = "a.rom";
     char *argv[WORDS + 1] = { program, command, rom }, err[1024] = "";
-    char *copy = malloc(size + 1);
+    char *copy = fuzz_text(data, size);
     struct game *g = calloc(1, sizeof *g);
     struct args a = { 0 };
     int argc = 3;
 
-    if (copy && size)
-        memcpy(copy, data, size);
-    if (copy)
-        copy[size] = 0;
-    if (copy)
-        argc = cut(copy, copy + size, argv, argc);
-    if (copy && g && args_parse(&a, argc, argv, err, sizeof err)) {
+    argc = cut(copy, copy + size, argv, argc);
+    if (g && args_parse(&a, argc, argv, err, sizeof err)) {
         make(&g->cart.manifest);
         if (game_start(g, &a, err, sizeof err))
             taken(g, &a);

@@ -2,18 +2,9 @@
  * fuzz_lang.c - libFuzzer: any bytes as a language file, and as a language's lump. What is read is found again in the
  * lump that is made of it; what is refused says file, line and why. In a lump that is taken each text is found.
  */
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
 #include "../../src/rom/words.h"
 #include "../../src/workbench/pack/lang.h"
-
-static void need(bool good)
-{
-    if (!good)
-        abort();
-}
+#include "fuzz.h"
 
 static void round_trip(const struct lang *l)
 {
@@ -49,18 +40,12 @@ static void as_lump(const uint8_t *data, size_t size)
     words_find(&w, (const char *)data, size < 40 ? size : 40);
 }
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
-
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    uint8_t *copy = malloc(size + (size == 0)); /* of exactly this size */
+    uint8_t *copy = fuzz_copy(data, size);
     struct lang l;
     char err[256] = "";
 
-    if (!copy)
-        return 0;
-    if (size)
-        memcpy(copy, data, size);
     if (lang_read(&l, (const char *)copy, size, "de.txt", err, sizeof err))
         round_trip(&l);
     else

@@ -3,26 +3,11 @@
  * taken is in range and survives packing; what is refused comes with one line. A script that compiles is one that the
  * lint reads to its end.
  */
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
 #include "../../src/rom/manifest.h"
 #include "../../src/script/script.h"
 #include "../../src/workbench/check/symbols.h"
 #include "../../src/workbench/check/builtins.h"
-
-static void need(bool good)
-{
-    if (!good)
-        abort();
-}
-
-/* Refused: one line, and something in it. */
-static void need_line(const char *err)
-{
-    need(err[0] != '\0' && strchr(err, '\n') == NULL);
-}
+#include "fuzz.h"
 
 static void binary(const uint8_t *data, size_t size)
 {
@@ -75,18 +60,13 @@ static void script(const char *data, size_t size)
     symbols(data, size, script_compile(data, size, "@a.lua", work, sizeof work, err, sizeof err));
 }
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
-
 /* The first byte chooses the reader. */
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     if (size == 0)
         return 0;
     size_t n = size - 1;
-    uint8_t *copy = malloc(n + (n == 0)); /* of exactly this size */
-    if (copy == NULL)
-        return 0;
-    memcpy(copy, data + 1, n);
+    uint8_t *copy = fuzz_copy(data + 1, n);
     if (data[0] % 4 == 0)
         binary(copy, n);
     else if (data[0] % 4 == 1)

@@ -3,22 +3,8 @@
  * CSV whose tiles count from 0 or 1. External tilesets are what stands behind the first 0 of a .tmx, or itself. What is
  * read is made into a lump with a small sheet.
  */
-#include <stdlib.h>
-#include <string.h>
 #include "../../src/workbench/pack/map.h"
-
-static void check_cells(const struct map_cells *c)
-{
-    uint32_t sum = 0;
-
-    if (c->tilesets < 1 || c->tilesets > MAP_MAX_TILESETS || c->cols < 1 || c->rows < 1 ||
-        (int64_t)c->cols * c->rows > CART_MAX_MAP_CELLS || c->cell == NULL)
-        abort();
-    for (int i = 0; i < c->cols * c->rows; i++)
-        sum += c->cell[i] & MAP_NUMBER;
-    if (sum == 1 && c->side == 7)
-        abort();
-}
+#include "fuzz.h"
 
 static void make(const struct map_cells *c)
 {
@@ -33,12 +19,10 @@ static void make(const struct map_cells *c)
         rgba[i] = (uint8_t)(i % 4 == 3 ? i * 7 : 0);
     for (int i = 0; i < c->tilesets; i++) {
         picture[i] = (struct map_picture){ &sheet, "t.png" };
-        if (!map_check_columns(c, i, &picture[i], err, sizeof err) && err[0] == '\0')
-            abort();
+        need(map_check_columns(c, i, &picture[i], err, sizeof err) || err[0]);
     }
     bool good = map_make(c, "m.tmx", c->side ? c->side : 8, picture, 3, rgb, true, &lump, &size, err, sizeof err);
-    if (good ? size < CART_MAP_HEADER_SIZE : err[0] == '\0')
-        abort();
+    need(good ? size >= CART_MAP_HEADER_SIZE : err[0] != '\0');
     if (good)
         free(lump);
 }
@@ -55,27 +39,17 @@ static bool load(void *context, const char *file, uint8_t **text, size_t *n, cha
 
     (void)err, (void)err_size, (void)file;
     *n = rest->n;
-    *text = malloc(rest->n + 1);
-    if (*text == NULL)
-        abort();
-    memcpy(*text, rest->text, rest->n);
-    (*text)[rest->n] = 0;
+    *text = (uint8_t *)fuzz_text((const uint8_t *)rest->text, rest->n);
     return true;
 }
-
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     size_t n = size > 0 ? size - 1 : 0;
-    char *text = malloc(n + (n == 0)), err[256] = "";
+    char *text = fuzz_copy(data + 1, n), err[256] = "";
     const int how = size > 0 ? data[0] % 4 : 0;
     struct map_cells c;
 
-    if (text == NULL)
-        return 0;
-    if (n > 0)
-        memcpy(text, data + 1, n);
     const char *zero = memchr(text, 0, n);
     const size_t first = zero != NULL ? (size_t)(zero - text) : n;
     struct rest rest = { zero != NULL ? zero + 1 : text, zero != NULL ? n - first - 1 : n };
@@ -84,10 +58,12 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
                         : map_read_csv(text, n, "m.csv", how - 2, &c, err, sizeof err);
     free(text);
     if (good) {
-        check_cells(&c);
+        need(c.tilesets >= 1 && c.tilesets <= MAP_MAX_TILESETS && c.cols >= 1 && c.rows >= 1);
+        need((int64_t)c.cols * c.rows <= CART_MAX_MAP_CELLS && c.cell != NULL);
         make(&c);
         free(c.cell);
-    } else if (err[0] == '\0' || c.cell != NULL)
-        abort();
+    } else {
+        need(err[0] != '\0' && c.cell == NULL);
+    }
     return 0;
 }

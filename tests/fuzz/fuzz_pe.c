@@ -2,18 +2,9 @@
  * fuzz_pe.c - libFuzzer: any bytes as a program that a game is put into, for Windows or, trimmed, for Linux. A copy has
  * the same bytes again, and what is cut off is within the file.
  */
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
 #include "../../src/workbench/export/image.h"
 #include "../../src/workbench/export/pe.h"
-
-static void need(bool good)
-{
-    if (!good)
-        abort();
-}
+#include "fuzz.h"
 
 /* A copy with the resources of a game without an icon; false: refused. */
 static bool dress(const uint8_t *data, size_t size, uint8_t **out, size_t *out_size)
@@ -23,17 +14,12 @@ static bool dress(const uint8_t *data, size_t size, uint8_t **out, size_t *out_s
     char err[256] = "";
 
     manifest_set_defaults(&cart.manifest);
-    *out = malloc(size + (size == 0)); /* of exactly this size */
+    *out = fuzz_copy(data, size);
     *out_size = size;
-    need(*out != NULL);
-    if (size)
-        memcpy(*out, data, size);
     const bool good = pe_set_resources(out, out_size, &cart, err, sizeof err);
     need(good == (err[0] == '\0'));
     return good;
 }
-
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {

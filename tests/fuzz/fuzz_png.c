@@ -2,12 +2,9 @@
  * fuzz_png.c - libFuzzer: any bytes as a PNG. Odd inputs go in as they are; for even ones the chunks' CRCs are made
  * good first. A picture that is read must be there to its last pixel.
  */
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
 #include "../../src/base/hash.h"
 #include "../../src/player/picture/png.h"
+#include "fuzz.h"
 
 static uint32_t be32(const uint8_t *p)
 {
@@ -27,26 +24,20 @@ static void repair(uint8_t *p, size_t n)
     }
 }
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
-
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     size_t n = size > 0 ? size - 1 : 0;
-    uint8_t *copy = malloc(n + (n == 0)), *rgba;
+    uint8_t *copy = fuzz_copy(data + 1, n), *rgba;
     char err[256] = "";
     int w, h;
 
-    if (copy == NULL)
-        return 0;
-    if (n > 0)
-        memcpy(copy, data + 1, n);
     if (n >= 8 && data[0] % 2 == 0)
         repair(copy, n);
     if (png_read(copy, n, &rgba, &w, &h, err, sizeof err)) {
-        if (w < 1 || h < 1 || (int64_t)w * h > PNG_MAX_PIXELS || hash_bytes(0, rgba, (size_t)w * (size_t)h * 4) == 1)
-            abort();
-    } else if (err[0] == '\0' || rgba != NULL) {
-        abort();
+        need(w >= 1 && h >= 1 && (int64_t)w * h <= PNG_MAX_PIXELS);
+        need(hash_bytes(0, rgba, (size_t)w * (size_t)h * 4) != 1); /* reads all */
+    } else {
+        need(err[0] && rgba == NULL);
     }
     free(rgba);
     free(copy);

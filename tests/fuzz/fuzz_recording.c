@@ -3,19 +3,10 @@
  * sound and a piece of music that the board takes; what is refused says why. Modules take libopenmpt the most time, and
  * are small here.
  */
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
 #include "../../src/workbench/samples/recording.h"
 #include "../../src/sound/adpcm.h"
 #include "../../src/sound/tune.h"
-
-static void need(bool good)
-{
-    if (!good)
-        abort();
-}
+#include "fuzz.h"
 
 static const char *name_of(const uint8_t *data, size_t size)
 {
@@ -49,13 +40,11 @@ static void make(const struct pcm *pcm)
     free(wave.data);
 }
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
-
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     const struct art_loop own = { 0 };
     const char *name = name_of(data, size);
-    uint8_t *copy = malloc(size + (size == 0)); /* of exactly this size */
+    uint8_t *copy = fuzz_copy(data, size);
     char err[256] = "";
     struct pcm pcm;
 
@@ -63,8 +52,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         free(copy);
         return 0;
     }
-    if (size)
-        memcpy(copy, data, size);
     if (recording_read(name, copy, size, &own, &pcm, err, sizeof err)) {
         if (recording_prepare(&pcm, &own, err, sizeof err))
             make(&pcm);

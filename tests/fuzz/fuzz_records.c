@@ -2,18 +2,9 @@
  * fuzz_records.c - libFuzzer: any bytes as a file of practice records. What is read and counted on is written as a text
  * that reads as the same; what is refused says the line and why, and holds nothing.
  */
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include "../../src/player/replays/records.h"
-
-static void need(bool good)
-{
-    if (!good)
-        abort();
-}
+#include "fuzz.h"
 
 /* Each record is found, counts, and is never captured more often than tried. */
 static void count(struct records *r)
@@ -51,18 +42,12 @@ static void round_trip(const struct records *r)
     free(text);
 }
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
-
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    char *copy = malloc(size + (size == 0)); /* of exactly this size */
+    char *copy = fuzz_copy(data, size);
     struct records r;
     char err[256] = "";
 
-    if (!copy)
-        return 0;
-    if (size)
-        memcpy(copy, data, size);
     if (records_read(&r, copy, size, err, sizeof err)) {
         round_trip(&r);
         count(&r);

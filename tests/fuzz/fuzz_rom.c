@@ -3,22 +3,12 @@
  * checksums are made good first, so that the fuzzer gets past them. A ROM that opens must be readable to its last byte.
  * What is compressed here comes back byte by byte.
  */
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
 #include "../../src/rom/cart.h"
 #include "../../src/rom/compressed.h"
 #include "../../src/rom/lzma.h"
 #include "../../src/workbench/pack/compress.h"
 #include "../repair.h"
-
-/* Never the answer of a hash: uses it, so that no compiler drops the reading. */
-static void use(uint64_t h)
-{
-    if (h == 0)
-        abort();
-}
+#include "fuzz.h"
 
 static uint64_t read_cart(const struct cart *cart)
 {
@@ -27,8 +17,7 @@ static uint64_t read_cart(const struct cart *cart)
     for (int i = 0; i < cart->count[CART_SPRITES]; i++) {
         struct sprite s;
         cart_sprite(cart, i, &s);
-        if (cart_find(cart, CART_SPRITES, cart_name(cart, CART_SPRITES, i)) != i)
-            abort();
+        need(cart_find(cart, CART_SPRITES, cart_name(cart, CART_SPRITES, i)) == i);
         h = hash_bytes(h, s.pix, (size_t)s.pitch * s.h * s.frames * s.rotations);
     }
     return hash_bytes(hash_bytes(h, cart_palette(cart, "main"), CART_PALETTE_SIZE), cart->glyphs,
@@ -41,8 +30,7 @@ static void read_rom(const struct rom *rom)
     for (uint32_t i = 0; i < rom->count; i++) {
         struct lump l;
         rom_lump(rom, (int)i, &l);
-        if (rom_find(rom, l.name) != (int)i)
-            abort();
+        need(rom_find(rom, l.name) == (int)i);
     }
 }
 
@@ -74,28 +62,21 @@ static void there_and_back(const uint8_t *bytes, size_t size)
     size_t n;
 
     if (back && compress_rom(bytes, size, &small, &n) && small) {
-        if (n >= size || compressed_plain_size(small, n, err, sizeof err) != size ||
-            !compressed_unpack(small, n, back, err, sizeof err) || memcmp(back, bytes, size) != 0)
-            abort();
+        need(n < size && compressed_plain_size(small, n, err, sizeof err) == size);
+        need(compressed_unpack(small, n, back, err, sizeof err) && memcmp(back, bytes, size) == 0);
         free(small);
     }
     free(back);
 }
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
-
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     size_t n = size > 0 ? size - 1 : 0;
-    uint8_t *copy = malloc(n + (n == 0));
+    uint8_t *copy = fuzz_copy(data + 1, n);
     char err[256] = "";
     struct cart cart;
     struct rom rom;
 
-    if (copy == NULL)
-        return 0;
-    if (n > 0)
-        memcpy(copy, data + 1, n);
     there_and_back(copy, n);
     if (compressed_has_magic(copy, n) && !plain(&copy, &n, data[0] % 2 == 0, err, sizeof err)) {
         free(copy);
@@ -105,13 +86,13 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         repair_rom(copy, n);
     if (rom_open(&rom, copy, n, err, sizeof err)) {
         read_rom(&rom);
-        use(rom_hash(&rom) | rom_game_hash(&rom));
+        need((rom_hash(&rom) | rom_game_hash(&rom)) != 0); /* reads all */
         if (cart_open(&cart, &rom, err, sizeof err))
-            use(read_cart(&cart));
-        else if (err[0] == '\0')
-            abort();
-    } else if (err[0] == '\0') {
-        abort();
+            need(read_cart(&cart) != 0);
+        else
+            need(err[0]);
+    } else {
+        need(err[0]);
     }
     free(copy);
     return 0;

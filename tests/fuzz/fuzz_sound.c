@@ -2,20 +2,11 @@
  * fuzz_sound.c - libFuzzer: any bytes as MML, and as a tune of a ROM. What is read is a tune that the board takes; what
  * is refused says why, of MML with file, line and column. A tune that is taken is played, its instruments are heard.
  */
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
 #include "../../src/workbench/mml/mml.h"
 #include "../../src/sound/pitch.h"
 #include "../../src/sound/tune.h"
 #include "../voiced.h"
-
-static void need(bool good)
-{
-    if (!good)
-        abort();
-}
+#include "fuzz.h"
 
 static void play(const uint8_t *bytes)
 {
@@ -53,17 +44,11 @@ static void as_mml(const uint8_t *data, size_t size)
     free(out);
 }
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
-
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    uint8_t *copy = malloc(size + (size == 0)); /* of exactly this size */
+    uint8_t *copy = fuzz_copy(data, size);
     char err[256] = "";
 
-    if (!copy)
-        return 0;
-    if (size)
-        memcpy(copy, data, size);
     as_mml(copy, size);
     if (tune_validate(copy, size, err, sizeof err))
         play(copy);

@@ -2,17 +2,8 @@
  * fuzz_symbols.c - libFuzzer: any bytes as a Lua script, read without Lua: tokens, and the symbols that `check` finds.
  * All that is found is there to its last byte. (fuzz_manifest.c looks at what the compiler takes.)
  */
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
 #include "../../src/workbench/check/symbols.h"
-
-static void need(bool good)
-{
-    if (!good)
-        abort();
-}
+#include "fuzz.h"
 
 /* A text that may be missing. */
 static size_t text(const char *s)
@@ -65,18 +56,12 @@ static size_t names(const struct symbols *f)
     return n;
 }
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
-
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     static const char *const path[] = { "sheets", "small", "file", NULL };
-    char *copy = malloc(size + (size == 0)); /* of exactly this size */
+    char *copy = fuzz_copy(data, size);
     struct symbols f;
 
-    if (!copy)
-        return 0;
-    if (size)
-        memcpy(copy, data, size);
     bool whole = symbols_read(&f, copy, size, NULL);
     need(whole == f.complete && names(&f) + calls_and_tables(&f) < SIZE_MAX / 2 && symbols_line(&f, path) > 0);
     symbols_free(&f);

@@ -6,11 +6,10 @@
  *     PADS=FILE   a command a line. The file is read on as it grows, so a test may add to it at any time.
  *
  *     wait N            what follows waits for N polls
- *     plug P KIND       controller P, 1 to 8, is plugged in: xbox, xbox360, ps3, ps4, ps5, nintendo or unknown
+ *     plug P KIND       controller P, 1 to 8, is plugged in: xbox, xbox360, ps4 or nintendo
  *     unplug P          and pulled out
- *     down P SWITCH...  switches go down, all in one poll: names as in the settings without "pad.", as south, l1, lup
+ *     down P SWITCH...  switches go down, all in one poll: names as in the settings without "pad.", as south, lleft
  *     up P SWITCH...    and up
- *     tap P SWITCH...   one after the other is down for 4 polls and up for 4
  *     say TEXT          writes "pads: TEXT" to standard error: what came before has been done
  *
  * A poll is all calls of SDL_PollEvent until it has no more, so plat_poll is one. Commands are done before the first
@@ -28,43 +27,33 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { PADS_MOST = 8, LINE = 256, TAP = 4, FULL = 32767, REST = -32768 };
+enum { PADS_MOST = 8, LINE = 256, FULL = 32767, REST = -32768 };
 
 static SDL_Joystick *pads[PADS_MOST];
 static char line[LINE]; /* the one that is being read */
 static size_t length;
-static int waits;  /* polls */
-static char *taps; /* what is left of a tap's line */
-static int tapped, tapping = -1;
+static int waits; /* polls */
 
 /* Switches: a button, or an axis and which way it goes. */
 static const struct {
     const char *name;
     int button, axis, way;
 } switches[] = {
-    { "up", SDL_CONTROLLER_BUTTON_DPAD_UP, 0, 0 },      { "down", SDL_CONTROLLER_BUTTON_DPAD_DOWN, 0, 0 },
-    { "left", SDL_CONTROLLER_BUTTON_DPAD_LEFT, 0, 0 },  { "right", SDL_CONTROLLER_BUTTON_DPAD_RIGHT, 0, 0 },
-    { "south", SDL_CONTROLLER_BUTTON_A, 0, 0 },         { "east", SDL_CONTROLLER_BUTTON_B, 0, 0 },
-    { "west", SDL_CONTROLLER_BUTTON_X, 0, 0 },          { "north", SDL_CONTROLLER_BUTTON_Y, 0, 0 },
-    { "l1", SDL_CONTROLLER_BUTTON_LEFTSHOULDER, 0, 0 }, { "r1", SDL_CONTROLLER_BUTTON_RIGHTSHOULDER, 0, 0 },
-    { "start", SDL_CONTROLLER_BUTTON_START, 0, 0 },     { "select", SDL_CONTROLLER_BUTTON_BACK, 0, 0 },
-    { "guide", SDL_CONTROLLER_BUTTON_GUIDE, 0, 0 },     { "l3", SDL_CONTROLLER_BUTTON_LEFTSTICK, 0, 0 },
-    { "r3", SDL_CONTROLLER_BUTTON_RIGHTSTICK, 0, 0 },   { "l2", -1, SDL_CONTROLLER_AXIS_TRIGGERLEFT, 1 },
-    { "r2", -1, SDL_CONTROLLER_AXIS_TRIGGERRIGHT, 1 },  { "lup", -1, SDL_CONTROLLER_AXIS_LEFTY, -1 },
-    { "ldown", -1, SDL_CONTROLLER_AXIS_LEFTY, 1 },      { "lleft", -1, SDL_CONTROLLER_AXIS_LEFTX, -1 },
-    { "lright", -1, SDL_CONTROLLER_AXIS_LEFTX, 1 },     { "rup", -1, SDL_CONTROLLER_AXIS_RIGHTY, -1 },
-    { "rdown", -1, SDL_CONTROLLER_AXIS_RIGHTY, 1 },     { "rleft", -1, SDL_CONTROLLER_AXIS_RIGHTX, -1 },
-    { "rright", -1, SDL_CONTROLLER_AXIS_RIGHTX, 1 },
+    { "up", SDL_CONTROLLER_BUTTON_DPAD_UP, 0, 0 },    { "right", SDL_CONTROLLER_BUTTON_DPAD_RIGHT, 0, 0 },
+    { "south", SDL_CONTROLLER_BUTTON_A, 0, 0 },       { "east", SDL_CONTROLLER_BUTTON_B, 0, 0 },
+    { "start", SDL_CONTROLLER_BUTTON_START, 0, 0 },   { "select", SDL_CONTROLLER_BUTTON_BACK, 0, 0 },
+    { "l2", -1, SDL_CONTROLLER_AXIS_TRIGGERLEFT, 1 }, { "r2", -1, SDL_CONTROLLER_AXIS_TRIGGERRIGHT, 1 },
+    { "lleft", -1, SDL_CONTROLLER_AXIS_LEFTX, -1 },
 };
 
 static const struct {
     const char *kind, *name;
     Uint16 vendor, product;
 } kinds[] = {
-    { "xbox", "Xbox One Controller", 0x045e, 0x02ea }, { "xbox360", "Xbox 360 Controller", 0x045e, 0x028e },
-    { "ps3", "PS3 Controller", 0x054c, 0x0268 },       { "ps4", "PS4 Controller", 0x054c, 0x09cc },
-    { "ps5", "PS5 Controller", 0x054c, 0x0ce6 },       { "nintendo", "Nintendo Switch Pro Controller", 0x057e, 0x2009 },
-    { "unknown", "Honest Joystick", 0x1111, 0x2222 },
+    { "xbox", "Xbox One Controller", 0x045e, 0x02ea },
+    { "xbox360", "Xbox 360 Controller", 0x045e, 0x028e },
+    { "ps4", "PS4 Controller", 0x054c, 0x09cc },
+    { "nintendo", "Nintendo Switch Pro Controller", 0x057e, 0x2009 },
 };
 
 static void stop(const char *what, const char *word)
@@ -167,28 +156,6 @@ static void unplug(int n)
     stop("not plugged in, to", "unplug");
 }
 
-/* A tap goes on: the switch that is down goes up, or the next one down. */
-static void tap_on(void)
-{
-    static char held[LINE];
-
-    waits = TAP;
-    if (tapped) {
-        set(pads[tapping], held, 0);
-        tapped = 0;
-        return;
-    }
-    char *word = strtok_r(NULL, " ", &taps);
-    if (!word) {
-        tapping = -1;
-        waits = 0;
-        return;
-    }
-    snprintf(held, sizeof held, "%s", word);
-    set(pads[tapping], held, 1);
-    tapped = 1;
-}
-
 static void command(void)
 {
     char *rest, *verb = strtok_r(line, " ", &rest), *word;
@@ -210,10 +177,6 @@ static void command(void)
         plug(n, strtok_r(NULL, " ", &rest));
     } else if (strcmp(verb, "unplug") == 0) {
         unplug(n);
-    } else if (strcmp(verb, "tap") == 0) {
-        taps = rest;
-        tapping = n;
-        tap_on();
     } else if (strcmp(verb, "down") == 0 || strcmp(verb, "up") == 0) {
         while ((word = strtok_r(NULL, " ", &rest)) != NULL)
             set(pads[n], word, strcmp(verb, "down") == 0);
@@ -248,12 +211,9 @@ static void poll_begins(void)
     if (!getenv("PADS") || !SDL_WasInit(SDL_INIT_GAMECONTROLLER))
         return;
     while (waits > 0 ? (--waits, 0) : 1) {
-        if (tapping >= 0)
-            tap_on();
-        else if (next_line())
-            command();
-        else
+        if (!next_line())
             break;
+        command();
     }
     SDL_JoystickUpdate();
 }

@@ -6,6 +6,7 @@
  *   u UTF-8, also bad    i position    n number    c count    C byte    U code    B base    l flag    t table
  *   m metatable    o function    O comparator
  *   k chunk    K its name    M its mode    f format with its arguments    a anything    * more of the same or none
+ *   T odd table    w word
  */
 #ifndef TESTS_LUAGEN_H
 #define TESTS_LUAGEN_H
@@ -65,7 +66,17 @@ static void say_quoted(struct out *o, const char *s, size_t n)
     say(o, "\"");
 }
 
-#define PICK(r, list) ((list)[rng_below(r, sizeof(list) / sizeof *(list))])
+/* One of the choices, which are separated by |. */
+static void say_one_of(struct rng *r, struct out *o, const char *choices)
+{
+    uint64_t n = 1;
+
+    for (const char *s = choices; *s; s++)
+        n += *s == '|';
+    for (n = rng_below(r, n); n > 0; n--)
+        choices = strchr(choices, '|') + 1;
+    say_bytes(o, choices, strcspn(choices, "|"));
+}
 
 static bool once_in(struct rng *r, uint64_t n)
 {
@@ -98,14 +109,9 @@ static void gen_integer(struct rng *r, struct out *o)
 
 static void gen_float(struct rng *r, struct out *o)
 {
-    static const char *const odd[] = { "1/0",  "-1/0",   "nan",      "minus_nan", "-0.0",     "0.0",
-                                       "0.5",  "5e-324", "2.5e-310", "1e308",     "-1.5",     "1e15",
-                                       "1e16", "0x1p53", "0x1p63",   "-0x1p63",   "0x1p62",   "3.0",
-                                       "-2.0", "1e100",  "0.1",      "1e14",      "123456.5", "0x1.fffffffffffffp1023",
-                                       "1e-5" };
-
     if (once_in(r, 2))
-        say(o, "%s", PICK(r, odd));
+        say_one_of(r, o,
+                   "1/0|-1/0|nan|minus_nan|-0.0|0.5|5e-324|1e308|1e15|1e16|0x1p53|0x1p63|-0x1p63|3.0|1e100|0.1|1e14");
     else if (once_in(r, 2))
         say(o, "%.17g * 0x1p%d", (double)(int64_t)rng_next(r), (int)rng_below(r, 140) - 110);
     else
@@ -118,43 +124,6 @@ static void gen_number(struct rng *r, struct out *o)
         gen_integer(r, o);
     else
         gen_float(r, o);
-}
-
-static void gen_numeral(struct rng *r, struct out *o)
-{
-    static const char *const texts[] = { "10",
-                                         "-7",
-                                         " 5 ",
-                                         "0x10",
-                                         "0xA.8p1",
-                                         "1e2",
-                                         "1e",
-                                         "",
-                                         "0x",
-                                         "1 2",
-                                         "inf",
-                                         "nan",
-                                         "5.",
-                                         ".5",
-                                         "0x1p",
-                                         "1e400",
-                                         "zz",
-                                         "-ff",
-                                         "7fffffffffffffff",
-                                         "9223372036854775808",
-                                         "-9223372036854775808",
-                                         "1\\0",
-                                         "\\t8\\n",
-                                         "- 1",
-                                         "--1",
-                                         "1_0",
-                                         "0b1",
-                                         "1e+5",
-                                         "+3",
-                                         "0x.p1",
-                                         "1010" };
-
-    say(o, "\"%s\"", PICK(r, texts));
 }
 
 static void gen_position(struct rng *r, struct out *o)
@@ -178,81 +147,50 @@ static void gen_short_text(struct rng *r, struct out *o)
     say_quoted(o, s, n);
 }
 
-static void gen_text(struct rng *r, struct out *o)
-{
-    switch (rng_below(r, 8)) {
-    case 0:
-        say(o, "(");
-        gen_short_text(r, o);
-        say(o, "):rep(%d)", (int)rng_below(r, 60));
-        break;
-    case 1:
-        gen_numeral(r, o);
-        break;
-    case 2:
-        gen_number(r, o);
-        break;
-    default:
-        gen_short_text(r, o);
-    }
-}
-
 static void gen_utf8(struct rng *r, struct out *o)
 {
-    static const char *const pieces[] = { "a", "z", "\xc3\xa9", "\xe2\x82\xac", "\xf0\x9f\x8e\xae", "b", "\xdf\xbf",
-                                          "\xc2\x80", "\xef\xbf\xbf", "\xf4\x8f\xbf\xbf",
-                                          /* of lax alone */
-                                          "\xed\xa0\x80", "\xf4\x90\x80\x80", "\xfc\x84\x80\x80\x80\x80",
-                                          "\xfd\xbf\xbf\xbf\xbf\xbf", "\xf8\x88\x80\x80\x80",
-                                          /* of neither */
-                                          "\xc0\x80", "\xff", "\xfe\x80\x80\x80\x80\x80\x80", "\x80", "\xe2\x82",
-                                          "\xe0\x80\x80", "\xf0\x80\x80\x80", "\xc3", "\xf8\x80\x80\x80\x80" };
-    const size_t all = sizeof pieces / sizeof *pieces, kinds[] = { 10, 15, all };
-    size_t kind = PICK(r, kinds);
+    static const char *const kinds[] = {
+        "a|z|\xc2\x80|\u07ff|\u20ac|\uffff|\U0001f3ae|\U0010ffff",
+        /* of lax alone */
+        "\xed\xa0\x80|\xf4\x90\x80\x80|\xf8\x88\x80\x80\x80|\xfd\xbf\xbf\xbf\xbf\xbf",
+        /* of neither */
+        "\xc0\x80|\xff|\xfe\x80\x80\x80\x80\x80\x80|\x80|\xe2\x82|\xe0\x80\x80|\xf0\x80\x80\x80|\xf8\x80\x80\x80\x80",
+    };
+    const uint64_t n_kinds = 1 + rng_below(r, 3);
+    struct out text = { 0 };
 
-    say(o, "\"");
-    for (uint64_t i = rng_below(r, 9); i > 0; i--) {
-        const char *piece = once_in(r, 20) ? "\0" : pieces[rng_below(r, kind)];
-        say_escaped(o, piece, *piece ? strlen(piece) : 1);
-    }
-    say(o, "\"");
+    for (uint64_t i = rng_below(r, 9); i > 0; i--)
+        if (once_in(r, 20))
+            say_bytes(&text, "\0", 1);
+        else
+            say_one_of(r, &text, kinds[rng_below(r, n_kinds)]);
+    say_quoted(o, text.s, text.n);
+    free(text.s);
 }
 
 /* ---- patterns ---- */
 
 static void add_set(struct rng *r, struct out *o)
 {
-    static const char *const parts[] = { "a",  "b",  "c",  "0", "-",  "^",  "a-c", "0-9", "%a", "%D",       "%s",
-                                         "%]", "%%", "%-", ".", "\n", "%w", "(",   "c-a", "x-", "\x80-\xff" };
-    bool not = once_in(r, 3);
-
-    say(o, not ? "[^" : "[");
-    if (once_in(r, 6))
-        say(o, "]");
+    say_one_of(r, o, "[|[|[^|[]|[^]");
     for (uint64_t i = rng_below(r, 3); i < 3; i++)
-        say(o, "%s", PICK(r, parts));
+        say_one_of(r, o, "a|b|c|0|-|^|a-c|0-9|%a|%D|%s|%]|%%|%-|.|\n|%w|(|c-a|x-|\x80-\xff");
     if (!once_in(r, 30))
         say(o, "]");
 }
 
 static void add_item(struct rng *r, struct out *o)
 {
-    static const char *const singles[] = { "a",  "b",  "c",  "x",  ".",  "%a", "%d", "%s", "%w", "%p", "%u", "%l",
-                                           "%g", "%x", "%c", "%z", "%A", "%D", "%S", "%W", "%P", "%L", "%X", "%.",
-                                           "%%", "%(", "%-", "%y", "%]", "]",  "{",  "^",  "$",  " ",  "0",  "1" };
-    static const char *const repeats[] = { "", "", "", "", "*", "+", "-", "?" };
-    static const char *const specials[] = { "%b()", "%b{}", "%baa", "%bab", "%f[%w]", "%f[^ab]", "%f[%z]", "%f[%a]",
-                                            "()",   "(",    ")",    "%1",   "%2",     "%0",      "%b",     "%f" };
-
     if (once_in(r, 5)) {
-        say(o, "%s", PICK(r, specials));
+        say_one_of(r, o, "%b()|%b{}|%baa|%bab|%f[%w]|%f[^ab]|%f[%z]|%f[%a]|()|(|)|%1|%2|%0|%b|%f");
         return;
     }
     if (once_in(r, 4))
         add_set(r, o);
     else
-        say(o, "%s", PICK(r, singles));
-    say(o, "%s", PICK(r, repeats));
+        say_one_of(r, o,
+                   "a|b|c|x|.|%a|%d|%s|%w|%p|%u|%l|%g|%x|%c|%z|%A|%D|%S|%W|%P|%L|%X|%.|%%|%(|%y|%]|]|{|^|$| |0|1");
+    say_one_of(r, o, "||||*|+|-|?");
 }
 
 /* Mostly well formed: what is opened is closed. */
@@ -281,49 +219,9 @@ static void gen_pattern(struct rng *r, struct out *o)
     free(p.s);
 }
 
-static void gen_replacement(struct rng *r, struct out *o)
-{
-    static const char *const values[] = { "\"<%0>\"",
-                                          "\"\"",
-                                          "\"%1\"",
-                                          "\"%2-%1\"",
-                                          "\"%%\"",
-                                          "\"%\"",
-                                          "\"%a\"",
-                                          "\"%9\"",
-                                          "\"x\\0y\"",
-                                          "5",
-                                          "1.5",
-                                          "2^53",
-                                          "true",
-                                          "nil",
-                                          "minus_nan",
-                                          "{a = \"A\", b = 1, c = false, [\"\"] = 2.0}",
-                                          "{5, 6, 7}",
-                                          "{a = {}, b = minus_nan}",
-                                          "setmetatable({}, {__index = function(_, k) return k end})",
-                                          "function(...) return ... end",
-                                          "function(a, b) return b end",
-                                          "function() end",
-                                          "function() return {} end",
-                                          "function() return true end",
-                                          "function(a) return #tostring(a) / 2 end",
-                                          "function(a) if a == \"b\" then error(\"no\", 0) end end" };
-
-    say(o, "%s", PICK(r, values));
-}
-
 /* ---- tables and functions ---- */
 
-static void gen_any(struct rng *r, struct out *o);
-
-static void gen_element(struct rng *r, struct out *o)
-{
-    if (once_in(r, 3))
-        gen_any(r, o);
-    else
-        say(o, "%d", (int)rng_below(r, 20));
-}
+static void gen_arg(struct rng *r, struct out *o, char kind);
 
 static void add_list(struct rng *r, struct out *o)
 {
@@ -332,7 +230,7 @@ static void add_list(struct rng *r, struct out *o)
     say(o, "{");
     for (uint64_t n = rng_below(r, once_in(r, 6) ? 70 : 8); n > 0; n--) {
         if (kind == 0)
-            gen_element(r, o);
+            gen_arg(r, o, once_in(r, 3) ? 'a' : 'c');
         else if (kind == 1)
             gen_short_text(r, o);
         else if (kind == 2)
@@ -348,145 +246,30 @@ static void add_list(struct rng *r, struct out *o)
 
 static void gen_table(struct rng *r, struct out *o)
 {
-    static const char *const others[] = {
-        "{a = 1, b = 2, 10, 20}",
-        "{[1] = 1, [2] = 2, [4] = 4}",
-        "{[math.maxinteger] = 1, [math.mininteger] = 2}",
-        "{[1.5] = 1, x = 2}",
-        "{[true] = 1, [{}] = 2}",
-        "{a = 1, [\"\\0\"] = 2, [\"\"] = 3, [-1] = 4, [0] = 5}",
-        "setmetatable({1, 2, 3}, {__len = function() return 5 end, __index = function(_, k) return k % 7 end})",
-        "setmetatable({}, {__len = function() return \"x\" end})",
-        "setmetatable({}, {__len = function() return 2.0 end, __index = {\"p\", \"q\", \"r\"}})",
-        "setmetatable({1, 2}, {__newindex = function(t, k, v) rawset(t, k, {v}) end})",
-        "setmetatable({}, {__tostring = function() return \"me\" end})",
-        "setmetatable({}, {__tostring = function() return 5.0 end})",
-        "setmetatable({}, {__tostring = function() return {} end})",
-        "setmetatable({}, {__name = \"thing\"})",
-        "setmetatable({}, {__name = 5})",
-        "setmetatable({}, {__metatable = \"locked\"})",
-        "setmetatable({}, {__pairs = function() return function() end end})",
-        "setmetatable({}, {__eq = function() return true end, __lt = function() return false end})",
-        "setmetatable({}, {__call = function(_, a) return a end})",
-        "setmetatable({7}, {__len = function() return -3 end})",
-    };
-
     if (once_in(r, 4))
-        say(o, "%s", PICK(r, others));
+        gen_arg(r, o, 'T');
     else
         add_list(r, o);
 }
 
-static void gen_metatable(struct rng *r, struct out *o)
+static void gen_text(struct rng *r, struct out *o)
 {
-    static const char *const tables[] = { "{}",
-                                          "nil",
-                                          "{__index = {a = 1}}",
-                                          "{__metatable = 1}",
-                                          "{__gc = function() end}",
-                                          "{__mode = \"k\"}",
-                                          "{__gc = false}",
-                                          "{__call = {}}",
-                                          "{__call = function() end}" };
+    const uint64_t kind = rng_below(r, 8);
 
-    say(o, "%s", PICK(r, tables));
-}
-
-static void gen_comparator(struct rng *r, struct out *o)
-{
-    static const char *const functions[] = {
-        "function(a, b) return a < b end",
-        "function(a, b) return a > b end",
-        "function(a, b) return type(a) < type(b) end",
-        "function(a, b) return a // 2 < b // 2 end",
-        "function(a, b) return true end",
-        "function() end",
-        "function(a) error(\"no\", 0) end",
-        "function(a, b) if a == 5 or b == 5 then error({5}) end return a < b end",
-        "nil",
-    };
-
-    say(o, "%s", PICK(r, functions));
-}
-
-static void gen_function(struct rng *r, struct out *o)
-{
-    static const char *const functions[] = {
-        "function(a, b) return a < b end",
-        "function() end",
-        "function(...) return ... end",
-        "function(...) return select(\"#\", ...), ... end",
-        "function() error(\"no\", 0) end",
-        "function() error({5}) end",
-        "function() error() end",
-        "function() local x = nil + 1 end",
-        "function() return 1, nil, \"x\" end",
-        "string.rep",
-        "error",
-        "assert",
-        "pcall",
-        "type",
-        "nil",
-    };
-
-    say(o, "%s", PICK(r, functions));
+    if (kind == 0) {
+        say(o, "(");
+        gen_short_text(r, o);
+        say(o, "):rep(%d)", (int)rng_below(r, 60));
+    } else {
+        gen_arg(r, o, kind == 1 ? 'N' : kind == 2 ? 'n' : 'S');
+    }
 }
 
 static void gen_any(struct rng *r, struct out *o)
 {
-    static const char *const words[] = { "nil", "nil", "true", "false", "{}", "tostring", "\"\"" };
+    static const char kinds[] = "nSNtwwwwwwww";
 
-    switch (rng_below(r, 6)) {
-    case 0:
-        gen_number(r, o);
-        break;
-    case 1:
-        gen_short_text(r, o);
-        break;
-    case 2:
-        gen_numeral(r, o);
-        break;
-    case 3:
-        if (once_in(r, 4)) {
-            gen_table(r, o);
-            break;
-        } /* fallthrough */
-    default:
-        say(o, "%s", PICK(r, words));
-    }
-}
-
-/* ---- chunks ---- */
-
-static void gen_chunk(struct rng *r, struct out *o)
-{
-    static const char *const chunks[] = {
-        "\"return 1, 2\"",
-        "\"return ...\"",
-        "\"x =\"",
-        "\"\"",
-        "\"return function() end\"",
-        "\"return 2 ^ 3\"",
-        "\"return {__gc = 1}\"",
-        "\"local t = {__mode = 'k'} return t\"",
-        "\"\\27Lua\"",
-        "\"# no\\nreturn 3\"",
-        "\"return '\\\\\"",
-        "\"for i = 1, 3 do end return i\"",
-        "\"goto x\"",
-        "\"local a <const> = 1 a = 2\"",
-        "\"return '\\\\xff\\\\u{7fffffff}\\\\z  x'\"",
-        "\"return 0x7fffffffffffffffff, 1e999, 3 // 0.0\"",
-        "\"return y\"",
-        "function() end",
-        "function() return \"\" end",
-        "function() return {} end",
-        "(function() local n = 0 return function() n = n + 1 return ({\"return \", 4, \"2\"})[n] end end)()",
-        "function() error(\"reader\", 0) end",
-        "5",
-    };
-
-    say(o, "%s", PICK(r, chunks));
+    gen_arg(r, o, kinds[rng_below(r, sizeof kinds - 1)]);
 }
 
 /* ---- formats ---- */
@@ -497,20 +280,16 @@ static void gen_format_arg(struct rng *r, struct out *o, char letter)
         gen_any(r, o);
     else if (letter && strchr("diuoxXc", letter))
         gen_integer(r, o);
-    else if (letter && strchr("eEfgGaAF", letter))
+    else if ((letter && strchr("eEfgGaAF", letter)) || (letter == 'q' && once_in(r, 3)))
         gen_number(r, o);
-    else if (letter == 'q' && once_in(r, 3))
-        gen_number(r, o);
-    else if (letter == 's' && once_in(r, 4))
-        gen_table(r, o);
     else
-        gen_text(r, o);
+        gen_arg(r, o, letter == 's' && once_in(r, 4) ? 't' : 's');
 }
 
-/* Its letter, which is chance for once in 20. */
+/* Returns its letter, which is chance for once in 20. */
 static char add_conversion(struct rng *r, struct out *o)
 {
-    static const char letters[] = "ddiuoxXcccssssqqqeEfffgG", odd[] = "aApF%yn.l\0z", flags[] = "--++  ##00";
+    static const char letters[] = "ddiuoxXcccssssqqqeEfffgG", odd[] = "aApF%yn.l\0z";
     char letter = once_in(r, 20) ? odd[rng_below(r, sizeof odd - 1)] : letters[rng_below(r, sizeof letters - 1)];
     bool plain = once_in(r, 3) || (letter == 'q' && !once_in(r, 10));
 
@@ -518,7 +297,7 @@ static char add_conversion(struct rng *r, struct out *o)
     if (!plain) {
         uint64_t many = once_in(r, 60) ? 24 : 3;
         for (uint64_t n = rng_below(r, many); n > 0; n--)
-            say(o, "%c", flags[rng_below(r, once_in(r, 2) ? 2 : sizeof flags - 1)]);
+            say_one_of(r, o, "-|-|-|-|+|+| |#|0");
         if (once_in(r, 2))
             say(o, "%d", (int)rng_below(r, once_in(r, 30) ? 200 : 30));
         if (once_in(r, 3))
@@ -528,20 +307,21 @@ static char add_conversion(struct rng *r, struct out *o)
     return letter;
 }
 
+#define BETWEEN "|| |,|%%|x\n|100"
+
 static void gen_format(struct rng *r, struct out *o)
 {
-    static const char *const between[] = { "", "", " ", "|", "%%", "x\n", "100" };
     struct out format = { 0 }, args = { 0 };
 
     for (uint64_t n = rng_below(r, once_in(r, 8) ? 9 : 3); n < 3; n++) {
-        say(&format, "%s", PICK(r, between));
+        say_one_of(r, &format, BETWEEN);
         char letter = add_conversion(r, &format);
         if (letter == '%' || once_in(r, 40))
             continue;
         say(&args, ", ");
         gen_format_arg(r, &args, letter);
     }
-    say(&format, "%s", PICK(r, between));
+    say_one_of(r, &format, BETWEEN);
     if (once_in(r, 60))
         say(&format, "%%");
     say_quoted(o, format.s, format.n);
@@ -560,38 +340,65 @@ static void gen_count(struct rng *r, struct out *o)
         say(o, "%d", (int)rng_below(r, 40) - 3);
 }
 
-static void gen_word(struct rng *r, struct out *o, char kind)
+static void gen_byte(struct rng *r, struct out *o)
 {
-    static const char *const flags[] = { "true", "true", "false", "nil", "1" };
-    static const char *const names[] = { "\"=chunk\"", "\"@file.lua\"", "\"text\"", "nil", "\"\"" };
-    static const char *const modes[] = { "\"t\"", "\"bt\"", "\"b\"", "nil", "\"\"" };
+    say(o, "%d", (int)rng_below(r, 260) - 1);
+}
 
-    say(o, "%s", kind == 'l' ? PICK(r, flags) : kind == 'K' ? PICK(r, names) : PICK(r, modes));
+static void gen_code(struct rng *r, struct out *o)
+{
+    say(o, "0x%llx", (unsigned long long)rng_next(r) >> (31 + rng_below(r, 33)));
 }
 
 static void gen_arg(struct rng *r, struct out *o, char kind)
 {
-    static const struct {
-        char kind;
-        void (*write)(struct rng *, struct out *);
-    } kinds[] = { { 's', gen_text },       { 'S', gen_short_text }, { 'p', gen_pattern },   { 'r', gen_replacement },
-                  { 'N', gen_numeral },    { 'u', gen_utf8 },       { 'i', gen_position },  { 'n', gen_number },
-                  { 'c', gen_count },      { 't', gen_table },      { 'm', gen_metatable }, { 'o', gen_function },
-                  { 'O', gen_comparator }, { 'k', gen_chunk },      { 'f', gen_format },    { 'a', gen_any } };
+    static const char *const choices[128] = {
+        ['w'] = "nil|nil|true|false|{}|tostring|''",
+        ['l'] = "true|true|false|nil|1",
+        ['K'] = "'=chunk'|'@file.lua'|'text'|nil|''",
+        ['M'] = "'t'|'bt'|'b'|nil|''",
+        ['m'] =
+            "{}|nil|{__index = {a = 1}}|{__gc = function() end}|{__mode = 'k'}|{__call = {}}|{__call = function() end}",
+        ['N'] = "'10'|'-7'|' 5 '|'0x10'|'0xA.8p1'|'1e2'|'1e'|''|'0x'|'nan'|'.5'|'zz'|'-ff'|'7fffffffffffffff'|"
+                "'9223372036854775808'|'-9223372036854775808'|'1\\0'|'\\t8\\n'|'--1'",
+        ['o'] = "function(a, b) return a < b end|function() end|function(...) return select('#', ...), ... end|"
+                "function() error('no', 0) end|function() error({5}) end|function() local x = nil + 1 end|"
+                "string.rep|error|assert|pcall|nil",
+        ['O'] = "function(a, b) return a < b end|function(a, b) return a > b end|nil|"
+                "function(a, b) return type(a) < type(b) end|function(a, b) return a // 2 < b // 2 end|"
+                "function(a, b) return true end|function(a) error('no', 0) end|"
+                "function(a, b) if a == 5 or b == 5 then error({5}) end return a < b end",
+        ['r'] = "'<%0>'|'%2-%1'|'%%'|'%'|'%a'|'x\\0y'|1.5|true|minus_nan|{a = 'A', b = 1, c = false, [''] = 2.0}|"
+                "{a = {}, b = minus_nan}|setmetatable({}, {__index = function(_, k) return k end})|"
+                "function(...) return ... end|function(a, b) return b end|function() return {} end|"
+                "function(a) if a == 'b' then error('no', 0) end end",
+        ['T'] = "{a = 1, b = 2, 10, 20}|{[1] = 1, [2] = 2, [4] = 4}|{[math.maxinteger] = 1, [math.mininteger] = 2}|"
+                "{[1.5] = 1, x = 2}|{[true] = 1, [{}] = 2}|"
+                "setmetatable({1, 2, 3}, {__len = function() return 5 end, __index = function(_, k) return k % 7 end})|"
+                "setmetatable({}, {__len = function() return 'x' end})|"
+                "setmetatable({1, 2}, {__newindex = function(t, k, v) rawset(t, k, {v}) end})|"
+                "setmetatable({}, {__tostring = function() return 'me' end})|"
+                "setmetatable({}, {__tostring = function() return {} end})|setmetatable({}, {__name = 'thing'})|"
+                "setmetatable({}, {__metatable = 'locked'})|"
+                "setmetatable({}, {__pairs = function() return function() end end})|"
+                "setmetatable({}, {__eq = function() return true end, __lt = function() return false end})|"
+                "setmetatable({7}, {__len = function() return -3 end})",
+        ['k'] = "'return ...'|'x ='|'return 2 ^ 3'|'return {__gc = 1}'|'local t = {__mode = \"k\"} return t'|'\\27Lua'|"
+                "'# no\\nreturn 3'|'local a <const> = 1 a = 2'|'return \"\\\\xff\\\\u{7fffffff}\\\\z  x\"'|"
+                "'return 0x7fffffffffffffffff, 1e999, 3 // 0.0'|function() end|function() return {} end|"
+                "(function() local n = 0 return function() n = n + 1 return ({'return ', 4, '2'})[n] end end)()|"
+                "function() error('reader', 0) end|5",
+    };
+    static void (*const write[128])(struct rng *, struct out *) = {
+        ['s'] = gen_text,   ['S'] = gen_short_text, ['p'] = gen_pattern, ['u'] = gen_utf8, ['i'] = gen_position,
+        ['n'] = gen_number, ['c'] = gen_count,      ['C'] = gen_byte,    ['U'] = gen_code, ['B'] = gen_count,
+        ['t'] = gen_table,  ['f'] = gen_format,     ['a'] = gen_any,
+    };
 
-    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
-        if (kinds[i].kind == kind) {
-            kinds[i].write(r, o);
-            return;
-        }
-    if (kind == 'C')
-        say(o, "%d", (int)rng_below(r, 260) - 1);
-    else if (kind == 'U')
-        say(o, "0x%llx", (unsigned long long)rng_next(r) >> (31 + rng_below(r, 33)));
-    else if (kind == 'B')
-        say(o, "%d", (int)rng_below(r, 40));
+    if (choices[(unsigned char)kind])
+        say_one_of(r, o, choices[(unsigned char)kind]);
     else
-        gen_word(r, o, kind);
+        write[(unsigned char)kind](r, o);
 }
 
 /* Mostly of these kinds; now and then too few, too many, or others. */

@@ -8,58 +8,42 @@
 
 enum { W = 200, H = 100, MIDDLE = 40 };
 
-struct bed {
-    struct fb fb;
-    void *mem;
-    uint32_t rgb[256];
-    struct canvas canvas;
-};
+static struct fb fb;
+static uint32_t rgb[256];
+static struct canvas canvas;
 
 /* Where there is ink of a colour; x0 > x1: nowhere. */
 struct ink {
     int x0, y0, x1, y1, n;
 };
 
-static void clear(struct bed *b)
+static int clear(void **state)
 {
-    fb_fill(&b->fb, 0);
-    canvas_open(&b->canvas, &b->fb, b->rgb);
-}
+    static void *memory;
 
-static int bed_open(void **state)
-{
-    struct bed *b = calloc(1, sizeof *b);
-
-    assert_non_null(b);
-    b->mem = malloc(fb_size(W, H));
-    assert_non_null(b->mem);
-    fb_init(&b->fb, b->mem, W, H);
-    clear(b);
-    *state = b;
+    (void)state;
+    if (!memory) {
+        memory = malloc(fb_size(W, H));
+        assert_non_null(memory);
+        fb_init(&fb, memory, W, H);
+    }
+    fb_fill(&fb, 0);
+    canvas_open(&canvas, &fb, rgb);
     return 0;
 }
 
-static int bed_close(void **state)
+static bool inked(int x, int y, enum canvas_colour c)
 {
-    struct bed *b = *state;
-
-    free(b->mem);
-    free(b);
-    return 0;
+    return fb.pix[y * fb.pitch + x] == canvas.colour[c];
 }
 
-static bool inked(const struct bed *b, int x, int y, enum canvas_colour c)
-{
-    return b->fb.pix[y * b->fb.pitch + x] == b->canvas.colour[c];
-}
-
-static struct ink look(const struct bed *b, enum canvas_colour c)
+static struct ink look(enum canvas_colour c)
 {
     struct ink ink = { W, H, -1, -1, 0 };
 
     for (int i = 0; i < W * H; i++) {
         int x = i % W, y = i / W;
-        if (!inked(b, x, y, c))
+        if (!inked(x, y, c))
             continue;
         ink.x0 = x < ink.x0 ? x : ink.x0;
         ink.x1 = x > ink.x1 ? x : ink.x1;
@@ -96,11 +80,12 @@ TEST(every_character_is_itself)
 
 TEST(what_is_promised_is_there)
 {
-    static const char text[] = "\xE2\x86\x90\xE2\x86\x92\xE2\x86\x91\xE2\x86\x93" /* arrows */
-                               "\xE2\x97\x8B\xE2\x9C\x95\xE2\x96\xA1\xE2\x96\xB3" /* circle, cross, square, triangle */
-                               "\xE2\x96\xA0\xE2\x98\x90\xE2\x98\x91\xE2\x9C\x93" /* boxes and a tick */
-                               "\xE2\x80\xA6\xC2\xA9\xC3\x97\xE2\x80\x93";        /* ellipsis, copyright, times, dash */
+    static const char text[] = "\u2190\u2192\u2191\u2193"  /* arrows */
+                               "\u25CB\u2715\u25A1\u25B3"  /* circle, cross, square, triangle */
+                               "\u25A0\u2610\u2611\u2713"  /* boxes and a tick */
+                               "\u2026\u00A9\u00D7\u2013"; /* ellipsis, copyright, times, dash */
     const char *s = text;
+    struct letter unknown, box;
 
     for (uint32_t code = ' '; code <= '~'; code++)
         assert_true(letter_exists(code));
@@ -108,22 +93,12 @@ TEST(what_is_promised_is_there)
         assert_true(letter_exists(code));
     while (*s)
         assert_true(letter_exists(utf8_next(&s, text + sizeof text - 1)));
-    assert_false(letter_exists(0x65E5));
-    assert_false(letter_exists(7));
-}
-
-TEST(what_is_not_known_is_a_box)
-{
-    struct letter a, b, box;
-
-    letter_load(&a, 0x65E5);
-    letter_load(&b, 7);
+    assert_false(letter_exists(0x65E5) || letter_exists(7));
+    letter_load(&unknown, 0x65E5);
     letter_load(&box, 0xFFFD);
-    assert_true(same(&a, &box) && same(&b, &box));
-    assert_int_equal(box.w, 5);
+    assert_true(same(&unknown, &box));
     assert_int_equal(box.rows[LETTER_ACCENT_HEIGHT], 0x1F);
     assert_int_equal(box.rows[LETTER_ACCENT_HEIGHT + 3], 0x11);
-    assert_int_equal(box.rows[LETTER_ACCENT_HEIGHT + 6], 0x1F);
 }
 
 /* A capital fills rows 0 to 6; no accent changes the letter under it; one row is free between the two. */
@@ -132,8 +107,8 @@ TEST(marks_leave_the_letter)
     static const struct {
         uint32_t code, letter;
         int free; /* the row with nothing in it */
-    } v[] = { { 0xC9, 'E', 2 }, { 0xE9, 'e', 4 }, { 0xD6, 'O', 2 },  { 0xF6, 'o', 4 },  { 0xD1, 'N', 2 },
-              { 0xE5, 'a', 4 }, { 0xFB, 'u', 4 }, { 0x17D, 'Z', 2 }, { 0xE7, 'c', -1 }, { 0x119, 'e', -1 } };
+    } v[] = { { 0xC9, 'E', 2 },  { 0xE9, 'e', 4 },  { 0xD1, 'N', 2 },  { 0xE5, 'a', 4 },
+              { 0x17D, 'Z', 2 }, { 0xE7, 'c', -1 }, { 0x119, 'e', -1 } };
 
     for (size_t i = 0; i < sizeof v / sizeof *v; i++) {
         struct letter with, bare;
@@ -147,6 +122,11 @@ TEST(marks_leave_the_letter)
         assert_true(ink > 0);
         if (v[i].free >= 0)
             assert_int_equal(with.rows[v[i].free], 0);
+    }
+    for (uint32_t c = '0'; c <= '9'; c++) { /* digits are in columns */
+        struct letter l;
+        letter_load(&l, c);
+        assert_int_equal(l.w, 5);
     }
     for (uint32_t c = 'A'; c <= 'Z'; c++) {
         struct letter l;
@@ -167,34 +147,23 @@ TEST(a_mark_wider_than_its_letter)
     assert_int_equal(l.rows[LETTER_ACCENT_HEIGHT + 2], 2);
 }
 
-TEST(digits_stand_in_columns)
-{
-    for (char c = '0'; c <= '9'; c++) {
-        const char text[2] = { c, 0 };
-        assert_int_equal(canvas_large_text_width(text), 5);
-    }
-}
-
 /* Ink goes from x to x + width, and from the accents' row to the descenders'; what is returned is behind a gap. */
 TEST(texts_are_as_wide_as_they_say)
 {
-    static const char *const texts[] = { "H",           "l",
-                                         "Kg",          "\xC3\x89p\xC3\xA5j|",
-                                         "main.lua:12", "\xE2\x86\x90\xE2\x96\xA0" };
-    struct bed *b = *state;
+    static const char *const texts[] = { "H", "\u00C9p\u00E5j|", "main.lua:12", "\u2190\u25A0" };
 
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
         struct ink ink;
-        clear(b);
-        assert_int_equal(canvas_large_text(&b->canvas, 9, MIDDLE, CANVAS_CYAN, texts[i]),
+        clear(NULL);
+        assert_int_equal(canvas_large_text(&canvas, 9, MIDDLE, CANVAS_CYAN, texts[i]),
                          9 + canvas_large_text_width(texts[i]) + CANVAS_LARGE_LETTER_SPACING);
-        ink = look(b, CANVAS_CYAN);
+        ink = look(CANVAS_CYAN);
         assert_int_equal(ink.x0, 9);
         assert_int_equal(ink.x1, 9 + canvas_large_text_width(texts[i]) - 1);
         assert_true(ink.y0 >= MIDDLE - CANVAS_LARGE_ACCENT_HEIGHT && ink.y1 < MIDDLE + CANVAS_LARGE_HEIGHT);
     }
     assert_int_equal(canvas_large_text_width(""), 0);
-    assert_int_equal(canvas_large_text(&b->canvas, 5, 5, CANVAS_RED, ""), 5);
+    assert_int_equal(canvas_large_text(&canvas, 5, 5, CANVAS_RED, ""), 5);
     assert_int_equal(canvas_large_text_width("H\tH"), canvas_large_text_width("H  H"));
     assert_int_equal(canvas_large_text_width("H\xC2\xA0H"), canvas_large_text_width("H H"));
     assert_true(CANVAS_LARGE_LINE_HEIGHT >= CANVAS_LARGE_ACCENT_HEIGHT + CANVAS_LARGE_HEIGHT);
@@ -204,20 +173,19 @@ TEST(texts_are_as_wide_as_they_say)
 TEST(a_rim_is_round_the_ink)
 {
     static bool plain[W * H];
-    struct bed *b = *state;
 
-    canvas_large_text(&b->canvas, 5, 20, CANVAS_YELLOW, "Curtain \xC3\x84y");
+    canvas_large_text(&canvas, 5, 20, CANVAS_YELLOW, "Curtain \xC3\x84y");
     for (int i = 0; i < W * H; i++)
-        plain[i] = inked(b, i % W, i / W, CANVAS_YELLOW);
-    clear(b);
-    canvas_large_text_outlined(&b->canvas, 5, 20, CANVAS_YELLOW, "Curtain \xC3\x84y");
+        plain[i] = inked(i % W, i / W, CANVAS_YELLOW);
+    clear(NULL);
+    canvas_large_text_outlined(&canvas, 5, 20, CANVAS_YELLOW, "Curtain \xC3\x84y");
     for (int y = 1; y < H - 1; y++) {
         for (int x = 1; x < W - 1; x++) {
             bool near = false;
             for (int k = 0; k < 9; k++)
                 near |= plain[(y + k / 3 - 1) * W + x + k % 3 - 1];
-            assert_int_equal(inked(b, x, y, CANVAS_YELLOW), plain[y * W + x]);
-            assert_int_equal(inked(b, x, y, CANVAS_DARK), near && !plain[y * W + x]);
+            assert_int_equal(inked(x, y, CANVAS_YELLOW), plain[y * W + x]);
+            assert_int_equal(inked(x, y, CANVAS_DARK), near && !plain[y * W + x]);
         }
     }
 }
@@ -225,21 +193,17 @@ TEST(a_rim_is_round_the_ink)
 TEST(what_does_not_fit_is_cut)
 {
     static const char text[] = "a replay with quite a long name";
-    struct bed *b = *state;
     int whole = canvas_large_text_width(text);
 
     for (int width = 8; width < whole; width++) {
-        clear(b);
-        canvas_large_text_truncated(&b->canvas, 3, MIDDLE, CANVAS_RED, text, width);
-        assert_true(look(b, CANVAS_RED).x1 < 3 + width);
-        assert_true(look(b, CANVAS_RED).x1 >= 3 + width - 16 || width < 20);
+        clear(NULL);
+        canvas_large_text_truncated(&canvas, 3, MIDDLE, CANVAS_RED, text, width);
+        assert_true(look(CANVAS_RED).x1 < 3 + width);
+        assert_true(look(CANVAS_RED).x1 >= 3 + width - 16 || width < 20);
     }
-    clear(b);
-    assert_int_equal(canvas_large_text_truncated(&b->canvas, 3, MIDDLE, CANVAS_RED, text, whole),
+    clear(NULL);
+    assert_int_equal(canvas_large_text_truncated(&canvas, 3, MIDDLE, CANVAS_RED, text, whole),
                      3 + whole + CANVAS_LARGE_LETTER_SPACING);
-    clear(b);
-    canvas_large_text_truncated(&b->canvas, 3, MIDDLE, CANVAS_RED, "ab", canvas_large_text_width("ab") - 1);
-    assert_int_equal(look(b, CANVAS_RED).n, 3);
 }
 
 TEST(lines_break_after_blanks)
@@ -249,62 +213,48 @@ TEST(lines_break_after_blanks)
 
     assert_int_equal(canvas_large_text_fit(text, w), 8);
     assert_int_equal(canvas_large_text_fit(text, 1000), 13);
-    assert_int_equal(canvas_large_text_fit("one two", canvas_large_text_width("one two")), 7);
     assert_int_equal(canvas_large_text_fit("one two", canvas_large_text_width("one")), 4);
     assert_int_equal(canvas_large_text_fit("a verylongword", canvas_large_text_width("a verylo")), 8);
     assert_int_equal(canvas_large_text_fit("\xC3\x84\xC3\x84", 1), 2);
     assert_int_equal(canvas_large_text_fit("", 50), 0);
-    assert_int_equal(canvas_large_text_fit("\nx", 50), 0);
     assert_int_equal(canvas_large_text_wrapped(NULL, 0, 0, w, CANVAS_RED, text), 3);
     assert_int_equal(canvas_large_text_wrapped(NULL, 0, 0, w, CANVAS_RED, "one\n\ntwo"), 3);
-    assert_int_equal(canvas_large_text_wrapped(NULL, 0, 0, w, CANVAS_RED, ""), 0);
 }
 
 TEST(lines_stand_below_each_other)
 {
-    struct bed *b = *state;
-    struct ink ink;
-
-    assert_int_equal(canvas_large_text_wrapped(&b->canvas, 4, 10, 30, CANVAS_GREEN, "HHH HHH\nHH"), 3);
-    ink = look(b, CANVAS_GREEN);
-    assert_int_equal(ink.x0, 4);
+    assert_int_equal(canvas_large_text_wrapped(&canvas, 4, 10, 30, CANVAS_GREEN, "HHH HHH\nHH"), 3);
+    const struct ink ink = look(CANVAS_GREEN);
+    assert_true(ink.x0 == 4 && ink.x1 < 4 + 30);
     assert_int_equal(ink.y0, 10);
     assert_int_equal(ink.y1, 10 + 2 * CANVAS_LARGE_LINE_HEIGHT + 6);
-    assert_true(ink.x1 < 4 + 30);
 }
 
 /* Any bytes at any place end and stay inside; lines are never wider than they may be, and take every byte. */
 TEST(any_bytes)
 {
-    struct bed *b = *state;
     struct rng r;
-    char text[300];
 
     rng_seed(&r, 5);
     for (int n = 0; n < 300; n++) {
-        int width = (int)rng_below(&r, 150), x = (int)rng_below(&r, 400) - 200, y = (int)rng_below(&r, 200) - 100, left;
-        for (size_t i = 0; i < sizeof text - 1; i++)
-            text[i] = (char)(n % 2 ? 32 + rng_below(&r, 95) : 1 + rng_below(&r, 255));
-        text[rng_below(&r, sizeof text)] = 0;
-        text[sizeof text - 1] = 0;
-        canvas_large_text_outlined(&b->canvas, x, y, CANVAS_RED, text);
-        canvas_large_text_truncated(&b->canvas, x, y, CANVAS_RED, text, width);
-        canvas_large_text_wrapped(&b->canvas, x, y, width, CANVAS_RED, text);
-        left = (int)strlen(text);
-        for (const char *s = text; left > 0;) {
+        int width = (int)rng_below(&r, 150), x = (int)rng_below(&r, 400) - 200, y = (int)rng_below(&r, 200) - 100;
+        char text[300] = "";
+        for (size_t i = rng_below(&r, sizeof text); i > 0; i--)
+            text[i - 1] = (char)(n % 2 ? 32 + rng_below(&r, 95) : 1 + rng_below(&r, 255));
+        canvas_large_text_outlined(&canvas, x, y, CANVAS_RED, text);
+        canvas_large_text_truncated(&canvas, x, y, CANVAS_RED, text, width);
+        canvas_large_text_wrapped(&canvas, x, y, width, CANVAS_RED, text);
+        for (const char *s = text; *s;) {
+            char line[sizeof text] = "";
             int fit = canvas_large_text_fit(s, 60 + width), ink = fit;
-            char line[sizeof text] = { 0 };
-            assert_true(fit > 0 || *s == '\n');
+            assert_true((fit > 0 || *s == '\n') && fit <= (int)strlen(s));
             while (ink > 0 && s[ink - 1] == ' ')
                 ink--;
             memcpy(line, s, (size_t)ink);
             assert_true(canvas_large_text_width(line) <= 60 + width);
-            fit += s[fit] == '\n';
-            s += fit;
-            left -= fit;
+            s += fit + (s[fit] == '\n');
         }
-        assert_int_equal(left, 0);
     }
 }
 
-RUN_TESTS_EACH(bed_open, bed_close)
+RUN_TESTS_EACH(clear, NULL)

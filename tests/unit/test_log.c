@@ -47,36 +47,40 @@ TEST(again)
     assert_int_equal(log_line(&l, 1)->times, 1);
 }
 
+/* Adds n lines, NAME 0 and so on. */
+static void fill_with(const char *name, int n)
+{
+    char text[32];
+
+    for (int i = 0; i < n; i++) {
+        snprintf(text, sizeof text, "%s %d", name, i);
+        log_add(&l, LOG_SCRIPT, (uint32_t)i, text);
+    }
+}
+
 /* The oldest lines go. */
 TEST(many)
 {
-    char text[16];
-
-    for (int i = 0; i < 3 * LOG_LINES + 5; i++) {
-        snprintf(text, sizeof text, "line %d", i);
-        log_add(&l, LOG_SCRIPT, (uint32_t)i, text);
-    }
+    fill_with("line", 3 * LOG_LINES + 5);
     assert_int_equal(log_count(&l), LOG_LINES);
-    for (int i = 0; i < LOG_LINES; i++) {
-        snprintf(text, sizeof text, "line %d", 2 * LOG_LINES + 5 + i);
-        assert_string_equal(kept(i), text);
-    }
+    for (int i = 0; i < LOG_LINES; i++)
+        assert_int_equal(log_line(&l, i)->frame, 2 * LOG_LINES + 5 + i);
+    assert_string_equal(kept(0), "line 805");
 }
 
 /* A long line is cut behind a whole character; what a terminal would obey is blanked. */
 TEST(long_lines)
 {
-    char text[2 * LOG_LINE];
+    char text[2 * LOG_LINE] = "xx";
 
-    for (size_t first = 0; first < 3; first++) {
-        memset(text, 'x', first);
-        for (size_t i = first; i + 3 < sizeof text; i += 3)
-            memcpy(text + i, "\xe2\x82\xac", 4);
-        log_add(&l, LOG_SCRIPT, 0, text);
+    for (size_t i = 2; i + 3 < sizeof text; i += 3)
+        memcpy(text + i, "\u20ac", 4);
+    for (int skip = 0; skip < 3; skip++) {
+        log_add(&l, LOG_SCRIPT, 0, text + skip);
         const char *line = kept(log_count(&l) - 1);
-        assert_true(strlen(line) < LOG_LINE && strlen(line) >= LOG_LINE - 3 - 3);
-        assert_int_equal((strlen(line) - first) % 3, 0);
-        assert_string_equal(line + strlen(line) - 3, "...");
+        const size_t n = strlen(line);
+        assert_in_range(n, LOG_LINE - 6, LOG_LINE - 1);
+        assert_string_equal(line + n - 3, "...");
         assert_null(strchr(line, '?'));
     }
     log_add(&l, LOG_SCRIPT, 0, "a\033[31mb");
@@ -85,21 +89,22 @@ TEST(long_lines)
 
 /* ---- the screen ---- */
 
-static void poll_with(const struct plat_input *in)
+static const struct plat_input no_input = { .has_focus = true, .mouse_x = -1, .mouse_y = -1 };
+
+static void poll_with(struct plat_input in)
 {
-    const struct plat_input nothing = { .has_focus = true, .mouse_x = -1, .mouse_y = -1 };
     const struct keys_state none = { 0 };
 
-    screens_poll(&s, &nothing, &none);
-    screens_poll(&s, in, &none);
+    screens_poll(&s, &no_input, &none);
+    screens_poll(&s, &in, &none);
 }
 
-static struct plat_input with_key(unsigned usage)
+static void press(unsigned usage)
 {
-    struct plat_input in = { .has_focus = true, .mouse_x = -1, .mouse_y = -1 };
+    struct plat_input in = no_input;
 
     in.keys[usage / 8] = (uint8_t)(1 << usage % 8);
-    return in;
+    poll_with(in);
 }
 
 static int chosen(void)
@@ -132,17 +137,12 @@ static void draw(void)
 
 TEST(opens_at_the_end)
 {
-    char text[16];
-
     log_open(&l, &s);
     draw();
     assert_string_equal(screens_top(&s)->text(&l), "No messages yet.");
-    poll_with(&(struct plat_input){ .has_focus = true, .mouse_x = -1, .mouse_y = -1, .wheel = 1 });
     screens_close(&s);
-    for (int i = 0; i < 100; i++) {
-        snprintf(text, sizeof text, "line %d", i);
-        log_add(&l, i == 99 ? LOG_FAULT : LOG_SCRIPT, (uint32_t)i, text);
-    }
+    fill_with("line", 99);
+    log_add(&l, LOG_FAULT, 99, "fault");
     log_open(&l, &s);
     draw();
     assert_int_equal(chosen(), 99);
@@ -155,38 +155,29 @@ TEST(opens_at_the_end)
 /* By keys, a controller and the wheel; and out. */
 TEST(scrolls)
 {
-    struct plat_input in = { .has_focus = true, .mouse_x = -1, .mouse_y = -1 };
+    struct plat_input in = no_input;
 
     test_opens_at_the_end(state);
-    in = with_key(KEY_UP);
-    poll_with(&in);
+    press(KEY_UP);
     assert_int_equal(chosen(), 98);
-    in = (struct plat_input){ .has_focus = true, .mouse_x = -1, .mouse_y = -1 };
     in.controllers[2] = 1u << PLAT_DPAD_UP;
-    poll_with(&in);
+    poll_with(in);
     assert_int_equal(chosen(), 97);
     in.controllers[2] = 0;
     in.wheel = 1;
-    poll_with(&in);
+    poll_with(in);
     assert_int_equal(chosen(), 96);
-    in = with_key(KEY_PAGE_UP);
-    poll_with(&in);
+    press(KEY_PAGE_UP);
     assert_in_range(chosen(), 80, 94);
-    in = with_key(KEY_ESCAPE);
-    poll_with(&in);
+    press(KEY_ESCAPE);
     assert_null(screens_top(&s));
 }
 
 /* Lines that come while it is open, of a reload, push the oldest out. */
 TEST(stays_in_range)
 {
-    char text[16];
-
     test_opens_at_the_end(state);
-    for (int i = 0; i < 2 * LOG_LINES; i++) {
-        snprintf(text, sizeof text, "more %d", i);
-        log_add(&l, LOG_PROGRAM, 0, text);
-    }
+    fill_with("more", 2 * LOG_LINES);
     draw();
     assert_int_equal(chosen(), 99);
     assert_string_equal(row_at(99).label, "more 499");

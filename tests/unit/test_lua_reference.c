@@ -203,21 +203,6 @@ static bool answer(lua_State *L, struct call *call, struct answer *a)
 
 /* ---- what may differ ---- */
 
-static bool both(const struct call *c)
-{
-    return c->stock.ok && c->ours.ok;
-}
-
-static bool neither(const struct call *c)
-{
-    return !c->stock.ok && !c->ours.ok;
-}
-
-static bool of(const struct call *c, const char *name)
-{
-    return strcmp(c->name, name) == 0;
-}
-
 static bool says(const struct answer *a, const char *what)
 {
     return strstr(a->values.s, what) != NULL;
@@ -231,16 +216,13 @@ static bool same_tables(const struct call *c)
 /* Stock's values with every ": 0x" and the digits behind it left out. */
 static bool address(const struct call *c)
 {
-    char *text = strdup(c->stock.values.s), *to = text;
+    char *text = strdup(c->stock.values.s), *at = text;
 
-    for (const char *s = text; *s;) {
-        if (strncmp(s, ": 0x", 4) == 0)
-            s += 4 + strspn(s + 4, "0123456789abcdef");
-        else
-            *to++ = *s++;
+    while ((at = strstr(at, ": 0x")) != NULL) {
+        const size_t n = 4 + strspn(at + 4, "0123456789abcdef");
+        memmove(at, at + n, strlen(at + n) + 1);
     }
-    *to = '\0';
-    bool same = both(c) && strcmp(text, c->ours.values.s) == 0 && strcmp(text, c->stock.values.s) != 0;
+    const bool same = strcmp(text, c->ours.values.s) == 0 && says(&c->stock, ": 0x");
     free(text);
     return same;
 }
@@ -248,9 +230,7 @@ static bool address(const struct call *c)
 /* As address, but padded, or cut off by a precision. */
 static bool address_formatted(const struct call *c)
 {
-    return of(c, "string.format") && both(c) &&
-           (says(&c->stock, ": 0x") || says(&c->stock, "table") || says(&c->stock, "functi") ||
-            strchr(c->source.s, '{'));
+    return says(&c->stock, ": 0x") || says(&c->stock, "table") || says(&c->stock, "functi") || strchr(c->source.s, '{');
 }
 
 /* But for signs, and blanks, which depend on them. */
@@ -266,7 +246,7 @@ static bool nan_sign(const struct call *c)
                 *to++ = *s;
         *to = '\0';
     }
-    bool same = both(c) && strstr(c->source.s, "minus_nan") && strcmp(text[0], text[1]) == 0;
+    bool same = strstr(c->source.s, "minus_nan") && strcmp(text[0], text[1]) == 0;
     free(text[0]);
     free(text[1]);
     return same;
@@ -274,76 +254,43 @@ static bool nan_sign(const struct call *c)
 
 static bool conversion_refused(const struct call *c)
 {
-    const char *at = strstr(c->ours.values.s, "' to 'format'");
-
-    return of(c, "string.format") && c->stock.ok && !c->ours.ok && says(&c->ours, "\"invalid conversion '%") &&
-           strchr("aAp", at[-1]);
-}
-
-static bool conversion_worded(const struct call *c)
-{
-    return of(c, "string.format") && neither(c) && says(&c->ours, "invalid conversion '%") &&
-           (says(&c->stock, "invalid conversion") || says(&c->stock, "invalid format") ||
-            says(&c->stock, "specifier '%q' cannot have modifiers"));
+    return strchr("aAp", strstr(c->ours.values.s, "' to 'format'")[-1]);
 }
 
 static bool fault_order(const struct call *c)
 {
-    return of(c, "string.format") && neither(c) &&
-           (says(&c->ours, "invalid conversion") || says(&c->ours, "cannot have modifiers") ||
-            says(&c->ours, "no value") || says(&c->ours, "'__tostring' must return a string"));
-}
-
-static bool quoted_fraction(const struct call *c)
-{
-    return of(c, "string.format") && !c->ours.ok && says(&c->ours, "(%q accepts whole numbers only)");
+    return says(&c->ours, "invalid conversion") || says(&c->ours, "cannot have modifiers") ||
+           says(&c->ours, "no value") || says(&c->ours, "'__tostring' must return a string");
 }
 
 static bool quoted_float(const struct call *c)
 {
-    return of(c, "string.format") && both(c) && strstr(c->source.s, "%q") && says(&c->stock, "0x");
+    return strstr(c->source.s, "%q") && says(&c->stock, "0x");
 }
 
 static bool is_pattern_function(const struct call *c)
 {
-    return of(c, "string.find") || of(c, "string.match") || of(c, "string.gmatch") || of(c, "string.gsub");
+    return strncmp(c->name, "string.", 7) == 0 && strstr("find match gmatch gsub", c->name + 7);
 }
 
-static bool pattern_flaw(const struct answer *a)
+static bool pattern_flaw(const struct call *c)
 {
-    return says(a, "malformed pattern") || says(a, "missing '[' after '%f' in pattern") || says(a, "pattern capture") ||
-           says(a, "invalid capture index %") || says(a, "unfinished capture");
-}
-
-static bool flaw_not_reached(const struct call *c)
-{
-    return is_pattern_function(c) && c->stock.ok && !c->ours.ok && pattern_flaw(&c->ours);
-}
-
-static bool flaw_worded(const struct call *c)
-{
-    return is_pattern_function(c) && neither(c) && pattern_flaw(&c->ours) &&
-           (pattern_flaw(&c->stock) || says(&c->stock, "in replacement string"));
-}
-
-static bool pattern_deep(const struct call *c)
-{
-    return is_pattern_function(c) && says(&c->stock, "pattern too complex");
+    return is_pattern_function(c) &&
+           (says(&c->ours, "malformed pattern") || says(&c->ours, "missing '[' after '%f' in pattern") ||
+            says(&c->ours, "pattern capture") || says(&c->ours, "invalid capture index %") ||
+            says(&c->ours, "unfinished capture"));
 }
 
 /* The angle is off by a rounding of x, which matters when x is large; so a tangent is compared as an angle too. */
 static bool trigonometry(const struct call *c)
 {
-    static const char *const names[] = { "math.sin", "math.cos", "math.asin", "math.acos", "math.atan" };
+    static const char names[] = "math.sin math.cos math.asin math.acos math.atan";
     double a = strtod(c->stock.values.s, NULL), b = strtod(c->ours.values.s, NULL);
     double most = 3e-9 + fabs(c->x) * 3e-16;
 
-    if (of(c, "math.tan"))
-        return both(c) && fabs(remainder(atan(a) - atan(b), acos(-1))) <= most;
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
-        if (of(c, names[i]))
-            return both(c) && fabs(a - b) <= most;
-    return false;
+    if (strcmp(c->name, "math.tan") == 0)
+        return fabs(remainder(atan(a) - atan(b), acos(-1))) <= most;
+    return strstr(names, c->name) && fabs(a - b) <= most;
 }
 
 static void by_line(const struct answer *a, char *lines[TURNS + 2], size_t *n, char **copy)
@@ -360,8 +307,6 @@ static bool pairs_order(const struct call *c)
     char *a[TURNS + 2], *b[TURNS + 2], *a_copy, *b_copy;
     size_t a_n, b_n;
 
-    if (!of(c, "pairs") || !both(c))
-        return false;
     by_line(&c->stock, a, &a_n, &a_copy);
     by_line(&c->ours, b, &b_n, &b_copy);
     bool same = a_n == b_n;
@@ -372,13 +317,6 @@ static bool pairs_order(const struct call *c)
     return same;
 }
 
-static bool pairs_refused(const struct call *c)
-{
-    return of(c, "pairs") && !c->ours.ok &&
-           (says(&c->ours, "have no fixed order") || says(&c->ours, "__pairs is not supported") ||
-            says(&c->ours, "bad argument #1 to 'pairs' (table expected"));
-}
-
 /* Values that are equal, but not the same, or for which the comparator says nothing. */
 static bool sort_stable(const struct call *c)
 {
@@ -387,31 +325,19 @@ static bool sort_stable(const struct call *c)
 
     for (size_t i = 0; i < sizeof equal / sizeof *equal; i++)
         if (strstr(c->source.s, equal[i]))
-            return of(c, "table.sort") && both(c);
+            return true;
     return false;
 }
 
 static bool sort_writes(const struct call *c)
 {
-    return of(c, "table.sort") && both(c) && (strstr(c->source.s, "__index") || strstr(c->source.s, "__newindex"));
-}
-
-static bool sort_ended(const struct call *c)
-{
-    return of(c, "table.sort") && c->ours.ok && says(&c->stock, "invalid order function");
-}
-
-static bool remove_blamed(const struct call *c)
-{
-    return of(c, "table.remove") && neither(c) && says(&c->stock, "(position out of bounds)") &&
-           says(&c->ours, "bad argument #2 to 'table.remove' (position out of bounds)");
+    return strstr(c->source.s, "__index") || strstr(c->source.s, "__newindex");
 }
 
 static bool sort_untouched(const struct call *c)
 {
-    return of(c, "table.sort") && neither(c) &&
-           (strcmp(c->stock.values.s, c->ours.values.s) == 0 || strstr(c->source.s, "error(") ||
-            (says(&c->stock, "attempt to ") && says(&c->ours, "attempt to ")));
+    return strcmp(c->stock.values.s, c->ours.values.s) == 0 || strstr(c->source.s, "error(") ||
+           (says(&c->stock, "attempt to ") && says(&c->ours, "attempt to "));
 }
 
 /* Of several pcalls around it the innermost catches it in stock. */
@@ -421,190 +347,146 @@ static bool pcall_fault(const struct call *c)
 
     while (strncmp(stock, "true; ", 6) == 0)
         stock += 6;
-    return of(c, "pcall") && !c->ours.ok && c->stock.ok && strncmp(stock, "false; ", 7) == 0 &&
-           strncmp(stock + 7, c->ours.values.s, strlen(c->ours.values.s)) == 0;
-}
-
-static bool metatable_refused(const struct call *c)
-{
-    return of(c, "setmetatable") && c->stock.ok && !c->ours.ok &&
-           (says(&c->ours, "is not allowed in a metatable") ||
-            says(&c->ours, "setmetatable: __call: expected a function"));
-}
-
-static bool metatable_of_texts(const struct call *c)
-{
-    return of(c, "getmetatable") && both(c) && says(&c->stock, "\"__pow\"=function") && !says(&c->ours, "__pow");
-}
-
-static bool load_refused(const struct call *c)
-{
-    return of(c, "load") && both(c) && strncmp(c->ours.values.s, "nil; ", 5) == 0 &&
-           (says(&c->ours, "operator ^ is not available") || says(&c->ours, "__gc is not available") ||
-            says(&c->ours, "__mode is not available"));
-}
-
-static bool load_mode(const struct call *c)
-{
-    return of(c, "load") && both(c) &&
-           (says(&c->stock, "attempt to load a") || says(&c->ours, "attempt to load a binary chunk"));
+    return strncmp(stock, "false; ", 7) == 0 && strncmp(stock + 7, c->ours.values.s, strlen(c->ours.values.s)) == 0;
 }
 
 static bool load_reader(const struct call *c)
 {
-    return of(c, "load") && c->stock.ok && !c->ours.ok && strncmp(c->stock.values.s, "nil; ", 5) == 0 &&
+    return strncmp(c->stock.values.s, "nil; ", 5) == 0 &&
            strncmp(c->stock.values.s + 5, c->ours.values.s, strlen(c->ours.values.s)) == 0;
 }
 
-static bool codes_of_releases(const struct call *c)
-{
-    return of(c, "utf8.codes") && says(&c->ours, "invalid UTF-8 code");
-}
-
-static struct exemption {
-    bool (*holds)(const struct call *);
-    const char *why;
-    bool release; /* of some releases of Lua 5.4: need not occur */
-    int times;
-} exemptions[] = {
-    { address, "texts hold no address", false, 0 },
-    { address_formatted, "texts hold no address", false, 0 },
-    { nan_sign, "a NaN is nan, without a sign", false, 0 },
-    { conversion_refused, "%a, %A and %p are refused", false, 0 },
-    { conversion_worded, "one wording for a malformed conversion", false, 0 },
-    { fault_order, "of several flaws in a format, that of the format itself is named", false, 0 },
-    { quoted_fraction, "%q refuses a fraction", false, 0 },
-    { quoted_float, "%q writes a whole float in decimal", false, 0 },
-    { flaw_not_reached, "a malformed pattern is an error even where matching would not have reached the flaw", false,
-      0 },
-    { flaw_worded, "of a pattern's flaws, ours names the first", false, 0 },
-    { pattern_deep, "matching needs no recursion", false, 0 },
-    { trigonometry, "the angles of trig.h, good to about 1e-9 and a rounding of the angle given", false, 0 },
-    { pairs_order, "pairs has an order", false, 0 },
-    { pairs_refused, "pairs refuses keys without an order, __pairs, and what is no table", false, 0 },
-    { sort_stable, "table.sort is stable", false, 0 },
-    { sort_writes, "table.sort writes only what moves", false, 0 },
-    { sort_ended, "table.sort takes any comparator", false, 0 },
-    { sort_untouched, "a sort that fails leaves the table alone, and compares others first", false, 0 },
-    { pcall_fault, "pcall catches what error and assert raised and nothing else", false, 0 },
-    { metatable_refused, "setmetatable refuses __gc, __mode, and a __call that is no function", false, 0 },
-    { metatable_of_texts, "texts have no __pow", false, 0 },
-    { load_refused, "what script.h forbids is an error as of syntax", false, 0 },
-    { load_mode, "load takes text only, whatever its mode", false, 0 },
-    { load_reader, "load passes an error of its reader on", false, 0 },
-    { remove_blamed, "some releases blame the first argument of table.remove", true, 0 },
-    { codes_of_releases, "some releases let stray continuation bytes pass", true, 0 },
+/* In which of the two states the call succeeded. */
+enum success {
+    NEITHER = 1 << 0,
+    STOCK_ALONE = 1 << 1,
+    OURS_ALONE = 1 << 2,
+    BOTH = 1 << 3,
+    NOT_OURS = NEITHER | STOCK_ALONE,
+    ANY = NOT_OURS | OURS_ALONE | BOTH
 };
 
-static struct exemption *exemption_of(const struct call *c)
+static const struct exemption {
+    const char *name; /* of the function; NULL: any */
+    enum success success;
+    const char *stock, *ours; /* texts in what came of it; NULL: any */
+    bool (*holds)(const struct call *);
+    const char *why; /* "some releases": of Lua 5.4, it need not occur */
+} exemptions[] = {
+    { NULL, BOTH, NULL, NULL, address, "texts hold no address" },
+    { "string.format", BOTH, NULL, NULL, address_formatted, "texts hold no address" },
+    { NULL, BOTH, NULL, NULL, nan_sign, "a NaN is nan, without a sign" },
+    { "string.format", STOCK_ALONE, NULL, "\"invalid conversion '%", conversion_refused, "%a, %A and %p are refused" },
+    { "string.format", NEITHER, NULL, NULL, fault_order,
+      "of several flaws in a format, that of the format itself is named" },
+    { "string.format", NOT_OURS, NULL, "(%q accepts whole numbers only)", NULL, "%q refuses a fraction" },
+    { "string.format", BOTH, NULL, NULL, quoted_float, "%q writes a whole float in decimal" },
+    { NULL, STOCK_ALONE, NULL, NULL, pattern_flaw,
+      "a malformed pattern is an error even where no match reaches the flaw" },
+    { NULL, NEITHER, NULL, NULL, pattern_flaw, "of a pattern's flaws, ours names the first" },
+    { NULL, ANY, "pattern too complex", NULL, is_pattern_function, "matching needs no recursion" },
+    { NULL, BOTH, NULL, NULL, trigonometry,
+      "the angles of trig.h, good to about 1e-9 and a rounding of the angle given" },
+    { "pairs", BOTH, NULL, NULL, pairs_order, "pairs has an order" },
+    { "pairs", NOT_OURS, NULL, "have no fixed order", NULL, "pairs refuses keys without an order" },
+    { "pairs", NOT_OURS, NULL, "__pairs is not supported", NULL, "pairs refuses __pairs" },
+    { "pairs", NOT_OURS, NULL, "bad argument #1 to 'pairs' (table expected", NULL, "pairs takes tables only" },
+    { "table.sort", BOTH, NULL, NULL, sort_stable, "table.sort is stable" },
+    { "table.sort", BOTH, NULL, NULL, sort_writes, "table.sort writes only what moves" },
+    { "table.sort", OURS_ALONE, "invalid order function", NULL, NULL, "table.sort takes any comparator" },
+    { "table.sort", NEITHER, NULL, NULL, sort_untouched,
+      "a sort that fails leaves the table alone, and compares others first" },
+    { "pcall", STOCK_ALONE, NULL, NULL, pcall_fault, "pcall catches what error and assert raised and nothing else" },
+    { "setmetatable", STOCK_ALONE, NULL, "is not allowed in a metatable", NULL, "no __gc and no __mode" },
+    { "setmetatable", STOCK_ALONE, NULL, "setmetatable: __call: expected a function", NULL, "__call is a function" },
+    { "getmetatable", BOTH, "\"__pow\"=function", NULL, NULL, "texts have no __pow" },
+    { "load", BOTH, NULL, "operator ^ is not available", NULL, "load refuses ^" },
+    { "load", BOTH, NULL, "__gc is not available", NULL, "load refuses __gc" },
+    { "load", BOTH, NULL, "__mode is not available", NULL, "load refuses __mode" },
+    { "load", BOTH, "attempt to load a", NULL, NULL, "load takes text only, whatever its mode" },
+    { "load", BOTH, NULL, "attempt to load a binary chunk", NULL, "load refuses binary chunks before it reads them" },
+    { "load", STOCK_ALONE, NULL, NULL, load_reader, "load passes an error of its reader on" },
+    { "table.remove", NEITHER, "(position out of bounds)", "bad argument #2 to 'table.remove' (position out of bounds)",
+      NULL, "some releases blame the first argument of table.remove" },
+    { "utf8.codes", ANY, NULL, "invalid UTF-8 code", NULL, "some releases let stray continuation bytes pass" },
+};
+
+enum { EXEMPTIONS = sizeof exemptions / sizeof *exemptions };
+
+static int times[EXEMPTIONS]; /* that each was used */
+
+static bool is_exempt(const struct exemption *e, const struct call *c)
 {
-    for (size_t i = 0; i < sizeof exemptions / sizeof *exemptions; i++)
-        if (exemptions[i].holds(c))
-            return &exemptions[i];
-    return NULL;
+    return (!e->name || strcmp(e->name, c->name) == 0) && (e->success & 1 << (c->stock.ok + 2 * c->ours.ok)) != 0 &&
+           (!e->stock || says(&c->stock, e->stock)) && (!e->ours || says(&c->ours, e->ours)) &&
+           (!e->holds || e->holds(c));
+}
+
+/* Counts the use of an exemption. */
+static bool may_differ(const struct call *c)
+{
+    for (int i = 0; i < EXEMPTIONS; i++)
+        if (is_exempt(&exemptions[i], c)) {
+            times[i]++;
+            return true;
+        }
+    return false;
 }
 
 /* ---- what is called ---- */
 
-/* The kinds of arguments, see luagen.h; a function may stand here more than once. */
+/* The kinds of arguments, see luagen.h, and the functions that are called with them. */
 static const struct {
-    const char *name, *args;
+    const char *args, *names;
 } shapes[] = {
-    { "assert", "a*" },
-    { "error", "ai" },
-    { "getmetatable", "t" },
-    { "getmetatable", "a" },
-    { "ipairs", "t" },
-    { "load", "kKM" },
-    { "load", "kKMt" },
-    { "pairs", "t" },
-    { "pcall", "oa*" },
-    { "rawequal", "aa" },
-    { "rawget", "ta" },
-    { "rawlen", "t" },
-    { "rawlen", "a" },
-    { "rawset", "taa" },
-    { "select", "ia*" },
-    { "setmetatable", "tm" },
-    { "tonumber", "N" },
-    { "tonumber", "NB" },
-    { "tonumber", "a" },
-    { "tostring", "a" },
-    { "tostring", "n" },
-    { "tostring", "t" },
-    { "type", "a" },
-    { "warn", "ss*" },
-    { "string.byte", "sii" },
-    { "string.char", "C*" },
-    { "string.find", "Sp" },
-    { "string.find", "Spi" },
-    { "string.find", "sSil" },
-    { "string.format", "f" },
-    { "string.format", "f" },
-    { "string.format", "f" },
-    { "string.gmatch", "Sp" },
-    { "string.gmatch", "Spi" },
-    { "string.gsub", "Spr" },
-    { "string.gsub", "Spr" },
-    { "string.gsub", "Spri" },
-    { "string.len", "s" },
-    { "string.lower", "s" },
-    { "string.match", "Sp" },
-    { "string.match", "Spi" },
-    { "string.rep", "sc" },
-    { "string.rep", "scS" },
-    { "string.reverse", "s" },
-    { "string.sub", "si" },
-    { "string.sub", "sii" },
-    { "string.upper", "s" },
-    { "table.concat", "t" },
-    { "table.concat", "tSii" },
-    { "table.insert", "ta" },
-    { "table.insert", "tia" },
-    { "table.move", "tiii" },
-    { "table.move", "tiiit" },
-    { "table.pack", "a*" },
-    { "table.remove", "t" },
-    { "table.remove", "ti" },
-    { "table.sort", "t" },
-    { "table.sort", "tO" },
-    { "table.unpack", "t" },
-    { "table.unpack", "tii" },
-    { "math.abs", "n" },
-    { "math.acos", "n" },
-    { "math.asin", "n" },
-    { "math.atan", "n" },
-    { "math.atan", "nn" },
-    { "math.ceil", "n" },
-    { "math.cos", "n" },
-    { "math.deg", "n" },
-    { "math.floor", "n" },
-    { "math.fmod", "nn" },
-    { "math.max", "nn*" },
-    { "math.min", "nn*" },
-    { "math.modf", "n" },
-    { "math.rad", "n" },
-    { "math.sin", "n" },
-    { "math.sqrt", "n" },
-    { "math.tan", "n" },
-    { "math.tointeger", "n" },
-    { "math.tointeger", "N" },
-    { "math.type", "a" },
-    { "math.ult", "nn" },
-    { "utf8.char", "U*" },
-    { "utf8.codepoint", "ui" },
-    { "utf8.codepoint", "uiil" },
-    { "utf8.codes", "u" },
-    { "utf8.codes", "ul" },
-    { "utf8.len", "u" },
-    { "utf8.len", "uiil" },
-    { "utf8.offset", "ui" },
-    { "utf8.offset", "uii" },
+    { "a", "getmetatable math.tointeger math.type rawlen tonumber tostring type" },
+    { "a*", "assert table.pack" },
+    { "aa", "rawequal" },
+    { "ai", "error" },
+    { "ia*", "select" },
+    { "kKM", "load" },
+    { "kKMt", "load" },
+    { "oa*", "pcall" },
+    { "t", "getmetatable ipairs pairs rawlen table.concat table.remove table.sort table.unpack tostring" },
+    { "ta", "rawget table.insert" },
+    { "taa", "rawset" },
+    { "ti", "table.remove" },
+    { "tia", "table.insert" },
+    { "tii", "table.unpack" },
+    { "tiii", "table.move" },
+    { "tiiit", "table.move" },
+    { "tm", "setmetatable" },
+    { "tO", "table.sort" },
+    { "tSii", "table.concat" },
+    { "N", "tonumber math.tointeger" },
+    { "NB", "tonumber" },
+    { "s", "string.len string.lower string.reverse string.upper" },
+    { "sc", "string.rep" },
+    { "scS", "string.rep" },
+    { "sii", "string.byte string.sub" },
+    { "ss*", "warn" },
+    { "C*", "string.char" },
+    { "f", "string.format" },
+    { "Sp", "string.find string.gmatch string.match" },
+    { "Spi", "string.find string.gmatch string.match" },
+    { "sSil", "string.find" },
+    { "Spr", "string.gsub" },
+    { "Spri", "string.gsub" },
+    { "n", "math.abs math.acos math.asin math.atan math.ceil math.cos math.deg math.floor math.modf math.rad math.sin "
+           "math.sqrt math.tan math.tointeger tostring" },
+    { "nn", "math.atan math.fmod math.ult" },
+    { "nn*", "math.max math.min" },
+    { "U*", "utf8.char" },
+    { "u", "utf8.codes utf8.len" },
+    { "ul", "utf8.codes" },
+    { "ui", "utf8.codepoint utf8.offset" },
+    { "uii", "utf8.offset" },
+    { "uiil", "utf8.codepoint utf8.len" },
 };
 
 struct reference {
     struct pair *pair;
-    uint64_t seed;
+    uint64_t next_seed;
     int calls; /* of each shape */
     int compared, refused, different;
     int shown; /* of this shape */
@@ -661,11 +543,9 @@ static void compare(struct reference *r, struct call *c)
         fail_msg("%s(%s): the arguments are there in stock alone", c->name, c->source.s);
     r->compared++;
     r->refused += !c->ours.ok;
-    if (!agree(c)) {
-        struct exemption *e = exemption_of(c);
-        if (e)
-            e->times++;
-        else if (r->different++, r->shown++ < 3)
+    if (!agree(c) && !may_differ(c)) {
+        r->different++;
+        if (r->shown++ < 3)
             report(c);
     }
     lua_settop(p->ours, 0);
@@ -684,38 +564,45 @@ static void forget(struct call *c)
     free(c->ours.after.s);
 }
 
+static void compare_calls(struct reference *r, struct call *c, const char *args)
+{
+    const int before = r->compared;
+
+    r->shown = 0;
+    rng_seed(&r->pair->rng, r->next_seed++);
+    for (int k = 0; k < r->calls; k++) {
+        struct rng rng = r->pair->rng;
+        c->source.n = 0;
+        say(&c->source, "%s", "");
+        luagen_args(&rng, &c->source, args);
+        compare(r, c);
+        r->pair->rng = rng;
+    }
+    assert_in_range(r->compared - before, r->calls / 2, r->calls); /* nearly all calls can be made */
+}
+
 TEST(agrees_with_the_linked_lua)
 {
     struct reference *r = *state;
     struct call c = { 0 };
 
     for (size_t i = 0; i < sizeof shapes / sizeof *shapes; i++) {
-        int before = r->compared;
-        r->shown = 0;
-        rng_seed(&r->pair->rng, r->seed * 1000 + i);
-        for (int k = 0; k < r->calls; k++) {
-            struct rng rng = r->pair->rng;
-            c.name = shapes[i].name;
-            c.source.n = 0;
-            say(&c.source, "%s", "");
-            luagen_args(&rng, &c.source, shapes[i].args);
-            compare(r, &c);
-            r->pair->rng = rng;
-        }
-        assert_in_range(r->compared - before, r->calls / 2, r->calls); /* nearly all calls can be made */
+        char names[256], *next = names;
+        snprintf(names, sizeof names, "%s", shapes[i].names);
+        while ((c.name = strtok_r(next, " ", &next)) != NULL)
+            compare_calls(r, &c, shapes[i].args);
     }
     forget(&c);
-    print_message("seed %llu: %d calls compared, %d of them errors in ours, %d differ\n", (unsigned long long)r->seed,
-                  r->compared, r->refused, r->different);
+    print_message("%d calls compared, %d of them errors in ours, %d differ\n", r->compared, r->refused, r->different);
     assert_int_equal(r->different, 0);
 }
 
 /* An exemption that is never used is one too many, or the calls do not reach what it is for. */
 TEST(uses_every_exemption)
 {
-    for (size_t i = 0; i < sizeof exemptions / sizeof *exemptions; i++) {
-        print_message("%6d  %s\n", exemptions[i].times, exemptions[i].why);
-        if (!exemptions[i].times && !exemptions[i].release)
+    for (int i = 0; i < EXEMPTIONS; i++) {
+        print_message("%6d  %s\n", times[i], exemptions[i].why);
+        if (!times[i] && strncmp(exemptions[i].why, "some releases", 13) != 0)
             fail_msg("never: %s", exemptions[i].why);
     }
 }
@@ -724,42 +611,30 @@ TEST(uses_every_exemption)
 
 static bool has_shape(const char *name)
 {
+    const size_t n = strlen(name);
+
     for (size_t i = 0; i < sizeof shapes / sizeof *shapes; i++)
-        if (strcmp(shapes[i].name, name) == 0)
-            return true;
+        for (const char *s = shapes[i].names; (s = strstr(s, name)) != NULL; s += n)
+            if ((s == shapes[i].names || s[-1] == ' ') && (s[n] == ' ' || s[n] == '\0'))
+                return true;
     return false;
-}
-
-/* What is no function must be the same value. */
-static void same_value(struct reference *r, const char *name)
-{
-    lua_State *states[] = { r->pair->stock, r->pair->ours };
-    struct out values[2] = { { 0 }, { 0 } };
-
-    for (int i = 0; i < 2; i++) {
-        lua_settop(states[i], 0);
-        assert_int_equal(luaL_loadbufferx(states[i], name, strlen(name), "=t", "t"), LUA_OK);
-        lua_call(states[i], 0, 1);
-        if (lua_isfunction(states[i], 1) && !has_shape(name + 7))
-            fail_msg("no shape of arguments for %s", name + 7);
-        if (lua_istable(states[i], 1))
-            lua_pushliteral(states[i], "a library");
-        dump(&values[i], states[i], lua_gettop(states[i]), 0);
-    }
-    assert_string_equal(values[0].s, values[1].s);
-    free(values[0].s);
-    free(values[1].s);
 }
 
 TEST(calls_every_name)
 {
-    static const char *const libraries[] = { "", "string", "table", "math", "utf8" };
+    static const char *const libraries[] = { "_G", "string", "table", "math", "utf8" };
+    struct reference *r = *state;
+    lua_State *L = r->pair->ours;
 
     for (size_t i = 0; i < sizeof libraries / sizeof *libraries; i++) {
-        char *names = strdup(lualib_retained_names(libraries[i])), name[64];
+        char *names = strdup(lualib_retained_names(i ? libraries[i] : "")), name[64];
         for (char *s = strtok(names, " "); s; s = strtok(NULL, " ")) {
-            snprintf(name, sizeof name, "return %s%s%s", libraries[i], *libraries[i] ? "." : "", s);
-            same_value(*state, name);
+            snprintf(name, sizeof name, "%s.%s", libraries[i], s);
+            lua_getglobal(L, libraries[i]);
+            lua_getfield(L, -1, s);
+            if (lua_isfunction(L, -1) && !has_shape(i ? name : s))
+                fail_msg("no shape of arguments for %s", name);
+            lua_settop(L, 0);
         }
         free(names);
     }
@@ -770,7 +645,7 @@ static int open_reference(void **state)
     struct reference *r = calloc(1, sizeof *r);
     const char *seed = getenv("CURTAIN_SEED"), *calls = getenv("CURTAIN_CALLS");
 
-    r->seed = seed ? strtoull(seed, NULL, 0) : 1;
+    r->next_seed = 1000 * (seed ? strtoull(seed, NULL, 0) : 1);
     r->calls = calls ? atoi(calls) : 6000;
     open_pair(r);
     *state = r;

@@ -1,7 +1,6 @@
 /* test_manifest.c - manifest.h: rom.lua as text, each of its errors as a whole line, and the binary form. */
 #include "../test.h"
 #include "../../src/base/bytes.h"
-#include "../../src/base/rng.h"
 #include "../../src/rom/manifest.h"
 
 struct result {
@@ -10,19 +9,18 @@ struct result {
     char err[512];
 };
 
+/* Reads into the result that the next call overwrites. */
 static struct result *read_text(const char *text, size_t n, bool want)
 {
-    struct result *r = calloc(1, sizeof *r);
-    void *work = malloc(MANIFEST_SCRATCH_SIZE);
+    static struct result r;
+    static _Alignas(16) uint8_t work[MANIFEST_SCRATCH_SIZE];
 
-    assert_non_null(r);
-    assert_non_null(work);
-    bool good = manifest_read(text, n, "rom.lua", "Glass-Tide", &r->m, &r->art, work, r->err, sizeof r->err);
-    free(work);
+    memset(&r, 0, sizeof r);
+    bool good = manifest_read(text, n, "rom.lua", "Glass-Tide", &r.m, &r.art, work, r.err, sizeof r.err);
     if (good != want)
-        print_message("%s\n", r->err);
+        print_message("%s\n", r.err);
     assert_int_equal(good, want);
-    return r;
+    return &r;
 }
 
 static struct result *read_good(const char *text)
@@ -32,10 +30,7 @@ static struct result *read_good(const char *text)
 
 static void refused(const char *text, const char *line)
 {
-    struct result *r = read_text(text, strlen(text), false);
-
-    assert_string_equal(r->err, line);
-    free(r);
+    assert_string_equal(read_text(text, strlen(text), false)->err, line);
 }
 
 /* Refused with the line "rom.lua: " + line, as `return { text }`. */
@@ -59,46 +54,32 @@ TEST(defaults)
     assert_int_equal(r->m.version, 1);
     assert_int_equal(r->m.screen_w, 240);
     assert_int_equal(r->m.screen_h, 320);
-    assert_int_equal(r->m.field_x, 0);
-    assert_int_equal(r->m.field_w, 240);
-    assert_int_equal(r->m.field_h, 320);
-    assert_int_equal(r->m.margin, 64);
     assert_int_equal(r->m.bullets, 8192);
-    assert_int_equal(r->m.shots, 512);
-    assert_int_equal(r->m.enemies, 256);
-    assert_int_equal(r->m.sparks, 2048);
-    assert_int_equal(r->m.sprites, 256);
-    assert_int_equal(r->m.motions, 256);
-    assert_int_equal(r->m.tasks, 1024);
-    assert_int_equal(r->m.lua_kib, 1024);
-    assert_int_equal(r->m.nvram_kib, 32);
-    assert_int_equal(r->m.players, 1);
     assert_int_equal(r->m.n_extends, 0);
     assert_int_equal(r->m.n_difficulties, 1);
     assert_string_equal(r->m.difficulties[0], "normal");
-    assert_int_equal(r->m.difficulty, 0);
     assert_int_equal(r->m.n_dips, 0);
-    assert_string_equal(r->art.palette, "");
-    assert_string_equal(r->art.font, "");
     assert_int_equal(r->art.n_sheets + r->art.n_sprites + r->art.n_palettes, 0);
-    free(r);
 }
 
 TEST(sizes)
 {
+    static const struct {
+        const char *name;
+        int percent, frames;
+    } want[] = {
+        { "orb", 100, 2 }, { "orb_1000", 1000, 2 }, { "orb_200", 200, 2 }, { "orb_3", 100, 1 }, { "orb_50", 50, 2 }
+    };
     struct result *r = read_good("return { sheets = { s = { file = 'a.png' } }, sprites = {\n"
                                  "  orb = { sheet = 's', w = 8, h = 6, frames = 2, sizes = { 200, 50, 1000 } },\n"
                                  "  orb_3 = { sheet = 's', w = 1, h = 1, sizes = {} } } }");
-    static const char *const names[] = { "orb", "orb_1000", "orb_200", "orb_3", "orb_50" };
-    static const int percents[] = { 100, 1000, 200, 100, 50 };
 
     assert_int_equal(r->art.n_sprites, 5);
     for (int i = 0; i < 5; i++) {
-        assert_string_equal(r->art.sprites[i].name, names[i]);
-        assert_int_equal(r->art.sprites[i].scale_percent, percents[i]);
-        assert_int_equal(r->art.sprites[i].frames, i == 3 ? 1 : 2);
+        assert_string_equal(r->art.sprites[i].name, want[i].name);
+        assert_int_equal(r->art.sprites[i].scale_percent, want[i].percent);
+        assert_int_equal(r->art.sprites[i].frames, want[i].frames);
     }
-    free(r);
 }
 
 static const char lanterns[] =
@@ -125,20 +106,10 @@ TEST(all)
     assert_string_equal(m->title, "Paper Lanterns");
     assert_string_equal(m->author, "You");
     assert_string_equal(m->entry, "boot/main");
-    assert_int_equal(m->version, 3);
     assert_int_equal(m->screen_w, 320);
-    assert_int_equal(m->screen_h, 240);
-    assert_int_equal(m->field_x, 8);
     assert_int_equal(m->field_y, 4);
-    assert_int_equal(m->field_w, 208);
-    assert_int_equal(m->field_h, 224);
     assert_int_equal(m->margin, 32);
-    assert_int_equal(m->bullets, 100);
     assert_int_equal(m->shots, 0);
-    assert_int_equal(m->enemies, 5);
-    assert_int_equal(m->sparks, 0);
-    assert_int_equal(m->sprites, 7);
-    assert_int_equal(m->motions, 0);
     assert_int_equal(m->tasks, 9);
     assert_int_equal(m->lua_kib, 512);
     assert_int_equal(m->players, 2);
@@ -146,7 +117,6 @@ TEST(all)
     assert_true(m->extends[1] == INT64_C(9007199254740992));
     assert_int_equal(m->n_difficulties, 3);
     assert_int_equal(m->difficulty, 2);
-    free(r);
 }
 
 TEST(dips)
@@ -158,18 +128,14 @@ TEST(dips)
     assert_string_equal(d[0].name, "coins");
     assert_false(d[0].is_number);
     assert_int_equal(d[0].n_values, 2);
-    assert_int_equal(d[0].hi, 1);
     assert_int_equal(d[0].default_value, 0);
     assert_string_equal(d[0].value_name[1], "one");
-    assert_string_equal(d[1].name, "n");
-    assert_int_equal(d[1].default_value, 2);
+    assert_int_equal(d[1].default_value, 2); /* its smallest value */
     assert_string_equal(d[2].name, "rate");
     assert_true(d[2].is_number);
     assert_int_equal(d[2].lo, -1);
     assert_int_equal(d[2].hi, 10);
     assert_int_equal(d[2].default_value, 3);
-    assert_int_equal(d[2].n_values, 0);
-    free(r);
 }
 
 TEST(art)
@@ -179,74 +145,53 @@ TEST(art)
 
     assert_string_equal(a->palette, "art/palette.png");
     assert_string_equal(a->font, "art/font.png");
-    assert_int_equal(a->n_palettes, 1);
     assert_string_equal(a->palettes[0].name, "dusk");
     assert_string_equal(a->palettes[0].file, "art/dusk.png");
     assert_int_equal(a->n_blends, 3);
     assert_string_equal(a->blends[0].name, "ghost");
     assert_int_equal(a->blends[0].mix, 1);
-    assert_string_equal(a->blends[1].name, "glow");
     assert_int_equal(a->blends[1].mix, 0);
-    assert_string_equal(a->blends[2].name, "haze");
-    assert_int_equal(a->blends[2].mix, 99);
     assert_int_equal(a->n_sheets, 2);
     assert_string_equal(a->sheets[0].name, "big");
     assert_int_equal(a->sheets[0].bank, 0);
     assert_int_equal(a->sheets[1].bank, 4);
     assert_int_equal(a->n_sprites, 3);
     assert_string_equal(a->sprites[0].name, "queen");
-    assert_int_equal(a->sprites[0].sheet, 0);
     assert_int_equal(a->sprites[0].ox, 24);
     assert_int_equal(a->sprites[0].oy, -30);
-    assert_string_equal(a->sprites[1].name, "rice");
     assert_int_equal(a->sprites[1].x, 16);
-    assert_int_equal(a->sprites[1].ox, 6);
+    assert_int_equal(a->sprites[1].ox, 6); /* its centre */
     assert_int_equal(a->sprites[1].rotations, 32);
     assert_int_equal(a->sprites[1].frames, 1);
     assert_int_equal(a->sprites[1].frame_ticks, 6);
     assert_int_equal(a->sprites[2].sheet, 1);
     assert_int_equal(a->sprites[2].frames, 4);
     assert_int_equal(a->sprites[2].frame_ticks, 5);
-    assert_int_equal(a->sprites[2].y, 16);
-    free(r);
 }
 
-/* What is left out follows from what is there. */
+/* Fields that are not set follow from those that are. */
 TEST(derived)
 {
-    struct result *r = read_good("return { screen = { w = 400 }, field = { x = 100, h = 50 },"
+    struct result *r = read_good("return { id = 'x', screen = { w = 400 }, field = { x = 100, h = 50 },"
                                  "  difficulties = { 'a', 'normal' } }");
 
+    assert_string_equal(r->m.title, "x");
     assert_int_equal(r->m.field_w, 300);
     assert_int_equal(r->m.field_h, 50);
     assert_int_equal(r->m.difficulty, 1);
-    free(r);
-    r = read_good("return { id = 'x' }");
-    assert_string_equal(r->m.title, "x");
-    free(r);
-    r = read_good("return { difficulties = { 'a', 'b' } }");
-    assert_int_equal(r->m.difficulty, 0);
-    free(r);
 }
 
 TEST(unknown_names)
 {
     entry_refused("board = { bulets = 1 }", "board.bulets: unknown key (did you mean \"bullets\"?)");
-    entry_refused("titel = 'x'", "titel: unknown key (did you mean \"title\"?)");
     entry_refused("zebra = 1, muzak = 2", "muzak: unknown key");
-    entry_refused("screen = { width = 1 }", "screen.width: unknown key");
-    entry_refused("field = { margins = 1 }", "field.margins: unknown key (did you mean \"margin\"?)");
-    entry_refused("sheets = { a = { file = 'a', banks = 1 } }", "sheets.a.banks: unknown key (did you mean \"bank\"?)");
     entry_refused("sheets = { s = { file = 'a' } }, sprites = { orb = { sheet = 's', w = 1, h = 1, frame = 2 } }",
                   "sprites.orb.frame: unknown key (did you mean \"frames\"?)");
-    entry_refused("dip = { n = { min = 1, max = 2, def = 1 } }", "dip.n.def: unknown key");
     entry_refused("1", "manifest: expected only names as keys, got 1");
-    entry_refused("board = { [2.5] = 1 }", "board: expected only names as keys, got 2.5");
     entry_refused("board = { [7.5] = 1, [true] = 1, [6.5] = 1, [2.5] = 1, [5.5] = 1, [4.5] = 1, [3.5] = 1 }",
                   "board: expected only names as keys, got 2.5");
-    entry_refused(
-        "sheets = { ['g/'] = {}, ['f/'] = {}, ['e/'] = {}, ['d/'] = {}, ['c/'] = {}, ['b/'] = {}, ['a/'] = {} }",
-        "sheets: \"a/\": expected a name of letters, digits, _ - . and /");
+    entry_refused("sheets = { ['c/'] = {}, ['b/'] = {}, ['a/'] = {} }",
+                  "sheets: \"a/\": expected a name of letters, digits, _ - . and /");
 }
 
 TEST(sounds)
@@ -260,17 +205,12 @@ TEST(sounds)
     assert_true(r->art.sounds[1].volume == 128 && r->art.sounds[1].limit == 3 && r->art.sounds[1].duck == 102 &&
                 r->art.sounds[1].priority == 4);
     assert_string_equal(r->art.tunes[0].title, "T");
-    free(r);
     r = read_good("return {}");
     assert_int_equal(r->m.has_sound, 0);
-    free(r);
-    entry_refused("sounds = { a = { mml = 'c', volum = 1 } }",
-                  "sounds.a.volum: unknown key (did you mean \"volume\"?)");
     entry_refused("sounds = { a = {} }", "sounds.a: expected either file=\"sfx/NAME.wav\" (or .ogg, .flac, .mml) or "
                                          "mml=\"...\"");
     entry_refused("sounds = { a = { mml = 'c', volume = 2 } }",
                   "sounds.a.volume: expected a number from 0 to 1, got 2");
-    entry_refused("sounds = { a = { mml = 'c', duck = 2 } }", "sounds.a.duck: expected a number from 0 to 1, got 2");
     entry_refused("sounds = { a = { mml = 'c', limit = 9 } }",
                   "sounds.a.limit: expected a whole number from 1 to 8, got 9");
     entry_refused("music = { a = { file = 'a.mp3' } }",
@@ -291,14 +231,8 @@ TEST(recordings)
     assert_true(t->loop.kind == LOOP_RANGE && t->loop.in_seconds && t->loop.start == 1.5 && t->loop.length == 2);
     assert_string_equal(r->art.markers[t->first_marker].name, "back");
     assert_true(r->art.markers[t->first_marker + 1].beat == 8.5);
-    free(r);
     entry_refused("music = { a = { file = 'a.mml', tempo = 100 } }",
                   "music.a: tempo: only for samples (.wav, .ogg, .flac); MML has its own commands for it");
-    entry_refused("music = { a = { file = 'a.ogg', tempo = 9 } }",
-                  "music.a.tempo: expected a number from 10 to 600, got 9");
-    entry_refused("music = { a = { file = 'a.ogg', loop = { 1, 2 } } }",
-                  "music.a.loop: expected only names as keys, got 1");
-    entry_refused("music = { a = { file = 'a.ogg', loop = { begin = 1 } } }", "music.a.loop.begin: unknown key");
     entry_refused("music = { a = { file = 'a.ogg', loop = 5 } }", "music.a.loop: expected a table, got 5");
     entry_refused("music = { a = { file = 'a.ogg', loop = { start = 1.5 } } }",
                   "music.a.loop: expected whole numbers of frames (or unit=\"seconds\")");
@@ -306,7 +240,6 @@ TEST(recordings)
                   "music.a.loop: unit: expected \"frames\" or \"seconds\", got \"beats\"");
     entry_refused("music = { a = { file = 'a.ogg', markers = { up = -1 } } }",
                   "music.a.markers.up: expected a number from 0 to 1048576, got -1");
-    entry_refused("sounds = { a = { file = 'a.ogg', tempo = 100 } }", "sounds.a.tempo: unknown key");
 }
 
 /* "a.b.c" as "a = { b = { c = v } }". */
@@ -330,31 +263,22 @@ TEST(numbers)
     for (int i = 0; i < MANIFEST_NUMBERS; i++) {
         const struct manifest_number *f = &manifest_numbers[i];
         char text[128], want[128];
-        for (int k = 0; k < 2; k++) {
+        for (int k = 0; k < 2 && !f->is_flag; k++) {
             long long v = k == 0 ? f->lo - 1LL : f->hi + 1LL;
             spell_out(text, sizeof text, f->name, v);
-            if (f->is_flag)
-                snprintf(want, sizeof want, "%s: expected true or false, got %lld", f->name, v);
-            else
-                snprintf(want, sizeof want, "%s: expected a whole number from %d to %d, got %lld", f->name, f->lo,
-                         f->hi, v);
+            snprintf(want, sizeof want, "%s: expected a whole number from %d to %d, got %lld", f->name, f->lo, f->hi,
+                     v);
             entry_refused(text, want);
         }
     }
     entry_refused("version = 9223372036854775807",
                   "version: expected a whole number from 0 to 1000000000, got 9223372036854775807");
-    entry_refused("sheets = { s = { file = 'a' } }, sprites = { a = { sheet = 's', w = 1, h = 1, sizes = { 1001 } } }",
-                  "sprites.a.sizes[1]: expected a whole number from 1 to 1000, got 1001");
-    entry_refused(
-        "sheets = { s = { file = 'a' } }, sprites = { a = { sheet = 's', w = 1, h = 1, sizes = { 50, 50 } } }",
-        "sprites: two sprites are named a_50; one of them gets this name from `sizes`");
+    entry_refused("board = { hp = 2 }", "board.hp: expected true or false, got 2");
     entry_refused("sheets = { s = { file = 'a' } }, sprites = { a_7 = { sheet = 's', w = 1, h = 1 },\n"
                   "  a = { sheet = 's', w = 1, h = 1, sizes = { 7 } } }",
                   "sprites: two sprites are named a_7; one of them gets this name from `sizes`");
     entry_refused("players = 1.5", "players: expected a whole number from 1 to 2, got 1.5");
     entry_refused("players = '2'", "players: expected a whole number from 1 to 2, got \"2\"");
-    entry_refused("players = {}", "players: expected a whole number from 1 to 2, got a table");
-    entry_refused("players = 0/0 == 1", "players: expected a whole number from 1 to 2, got a boolean");
     entry_refused("board = 3", "board: expected a table, got 3");
     entry_refused("screen = { w = 100 }", "screen.w: expected a multiple of 8, got 100");
     entry_refused("field = { x = 9, w = 240 }", "field: 240x320 at 9,0 is not inside the 240x320 screen");
@@ -364,19 +288,14 @@ TEST(numbers)
 TEST(texts)
 {
     entry_refused("id = 'A b'", "id: expected 1 to 31 of the characters a-z 0-9 _");
-    entry_refused("id = ''", "id: expected 1 to 31 of the characters a-z 0-9 _");
     entry_refused("id = 5", "id: expected a name, got 5");
-    entry_refused("title = false", "title: expected a line, got a boolean");
-    entry_refused("title = ''", "title: expected a line of 1 to 63 bytes");
-    entry_refused("title = 'a\\nb'", "title: expected a line of 1 to 63 bytes");
     entry_refused("title = 'a\\0b'", "title: expected a line of at most 63 bytes, got \"a\"");
     entry_refused("title = '0123456789012345678901234567890123456789012345678901234567890123'",
                   "title: expected a line of at most 63 bytes, got \"0123456789012345678901234567890123456789\"");
-    entry_refused("author = 'a\\127'", "author: expected a line of at most 63 bytes");
     entry_refused("title = 'a\\u{9b}b'", "title: expected a line of 1 to 63 bytes");   /* a terminal's escape */
     entry_refused("title = 'a\\u{202e}b'", "title: expected a line of 1 to 63 bytes"); /* reverses text */
+    entry_refused("author = 'a\\127'", "author: expected a line of at most 63 bytes");
     entry_refused("entry = '../main'", "entry: expected a script's path without .lua, at most 63 bytes");
-    entry_refused("entry = ''", "entry: expected a script's path without .lua, at most 63 bytes");
 }
 
 TEST(lists)
@@ -389,31 +308,23 @@ TEST(lists)
     entry_refused("difficulties = { 'a', 'a' }", "difficulties[2]: duplicate \"a\"");
     entry_refused("difficulties = { 'a b' }",
                   "difficulties[1]: expected a word of letters, digits, _ and -, got \"a b\"");
-    entry_refused("difficulties = { 1 }", "difficulties[1]: expected a word, got 1");
-    entry_refused("difficulties = { 'abcdefghijklmnop' }",
-                  "difficulties[1]: expected a word of at most 15 bytes, got \"abcdefghijklmnop\"");
     entry_refused("difficulties = { 'easy' }, difficulty = 'hard'",
                   "difficulty: \"hard\" is not listed in difficulties");
 }
 
 TEST(dip_errors)
 {
-    entry_refused("dip = { 'a' }", "dip: expected only names as keys, got 1");
     entry_refused("dip = { ['a.b'] = { 'x' } }", "dip.a.b: expected a name of letters, digits, _ and -");
-    entry_refused("dip = { ['a b'] = { 'x' } }", "dip: \"a b\": expected a name of letters, digits, _ - . and /");
     entry_refused("dip = { n = 3 }", "dip.n: expected a table, got 3");
     entry_refused("dip = { n = {} }", "dip.n.min: expected a whole number from -2147483648 to 2147483647, got nil");
     entry_refused("dip = { n = { min = 3, max = 2 } }",
                   "dip.n.max: expected a whole number from 3 to 2147483647, got 2");
-    entry_refused("dip = { n = { min = 0, max = 2147483647 } }",
-                  "dip.n: expected at most 65536 numbers from min to max, got 0 to 2147483647");
     entry_refused("dip = { n = { min = -2147483648, max = 2147483647 } }",
                   "dip.n: expected at most 65536 numbers from min to max, got -2147483648 to 2147483647");
     entry_refused("dip = { n = { min = -1, max = 65535 } }",
                   "dip.n: expected at most 65536 numbers from min to max, got -1 to 65535");
     entry_refused("dip = { n = { min = 1, max = 2, default = 3 } }",
                   "dip.n.default: expected a whole number from 1 to 2, got 3");
-    entry_refused("dip = { n = { 'a', 'b', min = 1 } }", "dip.n: expected a list");
     entry_refused("dip = { a={'x'},b={'x'},c={'x'},d={'x'},e={'x'},f={'x'},g={'x'},h={'x'},i={'x'},j={'x'},"
                   "k={'x'},l={'x'},m={'x'},n={'x'},o={'x'},p={'x'},q={'x'} }",
                   "dip: expected at most 16 entries");
@@ -424,43 +335,25 @@ TEST(art_errors)
     entry_refused("palette = 3", "palette: expected a file, got 3");
     entry_refused("font = '/etc/font.png'",
                   "font: expected a file inside the folder (letters, digits, _ - . /), got \"/etc/font.png\"");
-    entry_refused("icon = 3", "icon: expected a file or a sprite's name, got 3");
     entry_refused("icon = 'ship'", "icon: expected a .png file or the name of a sprite, got \"ship\"");
-    entry_refused("icon = '../a.png'",
-                  "icon: expected a file inside the folder (letters, digits, _ - . /), got \"../a.png\"");
-    entry_refused("palettes = { a = 'x/../y' }",
-                  "palettes.a: expected a file inside the folder (letters, digits, _ - . /), got \"x/../y\"");
     entry_refused("palettes = { main = 'a.png' }", "palettes.main: this name is already used by `palette`");
-    entry_refused("blends = 'add'", "blends: expected a table, got \"add\"");
-    entry_refused("blends = { 'add' }", "blends: expected only names as keys, got 1");
-    entry_refused("blends = { ['a b'] = 'add' }", "blends: \"a b\": expected a name of letters, digits, _ - . and /");
     entry_refused("blends = { a = 'add', b = 'add', c = 'add', d = 'add' }", "blends: expected at most 3 entries");
     entry_refused("blends = { a = 'mix' }",
                   "blends.a: expected \"add\", { mix = percent } or { ramp = rule }, got \"mix\"");
-    entry_refused("blends = { a = 50 }", "blends.a: expected \"add\", { mix = percent } or { ramp = rule }, got 50");
-    entry_refused("blends = { a = {} }", "blends.a.mix: expected a whole number from 1 to 99, got nil");
     entry_refused("blends = { a = { ramp = 'glow' } }",
                   "blends.a.ramp: expected \"add\", \"half\" or \"max\", got \"glow\"");
     entry_refused("blends = { a = { ramp = 'add', mix = 5 } }", "blends.a: expected mix or ramp, got both");
     entry_refused("blends = { a = { mix = 0 } }", "blends.a.mix: expected a whole number from 1 to 99, got 0");
     entry_refused("blends = { a = { mix = 100 } }", "blends.a.mix: expected a whole number from 1 to 99, got 100");
-    entry_refused("blends = { a = { mix = 2.5 } }", "blends.a.mix: expected a whole number from 1 to 99, got 2.5");
-    entry_refused("blends = { a = { mix = 50, of = 1 } }", "blends.a.of: unknown key");
-    entry_refused("blends = { a = { mixx = 50 } }", "blends.a.mixx: unknown key (did you mean \"mix\"?)");
-    entry_refused("sheets = { a = 'x.png' }", "sheets.a: expected a table, got \"x.png\"");
     entry_refused("sheets = { a = {} }", "sheets.a: expected file=\"art/NAME.png\" (or .ase, .aseprite)");
     entry_refused("sheets = { a = { file = 'x.png', bank = 16 } }",
                   "sheets.a.bank: expected a whole number from 0 to 15, got 16");
-    entry_refused("sprites = { a = { w = 1, h = 1 } }", "sprites.a.sheet: expected the name of a sheet, got nil");
     entry_refused("sprites = { a = { sheet = 'b', w = 1, h = 1 } }", "sprites.a.sheet: \"b\" is not listed in sheets");
     entry_refused("sheets = { s = { file = 'x.png' } }, sprites = { a = { sheet = 's', h = 1 } }",
                   "sprites.a.w: expected a whole number from 1 to 1024, got nil");
     entry_refused(
         "sheets = { s = { file = 'x.png' } }, sprites = { a = { sheet = 's', w = 1, h = 1, origin = { 1 } } }",
         "sprites.a.origin: expected { x, y }");
-    entry_refused(
-        "sheets = { s = { file = 'x.png' } }, sprites = { a = { sheet = 's', w = 1, h = 1, origin = { 1, 9999 } } }",
-        "sprites.a.origin[2]: expected a whole number from -1024 to 1024, got 9999");
 }
 
 /* By index: said of one, of all, of all but one. And what a sprite of an .ase leaves to its file. */
@@ -479,17 +372,11 @@ TEST(index_and_tags)
     assert_string_equal(s->tag, "fly");
     assert_true(s->w == 0 && s->h == 0 && s->frames == 0 && s->frame_ticks == 0 && s->scale_percent == 50);
     assert_true(cut->w == 3 && cut->h == 4 && cut->frames == 1 && cut->frame_ticks == 6 && cut->tag[0] == '\0');
-    free(r);
     r = read_good("return { sheets = { a = { file = 'a.aseprite', match = 'index' } },"
                   "maps = { m = { tiles = 't.png', match = 'index', rows = { { 1 } } } } }");
     assert_true(r->art.sheets[0].by_index && r->art.maps[0].by_index && !r->art.by_index);
-    free(r);
-    assert_true(art_is_ase("a/b.ase") && art_is_ase("b.aseprite") && !art_is_ase("ase") && !art_is_ase("a.ase/b.png"));
-    entry_refused("match = true", "match: expected \"colour\" or \"index\", got a boolean");
     entry_refused("maps = { m = { tiles = 't.png', match = 'color', rows = { { 1 } } } }",
                   "maps.m.match: expected \"colour\" or \"index\", got \"color\"");
-    entry_refused("sheets = { a = { file = 'a.ase' } }, sprites = { s = { sheet = 'a', w = 2000 } }",
-                  "sprites.s.w: expected a whole number from 1 to 1024, got 2000");
     entry_refused("sheets = { a = { file = 'a.ase' } }, sprites = { s = { sheet = 'a', tag = 3 } }",
                   "sprites.s.tag: expected a tag's name, got 3");
 }
@@ -506,70 +393,46 @@ TEST(palette_of_a_sheet)
     assert_string_equal(r->art.sheets[1].palette, "");
     assert_string_equal(r->art.sheets[2].palette, "");
     assert_string_equal(r->art.maps[0].palette, "dusk");
-    free(r);
     entry_refused("palettes = { dusk = 'd.png' }, sheets = { a = { file = 'a.png', palette = 'dawn' } }",
                   "sheets.a.palette: \"dawn\" is not listed in palettes");
-    entry_refused("maps = { m = { tiles = 't.png', palette = 3, rows = { { 1 } } } }",
-                  "maps.m.palette: expected a palette's name, got 3");
 }
 
 TEST(not_a_manifest)
 {
     refused("", "rom.lua: expected `return { ... }`, got nil");
-    refused("return 'x'", "rom.lua: expected `return { ... }`, got \"x\"");
     refused("return {\n  title = = 3 }", "rom.lua:2: unexpected symbol near '='");
-    refused("return {} x", "rom.lua:1: <eof> expected near 'x'");
     refused("\n\nprint('x')", "rom.lua:3: attempt to call a nil value (global 'print')");
-    refused("x = 'a\nb'", "rom.lua:1: unfinished string near ''a'");
-    refused("return = [[a\nb]]\n'c\1'", "rom.lua:1: unexpected symbol near '='");
     refused("x = 1 [[a\nb]]", "rom.lua:2: unexpected symbol near '[[a b]]'");
     refused("\x1bLua", "rom.lua: attempt to load a binary chunk (mode is 't')");
 }
 
-/* Neither time nor memory without end, whatever the text does. */
+/* Neither endless loops nor memory without limit. */
 TEST(bombs)
 {
     char *text;
 
     refused("while true do end", "rom.lua:1: takes too long (an endless loop?)");
     refused("local function f() return f() end\nreturn f()", "rom.lua:1: takes too long (an endless loop?)");
-    refused("::a:: goto a", "rom.lua:1: takes too long (an endless loop?)");
     refused("local s = 'x' while true do s = s .. s end", "rom.lua:1: needs too much memory");
-    refused("local t = {} while true do t = { t } end", "rom.lua:1: needs too much memory");
     refused("local t = {} for i = 1, 1e6 do t[i] = { i } end return t", "rom.lua:1: needs too much memory");
-    refused("local s = 'x' for i = 1, 13 do s = s .. s end for i = 1, 1e9 do local t = s .. i end",
-            "rom.lua:1: needs too much memory");
     refused("local function f() return 1 + f() end f()", "rom.lua:1: needs too much memory");
     text = malloc((1 << 20) + 1);
     memset(text, ' ', (1 << 20) + 1);
-    struct result *r = read_text(text, (1 << 20) + 1, false);
-    assert_string_equal(r->err, "rom.lua: longer than 1048576 bytes");
-    free(r);
+    assert_string_equal(read_text(text, (1 << 20) + 1, false)->err, "rom.lua: longer than 1048576 bytes");
     memset(text, '{', 1 << 20);
-    free(read_text(text, 1 << 20, false));
+    read_text(text, 1 << 20, false);
     free(text);
 }
 
-/* A manifest as large as any game's fits. */
 TEST(many_sprites)
 {
-    size_t room = 1 << 20, n = 0;
-    char *text = malloc(room);
+    struct result *r = read_good(
+        "return { sheets = { s = { file = 's.png' } }, sprites = (function() local t = {} for i = 1, 4096 do\n"
+        "t['s' .. i] = { sheet = 's', w = 1, h = 1, origin = { 3, 4 } } end return t end)() }");
 
-    n += (size_t)snprintf(text, room, "return { sheets = { s = { file = 's.png' } }, sprites = {\n");
-    for (int i = 0; i < MAX_ART_SPRITES; i++)
-        n += (size_t)snprintf(text + n, room - n,
-                              "sprite_%d = { sheet='s', x=%d, y=%d, w=16, h=16, rotations=32, origin={3,4} },\n", i,
-                              i % 64 * 16, i / 64 * 16);
-    snprintf(text + n, room - n, "} }");
-    struct result *r = read_good(text);
     assert_int_equal(r->art.n_sprites, MAX_ART_SPRITES);
-    assert_string_equal(r->art.sprites[1].name, "sprite_1");
-    assert_string_equal(r->art.sprites[MAX_ART_SPRITES - 1].name, "sprite_999");
-    free(r);
-    snprintf(text + n, room - n, "one_more = {} } }");
-    refused(text, "rom.lua: sprites: expected at most 4096 entries");
-    free(text);
+    entry_refused("sprites = (function() local t = {} for i = 1, 4097 do t['s' .. i] = {} end return t end)()",
+                  "sprites: expected at most 4096 entries");
 }
 
 /* ---- the binary form ---- */
@@ -577,62 +440,55 @@ TEST(many_sprites)
 TEST(pack)
 {
     struct result *r = read_good(lanterns);
-    uint8_t bytes[MANIFEST_BYTES], again[MANIFEST_BYTES];
+    uint8_t bytes[MANIFEST_BYTES];
     struct manifest m;
     char err[256] = "";
 
     const uint32_t size = manifest_pack(&r->m, bytes);
-    assert_int_equal(size, 5252);
     assert_true(manifest_unpack(bytes, size, &m, err, sizeof err));
-    assert_string_equal(m.title, "Paper Lanterns");
-    assert_int_equal(m.lua_kib, 512);
-    assert_int_equal(m.dips[2].lo, -1);
-    assert_true(m.extends[1] == INT64_C(9007199254740992));
-    manifest_pack(&m, again);
-    assert_memory_equal(bytes, again, sizeof bytes);
-    free(r);
+    assert_memory_equal(&m, &r->m, sizeof m);
+    assert_false(manifest_unpack(bytes, size - 1, &m, err, sizeof err));
+    assert_string_equal(err, "5251 bytes long, expected 5256");
+    bytes[0] = 5; /* only for games that run documents */
+    assert_false(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));
+    assert_string_equal(err, "board.bulletml: 0 is not allowed in a manifest of format 4");
+    r->m.bulletml_runners = 300;
+    assert_int_equal(manifest_pack(&r->m, bytes), sizeof bytes);
+    assert_true(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));
+    assert_int_equal(m.bulletml_runners, 300);
 }
 
 /* A lump of an older format is shorter by the numbers that came later, which then have their defaults. */
 TEST(unpack_old)
 {
-    struct result *r = read_good(
-        "return { board = { values = { bullet = 2 }, hp = true, frozen = true, meet = true, items = 9, bg = true, "
-        "lasers = 64, curve_points = 4096, bodies = true, pierce = true } }");
+    static const int numbers[] = { 0, 17, 24, 31, 36 };
     uint8_t bytes[MANIFEST_BYTES];
-    struct manifest m;
     char err[256] = "";
 
-    assert_true(r->m.bullet_values == 2 && r->m.has_hp && !r->m.has_orbit && r->m.has_freeze);
-    const uint32_t size = manifest_pack(&r->m, bytes);
-    assert_int_equal(size, 5252);
-    assert_true(manifest_unpack(bytes, size, &m, err, sizeof err));
-    assert_memory_equal(&m, &r->m, sizeof m);
-    assert_int_equal(m.registers, 64);
-    bytes[0] = 3;
-    assert_false(manifest_unpack(bytes, size, &m, err, sizeof err));
-    assert_true(manifest_unpack(bytes, 5232, &m, err, sizeof err));
-    assert_int_equal(m.registers, 1024);
-    r->m.registers = 1024; /* as many as a ship could have then */
-    assert_true(r->m.has_bodies == 1 && r->m.has_pierce == 1);
-    r->m.has_bodies = r->m.has_pierce = 0;
-    assert_memory_equal(&m, &r->m, sizeof m);
-    bytes[0] = 2;
-    assert_false(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));
-    assert_true(manifest_unpack(bytes, 5204, &m, err, sizeof err));
-    assert_int_equal(r->m.items, 9);
-    assert_int_equal(r->m.bullets_can_meet, 1);
-    assert_int_equal(r->m.has_backgrounds, 1);
-    assert_true(r->m.lasers == 64 && r->m.curve_points == 4096);
-    r->m.items = r->m.bullets_can_meet = r->m.has_backgrounds = r->m.lasers = r->m.curve_points = 0;
-    assert_memory_equal(&m, &r->m, sizeof m);
-    bytes[0] = 1;
-    assert_true(manifest_unpack(bytes, 5176, &m, err, sizeof err));
-    r->m.bullet_values = r->m.has_hp = r->m.has_freeze = 0;
-    assert_memory_equal(&m, &r->m, sizeof m);
-    bytes[0] = 2;
-    assert_false(manifest_unpack(bytes, 5176, &m, err, sizeof err));
-    free(r);
+    for (int format = 1; format <= 4; format++) {
+        const size_t size = MANIFEST_BYTES - 4 * (size_t)(MANIFEST_NUMBERS - numbers[format]);
+        struct manifest m, want;
+        manifest_set_defaults(&m);
+        m.tasks = 7;
+        m.nvram_kib = 3;
+        m.items = 9;
+        m.options = 5;
+        manifest_pack(&m, bytes);
+        manifest_set_defaults(&want);
+        want.tasks = 7;
+        want.nvram_kib = format < 2 ? 32 : 3;
+        want.items = format < 3 ? 0 : 9;
+        want.registers = format < 4 ? 1024 : 64; /* ships could have 1024 then */
+        want.options = format < 4 ? 0 : 5;
+        for (int other = 0; other < 7; other++) {
+            bytes[0] = (uint8_t)other;
+            assert_int_equal(manifest_unpack(bytes, size, &m, err, sizeof err), other == format);
+            if (other == format)
+                assert_memory_equal(&m, &want, sizeof m);
+            else
+                assert_string_equal(err, "unknown format");
+        }
+    }
 }
 
 /* Maps switch backgrounds on; their rows stand one after the other. */
@@ -642,21 +498,17 @@ TEST(maps)
         { "sea = {}", "rom.lua: maps.sea: expected tiles=\"art/NAME.png\"" },
         { "sea = { tiles = 'a.png' }",
           "rom.lua: maps.sea: expected either file=\"maps/NAME.tmx\" (or .csv) or rows={ { 1, 2, .. }, .. }" },
-        { "sea = { tiles = 'a.png', file = 'b.csv', rows = { { 1 } } }",
-          "rom.lua: maps.sea: expected either file=\"maps/NAME.tmx\" (or .csv) or rows={ { 1, 2, .. }, .. }" },
         { "sea = { tiles = 'a.png', file = 'b.txt' }",
           "rom.lua: maps.sea: file: expected a .csv or .tmx file, got \"b.txt\"" },
         { "sea = { tiles = 'a.png', file = 'b.csv', layer = 'x' }",
           "rom.lua: maps.sea: layer: only a .tmx map has layers" },
         { "sea = { tiles = 'a.png', size = 12, rows = { { 1 } } }",
           "rom.lua: maps.sea.size: expected 8, 16 or 32, got 12" },
-        { "sea = { tiles = 'a.png', row = { { 1 } } }", "rom.lua: maps.sea.row: unknown key (did you mean \"rows\"?)" },
         { "sea = { tiles = 'a.png', rows = {} }", "rom.lua: maps.sea.rows: expected at least one row" },
         { "sea = { tiles = 'a.png', rows = { { 1, 2 }, { 3 } } }",
           "rom.lua: maps.sea.rows[2]: expected 2 tiles, as in the first row, got 1" },
         { "sea = { tiles = 'a.png', rows = { { 1, -1 } } }",
           "rom.lua: maps.sea.rows[1][2]: expected a whole number from 0 to 65534, got -1" },
-        { "sea = { tiles = 'a.png', rows = { 5 } }", "rom.lua: maps.sea.rows[1]: expected a list of tiles, got 5" },
     };
     char text[256];
 
@@ -677,63 +529,10 @@ TEST(maps)
     assert_int_equal(r->art.cells[b->first_cell + 2], 6);
     assert_int_equal(c->tile_size, 0);
     assert_string_equal(c->layer, "x");
-    free(r);
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         snprintf(text, sizeof text, "return { maps = { %s } }", bad[i][0]);
         refused(text, bad[i][1]);
     }
-}
-
-TEST(unpack_refuses)
-{
-    struct result *r = read_good(lanterns);
-    uint8_t bytes[MANIFEST_BYTES];
-    struct manifest m;
-    char err[256] = "";
-
-    const uint32_t size = manifest_pack(&r->m, bytes);
-    assert_false(manifest_unpack(bytes, size - 1, &m, err, sizeof err));
-    assert_string_equal(err, "5251 bytes long, expected 5256");
-    for (int format = 0; format < 7; format++) {
-        bytes[0] = (uint8_t)format;
-        assert_int_equal(manifest_unpack(bytes, size, &m, err, sizeof err), format == 4);
-        assert_int_equal(manifest_unpack(bytes, 5232, &m, err, sizeof err), format == 3);
-        assert_int_equal(manifest_unpack(bytes, 5204, &m, err, sizeof err), format == 2);
-        assert_int_equal(manifest_unpack(bytes, 5176, &m, err, sizeof err), format == 1);
-        if (format > 4)
-            assert_string_equal(err, "unknown format");
-    }
-    bytes[0] = 5; /* which only a game has that runs documents */
-    assert_false(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));
-    assert_string_equal(err, "board.bulletml: 0 is not allowed in a manifest of format 4");
-    r->m.bulletml_runners = 300;
-    assert_int_equal(manifest_pack(&r->m, bytes), sizeof bytes);
-    assert_true(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));
-    assert_int_equal(m.bulletml_runners, 300);
-    free(r);
-}
-
-/* Of format 1 comes what there was of it, and for the rest what a rom.lua gets that says nothing. */
-TEST(format_1)
-{
-    struct result *r = read_good(lanterns);
-    uint8_t bytes[MANIFEST_BYTES], again[MANIFEST_BYTES];
-    struct manifest m, plain;
-    char err[256] = "";
-
-    manifest_set_defaults(&plain);
-    assert_int_equal(r->m.nvram_kib, 3);
-    manifest_pack(&r->m, bytes);
-    bytes[0] = 1;
-    assert_true(manifest_unpack(bytes, 5176, &m, err, sizeof err));
-    assert_int_equal(m.nvram_kib, plain.nvram_kib);
-    assert_int_equal(m.nvram_kib, 32);
-    m.nvram_kib = 3;
-    m.registers = plain.registers;
-    manifest_pack(&m, again);
-    bytes[0] = 4;
-    assert_memory_equal(bytes, again, sizeof bytes);
-    free(r);
 }
 
 /* Refused, packed and unpacked, with this line. */
@@ -762,16 +561,8 @@ TEST(check)
     static const char either[] = "dip.coins: expected either a range or 1 to 16 values";
     struct result *r = read_good(lanterns);
 
-    SPOILED(memset(m.id, 'a', sizeof m.id), "id: expected 1 to 31 of the characters a-z 0-9 _");
     SPOILED(m.id[20] = 'x', "id: expected 1 to 31 of the characters a-z 0-9 _");
-    SPOILED(m.title[0] = 1, "title: expected a line of 1 to 63 bytes");
-    SPOILED(memset(m.author, 'a', sizeof m.author), "author: expected a line of at most 63 bytes");
-    SPOILED(m.entry[0] = '/', "entry: expected a script's path without .lua, at most 63 bytes");
-    SPOILED(m.nvram_kib = 0, "board.nvram: expected a whole number from 1 to 1024, got 0");
     SPOILED(m.nvram_kib = 1025, "board.nvram: expected a whole number from 1 to 1024, got 1025");
-    SPOILED(m.tasks = 0, "board.tasks: expected a whole number from 1 to 65536, got 0");
-    SPOILED(m.screen_w = 322, "screen.w: expected a multiple of 8, got 322");
-    SPOILED(m.field_y = 17, "field: 208x224 at 8,17 is not inside the 320x240 screen");
     SPOILED(m.n_extends = 9, "extends: expected at most 8 scores");
     SPOILED(m.n_extends = -1, "extends: expected at most 8 scores");
     SPOILED(m.extends[2] = 1, "extends: expected at most 8 scores");
@@ -788,55 +579,20 @@ TEST(check)
     SPOILED(m.n_dips = -1, "dip: expected at most 16 switches");
     SPOILED(m.n_dips = 4, "dip: expected names of 1 to 15 letters, digits, _ or -");
     SPOILED(m.n_dips = 2, "dip: unused switches are not zero");
-    SPOILED(m.dips[15].value_name[3][3] = 1, "dip: unused switches are not zero");
-    SPOILED(m.dips[0].name[0] = ' ', "dip: expected names of 1 to 15 letters, digits, _ or -");
     SPOILED(m.dips[0].name[0] = 'x', "dip.n: not in alphabetical order");
     SPOILED(m.dips[0].n_values = 17, coins);
     SPOILED(m.dips[0].n_values = -1, coins);
     SPOILED(m.dips[0].n_values = 1, coins);
     SPOILED(m.dips[0].hi = 2, either);
-    SPOILED(m.dips[0].lo = 1, either);
     SPOILED(m.dips[0].is_number = true, either);
-    SPOILED(m.dips[1].is_number = false, "dip.n: expected either a range or 1 to 16 values");
     SPOILED(m.dips[0].default_value = 2, "dip.coins: expected min <= default <= max, got 0, 2, 1");
     SPOILED(m.dips[2].default_value = -2, "dip.rate: expected min <= default <= max, got -1, -2, 10");
-    free(r);
-}
-
-/* A byte of the lump set to anything: refused, or a manifest that packs to these very bytes. */
-TEST(unpack_mutations)
-{
-    struct result *r = read_good(lanterns);
-    uint8_t bytes[MANIFEST_BYTES], again[MANIFEST_BYTES];
-    struct rng rng;
-    int good = 0;
-
-    r->m.bulletml_runners = 300; /* the format with all numbers */
-    manifest_pack(&r->m, bytes);
-    rng_seed(&rng, 3);
-    for (int at = 0; at < MANIFEST_BYTES; at++) {
-        struct manifest m;
-        char err[256] = "";
-        uint8_t was = bytes[at];
-        bytes[at] = (uint8_t)(rng_below(&rng, 2) ? rng_next(&rng) : was ^ 1);
-        if (manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err)) {
-            good++;
-            manifest_pack(&m, again);
-            assert_memory_equal(bytes, again, sizeof bytes);
-        } else {
-            assert_string_not_equal(err, "");
-        }
-        bytes[at] = was;
-    }
-    assert_true(good > 50 && good < MANIFEST_BYTES / 2);
-    free(r);
 }
 
 TEST(paths)
 {
     static const char *const good[] = { "a", "a/b", "stages/one.lua", "A-b_c.9/x..y" };
-    static const char *const bad[] = { "",       "/",  "/a",   "a/",  "a//b", ".",   "..",
-                                       "a/../b", ".a", "a/.b", "a b", "a\\b", "c:a", "\xc3" };
+    static const char *const bad[] = { "", "/a", "a/", "a//b", "..", "a/.b", "a b", "a\\b", "\xc3" };
 
     for (size_t i = 0; i < sizeof good / sizeof good[0]; i++)
         assert_true(manifest_path_ok(good[i]));

@@ -18,7 +18,6 @@ static const char *const files[][2] = {
                         "height=\"37\"/></tileset>" },
     { "t.tsx", "<tileset><image source=\"up/../t.png\"/></tileset>" },
     { "shifted.tsx", "<tileset>\n<tileoffset x=\"0\" y=\"-6\"/></tileset>" },
-    { "other.tsx", "{ \"json\": 1 }" },
     { "map.tsx", "<map/>" },
 };
 
@@ -64,8 +63,6 @@ TEST(csv)
     static const uint32_t cells[] = { 1, 0, 3, 40, 5, 6 };
     struct map_cells c;
 
-    assert_true(csv("1,0,3\n40,5,6\n", 1, &c));
-    cells_are(&c, 3, 2, cells);
     assert_true(csv(" 1 ,0,\t3,\r\n40,5,6\r\n\n \n", 1, &c));
     cells_are(&c, 3, 2, cells);
     assert_true(csv("0,-1,2\n39,4,5", 0, &c));
@@ -79,11 +76,9 @@ TEST(csv_turns)
                                       4 | MAP_FLIP_X | MAP_FLIP_Y | MAP_DIAGONAL };
     struct map_cells c;
 
-    assert_true(csv("2147483648,1073741825,536870914,3758096387\n", 0, &c));
+    assert_true(csv("-2147483648,1073741825,536870914,3758096387\n", 0, &c));
     cells_are(&c, 4, 1, cells);
-    assert_true(csv("-2147483648,1073741825,536870914,-536870909\n", 0, &c));
-    cells_are(&c, 4, 1, cells);
-    assert_true(csv("2147483649,1073741826,536870915,3758096388\n", 1, &c));
+    assert_true(csv("2147483649,1073741826,536870915,-536870908\n", 1, &c));
     cells_are(&c, 4, 1, cells);
     assert_false(csv("2147483648\n", 1, &c)); /* a turned nothing */
     assert_false(csv("268435456\n", 0, &c));  /* the flag of hexagonal maps */
@@ -97,18 +92,15 @@ TEST(csv_bad)
         const char *said;
     } bad[] = {
         { "", 1, "m.csv: expected lines of numbers, got an empty file" },
-        { "\n\n", 1, "m.csv: expected lines of numbers, got an empty file" },
         { "1,2\n3\n", 1, "m.csv:2: 1 tiles, expected 2, as in the first line" },
         { "1,2\n\n3,4\n", 1, "m.csv:2: blank line between rows" },
         { "1;2\n", 1, "m.csv:1: expected a comma, got byte 59" },
-        { "1,x\n", 1, "m.csv:1: expected an integer, got byte 120" },
         { "1,,2\n", 1, "m.csv:1: expected an integer, got byte 44" },
         { "1\n-", 1, "m.csv:2: expected an integer, got the end of the file" },
         { "1,-1\n", 1,
           "m.csv:1: expected 0 (empty) or a tile number of at least 1, got -1 (Tiled's CSV counts from 0: add first = "
           "0)" },
         { "0,-2\n", 0, "m.csv:1: expected -1 (empty) or a tile number of at least 0, got -2" },
-        { "9999999999\n", 1, "m.csv:1: expected 0 (empty) or a tile number of at least 1, got 9999999999" },
     };
     struct map_cells c;
 
@@ -143,11 +135,6 @@ TEST(tmx)
                                    "gid=\"3758096393\"/></data>") "<objectgroup><object/></objectgroup></map>",
                     "a", &c));
     cells_are(&c, 3, 2, cells);
-    assert_true(tmx("<map width=\"1\" height=\"1\" tilewidth=\"8\" tileheight=\"8\"><tileset firstgid=\"5\"/>"
-                    "<layer width=\"1\" height=\"1\" opacity=\"1\"><data encoding=\"csv\">6</data></layer></map>",
-                    "", &c));
-    assert_int_equal(c.side, 8);
-    cells_are(&c, 1, 1, (const uint32_t[]){ 2 });
 }
 
 #define PACKED(kind, text) "<data encoding=\"base64\"" kind ">\n" text "\n</data>"
@@ -157,7 +144,6 @@ TEST(tmx_packed)
 {
     static const char *const maps[] = {
         HEAD LAYER("a", PACKED("", "AQAAAAAAAAADAAAABwAAgAgAAEAJAADg")) "</map>",
-        HEAD LAYER("a", PACKED(" compression=\"\"", "AQAAAAAAAAADAAAABwAAgAgAAEAJAADg")) "</map>",
         HEAD LAYER("a", PACKED(" compression=\"zlib\"", "eJxjZIAAZiBmZ2Bo4GBgcOBkYHgAAAe4Ab0=")) "</map>",
         HEAD LAYER(
             "a", PACKED(" compression=\"gzip\"", "H4sICAAAAAAC/24AY2SAAGYgZmdgaOBgYHDgZGB4AAA7HPVPGAAAAA==")) "</map>",
@@ -187,17 +173,11 @@ TEST(tmx_infinite)
     assert_true(tmx(ENDLESS LAYER("a", "<data encoding=\"csv\">" CHUNK("-2", "-4", "0,0,0,1")
                                            CHUNK("0", "-4", "0,0,0,0") CHUNK("0", "-2", "0,2,3,0") "</data>") "</map>",
                     "", &c));
-    assert_int_equal(c.cols, 3);
-    assert_int_equal(c.rows, 3);
-    assert_int_equal(c.cell[0], 1);
-    assert_int_equal(c.cell[5], 2);
-    assert_int_equal(c.cell[7], 3);
-    free(c.cell);
-    assert_true(tmx(ENDLESS LAYER("a", "<data>" CHUNK("5", "7", "<tile gid=\"1\"/><tile/><tile/><tile/>")
-                                           CHUNK("7", "7", "<tile/><tile/><tile/><tile/>") CHUNK(
-                                               "7", "8", "<tile/><tile gid=\"2\"/><tile/><tile/>") "</data>") "</map>",
-                    "", &c));
-    cells_are(&c, 4, 2, (const uint32_t[]){ 1, 0, 0, 0, 0, 0, 0, 2 });
+    cells_are(&c, 3, 3, (const uint32_t[]){ 1, 0, 0, 0, 0, 2, 0, 3, 0 });
+    assert_true(
+        tmx(ENDLESS LAYER("a", "<data>" CHUNK("7", "8", "<tile/><tile gid=\"2\"/><tile/><tile/>") "</data>") "</map>",
+            "", &c));
+    cells_are(&c, 1, 1, (const uint32_t[]){ 2 });
     assert_false(
         tmx(ENDLESS LAYER("a", "<data encoding=\"csv\">" CHUNK("0", "0", "0,0,0,0") "</data>") "</map>", "", &c));
     assert_string_equal(err, "m.tmx:1: the layer has no tiles");
@@ -284,8 +264,6 @@ TEST(tmx_bad)
         const char *text, *layer, *said;
     } bad[] = {
         { "", "", "m.tmx: no <map>: not a Tiled map" },
-        { "words", "", "m.tmx:1: expected <, got text" },
-        { "<tileset/>", "", "m.tmx: no <map>: not a Tiled map" },
         { HEAD "</map>", "", "m.tmx: no tile layer" },
         { HEAD LAYER("b", CSV("0,0,0,0,0,0")) "</map>", "a", "m.tmx: no tile layer \"a\" (the map has b)" },
         { HEAD LAYER("a", CSV("0,0,0,0,0,0")) LAYER("b", "") "</map>", "",
@@ -297,11 +275,8 @@ TEST(tmx_bad)
         { "<map infinite=\"2\">", "", "m.tmx:1: <map> infinite: expected a whole number from 0 to 1, got 2" },
         { "<map backgroundcolor=\"#ff8000\">", "",
           "m.tmx:1: <map> backgroundcolor=\"#ff8000\" is not supported; clear it in Tiled's Map Properties" },
-        { "<map skewx=\"4\">", "", "m.tmx:1: <map> skewx=\"4\" is not supported, expected \"0\"" },
         { "<map future=\"1\">", "", "m.tmx:1: <map> future=\"1\" is not supported" },
         { "\n<map width=\"0\">", "", "m.tmx:2: <map> width: expected a whole number from 1 to 2048, got 0" },
-        { "<map width=\"3\" height=\"x\">", "",
-          "m.tmx:1: <map> height: expected a whole number from 1 to 2048, got x" },
         { "<map width=\"3\">", "", "m.tmx:1: <map> height: expected a whole number from 1 to 2048, got nothing" },
         { "<map width=\"3\" height=\"3\" tilewidth=\"16\" tileheight=\"8\">", "",
           "m.tmx:1: tiles of 16x8 px, expected 8x8, 16x16 or 32x32" },
@@ -314,24 +289,8 @@ TEST(tmx_bad)
         { HEAD "<objectgroup><object template=\"a.tx\"/>", "",
           "m.tmx:4: template objects are not supported; detach the template in Tiled" },
         { HEAD "<objectgroup><object><text>hi</text>", "", "m.tmx:4: text objects are not supported" },
-        { HEAD "<group offsety=\"-3\">", "", "m.tmx:4: <group> offsety=\"-3\" is not supported, expected \"0\"" },
-        { HEAD "<layer width=\"3\" height=\"2\" offsetx=\"4\">", "",
-          "m.tmx:4: <layer> offsetx=\"4\" is not supported, expected \"0\"" },
         { HEAD "<layer width=\"3\" height=\"2\" opacity=\"0.5\">", "",
           "m.tmx:4: <layer> opacity=\"0.5\" is not supported, expected \"1\"" },
-        { HEAD "<layer width=\"3\" height=\"2\" visible=\"0\">", "",
-          "m.tmx:4: <layer> visible=\"0\" is not supported, expected \"1\"" },
-        { HEAD "<layer width=\"3\" height=\"2\" parallaxx=\"0.5\">", "",
-          "m.tmx:4: <layer> parallaxx=\"0.5\" is not supported, expected \"1\"" },
-        { HEAD "<layer width=\"3\" height=\"2\" parallaxy=\"2\">", "",
-          "m.tmx:4: <layer> parallaxy=\"2\" is not supported, expected \"1\"" },
-        { HEAD "<layer width=\"3\" height=\"2\" mode=\"multiply\">", "",
-          "m.tmx:4: <layer> mode=\"multiply\" is not supported, expected \"normal\"" },
-        { HEAD "<layer width=\"3\" height=\"2\" tintcolor=\"#ff0000\">", "",
-          "m.tmx:4: <layer> tintcolor=\"#ff0000\" is not supported, expected \"#ffffff\"" },
-        { HEAD "<layer width=\"3\" height=\"2\" x=\"1\">", "",
-          "m.tmx:4: <layer> x=\"1\" is not supported, expected \"0\"" },
-        { HEAD "<layer width=\"3\" height=\"2\" future=\"1\">", "", "m.tmx:4: <layer> future=\"1\" is not supported" },
         { HEAD "<layer width=\"2\" height=\"2\">", "",
           "m.tmx:4: <layer> width: expected a whole number from 3 to 3, got 2" },
         { HEAD LAYER("a", "<future/>"), "", "m.tmx:4: <future> in a layer is not supported" },
@@ -340,35 +299,22 @@ TEST(tmx_bad)
         /* tilesets, once the layer has a tile of them */
         { TILESET(" tilewidth=\"32\" tileheight=\"32\"", ""), "",
           "m.tmx:1: tiles of 32x32 px, expected 16x16, as in the map" },
-        { TILESET(" future=\"1\"", ""), "", "m.tmx:1: <tileset> future=\"1\" is not supported" },
-        { TILESET("", "\n<tileoffset x=\"4\" y=\"0\"/>"), "",
-          "m.tmx:2: <tileoffset> x=\"4\" is not supported, expected \"0\"" },
         { TILESET("", "<future/>"), "", "m.tmx:1: <future> in a tileset is not supported" },
-        { TILESET("", "<image source=\"t.png\" trans=\"ff00ff\"/>"), "",
-          "m.tmx:1: <image> trans=\"ff00ff\" is not supported" },
         { TILESET("", "<image format=\"png\"><data/></image>"), "",
           "m.tmx:1: <image> without a source: embedded pictures are not supported" },
         { TILESET("", "<tile id=\"0\">\n<animation/></tile>"), "",
           "m.tmx:2: animated tiles are not supported; remove the animation" },
         { TILESET("", "<tile id=\"0\"><image source=\"0.png\"/></tile>"), "",
           "m.tmx:1: image collections are not supported; put the tiles in one picture" },
-        { TILESET("", "<tile id=\"0\" width=\"8\"/>"), "", "m.tmx:1: <tile> width=\"8\" is not supported" },
-        { TILESET(" tilecount=\"0\" spacing=\"x\"", ""), "",
-          "m.tmx:1: <tileset> spacing: expected a whole number from 0 to 1024, got x" },
         { HEAD "<tileset firstgid=\"4\" tilecount=\"2\"/>" LAYER("a", CSV("1,4,5,6,0,0")), "",
           "m.tmx:4: tile 6 does not belong to a tileset: m.tmx:4 has only 2 tiles" },
         { HEAD "<tileset source=\"t.tsx\"/>", "",
           "m.tmx:4: <tileset> firstgid: expected a whole number from 1 to 268435456, got nothing" },
         { HEAD "<tileset firstgid=\"4\" source=\"no.tsx\"/>", "", "m.tmx:4: no.tsx does not exist" },
-        { HEAD "<tileset firstgid=\"4\" source=\"other.tsx\"/>", "", "other.tsx:1: expected <, got text" },
         { HEAD "<tileset firstgid=\"4\" source=\"map.tsx\"/>", "",
           "map.tsx:1: expected <tileset>; save the tileset in Tiled as .tsx" },
         { HEAD "<tileset firstgid=\"4\" source=\"../t.tsx\"/>", "",
           "m.tmx:4: tileset \"../t.tsx\" is outside the game's folder; move it there, or embed it in the map" },
-        { HEAD "<tileset firstgid=\"4\" source=\"a/../../t.tsx\"/>", "",
-          "m.tmx:4: tileset \"a/../../t.tsx\" is outside the game's folder; move it there, or embed it in the map" },
-        { HEAD "<tileset firstgid=\"4\" source=\"/t.tsx\"/>", "",
-          "m.tmx:4: tileset \"/t.tsx\" is outside the game's folder; move it there, or embed it in the map" },
         { HEAD "<tileset firstgid=\"4\" source=\"C:\\t.tsx\"/>", "",
           "m.tmx:4: tileset \"C:\\t.tsx\" is outside the game's folder; move it there, or embed it in the map" },
         { HEAD "<tileset firstgid=\"4\" source=\"shifted.tsx\"/>" LAYER("a", CSV("0,4,0,0,0,0")), "",
@@ -385,10 +331,7 @@ TEST(tmx_bad)
         { HEAD LAYER("a", "<data encoding=\"hex\">"), "",
           "m.tmx:4: <data> encoding=\"hex\" is not supported, expected \"csv\"" },
         { HEAD LAYER("a", PACKED("", "AQ=A")), "", "m.tmx:4: invalid base64" },
-        { HEAD LAYER("a", PACKED("", "AQ*A")), "", "m.tmx:4: invalid base64" },
         { HEAD LAYER("a", PACKED("", "AQAAAA==")), "", "m.tmx:4: 4 bytes of tiles, expected 24" },
-        { HEAD LAYER("a", PACKED(" compression=\"zlib\"", "eJxjZIAAZiBmZ2Bo4GBgcAAAA2QA1A==")), "",
-          "m.tmx:4: the data does not decompress to 6 tiles" },
         { HEAD LAYER("a", PACKED(" compression=\"zlib\"", "eJxjZIAAZiBmZ2Bo4GBgcOBkYHjAiEMcADkQA3k=")), "",
           "m.tmx:4: the data does not decompress to 6 tiles" },
         { HEAD LAYER(
@@ -397,47 +340,14 @@ TEST(tmx_bad)
                      "eJztwTEBAAAAwqD1T20ND6AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA"
                      "AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAACAVwOGrwAB")),
           "", "m.tmx:4: the data does not decompress to 6 tiles" },
-        { HEAD LAYER("a", PACKED(" compression=\"zlib\"", "AAAA")), "",
-          "m.tmx:4: the data does not decompress to 6 tiles" },
         { HEAD LAYER("a", PACKED(" compression=\"gzip\"", "H4sICAAAAAAC/24AY2SAAGYgZmdgaOBgYHDgZGB4AAA6HPVPGAAAAA==")),
           "", "m.tmx:4: the data does not decompress to 6 tiles" },
-        { HEAD LAYER("a", PACKED(" compression=\"gzip\"", "H4sI")), "",
-          "m.tmx:4: the data does not decompress to 6 tiles" },
-        { HEAD LAYER("a", PACKED(" compression=\"gzip\"", "H4sICAAAAAAC/24AY2SAAGYg")), "",
-          "m.tmx:4: the data does not decompress to 6 tiles" },
         { HEAD LAYER("a", CSV("1,2")), "", "m.tmx:4: 2 tiles, expected 6 (3x2)" },
         { HEAD LAYER("a", CSV("1,2,3,4,5,6,7")), "", "m.tmx:4: more than 6 tiles" },
         { HEAD LAYER("a", CSV("1,2\n,,3")), "", "m.tmx:5: expected a tile number" },
         { HEAD LAYER("a", CSV("1 2")), "", "m.tmx:4: expected a comma between tiles" },
-        { HEAD LAYER("a", CSV("4294967296")), "", "m.tmx:4: expected a tile number, got 4294967296" },
         { HEAD LAYER("a", CSV("268435457")), "", "m.tmx:4: expected a tile number, got 268435457" },
-        { HEAD LAYER("a", CSV("1,2,3,4,5,6<tile/>")), "", "m.tmx:4: <tile> among the tiles is not supported" },
         { HEAD LAYER("a", "<data><chunk/></data>"), "", "m.tmx:4: expected <tile gid=\"...\"/>, got <chunk>" },
-        { HEAD LAYER("a", "<data><tile gid=\"1\"/>"), "", "m.tmx:4: </layer> has no opening tag, expected </data>" },
-        { HEAD "<layer width=\"3\" height=\"2\"><data>", "", "m.tmx:4: the file ends inside <data>" },
-        { ENDLESS LAYER("a", "<data encoding=\"csv\">0</data>"), "", "m.tmx:1: expected <, got text" },
-        /* XML */
-        { "<map", "", "m.tmx:1: a tag without a closing >" },
-        { "<map width>", "", "m.tmx:1: <map>: expected an attribute, name=\"value\"" },
-        { "<map width=3>", "", "m.tmx:1: <map>: expected a value in quotes" },
-        { "<map\nwidth=\"3>", "", "m.tmx:2: a value without an end, expected \"" },
-        { "<map a=\"1\" a=\"2\">", "", "m.tmx:1: <map> has a twice" },
-        { "<map a=\"<\">", "", "m.tmx:1: <map> a: value contains \"<\"; is its closing quote missing?" },
-        { "<map a=\"a&b\">", "", "m.tmx:1: \"&b\" is not a character reference; write a literal & as &amp;" },
-        { "<map a=\"&#xd800;\">", "",
-          "m.tmx:1: \"&#xd800;\" is not a character reference; write a literal & as &amp;" },
-        { "<map a=\"&nbsp;\">", "", "m.tmx:1: \"&nbsp;\" is not a character reference; write a literal & as &amp;" },
-        { "<!-- ", "", "m.tmx:1: a comment without an end, expected -->" },
-        { "<!DOCTYPE x [<!ENTITY a \"b\">]>", "",
-          "m.tmx:1: <!DOCTYPE> with declarations is not supported; delete the line" },
-        { "<![CDATA[ ]]>", "", "m.tmx:1: \"<![CDATA[\" is not supported here" },
-        { "< >", "", "m.tmx:1: expected a name after <" },
-        { HEAD "</map><map>", "", "m.tmx:4: more than one root element" },
-        { HEAD "</layer>", "", "m.tmx:4: </layer> has no opening tag, expected </map>" },
-        { "<?xml version=\"1.0\" encoding=\"ISO-8859-2\"?><map/>", "",
-          "m.tmx:1: encoding \"ISO-8859-2\" is not supported; save the file as UTF-8" },
-        { "<map\n name=\"\xe4\"/>", "", "m.tmx:2: byte 0xe4 is not valid UTF-8; save the file as UTF-8" },
-        { "<layer>", "", "m.tmx: no <map>: not a Tiled map" },
     };
     struct map_cells c;
 
@@ -488,13 +398,9 @@ TEST(lump)
     for (uint32_t k = 1; k < 5; k++)
         cell[5 + k] = 1 | (k & 1 ? MAP_FLIP_X : 0) | (k & 2 ? MAP_FLIP_Y : 0) | (k & 4 ? MAP_DIAGONAL : 0);
     assert_true(map_make(&c, "m.tmx", 8, picture, 5, rgb, false, &lump, &size, err, sizeof err));
-    assert_int_equal(bytes_get16(lump), 5);
-    assert_int_equal(bytes_get16(lump + 2), 2);
-    assert_int_equal(bytes_get16(lump + 4), 8);
     const int tiles = bytes_get16(lump + 6);
-    assert_int_equal(tiles, 1 + 1 + 2 + 4);
-    assert_int_equal(bytes_get16(lump + 8), 5);
-    assert_int_equal(bytes_get16(lump + 10), 0);
+    assert_true(bytes_get16(lump) == 5 && bytes_get16(lump + 2) == 2 && bytes_get16(lump + 4) == 8);
+    assert_true(tiles == 1 + 1 + 2 + 4 && bytes_get16(lump + 8) == 5 && bytes_get16(lump + 10) == 0);
     assert_int_equal(size, CART_MAP_HEADER_SIZE + 20 + tiles * 65);
     const uint8_t *cells = lump + CART_MAP_HEADER_SIZE, *solid = cells + 20, *pix = solid + tiles;
     assert_int_equal(bytes_get16(cells), bytes_get16(cells + 2));
@@ -511,13 +417,8 @@ TEST(lump)
         }
     }
     free(lump);
-    cell[3] = 3;
-    assert_false(map_make(&c, "m.tmx", 8, picture, 5, rgb, false, &lump, &size, err, sizeof err));
-    assert_string_equal(err, "m.tmx: column 4, row 1: tile 3, but the sheet has 2 tiles of 8x8 px");
-    cell[3] = 1;
     assert_false(map_make(&c, "m.tmx", 8, picture, 6, rgb, false, &lump, &size, err, sizeof err));
     assert_non_null(strstr(err, "is not in bank 6"));
-    assert_memory_equal(err, "t.png: pixel ", 13);
     free(sheet.rgba);
 }
 
@@ -563,10 +464,6 @@ TEST(lump_sheets)
     assert_false(map_check_columns(&c, 0, &picture[0], err, sizeof err));
     assert_string_equal(err, "t.tsx:2: the tileset's picture is 20 px wide, but a.png is 25 px; open the map in Tiled "
                              "with that picture and save it");
-    c.tileset[0].columns = 3;
-    assert_false(map_check_columns(&c, 0, &picture[0], err, sizeof err));
-    assert_string_equal(err, "t.tsx:2: the tileset has 3 columns, but a.png has 2; open the map in Tiled with that "
-                             "picture and save it");
     free(a.rgba);
     free(b.rgba);
 }

@@ -1,63 +1,45 @@
 /*
-* test_mml.c - MML: what it compiles to, what is refused and in which words, and that no damage is more
- * than a sentence.
+ * test_mml.c - MML: what it compiles to, what is refused and in which words.
  */
 #include "../test.h"
 #include "../../src/base/bytes.h"
-#include "../../src/base/rng.h"
 #include "../../src/workbench/mml/mml.h"
 #include "../../src/sound/tune.h"
-#include "../voiced.h"
 
 static const struct mml_settings settings = { .volume = 200, .priority = 3, .limit = 5, .title = "" };
 
 /* ---- what it compiles to ---- */
 
-struct list {
-    char text[4096];
-    int64_t at;
-};
-
-static void write_down(struct list *l, const struct tune_played_event *p)
-{
-    static const char names[] = ".nso/ivp";
-    const size_t n = strlen(l->text);
-
-    snprintf(l->text + n, sizeof l->text - n, "%lld%c", (long long)(l->at + p->sample), names[p->event]);
-    if (p->event == TUNE_NOTE || p->event == TUNE_SLUR || p->event == TUNE_GLIDE)
-        snprintf(l->text + strlen(l->text), 32, "%g", p->value / 256.0);
-    if (p->event >= TUNE_INST)
-        snprintf(l->text + strlen(l->text), 32, "%d", p->value);
-    snprintf(l->text + strlen(l->text), 2, " ");
-}
-
-static void write_run(struct list *l, struct tune_run run, struct track_cursor *at)
-{
-    struct tune_played_event e;
-
-    while (tune_next_event(&run, &e))
-        write_down(l, &e);
-    *at = run.cursor;
-}
-
-/* The events of track A, at a tempo at which a tick is a sample. */
+/* The events of track A, at a tempo at which a tick is a sample; or the error. */
 static const char *events(const char *text)
 {
-    static struct list l;
+    static const char names[] = ".nso/ivp";
+    static char list[4096];
     char err[256];
     uint8_t *bytes;
-    size_t size;
+    size_t size, n = 0;
+    struct tune_played_event e;
 
-    memset(&l, 0, sizeof l);
     if (!mml_compile(text, strlen(text), "x.mml", &settings, &bytes, &size, err, sizeof err))
-        return strcpy(l.text, err);
-    const struct tune t = tune_of(bytes);
+        return strcpy(list, err);
     assert_true(tune_validate(bytes, size, err, sizeof err));
+    const struct tune t = tune_of(bytes);
     struct track_cursor c = tune_track_start(&t, 0);
-    for (; l.at < 6000 && c.cursor; l.at += 1000)
-        write_run(&l, (struct tune_run){ &t, 0, c, TUNE_TICK, 0, 1000, 0 }, &c);
+    list[0] = '\0';
+    for (long long at = 0; at < 6000 && c.cursor; at += 1000) {
+        struct tune_run run = { &t, 0, c, TUNE_TICK, 0, 1000, 0 };
+        while (tune_next_event(&run, &e)) {
+            n += (size_t)snprintf(list + n, sizeof list - n, "%lld%c", at + e.sample, names[e.event]);
+            if (e.event == TUNE_NOTE || e.event == TUNE_SLUR || e.event == TUNE_GLIDE)
+                n += (size_t)snprintf(list + n, sizeof list - n, "%g", e.value / 256.0);
+            else if (e.event >= TUNE_INST)
+                n += (size_t)snprintf(list + n, sizeof list - n, "%d", e.value);
+            n += (size_t)snprintf(list + n, sizeof list - n, " ");
+        }
+        c = run.cursor;
+    }
     free(bytes);
-    return l.text;
+    return list;
 }
 
 #define EVENTS(text, list) assert_string_equal(events(text), "0v100 " list)
@@ -65,17 +47,13 @@ static const char *events(const char *text)
 TEST(commands)
 {
     EVENTS("c4", "0i0 0n60 480o 480. ");
-    EVENTS("A c4 r8 d8", "0i0 0n60 480o 720n62 960o 960. ");
     EVENTS("l8 c d+ e-4. f=", "0i0 0n60 240o 240n63 480o 480n63 1200o 1200n65 1440o 1440. ");
     EVENTS("o5 c8 <b8 > >c8", "0i0 0n72 240o 240n71 480o 480n84 720o 720. ");
-    EVENTS("c4^8", "0i0 0n60 720o 720. ");
     EVENTS("c4&8", "0i0 0n60 720o 720. ");
     EVENTS("c4 & d4", "0i0 0n60 480s62 960o 960. ");
     EVENTS("c%7 x%9", "0i0 0n60 7o 7n60 16o 16. ");
     EVENTS("[c16 / d16]3", "0i0 0n60 120o 120n62 240o 240n60 360o 360n62 480o 480n60 600o 600. ");
-    EVENTS("[[c32]2 d32]2", "0i0 0n60 60o 60n60 120o 120n62 180o 180n60 240o 240n60 300o 300n62 360o 360. ");
     EVENTS("{c>g}4,8 c", "0i0 0n60 240/79 480o 480n72 960o 960. ");
-    EVENTS("{{cde}}4 c", "0i0 0n60 160o 160n62 320o 320n64 480o 480n60 960o 960. ");
     EVENTS("{{cde}}4 & c", "0i0 0n60 160o 160n62 320o 320n64 480s60 960o 960. ");
     EVENTS("c & {{ d e }}4. & c", "0i0 0n60 480s62 840o 840n64 1200s60 1680o 1680. ");
     EVENTS("{{cd}}4&4 {{ef}}4&", "0i0 0n60 480o 480n62 960o 960n64 1200o 1200n65 1440o 1440. ");
@@ -102,25 +80,18 @@ TEST(ornaments)
     EVENTS("#swing 16,60\nA c16 d16 e8 {f>f}8", "0i0 0n60 144o 144n62 240o 240n64 480o 480n65 480/77 720o 720. ");
     EVENTS("@E up 2:0,100\n@M bent 1:0,100|0\n@P round 9:-64,64\nA Eup c8 Mbent Pround c8 E- M- P- c8",
            "0i0 0n60 240o 240i1 240n60 480o 480i2 480n60 720o 720. ");
-    EVENTS("#mark here 1,2\nA c2", "0i0 0n60 960o 960. ");
-}
-
-static struct tune compiled(const char *text)
-{
-    char err[256];
-    uint8_t *bytes;
-    size_t size;
-
-    if (!mml_compile(text, strlen(text), "x.mml", &settings, &bytes, &size, err, sizeof err))
-        fail_msg("%s", err);
-    return tune_of(bytes);
 }
 
 TEST(header)
 {
-    struct tune t = compiled("#title The  tide\n#bar 3\n@b fm ratio=3.5 depth=2 attack=2 vibrato=20,5.5,200\n"
-                             "A t99.5 @b c4 \"up\" c4 t120 c4 \"down\" c4 \"up\"\nC c4\n#echo B=A,8,-3\n");
+    static const char text[] = "#title The  tide\n#bar 3\n@b fm ratio=3.5 depth=2 attack=2 vibrato=20,5.5,200\n"
+                               "A t99.5 @b c4 \"up\" c4 t120 c4 \"down\" c4 \"up\"\nC c4\n#echo B=A,8,-3\n";
+    char err[256];
+    uint8_t *bytes;
+    size_t size;
 
+    assert_true(mml_compile(text, sizeof text - 1, "x.mml", &settings, &bytes, &size, err, sizeof err));
+    const struct tune t = tune_of(bytes);
     assert_string_equal(tune_title(&t), "The  tide");
     assert_int_equal(t.beats_per_bar, 3);
     assert_int_equal(t.tempo, 9950);
@@ -130,9 +101,9 @@ TEST(header)
     assert_true(t.volume == 200 && t.priority == 3 && t.limit == 5);
     const struct inst i = inst_read(tune_inst(&t, 0));
     const struct op o = inst_read_op(tune_inst(&t, 0), 0);
-    assert_true(i.kind == INST_FM && o.ratio == 896 && o.level == 1304 && i.env.attack == 96 && i.vibrato.depth == 51);
-    assert_int_equal(i.vibrato.delay, 9600);
-    free((void *)(uintptr_t)t.data);
+    assert_true(i.kind == INST_FM && o.ratio == 896 && o.level == 1304 && i.env.attack == 96);
+    assert_true(i.vibrato.depth == 51 && i.vibrato.delay == 9600);
+    free(bytes);
 }
 
 /* ---- what is refused ---- */
@@ -146,66 +117,47 @@ TEST(mistakes)
         { "A c4\nA  h", "x.mml:2:4: unknown command \"h\"" },
         { "A @bel c\n@bell fm", "x.mml:1:3: unknown instrument \"bel\" (did you mean \"bell\"?)" },
         { "@b fm atack=3\nA c", "x.mml:1:7: unknown setting \"atack\" (did you mean \"attack\"?)" },
-        { "@b fm attack=x\nA c", "x.mml:1:14: expected milliseconds from 0 to 60000, got \"x\"" },
         { "@b horn\nA c", "x.mml:1:4: expected pulse, triangle, saw, sine, fm, fm4, wave, noise, sample, or an "
                           "instrument defined above, got \"horn\"" },
         { "[c4", "x.mml:1:1: [ without ]" },
-        { "c4]2", "x.mml:1:3: ] without [" },
         { "v16", "x.mml:1:2: expected a volume, a number from 0 to 15, got 16" },
-        { "t5 c", "x.mml:1:2: expected quarter notes per minute, a number from 10 to 600, got 5" },
         { "t600.5 c", "x.mml:1:2: expected quarter notes per minute from 10 to 600, got 600.5" },
         { "v c", "x.mml:1:2: expected a volume, a number from 0 to 15, got nothing" },
-        { "c v", "x.mml:1:4: expected a volume, a number from 0 to 15, got nothing" },
-        { "c \xC3\xA9", "x.mml:1:3: unknown command \"\xC3\xA9\"" },
         { "c4 \"up\" c%6 \"down\"",
           "x.mml:1:13: marker \"down\" is within one frame (1/60 s) of \"up\", so scripts would never see it" },
-        { "& c", "x.mml:1:1: expected a note before \"&\"" },
         { "c4 & r4 & d", "x.mml:1:9: expected a note before \"&\"" },
-        { "A ^4 c", "x.mml:1:3: expected a note before \"^\"" },
         { "c \xFF", "x.mml:1:3: unknown command \"?\"" },
         { "{{cr}}4 & c", "x.mml:1:9: expected a note before \"&\"" },
         { "c}} d", "x.mml:1:2: } without {" },
-        { "{{cd}4", "x.mml:1:1: {{ without }}" },
         { "[c : d]2", "x.mml:1:4: unknown command \":\" (\"/\" leaves a loop)" },
-        { "c `d` e", "x.mml:1:3: unknown command \"`\" (\";\" starts a comment)" },
         { "_M2 c", "x.mml:1:1: unknown command \"_M\" (\"K\" transposes)" },
         { "o9 c+4 b+", "x.mml:1:8: the note is too high" },
         { "x4", "x.mml:1:1: x repeats the previous note, but there is none" },
         { "{cd}4,2 {c}4", "x.mml:1:1: the slide ends after its note" },
         { "{{c[d]2}}4", "x.mml:1:4: {{ }} can only contain notes, rests and octaves" },
-        { "{{cde 4", "x.mml:1:1: {{ without }}" },
         { "c L", "x.mml:1:3: nothing to repeat after L" },
         { "A c4 L c4\nB L c2", "x.mml:2:3: track B loops every 960 ticks, track A every 480 (480 per quarter note): "
                                "they would drift apart" },
         { "!a !a\nA !a", "x.mml:1:4: macros nested deeper than 8 (does \"a\" contain itself?)" },
-        { "!up c\nA !pu", "x.mml:2:3: unknown macro \"pu\" (did you mean \"up\"?)" },
-        { "A \"drop", "x.mml:1:3: \" without a closing \"" },
         { "A E5,5 c", "x.mml:1:7: expected E attack,decay,sustain,release: milliseconds, and percent for sustain" },
         { "A ~r c", "x.mml:1:3: expected a note after ~, as in ~c16 d4" },
         { "A ~c4 d4", "x.mml:1:7: the grace notes leave no time for the note itself" },
-        { "A c4 ~d r4", "x.mml:1:9: grace note before a rest" },
         { "A c4 ~d", "x.mml:1:8: grace note without a note after it" },
         { "A S2 c", "x.mml:1:5: expected S semitones,length, as in S2,16, or S0" },
-        { "A W16 c", "x.mml:1:6: expected W length,steps, as in W8,-2, or W0" },
-        { "A Gc", "x.mml:1:4: expected G and the slide's length, as in G16, or G0" },
-        { "A P64 c", "x.mml:1:3: expected a curve name after P, or P- for none (p64 is a pan)" },
         { "A Eup c", "x.mml:1:3: unknown curve \"up\": expected a line @E up FRAMES:VALUE,VALUE..." },
         { "@E Up 2:0\nA c", "x.mml:1:4: expected a name that starts with a lower-case letter, got \"Up\"" },
         { "@E up 2;0\nA c",
           "x.mml:1:7: expected FRAMES:VALUE,VALUE...; | before a value marks the loop start, as in 2:100,60|50,40" },
-        { "@E up 2:101\nA c", "x.mml:1:9: expected percent from 0 to 100, got \"101\"" },
         { "#swing 16\nA c",
           "x.mml:1:1: expected #swing 16,60: the first of every two 16th notes gets 60 percent of their time" },
         { "#swing 16,60\nA L c16",
           "x.mml:2:3: with #swing, the part that L repeats must be a multiple of 240 ticks, got 120 ticks" },
         { "#mark up 3\nA c1", "x.mml:1:1: bar 3 is after the end" },
-        { "#mark up 1,5\nA c1", "x.mml:1:12: expected a beat of the bar from 1 to 4, got \"5\"" },
         { "@w wave decay=3\nA c", "x.mml:1:1: expected harmonics= or points=: a wave needs a waveform" },
         { "@w wave harmonics=0,0\nA c", "x.mml:1:19: expected at least one harmonic above 0" },
         { "@w wave points=1,1,1,1\nA c", "x.mml:1:16: expected 4 to 64 points per cycle, not all equal" },
         { "@b saw harmonics=1\nA c", "x.mml:1:8: only wave instruments have harmonics" },
         { "@b fm op3=1\nA c", "x.mml:1:7: this instrument has 2 operators" },
-        { "@b fm algorithm=1\nA c", "x.mml:1:7: only fm4 has an algorithm" },
         { "@b fm4 op1=2 algorithm=1\nA c",
           "x.mml:1:24: expected the algorithm before the operators: it decides which of them are audible" },
         { "@b fm4 op1=1,101\nA c",
@@ -254,60 +206,6 @@ TEST(warnings)
     assert_string_equal(warnings("A c4\nA [d%15 e4]3"), "x.mml:2:9: this note starts within one frame (1/60 s) of the "
                                                         "previous note in its track and cuts that note off|");
     assert_string_equal(warnings("A c4 t60 d%15 e4"), "");
-}
-
-/* ---- damage ---- */
-
-/* Ten thousand texts and tunes with some bytes changed: each is taken, and then good, or refused. */
-TEST(damage)
-{
-    static const char text[] =
-        "#title Tide\n#bar 4\n#swing 16,55\n@E up 2:0,100|50\n@b fm ratio=3.5 depth=2 vibrato=20,5.5,200\n"
-        "@f fm4 algorithm=4 op1=2,1.5,0,90,30,60 detune2=-3 pan=3:-64,64 feedback=0.5\n"
-        "@w wave points=0,50,100,-30 arpeggio=2:0,4,7\n!m c8 d8\n"
-        "A t120 @b v12 o4 L !m {c>g}4,8 \"up\" {{cde}}2 [c / d]2 r4\n"
-        "B @f K-5 _{+f} L l8 W16,-1 c1 W0 @w Eup S2,16 ~d c1\n";
-    static char bad[sizeof text];
-    static uint8_t tune[8192];
-    static struct snd_tables tables;
-    struct rng r;
-    uint8_t *out;
-    char err[256];
-    size_t size, tune_size;
-
-    snd_tables_make(&tables);
-    rng_seed(&r, 11);
-    assert_true(mml_compile(text, strlen(text), "x", &settings, &out, &tune_size, err, sizeof err));
-    memcpy(tune, out, tune_size);
-    free(out);
-    for (int i = 0; i < 10000; i++) {
-        memcpy(bad, text, sizeof text);
-        for (int k = 0; k < 1 + i % 4; k++)
-            bad[rng_next(&r) % (sizeof text - 1)] = text[rng_next(&r) % (sizeof text - 1)];
-        err[0] = '\0';
-        if (mml_compile(bad, strlen(bad), "x", &settings, &out, &size, err, sizeof err)) {
-            if (!tune_validate(out, size, err, sizeof err))
-                fail_msg("%s: %s", bad, err);
-            free(out);
-        } else {
-            assert_true(strncmp(err, "x:", 2) == 0 && strlen(err) > 8);
-        }
-        const size_t at = rng_next(&r) % tune_size;
-        const uint8_t was = tune[at];
-        tune[at] ^= (uint8_t)(1 << rng_next(&r) % 8);
-        if (tune_validate(tune, tune_size, err, sizeof err)) {
-            const struct tune t = tune_of(tune);
-            if (i % 8 == 0)
-                voiced(&t, &tables);
-            struct list l = { .at = 0 };
-            for (int k = -1; k < t.n_tracks; k++) {
-                struct track_cursor c = tune_track_start(&t, k);
-                l.text[0] = '\0';
-                write_run(&l, (struct tune_run){ &t, k, c, t.tempo, 0, 800, 0 }, &c);
-            }
-        }
-        tune[at] = was;
-    }
 }
 
 RUN_TESTS(NULL, NULL)

@@ -104,8 +104,6 @@ TEST(bdf_refused)
 {
     memset(&set, 0xff, sizeof set);
     refused("", "line 0: expected STARTFONT: not a BDF file");
-    refused("\x89PNG", "line 1: expected STARTFONT: not a BDF file");
-    refused(HEAD, "line 9: the file ends without ENDFONT");
     refused(HEAD "ENDFONT", "line 10: no characters");
     refused("STARTFONT 2.1\nFONT_ASCENT many\n",
             "line 2: expected 1 numbers from -32768 to 32767, got \"FONT_ASCENT many\"");
@@ -117,26 +115,18 @@ TEST(bdf_refused)
     refused("STARTFONT 2.1\nFONT_ASCENT 0\nFONT_DESCENT 0\nSTARTCHAR A\n",
             "line 4: line height 0 px (ascent 0, descent 0); expected 1 to 128");
     refused(HEAD "STARTCHAR A\nENCODING 65", "line 11: the file ends inside a character");
-    refused(HEAD "STARTCHAR A\nENCODING 1114112\n",
-            "line 11: expected 1 numbers from -1 to 1114111, got \"ENCODING 1114112\"");
     refused(HEAD "STARTCHAR A\nENCODING 65\nBITMAP\n", "line 12: BITMAP needs ENCODING and BBX before it");
     refused(HEAD "STARTCHAR A\nENCODING 65\nDWIDTH 9 0\nBBX 65 1 0 0\nBITMAP\n",
             "line 14: character of 65x1 px; expected at most 64 in each direction");
-    refused(HEAD "STARTCHAR A\nENCODING 65\nBBX 8 -1 0 0\n",
-            "line 12: character of 8x-1 px; expected at most 64 in each direction");
     refused(HEAD "STARTCHAR A\nENCODING 65\nDWIDTH 9\nBBX 8 1 0 500\nBITMAP\n00\n",
             "line 14: U+0041 is too far from the baseline");
     refused(HEAD "STARTCHAR A\nENCODING 65\nDWIDTH 9\nBBX 9 1 0 0\nBITMAP\n00\n",
             "line 15: expected a row of 4 hexadecimal digits, got \"00\"");
-    refused(HEAD "STARTCHAR A\nENCODING 65\nDWIDTH 9\nBBX 8 2 0 0\nBITMAP\n00\n",
-            "line 15: the file ends inside a BITMAP");
     refused(HEAD LETTER_A LETTER_A "ENDFONT", "duplicate character U+0041");
     refused(HEAD "STARTCHAR A\nENCODING 65\nBBX 1 1 0 0\nBITMAP\n80\n",
             "line 13: U+0041 has no DWIDTH, and the header has none");
     refused(HEAD "STARTCHAR A\nENCODING 65\nDWIDTH -4 0\nBBX 1 1 0 0\nBITMAP\n80\n",
             "line 14: U+0041: DWIDTH -4 0; expected a width of 0 to 128 and a height of 0");
-    refused(HEAD "STARTCHAR A\nENCODING 65\nDWIDTH 4 1\nBBX 1 1 0 0\nBITMAP\n80\n",
-            "line 14: U+0041: DWIDTH 4 1; expected a width of 0 to 128 and a height of 0");
     refused(HEAD "STARTCHAR A\nENCODING 65\nDWIDTH 4 0\nENDCHAR\n", "line 13: character without BITMAP");
 }
 
@@ -155,80 +145,59 @@ static uint32_t code_in(const char *head, const char *letter)
     return code;
 }
 
-static uint32_t code_by(const char *registry, const char *encoding, const char *letter)
-{
-    char head[256];
-
-    err[0] = '\0';
-    snprintf(head, sizeof head, "STARTPROPERTIES 2\n%s%s%s%s%s%s%s\nENDPROPERTIES\n",
-             encoding[0] ? "CHARSET_ENCODING \"" : "", encoding, encoding[0] ? "\"\n" : "",
-             registry[0] ? "CHARSET_REGISTRY \"" : "", registry, registry[0] ? "\"" : "", "");
-    return code_in(head, letter);
-}
-
 /* Registry and encoding together say what the numbers are. */
 TEST(bdf_charset)
 {
+    static const struct {
+        const char *registry, *encoding, *letter;
+        uint32_t code;
+    } rows[] = {
+        { "ISO10646", "1", DOT("x", "261"), 261 },
+        { "iso10646", "", DOT("x", "261"), 261 },
+        { "ISO8859", "1", DOT("x", "177"), 177 },
+        { "ISO8859", "1", DOT("x", "261"), 0 },
+        { "ISO8859", "2", DOT("x", "177"), 0x105 },
+        { "ISO8859", "3", DOT("x", "165"), 0 }, /* there is none */
+        { "iso8859", "15", DOT("x", "164"), 0x20ac },
+        { "ISO8859", "16", DOT("x", "254"), 0x21b },
+        { "KOI8", "R", DOT("x", "128"), 0x2500 },
+        { "US", "ASCII", DOT("x", "126"), 126 },
+        { "Adobe", "FontSpecific", DOT("alpha", "97"), 97 },
+        { "Adobe", "FontSpecific", DOT("uni03B1", "97"), 0x3b1 },
+        { "Adobe", "FontSpecific", DOT("u1F600", "97"), 0x1f600 },
+        { "ISO10646", "1", DOT("uni03B1", "97"), 97 },
+    };
+
     memset(&set, 0xff, sizeof set);
-    assert_int_equal(code_by("ISO10646", "1", DOT("x", "261")), 261);
-    assert_int_equal(code_by("iso10646", "", DOT("x", "261")), 261);
-    assert_int_equal(code_by("", "", DOT("x", "233")), 233);
-    assert_int_equal(code_by("ISO8859", "1", DOT("x", "177")), 177);
-    assert_int_equal(code_by("ISO8859", "1", DOT("x", "261")), 0);
-    assert_int_equal(code_by("ISO8859", "2", DOT("x", "177")), 0x105);
-    assert_int_equal(code_by("ISO8859", "2", DOT("x", "255")), 0x2d9);
-    assert_int_equal(code_by("ISO8859", "2", DOT("x", "65")), 65);
-    assert_int_equal(code_by("ISO8859", "3", DOT("x", "165")), 0); /* there is none */
-    assert_int_equal(code_by("ISO8859", "5", DOT("x", "160")), 0xa0);
-    assert_int_equal(code_by("ISO8859", "5", DOT("x", "255")), 0x45f);
-    assert_int_equal(code_by("ISO8859", "7", DOT("x", "225")), 0x3b1);
-    assert_int_equal(code_by("ISO8859", "9", DOT("x", "208")), 0x11e);
-    assert_int_equal(code_by("ISO8859", "13", DOT("x", "255")), 0x2019);
-    assert_int_equal(code_by("iso8859", "15", DOT("x", "164")), 0x20ac);
-    assert_int_equal(code_by("ISO8859", "16", DOT("x", "254")), 0x21b);
-    assert_int_equal(code_by("KOI8", "R", DOT("x", "128")), 0x2500);
-    assert_int_equal(code_by("KOI8", "R", DOT("x", "255")), 0x42a);
-    assert_int_equal(code_by("US", "ASCII", DOT("x", "126")), 126);
-    assert_int_equal(code_by("ASCII", "0", DOT("x", "65")), 65);
-    assert_int_equal(code_by("US", "ASCII", DOT("x", "233")), 0);
-    assert_string_equal(err, "");
-    assert_int_equal(code_by("Adobe", "FontSpecific", DOT("alpha", "97")), 97);
-    assert_int_equal(code_by("Adobe", "FontSpecific", DOT("uni03B1", "97")), 0x3b1);
-    assert_int_equal(code_by("Adobe", "FontSpecific", DOT("u1F600", "97")), 0x1f600);
-    assert_int_equal(code_by("ISO10646", "1", DOT("uni03B1", "97")), 97);
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        char head[256];
+        snprintf(head, sizeof head,
+                 "STARTPROPERTIES 2\nCHARSET_ENCODING \"%s\"\nCHARSET_REGISTRY \"%s\"\nENDPROPERTIES\n",
+                 rows[i].encoding, rows[i].registry);
+        assert_int_equal(code_in(head, rows[i].letter), rows[i].code);
+    }
     assert_int_equal(code_in("FONT -misc-fixed-medium-r-normal--8-80-75-75-c-50-iso8859-2\n", DOT("x", "177")), 0x105);
-    assert_int_equal(code_in("CHARSET_REGISTRY \"ISO8859\"\nCHARSET_ENCODING \"15\"\n"
-                             "FONT -misc-fixed-medium-r-normal--8-80-75-75-c-50-iso8859-2\n",
-                             DOT("x", "177")),
-                     177);
     assert_int_equal(code_in("FONT -misc-fixed-medium-r-normal--8-80-75-75-c-50-jisx0201.1976-0\n", DOT("x", "65")), 0);
     assert_non_null(strstr(err, "line 3: unsupported character set JISX0201.1976-0; expected ISO10646-1 (Unicode), "));
-    assert_int_equal(code_by("ISO8859", "", DOT("x", "65")), 0);
-    assert_non_null(strstr(err, "unsupported character set ISO8859; expected "));
-    assert_int_equal(code_by("ISO8859", "6", DOT("x", "65")), 0);
-    assert_int_equal(code_by("JISX0208.1983", "0", DOT("x", "65")), 0);
 }
 
-/* What the head says once holds for all characters. */
+/* What the head says holds for all characters. */
 TEST(bdf_head)
 {
     static const char *const heads[] = {
-        "DWIDTH 6 0\n" BOX "FONT_ASCENT 6\nFONT_DESCENT 2\n",
         "FONT_DESCENT 2\nFONT_ASCENT 6\n" BOX "DWIDTH 6\nMETRICSSET 2\nDWIDTH1 0 9\n",
         "FONTBOUNDINGBOX 200 8 0 -2\nDWIDTH 6 0\nSWIDTH 1 2\n",
         "FONTBOUNDINGBOX 4 8 0 -2\nDWIDTH 6 0\nFONT_ASCENT 0\nFONT_DESCENT 0\n",
-        "FONTBOUNDINGBOX 4 8 0 -2\nDWIDTH 6 0\nFONT_ASCENT 6\n",
     };
     char text[1024];
 
     memset(&set, 0xff, sizeof set);
     for (size_t i = 0; i < sizeof heads / sizeof *heads; i++) {
-        snprintf(
-            text, sizeof text,
-            "STARTFONT 2.1\n%sSTARTCHAR A\nENCODING 65\nBBX 4 1 0 0\nBITMAP\nCOMMENT a row\n 90\nENDCHAR\n"
-            "COMMENT STARTCHAR\nSTARTCHAR B\nDWIDTH 3 0\nDWIDTH1 1 2\nVVECTOR 1 2\nBBX 4 1 0 0\nENCODING 66\nBITMAP\n"
-            "60\nENDCHAR\nENDFONT\n",
-            heads[i]);
+        snprintf(text, sizeof text,
+                 "STARTFONT 2.1\n%sSTARTCHAR A\nENCODING 65\nBBX 4 1 0 0\nBITMAP\nCOMMENT a row\n 90\nENDCHAR\n"
+                 "COMMENT STARTCHAR\nSTARTCHAR B\nDWIDTH 3 0\nDWIDTH1 1 2\nVVECTOR 1 2\nBBX 4 1 0 0\nENCODING 66\n"
+                 "BITMAP\n60\nENDCHAR\nENDFONT\n",
+                 heads[i]);
         if (!bdf_read(&f, text, strlen(text), &set, err, sizeof err))
             fail_msg("%s", err);
         assert_true(f.n == 2 && f.height == 8 && f.list[0].advance == 6 && f.list[1].advance == 3);
@@ -297,7 +266,6 @@ TEST(cells)
     rgba[16] ^= 0x55;
     assert_false(pack_font_cut(&f, &picture, &font, &set, rgb, false, err, sizeof err));
     assert_non_null(strstr(err, "pixel 4,0: colour #"));
-    assert_true(pack_font_cut(&f, &picture, &font, &set, rgb, true, err, sizeof err));
     pack_font_free(&f);
 }
 
@@ -325,18 +293,13 @@ TEST(lump)
 
     assert_false(face_open(&face, (const uint8_t *)"1234567", 7, err, sizeof err));
     spoilt(0, 0, "its header is out of range");
-    spoilt(1, 1, "its header is out of range");
     spoilt(2, 1, "its header is out of range");
-    spoilt(4, 9, "its header is out of range");
     spoilt(7, 9, "its header is out of range");
     spoilt(8, 66, "glyph 1 is out of order (expected ascending codes)");
     spoilt(12, 39, "glyph 0 is out of range");
-    spoilt(12, 72, "glyph 0 is out of range");
     spoilt(15, 1, "glyph 0 is out of range");
-    spoilt(16, 65, "glyph 0 is out of range");
     spoilt(17, 65, "glyph 0 is out of range");
     spoilt(20, 129, "glyph 0 is out of range");
-    spoilt(21, 1, "glyph 0 is out of range");
     spoilt(23, 1, "glyph 0 is out of range");
     spoilt(40, 16, "glyph 0 is out of range");
     spoilt(44, 1, "glyph 0 is out of range"); /* beyond its width */

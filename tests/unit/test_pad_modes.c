@@ -8,44 +8,22 @@ static const struct pad_modes off, autofire = { .autofire = true }, toggle = { .
 static const struct pad_modes_control flies = { true, true };
 static struct pad_mode_state p;
 
-/* What is held, and what comes out: a letter a tick, F fire, f focus, L left, . nothing, * fire and left, + fire and
- * focus; a blank before a tick: the buttons are a
- * menu's; _: those that fire are a talk's. */
-static uint16_t pads_of(char c)
-{
-    switch (c) {
-    case 'F':
-        return PAD_FIRE;
-    case 'f':
-        return PAD_FOCUS;
-    case 'L':
-        return PAD_LEFT;
-    case '*':
-        return PAD_FIRE | PAD_LEFT;
-    case '+':
-        return PAD_FIRE | PAD_FOCUS;
-    default:
-        return 0;
-    }
-}
-
-static char letter_of(uint16_t pads)
-{
-    for (const char *c = "FfL*+."; *c; c++)
-        if (pads_of(*c) == pads)
-            return *c;
-    return '?';
-}
+/* What is held and what comes out, a letter a tick: F fire, f focus, L left, . nothing, * fire and left, + fire and
+ * focus. Before a tick: a blank, when the buttons are a menu's, or _, when fire is a talk's. */
+static const char letters[] = "FfL*+.";
+static const uint16_t pads[] = { PAD_FIRE, PAD_FOCUS, PAD_LEFT, PAD_FIRE | PAD_LEFT, PAD_FIRE | PAD_FOCUS, 0 };
 
 static void ticks(const struct pad_modes *modes, const char *held, const char *want)
 {
     char got[128] = "";
-    size_t n = 0;
 
-    for (; *held; held++) {
+    for (size_t n = 0; *held; held++, n++) {
         const struct pad_modes_control control = { *held != ' ', *held != ' ' && *held != '_' };
         held += !control.can_fire;
-        got[n++] = letter_of(pad_modes_tick(&p, modes, control, pads_of(*held)));
+        const uint16_t out = pad_modes_tick(&p, modes, control, pads[strchr(letters, *held) - letters]);
+        for (size_t k = 0; k < sizeof pads / sizeof *pads; k++)
+            if (pads[k] == out)
+                got[n] = letters[k];
     }
     assert_string_equal(got, want);
 }
@@ -62,7 +40,6 @@ TEST(off_is_off)
     struct rng r;
 
     rng_seed(&r, 7);
-    pad_modes_resume(&p, PAD_ALL);
     for (int i = 0; i < 20000; i++) {
         uint64_t n = rng_next(&r);
         uint16_t held = (uint16_t)(n & PAD_ALL);
@@ -99,7 +76,6 @@ TEST(fire_in_bursts)
     ticks(&autofire, ".FF++++FF", ".FFff++..");
     /* A tick that the game stands for is not counted; its menu sees what is held. */
     ticks(&autofire, ".FFF F F F F FFF", ".FF.FFFFFFF");
-    assert_int_equal(AUTOFIRE_ON + AUTOFIRE_OFF, 60 / 15);
 }
 
 TEST(focus_is_switched)
@@ -130,14 +106,6 @@ TEST(focus_over_a_rewind)
     ticks(&toggle, "...f.", "fff..");
     pad_modes_resume(&p, PAD_FIRE);
     ticks(&toggle, "..f", "..f");
-}
-
-/* The window lost the keyboard: everything is let go, and what is switched stays. */
-TEST(focus_over_a_loss_of_the_window)
-{
-    power();
-    ticks(&toggle, ".f.......f", ".ffffffff.");
-    ticks(&one_hand, "LL.......", "**FFFFFFF");
 }
 
 TEST(fire_holds_itself)

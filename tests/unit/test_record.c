@@ -15,21 +15,6 @@
 #include "../../src/sound/tune.h"
 #include "../temp.h"
 
-/* A host without shared libraries has this in place of what library.h declares. */
-#include "../../platform/platform.h"
-#define plat_open_library(name, version)             ((void)(name), NULL)
-#define plat_library_hint(name, version, text, size) (text[0] = 0)
-#define library_open                                 without_open
-#define library_missing                              without_missing
-#define library_about                                without_about
-#include "../../src/common/library.c"
-#undef plat_library_hint
-#undef plat_open_library
-#undef library_open
-#undef library_missing
-#undef library_about
-
-#define SEEDS "tests/fuzz/seeds/fuzz_recording/"
 static const char *const seeds[] = { "stereo.wav", "loop.wav", "loop.ogg", "mono.opus", "loop.flac",
                                      "mono.flac",  "tiny.mod", "tiny.xm",  "tiny.s3m",  "tiny.it" };
 enum { SEED_FILES = sizeof seeds / sizeof *seeds };
@@ -39,7 +24,7 @@ static uint8_t *load(const char *name, size_t *n)
     char path[256], err[256];
     uint8_t *data;
 
-    snprintf(path, sizeof path, SEEDS "%s", name);
+    snprintf(path, sizeof path, "tests/fuzz/seeds/fuzz_recording/%s", name);
     if (!files_read(path, name, 1 << 20, &data, n, err, sizeof err))
         fail_msg("%s", err);
     return data;
@@ -91,21 +76,19 @@ static void wav_refuses(const uint8_t *p, size_t n, const char *message)
 }
 
 /* The length in front is ignored, as players do; programs that write into a pipe leave both lengths open. */
-static void test_wav_lengths(uint8_t *p, size_t n)
+TEST(wav_lengths)
 {
-    static const uint32_t riffs[] = { 0, 1, 36, 1200, 1236, 1244, 123456, 0x7ffff024, UINT32_MAX };
-    static const uint32_t open_ends[] = { 0, 0x7ffff000, 0x80000000, UINT32_MAX };
+    static const uint32_t lengths[][2] = {
+        { 0, 1200 }, { 0x7ffff024, 1200 }, { 0, 0 }, { 0x7ffff000, 0x7ffff000 }, { UINT32_MAX, UINT32_MAX }
+    };
+    static uint8_t p[2048];
+    const size_t n = make_wav(p, 1, 16, 44100, 600);
     struct pcm out;
     char err[256];
 
-    for (size_t i = 0; i < sizeof riffs / sizeof *riffs; i++) {
-        bytes_put32(p + 4, riffs[i]);
-        assert_true(pcm_read_wav(p, n, &out, err, sizeof err) && out.n == 600);
-        pcm_free(&out);
-    }
-    for (size_t i = 0; i < sizeof open_ends / sizeof *open_ends; i++) {
-        bytes_put32(p + 4, open_ends[i]);
-        bytes_put32(p + 40, open_ends[i]);
+    for (size_t i = 0; i < sizeof lengths / sizeof *lengths; i++) {
+        bytes_put32(p + 4, lengths[i][0]);
+        bytes_put32(p + 40, lengths[i][1]);
         assert_true(pcm_read_wav(p, n, &out, err, sizeof err) && out.n == 600);
         pcm_free(&out);
     }
@@ -144,8 +127,6 @@ TEST(wav)
     pcm_free(&out);
     n = make_wav(p, 1, 16, 44100, 600);
     wav_refuses(p, 8, "expected a WAV file (RIFF, WAVE)");
-    wav_refuses(p, n - 1, "chunk \"data\" of 1200 bytes is longer than the file");
-    test_wav_lengths(p, n);
     wav_refuses(p, 36, "no chunk \"data\"");
     p[20] = 2;
     wav_refuses(p, n, "expected PCM samples (format 1: integers, or format 3: floats), got format 2");
@@ -178,28 +159,24 @@ static void needs_libraries(void)
 
 TEST(library)
 {
-    struct pcm flac = read_seed("loop.flac", &own_loop), ogg = read_seed("loop.ogg", &own_loop),
-               mono = read_seed("mono.flac", &own_loop);
-    struct pcm opus = read_seed("mono.opus", &own_loop), wav = read_seed("loop.wav", &own_loop),
-               stereo = read_seed("stereo.wav", &own_loop);
+    struct pcm flac = read_seed("loop.flac", &own_loop), ogg = read_seed("loop.ogg", &own_loop);
+    struct pcm opus = read_seed("mono.opus", &own_loop), wav = read_seed("loop.wav", &own_loop);
 
     needs_libraries();
     assert_true(flac.n == 2400 && flac.rate == 12000 && flac.channels == 2 && flac.loop == 600 &&
                 flac.loop_end == 2400);
     assert_true(ogg.n == 2400 && ogg.rate == 12000 && ogg.channels == 2 && ogg.loop == 600 && ogg.loop_end == 2400);
-    assert_true(mono.n == 2400 && mono.channels == 1 && mono.loop == -1);
     for (int i = 0; i < 2400; i++) {
         const double left = sin(i * 0.05) * 0.5 + sin(i * 0.31) * 0.2;
-        assert_true(fabs(flac.frames[2 * i] - left * 32767) < 0.51 && mono.frames[i] == flac.frames[2 * i]);
+        assert_true(fabs(flac.frames[2 * i] - left * 32767) < 0.51);
     }
     assert_true(below(flac.frames, ogg.frames, 4800) > 15);
     /* the first 52 frames of 48 kHz are the codec's; it counts loops at 48 kHz */
     assert_true(opus.channels == 1 && opus.loop * 48000 == 2400 * (int64_t)opus.rate &&
                 (opus.loop_end - opus.loop) * 48000 == 4800 * (int64_t)opus.rate);
     assert_true(wav.loop == 100 && wav.loop_end == 400 && wav.n == 400);
-    assert_memory_equal(wav.frames, stereo.frames, 400 * 4);
     assert_memory_equal(wav.frames, flac.frames, 400 * 4);
-    pcm_free(&flac), pcm_free(&ogg), pcm_free(&mono), pcm_free(&opus), pcm_free(&wav), pcm_free(&stereo);
+    pcm_free(&flac), pcm_free(&ogg), pcm_free(&opus), pcm_free(&wav);
 }
 
 /* A module as the library plays it on and on: n frames. */
@@ -234,7 +211,6 @@ TEST(open_flac)
     char err[256];
     size_t n;
     uint8_t *data = load("loop.flac", &n);
-    int ends_whole = 0;
 
     needs_libraries();
     data[21] &= 0xf0;
@@ -244,42 +220,38 @@ TEST(open_flac)
     assert_memory_equal(p.frames, stated.frames, p.n * (size_t)p.channels * sizeof *p.frames);
     pcm_free(&p);
     pcm_free(&stated);
-    for (size_t cut = 0; cut < n; cut++) /* frames have 1152 samples, but for the last */
+    for (size_t cut = 0; cut < n; cut++) /* it may end behind any whole frame; all but the last have 1152 samples */
         if (recording_read("a.flac", data, cut, &own_loop, &p, err, sizeof err)) {
             assert_true(p.n == 1152 || p.n == 2304);
-            ends_whole++;
             pcm_free(&p);
         }
-    assert_int_equal(ends_whole, 2);
     free(data);
 }
 
-/* ID3 in front, with and without a footer, and at the end. */
+/* One ID3 tag or two in front, without and with a footer, and one at the end. */
 TEST(id3)
 {
-    static const char *const names[] = { "loop.flac", "loop.ogg", "loop.wav" };
     char err[256];
 
     needs_libraries();
-    for (int i = 0; i < 3; i++)
-        for (int way = 0; way < 4; way++) { /* without and with a footer, one tag and two */
-            struct pcm p, bare = read_seed(names[i], &own_loop);
-            size_t n, tag = 10 + 300 + (way & 1 ? 10 : 0), front = way & 2 ? 2 * tag : tag;
-            uint8_t *data = load(names[i], &n), *tagged = calloc(front + n + 128, 1);
-            for (size_t at = 0; at < front; at += tag) {
-                memcpy(tagged + at, "ID3\x04\x00\x00\x00\x00\x02\x2c", 10); /* 2 * 128 + 44 */
-                tagged[at + 5] = way & 1 ? 16 : 0;
-            }
-            memcpy(tagged + front, data, n);
-            memcpy(tagged + front + n, "TAG", 3);
-            if (!recording_read(names[i], tagged, front + n + 128, &own_loop, &p, err, sizeof err))
-                fail_msg("%s: %s", names[i], err);
-            assert_true(p.n == bare.n && p.loop == bare.loop);
-            pcm_free(&p);
-            pcm_free(&bare);
-            free(data);
-            free(tagged);
+    for (int kind = 0; kind < 4; kind++) {
+        const size_t tag = 10 + 300 + (kind & 1 ? 10 : 0), front = kind & 2 ? 2 * tag : tag;
+        struct pcm p, bare = read_seed("loop.flac", &own_loop);
+        size_t n;
+        uint8_t *data = load("loop.flac", &n), *tagged = calloc(front + n + 128, 1);
+        for (size_t at = 0; at < front; at += tag) {
+            memcpy(tagged + at, "ID3\x04\x00\x00\x00\x00\x02\x2c", 10); /* 2 * 128 + 44 */
+            tagged[at + 5] = kind & 1 ? 16 : 0;
         }
+        memcpy(tagged + front, data, n);
+        memcpy(tagged + front + n, "TAG", 3);
+        assert_true(recording_read("a.flac", tagged, front + n + 128, &own_loop, &p, err, sizeof err));
+        assert_true(p.n == bare.n && p.loop == bare.loop);
+        pcm_free(&p);
+        pcm_free(&bare);
+        free(data);
+        free(tagged);
+    }
 }
 
 /* Each loops exactly: for ten passes and more it is, to the last bit, what the library plays on and on. */
@@ -313,33 +285,18 @@ TEST(modules)
     }
 }
 
-/* Where a library is missing, a sentence says which and what for. */
-TEST(missing)
-{
-    void (*function)(void);
-    const struct library_function here = { "sf_open_virtual", &function }, nowhere = { "sf_open_door", &function };
-    char err[256];
-
-    needs_libraries();
-    assert_true(library_open(LIBRARY_SNDFILE, &here, 1));
-    assert_false(library_open(LIBRARY_SNDFILE, &nowhere, 1));
-    assert_false(library_missing(LIBRARY_OPENMPT, err, sizeof err));
-    assert_string_equal(err, "libopenmpt, which reads tracker modules, is not installed (Debian package: libopenmpt0)");
-    assert_false(without_open(LIBRARY_SNDFILE, &here, 1));
-    assert_false(without_missing(LIBRARY_SNDFILE, err, sizeof err));
-    assert_string_equal(err, "this build cannot load shared libraries such as libsndfile, which reads OGG and FLAC");
-    without_about(LIBRARY_OPENMPT, err, sizeof err);
-    assert_string_equal(err, "this build cannot load shared libraries such as libopenmpt, which reads tracker modules");
-}
-
 /* ---- ADPCM ---- */
 
-enum { BLOCKS = 60 };
-
-/* Blocks of any beginning, step and codes. */
-static void make_blocks(uint8_t *p)
+/* Random blocks become the samples that ffmpeg 5.1.9 gave for them as a WAV file of IMA ADPCM. */
+TEST(decoder)
 {
+    enum { BLOCKS = 60, N = BLOCKS * ADPCM_BLOCK_SAMPLES };
+    static uint8_t bytes[SAMPLE_HEADER_SIZE + BLOCKS * ADPCM_BLOCK_BYTES];
+    static int16_t out[N];
+    uint8_t *p = bytes + SAMPLE_HEADER_SIZE;
+    struct sample s;
     struct rng r;
+    uint64_t h = HASH_START;
 
     rng_seed(&r, 31);
     for (int i = 0; i < BLOCKS * ADPCM_BLOCK_BYTES; i++)
@@ -348,84 +305,23 @@ static void make_blocks(uint8_t *p)
         p[b * ADPCM_BLOCK_BYTES + 2] %= ADPCM_STEPS;
         p[b * ADPCM_BLOCK_BYTES + 3] = 0;
     }
-}
-
-/* What ffmpeg makes of them as a WAV file of IMA ADPCM; false: it is not there. */
-static bool decode_elsewhere(const uint8_t *blocks, int16_t *out)
-{
-    uint8_t head[60] = "RIFF....WAVEfmt \x14\0\0\0\x11\0\x01\0";
-    char dir[128], command[512], path[160], err[256];
-    size_t n;
-    uint8_t *raw;
-
-    bytes_put32(head + 4, sizeof head - 8 + BLOCKS * ADPCM_BLOCK_BYTES);
-    bytes_put32(head + 24, 48000);
-    bytes_put32(head + 28, 48000 * ADPCM_BLOCK_BYTES / ADPCM_BLOCK_SAMPLES);
-    bytes_put16(head + 32, ADPCM_BLOCK_BYTES);
-    bytes_put16(head + 34, 4);
-    bytes_put16(head + 36, 2);
-    bytes_put16(head + 38, ADPCM_BLOCK_SAMPLES);
-    memcpy(head + 40, "fact\4\0\0\0", 8);
-    bytes_put32(head + 48, BLOCKS * ADPCM_BLOCK_SAMPLES);
-    memcpy(head + 52, "data", 4);
-    bytes_put32(head + 56, BLOCKS * ADPCM_BLOCK_BYTES);
-    assert_true(temp_folder(dir, sizeof dir, "adpcm"));
-    snprintf(path, sizeof path, "%s/x.wav", dir);
-    FILE *f = fopen(path, "wb");
-    assert_true(f && fwrite(head, sizeof head, 1, f) == 1 && fwrite(blocks, BLOCKS * ADPCM_BLOCK_BYTES, 1, f) == 1);
-    fclose(f);
-    snprintf(command, sizeof command, "ffmpeg -loglevel error -i %s -f s16le %s/x.raw </dev/null >/dev/null 2>%s/said",
-             path, dir, dir);
-    const bool there = system("command -v ffmpeg >/dev/null") == 0;
-    if (there) {
-        assert_int_equal(system(command), 0);
-        snprintf(path, sizeof path, "%s/x.raw", dir);
-        assert_true(files_read(path, path, 1 << 20, &raw, &n, err, sizeof err));
-        assert_int_equal(n, BLOCKS * ADPCM_BLOCK_SAMPLES * 2);
-        for (size_t i = 0; i < n / 2; i++)
-            out[i] = (int16_t)bytes_get16(raw + 2 * i);
-        free(raw);
-    }
-    snprintf(command, sizeof command, "rm -r %s", dir);
-    assert_int_equal(system(command), 0);
-    return there;
-}
-
-/* All samples of such blocks are ffmpeg's, and those that ffmpeg 5.1.9 gave once. */
-TEST(decoder)
-{
-    enum { N = BLOCKS * ADPCM_BLOCK_SAMPLES };
-    static uint8_t bytes[SAMPLE_HEADER_SIZE + BLOCKS * ADPCM_BLOCK_BYTES];
-    static int16_t ours[N], others[N];
-    struct sample s;
-    uint64_t h = HASH_START;
-
-    make_blocks(bytes + SAMPLE_HEADER_SIZE);
     bytes_put32(bytes, 48000);
     bytes_put32(bytes + 4, N);
     bytes_put32(bytes + 8, SAMPLE_NO_LOOP);
     assert_true(sample_open(bytes, sizeof bytes, &s));
-    sample_read(&s, 0, N, ours);
+    sample_read(&s, 0, N, out);
     for (int i = 0; i < N; i++)
-        h = hash_fold(h, (uint16_t)ours[i]);
-    if (decode_elsewhere(bytes + SAMPLE_HEADER_SIZE, others)) {
-        assert_memory_equal(ours, others, sizeof ours);
-        printf("# equal to ffmpeg in all of %d samples\n", N);
-    } else {
-        printf("# ffmpeg is not there: compared with what it gave once alone\n");
-    }
-    if (h != 0x66e0ea38f190ae26u)
-        fail_msg("the digest of the samples is 0x%016llx", (unsigned long long)h);
+        h = hash_fold(h, (uint16_t)out[i]);
+    assert_true(h == 0x66e0ea38f190ae26u);
 }
 
-/* Nothing is lost of 16 bits; ADPCM loses little of what is no noise, and less than the nearest code each time. */
+/* 16 bits lose nothing; ADPCM loses little. */
 TEST(encoder)
 {
     enum { N = 5050 };
-    static int16_t in[N], out[N], greedy[N];
+    static int16_t in[N], out[N];
     static uint8_t bytes[SAMPLE_HEADER_SIZE + 2 * N];
     struct sample s;
-    struct adpcm_state a = { 0, 0 };
 
     for (int i = 0; i < N; i++)
         in[i] = (int16_t)(9000 * sin(i * 0.11) * exp(-(i % 1700) / 600.0) + 3000 * sin(i * 0.47 + sin(i * 0.013)));
@@ -439,17 +335,7 @@ TEST(encoder)
     encode_sample(bytes, in, N, 44100, SAMPLE_NO_LOOP, SAMPLE_ADPCM);
     assert_true(sample_open(bytes, sample_size(N, SAMPLE_ADPCM), &s));
     sample_read(&s, 0, N, out);
-    for (int i = 0; i < N; i++) {
-        int best = 0;
-        a = i % ADPCM_BLOCK_SAMPLES ? a : (struct adpcm_state){ in[i], a.step_index };
-        for (int code = 1; code < 16; code++)
-            if (abs(adpcm_next(a, code).value - in[i]) < abs(adpcm_next(a, best).value - in[i]))
-                best = code;
-        a = i % ADPCM_BLOCK_SAMPLES ? adpcm_next(a, best) : a;
-        greedy[i] = (int16_t)a.value;
-    }
-    printf("# signal to noise: %.1f dB, of the nearest codes %.1f\n", below(in, out, N), below(in, greedy, N));
-    assert_true(below(in, out, N) > 29.45 && below(in, out, N) > below(in, greedy, N) + 5);
+    assert_true(below(in, out, N) > 29.45);
     bytes[12] = SAMPLE_CODINGS;
     assert_false(sample_open(bytes, sizeof bytes, &s));
 }
@@ -467,68 +353,62 @@ static struct pcm sine(uint32_t rate, uint32_t n, double hertz, int64_t loop)
     return p;
 }
 
+/* The sample at this rate, prepared: from 48,000 on at 48,000. */
+static struct pcm prepared(uint32_t rate, uint32_t n, double hertz, int64_t loop)
+{
+    const struct art_loop own = { 0 };
+    struct pcm p = sine(rate, n, hertz, loop);
+    char err[256];
+
+    assert_true(recording_prepare(&p, &own, err, sizeof err));
+    return p;
+}
+
 /* A rate above 48,000 comes down to it: what can be heard stays, what would fold is gone, a loop is whole. */
 TEST(rates)
 {
-    const struct art_loop own = { 0 };
-    char err[256];
+    int16_t expected[4800];
 
-    struct pcm p = sine(44100, 4410, 1000, -1);
-    assert_true(recording_prepare(&p, &own, err, sizeof err) && p.rate == 44100 && p.n == 4410);
+    struct pcm p = prepared(44100, 4410, 1000, -1);
+    assert_true(p.rate == 44100 && p.n == 4410);
     pcm_free(&p);
-    for (int k = 0; k < 2; k++) {
-        int16_t expected[4800];
-        p = sine(k ? 96000 : 88200, k ? 9600 : 8820, 5000, -1);
-        assert_true(recording_prepare(&p, &own, err, sizeof err));
-        assert_true(p.rate == 48000 && p.n == 4800);
-        for (int i = 0; i < 4800; i++)
-            expected[i] = (int16_t)lrint(16384 * sin(2 * 3.14159265358979 * 5000 * i / 48000));
-        assert_true(below(expected + 100, p.frames + 100, 4600) > 80);
-        pcm_free(&p);
-    }
-    p = sine(96000, 9600, 30000, -1);
-    assert_true(recording_prepare(&p, &own, err, sizeof err));
+    p = prepared(88200, 8820, 5000, -1);
+    assert_true(p.rate == 48000 && p.n == 4800);
+    for (int i = 0; i < 4800; i++)
+        expected[i] = (int16_t)lrint(16384 * sin(2 * 3.14159265358979 * 5000 * i / 48000));
+    assert_true(below(expected + 100, p.frames + 100, 4600) > 80);
+    pcm_free(&p);
+    p = prepared(96000, 9600, 30000, -1);
     for (int i = 100; i < 4700; i++)
         assert_true(abs(p.frames[i]) <= 2);
     pcm_free(&p);
-    p = sine(96000, 9600, 300, 960); /* 27 turns in 8640 frames: so it goes on over the loop's end */
-    assert_true(recording_prepare(&p, &own, err, sizeof err));
+    p = prepared(96000, 9600, 300, 960); /* 27 turns in 8640 frames: so it goes on over the loop's end */
     assert_true(p.n == 4800 && p.loop == 480);
-    for (int i = 0; i < 3000; i++) {
-        const int at = 4000 + i, there = at < 4800 ? at : 480 + (at - 480) % 4320;
+    for (int at = 4000; at < 7000; at++) {
+        const int there = at < 4800 ? at : 480 + (at - 480) % 4320;
         assert_true(abs(p.frames[there] - (int)lrint(16384 * sin(2 * 3.14159265358979 * 300 * at / 48000))) <= 4);
     }
     pcm_free(&p);
 }
 
-static void refused(const struct art_loop *loop, const char *message)
+/* Prepared with this loop, frames 300 to 1000 of a sample become this range. */
+static void loops_at(const struct art_loop *loop, int64_t from, int64_t n)
 {
-    struct pcm p = sine(10000, 1000, 500, -1);
+    struct pcm p = sine(10000, 1000, 500, 300);
     char err[256];
 
-    assert_false(recording_prepare(&p, loop, err, sizeof err));
-    assert_string_equal(err, message);
+    assert_true(recording_prepare(&p, loop, err, sizeof err));
+    assert_int_equal(p.loop, from);
+    assert_int_equal(p.n, n);
     pcm_free(&p);
 }
 
 TEST(loops)
 {
-    struct art_loop loop = { LOOP_RANGE, true, 0.02, 0.05 };
-    struct pcm p = sine(10000, 1000, 500, 300);
-    char err[256];
-
-    assert_true(recording_prepare(&p, &loop, err, sizeof err) && p.loop == 200 && p.n == 700);
-    pcm_free(&p);
-    p = sine(10000, 1000, 500, 300);
-    assert_true(recording_prepare(&p, &(struct art_loop){ .kind = LOOP_WHOLE }, err, sizeof err) && p.loop == 0);
-    pcm_free(&p);
-    p = sine(10000, 1000, 500, 300);
-    assert_true(recording_prepare(&p, &(struct art_loop){ .kind = LOOP_NONE }, err, sizeof err) && p.loop == -1);
-    pcm_free(&p);
-    refused(&(struct art_loop){ LOOP_RANGE, false, 1000, 0 },
-            "the loop from frame 1000 to 1000 is not inside its 1000 frames");
-    refused(&(struct art_loop){ LOOP_RANGE, true, 0.01, 0.5 },
-            "the loop from frame 100 to 5100 is not inside its 1000 frames");
+    loops_at(&own_loop, 300, 1000);
+    loops_at(&(struct art_loop){ LOOP_RANGE, true, 0.02, 0.05 }, 200, 700);
+    loops_at(&(struct art_loop){ .kind = LOOP_WHOLE }, 0, 1000);
+    loops_at(&no_loop, -1, 1000);
 }
 
 TEST(flaws)
@@ -557,86 +437,99 @@ TEST(flaws)
 
 /* ---- the tunes they become ---- */
 
-struct list {
-    char text[2048];
-    int64_t at;
-};
-
-static void write_down(struct list *l, const struct tune_played_event *p)
+/* The events of a track in n samples. */
+static const char *events(const uint8_t *tune, int track, int64_t samples)
 {
     static const char names[] = ".nso/ivptm";
-    const size_t n = strlen(l->text);
-
-    snprintf(l->text + n, sizeof l->text - n, "%lld%c%d ", (long long)(l->at + p->sample), names[p->event], p->value);
-}
-
-/* The events of a track in n samples. */
-static const char *events(const uint8_t *tune, int track, int64_t n)
-{
-    static struct list l;
+    static char list[2048];
     const struct tune t = tune_of(tune);
     struct track_cursor c = tune_track_start(&t, track);
+    struct tune_played_event e;
+    size_t n = 0;
 
-    memset(&l, 0, sizeof l);
-    for (; l.at < n && c.cursor; l.at += 800) {
+    list[0] = '\0';
+    for (long long at = 0; at < samples && c.cursor; at += 800) {
         struct tune_run run = { &t, track, c, t.tempo, 0, 800, 0 };
-        struct tune_played_event e;
-        while (tune_next_event(&run, &e))
-            write_down(&l, &e);
+        while (tune_next_event(&run, &e) && n < sizeof list)
+            n += (size_t)snprintf(list + n, sizeof list - n, "%lld%c%d ", at + e.sample, names[e.event], e.value);
         c = run.cursor;
     }
-    return l.text;
+    return list;
 }
 
 TEST(sound)
 {
     struct art_sound about = { .title = "Drum", .volume = 200, .priority = 3, .limit = 5 };
-    struct pcm p = sine(24000, 2400, 500, -1), stereo = read_seed("loop.flac", &own_loop);
+    struct pcm p = sine(24000, 2400, 500, -1);
     struct recording_bytes b;
     char err[256];
 
-    needs_libraries();
     assert_true(recording_sound(&p, &about, &b, err, sizeof err) && tune_validate(b.data, b.n, err, sizeof err));
-    struct tune t = tune_of(b.data);
+    const struct tune t = tune_of(b.data);
     assert_true(t.n_tracks == 1 && t.channels == 1 && t.volume == 200 && t.priority == 3 && t.limit == 5);
     assert_true(tune_is_recording(&t) && !tune_is_stream(&t) && !tune_is_endless(&t));
     assert_string_equal(tune_title(&t), "Drum");
     assert_string_equal(events(b.data, 0, 48000), "0i0 0p64 0v127 0n15360 4800.0 ");
     free(b.data);
     pcm_free(&p);
-    assert_true(recording_prepare(&stereo, &(struct art_loop){ 0 }, err, sizeof err));
+}
+
+static struct pcm silence(int64_t tenths, int64_t loop)
+{
+    static float quiet[2 * 4410];
+    struct pcm p = { .rate = 44100, .channels = 2, .loop = loop, .loop_end = -1 };
+
+    for (int64_t i = 0; i < tenths; i++)
+        assert_true(pcm_add(&p, quiet, 4410));
+    return p;
+}
+
+TEST(stereo_sound)
+{
+    struct art_sound about = { .volume = 200, .limit = 5 };
+    struct pcm p = silence(1, 0);
+    struct recording_bytes b;
+    char err[256];
+
     for (int sides = 1; sides <= 2; sides++) {
         about.stereo = sides == 2;
-        assert_true(recording_sound(&stereo, &about, &b, err, sizeof err) &&
-                    tune_validate(b.data, b.n, err, sizeof err));
-        t = tune_of(b.data);
+        assert_true(recording_sound(&p, &about, &b, err, sizeof err) && tune_validate(b.data, b.n, err, sizeof err));
+        const struct tune t = tune_of(b.data);
         assert_true(t.n_tracks == sides && t.channels == sides && tune_is_endless(&t));
         free(b.data);
     }
-    pcm_free(&stereo);
+    pcm_free(&p);
 }
+
+/* The tune of p and its samples, both valid; the latter are freed. */
+static struct recording_bytes music_of(const struct pcm *p, const struct art_sound *about,
+                                       const struct art_marker *markers)
+{
+    struct recording_bytes tune, wave;
+    char err[256];
+
+    assert_true(recording_music(p, about, markers, &tune, &wave, err, sizeof err));
+    assert_true(tune_validate(tune.data, tune.n, err, sizeof err));
+    assert_true(samples_are_valid(wave.data, wave.n, p->channels));
+    free(wave.data);
+    return tune;
+}
+
+static const struct art_marker markers[] = { { "", 0 }, { "drop", 5 }, { "lead", 0 }, { "off", 12.5 } };
+static const struct art_sound at_120_beats = {
+    .volume = 255, .limit = 1, .beats_per_bar = 4, .tempo = 12000, .stereo = true
+};
 
 /* At 120 beats a minute a beat is 24,000 samples. The loop is 12 beats, its first marker in beat 5. */
 TEST(music)
 {
-    static const struct art_marker markers[] = { { "", 0 }, { "drop", 5 }, { "lead", 0 }, { "off", 12.5 } };
-    struct art_sound about = { .volume = 255,
-                               .limit = 1,
-                               .beats_per_bar = 4,
-                               .tempo = 12000,
-                               .stereo = true,
-                               .offset = 0.1,
-                               .first_marker = 1,
-                               .n_markers = 3 };
-    struct pcm p = { .rate = 44100, .channels = 2, .loop = 4410 + 88200, .loop_end = -1 };
-    struct recording_bytes tune, wave;
-    char err[256];
+    struct art_sound about = at_120_beats;
+    struct pcm p = silence(81, 4410 + 88200); /* 0.1 s and 16 beats */
 
-    static float quiet[2 * 4410];
-    for (int i = 0; i < 81; i++) /* 0.1 s and 16 beats */
-        assert_true(pcm_add(&p, quiet, 4410));
-    assert_true(recording_music(&p, &about, markers, &tune, &wave, err, sizeof err));
-    assert_true(tune_validate(tune.data, tune.n, err, sizeof err) && samples_are_valid(wave.data, wave.n, 2));
+    about.offset = 0.1;
+    about.first_marker = 1;
+    about.n_markers = 3;
+    struct recording_bytes tune = music_of(&p, &about, markers);
     const struct tune t = tune_of(tune.data);
     assert_true(t.n_tracks == 2 && t.channels == 2 && tune_is_stream(&t) && t.tempo == 12000 && t.lead == 4800 &&
                 t.loop_units == 0);
@@ -644,45 +537,46 @@ TEST(music)
     assert_string_equal(events(tune.data, -1, 48000 * 15),
                         "4800m1 124800t12000 124800m0 304800m2 412800m0 592800m2 700800m0 ");
     free(tune.data);
-    free(wave.data);
-    about.tempo = 9999; /* no number of ticks: ten passes later the marker is where ten loops are, rounded up once */
-    about.offset = 0;
-    about.first_marker = 1, about.n_markers = 1;
-    assert_true(recording_music(&p, &about, markers, &tune, &wave, err, sizeof err));
-    assert_true(tune_validate(tune.data, tune.n, err, sizeof err));
-    const char *all = events(tune.data, -1, 48000 * 200);
+    pcm_free(&p);
+}
+
+/* The loop is not a whole number of ticks: marker 0 of pass i is where i whole loops put it, rounded up once. */
+TEST(markers_do_not_drift)
+{
+    struct art_sound about = at_120_beats;
+    struct pcm p = silence(81, 4410 + 88200);
+
+    about.tempo = 9999;
+    about.first_marker = 1;
+    about.n_markers = 1;
+    struct recording_bytes tune = music_of(&p, &about, markers);
+    const char *all_events = events(tune.data, -1, 48000 * 200);
     for (int i = 0; i < 30; i++) {
         char expected[64];
         const int64_t loop = (p.n - p.loop) * 480 / 441 * 9999, units = 5 * 480 * (int64_t)TUNE_TICK + i * loop;
         snprintf(expected, sizeof expected, "%lldm0 ", (long long)((units + 9998) / 9999));
-        if (!strstr(all, expected))
-            fail_msg("%s in %s", expected, all);
+        if (!strstr(all_events, expected))
+            fail_msg("%s in %s", expected, all_events);
     }
     free(tune.data);
-    free(wave.data);
-    about.tempo = 12000;
-    about.n_markers = 3;
-    p.n = 44100;
-    p.loop = -1;
-    assert_false(recording_music(&p, &about, markers, &tune, &wave, err, sizeof err));
-    assert_string_equal(err, "marker \"drop\", at beat 5, is after the end, at beat 2.00");
-    about.n_markers = 0;
-    assert_true(recording_music(&p, &about, markers, &tune, &wave, err, sizeof err));
+    pcm_free(&p);
+}
+
+TEST(music_without_loop)
+{
+    struct art_sound about = at_120_beats;
+    struct pcm p = silence(10, -1);
+    struct recording_bytes tune = music_of(&p, &about, markers);
+
     assert_string_equal(events(tune.data, -1, 96000), "0.0 ");
     assert_string_equal(events(tune.data, 0, 96000), "0i0 0p0 0v127 0n15360 48000.0 ");
     free(tune.data);
-    free(wave.data);
     p.loop = p.n - 7; /* shorter than a tick */
-    assert_true(recording_music(&p, &about, markers, &tune, &wave, err, sizeof err));
-    assert_true(tune_validate(tune.data, tune.n, err, sizeof err));
-    free(tune.data);
-    free(wave.data);
-    p.tempo = 97.25; /* the file's own, where rom.lua says none */
+    p.tempo = 97.25;  /* the file's, as rom.lua sets none */
     about.tempo = 0;
-    assert_true(recording_music(&p, &about, markers, &tune, &wave, err, sizeof err));
+    tune = music_of(&p, &about, markers);
     assert_int_equal(tune_of(tune.data).tempo, 9725);
     free(tune.data);
-    free(wave.data);
     pcm_free(&p);
 }
 
@@ -778,7 +672,7 @@ static void repair_page(uint8_t *p, size_t n)
 /* Ten thousand recordings with some bits changed. */
 TEST(damage)
 {
-    int taken[SEED_FILES] = { 0 }, tried[SEED_FILES] = { 0 };
+    int taken = 0;
     struct rng r;
 
     needs_libraries();
@@ -791,15 +685,10 @@ TEST(damage)
             data[rng_next(&r) % (i % 2 && n > 256 ? 256 : n)] ^= (uint8_t)(1 << rng_next(&r) % 8);
         if (strstr(seeds[k], ".o") && i % 4)
             repair_page(data, n);
-        tried[k]++;
-        taken[k] += takes(seeds[k], data, n);
+        taken += takes(seeds[k], data, n);
         free(data);
     }
-    for (int k = 0; k < SEED_FILES; k++) {
-        printf("# %s: %d tried, %d taken\n", seeds[k], tried[k], taken[k]);
-        assert_true(tried[k] > 100 && taken[k] > 0 && (taken[k] < tried[k] || k >= 6));
-    }
+    assert_in_range(taken, 1000, 9000);
 }
 
-/* A build in 32 bits may be on a machine whose libraries are all of 64. */
 RUN_TESTS(NULL, NULL)

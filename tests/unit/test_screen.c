@@ -17,7 +17,6 @@ struct list {
     int value[MOST];
     int accepted, removed, closed, listened; /* the row of the last, or how often; accepted, removed: -1 none */
     bool listens;
-    struct screens *s; /* accepting its last row closes all */
 };
 
 static int rows(void *context)
@@ -108,26 +107,15 @@ static const struct screen_def all = { .title = "all",
                                         .draw = draw,
                                         .change = change,
                                         .accept = accept,
-                                        .remove = take_away },
-                               window = { .title = "a window",
-                                          .small = true,
-                                          .rows = rows,
-                                          .row = row,
-                                          .text = text,
-                                          .change = change,
-                                          .accept = accept,
-                                          .remove = take_away };
+                                        .remove = take_away };
 
-/* ---- a bed: a stack with one list, and a picture ---- */
+/* ---- a stack with one list, and a picture ---- */
 
-struct bed {
-    struct screens s;
-    struct list l;
-    struct fb fb;
-    void *mem;
-    uint32_t rgb[256];
-    int w, h;
-};
+static struct screens screens;
+static struct list list;
+static struct fb fb;
+static uint8_t mem[1 << 20];
+static uint32_t rgb[256];
 
 static void lay(struct list *l, const char *kinds)
 {
@@ -135,36 +123,34 @@ static void lay(struct list *l, const char *kinds)
     snprintf(l->kind, sizeof l->kind, "%s", kinds);
 }
 
-static void resize(struct bed *b, int w, int h)
+static void resize(int w, int h)
 {
-    free(b->mem);
-    b->mem = malloc(fb_size(w, h));
-    assert_non_null(b->mem);
-    fb_init(&b->fb, b->mem, w, h);
-    b->w = w;
-    b->h = h;
+    assert_true(fb_size(w, h) <= sizeof mem);
+    fb_init(&fb, mem, w, h);
 }
 
-static void show(struct bed *b)
+static void show(void)
 {
     struct canvas canvas;
 
-    fb_fill(&b->fb, 0);
-    canvas_open(&canvas, &b->fb, b->rgb);
-    screens_draw(&b->s, &canvas, "z: choose  x: back");
+    fb_fill(&fb, 0);
+    canvas_open(&canvas, &fb, rgb);
+    screens_draw(&screens, &canvas, "z: choose  x: back");
 }
 
-static void poll(struct bed *b, const struct plat_input *in, uint16_t pad)
+static void poll(const struct plat_input *in, uint16_t pad)
 {
     struct keys_state k = { .pads = { 0, pad } };
 
-    screens_poll(&b->s, in, &k);
-    show(b);
+    screens_poll(&screens, in, &k);
+    show();
 }
 
-static void rest(struct bed *b)
+static const struct plat_input idle = { .mouse_x = -1, .mouse_y = -1 };
+
+static void rest(void)
 {
-    poll(b, &(struct plat_input){ .mouse_x = -1, .mouse_y = -1 }, 0);
+    poll(&idle, 0);
 }
 
 static struct plat_input holding(int key)
@@ -175,65 +161,54 @@ static struct plat_input holding(int key)
     return in;
 }
 
-static void hold(struct bed *b, int key, int frames)
+static void hold(int key, int frames)
 {
     const struct plat_input in = holding(key);
 
     for (int i = 0; i < frames; i++)
-        poll(b, &in, 0);
+        poll(&in, 0);
 }
 
-static void tap(struct bed *b, int key)
+static void tap(int key)
 {
-    hold(b, key, 1);
-    rest(b);
+    hold(key, 1);
+    rest();
 }
 
-static void tap_pad(struct bed *b, uint16_t pad)
+static void tap_pad(uint16_t pad)
 {
-    poll(b, &(struct plat_input){ .mouse_x = -1, .mouse_y = -1 }, pad);
-    rest(b);
+    poll(&idle, pad);
+    rest();
 }
 
-static void tap_switch(struct bed *b, int which, enum plat_button s)
+static void tap_switch(int which, enum plat_button s)
 {
     struct plat_input in = { .mouse_x = -1, .mouse_y = -1 };
 
     in.controllers[which] = 1u << s;
-    poll(b, &in, 0);
-    rest(b);
+    poll(&in, 0);
+    rest();
 }
 
-static int chosen(const struct bed *b)
+static int chosen(void)
 {
-    return b->s.place[b->s.depth - 1].row;
+    return screens.place[screens.depth - 1].row;
 }
 
-static void open_list(struct bed *b, const char *kinds)
+static void open_list(const char *kinds)
 {
-    screens_close_all(&b->s);
-    lay(&b->l, kinds);
-    screens_open(&b->s, &all, &b->l);
-    show(b);
-    rest(b);
+    screens_close_all(&screens);
+    lay(&list, kinds);
+    screens_open(&screens, &all, &list);
+    show();
+    rest();
 }
 
-static int bed_open(void **state)
+static int setup(void **state)
 {
-    struct bed *b = calloc(1, sizeof *b);
-
-    assert_non_null(b);
-    resize(b, 240, 320);
-    *state = b;
-    return 0;
-}
-
-static int bed_close(void **state)
-{
-    struct bed *b = *state;
-
-    free(b->mem);
-    free(b);
+    (void)state;
+    screens = (struct screens){ 0 };
+    resize(240, 320);
     return 0;
 }
 
@@ -241,255 +216,217 @@ static int bed_close(void **state)
 
 TEST(screens_lie_on_one_another)
 {
-    struct bed *b = *state;
     struct list below, above;
 
     lay(&below, "   ");
     lay(&above, "  ");
-    assert_false(screens_are_open(&b->s));
-    assert_null(screens_top(&b->s));
-    screens_close(&b->s);
-    rest(b); /* harmless without a screen */
-    screens_open(&b->s, &all, &below);
-    rest(b);
-    tap(b, DOWN);
-    screens_open(&b->s, &all, &above);
-    rest(b);
-    tap(b, ENTER);
+    rest(); /* harmless without a screen */
+    screens_open(&screens, &all, &below);
+    rest();
+    tap(DOWN);
+    screens_open(&screens, &all, &above);
+    rest();
+    tap(ENTER);
     assert_int_equal(above.accepted, 0);
     assert_int_equal(below.accepted, -1);
-    tap(b, ESCAPE);
+    tap(ESCAPE);
     assert_int_equal(above.closed, 1);
-    assert_int_equal(below.closed, 0);
-    assert_int_equal(chosen(b), 1); /* where it was */
-    tap(b, BACKSPACE);
+    assert_int_equal(chosen(), 1); /* where it was */
+    tap(BACKSPACE);
     assert_int_equal(below.closed, 1);
-    assert_false(screens_are_open(&b->s));
+    assert_false(screens_are_open(&screens));
     for (int i = 0; i < SCREENS_MAX_DEPTH + 3; i++)
-        screens_open(&b->s, i % 2 ? &all : &bare, &below);
-    assert_int_equal(b->s.depth, SCREENS_MAX_DEPTH);
-    screens_close_all(&b->s);
+        screens_open(&screens, i % 2 ? &all : &bare, &below);
+    assert_int_equal(screens.depth, SCREENS_MAX_DEPTH);
+    screens_close_all(&screens);
     assert_int_equal(below.closed, 1 + SCREENS_MAX_DEPTH / 2);
-    assert_false(screens_are_open(&b->s));
+    assert_false(screens_are_open(&screens));
 }
 
 /* What is held when a screen opens was pressed for something else. */
 TEST(what_was_held_before_means_nothing)
 {
-    struct bed *b = *state;
     struct plat_input in = holding(ENTER);
 
-    lay(&b->l, "  ");
-    screens_open(&b->s, &all, &b->l);
-    show(b);
+    lay(&list, "  ");
+    screens_open(&screens, &all, &list);
+    show();
     in.mouse_buttons = 1;
-    in.mouse_x = b->s.list.x + 9;
-    in.mouse_y = b->s.list.y + screen_row_height() + 2;
+    in.mouse_x = screens.list.x + 9;
+    in.mouse_y = screens.list.y + screen_row_height() + 2;
     for (int i = 0; i < 100; i++)
-        poll(b, &in, PAD_FIRE | PAD_DOWN);
-    assert_int_equal(b->l.accepted, -1);
-    in = holding(ENTER);
-    poll(b, &in, PAD_FIRE);
-    assert_int_equal(b->l.accepted, -1);
-    rest(b);
-    tap(b, ENTER);
-    assert_int_equal(b->l.accepted, 0);
+        poll(&in, PAD_FIRE | PAD_DOWN);
+    assert_int_equal(list.accepted, -1);
+    rest();
+    tap(ENTER);
+    assert_int_equal(list.accepted, 0);
 }
 
 /* ---- switches ---- */
 
 TEST(headings_are_passed_over)
 {
-    struct bed *b = *state;
-
-    open_list(b, "# ## =#");
-    assert_int_equal(chosen(b), 1);
-    tap(b, DOWN);
-    assert_int_equal(chosen(b), 4);
-    tap(b, DOWN);
-    assert_int_equal(chosen(b), 5);
-    tap(b, DOWN);
-    assert_int_equal(chosen(b), 1); /* round the end */
-    tap(b, UP);
-    assert_int_equal(chosen(b), 5);
-    screens_choose(&b->s, 3);
-    screens_choose(&b->s, 7);
-    screens_choose(&b->s, -1);
-    assert_int_equal(chosen(b), 5);
-    screens_choose(&b->s, 4);
-    assert_int_equal(chosen(b), 4);
-    open_list(b, "##");
-    tap(b, DOWN);
-    tap(b, ENTER);
-    assert_int_equal(b->l.accepted, -1);
+    open_list("# ## =#");
+    assert_int_equal(chosen(), 1);
+    tap(DOWN);
+    assert_int_equal(chosen(), 4);
+    tap(DOWN);
+    tap(DOWN);
+    assert_int_equal(chosen(), 1); /* round the end */
+    tap(UP);
+    assert_int_equal(chosen(), 5);
+    screens_choose(&screens, 3);
+    screens_choose(&screens, 7);
+    assert_int_equal(chosen(), 5);
+    screens_choose(&screens, 4);
+    assert_int_equal(chosen(), 4);
+    open_list("##");
+    tap(DOWN);
+    tap(ENTER);
+    assert_int_equal(list.accepted, -1);
 }
 
 TEST(every_device_works)
 {
-    struct bed *b = *state;
+    struct plat_input shift_right = holding(RIGHT);
 
-    open_list(b, " =  ");
-    tap_pad(b, PAD_DOWN);
-    tap_pad(b, PAD_RIGHT);
-    tap_switch(b, 0, PLAT_DPAD_RIGHT);
-    tap_switch(b, 1, PLAT_LEFT_STICK_RIGHT);
-    tap(b, RIGHT);
-    assert_int_equal(b->l.value[1], 4);
-    tap_pad(b, PAD_RIGHT | PAD_FOCUS);
-    assert_int_equal(b->l.value[1], 14);
-    tap_pad(b, PAD_LEFT);
-    tap_switch(b, 1, PLAT_DPAD_LEFT);
-    tap_switch(b, 0, PLAT_LEFT_STICK_LEFT);
-    tap(b, LEFT);
-    assert_int_equal(b->l.value[1], 10);
-    tap_pad(b, PAD_FIRE); /* who accepts what changes changes it */
-    assert_int_equal(b->l.value[1], 11);
-    assert_int_equal(b->l.accepted, -1);
-    tap_switch(b, 0, PLAT_LEFT_STICK_DOWN);
-    tap_switch(b, 1, PLAT_START);
-    assert_int_equal(b->l.accepted, 2);
-    tap_switch(b, 0, PLAT_DPAD_DOWN);
-    tap_pad(b, PAD_START);
-    assert_int_equal(b->l.accepted, 3);
-    tap_switch(b, 1, PLAT_LEFT_STICK_UP);
-    tap_switch(b, 1, PLAT_DPAD_UP);
-    tap_pad(b, PAD_UP);
-    tap_switch(b, 0, PLAT_SOUTH);
-    assert_int_equal(b->l.accepted, 0);
-    tap(b, DELETE);
-    assert_int_equal(b->l.removed, 0);
-    tap_pad(b, PAD_SPECIAL);
-    tap_switch(b, 1, PLAT_NORTH);
-    assert_int_equal(b->l.n, 1);
-    tap_switch(b, 0, PLAT_EAST);
-    assert_int_equal(b->l.closed, 1);
-    open_list(b, " ");
-    tap_pad(b, PAD_BOMB);
-    assert_int_equal(b->l.closed, 1);
-    open_list(b, " ");
-    tap_switch(b, 1, PLAT_GUIDE);
-    assert_int_equal(b->l.closed, 1);
+    open_list("=    ");
+    tap_pad(PAD_RIGHT);
+    tap_switch(0, PLAT_DPAD_RIGHT);
+    tap_switch(1, PLAT_LEFT_STICK_RIGHT);
+    tap(RIGHT);
+    assert_int_equal(list.value[0], 4);
+    tap_pad(PAD_RIGHT | PAD_FOCUS);
+    assert_int_equal(list.value[0], 14);
+    shift_right.keys[SHIFT >> 3] |= 1u << (SHIFT & 7);
+    poll(&shift_right, 0);
+    assert_int_equal(list.value[0], 24);
+    tap_pad(PAD_LEFT);
+    tap_switch(1, PLAT_DPAD_LEFT);
+    tap_switch(0, PLAT_LEFT_STICK_LEFT);
+    tap(LEFT);
+    assert_int_equal(list.value[0], 20);
+    tap_pad(PAD_FIRE); /* accepting a value changes it */
+    assert_int_equal(list.value[0], 21);
+    tap_pad(PAD_DOWN);
+    tap_switch(0, PLAT_DPAD_DOWN);
+    tap_switch(0, PLAT_LEFT_STICK_DOWN);
+    assert_int_equal(chosen(), 3);
+    tap_switch(1, PLAT_LEFT_STICK_UP);
+    tap_switch(1, PLAT_DPAD_UP);
+    assert_int_equal(chosen(), 1);
+    tap(DELETE);
+    tap_pad(PAD_SPECIAL);
+    tap_switch(1, PLAT_NORTH);
+    assert_int_equal(list.n, 2);
 }
 
-TEST(ten_steps_with_shift)
+TEST(every_device_accepts_and_closes)
 {
-    struct bed *b = *state;
-    struct plat_input in = holding(RIGHT);
+    static const uint16_t yes[] = { PAD_FIRE, PAD_START }, no[] = { PAD_BOMB };
+    static const enum plat_button accepts[] = { PLAT_SOUTH, PLAT_START }, closes[] = { PLAT_EAST, PLAT_GUIDE };
 
-    open_list(b, "=");
-    in.keys[SHIFT >> 3] |= 1u << (SHIFT & 7);
-    poll(b, &in, 0);
-    assert_int_equal(b->l.value[0], 10);
+    for (int i = 0; i < 4; i++) {
+        open_list(" ");
+        if (i < 2)
+            tap_pad(yes[i]);
+        else
+            tap_switch(i % 2, accepts[i - 2]);
+        assert_int_equal(list.accepted, 0);
+    }
+    for (int i = 0; i < 3; i++) {
+        open_list(" ");
+        if (i < 1)
+            tap_pad(no[i]);
+        else
+            tap_switch(i % 2, closes[i - 1]);
+        assert_int_equal(list.closed, 1);
+    }
 }
 
 TEST(what_is_faint_or_plain_stays)
 {
-    struct bed *b = *state;
-
-    open_list(b, "- ");
-    tap(b, ENTER);
-    assert_int_equal(b->l.accepted, -1);
-    tap(b, DOWN);
-    tap(b, RIGHT);
-    assert_int_equal(b->l.value[1], 0);
-    screens_close_all(&b->s);
-    screens_open(&b->s, &bare, &b->l); /* without any function */
-    rest(b);
-    tap(b, DOWN);
-    tap(b, ENTER);
-    tap(b, DELETE);
-    tap(b, LEFT);
-    assert_int_equal(chosen(b), 1);
-    tap(b, ESCAPE);
-    assert_false(screens_are_open(&b->s));
+    open_list("- ");
+    tap(ENTER);
+    assert_int_equal(list.accepted, -1);
+    tap(DOWN);
+    tap(RIGHT);
+    assert_int_equal(list.value[1], 0);
+    screens_close_all(&screens);
+    screens_open(&screens, &bare, &list); /* without any function */
+    rest();
+    tap(DOWN);
+    tap(ENTER);
+    tap(DELETE);
+    tap(LEFT);
+    assert_int_equal(chosen(), 1);
+    tap(ESCAPE);
+    assert_false(screens_are_open(&screens));
 }
 
 TEST(yes_and_no_is_no)
 {
-    struct bed *b = *state;
-
-    open_list(b, " ");
-    tap_pad(b, PAD_FIRE | PAD_BOMB);
-    assert_int_equal(b->l.accepted, -1);
-    assert_int_equal(b->l.closed, 1);
-    open_list(b, " ");
-    poll(b, &(struct plat_input){ .mouse_x = -1, .mouse_y = -1 }, PAD_FIRE);
-    assert_int_equal(b->l.accepted, 0);
-    b->l.accepted = -1;
-    tap_pad(b, PAD_FIRE | PAD_BOMB);
-    assert_int_equal(b->l.accepted, -1);
-    assert_int_equal(b->l.closed, 1);
+    open_list(" ");
+    tap_pad(PAD_FIRE | PAD_BOMB);
+    assert_int_equal(list.accepted, -1);
+    assert_int_equal(list.closed, 1);
 }
 
 TEST(arrows_repeat)
 {
-    struct bed *b = *state;
-
-    open_list(b, "=    ");
-    hold(b, RIGHT, 20);
-    assert_int_equal(b->l.value[0], 1);
-    hold(b, RIGHT, 1);
-    assert_int_equal(b->l.value[0], 2);
-    hold(b, RIGHT, 6);
-    assert_int_equal(b->l.value[0], 4);
-    hold(b, DOWN, 1); /* another one begins anew */
-    assert_int_equal(chosen(b), 1);
-    hold(b, DOWN, 19);
-    assert_int_equal(chosen(b), 1);
-    hold(b, DOWN, 4);
-    assert_int_equal(chosen(b), 3);
-    rest(b);
-    hold(b, ENTER, 100);
-    assert_int_equal(b->l.accepted, 3);
-    b->l.accepted = -1;
-    hold(b, ENTER, 100); /* nothing else repeats */
-    assert_int_equal(b->l.accepted, -1);
+    open_list("=    ");
+    hold(RIGHT, 20);
+    assert_int_equal(list.value[0], 1);
+    hold(RIGHT, 1);
+    assert_int_equal(list.value[0], 2);
+    hold(RIGHT, 6);
+    assert_int_equal(list.value[0], 4);
+    hold(DOWN, 20); /* another key starts again */
+    assert_int_equal(chosen(), 1);
+    rest();
+    hold(ENTER, 1);
+    list.accepted = -1;
+    hold(ENTER, 100); /* nothing else repeats */
+    assert_int_equal(list.accepted, -1);
 }
 
 TEST(pages)
 {
-    struct bed *b = *state;
-
-    resize(b, 240, 120);
-    open_list(b, "#                                                 ");
-    const int far = b->s.shown - 1;
+    resize(240, 120);
+    open_list("#                                                 ");
+    const int far = screens.shown - 1;
     assert_in_range(far, 2, 12);
-    tap(b, PAGE_DOWN);
-    assert_int_equal(chosen(b), 1 + far);
-    tap_switch(b, 0, PLAT_SHOULDER_RIGHT);
-    assert_int_equal(chosen(b), 1 + 2 * far);
-    tap(b, PAGE_UP);
-    assert_int_equal(chosen(b), 1 + far);
-    hold(b, PAGE_DOWN, 200);
-    assert_int_equal(chosen(b), 49); /* not beyond the end */
-    hold(b, PAGE_UP, 200);
-    assert_int_equal(chosen(b), 1);
-    tap_switch(b, 1, PLAT_SHOULDER_LEFT);
-    assert_int_equal(chosen(b), 1);
+    tap(PAGE_DOWN);
+    tap_switch(0, PLAT_SHOULDER_RIGHT);
+    assert_int_equal(chosen(), 1 + 2 * far);
+    tap(PAGE_UP);
+    tap_switch(1, PLAT_SHOULDER_LEFT);
+    assert_int_equal(chosen(), 1);
+    hold(PAGE_DOWN, 200);
+    assert_int_equal(chosen(), 49); /* not beyond the end */
+    hold(PAGE_UP, 200);
+    assert_int_equal(chosen(), 1);
 }
 
 /* The chosen row is always one of those that are shown. */
 TEST(the_list_follows)
 {
-    struct bed *b = *state;
-
-    resize(b, 160, 90);
-    open_list(b, "#       #           #              ");
+    resize(160, 90);
+    open_list("#       #           #              ");
     for (int i = 0; i < 100; i++) {
-        const struct screen_place *p = &b->s.place[0];
-        assert_in_range(p->row, p->top, p->top + b->s.shown - 1);
-        assert_true(p->top + b->s.shown <= b->l.n);
-        tap(b, i < 60 ? DOWN : UP);
+        const struct screen_place *p = &screens.place[0];
+        assert_in_range(p->row, p->top, p->top + screens.shown - 1);
+        assert_true(p->top + screens.shown <= list.n);
+        tap(i < 60 ? DOWN : UP);
     }
 }
 
 /* ---- the mouse ---- */
 
-static void point(struct bed *b, int at, uint8_t buttons, int wheel)
+static void point(int at, uint8_t buttons, int wheel)
 {
-    poll(b,
-         &(struct plat_input){ .mouse_x = b->s.list.x + 20,
-                               .mouse_y = b->s.list.y + at * screen_row_height() + screen_row_height() / 2,
+    poll(&(struct plat_input){ .mouse_x = screens.list.x + 20,
+                               .mouse_y = screens.list.y + at * screen_row_height() + screen_row_height() / 2,
                                .mouse_buttons = buttons,
                                .wheel = wheel },
          0);
@@ -497,94 +434,66 @@ static void point(struct bed *b, int at, uint8_t buttons, int wheel)
 
 TEST(a_mouse)
 {
-    struct bed *b = *state;
-
-    open_list(b, " #  = ");
-    point(b, 0, 0, 0);
-    point(b, 3, 0, 0);
-    assert_int_equal(chosen(b), 3);
-    point(b, 1, 1, 0); /* a heading: neither chosen nor accepted */
-    assert_int_equal(chosen(b), 3);
-    assert_int_equal(b->l.accepted, -1);
-    point(b, 2, 0, 0);
-    point(b, 2, 1, 0);
-    assert_int_equal(b->l.accepted, 2);
-    b->l.accepted = -1;
-    point(b, 2, 1, 0);
-    assert_int_equal(b->l.accepted, -1); /* held */
-    point(b, 5, 1, 0);
-    assert_int_equal(chosen(b), 5);
-    assert_int_equal(b->l.accepted, -1);
-    point(b, 6, 0, 0); /* below the last row */
-    point(b, 6, 1, 0);
-    assert_int_equal(chosen(b), 5);
-    assert_int_equal(b->l.accepted, -1);
-    point(b, 4, 0, 0);
-    tap(b, UP); /* one that rests chooses nothing again */
-    assert_int_equal(chosen(b), 3);
-    point(b, 4, 0, 0);
-    point(b, 4, 1, 0);
-    assert_int_equal(b->l.value[4], 1);
-    point(b, 4, 0, -1);
-    assert_int_equal(chosen(b), 5);
-    point(b, 4, 0, 1);
-    assert_int_equal(chosen(b), 4);
-    point(b, 4, 2, 0);
-    assert_int_equal(b->l.closed, 1);
+    open_list(" #  = ");
+    point(0, 0, 0);
+    point(3, 0, 0);
+    assert_int_equal(chosen(), 3);
+    point(1, 1, 0); /* a heading: neither chosen nor accepted */
+    assert_int_equal(chosen(), 3);
+    assert_int_equal(list.accepted, -1);
+    point(2, 0, 0);
+    point(2, 1, 0);
+    assert_int_equal(list.accepted, 2);
+    list.accepted = -1;
+    point(2, 1, 0); /* held */
+    point(5, 1, 0);
+    assert_int_equal(chosen(), 5);
+    point(6, 0, 0); /* below the last row */
+    point(6, 1, 0);
+    assert_int_equal(list.accepted, -1);
+    point(4, 0, 0);
+    tap(UP); /* a mouse at rest chooses nothing again */
+    assert_int_equal(chosen(), 3);
+    point(4, 0, 0);
+    point(4, 1, 0);
+    assert_int_equal(list.value[4], 1);
+    point(4, 0, -1);
+    assert_int_equal(chosen(), 5);
+    point(4, 0, 1);
+    assert_int_equal(chosen(), 4);
+    point(4, 2, 0);
+    assert_int_equal(list.closed, 1);
 }
 
-/* One that lies on a row when the screen opens has not chosen it, wherever it was when the last one closed. */
+/* A mouse that lies on a row when the screen opens has not chosen it. */
 TEST(a_mouse_that_lies_there)
 {
-    struct bed *b = *state;
-
-    open_list(b, "    ");
-    point(b, 1, 0, 0);
-    point(b, 2, 0, 0);
-    assert_int_equal(chosen(b), 2);
-    screens_close_all(&b->s);
-    lay(&b->l, "    ");
-    screens_open(&b->s, &all, &b->l);
-    show(b);
+    open_list("    ");
     for (int i = 0; i < 4; i++)
-        point(b, 3, 0, 0);
-    assert_int_equal(chosen(b), 0);
-    point(b, 1, 0, 0);
-    assert_int_equal(chosen(b), 1);
-    poll(b, &(struct plat_input){ .mouse_x = -1, .mouse_y = -1 }, 0); /* the window goes, and comes back under it */
-    point(b, 3, 0, 0);
-    assert_int_equal(chosen(b), 1);
-    point(b, 2, 0, 0);
-    assert_int_equal(chosen(b), 2);
+        point(3, 0, 0);
+    assert_int_equal(chosen(), 0);
+    point(1, 0, 0);
+    assert_int_equal(chosen(), 1);
+    poll(&idle, 0); /* the window goes, and comes back under the mouse */
+    point(3, 0, 0);
+    assert_int_equal(chosen(), 1);
+    point(2, 0, 0);
+    assert_int_equal(chosen(), 2);
 }
 
-/* A value that is changed may give the window another size: then the mouse lies elsewhere, and nobody moved it. */
+/* A changed value may give the window another size: then the mouse is elsewhere, though nobody moved it. */
 TEST(a_window_that_moves_under_the_mouse)
 {
-    struct bed *b = *state;
-
-    open_list(b, "= =  ");
-    for (int way = 0; way < 2; way++) {
-        point(b, 3, 0, 0);
-        point(b, 0, 0, 0);
-        assert_int_equal(chosen(b), 0);
-        if (way == 0) {
-            struct plat_input in = holding(RIGHT);
-            in.mouse_x = b->s.list.x + 20;
-            in.mouse_y = b->s.list.y + screen_row_height() / 2;
-            poll(b, &in, 0);
-        } else {
-            point(b, 0, 1, 0);
-        }
-        assert_int_equal(b->l.value[0], way + 1);
-        point(b, 3, 0, 0);
-        assert_int_equal(chosen(b), 0);
-        for (int i = 0; i < 60; i++)
-            point(b, 3, 0, 0);
-        assert_int_equal(chosen(b), 0);
-        point(b, 1, 0, 0); /* a hand that moves it later does choose */
-        assert_int_equal(chosen(b), 1);
-    }
+    open_list("= =  ");
+    point(3, 0, 0);
+    point(0, 0, 0);
+    point(0, 1, 0);
+    assert_int_equal(list.value[0], 1);
+    for (int i = 0; i < 60; i++)
+        point(3, 0, 0);
+    assert_int_equal(chosen(), 0);
+    point(1, 0, 0); /* a hand that moves it later does choose */
+    assert_int_equal(chosen(), 1);
 }
 
 /* ---- questions, listening, sayings ---- */
@@ -597,139 +506,120 @@ static void then(void *context)
     asked++;
 }
 
+static void ask(void)
+{
+    static char context[] = "of";
+
+    screens_ask(&screens, "Lose it?", "lose it", then, context);
+    rest();
+}
+
 TEST(a_question)
 {
-    struct bed *b = *state;
-    char context[] = "of";
-
     asked = 0;
-    open_list(b, " ");
-    screens_ask(&b->s, "Lose it?", "lose it", then, context);
-    rest(b);
-    assert_int_equal(chosen(b), 0);
-    tap(b, ENTER); /* no comes first */
-    assert_int_equal(b->s.depth, 1);
-    screens_ask(&b->s, "Lose it?", "lose it", then, context);
-    rest(b);
-    tap(b, DOWN);
-    tap(b, ESCAPE);
-    assert_int_equal(b->s.depth, 1);
+    open_list(" ");
+    ask();
+    tap(ENTER); /* no comes first */
+    assert_int_equal(screens.depth, 1);
+    ask();
+    tap(DOWN);
+    tap(ESCAPE);
+    assert_int_equal(screens.depth, 1);
     assert_int_equal(asked, 0);
-    screens_ask(&b->s, "Lose it?", "lose it", then, context);
-    rest(b);
-    tap(b, DOWN);
-    tap(b, ENTER);
-    assert_int_equal(b->s.depth, 1);
+    ask();
+    tap(DOWN);
+    tap(ENTER);
+    assert_int_equal(screens.depth, 1);
     assert_int_equal(asked, 1);
-    assert_int_equal(b->l.accepted, -1);
+    assert_int_equal(list.accepted, -1);
 }
 
 TEST(who_listens_has_all_switches)
 {
-    struct bed *b = *state;
-    const struct plat_input enter = holding(ENTER), escape = holding(ESCAPE);
-    const struct keys_state none = { 0 };
-
-    open_list(b, "  ");
-    b->l.listens = true;
-    assert_true(screens_poll(&b->s, &escape, &none));
-    assert_true(screens_poll(&b->s, &enter, &none));
-    tap_pad(b, PAD_DOWN);
-    assert_int_equal(b->l.listened, 4);
-    assert_true(screens_are_open(&b->s));
-    b->l.listens = false;
-    assert_false(screens_poll(&b->s, &enter, &none)); /* it was pressed while it listened */
-    assert_int_equal(b->l.accepted, -1);
-    rest(b);
-    tap(b, ENTER);
-    assert_int_equal(b->l.accepted, 0);
+    open_list("  ");
+    list.listens = true;
+    tap(ESCAPE);
+    tap_pad(PAD_DOWN);
+    hold(ENTER, 1);
+    assert_int_equal(list.listened, 5);
+    assert_true(screens_are_open(&screens));
+    list.listens = false;
+    hold(ENTER, 1); /* it was pressed while it listened */
+    assert_int_equal(list.accepted, -1);
+    rest();
+    tap(ENTER);
+    assert_int_equal(list.accepted, 0);
 }
 
-static uint32_t ink(const struct bed *b)
+static uint32_t ink(void)
 {
     uint32_t n = 0;
 
-    for (int y = 0; y < b->h; y++)
-        for (int x = 0; x < b->w; x++)
-            n = n * 31 + b->fb.pix[y * b->fb.pitch + x];
+    for (int y = 0; y < fb.h; y++)
+        for (int x = 0; x < fb.w; x++)
+            n = n * 31 + fb.pix[y * fb.pitch + x];
     return n;
 }
 
-TEST(what_is_said_goes_again)
+/* A message is shown for four seconds, or until another row is chosen. */
+TEST(messages)
 {
-    struct bed *b = *state;
-
-    open_list(b, " ");
-    const uint32_t before = ink(b);
-    screens_show_message(&b->s, "%d settings are not kept", 3);
-    show(b);
-    assert_int_not_equal(ink(b), before);
+    open_list("  ");
+    tap(DOWN);
+    const uint32_t second = ink();
+    tap(UP);
+    const uint32_t first = ink();
+    screens_show_message(&screens, "%d settings are not kept", 3);
     for (int i = 0; i < 239; i++)
-        rest(b);
-    assert_int_not_equal(ink(b), before);
-    rest(b);
-    assert_int_equal(ink(b), before);
-}
-
-/* What is said of a row is not read below another one. */
-TEST(what_is_said_is_of_one_row)
-{
-    struct bed *b = *state;
-
-    open_list(b, "  ");
-    tap(b, DOWN);
-    const uint32_t second = ink(b);
-    tap(b, UP);
-    screens_show_message(&b->s, "%s", "of the first");
-    tap(b, DOWN);
-    assert_int_equal(ink(b), second);
+        rest();
+    assert_int_not_equal(ink(), first);
+    rest();
+    assert_int_equal(ink(), first);
+    screens_show_message(&screens, "%s", "of the first");
+    tap(DOWN);
+    assert_int_equal(ink(), second);
 }
 
 /* ---- any list in any picture ---- */
 
 TEST(a_list_that_becomes_shorter)
 {
-    struct bed *b = *state;
-
-    open_list(b, "    ");
-    tap(b, UP);
-    assert_int_equal(chosen(b), 3);
+    open_list("    ");
+    tap(UP);
+    assert_int_equal(chosen(), 3);
     for (int i = 0; i < 6; i++)
-        tap(b, DELETE);
-    assert_int_equal(b->l.n, 0);
-    tap(b, ENTER);
-    tap(b, DOWN);
-    assert_int_equal(b->l.accepted, -1);
-    tap(b, ESCAPE);
-    assert_int_equal(b->l.closed, 1);
-    open_list(b, "   ");
-    tap(b, UP);
-    b->l.n = 1; /* by itself */
-    show(b);
-    rest(b);
-    assert_int_equal(chosen(b), 0);
-    open_list(b, "  ");
-    b->l.kind[0] = '#';
-    rest(b);
-    assert_int_equal(chosen(b), 1);
+        tap(DELETE);
+    assert_int_equal(list.n, 0);
+    tap(ENTER);
+    tap(DOWN);
+    assert_int_equal(list.accepted, -1);
+    open_list("   ");
+    tap(UP);
+    list.n = 1; /* by itself */
+    show();
+    rest();
+    assert_int_equal(chosen(), 0);
+    list.n = 2;
+    list.kind[0] = '#';
+    rest();
+    assert_int_equal(chosen(), 1);
 }
 
 TEST(whatever_happens)
 {
-    static const struct screen_def *const defs[] = { &all, &bare, &full, &window };
+    static const struct screen_def *const defs[] = { &all, &bare, &full };
     static const int sizes[][2] = { { 240, 320 }, { 320, 240 }, { 384, 448 }, { 160, 144 }, { 64, 64 }, { 16, 16 } };
-    struct bed *b = *state;
     struct rng r;
 
     rng_seed(&r, 7);
     for (int round = 0; round < 300; round++) {
         const int *size = sizes[rng_below(&r, 6)];
-        resize(b, size[0], size[1]);
-        screens_close_all(&b->s);
-        lay(&b->l, "");
-        for (b->l.n = 0; b->l.n < (int)rng_below(&r, MOST); b->l.n++)
-            b->l.kind[b->l.n] = " ==#-"[rng_below(&r, 5)];
-        screens_open(&b->s, defs[rng_below(&r, 4)], &b->l);
+        resize(size[0], size[1]);
+        screens_close_all(&screens);
+        lay(&list, "");
+        for (list.n = 0; list.n < (int)rng_below(&r, MOST); list.n++)
+            list.kind[list.n] = " ==#-"[rng_below(&r, 5)];
+        screens_open(&screens, defs[rng_below(&r, 3)], &list);
         for (int frame = 0; frame < 60; frame++) {
             struct plat_input in = holding((int)(75 + rng_below(&r, 8)));
             in.controllers[0] = rng_below(&r, 4) == 0 ? 1u << rng_below(&r, PLAT_BUTTONS) : 0;
@@ -737,14 +627,14 @@ TEST(whatever_happens)
             in.mouse_y = (int)rng_below(&r, 460) - 8;
             in.mouse_buttons = rng_below(&r, 4) == 0;
             in.wheel = (int)rng_below(&r, 3) - 1;
-            poll(b, &in, rng_below(&r, 8) == 0 ? (uint16_t)(1u << rng_below(&r, 16)) : 0);
-            if (rng_below(&r, 6) == 0 && b->l.n > 0)
-                b->l.kind[rng_below(&r, (uint64_t)b->l.n)] = " =#"[rng_below(&r, 3)];
+            poll(&in, rng_below(&r, 8) == 0 ? (uint16_t)(1u << rng_below(&r, 16)) : 0);
+            if (rng_below(&r, 6) == 0 && list.n > 0)
+                list.kind[rng_below(&r, (uint64_t)list.n)] = " =#"[rng_below(&r, 3)];
             if (rng_below(&r, 9) == 0)
-                b->l.n = (int)rng_below(&r, (uint64_t)b->l.n + 1);
-            show(b);
+                list.n = (int)rng_below(&r, (uint64_t)list.n + 1);
+            show();
         }
     }
 }
 
-RUN_TESTS_EACH(bed_open, bed_close)
+RUN_TESTS_EACH(setup, NULL)

@@ -65,23 +65,6 @@ TEST(tables)
     }
 }
 
-/* On the default palette, which is made of ramps, shades are about as dark as they should be. */
-TEST(dark)
-{
-    uint8_t rgb[CART_PALETTE_SIZE], tables[CART_SHADES_SIZE];
-
-    art_default_palette(rgb);
-    shade_make(rgb, tables);
-    for (int dim = VIEW_DIM_QUARTER; dim <= VIEW_DIM_MOST; dim++) {
-        long was = 0, is = 0;
-        for (int i = 0; i < 256; i++) {
-            was += brightness(rgb, i);
-            is += brightness(rgb, tables[(dim - 1) * 256 + i]);
-        }
-        assert_in_range(100 * is / was, 100 - 25 * dim - 6, 100 - 25 * dim + 6);
-    }
-}
-
 /* A ROM without the lump gets tables, made once a palette; one that has it none. */
 TEST(kept)
 {

@@ -41,26 +41,26 @@ static void fits(int picture_w, int picture_h, int scale, bool any, int room_w, 
 /* The largest size that fits, and no larger one does; never less than the picture. */
 TEST(windows_fit)
 {
+    struct rng r;
+
     fits(240, 320, 0, false, 1916, 1010, 720, 960);
     fits(240, 320, 2, false, 1916, 1010, 480, 640);
     fits(240, 320, 9, true, 1916, 1010, 2160, 2880); /* what was asked for is given */
-    fits(480, 640, 0, false, 1916, 1010, 480, 640);
     fits(480, 640, 0, true, 1916, 1010, 720, 960);
-    fits(1024, 1024, 0, true, 800, 600, 1024, 1024);
     fits(64, 64, 0, true, 0, -10, 64, 64);
-    for (int w = 64; w <= 1024; w += 40)
-        for (int h = 64; h <= 1024; h += 56)
-            for (int room = 200; room < 4400; room += 301)
-                for (int any = 0; any < 2; any++) {
-                    const struct plat_config want = { .w = w, .h = h, .fractional = any };
-                    const int room_h = room * 9 / 16, step = any ? 1 : 4;
-                    int ww, wh;
-                    plat_fit_window(&want, room, room_h, &ww, &wh);
-                    assert_true((ww <= room && wh <= room_h) || (ww == w && wh == h));
-                    assert_true(4 * ww / w >= 4 && (any || (ww % w == 0 && wh % h == 0)));
-                    const int quarters = 4 * ww / w + step; /* one more does not fit */
-                    assert_true(w * quarters > 4 * room || h * quarters > 4 * room_h);
-                }
+    rng_seed(&r, 6);
+    for (int i = 0; i < 10000; i++) {
+        const struct plat_config want = { .w = 64 + 8 * (int)rng_below(&r, 120),
+                                          .h = 64 + 8 * (int)rng_below(&r, 120),
+                                          .fractional = i % 2 };
+        const int room_w = 200 + (int)rng_below(&r, 4200), room_h = room_w * 9 / 16;
+        int w, h;
+        plat_fit_window(&want, room_w, room_h, &w, &h);
+        assert_true((w <= room_w && h <= room_h) || (w == want.w && h == want.h));
+        assert_true(want.fractional || (w % want.w == 0 && h % want.h == 0));
+        const int quarters = 4 * w / want.w + (want.fractional ? 1 : 4); /* the next size does not fit */
+        assert_true(want.w * quarters > 4 * room_w || want.h * quarters > 4 * room_h);
+    }
 }
 
 TEST(save_load_append)
@@ -69,12 +69,10 @@ TEST(save_load_append)
     assert_int_equal(plat_file_size("a"), -1);
     assert_int_equal(plat_load("a", buf, sizeof buf), -1);
     assert_true(plat_save("a", "hello", 5));
-    assert_int_equal(plat_file_size("a"), 5);
     assert_int_equal(plat_load("a", buf, 3), 3);
     assert_int_equal(plat_load("a", buf, sizeof buf), 5);
     assert_memory_equal(buf, "hello", 5);
-    assert_true(plat_append("a", "!!", 2));
-    assert_true(plat_append("b", "new", 3));
+    assert_true(plat_append("a", "!!", 2) && plat_append("b", "new", 3));
     assert_int_equal(plat_file_size("a"), 7);
     assert_int_equal(plat_file_size("b"), 3);
     assert_true(plat_save("a", "", 0));
@@ -90,9 +88,7 @@ TEST(devices_and_pipes)
     const char *null = mknod("null", S_IFCHR | 0600, makedev(1, 3)) == 0 ? "null" : "/dev/null";
     const char *full = mknod("full", S_IFCHR | 0600, makedev(1, 7)) == 0 ? "full" : "/dev/full";
     assert_true(plat_save(null, "gone", 4));
-    assert_int_equal(stat(null, &st), 0);
-    assert_true(S_ISCHR(st.st_mode));
-    assert_int_equal(plat_file_size(null), 0);
+    assert_true(stat(null, &st) == 0 && S_ISCHR(st.st_mode));
     assert_int_equal(plat_load(null, buf, sizeof buf), -1);
     assert_false(plat_save(full, "no room", 7));
     assert_int_equal(mkfifo("fifo", 0600), 0);
@@ -101,10 +97,8 @@ TEST(devices_and_pipes)
     int reader = open("fifo", O_RDONLY | O_NONBLOCK);
     assert_true(plat_save("fifo", "piped", 5));
     assert_int_equal(read(reader, buf, sizeof buf), 5);
-    assert_memory_equal(buf, "piped", 5);
     close(reader);
-    assert_int_equal(stat("fifo", &st), 0);
-    assert_true(S_ISFIFO(st.st_mode));
+    assert_true(stat("fifo", &st) == 0 && S_ISFIFO(st.st_mode));
     assert_int_equal(mkdir("folder", 0777), 0);
     assert_false(plat_save("folder", "x", 1));
     assert_int_equal(plat_file_size("folder"), -1);
@@ -139,25 +133,6 @@ TEST(links_stay)
     assert_true(is_link("loop"));
 }
 
-static void count_entry(void *user, const struct plat_folder_entry *file)
-{
-    (void)file;
-    ++*(int *)user;
-}
-
-TEST(linked_folders_are_not_listed)
-{
-    int n = 0;
-    assert_true(plat_save("l/in/file", "1", 1));
-    assert_int_equal(symlink("in", "l/folder"), 0);
-    assert_int_equal(symlink("in/file", "l/file"), 0);
-    assert_int_equal(symlink("nowhere", "l/broken"), 0);
-    assert_int_equal(plat_list("l", count_entry, &n), 2); /* in, file */
-    assert_int_equal(n, 2);
-    assert_true(plat_remove("l/in/file"));
-    assert_false(plat_remove("l/in/file"));
-}
-
 TEST(folders_are_made)
 {
     assert_true(plat_save("x/y/z", "1", 1));
@@ -166,61 +141,14 @@ TEST(folders_are_made)
     assert_int_equal(plat_load("x/y", name, 1), -1);
     assert_true(plat_save("user:game.nv", "12", 2));
     assert_int_equal(plat_file_size("curtain/game.nv"), 2);
-    assert_int_equal(plat_file_size("user:game.nv"), 2);
 }
 
-TEST(the_users_folder)
-{
-    setenv("XDG_DATA_HOME", "relative", 1);
-    setenv("HOME", home, 1);
-    assert_true(plat_save("user:h", "123", 3));
-    assert_int_equal(plat_file_size(".local/share/curtain/h"), 3);
-    unsetenv("HOME");
-    assert_false(plat_save("user:h", "123", 3));
-    assert_int_equal(plat_file_size("user:h"), -1);
-    setenv("XDG_DATA_HOME", home, 1);
-}
-
-static void is_at(const char *want, const char *file)
-{
-    char path[4096];
-    assert_true(plat_path(file, path, sizeof path));
-    assert_string_equal(path, want);
-}
-
-/* Where the test's folder is the user's home. */
 static void is_below(const char *below, const char *file)
 {
-    char want[4096];
+    char want[4096], path[4096];
     snprintf(want, sizeof want, "%s%s", home, below);
-    is_at(want, file);
-}
-
-TEST(real_paths)
-{
-    char path[4096];
-    is_at("/some/file.lua", "/some/file.lua");
-    is_below("/some/file.lua", "some/file.lua");
-    is_below("/curtain/game.nv", "user:game.nv");
-    assert_true(plat_path("/abc", path, 5));
-    assert_false(plat_path("/abc", path, 4));
-    unsetenv("XDG_DATA_HOME");
-    unsetenv("HOME");
-    assert_false(plat_path("user:game.nv", path, sizeof path));
-    setenv("XDG_DATA_HOME", home, 1);
-}
-
-/* Another name has other folders; without one, those of Curtain. */
-TEST(another_name)
-{
-    plat_set_name("lanterns");
-    is_below("/curtain-lanterns/a.nv", "user:a.nv");
-    setenv("XDG_PICTURES_DIR", home, 1);
-    is_below("/lanterns/a.png", "pictures:a.png");
-    plat_set_name("");
-    is_below("/curtain/a.nv", "user:a.nv");
-    is_below("/Curtain/a.png", "pictures:a.png");
-    unsetenv("XDG_PICTURES_DIR");
+    assert_true(plat_path(file, path, sizeof path));
+    assert_string_equal(path, want);
 }
 
 /* The program's own file is there under the name it says; a file that could be read can be run. */
@@ -237,29 +165,6 @@ TEST(programs)
     assert_false(plat_make_executable("none"));
 }
 
-/* By whatever name, and only what is there and is a file. */
-TEST(same_files)
-{
-    assert_true(plat_save("one", "x", 1) && plat_save("two", "x", 1) && symlink("one", "also") == 0);
-    assert_true(plat_is_same_file("one", "one") && plat_is_same_file("one", "./one") &&
-                plat_is_same_file("also", "one"));
-    assert_false(plat_is_same_file("one", "two") || plat_is_same_file("one", "none") ||
-                 plat_is_same_file("/dev/null", "/dev/null"));
-}
-
-/* Of files that are not there yet: the same one by another way, a link that leads to it, another case. */
-TEST(same_files_to_be)
-{
-    assert_true(plat_save("to/be/x", "", 0) && symlink("to/be", "to_be") == 0 &&
-                symlink("to/be/none", "none_yet") == 0);
-    assert_true(plat_is_same_file("none", "none") && plat_is_same_file("none", "./NONE") &&
-                plat_is_same_file("to_be/none", "to/be/none"));
-    assert_true(plat_is_same_file("none_yet", "to_be/none"));
-    assert_false(plat_is_same_file("none", "to/be/none") || plat_is_same_file("none", "nine") ||
-                 plat_is_same_file("none", "none.x"));
-    assert_false(plat_is_same_file("no/folder", "no/folder"));
-}
-
 /* The file that a save goes by way of is a new one: another's of that name stays. */
 TEST(temporary_files_are_new)
 {
@@ -270,51 +175,47 @@ TEST(temporary_files_are_new)
     assert_int_equal(plat_load("saved", read, sizeof read), 3);
 }
 
-static void user_dirs_say(const char *text)
-{
-    assert_true(plat_save("conf/user-dirs.dirs", text, strlen(text)));
-}
-
 /* The environment, then user-dirs.dirs, then ~/Pictures; without a home the current folder. */
 TEST(the_users_pictures)
 {
-    char config[4096];
-    snprintf(config, sizeof config, "%s/conf", home);
+    static const char *const dirs[][2] = {
+        { "# written by xdg-user-dirs-update\nXDG_MUSIC_DIR=\"$HOME/Music\"\nXDG_PICTURES_DIR=\"$HOME/My \\\"B\\\"\"\n",
+          "/My \"B\"/Curtain/a.png" },
+        { "XDG_PICTURES_DIR=\"$HOME/pictures\"\nXDG_PICTURES_DIRS=\"/x\"\n", "/pictures/Curtain/a.png" },
+        { "XDG_PICTURES_DIR=\"relative\"\n", "/Pictures/Curtain/a.png" },
+        { "XDG_PICTURES_DIR=\"/unclosed", "/Pictures/Curtain/a.png" },
+    };
     unsetenv("XDG_PICTURES_DIR");
     unsetenv("HOME");
     is_below("/a.png", "pictures:a.png");
     setenv("HOME", home, 1);
-    setenv("XDG_CONFIG_HOME", config, 1);
     is_below("/Pictures/Curtain/a.png", "pictures:a.png");
-    user_dirs_say("# written by xdg-user-dirs-update\nXDG_MUSIC_DIR=\"$HOME/Music\"\n"
-                  "XDG_PICTURES_DIR=\"$HOME/My \\\"Bilder\\\"\"\n");
-    is_below("/My \"Bilder\"/Curtain/a.png", "pictures:a.png");
-    user_dirs_say("XDG_PICTURES_DIR=\"/data/pictures\"\nXDG_PICTURES_DIRS=\"/x\"\n");
-    is_at("/data/pictures/Curtain/a.png", "pictures:a.png");
-    user_dirs_say("XDG_PICTURES_DIR=\"$HOME/\"\n");
+    for (size_t i = 0; i < sizeof dirs / sizeof *dirs; i++) {
+        assert_true(plat_save(".config/user-dirs.dirs", dirs[i][0], strlen(dirs[i][0])));
+        is_below(dirs[i][1], "pictures:a.png");
+    }
+    setenv("XDG_PICTURES_DIR", home, 1);
     is_below("/Curtain/a.png", "pictures:a.png");
-    user_dirs_say("XDG_PICTURES_DIR=\"relative\"\n");
-    is_below("/Pictures/Curtain/a.png", "pictures:a.png");
-    user_dirs_say("XDG_PICTURES_DIR=\"/unclosed");
-    is_below("/Pictures/Curtain/a.png", "pictures:a.png");
-    unsetenv("XDG_CONFIG_HOME");
-    assert_true(plat_save(".config/user-dirs.dirs", "XDG_PICTURES_DIR=\"$HOME/P\"\n", 28));
-    is_below("/P/Curtain/a.png", "pictures:a.png");
-    setenv("XDG_PICTURES_DIR", "relative", 1);
-    is_below("/P/Curtain/a.png", "pictures:a.png");
-    setenv("XDG_PICTURES_DIR", config, 1);
-    assert_true(plat_save("pictures:a.png", "png", 3));
-    assert_int_equal(plat_file_size("conf/Curtain/a.png"), 3);
+    plat_set_name("lanterns");
+    is_below("/lanterns/a.png", "pictures:a.png");
+    is_below("/curtain-lanterns/a.nv", "user:a.nv");
+    plat_set_name("");
     unsetenv("XDG_PICTURES_DIR");
 }
 
-TEST(about)
+TEST(the_users_folder)
 {
-    char text[128] = "";
-    plat_describe_build(text, sizeof text);
-    assert_string_equal(text, "no window");
-    plat_describe_system(text, sizeof text);
-    assert_true(strlen(text) > 5);
+    char path[4096];
+    is_below("/some/file.lua", "some/file.lua");
+    is_below("/curtain/game.nv", "user:game.nv");
+    assert_true(plat_path("/abc", path, 5));
+    assert_false(plat_path("/abc", path, 4));
+    setenv("XDG_DATA_HOME", "relative", 1);
+    is_below("/.local/share/curtain/h", "user:h");
+    unsetenv("HOME");
+    assert_false(plat_path("user:h", path, sizeof path));
+    assert_false(plat_save("user:h", "123", 3));
+    setenv("XDG_DATA_HOME", home, 1);
 }
 
 /* From the program's own folder, upwards too; further than the root there is nothing. */
@@ -345,15 +246,20 @@ static void count(void *user, const struct plat_folder_entry *file)
     seen[1] += strcmp(file->name, "sub") == 0 && file->is_folder;
 }
 
+/* A link to a folder is not listed, nor a broken one. */
 TEST(listing)
 {
     int seen[2] = { 0 };
     assert_true(plat_save("list/one", "1", 1));
     assert_true(plat_save("list/sub/two", "1", 1));
+    assert_int_equal(symlink("sub", "list/folder"), 0);
+    assert_int_equal(symlink("nowhere", "list/broken"), 0);
     assert_int_equal(plat_list("list", count, seen), 2);
     assert_int_equal(seen[0], 1);
     assert_int_equal(seen[1], 1);
     assert_int_equal(plat_list("list/none", count, seen), -1);
+    assert_true(plat_remove("list/one"));
+    assert_false(plat_remove("list/one"));
 }
 
 /* What cannot be replaced stays, and no half file is left beside it. */
@@ -364,31 +270,29 @@ TEST(a_failed_save_leaves_all)
     assert_false(plat_save("dir/taken", "22", 2)); /* a folder is in the way */
     assert_int_equal(plat_file_size("dir/taken/file"), 1);
     assert_int_equal(plat_list("dir", count, seen), 1);
-    assert_false(plat_save("dir/taken/file/below", "3", 1));
-    assert_int_equal(plat_file_size("dir/taken/file"), 1);
 }
 
 /* Sizes, pitches and places of any kind: as pixel by pixel, and nothing between the rows. */
 TEST(pictures_become_colours)
 {
-    enum { PIX = 4096, OUT = 4096, NONE = 0x12345678 };
-    static uint8_t pix[PIX];
-    static uint32_t out[OUT];
+    enum { SIZE = 4096, NONE = 0x12345678 };
+    static uint8_t pix[SIZE];
+    static uint32_t out[SIZE];
     uint32_t rgb[256];
     struct rng r;
 
     rng_seed(&r, 5);
+    for (int i = 0; i < SIZE; i++)
+        pix[i] = (uint8_t)rng_next(&r);
+    for (int i = 0; i < 256; i++)
+        rgb[i] = (uint32_t)rng_next(&r) | 1;
     for (int k = 0; k < 3000; k++) {
         int w = (int)rng_below(&r, 41), h = (int)rng_below(&r, 21), pitch = w + (int)rng_below(&r, 20);
         int out_pitch = w + (int)rng_below(&r, 20), from = (int)rng_below(&r, 16), to = (int)rng_below(&r, 16);
-        for (int i = 0; i < PIX; i++)
-            pix[i] = (uint8_t)rng_next(&r);
-        for (int i = 0; i < 256; i++)
-            rgb[i] = (uint32_t)rng_next(&r) | 1;
-        for (int i = 0; i < OUT; i++)
+        for (int i = 0; i < SIZE; i++)
             out[i] = NONE;
         plat_convert_to_rgb(out + to, out_pitch, pix + from, pitch, w, h, rgb);
-        for (int i = 0; i < OUT; i++) {
+        for (int i = 0; i < SIZE; i++) {
             int x = out_pitch ? (i - to) % out_pitch : 0, y = out_pitch ? (i - to) / out_pitch : h;
             bool in = i >= to && x < w && y < h;
             assert_int_equal(out[i], in ? rgb[pix[from + y * pitch + x]] : NONE);
