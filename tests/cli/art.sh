@@ -47,40 +47,26 @@ spoilt() { # HOW SENTENCE
 }
 while IFS='|' read -r how sentence; do spoilt "$how" "$sentence"; done <<'HOWS'
 text|not an Aseprite file
-empty|not an Aseprite file
 header|truncated Aseprite file
 bits|the Aseprite file has 24 bits per pixel, expected 8, 16 or 32
 frames|the Aseprite file has 0 frames, expected 1 to 4096
-more_frames|truncated Aseprite file
-size|the Aseprite file has 5000x4 pixels, expected 1x1 to 4096x4096
 frame_magic|damaged Aseprite file: frame 1 has no header
 cut|truncated Aseprite file
 chunk_small|damaged Aseprite file: chunk 1 in frame 1 has the wrong size
-chunk_large|damaged Aseprite file: chunk 1 in frame 1 has the wrong size
-chunk_short|damaged Aseprite file: chunk 1 in frame 1 is too short
 layer_kind|damaged Aseprite file: unknown layer type 1
-layer_level|damaged Aseprite file: unknown layer type 1
 cel_layer|damaged Aseprite file: frame 1 has a cel in layer 8, but the last layer is 1
 cel_kind|frame 1, layer "ink": unknown cel type
 cel_size|frame 1, layer "ink": a cel of 0x2 pixels is too small
 cel_huge|frame 1, layer "ink": a cel of 65535x65535 pixels is too large
 cel_zlib|frame 1, layer "ink": damaged pixels
-cel_less|frame 1, layer "ink": damaged pixels
-cel_raw|frame 1, layer "ink": damaged pixels
 cel_twice|damaged Aseprite file: frame 1 has two cels in layer "ink"
 link|frame 1, layer "ink": its cel is linked to frame 1, which has no cel in this layer
-link_none|frame 2, layer "ink": its cel is linked to frame 6, which has no cel in this layer
 index|sprite "a": frame 1: layer "ink": index 9, but the palette has 3 colours
 palette|the Aseprite file has a palette of 0 colours, expected 1 to 65536
-palette_large|the Aseprite file has a palette of 65537 colours, expected 1 to 65536
 tilemap|layer "glow" is a tilemap: convert it to a normal layer
 group|group "all" has its own opacity or blend mode: set them on its layers
-group_blend|group "all" has its own opacity or blend mode: set them on its layers
 soft_light|layer "glow": blend mode "soft light" is not supported: merge the layer with the one below
-hue|layer "glow": blend mode "hue" is not supported: merge the layer with the one below
-blend|layer "glow": blend mode "unknown" is not supported: merge the layer with the one below
 tag|tag "fly" covers frames 1 to 5, but the file ends at frame 1
-tag_back|tag "fly" covers frames 4 to 1, but the file ends at frame 1
 blended|sprite "a": match = "index" needs opaque layers in normal mode
 long|sprite "a": its frames have different durations and need 363 pictures, expected at most 256
 five|sprite "a": more than 4 slices named "hit"
@@ -146,7 +132,6 @@ player.def("ship", { sprite = "orb", hit = { sprite = "orb" } })
 LUA
 art_of() { "$curtain" art hits | sed -n "s/^$1: //p"; }
 same "a circle" "12x12, bank 0, origin 6,6; bullet orb: circle 3; player ship: circle 3" "$(art_of orb)"
-same "at half the size" "6x6, bank 0, origin 3,3; bullet small: circle 1.5" "$(art_of orb_50)"
 same "at three times the size" "36x36, bank 0, origin 18,18; bullet large: circle 9" "$(art_of orb_300)"
 same "as it is in the tag's frame" "12x12, bank 0, origin 6,6; bullet late: circle 2" "$(art_of late)"
 same "odd sides: about the middle" "15x15, bank 0, origin 7,7, 3 frames, every = 6; bullet odd: circle 1.5" \
@@ -155,44 +140,13 @@ same "a box, about a pivot" "20x30, bank 0, origin 10,17, 3 frames, every = 6; e
 same "in a part of the canvas" \
     "12x18, bank 0, origin 6,9, 3 frames, every = 6; enemy part: box 12 x 18" "$(art_of part)"
 check "a capsule" grep -q 'bullet bar: capsule 10, 2$' <<<"$(art_of bar)"
-check "an upright one" grep -q 'enemy post: capsule 10, 2$' <<<"$(art_of post)"
 check "circles" grep -q 'shot wing: 2 circles$' <<<"$(art_of wing)"
 same "hidden: there is none" "8x8, bank 0, origin 4,4" "$(art_of gone)"
 "$curtain" unpack hits parts
 same "the circles' places" "8 2 131072 0 -393216 -262144 131072 0 393216 -163840" \
     "$(python3 -c 'import struct; print(*struct.unpack_from("<10i", open("parts/lumps/hit/wing", "rb").read()))')"
 
-# What is drawn acts in a tick: the run is that of the same shapes written out.
 cp -r hits written
-cat >>hits/main.lua <<'LUA'
-on.graze(function() score.add(10) end)
-task.go(function()
-  local n = 0
-  while true do
-    n = n + 1
-    bullet.fire { kind = n % 2 == 0 and "bar" or "odd", x = 20 + n * 37 % 200, y = 0, speed = 3, dir = 80 + n % 20 }
-    shot.fire { kind = "wing", x = 20 + n * 53 % 200, y = 300, speed = 4 }
-    if n % 30 == 1 then
-      enemy.spawn { kind = n % 60 == 1 and "foe" or "post", x = 20 + n * 41 % 200, y = 80, hp = 5 }
-    end
-    wait(1)
-  end
-end)
-LUA
-cp hits/main.lua written/main.lua
-python3 - <<'PY'
-import re
-forms = {"orb": "circle = 3", "orb_50": "circle = 1.5", "orb_300": "circle = 9", "late": "circle = 2",
-         "odd": "circle = 1.5", "foe": "box = { 12, 18 }", "part": "box = { 12, 18 }", "bar": "capsule = { 10, 2 }",
-         "post": "capsule = { 10, 2, 90 }", "wing": "circles = { { -6, -4, 2 }, { 6, -2.5, 2 } }"}
-text = open("written/main.lua").read()
-text = re.sub(r'hit = { sprite = "(\w+)" }', lambda m: "hit = { %s }" % forms[m[1]], text)
-open("written/main.lua", "w").write(text)
-PY
-"$curtain" hash hits --frames 240 --seed 1 >drawn.hash
-"$curtain" hash written --frames 240 --seed 1 >written.hash
-check "a run with drawn shapes is that with written ones" cmp drawn.hash written.hash
-check "... and something happened in it" [ "$(sort -u -k 2 drawn.hash | wc -l)" -gt 200 ]
 
 # The shapes are in the game hash, the pixels are not.
 game_hash() { "$curtain" list "$1" | sed -n 's/^game //p'; }
@@ -203,11 +157,10 @@ data = bytearray(open("hits/art/orb.ase", "rb").read())
 at = data.index(struct.pack("<iiII", 3, 3, 6, 6))
 open("moved.ase", "wb").write(data[:at] + struct.pack("<iiII", 2, 2, 8, 8) + data[at + 16:])
 PY
-cp hits/art/orb.ase kept.ase
+cp hits/art/orb.ase orb.ase
 cp moved.ase hits/art/orb.ase
 check "another slice is another game" [ "$(game_hash hits)" != "$before" ]
-cp kept.ase hits/art/orb.ase
-same "... and back" "$before" "$(game_hash hits)"
+cp orb.ase hits/art/orb.ase
 python3 - "$repo/tests/cli" <<'PY'
 import sys
 sys.path.insert(0, sys.argv[1])
@@ -225,9 +178,6 @@ says_of() { # NAME SENTENCE SCRIPT
 }
 says_of "a sprite without one" 'bullet.def: hit.sprite: sprite "gone" has no hit shape' \
     'bullet.def("a", { sprite = "orb", hit = { sprite = "gone" } })'
-says_of "no sprite" 'unknown sprite "orbb" (did you mean "orb"?)' \
-    'bullet.def("a", { sprite = "orb", hit = { sprite = "orbb" } })'
-says_of "no name" 'hit.sprite: expected' 'bullet.def("a", { sprite = "orb", hit = { sprite = 3 } })'
 says_of "a ship's box" 'one circle at the player'"'"'s position, got a different hit shape from "foe"' \
     'player.def("a", { sprite = "orb", hit = { sprite = "foe" } })'
 says_of "a bullet's upright capsule" 'the capsule of "post" is vertical' \
@@ -241,8 +191,6 @@ says_rom() { # NAME SENTENCE SPRITE
 }
 says_rom "a tag that is not there" 'sprite "gone": no tag "fly"; the file has "early", "late"' \
     'sheet = "gone", tag = "fly"'
-says_rom "frames" 'rom.lua: sprites.gone.frames: sprites from an .ase file use all its frames' \
-    'sheet = "gone", frames = 2'
 says_rom "outside" 'sprite "gone": 4x8 at 6,0 is outside the canvas of 8x8 pixels' 'sheet = "gone", x = 6, w = 4'
 sed 's/art\/gone.ase/art\/gone.png/' written/rom.lua >hits/rom.lua
 refuse "a tag of a PNG" 'rom.lua: sprites.gone.tag: only .ase and .aseprite files have tags' \
@@ -281,22 +229,14 @@ same "by index" "0 49 50 51 52 53 54 55 56 57 58 59 60 61 62 63" "$(shades)"
 before=$(lump retint gfx/dot)
 python3 "$repo/tests/cli/png_make.py" retint/art/palette.png 16 16 010203 1 3 0000ff
 same "another palette changes no sheet" "$before" "$(lump retint gfx/dot)"
-check "and check is content" sh -c '! "$1" check retint | grep -q all.png' - "$curtain"
 indexed retint/art/all.png 4 4 64 0 49 50 51 52 53 54 55 56 57 58 59 60 61 62 63
 same "by index, of the game's whole palette" "0 49 50 51 52 53 54 55 56 57 58 59 60 61 62 63" "$(shades)"
 indexed retint/art/all.png 4 4 64 0 49 50 51 52 53 36 55 56 57 58 59 60 61 62 63
 refuse "of another bank" 'art/all.png: pixel 2,1: index 36 is in bank 2, expected bank 3 (48 to 63) or 0 to 15' \
     "$curtain" pack retint -o r.rom
-refuse "check says so" 'art/all.png: pixel 2,1: index 36 is in bank 2, expected bank 3' "$curtain" check retint
 python3 "$repo/tests/cli/png_make.py" retint/art/all.png 4 4 ff0000
 refuse "a picture of colours" 'art/all.png: match = "index" needs an indexed picture; this one is RGB or greyscale' \
     "$curtain" pack retint -o r.rom
-sed -i 's/match = "index"/match = "place"/' retint/rom.lua
-refuse "a word that is none" 'rom.lua: sheets.all.match: expected "colour" or "index", got "place"' \
-    "$curtain" pack retint -o r.rom
-sed -i 's/, match = "place"//; s/id = "r"/id = "r", match = "index"/' retint/rom.lua
-indexed retint/art/all.png 4 4 16 0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15
-same "for all of a game" "$before" "$(lump retint gfx/dot)"
 
 # ---- a sheet drawn in another palette ----
 
@@ -318,33 +258,27 @@ refuse "the first palette has no such colour" "$strange" "$curtain" pack two -o 
 refuse "which check says" "$strange" "$curtain" check two
 drawn_in ', palette = "night"'
 same "its own has it" 53 "$(shade)"
-check "and check says nothing of it" sh -c '! "$1" check two | grep -q all.png' - "$curtain"
-drawn_in ', palette = "dusk"'
-refuse "a palette that is none" 'rom.lua: sheets.all.palette: "dusk" is not listed in palettes' \
-    "$curtain" pack two -o r.rom
 
 # ---- pixels that vanish ----
 
-faint() { # FILE ALPHA...: 4 x 1 pixels of the default palette's white
-    python3 - "$@" <<'PY'
-import struct, sys, zlib
-chunk = lambda kind, data: struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-rows = b"\0" + b"".join(bytes([255, 255, 255, int(a)]) for a in sys.argv[2:])
-head = struct.pack(">IIBBBBB", len(sys.argv) - 2, 1, 8, 6, 0, 0, 0)
-open(sys.argv[1], "wb").write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head)
-                              + chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
-PY
+faint() { # FILE ALPHA...: white pixels, each of an alpha in hexadecimal
+    local file=$1
+    shift
+    {
+        printf 'P7\nWIDTH %d\nHEIGHT 1\nDEPTH 4\nMAXVAL 255\nTUPLTYPE RGB_ALPHA\nENDHDR\n' $#
+        for alpha; do printf '%b' "\xff\xff\xff\x$alpha"; done
+    } | convert pam:- "png32:$file"
 }
 mkdir -p faint/art
 echo 'bullet.def("dot", { sprite = "dot", hit = { circle = 0.5 } })' >faint/main.lua
 cat >faint/rom.lua <<'LUA'
 return { id = "f", sheets = { all = { file = "art/all.png" } }, sprites = { dot = { sheet = "all", w = 4, h = 1 } } }
 LUA
-faint faint/art/all.png 255 0 64 127 9 9
+faint faint/art/all.png ff 00 40 7f 09 09
 told='art/all.png: pixel 2,0: 25 % opaque; pixels below 50 % become transparent; 2 such pixels in total'
 refuse "check counts them" "$told" "$curtain" check faint
 same "pack says so, and packs" "curtain: $told 0" "$("$curtain" pack faint -o f.rom 2>&1 >/dev/null) $?"
-faint faint/art/all.png 255 0 128 200
+faint faint/art/all.png ff 00 80 c8
 check "half and more is whole" "$curtain" check faint
 same "... and nothing is said" " 0" "$("$curtain" pack faint -o f.rom 2>&1 >/dev/null) $?"
 
@@ -365,18 +299,11 @@ PY
 for colour in "5fe3ff 20" "ff6a7a 100" "7dff8a 40" "ffd24a 100" "f2f2ee 500"; do
     same "it has pixels of #${colour% *}" True "$(colour_at "$repo" $colour)"
 done
-sed -i 's/bullet.def/bullet.fire/' hits/main.lua
-refuse "scripts that do not load" "hitboxes are missing because the scripts failed to load: main.lua:1: bullet.fire: " \
-    "$curtain" art hits --atlas atlas.png
-same "... and the atlas all the same" False "$(colour_at "$repo" 7dff8a 0)"
-check "the shapes that were drawn are in it" grep -q '^wing: .*; drawn hit: 2 circles$' <("$curtain" art hits 2>.said)
 # All rows of its sprites one below the other were 23,062 pixels.
 check "the atlas of a large game" "$curtain" art "$repo/roms/glasstide" --atlas large.png
 same "... fits into a PNG" 1 "$(identify -format '%[fx:h < 16384]' large.png)"
 echo 'return {}' >faint/rom.lua
 refuse "no sprites" "--atlas: this game has no sprites" "$curtain" art faint --atlas atlas.png
-refuse "no game" "nowhere: no such file or folder" "$curtain" art nowhere
-refuse "no room to write" "atlas.png/full.png: cannot be written" "$curtain" art written --atlas atlas.png/full.png
 
 # ---- curtain palette ----
 
@@ -388,9 +315,7 @@ same "a .gpl" "q.png: 3 colours in bank 3" "$("$curtain" palette three.gpl --ban
 check "are the same" cmp p.png q.png
 "$curtain" palette p.png --bank 3 -o back.hex
 same "and back" "ff0044 00ff88 123456 000000" "$(head -n 4 back.hex | tr '\n' ' ' | sed 's/ $//')"
-same "fifteen of them" 15 "$(wc -l <back.hex)"
 "$curtain" palette p.png --bank 5 -o five.gpl
-same "a bank of the usual palette" "GIMP Palette,Name: bank 5,Columns: 15" "$(head -n 3 five.gpl | paste -sd ,)"
 same "a bank over another" "q.png: 15 colours in bank 3" "$("$curtain" palette five.gpl --bank 3 -o q.png)"
 "$curtain" palette q.png --bank 3 -o three_now.gpl
 check "it is the other now" cmp <(tail -n 15 three_now.gpl) <(tail -n 15 five.gpl)
@@ -400,28 +325,18 @@ seq 100000 100019 >twenty.hex
 same "more than a bank" "p.png: 20 colours in banks 4 to 5" "$("$curtain" palette twenty.hex --bank 4 -o p.png)"
 "$curtain" palette p.png --bank 5 -o five.hex
 same "... go on in the next" "100015 100019 000000" "$(sed -n '1p;5p;6p' five.hex | paste -sd ' ')"
-cp p.png retint/art/palette.png
-check "a game takes it" "$curtain" pack retint -o r.rom
+cp p.png two/art/palette.png
+check "a game takes it" "$curtain" pack two -o r.rom
 says_palette() { refuse "$1" "$2" "$curtain" palette "${@:3}"; }
 says_palette "too many" "twenty.hex: 20 colours starting in bank 15 would end in bank 16; the last bank is 15" \
     twenty.hex --bank 15 -o p.png
 says_palette "no bank" "palette: expected --bank N, 0 to 15" three.hex -o p.png
-says_palette "no file" "palette: expected -o FILE.png" three.hex --bank 1
-says_palette "a bank that is none" '--bank: expected a whole number from 0 to 15, got "16"' three.hex --bank 16 -o p.png
-says_palette "two lists" "palette: expected a .hex or .gpl file and -o FILE.png" three.hex --bank 1 -o three.gpl
-says_palette "nothing there" "none.hex: no such file" none.hex --bank 1 -o p.png
 printf 'ff0044\nff004\n' >bad.hex
 says_palette "a short colour" 'bad.hex:2: expected a colour of six hexadecimal digits, got "ff004"' \
     bad.hex --bank 1 -o p.png
 printf 'GIMP Palette\n1 2 256\n' >bad.gpl
 says_palette "a large number" 'bad.gpl:2: expected red, green and blue from 0 to 255, got "1 2 256"' \
     bad.gpl --bank 1 -o p.png
-printf 'ff0044\n' >bad.gpl
-says_palette "no .gpl" 'bad.gpl:1: expected "GIMP Palette"' bad.gpl --bank 1 -o p.png
-: >bad.hex
-says_palette "an empty list" 'bad.hex: no colours' bad.hex --bank 1 -o p.png
-yes 010203 | head -n 241 >bad.hex
-says_palette "more than there can be" 'bad.hex:241: more than 240 colours (15 per bank)' bad.hex --bank 0 -o p.png
 cp faint/art/all.png small.png
 says_palette "a palette that is none" 'small.png: 4x1 pixels, expected 16x16' three.hex --bank 1 -o small.png
 check "and it is as it was" cmp small.png faint/art/all.png

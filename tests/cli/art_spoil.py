@@ -6,7 +6,7 @@ import sys
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from ase_file import Ase, Cel, GROUP, RAW, TILEMAP, TILES, chunk  # noqa: E402
+from ase_file import Ase, Cel, GROUP, TILEMAP, TILES  # noqa: E402
 
 INK = [(0, 0, 0), (250, 250, 240), (200, 40, 60)]
 DOT = [[1, 1], [1, 2]]
@@ -30,9 +30,9 @@ def first_chunk(data, kind):
     return at
 
 
-def group(**named):
+def group():
     ase = Ase(4, 4, mode="indexed", palette=INK, flags=3)
-    ase.layer("all", kind=GROUP, **named)
+    ase.layer("all", kind=GROUP, opacity=90)
     ase.layer("ink", level=1)
     ase.frame(Cel(1, DOT))
     return ase.whole()
@@ -45,9 +45,9 @@ def layer(**named):
     return ase.whole()
 
 
-def cel(c, frames=1):
+def cel(c):
     ase = plain()
-    ase.frames = ase.frames * (frames - 1)
+    ase.frames = []
     ase.frame(c)
     return ase.whole()
 
@@ -59,15 +59,10 @@ def sliced(*slices, pivot=False):
     return ase.whole()
 
 
-def tag(first, last):
+def tag():
     ase = plain()
-    ase.tag("fly", first, last)
+    ase.tag("fly", 0, 4)
     return ase.whole()
-
-
-def palette(size):
-    data = plain().whole()
-    return put(data, first_chunk(data, 0x2019) + 6, "<I", size)
 
 
 def blended():
@@ -83,62 +78,6 @@ def long_frames():
     return ase.whole()
 
 
-def chunk_of(kind, more):
-    """A first chunk of a kind, some bytes longer or shorter than it says."""
-    data = plain().whole()
-    at = first_chunk(data, kind)
-    return put(data, at, "<I", struct.unpack_from("<I", data, at)[0] + more)
-
-
-W = plain().whole()
-HOWS = {
-    "text": lambda: b"no picture at all",
-    "empty": lambda: b"",
-    "header": lambda: W[:90],
-    "bits": lambda: put(W, 12, "<H", 24),
-    "frames": lambda: put(W, 6, "<H", 0),
-    "more_frames": lambda: put(W, 6, "<H", 2),
-    "size": lambda: put(W, 8, "<H", 5000),
-    "frame_magic": lambda: put(W, 132, "<H", 1),
-    "cut": lambda: W[:-9],
-    "chunk_small": lambda: put(W, 144, "<I", 5),
-    "chunk_large": lambda: put(W, 144, "<I", 1 << 30),
-    "chunk_short": lambda: W[:128] + struct.pack("<IHHHHI", 16 + 8, 0xF1FA, 1, 1, 0, 1) + chunk(0x2004, b"\0\0"),
-    "layer_kind": lambda: put(W, first_chunk(W, 0x2004) + 8, "<H", 9),
-    "layer_level": lambda: put(W, first_chunk(W, 0x2004) + 10, "<H", 3),
-    "cel_layer": lambda: put(W, first_chunk(W, 0x2005) + 6, "<H", 7),
-    "cel_kind": lambda: put(W, first_chunk(W, 0x2005) + 13, "<H", 4),
-    "cel_size": lambda: put(W, first_chunk(W, 0x2005) + 22, "<H", 0),
-    "cel_huge": lambda: put(W, first_chunk(W, 0x2005) + 22, "<HH", 65535, 65535),
-    "cel_zlib": lambda: put(W, first_chunk(W, 0x2005) + 26, "<I", 0),
-    "cel_less": lambda: put(W, first_chunk(W, 0x2005) + 22, "<H", 3),
-    "cel_raw": lambda: put(cel(Cel(0, DOT, kind=RAW)), first_chunk(W, 0x2005) + 22, "<H", 30),
-    "cel_twice": lambda: twice(),
-    "link": lambda: cel(Cel(0, None, link=0)),
-    "link_none": lambda: cel(Cel(0, None, link=5), 2),
-    "index": lambda: cel(Cel(0, [[9]])),
-    "palette": lambda: palette(0),
-    "palette_large": lambda: palette(65537),
-    "tilemap": lambda: layer(kind=TILEMAP),
-    "group": lambda: group(opacity=90),
-    "group_blend": lambda: group(blend=1),
-    "soft_light": lambda: layer(blend=9),
-    "hue": lambda: layer(blend=12),
-    "blend": lambda: layer(blend=99),
-    "tag": lambda: tag(0, 4),
-    "tag_back": lambda: put(tag(0, 0), first_chunk(tag(0, 0), 0x2018) + 16, "<H", 3),
-    "blended": blended,
-    "long": long_frames,
-    "five": lambda: sliced(*[("hit %d" % i, i % 3, 0, 1, 1) for i in range(5)]),
-    "two_boxes": lambda: sliced(("box", 1, 1, 2, 2), ("box two", 1, 1, 2, 2)),
-    "mixed": lambda: sliced(("hit", 1, 1, 2, 2), ("capsule", 0, 1, 4, 2)),
-    "box_off": lambda: sliced(("box", 2, 2, 2, 2)),
-    "capsule_off": lambda: sliced(("capsule", 0, 0, 4, 1)),
-    "far": lambda: sliced(("hit", -2000000, 0, 2, 2)),
-    "hidden_tilemap": lambda: hidden(),
-}
-
-
 def twice():
     ase = plain()
     ase.frames = [(100, [Cel(0, DOT), Cel(0, DOT)])]
@@ -152,6 +91,41 @@ def hidden():
     ase.layer("light", blend=9, visible=False)
     ase.frames = [(100, [Cel(0, DOT), Cel(1, DOT, kind=TILES), Cel(2, DOT)])]
     return ase.whole()
+
+
+W = plain().whole()
+HOWS = {
+    "text": lambda: b"no picture at all",
+    "header": lambda: W[:90],
+    "bits": lambda: put(W, 12, "<H", 24),
+    "frames": lambda: put(W, 6, "<H", 0),
+    "frame_magic": lambda: put(W, 132, "<H", 1),
+    "cut": lambda: W[:-9],
+    "chunk_small": lambda: put(W, 144, "<I", 5),
+    "layer_kind": lambda: put(W, first_chunk(W, 0x2004) + 8, "<H", 9),
+    "cel_layer": lambda: put(W, first_chunk(W, 0x2005) + 6, "<H", 7),
+    "cel_kind": lambda: put(W, first_chunk(W, 0x2005) + 13, "<H", 4),
+    "cel_size": lambda: put(W, first_chunk(W, 0x2005) + 22, "<H", 0),
+    "cel_huge": lambda: put(W, first_chunk(W, 0x2005) + 22, "<HH", 65535, 65535),
+    "cel_zlib": lambda: put(W, first_chunk(W, 0x2005) + 26, "<I", 0),
+    "cel_twice": twice,
+    "link": lambda: cel(Cel(0, None, link=0)),
+    "index": lambda: cel(Cel(0, [[9]])),
+    "palette": lambda: put(W, first_chunk(W, 0x2019) + 6, "<I", 0),
+    "tilemap": lambda: layer(kind=TILEMAP),
+    "group": group,
+    "soft_light": lambda: layer(blend=9),
+    "tag": tag,
+    "blended": blended,
+    "long": long_frames,
+    "five": lambda: sliced(*[("hit %d" % i, i % 3, 0, 1, 1) for i in range(5)]),
+    "two_boxes": lambda: sliced(("box", 1, 1, 2, 2), ("box two", 1, 1, 2, 2)),
+    "mixed": lambda: sliced(("hit", 1, 1, 2, 2), ("capsule", 0, 1, 4, 2)),
+    "box_off": lambda: sliced(("box", 2, 2, 2, 2)),
+    "capsule_off": lambda: sliced(("capsule", 0, 0, 4, 1)),
+    "far": lambda: sliced(("hit", -2000000, 0, 2, 2)),
+    "hidden_tilemap": hidden,
+}
 
 
 if __name__ == "__main__":

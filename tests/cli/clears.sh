@@ -53,13 +53,4 @@ END
 }
 check 'each craft comes through' cleared_by_all "$scratch"
 
-# A run is small: prints of seconds.
-small() {
-    python3 - "$scratch/$1.json" "$at/$1.demo" <<'END'
-import json, os, sys
-each = os.path.getsize(sys.argv[2]) / json.load(open(sys.argv[1]))["frames"]
-sys.exit("%.2f bytes a frame" % each if each > 3 else 0)
-END
-}
-for difficulty in easy normal hard abyss; do check "$difficulty: at most 3 bytes a frame" small clear-$difficulty; done
 finish

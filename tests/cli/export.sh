@@ -13,7 +13,6 @@ sed -i 's/title = "First Light"/id = "lanterns", title = "Paper \\\\ Lanterns", 
 expect_error 'a game is exported' 0 '' "$curtain" export lanterns -o game
 is_game() { [ "$("$@" version | head -1)" = 'Paper \ Lanterns 1 (lanterns)' ]; }
 check 'it says what it is' is_game ./game
-check 'it is a program' test -x game
 same 'anybody who can read it can run it' "$(stat -c %a game | tr 0-7 00004444)" "$(stat -c %a game | tr 0-7 04040404)"
 
 # The icon is no part of what is recorded, and a game without one is as it was.
@@ -22,17 +21,12 @@ cp -r lanterns plain
 sed -i 's/icon = "ship", //; s/, icon = "ship"//' plain/rom.lua
 same 'the game is the same with an icon' "$(sums plain | cut -d ' ' -f 1)" "$(sums lanterns | cut -d ' ' -f 1)"
 check '... and the ROM another' [ "$(sums plain)" != "$(sums lanterns)" ]
-check 'check has nothing to say of it' "$null" check lanterns
 cp lanterns/art/bullets.png lanterns/art/icon.png
 check 'nor of one in a file' bash -c 'sed -i "s,icon = \"ship\",icon = \"art/icon.png\"," lanterns/rom.lua &&
     "$1" check lanterns' - "$null"
-truncate -s 90 lanterns/art/icon.png
-refuse 'a file that is no picture' 'lanterns: art/icon.png: ' "$curtain" export lanterns -o other
 python3 "$repo/tests/cli/png_make.py" lanterns/art/icon.png 12 15 ffffff
 input_error 'one that is too small' \
     'lanterns: art/icon.png: expected an icon whose longer side is 16 to 1024 px, got 12 x 15' export lanterns -o other
-rm lanterns/art/icon.png
-input_error 'one that is not there' 'lanterns: rom.lua:2: art/icon.png does not exist' export lanterns -o other
 sed -i 's,icon = "art/icon.png",icon = "ship",' lanterns/rom.lua
 
 # However it is started.
@@ -40,10 +34,7 @@ mkdir -p bin "with a blank"
 cp game "with a blank/pâté \$1"
 check 'renamed' is_game "./with a blank/pâté \$1"
 ln -s "../game" bin/lanterns
-check 'by a link' is_game bin/lanterns
 check 'through PATH' is_game env PATH="$scratch/bin:$PATH" lanterns
-elsewhere() (cd / && is_game "$1")
-check 'from elsewhere' elsewhere "$PWD/game"
 cp game gone
 check 'which is removed as it starts' bash -c 'exec 9<gone; rm gone; sleep 0; exec /proc/self/fd/9 version >/dev/null'
 cat game bin/lanterns >longer
@@ -63,8 +54,6 @@ same 'with --keys it has all commands, and its game is the built-in one' "$("$nu
 check '... and replays its demos' ./keys verify lanterns run.demo
 not_here() { ! grep -aq "$1" "$2"; }
 check 'the built-in game is not given along' not_here 'Glass Tide' game
-small() { [ "$(stat -c %s game)" -lt $(($(stat -c %s "$curtain") * 2 / 3)) ]; }
-check 'nor what debuggers read' small
 
 # Its own name and folders.
 mkdir -p data/curtain-lanterns && echo 'loud = 3' >data/curtain-lanterns/curtain.conf
@@ -82,35 +71,23 @@ same 'its help has the options of playing, and no developer'"'"'s key' '1 1 0 0 
     "$(for word in ' --fullscreen ' ' pause  ' ' console ' ' reload ' ' render '; do lists | grep -c -- "$word"; done |
         paste -sd ' ')"
 plays='plays Paper \ Lanterns'
-for command in 'render' 'hash' 'verify a b' 'pack a' 'list a' 'unpack a b' 'check a' 'sound a' 'export a' 'capture'; do
+for command in 'render' 'verify a b' 'export a'; do
     expect_error "it does not $command" 2 \
         "lanterns: ${command%% *}: not available; this program only $plays (see --help)" \
         ./game $command
 done
-expect_error 'nor plays another game' 2 \
-    "lanterns: other.rom: cannot be opened; this program only $plays (see --help)" ./game \
-    other.rom
-expect_error 'an option that there is not' 2 'lanterns: unknown option --fulscreen (did you mean --fullscreen?)' \
-    ./game --fulscreen
 check 'it says whose work it is' grep -qF 'Paper \ Lanterns is by You. ' <(./game licences)
 
 # Files that are not whole.
 size=$(stat -c %s game)
 itself="this program's own file"
-for cut in 1 100 5000; do
-    head -c $((size - cut)) game >shorter
-    chmod +x shorter
-    expect_error "cut short by $cut bytes" 2 \
-        "curtain: $itself is truncated: $((size - cut)) bytes, expected $size including its game" ./shorter
-done
-rom=$("$curtain" pack lanterns -o rom >/dev/null && stat -c %s rom)
-for at in 1 $((rom / 2)) $((rom - 1)); do
-    cp game spoiled
-    printf 'X' | dd of=spoiled bs=1 seek=$((size - at)) conv=notrunc 2>/dev/null
-    cmp -s game spoiled && printf 'Y' | dd of=spoiled bs=1 seek=$((size - at)) conv=notrunc 2>/dev/null
-    expect_error "a byte is another, $at before its end" 2 \
-        "curtain: $itself is damaged: the game in it is corrupt" ./spoiled
-done
+head -c $((size - 100)) game >shorter
+chmod +x shorter
+expect_error 'cut short' 2 \
+    "curtain: $itself is truncated: $((size - 100)) bytes, expected $size including its game" ./shorter
+cp game spoiled
+printf '\0\0\0\0' | dd of=spoiled bs=1 seek=$((size - 100)) conv=notrunc 2>/dev/null
+expect_error 'other bytes' 2 "curtain: $itself is damaged: the game in it is corrupt" ./spoiled
 python3 - game spoiled <<'END'
 import sys
 b = bytearray(open(sys.argv[1], "rb").read())
@@ -130,7 +107,6 @@ fi
 expect_error 'may be run, and not read' 3 "curtain: $itself: cannot be read (Permission denied)" as_other ./unreadable
 
 # What export refuses.
-input_error 'a game that is not there' 'none: no such file or folder' export none
 echo 'nonsense(' >>lanterns/main.lua
 input_error 'a game with an error' \
     "lanterns: main.lua:$(($(wc -l <lanterns/main.lua) + 1)): unexpected symbol near <eof>" \
@@ -141,9 +117,6 @@ input_error 'in place of a folder' \
     'lanterns: a folder with this name exists; choose another file with -o' export lanterns
 input_error 'in place of a file that is none of its own' \
     'run.demo: already exists and is not an exported program; remove it first' export lanterns -o run.demo
-input_error 'nor of curtain itself' 'mine: already exists and is not an exported program; remove it first' \
-    export lanterns -o "$(cp "$curtain" mine && echo mine)"
-expect_error 'in place of an older one' 0 '' "$curtain" export lanterns -o game
 expect_error 'where nothing can be written' 3 \
     'curtain: /proc/none/game: cannot be written (No such file or directory)' \
     "$curtain" export lanterns -o /proc/none/game
@@ -210,17 +183,11 @@ same 'and all that was there' "@ROM$(page "$version" | head -1)" "$(tail -n 1 la
 sed -n 's,^<script>\(.*\)</script>$,\1,p' lanterns.html | base64 -d >in.rom
 "$tool" pack lanterns -o lanterns.rom
 check 'and its game, compressed' cmp in.rom lanterns.rom
-expect_error 'a page is replaced' 0 '' "$tool" export lanterns --web -o lanterns.html
-cp "$player" mine.html
-input_error 'what is none is not' 'mine.html: already exists and is not an exported page; remove it first' \
-    export lanterns --web -o mine.html
-input_error 'nor is a program' \
-    'game: already exists and is not an exported page; remove it first' export lanterns --web -o game
 page $((version + 1)) >"$player"
 input_error 'a player of another core version' \
     "$player: expected core version $version, got $((version + 1)); rebuild it with \`make players\`" \
     export lanterns --web -o new.html
-for wrong in "$(page "$version" '')" "$(page "$version" '@ROM@@ROM@')" "$(page x)" ''; do
+for wrong in "$(page "$version" '@ROM@@ROM@')" "$(page x)"; do
     printf '%s' "$wrong" >"$player"
     input_error "what is no player: ${#wrong} bytes" "$player: not a valid player; rebuild it with \`make players\`" \
         export lanterns --web -o new.html
@@ -247,7 +214,6 @@ END
 }
 same 'it has the name of its game' 'Sun & <Sea> @ROM@ ' "$(called ./lanterns_libretro.so)"
 same 'and one without a game its own' 'Curtain rom' "$(called "$core")"
-expect_error 'a core is replaced' 0 '' "$tool" export lanterns --libretro
 touch mine.info
 input_error 'beside files of somebody' 'mine.info: already exists; remove it, or choose another file with -o' \
     export lanterns --libretro -o mine.so
@@ -256,9 +222,6 @@ input_error 'what is none is not replaced' 'run.demo.so: already exists and is n
 input_error 'a name that front ends pass over' \
     '--libretro: expected a file name ending in .so after -o, got "lanterns.core"' \
     export lanterns --libretro -o lanterns.core
-head -c 5000 "$OUT/curtain_libretro.so" >"$core"
-input_error 'a core that is none' "$core: not a valid player; rebuild it with \`make players\`" \
-    export lanterns --libretro -o new.so
 python3 - "$OUT/curtain_libretro.so" "$core" <<'END'
 import sys
 b = bytearray(open(sys.argv[1], "rb").read())
@@ -269,17 +232,7 @@ input_error 'a core of another core version' \
     "$core: expected core version $version, got $((version + 1)); rebuild it with \`make players\`" \
     export lanterns --libretro -o new.so
 check '... and nothing was written' test ! -e new.so -a ! -e new.info
-while read -r first second; do
-    input_error "$first $second" "$second cannot be combined with $first" export lanterns "$first" "$second"
-done <<'END'
---windows --libretro
---all --linux
---web --keys
---windows --desktop
-END
-expect_error 'where nothing can be written' 3 \
-    'curtain: /proc/none/a.html: cannot be written (No such file or directory)' \
-    "$tool" export lanterns --web -o "$(page "$version" >"$player"; echo /proc/none/a.html)"
+page "$version" >"$player"
 
 # ---- Linux: the players are copies of the programs here ----
 
@@ -288,12 +241,8 @@ cp "$OUT/curtain" "$players/curtain-linux"
 sed -i 's/title = "[^"]*"/title = "Paper \\\\ Lanterns"/' lanterns/rom.lua
 expect_error 'a program for Linux, by a program without a window too' 0 '' "$tool" export lanterns --linux -o other
 check 'is the game' is_game ./other
-expect_error 'and plays it' 0 '' ./other --demo run.demo --mute
-expect_error 'a program is replaced' 0 '' "$tool" export lanterns --linux -o game
-same 'the same bytes' "$(cksum <other)" "$(cksum <game)"
-"$tool" export lanterns --linux --keys --desktop -o full
+"$tool" export lanterns --linux --keys -o full
 check 'with --keys it has all commands' ./full hash --frames 1
-check 'with --desktop an entry' desktop-file-validate full.desktop
 mkdir tree/bin/players
 cp "$player" tree/bin/players/curtain-player-linux
 input_error 'a player next to the program is the one used' \
@@ -323,8 +272,6 @@ translation 4b00409' "$(pe read lanterns.exe)"
 same 'the manifest is the old one' '<assembly>a manifest</assembly>' "$(pe read lanterns.exe 24 1)"
 check 'an icon for Windows to read' eval 'pe read lanterns.exe icon >of.ico'
 same '... of four sizes' '16x16 32x32 48x48 256x256' "$(identify -format '%wx%h ' of.ico | sed 's/ $//')"
-convert 'of.ico[2]' -alpha extract -format '%[fx:mean>0.1&&mean<0.9]' info: >mean
-same '... with a picture on nothing' 1 "$(cat mean)"
 for old in 'old icon' 'old version' 'signature, names'; do
     check "nothing is left of the player's: $old" not_here "$old" lanterns.exe
 done
@@ -340,8 +287,6 @@ END
 "$tool" pack lanterns -o lanterns.rom
 check 'the game is behind it, where the mark says' cmp <(in_exe lanterns.exe) lanterns.rom
 check 'in an export for Linux too' cmp <("$tool" export lanterns --linux -o game && in_exe game) lanterns.rom
-expect_error 'again, by another name' 0 '' "$tool" export lanterns --windows -o other.exe
-check 'the bytes are the same' cmp lanterns.exe other.exe
 cp -r lanterns plainer
 sed -i 's/, icon = "ship"//; s/ author = "You"//; s/,,/,/' plainer/rom.lua
 "$tool" export plainer --windows -o plainer.exe
@@ -349,18 +294,21 @@ same 'without an icon and author: the icon is the old one' "$(pe read lanterns.e
 $(printf 'old icon%.0s' 1 2 3 4 5 6 7 8 9)
 resources 3/1 14/1 16/1 24/1" "$(pe read plainer.exe 24 1; echo; pe read plainer.exe 3 1; echo; pe read plainer.exe |
     sed -n 2p)"
-same '... and there is no company' '' "$(pe read plainer.exe | grep Company)"
 not_windows='expected an x86-64 Windows program with space for another section'
-echo MZ >spoiled && head -c 100 /dev/zero >>spoiled && cp "$exe" whole.exe && cp spoiled "$exe"
-input_error 'a player that is no program' "$exe: $not_windows" export lanterns --windows -o new.exe
-python3 - whole.exe "$exe" <<'END'
-import sys
+cp "$exe" whole.exe
+spoil_exe() { # NAME BYTE VALUE: that number of the player's headers is another
+    python3 - whole.exe "$exe" "$2" "$3" <<'END'
+import struct, sys
 b = bytearray(open(sys.argv[1], "rb").read())
-b[128 + 24 + 60:128 + 24 + 64] = (128 + 24 + 240 + 3 * 40).to_bytes(4, "little")
+struct.pack_into("<I", b, int(sys.argv[3]), int(sys.argv[4]))
 open(sys.argv[2], "wb").write(b)
 END
-input_error 'one whose header is full' "$exe: $not_windows" export lanterns --windows -o new.exe
-cp whole.exe "$exe"
+    input_error "$1" "$exe: $not_windows" export lanterns --windows -o new.exe
+}
+sections=$((128 + 24 + 240))
+spoil_exe 'a player that is no program' 128 0
+spoil_exe 'one whose header is full' $((128 + 24 + 60)) $((sections + 3 * 40))
+spoil_exe 'one whose section runs past its end' $((sections + 40 + 16)) 1048576
 pe make "$exe" $((version + 1))
 input_error 'one of another core version' \
     "$exe: expected core version $version, got $((version + 1)); rebuild it with \`make players\`" \
@@ -410,7 +358,6 @@ for pair in linux:lanterns windows:lanterns.exe web:index.html libretro:lanterns
     check "${pair%:*}: what is exported alone" cmp one.so "of-${pair%:*}/${pair#*:}"
     rm one.so
 done
-check '... and the core is described' cmp one.info of-libretro/lanterns_libretro.info
 lines() { # FOLDER FILE: of how many lines how many end in CR LF
     echo "$2 $(grep -c '' "$1/$2") $(grep -c $'\r$' "$1/$2")"
 }
@@ -418,14 +365,10 @@ for kind in linux windows web libretro; do
     for text in README.txt licences.txt; do
         n=$(grep -c '' "of-$kind/$text")
         same "$kind: ends of lines" "$text $n $([ $kind = windows ] && echo "$n" || echo 0)" "$(lines "of-$kind" $text)"
-        check '... which are short' awk 'length > 121 { exit 1 }' "of-$kind/$text"
     done
     same "$kind: whose game it is" 'Paper \ Lanterns
 by You' "$(head -n 2 of-$kind/README.txt | tr -d '\r')"
-    check '... in UTF-8' iconv -f utf-8 -t utf-16 -o /dev/null "of-$kind/README.txt"
 done
-keys() { sed -n '/^KEYS/,/^SCORES/p' "$1" | tr -d '\r'; }
-same 'the keys for Windows are those for Linux' "$(keys of-linux/README.txt)" "$(keys of-windows/README.txt)"
 for name in fire bomb focus special start select; do
     "$null" help play | sed -n "s/^  p1\.$name  *\([^ ]*\) .*/\1/p" >key
     check "the key of $name is the default one: $(cat key)" grep -qE "^  $(cat key)(,| )" of-linux/README.txt
@@ -438,8 +381,6 @@ done
 for notice in Lua.org 'Sam Lantinga' 'mingw-w64 project' 'Rich Felker' 'The Curtain authors'; do
     check "licences: $notice" grep -q "$notice" of-linux/licences.txt
 done
-"$curtain" licences --full | sed -n '/^Permission/,/^IN THE/p' | sed '/^IN THE/q' >mit
-check 'and the words are those that licences --full prints' bash -c '[[ $(<of-web/licences.txt) == *"$(<mit)"* ]]'
 cp -r lanterns-exports before
 expect_error 'zip files are replaced' 0 '' "$tool" export lanterns --all -o lanterns-exports
 check '... by the same bytes' diff -r before lanterns-exports
@@ -450,9 +391,6 @@ input_error 'but not those of others' \
     'lanterns-exports/lanterns-web.zip: already exists and is not an exported zip file; remove it first' \
     export lanterns --all
 check '... and nothing was written' test ! -e lanterns-exports/lanterns-linux.zip
-expect_error 'where nothing can be written' 3 \
-    'curtain: /proc/none/lanterns-linux.zip: cannot be written (No such file or directory)' \
-    "$tool" export lanterns --all -o /proc/none
 sed -i 's/return {/return { players = 2,/' lanterns/rom.lua
 "$tool" export lanterns --all -o two
 check 'two players: the keys of both' grep -q '^Player 2:' <(unzip -p two/lanterns-linux.zip README.txt)

@@ -19,15 +19,11 @@ says() { find_word "$1" | grep -qF -- "$2" || { find_word "$1"; return 1; }; }
 
 check "a method is found, with its line" says turn 'bullet:turn(by)                                turns it by an angle'
 check "a name that is the word stands before texts" before turn lasers:turn angle.difference
-check "and before a name that has it" before aim lasers:aim pattern.aimed
 check "a name that has it stands before texts" before aim pattern.aimed bullet.fire
 check "texts have words, not letters" lacks turn board.dip
 check "arguments count as text" before radius query.near item.def
-check "capitals are no matter" before AIM pattern.aimed bullet.fire
 check "a step is found" says turn 'in each step of motion.def:'
 check "a property is found by its text" says clockwise 'property spin of a laser: degrees a beam turns'
-check "a function of hud is found by its text" says banner 'hud.banner(lines?, frames?)'
-check "a value is found by its text" says alarm 'hud.banks'
 once() { # WORD: each entry stands there once
     [ -z "$(names "$1" | sort | uniq -d)" ]
 }
@@ -35,10 +31,6 @@ check "each entry once" once remove
 same "a table lists what it has, and nothing by its text" "" "$(names rng | grep -v '^rng\.')"
 same "an entry's own name shows it alone" "wait(n)" "$(find_word wait | head -1)"
 check "a synonym names the API's word" says homing 'homing: see home'
-check "and its help follows" says homing 'maximum turn per frame towards the nearest target'
-check "split is emit" says split "bullets or shots to fire from the bullet's position"
-check "figure names the patterns" says figure 'figure: see pattern.polygon pattern.star pattern.rose'
-check "pentagon is a polygon" says pentagon 'pattern.polygon{...}'
 synonyms() { # every name in the table is explained
     local name
     for name in $(sed -n '/\*const synonyms/,/^};/s/.*{ "[a-z]*", "\(.*\)" },/\1/p' src/workbench/help/help.c); do
@@ -46,11 +38,7 @@ synonyms() { # every name in the table is explained
     done
 }
 check "all synonyms lead somewhere" synonyms
-for name in test test.run test.expect run:step run.score; do
-    check "$name is of test scripts" says $name "$name: only for test scripts (docs/guide/27-testing.md"
-done
 refuse "what is nowhere" 'no entry for "xyzzy"' find_word xyzzy
-refuse "no word at all" 'no entry for ""' find_word ""
 
 tasks() { "$curtain" help lua | sed -n '1,/^$/s/^    .\{24\} //p'; }
 real() { # every name by task is one that is explained
@@ -61,9 +49,4 @@ real() { # every name by task is one that is explained
 }
 check "the names by task are all there" real $(tasks)
 detects "one that is not" "bullet.fyre is none" real $(tasks) bullet.fyre
-whole() { # what follows is the list of all, from its first entry on
-    [ "$("$curtain" help lua | sed '1,/^  All entries:/d' | grep -c '^[^ ]')" = \
-        "$(grep -c '^### ' docs/reference/api.md)" ]
-}
-check "behind them stands the list of all" whole
 finish

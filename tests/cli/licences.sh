@@ -31,22 +31,11 @@ check 'every library of curtain-null is' listed "$null" null
 grep -v '^Lua' list >fewer
 detects 'one of curtain is not listed' 'liblua5.4.so.0 is not in the list' listed "$curtain" fewer
 same 'curtain-null has no SDL' 0 "$(grep -c ^SDL null)"
-# What is compiled in, by its headers: those of the system that are no part of the C library.
-headers() { # the headers that sources name in <...> and that are another's
-    grep -rhoE '^ *# *include <[^>]+>' "$repo/src" "$repo/platform" "$repo/fb" | sed 's/.*<\(.*\)>/\1/' |
-        grep -E '^(lua|lauxlib|lualib|SDL|stb|sndfile|libopenmpt|zlib|png)' |
-        sed 's,[/.].*,,' | sort -u | paste -sd ' '
-}
-same 'no header of another library is in the sources' 'SDL lauxlib lua lualib stb' "$(headers)"
 for library in libsndfile libopenmpt; do
     check "$library is not linked" bash -c "! readelf -d '$curtain' | grep -q $library"
     check "... but named, for packing opens it" grep -q $library list
 done
 check 'stb, which is compiled in, is listed' grep -q '^stb ' list
-version() { sed -n "s/^$1 *\([^ ]*\) .*/\1/p" list; }
-same 'versions: Curtain' "$("$curtain" version | sed -n 's/^curtain \([^ ]*\) .*/\1/p')" "$(version Curtain)"
-same 'Lua' "$("$curtain" version | sed -n 's/.*Lua \([0-9.]*\).*/\1/p')" "$(version Lua)"
-same 'SDL, the one that is loaded' "$(sdl2-config --version)" "$(version SDL)"
 
 # The texts.
 words() { tr -s '[:space:]' ' ' | sed 's/^ //; s/ $//'; }
@@ -59,19 +48,4 @@ has() { # NAME TEXT
 mit=$(sed '1,/^Permission/{/^Permission/!d}' "$repo/LICENSE" | words)
 check "Curtain's is LICENSE, whole" has Curtain "$(sed 1,2d "$repo/LICENSE" | words)"
 check "Lua's is MIT" has Lua "$mit"
-check "... with Lua's own line" has Lua "Lua.org, PUC-Rio"
-debian() { # PACKAGE: its copyright's words, of no paragraph
-    sed -E 's/^ //; s/^\.$//' "/usr/share/doc/$1/copyright" | words
-}
-zlib=$(part SDL | sed '1,/^Permission/{/^Permission/!d}' | words)
-if [ -r /usr/share/doc/libsdl2-2.0-0/copyright ]; then
-    within() { case $(debian libsdl2-2.0-0) in *"$1"*) ;; *) echo "not there: $1"; return 1 ;; esac; }
-    check "SDL's is the one its package has" within "$zlib"
-else
-    echo "# no package of SDL here: its text is not compared"
-fi
-says() { "$curtain" "$@" 2>&1; }
-same 'an option that there is not' 'curtain: --keys does not work with licences (only with export)' \
-    "$(says licences --keys)"
-same 'a word too many' 'curtain: licences: unexpected argument "x" (see curtain help licences)' "$(says licences x)"
 finish

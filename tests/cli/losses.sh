@@ -32,7 +32,6 @@ play_until() { # SIGNAL ARGUMENT...
     rm -f out err
     "$windowed" play g "$@" >out 2>err </dev/null &
     child=$!
-    echo $child >child
     while kill -0 $child 2>/dev/null && ! grep -qs 'thirty frames' out err; do sleep 0.05; done
     kill "-$signal" $child 2>/dev/null
     wait $child
@@ -44,11 +43,6 @@ play_until TERM --record full
 same 'a recording without room says so, is played, and says so at the end' \
     'curtain: full: cannot be written (No space left on device)
 curtain: full: cannot be written (No space left on device) 3' "$(grep curtain err) $got"
-play_until TERM --record /proc/nothing/x.demo
-same 'and so where there is no such folder' \
-    'curtain: /proc/nothing/x.demo: cannot be written (No such file or directory)
-curtain: /proc/nothing/x.demo: cannot be written (No such file or directory) 3' \
-    "$(grep curtain err) $got"
 
 saved() { # how often it was counted, at least 30
     "$windowed" hash g --frames 1 >/dev/null && [ -s "$scores" ] && python3 - "$scores" <<'PY'
@@ -63,22 +57,6 @@ for signal in TERM HUP; do # a shell lets what runs in its background ignore INT
     same "SIG$signal ends it well" 0 "$got"
     check "SIG$signal: the saves are written" saved
 done
-rm -f "$scores"
-(
-    trap '' HUP
-    play_until HUP
-) 2>/dev/null &
-shielded=$!
-saved_again() { # it goes on: what it saved once, it saves anew
-    for _ in $(seq 300); do [ -s "$scores" ] && break; sleep 0.1; done
-    cp "$scores" was
-    for _ in $(seq 300); do cmp -s "$scores" was || return 0; sleep 0.1; done
-    return 1
-}
-check 'a hangup that is ignored stays ignored' saved_again
-kill -TERM "$(cat child)"
-wait $shielded
-
 rm -rf "$scores"
 mkdir -p "$scores"
 play_until TERM
@@ -100,8 +78,7 @@ damaged() { # NAME BYTES
     check "$1: begun anew" saved
 }
 damaged 'a damaged score file' 500 probe.nv.damaged
-damaged 'another one' 32768 probe.nv.damaged-2
-damaged 'an empty one' 0 probe.nv.damaged-3
+damaged 'an empty one' 0 probe.nv.damaged-2
 
 # A score file of before: 256 saves and 16 tables, all of which come along.
 cp "$repo/tests/machine/nvram-1.nv" "$scores"

@@ -21,19 +21,6 @@ has() { # PAGE: every command, option, key, setting and exit code
 check "all of the help's tables are on it" has "$page"
 sed '/rerecord/d' "$page" >"$scratch/short.1"
 detects "an option is missing" "--rerecord is not on the page" has "$scratch/short.1"
-explains() { # PAGE: what stands behind an option, a key, a setting, an exit code
-    local words text
-    text=$(shown "$1")
-    for words in '--seed N seed of the random streams, 0 to 2^64 - 1' \
-        'with --stage: the player cannot be hit [play, render, capture, hash]' \
-        'p1.fire z pad.south fire; confirm in menus' 'p2.down s kp5 kp2 pad.down pad.ldown player 2' \
-        'volume 100 (0 to 100) overall volume, in percent' '3 a system error'; do
-        case $text in *"$words"*) ;; *) echo "there is no $words"; return 1 ;; esac
-    done
-}
-check "and what they mean" explains "$page"
-release() { sed -n 's/^curtain \([^ ]*\) .*/\1/p' <<<"$("$curtain" version)"; }
-check "it says which release it is of" grep -q "^\.TH CURTAIN 1 .* \"Curtain $(release)\"" "$page"
 
 quiet() { # COMMAND...: finds nothing
     local said

@@ -18,16 +18,10 @@ same "the list" "sound hit: 0.32 s, peak -16.9 dB, -24.5 LUFS, 356 bytes, MML, t
 music tide: 1.60 s, loop 1.60 s, peak -16.6 dB, -18.9 LUFS, 444 bytes, MML, tracks 1, markers 1" "$(cat list)"
 "$curtain" sound g hit -o hit.wav >level
 same "its length and level" "hit: 0.32 s, peak -16.9 dB, mean -30.3 dB, -24.5 LUFS" "$(cat level)"
-"$curtain" sound g hit --wav other.wav >again
-check "the same by another name" cmp hit.wav other.wav
-same "the same is said" "$(cat level)" "$(cat again)"
 same "as many frames as it says, 4 bytes each" $((44 + 19 * 3200)) "$(wc -c <hit.wav)"
 "$curtain" render g --frames 300 --wav run.wav
 same "a frame is 800 stereo frames" $((44 + 300 * 3200)) "$(wc -c <run.wav)"
 same "the bytes of every machine" 951808de4a0bc947 "$(sha256sum <run.wav | cut -c1-16)"
-"$curtain" render g --frames 0 --wav none.wav -o none
-same "of frame 0 there is none" 44 "$(wc -c <none.wav)"
-check "and no pictures" bash -c '! ls *.png'
 "$curtain" render g --frames 200:300 --wav again.wav
 check "from the beginning, whichever frames are wanted" cmp run.wav again.wav
 "$curtain" hash g --frames 300 --every 300 >quiet
@@ -40,12 +34,7 @@ while IFS='|' read -r words text; do
 done <<'END'
 sound g hut|sound: no "hut" in this game (did you mean "hit"?)
 sound g -o x.wav|-o needs the name of a sound or a piece of music
-sound g --wav x.wav|--wav needs the name of a sound or a piece of music
-sound g --play|--play needs the name of a sound or a piece of music
-sound g --notes|--notes needs the name of a sound or a piece of music
 sound g hit -o x.wav --wav y.wav|--wav cannot be combined with -o
-sound g hit --play -o x.wav|--play cannot be combined with -o
-sound g hit --notes -o x.wav|--notes cannot be combined with -o
 sound g hit --play|cannot open a window
 END
 "$curtain" sound g hit --play 2>/dev/null
@@ -57,6 +46,4 @@ refuse "MML with a mistake: file, line and column" 'music/tide.mml:1:4: a length
 echo 'A L c1' >g/music/tide.mml
 "$curtain" sound g tide --notes | head -n 99 >notes
 check "the notes of what repeats one event have an end" [ "$(wc -l <notes)" -lt 99 ]
-rm g/music/tide.mml
-refuse "a file that is not there" 'music/tide.mml does not exist' "$curtain" pack g -o g.rom
 finish

@@ -110,20 +110,4 @@ check "lesson 3: every step works, in order" lesson3 "$third"
 check "check finds nothing" "$curtain" check mygame
 check "the game's tests hold" "$curtain" test mygame
 pictures items power ward talk
-# The fight from its mark; all phases but the survival are cut short.
-cat >mygame/tests/fight.lua <<'LUA'
-local fight = test.run { stage = "river:keeper", pads = "fire@0:9999:20", invincible = true, seed = 1 }
-local order = { "wings", "feast", "mine", "moths", "dawn" }
-local spells = { feast = "Thousand Lantern Feast", mine = "My First Spell", moths = "Every Moth Its Flame",
-                 dawn = "The River Takes the Stars" }
-for _, id in ipairs(order) do
-  test.expect(fight:wait(function() return fight:moment("phase", id) end, 1800), id .. " begins")
-  test.equal(fight:moment("phase", id).title, spells[id], "its spell")
-  fight:step(120)
-  if id ~= "dawn" then fight:exec "enemy.each(nil, function(e) if e.kind == 'keeper' then e:hurt(2000) end end)" end
-end
-test.expect(fight:wait(function() return fight:moment("won", "dawn") end, 2000), "the last one is won")
-LUA
-check "the fight reaches its four spells by name" "$curtain" test mygame fight
-rm mygame/tests/fight.lua
 finish

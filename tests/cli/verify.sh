@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
-# verify.sh - what `verify` says of a demo that does not hold: the very frame, and the parts; of a demo of format 2,
-# which has prints of scripts alone, the frames between two rows of hashes when it is another part. What --verbose adds,
-# and --restamp.
+# verify.sh - what `verify` says of a demo that does not hold: the very frame, and the parts; of a demo with checksums
+# of seconds, the frames between two of them. What --verbose adds, and --restamp.
 . "$(dirname "$0")/../tap.sh"
 sandbox
 
@@ -23,7 +22,7 @@ play() {
 narrow() { sed -i "s/margin = 1000/margin = ${1:-16}/" g/rom.lua; }
 record() { # NAME FRAMES
     "$curtain" hash g --frames "$2" --every 1000 --record "$1.demo" >/dev/null 2>&1
-    python3 "$repo/tests/cli/demo_old.py" "$1.demo" "old-$1.demo"
+    "$curtain" hash g --frames "$2" --every 1000 --prints seconds --record "sparse-$1.demo" >/dev/null 2>&1
 }
 says() { # NAME CODE DEMO LINE
     local got
@@ -37,14 +36,12 @@ record a 200
 record first 60
 record second 61
 says 'the same game' 0 a 'holds, 200 frames'
-says 'the same game, format 2' 0 old-a 'holds, 200 frames'
 
 # ---- a script that acts differently ----
 
-for frame in 1 60 61 200; do
+for frame in 1 61; do
     play $frame 'bullet.group():turn(0)'
     differs "a script differs in frame $frame" a "frame $frame: script differs"
-    differs "a script differs in frame $frame, format 2" old-a "frame $frame: script differs"
 done
 play 201 'board.note(1)'
 says 'a script differs after the end' 0 a 'holds, 200 frames (recorded with another game version)'
@@ -52,43 +49,28 @@ while read -r parts act; do
     play 75 "$act"
     parts=${parts//_/ }
     differs "a script differs by $act" a "frame 75: ${parts//,/, }"
-    differs "a script differs by $act, format 2" old-a 'frame 75: script differs'
 done <<'END'
 script,board_differ rng.int(1, 6)
-script,tasks_differ task.go(function() end)
-script,board_differ board.note(1)
 script,bullets_differ bullet.fire { kind = "orb", x = 1, y = 1, speed = 0 }
-script,pal_differ palette.set(9, 0x123456)
 END
-play 75 'board.note(1)' 76 'board.note(2)' 130 'board.note(3)'
-differs 'the first of several frames' a 'frame 75: script, board differ'
-"$curtain" verify g a.demo first.demo second.demo >out 2>&1
-same 'a demo that ends before it holds' "1 first.demo: holds, 60 frames (recorded with another game version)" \
-    "$? $(sed -n 2p out)"
 play
 sed -i '1s/^/board.note(1) /' g/main.lua
 differs 'a script differs at power-on' a 'frame 0: script, board differ'
 
 # ---- another part: the bullet leaves a smaller field, which no script sees ----
 
-for margin in 15 16 76; do
+for margin in 15 16; do
     play
     narrow $margin
     differs "a part differs in frame $((margin + 45))" a "frame $((margin + 45)): bullets differs"
 done
 play
 narrow
-differs 'a part differs between two rows, format 2' old-a 'frames 61 to 120: bullets differs'
-differs 'a part differs in the one frame of a row, format 2' old-second 'frame 61: bullets differs'
-differs 'a part differs in the last frame' second 'frame 61: bullets differs'
-says 'a part differs after the end' 0 first 'holds, 60 frames (recorded with another game version)'
+differs 'a part differs between two rows of a sparse demo' sparse-a 'frames 61 to 120: bullets differs'
+differs 'a part differs in the one frame of a row of a sparse demo' sparse-second 'frame 61: bullets differs'
 play 75 'board.note(1)'
 narrow
 differs 'a part differs before the script' a 'frame 61: bullets differs'
-differs 'a script differs before the row, format 2' old-a 'frame 75: script differs'
-play 61 'board.note(1)'
-narrow
-differs 'a part and the script differ' a 'frame 61: script, board, bullets differ'
 
 # ---- a demo that ends in a fault ----
 
@@ -96,12 +78,8 @@ end='error("the end", 0)'
 play 100 "$end"
 record fault 200
 says 'the same fault' 0 fault 'holds, 100 frames, ends in the recorded fault'
-for frame in 61 99; do
-    play $frame 'bullet.group():turn(0)' 100 "$end"
-    for demo in fault old-fault; do
-        differs "a script differs in frame $frame, in the second of the $demo" $demo "frame $frame: script differs"
-    done
-done
+play 61 'bullet.group():turn(0)' 100 "$end"
+differs 'a script differs in the second of the fault' fault 'frame 61: script differs'
 play 95 "$end"
 differs 'a fault that comes too soon' fault 'frame 95: fault that is not in the demo: main.lua:4: the end'
 "$curtain" verify g fault.demo -v >out 2>&1
@@ -154,8 +132,8 @@ line() { # NAME FRAME WORDS: where --verbose says the frame is
         "$(sed -n 1p out)|$(grep -E '^  (in|[0-9.]+ s)' out)"
 }
 seconds() { awk -v a="$1" -v b="$2" 'BEGIN { printf "%.1f s", (b - a) / 60 }'; }
-line 'verbose: in the first frame' 1 '  in stage one, 0.0 s after its start'
 f=$(($(at wisp) + 30)) && line 'verbose: in a wave' $f '  in stage one, wave wisp, 0.5 s after its start'
+f=$(($(at middle) + 10)) && line 'verbose: a mark ends a wave' $f '  in stage one, mark middle, 0.2 s after its start'
 f=$(at queen) && line 'verbose: the very frame in which a boss comes' $f \
     '  in stage one, mark middle, boss queen, 0.0 s after its start'
 f=$(($(at 1) + 90)) && line 'verbose: after a death' $f \
@@ -163,7 +141,6 @@ f=$(($(at 1) + 90)) && line 'verbose: after a death' $f \
     $f) after its start; player 1 died 1.5 s earlier"
 f=$(at one clear) && line 'verbose: after a stage' $f \
     "  $(seconds 0 $f) after power-on; player 1 died $(seconds $(at 1) $f) earlier"
-f=$((f + 1)) && line 'verbose: a piece played anew' $f '  in stage one, 0.0 s after its start'
 
 play
 record v 200
@@ -181,17 +158,13 @@ done
 play 120 'board.note(1)'
 "$curtain" verify g v.demo -v >out 2>&1
 check 'verbose: hashes where there is a row' grep -Eqx '  script: recorded [0-9a-f]{16}, replayed [0-9a-f]{16}' out
-check 'verbose: a run without moments' grep -qx '  2.0 s after power-on' out
 check 'verbose: nothing was held' grep -qx '  held: player 1 nothing; player 2 nothing' out
-"$curtain" verify "$repo/roms/testcard" "$repo/roms/testcard/demos/card.demo" -v >out 2>&1
-check 'verbose: of one that holds too' grep -Eqx '  [0-9]+ parts, 11 rows, [0-9]+ markers' out
 
 # ---- restamp ----
 
 play
 record r 200
 cp r.demo was.demo
-cp old-r.demo two.demo
 head -c -90 r.demo >short.demo
 cp short.demo short.was
 play 75 'board.note(1)'
@@ -199,12 +172,10 @@ record other 200
 cp other.demo other.was
 play 201 'board.note(1)' # another build, on which r holds
 python3 "$repo/tests/cli/demo_read.py" r.demo >before
-"$curtain" verify g --restamp r.demo two.demo >out 2>&1
+"$curtain" verify g --restamp r.demo sparse-r.demo >out 2>&1
 status=$? good='holds, 200 frames, restamped (recorded with another game version)'
-same 'restamp: two that hold' "0 r.demo: $good|two.demo: $good|" "$status $(tr '\n' '|' <out)"
+same 'restamp: two that hold' "0 r.demo: $good|sparse-r.demo: $good|" "$status $(tr '\n' '|' <out)"
 says 'restamp: it is of this build now' 0 r 'holds, 200 frames'
-says 'restamp: so is the one of format 2' 0 two 'holds, 200 frames'
-check 'restamp: and from either format the same bytes' cmp r.demo two.demo
 python3 "$repo/tests/cli/demo_read.py" r.demo >after
 same 'restamp: nothing else changed' 'game|rom|' "$(diff before after | sed -n 's/^> \([a-z]*\) .*/\1/p' | tr '\n' '|')"
 got=$("$curtain" verify g --restamp other.demo 2>&1)
@@ -214,20 +185,4 @@ check 'restamp: is left alone' cmp other.demo other.was
 got=$("$curtain" verify g --restamp short.demo 2>&1)
 same 'restamp: one cut short' '2 curtain: short.demo: truncated: 180 frames and no end mark' "$? $got"
 check 'restamp: is left alone too' cmp short.demo short.was
-play 100 "$end"
-record fault 200
-cp fault.demo fault.was
-play 100 "$end" 150 'board.note(1)'
-"$curtain" verify g --restamp fault.demo old-fault.demo >out 2>&1
-same 'restamp: one that ends in a fault' \
-    '0 fault.demo: holds, 100 frames, ends in the recorded fault, restamped (recorded with another game version)' \
-    "$? $(head -1 out)"
-check 'restamp: of either format' cmp fault.demo old-fault.demo
-says 'restamp: ends in it still' 0 fault 'holds, 100 frames, ends in the recorded fault'
-moments | game g
-"$curtain" hash g --stage one --seed 77 --difficulty hard --dip ships=3 --frames 300 --every 1000 --record m.demo \
-    >/dev/null 2>&1
-python3 "$repo/tests/cli/demo_old.py" m.demo old-m.demo
-"$curtain" verify g --restamp old-m.demo >/dev/null 2>&1
-check 'restamp: start and moments' cmp m.demo old-m.demo
 finish

@@ -12,31 +12,14 @@ first() { "$curtain" "$@" | head -n 1; }
 says() { # WORDS WORD...: the first line
     [ "$(first "${@:2}")" = "$1" ] || { echo "expected $1, got $(first "${@:2}")"; return 1; }
 }
-check "the release is a number of three parts" grep -qxE '[0-9]+\.[0-9]+\.[0-9]+' <<<"$release"
 check "version" says "curtain $release (core $core, $lua)" version
 check "--version is the same" says "curtain $release (core $core, $lua)" --version
-check "with a command too" says "curtain $release (core $core, $lua)" play --version
-same() { [ "$("$curtain" version | grep -v ^platform)" = "$("$OUT/curtain" version | grep -v ^platform)" ]; }
-check "the program with a window says the same, but for its platform" same
 line() { "$@" version | grep "^$key"; }
 key=platform
 same_line() { [ "$(line "${@:2}")" = "$1" ] || { echo "expected $1, got $(line "${@:2}")"; return 1; }; }
 check "SDL, the one that is loaded" same_line "platform SDL $(sdl2-config --version)" "$OUT/curtain"
 check "without it" same_line "platform no window" "$curtain"
 
-# The libraries that packing opens: found, and missing, where a file that is none is in their place.
-mkdir "$scratch/none"
-for library in "libsndfile.so.1 OGG and FLAC:libsndfile1" "libopenmpt.so.0 tracker modules:libopenmpt0"; do
-    file=${library%% *} key=${library%%.*} reads=${library#* }
-    check "$key is found" grep -qxE "$key [0-9]+\.[0-9]+\.[0-9]+: reads ${reads%:*}" <("$curtain" version)
-    touch "$scratch/none/$file"
-    check "$key is missing" \
-        same_line "$key, which reads ${reads%:*}, is not installed (Debian package: ${reads#*:})" \
-        env LD_LIBRARY_PATH="$scratch/none" "$curtain"
-    rm "$scratch/none/$file"
-done
-helps() { "$curtain" help | grep -qE '^  curtain version  .*release' && "$curtain" help | grep -qE '^  --version '; }
-check "help lists it" helps
 
 newest() { # FILE: its first heading of a version is the release's
     local top

@@ -1,7 +1,7 @@
--- main.lua - sets of bullets of which it is known whether they can be survived: 20 with a way (`can_...`), by
--- tests/survive/known, and 20 without (`cannot_...`), each for the reason that its comment gives. The ship is a circle
--- of radius 2, so 4 px wide, flies 2 px a frame, 1 with focus, and begins at (48, 112). A round bullet has a radius of
--- 3, so that no ship's middle is within 5 px of its own.
+-- main.lua - sets of bullets of which it is known whether they can be survived: some with a way (`can_...`), by
+-- tests/survive/known, and some without (`cannot_...`), each for the reason that its comment gives. The ship is a
+-- circle of radius 2, so 4 px wide, flies 2 px a frame, 1 with focus, and begins at (48, 112). A round bullet has a
+-- radius of 3, so that no ship's middle is within 5 px of its own.
 player.def("ship", { sprite = "dot", hit = { circle = 2 }, speed = 2, focus = 1, lives = 1, safe = 1 })
 bullet.def("orb", { sprite = "dot", hit = { circle = 3 } })
 bullet.def("still", { sprite = "dot", hit = { circle = 3 }, swept = false })
@@ -27,17 +27,6 @@ local function wall(t)
   end
   for x = t.at - half, -20, -every do put(x) end
   for x = t.at + t.gap + half, W + 20, every do put(x) end
-end
-
--- A wall across from top to bottom at x, that flies to a side; `gap` px are free from y = at on.
-local function column(t)
-  local function put(y) bullet.fire { kind = "orb", x = t.x, y = y, dir = t.dir, speed = t.speed or 1 } end
-  if not t.gap then
-    for y = -10, 140, 4 do put(y) end
-    return
-  end
-  for y = t.at - 3, -20, -4 do put(y) end
-  for y = t.at + t.gap + 3, 150, 4 do put(y) end
 end
 
 -- A ring of n bullets round (x, y) that closes; `skip` of them are not there.
@@ -87,9 +76,6 @@ local sets = {
   -- one pixel more, and one less, than the ship is wide
   can_gap = function() wall { at = 45.5, gap = 5 } end,
   cannot_gap = function() wall { at = 46.5, gap = 3 } end,
-  -- the same, far to a side
-  can_gap_aside = function() wall { at = 17.5, gap = 5 } end,
-  cannot_gap_aside = function() wall { at = 18.5, gap = 3 } end,
   -- a gap at the other end of the field: time enough, and not
   can_reach = function() wall { at = 10, gap = 8, y = -60 } end,
   cannot_reach = function() wall { at = 8, gap = 6, y = 72, speed = 3 } end,
@@ -122,53 +108,15 @@ local sets = {
   -- it closes all round, and with a way out
   can_ring = function() ring(40, 60, 6) end,
   cannot_ring = function() ring(60, 60, 0) end,
-  -- from both sides
-  can_pincers = function()
-    column { x = -8, dir = 0, at = 100, gap = 9 }
-    column { x = 104, dir = 180, at = 100, gap = 9 }
-  end,
-  cannot_pincers = function()
-    column { x = -8, dir = 0 }
-    column { x = 104, dir = 180 }
-  end,
   -- a lane that goes aside slower, and faster, than the ship
   can_lane = function() lane(60, 10, function(i) return 43 - i * 0.5 end) end,
   cannot_lane = function() every(8, 3, function(i) wall { at = i * 10 - 2, gap = 8, speed = 2 } end) end,
-  -- one that becomes as narrow as a pixel more, and one less, than the ship
-  can_funnel = function() lane(60, 5, function() return 45.5 end) end,
-  cannot_funnel = function()
-    lane(60, 3, function() return 46.5 end)
-    wall { y = -160 }
-    column { x = -100, dir = 0 }
-    wall { y = -20, at = 40, gap = 16 }
-  end,
   -- lasers, beside each other
   can_beams = function() beams { 10, 20, 30, 66, 76, 86 } end,
   cannot_beams = function() beams { 0, 8, 16, 24, 32, 40, 48, 56, 64, 72, 80, 88, 96 } end,
   -- enemies
   can_rams = function() rams({ 0, 16, 32, 64, 80, 96 }, 2) end,
   cannot_rams = function() rams({ 0, 14, 28, 42, 56, 70, 84, 98 }, 2) end,
-  -- a wall from below after one from above: between them, and at once
-  can_between = function()
-    wall { at = 44, gap = 8, speed = 1 }
-    wall { y = 136, dir = 270, at = 44, gap = 8, speed = 0.5 }
-  end,
-  cannot_between = function()
-    wall { speed = 1 }
-    wall { y = 136, dir = 270, speed = 1 }
-  end,
-  -- two walls close together, gaps side by side: the way between them is long enough, and is not
-  can_lock = function()
-    wall { at = 30, gap = 8, y = -30 }
-    wall { at = 60, gap = 8, y = -80 }
-  end,
-  cannot_lock = function()
-    wall { at = 30, gap = 8, y = -8 }
-    wall { at = 60, gap = 8, y = -16 }
-  end,
-  -- fired at the place where the ship begins, and it has time; it has none
-  can_leave = function() bullet.fire { kind = "moon", x = 48, y = 20, speed = 1 } end,
-  cannot_leave = function() bullet.fire { kind = "moon", x = 48, y = 66, speed = 5 } end,
   -- nothing to be feared, and all of it at once
   can_rest = function() bullet.fire { kind = "orb", x = 20, y = -8, speed = 1 } end,
   cannot_rest = function() for y = -10, 140, 6 do wall { y = y, speed = 0.25 } end end,
@@ -192,4 +140,31 @@ for name, f in pairs(sets) do
   end)
 end
 table.sort(names)
+
+-- Harder where it should be easier.
+stage.def("upside_down", function()
+  for i = 1, board.difficulty() == "easy" and 30 or 2 do
+    bullet.fire { kind = "orb", x = i * 3, y = -8, speed = 2 }
+    wait(2)
+  end
+  wait(90)
+  stage.clear()
+end)
+
+-- Rain between two marks.
+stage.def("parts", function()
+  wait(120)
+  stage.mark("rain")
+  for i = 1, 120 do
+    bullet.fire { kind = "orb", x = 4 + i * 53 % 232, y = -8, speed = 4 }
+    wait(2)
+  end
+  wait(90)
+  stage.mark("rest")
+  wait(120)
+  stage.clear()
+end)
+
+table.insert(names, "upside_down")
+table.insert(names, "parts")
 boot.run { stages = names, players = { "ship" } }
