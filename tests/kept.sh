@@ -6,7 +6,6 @@
 #     { begin; keys 200 $Z; ends; }    # keys: from power-on to a run, 200 frames of fire, a death
 . "$(dirname "${BASH_SOURCE[0]}")/scripted.sh"
 export TZ=UTC
-ENTER=40 C=6 ESC=41 DOWN=81 UP=82
 folder=data/curtain/replays/probe
 
 kept_game() {

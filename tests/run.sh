@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # run.sh - runs test programs, as many at a time as there are cores, and counts every single test case.
 #
-#     OUT=build/release tests/run.sh check|test|all|unit|torture|sanitizer [WORD...]
+#     OUT=build/release tests/run.sh check|test|all|torture|sanitizer [WORD...]
 #
 # check, test and all are the tiers of tests/tiers: C programs below $OUT/unit and $OUT/machine, and the scripts
-# tests/{machine,cli,golden,lint}/*.sh. unit: the C programs below $OUT/unit; torture: what has torture in its name;
-# sanitizer: the C programs, where any finding ends the program. all and torture run the long forms of tests
-# (CURTAIN_LONG=1). With WORDs, only programs with one of them in their names run, of every tier.
+# tests/{machine,cli,golden,lint}/*.sh. torture: what has torture in its name; sanitizer: the C programs, where any
+# finding ends the program. all and torture run the long forms of tests (CURTAIN_LONG=1). With WORDs, only programs with
+# one of them in their names run, of every tier.
 #
 # Every program prints TAP. A crash, a missing or wrong plan and a skipped test count as failed. A program's output
 # stays in $OUT/results, and is shown, with the command that repeats the program, when something in it failed. all
@@ -115,7 +115,6 @@ check | test | all) # the longest first
     done
     [ "$what" != all ] || export CURTAIN_LONG=1
     ;;
-unit) add "$OUT"/unit/test_* ;;
 torture)
     export CURTAIN_LONG=1
     cpu=3600
@@ -129,7 +128,7 @@ sanitizer)
     add "$OUT"/machine/test_* "$OUT"/unit/test_*
     ;;
 *)
-    echo "tests/run.sh: \"$what\" is none of check, test, all, unit, torture, sanitizer" >&2
+    echo "tests/run.sh: \"$what\" is none of check, test, all, torture, sanitizer" >&2
     exit 2
     ;;
 esac

@@ -95,29 +95,6 @@ finish() {
     exit $tap_failed
 }
 
-# engine_copy: $copy has links to the engine's sources, and files of its own in src/machine, to plant a fault in.
-engine_copy() {
-    copy=$scratch/copy
-    mkdir -p "$copy/src"
-    ln -s "$PWD/fb" "$copy/fb"
-    ln -s "$PWD"/src/{base,entities,rom,sound} "$copy/src/"
-    cp -r src/machine "$copy/src/machine"
-}
-
-# engine_build TOOL OBJECTS LIBRARY...: $scratch/TOOL, the program of tools/TOOL, with those C files of $copy's
-# src/machine/collision that OBJECTS, a pattern, names, in place of the engine's objects of these names.
-engine_build() {
-    local tool=$1 objects=$2
-    shift 2
-    ${CC:-cc} -std=c11 -fwrapv -ffp-contract=off -O2 -w -D_DEFAULT_SOURCE $(pkg-config --cflags lua5.4) \
-        -o "$scratch/$tool" "$copy"/src/machine/collision/$objects.c \
-        $(printf "$OUT/%s " tools/{$tool,report}/*.c | sed "s/\.c /.o /g") \
-        $(find src -name '*.c' ! -path 'src/lib/*' ! -name "$objects.c" ! -name main.c | sed "s,^,$OUT/,; s,c\$,o,") \
-        "$OUT"/fb/*.o "$OUT"/gen/std.o \
-        "$OUT"/gen/no_rom.o "$OUT"/platform/{null,stdio,posix,posix_process}.o \
-        $(pkg-config --libs lua5.4) "$@" -lm -pthread
-}
-
 # build_player: ./player, curtain with a port that is played by a script (machine/port_keys.c), without window and
 # clock.
 build_player() {

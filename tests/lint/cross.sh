@@ -13,12 +13,7 @@ for demo in $(demos); do
     echo \
         "$(key "$demo") $("$curtain" hash "$(rom "$demo")" --demo "$demo" --every "$n" 2>/dev/null | tail -n 1 |
         sed 's/ \(.*\)/: `\1`/')"
-done >"$scratch/now" 2>"$scratch/doubts"
-enough() {
-    ! grep -vE '^[a-z0-9]+-[a-z0-9-]+ [1-9][0-9]*: `[0-9a-f]{16}`$' "$scratch/now"
-}
-check "every demo has its last hash" enough
-
+done >"$scratch/now"
 # Both tables of the page, a row a line, fields without their blanks.
 rows() { sed -n '/^<!-- cross/,/^<!-- end/p' "$1" | sed -n 's/^| *\(.*\) *|$/\1/p' | sed 's/ *| */|/g; s/ *$//'; }
 hashes() { rows "$1" | awk -F '|' '/^build/ { on = /frames/ } on && !/^-/'; }
@@ -44,26 +39,14 @@ same_hashes() { # PAGE: a column for each demo and no other, every row of it wha
 }
 check "the page's last hashes are this build's" same_hashes docs/internals/determinism.md
 
-machines() { # PAGE
-    local want bad=0
-    while read -r want; do
-        builds "$1" | grep -qE "$want" || { echo "no row like $want"; bad=1; }
-    done <<'END'
-^x86-64\|ELF 64-bit LSB .*\|64-bit little-endian\|
-^arm64\|ELF 64-bit LSB .*aarch64.*\|64-bit little-endian\|
-^armhf\|ELF 32-bit LSB .*ARM.*\|32-bit little-endian\|
-^i386\|ELF 32-bit LSB .*80386.*\|32-bit little-endian\|
-^s390x\|ELF 64-bit MSB .*S/390.*\|64-bit big-endian\|
-^wasm32\|WebAssembly .*\|32-bit little-endian\|
-END
-    return $bad
-}
-check "the page has all machines" machines docs/internals/determinism.md
+# PAGE: its machines with their words and byte order
+machines() { builds "$1" | grep -v trixie | cut -d '|' -f 1,3 | sort | paste -sd ' '; }
+same "the page has all machines" "arm64|64-bit little-endian armhf|32-bit little-endian i386|32-bit little-endian \
+s390x|64-bit big-endian wasm32|32-bit little-endian x86-64|64-bit little-endian" \
+    "$(machines docs/internals/determinism.md)"
 
-if long; then
-    sed "/^| s390x |/s/[0-9a-f]\{16\}/0123456789abcdef/" docs/internals/determinism.md >"$scratch/planted.md"
-    detects "another hash of one build" "s390x: " same_hashes "$scratch/planted.md"
-fi
+sed "/^| s390x |/s/[0-9a-f]\{16\}/0123456789abcdef/" docs/internals/determinism.md >"$scratch/planted.md"
+detects "another hash of one build" "s390x: " same_hashes "$scratch/planted.md"
 
 # ---- a build that diverges ----
 

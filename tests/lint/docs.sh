@@ -9,21 +9,6 @@ check "docs/reference/api.md is what tools/apidoc.sh writes" current docs/refere
 sed 's/required/needed/' docs/reference/api.md >"$scratch/api.md"
 detects "an old page" "(required)" current "$scratch/api.md"
 
-# Every function the library hands to games has its help.
-entries() { "$curtain" help lua | grep -c '^[^ ]'; }
-headings() { [ "$(grep -c '^### ' docs/reference/api.md)" = "$(entries)" ]; }
-check "every entry has its place on the page" headings
-unknown() { "$curtain" help lua bullet.fyre; }
-refuse "help for what is not there is refused" "bullet.fyre" unknown
-
-commands() {
-    local c
-    for c in $("$curtain" help | sed -n 's/^  curtain \([a-z]*\) .*/\1/p'); do
-        "$curtain" help "$c" | grep -q "^curtain $c" || { echo "help $c says nothing"; return 1; }
-    done
-}
-check "every command has its help" commands
-
 # As docs/measured/proof.txt says it: "prove: 24 functions, 124238115279 inputs, 0 misrounded", with commas.
 figures() { # README
     local said

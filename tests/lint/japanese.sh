@@ -1,63 +1,41 @@
 #!/usr/bin/env bash
-# japanese.sh - roms/glasstide in Japanese: the file has words for all that the standard library's screens and the game
-# show, all of them in katakana, and none is wider than the row it stands in.
+# japanese.sh - roms/glasstide in Japanese: the file has words for the texts of the standard library's screens and of
+# the game, all of them in katakana, and none is wider than its row.
 . "$(dirname "$0")/../tap.sh"
 
 cat >"$scratch/words.py" <<'PY'
 import glob, re, sys
-lines = [l.rstrip("\n") for l in open(sys.argv[1], encoding="utf-8")]
-words = dict(l.split(" = ", 1) for l in lines if l and l[0] != "#")
-found = []
-shown = {}  # text: cells it may have
-for path in glob.glob("scripts/**/*.lua", recursive=True):
-    for text in re.findall(r'"([^"\n]*[A-Z]{2}[^"\n]*)"', re.sub(r"sys\.fail\(.*", "", open(path).read())):
-        if not re.search("[a-z]", re.sub("%[0-9]*[ds]", "", text)) and text != "HI ":  # the hud's, in every language
-            shown[text] = 30
-for path in glob.glob("roms/glasstide/**/*.lua", recursive=True):
-    code = re.sub("--.*", "", open(path).read())
-    for text in re.findall(r'"([A-Z][^"]+)"', code if not path.endswith("rom.lua") else ""):
-        shown[text] = 80  # sentences and names: they are broken into rows
-for path in glob.glob("roms/glasstide/stages/**/*.lua", recursive=True):
-    for text in re.findall(r'(?:title|spell) = "([^"]*)"', open(path).read()):
-        shown[text] = 28
-    for text in re.findall(r'(?:talk\.def\("\w+", \{ name =|say\([\w"]+,) "([^"]*)"', open(path).read()):
-        shown[text] = 3 * 26  # a page of a talk
-for path in glob.glob("roms/glasstide/fx/*.lua"):
-    for name in re.findall(r'\{ name = "(\w+)", show', open(path).read()):
-        shown[name.upper().replace("_", " ")] = 26  # a page of the title's list
-rom = open("roms/glasstide/rom.lua", encoding="utf-8").read()
-for name in re.findall(r'"(\w+)"', re.search(r"difficulties = {([^}]*)}", rom)[1]):
-    shown[name.upper()] = 26
-main = open("roms/glasstide/main.lua").read()
-for part in re.findall(r"(?:stages|players) = {([^}]*)}", main):
-    for name in re.findall(r'"(\w+)"', part):
-        shown[name.upper()] = 26
-for name in re.findall(r'{ name = "(\w+)", stages', main):
-    shown[name.upper()] = 26
-for path in ["opening", "ending"]:  # a row each, whatever it begins with
-    for lines in re.findall(r"lines = {([^}]*)}", open("roms/glasstide/%s.lua" % path).read()):
-        for text in re.findall(r'"([^"]*)"', lines):
-            shown[text] = 28
-for part in re.findall(r"staff = {(.*)} }", main, re.S):
-    for text in re.findall(r'"([^"]*)"', part):
-        shown[text] = 30
-for text in re.findall(r'hint = "([^"]*)"', open("roms/glasstide/unlocks.lua").read()):
-    shown[text] = 80
-for kind in re.findall(r'kind = "(\w+)"', open("roms/glasstide/players/forms.lua").read()):
-    shown[kind.replace("_", " ").upper()] = 26
-scoring = open("roms/glasstide/scoring.lua").read()
-for name in re.findall(r'(\w+) = {[^}]*show = "(?:bar|number|icons)"', scoring):
-    shown[name.upper()] = 12
-number = lambda m: "0" * int(m[1] or 1)
-for text, most in sorted(shown.items()):
-    row = re.sub(r"%0?(\d*)d", number, words.get(text, "")).replace("%s", words["STAGE %s"].replace("%s", "1"))
-    if not row:
-        found.append('no words for "%s"' % text)
-    elif len(row) > most:
-        found.append('%d cells for "%s": %s' % (len(row), text, row))
-    elif re.search(r"[a-zA-Z]", re.sub(r"%\w+", "", words[text])):
-        found.append('Latin letters for "%s": %s' % (text, words[text]))
-found += ['nothing shows "%s"' % text for text in words if text not in shown]
+
+GAME = "roms/glasstide/"
+# Files, a pattern for the texts that they show, and the cells a text may have.
+SHOWN = [
+    ("scripts/**/*.lua", r'"((?:%[0-9]*[ds]|[^"\na-z])*[A-Z]{2}(?:%[0-9]*[ds]|[^"\na-z])*)"', 30),
+    (GAME + "**/*.lua", r'"([A-Z][^"]+)"', 80),  # sentences and names are broken into rows
+    (GAME + "stages/**/*.lua", r'(?:title|spell) = "([^"]*)"', 28),
+    (GAME + "stages/**/*.lua", r'(?:talk\.def\("\w+", \{ name =|say\([\w"]+,) "([^"]*)"', 3 * 26),
+]
+# Names, which are shown in capitals.
+NAMES = [
+    (GAME + "fx/*.lua", r'\{ name = "(\w+)", show', 26),
+    (GAME + "scoring.lua", r'(\w+) = {[^}]*show = "(?:bar|number|icons)"', 12),
+]
+CODE = re.compile(r"--.*|sys\.fail\(.*")
+lines = [line.rstrip("\n") for line in open(sys.argv[1], encoding="utf-8")]
+words = dict(line.split(" = ", 1) for line in lines if line and line[0] != "#")
+shown = {}
+for pattern, text, cells in SHOWN + NAMES:
+    for path in set(glob.glob(pattern, recursive=True)) - {GAME + "rom.lua"}:
+        for found in re.findall(text, CODE.sub("", open(path, encoding="utf-8").read())):
+            capitals = (pattern, text, cells) in NAMES
+            shown[found.upper().replace("_", " ") if capitals else found] = cells
+shown.pop("HI ", None)  # the hud's, in every language
+found = [f'no words for "{text}"' for text in sorted(shown) if text not in words]
+for text, row in words.items():
+    row = re.sub(r"%0?(\d*)d", lambda m: "0" * int(m[1] or 1), row)
+    if len(row) > shown.get(text, 30):
+        found.append(f'{len(row)} cells for "{text}": {row}')
+    if re.search("[a-zA-Z]", row.replace("%s", "")):
+        found.append(f'Latin letters for "{text}": {row}')
 print("\n".join(found) or "%d texts" % len(shown))
 sys.exit(bool(found) or not shown)
 PY

@@ -1,6 +1,5 @@
 """Checks the #include lines of the files named: a file includes headers of its own layer and of those below, and the
-directories of src/player and src/workbench include each other in no cycle. Prints each directory with how many files
-it has and which directories it includes.
+directories of src/player and src/workbench include each other in no cycle.
 
 LAYERS is the order, lowest first; a layer is a directory with those in it. Besides:
   - an entity includes of the entities only its own headers (bullets_move.c: bullets.h, bullets_parts.h) and motion.h
@@ -13,13 +12,13 @@ LAYERS is the order, lowest first; a layer is a directory with those in it. Besi
   - a header that need not be installed is not included, and not asked for: what a build can do depends on none;
   - below src/common only the headers of C that reach no host; src/base/host.h alone sees what the host has set.
 Tests and tools may include anything."""
+import graphlib
 import os
 import re
 import sys
 
 LAYERS = ["src/base", "fb", "src/sound", "src/entities", "src/rom", "src/machine", "src/script", "src/board",
           "src/common", "src/demo", "src/lib", "src/player", "src/workbench", "platform"]
-BIGGEST = 50  # files in a directory of src
 SHARED = {"src/entities/motion.h"}
 LUA = {"lua.h", "lauxlib.h", "lualib.h", "luaconf.h"}
 SEES_LUA = re.compile(r"src/(script|board)/|src/workbench/(test/test_script\w*|pack/(manifest_\w+|value))\.[ch]$")
@@ -111,56 +110,31 @@ def check(path):
 
 
 def arrows(paths):
-    """The directories each directory includes, as {directory: {other: a line that does}}."""
-    found = {}
+    """The directories that each directory of src/player and src/workbench includes."""
+    graph = {}
     for path in paths:
-        here = found.setdefault(os.path.dirname(path), {})
+        here = os.path.dirname(path)
+        if not here.startswith(("src/player", "src/workbench")):
+            continue
         with open(path, encoding="utf-8") as f:
-            for number, line in enumerate(f, 1):
-                m = INCLUDE.match(line)
-                other = os.path.dirname(target_of(path, m[2])) if m and m[1] == '"' else None
-                if other and other != os.path.dirname(path):
-                    here.setdefault(other, "%s:%d" % (path, number))
-    return found
+            names = [m[2] for m in map(INCLUDE.match, f) if m and m[1] == '"']
+        graph.setdefault(here, set()).update(os.path.dirname(target_of(path, name)) for name in names)
+        graph[here].discard(here)
+    return graph
 
 
-def cycle(graph):
-    """A cycle of arrows, as a list of directories, or None."""
-    done, path = set(), []
-
-    def walk(node):
-        if node in path:
-            return path[path.index(node):] + [node]
-        if node in done:
-            return None
-        path.append(node)
-        found = next(filter(None, (walk(other) for other in sorted(graph.get(node, {})))), None)
-        path.pop()
-        done.add(node)
-        return found
-
-    return next(filter(None, (walk(node) for node in sorted(graph))), None)
-
-
-def check_directories(paths):
-    """What is wrong with the directories; prints them."""
-    graph, found = arrows(paths), []
-    for here in sorted(graph, key=lambda d: (LAYERS.index(layer(d)), d)):
-        files = sum(os.path.dirname(p) == here for p in paths)
-        print("%-22s %2d files -> %s" % (here, files, " ".join(sorted(graph[here])) or "none"))
-        if here.startswith("src/") and files > BIGGEST:
-            found.append("%s: %d files; a directory has %d at most" % (here, files, BIGGEST))
-    around = cycle({a: b for a, b in graph.items() if a.startswith(("src/player", "src/workbench"))})
-    if around:
-        found.append("directories in a cycle: " + ", ".join(
-            "%s -> %s (%s)" % (a, b, graph[a][b]) for a, b in zip(around, around[1:])))
-    return found
+def check_cycle(paths):
+    try:
+        graphlib.TopologicalSorter(arrows(paths)).prepare()
+    except graphlib.CycleError as error:
+        return ["directories in a cycle: " + " ".join(error.args[1])]
+    return []
 
 
 def main(paths):
     ours = [p for p in paths if layer(os.path.dirname(p))]
-    strange = [p + ": is in no layer" for p in paths if p.split("/")[0] in ("src", "fb", "platform") and p not in ours]
-    found = strange + [line for p in ours for line in check(p)] + check_directories(ours)
+    found = [p + ": is in no layer" for p in paths if p.split("/")[0] in ("src", "fb", "platform") and p not in ours]
+    found += [line for p in ours for line in check(p)] + check_cycle(ours)
     print("\n".join(found) if found else "%d files" % len(ours))
     return 1 if found or not ours else 0
 

@@ -74,8 +74,6 @@ check "they compile" compiles $(cat "$scratch/files")
 { cat platform/posix_process.c; echo 'int f(int e[2]); int f(int e[2]) { return pipe2(e, O_CLOEXEC); }'; } \
     >"$scratch/planted.c"
 detects "pipe2" "pipe2" compiles "$scratch/planted.c"
-printf '#include <sys/inotify.h>\n' >"$scratch/planted.h"
-detects "a header of Linux" "planted.h:1: macOS has no <sys/inotify.h>" known_headers "$scratch/planted.h"
 
 # ---- the build ----
 
@@ -94,26 +92,4 @@ check "nor do its scripts" without "$gnu_tools" tools/{harden,install,manpage,pl
     "$macos/run.sh"
 check "the program finds Homebrew's libraries" grep -q -- '-Wl,-rpath,/brew/lib' "$scratch/commands"
 
-# ---- what make prints on a Mac, and its test ----
-
-mkdir -p "$scratch"/{bin,brew/{lib,include,opt/lua@5.4/lib/pkgconfig},out/{unit,machine}}
-printf '#!/bin/sh\necho Darwin\n' >"$scratch/bin/uname"
-printf '#!/bin/sh\necho "%s"\n' "$scratch/brew" >"$scratch/bin/brew"
-printf '#!/bin/sh\n' >"$scratch/bin/xcode-select"
-chmod +x "$scratch"/bin/*
-deps() { (cd "$scratch" && PATH=$scratch/bin:$PATH "$repo/tools/deps.sh" "$@" 2>&1); }
-same "what is missing" "curtain: something is missing; these commands install it:
-    git clone --depth 1 https://github.com/nothings/stb build/include/stb
-    brew install lua@5.4 sdl2 cmocka 3" "$(deps --say play test) $?"
-mkdir -p "$scratch/build/include/stb"
-touch "$scratch"/brew/{lib/libSDL2-2.0.0.dylib,include/cmocka.h,opt/lua@5.4/lib/pkgconfig/lua5.4.pc} \
-    "$scratch/build/include/stb/stb_image.h"
-same "nothing is missing" " 0" "$(deps play test) $?"
-same "what cannot be built there" 'curtain: "windows" has no macOS build; run it on Linux 3' "$(deps windows) $?"
-
-for file in tests/{unit,machine}/test_*.c; do
-    ln -s /bin/true "$scratch/out/$(sed 's,^tests/,,; s,\.c$,,' <<<"$file")"
-done
-ln -s /bin/true "$scratch/out/curtain-null"
-check "make test passes when all programs pass" env OUT="$scratch/out" "$macos/run.sh"
 finish

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# pacing.sh - docs/measured/pacing.md is a whole page of `make pacing`. What is simulated is computed again and
-# compared; the costs only have to exist, because times depend on the machine.
+# pacing.sh - docs/measured/pacing.md has the figures of `make pacing`: what is simulated is computed again and
+# compared; costs are not, because times depend on the machine.
 . "$(dirname "$0")/../tap.sh"
 pacing=$OUT/pacing
 
@@ -24,7 +24,4 @@ even() {
         END { exit bad || !rows }' "$1"
 }
 check "60 ticks a second on each screen, without a refresh too many or too few" even docs/measured/pacing.md
-
-whole() { grep -q '^## Cost' "$1" && grep -qE '^Measured on: .+; (gcc|clang) .+; `-std=c11 .+`' "$1"; }
-check "the page has the costs, and says of which machine" whole docs/measured/pacing.md
 finish

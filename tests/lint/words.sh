@@ -24,38 +24,20 @@ be given along
 is no name
 the seam
 END
+wrong="\\b($(paste -sd '|' "$scratch/words"))\\b"
 
-pattern() { sed 's/.*/(&)/' "$scratch/words" | paste -sd '|'; }
-words() { # FILE...: those of pages, whole; of C and Lua, the texts
-    local found pages=() sources=() file
-    for file in "$@"; do
-        case $file in
-        *.md | *.html | *.js) pages+=("$file") ;;
-        *) sources+=("$file") ;;
-        esac
-    done
-    found=$({
-        [ ${#pages[@]} = 0 ] || grep -Hn '' "${pages[@]}" | sed 's/^\([^:]*:[0-9]*:\)/\1 /'
-        [ ${#sources[@]} = 0 ] || python3 tools/messages.py "${sources[@]}"
-    } | grep -iE "^[^:]*:[0-9]+:.*\\b($(pattern))\\b")
-    echo "$found"
-    [ -z "$found" ]
-}
-
-check "README.md and the manual" words README.md $(tree 'docs/*.md' 'docs/**/*.md' | sort -u)
-check "menus and messages" words $(tree 'src/*.[ch]' 'platform/*.[ch]' 'scripts/*.lua') \
-    platform/web/page.html platform/web/player.js
+pages() { ! grep -HniE "$wrong" "$@"; }
+messages() { ! python3 tools/messages.py "$@" | grep -iE "^[^:]*:[0-9]+:.*$wrong"; }
 help() {
-    local command page=$scratch/help.md
+    local command
     for command in '' play help config $("$OUT/curtain-null" help | sed -nE 's/^  curtain ([a-z]+) .*/\1/p'); do
         "$OUT/curtain-null" help $command || return
-    done >"$page"
-    words "$page"
+    done >"$scratch/help.md"
+    pages "$scratch/help.md"
 }
+check "README.md and the manual" pages README.md $(tree 'docs/*.md') platform/web/page.html platform/web/player.js
+check "menus and messages" messages $(tree 'src/*.[ch]' 'platform/*.[ch]' 'scripts/*.lua')
 check "curtain help" help
-
 printf '/* begins anew */\nconst char *c = "begins " "anew";\n' >"$scratch/b.c"
-detects "in a message of several literals" "b.c:2: begins anew" words "$scratch/b.c"
-echo 'They fire, By Turns.' >"$scratch/a.md"
-detects "in a page" "By Turns" words "$scratch/a.md"
+detects "in a message of several literals" "b.c:2: begins anew" messages "$scratch/b.c"
 finish

@@ -4,7 +4,6 @@
 # script's (port_keys.c): no window, no clock.
 . "$(dirname "$0")/../kept.sh"
 export KEYS_WHOLE=1
-ENTER=40 ESCAPE=41 DOWN=81 CTRL=224 Q=20
 
 kept_game <<'LUA'
 stage.def("one", function() wait(forever) end)
@@ -14,59 +13,45 @@ bullet.def("dot", { sprite = "dot", hit = { circle = 3 } })
 bullet.fire { kind = "dot", x = 20, y = 20, dir = 90, speed = 1 }
 LUA
 sed -i 's/id = "probe"/id = "other"/; s/"Probe"/"Another"/' b/rom.lua
-"$curtain" pack b -o b.rom || not_ok 'the other game is packed'
+"$curtain" pack b -o b.rom >none
+keys 40 | ./player play b.rom >of_b 2>none
 
-plays() { ./player play "$@" >pictures 2>err; } # standard input are the keys
-{ keys 40; } | plays b.rom
-cp pictures of_b
-# begins: where the other game's first picture is, and that the others follow it
-at() { grep -nx "$(head -1 of_b)" pictures | head -1 | cut -d : -f 1; }
-begins() {
-    [ -n "$(at)" ] || { echo 'it does not begin'; return 1; }
-    tail -n "+$(at)" pictures | head -n 20 | cmp - <(head -n 20 of_b)
+begins() { # the other game's first pictures are among those of out
+    local at
+    at=$(grep -nx "$(head -1 of_b)" out | head -1 | cut -d : -f 1)
+    [ -n "$at" ] || { echo 'it does not begin'; return 1; }
+    tail -n "+$at" out | head -n 20 | cmp - <(head -n 20 of_b)
 }
 
-{ keys 40; echo '=b.rom'; keys 30; } | plays g
+{ keys 40; echo '=b.rom'; keys 30; } | plays out
 same 'at the title it begins, and all ends well' '0 ' "$? $(cat err)"
-check '... at once' [ "$(at)" -lt 45 ]
 check '... from its start' begins
-{ keys 40; echo '=b'; keys 30; } | plays g
-check 'a folder does' begins
-{ keys 40; echo '=b.rom'; keys 20; echo '=g'; keys 9; press $DOWN $ENTER; keys 30; echo '=b'; keys 30; } | plays g
-same 'and back again, and again' 2 "$(grep -cx "$(head -1 of_b)" pictures)"
+{ keys 40; echo '=b'; keys 20; echo '=g'; keys 9; press $DOWN $ENTER; keys 30; echo '=b'; keys 30; } | plays out
+same 'a folder, and back, and again' 2 "$(grep -cx "$(head -1 of_b)" out)"
 
 # A run is on.
 rm -rf data
-{ begin; keys 300 $Z; echo '=b.rom'; keys 9; press $ENTER; keys 60; } | plays g --seed 5
-refuse 'in a run it is asked first, and no comes first' 'does not begin' begins
-{ begin; keys 300 $Z; echo '=b.rom'; keys 9; press $ESCAPE; keys 60; } | plays g --seed 5
-refuse 'back is no as well' 'does not begin' begins
+{ begin; keys 300 $Z; echo '=b.rom'; keys 9; press $ENTER; keys 60; } | plays out --seed 5
+refuse 'in a run it is asked first, and No comes first' 'does not begin' begins
 rm -rf data
-{ begin; keys 300 $Z; echo '=b.rom'; keys 9; press $DOWN $ENTER; keys 40; } | plays g --seed 5
-same 'yes is yes' '0 ' "$? $(cat err)"
-check '... and the other game begins' begins
-verdict() { "$curtain" verify g data/curtain/resume/probe.demo --json | jq -c '[.verdict, .frames]'; }
-same '... and the run is kept, as by leaving' '["holds"' "$(verdict | cut -d , -f 1)"
+{ begin; keys 300 $Z; echo '=b.rom'; keys 9; press $DOWN $ENTER; keys 40; } | plays out --seed 5
+check 'with Yes the other game begins' begins
+check '... and the run is saved, as by leaving' "$curtain" verify g data/curtain/resume/probe.demo
 
 # What cannot be played.
 rm -rf data
-says() { # NAME LINE FILE
-    { keys 40; echo "=$3"; keys 30; } | plays g
-    same "$1" "0 $2" "$? $(cat err)"
-    same "... and the game goes on" 72 "$(wc -l <pictures)"
+continues() { # FILE SENTENCE
+    { keys 40; echo "=$1"; keys 30; } | plays out
+    same "$1: reported, and the game goes on" "0 curtain: $1$2 72" "$? $(cat err) $(pictures out)"
 }
 head -c 1000 b.rom >cut.rom
-size=$(stat -c %s b.rom)
-says 'a ROM that is cut short' "curtain: cut.rom: 1000 bytes long, but its header says $size" cut.rom
-says 'another file' 'curtain: g/art/all.png: not a Curtain ROM' g/art/all.png
+continues cut.rom ": 1000 bytes long, but its header says $(stat -c %s b.rom)"
 mkdir empty
-says 'a folder without a game' 'curtain: empty: rom.lua: no such file' empty
-says 'what is not there' 'curtain: none.rom: no such file or folder' none.rom
+continues empty ': rom.lua: no such file'
+continues none.rom ': no such file or folder'
 
 # A folder that cannot be played yet is waited for; another game need not be.
-cp -r g broken
-echo 'end' >>broken/main.lua
-{ keys 40; echo '=b.rom'; keys 30; } | plays broken
-same 'while one is waited for: it begins' 0 $?
-check '... from its start' begins
+echo 'end' >>g/main.lua
+{ keys 40; echo '=b.rom'; keys 30; } | plays out
+check 'while a folder is waited for, a ROM begins' begins
 finish

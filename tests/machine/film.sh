@@ -2,7 +2,6 @@
 # film.sh - the key that films: a GIF of the last seconds, which are the frames of the recording to the last pixel, and
 # nothing of the run is another for it: demo, scores and what is seen afterwards.
 . "$(dirname "$0")/../scripted.sh"
-F6=63 COMMA=54 BACKQUOTE=53
 pictures=$XDG_PICTURES_DIR/Curtain
 
 game g <<'LUA'
@@ -18,23 +17,22 @@ task.go(function()
   end
 end)
 LUA
-plays() { # NAME SETTINGS: standard input are the keys
-    rm -rf data
-    mkdir -p data/curtain
-    printf '%b' "$2" >data/curtain/curtain.conf
-    ./player play g --seed 5 --record "$1.demo" >"$1" 2>"$1.err" || { cat "$1.err"; return 1; }
-    [ ! -e data/curtain/probe.nv ] || cp data/curtain/probe.nv "$1.nv"
-    rm -rf frames
+play() { # NAME [SETTING]: standard input are the keys; the folder frames gets the pictures
+    rm -rf data frames
+    settings "${@:2}"
+    plays "$1" --seed 5 --record "$1.demo"
+    mv err "$1.err"
+    cp data/curtain/probe.nv "$1.nv"
     "$curtain" render g --demo "$1.demo" --frames 0:500 -o frames 2>/dev/null
 }
 film_same() { python3 "$repo/tests/cli/film_same.py" "$@"; }
 keyed() { keys 100; keys 60 $Z; keys 1 "$1"; keys 60; keys 200 $Z; keys 1 "$1"; keys 30; }
 keyed "" >script
-plays plain '' <script
+play plain <script
 keyed $F6 >script
-plays filmed '' <script
-same 'the run is the same' '' "$(cmp plain.demo filmed.demo 2>&1; cmp plain.nv filmed.nv 2>&1)"
-check 'and holds' "$curtain" verify g filmed.demo
+play filmed <script
+check 'the run is the same' cmp plain.demo filmed.demo
+check 'and its scores' cmp plain.nv filmed.nv
 same 'it says where they are' "saved $pictures/probe-1.gif saved $pictures/probe-2.gif" \
     "$(grep ^saved filmed.err | paste -sd ' ')"
 same 'what scripts print is there once' "$(cat plain.err)" "$(grep -v ^saved filmed.err)"
@@ -43,10 +41,8 @@ check 'so has the other one, of ten seconds at most' film_same "$pictures/probe-
 same 'what is seen afterwards is the same' "$(part plain 350 420)" "$(part filmed 350 420)"
 
 rm -rf "$pictures"
-plays short 'capture_seconds = 5\n' <script
+play short 'capture_seconds = 5' <script
 check 'five seconds' film_same "$pictures/probe-2.gif" frames 123 422
-printf 'capture_seconds = 4\n' >data/curtain/curtain.conf
-refuse 'four are too few' 'capture_seconds' ./player play g <script
 
 # After time was turned back, in slow motion, while the clock stands, ahead of the present.
 rm -rf "$pictures"
@@ -54,8 +50,7 @@ rm -rf "$pictures"
     keys 90 $Z; keys 20 $BACKSPACE; keys 30; keys 1 $COMMA; keys 40; keys 1 $F6; keys 20; keys 1 $P; keys 3; keys 1 $F6
     keys 3; keys 1 $P; keys 20
 } >there
-plays way 'run_ahead = 1\n' <there
-check 'a run that went back holds' "$curtain" verify g way.demo
+play way 'run_ahead = 1' <there
 frames_of() { # FILM: its last frame, for which the film is the recording's
     local last
     for last in $(seq 90 130); do
@@ -73,7 +68,7 @@ LUA
 { keys 60; keys 1 $F6; keys 20; } | ./player play broken >out 2>err
 same 'nothing is filmed of a run that has stopped' '' "$(grep ^saved err)"
 rm -rf "$pictures" && mkdir -p "$(dirname "$pictures")" && echo file >"$pictures"
-plays nowhere '' <script
+play nowhere <script
 check 'where it cannot be: said' grep -q "curtain: $pictures/probe-1.gif: cannot be written" nowhere.err
-same 'and the run goes on' '' "$(cmp plain.demo nowhere.demo 2>&1)"
+check 'and the run goes on' cmp plain.demo nowhere.demo
 finish

@@ -46,11 +46,8 @@ looks() { # SETTINGS NATURAL: the window opens in that size; then as large as an
 }
 start_openbox
 
-looks 'border = no\nscale = 2\n' 256x192
 looks 'border = no\nscale = 2\nturn = left\n' 192x256
-looks 'scale = 3\nscaling = smooth\nturn = right\n' 288x384
 looks 'border = no\nscale = 3\ncrt = yes\n' 384x288
-looks 'scale = 2\nborder = yes\nturn = over\n' 256x192
 looks 'scale = 2\nscaling = smooth\ncrt = yes\nturn = left\nborder = yes\n' 192x256
 looks 'border = no\nscale = 2\npanels = beside\n' 256x192 10 g
 # The screen is 1100 x 1000, a title and edges take up to 42 rows of it: 8 times 128 columns, 7 1/4 times 128 rows.

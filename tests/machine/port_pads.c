@@ -97,20 +97,14 @@ static void four(void)
     for (int i = 0; i <= PLAT_MAX_CONTROLLERS; i++)
         one[i] = plug(&device[i]);
     polled("four, and one more", 0, 0);
-    for (int i = 0; i < PLAT_MAX_CONTROLLERS; i++)
-        check("each is there", plat_get_controller(i, &is), true);
-    check("and no more", plat_get_controller(PLAT_MAX_CONTROLLERS, &is), false);
-    check("nor before the first", plat_get_controller(-1, &is), false);
-    plat_get_controller(2, &was);
-    SDL_JoystickDetachVirtual(device[2]);
-    polled("the third is pulled out", 0, 0);
-    check("the one more has its place", plat_get_controller(2, &is), true);
-    check("and is not the same", is.id != was.id, true);
+    for (int i = -1; i <= PLAT_MAX_CONTROLLERS; i++)
+        check("each is there", plat_get_controller(i, &is), i >= 0 && i < PLAT_MAX_CONTROLLERS);
+    plat_get_controller(1, &was);
+    SDL_JoystickDetachVirtual(device[1]);
+    polled("the second is pulled out", 0, 0);
+    check("the one more has its place", plat_get_controller(1, &is) && is.id != was.id, true);
     SDL_JoystickSetVirtualButton(one[PLAT_MAX_CONTROLLERS], SDL_CONTROLLER_BUTTON_A, 1);
-    struct plat_input in;
-    SDL_JoystickUpdate();
-    plat_poll(&in);
-    check("and its switches", in.controllers[2], 1u << PLAT_SOUTH);
+    polled("and its switches", 0, 1u << PLAT_SOUTH);
     SDL_JoystickSetVirtualButton(one[PLAT_MAX_CONTROLLERS], SDL_CONTROLLER_BUTTON_A, 0);
     polled("let go", 0, 0);
     for (int i = 0; i <= PLAT_MAX_CONTROLLERS; i++)
@@ -160,7 +154,6 @@ int main(int argc, char **argv)
     SDL_JoystickDetachVirtual(a);
     SDL_JoystickClose(one);
     polled("the first pulled out", 0, 1u << PLAT_DPAD_UP);
-    polled("and stays out", 0, 1u << PLAT_DPAD_UP);
     one = plug(&a);
     polled("another in its place", 0, 1u << PLAT_DPAD_UP);
     SDL_JoystickSetVirtualButton(one, SDL_CONTROLLER_BUTTON_B, 1);

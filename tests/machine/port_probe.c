@@ -1,9 +1,9 @@
 /*
  * port_probe.c - a port on its own: a test picture in its window, and every switch it reports, for tests/window.sh.
  *
- *     port_probe show W H SCALE [full]   until Escape: shows the picture, prints "key 4", "label A", "text a", "mouse
- * x y" as they come; F is held by nobody: it switches fullscreen port_probe expect W H WIN_W WIN_H  the window's bytes
- * as they must be, RGB, to stdout
+ *     port_probe show W H SCALE           until Escape: shows the picture, prints "key 4 down", "label A", "text a",
+ *                                         "mouse 1 at X Y" as they come; F switches to fullscreen and back
+ *     port_probe expect W H WIN_W WIN_H   the window's bytes as they must be, RGB, to stdout
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -58,8 +58,6 @@ static void report(const struct plat_input *in)
         printf("text %s\n", in->text);
     if (in->mouse_buttons != was.mouse_buttons)
         printf("mouse %d at %d %d\n", in->mouse_buttons, in->mouse_x, in->mouse_y);
-    if (in->wheel)
-        printf("wheel %d\n", in->wheel);
     fflush(stdout);
     was = *in;
 }
@@ -101,12 +99,8 @@ int main(int argc, char **argv)
         expect(w, h, atoi(argv[4]), atoi(argv[5]));
         return 0;
     }
-    struct plat_config want = { .w = w,
-                                .h = h,
-                                .scale = atoi(argv[4]),
-                                .fullscreen = argc > 5,
-                                .text_input = true,
-                                .title = "port probe",
-                                .sound_rate = 48000 };
+    struct plat_config want = {
+        .w = w, .h = h, .scale = atoi(argv[4]), .text_input = true, .title = "port probe", .sound_rate = 48000
+    };
     return show(&want);
 }

@@ -24,74 +24,54 @@ end)
 boot.run { stages = { "one" }, players = { "ship" } }
 LUA
 
-SHIFT=225 A=4 SPACE=44 Q=20 E=8 R=21 COMMA=54 SLASH=56 ESCAPE=41 ENTER=40
-SOUTH=10 L1=100 L3=8000 SELECT=2000 STICK=80000 # masks of a controller
+SHIFT=225 A=4 SPACE=44 Q=20 E=8
+SOUTH=10 L1=100 L3=8000 STICK=80000 # masks of a controller
 
-settings() { mkdir -p data/curtain && printf '%s\n' "$@" >data/curtain/curtain.conf; }
 # seen SKIP: what the game saw, a letter or more a frame, after so many frames of it.
 seen() { sed -n 's/^sees //p' err | tail -n +$(($1 + 1)) | tr '\n' ' ' | sed 's/ $//'; }
-# plays [ARGUMENT...]: standard input are the switches; the demo holds, verified by a program without any settings.
-plays() {
-    rm -f run.demo
-    ./player play g --seed 5 --stage one --record run.demo "$@" >out 2>err || { cat err; return 1; }
-    env -u XDG_DATA_HOME HOME="$scratch/nobody" "$curtain" verify g run.demo
-}
-holds() { # NAME: what plays has just said
-    case $said in "run.demo: holds, "*) ok "$1" ;; *) not_ok "$1" "$said" ;; esac
-}
-# pressing NAME WANT SKIP SETTING...: these settings, and the switches of standard input.
+# pressing NAME WANT SETTINGS: with these settings, separated by "; ", and the keys of standard input the game sees WANT
+# and the demo holds for a program without any settings. The game's first frames are left out: the ship is there from
+# the second one on.
 pressing() {
-    local name=$1 want=$2 skip=$3
-    shift 3
-    settings "$@"
-    said=$(plays)
-    same "$name" "$want" "$(seen "$skip")"
-    holds "$name: the demo holds"
+    settings "${3//; /$'\n'}"
+    plays out --seed 5 --stage one --record run.demo
+    same "$1" "$2" "$(seen 3)"
+    check "$1: the demo holds" env -u XDG_DATA_HOME HOME="$scratch/nobody" "$curtain" verify g run.demo
 }
 
-# A game's first frames are its own: the ship is there from the second one on.
 fires() { keys 5; keys 10 $Z; keys 3; }
-FIRST=3
-
 plain='. F F F F F F F F F F . . .'
-pressing 'as it is held' "$plain" $FIRST < <(fires)
-pressing 'the same, with all of it written as no' "$plain" $FIRST \
-    'autofire = no' 'focus = hold' 'one_hand = no' 'autofire2 = no' < <(fires)
-pressing 'the second player has settings of their own' "$plain" $FIRST 'autofire2 = yes' 'focus2 = toggle' \
-    'one_hand2 = left' < <(fires)
-pressing 'in bursts' '. F F . . F F . . F F . . .' $FIRST 'autofire = yes' < <(fires)
-pressing 'focus that stays' '. f f f f f F F F . .' $FIRST 'focus = toggle' \
+pressing 'as it is held' "$plain" '' < <(fires)
+pressing 'the second player has settings of their own' "$plain" \
+    'autofire2 = yes; focus2 = toggle; one_hand2 = left' < <(fires)
+pressing 'in bursts' '. F F . . F F . . F F . . .' 'autofire = yes' < <(fires)
+pressing 'focus that stays' '. f f f f f F F F . .' 'focus = toggle' \
     < <(keys 5; keys 1 $SHIFT; keys 4; keys 3 $SHIFT $Z; keys 2)
-pressing 'a left hand' '. FL FL F F . . Bf FsL F' $FIRST 'one_hand = left' \
+pressing 'a left hand' '. FL FL F F . . Bf FsL F' 'one_hand = left' \
     < <(keys 5; keys 2 $A; keys 2; keys 1 $SPACE; keys 1; keys 1 $SHIFT $Q; keys 1 $E $A; keys 1)
-pressing 'a left hand on a controller' '. FL FL s Fs . B .' $FIRST 'one_hand = left' \
+pressing 'a left hand on a controller' '. FL FL s Fs . B .' 'one_hand = left' \
     < <(keys 5; keys 2 c1:$STICK; keys 2 c1:$L1; keys 1; keys 1 c1:$L3; keys 1)
-pressing 'a controller as it is' '. F F . .' $FIRST < <(keys 5; keys 2 c1:$SOUTH; keys 2)
+pressing 'a controller' '. F F . .' '' < <(keys 5; keys 2 c1:$SOUTH; keys 2)
 
 # ---- ticks are counted, and not polls ----
 
-pressing 'bursts in slow motion' '. . F F . . F F .' $FIRST 'autofire = yes' \
+pressing 'bursts in slow motion' '. . F F . . F F .' 'autofire = yes' \
     < <(keys 5; keys 1 $COMMA; keys 1; keys 13 $Z; keys 2)
-pressing 'bursts through a pause' '. F F . . F F . .' $FIRST 'autofire = yes' \
+pressing 'bursts through a pause' '. F F . . F F . .' 'autofire = yes' \
     < <(keys 5; keys 3 $Z; keys 1 $Z $P; keys 7 $Z; keys 1 $Z $P; keys 2 $Z; keys 2)
-pressing 'a step at a time' '. F F . . F' $FIRST 'autofire = yes' \
+pressing 'a step at a time' '. F F . . F' 'autofire = yes' \
     < <(keys 5; for _ in 1 2 3 4 5; do keys 1 $Z $DOT; keys 2 $Z; done)
-pressing 'in turbo: 32 ticks a poll' ".$(printf ' F F . .%.0s' 1 2 3 4 5 6 7 8)" $FIRST 'autofire = yes' \
-    < <(keys 5; keys 1 $Z $SLASH)
-pressing 'focus through the menu' '. f f f f f f . . .' $FIRST 'focus = toggle' \
+pressing 'focus through the menu' '. f f f f f f . . .' 'focus = toggle' \
     < <(keys 5; keys 1 $SHIFT; keys 2; keys 1 $ESCAPE; keys 2; keys 2 $SHIFT; keys 2; keys 1 $ESCAPE; keys 3
         keys 1 $SHIFT; keys 2)
-pressing 'focus after a rewind' '. f f f f f f f f f f . . . . . . . . . . f f f f . . . .' $FIRST 'focus = toggle' \
+pressing 'focus after a rewind' '. f f f f f f f f f f . . . . . . . . . . f f f f . . . .' 'focus = toggle' \
     < <(keys 5; keys 1 $SHIFT; keys 9; keys 1 $SHIFT; keys 9; keys 12 $BACKSPACE; keys 4; keys 1 $SHIFT; keys 3)
-pressing 'a try again begins without focus' '. f f f f . . . . . . . . f f f f' $FIRST 'focus = toggle' \
-    < <(keys 5; keys 1 $SHIFT; keys 3; keys 1 $R; keys 8; keys 1 $SHIFT; keys 3)
 
 # Who takes over a demo in which focus is held has it held.
 settings 'focus = hold'
-{ keys 5; keys 30 $SHIFT; } | ./player play g --seed 5 --stage one --record held.demo >out 2>err
+{ keys 5; keys 30 $SHIFT; } | plays out --seed 5 --stage one --record held.demo
 settings 'focus = toggle'
-{ keys 15; keys 1 $T; keys 3; keys 1 $SHIFT; keys 3; } | ./player play g --demo held.demo --record taken.demo >out 2>err
+{ keys 15; keys 1 $T; keys 3; keys 1 $SHIFT; keys 3; } | plays out --demo held.demo --record taken.demo
 same 'focus that was held goes on when a demo is taken over' 'f f f f . . . .' "$(seen 0 | tail -c 15)"
-same 'and the new demo holds' 'taken.demo: holds, 23 frames' \
-    "$(env -u XDG_DATA_HOME HOME="$scratch/nobody" "$curtain" verify g taken.demo)"
+check 'and the new demo holds' "$curtain" verify g taken.demo
 finish

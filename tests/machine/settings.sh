@@ -16,56 +16,22 @@ task.go(function()
   end
 end)
 LUA
-sed -i 's/screen = { w = 64, h = 64/screen = { w = 240, h = 320/' g/rom.lua
+screen_of g 240x320
 convert -size 400x440 'gradient:#802020-#204080' -alpha set \( -size 240x320 xc:white \) -geometry +80+60 \
     -compose DstOut -composite g/art/border.png || exit 2
 sed -i 's|^  board =|  border = "art/border.png",\n&|' g/rom.lua
 
-H=11 G=10
-press() { keys 20; keys 40 $Z; keys 3; keys 20 $Z; keys 30; keys 1 $P; keys 3; keys 1 $P; keys 60; }
-plays() { # NAME SETTINGS: standard input are the keys
+# play NAME SETTINGS: with these settings, separated by "; ", and the keys of the file script
+play() {
     rm -rf data
-    mkdir -p data/curtain
-    printf '%b' "$2" >data/curtain/curtain.conf
-    ./player play g --seed 5 --record "$1.demo" >"$1" 2>"$1.err" || { cat "$1.err"; return 1; }
+    settings "${2//; /$'\n'}"
+    plays "$1" --seed 5 --record "$1.demo" <script || { cat err; return 1; }
     cp data/curtain/probe.nv "$1.nv"
 }
-press >script
-plays plain '' <script || exit 2
-check 'the run is not empty' "$curtain" verify g plain.demo
-
-same_run() { # NAME SETTINGS
-    plays "$1" "$2" <script && cmp plain.demo "$1.demo" && cmp plain.nv "$1.nv"
+same_run() { # NAME SETTINGS: as `plain`
+    play "$1" "$2" && cmp plain.demo "$1.demo" && cmp plain.nv "$1.nv"
 }
-KEYS_WINDOW=1201x733
-n=0
-while IFS= read -r settings; do
-    n=$((n + 1))
-    for window in '' 1201x733; do
-        unset KEYS_WINDOW
-        [ -z "$window" ] || export KEYS_WINDOW=$window
-        check "the same demo and scores with $settings in a window of ${window:-the picture alone}" \
-            same_run "other$n" "${settings//; /\\n}\n"
-        case $window/$settings in
-        */turn* | */run_ahead* | 1201x733/*) check "and other pictures" files_differ plain "other$n" ;;
-        esac
-    done
-done <<'END'
-turn = left
-turn = right; scaling = smooth
-turn = over; crt = yes
-scaling = smooth
-crt = yes
-border = yes
-panels = beside
-run_ahead = 1
-run_ahead = 1; turn = left; scaling = smooth; crt = yes; panels = beside
-END
-unset KEYS_WINDOW
-
-# Pause, steps, slow motion, as fast as it goes, back in time, the console, the practice menu: all of it beside a look
-# ahead.
-COMMA=54 SLASH=56 BACKQUOTE=53 F2=59 ESCAPE=41 F12=69
+# Pause, steps, slow motion, as fast as it goes, back in time, the console, the practice menu, a screenshot.
 {
     keys 60 $Z; keys 1 $P; keys 2; keys 1 $DOT; keys 2; keys 1 $DOT $Z; keys 2; keys 1 $P; keys 5 $Z
     keys 12 $BACKSPACE; keys 9 $Z; keys 1 $B; keys 2; keys 1 $P; keys 6; keys 1 $COMMA; keys 9 $Z; keys 1 $COMMA; keys 4
@@ -73,123 +39,89 @@ COMMA=54 SLASH=56 BACKQUOTE=53 F2=59 ESCAPE=41 F12=69
     keys 1 $F2; keys 8 $Z; keys 1 $F12; keys 12
 } >script
 shot=$XDG_PICTURES_DIR/Curtain/probe-1.png
-plays way '' <script
-mv "$shot" way.png
-check 'the way through all of it' "$curtain" verify g way.demo
-for settings in 'run_ahead = 1' 'run_ahead = 1; turn = right; panels = beside'; do
-    rm -f "$shot"
-    plays ahead "${settings//; /\\n}\n" <script
-    check "it is the same with $settings" cmp way.demo ahead.demo
-    check 'and so are scores' cmp way.nv ahead.nv
-    check 'and the screenshot' cmp way.png "$shot"
-done
-press >script
+play plain '' || exit 2
+mv "$shot" plain.png
+check 'the demo holds' "$curtain" verify g plain.demo
+while IFS= read -r settings; do
+    for window in '' 1201x733; do
+        rm -f "$shot"
+        KEYS_WINDOW=$window check "the same demo and scores with $settings ${window:+in a window of $window}" \
+            same_run other "$settings"
+        check 'and the same screenshot' cmp "$shot" plain.png
+    done
+    check 'and other pictures' files_differ plain other
+done <<'END'
+turn = left; scaling = smooth; crt = yes
+turn = right; border = yes
+turn = over; panels = beside
+run_ahead = 1
+run_ahead = 1; turn = left; panels = beside
+END
 
 # A screen that is waited for: as many ticks in as much time, so as many frames of the same keys.
-for hz in 60 75 144; do
-    export KEYS_VSYNC=$hz KEYS_WINDOW=240x320
-    check "the demo holds that was played on a screen of $hz Hz" plays "vsync$hz" 'vsync = yes\nborder = no\n' <script
-    check 'and it does' "$curtain" verify g "vsync$hz.demo"
+for hz in 75 144; do
+    KEYS_VSYNC=$hz KEYS_WINDOW=240x320 check "played on a screen of $hz Hz" play "vsync$hz" 'vsync = yes; border = no'
+    check 'the demo holds' "$curtain" verify g "vsync$hz.demo"
 done
-unset KEYS_VSYNC KEYS_WINDOW
 
 # ---- pictures ----
 
-picture() { # N SETTINGS [OPTION...]: picture.ppm of picture N, keys as on standard input
-    local picture=$1 settings=$2
-    shift 2
+picture() { # N SETTINGS [OPTION...]: picture.ppm is picture N of the keys of standard input
     rm -rf data
-    mkdir -p data/curtain
-    printf '%b' "$settings" >data/curtain/curtain.conf
-    [ $# -gt 0 ] || set -- --seed 5
-    rm -f picture.ppm
-    KEYS_PPM=$picture ./player play g "$@" >out 2>err
+    settings "$2"
+    KEYS_PPM=$1 plays out "${@:3}"
 }
-says() { python3 "$repo/tests/machine/words.py" "$@"; }
+pixels() { convert "$@" +repage -depth 8 rgb:-; } # ARGUMENT...: of ImageMagick
+same_pixels() { # NAME FILE ARGUMENT...: picture.ppm, changed so, is FILE
+    check "$1" cmp <(pixels picture.ppm "${@:3}") <(pixels "$2")
+}
 
 { keys 30; keys 1 $P; keys 5; } >paused
 picture 34 '' <paused
 cp picture.ppm upright.ppm
-check 'a message is read' says upright.ppm 'Paused at frame 30'
-top() { convert "$1" -crop 240x300+0+0 +repage -depth 8 "rgb:$2"; }
-top upright.ppm upright.rgb
+check 'a message is read' reads 'Paused at frame 30'
 keys 40 | picture 30 ''
-top picture.ppm straight.rgb
-check 'which leaves the upper 300 rows alone' cmp straight.rgb upright.rgb
+check 'which leaves the upper 300 rows alone' cmp <(pixels picture.ppm -crop 240x300+0+0) \
+    <(pixels upright.ppm -crop 240x300+0+0)
 for turn in left:90 right:-90 over:180; do
-    picture 34 "turn = ${turn%:*}\n" <paused
-    convert picture.ppm -rotate "${turn#*:}" back.ppm
-    convert upright.ppm -depth 8 rgb:a
-    convert back.ppm -depth 8 rgb:b
-    check "turned ${turn%:*} it is the same picture" cmp a b
+    picture 34 "turn = ${turn%:*}" <paused
+    same_pixels "turned ${turn%:*} it is the same picture" upright.ppm -rotate "${turn#*:}"
 done
 
-# The mouse on the bar of time: a quarter from the left, 4 px above the bottom; turned left that is elsewhere.
-play_demo() { # SETTINGS X,Y
-    { keys 20; keys 1 $P; keys 2; keys 1 "@$2"; keys 12; } >script
-    picture 30 "$1" --demo plain.demo <script
+# The mouse on the bar of time: a quarter from the left, 4 px above the bottom; turned, that is elsewhere.
+click() { # X,Y SETTINGS
+    { keys 20; keys 1 $P; keys 2; keys 1 "@$1"; keys 12; } | picture 30 "$2" --demo plain.demo
 }
-play_demo '' 60,316
+click 60,316 ''
 cp picture.ppm upright.ppm
-check 'a click on the bar of time goes there' says upright.ppm 'Paused at frame'
-play_demo 'turn = left\n' 316,179
-convert picture.ppm -rotate 90 -depth 8 rgb:b
-convert upright.ppm -depth 8 rgb:a
-check 'turned left it is where it is seen' cmp a b
-play_demo 'turn = right\n' 3,60
-convert picture.ppm -rotate -90 -depth 8 rgb:b
-check 'turned right too' cmp a b
+check 'a click on the bar of time goes there' reads 'Paused at frame'
+click 316,179 'turn = left'
+same_pixels 'turned left it is where it is seen' upright.ppm -rotate 90
 
-# In a wide window panels and messages stand beside the picture, and it is as it would be without them.
-export KEYS_WINDOW=1200x700
+# In a wide window panels and messages are beside the picture, and it is as it would be without them.
+keys 40 | picture 31 'border = no'
+cp picture.ppm bare.ppm
 { keys 30; keys 1 $G; keys 1 $P; keys 5; } >script
-picture 36 'panels = beside\nborder = no\n' <script
-convert picture.ppm -crop 480x640+360+30 +repage -depth 8 rgb:a
+beside=$'panels = beside\nborder = no'
+KEYS_WINDOW=1200x700 picture 36 "$beside" <script
+same_pixels 'the picture is bare' bare.ppm -crop 480x640+360+30 -scale 50%
 convert picture.ppm -crop 360x700+840+0 +repage -scale 50% side.ppm
-check 'gauges and messages stand beside it' says side.ppm 'Paused at frame 31' 'part          live   top   cap refused'
-keys 40 | picture 31 'panels = beside\nborder = no\n'
-convert picture.ppm -crop 480x640+360+30 +repage -depth 8 rgb:b
-check 'and the picture is bare' cmp a b
-convert picture.ppm -crop 360x700+840+0 +repage -depth 8 rgb:a
-head -c 756000 /dev/zero >b
-check 'where nothing is to be said nothing stands' cmp a b
-export KEYS_WINDOW=700x700
-picture 36 'panels = beside\nborder = no\n' <script
-convert picture.ppm -crop 480x640+110+30 +repage -scale 50% middle.ppm
-check 'in a narrow one they are over it' says picture.ppm 'Paused at frame 31'
-unset KEYS_WINDOW
-
-# The border: its colours in the corners, the picture as it is.
-export KEYS_WINDOW=700x700
-keys 40 | picture 31 'border = yes\n'
-pixel() { convert picture.ppm -format "%[hex:u.p{$1,$2}]" info: | cut -c1-6; }
-check 'the border is there' test "$(pixel 5 5)" != 000000
-convert picture.ppm -crop 480x640+110+30 +repage -scale 50% -depth 8 rgb:a
-unset KEYS_WINDOW
-keys 40 | picture 31 'border = no\n'
-convert picture.ppm -depth 8 rgb:b
-check 'and the picture in it' cmp a b
+mv side.ppm picture.ppm
+check 'gauges and messages are beside it' reads 'Paused at frame 31' 'part          live   top   cap refused'
+KEYS_WINDOW=700x700 picture 36 "$beside" <script
+check 'in a narrow window they are over it' reads 'Paused at frame 31'
+keys 40 | KEYS_WINDOW=700x700 picture 31 'border = yes'
+check 'the border is there' test "$(convert picture.ppm -format '%[hex:u.p{5,5}]' info: | cut -c1-6)" != 000000
+same_pixels 'and the picture in it' bare.ppm -crop 480x640+110+30 -scale 50%
 
 # ---- what is wrong ----
 
-"$curtain" check g >found
-same 'the border is a picture that is used' '' "$(grep border found)"
-sed -i '/border =/d' g/rom.lua
-"$curtain" check g >found
-check 'and is not when nobody names it' grep -q '^art/border.png: not listed in rom.lua' found
-sed -i 's|^  board =|  border = "art/border.png",\n&|' g/rom.lua
-
-cp -R g wrong
 bad() { # FILE: packs with that as its border
-    cp "$1" wrong/art/border.png
-    "$curtain" pack wrong -o bad.rom
+    cp "$1" g/art/border.png
+    "$curtain" pack g -o bad.rom
 }
 convert -size 40x40 xc:red full.png
 refuse 'a border without a hole is refused' 'art/border.png: the border has no hole' bad full.png
-echo 'no picture' >text.png
-refuse 'so is one that is no picture' 'art/border.png: ' bad text.png
-same 'a setting that is none is reported' \
-    'turn: expected none, left, right or over, got "up"' \
-    "$(mkdir -p data/curtain; echo 'turn = up' >data/curtain/curtain.conf; ./player play g </dev/null 2>&1 |
-        grep -o 'turn: .*')"
+same 'a wrong setting is reported' 'turn: expected none, left, right or over, got "up"' \
+    "$(settings 'turn = up'; ./player play g </dev/null 2>&1 | grep -o 'turn: .*')"
 finish

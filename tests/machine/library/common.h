@@ -4,7 +4,7 @@
 #ifndef TESTS_MACHINE_LIBRARY_COMMON_H
 #define TESTS_MACHINE_LIBRARY_COMMON_H
 
-#include <stdint.h>
+#include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -33,25 +33,42 @@ static inline void *read_file(const char *name, size_t *size)
     return bytes;
 }
 
-/* The memory is malloc's; free_board gives it back. */
-static inline struct curtain *open_board(const struct curtain_config *how, void **memory)
+/* The memory is malloc's; free_board frees it. On failure err has the reason. */
+static inline struct curtain *open_board(const struct curtain_config *config, void **memory)
 {
-    size_t size = curtain_memory(how, err, sizeof err);
+    size_t size = curtain_memory(config, err, sizeof err);
 
-    *memory = size ? malloc(size) : NULL;
-    struct curtain *c = size ? curtain_open(how, *memory, size, err, sizeof err) : NULL;
-    if (!c) {
-        printf("# %s\n", err);
-        free(*memory);
-        *memory = NULL;
-    }
-    return c;
+    *memory = malloc(size);
+    return size ? curtain_open(config, *memory, size, err, sizeof err) : NULL;
 }
 
 static inline void free_board(struct curtain *c, void *memory)
 {
     curtain_close(c);
     free(memory);
+}
+
+/* Frames without buttons; returns the last one's events. */
+static inline unsigned run_frames(struct curtain *c, int frames)
+{
+    const uint16_t none[CURTAIN_PADS] = { 0, 0 };
+    unsigned events = 0;
+
+    for (int f = 0; f < frames; f++)
+        events = curtain_frame(c, none);
+    return events;
+}
+
+/* The hash after so many frames of a separate run. */
+static inline uint64_t hash_alone(const struct curtain_config *config, int frames)
+{
+    void *memory;
+    struct curtain *c = open_board(config, &memory);
+
+    run_frames(c, frames);
+    const uint64_t hash = curtain_hash(c);
+    free_board(c, memory);
+    return hash;
 }
 
 /* Any buttons, held for some frames. */
