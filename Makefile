@@ -77,7 +77,7 @@ endef
 define link
 @mkdir -p $(@D)
 $(SAY) "  LINK  $@"
-$(Q)$(CC) $(ALL_C) $(1) $(filter-out $(2),$^) $(LIBS) -o $@
+$(Q)$(CC) $(ALL_C) $(1) $(filter-out %.h $(2),$^) $(LIBS) -o $@
 endef
 
 define make

@@ -3,6 +3,7 @@
 UNIT    := $(patsubst tests/unit/%.c,$(OUT)/unit/%,$(wildcard tests/unit/test_*.c))
 MACHINE := $(patsubst tests/machine/%.c,$(OUT)/machine/%,$(wildcard tests/machine/test_*.c))
 CHECKED := $(UNIT) $(patsubst check_%,$(OUT)/%,$(filter check_machine/test_%,$(shell sed -n 's/^check /check_/p' tests/tiers)))
+TEST_H  := $(wildcard tests/*.h tests/unit/*.h tests/machine/*.h)
 NO_ROM  := $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
 
 .PHONY: products checked named golden asan ubsan monkey msan msan-short given valgrind analyze torture mutants fuzz walks tools coverage
@@ -22,12 +23,12 @@ $(OUT)/curtain-short: $(filter-out $(SHORT:%=$(OUT)/src/%.o),$(CORE_OBJ)) $(SHOR
 	$(link)
 
 $(OUT)/unit/% $(OUT)/machine/% $(OUT)/given/% $(OUT)/fuzz/% $(OUT)/walks: LIBS += -lcmocka
-$(OUT)/unit/%: tests/unit/%.c $(NO_ROM)
+$(OUT)/unit/%: tests/unit/%.c $(TEST_H) $(NO_ROM)
 	$(call link,-Itests)
 
 # Of these, some are ports themselves.
 OWN_PORT := test_random_play test_calls
-$(OUT)/machine/%: tests/machine/%.c $(NO_ROM)
+$(OUT)/machine/%: tests/machine/%.c $(TEST_H) $(NO_ROM)
 	$(call link,-Itests,$(if $(filter $*,$(OWN_PORT)),%/null.o))
 
 $(OUT)/unit/test_pace: $(OUT)/tools/lab/pacing/simulate.o
