@@ -3,7 +3,7 @@
 # until one fails: first those named with the fault, then all C programs and the golden frames.
 #
 #     tests/mutants.sh [--restart] [WORD...]     all, or only those whose line in the list contains one of the words
-#     tests/mutants.sh --sample COUNT SEED       so many, drawn by a seed: to compare the tests of two commits
+#     tests/mutants.sh --sample COUNT SEED       COUNT of them, chosen by SEED, to compare the tests of two commits
 #     tests/mutants.sh --plantable               only says which cannot be planted
 #
 # Two at a time. Results are saved in build/mutants as they come, and a run that was stopped resumes there; a change of

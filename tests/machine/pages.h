@@ -13,8 +13,7 @@ static inline void close_game(void)
 {
     if (rig_fault(&r))
         fail_msg("%s", rig_fault(&r)->message);
-    rig_free(&r);
-    rig_game_free(&g);
+    rig_close(&r);
 }
 
 /* Where in the cells the text stands: its first column plus 1000 a row; -1: nowhere. */

@@ -14,12 +14,14 @@
 #include "../../fb/blit.h"
 #include "../../src/script/api/api.h"
 #include "../../src/machine/machine.h"
+#include "../../src/machine/sound.h"
 #include "../../src/workbench/bulletml/compile.h"
 #include "../../src/demo/demo.h"
 #include "../../src/workbench/mml/mml.h"
 #include "../../src/workbench/pack/pack.h"
 #include "../../src/workbench/samples/recording.h"
 #include "../../src/sound/adpcm.h"
+#include "../../src/sound/tables.h"
 
 /* The most lumps a test's game has: the library's pieces are lumps too. */
 enum { RIG_LUMPS = 512 };
@@ -434,6 +436,16 @@ static inline void rig_free(struct rig *r)
     memset(r, 0, sizeof *r);
 }
 
+/* Frees a board and its game, which no other board may use. Does nothing to a rig without power. */
+static inline void rig_close(struct rig *r)
+{
+    struct rig_game *game = (struct rig_game *)r->game;
+
+    rig_free(r);
+    if (game)
+        rig_game_free(game);
+}
+
 /* One frame, which must not fault. */
 static inline void rig_tick(struct rig *r, const uint16_t pads[MAX_PLAYERS])
 {
@@ -536,6 +548,28 @@ static inline struct view rig_view(int i, const uint8_t *shades)
                           .colour_blind_mode = (enum colour_blind_mode)(i / VIEW_DIMS % COLOUR_BLIND_MODES),
                           .softens_flashes = i / VIEW_DIMS / COLOUR_BLIND_MODES,
                           .shades = shades };
+}
+
+/* What playing sounds needs: RUN_TESTS(rig_make_sound_tables, ...) fills it. */
+static struct snd_tables rig_sound_tables;
+
+static inline int rig_make_sound_tables(void **state)
+{
+    (void)state;
+    board_sound_init_tables(&rig_sound_tables);
+    return 0;
+}
+
+/* The loudest sample of the last frame's sound. */
+static inline int rig_loudest(const struct board *b)
+{
+    int16_t sound[2 * BOARD_SOUND_FRAMES];
+    int most = 0;
+
+    board_mix_sound(b, &rig_sound_tables, sound);
+    for (int i = 0; i < 2 * BOARD_SOUND_FRAMES; i++)
+        most = abs(sound[i]) > most ? abs(sound[i]) : most;
+    return most;
 }
 
 /* The first part whose hash differs, or NULL. */

@@ -88,34 +88,6 @@ static void power(struct guard *g, struct rig_game *game, const char *script)
     assert_null(board_last_output(g->board)->fault);
 }
 
-/* What the next tick says and saves is its own: nothing of it is here yet. */
-TEST(says_nothing)
-{
-    const uint16_t pads[MAX_PLAYERS] = { 0 };
-    struct rig_game game;
-    struct guard g;
-    struct ahead a = { 0 };
-    uint32_t changed, writes;
-    size_t size;
-
-    power(&g, &game, "task.go(function() wait(2) print('two') save.set('two', 2) board.attract('x') end)");
-    board_nvram(g.board, &size, &changed);
-    guard_tick(&g, pads);
-    guard_tick(&g, pads);
-    assert_true(ahead_begin(&a, &g, pads));
-    assert_int_equal(board_last_output(g.board)->log_size, 4);
-    ahead_end(&a, &g);
-    board_nvram(g.board, &size, &writes);
-    assert_true(writes == changed && board_last_output(g.board)->log_size == 0);
-    assert_int_equal(board_last_output(g.board)->request, REQUEST_NONE);
-    guard_tick(&g, pads);
-    assert_int_equal(board_last_output(g.board)->log_size, 4);
-    assert_int_equal(board_last_output(g.board)->request, REQUEST_ATTRACT);
-    ahead_close(&a);
-    guard_close(&g);
-    rig_game_free(&game);
-}
-
 /* A tick that faults, or never ends, is not looked at; when it comes, it faults as it would have. */
 static void refuses(const char *script, enum board_fault_kind kind)
 {

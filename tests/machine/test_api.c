@@ -171,71 +171,29 @@ static void push_thing(lua_State *L, unsigned mask)
     lua_pushinteger(L, h);
 }
 
+static void push_from(lua_State *L, const char *const *words, uint64_t n)
+{
+    lua_pushstring(L, words[below(n)]);
+}
+
 static void push_word(lua_State *L)
 {
-    static const struct {
-        const char *s;
-        size_t n;
-    } words[] = {
-        { "", 0 },
-        { "a", 1 },
-        { "a\0b", 3 },
-        { "\0", 1 },
-        { "main", 4 },
-        { "other", 5 },
-        { "bullets", 7 },
-        { "bullet", 6 },
-        { "enemy", 5 },
-        { "player", 6 },
-        { "shot", 4 },
-        { "coins", 5 },
-        { "words.txt", 9 },
-        { "dot", 3 },
-        { "slab", 4 },
-        { "bolt", 4 },
-        { "foe", 3 },
-        { "glow", 4 },
-        { "ship", 4 },
-        { "m", 1 },
-        { "t", 1 },
-        { "normal", 6 },
-        { "hard", 4 },
-        { "s", 1 },
-        { "b", 1 },
-        { "p", 1 },
-        { "stage", 5 },
-        { "phase", 5 },
-        { "graze", 5 },
-        { "fire", 4 },
-        { "linear", 6 },
-        { "both", 4 },
-        { "front", 5 },
-        { "left", 4 },
-        { "center", 6 },
-        { "none", 4 },
-        { "arrow", 5 },
-        { "wink", 4 },
-        { "brief", 5 },
-        { "%s%d%n", 6 },
-        { "\xff\xfe\x80", 3 },
-        { "tasks", 5 },
-        { "script", 6 },
-        { "odd", 3 },
-        { "boot/list", 9 },
-        { "pattern.ring", 12 },
-    };
+    static const char *const words[] = { "",      "a",      "main",  "bullets", "bullet", "enemy", "shot", "coins",
+                                         "dot",   "foe",    "ship",  "m",       "t",      "s",     "b",    "p",
+                                         "stage", "normal", "graze", "fire",    "left",   "%s%n",  "none", "\xff\xfe" };
+    static const size_t lengths[] = { 15, 16, 31, 32, 60, 61, 63, 64, 127, 128, 399 };
     char s[400];
 
-    if (!one_in(5)) {
-        size_t i = below(sizeof words / sizeof *words);
-        lua_pushlstring(L, words[i].s, words[i].n);
-        return;
+    if (one_in(20)) {
+        lua_pushlstring(L, "a\0b", 3);
+    } else if (!one_in(5)) {
+        push_from(L, words, sizeof words / sizeof *words);
+    } else {
+        size_t n = lengths[below(sizeof lengths / sizeof *lengths)];
+        for (size_t i = 0; i < n; i++)
+            s[i] = (char)('a' + below(26));
+        lua_pushlstring(L, s, n);
     }
-    static const size_t lengths[] = { 15, 16, 31, 32, 60, 61, 63, 64, 127, 128, 399 };
-    size_t n = lengths[below(sizeof lengths / sizeof *lengths)];
-    for (size_t i = 0; i < n; i++)
-        s[i] = (char)('a' + below(26));
-    lua_pushlstring(L, s, n);
 }
 
 static void push_any(lua_State *L, int depth);
@@ -256,30 +214,10 @@ static void push_table(lua_State *L, int depth)
 
 static void push_number(lua_State *L)
 {
-    static const double odd[] = { 0,
-                                  -0.0,
-                                  0.5,
-                                  -1,
-                                  1e308,
-                                  -1e308,
-                                  1e-308,
-                                  4.9e-324,
-                                  2.5,
-                                  1e15,
-                                  16383,
-                                  16383.0001,
-                                  -16384,
-                                  8191,
-                                  8191.5,
-                                  65535,
-                                  65536,
-                                  1e9,
-                                  2147483647,
-                                  2147483648,
-                                  4294967296.0,
-                                  9007199254740993.0,
-                                  180,
-                                  -180 };
+    static const double odd[] = { 0,        -0.0,  0.5,        -1,         1e308,        -1e308,
+                                  4.9e-324, 2.5,   16383,      16383.0001, -16384,       8191.5,
+                                  65535,    65536, 2147483647, 2147483648, 4294967296.0, 9007199254740993.0,
+                                  180 };
 
     switch (below(6)) {
     case 0:
@@ -383,32 +321,108 @@ static void push_hit(lua_State *L, bool share)
     lua_setfield(L, -2, one_in(2) ? "box" : "capsule");
 }
 
-static void push_from(lua_State *L, const char *const *words, uint64_t n)
+static void push_steps(lua_State *L, int depth);
+
+/* Words for types of which only these are right. */
+static const struct {
+    enum api_type type;
+    const char *words[8];
+} choices[] = {
+    { A_BULLET_KIND, { "dot", "slab", "air" } },
+    { A_SHOT_KIND, { "bolt" } },
+    { A_ENEMY_KIND, { "foe", "brief" } },
+    { A_PLAYER_KIND, { "ship" } },
+    { A_SPARK_KIND, { "glow" } },
+    { A_ITEM_KIND, { "gem", "husk" } },
+    { A_LASER_KIND, { "ray", "lance" } },
+    { A_OPTION_KIND, { "bead", "moon" } },
+    { A_SPRITE, { "dot", "arrow", "wink" } },
+    { A_BLEND, { "glow", "ghost" } },
+    { A_FONT, { "tiny" } },
+    { A_EASE, { "linear", "in", "out", "both" } },
+    { A_LAYER, { "back", "middle", "front" } },
+    { A_SPARK_LAYER, { "middle", "front" } },
+    { A_ALIGN, { "left", "center", "right" } },
+    { A_MEET, { "none", "first", "second", "both" } },
+    { A_HOST_SCREEN, { "settings", "replays", "practice", "keys" } },
+    { A_BARS_DOWN, { "all", "any" } },
+    { A_MAP, { "sea", "reef" } },
+    { A_SOUND, { "hit", "boom" } },
+    { A_TUNE, { "tide", "deep" } },
+    { A_DEPTH, { "back", "front" } },
+    { A_FIRE, { "bullet", "shot", "bolt", "curve", "beam" } },
+    { A_EMIT_FIRE, { "bullet", "shot", "bolt", "curve", "beam" } },
+    { A_EMIT_PATTERN, { "one", "ring", "fan", "arc", "stack", "line" } },
+};
+
+/* Words and tables of string.tables that random ones would hardly hit: for a parameter of an entry; NULL: of any. */
+static const struct {
+    const char *entry, *param, *words[4];
+} likely[] = {
+    { "rom.text", "name", { "words.txt" } },
+    { "boss.history", "name", { "b" } },
+    { "boss.history", "id", { "p" } },
+    { "boss.history", "difficulty", { "normal" } },
+    { "score.count", "name", { "chain" } },
+    { "sys.volley", "name", { "pattern.ring" } },
+    { "board.dip", "name", { "odd" } },
+    { "player.def", "bomb", { "boom" } },
+    { NULL, "of", { "bullet", "shot", "enemy" } },
+    { NULL, "what", { "bullet", "player" } },
+    { NULL, "to", { "main", "other" } },
+    { "pattern.points", "list", { "spots" } },
+    { "choose", "list", { "choices" } },
+    { "score.tally", "list", { "tally" } },
+};
+
+static const char *pick(const char *const words[])
 {
-    lua_pushstring(L, words[below(n)]);
+    uint64_t n = 0;
+
+    while (words[n])
+        n++;
+    return words[below(n)];
 }
 
-static void push_steps(lua_State *L, int depth);
+/* NULL: there are none. */
+static const char *likely_word(const struct api_param *p)
+{
+    for (size_t i = 0; i < sizeof likely / sizeof *likely; i++)
+        if (!strcmp(p->name, likely[i].param) && (!likely[i].entry || (entry && !strcmp(entry->name, likely[i].entry))))
+            return pick(likely[i].words);
+    return NULL;
+}
+
+static void push_table_for(lua_State *L, const struct api_param *p)
+{
+    const char *name = likely_word(p);
+
+    if (!strcmp(p->name, "steps"))
+        push_steps(L, 0);
+    else if (one_in(3))
+        push_table(L, 0);
+    else {
+        push_string_field(L, "tables");
+        lua_getfield(L, -1, name ? name : p->name);
+        lua_remove(L, -2);
+    }
+}
 
 /* A value for parameter p: one in six is anything at all. */
 static void push_value(lua_State *L, const struct api_param *p)
 {
-    static const char *const
-        buttons[] = PAD_BUTTON_NAMES,
-        *const eases[] = { "linear", "in", "out", "both" }, *const layers[] = { "back", "middle", "front" },
-        *const aligns[] = { "left", "center", "right" }, *const bullets[] = { "dot", "slab", "air" },
-        *const foes[] = { "foe", "brief" }, *const sprites[] = { "dot", "arrow", "wink" },
-        *const fires[] = { "bullet", "shot", "bolt", "curve", "beam" }, *const lasers[] = { "ray", "lance" },
-        *const emits[] = { "one", "ring", "fan", "arc", "stack", "line" },
-        *const pools[] = { "bullet", "shot", "enemy" }, *const meets[] = { "none", "first", "second", "both" },
-        *const options[] = { "bead", "moon" }, *const downs[] = { "all", "any" }, *const maps[] = { "sea", "reef" },
-        *const depths[] = { "back", "front" }, *const asks[] = { "settings", "replays", "practice", "keys" },
-        *const sounds[] = { "hit", "boom" }, *const tunes[] = { "tide", "deep" };
+    static const char *const buttons[] = PAD_BUTTON_NAMES;
+    const char *word = likely_word(p);
 
     if (one_in(6)) {
         push_any(L, 0);
         return;
     }
+    for (size_t i = 0; i < sizeof choices / sizeof *choices; i++)
+        if (p->type == choices[i].type) {
+            lua_pushstring(L, pick(choices[i].words));
+            return;
+        }
     switch (p->type) {
     case A_COUNT:
         if (one_in(8)) {
@@ -427,22 +441,8 @@ static void push_value(lua_State *L, const struct api_param *p)
         lua_pushnumber(L, one_in(3) ? (double)(int64_t)rng_next(&rng) : (double)below(72000) / 100 - 360);
         break;
     case A_STR:
-        if (entry && !strcmp(entry->name, "rom.text") && one_in(4)) /* of all words, only one is a file's name */
-            lua_pushliteral(L, "words.txt");
-        else if (!strcmp(p->name, "of") && !one_in(4))
-            push_from(L, pools, 3);
-        else if (entry && !strcmp(entry->name, "boss.history") && one_in(2)) /* the boss and its phase */
-            lua_pushstring(L, !strcmp(p->name, "id") ? "p" : !strcmp(p->name, "name") ? "b" : "normal");
-        else if (entry && !strcmp(entry->name, "score.count") && !one_in(4))
-            lua_pushliteral(L, "chain");
-        else if (entry && !strcmp(entry->name, "sys.volley") && one_in(2))
-            lua_pushliteral(L, "pattern.ring");
-        else if (entry && !strcmp(entry->name, "board.dip") && one_in(4))
-            lua_pushliteral(L, "odd");
-        else if (entry && !strcmp(entry->name, "player.def") && !strncmp(p->name, "bomb", 4) && !one_in(4))
-            lua_pushliteral(L, "boom");
-        else if (!strcmp(p->name, "what") && one_in(2)) /* few words are a pool's name */
-            lua_pushstring(L, one_in(2) ? "bullet" : "player");
+        if (word && !one_in(3))
+            lua_pushstring(L, word);
         else
             push_word(L);
         break;
@@ -453,25 +453,13 @@ static void push_value(lua_State *L, const struct api_param *p)
         push_function(L);
         break;
     case A_TABLE:
-        if (!strcmp(p->name, "steps"))
-            push_steps(L, 0);
-        else if (one_in(3))
-            push_table(L, 0);
-        else {
-            push_string_field(L, "tables");
-            lua_getfield(L, -1,
-                         entry && !strcmp(entry->name, "pattern.points") ? "spots"
-                         : entry && !strcmp(entry->name, "choose")       ? "choices"
-                         : entry && !strcmp(entry->name, "score.tally")  ? "tally"
-                                                                         : p->name);
-            lua_remove(L, -2);
-        }
+        push_table_for(L, p);
         break;
     case A_ANY:
         if (one_in(2))
             push_any(L, 0);
-        else if (!strcmp(p->name, "to"))
-            lua_pushstring(L, one_in(2) ? "main" : "other");
+        else if (word)
+            lua_pushstring(L, word);
         else
             push_thing(L, POSITION_HANDLE_KINDS);
         break;
@@ -490,33 +478,6 @@ static void push_value(lua_State *L, const struct api_param *p)
         else
             push_thing(L, 1 << H_MOTION);
         break;
-    case A_BULLET_KIND:
-        push_from(L, bullets, 3);
-        break;
-    case A_SHOT_KIND:
-        lua_pushliteral(L, "bolt");
-        break;
-    case A_ENEMY_KIND:
-        push_from(L, foes, 2);
-        break;
-    case A_PLAYER_KIND:
-        lua_pushliteral(L, "ship");
-        break;
-    case A_SPARK_KIND:
-        lua_pushliteral(L, "glow");
-        break;
-    case A_ITEM_KIND:
-        lua_pushstring(L, one_in(2) ? "gem" : "husk");
-        break;
-    case A_SPRITE:
-        push_from(L, sprites, 3);
-        break;
-    case A_BLEND:
-        lua_pushstring(L, one_in(2) ? "glow" : "ghost");
-        break;
-    case A_FONT:
-        lua_pushliteral(L, "tiny");
-        break;
     case A_BUTTON:
         push_from(L, buttons, PAD_BUTTON_COUNT);
         break;
@@ -526,18 +487,6 @@ static void push_value(lua_State *L, const struct api_param *p)
         else
             push_thing(L, 1 << H_PLAYER);
         break;
-    case A_EASE:
-        push_from(L, eases, 4);
-        break;
-    case A_LAYER:
-        push_from(L, layers, 3);
-        break;
-    case A_SPARK_LAYER:
-        push_from(L, layers + 1, 2);
-        break;
-    case A_ALIGN:
-        push_from(L, aligns, 3);
-        break;
     case A_SPAN:
         lua_createtable(L, 2, 0);
         for (int i = 1; i <= 2; i++) {
@@ -545,47 +494,9 @@ static void push_value(lua_State *L, const struct api_param *p)
             lua_rawseti(L, -2, i);
         }
         break;
-    case A_MEET:
-        push_from(L, meets, 4);
-        break;
-    case A_HOST_SCREEN:
-        push_from(L, asks, HOST_SCREENS);
-        break;
-    case A_BARS_DOWN:
-        push_from(L, downs, 2);
-        break;
-    case A_MAP:
-        push_from(L, maps, 2);
-        break;
-    case A_SOUND:
-    case A_TUNE:
-        push_from(L, p->type == A_SOUND ? sounds : tunes, 2);
-        break;
-    case A_DEPTH:
-        push_from(L, depths, 2);
-        break;
-    case A_FIRE:
-    case A_EMIT_FIRE:
-        push_from(L, fires, 5);
-        break;
-    case A_LASER_KIND:
-        push_from(L, lasers, 2);
-        break;
-    case A_OPTION_KIND:
-        push_from(L, options, 2);
-        break;
-    case A_EMIT_PATTERN:
-        push_from(L, emits, 6);
-        break;
+    default:
+        fail_msg("%s: a type without values", p->name);
     }
-}
-
-static const struct api_param *named_key(const struct api_param *keys, size_t n, const char *name)
-{
-    for (size_t i = 0; i < n; i++)
-        if (!strcmp(keys[i].name, name))
-            return &keys[i];
-    return keys;
 }
 
 /* { x, y } */
@@ -680,66 +591,51 @@ static void push_alone(lua_State *L)
     }
 }
 
+/* A key of a step that needs no table of its own, most often one that goes without others. */
+static const struct api_param *any_step_key(void)
+{
+    static const char others[] = "over loop bounce walls emit wait_for path mirror",
+                      dependent[] = "every phase radius_to spin at ease";
+    const struct api_entry *e = entry_named("motion.def step");
+    const struct api_param *p;
+
+    do
+        p = &e->params[below((uint64_t)e->count)];
+    while (strstr(others, p->name) || (strstr(dependent, p->name) && !one_in(5)));
+    return p;
+}
+
+static void push_step(lua_State *L)
+{
+    lua_newtable(L);
+    for (uint64_t k = 1 + below(2); k--;) {
+        const struct api_param *p = any_step_key();
+        if (p->type == A_TABLE) {
+            push_place(L);
+            lua_setfield(L, -2, p->name);
+        } else {
+            set_field(L, p);
+        }
+    }
+    if (one_in(2)) {
+        lua_pushinteger(L, one_in(9) ? 1000000000 : (lua_Integer)below(6));
+        lua_setfield(L, -2, "over");
+    }
+}
+
 /* A motion program: most are good. */
 static void push_steps(lua_State *L, int depth)
 {
-    static const struct api_param keys[] = {
-        PARAM("wait", A_COUNT, OPT, 0, 1e9, NULL, NULL, NULL),
-        PARAM("kind", A_BULLET_KIND, OPT, 0, 0, NULL, NULL, NULL),
-        PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL, NULL),
-        PARAM("dir", A_DIR, OPT, 0, 0, NULL, NULL, NULL),
-        PARAM("aim", A_BOOL, OPT, 0, 0, NULL, NULL, NULL),
-        PARAM("turn", A_DIR, OPT, 0, 0, NULL, NULL, NULL),
-        PARAM("home", A_NUM, OPT, 0, 180, NULL, NULL, NULL),
-        PARAM("speed", A_FX, OPT, -MAX_SPEED, MAX_SPEED, NULL, NULL, NULL),
-        PARAM("accel", A_FX, OPT, -MAX_SPEED, MAX_SPEED, NULL, NULL, NULL),
-        PARAM("die", A_BOOL, OPT, 0, 0, NULL, NULL, NULL),
-        PARAM("go_to", A_TABLE, OPT, 0, 0, NULL, NULL, NULL),
-        PARAM("polar", A_FX, OPT, -MAX_SPEED, MAX_SPEED, NULL, NULL, NULL),
-        PARAM("wave", A_FX, OPT, -MAX_SPEED, MAX_SPEED, NULL, NULL, NULL),
-        PARAM("orbit", A_FX, OPT, 0, MAX_SPEED, NULL, NULL, NULL),
-        PARAM("spin", A_DIR, OPT, 0, 0, NULL, NULL, NULL),
-        PARAM("at", A_TABLE, OPT, 0, 0, NULL, NULL, NULL),
-        PARAM("every", A_INT, OPT, 1, 65535, NULL, NULL, NULL),
-        PARAM("phase", A_DIR, OPT, 0, 0, NULL, NULL, NULL),
-        PARAM("radius_to", A_FX, OPT, 0, MAX_SPEED, NULL, NULL, NULL),
-        PARAM("ease", A_EASE, OPT, 0, 0, NULL, NULL, NULL),
-    };
-    static const struct {
-        const char *with, *word;
-    } belong[] = { { "every", "wave" }, { "phase", "wave" }, { "radius_to", "orbit" },
-                   { "spin", "polar" }, { "at", "orbit" },   { "ease", "go_to" } };
-
     lua_newtable(L);
     for (lua_Integer i = 1, n = 1 + (lua_Integer)below(4); i <= n; i++) {
         if (depth < 6 && one_in(5)) {
             push_steps(L, depth + 1);
             lua_pushinteger(L, one_in(4) ? LUA_MAXINTEGER : (lua_Integer)below(9));
             lua_setfield(L, -2, one_in(4) ? "bounce" : "loop");
-        } else if (one_in(3))
+        } else if (one_in(3)) {
             push_alone(L);
-        else {
-            lua_newtable(L);
-            for (uint64_t k = 1 + below(2); k--;) {
-                const struct api_param *p = &keys[below(sizeof keys / sizeof *keys)];
-                for (size_t j = 0; j < sizeof belong / sizeof *belong; j++)
-                    if (!strcmp(p->name, belong[j].with) && !one_in(5))
-                        p = named_key(keys, sizeof keys / sizeof *keys, belong[j].word);
-                if (p->type == A_TABLE) {
-                    push_place(L);
-                    lua_setfield(L, -2, p->name);
-                    continue;
-                }
-                if (p->type != A_BULLET_KIND && p->type != A_BOOL && one_in(9))
-                    lua_pushstring(L, one_in(9) ? "mood" : one_in(2) ? "heat" : "goal");
-                else
-                    push_value(L, p);
-                lua_setfield(L, -2, p->name);
-            }
-            if (one_in(2)) {
-                lua_pushinteger(L, one_in(9) ? 1000000000 : (lua_Integer)below(6));
-                lua_setfield(L, -2, "over");
-            }
+        } else {
+            push_step(L);
         }
         lua_rawseti(L, -2, i);
     }
@@ -887,12 +783,16 @@ static int as_task(lua_State *L)
     return 0;
 }
 
+/* A fault says what the caller did wrong, and nothing of how the library works inside. */
 static void clean_fault(const char *name)
 {
     const struct board_fault *f = rig_fault(&rig);
 
     assert_non_null(f);
-    if (f->kind == FAULT_NONE || !f->message[0])
+    const char *text = strstr(f->message, ": "); /* behind the place: the caller is C, so it may be the library's */
+    text = text ? text : f->message;
+    const bool shows_inside = strstr(text, "@std") || strstr(text, "attempt to") || strstr(text, "bad argument");
+    if (f->kind == FAULT_NONE || !f->message[0] || (shows_inside && !(entry && entry->flags & (API_SYS | API_VARARGS))))
         fail_msg("%s: fault %d \"%s\"", name, f->kind, f->message);
 }
 
@@ -975,187 +875,68 @@ TEST(properties)
         }
 }
 
-/* ---- cases the fuzz found, or might miss ---- */
+/* ---- cases that random calls miss ---- */
 
-/* Runs a chunk in the world as a task, then some frames; the fault's message, or "". */
-static const char *chunk_text;
-
-static int load_chunk(lua_State *L)
-{
-    if (luaL_loadbufferx(L, chunk_text, strlen(chunk_text), "@chunk", "t") != LUA_OK)
-        return lua_error(L);
-    tasks_start(vm_board(L), L, 0, 0);
-    return 0;
-}
-
-static const char *outcome(const char *text, int frames)
-{
-    const uint16_t none[MAX_PLAYERS] = { 0 };
-
-    rig_restore(&rig);
-    chunk_text = text;
-    bool fine = vm_call(rig.b, load_chunk);
-    for (int f = 0; fine && f < frames; f++)
-        fine = !board_tick(rig.b, none)->fault;
-    return fine ? "" : rig_fault(&rig)->message;
-}
-
-#define FORGED "local function forged(kind, gen, slot) return (1 << 62) | (gen << 32) | (kind << 24) | slot end\n"
-
-TEST(forged)
-{
-    const char *said;
-
-    said = outcome(FORGED "bullet.fire { kind = 'dot', x = 1, y = 1, speed = 1, motion = forged(7, 1, 30000) }", 5);
-    assert_non_null(strstr(said, "motion"));
-    said = outcome(
-        FORGED "local b = bullet.fire { kind = 'dot', x = 1, y = 1, speed = 1 } b.motion = forged(7, 1, 65534)", 5);
-    assert_non_null(strstr(said, "motion"));
-    assert_string_equal(outcome(FORGED "assert(forged(4, 1, 77).score == nil)", 2), "");
-    assert_string_equal(
-        outcome(FORGED "shot.fire { kind = 'bolt', x = 40, y = 20, speed = 0, by = forged(4, 1, 200) } wait(3)", 9),
-        "");
-    assert_non_null(strstr(outcome("local n = 5 return n.x", 1), "index a number"));
-    assert_non_null(strstr(outcome("local n = 5.5 n.x = 1", 1), "index a number"));
-}
-
-/* A player that is not there: nobody's pad, no score. */
-TEST(nobody)
-{
-    assert_string_equal(outcome("string.sys.leave(1)\n"
-                                "local p = player.nearest(1, 1)\n"
-                                "assert(not p.alive and p.score == nil)\n"
-                                "score.add(50, p)\n"
-                                "assert(not pad.down('fire', p))\n"
-                                "assert(player.get(1).score == 0)\n"
-                                "local e = enemy.spawn { kind = 'foe', x = 9, y = 9 } e:kill(p)",
-                                3),
-                        "");
-}
-
-TEST(zeros)
-{
-    assert_non_null(strstr(outcome("score.enter('\\0', { name = 'A', score = 1 })", 1), "table"));
-    assert_non_null(strstr(outcome("score.enter('t', { name = '\\0', score = 1 })", 1), "name"));
-    assert_non_null(strstr(outcome("save.set('\\0a', 1)", 1), "key"));
-    assert_string_equal(outcome("save.set('k', 'a\\0b') assert(save.get('k') == 'a\\0b')", 1), "");
-}
-
-/* on_death that kills again: once is all. */
-TEST(death_once)
-{
-    assert_string_equal(
-        outcome(
-            "local n = 0\n"
-            "local e = enemy.spawn { kind = 'foe', x = 90, y = 9, on_death = function(x)\n"
-            "  n = n + 1 x:kill() x:hurt(5) assert(not x.alive and x.hp == 0 and x.y == 9) end }\n"
-            "e:kill() assert(n == 1 and not e.alive)\n"
-            "local f = enemy.spawn { kind = 'foe', x = 90, y = 9, on_death = function(x) n = n + 1 x:remove() end }\n"
-            "f:hurt(1000) assert(n == 2 and not f.alive)\n",
-            3),
-        "");
-}
-
-/* Who dies while scripts load is gone in the first frame, and its handlers are told. */
-TEST(killed_at_load)
-{
-    struct rig_game game;
-    struct rig r;
-
-    rig_script(&game, NULL,
-               "enemy.def('foe', { sprite = 'dot', hit = { box = { 8, 8 } } })\n"
-               "on.kill(function() board.note(1) end)\n"
-               "enemy.spawn { kind = 'foe', x = 9, y = 9 }:kill()");
-    rig_power(&r, &game, NULL);
-    rig_run(&r, 1);
-    assert_int_equal(r.b->enemies.s.live, 0);
-    assert_true(r.b->core.note_digest != 0);
-    rig_free(&r);
-    rig_game_free(&game);
-}
-
-/* Functions of enemies that go without dying do not pile up. */
+/* Functions of enemies that despawn without dying are garbage. */
 TEST(no_leak)
 {
-    static const char text[] = "for i = 1, 3000 do\n"
+    static const char text[] = "task.go(function() for i = 1, 3000 do\n"
                                "  local e = enemy.spawn { kind = 'foe', x = 9, y = 9, run = function() end,\n"
                                "                          on_death = function() return ('x'):rep(i % 100) end }\n"
                                "  e:remove()\n"
                                "  if i % 20 == 0 then wait(1) end\n"
-                               "end\n";
+                               "end end)\n";
+    lua_State *L = rig.b->vm.L;
 
-    assert_string_equal(outcome(text, 40), "");
-    size_t early = heap_used(rig.b->vm.heap);
-    assert_string_equal(outcome(text, 140), "");
-    size_t late = heap_used(rig.b->vm.heap);
+    rig_restore(&rig);
+    assert_int_equal(luaL_loadbufferx(L, text, strlen(text), "@chunk", "t"), LUA_OK);
+    lua_call(L, 0, 0);
+    rig_run(&rig, 40);
+    const size_t early = heap_used(rig.b->vm.heap);
+    rig_run(&rig, 100);
+    const size_t late = heap_used(rig.b->vm.heap);
     if (late > early + early / 3)
         fail_msg("the heap grew from %zu to %zu bytes", early, late);
 }
 
-/* Functions are made when a script reads them: it must not be able to tell. */
-TEST(made_when_read)
+/* An enemy that dies while scripts load is removed in the first frame, and its handlers run. */
+TEST(killed_at_load)
 {
     struct rig_game game;
-    struct rig r;
-    int members = 0;
-    char text[1024];
 
-    for (int i = 0; i < api_count_entries(&api_table); i++)
-        members += !strncmp(api_get_entry(&api_table, i)->name, "query.", 6);
-    assert_true(members >= 3);
-    snprintf(text, sizeof text,
-             "local near, n = query.near, 0\n"
-             "assert(near and near == query.near and query.box ~= near and query.none == nil and query[1] == nil)\n"
-             "for name, f in pairs(query) do assert(query[name] == f and type(f) == 'function') n = n + 1 end\n"
-             "assert(n == %d, n)\n"
-             "assert(getmetatable(query) == false)\n"
-             "query.own, rng.of = 7, 8\n"
-             "assert(query.own == 7 and rng.of == 8 and rng.own == nil)\n"
-             "enemy.def('foe', { sprite = 'dot', hit = { box = { 8, 8 } } })\n"
-             "local e = enemy.spawn { kind = 'foe', x = 9, y = 9 }\n"
-             "assert(e.kill and e.kill == e.kill and e.hurt ~= e.kill and e.x == 9)\n"
-             "local group = enemy.group()\n"
-             "assert(group.kill and group.kill ~= e.kill)",
-             members);
-    rig_script(&game, NULL, text);
-    rig_power(&r, &game, NULL);
-    rig_run(&r, 1);
-    rig_free(&r);
+    rig_script(&game, NULL,
+               "enemy.def('foe', { sprite = 'dot', hit = 'none' })\n"
+               "local kills = 0\n"
+               "on.kill(function() kills = kills + 1 end)\n"
+               "enemy.spawn { kind = 'foe', x = 9, y = 9 }:kill()\n"
+               "task.go(function() wait(1) print(kills, board.live 'enemies') end)");
+    assert_string_equal(rig_said(&game, 2, false), "1\t0\n");
     rig_game_free(&game);
 }
 
-/* A start that no manifest allows is refused, not believed. */
+/* A start that no manifest allows is refused. */
 TEST(start)
 {
+    static const int32_t bad[] = { -1, 2, INT32_MIN };
     struct manifest m = rig_manifest();
-    struct board_start start = { .difficulty = -1 };
+    struct board_start start = { .difficulty = -1, .dip[0] = 1 };
     struct rig_game game;
     struct rig r;
-    char err[512] = "";
-    size_t size;
+    char err[512];
 
     m.n_dips = 1;
-    snprintf(m.dips[0].name, sizeof m.dips[0].name, "coins");
-    m.dips[0].n_values = 2;
-    m.dips[0].hi = 1;
-    snprintf(m.dips[0].value_name[0], sizeof m.dips[0].value_name[0], "free");
-    snprintf(m.dips[0].value_name[1], sizeof m.dips[0].value_name[1], "one");
+    m.dips[0] = (struct dip){ .name = "coins", .n_values = 2, .hi = 1, .value_name = { "free", "one" } };
     rig_script(&game, &m, "board.note(board.dip 'coins')");
-    start.dip[0] = 1;
     rig_power(&r, &game, &start);
-    board_size(&game.image.rom, &size, err, sizeof err);
-    static const int32_t bad[] = { -1, 2, 1 << 30, INT32_MIN };
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         start.dip[0] = bad[i];
-        err[0] = 0;
         assert_null(board_power_on(r.ram, r.ram_size, &game.image.rom, &start, err, sizeof err));
         assert_non_null(strstr(err, "coins"));
     }
     start.dip[0] = 0;
     start.difficulty = m.n_difficulties;
     assert_null(board_power_on(r.ram, r.ram_size, &game.image.rom, &start, err, sizeof err));
-    rig_free(&r);
-    rig_game_free(&game);
+    rig_close(&r);
 }
 
 static int setup(void **state)
@@ -1198,8 +979,7 @@ static int setup(void **state)
 static int teardown(void **state)
 {
     (void)state;
-    rig_free(&rig);
-    rig_game_free(&g);
+    rig_close(&rig);
     return 0;
 }
 

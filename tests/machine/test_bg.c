@@ -1,12 +1,14 @@
 /*
  * test_bg.c - backgrounds against a plain program that asks for each pixel of the field which pixel of which map is
- * there, plain and as a view dims them; their motion; fades; what a game without them has of them.
+ * there, plain and as a view dims them; their motion; fades. tests/scripts/bg.lua tests what scripts are told.
  */
 #include "../../fb/row.h"
 #include "../../src/machine/video/video.h"
 #include "rig.h"
 
 static struct rng rng;
+static struct rig_game game;
+static struct rig r;
 
 static int64_t within(int64_t lo, int64_t hi)
 {
@@ -134,9 +136,9 @@ static uint8_t plain_pixel(const struct board *b, int x, int y)
 }
 
 /* Draws over rubbish and compares every pixel of the screen; in the field, with those that a shake moved there. */
-static void compare(struct rig *r, int round)
+static void compare(int round)
 {
-    const struct manifest *m = &r->b->cart.manifest;
+    const struct manifest *m = &r.b->cart.manifest;
     uint8_t shades[CART_SHADES_SIZE];
     const struct view view = { .dim = (enum view_dim)within(0, VIEW_DIM_MOST), .shades = shades };
     uint32_t rgb[256];
@@ -146,20 +148,27 @@ static void compare(struct rig *r, int round)
         shades[i] = (uint8_t)rng_next(&rng);
     shade = view.dim ? shades + (view.dim - 1) * 256 : NULL;
 
-    screen_get_shake(&r->b->screen, r->b->core.clock, &dx, &dy);
-    memset(r->fb.pix, 0xa5, (size_t)r->fb.pitch * (size_t)(r->fb.h - 1) + (size_t)r->fb.w);
-    board_draw(r->b, &view, &r->fb, rgb, r->scratch);
+    screen_get_shake(&r.b->screen, r.b->core.clock, &dx, &dy);
+    memset(r.fb.pix, 0xa5, (size_t)r.fb.pitch * (size_t)(r.fb.h - 1) + (size_t)r.fb.w);
+    board_draw(r.b, &view, &r.fb, rgb, r.scratch);
     for (int y = 0; y < m->screen_h; y++)
         for (int x = 0; x < m->screen_w; x++) {
             const int fx_ = x - m->field_x, fy = y - m->field_y;
             const bool in = fx_ >= 0 && fy >= 0 && fx_ < m->field_w && fy < m->field_h;
-            const uint8_t want = in ? plain_pixel(r->b, fx_ - dx, fy - dy) : 0, got = r->fb.pix[y * r->fb.pitch + x];
+            const uint8_t want = in ? plain_pixel(r.b, fx_ - dx, fy - dy) : 0, got = r.fb.pix[y * r.fb.pitch + x];
             if (got != want)
                 fail_msg("round %d: pixel %d, %d is %d, expected %d", round, x, y, got, want);
         }
 }
 
-static void power(struct rig_game *g, struct rig *r, const char *text)
+static int end(void **state __attribute__((unused)))
+{
+    rig_close(&r);
+    return 0;
+}
+
+/* A small field. */
+static void power(const char *text)
 {
     struct manifest m = rig_manifest();
 
@@ -170,10 +179,23 @@ static void power(struct rig_game *g, struct rig *r, const char *text)
     m.field_y = 5;
     m.field_w = 75;
     m.field_h = 61;
-    rig_script(g, &m, text);
-    rig_blends(g);
-    rig_maps(g);
-    rig_power(r, g, NULL);
+    rig_script(&game, &m, text);
+    rig_blends(&game);
+    rig_maps(&game);
+    rig_power(&r, &game, NULL);
+}
+
+/* A game that is practised from there. */
+static void practise(const char *text, const char *section)
+{
+    struct board_start start = { .difficulty = -1 };
+    struct manifest m = rig_manifest();
+
+    m.has_backgrounds = 1;
+    snprintf(start.practice.section, sizeof start.practice.section, "%s", section);
+    rig_script(&game, &m, text);
+    rig_maps(&game);
+    rig_power(&r, &game, &start);
 }
 
 /* ---- drawing ---- */
@@ -233,11 +255,9 @@ static void random_shake(struct board *b)
 /* Layers, plane, fog and fades at random, and with extremes: the picture is the plain program's. */
 TEST(plain)
 {
-    struct rig_game g;
-    struct rig r;
     int covered = 0;
 
-    power(&g, &r, "bg.plane().fog = { to = 0x123456, far = 9 }");
+    power("bg.plane().fog = { to = 0x123456, far = 9 }");
     bg_fill_shades(r.b->bg_shades.table + BG_BLACK_OFFSET, cart_palette(&r.b->cart, "main"), 0);
     rng_seed(&rng, 77);
     for (int round = 0; round < 400; round++) {
@@ -248,36 +268,12 @@ TEST(plain)
         r.b->bg.fade_elapsed[0] = (uint16_t)(r.b->bg.fade_length[0] ? within(0, r.b->bg.fade_length[0] - 1) : 0);
         covered += video_bg_covers(r.b);
         random_shake(r.b);
-        compare(&r, round);
+        compare(round);
     }
     assert_true(covered > 20 && covered < 380);
-    rig_free(&r);
-    rig_game_free(&g);
 }
 
-/* A layer of whole tiles covers all that is behind it; with a hole, blended, hidden or without wrap it does not. */
-TEST(covers)
-{
-    struct rig_game g;
-    struct rig r;
-
-    power(&g, &r, "bg.layer(2).map = 'sea'");
-    assert_true(video_bg_covers(r.b));
-    r.b->bg.flags[1] &= (uint8_t)~BG_WRAP;
-    assert_false(video_bg_covers(r.b));
-    r.b->bg.flags[1] = BG_WRAP | BG_HIDDEN;
-    assert_false(video_bg_covers(r.b));
-    r.b->bg.flags[1] = BG_WRAP | BG_FRONT;
-    assert_false(video_bg_covers(r.b));
-    r.b->bg.flags[1] = BG_WRAP | BG_BLEND_ONE;
-    assert_false(video_bg_covers(r.b));
-    r.b->bg.flags[1] = BG_WRAP;
-    r.b->bg.map[1] = (uint16_t)(cart_find(&r.b->cart, CART_MAPS, "reef") + 1);
-    assert_false(video_bg_covers(r.b));
-    rig_free(&r);
-    rig_game_free(&g);
-}
-
+/* Pixels of every value, which maps of a game have not. */
 TEST(rows)
 {
     uint8_t s[80], d[80], want[80], to[256], *table = malloc(65536);
@@ -341,76 +337,57 @@ TEST(shades)
 
 /* ---- motion ---- */
 
-/* Positions add up exactly, and go on beyond the world; a frozen board does not move them. */
+/* Positions add up exactly, also beyond the world; a frozen board does not move them. */
 TEST(motion)
 {
-    struct rig_game g;
-    struct rig r;
-
-    power(&g, &r,
-          "local a, p = bg.layer(1), bg.plane()\n"
+    power("local a, p = bg.layer(1), bg.plane()\n"
           "a.map, a.x, a.vx, a.vy = 'sea', 100, 0.3, -8191\n"
           "p.y, p.vy = -5, 0.5\n"
           "bg.lines(1, { wave = 8, every = 32, speed = 1.25 })");
-    const int64_t step = r.b->bg.vx[0];
-    assert_int_equal(step, 19661); /* 0.3 in 1/65536 */
+    const struct bg *b = &r.b->bg;
     rig_run(&r, 1000);
-    assert_true(r.b->bg.x[0] == 100 * 65536 + 1000 * step);
-    assert_true(r.b->bg.y[0] == -(int64_t)8191000 * 65536);
-    assert_true(r.b->bg.phase[0] == 1250 * 65536);
-    assert_true(r.b->bg.y[BG_PLANE] == 495 * 65536);
-    compare(&r, 0);
+    assert_true(b->x[0] == 100 * 65536 + 1000 * 19661); /* 0.3 in 1/65536 */
+    assert_true(b->y[0] == -(int64_t)8191000 * 65536);
+    assert_true(b->phase[0] == 1250 * 65536);
+    assert_true(b->y[BG_PLANE] == 495 * 65536);
+    compare(0);
     r.b->core.frozen = 77;
     rig_run(&r, 1);
-    assert_true(r.b->bg.x[0] == 100 * 65536 + 1000 * step);
-    rig_free(&r);
-    rig_game_free(&g);
+    assert_true(b->x[0] == 100 * 65536 + 1000 * 19661);
 }
 
 TEST(wave)
 {
-    struct rig_game g;
-    struct rig r;
     const fx list[] = { 65536, -65536, 3 };
 
-    power(&g, &r, "bg.lines(2, { wave = 8, every = 32 })");
+    power("bg.lines(2, { wave = 8, every = 32 })");
     struct bg *b = &r.b->bg;
-    assert_int_equal(bg_line_offset(b, &r.b->bg_lines, 1, 0), 0);
-    assert_int_equal(bg_line_offset(b, &r.b->bg_lines, 1, 8), 8 * 65536);
-    assert_int_equal(bg_line_offset(b, &r.b->bg_lines, 1, 40), 8 * 65536);
-    assert_int_equal(bg_line_offset(b, &r.b->bg_lines, 1, 24), -8 * 65536);
+    struct bg_lines *lines = &r.b->bg_lines;
+    assert_int_equal(bg_line_offset(b, lines, 1, 0), 0);
+    assert_int_equal(bg_line_offset(b, lines, 1, 8), 8 * 65536);
+    assert_int_equal(bg_line_offset(b, lines, 1, 40), 8 * 65536);
+    assert_int_equal(bg_line_offset(b, lines, 1, 24), -8 * 65536);
     b->phase[1] = -8 * 65536;
-    assert_int_equal(bg_line_offset(b, &r.b->bg_lines, 1, 0), 8 * 65536);
-    bg_set_lines(b, &r.b->bg_lines, 1, list, 3);
-    assert_int_equal(bg_line_offset(b, &r.b->bg_lines, 1, 1) - bg_line_offset(b, &r.b->bg_lines, 1, 33),
-                     list[1] - list[0]);
-    assert_int_equal(bg_line_offset(b, &r.b->bg_lines, 1, 3) - list[0],
-                     bg_line_offset(b, &r.b->bg_lines, 1, 35) - list[2]);
-    bg_set_lines(b, &r.b->bg_lines, 1, NULL, 0);
-    assert_int_equal(bg_line_offset(b, &r.b->bg_lines, 1, 0), 8 * 65536);
-    rig_free(&r);
-    rig_game_free(&g);
+    assert_int_equal(bg_line_offset(b, lines, 1, 0), 8 * 65536);
+    bg_set_lines(b, lines, 1, list, 3); /* which repeats, and is added */
+    assert_int_equal(bg_line_offset(b, lines, 1, 1) - bg_line_offset(b, lines, 1, 33), list[1] - list[0]);
 }
 
 /* ---- bg.def, bg.show ---- */
 
-static const char shows[] =
-    "bg.def('day', function() bg.layer(1).map = 'sea' for i = 1, forever do bg.layer(1).x = i wait(1) end end)\n"
-    "bg.def('night', function() bg.layer(2).map = 'reef' end)\n"
-    "task.go(function()\n"
-    "  bg.show('day', { over = 0 })\n"
-    "  wait(10)\n"
-    "  bg.show('night', { over = 20 })\n"
-    "  wait(100)\n"
-    "  bg.show(nil, { over = 4 })\n"
-    "end)";
-
 TEST(show)
 {
-    struct rig_game g;
-    struct rig r;
 
-    power(&g, &r, shows);
+    power("bg.def('day', function()\n"
+          "  bg.layer(1).map = 'sea'\n"
+          "  for i = 1, forever do bg.layer(1).x = i wait(1) end\n"
+          "end)\n"
+          "bg.def('night', function() bg.layer(2).map = 'reef' end)\n"
+          "task.go(function()\n"
+          "  bg.show('day', { over = 0 }) wait(10)\n"
+          "  bg.show('night', { over = 20 }) wait(100)\n"
+          "  bg.show(nil, { over = 4 })\n"
+          "end)");
     rig_run(&r, 1);
     assert_int_equal(r.b->bg.shown_id[0], 1);
     assert_int_equal(r.b->bg.map[0], cart_find(&r.b->cart, CART_MAPS, "sea") + 1);
@@ -430,53 +407,31 @@ TEST(show)
     rig_run(&r, 90);
     assert_int_equal(r.b->bg.shown_id[0], 0);
     assert_int_equal(r.b->bg.map[1], 0);
-    rig_free(&r);
-    rig_game_free(&g);
 }
 
-/* A phase's background, and the one before when it is over; a mark keeps what the stage has set up, a new game does
- * not. */
-static const char bosses[] =
-    "bg.def('day', function() bg.layer(1).map = 'sea' end)\n"
-    "bg.def('dusk', function() bg.layer(1).map = 'reef' end)\n"
-    "enemy.def('foe', { sprite = 'dot', hit = 'none', hp = 9 })\n"
-    "player.def('ship', { sprite = 'dot', hit = { circle = 2 } })\n"
-    "boss.def('b', { title = 'B', kind = 'foe', x = 30, y = 30, phases = {\n"
-    "  { id = 'one', survive = true, time = 50, bg = 'dusk', run = function() wait(forever) end } } })\n"
-    "stage.def('s', function()\n"
-    "  bg.show('day')\n"
-    "  palette.set(5, 0x102030)\n"
-    "  bg.layer(4).map = 'reef'\n"
-    "  wait(20)\n"
-    "  stage.mark('m')\n"
-    "  boss.fight('b')\n"
-    "  wait(60)\n"
-    "end)\n"
-    "boot.run { stages = { 's' }, players = { 'ship' } }";
-
+/* A phase has its background, and the one before is shown again after it. A mark keeps what the stage has set up. */
 TEST(phase)
 {
-    struct board_start start = { .difficulty = -1, .practice.section = "s:m" };
-    struct manifest m = rig_manifest();
-    struct rig_game g;
-    struct rig r;
-
-    m.has_backgrounds = 1;
-    rig_script(&g, &m, bosses);
-    rig_maps(&g);
-    rig_power(&r, &g, &start);
+    practise("bg.def('day', function() bg.layer(1).map = 'sea' end)\n"
+             "bg.def('dusk', function() bg.layer(1).map = 'reef' end)\n"
+             "enemy.def('foe', { sprite = 'dot', hit = 'none', hp = 9 })\n"
+             "player.def('ship', { sprite = 'dot', hit = { circle = 2 } })\n"
+             "boss.def('b', { title = 'B', kind = 'foe', x = 30, y = 30, phases = {\n"
+             "  { id = 'one', survive = true, time = 50, bg = 'dusk', run = function() wait(forever) end } } })\n"
+             "stage.def('s', function()\n"
+             "  bg.show('day') wait(20)\n"
+             "  stage.mark('m')\n"
+             "  boss.fight('b') wait(60)\n"
+             "end)\n"
+             "boot.run { stages = { 's' }, players = { 'ship' } }",
+             "s:m");
     rig_run(&r, 2);
     assert_int_equal(r.b->bg.shown_id[0], 1); /* at once: the stage was skipped to its mark */
     assert_int_equal(bg_darkness(&r.b->bg), 0);
-    assert_int_equal(r.b->pal.rgb[5], 0x102030);
     rig_run(&r, 60 + 20); /* the boss flies in */
     assert_int_equal(r.b->bg.shown_id[0], 2);
     rig_run(&r, 50);
     assert_int_equal(r.b->bg.shown_id[0], 1);
-    for (int f = 0; f < 400 && r.b->bg.shown_id[0]; f++)
-        rig_run(&r, 1);
-    rig_free(&r);
-    rig_game_free(&g);
 }
 
 /* What a run shows from a mark on, practice of that mark shows: the background is there before the next line, what
@@ -500,41 +455,40 @@ static const char marked[] =
     "end)\n"
     "boot.run { stages = { 's' }, players = { 'ship' } }";
 
-static void until_marked(struct rig *r)
+enum { SHOWN = 20 }; /* frames after the mark */
+
+static void until_marked(void)
 {
-    for (int f = 0; f < 400 && !r->b->bg.map[1]; f++)
-        rig_run(r, 1);
-    assert_true(r->b->bg.map[1] != 0);
+    for (int f = 0; f < 400 && !r.b->bg.map[1]; f++)
+        rig_run(&r, 1);
+    assert_true(r.b->bg.map[1] != 0);
 }
 
 TEST(practice)
 {
-    struct board_start start = { .difficulty = -1, .practice.section = "s" };
-    struct manifest m = rig_manifest();
-    struct rig_game g;
-    struct rig run, practice;
+    uint32_t rgb[SHOWN][COLOURS];
+    uint16_t maps[SHOWN][BG_SLOTS];
 
-    m.has_backgrounds = 1;
-    rig_script(&g, &m, marked);
-    rig_maps(&g);
-    rig_power(&run, &g, &start);
-    strcpy(start.practice.section, "s:m");
-    rig_power(&practice, &g, &start);
-    until_marked(&run);
-    until_marked(&practice);
-    assert_true(board_frame(run.b) > board_frame(practice.b) + 100);
-    for (int f = 0; f < 20; f++) {
-        assert_memory_equal(run.b->pal.rgb, practice.b->pal.rgb, COLOURS * sizeof *run.b->pal.rgb);
-        assert_memory_equal(run.b->bg.map, practice.b->bg.map, BG_SLOTS * sizeof *run.b->bg.map);
-        assert_int_equal(practice.b->bg.shown_id[0], 2);
-        rig_run(&run, 1);
-        rig_run(&practice, 1);
+    practise(marked, "s");
+    until_marked();
+    const uint32_t marked_at = board_frame(r.b);
+    for (int f = 0; f < SHOWN; f++) {
+        memcpy(rgb[f], r.b->pal.rgb, sizeof rgb[f]);
+        memcpy(maps[f], r.b->bg.map, sizeof maps[f]);
+        rig_run(&r, 1);
     }
-    assert_int_equal(practice.b->pal.rgb[5], 0xffffff);
-    assert_int_equal(practice.b->pal.rgb[8], 0x00ff00);
-    rig_free(&run);
-    rig_free(&practice);
-    rig_game_free(&g);
+    end(NULL);
+    practise(marked, "s:m");
+    until_marked();
+    assert_true(marked_at > board_frame(r.b) + 100);
+    for (int f = 0; f < SHOWN; f++) {
+        assert_memory_equal(r.b->pal.rgb, rgb[f], sizeof rgb[f]);
+        assert_memory_equal(r.b->bg.map, maps[f], sizeof maps[f]);
+        assert_int_equal(r.b->bg.shown_id[0], 2);
+        rig_run(&r, 1);
+    }
+    assert_int_equal(r.b->pal.rgb[5], 0xffffff);
+    assert_int_equal(r.b->pal.rgb[8], 0x00ff00);
 }
 
 /* A boss that is practised has its background, and its phase's, from the first frame on; in a stage they fade in. */
@@ -555,61 +509,31 @@ TEST(boss)
         const char *section;
         int first, then; /* shown in frame 1, and in the phase */
     } practised[] = { { "b/one", 2, 2 }, { "b/two", 3, 3 }, { "s", 1, 2 } };
-    struct manifest m = rig_manifest();
-    struct rig_game g;
-    struct rig r;
 
-    m.has_backgrounds = 1;
-    rig_script(&g, &m, text);
-    rig_maps(&g);
     for (size_t i = 0; i < sizeof practised / sizeof *practised; i++) {
-        struct board_start start = { .difficulty = -1 };
-        snprintf(start.practice.section, sizeof start.practice.section, "%s", practised[i].section);
-        rig_power(&r, &g, &start);
+        const bool is_stage = practised[i].first != practised[i].then;
+        practise(text, practised[i].section);
         for (int f = 0; f < 90; f++) {
             rig_run(&r, 1);
-            if (practised[i].first == practised[i].then || f < 20)
+            if (!is_stage || f < 20)
                 assert_int_equal(r.b->bg.shown_id[0], practised[i].first);
-            assert_true(!strcmp(practised[i].section, "s") || bg_darkness(&r.b->bg) == 0);
+            assert_true(is_stage || bg_darkness(&r.b->bg) == 0);
         }
         assert_int_equal(r.b->bg.shown_id[0], practised[i].then);
         rig_run(&r, 140); /* the next try, or in the stage the next phase */
-        assert_int_equal(r.b->bg.shown_id[0], i == 2 ? 3 : practised[i].first);
-        rig_free(&r);
+        assert_int_equal(r.b->bg.shown_id[0], is_stage ? 3 : practised[i].first);
+        end(NULL);
     }
-    rig_game_free(&g);
 }
 
-/* ---- without ---- */
+/* ---- maps that are wrong ---- */
 
-TEST(off)
-{
-    struct board_start start = { .difficulty = -1 };
-    struct rig_game g;
-    struct rig r;
-
-    rig_script(&g, NULL, "local a = 1");
-    rig_power(&r, &g, NULL);
-    assert_int_equal(r.b->bg.s.cap + r.b->bg_lines.s.cap + r.b->bg_shades.s.cap, 0);
-    for (int i = 0; i < PART_COUNT; i++)
-        if (machine_parts[i].chip == &bg_chip)
-            assert_true(board_part_hash(r.b, i) == 0 && slots_save(&bg_chip, &r.b->bg, NULL) == 0);
-    rig_free(&r);
-    rig_game_free(&g);
-    rig_script(&g, NULL, "bg.layer(1).x = 3");
-    rig_power_any(&r, &g, &start);
-    assert_string_equal(rig_fault(&r)->message,
-                        "main.lua:1: bg: backgrounds are disabled; add `maps = { ... }` in rom.lua");
-    rig_free(&r);
-    rig_game_free(&g);
-}
-
-/* A map that is wrong is refused when the ROM is opened: byte `at` of map/reef, counted from its end if negative. */
-TEST(lumps)
+/* Byte `at` of map/reef is changed, counted from its end if negative. */
+TEST(bad_maps)
 {
     static const struct {
         int at, value;
-        const char *said;
+        const char *message;
     } bad[] = {
         { 0, 0, "its header is out of range" },
         { 4, 9, "its header is out of range" },
@@ -625,79 +549,22 @@ TEST(lumps)
         { 60, 49, "tile 0 does not match the map's flags" },
         { -1, 17, "tile 3 does not match the map's flags" },
     };
+    struct lump reef;
 
+    rig_script(&game, NULL, "");
+    rig_maps(&game);
+    rom_lump(&game.image.rom, rom_find(&game.image.rom, "map/reef"), &reef);
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
-        struct manifest m = rig_manifest();
-        struct rig_game g;
-        struct lump lumps[RIG_LUMPS];
+        const int at = bad[i].at < 0 ? (int)reef.size + bad[i].at : bad[i].at;
+        uint8_t *byte = game.image.bytes + (reef.data - game.image.bytes) + at, was = *byte;
         struct cart cart;
         char err[256] = "";
-        m.has_backgrounds = 1;
-        rig_script(&g, &m, "local a = 1");
-        rig_maps(&g);
-        struct rig_game had = g;
-        const int n = (int)had.image.rom.count;
-        assert_true(n <= RIG_LUMPS);
-        uint8_t *copy = NULL;
-        for (int k = 0; k < n; k++) {
-            rom_lump(&had.image.rom, k, &lumps[k]);
-            if (strcmp(lumps[k].name, "map/reef"))
-                continue;
-            copy = malloc(lumps[k].size);
-            memcpy(copy, lumps[k].data, lumps[k].size);
-            copy[bad[i].at < 0 ? (int)lumps[k].size + bad[i].at : bad[i].at] = (uint8_t)bad[i].value;
-            lumps[k].data = copy;
-        }
-        const size_t size = rom_write_size(lumps, n);
-        uint8_t *image = malloc(size);
-        struct rom rom;
-        rom_write(image, lumps, n);
-        assert_true(rom_open(&rom, image, size, err, sizeof err));
-        assert_false(cart_open(&cart, &rom, err, sizeof err));
-        if (!strstr(err, "lump \"map/reef\": ") || !strstr(err, bad[i].said))
+        *byte = (uint8_t)bad[i].value;
+        assert_false(cart_open(&cart, &game.image.rom, err, sizeof err));
+        if (!strstr(err, "lump \"map/reef\": ") || !strstr(err, bad[i].message))
             fail_msg("%zu: %s", i, err);
-        free(image);
-        free(copy);
-        rig_game_free(&g);
+        *byte = was;
     }
 }
 
-TEST(said)
-{
-    static const char *const said[][2] = {
-        { "bg.layer(5)", "bg.layer: i: expected a whole number from 1 to 4, got 5" },
-        { "bg.layer(1).map = 'see'", "layer: unknown map \"see\" (did you mean \"sea\"?)" },
-        { "bg.layer(1).x = bg.layer(2) + 0.5",
-          "layer: x: expected a number from -16383 to 16383 px, got 4.6116860229572e+18 (arithmetic on a thing? use "
-          "one of its properties, such as x)" },
-        { "bg.layer(1).layer = 'middle'", "layer: layer: expected back or front, got \"middle\"" },
-        { "bg.layer(1).vz = 1", "a layer has no property \"vz\" (did you mean \"vx\"?)" },
-        { "bg.plane().wrap = true", "a plane has no property \"wrap\" (did you mean \"map\"?)" },
-        { "bg.plane().fog = { two = 3 }", "plane: fog: unknown argument \"two\" (did you mean \"to\"?)" },
-        { "bg.plane().fog = { to = 3 }", "plane: fog: far: expected a number from 1 to 16383 px, got nil" },
-        { "bg.lines(1, { wav = 3, every = 9 })", "bg.lines: unknown argument \"wav\" (did you mean \"wave\"?)" },
-        { "bg.lines(1, { 1, 'x' })", "bg.lines: line 2: expected a number from -16383 to 16383 px, got \"x\"" },
-        { "bg.plane().fog = { to = 'blue', far = 3 }",
-          "plane: fog: to: expected a colour from 0x000000 to 0xffffff, got \"blue\"" },
-        { "bg.def('a', print) bg.show('b')", "bg.show: unknown background \"b\" (known: a)" },
-    };
-    struct board_start start = { .difficulty = -1 };
-    struct manifest m = rig_manifest();
-    struct rig_game g;
-    struct rig r;
-
-    m.has_backgrounds = 1;
-    for (size_t i = 0; i < sizeof said / sizeof *said; i++) {
-        char want[200];
-        rig_script(&g, &m, said[i][0]);
-        rig_maps(&g);
-        rig_power_any(&r, &g, &start);
-        snprintf(want, sizeof want, "main.lua:1: %s", said[i][1]);
-        assert_non_null(rig_fault(&r));
-        assert_string_equal(rig_fault(&r)->message, want);
-        rig_free(&r);
-        rig_game_free(&g);
-    }
-}
-
-RUN_TESTS(NULL, NULL)
+RUN_TESTS_EACH(NULL, end)

@@ -1,6 +1,6 @@
 /*
  * test_blend.c - blended drawing on whole boards: what asks for a blend is drawn through its table, over what lies
- * below it, and the game itself goes on as without.
+ * below it.
  */
 #include "../../fb/blit.h"
 #include "rig.h"
@@ -32,8 +32,7 @@ static void draw(const char *thing, uint8_t out[H][W])
     rig_picture(&r);
     for (int y = 0; y < H; y++)
         memcpy(out[y], r.fb.pix + y * r.fb.pitch, W);
-    rig_free(&r);
-    rig_game_free(&g);
+    rig_close(&r);
 }
 
 /* The thing, standing at X, Y, shows `picture` of a sprite through the table of a blend, over the backdrop. */
@@ -89,9 +88,6 @@ TEST(bullets_and_shots)
     expect("bullet.def('b', { sprite = 'arrow', hit = 'none', turns = true, blend = 'ghost' })\n"
            "bullet.fire { kind = 'b', x = 100, y = 80, speed = 0, dir = 90, bank = 3 }",
            "arrow", 4, 3, 0, "ghost");
-    expect("bullet.def('b', { sprite = 'arrow', hit = 'none', blend = 'ghost' })\n"
-           "bullet.fire { kind = 'b', x = 100, y = 80, speed = 0, dir = 90 }",
-           "arrow", 0, 0, 0, "ghost");
     expect("shot.def('s', { sprite = 'wink', hit = 'none', blend = 'glow' })\n"
            "shot.fire { kind = 's', x = 100, y = 80, speed = 0, bank = 15 }",
            "wink", 0, 15, 0, "glow");
@@ -128,87 +124,6 @@ TEST(sprites)
            "assert(t.blend == nil)\n"
            "t.hidden = true\n",
            "dot", 0, 0, BLIT_FLIP_Y, "glow");
-}
-
-static void faults(const struct rig_game *g, const char *line)
-{
-    struct rig r;
-
-    rig_power_any(&r, g, NULL);
-    assert_non_null(rig_fault(&r));
-    assert_string_equal(rig_fault(&r)->message, line);
-    rig_free(&r);
-}
-
-static void script_faults(const char *text, const char *line)
-{
-    struct rig_game g;
-
-    rig_script(&g, NULL, text);
-    rig_ruled_blends(&g, ghost, glow);
-    faults(&g, line);
-    rig_game_free(&g);
-}
-
-TEST(errors)
-{
-    struct rig_game none;
-
-    script_faults("bullet.def('b', { sprite = 'dot', hit = 'none', blend = 'glwo' })",
-                  "main.lua:1: bullet.def: unknown blend \"glwo\" (did you mean \"glow\"?)");
-    script_faults("spark.def('b', { sprite = 'dot', life = 1, blend = 3 })",
-                  "main.lua:1: spark.def: blend: expected a blend name, got 3");
-    script_faults("sprite.put { sprite = 'dot', x = 1, y = 1 }.blend = 'add'",
-                  "main.lua:1: sprite: unknown blend \"add\" (in rom.lua: ghost, glow)");
-    rig_script(&none, NULL, "sprite.put { sprite = 'dot', x = 1, y = 1, blend = 'glow' }");
-    faults(&none, "main.lua:1: sprite.put: unknown blend \"glow\" (in rom.lua: none)");
-    rig_game_free(&none);
-}
-
-/* What a blend changes in the state: the kind, and what scripts said. Bullets fly, graze and hit as they did. */
-TEST(state_differs_where_it_should)
-{
-    static const char text[] = "bullet.def('b', { sprite = 'dot', hit = { circle = 3 }, turns = true%s })\n"
-                               "spark.def('k', { sprite = 'dot', life = 90, bank = 15%s })\n"
-                               "player.def('p', { sprite = 'dot', hit = { circle = 3 } })\n"
-                               "string.sys.join(1, 'p')\n"
-                               "task.go(function()\n"
-                               "  for i = 1, 100 do\n"
-                               "    bullet.fire { kind = 'b', x = 100, y = 250, speed = 1, aim = true, motion = "
-                               "motion.def { { turn = 1, over = 9 } } }\n"
-                               "    spark.burst { kind = 'k', x = 9, y = 9, n = 3 }\n"
-                               "    wait(2)\n"
-                               "  end\n"
-                               "end)\n";
-    static char plain[2048], blended[2048];
-    struct rig_game g[2];
-    struct rig r[2];
-    uint64_t a[MAX_PARTS], b[MAX_PARTS];
-    int differ = 0;
-
-    snprintf(plain, sizeof plain, text, "", "");
-    snprintf(blended, sizeof blended, text, ", blend = 'glow'", ", blend = 'ghost'");
-    for (int i = 0; i < 2; i++) {
-        rig_with_sys(&g[i], NULL, i ? blended : plain);
-        rig_blends(&g[i]);
-        rig_power(&r[i], &g[i], NULL);
-        rig_run(&r[i], 180);
-    }
-    board_hashes(r[0].b, a);
-    board_hashes(r[1].b, b);
-    for (int i = 0; i < board_part_count(r[0].b); i++) {
-        const char *name = board_part_name(r[0].b, i);
-        bool may = !strcmp(name, "script") || !strcmp(name, "bullet_kinds") || !strcmp(name, "spark_kinds");
-        if ((a[i] != b[i]) != may)
-            fail_msg("part %s %s", name, may ? "is alike" : "differs");
-        differ += a[i] != b[i];
-    }
-    assert_int_equal(differ, 3);
-    assert_true(rig_picture(&r[0]) != rig_picture(&r[1]));
-    for (int i = 0; i < 2; i++) {
-        rig_free(&r[i]);
-        rig_game_free(&g[i]);
-    }
 }
 
 RUN_TESTS(NULL, NULL)

@@ -1,6 +1,6 @@
 /*
  * test_calls.c - the window and the program by calls, for a host that has the loop: 40 windows opened and closed in
- * the middle leave nothing on the heap, two at once behave as each alone, an endless loop is found.
+ * the middle leave nothing on the heap, two at once behave as each alone.
  *
  * Without arguments all of it; with a number only so many are opened and closed, for valgrind (calls.sh).
  */
@@ -223,19 +223,6 @@ TEST(two_at_once)
     assert_string_equal(windows[1].title, "Test Card");
 }
 
-/* ---- endless loops ---- */
-
-static void write_game(const char *folder, const char *script)
-{
-    char name[64];
-
-    snprintf(name, sizeof name, "%s/rom.lua", folder);
-    const char *rom = "return { title = \"Endless\", screen = { w = 64, h = 64 } }\n";
-    assert_true(plat_save(name, rom, strlen(rom)));
-    snprintf(name, sizeof name, "%s/main.lua", folder);
-    assert_true(plat_save(name, script, strlen(script)));
-}
-
 static void load_folder(struct rig_game *g, const char *folder)
 {
     char err[1024];
@@ -243,27 +230,6 @@ static void load_folder(struct rig_game *g, const char *folder)
     if (!pack_load_game(folder, false, &g->image, err, sizeof err) ||
         !cart_open(&g->cart, &g->image.rom, err, sizeof err))
         fail_msg("%s", err);
-}
-
-static void expect_loop_found(void)
-{
-    struct rig_game was = games[0];
-
-    load_folder(&games[0], "endless");
-    struct play *play = open_play(0, NULL);
-    windows[0].busy = false;
-    for (int k = 0; k < 20; k++)
-        assert_true(frame(0, play));
-    assert_true(windows[0].logged > 0);
-    assert_int_equal(close_play(0, play), RESULT_REFUSED);
-    rom_image_free(&games[0].image);
-    games[0] = was;
-}
-
-TEST(endless_loop)
-{
-    write_game("endless", "task.go(function() wait(5) while true do end end)\n");
-    expect_loop_found();
 }
 
 /* ---- the program ---- */

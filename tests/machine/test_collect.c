@@ -38,30 +38,6 @@ static void done(struct rig_game *g, struct rig *r)
     rig_game_free(g);
 }
 
-/* It rests, so what is in use grows; it comes, so it falls again, and never grows far. */
-TEST(rests_and_comes)
-{
-    struct rig_game g;
-    struct rig r;
-    size_t least = SIZE_MAX, most = 0, last = 0;
-    int fell = 0, same = 0;
-
-    open(&g, &r, 8, 1024);
-    rig_run(&r, WARM);
-    for (int f = 0; f < FRAMES; f++) {
-        rig_run(&r, 1);
-        const size_t used = heap_used(r.b->vm.heap);
-        fell += used < last;
-        same += used == last;
-        least = used < least ? used : least;
-        most = used > most ? used : most;
-        last = used;
-    }
-    assert_true(fell >= FRAMES / 100 && fell + same < FRAMES);
-    assert_true(most - least > 8 << 10 && most - least < 64 << 10);
-    done(&g, &r);
-}
-
 /* Does a game that keeps so many texts run for so many frames? */
 static bool holds(int texts, int frames)
 {
@@ -75,8 +51,7 @@ static bool holds(int texts, int frames)
     const bool fine = !rig_fault(&r);
     if (fine && frames == FRAMES)
         assert_true(heap_used(r.b->vm.heap) > (450u << 10)); /* what the first frame leaves has the rest */
-    rig_free(&r);
-    rig_game_free(&g);
+    rig_close(&r);
     return fine;
 }
 

@@ -185,8 +185,7 @@ TEST(courses)
             moved += at_once.b->bullets.s.live;
         }
         rig_free(&at_once);
-        rig_free(&singly);
-        rig_game_free(&g);
+        rig_close(&singly);
     }
     print_message("# %ld moves\n", moved);
     assert_true(moved > 100000);

@@ -247,22 +247,19 @@ TEST(pictures)
             random_bullets(r.b, s, k);
             picture(&r, s, k);
         }
-        rig_free(&r);
-        rig_game_free(&game);
+        rig_close(&r);
     }
     print_message("# %ld drawn; %ld kinds with blends\n", seen.drawn, seen.blended);
     assert_true(seen.drawn > 10000 && seen.blended > 1000);
 }
 
-/* A whole block in the middle of the field, but for one bullet, which goes over the edges by single units: with it the
- * block needs clipping, or does not. */
+/* A whole block in the middle of the field, which needs no clipping, but for one bullet about an edge. */
 TEST(edges)
 {
     const struct board_start start = { .difficulty = -1 };
-    enum { GAMES = 40, SPOTS = 200 };
 
     rng_seed(&rng, 7);
-    for (int game_no = 0; game_no < GAMES; game_no++) {
+    for (int n = 0; n < 40; n++) {
         struct rig_game game;
         struct rig r;
         random_game(&game);
@@ -274,11 +271,11 @@ TEST(edges)
         k->s.live = (uint32_t)(1 + below(3));
         for (uint32_t i = 0; i < k->s.live; i++) {
             k->sprite[i] = (uint16_t)below(r.b->cart.count[CART_SPRITES]);
+            k->flags[i] = (uint16_t)(below(3) ? 0 : KIND_TURNS);
             k->draw_order[i] = 0;
             k->spin[i] = 0;
-            k->flags[i] = (uint16_t)(below(3) ? 0 : KIND_TURNS);
         }
-        for (uint32_t i = 0; i < SLOTS_BLOCK; i++) {
+        for (int i = 0; i < SLOTS_BLOCK; i++) {
             const struct bullet_spec shape = { .x = (m->field_w / 2) << 16,
                                                .y = (m->field_h / 2) << 16,
                                                .kind = (uint16_t)below((int)k->s.live),
@@ -286,19 +283,15 @@ TEST(edges)
                                                .dir = (ang)rng_next(&rng) };
             bullets_fire(s, &shape, r.b->core.clock);
         }
-        for (int place = 0; place < SPOTS && s->s.live == SLOTS_BLOCK; place++) {
+        for (int place = 0; place < 200 && s->s.live == SLOTS_BLOCK; place++) {
             const uint32_t i = (uint32_t)below(SLOTS_BLOCK);
-            const fx x = s->x[i], y = s->y[i], more = below(2) ? 0 : below(2) ? 65535 : below(65536);
-            if (place % 2)
-                s->x[i] = (below(90) - 45 + (below(2) ? m->field_w : 0)) * 65536 + more;
-            else
-                s->y[i] = (below(90) - 45 + (below(2) ? m->field_h : 0)) * 65536 + more;
+            fx *at = place % 2 ? &s->x[i] : &s->y[i], was = *at;
+            const int edge = below(2) ? 0 : place % 2 ? m->field_w : m->field_h;
+            *at = (edge + below(90) - 45) * 65536 + (below(2) ? 0 : below(65536));
             picture(&r, s, k);
-            s->x[i] = x;
-            s->y[i] = y;
+            *at = was;
         }
-        rig_free(&r);
-        rig_game_free(&game);
+        rig_close(&r);
     }
 }
 
@@ -408,8 +401,7 @@ TEST(moves)
             move(r.b, &keep, query, (uint32_t)scene * 3 + n);
         }
     }
-    rig_free(&r);
-    rig_game_free(&game);
+    rig_close(&r);
 }
 
 RUN_TESTS(NULL, NULL)

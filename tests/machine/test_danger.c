@@ -113,13 +113,13 @@ TEST(same_hits)
 }
 
 /* Ships steered by chance, in bursts, until they are hit: wherever one is, the set of that frame has it. */
-static uint64_t fly(const struct forecast *f, const struct reach *r, uint32_t from, fx x, fx y)
+static uint32_t fly(const struct forecast *f, const struct reach *r, fx x, fx y)
 {
     struct danger_path way = { .x = x, .y = y };
-    uint64_t flown = 0;
+    uint32_t i = 0;
     int choice = 0;
 
-    for (uint32_t i = from; i < f->frames; i++, flown++) {
+    for (; i < f->frames; i++) {
         const struct forecast_frame *at = &f->frame[i];
         if (rng_below(&rng, 6) == 0)
             choice = (int)rng_below(&rng, REACH_MOVES);
@@ -131,7 +131,22 @@ static uint64_t fly(const struct forecast *f, const struct reach *r, uint32_t fr
             break;
         assert_true(reach_has(r, i + 1, way.x, way.y));
     }
-    return flown;
+    return i;
+}
+
+/* Records frames in which the ship stands, from the first in which it can be steered, which is saved. */
+static void record_still(struct forecast *f, uint32_t frames, struct simulation_state *first)
+{
+    const uint16_t none[MAX_PLAYERS] = { 0 };
+
+    while (!simulation_can_steer(&t))
+        simulation_tick(&t, none);
+    assert_true(simulation_save(&t, first));
+    t.recording = f;
+    danger_set_invincible(t.b, true);
+    for (uint32_t i = 0; i < frames; i++)
+        simulation_tick(&t, none);
+    t.recording = NULL;
 }
 
 TEST(sets_hold_all)
@@ -141,23 +156,18 @@ TEST(sets_hold_all)
 
     for (uint64_t seed = 1; seed <= 3; seed++) {
         struct forecast f = { 0 };
-        struct danger_ship ship;
+        struct simulation_state start = { 0 };
         begin(seed);
-        const uint16_t none[MAX_PLAYERS] = { 0 };
-        while (!simulation_can_steer(&t))
-            simulation_tick(&t, none);
-        danger_get_ship(t.b, 0, &ship);
-        t.recording = &f;
-        danger_set_invincible(t.b, true);
-        for (uint32_t i = 0; i < FRAMES / 2; i++)
-            simulation_tick(&t, none);
+        record_still(&f, FRAMES / 2, &start);
+        const fx x = start.ship.path.x, y = start.ship.path.y;
         for (int c = 0; c < 3; c++) {
             struct reach r;
-            assert_true(reach_compute(&r, &f, cells[c], 0, ship.path.x, ship.path.y));
+            assert_true(reach_compute(&r, &f, cells[c], 0, x, y));
             for (int i = 0; i < SHIPS; i++)
-                flown += fly(&f, &r, 0, ship.path.x, ship.path.y);
+                flown += fly(&f, &r, x, y);
             reach_free(&r);
         }
+        simulation_state_free(&start);
         forecast_close(&f);
         end();
     }
@@ -171,18 +181,10 @@ TEST(plan_is_flown)
     struct simulation_state start = { 0 };
     struct reach r;
     struct plan p;
-    const uint16_t none[MAX_PLAYERS] = { 0 };
     uint32_t lived = 0;
 
     begin(9);
-    while (!simulation_can_steer(&t))
-        simulation_tick(&t, none);
-    assert_true(simulation_save(&t, &start));
-    t.recording = &f;
-    danger_set_invincible(t.b, true);
-    for (uint32_t i = 0; i < FRAMES; i++)
-        simulation_tick(&t, none);
-    t.recording = NULL;
+    record_still(&f, FRAMES, &start);
     assert_true(reach_compute(&r, &f, FX_ONE, 0, start.ship.path.x, start.ship.path.y));
     reach_prune(&r);
     assert_true(plan_make(&p, &r, start.ship.path.x, start.ship.path.y, 1 << 20, 0, false));

@@ -245,29 +245,6 @@ TEST(flips)
     stop(&b);
 }
 
-TEST(seed)
-{
-    static struct replay r;
-    struct verdict got, want;
-    struct runner a, b;
-
-    for (int bit = 0; bit < 64; bit += 9) {
-        struct board_start seeded = original.start;
-        seeded.seed ^= 1ull << bit;
-        start(&a, &game, &original.start);
-        start(&b, &game, &seeded);
-        want = lockstep(&a, &original, &b, &original);
-        original.start.seed = seeded.seed;
-        assert_int_equal(replay_run(&r, &game.cart, &original, NULL, &got, err, sizeof err), RESULT_DONE);
-        original.start.seed ^= 1ull << bit;
-        same_verdict(&got, &want, "seed bit", (uint64_t)bit);
-        assert_int_equal(got.kind, VERDICT_DIFFERS);
-        stop(&a);
-        stop(&b);
-    }
-    replay_close(&r);
-}
-
 /* A part that this build does not have differs from the start, also if its hash was 0; one that the demo does not have
  * is not asked for. */
 TEST(parts)
@@ -292,78 +269,5 @@ TEST(parts)
 }
 
 /* ---- changed scripts ---- */
-
-/* The game with byte `at` of a script changed to c. */
-static void changed_game(struct rig_game *g, int script, uint32_t at, uint8_t c)
-{
-    static uint8_t text[1 << 16];
-    struct lump lumps[RIG_LUMPS];
-    int n = (int)game.image.rom.count;
-
-    assert_true(n <= RIG_LUMPS);
-    for (int i = 0; i < n; i++)
-        rom_lump(&game.image.rom, i, &lumps[i]);
-    assert_true(lumps[script].size <= sizeof text);
-    memcpy(text, lumps[script].data, lumps[script].size);
-    text[at] = c;
-    lumps[script].data = text;
-    memset(g, 0, sizeof *g);
-    rig_write(g, lumps, n);
-}
-
-/* A digit of a script that is not part of a name; what it becomes is another digit. */
-static uint32_t some_digit(const struct lump *script, struct rng *rng)
-{
-    for (;;) {
-        uint32_t at = 1 + (uint32_t)rng_below(rng, script->size - 1);
-        uint8_t c = script->data[at], before = script->data[at - 1];
-        if (c >= '0' && c <= '9' && (before == ' ' || before == '='))
-            return at;
-    }
-}
-
-static enum verdict_kind changed(int script, uint32_t at, uint8_t c)
-{
-    struct replay r = { .hash_cache = NULL };
-    struct verdict got, want;
-    struct rig_game other;
-    struct runner a, b;
-
-    changed_game(&other, script, at, c);
-    start(&a, &game, &original.start);
-    start(&b, &other, &original.start);
-    want = lockstep(&a, &original, &b, &original);
-    assert_int_equal(replay_run(&r, &other.cart, &original, NULL, &got, err, sizeof err), RESULT_DONE);
-    same_verdict(&got, &want, "script byte", at);
-    replay_close(&r);
-    stop(&a);
-    stop(&b);
-    rig_game_free(&other);
-    return got.kind;
-}
-
-TEST(scripts)
-{
-    static const char *const scripts[] = { "script/stages/one.lua", "script/main.lua" };
-    int kinds[4] = { 0 };
-    struct rng rng;
-
-    rng_seed(&rng, 3);
-    for (int i = 0; i < 24; i++) {
-        int script = rom_find(&game.image.rom, scripts[i % 4 == 3]);
-        struct lump lump;
-        assert_true(script >= 0);
-        rom_lump(&game.image.rom, script, &lump);
-        uint32_t at = some_digit(&lump, &rng);
-        kinds[changed(script, at, (uint8_t)('0' + (lump.data[at] - '0' + 1 + (int)rng_below(&rng, 8)) % 10))]++;
-    }
-    assert_true(kinds[VERDICT_DIFFERS] > 5);
-    int script = rom_find(&game.image.rom, scripts[0]);
-    struct lump lump;
-    rom_lump(&game.image.rom, script, &lump);
-    const char *comment = strstr((const char *)lump.data, "-- ");
-    assert_true(comment && comment < (const char *)lump.data + lump.size);
-    assert_int_equal(changed(script, (uint32_t)(comment - (const char *)lump.data) + 3, 'x'), VERDICT_HOLDS);
-}
 
 RUN_TESTS(setup, teardown)

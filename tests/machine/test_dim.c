@@ -10,23 +10,16 @@ struct shot {
     uint32_t at[H][W];
 };
 
-static struct manifest roomy(void)
-{
-    struct manifest m = rig_manifest();
-
-    m.sprites = 128;
-    return m;
-}
-
 /* The colours shown after the frame in which `lines` ran, and after the n - 1 next ones. */
 static void draw(const char *lines, int n, struct shot *out)
 {
     static char text[4096];
-    const struct manifest m = roomy();
+    struct manifest m = rig_manifest();
     uint32_t rgb[256];
     struct rig_game g;
     struct rig r;
 
+    m.sprites = 128;
     snprintf(text, sizeof text,
              "task.go(function()\n"
              "for i = 0, 255 do palette.set(i, i << 16 | 255 - i << 8 | 7 * i & 255) end\n"
@@ -40,8 +33,7 @@ static void draw(const char *lines, int n, struct shot *out)
     for (int y = 0; y < H; y++)
         for (int x = 0; x < W; x++)
             out->at[y][x] = rgb[r.fb.pix[y * r.fb.pitch + x]];
-    rig_free(&r);
-    rig_game_free(&g);
+    rig_close(&r);
 }
 
 /* All is the plain picture, mixed with so much black, but where `stays` shows something that `plain` does not. */
@@ -73,9 +65,7 @@ static void dimmed(const char *over, const char *dim, int n, fx share)
 TEST(share)
 {
     dimmed(TEXT, "screen.dim()", 1, FX_ONE / 2);
-    dimmed(TEXT, "screen.dim { share = 1 }", 1, FX_ONE);
     dimmed(TEXT, "screen.dim { share = 0.75, over = 4 }", 1, FX_ONE * 3 / 16);
-    dimmed(TEXT, "screen.dim { share = 0.75, over = 4 }", 4, FX_ONE * 3 / 4);
     dimmed(TEXT, "screen.dim { share = 0.5, over = 4 } wait(2) screen.dim { share = 0, over = 2 }", 3, FX_ONE / 8);
     dimmed(TEXT, "screen.dim { share = 0.5, over = 4 } wait(2) screen.dim { share = 0, over = 2 }", 4, 0);
 }
@@ -89,7 +79,6 @@ TEST(over)
            "screen.dim()", 2, FX_ONE / 2);
     dimmed("sprite.plate { x = 20, y = 120, w = 99, h = 30, bank = 2 } " TEXT, "screen.dim { share = 0.25 }", 1,
            FX_ONE / 4);
-    dimmed("text.put { col = 8, row = 11, text = 'OVER THE ARROWS', bank = 13 }", "screen.dim()", 1, FX_ONE / 2);
 }
 
 /* The flash is of all colours, and comes first. */
@@ -126,8 +115,7 @@ TEST(frozen)
     assert_int_equal(screen_get_dim(&r.b->screen, r.b->core.frame), FX_ONE / 2);
     rig_run(&r, 10);
     assert_int_equal(screen_get_dim(&r.b->screen, r.b->core.frame), 0);
-    rig_free(&r);
-    rig_game_free(&g);
+    rig_close(&r);
 }
 
 /* More colours than there are entries: none of those over it is another, and the rest comes near. */
@@ -179,39 +167,6 @@ TEST(plate)
     assert_int_equal(got.at[150][13], dark);
     draw("local p = sprite.plate { x = 20, y = 150, w = 8, h = 8 } p.hidden = true", 1, &got);
     assert_memory_equal(&plain, &got, sizeof got);
-}
-
-static void says(const char *text, const char *line)
-{
-    struct rig_game g;
-
-    rig_script(&g, NULL, text);
-    assert_string_equal(rig_said(&g, 1, true), line);
-    rig_game_free(&g);
-}
-
-#define PLATE "local p = sprite.plate { x = 0, y = 0, w = 60, h = 20 }\n"
-
-TEST(errors)
-{
-    says("screen.dim { share = 2 }", "main.lua:1: screen.dim: share: expected a number from 0 to 1, got 2");
-    says("screen.dim(0.5)", "main.lua:1: screen.dim: expected a table of named arguments, got 0.5");
-    says("sprite.plate { x = 0, y = 0, w = 60 }",
-         "main.lua:1: sprite.plate: h: expected a whole number from 8 to 4096 px, got nil");
-    says("sprite.plate { x = 0, y = 0, w = 60, h = 20, layer = 'over' }",
-         "main.lua:1: sprite.plate: unknown argument \"layer\" (arguments: x, y, w, h, bank, hidden, front, stay)");
-    says(PLATE "p.sprite = 'dot'", "main.lua:2: sprite: sprite: a plate has no picture");
-    says(PLATE "p.blend = nil", "main.lua:2: sprite: blend: a plate has no picture");
-    says(PLATE "p.dx = 2", "main.lua:2: sprite: dx: the sprite follows nothing; set `x` and `y` instead");
-    says(PLATE "local q = p.sprite == nil and p.w == 60 and p.h == 20 and p.blend == nil\n"
-               "if q then p:remove() error(tostring(p.w)) end",
-         "main.lua:3: nil");
-    says("local s = sprite.put { sprite = 'dot', x = 0, y = 0 }\ns.w = 3",
-         "main.lua:2: sprite: w: expected a whole number from 8 to 4096 px, got 3");
-    says("local s = sprite.put { sprite = 'dot', x = 0, y = 0 }\ns.w = 9",
-         "main.lua:2: sprite: w: can only be written on a plate; a sprite's size comes from rom.lua");
-    says("sprite.put { sprite = 'dot', x = 0, y = 0, layer = 'ovre' }",
-         "main.lua:1: sprite.put: layer: expected back, middle, front or over, got \"ovre\"");
 }
 
 RUN_TESTS(NULL, NULL)

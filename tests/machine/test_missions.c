@@ -1,6 +1,6 @@
 /*
  * test_missions.c - missions: from the title's list to the result, what is kept, what ends them; ships that have forms,
- * for one player and two, and practised by name; what of both is refused.
+ * for one player and two, and practised by name. tests/scripts/boot.lua has what of both is refused.
  */
 #include "pages.h"
 
@@ -40,7 +40,8 @@ static const char three[] =
     "mission.def('part', { title = 'Part', stage = 'reef', to = 'deep', clear = true })\n"
     "boot.run { stages = { 'reef' }, players = { 'heron' } }\n";
 
-static void to_list(void)
+/* From the title to the list of missions. */
+static void to_list(const char *stars)
 {
     soon("PRESS START", 60);
     press(PAD_START, 0);
@@ -49,15 +50,14 @@ static void to_list(void)
     press(PAD_DOWN, 0);
     press(PAD_DOWN, 0);
     press(PAD_FIRE, 0);
-    soon("Chain", 20);
+    soon(stars, 20);
 }
 
 /* The first is done, with one star for its goal and one for its time: 5 rises of 5 frames each. */
 TEST(done)
 {
     open_game(three);
-    to_list();
-    soon("0/12", 10);
+    to_list("0/12");
     soon("Chain seven.", 10);
     press(PAD_FIRE, 0);
     soon("2/7", 10);
@@ -82,7 +82,7 @@ TEST(done)
 TEST(ends)
 {
     open_game(three);
-    to_list();
+    to_list("0/12");
     press(PAD_DOWN, 0);
     press(PAD_FIRE, 0);
     soon("0:01", 10);
@@ -115,13 +115,7 @@ TEST(left)
               "'flare' })\n"
               "mission.def('calm', { title = 'Calm', stage = 'reef', clear = true, bombs = 0 })\n"
               "boot.run { stages = { 'reef' }, players = { 'gull' } }\n");
-    soon("PRESS START", 60);
-    press(PAD_START, 0);
-    soon("2 PLAYERS", 20);
-    press(PAD_DOWN, 0);
-    press(PAD_DOWN, 0);
-    press(PAD_FIRE, 0);
-    soon("0/3", 20);
+    to_list("0/3");
     press(PAD_FIRE, 0);
     frames(30);
     press(PAD_START, 0);
@@ -188,65 +182,6 @@ TEST(practised)
         assert_int_equal(r.b->player.lives[0], starts[i].lives);
         close_game();
     }
-}
-
-static void says(const char *text, const char *want)
-{
-    open_game(text);
-    frames(2);
-    if (!rig_fault(&r) || !strstr(rig_fault(&r)->message, want))
-        fail_msg("%s: \"%s\" does not say \"%s\"", text, rig_fault(&r) ? rig_fault(&r)->message : "", want);
-    rig_free(&r);
-    rig_game_free(&g);
-}
-
-static void mission_says(const char *args, const char *want)
-{
-    char text[600];
-
-    snprintf(text, sizeof text,
-             "mission.def('a', { title = 'A', %s })\nboot.run { stages = { 'reef' }, players = { 'heron' } }", args);
-    says(text, want);
-}
-
-static void forms_say(const char *list, const char *want)
-{
-    char text[600];
-
-    snprintf(text, sizeof text,
-             "boot.run { stages = { 'reef' }, players = { 'heron' }, ships = { heron = { forms = %s } } }", list);
-    says(text, want);
-}
-
-TEST(mistakes)
-{
-    mission_says("clear = true", "mission.def: expected either stage (and mark, to) or boss (and phase)");
-    mission_says("stage = 'reef', boss = 'king', clear = true", "mission.def: expected either stage");
-    mission_says("stage = 'reef', phase = 'bow', clear = true", "mission.def: phase: only with boss");
-    mission_says("boss = 'king', to = 'bow', clear = true", "mission.def: to: only with stage");
-    mission_says("stage = 'reef'", "mission.def: expected a goal, or clear = true");
-    mission_says("stage = 'reef', goal = {}", "mission.def: goal: expected { NAME = n, .. }, got none");
-    mission_says("stage = 'reef', goal = 5", "mission.def: goal: expected { NAME = n, .. } or a function, got integer");
-    mission_says("stage = 'reef', goal = { chain = 1.5 }",
-                 "mission.def: goal: expected { NAME = n, .. } with whole numbers");
-    mission_says("stage = 'reef', goal = { chian = 5 }",
-                 "mission.def: unknown count \"chian\" (did you mean \"chain\"?)");
-    mission_says("stage = 'reef', clear = true, medals = { 5 }", "mission.def: medals: expected 2 values, got 1");
-    mission_says("stage = 'reef', clear = true, by = 'tim'", "mission.def: unknown count \"tim\"");
-    mission_says("stage = 'rief', clear = true", "mission.def: unknown stage \"rief\" (did you mean \"reef\"?)");
-    mission_says("boss = 'kong', clear = true", "mission.def: unknown boss \"kong\" (did you mean \"king\"?)");
-    mission_says("boss = 'king', phase = 'bew', clear = true", "bew");
-    mission_says("stage = 'reef', clear = true, ship = 'tern'", "mission.def: unknown ship \"tern\"");
-    mission_says("stage = 'reef', clear = true, needs = 'x'", "unknown unlock \"x\"");
-    mission_says("stage = 'reef', clear = true, registers = { bmobs = 1 }", "mission.def: unknown register \"bmobs\"");
-    says("mission.def('a', { title = 'A', stage = 'reef', clear = true })\n"
-         "mission.def('a', { title = 'A', stage = 'reef', clear = true })",
-         "mission.def: mission \"a\" is declared twice");
-    forms_say("{}", "boot.run: ship heron: forms: expected a list of at least one form, got none");
-    forms_say("{ 'heron' }", "boot.run: ship heron: form 1: expected a table, got string");
-    forms_say("{ { kind = 'hreon' } }", "boot.run: ship heron: form 1: unknown player \"hreon\"");
-    forms_say("{ { kind = 'heron', name = 'X' } }", "boot.run: unknown argument of ship heron: form 1: \"name\"");
-    forms_say("{ { kind = 'lens', figures = { 'x' } } }", "boot.run: ship heron: form 1: figures: expected a list of");
 }
 
 RUN_TESTS(NULL, NULL)

@@ -197,8 +197,7 @@ TEST(random)
         scene(r.b, i);
     if (through < n || kept_out < n / 4 || stopped < n / 4 || full < n / 20)
         fail_msg("too few: through %ld, kept out %ld, stopped %ld, full %ld", through, kept_out, stopped, full);
-    rig_free(&r);
-    rig_game_free(&g);
+    rig_close(&r);
 }
 
 RUN_TESTS(NULL, NULL)

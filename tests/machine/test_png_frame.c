@@ -18,14 +18,6 @@ static void save(const char *path, const void *data, size_t size)
     assert_int_equal(fclose(f), 0);
 }
 
-static size_t load(FILE *f, uint8_t *out, size_t room)
-{
-    size_t n = fread(out, 1, room, f);
-
-    assert_true(n < room);
-    return n;
-}
-
 /* What the reader says of the file must be this picture. */
 static void assert_read_back(const char *path, const struct fb *fb, const uint32_t rgb[256])
 {
@@ -36,7 +28,7 @@ static void assert_read_back(const char *path, const struct fb *fb, const uint32
     snprintf(command, sizeof command, "python3 tests/cli/png_read.py %s", path);
     FILE *reader = popen(command, "r");
     assert_non_null(reader);
-    size_t n = load(reader, got, ROOM);
+    size_t n = fread(got, 1, ROOM, reader);
     assert_int_equal(pclose(reader), 0);
     p += snprintf(head, sizeof head, "%d %d 3\n", fb->w, fb->h);
     memcpy(want, head, (size_t)(p - want));
@@ -66,7 +58,7 @@ static void assert_rendered(const char *game, uint32_t frame, const uint8_t *png
     snprintf(path, sizeof path, "%s/%06u.png", dir, (unsigned)frame);
     FILE *f = fopen(path, "rb");
     assert_non_null(f);
-    assert_int_equal(load(f, got, size + 2), size);
+    assert_int_equal(fread(got, 1, size + 2, f), size);
     fclose(f);
     assert_memory_equal(got, png, size);
     remove(path);
@@ -90,30 +82,17 @@ static void check_frame(struct rig *r, const char *game)
     free(png);
 }
 
-static void check_game(const char *name)
+TEST(game)
 {
-    static const int steps[] = { 0, 1, 60, 200 };
     struct rig_game game;
     struct rig r;
 
-    rig_folder(&game, name);
+    rig_folder(&game, "testcard");
     rig_power(&r, &game, NULL);
-    for (size_t i = 0; i < sizeof steps / sizeof *steps; i++) {
-        rig_run(&r, steps[i]);
-        check_frame(&r, name);
-    }
-    rig_free(&r);
-    rig_game_free(&game);
-}
-
-TEST(testcard)
-{
-    check_game("testcard");
-}
-
-TEST(glasstide)
-{
-    check_game("glasstide");
+    check_frame(&r, "testcard");
+    rig_run(&r, 200);
+    check_frame(&r, "testcard");
+    rig_close(&r);
 }
 
 /* Every index, every pixel different from its neighbours, a width that is no multiple of anything. */

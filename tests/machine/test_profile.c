@@ -9,6 +9,8 @@
 enum { FRAMES = 20, STACK = 200 /* work of growing a stack */ };
 
 static struct profile profile;
+static struct rig_game g;
+static struct rig r;
 
 static const struct profile_line *line_of(const char *place)
 {
@@ -29,17 +31,11 @@ static uint64_t sum(void)
     return n;
 }
 
-static void begin(struct rig_game *g, struct rig *r, const char *script)
+static void begin(const char *script)
 {
     memset(&profile, 0, sizeof profile);
-    rig_script(g, NULL, script);
-    rig_power(r, g, NULL);
-}
-
-static void end(struct rig_game *g, struct rig *r)
-{
-    rig_free(r);
-    rig_game_free(g);
+    rig_script(&g, NULL, script);
+    rig_power(&r, &g, NULL);
 }
 
 static const char counts[] = "task.go(function()\n"
@@ -55,14 +51,12 @@ static const char counts[] = "task.go(function()\n"
 
 TEST(exact)
 {
-    struct rig_game g;
-    struct rig r;
-
-    begin(&g, &r, counts);
+    begin(counts);
     rig_run(&r, 1);
     board_set_profile(r.b, &profile);
     rig_run(&r, FRAMES);
     board_set_profile(r.b, NULL);
+    rig_run(&r, FRAMES); /* after the end no line is counted */
     const uint64_t once = line_of("main.lua:4")->instructions, twice = line_of("main.lua:5")->instructions;
     assert_int_equal(twice - once, FRAMES * 100 * 2); /* an addition and the loop's own instruction */
     assert_in_range(once, FRAMES * 200, FRAMES * 210);
@@ -74,30 +68,7 @@ TEST(exact)
     assert_int_equal(line_of("main.lua:1")->instructions, 0);
     assert_int_equal(sum(), profile_work(&profile.total));
     assert_int_equal(profile_work(&profile.overflow), 0);
-    end(&g, &r);
-}
-
-/* After the end no line is counted, and the tasks have the hook again that every tick has. */
-TEST(ends)
-{
-    struct rig_game g;
-    struct rig r;
-
-    begin(&g, &r, counts);
-    rig_run(&r, 1);
-    const lua_Hook hook = lua_gethook(r.b->vm.L);
-    board_set_profile(r.b, &profile);
-    rig_run(&r, 2);
-    assert_true(lua_gethook(r.b->vm.L) != hook);
-    board_set_profile(r.b, NULL);
-    const uint64_t was = sum();
-    rig_run(&r, FRAMES);
-    assert_int_equal(sum(), was);
-    assert_true(lua_gethook(r.b->vm.L) == hook);
-    assert_int_equal(r.b->tasks.s.live, 1);
-    EACH_LIVE (i, &r.b->tasks.s)
-        assert_true(!r.b->tasks.thread[i] || lua_gethook(r.b->tasks.thread[i]) == hook);
-    end(&g, &r);
+    rig_close(&r);
 }
 
 static const char library[] =
@@ -113,10 +84,7 @@ static const char library[] =
 /* What the library does at once is its caller's, what it does in a task of its own is the line's that started that. */
 TEST(of_author)
 {
-    struct rig_game g;
-    struct rig r;
-
-    begin(&g, &r, library);
+    begin(library);
     board_set_profile(r.b, &profile);
     rig_run(&r, 4 * FRAMES);
     board_set_profile(r.b, NULL);
@@ -128,7 +96,7 @@ TEST(of_author)
         assert_true(strncmp(profile.line[i].location, "@std/", 5) != 0);
     assert_int_equal(profile.total.library_instructions,
                      line_of("main.lua:4")->library_instructions + line_of("main.lua:8")->library_instructions);
-    end(&g, &r);
+    rig_close(&r);
 }
 
 /* A handler that a line between frames calls is the last to run before the next tick, whose work begins at 0 again. */
@@ -140,11 +108,9 @@ TEST(between_frames)
                                  "  for i = 1, 100 do n = n + i end\n"
                                  "end)\n"
                                  "task.go(function() wait(forever) end)\n";
-    struct rig_game g;
-    struct rig r;
     char out[EVAL_TEXT_SIZE];
 
-    begin(&g, &r, script);
+    begin(script);
     rig_run(&r, 1);
     board_set_profile(r.b, &profile);
     assert_true(board_eval(r.b, "enemy.spawn({ kind = 'fly', x = 100, y = 50 }):kill()", out, sizeof out));
@@ -152,7 +118,7 @@ TEST(between_frames)
     assert_in_range(line_of("main.lua:4")->instructions, 200, 210);
     assert_in_range(profile_work(&profile.total), 200 + WORK_CALL, 200 + 10 * WORK_CALL);
     assert_int_equal(sum(), profile_work(&profile.total));
-    end(&g, &r);
+    rig_close(&r);
 }
 
 /* Every frame's hash is the one without, and so is its work, but for where Lua's stacks grow; also through a reset,
@@ -172,10 +138,9 @@ TEST(changes_nothing)
         "    wait(1)\n"
         "  end\n"
         "end)\n";
-    struct rig_game g;
-    struct rig r, other;
+    struct rig other;
 
-    begin(&g, &r, script);
+    begin(script);
     rig_power(&other, &g, NULL);
     board_set_profile(r.b, &profile);
     for (int f = 0; f < 120; f++) {
@@ -190,19 +155,19 @@ TEST(changes_nothing)
     assert_int_equal(sum(), profile_work(&profile.total));
     assert_in_range(profile_work(&profile.total), 119 * 500, 119 * 9000);
     rig_free(&other);
-    end(&g, &r);
+    rig_close(&r);
 }
 
 /* Powers a board with `pad` more bytes on the C stack: Lua draws the seed of its tables from the address of a local. */
-static void power_at(struct rig *r, const struct rig_game *g, int pad)
+static void power_at(struct rig *at, int pad)
 {
     volatile char bytes[16];
 
     bytes[0] = (char)pad;
     if (pad > 0)
-        power_at(r, g, pad - 1);
+        power_at(at, pad - 1);
     else
-        rig_power(r, g, NULL);
+        rig_power(at, &g, NULL);
     (void)bytes[0];
 }
 
@@ -230,24 +195,22 @@ TEST(work_is_the_same_for_every_seed)
         "    for k in pairs { one = 1, two = 2.5, three = 3, four = 4.5, five = 5, six = 6, seven = 7.5 } do\n"
         "      three(k, k, k)\n"
         "    end\n"
-        "    few() more()\n"
         "    wait(1)\n"
         "  end\n"
         "end)\n";
     enum { SEEDS = 12 };
-    struct rig_game g;
-    struct rig r[SEEDS];
+    struct rig seed[SEEDS];
 
     rig_script(&g, NULL, script);
     for (int i = 0; i < SEEDS; i++)
-        power_at(&r[i], &g, i);
+        power_at(&seed[i], i);
     for (int f = 0; f < 200; f++)
         for (int i = 0; i < SEEDS; i++) {
-            rig_run(&r[i], 1);
-            assert_int_equal(r[i].b->vm.work, r[0].b->vm.work);
+            rig_run(&seed[i], 1);
+            assert_int_equal(seed[i].b->vm.work, seed[0].b->vm.work);
         }
     for (int i = 0; i < SEEDS; i++)
-        rig_free(&r[i]);
+        rig_free(&seed[i]);
     rig_game_free(&g);
 }
 

@@ -1,11 +1,11 @@
 /*
- * test_readers.c - files nobody meant: random bytes, every truncation, and thousands of valid ROMs and demos with a few
- * bytes spoilt and the checksums made good. Each is refused in one sentence or runs.
+ * test_readers.c - files nobody meant: every truncation, and thousands of valid ROMs and demos with a few bytes spoilt
+ * and the checksums made good. Each is refused in one sentence or runs.
  */
 #include <unistd.h>
 #include "../spoil.h"
 
-enum { ROM_MUTANTS = 6000, CARD_MUTANTS = 1000, DEMO_MUTANTS = 3000 };
+enum { ROM_MUTANTS = 6000, DEMO_MUTANTS = 3000 };
 
 struct tally {
     uint32_t n[SPOIL_OUTCOMES], all;
@@ -67,46 +67,22 @@ static void add(struct tally *t, enum spoil_outcome out)
     t->all++;
 }
 
-/* At least this share got as far as a powered board, and some of each kind were there. */
-static void assert_reach(const struct tally *t, uint32_t percent)
+/* At least 30 % got as far as a powered board, and some of each kind were there. */
+static void assert_reach(const struct tally *t)
 {
     uint32_t powered = t->n[SPOIL_RAN] + t->n[SPOIL_FAULTED];
 
-    print_message("# %u: %u refused, %u too large, %u faulted, %u ran\n", t->all, t->n[SPOIL_REFUSED],
-                  t->n[SPOIL_TOO_LARGE], t->n[SPOIL_FAULTED], t->n[SPOIL_RAN]);
-    assert_true(powered * 100 >= t->all * percent);
+    assert_true(powered * 100 >= t->all * 30);
     assert_true(t->n[SPOIL_TOO_LARGE] * 20 <= t->all);
     assert_true(t->n[SPOIL_REFUSED] > 0 && t->n[SPOIL_RAN] > 0);
 }
 
 /* ---- ROMs ---- */
 
-TEST(as_it_is)
-{
-    assert_int_equal(try_rom(game.image.bytes, game.image.size, &plain, 1), SPOIL_RAN);
-    assert_int_equal(try_rom(game.image.bytes, game.image.size, &practice, 1), SPOIL_RAN);
-}
-
-TEST(random_bytes)
-{
-    struct rng r;
-
-    rng_seed(&r, 11);
-    for (int i = 0; i < 3000; i++) {
-        size_t n = (size_t)rng_below(&r, i % 10 ? 300 : 20000);
-        uint8_t *p = malloc(n + (n == 0));
-        for (size_t k = 0; k < n; k++)
-            p[k] = (uint8_t)rng_next(&r);
-        if (i % 2)
-            repair_rom(p, n);
-        assert_int_equal(try_rom(p, n, &plain, (uint64_t)i), SPOIL_REFUSED);
-        free(p);
-    }
-}
-
 /* Cut anywhere, as it is, and with its header and checksums saying that it is whole. */
 TEST(truncated)
 {
+    assert_int_equal(try_rom(game.image.bytes, game.image.size, &practice, 1), SPOIL_RAN);
     for (size_t n = 0; n < game.image.size; n++) {
         uint8_t *p = copy_of(game.image.bytes, n);
         assert_int_equal(try_rom(p, n, &plain, n), SPOIL_REFUSED);
@@ -141,7 +117,7 @@ TEST(lumps_gone)
         add(&t, try_rom(p, size, &practice, gone));
         free(p);
     }
-    assert_reach(&t, 30);
+    assert_reach(&t);
 }
 
 /* A value a reader may trip over, or any. */
@@ -204,34 +180,19 @@ static void mutate_rom(uint8_t *p, size_t size, struct rng *r)
     repair_rom(p, size);
 }
 
-static void mutate_roms(const struct rig_game *g, const struct board_start *start, int count, uint64_t seed,
-                        uint32_t percent)
+TEST(mutants)
 {
     struct tally t = { 0 };
     struct rng r;
 
-    rng_seed(&r, seed);
-    for (int i = 0; i < count; i++) {
-        uint8_t *p = copy_of(g->image.bytes, g->image.size);
-        mutate_rom(p, g->image.size, &r);
-        add(&t, try_rom(p, g->image.size, start, seed + (uint64_t)i));
+    rng_seed(&r, 100000);
+    for (uint64_t i = 0; i < ROM_MUTANTS; i++) {
+        uint8_t *p = copy_of(game.image.bytes, game.image.size);
+        mutate_rom(p, game.image.size, &r);
+        add(&t, try_rom(p, game.image.size, &practice, 100000 + i));
         free(p);
     }
-    assert_reach(&t, percent);
-}
-
-TEST(mutants)
-{
-    mutate_roms(&game, &practice, ROM_MUTANTS, 100000, 30);
-}
-
-TEST(card_mutants)
-{
-    struct rig_game card;
-
-    rig_folder(&card, "testcard");
-    mutate_roms(&card, &plain, CARD_MUTANTS, 200000, 30);
-    rig_game_free(&card);
+    assert_reach(&t);
 }
 
 /* ---- demos ---- */
@@ -290,25 +251,6 @@ static enum spoil_outcome try_demo(const uint8_t *p, size_t n, uint64_t seed)
     return out;
 }
 
-TEST(demo_random_bytes)
-{
-    struct rng r;
-
-    rng_seed(&r, 12);
-    for (int i = 0; i < 3000; i++) {
-        size_t n = (size_t)rng_below(&r, i % 10 ? 200 : 9000);
-        uint8_t *p = malloc(n + (n == 0));
-        for (size_t k = 0; k < n; k++)
-            p[k] = (uint8_t)rng_next(&r);
-        if (i % 2 && n >= 8)
-            memcpy(p, "CDEM\x01\0\0\0", 8);
-        if (i % 4 == 3)
-            repair_demo(p, n);
-        assert_int_equal(try_demo(p, n, (uint64_t)i), SPOIL_REFUSED);
-        free(p);
-    }
-}
-
 /* Cut anywhere, a demo is read up to its last whole second, or refused. All are read, and one of each length is run. */
 TEST(demo_truncated)
 {
@@ -354,7 +296,7 @@ TEST(demo_mutants)
         add(&t, try_demo(p, size, 300000 + (uint64_t)i));
         free(p);
     }
-    assert_reach(&t, 30);
+    assert_reach(&t);
     free(whole);
 }
 

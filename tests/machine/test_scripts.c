@@ -5,13 +5,14 @@
  *
  *     --board: NAME[=N] ...   settings of the board beyond those of rig_manifest, as in rom.lua's `board`, from here on
  *     --case: NAME            a script that runs as a task, one frame after power-on
- *     --each: NAME            several: the lines up to an expectation are one
+ *     --each: NAME            several cases, each of which ends with its expectations
  *     --load: NAME            the same, but they run while scripts load
  *     --> TEXT                what is printed next; print's tabs are spaces here
  *     --! MESSAGE             the fault. One in this file must be at the line above, and is written without the place
  *
- * A script sees what @std sees as string.sys. A case runs until its task ends, and no longer than MAX_FRAMES. RAM is
- * spoilt and put back after each frame, so what a script relies on survives a snapshot.
+ * A script sees what @std sees as string.sys, and on a board with sound the sounds of rig_sounds. A case runs until its
+ * task ends, and no longer than MAX_FRAMES. RAM is spoilt and put back after each frame, so what a script relies on
+ * survives a snapshot.
  */
 #define _POSIX_C_SOURCE 200809L /* dirent.h */
 #include "rig.h"
@@ -31,20 +32,27 @@ static const struct {
     {                                                                                                                  \
         name, offsetof(struct manifest, field)                                                                         \
     }
+    SETTING("backgrounds", has_backgrounds),
     SETTING("bodies", has_bodies),
+    SETTING("bullet_values", bullet_values),
     SETTING("bullets", bullets),
     SETTING("curve_points", curve_points),
     SETTING("enemies", enemies),
+    SETTING("enemy_values", enemy_values),
     SETTING("freeze", has_freeze),
     SETTING("hp", has_hp),
     SETTING("items", items),
     SETTING("lasers", lasers),
     SETTING("lines", lines),
     SETTING("margin", margin),
+    SETTING("meet", bullets_can_meet),
+    SETTING("motions", motions),
     SETTING("options", options),
     SETTING("orbit", has_orbit),
     SETTING("pierce", has_pierce),
-    SETTING("backgrounds", has_backgrounds),
+    SETTING("shot_values", shot_values),
+    SETTING("sound", has_sound),
+    SETTING("sprites", sprites),
     SETTING("wide_text", has_wide_text),
 };
 
@@ -147,6 +155,8 @@ static const char *outcome(const struct case_file *s, const char *script, int la
     struct rig r;
 
     rig_with_sys(&game, &s->manifest, script);
+    if (s->manifest.has_sound)
+        rig_sounds(&game);
     rig_power_any(&r, &game, NULL);
     said[0] = shown[0] = 0;
     for (int frame = 0;; frame++) {
@@ -173,8 +183,7 @@ static const char *outcome(const struct case_file *s, const char *script, int la
         append(shown, sizeof shown, message + (starts(message, place) ? strlen(place) : 0));
         append(shown, sizeof shown, "\n");
     }
-    rig_free(&r);
-    rig_game_free(&game);
+    rig_close(&r);
     return shown;
 }
 

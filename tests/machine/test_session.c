@@ -45,8 +45,7 @@ static int open_game(void **state)
         plain[f] = board_hash(r.b);
         rig_tick(&r, demo.pads[f]);
     }
-    rig_free(&r);
-    rig_game_free(&g);
+    rig_close(&r);
     return 0;
 }
 
@@ -84,43 +83,6 @@ static void get_there(struct session *s)
     if (!session_work(s, UINT64_MAX))
         fail_msg("%s", s->err);
     assert_int_equal(s->state, SESSION_PLAYING);
-}
-
-/* ---- to and fro ---- */
-
-/* A playback goes anywhere in its demo, whatever is pressed; most steps are short. */
-TEST(walks)
-{
-    static const uint16_t pressed[MAX_PLAYERS] = { PAD_FIRE | PAD_LEFT, PAD_BOMB };
-    struct session s;
-    struct rng rng;
-    int steps = rig_long() ? 10000 : 700;
-
-    rng_seed(&rng, 11);
-    open_session(&s, true, NULL);
-    for (int i = 0; i < steps; i++) {
-        uint32_t now = board_frame(session_board(&s)), to = now;
-        switch (rng_below(&rng, 24)) {
-        case 0:
-            to = (uint32_t)rng_below(&rng, FRAMES + 1);
-            break;
-        case 1:
-            for (int k = (int)rng_below(&rng, 30); k > 0 && to < FRAMES; k--, to++)
-                assert_true(session_tick(&s, pressed));
-            break;
-        default:
-            to = now + 20 - (uint32_t)rng_below(&rng, 60);
-            to = to > now + 20 ? 0 : to < FRAMES ? to : FRAMES;
-        }
-        session_goto(&s, to);
-        get_there(&s);
-        at(&s, to);
-    }
-    assert_false(s.rewound);
-    assert_int_equal(session_first(&s), 0);
-    assert_int_equal(session_last(&s), demo.frames);
-    assert_true(session_close(&s));
-    assert_true(session_close(&s));
 }
 
 /* Far ahead in pieces: each does some of the way, and progress grows. */
@@ -191,58 +153,7 @@ TEST(branches)
     for (uint32_t f = 0; f < d.frames; f++)
         rig_tick(&r, d.pads[f]);
     assert_true(board_hash(r.b) == hash);
-    rig_free(&r);
-    rig_game_free(&g);
-    demo_free(&d);
-}
-
-/* Who stops in the past has played so far and no further. */
-TEST(stops_in_the_past)
-{
-    char path[NAME];
-    struct session s;
-    struct demo d;
-
-    snprintf(path, sizeof path, "%s/past.demo", dir);
-    open_session(&s, false, path);
-    play_to(&s, 300);
-    session_goto(&s, 77);
-    assert_true(session_close(&s));
-    assert_true(demo_load(&d, path, err, sizeof err));
-    assert_int_equal(d.frames, 77);
-    assert_int_equal(d.flags, DEMO_BRANCHED);
-    uint64_t h = d.rows[(d.n_rows - 1) * (uint32_t)d.n_parts];
-    demo_free(&d);
-    open_session(&s, false, NULL);
-    play_to(&s, 77);
-    assert_true(h == board_part_hash(session_board(&s), 0)); /* the hashes are of the frame it stopped at */
-    assert_true(session_close(&s));
-}
-
-TEST(takes_over)
-{
-    char path[NAME];
-    struct session s;
-    struct demo d;
-
-    snprintf(path, sizeof path, "%s/mine.demo", dir);
-    open_session(&s, true, NULL);
-    session_goto(&s, 700);
-    get_there(&s);
-    session_goto(&s, 400);
-    uint32_t n;
-    assert_ptr_equal(session_markers(&s, &n), demo.n_markers ? demo.markers : s.now->writer.demo.markers);
-    assert_true(session_take_over(&s, path));
-    assert_false(session_take_over(&s, path)); /* it is taken */
-    at(&s, 400);
-    assert_int_equal(session_last(&s), 400);
-    play_to(&s, 450); /* the same inputs: the same run */
-    at(&s, 450);
-    assert_true(session_close(&s));
-    assert_true(demo_load(&d, path, err, sizeof err));
-    assert_int_equal(d.frames, 450);
-    assert_int_equal(d.flags, DEMO_BRANCHED);
-    assert_memory_equal(d.pads, demo.pads, 450 * sizeof d.pads[0]);
+    rig_close(&r);
     demo_free(&d);
 }
 
@@ -320,53 +231,32 @@ static void edit(const char *file, const char *from, const char *to)
     assert_true(plat_save(name, out, (size_t)size));
 }
 
-/* A fresh board of the folder as it is now, by the run's inputs: hash and picture. */
-static uint64_t fresh(const struct board_start *start, uint32_t frame, uint64_t *picture)
+/* A fresh board of the folder as it is now, by the run's inputs. */
+static uint64_t fresh_hash(uint32_t frame)
 {
     struct rig_game g = { 0 };
     struct rig r;
 
     assert_true(pack_load_game(dir, false, &g.image, err, sizeof err));
     assert_true(cart_open(&g.cart, &g.image.rom, err, sizeof err));
-    rig_power(&r, &g, start);
+    rig_power(&r, &g, &demo.start);
     for (uint32_t f = 0; f < frame; f++)
         rig_tick(&r, demo.pads[f]);
-    uint64_t hash = board_hash(r.b);
-    *picture = rig_picture(&r);
-    rig_free(&r);
-    rig_game_free(&g);
-    return hash;
-}
-
-static uint64_t picture(const struct session *s)
-{
-    struct rig r = { .b = session_board(s) };
-    int w, h;
-
-    board_screen_size(r.b, &w, &h);
-    r.pix = calloc(1, fb_size(w, h));
-    r.scratch = malloc(board_scratch_size(r.b) + 1);
-    assert_true(r.pix && r.scratch);
-    fb_init(&r.fb, r.pix, w, h);
-    uint64_t hash = rig_picture(&r);
-    free(r.pix);
-    free(r.scratch);
+    const uint64_t hash = board_hash(r.b);
+    rig_close(&r);
     return hash;
 }
 
 static const char habit[] = "n = 8, every = 14, path = swoop, run";
 static const char faster[] = "n = 5, every = 14, path = swoop, run";
 
-static void lands(struct session *s, uint32_t frame, const struct board_start *start)
+static void reload_at(struct session *s, uint32_t frame)
 {
-    uint64_t shown, hash = fresh(start, frame, &shown);
-
     assert_true(session_reload(s, pack_load_game, dir, false));
     assert_int_equal(s->state, SESSION_RELOADING);
     get_there(s);
     assert_int_equal(board_frame(session_board(s)), frame);
-    assert_true(board_hash(session_board(s)) == hash);
-    assert_true(picture(s) == shown);
+    assert_true(board_hash(session_board(s)) == fresh_hash(frame));
 }
 
 TEST(reloads)
@@ -378,19 +268,20 @@ TEST(reloads)
     snprintf(path, sizeof path, "%s/reload.demo", dir);
     open_session(&s, false, path);
     play_to(&s, 2800);
-    uint64_t shown = picture(&s);
     assert_true(session_reload(&s, pack_load_game, dir, false)); /* the same ROM */
     assert_int_equal(s.state, SESSION_PLAYING);
     edit("stages/one.lua", habit, faster);
-    lands(&s, 2800, &demo.start);
-    assert_true(picture(&s) != shown); /* the stage being played has changed */
-    session_goto(&s, 1800);            /* its past is of the new script */
-    uint64_t unused, hash = fresh(&demo.start, 1800, &unused);
-    assert_true(board_hash(session_board(&s)) == hash);
-    assert_true(session_reload(&s, pack_load_game, dir, false) && s.state == SESSION_PLAYING);
+    reload_at(&s, 2800);
+    session_goto(&s, 1800); /* its past is of the new script */
+    assert_true(board_hash(session_board(&s)) == fresh_hash(1800));
     play_to(&s, 2500);
     edit("stages/one.lua", faster, habit);
-    lands(&s, 2500, &demo.start);
+    reload_at(&s, 2500);
+    at(&s, 2500);
+    edit("rom.lua", "version = 1", "version = 1, id = 'other'");
+    assert_false(session_reload(&s, pack_load_game, dir, false));
+    assert_non_null(strstr(s.err, "folder now contains another game"));
+    edit("rom.lua", "version = 1, id = 'other'", "version = 1");
     at(&s, 2500);
     assert_true(session_close(&s));
     assert_true(demo_load(&d, path, err, sizeof err));
@@ -398,43 +289,6 @@ TEST(reloads)
     assert_int_equal(d.flags & DEMO_TOUCHED, DEMO_TOUCHED);
     assert_true(d.game_hash == rom_game_hash(&image.rom));
     demo_free(&d);
-}
-
-/* The old board goes on, and it is said why. */
-static void keeps(struct session *s, const char *why)
-{
-    uint64_t hash = board_hash(session_board(s));
-    bool good = session_reload(s, pack_load_game, dir, false) && session_work(s, UINT64_MAX);
-
-    assert_false(good);
-    if (!strstr(s->err, why))
-        fail_msg("\"%s\" does not say \"%s\"", s->err, why);
-    assert_int_equal(s->state, SESSION_PLAYING);
-    assert_null(s->next);
-    assert_true(board_hash(session_board(s)) == hash);
-}
-
-TEST(bad_edits)
-{
-    struct session s;
-
-    open_session(&s, false, NULL);
-    play_to(&s, 1900);
-    edit("stages/one.lua", habit, "n = = 8, every = 14, path = swoop, run");
-    keeps(&s, "stages/one.lua:50:");
-    edit("stages/one.lua", "n = = 8", "n = 'two'"); /* found where it is called, in the run */
-    keeps(&s, "stages/one.lua:50: stage.wave: n: expected");
-    assert_non_null(strstr(s.err, "of the run)"));
-    edit("stages/one.lua", "n = 'two', every = 14, path = swoop, run", habit);
-    edit("main.lua", "boot.run", "boot.ran");
-    keeps(&s, "main.lua:");
-    edit("main.lua", "boot.ran", "boot.run");
-    edit("rom.lua", "version = 1", "version = 1, id = 'other'");
-    keeps(&s, "folder now contains another game");
-    edit("rom.lua", "version = 1, id = 'other'", "version = 1");
-    play_to(&s, 2000);
-    at(&s, 2000);
-    assert_true(session_close(&s));
 }
 
 /* A run that ended in a fault is put right by putting the script right. */
@@ -466,34 +320,19 @@ TEST(mends_a_fault)
     rom_image_free(&broken);
 }
 
-/* In a playback the demo goes on, on the new ROM. */
-TEST(reloads_a_playback)
+static void write_file(const char *file)
 {
-    struct session s;
+    char name[NAME];
 
-    open_session(&s, true, NULL);
-    session_goto(&s, 2100);
-    get_there(&s);
-    edit("stages/one.lua", habit, faster);
-    lands(&s, 2100, &demo.start);
-    assert_ptr_equal(s.demo, &demo);
-    edit("stages/one.lua", faster, habit);
-    lands(&s, 2100, &demo.start);
-    at(&s, 2100);
-    session_goto(&s, 2200);
-    get_there(&s);
-    at(&s, 2200);
-    assert_true(session_close(&s));
+    snprintf(name, sizeof name, "%s/%s", dir, file);
+    assert_true(plat_save(name, "x", 1));
 }
 
-/* A change is told once, and only when it has settled. */
+/* A change is told once, and only when it has settled; hidden files and demos are none. */
 TEST(watches)
 {
     struct folder f;
-    char name[NAME];
 
-    assert_false(folder_open(&f, NULL));
-    assert_false(folder_changed(&f));
     assert_false(folder_open(&f, "/nowhere/at/all"));
     assert_true(folder_open(&f, dir));
     assert_false(folder_changed(&f) || folder_changed(&f));
@@ -503,21 +342,12 @@ TEST(watches)
     assert_false(folder_changed(&f));
     edit("stages/one.lua", faster, habit);
     assert_false(folder_changed(&f));
-    snprintf(name, sizeof name, "%s/art/new.png", dir);
-    assert_true(plat_save(name, "x", 1));
+    write_file("art/new.png");
     assert_false(folder_changed(&f)); /* still changing */
     assert_true(folder_changed(&f));
-    snprintf(name, sizeof name, "%s/.hidden", dir);
-    assert_true(plat_save(name, "x", 1));
-    snprintf(name, sizeof name, "%s/demos/new.demo", dir);
-    assert_true(plat_save(name, "x", 1));
+    write_file(".hidden");
+    write_file("demos/new.demo");
     assert_false(folder_changed(&f) || folder_changed(&f));
-    snprintf(name, sizeof name, "%s/art/new.png", dir);
-    assert_int_equal(remove(name), 0);
-    snprintf(name, sizeof name, "%s/demos/new.demo", dir);
-    assert_int_equal(remove(name), 0);
-    assert_false(folder_changed(&f));
-    assert_true(folder_changed(&f));
 }
 
 RUN_TESTS(open_game, close_game)

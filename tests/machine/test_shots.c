@@ -1,17 +1,13 @@
 /*
- * test_shots.c - which enemy each shot hits, against the reference of hits.h: crowds of all sizes and densities, that
- * stand in rows, heaps and lines, at all scales up to the ends of the world.
+ * test_shots.c - which enemy or bullet each shot hits, against the reference of hits.h: crowds of all sizes and
+ * densities, in heaps, rows and grids, at all scales up to the ends of the world. test_hits.c draws few enemies of all
+ * shapes; tests/scripts/solid.lua shows what becomes of bullets that are hit.
  */
 #include "hits.h"
 
-enum { SHOTS = 1024, FOES = 4096, KINDS = 6 };
+enum { SHOTS = 1024, FOES = 4096, BULLETS = 192, KINDS = 6 };
 
-static struct rig_game g;
-static struct rig rig;
-
-/* ---- scenes ---- */
-
-/* How a scene is strewn: around (x, y) as far as wide and high, whole steps of grain apart; grain 1: anywhere. */
+/* The crowd of a scene: as far as wide and high around (x, y), whole steps of grain apart. */
 struct field {
     fx x, y, wide, high, grain;
 };
@@ -20,8 +16,7 @@ static struct field draw_field(void)
 {
     struct field f = { .wide = (fx)(rng_below(&rng, (uint64_t)edge) >> rng_below(&rng, 24)) };
 
-    f.high = one_in(5) ? 0 : one_in(3) ? f.wide / (fx)(1 + rng_below(&rng, 9)) : f.wide;
-    f.wide = one_in(9) ? 0 : f.wide;
+    f.high = one_in(4) ? 0 : f.wide;
     f.grain = one_in(2) ? 1 : 1 + f.wide / (fx)(1 + rng_below(&rng, 12));
     if (one_in(2)) {
         f.x = within(edge - f.wide);
@@ -35,84 +30,65 @@ static fx strewn(fx middle, fx most, fx grain)
     return clamped((int64_t)middle + within(most) / grain * grain, edge);
 }
 
-/* A size that has some of n enemies overlap, or all, or none. */
+/* A size with which some of n things overlap, or all, or none. */
 static fx extent(const struct field *f, uint64_t n)
 {
-    uint64_t part = one_in(2) ? 1 + n / (1 + rng_below(&rng, 4)) : 1 + rng_below(&rng, 64);
-    fx most = f->wide > f->high ? f->wide : f->high;
-
-    return one_in(24) ? fastest : one_in(24) ? 0 : clamped(2 * (int64_t)most / (int64_t)part, fastest);
+    return one_in(24) ? fastest : clamped(2 * (int64_t)f->wide / (int64_t)(1 + rng_below(&rng, 2 * n)), fastest);
 }
 
 static fx move(const struct field *f)
 {
-    return one_in(16) ? within(fastest) : within(clamped(f->wide / 16, fastest)) >> rng_below(&rng, 12);
+    return one_in(3) ? 0 : one_in(16) ? within(fastest) : within(clamped(f->wide / 16, fastest));
 }
 
-static void draw_kinds(struct board *b, const struct field *f, uint64_t n)
+static void draw_bullet_kinds(struct bullet_kinds *k, const struct field *f, uint64_t n, uint16_t flag)
 {
-    struct bullet_kinds *s = &b->shot_kinds;
-    struct enemy_kinds *e = &b->enemy_kinds;
-    bool all_swept = one_in(2);
-    const struct shape_columns of[] = { { s->shape, s->a, s->b, s->x, s->y }, { e->shape, e->a, e->b, e->x, e->y } };
-
-    s->s.live = e->s.live = KINDS;
-    for (uint32_t k = 0; k < KINDS; k++) {
-        s->shape[k] = (uint8_t)(one_in(12)  ? SHAPE_NONE
-                                : one_in(3) ? SHAPE_CIRCLE
-                                : one_in(2) ? SHAPE_BOX
-                                            : SHAPE_CAPSULE);
-        s->a[k] = extent(f, 4 * n);
-        s->b[k] = s->shape[k] != SHAPE_CIRCLE ? extent(f, 4 * n) : 0;
-        if (s->shape[k] == SHAPE_CAPSULE)
-            s->b[k] = clamped(s->b[k], fastest - s->a[k]);
-        s->flags[k] = (uint8_t)((all_swept || one_in(2) ? KIND_SWEPT : 0) | (one_in(2) ? KIND_TURNS : 0));
-        e->shape[k] = (uint8_t)(one_in(12) ? SHAPE_NONE : one_in(2) ? SHAPE_CIRCLE : SHAPE_BOX);
-        e->a[k] = extent(f, n);
-        e->b[k] = e->shape[k] == SHAPE_BOX ? extent(f, n) : 0;
-        s->x[k] = s->y[k] = e->x[k] = e->y[k] = 0;
+    k->s.live = KINDS;
+    for (uint32_t i = 0; i < KINDS; i++) {
+        k->shape[i] = one_in(9) ? SHAPE_NONE : one_in(2) ? SHAPE_CIRCLE : SHAPE_BOX;
+        k->a[i] = extent(f, 4 * n);
+        k->b[i] = k->shape[i] == SHAPE_BOX ? extent(f, 4 * n) : 0;
+        k->flags[i] = (uint16_t)((one_in(2) ? KIND_SWEPT : 0) | (one_in(3) ? flag : 0));
     }
-    for (uint32_t k = 0; k < KINDS; k += KINDS / 2)
-        for (int i = 0; i < 2; i++)
-            if (one_in(3))
-                draw_pieces(&of[i], k, k + KINDS / 2 - 1, i == 1, extent(f, i == 0 ? 4 * n : n));
 }
 
-static void draw_enemies(struct board *b, const struct field *f, uint64_t n, uint32_t kinds)
+static void draw_enemy_kinds(struct enemy_kinds *k, const struct field *f, uint64_t n)
+{
+    k->s.live = KINDS;
+    for (uint32_t i = 0; i < KINDS; i++) {
+        k->shape[i] = one_in(2) ? SHAPE_CIRCLE : SHAPE_BOX;
+        k->a[i] = extent(f, n);
+        k->b[i] = k->shape[i] == SHAPE_BOX ? extent(f, n) : 0;
+    }
+}
+
+static void draw_enemies(struct board *b, const struct field *f, uint64_t n)
 {
     struct enemies *e = &b->enemies;
-    bool still = one_in(3);
 
     while (n--) {
-        fx x = strewn(f->x, f->wide, f->grain), y = strewn(f->y, f->high, f->grain);
-        uint32_t i = (uint32_t)enemies_spawn(e, &b->enemy_kinds, (uint16_t)rng_below(&rng, kinds), x, y, 0);
-        if (!still && !one_in(8)) {
-            e->x[i] = clamped((int64_t)x + move(f), edge);
-            e->y[i] = clamped((int64_t)y + move(f), edge);
-        }
-        if (one_in(12))
-            e->flags[i] |= ENEMY_DYING;
+        const fx x = strewn(f->x, f->wide, f->grain), y = strewn(f->y, f->high, f->grain);
+        const uint32_t i = (uint32_t)enemies_spawn(e, &b->enemy_kinds, (uint16_t)rng_below(&rng, KINDS), x, y, 0);
+        e->x[i] = clamped((int64_t)x + move(f), edge);
+        e->y[i] = clamped((int64_t)y + move(f), edge);
         if (one_in(12))
             enemies_drop(e, i);
     }
 }
 
-static void draw_shots(struct board *b, const struct field *f, uint64_t n, uint32_t kinds)
+/* Bullets or shots, of which a sixteenth is far away. */
+static void draw_bullets(struct bullets *s, const struct field *f, uint64_t n)
 {
-    struct bullets *s = &b->shots;
-    fx grain = f->grain > 1 && one_in(2) ? f->grain / 2 : f->grain;
-
     while (n--) {
-        bool far = one_in(16);
-        struct bullet_spec shape = { .kind = (uint16_t)rng_below(&rng, kinds) };
-        uint32_t i = (uint32_t)bullets_fire(s, &shape, 0);
-        s->dir[i] = (ang)rng_next(&rng) << (one_in(3) ? 30 : 0);
-        s->vx[i] = one_in(3) ? 0 : move(f);
-        s->vy[i] = one_in(3) ? 0 : move(f);
-        s->x[i] = far ? within(edge) : clamped((int64_t)strewn(f->x, f->wide, grain) + s->vx[i], edge);
-        s->y[i] = far ? within(edge) : clamped((int64_t)strewn(f->y, f->high, grain) + s->vy[i], edge);
-        if (one_in(16))
-            bullets_drop(s, i);
+        const struct bullet_spec shape = { .kind = (uint16_t)rng_below(&rng, KINDS), .delay = one_in(8) };
+        const uint32_t i = (uint32_t)bullets_fire(s, &shape, 0);
+        s->vx[i] = shape.delay ? 0 : move(f);
+        s->vy[i] = shape.delay ? 0 : move(f);
+        s->x[i] = one_in(16) ? within(edge) : clamped((int64_t)strewn(f->x, f->wide, f->grain) + s->vx[i], edge);
+        s->y[i] = clamped((int64_t)strewn(f->y, f->high, f->grain) + s->vy[i], edge);
+        s->speed_bound = fx_max(s->speed_bound, fx_max(fx_abs(s->vx[i]), fx_abs(s->vy[i])));
+        if (s->hp)
+            s->hp[i] = one_in(2) ? 0 : one_in(3) ? HP_FOREVER : 1 + (int32_t)rng_below(&rng, 9);
     }
 }
 
@@ -120,90 +96,72 @@ static void empty(struct board *b)
 {
     EACH_LIVE (i, &b->shots.s)
         bullets_drop(&b->shots, i);
+    EACH_LIVE (i, &b->bullets.s)
+        bullets_drop(&b->bullets, i);
     EACH_LIVE (i, &b->enemies.s)
         enemies_drop(&b->enemies, i);
     slots_trim(&b->shots.s);
+    slots_trim(&b->bullets.s);
     slots_trim(&b->enemies.s);
+    b->bullets.speed_bound = b->shots.speed_bound = 0;
     b->events.n = 0;
 }
 
-static void check(struct board *b, int scene, uint64_t m, uint64_t k)
+static void check(struct board *b, int scene, uint64_t shots, uint64_t foes, uint64_t bullets)
 {
-    struct field f = draw_field();
-    uint32_t kinds = one_in(2) ? 1 : KINDS;
+    const struct field f = draw_field();
 
     empty(b);
-    draw_kinds(b, &f, k);
-    draw_enemies(b, &f, k, kinds);
-    if (one_in(4)) { /* a second heap, or one enemy far away */
-        struct field other = draw_field();
-        draw_enemies(b, &other, one_in(2) ? 1 : k / 2, kinds);
-    }
-    draw_shots(b, &f, m, kinds);
+    draw_bullet_kinds(&b->shot_kinds, &f, foes + bullets, bullets && one_in(3) ? KIND_CANCELS : 0);
+    draw_bullet_kinds(&b->bullet_kinds, &f, bullets + 1, KIND_FIXED);
+    draw_enemy_kinds(&b->enemy_kinds, &f, foes + 1);
+    draw_enemies(b, &f, foes);
+    draw_bullets(&b->shots, &f, shots);
+    draw_bullets(&b->bullets, &f, bullets);
     reference(b);
     hit_run(b);
     compare(b, scene);
 }
 
-/* ---- tests ---- */
-
-TEST(few)
+static uint64_t some(int most)
 {
-    int scenes = rig_long() ? 400000 : 20000;
-
-    rng_seed(&rng, 5);
-    memset(&seen, 0, sizeof seen);
-    for (int i = 0; i < scenes; i++)
-        check(rig.b, i, 1 + rng_below(&rng, 24), 1 + rng_below(&rng, 1 + rng_below(&rng, 96)));
-    if (seen.shots < scenes || seen.shot_misses < scenes || seen.ties < scenes / 2)
-        fail_msg("too few: shots %ld misses %ld ties %ld", seen.shots, seen.shot_misses, seen.ties);
+    return 1 + rng_below(&rng, (uint64_t)most >> rng_below(&rng, 6));
 }
 
-TEST(many)
+TEST(crowds_of_enemies)
 {
-    int scenes = rig_long() ? 4000 : 200;
+    const int scenes = rig_long() ? 4000 : 300;
+    struct rig_game g;
+    struct rig r;
 
+    open_pools(&r, &g, BULLETS, SHOTS, FOES, false);
     rng_seed(&rng, 6);
-    memset(&seen, 0, sizeof seen);
     for (int i = 0; i < scenes; i++)
-        check(rig.b, i, 1 + rng_below(&rng, SHOTS >> rng_below(&rng, 6)),
-              1 + rng_below(&rng, 2048 >> rng_below(&rng, 6)));
-    if (seen.shots < 100 * scenes || seen.shot_misses < 1000 * scenes || seen.ties < 50 * scenes)
+        check(r.b, i, some(SHOTS), some(FOES / 2), 0);
+    for (int i = 0; i < 4; i++)
+        check(r.b, scenes + i, SHOTS, FOES, 0);
+    if (seen.shots < 50 * scenes || seen.shot_misses < 1000 * scenes || seen.ties < 5 * scenes)
         fail_msg("too few: shots %ld misses %ld ties %ld", seen.shots, seen.shot_misses, seen.ties);
+    rig_close(&r);
 }
 
-/* All there is room for. */
-TEST(full)
+/* Those that have hp, and those that a shot cancels. */
+TEST(bullets)
 {
-    rng_seed(&rng, 7);
-    for (int i = 0; i < 4; i++)
-        check(rig.b, i, SHOTS, FOES * 2 / 3);
-    for (int i = 0; i < 4; i++) {
-        struct field f = { .wide = 100 << 16, .high = 100 << 16, .grain = i & 1 ? 1 : 10 << 16 };
-        empty(rig.b);
-        draw_kinds(rig.b, &f, FOES);
-        draw_enemies(rig.b, &f, FOES, KINDS);
-        draw_enemies(rig.b, &f, FOES - rig.b->enemies.s.live, KINDS);
-        draw_shots(rig.b, &f, SHOTS, KINDS);
-        reference(rig.b);
-        hit_run(rig.b);
-        compare(rig.b, i);
+    const int scenes = rig_long() ? 60000 : 3000;
+    struct rig_game g;
+    struct rig r;
+
+    rng_seed(&rng, 11);
+    for (int hp = 0; hp < 2; hp++) {
+        open_pools(&r, &g, BULLETS, SHOTS, FOES, hp);
+        memset(&seen, 0, sizeof seen);
+        for (int i = 0; i < scenes; i++)
+            check(r.b, i, some(64), one_in(2) ? some(32) : 0, some(BULLETS));
+        if (seen.solids < (hp ? scenes : scenes / 5) || seen.shots < scenes || (hp && seen.solid_ties < scenes / 9))
+            fail_msg("too few: bullets %ld enemies %ld ties %ld", seen.solids, seen.shots, seen.solid_ties);
+        rig_close(&r);
     }
 }
 
-static int setup(void **state)
-{
-    (void)state;
-    open_pools(&rig, &g, rig_manifest().bullets, SHOTS, FOES, false);
-    return 0;
-}
-
-static int teardown(void **state)
-{
-    (void)state;
-    rig_free(&rig);
-    rig_game_free(&g);
-    return 0;
-}
-
-RUN_TESTS(setup, teardown)
+RUN_TESTS(NULL, NULL)

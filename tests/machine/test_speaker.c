@@ -1,7 +1,7 @@
 /*
  * test_speaker.c - what goes to the host's speaker, with simulated clocks: the card is this file's plat_queue_sound,
- * and time is what the tests say. Sound is unbroken whatever the clocks do, joints do not click and are over when they
- * say, and with the rate held at 1 what is played is what board_mix_sound makes.
+ * and time is what the tests say. Sound is unbroken whatever the clocks do, a joint is over after 8 ms, and with the
+ * rate held at 1 what is played is what board_mix_sound makes.
  */
 #include <math.h>
 #include "rig.h"
@@ -60,6 +60,7 @@ static struct rig_game game;
 static struct rig rig;
 static struct speaker speaker;
 static void *tables;
+static int16_t *unbroken; /* the sound of the frames, one after the other, from the first on; or NULL */
 
 static void power(const char *script)
 {
@@ -76,9 +77,10 @@ static void power(const char *script)
 
 static void done(void)
 {
+    free(unbroken);
+    unbroken = NULL;
     speaker_close(&speaker);
-    rig_free(&rig);
-    rig_game_free(&game);
+    rig_close(&rig);
 }
 
 /* Something sounds always, and never twice the same. */
@@ -134,35 +136,15 @@ static void clock_frame(struct clock *c, double tick_usec, double draw_usec)
 
 /* ---- the clocks ---- */
 
-/* The longest silence and the greatest bend, from frame `from` on; a bend is how far a sample is from between its
- * neighbours. */
-static void look(int from, int *silence, int *bend)
+/* The longest silence from frame `from` on. */
+static int longest_silence(int from)
 {
-    int run = 0;
+    int run = 0, most = 0;
 
-    *silence = *bend = 0;
-    for (int i = from; i < card.n - 1; i++) {
-        const int16_t *p = card.played + 2 * i;
-        run = p[0] == 0 && p[1] == 0 ? run + 1 : 0;
-        *silence = run > *silence ? run : *silence;
-        *bend = i ? (abs(2 * p[0] - p[2] - p[-2]) > *bend ? abs(2 * p[0] - p[2] - p[-2]) : *bend) : 0;
+    for (int i = from; i < card.n; i++) {
+        run = card.played[2 * i] || card.played[2 * i + 1] ? 0 : run + 1;
+        most = run > most ? run : most;
     }
-}
-
-/* What the piece itself bends at most. */
-static int own_bend(int frames)
-{
-    static int16_t all[2 * 800 * 3600];
-    int most = 0;
-
-    for (int f = 0; f < frames; f++) {
-        rig_run(&rig, 1);
-        board_mix_sound(rig.b, tables, all + f * 1600);
-    }
-    for (int i = 1; i < frames * 800 - 1; i++)
-        most = abs(2 * all[2 * i] - all[2 * i + 2] - all[2 * i - 2]) > most
-                   ? abs(2 * all[2 * i] - all[2 * i + 2] - all[2 * i - 2])
-                   : most;
     return most;
 }
 
@@ -210,53 +192,30 @@ TEST(latency)
     }
 }
 
-/* A game that dips: frames of up to 45 ms now and then are made up for, and nobody hears them. */
-TEST(dips)
+static void clock_until(struct clock *c, double now, double tick_usec)
 {
-    struct clock c = { 0 };
-    int silence, bend;
-
-    power(steady);
-    const int own = own_bend(1300);
-    rig_free(&rig);
-    rig_power(&rig, &game, NULL);
-    for (int i = 0; c.now < 20e6; i++)
-        clock_frame(&c, i % 40 < 3 ? 9000 : 500, i % 40 == 20 ? 42000 : 1000);
-    assert_int_equal(card.gaps, 0);
-    look(SPEAKER_TARGET_QUEUE, &silence, &bend);
-    assert_true(silence < 400);
-    assert_true(bend < own * 5 / 4);
-    done();
+    while (c->now < now)
+        clock_frame(c, tick_usec, 1000);
 }
 
 /* A game that cannot follow the clock for some seconds, a tick taking 20 or 40 ms: once it is known, what is heard is
  * slower and lower, without a gap, nothing cut and nothing twice; afterwards it is as before. */
 TEST(slow_game)
 {
+    static const double ticks[] = { 20000, 40000 };
+
     for (int k = 0; k < 2; k++) {
         struct clock c = { 0 };
-        int silence, bend;
-
-        (void)state;
         power(steady);
-        while (c.now < 2e6)
-            clock_frame(&c, 500, 1000);
+        clock_until(&c, 2e6, 500);
         assert_int_equal(card.gaps, 0);
-        while (c.now < 3e6)
-            clock_frame(&c, k ? 40000 : 20000, 1000);
-        const int began = card.n, gaps = card.gaps, refused = (int)speaker.stats.dropped;
-        while (c.now < 12e6)
-            clock_frame(&c, k ? 40000 : 20000, 1000);
-        const int over = card.n;
+        clock_until(&c, 3e6, ticks[k]);
+        const int began = card.n, gaps = card.gaps, dropped = (int)speaker.stats.dropped;
+        clock_until(&c, 12e6, ticks[k]);
+        clock_until(&c, 20e6, 500);
         assert_int_equal(card.gaps, gaps);
-        while (c.now < 20e6)
-            clock_frame(&c, 500, 1000);
-        assert_int_equal(card.gaps, gaps);
-        assert_int_equal(speaker.stats.dropped, refused);
-        look(began, &silence, &bend);
-        assert_true(silence < 400 * (k ? 3 : 2));
-        assert_true(bend < 30000);
-        assert_true(over > began);
+        assert_int_equal(speaker.stats.dropped, dropped);
+        assert_true(longest_silence(began) < 400 * (k ? 3 : 2));
         assert_true(speaker.game_speed == 1);
         done();
     }
@@ -280,10 +239,10 @@ TEST(one_stop)
 
 /* ---- exactly what the board says ---- */
 
-static int16_t *unbroken; /* the sound of the frames, one after the other, from the first on */
-
-static void make_unbroken(int frames)
+/* Powers on with the rate held at 1, and mixes the sound of so many frames into unbroken. */
+static void exact(int frames)
 {
+    power(steady);
     unbroken = malloc((size_t)frames * 3200);
     for (int f = 0; f < frames; f++) {
         rig_run(&rig, 1);
@@ -291,12 +250,6 @@ static void make_unbroken(int frames)
     }
     rig_free(&rig);
     rig_power(&rig, &game, NULL);
-}
-
-static void exact(int frames)
-{
-    power(steady);
-    make_unbroken(frames);
     speaker_open(&speaker, 100, false, true);
 }
 
@@ -306,13 +259,13 @@ static const int16_t *heard(int block)
     return card.played + 2 * (SPEAKER_TARGET_QUEUE - TAKEN + block * SPEAKER_BLOCK);
 }
 
-static void same_sound(const char *what, int block, int frame, int from, int to)
+static void same_sound(int block, int frame, int from, int to)
 {
     const int16_t *got = heard(block), *want = unbroken + (frame - 1) * 1600;
 
     for (int i = 2 * from; i < 2 * to; i++)
         if (got[i] != want[i])
-            fail_msg("%s: block %d, sample %d: %d, expected %d", what, block, i / 2, got[i], want[i]);
+            fail_msg("block %d, sample %d: %d, expected %d", block, i / 2, got[i], want[i]);
 }
 
 static void even(int frames)
@@ -329,44 +282,29 @@ static void flush(void)
         pass(1000);
 }
 
-/* From the first sample on, to the bit. */
-TEST(exact)
-{
-    exact(200);
-    even(200);
-    flush();
-    for (int i = 0; i < 199; i++)
-        same_sound("played", i, i + 1, 0, SPEAKER_BLOCK);
-    assert_int_equal(card.gaps, 1); /* the flush */
-    done();
-    free(unbroken);
-}
-
 /* A pause is silent, and 8 ms after both of its ends what is heard is exact: silence, and the unbroken run. */
 TEST(pause)
 {
-    const struct speaker_elapsed time = { 1, 1, 0, 0 };
-
     exact(100);
     even(40);
     for (int i = 0; i < 20; i++) {
-        speaker_advance(&speaker, &time);
+        frame(0, 0, 0);
         pass(sixtieth);
     }
     even(20);
     flush();
-    same_sound("before", 39, 40, 0, SPEAKER_BLOCK);
+    same_sound(39, 40, 0, SPEAKER_BLOCK);
     for (int i = 2 * SPEAKER_CROSSFADE; i < 20 * 1600; i++)
         assert_int_equal(heard(40)[i], 0);
     assert_true(heard(40)[2 * SPEAKER_CROSSFADE / 4] != 0);
-    same_sound("after", 60, 41, SPEAKER_CROSSFADE, SPEAKER_BLOCK);
-    same_sound("and on", 61, 42, 0, SPEAKER_BLOCK);
+    same_sound(60, 41, SPEAKER_CROSSFADE, SPEAKER_BLOCK);
+    same_sound(61, 42, 0, SPEAKER_BLOCK);
     assert_true(memcmp(heard(60), unbroken + 40 * 1600, 4 * SPEAKER_CROSSFADE) != 0);
     done();
-    free(unbroken);
 }
 
-/* A restored board: the first 8 ms pass over, and then it is the unbroken run. Not louder on the way than the two. */
+/* From the first sample on it is the run, to the bit. Where a board is restored, the first 8 ms pass over, not louder
+ * than the two, and then it is the run again. */
 TEST(restore)
 {
     exact(100);
@@ -376,16 +314,20 @@ TEST(restore)
     board_restore(rig.b, rig.snapshot);
     even(20);
     flush();
-    same_sound("before", 59, 60, 0, SPEAKER_BLOCK);
-    same_sound("after", 60, 31, SPEAKER_CROSSFADE, SPEAKER_BLOCK);
+    for (int i = 0; i < 60; i++)
+        same_sound(i, i + 1, 0, SPEAKER_BLOCK);
+    same_sound(60, 31, SPEAKER_CROSSFADE, SPEAKER_BLOCK);
     for (int i = 1; i < 19; i++)
-        same_sound("and on", 60 + i, 31 + i, 0, SPEAKER_BLOCK);
+        same_sound(60 + i, 31 + i, 0, SPEAKER_BLOCK);
     for (int i = 0; i < 2 * SPEAKER_CROSSFADE; i++) {
         const int was = heard(60)[-1 - (i ^ 1)], is = unbroken[30 * 1600 + i], got = heard(60)[i];
         assert_true(got <= (was > is ? was : is) && got >= (was < is ? was : is));
     }
+    for (int c = 0; c < 2; c++) { /* no step at its start */
+        const int was = heard(60)[c - 2], is = unbroken[30 * 1600 + c];
+        assert_true(abs(heard(60)[c] - was) <= 1 + abs(is - was) / 50);
+    }
     done();
-    free(unbroken);
 }
 
 /* Back in time: each block is turned round, and they follow one another to the bit. */
@@ -412,12 +354,11 @@ TEST(rewind)
         for (int i = 0; i < SPEAKER_BLOCK; i++)
             for (int c = 0; c < 2; c++)
                 assert_int_equal(heard(60 + k)[2 * i + c], unbroken[(58 - k) * 1600 + 2 * (SPEAKER_BLOCK - 1 - i) + c]);
-    same_sound("on again", 89, 32, SPEAKER_CROSSFADE, SPEAKER_BLOCK);
-    same_sound("and on", 90, 33, 0, SPEAKER_BLOCK);
+    same_sound(89, 32, SPEAKER_CROSSFADE, SPEAKER_BLOCK);
+    same_sound(90, 33, 0, SPEAKER_BLOCK);
     for (int i = 0; i < 60; i++)
         free(saved[i]);
     done();
-    free(unbroken);
 }
 
 /* Half and quarter speed: no gap, as many frames as time passes, an octave lower: what is heard of every second or
@@ -448,7 +389,6 @@ TEST(slow_motion)
         for (int i = SPEAKER_CROSSFADE; i < 4 * SPEAKER_BLOCK; i++)
             assert_int_equal(got[2 * (slow * i + (slow - 1) * RESAMPLE_AFTER)], want[2 * i]);
         done();
-        free(unbroken);
     }
 }
 
@@ -483,7 +423,6 @@ TEST(lost_and_found)
     for (int k = 0; k < 20; k++)
         assert_memory_equal(card.played + 2 * (at + k * 800), unbroken + (72 + k) * 1600, 3200);
     done();
-    free(unbroken);
 }
 
 /* A game without sound, or a muted one, asks nothing of the host. */
@@ -520,14 +459,13 @@ TEST(mute_and_volume)
     flush();
     for (int i = 2 * SPEAKER_CROSSFADE; i < 10 * 1600; i++)
         assert_int_equal(heard(20)[i], 0);
-    same_sound("again", 30, 31, SPEAKER_CROSSFADE, SPEAKER_BLOCK);
-    same_sound("on", 31, 32, 0, SPEAKER_BLOCK);
+    same_sound(30, 31, SPEAKER_CROSSFADE, SPEAKER_BLOCK);
+    same_sound(31, 32, 0, SPEAKER_BLOCK);
     for (int i = 0; i < 1600; i++)
         assert_int_equal(heard(41)[i], unbroken[41 * 1600 + i] * 30 / 100);
     for (int i = 0; i < 1600; i++)
         assert_int_equal(heard(51)[i], 0);
     done();
-    free(unbroken);
 }
 
 /* A card that stands still: what would wait for too long is left out, so what is heard then is not late for ever. */
@@ -545,45 +483,6 @@ TEST(stuck)
     done();
 }
 
-/* A joint does not click: of a level that turns round, no step is larger than a raised cosine's of 8 ms. */
-TEST(joints)
-{
-    int silence, bend;
-
-    power(steady);
-    const int own = own_bend(600);
-    rig_free(&rig);
-    rig_power(&rig, &game, NULL);
-    even(30);
-    rig_save(&rig);
-    for (int i = 0; i < 100; i++) {
-        even(3 + i % 5);
-        board_restore(rig.b, rig.snapshot);
-    }
-    look(SPEAKER_TARGET_QUEUE, &silence, &bend);
-    assert_true(bend <= 3 * own);
-    done();
-}
-
-/* What is reported is what was seen. */
-TEST(report)
-{
-    char line[256];
-
-    power(steady);
-    speaker_report(&speaker, line, sizeof line);
-    assert_string_equal(line, "sound: nothing was played");
-    even(600);
-    speaker_report(&speaker, line, sizeof line);
-    if (strncmp(line, "sound: latency 40.", 18) != 0 || !strstr(line, "gaps 0, dropped blocks 0"))
-        fail_msg("%s", line);
-    flush();
-    even(10);
-    speaker_report(&speaker, line, sizeof line);
-    assert_non_null(strstr(line, "gaps 1,"));
-    done();
-}
-
 /* A frame whose clock jumped: what waits to be heard stays inside its buffer, and goes on. */
 static void jump(double late, double lost)
 {
@@ -597,7 +496,7 @@ static void jump(double late, double lost)
 /* A machine that slept, a clock that was set, a card that stands still: in each state of the speaker, by any time. */
 TEST(clock_jumps)
 {
-    static const double times[] = { 0, 1e5, 1e6, 5e6, 3.6e9, 8.64e10, 1.8e19 };
+    static const double times[] = { 1e5, 5e6, 3.6e9, 1.8e19 };
 
     for (size_t i = 0; i < sizeof times / sizeof *times; i++)
         for (int slowed = 0; slowed < 3; slowed++) { /* the second and third time it is believed to be */
@@ -623,22 +522,6 @@ TEST(clock_jumps)
             assert_in_range(card.gaps - gaps, 0, 2);
             done();
         }
-}
-
-/* No step takes the place out of the buffer. */
-TEST(any_step)
-{
-    static struct resample r;
-    static int16_t in[2 * SPEAKER_BLOCK], out[2 * SPEAKER_BLOCK];
-    static const uint64_t steps[] = { RESAMPLE_ONE, 3 * RESAMPLE_ONE + 7, 30 * RESAMPLE_ONE, 1 << 20, UINT64_MAX / 2 };
-
-    resample_open(&r);
-    for (int i = 0; i < 1000; i++) {
-        resample_add(&r, in, SPEAKER_BLOCK);
-        resample_take(&r, steps[i % 5], RESAMPLE_CAPACITY, out, SPEAKER_BLOCK);
-        assert_in_range(r.frames, RESAMPLE_BEFORE, RESAMPLE_CAPACITY);
-        assert_in_range(r.position >> 32, RESAMPLE_BEFORE, r.frames);
-    }
 }
 
 static int make_tables(void **state)

@@ -1,67 +1,42 @@
 /*
- * test_talk.c - dialogue: letters, pages, choices, who answers; what players cannot meanwhile; skips, stops, snapshots.
+ * test_talk.c - dialogue: letters, pages, choices, who answers; what players cannot do meanwhile; skips and stops.
+ * tests/scripts/talk.lua has what needs no pads.
  */
-#include "../../src/script/std.h"
 #include "rig.h"
 
-enum { BOX_COL = 2, BOX_ROW = 33, NAME_ROW = 30, LAST_ROW = 37, BOX_COLS = 26 }; /* of the rig's field, 240 x 320 */
+enum { BOX_COL = 2, BOX_ROW = 33, NAME_ROW = 30, BOX_COLS = 26 }; /* of the rig's field, 240 x 320 */
 
 static struct rig_game g;
 static struct rig r;
 
-#define START "local told, taken, seen = '', 0, { '', '' }\nfunction string.told() return told end\n"
-
 /* Two ships that tell what they see of their pads; `lines` runs in a task. */
 static const char ships[] =
+    "local told, taken, seen = '', 0, { '', '' }\n"
+    "function string.told() return told end\n"
     "player.def('p', { sprite = 'dot', hit = { circle = 2 }, speed = 2, run = function(p)\n"
     "  while true do\n"
-    "    seen[p.index] = (pad.down('fire', p) and 'f' or '') .. (pad.pressed('bomb', p) and 'b' or '') ..\n"
-    "      (pad.down('left', p) and 'l' or '')\n"
+    "    seen[p.index] = (pad.down('fire', p) and 'f' or '') .. (pad.down('left', p) and 'l' or '')\n"
     "    if pad.take('fire', 60, p) then taken = taken + 1 end\n"
     "    wait(1)\n"
     "  end\n"
     "end })\n"
-    "bullet.def('b', { sprite = 'dot', hit = { circle = 3 } })\n"
     "talk.def('iri', { name = 'IRI', faces = { calm = 'dot', cross = 'arrow' } })\n"
     "talk.def('sen', { name = 'SEN', faces = { calm = 'wink' }, side = 'right', bank = 3 })\n"
+    "talk.def('voice', { name = 'VOICE' })\n"
     "enemy.def('e', { sprite = 'dot', hit = { circle = 3 } })\n"
     "boss.def('b', { title = '', kind = 'e', x = 100, y = 60, phases = {\n"
     "  { id = 'p', hp = 9, time = 40, run = function() say('sen', 'MINE', { letter = 0 }) end } } })\n"
-    "talk.def('voice', { name = 'VOICE' })\n"
     "for i = 1, string.sys.players() do string.sys.join(i, 'p') end\n";
-
-static void open_with(const struct manifest *m, const char *lines)
-{
-    static char text[8192];
-
-    snprintf(text, sizeof text,
-             START "%s"
-                   "task.go(function()\n%s\ntold = told .. 'end'\nend)",
-             ships, lines);
-    rig_with_sys(&g, m, text);
-    rig_power(&r, &g, NULL);
-}
-
-static struct manifest two_players(void)
-{
-    struct manifest m = rig_manifest();
-
-    m.players = 2;
-    m.sprites = 32;
-    return m;
-}
 
 static void open_it(const char *lines)
 {
-    const struct manifest m = two_players();
+    static char text[8192];
+    struct manifest m = rig_manifest();
 
-    open_with(&m, lines);
-}
-
-static void close_it(void)
-{
-    rig_free(&r);
-    rig_game_free(&g);
+    m.sprites = 32;
+    snprintf(text, sizeof text, "%stask.go(function()\n%s\ntold = told .. 'end'\nend)", ships, lines);
+    rig_with_sys(&g, &m, text);
+    rig_power(&r, &g, NULL);
 }
 
 static void hold(int frames, uint16_t one, uint16_t two)
@@ -133,7 +108,7 @@ TEST(letters)
     press(PAD_FIRE, 0);
     told("end");
     assert_true(empty_screen());
-    close_it();
+    rig_close(&r);
     open_it("say(nil, 'ABCDE', { letter = 0, limit = 5 })");
     rig_run(&r, 1);
     assert_string_equal(words(0), "ABCDE");
@@ -141,7 +116,7 @@ TEST(letters)
     told("");
     rig_run(&r, 1);
     told("end");
-    close_it();
+    rig_close(&r);
 }
 
 /* Three rows a page; fire turns it. What was held before is no press. */
@@ -159,28 +134,8 @@ TEST(pages)
     told("");
     press(PAD_FIRE, 0);
     told("end");
-    close_it();
+    rig_close(&r);
 }
-
-/* The mark blinks while it waits, and not while letters come. */
-TEST(mark)
-{
-    bool on = false, off = false;
-
-    open_it("say(nil, 'AB', { letter = 20 })");
-    rig_run(&r, 21);
-    assert_string_equal(cells(LAST_ROW + 1, BOX_COL, BOX_COLS), "");
-    for (int i = 0; i < 99; i++) {
-        rig_run(&r, 1);
-        bool seen = *cells(LAST_ROW + 1, BOX_COL + BOX_COLS - 1, 1);
-        on |= seen;
-        off |= on && !seen;
-    }
-    assert_true(on && off);
-    close_it();
-}
-
-#define FACE_AT(i) r.b->pictures + r.b->sprites.sprite[i]
 
 /* The sprite in that layer on that half of the field, or -1; and how many sprites, plates too, are seen. */
 static int standing(int layer, bool right, int *seen)
@@ -196,6 +151,12 @@ static int standing(int layer, bool right, int *seen)
     return at;
 }
 
+static void next_line(void)
+{
+    press(PAD_FIRE, 0);
+    rig_run(&r, 40);
+}
+
 /* Who speaks is in front, the other dimmed; who has no face has a name; nobody has none. */
 TEST(faces)
 {
@@ -209,35 +170,30 @@ TEST(faces)
     int iri = standing(LAYER_OVER, false, &seen);
     assert_true(iri >= 0 && seen == 3);
     assert_int_equal(screen_get_dim(&r.b->screen, r.b->core.frame), r.b->screen.dim);
-    press(PAD_FIRE, 0);
-    rig_run(&r, 40);
+    next_line();
     assert_string_equal(cells(NAME_ROW, BOX_COL + BOX_COLS - 4, 4), "SEN");
     int sen = standing(LAYER_OVER, true, &seen);
     assert_true(sen >= 0 && seen == 4);
     assert_int_equal(r.b->sprites.bank[sen], 3);
     assert_true(r.b->sprites.flags[sen] & SPRITE_FLIP_X);
     assert_int_equal(standing(LAYER_FRONT, false, &seen), iri);
-    press(PAD_FIRE, 0);
-    rig_run(&r, 40);
+    next_line();
     assert_int_equal(standing(LAYER_OVER, false, &seen), iri);
     assert_int_equal(r.b->sprites.sprite[iri], 0); /* arrow comes before dot */
     assert_int_equal(standing(LAYER_FRONT, true, &seen), sen);
-    press(PAD_FIRE, 0);
-    rig_run(&r, 40);
+    next_line();
     assert_string_equal(cells(NAME_ROW, BOX_COL, BOX_COLS), " VOICE");
     assert_int_equal(standing(LAYER_OVER, false, &seen), -1);
-    press(PAD_FIRE, 0);
-    rig_run(&r, 40);
+    next_line();
     assert_string_equal(cells(NAME_ROW, BOX_COL, BOX_COLS), "");
     assert_int_equal(standing(LAYER_OVER, true, &seen), -1);
     assert_int_equal(seen, 3); /* no name's plate */
-    press(PAD_FIRE, 0);
-    rig_run(&r, 40);
+    next_line();
     assert_true(standing(LAYER_OVER, true, &seen) >= 0 && standing(LAYER_FRONT, false, &seen) < 0);
     assert_int_equal(seen, 3); /* she went round, and the other is gone */
     press(PAD_FIRE, 0);
     assert_true(empty_screen());
-    close_it();
+    rig_close(&r);
 }
 
 /* What ship 2 sees of fire and left, both held, in a talk that holds like this. */
@@ -252,7 +208,7 @@ static void sees(const char *how, const char *want)
     assert_true((r.b->player.x[1] < x) == (strchr(want, 'l') != NULL));
     hold(3, 0, PAD_FIRE | PAD_LEFT);
     told(want);
-    close_it();
+    rig_close(&r);
 }
 
 /* What the ships see of fire and left, by hold. */
@@ -272,7 +228,7 @@ TEST(presses)
     press(PAD_FIRE, 0);
     rig_run(&r, 12);
     told("00end");
-    close_it();
+    rig_close(&r);
 }
 
 /* Special held for a third of a second: no say, wait or choose takes time, but the talk goes through. */
@@ -291,15 +247,15 @@ TEST(skip)
     rig_run(&r, 3);
     told("2all 3end");
     assert_true(empty_screen());
-    close_it();
+    rig_close(&r);
     open_it("talk.run(function() wait(600) end)"); /* in a wait, too */
     hold(25, PAD_SPECIAL, 0);
     told("end");
-    close_it();
+    rig_close(&r);
     open_it("talk.run(function() say(nil, 'A') end, { skip = false })");
     hold(99, PAD_SPECIAL, PAD_SPECIAL);
     told("");
-    close_it();
+    rig_close(&r);
 }
 
 TEST(choose)
@@ -317,7 +273,7 @@ TEST(choose)
     press(PAD_FIRE, 0);
     told("3end");
     assert_true(empty_screen());
-    close_it();
+    rig_close(&r);
     open_it("told = choose({ 'ONE', 'TWO' }, { p = 2, chosen = 2, back = 1 }) .. ''");
     rig_run(&r, 1);
     press(PAD_UP | PAD_FIRE, 0); /* not asked */
@@ -325,13 +281,13 @@ TEST(choose)
     told("");
     press(0, PAD_BOMB);
     told("1end");
-    close_it();
+    rig_close(&r);
     open_it("told = choose({ 'ONE', 'TWO' }, { limit = 9 }) .. ''");
     rig_run(&r, 2);
     press(PAD_DOWN, 0);
     rig_run(&r, 9);
     told("2end");
-    close_it();
+    rig_close(&r);
 }
 
 /* In a talk the words stay behind the list; afterwards ships see what they saw. */
@@ -350,7 +306,7 @@ TEST(choose_in_talk)
     assert_int_equal(player_ignored_buttons(&r.b->player, 0), PAD_FIRE | PAD_BOMB | PAD_SPECIAL);
     press(PAD_FIRE, 0);
     assert_int_equal(player_ignored_buttons(&r.b->player, 0), 0);
-    close_it();
+    rig_close(&r);
 }
 
 /* A list stands where a banner does: what was there is gone before. */
@@ -361,74 +317,42 @@ TEST(banner)
     assert_string_equal(cells(13, 0, 30), "           A STAGE");
     rig_run(&r, 1);
     assert_string_equal(cells(13, 0, 30), "");
-    close_it();
+    rig_close(&r);
 }
 
-/* A stage's clock stands unless clock; bullets go unless clear is false. */
-TEST(stage)
+/* A talk whose task is stopped, or whose phase of a boss ends, is taken away: box, faces and what it held. */
+TEST(stop)
 {
-    static const char lines[] = "stage.def('s', function()\n"
-                                "  bullet.fire { kind = 'b', x = 100, y = 100, speed = 0 }\n"
-                                "  talk.run(function() wait(30) end%s)\n"
-                                "  told = told .. bullet.group().count .. ' '\n"
-                                "  stage.at(40) told = told .. board.frame()\n"
-                                "end)\n"
-                                "task.go(function() stage.play('s', string.sys.scope()) end)";
-    static const char *const how[] = { "", ", { clock = true, clear = false }" }, *const want[] = { "0 70", "1 40" };
+    static const struct {
+        const char *lines;
+        int shown, over; /* frames with and without it */
+    } of[] = {
+        { "local t = task.go(function() talk.run(function() say('iri', 'A') end, { hold = 'all' }) end)\n"
+          "wait(20) task.stop(t)",
+          15, 25 },
+        { "boss.fight 'b'", 75, 115 },
+    };
 
-    for (int i = 0; i < 2; i++) {
-        static char text[4096];
-        snprintf(text, sizeof text, START "%s", ships);
-        size_t n = strlen(text);
-        snprintf(text + n, sizeof text - n, lines, how[i]);
-        rig_with_sys(&g, NULL, text);
-        rig_power(&r, &g, NULL);
-        rig_run(&r, 75);
-        told(want[i]);
-        close_it();
+    for (size_t i = 0; i < sizeof of / sizeof *of; i++) {
+        open_it(of[i].lines);
+        rig_run(&r, of[i].shown);
+        assert_false(empty_screen());
+        rig_run(&r, of[i].over - of[i].shown);
+        assert_true(empty_screen());
+        assert_int_equal(player_ignored_buttons(&r.b->player, 0), 0);
+        rig_close(&r);
     }
 }
 
-/* A stage on its way to a mark: f is not called, a line said takes no time, a choice is what it would begin with. */
-TEST(practice)
+/* After a wipe the rows are another's; and a talk that starts before the stopped one is closed stays. */
+TEST(stop_late)
 {
-    static char text[4096];
-    snprintf(text, sizeof text,
-             START "%s"
-                   "stage.def('s', function()\n"
-                   "  talk.run(function() told = told .. 'called ' end)\n"
-                   "  say('iri', 'A') told = told .. choose({ 'A', 'B' }, { chosen = 2 })\n"
-                   "  stage.mark('m') told = told .. ' at ' .. board.frame()\n"
-                   "  say('iri', 'A')\n"
-                   "end)\n"
-                   "task.go(function() stage.play('s', string.sys.scope(), 'm') end)",
-             ships);
-    rig_with_sys(&g, NULL, text);
-    rig_power(&r, &g, NULL);
-    rig_run(&r, 9);
-    told("2 at 0");
-    assert_string_equal(cells(NAME_ROW, BOX_COL, BOX_COLS), " IRI");
-    close_it();
-}
-
-/* The task is stopped: all of it goes. After a wipe, what stands in its place is another's. */
-TEST(stop)
-{
-    open_it("local t = task.go(function() talk.run(function() say('iri', 'A') end, { hold = 'all' }) end)\n"
-            "wait(20) task.stop(t)");
-    rig_run(&r, 15);
-    assert_false(empty_screen());
-    rig_run(&r, 10);
-    assert_true(empty_screen());
-    assert_int_equal(player_ignored_buttons(&r.b->player, 0), 0);
-    close_it();
     open_it("local t = task.go(function() say('iri', 'A') end)\n"
             "wait(20) task.stop(t) string.sys.wipe() text.put { col = 2, row = 33, text = 'SCORES' }");
     rig_run(&r, 25);
     assert_string_equal(words(0), "SCORES");
     assert_int_equal(r.b->screen.dim, 0);
-    close_it();
-    /* Another begins before the one that was stopped is closed. */
+    rig_close(&r);
     open_it("local t = task.go(function() say('iri', 'OLD') end)\n"
             "wait(20) task.stop(t) say('sen', 'NEW', { letter = 0 })");
     rig_run(&r, 25);
@@ -436,7 +360,7 @@ TEST(stop)
     press(PAD_FIRE, 0);
     told("end");
     assert_int_equal(player_ignored_buttons(&r.b->player, 0), 0);
-    close_it();
+    rig_close(&r);
 }
 
 /* Fire that is held goes on by itself, quickly, after half a second; not if it was held before the talk, and a list
@@ -465,7 +389,7 @@ TEST(hurry)
     press(PAD_FIRE, 0);
     hold(200, 0, 0);
     assert_string_equal(words(0), "X");
-    close_it();
+    rig_close(&r);
 }
 
 /* What freezes the board sees all buttons, and its presses are not the talk's. */
@@ -487,118 +411,7 @@ TEST(pause)
     told("paused ");
     press(PAD_FIRE, 0);
     told("paused end");
-    close_it();
-}
-
-/* A copy made in the middle, put back into RAM full of rubbish, goes on as the run does: letters, faces, lists. */
-TEST(snapshots)
-{
-    struct rng rng;
-    uint64_t hash[MAX_PARTS], again[MAX_PARTS];
-    uint16_t pads[40][MAX_PLAYERS];
-
-    rng_seed(&rng, 3);
-    open_it("for i = 1, 50 do\n"
-            "talk.run(function() say('iri', 'HOW ARE YOU?') say('sen', 'FINE. AND YOU, AND ALL OF YOURS?')\n"
-            "local n = choose({ 'SO SO', 'ILL', 'WELL' }, { title = 'SAY' }) say('iri', 'N' .. n) end) end");
-    for (int round = 0; round < 60; round++) {
-        for (int f = 0; f < 40; f++)
-            for (int p = 0; p < MAX_PLAYERS; p++)
-                pads[f][p] = (uint16_t)(rng_next(&rng) & rng_next(&rng) & (PAD_FIRE | PAD_UP | PAD_DOWN | PAD_LEFT));
-        rig_spoil(&r);
-        rig_save(&r);
-        for (int twice = 0; twice < 2; twice++) {
-            for (int f = 0; f < 40; f++)
-                rig_tick(&r, pads[f]);
-            board_hashes(r.b, twice ? again : hash);
-            if (!twice)
-                rig_restore(&r);
-        }
-        assert_memory_equal(hash, again, sizeof *hash * (size_t)board_part_count(r.b));
-    }
-    close_it();
-}
-
-/* In a boss's phase: the boss and its clock go on, and the phase's end takes the talk away. */
-TEST(boss)
-{
-    open_it("boss.fight 'b'");
-    rig_run(&r, 75);
-    assert_string_equal(words(0), "MINE");
-    rig_run(&r, 40);
-    assert_true(empty_screen());
-    assert_int_equal(player_ignored_buttons(&r.b->player, 1), 0);
-    rig_run(&r, 80);
-    told("end");
-    close_it();
-}
-
-/* No module of the library but these brings dialogue into a game's ROM. */
-TEST(packed)
-{
-    uint64_t dialogue = 0;
-    int others = 0;
-
-    for (int i = 0; i < STD_MODULE_COUNT; i++)
-        if (!strcmp(std_modules[i].name, "talk") || !strcmp(std_modules[i].name, "say") ||
-            !strcmp(std_modules[i].name, "choose"))
-            dialogue |= (uint64_t)1 << i;
-    for (int i = 0; i < STD_MODULE_COUNT; i++)
-        for (int k = 0; k < std_script_count; k++) {
-            if (strcmp(std_scripts[k].name, std_modules[i].name) || dialogue >> i & 1)
-                continue;
-            others++;
-            if (std_find_needed_modules(i, (const char *)std_scripts[k].data, std_scripts[k].size) & dialogue)
-                fail_msg("%s names a word of dialogue", std_modules[i].name);
-        }
-    assert_int_equal(others, STD_MODULE_COUNT - 3);
-}
-
-static void says(const char *lines, const char *want)
-{
-    static char text[2048];
-    const struct manifest m = two_players();
-
-    snprintf(text, sizeof text,
-             "talk.def('iri', { name = 'I', faces = { calm = 'dot' } })\ntask.go(function() %s\nend)", lines);
-    rig_script(&g, &m, text);
-    assert_string_equal(rig_said(&g, 3, true), want);
-    rig_game_free(&g);
-}
-
-static void says_at_load(const char *line, const char *want)
-{
-    rig_script(&g, NULL, line);
-    assert_string_equal(rig_said(&g, 1, true), want);
-    rig_game_free(&g);
-}
-
-TEST(errors)
-{
-    says("say('irl', 'A')", "main.lua:2: say: unknown speaker \"irl\" (did you mean \"iri\"?)");
-    says("say('iri', 'A', { face = 'calmer' })",
-         "main.lua:2: say: \"iri\": unknown face \"calmer\" (did you mean \"calm\"?)");
-    says("say('iri')", "main.lua:2: say: text: expected a string, got nil");
-    says("say('iri', 'A', { leter = 3 })", "main.lua:2: say: unknown argument \"leter\" (did you mean \"letter\"?)");
-    says("say('iri', 'A', { side = 'center' })", "main.lua:2: say: side: expected left or right, got \"center\"");
-    says("choose({})", "main.lua:2: choose: list: expected at least one string");
-    says("choose { 'A', title = 'T' }",
-         "main.lua:2: choose: list: expected strings, got the key \"title\"; options go in a second table");
-    says("choose({ 'A', 2 })", "main.lua:2: choose: list: entry 2: expected a string, got a number");
-    says("choose({ 'A' }, { chosen = 2 })", "main.lua:2: choose: chosen: expected a number from 1 to 1, got 2");
-    says("talk.run(function() end, { hold = 'al' })",
-         "main.lua:2: talk.run: hold: expected fire, all or none, got \"al\" (did you mean \"all\"?)");
-    says("task.go(say, nil, 'A') say(nil, 'B')", ""); /* in one box */
-    says("talk.run(function() talk.run(print) end)", "main.lua:2: talk.run: a talk is already running; call `say` and "
-                                                     "`choose` in it (a phase { talk = f } runs f as a talk)");
-    says_at_load("talk.def('a', {})", "main.lua:1: talk.def: name: expected a string, got nil");
-    says_at_load("talk.def('a', { name = 'A', faces = { calm = 'dto' } })",
-                 "main.lua:1: talk.def face: unknown sprite \"dto\" (did you mean \"dot\"?)");
-    says_at_load("talk.def('a', { name = 'A' }) talk.def('a', { name = 'A' })",
-                 "main.lua:1: talk.def: \"a\" is declared twice");
-    says_at_load("talk.def('a', { name = 'A', faces = { 'dot' } })",
-                 "main.lua:1: talk.def: faces: expected names as keys, as in { calm = SPRITE }");
-    says_at_load("say(nil, 'A')", "main.lua:1: talk.run: only a task can talk; start one with task.go");
+    rig_close(&r);
 }
 
 RUN_TESTS(NULL, NULL)

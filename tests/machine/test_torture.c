@@ -66,16 +66,6 @@ static const char lua_only[] =
     "    board.note(#log) board.note(live) board.note(log[#log] or '')\n"
     "    wait(1)\n"
     "  end\n"
-    "end)\n"
-    "local shown = setmetatable({}, { __index = function(t, k) local v = { k } rawset(t, k, v) return v end })\n"
-    "task.go(function()\n"
-    "  while true do\n"
-    "    local sum = 0\n"
-    "    walk(tree, 0, function(k, d) sum = (sum * 31 + k + d + shown[k % 100][1]) % 1000003 end)\n"
-    "    text.put { col = 1, row = 1, text = sum }\n"
-    "    board.note(sum)\n"
-    "    wait(3)\n"
-    "  end\n"
     "end)\n";
 
 /* ---- every frame ---- */
@@ -90,16 +80,16 @@ static void same(const char *name, uint32_t frame, struct rig *a, struct rig *b)
         fail_msg("%s: frame %u: the picture differs", name, frame);
 }
 
-/* calm is left alone; hurt is saved, spoilt and restored after each frame. demo NULL: pads by hand. */
-static void every_frame_from(const char *name, const struct rig_game *g, const struct board_start *start,
-                             const struct demo *d, uint32_t frames)
+/* calm is left alone; hurt is saved, spoilt and restored after each frame. d NULL: pads by hand, from start. */
+static void every_frame(const char *name, const struct rig_game *g, const struct board_start *start,
+                        const struct demo *d, uint32_t frames)
 {
     struct rig calm, hurt;
     struct rng rng;
     uint16_t pads[MAX_PLAYERS] = { 0 };
 
-    rig_power(&calm, g, start);
-    rig_power(&hurt, g, start);
+    rig_power(&calm, g, d ? &d->start : start);
+    rig_power(&hurt, g, d ? &d->start : start);
     rng_seed(&rng, 11);
     for (uint32_t f = 0; f < frames; f++) {
         rig_spoil(&hurt);
@@ -118,11 +108,6 @@ static void every_frame_from(const char *name, const struct rig_game *g, const s
     rig_free(&hurt);
 }
 
-static void every_frame(const char *name, const struct rig_game *g, const struct demo *d, uint32_t frames)
-{
-    every_frame_from(name, g, d ? &d->start : NULL, d, frames);
-}
-
 static uint32_t most(uint32_t brief, uint32_t full)
 {
     return rig_long() ? full : brief;
@@ -135,12 +120,12 @@ static void folder(const char *name, const char *const *demos, uint32_t brief, u
     struct demo d;
 
     rig_folder(&g, name);
-    every_frame(name, &g, NULL, most(brief, full));
+    every_frame(name, &g, NULL, NULL, most(brief, full));
     for (; *demos; demos++) {
         memset(&d, 0, sizeof d);
         if (!rig_demo(&g, *demos, &d))
             continue;
-        every_frame(*demos, &g, &d, d.frames < most(brief, full) ? d.frames : most(brief, full));
+        every_frame(*demos, &g, NULL, &d, d.frames < most(brief, full) ? d.frames : most(brief, full));
         demo_free(&d);
     }
     rig_game_free(&g);
@@ -170,7 +155,7 @@ TEST(whole)
     snprintf(path, sizeof path, "tests/demos/whole%d-run.demo", CORE_VERSION);
     rig_folder(&g, "tests/demos/whole");
     assert_true(demo_load(&d, path, err, sizeof err));
-    every_frame("whole", &g, &d, d.frames);
+    every_frame("whole", &g, NULL, &d, d.frames);
     demo_free(&d);
     rig_game_free(&g);
 }
@@ -180,17 +165,12 @@ TEST(gallery)
 {
     struct board_start start = { .seed = 3, .dip = { 1, 70, 1, 100 }, .difficulty = -1 };
     struct rig_game g;
-    struct rig r;
 
     snprintf(start.practice.section, sizeof start.practice.section, "gallery");
     rig_folder(&g, "examples/bulletml");
-    rig_power(&r, &g, &start);
-    rig_run(&r, 100);
-    assert_true(r.b->bullets.s.live > 20);
-    rig_free(&r);
     for (int i = 1; i <= (int)most(3, 16); i++) {
         start.dip[0] = i;
-        every_frame_from("gallery", &g, &start, NULL, most(200, 1500));
+        every_frame("gallery", &g, &start, NULL, most(200, 1500));
     }
     rig_game_free(&g);
 }
@@ -200,7 +180,7 @@ TEST(lua_only)
     struct rig_game g;
 
     rig_script(&g, NULL, lua_only);
-    every_frame("lua", &g, NULL, most(1200, 6000));
+    every_frame("lua", &g, NULL, NULL, most(1200, 6000));
     rig_game_free(&g);
 }
 
@@ -259,21 +239,12 @@ static void again(const struct run *run, struct rig *r, uint32_t from, uint32_t 
     }
 }
 
-static void astray(struct rig *r, struct rng *rng)
-{
-    uint16_t pads[MAX_PLAYERS] = { 0 };
-
-    for (int f = 0; f < ASTRAY; f++) {
-        rig_pads(rng, pads);
-        rig_tick(r, pads);
-    }
-}
-
 /* Goes back to n frames of the run, which are drawn so that each frame has the same chance. */
 static void go_back(const struct run *run, uint32_t n)
 {
     struct rig r;
     struct rng rng;
+    uint16_t astray[MAX_PLAYERS] = { 0 };
     uint32_t left = n;
 
     rng_seed(&rng, 21);
@@ -282,7 +253,10 @@ static void go_back(const struct run *run, uint32_t n)
         if (rng_below(&rng, run->frames - AGAIN - f) < left) {
             left--;
             rig_save(&r);
-            astray(&r, &rng);
+            for (int i = 0; i < ASTRAY; i++) {
+                rig_pads(&rng, astray);
+                rig_tick(&r, astray);
+            }
             rig_restore(&r);
             if (board_hash(r.b) != run->hash[f] || seen_and_heard(&r) != run->picture[f])
                 fail_msg("back to frame %u: not what was saved", f);
@@ -295,78 +269,19 @@ static void go_back(const struct run *run, uint32_t n)
     rig_free(&r);
 }
 
-static void go_back_in(const char *name, uint32_t brief, uint32_t full)
+TEST(back)
 {
-    struct rig_game g;
-    struct run run;
+    static const char *const names[] = { "torture", "glasstide" };
 
-    rig_folder(&g, name);
-    run_make(&run, &g, 6000, 5);
-    go_back(&run, most(brief, full));
-    run_free(&run);
-    rig_game_free(&g);
-}
-
-TEST(back_torture)
-{
-    go_back_in("torture", 8, 1000);
-}
-
-TEST(back_glasstide)
-{
-    go_back_in("glasstide", 5, 1000);
-}
-
-/* A snapshot of a board that grew smaller since, and one of a board that grew larger. */
-TEST(sizes)
-{
-    static const char text[] = "bullet.def('dot', { sprite = 'dot', hit = 'none' })\n"
-                               "local keep = {}\n"
-                               "task.go(function()\n"
-                               "  while true do\n"
-                               "    if pad.down 'fire' then for i = 1, 200 do\n"
-                               "      bullet.fire { kind = 'dot', x = i, y = i, speed = 0 }\n"
-                               "      keep[#keep + 1] = ('%d'):format(i):rep(50) .. #keep\n"
-                               "    end end\n"
-                               "    if pad.down 'bomb' then bullet.clear() keep = {} end\n"
-                               "    board.note(#keep)\n"
-                               "    wait(1)\n"
-                               "  end\n"
-                               "end)\n";
-    const uint16_t fire[MAX_PLAYERS] = { PAD_FIRE }, bomb[MAX_PLAYERS] = { PAD_BOMB };
-    struct manifest m = rig_manifest();
-    struct rig_game g;
-    struct rig a, b;
-
-    m.lua_kib = 8192;
-    rig_script(&g, &m, text);
-    rig_power(&a, &g, NULL);
-    rig_power(&b, &g, NULL);
-    rig_save(&b); /* small; then the board grows */
-    for (int i = 0; i < 5; i++)
-        rig_tick(&b, fire);
-    rig_restore(&b);
-    same("smaller", 0, &a, &b);
-    for (int i = 0; i < 3; i++) {
-        rig_tick(&a, fire);
-        rig_tick(&b, fire);
+    for (int i = 0; i < 2; i++) {
+        struct rig_game g;
+        struct run run;
+        rig_folder(&g, names[i]);
+        run_make(&run, &g, 6000, 5);
+        go_back(&run, most(6, 1000));
+        run_free(&run);
+        rig_game_free(&g);
     }
-    same("grown", 3, &a, &b);
-    rig_save(&b); /* large; then the board shrinks */
-    for (int i = 0; i < 100; i++)
-        rig_tick(&b, bomb);
-    rig_restore(&b);
-    same("larger", 3, &a, &b);
-    for (int i = 0; i < 100; i++) {
-        rig_tick(&a, i < 50 ? fire : bomb);
-        rig_tick(&b, i < 50 ? fire : bomb);
-        same("after", 4 + (uint32_t)i, &a, &b);
-        if (i % 10 == 0)
-            rig_spoil(&b);
-    }
-    rig_free(&a);
-    rig_free(&b);
-    rig_game_free(&g);
 }
 
 RUN_TESTS(NULL, NULL)

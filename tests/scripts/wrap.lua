@@ -1,0 +1,14 @@
+-- hud.wrap: rows of characters, not of bytes; none begins with a sign that closes.
+local function show(text, columns) print(table.concat(hud.wrap(text, columns), '|')) end
+
+--case: rows
+show('abc def', 7)
+show('abc defg', 7)
+show('été été et', 7)
+show('弾幕弾幕弾 a', 2)
+show('弾幕弾。幕', 3)
+--> abc def
+--> abc|defg
+--> été été|et
+--> 弾幕|弾幕|弾|a
+--> 弾幕|弾。幕
