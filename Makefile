@@ -63,6 +63,7 @@ HOST      := $(if $(findstring mingw,$(CC)),win win_process win_register,$(if $(
 HOST_OBJ  := $(patsubst %,$(OUT)/platform/%.o,stdio $(HOST))
 CORE_OBJ  := $(BOARD_OBJ) $(PROGRAM_OBJ) $(HOST_OBJ) \
              $(if $(findstring sanitize=memory,$(OPT)),$(OUT)/tests/inject/unpoison.o)
+PLAYER_OBJ := $(patsubst %.c,$(OUT)/lib/%.o,$(BOARD_SRC) $(wildcard src/common/*.c src/demo/*.c src/player/*.c src/player/*/*.c))
 GAME_SRC  := $(shell find $(GAME) -type f ! -path '$(GAME)/source/*' 2>/dev/null)
 
 # V=1 shows the commands.
@@ -197,7 +198,6 @@ $(patsubst %,$(OUT)/curtain%,-null -bare -empty) $(OUT)/curtain: $(CORE_OBJ) $(O
 	$(call link,$(LINK_MAP))
 
 # The player without a game, the workbench and the API's help: exports are copies of it.
-PLAYER_OBJ := $(patsubst %.c,$(OUT)/lib/%.o,$(BOARD_SRC) $(wildcard src/common/*.c src/demo/*.c src/player/*.c src/player/*/*.c))
 $(OUT)/curtain-player: $(PLAYER_OBJ) $(HOST_OBJ) $(OUT)/platform/sdl2.o $(OUT)/gen/no_rom.o | $(filter %.o,$(LUA_L))
 	$(call link,$(LINK_MAP) -Wl$(comma)--gc-sections)
 
