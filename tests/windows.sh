@@ -122,6 +122,7 @@ cp "$native" both/linux
 cp "$exe" both/windows.exe
 cp "$native" both/players/curtain-player-linux
 cp "$exe" both/players/curtain-player.exe
+cp "$exe" both/players/curtain.exe # for --keys
 cp "$repo"/build/players/{player.html,curtain_libretro.so} both/players/ || not_ok 'make web, make library: the players'
 both/linux export "$repo/examples/moth" --all -o there
 wine both/windows.exe export "$repo/examples/moth" --all -o here

@@ -74,6 +74,7 @@ merge() { # copy | delete
         fi
     done >/dev/null 2>&1
 }
+wine reg add 'HKCU\Software\Classes' /f >/dev/null 2>&1 # Windows always has it
 classes >classes.before
 said='Curtain games (.rom) now open with this program.
 Curtain replays (.demo) now open with this program.'
