@@ -35,11 +35,20 @@ play() { # GAME ARGUMENT...: standard input are the keys; the pictures are in me
 }
 frames() { "$curtain" verify "${1:-g}" menu.demo | sed -n 's/.*, \([0-9]*\) frames.*/\1/p'; } # [GAME]
 
-# Where a setting is among the settings: presses of Down from the first one.
-place() { "$curtain" help play | sed -n '/^Settings:/,$p' | sed 1d | awk -v name="$1" '$1 == name { print NR - 1 }'; }
-to_setting() { # NAME: from the game on
+# Prints a setting's page and its row there, both from 0. A page starts with one of the settings in `first`.
+place() { # NAME
+    "$curtain" help play | sed -n '/^Settings:/,$p' | sed 1d | awk -v name="$1" -v first=' scale volume dim away ' '
+        index(first, " " $1 " ") { page++; row = 0 }
+        $1 == name { print page - 1, row }
+        $1 !~ /2$/ { row++ }'
+}
+to_setting() { # NAME: from the game to the row of the setting
+    local page row
+    read -r page row < <(place "$1")
     press $ESCAPE $DOWN $ENTER
-    times "$(place "$1")" $DOWN
+    times "$page" $DOWN
+    press $ENTER
+    times "$row" $DOWN
 }
 
 # ---- the board stands ----
@@ -59,7 +68,7 @@ unchanged() { # NAME: with the keys of standard input the recording is the same
 unchanged "a controller's guide button opens and closes it" < <(keys 40; keys 1 c1:$GUIDE; keys 20; keys 1 c1:$GUIDE
     keys 60)
 unchanged 'F1 opens and closes the keys' < <(keys 40; keys 1 $F1; keys 20; keys 1 $F1; keys 60)
-unchanged 'settings are opened and left' < <(to_setting music; press $ESCAPE; keys 1 $ESCAPE; keys 100)
+unchanged 'settings are opened and left' < <(to_setting music; press $ESCAPE $ESCAPE; keys 1 $ESCAPE; keys 100)
 check 'settings without a change write no file' [ ! -e $conf ]
 unchanged 'what is held when it closes is not for the game' < <(keys 40; keys 1 $ESCAPE; keys 9 $Z; keys 1 $Z $ESCAPE
     keys 60 $Z)
@@ -101,17 +110,17 @@ same 'Restart: the first frames again' "$(part straight 1 40)" "$(tail -n 61 men
 # ---- settings ----
 
 printf '# mine\r\n\n volume=40   # low\nmusic = 10\nmusic = 20 # this one' >$conf
-{ to_setting volume; press $RIGHT $RIGHT $LEFT $RIGHT; press $ESCAPE $ESCAPE; to_setting music; press $LEFT
-    press $ESCAPE $ESCAPE; } | play g
+{ to_setting volume; press $RIGHT $RIGHT $LEFT $RIGHT; press $ESCAPE $ESCAPE $ESCAPE; to_setting music
+    press $LEFT $ESCAPE $ESCAPE $ESCAPE; } | play g
 same 'volume and music: two lines are others, and the rest as it was' \
     "$(printf '# mine\r\n\n volume= 60   # low\nmusic = 10\nmusic = 10 # this one')" "$(cat $conf)"
 rm $conf
-{ press $M; to_setting volume; press $LEFT $ESCAPE $ESCAPE; } | play g --scale 3 --fullscreen
+{ press $M; to_setting volume; press $LEFT $ESCAPE $ESCAPE $ESCAPE; } | play g --scale 3 --fullscreen
 same 'what a key or an option changed for now is not saved' 'volume = 90' "$(cat $conf)"
 rm $conf
-{ to_setting speed; press $RIGHT $ESCAPE; keys 1 $ESCAPE; keys 100; } | play g
+{ to_setting speed; times 10 $LEFT; press $ESCAPE $ESCAPE; keys 1 $ESCAPE; keys 100; } | play g
 same 'half the speed, at once, and the demo says so' '50 4' "$(frames) $(flags menu.demo)"
-same 'and it is saved' 'speed = half' "$(cat $conf)"
+same 'and it is saved' 'speed = 50' "$(cat $conf)"
 keys 100 | play g
 same 'for the next time' '50 4' "$(frames) $(flags menu.demo)"
 same 'other runs have no mark' 0 "$(flags straight.demo)"
@@ -134,7 +143,7 @@ unsaved() { # WHY: reported when it happens, and at exit
 change_while() { # COMMAND...: is run between a change of volume and the end of the settings
     : >menu
     { to_setting volume; press $LEFT; } >first
-    { cat first; wait_for menu "$(pictures first)"; "$@" >&2; press $ESCAPE; keys 1 $ESCAPE; keys 80; } | play g
+    { cat first; wait_for menu "$(pictures first)"; "$@" >&2; press $ESCAPE $ESCAPE; keys 1 $ESCAPE; keys 80; } | play g
 }
 change_while settings 'volum = 3'
 same 'a file that has become wrong is reported' "$(unsaved ':1: unknown setting "volum"')" "$(cat err)"
@@ -149,7 +158,7 @@ rm -r data
 unset KEYS_WHOLE
 # From its title: START opens the list, whose last entry is SETTINGS.
 { keys 40; press $ENTER; keys 10; press $UP; keys 1 $Z; keys 1; } >ask
-{ cat ask; press $RIGHT; keys 60; keys 1 $ESCAPE; keys 100; } | play asks
+{ cat ask; press $ENTER $RIGHT; keys 60; press $ESCAPE; keys 1 $ESCAPE; keys 100; } | play asks
 check 'settings, which a game asked for' grep -qx 'scale = 1' $conf
 same 'while they are open the game stands' "$(($(pictures ask) - 1 + 100))" "$(frames asks)"
 last=$(tail -n 1 menu)

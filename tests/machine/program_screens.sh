@@ -79,9 +79,11 @@ for size in 240x320 320x240 384x448; do
         expect_screen no-replays
         press_each $ESCAPE $DOWN $ENTER
         expect_screen settings
-        press_each $DOWN $DOWN $DOWN $DOWN $DOWN $RIGHT
+        press_each $ENTER $DOWN $DOWN $DOWN $DOWN $DOWN $RIGHT
         expect_screen settings-changed
-        press_each $ESCAPE $DOWN $ENTER
+        press_each $ESCAPE $DOWN $DOWN $ENTER
+        expect_screen accessibility
+        press_each $ESCAPE $ESCAPE $DOWN $ENTER
         expect_screen keys
         check "the setting is written" grep -qx 'border = no' data/curtain/curtain.conf
         begin pieces $size "$turn"

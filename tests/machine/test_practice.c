@@ -456,7 +456,7 @@ static void begin_menu(const struct board_start *start, int slow)
 static void open_menu(const struct board_start *start)
 {
     screens = (struct screens){ 0 };
-    menu = (struct practice_menu){ .cart = &game.cart, .home = *start, .slow = 1 };
+    menu = (struct practice_menu){ .cart = &game.cart, .home = *start, .speed = 100 };
     memset(&menu.home.practice, 0, sizeof menu.home.practice);
     begin_menu(start, 1);
     held(0);
@@ -489,13 +489,13 @@ TEST(menu)
     assert_int_equal(got.practice.register_count, 0);
     assert_false(got.practice.invincible);
     assert_int_equal(got.seed, 77);
-    begin_menu(&got, 2);
+    begin_menu(&got, 50);
     held(0);
-    assert_int_equal(menu.slow, 2);
+    assert_int_equal(menu.speed, 50);
     /* Over the line between, from the section that was played: speed, hitbox, invincible, power, bombs, lives. */
     assert_int_equal(TAP(up, up, right, up, fire, up, left, up, right, up, (uint16_t)(left | PAD_FOCUS)), STAYS);
     assert_int_equal(TAP(up, (uint16_t)(right | PAD_FOCUS), right, up, right, fire), STAYS);
-    assert_int_equal(menu.slow, 4);
+    assert_int_equal(menu.speed, 55);
     assert_true(menu.hitbox);
     assert_int_equal(TAP(up, up, up, fire), STARTS); /* the title, round the end: the knight's heading is passed over */
     practice_chosen(&menu, &got);

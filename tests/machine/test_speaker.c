@@ -89,14 +89,14 @@ static const char steady[] = "music.play('tide')";
 static void tick(void)
 {
     rig_run(&rig, 1);
-    speaker_add_frame(&speaker, rig.b, SPEAKER_FORWARD, 1);
+    speaker_add_frame(&speaker, rig.b, SPEAKER_FORWARD);
 }
 
 static void frame(int ticks, double late, double lost)
 {
     for (int i = 0; i < ticks; i++)
         tick();
-    const struct speaker_elapsed time = { ticks ? ticks : 1, 1, (uint64_t)late, (uint64_t)lost };
+    const struct speaker_elapsed time = { ticks ? ticks : 1, 100, (uint64_t)late, (uint64_t)lost };
     speaker_advance(&speaker, &time);
 }
 
@@ -333,7 +333,7 @@ TEST(restore)
 /* Back in time: each block is turned round, and they follow one another to the bit. */
 TEST(rewind)
 {
-    const struct speaker_elapsed time = { 1, 1, 0, 0 };
+    const struct speaker_elapsed time = { 1, 100, 0, 0 };
     uint8_t *saved[60];
 
     exact(100);
@@ -344,7 +344,7 @@ TEST(rewind)
     }
     for (int i = 58; i >= 30; i--) {
         board_restore(rig.b, saved[i]);
-        speaker_add_frame(&speaker, rig.b, SPEAKER_REVERSE, 1);
+        speaker_add_frame(&speaker, rig.b, SPEAKER_REVERSE);
         speaker_advance(&speaker, &time);
         pass(sixtieth);
     }
@@ -366,7 +366,7 @@ TEST(rewind)
 TEST(slow_motion)
 {
     for (int slow = 2; slow <= 4; slow *= 2) {
-        const struct speaker_elapsed time = { 1, slow, 0, 0 };
+        const struct speaker_elapsed time = { 1, 100 / slow, 0, 0 };
 
         (void)state;
         exact(100);
@@ -374,7 +374,7 @@ TEST(slow_motion)
         for (int i = 0; i < 80; i++) {
             if (i % slow == slow - 1) { /* as play.c does: the tick comes last */
                 rig_run(&rig, 1);
-                speaker_add_frame(&speaker, rig.b, SPEAKER_FORWARD, slow);
+                speaker_add_frame(&speaker, rig.b, SPEAKER_FORWARD);
             }
             speaker_advance(&speaker, &time);
             pass(sixtieth);
@@ -388,6 +388,32 @@ TEST(slow_motion)
         const int16_t *got = heard(20) + 2 * lead, *want = unbroken + 20 * 1600;
         for (int i = SPEAKER_CROSSFADE; i < 4 * SPEAKER_BLOCK; i++)
             assert_int_equal(got[2 * (slow * i + (slow - 1) * RESAMPLE_AFTER)], want[2 * i]);
+        done();
+    }
+}
+
+/* Any other speed: no gap, and the queue stays at its length. */
+TEST(any_speed)
+{
+    for (int speed = 25; speed < 100; speed += 5) {
+        const struct speaker_elapsed time = { 1, speed, 0, 0 };
+
+        (void)state;
+        exact(200);
+        even(20);
+        for (int i = 0, due = 0; i < 120; i++) {
+            due += speed;
+            if (due >= 100) {
+                due -= 100;
+                rig_run(&rig, 1);
+                speaker_add_frame(&speaker, rig.b, SPEAKER_FORWARD);
+            }
+            speaker_advance(&speaker, &time);
+            pass(sixtieth);
+            assert_true(card.queued + TAKEN > SPEAKER_TARGET_QUEUE - 256 &&
+                        card.queued + TAKEN < SPEAKER_TARGET_QUEUE + 256);
+        }
+        assert_int_equal(card.gaps, 0);
         done();
     }
 }

@@ -72,7 +72,7 @@ TEST(a_new_line_comes_at_the_end)
 {
     edits("", "volume = 70", "volume = 70\n");
     edits("scale = 2\r\nvolume = 5 # low\r\n", "scale = 3\nvolume = 6", "scale = 3\r\nvolume = 6 # low\r\n");
-    edits("scale = 2\n", "scale = 2\nspeed = half\nlang = de", "scale = 2\nspeed = half\nlang = de\n");
+    edits("scale = 2\n", "scale = 2\nspeed = 50\nlang = de", "scale = 2\nspeed = 50\nlang = de\n");
     edits("scale = 2", "scale = 5\np2.bomb = none", "scale = 5\np2.bomb = none\n");
     edits("lang = de\n", "", "lang =\n");
 }

@@ -37,7 +37,7 @@ static const struct action {
     { "p2.select", "Select", "3 kp- pad.select", "" },
     { "pause", "Pause", "p pause", "pause or resume" },
     { "step", "Frame Advance", "period", "go one frame forward and pause" },
-    { "slow", "Slow Motion", "comma", "switch between half, quarter and full speed" },
+    { "slow", "Slow Motion", "comma", "halve the game speed; below a quarter: full speed" },
     { "turbo", "Fast-Forward", "slash", "run as fast as possible while held" },
     { "rewind", "Rewind", "backspace", "go back in time while held" },
     { "back", "Frame Back", "b", "go one frame back and pause" },

@@ -58,7 +58,7 @@ static struct speaker_elapsed take_frames(struct play *play, uint64_t now)
 
 static void play_frame_audio(struct play *play, struct speaker_elapsed *time)
 {
-    time->slow = play->time.slow;
+    time->speed = play->time.rewinding || play->time.quiet ? PLAY_FULL_SPEED : play->time.speed;
     time->late = clock_since(time->late);
     speaker_advance(&play->speaker, time);
     play->speaker.metering = play->overlay.on[OVERLAY_MIXER];
@@ -87,11 +87,20 @@ static void rewind_by(struct play *play, int frames)
     }
 }
 
-/* Returns whether the board ticks in this frame of slow motion. */
-static bool slow_tick_due(struct play_time *time)
+void play_set_speed(struct play *play, int percent)
 {
-    time->slow_frames = (time->slow_frames + 1) % time->slow;
-    return time->slow_frames == 0;
+    if (percent != play->time.speed)
+        play_mark_assisted(play);
+    play->time.speed = percent;
+}
+
+/* Returns whether the board ticks in this frame. */
+static bool tick_due(struct play_time *time)
+{
+    const bool due = (time->due += time->speed) >= PLAY_FULL_SPEED;
+
+    time->due -= due ? PLAY_FULL_SPEED : 0;
+    return due;
 }
 
 /* Presses accumulate in pads.held until a tick has seen them; those of a pause are dropped. */
@@ -113,7 +122,7 @@ static void run(struct play *play, int frames, const struct keys_state *k, uint6
         else if (fast && !time->paused)
             turbo(play, now);
         for (int i = 0; i < frames && !time->paused && !fast; i++)
-            if (slow_tick_due(time)) {
+            if (tick_due(time)) {
                 play_tick(play);
                 clear = true;
             }
@@ -298,7 +307,7 @@ bool play_power_on(struct play *play)
     if (!o->demo)
         practice_start_run(&play->practice, &play->start);
     play_check_recording(play, !play->session.err[0]);
-    if (play->time.slow > 1 && !o->demo)
+    if (play->time.speed < PLAY_FULL_SPEED && !o->demo)
         play_mark_assisted(play);
     play_log_output(play);
     play_report_fault(play);
@@ -317,7 +326,7 @@ void play_start(struct play *play)
     play->saved_config = *c;
     speaker_open(&play->speaker, c->volume, o->mute || c->mute, !c->resample);
     speaker_set_levels(&play->speaker, c->music, c->sounds);
-    play->time.slow = 1 << c->speed;
+    play->time.speed = c->speed;
     c->scale = o->scale ? o->scale : c->scale;
     c->fullscreen = o->fullscreen || c->fullscreen;
     play_pads_open(play);

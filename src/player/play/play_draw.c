@@ -78,7 +78,7 @@ void play_look_ahead(struct play *play)
 {
     const struct play_time *time = &play->time;
     const bool live = time->ticked && !play->session.demo && !play->attract.on && !time->paused && !time->rewinding &&
-                      time->slow == 1 && play->session.state == SESSION_PLAYING;
+                      time->speed == PLAY_FULL_SPEED && play->session.state == SESSION_PLAYING;
 
     if (play->config.run_ahead && live && !screens_are_open(&play->screens) && !play->console.open && !play->quit &&
         !play_fault(play))
@@ -118,8 +118,8 @@ static void message_text(struct play *play, char *text, size_t size)
         snprintf(text, size, "Rewind: frame %u", (unsigned)at);
     else if (play->time.paused)
         snprintf(text, size, "Paused at frame %u", (unsigned)at);
-    else if (play->time.slow > 1)
-        snprintf(text, size, "1/%d speed: frame %u", play->time.slow, (unsigned)at);
+    else if (play->time.speed < PLAY_FULL_SPEED)
+        snprintf(text, size, "%d%% speed", play->time.speed);
 }
 
 /* Returns whether a page is shown: a fault, or a failed reload. */

@@ -6,7 +6,7 @@
 #include "play_state.h"
 #include "timebar.h"
 
-enum { MAX_SLOW = 4, VOLUME_STEP = 10 /* percent */ };
+enum { MIN_SPEED = 25, VOLUME_STEP = 10 /* percent */ };
 
 /* ---- keys ---- */
 
@@ -54,10 +54,8 @@ static void speed_keys(struct play *play, const struct keys_state *k)
         time->paused = !time->paused;
     if (keys_pressed(k, HOTKEY_FRAME_ADVANCE))
         time->paused = time->step = true;
-    if (keys_pressed(k, HOTKEY_SLOW)) {
-        play_mark_assisted(play);
-        time->slow = time->slow == MAX_SLOW ? 1 : time->slow * 2;
-    }
+    if (keys_pressed(k, HOTKEY_SLOW))
+        play_set_speed(play, time->speed / 2 >= MIN_SPEED ? time->speed / 2 : PLAY_FULL_SPEED);
 }
 
 /* The keys that move in time. */

@@ -49,10 +49,10 @@ void play_reset_run(struct play *play, const struct board_start *start)
     play->nvram.saved_count = 0;
     play->report.fault_reported = play->seek.used = play->replay.taken_over = false;
     time->paused = time->waits_for_button = false;
-    time->slow_frames = play->seek.bar_frames = 0;
+    time->due = play->seek.bar_frames = 0;
     memset(play->pads.held, 0, sizeof play->pads.held);
     play_pads_power(&play->pads);
-    if (time->slow > 1 && !play->session.demo)
+    if (time->speed < PLAY_FULL_SPEED && !play->session.demo)
         play_mark_assisted(play);
 }
 
@@ -122,7 +122,7 @@ void play_open_practice(struct play *play)
         return;
     attract_end(&play->attract);
     play->practice.hitbox = play->overlay.on[OVERLAY_HITBOXES];
-    practice_open(&play->practice, &play->screens, play->time.slow);
+    practice_open(&play->practice, &play->screens, play->time.speed);
 }
 
 void play_practice_keys(struct play *play, const struct keys_state *k)
@@ -143,9 +143,7 @@ void play_practice_poll(struct play *play)
     struct practice_menu *menu = &play->practice;
     struct board_start start;
 
-    if (menu->slow != play->time.slow)
-        play_mark_assisted(play);
-    play->time.slow = menu->slow;
+    play_set_speed(play, menu->speed);
     play->overlay.on[OVERLAY_HITBOXES] = menu->hitbox;
     if (!menu->start_chosen)
         return;

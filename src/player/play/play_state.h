@@ -29,10 +29,10 @@
 
 enum {
     PLAY_NAME_SIZE = 96,       /* bytes of a file's name */
+    PLAY_FULL_SPEED = 100,     /* percent; 60 ticks a second */
     MESSAGE_FRAMES = 180,      /* how long a message is shown */
     MESSAGE_STAYS = INT32_MAX, /* until another one replaces it */
-    MESSAGE_UNTIL_RELOAD = -1, /* shown as a page until a reload works */
-    SETTINGS_ROWS = 96
+    MESSAGE_UNTIL_RELOAD = -1  /* shown as a page until a reload works */
 };
 
 /* play.c: time in the game. */
@@ -43,9 +43,9 @@ struct play_time {
     bool waits_for_button; /* the pause ends when a button is pressed */
     bool stopped;          /* the board does not tick in this frame, because a screen is open or was */
     bool rewinding;
-    bool quiet;      /* ticks make no sound: single steps, or turbo */
-    int slow;        /* frames per tick: 1, 2, 4 */
-    int slow_frames; /* since the last tick */
+    bool quiet; /* ticks make no sound: single steps, or turbo */
+    int speed;  /* percent of full speed: 25 to 100 */
+    int due;    /* percent of a tick that has passed since the last one */
 };
 
 /* play_tick.c: a second board, which shows an attract demo while the live one waits. */
@@ -240,18 +240,6 @@ struct resume_offer {
     bool changed;  /* the game has changed since */
 };
 
-/* screen_settings.c. */
-enum settings_row { SETTINGS_GROUP, SETTINGS_VALUE, SETTINGS_LANGUAGE, SETTINGS_TO_KEYS };
-
-struct settings_list {
-    struct {
-        enum settings_row kind;
-        const struct config_setting *setting; /* of a value; the first one of a group */
-    } row[SETTINGS_ROWS];
-    int rows;
-    char lang[16]; /* when the screen was opened */
-};
-
 struct play {
     struct play_options options;
     struct config config, saved_config; /* in use; in the file, or about to be written */
@@ -297,8 +285,9 @@ struct play {
     struct key_capture key_capture;
     struct replay_list replay_list;
     struct resume_offer resume_offer;
-    struct settings_list settings_list;
-    uint32_t controllers_held[PLAT_MAX_CONTROLLERS]; /* screen_controllers.c: buttons, also of unassigned ones */
+    const char *settings_page;                          /* screen_settings.c: the open page of settings */
+    char lang_before[sizeof((struct config *)0)->lang]; /* when the settings were opened */
+    uint32_t controllers_held[PLAT_MAX_CONTROLLERS];    /* screen_controllers.c: buttons, also of unassigned ones */
 };
 
 /* ---- play.c ---- */
@@ -309,6 +298,9 @@ bool play_power_on(struct play *play);
 
 /* Starts with the loaded settings: powers on, or waits for a folder. */
 void play_start(struct play *play);
+
+/* Changes the speed, in percent; a recording in progress is marked as assisted. */
+void play_set_speed(struct play *play, int percent);
 
 /* ---- play_wait.c ---- */
 

@@ -5,6 +5,7 @@
 
 #include <stdio.h>
 #include <string.h>
+#include "../../base/int.h"
 
 /* ---- rows ---- */
 
@@ -75,7 +76,7 @@ static int difficulty_of(const struct practice_menu *m, const struct board_start
 
 void practice_init(struct practice_menu *m, const struct cart *cart, const struct board_start *start)
 {
-    *m = (struct practice_menu){ .cart = cart, .home = *start, .start = *start, .slow = 1 };
+    *m = (struct practice_menu){ .cart = cart, .home = *start, .start = *start, .speed = 100 };
     memset(&m->home.practice, 0, sizeof m->home.practice);
     records_load(&m->records, cart->manifest.id);
 }
@@ -225,7 +226,7 @@ static void change(void *context, int at, int by)
         m->hitbox = !m->hitbox;
         break;
     case ROW_SPEED:
-        m->slow = direction > 0 ? (m->slow == 4 ? 1 : m->slow * 2) : (m->slow == 1 ? 4 : m->slow / 2);
+        m->speed = int_max(25, int_min(m->speed + 5 * direction, 100));
         break;
     default:
         break;
@@ -290,7 +291,6 @@ static void describe_section(const struct practice_menu *m, const struct section
 
 static void describe_setting(const struct practice_menu *m, struct row r, struct screen_row *row)
 {
-    static const char *const speeds[] = { "", "100%", "50%", "", "25%" };
     static const char *const names[] = { "", "Difficulty", "Lives", "", "Invincible", "Show Hitboxes", "Speed" };
 
     snprintf(row->label, sizeof row->label, "%s", r.kind == ROW_REGISTER ? m->sections.reg[r.i].name : names[r.kind]);
@@ -313,7 +313,7 @@ static void describe_setting(const struct practice_menu *m, struct row r, struct
         snprintf(row->value, sizeof row->value, "%s", m->hitbox ? "On" : "Off");
         break;
     default:
-        snprintf(row->value, sizeof row->value, "%s", speeds[m->slow]);
+        snprintf(row->value, sizeof row->value, "%d%%", m->speed);
     }
 }
 
@@ -340,14 +340,14 @@ const struct screen_def practice_screen = {
     .title = "Practice", .text = text, .rows = count, .row = describe, .change = change, .accept = accept
 };
 
-void practice_open(struct practice_menu *m, struct screens *screens, int slow)
+void practice_open(struct practice_menu *m, struct screens *screens, int speed)
 {
     if (!m->listed)
         list(m);
     take_settings(m);
     m->screens = screens;
     m->start_chosen = false;
-    m->slow = slow;
+    m->speed = speed;
     screens_open(screens, &practice_screen, m);
     screens_choose(screens, row_of(m, m->section));
 }

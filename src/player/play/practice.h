@@ -28,7 +28,7 @@ struct practice_menu {
     bool listed;
     bool start_chosen; /* since it was opened: the caller powers the board on with practice_chosen's start */
     struct sections sections;
-    int difficulty, lives, slow;           /* lives 0: the ship's own; slow: 1, 2, 4 frames a tick */
+    int difficulty, lives, speed;          /* lives 0: the ship's own; speed: percent */
     int32_t value[PRACTICE_MAX_REGISTERS]; /* of sections.reg */
     bool invincible, hitbox;               /* hitbox: show hit shapes */
     char section[64];                      /* of the section last started; "": none, or the game from its title */
@@ -52,9 +52,9 @@ void practice_reloaded(struct practice_menu *m, const struct cart *cart);
 
 extern const struct screen_def practice_screen;
 
-/* Opens the menu above the open screens, and lists the game's sections the first time. slow: the present setting. The
+/* Opens the menu above the open screens, and lists the game's sections the first time. speed: the present setting. The
  * menu closes all screens when something is chosen. */
-void practice_open(struct practice_menu *m, struct screens *screens, int slow);
+void practice_open(struct practice_menu *m, struct screens *screens, int speed);
 
 /* The chosen start: the present run's with another difficulty and practice settings, or that of the game at its title,
  * which has no practice.section. The caller sets its nvram. */

@@ -1,38 +1,117 @@
 /*
- * screen_settings.c - the settings: the table of config.c, the language, and a row that opens the key bindings. A
- * change takes effect at once; the file is written when the screen is closed.
+ * screen_settings.c - the settings: a page for each group in the table of config.c, key bindings, controllers, and the
+ * language. A change takes effect at once; the file is written when the page is closed.
  */
 #include <stdio.h>
 #include <string.h>
 #include "play_state.h"
 #include "../../../platform/platform.h"
 
-static void add(struct settings_list *l, enum settings_row kind, const struct config_setting *s)
+static void save_on_close(void *context)
 {
-    if (l->rows == SETTINGS_ROWS)
-        return;
-    l->row[l->rows].kind = kind;
-    l->row[l->rows++].setting = s;
+    play_save_settings(context);
 }
 
-static void make_list(struct settings_list *l, const struct cart *cart)
-{
-    const struct config_setting *s, *before = NULL;
+/* ---- a page: the settings with the same `page` ---- */
 
-    l->rows = 0;
-    for (int i = 0; (s = config_setting(i)) != NULL; i++, before = s) {
-        if (!before || strcmp(before->group, s->group) != 0)
-            add(l, SETTINGS_GROUP, s);
-        add(l, SETTINGS_VALUE, s);
+/* Settings of player 2 have names that end with 2. They are shown in games for two players. */
+static bool is_shown(const struct play *play, const struct config_setting *s)
+{
+    const bool second = s->name[strlen(s->name) - 1] == '2';
+
+    return strcmp(s->page, play->settings_page) == 0 && (!second || play_cart(play)->manifest.players > 1);
+}
+
+/* Returns the setting in that row, or NULL after the last one. */
+static const struct config_setting *setting_at(const struct play *play, int at)
+{
+    const struct config_setting *s;
+
+    for (int i = 0; (s = config_setting(i)) != NULL; i++)
+        if (is_shown(play, s) && at-- == 0)
+            return s;
+    return NULL;
+}
+
+static int page_rows(void *context)
+{
+    int n = 0;
+
+    while (setting_at(context, n))
+        n++;
+    return n;
+}
+
+static void page_row(void *context, int at, struct screen_row *row)
+{
+    const struct play *play = context;
+    const struct config_setting *s = setting_at(play, at);
+
+    config_label(&play->config, s, row->value, sizeof row->value);
+    snprintf(row->label, sizeof row->label, "%s", s->label);
+    screen_sentence(row->help, sizeof row->help, s->help);
+    row->changes = true;
+}
+
+/* Words wrap around; numbers stop at the limits. */
+static void page_change(void *context, int at, int by)
+{
+    struct play *play = context;
+    const struct config_setting *s = setting_at(play, at);
+    const int v = config_value(&play->config, s), n = s->hi - s->lo + 1;
+
+    config_put(&play->config, s, s->words ? s->lo + (v - s->lo + (by < 0 ? -1 : 1) + n) % n : v + by * s->step);
+    config_put(&play->saved_config, s, config_value(&play->config, s));
+    play_apply_settings(play);
+}
+
+#define PAGE(title_)                                                                                                   \
+    {                                                                                                                  \
+        .title = (title_), .rows = page_rows, .row = page_row, .change = page_change, .closed = save_on_close          \
     }
-    if (cart->count[CART_LANGS] > 0)
-        add(l, SETTINGS_LANGUAGE, NULL);
-    add(l, SETTINGS_TO_KEYS, NULL);
+static const struct screen_def display_page = PAGE("Display"), sound_page = PAGE("Sound"),
+                               accessibility_page = PAGE("Accessibility"), gameplay_page = PAGE("Gameplay");
+#undef PAGE
+
+/* ---- the list of pages ---- */
+
+static const struct {
+    const char *label, *help;
+    const struct screen_def *page; /* of settings; otherwise: */
+    void (*open)(struct play *play);
+} entries[] = {
+    { "Display", "The window, scaling, and the picture's look.", &display_page, NULL },
+    { "Sound", "Volume of music and sound effects.", &sound_page, NULL },
+    { "Accessibility", "Backgrounds, flashes, colours, game speed, autofire, and play with one hand.",
+      &accessibility_page, NULL },
+    { "Gameplay", "Pausing, replays, and unfinished runs.", &gameplay_page, NULL },
+    { "Key Bindings", "Change what each key and button does.", NULL, play_open_keys },
+    { "Controllers", "Choose which player uses each controller, and test its buttons.", NULL, play_open_controllers },
+};
+
+enum { LANGUAGE = sizeof entries / sizeof *entries }; /* the last row, in games with more than one language */
+
+static int rows(void *context)
+{
+    return LANGUAGE + (play_cart(context)->count[CART_LANGS] > 0);
 }
 
-/* ---- language ---- */
+static void describe(void *context, int at, struct screen_row *row)
+{
+    const struct play *play = context;
 
-/* The language's number, from 1 on; 0: the strings in the scripts. */
+    if (at < LANGUAGE) {
+        snprintf(row->label, sizeof row->label, "%s", entries[at].label);
+        snprintf(row->help, sizeof row->help, "%s", entries[at].help);
+        return;
+    }
+    snprintf(row->label, sizeof row->label, "Language");
+    snprintf(row->value, sizeof row->value, "%s", play->config.lang[0] ? play->config.lang : "Default");
+    snprintf(row->help, sizeof row->help, "Takes effect when the game restarts.");
+    row->changes = true;
+}
+
+/* Returns the language's number, from 1; 0: the strings in the scripts. */
 static int lang_number(const struct cart *cart, const char *name)
 {
     for (int i = 0; i < cart->count[CART_LANGS]; i++)
@@ -41,98 +120,46 @@ static int lang_number(const struct cart *cart, const char *name)
     return 0;
 }
 
-static void change_lang(struct play *play, int by)
+/* Only the language's row changes. */
+static void change_lang(void *context, int at, int by)
 {
+    struct play *play = context;
     const struct cart *cart = play_cart(play);
     struct config *c = &play->config;
     const int n = cart->count[CART_LANGS] + 1, to = (lang_number(cart, c->lang) + (by < 0 ? -1 : 1) + n) % n;
 
+    (void)at;
     snprintf(c->lang, sizeof c->lang, "%s", to ? cart_name(cart, CART_LANGS, to - 1) : "");
     memcpy(play->saved_config.lang, c->lang, sizeof c->lang);
-}
-
-/* ---- rows ---- */
-
-static int rows(void *context)
-{
-    return ((struct play *)context)->settings_list.rows;
-}
-
-static void describe_value(struct play *play, const struct config_setting *s, struct screen_row *row)
-{
-    config_label(&play->config, s, row->value, sizeof row->value);
-    snprintf(row->label, sizeof row->label, "%s", s->label);
-    screen_sentence(row->help, sizeof row->help, s->help);
-    row->changes = true;
-}
-
-static void describe(void *context, int at, struct screen_row *row)
-{
-    struct play *play = context;
-
-    switch (play->settings_list.row[at].kind) {
-    case SETTINGS_GROUP:
-        snprintf(row->label, sizeof row->label, "%s", play->settings_list.row[at].setting->group);
-        row->heading = true;
-        break;
-    case SETTINGS_VALUE:
-        describe_value(play, play->settings_list.row[at].setting, row);
-        break;
-    case SETTINGS_LANGUAGE:
-        snprintf(row->label, sizeof row->label, "Language");
-        snprintf(row->value, sizeof row->value, "%s", play->config.lang[0] ? play->config.lang : "Default");
-        snprintf(row->help, sizeof row->help, "Takes effect when the game restarts.");
-        row->changes = true;
-        break;
-    case SETTINGS_TO_KEYS:
-        snprintf(row->label, sizeof row->label, "Key Bindings");
-        snprintf(row->help, sizeof row->help, "Change what each key and button does.");
-        break;
-    }
-}
-
-/* The next value. Words wrap around; numbers stop at the limits. */
-static void change_value(struct play *play, const struct config_setting *s, int by)
-{
-    const int v = config_value(&play->config, s), n = s->hi - s->lo + 1;
-
-    config_put(&play->config, s, s->words ? s->lo + (v - s->lo + (by < 0 ? -1 : 1) + n) % n : v + by * s->step);
-    config_put(&play->saved_config, s, config_value(&play->config, s));
-    play_apply_settings(play);
-}
-
-static void change(void *context, int at, int by)
-{
-    struct play *play = context;
-
-    if (play->settings_list.row[at].kind == SETTINGS_VALUE)
-        change_value(play, play->settings_list.row[at].setting, by);
-    else if (play->settings_list.row[at].kind == SETTINGS_LANGUAGE)
-        change_lang(play, by);
 }
 
 static void accept(void *context, int at)
 {
     struct play *play = context;
 
-    if (play->settings_list.row[at].kind == SETTINGS_TO_KEYS)
-        play_open_keys(play);
+    if (!entries[at].page) {
+        entries[at].open(play);
+        return;
+    }
+    play->settings_page = entries[at].page->title;
+    screens_open(&play->screens, entries[at].page, play);
 }
 
 static void closed(void *context)
 {
     struct play *play = context;
-    const bool changed = strcmp(play->config.lang, play->settings_list.lang) != 0;
 
+    if (strcmp(play->config.lang, play->lang_before) == 0)
+        return;
     play_save_settings(play);
-    if (play->quit || play->session.demo || !changed)
+    if (play->quit || play->session.demo)
         return;
     screens_ask(&play->screens, "Restart now to change the language? The current run ends.", "Restart", play_restart,
                 play);
 }
 
 static const struct screen_def settings = {
-    .title = "Settings", .rows = rows, .row = describe, .change = change, .accept = accept, .closed = closed
+    .title = "Settings", .rows = rows, .row = describe, .change = change_lang, .accept = accept, .closed = closed
 };
 
 /* ---- opening, saving, applying ---- */
@@ -141,9 +168,8 @@ void play_open_settings(struct play *play)
 {
     play->config.volume = play->speaker.volume; /* keys may have changed these temporarily */
     play->config.mute = play->speaker.muted;
-    play->config.speed = play->time.slow == 4 ? 2 : play->time.slow - 1;
-    memcpy(play->settings_list.lang, play->config.lang, sizeof play->settings_list.lang);
-    make_list(&play->settings_list, play_cart(play));
+    play->config.speed = play->time.speed;
+    memcpy(play->lang_before, play->config.lang, sizeof play->lang_before);
     screens_open(&play->screens, &settings, play);
 }
 
@@ -166,14 +192,11 @@ void play_save_settings(struct play *play)
 void play_apply_settings(struct play *play)
 {
     const struct config *c = &play->config;
-    const int slow = 1 << c->speed;
 
     play_pads_apply(play);
     play->speaker.volume = c->volume;
     play->speaker.muted = c->mute;
     speaker_set_levels(&play->speaker, c->music, c->sounds);
-    if (slow != play->time.slow)
-        play_mark_assisted(play);
-    play->time.slow = slow;
+    play_set_speed(play, c->speed);
     play_update_window(play);
 }

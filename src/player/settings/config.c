@@ -18,7 +18,6 @@ static const char *const hand_words[] = { "no", "left", "right", NULL }; /* enum
 static const char *const turns[] = { "none", "left", "right", "over", NULL };
 static const char *const scalings[] = { "whole", "smooth", NULL };
 static const char *const places[] = { "over", "beside", NULL };
-static const char *const speeds[] = { "full", "half", "quarter", NULL };
 
 /* The same values on the settings screen. */
 static const char *const off_on[] = { "Off", "On" };
@@ -28,7 +27,6 @@ static const char *const hand_labels[] = { "Off", "Left", "Right" };
 static const char *const turn_labels[] = { "Off", "Left", "Right", "Upside Down" };
 static const char *const scaling_labels[] = { "Integer", "Smooth" };
 static const char *const place_labels[] = { "Over Picture", "Beside Picture" };
-static const char *const speed_labels[] = { "100%", "50%", "25%" };
 static const char *const dim_labels[] = { "Off", "25%", "50%", "75%" };
 static const char *const flash_labels[] = { "Full", "Soft" };
 static const char *const colour_labels[] = { "Off", "Protan", "Deutan", "Tritan" };
@@ -53,6 +51,13 @@ static const struct config_setting settings[] = {
       NULL },
     { "run_ahead", "Run-Ahead", "Display", AT(run_ahead), 0, 1, 0, NULL, NULL, 1,
       "show the next frame early: one frame less input latency", " frame", "Off" },
+    { "volume", "Volume", "Sound", AT(volume), 0, 100, 100, NULL, NULL, 10, "overall volume, in percent", "%", NULL },
+    { "music", "Music", "Sound", AT(music), 0, 100, 100, NULL, NULL, 10, "music volume, in percent", "%", NULL },
+    { "sounds", "Sound Effects", "Sound", AT(sounds), 0, 100, 100, NULL, NULL, 10,
+      "volume of everything except music, in percent", "%", NULL },
+    { "mute", "Mute", "Sound", AT(mute), 0, 1, 0, no_yes, off_on, 1, "turn all sound off", NULL, NULL },
+    { "resample", "Resample", "Sound", AT(resample), 0, 1, 1, no_yes, off_on, 1,
+      "yes: resample to the game's clock; no: bit-exact sound", NULL, NULL },
     { "dim", "Dim Backgrounds", "Accessibility", AT(dim), 0, 3, 0, views_dim, dim_labels, 1,
       "darken backgrounds by a quarter to three quarters", NULL, NULL },
     { "flashes", "Flashes", "Accessibility", AT(flashes), 0, 1, 0, views_flashes, flash_labels, 1,
@@ -61,13 +66,20 @@ static const struct config_setting settings[] = {
       "colours that are easier to tell apart", NULL, NULL },
     { "hitbox", "Show Hitbox", "Accessibility", AT(hitbox), 0, 1, 0, no_yes, off_on, 1, "always show the ship's hitbox",
       NULL, NULL },
-    { "volume", "Volume", "Sound", AT(volume), 0, 100, 100, NULL, NULL, 10, "overall volume, in percent", "%", NULL },
-    { "music", "Music", "Sound", AT(music), 0, 100, 100, NULL, NULL, 10, "music volume, in percent", "%", NULL },
-    { "sounds", "Sound Effects", "Sound", AT(sounds), 0, 100, 100, NULL, NULL, 10,
-      "volume of everything except music, in percent", "%", NULL },
-    { "mute", "Mute", "Sound", AT(mute), 0, 1, 0, no_yes, off_on, 1, "turn all sound off", NULL, NULL },
-    { "resample", "Resample", "Sound", AT(resample), 0, 1, 1, no_yes, off_on, 1,
-      "yes: resample to the game's clock; no: bit-exact sound", NULL, NULL },
+    { "speed", "Game Speed", "Accessibility", AT(speed), 25, 100, 100, NULL, NULL, 5,
+      "slow the game down; the run is marked as assisted", "%", NULL },
+    { "autofire", "Autofire", "Accessibility", AT(autofire[0]), 0, 1, 0, no_yes, off_on, 1,
+      "holding fire shoots 15 times a second", NULL, NULL },
+    { "focus", "Focus", "Accessibility", AT(focus[0]), 0, 1, 0, focus_words, focus_labels, 1,
+      "toggle: pressing the focus button turns focus on or off", NULL, NULL },
+    { "one_hand", "One-Handed", "Accessibility", AT(one_hand[0]), 0, 2, 0, hand_words, hand_labels, 1,
+      "use half of the keyboard or controller; fire is automatic", NULL, NULL },
+    { "autofire2", "Autofire (P2)", "Accessibility", AT(autofire[1]), 0, 1, 0, no_yes, off_on, 1,
+      "autofire for player 2", NULL, NULL },
+    { "focus2", "Focus (P2)", "Accessibility", AT(focus[1]), 0, 1, 0, focus_words, focus_labels, 1,
+      "focus mode for player 2", NULL, NULL },
+    { "one_hand2", "One-Handed (P2)", "Accessibility", AT(one_hand[1]), 0, 2, 0, hand_words, hand_labels, 1,
+      "one-handed layout for player 2", NULL, NULL },
     { "away", "When Unfocused", "Gameplay", AT(away), 0, 1, 1, aways, away_labels, 1,
       "stop: pause when focus is lost; go-on: keep playing", NULL, NULL },
     { "keep_replays", "Saved Replays", "Gameplay", AT(replays), 0, 1000, 50, NULL, NULL, 10,
@@ -76,20 +88,6 @@ static const struct config_setting settings[] = {
       "save an unfinished run and offer to resume it next time", NULL, NULL },
     { "capture_seconds", "Clip Length", "Gameplay", AT(capture_seconds), 5, 60, 10, NULL, NULL, 5,
       "number of seconds that the clip key saves as a GIF", " s", NULL },
-    { "speed", "Game Speed", "Gameplay", AT(speed), 0, 2, 0, speeds, speed_labels, 1,
-      "game speed; runs below full speed are marked as assisted", NULL, NULL },
-    { "autofire", "Autofire", "Player 1", AT(autofire[0]), 0, 1, 0, no_yes, off_on, 1,
-      "holding fire shoots 15 times a second", NULL, NULL },
-    { "focus", "Focus", "Player 1", AT(focus[0]), 0, 1, 0, focus_words, focus_labels, 1,
-      "toggle: pressing the focus button turns focus on or off", NULL, NULL },
-    { "one_hand", "One-Handed", "Player 1", AT(one_hand[0]), 0, 2, 0, hand_words, hand_labels, 1,
-      "use half of the keyboard or controller; fire is automatic", NULL, NULL },
-    { "autofire2", "Autofire", "Player 2", AT(autofire[1]), 0, 1, 0, no_yes, off_on, 1, "autofire for player 2", NULL,
-      NULL },
-    { "focus2", "Focus", "Player 2", AT(focus[1]), 0, 1, 0, focus_words, focus_labels, 1, "focus mode for player 2",
-      NULL, NULL },
-    { "one_hand2", "One-Handed", "Player 2", AT(one_hand[1]), 0, 2, 0, hand_words, hand_labels, 1,
-      "one-handed layout for player 2", NULL, NULL },
 };
 #undef AT
 

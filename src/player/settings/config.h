@@ -42,7 +42,7 @@ struct config {
     int vsync;                 /* 0 or 1 */
     int run_ahead;             /* frames: 0 or 1 */
     int panels;                /* enum panels */
-    int speed;                 /* 0, 1, 2: a frame lasts 1, 2, 4 sixtieths */
+    int speed;                 /* 25 to 100: percent of 60 frames a second */
     int away;                  /* 0 or 1: pause when the window loses focus */
     int replays;               /* 0 to 1000: unnamed replays to save per game */
     int resume;                /* 0 or 1: save an unfinished run to resume it */
@@ -58,7 +58,7 @@ struct config {
 struct config_setting {
     const char *name;  /* in the file */
     const char *label; /* on the screen */
-    const char *group; /* of settings on the screen; those of a group follow one another */
+    const char *page;  /* of the settings screen; the settings of a page follow one another */
     size_t at;         /* an int of struct config */
     int lo, hi, standard;
     const char *const *words;  /* in the file, for the values from 0, ending with NULL; NULL: it is a number */

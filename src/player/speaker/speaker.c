@@ -20,6 +20,7 @@
 #include "../../base/int.h"
 
 enum {
+    TICK = 100,                         /* percent of a tick per sixtieth, at full speed */
     MAX_OUTPUT = 2 * RESAMPLE_CAPACITY, /* frames per call */
     SIXTIETH_USEC = 1000000 / 60,
     MAX_LATE_USEC = 100000, /* later frames are not used for measuring */
@@ -157,7 +158,7 @@ static void add_block(struct speaker *s, const struct board *b, int16_t *block, 
     s->mode = mode;
 }
 
-void speaker_add_frame(struct speaker *s, const struct board *b, enum speaker_mode mode, int slow)
+void speaker_add_frame(struct speaker *s, const struct board *b, enum speaker_mode mode)
 {
     const bool plays = !s->muted && s->state != SPEAKER_MISSING;
     int16_t block[2 * SPEAKER_BLOCK];
@@ -165,7 +166,7 @@ void speaker_add_frame(struct speaker *s, const struct board *b, enum speaker_mo
     if (!(plays || s->metering) || !board_has_sound(b) || !prepare(s))
         return;
     if (plays)
-        s->buffered_sixtieths += slow;
+        s->buffered += TICK;
     if (plays && s->drop_blocks > 0) {
         s->drop_blocks--;
         s->stats.dropped++;
@@ -238,8 +239,8 @@ static double choose_rate(struct speaker *s, const struct speaker_elapsed *t)
 static void send_to_queue(struct speaker *s, const struct speaker_elapsed *t)
 {
     static int16_t out[2 * MAX_OUTPUT];
-    const int most = t->slow > 1 ? t->sixtieths * SPEAKER_BLOCK / t->slow : RESAMPLE_CAPACITY;
-    const uint64_t step = (uint64_t)llrint((double)RESAMPLE_ONE * choose_rate(s, t)) / (uint64_t)t->slow;
+    const int most = t->speed < TICK ? t->sixtieths * SPEAKER_BLOCK * t->speed / TICK : RESAMPLE_CAPACITY;
+    const uint64_t step = (uint64_t)llrint((double)RESAMPLE_ONE * choose_rate(s, t)) * (uint64_t)t->speed / TICK;
     const int n = resample_take(s->resample, step, most, out, MAX_OUTPUT);
 
     for (int i = 0; i < n && s->fade_in_left > 0; i++, s->fade_in_left--)
@@ -248,17 +249,17 @@ static void send_to_queue(struct speaker *s, const struct speaker_elapsed *t)
     plat_queue_sound(out, n);
 }
 
-/* Adds silence for elapsed time without sound. In slow motion, frames last longer. */
-static void add_missing_silence(struct speaker *s, int sixtieths, int slow)
+/* Adds silence for elapsed time without sound. Below full speed, a tick lasts longer than a sixtieth. */
+static void add_missing_silence(struct speaker *s, int sixtieths, int speed)
 {
-    s->buffered_sixtieths -= sixtieths;
-    for (; s->buffered_sixtieths < 0; s->buffered_sixtieths++) {
+    s->buffered -= sixtieths * speed;
+    for (; s->buffered < 0; s->buffered += speed) {
         if (s->drop_blocks > 0)
             s->drop_blocks--;
         else
-            append_silence(s, SPEAKER_BLOCK / slow);
+            append_silence(s, SPEAKER_BLOCK * speed / TICK);
     }
-    s->buffered_sixtieths = slow > 1 ? s->buffered_sixtieths : 0;
+    s->buffered = speed < TICK ? s->buffered : 0;
 }
 
 /* Starts from silence when the host's speaker is available again. */
@@ -266,7 +267,7 @@ static void restart(struct speaker *s)
 {
     memset(s->recent, 0, sizeof s->recent);
     s->board = NULL;
-    s->crossfade_left = s->buffered_sixtieths = s->drop_blocks = 0;
+    s->crossfade_left = s->buffered = s->drop_blocks = 0;
     resample_clear(s->resample);
     drift_reset_error(&s->drift);
 }
@@ -294,7 +295,7 @@ void speaker_advance(struct speaker *s, const struct speaker_elapsed *t)
     if (s->state == SPEAKER_MISSING)
         restart(s);
     estimate_game_speed(s, t);
-    add_missing_silence(s, t->sixtieths, t->slow);
+    add_missing_silence(s, t->sixtieths, t->speed);
     if (s->queued == 0)
         prime_queue(s, t->sixtieths);
     s->state = SPEAKER_RUNNING;
@@ -339,7 +340,7 @@ static void drain(uint64_t limit)
 
 void speaker_close(struct speaker *s)
 {
-    static const struct speaker_elapsed one = { 1, 1, MAX_LATE_USEC, 0 };
+    static const struct speaker_elapsed one = { 1, TICK, MAX_LATE_USEC, 0 };
 
     if (s->state == SPEAKER_RUNNING) {
         append_silence(s, SPEAKER_BLOCK);

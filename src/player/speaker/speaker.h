@@ -65,7 +65,7 @@ struct speaker {
     int16_t fading_out[2 * SPEAKER_CROSSFADE]; /* `recent` at the start of the crossfade */
     int crossfade_left;                        /* frames */
     int fade_in_left;                          /* frames, after an underrun */
-    int buffered_sixtieths;                    /* of sound added before the time for it has elapsed */
+    int buffered;                              /* sound added before its time has elapsed: percent of a tick */
     int drop_blocks;                           /* number of blocks still to be dropped */
     int queued;                                /* frames in the queue at the last speaker_advance */
     double game_speed;                         /* relative to the clock; below 1 if the game is too slow */
@@ -77,7 +77,7 @@ struct speaker {
 /* The time that a frame of the program stands for. */
 struct speaker_elapsed {
     int sixtieths;
-    int slow;      /* sixtieths per tick: 1, 2, 4 */
+    int speed;     /* percent of full speed */
     uint64_t late; /* usec since the first sixtieth was due */
     uint64_t lost; /* usec that are skipped, because the game is too slow */
 };
@@ -87,10 +87,9 @@ void speaker_open(struct speaker *s, int volume, bool muted, bool exact);
 /* Sets the levels of music and of other sounds, in percent of the volume; initially 100. */
 void speaker_set_levels(struct speaker *s, int music, int sounds);
 
-/* Adds the sound of the board's last tick. slow: sixtieths that it lasts. Does nothing for a board without sound, or
- * when muted. */
+/* Adds the sound of the board's last tick. Does nothing for a board without sound, or when muted. */
 struct board;
-void speaker_add_frame(struct speaker *s, const struct board *b, enum speaker_mode mode, int slow);
+void speaker_add_frame(struct speaker *s, const struct board *b, enum speaker_mode mode);
 
 /* Sends the sound of the elapsed time to the card. */
 void speaker_advance(struct speaker *s, const struct speaker_elapsed *t);

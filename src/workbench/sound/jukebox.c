@@ -43,7 +43,7 @@ static void tick(struct jukebox *j, int frames)
 {
     for (int i = 0; i < frames && !j->over; i++) {
         j->over = !board_jukebox_tick(j->board);
-        speaker_add_frame(&j->speaker, j->board, SPEAKER_FORWARD, 1);
+        speaker_add_frame(&j->speaker, j->board, SPEAKER_FORWARD);
     }
 }
 
@@ -62,7 +62,7 @@ bool jukebox_frame(struct jukebox *j)
     if (now < due)
         return true;
     const uint64_t n = (now - due) * 60 / SECOND + 1;
-    struct speaker_elapsed time = { .sixtieths = n < MAX_LATE_FRAMES ? (int)n : MAX_LATE_FRAMES, .slow = 1 };
+    struct speaker_elapsed time = { .sixtieths = n < MAX_LATE_FRAMES ? (int)n : MAX_LATE_FRAMES, .speed = 100 };
     time.lost = (n - (uint64_t)time.sixtieths) * SECOND / 60;
     j->frames_due += n;
     plat_poll(&in);
