@@ -30,11 +30,11 @@ local function wait_until(f, limit)
   return true
 end
 
--- What is dead stays dead, so waiting for one after the other is waiting for all.
+-- Dead things stay dead, so waiting for each in turn waits for all of them.
 local function wait_for(...)
   local list = { ... }
   for i = 1, select("#", ...) do
-    if math.type(list[i]) ~= "integer" then
+    if not sys.is_waitable(list[i]) then
       sys.fail("wait_for", ("argument %d: expected a task or a thing, got %s"):format(i, type(list[i])))
     end
   end

@@ -792,7 +792,7 @@ static void clean_fault(const char *name)
     const char *text = strstr(f->message, ": "); /* behind the place: the caller is C, so it may be the library's */
     text = text ? text : f->message;
     const bool shows_inside = strstr(text, "@std") || strstr(text, "attempt to") || strstr(text, "bad argument");
-    if (f->kind == FAULT_NONE || !f->message[0] || (shows_inside && !(entry && entry->flags & (API_SYS | API_VARARGS))))
+    if (f->kind == FAULT_NONE || !f->message[0] || (shows_inside && !(entry && entry->flags & API_SYS)))
         fail_msg("%s: fault %d \"%s\"", name, f->kind, f->message);
 }
 

@@ -112,3 +112,9 @@ b:remove()
 local x = b.x
 print(x, t.x .. '')
 --! attempt to concatenate a nil value (field 'x')
+
+--each: wait_for names the argument
+wait_for(fire(), 5)
+--! wait_for: argument 2: expected a task or a thing, got number
+wait_for(bullet.group())
+--! wait_for: argument 1: expected a task or a thing, got number

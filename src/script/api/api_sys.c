@@ -620,6 +620,16 @@ static int sys_skip_wait(lua_State *L, struct board *b, struct api_value *v)
     return api_count_skipped_wait(L, b);
 }
 
+/* Returns whether a value is a handle with the property `alive`. */
+static int sys_is_waitable(lua_State *L, struct board *b, struct api_value *v)
+{
+    const int64_t h = lua_isinteger(L, 1) ? lua_tointeger(L, 1) : 0;
+
+    (void)b;
+    (void)v;
+    return lua_pushboolean(L, handle_is_well_formed(h) && !handle_kind_is_group(handle_kind(h))), 1;
+}
+
 static int sys_set_undying(lua_State *L, struct board *b, struct api_value *v)
 {
     uint32_t i = handle_slot(v[HOLD_ENEMY].i);
@@ -771,6 +781,8 @@ static const struct api_entry entries[] = {
     { "sys.skipping", sys_is_skipping, NO_PARAMS, 0, API_SYS, "boolean",
       HELP("returns true while the task skips its waits") },
     { "sys.pass", sys_skip_wait, NO_PARAMS, 0, API_SYS, NULL, HELP("skips one wait in a task that skips its waits") },
+    SYS_ENTRY("sys.is_waitable", sys_is_waitable, 0, "boolean", "returns whether wait_for can wait for a value",
+              REQUIRED("value", A_ANY, "")),
     { "sys.task", sys_task, NO_PARAMS, 0, API_SYS, "task", HELP("returns the running task") },
     SYS_ENTRY("sys.hold", sys_set_undying, API_CHANGES, NULL, "lets an enemy's hp reach 0 without killing it",
               THING("e", REQ, 1 << H_ENEMY, ""), REQUIRED("on", A_BOOL, "")),
