@@ -1,13 +1,13 @@
--- bg.lua - bg.def and bg.show: backgrounds by name, and the fade from one to the next. Which one is shown is state of
--- the board (sys.bg_shown), so a new game begins without any.
+-- bg.lua - bg.def and bg.show: named backgrounds, and the fade from one to the next. The board stores which one is
+-- shown (sys.bg_shown), so a new game starts without a background.
 local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 
 local scenes = {} -- number -> function
 local names = {}  -- number -> name
 local numbers = {} -- name -> number
-local task_of     -- the task of what is shown; it may have ended
+local task_of     -- the task of the background that is shown; it may have ended
 local coming      -- the task that waits for the middle of a fade
-local next_one    -- the number of what it will show
+local next_one    -- the number of the background that it will show
 
 function bg.def(name, f)
   local a = sys.check("bg.def", name, f)
@@ -26,8 +26,7 @@ local function change(n, dark)
   if n > 0 then scenes[n]() end
 end
 
--- at_once: it is there before the next line, without a fade. So it is on the way to a practice mark, for by then it is
--- shown where the stage is played.
+-- at_once: shown immediately, without a fade; also while a stage skips to a practice mark.
 local function show(n, over, at_once)
   if coming then task.stop(coming) end
   next_one = n
@@ -41,9 +40,8 @@ function bg.show(name, args)
   show(a.name and numbers[a.name] or 0, a.over)
 end
 
--- For boss.lua: shows that background, or the one of that number; returns the number of the one before. `what` names
--- it where nobody declared it, `of` is that boss. The one that is shown, or comes, goes on: it does not fade to itself.
--- at_once: no fade.
+-- For boss.lua: shows a background, given by name or number, and returns the number of the one before. `what` and `of`
+-- (the boss) are for the error about an undeclared name. A background never fades to itself. at_once: no fade.
 function sys.backdrop(name, what, at_once, of)
   local before = coming and task.alive(coming) and next_one or sys.bg_shown()
   if what and not numbers[name] then sys.unknown("boss.def", what, name, names, of) end

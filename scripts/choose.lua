@@ -1,3 +1,3 @@
--- choose.lua - the word choose, which is talk.lua's.
+-- choose.lua - the function choose, implemented in talk.lua.
 local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 return talk and sys.choose

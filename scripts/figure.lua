@@ -1,5 +1,5 @@
--- figure.lua - the patterns that are seldom used: figures that grow, chance, points and pictures. It adds to the table
--- of pattern.lua, if that is the library's. Only games that name one of them have this file in their ROM.
+-- figure.lua - less common patterns: growing figures, random gaps, points and pictures. It adds functions to the table
+-- of pattern.lua, unless the game has its own pattern.lua. Only games that use one of them have this file in their ROM.
 local sys = ...
 if not sys.pattern then return end
 local open, hand, part, around = sys.pattern.open, sys.pattern.hand, sys.pattern.part, sys.pattern.around
@@ -14,7 +14,7 @@ function pattern.whip(args)
   end
 end
 
--- Chance is drawn for skipped bullets too: a gap does not change the others.
+-- Random numbers are drawn for skipped bullets too, so a gap doesn't change the other bullets.
 function pattern.scatter(args)
   local own, a = open("pattern.scatter", args)
   local dir, speed = a.dir - own.spread / 2, a.speed
@@ -25,7 +25,7 @@ function pattern.scatter(args)
   end
 end
 
--- Once round there are `petals` waves of a cosine: 1 at each tip, -1 between two.
+-- A circle has `petals` periods of a cosine: 1 at each tip, -1 between two tips.
 function pattern.rose(args)
   local own, a = open("pattern.rose", args)
   local dir, low, half = a.dir, own.speed_to, (a.speed - own.speed_to) / 2
@@ -36,7 +36,7 @@ function pattern.rose(args)
   end
 end
 
--- ---- figures that keep their shape while they grow: a bullet's velocity is a point of the figure ----
+-- ---- figures that keep their shape while they grow: each bullet's velocity is a point of the figure ----
 
 local FAR = 8192 -- px: angle.of rounds its arguments to 1/65536 px, so points are pushed out before they are measured
 
@@ -47,8 +47,9 @@ local function polar(x, y)
   return angle.of(x / far * FAR, y / far * FAR), math.sqrt(x * x + y * y)
 end
 
--- m bullets along a side, from its first corner up to but without the second. Corners are given as distances, in shares
--- of speed, from the middle: the first in direction dir, the second `turn` degrees on. i: bullets fired before.
+-- Fires m bullets along a side, from its first corner to just before the second. The corners are at distances (shares
+-- of the speed) from the middle: the first in direction dir, the second `turn` degrees further. i: bullets fired
+-- before.
 local function side(own, a, i, m, dir, speed, from, to, turn)
   local dx, dy = to * angle.cos(turn) - from, to * angle.sin(turn)
   for k = 0, m - 1 do
@@ -59,7 +60,7 @@ local function side(own, a, i, m, dir, speed, from, to, turn)
   end
 end
 
--- How many bullets a side has, of so many sides.
+-- Returns the number of bullets on each side.
 local function bullets_a_side(name, n, sides)
   if n % sides ~= 0 then
     local near = math.max(sides, (n + sides // 2) // sides * sides)
@@ -89,8 +90,8 @@ function pattern.star(args)
   end
 end
 
--- A circle, stretched: bullet i stands at angle t of the circle, at equal steps. The first flies along dir, so its t is
--- the one that the stretching takes to -tilt.
+-- A stretched circle: bullet i is at angle t of the circle, in equal steps. The first bullet flies in direction dir, so
+-- its t is the angle that stretching maps to -tilt.
 function pattern.ellipse(args)
   local own, a = open("pattern.ellipse", args)
   local dir, long, wide = a.dir + own.tilt, a.speed, own.speed_to
@@ -106,7 +107,7 @@ function pattern.ellipse(args)
   end
 end
 
--- ---- from places side by side, flying in parallel ----
+-- ---- parallel bullets from adjacent places ----
 
 function pattern.points(args)
   local own, a = open("pattern.points", args)
@@ -119,8 +120,8 @@ function pattern.points(args)
   for i, p in ipairs(own.list) do put(i, p[1] * own.scale, p[2] * own.scale) end
 end
 
--- The places { col, row } of a picture's bullets, and its first and last column and row. Blanks at the edges are no
--- part of it, dots are.
+-- Returns the places { col, row } of a picture's bullets, and its first and last column and row. Blanks at the edges
+-- aren't part of the picture; dots are.
 local function read_dots(dots)
   local list, row, left, right, top, bottom = {}, 0, math.huge, 0, nil, 0
   for line in (dots .. "\n"):gmatch("([^\n]*)\n") do

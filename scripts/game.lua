@@ -1,7 +1,7 @@
--- game.lua - the run that is played: its registers, by name, and what can be read of it.
+-- game.lua - the current run: its registers, by name, and read-only facts about it.
 local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 
-local name, scope -- of the stage that was played last
+local name, scope -- of the last stage played
 local defined = false
 
 local play = stage.play

@@ -1,22 +1,22 @@
--- mission.lua - mission.def: short tasks of their own, made of what can be practised. How well each was done is kept as
+-- mission.lua - mission.def: short tasks, made of sections that can be practised. The best result of each is stored as
 -- a save "mission/NAME", by the same rule as scores. boot.lua shows and plays them: boot/mission.lua, screens/missions.
 local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local mission = {}
 
-local list, named = {}, {} -- definitions, in the order they were declared, and by name
-local names = {}           -- of these
+local list, named = {}, {} -- definitions, in order and by name
+local names = {}           -- of the definitions
 
-local STARS <const> = 3 -- of the best medal: one for the goal, one for each value of `medals`
+local STARS <const> = 3 -- maximum: one for the goal, one for each value of `medals`
 
 local function key(name) return "mission/" .. name end
 
--- Is a the better of two values of what the mission measures?
+-- Returns whether result a is better than result b.
 local function better(m, a, b)
   if m.by == "time" then return a < b end
   return a > b
 end
 
--- The stars that a value is worth.
+-- Returns the number of stars for a result.
 local function stars(m, value)
   local n = 1
   for _, least in ipairs(m.medals or {}) do
@@ -55,7 +55,7 @@ function mission.stars() return sys.missions.total() end
 
 -- ---- for boot.lua and the screens ----
 
--- bombed, killed: since the mission that is played began.
+-- bombed, killed: since the start of the current mission.
 sys.missions = { bombed = 0, killed = 0, stars = stars, best = best }
 
 function sys.missions.total()
@@ -68,7 +68,7 @@ function sys.missions.any() return #list > 0 end
 
 function sys.missions.get(name) return named[name] end
 
--- The number of a mission in the list, and how many there are.
+-- Returns a mission's index in the list, and the number of missions.
 function sys.missions.place(name)
   for i, m in ipairs(list) do
     if m.name == name then return i, #list end
@@ -79,7 +79,7 @@ function sys.missions.each(f)
   for i, m in ipairs(list) do f(m, i) end
 end
 
--- Keeps a value if it is the best; true: it is.
+-- Saves a result if it is the best. Returns whether it is.
 function sys.missions.enter(m, value, ship)
   local old = best(m)
   if old and not better(m, value, old) then return false end
@@ -87,7 +87,7 @@ function sys.missions.enter(m, value, ship)
   return true
 end
 
--- Fails unless all is declared that missions name; a is boot.run's.
+-- Fails unless everything that missions name is declared. a: the arguments of boot.run.
 function sys.missions.expect(a) sys.read("mission/expect")(list, a) end
 
 return mission

@@ -2,9 +2,9 @@
 local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local path = {}
 
-local known = {} -- the routes path.def made: nothing else is taken for one
+local known = {} -- the routes that path.def made; other tables are refused
 
--- The first entry is the start; every later one is a point to reach, or a wait.
+-- The first entry is the start; each later entry is a point to reach, or a wait.
 local function checked(i, entry)
   entry = entry or {} -- a hole in the list
   local a = sys.check("path.def point", entry)
@@ -38,8 +38,7 @@ end
 
 function path.known(route) return known[route] == true end
 
--- Where a point lies for an enemy that flies dx, dy beside the route. Mirrored: left and right changed over in the
--- field, the shift by dx included.
+-- Returns a point of the route shifted by dx, dy. Mirrored: reflected at the field's middle, including the shift.
 function path.place(point, mirror, dx, dy)
   local x = point.x + dx
   return mirror and rom.field.w - x or x, point.y + dy
@@ -66,7 +65,7 @@ function path.run(e, route, mirror)
   follow(a.e, a.route, a.mirror, 0, 0)
 end
 
--- The task of an enemy spawned on a route: it goes where the route ends.
+-- The task of an enemy spawned on a route, which despawns where the route ends.
 function path.travel(e, route, mirror, dx, dy)
   follow(e, route, mirror, dx or 0, dy or 0)
   e:remove()

@@ -1,15 +1,14 @@
--- pattern.lua - shapes made of bullets; the rest of them is in figure.lua. Every pattern is a loop over bullet.fire (or
--- shot.fire), or over the function given as `each`. That gets a new table of arguments for every bullet, so it may
--- change the table and call the next pattern with it. The five that take no time and have no `each` are fired at once
--- in C (src/script/api/api_volley.c), the same to the bit.
+-- pattern.lua - shapes made of bullets; figure.lua has more. Every pattern is a loop over bullet.fire (or shot.fire),
+-- or over the function given as `each`. That function gets a new table of arguments for every bullet, so it may change
+-- the table and call another pattern with it. Without `each`, the five patterns that take no time are fired in C
+-- (src/script/api/api_volley.c), with bit-identical results.
 local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local pattern = {}
 
 local OWN = { "n", "spread", "sweep", "speed_to", "width", "step", "every", "arms", "lock", "sides", "points", "inner",
   "petals", "tilt", "bend", "list", "scale", "dots", "gap", "turns", "skip", "fire", "each" }
 
--- Checks the arguments; returns those of the pattern, and those to hand on, with dir filled in. aim: the pattern always
--- aims.
+-- Checks the arguments. Returns the pattern's own, and those to pass on, with dir set. aim: the pattern always aims.
 local function open(name, args, aim)
   local a, own = sys.check(name, args), { name = name }
   for _, key in ipairs(OWN) do own[key], a[key] = a[key], nil end
@@ -18,7 +17,7 @@ local function open(name, args, aim)
   if own.fire == "beam" and not a.speed and (own.speed_to or own.sides or own.inner) then
     sys.fail(name, "fire: this figure sets speeds, but beams have no speed")
   end
-  if not a.speed and (own.speed_to or own.sides or own.inner) then -- with `each`, the bullet's own may be left out
+  if not a.speed and (own.speed_to or own.sides or own.inner) then -- with `each`, the bullet needs no speed
     sys.fail(name, "speed: expected a number of px/frame, got nil")
   end
   if own.skip then own.first, own.last = own.skip[1], own.skip[2] end
@@ -27,7 +26,7 @@ local function open(name, args, aim)
   return own, a
 end
 
--- Fails unless bullets have a place: the inner call's error would name another function.
+-- Fails unless bullets have a position; the error of the inner call would name another function.
 local function check_place(own, a)
   local named = a.x or a.y
   if a.follow then
@@ -45,7 +44,7 @@ local function fire(own, a)
   return laser[own.fire](a)
 end
 
--- Fires bullet i with the arguments a, or hands them to `each`.
+-- Fires bullet i with the arguments a, or passes them to `each`.
 local function hand(own, a, i)
   if own.first and i >= own.first and i <= own.last then return end
   if not own.each then return fire(own, a) end
@@ -54,22 +53,22 @@ local function hand(own, a, i)
   own.each(copy, i)
 end
 
--- The i-th of n as a share of the way, both ends included: 0 for i = 0, 1 for i = n - 1.
+-- Returns i as a fraction of n - 1: 0 for i = 0, 1 for i = n - 1.
 local function part(i, n) return n > 1 and i / (n - 1) or 0 end
 
--- Turns an aimed direction into a plain one, seen from the middle of the places where the bullets start.
+-- Replaces an aimed direction by a plain one, as seen from the middle of the bullets' start positions.
 local function settle(own, a)
   if not a.aim or a.from and not a.from.alive then return end
   local x, y = a.x, a.y
   if a.from then x, y = a.from.x + (a.dx or 0), a.from.y + (a.dy or 0) end
-  if not (x and y) then return end -- no place: only an `each` can bring one
+  if not (x and y) then return end -- no position: `each` must set one
   a.dir, a.aim = sys.aim(x, y, own.shots) + a.dir, false
 end
 
 local ring, fan, arc = sys.volley("pattern.ring"), sys.volley("pattern.fan"), sys.volley("pattern.arc")
 local stack, line = sys.volley("pattern.stack"), sys.volley("pattern.line")
 
--- ---- all from one place ----
+-- ---- from one position ----
 
 function pattern.ring(args)
   if ring(args) then return end
@@ -111,12 +110,12 @@ function pattern.stack(args)
   end
 end
 
--- ---- from places side by side, flying in parallel ----
+-- ---- parallel bullets from adjacent positions ----
 
--- Returns put(i, x, y), which fires bullet i from a place x, y px from the pattern's. Turned, +x is the direction of
--- flight. The aim is settled once, from the middle.
+-- Returns put(i, x, y), which fires bullet i from x, y px beside the pattern's position. Turned, +x is the direction of
+-- flight. The aim is determined once, from the middle.
 local function around(own, a, turned)
-  if not (own.each or a.from or a.x and a.y) then return fire(own, a) end -- its error says what is missing
+  if not (own.each or a.from or a.x and a.y) then return fire(own, a) end -- its error names the missing argument
   settle(own, a)
   local kx, ky, cos, sin = "x", "y", 1, 0
   if a.from then kx, ky = "dx", "dy" end

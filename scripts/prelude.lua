@@ -1,9 +1,9 @@
--- prelude.lua - words every script knows: wait_until, wait_for, by_difficulty.
+-- prelude.lua - functions without a table: wait_until, wait_for, by_difficulty.
 local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 
-local FEW = 12 -- names that one sentence may list
+local FEW = 12 -- names that an error lists at most
 
--- What to write instead of a word that is not in the list.
+-- The end of an error about a word that is not in the list: the nearest word, or all of them if they are few.
 function sys.hint(word, list)
   local near = sys.near(word, list)
   if near then return (' (did you mean "%s"?)'):format(near) end
@@ -11,8 +11,8 @@ function sys.hint(word, list)
   return #list <= FEW and (" (known: %s)"):format(table.concat(list, ", ")) or ""
 end
 
--- Stops the run because of an unknown name and suggests the nearest known one. what: a noun, or "where: noun"; of: as in
--- sys.fail.
+-- Stops the run because of an unknown name and suggests the nearest known one. what: a noun, or "where: noun"; of: as
+-- in sys.fail.
 function sys.unknown(api, what, word, list, of)
   local where, noun = what:match("^(.*: )(.*)$")
   sys.fail(api, ('%sunknown %s "%s"%s'):format(where or "", noun or what, word, sys.hint(word, list)), of)
@@ -20,8 +20,8 @@ end
 
 local function wait_until(f, limit)
   local left = sys.check("wait_until", f, limit).limit or forever
-  wait(0) -- refuses an event handler even when f() holds at once
-  if sys.skipping() then return true end -- a stage on its way to a mark waits for nothing
+  wait(0) -- fails in an event handler, also if f() is true at once
+  if sys.skipping() then return true end -- a stage that skips to a mark doesn't wait
   while not f() do
     if left == 0 then return false end
     wait(1)
@@ -45,7 +45,7 @@ local function wait_for(...)
   end
 end
 
--- A list has the easiest difficulty's value first: as a table by their names.
+-- A list with the easiest difficulty's value first -> a table by difficulty names.
 local function named(values, names)
   if #values > #names then
     sys.fail("by_difficulty", ("got %d values for %d difficulties"):format(#values, #names))
@@ -55,8 +55,8 @@ local function named(values, names)
   return by_name
 end
 
--- Goes through the difficulties from easy to hard and keeps the last value given. At the present difficulty that is the
--- answer; if none was given so far, the answer is the first one given for a harder difficulty.
+-- Returns the value of the current difficulty or of the nearest easier one that has a value; if none has, the value of
+-- the nearest harder one.
 local function by_difficulty(values)
   local names, value, reached = sys.difficulties(), nil, false
   if sys.loading() then

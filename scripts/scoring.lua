@@ -1,30 +1,30 @@
--- scoring.lua - score.rule, score.count, score.tally: what a deed is worth beyond what its enemy or item says. All that
--- counts stands in the players' registers, so it is fresh in each game and in each try.
+-- scoring.lua - score.rule, score.count, score.tally: points beyond those of enemies and items. All counts are
+-- registers of the players, so they are reset with each game and each practice attempt.
 local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 
-local MOST = 1000000000000 -- points that score.add takes at once
-local EDGE = 2147483647    -- the most a register can be
+local MOST = 1000000000000 -- maximum points of one score.add
+local EDGE = 2147483647    -- maximum value of a register
 
--- event -> what its things are kinds of
+-- event -> the type of its entities
 local EVENTS = { graze = "bullet", kill = "enemy", take = "item", death = false, bomb = false }
 local rules = {} -- name -> list of rules
-local names = {} -- of those that score.count may ask for
-local made = 0   -- rules
+local names = {} -- names that score.count accepts
+local made = 0   -- number of rules
 
-local own = {} -- kind of player -> what its names can stand for
+local own = {} -- kind of player -> the meaning of its names
 
 local function has(p, name)
   local kind = p.kind
   if not own[kind] then
-    local list = sys.ship(kind).registers -- the run's are the last of them
+    local list = sys.ship(kind).registers -- the run's registers are last
     own[kind] = { grazes = true, lives = true, score = true }
     for i = 1, #list - #sys.run_names() do own[kind][list[i].name] = true end
   end
   return own[kind][name]
 end
 
--- Fails unless some ship has the register. One that has it not is worth 0 in it. of: whose error it is, a rule or a
--- tally: { api, at }, at as of sys.fail.
+-- Fails unless some ship has the register; for other ships it counts as 0. of: the rule or tally of the error,
+-- { api, at }, with `at` as in sys.fail.
 local function missing(name, of)
   for _, known in ipairs(sys.scoring.registers()) do
     if known == name then return 0 end
@@ -32,7 +32,7 @@ local function missing(name, of)
   sys.unknown(of.api, "register", name, sys.scoring.registers(), of.at)
 end
 
--- A register, or what counts beside them: player p's, or else the run's.
+-- Returns the value of a name: player p's register or property, or the run's.
 local function read(name, p, of) return has(p, name) and p[name] or sys.run(name) or missing(name, of) end
 
 local function write(name, p, v, of)
@@ -60,7 +60,7 @@ end
 
 local function whole(v) return math.tointeger(math.floor(math.max(-MOST, math.min(v, MOST)))) end
 
--- Points: with none said, those that the thing gives itself, times - 1: it has given them once.
+-- The points of a rule without `points`: those of the entity, times - 1, because it has already given them once.
 local function reward(r, n, p, thing)
   local times = r.times and number(r, "times", p, thing) or 1
   if r.points then return number(r, "points", p, thing) * times * n end
@@ -111,9 +111,9 @@ function score.count(name, n, p)
   if a.n > 0 and who.alive then fire(rules[a.name], a.n, who) end
 end
 
--- ---- the tally at a stage's end ----
+-- ---- the tally at the end of a stage ----
 
-local lines -- list of { label, value, points, stage, last }; nil: none was declared
+local lines -- list of { label, value, points, stage, last }; nil: no tally is declared
 local began -- player -> line -> value when the stage began
 
 local function value(line, p)
@@ -142,7 +142,7 @@ end
 
 sys.scoring = {}
 
--- What a name can stand for: properties that count, the registers of all ships, and the run's.
+-- The names that can be used: properties, the registers of all ships, and those of the run.
 function sys.scoring.registers()
   local list, known = { "grazes", "lives", "score" }, {}
   for _, kind in ipairs(sys.kinds("player")) do
@@ -154,11 +154,11 @@ function sys.scoring.registers()
   return list
 end
 
--- Fails unless some ship has each register that is named.
+-- Fails unless every register that is named exists on some ship.
 function sys.scoring.expect() sys.read("scoring/expect")(rules, lines or {}, sys.scoring.registers()) end
 
--- Gives player p the points of the tally. last: the game's last stage was cleared. Returns what is shown: a list of
--- { label, value, points }, nil if no tally is declared; value nil: it is so, or not.
+-- Gives player p the points of the tally. last: the last stage was cleared. Returns the lines to show, a list of
+-- { label, value, points }, or nil if no tally is declared. A line with a condition instead of a number has no value.
 function sys.scoring.tally(p, last)
   local shown, since = {}, began and began[p.index] or {}
   if not lines then return end

@@ -1,18 +1,18 @@
--- stage.lua - a stage is one task: plain code, from top to bottom. What it starts belongs to its scope and stops with
--- it.
+-- stage.lua - a stage is one task: plain code, from top to bottom. Everything that it starts belongs to its scope and
+-- stops with it.
 --
--- A practice start runs the same code with `skip` set to the name of a mark. Until the stage comes to that mark it
--- skips: stage.at only sets the clock, and waves, clears and boss fights are passed over.
+-- A practice start runs the same code with `skip` set to the name of a mark. Before that mark the stage skips: stage.at
+-- only sets the clock, and waves, clears and boss fights are left out.
 local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local stage = {}
 
 local stages = {} -- name -> function
-local names = {}  -- in the order they were declared
+local names = {}  -- in the order of their declarations
 
--- The stage being played, or the last one: name; scope, which owns its tasks; base, the board's clock where the stage's
--- own is 0; fights, how many boss fights stop its clock, and stopped, the board's clock when the first of them began;
--- skip, the mark it skips to, or nil; ends, the mark at which it is over, or nil; marks, those it came to, in order, and met, the same by name; waves, the tasks
--- that send enemies.
+-- The current or last stage. name; scope: owns its tasks; base: the board's clock at the stage's frame 0; fights: the
+-- number of boss fights that stop its clock; stopped: the board's clock when the first of them started; skip: the mark
+-- it skips to, or nil; ends: the mark at which it ends, or nil; marks: the marks reached so far, in order; met: the
+-- same by name; waves: the tasks that send enemies.
 local now
 
 local function current(api)
@@ -54,10 +54,10 @@ function stage.at(n)
   if s.skip then
     s.base = s.base - (frame - time)
     sys.music_clock(frame - time)
-    -- sys.pass() counts one wait passed over; too many in one turn are a fault, so a stage that skips for ever ends.
+    -- sys.pass() counts a skipped wait; too many in one frame are a fault, so endless skipping ends.
     return sys.pass()
   end
-  while clock(s) < frame do wait(frame - clock(s)) end -- again when a boss fight stopped the clock meanwhile
+  while clock(s) < frame do wait(frame - clock(s)) end -- repeats if a boss fight has stopped the clock
 end
 
 local function fly_wave(a)
@@ -86,7 +86,7 @@ function stage.wave(args)
   if now then now.waves[#now.waves + 1] = t end
 end
 
--- A wave that still sends enemies counts: right after stage.wave there is none on the field yet.
+-- A wave that still sends enemies counts too: right after stage.wave, no enemy is on the field yet.
 local function cleared(s)
   for i = #s.waves, 1, -1 do
     if not task.alive(s.waves[i]) then table.remove(s.waves, i) end
@@ -111,24 +111,24 @@ function stage.mark(name)
   end
   if s.skip and s.skip ~= a.name then return sys.pass() end
   if s.ends == a.name and not s.skip then return task.stop(s.scope) end
-  sys.mark("point", a.name, s.name) -- tells the cabinet of a moment of the run; changes nothing in the game
+  sys.mark("point", a.name, s.name) -- reports an event of the run to the program; changes nothing in the game
   if not s.skip then return end
   s.skip = nil
-  sys.mark("start", "") -- here the practised part begins
-  sys.skip(false)       -- from here on the task waits as usual
-  -- Removes what the stage's own code made directly, outside waves and fights, while it was skipped through.
-  -- Background and palette stay: they are what the stage shows here.
+  sys.mark("start", "") -- the practice section starts here
+  sys.skip(false)       -- from now on the task waits as usual
+  -- Removes entities that the stage's own code created while it skipped, outside waves and fights. Background and
+  -- palette stay, because the stage shows them here.
   sys.wipe(true)
   sys.faded()
   hud.refresh()
 end
 
--- The rest is for boss.lua and boot.lua.
+-- The following functions are for boss.lua and boot.lua.
 
 function stage.skipping() return now ~= nil and task.alive(now.scope) and now.skip ~= nil end
 
--- Stops the clock of the stage being played. Returns that stage, for stage.start_clock: when the fight ends, another
--- stage may be played.
+-- Stops the clock of the current stage. Returns the stage, for stage.start_clock: when the fight ends, another stage
+-- may be the current one.
 function stage.stop_clock()
   if not now then return end
   if now.fights == 0 then now.stopped = sys.clock() end
@@ -150,14 +150,14 @@ local function begin(name, owner, skip)
   return now
 end
 
--- Starts a stage, from a mark and up to another, if these are given. Returns its scope, which ends when the stage does.
+-- Starts a stage; optionally from one mark, and up to another. Returns its scope, which ends with the stage.
 function stage.play(name, owner, mark, to)
   local s = begin(name, owner, mark)
   s.ends = to
   sys.emit("stage", name, "start")
   sys.mark("stage", name)
   task.own(s.scope, function()
-    sys.skip(mark ~= nil) -- true: no wait of this task takes time
+    sys.skip(mark ~= nil) -- true: this task skips its waits
     stages[name]()
     for _, missed in ipairs { s.skip or s.ends } do sys.unknown("stage " .. name, "mark", missed, s.marks) end
     sys.mark("clear", name)
@@ -167,7 +167,7 @@ function stage.play(name, owner, mark, to)
   return s.scope
 end
 
--- All stages: those of `first`, then the others as they were declared.
+-- Returns all stages: those of `first`, then the others in the order of their declarations.
 function stage.names(first)
   local list, there = {}, {}
   for _, from in ipairs { first, names } do
@@ -179,10 +179,9 @@ function stage.names(first)
   return list
 end
 
--- The marks a stage has, met by running through it with nothing but skips; and whether it came to its end. Takes a
--- frame.
+-- Returns the marks of a stage, found by skipping through it, and whether it reached its end. Takes a frame.
 function stage.run_through(name, owner)
-  local s, whole = begin(name, owner, true), false -- skip = true is the name of no mark, so it skips to the end
+  local s, whole = begin(name, owner, true), false -- true is not the name of a mark, so it skips to the end
   task.own(s.scope, function()
     sys.skip(true)
     stages[name]()

@@ -1,11 +1,11 @@
--- sweep.lua - bullet.sweep: a clear in a circle that grows, a frame at a time. It goes on in a task of the caller's owner.
+-- sweep.lua - bullet.sweep: clears bullets in a circle that grows each frame, in a task of the caller's owner.
 local sys = ...
 
-local EDGE = 16383 -- px: the world's, which no place is beyond
+local EDGE = 16383 -- px: the largest coordinate
 
 local function within(v) return math.max(-EDGE, math.min(EDGE, v)) end
 
--- Where it is: the arguments of bullet.clear and query.near that say so, or nil when the thing it starts at is dead.
+-- Returns the position, as arguments of bullet.clear and query.near; nil if the entity it starts at has despawned.
 local function placed(a)
   local xy, ways = a.x ~= nil and a.y ~= nil, 0
   for _, way in ipairs { a.x or a.y or false, a.from or false, a.follow or false } do
@@ -19,7 +19,7 @@ local function placed(a)
   return a.from.alive and { x = within(a.from.x + a.dx), y = within(a.from.y + a.dy) }
 end
 
--- Hurts those that stand in the circle and were not met before.
+-- Damages enemies in the circle, each once.
 local function hurt(a, circle, met)
   circle.what = "enemy"
   for _, e in ipairs(query.near(circle)) do
@@ -36,7 +36,7 @@ local function sweep(a, circle)
     if a.follow and not a.follow.alive then return end
     circle.radius = a.radius + (a.radius_to - a.radius) * k / a.over
     circle.what, circle.tag, circle.spark, circle.items, circle.all = nil, a.tag, a.spark, a.items, a.all
-    if not a.lasers then circle.lasers = false end -- as by default is left out: what is given is part of a run
+    if not a.lasers then circle.lasers = false end -- the default is left out, because arguments are part of a run
     bullet.clear(circle)
     circle.tag, circle.spark, circle.items, circle.all, circle.lasers = nil, nil, nil, nil, nil
     if a.hurt > 0 then hurt(a, circle, met) end
@@ -47,6 +47,6 @@ end
 function bullet.sweep(args)
   local a = sys.check("bullet.sweep", args)
   local circle = placed(a)
-  if not circle then return task.own(a.from or a.follow, sweep) end -- a dead task
+  if not circle then return task.own(a.from or a.follow, sweep) end -- a task that ends at once
   return task.go(sweep, a, circle)
 end

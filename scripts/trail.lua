@@ -1,4 +1,4 @@
--- trail.lua - spark.trail: leaves a spark where a thing is, again and again: its after-images.
+-- trail.lua - spark.trail: after-images, sparks left at an entity's position at regular intervals.
 local sys = ...
 
 local function trail(a)

@@ -1,13 +1,13 @@
--- unlock.lua - unlock.def and unlock.has: what players have earned. It is kept as saves "unlock/NAME", so in a demo's
--- start, and written by runs alone whose scores are kept. boot.lua asks what was earned when a stage is cleared and when
--- a run is over: unlock/earn.lua.
+-- unlock.lua - unlock.def and unlock.has: rewards that players have earned. They are stored as saves "unlock/NAME",
+-- which are part of a demo's start, and written only by runs whose scores are saved. boot.lua checks for new unlocks
+-- after each stage and at the end of a run (unlock/earn.lua).
 local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local unlock = {}
 
-local list = {}  -- definitions, as they were declared: name, when, title, hint
-local names = {} -- of these
+local list = {}  -- definitions in order: name, when, title, hint
+local names = {} -- of the definitions
 
--- of: as of sys.fail.
+-- of: as in sys.fail.
 local function find(api, name, of)
   for _, u in ipairs(list) do
     if u.name == name then return u end
@@ -37,8 +37,8 @@ function unlock.has(name) return has(find("unlock.has", sys.check("unlock.has", 
 
 sys.unlock = {}
 
--- What keeps the thing that needs this unlock closed: its hint, or "" if it has none; nil: it is open. api and of: whose
--- error it is if nobody declared the unlock, as of sys.fail.
+-- Returns nil if the unlock is earned; otherwise its hint, or "". api and of: for the error about an undeclared unlock,
+-- as in sys.fail.
 function sys.unlock.closed(needs, api, of)
   local u = needs and find(api or "needs", needs, of)
   if not u or has(u.name) then return nil end
@@ -47,15 +47,15 @@ end
 
 function sys.unlock.any() return #list > 0 end
 
--- Calls f(unlock, has) for each.
+-- Calls f(unlock, has) for each unlock.
 function sys.unlock.each(f)
   for _, u in ipairs(list) do f(u, has(u.name)) end
 end
 
--- Fails unless everything that the unlocks and `needs` name is there; a is boot.run's.
+-- Fails unless everything that unlocks and `needs` name is declared. a: the arguments of boot.run.
 function sys.unlock.expect(a) sys.read("unlock/expect")(list, find, a) end
 
--- Keeps what this run has earned: run is what `when` is asked about. Returns the titles of what is new.
+-- Saves the unlocks that this run has earned. run: the argument of `when`. Returns the titles of the new ones.
 function sys.unlock.earn(run)
   local earned = sys.read("unlock/earn")
   local new = {}

@@ -1,4 +1,4 @@
--- mission/def.lua - checks what mission.def is given: what can be seen without knowing what else the game declares.
+-- mission/def.lua - checks the arguments of mission.def, except names, which may be declared later.
 local sys = ...
 
 local function fail(...) sys.fail("mission.def", (...):format(select(2, ...))) end
@@ -9,7 +9,7 @@ local function check_piece(m)
   if m.stage and m.phase then fail("phase: only with boss") end
 end
 
--- True: there is one at least.
+-- Returns whether there is at least one.
 local function check_counts(m, field)
   local there = false
   for _, name in ipairs(sys.keys(m[field] or {})) do

@@ -1,7 +1,7 @@
--- mission/expect.lua - fails unless all that missions name is declared: pieces, ships, difficulties, counts.
+-- mission/expect.lua - fails unless everything that missions name is declared: sections, ships, difficulties, counts.
 local sys = ...
 
--- of: the mission that names it.
+-- of: the mission with the name.
 local function one_of(of, what, name, list)
   for _, known in ipairs(list) do
     if known == name then return end
@@ -9,7 +9,7 @@ local function one_of(of, what, name, list)
   sys.unknown("mission.def", what, name, list, of)
 end
 
--- What a goal may count, with any of these ships.
+-- The counts that a goal can use, with any of these ships.
 local function counts(kinds)
   local list, known = { "score", "grazes", "lives", "frames", "kills" }, {}
   for _, kind in ipairs(kinds) do

@@ -1,4 +1,4 @@
--- scoring/expect.lua - fails unless some ship has each register that rules and tally name.
+-- scoring/expect.lua - fails unless every register that rules and the tally name exists on some ship.
 local sys = ...
 
 return function(rules, lines, registers)

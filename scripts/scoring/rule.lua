@@ -1,4 +1,4 @@
--- scoring/rule.lua - checks what score.rule is given. Returns the event it waits for, or its own name.
+-- scoring/rule.lua - checks the arguments of score.rule. Returns the rule's event, or its own name.
 local sys = ...
 
 local function fail(...) sys.fail("score.rule", (...):format(select(2, ...))) end

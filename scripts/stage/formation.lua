@@ -1,9 +1,9 @@
--- stage/formation.lua - where each enemy of a wave flies beside its path. A piece, read by stage.wave for `formation`.
+-- stage/formation.lua - the offsets of a wave's enemies from its path, for the argument `formation` of stage.wave.
 local sys = ...
 
 local named = {}
 
--- The first in front, the others behind it to both sides by turns; in front is down the field.
+-- The first enemy is in front (down the field); the others follow on alternate sides.
 function named.v(i, _, gap)
   local k = (i + 1) // 2
   return (i % 2 == 1 and -k or k) * gap, -k * gap
@@ -13,7 +13,7 @@ function named.line(i, n, gap) return (i - (n - 1) / 2) * gap, 0 end
 
 function named.column(i, _, gap) return 0, -i * gap end
 
--- Neighbours are gap apart; the first is in front.
+-- Neighbours are `gap` apart; the first is in front.
 function named.circle(i, n, gap)
   local radius = n > 1 and gap / 2 / angle.sin(180 / n) or 0
   local dir = 90 + 360 * i / n
@@ -33,7 +33,7 @@ local function listed(a)
   return function(i) return a.formation[i + 1][1], a.formation[i + 1][2] end
 end
 
--- What stage.wave was given -> a function of the enemy's number, from 0, that gives dx and dy.
+-- Returns a function of the enemy's number, from 0, that returns dx and dy.
 return function(a)
   if type(a.formation) == "table" then return listed(a) end
   local place = named[a.formation]

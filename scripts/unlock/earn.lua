@@ -1,7 +1,8 @@
--- unlock/earn.lua - does a run earn an unlock? run.stage: the one just cleared, or nil at the run's end; cleared: stages
--- by name; clear: all of them; mode, difficulty, continues; ships and scores, by player.
+-- unlock/earn.lua - whether a run earns an unlock. run.stage: the stage just cleared, nil at the end of the run;
+-- cleared: cleared stages by name; clear: all stages are cleared; mode, difficulty, continues; ships and scores, by
+-- player.
 
--- The place of a difficulty, easiest first.
+-- Returns a difficulty's index, easiest first.
 local function grade(sys, name)
   for i, n in ipairs(sys.difficulties()) do
     if n == name then return i end

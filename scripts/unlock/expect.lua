@@ -1,7 +1,7 @@
--- unlock/expect.lua - fails unless all that unlocks name is declared, and every unlock that something needs.
+-- unlock/expect.lua - fails unless everything that unlocks name is declared, and every unlock that something needs.
 local sys = ...
 
--- of: the unlock that names it.
+-- of: the unlock with the name.
 local function one_of(of, what, name, list)
   for _, n in ipairs(list) do
     if n == name then return end
