@@ -66,6 +66,7 @@ same "nothing in it was touched" "$again" "$(cksum plain/main.lua)"
 input_error "a file" 'file: a file with this name exists; choose another name' new file
 input_error "a folder without a name" 'new: "." is not a valid game name; expected a folder to create' new .
 input_error "nothing" 'new: "" is not a valid game name; expected a folder to create' new ''
+input_error "part of a game's name" '--from: expected bulletml, first, pattern or shooter, got "sho"' new a --from sho
 input_error "another game" '--from: expected bulletml, first, pattern or shooter, got "shoter"' new a --from shoter
 help_names_all() {
     local game

@@ -42,8 +42,9 @@ run_of() { # NAME FRAMES [OPTION]...
         --record "$1.demo" "${@:3}" >/dev/null 2>"$1.said"
 }
 practised=(--lives 7 --register power=3)
-# FROM as of core version 1; here: of this one. forged: its last row is not what it was; a number: its flags.
-aged() { # FROM TO [here] [forged] [FLAGS]
+# FROM as of core version 1; here: of this one. forged: another last row; no-points: no moments with points; a number:
+# its flags.
+aged() { # FROM TO [here] [forged] [no-points] [FLAGS]
     python3 - "$@" <<'PY'
 import struct, sys, zlib
 source, target, *how = sys.argv[1:]
@@ -62,6 +63,8 @@ while at < len(data):
     at += 12 + n
     if kind == b"H":
         payload = payload if "here" in how else struct.pack("<I", 1) + payload[4:]
+    if kind == b"M" and payload[4] == 12 and "no-points" in how:
+        continue
     if kind == b"S" and "forged" in how and struct.unpack_from("<I", payload)[0] > 0:
         payload = payload[:-1] + bytes([payload[-1] ^ 1])
     if kind == b"E" and how and how[-1].isdigit():
@@ -102,11 +105,14 @@ same 'they stay so' 'flags 5' "$(python3 "$reader" flags.demo | grep flags)"
 # ---- what changed ----
 
 local_is '3, 11, 0, 0'
-as_they_were old
+aged new.demo unscored.was no-points
+as_they_were old unscored
 late='markers: mark far 41 -> 44, boss queen 51 -> 54, phase bloom 111 -> 114'
 late="$late, death of player 1 310 -> never and 1 more"
 again 'points and moments' 1 old \
     "rerecorded: frame 1: script, tasks differ; score 200 -> 220; $late; length 400 unchanged$doubt"
+again 'no recorded score' 1 unscored "rerecorded: frame 1: script, tasks differ; \
+recorded score unknown -> 220 (known up to frame 19: 0); $late; length 400 unchanged$doubt"
 verified 'points and moments' old 400
 python3 "$reader" old.demo | sed -n '/^format/,/^nvram/p' | grep -v '^core\|^game\|^rom' >is
 python3 "$reader" new.demo | sed -n '/^format/,/^nvram/p' | grep -v '^core\|^game\|^rom' >was
