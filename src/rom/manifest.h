@@ -99,7 +99,8 @@ struct art_blend {
 
 struct art_font {
     char name[ART_NAME_SIZE], file[ART_FILE_SIZE];
-    int32_t w, h;                     /* of a character's cell, px; 0: the file is a BDF font */
+    int32_t size;                     /* of a TrueType font, px per em; 0: the file is not one */
+    int32_t w, h;                     /* of a character's cell, px; 0: the file is a TrueType or BDF font */
     char chars[ART_CHARS_SIZE];       /* characters of the cells, in reading order */
     char extra_chars[ART_CHARS_SIZE]; /* characters to pack even if no text uses them */
     bool fixed;                       /* all cells have the same width */

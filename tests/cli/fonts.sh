@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # fonts.sh - a game in Japanese, with a BDF font made of one of Debian's packages: what is packed of it, every pixel of
-# what is drawn against the font's own bits, read by nothing of Curtain's, and a font that is not by Unicode.
+# what is drawn against the font's own bits, read by nothing of Curtain's, and a font that is not by Unicode; a TrueType
+# font, and what rom.lua must say of it. test_ttf.c has its pixels.
 . "$(dirname "$0")/../tap.sh"
 sandbox
 
@@ -86,4 +87,24 @@ sed -i 's/^CHARSET_REGISTRY.*/CHARSET_REGISTRY "JISX0208.1983"/' g/art/jp.bdf
 same 'a font that is not by Unicode' \
     "curtain: g: art/jp.bdf: line 20: unsupported character set JISX0208.1983-1; expected ISO10646-1 (Unicode), \
 US-ASCII, KOI8-R, FontSpecific, or ISO8859-1 to 5, 7, 9, 10, 13 to 16" "$(cat why)"
+
+cp "$repo/tests/fuzz/seeds/fuzz_ttf/segments.ttf" g/art/t.ttf # has the space, A, B and C
+echo 'text.line { x = 3, y = 5, text = "CC", font = "jp" }' >g/main.lua
+fonts() { # NAME WANT FONT: what pack says about the font
+    sed -i "s|fonts = .*|fonts = { jp = { $3 } } }|" g/rom.lua
+    "$curtain" pack g --plain -o g.rom >/dev/null 2>why
+    same "$1" "$2" "$(cat why)"
+}
+fonts 'a TrueType font' '' 'file = "art/t.ttf", size = 8'
+same '... has all of ASCII that it draws' ' ABC' "$(python3 codes.py g.rom | tr -d '\n')"
+fonts '... needs a size' 'curtain: g: rom.lua: fonts.jp: a .ttf file needs `size`, its height in px' \
+    'file = "art/t.ttf"'
+fonts '... in px' 'curtain: g: rom.lua: fonts.jp.size: expected a whole number from 1 to 64, got 65' \
+    'file = "art/t.ttf", size = 65'
+fonts '... and has no cells' 'curtain: g: rom.lua: fonts.jp: `cell` is for pictures, got "art/t.ttf"' \
+    'file = "art/t.ttf", size = 8, cell = { 8, 8 }, chars = "A"'
+fonts 'another font has no size' 'curtain: g: rom.lua: fonts.jp: `size` is for .ttf files, got "art/jp.bdf"' \
+    'file = "art/jp.bdf", size = 8'
+head -c 200 g/art/t.ttf >g/art/cut.ttf
+fonts 'a damaged one' 'curtain: g: art/cut.ttf: head: missing or damaged' 'file = "art/cut.ttf", size = 8'
 finish

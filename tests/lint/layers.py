@@ -5,7 +5,7 @@ LAYERS is the order, lowest first; a layer is a directory with those in it. Besi
   - an entity includes of the entities only its own headers (bullets_move.c: bullets.h, bullets_parts.h) and motion.h
     (how things move);
   - Lua's headers are seen in src/script and src/board, and where rom.lua and test scripts are read; stb in
-    src/player/picture/png.c alone;
+    src/player/picture/png.c and src/workbench/pack/ttf.c alone;
   - platform.h is included by src/common, src/demo, src/lib, src/player and src/workbench; a port includes that header
     and nothing else of ours, or curtain.h if it is a host of the library; the files of a host share host.h, and win.h,
     where Windows' own headers are seen;
@@ -36,8 +36,8 @@ HOSTS = re.compile(r"platform/(example|libretro|web)/")
 HOST_HEADERS = {"platform/host.h", "platform/win.h"}
 WINDOWS = {"windows.h", "io.h", "shlobj.h"}
 HOST_FILE = re.compile(r"platform/(stdio|posix|win|iso|no)(_process|_register)?\.[ch]$|platform/host\.h$")
-STB_FILE = "src/player/picture/png.c"
-LINKED = {STB_FILE, "platform/sdl2.c"}  # these include headers of libraries that every build needs
+STB_FILES = ("src/player/picture/png.c", "src/workbench/pack/ttf.c")
+LINKED = {*STB_FILES, "platform/sdl2.c"}  # these include headers of libraries that every build needs
 HOST, HOST_FILES = {"fenv.h", "locale.h", "xlocale.h"}, {"src/base/host.h"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]|.*__has_include\(<([^>]+)>\)')
 
@@ -85,7 +85,7 @@ def system(path, name):
     if name in LUA:
         return None if SEES_LUA.match(path) else "Lua is not for this file"
     if name.startswith("stb"):
-        return None if path == STB_FILE or HOSTS.match(path) else "stb is for %s alone" % STB_FILE
+        return None if path in STB_FILES or HOSTS.match(path) else "stb is for %s alone" % " and ".join(STB_FILES)
     if name in HOST:
         return None if path in HOST_FILES else "the host's settings are for src/base/host.h alone"
     if LAYERS.index(here) < LAYERS.index("src/common") and name not in PURE:

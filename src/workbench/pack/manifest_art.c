@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "manifest_parts.h"
+#include "ttf.h"
 #include "../../common/files.h"
 
 static void read_palette(const struct manifest_value *v, void *entry, struct art *art)
@@ -62,6 +63,7 @@ static void read_font(const struct manifest_value *v, void *entry, struct art *a
 {
     static const struct manifest_field fields[] = {
         FILE_PATH("file", art_font, file),
+        WHOLE("size", art_font, size, 1, TTF_MAX_SIZE),
         PAIR("cell", art_font, w, 1, 64, "{ w, h }"),
         TEXT("chars", art_font, chars, "characters"),
         TEXT("also", art_font, extra_chars, "characters"),
@@ -75,7 +77,14 @@ static void read_font(const struct manifest_value *v, void *entry, struct art *a
     f->by_index = art->by_index;
     READ_TABLE(v, fields, NULL, f);
     if (f->file[0] == '\0')
-        value_fail(v, "expected file=\"art/NAME.bdf\" or \"art/NAME.png\"");
+        value_fail(v, "expected file=\"art/NAME.ttf\", \"art/NAME.bdf\" or \"art/NAME.png\"");
+    const bool is_ttf = files_has_suffix(f->file, ".ttf");
+    if (is_ttf && f->size == 0)
+        value_fail(v, "a .ttf file needs `size`, its height in px");
+    if (!is_ttf && f->size != 0)
+        value_fail(v, "`size` is for .ttf files, got \"%s\"", f->file);
+    if (is_ttf && f->w != 0)
+        value_fail(v, "`cell` is for pictures, got \"%s\"", f->file);
     const bool has_chars = value_get(v, "chars", &chars);
     if (has_chars && f->w == 0)
         value_fail(v, "`chars` needs `cell = { w, h }`");

@@ -15,6 +15,7 @@
 #include "map.h"
 #include "../../player/picture/shade.h"
 #include "sheet.h"
+#include "ttf.h"
 #include "../mml/mml.h"
 #include "../samples/recording.h"
 #include "../../player/picture/png.h"
@@ -160,6 +161,20 @@ static bool add_cell_font(struct packer *p)
     return good ? pack_add(p, "", "font", data, size) : err_set(p->err, p->err_size, "%s: %s", file, why);
 }
 
+static bool read_ttf(struct packer *p, const struct art_font *font, const struct pack_font_chars *wanted,
+                     struct pack_font *f)
+{
+    char why[256];
+    uint8_t *data;
+    size_t size;
+
+    if (!pack_load_named(p, font->file, TTF_MAX_FILE, &data, &size))
+        return false;
+    bool good = ttf_read(f, data, size, font->size, wanted, why, sizeof why);
+    free(data);
+    return good ? true : err_set(p->err, p->err_size, "%s: %s", font->file, why);
+}
+
 static bool read_bdf(struct packer *p, const struct art_font *font, const struct pack_font_chars *wanted,
                      struct pack_font *f)
 {
@@ -210,7 +225,9 @@ static bool add_proportional_font(struct packer *p, const struct art_font *font)
     for (uint32_t c = 32; c < 127; c++)
         pack_font_add(wanted, c);
     pack_font_add_text(wanted, font->extra_chars, strlen(font->extra_chars));
-    bool good = font->w == 0 ? read_bdf(p, font, wanted, &f) : read_cells(p, font, wanted, &f);
+    bool good = font->size != 0 ? read_ttf(p, font, wanted, &f)
+                : font->w == 0  ? read_bdf(p, font, wanted, &f)
+                                : read_cells(p, font, wanted, &f);
     free(wanted);
     if (good && (!font->shadow || pack_font_add_shadow(&f)))
         size = pack_font_make(&f, &data);
