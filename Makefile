@@ -180,7 +180,7 @@ $(OUT)/gen/%.o: $(OUT)/gen/%.c
 
 # A program of this machine that packs it can be named, when another's is built.
 BARE ?= $(OUT)/curtain-bare
-$(OUT)/game.rom: $(BARE) $(OUT)/game.is $(GAME_SRC)
+$(OUT)/game.rom: $(BARE) $(OUT)/game.is $(GAME_SRC) $(GAME_FONT)
 	$(make)
 	$(Q)$(RUN) $(BARE) pack $(GAME) --plain -o $@ >/dev/null
 

@@ -50,6 +50,7 @@ for what; do
         library lua5.4 lua5.4/lua.h || need liblua5.4-dev
         [ "$what" = null ] || library sdl2 SDL2/SDL.h || need libsdl2-dev
         header stb/stb_image.h || need libstb-dev
+        [ -n "$say" ] || [ -e /usr/share/fonts/truetype/misaki/misaki_gothic.ttf ] || need fonts-misaki
         ;;
     test)
         header cmocka.h || need libcmocka-dev

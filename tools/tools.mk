@@ -3,6 +3,12 @@
 .PHONY: windows players ports library web art demos cookbook patterns docs docs-stale survive accuracy sound pacing bench bench-fx
 .PHONY: bench-fx-objects compare bulletml prove cross
 
+# Glass Tide's Japanese font comes from a package. Without it, the game has no kanji.
+MISAKI ?= /usr/share/fonts/truetype/misaki/misaki_gothic.ttf
+GAME_FONT := $(if $(wildcard $(MISAKI)),$(GAME)/art/misaki_gothic.ttf)
+$(GAME)/art/misaki_gothic.ttf: $(MISAKI)
+	$(Q)cp $< $@
+
 # LUA_INSIDE=1: programs contain Lua, compiled as Debian does it, without its program and what the sandbox leaves out.
 LUA_SRC  := build/cross/lua-bookworm/src
 LUA_H    := $(LUA_SRC)/lua.h build/cross/include/lua5.4-deb-multiarch.h

@@ -105,6 +105,7 @@ struct art_font {
     char extra_chars[ART_CHARS_SIZE]; /* characters to pack even if no text uses them */
     bool fixed;                       /* all cells have the same width */
     bool shadow;
+    bool optional;                    /* packed only if the file exists */
     bool by_index;
 };
 

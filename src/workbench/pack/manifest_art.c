@@ -69,6 +69,7 @@ static void read_font(const struct manifest_value *v, void *entry, struct art *a
         TEXT("also", art_font, extra_chars, "characters"),
         FLAG("fixed", art_font, fixed),
         FLAG("shadow", art_font, shadow),
+        FLAG("optional", art_font, optional),
         MATCH("match", art_font, by_index),
     };
     struct art_font *f = entry;

@@ -238,11 +238,24 @@ static bool add_proportional_font(struct packer *p, const struct art_font *font)
                     : result_set_host_error(p->err, p->err_size, "out of memory");
 }
 
+static void warn_left_out(struct packer *p, const struct art_font *font)
+{
+    char sentence[ART_FILE_SIZE + 160];
+
+    snprintf(sentence, sizeof sentence, "%s: not found; the optional font \"%s\" is left out", font->file, font->name);
+    if (p->warn)
+        p->warn(p->context, sentence);
+}
+
 static bool add_proportional_fonts(struct packer *p)
 {
-    for (int i = 0; i < p->art.n_fonts; i++)
-        if (!add_proportional_font(p, &p->art.fonts[i]))
+    for (int i = 0; i < p->art.n_fonts; i++) {
+        const struct art_font *font = &p->art.fonts[i];
+        if (font->optional && !tree_has(&p->files, font->file))
+            warn_left_out(p, font);
+        else if (!add_proportional_font(p, font))
             return false;
+    }
     return true;
 }
 
