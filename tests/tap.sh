@@ -95,10 +95,10 @@ finish() {
     exit $tap_failed
 }
 
-# build_player: ./player, curtain with a port that is played by a script (machine/port_keys.c), without window and
-# clock.
+# build_player [ARGUMENT...]: ./player, curtain with a port that is played by a script (machine/port_keys.c), without
+# window and clock; the arguments are for the compiler.
 build_player() {
-    ${CC:-cc} -std=c11 -O1 -o player "$repo/tests/machine/port_keys.c" \
+    ${CC:-cc} -std=c11 -O1 -o player "$@" "$repo/tests/machine/port_keys.c" \
         $(find "$OUT/src" -name '*.o') "$OUT"/fb/*.o "$OUT"/gen/{std,no_rom}.o \
         "$OUT"/platform/{stdio,posix,posix_process}.o $(pkg-config --libs lua5.4) -lm -pthread || exit 2
 }

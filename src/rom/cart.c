@@ -496,11 +496,10 @@ void cart_sprite(const struct cart *cart, int i, struct sprite *out)
 bool cart_open_lang(const struct cart *cart, const char *name, struct words *out)
 {
     struct lump l;
-    char err[128];
+    const bool found = name[0] && find_lump(cart->rom, "lang/", name, "", &l);
 
-    *out = (struct words){ NULL, 0 };
-    return !name[0] ||
-           (find_lump(cart->rom, "lang/", name, "", &l) && words_open(out, l.data, l.size, err, sizeof err));
+    *out = found ? words_of(l.data) : (struct words){ NULL, 0 };
+    return found || !name[0];
 }
 
 void cart_map(const struct cart *cart, int i, struct map *out)

@@ -27,6 +27,11 @@ static bool string_ok(const uint8_t *data, size_t size, size_t first, uint32_t a
     return at >= first && memchr(data + at, 0, limit < WORDS_MAX_TEXT ? limit : WORDS_MAX_TEXT) != NULL;
 }
 
+struct words words_of(const uint8_t *data)
+{
+    return (struct words){ data, bytes_get32(data) };
+}
+
 bool words_open(struct words *w, const uint8_t *data, size_t size, char *err, size_t err_size)
 {
     *w = (struct words){ data, size >= HEADER_SIZE ? bytes_get32(data) : 0 };

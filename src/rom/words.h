@@ -24,6 +24,9 @@ struct words {
 /* Checks a lump and opens it. The lump must outlive w. Returns false, with one sentence in err, if it is not valid. */
 bool words_open(struct words *w, const uint8_t *data, size_t size, char *err, size_t err_size);
 
+/* Opens a lump that words_open has accepted. */
+struct words words_of(const uint8_t *data);
+
 /* Returns the original string of entry i, and stores its translation in *translation unless translation is NULL. */
 const char *words_entry(const struct words *w, uint32_t i, const char **translation);
 

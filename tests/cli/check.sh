@@ -110,9 +110,12 @@ end)
 LUA
 printf '# Deutsch\nHello = Gr\303\274\303\237e\n' >tongues/lang/de.txt
 printf 'Hello = Allo\nWorld = Monde\n' >tongues/lang/fr.txt
-finds 'words that a language lacks, and letters that the fonts lack' tongues <<'TEXT'
+lacks="note: $("$curtain" help lang | wc -l) strings of the program's screens are not translated"
+finds 'words that a language lacks, and letters that the fonts lack' tongues <<TEXT
+lang/de.txt: $lacks (curtain help lang prints all)
 lang/de.txt:2: no font in the game has a glyph for "ü", U+00FC and 1 more character: a box is drawn instead
 lang/de.txt:2: no font in the game has a glyph for "G", U+0047 and 4 more characters: a box is drawn instead
+lang/fr.txt: $lacks (curtain help lang prints all)
 lang/fr.txt:1: no font in the game has a glyph for "A", U+0041 and 3 more characters: a box is drawn instead
 lang/fr.txt:2: no font in the game has a glyph for "M", U+004D and 4 more characters: a box is drawn instead
 main.lua:2: no translation for "World" in lang/de.txt

@@ -5,6 +5,7 @@
 #include "../test.h"
 #include "../../src/base/rng.h"
 #include "../../src/player/screens/screen.h"
+#include "../../src/workbench/pack/lang.h"
 
 enum { MOST = 64 };
 enum { ENTER = 40, ESCAPE = 41, BACKSPACE = 42, PAGE_UP = 75, DELETE = 76, PAGE_DOWN = 78, RIGHT = 79, LEFT = 80 };
@@ -635,6 +636,105 @@ TEST(whatever_happens)
             show();
         }
     }
+}
+
+/* ---- languages ---- */
+
+static uint8_t *lump;
+
+static void speak(const char *file)
+{
+    struct lang lang;
+    char err[256];
+
+    if (!lang_read(&lang, file, strlen(file), "lang/xx.txt", err, sizeof err))
+        fail_msg("%s", err);
+    free(lump);
+    assert_true(lang_make(&lang, &lump) > 0);
+    screens.words = words_of(lump);
+    lang_free(&lang);
+}
+
+static void translated(const char *text, const char *want)
+{
+    char out[40];
+
+    screen_translate(&screens.words, text, out, sizeof out);
+    assert_string_equal(out, want);
+}
+
+TEST(screens_are_translated)
+{
+    struct screen_row row;
+    char text[SCREEN_TEXT];
+
+    open_list(" =");
+    speak("row %d = Zeile %d\nall = alles\nfull = voll\n%d = Nr. %d\n"
+          "Sentences above the list, of which there may be more than fit into one line. = Oben.\n"
+          "A sentence about %d, which is longer than most of the pictures are wide. = Hilfe zu %d.\n");
+    row = screen_place_row(&screens.place[0], 1);
+    assert_string_equal(row.label, "Zeile 1");
+    assert_string_equal(row.value, "Nr. 0");
+    assert_string_equal(row.help, "Hilfe zu 1.");
+    assert_true(row.changes);
+    screen_place_title(&screens.place[0], text, sizeof text);
+    assert_string_equal(text, "alles");
+    screen_place_text(&screens.place[0], text, sizeof text);
+    assert_string_equal(text, "");
+    screens_open(&screens, &full, &list);
+    screen_place_text(&screens.place[1], text, sizeof text); /* line by line: the second has no translation */
+    assert_string_equal(text, "Oben.\nAnd a second one.");
+    show();
+    screens.words = (struct words){ 0 };
+    screen_place_text(&screens.place[1], text, sizeof text);
+    assert_true(strncmp(text, "Sentences", 9) == 0);
+}
+
+#define TIDES_13                                                                                                       \
+    "\xe6\xbd\xae\xe6\xbd\xae\xe6\xbd\xae\xe6\xbd\xae\xe6\xbd\xae\xe6\xbd\xae\xe6\xbd\xae\xe6\xbd\xae\xe6\xbd\xae"     \
+    "\xe6\xbd\xae\xe6\xbd\xae\xe6\xbd\xae\xe6\xbd\xae"
+
+TEST(text_is_looked_up)
+{
+    speak("On = An\nPlayer %d = Spieler %d\n%d of %d = %d von %d\nNone %d = Keiner\nOne = %d %d\nTwo %d = %d %d\n"
+          "Long = " TIDES_13 "\xe6\xbd\xae\n");
+    translated("On", "An");
+    translated("  On", "  An");
+    translated("Off", "Off");
+    translated("", "");
+    translated("Player 12", "Spieler 12");
+    translated("3 of 04", "3 von 04");
+    translated("None 5", "Keiner");
+    translated("One", "%d %d"); /* a translation is no format */
+    translated("Two 2", "2 %d");
+    translated("1 2 3 4 5 6 7 8 9", "1 2 3 4 5 6 7 8 9");
+    translated("On\nOff\n  Player 2\n", "An\nOff\n  Spieler 2\n");
+    translated("Long", TIDES_13); /* whole characters */
+}
+
+/* A ROM may come from anywhere: a translation never takes other arguments than the program passes. */
+TEST(formats_are_translated)
+{
+    char out[64];
+
+    speak("%s has %d%% = %s: %d%%\nGone: %s = Weg: %n\nMore: %s = Mehr: %s %s\nEnd: %s = Ende: %s %\n"
+          "Less: %s = Weniger\nSwap: %s %d = %d %s\nWide: %s = %9s\nremoved %s = %s entfernt\n");
+    screens_format(&screens, out, sizeof out, "%s has %d%%", "x", 5);
+    assert_string_equal(out, "x: 5%");
+    screens_format(&screens, out, sizeof out, "Gone: %s", "x");
+    assert_string_equal(out, "Gone: x");
+    screens_format(&screens, out, sizeof out, "More: %s", "x");
+    assert_string_equal(out, "More: x");
+    screens_format(&screens, out, sizeof out, "End: %s", "x");
+    assert_string_equal(out, "End: x");
+    screens_format(&screens, out, sizeof out, "Less: %s", "x");
+    assert_string_equal(out, "Less: x");
+    screens_format(&screens, out, sizeof out, "Swap: %s %d", "x", 5);
+    assert_string_equal(out, "Swap: x 5");
+    screens_format(&screens, out, sizeof out, "Wide: %s", "x");
+    assert_string_equal(out, "Wide: x");
+    screens_show_message(&screens, "removed %s", "z");
+    assert_string_equal(screens.message, "z entfernt");
 }
 
 RUN_TESTS_EACH(setup, NULL)

@@ -49,8 +49,10 @@ const struct command_row args_commands[COMMANDS] = {
                           "a bank to a .hex or .gpl file" },
     [COMMAND_BULLETML] = { "bulletml", "FILE...", 1, 1 << 20,
                            "check BulletML documents and describe them; or convert one to Lua" },
-    [COMMAND_HELP] = { "help", "[COMMAND | config | lua [NAME | WORD]]", 0, 2,
-                       "print this help; or help for a command, for the settings and their file, for the Lua API, or "
+    [COMMAND_HELP] = { "help", "[COMMAND | config | lang | lua [NAME]]", 0, 2,
+                       "print this help; or help for a command, for the settings and their file, the text of the "
+                       "program's screens "
+                       "as lines of a language file, help for the Lua API, or "
                        "for the API names that contain a word" },
     [COMMAND_VERSION] = { "version", "", 0, 0,
                           "print release, core version, Lua release, compiler and flags (also --version)" },

@@ -202,16 +202,6 @@ const char *keys_action_label(int i)
     return actions[i].label;
 }
 
-void keys_title(const char *action, char *out, size_t size)
-{
-    const int i = find_action(action), player = player_of(i);
-
-    if (player < 0)
-        snprintf(out, size, "%s", actions[i].label);
-    else
-        snprintf(out, size, "Player %d %s", player + 1, actions[i].label);
-}
-
 const char *keys_action_help(int i)
 {
     return actions[i].help;
@@ -271,18 +261,15 @@ uint16_t keys_capture_poll(struct keys_capture *c, const struct plat_input *in)
     return (uint16_t)code;
 }
 
-bool keys_add(struct keys *k, const char *action, uint16_t code, char *err, size_t err_size)
+bool keys_add(struct keys *k, const char *action, uint16_t code)
 {
     uint16_t *list = k->code[find_action(action)];
     int n = 0;
 
     while (n < KEYS_PER_ACTION && list[n] && list[n] != code)
         n++;
-    if (n == KEYS_PER_ACTION) {
-        char title[KEYS_TITLE_SIZE];
-        keys_title(action, title, sizeof title);
-        return err_set(err, err_size, "%s already has %d keys, the maximum", title, KEYS_PER_ACTION);
-    }
+    if (n == KEYS_PER_ACTION)
+        return false;
     list[n] = code;
     return true;
 }

@@ -127,10 +127,6 @@ const char *keys_action_name(int i);
 const char *keys_action_label(int i);
 const char *keys_action_help(int i);
 
-/* Writes an action's label with its player: "Player 1 Fire", "Take Over". */
-enum { KEYS_TITLE_SIZE = 32 };
-void keys_title(const char *action, char *out, size_t size);
-
 /* Writes the list of an action's inputs, as keys_bind reads it. */
 void keys_write_list(const struct keys *k, const char *action, char *out, size_t size);
 
@@ -147,9 +143,9 @@ struct keys_capture {
 void keys_capture_begin(struct keys_capture *c, const struct plat_input *in);
 uint16_t keys_capture_poll(struct keys_capture *c, const struct plat_input *in);
 
-/* Add and remove an input of an action. If the action already has KEYS_PER_ACTION inputs, keys_add returns false and
- * sets err. Adding an input twice has no effect. */
-bool keys_add(struct keys *k, const char *action, uint16_t code, char *err, size_t err_size);
+/* Add and remove an input of an action. Adding returns false if the action already has KEYS_PER_ACTION inputs; adding
+ * an input twice has no effect. */
+bool keys_add(struct keys *k, const char *action, uint16_t code);
 void keys_remove(struct keys *k, const char *action, uint16_t code);
 
 /* Returns the first other action that the same press would trigger if this input were bound to the action; NULL: none.

@@ -274,7 +274,7 @@ static void screens_footer(struct play *play, char *text, size_t size)
 
     footer_key(play, "p1.fire", "enter", yes, sizeof yes);
     footer_key(play, "p1.bomb", "escape", no, sizeof no);
-    snprintf(text, size, "%s: Select  %s: Back", yes, no);
+    screens_format(&play->screens, text, size, "%s: Select  %s: Back", yes, no);
 }
 
 void play_show(struct play *play, struct picture *p)
@@ -284,6 +284,7 @@ void play_show(struct play *play, struct picture *p)
     play_window_begin(play, p->fb.w, p->fb.h);
     if (screens_are_open(&play->screens)) {
         struct canvas canvas = copy_picture(play, p);
+        play_translate_screens(play);
         screens_footer(play, o.hint, sizeof o.hint);
         screens_draw(&play->screens, &canvas, o.hint);
         play_window_show(play, &p->composed, p->composed_rgb, false);

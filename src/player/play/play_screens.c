@@ -78,6 +78,7 @@ bool play_screen_keys(struct play *play, const struct plat_input *in, struct key
 {
     const bool was_open = screens_are_open(&play->screens);
 
+    play_translate_screens(play);
     if (was_open) {
         const bool practice = screens_top(&play->screens) == &practice_screen;
         const bool listened = screens_poll(&play->screens, in, k);

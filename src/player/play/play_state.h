@@ -491,6 +491,9 @@ void play_apply_settings(struct play *play);
 extern const struct screen_def keys_screen;
 void play_open_menu(struct play *play);
 void play_open_settings(struct play *play);
+
+/* Sets the language of the screens to that of the next start of the game. */
+void play_translate_screens(struct play *play);
 void play_open_keys(struct play *play);
 void play_open_controllers(struct play *play);
 void play_open_log(struct play *play);

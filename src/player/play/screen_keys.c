@@ -12,7 +12,8 @@ enum {
     RESET = -1,
     HEADING = -2,
     MAX_ROWS = KEYS_ACTIONS + MAX_PLAYERS + 2,
-    PLAYER_ACTIONS = MAX_PLAYERS * PAD_BUTTON_COUNT
+    PLAYER_ACTIONS = MAX_PLAYERS * PAD_BUTTON_COUNT,
+    TITLE = 64 /* bytes */
 };
 
 /* The groups are the players, then the program's keys. Returns the number of rows. */
@@ -65,6 +66,21 @@ static void labels_of(struct play *play, int action, char *out, size_t size)
     }
 }
 
+/* The translated title of the action with this name: "Player 2 Fire". */
+static void title_of(const struct play *play, const char *name, char *out, size_t size)
+{
+    char label[TITLE];
+    int action = 0;
+
+    while (strcmp(keys_action_name(action), name) != 0)
+        action++;
+    screen_translate(&play->screens.words, keys_action_label(action), label, sizeof label);
+    if (action < PLAYER_ACTIONS)
+        screens_format(&play->screens, out, size, "Player %d %s", action / PAD_BUTTON_COUNT + 1, label);
+    else
+        snprintf(out, size, "%s", label);
+}
+
 /* The action's meaning, and the keys of this screen, on the device that was used last. */
 static void describe_help(struct play *play, const char *meaning, struct screen_row *row)
 {
@@ -75,10 +91,12 @@ static void describe_help(struct play *play, const char *meaning, struct screen_
         input_code_label(INPUT_CODE_CONTROLLER | PLAT_SOUTH, d->kind, more, sizeof more);
         input_code_label(INPUT_CODE_CONTROLLER | PLAT_NORTH, d->kind, less, sizeof less);
     }
-    char sentence[SCREEN_HELP / 2] = "";
     if (meaning[0])
-        screen_sentence(sentence, sizeof sentence, meaning);
-    snprintf(row->help, sizeof row->help, "%s\n%s: add a key. %s: remove one.", sentence, more, less);
+        screen_sentence(row->help, sizeof row->help / 2, meaning);
+    const size_t n = strlen(row->help);
+    row->help[n] = '\n';
+    screens_format(&play->screens, row->help + n + 1, sizeof row->help - n - 1, "%s: add a key. %s: remove one.", more,
+                   less);
 }
 
 static void describe(void *context, int at, struct screen_row *row)
@@ -114,19 +132,19 @@ static void bind_input(struct play *play, uint16_t code)
 {
     struct keys *k = &play->config.keys;
     const char *name = keys_action_name(play->key_capture.action), *other = keys_conflict(k, name, code);
-    char err[160], label[INPUT_CODE_NAME_SIZE], title[KEYS_TITLE_SIZE], before[KEYS_TITLE_SIZE];
+    char label[INPUT_CODE_NAME_SIZE], title[TITLE], before[TITLE];
 
     input_code_label(code, k->latest.kind, label, sizeof label);
-    keys_title(name, title, sizeof title);
-    if (!keys_add(k, name, code, err, sizeof err)) {
-        screens_show_message(&play->screens, "%s", err);
+    title_of(play, name, title, sizeof title);
+    if (!keys_add(k, name, code)) {
+        screens_show_message(&play->screens, "%s already has %d keys, the maximum", title, KEYS_PER_ACTION);
         return;
     }
     if (!other) {
         screens_show_message(&play->screens, "%s: %s", title, label);
         return;
     }
-    keys_title(other, before, sizeof before);
+    title_of(play, other, before, sizeof before);
     screens_show_message(&play->screens, "%s: %s (was %s)", title, label, before);
     for (; other; other = keys_conflict(k, name, code))
         keys_remove(k, other, code);
@@ -165,14 +183,14 @@ static void accept(void *context, int at)
 {
     struct play *play = context;
     const int action = row_at(play, at);
-    char title[KEYS_TITLE_SIZE];
+    char title[TITLE];
 
     if (action == RESET) {
         screens_ask(&play->screens, "Reset all key bindings?", "Reset", reset_all, play);
         return;
     }
     play->key_capture = (struct key_capture){ .listening = true, .action = action };
-    keys_title(keys_action_name(action), title, sizeof title);
+    title_of(play, keys_action_name(action), title, sizeof title);
     screens_show_message(&play->screens, "%s: press a key or button. Escape: cancel.", title);
 }
 
@@ -185,9 +203,9 @@ static void remove_one(void *context, int at)
     for (int i = KEYS_PER_ACTION - 1; action >= 0 && i >= 0; i--) {
         const uint16_t code = play->config.keys.code[action][i];
         if (code && !keys_reserved(code)) {
-            char label[INPUT_CODE_NAME_SIZE], title[KEYS_TITLE_SIZE];
+            char label[INPUT_CODE_NAME_SIZE], title[TITLE];
             input_code_label(code, play->config.keys.latest.kind, label, sizeof label);
-            keys_title(keys_action_name(action), title, sizeof title);
+            title_of(play, keys_action_name(action), title, sizeof title);
             screens_show_message(&play->screens, "%s: removed %s", title, label);
             keys_remove(&play->config.keys, keys_action_name(action), code);
             return;

@@ -76,8 +76,8 @@ static const char *action_text(void *context)
 
     if (!play->replay_list.typing)
         return meta_of(play, play->replay_list.thumb_of)->name;
-    snprintf(play->replay_list.text, sizeof play->replay_list.text, "Name: %s_\nEnter: save. Escape: cancel.",
-             play->replay_list.typed);
+    screens_format(&play->screens, play->replay_list.text, sizeof play->replay_list.text,
+                   "Name: %s_\nEnter: save. Escape: cancel.", play->replay_list.typed);
     return play->replay_list.text;
 }
 
@@ -309,9 +309,10 @@ static void draw_thumb(const struct thumb *t, const struct canvas *canvas, struc
 }
 
 /* Beside the thumbnail: the details that don't fit in the row. */
-static void draw_details(const struct replay_meta *c, const struct canvas *canvas, struct screen_area to)
+static void draw_details(const struct words *words, const struct replay_meta *c, const struct canvas *canvas,
+                         struct screen_area to)
 {
-    char lines[6][64];
+    char lines[6][64], shown[64];
     int n = 0;
 
     date_text(c->date, lines[n++], sizeof lines[0]);
@@ -320,10 +321,12 @@ static void draw_details(const struct replay_meta *c, const struct canvas *canva
         snprintf(lines[n++], sizeof lines[0], "%s", c->difficulty);
     for (int p = 0; p < (c->players > 1 ? 2 : 1); p++)
         snprintf(lines[n++], sizeof lines[0], "%" PRId64 " points", c->points[p]);
-    snprintf(lines[n++], sizeof lines[0], "%d stage%s", c->stages, c->stages == 1 ? "" : "s");
-    for (int i = 0; i < n && (i + 1) * CANVAS_LARGE_LINE_HEIGHT <= to.h; i++)
+    snprintf(lines[n++], sizeof lines[0], c->stages == 1 ? "%d stage" : "%d stages", c->stages);
+    for (int i = 0; i < n && (i + 1) * CANVAS_LARGE_LINE_HEIGHT <= to.h; i++) {
+        screen_translate(words, lines[i], shown, sizeof shown);
         canvas_large_text_truncated(canvas, to.x, to.y + CANVAS_LARGE_ACCENT_HEIGHT + i * CANVAS_LARGE_LINE_HEIGHT,
-                                    i ? CANVAS_WHITE : CANVAS_YELLOW, lines[i], to.w);
+                                    i ? CANVAS_WHITE : CANVAS_YELLOW, shown, to.w);
+    }
 }
 
 static void draw(void *context, int at, const struct canvas *canvas, struct screen_area to)
@@ -339,7 +342,8 @@ static void draw(void *context, int at, const struct canvas *canvas, struct scre
         draw_thumb(&l->thumb, canvas, to);
         side = l->thumb.w + 8;
     }
-    draw_details(meta_of(play, at), canvas, (struct screen_area){ to.x + side + 4, to.y, to.w - side - 4, to.h });
+    draw_details(&play->screens.words, meta_of(play, at), canvas,
+                 (struct screen_area){ to.x + side + 4, to.y, to.w - side - 4, to.h });
 }
 
 static const struct screen_def replays = { .title = "Replays",

@@ -4,6 +4,7 @@
  * a new game in a folder that has changed.
  */
 #include <stdio.h>
+#include <string.h>
 #include "../replays/roms.h"
 #include "play_state.h"
 
@@ -46,25 +47,39 @@ static const struct screen_def question = {
     .title = "Unfinished Run", .small = true, .rows = rows, .row = row, .text = text, .accept = accept
 };
 
-/* The run's time and ship, and whether it can be resumed. */
-static void describe(struct resume_offer *o, const struct replay_meta *c, const struct rom *rom)
+/* Adds a line to the text. format: as for screens_format. */
+static void add_line(struct play *play, const char *format, const char *name)
 {
+    char *text = play->resume_offer.text;
+    const size_t n = strlen(text), size = sizeof play->resume_offer.text;
+
+    if (n + 2 < size) {
+        text[n] = '\n';
+        screens_format(&play->screens, text + n + 1, size - n - 1, format, name);
+    }
+}
+
+/* The run's time and ship, and whether it can be resumed. */
+static void describe(struct play *play, const struct replay_meta *c)
+{
+    struct resume_offer *o = &play->resume_offer;
+    const struct rom *rom = play_cart(play)->rom;
     const unsigned seconds = (c->last - c->first) / 60;
     const bool same = c->rom == rom_hash(rom) || c->game == rom_game_hash(rom);
-    int n = snprintf(o->text, sizeof o->text, "Play time: %u:%02u%s%s%s. ", seconds / 60, seconds % 60,
-                     c->ship[0] ? ", ship: " : "", c->ship, c->flags & DEMO_RESUMED ? ", previously resumed" : "");
-    char *more = o->text + n;
-    const size_t size = sizeof o->text - (size_t)n;
 
     o->changed = !same;
     o->possible = c->core == CORE_VERSION && (same || roms_has(c->id, c->rom));
+    snprintf(o->text, sizeof o->text, "Play time: %u:%02u", seconds / 60, seconds % 60);
+    if (c->ship[0])
+        add_line(play, "Ship: %s", c->ship);
+    if (c->flags & DEMO_RESUMED)
+        add_line(play, "%s", "Resumed before.");
     if (c->core != CORE_VERSION)
-        snprintf(more, size, "Cannot resume: the run needs core version %u, but this program has version %d.",
-                 (unsigned)c->core, CORE_VERSION);
+        add_line(play, "%s", "Cannot resume: the run needs another version of this program.");
     else if (!o->possible)
-        snprintf(more, size, "Cannot resume: the game has changed and its old version is not stored.");
+        add_line(play, "%s", "Cannot resume: the game has changed and its old version is not stored.");
     else if (!same)
-        snprintf(more, size, "The game has changed; the run resumes in the old version.");
+        add_line(play, "%s", "The game has changed; the run resumes in the old version.");
 }
 
 void play_offer_resume(struct play *play)
@@ -88,7 +103,8 @@ void play_offer_resume(struct play *play)
     }
     if (!play->config.resume)
         return;
-    describe(offer, &c, play_cart(play)->rom);
+    play_translate_screens(play);
+    describe(play, &c);
     screens_open(&play->screens, &question, play);
     /* an author who has changed the game's folder wants to see the change */
     const bool author = offer->changed && play->reload.folder.seen != 0;

@@ -73,6 +73,71 @@ static const struct screen_def display_page = PAGE("Display"), sound_page = PAGE
                                accessibility_page = PAGE("Accessibility"), gameplay_page = PAGE("Gameplay");
 #undef PAGE
 
+/* ---- the language ---- */
+
+/* Opens language i, from 1 on. Returns its own name: the line `name = ...` of its file, or else the file's name. */
+static const char *open_lang(const struct cart *cart, int i, struct words *words)
+{
+    const char *id = cart_name(cart, CART_LANGS, i - 1);
+
+    cart_open_lang(cart, id, words);
+    const char *name = words_find(words, "name", 4);
+    return name ? name : id;
+}
+
+/* A file that has only a name is about the language of the scripts. Returns its number, or 0 if there is none. */
+static int scripts_lang(const struct cart *cart)
+{
+    struct words words;
+
+    for (int i = 1; i <= cart->count[CART_LANGS]; i++)
+        if (open_lang(cart, i, &words) && words.n == 1 && words_find(&words, "name", 4))
+            return i;
+    return 0;
+}
+
+/* Returns the number of the language with this id, from 1 on; otherwise that of the scripts' language. */
+static int lang_number(const struct cart *cart, const char *id)
+{
+    for (int i = 1; i <= cart->count[CART_LANGS]; i++)
+        if (strcmp(cart_name(cart, CART_LANGS, i - 1), id) == 0)
+            return i;
+    return scripts_lang(cart);
+}
+
+static void describe_lang(const struct play *play, struct screen_row *row)
+{
+    const struct cart *cart = play_cart(play);
+    const int i = lang_number(cart, play->config.lang);
+    struct words words;
+
+    snprintf(row->label, sizeof row->label, "Language");
+    snprintf(row->value, sizeof row->value, "%s", i ? open_lang(cart, i, &words) : "Default");
+    snprintf(row->help, sizeof row->help, "Menus change at once, the game when it restarts.");
+    row->changes = true;
+}
+
+/* Only the language's row changes. */
+static void change_lang(void *context, int at, int by)
+{
+    struct play *play = context;
+    const struct cart *cart = play_cart(play);
+    struct config *c = &play->config;
+    const int scripts = scripts_lang(cart), first = scripts ? 1 : 0, n = cart->count[CART_LANGS] + 1 - first,
+              to = first + (lang_number(cart, c->lang) - first + (by < 0 ? -1 : 1) + n) % n;
+
+    (void)at;
+    snprintf(c->lang, sizeof c->lang, "%s", to != scripts ? cart_name(cart, CART_LANGS, to - 1) : "");
+    memcpy(play->saved_config.lang, c->lang, sizeof c->lang);
+}
+
+void play_translate_screens(struct play *play)
+{
+    const char *given = play->options.start.lang;
+
+    cart_open_lang(play_cart(play), given[0] ? given : play->config.lang, &play->screens.words);
+}
+
 /* ---- the list of pages ---- */
 
 static const struct {
@@ -98,39 +163,12 @@ static int rows(void *context)
 
 static void describe(void *context, int at, struct screen_row *row)
 {
-    const struct play *play = context;
-
-    if (at < LANGUAGE) {
-        snprintf(row->label, sizeof row->label, "%s", entries[at].label);
-        snprintf(row->help, sizeof row->help, "%s", entries[at].help);
+    if (at == LANGUAGE) {
+        describe_lang(context, row);
         return;
     }
-    snprintf(row->label, sizeof row->label, "Language");
-    snprintf(row->value, sizeof row->value, "%s", play->config.lang[0] ? play->config.lang : "Default");
-    snprintf(row->help, sizeof row->help, "Takes effect when the game restarts.");
-    row->changes = true;
-}
-
-/* Returns the language's number, from 1; 0: the strings in the scripts. */
-static int lang_number(const struct cart *cart, const char *name)
-{
-    for (int i = 0; i < cart->count[CART_LANGS]; i++)
-        if (strcmp(cart_name(cart, CART_LANGS, i), name) == 0)
-            return i + 1;
-    return 0;
-}
-
-/* Only the language's row changes. */
-static void change_lang(void *context, int at, int by)
-{
-    struct play *play = context;
-    const struct cart *cart = play_cart(play);
-    struct config *c = &play->config;
-    const int n = cart->count[CART_LANGS] + 1, to = (lang_number(cart, c->lang) + (by < 0 ? -1 : 1) + n) % n;
-
-    (void)at;
-    snprintf(c->lang, sizeof c->lang, "%s", to ? cart_name(cart, CART_LANGS, to - 1) : "");
-    memcpy(play->saved_config.lang, c->lang, sizeof c->lang);
+    snprintf(row->label, sizeof row->label, "%s", entries[at].label);
+    snprintf(row->help, sizeof row->help, "%s", entries[at].help);
 }
 
 static void accept(void *context, int at)
@@ -154,8 +192,8 @@ static void closed(void *context)
     play_save_settings(play);
     if (play->quit || play->session.demo)
         return;
-    screens_ask(&play->screens, "Restart now to change the language? The current run ends.", "Restart", play_restart,
-                play);
+    screens_ask(&play->screens, "Restart now to change the game's language? The current run ends.", "Restart",
+                play_restart, play);
 }
 
 static const struct screen_def settings = {

@@ -3,7 +3,6 @@
  */
 #include "screen.h"
 
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -90,7 +89,7 @@ void screens_open(struct screens *s, const struct screen_def *screen, void *cont
 {
     if (s->depth == SCREENS_MAX_DEPTH)
         return;
-    s->place[s->depth++] = (struct screen_place){ .screen = screen, .context = context };
+    s->place[s->depth++] = (struct screen_place){ .screen = screen, .context = context, .words = &s->words };
     settle(top_place(s));
     s->held = UINT32_MAX; /* keys held now were pressed for something else */
     s->held_for = 0;
@@ -135,7 +134,7 @@ void screens_show_message(struct screens *s, const char *format, ...)
     va_list args;
 
     va_start(args, format);
-    vsnprintf(s->message, sizeof s->message, format, args);
+    screens_format_list(s, s->message, sizeof s->message, format, args);
     va_end(args);
     s->message_frames = MESSAGE_FRAMES;
 }

@@ -3,18 +3,22 @@
  * doesn't tick and gets no input.
  *
  * A screen is a table of functions that describe the state `of`; they are called whenever a row is drawn, so a screen
- * stores no text. Every player's pad controls screens, and so do inputs that no setting can remove: arrows, Enter,
+ * stores no text. All text is in English, and is shown in the game's language if `words` has a translation.
+ * Every player's pad controls screens, and so do inputs that no setting can remove: arrows, Enter,
  * Escape, Backspace, Delete, a controller's d-pad, south and east, the mouse.
  */
 #ifndef PLAYER_SCREEN_H
 #define PLAYER_SCREEN_H
 
+#include <stdarg.h>
 #include <stdbool.h>
 #include <stdint.h>
 #include "../input/keys.h"
 #include "../overlay/canvas.h"
+#include "../../rom/words.h"
 
-enum { SCREENS_MAX_DEPTH = 8, SCREEN_LABEL = 96, SCREEN_VALUE = 64, SCREEN_HELP = 256 };
+/* Bytes of a label, of a value, of the help, and of the text above the list. */
+enum { SCREENS_MAX_DEPTH = 8, SCREEN_LABEL = 96, SCREEN_VALUE = 64, SCREEN_HELP = 256, SCREEN_TEXT = 1024 };
 
 /* A row, filled in by its screen. */
 struct screen_row {
@@ -55,10 +59,12 @@ struct screen_def {
 };
 
 struct screens {
+    struct words words; /* translations of everything shown; set before each poll and drawing, as a reload ends them */
     struct screen_place {
         const struct screen_def *screen;
         void *context;
-        int row, top; /* the chosen row; the first visible one */
+        const struct words *words; /* the stack's */
+        int row, top;              /* the chosen row; the first visible one */
     } place[SCREENS_MAX_DEPTH];
     int depth;
     uint32_t held; /* at the last poll */
@@ -77,15 +83,6 @@ struct screens {
     } confirm;
 };
 
-/* Returns the row's present contents. */
-static inline struct screen_row screen_place_row(const struct screen_place *p, int at)
-{
-    struct screen_row row = { 0 };
-
-    p->screen->row(p->context, at, &row);
-    return row;
-}
-
 static inline bool screens_are_open(const struct screens *s)
 {
     return s->depth > 0;
@@ -96,6 +93,23 @@ const struct screen_def *screens_top(const struct screens *s);
 
 /* Returns whether the screen is open, anywhere in the stack. */
 bool screens_contain(const struct screens *s, const struct screen_def *screen);
+
+/* Returns the row's present contents, translated. */
+struct screen_row screen_place_row(const struct screen_place *p, int at);
+
+/* Write the translated title, and the sentences above the list. */
+void screen_place_title(const struct screen_place *p, char *out, size_t size);
+void screen_place_text(const struct screen_place *p, char *out, size_t size);
+
+/* Writes the translation of a text, or the text. If the whole text has none, each line is translated separately. A
+ * number is %d in the translations: "Player 2" is looked up as "Player %d". */
+void screen_translate(const struct words *w, const char *text, char *out, size_t size);
+
+/* Like snprintf and vsnprintf, with the translated format. Its conversions are %s, %d and %%; a translation with other
+ * ones than the format is not used. */
+void screens_format(const struct screens *s, char *out, size_t size, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
+void screens_format_list(const struct screens *s, char *out, size_t size, const char *format, va_list args);
 
 /* Opens a screen above the open ones, with its first possible row chosen. Does nothing if SCREENS_MAX_DEPTH are open.
  * screen and of must stay valid until it is closed. */
@@ -112,7 +126,7 @@ void screens_choose(struct screens *s, int row);
  * first. */
 void screens_settle(struct screens *s);
 
-/* Shows a line instead of the chosen row's help for some seconds. */
+/* Shows a line instead of the chosen row's help for some seconds. format: as for screens_format. */
 void screens_show_message(struct screens *s, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* Opens a small screen with the question, "Cancel" and `yes`. After yes, it closes this screen and calls then(of). */

@@ -105,8 +105,11 @@ static void draw_list(struct screens *s, struct screen_place *p, const struct ca
 /* Returns the width of the title or the widest row, in px. */
 static int content_width(const struct screen_place *p)
 {
-    int widest = canvas_large_text_width(p->screen->title);
+    char title[SCREEN_LABEL];
+    int widest;
 
+    screen_place_title(p, title, sizeof title);
+    widest = canvas_large_text_width(title);
     for (int i = 0, n = p->screen->rows(p->context); i < n; i++) {
         const struct screen_row row = screen_place_row(p, i);
         const int w =
@@ -149,10 +152,13 @@ static struct screen_area screen_area(const struct screen_place *p, const struct
     return (struct screen_area){ (w - width) / 2, (h - height) / 2, width, height };
 }
 
-static void draw_title(const struct screen_def *screen, const struct canvas *canvas, const struct screen_area *a)
+static void draw_title(const struct screen_place *p, const struct canvas *canvas, const struct screen_area *a)
 {
+    char title[SCREEN_LABEL];
+
+    screen_place_title(p, title, sizeof title);
     canvas_rect(canvas, a->x, a->y, a->w, TITLE, CANVAS_CYAN);
-    canvas_large_text(canvas, a->x + PADDING, a->y + TEXT_TOP + 1, CANVAS_DARK, screen->title);
+    canvas_large_text(canvas, a->x + PADDING, a->y + TEXT_TOP + 1, CANVAS_DARK, title);
 }
 
 /* Draws the line of screens_show_message or the chosen row's help below the list. */
@@ -162,7 +168,7 @@ static void draw_help(const struct screens *s, const struct screen_place *p, con
     struct screen_row row = { 0 };
 
     if (p->screen->rows(p->context) > 0)
-        p->screen->row(p->context, p->row, &row);
+        row = screen_place_row(p, p->row);
     canvas_rect(canvas, a->x, a->y - PADDING / 2, a->w, 1, CANVAS_GREY);
     draw_lines(canvas, a->x + PADDING, a->y, a->w - 2 * PADDING, HELP_LINES,
                s->message_frames ? CANVAS_YELLOW : CANVAS_GREY, s->message_frames ? s->message : row.help);
@@ -187,7 +193,8 @@ void screens_draw(struct screens *s, const struct canvas *canvas, const char *fo
         return;
     struct screen_place *p = &s->place[s->depth - 1];
     screens_settle(s);
-    const char *text = p->screen->text ? p->screen->text(p->context) : "";
+    char text[SCREEN_TEXT];
+    screen_place_text(p, text, sizeof text);
     const struct screen_area a = screen_area(p, canvas, text);
     const bool has_footer = !p->screen->small && footer[0] && a.h >= MIN_FOOTER_HEIGHT;
     const int max_lines = a.h < MIN_HELP_HEIGHT ? 0 : a.h < 2 * MIN_HELP_HEIGHT ? 1 : HELP_LINES;
@@ -197,7 +204,7 @@ void screens_draw(struct screens *s, const struct canvas *canvas, const char *fo
     canvas_rect(canvas, a.x, a.y, a.w, a.h, CANVAS_DARK);
     if (p->screen->small)
         canvas_outline(canvas, a.x - 1, a.y - 1, a.w + 2, a.h + 2, CANVAS_GREY);
-    draw_title(p->screen, canvas, &a);
+    draw_title(p, canvas, &a);
     int y = a.y + TITLE + PADDING;
     y = draw_lines(canvas, a.x + PADDING, y, a.w - 2 * PADDING, a.h / LINE / 2, CANVAS_WHITE, text);
     struct screen_area list = { a.x, y + (text[0] ? PADDING : 0), a.w, 0 };

@@ -7,6 +7,7 @@
  * checked; such a character is a problem if a run showed it, and otherwise a note.
  */
 #include "check_parts.h"
+#include "program_text.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -231,6 +232,12 @@ static bool has_translation(const struct lang *l, const char *text)
     return false;
 }
 
+/* A file that has only the line `name = ...` names the language of the scripts. */
+static bool has_only_name(const struct lang *l)
+{
+    return l->n == 1 && has_translation(l, "name");
+}
+
 /* Reports languages that have no translation of a text. */
 static void check_translation(struct check *c, const struct languages *t, const char *path, int line, const char *text)
 {
@@ -238,7 +245,7 @@ static void check_translation(struct check *c, const struct languages *t, const 
     size_t at = 0;
 
     for (int i = 0; i < t->n && at < sizeof missing; i++)
-        if (!has_translation(&t->list[i].lang, text))
+        if (!has_translation(&t->list[i].lang, text) && !has_only_name(&t->list[i].lang))
             at += (size_t)snprintf(missing + at, sizeof missing - at, "%s%s", at > 0 ? ", " : "", t->list[i].path);
     if (at > 0)
         diagnostics_add(&c->found, path, line, "no translation for \"%.80s\" in %s", text, missing);
@@ -259,6 +266,19 @@ static void check_translations(struct check *c, const struct languages *t, const
     }
 }
 
+/* Notes how much of the program's screens a language doesn't translate. */
+static void check_program_text(struct check *c, const struct language *one)
+{
+    int n = 0;
+
+    for (int i = 0; program_text(i) != NULL; i++)
+        n += !has_translation(&one->lang, program_text(i));
+    if (n > 0 && !has_only_name(&one->lang))
+        diagnostics_note(&c->found, one->path, 0,
+                         "%d string%s of the program's screens %s not translated (curtain help lang prints all)", n,
+                         n == 1 ? "" : "s", n == 1 ? "is" : "are");
+}
+
 void check_langs(struct check *c)
 {
     struct languages *t = calloc(1, sizeof *t);
@@ -269,8 +289,10 @@ void check_langs(struct check *c)
     read_languages(c, t);
     for (int i = 0; i < c->n_scripts; i++)
         check_translations(c, t, &c->scripts[i]);
-    for (int i = 0; i < t->n; i++)
+    for (int i = 0; i < t->n; i++) {
+        check_program_text(c, &t->list[i]);
         lang_free(&t->list[i].lang);
+    }
     free(t);
 }
 

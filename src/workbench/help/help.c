@@ -9,6 +9,7 @@
 #include "../../common/byte_buffer.h"
 #include "../../common/report.h"
 #include "../../player/command.h"
+#include "../check/program_text.h"
 #include "../test/test_script.h"
 #include "annotations.h"
 #include "help_lua.h"
@@ -103,6 +104,10 @@ enum result help_command(const struct args *a)
         return help_lua_files(a);
     if (strcmp(topic, "lua") == 0)
         return help_lua(a->n_words > 1 ? a->words[1] : NULL);
+    if (strcmp(topic, "lang") == 0 && a->n_words == 1) {
+        program_text_print(print_line);
+        return report_stdout(RESULT_DONE);
+    }
     const enum result result = command_help(a);
     if (result != RESULT_DONE || a->n_words != 1 || args_command(topic) != COMMAND_TEST)
         return result;
