@@ -17,10 +17,8 @@ return {
                two = "art/palette_two.png", three = "art/palette_three.png",
                moon = "art/palette_moon.png", dark = "art/palette_dark.png",
                story = "art/palette_story.png" },
-  -- fallback for characters that the font of the text cells lacks
-  fonts = { kana = { file = "art/kana.png", cell = { 8, 8 }, fixed = true, chars =
-    "ァアィイゥウェエォオカガキギクグケゲコゴサザシジスズセゼソゾタダチヂッツヅテデトドナニヌネノ" ..
-    "ハバパヒビピフブプヘベペホボポマミムメモャヤュユョヨラリルレロヮワヰヱヲンヴヵヶ・ー、。「」" } },
+  -- fallback for characters that the font of the text cells lacks; make copies it from Debian's fonts-misaki
+  fonts = { japanese = { file = "art/misaki_gothic.ttf", size = 8, shadow = true, optional = true } },
   sheets = {
     bullets = { file = "art/bullets.png", bank = 0 },
     shots   = { file = "art/shots.png",   bank = 0 },

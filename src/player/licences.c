@@ -103,6 +103,10 @@ static const char bsd[] =
     "LIABILITY, WHETHER IN CONTRACT, STRICT LIABILITY, OR TORT (INCLUDING NEGLIGENCE OR OTHERWISE) ARISING IN ANY\n"
     "WAY OUT OF THE USE OF THIS SOFTWARE, EVEN IF ADVISED OF THE POSSIBILITY OF SUCH DAMAGE.\n";
 
+static const char misaki[] =
+    "These fonts are free software. Unlimited permission is granted to use, copy, and distribute it, with or without\n"
+    "modification, either commercially and noncommercially. THESE FONTS ARE PROVIDED \"AS IS\" WITHOUT WARRANTY.\n";
+
 static const char curtain_copyright[] = "Copyright (c) The Curtain authors";
 static const char sdl_copyright[] = "Copyright (C) Sam Lantinga and others";
 static const char mingw_copyright[] = "Copyright (c) 2009-2016 the mingw-w64 project, 1997-2001 Lucent Technologies";
@@ -119,7 +123,7 @@ struct work {
     const char *licence, *purpose, *copyright, *text;
 };
 
-enum { WORKS = 5 };
+enum { WORKS = 6 };
 
 static struct work work(const char *name, const char *licence, const char *purpose, const char *copyright,
                         const char *text)
@@ -157,8 +161,10 @@ static int list(struct work all[WORKS])
     snprintf(all[n++].version, sizeof all->version, "%s", CURTAIN_VERSION);
     all[n] = work("Lua", "MIT", "script interpreter", board_lua_copyright(), mit);
     snprintf(all[n++].version, sizeof all->version, "%s", board_lua_release());
-    all[n++] = work("stb", "public domain", "PNG reader and writer",
+    all[n++] = work("stb", "public domain", "PNG reader and writer, font reader",
                     "Sean Barrett and others; also available under MIT", no_notice);
+    all[n++] =
+        work("Misaki", "free", "Japanese characters of the game Glass Tide", "Copyright 2002-2021 Num Kadoma", misaki);
     n += describe_port(&all[n]);
 #ifdef __GLIBC__
     all[n] = work("glibc", "LGPL 2.1", "system C library", "the GNU C Library", system_library);

@@ -48,4 +48,5 @@ has() { # NAME TEXT
 mit=$(sed '1,/^Permission/{/^Permission/!d}' "$repo/LICENSE" | words)
 check "Curtain's is LICENSE, whole" has Curtain "$(sed 1,2d "$repo/LICENSE" | words)"
 check "Lua's is MIT" has Lua "$mit"
+check "the Japanese font's is named" has Misaki 'These fonts are free software.'
 finish

@@ -33,7 +33,6 @@ static const struct picture GAME[] = {
     { "marker", art_marker, ART_MAIN },
     { "gems", art_gems, ART_MAIN },
     { "font", art_font, ART_MAIN },
-    { "kana", art_kana, ART_MAIN },
     { "logo", art_logo, ART_MAIN },
     /* crafts, and who flies them */
     { "heron", art_heron, ART_MAIN },

@@ -117,7 +117,6 @@ struct sheet art_floor(void);
 struct sheet art_reef(void);
 struct sheet art_logo(void);
 struct sheet art_font(void);
-struct sheet art_kana(void);
 struct sheet art_card(void);
 struct sheet art_bench(void);
 struct sheet art_glow(void);
