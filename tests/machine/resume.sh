@@ -45,6 +45,7 @@ again
 same '--resume asks nothing' "curtain: g: resumed at frame $frames" "$(cat err)"
 same 'played to its end it is one replay' '0:07 ship normal 3630 game over, resumed' "$(list)"
 check 'and no unfinished run' test ! -e "$left"
+check 'and the hints on buttons are off' grep -qx 'hints = no' data/curtain/curtain.conf
 again
 { keys 3; press $DOWN $ENTER; keys 60; } | plays out
 check 'a new game ends the unfinished run' test ! -e "$left"

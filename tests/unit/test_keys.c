@@ -223,7 +223,7 @@ TEST(hints_name_what_is_used)
 {
     in.controllers[0] = 1u << PLAT_LEFT_STICK_UP;
     poll();
-    hint_is("p1.fire", "cross");
+    hint_is("p1.fire", "\u2715");
     hint_is("p2.fire", "j");
     in.controllers[1] = 1u << PLAT_EAST;
     poll();
@@ -277,7 +277,7 @@ TEST(labels)
     static const struct {
         const char *name, *label[PLAT_CONTROLLER_KINDS];
     } rows[] = {
-        { "pad.south", { "bottom button", "A", "A", "cross", "cross", "cross", "B" } },
+        { "pad.south", { "bottom button", "A", "A", "\u2715", "\u2715", "\u2715", "B" } },
         { "pad.l2", { "L2", "LT", "LT", "L2", "L2", "L2", "ZL" } },
         { "pad.select", { "Select", "View", "Back", "Select", "Share", "Create", "-" } },
         { "pad.lup", { "stick up", "stick up", "stick up", "stick up", "stick up", "stick up", "stick up" } },

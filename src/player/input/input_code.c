@@ -208,7 +208,7 @@ enum { BUTTONS = PLAT_RIGHT_STICK_PRESS + 1 };
     [PLAT_SHOULDER_RIGHT] = "RB", [PLAT_TRIGGER_LEFT] = "LT", [PLAT_TRIGGER_RIGHT] = "RT",                             \
     [PLAT_LEFT_STICK_PRESS] = "LS", [PLAT_RIGHT_STICK_PRESS] = "RS"
 #define PLAYSTATION                                                                                                    \
-    [PLAT_SOUTH] = "cross", [PLAT_EAST] = "circle", [PLAT_WEST] = "square", [PLAT_NORTH] = "triangle",                 \
+    [PLAT_SOUTH] = "\u2715", [PLAT_EAST] = "\u25CB", [PLAT_WEST] = "\u25A1", [PLAT_NORTH] = "\u25B3",                  \
     [PLAT_GUIDE] = "PS"
 static const char *const labels[PLAT_CONTROLLER_KINDS][BUTTONS] = {
     [PLAT_XBOX] = { XBOX, [PLAT_START] = "Menu", [PLAT_SELECT] = "View", [PLAT_GUIDE] = "Xbox" },

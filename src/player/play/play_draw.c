@@ -11,12 +11,16 @@
 #include "play_state.h"
 #include "../clip/clip.h"
 #include "../../common/files.h"
+#include "../overlay/button_hints.h"
 #include "../overlay/message.h"
 #include "../overlay/page.h"
 #include "../picture/png.h"
 #include "timebar.h"
 
-enum { BLINK = 20 }; /* frames; PRESS START is shown for two thirds of the time */
+enum {
+    BLINK = 20,      /* frames; PRESS START is shown for two thirds of the time */
+    BUTTON_HINTS = 4 /* below a menu */
+};
 
 /* ---- the picture ---- */
 
@@ -147,30 +151,28 @@ static int draw_page(struct play *play, const struct canvas *canvas)
     return y;
 }
 
-/* Writes the hint with the keys for new players, which is shown below the game's menu and below an attract demo; "":
- * none, or there is a message. */
-static void hint_text(struct play *play, const char *message, char *text, size_t size)
+/* Fills in the hints on buttons below the game's menus, until a run has been finished, and below an attract demo.
+ * Returns how many there are; 0: none, or something else is shown. */
+static int list_hints(struct play *play, bool covered, struct button_hint hint[BUTTON_HINTS])
 {
-    char start[32], fire[32], bomb[32];
+    static const char *const actions[BUTTON_HINTS] = { "p1.start", "p1.fire", "p1.bomb", "p1.focus" },
+                             *const meanings[BUTTON_HINTS] = { "Start", "Fire", "Bomb", "Focus" };
+    const bool in_menu = board_last_output(play_board(play))->menu_shown && !play->session.demo && play->config.hints;
+    const int n = covered ? 0 : play->attract.on ? play->time.frames / BLINK % 3 != 0 : in_menu ? BUTTON_HINTS : 0;
 
-    text[0] = 0;
-    if (message[0] || (!play->attract.on && (!board_last_output(play_board(play))->menu_shown || play->session.demo)))
-        return;
-    keys_hint(&play->config.keys, "p1.start", start, sizeof start);
-    keys_hint(&play->config.keys, "p1.fire", fire, sizeof fire);
-    keys_hint(&play->config.keys, "p1.bomb", bomb, sizeof bomb);
-    if (!play->attract.on)
-        snprintf(text, size, "Start: %s  Fire: %s  Bomb: %s", start, fire, bomb);
-    else if (play->time.frames / BLINK % 3)
-        snprintf(text, size, "PRESS START (%s)", start);
+    for (int i = 0; i < n; i++) {
+        keys_hint(&play->config.keys, actions[i], hint[i].label, sizeof hint[i].label);
+        hint[i].meaning = play->attract.on ? "PRESS START" : meanings[i];
+    }
+    return n;
 }
 
-static void draw_hint(const struct canvas *canvas, const char *text)
+static void draw_hints(struct play *play, const struct canvas *canvas, struct button_hint *hint, int n)
 {
-    const int w = canvas->fb->w, y = canvas->fb->h - CANVAS_CELL_H;
+    const struct keys_device *device = &play->config.keys.device[0];
 
-    canvas_rect(canvas, 0, y - 1, w, CANVAS_CELL_H + 1, CANVAS_DARK);
-    canvas_text(canvas, (w - canvas_text_width(text)) / 2, y, CANVAS_WHITE, text);
+    button_hints_draw(canvas, canvas->fb->h - BUTTON_HINTS_HEIGHT, hint, n,
+                      device->is_controller ? (int)device->kind : -1);
 }
 
 bool play_timebar_shown(const struct play *play)
@@ -189,7 +191,9 @@ static void draw_progress(struct play *play, const struct canvas *canvas, int y)
 
 /* The overlay's text, and the areas that it is drawn on. */
 struct overlay_layout {
-    char text[sizeof((struct play *)0)->message.text + 32], hint[160];
+    char text[sizeof((struct play *)0)->message.text + 32];
+    struct button_hint hint[BUTTON_HINTS];
+    int hints;
     bool page;                   /* a page is shown, always over the picture */
     struct canvas picture, side; /* side.fb NULL: everything is over the picture */
     int y0, y1;                  /* rows that are free for panels */
@@ -197,7 +201,7 @@ struct overlay_layout {
 
 static bool has_overlay(struct play *play, const struct overlay_layout *o)
 {
-    return o->page || o->text[0] || o->hint[0] || play_timebar_shown(play) || play->console.open ||
+    return o->page || o->text[0] || o->hints || play_timebar_shown(play) || play->console.open ||
            overlay_is_visible(&play->overlay) || ships_shown(play);
 }
 
@@ -225,8 +229,8 @@ static void draw_over_picture(struct play *play, struct overlay_layout *o)
         o->y1 = message_draw_above(canvas, o->y1, o->text);
     if (play->session.state != SESSION_PLAYING)
         draw_progress(play, canvas, o->y1 -= 2);
-    if (o->hint[0] && !play->console.open && !bar)
-        draw_hint(canvas, o->hint);
+    if (o->hints && !play->console.open && !bar)
+        draw_hints(play, canvas, o->hint, o->hints);
 }
 
 /* Draws the message at the top and the console at the bottom of the side area; panels are drawn between them. */
@@ -235,7 +239,9 @@ static void draw_in_side(struct play *play, struct overlay_layout *o)
     const struct canvas *canvas = &o->side;
 
     o->y1 = console_draw(&play->console, canvas);
-    o->y0 = o->text[0] ? message_draw(canvas, 0, o->text) : o->hint[0] ? message_draw(canvas, 0, o->hint) : 0;
+    o->y0 = o->text[0] ? message_draw(canvas, 0, o->text) : 0;
+    if (o->hints)
+        draw_hints(play, &o->picture, o->hint, o->hints);
     if (play->session.state != SESSION_PLAYING) {
         draw_progress(play, canvas, o->y0 + 1);
         o->y0 += 3;
@@ -284,14 +290,15 @@ void play_show(struct play *play, struct picture *p)
     play_window_begin(play, p->fb.w, p->fb.h);
     if (screens_are_open(&play->screens)) {
         struct canvas canvas = copy_picture(play, p);
+        char footer[160];
         play_translate_screens(play);
-        screens_footer(play, o.hint, sizeof o.hint);
-        screens_draw(&play->screens, &canvas, o.hint);
+        screens_footer(play, footer, sizeof footer);
+        screens_draw(&play->screens, &canvas, footer);
         play_window_show(play, &p->composed, p->composed_rgb, false);
         return;
     }
     message_text(play, o.text, sizeof o.text);
-    hint_text(play, o.page ? " " : o.text, o.hint, sizeof o.hint);
+    o.hints = list_hints(play, o.page || o.text[0], o.hint);
     if (has_overlay(play, &o))
         show_with_overlay(play, p, &o);
     else

@@ -66,6 +66,16 @@ static void attract_tick(struct play *play)
 
 /* ---- the live board ---- */
 
+/* A player who has finished a run knows the buttons: turns the hints on them off, for good. */
+static void end_hints(struct play *play, const struct board_out *out)
+{
+    for (int i = 0; i < out->marker_count && play->config.hints; i++)
+        if (out->marker[i].kind == MARKER_OVER && strcmp(out->marker[i].name, "quit") != 0) {
+            play->config.hints = play->saved_config.hints = 0;
+            play_save_settings(play);
+        }
+}
+
 /* Handles the output of the last tick. replayed: the tick was recorded before, so its requests are ignored. */
 static void handle_output(struct play *play, bool replayed)
 {
@@ -74,6 +84,8 @@ static void handle_output(struct play *play, bool replayed)
     play_log_output(play);
     queue_tick_sound(play);
     practice_after_tick(&play->practice, out);
+    if (!replayed && !play->session.demo)
+        end_hints(play, out);
     if (out->fault)
         play_report_fault(play);
     else if (out->request == REQUEST_QUIT)

@@ -86,6 +86,8 @@ static const struct config_setting settings[] = {
       "recent runs to save per game; named replays don't count", NULL, "None" },
     { "resume", "Resume Runs", "Gameplay", AT(resume), 0, 1, 1, no_yes, off_on, 1,
       "save an unfinished run and offer to resume it next time", NULL, NULL },
+    { "hints", "Button Hints", "Gameplay", AT(hints), 0, 1, 1, no_yes, off_on, 1,
+      "show buttons below menus; off once you have finished a run", NULL, NULL },
     { "capture_seconds", "Clip Length", "Gameplay", AT(capture_seconds), 5, 60, 10, NULL, NULL, 5,
       "number of seconds that the clip key saves as a GIF", " s", NULL },
 };

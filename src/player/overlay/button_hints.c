@@ -1,0 +1,87 @@
+/*
+ * button_hints.c - see button_hints.h.
+ */
+#include <stdio.h>
+#include <string.h>
+#include "button_hints.h"
+
+enum {
+    CAP = 3, /* px on each side of a label */
+    GAP = 3, /* between a button and its meaning */
+    APART = 8,
+};
+
+/* The colours that the buttons of a controller have. Nintendo's have none. */
+static enum canvas_colour colour_of(const char *label, int kind)
+{
+    static const struct {
+        const char *label;
+        enum canvas_colour colour;
+    } table[] = { { "A", CANVAS_GREEN },        { "B", CANVAS_RED },       { "X", CANVAS_CYAN },
+                  { "Y", CANVAS_YELLOW },       { "\u2715", CANVAS_CYAN }, { "\u25CB", CANVAS_RED },
+                  { "\u25A1", CANVAS_MAGENTA }, { "\u25B3", CANVAS_GREEN } };
+
+    for (size_t i = 0; kind >= 0 && kind != PLAT_NINTENDO && i < sizeof table / sizeof *table; i++)
+        if (!strcmp(table[i].label, label))
+            return table[i].colour;
+    return CANVAS_WHITE;
+}
+
+/* Writes what is printed on a key: "Z" for z, "Shift" for lshift. Controllers' labels are printed as they are. */
+static void print_label(const char *label, int kind, char out[INPUT_CODE_NAME_SIZE])
+{
+    static const char *const sided[] = { "shift", "ctrl", "alt" };
+
+    for (size_t i = 0; kind < 0 && i < sizeof sided / sizeof *sided; i++)
+        if ((label[0] == 'l' || label[0] == 'r') && !strcmp(label + 1, sided[i]))
+            label++;
+    snprintf(out, INPUT_CODE_NAME_SIZE, "%s", label);
+    if (kind < 0 && out[0] >= 'a' && out[0] <= 'z')
+        out[0] = (char)(out[0] - 'a' + 'A');
+}
+
+static int width_of(const struct button_hint *h)
+{
+    return canvas_large_text_width(h->label) + 2 * CAP + GAP + canvas_large_text_width(h->meaning);
+}
+
+static int total_width(const struct button_hint *hint, int n)
+{
+    int w = n > 0 ? APART * (n - 1) : 0;
+
+    for (int i = 0; i < n; i++)
+        w += width_of(&hint[i]);
+    return w;
+}
+
+/* Draws a key as a square cap, a controller's button as a round one. Returns the x after it. */
+static int draw_button(const struct canvas *canvas, int x, int y, const char *label, int kind)
+{
+    const enum canvas_colour c = colour_of(label, kind);
+    const int w = canvas_large_text_width(label) + 2 * CAP, h = BUTTON_HINTS_HEIGHT - 2, round = kind >= 0 ? 2 : 1;
+
+    for (int i = 0; i < round; i++)
+        canvas_rect(canvas, x + round - i, y + i, w - 2 * (round - i), h - 2 * i, c);
+    canvas_rect(canvas, x, y + round, w, h - 2 * round, c);
+    canvas_large_text(canvas, x + CAP, y + 2, CANVAS_DARK, label);
+    return x + w;
+}
+
+void button_hints_draw(const struct canvas *canvas, int y, struct button_hint *hint, int n, int kind)
+{
+    char label[INPUT_CODE_NAME_SIZE];
+
+    for (int i = 0; i < n; i++) {
+        print_label(hint[i].label, kind, label);
+        memcpy(hint[i].label, label, sizeof label);
+    }
+    while (n > 1 && total_width(hint, n) > canvas->fb->w)
+        n--;
+    int x = (canvas->fb->w - total_width(hint, n)) / 2;
+    canvas_rect(canvas, 0, y, canvas->fb->w, BUTTON_HINTS_HEIGHT, CANVAS_DARK);
+    for (int i = 0; i < n; i++) {
+        x = draw_button(canvas, x, y + 1, hint[i].label, kind) + GAP;
+        canvas_large_text(canvas, x, y + 3, CANVAS_WHITE, hint[i].meaning);
+        x += canvas_large_text_width(hint[i].meaning) + APART;
+    }
+}

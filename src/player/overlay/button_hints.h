@@ -1,0 +1,22 @@
+/*
+ * button_hints.h - draws which button does what: each button as its picture, with its meaning behind it.
+ */
+#ifndef PLAYER_BUTTON_HINTS_H
+#define PLAYER_BUTTON_HINTS_H
+
+#include "../input/input_code.h"
+#include "canvas.h"
+
+struct button_hint {
+    char label[INPUT_CODE_NAME_SIZE]; /* what is printed on the button */
+    const char *meaning;
+};
+
+enum { BUTTON_HINTS_HEIGHT = 13 /* px */ };
+
+/* Draws n hints in a dark band from row y down, BUTTON_HINTS_HEIGHT px high. Hints that don't fit the width are left
+ * out, the last ones first. Replaces the labels by what is printed on the keys. kind: the controller that is in use
+ * (enum plat_controller_kind), whose buttons have its colours; -1: the keyboard. */
+void button_hints_draw(const struct canvas *canvas, int y, struct button_hint *hint, int n, int kind);
+
+#endif
