@@ -264,7 +264,7 @@ const void *curtain_attract_demo(const struct curtain *c, size_t *size)
 
 const char *curtain_asked(const struct curtain *c)
 {
-    static const char *const names[HOST_SCREENS] = { "settings", "replays", "practice", "keys" };
+    static const char *const names[HOST_SCREENS] = { "settings", "replays", "practice", "keys", "quit" };
     const struct board_out *out = board_last_output(c->board);
 
     return out->request == REQUEST_HOST_SCREEN ? names[out->host_screen] : "";

@@ -123,7 +123,7 @@ CURTAIN_API void curtain_interrupt(struct curtain *c);
 
 /* Text from the last frame, valid until the next one; "" when there is none. */
 CURTAIN_API const char *curtain_attract(const struct curtain *c); /* name of a demo in the ROM */
-CURTAIN_API const char *curtain_asked(const struct curtain *c);   /* "settings" "replays" "practice" "keys" */
+CURTAIN_API const char *curtain_asked(const struct curtain *c);   /* "settings" "replays" "practice" "keys" "quit" */
 CURTAIN_API const char *curtain_log(const struct curtain *c);     /* lines that end in \n */
 CURTAIN_API const char *curtain_fault(const struct curtain *c);   /* "stages/one.lua:42: message" and the traceback */
 

@@ -64,6 +64,7 @@ enum board_host_screen {
     HOST_SCREEN_REPLAYS,
     HOST_SCREEN_PRACTICE,
     HOST_SCREEN_KEYS,
+    HOST_SCREEN_QUIT, /* not a screen: the player wants to quit the program */
     HOST_SCREENS
 };
 

@@ -238,7 +238,7 @@ TEST(pieces)
 /* A frame's request is made once, and is in the digest of what scripts did, another one for each screen. */
 TEST(ask)
 {
-    static const char *const words[] = { "settings", "replays", "practice", "keys" };
+    static const char *const words[] = { "settings", "replays", "practice", "keys", "quit" };
     uint64_t hash[HOST_SCREENS];
     char text[120];
 

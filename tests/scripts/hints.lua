@@ -53,7 +53,7 @@ board.live('bulets')
 palette.load('dusk')
 --! palette.load: unknown palette "dusk" (in rom.lua: main, other)
 board.ask('setings')
---! board.ask: what: expected settings, replays, practice or keys, got "setings"
+--! board.ask: what: expected settings, replays, practice, keys or quit, got "setings"
 
 --load: words that one kind of thing does not take
 spark.def('a', { sprite = 'dot', life = 9, layer = 'back' })

@@ -24,6 +24,9 @@ void play_open_requested(struct play *play, enum board_host_screen screen)
     case HOST_SCREEN_PRACTICE:
         play_open_practice(play);
         break;
+    case HOST_SCREEN_QUIT:
+        play_quit(play);
+        break;
     default:
         play_open_menu(play);
     }

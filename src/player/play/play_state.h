@@ -490,6 +490,10 @@ void play_apply_settings(struct play *play);
 
 extern const struct screen_def keys_screen;
 void play_open_menu(struct play *play);
+
+/* Quits; asks first if a run would be lost. */
+void play_quit(struct play *play);
+
 void play_open_settings(struct play *play);
 
 /* Sets the language of the screens to that of the next start of the game. */

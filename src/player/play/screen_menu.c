@@ -44,7 +44,7 @@ static void quit_now(void *context)
     ((struct play *)context)->quit = true;
 }
 
-static void quit(struct play *play)
+void play_quit(struct play *play)
 {
     end_run(play,
             play->autosave.on && play->autosave.resumable ? "Quit? You can resume this run next time."
@@ -70,7 +70,7 @@ static const struct {
     [PRACTICE] = { "Practice", "Practise any stage, mark or boss phase.", true, play_open_practice },
     [LOG] = { "Log", "Script output and errors.", false, play_open_log },
     [TITLE] = { "Quit to Title", "End this run and return to the title.", false, quit_to_title },
-    [QUIT] = { "Quit", "", false, quit },
+    [QUIT] = { "Quit", "", false, play_quit },
 };
 
 static bool is_shown(const struct play *play, enum entry e)

@@ -256,8 +256,9 @@ static const struct api_entry entries[] = {
     { "board.attract", board_attract, PARAMS(demo_params), 1, API_CHANGES, NULL,
       HELP("shows a demo from the ROM and pauses this board until the demo ends") },
     { "board.ask", request_host_screen, PARAMS(screen_params), 1, API_CHANGES, NULL,
-      HELP("opens one of the program's own screens and pauses the board until the player closes it; does nothing in a "
-           "demo") },
+      HELP("opens one of the program's own screens and pauses the board until the player closes it, or quits the "
+           "program; "
+           "does nothing in a demo") },
     { "board.stop", board_stop, PARAMS(stop_params), 1, API_CHANGES, NULL,
       HELP("freezes the field and all tasks after this frame (hit-stop); button presses during the stop take effect "
            "after it") },

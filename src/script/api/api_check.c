@@ -286,7 +286,7 @@ static const char *const button_words[] = PAD_BUTTON_NAMES, *const ease_words[] 
                          *const meet_words[] = { "none", "first", "second", "both" },
                          *const emit_words[] = { "one", "ring", "fan", "arc", "stack", "line" },
                          *const bars_down_words[] = { "all", "any" },
-                         *const host_screen_words[] = { "settings", "replays", "practice", "keys" };
+                         *const host_screen_words[] = { "settings", "replays", "practice", "keys", "quit" };
 
 /* Word lists, indexed by enum api_type. fire_words is indexed by FIRES_. */
 

@@ -48,7 +48,7 @@ static const char *type_words(const struct api_param *p)
         [A_MEET] = "none, first, second or both",
         [A_EMIT_PATTERN] = "one, ring, fan, arc, stack or line",
         [A_BARS_DOWN] = "all or any",
-        [A_HOST_SCREEN] = "settings, replays, practice or keys",
+        [A_HOST_SCREEN] = "settings, replays, practice, keys or quit",
     };
 
     if (p->type == A_ANY && p->unit) /* the entry checks the value itself */
