@@ -16,12 +16,12 @@
 #include "bot.h"
 
 enum {
-    MOVE = 96,    /* frames: a screen comes, and can be read */
+    MOVE = 120,   /* frames: a screen opens, and can be read */
     STEP = 6,     /* from one press to the next */
     HELD = 2,     /* frames of it */
-    RIGHT = 3,    /* a move has fewer steps to the right, */
+    RIGHT = 4,    /* a move has fewer steps to the right, */
     DOWN = 4,     /* and down */
-    STEPS = 5,    /* so many at most; then fire */
+    STEPS = 9,    /* at most that many of both players; then fire */
     DEPTH = 24,   /* moves */
     PLACES = 512, /* of one depth */
     KNOWN = 1 << 14,
@@ -30,6 +30,7 @@ enum {
 
 struct move {
     uint8_t right, down, fire;
+    uint8_t after; /* steps of the other player that come between these and fire */
 };
 
 /* The text on a screen, a code point a cell; the board's lines are written into it where they stand. */
@@ -60,13 +61,13 @@ struct menus {
 
 static uint16_t pressed(const struct move *m, int frame)
 {
-    const int n = frame / STEP, first = STEPS - m->right - m->down; /* fire is never earlier */
+    const int n = frame / STEP, first = STEPS - m->right - m->down - m->after; /* fire is never earlier */
 
     if (frame % STEP >= HELD || n < first)
         return 0;
     if (n < first + m->right)
         return PAD_RIGHT;
-    if (n < STEPS)
+    if (n < first + m->right + m->down)
         return PAD_DOWN;
     return n == STEPS && m->fire ? PAD_FIRE : 0;
 }
@@ -234,6 +235,18 @@ static enum led try_move(struct menus *m, const struct place *at, const struct m
     return ELSEWHERE;
 }
 
+/* On the page with a ship, a move may set one row and go down to the next without fire. */
+static void try_rows(struct menus *m, const struct place *at)
+{
+    for (int i = 0; i < RIGHT && m->wish->players < 2; i++) {
+        const struct move way[MAX_PLAYERS] = { { .right = (uint8_t)i, .down = 1 }, { 0 } };
+        simulation_restore(&m->r->t, &at->mark);
+        if (!m->r->t.b->player.in_game[0])
+            return;
+        try_move(m, at, way, true);
+    }
+}
+
 static bool try_moves(struct menus *m, const struct place *at)
 {
     const int others = m->wish->players > 1 ? RIGHT + 1 : 1;
@@ -241,14 +254,17 @@ static bool try_moves(struct menus *m, const struct place *at)
 
     for (int i = 0; i < RIGHT * DOWN; i++)
         for (int k = 0; k < others; k++) {
-            struct move way[MAX_PLAYERS] = { { (uint8_t)(i / DOWN), (uint8_t)(i % DOWN), 1 }, { 0 } };
-            if (k)
-                way[1] = (struct move){ (uint8_t)(k - 1), 0, 1 };
+            struct move way[MAX_PLAYERS] = { { (uint8_t)(i / DOWN), (uint8_t)(i % DOWN), 1, 0 }, { 0 } };
+            if (k) {
+                way[1] = (struct move){ (uint8_t)(k - 1), 0, 1, 0 };
+                way[0].after = way[1].right;
+            }
             const enum led led = try_move(m, at, way, false);
             if (led == THERE)
                 return true;
             on = on || led == ELSEWHERE;
         }
+    try_rows(m, at);
     if (!on)
         try_move(m, at, (const struct move[MAX_PLAYERS]){ { 0 } }, true);
     return false;
