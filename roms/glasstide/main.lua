@@ -17,7 +17,6 @@ local craft = require "players/craft"
 local fx = require "fx"
 local front = require "fx/front"
 local grades = require "fx/grades"
-local score_page = require "fx/score_page"
 
 hud.banks.plain, hud.banks.bright, hud.banks.faint, hud.banks.alarm = 0, 3, 9, 1
 hud.low = 3 -- rows left free for the bombs
@@ -74,7 +73,7 @@ boot.run { modes = {
                    hard = "Every wave is higher.",
                    abyss = "Nobody came back." },
   ships = require "players/forms",
-  music = pieces, pages = { score_page }, grades = grades, ending = require "ending",
+  music = pieces, how_to_play = require "fx/how_to_play", grades = grades, ending = require "ending",
   staff = { { "GLASS TIDE" }, { "STORY, PICTURES, PATTERNS", "The Curtain authors" },
             { "RUNS ON", "Curtain" }, { "THANK YOU FOR PLAYING" },
             { "THE WATER STILL LEANS", "If you dive on NORMAL", "or harder and arrive",

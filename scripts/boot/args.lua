@@ -1,5 +1,5 @@
--- boot/args.lua - what boot.run was given, looked at once while the game loads: here what each game gives, in
--- boot/check.lua the rest.
+-- boot/args.lua - checks the arguments of boot.run that every game has, while the game loads; boot/check.lua checks the
+-- others.
 local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 
 local PLAIN <const> = { players = true, stages = true, demo = true, continues = true }
@@ -20,7 +20,7 @@ local function check_stages(list)
   for i = 1, #list do stage.expect("boot.run", tostring(list[i])) end
 end
 
--- All kinds that can be played: the ships, or in place of one that has forms those.
+-- Returns all kinds that can be played: the ships, or their forms.
 local function all_kinds(a)
   local list = {}
   for _, kind in ipairs(a.players) do
@@ -30,7 +30,7 @@ local function all_kinds(a)
   return list
 end
 
--- Does the game name anything of rules, tallies, unlocks or missions?
+-- Returns whether the game uses score rules, tallies, unlocks or missions.
 local function keeps_records(a)
   for _, name in ipairs { "scoring", "unlock", "stage_needs", "missions" } do
     if rawget(sys, name) then return true end

@@ -1,16 +1,16 @@
--- boot/check.lua - what boot.run was given beyond players and stages (boot/args.lua), looked at while the game loads.
+-- boot/check.lua - checks the arguments of boot.run while the game loads, except players and stages (boot/args.lua).
 local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 
 local SCREENS = {
-  "title", "mode", "difficulty", "ship", "pause", "continue", "results", "name", "ending", "staff", "scores", "history",
-  "music", "unlocks", "missions", "mission", "page",
+  "title", "start", "pause", "continue", "results", "name", "ending", "staff", "scores", "history",
+  "music", "unlocks", "missions", "mission", "page", "how_to_play",
 }
 
 local function fail(what, expected, got)
   sys.fail("boot.run", ("%s: expected %s, got %s"):format(what, expected, got))
 end
 
--- Fails unless all keys of t are among names. what: as the message calls one of them.
+-- Fails unless all keys of t are in names. what: the message's word for a key.
 local function expect_names(what, t, names)
   local known = {}
   for _, name in ipairs(names) do known[name] = true end
@@ -39,6 +39,12 @@ local function expect_stages(what, list)
 end
 
 local function check_screens(screens)
+  for _, name in ipairs { "mode", "difficulty", "ship" } do
+    if screens[name] then
+      local message = 'the screen "%s" was replaced by "start", which chooses mode, difficulty and ships'
+      sys.fail("boot.run", message:format(name))
+    end
+  end
   expect_names("screen", screens, SCREENS)
   for name, f in pairs(screens) do expect_type("screen " .. name, f, "function") end
 end
@@ -74,7 +80,7 @@ local function check_figures(what, figures)
   end
 end
 
--- What a ship and a form of one have alike.
+-- The arguments that ships and forms share.
 local function check_told(what, told)
   expect_text(what .. ": title", told.title)
   expect_text(what .. ": text", told.text)
@@ -111,15 +117,14 @@ end
 
 local RUN = { "mode", "difficulty", "ship", "players", "continues" }
 
--- Of which runs an ending, or a part of the staff, is: values of some of RUN, or a function of the run.
+-- Checks for which runs an ending or a section of the staff roll is: values of some fields in RUN, or a function.
 local function check_when(what, of, when)
   if type(when) == "function" then return end
   expect_type(what .. ": when", when, "table")
   expect_names("condition of " .. of .. ":", when or {}, RUN)
 end
 
--- A list of { show, when?, music? }.
-
+-- endings: a function, or a list of { show, when?, music? }.
 local function check_endings(ending)
   if type(ending) == "function" then return end
   if type(ending) ~= "table" then fail("ending", "a function or a list", type(ending)) end
@@ -142,9 +147,9 @@ local function check_staff(parts)
   end
 end
 
--- pages: a list of { name, show }. A page is a place of the title, whose own names are the screens'.
+-- pages: a list of { name, show }. A page is an entry of the main menu and can't have the name of another entry.
 local function check_pages(pages)
-  local known = { start = true, replays = true, settings = true }
+  local known = { practice = true, replays = true, settings = true, quit = true }
   for _, name in ipairs(SCREENS) do known[name] = true end
   for i = 1, #pages do
     local p = pages[i]
@@ -156,6 +161,26 @@ local function check_pages(pages)
     if type(p.show) ~= "function" then fail(('page "%s": show'):format(p.name), "a function", type(p.show)) end
     known[p.name] = true
   end
+end
+
+local HOW_TO_PLAY <const> = { "move", "fire", "focus", "bomb", "graze" } -- the library's pages
+
+local function check_how_to_play_page(p, what)
+  if type(p) == "string" then
+    expect_names("page of how_to_play:", { [p] = true }, HOW_TO_PLAY)
+  else
+    if type(p) ~= "table" then fail(what, "a table or the name of a page", type(p)) end
+    expect_names(("argument of %s:"):format(what), p, { "title", "text", "show" })
+    expect_text(what .. ": title", p.title, true)
+    expect_text(what .. ": text", p.text, true)
+    expect_type(what .. ": show", p.show, "function")
+  end
+end
+
+-- how_to_play: a list of { title, text, show } and names of the library's pages.
+local function check_how_to_play(list)
+  if #list == 0 then fail("how_to_play", "a list of at least one page", "none") end
+  for i = 1, #list do check_how_to_play_page(list[i], ("how_to_play: page %d"):format(i)) end
 end
 
 local function check_demos(demos)
@@ -171,5 +196,6 @@ return function(a)
   if a.staff then check_staff(a.staff) end
   if a.demos then check_demos(a.demos) end
   if a.pages then check_pages(a.pages) end
+  if a.how_to_play then check_how_to_play(a.how_to_play) end
   if a.music then sys.read("boot/music")(a) end
 end

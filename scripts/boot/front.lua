@@ -1,9 +1,11 @@
--- boot/front.lua - all that is before a game: the title and what can be looked at from there, demos while nobody comes,
--- and the choices.
+-- boot/front.lua - everything before a run: the title and the pages that it opens, the attract demos, and the page on
+-- which mode, difficulty and ships are chosen.
 local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 
-local ATTRACT = 10 * 60 -- frames the title waits before it shows a demo
-local SCORES = 6 * 60   -- frames the score table stands by itself
+local ATTRACT <const> = 10 * 60 -- frames that the title waits before it shows a demo
+local SCORES <const> = 6 * 60   -- frames that the attract mode shows the scores
+
+local closed = sys.read("boot/records").closed
 
 local function any_score()
   for _, name in ipairs(sys.difficulties()) do
@@ -23,78 +25,173 @@ local function any_spell()
   return found
 end
 
--- Where one can go from the title: what the game has, and what has something in it.
-local function places(a)
-  local list = { "start" }
-  local missions = rawget(sys, "missions")
-  if missions and missions.any() then list[2] = "missions" end
-  if any_score() then list[#list + 1] = "scores" end
-  if any_spell() then list[#list + 1] = "history" end
-  if a.music then list[#list + 1] = "music" end
-  local unlocks = rawget(sys, "unlock")
-  if unlocks and unlocks.any() then list[#list + 1] = "unlocks" end
-  for _, p in ipairs(a.pages or {}) do list[#list + 1] = p.name end
-  list[#list + 1], list[#list + 2] = "replays", "settings"
+-- The entries of the title's menu: those that have content.
+local function entries(a)
+  local missions, unlocks = rawget(sys, "missions"), rawget(sys, "unlock")
+  local list = { "start", "practice" }
+  local function add(name, has_content)
+    if has_content then list[#list + 1] = name end
+  end
+  add("missions", missions and missions.any())
+  add("replays", true)
+  add("scores", any_score())
+  add("history", any_spell())
+  add("music", a.music)
+  add("unlocks", unlocks and unlocks.any())
+  for _, p in ipairs(a.pages or {}) do add(p.name, true) end
+  add("settings", true)
+  add("how_to_play", true)
+  add("quit", true)
   return list
 end
 
-local function expect_place(what, list)
-  for _, place in ipairs(list) do
-    if place == what then return end
+local function expect_entry(what, list)
+  for _, name in ipairs(list) do
+    if name == what then return end
   end
   local got = tostring(what)
-  local said = 'screen title: expected one of %s, or nil, got "%s"%s'
-  sys.fail("boot.run", said:format(table.concat(list, ", "), got, sys.hint(got, list)))
+  local message = 'screen title: expected one of %s, or nil, got "%s"%s'
+  sys.fail("boot.run", message:format(table.concat(list, ", "), got, sys.hint(got, list)))
 end
 
 local function pressed(button) return pad.take(button, 0, 1) or pad.take(button, 0, 2) end
 
--- Nobody came: a demo, the next each time, then the scores. True: somebody pressed fire or START, and wants the menu.
+-- Shows the next demo, then the scores. Returns true if a player pressed fire or START, which opens the menu.
 local function attract(a, show)
   local demos = a.demos or { a.demo }
   if #demos > 0 then
     a.shown = (a.shown or 0) % #demos + 1
     board.attract(demos[a.shown])
-    wait(1) -- and the board stands while it is shown; the press that ends it comes in the frame after
+    wait(1) -- the board is frozen during the demo; the press that ends it arrives one frame later
     if pressed("start") or pressed("fire") then return true end
   end
-  a.told = show("scores", board.difficulty(), SCORES) == true
-  return a.told
+  a.opened = show("scores", board.difficulty(), SCORES) == true
+  return a.opened
 end
 
--- What is told before the title: once the power is on, and each time nobody came. True: START has ended it.
-local function tell(a)
+-- Plays the opening: after power-on, and after each attract mode that nobody ended. Returns true if START ended it.
+local function play_opening(a)
   if not a.opening then return false end
   text.clear()
-  local scope, left = sys.scope(), false
-  local teller = task.own(scope, a.opening)
-  while task.alive(teller) and not left do
+  local scope, ended = sys.scope(), false
+  local opening = task.own(scope, a.opening)
+  while task.alive(opening) and not ended do
     wait(1)
-    left = pressed("start")
+    ended = pressed("start")
   end
   task.stop(scope)
   sys.wipe()
-  return left
+  return ended
 end
 
--- The mission that is to be played, and with which ship; nil: back to the title. last: the one that was played before.
-local function choose_mission(a, show, last, choices)
+-- ---- the page start ----
+
+local function list_modes(a)
+  local list = {}
+  for i, mode in ipairs(a.modes or {}) do
+    list[i] = { name = mode.name, text = mode.text, closed = closed(mode.needs) }
+  end
+  return list
+end
+
+local function list_difficulties(a)
+  local list = {}
+  local texts = a.difficulties or {}
+  for i, name in ipairs(sys.difficulties()) do list[i] = { name = name, text = texts[name] } end
+  return list
+end
+
+-- Ships with their forms. A form that doesn't set text or figures has the ship's.
+local function list_ships(a)
+  local list = {}
+  for i, kind in ipairs(a.players) do
+    local about = a.ships and a.ships[kind] or {}
+    local ship = { name = kind, title = about.title, text = about.text, figures = about.figures }
+    ship.closed = closed(sys.ship(kind).needs)
+    for k, f in ipairs(about.forms or {}) do
+      ship.forms = ship.forms or {}
+      ship.forms[k] = { name = f.kind, title = f.title, text = f.text or about.text,
+                        figures = f.figures or about.figures, closed = closed(sys.ship(f.kind).needs) }
+    end
+    list[i] = ship
+  end
+  return list
+end
+
+local SAVES <const> = { mode = "last/mode", difficulty = "last/difficulty", ships = { "last/ship", "last/ship 2" } }
+
+-- The choices of the last run, also after power-on.
+local function last_choices()
+  local ships = {}
+  for p, key in ipairs(SAVES.ships) do ships[p] = save.get(key) end
+  return { mode = save.get(SAVES.mode), difficulty = save.get(SAVES.difficulty) or board.difficulty(), ships = ships }
+end
+
+local function save_choices(modes, difficulties, a, choice)
+  if #modes > 1 then save.set(SAVES.mode, choice.mode) end
+  if #difficulties > 1 then save.set(SAVES.difficulty, choice.difficulty) end
+  for p, kind in ipairs(#a.kinds > 1 and choice.ships or {}) do save.set(SAVES.ships[p], kind) end
+end
+
+local function only(list) return #list == 1 and list[1].name or nil end
+
+-- The mode that the page start returned, out of the game's modes.
+local function find_mode(a, name)
+  if not a.modes then return { stages = a.stages } end
+  local names = {}
+  for i, mode in ipairs(a.modes) do
+    if mode.name == name then return mode end
+    names[i] = mode.name
+  end
+  sys.unknown("boot.run", "mode", tostring(name), names)
+end
+
+-- Fills in what has one option only, and what a game's own page start left out.
+local function complete(a, choice, modes, difficulties, fixed, players)
+  choice.mode = choice.mode or only(modes)
+  choice.difficulty = fixed.difficulty or choice.difficulty or only(difficulties)
+  choice.ships = choice.ships or {}
+  for p = 1, players do choice.ships[p] = choice.ships[p] or fixed.ship or a.kinds[1] end
+  return choice
+end
+
+-- Shows the page start, unless nothing is left to choose. fixed: difficulty, ship or modes that a mission prescribes.
+-- Returns { mode, difficulty, ships }, or nil for back.
+local function choose(a, show, players, fixed)
+  local modes, difficulties = fixed.modes or list_modes(a), list_difficulties(a)
+  local lists = {
+    modes = #modes > 1 and modes or nil,
+    difficulties = not fixed.difficulty and #difficulties > 1 and difficulties or nil,
+    ships = fixed.ship and { { name = fixed.ship } } or list_ships(a),
+  }
+  local choice = {}
+  if lists.modes or lists.difficulties or not fixed.ship and #a.kinds > 1 then
+    choice = show("start", players, lists, last_choices())
+  end
+  if not choice then return nil end
+  choice = complete(a, choice, modes, difficulties, fixed, players)
+  if choice.difficulty then board.difficulty(choice.difficulty) end
+  save_choices(modes, difficulties, a, choice)
+  return choice
+end
+
+-- Returns the run of a mission, or nil for back to the title. last: the mission that was played before, or nil.
+local function choose_mission(a, show, last)
   while true do
     local name = show("missions", last)
     if name == nil then return nil end
     local m = sys.missions.get(name)
     if not m then
-      sys.fail("boot.run", ('screen "missions": expected the name of a mission or nil, got "%s"'):format(tostring(name)))
+      local message = 'screen "missions": expected the name of a mission or nil, got "%s"'
+      sys.fail("boot.run", message:format(tostring(name)))
     end
-    if m.difficulty then board.difficulty(m.difficulty) end
-    while m.difficulty or choices.difficulty(a, show) do
-      local ships = m.ship and { m.ship } or choices.ships(a, show, 1)
-      if ships then return { mission = name, stages = {}, ships = { ships[1] } } end
-      if m.difficulty or #sys.difficulties() < 2 then break end
-    end
+    local choice = choose(a, show, 1, { difficulty = m.difficulty, ship = m.ship, modes = {} })
+    if choice then return { mission = name, stages = {}, ships = choice.ships } end
     last = name
   end
 end
+
+-- ---- the title ----
 
 -- The game's own page of that name, or nil.
 local function page_of(a, name)
@@ -103,95 +200,41 @@ local function page_of(a, name)
   end
 end
 
--- The title, and back to it, until somebody starts. Returns how many play, or a run of a mission. last: the mission that
--- was played before; its list comes first then.
-local function wait_for_players(a, show, last, choices)
-  local what, players, from = last and "missions", nil, nil -- from: the place of the list that one comes from
-  while what ~= "start" do
-    if not a.told then from = tell(a) and "start" or from end
-    a.told = true
-    local list = places(a)
-    if last then last = nil else what, players = show("title", ATTRACT, list, from) end
-    from = what
-    if what == "missions" then
-      expect_place(what, list)
-      local run = choose_mission(a, show, a.mission, choices)
-      if run then
-        a.mission = run.mission
-        return nil, run
-      end
-    elseif what == nil then
-      from = attract(a, show) and "start" or nil
-    elseif what == "replays" or what == "settings" then
-      board.ask(what)
-    elseif what ~= "start" and page_of(a, what) then
-      show("page", page_of(a, what))
-    elseif what ~= "start" then
-      expect_place(what, list)
-      show(what, what == "music" and a.music or what ~= "unlocks" and board.difficulty() or nil)
-    end
-  end
-  return players or 1
+local ASKED <const> = { practice = true, replays = true, settings = true, quit = true }
+
+-- Opens what was chosen in the title's menu, other than "start" and "missions".
+local function open(a, show, what)
+  if ASKED[what] then return board.ask(what) end
+  if page_of(a, what) then return show("page", page_of(a, what)) end
+  if what == "how_to_play" then return show(what, sys.read("boot/how_to_play")(a), a.kinds[1]) end
+  show(what, what == "music" and a.music or what ~= "unlocks" and board.difficulty() or nil)
 end
 
--- The mode to be played; nil: back. Without modes it is one without a name.
-local function choose_mode(a, show)
-  if not a.modes then return { stages = a.stages } end
-  if #a.modes == 1 then return a.modes[1] end
-  local list, closed = {}, sys.read("boot/records").closed
-  for i, mode in ipairs(a.modes) do
-    local hint = closed(mode.needs)
-    list[i] = { name = mode.name, text = hint or mode.text, closed = hint ~= nil }
-  end
-  local name = show("mode", list)
-  for _, mode in ipairs(a.modes) do
-    if mode.name == name then return mode end
-  end
-end
-
--- True when a difficulty is set; nil: back.
-local function choose_difficulty(a, show)
-  local names = sys.difficulties()
-  if #names < 2 then return true end
-  local name = show("difficulty", names, board.difficulty(), a.difficulties or {})
-  return name and board.difficulty(name) ~= nil
-end
-
--- Each player's ship; nil: back.
-local function choose_ships(a, show, players)
-  if #a.kinds > 1 then
-    local ships = show("ship", a.players, players, a.ships or {})
-    return type(ships) == "string" and { ships } or ships
-  end
-  local ships = {}
-  for p = 1, players do ships[p] = a.kinds[1] end
-  return ships
-end
-
--- One choice after the other; nil from one goes back to the one before. Returns mode and ships, or nil.
-local function choose(a, show, players)
-  local mode, ships
-  while true do
-    mode = choose_mode(a, show)
-    if not mode then return nil end
-    while choose_difficulty(a, show) do
-      ships = choose_ships(a, show, players)
-      if ships then return mode, ships end
-      if #sys.difficulties() < 2 then break end
-    end
-    if not a.modes or #a.modes < 2 then return nil end
-  end
-end
-
--- Until a game is to begin. Returns what is to be played: mode (a name, or nil), stages, ships; or a mission and ships.
--- last: the mission that was played before, or nil.
+-- Shows the title and what is chosen there until a run starts. Returns the run. last: the mission that was played
+-- before; the list of missions is shown first.
 return function(a, show, last)
-  local choices = { difficulty = choose_difficulty, ships = choose_ships }
+  local what, players, from = last and "missions", 1, nil -- from: the entry of the menu that the player returns from
   while true do
-    local players, run = wait_for_players(a, show, last, choices)
-    if run then return run end
-    last = nil
-    local mode, ships = choose(a, show, players)
-    if mode then return { mode = mode.name, stages = mode.stages, ships = ships } end
+    if not last then
+      if not a.opened then from = play_opening(a) and "start" or from end
+      a.opened = true
+      local list = entries(a)
+      what, players = show("title", ATTRACT, list, from, players)
+      if what then expect_entry(what, list) end
+    end
+    from, last = what, nil
+    if what == nil then
+      from = attract(a, show) and "start" or nil
+    elseif what == "start" then
+      local choice = choose(a, show, players or 1, {})
+      local mode = choice and find_mode(a, choice.mode)
+      if choice then return { mode = mode.name, stages = mode.stages, ships = choice.ships } end
+    elseif what == "missions" then
+      local run = choose_mission(a, show, a.mission)
+      a.mission = run and run.mission or a.mission
+      if run then return run end
+    else
+      open(a, show, what)
+    end
   end
 end

@@ -1,16 +1,16 @@
--- menu/page.lua - what all screens share: where a page lies, its rules and frames, and lists to choose from.
+-- menu/page.lua - what all screens share: the place of a page, its rules and frames, and lists to choose from.
 --
--- A page lies over the field, a cell off its edges, whatever else is on the screen. What moves on it is for the eye: a
--- press counts from a page's second frame on, and nobody waits for a picture.
+-- A page covers the field, one cell from its edges. Animations never delay input: a press counts from a page's second
+-- frame on.
 local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local page = {}
 
-local IDLE = 30 * 60 -- frames after which a page that nobody answers gives up
-local COMING = 4     -- frames a row is faint when it comes
-local BLINK = 16     -- frames the arrows stay as they are
-local GROWING = 8    -- frames a window grows
-local DIM = 0.45     -- of what is behind a page
-local BANNER = 6     -- rows that the hud's banner takes
+local IDLE = 30 * 60 -- frames without input after which a page closes
+local COMING = 4     -- frames that a new row is faint
+local BLINK = 16     -- frames that the arrows keep their colour
+local GROWING = 8    -- frames in which a window grows
+local DIM = 0.45     -- share of black behind a page
+local BANNER = 6     -- rows of the HUD's banner
 
 local LEFT, RIGHT, UP, DOWN = hud.glyph(139, "<"), hud.glyph(140, ">"), hud.glyph(150, "^"), hud.glyph(151, "v")
 local LINE, FIRST, LAST, JEWEL = hud.glyph(141, "-"), hud.glyph(142, "-"), hud.glyph(143, "-"), hud.glyph(144, "-")
@@ -19,20 +19,20 @@ page.col, page.row = (rom.field.x + 7) // 8, (rom.field.y + 7) // 8
 page.cols = (rom.field.x + rom.field.w) // 8 - page.col
 page.rows = (rom.field.y + rom.field.h) // 8 - page.row
 page.x = rom.field.x + rom.field.w // 2 -- its middle, px
-page.low = page.rows < 36               -- there is no room between rows
+page.low = page.rows < 36               -- no empty rows between rows
 page.IDLE = IDLE
 
--- Column i of n side by side: its first column of cells and how many it has, at most `widest`.
+-- Returns the first cell and the width, at most `widest`, of column i of n columns side by side.
 function page.column(i, n, widest)
   local room = page.cols // n
   local cols = math.min(room, widest)
   return page.col + (i - 1) * (page.cols - room) + (room - cols) // 2, cols
 end
 
--- ---- who presses what ----
+-- ---- buttons ----
 
--- Did player p (nil: one of the players) press the button in this frame? An earlier press was not meant for this
--- page. The press is taken, so that the game does not see it as well.
+-- Returns whether player p (nil: either player) pressed the button in this frame. Takes the press, so the game doesn't
+-- see it.
 function page.pressed(button, p)
   if p then return pad.take(button, 0, p) end
   return pad.take(button, 0, 1) or pad.take(button, 0, 2)
@@ -46,24 +46,24 @@ end
 
 function page.accepted(p) return page.pressed("fire", p) or page.pressed("start", p) end
 
--- -1, 0 or 1: where two buttons step to.
+-- Returns -1, 0 or 1: the step of two buttons.
 function page.step(less, more, p)
   return (page.stepped(more, p) and 1 or 0) - (page.stepped(less, p) and 1 or 0)
 end
 
--- ---- what stands on a page ----
+-- ---- text and plates ----
 
--- Empties n rows of the page from `row` on, or of a part of it.
+-- Clears n rows from `row` on, in the whole page or in some columns.
 function page.clear(row, n, col, cols)
   if n > 0 then text.clear { col = col or page.col, row = row, w = cols or page.cols, h = n } end
 end
 
--- Puts s in the middle, in the language of the run, and returns the row below.
+-- Translates and centres s; returns the row below.
 function page.centre(row, s, bank, col, cols)
   return hud.centre(row, s, bank, (col or page.col) + 1, (cols or page.cols) - 2)
 end
 
--- The same with lines `apart` rows apart; nil: as a page has room.
+-- The same, with lines `apart` rows apart; default: 1 on a low page, otherwise 2.
 function page.text(row, s, bank, col, cols, apart)
   col, cols = (col or page.col) + 1, (cols or page.cols) - 2
   for _, line in ipairs(hud.wrap(text.lang(s), cols)) do
@@ -73,14 +73,14 @@ function page.text(row, s, bank, col, cols, apart)
   return row
 end
 
--- A line across, `age` frames after it came: it grows from its middle.
+-- Draws a line that grows from its middle, `age` frames after it appeared.
 function page.rule(row, age, col, cols)
   col, cols = col or page.col + 1, cols or page.cols - 2
   local n = math.min(cols, cols % 2 + 4 + 4 * age)
   hud.put(col + (cols - n) // 2, row, FIRST .. JEWEL .. LINE:rep(n - 4) .. JEWEL .. LAST, hud.banks.faint)
 end
 
--- A window in cells, which grows from its middle: page.grow in each frame.
+-- Opens a window, in cells, that grows from its middle; call page.grow in each frame.
 function page.window(col, row, w, h)
   local y = (row + h // 2) * 8
   local plate = sprite.plate { x = col * 8, y = y, w = w * 8, h = 8, bank = hud.banks.plain, stay = true }
@@ -93,13 +93,13 @@ function page.grow(window, age)
   window.plate.y, window.plate.h = window.middle - h // 2, h
 end
 
--- A window over what is played, which gets darker. No half of a line is to look out behind it, so its rows and the
--- banner's are emptied; boot.lua brings back what stood there.
+-- Opens a window over the game, which darkens. Clears the window's rows and the banner's, so that no part of a line
+-- shows next to the window; boot.lua restores them.
 function page.over(col, row, w, h)
   page.clear(row, h)
   page.clear(hud.rows // 3, BANNER)
   local window = page.window(col, row, w, h)
-  window.dim = screen.dim { share = 0.55, over = 6 } -- a talk's, or none
+  window.dim = screen.dim { share = 0.55, over = 6 } -- the dim before: that of a dialogue, or none
   return window
 end
 
@@ -109,7 +109,7 @@ function page.close(window)
   page.clear(window.row, window.h // 8, window.col, window.w)
 end
 
--- An empty page of its own over what is behind it, and back.
+-- page.begin opens an empty page over a darkened picture; page.done closes it.
 function page.begin()
   text.clear()
   screen.dim { share = DIM, over = GROWING }
@@ -122,24 +122,25 @@ function page.done()
   screen.dim { share = 0, over = GROWING }
 end
 
--- What the page is, above a rule; returns the first row for what is on it.
+-- Draws the heading above a rule; returns the first row below.
 function page.head(s, age)
   local row = page.centre(page.row + (page.low and 1 or 3), s, hud.banks.bright)
   page.rule(row + (page.low and 0 or 1), age)
   return row + (page.low and 2 or 4)
 end
 
--- Which buttons do what, above the page's lower edge.
+-- Draws what the buttons do, above the page's lower edge.
 function page.foot(s, age)
   local row = page.row + page.rows - (page.low and 2 or 4)
   if age then page.rule(row - 1, age) end
   page.centre(row, s, hud.banks.faint)
 end
 
--- Does a page that is `age` frames old with `n` rows still change by itself?
+-- Returns whether a page that is `age` frames old and has n rows is still opening.
 function page.opening(age, n) return age <= math.max(2 * n + COMING, GROWING, page.cols // 4) end
 
--- In what bank is row i drawn that will be in `bank`? Rows come one after the other, faint at first. nil: not yet.
+-- Returns the bank in which to draw row i, which ends up in `bank`: rows appear one after the other, faint at first.
+-- nil: the row isn't shown yet.
 function page.bank(i, age, bank)
   local here = age - 2 * (i - 1)
   if here < 0 then return nil end
@@ -148,8 +149,23 @@ end
 
 -- ---- lists ----
 
--- An item in the middle of its list, in the k-th row that is seen: by a line of text, which stands at any pixel, where
--- the board has room for one; in cells one of another parity than the list stands half a cell off.
+-- The bar behind the chosen row of a list, and how it glides there: a third of the way in each frame.
+function page.bar(col, row, cols, gap, front)
+  return sprite.plate {
+    x = col * 8, y = row * 8, w = cols * 8, h = gap > 1 and 16 or 10, stay = true, bank = hud.banks.bright,
+    front = front,
+  }
+end
+
+function page.glide(bar, row, at_once)
+  if not bar.alive then return end
+  local to = row * 8 + 4 - bar.h // 2
+  local way = to - bar.y
+  bar.y = (at_once or way * way < 1) and to or bar.y + way / 3
+end
+
+-- Draws an item in the middle of the k-th visible row. A line of text centres it exactly; without one (board.lines), it
+-- can be half a cell off.
 local function put_item(l, k, item, bank)
   local row = l.row + (k - 1) * l.gap
   local line = l.lines and l.lines[k]
@@ -167,7 +183,7 @@ local function put_item(l, k, item, bank)
   if bank then line.bank = bank end
 end
 
--- Scrolls until the chosen one is seen, and shows where there are more.
+-- Scrolls to the chosen item, and shows where there are more.
 local function scroll(l, chosen)
   l.first = math.max(chosen - l.seen + 1, math.min(l.first, chosen))
   if l.seen == #l.items then return end
@@ -198,45 +214,35 @@ local function lay_out(a)
   local widest = 1
   for _, item in ipairs(a.items) do widest = math.max(widest, sys.cells(item)) end
   local cols, gap = a.cols or page.cols, a.gap or 2
-  widest = math.min(cols, widest + (cols - widest) % 2) -- so that it has as many columns at each side
+  widest = math.min(cols, widest + (cols - widest) % 2) -- equal columns on both sides
   local seen = math.min(#a.items, a.most or #a.items)
   local l = {
     items = a.items, row = a.row, gap = gap, width = widest, col = (a.col or page.col) + (cols - widest) // 2,
     first = 1, seen = seen, below = a.row + seen * gap + (page.low and 0 or 1), lines = sys.on("text.line") and {},
   }
-  -- Where it says that there is more: beside it, in the empty rows above and below if there are such.
+  -- The marks for more items: next to the list, in the empty rows above and below if there are any.
   local off, last = gap > 1 and 1 or 0, a.row + (seen - 1) * gap
   l.more = { col = l.col + widest + (gap > 1 and 1 or 3), up = a.row - off, down = last + off }
-  local beyond = math.max(0, math.min(3, l.col - page.col - 1)) -- columns of the bar beside the widest item
-  l.bar = sprite.plate {
-    x = (l.col - beyond) * 8, y = l.row * 8, w = (widest + 2 * beyond) * 8, h = gap > 1 and 16 or 10, stay = true,
-    bank = hud.banks.bright, front = a.front,
-  }
+  local beyond = math.max(0, math.min(3, l.col - page.col - 1)) -- columns of the bar on each side of the widest item
+  l.bar = page.bar(l.col - beyond, l.row, widest + 2 * beyond, gap, a.front)
   return l
 end
 
--- The bar glides to behind the chosen row: a third of the way in each frame.
-local function glide(l, chosen, age)
-  local to = (l.row + (chosen - l.first) * l.gap) * 8 + 4 - l.bar.h // 2
-  local way = to - l.bar.y
-  l.bar.y = (age == 0 or way * way < 1) and to or l.bar.y + way / 3
-end
-
--- Shows items, texts in the language of the run, from `row` on, until one is chosen. If wanted: chosen, p (whose
--- switches), limit (frames; else IDLE), back (what bomb answers; false: nothing), gap (rows from one to the next), col
--- and cols (where on the page), most (items that are seen at a time; the list scrolls), front (true: its bar lies over
--- all plates), closed (of those that cannot be chosen, true), draw(age) for what else is on the page while it opens,
--- keys (true: the cabinet is to tell them), note(chosen, row) for what stands below the list and notes, its rows. Returns
--- the number, or nil.
+-- Shows a list of translated items, from `row` on, until one is chosen. Optional: chosen; p (the player who chooses);
+-- limit (frames, default IDLE); back (the result of bomb; false: bomb does nothing); gap (rows from one item to the
+-- next); col and cols (part of the page); most (items shown at a time; the list scrolls); front (the bar is over all
+-- plates); closed (true for items that can't be chosen); draw(age), called while the page opens; keys (the program
+-- shows the buttons); note(chosen, row), which draws below the list, and notes, its rows. Returns the number of the
+-- item, or nil.
 function page.list(a)
   local l, chosen, answer = lay_out(a), a.chosen or 1, nil
   local idle, age, limit = 0, 0, a.limit or IDLE
   while idle < limit do
-    if l.bar.alive then glide(l, chosen, age) end
+    page.glide(l.bar, l.row + (chosen - l.first) * l.gap, age == 0)
     if a.draw and page.opening(age, 0) then a.draw(age) end
     if idle < 2 or age % BLINK == 0 or page.opening(age, #a.items) then draw(l, a, chosen, age) end
     if a.keys then sys.tell_keys() end
-    wait(1) -- the press that opened this list is not meant for it
+    wait(1) -- the press that opened this list doesn't count
     idle, age = idle + 1, age + 1
     local step = page.step("up", "down", a.p)
     if step ~= 0 then
@@ -266,7 +272,7 @@ function page.list(a)
   return answer
 end
 
--- How many rows the longest of these texts takes below a list; some may be missing.
+-- Returns the rows of the longest of n texts, some of which may be nil.
 function page.notes(texts, n)
   local most = 0
   for i = 1, n do
@@ -276,14 +282,21 @@ function page.notes(texts, n)
   return most
 end
 
--- A plate behind n rows from `row` on, a row off them; it goes with page.done.
+-- Puts a panel over the top of the field, down to `row`; entities pass behind it. page.done removes it.
+function page.panel(row)
+  page.plate = sprite.plate {
+    x = rom.field.x, y = rom.field.y, w = rom.field.w, h = row * 8 - rom.field.y, stay = true, bank = hud.banks.plain,
+  }
+end
+
+-- Puts a plate behind n rows from `row` on, one row larger on each side. page.done removes it.
 function page.frame(row, n)
   page.plate = sprite.plate {
     x = page.col * 8 + 4, y = row * 8 - 8, w = page.cols * 8 - 8, h = n * 8 + 16, bank = hud.banks.plain, stay = true,
   }
 end
 
--- A page of its own with a list: head, and what page.list takes but for its row; the texts of items are names.
+-- Shows a page with a heading and a list: a is as for page.list, without row.
 function page.ask(head, a)
   page.begin()
   local top, gap = page.head(head, 0), a.gap or 2

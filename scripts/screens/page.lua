@@ -1,16 +1,16 @@
--- screens/page.lua - a page of the game's own, which the title's list leads to: the library puts its head and its foot,
--- darkens what is behind it, and takes away what the game put there.
+-- screens/page.lua - one of the game's own pages in the main menu: draws heading and footer, and removes what the
+-- page's function spawned.
 local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local page = sys.read("menu/page")
 
--- p: { name, show }; show(row, rows) runs in a task and has so many rows from that one on. Ends when somebody presses,
--- or nobody does for long.
+-- p: { name, show }; show(row, rows) runs in a task and may draw in `rows` rows from `row` on. Ends with a press, or
+-- after page.IDLE frames.
 return function(p)
   page.begin()
   local row = page.head(menu.label(p.name), page.cols)
   local rows = page.row + page.rows - (page.low and 3 or 6) - row
   if not page.low then page.frame(row - 1, rows + 1) end
-  local scene = sys.scene(sys.task()) -- takes along what is put
+  local scene = sys.scene(sys.task()) -- removes what is spawned in it
   local tidy <close> = setmetatable({}, { __close = function() task.stop(scene) end })
   task.own(scene, function() p.show(row, rows) end)
   for age = 0, page.IDLE do

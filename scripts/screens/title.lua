@@ -1,18 +1,19 @@
--- screens/title.lua - the title: a logo, a line that asks for START, and then a list of where one can go.
+-- screens/title.lua - the title: a logo and "PRESS START", then the main menu.
 local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local page = sys.read("menu/page")
 
-local WORDS = {
-  missions = "MISSIONS",
-  scores = "SCORES", history = "SPELLS", music = "MUSIC", unlocks = "EXTRAS", replays = "REPLAYS", settings = "SETTINGS",
+local LABELS <const> = {
+  start = "START", practice = "PRACTICE", missions = "MISSIONS", replays = "REPLAYS", scores = "SCORES",
+  history = "SPELLS", music = "MUSIC", unlocks = "EXTRAS", settings = "SETTINGS", how_to_play = "HOW TO PLAY",
+  quit = "QUIT",
 }
-local UNDER = page.low and 5 or 9 -- rows from the middle of the logo to the first of the list, at least
-local SHINES <const>, AGAIN <const> = 24, 200 -- frames that a light runs over the logo, and from one to the next
-local DROP = 24 -- px from above that the logo comes
-local LEAST <const> = 4 -- items that are seen with an empty row between them; where there is no room for so many, none is
-local LIFT <const> = 8  -- frames in which the logo makes room for a long list
+local UNDER <const> = page.low and 5 or 9 -- rows from the middle of the logo to the menu, at least
+local SHINE <const>, SHINE_AGAIN <const> = 24, 200 -- frames that the light on the logo takes, and from one to the next
+local DROP <const> = 24     -- px that the logo falls when the title opens
+local FEWEST <const> = 4    -- a menu that can't show this many entries two rows apart shows them without empty rows
+local LIFT_TIME <const> = 8 -- frames in which the logo moves up for a long menu
 
--- The name of a game without a logo, its letters apart where there is room.
+-- Draws the name of a game without a logo, spaced out if there is room.
 local function draw_name(row, age)
   local name = rom.title:upper()
   local apart = name:gsub("[%g]", "%0 "):gsub(" $", "")
@@ -27,8 +28,7 @@ local function put_logo(row)
   return sprite.put { sprite = "logo", x = page.x, y = row * 8 - DROP, screen = true }
 end
 
--- Light that runs over the logo: a sprite of several frames, logo_light, of the logo's size. It is there while its
--- frames play once.
+-- The light that runs over the logo: the sprite logo_light, of the logo's size. It plays its frames once.
 local function put_light(logo)
   if not (logo and rom.has("logo_light")) then return nil end
   return sprite.put { sprite = "logo_light", x = logo.x, y = logo.y, screen = true, hidden = true }
@@ -36,8 +36,8 @@ end
 
 local function shine(light, logo, age)
   if not light then return end
-  light.y, light.hidden = logo.y, age % AGAIN >= SHINES
-  if age % AGAIN == 0 then light.sprite = "logo_light" end -- from its first frame on
+  light.y, light.hidden = logo.y, age % SHINE_AGAIN >= SHINE
+  if age % SHINE_AGAIN == 0 then light.sprite = "logo_light" end -- restarts its frames
 end
 
 local function draw_best()
@@ -45,12 +45,12 @@ local function draw_best()
   if top then page.centre(page.row + 1, text.lang("HI %09d"):format(top.score)) end
 end
 
--- Waits for a press; false when nobody came.
+-- Waits for fire or START. Returns false if nobody pressed one for `limit` frames.
 local function wait_for_start(row, third, logo, light, limit)
   for age = 0, limit - 1 do
     if logo then
       logo.y = third * 8 - DROP * math.max(0, 16 - age) // 16
-      shine(light, logo, age + AGAIN - DROP)
+      shine(light, logo, age + SHINE_AGAIN - DROP)
     elseif page.opening(age, 0) then
       draw_name(third, age)
     end
@@ -68,71 +68,76 @@ local function wait_for_start(row, third, logo, light, limit)
   return false
 end
 
--- What can be chosen, as { what, players } each, and the words for it.
-local function entries(words)
+-- Returns the entries of the menu, each { name, players }, and their labels.
+local function entries(names)
   local list, items = {}, {}
-  for _, what in ipairs(words) do
-    if what == "start" and sys.players() > 1 then
-      list[1], list[2] = { what, 1 }, { what, 2 }
-      items[1], items[2] = text.lang("1 PLAYER"), text.lang("2 PLAYERS")
+  local function add(name, players, label)
+    list[#list + 1], items[#items + 1] = { name, players }, label
+  end
+  for _, name in ipairs(names) do
+    if name == "start" and sys.players() > 1 then
+      add(name, 1, text.lang("1 PLAYER"))
+      add(name, 2, text.lang("2 PLAYERS"))
     else
-      list[#list + 1] = { what, 1 }
-      local word = what == "start" and "START" or WORDS[what]
-      items[#items + 1] = word and text.lang(word) or menu.label(what)
+      add(name, 1, LABELS[name] and text.lang(LABELS[name]) or menu.label(name))
     end
   end
   return list, items
 end
 
-local function index_of(list, what)
+local function index_of(list, name, players)
+  local first
   for i, entry in ipairs(list) do
-    if entry[1] == what then return i end
+    if entry[1] == name then
+      first = first or i
+      if entry[2] == players then return i end
+    end
   end
+  return first
 end
 
--- Where a list of n items lies below a logo in row `third`: its first row, rows from one to the next, how many of them
--- are seen, and how many rows higher the logo stands then.
+-- Returns the layout of a menu of n items below a logo at row `third`: its first row, the rows from one item to the
+-- next, the items shown at a time, and the rows by which the logo moves up.
 local function lay_out(n, row, third, logo)
-  local top, last = row - (page.low and 2 or 0), page.row + page.rows - 3 -- the cabinet says the keys below
+  local top, last = row - (page.low and 2 or 0), page.row + page.rows - 3 -- the program draws the keys below
   local free = logo and math.max(0, third - page.row - UNDER) or 0        -- rows between the best score and the logo
   top = math.max(math.min(top, third + UNDER, last - 2 * (n - 1)), third + UNDER - free)
   local lift, seen = math.max(0, third + UNDER - top), math.min(n, (last - top) // 2 + 1)
-  if seen >= math.min(n, LEAST) then return top, 2, seen, lift end
+  if seen >= math.min(n, FEWEST) then return top, 2, seen, lift end
   return math.min(top, last - n + 1), 1, n, lift
 end
 
--- The number of what is chosen from the list; 0: back, nil: nobody answers.
+-- Returns the number of the chosen item; 0: back; nil: nobody chose.
 local function choose(items, row, chosen, third, logo)
-  if #items == 1 then return 1 end
   local top, gap, seen, lift = lay_out(#items, row, third, logo)
   local function draw(age)
-    if logo then logo.y = (third - lift * math.min(age, LIFT) / LIFT) * 8 end
+    if logo then logo.y = (third - lift * math.min(age, LIFT_TIME) / LIFT_TIME) * 8 end
   end
   return page.list {
     items = items, row = top, chosen = chosen, back = 0, gap = gap, most = seen, draw = draw, keys = true,
   }
 end
 
--- words: where one can go, "start" first; last: where one comes from, or nil. Returns where to, and how many play; nil
--- when nobody came for `limit` frames.
-return function(limit, words, last)
+-- names: the entries, "start" first. last, players: the entry that the player returns from, or nil. Returns the chosen
+-- entry and the number of players; nil if nobody pressed a button for `limit` frames.
+return function(limit, names, last, players)
   text.clear()
   local third = page.row + page.rows // 3
   local row, logo = page.row + 2 * (page.rows // 3), put_logo(third)
   local light = put_light(logo)
-  local list, items = entries(words)
-  local here, back = 0, last and index_of(list, last)
+  local list, items = entries(names)
+  local chosen, back = 0, last and index_of(list, last, players)
   draw_best()
   if back then
     if logo then logo.y = third * 8 else draw_name(third, page.cols) end
-    here = choose(items, row, back, third, logo)
+    chosen = choose(items, row, back, third, logo)
   end
-  while here == 0 do
-    local came = wait_for_start(row, third, logo, light, limit)
-    here = came and choose(items, row, 1, third, logo)
+  while chosen == 0 do
+    local is_here = wait_for_start(row, third, logo, light, limit)
+    chosen = is_here and choose(items, row, 1, third, logo)
   end
   text.clear()
   if logo then logo:remove() end
   if light then light:remove() end
-  if here then return table.unpack(list[here]) end
+  if chosen then return table.unpack(list[chosen]) end
 end

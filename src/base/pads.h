@@ -14,7 +14,7 @@ enum {
     PAD_FOCUS = 1 << 6,
     PAD_SPECIAL = 1 << 7,
     PAD_START = 1 << 8,
-    PAD_SELECT = 1 << 9, /* bits 10 to 15 are reserved and always 0 */
+    PAD_SELECT = 1 << 9, /* bits 10 to 15 are reserved and always 0 in pads */
     PAD_ALL = (1 << 10) - 1,
     MAX_PLAYERS = 2, /* players */
     PAD_BUTTON_COUNT = 10

@@ -329,8 +329,8 @@ void board_move_entities(struct board *b)
 {
     struct motion_world w = board_motion_world(b, false), ws = board_motion_world(b, true);
     struct enemies_world we = { b, find_orbited_position, board_random, 0 };
-    const uint16_t held[MAX_PLAYERS] = { (uint16_t)(b->input.held[0] & ~board_ignored_buttons(b, 0)),
-                                         (uint16_t)(b->input.held[1] & ~board_ignored_buttons(b, 1)) };
+    const uint16_t held[MAX_PLAYERS] = { (uint16_t)(input_held(&b->input, 0) & ~board_ignored_buttons(b, 0)),
+                                         (uint16_t)(input_held(&b->input, 1) & ~board_ignored_buttons(b, 1)) };
     struct bullets_query query[MAX_PLAYERS];
     const bool has_solids = hit_solid_is_possible(b);
 

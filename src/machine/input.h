@@ -4,6 +4,9 @@
  * A press is a frame in which a button went down. It can be taken once (input_take) while it is at most MAX_PRESS_AGE
  * frames old. The game and the pause screen have separate presses: a press during a pause does not count for the game,
  * and the game's presses do not age during a pause.
+ *
+ * A page may show a ship that plays by itself (input_play): its scripts and its movement then read the page's buttons,
+ * while presses are still the player's, for the page to take.
  */
 #ifndef MACHINE_INPUT_H
 #define MACHINE_INPUT_H
@@ -16,8 +19,8 @@ enum { REPEAT_AFTER = 20, REPEAT_EVERY = 5, MAX_PRESS_AGE = 60 }; /* frames */
 enum press_side { PRESS_GAME, PRESS_PAUSE, PRESS_SIDES, PRESS_NOBODY = PRESS_SIDES };
 
 struct input {
-    struct slots s; /* a list of two entries, one per player */
-    uint16_t *held;
+    struct slots s;    /* a list of two entries, one per player */
+    uint16_t *held;    /* the player's buttons; above PAD_ALL those of input_play */
     uint16_t *pressed; /* down in this frame, up in the previous one */
     uint16_t *released;
     uint16_t *repeated;    /* pressed, and again every few frames while held */
@@ -33,6 +36,16 @@ extern const struct chip input_chip;
  * the previous frame also count in this frame, so a run of PRESS_NOBODY frames passes them on to the first frame after
  * the run. */
 void input_latch(struct input *in, const uint16_t pads[MAX_PLAYERS], enum press_side side, bool carry);
+
+/* Makes the ship of player p play by these buttons in this frame, of the directions, fire and focus; bomb and
+ * special are presses. */
+void input_play(struct input *in, uint32_t p, unsigned pads);
+
+/* Gives the ship of player p the player's own buttons again. Returns whether input_play was called in this frame. */
+bool input_end_play(struct input *in, uint32_t p);
+
+/* Returns the buttons that the ship of player p sees as held. */
+unsigned input_held(const struct input *in, uint32_t p);
 
 /* Clears the pressed, released and repeated buttons, so that nothing carries over into the next frame. */
 void input_clear_edges(struct input *in);

@@ -156,8 +156,8 @@ rm -r data
 # ---- a game asks ----
 
 unset KEYS_WHOLE
-# From its title: START opens the list, whose last entry is SETTINGS.
-{ keys 40; press $ENTER; keys 10; press $UP; keys 1 $Z; keys 1; } >ask
+# From its title: START opens the menu, which ends with SETTINGS, HOW TO PLAY and QUIT.
+{ keys 40; press $ENTER; keys 10; press $UP $UP $UP; keys 1 $Z; keys 1; } >ask
 { cat ask; press $ENTER $RIGHT; keys 60; press $ESCAPE; keys 1 $ESCAPE; keys 100; } | play asks
 check 'settings, which a game asked for' grep -qx 'scale = 1' $conf
 same 'while they are open the game stands' "$(($(pictures ask) - 1 + 100))" "$(frames asks)"

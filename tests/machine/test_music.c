@@ -418,8 +418,8 @@ static void open_room(const char *music)
     power(text);
     rig_run(&rig, 5);
     press(PAD_START);
-    press(PAD_DOWN);
-    press(PAD_DOWN); /* past "2 PLAYERS" */
+    for (int i = 0; i < 4; i++)
+        press(PAD_DOWN); /* past "2 PLAYERS", "PRACTICE" and "REPLAYS" */
     press(PAD_FIRE);
     rig_run(&rig, 20);
 }

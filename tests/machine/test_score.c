@@ -94,7 +94,7 @@ TEST(whole)
         "boot.run { stages = { 'one', 'two', 'three' }, players = { 'ship', 'barge' }, screens = { title = title, "
         "results = "
         "tell,\n"
-        "  difficulty = function() return 'hard' end, ship = function() return { 'ship', 'barge' } end, name = name,\n"
+        "  start = function() return { difficulty = 'hard', ships = { 'ship', 'barge' } } end, name = name,\n"
         "  scores = scores, ending = function() end } }";
 
     assert_string_equal(

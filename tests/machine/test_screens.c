@@ -61,50 +61,40 @@ static const char run_all[] =
 
 /* ---- the way through ---- */
 
-/* To the first stage, the second mode or the first; player 2 takes the other ship. */
-static void start(int players, bool doom)
+/* Opens the main menu, and from there the page start. */
+static void open_start(int players)
 {
     soon("PRESS START", 60);
     assert_true(board_last_output(r.b)->menu_shown);
     press(PAD_START, 0);
-    if (players > 1) {
-        soon("2 PLAYERS", 20);
+    soon(players > 1 ? "2 PLAYERS" : "SETTINGS", 20);
+    if (players > 1)
         press(PAD_DOWN, 0);
-        press(PAD_FIRE, 0);
-    } else {
-        soon("SETTINGS", 20);
-        press(PAD_START, 0);
-    }
-    soon("STORY", 20);
+    press(PAD_FIRE, 0);
+    soon("MODE", 20);
     gone("PRESS START");
+    assert_true(board_last_output(r.b)->menu_shown);
+}
+
+/* Starts the first or the second mode on `wild`; player 2 takes the other ship. */
+static void start(int players, bool doom)
+{
+    open_start(players);
     soon("Both stages.", 20);
-    press(doom ? PAD_DOWN : 0, 0);
+    if (doom)
+        press(0, PAD_RIGHT); /* a row that the players share answers to both */
     soon(doom ? "The end." : "Both stages.", 10);
-    press(PAD_FIRE, 0);
-    soon("For a calm dive.", 30);
     press(PAD_DOWN, 0);
-    frames(5);
+    soon("For a calm dive.", 10);
+    press(PAD_RIGHT, 0);
+    soon("WILD", 5);
     gone("For a calm dive.");
-    press(PAD_FIRE, 0);
-    soon("YOUR SHIP?", 20);
-    soon("LIVES", 60);
+    press(PAD_DOWN, 0);
+    soon("Fast.", 5);
     press(0, players > 1 ? PAD_RIGHT : 0);
     soon(players > 1 ? "GREY TERN" : "HERON", 5);
-    if (players > 1) { /* nobody goes without the other */
-        press(0, PAD_FIRE);
-        frames(60);
-        assert_int_equal(r.b->player.in_game[0], 0);
-        press(0, PAD_BOMB);
-    }
+    assert_true(players > 1 || at("LIVES") >= 0);
     press(PAD_FIRE, 0);
-    assert_true(at("READY") >= 0);
-    if (players > 1) {
-        frames(60);
-        assert_int_equal(r.b->player.in_game[0], 0);
-        press(0, PAD_BOMB | PAD_LEFT); /* not both: it takes the step */
-        press(0, PAD_RIGHT);
-        press(0, PAD_FIRE);
-    }
     soon("STAGE", 60);
     assert_false(board_last_output(r.b)->menu_shown);
 }
@@ -178,29 +168,36 @@ TEST(all)
     through_all(640, 448, 384, 2);
 }
 
-/* Bomb goes back, page by page, and a page that nobody answers gives up. */
+/* START on the title, START in the menu and START on the page with the choices of last time: a run begins. */
+TEST(three_presses)
+{
+    open_sized(run_all, 240, 320, 240, 1);
+    start(1, true);
+    soon("GAME OVER", 2000);
+    soon("PRESS START", 2000);
+    press(PAD_START, 0);
+    frames(20);
+    press(PAD_START, 0);
+    frames(20);
+    press(PAD_START, 0);
+    soon("STAGE END", 10);
+    assert_int_equal(board_current_difficulty(r.b), 1);
+    close_game();
+}
+
+/* Bomb goes back one page at a time, to the entry that led there; a page that nobody answers gives up. */
 TEST(back)
 {
     open_sized(run_all, 240, 320, 240, 2);
-    soon("PRESS START", 60);
-    press(PAD_FIRE, 0);
-    soon("2 PLAYERS", 30);
-    press(0, PAD_DOWN);
-    press(0, PAD_FIRE);
-    soon("STORY", 30);
-    press(PAD_FIRE, 0);
-    soon("DIFFICULTY", 30);
-    press(PAD_FIRE, 0);
-    soon("YOUR SHIP?", 30);
-    press(PAD_FIRE, 0);
-    press(PAD_BOMB, 0); /* the other has not chosen yet */
-    frames(5);
-    gone("READY");
+    open_start(2);
+    frames(30);
     press(0, PAD_BOMB);
-    soon("DIFFICULTY", 30);
+    soon("2 PLAYERS", 30);
+    frames(10);
+    press(PAD_FIRE, 0);
+    soon("PLAYER 2", 30);
     press(PAD_BOMB, 0);
-    soon("STORY", 30);
-    assert_true(screen_get_dim(&r.b->screen, r.b->core.frame) > 0);
+    soon("2 PLAYERS", 30);
     press(PAD_BOMB, 0);
     soon("PRESS START", 30);
     frames(10);
@@ -208,8 +205,108 @@ TEST(back)
     press(PAD_START, 0);
     soon("2 PLAYERS", 30);
     frames(1801);
-    soon("BEST SCORES", 60); /* of no one: the scores, then the title */
+    soon("BEST SCORES", 60); /* attract mode: the scores, then the title */
     soon("PRESS START", 500);
+    close_game();
+}
+
+/* A locked mode shows its hint and can't be started; the press moves to its row. */
+TEST(locked)
+{
+    open_game("unlock.def('deep', { hint = 'Clear stage one', when = { clear = 'one' } })\n"
+              "boot.run { players = { 'heron' }, modes = { { name = 'story', stages = { 'one' } },\n"
+              "  { name = 'doom', stages = { 'end' }, needs = 'deep' } } }");
+    open_start(1);
+    press(PAD_RIGHT, 0);
+    soon("? ? ?", 5);
+    press(PAD_DOWN, 0);
+    frames(5);
+    gone("Clear stage one");
+    press(PAD_FIRE, 0);
+    soon("Clear stage one", 5);
+    frames(60);
+    assert_true(at("? ? ?") >= 0);
+    press(PAD_RIGHT, 0);
+    press(PAD_FIRE, 0);
+    soon("STAGE ONE", 10);
+    close_game();
+}
+
+/* A game with one mode, difficulty and ship starts at once. */
+TEST(one_option)
+{
+    struct manifest m = rig_manifest();
+    static char text[1 << 12];
+
+    snprintf(text, sizeof text, "%sboot.run { players = { 'heron' }, stages = { 'one' } }", kinds);
+    rig_script(&g, &m, text);
+    rig_power_any(&r, &g, NULL);
+    soon("PRESS START", 60);
+    press(PAD_START, 0);
+    soon("HOW TO PLAY", 20);
+    press(PAD_START, 0);
+    soon("STAGE ONE", 10);
+    close_game();
+}
+
+/* The ship on the page start fires its shots, the buttons of a player don't move it, and it leaves with the page. */
+TEST(preview)
+{
+    static const char own[] =
+        "shot.def('dart', { sprite = 'dot', hit = { circle = 2 } })\n"
+        "player.def('gun', { sprite = 'dot', hit = { circle = 2 }, speed = 4, run = function(p)\n"
+        "  while true do if pad.down('fire', p) then shot.fire { kind = 'dart', from = p, speed = 5 } end wait(8) end\n"
+        "end })\n"
+        "boot.run { players = { 'gun', 'heron' }, stages = { 'one' } }";
+    static const uint16_t left[MAX_PLAYERS] = { PAD_LEFT };
+
+    open_game(own);
+    soon("PRESS START", 60);
+    press(PAD_START, 0);
+    frames(10);
+    press(PAD_START, 0);
+    soon("SHIP", 10);
+    frames(40);
+    assert_true(r.b->shots.s.live > 2);
+    const fx x = r.b->player.x[0];
+    rig_tick(&r, left);
+    assert_int_equal(r.b->player.x[0], x);
+    press(PAD_BOMB, 0);
+    soon("SETTINGS", 10);
+    assert_false(r.b->player.in_game[0]);
+    assert_int_equal(r.b->shots.s.live, 0);
+    close_game();
+}
+
+/* How to Play shows its pages in order, each with a ship that plays by itself; bomb goes back to the menu. */
+TEST(how_to_play)
+{
+    open_sized("bomb.def('b', { over = 60, run = function() wait(60) end })\n"
+               "player.def('gun', { sprite = 'dot', hit = { circle = 2 }, graze = 9, bomb = 'b', registers = { bombs = "
+               "3 } })\n"
+               "boot.run { players = { 'gun' }, stages = { 'one' },\n"
+               "  how_to_play = { 'move', { title = 'OWN', text = 'Mine.' }, 'bomb' } }",
+               240, 320, 240, 1);
+    soon("PRESS START", 60);
+    press(PAD_START, 0);
+    soon("HOW TO PLAY", 20);
+    press(PAD_UP, 0);
+    press(PAD_UP, 0);
+    press(PAD_FIRE, 0);
+    soon("< MOVE >", 10);
+    const fx x = r.b->player.x[0];
+    frames(45);
+    assert_true(r.b->player.x[0] < x);
+    press(PAD_FIRE, 0);
+    soon("Mine.", 10);
+    assert_false(r.b->player.in_game[0]);
+    press(PAD_RIGHT, 0);
+    soon("3/3", 10);
+    frames(60);
+    assert_true(r.b->player.bomb_left[0] > 0);
+    press(PAD_BOMB, 0);
+    soon("SETTINGS", 10);
+    assert_false(r.b->player.in_game[0]);
     close_game();
 }
 
@@ -263,9 +360,10 @@ TEST(held_in_a_name)
 {
     static const uint16_t right[MAX_PLAYERS] = { PAD_RIGHT };
 
-    open_game("boot.run { players = { 'heron' }, stages = { 'one' }, screens = { results = function() end,\n"
-              "  title = function() wait(1) return 'start' end, difficulty = function() return 'calm' end,\n"
-              "  ending = function() end } }");
+    open_game(
+        "boot.run { players = { 'heron' }, stages = { 'one' }, screens = { results = function() end,\n"
+        "  title = function() wait(1) return 'start' end, start = function() return { difficulty = 'calm' } end,\n"
+        "  ending = function() end } }");
     soon("YOUR NAME?", 600);
     for (int f = 0; f < 200; f++)
         rig_tick(&r, right);
@@ -346,13 +444,17 @@ static enum board_host_screen press_asked(uint16_t button)
     return HOST_SCREENS;
 }
 
-/* SETTINGS and REPLAYS are the host's: the game asks once, and the list is there again with the same entry chosen. */
+/* PRACTICE, REPLAYS, SETTINGS and QUIT are the host's: the game asks once, and the menu stays on the same entry. */
 TEST(asks)
 {
     open_game(run_all);
     soon("PRESS START", 60);
     press(PAD_START, 0);
-    soon("SETTINGS", 20);
+    soon("QUIT", 20);
+    press(PAD_UP, 0);
+    assert_int_equal(press_asked(PAD_FIRE), HOST_SCREEN_QUIT);
+    soon("QUIT", 20);
+    press(PAD_UP, 0);
     press(PAD_UP, 0);
     for (int i = 0; i < 3; i++) {
         assert_int_equal(press_asked(PAD_FIRE), HOST_SCREEN_SETTINGS);
@@ -363,6 +465,9 @@ TEST(asks)
     press(PAD_UP, 0);
     assert_int_equal(press_asked(PAD_START), HOST_SCREEN_REPLAYS);
     soon("REPLAYS", 20);
+    press(PAD_UP, 0);
+    assert_int_equal(press_asked(PAD_START), HOST_SCREEN_PRACTICE);
+    soon("PRACTICE", 20);
     assert_int_equal(r.b->player.in_game[0], 0);
     press(PAD_BOMB, 0);
     start(1, false);
@@ -389,7 +494,8 @@ TEST(puts_back)
         "  for row = 0, 39 do text.put { col = 9, row = row, text = '\u30a2HERE' .. row, bank = 7,\n"
         "    size = row == 21 and 2 or 1, rim = row > 20 } end end)\n"
         "stage.def('long', function() wait(900) end) boot.run { players = { 'heron' }, stages = { 'long' },\n"
-        "  screens = { title = function() wait(1) return 'start' end, difficulty = function() return 'calm' end } }";
+        "  screens = { title = function() wait(1) return 'start' end, start = function() return { difficulty = 'calm' "
+        "} end } }";
     static uint8_t before[4][40 * 30];
 
     widens = true;
@@ -428,17 +534,17 @@ static int over_all(void)
  * away while it is there. What stands beside the field stays. */
 TEST(nothing_over)
 {
-    static const char own[] =
-        "talk.def('sen', { name = 'SEN', faces = { calm = 'wink' } })\n"
-        "stage.def('long', function()\n"
-        "  text.line { x = 60, y = 160, text = 'A LINE' }\n"
-        "  sprite.put { sprite = 'dot', x = 240, y = 9, layer = 'over', screen = true }\n"
-        "  sprite.plate { x = 216, y = 40, w = 80, h = 40, front = true }\n"
-        "  text.put { col = 28, row = 6, text = 'PANEL' }\n"
-        "  say('sen', 'WORDS', { letter = 0 })\n"
-        "end)\n"
-        "boot.run { players = { 'heron' }, stages = { 'long' },\n"
-        "  screens = { title = function() wait(1) return 'start' end, difficulty = function() return 'calm' end } }";
+    static const char own[] = "talk.def('sen', { name = 'SEN', faces = { calm = 'wink' } })\n"
+                              "stage.def('long', function()\n"
+                              "  text.line { x = 60, y = 160, text = 'A LINE' }\n"
+                              "  sprite.put { sprite = 'dot', x = 240, y = 9, layer = 'over', screen = true }\n"
+                              "  sprite.plate { x = 216, y = 40, w = 80, h = 40, front = true }\n"
+                              "  text.put { col = 28, row = 6, text = 'PANEL' }\n"
+                              "  say('sen', 'WORDS', { letter = 0 })\n"
+                              "end)\n"
+                              "boot.run { players = { 'heron' }, stages = { 'long' },\n"
+                              "  screens = { title = function() wait(1) return 'start' end, start = function() return "
+                              "{ difficulty = 'calm' } end } }";
     static uint8_t before[40 * 40];
     const int panel = 2, window = 6, talk = 3; /* a dot and a plate; a plate, its bar and four items; a portrait, a
                                                  plate and the line */
@@ -484,14 +590,14 @@ static int reach_right(int n)
 /* A warning and a talk stay in a field that has a panel beside it; where there is none the bars have no ends. */
 TEST(beside_a_panel)
 {
-    static const char own[] =
-        "enemy.def('e', { sprite = 'dot', hit = { circle = 3 } })\n"
-        "boss.def('b', { title = 'B', kind = 'e', x = 90, y = 60, warning = 90, phases = {\n"
-        "  { id = 'p', hp = 9, time = 9, run = function() end } } })\n"
-        "talk.def('sen', { name = 'SEN', faces = { calm = 'wink' }, side = 'right' })\n"
-        "stage.def('s', function() boss.fight 'b' say('sen', 'WORDS') end)\n"
-        "boot.run { players = { 'heron' }, stages = { 's' },\n"
-        "  screens = { title = function() wait(1) return 'start' end, difficulty = function() return 'calm' end } }";
+    static const char own[] = "enemy.def('e', { sprite = 'dot', hit = { circle = 3 } })\n"
+                              "boss.def('b', { title = 'B', kind = 'e', x = 90, y = 60, warning = 90, phases = {\n"
+                              "  { id = 'p', hp = 9, time = 9, run = function() end } } })\n"
+                              "talk.def('sen', { name = 'SEN', faces = { calm = 'wink' }, side = 'right' })\n"
+                              "stage.def('s', function() boss.fight 'b' say('sen', 'WORDS') end)\n"
+                              "boot.run { players = { 'heron' }, stages = { 's' },\n"
+                              "  screens = { title = function() wait(1) return 'start' end, start = function() return "
+                              "{ difficulty = 'calm' } end } }";
 
     for (int panel = 0; panel < 2; panel++) {
         open_sized(own, 320, 320, panel ? 208 : 320, 1);
@@ -534,9 +640,9 @@ TEST(wrong_answer)
               "  screens = { title = function() wait(1) return 'strat' end } }");
     frames(20);
     assert_non_null(rig_fault(&r));
-    assert_string_equal(rig_fault(&r)->message,
-                        "main.lua:9: boot.run: screen title: expected one of start, replays, settings, or nil, got "
-                        "\"strat\" (did you mean \"start\"?)");
+    assert_string_equal(rig_fault(&r)->message, "main.lua:9: boot.run: screen title: expected one of start, practice, "
+                                                "replays, settings, how_to_play, quit, or nil, got "
+                                                "\"strat\" (did you mean \"start\"?)");
     rig_close(&r);
 }
 
@@ -560,9 +666,9 @@ TEST(long_title)
     assert_int_equal(row_of("PAGE B") - row_of("PAGE A"), 2);
     gone("SETTINGS");
     press(PAD_UP, 0); /* the last one */
-    soon("SETTINGS", 20);
-    assert_int_equal(row_of("SETTINGS") - row_of("REPLAYS"), 2);
-    assert_in_range(row_of("SETTINGS"), 1, 240 / 8 - 3);
+    soon("QUIT", 20);
+    assert_int_equal(row_of("QUIT") - row_of("SETTINGS"), 4);
+    assert_in_range(row_of("QUIT"), 1, 240 / 8 - 3);
     gone("PAGE A");
     press(PAD_DOWN, 0);
     soon("PAGE A", 20);
@@ -571,7 +677,7 @@ TEST(long_title)
 
 static const char with_pages[] =
     "boot.run { stages = { 'one', 'two' }, players = { 'heron' },\n"
-    "  pages = { { name = 'how_to', show = function(row, rows)\n"
+    "  pages = { { name = 'tips', show = function(row, rows)\n"
     "    sprite.put { sprite = 'dot', x = 9, y = 9 } text.put { col = 3, row = row, text = 'INSIDE ' .. rows }\n"
     "    while true do wait(1) end end } },\n"
     "  grades = function(stage, p) return p.lives and stage == 'one' and 'S' or 'B' end }\n";
@@ -582,17 +688,19 @@ TEST(pages)
     open_sized(with_pages, 240, 320, 240, 1);
     soon("PRESS START", 5);
     press(PAD_START, 0);
-    soon("HOW TO", 20);
-    press(PAD_DOWN, 0);
+    soon("TIPS", 20);
+    for (int i = 0; i < 3; i++)
+        press(PAD_DOWN, 0);
     press(PAD_FIRE, 0);
     soon("INSIDE 2", 20);
     assert_int_equal(at("INSIDE 2") % 1000, 3);
     soon("FIRE: BACK", 40);
     assert_int_equal(r.b->sprites.s.live, 2); /* its frame, and the dot */
     press(PAD_BOMB, 0);
-    soon("HOW TO", 20);
+    soon("TIPS", 20);
     gone("INSIDE");
-    press(PAD_UP, 0);
+    for (int i = 0; i < 3; i++)
+        press(PAD_UP, 0);
     press(PAD_FIRE, 0);
     soon("DIFFICULTY", 20);
     press(PAD_FIRE, 0);

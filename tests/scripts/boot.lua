@@ -27,13 +27,10 @@ function own.title(limit, list, last)
   if rounds > 2 then wait(forever) end
   if rounds == 2 then return 'start', 2 end
 end
-function own.mode(list)
-  print('mode', #list, list[1].name, list[1].text)
-  return 'story'
-end
-function own.ship(kinds, n, about)
-  print('ship', kinds[2], n, about.tern.text)
-  return { 'tern', 'heron' }
+function own.start(n, lists, last)
+  print('start', n, lists.modes[1].name, lists.modes[1].text, lists.difficulties, last.difficulty, last.ships[1])
+  print('ships', #lists.ships, lists.ships[2].name, lists.ships[2].text)
+  return { mode = 'story', ships = { 'tern', 'heron' } }
 end
 function own.results(title, players, stopped) print('results', title, players, stopped()) end
 function own.ending(run) print('ending', run.mode, run.ship, run.players, run.scores[1], run.clear) end
@@ -61,18 +58,18 @@ boot.run {
   screens = own,
 }
 wait(300)
---> title 600 3 start nil
+--> title 600 6 start nil
 --> scores normal 360 nil
---> title 600 3 start nil
---> mode 2 story All.
---> ship tern 2 T
+--> title 600 6 start nil
+--> start 2 story All. nil normal nil
+--> ships 2 tern T
 --> results STAGE ONE CLEAR 2 nil
 --> ending story tern 2 500 true
 --> staff A
 --> staff C
 --> name 1 1 500 1
 --> scores normal 360 1
---> title 600 4 start nil
+--> title 600 7 start nil
 
 --case: an opening comes before the title and again where nobody came; the first ending that holds is shown
 local rounds = 0
@@ -124,10 +121,10 @@ wait(320)
 boot.run {
   stages = { 'one' },
   players = { 'heron', 'tern' },
-  screens = { title = start, ship = function() return 'hreon' end },
+  screens = { title = start, start = function() return { ships = { 'hreon' } } end },
 }
 wait(20)
---! main.lua:124: sys.join: unknown player kind "hreon" (did you mean "heron"?)
+--! main.lua:121: sys.join: unknown player kind "hreon" (did you mean "heron"?)
 
 --load: arguments of boot.run
 boot.run { stages = { 'oen' }, players = { 'heron' } }
@@ -138,6 +135,12 @@ boot.run { stages = { 'one' }, players = { 'heron' }, screens = { titel = print 
 --! boot.run: unknown screen "titel" (did you mean "title"?)
 boot.run { stages = { 'one' }, players = { 'heron' }, screens = { title = 'mine' } }
 --! boot.run: screen title: expected a function, got string
+boot.run { stages = { 'one' }, players = { 'heron' }, screens = { ship = print } }
+--! boot.run: the screen "ship" was replaced by "start", which chooses mode, difficulty and ships
+boot.run { stages = { 'one' }, players = { 'heron' }, how_to_play = { 'mvoe' } }
+--! boot.run: unknown page of how_to_play: "mvoe" (did you mean "move"?)
+boot.run { stages = { 'one' }, players = { 'heron' }, how_to_play = { { title = 'GO' } } }
+--! boot.run: how_to_play: page 1: text: expected a string, got nil
 boot.run { players = { 'heron' }, modes = {} }
 --! boot.run: modes: expected a list of at least one mode, got none
 boot.run { players = { 'heron' }, modes = { { stages = { 'one' } } } }
@@ -204,16 +207,16 @@ mission.def('a', { title = 'A', stage = 'one', clear = true, medals = { 5 } })
 --load: what boot.run finds in missions
 mission.def('a', { title = 'A', stage = 'one', goal = { chian = 5 } })
 boot.run { stages = { 'one' }, players = { 'heron' } }
---! main.lua:205: mission.def: unknown count "chian" (did you mean "chain"?)
+--! main.lua:208: mission.def: unknown count "chian" (did you mean "chain"?)
 mission.def('a', { title = 'A', stage = 'oen', clear = true })
 boot.run { stages = { 'one' }, players = { 'heron' } }
---! main.lua:208: mission.def: unknown stage "oen" (did you mean "one"?)
+--! main.lua:211: mission.def: unknown stage "oen" (did you mean "one"?)
 mission.def('a', { title = 'A', boss = 'king', phase = 'bew', clear = true })
 boot.run { stages = { 'one' }, players = { 'heron' } }
---! main.lua:211: mission.def: unknown phase "bew" (did you mean "bow"?)
+--! main.lua:214: mission.def: unknown phase "bew" (did you mean "bow"?)
 mission.def('a', { title = 'A', stage = 'one', clear = true, ship = 'tern' })
 boot.run { stages = { 'one' }, players = { 'heron' } }
---! main.lua:214: mission.def: unknown ship "tern" (did you mean "heron"?)
+--! main.lua:217: mission.def: unknown ship "tern" (did you mean "heron"?)
 mission.def('a', { title = 'A', stage = 'one', clear = true, registers = { bmobs = 1 } })
 boot.run { stages = { 'one' }, players = { 'heron' } }
---! main.lua:217: mission.def: unknown register "bmobs" (did you mean "bombs"?)
+--! main.lua:220: mission.def: unknown register "bmobs" (did you mean "bombs"?)

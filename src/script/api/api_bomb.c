@@ -131,7 +131,7 @@ bool api_bomb_start(lua_State *L, struct board *b, uint32_t p)
     struct player *s = &b->player;
     const struct player_kinds *k = &b->player_kinds;
     const uint16_t kind = s->kind[p];
-    const bool is_focused = b->input.held[p] & PAD_FOCUS, is_deathbomb = s->deathbomb_left[p];
+    const bool is_focused = input_held(&b->input, p) & PAD_FOCUS, is_deathbomb = s->deathbomb_left[p];
     const int i = is_focused && k->bomb_focus[kind] ? k->bomb_focus[kind] : k->bomb[kind], top = lua_gettop(L);
 
     if (!s->in_game[p] || !i || s->bomb_left[p])

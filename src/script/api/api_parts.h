@@ -614,8 +614,8 @@ int api_player_register_names(lua_State *L, int32_t kind, const char *names[PLAY
 /* Adds player i to the game with that kind of ship and starts the kind's run function, if any, as a task. */
 int api_player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind);
 
-/* Returns the buttons of each player that are in a state: "down", "pressed", "released" or "repeated". */
-const uint16_t *api_get_pads(const struct board *b, const char *state);
+/* Returns the buttons of player p that are in a state: "down", "pressed", "released" or "repeated". */
+unsigned api_get_pads(const struct board *b, const char *state, uint32_t p);
 
 /* Counts a wait that the running task skips while fast-forwarding to a practice mark (TASK_SKIPS); does nothing
  * otherwise. More than MAX_SKIPS in one turn is a fault. Under PRACTICE_LIST the task is stopped instead, and also once

@@ -254,20 +254,21 @@ static const struct api_param take_params[] = { REQUIRED("button", A_BUTTON, "bu
                                                       "maximum age of the press; 0 accepts only a press in this frame"),
                                                 DEFAULT("p", A_PLAYER, "1", "player whose buttons to read") };
 
-const uint16_t *api_get_pads(const struct board *b, const char *state)
+unsigned api_get_pads(const struct board *b, const char *state, uint32_t p)
 {
-    return !strcmp(state, "down")       ? b->input.held
-           : !strcmp(state, "pressed")  ? b->input.pressed
-           : !strcmp(state, "released") ? b->input.released
-                                        : b->input.repeated;
+    return !strcmp(state, "pressed")    ? b->input.pressed[p]
+           : !strcmp(state, "released") ? b->input.released[p]
+           : !strcmp(state, "repeated") ? b->input.repeated[p]
+                                        : input_held(&b->input, p);
 }
 
 static int read_button(lua_State *L, struct board *b, struct api_value *v)
 {
-    const uint16_t *pads = api_get_pads(b, api_current_binding(L)->entry->name + strlen("pad."));
+    const char *state = api_current_binding(L)->entry->name + strlen("pad.");
     const uint32_t p = (uint32_t)v[BUTTON_PLAYER].i - 1;
 
-    lua_pushboolean(L, v[BUTTON_PLAYER].i && (pads[p] & ~board_ignored_buttons(b, p)) >> v[BUTTON_NAME].i & 1);
+    lua_pushboolean(L, v[BUTTON_PLAYER].i &&
+                           (api_get_pads(b, state, p) & ~board_ignored_buttons(b, p)) >> v[BUTTON_NAME].i & 1);
     return 1;
 }
 

@@ -221,12 +221,16 @@ static int sys_ship(lua_State *L, struct board *b, struct api_value *v)
 {
     int32_t kind = (int32_t)v[0].i;
 
-    lua_createtable(L, 0, 5);
+    lua_createtable(L, 0, 8);
     api_set_string(L, "sprite", cart_name(&b->cart, CART_SPRITES, b->player_kinds.sprite[kind]));
     lua_pushnumber(L, fx_to_double(b->player_kinds.speed[kind]));
     lua_setfield(L, -2, "speed");
     lua_pushnumber(L, fx_to_double(b->player_kinds.focus_speed[kind]));
     lua_setfield(L, -2, "focus");
+    lua_pushnumber(L, fx_to_double(b->player_kinds.graze_radius[kind]));
+    lua_setfield(L, -2, "graze");
+    lua_pushboolean(L, b->player_kinds.bomb[kind]);
+    lua_setfield(L, -2, "bomb");
     api_set_integer(L, "lives", b->player_kinds.lives[kind]);
     lua_newtable(L);
     append_registers(L, b, kind, b->player_kinds.first_register[kind]);
@@ -384,6 +388,8 @@ static int sys_leave(lua_State *L, struct board *b, struct api_value *v)
         return 0;
     player_leave(&b->player, (uint32_t)v[0].i - 1);
     options_drop_from(&b->options, (uint32_t)v[0].i - 1, 0);
+    if (input_end_play(&b->input, (uint32_t)v[0].i - 1)) /* it was shown on a page, whose music continues */
+        return 0;
     if (b->voices.s.cap && !b->player.in_game[0] && !b->player.in_game[1]) /* the game is over */
         sound_stop_music(b, MUSIC_FADE_FRAMES);
     return 0;
@@ -505,13 +511,24 @@ static int sys_hold_players(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
+enum { PLAY_PLAYER, PLAY_PADS };
+
+static int sys_play_ship(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)L;
+    if (v[PLAY_PLAYER].i)
+        input_play(&b->input, (uint32_t)v[PLAY_PLAYER].i - 1, (unsigned)v[PLAY_PADS].i);
+    return 0;
+}
+
 enum { PAD_STATE, PAD_BUTTON, PAD_PLAYER };
 
 static int sys_read_button(lua_State *L, struct board *b, struct api_value *v)
 {
-    const uint16_t *pads = api_get_pads(b, lua_tostring(L, v[PAD_STATE].at));
+    const char *state = lua_tostring(L, v[PAD_STATE].at);
+    const int64_t p = v[PAD_PLAYER].i;
 
-    lua_pushboolean(L, v[PAD_PLAYER].i && pads[v[PAD_PLAYER].i - 1] >> v[PAD_BUTTON].i & 1);
+    lua_pushboolean(L, p && api_get_pads(b, state, (uint32_t)p - 1) >> v[PAD_BUTTON].i & 1);
     return 1;
 }
 
@@ -727,11 +744,10 @@ static const struct api_entry entries[] = {
       HELP("called in every frame of a menu: tells the program to show new players the keys") },
     { "sys.practice", sys_practice, NO_PARAMS, 0, API_SYS, "mark, more",
       HELP("returns the practice start; more: lives, registers") },
-    SYS_ENTRY(
-        "sys.ship", sys_ship, 0, "table",
-        "returns what the screens show for a player kind: picture, speed, lives, needs, registers, then the run's "
-        "registers",
-        REQUIRED("kind", A_PLAYER_KIND, "")),
+    SYS_ENTRY("sys.ship", sys_ship, 0, "table",
+              "returns what the screens show for a player kind: picture, speed, graze radius, bomb, lives, needs, "
+              "registers, then the run's registers",
+              REQUIRED("kind", A_PLAYER_KIND, "")),
     SYS_ENTRY("sys.join", sys_join, API_CHANGES, NULL, "makes player i enter the game", REQUIRED("i", A_PLAYER, ""),
               REQUIRED("kind", A_PLAYER_KIND, "")),
     SYS_ENTRY("sys.start", sys_start, API_CHANGES, NULL,
@@ -773,6 +789,9 @@ static const struct api_entry entries[] = {
               "hides buttons from the game: 0 hides none, 1 hides fire buttons, 2 hides all buttons that control the "
               "ship",
               PARAM("how", A_INT, REQ, 0, 2, NULL, NULL, "")),
+    SYS_ENTRY("sys.play_ship", sys_play_ship, API_CHANGES, NULL,
+              "lets the ship of player i play by these buttons (PAD_ bits) in this frame, for a page that shows it",
+              REQUIRED("i", A_PLAYER, ""), PARAM("pads", A_INT, REQ, 0, PAD_ALL, NULL, NULL, "")),
     SYS_ENTRY("sys.pad", sys_read_button, 0, "boolean",
               "returns the state of a button, even if it is hidden from the game", REQUIRED("how", A_STR, ""),
               REQUIRED("button", A_BUTTON, ""), REQUIRED("p", A_PLAYER, "")),

@@ -1,0 +1,97 @@
+-- screens/how_to_play.lua - the pages of How to Play: a text, and below it a picture in which a ship plays.
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
+local page, preview = sys.read("menu/page"), sys.read("menu/preview")
+
+local LEFT <const>, RIGHT <const> = hud.glyph(139, "<"), hud.glyph(140, ">")
+
+-- The rows below the heads that the longest text takes.
+local function text_rows(pages)
+  local texts = {}
+  for i, p in ipairs(pages) do texts[i] = p.text end
+  return page.notes(texts, #pages)
+end
+
+-- The part of the field below the panel, and what a page's show can do there. Positions are pixels of the field.
+local function new_area(row, foot, ship)
+  local area = { y = row * 8 - rom.field.y, w = rom.field.w }
+  area.h = foot * 8 - rom.field.y - area.y
+  function area.ship(kind, x, y)
+    preview.ship(1, kind or ship, x or area.w // 2, y or area.y + area.h * 2 // 3)
+    return player.get(1)
+  end
+  function area.hold(...) preview.hold(1, ...) end
+  function area.play(frames, ...)
+    preview.hold(1, ...)
+    wait(frames)
+    preview.hold(1)
+  end
+  return area
+end
+
+-- The picture of a page: what it spawns is removed with it. It starts again when its function returns.
+local function new_picture(p, area)
+  local picture = {}
+  function picture.stop()
+    if picture.scene then task.stop(picture.scene) end
+    preview.hide(1)
+  end
+  function picture.step()
+    if p.show and not (picture.task and task.alive(picture.task)) then
+      picture.stop()
+      picture.scene = sys.scene(sys.task())
+      picture.task = task.own(picture.scene, function() p.show(area) end)
+    end
+    preview.step()
+  end
+  return picture
+end
+
+local function draw(p, top, body, bottom)
+  page.clear(top, bottom - top)
+  page.centre(top, ("%s %s %s"):format(LEFT, text.lang(p.title), RIGHT), hud.banks.bright)
+  page.text(body, p.text)
+end
+
+-- The page that a button leads to from page `at`; 0: back.
+local function turn(at, n)
+  local step = page.step("left", "right")
+  if page.accepted() then return at < n and at + 1 or 0 end
+  if page.pressed("bomb") then return 0 end
+  return (at - 1 + step) % n + 1
+end
+
+-- pages: a list of { title, text, show }; ship: the kind that is shown by default. Left, right and fire turn the pages;
+-- bomb goes back.
+return function(pages, ship)
+  text.clear()
+  local at, age, idle = 1, 0, 0
+  local top = page.head("HOW TO PLAY", 0)
+  local body = top + (page.low and 2 or 3)
+  local bottom, foot = body + text_rows(pages) + 1, page.row + page.rows - (page.low and 2 or 4)
+  local area = new_area(bottom, foot - 1, ship)
+  local picture = new_picture(pages[1], area)
+  page.panel(bottom)
+  while idle < page.IDLE do
+    if age == 0 then draw(pages[at], top, body, bottom) end
+    if page.opening(age, 0) then
+      page.head(("%s %d/%d"):format(text.lang("HOW TO PLAY"), at, #pages), idle)
+      page.foot(at < #pages and "FIRE: NEXT  BOMB: BACK" or "FIRE: BACK", idle)
+    end
+    picture.step()
+    sys.tell_keys()
+    wait(1)
+    age, idle = age + 1, idle + 1
+    local to = turn(at, #pages)
+    if to == 0 then break end
+    if to ~= at then
+      sys.cue("menu")
+      picture.stop()
+      at, age, idle, picture = to, 0, page.cols, new_picture(pages[to], area)
+      page.clear(foot, 1)
+    end
+  end
+  sys.cue("back")
+  picture.stop()
+  preview.close()
+  page.done()
+end
