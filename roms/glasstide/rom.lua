@@ -1,7 +1,7 @@
 -- rom.lua - the manifest of Glass Tide. source/art/art.c draws the pictures in art/.
 return {
   id = "glasstide", title = "Glass Tide", author = "The Curtain authors", version = 1, entry = "main",
-  screen = { w = 240, h = 320 },
+  screen = { w = 240, h = 320 }, border = "art/border.png",
   board = { bullets = 4096, shots = 512, enemies = 128, sparks = 4096, sprites = 96, motions = 192,
             tasks = 1024, lua_kib = 4096,
             -- optional: bullets with hp, that orbit something, that can be frozen, and that have

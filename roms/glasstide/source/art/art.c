@@ -46,6 +46,7 @@ static const struct picture GAME[] = {
     { "enemies", art_enemies, ART_MAIN },
     { "floor", art_floor, ART_MAIN },
     { "reef", art_reef, ART_MAIN },
+    { "border", art_border, ART_MAIN },
     { "shoal", art_shoal, ART_ONE },
     { "lantern_nautilus", art_lantern_nautilus, ART_ONE },
     { "crab", art_crab, ART_ONE },

@@ -115,6 +115,7 @@ struct sheet art_marker(void);
 struct sheet art_gems(void);
 struct sheet art_floor(void);
 struct sheet art_reef(void);
+struct sheet art_border(void);
 struct sheet art_logo(void);
 struct sheet art_font(void);
 struct sheet art_card(void);

@@ -238,6 +238,39 @@ struct sheet art_reef(void)
     return s;
 }
 
+/* -- the border: the sea floor around the game's picture, with the reef along its sides and a frame -- */
+
+/* Returns the shade of the frame `d` px outside the picture; 0: there is none. */
+static int frame_shade(int d)
+{
+    static const int shades[] = { 1, 12, 7, 1 };
+
+    return d <= 4 ? shades[d - 1] : 0;
+}
+
+struct sheet art_border(void)
+{
+    enum { HOLE_W = 240, HOLE_H = 320, SIDE = 240, ABOVE = 40, W = HOLE_W + 2 * SIDE, H = HOLE_H + 2 * ABOVE };
+    struct sheet s = sheet_new(W, H, 13), ground = art_floor(), reef = art_reef();
+
+    for (int y = 0; y < H; y++)
+        for (int x = 0; x < W; x++) {
+            const int right = x - SIDE - HOLE_W + 1, left = SIDE - x, side = right > left ? right : left;
+            const int above = y < ABOVE ? ABOVE - y : y - ABOVE - HOLE_H + 1, d = side > above ? side : above;
+            const int rock = side > 0 ? sheet_get(&reef, side - 1, (y + (right > 0 ? 170 : 0)) % 320) : 0;
+            const int sand = sheet_get(&ground, x / 240 == 1 ? 239 - x % 240 : x % 240, (y + 320 - ABOVE) % 320);
+            if (d > 0)
+                sheet_set(&s, x, y,
+                          frame_shade(d)     ? frame_shade(d)
+                          : rock             ? rock
+                          : sand * 2 / 3 > 1 ? sand * 2 / 3
+                                             : 1);
+        }
+    sheet_free(&ground);
+    sheet_free(&reef);
+    return s;
+}
+
 /* -- the title: letters cut from glass, bank 15 -- */
 
 struct pen {
