@@ -6,7 +6,7 @@
 
 static const struct column columns[] = {
     COLUMN(fix, code),
-    COLUMN(fix, bank),
+    COLUMN(fix, style),
     GROUP_COLUMN(fix, page, FIX_GROUP_WIDE),
     GROUP_COLUMN(fix, font, FIX_GROUP_WIDE),
     REGISTER(fix, cols),
@@ -15,35 +15,36 @@ static const struct column columns[] = {
 
 const struct chip fix_chip = { .name = "fix", CHIP_COLUMNS(columns), .is_list = true };
 
-static void set_cell(struct fix *f, int64_t col, int64_t row, uint32_t code, uint8_t bank, uint8_t font)
+static void set_cell(struct fix *f, int64_t col, int64_t row, uint32_t code, unsigned style, uint8_t font)
 {
     if (col < 0 || row < 0 || col >= f->cols || row >= f->rows)
         return;
     size_t cell = (size_t)(row * f->cols + col);
     f->code[cell] = (uint8_t)(code > 255 && !f->page ? FIX_UNKNOWN : code);
-    f->bank[cell] = bank;
+    f->style[cell] = (uint16_t)style;
     if (!f->page)
         return;
     f->page[cell] = (uint16_t)(code >> 8);
     f->font[cell] = font;
 }
 
-/* Writes a double-size character to four cells: its quarters, row by row. */
-static void set_big_char(struct fix *f, int64_t col, int64_t row, uint32_t code, uint8_t bank, uint8_t font)
+/* Returns the `style` bits of a part of a character of size 2 or 3; 0 for size 1. */
+static unsigned part_style(int size, int part)
 {
-    for (int q = 0; q < 4; q++)
-        set_cell(f, col + q % 2, row + q / 2, code, (uint8_t)((bank & ~FIX_QUARTERS) | FIX_BIG * (q + 1)), font);
+    return size == 1 ? 0u : size == 2 ? (unsigned)(FIX_DOUBLE * (part + 1)) : (unsigned)(FIX_TRIPLE + (part << 5));
 }
 
-void fix_write(struct fix *f, int col, int row, const char *text, size_t n, uint8_t bank, uint8_t font)
+void fix_write(struct fix *f, int x, int y, const char *text, size_t n, int size, unsigned style, uint8_t font)
 {
     const char *end = text + n;
+    const int shift_x = x & (FIX_CELL_SIZE - 1), shift_y = y & (FIX_CELL_SIZE - 1);
+    int64_t col = (x - shift_x) / FIX_CELL_SIZE, row = (y - shift_y) / FIX_CELL_SIZE;
 
-    for (int64_t i = 0; text < end && i < FIX_MAX_TEXT; i++) {
-        if (bank & FIX_QUARTERS)
-            set_big_char(f, col + 2 * i, row, utf8_next(&text, end), bank, font);
-        else
-            set_cell(f, col + i, row, utf8_next(&text, end), bank, font);
+    style |= (unsigned)(FIX_SHIFT_X * shift_x + FIX_SHIFT_Y * shift_y);
+    for (int i = 0; text < end && i < FIX_MAX_TEXT; i++, col += size) {
+        const uint32_t code = utf8_next(&text, end);
+        for (int part = 0; part < size * size; part++)
+            set_cell(f, col + part % size, row + part / size, code, style | part_style(size, part), font);
     }
 }
 

@@ -107,7 +107,7 @@ again
 python3 "$repo/tests/cli/demo_repair.py" "$left" "$left" 16 7 # the core version
 keys 60 | plays out --resume
 check 'nor can a run of another core version' grep -q \
-    'Cannot resume the run: recorded with core version 7; this is version 9' err
+    'Cannot resume the run: recorded with core version 7; this is version 10' err
 again
 echo rubbish >$left
 keys 60 | plays out

@@ -494,31 +494,45 @@ TEST(fix)
     struct fix *f = &r.b->fix;
     assert_int_equal(f->cols, 10);
     assert_int_equal(f->rows, 9);
-    fix_write(f, -2, 2, "abcd", 4, 5, 0);
+    fix_write(f, -16, 16, "abcd", 4, 1, 5, 0);
     row_is(f, 2, "cd");
-    assert_int_equal(f->bank[20], 5);
-    fix_write(f, 8, 3, "abcd", 4, 1, 0);
+    assert_int_equal(f->style[20], 5);
+    fix_write(f, 64, 24, "abcd", 4, 1, 1, 0);
     row_is(f, 3, "........ab");
-    fix_write(f, 0, -1, "x", 1, 1, 0);
-    fix_write(f, 0, 9, "x", 1, 1, 0);
-    fix_write(f, INT32_MAX, 0, "xyz", 3, 1, 0);
-    fix_write(f, INT32_MIN, 0, "xyz", 3, 1, 0);
+    fix_write(f, 0, -8, "x", 1, 1, 1, 0);
+    fix_write(f, 0, 72, "x", 1, 1, 1, 0);
+    fix_write(f, INT32_MAX, 0, "xyz", 3, 1, 1, 0);
+    fix_write(f, INT32_MIN, 0, "xyz", 3, 1, 1, 0);
     row_is(f, 0, "");
     row_is(f, 8, "");
     /* characters, not bytes; what no cell can hold; a byte that is no UTF-8 */
-    fix_write(f, 1, 4, "\xc3\xa9\xe5\xbc\xbe\xf0\x9f\x98\x80\x89z", 11, 2, 0);
+    fix_write(f, 8, 32, "\xc3\xa9\xe5\xbc\xbe\xf0\x9f\x98\x80\x89z", 11, 1, 2, 0);
     assert_memory_equal(f->code + 40, "\0\xe9\1\1\x89z\0", 7);
-    assert_memory_equal(f->bank + 40, "\0\2\2\2\2\2\0", 7);
+    assert_memory_equal(f->style + 40, ((uint16_t[]){ 0, 2, 2, 2, 2, 2, 0 }), 14);
     fix_clear(f, 0, 4, 10, 1);
     row_is(f, 4, "");
-    /* twice as large: a quarter a cell */
-    fix_write(f, 8, 4, "ab", 2, 3 | FIX_RIM | FIX_BIG, 0);
+    /* larger letters: a part in each cell */
+    fix_write(f, 64, 32, "ab", 2, 2, 3 | FIX_RIM, 0);
     row_is(f, 4, "........aa");
     row_is(f, 5, "........aa");
-    const uint8_t look = 3 | FIX_RIM;
-    const uint8_t quarters[] = { look | FIX_BIG, look | 2 * FIX_BIG, look | 3 * FIX_BIG, look | 4 * FIX_BIG };
-    assert_memory_equal(f->bank + 48, quarters, 2);
-    assert_memory_equal(f->bank + 58, quarters + 2, 2);
+    const uint16_t look = 3 | FIX_RIM;
+    const uint16_t quarters[] = { look | FIX_DOUBLE, look | 2 * FIX_DOUBLE, look | 3 * FIX_DOUBLE,
+                                  look | 4 * FIX_DOUBLE };
+    assert_memory_equal(f->style + 48, quarters, 4);
+    assert_memory_equal(f->style + 58, quarters + 2, 4);
+    fix_write(f, 8, 48, "c", 1, 3, 3, 0);
+    row_is(f, 8, ".ccc");
+    assert_int_equal(f->style[61], 3 | FIX_TRIPLE);
+    assert_int_equal(f->style[83], 3 | (FIX_TRIPLE + (8 << 5)));
+    /* at any px: in the cell of its corner, shifted from there */
+    fix_write(f, 8 + 3, 0 + 7, "d", 1, 1, 3, 0);
+    row_is(f, 0, ".d");
+    assert_int_equal(fix_x(f, 1), 11);
+    assert_int_equal(fix_y(f, 1), 7);
+    fix_write(f, -3, 0, "ef", 2, 1, 3, 0);
+    row_is(f, 0, "fd");
+    assert_int_equal(fix_x(f, 0), 5);
+    fix_clear(f, 0, 0, 10, 1);
     fix_clear(f, -5, 3, 14, 1);
     row_is(f, 3, ".........b");
     fix_clear(f, INT32_MIN, INT32_MIN, INT32_MAX, INT32_MAX);

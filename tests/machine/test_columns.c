@@ -130,6 +130,10 @@ static bool check_column(struct board *b, const struct sums *was, struct rng *rn
     snprintf(what, sizeof what, "%s.%s", machine_parts[i].chip->name, c->name);
     if (slot == NO_SLOT)
         return false;
+    if (c->is_per_block) {
+        slot /= SLOTS_BLOCK;
+        dead = NO_SLOT;
+    }
     for (size_t k = 0; k < size; k++) /* every value of the slot, every byte of it */
         flip(b, was, bytes_at(b, i, c) + (size_t)slot * size + k, (int)rng_below(rng, 8), c->kind == COL_GAME ? i : -1,
              what);

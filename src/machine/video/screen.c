@@ -10,7 +10,7 @@ static const struct column columns[] = {
     REGISTER(screen, flash_share), REGISTER(screen, flash_frames), REGISTER(screen, flash_start),
     REGISTER(screen, bars_from),   REGISTER(screen, bars),         REGISTER(screen, bars_frames),
     REGISTER(screen, bars_start),  REGISTER(screen, dim_from),     REGISTER(screen, dim),
-    REGISTER(screen, dim_frames),  REGISTER(screen, dim_start),
+    REGISTER(screen, dim_frames),  REGISTER(screen, dim_start),    REGISTER(screen, shows_whole),
 };
 
 const struct chip screen_chip = { .name = "screen", CHIP_COLUMNS(columns), .is_list = true };
@@ -20,7 +20,7 @@ static const ang GOLDEN_ANGLE = 0x61c88647; /* golden angle, so that directions 
 
 void screen_reset(struct screen *s)
 {
-    *s = (struct screen){ .s = s->s };
+    *s = (struct screen){ .s = s->s, .shows_whole = s->shows_whole };
 }
 
 void screen_move_bars(struct screen *s, uint32_t clock, int32_t h, uint32_t n)

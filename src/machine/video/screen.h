@@ -27,11 +27,12 @@ struct screen {
     uint32_t bars_frames, bars_start;
     fx dim_from, dim; /* share of black at the start and at the end, 0 to 1 */
     uint32_t dim_frames, dim_start;
+    uint32_t shows_whole; /* 1: the field's picture continues over the whole screen, as behind the title */
 };
 
 extern const struct chip screen_chip;
 
-/* Ends all effects. */
+/* Ends all effects; leaves shows_whole unchanged. */
 void screen_reset(struct screen *s);
 
 /* Moves the bars from their current height to h px over n frames, starting now. */

@@ -101,9 +101,7 @@ static void queue_sprite(struct video_batch *q, uint16_t sprite, uint32_t age, f
 
 void video_clip_field(const struct draw_target *c)
 {
-    const struct manifest *m = &c->b->cart.manifest;
-
-    fb_set_clip(c->fb, m->field_x, m->field_y, m->field_w, m->field_h);
+    fb_set_clip(c->fb, c->area.x, c->area.y, c->area.w, c->area.h);
 }
 
 /* Draws a sprite that is placed on the screen instead of in the field. */
@@ -318,14 +316,13 @@ static void draw_rims(struct draw_target *c, const struct font *font, uint32_t f
     int dark = -1;
 
     for (uint32_t i = first; i < f->s.live; i = next_cell(f, i + 1)) {
-        if (!(f->bank[i] & FIX_RIM))
+        if (!(f->style[i] & FIX_RIM))
             continue;
         dark = dark < 0 ? find_extreme_entry(c->b, false) : dark;
-        if (f->page || f->bank[i] & FIX_QUARTERS)
+        if (f->page || f->style[i] & FIX_PART)
             video_draw_cell_rim(c, i, (uint8_t)dark);
         else
-            text_draw_rim(c->fb, font, (int)(i % f->cols) * FIX_CELL_SIZE, (int)(i / f->cols) * FIX_CELL_SIZE,
-                          f->code[i], (uint8_t)dark);
+            text_draw_rim(c->fb, font, fix_x(f, i), fix_y(f, i), f->code[i], (uint8_t)dark);
     }
 }
 
@@ -340,22 +337,21 @@ static void draw_text(struct draw_target *c)
     fb_reset_clip(c->fb);
     draw_rims(c, &font, first);
     for (uint32_t i = first; i < f->s.live; i = next_cell(f, i + 1))
-        if (f->page || f->bank[i] & FIX_QUARTERS)
+        if (f->page || f->style[i] & FIX_PART)
             video_draw_cell(c, i);
         else
-            text_draw_glyph(c->fb, &font, (int)(i % f->cols) * FIX_CELL_SIZE, (int)(i / f->cols) * FIX_CELL_SIZE,
-                            f->code[i], f->bank[i] & FIX_BANK);
+            text_draw_glyph(c->fb, &font, fix_x(f, i), fix_y(f, i), f->code[i], f->style[i] & FIX_BANK);
 }
 
-/* Clears the screen outside the field. */
+/* Clears the screen outside the area. */
 static void clear_sides(struct draw_target *c)
 {
     const struct manifest *m = &c->b->cart.manifest;
-    const int right = m->field_x + m->field_w, bottom = m->field_y + m->field_h;
+    const int right = c->area.x + c->area.w, bottom = c->area.y + c->area.h;
 
-    fb_fill_rect(c->fb, 0, 0, m->screen_w, m->field_y, 0);
-    fb_fill_rect(c->fb, 0, m->field_y, m->field_x, m->field_h, 0);
-    fb_fill_rect(c->fb, right, m->field_y, m->screen_w - right, m->field_h, 0);
+    fb_fill_rect(c->fb, 0, 0, m->screen_w, c->area.y, 0);
+    fb_fill_rect(c->fb, 0, c->area.y, c->area.x, c->area.h, 0);
+    fb_fill_rect(c->fb, right, c->area.y, m->screen_w - right, c->area.h, 0);
     fb_fill_rect(c->fb, 0, bottom, m->screen_w, m->screen_h - bottom, 0);
 }
 
@@ -417,14 +413,13 @@ static void find_reserved_entries(struct draw_target c, bool reserved[COLOURS])
     video_find_drawn_entries(c.fb, reserved);
 }
 
-/* Draws the bars at the field's top and bottom. */
+/* Draws the bars at the area's top and bottom. */
 static void draw_bars(struct draw_target *c)
 {
-    const struct manifest *m = &c->b->cart.manifest;
     int h = screen_get_bars(&c->b->screen, c->b->core.clock);
 
-    fb_fill_rect(c->fb, m->field_x, m->field_y, m->field_w, h, 0);
-    fb_fill_rect(c->fb, m->field_x, m->field_y + m->field_h - h, m->field_w, h, 0);
+    fb_fill_rect(c->fb, c->area.x, c->area.y, c->area.w, h, 0);
+    fb_fill_rect(c->fb, c->area.x, c->area.y + c->area.h - h, c->area.w, h, 0);
 }
 
 static void draw_flash(const struct board *b, bool soft, uint32_t rgb[256])
@@ -453,11 +448,17 @@ static struct draw_target make_target(const struct board *b, struct fb *fb, void
                              .fb = fb,
                              .x = m->field_x,
                              .y = m->field_y,
+                             .area = { m->field_x, m->field_y, m->field_w, m->field_h },
                              .scratch = scratch,
                              .layers = sprite_layers(&b->sprites),
                              .palette_tables = video_get_palette_tables(b) };
     int dx, dy;
 
+    if (b->screen.shows_whole) {
+        c.area.x = c.area.y = 0;
+        c.area.w = m->screen_w;
+        c.area.h = m->screen_h;
+    }
     screen_get_shake(&b->screen, b->core.clock, &dx, &dy);
     *shaken = dx || dy;
     c.x += dx;

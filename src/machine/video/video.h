@@ -13,6 +13,9 @@ struct draw_target {
     const struct board *b;
     struct fb *fb;
     int x, y; /* px: the field's top left corner on the screen plus a shake's offset */
+    struct {
+        int x, y, w, h;
+    } area; /* px: the part of the screen that shows the field's picture: the field, or the whole screen */
     void *scratch;
     uint64_t drawn_count; /* pictures drawn */
     unsigned layers;      /* sprite layers that are not empty, 1 << layer */
@@ -35,7 +38,7 @@ struct cart_colour_tables video_get_palette_tables(const struct board *b);
  * dir. */
 struct image video_image(const struct sprite *s, uint32_t age, bool is_rotated, ang dir);
 
-/* Sets the clip to the field. A shake does not move the clip. */
+/* Sets the clip to the area. A shake does not move the clip. */
 void video_clip_field(const struct draw_target *c);
 
 /* Draws one picture. blend: index of a blend + 1; 0: opaque. */

@@ -33,8 +33,7 @@ struct brush {
 /* Draws n pixels from s into row y of the field, starting at column x. solid: no pixel is 0. */
 static void draw_pixels(struct draw_target *c, const struct brush *b, const uint8_t *s, int x, int y, int n, bool solid)
 {
-    const struct manifest *m = &c->b->cart.manifest;
-    uint8_t *d = c->fb->pix + (m->field_y + y) * c->fb->pitch + m->field_x + x;
+    uint8_t *d = c->fb->pix + (c->area.y + y) * c->fb->pitch + c->area.x + x;
 
     if (b->remap || b->blend_table)
         row_mix(d, s, n, b->bank, b->remap, b->blend_table);
@@ -163,8 +162,8 @@ static void draw_tiles(const struct draw_target *c, uint8_t bank, const struct m
                        const struct shown_rows *r)
 {
     const int side = m->tile_side, skip = (int)r->map_x & (side - 1), tile_row = (int)r->map_y & (side - 1);
-    const int left = c->b->cart.manifest.field_x + (int)r->from - skip, end = skip + (int)(r->to - r->from);
-    uint8_t *d = c->fb->pix + (c->b->cart.manifest.field_y + r->y) * c->fb->pitch + left;
+    const int left = c->area.x + (int)r->from - skip, end = skip + (int)(r->to - r->from);
+    uint8_t *d = c->fb->pix + (c->area.y + r->y) * c->fb->pitch + left;
     const bool cut_left = left < c->fb->sx0;
     const bool cut_right = left + t->n * side > c->fb->sx1;
     const int first = cut_left ? 1 : 0, last = t->n - (cut_right && t->n > first ? 1 : 0);
@@ -209,7 +208,7 @@ static void draw_layer(struct draw_target *c, uint32_t i, const uint8_t *shade)
 {
     const struct bg *g = &c->b->bg;
     struct brush brush = brush_of(c, i);
-    const int w = c->b->cart.manifest.field_w, h = c->b->cart.manifest.field_h, dx = shake_dx(c), dy = shake_dy(c);
+    const int w = c->area.w, h = c->area.h, dx = shake_dx(c), dy = shake_dy(c);
     const bool wraps = g->flags[i] & BG_WRAP;
     struct tiles tiles = { .n = -1 };
     uint8_t composed[256];
@@ -300,8 +299,7 @@ static const uint8_t *plane_table(const struct draw_target *c, int fog, const ui
 static void draw_plane(struct draw_target *c, const uint8_t *shade)
 {
     const struct bg *g = &c->b->bg;
-    const int w = c->b->cart.manifest.field_w, h = c->b->cart.manifest.field_h,
-              horizon = g->horizon[BG_PLANE] + shake_dy(c);
+    const int w = c->area.w, h = c->area.h, horizon = g->horizon[BG_PLANE] + shake_dy(c);
     const bool is_ceiling = g->flags[BG_PLANE] & BG_CEILING;
     struct brush brush = brush_of(c, BG_PLANE);
     uint8_t row[MAX_ROW_WIDTH], composed2[256], composed3[256];

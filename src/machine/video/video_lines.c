@@ -187,24 +187,22 @@ static void draw_line(struct draw_target *c, uint32_t i, int x, int y)
     }
 }
 
-/* Draws a quarter (0 to 3, row by row) of a glyph at double size into out. Corners follow the scale2x rule, so that
- * slanted lines do not turn into stairs. */
-static void enlarge(const uint8_t *from, int quarter, uint8_t out[CART_GLYPH_SIZE])
+/* Draws a part (row by row) of a glyph at `size` times its size into out. Corners of pixels follow the scale2x rule, so
+ * that slanted lines do not turn into stairs. */
+static void enlarge(const uint8_t *from, int size, int part, uint8_t out[CART_GLYPH_SIZE])
 {
-    const int x0 = quarter % 2 * 4, y0 = quarter / 2 * 4;
+    const int x0 = part % size * FIX_CELL_SIZE, y0 = part / size * FIX_CELL_SIZE;
 
-    for (int y = y0; y < y0 + 4; y++)
-        for (int x = x0; x < x0 + 4; x++) {
-            const uint8_t *p = from + y * FIX_CELL_SIZE + x;
-            uint8_t *to = out + (y - y0) * 2 * FIX_CELL_SIZE + (x - x0) * 2;
-            const int centre = *p, up = y > 0 ? p[-FIX_CELL_SIZE] : 0, down = y < 7 ? p[FIX_CELL_SIZE] : 0;
-            const int left = x > 0 ? p[-1] : 0, right = x < 7 ? p[1] : 0;
-            const bool is_slanted = up != down && left != right;
-            to[0] = (uint8_t)(is_slanted && left == up ? up : centre);
-            to[1] = (uint8_t)(is_slanted && right == up ? up : centre);
-            to[FIX_CELL_SIZE] = (uint8_t)(is_slanted && left == down ? down : centre);
-            to[FIX_CELL_SIZE + 1] = (uint8_t)(is_slanted && right == down ? down : centre);
-        }
+    for (int i = 0; i < CART_GLYPH_SIZE; i++) {
+        const int at_x = x0 + i % FIX_CELL_SIZE, at_y = y0 + i / FIX_CELL_SIZE;
+        const int x = at_x / size, y = at_y / size, sub_x = at_x % size, sub_y = at_y % size;
+        const uint8_t *p = from + y * FIX_CELL_SIZE + x;
+        const int up = y > 0 ? p[-FIX_CELL_SIZE] : 0, down = y < 7 ? p[FIX_CELL_SIZE] : 0;
+        const int left = x > 0 ? p[-1] : 0, right = x < 7 ? p[1] : 0;
+        const int beside = sub_x ? right : left, over = sub_y ? down : up;
+        const bool is_corner = (!sub_x || sub_x == size - 1) && (!sub_y || sub_y == size - 1);
+        out[i] = (uint8_t)(is_corner && up != down && left != right && beside == over ? over : *p);
+    }
 }
 
 /* Returns the glyph's pixels as 8 x 8 px, cropped to the cell. If they have to be copied, the copy is stored in
@@ -223,7 +221,7 @@ static const uint8_t *crop_to_cell(const struct face_glyph *g, uint8_t buffer[CA
     return buffer;
 }
 
-/* Finds the glyph that cell i shows; for a large character, the cell's quarter of its glyph, stored in `buffer`.
+/* Finds the glyph that cell i shows; for a large character, the cell's part of its glyph, stored in `buffer`.
  * Returns false if there is no glyph: the cell is blank, or shows a box. */
 static bool find_cell_glyph(const struct page *p, const struct fix *f, uint32_t i, uint8_t buffer[CART_GLYPH_SIZE],
                             struct face_glyph *g)
@@ -232,9 +230,10 @@ static bool find_cell_glyph(const struct page *p, const struct fix *f, uint32_t 
 
     if (!find_glyph(p, fix_code(f, i), g))
         return false;
-    if (!(f->bank[i] & FIX_QUARTERS))
+    if (!(f->style[i] & FIX_PART))
         return true;
-    enlarge(crop_to_cell(g, whole), f->bank[i] / FIX_BIG - 1, buffer);
+    const int part = f->style[i] & FIX_PART, size = part < FIX_TRIPLE ? 2 : 3;
+    enlarge(crop_to_cell(g, whole), size, (part - (size == 2 ? FIX_DOUBLE : FIX_TRIPLE)) >> 5, buffer);
     *g = (struct face_glyph){ buffer, FIX_CELL_SIZE, FIX_CELL_SIZE, FIX_CELL_SIZE, 0, 0, FIX_CELL_SIZE };
     return true;
 }
@@ -243,22 +242,22 @@ void video_draw_cell(struct draw_target *c, uint32_t i)
 {
     const struct fix *f = &c->b->fix;
     const struct page p = page_of(c, f->page ? f->font[i] : 0);
-    const int x = (int)(i % f->cols) * FIX_CELL_SIZE, y = (int)(i / f->cols) * FIX_CELL_SIZE;
+    const int x = fix_x(f, i), y = fix_y(f, i);
     uint8_t buffer[CART_GLYPH_SIZE];
     struct face_glyph g;
 
-    draw_glyph(c, &p, fix_code(f, i), find_cell_glyph(&p, f, i, buffer, &g) ? &g : NULL, x, y, f->bank[i] & FIX_BANK);
+    draw_glyph(c, &p, fix_code(f, i), find_cell_glyph(&p, f, i, buffer, &g) ? &g : NULL, x, y, f->style[i] & FIX_BANK);
 }
 
 void video_draw_cell_rim(struct draw_target *c, uint32_t i, uint8_t rim)
 {
     const struct fix *f = &c->b->fix;
     const struct page p = page_of(c, f->page ? f->font[i] : 0);
-    const int x = (int)(i % f->cols) * FIX_CELL_SIZE, y = (int)(i / f->cols) * FIX_CELL_SIZE;
+    const int x = fix_x(f, i), y = fix_y(f, i);
     uint8_t buffer[CART_GLYPH_SIZE];
     struct face_glyph g;
 
-    if (!p.face.data && !(f->bank[i] & FIX_QUARTERS) && text_has_glyph(&p.font, fix_code(f, i))) {
+    if (!p.face.data && !(f->style[i] & FIX_PART) && text_has_glyph(&p.font, fix_code(f, i))) {
         text_draw_rim(c->fb, &p.font, x, y, fix_code(f, i), rim);
     } else if (!find_cell_glyph(&p, f, i, buffer, &g)) {
         return;

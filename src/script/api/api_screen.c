@@ -382,22 +382,22 @@ static int spark_burst(lua_State *L, struct board *b, struct api_value *v)
 enum { TEXT_COL, TEXT_ROW, TEXT_TEXT, TEXT_BANK, TEXT_ALIGN, TEXT_FONT, TEXT_RIM, TEXT_SIZE };
 
 static const struct api_param text_put_params[] = {
-    PARAM("col", A_INT, REQ, -1000, 1000, "cells", NULL, "column, from 0 at the left"),
-    PARAM("row", A_INT, REQ, -1000, 1000, "cells", NULL, "row, from 0 at the top"),
+    PARAM("col", A_FX, REQ, -1000, 1000, "cells", NULL, "column, from 0 at the left; a fraction moves the text by px"),
+    PARAM("row", A_FX, REQ, -1000, 1000, "cells", NULL, "row, from 0 at the top; 1.25 is 10 px from the top"),
     REQUIRED("text", A_ANY, "string or number to write"),
     BANK(OPT, "0", "number added to the palette bank of the font"),
     DEFAULT("align", A_ALIGN, "left", "put the start, the middle or the end of the text at `col`"),
     OPTIONAL("font", A_FONT, "font from rom.lua; defaults to the font of the cells; needs `board = { wide = true }`"),
     DEFAULT("rim", A_BOOL, "false", "outline the letters in the darkest colour of the bank"),
-    PARAM("size", A_INT, OPT, 1, 2, NULL, "1",
+    PARAM("size", A_INT, OPT, 1, FIX_MAX_SIZE, NULL, "1",
           "size of the letters; at 2, each letter is two cells wide and two cells high"),
 };
 
 enum { CLEAR_COL, CLEAR_ROW, CLEAR_W, CLEAR_H };
 
 static const struct api_param text_clear_params[] = {
-    PARAM("col", A_INT, OPT, -1000, 1000, "cells", "0", "leftmost column"),
-    PARAM("row", A_INT, OPT, -1000, 1000, "cells", "0", "top row"),
+    PARAM("col", A_FX, OPT, -1000, 1000, "cells", "0", "leftmost column; a fraction is ignored"),
+    PARAM("row", A_FX, OPT, -1000, 1000, "cells", "0", "top row; a fraction is ignored"),
     PARAM("w", A_INT, OPT, 0, 1000, "cells", "1000", "width"),
     PARAM("h", A_INT, OPT, 0, 1000, "cells", "1000", "height"),
 };
@@ -405,24 +405,23 @@ static const struct api_param text_clear_params[] = {
 static int text_put(lua_State *L, struct board *b, struct api_value *v)
 {
     size_t n;
-    int col = (int)v[TEXT_COL].i;
+    int x = fx_floor(v[TEXT_COL].f * FIX_CELL_SIZE);
 
     if (v[TEXT_FONT].given && !b->cart.manifest.has_wide_text)
         return api_error(L, "text.put",
                          "font: fonts in text cells are disabled; add `wide = true` to `board` in rom.lua");
     const char *s = api_check_text(L, "text.put", v[TEXT_TEXT].at, &n);
     int cells = (int)utf8_count(s, n, FIX_MAX_TEXT, &n) * (int)v[TEXT_SIZE].i;
-    unsigned style = (v[TEXT_RIM].i ? FIX_RIM : 0u) | (v[TEXT_SIZE].i > 1 ? FIX_BIG : 0u);
-    col -= v[TEXT_ALIGN].i == ALIGN_CENTER ? cells / 2 : v[TEXT_ALIGN].i == ALIGN_RIGHT ? cells : 0;
-    fix_write(&b->fix, col, (int)v[TEXT_ROW].i, s, n, (uint8_t)((unsigned)v[TEXT_BANK].i | style),
-              (uint8_t)v[TEXT_FONT].i);
+    x -= FIX_CELL_SIZE * (v[TEXT_ALIGN].i == ALIGN_CENTER ? cells / 2 : v[TEXT_ALIGN].i == ALIGN_RIGHT ? cells : 0);
+    fix_write(&b->fix, x, fx_floor(v[TEXT_ROW].f * FIX_CELL_SIZE), s, n, (int)v[TEXT_SIZE].i,
+              (unsigned)v[TEXT_BANK].i | (v[TEXT_RIM].i ? FIX_RIM : 0u), (uint8_t)v[TEXT_FONT].i);
     return 0;
 }
 
 static int text_clear(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
-    fix_clear(&b->fix, (int)v[CLEAR_COL].i, (int)v[CLEAR_ROW].i, (int)v[CLEAR_W].i, (int)v[CLEAR_H].i);
+    fix_clear(&b->fix, fx_floor(v[CLEAR_COL].f), fx_floor(v[CLEAR_ROW].f), (int)v[CLEAR_W].i, (int)v[CLEAR_H].i);
     return 0;
 }
 

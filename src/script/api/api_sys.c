@@ -434,6 +434,15 @@ static int sys_wipe(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
+static int sys_show_whole(lua_State *L, struct board *b, struct api_value *v)
+{
+    const struct manifest *m = &b->cart.manifest;
+
+    (void)L;
+    b->screen.shows_whole = v[0].i && (m->field_w < m->screen_w || m->field_h < m->screen_h);
+    return 0;
+}
+
 static int sys_freeze(lua_State *L, struct board *b, struct api_value *v)
 {
     if (b->tasks.current == NO_SLOT)
@@ -772,6 +781,8 @@ static const struct api_entry entries[] = {
     SYS_ENTRY("sys.wipe", sys_wipe, API_CHANGES, NULL,
               "empties the field and the screen; keep: leaves background and palette unchanged",
               OPTIONAL("keep", A_BOOL, "")),
+    SYS_ENTRY("sys.show_whole", sys_show_whole, API_CHANGES, NULL,
+              "draws the field's picture over the whole screen, or only in the field", REQUIRED("on", A_BOOL, "")),
     SYS_ENTRY("sys.freeze", sys_freeze, API_CHANGES, NULL,
               "freezes the board except for that scope's tasks; nil unfreezes it",
               THING("scope", OPT, 1 << H_TASK, "")),

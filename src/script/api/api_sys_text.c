@@ -26,7 +26,7 @@ static int sys_glyphs(lua_State *L, struct board *b, struct api_value *v)
 /* Returns the size in bytes of the saved text: the columns of the cells, one after the other, little-endian. */
 static size_t compute_saved_text_size(const struct fix *f)
 {
-    return (size_t)f->cols * f->rows * (f->page ? 5 : 2);
+    return (size_t)f->cols * f->rows * (f->page ? 6 : 3);
 }
 
 static int sys_save_text(lua_State *L, struct board *b, struct api_value *v)
@@ -39,10 +39,11 @@ static int sys_save_text(lua_State *L, struct board *b, struct api_value *v)
     (void)v;
     vm_charge(L, compute_saved_text_size(f) / 64);
     memcpy(dst, f->code, cells);
-    memcpy(dst + cells, f->bank, cells);
+    for (size_t i = 0; i < cells; i++)
+        bytes_put16((uint8_t *)dst + cells + 2 * i, f->style[i]);
     for (size_t i = 0; f->page && i < cells; i++) {
-        dst[2 * cells + i] = (char)f->font[i];
-        bytes_put16((uint8_t *)dst + 3 * cells + 2 * i, f->page[i]);
+        dst[3 * cells + i] = (char)f->font[i];
+        bytes_put16((uint8_t *)dst + 4 * cells + 2 * i, f->page[i]);
     }
     luaL_pushresultsize(&out, compute_saved_text_size(f));
     return 1;
@@ -62,10 +63,11 @@ static int sys_restore_text(lua_State *L, struct board *b, struct api_value *v)
         return api_error(L, "sys.text_back", "expected a value from sys.keep_text");
     vm_charge(L, n / 64);
     memcpy(f->code, src, cells);
-    memcpy(f->bank, src + cells, cells);
+    for (size_t i = 0; i < cells; i++)
+        f->style[i] = bytes_get16((const uint8_t *)src + cells + 2 * i);
     for (size_t i = 0; f->page && i < cells; i++) {
-        f->font[i] = (uint8_t)src[2 * cells + i];
-        f->page[i] = bytes_get16((const uint8_t *)src + 3 * cells + 2 * i);
+        f->font[i] = (uint8_t)src[3 * cells + i];
+        f->page[i] = bytes_get16((const uint8_t *)src + 4 * cells + 2 * i);
     }
     return 0;
 }
