@@ -66,10 +66,10 @@ function boss.status()
   end
 end
 
--- Draws the fight from that row of the screen on; `again`: all of it.
-function boss.draw(row, again)
+-- Draws the fight's rows in the HUD; hides them if `hidden`. again: draws everything, even if it hasn't changed.
+function boss.draw(hidden, again)
   if not now.rows then return end
-  now.rows(boss.status(), row, again, now.verdict)
+  now.rows(not hidden and boss.status() or nil, again, now.verdict)
   now.verdict = nil
   if not now.task then now.rows = nil end
 end

@@ -1,114 +1,116 @@
--- hud.lua - what stands on the screen during play, as rows of text: scores and lives, the boss, the stage's banner.
--- Also the few words for putting text that the menus share. A field that leaves room to its right gets a side panel.
-local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
+-- hud.lua - what the screen shows during play: scores, lives, registers, the boss's rows and banners. Menus use its
+-- helpers for text. Every row has a place that no other row overlaps. A field that leaves ten columns to its right gets
+-- a side panel there; otherwise the rows are drawn over the field.
+local sys = ... -- functions for the standard library only; documented in src/script/api/api_sys.c
 local hud = {}
 
 hud.cols, hud.rows = rom.screen.w // 8, rom.screen.h // 8
--- A game with coloured text sets these in main.lua. alarm: a boss's last seconds, and its warning.
+-- Palette banks of text; games with coloured text set them in main.lua. alarm: warnings and a boss's last seconds.
 hud.banks = { plain = 0, bright = 0, faint = 0, alarm = 0 }
-hud.low = 1 -- rows free below the registers that stand at the field's lower edge: what a game shows there itself
-hud.shy = 0 -- px: what stands at the lower edge goes while a craft is so near to it
-hud.gone = { false, false } -- by player, whether its rows there are gone so: what a game shows there itself goes with them
-hud.graze = false -- the word before the number of grazes; false: a star
+hud.low = 2 -- rows of 8 px left free below the registers at the field's lower edge
+hud.shy = 0 -- px: a player's rows at the lower edge are hidden while a craft is nearer than this; 0: never
+hud.gone = { false, false } -- by player: whether these rows are hidden
+hud.graze = "GRAZE" -- the label of the graze count
 
--- The font's own picture for a code from 128 on, or else a plain character.
+-- The character with this code (128 or more), or `plain` if the font has no picture for it.
 function hud.glyph(code, plain) return sys.glyph(code) and string.char(code) or plain end
 
--- size 2: letters of two cells by two.
+-- Writes s at a column and a row, which may be fractions of a cell. size: 1 to 3 cells a letter.
 function hud.put(col, row, s, bank, size)
   if row < 0 or row >= hud.rows or col < 0 or col >= hud.cols or s == "" then return end
   text.put { col = col, row = row, text = s, bank = bank or hud.banks.plain, rim = true, size = size }
 end
 
--- Breaks s between words into lines of at most `width` characters, and words that are longer; what fits stays as it is.
+-- Breaks s into lines of at most `width` characters, between words if possible.
 function hud.wrap(s, width) return #s <= width and { s } or sys.wrap(s, width) end
 
--- Puts s, in the language of the run, in the middle of `cols` columns from `first` on (the screen's), broken into
--- lines; returns the row below.
-function hud.centre(row, s, bank, first, cols)
-  if not math.tointeger(row) then sys.fail("hud.centre", ("row: expected a whole number, got %s"):format(tostring(row))) end
-  first, cols = first or 0, cols or hud.cols
-  for _, line in ipairs(hud.wrap(text.lang(s), cols)) do
-    hud.put(first + math.max(0, (cols - sys.cells(line)) // 2), row, line, bank)
-    row = row + 1
-  end
-  return row
-end
+local PITCH <const> = 10 -- px from one row to the next: 8 px of letters, 2 px free
+local GAP <const> = 6    -- px between groups of rows
+local FEW <const> = 6    -- up to this many icons are drawn; more are drawn as an icon and a number
+local BEAT <const> = 8   -- frames that a full bar stays in each of its two colours
+local LIFE, STAR = hud.glyph(137, "*"), hud.glyph(138, "*")
 
--- The field leaves `room` columns to its right. Ten are enough for a panel, of all but the first and, from eleven on,
--- the last; else the rows go over the field, a cell off its edges.
-local field_col, field_cols = (rom.field.x + 7) // 8, (rom.field.x + rom.field.w) // 8 - (rom.field.x + 7) // 8
+local SCREEN <const> = { col = 0, cols = hud.cols }
+local FIELD <const> = { col = (rom.field.x + 7) // 8 }
+FIELD.cols = (rom.field.x + rom.field.w) // 8 - FIELD.col
+local FIELD_BOTTOM <const> = rom.field.y + rom.field.h -- px
+
+-- Of the columns to the right of the field, a panel leaves the first free, and the last if there are more than ten.
+-- Over the field, rows stay one column off its edges.
 local room = (rom.screen.w - rom.field.x - rom.field.w) // 8
-local PANEL = room >= 10
-local left = PANEL and hud.cols - room + 1 or field_col + 1
-local width = room > 10 and room - 2 or room == 10 and 9 or field_cols - 2
-local TOP = PANEL and 1 or rom.field.y // 8 + 1
-local WIDE = width >= 23 -- lives, the best score and lives stand in one row
+local PANEL <const> = room >= 10
+local LEFT <const> = PANEL and hud.cols - room + 1 or FIELD.col + 1
+local WIDTH <const> = room > 10 and room - 2 or PANEL and 9 or FIELD.cols - 2
+local TOP <const> = PANEL and 8 or rom.field.y + 4 -- px
 
--- For the rows of a boss: where rows stand, whether that is a panel, and the columns of the field.
-hud.place = { left = left, width = width, panel = PANEL, col = field_col, cols = field_cols }
+hud.field, hud.panel = FIELD, PANEL
 
-local LIFE, GRAZE = hud.glyph(137, "*"), hud.glyph(138, "*")
-local BOTTOM <const> = (rom.field.y + rom.field.h) // 8 - 1 -- the field's last row
-local BANNER_ROW = hud.rows // 3
-local FEW <const> = 6 -- so many icons stand side by side; of more, their number
+local BEST_COLS <const> = 12              -- "HI 000000000"
+local CLOCK_COLS <const> = 4              -- a boss's clock: two digits of size 2
+local HISTORY_COLS, BONUS_COLS = 14, 13   -- "CAPTURED 12/34", "BONUS 0001234"
+local LIVES_COLS <const> = 4              -- in a panel
+local LOW_COLS <const> = math.min(12, FIELD.cols // 2 - 1)
+local STACKED <const> = PANEL or WIDTH < 2 * BEST_COLS + 1 -- two scores do not fit in a row
 
-local players = 0 -- how many play
-local seen = {}   -- each player's last score: that of one who is out cannot be read
-local shown = {}  -- the text of each row on the screen; a row is written only when it changes
-local below = {}  -- and of those at the lower edge, by player and row
-local banner      -- lines; row, h, the rows it covers; ends, the clock when it goes; nil: there is none
-local record = 0  -- the best score of the table
-local registers, low = { {}, {} }, { {}, {} } -- that each player's ship shows: name, label, show, max, mark, run
-local covered = 0 -- how many stand over the field's lower edge
-local values = {} -- what the rows tell of
-local fresh       -- one of them is another than in the frame before
-local again       -- all is to be written
+-- A panel's rows for the boss are at its lower end: the clock and 2 px, three rows for the name and the bar or two for
+-- each bar of a cast, three for the spell, and the history and the bonus.
+local PANEL_END <const> = rom.screen.h - 6 -- px
+local function boss_height(bars) return 18 + PITCH * (math.max(3, 2 * bars) + 5) end
+local ROWS_END <const> = PANEL and PANEL_END - boss_height(2) or FIELD_BOTTOM - rom.field.h // 2 -- of the players' rows
 
-local function points(n) return ("%09d"):format(n) end
+-- The players' rows, by layout and number of players: what is at the left, in the middle and at the right. The digit is
+-- the player's number; {} is a gap.
+local ROWS <const> = {
+  over = { -- over the field; registers follow, two in a row
+    { { "score1", false, "best" }, { "lives1", false, "graze1" } },
+    { { "score1", false, "score2" }, { "lives1", "best", "lives2" }, { "graze1", false, "graze2" } },
+  },
+  stacked = { -- in a panel, or over a narrow field; the registers of the run follow
+    { { "best" }, {}, { "score1" }, { "lives1", false, "graze1" }, { "registers1" } },
+    { { "best" }, {}, { "score1" }, { "lives1", false, "graze1" }, { "registers1" }, {}, { "score2" },
+      { "lives2", false, "graze2" }, { "registers2" }, {} },
+  },
+}
+
+local players = 0                   -- how many play
+local playing = false               -- the rows are drawn
+local last_score = {}               -- by player: the score of a player who is out cannot be read
+local record = 0                    -- the best score of the table
+local items = {}                    -- what the players' rows show: place, label, get, make, low; value and bank shown
+local low_top = {}                  -- by player: y of the highest row at the lower edge
+local rows_end = 0                  -- y below the players' rows
+local hidden = { low = 0, all = 0 } -- how many dialogues and pages hide the lower rows, and all rows
+local panel                         -- the plate behind a panel's rows
+local banner_row = 0                -- the first row of cells below all rows
+local banner                        -- lines; area, row and h: its cells; ends: the clock when it is removed
+local again                         -- everything has to be drawn
+
+-- Puts s, translated, in the middle of `cols` columns from `first`; by default of the field during play, otherwise of
+-- the screen. Long text is wrapped. Returns the first row of cells below it.
+function hud.centre(row, s, bank, first, cols)
+  if not math.type(row) then sys.fail("hud.centre", ("row: expected a number, got %s"):format(tostring(row))) end
+  local area = playing and FIELD or SCREEN
+  first, cols = first or area.col, cols or first and hud.cols or area.cols
+  local lines = hud.wrap(text.lang(s), cols)
+  for i, line in ipairs(lines) do
+    hud.put(first + math.max(0, cols - sys.cells(line)) / 2, row + (i - 1) * PITCH / 8, line, bank)
+  end
+  return row + (#lines * PITCH + 5) // 8
+end
 
 function hud.score(i)
-  seen[i] = player.get(i).score or seen[i] or 0
-  return seen[i]
+  last_score[i] = player.get(i).score or last_score[i] or 0
+  return last_score[i]
 end
 
--- The best score of the table and of those who play.
+-- The best score of the table and of the players.
 function hud.best()
   local best = record
   for i = 1, players do best = math.max(best, hud.score(i)) end
   return best
 end
 
-local function icons(icon, n) return n > FEW and icon .. "x" .. n or icon:rep(n) end
-
--- All that rows are made of has a byte a cell, but for the registers' names in some languages.
-local wide = false
-local function cells(s) return wide and sys.cells(s) or #s end
-
-local function fill(s, n) return s .. (" "):rep(n - cells(s)) end
-
--- One row with a left, a middle and a right part; where that is too long, a row for each. A row is { text, parts in
--- other banks: { column, text, bank } each }.
-local function add(rows, first, middle, last, bank, other)
-  local n = cells(first) + cells(middle) + cells(last)
-  if n + 2 <= width then
-    local line = fill(first, (width - cells(middle)) // 2) .. middle
-    local row = { fill(line, width - cells(last)) .. last }
-    if bank then row[2] = { 0, first, bank } end
-    if other then row[#row + 1] = { width - cells(last), last, other } end
-    rows[#rows + 1] = row
-    return
-  end
-  for k, s in ipairs { first, middle, last } do
-    for _, line in ipairs(s ~= "" and hud.wrap(s, width) or {}) do
-      if WIDE and s == last then line = fill("", width - cells(line)) .. line end
-      local own = k == 1 and bank or k == 3 and other
-      rows[#rows + 1] = { line, own and { 0, line, own } or nil }
-    end
-  end
-end
-
--- A bar of `length` characters, in eighths where the font has them; never empty while something is left.
+-- A bar of `length` characters, in eighths of a character if the font has them; never empty while value > 0.
 function hud.bar(value, full, length)
   local eighths = math.min(value, full) * length * 8 // full
   if value > 0 and eighths < 1 then eighths = 1 end
@@ -122,60 +124,209 @@ function hud.bar(value, full, length)
   return s .. string.char(128):rep(length - #s)
 end
 
-local BEAT <const> = 8 -- frames that a full bar keeps its colour
+-- ---- places ----
 
--- The bank of a register's text where it is not the usual one: from its mark on, and of a bar that is full.
-local function bank_of(r, n)
-  if r.show == "bar" and n >= r.max and n > 0 then
-    return sys.clock() // BEAT % 2 == 0 and hud.banks.bright or hud.banks.plain
+-- col, cols: cells; y: px; align: left, middle, right, or spread (the label left, the value right); size: of letters.
+
+local function place(col, y, cols, align, size)
+  return { col = col, y = y, cols = math.max(0, cols), align = align, size = size or 1 }
+end
+
+-- Shows s in a place instead of what is there.
+function hud.show(p, s, bank)
+  if p.text == s and p.bank == bank then return end
+  if p.text then text.clear { col = p.col, row = p.y // 8, w = p.cols, h = p.size } end
+  p.text, p.bank = s ~= "" and s or nil, bank
+  local free = math.max(0, p.cols - p.size * sys.cells(s))
+  local shift = p.align == "right" and free or p.align == "middle" and free / 2 or 0
+  hud.put(p.col + shift, p.y / 8, s, bank, p.size)
+end
+
+-- The text of a label and a value for a place. short: replaces a label that is too long.
+function hud.labelled(p, label, value, short)
+  local free = math.max(0, p.cols - sys.cells(value) - 1) -- columns for the label
+  if sys.cells(label) > free then label = short or "" end
+  local spread = p.align == "spread" and free + 1 - sys.cells(label)
+  return label .. (" "):rep(spread or label ~= "" and 1 or 0) .. value
+end
+
+-- A function that returns the places of rows, one below the other.
+local function rows_from(y)
+  return function(align)
+    y = y + PITCH
+    return place(LEFT, y - PITCH, WIDTH, align)
   end
+end
+
+local function boss_over_field(names, pips)
+  local row, cols = rows_from(rows_end), WIDTH - CLOCK_COLS - 1
+  local at = { bars = {}, name = {}, spell = {} }
+  at.clock = place(LEFT + WIDTH - CLOCK_COLS, rows_end, CLOCK_COLS, "right", 2)
+  at.pips = place(LEFT + cols - pips, rows_end, pips, "right")
+  local label = 0
+  for _, name in ipairs(names) do label = math.min(math.max(label, sys.cells(name) + 1), cols // 2) end
+  for i = 1, math.max(1, #names) do
+    local y = row().y
+    local free = i == 1 and pips > 0 and pips + 1 or 0
+    at.bars[i] = { name = place(LEFT, y, label - 1, "left"), bar = place(LEFT + label, y, cols - label - free, "left") }
+  end
+  if #names < 2 then at.name[1] = place(LEFT, row().y, cols, "left") end
+  at.spell[1] = row("left")
+  at.history = row("left")
+  at.bonus = row("right")
+  if WIDTH > HISTORY_COLS + BONUS_COLS then
+    at.history.cols = HISTORY_COLS
+    at.bonus = place(LEFT + WIDTH - BONUS_COLS, at.history.y, BONUS_COLS, "right")
+  end
+  return at
+end
+
+local function boss_in_panel(names, pips)
+  local bars = #names
+  while bars > 2 and PANEL_END - boss_height(bars) < rows_end do bars = bars - 1 end
+  local y = PANEL_END - boss_height(bars)
+  local at, row = { bars = {}, name = {}, spell = {} }, rows_from(y + 18)
+  at.clock = place(LEFT + WIDTH - CLOCK_COLS, y, CLOCK_COLS, "right", 2)
+  at.pips = place(LEFT, y + 4, math.min(pips, WIDTH - CLOCK_COLS - 1), "left")
+  if bars == 0 then at.name = { row("left"), row("left") } end
+  for i = 1, math.max(1, bars) do at.bars[i] = { name = bars > 0 and row("left"), bar = row("left") } end
+  if bars == 1 then row() end
+  for i = 1, 3 do at.spell[i] = row("left") end
+  at.history, at.bonus = row("spread"), row("spread")
+  return at
+end
+
+-- The places of a boss's rows: clock, pips, history, bonus; the lines of name and spell; bars, each with a name and a
+-- bar. names: of the bars; {}: one bar without a name. pips: how many are shown.
+hud.boss_places = PANEL and boss_in_panel or boss_over_field
+
+-- ---- the players' rows ----
+
+local function points(n, cols) return ("%0" .. math.max(1, math.min(9, cols - 3)) .. "d"):format(n) end
+
+local function icons(icon, n, cols) return n > math.min(FEW, cols) and icon .. "x" .. n or icon:rep(n) end
+
+local KINDS <const> = {
+  score = function(i) return { label = i .. "P", make = points, get = function() return hud.score(i) end } end,
+  best = function() return { label = text.lang("HI"), make = points, get = hud.best } end,
+  lives = function(i)
+    return { label = "", make = function(n, cols) return icons(LIFE, n, cols) end,
+             get = function() return player.get(i).lives or 0 end }
+  end,
+  graze = function(i)
+    return { label = text.lang(hud.graze), short = STAR, make = tostring, get = function() return player.get(i).grazes or 0 end }
+  end,
+}
+
+-- The bank of a register with n in it: its mark and a full bar are bright.
+local function bank_of(r, n)
+  if r.show == "bar" and n > 0 and n >= r.max then return sys.clock() // BEAT % 2 == 0 and hud.banks.bright or nil end
   return r.mark and n >= r.mark and hud.banks.bright or nil
 end
 
--- The register r that player i shows, as its ship says, and its bank. A bar leaves room for the other player's.
-local function register(i, r, at_edge)
-  local n = r and sys.value(i, r.name, r.run)
-  if not n then return "" end
-  if r.show == "icons" then return r.label .. icons(GRAZE, n), bank_of(r, n) end
-  if r.show == "times" then return r.label .. ("x%d.%02d"):format(n // 100, n % 100), bank_of(r, n) end
-  if r.show ~= "bar" then return r.label .. n, bank_of(r, n) end
-  local most = (WIDE and players > 1 and (width - 2) // 2 or width) - cells(r.label)
-  if at_edge then most = math.min(most, math.max(5, 8 - cells(r.label))) end -- few cells over the field
-  return r.label .. hud.bar(n, r.max, math.max(1, math.min(8, most))), bank_of(r, n)
+local SHOWN <const> = {
+  number = function(_, n) return tostring(n) end,
+  times = function(_, n) return ("x%d.%02d"):format(n // 100, n % 100) end,
+  icons = function(_, n, cols) return icons(STAR, n, cols) end,
+  bar = function(r, n, cols) return hud.bar(n, r.max, math.max(1, math.min(8, cols))) end,
+}
+
+local function register_item(i, r)
+  local label = r.label == "" and "" or text.lang(r.label or r.name:gsub("_", " "):upper())
+  local rest = label == "" and 0 or sys.cells(label) + 1
+  local item = { label = label, register = r }
+  function item.make(n, cols) return SHOWN[r.show](r, n, cols - rest) end
+  function item.get()
+    local n = sys.value(i, r.name, r.run)
+    if item.low and (hud.gone[i] or n == r.value and r.show ~= "bar" and n == (r.show == "times" and 100 or 0)) then
+      return nil
+    end
+    return n, n and bank_of(r, n)
+  end
+  return item
 end
 
--- The registers of player i; those of the run are of both, so they have a row by themselves.
-local function stack_registers(rows, i, of_run)
-  for _, r in ipairs(registers[i]) do
-    if r.run == of_run then
-      local s, bank = register(i, r)
-      if s == "" then rows[#rows + 1] = { "" } else add(rows, s, "", "", bank) end
+-- Gives the parts of a row their places at y and adds them. Returns the y of the next row.
+local function add_row(y, left, middle, right)
+  if y + 8 > ROWS_END then return y end -- no room: not shown
+  local alone = not middle and right == nil
+  local cols = alone and WIDTH or (WIDTH - (middle and BEST_COLS + 2 or 1)) // 2
+  local left_cols, right_cols = cols, cols
+  if STACKED and not alone then left_cols, right_cols = LIVES_COLS, WIDTH - LIVES_COLS - 1 end
+  local places = {
+    place(LEFT, y, left_cols, alone and STACKED and "spread" or "left"),
+    place(LEFT + (WIDTH - BEST_COLS) // 2, y, BEST_COLS, "middle"),
+    place(LEFT + WIDTH - right_cols, y, right_cols, "right"),
+  }
+  for k, item in ipairs { left or false, middle or false, right or false } do
+    if item then
+      item.place = places[k]
+      items[#items + 1] = item
     end
+  end
+  return y + PITCH
+end
+
+-- Two registers in a row if their labels leave room for values.
+local function add_registers(y, list)
+  local i = 1
+  while i <= #list do
+    local most, other = WIDTH // 2 - 6, list[i + 1]
+    local both = not STACKED and other and sys.cells(list[i].label) < most and sys.cells(other.label) < most
+    y = add_row(y, list[i], nil, both and other or nil)
+    i = i + (both and 2 or 1)
+  end
+  return y
+end
+
+-- own: the registers of each player; of_run: of the run.
+local function add_rows(own, of_run)
+  local y = TOP
+  for _, row in ipairs(ROWS[STACKED and "stacked" or "over"][players]) do
+    local parts = {}
+    for k, name in ipairs(row) do
+      local kind, i = (name or ""):match("^(%a+)(%d?)$")
+      if kind == "registers" then y = add_registers(y, own[tonumber(i)])
+      else parts[k] = kind and KINDS[kind](tonumber(i)) or false end
+    end
+    if parts[1] then y = add_row(y, parts[1], parts[2] or nil, parts[3]) end
+    if #row == 0 then y = y + GAP end
+  end
+  if not STACKED and players == 2 then
+    for k = 1, math.max(#own[1], #own[2]) do y = add_row(y, own[1][k], nil, own[2][k] or false) end
+    for k = 1, #of_run do y = add_row(y, nil, of_run[k]) end
+    of_run = {}
+  elseif not STACKED then
+    table.move(of_run, 1, #of_run, #own[1] + 1, own[1])
+    of_run = own[1]
+  end
+  rows_end = add_registers(y, of_run)
+end
+
+local FROM_BELOW <const> = { bar = 1, icons = 2, times = 3, number = 4 }
+
+-- The rows at the field's lower edge, above hud.low rows: player 1's at the left, player 2's at the right.
+local function add_low_rows(i, list)
+  table.sort(list, function(a, b)
+    a, b = a.register, b.register
+    local above, below = FROM_BELOW[a.show], FROM_BELOW[b.show]
+    return above < below or above == below and a.name < b.name
+  end)
+  low_top[i] = FIELD_BOTTOM - 8 * hud.low - PITCH
+  for k, item in ipairs(list) do
+    if k > 1 then low_top[i] = low_top[i] - PITCH end
+    item.low = true
+    local col = i == 1 and FIELD.col + 1 or FIELD.col + FIELD.cols - 1 - LOW_COLS
+    item.place = place(col, low_top[i], LOW_COLS, i == 1 and "left" or "right")
+    items[#items + 1] = item
   end
 end
 
--- What covers the field's lower edge, a talk, takes these rows away, and brings them back.
-function sys.low(shown_again)
-  covered = covered + (shown_again and -1 or 1)
-  for i = 1, covered == 1 and not shown_again and players or 0 do
-    for k, old in pairs(below[i]) do
-      local n = cells(old[1])
-      hud.put(i == 1 and left or left + width - n, BOTTOM - hud.low - k + 1, (" "):rep(n))
-    end
-  end
-  below, fresh = { {}, {} }, true
-end
-
-local PLACES <const> = { bar = 1, icons = 2, times = 3, number = 4 } -- from below
-
-local LOW_COLS <const> = 12 -- columns that these rows have
-
--- Is a craft so near to player i's rows that they go? They come back only when it is a little farther off.
-local function hides(i)
+-- Is a craft so near to player i's lower rows that they are hidden? They return when it is 8 px further away.
+local function is_craft_near(i)
   if hud.shy <= 0 then return false end
-  local far = hud.shy + (hud.gone[i] and 8 or 0)
-  local top = (BOTTOM - hud.low - math.max(#low[i], 1) + 1) * 8 - rom.field.y - far
-  local side = LOW_COLS * 8 + far
+  local distance = hud.shy + (hud.gone[i] and 8 or 0)
+  local top, side = low_top[i] - rom.field.y - distance, LOW_COLS * 8 + distance
   for p = 1, players do
     local craft = player.get(p)
     local x, y = craft.x, craft.y
@@ -184,146 +335,104 @@ local function hides(i)
   return false
 end
 
--- What stands at the field's lower edge: player one's to the left, two's to the right.
-local function draw_low()
-  if covered > 0 then return end
-  for i = 1, players do
-    for k, r in ipairs(low[i]) do
-      local s, bank = register(i, r, true)
-      local value = sys.value(i, r.name, r.run)
-      if r.show ~= "bar" and value == r.value and value == (r.show == "times" and 100 or 0) or hud.gone[i] then s = "" end
-      local key = s .. "|" .. (bank or "")
-      local old = below[i][k] or { "", "" }
-      if old[2] ~= key then
-        local n = math.max(cells(s), cells(old[1]))
-        local line = i == 1 and fill(s, n) or (" "):rep(n - cells(s)) .. s
-        hud.put(i == 1 and left or left + width - n, BOTTOM - hud.low - k + 1, line, bank)
-        below[i][k] = { s, key }
-      end
+-- Text is made only when a value has changed.
+local function draw_items()
+  for _, item in ipairs(items) do
+    local value, bank
+    if hidden.all == 0 and not (item.low and hidden.low > 0) then value, bank = item.get() end
+    if value ~= item.value or bank ~= item.bank or again then
+      item.value, item.bank = value, bank
+      local p = item.place
+      hud.show(p, value and hud.labelled(p, item.label, item.make(value, p.cols), item.short) or "", bank)
     end
   end
 end
 
--- Of two players in a narrow panel each has rows of its own; they stay where they are when one is out.
-local function stacked_rows(rows, best)
-  add(rows, "HI " .. best, "", "")
-  for i = 1, 2 do
-    rows[#rows + 1] = { "" }
-    add(rows, i .. "P", "", icons(LIFE, player.get(i).lives or 0))
-    rows[#rows + 1] = { points(hud.score(i)) }
-    stack_registers(rows, i, false)
-  end
-  rows[#rows + 1] = { "" }
-  stack_registers(rows, 1, true)
+-- Puts a plate behind a panel's rows, where the screen was emptied.
+local function put_panel()
+  if not PANEL or panel and panel.alive then return end
+  local x = rom.field.x + rom.field.w + 2
+  panel = sprite.plate {
+    x = x, y = 2, w = rom.screen.w - x - 2, h = rom.screen.h - 4, bank = hud.banks.plain, stay = true,
+  }
 end
 
-local function play_rows(rows)
-  local best = points(hud.best())
-  if players > 1 and not WIDE then return stacked_rows(rows, best) end
-  if players > 1 then
-    add(rows, points(hud.score(1)), "", points(hud.score(2)))
-    add(rows, icons(LIFE, player.get(1).lives or 0), best, icons(LIFE, player.get(2).lives or 0))
-  else
-    add(rows, points(hud.score(1)), "", "HI " .. best)
-    add(rows, icons(LIFE, player.get(1).lives or 0), "", (hud.graze and text.lang(hud.graze) .. " " or GRAZE) .. (player.get(1).grazes or 0))
-  end
-  for k = 1, math.max(#registers[1], #registers[2]) do
-    local s, bank = register(1, registers[1][k])
-    local t, other = register(2, registers[2][k])
-    add(rows, s, "", t, bank, other)
-  end
-end
-
-local function note(what, value)
-  if values[what] ~= value then values[what], fresh = value, true end
-end
-
-local function note_registers(i, list, from)
-  for k, r in ipairs(list) do
-    local n = sys.value(i, r.name, r.run)
-    note(2 * k + i + from, n)
-    if n and r.show == "bar" and n >= r.max then note(2 * k + i + from + 80, bank_of(r, n)) end
-  end
-end
-
-local function write(rows)
-  for i = 1, math.max(#rows, #shown) do
-    local row = rows[i] or { "" }
-    local s = fill(row[1], width)
-    local key = s
-    for k = 2, #row do key = key .. "|" .. row[k][1] .. "=" .. row[k][3] end
-    if key ~= (shown[i] or (" "):rep(width)) then
-      hud.put(left, TOP + i - 1, s)
-      for k = 2, #row do hud.put(left + row[k][1], TOP + i - 1, row[k][2], row[k][3]) end
-    end
-    shown[i] = key
-  end
-end
-
--- Most frames are as the one before: then no text is made.
 local function draw()
-  note("best", hud.best())
-  for i = 1, players do
-    local p = player.get(i)
-    note(i, seen[i])
-    note(i + 2, p.lives)
-    note(i + 4, p.grazes)
-    note_registers(i, registers[i], 4)
-    note_registers(i, low[i], 44)
-    hud.gone[i] = hides(i)
-    note(200 + i, hud.gone[i])
-  end
-  if fresh then
-    local rows = {}
-    play_rows(rows)
-    write(rows)
-    draw_low()
-    fresh = false
-  end
-  boss.draw(TOP + #shown + (PANEL and 1 or 0), again)
+  if again then put_panel() end
+  for i = 1, players do hud.gone[i] = is_craft_near(i) end
+  draw_items()
+  boss.draw(hidden.all > 0, again)
   again = false
   if banner and sys.clock() >= banner.ends then hud.banner() end
 end
 
--- Shows lines in the middle of the field, or from a row on, for so many frames; without lines, ends that.
-function hud.banner(lines, over, first)
-  if lines and type(lines) ~= "table" then sys.fail("hud.banner", 'lines: expected a list of strings such as { "GO" }') end
-  if lines and not math.tointeger(over) then sys.fail("hud.banner", "frames: expected a whole number") end
-  if banner then text.clear { col = field_col, row = banner.row, w = field_cols, h = banner.h } end
-  banner = nil
-  if not lines then return end
-  first = first or BANNER_ROW
-  local row = first
-  for _, line in ipairs(lines) do row = hud.centre(row, line, hud.banks.bright, field_col, field_cols) + 1 end
-  banner = { row = first, h = row - first, ends = sys.clock() + over, lines = lines }
+-- Hides the rows that a dialogue covers, or with `all` every row; with `shown`, shows them again. A dialogue covers a
+-- panel, too.
+function sys.hide_rows(all, shown)
+  local rows = (all or PANEL) and "all" or "low"
+  hidden[rows] = math.max(0, hidden[rows] + (shown and -1 or 1)) -- hud.start may have reset it in between
+  if not playing then return end
+  draw_items()
+  boss.draw(hidden.all > 0)
+  if panel and panel.alive then panel.hidden = hidden.all > 0 end
 end
 
--- Writes all again after something else was written over it.
+-- Shows lines in the middle of the field, or from a row on, for a number of frames. Without lines, removes them.
+function hud.banner(lines, frames, first)
+  if lines and type(lines) ~= "table" then
+    sys.fail("hud.banner", 'lines: expected a list of strings such as { "GO" }')
+  end
+  if lines and not math.tointeger(frames) then sys.fail("hud.banner", "frames: expected a whole number") end
+  if banner then text.clear { col = banner.area.col, row = banner.row, w = banner.area.cols, h = banner.h } end
+  banner = nil
+  if not lines then return end
+  first = math.max(first or hud.rows // 3, banner_row)
+  local row = first
+  for _, line in ipairs(lines) do row = hud.centre(row, line, hud.banks.bright) + 1 end
+  banner = { lines = lines, area = playing and FIELD or SCREEN, row = first, h = row - first, ends = sys.clock() + frames }
+end
+
+-- Draws everything again, after other text was written over it.
 function hud.refresh()
-  shown, below, fresh, again = {}, { {}, {} }, true, true
+  for _, item in ipairs(items) do item.place.text = nil end
+  again = true
   if banner then hud.banner(banner.lines, banner.ends - sys.clock(), banner.row) end
 end
 
+-- The registers that player i's rows show: those at the top, those at the lower edge, those of the run.
+local function registers_of(i)
+  local own, low, of_run = {}, {}, {}
+  local kind = player.get(i).kind
+  for _, r in ipairs(kind and sys.ship(kind).registers or {}) do
+    local list = r.run and of_run or r.at == "low" and (players == 2 or not PANEL) and low or own
+    if r.show and r.show ~= "none" then list[#list + 1] = register_item(i, r) end
+  end
+  return own, low, of_run
+end
+
+-- True from hud.start until its owner ends. At other times, pages use the whole screen.
+function hud.is_playing() return playing end
+
 -- Draws every frame for n players, until the owner ends.
 function hud.start(owner, n)
+  sys.show_whole(false)
   local top = score.rows(board.difficulty())[1]
-  players, seen, shown, banner, record = n, {}, {}, nil, top and top.score or 0
-  values, below, hud.gone, covered, fresh, again, wide = {}, { {}, {} }, { false, false }, 0, true, true, false
-  for i = 1, 2 do
-    local kind = i <= n and player.get(i).kind
-    registers[i], low[i] = {}, {}
-    for _, r in ipairs(kind and sys.ship(kind).registers or {}) do
-      r.label = r.label == "" and "" or text.lang(r.label or (r.name:gsub("_", " "):upper())) .. " "
-      wide = wide or #r.label ~= sys.cells(r.label)
-      local list = r.at == "low" and not PANEL and low[i] or registers[i]
-      if r.show and r.show ~= "none" and not (r.run and i > 1) then list[#list + 1] = r end
-    end
-    table.sort(low[i], function(r, s)
-      local a, b = PLACES[r.show], PLACES[s.show]
-      return a < b or a == b and r.name < s.name
-    end)
+  players, playing, last_score, record = n, true, {}, top and top.score or 0
+  items, low_top, hidden, banner, again = {}, {}, { low = 0, all = 0 }, nil, true
+  hud.gone = { false, false }
+  local own, of_run = {}, nil
+  for i = n, 1, -1 do
+    local low
+    own[i], low, of_run = registers_of(i)
+    add_low_rows(i, low)
   end
+  add_rows(own, of_run)
+  banner_row = PANEL and 0 or (boss_over_field({ "", "" }, 0).bonus.y + PITCH + 7) // 8
   task.own(owner, function()
+    local stop <close> = setmetatable({}, { __close = function()
+      playing = false
+      sys.show_whole(true)
+    end })
     while true do
       draw()
       wait(1)

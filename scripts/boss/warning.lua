@@ -1,20 +1,20 @@
--- boss/warning.lua - what announces a boss: the picture darkens between two bars in which WARNING runs, a red light
--- beats, and in the middle stands a card with its epithet and its name.
-local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
-local OPENS <const> = 16 -- frames the bars take to open, and to close
-local PACE <const> = 3   -- frames a letter
-local BEAT <const> = 40  -- frames from one light to the next
+-- boss/warning.lua - the warning before a boss: a dark picture, two bars in which WARNING scrolls, red flashes, and
+-- between the bars a card with the boss's epithet and name.
+local sys = ... -- functions for the standard library only; documented in src/script/api/api_sys.c
+local OPENS <const> = 16 -- frames that the bars take to open, and to close
+local PACE <const> = 3   -- frames in which WARNING scrolls by a letter
+local BEAT <const> = 40  -- frames from one flash to the next
 local BAR <const> = 3    -- rows of a bar: WARNING in its middle
-local SHARE <const>, DIM <const> = 0.22, 0.45 -- of the light, of the dark behind
+local SHARE <const>, DIM <const> = 0.22, 0.45 -- strengths of a flash and of the dim
 
-local COL <const>, COLS <const> = hud.place.col, hud.place.cols
+local COL <const>, COLS <const> = hud.field.col, hud.field.cols
 local MIDDLE <const> = (rom.field.y + rom.field.h * 2 // 5) // 8
 local LINE <const>, FIRST <const>, LAST <const> = hud.glyph(141, "-"), hud.glyph(142, "-"), hud.glyph(143, "-")
 
--- n characters of s from the i-th on.
+-- Returns n characters of s from the i-th on.
 local function part(s, i, n) return s:sub(utf8.offset(s, i), (utf8.offset(s, i + n) or #s + 1) - 1) end
 
--- Its rounded ends are off the screen where the field goes to the screen's edge; nothing of it lies beside the field.
+-- A bar's rounded ends are off the screen where the field reaches the screen's edge; otherwise it ends at the field.
 local BEYOND <const> = 8
 local BAR_X <const> = rom.field.x > 0 and rom.field.x or -BEYOND
 local BAR_END <const> = rom.field.x + rom.field.w
@@ -24,20 +24,20 @@ local function bar(row)
   return sprite.plate { x = BAR_X, y = row * 8 + 4, w = BAR_W, h = 8, bank = hud.banks.alarm, stay = true }
 end
 
--- Of its height so much is open. Where there was no room for it, there is none.
+-- Opens a bar to a share of its height. The plate is missing if the pool of sprites is full.
 local function open_bar(plate, row, share)
   if not plate.alive then return end
   plate.h = math.max(8, math.floor((BAR * 8 - 4) * share))
   plate.y = row * 8 + (BAR * 8 - plate.h) // 2
 end
 
--- A line that has grown so far from the middle.
+-- Draws a line whose share has grown from the middle.
 local function rule(row, share)
   local n = math.floor((COLS - 6) * share)
   if n > 2 then hud.put(COL + (COLS - n) // 2, row, FIRST .. LINE:rep(n - 2) .. LAST, hud.banks.alarm) end
 end
 
--- The lines of the name in large letters where all its words have room, else in small ones: lines, size.
+-- Returns the lines of the name and their size: 2 if its words fit in two lines, otherwise 1.
 local function lines_of(name)
   local lines = hud.wrap(name, (COLS - 2) // 2)
   local whole = table.concat(lines, " ") == name and #lines <= 2
@@ -45,7 +45,7 @@ local function lines_of(name)
   return hud.wrap(name, COLS - 2), 1
 end
 
--- What stands between the bars, and how many rows it has.
+-- Returns the card between the bars, with its number of rows.
 local function card_of(b)
   local lines, size = lines_of(text.lang(b.title))
   local card = { lines = lines, size = size, rows = 6 + 3 * (#lines - 1) + size }
@@ -81,7 +81,7 @@ return function(b)
     for _, plate in ipairs(bars) do plate:remove() end
     screen.dim { share = 0, over = OPENS }
   end })
-  hud.banner() -- the stage's name would stand across it
+  hud.banner() -- the stage's name would be over the card
   sys.cue("warning")
   screen.dim { share = DIM, over = OPENS }
   for t = 1, b.warning do

@@ -1,7 +1,7 @@
 -- menu/page.lua - what all screens share: the place of a page, its rules and frames, and lists to choose from.
 --
--- A page covers the field, one cell from its edges. Animations never delay input: a press counts from a page's second
--- frame on.
+-- A page uses the whole screen, except for a column at each side. Animations never delay input: a press counts from a
+-- page's second frame on.
 local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local page = {}
 
@@ -15,10 +15,11 @@ local BANNER = 6     -- rows of the HUD's banner
 local LEFT, RIGHT, UP, DOWN = hud.glyph(139, "<"), hud.glyph(140, ">"), hud.glyph(150, "^"), hud.glyph(151, "v")
 local LINE, FIRST, LAST, JEWEL = hud.glyph(141, "-"), hud.glyph(142, "-"), hud.glyph(143, "-"), hud.glyph(144, "-")
 
-page.col, page.row = (rom.field.x + 7) // 8, (rom.field.y + 7) // 8
-page.cols = (rom.field.x + rom.field.w) // 8 - page.col
-page.rows = (rom.field.y + rom.field.h) // 8 - page.row
-page.x = rom.field.x + rom.field.w // 2 -- its middle, px
+if not hud.is_playing() then sys.show_whole(true) end
+
+page.col, page.row = 0, 0
+page.cols, page.rows = hud.cols, hud.rows
+page.x = rom.screen.w // 2              -- its middle, px
 page.low = page.rows < 36               -- no empty rows between rows
 page.IDLE = IDLE
 

@@ -1,11 +1,11 @@
--- screens/ending.lua - what stands there when all stages are cleared and the game has no ending of its own.
-local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
+-- screens/ending.lua - the ending of a game that declares none.
+local sys = ... -- functions for the standard library only; documented in src/script/api/api_sys.c
 local page = sys.read("menu/page")
 
 local OVER = 12 * 60 -- frames
-local SOON = 60      -- the first, in which nothing is asked
+local SOON = 60      -- frames in which buttons are ignored
 
--- The ships, side by side, coming up from below.
+-- Puts the ships side by side, below the screen's middle.
 local function put_ships(ships, row)
   local list = {}
   for i, kind in ipairs(ships) do
@@ -15,7 +15,7 @@ local function put_ships(ships, row)
   return list
 end
 
--- run: what was played: mode, difficulty, ships, scores, stages.
+-- run: the run that was cleared: mode, difficulty, ships, scores, stages.
 return function(run)
   local row = page.row + page.rows // 2
   page.begin()

@@ -1,15 +1,15 @@
--- screens/results.lua - what a stage brought, over its last picture: values run up to what they are, one after the
--- other, and then each player's grade is stamped below them, where the game gives grades.
-local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
+-- screens/results.lua - the results of a stage, over its last picture: values count up one after the other, and then
+-- each player's grade appears below them, if the game gives grades.
+local sys = ... -- functions for the standard library only; documented in src/script/api/api_sys.c
 local page = sys.read("menu/page")
 
-local SHORTEST, LONGEST = 60, 300 -- frames; in the first, fire is not asked: players still press it when a boss bursts
-local RUN, NEXT = 36, 10           -- frames that a value runs, and from one to the next
-local STAMP = 8                   -- frames that a grade takes to come, and is bright
-local GRADE = 5                   -- rows of it
+local SHORTEST, LONGEST = 60, 300 -- frames; fire is ignored at first, because players still press it when a boss dies
+local RUN, NEXT = 36, 10          -- frames that a value counts up, and from the start of one to that of the next
+local STAMP = 8                   -- frames that a grade flashes
+local GRADE, SIZE = 5, 3          -- rows of the grades, size of their letters
 
--- What stands there when nobody gives rows: { word, value of the first, value of the second } each; a value may be a
--- function that returns it.
+-- The rows if the game gives none: { word, player 1's value, player 2's value } each. A value may be a function that
+-- returns it.
 local function usual(players)
   local rows = { { "SCORE" }, { "GRAZE" }, { "LIVES" } }
   for p = 1, players do
@@ -25,7 +25,7 @@ local function value(n, age)
   return tostring(n * math.min(age, RUN) // RUN)
 end
 
--- What of a word fits beside the values, whole words of it.
+-- The first words of `word` that fit next to the values.
 local function beside(word, r, players, cols)
   local widest = 0
   for p = 1, players do widest = math.max(widest, sys.cells(value(r[p + 1], RUN))) end
@@ -53,7 +53,7 @@ local function draw_players(row)
   hud.put(page.col + page.cols - 3 - sys.cells(words[2]), row, words[2], hud.banks.bright)
 end
 
--- What was unlocked, each in a row of its own below the others.
+-- What was unlocked, each in a row below the others.
 local function draw_new(row, gap, n, new, age)
   for i, title in ipairs(new) do
     local bank, words = page.bank(1, age - NEXT * (n + i) - RUN, hud.banks.bright), text.lang("UNLOCKED: %s"):format(title)
@@ -62,10 +62,10 @@ local function draw_new(row, gap, n, new, age)
   end
 end
 
--- When the grades come: behind the last value.
+-- The frame in which the grades appear: after the last value.
 local function stamped(rows) return NEXT * (#rows - 1) + RUN + 10 end
 
--- The grades, in letters of two cells by two: one in the middle, or one for each player at their side.
+-- The grades: one at the right, or each player's at their side.
 local function draw_grades(row, grades, age)
   if age < 0 then return end
   if age == 0 then
@@ -77,12 +77,12 @@ local function draw_grades(row, grades, age)
   local word = text.lang("GRADE")
   for p, s in ipairs(grades) do
     local n = sys.cells(s)
-    local col = page.col + page.cols - 3 - 2 * n
+    local col = page.col + page.cols - 3 - SIZE * n
     if p == 1 and #grades > 1 then col = page.col + 3 end
-    hud.put(col, row + 2, s, bank, 2)
+    hud.put(col, row + 2, s, bank, SIZE)
   end
-  if #grades > 1 then return page.centre(row + 2, word, hud.banks.faint) end
-  hud.put(page.col + 3, row + 2, word, hud.banks.faint)
+  if #grades > 1 then return page.centre(row + 3, word, hud.banks.faint) end
+  hud.put(page.col + 3, row + 3, word, hud.banks.faint)
 end
 
 local function draw_page(title, rows, players, new, top, gap, age)
@@ -98,8 +98,8 @@ local function draw_page(title, rows, players, new, top, gap, age)
   return row + (#rows + #new) * gap
 end
 
--- title: a text; players: how many; stopped(): must it end at once? rows: see `usual`; nil: these. new:
--- titles of what was unlocked. grades: a text for each player, or nil.
+-- title: a text; players: how many; stopped(): whether to end at once; rows: see `usual`; new: titles of what was
+-- unlocked; grades: a text for each player, or nil.
 return function(title, players, stopped, rows, new, grades)
   rows, new = rows or usual(players), new or {}
   local words = hud.wrap(title, page.cols - 6)
@@ -108,15 +108,17 @@ return function(title, players, stopped, rows, new, grades)
   local h = n * gap + #words + (players > 1 and 6 or 4) + (grades and GRADE or 0)
   local top = page.row + math.max(3, (page.rows - h) // 3)
   local window = page.window(page.col + 1, top, page.cols - 2, h)
+  sys.hide_rows(true)
   screen.dim { share = 0.45, over = 12 }
   local at = stamped(rows)
   for age = 0, grades and at + LONGEST or LONGEST do
     page.grow(window, age)
-    local row = draw_page(title, rows, players, new, top, gap, age) -- each frame: a pause takes away what it stands on
+    local row = draw_page(title, rows, players, new, top, gap, age) -- every frame: a pause erases it
     if grades then draw_grades(row, grades, age - at) end
     wait(1)
     if stopped() or age > SHORTEST and page.pressed("fire") then break end
   end
   page.close(window)
+  sys.hide_rows(true, true)
   screen.dim { share = 0, over = 12 }
 end

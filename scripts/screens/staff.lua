@@ -1,18 +1,18 @@
--- screens/staff.lua - who made it: names that scroll by where the board has lines, else a page a part.
-local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
+-- screens/staff.lua - the staff roll: it scrolls if the board has lines of text; otherwise each part is a page.
+local sys = ... -- functions for the standard library only; documented in src/script/api/api_sys.c
 local page = sys.read("menu/page")
 
 local ROW = 12       -- px from one row to the next
 local GAP = 28       -- px between parts
-local SPEED = 0.5    -- px a frame; with fire held, more
-local FASTER = 4
-local STAY = 240     -- frames that a page stays
+local SPEED = 0.5    -- px a frame
+local FASTER = 4     -- times as fast while fire is held
+local STAY = 240     -- frames that a page is shown
 
 local function over() return page.pressed("start") end
 
 local function hurried() return pad.down("fire", 1) or pad.down("fire", 2) end
 
--- All rows of a roll: text, y from its top, what it is for.
+-- The rows of a roll: text, y from its top, bank. Returns its height, too.
 local function rows_of(parts)
   local rows, y = {}, 0
   for _, part in ipairs(parts) do
@@ -27,21 +27,21 @@ end
 
 local function put_line(row)
   row.line = text.line {
-    x = rom.field.w // 2, y = rom.field.h, text = text.lang(row.text), align = "center", bank = row.bank,
+    x = page.x, y = rom.screen.h, text = text.lang(row.text), align = "center", bank = row.bank, screen = true,
   }
 end
 
--- A line is there from below the field until above it: few are at a time.
+-- Only the lines on the screen exist.
 local function roll(parts)
   local rows, height = rows_of(parts)
   local first, last, y = 1, 0, 0
-  while y < height + rom.field.h + 2 * ROW and not over() do
+  while y < height + rom.screen.h + 2 * ROW and not over() do
     while rows[last + 1] and rows[last + 1].y <= y do
       last = last + 1
       put_line(rows[last])
     end
     for i = first, last do
-      rows[i].line.y = rom.field.h + rows[i].y - y
+      rows[i].line.y = rom.screen.h + rows[i].y - y
       if rows[i].line.y < -ROW then
         rows[i].line:remove()
         first = i + 1
@@ -69,7 +69,7 @@ local function show_page(part)
   return true
 end
 
--- parts: a list of { word, name, ... } each. START ends it, fire makes it faster.
+-- parts: a list of { heading, name, ... } each. START ends the roll; fire makes it faster.
 return function(parts)
   page.begin()
   if sys.on("text.line") then

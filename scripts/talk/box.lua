@@ -1,31 +1,26 @@
--- talk/box.lua - what a talk looks like: a plate at the foot of the field with the words on it, a plate with a name, two
--- portraits that stand on it, a list to choose from. Returns a function that makes one.
-local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
+-- talk/box.lua - the look of a talk: a plate at the bottom of the screen with the words, a plate with the speaker's
+-- name, two portraits behind them, and a list to choose from. Returns a function that makes one.
+local sys = ... -- functions for the standard library only; documented in src/script/api/api_sys.c
 
-local ROWS = 3   -- of words, two cells apart
-local TALL = 14  -- cells a portrait takes above the first row
-local HELD = 20  -- frames special is held before it skips
-local HURRY = 30 -- frames fire is held before it goes on by itself,
-local QUICK = 6  -- and from then on from one time to the next
-local AWAY = 40  -- px a portrait comes from, where the field goes to the screen's edge; elsewhere there is a panel
-local BLINK = 24 -- frames the mark is seen, and is not
+local ROWS = 3   -- rows of words, two cells apart
+local TALL = 14  -- rows of cells that a portrait takes above the first row
+local HELD = 20  -- frames that special is held before it skips the talk
+local HURRY = 30 -- frames that fire is held before it repeats,
+local QUICK = 6  -- and from then on from one repetition to the next
+local AWAY = 40  -- px that a portrait enters from
+local BLINK = 24 -- frames that the arrow is shown, and hidden
 local BEEP = 4   -- frames from one beep of a voice to the next, at least
-local PAN = 0.3  -- how far to its side a voice is heard
-local field = rom.field
+local PAN = 0.3  -- pan of a voice towards its speaker's side
 
--- Cells: the middle of the field, at most 40 wide.
-local field_col = (field.x + 7) // 8
-local field_cols = (field.x + field.w) // 8 - field_col
-local cols = math.max(8, math.min(field_cols - 4, 40))
-local left = field_col + (field_cols - cols) // 2
-local last = (field.y + field.h) // 8 - 3
+-- Cells: the middle of the screen, at most 40 wide.
+local cols = math.max(8, math.min(hud.cols - 4, 40))
+local left = (hud.cols - cols) // 2
+local last = hud.rows - 3
 local first = last - 2 * (ROWS - 1)
-local AWAY_LEFT = field.x > 0 and 0 or -AWAY
-local AWAY_RIGHT = field.x + field.w < rom.screen.w and 0 or AWAY
 local plate = { x = 8 * left - 10, y = 8 * first - 9, w = 8 * cols + 20, h = 16 * ROWS + 12 }
 local ARROW = hud.glyph(140, ">")
 
--- Rows of at most `width` cells; a newline begins a row.
+-- Breaks words into rows of at most `width` cells; a newline starts a row.
 local function rows_of(words, width)
   local rows = {}
   for line in (words .. "\n"):gmatch("(.-)\n") do
@@ -41,13 +36,13 @@ end
 
 return function(look, may_skip, fire)
   local t = {}
-  local sides, parts = {}, {} -- "left", "right" -> sprite, talker, x, y, where it stands; plates by what they are
-  local mark -- the mark blinks
-  local lines = {} -- what stands in a font
+  local sides, parts = {}, {} -- "left" or "right" -> { sprite, talker, x, y: its target }; plates by name
+  local mark -- age of the arrow that asks for a button; nil: it is not shown
+  local lines = {} -- words in a font
   local dimmed = screen.dim { share = look.dim, over = 12 }
-  sys.low() hud.banner() -- a plate stands where the hud's lowest rows do, a list where a banner does
+  sys.hide_rows() hud.banner() -- they would be over the plates
 
-  -- A plate outlives the scene it is made in: what was written on it is cleared with it.
+  -- Shows a plate. It outlives the scene in which it is made, because the text on it does.
   local function put_plate(key, x, y, w, h)
     local p = parts[key]
     if p then
@@ -69,7 +64,7 @@ return function(look, may_skip, fire)
 
   -- ---- portraits ----
 
-  -- Where the portrait of a side stands: on the plate, forward while it speaks.
+  -- Sets the target of a portrait: behind the plate, moved inwards while its character speaks.
   local function aim(side, speaks)
     local s = sides[side]
     local w, h, x, y = sys.size(s.sprite.sprite)
@@ -88,11 +83,11 @@ return function(look, may_skip, fire)
     if not s.sprite.alive then return nil end
     sides[side] = s
     aim(side, true)
-    s.sprite.x, s.sprite.y = s.x + (side == "left" and AWAY_LEFT or AWAY_RIGHT), s.y
+    s.sprite.x, s.sprite.y = s.x + (side == "left" and -AWAY or AWAY), s.y
     return s
   end
 
-  -- The one who talks comes, with that face; who stands on the other side steps back.
+  -- Shows the speaker's portrait with its face and moves the other one back.
   local function show(talker, a)
     local side = talker and (a.side or talker.side)
     if talker and talker.faces then
@@ -121,7 +116,7 @@ return function(look, may_skip, fire)
     if parts.name then parts.name.hidden = true end
     text.clear { col = left, row = first - 3, w = cols, h = 1 }
     if not talker then return end
-    local name = hud.wrap(text.lang(talker.name), cols - 2)[1] -- of a long one, the words that fit
+    local name = hud.wrap(text.lang(talker.name), cols - 2)[1] -- of a long name, the words that fit
     local n = sys.cells(name)
     local col = side == "right" and left + cols - 1 - n or left + 1
     put_plate("name", 8 * col - 9, 8 * first - 29, 8 * n + 18, 23)
@@ -130,7 +125,7 @@ return function(look, may_skip, fire)
 
   local function hurries(p) return fire[p] and fire[p] >= HURRY and (fire[p] - HURRY) % QUICK == 0 end
 
-  -- Waits so many frames, or until fire is pressed, or held for long: true.
+  -- Waits n frames. Returns true as soon as fire is pressed or repeats.
   local function answered(n)
     for _ = 1, n do
       wait(1)
@@ -139,13 +134,13 @@ return function(look, may_skip, fire)
     return false
   end
 
-  -- Of who talks, from its side: with each letter, but not faster than it can be heard.
+  -- Beeps with each letter, but at most once in BEEP frames.
   local function speak(a, n)
     local every = a.letter < BEEP and -(-BEEP // math.max(a.letter, 1)) or 1
     if a.beep and n % every == 0 then sys.cue(a.beep, a.pan) end
   end
 
-  -- A letter every so many frames; fire shows what is left at once.
+  -- Types the rows, a letter every a.letter frames; fire shows the rest at once.
   local function come(a, rows)
     local hurry, letter, n = a.letter == 0, a.letter, 0
     for i, row in ipairs(rows) do
@@ -210,7 +205,7 @@ return function(look, may_skip, fire)
 
   local function stepped(button, p) return pressed("repeated", button, p) end
 
-  -- Where the list stands: columns and rows of the cells; of each item its rows of text and the first one's row.
+  -- Returns the list's place in cells, and each item's rows of text and its first row.
   local function lay_out(items, title)
     local l = { items = {}, w = 0, h = 0 }
     for i, item in ipairs(items) do
@@ -225,8 +220,7 @@ return function(look, may_skip, fire)
     local above = #l.title > 0 and #l.title + 1 or 0
     l.col = left + (cols - l.w) // 2
     l.rows = above + l.h
-    local middle = (field.y + field.h // 2) // 8 - l.rows // 2
-    l.top = math.max(field.y // 8 + 5, math.min(middle, first - TALL - l.rows)) -- over the heads, if there is room
+    l.top = math.max(5, math.min((hud.rows - l.rows) // 2, first - TALL - l.rows)) -- above the heads, if it fits
     for _, item in ipairs(l.items) do item.row = item.row + l.top + above end
     return l
   end
@@ -279,10 +273,10 @@ return function(look, may_skip, fire)
     while true do
       step()
       blink()
-      local goes_on = fire.seen == sys.clock() - 1 -- the talk before ended right now
+      local follows_talk = fire.seen == sys.clock() - 1 -- the talk before ended in this frame
       fire.seen = sys.clock()
       for p = 1, 2 do
-        local since = sys.pad("pressed", "fire", p) and 0 or goes_on and fire[p]
+        local since = sys.pad("pressed", "fire", p) and 0 or follows_talk and fire[p]
         fire[p] = since and sys.pad("down", "fire", p) and since + 1 or nil
       end
       held = pressed("down", "special") and held + 1 or 0
@@ -294,8 +288,7 @@ return function(look, may_skip, fire)
     end
   end)
 
-  -- Takes it all away; where the screen was wiped there is nothing, and what stands there now is another's. last_one:
-  -- the dim is this talk's.
+  -- Removes everything, unless the screen was wiped: then other text may be there. last_one: the dim is this talk's.
   function t.close(last_one)
     task.stop(watch)
     local there = not parts.words or parts.words.alive
@@ -305,7 +298,7 @@ return function(look, may_skip, fire)
     end
     for _, p in pairs(parts) do p:remove() end
     for _, s in pairs(sides) do s.sprite:remove() end
-    sys.low(true)
+    sys.hide_rows(false, true)
     if last_one and there then screen.dim { share = dimmed, over = 12 } end
   end
 

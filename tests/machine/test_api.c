@@ -953,7 +953,7 @@ static int setup(void **state)
     snprintf(m.dips[0].name, sizeof m.dips[0].name, "odd");
     m.dips[0].is_number = true;
     m.dips[0].hi = 9;
-    m.lua_kib = 512;
+    m.lua_kib = 640;
     m.has_freeze = m.bullets_can_meet = m.has_backgrounds = m.has_bodies = m.has_pierce = m.has_sound = 1;
     m.items = 40;
     m.lasers = 12;

@@ -96,7 +96,7 @@ rendered() { # FOLDER OPTION...: the demo's last frame
     "$curtain" render "$play_rom" --demo one.demo --frames "$frame" "${@:2}" -o "$1"
 }
 mkdir -p data/curtain
-printf '%s\n' 'dim = half' 'colours = protan' 'flashes = soft' >data/curtain/curtain.conf
+printf '%s\n' 'dim = half' 'colours = protan' 'flashes = soft' 'border = no' >data/curtain/curtain.conf
 if start "Glass Tide" "$OUT/curtain" play "$play_rom" --seed 0 --scale 2 --mute --record one.demo; then
     timeout 100 xdotool windowsize --sync "$win" 601 777
     for key in Return Return z z z z z z z z; do # more than there are menus: in the game it is fire

@@ -548,20 +548,20 @@ static const struct api_doc_name doc_names[] = {
     { "game.frames", HELP("frames since the game started") },
     { "hud.banks",
       HELP("palette banks of text in the HUD, menus and dialogue: plain, bright, faint, alarm; set them in main.lua") },
-    { "hud.low",
-      HELP("rows left free below the registers at the lower edge of the field; set it in main.lua; initially 1") },
+    { "hud.low", HELP("rows of 8 px left free below the registers at the lower edge of the field; set it in main.lua; "
+                      "initially 2") },
     { "hud.shy", HELP("distance in px within which a ship hides the registers at the lower edge of the field; set it "
                       "in main.lua; initially 0") },
     { "hud.gone", HELP("list with an entry for each player: true while the player's registers at the lower edge of the "
                        "field are hidden; use it to hide the game's own displays, too") },
-    { "hud.graze", HELP("word before the graze count; set it in main.lua; false shows a star") },
+    { "hud.graze", HELP("word before the graze count; set it in main.lua; initially GRAZE") },
     { "hud.cols", HELP("width of the screen in cells of 8 px") },
     { "hud.rows", HELP("height of the screen in cells of 8 px") },
     { "hud.banner(lines?, frames?)",
       HELP("shows a banner, a list of texts in the middle of the field; without `lines`, removes the banner") },
     { "hud.centre(row, text, bank?, first?, cols?)",
-      HELP("translates a text and centres it on the screen, or in `cols` cells from column `first`; wraps a text that "
-           "is too long; returns the row below the text") },
+      HELP("translates a text and centres it on the field during play, otherwise on the screen, or in `cols` cells "
+           "from column `first`; wraps a text that is too long; returns the row below the text") },
     { "talk.look", HELP("look of dialogue: dim, bank, font; set them in main.lua") },
     { "rom.title", HELP("title of the game") },
     { "rom.field", HELP("playfield: x, y, w, h in px; x and y are its position on the screen") },

@@ -282,7 +282,7 @@ const char *annotation_plain(const char *name)
                  { "hud.low", "integer" },
                  { "hud.shy", "integer" },
                  { "hud.gone", "boolean[]" },
-                 { "hud.graze", "string|false" },
+                 { "hud.graze", "string" },
                  { "hud.cols", "integer" },
                  { "hud.rows", "integer" },
                  { "talk.look", "{ dim: number, bank: integer, font?: font_name }" },
