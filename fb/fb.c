@@ -87,6 +87,26 @@ void fb_outline(struct fb *fb, int x, int y, int w, int h, uint8_t c)
     fill_rect(fb, x1 - 1, y, x1, y1, c);
 }
 
+/* Draws a rectangle with rounded corners: its first and last three rows are inset by inset[0..2] px, outermost
+ * first. */
+static void draw_rounded_rect(struct fb *fb, int x, int y, int w, int h, const int inset[3], uint8_t colour)
+{
+    for (int k = 0; k < 3; k++) {
+        fb_fill_rect(fb, x + inset[k], y + k, w - 2 * inset[k], 1, colour);
+        fb_fill_rect(fb, x + inset[k], y + h - 1 - k, w - 2 * inset[k], 1, colour);
+    }
+    fb_fill_rect(fb, x, y + 3, w, h - 6, colour);
+}
+
+void fb_plate(struct fb *fb, int x, int y, int w, int h, uint8_t inside, uint8_t rim)
+{
+    static const int edge[3] = { 3, 1, 1 }, middle[3] = { 2, 1, 0 }, inner[3] = { 1, 0, 0 };
+
+    draw_rounded_rect(fb, x, y, w, h, edge, inside);
+    draw_rounded_rect(fb, x + 1, y + 1, w - 2, h - 2, middle, rim);
+    draw_rounded_rect(fb, x + 2, y + 2, w - 4, h - 4, inner, inside);
+}
+
 /* One axis of a line: its start, its direction, its length, and the steps that are inside the clip. */
 struct axis {
     int64_t start, sign, length; /* 0 <= length < 2^32 */

@@ -18,7 +18,7 @@ static bool has_ink(const uint8_t *glyph)
     return pixels != 0;
 }
 
-static const uint8_t *find_glyph(const struct font *font, uint32_t code)
+const uint8_t *text_find_glyph(const struct font *font, uint32_t code)
 {
     uint32_t i = code - (uint32_t)font->first;
 
@@ -26,11 +26,6 @@ static const uint8_t *find_glyph(const struct font *font, uint32_t code)
         return NULL;
     const uint8_t *glyph = font->glyphs + (size_t)i * TEXT_SIDE * TEXT_SIDE;
     return has_ink(glyph) ? glyph : NULL;
-}
-
-bool text_has_glyph(const struct font *font, uint32_t code)
-{
-    return find_glyph(font, code) != NULL;
 }
 
 bool text_is_closing_punctuation(uint32_t code)
@@ -48,7 +43,7 @@ void text_draw_glyph(struct fb *fb, const struct font *font, int x, int y, uint3
 {
     if (text_is_blank(code))
         return;
-    const uint8_t *glyph = find_glyph(font, code);
+    const uint8_t *glyph = text_find_glyph(font, code);
     struct image image = { glyph, TEXT_SIDE, TEXT_SIDE, TEXT_SIDE };
 
     if (glyph)
@@ -99,7 +94,7 @@ static void draw_unclipped_rim(uint8_t *d, int pitch, const uint8_t *glyph, uint
 
 void text_draw_rim(struct fb *fb, const struct font *font, int x, int y, uint32_t code, uint8_t rim)
 {
-    const uint8_t *glyph = text_is_blank(code) ? NULL : find_glyph(font, code);
+    const uint8_t *glyph = text_is_blank(code) ? NULL : text_find_glyph(font, code);
     struct image image = { glyph, TEXT_SIDE, TEXT_SIDE, TEXT_SIDE };
 
     if (!glyph)

@@ -22,8 +22,13 @@ void text_draw_glyph(struct fb *fb, const struct font *font, int x, int y, uint3
  * shadow. */
 void text_draw_box(struct fb *fb, int x, int y, int w, int h, uint8_t bank);
 
-/* Returns whether the code has a glyph that draws a pixel. */
-bool text_has_glyph(const struct font *font, uint32_t code);
+/* Returns the pixels of the code's glyph, TEXT_SIDE * TEXT_SIDE bytes; NULL if it has none that draws a pixel. */
+const uint8_t *text_find_glyph(const struct font *font, uint32_t code);
+
+static inline bool text_has_glyph(const struct font *font, uint32_t code)
+{
+    return text_find_glyph(font, code) != NULL;
+}
 
 /* Returns whether the code is closing punctuation, which never starts a row. */
 bool text_is_closing_punctuation(uint32_t code);

@@ -17,6 +17,7 @@
 #include "../../fb/text.h"
 #include "../sound/adpcm.h"
 #include "../sound/tune.h"
+#include "theme.h"
 
 /* Returns the index of the lump named folder + name + suffix, or -1. */
 static int find_index(const struct rom *rom, const char *folder, const char *name, const char *suffix)
@@ -476,6 +477,13 @@ static void find_sounds(struct cart *c)
     }
 }
 
+static bool check_theme(const struct cart *c, char *err, size_t err_size)
+{
+    struct lump l;
+
+    return !find_lump(c->rom, "", THEME_LUMP, "", &l) || theme_check(c, &l, err, err_size);
+}
+
 bool cart_open(struct cart *cart, const struct rom *rom, char *err, size_t err_size)
 {
     cart->rom = rom;
@@ -483,7 +491,7 @@ bool cart_open(struct cart *cart, const struct rom *rom, char *err, size_t err_s
         !open_colour_tables(cart, err, err_size) || !open_font(cart, err, err_size))
         return false;
     find_sounds(cart);
-    return true;
+    return check_theme(cart, err, err_size);
 }
 
 void cart_sprite(const struct cart *cart, int i, struct sprite *out)
@@ -531,17 +539,44 @@ struct face cart_face(const struct cart *cart, int i)
     return face_of(get_lump(cart, CART_FACES, i).data);
 }
 
+/* Converts a glyph of the font of text cells. y: px from the line's top. */
+static bool find_cell_glyph(const struct cart *cart, uint32_t code, int y, struct face_glyph *g)
+{
+    const struct font font = { cart->glyphs, CART_FIRST_CHAR, cart->n_glyphs };
+    const uint8_t *pix = text_find_glyph(&font, code);
+
+    if (pix)
+        *g = (struct face_glyph){ pix, TEXT_SIDE, TEXT_SIDE, TEXT_SIDE, 0, y, TEXT_SIDE };
+    return pix != NULL;
+}
+
+bool cart_find_glyph(const struct cart *cart, const struct face *face, uint32_t code, struct face_glyph *g)
+{
+    const int side = face ? face->height : TEXT_SIDE;
+
+    if (face && face_find(face, code, g))
+        return true;
+    if (text_is_blank(code)) {
+        *g = (struct face_glyph){ .advance = face && code != 0x3000 ? side / 3 : side };
+        return true;
+    }
+    if (!face && find_cell_glyph(cart, code, 0, g))
+        return true;
+    for (int i = 0; i < cart->count[CART_FACES]; i++) {
+        const struct face other = cart_face(cart, i);
+        if (!face_find(&other, code, g))
+            continue;
+        g->y += side - other.height;
+        return true;
+    }
+    return find_cell_glyph(cart, code, side - TEXT_SIDE, g);
+}
+
 bool cart_has_glyph(const struct cart *cart, uint32_t code)
 {
-    struct font font = { cart->glyphs, CART_FIRST_CHAR, cart->n_glyphs };
     struct face_glyph g;
-    bool is_found = text_is_blank(code) || text_has_glyph(&font, code);
 
-    for (int i = 0; i < cart->count[CART_FACES] && !is_found; i++) {
-        struct face face = cart_face(cart, i);
-        is_found = face_find(&face, code, &g);
-    }
-    return is_found;
+    return cart_find_glyph(cart, NULL, code, &g);
 }
 
 uint32_t cart_tune_offset(const struct cart *cart, enum cart_folder folder, int i)

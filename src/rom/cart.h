@@ -27,6 +27,7 @@
  *                         bytes; struct map); cols * rows tile numbers, u16, row by row; a byte per tile, 1: solid,
  *                         none of its pixels is transparent; then the tiles, tile_side * tile_side bytes each. Tile 0
  *                         is empty; all_solid: 1 if the tiles of all cells are solid
+ *         ui/theme        the look of the program's screens: theme.h
  *         demo/X          demos
  *         tune/X          a piece of music: tune.h; ticks read this lump
  *         sound/X         a sound: tune.h, with its samples at the end
@@ -202,6 +203,12 @@ size_t cart_wave_size(const struct cart *cart, int i);
 /* Returns the place of the recording that an instrument of the tune at place `tune` plays; 0: none. inst: the
  * instrument's bytes in the tune. */
 uint32_t cart_recording_offset(const struct cart *cart, uint32_t tune, const uint8_t *inst);
+
+/* Finds the glyph of a character in one of the game's proportional fonts, or in the font of text cells if face is NULL.
+ * If that font has no such glyph, uses the first of `fonts` that has one, then the font of text cells; such a glyph is
+ * aligned with the bottom of the line. A blank without a glyph has no pixels. Returns false if no font has the
+ * character. */
+bool cart_find_glyph(const struct cart *cart, const struct face *face, uint32_t code, struct face_glyph *out);
 
 /* Returns whether a font of the game can show the character. Blanks can always be shown. */
 bool cart_has_glyph(const struct cart *cart, uint32_t code);

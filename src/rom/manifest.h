@@ -177,10 +177,22 @@ bool art_is_recording(const char *file);
 /* Returns whether file is the name of an Aseprite file, .ase or .aseprite; other pictures are PNG. */
 bool art_is_ase(const char *file);
 
+/* `theme`: the look and the sounds of the program's screens (theme.h). */
+enum { THEME_DEFAULT = -1 };
+enum theme_sound { THEME_OPEN, THEME_MOVE, THEME_ACCEPT, THEME_BACK, THEME_SOUNDS };
+struct art_theme {
+    bool is_set;
+    int32_t ink, accent; /* palette banks of text, 0 to 15, or THEME_DEFAULT */
+    int32_t paper;       /* palette entry of the background, 0 to 255, or THEME_DEFAULT */
+    uint32_t cursor;     /* the character in front of the chosen row; 0: the default */
+    char font[ART_NAME_SIZE], frame[ART_NAME_SIZE], sounds[THEME_SOUNDS][ART_NAME_SIZE]; /* "": the default */
+};
+
 struct art {
     char palette[ART_FILE_SIZE], font[ART_FILE_SIZE], border[ART_FILE_SIZE]; /* "": none */
     bool by_index;            /* of the font, and the default for other pictures */
     char icon[ART_FILE_SIZE]; /* a .png file, or the name of a sprite; "": none */
+    struct art_theme theme;
     struct art_palette palettes[MAX_ART_PALETTES];
     struct art_blend blends[MAX_ART_BLENDS];
     struct art_font fonts[MAX_ART_FONTS];

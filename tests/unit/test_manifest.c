@@ -356,6 +356,40 @@ TEST(art_errors)
         "sprites.a.origin: expected { x, y }");
 }
 
+TEST(theme)
+{
+    const struct art_theme *t = &read_good("return {}")->art.theme;
+
+    assert_false(t->is_set);
+    assert_int_equal(t->ink, THEME_DEFAULT);
+    t = &read_good("return { fonts = { body = { file = 'b.bdf' } }, sounds = { tick = { mml = 'c' } },"
+                   "sheets = { s = { file = 's.png' } }, sprites = { panel = { sheet = 's', w = 9, h = 9 } },"
+                   "theme = { font = 'body', frame = 'panel', cursor = '\\u{2605}', ink = 2, accent = 15,"
+                   "sounds = { back = 'tick' } } }")
+             ->art.theme;
+    assert_true(t->is_set);
+    assert_int_equal(t->ink, 2);
+    assert_int_equal(t->accent, 15);
+    assert_int_equal(t->paper, THEME_DEFAULT);
+    assert_int_equal(t->cursor, 0x2605);
+    assert_string_equal(t->font, "body");
+    assert_string_equal(t->frame, "panel");
+    assert_string_equal(t->sounds[THEME_BACK], "tick");
+    assert_string_equal(t->sounds[THEME_MOVE], "");
+    assert_int_equal(read_good("return { theme = { cursor = '\\u{8c}' } }")->art.theme.cursor, 140);
+    entry_refused("theme = 5", "theme: expected a table, got 5");
+    entry_refused("theme = { inc = 5 }", "theme.inc: unknown key (did you mean \"ink\"?)");
+    entry_refused("theme = { ink = 16 }", "theme.ink: expected a whole number from 0 to 15, got 16");
+    entry_refused("theme = { accent = -1 }", "theme.accent: expected a whole number from 0 to 15, got -1");
+    entry_refused("theme = { paper = 256 }", "theme.paper: expected a whole number from 0 to 255, got 256");
+    entry_refused("theme = { font = 'body' }", "theme.font: \"body\" is not listed in fonts");
+    entry_refused("theme = { frame = 'panel' }", "theme.frame: \"panel\" is not listed in sprites");
+    entry_refused("theme = { cursor = '' }", "theme.cursor: expected one character, got \"\"");
+    entry_refused("theme = { cursor = '>>' }", "theme.cursor: expected one character, got \">>\"");
+    entry_refused("theme = { sounds = { open = 'tick' } }", "theme.sounds.open: \"tick\" is not listed in sounds");
+    entry_refused("theme = { sounds = { close = 'tick' } }", "theme.sounds.close: unknown key");
+}
+
 /* By index: said of one, of all, of all but one. And what a sprite of an .ase leaves to its file. */
 TEST(index_and_tags)
 {

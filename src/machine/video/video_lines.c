@@ -27,52 +27,16 @@ struct row {
     int width;
 };
 
-/* Converts a glyph of the cell font to a glyph of a face. Always returns true. */
-static bool make_cell_glyph(const struct font *font, uint32_t code, struct face_glyph *g, int y)
-{
-    *g = (struct face_glyph){ font->glyphs + (size_t)(code - (uint32_t)font->first) * CART_GLYPH_SIZE,
-                              TEXT_SIDE,
-                              TEXT_SIDE,
-                              TEXT_SIDE,
-                              0,
-                              y,
-                              TEXT_SIDE };
-    return true;
-}
-
-/* Finds the glyph of a code in the page's font. If that font has no glyph and the code is not blank, falls back to the
- * first of `fonts` that has one, then to the cell font; such a glyph is aligned with the bottom of the row. Returns
- * false if no font has a glyph. */
 static bool find_glyph(const struct page *p, uint32_t code, struct face_glyph *g)
 {
-    const int side = p->face.data ? p->face.height : TEXT_SIDE;
-
-    if (p->face.data && face_find(&p->face, code, g))
-        return true;
-    if (text_is_blank(code))
-        return false;
-    if (!p->face.data && text_has_glyph(&p->font, code))
-        return make_cell_glyph(&p->font, code, g, 0);
-    for (int i = 0; i < p->cart->count[CART_FACES]; i++) {
-        struct face face = cart_face(p->cart, i);
-        if (!face_find(&face, code, g))
-            continue;
-        g->y += side - face.height;
-        return true;
-    }
-    return text_has_glyph(&p->font, code) && make_cell_glyph(&p->font, code, g, side - TEXT_SIDE);
+    return cart_find_glyph(p->cart, p->face.data ? &p->face : NULL, code, g);
 }
 
 static int glyph_advance(const struct page *p, uint32_t code)
 {
-    const int side = p->face.data ? p->face.height : TEXT_SIDE;
     struct face_glyph g;
 
-    if (!p->face.data && text_is_blank(code))
-        return TEXT_SIDE;
-    if (find_glyph(p, code, &g))
-        return g.advance;
-    return text_is_blank(code) ? side / (code == 0x3000 ? 1 : 3) : side / 2 + 1;
+    return find_glyph(p, code, &g) ? g.advance : (p->face.data ? p->face.height : TEXT_SIDE) / 2 + 1;
 }
 
 /* Returns whether a code is opening punctuation, which never ends a row. */
@@ -228,7 +192,7 @@ static bool find_cell_glyph(const struct page *p, const struct fix *f, uint32_t 
 {
     uint8_t whole[CART_GLYPH_SIZE];
 
-    if (!find_glyph(p, fix_code(f, i), g))
+    if (!find_glyph(p, fix_code(f, i), g) || g->w == 0)
         return false;
     if (!(f->style[i] & FIX_PART))
         return true;

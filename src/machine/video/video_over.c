@@ -105,24 +105,8 @@ void video_shade(const struct draw_target *c)
     }
 }
 
-/* Draws a rectangle with rounded corners: its first and last three rows are inset by inset[0..2] px, outermost
- * first. */
-static void draw_rounded_rect(struct fb *fb, int x, int y, int w, int h, const int inset[3], uint8_t colour)
-{
-    for (int k = 0; k < 3; k++) {
-        fb_fill_rect(fb, x + inset[k], y + k, w - 2 * inset[k], 1, colour);
-        fb_fill_rect(fb, x + inset[k], y + h - 1 - k, w - 2 * inset[k], 1, colour);
-    }
-    fb_fill_rect(fb, x, y + 3, w, h - 6, colour);
-}
-
 void video_draw_plate(struct draw_target *c, int x, int y, int w, int h, uint8_t bank)
 {
-    static const int edge[3] = { 3, 1, 1 }, rim[3] = { 2, 1, 0 }, inside[3] = { 1, 0, 0 };
-    const uint8_t dark = (uint8_t)(bank * 16 + 1), light = (uint8_t)(bank * 16 + 10);
-
-    draw_rounded_rect(c->fb, x, y, w, h, edge, dark);
-    draw_rounded_rect(c->fb, x + 1, y + 1, w - 2, h - 2, rim, light);
-    draw_rounded_rect(c->fb, x + 2, y + 2, w - 4, h - 4, inside, dark);
+    fb_plate(c->fb, x, y, w, h, (uint8_t)(bank * 16 + 1), (uint8_t)(bank * 16 + 10));
     c->drawn_count++;
 }

@@ -7,6 +7,7 @@
 #include "manifest_parts.h"
 #include "ttf.h"
 #include "../../common/files.h"
+#include "../../../fb/utf8.h"
 
 static void read_palette(const struct manifest_value *v, void *entry, struct art *art)
 {
@@ -328,6 +329,76 @@ static void read_icon(const struct manifest_value *root, struct art *art)
         value_fail(&v, "expected a .png file or the name of a sprite, got \"%s\"", art->icon);
 }
 
+/* Raises an error if a name in `theme` is set and none of n entries, which start with their names, has it. */
+static void check_theme_name(const struct manifest_value *table, const char *key, const char *name, const void *entries,
+                             int n, size_t stride, const char *list)
+{
+    struct manifest_value v;
+
+    for (int i = 0; i < n; i++)
+        if (strcmp((const char *)entries + (size_t)i * stride, name) == 0)
+            return;
+    if (value_get(table, key, &v))
+        value_fail(&v, "\"%s\" is not listed in %s", name, list);
+}
+
+static void read_theme_sounds(const struct manifest_value *theme, struct art *art)
+{
+    static const struct manifest_field fields[] = {
+        TEXT("open", art_theme, sounds[THEME_OPEN], "a sound's name"),
+        TEXT("move", art_theme, sounds[THEME_MOVE], "a sound's name"),
+        TEXT("accept", art_theme, sounds[THEME_ACCEPT], "a sound's name"),
+        TEXT("back", art_theme, sounds[THEME_BACK], "a sound's name"),
+    };
+    struct manifest_value sounds;
+
+    if (!value_get_table(theme, "sounds", &sounds))
+        return;
+    READ_TABLE(&sounds, fields, NULL, &art->theme);
+    for (int i = 0; i < THEME_SOUNDS; i++)
+        check_theme_name(&sounds, fields[i].key, art->theme.sounds[i], art->sounds, art->n_sounds, sizeof *art->sounds,
+                         "sounds");
+}
+
+/* Reads the character in front of the chosen row. */
+static void read_cursor(const struct manifest_value *theme, struct art_theme *t)
+{
+    char text[8] = "";
+    const char *s = text;
+    struct manifest_value v;
+
+    if (!value_get(theme, "cursor", &v))
+        return;
+    value_to_text(&v, "a character", text, sizeof text);
+    t->cursor = text[0] ? utf8_next(&s, text + strlen(text)) : 0;
+    if (!t->cursor || *s)
+        value_fail(&v, "expected one character, got %s", value_describe(&v));
+}
+
+static void read_theme(const struct manifest_value *root, struct art *art)
+{
+    static const struct manifest_field fields[] = {
+        WHOLE("ink", art_theme, ink, 0, 15),
+        WHOLE("accent", art_theme, accent, 0, 15),
+        WHOLE("paper", art_theme, paper, 0, 255),
+        TEXT("font", art_theme, font, "a font's name"),
+        TEXT("frame", art_theme, frame, "a sprite's name"),
+    };
+    static const char *const others[] = { "cursor", "sounds", NULL };
+    struct art_theme *t = &art->theme;
+    struct manifest_value v;
+
+    t->ink = t->accent = t->paper = THEME_DEFAULT;
+    t->is_set = value_get(root, "theme", &v);
+    if (!t->is_set)
+        return;
+    READ_TABLE(&v, fields, others, t);
+    check_theme_name(&v, "font", t->font, art->fonts, art->n_fonts, sizeof *art->fonts, "fonts");
+    check_theme_name(&v, "frame", t->frame, art->sprites, art->n_sprites, sizeof *art->sprites, "sprites");
+    read_cursor(&v, t);
+    read_theme_sounds(&v, art);
+}
+
 /* The tables of named entries, ordered so that entries refer only to earlier tables. An entry starts with its name. */
 static const struct art_table {
     const char *key;
@@ -379,4 +450,5 @@ void manifest_read_art(const struct manifest_value *root, struct art *art)
         read_art_table(root, &art_tables[i], art);
     sort_sprites(root, art);
     read_icon(root, art);
+    read_theme(root, art);
 }

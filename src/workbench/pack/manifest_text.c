@@ -152,7 +152,7 @@ static void read_root(const struct manifest_value *root, struct manifest *m, str
     static const char *const others[] = { "version",  "players", "screen",       "field",      "board",  "palette",
                                           "palettes", "blends",  "font",         "fonts",      "sheets", "sprites",
                                           "dip",      "extends", "difficulties", "difficulty", "maps",   "sounds",
-                                          "music",    "border",  "match",        "icon",       NULL };
+                                          "music",    "border",  "match",        "icon",       "theme",  NULL };
     struct manifest_value v;
 
     READ_TABLE(root, fields, others, m);

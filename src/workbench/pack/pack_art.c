@@ -8,6 +8,7 @@
 #include "../../base/err.h"
 #include "../../common/result.h"
 #include "../../rom/cart.h"
+#include "../../rom/theme.h"
 #include "../../sound/tune.h"
 #include "blend.h"
 #include "bdf.h"
@@ -589,10 +590,20 @@ static bool add_icon(struct packer *p)
     return err_set(p->err, p->err_size, "%s: %s", icon, why);
 }
 
+static bool add_theme(struct packer *p)
+{
+    uint8_t lump[THEME_SIZE];
+
+    if (!p->art.theme.is_set)
+        return true;
+    theme_pack(&p->art.theme, lump);
+    return pack_add_copy(p, "", THEME_LUMP, lump, sizeof lump);
+}
+
 bool pack_add_art(struct packer *p)
 {
     if (!add_palettes(p) || !add_shades(p) || !add_blends(p) || !add_cell_font(p) || !add_proportional_fonts(p) ||
-        !add_border(p) || !add_icon(p))
+        !add_border(p) || !add_icon(p) || !add_theme(p))
         return false;
     for (int i = 0; i < p->art.n_sheets; i++) {
         pack_progress(p, p->art.sheets[i].file);
