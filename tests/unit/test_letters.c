@@ -156,44 +156,23 @@ TEST(texts_are_as_wide_as_they_say)
         struct ink ink;
         clear(NULL);
         assert_int_equal(canvas_large_text(&canvas, 9, MIDDLE, CANVAS_CYAN, texts[i]),
-                         9 + canvas_large_text_width(texts[i]) + CANVAS_LARGE_LETTER_SPACING);
+                         9 + canvas_large_text_width(&canvas, texts[i]) + CANVAS_LARGE_LETTER_SPACING);
         ink = look(CANVAS_CYAN);
         assert_int_equal(ink.x0, 9);
-        assert_int_equal(ink.x1, 9 + canvas_large_text_width(texts[i]) - 1);
+        assert_int_equal(ink.x1, 9 + canvas_large_text_width(&canvas, texts[i]) - 1);
         assert_true(ink.y0 >= MIDDLE - CANVAS_LARGE_ACCENT_HEIGHT && ink.y1 < MIDDLE + CANVAS_LARGE_HEIGHT);
     }
-    assert_int_equal(canvas_large_text_width(""), 0);
+    assert_int_equal(canvas_large_text_width(&canvas, ""), 0);
     assert_int_equal(canvas_large_text(&canvas, 5, 5, CANVAS_RED, ""), 5);
-    assert_int_equal(canvas_large_text_width("H\tH"), canvas_large_text_width("H  H"));
-    assert_int_equal(canvas_large_text_width("H\xC2\xA0H"), canvas_large_text_width("H H"));
+    assert_int_equal(canvas_large_text_width(&canvas, "H\tH"), canvas_large_text_width(&canvas, "H  H"));
+    assert_int_equal(canvas_large_text_width(&canvas, "H\xC2\xA0H"), canvas_large_text_width(&canvas, "H H"));
     assert_true(CANVAS_LARGE_LINE_HEIGHT >= CANVAS_LARGE_ACCENT_HEIGHT + CANVAS_LARGE_HEIGHT);
-}
-
-/* A pixel of the rim is dark and beside ink, the ink is as without a rim. */
-TEST(a_rim_is_round_the_ink)
-{
-    static bool plain[W * H];
-
-    canvas_large_text(&canvas, 5, 20, CANVAS_YELLOW, "Curtain \xC3\x84y");
-    for (int i = 0; i < W * H; i++)
-        plain[i] = inked(i % W, i / W, CANVAS_YELLOW);
-    clear(NULL);
-    canvas_large_text_outlined(&canvas, 5, 20, CANVAS_YELLOW, "Curtain \xC3\x84y");
-    for (int y = 1; y < H - 1; y++) {
-        for (int x = 1; x < W - 1; x++) {
-            bool near = false;
-            for (int k = 0; k < 9; k++)
-                near |= plain[(y + k / 3 - 1) * W + x + k % 3 - 1];
-            assert_int_equal(inked(x, y, CANVAS_YELLOW), plain[y * W + x]);
-            assert_int_equal(inked(x, y, CANVAS_DARK), near && !plain[y * W + x]);
-        }
-    }
 }
 
 TEST(what_does_not_fit_is_cut)
 {
     static const char text[] = "a replay with quite a long name";
-    int whole = canvas_large_text_width(text);
+    int whole = canvas_large_text_width(&canvas, text);
 
     for (int width = 8; width < whole; width++) {
         clear(NULL);
@@ -209,21 +188,21 @@ TEST(what_does_not_fit_is_cut)
 TEST(lines_break_after_blanks)
 {
     static const char text[] = "one two three\nfour";
-    int w = canvas_large_text_width("one two t");
+    int w = canvas_large_text_width(&canvas, "one two t");
 
-    assert_int_equal(canvas_large_text_fit(text, w), 8);
-    assert_int_equal(canvas_large_text_fit(text, 1000), 13);
-    assert_int_equal(canvas_large_text_fit("one two", canvas_large_text_width("one")), 4);
-    assert_int_equal(canvas_large_text_fit("a verylongword", canvas_large_text_width("a verylo")), 8);
-    assert_int_equal(canvas_large_text_fit("\xC3\x84\xC3\x84", 1), 2);
-    assert_int_equal(canvas_large_text_fit("", 50), 0);
-    assert_int_equal(canvas_large_text_wrapped(NULL, 0, 0, w, CANVAS_RED, text), 3);
-    assert_int_equal(canvas_large_text_wrapped(NULL, 0, 0, w, CANVAS_RED, "one\n\ntwo"), 3);
+    assert_int_equal(canvas_large_text_fit(&canvas, text, w), 8);
+    assert_int_equal(canvas_large_text_fit(&canvas, text, 1000), 13);
+    assert_int_equal(canvas_large_text_fit(&canvas, "one two", canvas_large_text_width(&canvas, "one")), 4);
+    assert_int_equal(canvas_large_text_fit(&canvas, "a verylongword", canvas_large_text_width(&canvas, "a verylo")), 8);
+    assert_int_equal(canvas_large_text_fit(&canvas, "\xC3\x84\xC3\x84", 1), 2);
+    assert_int_equal(canvas_large_text_fit(&canvas, "", 50), 0);
+    assert_int_equal(canvas_large_text_lines(&canvas, text, w), 3);
+    assert_int_equal(canvas_large_text_lines(&canvas, "one\n\ntwo", w), 3);
 }
 
 TEST(lines_stand_below_each_other)
 {
-    assert_int_equal(canvas_large_text_wrapped(&canvas, 4, 10, 30, CANVAS_GREEN, "HHH HHH\nHH"), 3);
+    canvas_large_text_wrapped(&canvas, 4, 10, 30, CANVAS_GREEN, "HHH HHH\nHH");
     const struct ink ink = look(CANVAS_GREEN);
     assert_true(ink.x0 == 4 && ink.x1 < 4 + 30);
     assert_int_equal(ink.y0, 10);
@@ -241,17 +220,16 @@ TEST(any_bytes)
         char text[300] = "";
         for (size_t i = rng_below(&r, sizeof text); i > 0; i--)
             text[i - 1] = (char)(n % 2 ? 32 + rng_below(&r, 95) : 1 + rng_below(&r, 255));
-        canvas_large_text_outlined(&canvas, x, y, CANVAS_RED, text);
         canvas_large_text_truncated(&canvas, x, y, CANVAS_RED, text, width);
         canvas_large_text_wrapped(&canvas, x, y, width, CANVAS_RED, text);
         for (const char *s = text; *s;) {
             char line[sizeof text] = "";
-            int fit = canvas_large_text_fit(s, 60 + width), ink = fit;
+            int fit = canvas_large_text_fit(&canvas, s, 60 + width), ink = fit;
             assert_true((fit > 0 || *s == '\n') && fit <= (int)strlen(s));
             while (ink > 0 && s[ink - 1] == ' ')
                 ink--;
             memcpy(line, s, (size_t)ink);
-            assert_true(canvas_large_text_width(line) <= 60 + width);
+            assert_true(canvas_large_text_width(&canvas, line) <= 60 + width);
             s += fit + (s[fit] == '\n');
         }
     }

@@ -254,7 +254,7 @@ TEST(what_was_held_before_means_nothing)
     show();
     in.mouse_buttons = 1;
     in.mouse_x = screens.list.x + 9;
-    in.mouse_y = screens.list.y + screen_row_height() + 2;
+    in.mouse_y = screens.list.y + screens.row_height + 2;
     for (int i = 0; i < 100; i++)
         poll(&in, PAD_FIRE | PAD_DOWN);
     assert_int_equal(list.accepted, -1);
@@ -422,12 +422,54 @@ TEST(the_list_follows)
     }
 }
 
+/* ---- sounds ---- */
+
+/* The sound of the last input; -1: none. */
+static int sounded(void)
+{
+    int which = -1;
+
+    for (int i = 0; i < THEME_SOUNDS; i++) {
+        assert_true(!screens.sounded[i] || which < 0);
+        which = screens.sounded[i] ? i : which;
+        screens.sounded[i] = false;
+    }
+    return which;
+}
+
+TEST(inputs_have_sounds)
+{
+    open_list("  =-");
+    assert_int_equal(sounded(), THEME_OPEN);
+    rest();
+    assert_int_equal(sounded(), -1);
+    tap(DOWN);
+    assert_int_equal(sounded(), THEME_MOVE);
+    tap(RIGHT); /* the row does not change */
+    assert_int_equal(sounded(), -1);
+    tap(ENTER);
+    assert_int_equal(sounded(), THEME_ACCEPT);
+    tap(DOWN);
+    sounded();
+    tap(RIGHT);
+    assert_int_equal(sounded(), THEME_MOVE);
+    tap(DOWN);
+    sounded();
+    tap(ENTER); /* a row that cannot be accepted */
+    assert_int_equal(sounded(), -1);
+    screens_open(&screens, &all, &list);
+    assert_int_equal(sounded(), -1); /* it is above another, whose accepting has sounded */
+    rest();
+    tap(ESCAPE);
+    assert_int_equal(sounded(), THEME_BACK);
+}
+
 /* ---- the mouse ---- */
 
 static void point(int at, uint8_t buttons, int wheel)
 {
     poll(&(struct plat_input){ .mouse_x = screens.list.x + 20,
-                               .mouse_y = screens.list.y + at * screen_row_height() + screen_row_height() / 2,
+                               .mouse_y = screens.list.y + at * screens.row_height + screens.row_height / 2,
                                .mouse_buttons = buttons,
                                .wheel = wheel },
          0);

@@ -40,17 +40,17 @@ static void print_label(const char *label, int kind, char out[INPUT_CODE_NAME_SI
         out[0] = (char)(out[0] - 'a' + 'A');
 }
 
-static int width_of(const struct button_hint *h)
+static int width_of(const struct canvas *canvas, const struct button_hint *h)
 {
-    return canvas_large_text_width(h->label) + 2 * CAP + GAP + canvas_large_text_width(h->meaning);
+    return canvas_large_text_width(canvas, h->label) + 2 * CAP + GAP + canvas_large_text_width(canvas, h->meaning);
 }
 
-static int total_width(const struct button_hint *hint, int n)
+static int total_width(const struct canvas *canvas, const struct button_hint *hint, int n)
 {
     int w = n > 0 ? APART * (n - 1) : 0;
 
     for (int i = 0; i < n; i++)
-        w += width_of(&hint[i]);
+        w += width_of(canvas, &hint[i]);
     return w;
 }
 
@@ -58,7 +58,8 @@ static int total_width(const struct button_hint *hint, int n)
 static int draw_button(const struct canvas *canvas, int x, int y, const char *label, int kind)
 {
     const enum canvas_colour c = colour_of(label, kind);
-    const int w = canvas_large_text_width(label) + 2 * CAP, h = BUTTON_HINTS_HEIGHT - 2, round = kind >= 0 ? 2 : 1;
+    const int w = canvas_large_text_width(canvas, label) + 2 * CAP, h = BUTTON_HINTS_HEIGHT - 2,
+              round = kind >= 0 ? 2 : 1;
 
     for (int i = 0; i < round; i++)
         canvas_rect(canvas, x + round - i, y + i, w - 2 * (round - i), h - 2 * i, c);
@@ -75,13 +76,13 @@ void button_hints_draw(const struct canvas *canvas, int y, struct button_hint *h
         print_label(hint[i].label, kind, label);
         memcpy(hint[i].label, label, sizeof label);
     }
-    while (n > 1 && total_width(hint, n) > canvas->fb->w)
+    while (n > 1 && total_width(canvas, hint, n) > canvas->fb->w)
         n--;
-    int x = (canvas->fb->w - total_width(hint, n)) / 2;
+    int x = (canvas->fb->w - total_width(canvas, hint, n)) / 2;
     canvas_rect(canvas, 0, y, canvas->fb->w, BUTTON_HINTS_HEIGHT, CANVAS_DARK);
     for (int i = 0; i < n; i++) {
         x = draw_button(canvas, x, y + 1, hint[i].label, kind) + GAP;
         canvas_large_text(canvas, x, y + 3, CANVAS_WHITE, hint[i].meaning);
-        x += canvas_large_text_width(hint[i].meaning) + APART;
+        x += canvas_large_text_width(canvas, hint[i].meaning) + APART;
     }
 }

@@ -5,9 +5,13 @@
 
 #include <stdbool.h>
 #include <stdint.h>
+#include <string.h>
+#include "../../../fb/blit.h"
 #include "../../base/fx.h"
 #include "../../base/geom.h"
 #include "../../base/int.h"
+#include "../../machine/video/pal.h"
+#include "letters.h"
 
 enum { GLYPH_H = 6, GLYPH_W = 3 };
 
@@ -67,41 +71,144 @@ static uint8_t nearest(const uint32_t rgb[256], const bool taken[256], int entry
     for (int i = 0; i < 256; i++)
         if (!taken[i] && (best < 0 || distance(rgb[i], rgb[entry]) < distance(rgb[best], rgb[entry])))
             best = i;
-    return (uint8_t)best;
+    return (uint8_t)(best < 0 ? entry : best);
 }
 
-static void replace_entries(struct fb *fb, const uint8_t to[256])
+/* Gives pixels that use a taken entry the nearest other one. */
+static void free_entries(const struct fb *fb, const uint32_t rgb[256], const uint32_t count[256], const bool taken[256])
 {
-    for (int y = 0; y < fb->h; y++)
+    uint8_t to[256];
+    bool seen = false;
+
+    for (int i = 0; i < 256; i++) {
+        const bool moves = taken[i] && count[i];
+        to[i] = moves ? nearest(rgb, taken, i) : (uint8_t)i;
+        seen = seen || moves;
+    }
+    for (int y = 0; y < fb->h && seen; y++)
         for (int x = 0; x < fb->w; x++)
             fb->pix[y * fb->pitch + x] = to[fb->pix[y * fb->pitch + x]];
+}
+
+static struct canvas plain_canvas(struct fb *fb, uint32_t rgb[256])
+{
+    fb_reset_clip(fb);
+    return (struct canvas){ .fb = fb,
+                            .rgb = rgb,
+                            .ascent = CANVAS_LARGE_ACCENT_HEIGHT,
+                            .capital_height = LETTER_CAPITAL_HEIGHT,
+                            .descent = CANVAS_LARGE_HEIGHT - LETTER_CAPITAL_HEIGHT };
 }
 
 void canvas_open(struct canvas *canvas, struct fb *fb, uint32_t rgb[256])
 {
     uint32_t count[256] = { 0 };
-    bool taken[256] = { false }, seen = false;
-    uint8_t to[256];
-    *canvas = (struct canvas){ .fb = fb, .rgb = rgb };
-    fb_reset_clip(fb);
+
+    *canvas = plain_canvas(fb, rgb);
     count_pixels(fb, count);
     for (int i = 0; i < CANVAS_COLOURS; i++) {
-        canvas->colour[i] = (uint8_t)least_used(count, taken);
-        taken[canvas->colour[i]] = true;
-        seen = seen || count[canvas->colour[i]] > 0;
+        canvas->colour[i] = (uint8_t)least_used(count, canvas->own);
+        canvas->own[canvas->colour[i]] = true;
     }
-    for (int i = 0; i < 256; i++)
-        to[i] = taken[i] && count[i] ? nearest(rgb, taken, i) : (uint8_t)i;
-    if (seen)
-        replace_entries(fb, to);
+    free_entries(fb, rgb, count, canvas->own);
     for (int i = 0; i < CANVAS_COLOURS; i++)
         rgb[canvas->colour[i]] = colours[i];
 }
 
 void canvas_set_colour_blind_mode(const struct canvas *canvas, enum colour_blind_mode mode)
 {
-    for (int i = 0; i < CANVAS_COLOURS; i++)
-        canvas->rgb[canvas->colour[i]] = view_adjust_colour(mode, colours[i]);
+    for (int i = 0; i < 256; i++)
+        if (canvas->own[i])
+            canvas->rgb[i] = view_adjust_colour(mode, canvas->rgb[i]);
+}
+
+void canvas_add_colours(const struct canvas *canvas, const uint32_t *added, int n, uint8_t *entries)
+{
+    uint32_t count[256] = { 0 };
+    bool taken[256];
+    int fitting = 0;
+
+    memcpy(taken, canvas->own, sizeof taken);
+    count_pixels(canvas->fb, count);
+    for (int at; fitting < n && (at = least_used(count, taken)) >= 0; taken[at] = true)
+        entries[fitting++] = (uint8_t)at;
+    for (int i = 0; i < 256; i++)
+        count[i] = canvas->own[i] ? 0 : count[i]; /* the canvas's own pixels stay */
+    free_entries(canvas->fb, canvas->rgb, count, taken);
+    for (int i = 0; i < fitting; i++)
+        canvas->rgb[entries[i]] = added[i];
+    for (int i = fitting; i < n; i++) {
+        entries[i] = entries[0];
+        for (int k = 1; k < fitting; k++)
+            if (distance(added[k], added[i]) < distance(canvas->rgb[entries[i]], added[i]))
+                entries[i] = entries[k];
+    }
+}
+
+/* ---- themes ---- */
+
+enum { BANK = 16 };
+
+/* Takes the bank that the picture uses least. Returns its number. */
+static int take_bank(struct canvas *canvas, const uint32_t count[256])
+{
+    uint64_t least = UINT64_MAX;
+    int best = 0;
+
+    for (int bank = 0; bank < 256 / BANK; bank++) {
+        uint64_t used = 0;
+        for (int i = 0; i < BANK; i++)
+            used += count[bank * BANK + i];
+        if (canvas->own[bank * BANK] || used >= least)
+            continue;
+        least = used;
+        best = bank;
+    }
+    memset(canvas->own + best * BANK, true, BANK);
+    return best;
+}
+
+/* Stores a game's bank in one of the canvas's, mixed with the paper by `share` of 256. */
+static void copy_bank(const struct canvas *canvas, int to, int from, int share)
+{
+    const uint32_t paper = theme_colour(canvas->theme, canvas->theme->paper);
+
+    for (int i = 1; i < BANK; i++)
+        canvas->rgb[to * BANK + i] = pal_mix(theme_colour(canvas->theme, from * BANK + i), paper, share, 256);
+}
+
+void canvas_open_theme(struct canvas *canvas, struct fb *fb, uint32_t rgb[256], const struct theme *theme)
+{
+    enum { PAPER_SHARE = 112, /* of 256, in faint ink */ DIM = 166 /* of 256, of the picture */ };
+    const uint32_t paper = theme_colour(theme, theme->paper), ink = theme_text_colour(theme, theme->ink);
+    uint32_t count[256] = { 0 };
+    uint8_t bank[4];
+
+    *canvas = plain_canvas(fb, rgb);
+    canvas->theme = theme;
+    if (theme->has_font) {
+        canvas->ascent = int_max(canvas->ascent, theme->capital_top);
+        canvas->descent = int_max(canvas->descent, theme->height - theme->capital_top - theme->capital_height);
+        canvas->capital_height = theme->capital_height;
+    }
+    count_pixels(fb, count);
+    for (int i = 0; i < 4; i++)
+        bank[i] = (uint8_t)take_bank(canvas, count);
+    free_entries(fb, rgb, count, canvas->own);
+    for (int i = 0; i < 256; i++)
+        rgb[i] = canvas->own[i] ? paper : pal_mix(rgb[i], 0, DIM, 256);
+    copy_bank(canvas, bank[0], theme->ink, 0);
+    copy_bank(canvas, bank[1], theme->accent, 0);
+    copy_bank(canvas, bank[2], theme->ink, PAPER_SHARE);
+    copy_bank(canvas, bank[3], theme->has_frame ? theme->frame.bank : theme->ink, 0);
+    rgb[bank[0] * BANK] = ink;
+    rgb[bank[1] * BANK] = theme_text_colour(theme, theme->accent);
+    rgb[bank[2] * BANK] = pal_mix(ink, paper, PAPER_SHARE, 256);
+    canvas->frame_bank = bank[3];
+    for (int i = 0; i < CANVAS_COLOURS; i++) {
+        canvas->bank[i] = bank[i == CANVAS_WHITE ? 0 : i == CANVAS_GREY ? 2 : 1];
+        canvas->colour[i] = (uint8_t)((i == CANVAS_DARK ? bank[3] : canvas->bank[i]) * BANK);
+    }
 }
 
 /* ---- text ---- */
@@ -176,6 +283,58 @@ void canvas_outline(const struct canvas *canvas, int x, int y, int w, int h, enu
 void canvas_line(const struct canvas *canvas, int x0, int y0, int x1, int y1, enum canvas_colour c)
 {
     fb_line(canvas->fb, x0, y0, x1, y1, canvas->colour[c]);
+}
+
+void canvas_plate(const struct canvas *canvas, int x, int y, int w, int h, enum canvas_colour c)
+{
+    const int rim = canvas->theme ? canvas->bank[c] * BANK + THEME_RIM : canvas->colour[c];
+
+    fb_plate(canvas->fb, x, y, w, h, canvas->colour[CANVAS_DARK], (uint8_t)rim);
+}
+
+/* A rectangle, px. */
+struct area {
+    int x, y, w, h;
+};
+
+/* Fills an area with the part of the frame's picture at (u, v), part_w x part_h px. */
+static void tile_frame_part(const struct canvas *canvas, struct area to, int u, int v, int part_w, int part_h)
+{
+    const struct sprite *s = &canvas->theme->frame;
+    const struct image image = { s->pix, s->w, s->h, s->pitch };
+    const uint8_t bank = (uint8_t)((canvas->frame_bank - s->bank) & 15);
+
+    for (int y = 0; y < to.h && part_h > 0; y += part_h)
+        for (int x = 0; x < to.w && part_w > 0; x += part_w) {
+            fb_set_clip(canvas->fb, to.x + x, to.y + y, int_min(part_w, to.w - x), int_min(part_h, to.h - y));
+            blit_sprite(canvas->fb, &image, to.x + x - u, to.y + y - v, bank, 0);
+        }
+    fb_reset_clip(canvas->fb);
+}
+
+int canvas_frame_width(const struct canvas *canvas)
+{
+    const struct theme *t = canvas->theme;
+
+    return t && t->has_frame ? int_max(t->frame.w, t->frame.h) / 3 : 3;
+}
+
+void canvas_frame(const struct canvas *canvas, int x, int y, int w, int h)
+{
+    if (!canvas->theme || !canvas->theme->has_frame) {
+        canvas_plate(canvas, x, y, w, h, CANVAS_WHITE);
+        return;
+    }
+    const struct sprite *s = &canvas->theme->frame;
+    const int cw = s->w / 3, ch = s->h / 3;
+    const int u[4] = { 0, cw, s->w - cw, s->w }, v[4] = { 0, ch, s->h - ch, s->h };
+    const int xs[4] = { x, x + cw, x + w - cw, x + w }, ys[4] = { y, y + ch, y + h - ch, y + h };
+    canvas_rect(canvas, x + cw / 2, y + ch / 2, w - cw / 2 * 2, h - ch / 2 * 2, CANVAS_DARK);
+    for (int i = 0; i < 9; i++) {
+        const int c = i % 3, r = i / 3;
+        const struct area to = { xs[c], ys[r], xs[c + 1] - xs[c], ys[r + 1] - ys[r] };
+        tile_frame_part(canvas, to, u[c], v[r], u[c + 1] - u[c], v[r + 1] - v[r]);
+    }
 }
 
 enum { SUBPIXELS = 256 };

@@ -5,6 +5,9 @@
  * and its colours replace the least used palette entries. Open a picture only once: a second canvas_open would replace
  * the colours of the first.
  *
+ * A canvas with a theme (rom/theme.h) has the game's colours, and draws large text in the game's font, as far as it has
+ * the characters. The program's screens use one; messages and panels keep the program's own look.
+ *
  * The small font (canvas_text) is for panels: printable ASCII in cells of equal width, 3 x 5 pixels and one row for
  * descenders. The large font (canvas_large_text) is for menus and messages: UTF-8, proportional, capitals 7 pixels high
  * (letters.h).
@@ -14,7 +17,9 @@
 
 #include "../../../fb/fb.h"
 #include "../../board/board.h"
+#include "../../rom/theme.h"
 
+/* With a theme: dark is its paper, white its ink, grey a faint ink, and all others are its accent. */
 enum canvas_colour {
     CANVAS_DARK, /* the background of text */
     CANVAS_WHITE,
@@ -43,12 +48,27 @@ struct canvas {
     struct fb *fb;
     uint32_t *rgb;
     uint8_t colour[CANVAS_COLOURS]; /* the palette entry of each colour */
+    bool own[256];                  /* the palette entries with the canvas's colours */
+
+    /* The large text's font, in px: above the top of capitals, of capitals, and below the baseline. */
+    int ascent, capital_height, descent;
+
+    const struct theme *theme;    /* NULL: the program's own look */
+    uint8_t bank[CANVAS_COLOURS]; /* with a theme: the palette bank of glyphs in each colour */
+    uint8_t frame_bank;           /* of the theme's frame */
 };
 
 /* Stores the canvas's colours in the palette entries that the picture uses least. Pixels that used these entries get
  * the nearest other entry. fb and rgb must be a copy of the picture, because screenshots need the original. Resets fb's
  * clip. */
 void canvas_open(struct canvas *canvas, struct fb *fb, uint32_t rgb[256]);
+
+/* The same with a theme, in whole palette banks; theme must outlive the canvas. Darkens the picture. */
+void canvas_open_theme(struct canvas *canvas, struct fb *fb, uint32_t rgb[256], const struct theme *theme);
+
+/* Adds the n colours of a picture to the palette and stores their entries. Pixels that used these entries get the
+ * nearest other entry; so does a colour for which no entry is left. */
+void canvas_add_colours(const struct canvas *canvas, const uint32_t *colours, int n, uint8_t *entries);
 
 /* Adjusts the canvas's colours to a colour-blind mode. The picture's colours are adjusted when it is drawn. */
 void canvas_set_colour_blind_mode(const struct canvas *canvas, enum colour_blind_mode mode);
@@ -67,6 +87,13 @@ int canvas_text_width(const char *text);
  * after a space if there is one in the second half of the line. Returns at least 1, unless the line is empty. */
 int canvas_text_fit(const char *text, int columns);
 
+/* Returns the distance from one line of large text to the next, in px: CANVAS_LARGE_LINE_HEIGHT, or what the theme's
+ * font needs. The top of capitals is canvas->ascent px below a line's top. */
+int canvas_line_height(const struct canvas *canvas);
+
+/* Returns `code` if the theme's font has a glyph for it, otherwise `plain`. */
+uint32_t canvas_glyph(const struct canvas *canvas, uint32_t code, uint32_t plain);
+
 /* Draws a line in the large font. y is the top of capitals. A tab is as wide as two spaces. A character that the font
  * does not have is drawn as a box. Returns the x after the text and its letter spacing. */
 int canvas_large_text(const struct canvas *canvas, int x, int y, enum canvas_colour c, const char *text);
@@ -74,25 +101,30 @@ int canvas_large_text(const struct canvas *canvas, int x, int y, enum canvas_col
 /* The same for the first n bytes of text. */
 int canvas_large_text_n(const struct canvas *canvas, int x, int y, enum canvas_colour c, const char *text, size_t n);
 
-/* The same with a dark outline of one pixel, so that it can be read on any picture. */
-int canvas_large_text_outlined(const struct canvas *canvas, int x, int y, enum canvas_colour c, const char *text);
-
 /* The same, truncated to `width` px with an ellipsis. */
 int canvas_large_text_truncated(const struct canvas *canvas, int x, int y, enum canvas_colour c, const char *text,
                                 int width);
 
 /* Returns the width of a line in px, without the spacing after its last letter. */
-int canvas_large_text_width(const char *text);
+int canvas_large_text_width(const struct canvas *canvas, const char *text);
 
 /* Returns how many bytes of text fit on a line of `width` px: up to a newline, or to a line break, which is after a
  * space or a slash if there is one in the second half of the line. Returns at least one character, unless the line is
  * empty. */
-int canvas_large_text_fit(const char *text, int width);
+int canvas_large_text_fit(const struct canvas *canvas, const char *text, int width);
 
-/* Draws text wrapped at `width` px, in lines CANVAS_LARGE_LINE_HEIGHT apart. Returns the number of lines. If canvas is
- * NULL, only counts them. */
-int canvas_large_text_wrapped(const struct canvas *canvas, int x, int y, int width, enum canvas_colour c,
-                              const char *text);
+/* Draws text wrapped at `width` px, in lines canvas_line_height apart. */
+void canvas_large_text_wrapped(const struct canvas *canvas, int x, int y, int width, enum canvas_colour c,
+                               const char *text);
+
+/* Returns the number of these lines. */
+int canvas_large_text_lines(const struct canvas *canvas, const char *text, int width);
+
+/* Draw a plate as the game's menus do, in the background's colour with a rim in colour c; and a frame: the theme's, or
+ * such a plate. canvas_frame_width returns the width of the frame's border, in px. */
+void canvas_plate(const struct canvas *canvas, int x, int y, int w, int h, enum canvas_colour c);
+void canvas_frame(const struct canvas *canvas, int x, int y, int w, int h);
+int canvas_frame_width(const struct canvas *canvas);
 
 /* Draw a filled rectangle, the outline of a rectangle (one pixel wide, inside it), and a line including both ends. All
  * drawing is clipped to the picture, and any coordinates are allowed. w or h below 1 draws nothing. */

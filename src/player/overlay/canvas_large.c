@@ -6,6 +6,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 #include <string.h>
+#include "../../../fb/blit.h"
 #include "../../../fb/utf8.h"
 #include "letters.h"
 
@@ -15,12 +16,24 @@ static const char ellipsis[] = "\xE2\x80\xA6";
 
 /* ---- a character ---- */
 
-/* Advances *s past the next character and returns the character's width. */
-static int advance(const char **s, const char *end, struct letter *l)
+/* A character in the theme's font or, if that font lacks it, in letters.h's. */
+struct glyph {
+    bool is_letter;
+    struct letter letter;
+    struct face_glyph face;
+};
+
+/* Advances *s past the next character and returns the character's width with its spacing. */
+static int advance(const struct canvas *canvas, const char **s, const char *end, struct glyph *g)
 {
-    uint32_t code = utf8_next(s, end);
-    letter_load(l, code == '\t' ? ' ' : code);
-    return code == '\t' ? TAB_SPACES * (LETTER_SPACE_WIDTH + SPACING) : l->w + SPACING;
+    const uint32_t code = utf8_next(s, end), shown = code == '\t' ? ' ' : code;
+    int w;
+
+    g->is_letter = !canvas->theme || !theme_find_glyph(canvas->theme, shown, &g->face);
+    if (g->is_letter)
+        letter_load(&g->letter, shown);
+    w = g->is_letter ? g->letter.w + SPACING : g->face.advance;
+    return code == '\t' ? TAB_SPACES * w : w;
 }
 
 /* Draws a row, adjacent pixels as one rectangle. */
@@ -35,10 +48,16 @@ static void draw_row(struct fb *fb, int x, int y, unsigned bits, uint8_t colour)
     }
 }
 
-static void draw_letter(const struct canvas *canvas, int x, int y, enum canvas_colour c, const struct letter *l)
+/* y: the top of capitals. */
+static void draw_glyph(const struct canvas *canvas, int x, int y, enum canvas_colour c, const struct glyph *g)
 {
-    for (int i = 0; i < LETTER_ROWS; i++)
-        draw_row(canvas->fb, x, y + i - LETTER_ACCENT_HEIGHT, l->rows[i], canvas->colour[c]);
+    const int top = y + canvas->capital_height - LETTER_CAPITAL_HEIGHT - LETTER_ACCENT_HEIGHT; /* of a letter */
+    const struct image image = { g->face.pix, g->face.w, g->face.h, g->face.pitch };
+
+    if (!g->is_letter)
+        blit_sprite(canvas->fb, &image, x + g->face.x, y - canvas->theme->capital_top + g->face.y, canvas->bank[c], 0);
+    for (int i = 0; g->is_letter && i < LETTER_ROWS; i++)
+        draw_row(canvas->fb, x, top + i, g->letter.rows[i], canvas->colour[c]);
 }
 
 /* ---- a line ---- */
@@ -46,10 +65,10 @@ static void draw_letter(const struct canvas *canvas, int x, int y, enum canvas_c
 int canvas_large_text_n(const struct canvas *canvas, int x, int y, enum canvas_colour c, const char *text, size_t n)
 {
     const char *end = text + n;
-    struct letter l;
+    struct glyph g;
     while (text < end) {
-        int w = advance(&text, end, &l);
-        draw_letter(canvas, x, y, c, &l);
+        int w = advance(canvas, &text, end, &g);
+        draw_glyph(canvas, x, y, c, &g);
         x += w;
     }
     return x;
@@ -60,38 +79,30 @@ int canvas_large_text(const struct canvas *canvas, int x, int y, enum canvas_col
     return canvas_large_text_n(canvas, x, y, c, text, strlen(text));
 }
 
-int canvas_large_text_outlined(const struct canvas *canvas, int x, int y, enum canvas_colour c, const char *text)
-{
-    for (int i = 0; i < 9; i++)
-        if (i != 4)
-            canvas_large_text(canvas, x + i % 3 - 1, y + i / 3 - 1, CANVAS_DARK, text);
-    return canvas_large_text(canvas, x, y, c, text);
-}
-
-static int line_width(const char *text, size_t n)
+static int line_width(const struct canvas *canvas, const char *text, size_t n)
 {
     const char *end = text + n;
-    struct letter l;
+    struct glyph g;
     int w = 0;
     while (text < end)
-        w += advance(&text, end, &l);
+        w += advance(canvas, &text, end, &g);
     return w > SPACING ? w - SPACING : 0;
 }
 
-int canvas_large_text_width(const char *text)
+int canvas_large_text_width(const struct canvas *canvas, const char *text)
 {
-    return line_width(text, strlen(text));
+    return line_width(canvas, text, strlen(text));
 }
 
 /* Returns how many bytes of the first line fit into `width` pixels. */
-static size_t fitting_bytes(const char *text, int width)
+static size_t fitting_bytes(const struct canvas *canvas, const char *text, int width)
 {
     size_t line_bytes = strcspn(text, "\n");
     const char *s = text, *end = text + line_bytes;
-    struct letter l;
+    struct glyph g;
     while (s < end) {
         const char *before = s;
-        width -= advance(&s, end, &l);
+        width -= advance(canvas, &s, end, &g);
         if (width < -SPACING)
             return (size_t)(before - text);
     }
@@ -102,9 +113,9 @@ int canvas_large_text_truncated(const struct canvas *canvas, int x, int y, enum 
                                 int width)
 {
     size_t n;
-    if (canvas_large_text_width(text) <= width)
+    if (canvas_large_text_width(canvas, text) <= width)
         return canvas_large_text(canvas, x, y, c, text);
-    n = fitting_bytes(text, width - SPACING - canvas_large_text_width(ellipsis));
+    n = fitting_bytes(canvas, text, width - SPACING - canvas_large_text_width(canvas, ellipsis));
     while (n > 0 && text[n - 1] == ' ')
         n--;
     return canvas_large_text(canvas, canvas_large_text_n(canvas, x, y, c, text, n), y, c, ellipsis);
@@ -112,31 +123,56 @@ int canvas_large_text_truncated(const struct canvas *canvas, int x, int y, enum 
 
 /* ---- lines ---- */
 
-int canvas_large_text_fit(const char *text, int width)
+int canvas_large_text_fit(const struct canvas *canvas, const char *text, int width)
 {
-    size_t n = fitting_bytes(text, width), break_at = n;
+    size_t n = fitting_bytes(canvas, text, width), break_at = n;
     const char *first = text;
-    struct letter l;
+    struct glyph g;
     if (!text[n] || text[n] == '\n')
         return (int)n;
     while (break_at > 0 && text[break_at] != ' ' && text[break_at - 1] != ' ' && text[break_at - 1] != '/')
         break_at--;
     if (break_at > n / 2)
         return (int)(break_at + strspn(text + break_at, " "));
-    advance(&first, text + strlen(text), &l);
+    advance(canvas, &first, text + strlen(text), &g);
     return (int)(n ? n : (size_t)(first - text));
 }
 
-int canvas_large_text_wrapped(const struct canvas *canvas, int x, int y, int width, enum canvas_colour c,
-                              const char *text)
+/* Draws the lines if `draws`. Returns their number. */
+static int wrap(const struct canvas *canvas, int x, int y, int width, enum canvas_colour c, const char *text,
+                bool draws)
 {
     int lines = 0;
+
     for (; *text; lines++) {
-        int n = canvas_large_text_fit(text, width);
-        if (canvas)
-            canvas_large_text_n(canvas, x, y + lines * CANVAS_LARGE_LINE_HEIGHT, c, text, (size_t)n);
+        const int n = canvas_large_text_fit(canvas, text, width);
+        if (draws)
+            canvas_large_text_n(canvas, x, y + lines * canvas_line_height(canvas), c, text, (size_t)n);
         text += n;
         text += *text == '\n';
     }
     return lines;
+}
+
+void canvas_large_text_wrapped(const struct canvas *canvas, int x, int y, int width, enum canvas_colour c,
+                               const char *text)
+{
+    wrap(canvas, x, y, width, c, text, true);
+}
+
+int canvas_large_text_lines(const struct canvas *canvas, const char *text, int width)
+{
+    return wrap(canvas, 0, 0, width, CANVAS_WHITE, text, false);
+}
+
+int canvas_line_height(const struct canvas *canvas)
+{
+    return canvas->ascent + canvas->capital_height + canvas->descent;
+}
+
+uint32_t canvas_glyph(const struct canvas *canvas, uint32_t code, uint32_t plain)
+{
+    struct face_glyph g;
+
+    return canvas->theme && theme_find_glyph(canvas->theme, code, &g) ? code : plain;
 }

@@ -12,8 +12,9 @@
 
 enum {
     LETTER_ACCENT_HEIGHT = 3, /* rows above the top of capitals */
-    LETTER_ROWS = 12,         /* including the accent, 7 of capitals, and 2 below the baseline */
-    LETTER_SPACE_WIDTH = 3    /* px */
+    LETTER_CAPITAL_HEIGHT = 7,
+    LETTER_ROWS = 12,      /* including the accent, 7 of capitals, and 2 below the baseline */
+    LETTER_SPACE_WIDTH = 3 /* px */
 };
 
 struct letter {

@@ -14,16 +14,11 @@ struct body {
     const struct canvas *canvas;
 };
 
-static int line_count(const char *text, int w)
-{
-    return text[0] ? canvas_large_text_wrapped(0, 0, 0, w, CANVAS_WHITE, text) : 0;
-}
-
 /* Draws the visible lines of a text. */
 static void draw_lines(struct body *b, const char *text, enum canvas_colour c)
 {
     for (; *text; b->line++) {
-        int n = canvas_large_text_fit(text, b->w), row = b->line - b->first;
+        int n = canvas_large_text_fit(b->canvas, text, b->w), row = b->line - b->first;
         if (row >= 0 && row < b->shown)
             canvas_large_text_n(b->canvas, b->x, b->y + row * CANVAS_LARGE_LINE_HEIGHT, c, text, (size_t)n);
         text += n;
@@ -43,9 +38,10 @@ static void draw_bar(const struct body *b, int lines)
 int page_draw(const struct canvas *canvas, struct page *p)
 {
     const int w = canvas->fb->w - 2 * MARGIN, h = canvas->fb->h;
-    const int title = line_count(p->title, w), footer = line_count(p->footer, w);
-    const int text = line_count(p->text, w), details = line_count(p->details, w),
-              lines = text + details + (text && details);
+    const int title = canvas_large_text_lines(canvas, p->title, w),
+              footer = canvas_large_text_lines(canvas, p->footer, w);
+    const int text = canvas_large_text_lines(canvas, p->text, w),
+              details = canvas_large_text_lines(canvas, p->details, w), lines = text + details + (text && details);
     const int header_h = MARGIN + title * CANVAS_LARGE_LINE_HEIGHT + (title ? GAP : 0);
     const int footer_h = MARGIN + footer * CANVAS_LARGE_LINE_HEIGHT + (footer ? GAP : 0);
     const int room = (h - header_h - footer_h) / CANVAS_LARGE_LINE_HEIGHT;

@@ -89,14 +89,18 @@ void play_look_ahead(struct play *play)
         ahead_begin(&play->drawing.ahead, &play->session.now->guard, play->drawing.last_pads);
 }
 
-static struct canvas copy_picture(struct play *play, struct picture *p)
+/* theme: that of the canvas, or NULL. */
+static struct canvas copy_picture(struct play *play, struct picture *p, const struct theme *theme)
 {
     struct canvas canvas;
 
     for (int y = 0; y < p->fb.h; y++)
         memcpy(p->composed.pix + y * p->composed.pitch, p->fb.pix + y * p->fb.pitch, (size_t)p->fb.w);
     memcpy(p->composed_rgb, p->rgb, sizeof p->rgb);
-    canvas_open(&canvas, &p->composed, p->composed_rgb);
+    if (theme)
+        canvas_open_theme(&canvas, &p->composed, p->composed_rgb, theme);
+    else
+        canvas_open(&canvas, &p->composed, p->composed_rgb);
     canvas_set_colour_blind_mode(&canvas, (enum colour_blind_mode)play->config.colours);
     if (ships_shown(play))
         overlay_draw_hitboxes(&canvas, play_board(play));
@@ -252,7 +256,7 @@ static void draw_in_side(struct play *play, struct overlay_layout *o)
 
 static void show_with_overlay(struct play *play, struct picture *p, struct overlay_layout *o)
 {
-    o->picture = copy_picture(play, p);
+    o->picture = copy_picture(play, p, NULL);
     o->side = side_canvas(play, &o->picture);
     if (o->side.fb)
         draw_in_side(play, o);
@@ -289,7 +293,9 @@ void play_show(struct play *play, struct picture *p)
 
     play_window_begin(play, p->fb.w, p->fb.h);
     if (screens_are_open(&play->screens)) {
-        struct canvas canvas = copy_picture(play, p);
+        struct theme theme;
+        theme_open(&theme, play_cart(play));
+        struct canvas canvas = copy_picture(play, p, &theme);
         char footer[160];
         play_translate_screens(play);
         screens_footer(play, footer, sizeof footer);

@@ -285,26 +285,26 @@ static int height(void *context, int w, int h)
     return h - high >= 4 * CANVAS_LARGE_LINE_HEIGHT ? high : h / 3;
 }
 
-/* The screen covers the picture, so all palette entries except the canvas's own are free. */
 static void draw_thumb(const struct thumb *t, const struct canvas *canvas, struct screen_area to)
 {
-    uint8_t entry[THUMB_COLOURS];
+    uint32_t colours[THUMB_COLOURS];
+    uint8_t used[THUMB_COLOURS], entry[THUMB_COLOURS];
+    bool seen[THUMB_COLOURS] = { false };
     int n = 0;
 
-    for (int i = 0; i < 256 && n < THUMB_COLOURS; i++) {
-        bool own = false;
-        for (int c = 0; c < CANVAS_COLOURS; c++)
-            own = own || canvas->colour[c] == i;
-        if (own)
-            continue;
-        canvas->rgb[i] = thumb_colour(n);
-        entry[n++] = (uint8_t)i;
+    for (int i = 0; i < t->w * t->h; i++) {
+        const uint8_t c = t->pix[i];
+        if (!seen[c])
+            colours[n++] = thumb_colour(c);
+        used[c] = seen[c] ? used[c] : (uint8_t)(n - 1);
+        seen[c] = true;
     }
+    canvas_add_colours(canvas, colours, n, entry);
     const int x0 = to.x + 4, y0 = to.y + 1, h = t->h < to.h - 2 ? t->h : to.h - 2,
               w = t->w < to.w - 8 ? t->w : to.w - 8;
     for (int y = 0; y < h; y++)
         for (int x = 0; x < w; x++)
-            canvas->fb->pix[(y0 + y) * canvas->fb->pitch + x0 + x] = entry[t->pix[y * t->w + x]];
+            canvas->fb->pix[(y0 + y) * canvas->fb->pitch + x0 + x] = entry[used[t->pix[y * t->w + x]]];
     canvas_outline(canvas, x0 - 1, y0 - 1, w + 2, h + 2, CANVAS_GREY);
 }
 
@@ -322,9 +322,9 @@ static void draw_details(const struct words *words, const struct replay_meta *c,
     for (int p = 0; p < (c->players > 1 ? 2 : 1); p++)
         snprintf(lines[n++], sizeof lines[0], "%" PRId64 " points", c->points[p]);
     snprintf(lines[n++], sizeof lines[0], c->stages == 1 ? "%d stage" : "%d stages", c->stages);
-    for (int i = 0; i < n && (i + 1) * CANVAS_LARGE_LINE_HEIGHT <= to.h; i++) {
+    for (int i = 0; i < n && (i + 1) * canvas_line_height(canvas) <= to.h; i++) {
         screen_translate(words, lines[i], shown, sizeof shown);
-        canvas_large_text_truncated(canvas, to.x, to.y + CANVAS_LARGE_ACCENT_HEIGHT + i * CANVAS_LARGE_LINE_HEIGHT,
+        canvas_large_text_truncated(canvas, to.x, to.y + canvas->ascent + i * canvas_line_height(canvas),
                                     i ? CANVAS_WHITE : CANVAS_YELLOW, shown, to.w);
     }
 }

@@ -91,6 +91,7 @@ void screens_open(struct screens *s, const struct screen_def *screen, void *cont
         return;
     s->place[s->depth++] = (struct screen_place){ .screen = screen, .context = context, .words = &s->words };
     settle(top_place(s));
+    s->sounded[THEME_OPEN] = s->sounded[THEME_OPEN] || s->depth == 1;
     s->held = UINT32_MAX; /* keys held now were pressed for something else */
     s->held_for = 0;
     s->mouse = NO_MOUSE;
@@ -284,9 +285,9 @@ static uint32_t find_presses(struct screens *s, uint32_t held)
 static int row_under(const struct screens *s, const struct screen_place *p, int x, int y)
 {
     const struct screen_area *l = &s->list;
-    const int at = p->top + (y - l->y) / screen_row_height();
+    const int at = s->row_height ? p->top + (y - l->y) / s->row_height : -1;
 
-    if (x < l->x || x >= l->x + l->w || y < l->y || at >= p->top + s->shown || at >= row_count(p))
+    if (at < 0 || x < l->x || x >= l->x + l->w || y < l->y || at >= p->top + s->shown || at >= row_count(p))
         return -1;
     return at;
 }
@@ -317,6 +318,7 @@ static uint32_t use_mouse(struct screens *s, struct screen_place *p, const struc
 static void change(struct screens *s, const struct screen_place *p, int by)
 {
     s->mouse_settle = SETTLE_FRAMES;
+    s->sounded[THEME_MOVE] = true;
     p->screen->change(p->context, p->row, by);
 }
 
@@ -331,10 +333,12 @@ static void accept(struct screens *s, const struct screen_place *p)
 
     if (row.disabled || row.heading)
         return;
-    if (changes(p))
+    if (changes(p)) {
         change(s, p, 1);
-    else if (p->screen->accept)
+    } else if (p->screen->accept) {
+        s->sounded[THEME_ACCEPT] = true;
         p->screen->accept(p->context, p->row);
+    }
 }
 
 /* Moves by a page of rows, but not beyond the end of the list. */
@@ -377,13 +381,17 @@ bool screens_poll(struct screens *s, const struct plat_input *in, const struct k
         if (newly_pressed & (LEFT | RIGHT) && changes(p))
             change(s, p, (newly_pressed & LEFT ? -1 : 1) * (held & TEN_STEPS ? 10 : 1));
     }
-    if (p->row != chosen) /* the message was about the other row, or has been read */
+    if (p->row != chosen) { /* the message was about the other row, or has been read */
         s->message_frames = 0;
-    if (newly_pressed & BACK) /* also if accept is pressed too */
+        s->sounded[THEME_MOVE] = true;
+    }
+    if (newly_pressed & BACK) { /* also if accept is pressed too */
+        s->sounded[THEME_BACK] = true;
         screens_close(s);
-    else if (newly_pressed & REMOVE && p->screen->remove && row_count(p) > 0)
+    } else if (newly_pressed & REMOVE && p->screen->remove && row_count(p) > 0) {
         p->screen->remove(p->context, p->row);
-    else if (newly_pressed & ACCEPT && row_count(p) > 0)
+    } else if (newly_pressed & ACCEPT && row_count(p) > 0) {
         accept(s, p);
+    }
     return false;
 }

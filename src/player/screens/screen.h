@@ -72,8 +72,10 @@ struct screens {
     uint8_t mouse; /* its buttons at the last poll */
     int mouse_x, mouse_y; /* at the last poll */
     int mouse_settle;     /* frames in which mouse movements choose nothing, because a value has changed the window */
-    int shown;            /* visible rows at the last drawing, each screen_row_height() high */
+    int shown;            /* visible rows at the last drawing */
+    int row_height;       /* of each, px */
     struct screen_area list;
+    bool sounded[THEME_SOUNDS]; /* sounds due since the program last cleared them */
     char message[SCREEN_HELP];
     int message_frames; /* frames for which it is still shown */
     struct {
@@ -136,13 +138,10 @@ void screens_ask(struct screens *s, const char *question, const char *yes, void 
  * input. */
 bool screens_poll(struct screens *s, const struct plat_input *in, const struct keys_state *k);
 
-/* Draws the topmost screen. footer: a line with the keys, or "". */
+/* Draws the topmost screen in the look of the canvas. footer: a line with the keys, or "". */
 void screens_draw(struct screens *s, const struct canvas *canvas, const char *footer);
 
 /* Turns a phrase of the help into a sentence: "Fill the screen." */
 void screen_sentence(char *out, size_t size, const char *phrase);
-
-/* For screen_draw.c and tests. */
-int screen_row_height(void);
 
 #endif

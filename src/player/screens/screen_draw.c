@@ -1,75 +1,188 @@
 /*
- * screen_draw.c - draws a screen (screen.h). From the top: title, text, list, help of the chosen row, footer. The list
- * scrolls and text wraps, so every screen fits every picture. A label is truncated before it reaches its value.
+ * screen_draw.c - draws a screen (screen.h) like the menus of the game, in a frame. From the top: title, text, picture,
+ * list, help of the chosen row, footer. The list scrolls and text wraps, so every screen fits every picture. A label is
+ * truncated before it reaches its value.
  */
 #include <stdio.h>
 #include <string.h>
-#include "screen.h"
+#include "../../../fb/utf8.h"
 #include "../../base/int.h"
+#include "screen.h"
 
 enum {
-    LINE = CANVAS_LARGE_LINE_HEIGHT,
-    TEXT_TOP = 3, /* px from a line's top to the top of a capital */
-    PADDING = 5,  /* px between a frame and its contents */
-    TITLE = LINE + 2,
-    HELP_LINES = 3,
-    MIN_HELP_HEIGHT = 100,  /* px: the least height with a line of help; twice as many for more lines */
-    MIN_FOOTER_HEIGHT = 120 /* px: the least height with a foot */
+    PADDING = 5,   /* px between the frame's border and its contents */
+    ROW_GAP = 2,   /* px between rows */
+    RULE = 8,      /* px, height of a rule */
+    THIN_RULE = 3, /* px, on a low picture */
+    SCROLL_BAR = 2,
+    SMALL_WIDTH = 240, /* px: a small screen is no wider, unless its rows are */
+    MIN_HELP_LINES = 2,
+    LOW = 200,               /* px: rows of lower pictures have no gap, and their rules are thin */
+    MIN_HELP_HEIGHT = 100,   /* px: the least height with a line of help; twice as many for more lines */
+    MIN_FOOTER_HEIGHT = 120, /* px: the least height with a footer */
+    MAX_RULE_CELLS = 128
 };
 
-int screen_row_height(void)
+/* The characters for menus that fonts may have (scripts/menu/page.lua). */
+enum { GLYPH_LEFT = 139, GLYPH_RIGHT, GLYPH_LINE, GLYPH_LINE_START, GLYPH_LINE_END, GLYPH_JEWEL };
+
+static bool is_low(const struct canvas *canvas)
 {
-    return LINE;
+    return canvas->fb->h < LOW;
 }
 
-static int line_count(const char *text, int w)
+static int row_height(const struct canvas *canvas)
 {
-    return canvas_large_text_wrapped(NULL, 0, 0, w, CANVAS_WHITE, text);
+    return canvas_line_height(canvas) + (is_low(canvas) ? 0 : ROW_GAP);
 }
 
-/* Draws at most max_lines lines from y down. Returns the y below them. */
-static int draw_lines(const struct canvas *canvas, int x, int y, int w, int max_lines, enum canvas_colour c,
-                      const char *text)
+static int rule_height(const struct canvas *canvas)
 {
-    for (int i = 0; i < max_lines && *text; i++, y += LINE) {
-        const int n = canvas_large_text_fit(text, w);
-        canvas_large_text_n(canvas, x, y + TEXT_TOP, c, text, (size_t)n);
+    return is_low(canvas) ? THIN_RULE : RULE;
+}
+
+/* ---- text ---- */
+
+static int centred_x(const struct canvas *canvas, const struct screen_area *a, const char *text)
+{
+    return a->x + int_max(0, a->w - canvas_large_text_width(canvas, text)) / 2;
+}
+
+/* Draws a line at the area's top, truncated to its width. */
+static void draw_centred(const struct canvas *canvas, const struct screen_area *a, enum canvas_colour c,
+                         const char *text)
+{
+    canvas_large_text_truncated(canvas, centred_x(canvas, a, text), a->y + canvas->ascent, c, text, a->w);
+}
+
+/* Draws at most max_lines lines, centred or not; the last is truncated. Returns the y below them. */
+static int draw_lines(const struct canvas *canvas, const struct screen_area *a, int max_lines, enum canvas_colour c,
+                      const char *text, bool centred)
+{
+    struct screen_area line = *a;
+    char part[SCREEN_HELP];
+
+    for (int i = 0; i < max_lines && *text; i++, line.y += canvas_line_height(canvas)) {
+        const int fitting = canvas_large_text_fit(canvas, text, a->w);
+        const int n = i == max_lines - 1 ? (int)strcspn(text, "\n") : fitting;
+        int shown = n; /* without the space at which the line was broken */
+        while (shown > 0 && text[shown - 1] == ' ')
+            shown--;
+        snprintf(part, sizeof part, "%.*s", shown, text);
+        if (centred)
+            draw_centred(canvas, &line, c, part);
+        else
+            canvas_large_text_truncated(canvas, line.x, line.y + canvas->ascent, c, part, a->w);
         text += n;
         text += *text == '\n';
     }
-    return y;
+    return line.y;
 }
 
-static enum canvas_colour label_colour(const struct screen_row *row)
+/* Appends a character of the game's font or, if the font lacks it, a plain one. */
+static size_t put_glyph(const struct canvas *canvas, char *out, uint32_t code, uint32_t plain)
 {
-    if (row->colour)
-        return row->colour;
-    return row->heading ? CANVAS_CYAN : row->disabled ? CANVAS_GREY : CANVAS_WHITE;
+    const size_t n = utf8_put(out, canvas_glyph(canvas, code, plain));
+
+    out[n] = 0;
+    return n;
 }
 
-static enum canvas_colour value_colour(const struct screen_row *row)
+/* Draws a rule in the middle of the area's first rule_height pixels. */
+static void draw_rule(const struct canvas *canvas, int x, int y, int w)
 {
-    if (row->value_colour)
-        return row->value_colour;
-    return row->disabled ? CANVAS_GREY : CANVAS_YELLOW;
+    const int cells = int_min(w / 8, MAX_RULE_CELLS);
+    char text[MAX_RULE_CELLS * UTF8_MAX_BYTES + 1];
+    size_t n = 0;
+
+    if (is_low(canvas) || cells < 4 || canvas_glyph(canvas, GLYPH_LINE, 0) == 0) {
+        canvas_rect(canvas, x, y + rule_height(canvas) / 2, w, 1, CANVAS_GREY);
+        return;
+    }
+    for (int i = 0; i < cells; i++) {
+        const uint32_t end = i == 0 ? GLYPH_LINE_START : i == cells - 1 ? GLYPH_LINE_END : GLYPH_LINE;
+        n += put_glyph(canvas, text + n, i == 1 || i == cells - 2 ? GLYPH_JEWEL : end, GLYPH_LINE);
+    }
+    const int top = y + (canvas->theme->height > RULE ? (RULE - canvas->theme->height) / 2 : 0);
+    canvas_large_text(canvas, x + (w - canvas_large_text_width(canvas, text)) / 2, top + canvas->theme->capital_top,
+                      CANVAS_GREY, text);
 }
 
-static void draw_row(const struct screen_place *p, int at, const struct canvas *canvas, struct screen_area to)
+/* ---- rows ---- */
+
+/* The character in front of the chosen row. */
+static void cursor_text(const struct canvas *canvas, char out[UTF8_MAX_BYTES + 1])
+{
+    put_glyph(canvas, out, canvas->theme ? canvas->theme->cursor : '>', '>');
+}
+
+/* Returns the px in front of a label that the cursor takes. */
+static int cursor_width(const struct canvas *canvas)
+{
+    char cursor[UTF8_MAX_BYTES + 1];
+
+    cursor_text(canvas, cursor);
+    return PADDING + canvas_large_text_width(canvas, cursor) + PADDING;
+}
+
+static enum canvas_colour label_colour(const struct screen_row *row, bool chosen)
+{
+    if (row->disabled)
+        return CANVAS_GREY;
+    if (chosen)
+        return CANVAS_YELLOW;
+    return row->colour ? row->colour : row->heading ? CANVAS_CYAN : CANVAS_WHITE;
+}
+
+static enum canvas_colour value_colour(const struct screen_row *row, bool chosen)
+{
+    if (chosen && !row->disabled)
+        return CANVAS_YELLOW;
+    return row->value_colour ? row->value_colour : row->disabled ? CANVAS_GREY : CANVAS_WHITE;
+}
+
+/* Returns the value, between arrows if it is the chosen row's and changes. */
+static void value_text(const struct canvas *canvas, const struct screen_row *row, bool chosen, char *out, size_t size)
+{
+    char left[UTF8_MAX_BYTES + 1], right[UTF8_MAX_BYTES + 1];
+
+    put_glyph(canvas, left, GLYPH_LEFT, '<');
+    put_glyph(canvas, right, GLYPH_RIGHT, '>');
+    if (chosen && row->changes)
+        snprintf(out, size, "%s %s %s", left, row->value, right);
+    else
+        snprintf(out, size, "%s", row->value);
+}
+
+/* Returns whether the label or the value was truncated. */
+static bool draw_row(const struct screen_place *p, int at, const struct canvas *canvas, struct screen_area to,
+                     bool centred)
 {
     const struct screen_row row = screen_place_row(p, at);
-    char value[SCREEN_VALUE + 4];
-    const bool chosen = at == p->row;
+    const int y = to.y + (to.h - canvas_line_height(canvas)) / 2 + canvas->ascent, indent = cursor_width(canvas);
+    const bool chosen = at == p->row && !row.heading;
+    char value[SCREEN_VALUE + 2 * UTF8_MAX_BYTES + 2], cursor[UTF8_MAX_BYTES + 1];
 
-    if (chosen)
-        canvas_rect(canvas, to.x, to.y, to.w, LINE, CANVAS_WHITE);
-    snprintf(value, sizeof value, chosen && row.changes ? "< %s >" : "%s", row.value);
-    const int space = to.w - 2 * PADDING, space_beside = space - canvas_large_text_width(row.label) - 2 * PADDING;
-    const int max_width = space_beside > space / 2 ? space_beside : space / 2, width = canvas_large_text_width(value);
-    const int value_w = width < max_width ? width : max_width;
-    const int x = to.x + to.w - PADDING - value_w;
-    canvas_large_text_truncated(canvas, to.x + PADDING, to.y + TEXT_TOP, chosen ? CANVAS_DARK : label_colour(&row),
-                                row.label, x - to.x - 2 * PADDING);
-    canvas_large_text_truncated(canvas, x, to.y + TEXT_TOP, chosen ? CANVAS_DARK : value_colour(&row), value, value_w);
+    if (chosen) {
+        cursor_text(canvas, cursor);
+        canvas_plate(canvas, to.x, to.y, to.w, to.h, CANVAS_CYAN);
+        canvas_large_text(canvas, to.x + PADDING, y, CANVAS_YELLOW, cursor);
+    }
+    const struct screen_area inside = { to.x + indent, to.y, to.w - indent - (centred ? indent : PADDING), to.h };
+    if (centred) {
+        canvas_large_text_truncated(canvas, centred_x(canvas, &inside, row.label), y, label_colour(&row, chosen),
+                                    row.label, inside.w);
+        return canvas_large_text_width(canvas, row.label) > inside.w;
+    }
+    value_text(canvas, &row, chosen, value, sizeof value);
+    const int gap = value[0] ? canvas_large_text_width(canvas, "  ") : 0,
+              width = canvas_large_text_width(canvas, value);
+    const int label_w = canvas_large_text_width(canvas, row.label), beside = inside.w - label_w - gap;
+    const int value_w = int_min(width, int_max(beside, inside.w / 2));
+    const int x = inside.x + inside.w - value_w;
+    canvas_large_text_truncated(canvas, inside.x, y, label_colour(&row, chosen), row.label, x - inside.x - gap);
+    canvas_large_text_truncated(canvas, x, y, value_colour(&row, chosen), value, value_w);
+    return value_w < width || x - inside.x - gap < label_w;
 }
 
 /* Returns the first visible row, such that the chosen row and its neighbours are visible; the one above may be a
@@ -87,91 +200,120 @@ static int first_visible_row(const struct screen_place *p, int n, int shown)
     return top < 0 ? 0 : top;
 }
 
-static void draw_list(struct screens *s, struct screen_place *p, const struct canvas *canvas, struct screen_area to)
+/* Returns whether the chosen row was truncated. */
+static bool draw_list(struct screens *s, struct screen_place *p, const struct canvas *canvas, struct screen_area to,
+                      bool centred)
 {
-    const int n = p->screen->rows(p->context);
+    bool truncated = false;
+    const int n = p->screen->rows(p->context), h = row_height(canvas);
 
     s->list = to;
-    s->shown = to.h / LINE;
+    s->row_height = h;
+    s->shown = to.h / h;
     p->top = first_visible_row(p, n, s->shown);
-    for (int i = 0; i < s->shown && p->top + i < n; i++)
-        draw_row(p, p->top + i, canvas, (struct screen_area){ to.x, to.y + i * LINE, to.w, LINE });
     if (n > s->shown && n > 0) {
-        const int h = s->shown * LINE;
-        canvas_rect(canvas, to.x + to.w - 1, to.y + h * p->top / n, 1, h * s->shown / n, CANVAS_GREY);
+        to.w -= SCROLL_BAR + 1;
+        canvas_rect(canvas, to.x + to.w + 1, to.y + s->shown * h * p->top / n, SCROLL_BAR, s->shown * h * s->shown / n,
+                    CANVAS_CYAN);
     }
+    for (int i = p->top; i < p->top + s->shown && i < n; i++) {
+        const struct screen_area row = { to.x, to.y + (i - p->top) * h, to.w, h };
+        truncated = (draw_row(p, i, canvas, row, centred) && i == p->row) || truncated;
+    }
+    return truncated;
 }
 
-/* Returns the width of the title or the widest row, in px. */
-static int content_width(const struct screen_place *p)
+/* ---- layout ---- */
+
+/* Returns the width of the title or the widest row, in px; *has_values: whether a row has a value. */
+static int content_width(const struct screen_place *p, const struct canvas *canvas, bool *has_values)
 {
     char title[SCREEN_LABEL];
     int widest;
 
     screen_place_title(p, title, sizeof title);
-    widest = canvas_large_text_width(title);
+    widest = canvas_large_text_width(canvas, title);
+    *has_values = false;
     for (int i = 0, n = p->screen->rows(p->context); i < n; i++) {
         const struct screen_row row = screen_place_row(p, i);
-        const int w =
-            canvas_large_text_width(row.label) +
-            (row.value[0] ? canvas_large_text_width(row.value) + canvas_large_text_width("<  >") + 2 * PADDING : 0);
-        widest = w > widest ? w : widest;
+        char value[SCREEN_VALUE + 2 * UTF8_MAX_BYTES + 2];
+        value_text(canvas, &row, true, value, sizeof value);
+        const int value_w = value[0] ? canvas_large_text_width(canvas, value) + 2 * PADDING : 0;
+        widest = int_max(widest, canvas_large_text_width(canvas, row.label) + value_w);
+        *has_values = *has_values || row.value[0];
     }
-    return widest;
+    return widest + 2 * cursor_width(canvas);
 }
 
-/* Returns the number of lines of the longest help, at most HELP_LINES. */
-static int help_lines(const struct screen_place *p, int w)
+/* Returns the number of lines of the longest help. */
+static int help_lines(const struct screen_place *p, const struct canvas *canvas, int w)
 {
     int max_lines = 0;
 
     for (int i = 0, n = p->screen->rows(p->context); i < n; i++) {
         const struct screen_row row = screen_place_row(p, i);
-        const int lines = line_count(row.help, w);
-        max_lines = lines > max_lines ? lines : max_lines;
+        max_lines = int_max(max_lines, canvas_large_text_lines(canvas, row.help, w));
     }
-    return max_lines < HELP_LINES ? max_lines : HELP_LINES;
+    return max_lines;
 }
 
-/* Returns the screen's area: a box in the middle, as small as possible, or the whole picture. */
-static struct screen_area screen_area(const struct screen_place *p, const struct canvas *canvas, const char *text)
-{
-    const int w = canvas->fb->w, h = canvas->fb->h;
+/* Where the parts of a screen are. */
+struct layout {
+    struct screen_area frame, inside; /* inside: of the frame, without its padding */
+    int lines, help;                  /* of text above the list; of help */
+    bool footer, centred;             /* centred: the rows' labels, as no row has a value */
+};
 
+static struct layout lay_out(const struct screen_place *p, const struct canvas *canvas, const char *text,
+                             const char *footer)
+{
+    const int edge = canvas_frame_width(canvas) + PADDING, line = canvas_line_height(canvas);
+    const int w = canvas->fb->w, h = canvas->fb->h, rule = rule_height(canvas);
+    struct layout l = { .frame = { 0, 0, w, h } };
+    bool has_values = true;
+
+    if (p->screen->small) {
+        const int least = int_min(w * 4 / 5, SMALL_WIDTH);
+        l.frame.w = int_min(int_max(content_width(p, canvas, &has_values) + 2 * edge, least), w);
+        l.frame.x = (w - l.frame.w) / 2;
+    }
+    l.inside = (struct screen_area){ l.frame.x + edge, edge, l.frame.w - 2 * edge, h - 2 * edge };
+    l.centred = p->screen->small && !has_values;
+    l.footer = !p->screen->small && footer[0] && h >= MIN_FOOTER_HEIGHT;
+    l.lines = canvas_large_text_lines(canvas, text, l.inside.w);
+    l.help = help_lines(p, canvas, l.inside.w);
     if (!p->screen->small)
-        return (struct screen_area){ 0, 0, w, h };
-    int width = content_width(p) + 6 * PADDING;
-    if (width < w * 2 / 3)
-        width = w * 2 / 3;
-    width = int_min(width, w);
-    const int lines = line_count(text, width - 2 * PADDING);
-    const int help = help_lines(p, width - 2 * PADDING);
-    int height = TITLE + PADDING + (lines + p->screen->rows(p->context) + help) * LINE + (help ? 2 : 1) * PADDING +
-                 (lines ? PADDING : 0);
-    height = int_min(height, h);
-    return (struct screen_area){ (w - width) / 2, (h - height) / 2, width, height };
+        l.help = int_min(int_max(l.help, MIN_HELP_LINES), h < MIN_HELP_HEIGHT ? 0 : h / (5 * line));
+    if (p->screen->small) {
+        const int rows = p->screen->rows(p->context) * row_height(canvas);
+        l.frame.h = 2 * edge + line + rule + l.lines * line + (l.lines ? PADDING : 0) + rows +
+                    (l.help ? rule + l.help * line : 0);
+        l.frame.h = int_min(l.frame.h, h);
+        l.frame.y = (h - l.frame.h) / 2;
+        l.inside.y = l.frame.y + edge;
+        l.inside.h = l.frame.h - 2 * edge;
+    }
+    return l;
 }
 
-static void draw_title(const struct screen_place *p, const struct canvas *canvas, const struct screen_area *a)
-{
-    char title[SCREEN_LABEL];
+/* ---- the screen ---- */
 
-    screen_place_title(p, title, sizeof title);
-    canvas_rect(canvas, a->x, a->y, a->w, TITLE, CANVAS_CYAN);
-    canvas_large_text(canvas, a->x + PADDING, a->y + TEXT_TOP + 1, CANVAS_DARK, title);
-}
-
-/* Draws the line of screens_show_message or the chosen row's help below the list. */
+/* Draws the line of screens_show_message or the chosen row's help, after the row itself if that was
+ * truncated. */
 static void draw_help(const struct screens *s, const struct screen_place *p, const struct canvas *canvas,
-                      const struct screen_area *a)
+                      const struct screen_area *a, const struct layout *l, bool truncated)
 {
     struct screen_row row = { 0 };
+    char text[SCREEN_LABEL + SCREEN_VALUE + SCREEN_HELP] = "";
+    int n = 0;
 
     if (p->screen->rows(p->context) > 0)
         row = screen_place_row(p, p->row);
-    canvas_rect(canvas, a->x, a->y - PADDING / 2, a->w, 1, CANVAS_GREY);
-    draw_lines(canvas, a->x + PADDING, a->y, a->w - 2 * PADDING, HELP_LINES,
-               s->message_frames ? CANVAS_YELLOW : CANVAS_GREY, s->message_frames ? s->message : row.help);
+    if (truncated)
+        n = snprintf(text, sizeof text, "%s%s%s\n", row.label, row.value[0] ? ": " : "", row.value);
+    snprintf(text + n, sizeof text - (size_t)n, "%s", row.help);
+    draw_lines(canvas, a, l->help, s->message_frames ? CANVAS_YELLOW : CANVAS_WHITE,
+               s->message_frames ? s->message : text, l->centred);
 }
 
 /* Draws the picture of the chosen row above the list. */
@@ -193,26 +335,28 @@ void screens_draw(struct screens *s, const struct canvas *canvas, const char *fo
         return;
     struct screen_place *p = &s->place[s->depth - 1];
     screens_settle(s);
-    char text[SCREEN_TEXT];
+    char title[SCREEN_LABEL], text[SCREEN_TEXT];
+    screen_place_title(p, title, sizeof title);
     screen_place_text(p, text, sizeof text);
-    const struct screen_area a = screen_area(p, canvas, text);
-    const bool has_footer = !p->screen->small && footer[0] && a.h >= MIN_FOOTER_HEIGHT;
-    const int max_lines = a.h < MIN_HELP_HEIGHT ? 0 : a.h < 2 * MIN_HELP_HEIGHT ? 1 : HELP_LINES;
-    const int lines = p->screen->small ? help_lines(p, a.w - 2 * PADDING) : max_lines;
-    const int help = lines ? lines * LINE + PADDING : 0, bottom = a.y + a.h - (has_footer ? LINE + 1 : 0) - help;
+    const struct layout l = lay_out(p, canvas, text, footer);
+    const struct screen_area *a = &l.inside;
+    const int line = canvas_line_height(canvas), rule = rule_height(canvas);
+    const int footer_y = a->y + a->h - (l.footer ? line : 0), help_y = footer_y - l.help * line;
+    const int top = a->y + line + rule, bottom = l.help ? help_y - rule : footer_y;
 
-    canvas_rect(canvas, a.x, a.y, a.w, a.h, CANVAS_DARK);
-    if (p->screen->small)
-        canvas_outline(canvas, a.x - 1, a.y - 1, a.w + 2, a.h + 2, CANVAS_GREY);
-    draw_title(p, canvas, &a);
-    int y = a.y + TITLE + PADDING;
-    y = draw_lines(canvas, a.x + PADDING, y, a.w - 2 * PADDING, a.h / LINE / 2, CANVAS_WHITE, text);
-    struct screen_area list = { a.x, y + (text[0] ? PADDING : 0), a.w, 0 };
-    list.h = bottom - list.y - PADDING / 2;
+    canvas_frame(canvas, l.frame.x, l.frame.y, l.frame.w, l.frame.h);
+    draw_centred(canvas, a, CANVAS_CYAN, title);
+    draw_rule(canvas, a->x, a->y + line, a->w);
+    struct screen_area list = { a->x, top, a->w, 0 };
+    list.y = draw_lines(canvas, &list, (bottom - top) / line / 2, CANVAS_WHITE, text, l.centred);
+    list.y += text[0] ? PADDING : 0;
+    list.h = bottom - list.y;
     draw_picture(p, canvas, &list);
-    draw_list(s, p, canvas, list);
-    if (help)
-        draw_help(s, p, canvas, &(struct screen_area){ a.x, bottom + PADDING / 2, a.w, help });
-    if (has_footer)
-        canvas_large_text(canvas, a.x + PADDING, a.y + a.h - LINE + TEXT_TOP - 1, CANVAS_CYAN, footer);
+    const bool truncated = draw_list(s, p, canvas, list, l.centred);
+    if (l.help) {
+        draw_rule(canvas, a->x, bottom, a->w);
+        draw_help(s, p, canvas, &(struct screen_area){ a->x, help_y, a->w, l.help * line }, &l, truncated);
+    }
+    if (l.footer)
+        draw_centred(canvas, &(struct screen_area){ a->x, footer_y, a->w, line }, CANVAS_GREY, footer);
 }
