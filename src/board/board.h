@@ -93,11 +93,11 @@ bool board_get_cue(const struct board *b, int slot, struct board_cue *out);
 const char *board_music_name(const struct board *b);
 
 /* A jukebox is a board that only plays a ROM's sounds and music and runs no scripts. ram: board_jukebox_size() bytes,
- * aligned to 64. board_jukebox_play plays the sound called `name` or, if there is none, the music called `name`; it
- * returns false if neither exists. board_jukebox_tick advances one frame; it returns false when everything has ended
- * and is silent. */
+ * aligned to 64; cart: copied. board_jukebox_play plays the sound called `name` or, if there is none, the music called
+ * `name`; it returns false if neither exists. board_jukebox_tick advances one frame; it returns false when everything
+ * has ended and is silent. */
 size_t board_jukebox_size(void);
-struct board *board_jukebox_open(void *ram, const struct rom *rom, char *err, size_t err_size);
+struct board *board_jukebox_open(void *ram, const struct cart *cart);
 bool board_jukebox_play(struct board *b, const char *name);
 bool board_jukebox_tick(struct board *b);
 

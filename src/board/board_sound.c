@@ -97,14 +97,13 @@ size_t board_jukebox_size(void)
     return n;
 }
 
-struct board *board_jukebox_open(void *ram, const struct rom *rom, char *err, size_t err_size)
+struct board *board_jukebox_open(void *ram, const struct cart *cart)
 {
     struct board *b = ram;
     uint8_t *next = (uint8_t *)ram + (size_t)int_align_cache_line(sizeof *b);
 
     memset(ram, 0, board_jukebox_size());
-    if (!cart_open(&b->cart, rom, err, err_size))
-        return NULL;
+    b->cart = *cart;
     for (int i = 0; i < JUKEBOX_PART_COUNT; i++) {
         struct slots *s = (struct slots *)(void *)((uint8_t *)b + jukebox_parts[i].offset);
         slots_layout(jukebox_parts[i].chip, s, jukebox_parts[i].cap, 0, &next);

@@ -107,6 +107,29 @@ leaves 'ctrl+q leaves without a question' < <(keys 40; keys 60 $CTRL $Q)
 { keys 40; press $ESCAPE $UP $UP $ENTER $DOWN; keys 1 $ENTER; keys 60; } | play g
 same 'Restart: the first frames again' "$(part straight 1 40)" "$(tail -n 61 menu | head -n 40)"
 
+# ---- sounds ----
+
+cp -r g heard
+sed -i 's/^return {/&\n  sounds = { tick = { mml = "t120 @pulse o5 c4" } }, theme = { sounds = { WHICH = "tick" } },/' \
+    heard/rom.lua
+hears() { # INPUT KEY...: is there sound, with these keys, in a game in which only this input sounds?
+    sed "s/WHICH/$1/" heard/rom.lua >one.lua && cp -r heard one && mv one.lua one/rom.lua
+    { keys 40; press "${@:2}"; keys 30; } |
+        KEYS_SOUND=heard.raw ./player play one --seed 5 --record one.demo >menu 2>err
+    rm -r one
+    touch heard.raw
+    LC_ALL=C tr -d '\000' <heard.raw | head -c 1 | wc -c
+    rm heard.raw
+}
+mute() { mkdir -p data/curtain && echo 'mute = yes' >$conf; }
+same 'opening a screen sounds' '1 0' "$(hears open $ESCAPE) $(hears open $Z $DOWN)"
+same 'moving sounds' '1 0' "$(hears move $ESCAPE $DOWN) $(hears move $ESCAPE $ENTER)"
+same 'accepting sounds, also over the game' '1 0' "$(hears accept $ESCAPE $ENTER) $(hears accept $ESCAPE $ESCAPE)"
+same 'going back sounds, also over the game' '1 0' "$(hears back $ESCAPE $ESCAPE) $(hears back $ESCAPE $DOWN)"
+mute
+same 'nothing sounds when muted' 0 "$(hears move $ESCAPE $DOWN)"
+rm $conf
+
 # ---- settings ----
 
 printf '# mine\r\n\n volume=40   # low\nmusic = 10\nmusic = 20 # this one' >$conf

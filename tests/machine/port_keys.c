@@ -8,7 +8,7 @@
  * draws the bar of time and writes its words. With KEYS_WHOLE set the hash is of the whole picture; with KEYS_PPM=N
  * picture N is written to picture.ppm. With KEYS_WINDOW=WxH there is a window of that size, for which pictures can be
  * composed; those are hashed whole. With KEYS_VSYNC=HZ showing a picture takes until the next refresh of a screen of
- * that rate.
+ * that rate. With KEYS_SOUND=FILE there is a speaker, whose samples are written there.
  */
 #include <inttypes.h>
 #include <stdbool.h>
@@ -139,6 +139,23 @@ static void shown(const uint32_t *colour, int w, int h, int n)
     }
 }
 
+static int queued; /* frames that the speaker has not played yet */
+
+int plat_queue_sound(const int16_t *lr, int frames)
+{
+    static FILE *file;
+    const char *name = getenv("KEYS_SOUND");
+    const int waiting = queued;
+
+    if (!name)
+        return -1;
+    file = file ? file : fopen(name, "wb");
+    if (file && frames)
+        fwrite(lr, 4, (size_t)frames, file);
+    queued += frames;
+    return waiting;
+}
+
 void plat_show(const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[256])
 {
     static uint32_t colour[1024 * 1024];
@@ -169,5 +186,8 @@ uint64_t plat_usec(void)
 
 void plat_wait(uint64_t until)
 {
-    now = until > now ? until : now;
+    const uint64_t passed = until > now ? until - now : 0, played = passed * 48 / 1000; /* frames, at 48 kHz */
+
+    queued = played < (uint64_t)queued ? queued - (int)played : 0;
+    now += passed;
 }

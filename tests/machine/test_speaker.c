@@ -89,7 +89,7 @@ static const char steady[] = "music.play('tide')";
 static void tick(void)
 {
     rig_run(&rig, 1);
-    speaker_add_frame(&speaker, rig.b, SPEAKER_FORWARD);
+    speaker_add_frame(&speaker, rig.b, NULL, SPEAKER_FORWARD);
 }
 
 static void frame(int ticks, double late, double lost)
@@ -344,7 +344,7 @@ TEST(rewind)
     }
     for (int i = 58; i >= 30; i--) {
         board_restore(rig.b, saved[i]);
-        speaker_add_frame(&speaker, rig.b, SPEAKER_REVERSE);
+        speaker_add_frame(&speaker, rig.b, NULL, SPEAKER_REVERSE);
         speaker_advance(&speaker, &time);
         pass(sixtieth);
     }
@@ -374,7 +374,7 @@ TEST(slow_motion)
         for (int i = 0; i < 80; i++) {
             if (i % slow == slow - 1) { /* as play.c does: the tick comes last */
                 rig_run(&rig, 1);
-                speaker_add_frame(&speaker, rig.b, SPEAKER_FORWARD);
+                speaker_add_frame(&speaker, rig.b, NULL, SPEAKER_FORWARD);
             }
             speaker_advance(&speaker, &time);
             pass(sixtieth);
@@ -406,7 +406,7 @@ TEST(any_speed)
             if (due >= 100) {
                 due -= 100;
                 rig_run(&rig, 1);
-                speaker_add_frame(&speaker, rig.b, SPEAKER_FORWARD);
+                speaker_add_frame(&speaker, rig.b, NULL, SPEAKER_FORWARD);
             }
             speaker_advance(&speaker, &time);
             pass(sixtieth);

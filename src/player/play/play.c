@@ -58,7 +58,7 @@ static struct speaker_elapsed take_frames(struct play *play, uint64_t now)
 
 static void play_frame_audio(struct play *play, struct speaker_elapsed *time)
 {
-    time->speed = play->time.rewinding || play->time.quiet ? PLAY_FULL_SPEED : play->time.speed;
+    time->speed = play->time.rewinding || play->time.quiet || play->time.stopped ? PLAY_FULL_SPEED : play->time.speed;
     time->late = clock_since(time->late);
     speaker_advance(&play->speaker, time);
     play->speaker.metering = play->overlay.on[OVERLAY_MIXER];
@@ -151,6 +151,13 @@ static void save_regularly(struct play *play)
     save_scores(play);
 }
 
+/* Returns whether no board ticks in this frame. */
+static bool is_frozen(const struct play *play)
+{
+    return play->session.state != SESSION_PLAYING || play->console.open || play->time.stopped ||
+           screens_are_open(&play->screens);
+}
+
 static void draw_frame(struct play *play)
 {
     struct drawing *d = &play->drawing;
@@ -179,15 +186,18 @@ bool play_frame(struct play *play)
     }
     play_poll(play, &k);
     play_check_folder(play);
+    play_start_screen_sounds(play);
     struct speaker_elapsed time = take_frames(play, now);
     play->time.ticked = false;
     overlay_begin_frame(&play->overlay, play->attract.on ? &play->attract.guard : &play->session.now->guard);
     if (play->session.state != SESSION_PLAYING)
         play_continue_work(play, now);
-    else if (play->console.open || play->time.stopped || screens_are_open(&play->screens))
+    else if (is_frozen(play))
         memset(play->pads.held, 0, sizeof play->pads.held);
     else
         run(play, time.sixtieths, &k, now);
+    if (is_frozen(play))
+        play_queue_screen_sound(play, time.sixtieths);
     play_frame_audio(play, &time);
     play_retry_saves(play);
     play->seek.bar_frames -= play->seek.bar_frames > 0;
@@ -367,6 +377,7 @@ enum result play_close(struct play *play)
     close_run(play);
     play_close_replay(play);
     speaker_close(&play->speaker);
+    free(play->screen_sound.block);
     console_close(&play->console);
     ahead_close(&play->drawing.ahead);
     plat_close();

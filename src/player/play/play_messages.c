@@ -36,11 +36,6 @@ struct board *play_shown_board(const struct play *play)
     return play->attract.on ? play->attract.guard.board : play_board(play);
 }
 
-void play_queue_sound(struct play *play, enum speaker_mode mode)
-{
-    speaker_add_frame(&play->speaker, play_shown_board(play), mode);
-}
-
 void play_unused_name(struct play *play, char name[PLAY_NAME_SIZE], const char *where, const char *type)
 {
     size_t size;

@@ -240,6 +240,14 @@ struct resume_offer {
     bool changed;  /* the game has changed since */
 };
 
+/* The sounds of screens: a jukebox of the game. */
+struct screen_sound {
+    void *block;         /* malloc; the jukebox is its 64-byte aligned part */
+    struct board *board; /* NULL: not opened yet */
+    struct rom rom;      /* that the jukebox was opened with */
+    bool playing;
+};
+
 struct play {
     struct play_options options;
     struct config config, saved_config; /* in use; in the file, or about to be written */
@@ -271,6 +279,7 @@ struct play {
     /* output */
     struct pace pace;
     struct speaker speaker;
+    struct screen_sound screen_sound;
     struct play_window window;
     struct drawing drawing;
     struct message message;
@@ -347,8 +356,14 @@ void play_unused_name(struct play *play, char name[PLAY_NAME_SIZE], const char *
 /* Logs what scripts printed in the last tick. */
 void play_log_output(struct play *play);
 
-/* Queues the sound of the present frame, a sixtieth of a second. */
+/* Queues the sound of the present frame, with that of screens; slow: sixtieths that it lasts. */
 void play_queue_sound(struct play *play, enum speaker_mode mode);
+
+/* Queues the sound of screens alone, in frames in which no board ticks. */
+void play_queue_screen_sound(struct play *play, int sixtieths);
+
+/* Starts the sounds of the screens' last input. */
+void play_start_screen_sounds(struct play *play);
 
 /* Reports, once, that a playback differs from its recording. */
 void play_report_difference(struct play *play);

@@ -11,7 +11,7 @@
 static void queue_tick_sound(struct play *play)
 {
     if (!play->time.quiet)
-        speaker_add_frame(&play->speaker, play_shown_board(play), SPEAKER_FORWARD);
+        play_queue_sound(play, SPEAKER_FORWARD);
 }
 
 /* ---- attract demos ---- */

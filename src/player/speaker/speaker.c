@@ -158,7 +158,17 @@ static void add_block(struct speaker *s, const struct board *b, int16_t *block, 
     s->mode = mode;
 }
 
-void speaker_add_frame(struct speaker *s, const struct board *b, enum speaker_mode mode)
+/* Adds the sound of another board to a block. */
+static void mix_over(const struct speaker *s, const struct board *over, int16_t block[2 * SPEAKER_BLOCK])
+{
+    int16_t added[2 * SPEAKER_BLOCK];
+
+    board_mix_sound(over, s->tables, added);
+    for (int i = 0; i < 2 * SPEAKER_BLOCK; i++)
+        block[i] = (int16_t)int_max(int_min(block[i] + added[i], INT16_MAX), INT16_MIN);
+}
+
+void speaker_add_frame(struct speaker *s, const struct board *b, const struct board *over, enum speaker_mode mode)
 {
     const bool plays = !s->muted && s->state != SPEAKER_MISSING;
     int16_t block[2 * SPEAKER_BLOCK];
@@ -173,6 +183,8 @@ void speaker_add_frame(struct speaker *s, const struct board *b, enum speaker_mo
         return;
     }
     board_mix_sound(b, s->tables, block);
+    if (over)
+        mix_over(s, over, block);
     measure_peak(s, block);
     if (plays)
         add_block(s, b, block, mode);

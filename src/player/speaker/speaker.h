@@ -87,9 +87,10 @@ void speaker_open(struct speaker *s, int volume, bool muted, bool exact);
 /* Sets the levels of music and of other sounds, in percent of the volume; initially 100. */
 void speaker_set_levels(struct speaker *s, int music, int sounds);
 
-/* Adds the sound of the board's last tick. Does nothing for a board without sound, or when muted. */
+/* Adds the sound of the board's last tick, together with that of `over` if it is not NULL. Does nothing for a
+ * board without sound, or when muted. */
 struct board;
-void speaker_add_frame(struct speaker *s, const struct board *b, enum speaker_mode mode);
+void speaker_add_frame(struct speaker *s, const struct board *b, const struct board *over, enum speaker_mode mode);
 
 /* Sends the sound of the elapsed time to the card. */
 void speaker_advance(struct speaker *s, const struct speaker_elapsed *t);

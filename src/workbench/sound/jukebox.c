@@ -43,7 +43,7 @@ static void tick(struct jukebox *j, int frames)
 {
     for (int i = 0; i < frames && !j->over; i++) {
         j->over = !board_jukebox_tick(j->board);
-        speaker_add_frame(&j->speaker, j->board, SPEAKER_FORWARD);
+        speaker_add_frame(&j->speaker, j->board, NULL, SPEAKER_FORWARD);
     }
 }
 

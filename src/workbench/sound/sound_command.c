@@ -12,6 +12,7 @@
 #include "../../base/err.h"
 #include "../../common/result.h"
 #include "../../board/board.h"
+#include "../../rom/cart.h"
 #include "jukebox.h"
 #include "../../common/report.h"
 #include "../../player/speaker/wav_writer.h"
@@ -64,20 +65,19 @@ static bool print_measurements(struct board *b, const struct board_tune *t)
     return lr != NULL;
 }
 
-static enum result list(void *block, const struct rom *rom)
+static enum result list(void *block, const struct cart *cart)
 {
     struct board_tune t;
-    char err[256];
-    struct board *b = board_jukebox_open(block, rom, err, sizeof err);
+    struct board *b = board_jukebox_open(block, cart);
 
-    for (int i = 0; b && board_jukebox_get_tune(b, i, &t); i++) {
+    for (int i = 0; board_jukebox_get_tune(b, i, &t); i++) {
         report_print("%s %s: ", t.is_music ? "music" : "sound", t.name);
         if (!print_measurements(b, &t))
             return report_line(RESULT_HOST_FAILED, "out of memory");
         report_print(", %zu bytes, %s, tracks %d, %s %d%s%s\n", t.bytes, t.is_recording ? "recording" : "MML",
                      t.track_count, t.is_music ? "markers" : "limit", t.is_music ? t.mark_count : t.limit,
                      t.title[0] ? ", " : "", t.title);
-        b = board_jukebox_open(block, rom, err, sizeof err);
+        b = board_jukebox_open(block, cart);
     }
     return RESULT_DONE;
 }
@@ -165,6 +165,7 @@ static enum result play_or_measure(struct board *b, const struct args *a, struct
 
 struct sound_command {
     struct rom_image image;
+    struct cart cart;
     void *block; /* malloc; the board is its 64-byte aligned part */
     struct jukebox *jukebox;
 };
@@ -194,12 +195,11 @@ static enum result run(struct sound_command *c, const struct args *a)
         return report_line(RESULT_HOST_FAILED, "out of memory");
     if (!pack_load_game(a->words[0], a->nearest, &c->image, err, sizeof err))
         return report_line(RESULT_REFUSED, "%s", err);
-    struct board *b =
-        board_jukebox_open((void *)(((uintptr_t)c->block + 63) / 64 * 64), &c->image.rom, err, sizeof err);
-    if (!b)
+    if (!cart_open(&c->cart, &c->image.rom, err, sizeof err))
         return report_line(RESULT_REFUSED, "%s", err);
+    struct board *b = board_jukebox_open((void *)(((uintptr_t)c->block + 63) / 64 * 64), &c->cart);
     if (a->n_words < 2)
-        return list(b, &c->image.rom);
+        return list(b, &c->cart);
     return a->notes ? print_notes(b, &c->image.rom, a->words[1]) : play_or_measure(b, a, &c->jukebox);
 }
 
