@@ -28,6 +28,7 @@ fine() { # NAME DIR [OPTION...]: no finding, two lines and perhaps the note on m
     got=$(grep -v "$idle" <<<"$got"$'\n'"exit $?")
     local played='[0-9]+ demos?, [0-9]+ stages? (or|and) phases?, [0-9]+ forced runs?'
     played="$played; sampled [0-9]+ frames? for contrast"
+    played="$played; theme contrast [0-9]+\.[0-9]{2} \(ink\), [0-9]+\.[0-9]{2} \(accent\)"
     local lua='Lua RAM [0-9]+ % of [0-9]+ KiB(, board.lua_kib = [0-9]+ is enough)?'
     local ram='RAM [0-9]+ KiB: [a-z_]+ [0-9]+(, [a-z_]+ [0-9]+)*'
     local all="^$1: no problems: [0-9]+ scripts?, [0-9]+ sprites?; played $played; $lua"$'\n'"$ram"$'\n''exit 0$'

@@ -134,8 +134,10 @@ static void print_summary(const struct check *c)
     if (lua_kib < c->m.lua_kib)
         snprintf(enough, sizeof enough, ", board.lua_kib = %d is enough", (int)lua_kib);
     snprintf(line, sizeof line,
-             "%s: no problems: %s, %s; played %s, %s, %s; sampled %s for contrast; Lua RAM %d %% of %d KiB%s", c->dir,
-             scripts, sprites, demos, sections, forced, samples, (int)((c->lua_peak * 100 + room - 1) / room),
+             "%s: no problems: %s, %s; played %s, %s, %s; sampled %s for contrast; theme contrast %d.%02d "
+             "(ink), %d.%02d (accent); Lua RAM %d %% of %d KiB%s",
+             c->dir, scripts, sprites, demos, sections, forced, samples, c->ink_contrast / 100, c->ink_contrast % 100,
+             c->accent_contrast / 100, c->accent_contrast % 100, (int)((c->lua_peak * 100 + room - 1) / room),
              (int)c->m.lua_kib, enough);
     clean_line(line);
     puts(line);

@@ -51,6 +51,7 @@ struct check {
     int sections;                         /* stages and phases played */
     int forced;                           /* runs of check_forced.c played */
     int samples;                          /* frames in which contrast was measured */
+    int ink_contrast, accent_contrast;    /* of the theme's text on its paper, in hundredths */
     uint8_t shown[UTF8_MAX_CODE / 8 + 1]; /* a bit for each character that a run showed */
     size_t lua_peak;                      /* peak of Lua RAM in all runs, bytes */
     char ram[RAM_TEXT_SIZE];              /* ram_describe */
@@ -94,6 +95,9 @@ struct cart;
  * check_run. */
 void check_note_shown(struct check *c, uint32_t code);
 void check_text(struct check *c, const struct cart *cart);
+
+/* Measures the contrast of the theme, and adds a note if text is hard to read. Part of check_run. */
+void check_theme(struct check *c, const struct cart *cart);
 
 /* Finds capacities that no script uses. Part of check_run. */
 void check_capacities(struct check *c, const struct cart *cart);

@@ -629,6 +629,7 @@ void check_run(struct check *c)
         ram_describe(&r->cart, c->ram);
         run_all(r);
         check_text(c, &r->cart);
+        check_theme(c, &r->cart);
     }
     guard_close(&r->guard);
     free(r->sections);

@@ -94,9 +94,16 @@ static bool in_texts(const struct check *c, const char *name)
     return false;
 }
 
-/* Returns whether it is a name that board.dip or board.difficulty returns. */
+/* Returns whether it is a name that board.dip or board.difficulty returns, or one in `theme`. */
 static bool in_manifest(const struct check *c, const char *name)
 {
+    const struct art_theme *t = &c->art.theme;
+
+    if (strcmp(t->frame, name) == 0)
+        return true;
+    for (int i = 0; i < THEME_SOUNDS; i++)
+        if (strcmp(t->sounds[i], name) == 0)
+            return true;
     for (int i = 0; i < c->m.n_difficulties; i++)
         if (strcmp(c->m.difficulties[i], name) == 0)
             return true;
