@@ -436,6 +436,7 @@ static void drain_registers(struct board *b)
 /* Ends a frame that board.stop did not hold. */
 static void end_frame(struct board *b)
 {
+    channel_end_frame(&b->channel);
     if (b->core.frozen < 0) /* board.stop was called in this frame and holds from the next one on */
         input_clear_edges(&b->input);
     if (b->core.frozen > 0)
@@ -458,6 +459,7 @@ static bool step_stop(struct board *b, const uint16_t pads[MAX_PLAYERS])
     b->core.frozen += was_stopped;
     const bool stopped = b->core.frozen < 0;
     input_latch(&b->input, pads, stopped ? PRESS_NOBODY : board_press_side(b), was_stopped);
+    channel_latch(&b->channel, pads);
     return stopped;
 }
 
@@ -478,6 +480,7 @@ static void clear_output(struct output *o)
     out->log_size = o->log_size = 0;
     out->marker_count = out->full_pool_count = 0;
     out->menu_shown = false;
+    out->typing = 0;
     out->fault = NULL;
 }
 

@@ -32,6 +32,18 @@ struct inspect_controls inspect_player_controls(const struct board *b, int playe
                                       .can_fire = in_play && !(ignored_buttons & PAD_FIRE) };
 }
 
+struct inspect_pause inspect_pause(const struct board *b)
+{
+    const struct channel *c = &b->channel;
+    struct inspect_pause out = { .is_listening = c->is_listening, .entry_count = c->entry_count };
+
+    for (int p = 0; p < MAX_PLAYERS; p++)
+        out.in_play[p] = b->player.in_game[p] != 0;
+    for (int i = 0; i < out.entry_count; i++)
+        out.entries[i] = (const char *)c->labels + i * PAUSE_LABEL_SIZE;
+    return out;
+}
+
 /* ---- bodies ---- */
 
 static struct inspect_body body_at(const struct board *b, enum inspect_kind kind, uint32_t slot, fx x, fx y)

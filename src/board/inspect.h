@@ -69,6 +69,15 @@ struct inspect_controls {
 };
 struct inspect_controls inspect_player_controls(const struct board *b, int player);
 
+/* What the pause menu offers: nothing unless the game is listening, that is, a run of boot.run is in progress. */
+struct inspect_pause {
+    bool is_listening;         /* the game obeys CODE_RESTART and CODE_QUIT (pads.h) */
+    bool in_play[MAX_PLAYERS]; /* the player's ship is in the game, or about to come back */
+    int entry_count;
+    const char *entries[PAUSE_ENTRIES]; /* labels of the game's own entries, UTF-8 */
+};
+struct inspect_pause inspect_pause(const struct board *b);
+
 /* Calls `visit` with the code point of every character on the screen, in cells and in visible lines of text. The order
  * is unspecified, and code points may repeat. FIX_UNKNOWN (fix.h) stands for a character that its cell cannot store. */
 void inspect_codes(const struct board *b, void (*visit)(void *context, uint32_t code), void *context);

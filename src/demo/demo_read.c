@@ -202,7 +202,7 @@ static bool read_header(struct parser *p, struct source *s)
 }
 
 /* Reads the pads of n frames as runs. Returns false when the runs' lengths do not add up to n, or when a run has an
- * undefined button. */
+ * undefined code. */
 static bool take_runs(struct source *s, struct demo *d, uint32_t n, int runs)
 {
     uint32_t f = d->frames, end = f + n;
@@ -216,7 +216,7 @@ static bool take_runs(struct source *s, struct demo *d, uint32_t n, int runs)
         for (int p = 0; p < MAX_PLAYERS; p++)
             if (!d->sparse || head & (uint32_t)RUN_PLAYER_1 << p)
                 pads[p] = take16(s);
-        if (run < 1 || run > end - f || ((pads[0] | pads[1]) & ~PAD_ALL) != 0)
+        if (run < 1 || run > end - f || !pad_is_valid(pads[0]) || !pad_is_valid(pads[1]))
             return false;
         for (const uint32_t next = f + run; f < next; f++)
             memcpy(d->pads[f], pads, sizeof pads);

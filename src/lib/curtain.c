@@ -6,6 +6,7 @@
 #include <string.h>
 #include "../base/err.h"
 #include "../base/int.h"
+#include "../board/inspect.h"
 #include "../machine/collision/danger.h"
 #include "../rom/compressed.h"
 #include "lib.h"
@@ -213,6 +214,9 @@ static unsigned collect_events(struct curtain *c)
     c->nvram_changed = false;
     events |= out->log_size > 0 ? CURTAIN_LOG : 0;
     events |= out->menu_shown ? CURTAIN_MENU : 0;
+    const struct inspect_pause pause = inspect_pause(c->board);
+    for (int p = 0; p < MAX_PLAYERS; p++)
+        events |= pause.is_listening && pause.in_play[p] ? (unsigned)CURTAIN_RUN_1 << p : 0;
     events |= out->request == REQUEST_QUIT ? CURTAIN_QUIT : 0;
     events |= out->request == REQUEST_ATTRACT ? CURTAIN_ATTRACT : 0;
     events |= c->demo.frames > 0 && c->run_pads.frames >= c->demo.frames ? CURTAIN_ENDED : 0;
@@ -227,8 +231,10 @@ unsigned curtain_frame(struct curtain *c, const uint16_t pads[CURTAIN_PADS])
         return CURTAIN_FAULT;
     if (!pads)
         demo_pads(&c->demo, c->run_pads.frames, held);
-    for (int i = 0; i < MAX_PLAYERS; i++)
-        held[i] = (pads ? pads : held)[i] & PAD_ALL;
+    for (int i = 0; i < MAX_PLAYERS; i++) {
+        held[i] = (pads ? pads : held)[i];
+        held[i] = pad_is_valid(held[i]) ? held[i] : held[i] & PAD_ALL;
+    }
     lib_take_key_snapshot(c);
     board_tick(c->board, held);
     pads_log_add(&c->run_pads, held);

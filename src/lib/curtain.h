@@ -53,7 +53,11 @@ enum {
     CURTAIN_FOCUS = 1 << 6,
     CURTAIN_SPECIAL = 1 << 7,
     CURTAIN_START = 1 << 8,
-    CURTAIN_SELECT = 1 << 9
+    CURTAIN_SELECT = 1 << 9,
+
+    /* What the host's pause menu tells the game, in one frame. Games have no pause menu of their own. */
+    CURTAIN_CODE_RESTART = 1 << 10, /* start the same game again */
+    CURTAIN_CODE_QUIT = 2 << 10     /* return to the title */
 };
 enum { CURTAIN_PADS = 2 };
 
@@ -111,11 +115,14 @@ enum {
     CURTAIN_SAVED = 1 << 4,   /* this frame, or a loaded state, changed nvram: curtain_nvram */
     CURTAIN_MENU = 1 << 5,    /* a menu that precedes the game is open: a good time to show the keys */
     CURTAIN_ENDED = 1 << 7,   /* the demo has ended */
+    CURTAIN_RUN_1 = 1 << 8,   /* player 1, */
+    CURTAIN_RUN_2 = 1 << 9,   /* player 2 flies in a run: START does nothing in the game, so the host can pause at it */
     CURTAIN_FAULT = 1 << 6    /* an error ended the run: curtain_fault. Further frames do nothing. */
 };
 
 /* Plays one frame with these buttons held; returns its events. pads NULL: uses the demo's pads, or none after the
- * demo's end. */
+ * demo's end. Bits 10 to 15 of a pad can contain a code (CURTAIN_CODE_RESTART and so on), in one frame; other values
+ * there are ignored. */
 CURTAIN_API unsigned curtain_frame(struct curtain *c, const uint16_t pads[CURTAIN_PADS]);
 
 /* Does nothing: a frame always ends, so there is nothing to interrupt. Exists so that old hosts still link. */

@@ -75,7 +75,7 @@ bool pads_reader_next(struct pads_reader *r)
         return false;
     for (int i = 0; i < MAX_PLAYERS; i++, p += 2) {
         r->pads[i] = bytes_get16(p);
-        if (r->pads[i] & ~PAD_ALL)
+        if (!pad_is_valid(r->pads[i]))
             return false;
     }
     r->frames = (uint32_t)frames;

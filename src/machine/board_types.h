@@ -129,6 +129,7 @@ struct board_out {
     struct board_full_pool full_pool[MAX_FULL_POOLS];
     int full_pool_count;
     bool menu_shown;                 /* a pre-game menu is shown: the host should show the keys to a new player */
+    uint8_t typing;                  /* bit p: player p enters a name, and takes the codes of characters */
     const struct board_fault *fault; /* NULL: none. A fault ends the run. */
 };
 

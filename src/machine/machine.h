@@ -34,6 +34,7 @@
 #include "../sound/seq.h"
 #include "../sound/voices.h"
 #include "board_types.h"
+#include "channel.h"
 #include "emit.h"
 #include "handle.h"
 #include "names.h"
@@ -149,6 +150,7 @@ struct board {
     struct ml_runners ml_runners;
     struct ml_frames ml_frames;
     struct ml_params ml_params;
+    struct channel channel;
 };
 
 /* A part: its chip, and the location of the chip's struct in struct board. */
@@ -158,7 +160,7 @@ struct part {
     bool grows;          /* a list that scripts add to: its columns are in the Lua heap (vm_reserve) */
 };
 enum {
-    PART_COUNT = 42,
+    PART_COUNT = 43,
     FIRST_OPTIONAL_PART = 20 /* the first parts always have a hash; the others, only in games that use them */
 };
 extern const struct part machine_parts[PART_COUNT];

@@ -104,7 +104,8 @@ static uint32_t laser_groups(const struct manifest *m)
     PART(ml_roots_chip, ml_roots, int_min(m->bulletml_runners, ML_MAX_ROOTS), 0)                                       \
     PART(ml_runners_chip, ml_runners, m->bulletml_runners, 0)                                                          \
     PART(ml_frames_chip, ml_frames, ML_FRAMES_PER_RUNNER * m->bulletml_runners, 0)                                     \
-    PART(ml_params_chip, ml_params, m->bulletml_runners, 0)
+    PART(ml_params_chip, ml_params, m->bulletml_runners, 0)                                                            \
+    PART(channel_chip, channel, 0, 0)
 
 #define AS_PART(chip, name, slots, groups) { &chip, offsetof(struct board, name), sizeof((struct board *)0)->name, 0 },
 #define AS_GROWING(chip, name, slots, groups)                                                                          \

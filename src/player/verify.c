@@ -177,6 +177,8 @@ static void print_pads(const struct demo *d, uint32_t frame)
         for (int i = 0; i < PAD_BUTTON_COUNT; i++)
             if (pads[p] >> i & 1)
                 report_print(" %s", names[i]);
+        if (pad_code(pads[p]))
+            report_print(" code %u", pad_code(pads[p]));
         if (!pads[p])
             report_print(" nothing");
     }

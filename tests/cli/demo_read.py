@@ -10,6 +10,7 @@ import struct
 import sys
 import zlib
 
+CODES = 54  # bits 10 to 15 of a pad: 0 to 53
 MOST = {b"H": 1122304, b"S": 8904, b"M": 42, b"F": 4, b"E": 520}  # bytes of a payload
 KINDS = ["stage", "point", "wave", "boss", "phase", "death", "clear", "won", "lost", "start", "ship", "register",
          "listed", "game", "over", "row"]
@@ -93,7 +94,7 @@ def sparse(b, d, first, n, runs, hashed):
         for player in range(2):
             if head & 64 << player:
                 pads[player] = b.num("H")
-        need((pads[0] | pads[1]) < 1024, "pads")
+        need(max(pads) < CODES << 10, "pads")
         d["pads"] += [tuple(pads)] * ((head & 63) + 1)
     need(len(d["pads"]) == first + n, "runs")
     whole = n < 60 or (first + n) % 3600 == 0
@@ -111,7 +112,7 @@ def sparse(b, d, first, n, runs, hashed):
 def dense(b, d, first, n, runs, hashed):
     for _ in range(runs):
         run, one, two = b.num("H"), b.num("H"), b.num("H")
-        need(run >= 1 and (one | two) < 1024, "pads")
+        need(run >= 1 and max(one, two) < CODES << 10, "pads")
         d["pads"] += [(one, two)] * run
     need(len(d["pads"]) == first + n, "runs")
     for _ in range(n - 1):

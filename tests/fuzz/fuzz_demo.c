@@ -35,7 +35,7 @@ static void check(const struct demo *d, size_t file_size)
     for (uint32_t f = 0; f <= d->frames; f++) {
         need((demo_checksums(d, f) != NULL) == (f > 0 && f <= d->checksum_frames && !d->sparse));
         demo_pads(d, f, pads);
-        need(((pads[0] | pads[1]) & ~PAD_ALL) == 0);
+        need(pad_is_valid(pads[0]) && pad_is_valid(pads[1]));
         h += demo_differing_parts(d, f, hashes);
     }
     for (uint32_t i = 0; i < d->n_rows * (uint32_t)d->n_parts; i++)

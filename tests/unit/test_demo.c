@@ -74,7 +74,7 @@ static void begin(const struct board_start *start, unsigned flags)
     assert_true(demo_begin(&w, path, &game.cart, b, start, flags));
 }
 
-/* Ticks and records n frames of any pads but select, held for some frames as by hands. */
+/* Ticks and records n frames of any pads and codes but select, held for some frames as by hands. */
 static void play(uint32_t n)
 {
     uint16_t pads[MAX_PLAYERS] = { 0 };
@@ -82,7 +82,8 @@ static void play(uint32_t n)
     for (uint32_t f = 0; f < n; f++) {
         for (int i = 0; i < MAX_PLAYERS; i++)
             if (rng_below(&rng, 8) == 0)
-                pads[i] = (uint16_t)(rng_below(&rng, PAD_ALL + 1) & ~(uint64_t)PAD_SELECT);
+                pads[i] = (uint16_t)((rng_below(&rng, PAD_ALL + 1) & ~(uint64_t)PAD_SELECT) | rng_below(&rng, CODE_END)
+                                                                                                  << PAD_CODE_SHIFT);
         board_tick(b, pads);
         assert_true(demo_record_frame(&w, b, pads));
     }
@@ -435,8 +436,8 @@ TEST(bad_records)
     refused_with(n, second + 6, 2, "(frames out of order)");
     refused_with(n, second + 6, 0, "(size)");
     refused_with(n, second + 8, 0, "(pads)");
-    refused_with(n, second + 9, 0xff, "(pads)");  /* a run far longer than the second */
-    refused_with(n, second + 11, 0x80, "(pads)"); /* a button that is none */
+    refused_with(n, second + 9, 0xff, "(pads)");           /* a run far longer than the second */
+    refused_with(n, second + 11, CODE_END << 2, "(pads)"); /* a code that is none */
     refused_with(n, mark, 99, "(end mark)");
     refused_with(n, mark + 4, FAULT_LOOP + 1, "(end mark)");
     refused_with(n, mark + 4, FAULT_SCRIPT, "the end mark does not match the frames");

@@ -165,13 +165,46 @@ static int sys_mark(lua_State *L, struct board *b, struct api_value *v)
     return api_error(L, "sys.mark", "unknown mark \"%s\"", lua_tostring(L, v[M_KIND].at));
 }
 
-/* Changes no RAM: only reports to the program that a pre-game menu is shown. */
+/* Changes no RAM: only reports to the program that a pre-game menu is shown, and whose name is being entered. */
 static int sys_report_menu(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
-    (void)v;
     b->output->out.menu_shown = true;
+    if (v[0].given && v[0].i)
+        b->output->out.typing |= (uint8_t)(1 << (v[0].i - 1));
     return 0;
+}
+
+/* ---- codes from the program ---- */
+
+static int sys_listen(lua_State *L, struct board *b, struct api_value *v)
+{
+    if (!v[0].given)
+        return channel_close(&b->channel), 0;
+    channel_open(&b->channel);
+    for (lua_Integer i = 1; lua_rawgeti(L, v[0].at, i) == LUA_TSTRING; i++, lua_pop(L, 1))
+        channel_add_entry(&b->channel, lua_tostring(L, -1));
+    return 0;
+}
+
+/* Returns the code of player p in this frame: "restart", "quit" or the number of an entry while the game is listening;
+ * "backspace", "enter" or a character; nil if there is none. */
+static int sys_get_code(lua_State *L, struct board *b, struct api_value *v)
+{
+    static const char *const names[] = {
+        [CODE_RESTART] = "restart", [CODE_QUIT] = "quit", [CODE_BACKSPACE] = "backspace", [CODE_ENTER] = "enter"
+    };
+    const unsigned code = v[0].i ? b->channel.code[v[0].i - 1] : CODE_NONE;
+
+    if (code == CODE_NONE || (code < CODE_BACKSPACE && !b->channel.is_listening))
+        lua_pushnil(L);
+    else if (code >= CODE_CHARACTER)
+        lua_pushlstring(L, CODE_CHARACTERS + (code - CODE_CHARACTER), 1);
+    else if (names[code])
+        lua_pushstring(L, names[code]);
+    else
+        lua_pushinteger(L, (lua_Integer)code - CODE_ENTRY + 1);
+    return 1;
 }
 
 /* Stores { name, value } at index i of the list on top of the stack. */
@@ -749,8 +782,18 @@ static const struct api_entry entries[] = {
     SYS_ENTRY("sys.mark", sys_mark, 0, NULL, "marks a moment of the run for the program", REQUIRED("kind", A_STR, ""),
               REQUIRED("name", A_STR, ""), OPTIONAL("of", A_STR, ""), OPTIONAL("title", A_STR, ""),
               PARAM("value", A_INT, OPT, INT32_MIN, INT32_MAX, NULL, NULL, "")),
-    { "sys.tell_keys", sys_report_menu, NO_PARAMS, 0, API_SYS, NULL,
-      HELP("called in every frame of a menu: tells the program to show new players the keys") },
+    SYS_ENTRY(
+        "sys.tell_keys", sys_report_menu, 0, NULL,
+        "called in every frame of a menu: tells the program to show new players the keys; p: this player enters a "
+        "name, and gets the characters of the keyboard as codes",
+        OPTIONAL("p", A_PLAYER, "")),
+    SYS_ENTRY("sys.listen", sys_listen, API_CHANGES, NULL,
+              "starts obeying the program's pause menu, with these entries of the game; nil: stops",
+              OPTIONAL("labels", A_TABLE, "")),
+    SYS_ENTRY("sys.code", sys_get_code, 0, "code",
+              "returns what the program tells player p's game in this frame: \"restart\", \"quit\", the number of an "
+              "entry, \"backspace\", \"enter\" or a character; nil: nothing",
+              REQUIRED("p", A_PLAYER, "")),
     { "sys.practice", sys_practice, NO_PARAMS, 0, API_SYS, "mark, more",
       HELP("returns the practice start; more: lives, registers") },
     SYS_ENTRY("sys.ship", sys_ship, 0, "table",
