@@ -1,21 +1,21 @@
--- boot.lua - from power-on to the score table and round again: title, attract, choices, game, results, name entry.
--- boot.run starts one task. What is seen before, between and after is in pieces: the screens in screens/, the way there
--- in boot/front.lua and boot/after.lua; here is what stays while a game is played.
+-- boot.lua - a game from the title to the score table: attract demo, choices, stages, results, name entry.
+--
+-- boot.run starts one task. The screens are in screens/, the way to a game in boot/front.lua, what follows a game in
+-- boot/after.lua. This file has what is needed during a game.
 local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local boot = {}
 
--- Items of the pause menu.
-local PLAYED, PRACTISED = { "RESUME", "RESTART", "SETTINGS", "QUIT TO TITLE" }, { "RESUME", "RETRY", "SETTINGS" }
-
-local screens = {} -- a game's own, by name
-local over, left   -- the last player is out; the item of the pause menu by which this game is left
+local screens = {} -- the game's own screens, by name
+local entries = {} -- the game's own entries in the pause menu, { label, function } each
+local over, left   -- all players are out; how the game was left: "restart", "quit" or nil
+local obey         -- does what the pause menu asks for in this frame
 
 on.game_over(function() over = true end)
 
--- Shows a screen, the game's own or else the library's.
+-- Shows the game's own screen with that name, or the library's.
 local function show(name, ...) return (screens[name] or sys.read("screens/" .. name))(...) end
 
--- Hides what would be drawn over a screen's window, a plate with the text on it. Returns the list of it.
+-- Hides what would be drawn over a window: sprites, lines, and plates with their text. Returns the list of what it hid.
 local function set_aside()
   local plates, list = sys.covers()
   for _, s in ipairs(plates) do
@@ -27,61 +27,73 @@ local function set_aside()
   return list
 end
 
--- Calls f, a screen, while the game stands, and puts back all text that stood there. A frozen board gives turns to the
--- tasks of one scope alone; the screen gets a scope of its own, so that none of the game's tasks run.
-local function stand(f)
-  local screen, written, aside = sys.scope(), sys.keep_text(), nil
-  local menu_task = task.own(screen, function()
-    aside = set_aside()
-    f()
-    sys.freeze() -- without a scope: all go on
+-- Freezes the board, calls f, which shows a screen, and then restores the text on the screen. A frozen board runs only
+-- the tasks of one scope, so the screen gets a scope of its own.
+local function freeze_for(f)
+  local screen, written, aside = sys.scope(), sys.keep_text(), {}
+  local function close()
+    sys.freeze() -- without a scope: all tasks run again
     sys.text_back(written)
     for _, s in ipairs(aside) do s.hidden = false end
     task.stop(screen)
+  end
+  local screen_task = task.own(screen, function()
+    aside = set_aside()
+    f()
+    close()
   end)
-  if not task.alive(menu_task) then return task.stop(screen) end -- no room for it, and nobody would unfreeze the board
+  if not task.alive(screen_task) then return task.stop(screen) end -- no free task, so nothing could unfreeze the board
+  task.own(screen, function()
+    repeat
+      wait(1)
+      obey()
+    until left
+    close()
+  end)
   sys.freeze(screen)
 end
 
-local function pause(p, items)
-  stand(function()
-    sys.cue("pause")
-    local i = show("pause", p, items)
-    while items[i] == "SETTINGS" do
-      board.ask("settings")
-      i = show("pause", p, items, i)
+-- Makes the program's pause menu part of this game: it can restart or leave it, or choose one of the game's entries.
+local function listen(game)
+  local labels = {}
+  for i, entry in ipairs(entries) do labels[i] = text.lang(entry[1]) end
+  sys.listen(labels)
+  function obey()
+    local code = sys.code(1)
+    if code == "restart" or code == "quit" then left = code end
+    if entries[code] then task.own(game, entries[code][2]) end
+  end
+  task.own(game, function()
+    while true do
+      wait(1)
+      obey()
     end
-    if i ~= 1 then left = items[i] end
   end)
 end
 
-local function watch_pause(_, players, items)
-  while true do
-    wait(1)
-    for p = 1, players do
-      if not over and pad.take("start", 0, p) then
-        pause(p, items)
-        break
-      end
-    end
-  end
-end
-
--- Empties field and screen and brings the players in. practised: it is a try of practice; continues: how often each may
--- go on, or nil. Returns the scope that owns all tasks of this game.
-local function enter(ships, practised, continues)
+-- Clears the field and the screen and brings the players in. continues: how often each player may continue, or nil.
+-- Returns the scope that owns all tasks of this game.
+local function enter(ships, continues)
   sys.wipe()
   over, left = false, nil
   for p, kind in ipairs(ships) do sys.join(p, kind) end
   local game = sys.scope()
   sys.start(game)
   hud.start(game, #ships)
-  if continues then sys.read("boot/continue")(game, #ships, continues, stand, screens.continue) end
-  task.own(game, watch_pause, #ships, practised and PRACTISED or PLAYED)
+  if continues then sys.read("boot/continue")(game, #ships, continues, freeze_for, screens.continue) end
+  listen(game)
   return game
 end
 
+-- Ends the run: the program's pause menu no longer belongs to it. done: everything was cleared; reached: the number of
+-- stages cleared.
+local function finish(done, reached)
+  sys.listen()
+  sys.mark("over", done and "clear" or left and "quit" or "over", nil, nil, reached)
+end
+
 local function leave(game, players)
+  sys.listen()
   task.stop(game)
   sys.wipe()
   for p = 1, players do sys.leave(p) end
@@ -89,28 +101,28 @@ end
 
 local function stopped() return over or left end
 
--- Waits until the scope `part` is over, or the game is: all players are out, or it was left. True for the first.
+-- Waits until the scope `part` ends, or the game does: all players are out, or it was left. Returns true if the scope
+-- ended first.
 local function finished(part)
   wait_until(function() return stopped() or not task.alive(part) end)
   return not stopped()
 end
 
--- Shows the game's last line, unless it was ended from the pause menu.
-local function last_words(line)
+-- Shows a line after the game, unless the player left it.
+local function show_end(line)
   if left then return end
   hud.banner({ line }, 180)
-  wait_until(function() return left end, 180)
+  wait(180)
 end
 
--- Removes what would go on moving over the results. Sprites stay, but for those that would cover the results: they are
--- the picture behind them.
+-- Removes what would still move behind the results, and hides sprites that would cover them.
 local function quieten()
   set_aside()
   bullet.clear { all = true }
   enemy.each(nil, function(e) e:remove() end)
 end
 
--- What a run leaves behind; read anew each time, as it is wanted between stages alone.
+-- Records of a run. Loaded at each use, because they take Lua memory and are needed only between stages.
 local function records() return sys.read("boot/records") end
 
 local function play_stages(game, run)
@@ -131,34 +143,35 @@ local function play_stages(game, run)
   end
 end
 
--- run: what is to be played, mode, stages and ships; gets what became of it.
+-- run: mode, stages and ships to play; the results are added to it.
 local function play(a, run)
   local ships = run.ships
   sys.mode = run.mode -- game.mode
-  local game = enter(ships, false, a.continues)
+  local game = enter(ships, a.continues)
   sys.mark("game", ships[1], nil, nil, #ships)
   records().begin(run)
   run.grades = a.grades
   play_stages(game, run)
   run.grades = nil
   run.clear = not stopped()
-  sys.mark("over", run.clear and "clear" or left and "quit" or "over", nil, nil, run.reached)
+  finish(run.clear, run.reached)
   local new = left and {} or records().over(run)
   local jingle = screens[run.clear and "clear" or "over"]
   if jingle and not left then jingle() end
-  last_words(run.clear and "ALL STAGES CLEAR" or "GAME OVER")
-  for _, title in ipairs(new) do last_words(text.lang("UNLOCKED: %s"):format(title)) end
+  show_end(run.clear and "ALL STAGES CLEAR" or "GAME OVER")
+  for _, title in ipairs(new) do show_end(text.lang("UNLOCKED: %s"):format(title)) end
   leave(game, #ships)
   if not left then sys.read("boot/after")(a, show, run) end
 end
 
--- What a mission's task needs of this file.
+-- The functions of this file that boot/mission.lua needs.
 local host = {
-  enter = enter, leave = leave, show = show, quieten = quieten, stopped = stopped,
+  enter = enter, finish = finish, leave = leave, show = show, quieten = quieten, stopped = stopped,
   left = function() return left end,
 }
 
-local function go_round(a)
+-- From the title to the title, for ever.
+local function play_games(a)
   local first, from = board.difficulty(), nil
   while true do
     local run = sys.read("boot/front")(a, show, from)
@@ -166,17 +179,17 @@ local function go_round(a)
       sys.mode = nil
       sys.read("boot/mission")(run, host)
     else
-      repeat play(a, run) until left ~= "RESTART"
+      repeat play(a, run) until left ~= "restart"
     end
     from = run.mission
     board.difficulty(first)
   end
 end
 
--- A practice start: no title, one ship, the same piece again and again.
+-- A practice start: no title, one ship, the same section again and again.
 local function practise(a, start, kind)
   while true do
-    local game = enter({ kind }, true)
+    local game = enter({ kind })
     finished(start(game))
     leave(game, 1)
   end
@@ -184,12 +197,12 @@ end
 
 function boot.run(args)
   local a, practice, with = sys.read("boot/args")(args), sys.practice()
-  screens = a.screens or screens
-  if practice == "" then return task.go(go_round, a) end
+  screens, entries = a.screens or screens, a.pause or entries
+  if practice == "" then return task.go(play_games, a) end
   a.with = with
   local start, kind = sys.read("boot/practice")(a, practice)
   if start then return task.go(practise, a, start, kind) end
-  task.go(sys.read("boot/list"), a, enter, leave) -- the cabinet asks what there is
+  task.go(sys.read("boot/list"), a, enter, leave) -- the program asks for the list of sections
 end
 
 return boot

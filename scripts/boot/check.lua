@@ -2,9 +2,11 @@
 local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 
 local SCREENS = {
-  "title", "start", "pause", "continue", "results", "name", "ending", "staff", "scores", "history",
+  "title", "start", "continue", "results", "name", "ending", "staff", "scores", "history",
   "music", "unlocks", "missions", "mission", "page", "how_to_play",
 }
+
+local MAX_PAUSE <const> = 8 -- entries of a game in the pause menu
 
 local function fail(what, expected, got)
   sys.fail("boot.run", ("%s: expected %s, got %s"):format(what, expected, got))
@@ -183,6 +185,18 @@ local function check_how_to_play(list)
   for i = 1, #list do check_how_to_play_page(list[i], ("how_to_play: page %d"):format(i)) end
 end
 
+-- pause: a list of { label, function }.
+local function check_pause(pause)
+  if #pause > MAX_PAUSE then fail("pause", ("at most %d entries"):format(MAX_PAUSE), #pause) end
+  for i = 1, #pause do
+    local entry = pause[i]
+    local what = ("pause %d"):format(i)
+    if type(entry) ~= "table" then fail(what, 'a table such as { "Map", show_map }', type(entry)) end
+    expect_text(what .. ": label", entry[1], true)
+    if type(entry[2]) ~= "function" then fail(('pause "%s"'):format(entry[1]), "a function", type(entry[2])) end
+  end
+end
+
 local function check_demos(demos)
   for i = 1, #demos do expect_text(("demos: %d"):format(i), demos[i], true) end
 end
@@ -195,6 +209,7 @@ return function(a)
   if a.ending then check_endings(a.ending) end
   if a.staff then check_staff(a.staff) end
   if a.demos then check_demos(a.demos) end
+  if a.pause then check_pause(a.pause) end
   if a.pages then check_pages(a.pages) end
   if a.how_to_play then check_how_to_play(a.how_to_play) end
   if a.music then sys.read("boot/music")(a) end

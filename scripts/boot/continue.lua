@@ -1,5 +1,5 @@
--- boot/continue.lua - who lost the last life may go on, n times. While another flies, by START; else the board stands
--- and asks.
+-- boot/continue.lua - a player who lost the last life can continue, n times: by START while the other one flies;
+-- otherwise the board is frozen and a screen asks.
 local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 
 local BLINK <const>, SEEN <const> = 60, 40 -- frames
@@ -31,18 +31,18 @@ local function go_on(p)
   sys.go_on(p)
 end
 
--- stand(f) calls f while the board stands; screen: a game's own, else the library's.
-return function(game, players, n, stand, screen)
+-- freeze_for(f) calls f while the board is frozen; screen: the game's own, or nil for the library's.
+return function(game, players, n, freeze_for, screen)
   for p = 1, players do sys.continues(p, n) end
   task.own(game, function()
     while true do
       wait(1)
       for p = 1, players do
         local left = sys.continues(p)
-        local asks = left ~= 0 and not player.get(p).alive -- it neither flies, nor is it over
+        local asks = left ~= 0 and not player.get(p).alive
         if asks and not anyone(players) then
           forget()
-          stand(function()
+          freeze_for(function()
             local yes = (screen or sys.read("screens/continue"))(p, left)
             if yes then go_on(p) else sys.continues(p, 0) end
           end)

@@ -38,7 +38,7 @@ end
 
 -- Stages run through as they would be played, so in a game with its ship.
 local function tell_marks(tell, a, name, enter, leave)
-  local scope = enter({ a.kinds[1] }, true)
+  local scope = enter { a.kinds[1] }
   local marks, whole = stage.run_through(name, scope)
   leave(scope, 1)
   for _, mark in ipairs(marks) do

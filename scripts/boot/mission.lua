@@ -70,7 +70,7 @@ local function watch(m, game, stopped)
 end
 
 local function begin(m, run, enter)
-  local game = enter(run.ships, false)
+  local game = enter(run.ships)
   local p = player.get(1)
   sys.missions.killed, sys.missions.bombed = 0, 0
   p.lives = m.lives - 1
@@ -82,7 +82,7 @@ local function begin(m, run, enter)
   return game
 end
 
--- Tries it once. Returns the item of the pause menu by which it was left, or what the result's screen says.
+-- Plays it once. Returns how it was left ("restart", "quit"), or the answer of the result's screen.
 local function try(m, run, host)
   local game = begin(m, run, host.enter)
   local done, age = watch(m, game, host.stopped)
@@ -93,7 +93,7 @@ local function try(m, run, host)
     result.new = sys.missions.enter(m, result.value, ship)
   end
   result.best, result.most, result.ship = sys.missions.best(m)
-  sys.mark("over", done and "clear" or left and "quit" or "over", nil, nil, 0)
+  host.finish(done, 0)
   local answer = left
   if not left then
     host.quieten()
@@ -106,9 +106,9 @@ local function try(m, run, host)
   return answer
 end
 
--- run: mission and ships; host: enter, leave, show, quieten, stopped, left of boot.lua.
+-- run: mission and ships; host: functions of boot.lua.
 return function(run, host)
   local m = sys.missions.get(run.mission)
   local answer
-  repeat answer = try(m, run, host) until answer ~= "again" and answer ~= "RESTART"
+  repeat answer = try(m, run, host) until answer ~= "again" and answer ~= "restart"
 end

@@ -1,4 +1,5 @@
--- screens/name.lua - the names of those whose scores are among the best, all at once: a wheel of letters each.
+-- screens/name.lua - name entry, for all players with a high score at once: a wheel of letters each. A name can also be
+-- typed on the keyboard.
 local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local page = sys.read("menu/page")
 
@@ -6,11 +7,12 @@ local MIN <const>, MAX <const> = 3, 8 -- letters of a name
 local SECONDS = 60
 local WIDEST = 26 -- cells of a column
 
--- The signs of the wheel: letters, digits, and some more.
-local SIGNS = {}
+-- The characters of the wheel, the same as CODE_CHARACTERS in src/base/pads.h.
+local SIGNS, NUMBERS = {}, {} -- number of a character, from 0: NUMBERS["A"] is 0
 for c = 65, 90 do SIGNS[#SIGNS + 1] = string.char(c) end
 for c = 48, 57 do SIGNS[#SIGNS + 1] = string.char(c) end
-for c in (".-!?"):gmatch(".") do SIGNS[#SIGNS + 1] = c end
+for c in (".-!? "):gmatch(".") do SIGNS[#SIGNS + 1] = c end
+for i, c in ipairs(SIGNS) do NUMBERS[c] = i - 1 end
 
 local UP, DOWN = hud.glyph(150, "^"), hud.glyph(151, "v")
 
@@ -52,9 +54,27 @@ local function put_plate(e, row)
   }
 end
 
--- One frame of a wheel. Is it another now?
-local function edit(e)
+-- A key of the keyboard. A character replaces the one that the wheel shows, unless that was typed too.
+local function type_key(e, key)
   local n = #e.signs
+  if key == "enter" then
+    e.done = n >= MIN
+  elseif key == "backspace" then
+    e.signs[n] = n == 1 and 0 or nil
+    e.typed = n > 1
+  elseif not e.typed or n < MAX then
+    e.signs[e.typed and n + 1 or n] = NUMBERS[key]
+    e.typed = true
+  end
+end
+
+-- One frame of a player's input. Returns true if something has changed.
+local function edit(e)
+  local n, key = #e.signs, sys.code(e.p)
+  if NUMBERS[key] or key == "backspace" or key == "enter" then
+    type_key(e, key)
+    return true
+  end
   local step = page.step("up", "down", e.p)
   e.signs[n] = (e.signs[n] + step) % #SIGNS
   if page.pressed("start", e.p) and n >= MIN then
@@ -66,12 +86,14 @@ local function edit(e)
   elseif step == 0 then
     return false
   end
+  e.typed = false
   return true
 end
 
 local function name_of(e)
   local s = ""
   for _, n in ipairs(e.signs) do s = s .. sign(n) end
+  s = s:match("^ *(.-) *$")
   return s .. ("A"):rep(MIN - #s)
 end
 
@@ -84,18 +106,19 @@ local function begin(entries)
   return list
 end
 
--- One frame of all of them. Are all done?
-local function go_on(list, row, fresh)
+-- One frame of all players. Returns true if all are done.
+local function step(list, row, fresh)
   local done = true
   for _, e in ipairs(list) do
+    if not e.done then sys.tell_keys(e.p) end
     if not e.done and edit(e) or fresh then draw(e, row) end
     done = done and e.done
   end
   return done
 end
 
--- entries: { p, points, rank? } of each player who enters one. Returns a list of names, of 3 to 8 signs; who does not
--- come to an end in time has what stands there.
+-- entries: { p, points, rank? } of each player who enters a name. Returns a list of names, of 3 to 8 characters. When the
+-- time is over, the names are taken as they are.
 return function(entries)
   local list, names = begin(entries), {}
   page.begin()
@@ -111,8 +134,7 @@ return function(entries)
       local left = text.lang("TIME %2d"):format(SECONDS - age // 60)
       page.centre(page.row + page.rows - 2 - GAP, left, hud.banks.plain)
     end
-    if go_on(list, row, age == 0) then break end
-    sys.tell_keys()
+    if step(list, row, age == 0) then break end
     wait(1)
   end
   page.done()

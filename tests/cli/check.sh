@@ -659,6 +659,7 @@ started() { # TEXT START: reaches TEXT, in a game that START begins
 run='boot.run { stages = { "one" }, players = { "ship", "other" }'
 pages="{ name = 'a', show = print }, { name = 'b', show = print }"
 started 'and the last of several' "$run, pages = { $pages, { name = 'how', show = broken } } }"
+started 'each entry of the pause menu' "$run, pause = { { 'A', print }, { 'B', broken } } }"
 started 'the screen music' "$run, screens = { music = broken }, music = { room = true } }"
 started 'the screen history' "boss.def('b', { title = 'B', kind = 'jelly', x = 60, y = 60, phases = {
   { id = 'p', spell = 'S', hp = 9, time = 300, run = function() wait(forever) end } } })

@@ -223,7 +223,7 @@ static const char scene[] =
     "  screen.shake { size = 3, over = 99 }\n"
     "  wait(forever)\n"
     "end)\n"
-    "boot.run { stages = { 's' }, players = { 'ship' } }\n";
+    "boot.run { stages = { 's' }, players = { 'ship' }, pause = { { 'Map', print } } }\n";
 static const char document[] =
     "<bulletml><action label='top'><repeat><times>9</times><action><fire><bulletRef label='b'><param>$rand*90</param>"
     "</bulletRef></fire><wait>1</wait></action></repeat></action><bullet label='b'><speed>0.3</speed><action><repeat>"

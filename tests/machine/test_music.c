@@ -499,7 +499,7 @@ static const struct {
     { "select", "task.go(function() menu.choose { items = { 'A', 'B' }, row = 3 } end)" },
     { "back", "task.go(function() while true do menu.choose { items = { 'A' }, row = 3, back = 1 } end end)" },
     { "wrong", "task.go(function() sys.read('menu/page').list { items = { 'A' }, row = 3, closed = { true } } end)" },
-    { "pause", BOOTED },
+    { "pause", NULL }, /* not of the board: for the program's pause menu */
     { "continue", "sys.leave(1) player.def('solo', { sprite = 'dot', hit = { circle = 2 }, lives = 1 })\n"
                   "stage.def('s', function() while true do player.each(function(q) q.safe = 0\n"
                   "  bullet.fire { kind = 'orb', from = q, speed = 0 } end) wait(5) end end)\n"
@@ -551,6 +551,8 @@ TEST(cues)
 {
     for (int i = 0; i < CART_CUES; i++) {
         assert_string_equal(deeds[i].name, cart_cue_names[i]);
+        if (!deeds[i].script)
+            continue;
         power_sound(deeds[i].name, deeds[i].script);
         for (int k = 0; k < CART_CUES; k++)
             assert_true((rig.b->cart.cue_offset[k] != 0) == (k == i));

@@ -2,6 +2,7 @@
  * test_screens.c - the screens around a game: the way through all of them by buttons, with one player and two, on
  * fields of several sizes. tests/scripts/boot.lua has screens that a game puts in their place, and what is refused.
  */
+#include "../../src/board/inspect.h"
 #include "pages.h"
 
 /* A game of two modes, difficulties, stages and ships, with all that boot.run can show. Every thing that dies or clears
@@ -99,31 +100,10 @@ static void start(int players, bool doom)
     assert_false(board_last_output(r.b)->menu_shown);
 }
 
-static void pause_and_go_on(void)
-{
-    const uint32_t game = r.b->player.gen[0];
-    uint32_t clock;
-
-    press(PAD_START, 0);
-    soon("PAUSE", 5);
-    clock = r.b->core.clock;
-    frames(100);
-    assert_int_equal(r.b->core.clock, clock);
-    assert_true(screen_get_dim(&r.b->screen, r.b->core.frame) > FX_ONE / 4);
-    press(PAD_DOWN, 0);
-    press(PAD_BOMB, 0); /* goes on, wherever the bar stands */
-    frames(10);
-    gone("PAUSE");
-    assert_true(r.b->core.clock > clock);
-    assert_int_equal(r.b->player.gen[0], game);
-    assert_int_equal(screen_get_dim(&r.b->screen, r.b->core.frame), 0);
-}
-
 static void through_all(int w, int h, int field_w, int players)
 {
     open_sized(run_all, w, h, field_w, players);
     start(players, false);
-    pause_and_go_on();
     soon("STAGE ONE CLEAR", 300);
     assert_true(at("STAGE ONE CLEAR") % 1000 < field_w / 8);
     frames(100);
@@ -310,32 +290,76 @@ TEST(how_to_play)
     close_game();
 }
 
-static void quit_to(const char *item, int down)
+/* Sends a code, as the program does: in one frame. */
+static void send(unsigned code)
 {
-    press(PAD_START, 0);
-    soon(item, 30);
-    for (int i = 0; i < down; i++)
-        press(PAD_DOWN, 0);
-    press(PAD_FIRE, 0);
+    rig_tick(&r, (const uint16_t[MAX_PLAYERS]){ (uint16_t)(code << PAD_CODE_SHIFT) });
+    frames(1);
 }
 
-/* RESTART starts the same game again, QUIT TO TITLE leaves it without a name. */
+/* A restart starts the same game again, quitting leaves it without a name; also between stages and while the board is
+ * frozen. START means nothing to a game that is played. */
 TEST(leaving)
 {
     open_game(run_all);
+    assert_false(inspect_pause(r.b).is_listening);
     start(1, false);
-    soon("STAGE ONE CLEAR", 300);
+    assert_true(inspect_pause(r.b).is_listening && inspect_pause(r.b).in_play[0] && !inspect_pause(r.b).in_play[1]);
     press(PAD_START, 0);
-    soon("RESTART", 30);
-    frames(30);
-    press(PAD_DOWN, 0);
-    press(PAD_FIRE, 0);
-    soon("000000000", 60);
-    soon("STAGE ONE", 5);
+    soon("STAGE ONE CLEAR", 300);
+    send(CODE_RESTART);
+    gone("STAGE ONE CLEAR");
+    soon("STAGE ONE", 60);
     assert_int_equal(r.b->player.score[0], 0);
-    quit_to("QUIT TO TITLE", 3);
+    send(CODE_QUIT);
+    assert_false(inspect_pause(r.b).is_listening);
     soon("PRESS START", 60);
     assert_int_equal(r.b->player.in_game[0], 0);
+    send(CODE_RESTART); /* nobody listens */
+    press(0, 0);
+    gone("STAGE ONE");
+    close_game();
+
+    open_game(run_all);
+    start(1, true);
+    soon("CONTINUE?", 600);
+    assert_false(inspect_pause(r.b).in_play[0]);
+    send(CODE_RESTART);
+    gone("CONTINUE?");
+    assert_int_equal(r.b->core.frozen, 0);
+    assert_int_equal(r.b->player.in_game[0], 1);
+    soon("CONTINUE?", 600);
+    send(CODE_QUIT);
+    soon("PRESS START", 60);
+    close_game();
+}
+
+/* The game's own entries in the pause menu: a hit-stop only delays them, each is chosen once, and they run in a task of
+ * the game. */
+TEST(own_entries)
+{
+    open_game(
+        "stage.def('long', function() wait(900) end)\n"
+        "local n = 0\n"
+        "local function count() n = n + 1 hud.put(2, 20, 'N' .. n) wait(30) hud.put(2, 21, 'LATER') end\n"
+        "boot.run { players = { 'heron' }, stages = { 'long' },\n"
+        "  pause = { { 'Stop', function() board.stop(10) end }, { 'Count the shells on the beach \u30a2', count } },\n"
+        "  screens = { title = function() wait(1) return 'start' end, difficulty = function() return 'calm' end } }");
+    frames(60);
+    const struct inspect_pause pause = inspect_pause(r.b);
+    assert_int_equal(pause.entry_count, 2);
+    assert_string_equal(pause.entries[0], "Stop");
+    assert_string_equal(pause.entries[1], "Count the shells on the beach "); /* cut before a character of 3 bytes */
+    send(CODE_ENTRY);
+    send(CODE_ENTRY + 1);
+    gone("N1");
+    soon("N1", 15);
+    soon("LATER", 40);
+    gone("N2");
+    send(CODE_ENTRY + 2);
+    send(CODE_QUIT);
+    frames(5);
+    gone("LATER");
     close_game();
 }
 
@@ -469,53 +493,50 @@ TEST(asks)
     assert_int_equal(press_asked(PAD_START), HOST_SCREEN_PRACTICE);
     soon("PRACTICE", 20);
     assert_int_equal(r.b->player.in_game[0], 0);
-    press(PAD_BOMB, 0);
-    start(1, false);
-    press(PAD_START, 0);
-    soon("RESTART", 30);
-    const uint32_t clock = r.b->core.clock;
-    press(PAD_DOWN, 0);
-    press(PAD_DOWN, 0);
-    assert_int_equal(press_asked(PAD_FIRE), HOST_SCREEN_SETTINGS);
-    frames(10);
-    assert_int_equal(r.b->core.clock, clock);
-    assert_true(at("SETTINGS") >= 0);
-    press(PAD_BOMB, 0);
-    soon("STAGE ONE CLEAR", 300);
     close_game();
 }
 
-/* What a script wrote once under a window stands there again, in its bank and of any character; so does the dark of a
- * talk. */
+/* Removes the ship, until the board is frozen; *before: the cells in the frame before that. */
+static void until_continue(uint8_t *before, const uint8_t *cells, size_t n)
+{
+    player_leave(&r.b->player, 0);
+    for (int f = 0; at("CONTINUE?") < 0; f++) {
+        assert_true(f < 9);
+        memcpy(before, cells, n);
+        frames(1);
+    }
+}
+
+/* A screen over a frozen board puts back the text that it covered, every property of it, and the light. */
 TEST(puts_back)
 {
     static const char own[] =
         "on.start(function() screen.dim { share = 0.25, over = 0 }\n"
-        "  for row = 0, 39 do text.put { col = 9, row = row, text = '\u30a2HERE' .. row, bank = 7,\n"
+        "  for row = 5, 36 do text.put { col = 9, row = row, text = '\u30a2HERE' .. row, bank = 7,\n"
         "    size = row == 21 and 2 or 1, rim = row > 20 } end end)\n"
-        "stage.def('long', function() wait(900) end) boot.run { players = { 'heron' }, stages = { 'long' },\n"
-        "  screens = { title = function() wait(1) return 'start' end, start = function() return { difficulty = 'calm' "
-        "} end } }";
+        "stage.def('long', function() wait(900) end) boot.run { players = { 'heron' }, stages = { 'long' }, continues "
+        "= 1,\n"
+        "  screens = { title = function() wait(1) return 'start' end, start = function() return {"
+        "difficulty = 'calm' } end } }";
+    static const size_t first = 5 * 30, n = 30 * 30; /* the rows between those of the HUD */
     static uint8_t before[4][40 * 30];
 
-    widens = true;
-    open_game(own);
-    widens = false;
-    const struct fix *f = &r.b->fix;
-    const void *const columns[] = { f->code, f->style, f->font, f->page };
-    frames(200);
-    for (int c = 0; c < 4; c++)
-        memcpy(before[c], columns[c], sizeof before[c]);
-    press(PAD_START, 0);
-    soon("PAUSE", 5);
-    gone("HERE20");
-    press(PAD_FIRE, 0);
-    frames(1);
-    for (int c = 0; c < 4; c++)
-        assert_memory_equal(before[c], columns[c], sizeof before[c]);
-    frames(10);
-    assert_int_equal(screen_get_dim(&r.b->screen, r.b->core.frame), FX_ONE / 4);
-    close_game();
+    for (int c = 0; c < 4; c++) {
+        widens = true;
+        open_game(own);
+        widens = false;
+        const struct fix *f = &r.b->fix;
+        const uint8_t *const columns[] = { (const uint8_t *)f->code, (const uint8_t *)f->style, f->font,
+                                           (const uint8_t *)f->page };
+        frames(200);
+        until_continue(before[c], columns[c], sizeof before[c]);
+        gone("HERE20");
+        press(PAD_START, 0);
+        assert_memory_equal(before[c] + first, columns[c] + first, n);
+        frames(10);
+        assert_int_equal(screen_get_dim(&r.b->screen, r.b->core.frame), FX_ONE / 4);
+        close_game();
+    }
 }
 
 /* Plates, sprites of the layer over and lines that are seen. */
@@ -542,12 +563,11 @@ TEST(nothing_over)
                               "  text.put { col = 28, row = 6, text = 'PANEL' }\n"
                               "  say('sen', 'WORDS', { letter = 0 })\n"
                               "end)\n"
-                              "boot.run { players = { 'heron' }, stages = { 'long' },\n"
-                              "  screens = { title = function() wait(1) return 'start' end, start = function() return "
-                              "{ difficulty = 'calm' } end } }";
+                              "boot.run { players = { 'heron' }, stages = { 'long' }, continues = 1,\n"
+                              "  screens = { title = function() wait(1) return 'start' end, start = function() return {"
+                              "difficulty = 'calm' } end } }";
     static uint8_t before[40 * 40];
-    const int panel = 2, window = 6, talk = 3; /* a dot and a plate; a plate, its bar and four items; a portrait, a
-                                                 plate and the line */
+    const int panel = 2, window = 1, talk = 3; /* a dot and a plate; a plate; a portrait, a plate and the line */
 
     lines_of_board = 8;
     open_sized(own, 320, 320, 208, 1);
@@ -556,17 +576,14 @@ TEST(nothing_over)
     frames(60);
     const int over = over_all();
     assert_true(over >= panel + talk);
-    memcpy(before, r.b->fix.code, sizeof before);
-    press(PAD_START, 0);
-    soon("PAUSE", 5);
+    until_continue(before, r.b->fix.code, sizeof before);
     frames(20);
     gone("WORDS");
     assert_true(at("PANEL") >= 0);
     assert_int_equal(over_all(), panel + window);
-    press(PAD_BOMB, 0);
-    frames(5);
+    press(PAD_START, 0);
     assert_int_equal(over_all(), over);
-    assert_memory_equal(before, r.b->fix.code, sizeof before);
+    assert_memory_equal(before + 3 * 40, r.b->fix.code + 3 * 40, sizeof before - 6 * 40); /* without the HUD's rows */
     close_game();
 }
 

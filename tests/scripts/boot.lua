@@ -181,6 +181,14 @@ boot.run { stages = { 'one' }, players = { 'heron' }, pages = { { name = 'music'
 --! boot.run: page 1: "music" is used twice
 boot.run { stages = { 'one' }, players = { 'heron' }, pages = { { name = 'a', shows = print } } }
 --! boot.run: unknown argument of a page: "shows" (did you mean "show"?)
+boot.run { stages = { 'one' }, players = { 'heron' }, pause = { 3 } }
+--! boot.run: pause 1: expected a table such as { "Map", show_map }, got number
+boot.run { stages = { 'one' }, players = { 'heron' }, pause = { { print } } }
+--! boot.run: pause 1: label: expected a string, got function
+boot.run { stages = { 'one' }, players = { 'heron' }, pause = { { 'MAP', 5 } } }
+--! boot.run: pause "MAP": expected a function, got number
+boot.run { stages = { 'one' }, players = { 'heron' }, pause = { 1, 2, 3, 4, 5, 6, 7, 8, 9 } }
+--! boot.run: pause: expected at most 8 entries, got 9
 boot.run { stages = { 'one' }, players = { 'heron' }, grades = 3 }
 --! boot.run: grades: expected a function, got 3
 

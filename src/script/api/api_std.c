@@ -442,6 +442,9 @@ static const struct api_entry entries[] = {
         OPTIONAL("pages", A_TABLE, "list of custom pages in the title menu"),
         OPTIONAL("how_to_play", A_TABLE,
                  "pages of How to Play; if omitted, they explain the buttons with the first ship"),
+        OPTIONAL("pause", A_TABLE,
+                 "list of up to 8 custom entries in the pause menu, { label, function }; choosing one calls its "
+                 "function in a task of the game"),
         OPTIONAL("grades", A_FUNC, "grades(stage, p): returns the text to show in the stage results, such as S"),
         OPTIONAL("screens", A_TABLE, "functions that replace the library's screens, by name")),
 #ifndef WITHOUT_HELP /* scripts/boot/check.lua checks these arguments */
@@ -479,7 +482,6 @@ static const struct api_entry entries[] = {
             "start(players, lists, last): returns { mode, difficulty, ships }, names out of the lists; nil goes "
             "back"),
         SCREEN_PARAM("how_to_play", "how_to_play(pages, ship): shows the pages, given as { title, text, show }"),
-        SCREEN_PARAM("pause", "pause(index, items, chosen): returns the number of an item; 1 resumes the game"),
         SCREEN_PARAM("continue",
                      "continue(index, left): returns true to continue; `left` is the number of remaining continues"),
         SCREEN_PARAM("results", "results(title, players, stopped, lines, new, grades): ends once stopped() is true"),

@@ -28,8 +28,7 @@ enum {
     ENTRIES = 12,         /* of the title menu */
     ENTRY_FRAMES = 900,   /* in an entry: a third without buttons, a third with fire, a third pseudo-random */
     TAP = 2,              /* frames for which a button is held */
-    EVERY = 24,           /* frames from one press to the next; menus need a pause between presses */
-    PAUSE_FRAMES = 60     /* from the pause to the resume */
+    EVERY = 24            /* frames from one press to the next; menus need a pause between presses */
 };
 
 enum tour_kind { TOUR_LOST, TOUR_TWO, TOUR_WON, TOUR_START, TOUR_MENUS, TOUR_ENTRY };
@@ -69,7 +68,7 @@ static const struct forced_event events[] = {
     { 600, FORCE_BOMB },  { 700, FORCE_HIT },  { 780, FORCE_DEATH },
 };
 
-enum { PAUSES_AT = 200, DIES_FROM = 820, DIES_EVERY = 16, FOCUS_FROM = 560 };
+enum { CHOOSES_AT = 200, DIES_FROM = 820, DIES_EVERY = 16, FOCUS_FROM = 560 };
 
 /* Forces an event, unless it has caused a fault before: then the run is repeated without the event. */
 static void force(struct run *r, enum force_kind kind, int player)
@@ -96,11 +95,11 @@ static void force_loss(struct run *r, uint32_t frame, int players)
     }
 }
 
-/* Sets the buttons of a ship in a frame of a game: it moves and fires, sometimes focused, and pauses once. Fire is
- * released regularly, for dialogues. */
+/* Sets the buttons of a ship in a frame of a game: it moves and fires, sometimes focused, and chooses each of the
+ * game's entries in the pause menu. Fire is released regularly, for dialogues. */
 static void ship_pads(struct run *r, uint32_t frame, uint16_t pads[MAX_PLAYERS])
 {
-    const uint32_t paused = frame - PAUSES_AT;
+    const uint32_t entry = (frame - CHOOSES_AT) / EVERY;
 
     sweep_pads(frame, pads);
     if (frame % 30 < TAP)
@@ -110,10 +109,8 @@ static void ship_pads(struct run *r, uint32_t frame, uint16_t pads[MAX_PLAYERS])
         pads[0] |= PAD_FOCUS;
     if (frame % 320 == 250 && !(r->faulting_forces >> FORCE_BOMB & 1))
         pads[0] |= PAD_BOMB;
-    if (frame >= PAUSES_AT && paused < PAUSE_FRAMES)
-        pads[0] = paused < TAP                                                    ? PAD_START
-                  : paused >= PAUSE_FRAMES / 2 && paused < PAUSE_FRAMES / 2 + TAP ? PAD_FIRE
-                                                                                  : 0;
+    if (frame >= CHOOSES_AT && entry < PAUSE_ENTRIES && (frame - CHOOSES_AT) % EVERY == 0)
+        pads[0] |= (uint16_t)((CODE_ENTRY + entry) << PAD_CODE_SHIFT);
     pads[1] = pads[0];
 }
 

@@ -79,12 +79,33 @@ static int attract(struct curtain_config config, const char *name)
     return failed;
 }
 
+/* A run that the host can pause at START, restart and leave; codes that are none change nothing. */
+static int codes(struct curtain_config config)
+{
+    const uint16_t restart[CURTAIN_PADS] = { CURTAIN_CODE_RESTART }, wrong[CURTAIN_PADS] = { 63 << 10 };
+    void *memory;
+    struct curtain *c;
+    uint64_t hash;
+
+    config.section = "one";
+    c = open_board(&config, &memory);
+    int failed = check("a run of one player", (run_frames(c, 30) & (CURTAIN_RUN_1 | CURTAIN_RUN_2)) == CURTAIN_RUN_1);
+    curtain_frame(c, wrong);
+    hash = curtain_hash(c);
+    failed |= check("a wrong code changes nothing", hash == hash_alone(&config, 31));
+    curtain_frame(c, restart);
+    run_frames(c, 30);
+    failed |= check("a restart does", curtain_hash(c) != hash_alone(&config, 62));
+    free_board(c, memory);
+    return failed;
+}
+
 int main(int argc, char **argv)
 {
     struct curtain_config config = { .seed = 1 };
 
     config.rom = read_file(argv[1], &config.rom_size);
-    const int failed = argc == 2 ? saves(config) : attract(config, argv[2]);
+    const int failed = argc == 2 ? saves(config) : attract(config, argv[2]) | codes(config);
     free((void *)config.rom);
     return failed;
 }
