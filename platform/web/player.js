@@ -6,7 +6,7 @@
 'use strict'
 
 const UP = 1, DOWN = 2, LEFT = 4, RIGHT = 8, FIRE = 16, BOMB = 32, FOCUS = 64, SPECIAL = 128, START = 256, SELECT = 512
-const QUIT = 1, ATTRACT = 2, ASK = 4, SAVED = 16, FAULT = 64, ENDED = 128 // events of a frame
+const QUIT = 1, ATTRACT = 2, ASK = 4, SAVED = 16, FAULT = 64, ENDED = 128, RUN = [256, 512] // events of a frame
 const KEYS = [ // as the program's own, by place on the keyboard
   { ArrowUp: UP, ArrowDown: DOWN, ArrowLeft: LEFT, ArrowRight: RIGHT, KeyZ: FIRE, KeyX: BOMB, ShiftLeft: FOCUS,
     KeyC: SPECIAL, Enter: START, Digit1: START, Tab: SELECT },
@@ -191,9 +191,11 @@ function endAttract(one, two) {
 }
 
 let listener // of what is heard, for tests and films
+let events = 0 // of the last frame
+
 function tick(one, two) {
   if (attracts && one | two) endAttract(one, two)
-  const events = game.plays || attracts ? core.web_play_demo_frame() : core.web_frame(one & ~stale[0], two & ~stale[1])
+  events = game.plays || attracts ? core.web_play_demo_frame() : core.web_frame(one & ~stale[0], two & ~stale[1])
   const from = core.web_sound(), n = core.web_result_size()
   hear(new Int16Array(core.memory.buffer, from, 2 * n))
   if (attracts) {
@@ -253,6 +255,15 @@ function ticksOf(now) {
   return n
 }
 
+// START of a player who flies in a run pauses; the game has no use for it. Returns the buttons for the game, or null.
+const lastPads = [0, 0]
+function takeStart(buttons) {
+  const mine = buttons.map((bits, i) => (!game.plays && !attracts && events & RUN[i] ? bits & START : 0))
+  const pressed = mine.some((bits, i) => bits & ~lastPads[i])
+  buttons.forEach((bits, i) => { lastPads[i] = bits })
+  return pressed ? null : buttons.map((bits, i) => bits & ~mine[i])
+}
+
 function refresh(now) {
   requestAnimationFrame(refresh)
   pollPads()
@@ -264,7 +275,9 @@ function refresh(now) {
   try {
     for (let i = 0; i < n && running; i++) {
       fly()
-      tick(pads(0), pads(1))
+      const buttons = takeStart([pads(0), pads(1)])
+      if (buttons) tick(...buttons)
+      else pause()
     }
     if (n > 0) show()
   } catch (e) {
