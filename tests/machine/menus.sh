@@ -95,6 +95,61 @@ for key in $F1 $F2; do
     same "key $key closes both" "$(tail -1 menu)" "$(tail -1 closed)"
 done
 
+# ---- a run ----
+
+# A run of two stages, which starts at once; in the second one the ship dies when SELECT is pressed.
+cp -r g run
+cat >run/main.lua <<'LUA'
+bullet.def("dot", { sprite = "dot", hit = { circle = 9 } })
+player.def("ship", { sprite = "dot", hit = { circle = 2 }, lives = 1, safe = 1 })
+on.continue(function() print "continue" end)
+stage.def("one", function() print "one" wait(20) end)
+stage.def("two", function()
+  print "two"
+  wait_until(function() return pad.down "select" end)
+  player.each(function(p) bullet.fire { kind = "dot", from = p, speed = 0 } end)
+  wait(forever)
+end)
+boot.run { stages = { "one", "two" }, players = { "ship" }, continues = 1,
+  pause = { { "Map", function() print "map" end }, { "Sonar", function() print "sonar" end } },
+  screens = { title = function() print "title" wait(1) return "start" end, results = function() end,
+    difficulty = function() return "normal" end } }
+LUA
+run() { play run --no-resume; } # standard input are the keys
+log() { tr '\n' ' ' <err; }
+entry() { press $ESCAPE; times "$1" $DOWN; press $ENTER; } # N: the entry after Resume
+TAB=43 PAD_START=1000
+
+keys 100 | run
+same 'a run without a pause' 'title one two ' "$(log)"
+mv menu.demo run.demo
+paused() { # NAME: with the keys of standard input, in a run, the recording is the same
+    run
+    check "$1" cmp run.demo menu.demo
+}
+paused 'START and Escape pause a run' < <(keys 40; keys 1 $ENTER; keys 20; keys 1 $ESCAPE; keys 60)
+paused 'and START again, held or not, resumes it' < <(keys 40; keys 9 $ENTER; keys 3; keys 20 $ENTER; keys 41)
+paused "so does a controller's START" < <(keys 40; keys 1 c1:$PAD_START; keys 9; keys 1 c1:$PAD_START; keys 60)
+paused 'a look into the settings is not recorded either' < <(keys 40; entry 5; press $ESCAPE; keys 1 $ESCAPE
+    keys 60)
+{ keys 40; entry 2; keys 30; entry 1; keys 30; } | run
+same "the game's own entries" 'title one two sonar map ' "$(log)"
+check 'are in the demo' "$curtain" verify run menu.demo
+{ keys 40; entry 4; keys 60; } | run
+same 'Restart' 'title one two one two ' "$(log)"
+check 'is in the demo' "$curtain" verify run menu.demo
+{ keys 40; entry 3; keys 60; } | run
+same 'Restart Stage: back to its start, and the demo says so' 'title one two 1' "$(log)$(flags menu.demo)"
+{ keys 10; entry 3; keys 60; } | run
+same 'in the first stage there is only Restart' 'title one one two ' "$(log)"
+{ keys 40; press $ESCAPE $UP $UP $ENTER $DOWN $ENTER; keys 60; } | run
+same 'Quit to Title' 'title one two title one two ' "$(log)"
+check 'is in the demo too' "$curtain" verify run menu.demo
+{ keys 40; keys 2 $TAB; keys 60; keys 1 $ENTER; keys 60; } | run
+same 'when the ship is out, START is for the game' 'title one two continue ' "$(log)"
+{ keys 40; keys 2 $TAB; keys 60; entry 4; keys 60; } | run
+same 'and Escape opens the menu' 'title one two one two ' "$(log)"
+
 # ---- leaving ----
 
 unchanged 'Quit asks, and No comes first' < <(keys 40; press $ESCAPE $UP $ENTER; keys 1 $ENTER; keys 1 $ESCAPE; keys 60)

@@ -75,30 +75,30 @@ for size in 240x320 320x240 384x448; do
         begin still $size "$turn"
         press_each $ESCAPE
         expect_screen menu
-        press_each $DOWN $ENTER
+        press_each $DOWN $DOWN $DOWN $ENTER
         expect_screen no-replays
-        press_each $ESCAPE $DOWN $ENTER
+        press_each $ESCAPE $UP $UP $ENTER
         expect_screen settings
         press_each $ENTER $DOWN $DOWN $DOWN $DOWN $DOWN $RIGHT
         expect_screen settings-changed
         press_each $ESCAPE $DOWN $DOWN $ENTER
         expect_screen accessibility
-        press_each $ESCAPE $ESCAPE $DOWN $ENTER
+        press_each $ESCAPE $DOWN $DOWN $ENTER
         expect_screen keys
         check "the setting is written" grep -qx 'border = no' data/curtain/curtain.conf
         begin pieces $size "$turn"
         expect_screen resume
-        press_each $DOWN $ENTER $ESCAPE $DOWN $ENTER
+        press_each $DOWN $ENTER $ESCAPE $DOWN $DOWN $DOWN $ENTER
         expect_screen replays
         press_each $ENTER
         expect_screen replay
-        press_each $ESCAPE $ESCAPE $DOWN $DOWN $DOWN $DOWN $ENTER
+        press_each $ESCAPE $ESCAPE $UP $ENTER
         expect_screen practice
         press_each $DOWN $RIGHT
         expect_screen practice-changed
         begin pads $size "$turn"
         keys 1 +1:1 +2:4 +3:6 >>script
-        press_each c1:$NORTH c2:$START $ESCAPE $DOWN $DOWN $DOWN $DOWN $ENTER
+        press_each c1:$NORTH c2:$START $ESCAPE $DOWN $ENTER $UP $ENTER
         expect_screen controllers
         press_each $DOWN $RIGHT
         expect_screen controllers-changed

@@ -18,7 +18,9 @@ task.go(function()
 end)
 LUA
 DELETE=76
-enters() { keys 400; for _ in 1 2; do keys 1 $Z; keys 6; done; keys 1 $ENTER; keys 400; } # a name: AAA
+# A name is typed; letters, which are fire and bomb in play, and a held Enter do nothing else.
+enters() { keys 400; echo "$X 'lx"; keys 1 $X; echo "'ey"; keys 6; press $BACKSPACE; keys 2; echo "'o"; keys 6
+    keys 30 $ENTER; keys 400; }
 play() { # ARGUMENT...: standard input are the keys
     plays out --no-resume "$@"
 }
@@ -45,7 +47,7 @@ same 'one in which time ran back says so' '0:05 ship normal 2320 game over, bran
 { begin; keys 240 $Z; ends; enters; begin; keys 200 $Z; ends; } | play
 same 'two runs of one power-on' 6 "$(demos | wc -l)"
 same 'a row of the scores is in the replay that entered it' \
-    '{"table":"normal","name":"AAA","ship":"","score":2420,"stage":1,"continues":0}' \
+    '{"table":"normal","name":"LXEO","ship":"","score":2420,"stage":1,"continues":0}' \
     "$("$curtain" list g --replays --json | jq -c '.rows[]')"
 keys 400 | play --stage one --lives 3
 keys 400 | play --demo "$(newest)"
@@ -65,7 +67,7 @@ rm data/curtain/curtain.conf
 
 # ---- the screen ----
 
-open_list() { keys 8; press $ESCAPE; keys 2; press $DOWN; keys 2; keys 1 $Z; keys 4; }
+open_list() { keys 8; press $ESCAPE; keys 2; press $DOWN $DOWN $DOWN; keys 2; keys 1 $Z; keys 4; }
 { open_list; keys 1 $Z; keys 4; press $DOWN; keys 2; keys 1 $Z; keys 3; echo "'the be"; echo "'st é"; keys 3
     press $BACKSPACE $BACKSPACE; keys 1; keys 1 $ENTER; keys 9; } | play
 same 'saved under a name' '0:04 ship normal 1970 game over "the best"' "$(list | head -1)"
@@ -100,7 +102,7 @@ same 'at its end it waits' 1 "$(tail -20 out | sort -u | wc -l)"
 keys 30 | plays title --seed 5 # without hints on buttons, as runs have been finished
 same 'back at the title the pictures are those of a power-on' "$(part title 10 20)" \
     "$(grep -A 10 "^$(part title 10 10)$" out | tail -11)"
-{ begin; keys 200 $Z; press $ESCAPE; keys 2; press $DOWN; keys 2; keys 1 $Z; keys 4; keys 1 $Z; keys 4; keys 1 $Z
+{ begin; keys 200 $Z; press $ESCAPE $DOWN $DOWN $DOWN $DOWN; keys 1 $Z; keys 4; keys 1 $Z; keys 4; keys 1 $Z
     keys 60; } | play
 same 'who watches in the middle of a run keeps it' '0:04 ship normal 2020 unfinished' "$(list | head -1)"
 check 'and can resume it' test -s data/curtain/resume/probe.demo

@@ -16,10 +16,13 @@ enum { INPUT_CODE_CONTROLLER = 0x100, INPUT_CODE_ALT = 0x1000, INPUT_CODE_CTRL =
 
 /* HID usages of keys with a fixed meaning. */
 enum {
+    KEY_A = 4,        /* followed by B to Z */
     KEY_DIGIT_1 = 30, /* followed by 2 to 9 and 0 */
     KEY_ENTER = 40,
     KEY_ESCAPE = 41,
     KEY_BACKSPACE = 42,
+    KEY_SPACE = 44, /* followed by punctuation, up to KEY_SLASH */
+    KEY_SLASH = 56,
     KEY_HOME = 74,
     KEY_DELETE = 76,
     KEY_END = 77,
@@ -27,8 +30,10 @@ enum {
     KEY_LEFT = 80,
     KEY_DOWN = 81,
     KEY_UP = 82,
+    KEY_KEYPAD_DIVIDE = 84, /* up to KEY_KEYPAD_POINT: the keys of the keypad */
     KEY_KEYPAD_ENTER = 88,
     KEY_KEYPAD_1 = 89,
+    KEY_KEYPAD_POINT = 99,
     KEY_LEFT_CTRL = 224,
     KEY_LEFT_ALT = 226,
     KEY_RIGHT_CTRL = 228,

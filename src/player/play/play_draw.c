@@ -155,15 +155,21 @@ static int draw_page(struct play *play, const struct canvas *canvas)
     return y;
 }
 
-/* Fills in the hints on buttons below the game's menus, until a run has been finished, and below an attract demo.
- * Returns how many there are; 0: none, or something else is shown. */
+/* Fills in the hints on buttons below the game's menus, until a run has been finished, below name entry, and below an
+ * attract demo. Returns how many there are; 0: none, or something else is shown. */
 static int list_hints(struct play *play, bool covered, struct button_hint hint[BUTTON_HINTS])
 {
     static const char *const actions[BUTTON_HINTS] = { "p1.start", "p1.fire", "p1.bomb", "p1.focus" },
                              *const meanings[BUTTON_HINTS] = { "Start", "Fire", "Bomb", "Focus" };
     const bool in_menu = board_last_output(play_board(play))->menu_shown && !play->session.demo && play->config.hints;
     const int n = covered ? 0 : play->attract.on ? play->time.frames / BLINK % 3 != 0 : in_menu ? BUTTON_HINTS : 0;
+    const int typist = play_typist(play);
 
+    if (!covered && typist >= 0 && !play->config.keys.device[typist].is_controller) {
+        snprintf(hint[0].label, sizeof hint[0].label, "enter");
+        hint[0].meaning = "Type the name";
+        return 1;
+    }
     for (int i = 0; i < n; i++) {
         keys_hint(&play->config.keys, actions[i], hint[i].label, sizeof hint[i].label);
         hint[i].meaning = play->attract.on ? "PRESS START" : meanings[i];

@@ -3,6 +3,7 @@
  */
 #include <stdio.h>
 #include <string.h>
+#include "../../board/inspect.h"
 #include "play_state.h"
 #include "timebar.h"
 
@@ -126,10 +127,29 @@ static void console_keys(struct play *play, const struct plat_input *in, struct 
         play_check_recording(play, session_mark_touched(&play->session));
         practice_stop_counting(&play->practice);
     }
-    play_set_text_input(play, play->console.open);
+    play_set_text_input(play, play->console.open || play_typist(play) >= 0);
 }
 
 /* ---- the frame's input ---- */
+
+/* During a run, START of a player whose ship is in play opens the menu, and the game doesn't see it. opens: false if
+ * the press has resumed a paused game. */
+static void take_start(struct play *play, const struct keys_state *k, bool opens)
+{
+    const struct inspect_pause pause = inspect_pause(play_board(play));
+    bool pressed = false;
+
+    if (!pause.is_listening || play->session.demo || play->attract.on || play_fault(play) || play->console.open)
+        return;
+    for (int p = 0; p < MAX_PLAYERS; p++) {
+        if (!pause.in_play[p])
+            continue;
+        pressed = pressed || k->pads_pressed[p] & PAD_START & ~play->pads.ignored[p];
+        play->pads.ignored[p] |= k->pads[p] & PAD_START;
+    }
+    if (pressed && opens)
+        play_open_menu(play);
+}
 
 /* Buttons accumulate until a tick has seen them. */
 static void accumulate_pads(struct play_pads *pads, const struct keys_state *k)
@@ -160,6 +180,7 @@ static void ignore_keys(struct keys_state *k, uint32_t keys)
 static void game_keys(struct play *play, const struct plat_input *in, struct keys_state *k)
 {
     struct play_time *time = &play->time;
+    const bool waited = time->waits_for_button;
 
     if (time->waits_for_button && (k->any_pad_pressed || !time->paused)) {
         time->waits_for_button = time->paused = false;
@@ -167,6 +188,7 @@ static void game_keys(struct play *play, const struct plat_input *in, struct key
     }
     console_keys(play, in, k);
     overlay_toggle(&play->overlay, k->pressed);
+    take_start(play, k, !waited);
     accumulate_pads(&play->pads, k);
     if (play_fault(play))
         play_scroll(play, &play->report.page_top, play->report.page_max_top, k->pads[0], in->wheel);
@@ -192,6 +214,7 @@ void play_poll(struct play *play, struct keys_state *k)
     play->mouse.y = in.mouse_y;
     play->quit = play->quit || in.quit;
     play_poll_controllers(play, &in);
+    play_type_name(play, &in);
     /* Also while the prompt is open: the key that closes it must not be read afterwards. */
     keys_read(&play->config.keys, &in, &play->pads.controllers, k);
     if (play->options.sealed)

@@ -3,6 +3,7 @@
  */
 #include <stdarg.h>
 #include <stdio.h>
+#include <string.h>
 #include "../../board/inspect.h"
 #include "../input/input_code.h"
 #include "play_state.h"
@@ -30,6 +31,7 @@ void play_pads_apply(struct play *play)
 
 void play_pads_power(struct play_pads *pads)
 {
+    pads->code_count = 0;
     pads->next_frame = 0;
     for (int p = 0; p < MAX_PLAYERS; p++)
         pad_modes_resume(&pads->mode_state[p], 0);
@@ -46,6 +48,25 @@ static void resume_modes(struct play *play, uint32_t frame)
         pad_modes_resume(&play->pads.mode_state[p], before[p]);
 }
 
+void play_send_code(struct play *play, int player, unsigned code)
+{
+    struct play_pads *pads = &play->pads;
+
+    if (pads->code_count == PLAY_MAX_CODES)
+        return;
+    pads->codes[pads->code_count].player = (uint8_t)player;
+    pads->codes[pads->code_count++].code = (uint8_t)code;
+}
+
+/* Adds the code that has waited longest. */
+static void add_code(struct play_pads *pads, uint16_t out[MAX_PLAYERS])
+{
+    if (pads->code_count == 0)
+        return;
+    out[pads->codes[0].player] |= (uint16_t)(pads->codes[0].code << PAD_CODE_SHIFT);
+    memmove(pads->codes, pads->codes + 1, (size_t)--pads->code_count * sizeof *pads->codes);
+}
+
 void play_pads_tick(struct play *play, uint16_t pads[MAX_PLAYERS])
 {
     const struct board *b = play_board(play);
@@ -59,6 +80,7 @@ void play_pads_tick(struct play *play, uint16_t pads[MAX_PLAYERS])
         pads[p] = pad_modes_tick(&play->pads.mode_state[p], &play->pads.modes[p],
                                  (struct pad_modes_control){ ship.can_steer, ship.can_fire }, play->pads.held[p]);
     }
+    add_code(&play->pads, pads);
 }
 
 /* ---- controllers ---- */

@@ -125,14 +125,21 @@ void play_open_practice(struct play *play)
     practice_open(&play->practice, &play->screens, play->time.speed);
 }
 
+void play_retry_practice(struct play *play)
+{
+    if (!may_practise(play))
+        return;
+    attract_end(&play->attract);
+    if (play->start.practice.section[0])
+        power_again(play, play->start);
+    else
+        play_show_message(play, MESSAGE_FRAMES, "Nothing to retry: choose a section first");
+}
+
 void play_practice_keys(struct play *play, const struct keys_state *k)
 {
-    if (keys_pressed(k, HOTKEY_RETRY) && may_practise(play)) {
-        attract_end(&play->attract);
-        if (play->start.practice.section[0])
-            power_again(play, play->start);
-        else
-            play_show_message(play, MESSAGE_FRAMES, "Nothing to retry: choose a section first");
+    if (keys_pressed(k, HOTKEY_RETRY)) {
+        play_retry_practice(play);
     } else if (keys_pressed(k, HOTKEY_PRACTICE)) {
         play_open_practice(play);
     }

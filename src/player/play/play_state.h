@@ -32,7 +32,8 @@ enum {
     PLAY_FULL_SPEED = 100,     /* percent; 60 ticks a second */
     MESSAGE_FRAMES = 180,      /* how long a message is shown */
     MESSAGE_STAYS = INT32_MAX, /* until another one replaces it */
-    MESSAGE_UNTIL_RELOAD = -1  /* shown as a page until a reload works */
+    MESSAGE_UNTIL_RELOAD = -1, /* shown as a page until a reload works */
+    PLAY_MAX_CODES = 16        /* codes that wait for their tick; further ones are dropped */
 };
 
 /* play.c: time in the game. */
@@ -199,6 +200,15 @@ struct play_pads {
     struct pad_mode_state mode_state[MAX_PLAYERS];
     uint32_t next_frame; /* the frame after the last tick with pads of pad_modes_tick */
     bool unplugged;      /* a player's controller was unplugged, and the game is paused for it */
+    struct {
+        uint8_t player, code; /* enum pad_code */
+    } codes[PLAY_MAX_CODES];  /* sent to the game, one in each tick */
+    int code_count;
+};
+
+/* play_typing.c: name entry by keyboard. */
+struct play_typing {
+    uint8_t hidden[PLAT_KEYS / 8]; /* keys used for typing, hidden from everything else until they are released */
 };
 
 /* play_keys.c. */
@@ -272,6 +282,7 @@ struct play {
 
     /* input */
     struct play_pads pads;
+    struct play_typing typing;
     struct play_mouse mouse;
     struct play_drop drop;
     bool had_focus; /* at the last poll */
@@ -425,6 +436,9 @@ uint64_t play_clock_seed(void);
  * the open menu. */
 void play_practice_keys(struct play *play, const struct keys_state *k);
 void play_practice_poll(struct play *play);
+
+/* Powers the board on again with the same practice start. */
+void play_retry_practice(struct play *play);
 
 /* Opens the practice menu, if this run can be left for it. */
 void play_open_practice(struct play *play);
@@ -595,6 +609,15 @@ void play_scroll(const struct play *play, int *top, int end, uint16_t pad, int w
 /* Reads the input and handles the program's keys. */
 void play_poll(struct play *play, struct keys_state *k);
 
+/* ---- play_typing.c ---- */
+
+/* Returns the player (from 0) who enters a name and has the keyboard, or -1. */
+int play_typist(const struct play *play);
+
+/* While a player enters a name, sends the typed characters, Backspace and Enter as codes, and hides their keys in *in.
+ * Call it before keys_read. */
+void play_type_name(struct play *play, struct plat_input *in);
+
 /* ---- play_pads.c ---- */
 
 void play_pads_open(struct play *play);
@@ -605,7 +628,11 @@ void play_pads_apply(struct play *play);
 /* Call it when the board was powered on. */
 void play_pads_power(struct play_pads *pads);
 
-/* Computes the pads of the live board's next tick from pads.held. */
+/* Sends a code (enum pad_code) to the game of a player (from 0) in the next tick, or in a later one if other codes
+ * are waiting. */
+void play_send_code(struct play *play, int player, unsigned code);
+
+/* Computes the pads of the live board's next tick from pads.held and the waiting codes. */
 void play_pads_tick(struct play *play, uint16_t pads[MAX_PLAYERS]);
 
 /* Call play_poll_controllers before keys_read, and play_report_controllers after it. The first updates the assignment

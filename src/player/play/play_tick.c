@@ -122,7 +122,8 @@ void play_tick(struct play *play)
         return;
     if (!play->session.demo)
         play_pads_tick(play, pads);
-    memcpy(play->drawing.last_pads, pads, sizeof pads);
+    for (int p = 0; p < MAX_PLAYERS; p++)
+        play->drawing.last_pads[p] = pads[p] & PAD_ALL; /* a code is for one tick */
     play->time.ticked = true;
     play_check_recording(play, session_tick(&play->session, pads));
     play_report_difference(play);

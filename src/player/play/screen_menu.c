@@ -1,19 +1,22 @@
 /*
- * screen_menu.c - the menu that Escape opens: all other screens, and quitting. It asks before a run is lost.
+ * screen_menu.c - the menu that Escape and START open: leaving a run, and all other screens. It asks before a run is
+ * lost.
  */
 #include <stdio.h>
 #include <string.h>
+#include "../../board/inspect.h"
 #include "play_state.h"
 
 enum entry {
     RESUME,
     TAKE_OVER,
     QUIT_REPLAY,
-    REPLAYS,
+    GAME, /* the game's own entries, a row each */
+    RESTART_STAGE,
+    RESTART,
     SETTINGS,
-    KEYS,
-    CONTROLLERS,
     PRACTICE,
+    REPLAYS,
     LOG,
     TITLE,
     QUIT,
@@ -31,12 +34,35 @@ static void end_run(struct play *play, const char *question, const char *yes, vo
         then(play);
 }
 
+/* Returns whether a run is in progress that restarts and ends by codes. */
+static bool is_in_run(const struct play *play)
+{
+    return !play->session.demo && !play_fault(play) && inspect_pause(play_board(play)).is_listening;
+}
+
+static bool is_practice(const struct play *play)
+{
+    return play->start.practice.section[0] != 0;
+}
+
+static void leave_run(void *context)
+{
+    struct play *play = context;
+
+    if (!is_in_run(play) || is_practice(play)) {
+        play_restart(play);
+        return;
+    }
+    screens_close_all(&play->screens);
+    play_send_code(play, 0, CODE_QUIT);
+}
+
 static void quit_to_title(struct play *play)
 {
     end_run(play,
             play->autosave.on && play->config.replays > 0 ? "Quit to the title? This run is saved as a replay."
                                                           : "Quit to the title and lose this run?",
-            "Quit to Title", play_restart);
+            "Quit to Title", leave_run);
 }
 
 static void quit_now(void *context)
@@ -52,6 +78,39 @@ void play_quit(struct play *play)
             "Quit", quit_now);
 }
 
+/* ---- restarting ---- */
+
+/* Returns the frame in which the present stage started, if that is not the run's first stage and can be reached;
+ * otherwise 0. */
+static uint32_t stage_start(const struct play *play)
+{
+    const uint32_t now = board_frame(play_board(play));
+    uint32_t n, stages = 0, frame = 0;
+    const struct demo_marker *m = session_markers(&play->session, &n);
+
+    for (uint32_t i = 0; i < n && m[i].frame <= now; i++) {
+        if (m[i].marker.kind == MARKER_GAME)
+            stages = 0;
+        else if (m[i].marker.kind == MARKER_STAGE && ++stages)
+            frame = m[i].frame;
+    }
+    return stages > 1 && frame >= session_first(&play->session) ? frame : 0;
+}
+
+static void restart_stage(struct play *play)
+{
+    play_seek(play, stage_start(play));
+    play->seek.bar_frames = 0;
+}
+
+static void restart(struct play *play)
+{
+    if (is_practice(play))
+        play_retry_practice(play);
+    else
+        play_send_code(play, 0, CODE_RESTART);
+}
+
 /* ---- entries ---- */
 
 static const struct {
@@ -63,42 +122,56 @@ static const struct {
     [TAKE_OVER] = { "Play from Here", "Take over: practise from this frame, or record a new demo.", true,
                     play_take_over },
     [QUIT_REPLAY] = { "Quit Replay", "End the replay and return to the title.", true, play_return_to_title },
-    [REPLAYS] = { "Replays", "Watch or save recent runs, or practise from any frame.", false, play_open_replays },
-    [SETTINGS] = { "Settings", "Picture, sound and gameplay.", false, play_open_settings },
-    [KEYS] = { "Key Bindings", "Change what each key and button does.", false, play_open_keys },
-    [CONTROLLERS] = { "Controllers", "Choose which player uses which controller.", false, play_open_controllers },
+    [GAME] = { "", "", true, NULL },
+    [RESTART_STAGE] = { "Restart Stage",
+                        "Go back to the start of this stage. The run then no longer counts for scores.", true,
+                        restart_stage },
+    [RESTART] = { "Restart", "Start the game again, with the same choices.", true, restart },
+    [SETTINGS] = { "Settings", "Picture, sound, gameplay, keys and controllers.", false, play_open_settings },
     [PRACTICE] = { "Practice", "Practise any stage, mark or boss phase.", true, play_open_practice },
+    [REPLAYS] = { "Replays", "Watch or save recent runs, or practise from any frame.", false, play_open_replays },
     [LOG] = { "Log", "Script output and errors.", false, play_open_log },
     [TITLE] = { "Quit to Title", "End this run and return to the title.", false, quit_to_title },
     [QUIT] = { "Quit", "", false, play_quit },
 };
 
-static bool is_shown(const struct play *play, enum entry e)
+/* Returns the number of rows that an entry has now. */
+static int row_count(const struct play *play, enum entry e)
 {
-    const bool playback = play->session.demo != NULL, watching = play->replay.watching;
+    const bool playback = play->session.demo != NULL, watching = play->replay.watching, in_run = is_in_run(play);
 
     switch (e) {
     case TAKE_OVER:
         return playback;
     case QUIT_REPLAY:
         return watching;
-    case REPLAYS:
-        return !play->options.demo && !play->options.record;
+    case GAME:
+        return in_run ? inspect_pause(play_board(play)).entry_count : 0;
+    case RESTART_STAGE:
+        return in_run && !is_practice(play) && stage_start(play) > 0;
+    case RESTART:
+        return in_run;
     case PRACTICE:
-    case TITLE:
         return !playback && !watching;
+    case REPLAYS:
+        return !playback && !play->options.demo && !play->options.record;
+    case LOG:
+        return !playback && !in_run;
+    case TITLE:
+        return !playback && !watching && (play_fault(play) || play_has_run(play));
     default:
-        return true;
+        return 1;
     }
 }
 
-/* The entry of a row; ENTRIES: there are fewer rows. */
-static enum entry entry_at(const struct play *play, int at)
+/* Returns the entry of a row, and the row's number within it in *i; ENTRIES: there are fewer rows. */
+static enum entry entry_at(const struct play *play, int at, int *i)
 {
     enum entry e = RESUME;
 
-    while (e < ENTRIES && (!is_shown(play, e) || at-- > 0))
-        e++;
+    for (int n; e < ENTRIES && at >= (n = row_count(play, e)); e++)
+        at -= n;
+    *i = at;
     return e;
 }
 
@@ -106,27 +179,41 @@ static int rows(void *context)
 {
     int n = 0;
 
-    while (entry_at(context, n) < ENTRIES)
-        n++;
+    for (enum entry e = RESUME; e < ENTRIES; e++)
+        n += row_count(context, e);
     return n;
+}
+
+static const char *label_of(const struct play *play, enum entry e, int i)
+{
+    if (e == GAME)
+        return inspect_pause(play_board(play)).entries[i];
+    if (e == RESTART && is_practice(play))
+        return "Restart Section";
+    return e == RESUME && !play->session.demo && !play_has_run(play) ? "Back" : entries[e].label;
 }
 
 static void row(void *context, int at, struct screen_row *row)
 {
-    const enum entry e = entry_at(context, at);
+    int i;
+    const enum entry e = entry_at(context, at, &i);
 
-    snprintf(row->label, sizeof row->label, "%s", entries[e].label);
-    snprintf(row->help, sizeof row->help, "%s", entries[e].help);
+    snprintf(row->label, sizeof row->label, "%s", label_of(context, e, i));
+    snprintf(row->help, sizeof row->help, "%s",
+             e == RESTART && is_practice(context) ? "Start this section again." : entries[e].help);
 }
 
 static void accept(void *context, int at)
 {
     struct play *play = context;
-    const enum entry e = entry_at(play, at);
+    int i;
+    const enum entry e = entry_at(play, at, &i);
 
     if (entries[e].closes)
         screens_close_all(&play->screens);
-    if (entries[e].action)
+    if (e == GAME)
+        play_send_code(play, 0, CODE_ENTRY + (unsigned)i);
+    else if (entries[e].action)
         entries[e].action(play);
 }
 
