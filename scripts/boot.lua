@@ -149,6 +149,7 @@ local function play(a, run)
   sys.mode = run.mode -- game.mode
   local game = enter(ships, a.continues)
   sys.mark("game", ships[1], nil, nil, #ships)
+  sys.mark("difficulty", board.difficulty())
   records().begin(run)
   run.grades = a.grades
   play_stages(game, run)

@@ -1,10 +1,10 @@
--- boss.lua - a boss is an enemy, or a cast of several, with phases, each with hp, a clock and a task. A phase has a scene:
--- an owner of every task that the phase starts and every enemy and sprite it makes. When the phase ends, the scene is
--- stopped and the board removes all of these. One boss's scene belongs to it, so it also ends with that; and when the
--- task that fights is stopped, the enemies are removed.
+-- boss.lua - a boss is an enemy, or a cast of several, with phases, each with hp, a clock and a task. A phase has a
+-- scene: an owner of every task that the phase starts and every enemy and sprite it makes. When the phase ends, the
+-- scene is stopped and the board removes all of these. The scene of a single boss belongs to that boss and ends with
+-- it; when the fight's task is stopped, the enemies are removed.
 --
--- Here is what a game has all the time. A fight and what of it only some bosses need stand in pieces, boss/NAME.lua,
--- which are read when a fight begins.
+-- This file is always loaded. Fights, and parts that only some bosses need, are in the files boss/NAME.lua, which are
+-- read when a fight begins.
 local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local boss = {}
 
@@ -41,6 +41,7 @@ function boss.fight(name, args)
   local a = sys.check("boss.fight", name, args)
   local b = find("boss.fight", a.name)
   if stage.skipping() then
+    stage.stop_at(a.name)
     sys.pass() -- counts as a wait passed over, as in stage.lua
     sys.music_fight(b.music, b.warning)
     return true
@@ -79,11 +80,13 @@ function boss.each(f)
   for _, name in ipairs(names) do f(bosses[name]) end
 end
 
--- A function that fights one phase alone, or without an id all of them, with neither warning nor talks.
-function boss.practice(api, name, id, of)
+-- A function that fights one phase alone, or without an id all of them, with neither warning nor talks. search: stages;
+-- the first that has this fight shows its scene.
+function boss.practice(api, name, id, of, search)
   local b = find(api, name, of)
   local phases = id and { sys.read("boss/practice")(api, b, id, of) } or b.phases
   return function()
+    if search then stage.search(search, name) end
     sys.mark("start", "")
     return sys.read("boss/fight")(now, b, phases)
   end

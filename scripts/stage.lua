@@ -11,8 +11,9 @@ local names = {}  -- in the order of their declarations
 
 -- The current or last stage. name; scope: owns its tasks; base: the board's clock at the stage's frame 0; fights: the
 -- number of boss fights that stop its clock; stopped: the board's clock when the first of them started; skip: the mark
--- it skips to, or nil; ends: the mark at which it ends, or nil; marks: the marks reached so far, in order; met: the
--- same by name; waves: the tasks that send enemies.
+-- it skips to, or nil; fight: the boss whose fight practice searches, or nil; found: that fight was reached; ends: the
+-- mark at which it ends, or nil; marks: the marks reached so far, in order; met: the same by name; waves: the tasks that
+-- send enemies.
 local now
 
 local function current(api)
@@ -103,6 +104,16 @@ function stage.clear(limit)
   return wait_until(function() return cleared(s) end, a.limit)
 end
 
+-- From here on the stage's task waits as usual. Removes what the stage's own code made directly, outside waves and
+-- fights, while it skipped; its background and palette stay.
+local function stop_skipping(s)
+  s.skip = nil
+  sys.skip(false)
+  sys.wipe(true)
+  sys.faded()
+  hud.refresh()
+end
+
 function stage.mark(name)
   local a, s = sys.check("stage.mark", name), current("stage.mark")
   if not s.met[a.name] then
@@ -113,14 +124,8 @@ function stage.mark(name)
   if s.ends == a.name and not s.skip then return task.stop(s.scope) end
   sys.mark("point", a.name, s.name) -- reports an event of the run to the program; changes nothing in the game
   if not s.skip then return end
-  s.skip = nil
   sys.mark("start", "") -- the practice section starts here
-  sys.skip(false)       -- from now on the task waits as usual
-  -- Removes entities that the stage's own code created while it skipped, outside waves and fights. Background and
-  -- palette stay, because the stage shows them here.
-  sys.wipe(true)
-  sys.faded()
-  hud.refresh()
+  stop_skipping(s)
 end
 
 -- The following functions are for boss.lua and boot.lua.
@@ -146,7 +151,8 @@ end
 local function begin(name, owner, skip)
   local songs = rawget(sys, "stage_music")
   if songs and songs[name] then music.play(songs[name]) end
-  now = { name = name, scope = task.scope(owner), base = sys.clock(), fights = 0, skip = skip, marks = {}, met = {}, waves = {} }
+  now = { name = name, scope = task.scope(owner), base = sys.clock(), fights = 0, skip = skip, marks = {}, met = {},
+          waves = {} }
   return now
 end
 
@@ -179,17 +185,39 @@ function stage.names(first)
   return list
 end
 
--- Returns the marks of a stage, found by skipping through it, and whether it reached its end. Takes a frame.
-function stage.run_through(name, owner)
+-- Runs through a stage with nothing but skips, which takes a frame. Returns the marks it reached, and whether it
+-- reached its end. fight: stops at the fight with this boss and stays there; then returns nil.
+function stage.run_through(name, owner, fight)
   local s, whole = begin(name, owner, true), false -- true is not the name of a mark, so it skips to the end
+  s.fight = fight
   task.own(s.scope, function()
     sys.skip(true)
     stages[name]()
     whole = true
   end)
   wait(1)
+  if s.found then return nil end
   task.stop(s.scope)
   return s.marks, whole
+end
+
+-- Runs through these stages until one reaches the fight with this boss. That stage waits there, and its scene stays:
+-- background, palette and music. If none has the fight, the screen is empty. Takes a frame for each stage.
+function stage.search(list, fight)
+  for _, name in ipairs(list) do
+    if not stage.run_through(name, sys.task(), fight) then return end
+    sys.skip(false) -- also for the music
+    sys.wipe()
+    if rawget(sys, "stage_music") then music.stop() end
+  end
+end
+
+-- Called for a boss fight that the stage would skip: waits there if practice searches this fight.
+function stage.stop_at(fight)
+  if now.fight ~= fight then return end
+  now.found = true
+  stop_skipping(now)
+  wait(forever)
 end
 
 return stage

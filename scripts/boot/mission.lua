@@ -78,6 +78,8 @@ local function begin(m, run, enter)
     if sys.value(1, name) then p[name] = n else sys.run_set(name, n) end
   end
   sys.mark("game", run.ships[1], nil, nil, 1)
+  sys.mark("difficulty", board.difficulty())
+  sys.mark("mission", m.name)
   hud.banner({ text.lang(m.title), text.lang(m.text or "") }, 150)
   return game
 end

@@ -85,10 +85,14 @@ bool markers_compare(struct marker_changes *c, const struct demo *before, const 
 const char *markers_kind_name(enum board_marker_kind kind)
 {
     static const char *const names[MARKER_KINDS] = {
-        [MARKER_STAGE] = "stage", [MARKER_MARK] = "mark",   [MARKER_WAVE] = "wave",   [MARKER_BOSS] = "boss",
-        [MARKER_PHASE] = "phase", [MARKER_DEATH] = "death", [MARKER_CLEAR] = "clear", [MARKER_WON] = "won",
-        [MARKER_LOST] = "lost",   [MARKER_START] = "start", [MARKER_GAME] = "game",   [MARKER_OVER] = "over",
-        [MARKER_ROW] = "row",
+        [MARKER_STAGE] = "stage",     [MARKER_MARK] = "mark",
+        [MARKER_WAVE] = "wave",       [MARKER_BOSS] = "boss",
+        [MARKER_PHASE] = "phase",     [MARKER_DEATH] = "death",
+        [MARKER_CLEAR] = "clear",     [MARKER_WON] = "won",
+        [MARKER_LOST] = "lost",       [MARKER_START] = "start",
+        [MARKER_GAME] = "game",       [MARKER_OVER] = "over",
+        [MARKER_ROW] = "row",         [MARKER_DIFFICULTY] = "difficulty",
+        [MARKER_MISSION] = "mission",
     };
 
     return names[kind];
@@ -97,11 +101,21 @@ const char *markers_kind_name(enum board_marker_kind kind)
 void markers_format_change(const struct marker_change *c, char *out, size_t size)
 {
     static const char *const kinds[MARKER_KINDS] = {
-        [MARKER_STAGE] = "stage",      [MARKER_MARK] = "mark",        [MARKER_WAVE] = "wave",
-        [MARKER_BOSS] = "boss",        [MARKER_PHASE] = "phase",      [MARKER_DEATH] = "death of player",
-        [MARKER_CLEAR] = "end of",     [MARKER_WON] = "phase beaten", [MARKER_LOST] = "phase not beaten",
-        [MARKER_START] = "start",      [MARKER_GAME] = "game",        [MARKER_OVER] = "end of game:",
+        [MARKER_STAGE] = "stage",
+        [MARKER_MARK] = "mark",
+        [MARKER_WAVE] = "wave",
+        [MARKER_BOSS] = "boss",
+        [MARKER_PHASE] = "phase",
+        [MARKER_DEATH] = "death of player",
+        [MARKER_CLEAR] = "end of",
+        [MARKER_WON] = "phase beaten",
+        [MARKER_LOST] = "phase not beaten",
+        [MARKER_START] = "start",
+        [MARKER_GAME] = "game",
+        [MARKER_OVER] = "end of game:",
         [MARKER_ROW] = "row in table",
+        [MARKER_DIFFICULTY] = "difficulty",
+        [MARKER_MISSION] = "mission",
     };
     const struct board_marker *m = &(c->before ? c->before : c->after)->marker;
     char before[16] = "never", after[16] = "never";

@@ -82,15 +82,19 @@ enum board_marker_kind {
     MARKER_LOST,  /* a phase ended without being beaten; name: the phase's id, parent: the boss */
     MARKER_START, /* the section of a practice start begins or restarts */
 
-    /* only in the output of PRACTICE_LIST, which also reports stages, marks, bosses and phases */
-    MARKER_SHIP,     /* a ship; name: the ship's kind, value: total lives. Practice uses the first ship listed */
-    MARKER_REGISTER, /* a register of the first ship; name and value: those of the register */
+    /* only in the output of PRACTICE_LIST. It also reports stages, marks, bosses, phases, difficulties and missions.
+     * `title` is what the game's menus show, in the board's language, and the `parent` of a boss is the sprite of its
+     * portrait */
+    MARKER_SHIP,     /* a ship; name: its kind, parent: its sprite, value: total lives. Practice uses the first one */
+    MARKER_REGISTER, /* a register; parent: the kind of its ship, name and value: those of the register */
     MARKER_LISTED,   /* the list is complete */
 
     /* markers of a run, continued */
     MARKER_GAME, /* a game starts; name: the kind of the first player's ship, value: number of players */
     MARKER_OVER, /* a game ends; name: "clear" (all stages), "over" (no lives) or "quit", value: stages cleared */
     MARKER_ROW,  /* a score is entered; name: the table, parent: the ship, value: row in the ship's table, 1: best */
+    MARKER_DIFFICULTY, /* the game that has just started; name: its difficulty */
+    MARKER_MISSION,    /* the game that has just started; name: its mission */
     MARKER_KINDS
 };
 
@@ -104,7 +108,8 @@ enum { MAX_TICK_MARKERS = 16 /* most markers per tick; further ones are dropped 
 struct board_marker {
     enum board_marker_kind kind;
     int32_t value;
-    char name[32], parent[32], title[48]; /* printable ASCII, cut to fit; "": none */
+    char name[32], parent[32]; /* printable ASCII, cut to fit; "": none */
+    char title[48];            /* UTF-8 without control characters, cut to whole characters; "": none */
 };
 
 /* A pool that refused an entity for the first time in this run. line: the log line, starting with the "FILE:LINE: " of

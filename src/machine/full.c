@@ -90,7 +90,7 @@ void board_report_full(struct board *b, const struct slots *s)
     struct board_full_pool *f, discarded;
     char location[VM_LOCATION_SIZE];
 
-    if (!w)
+    if (!w || tasks_is_skipping(&b->tasks)) /* what a stage makes while it skips is removed before play starts */
         return;
     const uint32_t units_per_slot =
         w->chip == &laser_points_chip ? LASER_CHUNK_POINTS : 1; /* capacity units of `board` per slot */

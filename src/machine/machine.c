@@ -75,8 +75,20 @@ uint64_t board_random(void *board, uint64_t limit)
     return v;
 }
 
-/* Copies a string, cut to fit. Replaces every byte that is not printable ASCII by '?', because demos and the program's
- * font support only printable ASCII. */
+/* Copies a title, cut to fit without cutting a character. Replaces control characters by '?'. */
+static void copy_title(char *to, size_t size, const char *from)
+{
+    size_t n = strlen(from);
+
+    for (n = n < size ? n : size - 1; n > 0 && ((uint8_t)from[n] & 0xc0) == 0x80;)
+        n--;
+    for (size_t i = 0; i < n; i++)
+        to[i] = (uint8_t)from[i] < 32 || from[i] == 127 ? '?' : from[i];
+    to[n] = 0;
+}
+
+/* Copies a string, cut to fit. Replaces every byte that is not printable ASCII by '?', because demos support only
+ * printable ASCII. */
 static void copy_printable(char *to, size_t size, const char *from)
 {
     snprintf(to, size, "%s", from);
@@ -97,12 +109,17 @@ void board_add_marker(struct board *b, enum board_marker_kind kind, const char *
     m->value = value;
     copy_printable(m->name, sizeof m->name, name);
     copy_printable(m->parent, sizeof m->parent, parent);
-    copy_printable(m->title, sizeof m->title, title);
+    copy_title(m->title, sizeof m->title, title);
 }
 
 bool board_is_listing(const struct board *b)
 {
     return strcmp(b->start.practice.section, PRACTICE_LIST) == 0;
+}
+
+bool board_runs_through_stages(const struct board *b)
+{
+    return board_is_listing(b) || strchr(b->start.practice.section, '/');
 }
 
 void board_add_score(struct board *b, uint32_t i, int64_t points)

@@ -232,6 +232,10 @@ void board_add_marker(struct board *b, enum board_marker_kind kind, const char *
 /* Returns whether this board was started only to list the sections for practice (PRACTICE_LIST). */
 bool board_is_listing(const struct board *b);
 
+/* Returns whether this board may run through stages that never end: it lists sections, or searches the stage that has
+ * the fight of a practice start "boss/phase". */
+bool board_runs_through_stages(const struct board *b);
+
 /* Returns which presses pad.take reads now: PRESS_GAME or, while a screen freezes the game, PRESS_PAUSE. */
 static inline enum press_side board_press_side(const struct board *b)
 {

@@ -21,7 +21,8 @@ enum {
 
 enum {
     MAX_OWNER_DEPTH = 64,
-    MAX_SKIPS = 100000 /* most waits a task may skip in one turn */
+    MAX_SKIPS = 100000,      /* most waits a task may skip in one turn */
+    MAX_SEARCH_SKIPS = 10000 /* the same while the fight of a boss is searched; a stage that never ends costs time */
 };
 
 struct tasks {
@@ -79,5 +80,11 @@ const char *tasks_origin(const struct board *b, const struct lua_State *L);
 
 /* Returns the serial of the running task, or 0. */
 uint32_t tasks_current_serial(const struct board *b);
+
+/* Returns whether the running task is skipping ahead to a practice mark. */
+static inline bool tasks_is_skipping(const struct tasks *t)
+{
+    return t->current != NO_SLOT && t->flags[t->current] & TASK_SKIPS;
+}
 
 #endif

@@ -39,10 +39,4 @@ void tasks_stop(struct board *b, uint32_t slot);
  * scope. */
 bool tasks_is_frozen(const struct board *b, uint32_t slot);
 
-/* Returns whether the running task is skipping ahead to a practice mark. */
-static inline bool tasks_is_skipping(const struct tasks *t)
-{
-    return t->current != NO_SLOT && t->flags[t->current] & TASK_SKIPS;
-}
-
 #endif

@@ -39,7 +39,7 @@ same 'difficulty, which was chosen in a menu' '"normal"' "$(of run.demo difficul
 same 'how it ended' '"clear" 1' "$(of run.demo ended) $(of run.demo stages)"
 kinds() { python3 -c 'import json, sys
 print(*(m["kind"] + ":" + m["name"] for m in json.loads(sys.stdin.readline())["moments"]))'; }
-same 'moments' 'game:ship stage:one mark:late clear:one over:clear' "$(kinds <line)"
+same 'moments' 'game:ship difficulty:normal stage:one mark:late clear:one over:clear' "$(kinds <line)"
 same 'no doubt' null "$(of run.demo doubt)"
 same 'the ROM it was recorded on, and this one' "$(of run.demo recorded)" "$(of run.demo replayed)"
 same 'its hash is the one that list prints' "\"$("$curtain" list g | sed -n 's/^rom //p')\"" \

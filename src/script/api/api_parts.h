@@ -618,8 +618,9 @@ int api_player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind);
 unsigned api_get_pads(const struct board *b, const char *state, uint32_t p);
 
 /* Counts a wait that the running task skips while fast-forwarding to a practice mark (TASK_SKIPS); does nothing
- * otherwise. More than MAX_SKIPS in one turn is a fault. Under PRACTICE_LIST the task is stopped instead, and also once
- * half of a tick's work limit is used, so that the other tasks continue. Returns 0 if the caller may continue. */
+ * otherwise. More than MAX_SKIPS in one turn is a fault. If the board only runs through its stages, the task is stopped
+ * instead, and also once half of a tick's work limit is used, so that the other tasks continue. Returns 0 if the caller
+ * may continue. */
 int api_count_skipped_wait(lua_State *L, struct board *b);
 
 /* Returns the text at `at`, a string or a finite number; raises an error for any other value. */

@@ -151,9 +151,9 @@ static int sys_emit(lua_State *L, struct board *b, struct api_value *v)
 /* Changes no RAM: marks are for the program. */
 static int sys_mark(lua_State *L, struct board *b, struct api_value *v)
 {
-    static const char *const kinds[MARKER_KINDS] = { "stage",  "point", "wave", "boss",  "phase", "death",
-                                                     "clear",  "won",   "lost", "start", "ship",  "register",
-                                                     "listed", "game",  "over", "row" };
+    static const char *const kinds[MARKER_KINDS] = { "stage",  "point", "wave", "boss",  "phase",      "death",
+                                                     "clear",  "won",   "lost", "start", "ship",       "register",
+                                                     "listed", "game",  "over", "row",   "difficulty", "mission" };
     const char *parent = v[M_PARENT].given ? lua_tostring(L, v[M_PARENT].at) : "",
                *title = v[M_TITLE].given ? lua_tostring(L, v[M_TITLE].at) : "";
 
@@ -163,6 +163,12 @@ static int sys_mark(lua_State *L, struct board *b, struct api_value *v)
                                     (int32_t)v[M_VALUE].i),
                    0;
     return api_error(L, "sys.mark", "unknown mark \"%s\"", lua_tostring(L, v[M_KIND].at));
+}
+
+static int sys_enemy_sprite(lua_State *L, struct board *b, struct api_value *v)
+{
+    lua_pushstring(L, cart_name(&b->cart, CART_SPRITES, b->enemy_kinds.sprite[v[0].i]));
+    return 1;
 }
 
 /* Changes no RAM: only reports to the program that a pre-game menu is shown, and whose name is being entered. */
@@ -859,6 +865,8 @@ static const struct api_entry entries[] = {
     { "sys.task", sys_task, NO_PARAMS, 0, API_SYS, "task", HELP("returns the running task") },
     SYS_ENTRY("sys.hold", sys_set_undying, API_CHANGES, NULL, "lets an enemy's hp reach 0 without killing it",
               THING("e", REQ, 1 << H_ENEMY, ""), REQUIRED("on", A_BOOL, "")),
+    SYS_ENTRY("sys.enemy_sprite", sys_enemy_sprite, 0, "sprite", "returns the sprite of a kind of enemy",
+              REQUIRED("kind", A_ENEMY_KIND, "")),
     SYS_ENTRY("sys.kinds", sys_kinds, 0, "list", "returns the declared names", REQUIRED("name", A_STR, "")),
     { "sys.players", sys_players, NO_PARAMS, 0, API_SYS, "count",
       HELP("returns the number of players the manifest allows") },

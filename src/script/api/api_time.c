@@ -15,11 +15,13 @@ static const struct api_param wait_params[] = { PARAM("n", A_COUNT, REQ, 0, 1e9,
 
 int api_count_skipped_wait(lua_State *L, struct board *b)
 {
-    const bool is_listing = board_is_listing(b), is_work_spent = is_listing && b->vm.work > b->vm.limit / 2;
+    const bool runs_through = board_runs_through_stages(b),
+               is_work_spent = runs_through && b->vm.work > b->vm.limit / 2;
+    const uint32_t max_skips = runs_through && !board_is_listing(b) ? MAX_SEARCH_SKIPS : MAX_SKIPS;
 
-    if (!tasks_is_skipping(&b->tasks) || (++b->tasks.skipped_waits <= MAX_SKIPS && !is_work_spent))
+    if (!tasks_is_skipping(&b->tasks) || (++b->tasks.skipped_waits <= max_skips && !is_work_spent))
         return 0;
-    if (!is_listing || !lua_isyieldable(L))
+    if (!runs_through || !lua_isyieldable(L))
         return api_error(L, "wait",
                          "more than %d waits while skipping to a mark (waiting for something that is skipped?)",
                          MAX_SKIPS);

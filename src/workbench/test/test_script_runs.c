@@ -517,7 +517,7 @@ static void check_kind(lua_State *L, const char *kind)
     }
     vm_fault(L, FAULT_SCRIPT,
              "run:moment: unknown kind \"%s\" (kinds: stage mark wave boss phase death clear won lost start "
-             "game over row)",
+             "game over row difficulty mission)",
              kind);
 }
 
