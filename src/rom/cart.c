@@ -247,6 +247,7 @@ static void read_sprite(const struct lump *l, struct sprite *s)
     s->frame_ticks = bytes_get16(p + 12);
     s->rotations = bytes_get16(p + 14);
     s->bank = bytes_get16(p + 16);
+    s->palette = bytes_get16(p + 18);
     s->pix = p + CART_GFX_HEADER_SIZE;
 }
 
@@ -290,7 +291,7 @@ static bool check_sprite(struct check *k)
     if (l->size < CART_GFX_HEADER_SIZE)
         return err_set(k->err, sizeof k->err, "too short for a sprite (%" PRIu32 " bytes)", l->size);
     read_sprite(l, &s);
-    if (!header_ok(&s) || bytes_get16(l->data + 18) != 0 || bytes_get32(l->data + 20) != 0)
+    if (!header_ok(&s) || s.palette > k->cart->count[CART_PALETTES] || bytes_get32(l->data + 20) != 0)
         return err_set(k->err, sizeof k->err, "its header is out of range");
     uint64_t rows = (uint64_t)s.frames * s.rotations * s.h;
     if (l->size != CART_GFX_HEADER_SIZE + rows * s.pitch)

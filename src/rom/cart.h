@@ -14,9 +14,8 @@
  *         fonts/X         a proportional font: face.h
  *         font            64 bytes a character from 32 on, 8x8 shades 0..15
  *         gfx/X           a sprite: CART_GFX_HEADER_SIZE bytes (u16 w h pitch, i16 ox oy, u16 frames frame_ticks
- * rotations
- *                         bank, 6 zero bytes; struct sprite), then frames * rotations pictures of pitch * h bytes;
- *                         picture = frame * rotations + rotation
+ *                         rotations bank palette, 4 zero bytes; struct sprite), then frames * rotations pictures of
+ *                         pitch * h bytes; picture = frame * rotations + rotation
  *         hit/X           the hitbox drawn with sprite X, CART_HITBOX_SIZE bytes: u32 shape (motion.h), u32 rows, then
  *                         four times i32 a b x y, as in the rows of a kind (a capsule: x, y is one end of its axis);
  *                         unused rows are 0. Ticks read this lump
@@ -140,6 +139,7 @@ struct sprite {
     int16_t ox, oy;                          /* the anchor, px from the picture's top left corner */
     uint16_t frames, frame_ticks, rotations; /* frame_ticks: ticks per picture; rotation r shows turn r / rotations */
     uint16_t bank;                           /* pixels are 0 or bank * 16 + 1..15 */
+    uint16_t palette; /* of its sheet; 0: palette/main, otherwise 1 + the index for cart_palette_at */
     const uint8_t *pix;
 };
 

@@ -193,6 +193,7 @@ struct art {
     bool by_index;            /* of the font, and the default for other pictures */
     char icon[ART_FILE_SIZE]; /* a .png file, or the name of a sprite; "": none */
     struct art_theme theme;
+    char practice[8];         /* "all" or "reached": the sections open for practice; "": not given */
     struct art_palette palettes[MAX_ART_PALETTES];
     struct art_blend blends[MAX_ART_BLENDS];
     struct art_font fonts[MAX_ART_FONTS];

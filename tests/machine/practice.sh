@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # practice.sh - the practice menu in play: a piece is chosen, tried, tried again, captured, and the records say so; what
 # does not count; scores; a damaged file. The port is a script's (port_keys.c): no window, no clock.
-. "$(dirname "$0")/../scripted.sh"
+. "$(dirname "$0")/../kept.sh"
 export KEYS_WHOLE=1
 
 # The queen breaks after 80 frames, the knight never does; a dot moves with the frames; a score is kept from the title
@@ -115,6 +115,27 @@ mkdir -p data/curtain
 cp before.nv data/curtain/probe.nv
 { weak; keys 60; press $F2 $UP $UP $UP $UP $UP $UP $UP $UP $UP $Z; keys 100; } | play
 check 'Start from Title saves them again' files_differ data/curtain/probe.nv before.nv
+
+# ---- sections that were reached ----
+
+"$curtain" pack g -o g.rom >/dev/null
+packed() { ./player play g.rom --seed 5 --no-resume >out 2>err; } # standard input are the keys
+rm -rf data
+{ keys 20; press $F2 $UP $Z; keys 60; } | packed
+check 'in a packed game a section that was not reached is locked' test ! -e "$file"
+{ begin; keys 30; } | packed
+same 'a game reaches its sections' $'reached one\nreached one:late' "$(sed 1d "$file")"
+{ keys 20; press $F2 $Z; keys 40; } | packed
+same 'which can then be practised' '0 1 normal one' "$(tail -1 "$file")"
+sed -i 's/return {/return { practice = "all",/' g/rom.lua
+"$curtain" pack g -o g.rom >/dev/null
+rm -rf data
+{ keys 20; press $F2 $Z; keys 40; } | packed
+same 'practice = "all" opens all of them' '0 1 normal one' "$(sed 1d "$file")"
+sed -i 's/practice = "all"/practice = "reached"/' g/rom.lua
+rm -rf data
+{ keys 20; press $F2 $UP $Z; keys 60; } | play
+check 'and practice = "reached" locks them in a folder too' test ! -e "$file"
 
 # ---- recording ----
 

@@ -13,7 +13,9 @@ static const char game_text[] =
     "enemy.def('e', { sprite = 'dot', hit = { box = { 4, 4 } } })\n"
     "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, graze = 20, lives = 3, safe = 10,\n"
     "  registers = { power = 7, bombs = 2 }, run = function(p) board.note(p.lives) board.note(p.power) end })\n"
-    "player.def('other', { sprite = 'dot', hit = { circle = 2 } })\n"
+    "player.def('other', { sprite = 'dot', hit = { circle = 2 }, registers = {\n"
+    "  fuel = { show = 'number', label = 'Fuel' } } })\n"
+    "player.def('wide', { sprite = 'dot', hit = { circle = 2 } })\n"
     "on.hit(function() print 'hit' end)\n"
     "on.graze(function() print 'graze' end)\n"
     "local function rain()\n"
@@ -49,7 +51,9 @@ static const char game_text[] =
     "stage.def('a/b', function() end) stage.def('c:d', function() end) stage.def('\\u{e4}', function() end)\n"
     "boss.def('q/r', { title = 'R', kind = 'e', x = 0, y = 0, phases = { { id = 'p', hp = 1, time = 1, run = weak } } "
     "})\n"
-    "boot.run { stages = { 'one', 'rain' }, players = { 'ship', 'other' } }\n";
+    "mission.def('rain', { title = 'Into the Rain', stage = 'rain', clear = true })\n"
+    "boot.run { stages = { 'one', 'rain' }, players = { 'ship', 'other' }, ships = {\n"
+    "  other = { forms = { { kind = 'other' }, { kind = 'wide', title = 'WIDE' } } } } }\n";
 
 static struct rig_game game;
 
@@ -241,9 +245,9 @@ TEST(invincible)
 /* The marks of a run, "kind name of" a line, but for the waves; a blank line a round. */
 static void tell(const char *mark, int frames, char *out, size_t size)
 {
-    static const char *const kinds[MARKER_KINDS] = { "stage",  "point", "wave", "boss",  "phase", "death",
-                                                     "clear",  "won",   "lost", "start", "ship",  "register",
-                                                     "listed", "game",  "over", "row" };
+    static const char *const kinds[MARKER_KINDS] = { "stage",  "point", "wave", "boss",  "phase",      "death",
+                                                     "clear",  "won",   "lost", "start", "ship",       "register",
+                                                     "listed", "game",  "over", "row",   "difficulty", "mission" };
     struct board_start start = start_at(mark);
     struct rig r;
     size_t n = 0;
@@ -372,23 +376,56 @@ TEST(sections)
 
     sections_list(&p, &game.image.rom, &start, true);
     assert_string_equal(p.why, "");
-    assert_string_equal(p.ship, "ship");
-    assert_int_equal(p.lives, 3);
-    assert_int_equal(p.registers, 2);
+    assert_int_equal(p.ships, 3);
+    assert_string_equal(p.ship[0].name, "ship");
+    assert_string_equal(p.ship[0].title, "SHIP");
+    assert_string_equal(p.ship[0].sprite, "dot");
+    assert_int_equal(p.ship[0].lives, 3);
+    assert_string_equal(p.ship[2].title, "OTHER WIDE");
+    assert_int_equal(p.registers, 3);
     assert_string_equal(p.reg[1].name, "power");
+    assert_string_equal(p.reg[1].title, "POWER");
     assert_int_equal(p.reg[1].value, 7);
+    assert_int_equal(p.reg[2].ship, 1);
+    assert_string_equal(p.reg[2].title, "Fuel");
     assert_int_equal(p.n, 14);
-    expect_section(&p, 0, SECTION_STAGE, "one", "");
-    expect_section(&p, 1, SECTION_MARK, "one:guard", "");
-    expect_section(&p, 2, SECTION_MARK, "one:end", "");
-    expect_section(&p, 3, SECTION_STAGE, "rain", "");
-    expect_section(&p, 5, SECTION_STAGE, "ever", "");
-    expect_section(&p, 6, SECTION_MARK, "ever:before", "");
-    expect_section(&p, 8, SECTION_MARK, "waits:round", "");
+    expect_section(&p, 0, SECTION_STAGE, "one", "STAGE ONE");
+    expect_section(&p, 1, SECTION_MARK, "one:guard", "GUARD");
+    expect_section(&p, 2, SECTION_MARK, "one:end", "END");
+    expect_section(&p, 3, SECTION_STAGE, "rain", "STAGE RAIN");
+    expect_section(&p, 5, SECTION_STAGE, "ever", "STAGE EVER");
+    expect_section(&p, 6, SECTION_MARK, "ever:before", "BEFORE");
+    expect_section(&p, 8, SECTION_MARK, "waits:round", "ROUND");
     expect_section(&p, 9, SECTION_BOSS, "queen", "The Queen");
-    expect_section(&p, 10, SECTION_PHASE, "queen/first", "");
+    assert_string_equal(p.section[9].portrait, "dot");
+    expect_section(&p, 10, SECTION_PHASE, "queen/first", "FIRST");
     expect_section(&p, 11, SECTION_PHASE, "queen/second", "Sign of Rain");
-    expect_section(&p, 13, SECTION_PHASE, "knight/stand", "");
+    expect_section(&p, 13, SECTION_PHASE, "knight/stand", "STAND");
+    assert_string_equal(sections_title(&p, MARKER_STAGE, "rain"), "STAGE RAIN");
+    assert_string_equal(sections_title(&p, MARKER_SHIP, "other"), "OTHER");
+    assert_string_equal(sections_title(&p, MARKER_DIFFICULTY, "normal"), "NORMAL");
+    assert_string_equal(sections_title(&p, MARKER_MISSION, "rain"), "Into the Rain");
+    assert_string_equal(sections_title(&p, MARKER_MISSION, "gone"), "gone");
+}
+
+/* A title is cut to whole characters. */
+TEST(long_title)
+{
+    static struct sections p;
+    struct board_start start = start_at("");
+    struct rig_game g;
+    static const char text[] = "enemy.def('e', { sprite = 'dot', hit = { box = { 4, 4 } } })\n"
+                               "player.def('ship', { sprite = 'dot', hit = { circle = 2 } })\n"
+                               "boss.def('sea', { title = ('\\u{6d77}'):rep(20), kind = 'e', x = 0, y = 0, phases = {\n"
+                               "  { id = 'a', hp = 5, time = 60, run = function() end } } })\n"
+                               "stage.def('deep', function() end)\n"
+                               "boot.run { stages = { 'deep' }, players = { 'ship' } }\n";
+
+    rig_script(&g, NULL, text);
+    sections_list(&p, &g.image.rom, &start, true);
+    assert_string_equal(p.why, "");
+    assert_int_equal(strlen(p.section[1].title), 45); /* 15 characters of 3 bytes */
+    rig_game_free(&g);
 }
 
 /* Each section can be started, but for a stage that waits forever. */
@@ -424,8 +461,8 @@ TEST(sections_of_the_wrong)
     sections_list(&p, &g.image.rom, &start, true);
     assert_string_equal(p.why, "main.lua:3: boo");
     assert_int_equal(p.n, 3);
-    expect_section(&p, 1, SECTION_MARK, "good:a", "");
-    expect_section(&p, 2, SECTION_STAGE, "bad", "");
+    expect_section(&p, 1, SECTION_MARK, "good:a", "A");
+    expect_section(&p, 2, SECTION_STAGE, "bad", "STAGE BAD");
     rig_game_free(&g);
     rig_script(&g, NULL, "task.go(function() end)");
     sections_list(&p, &g.image.rom, &start, true);
@@ -494,8 +531,8 @@ TEST(menu)
     assert_int_equal(menu.speed, 50);
     /* Over the line between, from the section that was played: speed, hitbox, invincible, power, bombs, lives. */
     assert_int_equal(TAP(up, up, right, up, fire, up, left, up, right, up, (uint16_t)(left | PAD_FOCUS)), STAYS);
-    assert_int_equal(TAP(up, (uint16_t)(right | PAD_FOCUS), right, up, right, fire), STAYS);
-    assert_int_equal(menu.speed, 55);
+    assert_int_equal(TAP(up, (uint16_t)(right | PAD_FOCUS), right, up, right, right, fire), STAYS);
+    assert_int_equal(menu.speed, 60);
     assert_true(menu.hitbox);
     assert_int_equal(TAP(up, up, up, fire), STARTS); /* the title, round the end: the knight's heading is passed over */
     practice_chosen(&menu, &got);
@@ -516,6 +553,104 @@ TEST(menu)
     assert_int_equal(TAP(fire), STARTS);
     practice_chosen(&menu, &got);
     assert_memory_equal(&got.practice, &start.practice, sizeof got.practice);
+}
+
+/* A sprite knows the palette of its sheet, so a portrait has the right colours on a screen. */
+TEST(portrait_palette)
+{
+    struct rig_game g;
+    struct sprite s;
+
+    rig_folder(&g, "glasstide");
+    cart_sprite(&g.cart, cart_find(&g.cart, CART_SPRITES, "crab_face"), &s);
+    assert_ptr_equal(cart_palette_at(&g.cart, s.palette - 1), cart_palette(&g.cart, "one"));
+    cart_sprite(&g.cart, cart_find(&g.cart, CART_SPRITES, "heron"), &s);
+    assert_int_equal(s.palette, 0);
+    rig_game_free(&g);
+}
+
+/* Another ship has its own registers, and is part of the section's id. */
+TEST(menu_ship)
+{
+    struct board_start start = start_at(""), got;
+
+    open_menu(&start);
+    screens_choose(&screens, 1);
+    held(0);
+    assert_int_equal(TAP((uint16_t)PAD_RIGHT), STAYS);
+    assert_string_equal(screen_place_row(&screens.place[0], 1).value, "OTHER");
+    assert_string_equal(screen_place_row(&screens.place[0], 3).label, "Fuel");
+    screens_choose(&screens, 8);
+    assert_string_equal(screen_place_row(&screens.place[0], 8).label, "STAGE ONE");
+    assert_int_equal(TAP((uint16_t)PAD_FIRE), STARTS);
+    practice_chosen(&menu, &got);
+    assert_string_equal(got.practice.section, "one@other");
+    begin_menu(&got, 1);
+    assert_int_equal(menu.ship, 1);
+    assert_string_equal(menu.section, "one");
+}
+
+/* Sections are locked until a game reaches them, and a boss's title is hidden until one of its phases is reached. */
+TEST(locks)
+{
+    struct board_start start = start_at("");
+    const struct board_marker stage = { .kind = MARKER_STAGE, .name = "one" };
+    const struct board_marker phase = { .kind = MARKER_PHASE, .name = "second", .parent = "queen" };
+    struct screen_row row;
+
+    open_menu(&start);
+    menu.locks = true;
+    row = screen_place_row(&screens.place[0], 9); /* the first section */
+    assert_string_equal(row.label, "STAGE ONE");
+    assert_true(row.disabled);
+    assert_string_equal(row.help, "Not reached yet. Reach it in a game to practise it.");
+    assert_string_equal(screen_place_row(&screens.place[0], 18).label, "? ? ?");
+    screens_choose(&screens, 9);
+    held(0);
+    assert_int_equal(TAP((uint16_t)PAD_FIRE), STAYS);
+    practice_reach(&menu, &stage);
+    practice_reach(&menu, &phase);
+    assert_false(screen_place_row(&screens.place[0], 9).disabled);
+    assert_true(screen_place_row(&screens.place[0], 10).disabled);
+    assert_string_equal(screen_place_row(&screens.place[0], 18).label, "The Queen");
+    assert_string_equal(screen_place_row(&screens.place[0], 19).label, "  ? ? ?");
+    assert_string_equal(screen_place_row(&screens.place[0], 20).label, "  Sign of Rain");
+    assert_int_equal(TAP((uint16_t)PAD_FIRE), STARTS);
+    records_free(&menu.records);
+}
+
+/* A boss is practised in the scene of the stage that has its fight. */
+TEST(boss_scene)
+{
+    static const char text[] =
+        "enemy.def('e', { sprite = 'dot', hit = { box = { 4, 4 } } })\n"
+        "player.def('ship', { sprite = 'dot', hit = { circle = 2 } })\n"
+        "local scene = 'none'\n"
+        "boss.def('queen', { title = 'Q', kind = 'e', x = 32, y = 20, phases = {\n"
+        "  { id = 'a', hp = 5, time = 60, run = function() print(scene) end } } })\n"
+        "stage.def('first', function() scene = 'first' wait(500) end)\n"
+        "stage.def('ever', function() scene = 'ever' while true do wait(1) end end)\n"
+        "stage.def('last', function()\n"
+        "  wait(99) scene = 'last' boss.fight('queen') scene = 'after'\n"
+        "end)\n"
+        "boot.run { modes = { { name = 'a', stages = { 'first', 'ever' } }, { name = 'b', stages = { 'last' } } },\n"
+        "  players = { 'ship' } }\n";
+    struct board_start start = start_at("queen/a");
+    struct rig_game g;
+    struct rig r;
+    int last = 0, other = 0;
+
+    rig_script(&g, NULL, text);
+    rig_power(&r, &g, &start);
+    until_round(&r, 1);
+    for (int f = 0; f < 100; f++) {
+        rig_run(&r, 1);
+        last += said(&r, "last");
+        other += said(&r, "after") + said(&r, "first") + said(&r, "ever");
+    }
+    assert_int_equal(last, 1);
+    assert_int_equal(other, 0);
+    rig_close(&r);
 }
 
 /* What counts, and what does not; the marks are made up. */

@@ -336,6 +336,7 @@ TEST(art_errors)
     entry_refused("font = '/etc/font.png'",
                   "font: expected a file inside the folder (letters, digits, _ - . /), got \"/etc/font.png\"");
     entry_refused("icon = 'ship'", "icon: expected a .png file or the name of a sprite, got \"ship\"");
+    entry_refused("practice = 'none'", "practice: expected \"all\" or \"reached\", got \"none\"");
     entry_refused("palettes = { main = 'a.png' }", "palettes.main: this name is already used by `palette`");
     entry_refused("blends = { a = 'add', b = 'add', c = 'add', d = 'add' }", "blends: expected at most 3 entries");
     entry_refused("blends = { a = 'mix' }",

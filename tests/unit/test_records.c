@@ -201,6 +201,29 @@ TEST(unsaved)
     records_free(&r);
 }
 
+/* Reached sections are lines of their own, which counting preserves. */
+TEST(reached)
+{
+    struct records r;
+
+    put_file("practice 1\n0 1 easy one\nreached one:late\n");
+    records_load(&r, "probe");
+    assert_true(records_reached(&r, "one:late"));
+    assert_false(records_reached(&r, "one"));
+    records_reach(&r, "one:late");
+    saves(&r); /* nothing new */
+    records_reach(&r, "queen/a");
+    assert_true(records_reached(&r, "queen/a"));
+    saves(&r);
+    expect_file("practice 1\n0 1 easy one\nreached one:late\nreached queen/a\n");
+    records_free(&r);
+    put_file("practice 1\n2 x easy one\n");
+    records_load(&r, "probe");
+    records_reach(&r, "one");
+    assert_false(records_reached(&r, "one")); /* the file is damaged */
+    records_free(&r);
+}
+
 static int make_folder(void **state)
 {
     static char path[] = "/tmp/records-XXXXXX";

@@ -313,7 +313,7 @@ bool play_power_on(struct play *play)
     picture_close(&play->drawing.picture);
     if (!picture_open(&play->drawing.picture, play_board(play)))
         return refuse(play, RESULT_HOST_FAILED, "out of memory for the picture");
-    practice_init(&play->practice, o->cart, &play->start);
+    practice_init(&play->practice, o->cart, &play->start, o->open != NULL);
     if (!o->demo)
         practice_start_run(&play->practice, &play->start);
     play_check_recording(play, !play->session.err[0]);

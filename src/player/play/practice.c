@@ -1,16 +1,19 @@
 /*
- * practice.c - the practice menu (practice.h), one list of rows: the game's title, the settings, the sections.
+ * practice.c - the practice menu (practice.h), one list of rows: the game's title, the settings, the sections. A choice
+ * that the game doesn't offer has no row.
  */
 #include "practice.h"
 
 #include <stdio.h>
 #include <string.h>
 #include "../../base/int.h"
+#include "../screens/screen_picture.h"
 
 /* ---- rows ---- */
 
 enum row_kind {
     ROW_TITLE,
+    ROW_SHIP,
     ROW_DIFFICULTY,
     ROW_LIVES,
     ROW_REGISTER,
@@ -18,7 +21,8 @@ enum row_kind {
     ROW_HITBOX,
     ROW_SPEED,
     ROW_BLANK,
-    ROW_SECTION
+    ROW_SECTION,
+    MAX_SETTINGS = ROW_SECTION + MAX_SHIP_REGISTERS
 };
 
 struct row {
@@ -26,23 +30,37 @@ struct row {
     int i; /* of a register or section */
 };
 
+/* Lists the rows above the sections. Returns their number. */
+static int list_settings(const struct practice_menu *m, struct row out[MAX_SETTINGS])
+{
+    const struct sections *s = &m->sections;
+    int n = 0;
+
+    for (int kind = ROW_TITLE; kind < (s->n ? ROW_SECTION : ROW_SHIP); kind++) {
+        if ((kind == ROW_SHIP && s->ships < 2) || (kind == ROW_DIFFICULTY && m->cart->manifest.n_difficulties < 2))
+            continue;
+        for (int i = 0; kind == ROW_REGISTER && i < s->registers; i++)
+            if (s->reg[i].ship == m->ship)
+                out[n++] = (struct row){ ROW_REGISTER, i };
+        if (kind != ROW_REGISTER)
+            out[n++] = (struct row){ (enum row_kind)kind, 0 };
+    }
+    return n;
+}
+
 static int rows(const struct practice_menu *m)
 {
-    return m->sections.n ? 7 + m->sections.registers + m->sections.n : 1;
+    struct row settings[MAX_SETTINGS];
+
+    return list_settings(m, settings) + m->sections.n;
 }
 
 static struct row row_at(const struct practice_menu *m, int at)
 {
-    static const enum row_kind after[] = { ROW_INVINCIBLE, ROW_HITBOX, ROW_SPEED, ROW_BLANK };
-    int n = m->sections.registers;
+    struct row settings[MAX_SETTINGS];
+    const int n = list_settings(m, settings);
 
-    if (at < 3) /* the title alone when there are no sections */
-        return (struct row){ (enum row_kind)(ROW_TITLE + at), 0 };
-    if (at < 3 + n)
-        return (struct row){ ROW_REGISTER, at - 3 };
-    if (at < 7 + n)
-        return (struct row){ after[at - 3 - n], 0 };
-    return (struct row){ ROW_SECTION, at - 7 - n };
+    return at < n ? settings[at] : (struct row){ ROW_SECTION, at - n };
 }
 
 /* Returns whether a row can't be chosen: the blank line, and the bosses' headings. */
@@ -51,14 +69,29 @@ static bool is_heading(const struct practice_menu *m, struct row r)
     return r.kind == ROW_BLANK || (r.kind == ROW_SECTION && m->sections.section[r.i].kind == SECTION_BOSS);
 }
 
-/* Returns the row of a section, or if there is none with that id, that of the first section or the title. */
+/* A boss is locked until one of its phases was reached. */
+static bool is_locked(const struct practice_menu *m, int section)
+{
+    const struct section *s = &m->sections.section[section];
+
+    if (!m->locks)
+        return false;
+    if (s->kind != SECTION_BOSS)
+        return !records_reached(&m->records, s->id);
+    for (int i = section + 1; i < m->sections.n && m->sections.section[i].kind == SECTION_PHASE; i++)
+        if (!is_locked(m, i))
+            return false;
+    return true;
+}
+
+/* Returns the row of a section, or if there is none with that id, that of the first open section, or the title's. */
 static int row_of(const struct practice_menu *m, const char *id)
 {
     int first = 0;
 
     for (int at = rows(m) - 1; at > 0; at--) {
         struct row r = row_at(m, at);
-        if (r.kind != ROW_SECTION || is_heading(m, r))
+        if (r.kind != ROW_SECTION || is_heading(m, r) || is_locked(m, r.i))
             continue;
         if (strcmp(m->sections.section[r.i].id, id) == 0)
             return at;
@@ -74,15 +107,17 @@ static int difficulty_of(const struct practice_menu *m, const struct board_start
     return start->difficulty < 0 ? m->cart->manifest.difficulty : start->difficulty;
 }
 
-void practice_init(struct practice_menu *m, const struct cart *cart, const struct board_start *start)
+void practice_init(struct practice_menu *m, const struct cart *cart, const struct board_start *start, bool is_folder)
 {
     *m = (struct practice_menu){ .cart = cart, .home = *start, .start = *start, .speed = 100 };
+    m->locks = sections_need_reaching(cart->rom, is_folder);
     memset(&m->home.practice, 0, sizeof m->home.practice);
     records_load(&m->records, cart->manifest.id);
 }
 
 void practice_start_run(struct practice_menu *m, const struct board_start *start)
 {
+    m->listed = m->listed && strcmp(m->start.lang, start->lang) == 0;
     m->start = *start;
     m->counts = start->practice.section[0] && !start->practice.invincible;
     m->attempting = false;
@@ -137,6 +172,15 @@ void practice_after_tick(struct practice_menu *m, const struct board_out *out)
         count_marker(m, &out->marker[i]);
 }
 
+void practice_reach(struct practice_menu *m, const struct board_marker *marker)
+{
+    char id[64];
+
+    sections_id_of_marker(marker, id);
+    if (marker->kind != MARKER_BOSS)
+        records_reach(&m->records, id);
+}
+
 void practice_close(struct practice_menu *m)
 {
     records_free(&m->records);
@@ -144,12 +188,37 @@ void practice_close(struct practice_menu *m)
 
 /* ---- opening and choosing ---- */
 
-static void list(struct practice_menu *m)
+const struct sections *practice_sections(struct practice_menu *m)
 {
+    if (m->listed)
+        return &m->sections;
     sections_list(&m->sections, m->cart->rom, &m->start, true);
     m->listed = true;
+    m->ship = 0;
     for (int i = 0; i < m->sections.registers; i++)
         m->value[i] = m->sections.reg[i].value;
+    return &m->sections;
+}
+
+/* Splits the id of a practice start into section and ship. */
+static void take_section(struct practice_menu *m, const char *id)
+{
+    const char *ship = strchr(id, '@');
+
+    snprintf(m->section, sizeof m->section, "%.*s", ship ? (int)(ship - id) : (int)strlen(id), id);
+    m->ship = 0;
+    for (int i = 0; ship && i < m->sections.ships; i++)
+        if (strcmp(m->sections.ship[i].name, ship + 1) == 0)
+            m->ship = i;
+}
+
+/* Writes the id of a practice start: the section, and its ship unless it is the first. Returns false if it is too
+ * long. */
+static bool section_id(const struct practice_menu *m, const char *section, char id[64])
+{
+    if (m->ship == 0)
+        return snprintf(id, 64, "%s", section) < 64;
+    return snprintf(id, 64, "%s@%s", section, m->sections.ship[m->ship].name) < 64;
 }
 
 /* Copies the settings of the present run. */
@@ -160,12 +229,12 @@ static void take_settings(struct practice_menu *m)
     m->difficulty = difficulty_of(m, &m->start);
     if (!p->section[0])
         return;
-    snprintf(m->section, sizeof m->section, "%s", p->section);
+    take_section(m, p->section);
     m->lives = p->lives;
     m->invincible = p->invincible;
     for (int i = 0; i < m->sections.registers; i++)
         for (int k = 0; k < p->register_count; k++)
-            if (strcmp(m->sections.reg[i].name, p->reg[k].name) == 0)
+            if (m->sections.reg[i].ship == m->ship && strcmp(m->sections.reg[i].name, p->reg[k].name) == 0)
                 m->value[i] = p->reg[k].value;
 }
 
@@ -178,11 +247,11 @@ void practice_chosen(const struct practice_menu *m, struct board_start *out)
     if (!m->section[0])
         return;
     out->difficulty = m->difficulty;
-    memcpy(p->section, m->section, sizeof p->section);
+    section_id(m, m->section, p->section);
     p->lives = m->lives;
     p->invincible = m->invincible;
-    for (int i = 0; i < m->sections.registers; i++) {
-        if (m->value[i] == m->sections.reg[i].value)
+    for (int i = 0; i < m->sections.registers && p->register_count < PRACTICE_MAX_REGISTERS; i++) {
+        if (m->sections.reg[i].ship != m->ship || m->value[i] == m->sections.reg[i].value)
             continue;
         memcpy(p->reg[p->register_count].name, m->sections.reg[i].name, sizeof p->reg[0].name);
         p->reg[p->register_count++].value = m->value[i];
@@ -210,6 +279,9 @@ static void change(void *context, int at, int by)
     const int direction = by < 0 ? -1 : 1;
 
     switch (r.kind) {
+    case ROW_SHIP:
+        m->ship = wrap(m->ship + direction, 0, m->sections.ships - 1);
+        break;
     case ROW_DIFFICULTY:
         m->difficulty = wrap(m->difficulty + direction, 0, m->cart->manifest.n_difficulties - 1);
         break;
@@ -238,7 +310,7 @@ static void accept(void *context, int at)
     struct practice_menu *m = context;
     const struct row r = row_at(m, at);
 
-    if (r.kind == ROW_TITLE)
+    if (r.kind != ROW_SECTION)
         m->section[0] = 0;
     else
         memcpy(m->section, m->sections.section[r.i].id, sizeof m->section);
@@ -255,7 +327,10 @@ static int count(void *context)
 
 static const struct record *record_of(const struct practice_menu *m, const struct section *section)
 {
-    return records_find(&m->records, section->id, m->cart->manifest.difficulties[m->difficulty]);
+    char id[64];
+
+    section_id(m, section->id, id);
+    return records_find(&m->records, id, m->cart->manifest.difficulties[m->difficulty]);
 }
 
 /* Grey: never tried; yellow: never captured. */
@@ -264,44 +339,71 @@ static enum canvas_colour colour_of(const struct record *r)
     return !r || !r->attempts ? CANVAS_GREY : r->captures ? CANVAS_GREEN : CANVAS_YELLOW;
 }
 
-/* A boss has its title as label and its name as value; other sections have both as label. */
-static void describe_section(const struct practice_menu *m, const struct section *section, struct screen_row *row)
+/* Titles of locked sections are hidden, except those of stages. */
+static const char *section_title(const struct practice_menu *m, int i)
 {
-    const struct record *r = record_of(m, section);
-    const bool stage = section->kind == SECTION_STAGE, titled = section->title[0];
+    const struct section *s = &m->sections.section[i];
 
-    if (section->kind == SECTION_BOSS) {
-        snprintf(row->label, sizeof row->label, "%s", titled ? section->title : section->name);
-        snprintf(row->value, sizeof row->value, "%s", titled ? section->name : "");
-        row->value_colour = CANVAS_GREY;
+    return s->kind != SECTION_STAGE && is_locked(m, i) ? "? ? ?" : s->title;
+}
+
+static void describe_section(const struct practice_menu *m, int i, struct screen_row *row)
+{
+    const struct section *section = &m->sections.section[i];
+    const struct record *r = record_of(m, section);
+    const bool stage = section->kind == SECTION_STAGE, boss = section->kind == SECTION_BOSS;
+    char id[64];
+
+    snprintf(row->label, sizeof row->label, "%s%s", stage || boss ? "" : "  ", section_title(m, i));
+    if (boss)
         return;
-    }
-    snprintf(row->label, sizeof row->label, "%s%s%s%s", stage ? "Stage " : "  ", section->name, titled ? "  " : "",
-             section->title);
-    snprintf(row->value, sizeof row->value, "%d/%d", r ? (int)r->captures : 0, r ? (int)r->attempts : 0);
-    if (m->records.damaged)
+    row->colour = stage ? CANVAS_CYAN : CANVAS_WHITE;
+    row->value_colour = colour_of(r);
+    row->disabled = is_locked(m, i) || !section_id(m, section->id, id);
+    if (row->disabled)
+        row->colour = CANVAS_GREY;
+    else
+        snprintf(row->value, sizeof row->value, "%d/%d", r ? (int)r->captures : 0, r ? (int)r->attempts : 0);
+    if (is_locked(m, i))
+        snprintf(row->help, sizeof row->help, "Not reached yet. Reach it in a game to practise it.");
+    else if (row->disabled)
+        snprintf(row->help, sizeof row->help, "This ship's name is too long for practice here.");
+    else if (m->records.damaged)
         snprintf(row->help, sizeof row->help, "Attempts are not counted: the practice file is damaged.");
     else if (r && r->attempts)
         snprintf(row->help, sizeof row->help, "Cleared in %d of %d attempts.", (int)r->captures, (int)r->attempts);
     else
         snprintf(row->help, sizeof row->help, "No attempts yet.");
-    row->colour = stage ? CANVAS_CYAN : CANVAS_WHITE;
-    row->value_colour = colour_of(r);
+}
+
+static const char *difficulty_title(const struct practice_menu *m)
+{
+    return sections_title(&m->sections, MARKER_DIFFICULTY, m->cart->manifest.difficulties[m->difficulty]);
 }
 
 static void describe_setting(const struct practice_menu *m, struct row r, struct screen_row *row)
 {
-    static const char *const names[] = { "", "Difficulty", "Lives", "", "Invincible", "Show Hitboxes", "Speed" };
+    static const char *const names[] = {
+        [ROW_SHIP] = "Ship",
+        [ROW_DIFFICULTY] = "Difficulty",
+        [ROW_LIVES] = "Lives",
+        [ROW_INVINCIBLE] = "Invincible",
+        [ROW_HITBOX] = "Show Hitboxes",
+        [ROW_SPEED] = "Speed",
+    };
+    const int lives = m->sections.ships ? (int)m->sections.ship[m->ship].lives : 0;
 
-    snprintf(row->label, sizeof row->label, "%s", r.kind == ROW_REGISTER ? m->sections.reg[r.i].name : names[r.kind]);
+    snprintf(row->label, sizeof row->label, "%s", r.kind == ROW_REGISTER ? m->sections.reg[r.i].title : names[r.kind]);
     row->changes = true;
     switch (r.kind) {
+    case ROW_SHIP:
+        snprintf(row->value, sizeof row->value, "%s", m->sections.ship[m->ship].title);
+        break;
     case ROW_DIFFICULTY:
-        snprintf(row->value, sizeof row->value, "%s", m->cart->manifest.difficulties[m->difficulty]);
+        snprintf(row->value, sizeof row->value, "%s", difficulty_title(m));
         break;
     case ROW_LIVES:
-        snprintf(row->value, sizeof row->value, m->lives ? "%d" : "Default: %d",
-                 m->lives ? m->lives : (int)m->sections.lives);
+        snprintf(row->value, sizeof row->value, m->lives ? "%d" : "Default: %d", m->lives ? m->lives : lives);
         break;
     case ROW_REGISTER:
         snprintf(row->value, sizeof row->value, "%d", (int)m->value[r.i]);
@@ -324,7 +426,7 @@ static void describe(void *context, int at, struct screen_row *row)
 
     row->heading = is_heading(m, r);
     if (r.kind == ROW_SECTION)
-        describe_section(m, &m->sections.section[r.i], row);
+        describe_section(m, r.i, row);
     else if (r.kind == ROW_TITLE)
         snprintf(row->label, sizeof row->label, "Start from Title");
     else if (r.kind != ROW_BLANK)
@@ -336,14 +438,77 @@ static const char *text(void *context)
     return ((const struct practice_menu *)context)->sections.why;
 }
 
-const struct screen_def practice_screen = {
-    .title = "Practice", .text = text, .rows = count, .row = describe, .change = change, .accept = accept
-};
+/* ---- the picture: the boss of the chosen section, or the ship ---- */
+
+enum { PICTURE_HEIGHT = 104, MIN_ROWS_HEIGHT = 96 /* px, below the picture */ };
+
+static int height(void *context, int w, int h)
+{
+    (void)context;
+    (void)w;
+    return h - PICTURE_HEIGHT >= MIN_ROWS_HEIGHT ? PICTURE_HEIGHT : 0;
+}
+
+/* Returns the boss of a section, which a mark can be named after; NULL: none, or it is locked. */
+static const struct section *boss_of(const struct practice_menu *m, int section)
+{
+    const struct section *s = m->sections.section, *found = NULL;
+
+    for (int i = 0; i < m->sections.n; i++) {
+        if (s[i].kind != SECTION_BOSS || is_locked(m, i))
+            continue;
+        if (s[section].kind == SECTION_PHASE ? i < section : strcmp(s[i].name, s[section].name) == 0)
+            found = &s[i];
+    }
+    return is_locked(m, section) ? NULL : found;
+}
+
+/* Writes the title of a section below that of its stage or boss. */
+static void describe_place(const struct practice_menu *m, int i, char *out, size_t size)
+{
+    int parent = i;
+
+    while (parent > 0 && m->sections.section[parent].kind != SECTION_STAGE &&
+           m->sections.section[parent].kind != SECTION_BOSS)
+        parent--;
+    snprintf(out, size, "%s%s%s", section_title(m, parent), parent == i ? "" : "\n",
+             parent == i ? "" : section_title(m, i));
+}
+
+static void draw(void *context, int at, const struct canvas *canvas, struct screen_area to)
+{
+    const struct practice_menu *m = context;
+    const struct row r = row_at(m, at);
+    const struct section *boss = r.kind == ROW_SECTION ? boss_of(m, r.i) : NULL;
+    struct screen_area inside = { to.x + 5, to.y + 4, to.w / 2 - 5, to.h - 8 };
+    struct screen_picture picture;
+    char words[160];
+    int w = 0;
+
+    if (m->sections.ships == 0)
+        return;
+    snprintf(words, sizeof words, "%s\n%s", m->sections.ship[m->ship].title, difficulty_title(m));
+    if (r.kind == ROW_SECTION)
+        describe_place(m, r.i, words, sizeof words);
+    if (screen_picture_of_sprite(&picture, m->cart, boss ? boss->portrait : m->sections.ship[m->ship].sprite))
+        w = screen_picture_draw(&picture, canvas, inside);
+    const int x = inside.x + w + 8;
+    canvas_large_text_wrapped(canvas, x, to.y + to.h / 2 - canvas_line_height(canvas), to.x + to.w - 5 - x,
+                              CANVAS_WHITE, words);
+}
+
+const struct screen_def practice_screen = { .title = "Practice",
+                                            .text = text,
+                                            .rows = count,
+                                            .row = describe,
+                                            .change = change,
+                                            .accept = accept,
+                                            .height = height,
+                                            .draw = draw };
 
 void practice_open(struct practice_menu *m, struct screens *screens, int speed)
 {
-    if (!m->listed)
-        list(m);
+    practice_sections(m);
     take_settings(m);
     m->screens = screens;
     m->start_chosen = false;

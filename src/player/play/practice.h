@@ -1,5 +1,8 @@
 /*
- * practice.h - the practice menu, a screen: all sections of the game, settings, attempts and captures.
+ * practice.h - the practice menu, a screen: ship, difficulty and other settings, and all sections of the game with
+ * their attempts and captures.
+ *
+ * A section can be locked until it was reached in a game (sections_need_reaching).
  *
  * Counting. An attempt of a section is counted when a practice start of it begins: from the menu, by the retry key, or
  * when the game itself starts the section again. A capture is counted when the section is completed without a death: a
@@ -26,23 +29,30 @@ struct practice_menu {
 
     struct screens *screens;
     bool listed;
+    bool locks;        /* sections that no game has reached are locked */
     bool start_chosen; /* since it was opened: the caller powers the board on with practice_chosen's start */
     struct sections sections;
-    int difficulty, lives, speed;          /* lives 0: the ship's own; speed: percent */
-    int32_t value[PRACTICE_MAX_REGISTERS]; /* of sections.reg */
-    bool invincible, hitbox;               /* hitbox: show hit shapes */
-    char section[64];                      /* of the section last started; "": none, or the game from its title */
+    int ship, difficulty, lives, speed; /* ship: in sections; lives 0: the ship's own; speed: percent */
+    int32_t value[MAX_SHIP_REGISTERS];  /* of sections.reg */
+    bool invincible, hitbox;            /* hitbox: show hit shapes */
+    char section[64];                   /* of the section last started, without its ship; "": none, or the title */
 };
 
-/* Loads the records of the game. start: that of the present run. The cart must outlive the menu, or be replaced with
- * practice_reloaded. */
-void practice_init(struct practice_menu *m, const struct cart *cart, const struct board_start *start);
+/* Loads the records of the game. start: that of the present run; is_folder: the game is played from its folder. The
+ * cart must outlive the menu, or be replaced with practice_reloaded. */
+void practice_init(struct practice_menu *m, const struct cart *cart, const struct board_start *start, bool is_folder);
 
 /* Call it when a live board was powered on with this start. */
 void practice_start_run(struct practice_menu *m, const struct board_start *start);
 
 /* Counts attempts and captures. Call it after each tick of the live board, with its output. */
 void practice_after_tick(struct practice_menu *m, const struct board_out *out);
+
+/* Unlocks the section that a marker of a game starts. Call it for the markers of games that are not practice. */
+void practice_reach(struct practice_menu *m, const struct board_marker *marker);
+
+/* Returns the game's sections and titles, in the language of the present run. Lists them if that wasn't done yet. */
+const struct sections *practice_sections(struct practice_menu *m);
 
 /* Stops counting in this run: it was rewound, or the board was changed from outside. */
 void practice_stop_counting(struct practice_menu *m);

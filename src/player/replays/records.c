@@ -20,8 +20,19 @@ static struct records_line *add(struct records *r)
 {
     struct records_line *line = array_append(&r->line, (size_t)r->n, sizeof *line);
 
-    r->n += line != NULL;
+    if (line) {
+        *line = (struct records_line){ 0 };
+        r->n++;
+    }
     return line;
+}
+
+static bool set_other(struct records_line *line, const char *text)
+{
+    line->other = malloc(strlen(text) + 1);
+    if (line->other)
+        strcpy(line->other, text);
+    return line->other != NULL;
 }
 
 static struct record *find(const struct records *r, const char *section, const char *difficulty)
@@ -100,10 +111,7 @@ static bool read_line(struct records *r, const char *s, const char **why)
     if (!line)
         return false;
     line->r = got;
-    line->other = digit ? NULL : malloc(strlen(s) + 1);
-    if (!digit && line->other)
-        strcpy(line->other, s);
-    return digit || line->other;
+    return digit || set_other(line, s);
 }
 
 /* Copies a line of n bytes. Returns false if it is too long or not printable ASCII. */
@@ -251,4 +259,34 @@ void records_capture(struct records *r, const char *section, const char *difficu
         return;
     at->captures++;
     r->changed = true;
+}
+
+/* ---- reached sections ---- */
+
+static const char reached[] = "reached ";
+
+bool records_reached(const struct records *r, const char *section)
+{
+    const size_t n = sizeof reached - 1;
+
+    for (int i = 0; i < r->n; i++) {
+        const char *line = r->line[i].other;
+        if (line && strncmp(line, reached, n) == 0 && strcmp(line + n, section) == 0)
+            return true;
+    }
+    return false;
+}
+
+void records_reach(struct records *r, const char *section)
+{
+    char text[RECORDS_LINE];
+
+    if (r->damaged || !section[0] || snprintf(text, sizeof text, "%s%s", reached, section) >= (int)sizeof text ||
+        records_reached(r, section))
+        return;
+    struct records_line *line = add(r);
+    if (line && set_other(line, text))
+        r->changed = true;
+    else
+        r->n -= line != NULL;
 }

@@ -1,13 +1,15 @@
 /*
- * records.h - counts attempts and captures of each section in practice, in the file user:<game id>.practice.
+ * records.h - the practice file user:<game id>.practice: which sections were reached in a game, and the attempts and
+ * captures of each section in practice.
  *
  * The file is ASCII text. Its first line is "practice 1". A line that begins with a digit is a record:
  *
  *     CAPTURES ATTEMPTS DIFFICULTY SECTION        3 12 normal queen/held
  *
  * Fields are separated by one blank. Numbers are at most 999999999, and captures at most attempts. SECTION is that of a
- * practice start and extends to the end of the line. A section has at most one record per difficulty. Other lines are
- * preserved. A file that breaks these rules is damaged: it is neither used nor changed.
+ * practice start and extends to the end of the line. A section has at most one record per difficulty. The line "reached
+ * SECTION", without a ship, is a section that was reached. Other lines are preserved. A file that breaks these rules is
+ * damaged: it is neither used nor changed.
  */
 #ifndef PLAYER_RECORDS_H
 #define PLAYER_RECORDS_H
@@ -59,6 +61,10 @@ const struct record *records_find(const struct records *r, const char *section, 
 /* Count an attempt, or the capture of an attempt that was counted. Do nothing when out of memory or at the maximum. */
 void records_attempt(struct records *r, const char *section, const char *difficulty);
 void records_capture(struct records *r, const char *section, const char *difficulty);
+
+/* Store that a section was reached, unless the file is damaged; return whether it was. */
+void records_reach(struct records *r, const char *section);
+bool records_reached(const struct records *r, const char *section);
 
 /* Frees the memory. Does nothing if *r is zeroed. */
 void records_free(struct records *r);

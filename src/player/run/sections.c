@@ -43,15 +43,23 @@ static bool has(const struct sections *p, enum section_kind kind, const char *id
     return false;
 }
 
+void sections_id_of_marker(const struct board_marker *m, char id[64])
+{
+    const bool child = m->kind == MARKER_MARK || m->kind == MARKER_PHASE;
+
+    id[0] = 0;
+    if (child)
+        snprintf(id, 64, "%s%c%s", m->parent, m->kind == MARKER_MARK ? ':' : '/', m->name);
+    else if (m->kind == MARKER_STAGE || m->kind == MARKER_BOSS)
+        snprintf(id, 64, "%s", m->name);
+}
+
 static void add(struct sections *p, enum section_kind kind, const struct board_marker *m)
 {
     bool child = kind == SECTION_MARK || kind == SECTION_PHASE;
     char id[sizeof p->section[0].id];
 
-    if (child)
-        snprintf(id, sizeof id, "%s%c%s", m->parent, kind == SECTION_MARK ? ':' : '/', m->name);
-    else
-        snprintf(id, sizeof id, "%s", m->name);
+    sections_id_of_marker(m, id);
     if (has(p, kind, id)) /* a task of the game may play a section meanwhile */
         return;
     int i = child ? place_of(p, kind == SECTION_MARK ? SECTION_STAGE : SECTION_BOSS, m->parent) : p->n;
@@ -62,22 +70,38 @@ static void add(struct sections *p, enum section_kind kind, const struct board_m
     memcpy(at->id, id, sizeof at->id);
     memcpy(at->name, m->name, sizeof at->name);
     memcpy(at->title, m->title, sizeof at->title);
+    if (kind == SECTION_BOSS)
+        memcpy(at->portrait, m->parent, sizeof at->portrait);
 }
 
+/* A ship's registers follow it. */
 static void add_register(struct sections *p, const struct board_marker *m)
 {
-    if (p->registers == PRACTICE_MAX_REGISTERS)
+    if (p->registers == MAX_SHIP_REGISTERS || p->ships == 0 || strcmp(p->ship[p->ships - 1].name, m->parent) != 0)
         return;
     memcpy(p->reg[p->registers].name, m->name, sizeof m->name);
-    p->reg[p->registers++].value = m->value;
+    memcpy(p->reg[p->registers].title, m->title, sizeof m->title);
+    p->reg[p->registers].value = m->value;
+    p->reg[p->registers++].ship = p->ships - 1;
 }
 
 static void add_ship(struct sections *p, const struct board_marker *m)
 {
     if (p->ships == MAX_SHIPS)
         return;
-    p->lives = p->ships ? p->lives : m->value;
-    memcpy(p->ship[p->ships++], m->name, sizeof m->name);
+    memcpy(p->ship[p->ships].name, m->name, sizeof m->name);
+    memcpy(p->ship[p->ships].title, m->title, sizeof m->title);
+    memcpy(p->ship[p->ships].sprite, m->parent, sizeof m->parent);
+    p->ship[p->ships++].lives = m->value;
+}
+
+static void add_title(struct sections *p, const struct board_marker *m)
+{
+    if (p->titles == MAX_TITLES)
+        return;
+    p->title[p->titles].kind = m->kind;
+    memcpy(p->title[p->titles].name, m->name, sizeof m->name);
+    memcpy(p->title[p->titles++].title, m->title, sizeof m->title);
 }
 
 /* Adds what a marker reports. Returns true at the end of the list. */
@@ -101,6 +125,10 @@ static bool read_marker(struct sections *p, const struct board_marker *m)
         break;
     case MARKER_REGISTER:
         add_register(p, m);
+        break;
+    case MARKER_DIFFICULTY:
+    case MARKER_MISSION:
+        add_title(p, m);
         break;
     default:
         return m->kind == MARKER_LISTED;
@@ -140,4 +168,29 @@ void sections_list(struct sections *p, const struct rom *rom, const struct board
         return;
     read_sections(p, &g, log);
     guard_close(&g);
+}
+
+const char *sections_title(const struct sections *p, enum board_marker_kind kind, const char *name)
+{
+    for (int i = 0; kind == MARKER_STAGE && i < p->n; i++)
+        if (p->section[i].kind == SECTION_STAGE && strcmp(p->section[i].name, name) == 0)
+            return p->section[i].title;
+    for (int i = 0; kind == MARKER_SHIP && i < p->ships; i++)
+        if (strcmp(p->ship[i].name, name) == 0)
+            return p->ship[i].title;
+    for (int i = 0; i < p->titles; i++)
+        if (p->title[i].kind == kind && strcmp(p->title[i].name, name) == 0)
+            return p->title[i].title;
+    return name;
+}
+
+bool sections_need_reaching(const struct rom *rom, bool is_folder)
+{
+    const int i = rom_find(rom, PRACTICE_LUMP);
+    struct lump word = { 0 };
+
+    if (i < 0)
+        return !is_folder;
+    rom_lump(rom, i, &word);
+    return word.size != strlen("all") || memcmp(word.data, "all", word.size) != 0;
 }

@@ -142,7 +142,7 @@ static bool append_ship(const struct sections *s, const char *section, int ship,
 {
     if (s->ships < 2)
         return snprintf(out, 64, "%s", section) < 64;
-    return snprintf(out, 64, "%s@%s", section, s->ship[ship]) < 64;
+    return snprintf(out, 64, "%s@%s", section, s->ship[ship].name) < 64;
 }
 
 static const char *first_stage(const struct sections *s)

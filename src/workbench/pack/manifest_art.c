@@ -1,6 +1,6 @@
 /*
- * manifest_art.c - the pictures of rom.lua: palettes, blends, fonts, sheets, sprites, the icon, maps; and the list of
- * all tables of art and sounds.
+ * manifest_art.c - the pictures of rom.lua: palettes, blends, fonts, sheets, sprites, the icon, maps, theme, practice;
+ * and the list of all tables of art and sounds.
  */
 #include <stdio.h>
 #include <string.h>
@@ -399,6 +399,16 @@ static void read_theme(const struct manifest_value *root, struct art *art)
     read_theme_sounds(&v, art);
 }
 
+static void read_practice(const struct manifest_value *root, struct art *art)
+{
+    static const char *const words[] = { "all", "reached" };
+    struct manifest_value v;
+
+    if (value_get(root, "practice", &v))
+        snprintf(art->practice, sizeof art->practice, "%s",
+                 words[value_to_choice(&v, words, 2, "\"all\" or \"reached\"")]);
+}
+
 /* The tables of named entries, ordered so that entries refer only to earlier tables. An entry starts with its name. */
 static const struct art_table {
     const char *key;
@@ -451,4 +461,5 @@ void manifest_read_art(const struct manifest_value *root, struct art *art)
     sort_sprites(root, art);
     read_icon(root, art);
     read_theme(root, art);
+    read_practice(root, art);
 }

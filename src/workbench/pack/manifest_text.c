@@ -149,10 +149,11 @@ static void read_root(const struct manifest_value *root, struct manifest *m, str
         TEXT("author", manifest, author, "a line"),
         TEXT("entry", manifest, entry, "a script's path"),
     };
-    static const char *const others[] = { "version",  "players", "screen",       "field",      "board",  "palette",
-                                          "palettes", "blends",  "font",         "fonts",      "sheets", "sprites",
-                                          "dip",      "extends", "difficulties", "difficulty", "maps",   "sounds",
-                                          "music",    "border",  "match",        "icon",       "theme",  NULL };
+    static const char *const others[] = { "version",    "players",  "screen", "field",    "board",
+                                          "palette",    "palettes", "blends", "font",     "fonts",
+                                          "sheets",     "sprites",  "dip",    "extends",  "difficulties",
+                                          "difficulty", "maps",     "sounds", "music",    "border",
+                                          "match",      "icon",     "theme",  "practice", NULL };
     struct manifest_value v;
 
     READ_TABLE(root, fields, others, m);

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "../../base/bytes.h"
 #include "../../base/err.h"
 #include "../../common/result.h"
 #include "../../rom/cart.h"
@@ -22,6 +23,7 @@
 #include "../../player/picture/png.h"
 #include "../../player/picture/border.h"
 #include "../../player/picture/icon.h"
+#include "../../player/run/sections.h"
 
 /* Warns about pixels that vanish. */
 static void warn_faint(struct packer *p, const char *file, const struct art_picture *picture, const uint8_t *marked)
@@ -84,6 +86,16 @@ static const uint8_t *find_palette(const struct packer *p, const char *name)
         if (strcmp(p->art.palettes[i].name, name) == 0)
             return p->palettes[i];
     return p->palette;
+}
+
+/* Returns the number of a palette in the header of a sprite's lump (struct sprite). */
+static int palette_number(const struct packer *p, const char *name)
+{
+    int n = strcmp("main", name) < 0;
+
+    for (int i = 0; i < p->art.n_palettes; i++)
+        n += strcmp(p->art.palettes[i].name, name) < 0;
+    return name[0] ? n + 1 : 0;
 }
 
 static bool add_shades(struct packer *p)
@@ -273,6 +285,7 @@ static bool add_sprite_lump(struct packer *p, const struct ase_sprite *made, con
         return pixel && !made->picture.cell
                    ? err_set(p->err, p->err_size, "%s: %s", s->file, why)
                    : err_set(p->err, p->err_size, "%s: sprite \"%s\": %s", s->file, made->sprite.name, why);
+    bytes_put16(data + 18, (uint16_t)palette_number(p, s->palette));
     if (!pack_add(p, "gfx/", made->sprite.name, data, size))
         return false;
     cart_pack_hitbox(&made->hit, hit);
@@ -600,10 +613,17 @@ static bool add_theme(struct packer *p)
     return pack_add_copy(p, "", THEME_LUMP, lump, sizeof lump);
 }
 
+static bool add_practice(struct packer *p)
+{
+    const char *word = p->art.practice;
+
+    return !word[0] || pack_add_copy(p, "", PRACTICE_LUMP, word, strlen(word));
+}
+
 bool pack_add_art(struct packer *p)
 {
     if (!add_palettes(p) || !add_shades(p) || !add_blends(p) || !add_cell_font(p) || !add_proportional_fonts(p) ||
-        !add_border(p) || !add_icon(p) || !add_theme(p))
+        !add_border(p) || !add_icon(p) || !add_theme(p) || !add_practice(p))
         return false;
     for (int i = 0; i < p->art.n_sheets; i++) {
         pack_progress(p, p->art.sheets[i].file);
