@@ -119,6 +119,25 @@ TEST(card)
     }
 }
 
+/* Metadata of format 1, which older versions wrote, has neither favourite mark nor stage nor mission. */
+TEST(old_card)
+{
+    enum { BEFORE = 12 };
+    uint8_t bytes[REPLAY_META_BYTES];
+    struct replay_meta c = a_card(3), back;
+    const struct thumb none = { 0 };
+
+    c.rows = 0;
+    replay_meta_write(&c, &none, bytes);
+    const size_t n = bytes_get32(bytes + 8) - 3; /* without the flag and two empty strings before the number of rows */
+    bytes_put32(bytes + 4, 1);
+    bytes_put32(bytes + 8, (uint32_t)n);
+    bytes[BEFORE + n - 1] = 0;
+    bytes_put32(bytes + BEFORE + n, hash_crc32(bytes, BEFORE + n));
+    assert_true(replay_meta_read(&back, bytes, BEFORE + n + 4));
+    same_card(&c, &back);
+}
+
 /* The longest card is still within what lists read. */
 TEST(longest)
 {
@@ -130,6 +149,8 @@ TEST(longest)
     memset(c.ship, 's', sizeof c.ship - 1);
     memset(c.difficulty, 'd', sizeof c.difficulty - 1);
     memset(c.name, 'n', sizeof c.name - 1);
+    memset(c.stage, 'g', sizeof c.stage - 1);
+    memset(c.mission, 'm', sizeof c.mission - 1);
     c.rows = REPLAY_MAX_ROWS;
     for (int i = 0; i < REPLAY_MAX_ROWS; i++) {
         memset(c.row[i].table, 't', sizeof c.row[i].table - 1);
@@ -314,14 +335,18 @@ TEST(prune)
 
     open_new(&r, 20);
     assert_true(replays_name(&r, 19 - 4, "four", err, sizeof err));
+    assert_true(replays_set_favourite(&r, 19 - 2, true, err, sizeof err));
     replays_prune(&r, 5, stands, &best);
-    listed(&r, 7);
+    listed(&r, 8);
     for (int i = 0; i < r.n; i++)
         kept |= (uint64_t)1 << r.list[i].meta.points[1];
-    assert_int_equal(kept, 0x1f << 15 | 1 << 4 | 1 << 1);
+    assert_int_equal(kept, 0x1f << 15 | 1 << 4 | 1 << 2 | 1 << 1);
+    replays_prune(&r, 0, NULL, NULL);
+    listed(&r, 2);
+    assert_string_equal(r.list[0].meta.name, "four");
+    assert_true(replays_set_favourite(&r, 1, false, err, sizeof err));
     replays_prune(&r, 0, NULL, NULL);
     listed(&r, 1);
-    assert_string_equal(r.list[0].meta.name, "four");
     replays_close(&r);
 }
 
@@ -426,6 +451,49 @@ TEST(roms)
     assert_false(roms_has("lanterns", hash[1]) || roms_has("lanterns", hash[2]));
     assert_true(roms_has("lantern", hash[2]));
     replays_close(&r);
+}
+
+/* ---- importing ---- */
+
+static void expect_refusal(struct replays *r, const char *path, const struct rom *rom, const char *why)
+{
+    assert_false(replays_import(r, path, rom, err, sizeof err));
+    if (!strstr(err, why))
+        fail_msg("%s: %s", path, err);
+}
+
+TEST(imports)
+{
+    static const char demo[] = "tests/demos/whole8-run.demo";
+    static uint8_t bytes[256], data[1];
+    const struct lump lump = { "x", data, 1 };
+    char path[ROMS_PATH], command[128];
+    struct replays r;
+    struct demo d;
+    struct rom rom;
+
+    shell("rm -rf curtain");
+    rom_write(bytes, &lump, 1);
+    assert_true(rom_open(&rom, bytes, rom_write_size(&lump, 1), err, sizeof err));
+    assert_true(demo_load(&d, demo, err, sizeof err));
+    assert_true(replays_open(&r, "other"));
+    expect_refusal(&r, demo, &rom, "it was recorded in another game");
+    replays_close(&r);
+    assert_true(replays_open(&r, d.id));
+    expect_refusal(&r, demo, &rom, "it was recorded in another version of this game, which is not stored here");
+    expect_refusal(&r, "tests/machine/nvram-1.nv", &rom, "not a demo");
+    shell("mkdir -p curtain/roms");
+    roms_path(path, d.id, d.rom_hash);
+    snprintf(command, sizeof command, "echo x >curtain/%s", path + strlen("user:"));
+    shell(command);
+    assert_true(replays_import(&r, demo, &rom, err, sizeof err));
+    assert_true(r.n == 1 && r.list[0].meta.is_favourite == 1);
+    expect_refusal(&r, demo, &rom, "it is in the list already");
+    replays_close(&r);
+    assert_true(replays_open(&r, d.id));
+    assert_int_equal(r.n, 1);
+    replays_close(&r);
+    demo_free(&d);
 }
 
 RUN_TESTS(open_folder, close_folder)

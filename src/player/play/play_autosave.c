@@ -415,6 +415,7 @@ void play_autosave_sync(struct play *play)
 
 static void take_marker(struct play *play, const struct board_marker *m)
 {
+    practice_reach(&play->practice, m);
     if (m->kind == MARKER_GAME)
         start_run(play, writer(play)->demo.frames);
     else if (m->kind == MARKER_OVER && play->autosave.on)

@@ -40,8 +40,7 @@ void play_close_replay(struct play *play)
 
 /* ---- changing the session ---- */
 
-/* Returns the game's current ROM. */
-static const struct cart *home_cart(const struct play *play)
+const struct cart *play_home_cart(const struct play *play)
 {
     return play->replay.home ? play->replay.home : play_cart(play);
 }
@@ -97,7 +96,7 @@ static bool change_session(struct play *play, const struct cart *cart, struct se
 static bool find_cart(struct play *play, const struct demo *d, const struct cart **cart, struct session_rom **rom,
                       char *err, size_t err_size)
 {
-    const struct cart *home = home_cart(play);
+    const struct cart *home = play_home_cart(play);
     char path[ROMS_PATH];
 
     *rom = NULL;
@@ -127,10 +126,8 @@ static bool open_demo(struct play *play, const char *path, const char *what, boo
     char err[DEMO_ERR_SIZE] = "out of memory", why[256];
 
     bool good = d && demo_load(d, path, err, sizeof err);
-    if (good && !find_cart(play, d, &cart, &rom, err, sizeof err)) {
-        good = !exact; /* play what still works on the current ROM */
-        cart = home_cart(play);
-    }
+    if (good && !find_cart(play, d, &cart, &rom, err, sizeof err))
+        good = false;
     if (good && !demo_check_cart(d, cart, err, sizeof err))
         good = false;
     if (good && exact && demo_replay_warning(d, cart, why, sizeof why)) {
@@ -172,7 +169,7 @@ void play_return_to_title(struct play *play)
     }
     play_title_start(play, &start);
     uint8_t *nvram = play_load_nvram(play, &start);
-    if (!change_session(play, home_cart(play), NULL, &start, NULL, "Cannot start the game")) {
+    if (!change_session(play, play_home_cart(play), NULL, &start, NULL, "Cannot start the game")) {
         free(nvram);
         return;
     }

@@ -127,7 +127,13 @@ void play_check_drop(struct play *play)
 {
     char path[FILES_PATH_SIZE];
 
-    if (!plat_take_dropped_file(path, sizeof path) || play->options.sealed || !can_be_played(play, path))
+    if (!plat_take_dropped_file(path, sizeof path))
+        return;
+    if (files_has_suffix(path, ".demo") && !play->waiting.on) {
+        play_import_replay(play, path);
+        return;
+    }
+    if (play->options.sealed || !can_be_played(play, path))
         return;
     snprintf(play->drop.asked, sizeof play->drop.asked, "%s", path);
     if (play->waiting.on || !play_has_run(play))

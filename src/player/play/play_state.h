@@ -231,11 +231,30 @@ struct key_capture {
     bool started; /* capture has seen the keys held before */
 };
 
-/* screen_replays.c. */
+/* screen_replays.c, screen_replay.c. */
+#define REPLAY_EXPORTS "user:exports" /* the folder of exported replays */
+
+enum replay_sort { REPLAYS_BY_DATE, REPLAYS_BY_SCORE, REPLAYS_BY_FAVOURITE, REPLAY_SORTS };
+
+enum replay_version {
+    REPLAY_CURRENT,
+    REPLAY_OLDER, /* recorded in an older version of the game, which is stored */
+    REPLAY_LOST   /* recorded in an older version, which is not stored */
+};
+
 struct replay_list {
     struct replays list;
+    struct replay_order {
+        int64_t key;
+        int i;
+    } * order; /* the rows: replays of `list`, sorted; malloc */
+    enum replay_sort sort;
+    uint64_t rom, game; /* hashes of the game's current ROM */
+    int chosen;         /* the replay that thumb and version are of; -1: none */
     struct thumb thumb;
-    int thumb_of; /* the replay with that thumbnail; -1: none */
+    enum replay_version version;
+    char (*file)[96]; /* names in REPLAY_EXPORTS; malloc */
+    int files;
     char typed[REPLAY_NAME_SIZE];
     bool typing, fresh; /* fresh: the first letter replaces the proposed name */
     uint8_t held[PLAT_KEYS / 8];
@@ -486,6 +505,9 @@ void play_final_retry(struct play *play);
 /* Shows a replay from a frame on, and ends the present run. If it can't be shown, shows a message and returns false. */
 bool play_watch(struct play *play, const char *path, uint32_t frame);
 
+/* Returns the game's current ROM, also while an older one runs. */
+const struct cart *play_home_cart(const struct play *play);
+
 /* Returns to the game's title. */
 void play_return_to_title(struct play *play);
 
@@ -531,6 +553,19 @@ void play_open_keys(struct play *play);
 void play_open_controllers(struct play *play);
 void play_open_log(struct play *play);
 void play_open_replays(struct play *play);
+
+/* The actions on replay_list.chosen, and the question before it is deleted. */
+extern const struct screen_def replay_screen;
+void play_ask_to_delete_replay(struct play *play);
+
+/* Call it when replay_list.list has changed. */
+void replay_list_changed(struct play *play);
+
+/* Writes a replay's name or, if it has none, the titles of its mission or stage and of its ship. */
+void replay_list_title(struct play *play, const struct replay_meta *c, char *out, size_t size);
+
+/* Imports a demo file, and shows whether that worked or why it didn't. */
+void play_import_replay(struct play *play, const char *path);
 
 /* Asks whether to resume the unfinished run, if there is one. */
 void play_offer_resume(struct play *play);

@@ -1,13 +1,72 @@
 /*
- * screen_replays.c - the saved runs, with a thumbnail of each; watching, naming and deleting them.
+ * screen_replays.c - the saved runs, with a thumbnail and details of each: sorting and importing them.
+ * screen_replay.c has the actions on one of them.
  */
 #include <inttypes.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <time.h>
 #include "../../../platform/platform.h"
-#include "../../common/clean.h"
+#include "../../common/array.h"
+#include "../replays/roms.h"
+#include "../screens/screen_picture.h"
 #include "play_state.h"
+#include "../../base/int.h"
+
+/* ---- the list ---- */
+
+static int64_t best_score(const struct replay_meta *c)
+{
+    return c->points[0] > c->points[1] ? c->points[0] : c->points[1];
+}
+
+static int compare(const void *left, const void *right)
+{
+    const struct replay_order *a = left, *b = right;
+
+    return a->key != b->key ? (a->key < b->key ? 1 : -1) : a->i - b->i;
+}
+
+/* Sorts an index of the list, which itself stays sorted by date. */
+static void sort(struct replay_list *l)
+{
+    free(l->order);
+    l->order = calloc((size_t)l->list.n + 1, sizeof *l->order);
+    for (int i = 0; l->order && i < l->list.n; i++) {
+        const struct replay_meta *c = &l->list.list[i].meta;
+        l->order[i].i = i;
+        l->order[i].key = l->sort == REPLAYS_BY_SCORE       ? best_score(c)
+                          : l->sort == REPLAYS_BY_FAVOURITE ? c->is_favourite
+                                                            : 0;
+    }
+    if (l->order)
+        qsort(l->order, (size_t)l->list.n, sizeof *l->order, compare);
+}
+
+void replay_list_changed(struct play *play)
+{
+    play->replay_list.chosen = -1;
+    sort(&play->replay_list);
+}
+
+static bool is_older(const struct replay_list *l, const struct replay_meta *c)
+{
+    return c->rom != l->rom && c->game != l->game;
+}
+
+/* Loads what is shown of replay i and not in its metadata. */
+static void choose(struct replay_list *l, int i)
+{
+    const struct replay_meta *c = &l->list.list[i].meta;
+
+    if (l->chosen == i)
+        return;
+    l->chosen = i;
+    l->thumb.w = 0;
+    replays_thumb(&l->list, i, &l->thumb);
+    l->version = !is_older(l, c) ? REPLAY_CURRENT : roms_has(c->id, c->rom) ? REPLAY_OLDER : REPLAY_LOST;
+}
 
 /* ---- descriptions ---- */
 
@@ -20,231 +79,146 @@ static void date_text(int64_t date, char *out, size_t size)
         snprintf(out, size, "?");
 }
 
-/* The help of its row. */
-static void describe(const struct replay_meta *c, char *out, size_t size)
+/* Writes a score in groups of three digits. */
+static void score_text(int64_t score, char *out, size_t size)
 {
-    static const char *const ends[REPLAY_ENDS] = { "unfinished", "all stages cleared", "game over", "quit",
-                                                   "script error" };
-    const unsigned seconds = (c->last - c->first) / 60;
-    int n = snprintf(out, size, "%u:%02u, %s", seconds / 60, seconds % 60, ends[c->end]);
+    char digits[24];
+    size_t n = (size_t)snprintf(digits, sizeof digits, "%" PRId64, score), to = 0;
 
-    if (c->players > 1)
-        n += snprintf(out + n, size - (size_t)n, ", two players: %" PRId64 " and %" PRId64, c->points[0], c->points[1]);
-    for (int i = 0; demo_flag_name(i); i++)
-        if (c->flags >> i & 1)
-            n += snprintf(out + n, size - (size_t)n, ", %s", demo_flag_name(i));
-    if (c->rows)
-        n += snprintf(out + n, size - (size_t)n, ", high score as %s", c->row[0].row.name);
-    if (c->core != CORE_VERSION)
-        snprintf(out + n, size - (size_t)n, ", core version %u: playback may diverge", (unsigned)c->core);
-}
-
-static const struct replay_meta *meta_of(const struct play *play, int i)
-{
-    return &play->replay_list.list.list[i].meta;
-}
-
-/* ---- the actions on a replay ---- */
-
-enum { WATCH, NAME, DELETE, ACTIONS };
-
-static int action_rows(void *context)
-{
-    (void)context;
-    return ACTIONS;
-}
-
-static void action_row(void *context, int at, struct screen_row *row)
-{
-    struct play *play = context;
-    static const struct {
-        const char *label, *help;
-    } texts[ACTIONS] = {
-        [WATCH] = { "Watch", "Watch from the start. T: take over and practise." },
-        [NAME] = { "Name Replay", "Named replays stay until you delete them." },
-        [DELETE] = { "Delete", "" },
-    };
-    const bool named = meta_of(play, play->replay_list.thumb_of)->name[0];
-
-    snprintf(row->label, sizeof row->label, "%s", at == NAME && named ? "Rename" : texts[at].label);
-    snprintf(row->help, sizeof row->help, "%s", texts[at].help);
-}
-
-static const char *action_text(void *context)
-{
-    struct play *play = context;
-
-    if (!play->replay_list.typing)
-        return meta_of(play, play->replay_list.thumb_of)->name;
-    screens_format(&play->screens, play->replay_list.text, sizeof play->replay_list.text,
-                   "Name: %s_\nEnter: save. Escape: cancel.", play->replay_list.typed);
-    return play->replay_list.text;
-}
-
-static void delete (void *context)
-{
-    struct play *play = context;
-    char err[256];
-
-    if (!replays_delete(&play->replay_list.list, play->replay_list.thumb_of, err, sizeof err)) {
-        screens_show_message(&play->screens, "%s", err);
-        return;
+    for (size_t i = 0; i < n && to + 2 < size; i++) {
+        if (i > 0 && (n - i) % 3 == 0 && digits[i - 1] != '-')
+            out[to++] = ',';
+        out[to++] = digits[i];
     }
-    play->replay_list.thumb_of = -1;
-    replays_collect_roms(&play->replay_list.list, rom_hash(play_cart(play)->rom));
-    screens_close(&play->screens); /* its actions */
+    out[to] = 0;
 }
 
-static void set_typing(struct play *play, bool on)
+/* Returns the title of the mission, or of the last stage that was played; "": unknown. */
+static const char *place_title(struct play *play, const struct replay_meta *c)
 {
-    play->replay_list.typing = on;
-    play_set_text_input(play, on);
+    const struct sections *s = practice_sections(&play->practice);
+
+    return c->mission[0] ? sections_title(s, MARKER_MISSION, c->mission) : sections_title(s, MARKER_STAGE, c->stage);
 }
 
-static void start_typing(struct play *play)
+static const char *ship_title(struct play *play, const struct replay_meta *c)
 {
-    struct replay_list *l = &play->replay_list;
-    const struct replay_meta *c = meta_of(play, l->thumb_of);
+    return sections_title(practice_sections(&play->practice), MARKER_SHIP, c->ship);
+}
+
+void replay_list_title(struct play *play, const struct replay_meta *c, char *out, size_t size)
+{
+    const char *place = place_title(play, c), *ship = ship_title(play, c);
 
     if (c->name[0])
-        snprintf(l->typed, sizeof l->typed, "%s", c->name);
+        snprintf(out, size, "%s", c->name);
     else
-        snprintf(l->typed, sizeof l->typed, "%s %" PRId64, c->ship[0] ? c->ship : c->id, c->points[0]);
-    l->fresh = true;
-    memset(l->held, 255, sizeof l->held);
-    l->buttons = UINT32_MAX;
-    set_typing(play, true);
+        snprintf(out, size, "%s%s%s", place, place[0] && ship[0] ? ", " : "", ship);
 }
 
-static void ask_to_delete(struct play *play)
+/* Writes how the run ended. */
+static void end_text(const struct replay_meta *c, char *out, size_t size)
 {
-    screens_ask(&play->screens, "Delete this replay? This cannot be undone.", "Delete", delete, play);
+    static const char *const ends[REPLAY_ENDS] = { "Unfinished", "All stages cleared", "Game over", "Quit",
+                                                   "Script error" };
+
+    snprintf(out, size, "%s",
+             c->mission[0] && c->end == REPLAY_CLEAR  ? "Mission clear"
+             : c->mission[0] && c->end == REPLAY_OVER ? "Mission failed"
+                                                      : ends[c->end]);
 }
 
-static void do_action(void *context, int at)
+static void add_phrase(char *phrases, size_t size, const char *phrase)
 {
-    struct play *play = context;
-    struct replay_list *l = &play->replay_list;
-    char path[REPLAY_PATH];
+    const size_t n = strlen(phrases);
 
-    if (at == NAME) {
-        start_typing(play);
-    } else if (at == DELETE) {
-        ask_to_delete(play);
-    } else {
-        replays_path(&l->list, l->thumb_of, path);
-        if (play_watch(play, path, meta_of(play, l->thumb_of)->first))
-            screens_close_all(&play->screens);
-    }
+    snprintf(phrases + n, size - n, "%s%s", n ? ", " : "", phrase);
 }
 
-/* ---- typing a name ---- */
-
-static void type(struct replay_list *l, const char *text)
+/* The help of a replay's row: what a player should know before watching it. */
+static void describe(const struct replay_list *l, const struct replay_meta *c, char *out, size_t size)
 {
-    if (!*text)
-        return;
-    if (l->fresh)
-        l->typed[0] = 0;
-    l->fresh = false;
-    for (uint32_t c; *text;) {
-        const int n = clean_decode_character(text, &c);
-        const size_t at = strlen(l->typed);
-        if (c >= 32 && c != 127 && at + (size_t)n < sizeof l->typed) {
-            memcpy(l->typed + at, text, (size_t)n);
-            l->typed[at + (size_t)n] = 0;
-        }
-        text += n;
-    }
-    clean_line(l->typed);
+    char phrases[SCREEN_HELP - 1] = "", phrase[64];
+
+    if (is_older(l, c))
+        add_phrase(phrases, sizeof phrases, "recorded in an older version of the game");
+    snprintf(phrase, sizeof phrase, "recorded with core version %u: playback may diverge", (unsigned)c->core);
+    if (c->core != CORE_VERSION)
+        add_phrase(phrases, sizeof phrases, phrase);
+    for (int i = 0; demo_flag_name(i); i++)
+        if (c->flags >> i & 1)
+            add_phrase(phrases, sizeof phrases, demo_flag_name(i));
+    snprintf(phrase, sizeof phrase, "high score as %s", c->row[0].row.name);
+    if (c->rows)
+        add_phrase(phrases, sizeof phrases, phrase);
+    if (phrases[0])
+        screen_sentence(out, size, phrases);
 }
 
-static void erase(struct replay_list *l)
+/* ---- rows ---- */
+
+/* The rows above the replays: sorting, unless there is nothing to sort, and importing. */
+static int rows_above(const struct replay_list *l)
 {
-    size_t n = strlen(l->typed);
-
-    l->fresh = false;
-    while (n && ((unsigned char)l->typed[--n] & 0xc0) == 0x80)
-        ;
-    l->typed[n] = 0;
+    return l->list.n > 1 ? 2 : 1;
 }
-
-static void save_name(struct play *play)
-{
-    char err[256];
-
-    if (!replays_name(&play->replay_list.list, play->replay_list.thumb_of, play->replay_list.typed, err, sizeof err))
-        screens_show_message(&play->screens, "%s", err);
-    else if (meta_of(play, play->replay_list.thumb_of)->name[0])
-        screens_show_message(&play->screens, "Saved as \"%s\"", meta_of(play, play->replay_list.thumb_of)->name);
-    else
-        screens_show_message(&play->screens, "Name removed");
-}
-
-/* Pressed now and not at the last poll. */
-static bool key(const struct replay_list *l, const struct plat_input *in, unsigned usage)
-{
-    return plat_is_key_held(in, usage) && !(l->held[usage >> 3 & 31] >> (usage & 7) & 1);
-}
-
-static bool listen(void *context, const struct plat_input *in)
-{
-    struct play *play = context;
-    struct replay_list *l = &play->replay_list;
-    enum { ENTER = 40, ESCAPE = 41, BACKSPACE = 42, KEYPAD_ENTER = 88 };
-    const uint32_t now = in->controllers[0] | in->controllers[1], fresh = now & ~l->buttons;
-    const bool yes = key(l, in, ENTER) || key(l, in, KEYPAD_ENTER) || fresh & (1u << PLAT_SOUTH | 1u << PLAT_START);
-
-    if (!l->typing)
-        return false;
-    type(l, in->text);
-    if (key(l, in, BACKSPACE))
-        erase(l);
-    if (yes)
-        save_name(play);
-    if (yes || key(l, in, ESCAPE) || fresh & 1u << PLAT_EAST)
-        set_typing(play, false);
-    memcpy(l->held, in->keys, sizeof l->held);
-    l->buttons = now;
-    return true;
-}
-
-static void actions_closed(void *context)
-{
-    struct play *play = context;
-
-    set_typing(play, false);
-}
-
-static const struct screen_def actions = { .title = "Replay",
-                                           .small = true,
-                                           .rows = action_rows,
-                                           .row = action_row,
-                                           .text = action_text,
-                                           .accept = do_action,
-                                           .listen = listen,
-                                           .closed = actions_closed };
-
-/* ---- the list ---- */
 
 static int rows(void *context)
 {
-    struct play *play = context;
+    const struct replay_list *l = &((struct play *)context)->replay_list;
 
-    return play->replay_list.list.n;
+    return rows_above(l) + (l->order ? l->list.n : 0);
 }
 
+/* Returns the replay of a row, or -1. */
+static int replay_at(const struct replay_list *l, int at)
+{
+    return at < rows_above(l) ? -1 : l->order[at - rows_above(l)].i;
+}
+
+static bool is_sort_row(const struct replay_list *l, int at)
+{
+    return at == 0 && rows_above(l) == 2;
+}
+
+static void describe_row_above(const struct replay_list *l, int at, struct screen_row *row)
+{
+    static const char *const orders[] = { "Newest First", "Best Score First", "Favourites First" };
+
+    if (is_sort_row(l, at)) {
+        snprintf(row->label, sizeof row->label, "Sort");
+        snprintf(row->value, sizeof row->value, "%s", orders[l->sort]);
+        row->changes = true;
+    } else {
+        snprintf(row->label, sizeof row->label, "Import...");
+        snprintf(row->help, sizeof row->help,
+                 "Adds a replay file from the exports folder. You can also drop one here.");
+    }
+}
+
+/* The value is the date, or what the list is sorted by. */
 static void row(void *context, int at, struct screen_row *row)
 {
     struct play *play = context;
-    const struct replay_meta *c = meta_of(play, at);
-    char date[32];
+    const struct replay_list *l = &play->replay_list;
+    const int i = replay_at(l, at);
+    char title[SCREEN_LABEL - 4], date[32];
 
+    if (i < 0) {
+        describe_row_above(l, at, row);
+        return;
+    }
+    const struct replay_meta *c = &l->list.list[i].meta;
+    replay_list_title(play, c, title, sizeof title);
+    snprintf(row->label, sizeof row->label, "%s%s", c->is_favourite ? "* " : "", title);
     date_text(c->date, date, sizeof date);
-    snprintf(row->label, sizeof row->label, "%.47s", c->name[0] ? c->name : date);
-    snprintf(row->value, sizeof row->value, "%s %" PRId64, c->ship,
-             c->points[0] > c->points[1] ? c->points[0] : c->points[1]);
-    describe(c, row->help, sizeof row->help);
+    if (l->sort == REPLAYS_BY_SCORE)
+        score_text(best_score(c), row->value, sizeof row->value);
+    else
+        snprintf(row->value, sizeof row->value, "%.10s", date); /* without the time */
+    if (is_older(l, c))
+        row->colour = CANVAS_GREY;
+    describe(l, c, row->help, sizeof row->help);
 }
 
 static const char *text(void *context)
@@ -254,26 +228,54 @@ static const char *text(void *context)
     return play->replay_list.list.n ? "" : "No replays yet. Runs are saved automatically when they end.";
 }
 
+static void change(void *context, int at, int by)
+{
+    struct replay_list *l = &((struct play *)context)->replay_list;
+
+    (void)at;
+    l->sort = (enum replay_sort)((l->sort + (by < 0 ? REPLAY_SORTS - 1 : 1)) % REPLAY_SORTS);
+    sort(l);
+}
+
+static void open_imports(struct play *play);
+
 static void accept(void *context, int at)
 {
     struct play *play = context;
+    const int i = replay_at(&play->replay_list, at);
 
-    play->replay_list.thumb_of = at;
-    screens_open(&play->screens, &actions, play);
+    if (i < 0) {
+        open_imports(play);
+        return;
+    }
+    choose(&play->replay_list, i);
+    screens_open(&play->screens, &replay_screen, play);
 }
 
 static void remove_replay(void *context, int at)
 {
-    accept(context, at);
-    ask_to_delete(context);
+    struct play *play = context;
+    const int i = replay_at(&play->replay_list, at);
+
+    if (i < 0)
+        return;
+    choose(&play->replay_list, i);
+    play_ask_to_delete_replay(play);
 }
 
 static void closed(void *context)
 {
-    struct play *play = context;
+    struct replay_list *l = &((struct play *)context)->replay_list;
 
-    replays_close(&play->replay_list.list);
+    replays_close(&l->list);
+    free(l->order);
+    free(l->file);
+    l->order = NULL;
+    l->file = NULL;
+    l->files = 0;
 }
+
+/* ---- the picture: thumbnail and details ---- */
 
 static int height(void *context, int w, int h)
 {
@@ -285,47 +287,72 @@ static int height(void *context, int w, int h)
     return h - high >= 4 * CANVAS_LARGE_LINE_HEIGHT ? high : h / 3;
 }
 
-static void draw_thumb(const struct thumb *t, const struct canvas *canvas, struct screen_area to)
+static int draw_thumb(const struct thumb *t, const struct canvas *canvas, struct screen_area to)
 {
-    uint32_t colours[THUMB_COLOURS];
-    uint8_t used[THUMB_COLOURS], entry[THUMB_COLOURS];
-    bool seen[THUMB_COLOURS] = { false };
-    int n = 0;
+    struct screen_picture p = { .w = t->w, .h = t->h, .pitch = t->w, .pix = t->pix };
 
-    for (int i = 0; i < t->w * t->h; i++) {
-        const uint8_t c = t->pix[i];
-        if (!seen[c])
-            colours[n++] = thumb_colour(c);
-        used[c] = seen[c] ? used[c] : (uint8_t)(n - 1);
-        seen[c] = true;
-    }
-    canvas_add_colours(canvas, colours, n, entry);
-    const int x0 = to.x + 4, y0 = to.y + 1, h = t->h < to.h - 2 ? t->h : to.h - 2,
-              w = t->w < to.w - 8 ? t->w : to.w - 8;
-    for (int y = 0; y < h; y++)
-        for (int x = 0; x < w; x++)
-            canvas->fb->pix[(y0 + y) * canvas->fb->pitch + x0 + x] = entry[used[t->pix[y * t->w + x]]];
-    canvas_outline(canvas, x0 - 1, y0 - 1, w + 2, h + 2, CANVAS_GREY);
+    for (int i = 0; i < THUMB_COLOURS; i++)
+        p.rgb[i] = thumb_colour(i);
+    return screen_picture_draw(&p, canvas, to);
 }
 
-/* Beside the thumbnail: the details that don't fit in the row. */
-static void draw_details(const struct words *words, const struct replay_meta *c, const struct canvas *canvas,
+struct details {
+    struct {
+        const char *label;
+        char value[64];
+    } line[10];
+    int n;
+};
+
+static char *add_line(struct details *d, const char *label)
+{
+    d->line[d->n].label = label;
+    return d->line[d->n++].value;
+}
+
+static void list_details(struct play *play, const struct replay_meta *c, struct details *d)
+{
+    enum { SIZE = sizeof d->line[0].value };
+    const unsigned seconds = (c->last - c->first) / 60;
+
+    date_text(c->date, add_line(d, "Date"), SIZE);
+    if (c->mission[0] || c->stage[0])
+        snprintf(add_line(d, c->mission[0] ? "Mission" : "Reached"), SIZE, "%s", place_title(play, c));
+    if (c->ship[0])
+        snprintf(add_line(d, "Ship"), SIZE, "%s", ship_title(play, c));
+    if (c->difficulty[0])
+        snprintf(add_line(d, "Difficulty"), SIZE, "%s",
+                 sections_title(practice_sections(&play->practice), MARKER_DIFFICULTY, c->difficulty));
+    for (int p = 0; p < (c->players > 1 ? 2 : 1); p++)
+        score_text(c->points[p], add_line(d, p ? "Score 2P" : "Score"), SIZE);
+    snprintf(add_line(d, "Time"), SIZE, "%u:%02u", seconds / 60, seconds % 60);
+    end_text(c, add_line(d, "End"), SIZE);
+    if (play->replay_list.version != REPLAY_CURRENT)
+        snprintf(add_line(d, "Version"), SIZE, "%s",
+                 play->replay_list.version == REPLAY_OLDER ? "Older version" : "Older, not stored");
+}
+
+static void draw_details(struct play *play, const struct replay_meta *c, const struct canvas *canvas,
                          struct screen_area to)
 {
-    char lines[6][64], shown[64];
-    int n = 0;
+    enum { GAP = 6 };
+    const struct words *words = &play->screens.words;
+    const int line = canvas_line_height(canvas);
+    struct details d = { .n = 0 };
+    char text[64];
+    int column = 0;
 
-    date_text(c->date, lines[n++], sizeof lines[0]);
-    snprintf(lines[n++], sizeof lines[0], "%s", c->ship);
-    if (c->difficulty[0])
-        snprintf(lines[n++], sizeof lines[0], "%s", c->difficulty);
-    for (int p = 0; p < (c->players > 1 ? 2 : 1); p++)
-        snprintf(lines[n++], sizeof lines[0], "%" PRId64 " points", c->points[p]);
-    snprintf(lines[n++], sizeof lines[0], c->stages == 1 ? "%d stage" : "%d stages", c->stages);
-    for (int i = 0; i < n && (i + 1) * canvas_line_height(canvas) <= to.h; i++) {
-        screen_translate(words, lines[i], shown, sizeof shown);
-        canvas_large_text_truncated(canvas, to.x, to.y + canvas->ascent + i * canvas_line_height(canvas),
-                                    i ? CANVAS_WHITE : CANVAS_YELLOW, shown, to.w);
+    list_details(play, c, &d);
+    for (int i = 0; i < d.n; i++) {
+        screen_translate(words, d.line[i].label, text, sizeof text);
+        column = int_max(column, canvas_large_text_width(canvas, text) + GAP);
+    }
+    for (int i = 0; i < d.n && (i + 1) * line <= to.h; i++) {
+        const int y = to.y + canvas->ascent + i * line;
+        screen_translate(words, d.line[i].label, text, sizeof text);
+        canvas_large_text(canvas, to.x, y, CANVAS_GREY, text);
+        screen_translate(words, d.line[i].value, text, sizeof text);
+        canvas_large_text_truncated(canvas, to.x + column, y, CANVAS_WHITE, text, to.w - column);
     }
 }
 
@@ -333,35 +360,135 @@ static void draw(void *context, int at, const struct canvas *canvas, struct scre
 {
     struct play *play = context;
     struct replay_list *l = &play->replay_list;
+    const int i = replay_at(l, at);
     int side = 0;
 
-    if (l->thumb_of != at)
-        replays_thumb(&l->list, at, &l->thumb);
-    l->thumb_of = at;
-    if (l->thumb.w > 0) {
-        draw_thumb(&l->thumb, canvas, to);
-        side = l->thumb.w + 8;
-    }
-    draw_details(&play->screens.words, meta_of(play, at), canvas,
-                 (struct screen_area){ to.x + side + 4, to.y, to.w - side - 4, to.h });
+    if (i < 0)
+        return;
+    choose(l, i);
+    if (l->thumb.w > 0)
+        side = draw_thumb(&l->thumb, canvas, (struct screen_area){ to.x + 5, to.y + 1, THUMB_SIDE, to.h - 2 }) + 6;
+    draw_details(play, &l->list.list[i].meta, canvas,
+                 (struct screen_area){ to.x + 5 + side, to.y, to.w - 10 - side, to.h });
 }
 
 static const struct screen_def replays = { .title = "Replays",
                                            .rows = rows,
                                            .row = row,
                                            .text = text,
+                                           .change = change,
                                            .accept = accept,
                                            .remove = remove_replay,
                                            .closed = closed,
                                            .height = height,
                                            .draw = draw };
 
+static void list(struct play *play)
+{
+    struct replay_list *l = &play->replay_list;
+
+    replays_close(&l->list);
+    if (!replays_open(&l->list, play_home_cart(play)->manifest.id))
+        screens_show_message(&play->screens, "Out of memory: some replays are not listed");
+    replay_list_changed(play);
+}
+
 void play_open_replays(struct play *play)
 {
+    const struct rom *rom = play_home_cart(play)->rom;
+
     attract_end(&play->attract);
-    replays_close(&play->replay_list.list);
-    play->replay_list.thumb_of = -1;
-    if (!replays_open(&play->replay_list.list, play_cart(play)->manifest.id))
-        screens_show_message(&play->screens, "Out of memory: some replays are not listed");
+    play->replay_list.rom = rom_hash(rom);
+    play->replay_list.game = rom_game_hash(rom);
+    list(play);
     screens_open(&play->screens, &replays, play);
+    screens_choose(&play->screens, rows_above(&play->replay_list)); /* the first replay */
+}
+
+/* ---- importing ---- */
+
+static void find_file(void *context, const struct plat_folder_entry *file)
+{
+    struct replay_list *l = context;
+
+    if (file->is_folder || !files_has_suffix(file->name, ".demo") || strlen(file->name) >= sizeof l->file[0])
+        return;
+    char *name = array_append(&l->file, (size_t)l->files, sizeof l->file[0]);
+    if (!name)
+        return;
+    strcpy(name, file->name);
+    l->files++;
+}
+
+static int import_rows(void *context)
+{
+    return ((struct play *)context)->replay_list.files;
+}
+
+static void import_row(void *context, int at, struct screen_row *row)
+{
+    snprintf(row->label, sizeof row->label, "%.90s", ((struct play *)context)->replay_list.file[at]);
+}
+
+static const char *import_text(void *context)
+{
+    struct replay_list *l = &((struct play *)context)->replay_list;
+    char shown[FILES_PATH_SIZE];
+
+    snprintf(l->text, sizeof l->text, "%s %.200s%s", l->files ? "Files in" : "No replay files in",
+             files_display_name(REPLAY_EXPORTS, shown), l->files ? "" : ". Copy .demo files there.");
+    return l->text;
+}
+
+static bool import(struct play *play, const char *path, char *err, size_t err_size)
+{
+    struct replay_list *l = &play->replay_list;
+    const bool good = replays_import(&l->list, path, play_home_cart(play)->rom, err, err_size);
+
+    replay_list_changed(play);
+    return good;
+}
+
+static void accept_import(void *context, int at)
+{
+    struct play *play = context;
+    char path[sizeof REPLAY_EXPORTS + sizeof play->replay_list.file[0]], err[FILES_ERR_SIZE];
+
+    snprintf(path, sizeof path, REPLAY_EXPORTS "/%s", play->replay_list.file[at]);
+    if (import(play, path, err, sizeof err))
+        screens_show_message(&play->screens, "Imported, and added to the favourites.");
+    else
+        screens_show_message(&play->screens, "Cannot import this file: %s.", err);
+}
+
+static const struct screen_def imports = {
+    .title = "Import Replay", .rows = import_rows, .row = import_row, .text = import_text, .accept = accept_import
+};
+
+static void open_imports(struct play *play)
+{
+    struct replay_list *l = &play->replay_list;
+
+    free(l->file);
+    l->file = NULL;
+    l->files = 0;
+    plat_list(REPLAY_EXPORTS, find_file, l);
+    screens_open(&play->screens, &imports, play);
+}
+
+void play_import_replay(struct play *play, const char *path)
+{
+    const bool open = screens_contain(&play->screens, &replays);
+    char err[FILES_ERR_SIZE];
+
+    if (!open)
+        list(play);
+    if (import(play, path, err, sizeof err))
+        play_show_message(play, MESSAGE_FRAMES, "Replay imported");
+    else
+        play_warn(play, "Cannot import %s: %s", path, err);
+    if (open)
+        screens_show_message(&play->screens, "%s", play->message.text);
+    else
+        closed(play);
 }

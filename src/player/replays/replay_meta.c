@@ -10,7 +10,7 @@
 #include "../../base/hash.h"
 #include "../../common/clean.h"
 
-enum { FORMAT = 1, HEADER_SIZE = 12 /* bytes before the fields */ };
+enum { FORMAT = 2, HEADER_SIZE = 12 /* bytes before the fields */ };
 static const char magic[] = "CCRD";
 
 /* Writes the fields to `out`, or reads them from `in`. */
@@ -18,6 +18,7 @@ struct walk {
     uint8_t *out; /* NULL: read */
     const uint8_t *in;
     size_t at, size;
+    uint32_t format;
     bool failed;
 };
 
@@ -102,8 +103,13 @@ static void walk(struct walk *w, struct replay_meta *c)
     for (int p = 0; p < MAX_PLAYERS; p++)
         WALK(w, c->points[p]);
     walk_text(w, c->name, sizeof c->name);
+    if (w->format > 1) {
+        WALK(w, c->is_favourite);
+        walk_text(w, c->stage, sizeof c->stage);
+        walk_text(w, c->mission, sizeof c->mission);
+    }
     WALK(w, rows);
-    w->failed = w->failed || end >= REPLAY_ENDS || rows > REPLAY_MAX_ROWS || c->first > c->last;
+    w->failed = w->failed || c->is_favourite > 1 || end >= REPLAY_ENDS || rows > REPLAY_MAX_ROWS || c->first > c->last;
     c->end = w->failed ? REPLAY_LEFT : (enum replay_meta_end)end;
     c->rows = w->failed ? 0 : rows;
     for (int i = 0; i < c->rows; i++)
@@ -113,7 +119,7 @@ static void walk(struct walk *w, struct replay_meta *c)
 size_t replay_meta_write(const struct replay_meta *c, const struct thumb *t, uint8_t *out)
 {
     struct replay_meta copy = *c;
-    struct walk w = { .out = out, .at = HEADER_SIZE, .size = REPLAY_META_HEAD - 4 };
+    struct walk w = { .out = out, .at = HEADER_SIZE, .size = REPLAY_META_HEAD - 4, .format = FORMAT };
     const size_t pixels = (size_t)t->w * (size_t)t->h;
 
     walk(&w, &copy);
@@ -132,7 +138,8 @@ size_t replay_meta_write(const struct replay_meta *c, const struct thumb *t, uin
 /* Returns where the fields end; 0 if the file is not valid metadata. */
 static size_t fields_end(const uint8_t *data, size_t size)
 {
-    if (size < HEADER_SIZE + 4 || memcmp(data, magic, 4) != 0 || bytes_get32(data + 4) != FORMAT)
+    if (size < HEADER_SIZE + 4 || memcmp(data, magic, 4) != 0 || bytes_get32(data + 4) < 1 ||
+        bytes_get32(data + 4) > FORMAT)
         return 0;
     const size_t n = bytes_get32(data + 8);
     if (n > REPLAY_META_HEAD - HEADER_SIZE - 4 || n > size - HEADER_SIZE - 4)
@@ -147,6 +154,7 @@ bool replay_meta_read(struct replay_meta *c, const uint8_t *data, size_t size)
     memset(c, 0, sizeof *c);
     if (w.size == 0)
         return false;
+    w.format = bytes_get32(data + 4);
     walk(&w, c);
     if (!w.failed && w.at == w.size)
         return true;
@@ -183,19 +191,33 @@ static enum replay_meta_end end_of(const struct demo *d, const struct board_mark
                                              : REPLAY_OVER;
 }
 
+/* Copies what a marker within the run says. */
+static void take_marker(struct replay_meta *c, const struct board_marker *m)
+{
+    if (m->kind == MARKER_STAGE)
+        snprintf(c->stage, sizeof c->stage, "%s", m->name);
+    else if (m->kind == MARKER_MISSION)
+        snprintf(c->mission, sizeof c->mission, "%s", m->name);
+    else if (m->kind == MARKER_DIFFICULTY)
+        snprintf(c->difficulty, sizeof c->difficulty, "%.15s", m->name);
+}
+
 bool replay_meta_of_demo(struct replay_meta *c, const struct demo *d)
 {
     const struct demo_marker *game = NULL, *over = NULL;
 
+    memset(c, 0, sizeof *c);
     for (uint32_t i = 0; i < d->n_markers; i++) {
         if (d->markers[i].marker.kind == MARKER_GAME) {
+            memset(c, 0, sizeof *c);
             game = &d->markers[i];
             over = NULL;
         } else if (d->markers[i].marker.kind == MARKER_OVER && game) {
             over = &d->markers[i];
+        } else if (game && !over) {
+            take_marker(c, &d->markers[i].marker);
         }
     }
-    memset(c, 0, sizeof *c);
     if (!game)
         return false;
     c->rom = d->rom_hash;

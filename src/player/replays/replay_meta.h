@@ -1,10 +1,11 @@
 /*
  * replay_meta.h - the metadata of a replay, which lists show without reading the demo: a small file NAME.card.
  *
- * Little-endian: "CCRD", u32 format 1, u32 n, n bytes of fields (replay_meta.c has their order), u32 CRC-32 of all
+ * Little-endian: "CCRD", u32 format 2, u32 n, n bytes of fields (replay_meta.c has their order), u32 CRC-32 of all
  * bytes so far; then u8 w and u8 h of the thumbnail, w x h pixels in the palette of thumb.h, u32 CRC-32 of these. A
  * list reads only the first REPLAY_META_HEAD bytes. Metadata can be rebuilt from the demo, except for the name, the
- * thumbnail, the difficulty and the rows of score tables.
+ * favourite mark, the thumbnail and the rows of score tables. Format 1, which is still read, lacks the favourite mark,
+ * the stage and the mission.
  */
 #ifndef PLAYER_REPLAY_META_H
 #define PLAYER_REPLAY_META_H
@@ -41,6 +42,8 @@ struct replay_meta {
     char id[32], ship[32], difficulty[16];
     int64_t points[MAX_PLAYERS];
     char name[REPLAY_NAME_SIZE]; /* UTF-8; "": none */
+    uint8_t is_favourite;        /* 1: not removed automatically */
+    char stage[32], mission[32]; /* the last stage that was played; "": none or unknown */
     int rows;
     struct replay_meta_row row[REPLAY_MAX_ROWS];
 };

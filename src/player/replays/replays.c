@@ -325,6 +325,14 @@ bool replays_name(struct replays *r, int i, const char *name, char *err, size_t 
     return replace_meta(r, i, &c, NULL, err, err_size);
 }
 
+bool replays_set_favourite(struct replays *r, int i, bool on, char *err, size_t err_size)
+{
+    struct replay_meta c = r->list[i].meta;
+
+    c.is_favourite = on;
+    return replace_meta(r, i, &c, NULL, err, err_size);
+}
+
 bool replays_add_row(struct replays *r, int i, const struct replay_meta_row *row, struct unsaved **unsaved, char *err,
                      size_t err_size)
 {
@@ -357,7 +365,7 @@ static bool is_protected(const struct replay_meta *c,
     for (int i = 0; in_table && i < c->rows; i++)
         if (in_table(context, &c->row[i]))
             return true;
-    return c->name[0] != 0;
+    return c->name[0] != 0 || c->is_favourite;
 }
 
 void replays_prune(struct replays *r, int keep, bool (*in_table)(void *context, const struct replay_meta_row *row),
@@ -374,6 +382,68 @@ void replays_prune(struct replays *r, int keep, bool (*in_table)(void *context, 
             i++; /* try again next time */
         }
     }
+}
+
+/* ---- importing ---- */
+
+static bool is_saved(const struct replays *r, uint64_t hash)
+{
+    for (int i = 0; i < r->n; i++)
+        if (r->list[i].meta.hash == hash)
+            return true;
+    return false;
+}
+
+/* Returns why a demo can't be imported; NULL: it can. */
+static const char *refusal(const struct replays *r, const struct replay_meta *c, uint64_t hash, const struct rom *rom)
+{
+    if (strcmp(c->id, r->id) != 0)
+        return "it was recorded in another game";
+    if (is_saved(r, hash))
+        return "it is in the list already";
+    if (c->core > CORE_VERSION)
+        return "it was recorded with a newer version of Curtain";
+    if (c->rom != rom_hash(rom) && c->game != rom_game_hash(rom) && !roms_has(c->id, c->rom))
+        return "it was recorded in another version of this game, which is not stored here";
+    return NULL;
+}
+
+/* Returns the date in a file's name, "ID-20261123-154412.demo", or now. */
+static int64_t date_of_file(const char *path)
+{
+    const char *name = path;
+    int64_t date;
+
+    for (const char *s = path; *s; s++)
+        if (strchr("/\\:-", *s))
+            name = date_of(s + 1, &date) ? s + 1 : name;
+    return date_of(name, &date) ? date : (int64_t)time(NULL);
+}
+
+bool replays_import(struct replays *r, const char *path, const struct rom *rom, char *err, size_t err_size)
+{
+    struct demo d;
+    struct replay_meta c;
+    uint8_t *bytes;
+    size_t size;
+
+    if (!files_read(path, path, DEMO_MAX_BYTES, &bytes, &size, err, err_size))
+        return false;
+    bool good = demo_read(&d, bytes, size, err, err_size);
+    if (good && !replay_meta_of_demo(&c, &d))
+        good = err_set(err, err_size, "it is not a recording of a game");
+    const char *why = good ? refusal(r, &c, hash_bytes(0, bytes, size), rom) : NULL;
+    if (why)
+        good = err_set(err, err_size, "%s", why);
+    c.is_favourite = 1;
+    if (good) {
+        c.date = date_of_file(path);
+        good = replays_add(r, bytes, size, &c, NULL, err, err_size);
+        qsort(r->list, (size_t)r->n, sizeof r->list[0], by_stem);
+    }
+    demo_free(&d);
+    free(bytes);
+    return good;
 }
 
 /* ---- rows and ROMs ---- */

@@ -10,6 +10,7 @@
 
 #include "replay_meta.h"
 #include "unsaved.h"
+#include "../../rom/rom.h"
 
 enum { REPLAY_STEM = 24, REPLAY_PATH = 96, REPLAYS_MAX = 9999 /* of a game; more are not listed */ };
 
@@ -43,17 +44,23 @@ bool replays_thumb(const struct replays *r, int i, struct thumb *t);
 bool replays_add(struct replays *r, const uint8_t *demo, size_t size, const struct replay_meta *c,
                  const struct thumb *t, char *err, size_t err_size);
 
-/* Change a replay's metadata: replays_name sets its name (see replay_meta_take_name; "": none), replays_add_row adds a
- * row, which replaces the last one if there are already REPLAY_MAX_ROWS. On failure, return false and set err. */
+/* Change a replay's metadata: replays_name sets its name (see replay_meta_take_name; "": none), replays_set_favourite
+ * adds or removes the favourite mark, replays_add_row adds a row, which replaces the last one if there are already
+ * REPLAY_MAX_ROWS. On failure, return false and set err. */
 bool replays_name(struct replays *r, int i, const char *name, char *err, size_t err_size);
+bool replays_set_favourite(struct replays *r, int i, bool on, char *err, size_t err_size);
 bool replays_add_row(struct replays *r, int i, const struct replay_meta_row *row, struct unsaved **unsaved, char *err,
                      size_t err_size);
 
 /* Removes a replay. On failure, returns false and sets err. */
 bool replays_delete(struct replays *r, int i, char *err, size_t err_size);
 
-/* Of the replays without a name and without a row that is still in its table (in_table), removes the oldest until
- * `keep` are left. in_table may be NULL: no row is in a table. */
+/* Adds a demo file as a favourite. Refuses, with the reason in err, demos of other games, of practice, of versions of
+ * the game that are neither `rom` nor stored, and demos that are listed already. */
+bool replays_import(struct replays *r, const char *path, const struct rom *rom, char *err, size_t err_size);
+
+/* Of the replays that are no favourites, have no name and no row that is still in its table (in_table), removes the
+ * oldest until `keep` are left. in_table may be NULL: no row is in a table. */
 void replays_prune(struct replays *r, int keep, bool (*in_table)(void *context, const struct replay_meta_row *row),
                    void *context);
 

@@ -84,6 +84,9 @@ static void print_json(const char *path, const struct replay_meta *c)
     json_text(&j, "game", c->id);
     json_text(&j, "ship", c->ship);
     json_text(&j, "difficulty", c->difficulty);
+    json_text(&j, "stage", c->stage);
+    json_text(&j, "mission", c->mission);
+    json_bool(&j, "favourite", c->is_favourite);
     json_open(&j, "score", '[');
     for (int p = 0; p < MAX_PLAYERS; p++)
         json_number(&j, NULL, c->points[p]);
