@@ -129,7 +129,7 @@ static void report_shortage(const struct board *b, struct board_fault *f)
                  b->output->shortage_location, b->output->too_long_size, (int)MAX_TEXT);
         return;
     }
-    const bool in_one_frame = can_wait(b) && heap_work(b->vm.heap) - b->vm.swept_heap_work > b->vm.heap_size / 2;
+    const bool in_one_frame = can_wait(b) && heap_work(b->vm.heap) - b->vm.swept_heap_work > heap_used(b->vm.heap) / 2;
     snprintf(f->message, sizeof f->message, "%sout of Lua memory (%d KiB); raise `board.lua_kib` in rom.lua%s",
              b->output->shortage_location, b->cart.manifest.lua_kib,
              b->output->in_deep_calls ? " (calls nested deeply: infinite recursion?)"
