@@ -164,7 +164,7 @@ static int list(struct work all[WORKS])
     all[n++] = work("stb", "public domain", "PNG reader and writer, font reader",
                     "Sean Barrett and others; also available under MIT", no_notice);
     all[n++] =
-        work("Misaki", "free", "Japanese characters of the game Glass Tide", "Copyright 2002-2021 Num Kadoma", misaki);
+        work("Misaki", "free", "Japanese characters, in games that use them", "Copyright 2002-2021 Num Kadoma", misaki);
     n += describe_port(&all[n]);
 #ifdef __GLIBC__
     all[n] = work("glibc", "LGPL 2.1", "system C library", "the GNU C Library", system_library);

@@ -105,7 +105,7 @@ struct art_font {
     char extra_chars[ART_CHARS_SIZE]; /* characters to pack even if no text uses them */
     bool fixed;                       /* all cells have the same width */
     bool shadow;
-    bool optional;                    /* packed only if the file exists */
+    bool optional; /* packed only if the file exists */
     bool by_index;
 };
 
@@ -193,7 +193,7 @@ struct art {
     bool by_index;            /* of the font, and the default for other pictures */
     char icon[ART_FILE_SIZE]; /* a .png file, or the name of a sprite; "": none */
     struct art_theme theme;
-    char practice[8];         /* "all" or "reached": the sections open for practice; "": not given */
+    char practice[8]; /* "all" or "reached": the sections open for practice; "": not given */
     struct art_palette palettes[MAX_ART_PALETTES];
     struct art_blend blends[MAX_ART_BLENDS];
     struct art_font fonts[MAX_ART_FONTS];

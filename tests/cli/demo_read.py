@@ -13,7 +13,7 @@ import zlib
 CODES = 54  # bits 10 to 15 of a pad: 0 to 53
 MOST = {b"H": 1122304, b"S": 8904, b"M": 42, b"F": 4, b"E": 520}  # bytes of a payload
 KINDS = ["stage", "point", "wave", "boss", "phase", "death", "clear", "won", "lost", "start", "ship", "register",
-         "listed", "game", "over", "row"]
+         "listed", "game", "over", "row", "difficulty", "mission"]
 
 
 class Bad(Exception):

@@ -300,7 +300,7 @@ struct details {
     struct {
         const char *label;
         char value[64];
-    } line[10];
+    } line[11];
     int n;
 };
 
@@ -314,8 +314,12 @@ static void list_details(struct play *play, const struct replay_meta *c, struct 
 {
     enum { SIZE = sizeof d->line[0].value };
     const unsigned seconds = (c->last - c->first) / 60;
+    char date[SIZE];
 
-    date_text(c->date, add_line(d, "Date"), SIZE);
+    date_text(c->date, date, sizeof date); /* "2027-01-15 08:00" is wider than the column */
+    snprintf(add_line(d, "Date"), SIZE, "%.10s", date);
+    if (strlen(date) > 11)
+        snprintf(add_line(d, "Time"), SIZE, "%s", date + 11);
     if (c->mission[0] || c->stage[0])
         snprintf(add_line(d, c->mission[0] ? "Mission" : "Reached"), SIZE, "%s", place_title(play, c));
     if (c->ship[0])
@@ -325,7 +329,7 @@ static void list_details(struct play *play, const struct replay_meta *c, struct 
                  sections_title(practice_sections(&play->practice), MARKER_DIFFICULTY, c->difficulty));
     for (int p = 0; p < (c->players > 1 ? 2 : 1); p++)
         score_text(c->points[p], add_line(d, p ? "Score 2P" : "Score"), SIZE);
-    snprintf(add_line(d, "Time"), SIZE, "%u:%02u", seconds / 60, seconds % 60);
+    snprintf(add_line(d, "Length"), SIZE, "%u:%02u", seconds / 60, seconds % 60);
     end_text(c, add_line(d, "End"), SIZE);
     if (play->replay_list.version != REPLAY_CURRENT)
         snprintf(add_line(d, "Version"), SIZE, "%s",
@@ -432,11 +436,16 @@ static void import_row(void *context, int at, struct screen_row *row)
 
 static const char *import_text(void *context)
 {
-    struct replay_list *l = &((struct play *)context)->replay_list;
+    struct play *play = context;
+    struct replay_list *l = &play->replay_list;
     char shown[FILES_PATH_SIZE];
 
-    snprintf(l->text, sizeof l->text, "%s %.200s%s", l->files ? "Files in" : "No replay files in",
-             files_display_name(REPLAY_EXPORTS, shown), l->files ? "" : ". Copy .demo files there.");
+    files_display_name(REPLAY_EXPORTS, shown);
+    if (l->files)
+        screens_format(&play->screens, l->text, sizeof l->text, "Files in %s", shown);
+    else
+        screens_format(&play->screens, l->text, sizeof l->text, "No replay files in %s. Copy .demo files there.",
+                       shown);
     return l->text;
 }
 
