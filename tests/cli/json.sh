@@ -77,7 +77,7 @@ tell run.demo >line
 got=$?
 same 'differs: exit code 1' 1 $got
 same 'where' '"differs"' "$(field verdict <line)"
-same 'parts' '["script", "player", "fix"]' "$(field difference.parts <line)"
+same 'parts' '["script", "player"]' "$(field difference.parts <line)"
 same 'no score is reported' 0 "$(grep -c '"score"\|"moments"' line)"
 same 'the doubt' '"recorded with another game version"' "$(field doubt <line)"
 sed -i 's/score.add(20/score.add(10/' g/main.lua

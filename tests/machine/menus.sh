@@ -113,9 +113,13 @@ end)
 boot.run { stages = { "one", "two" }, players = { "ship" }, continues = 1,
   pause = { { "Map", function() print "map" end }, { "Sonar", function() print "sonar" end } },
   screens = { title = function() print "title" wait(1) return "start" end, results = function() end,
-    difficulty = function() return "normal" end } }
+    start = function() return { difficulty = "normal" } end } }
 LUA
-run() { play run --no-resume; } # standard input are the keys
+# Standard input are the keys. The choices of the run before are not there, as they would be in the demo.
+run() {
+    rm -f data/curtain/probe.nv
+    play run --no-resume
+}
 log() { tr '\n' ' ' <err; }
 entry() { press $ESCAPE; times "$1" $DOWN; press $ENTER; } # N: the entry after Resume
 TAB=43 PAD_START=1000
@@ -152,6 +156,7 @@ same 'and Escape opens the menu' 'title one two one two ' "$(log)"
 
 # ---- leaving ----
 
+rm data/curtain/probe.nv
 unchanged 'Quit asks, and No comes first' < <(keys 40; press $ESCAPE $UP $ENTER; keys 1 $ENTER; keys 1 $ESCAPE; keys 60)
 leaves() { # NAME: with the keys of standard input the program ends after frame 40
     play g

@@ -325,25 +325,25 @@ TEST(marks)
     }
 }
 
-/* A phase that is practised has its own music, or the boss's, from its first frame on; what the phase before had too
- * plays while the boss flies in. */
+/* A phase that is practised has its own music, or the boss's, from its first frame on, which follows the frame that
+ * looks for the boss in the stages; what the phase before had too plays while the boss flies in. */
 TEST(phases)
 {
     static const struct {
         const char *script, *section, *changes;
     } tries[] = {
-        { "one({ music = 'tide' }, phase('a', 90, { music = 'deep' }))", "b/a", "0 tide 3, 60 deep 2" },
+        { "one({ music = 'tide' }, phase('a', 90, { music = 'deep' }))", "b/a", "0 tide 3, 61 deep 2" },
         { "one({ music = 'tide' }, phase('a', 90, { music = 'deep' }), phase('c', 90, { music = 'deep' }))", "b/c",
-          "0 deep 2" },
-        { "one({ music = 'tide' }, phase('a', 90), phase('c', 90, { music = 'deep' }))", "b/c", "0 tide 3, 60 deep 2" },
+          "0 tide 3, 1 deep 2" },
+        { "one({ music = 'tide' }, phase('a', 90), phase('c', 90, { music = 'deep' }))", "b/c", "0 tide 3, 61 deep 2" },
         { "one({ music = 'tide' }, phase('a', 90, { music = 'deep' }), phase('c', 90))", "b/c", "0 tide 3" },
-        { "one({ music = 'deep' }, phase('a', 90))", "s", "0 tide 3" },
+        { "one({ music = 'deep' }, phase('a', 90))", "s", "0 tide 3, 30 deep 2" },
     };
 
     for (size_t i = 0; i < sizeof tries / sizeof *tries; i++) {
         char text[1024];
         snprintf(text, sizeof text,
-                 "%s stage.def('s', function() wait(forever) end, { music = 'tide' })\n"
+                 "%s stage.def('s', function() boss.fight('b') end, { music = 'tide' })\n"
                  "boot.run { stages = { 's' }, players = { 'ship' } }",
                  tries[i].script);
         power_from(text, tries[i].section);

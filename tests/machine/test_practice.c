@@ -532,7 +532,7 @@ TEST(menu)
     /* Over the line between, from the section that was played: speed, hitbox, invincible, power, bombs, lives. */
     assert_int_equal(TAP(up, up, right, up, fire, up, left, up, right, up, (uint16_t)(left | PAD_FOCUS)), STAYS);
     assert_int_equal(TAP(up, (uint16_t)(right | PAD_FOCUS), right, up, right, right, fire), STAYS);
-    assert_int_equal(menu.speed, 60);
+    assert_int_equal(menu.speed, 55);
     assert_true(menu.hitbox);
     assert_int_equal(TAP(up, up, up, fire), STARTS); /* the title, round the end: the knight's heading is passed over */
     practice_chosen(&menu, &got);

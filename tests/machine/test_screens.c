@@ -344,7 +344,9 @@ TEST(own_entries)
         "local function count() n = n + 1 hud.put(2, 20, 'N' .. n) wait(30) hud.put(2, 21, 'LATER') end\n"
         "boot.run { players = { 'heron' }, stages = { 'long' },\n"
         "  pause = { { 'Stop', function() board.stop(10) end }, { 'Count the shells on the beach \u30a2', count } },\n"
-        "  screens = { title = function() wait(1) return 'start' end, difficulty = function() return 'calm' end } }");
+        "  screens = { title = function() wait(1) return 'start' end, start = function() return { difficulty = 'calm' "
+        "} "
+        "end } }");
     frames(60);
     const struct inspect_pause pause = inspect_pause(r.b);
     assert_int_equal(pause.entry_count, 2);

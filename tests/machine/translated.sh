@@ -52,13 +52,21 @@ play() { # [ARGUMENT...]
 { keys 20; press $ENTER; keys 60; keys 200 $Z; press $ESCAPE; keys 4; } | play
 # The unfinished run: the question whether to resume it.
 { keys 20; press $DOWN $UP $DOWN $ENTER; keys 20; } | play
-# In a run, each entry of the menu: its rows and their values, and what is asked and said on the way.
+# The rows of a screen and their values, and what is asked and said on the way.
+walk() {
+    repeat 42 $RIGHT $RIGHT $RIGHT $RIGHT $DOWN
+    press $UP $ENTER $X $ENTER $ESCAPE $DOWN $ENTER $Z $DOWN $DELETE $DOWN $ENTER
+    repeat 4 $DOWN
+    press $UP $ENTER $ESCAPE $ESCAPE
+}
+for page in $(seq 0 5); do
+    { keys 20; press $ESCAPE $DOWN $ENTER; repeat "$page" $DOWN; press $ENTER; walk; } | play --no-resume
+done
+{ keys 20; press $ESCAPE $DOWN $ENTER $DOWN $DOWN $DOWN $DOWN $ENTER $UP $ENTER $DOWN $ENTER; } | play --no-resume
+# In a run, each entry of the menu.
 for entry in $(seq 0 10); do
-    { keys 20; press $ENTER; keys 60; keys 200 $Z; press $ESCAPE; repeat "$entry" $DOWN; press $ENTER
-        repeat 42 $RIGHT $RIGHT $RIGHT $RIGHT $DOWN
-        press $UP $ENTER $X $ENTER $ESCAPE $DOWN $ENTER $Z $DOWN $DELETE $DOWN $ENTER
-        repeat 4 $DOWN
-        press $UP $ENTER $ESCAPE $ESCAPE; } | play --no-resume
+    { keys 20; press $ENTER; keys 60; keys 200 $Z; press $ESCAPE; repeat "$entry" $DOWN; press $ENTER; walk; } |
+        play --no-resume
     { keys 20; press $ENTER; keys 60; keys 200 $Z; press $ESCAPE; repeat "$entry" $DOWN
         press $ENTER $UP $ENTER $ESCAPE $ENTER $DOWN $ENTER $ESCAPE $ESCAPE; } | play --no-resume
 done
@@ -76,7 +84,8 @@ for text in sorted({row[1:] for row in rows if row[0] == "-"}):
                 not all(map(is_key, line.split(", "))):
             print(line)
 PY
-own='Pixel|Plain|2027.*|Stage one' # the languages' own names, dates, the game's names
+# The languages' own names, dates, the game's names, and the question in a language without words.
+own="Pixel|Plain|2027.*|Stage one|Restart now to change the game's language.*"
 same 'every text has a translation' '' "$(python3 untranslated.py | grep -vxE "$own" | sort -u)"
 for text in 'Fill the screen.' 'Off' 'Play time: %d:%d' 'Reset all key bindings?' 'No attempts yet.' 'Watch' \
     '%s: removed %s' 'Press a button to identify a controller.' 'Quit? You can resume this run next time.' Confirm; do
@@ -84,7 +93,7 @@ for text in 'Fill the screen.' 'Off' 'Play time: %d:%d' 'Reset all key bindings?
 done
 same 'nothing is printed' '' "$(cat err)"
 
-# The row Language, the last but one: en.txt has only a name, and is therefore the language of the scripts.
+# The row Language, the last one: en.txt has only a name, and is therefore the language of the scripts.
 game own <<'LUA'
 task.go(function() board.ask("settings") end)
 LUA
@@ -97,7 +106,7 @@ choose() { # NAME LANG KEY... -- TEXT...: with this setting and after these keys
     printf 'lang = %s\n' "$2" >data/curtain/curtain.conf
     shift 2
     while [ "$1" != -- ]; do keys+=("$1"); shift; done
-    { keys 20; press $UP $UP "${keys[@]}"; } >script
+    { keys 20; press $UP "${keys[@]}"; } >script
     ./player play own --no-resume <script >out 2>>err
     shift
     for text; do check "$name: $text" grep -qx -- "$text" <(tail -n 200 lookups); done

@@ -215,16 +215,16 @@ mission.def('a', { title = 'A', stage = 'one', clear = true, medals = { 5 } })
 --load: what boot.run finds in missions
 mission.def('a', { title = 'A', stage = 'one', goal = { chian = 5 } })
 boot.run { stages = { 'one' }, players = { 'heron' } }
---! main.lua:208: mission.def: unknown count "chian" (did you mean "chain"?)
+--! main.lua:216: mission.def: unknown count "chian" (did you mean "chain"?)
 mission.def('a', { title = 'A', stage = 'oen', clear = true })
 boot.run { stages = { 'one' }, players = { 'heron' } }
---! main.lua:211: mission.def: unknown stage "oen" (did you mean "one"?)
+--! main.lua:219: mission.def: unknown stage "oen" (did you mean "one"?)
 mission.def('a', { title = 'A', boss = 'king', phase = 'bew', clear = true })
 boot.run { stages = { 'one' }, players = { 'heron' } }
---! main.lua:214: mission.def: unknown phase "bew" (did you mean "bow"?)
+--! main.lua:222: mission.def: unknown phase "bew" (did you mean "bow"?)
 mission.def('a', { title = 'A', stage = 'one', clear = true, ship = 'tern' })
 boot.run { stages = { 'one' }, players = { 'heron' } }
---! main.lua:217: mission.def: unknown ship "tern" (did you mean "heron"?)
+--! main.lua:225: mission.def: unknown ship "tern" (did you mean "heron"?)
 mission.def('a', { title = 'A', stage = 'one', clear = true, registers = { bmobs = 1 } })
 boot.run { stages = { 'one' }, players = { 'heron' } }
---! main.lua:220: mission.def: unknown register "bmobs" (did you mean "bombs"?)
+--! main.lua:228: mission.def: unknown register "bmobs" (did you mean "bombs"?)
