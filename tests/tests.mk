@@ -82,14 +82,12 @@ walks: deps-play-test
 $(OUT)/walks: tests/walks/walks.c $(NO_ROM)
 	$(call link,-fno-instrument-functions -Wno-frame-address -Itests)
 
-# Lines of the sources that make test runs, by directory, in build/coverage/report.txt.
-coverage: deps-play-test-all
+# Lines of the sources that make test runs, by directory, in build/coverage/report.txt. Tests of what is in the programs
+# (lint/objects.sh, machine/library.sh, cli/export.sh) fail here: the counters are in them, too.
+coverage: deps-play-test
 	@$(MAKE) $(JOBS) CONFIG=coverage OPT="-O0 --coverage" programs
-	@OUT=build/coverage tests/run.sh test >build/coverage/tests.txt || tail -n 1 build/coverage/tests.txt
-	@gcovr -r . --object-directory build/coverage -f src/ -f fb/ --csv | awk -F, ' \
-		NR > 1 { split($$1, d, "/"); k = d[1] == "fb" ? "fb" : d[1] "/" d[2]; n[k] += $$2; c[k] += $$3; N += $$2; C += $$3 } \
-		END { for (k in n) printf "%-16s %6d of %6d lines\n", k, c[k], n[k]; print C " of " N " lines" }' | \
-		sort >build/coverage/report.txt
+	@OUT=build/coverage GCOV_ERROR_FILE=/dev/null tests/run.sh test >build/coverage/tests.txt || tail -n 1 build/coverage/tests.txt
+	@tests/coverage.py build/coverage >build/coverage/report.txt
 	@cat build/coverage/report.txt
 
 # A monkey in the window's screens, in several games, for thousands of frames, under both sanitizers.

@@ -104,7 +104,6 @@ for what; do
         ls /usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.msan-* >/dev/null 2>&1 || need libclang-rt-14-dev
         have valgrind || need valgrind
         have cppcheck || need cppcheck
-        have gcovr || need gcovr
         have chromium || need chromium
         have chromedriver || need chromium-driver
         have debootstrap || need debootstrap
