@@ -125,11 +125,7 @@ uninstall:
 check: deps-test
 	@$(MAKE) $(JOBS) checked
 	@OUT=$(OUT) tests/run.sh check $(ONLY)
-ifeq ($(UNAME),Darwin)
-test: deps-play-test
-	-@$(MAKE) $(JOBS) -k $(OUT)/curtain-null $(UNIT) $(filter-out $(QUAD_TESTS),$(MACHINE))
-	@OUT=$(OUT) tests/macos/run.sh
-else
+ifneq ($(UNAME),Darwin)
 test: deps-play-test
 	@$(MAKE) $(JOBS) $(if $(ONLY),named,build/curtain build/curtain-null programs)
 	@OUT=$(OUT) tests/run.sh test $(ONLY)

@@ -5,3 +5,8 @@ PKG_CONFIG := PKG_CONFIG_PATH="$(BREW)/opt/lua@5.4/lib/pkgconfig:$$PKG_CONFIG_PA
 SYSTEM_C  := -isystem build/include -isystem $(BREW)/include
 SYSTEM_L  := -L$(BREW)/lib -Wl,-rpath,$(BREW)/lib
 LINK_MAP   = -Wl,-map,$@.map
+
+# What can be tested there.
+test: deps-play-test
+	-@$(MAKE) $(JOBS) -k $(OUT)/curtain-null $(UNIT) $(filter-out $(QUAD_TESTS),$(MACHINE))
+	@OUT=$(OUT) tests/macos/run.sh
