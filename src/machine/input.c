@@ -5,6 +5,7 @@
 
 static const struct column columns[] = {
     COLUMN(input, held),
+    COLUMN(input, played),
     COLUMN(input, pressed),
     COLUMN(input, released),
     COLUMN(input, repeated),
@@ -26,9 +27,7 @@ static uint16_t cancel_opposites(uint16_t pads)
     return (uint16_t)v;
 }
 
-/* Bits of `held` that store the buttons of input_play: the directions and fire in 10 to 14, focus in 15. Left and right
- * cancel out, so both stand for no button. */
-enum { PLAYED_SHIFT = 10, PLAYED_FOCUS_SHIFT = 9, PLAYED_LOW = PAD_UP | PAD_DOWN | PAD_LEFT | PAD_RIGHT | PAD_FIRE };
+enum { IS_PLAYED = 1 << 15 }; /* of `played` */
 
 static uint64_t *presses_of(struct input *in, uint32_t p, uint32_t button, enum press_side side)
 {
@@ -68,29 +67,22 @@ static void record_presses(struct input *in, uint32_t p, enum press_side side)
 
 void input_play(struct input *in, uint32_t p, unsigned pads)
 {
-    const unsigned v = cancel_opposites((uint16_t)pads), low = v & PLAYED_LOW, focus = v & PAD_FOCUS;
-
-    in->held[p] = (uint16_t)((in->held[p] & PAD_ALL) | (low | focus ? low : PAD_LEFT | PAD_RIGHT) << PLAYED_SHIFT |
-                             focus << PLAYED_FOCUS_SHIFT);
-    for (unsigned m = v & (PAD_BOMB | PAD_SPECIAL); m; m &= m - 1)
+    in->played[p] = (uint16_t)(IS_PLAYED | cancel_opposites((uint16_t)pads));
+    for (unsigned m = pads & (PAD_BOMB | PAD_SPECIAL); m; m &= m - 1)
         *presses_of(in, p, bits_lowest(m), PRESS_GAME) |= 1;
 }
 
 bool input_end_play(struct input *in, uint32_t p)
 {
-    const bool was_played = in->held[p] & ~PAD_ALL;
+    const bool was_played = in->played[p];
 
-    in->held[p] &= PAD_ALL;
+    in->played[p] = 0;
     return was_played;
 }
 
 unsigned input_held(const struct input *in, uint32_t p)
 {
-    const unsigned held = in->held[p];
-
-    if (held <= PAD_ALL)
-        return held;
-    return cancel_opposites((uint16_t)((held >> PLAYED_SHIFT & PLAYED_LOW) | (held >> PLAYED_FOCUS_SHIFT & PAD_FOCUS)));
+    return in->played[p] ? in->played[p] & PAD_ALL : in->held[p];
 }
 
 void input_clear_edges(struct input *in)
@@ -104,8 +96,9 @@ void input_latch(struct input *in, const uint16_t pads[MAX_PLAYERS], enum press_
     if (!carry)
         input_clear_edges(in);
     for (int p = 0; p < MAX_PLAYERS; p++) {
-        unsigned now = cancel_opposites(pads[p]), was = in->held[p] & PAD_ALL;
+        unsigned now = cancel_opposites(pads[p]), was = in->held[p];
         in->held[p] = (uint16_t)now;
+        in->played[p] = 0;
         in->pressed[p] |= (uint16_t)(now & ~was);
         in->released[p] |= (uint16_t)(was & ~now);
         count_frames(in, (uint32_t)p, now, was);

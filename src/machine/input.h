@@ -20,13 +20,13 @@ enum press_side { PRESS_GAME, PRESS_PAUSE, PRESS_SIDES, PRESS_NOBODY = PRESS_SID
 
 struct input {
     struct slots s;    /* a list of two entries, one per player */
-    uint16_t *held;    /* the player's buttons; above PAD_ALL those of input_play */
+    uint16_t *held;    /* the player's buttons */
+    uint16_t *played;  /* 0, or the buttons of input_play and a mark that it was called */
     uint16_t *pressed; /* down in this frame, up in the previous one */
     uint16_t *released;
     uint16_t *repeated;    /* pressed, and again every few frames while held */
     uint32_t *held_frames; /* PAD_BUTTON_COUNT values per player: frames held */
-    uint64_t
-        *presses; /* PRESS_SIDES * PAD_BUTTON_COUNT values per player; bit k: pressed k frames ago, not yet taken */
+    uint64_t *presses;     /* PRESS_SIDES * PAD_BUTTON_COUNT per player; bit k: pressed k frames ago, not taken yet */
 };
 
 extern const struct chip input_chip;
@@ -37,8 +37,7 @@ extern const struct chip input_chip;
  * the run. */
 void input_latch(struct input *in, const uint16_t pads[MAX_PLAYERS], enum press_side side, bool carry);
 
-/* Makes the ship of player p play by these buttons in this frame, of the directions, fire and focus; bomb and
- * special are presses. */
+/* Makes the ship of player p play by these buttons in this frame. Bomb and special also count as pressed. */
 void input_play(struct input *in, uint32_t p, unsigned pads);
 
 /* Gives the ship of player p the player's own buttons again. Returns whether input_play was called in this frame. */
