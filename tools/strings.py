@@ -21,9 +21,12 @@ LITERAL = r'"((?:[^"\\\n]|\\.)*)"'
 ANY = LITERAL.replace("((", "(?:(")
 # A string is one or several literals.
 STRING = re.compile(r"%s(?:\s*(?:PRI\w+\s*)?%s)*" % (ANY, ANY))
-# Comments, and calls whose text is for a file, a terminal or the line over the picture.
-SKIPPED = re.compile(r"/\*.*?\*/|^#.*?$|\b(?:err_set|play_log|play_warn|strn?cmp|play_show_message)\((?:[^;\"]|%s)*;"
+# Comments, and calls whose text is for a file or a terminal.
+SKIPPED = re.compile(r"/\*.*?\*/|^#.*?$|\b(?:err_set|play_log|strn?cmp)\((?:[^;\"]|%s)*;"
                      % ANY, re.S | re.M)
+# Calls with a format for the player.
+FORMATTED = re.compile(r"\b(?:screens_format|screens_show_message|play_show_message|play_warn|show)\((?:[^;\"]|%s)*;"
+                       % ANY)
 CONVERSION = re.compile(r"%[-+ 0]*\d*(?:\.\d+)?(?:l|ll|z|h)?[duix]|(?<![A-Za-z])\d+")
 ESCAPES = {"n": "\n", '"': '"', "\\": "\\"}
 
@@ -59,7 +62,7 @@ def collect():
             # text of several lines is translated line by line, unless it is a format
             found.update([text] if "%s" in text else text.split("\n"))
     for source in sources(["src/player/*/*.c"]):
-        for call in re.findall(r"\bscreens_(?:format|show_message)\((?:[^;\"]|%s)*;" % ANY, source):
+        for call in FORMATTED.findall(source):
             found.update(strings(call))
     for source in sources(TABLES):
         for row in re.findall(r"\{((?:[^{}\";]|%s)*)\}" % ANY, source):

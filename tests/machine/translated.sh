@@ -38,7 +38,7 @@ mkdir -p g/lang data/curtain
 "$curtain" help lang | sed -E 's/(.*) =$/\1 = ~\1/; :a; s/(= .*\\n)([^~])/\1~\2/; ta' >g/lang/px.txt
 echo 'name = Pixel' >>g/lang/px.txt
 echo 'name = Plain' >g/lang/en.txt
-ENTER=40 ESCAPE=41 DELETE=76 RIGHT=79 LEFT=80 DOWN=81 UP=82 X=27 Z=29
+ENTER=40 ESCAPE=41 DELETE=76 MINUS=45 RIGHT=79 LEFT=80 DOWN=81 UP=82 X=27 Z=29
 press() { for key; do keys 1 "$key"; keys 2; done; }
 repeat() { local i; for i in $(seq "$1"); do press "${@:2}"; done; } # N KEY...
 # Plays from the script, as an unfinished run if the title is left, and adds to the file seen.
@@ -70,6 +70,7 @@ for entry in $(seq 0 10); do
     { keys 20; press $ENTER; keys 60; keys 200 $Z; press $ESCAPE; repeat "$entry" $DOWN
         press $ENTER $UP $ENTER $ESCAPE $ENTER $DOWN $ENTER $ESCAPE $ESCAPE; } | play --no-resume
 done
+{ keys 20; press $MINUS; keys 9; } | play --no-resume
 cat >untranslated.py <<'PY'
 import re, sys
 
@@ -88,7 +89,8 @@ PY
 own="Pixel|Plain|2027.*|Stage one|Restart now to change the game's language.*"
 same 'every text has a translation' '' "$(python3 untranslated.py | grep -vxE "$own" | sort -u)"
 for text in 'Fill the screen.' 'Off' 'Play time: %d:%d' 'Reset all key bindings?' 'No attempts yet.' 'Watch' \
-    '%s: removed %s' 'Press a button to identify a controller.' 'Quit? You can resume this run next time.' Confirm; do
+    '%s: removed %s' 'Press a button to identify a controller.' 'Quit? You can resume this run next time.' Confirm \
+    'This game has no sound'; do
     check "... among them $text" grep -qxF -- "+$text" seen
 done
 same 'nothing is printed' '' "$(cat err)"

@@ -312,6 +312,33 @@ TEST(rows_are_as_high_as_the_font)
     assert_int_equal(canvas_large_text_width(canvas, "HH"), 17);
 }
 
+/* A plain canvas takes the hiragana a from the game, in its own colour: 8 x 12 px, 5 px below the line's top. Its last
+ * row is a shadow. */
+TEST(letters_that_the_program_lacks_are_the_games)
+{
+    const struct theme *theme = &opened.theme;
+    struct canvas canvas;
+    int lowest = -1, count = 0;
+
+    game.has_theme = true;
+    strcpy(game.settings.font, "tall");
+    bytes_put32(game.face + FACE_HEADER_SIZE, 0x3042);
+    memset(game.face + sizeof game.face - 8, 1, 8);
+    open_canvas();
+    canvas_open(&canvas, &shown.fb, shown.rgb);
+    canvas_rect(&canvas, 0, 0, W, H, CANVAS_DARK);
+    canvas_add_font(&canvas, theme);
+    assert_int_equal(canvas_large_text(&canvas, 10, 20, CANVAS_GREEN, "\u3042"), 10 + 9);
+    for (int i = 0; i < W * H; i++)
+        if (shown.fb.pix[i / W * shown.fb.pitch + i % W] == canvas.colour[CANVAS_GREEN]) {
+            lowest = i / W;
+            count++;
+        }
+    assert_int_equal(count, 8 * 11);
+    assert_int_equal(lowest + 1, 20 + canvas.capital_height - theme->capital_height - theme->capital_top + 5 + 11);
+    assert_true(canvas_line_height(&canvas) > CANVAS_LARGE_LINE_HEIGHT);
+}
+
 TEST(a_game_without_a_font_has_the_programs)
 {
     game.has_font = false;

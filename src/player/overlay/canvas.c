@@ -177,6 +177,21 @@ static void copy_bank(const struct canvas *canvas, int to, int from, int share)
         canvas->rgb[to * BANK + i] = pal_mix(theme_colour(canvas->theme, from * BANK + i), paper, share, 256);
 }
 
+/* Makes lines high enough for a theme's font. */
+static void make_room(struct canvas *canvas, const struct theme *theme)
+{
+    canvas->ascent = int_max(canvas->ascent, theme->capital_top);
+    canvas->descent = int_max(canvas->descent, theme->height - theme->capital_top - theme->capital_height);
+}
+
+void canvas_add_font(struct canvas *canvas, const struct theme *theme)
+{
+    if (!theme->has_font)
+        return;
+    canvas->spare = theme;
+    make_room(canvas, theme);
+}
+
 void canvas_open_theme(struct canvas *canvas, struct fb *fb, uint32_t rgb[256], const struct theme *theme)
 {
     enum { PAPER_SHARE = 112, /* of 256, in faint ink */ DIM = 166 /* of 256, of the picture */ };
@@ -187,8 +202,7 @@ void canvas_open_theme(struct canvas *canvas, struct fb *fb, uint32_t rgb[256], 
     *canvas = plain_canvas(fb, rgb);
     canvas->theme = theme;
     if (theme->has_font) {
-        canvas->ascent = int_max(canvas->ascent, theme->capital_top);
-        canvas->descent = int_max(canvas->descent, theme->height - theme->capital_top - theme->capital_height);
+        make_room(canvas, theme);
         canvas->capital_height = theme->capital_height;
     }
     count_pixels(fb, count);

@@ -54,6 +54,7 @@ struct canvas {
     int ascent, capital_height, descent;
 
     const struct theme *theme;    /* NULL: the program's own look */
+    const struct theme *spare;    /* without a theme: NULL, or where large letters come from that letters.h lacks */
     uint8_t bank[CANVAS_COLOURS]; /* with a theme: the palette bank of glyphs in each colour */
     uint8_t frame_bank;           /* of the theme's frame */
 };
@@ -65,6 +66,10 @@ void canvas_open(struct canvas *canvas, struct fb *fb, uint32_t rgb[256]);
 
 /* The same with a theme, in whole palette banks; theme must outlive the canvas. Darkens the picture. */
 void canvas_open_theme(struct canvas *canvas, struct fb *fb, uint32_t rgb[256], const struct theme *theme);
+
+/* Takes large letters that the program's font lacks from the font of a theme, which must outlive the canvas. They are
+ * drawn in the canvas's own colours. */
+void canvas_add_font(struct canvas *canvas, const struct theme *theme);
 
 /* Adds the n colours of a picture to the palette and stores their entries. Pixels that used these entries get the
  * nearest other entry; so does a colour for which no entry is left. */

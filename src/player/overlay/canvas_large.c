@@ -16,12 +16,18 @@ static const char ellipsis[] = "\xE2\x80\xA6";
 
 /* ---- a character ---- */
 
-/* A character in the theme's font or, if that font lacks it, in letters.h's. */
+/* A character in the theme's font or, if that font lacks it, in letters.h's. Without a theme, letters.h is first, and
+ * the spare font second. */
 struct glyph {
     bool is_letter;
     struct letter letter;
     struct face_glyph face;
 };
+
+static const struct theme *font_for(const struct canvas *canvas, uint32_t code)
+{
+    return canvas->theme ? canvas->theme : letter_exists(code) ? NULL : canvas->spare;
+}
 
 /* Advances *s past the next character and returns the character's width with its spacing. */
 static int advance(const struct canvas *canvas, const char **s, const char *end, struct glyph *g)
@@ -29,7 +35,8 @@ static int advance(const struct canvas *canvas, const char **s, const char *end,
     const uint32_t code = utf8_next(s, end), shown = code == '\t' ? ' ' : code;
     int w;
 
-    g->is_letter = !canvas->theme || !theme_find_glyph(canvas->theme, shown, &g->face);
+    const struct theme *font = font_for(canvas, shown);
+    g->is_letter = !font || !theme_find_glyph(font, shown, &g->face);
     if (g->is_letter)
         letter_load(&g->letter, shown);
     w = g->is_letter ? g->letter.w + SPACING : g->face.advance;
@@ -48,16 +55,32 @@ static void draw_row(struct fb *fb, int x, int y, unsigned bits, uint8_t colour)
     }
 }
 
+/* Draws a letter in one colour, without its shadow, which is shade 1. */
+static void draw_in_colour(struct fb *fb, const struct image *image, int x, int y, uint8_t colour)
+{
+    for (int i = 0; i < image->w * image->h; i++)
+        if (image->pix[i / image->w * image->pitch + i % image->w] > 1)
+            fb_fill_rect(fb, x + i % image->w, y + i / image->w, 1, 1, colour);
+}
+
 /* y: the top of capitals. */
 static void draw_glyph(const struct canvas *canvas, int x, int y, enum canvas_colour c, const struct glyph *g)
 {
-    const int top = y + canvas->capital_height - LETTER_CAPITAL_HEIGHT - LETTER_ACCENT_HEIGHT; /* of a letter */
+    const struct theme *font = canvas->theme ? canvas->theme : canvas->spare;
     const struct image image = { g->face.pix, g->face.w, g->face.h, g->face.pitch };
+    const int base = y + canvas->capital_height;
 
-    if (!g->is_letter)
-        blit_sprite(canvas->fb, &image, x + g->face.x, y - canvas->theme->capital_top + g->face.y, canvas->bank[c], 0);
-    for (int i = 0; g->is_letter && i < LETTER_ROWS; i++)
-        draw_row(canvas->fb, x, top + i, g->letter.rows[i], canvas->colour[c]);
+    if (g->is_letter) {
+        for (int i = 0; i < LETTER_ROWS; i++)
+            draw_row(canvas->fb, x, base - LETTER_CAPITAL_HEIGHT - LETTER_ACCENT_HEIGHT + i, g->letter.rows[i],
+                     canvas->colour[c]);
+        return;
+    }
+    const int top = base - font->capital_height - font->capital_top + g->face.y;
+    if (canvas->theme)
+        blit_sprite(canvas->fb, &image, x + g->face.x, top, canvas->bank[c], 0);
+    else
+        draw_in_colour(canvas->fb, &image, x + g->face.x, top, canvas->colour[c]);
 }
 
 /* ---- a line ---- */

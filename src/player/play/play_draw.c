@@ -112,22 +112,24 @@ static struct canvas copy_picture(struct play *play, struct picture *p, const st
 /* Writes the message over the picture; "": none. */
 static void message_text(struct play *play, char *text, size_t size)
 {
-    uint32_t at = board_frame(play_board(play));
+    const struct screens *words = &play->screens;
+    const int at = (int)board_frame(play_board(play));
 
     text[0] = 0;
+    play_translate_screens(play);
     if (play->session.state != SESSION_PLAYING)
-        snprintf(text, size, "%s %d%%", play->session.state == SESSION_SEEKING ? "Seeking" : "Reloading",
-                 session_progress(&play->session) / 10);
+        screens_format(words, text, size, play->session.state == SESSION_SEEKING ? "Seeking %d%%" : "Reloading %d%%",
+                       session_progress(&play->session) / 10);
     else if (play->prompt.open)
-        snprintf(text, size, "Go to frame %s_", play->prompt.digits);
+        screens_format(words, text, size, "Go to frame %s_", play->prompt.digits);
     else if (play->message.frames)
         snprintf(text, size, "%s", play->message.text);
     else if (play->time.rewinding)
-        snprintf(text, size, "Rewind: frame %u", (unsigned)at);
+        screens_format(words, text, size, "Rewind: frame %d", at);
     else if (play->time.paused)
-        snprintf(text, size, "Paused at frame %u", (unsigned)at);
+        screens_format(words, text, size, "Paused at frame %d", at);
     else if (play->time.speed < PLAY_FULL_SPEED)
-        snprintf(text, size, "%d%% speed", play->time.speed);
+        screens_format(words, text, size, "%d%% speed", play->time.speed);
 }
 
 /* Returns whether a page is shown: a fault, or a failed reload. */
@@ -262,7 +264,13 @@ static void draw_in_side(struct play *play, struct overlay_layout *o)
 
 static void show_with_overlay(struct play *play, struct picture *p, struct overlay_layout *o)
 {
+    struct theme theme;
+
     o->picture = copy_picture(play, p, NULL);
+    if (play->screens.words.data) { /* translations can have letters of the game's font */
+        theme_open(&theme, play_cart(play));
+        canvas_add_font(&o->picture, &theme);
+    }
     o->side = side_canvas(play, &o->picture);
     if (o->side.fb)
         draw_in_side(play, o);

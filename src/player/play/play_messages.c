@@ -93,10 +93,11 @@ void play_log_output(struct play *play)
     }
 }
 
-static void set_message(struct message *m, int frames, const char *format, va_list args)
+static void set_message(struct play *play, int frames, const char *format, va_list args)
 {
-    vsnprintf(m->text, sizeof m->text, format, args);
-    m->frames = frames;
+    play_translate_screens(play);
+    screens_format_list(&play->screens, play->message.text, sizeof play->message.text, format, args);
+    play->message.frames = frames;
 }
 
 void play_show_message(struct play *play, int frames, const char *format, ...)
@@ -104,18 +105,22 @@ void play_show_message(struct play *play, int frames, const char *format, ...)
     va_list args;
 
     va_start(args, format);
-    set_message(&play->message, frames, format, args);
+    set_message(play, frames, format, args);
     va_end(args);
 }
 
 void play_warn(struct play *play, const char *format, ...)
 {
+    char line[sizeof play->message.text];
     va_list args;
 
     va_start(args, format);
-    set_message(&play->message, MESSAGE_FRAMES, format, args);
+    set_message(play, MESSAGE_FRAMES, format, args);
     va_end(args);
-    play_log(play, "curtain: %s", play->message.text);
+    va_start(args, format);
+    vsnprintf(line, sizeof line, format, args);
+    va_end(args);
+    play_log(play, "curtain: %s", line);
 }
 
 void play_report_difference(struct play *play)
@@ -125,6 +130,7 @@ void play_report_difference(struct play *play)
     if (!frame || play->seek.reported_difference == frame)
         return;
     play->seek.reported_difference = frame;
-    play_show_message(play, MESSAGE_FRAMES, "Playback diverged from the recording at frame %u", (unsigned)frame);
-    play_log(play, "curtain: %s: %s", play_game_name(play), play->message.text);
+    play_show_message(play, MESSAGE_FRAMES, "Playback diverged from the recording at frame %d", (int)frame);
+    play_log(play, "curtain: %s: Playback diverged from the recording at frame %u", play_game_name(play),
+             (unsigned)frame);
 }

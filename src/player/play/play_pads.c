@@ -108,7 +108,8 @@ __attribute__((format(printf, 3, 4))) static void show(struct play *play, int fr
     va_list args;
 
     va_start(args, format);
-    vsnprintf(text, sizeof text, format, args);
+    play_translate_screens(play);
+    screens_format_list(&play->screens, text, sizeof text, format, args);
     va_end(args);
     play_show_message(play, frames, "%s", text);
     if (screens_are_open(&play->screens))

@@ -270,8 +270,10 @@ void play_resume_finish(struct play *play)
     play_autosave_sync(play);
     play->time.paused = play->time.waits_for_button = true;
     play->seek.bar_frames = 0;
-    play_show_message(play, MESSAGE_STAYS, "Run resumed: press a button%s",
-                      same ? "" : ". High scores have changed since you left this run, so its scores are not saved");
+    play_show_message(play, MESSAGE_STAYS,
+                      same ? "Run resumed: press a button"
+                           : "Run resumed: press a button. High scores have changed since you left this run, so its "
+                             "scores are not saved");
     play_log(play, "curtain: %s: resumed at frame %u%s", play_game_name(play), (unsigned)frames,
              same ? "" : "; high scores have changed since the run was interrupted, so its scores are not saved");
 }

@@ -15,7 +15,7 @@ void play_seek(struct play *play, uint32_t frame)
     if (!play->session.demo && !play->session.rewound)
         play_save_nvram(play);
     if (frame < first)
-        play_show_message(play, BAR_FRAMES, "Cannot go back before frame %u", (unsigned)first);
+        play_show_message(play, BAR_FRAMES, "Cannot go back before frame %d", (int)first);
     session_goto(&play->session, frame);
     practice_stop_counting(&play->practice);
     play->seek.used = true;
@@ -40,7 +40,7 @@ static void take_over_and_record(struct play *play)
     if (given || !plat_path(new_name, shown, sizeof shown))
         snprintf(shown, sizeof shown, "%s", given ? given : new_name);
     play_show_message(play, MESSAGE_FRAMES, "You are playing from here. Recording: %s", shown);
-    play_log(play, "curtain: %s: %s", play_game_name(play), play->message.text);
+    play_log(play, "curtain: %s: You are playing from here. Recording: %s", play_game_name(play), shown);
 }
 
 void play_take_over(struct play *play)
