@@ -2,6 +2,7 @@
 local clock = {}
 
 local OFTEN <const> = 6 -- frames between updates, a tenth of a second
+clock.ROW = hud.rows - 2.5 -- above the mark of the boss's position
 
 -- Formats frames as minutes, seconds and hundredths.
 function clock.text(frames)
@@ -16,10 +17,10 @@ function clock.show(f, alarm)
     while true do
       local frames = f()
       if frames then
-        hud.centre(hud.rows - 2, clock.text(frames),
+        hud.centre(clock.ROW, clock.text(frames),
                    frames < (alarm or 0) and hud.banks.alarm or hud.banks.bright)
       elseif there then
-        text.clear { col = 8, row = hud.rows - 2, w = hud.cols - 16, h = 1 }
+        text.clear { col = 8, row = clock.ROW // 1, w = hud.cols - 16, h = 1 }
       end
       there = frames ~= nil
       wait(OFTEN)

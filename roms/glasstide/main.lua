@@ -20,7 +20,6 @@ local grades = require "fx/grades"
 
 hud.banks.plain, hud.banks.bright, hud.banks.faint, hud.banks.alarm = 0, 3, 9, 1
 hud.low = 3 -- rows left free for the bombs
-hud.shy = 6
 
 -- The handlers see the craft where it was hit, before it respawns. A wave spreads from there and
 -- clears the bullets.

@@ -21,7 +21,7 @@ local COUNT <const> = { show = "none" } -- practice doesn't offer it
 function scoring.registers()
   return {
     gauge = { max = scoring.FULL, show = "bar", at = "low", label = "GLASS", mark = scoring.NEED },
-    shards = { start = 100, min = 100, max = 999, show = "times", at = "low", label = "",
+    shards = { start = 100, min = 100, max = 999, show = "times", at = "low", label = "RATE",
                mark = 500 }, -- in hundredths
     chain = { max = 9999, drain = 1, every = 4, hold = 90, show = "number", at = "low", mark = 50 },
     worn = { drain = 1, every = 30, hold = 120, show = "none" },

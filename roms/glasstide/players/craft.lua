@@ -29,10 +29,10 @@ end
 -- The sprites on a craft. They are removed when its task closes this.
 local function wardrobe() return setmetatable({}, { __close = remove_all }) end
 
--- One cell from the edges, like the hud, so that a dialogue box covers all of them.
+-- Bombs start one cell from the edge, like the HUD's rows.
 local function show_bombs(set, p)
   for i = 1, craft.MOST do
-    local x = p.index == 1 and 12 * i + 3 or rom.screen.w - 12 * i - 3
+    local x = p.index == 1 and 13 * i + 1 or rom.screen.w - 13 * i - 1
     local s = keep(set, "bomb" .. i, { sprite = "bomb", bank = craft.GREEN, x = x,
                                        y = rom.screen.h - 14, screen = true })
     s.hidden = i > p.bombs or hud.gone[p.index]

@@ -217,12 +217,12 @@ struct sheet art_logo_light(void)
     return s;
 }
 
-/* A float of glass in its ring of rope: a bomb, as the craft keeps them. */
-static void glass_float(struct sheet *s, int x0, int y0)
+/* A bomb, as the HUD shows it: a ball of glass with a burning fuse. */
+static void glass_bomb(struct sheet *s, int x0, int y0)
 {
-    static const char *const rows[] = { "....111....", "....1D1....", "..1111111..", ".1CCAA9751.",
-                                        "1CDDA998751", "1CFDA998751", "1CDAA998751", "1AAA9988751",
-                                        "19998887551", ".197775551.", "..1111111.." };
+    static const char *const rows[] = { ".......1.F1.", "......1AFDF1", "......1A1F1.", "..111111A1..",
+                                        ".198876111..", "19FF87651...", "18FD87651...", "188887651...",
+                                        "178777551...", "167765541...", ".1655541....", "..11111....." };
 
     for (int y = 0; y < (int)(sizeof rows / sizeof *rows); y++)
         for (int x = 0; rows[y][x]; x++) {
@@ -247,7 +247,7 @@ struct sheet art_gems(void)
             bool lit = shade > 2 && frame < 5 && off < 2.6;
             sheet_set(&s, frame * GEM + x, k / GEM_FRAMES * GEM + y, lit ? off < 1.4 ? 15 : 13 : shade);
         }
-    glass_float(&s, 0, GEM * GEMS);
+    glass_bomb(&s, 0, GEM * GEMS);
     sheet_free(&finds);
     return s;
 }
