@@ -68,9 +68,10 @@ function boss.status()
 end
 
 -- Draws the fight's rows in the HUD; hides them if `hidden`. again: draws everything, even if it hasn't changed.
-function boss.draw(hidden, again)
+-- has_dialogue: the lower edge is covered, so the boss isn't marked there.
+function boss.draw(hidden, again, has_dialogue)
   if not now.rows then return end
-  now.rows(not hidden and boss.status() or nil, again, now.verdict)
+  now.rows(not hidden and boss.status() or nil, again, now.verdict, has_dialogue)
   now.verdict = nil
   if not now.task then now.rows = nil end
 end

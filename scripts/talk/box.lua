@@ -1,14 +1,15 @@
--- talk/box.lua - the look of a talk: a plate at the bottom of the screen with the words, a plate with the speaker's
--- name, two portraits behind them, and a list to choose from. Returns a function that makes one.
+-- talk/box.lua - the look of a dialogue: a plate at the bottom of the screen with the words, on its upper edge a tag
+-- with the speaker's name, two portraits behind them, and a list to choose from. Returns a function that opens one.
 local sys = ... -- functions for the standard library only; documented in src/script/api/api_sys.c
 
 local ROWS = 3   -- rows of words, two cells apart
-local TALL = 14  -- rows of cells that a portrait takes above the first row
+local TALL = 15  -- rows of cells that a portrait takes above the first row
 local HELD = 20  -- frames that special is held before it skips the talk
 local HURRY = 30 -- frames that fire is held before it repeats,
 local QUICK = 6  -- and from then on from one repetition to the next
 local AWAY = 40  -- px that a portrait enters from
-local BLINK = 24 -- frames that the arrow is shown, and hidden
+local BLINK = 32 -- frames from one blink of the arrow to the next,
+local SHOWN = 22 -- in which it is shown for this long
 local BEEP = 4   -- frames from one beep of a voice to the next, at least
 local PAN = 0.3  -- pan of a voice towards its speaker's side
 
@@ -17,8 +18,9 @@ local cols = math.max(8, math.min(hud.cols - 4, 40))
 local left = (hud.cols - cols) // 2
 local last = hud.rows - 3
 local first = last - 2 * (ROWS - 1)
-local plate = { x = 8 * left - 10, y = 8 * first - 9, w = 8 * cols + 20, h = 16 * ROWS + 12 }
-local ARROW = hud.glyph(140, ">")
+local plate = { x = 8 * left - 10, y = 8 * first - 16, w = 8 * cols + 20, h = 16 * ROWS + 19 }
+local NAME_ROW = plate.y / 8 - 0.5 -- the tag's middle is on the plate's upper edge
+local ARROW, MORE = hud.glyph(140, ">"), hud.glyph(151, "v")
 
 -- Breaks words into rows of at most `width` cells; a newline starts a row.
 local function rows_of(words, width)
@@ -37,7 +39,7 @@ end
 return function(look, may_skip, fire)
   local t = {}
   local sides, parts = {}, {} -- "left" or "right" -> { sprite, talker, x, y: its target }; plates by name
-  local mark -- age of the arrow that asks for a button; nil: it is not shown
+  local mark -- age of the arrow that shows that a button continues; nil: no arrow
   local lines = {} -- words in a font
   local dimmed = screen.dim { share = look.dim, over = 12 }
   sys.hide_rows() hud.banner() -- they would be over the plates
@@ -114,13 +116,16 @@ return function(look, may_skip, fire)
 
   local function show_name(talker, side)
     if parts.name then parts.name.hidden = true end
-    text.clear { col = left, row = first - 3, w = cols, h = 1 }
+    text.clear { col = left, row = NAME_ROW // 1, w = cols, h = 1 }
     if not talker then return end
     local name = hud.wrap(text.lang(talker.name), cols - 2)[1] -- of a long name, the words that fit
-    local n = sys.cells(name)
-    local col = side == "right" and left + cols - 1 - n or left + 1
-    put_plate("name", 8 * col - 9, 8 * first - 29, 8 * n + 18, 23)
-    write(col, first - 3, name, hud.banks.bright)
+    local n, portrait = sys.cells(name), sides[side] and sides[side].talker == talker and sides[side].sprite.sprite
+    -- Next to the portrait, towards the middle, if there is space.
+    local free = cols - 1 - n
+    local from_edge = math.min(free, portrait and (sys.size(portrait) + 24) // 8 or 1)
+    local col = left + (side == "right" and free - from_edge + 1 or from_edge)
+    put_plate("name", 8 * col - 9, plate.y - 8, 8 * n + 18, 16)
+    write(col, NAME_ROW, name, hud.banks.bright)
   end
 
   local function hurries(p) return fire[p] and fire[p] >= HURRY and (fire[p] - HURRY) % QUICK == 0 end
@@ -264,7 +269,8 @@ return function(look, may_skip, fire)
 
   local function blink()
     if not mark then return end
-    if mark % BLINK == 0 then write(left + cols - 1, last + 1, mark // BLINK % 2 == 0 and ARROW or " ", hud.banks.bright) end
+    if mark % BLINK == 0 then write(left + cols - 1, last + 1, MORE, hud.banks.bright) end
+    if mark % BLINK == SHOWN then write(left + cols - 1, last + 1, " ", hud.banks.bright) end
     mark = mark + 1
   end
 

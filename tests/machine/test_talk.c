@@ -103,7 +103,12 @@ TEST(letters)
     press(PAD_FIRE, 0); /* shows the rest */
     assert_string_equal(words(0), "AB CD");
     told("");
-    rig_run(&r, 300); /* and waits for ever */
+    int shown = 0;                  /* frames of the arrow */
+    for (int i = 0; i < 320; i++) { /* and waits for ever */
+        rig_run(&r, 1);
+        shown += *cells(BOX_ROW + 5, BOX_COL + BOX_COLS - 1, 1) == 'v';
+    }
+    assert_int_equal(shown, 220);
     told("");
     press(PAD_FIRE, 0);
     told("end");
@@ -166,12 +171,12 @@ TEST(faces)
             "say('iri', 'A') say('sen', 'B') say('iri', 'C', { face = 'cross' }) say('voice', 'D') say(nil, 'E')\n"
             "say('iri', 'F', { side = 'right' }) end)");
     rig_run(&r, 40);
-    assert_string_equal(cells(NAME_ROW, BOX_COL, BOX_COLS), " IRI");
+    assert_string_equal(cells(NAME_ROW, BOX_COL, BOX_COLS), "    IRI"); /* to the right of the portrait */
     int iri = standing(LAYER_OVER, false, &seen);
     assert_true(iri >= 0 && seen == 3);
     assert_int_equal(screen_get_dim(&r.b->screen, r.b->core.frame), r.b->screen.dim);
     next_line();
-    assert_string_equal(cells(NAME_ROW, BOX_COL + BOX_COLS - 4, 4), "SEN");
+    assert_string_equal(cells(NAME_ROW, BOX_COL + BOX_COLS - 7, 7), "SEN");
     int sen = standing(LAYER_OVER, true, &seen);
     assert_true(sen >= 0 && seen == 4);
     assert_int_equal(r.b->sprites.bank[sen], 3);
