@@ -1,6 +1,6 @@
 -- hud.lua - what the screen shows during play: scores, lives, registers, the boss's rows and banners. Menus use its
 -- helpers for text. Every row has a place that no other row overlaps. A field that leaves ten columns to its right gets
--- a side panel there; otherwise the rows are drawn over the field.
+-- a side panel there; otherwise the rows are drawn over the field, and are hidden while a ship is near.
 local sys = ... -- functions for the standard library only; documented in src/script/api/api_sys.c
 local hud = {}
 
@@ -8,8 +8,8 @@ hud.cols, hud.rows = rom.screen.w // 8, rom.screen.h // 8
 -- Palette banks of text; games with coloured text set them in main.lua. alarm: warnings and a boss's last seconds.
 hud.banks = { plain = 0, bright = 0, faint = 0, alarm = 0 }
 hud.low = 2 -- rows of 8 px left free below the registers at the field's lower edge
-hud.shy = 0 -- px: a player's rows at the lower edge are hidden while a craft is nearer than this; 0: never
-hud.gone = { false, false } -- by player: whether these rows are hidden
+hud.shy = 16 -- px: rows over the field are hidden while the centre of a ship is nearer than this; 0: never
+hud.gone = { false, false } -- by player: whether the rows at the lower edge are hidden
 hud.graze = "GRAZE" -- the label of the graze count
 
 -- The character with this code (128 or more), or `plain` if the font has no picture for it.
@@ -50,6 +50,7 @@ local CLOCK_COLS <const> = 4              -- a boss's clock: two digits of size 
 local HISTORY_COLS, BONUS_COLS = 14, 13   -- "CAPTURED 12/34", "BONUS 0001234"
 local LIVES_COLS <const> = 4              -- in a panel
 local LOW_COLS <const> = math.min(12, FIELD.cols // 2 - 1)
+local LOW_BAR <const> = 4                 -- a bar at the lower edge ends before a ship in the middle of a narrow field
 local STACKED <const> = PANEL or WIDTH < 2 * BEST_COLS + 1 -- two scores do not fit in a row
 
 -- A panel's rows for the boss are at its lower end: the clock and 2 px, three rows for the name and the bar or two for
@@ -74,10 +75,13 @@ local ROWS <const> = {
 
 local players = 0                   -- how many play
 local playing = false               -- the rows are drawn
+local GROUPS <const> = { "top1", "top2", "top3", "boss", "low1", "low2" }
 local last_score = {}               -- by player: the score of a player who is out cannot be read
 local record = 0                    -- the best score of the table
 local items = {}                    -- what the players' rows show: place, label, get, make, low; value and bank shown
-local low_top = {}                  -- by player: y of the highest row at the lower edge
+local groups = {}                   -- rows over the field that are hidden together, by name: places, hidden, own: where
+                                    -- the game shows more
+local ship_x, ship_y = {}, {}       -- by player; y is false while the player has no ship
 local rows_end = 0                  -- y below the players' rows
 local hidden = { low = 0, all = 0 } -- how many dialogues and pages hide the lower rows, and all rows
 local panel                         -- the plate behind a panel's rows
@@ -127,19 +131,39 @@ end
 -- ---- places ----
 
 -- col, cols: cells; y: px; align: left, middle, right, or spread (the label left, the value right); size: of letters.
+-- group: hides the place with others. left, width: cells of the text.
 
 local function place(col, y, cols, align, size)
   return { col = col, y = y, cols = math.max(0, cols), align = align, size = size or 1 }
 end
 
--- Shows s in a place instead of what is there.
+local function write(p)
+  if p.text and not (p.group and p.group.hidden) then hud.put(p.left, p.y / 8, p.text, p.bank, p.size) end
+end
+
+local function wipe(p)
+  if not p.text or p.group and p.group.hidden then return end
+  text.clear { col = p.col, row = p.y // 8, w = p.cols, h = p.size }
+end
+
+-- Replaces the text of a place.
 function hud.show(p, s, bank)
   if p.text == s and p.bank == bank then return end
-  if p.text then text.clear { col = p.col, row = p.y // 8, w = p.cols, h = p.size } end
-  p.text, p.bank = s ~= "" and s or nil, bank
-  local free = math.max(0, p.cols - p.size * sys.cells(s))
-  local shift = p.align == "right" and free or p.align == "middle" and free / 2 or 0
-  hud.put(p.col + shift, p.y / 8, s, bank, p.size)
+  wipe(p)
+  p.text, p.bank, p.width = s ~= "" and s or nil, bank, p.size * sys.cells(s)
+  local free = math.max(0, p.cols - p.width)
+  p.left = p.col + (p.align == "right" and free or p.align == "middle" and free / 2 or 0)
+  write(p)
+end
+
+-- Adds places to a group. Those in a panel are never hidden.
+local function add_to_group(name, places)
+  if PANEL and name ~= "low1" and name ~= "low2" then return end
+  groups[name] = groups[name] or { places = {}, hidden = false }
+  for _, p in ipairs(places) do
+    p.group = groups[name]
+    table.insert(groups[name].places, p)
+  end
 end
 
 -- The text of a label and a value for a place. short: replaces a label that is too long.
@@ -158,7 +182,7 @@ local function rows_from(y)
   end
 end
 
-local function boss_over_field(names, pips)
+local function boss_over_field(names, pips, title, spell)
   local row, cols = rows_from(rows_end), WIDTH - CLOCK_COLS - 1
   local at = { bars = {}, name = {}, spell = {} }
   at.clock = place(LEFT + WIDTH - CLOCK_COLS, rows_end, CLOCK_COLS, "right", 2)
@@ -170,14 +194,24 @@ local function boss_over_field(names, pips)
     local free = i == 1 and pips > 0 and pips + 1 or 0
     at.bars[i] = { name = place(LEFT, y, label - 1, "left"), bar = place(LEFT + label, y, cols - label - free, "left") }
   end
-  if #names < 2 then at.name[1] = place(LEFT, row().y, cols, "left") end
-  at.spell[1] = row("left")
+  local line, length = row().y, sys.cells(spell or "")
+  at.spell[1] = place(LEFT, line, cols, "left")
+  if #names < 2 then
+    at.name[1] = place(LEFT, line, cols, "left")
+    at.replaces = sys.cells(title or "") + 1 + length > cols
+    if spell and not at.replaces then
+      at.name[1].cols = cols - length - 1
+      at.spell[1] = place(LEFT + cols - length, line, length, "left")
+    end
+  end
   at.history = row("left")
   at.bonus = row("right")
   if WIDTH > HISTORY_COLS + BONUS_COLS then
     at.history.cols = HISTORY_COLS
     at.bonus = place(LEFT + WIDTH - BONUS_COLS, at.history.y, BONUS_COLS, "right")
   end
+  groups.boss = nil
+  add_to_group("boss", { at.spell[1], at.history, at.bonus, at.name[1] })
   return at
 end
 
@@ -197,18 +231,30 @@ local function boss_in_panel(names, pips)
 end
 
 -- The places of a boss's rows: clock, pips, history, bonus; the lines of name and spell; bars, each with a name and a
--- bar. names: of the bars; {}: one bar without a name. pips: how many are shown.
+-- bar. replaces: the spell takes the name's row, because one row is too short for both. names: of the bars; {}: one bar
+-- without a name. pips: how many are shown. title: the boss's name. spell: nil if the phase has none.
 hud.boss_places = PANEL and boss_in_panel or boss_over_field
 
 -- ---- the players' rows ----
 
-local function points(n, cols) return ("%0" .. math.max(1, math.min(9, cols - 3)) .. "d"):format(n) end
+-- A function that writes a score with the zeros that fit after a label.
+local function points_after(label)
+  return function(n, cols)
+    return ("%0" .. math.max(1, math.min(9, cols - 1 - sys.cells(label))) .. "d"):format(n)
+  end
+end
 
 local function icons(icon, n, cols) return n > math.min(FEW, cols) and icon .. "x" .. n or icon:rep(n) end
 
 local KINDS <const> = {
-  score = function(i) return { label = i .. "P", make = points, get = function() return hud.score(i) end } end,
-  best = function() return { label = text.lang("HI"), make = points, get = hud.best } end,
+  score = function(i)
+    local label = i .. "P"
+    return { label = label, make = points_after(label), get = function() return hud.score(i) end }
+  end,
+  best = function()
+    local label = text.lang("HI")
+    return { label = label, short = "HI", make = points_after(label), get = hud.best }
+  end,
   lives = function(i)
     return { label = "", make = function(n, cols) return icons(LIFE, n, cols) end,
              get = function() return player.get(i).lives or 0 end }
@@ -228,7 +274,9 @@ local SHOWN <const> = {
   number = function(_, n) return tostring(n) end,
   times = function(_, n) return ("x%d.%02d"):format(n // 100, n % 100) end,
   icons = function(_, n, cols) return icons(STAR, n, cols) end,
-  bar = function(r, n, cols) return hud.bar(n, r.max, math.max(1, math.min(8, cols))) end,
+  bar = function(r, n, cols)
+    return hud.bar(n, r.max, math.max(1, math.min(r.at == "low" and LOW_BAR or 8, cols)))
+  end,
 }
 
 local function register_item(i, r)
@@ -238,9 +286,7 @@ local function register_item(i, r)
   function item.make(n, cols) return SHOWN[r.show](r, n, cols - rest) end
   function item.get()
     local n = sys.value(i, r.name, r.run)
-    if item.low and (hud.gone[i] or n == r.value and r.show ~= "bar" and n == (r.show == "times" and 100 or 0)) then
-      return nil
-    end
+    if item.low and n == r.value and r.show ~= "bar" and n == (r.show == "times" and 100 or 0) then return nil end
     return n, n and bank_of(r, n)
   end
   return item
@@ -262,6 +308,7 @@ local function add_row(y, left, middle, right)
     if item then
       item.place = places[k]
       items[#items + 1] = item
+      add_to_group("top" .. k, { item.place })
     end
   end
   return y + PITCH
@@ -305,34 +352,64 @@ end
 
 local FROM_BELOW <const> = { bar = 1, icons = 2, times = 3, number = 4 }
 
--- The rows at the field's lower edge, above hud.low rows: player 1's at the left, player 2's at the right.
+-- The rows at the field's lower edge, above hud.low rows: player 1's at the left, player 2's at the right. They are
+-- hidden together with what a game shows below them.
 local function add_low_rows(i, list)
   table.sort(list, function(a, b)
     a, b = a.register, b.register
     local above, below = FROM_BELOW[a.show], FROM_BELOW[b.show]
     return above < below or above == below and a.name < b.name
   end)
-  low_top[i] = FIELD_BOTTOM - 8 * hud.low - PITCH
-  for k, item in ipairs(list) do
-    if k > 1 then low_top[i] = low_top[i] - PITCH end
-    item.low = true
-    local col = i == 1 and FIELD.col + 1 or FIELD.col + FIELD.cols - 1 - LOW_COLS
-    item.place = place(col, low_top[i], LOW_COLS, i == 1 and "left" or "right")
+  local col = i == 1 and FIELD.col + 1 or FIELD.col + FIELD.cols - 1 - LOW_COLS
+  local y = FIELD_BOTTOM - 8 * hud.low
+  groups["low" .. i] = { places = {}, hidden = false, own = { left = col, width = LOW_COLS, y = y, size = hud.low } }
+  for _, item in ipairs(list) do
+    y = y - PITCH
+    item.low, item.place = true, place(col, y, LOW_COLS, i == 1 and "left" or "right")
     items[#items + 1] = item
+    add_to_group("low" .. i, { item.place })
   end
 end
 
--- Is a craft so near to player i's lower rows that they are hidden? They return when it is 8 px further away.
-local function is_craft_near(i)
-  if hud.shy <= 0 then return false end
-  local distance = hud.shy + (hud.gone[i] and 8 or 0)
-  local top, side = low_top[i] - rom.field.y - distance, LOW_COLS * 8 + distance
-  for p = 1, players do
-    local craft = player.get(p)
-    local x, y = craft.x, craft.y
-    if y and y > top and (i == 1 and x < side or i == 2 and x > rom.field.w - side) then return true end
+-- Is a position of the field less than `distance` px from a place's text?
+local function is_near(p, x, y, distance)
+  x, y = x + rom.field.x, y + rom.field.y
+  return x > 8 * p.left - distance and x < 8 * (p.left + p.width) + distance
+    and y > p.y - distance and y < p.y + 8 * p.size + distance
+end
+
+local function is_group_near(group, x, y)
+  local distance = hud.shy + (group.hidden and 8 or 0)
+  if group.own and is_near(group.own, x, y, distance) then return true end
+  for _, p in ipairs(group.places) do
+    if p.text and is_near(p, x, y, distance) then return true end
   end
   return false
+end
+
+local function set_hidden(group, is_hidden)
+  if is_hidden then
+    for _, p in ipairs(group.places) do wipe(p) end
+  end
+  group.hidden = is_hidden
+  for _, p in ipairs(group.places) do write(p) end
+end
+
+-- Hides the groups of rows that a ship is near to, and shows them when it is 8 px further away.
+local function hide_near_ships()
+  local count = hud.shy > 0 and players or 0
+  for i = 1, count do
+    local ship = player.get(i)
+    ship_x[i], ship_y[i] = ship.x, ship.y or false
+  end
+  for _, name in ipairs(GROUPS) do
+    local group, near = groups[name], false
+    for i = 1, group and count or 0 do
+      near = near or ship_y[i] and is_group_near(group, ship_x[i], ship_y[i])
+    end
+    if group and near ~= group.hidden then set_hidden(group, near) end
+  end
+  for i = 1, 2 do hud.gone[i] = groups["low" .. i] and groups["low" .. i].hidden or false end
 end
 
 -- Text is made only when a value has changed.
@@ -359,9 +436,9 @@ end
 
 local function draw()
   if again then put_panel() end
-  for i = 1, players do hud.gone[i] = is_craft_near(i) end
   draw_items()
-  boss.draw(hidden.all > 0, again)
+  boss.draw(hidden.all > 0, again, hidden.low > 0)
+  hide_near_ships()
   again = false
   if banner and sys.clock() >= banner.ends then hud.banner() end
 end
@@ -373,7 +450,7 @@ function sys.hide_rows(all, shown)
   hidden[rows] = math.max(0, hidden[rows] + (shown and -1 or 1)) -- hud.start may have reset it in between
   if not playing then return end
   draw_items()
-  boss.draw(hidden.all > 0)
+  boss.draw(hidden.all > 0, false, hidden.low > 0)
   if panel and panel.alive then panel.hidden = hidden.all > 0 end
 end
 
@@ -395,6 +472,7 @@ end
 -- Draws everything again, after other text was written over it.
 function hud.refresh()
   for _, item in ipairs(items) do item.place.text = nil end
+  if groups.boss then groups.boss.places = {} end
   again = true
   if banner then hud.banner(banner.lines, banner.ends - sys.clock(), banner.row) end
 end
@@ -418,8 +496,7 @@ function hud.start(owner, n)
   sys.show_whole(false)
   local top = score.rows(board.difficulty())[1]
   players, playing, last_score, record = n, true, {}, top and top.score or 0
-  items, low_top, hidden, banner, again = {}, {}, { low = 0, all = 0 }, nil, true
-  hud.gone = { false, false }
+  items, groups, hidden, banner, again = {}, {}, { low = 0, all = 0 }, nil, true
   local own, of_run = {}, nil
   for i = n, 1, -1 do
     local low

@@ -1,6 +1,7 @@
 -- boss/rows.lua - what the HUD shows of a fight: bars, a pip for each phase to come, the clock, the name, the spell
 -- with its history and bonus, and a mark at the field's lower edge. A spell's name is declared in the middle of the
--- field; then it slides to its place over the field, or appears in the panel.
+-- field; then it slides to its place over the field, or appears in the panel. If the boss's row is too short for both
+-- names, the spell's replaces the boss's.
 local sys = ... -- functions for the standard library only; documented in src/script/api/api_sys.c
 
 local PIP <const>, STAR <const>, RULE <const> = hud.glyph(152, "*"), hud.glyph(138, "*"), hud.glyph(141, "-")
@@ -22,8 +23,8 @@ local VERDICT <const> = 7                                         -- rows from a
 local at                   -- the places of the rows; nil: nothing is shown
 local bars = {}            -- of the phase: e, full and place
 local phase                -- the phase that is shown
-local spell                -- its lines as declared; name; history; row and h: the cells of the name on its way to its
-                           -- place; done: it is there
+local spell                -- its lines as declared; name; history; col, row, w, h: the cells of the name on its way to
+                           -- its place; done: it is there
 local seen = {}            -- values that are on the screen, by name
 local mark                 -- the sprite below the boss
 local shows_verdict        -- the banner may be the verdict on the phase before
@@ -63,7 +64,7 @@ end
 -- Removes the declared or sliding name.
 local function wipe_name()
   if not (spell and spell.row) then return end
-  text.clear { col = COL, row = spell.row, w = COLS, h = spell.h }
+  text.clear { col = spell.col, row = spell.row, w = spell.w, h = spell.h }
   spell.row = nil
 end
 
@@ -130,16 +131,16 @@ local function lay_out(b)
   local pips = math.min(b.left or 0, MOST_PIPS)
   phase = b.phase
   local names = find_bars(b)
-  at = hud.boss_places(names, pips)
+  local title, name = text.lang(b.boss.title), phase and phase.spell and text.lang(phase.spell)
+  at = hud.boss_places(names, pips, title, name)
   hud.show(at.pips, PIP:rep(pips))
-  show_lines(at.name, text.lang(b.boss.title))
+  show_lines(at.name, title)
   for i, bar in ipairs(bars) do
     local places = at.bars[i]
     if places and names[i] then hud.show(places.name, hud.wrap(names[i], places.name.cols)[1]) end
     bar.place = places and places.bar
   end
-  if not (phase and phase.spell) then return end
-  local name = text.lang(phase.spell)
+  if not name then return end
   spell = lines_of(name)
   spell.name = name
   local tries, captures = sys.history(b.boss.name, phase.id, 0)
@@ -170,6 +171,7 @@ local function draw_name(age)
   if age <= STAYS + 1 then draw_rules(age) end
   local k = 1 - math.min(math.max(age - STAYS, 0), SLIDES) / math.max(SLIDES, 1)
   local left = k * k -- part of its way
+  if at.replaces and age >= STAYS then show_lines(at.name, "") end
   if shows_verdict and age >= STAYS then -- the name slides over the verdict
     shows_verdict = false
     hud.banner()
@@ -184,8 +186,11 @@ local function draw_name(age)
   if not changed("name", y * 64 + math.min(age, TYPED)) then return end
   wipe_name()
   spell.row, spell.h = y // 8, (y + PITCH * (#lines - 1)) // 8 - y // 8 + 1
+  spell.col, spell.w = COL, COLS
   for i, line in ipairs(lines) do
-    local col = COL + math.floor((COLS - sys.cells(line)) * 4 * left) / 8
+    local middle, last = COL + (COLS - sys.cells(line)) / 2, at.spell[1].col
+    local col = (last * 8 + math.floor((middle - last) * 8 * left)) / 8
+    if age > STAYS then spell.col, spell.w = math.floor(col), sys.cells(line) + 1 end -- other rows are next to it
     if age < TYPED then line = first(line, sys.cells(line) * age // TYPED) end
     hud.put(col, y / 8 + (i - 1) * PITCH / 8, line, hud.banks.bright)
   end
@@ -196,7 +201,7 @@ local function draw_bonus(b)
   local n = not b.missed and b.worth()
   if not changed("bonus", n) then return end
   local bank = n and hud.banks.plain or hud.banks.faint
-  local worth = n and ("%07d"):format(n) or text.lang("FAILED")
+  local worth = n and tostring(n) or text.lang("FAILED")
   if phase.bonus > 0 then hud.show(at.bonus, hud.labelled(at.bonus, text.lang("BONUS"), worth), bank) end
   if spell.history then
     hud.show(at.history, hud.labelled(at.history, text.lang("CAPTURED"), spell.history, STAR), hud.banks.plain)
@@ -209,9 +214,9 @@ local function show_verdict(verdict)
   hud.banner(lines or { "BONUS FAILED" }, 100, DECLARED // 8 - VERDICT)
 end
 
-return function(b, again, verdict)
+return function(b, again, verdict, has_dialogue)
   if verdict then show_verdict(verdict) end
-  draw_mark(b)
+  draw_mark(not has_dialogue and b)
   if not b and again then forget() end -- the screen was emptied
   if not b then return wipe() end
   if again or changed("phase", b.phase or b.left or 0) then

@@ -102,7 +102,7 @@ TEST(low)
         "  a = { max = 100, show = 'bar', at = 'low', label = 'GLASS', mark = 50 },\n"
         "  b = { start = 125, show = 'times', at = 'low', label = '' }, c = { show = 'number', at = 'low' },\n"
         "  d = { start = 7, show = 'number', label = 'DEEP' } } })\n"
-        "for i = 1, 2 do string.sys.join(i, 'p') end hud.low = 2 hud.start(string.sys.scope(), 2)\n"
+        "for i = 1, 2 do string.sys.join(i, 'p') end hud.low, hud.shy = 2, 0 hud.start(string.sys.scope(), 2)\n"
         "task.go(function() wait(2) player.get(1).a = 50 player.get(2).c = 12 wait(3) player.get(2).c = 0\n"
         "  wait(1) player.get(1).b = 1000 player.get(1).a = 100 wait(3) string.sys.leave(1) end)";
     struct manifest m = rig_manifest();
@@ -112,19 +112,19 @@ TEST(low)
     rig_run(&r, 1);
     row_is(34, 1, "DEEP 7                DEEP 7");
     row_is(44, -1, "");
-    row_is(294, 1, "GLASS ------    GLASS ------");
+    row_is(294, 1, "GLASS ----        GLASS ----");
     row_is(284, 1, "x1.25                  x1.25");
     row_is(274, -1, "");
     assert_int_equal(style_at(294, 1), 2 | FIX_RIM);
     rig_run(&r, 3);
-    row_is(294, 1, "GLASS ===---    GLASS ------");
+    row_is(294, 1, "GLASS ==--        GLASS ----");
     assert_int_equal(style_at(294, 1), 5 | FIX_RIM);
     row_is(274, 25, "C 12");
     rig_run(&r, 4);
     row_is(284, 1, "x10.00                 x1.25");
     row_is(274, -1, "");
     rig_run(&r, 4);
-    row_is(294, 17, "GLASS ------");
+    row_is(294, 19, "GLASS ----");
 }
 
 /* A field of 192 px and a panel of 15 columns, whose edges stay free. The boss's rows are at its lower end. */
@@ -168,7 +168,7 @@ TEST(panel)
     row_is(174, 26, "=============");
 }
 
-/* Rows at the lower edge are hidden while a craft is near; and the label of the grazes. */
+/* Rows over the field are hidden while a ship is near; and the label of the grazes. */
 TEST(shy)
 {
     static const char text[] =
@@ -176,25 +176,33 @@ TEST(shy)
         "  a = { max = 100, show = 'bar', at = 'low', label = 'GLASS' },\n"
         "  b = { start = 100, show = 'times', at = 'low', label = '' } } })\n"
         "string.sys.join(1, 'p') hud.shy, hud.graze = 8, 'NEAR' hud.start(string.sys.scope(), 1)\n"
-        "local p = player.get(1) task.go(function() wait(4) p.x, p.y = 60, 300 wait(4) p.x = 107 wait(4) p.x = 113\n"
-        "  wait(4) p.x, p.b = 60, 101 wait(4) p.y = 267 end)";
+        "local p = player.get(1) task.go(function() wait(4) p.x, p.y = 60, 300 wait(4) p.x = 115 wait(4) p.x = 120\n"
+        "  wait(4) p.x, p.b = 60, 101 wait(4) p.y = 267 wait(4) p.y = 10 wait(4) p.x = 200 wait(4) p.y = 60 end)";
 
     open_with(NULL, text);
     rig_run(&r, 3);
     row_is(14, 1, "**                    NEAR 0");
-    row_is(294, 1, "GLASS ------");
+    row_is(294, 1, "GLASS ----");
     row_is(284, -1, ""); /* a factor of 1 is not shown */
     rig_run(&r, 4);
     row_is(294, -1, "");
     rig_run(&r, 4);
     row_is(294, -1, ""); /* it returns a little later than it is hidden */
     rig_run(&r, 4);
-    row_is(294, 1, "GLASS ------");
+    row_is(294, 1, "GLASS ----");
     rig_run(&r, 4);
     row_is(294, -1, "");
     rig_run(&r, 4);
-    row_is(294, 1, "GLASS ------");
+    row_is(294, 1, "GLASS ----");
     row_is(284, 1, "x1.01");
+    rig_run(&r, 4);
+    row_is(4, 17, "HI 000000000");
+    row_is(14, 23, "NEAR 0");
+    rig_run(&r, 4);
+    row_is(4, 1, "1P 000000000");
+    row_is(14, 1, "**");
+    rig_run(&r, 4);
+    row_is(4, 1, "1P 000000000    HI 000000000");
 }
 
 /* Two players: side by side over the field, a bar as long as the label leaves; in a panel one below the other, in rows
@@ -309,20 +317,20 @@ TEST(spell)
     row_is(24, 1, "======--------------- * 1111");
     assert_int_equal(style_at(24, 1) & FIX_BANK, 5);
     row_is(200, -1, "");
-    row_is(83, 3, "GLASS SIGN");
+    row_is(24, 1, "======--------------- * 1111");
+    row_is(76, 13, "GLASS SIGN");
     rig_run(&r, 18);
-    row_is(83, -1, "");
-    row_is(44, 1, "GLASS SIGN");
-    row_is(54, 1, "CAPTURED 0/1   BONUS 0005910");
+    row_is(76, -1, "");
+    row_is(34, 1, "NINE         GLASS SIGN 1100");
+    row_is(44, 1, "CAPTURED 0/1      BONUS 5910");
     assert_int_equal(style_at(24, 28) & FIX_BANK, 7); /* ten seconds are left */
     rig_run(&r, 270);
-    row_is(34, 1, "NINE                      66");
-    row_is(54, 1, "CAPTURED 0/1   BONUS 0003210");
+    row_is(34, 1, "NINE         GLASS SIGN   66");
+    row_is(44, 1, "CAPTURED 0/1      BONUS 3210");
     rig_run(&r, 215);
     row_is(24, 23, "*");
     row_is(34, 1, "NINE");
     row_is(44, -1, "");
-    row_is(54, -1, "");
     row_is(144, 11, "CAPTURED");
     row_is(160, 13, "1090");
     rig_run(&r, 250);
@@ -330,7 +338,7 @@ TEST(spell)
     row_is(144, -1, "");
 }
 
-/* A death costs the bonus; and the names of a cast, with a bar each. */
+/* A death costs the bonus; a ship hides the rows below the bar; and the names of a cast, with a bar each. */
 TEST(failed)
 {
     static const struct {
@@ -345,11 +353,16 @@ TEST(failed)
     static char text[2048];
     struct manifest m = rig_manifest();
 
-    open_spell(NULL, "local p = player.get(1) p.x, p.y = e.x, e.y");
-    rig_run(&r, 200);
-    row_is(54, 1, "CAPTURED 0/1    BONUS FAILED"); /* this is the first try */
-    assert_int_equal(style_at(54, 23), 6 | FIX_RIM);
-    rig_run(&r, 430);
+    open_spell(NULL, "local p = player.get(1) p.x, p.y = e.x, e.y wait(1) p.x, p.y = 20, 28 wait(60) p.y = 90");
+    rig_run(&r, 170); /* the ship is over the boss's rows */
+    row_is(24, 1, "======--------------- * 1100");
+    row_is(32, 25, "1100");
+    row_is(44, -1, "");
+    rig_run(&r, 60);
+    row_is(34, 1, "NINE         GLASS SIGN   99");
+    row_is(44, 1, "CAPTURED 0/1    BONUS FAILED"); /* this is the first try */
+    assert_int_equal(style_at(44, 23), 6 | FIX_RIM);
+    rig_run(&r, 460);
     row_is(144, 9, "BONUS FAILED");
     for (int panel = 0; panel < 2; panel++) {
         m.field_w = panel ? 160 : 240;
@@ -487,7 +500,7 @@ TEST(hidden)
         rig_run(&r, 3);
         assert_int_equal(r.b->screen.shows_whole, 0);
         row_is(y, col, score);
-        row_is(panel ? 44 : 294, col, panel ? "GLASS ---" : "GLASS ------");
+        row_is(panel ? 44 : 294, col, panel ? "GLASS ---" : "GLASS ----");
         rig_run(&r, 4);
         row_is(y, panel ? -1 : col, panel ? "" : score);
         row_is(panel ? 44 : 294, -1, "");

@@ -97,9 +97,8 @@ TEST(boss)
     rig_power(&rig, &g, &start);
     rig_run(&rig, 140);
     row_is(4, 1,
-           "\xc9t\xe9\2\2\2\2\2\2\2\2\2\2\2\2\2\2\2\2\2\2\2\2\2"
+           "\xe9l\xe8ve l\xe0 f\xeate d\xe9j\xe0 \xe9t\xe9\2\2"
            "1144"); /* and the clock's lower half */
-    row_is(5, 1, "\xe9l\xe8ve l\xe0 f\xeate d\xe9j\xe0 \xe9t\xe9");
     rig_close(&rig);
 }
 

@@ -552,8 +552,8 @@ static const struct api_doc_name doc_names[] = {
       HELP("palette banks of text in the HUD, menus and dialogue: plain, bright, faint, alarm; set them in main.lua") },
     { "hud.low", HELP("rows of 8 px left free below the registers at the lower edge of the field; set it in main.lua; "
                       "initially 2") },
-    { "hud.shy", HELP("distance in px within which a ship hides the registers at the lower edge of the field; set it "
-                      "in main.lua; initially 0") },
+    { "hud.shy", HELP("distance in px within which a ship hides the HUD's rows over the field; 0: never; set it in "
+                      "main.lua; initially 16") },
     { "hud.gone", HELP("list with an entry for each player: true while the player's registers at the lower edge of the "
                        "field are hidden; use it to hide the game's own displays, too") },
     { "hud.graze", HELP("word before the graze count; set it in main.lua; initially GRAZE") },
