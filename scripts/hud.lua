@@ -11,6 +11,7 @@ hud.low = 2 -- rows of 8 px left free below the registers at the field's lower e
 hud.shy = 16 -- px: rows over the field are hidden while the centre of a ship is nearer than this; 0: never
 hud.gone = { false, false } -- by player: whether the rows at the lower edge are hidden
 hud.graze = "GRAZE" -- the label of the graze count
+hud.large = sys.large_hud() -- the player chose larger letters for scores, lives and icons
 
 -- The character with this code (128 or more), or `plain` if the font has no picture for it.
 function hud.glyph(code, plain) return sys.glyph(code) and string.char(code) or plain end
@@ -71,6 +72,15 @@ local ROWS <const> = {
     { { "best" }, {}, { "score1" }, { "lives1", false, "graze1" }, { "registers1" }, {}, { "score2" },
       { "lives2", false, "graze2" }, { "registers2" }, {} },
   },
+  large_over = { -- large scores, lives and icons; the other rows give way to them
+    { { "score1" }, { "lives1", false, "graze1" } },
+    { { "score1" }, { "score2" }, { "lives1", false, "lives2" } },
+  },
+  large_stacked = {
+    { { "best" }, {}, { "name1", false, "lives1" }, { "points1" }, { "graze1" }, { "registers1" } },
+    { { "name1", false, "lives1" }, { "points1" }, { "registers1" }, {}, { "name2", false, "lives2" }, { "points2" },
+      { "registers2" }, {} },
+  },
 }
 
 local players = 0                   -- how many play
@@ -78,7 +88,10 @@ local playing = false               -- the rows are drawn
 local GROUPS <const> = { "top1", "top2", "top3", "boss", "low1", "low2" }
 local last_score = {}               -- by player: the score of a player who is out cannot be read
 local record = 0                    -- the best score of the table
-local items = {}                    -- what the players' rows show: place, label, get, make, low; value and bank shown
+local is_large = false              -- the rows are those of a larger HUD,
+local all_fit = true                -- and there is room for all
+local items = {}                    -- what the players' rows show: place, label, get, make, low, size of its letters;
+                                    -- value and bank shown
 local groups = {}                   -- rows over the field that are hidden together, by name: places, hidden, own: where
                                     -- the game shows more
 local ship_x, ship_y = {}, {}       -- by player; y is false while the player has no ship
@@ -146,10 +159,11 @@ local function wipe(p)
   text.clear { col = p.col, row = p.y // 8, w = p.cols, h = p.size }
 end
 
--- Replaces the text of a place.
-function hud.show(p, s, bank)
-  if p.text == s and p.bank == bank then return end
+-- Replaces the text of a place. size: of its letters from now on, if given.
+function hud.show(p, s, bank, size)
+  if p.text == s and p.bank == bank and p.size == (size or p.size) then return end
   wipe(p)
+  p.size = size or p.size
   p.text, p.bank, p.width = s ~= "" and s or nil, bank, p.size * sys.cells(s)
   local free = math.max(0, p.cols - p.width)
   p.left = p.col + (p.align == "right" and free or p.align == "middle" and free / 2 or 0)
@@ -166,9 +180,9 @@ local function add_to_group(name, places)
   end
 end
 
--- The text of a label and a value for a place. short: replaces a label that is too long.
-function hud.labelled(p, label, value, short)
-  local free = math.max(0, p.cols - sys.cells(value) - 1) -- columns for the label
+-- The text of a label and a value for a place. short: replaces a label that is too long. size: of the letters.
+function hud.labelled(p, label, value, short, size)
+  local free = math.max(0, p.cols // (size or p.size) - sys.cells(value) - 1) -- columns for the label
   if sys.cells(label) > free then label = short or "" end
   local spread = p.align == "spread" and free + 1 - sys.cells(label)
   return label .. (" "):rep(spread or label ~= "" and 1 or 0) .. value
@@ -246,18 +260,23 @@ end
 
 local function icons(icon, n, cols) return n > math.min(FEW, cols) and icon .. "x" .. n or icon:rep(n) end
 
+-- size: of the letters in a larger HUD.
 local KINDS <const> = {
   score = function(i)
     local label = i .. "P"
-    return { label = label, make = points_after(label), get = function() return hud.score(i) end }
+    return { label = label, make = points_after(label), get = function() return hud.score(i) end, size = 2 }
   end,
+  name = function(i)
+    return { label = "", make = function() return i .. "P" end, get = function() return i end }
+  end,
+  points = function(i) return { label = "", make = tostring, get = function() return hud.score(i) end, size = 2 } end,
   best = function()
     local label = text.lang("HI")
     return { label = label, short = "HI", make = points_after(label), get = hud.best }
   end,
   lives = function(i)
     return { label = "", make = function(n, cols) return icons(LIFE, n, cols) end,
-             get = function() return player.get(i).lives or 0 end }
+             get = function() return player.get(i).lives or 0 end, size = 2 }
   end,
   graze = function(i)
     return { label = text.lang(hud.graze), short = STAR, make = tostring, get = function() return player.get(i).grazes or 0 end }
@@ -274,16 +293,16 @@ local SHOWN <const> = {
   number = function(_, n) return tostring(n) end,
   times = function(_, n) return ("x%d.%02d"):format(n // 100, n % 100) end,
   icons = function(_, n, cols) return icons(STAR, n, cols) end,
-  bar = function(r, n, cols)
-    return hud.bar(n, r.max, math.max(1, math.min(r.at == "low" and LOW_BAR or 8, cols)))
-  end,
+  bar = function(r, n, cols, low) return hud.bar(n, r.max, math.max(1, math.min(low and LOW_BAR or 8, cols))) end,
 }
 
 local function register_item(i, r)
   local label = r.label == "" and "" or text.lang(r.label or r.name:gsub("_", " "):upper())
-  local rest = label == "" and 0 or sys.cells(label) + 1
-  local item = { label = label, register = r }
-  function item.make(n, cols) return SHOWN[r.show](r, n, cols - rest) end
+  local item = { label = label, register = r, size = r.show == "icons" and 2 or nil }
+  function item.make(n, cols)
+    local rest = item.label == "" and 0 or sys.cells(item.label) + 1
+    return SHOWN[r.show](r, n, cols - rest, item.low)
+  end
   function item.get()
     local n = sys.value(i, r.name, r.run)
     if item.low and n == r.value and r.show ~= "bar" and n == (r.show == "times" and 100 or 0) then return nil end
@@ -292,35 +311,59 @@ local function register_item(i, r)
   return item
 end
 
+local function size_of(item) return item and is_large and item.size or 1 end
+
+-- Adds an item in a place. size: of the largest letters in its row.
+local function add_item(item, p, size, group)
+  item.place = p
+  p.size = size_of(item)
+  p.y = p.y + 4 * (size - p.size)
+  items[#items + 1] = item
+  add_to_group(group, { p })
+end
+
 -- Gives the parts of a row their places at y and adds them. Returns the y of the next row.
 local function add_row(y, left, middle, right)
-  if y + 8 > ROWS_END then return y end -- no room: not shown
+  local size = math.max(size_of(left), size_of(middle), size_of(right))
+  local below = y + PITCH + 8 * (size - 1)
+  if below > ROWS_END then -- not shown
+    all_fit = false
+    return y
+  end
   local alone = not middle and right == nil
   local cols = alone and WIDTH or (WIDTH - (middle and BEST_COLS + 2 or 1)) // 2
   local left_cols, right_cols = cols, cols
-  if STACKED and not alone then left_cols, right_cols = LIVES_COLS, WIDTH - LIVES_COLS - 1 end
+  if STACKED and not alone then
+    left_cols = math.max(LIVES_COLS, left.cols or 0)
+    right_cols = WIDTH - left_cols - 1
+  end
   local places = {
-    place(LEFT, y, left_cols, alone and STACKED and "spread" or "left"),
+    place(LEFT, y, left_cols, alone and STACKED and (left.label == "" and "right" or "spread") or "left"),
     place(LEFT + (WIDTH - BEST_COLS) // 2, y, BEST_COLS, "middle"),
     place(LEFT + WIDTH - right_cols, y, right_cols, "right"),
   }
   for k, item in ipairs { left or false, middle or false, right or false } do
-    if item then
-      item.place = places[k]
-      items[#items + 1] = item
-      add_to_group("top" .. k, { item.place })
-    end
+    if item then add_item(item, places[k], size, "top" .. k) end
   end
-  return y + PITCH
+  return below
+end
+
+-- Takes the label off an item that has large letters: the label stays small, in an item of its own.
+local function take_label(item)
+  local label = item.label
+  item.label = ""
+  return { label = "", cols = sys.cells(label), make = function() return label end,
+           get = function() return item.get() and label end }
 end
 
 -- Two registers in a row if their labels leave room for values.
 local function add_registers(y, list)
   local i = 1
+  local function is_short(item) return item and size_of(item) == 1 and sys.cells(item.label) < WIDTH // 2 - 6 end
   while i <= #list do
-    local most, other = WIDTH // 2 - 6, list[i + 1]
-    local both = not STACKED and other and sys.cells(list[i].label) < most and sys.cells(other.label) < most
-    y = add_row(y, list[i], nil, both and other or nil)
+    local both = not STACKED and is_short(list[i]) and is_short(list[i + 1])
+    if STACKED and size_of(list[i]) > 1 then y = add_row(y, take_label(list[i]), false, list[i])
+    else y = add_row(y, list[i], nil, both and list[i + 1] or nil) end
     i = i + (both and 2 or 1)
   end
   return y
@@ -329,7 +372,7 @@ end
 -- own: the registers of each player; of_run: of the run.
 local function add_rows(own, of_run)
   local y = TOP
-  for _, row in ipairs(ROWS[STACKED and "stacked" or "over"][players]) do
+  for _, row in ipairs(ROWS[(is_large and "large_" or "") .. (STACKED and "stacked" or "over")][players]) do
     local parts = {}
     for k, name in ipairs(row) do
       local kind, i = (name or ""):match("^(%a+)(%d?)$")
@@ -364,10 +407,10 @@ local function add_low_rows(i, list)
   local y = FIELD_BOTTOM - 8 * hud.low
   groups["low" .. i] = { places = {}, hidden = false, own = { left = col, width = LOW_COLS, y = y, size = hud.low } }
   for _, item in ipairs(list) do
-    y = y - PITCH
-    item.low, item.place = true, place(col, y, LOW_COLS, i == 1 and "left" or "right")
-    items[#items + 1] = item
-    add_to_group("low" .. i, { item.place })
+    local size = size_of(item)
+    y = y - PITCH - 8 * (size - 1)
+    item.low = true
+    add_item(item, place(col, y, LOW_COLS, i == 1 and "left" or "right"), size, "low" .. i)
   end
 end
 
@@ -412,6 +455,17 @@ local function hide_near_ships()
   for i = 1, 2 do hud.gone[i] = groups["low" .. i] and groups["low" .. i].hidden or false end
 end
 
+-- Shows an item's value, in the largest letters that leave room for its label.
+local function show_item(item, value, bank)
+  local size, label = size_of(item), item.label == "" and 0 or sys.cells(item.label) + 1
+  local words = item.make(value, item.place.cols // size)
+  if label + sys.cells(words) > item.place.cols // size then
+    size = 1
+    words = item.make(value, item.place.cols)
+  end
+  hud.show(item.place, hud.labelled(item.place, item.label, words, item.short, size), bank, size)
+end
+
 -- Text is made only when a value has changed.
 local function draw_items()
   for _, item in ipairs(items) do
@@ -419,8 +473,7 @@ local function draw_items()
     if hidden.all == 0 and not (item.low and hidden.low > 0) then value, bank = item.get() end
     if value ~= item.value or bank ~= item.bank or again then
       item.value, item.bank = value, bank
-      local p = item.place
-      hud.show(p, value and hud.labelled(p, item.label, item.make(value, p.cols), item.short) or "", bank)
+      if value then show_item(item, value, bank) else hud.show(item.place, "") end
     end
   end
 end
@@ -488,6 +541,18 @@ local function registers_of(i)
   return own, low, of_run
 end
 
+-- Lays the rows out.
+local function lay_out(large)
+  is_large, all_fit, items, groups = large, true, {}, {}
+  local own, of_run = {}, nil
+  for i = players, 1, -1 do
+    local low
+    own[i], low, of_run = registers_of(i)
+    add_low_rows(i, low)
+  end
+  add_rows(own, of_run)
+end
+
 -- True from hud.start until its owner ends. At other times, pages use the whole screen.
 function hud.is_playing() return playing end
 
@@ -496,14 +561,9 @@ function hud.start(owner, n)
   sys.show_whole(false)
   local top = score.rows(board.difficulty())[1]
   players, playing, last_score, record = n, true, {}, top and top.score or 0
-  items, groups, hidden, banner, again = {}, {}, { low = 0, all = 0 }, nil, true
-  local own, of_run = {}, nil
-  for i = n, 1, -1 do
-    local low
-    own[i], low, of_run = registers_of(i)
-    add_low_rows(i, low)
-  end
-  add_rows(own, of_run)
+  hidden, banner, again = { low = 0, all = 0 }, nil, true
+  lay_out(hud.large)
+  if is_large and not all_fit then lay_out(false) end
   banner_row = PANEL and 0 or (boss_over_field({ "", "" }, 0).bonus.y + PITCH + 7) // 8
   task.own(owner, function()
     local stop <close> = setmetatable({}, { __close = function()

@@ -19,7 +19,7 @@ local front = require "fx/front"
 local grades = require "fx/grades"
 
 hud.banks.plain, hud.banks.bright, hud.banks.faint, hud.banks.alarm = 0, 3, 9, 1
-hud.low = 3 -- rows left free for the bombs
+hud.low = hud.large and 4 or 3 -- rows left free for the bombs
 
 -- The handlers see the craft where it was hit, before it respawns. A wave spreads from there and
 -- clears the bullets.

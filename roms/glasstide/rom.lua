@@ -268,6 +268,7 @@ return {
     conch    = { sheet = "gems", x = 0, y = 16, w = 16, h = 16, frames = 10, every = 5 },
     heart    = { sheet = "gems", x = 0, y = 32, w = 16, h = 16, frames = 10, every = 5 },
     bomb     = { sheet = "gems", x = 0, y = 48, w = 12, h = 12 },
+    bomb_large = { sheet = "gems", x = 16, y = 48, w = 24, h = 24 },
     foam     = { sheet = "finds", x = 48, y = 0, w = 8,  h = 8 },
     ray_of_light = { sheet = "finds", x = 60, y = 0, w = 1, h = 16 },
     logo     = { sheet = "logo",  x = 0, y = 0,   w = 208, h = 112 },

@@ -21,6 +21,9 @@ static inline int demo_mask_bytes(uint32_t format, int parts)
     return format > 3 ? (parts + 7) / 8 : 4;
 }
 
+/* Flags of the header, in format 5. */
+enum { HEADER_SPARSE = 1, HEADER_LARGE_HUD = 2 };
+
 /* The first byte of a run of pads in a sparse second: the number of frames minus one, and a bit for each player whose
  * buttons follow; the other player's buttons are unchanged. */
 enum { RUN_FRAMES_MASK = 63, RUN_PLAYER_1 = 64 /* player 1's buttons follow; twice that for player 2 */ };

@@ -172,9 +172,10 @@ static bool read_header(struct parser *p, struct source *s)
     if (d->format > 3)
         take_str(s, d->start.lang, sizeof d->start.lang);
     if (d->format > 4) {
-        const uint8_t sparse = take8(s);
-        s->bad |= sparse > 1;
-        d->sparse = sparse;
+        const uint8_t flags = take8(s);
+        s->bad |= (flags & ~(HEADER_SPARSE | HEADER_LARGE_HUD)) != 0;
+        d->sparse = flags & HEADER_SPARSE;
+        d->start.large_hud = flags & HEADER_LARGE_HUD;
     }
     d->n_parts = take8(s);
     if (s->bad)

@@ -166,10 +166,11 @@ bool lib_start_init(struct lib_start *out, const struct cart *cart, const struct
 
 /* ---- serialized form ----
  *
- * u64 seed, i32 difficulty, 16 i32 switches, 16 bytes language, 64 bytes section, i32 lives, u8 invincible, u8
- * number of registers, 16 registers (32 bytes name, i32 value), u32 size of nvram, and its bytes. Strings are padded
+ * u64 seed, i32 difficulty, 16 i32 switches, 16 bytes language, 64 bytes section, i32 lives, u8 flags, u8 number of
+ * registers, 16 registers (32 bytes name, i32 value), u32 size of nvram, and its bytes. Strings are padded
  * with zeroes.
  */
+enum { FLAG_INVINCIBLE = 1, FLAG_LARGE_HUD = 2 };
 enum {
     N_DIPS = sizeof((struct board_start *)0)->dip / sizeof(int32_t),
     LANG_SIZE = sizeof((struct board_start *)0)->lang,
@@ -215,7 +216,7 @@ size_t lib_start_serialize(const struct lib_start *s, uint8_t *out)
     put_text(at + LANG_SIZE, p->section, SECTION_SIZE);
     at += LANG_SIZE + SECTION_SIZE;
     bytes_put32(at, (uint32_t)p->lives);
-    at[4] = p->invincible;
+    at[4] = (uint8_t)((p->invincible ? FLAG_INVINCIBLE : 0) | (start->large_hud ? FLAG_LARGE_HUD : 0));
     at[5] = (uint8_t)p->register_count;
     at += 6;
     for (int i = 0; i < PRACTICE_MAX_REGISTERS; i++, at += NAME_SIZE + 4) {
@@ -230,11 +231,11 @@ size_t lib_start_serialize(const struct lib_start *s, uint8_t *out)
 
 static bool read_practice(struct practice *p, const uint8_t *at)
 {
-    bool good = at[SECTION_SIZE + 4] <= 1 && at[SECTION_SIZE + 5] <= PRACTICE_MAX_REGISTERS &&
-                get_text(p->section, at, SECTION_SIZE);
+    bool good = at[SECTION_SIZE + 4] <= (FLAG_INVINCIBLE | FLAG_LARGE_HUD) &&
+                at[SECTION_SIZE + 5] <= PRACTICE_MAX_REGISTERS && get_text(p->section, at, SECTION_SIZE);
 
     p->lives = (int32_t)bytes_get32(at + SECTION_SIZE);
-    p->invincible = at[SECTION_SIZE + 4] == 1;
+    p->invincible = at[SECTION_SIZE + 4] & FLAG_INVINCIBLE;
     p->register_count = at[SECTION_SIZE + 5];
     at += SECTION_SIZE + 6;
     for (int i = 0; good && i < PRACTICE_MAX_REGISTERS; i++, at += NAME_SIZE + 4) {
@@ -258,6 +259,7 @@ bool lib_start_read(struct lib_start *out, const uint8_t *bytes, size_t size)
     if (start->difficulty < -1 || nvram != size - HEAD_SIZE || nvram > out->nvram_cap ||
         !get_text(start->lang, at, LANG_SIZE) || !read_practice(&start->practice, at + LANG_SIZE))
         return false;
+    start->large_hud = at[LANG_SIZE + SECTION_SIZE + 4] & FLAG_LARGE_HUD;
     memcpy(out->nvram, bytes + HEAD_SIZE, nvram);
     start->nvram = nvram > 0 ? out->nvram : NULL;
     start->nvram_size = nvram;

@@ -52,6 +52,7 @@ struct board_start {
     int32_t difficulty; /* index into the manifest's list; -1: the manifest's default */
     struct practice practice;
     char lang[16];        /* language of the game's text, printable ASCII; "": the game's original language */
+    bool large_hud;       /* the HUD shows its most important rows in larger letters */
     const uint8_t *nvram; /* NULL: blank */
     size_t nvram_size;    /* at most MAX_NVRAM */
 };

@@ -202,6 +202,8 @@ static void print_header(const struct demo *d)
                  d->start.practice.section[0] ? "from " : "from power-on", d->start.practice.section);
     if (d->start.lang[0])
         report_print(", language %s", d->start.lang);
+    if (d->start.large_hud)
+        report_print(", larger HUD");
     for (int i = 0; demo_flag_name(i); i++)
         report_print("%s%s", d->flags >> i & 1 ? ", " : "", d->flags >> i & 1 ? demo_flag_name(i) : "");
     report_print("\n  %d parts, %u rows, %u markers\n", d->n_parts, (unsigned)d->n_rows, (unsigned)d->n_markers);

@@ -62,8 +62,9 @@ def header(b, form):
         need(0 <= d["lives"] <= 99 and d["invincible"] < 2 and n <= 16, "practice")
         d["registers"] = [(b.text(31), b.num("i")) for _ in range(n)]
     d["lang"] = b.text(15) if form > 3 else ""
-    d["sparse"] = b.num("B") if form > 4 else 0
-    need(d["sparse"] < 2, "prints")
+    flags = b.num("B") if form > 4 else 0
+    need(flags < 4, "header flags")
+    d["sparse"], d["large_hud"] = flags & 1, flags >> 1
     d["parts"] = [b.text(15) for _ in range(b.num("B"))]
     need(1 <= len(d["parts"]) <= (64 if form > 3 else 32) and "script" in d["parts"], "parts")
     size = b.num("I")

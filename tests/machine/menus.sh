@@ -148,6 +148,15 @@ same 'Restart Stage: back to its start, and the demo says so' 'title one two 1' 
 same 'in the first stage there is only Restart' 'title one one two ' "$(log)"
 { keys 40; press $ESCAPE $UP $UP $ENTER $DOWN $ENTER; keys 60; } | run
 same 'Quit to Title' 'title one two title one two ' "$(log)"
+read -r page row < <(place large_hud)
+to_large() { entry 5; times "$page" $DOWN; press $ENTER; times "$row" $DOWN; press $RIGHT; }
+{ keys 40; to_large; press $ESCAPE $ESCAPE; keys 30; } | run
+same 'Larger HUD: saved, and asks for a restart' 'title one two 0' "$(log)$("$curtain" verify -v run menu.demo |
+    grep -c 'larger HUD')"
+check 'it is in the settings' grep -qx 'large_hud = yes' $conf
+keys 60 | run
+check 'the next run has it in its demo' grep -q 'larger HUD' <("$curtain" verify -v run menu.demo)
+rm $conf
 check 'is in the demo too' "$curtain" verify run menu.demo
 { keys 40; keys 2 $TAB; keys 60; keys 1 $ENTER; keys 60; } | run
 same 'when the ship is out, START is for the game' 'title one two continue ' "$(log)"

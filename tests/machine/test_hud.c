@@ -7,14 +7,17 @@
 static struct rig_game g;
 static struct rig r;
 
+static bool large_hud; /* of the next start */
+
 static void open_with(const struct manifest *m, const char *text)
 {
     static char full[8192];
+    const struct board_start start = { .seed = 1, .difficulty = -1, .large_hud = large_hud };
 
     rig_close(&r);
     snprintf(full, sizeof full, "hud.banks.plain, hud.banks.bright = 2, 5\n%s", text);
     rig_with_sys(&g, m, full);
-    rig_power(&r, &g, NULL);
+    rig_power(&r, &g, &start);
 }
 
 /* A row of the screen, from its first letter to its last; *col is where that first one is, -1: an empty row. */
@@ -566,13 +569,14 @@ TEST(places)
         { 240, 320, 240, 2 }, { 320, 240, 320, 2 }, { 320, 240, 200, 2 }, { 384, 288, 240, 2 }, { 160, 240, 160, 1 }
     };
 
-    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
-        for (int players = 1; players <= sizes[i].most_players; players++) {
+    for (size_t i = 0; i < 2 * sizeof sizes / sizeof *sizes; i++)
+        for (int players = 1; players <= sizes[i / 2].most_players; players++) {
             struct manifest m = rig_manifest();
+            large_hud = i % 2;
             m.players = players;
-            m.screen_w = sizes[i].w;
-            m.screen_h = m.field_h = sizes[i].h;
-            m.field_w = sizes[i].field_w;
+            m.screen_w = sizes[i / 2].w;
+            m.screen_h = m.field_h = sizes[i / 2].h;
+            m.field_w = sizes[i / 2].field_w;
             open_with(&m, every_row(players));
             for (int frame = 0; frame < 600; frame++) {
                 rig_run(&r, 1);
@@ -581,9 +585,50 @@ TEST(places)
         }
 }
 
+/* A larger HUD: scores, lives and icons twice as large, over the field and in a panel; a value that is too long for its
+ * place, and rows that do not all fit, have their usual size. */
+TEST(larger)
+{
+    static char text[2048];
+    struct manifest m = rig_manifest();
+
+    large_hud = true;
+    m.players = 1;
+    snprintf(text, sizeof text, "%s task.go(function() wait(5) player.get(1).bombs = 9 score.add(7654321, 1) end)",
+             ships);
+    open_with(&m, text);
+    rig_run(&r, 1);
+    row_is(4, 1, "11PP  000000000000000000");
+    assert_int_equal(style_at(4, 1), 2 | FIX_RIM | FIX_DOUBLE);
+    row_is(22, 1, "****");
+    row_is(30, 1, "****                 GRAZE 0"); /* the lower half of the lives */
+    row_is(40, 1, "BBOOMMBBSS  ******");
+    row_is(58, 1, "COINS 12       HEAT ====----");
+    rig_run(&r, 8);
+    row_is(40, 1, "BBOOMMBBSS  **xx99");
+    m.screen_w = 320;
+    m.screen_h = m.field_h = 240;
+    m.field_w = 200;
+    open_with(&m, text);
+    rig_run(&r, 1);
+    row_is(8, 26, "HI  000000000");
+    row_is(28, 26, "1P       ****");
+    row_is(42, 37, "00");
+    rig_run(&r, 8);
+    row_is(42, 32, "7654321");
+    assert_int_equal(style_at(42, 32), 2 | FIX_RIM);
+    m.players = 2;
+    open_with(&m, text);
+    rig_run(&r, 1);
+    row_is(8, 26, "HI  000000000");
+    row_is(24, 26, "1P  000000000");
+    row_is(80, 26, "2P  000000000");
+}
+
 static int off(void **state)
 {
     (void)state;
+    large_hud = false;
     rig_close(&r);
     return 0;
 }

@@ -86,7 +86,7 @@ for text in sorted({row[1:] for row in rows if row[0] == "-"}):
             print(line)
 PY
 # The languages' own names, dates, the game's names, and the question in a language without words.
-own="Pixel|Plain|2027.*|Stage one|Restart now to change the game's language.*"
+own="Pixel|Plain|2027.*|Stage one|Restart to apply this.*"
 same 'every text has a translation' '' "$(python3 untranslated.py | grep -vxE "$own" | sort -u)"
 for text in 'Fill the screen.' 'Off' 'Play time: %d:%d' 'Reset all key bindings?' 'No attempts yet.' 'Watch' \
     '%s: removed %s' 'Press a button to identify a controller.' 'Quit? You can resume this run next time.' Confirm \

@@ -280,10 +280,13 @@ TEST(start)
             start.nvram_size = sizes[i];
             fill_nvram(nvram, sizes[i], kind);
             snprintf(start.lang, sizeof start.lang, "%s", langs[kind]);
+            start.large_hud = kind == 1;
             assert_true(demo_begin(&w, path, &game.cart, b, &start, DEMO_ASSISTED));
             end();
             assert_memory_equal(d.start.nvram, nvram, sizes[i]);
             assert_string_equal(d.start.lang, langs[kind]);
+            assert_int_equal(d.start.large_hud, kind == 1);
+            assert_false(d.sparse);
             assert_int_equal(d.flags, DEMO_ASSISTED);
             free_demos();
         }

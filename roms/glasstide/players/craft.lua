@@ -31,10 +31,13 @@ local function wardrobe() return setmetatable({}, { __close = remove_all }) end
 
 -- Bombs start one cell from the edge, like the HUD's rows.
 local function show_bombs(set, p)
+  local large = hud.large
+  local name, first, step = large and "bomb_large" or "bomb", large and 20 or 14, large and 16 or 13
   for i = 1, craft.MOST do
-    local x = p.index == 1 and 13 * i + 1 or rom.screen.w - 13 * i - 1
-    local s = keep(set, "bomb" .. i, { sprite = "bomb", bank = craft.GREEN, x = x,
-                                       y = rom.screen.h - 14, screen = true })
+    local x = first + step * (i - 1)
+    local s = keep(set, "bomb" .. i, { sprite = name, bank = craft.GREEN,
+                                       x = p.index == 1 and x or rom.screen.w - x,
+                                       y = rom.screen.h - (large and 18 or 14), screen = true })
     s.hidden = i > p.bombs or hud.gone[p.index]
   end
 end

@@ -89,8 +89,8 @@ struct args {
     const char *traces[ARGS_MAX_TRACES]; /* "PART" or "PART,PART" or "all" */
     int n_traces;
     uint64_t seed;
-    bool seeded, invincible, fullscreen, mute, nearest, plain, parts, verbose, bisect, restamp, rerecord, null, notes,
-        play;
+    bool seeded, invincible, large_hud, fullscreen, mute, nearest, plain, parts, verbose, bisect, restamp, rerecord,
+        null, notes, play;
     bool json, resume, no_resume, replays, annotations, luacheck, all;
     bool update, tap, keys, desktop, full, lua, remove, dialog;
     const char *junit;         /* NULL: not given */

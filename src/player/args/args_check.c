@@ -50,7 +50,7 @@ static bool check_exclusive(const bool seen[OPTIONS], char *err, size_t err_size
 static bool check_pairs(const struct args *a, const bool seen[OPTIONS], char *err, size_t err_size)
 {
     static const enum option others[] = { OPTION_NO_RESUME, OPTION_DEMO,       OPTION_SEED, OPTION_DIP,
-                                          OPTION_STAGE,     OPTION_DIFFICULTY, OPTION_LANG };
+                                          OPTION_STAGE,     OPTION_DIFFICULTY, OPTION_LANG, OPTION_LARGE_HUD };
 
     for (size_t i = 0; a->resume && i < sizeof others / sizeof others[0]; i++)
         if (seen[others[i]])

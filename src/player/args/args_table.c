@@ -118,6 +118,8 @@ const struct option_row args_options[OPTIONS] = {
                             "with --stage: the player cannot be hit" },
     [OPTION_DIFFICULTY] = { "--difficulty", "D", FOR_START, TEXT(difficulty), "starting difficulty" },
     [OPTION_LANG] = { "--lang", "NAME", FOR_START, TEXT(lang), "the game's language, from lang/NAME.txt" },
+    [OPTION_LARGE_HUD] = { "--large-hud", NULL, FOR_START, SWITCH(large_hud),
+                           "show scores, lives and bombs in larger letters" },
     [OPTION_SCALE] = { "--scale", "N", FOR_PLAY | FOR_CAPTURE, NUMBER(scale, 1, ARGS_MAX_SCALE),
                        "screen or clip pixels per game pixel, 1 to 16" },
     [OPTION_SPEED] = { "--speed", "N", FOR_CAPTURE, READ(args_speed),

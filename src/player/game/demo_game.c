@@ -151,6 +151,7 @@ static const char *start_option(const struct args *a)
            : a->stage      ? "--stage"
            : a->difficulty ? "--difficulty"
            : a->lang       ? "--lang"
+           : a->large_hud  ? "--large-hud"
            : a->resume     ? "--resume"
                            : NULL;
 }

@@ -214,7 +214,7 @@ bool game_start(struct game *g, const struct args *a, char *err, size_t err_size
 {
     const struct manifest *m = &g->cart.manifest;
 
-    g->start = (struct board_start){ .seed = a->seed, .difficulty = -1 };
+    g->start = (struct board_start){ .seed = a->seed, .difficulty = -1, .large_hud = a->large_hud };
     for (int i = 0; i < m->n_dips; i++)
         g->start.dip[i] = m->dips[i].default_value;
     for (int i = 0; i < a->n_dips; i++) {

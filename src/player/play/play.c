@@ -291,8 +291,8 @@ static bool open_session(struct play *play)
     const struct play_options *o = &play->options;
 
     play->start = o->start;
-    if (!play->start.lang[0] && !o->demo)
-        play_set_language(play, &play->start);
+    if (!o->demo)
+        play_set_host_start(play, &play->start);
     if (!o->seeded && !o->demo)
         play->start.seed = play_clock_seed();
     play->nvram.image = play_load_nvram(play, &play->start);

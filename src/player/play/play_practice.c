@@ -17,11 +17,12 @@ uint64_t play_clock_seed(void)
     return hash_fold(hash_fold(0, (uint64_t)time(0)), plat_usec());
 }
 
-void play_set_language(struct play *play, struct board_start *start)
+void play_set_host_start(struct play *play, struct board_start *start)
 {
     struct words words;
 
-    if (cart_open_lang(play->options.cart, play->config.lang, &words))
+    start->large_hud = play->options.start.large_hud || play->config.large_hud;
+    if (!start->lang[0] && cart_open_lang(play->options.cart, play->config.lang, &words))
         snprintf(start->lang, sizeof start->lang, "%s", play->config.lang);
 }
 
@@ -33,8 +34,7 @@ void play_title_start(struct play *play, struct board_start *start)
     start->nvram = given->nvram;
     start->nvram_size = given->nvram_size;
     snprintf(start->lang, sizeof start->lang, "%s", given->lang);
-    if (!start->lang[0])
-        play_set_language(play, start);
+    play_set_host_start(play, start);
     if (!play->options.seeded)
         start->seed = play_clock_seed();
 }

@@ -326,7 +326,8 @@ struct play {
     struct resume_offer resume_offer;
     const char *settings_page;                          /* screen_settings.c: the open page of settings */
     char lang_before[sizeof((struct config *)0)->lang]; /* when the settings were opened */
-    uint32_t controllers_held[PLAT_MAX_CONTROLLERS];    /* screen_controllers.c: buttons, also of unassigned ones */
+    int large_hud_before;
+    uint32_t controllers_held[PLAT_MAX_CONTROLLERS]; /* screen_controllers.c: buttons, also of unassigned ones */
 };
 
 /* ---- play.c ---- */
@@ -446,8 +447,8 @@ void play_step(struct play *play);
 /* Resets the state of the previous run, when the board was powered on with this start. */
 void play_reset_run(struct play *play, const struct board_start *start);
 
-/* Sets a start's language to that of the settings, if the game has it. */
-void play_set_language(struct play *play, struct board_start *start);
+/* Sets what the settings decide in a start: the language, if it is not given and the game has it, and a larger HUD. */
+void play_set_host_start(struct play *play, struct board_start *start);
 
 uint64_t play_clock_seed(void);
 

@@ -187,13 +187,12 @@ static void closed(void *context)
 {
     struct play *play = context;
 
-    if (strcmp(play->config.lang, play->lang_before) == 0)
+    if (strcmp(play->config.lang, play->lang_before) == 0 && play->config.large_hud == play->large_hud_before)
         return;
     play_save_settings(play);
     if (play->quit || play->session.demo)
         return;
-    screens_ask(&play->screens, "Restart now to change the game's language? The current run ends.", "Restart",
-                play_restart, play);
+    screens_ask(&play->screens, "Restart to apply this? This run ends.", "Restart", play_restart, play);
 }
 
 static const struct screen_def settings = {
@@ -208,6 +207,7 @@ void play_open_settings(struct play *play)
     play->config.mute = play->speaker.muted;
     play->config.speed = play->time.speed;
     memcpy(play->lang_before, play->config.lang, sizeof play->lang_before);
+    play->large_hud_before = play->config.large_hud;
     screens_open(&play->screens, &settings, play);
 }
 

@@ -66,6 +66,8 @@ static const struct config_setting settings[] = {
       "colours that are easier to tell apart", NULL, NULL },
     { "hitbox", "Show Hitbox", "Accessibility", AT(hitbox), 0, 1, 0, no_yes, off_on, 1, "always show the ship's hitbox",
       NULL, NULL },
+    { "large_hud", "Larger HUD", "Accessibility", AT(large_hud), 0, 1, 0, no_yes, off_on, 1,
+      "larger scores and lives after a restart", NULL, NULL },
     { "speed", "Game Speed", "Accessibility", AT(speed), 25, 100, 100, NULL, NULL, 5,
       "slow the game down; the run is marked as assisted", "%", NULL },
     { "autofire", "Autofire", "Accessibility", AT(autofire[0]), 0, 1, 0, no_yes, off_on, 1,

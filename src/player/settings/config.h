@@ -49,7 +49,7 @@ struct config {
     int resume;                /* 0 or 1: save an unfinished run to resume it */
     int capture_seconds;       /* 5 to 60: length of a clip */
     int dim, flashes, colours; /* as in views.h */
-    int hitbox;                /* 0 or 1 */
+    int hitbox, large_hud;     /* 0 or 1 */
     int autofire[MAX_PLAYERS], focus[MAX_PLAYERS],
         one_hand[MAX_PLAYERS]; /* 0 or 1: toggle; enum keys_hand. How each player presses */
     char lang[16];             /* of games that have it; "": none */

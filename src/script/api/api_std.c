@@ -556,6 +556,7 @@ static const struct api_doc_name doc_names[] = {
                       "main.lua; initially 16") },
     { "hud.gone", HELP("list with an entry for each player: true while the player's registers at the lower edge of the "
                        "field are hidden; use it to hide the game's own displays, too") },
+    { "hud.large", HELP("true if the player chose a larger HUD; use it to enlarge the game's own displays, too") },
     { "hud.graze", HELP("word before the graze count; set it in main.lua; initially GRAZE") },
     { "hud.cols", HELP("width of the screen in cells of 8 px") },
     { "hud.rows", HELP("height of the screen in cells of 8 px") },

@@ -733,6 +733,13 @@ static int sys_players(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
+static int sys_has_large_hud(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)v;
+    lua_pushboolean(L, b->start.large_hud);
+    return 1;
+}
+
 static int sys_difficulties(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)v;
@@ -870,6 +877,8 @@ static const struct api_entry entries[] = {
     SYS_ENTRY("sys.kinds", sys_kinds, 0, "list", "returns the declared names", REQUIRED("name", A_STR, "")),
     { "sys.players", sys_players, NO_PARAMS, 0, API_SYS, "count",
       HELP("returns the number of players the manifest allows") },
+    { "sys.large_hud", sys_has_large_hud, NO_PARAMS, 0, API_SYS, "boolean",
+      HELP("returns true if the player chose a larger HUD") },
     { "sys.difficulties", sys_difficulties, NO_PARAMS, 0, API_SYS, "list",
       HELP("returns the names of the difficulties, easiest first") },
     SYS_ENTRY("sys.on", sys_is_enabled, 0, "boolean",

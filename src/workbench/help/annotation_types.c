@@ -282,6 +282,7 @@ const char *annotation_plain(const char *name)
                  { "hud.low", "integer" },
                  { "hud.shy", "integer" },
                  { "hud.gone", "boolean[]" },
+                 { "hud.large", "boolean" },
                  { "hud.graze", "string" },
                  { "hud.cols", "integer" },
                  { "hud.rows", "integer" },

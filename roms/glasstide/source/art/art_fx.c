@@ -232,12 +232,24 @@ static void glass_bomb(struct sheet *s, int x0, int y0)
         }
 }
 
+/* Copies a square of n px to (x1, y1) at twice its size, with smooth corners. */
+static void enlarge(struct sheet *s, int x0, int y0, int n, int x1, int y1)
+{
+    for (int y = 0; y < 2 * n; y++)
+        for (int x = 0; x < 2 * n; x++) {
+            const int u = x0 + x / 2, v = y0 + y / 2, dx = x % 2 ? 1 : -1, dy = y % 2 ? 1 : -1;
+            const int side = x / 2 + dx < 0 ? 0 : sheet_get(s, u + dx, v), over = sheet_get(s, u, v + dy);
+            const bool corner = side == over && side != sheet_get(s, u, v - dy) && over != sheet_get(s, u - dx, v);
+            sheet_set(s, x1 + x, y1 + y, corner ? side : sheet_get(s, u, v));
+        }
+}
+
 /* What is found, a row each: pearl, conch and heart, over which a light runs in the first half of their frames; and
- * below them a bomb. */
+ * below them a bomb, small and large. */
 struct sheet art_gems(void)
 {
-    enum { GEM = 16, GEMS = 3, GEM_FRAMES = 10 };
-    struct sheet finds = art_finds(), s = sheet_new(GEM * GEM_FRAMES, GEM * (GEMS + 1), 0);
+    enum { GEM = 16, GEMS = 3, GEM_FRAMES = 10, BOMB = 12 };
+    struct sheet finds = art_finds(), s = sheet_new(GEM * GEM_FRAMES, GEM * GEMS + 2 * BOMB, 0);
 
     for (int k = 0; k < GEM_FRAMES * GEMS; k++)
         for (int i = 0; i < GEM * GEM; i++) {
@@ -248,6 +260,7 @@ struct sheet art_gems(void)
             sheet_set(&s, frame * GEM + x, k / GEM_FRAMES * GEM + y, lit ? off < 1.4 ? 15 : 13 : shade);
         }
     glass_bomb(&s, 0, GEM * GEMS);
+    enlarge(&s, 0, GEM * GEMS, BOMB, GEM, GEM * GEMS);
     sheet_free(&finds);
     return s;
 }
