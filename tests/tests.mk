@@ -63,6 +63,7 @@ torture: deps-play-test
 golden: deps-play
 	@$(MAKE) build/curtain-null
 	@tests/golden/run.sh --update
+	@tests/golden/sheets.sh --update
 
 asan: deps-play-test
 	@$(MAKE) $(JOBS) CONFIG=asan OPT="-O1 -fsanitize=address -fno-omit-frame-pointer" programs

@@ -15,9 +15,11 @@ def read(path):
     return w, h, [pixels[3 * w * y:3 * w * (y + 1)] for y in range(h)]
 
 
-def write(path, w, h, lines):
+def write(path, w, h, lines, kind="png24"):
+    """kind: png24, or png for the smallest file"""
     picture = b"P6\n%d %d\n255\n" % (w, h) + b"".join(lines)
-    subprocess.run(["convert", "ppm:-", "-strip", "png24:" + path], check=True, input=picture)
+    subprocess.run(["convert", "ppm:-", "-strip", "-define", "png:compression-level=9", kind + ":" + path], check=True,
+                   input=picture)
 
 
 def compare(expected, got, difference):

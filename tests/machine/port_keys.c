@@ -5,10 +5,12 @@
  * the end of the line; at its end the port asks to quit. +N:KIND plugs in controller N, of enum plat_controller_kind,
  * -N pulls it out; without any such word all of them are there, of no known kind. =PATH is dropped on the window. Time
  * passes only when waited for. Of every picture shown, a line: a hash of it without its last 26 rows, where the program
- * draws the bar of time and writes its words. With KEYS_WHOLE set the hash is of the whole picture; with KEYS_PPM=N
- * picture N is written to picture.ppm. With KEYS_WINDOW=WxH there is a window of that size, for which pictures can be
- * composed; those are hashed whole. With KEYS_VSYNC=HZ showing a picture takes until the next refresh of a screen of
- * that rate. With KEYS_SOUND=FILE there is a speaker, whose samples are written there.
+ * draws the bar of time and writes its words. With KEYS_WHOLE set the hash is of the whole picture. !NAME writes the
+ * next picture to NAME.ppm, and with KEYS_FEW set all others are ignored; with KEYS_PPM=N picture N is written to
+ * picture.ppm. With KEYS_WINDOW=WxH there is a window
+ * of that size, for which pictures can be composed; those are hashed whole. With KEYS_VSYNC=HZ showing a picture takes
+ * until the next refresh of a screen of that rate. With KEYS_SOUND=FILE there is a speaker, whose samples are written
+ * there.
  */
 #include <inttypes.h>
 #include <stdbool.h>
@@ -20,6 +22,7 @@
 static uint64_t now = 1000000;
 static bool text; /* is wanted */
 static char dropped[256];
+static char wanted[256]; /* the file for the next picture */
 
 static struct plat_controller plugged[PLAT_MAX_CONTROLLERS];
 static bool there[PLAT_MAX_CONTROLLERS], plugs; /* plugs: the script says what is there */
@@ -92,6 +95,8 @@ void plat_poll(struct plat_input *in)
             sscanf(word, "~%d,%d", &in->mouse_x, &in->mouse_y);
         } else if (word[0] == '+' || word[0] == '-') {
             plug(word);
+        } else if (word[0] == '!') {
+            snprintf(wanted, sizeof wanted, "%s.ppm", word + 1);
         } else if (word[0] == '=') {
             snprintf(dropped, sizeof dropped, "%s", word + 1);
         } else if (word[0] == 'c') {
@@ -107,9 +112,9 @@ void plat_poll(struct plat_input *in)
     }
 }
 
-static void write_ppm(const uint32_t *colour, int w, int h)
+static void write_ppm(const char *path, const uint32_t *colour, int w, int h)
 {
-    FILE *f = fopen("picture.ppm", "wb");
+    FILE *f = fopen(path, "wb");
 
     if (!f)
         exit(3);
@@ -128,7 +133,10 @@ static void shown(const uint32_t *colour, int w, int h, int n)
     const char *ppm = getenv("KEYS_PPM"), *vsync = getenv("KEYS_VSYNC");
 
     if (ppm && atoi(ppm) == ++pictures)
-        write_ppm(colour, w, h);
+        write_ppm("picture.ppm", colour, w, h);
+    if (wanted[0])
+        write_ppm(wanted, colour, w, h);
+    wanted[0] = 0;
     for (int i = 0; i < n; i++)
         hash = (hash ^ colour[i]) * 1099511628211u;
     printf("%016" PRIx64 "\n", hash);
@@ -160,6 +168,8 @@ void plat_show(const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[2
 {
     static uint32_t colour[1024 * 1024];
 
+    if (!wanted[0] && getenv("KEYS_FEW"))
+        return;
     plat_convert_to_rgb(colour, w, pix, pitch, w, h, rgb);
     shown(colour, w, h, getenv("KEYS_WHOLE") ? w * h : w * (h - 26));
 }

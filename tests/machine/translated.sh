@@ -4,27 +4,7 @@
 . "$(dirname "$0")/../tap.sh"
 sandbox
 
-# Each text that is looked up: + if it has a translation, otherwise -.
-cat >lookups.c <<'C'
-#include <stdio.h>
-struct words;
-const char *__real_words_find(const struct words *w, const char *text, size_t n);
-const char *__wrap_words_find(const struct words *w, const char *text, size_t n)
-{
-    static FILE *f;
-    const char *found = __real_words_find(w, text, n);
-
-    if (!f)
-        f = fopen("lookups", "w");
-    fputc(found ? '+' : '-', f);
-    for (size_t i = 0; i < n; i++)
-        fputc(text[i] == '\n' ? '\r' : text[i], f);
-    fputc('\n', f);
-    fflush(f);
-    return found;
-}
-C
-build_player lookups.c -Wl,--wrap=words_find
+build_player "$repo/tests/machine/lookups.c" -Wl,--wrap=words_find
 game g <<'LUA'
 enemy.def("e", { sprite = "dot", hit = { box = { 4, 4 } } })
 player.def("ship", { sprite = "dot", hit = { circle = 2 }, registers = { power = 1 } })
