@@ -39,11 +39,11 @@ static const struct {
     const char *name;
     int button, axis, way;
 } switches[] = {
-    { "up", SDL_CONTROLLER_BUTTON_DPAD_UP, 0, 0 },    { "right", SDL_CONTROLLER_BUTTON_DPAD_RIGHT, 0, 0 },
-    { "south", SDL_CONTROLLER_BUTTON_A, 0, 0 },       { "east", SDL_CONTROLLER_BUTTON_B, 0, 0 },
-    { "start", SDL_CONTROLLER_BUTTON_START, 0, 0 },   { "select", SDL_CONTROLLER_BUTTON_BACK, 0, 0 },
-    { "l2", -1, SDL_CONTROLLER_AXIS_TRIGGERLEFT, 1 }, { "r2", -1, SDL_CONTROLLER_AXIS_TRIGGERRIGHT, 1 },
-    { "lleft", -1, SDL_CONTROLLER_AXIS_LEFTX, -1 },
+    { "up", SDL_CONTROLLER_BUTTON_DPAD_UP, 0, 0 },       { "down", SDL_CONTROLLER_BUTTON_DPAD_DOWN, 0, 0 },
+    { "right", SDL_CONTROLLER_BUTTON_DPAD_RIGHT, 0, 0 }, { "south", SDL_CONTROLLER_BUTTON_A, 0, 0 },
+    { "east", SDL_CONTROLLER_BUTTON_B, 0, 0 },           { "start", SDL_CONTROLLER_BUTTON_START, 0, 0 },
+    { "select", SDL_CONTROLLER_BUTTON_BACK, 0, 0 },      { "l2", -1, SDL_CONTROLLER_AXIS_TRIGGERLEFT, 1 },
+    { "r2", -1, SDL_CONTROLLER_AXIS_TRIGGERRIGHT, 1 },   { "lleft", -1, SDL_CONTROLLER_AXIS_LEFTX, -1 },
 };
 
 static const struct {
