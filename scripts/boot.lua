@@ -15,7 +15,7 @@ on.game_over(function() over = true end)
 -- Shows the game's own screen with that name, or the library's.
 local function show(name, ...) return (screens[name] or sys.read("screens/" .. name))(...) end
 
--- Hides what would be drawn over a window: sprites, lines, and plates with their text. Returns the list of what it hid.
+-- Hides sprites, lines of text, and plates with their text, which would cover a window. Returns the list of them.
 local function set_aside()
   local plates, list = sys.covers()
   for _, s in ipairs(plates) do
@@ -128,12 +128,12 @@ local function records() return sys.read("boot/records") end
 local function play_stages(game, run)
   local i = records().next(run, 0)
   while i do
-    local title = text.lang("STAGE %s"):format(menu.label(run.stages[i]))
-    hud.banner({ title }, 150)
+    local title = text.lang("Stage %s"):format(menu.label(run.stages[i]))
+    hud.banner({ title:upper() }, 150)
     if not finished(stage.play(run.stages[i], game)) then return end
     quieten()
     hud.banner()
-    show("results", text.lang("%s CLEAR"):format(title), #run.ships, stopped, records().stage(run, i))
+    show("results", text.lang("%s Clear"):format(title), #run.ships, stopped, records().stage(run, i))
     if stopped() then return end
     i = records().next(run, i)
     if i then
@@ -160,7 +160,7 @@ local function play(a, run)
   local jingle = screens[run.clear and "clear" or "over"]
   if jingle and not left then jingle() end
   show_end(run.clear and "ALL STAGES CLEAR" or "GAME OVER")
-  for _, title in ipairs(new) do show_end(text.lang("UNLOCKED: %s"):format(title)) end
+  for _, title in ipairs(new) do show_end(text.lang("Unlocked: %s"):format(title)) end
   leave(game, #ships)
   if not left then sys.read("boot/after")(a, show, run) end
 end
@@ -171,7 +171,7 @@ local host = {
   left = function() return left end,
 }
 
--- From the title to the title, for ever.
+-- Plays one game after the other, each from the title.
 local function play_games(a)
   local first, from = board.difficulty(), nil
   while true do
@@ -187,7 +187,7 @@ local function play_games(a)
   end
 end
 
--- A practice start: no title, one ship, the same section again and again.
+-- Plays the section of a practice start with one ship, again and again, without a title.
 local function practise(a, start, kind)
   while true do
     local game = enter({ kind })

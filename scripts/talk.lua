@@ -118,7 +118,7 @@ function sys.say(who, words, args)
 end
 
 function sys.choose(list, args)
-  if type(list) ~= "table" then sys.fail("choose", 'list: expected a list of strings, as in choose { "YES", "NO" }') end
+  if type(list) ~= "table" then sys.fail("choose", 'list: expected a list of strings, as in choose { "Yes", "No" }') end
   local a, items = sys.check("choose", list, args), {}
   for _, key in ipairs(sys.keys(a.list)) do
     if math.type(key) ~= "integer" then

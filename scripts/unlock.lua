@@ -62,7 +62,7 @@ function sys.unlock.earn(run)
   for _, u in ipairs(list) do
     if not has(u.name) and earned(u.when, run) then
       save.set("unlock/" .. u.name, true)
-      new[#new + 1] = text.lang(u.title or (u.name:gsub("_", " "):upper()))
+      new[#new + 1] = u.title and text.lang(u.title) or menu.label(u.name)
     end
   end
   return new

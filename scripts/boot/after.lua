@@ -1,7 +1,7 @@
--- boot/after.lua - all that is after a game that nobody left: ending and staff, then names and scores.
+-- boot/after.lua - what follows a game that was not left: ending and staff roll, then name entry and scores.
 local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 
-local SCORES = 6 * 60 -- frames it stands
+local SCORES = 6 * 60 -- frames that the scores are shown
 
 local function holds(when, run)
   if type(when) == "function" then return when(run) == true end
@@ -11,7 +11,7 @@ local function holds(when, run)
   return true
 end
 
--- The parts that are for this run.
+-- Returns the sections of the staff roll for this run.
 local function staff_of(a, run)
   local parts = {}
   for _, part in ipairs(a.staff) do
@@ -20,7 +20,7 @@ local function staff_of(a, run)
   return parts
 end
 
--- The first ending that is for this run. Returns false if it says that no staff is to be shown.
+-- Shows the first ending that matches the run. Returns false if no staff roll follows.
 local function ending(a, show, run)
   if type(a.ending) == "function" then return a.ending(run) end
   for _, e in ipairs(a.ending or {}) do
@@ -29,15 +29,15 @@ local function ending(a, show, run)
   show("ending", run)
 end
 
--- The place of a row in the table of all ships, or nil.
+-- Returns the place of a row in the table of all ships, or nil.
 local function place(difficulty, row)
   for i, r in ipairs(score.rows(difficulty)) do
     if r.ship == row.ship and r.score == row.score and r.name == row.name then return i end
   end
 end
 
--- Everybody whose score is among the best enters a name, then all see the table: of their ship, or if these are two, of
--- all.
+-- Players whose scores are among the best enter their names. Then the table is shown: that of their ship, or for two
+-- different ships that of all ships.
 local function enter_names(a, show, run)
   local entries = sys.read("boot/records").best(run, #a.kinds > 1)
   if #entries == 0 then return end
@@ -54,7 +54,7 @@ local function enter_names(a, show, run)
   show("scores", run.difficulty, SCORES, mark, ship)
 end
 
--- run: what was played, and what became of it: mode, difficulty, ship, ships, players, continues, clear, scores.
+-- run: mode, difficulty, ship, ships, players, continues, clear, scores.
 return function(a, show, run)
   if run.clear then
     local staff = ending(a, show, run)

@@ -166,20 +166,22 @@ local function check_pages(pages)
 end
 
 local HOW_TO_PLAY <const> = { "move", "fire", "focus", "bomb", "graze" } -- the library's pages
+local BUTTONS <const> = { "up", "down", "left", "right", "fire", "bomb", "focus", "special", "start", "select" }
 
 local function check_how_to_play_page(p, what)
   if type(p) == "string" then
     expect_names("page of how_to_play:", { [p] = true }, HOW_TO_PLAY)
   else
     if type(p) ~= "table" then fail(what, "a table or the name of a page", type(p)) end
-    expect_names(("argument of %s:"):format(what), p, { "title", "text", "show" })
+    expect_names(("argument of %s:"):format(what), p, { "title", "text", "button", "show" })
     expect_text(what .. ": title", p.title, true)
     expect_text(what .. ": text", p.text, true)
+    if p.button then expect_names("button of how_to_play:", { [p.button] = true }, BUTTONS) end
     expect_type(what .. ": show", p.show, "function")
   end
 end
 
--- how_to_play: a list of { title, text, show } and names of the library's pages.
+-- how_to_play: a list of { title, text, button, show } and names of the library's pages.
 local function check_how_to_play(list)
   if #list == 0 then fail("how_to_play", "a list of at least one page", "none") end
   for i = 1, #list do check_how_to_play_page(list[i], ("how_to_play: page %d"):format(i)) end

@@ -8,8 +8,8 @@ local ROW = (rom.field.y + rom.field.h) // 8 - 2
 local LEFT, RIGHT = rom.field.x // 8 + 1, (rom.field.x + rom.field.w) // 8 - 1
 
 -- One line at the bottom of the field, on the player's side.
-local function remind(p, left)
-  local line = text.lang("START: %d LEFT"):format(left)
+local function show_prompt(p, left)
+  local line = text.lang("Press Start: %d Left"):format(left)
   local n = sys.cells(line)
   local col = p == 1 and LEFT or RIGHT - n
   if board.frame() % BLINK == 0 then hud.put(col, ROW, line) end
@@ -23,10 +23,10 @@ local function anyone(players)
   return false
 end
 
-local function forget() text.clear { col = LEFT, row = ROW, w = RIGHT - LEFT, h = 1 } end
+local function clear_prompt() text.clear { col = LEFT, row = ROW, w = RIGHT - LEFT, h = 1 } end
 
 local function go_on(p)
-  forget()
+  clear_prompt()
   sys.cue("continue")
   sys.go_on(p)
 end
@@ -41,7 +41,7 @@ return function(game, players, n, freeze_for, screen)
         local left = sys.continues(p)
         local asks = left ~= 0 and not player.get(p).alive
         if asks and not anyone(players) then
-          forget()
+          clear_prompt()
           freeze_for(function()
             local yes = (screen or sys.read("screens/continue"))(p, left)
             if yes then go_on(p) else sys.continues(p, 0) end
@@ -50,7 +50,7 @@ return function(game, players, n, freeze_for, screen)
         elseif asks and pad.take("start", 0, p) then
           go_on(p)
         elseif asks then
-          remind(p, left)
+          show_prompt(p, left)
         end
       end
     end

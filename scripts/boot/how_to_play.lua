@@ -56,16 +56,17 @@ end
 -- The library's pages by name, in order; only what the ship can do.
 local function own_pages(ship, kind)
   local list = {
-    { name = "move", title = "MOVE", text = "Fly with the directions.", show = move },
-    { name = "fire", title = "FIRE", text = "Hold FIRE to shoot.", show = fire },
-    { name = "focus", title = "FOCUS", text = "Hold FOCUS to fly slowly. Only the middle of your ship can be hit.",
-      show = focus },
+    { name = "move", title = "Move", text = "Fly with the directions.", show = move },
+    { name = "fire", title = "Fire", button = "fire", text = "Hold Fire to shoot.", show = fire },
+    { name = "focus", title = "Focus", button = "focus", show = focus,
+      text = "Hold Focus to fly slowly. Only the middle of your ship can be hit." },
   }
   if ship.bomb then
-    list[4] = { name = "bomb", title = "BOMB", text = "BOMB saves you when you are cornered.", show = bomb(kind) }
+    list[4] = { name = "bomb", title = "Bomb", button = "bomb", text = "A bomb saves you when you are cornered.",
+                show = bomb(kind) }
   end
   if ship.graze > 0 and kind then
-    list[#list + 1] = { name = "graze", title = "GRAZE", text = "Let bullets pass close by: each one is a graze.",
+    list[#list + 1] = { name = "graze", title = "Graze", text = "Let bullets pass close by: each one is a graze.",
                         show = graze(kind, ship.graze) }
   end
   return list

@@ -20,16 +20,18 @@ local function reporter()
   end
 end
 
+local function title_of(title, name) return title and text.lang(title) or menu.label(name) end
+
 -- All ships with their registers; practice uses the first one unless the player chooses another. A form's title follows
 -- its ship's.
 local function report_ships(report, a)
   local titles = {}
   for _, kind in ipairs(a.players) do
     local about = a.ships and a.ships[kind] or {}
-    titles[kind] = menu.label(about.title or kind)
+    titles[kind] = title_of(about.title, kind)
     for _, form in ipairs(about.forms or {}) do
       local title = form.title or form.kind ~= kind and form.kind
-      if title then titles[form.kind] = menu.label(about.title or kind) .. " " .. menu.label(title) end
+      if title then titles[form.kind] = titles[kind] .. " " .. title_of(form.title, form.kind) end
     end
   end
   for i, kind in ipairs(a.kinds) do
@@ -37,7 +39,7 @@ local function report_ships(report, a)
       local ship = sys.ship(kind)
       report("ship", kind, ship.sprite, titles[kind], ship.lives)
       for _, r in ipairs(ship.registers) do
-        local label = r.label and r.label ~= "" and text.lang(r.label) or menu.label(r.name)
+        local label = menu.label((r.label and r.label ~= "" and r.label or r.name):lower())
         if r.show ~= "none" and startable(r.name, "=") then report("register", r.name, kind, label, r.value) end
       end
     end
@@ -83,7 +85,7 @@ return function(a, enter, leave)
   report_names(report)
   for _, name in ipairs(stage.names(a.stages)) do
     if startable(name, "[:/]") then
-      report("stage", name, "", text.lang("STAGE %s"):format(menu.label(name)))
+      report("stage", name, "", text.lang("Stage %s"):format(menu.label(name)))
       stages[#stages + 1] = name
     end
   end

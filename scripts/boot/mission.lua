@@ -1,12 +1,12 @@
--- boot/mission.lua - a mission, from its first frame to its result, as often as somebody tries it.
+-- boot/mission.lua - plays a mission and shows its result, until the player stops retrying.
 local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 
 local ROW <const> = (rom.field.y + rom.field.h) // 8 - 2
 local COL <const>, COLS <const> = (rom.field.x + 7) // 8, rom.field.w // 8
-local AGAIN <const> = 30    -- frames from one time it is written to the next: a stage's mark empties the screen
-local FEW <const> = 10 * 60 -- frames left from which on the clock is in the colour of alarm
+local AGAIN <const> = 30    -- frames after which the progress is written again, because a stage's mark clears the screen
+local FEW <const> = 10 * 60 -- frames left from which on the clock is in the alarm colour
 
--- What a goal or a measure counts, of the player or of the run.
+-- Returns the value that a goal or a measure counts, of the player or of the run.
 local function count(name, p, age)
   if name == "kills" then return sys.missions.killed end
   if name == "frames" or name == "time" then return age end
@@ -25,7 +25,7 @@ local function reached(m, p, age)
   return true
 end
 
--- "34/60" of the goal that is first by name, and the time that is left.
+-- Returns the progress of the goal that is first by name, "34/60", with the time left; and whether that is short.
 local function progress(m, p, age)
   local first
   for name in pairs(type(m.goal) == "table" and m.goal or {}) do
@@ -42,26 +42,28 @@ local function progress(m, p, age)
   return table.concat(words, "  "), left and left <= FEW
 end
 
+local function clear() text.clear { col = COL, row = ROW, w = COLS, h = 1 } end
+
+-- Writes the progress if it changed. Returns it.
 local function draw(m, p, age, seen)
   local words, late = progress(m, p, age)
   if words == seen and age % AGAIN > 0 then return words end
-  local n = sys.cells(words)
-  if seen and sys.cells(seen) > n then text.clear { col = COL, row = ROW, w = COLS, h = 1 } end
-  hud.put(COL + (COLS - n) // 2, ROW, words, late and hud.banks.alarm or hud.banks.bright)
+  clear()
+  hud.put(COL + (COLS - sys.cells(words)) / 2, ROW, words, late and hud.banks.alarm or hud.banks.bright)
   return words
 end
 
--- Watches a mission until it is over. Returns whether it was done, and its age then.
+-- Watches a mission until it is over. Returns whether the goal was reached, and the frames it took.
 local function watch(m, game, stopped)
   local p, age, cleared, seen = player.get(1), 0, nil, nil
   local piece = m.start(game, function(won) cleared = won end)
   local stop <close> = setmetatable({}, { __close = function() task.stop(piece) end })
   while not stopped() do
-    local there = reached(m, p, age)
+    local is_reached = reached(m, p, age)
     seen = draw(m, p, age, seen)
     if m.bombs and sys.missions.bombed > m.bombs then break end
-    if there and not m.clear then return true, age end
-    if not task.alive(piece) then return m.clear and there and (cleared or m.stage ~= nil), age end
+    if is_reached and not m.clear then return true, age end
+    if not task.alive(piece) then return m.clear and is_reached and (cleared or m.stage ~= nil), age end
     if m.limit and age >= m.limit then break end
     wait(1)
     age = age + 1
@@ -84,7 +86,7 @@ local function begin(m, run, enter)
   return game
 end
 
--- Plays it once. Returns how it was left ("restart", "quit"), or the answer of the result's screen.
+-- Plays the mission once. Returns how it was left ("restart", "quit"), or the answer of the result's screen.
 local function try(m, run, host)
   local game = begin(m, run, host.enter)
   local done, age = watch(m, game, host.stopped)
@@ -100,7 +102,8 @@ local function try(m, run, host)
   if not left then
     host.quieten()
     hud.banner()
-    task.stop(game) -- what the hud has yet to say would be written over the result
+    task.stop(game) -- the HUD would write over the result
+    clear()
     sys.cue(done and "mission" or "failed")
     answer = host.show("mission", result)
   end

@@ -1,14 +1,13 @@
--- boot/records.lua - what a run leaves behind: the tally of a stage, what it unlocked, its rows in the score tables. It
--- is kept in nvram, which the cabinet writes for runs alone that were played from their title on, forwards, at full
--- speed and by nobody else.
+-- boot/records.lua - the results of a run: the tally of each stage, unlocks, and rows of the score tables. They are in
+-- nvram, which the program saves only for runs that were played from the title, without rewinding, at full speed.
 local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local records = {}
 
-local FEW = 14 -- the most stages that a row tells of; nvram.h
+local FEW = 14 -- highest number of a stage in a row of a table; nvram.h
 
-local scoring, unlocks = rawget(sys, "scoring"), rawget(sys, "unlock") -- nil where the game names nothing of them
+local scoring, unlocks = rawget(sys, "scoring"), rawget(sys, "unlock") -- nil if the game does not use them
 
--- Fails unless all is declared that rules, tally, unlocks and `needs` name. a: boot.run's arguments.
+-- Fails unless everything that rules, tally, unlocks and `needs` name is declared. a: boot.run's arguments.
 function records.expect(a)
   if scoring then scoring.expect() end
   if rawget(sys, "missions") then sys.missions.expect(a) end
@@ -24,10 +23,10 @@ function records.expect(a)
   for _, m in ipairs(a.music or {}) do refuse("boot.run", m.needs) end
 end
 
--- What keeps something closed that needs this unlock: a hint, or ""; nil: it is open.
+-- Returns the hint of an unlock that has not been earned, or ""; nil if it has been earned.
 function records.closed(needs) return needs and unlocks.closed(needs) end
 
--- The number of the run's next stage after the i-th that is open now, or nil.
+-- Returns the index of the run's next open stage after the i-th, or nil.
 function records.next(run, i)
   local needs = rawget(sys, "stage_needs") or {}
   for k = i + 1, #run.stages do
@@ -35,7 +34,7 @@ function records.next(run, i)
   end
 end
 
--- A run begins; run.mode, stages and ships are there. What `when` of unlock.def is asked of it stands in it from now on.
+-- Starts a run that has mode, stages and ships. Adds the fields that `when` of unlock.def reads.
 function records.begin(run)
   run.difficulty, run.ship, run.players = board.difficulty(), run.ships[1], #run.ships
   run.continues, run.clear, run.cleared, run.reached, run.scores = 0, false, {}, 0, {}
@@ -47,7 +46,7 @@ local function earn(run)
   return unlocks and unlocks.earn(run) or {}
 end
 
--- A word for each line of the tallies, and what each player got for it; nil: there is no tally.
+-- Returns the rows of the tallies, each a label and every player's points; nil if the game has no tally.
 local function tallies(n, last)
   local rows, row_of = {}, {}
   for p = 1, n do
@@ -60,12 +59,12 @@ local function tallies(n, last)
       row_of[word], row[p + 1] = row, line.points
     end
   end
-  local function points(p) return function() return hud.score(p) end end -- what still comes in counts, too
-  rows[#rows + 1] = { "SCORE", points(1), n > 1 and points(2) or nil }
+  local function points(p) return function() return hud.score(p) end end -- the scores can still rise
+  rows[#rows + 1] = { "Score", points(1), n > 1 and points(2) or nil }
   return rows
 end
 
--- What the game says of each player in that stage: a letter or a few; nil: it says nothing.
+-- Returns each player's grade for a stage; nil if the game gives no grades.
 local function grades(run, name)
   if not run.grades then return nil end
   local list = {}
@@ -78,8 +77,8 @@ local function grades(run, name)
   return list
 end
 
--- The run's i-th stage is cleared. Returns the rows of its results, or nil for the usual ones, the titles of what it
--- unlocked, which may be the next stage, and a grade for each player, or nil.
+-- Records that the run's i-th stage was cleared. Returns the rows of its results, or nil for the default ones; the titles
+-- of new unlocks, which can be the next stage; and a grade for each player, or nil.
 function records.stage(run, i)
   run.stage = run.stages[i]
   run.reached, run.cleared[run.stage] = run.reached + 1, true
@@ -88,17 +87,17 @@ function records.stage(run, i)
   return tallies(run.players, not records.next(run, i)), new, grades(run, run.stages[i])
 end
 
--- The run is over. Returns the titles of what it unlocked.
+-- Ends the run. Returns the titles of new unlocks.
 function records.over(run) return earn(run) end
 
--- The place a score would take in its table, or nil.
+-- Returns the place that a score would have in its table, or nil.
 local function rank(difficulty, ship, points)
   local rows, place = score.rows(difficulty, ship), 1
   while rows[place] and rows[place].score >= points do place = place + 1 end
   return points > 0 and place <= 10 and place or nil
 end
 
--- How many of those who played with player p come before it in the same table.
+-- Returns how many other players of this run are ahead of player p in the same table.
 local function ahead(run, p, many)
   local n, points = 0, run.scores[p]
   for q, other in ipairs(run.scores) do
@@ -108,8 +107,8 @@ local function ahead(run, p, many)
   return n
 end
 
--- Those whose scores are among the best, as { p, points, rank, row } each; row: what is entered, but for the name. A game
--- of one ship has one table a difficulty, another one for each ship.
+-- Returns the players whose scores enter a table, as { p, points, rank, row } each; row: the table's row without a name.
+-- A game with one ship has one table for each difficulty, other games have one for each ship, too.
 function records.best(run, many)
   local list = {}
   for p, points in ipairs(run.scores) do

@@ -1,5 +1,5 @@
--- menu/book.lua - pages that are turned: left and right lead to the next, up and down to another chapter. The score
--- tables, the history and the list of unlocks are such.
+-- menu/book.lua - a screen of several pages: left and right turn them, up and down change the chapter. The score tables,
+-- the spell history and the list of unlocks use it.
 local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local page = sys.read("menu/page")
 
@@ -7,10 +7,10 @@ local LEFT, RIGHT, UP, DOWN = hud.glyph(139, "<"), hud.glyph(140, ">"), hud.glyp
 
 local book = {}
 
--- The first row of what stands on a page, and how many there are down to the foot. chapters: how many.
+-- Returns the first row of a page's content and the number of its rows. chapters: how many there are.
 function book.room(chapters)
-  local row = page.row + (page.low and 6 or chapters > 1 and 13 or 11)
-  return row, page.row + page.rows - (page.low and 3 or 6) - row
+  local row = page.first + (page.low and 2 or chapters > 1 and 5 or 3)
+  return row, page.bottom - row
 end
 
 -- Distributes n entries of height(i) rows each over pages; returns the first and the last of each.
@@ -28,7 +28,7 @@ end
 
 local function between(before, name, n, behind) return n > 1 and before .. " " .. name .. " " .. behind or name end
 
--- What stands above a page. In a low one the chapter shares the head's row.
+-- Draws the titles above a page. On a low page the chapter is in the heading's row.
 local function titles(a, c, name, n, age)
   local chapter = #a.chapters > 1 and between(UP, a.chapters[c], #a.chapters, DOWN)
   local head = text.lang(a.head)
@@ -48,9 +48,9 @@ end
 
 local function turn(at, n, step) return (at - 1 + step) % n + 1 end
 
--- head: above all pages; chapters: names of these, one may be ""; pages(c): those of chapter c, a list of { title, count,
--- draw(row, rows, age), every? }: count rows come one after the other, all are drawn again each `every` frames. Begins
--- at `chapter` and `at`, ends when somebody presses (true) or nobody did for `limit` frames.
+-- head: the heading of all pages; chapters: their names, which can be ""; pages(c): the pages of chapter c, a list of
+-- { title, count, draw(row, rows, age), every? }: count rows appear one after the other, and are drawn again each `every`
+-- frames. Starts at `chapter` and `at`. Returns true if a player closed it, false if nobody pressed for `limit` frames.
 function book.show(a)
   local c, i, age, idle, answered = a.chapter or 1, a.at or 1, 0, 0, false
   local list, row, rows = a.pages(c), book.room(#a.chapters)
@@ -61,8 +61,9 @@ function book.show(a)
     if page.opening(age, p.count) or p.every and age % p.every == 0 then
       titles(a, c, p.title, #list, idle)
       p.draw(row, rows, age)
-      page.foot("FIRE: BACK", idle)
+      page.foot(page.BACK)
     end
+    page.tell(page.BACK)
     wait(1)
     age, idle = age + 1, idle + 1
     local up, right = #a.chapters > 1 and page.step("up", "down") or 0, page.step("left", "right")
@@ -73,7 +74,7 @@ function book.show(a)
       i = turn(i, #list, right)
     end
     if up ~= 0 or right ~= 0 and #list > 1 then
-      age, idle = 0, page.cols -- rules and frames have grown
+      age, idle = 0, page.cols -- the rule has its full length
       page.clear(page.row, page.rows)
     end
     answered = page.accepted() or page.pressed("bomb")

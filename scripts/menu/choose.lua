@@ -1,10 +1,10 @@
--- menu/choose.lua - menu.choose: a title and a list below it, which leave nothing behind.
+-- menu/choose.lua - menu.choose: shows a title and a list below it, then removes both.
 local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local page = sys.read("menu/page")
 
 return function(a)
   if type(a) ~= "table" or type(a.items) ~= "table" or #a.items == 0 then
-    sys.fail("menu.choose", 'items: expected a list of strings, as in { items = { "YES", "NO" }, row = 12 }')
+    sys.fail("menu.choose", 'items: expected a list of strings, as in { items = { "Yes", "No" }, row = 12 }')
   elseif not math.tointeger(a.row) then
     sys.fail("menu.choose", ("row: expected a whole number, got %s"):format(tostring(a.row)))
   end

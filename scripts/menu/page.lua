@@ -1,12 +1,12 @@
--- menu/page.lua - what all screens share: the place of a page, its rules and frames, and lists to choose from.
+-- menu/page.lua - what all screens share: the layout of a page, its heading, rules and frames, and lists to choose from.
 --
 -- A page uses the whole screen, except for a column at each side. Animations never delay input: a press counts from a
--- page's second frame on.
+-- page's second frame on. Rows can be fractions of a cell: half a row is 4 px.
 local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local page = {}
 
 local IDLE = 30 * 60 -- frames without input after which a page closes
-local COMING = 4     -- frames that a new row is faint
+local FAINT = 4      -- frames that a new row is faint
 local BLINK = 16     -- frames that the arrows keep their colour
 local GROWING = 8    -- frames in which a window grows
 local DIM = 0.45     -- share of black behind a page
@@ -21,7 +21,13 @@ page.col, page.row = 0, 0
 page.cols, page.rows = hud.cols, hud.rows
 page.x = rom.screen.w // 2              -- its middle, px
 page.low = page.rows < 36               -- no empty rows between rows
+page.first = page.low and 4 or 6        -- the first row below a heading of one line
+page.bottom = page.rows - (page.low and 2 or 4) -- the row below a page's content
+page.pitch = page.low and 1.25 or 1.5      -- rows from one line of a paragraph to the next
 page.IDLE = IDLE
+
+-- What the buttons do on a page, for page.foot and page.tell: a button, what it does, the next button ...
+page.SELECT, page.BACK = { "fire", "Select", "bomb", "Back" }, { "bomb", "Back" }
 
 -- Returns the first cell and the width, at most `widest`, of column i of n columns side by side.
 function page.column(i, n, widest)
@@ -54,9 +60,25 @@ end
 
 -- ---- text and plates ----
 
--- Clears n rows from `row` on, in the whole page or in some columns.
+-- Clears n rows from `row` on, in the whole page or in some columns. A row that is a fraction is in the cell above.
 function page.clear(row, n, col, cols)
-  if n > 0 then text.clear { col = col or page.col, row = row, w = cols or page.cols, h = n } end
+  local h = math.floor(row + n - 1) - math.floor(row) + 1
+  if n > 0 then text.clear { col = col or page.col, row = row, w = cols or page.cols, h = h } end
+end
+
+-- Breaks s into lines of at most `cols` cells and of nearly equal length.
+function page.wrap(s, cols)
+  local lines, longest = hud.wrap(s, cols), 1
+  for word in s:gmatch("%S+") do
+    local n = sys.cells(word)
+    if n <= cols then longest = math.max(longest, n) end
+  end
+  for narrower = cols - 1, longest, -1 do
+    local tried = hud.wrap(s, narrower)
+    if #tried > #lines then break end
+    lines = tried
+  end
+  return lines
 end
 
 -- Translates and centres s; returns the row below.
@@ -64,14 +86,22 @@ function page.centre(row, s, bank, col, cols)
   return hud.centre(row, s, bank, (col or page.col) + 1, (cols or page.cols) - 2)
 end
 
--- The same, with lines `apart` rows apart; default: 1 on a low page, otherwise 2.
+-- Translates s and centres it as a paragraph, a column off the edges; returns the first row below. apart: rows from one
+-- line to the next.
 function page.text(row, s, bank, col, cols, apart)
-  col, cols = (col or page.col) + 1, (cols or page.cols) - 2
-  for _, line in ipairs(hud.wrap(text.lang(s), cols)) do
-    hud.put(col + (cols - sys.cells(line)) // 2, row, line, bank)
-    row = row + (apart or page.low and 1 or 2)
+  col, cols = (col or page.col + 1) + 1, (cols or page.cols - 2) - 2
+  for _, line in ipairs(page.wrap(text.lang(s), math.max(1, cols))) do
+    hud.put(col + (cols - sys.cells(line)) / 2, row, line, bank)
+    row = row + (apart or page.pitch)
   end
-  return row
+  return math.ceil(row)
+end
+
+-- n stars out of `most`, from `col` on, those that are missing as dots.
+local STAR <const>, DOT <const> = hud.glyph(138, "*"), hud.glyph(183, ".")
+function page.stars(col, row, n, most, bank)
+  hud.put(col, row, STAR:rep(n), bank or hud.banks.bright)
+  hud.put(col + n, row, DOT:rep(most - n), hud.banks.faint)
 end
 
 -- Draws a line that grows from its middle, `age` frames after it appeared.
@@ -125,66 +155,61 @@ end
 
 -- Draws the heading above a rule; returns the first row below.
 function page.head(s, age)
-  local row = page.centre(page.row + (page.low and 1 or 3), s, hud.banks.bright)
-  page.rule(row + (page.low and 0 or 1), age)
-  return row + (page.low and 2 or 4)
+  local row = page.centre(page.row + (page.low and 1 or 2), s, hud.banks.bright)
+  page.rule(row + (page.low and 0 or 0.5), age)
+  return row + (page.low and 2 or 3)
 end
 
--- Draws what the buttons do, above the page's lower edge.
-function page.foot(s, age)
-  local row = page.row + page.rows - (page.low and 2 or 4)
-  if age then page.rule(row - 1, age) end
-  page.centre(row, s, hud.banks.faint)
+-- Tells the program what the buttons do, to be called in each frame.
+function page.tell(keys)
+  for i = 1, #keys, 2 do sys.tell_key(keys[i], keys[i + 1]) end
+end
+
+-- Writes the same in the last row, for machines without a program: "Fire: Select  Bomb: Back". A program that shows the
+-- keys covers this line. Buttons that don't fit are left out, and so are those with their own name.
+function page.foot(keys)
+  local s = ""
+  for i = 1, #keys, 2 do
+    local name, meaning = menu.label(keys[i]), text.lang(keys[i + 1])
+    local longer = (s == "" and "" or s .. "  ") .. name .. ": " .. meaning
+    if name ~= meaning and sys.cells(longer) <= page.cols - 2 then s = longer end
+  end
+  page.clear(page.rows - 1.5, 1)
+  page.centre(page.rows - 1.5, s, hud.banks.faint)
 end
 
 -- Returns whether a page that is `age` frames old and has n rows is still opening.
-function page.opening(age, n) return age <= math.max(2 * n + COMING, GROWING, page.cols // 4) end
+function page.opening(age, n) return age <= math.max(2 * n + FAINT, GROWING, page.cols // 4) end
 
 -- Returns the bank in which to draw row i, which ends up in `bank`: rows appear one after the other, faint at first.
 -- nil: the row isn't shown yet.
 function page.bank(i, age, bank)
   local here = age - 2 * (i - 1)
   if here < 0 then return nil end
-  return here < COMING and hud.banks.faint or bank
+  return here < FAINT and hud.banks.faint or bank
 end
 
 -- ---- lists ----
 
--- The bar behind the chosen row of a list, and how it glides there: a third of the way in each frame.
+-- The bar behind the chosen row of a list, and how it glides there: a third of the way in each frame. Its height is odd,
+-- as that of capitals, so that these are in its middle.
 function page.bar(col, row, cols, gap, front)
   return sprite.plate {
-    x = col * 8, y = row * 8, w = cols * 8, h = gap > 1 and 16 or 10, stay = true, bank = hud.banks.bright,
+    x = col * 8, y = row * 8, w = cols * 8, h = gap > 1 and 15 or 11, stay = true, bank = hud.banks.bright,
     front = front,
   }
 end
 
+local CAPITALS <const> = 7 -- height of capitals, px
+
 function page.glide(bar, row, at_once)
   if not bar.alive then return end
-  local to = row * 8 + 4 - bar.h // 2
+  local to = row * 8 - (bar.h - CAPITALS) // 2
   local way = to - bar.y
   bar.y = (at_once or way * way < 1) and to or bar.y + way / 3
 end
 
--- Draws an item in the middle of the k-th visible row. A line of text centres it exactly; without one (board.lines), it
--- can be half a cell off.
-local function put_item(l, k, item, bank)
-  local row = l.row + (k - 1) * l.gap
-  local line = l.lines and l.lines[k]
-  if l.lines and not (line and line.alive) then
-    line = text.line {
-      x = l.col * 8 + l.width * 4, y = row * 8, text = item, align = "center", screen = true, stay = true,
-    }
-    l.lines[k] = line
-  end
-  if not (line and line.alive) then
-    return bank and hud.put(l.col + (l.width - sys.cells(item)) // 2, row, item, bank)
-  end
-  if line.text ~= item then line.text = item end
-  line.hidden = not bank
-  if bank then line.bank = bank end
-end
-
--- Scrolls to the chosen item, and shows where there are more.
+-- Scrolls to the chosen item, and shows where more items are.
 local function scroll(l, chosen)
   l.first = math.max(chosen - l.seen + 1, math.min(l.first, chosen))
   if l.seen == #l.items then return end
@@ -200,7 +225,8 @@ local function draw(l, a, chosen, age)
   for k = 1, l.seen do
     local i = l.first + k - 1
     local word = a.closed and a.closed[i] and "faint" or i == chosen and "bright" or "plain"
-    put_item(l, k, l.items[i], page.bank(k, age, hud.banks[word]))
+    local item, bank = l.items[i], page.bank(k, age, hud.banks[word])
+    if bank then hud.put(l.col + (l.width - sys.cells(item)) / 2, l.row + (k - 1) * l.gap, item, bank) end
   end
   local at = l.row + (chosen - l.first) * l.gap
   hud.put(l.col - 2, at, RIGHT, blink)
@@ -219,11 +245,11 @@ local function lay_out(a)
   local seen = math.min(#a.items, a.most or #a.items)
   local l = {
     items = a.items, row = a.row, gap = gap, width = widest, col = (a.col or page.col) + (cols - widest) // 2,
-    first = 1, seen = seen, below = a.row + seen * gap + (page.low and 0 or 1), lines = sys.on("text.line") and {},
+    first = 1, seen = seen, below = math.ceil(a.row + seen * gap) + (page.low and 0 or 1),
   }
-  -- The marks for more items: next to the list, in the empty rows above and below if there are any.
-  local off, last = gap > 1 and 1 or 0, a.row + (seen - 1) * gap
-  l.more = { col = l.col + widest + (gap > 1 and 1 or 3), up = a.row - off, down = last + off }
+  -- The marks for more items: above and below the list; next to it if it has no empty rows.
+  local off, last = gap > 1 and gap * 0.75 or 0, a.row + (seen - 1) * gap
+  l.more = { col = l.col + (gap > 1 and (widest - 1) / 2 or widest + 3), up = a.row - off, down = last + off }
   local beyond = math.max(0, math.min(3, l.col - page.col - 1)) -- columns of the bar on each side of the widest item
   l.bar = page.bar(l.col - beyond, l.row, widest + 2 * beyond, gap, a.front)
   return l
@@ -232,9 +258,9 @@ end
 -- Shows a list of translated items, from `row` on, until one is chosen. Optional: chosen; p (the player who chooses);
 -- limit (frames, default IDLE); back (the result of bomb; false: bomb does nothing); gap (rows from one item to the
 -- next); col and cols (part of the page); most (items shown at a time; the list scrolls); front (the bar is over all
--- plates); closed (true for items that can't be chosen); draw(age), called while the page opens; keys (the program
--- shows the buttons); note(chosen, row), which draws below the list, and notes, its rows. Returns the number of the
--- item, or nil.
+-- plates); closed (true for items that can't be chosen); draw(age), called while the page opens; keys (what the program
+-- shows about the buttons: page.SELECT); note(chosen, row), which draws below the list, and notes, its rows. Returns the
+-- number of the item, or nil.
 function page.list(a)
   local l, chosen, answer = lay_out(a), a.chosen or 1, nil
   local idle, age, limit = 0, 0, a.limit or IDLE
@@ -242,7 +268,7 @@ function page.list(a)
     page.glide(l.bar, l.row + (chosen - l.first) * l.gap, age == 0)
     if a.draw and page.opening(age, 0) then a.draw(age) end
     if idle < 2 or age % BLINK == 0 or page.opening(age, #a.items) then draw(l, a, chosen, age) end
-    if a.keys then sys.tell_keys() end
+    if a.keys then page.tell(a.keys) end
     wait(1) -- the press that opened this list doesn't count
     idle, age = idle + 1, age + 1
     local step = page.step("up", "down", a.p)
@@ -263,7 +289,6 @@ function page.list(a)
     end
   end
   l.bar:remove()
-  for _, line in pairs(l.lines or {}) do line:remove() end
   page.clear(l.row, (l.seen - 1) * l.gap + 1, l.col - 2, l.width + 4)
   if l.seen < #l.items then
     page.clear(l.more.up, 1, l.more.col, 1)
@@ -277,17 +302,14 @@ end
 function page.notes(texts, n)
   local most = 0
   for i = 1, n do
-    local lines = texts[i] and #hud.wrap(text.lang(texts[i]), page.cols - 2) or 0
-    most = math.max(most, page.low and lines or 2 * lines)
+    if texts[i] then most = math.max(most, #hud.wrap(text.lang(texts[i]), page.cols - 4)) end
   end
-  return most
+  return math.ceil(most * page.pitch)
 end
 
--- Puts a panel over the top of the field, down to `row`; entities pass behind it. page.done removes it.
+-- Puts a panel over the top of the screen, down to `row`; entities pass behind it. page.done removes it.
 function page.panel(row)
-  page.plate = sprite.plate {
-    x = rom.field.x, y = rom.field.y, w = rom.field.w, h = row * 8 - rom.field.y, stay = true, bank = hud.banks.plain,
-  }
+  page.plate = sprite.plate { x = 0, y = 0, w = rom.screen.w, h = row * 8, stay = true, bank = hud.banks.plain }
 end
 
 -- Puts a plate behind n rows from `row` on, one row larger on each side. page.done removes it.
@@ -301,15 +323,15 @@ end
 function page.ask(head, a)
   page.begin()
   local top, gap = page.head(head, 0), a.gap or 2
-  local room = page.row + page.rows - (page.low and 3 or 7) - top
-  a.most = math.max(1, math.min(#a.items, (room - (a.notes or 0) - 1) // gap))
+  local room = page.bottom - top
+  a.most = math.max(1, math.min(#a.items, (room - (a.notes or 0) - 2) // gap))
   local rows = gap * a.most + (a.notes or 0)
   a.row = top + math.max(page.low and 0 or 1, (room - rows) // 3)
   if not page.low then page.frame(a.row - 1, rows + 2) end
-  a.keys = true
+  a.keys = page.SELECT
   a.draw = function(age)
     page.head(head, age)
-    page.foot("FIRE: OK  BOMB: BACK", age)
+    page.foot(a.keys)
   end
   local answer = page.list(a)
   page.done()

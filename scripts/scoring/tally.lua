@@ -13,6 +13,6 @@ return function(list)
     line.api, line.at = "score.tally", ""
     lines[i] = line
   end
-  if #lines == 0 then sys.fail("score.tally", 'expected at least one line, such as { label = "BOMBS", value = "bombs", points = 1000 }') end
+  if #lines == 0 then sys.fail("score.tally", 'expected at least one line, such as { label = "Bombs", value = "bombs", points = 1000 }') end
   return lines
 end

@@ -1,22 +1,25 @@
--- screens/continue.lua - shall player p go on? Ten seconds, shorter by one with each bomb.
+-- screens/continue.lua - asks player p whether to continue, for ten seconds; each press of bomb takes one off.
 local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local page = sys.read("menu/page")
 
 local SECONDS = 9
-local W <const>, H <const> = 22, 11 -- cells of the window
+local W <const>, H <const> = 22, 15 -- cells of the window
+local SIZE <const> = 3              -- of the digit
 
--- left: how many continues there are. Returns true for yes.
+-- left: the number of continues. Returns true for yes.
 return function(p, left)
   local col, row = page.col + (page.cols - W) // 2, page.row + (page.rows - H) // 2
   local answer = false
   local window = page.over(col, row, W, H)
-  page.centre(row + 1, text.lang("PLAYER %d"):format(p), hud.banks.plain, col, W)
-  page.centre(row + 3, "CONTINUE?", hud.banks.bright, col, W)
-  page.centre(row + 9, text.lang("START: %d LEFT"):format(left), hud.banks.plain, col, W)
+  page.centre(row + 1, text.lang("Player %d"):format(p), hud.banks.plain, col, W)
+  page.centre(row + 3, "Continue?", hud.banks.bright, col, W)
+  page.centre(row + 11, "Press Start", hud.banks.bright, col, W)
+  page.centre(row + 13, text.lang("Continues Left: %d"):format(left), hud.banks.plain, col, W)
   local frame = 0
   while frame < (SECONDS + 1) * 60 and not answer do
     page.grow(window, frame)
-    page.centre(row + 6, tostring(SECONDS - frame // 60), hud.banks.bright, col, W)
+    page.clear(row + 6, SIZE, col, W)
+    hud.put(col + (W - SIZE) / 2, row + 6, tostring(SECONDS - frame // 60), hud.banks.bright, SIZE)
     wait(1)
     frame = frame + 1
     if page.pressed("bomb", p) then frame = (frame // 60 + 1) * 60 end

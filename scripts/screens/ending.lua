@@ -22,12 +22,12 @@ return function(run)
   local ships = put_ships(run.ships, row)
   for age = 0, OVER do
     if page.opening(age, 6) then
-      local top = page.head("ALL STAGES CLEAR", age)
+      local top = page.head("All Stages Clear", age)
       if not page.low then top = top + 2 end
-      page.centre(top, "CONGRATULATIONS!", page.bank(1, age, hud.banks.bright) or hud.banks.faint)
+      page.centre(top, "Congratulations!", page.bank(1, age, hud.banks.bright) or hud.banks.faint)
       page.centre(top + 2, menu.label(run.difficulty), hud.banks.plain)
       for p, points in ipairs(run.scores) do
-        local line = text.lang("PLAYER %d  %09d"):format(p, points)
+        local line = text.lang("Player %d  %09d"):format(p, points)
         page.centre(row + 4 + 2 * p, line, hud.banks.plain)
       end
     end

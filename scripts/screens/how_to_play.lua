@@ -4,7 +4,7 @@ local page, preview = sys.read("menu/page"), sys.read("menu/preview")
 
 local LEFT <const>, RIGHT <const> = hud.glyph(139, "<"), hud.glyph(140, ">")
 
--- The rows below the heads that the longest text takes.
+-- The rows that the longest text takes.
 local function text_rows(pages)
   local texts = {}
   for i, p in ipairs(pages) do texts[i] = p.text end
@@ -52,6 +52,17 @@ local function draw(p, top, body, bottom)
   page.text(body, p.text)
 end
 
+-- What the buttons do. The button that the page is about comes first, and does nothing else.
+local function keys_of(p, is_last)
+  local keys = p.button and { p.button, p.title } or {}
+  local function add(button, meaning)
+    if button ~= p.button then table.move({ button, meaning }, 1, 2, #keys + 1, keys) end
+  end
+  if not is_last then add("fire", "Next") end
+  add("bomb", "Back")
+  return keys
+end
+
 -- The page that a button leads to from page `at`; 0: back.
 local function turn(at, n)
   local step = page.step("left", "right")
@@ -60,25 +71,28 @@ local function turn(at, n)
   return (at - 1 + step) % n + 1
 end
 
--- pages: a list of { title, text, show }; ship: the kind that is shown by default. Left, right and fire turn the pages;
--- bomb goes back.
+-- pages: a list of { title, text, button, show }; ship: the kind that is shown by default. Left, right and fire turn the
+-- pages; bomb goes back.
 return function(pages, ship)
   text.clear()
-  local at, age, idle = 1, 0, 0
-  local top = page.head("HOW TO PLAY", 0)
-  local body = top + (page.low and 2 or 3)
-  local bottom, foot = body + text_rows(pages) + 1, page.row + page.rows - (page.low and 2 or 4)
-  local area = new_area(bottom, foot - 1, ship)
+  local at, age, idle, keys = 1, 0, 0, nil
+  local top = page.head("How to Play", 0)
+  local body = top + 2
+  local bottom = body + text_rows(pages) + 1
+  local area = new_area(bottom, page.bottom, ship)
   local picture = new_picture(pages[1], area)
   page.panel(bottom)
   while idle < page.IDLE do
-    if age == 0 then draw(pages[at], top, body, bottom) end
+    if age == 0 then
+      draw(pages[at], top, body, bottom)
+      keys = keys_of(pages[at], at == #pages)
+    end
     if page.opening(age, 0) then
-      page.head(("%s %d/%d"):format(text.lang("HOW TO PLAY"), at, #pages), idle)
-      page.foot(at < #pages and "FIRE: NEXT  BOMB: BACK" or "FIRE: BACK", idle)
+      page.head(("%s %d/%d"):format(text.lang("How to Play"), at, #pages), idle)
+      page.foot(keys)
     end
     picture.step()
-    sys.tell_keys()
+    page.tell(keys)
     wait(1)
     age, idle = age + 1, idle + 1
     local to = turn(at, #pages)
@@ -87,7 +101,6 @@ return function(pages, ship)
       sys.cue("menu")
       picture.stop()
       at, age, idle, picture = to, 0, page.cols, new_picture(pages[to], area)
-      page.clear(foot, 1)
     end
   end
   sys.cue("back")

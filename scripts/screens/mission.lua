@@ -1,37 +1,34 @@
--- screens/mission.lua - how a mission went, over its last picture, and whether it is tried again.
+-- screens/mission.lua - the result of a mission, over its last picture, with the choice to retry.
 local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local page = sys.read("menu/page")
 
-local STAR, DOT = hud.glyph(138, "*"), "-"
-local SHORTEST <const> = 30 -- frames in which nothing is chosen: players still press fire
+local SHORTEST <const> = 30 -- frames in which buttons are ignored, because players still press fire
 local BETWEEN <const> = 12  -- frames from one star to the next
 local MOST <const> = 3
 
 local function measure(by, value)
   if by ~= "time" then return menu.label(by) .. " " .. value end
-  return text.lang("TIME %d.%02d"):format(value // 60, value % 60 * 100 // 60)
+  return text.lang("Time %d.%02d"):format(value // 60, value % 60 * 100 // 60)
 end
 
 local function draw(r, row, age)
-  row = page.centre(row, r.done and "MISSION CLEAR" or "MISSION FAILED", hud.banks[r.done and "bright" or "alarm"])
+  row = page.centre(row, r.done and "Mission Clear" or "Mission Failed", hud.banks[r.done and "bright" or "alarm"])
   page.rule(row, age, page.col + 2, page.cols - 4)
   row = page.centre(row + 2, r.title, hud.banks.plain) + 1
   local here = r.done and math.min(r.stars, age // BETWEEN) or 0
-  for i = 1, MOST do
-    local lit = i <= here
-    hud.put(page.col + page.cols // 2 - 5 + 2 * i + 1, row, lit and STAR or DOT, hud.banks[lit and "bright" or "faint"])
-  end
+  page.stars(page.col + (page.cols - MOST) / 2, row, here, MOST)
   row = row + 2
   if r.done then page.centre(row, measure(r.by, r.value), hud.banks.bright) end
   row = row + 2
   if r.new then
-    page.centre(row, "NEW BEST", hud.banks.bright)
+    page.centre(row, "New Best", hud.banks.bright)
   elseif r.best then
-    page.centre(row, text.lang("BEST: %s"):format(measure(r.by, r.best)), hud.banks.faint)
+    page.centre(row, text.lang("Best: %s"):format(measure(r.by, r.best)), hud.banks.faint)
   end
 end
 
--- r: mission, title, done, by and value (what is measured), stars, new (it is the best), best. Returns "again", or "list".
+-- r: mission, title, done, by and value (what is measured), stars, new (whether it is the best), best. Returns "again" or
+-- "list".
 return function(r)
   local h = 16
   local top = page.row + math.max(3, (page.rows - h) // 3)
@@ -41,9 +38,9 @@ return function(r)
     draw(r, top + 1, age)
     wait(1)
   end
-  local items = { text.lang("RETRY"), text.lang("MISSIONS") }
+  local items = { text.lang("Retry"), text.lang("Missions") }
   local i = page.list {
-    items = items, row = top + h - 4, gap = 2, chosen = r.done and 2 or 1, back = 2, keys = true, front = true,
+    items = items, row = top + h - 4, gap = 2, chosen = r.done and 2 or 1, back = 2, keys = page.SELECT, front = true,
   }
   page.close(window)
   return i == 1 and "again" or "list"

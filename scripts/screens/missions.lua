@@ -1,13 +1,14 @@
--- screens/missions.lua - the list of missions: the stars of each, and below it what the chosen one asks for and how well
--- it was done.
+-- screens/missions.lua - the list of missions with their stars. Below the list are the goal of the chosen mission and its
+-- best result.
 local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local page = sys.read("menu/page")
 
 local STAR = hud.glyph(138, "*")
 local LEFT <const>, RIGHT <const> = hud.glyph(139, "<"), hud.glyph(140, ">")
-local NOTES <const> = page.low and 8 or 11 -- rows below the list: two of which page it is, and of words
-local COLS <const> = math.min(page.cols - 5, 34)
-local COL <const> = page.col + (page.cols - COLS + 1) // 2 -- an arrow stands two before it
+local NOTES <const> = page.low and 8 or 9.5 -- rows below the list: of the page number and of the note
+local COLS <const> = math.min(page.cols - 6, 34)
+local COL <const> = page.col + (page.cols - COLS) // 2
+local STARS <const> = 3
 
 -- Each mission as { m, title, stars, value, ship, closed }.
 local function entries()
@@ -20,26 +21,25 @@ local function entries()
   return list
 end
 
--- What a value of a measure reads.
+-- Formats a value of a measure.
 local function measure(by, value)
   if by ~= "time" then return menu.label(by) .. " " .. value end
-  return text.lang("TIME %d.%02d"):format(value // 60, value % 60 * 100 // 60)
+  return text.lang("Time %d.%02d"):format(value // 60, value % 60 * 100 // 60)
 end
 
 local function draw_row(e, i, row, chosen, age)
   local bank = page.bank(1, age, hud.banks[chosen and "bright" or e.closed and "faint" or "plain"])
   page.clear(row, 1)
   local words = ("%2d %s"):format(i, hud.wrap(e.title, COLS - 7)[1])
-  if chosen then hud.put(COL - 2, row, RIGHT, hud.banks.bright) end
   hud.put(COL, row, words, bank)
-  if e.stars > 0 then hud.put(COL + COLS - 3, row, STAR:rep(e.stars), hud.banks.bright) end
+  if not e.closed then page.stars(COL + COLS - STARS, row, e.stars, STARS) end
 end
 
--- What stands below the list: what is asked, of whom, the best so far.
+-- Draws what is below the list: the goal, the ship and difficulty, the best result.
 local function draw_note(e, row)
-  local m, apart = e.m, page.low and 1 or 2
-  page.clear(row, NOTES - 2)
-  row = page.text(row, e.closed or m.text or "", hud.banks.plain, page.col, page.cols)
+  local m, apart = e.m, page.pitch
+  page.clear(row, math.floor(NOTES) - 2)
+  row = page.text(row, e.closed or m.text or "", hud.banks.plain)
   if e.closed then return end
   local words = {}
   if m.ship then words[1] = menu.label(m.ship) end
@@ -49,18 +49,18 @@ local function draw_note(e, row)
     row = row + apart
   end
   if e.value then
-    page.centre(row, text.lang("BEST: %s"):format(measure(m.by, e.value)), hud.banks.bright)
-    if not m.ship then page.centre(row + apart, menu.label(e.ship), hud.banks.faint) end
+    local best = text.lang("Best: %s"):format(measure(m.by, e.value))
+    page.centre(row, m.ship and best or best .. "  " .. menu.label(e.ship), hud.banks.bright)
   end
 end
 
--- The rows of the page that the chosen one is on, and below them which page of how many that is.
+-- Draws the page of the list that has the chosen mission, and the number of the page below it.
 local function draw_list(list, at, top, rows, gap, age)
   local first, pages = (at - 1) // rows * rows, (#list + rows - 1) // rows
   if pages > 1 then
     local words = LEFT .. (" %d/%d "):format(first // rows + 1, pages) .. RIGHT
-    page.clear(top + rows * gap, 1)
-    page.centre(top + rows * gap, words, hud.banks.faint)
+    page.clear(top + rows * gap + 0.5, 1)
+    page.centre(top + rows * gap + 0.5, words, hud.banks.faint)
   end
   for k = 1, rows do
     local e = list[first + k]
@@ -70,13 +70,13 @@ end
 
 local function draw_head(age)
   local got, all = sys.missions.total()
-  local top = page.head("MISSIONS", age)
-  page.centre(top - 1, ("%s %d/%d"):format(STAR, got, all), hud.banks.faint)
-  page.foot("FIRE: OK  BOMB: BACK", age)
-  return top + (page.low and 1 or 2)
+  local top = page.head("Missions", age)
+  page.centre(top, ("%s %d/%d"):format(STAR, got, all), hud.banks.faint)
+  page.foot(page.SELECT)
+  return top + (page.low and 2 or 3)
 end
 
--- Where the buttons lead from there.
+-- Returns the mission that the buttons lead to from mission `at`.
 local function move(at, n, rows)
   local down, right = page.step("up", "down"), page.step("left", "right")
   if down ~= 0 then return (at - 1 + down) % n + 1 end
@@ -84,30 +84,33 @@ local function move(at, n, rows)
   return at
 end
 
--- last: the name of the one that was played before, or nil. Returns a name; nil: back.
+-- last: the name of the mission that was played before, or nil. Returns a name, or nil for back.
 return function(last)
   local list = entries()
   local at = last and sys.missions.place(last) or 1
   page.begin()
   local top = draw_head(0)
-  local room = page.row + page.rows - (page.low and 3 or 6) - top - NOTES
-  local gap = page.low and 1 or 2
-  if not page.low then page.frame(top, room + NOTES - 1) end
-  local rows, age, idle, answer = math.max(1, math.min(#list, room // gap)), 0, 0, nil
+  local room = page.bottom - top - NOTES
+  local gap = page.low and 1.5 or 1.75
+  if not page.low then page.frame(top, page.bottom - top) end
+  local rows, age, idle, answer = math.max(1, math.min(#list, math.floor(room / gap))), 0, 0, nil
+  local below = math.ceil(top + rows * gap)
+  local bar = page.bar(COL - 1, top, COLS + 2, gap)
   while idle < page.IDLE do
     if page.opening(age, 0) then
       draw_head(idle)
       draw_list(list, at, top, rows, gap, age)
-      draw_note(list[at], top + rows * gap + 2)
+      draw_note(list[at], below + 2.5)
     end
-    sys.tell_keys()
+    page.glide(bar, top + (at - 1) % rows * gap, age == 0)
+    page.tell(page.SELECT)
     wait(1)
     age, idle = age + 1, idle + 1
     local to = move(at, #list, rows)
     if to ~= at then
       at, age, idle = to, 5, page.cols
       draw_list(list, at, top, rows, gap, age)
-      draw_note(list[at], top + rows * gap + 2)
+      draw_note(list[at], below + 2.5)
       sys.cue("menu")
     end
     if page.accepted() then
@@ -121,6 +124,7 @@ return function(last)
       break
     end
   end
+  bar:remove()
   page.done()
   return answer
 end

@@ -18,39 +18,41 @@ local UP, DOWN = hud.glyph(150, "^"), hud.glyph(151, "v")
 
 local function sign(n) return SIGNS[n % #SIGNS + 1] end
 
-local GAP <const> = 2 -- rows from one line to the next
+local GAP <const> = page.low and 1.5 or 2.5    -- rows from one line to the next
+local TURN <const> = page.low and 1.25 or 1.5  -- rows from one letter of the wheel to the next
+local WHEEL <const> = 3 * GAP + 1              -- rows above the wheel
+local READY <const> = WHEEL + 4 * TURN + 2     -- and above the word below it
+local KEYS <const> = { "fire", "Next", "start", "Done", "bomb", "Delete" }
 
 local function draw_wheel(e, row)
   local apart = e.cols >= 2 * MAX + 2 and 2 or 1
   local col = e.col + (e.cols - apart * (MAX - 1) - 1) // 2
   local x, n = col + apart * (#e.signs - 1), e.signs[#e.signs]
-  page.clear(row, 5, e.col, e.cols)
+  page.clear(row, 4 * TURN + 1, e.col, e.cols)
   for i = 1, MAX do
     local bank = hud.banks[e.done and "bright" or "plain"]
-    hud.put(col + apart * (i - 1), row + 2, e.signs[i] and sign(e.signs[i]) or "_", bank)
+    hud.put(col + apart * (i - 1), row + 2 * TURN, e.signs[i] and sign(e.signs[i]) or "_", bank)
   end
   if e.done then return end
   hud.put(x, row, UP, hud.banks.faint)
-  hud.put(x, row + 1, sign(n - 1), hud.banks.faint)
-  hud.put(x, row + 2, sign(n), hud.banks.bright)
-  hud.put(x, row + 3, sign(n + 1), hud.banks.faint)
-  hud.put(x, row + 4, DOWN, hud.banks.faint)
+  hud.put(x, row + TURN, sign(n - 1), hud.banks.faint)
+  hud.put(x, row + 2 * TURN, sign(n), hud.banks.bright)
+  hud.put(x, row + 3 * TURN, sign(n + 1), hud.banks.faint)
+  hud.put(x, row + 4 * TURN, DOWN, hud.banks.faint)
 end
 
 local function draw(e, row)
-  page.centre(row, text.lang("PLAYER %d"):format(e.p), hud.banks.bright, e.col, e.cols)
+  page.centre(row, text.lang("Player %d"):format(e.p), hud.banks.bright, e.col, e.cols)
   page.centre(row + GAP, ("%09d"):format(e.points), hud.banks.plain, e.col, e.cols)
-  row = row + 2 * GAP
-  if e.rank then page.centre(row, text.lang("PLACE %d"):format(e.rank), hud.banks.plain, e.col, e.cols) end
-  row = row + GAP + 1
-  draw_wheel(e, row)
-  page.clear(row + 6, 1, e.col, e.cols)
-  if e.done then page.centre(row + 6, "READY", hud.banks.bright, e.col, e.cols) end
+  if e.rank then page.centre(row + 2 * GAP, text.lang("Place %d"):format(e.rank), hud.banks.plain, e.col, e.cols) end
+  draw_wheel(e, row + WHEEL)
+  page.clear(row + READY, 1, e.col, e.cols)
+  if e.done then page.centre(row + READY, "Ready", hud.banks.bright, e.col, e.cols) end
 end
 
 local function put_plate(e, row)
   return sprite.plate {
-    x = e.col * 8 + 4, y = row * 8 - 12, w = e.cols * 8 - 8, h = (3 * GAP + 9) * 8 + 16, bank = hud.banks.plain,
+    x = e.col * 8 + 4, y = row * 8 - 12, w = e.cols * 8 - 8, h = (READY + 1) * 8 + 24, bank = hud.banks.plain,
   }
 end
 
@@ -109,6 +111,7 @@ end
 -- One frame of all players. Returns true if all are done.
 local function step(list, row, fresh)
   local done = true
+  page.tell(KEYS)
   for _, e in ipairs(list) do
     if not e.done then sys.tell_keys(e.p) end
     if not e.done and edit(e) or fresh then draw(e, row) end
@@ -122,17 +125,15 @@ end
 return function(entries)
   local list, names = begin(entries), {}
   page.begin()
-  local row = page.head("YOUR NAME?", 0) + (page.low and 1 or 3)
+  local row = page.head("Enter Your Name", 0) + (page.low and 1 or 3)
   for _, e in ipairs(list) do e.plate = put_plate(e, row) end
   for age = 0, SECONDS * 60 do
     if page.opening(age, 0) then
-      page.head("YOUR NAME?", age)
-      page.centre(page.row + page.rows - 2 - 3 * GAP, "FIRE: NEXT  BOMB: BACK", hud.banks.faint)
-      page.centre(page.row + page.rows - 2 - 2 * GAP, "START: DONE", hud.banks.faint)
+      page.head("Enter Your Name", age)
+      page.foot(KEYS)
     end
     if age % 60 == 0 then
-      local left = text.lang("TIME %2d"):format(SECONDS - age // 60)
-      page.centre(page.row + page.rows - 2 - GAP, left, hud.banks.plain)
+      page.centre(page.bottom - 2, text.lang("Time %2d"):format(SECONDS - age // 60), hud.banks.plain)
     end
     if step(list, row, age == 0) then break end
     wait(1)

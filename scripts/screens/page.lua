@@ -8,7 +8,7 @@ local page = sys.read("menu/page")
 return function(p)
   page.begin()
   local row = page.head(menu.label(p.name), page.cols)
-  local rows = page.row + page.rows - (page.low and 3 or 6) - row
+  local rows = page.bottom - row
   if not page.low then page.frame(row - 1, rows + 1) end
   local scene = sys.scene(sys.task()) -- removes what is spawned in it
   local tidy <close> = setmetatable({}, { __close = function() task.stop(scene) end })
@@ -16,9 +16,9 @@ return function(p)
   for age = 0, page.IDLE do
     if page.opening(age, 0) then
       page.head(menu.label(p.name), age)
-      page.foot("FIRE: BACK", age)
+      page.foot(page.BACK)
     end
-    sys.tell_keys()
+    page.tell(page.BACK)
     wait(1)
     if page.accepted() or page.pressed("bomb") then
       sys.cue("back")

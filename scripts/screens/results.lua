@@ -11,7 +11,7 @@ local GRADE, SIZE = 5, 3          -- rows of the grades, size of their letters
 -- The rows if the game gives none: { word, player 1's value, player 2's value } each. A value may be a function that
 -- returns it.
 local function usual(players)
-  local rows = { { "SCORE" }, { "GRAZE" }, { "LIVES" } }
+  local rows = { { "Score" }, { "Graze" }, { "Lives" } }
   for p = 1, players do
     local ship = player.get(p)
     rows[1][p + 1], rows[2][p + 1], rows[3][p + 1] = hud.score(p), ship.grazes or 0, ship.lives or 0
@@ -48,7 +48,7 @@ local function draw_row(at, i, r, players, age)
 end
 
 local function draw_players(row)
-  local words = { text.lang("PLAYER %d"):format(1), text.lang("PLAYER %d"):format(2) }
+  local words = { text.lang("Player %d"):format(1), text.lang("Player %d"):format(2) }
   hud.put(page.col + 3, row, words[1], hud.banks.bright)
   hud.put(page.col + page.cols - 3 - sys.cells(words[2]), row, words[2], hud.banks.bright)
 end
@@ -56,7 +56,7 @@ end
 -- What was unlocked, each in a row below the others.
 local function draw_new(row, gap, n, new, age)
   for i, title in ipairs(new) do
-    local bank, words = page.bank(1, age - NEXT * (n + i) - RUN, hud.banks.bright), text.lang("UNLOCKED: %s"):format(title)
+    local bank, words = page.bank(1, age - NEXT * (n + i) - RUN, hud.banks.bright), text.lang("Unlocked: %s"):format(title)
     if sys.cells(words) > page.cols - 6 then words = title end
     if bank then page.centre(row + (n + i - 1) * gap, words, bank) end
   end
@@ -74,7 +74,7 @@ local function draw_grades(row, grades, age)
   end
   local bank = age < STAMP and hud.banks.plain or hud.banks.bright
   page.rule(row, age, page.col + 2, page.cols - 4)
-  local word = text.lang("GRADE")
+  local word = text.lang("Grade")
   for p, s in ipairs(grades) do
     local n = sys.cells(s)
     local col = page.col + page.cols - 3 - SIZE * n
@@ -113,6 +113,7 @@ return function(title, players, stopped, rows, new, grades)
   local at = stamped(rows)
   for age = 0, grades and at + LONGEST or LONGEST do
     page.grow(window, age)
+    hud.banner() -- a boss's verdict can appear after the stage has ended
     local row = draw_page(title, rows, players, new, top, gap, age) -- every frame: a pause erases it
     if grades then draw_grades(row, grades, age - at) end
     wait(1)

@@ -1,20 +1,19 @@
--- screens/scores.lua - the score tables: a chapter for each difficulty, a page for the best of all and one for each ship.
+-- screens/scores.lua - the score tables: a chapter for each difficulty, with a page for all ships and one for each ship.
 local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local page, book = sys.read("menu/page"), sys.read("menu/book")
 
 local RANKS <const> = 10 -- rows of a table
 local ARROW = hud.glyph(140, ">")
 
--- How far a score went, in `cells` at most: the words that there is room for. many: the table is of several ships.
-local function how_far(r, many, cells)
+-- Returns how far the run of a score got, in at most `cells` cells.
+local function how_far(r, cells)
   local words = {}
-  if many and r.ship then words[1] = menu.label(r.ship) end
   if r.clear then
-    words[#words + 1] = text.lang("ALL CLEAR")
+    words[1] = text.lang("All Clear")
   elseif r.stage then
-    words[#words + 1] = text.lang("STAGE %d"):format(r.stage)
+    words[1] = text.lang("Stage %d"):format(r.stage)
   end
-  if r.continues > 0 then words[#words + 1] = text.lang("CONTINUES %d"):format(r.continues) end
+  if r.continues > 0 then words[#words + 1] = text.lang("Continues %d"):format(r.continues) end
   local s = table.concat(words, " ")
   while #words > 0 and sys.cells(s) > cells do
     words[#words] = nil
@@ -25,36 +24,39 @@ end
 
 local WIDTH <const> = math.min(page.cols - (page.low and 3 or 6), 30) -- of a row
 local COL <const> = page.col + (page.cols - WIDTH) // 2
-local TURN <const> = 120 -- frames that a row shows a name, and then how far it went
+local TURN <const> = 120 -- frames that the rows show names, then ships if the table has several, then how far the runs got
 
--- Row i of a table.
-local function draw_row(i, r, row, bank, marked, far)
+-- Draws row i of a table. what: "name", "ship" or "far".
+local function draw_row(i, r, row, bank, marked, what)
   local points = r and tostring(r.score) or "0"
-  local words = r and (far and how_far(r, far == "ship", WIDTH - 4 - #points) or r.name) or "--------"
+  local words = r and r.name or "--------"
+  if r and what == "ship" then words = r.ship and menu.label(r.ship) or "" end
+  if r and what == "far" then words = how_far(r, WIDTH - 4 - #points) end
   page.clear(row, 1)
   if marked then hud.put(COL - 1, row, ARROW, hud.banks.bright) end
   hud.put(COL, row, ("%2d"):format(i), hud.banks.faint)
-  hud.put(COL + 3, row, words, r and far and hud.banks.faint or bank)
+  hud.put(COL + 3, row, words, r and what ~= "name" and hud.banks.faint or bank)
   hud.put(COL + WIDTH - #points, row, points, bank)
 end
 
--- many: it is of several ships.
+-- many: the table has several ships.
 local function table_page(name, rows, mark, many)
   return {
     title = name, count = RANKS, every = TURN,
     draw = function(row, room, age)
-      local gap = math.max(1, math.min(3, room // RANKS))
-      local far = age // TURN % 2 == 1 and (many and "ship" or "stage")
+      local gap = math.max(1, math.min(2.5, room * 4 // RANKS / 4))
+      local views = many and { "name", "ship", "far" } or { "name", "far" }
+      local what = views[age // TURN % #views + 1]
       for i = 1, RANKS do
         local r = rows[i]
         local bank = page.bank(i, age, hud.banks[i == mark and "bright" or r and "plain" or "faint"])
-        if bank then draw_row(i, r, row + (i - 1) * gap, bank, i == mark, far) end
+        if bank then draw_row(i, r, row + (i - 1) * gap, bank, i == mark, what) end
       end
     end,
   }
 end
 
--- The tables of a difficulty; where the ship's own is among them.
+-- Returns the tables of a difficulty, and the index of the ship's own.
 local function tables(difficulty, ship, mark)
   local all, list, at = score.rows(difficulty), {}, 1
   for _, kind in ipairs(sys.kinds("player")) do
@@ -65,12 +67,12 @@ local function tables(difficulty, ship, mark)
     end
   end
   if #list < 2 then return { table_page("", all, mark) }, 1 end
-  table.insert(list, 1, table_page(text.lang("ALL SHIPS"), all, not ship and mark, true))
+  table.insert(list, 1, table_page(text.lang("All Ships"), all, not ship and mark, true))
   return list, at
 end
 
--- difficulty: where it begins; over: frames until it ends by itself; mark: a row to show bright, of the table of `ship`
--- if there is one. Returns whether somebody pressed.
+-- difficulty: the first chapter shown; over: frames until the screen closes by itself; mark: a row to show bright, of the
+-- table of `ship` if there is one. Returns whether a player closed it.
 return function(difficulty, over, mark, ship)
   local names, labels, here = sys.difficulties(), {}, 1
   for i, name in ipairs(names) do
@@ -79,7 +81,7 @@ return function(difficulty, over, mark, ship)
   end
   local _, at = tables(difficulty, ship, mark)
   return book.show {
-    head = "BEST SCORES", chapters = labels, chapter = here, at = at, limit = over,
+    head = "Best Scores", chapters = labels, chapter = here, at = at, limit = over,
     pages = function(c)
       local own = names[c] == difficulty
       return (tables(names[c], own and ship, own and mark))

@@ -3,13 +3,16 @@
 local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local page, preview = sys.read("menu/page"), sys.read("menu/preview")
 
-local CELLS <const> = 5                    -- length of a figure's bar, and the icons that fit into one
-local PREVIEW <const> = 7                  -- rows below the panel for the ships, at least
-local WIDEST <const> = 26                  -- columns for one of two players
+local CELLS <const> = 5                    -- length of a figure's bar, and its most icons
+local PREVIEW <const> = 6                  -- rows below the panel for the ships, at least
+local EDGE <const> = 24                    -- px from the middle of a ship to the edge of the field, at least
+local WIDEST <const> = 26                  -- columns of a player, and of text
+local PITCH <const> = page.low and 1.25 or 1.5 -- rows from one figure to the next
 local BLINK <const> = 16                   -- frames that the arrows keep their colour
 local BURST <const>, PAUSE <const> = 90, 40 -- frames that the ships fire, and don't
-local LIFE <const>, STAR <const> = hud.glyph(137, "*"), hud.glyph(138, "*")
+local LIFE <const> = hud.glyph(137, "*")
 local LEFT <const>, RIGHT <const> = hud.glyph(139, "<"), hud.glyph(140, ">")
+local KEYS <const> = { "fire", "Start", "bomb", "Back" }
 
 -- The page's state: rows, cursor, age (frames since the last change), players, ships (by name of the kind).
 local state
@@ -61,10 +64,10 @@ end
 
 -- The row of forms follows that of the ships: it has the forms of the chosen ship.
 local function add_ships(list, last)
-  local ships = add_row("SHIP", list, true)
+  local ships = add_row("Ship", list, true)
   local has_forms = false
   for _, ship in ipairs(list) do has_forms = has_forms or ship.forms ~= nil end
-  local forms = has_forms and add_row("FORM", {}, true) or nil
+  local forms = has_forms and add_row("Shot", {}, true) or nil
   if forms then
     forms.options = function(p)
       local ship = option(ships, p)
@@ -85,22 +88,24 @@ local function ship_of(p) return state.forms and option(state.forms, p) or optio
 
 -- ---- what is drawn ----
 
-local function label_of(o) return o.closed and "? ? ?" or menu.label(o.title or o.name) end
+local function label_of(o)
+  return o.closed and "? ? ?" or o.title and text.lang(o.title) or menu.label(o.name)
+end
 
--- The figures of a kind, as { label, cells } each: those that the author gives, or speed, lives and the registers that
--- the HUD shows as icons.
+-- The figures of a kind, as { label, value } each, where a number is a number of stars: those that the author gives, or
+-- speed, lives and the registers that the HUD shows as icons.
 local function figures_of(o)
   local list = {}
   if o.closed then return list end
-  for i, f in ipairs(o.figures or {}) do list[i] = { text.lang(f[1]), STAR:rep(f[2]) } end
+  for i, f in ipairs(o.figures or {}) do list[i] = { text.lang(f[1]), f[2] } end
   if o.figures then return list end
   local s = sys.ship(o.name)
-  list[1] = { text.lang("SPEED"), hud.bar(s.speed, state.fastest, CELLS) }
-  list[2] = { text.lang("FOCUS"), hud.bar(s.focus, state.fastest, CELLS) }
-  list[3] = { text.lang("LIVES"), s.lives > CELLS and "x" .. s.lives or LIFE:rep(s.lives) }
+  list[1] = { text.lang("Speed"), hud.bar(s.speed, state.fastest, CELLS) }
+  list[2] = { text.lang("Focus"), hud.bar(s.focus, state.fastest, CELLS) }
+  list[3] = { text.lang("Lives"), s.lives > CELLS and "x" .. s.lives or LIFE:rep(s.lives) }
   for _, r in ipairs(s.registers) do
     if r.show == "icons" and r.value > 0 then
-      list[#list + 1] = { menu.label(r.name), STAR:rep(math.min(r.value, CELLS)) }
+      list[#list + 1] = { menu.label(r.name), math.min(r.value, CELLS) }
     end
   end
   return list
@@ -118,67 +123,83 @@ local function each_option(row, f)
   for _, o in ipairs(row.options(1)) do f(o) end
 end
 
+-- Returns the first column and the width of player p's part of the page. The labels of the rows that both players have
+-- are between two parts.
 local function column(p)
-  return page.column(p, state.players, WIDEST)
+  if state.players == 1 then return page.column(1, 1, WIDEST) end
+  local cols = math.min(WIDEST, (page.cols - state.middle) // 2)
+  local side = (page.cols - state.middle) / 2
+  return p == 1 and side - cols or page.cols - side, cols
 end
 
-local function text_cols(row)
-  local _, cols = column(1)
-  return math.max(1, (row.each and cols or page.cols) - 2)
+-- Returns the part of the page for a text about player p's choice in a row.
+local function text_column(row, p)
+  if row.each then return column(p) end
+  return page.column(1, 1, WIDEST)
 end
 
--- The rows that the longest text and the longest list of figures take.
+local function is_shared(row) return not row.each or state.players == 1 end
+
+-- Measures the labels and values of rows, and the longest text and list of figures.
 local function measure()
-  state.text_rows, state.figure_rows, state.label, state.value, state.fastest = 0, 0, 0, 0, 1
+  state.text_rows, state.figure_rows, state.fastest = 0, 0, 1
+  state.label, state.shared_value, state.middle, state.own_value = 0, 0, 0, 0 -- columns
   each_kind(function(o) state.fastest = math.max(state.fastest, sys.ship(o.name).speed) end)
   for _, row in ipairs(state.rows) do
-    state.label = math.max(state.label, sys.cells(row.label))
+    local key = is_shared(row) and "label" or "middle"
+    state[key] = math.max(state[key], sys.cells(row.label))
+  end
+  for _, row in ipairs(state.rows) do
+    local _, cols = text_column(row, 1)
+    local values = is_shared(row) and "shared_value" or "own_value"
     each_option(row, function(o)
-      state.value = math.max(state.value, sys.cells(label_of(o)))
+      state[values] = math.max(state[values], sys.cells(label_of(o)))
       local words = o.closed or o.text
-      local n = words and #hud.wrap(text.lang(words), text_cols(row)) or 0
+      local n = words and #hud.wrap(text.lang(words), math.max(1, cols - 2)) or 0
       state.text_rows = math.max(state.text_rows, n)
     end)
   end
-  if state.players == 1 then
-    each_kind(function(o) state.figure_rows = math.max(state.figure_rows, #figures_of(o)) end)
-  end
-  state.value = math.min(state.value, page.cols - state.label - 8)
+  each_kind(function(o) state.figure_rows = math.max(state.figure_rows, #figures_of(o)) end)
+  state.shared_value = math.min(state.shared_value, page.cols - state.label - 8)
 end
 
 local function fit(s, cols) return hud.wrap(s, math.max(1, cols))[1] end
 
--- Draws `s` in the middle of some columns, between arrows if it can be changed now.
-local function draw_value(row, s, bank, arrows, col, cols)
-  hud.put(col + (cols - sys.cells(s)) // 2, row, s, bank)
-  if not arrows then return end
+-- Draws player p's option of a row in the middle of some columns, between arrows if it can be changed now.
+local function draw_value(row, p, at, bank, col, cols)
+  local o = option(row, p)
+  local s = o and fit(label_of(o), cols - 2) or "-"
+  hud.put(col + (cols - sys.cells(s)) / 2, at, s, o and bank or hud.banks.faint)
+  if row ~= state.rows[state.cursor] or #row.options(p) < 2 then return end
   local blink = state.age // BLINK % 2 == 0 and hud.banks.bright or hud.banks.plain
-  hud.put(col, row, LEFT, blink)
-  hud.put(col + cols - 1, row, RIGHT, blink)
+  hud.put(col, at, LEFT, blink)
+  hud.put(col + cols - 1, at, RIGHT, blink)
 end
 
-local function draw_row(i, row, at, bank)
-  local chosen = i == state.cursor
-  page.clear(at, 1)
-  if row.each and state.players > 1 then
-    for p = 1, state.players do
-      local o, col, cols = option(row, p), column(p)
-      local s = o and fit(label_of(o), cols - 4) or "-"
-      draw_value(at, s, o and bank or hud.banks.faint, chosen and #row.options(p) > 1, col + 1, cols - 2)
-    end
-    return
+local function draw_row(row, bank)
+  page.clear(row.place, 1)
+  if is_shared(row) then
+    local cols = state.shared_value + 4
+    local col = (page.cols - state.label - 2 - cols) // 2
+    hud.put(col, row.place, row.label, bank)
+    return draw_value(row, 1, row.place, bank, col + state.label + 2, cols)
   end
-  local o, cols = option(row, 1), state.value + 4
-  local col = page.col + (page.cols - state.label - 2 - cols) // 2
-  hud.put(col, at, row.label, bank)
-  local s, arrows = o and fit(label_of(o), state.value) or "-", chosen and #row.options(1) > 1
-  draw_value(at, s, bank, arrows, col + state.label + 2, cols)
+  page.centre(row.place, row.label, bank)
+  for p = 1, state.players do
+    local col, cols = column(p)
+    local part = math.min(cols - 1, state.own_value + 4)
+    draw_value(row, p, row.place, bank, col + (cols - part) / 2, part)
+  end
 end
 
 local function draw_rows()
   for i, row in ipairs(state.rows) do
     local bank = page.bank(i, state.shown, i == state.cursor and hud.banks.bright or hud.banks.plain)
-    if bank then draw_row(i, row, state.top + (i - 1) * state.gap, bank) end
+    if bank then draw_row(row, bank) end
+  end
+  for p = 1, state.heads and state.players or 0 do
+    local col, cols = column(p)
+    page.centre(state.heads, text.lang("%dP"):format(p), hud.banks.faint, col, cols)
   end
 end
 
@@ -188,27 +209,32 @@ local function draw_texts()
   for p = 1, row.each and state.players or 1 do
     local o = option(row, p)
     local words = o and (o.closed or o.text)
-    local col, cols = page.col, page.cols
-    if row.each then col, cols = column(p) end
-    if words then page.text(state.text, words, hud.banks[o.closed and "faint" or "plain"], col, cols, state.apart) end
+    local col, cols = text_column(row, p)
+    local n = words and #hud.wrap(text.lang(words), cols - 2) or 0
+    local at = state.text + (row.each and 0 or (state.text_rows - n) * state.apart / 2)
+    if words then page.text(at, words, hud.banks[o.closed and "faint" or "plain"], col, cols, state.apart) end
   end
 end
 
+-- The x of ship p and its figures: the middle of its part of the page, but in the field.
+local function middle_of(p)
+  local col, cols = column(p)
+  local left, right = rom.field.x + EDGE, rom.field.x + rom.field.w - EDGE
+  return math.max(left, math.min(right, (2 * col + cols) * 4))
+end
+
 local function draw_figures()
-  page.clear(state.figures, state.figure_rows)
-  if state.players > 1 then
-    for p = 1, 2 do
-      local col, cols = column(p)
-      page.centre(state.figures - 1, text.lang("PLAYER %d"):format(p), hud.banks.plain, col, cols)
+  page.clear(state.figures, state.figure_rows * PITCH)
+  for p = 1, state.figure_rows > 0 and state.players or 0 do
+    local list, widest, _, cols = figures_of(ship_of(p)), 0, column(p)
+    for _, f in ipairs(list) do widest = math.max(widest, sys.cells(f[1])) end
+    widest = math.min(widest, cols - 1 - CELLS)
+    local col = middle_of(p) / 8 - (widest + 1 + CELLS) / 2
+    for i, f in ipairs(list) do
+      local row, at = state.figures + (i - 1) * PITCH, col + widest + 1
+      hud.put(col, row, fit(f[1], widest), hud.banks.plain)
+      if type(f[2]) == "number" then page.stars(at, row, f[2], CELLS) else hud.put(at, row, f[2], hud.banks.bright) end
     end
-  end
-  local o = ship_of(1)
-  local list, widest = state.figure_rows > 0 and figures_of(o) or {}, 0
-  for _, f in ipairs(list) do widest = math.max(widest, sys.cells(f[1])) end
-  local col = page.col + (page.cols - widest - 1 - CELLS) // 2
-  for i, f in ipairs(list) do
-    hud.put(col, state.figures + i - 1, f[1], hud.banks.plain)
-    hud.put(col + widest + 1, state.figures + i - 1, f[2], hud.banks.bright)
   end
 end
 
@@ -216,8 +242,7 @@ end
 
 -- Where ship p is, in pixels of the field.
 local function place_of(p)
-  local col, cols = column(p)
-  return (2 * col + cols) * 4 - rom.field.x, (state.figures - (state.players > 1 and 4 or 3)) * 8 - rom.field.y
+  return middle_of(p) - rom.field.x, (state.figures - 3) * 8 - rom.field.y
 end
 
 -- Shows the ships that are chosen now; one that is closed is not shown.
@@ -279,8 +304,8 @@ local function ask()
   local idle = 0
   while idle < page.IDLE do
     if page.opening(state.shown, #state.rows) or state.age == 0 or state.age % BLINK == 0 then
-      page.head("START", state.shown)
-      page.foot("FIRE: START  BOMB: BACK", state.shown)
+      page.head("Start", state.shown)
+      page.foot(KEYS)
       draw_rows()
     end
     if state.age == 0 then
@@ -288,9 +313,9 @@ local function ask()
       draw_texts()
       draw_figures()
     end
-    if state.bar then page.glide(state.bar, state.top + (state.cursor - 1) * state.gap, state.shown == 0) end
+    if state.bar then page.glide(state.bar, state.rows[state.cursor].place, state.shown == 0) end
     fly()
-    sys.tell_keys()
+    page.tell(KEYS)
     wait(1)
     idle, state.age, state.shown = idle + 1, state.age + 1, state.shown + 1
     if move() then
@@ -310,23 +335,39 @@ local function ask()
   return false
 end
 
--- Makes room for the ships: the lines of the texts move together, then the figures go, then the choices move together.
+-- Gives each row its place, and `heads` that of the players' names above the rows that both have. Returns the row below.
+local function place_rows(gap)
+  local at, heads = page.head("Start", 0), nil
+  for _, row in ipairs(state.rows) do
+    if not is_shared(row) and not heads then
+      heads = at + gap / 2 - 0.5
+      at = heads + math.min(gap, 1.5)
+    end
+    row.place, at = at, at + gap
+  end
+  state.heads = heads
+  return math.ceil(at)
+end
+
+-- How the page makes room for the ships, step by step: rows from one choice to the next, rows from one line of text to
+-- the next, and whether the figures are shown.
+local STEPS <const> = {
+  { 2, page.pitch, true }, { 2, 1.25, true }, { 1.5, 1.25, true }, { 1.5, 1.25, false }, { 1, 1, false },
+}
+
 local function lay_out()
   measure()
-  local foot = page.row + page.rows - (page.low and 2 or 4)
-  local pad = page.low and 0 or 1
-  local bottom
-  state.top = page.head("START", 0)
-  for tight = 0, 3 do
-    state.gap, state.apart = tight < 3 and 2 or 1, tight < 1 and 2 or 1
-    if tight == 2 then state.figure_rows = 0 end
-    state.figures = foot - 1 - state.figure_rows
-    state.text = state.top + #state.rows * state.gap + pad
-    bottom = state.text + state.text_rows * state.apart + 1
+  local bottom, gap
+  for _, step in ipairs(STEPS) do
+    gap, state.apart = step[1], step[2]
+    if not step[3] then state.figure_rows = 0 end
+    state.figures = page.rows - 3 - state.figure_rows * PITCH
+    state.text = place_rows(gap) + (page.low and 0 or 1)
+    bottom = math.ceil(state.text + state.text_rows * state.apart) + 1
     if state.figures - bottom >= PREVIEW then break end
   end
   page.panel(bottom)
-  state.bar = state.gap > 1 and page.bar(page.col + 1, state.top, page.cols - 2, state.gap) or nil
+  state.bar = gap > 1 and page.bar(page.col + 0.5, state.rows[1].place, page.cols - 1, gap) or nil
 end
 
 local function answer(mode, difficulty)
@@ -343,8 +384,8 @@ end
 return function(players, lists, last)
   text.clear()
   state = { rows = {}, players = players, cursor = 1, age = 0, shown = 0, kinds = {} }
-  local mode = add_shared("MODE", lists.modes, last.mode)
-  local difficulty = add_shared("DIFFICULTY", lists.difficulties, last.difficulty)
+  local mode = add_shared("Mode", lists.modes, last.mode)
+  local difficulty = add_shared("Difficulty", lists.difficulties, last.difficulty)
   state.ships, state.forms = add_ships(lists.ships, last.ships)
   lay_out()
   local choice = ask() and answer(mode, difficulty) or nil

@@ -1,16 +1,19 @@
--- screens/title.lua - the title: a logo and "PRESS START", then the main menu.
+-- screens/title.lua - the title: a logo and "Press Start", then the main menu.
 local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local page = sys.read("menu/page")
 
 local LABELS <const> = {
-  start = "START", practice = "PRACTICE", missions = "MISSIONS", replays = "REPLAYS", scores = "SCORES",
-  history = "SPELLS", music = "MUSIC", unlocks = "EXTRAS", settings = "SETTINGS", how_to_play = "HOW TO PLAY",
-  quit = "QUIT",
+  start = "Start", practice = "Practice", missions = "Missions", replays = "Replays", scores = "Scores",
+  history = "Spells", music = "Music", unlocks = "Extras", settings = "Settings", how_to_play = "How to Play",
+  quit = "Quit Game",
 }
-local UNDER <const> = page.low and 5 or 9 -- rows from the middle of the logo to the menu, at least
+local KEYS <const> = { "start", "Start", "fire", "Fire", "bomb", "Bomb", "focus", "Focus" }
+local UNDER <const> = page.low and 5 or 9 -- rows from the name of a game without a logo to the menu, at least
+local BEST <const> = 2.5 -- rows that the best score takes above the logo
 local SHINE <const>, SHINE_AGAIN <const> = 24, 200 -- frames that the light on the logo takes, and from one to the next
 local DROP <const> = 24     -- px that the logo falls when the title opens
-local FEWEST <const> = 4    -- a menu that can't show this many entries two rows apart shows them without empty rows
+local GAPS <const> = { 2, 1.75, 1.5 } -- rows from one entry to the next; the first with which all entries fit
+local FEWEST <const> = 4    -- a menu that can't show this many entries at the last of these shows them a row apart
 local LIFT_TIME <const> = 8 -- frames in which the logo moves up for a long menu
 
 -- Draws the name of a game without a logo, spaced out if there is room.
@@ -54,9 +57,9 @@ local function wait_for_start(row, third, logo, light, limit)
     elseif page.opening(age, 0) then
       draw_name(third, age)
     end
-    if age % 60 == 0 then page.centre(row, "PRESS START", hud.banks.bright) end
+    if age % 60 == 0 then page.centre(row, "Press Start", hud.banks.bright) end
     if age % 60 == 40 then page.clear(row, 1) end
-    sys.tell_keys()
+    page.tell(KEYS)
     wait(1)
     if page.accepted() then
       page.clear(row, 1)
@@ -76,8 +79,8 @@ local function entries(names)
   end
   for _, name in ipairs(names) do
     if name == "start" and sys.players() > 1 then
-      add(name, 1, text.lang("1 PLAYER"))
-      add(name, 2, text.lang("2 PLAYERS"))
+      add(name, 1, text.lang("1 Player"))
+      add(name, 2, text.lang("2 Players"))
     else
       add(name, 1, LABELS[name] and text.lang(LABELS[name]) or menu.label(name))
     end
@@ -97,14 +100,19 @@ local function index_of(list, name, players)
 end
 
 -- Returns the layout of a menu of n items below a logo at row `third`: its first row, the rows from one item to the
--- next, the items shown at a time, and the rows by which the logo moves up.
+-- next, the items shown at a time, and the rows by which the logo moves up. Items move together before the menu scrolls.
 local function lay_out(n, row, third, logo)
-  local top, last = row - (page.low and 2 or 0), page.row + page.rows - 3 -- the program draws the keys below
-  local free = logo and math.max(0, third - page.row - UNDER) or 0        -- rows between the best score and the logo
-  top = math.max(math.min(top, third + UNDER, last - 2 * (n - 1)), third + UNDER - free)
-  local lift, seen = math.max(0, third + UNDER - top), math.min(n, (last - top) // 2 + 1)
-  if seen >= math.min(n, FEWEST) then return top, 2, seen, lift end
-  return math.min(top, last - n + 1), 1, n, lift
+  local under, free, last = third + UNDER, 0, page.rows - 3.5 -- the bar of row `last` is above the program's keys
+  if logo then
+    local _, h, _, above = sys.size("logo")
+    under, free = third + (h - above + 15) // 8, math.max(0, third - BEST - above / 8)
+  end
+  for i, gap in ipairs(GAPS) do
+    local top = math.max(math.min(row, under, last - gap * (n - 1)), under - free)
+    local seen = math.min(n, math.floor((last - top) / gap) + 1)
+    if seen == n or i == #GAPS and seen >= FEWEST then return top, gap, seen, math.max(0, under - top) end
+  end
+  return math.max(0, math.min(under, last - n + 1)), 1, n, 0
 end
 
 -- Returns the number of the chosen item; 0: back; nil: nobody chose.
@@ -114,7 +122,7 @@ local function choose(items, row, chosen, third, logo)
     if logo then logo.y = (third - lift * math.min(age, LIFT_TIME) / LIFT_TIME) * 8 end
   end
   return page.list {
-    items = items, row = top, chosen = chosen, back = 0, gap = gap, most = seen, draw = draw, keys = true,
+    items = items, row = top, chosen = chosen, back = 0, gap = gap, most = seen, draw = draw, keys = KEYS,
   }
 end
 

@@ -478,8 +478,7 @@ static void clear_output(struct output *o)
     out->attract[0] = '\0';
     out->log = o->log;
     out->log_size = o->log_size = 0;
-    out->marker_count = out->full_pool_count = 0;
-    out->menu_shown = false;
+    out->marker_count = out->full_pool_count = out->key_hint_count = 0;
     out->typing = 0;
     out->fault = NULL;
 }

@@ -113,6 +113,13 @@ struct board_marker {
     char title[48];            /* UTF-8 without control characters, cut to whole characters; "": none */
 };
 
+/* What a button does on the page that is shown. meaning: in the board's language; text as in a marker's title. */
+enum { MAX_KEY_HINTS = 4 /* per tick; further ones are dropped */ };
+struct board_key_hint {
+    uint32_t button; /* in the order of PAD_BUTTON_NAMES */
+    char meaning[32];
+};
+
 /* A pool that refused an entity for the first time in this run. line: the log line, starting with the "FILE:LINE: " of
  * the script. */
 enum { MAX_FULL_POOLS = 13 /* most full pools reported in a tick */, LOG_BYTES = 4096 };
@@ -134,7 +141,8 @@ struct board_out {
     int marker_count;
     struct board_full_pool full_pool[MAX_FULL_POOLS];
     int full_pool_count;
-    bool menu_shown;                 /* a pre-game menu is shown: the host should show the keys to a new player */
+    struct board_key_hint key_hint[MAX_KEY_HINTS]; /* for the host to show, with the player's own keys */
+    int key_hint_count;                            /* over 0: a page before or after a run is shown */
     uint8_t typing;                  /* bit p: player p enters a name, and takes the codes of characters */
     const struct board_fault *fault; /* NULL: none. A fault ends the run. */
 };

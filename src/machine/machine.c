@@ -112,6 +112,17 @@ void board_add_marker(struct board *b, enum board_marker_kind kind, const char *
     copy_title(m->title, sizeof m->title, title);
 }
 
+void board_add_key_hint(struct board *b, uint32_t button, const char *meaning)
+{
+    struct board_out *out = &b->output->out;
+
+    if (out->key_hint_count == MAX_KEY_HINTS)
+        return;
+    struct board_key_hint *hint = &out->key_hint[out->key_hint_count++];
+    hint->button = button;
+    copy_title(hint->meaning, sizeof hint->meaning, meaning);
+}
+
 bool board_is_listing(const struct board *b)
 {
     return strcmp(b->start.practice.section, PRACTICE_LIST) == 0;

@@ -43,10 +43,10 @@ static const char three[] =
 /* From the title to the list of missions. */
 static void to_list(const char *stars)
 {
-    soon("PRESS START", 60);
+    soon("Press Start", 60);
     press(PAD_START, 0);
-    soon("MISSIONS", 20);
-    soon("2 PLAYERS", 20);
+    soon("Missions", 20);
+    soon("2 Players", 20);
     for (int i = 0; i < 3; i++)
         press(PAD_DOWN, 0);
     press(PAD_FIRE, 0);
@@ -63,18 +63,18 @@ TEST(done)
     soon("2/7", 10);
     assert_int_equal(reg("chain"), 2);
     assert_int_equal(r.b->player.lives[0], 0);
-    soon("MISSION CLEAR", 60);
+    soon("Mission Clear", 60);
     assert_int_equal(reg("chain"), 7);
-    soon("NEW BEST", 30);
-    soon("TIME 0.43", 30);
-    soon("RETRY", 60);
+    soon("New Best", 30);
+    soon("Time 0.43", 30);
+    soon("Retry", 60);
     press(PAD_FIRE, 0); /* the list is chosen after what went well */
     soon("2/12", 30);
-    soon("BEST: TIME 0.43", 30);
+    soon("Best: Time 0.43", 30);
     press(PAD_FIRE, 0);
-    soon("MISSION CLEAR", 60);
-    soon("BEST: TIME 0.43", 60); /* as good is no new best */
-    assert_true(at("NEW BEST") < 0);
+    soon("Mission Clear", 60);
+    soon("Best: Time 0.43", 60); /* as good is no new best */
+    assert_true(at("New Best") < 0);
     close_game();
 }
 
@@ -86,23 +86,23 @@ TEST(ends)
     press(PAD_DOWN, 0);
     press(PAD_FIRE, 0);
     soon("0:01", 10);
-    soon("MISSION FAILED", 60);
-    soon("RETRY", 60);
+    soon("Mission Failed", 60);
+    soon("Retry", 60);
     press(PAD_DOWN, 0);
     press(PAD_FIRE, 0);
     soon("0/12", 30);
     press(PAD_DOWN, 0);
     press(PAD_FIRE, 0);
     soon("King", 120);
-    soon("MISSION CLEAR", 120);
+    soon("Mission Clear", 120);
     assert_int_equal(r.b->enemies.s.live, 0);
-    soon("SCORE 100", 30);
-    soon("RETRY", 60);
+    soon("Score 100", 30);
+    soon("Retry", 60);
     press(PAD_FIRE, 0);
     soon("1/12", 30);
     press(PAD_DOWN, 0);
     press(PAD_FIRE, 0);
-    soon("MISSION CLEAR", 60);
+    soon("Mission Clear", 60);
     assert_int_equal(reg("chain"), 10);
     close_game();
 }
@@ -123,7 +123,7 @@ TEST(left)
     press(PAD_FIRE, 0);
     frames(20);
     press(PAD_BOMB, 0);
-    soon("MISSION FAILED", 20);
+    soon("Mission Failed", 20);
     close_game();
 }
 
@@ -135,15 +135,15 @@ static const char forms[] =
 TEST(forms)
 {
     open_game(forms);
-    soon("PRESS START", 60);
+    soon("Press Start", 60);
     press(PAD_START, 0);
-    soon("2 PLAYERS", 20);
+    soon("2 Players", 20);
     press(PAD_DOWN, 0);
     press(PAD_FIRE, 0);
-    soon("PLAYER 2", 30);
+    soon("2P", 30);
     soon("Fast.", 10);
     press(0, PAD_RIGHT);
-    soon("TERN", 10);
+    soon("Tern", 10);
     press(PAD_DOWN, 0);
     soon("Two darts.", 10);
     press(PAD_RIGHT, PAD_RIGHT);

@@ -99,9 +99,9 @@ TEST(whole)
 
     assert_string_equal(
         says_from(script, 1500, NULL),
-        "2\tVALUE\t1\t2\n2\tSCORE\t131\t132\nMore\n2\tLIVES\t40\t20\n2\tVALUE\t0\t0\n2\tSCORE\t171\t152\n\n"
+        "2\tVALUE\t1\t2\n2\tScore\t131\t132\nMore\n2\tLIVES\t40\t20\n2\tVALUE\t0\t0\n2\tScore\t171\t152\n\n"
         "1\t171\t1\n2\t152\t1\nhard\t1\tnil\n"
-        "2\tVALUE\t1\t2\n2\tSCORE\t131\t132\n\n2\tLIVES\t40\t20\n2\tVALUE\t0\t0\n2\tSCORE\t171\t152\n\n"
+        "2\tVALUE\t1\t2\n2\tScore\t131\t132\n\n2\tLIVES\t40\t20\n2\tVALUE\t0\t0\n2\tScore\t171\t152\n\n"
         "1\t171\t2\n2\t152\t2\nhard\t1\tnil\n"
         "P1\t171\tship\tnil\ttrue\nP1\t171\tship\tnil\ttrue\nP2\t152\tbarge\tnil\ttrue\nP2\t152\tbarge\tnil\ttrue\n"
         "true\ttrue\tfalse\n");

@@ -57,7 +57,7 @@ static const char run_all[] =
     "  modes = { { name = 'story', stages = { 'one', 'two' }, text = 'Both stages.' },\n"
     "            { name = 'doom', stages = { 'end' }, text = 'The end.' } },\n"
     "  difficulties = { calm = 'For a calm dive.' },\n"
-    "  ships = { heron = { text = 'Fast.' }, tern = { title = 'GREY TERN', figures = { { 'RANGE', 4 } } } },\n"
+    "  ships = { heron = { text = 'Fast.' }, tern = { title = 'GREY TERN', figures = { { 'Range', 4 } } } },\n"
     "  staff = { { 'ART', 'A. Heron', 'B. Tern' }, { 'THE END' } } }\n";
 
 /* ---- the way through ---- */
@@ -65,16 +65,16 @@ static const char run_all[] =
 /* Opens the main menu, and from there the page start. */
 static void open_start(int players)
 {
-    soon("PRESS START", 60);
-    assert_true(board_last_output(r.b)->menu_shown);
+    soon("Press Start", 60);
+    assert_true(board_last_output(r.b)->key_hint_count > 0);
     press(PAD_START, 0);
-    soon(players > 1 ? "2 PLAYERS" : "SETTINGS", 20);
+    soon(players > 1 ? "2 Players" : "Settings", 20);
     if (players > 1)
         press(PAD_DOWN, 0);
     press(PAD_FIRE, 0);
-    soon("MODE", 20);
-    gone("PRESS START");
-    assert_true(board_last_output(r.b)->menu_shown);
+    soon("Mode", 20);
+    gone("Press Start");
+    assert_true(board_last_output(r.b)->key_hint_count > 0);
 }
 
 /* Starts the first or the second mode on `wild`; player 2 takes the other ship. */
@@ -88,55 +88,55 @@ static void start(int players, bool doom)
     press(PAD_DOWN, 0);
     soon("For a calm dive.", 10);
     press(PAD_RIGHT, 0);
-    soon("WILD", 5);
+    soon("Wild", 5);
     gone("For a calm dive.");
     press(PAD_DOWN, 0);
     soon("Fast.", 5);
     press(0, players > 1 ? PAD_RIGHT : 0);
-    soon(players > 1 ? "GREY TERN" : "HERON", 5);
-    assert_true(players > 1 || at("LIVES") >= 0);
+    soon(players > 1 ? "GREY TERN" : "Heron", 5);
+    assert_true(players == 1 ? at("Lives") >= 0 : at("2P") >= 0 && at("Range") >= 0);
     press(PAD_FIRE, 0);
     soon("STAGE", 60);
-    assert_false(board_last_output(r.b)->menu_shown);
+    assert_false(board_last_output(r.b)->key_hint_count > 0);
 }
 
 static void through_all(int w, int h, int field_w, int players)
 {
     open_sized(run_all, w, h, field_w, players);
     start(players, false);
-    soon("STAGE ONE CLEAR", 300);
-    assert_true(at("STAGE ONE CLEAR") % 1000 < field_w / 8);
+    soon("Stage One Clear", 300);
+    assert_true(at("Stage One Clear") % 1000 < field_w / 8);
     frames(100);
-    assert_true(at("500") >= 0 && at("GRAZE") >= 0);
-    assert_true(players == 1 || at("PLAYER 2") >= 0);
+    assert_true(at("500") >= 0 && at("Graze") >= 0);
+    assert_true(players == 1 || at("Player 2") >= 0);
     press(PAD_FIRE, 0);
-    soon("STAGE TWO CLEAR", 500);
+    soon("Stage Two Clear", 500);
     frames(100);
     press(PAD_FIRE, 0);
     soon("ALL STAGES CLEAR", 60);
-    soon("CONGRATULATIONS!", 300);
+    soon("Congratulations!", 300);
     frames(100);
     press(PAD_FIRE, 0);
     soon("A. Heron", 300);
     press(PAD_START, 0);
-    soon("YOUR NAME?", 60);
+    soon("Enter Your Name", 60);
     frames(20);
     press(PAD_UP | PAD_START, PAD_FIRE); /* too short to be done */
     press(PAD_FIRE, PAD_FIRE);
     press(PAD_FIRE, PAD_FIRE);
-    assert_true(at("TIME") >= 0);
+    assert_true(at("Time") >= 0);
     press(PAD_START, PAD_START);
-    soon("BEST SCORES", 60);
-    soon("WILD", 5);
+    soon("Best Scores", 60);
+    soon("Wild", 5);
     soon("500", 30);
     assert_true(players == 1 || (at("AAAA") >= 0 && at(" 70") >= 0));
     assert_int_equal(r.b->player.in_game[0], 0);
     assert_true(r.b->sprites.s.live <= 1); /* the plate behind the table */
     frames(30);
     press(PAD_FIRE, 0);
-    soon("PRESS START", 400);
+    soon("Press Start", 400);
     press(PAD_START, 0);
-    soon("SCORES", 20);
+    soon("Scores", 20);
     close_game();
 }
 
@@ -154,7 +154,7 @@ TEST(three_presses)
     open_sized(run_all, 240, 320, 240, 1);
     start(1, true);
     soon("GAME OVER", 2000);
-    soon("PRESS START", 2000);
+    soon("Press Start", 2000);
     press(PAD_START, 0);
     frames(20);
     press(PAD_START, 0);
@@ -165,6 +165,44 @@ TEST(three_presses)
     close_game();
 }
 
+/* Checks what the last tick told the program about the buttons: "fire Select, bomb Back". */
+static void expect_keys(const char *expected)
+{
+    static const char *const names[] = PAD_BUTTON_NAMES;
+    const struct board_out *out = board_last_output(r.b);
+    char got[256] = "";
+
+    for (int i = 0; i < out->key_hint_count; i++)
+        snprintf(got + strlen(got), sizeof got - strlen(got), "%s%s %s", i ? ", " : "", names[out->key_hint[i].button],
+                 out->key_hint[i].meaning);
+    assert_string_equal(got, expected);
+}
+
+/* The title tells the keys of the game, a page what they do there; it also writes that, 4 px above the lower edge. */
+TEST(keys)
+{
+    open_sized(run_all, 320, 240, 320, 1);
+    open_start(1);
+    expect_keys("fire Start, bomb Back");
+    assert_int_equal(at("Fire: Start  Bomb: Back") / 1000, 240 / 8 - 2);
+    press(PAD_BOMB, 0);
+    soon("Settings", 20);
+    expect_keys("start Start, fire Fire, bomb Bomb, focus Focus");
+    press(PAD_UP, 0);
+    press(PAD_UP, 0);
+    press(PAD_FIRE, 0);
+    soon("< Move >", 10);
+    expect_keys("fire Next, bomb Back");
+    press(PAD_RIGHT, 0);
+    soon("< Fire >", 10);
+    expect_keys("fire Fire, bomb Back");
+    press(PAD_RIGHT, 0);
+    soon("< Focus >", 10);
+    expect_keys("focus Focus, fire Next, bomb Back");
+    assert_true(at("Fire: Next  Bomb: Back") >= 0 && at("Focus: Focus") < 0);
+    close_game();
+}
+
 /* Bomb goes back one page at a time, to the entry that led there; a page that nobody answers gives up. */
 TEST(back)
 {
@@ -172,21 +210,21 @@ TEST(back)
     open_start(2);
     frames(30);
     press(0, PAD_BOMB);
-    soon("2 PLAYERS", 30);
+    soon("2 Players", 30);
     frames(10);
     press(PAD_FIRE, 0);
-    soon("PLAYER 2", 30);
+    soon("2P", 30);
     press(PAD_BOMB, 0);
-    soon("2 PLAYERS", 30);
+    soon("2 Players", 30);
     press(PAD_BOMB, 0);
-    soon("PRESS START", 30);
+    soon("Press Start", 30);
     frames(10);
     assert_int_equal(screen_get_dim(&r.b->screen, r.b->core.frame), 0);
     press(PAD_START, 0);
-    soon("2 PLAYERS", 30);
+    soon("2 Players", 30);
     frames(1801);
-    soon("BEST SCORES", 60); /* attract mode: the scores, then the title */
-    soon("PRESS START", 500);
+    soon("Best Scores", 60); /* attract mode: the scores, then the title */
+    soon("Press Start", 500);
     close_game();
 }
 
@@ -221,9 +259,9 @@ TEST(one_option)
     snprintf(text, sizeof text, "%sboot.run { players = { 'heron' }, stages = { 'one' } }", kinds);
     rig_script(&g, &m, text);
     rig_power_any(&r, &g, NULL);
-    soon("PRESS START", 60);
+    soon("Press Start", 60);
     press(PAD_START, 0);
-    soon("HOW TO PLAY", 20);
+    soon("How to Play", 20);
     press(PAD_START, 0);
     soon("STAGE ONE", 10);
     close_game();
@@ -241,18 +279,18 @@ TEST(preview)
     static const uint16_t left[MAX_PLAYERS] = { PAD_LEFT };
 
     open_game(own);
-    soon("PRESS START", 60);
+    soon("Press Start", 60);
     press(PAD_START, 0);
     frames(10);
     press(PAD_START, 0);
-    soon("SHIP", 10);
+    soon("Ship", 10);
     frames(40);
     assert_true(r.b->shots.s.live > 2);
     const fx x = r.b->player.x[0];
     rig_tick(&r, left);
     assert_int_equal(r.b->player.x[0], x);
     press(PAD_BOMB, 0);
-    soon("SETTINGS", 10);
+    soon("Settings", 10);
     assert_false(r.b->player.in_game[0]);
     assert_int_equal(r.b->shots.s.live, 0);
     close_game();
@@ -267,13 +305,13 @@ TEST(how_to_play)
                "boot.run { players = { 'gun' }, stages = { 'one' },\n"
                "  how_to_play = { 'move', { title = 'OWN', text = 'Mine.' }, 'bomb' } }",
                240, 320, 240, 1);
-    soon("PRESS START", 60);
+    soon("Press Start", 60);
     press(PAD_START, 0);
-    soon("HOW TO PLAY", 20);
+    soon("How to Play", 20);
     press(PAD_UP, 0);
     press(PAD_UP, 0);
     press(PAD_FIRE, 0);
-    soon("< MOVE >", 10);
+    soon("< Move >", 10);
     const fx x = r.b->player.x[0];
     frames(45);
     assert_true(r.b->player.x[0] < x);
@@ -285,7 +323,7 @@ TEST(how_to_play)
     frames(60);
     assert_true(r.b->player.bomb_left[0] > 0);
     press(PAD_BOMB, 0);
-    soon("SETTINGS", 10);
+    soon("Settings", 10);
     assert_false(r.b->player.in_game[0]);
     close_game();
 }
@@ -306,14 +344,14 @@ TEST(leaving)
     start(1, false);
     assert_true(inspect_pause(r.b).is_listening && inspect_pause(r.b).in_play[0] && !inspect_pause(r.b).in_play[1]);
     press(PAD_START, 0);
-    soon("STAGE ONE CLEAR", 300);
+    soon("Stage One Clear", 300);
     send(CODE_RESTART);
-    gone("STAGE ONE CLEAR");
+    gone("Stage One Clear");
     soon("STAGE ONE", 60);
     assert_int_equal(r.b->player.score[0], 0);
     send(CODE_QUIT);
     assert_false(inspect_pause(r.b).is_listening);
-    soon("PRESS START", 60);
+    soon("Press Start", 60);
     assert_int_equal(r.b->player.in_game[0], 0);
     send(CODE_RESTART); /* nobody listens */
     press(0, 0);
@@ -322,15 +360,15 @@ TEST(leaving)
 
     open_game(run_all);
     start(1, true);
-    soon("CONTINUE?", 600);
+    soon("Continue?", 600);
     assert_false(inspect_pause(r.b).in_play[0]);
     send(CODE_RESTART);
-    gone("CONTINUE?");
+    gone("Continue?");
     assert_int_equal(r.b->core.frozen, 0);
     assert_int_equal(r.b->player.in_game[0], 1);
-    soon("CONTINUE?", 600);
+    soon("Continue?", 600);
     send(CODE_QUIT);
-    soon("PRESS START", 60);
+    soon("Press Start", 60);
     close_game();
 }
 
@@ -372,7 +410,7 @@ TEST(mashed)
 
     for (int every = 2; every <= 12; every++) {
         open_game(run_all);
-        soon("PRESS START", 60);
+        soon("Press Start", 60);
         for (int f = 0; f < 60 * every && !r.b->player.in_game[0]; f++)
             rig_tick(&r, f % every < every / 2 ? down : (const uint16_t[MAX_PLAYERS]){ 0 });
         if (!r.b->player.in_game[0])
@@ -390,13 +428,13 @@ TEST(held_in_a_name)
         "boot.run { players = { 'heron' }, stages = { 'one' }, screens = { results = function() end,\n"
         "  title = function() wait(1) return 'start' end, start = function() return { difficulty = 'calm' } end,\n"
         "  ending = function() end } }");
-    soon("YOUR NAME?", 600);
+    soon("Enter Your Name", 600);
     for (int f = 0; f < 200; f++)
         rig_tick(&r, right);
-    assert_true(at("A A A A A A A A") >= 0 && at("YOUR NAME?") >= 0);
-    gone("READY");
+    assert_true(at("A A A A A A A A") >= 0 && at("Enter Your Name") >= 0);
+    gone("Ready");
     press(PAD_FIRE, 0);
-    soon("BEST SCORES", 30);
+    soon("Best Scores", 30);
     close_game();
 }
 
@@ -408,13 +446,13 @@ static void start_leads_to_the_list(void)
     rig_tick(&r, down);
     for (int f = 0; f < 20; f++) {
         frames(1);
-        gone("PRESS START");
+        gone("Press Start");
     }
     gone("ONCE");
-    gone("BEST SCORES");
-    soon("SETTINGS", 1);
+    gone("Best Scores");
+    soon("Settings", 1);
     press(PAD_BOMB, 0);
-    soon("PRESS START", 60);
+    soon("Press Start", 60);
 }
 
 static void until_attract(const char *name)
@@ -437,15 +475,15 @@ TEST(attract)
     until_attract("a");
     start_leads_to_the_list();
     until_attract("b");
-    soon("BEST SCORES", 10);
+    soon("Best Scores", 10);
     start_leads_to_the_list();
     until_attract("a");
-    soon("BEST SCORES", 10);
+    soon("Best Scores", 10);
     soon("ONCE", 400);
     start_leads_to_the_list();
     until_attract("b");
     soon("ONCE", 400); /* and when nobody comes, all of it */
-    soon("PRESS START", 700);
+    soon("Press Start", 700);
     close_game();
 }
 
@@ -474,26 +512,26 @@ static enum board_host_screen press_asked(uint16_t button)
 TEST(asks)
 {
     open_game(run_all);
-    soon("PRESS START", 60);
+    soon("Press Start", 60);
     press(PAD_START, 0);
-    soon("QUIT", 20);
+    soon("Quit Game", 20);
     press(PAD_UP, 0);
     assert_int_equal(press_asked(PAD_FIRE), HOST_SCREEN_QUIT);
-    soon("QUIT", 20);
+    soon("Quit Game", 20);
     press(PAD_UP, 0);
     press(PAD_UP, 0);
     for (int i = 0; i < 3; i++) {
         assert_int_equal(press_asked(PAD_FIRE), HOST_SCREEN_SETTINGS);
         frames(1);
         assert_int_equal(asked(), HOST_SCREENS);
-        soon("SETTINGS", 20);
+        soon("Settings", 20);
     }
     press(PAD_UP, 0);
     assert_int_equal(press_asked(PAD_START), HOST_SCREEN_REPLAYS);
-    soon("REPLAYS", 20);
+    soon("Replays", 20);
     press(PAD_UP, 0);
     assert_int_equal(press_asked(PAD_START), HOST_SCREEN_PRACTICE);
-    soon("PRACTICE", 20);
+    soon("Practice", 20);
     assert_int_equal(r.b->player.in_game[0], 0);
     close_game();
 }
@@ -502,7 +540,7 @@ TEST(asks)
 static void until_continue(uint8_t *before, const uint8_t *cells, size_t n)
 {
     player_leave(&r.b->player, 0);
-    for (int f = 0; at("CONTINUE?") < 0; f++) {
+    for (int f = 0; at("Continue?") < 0; f++) {
         assert_true(f < 9);
         memcpy(before, cells, n);
         frames(1);
@@ -636,19 +674,19 @@ TEST(continue)
 {
     open_game(run_all);
     start(1, true);
-    soon("CONTINUE?", 600);
-    assert_true(at("START: 1 LEFT") >= 0 && at("9") >= 0);
+    soon("Continue?", 600);
+    assert_true(at("Continues Left: 1") >= 0 && at("9") >= 0);
     uint32_t clock = r.b->core.clock;
     press(PAD_BOMB, 0);
     frames(30);
-    assert_true(at(" 8 ") >= 0);
+    assert_true(at("8") >= 0);
     assert_int_equal(r.b->core.clock, clock);
     press(PAD_START, 0);
     frames(5);
-    gone("CONTINUE?");
+    gone("Continue?");
     soon("GAME OVER", 900);
-    gone("CONTINUE?");
-    soon("YOUR NAME?", 300); /* it is worth a point, so that tables tell */
+    gone("Continue?");
+    soon("Enter Your Name", 300); /* it is worth a point, so that tables tell */
     close_game();
 }
 
@@ -673,7 +711,7 @@ static int row_of(const char *text)
     return at(text) < 0 ? -1 : at(text) / 1000;
 }
 
-/* A list that is longer than the title has room for keeps its empty rows, and scrolls to what was not seen. */
+/* A list that is too long for the title has its rows 12 px apart, and scrolls. */
 TEST(long_title)
 {
     static const char own[] = "local pages = {} for i = 1, 16 do pages[i] = { name = 'page_' .. string.char(64 + i),\n"
@@ -681,18 +719,18 @@ TEST(long_title)
                               "boot.run { stages = { 'one' }, players = { 'heron' }, pages = pages }";
 
     open_sized(own, 320, 240, 320, 1);
-    soon("PRESS START", 5);
+    soon("Press Start", 5);
     press(PAD_START, 0);
-    soon("PAGE B", 20);
-    assert_int_equal(row_of("PAGE B") - row_of("PAGE A"), 2);
-    gone("SETTINGS");
+    soon("Page B", 20);
+    assert_in_range(row_of("Page B") - row_of("Page A"), 1, 2);
+    gone("Settings");
     press(PAD_UP, 0); /* the last one */
-    soon("QUIT", 20);
-    assert_int_equal(row_of("QUIT") - row_of("SETTINGS"), 4);
-    assert_in_range(row_of("QUIT"), 1, 240 / 8 - 3);
-    gone("PAGE A");
+    soon("Quit Game", 20);
+    assert_int_equal(row_of("Quit Game") - row_of("Settings"), 3);
+    assert_in_range(row_of("Quit Game"), 1, 240 / 8 - 3);
+    gone("Page A");
     press(PAD_DOWN, 0);
-    soon("PAGE A", 20);
+    soon("Page A", 20);
     close_game();
 }
 
@@ -707,30 +745,30 @@ static const char with_pages[] =
 TEST(pages)
 {
     open_sized(with_pages, 240, 320, 240, 1);
-    soon("PRESS START", 5);
+    soon("Press Start", 5);
     press(PAD_START, 0);
-    soon("TIPS", 20);
+    soon("Tips", 20);
     for (int i = 0; i < 3; i++)
         press(PAD_DOWN, 0);
     press(PAD_FIRE, 0);
-    soon("INSIDE 2", 20);
-    assert_int_equal(at("INSIDE 2") % 1000, 3);
-    soon("FIRE: BACK", 40);
+    soon("INSIDE 30", 20);
+    assert_int_equal(at("INSIDE 30") % 1000, 3);
+    soon("Bomb: Back", 40);
     assert_int_equal(r.b->sprites.s.live, 2); /* its frame, and the dot */
     press(PAD_BOMB, 0);
-    soon("TIPS", 20);
+    soon("Tips", 20);
     gone("INSIDE");
     for (int i = 0; i < 3; i++)
         press(PAD_UP, 0);
     press(PAD_FIRE, 0);
-    soon("DIFFICULTY", 20);
+    soon("Difficulty", 20);
     press(PAD_FIRE, 0);
-    soon("STAGE ONE CLEAR", 200);
-    gone("GRADE");
-    soon("GRADE", 120);
+    soon("Stage One Clear", 200);
+    gone("Grade");
+    soon("Grade", 120);
     soon("SS", 5); /* a letter of two cells by two */
     press(PAD_FIRE, 0);
-    soon("STAGE TWO CLEAR", 200);
+    soon("Stage Two Clear", 200);
     soon("BB", 200);
     close_game();
 }

@@ -60,13 +60,14 @@ explained = lambda s: s in found or re.sub(r"\d+", "%d", s) in found or s.strip(
 is_key = re.compile("[^A-Z]*|[LR][0-9]|D-pad .*|Start|Select|Guide").fullmatch
 for text in sorted({row[1:] for row in rows if row[0] == "-"}):
     for line in text.split("\r"):
-        # text without small letters is the game's; ~ is a translation; %d is the second try
+        # text without small letters is a key's or the HUD's; ~ is a translation; %d is the second try
         if re.search("[a-z]", line) and not re.search("~|%", line) and not explained(line) and \
                 not all(map(is_key, line.split(", "))):
             print(line)
 PY
-# The languages' own names, dates, the game's names, and the question in a language without words.
-own="Pixel|Plain|2027.*|Stage one|Restart to apply this.*"
+# The languages' own names, dates, the game's words and names, and the question in a language without words.
+own="Pixel|Plain|2027.*|All Stages Clear|Congratulations!|Player 1 .*|Stage [Oo]ne.*|One|Graze|Power"
+own+="|Easy|Normal|Hard| *(Late|Weak)|Restart to apply this.*"
 same 'every text has a translation' '' "$(python3 untranslated.py | grep -vxE "$own" | sort -u)"
 for text in 'Fill the screen.' 'Off' 'Play time: %d:%d' 'Reset all key bindings?' 'No attempts yet.' 'Watch' \
     '%s: removed %s' 'Press a button to identify a controller.' 'Quit? You can resume this run next time.' Confirm \

@@ -63,7 +63,7 @@ wait(300)
 --> title 600 6 start nil
 --> start 2 story All. nil normal nil
 --> ships 2 tern T
---> results STAGE ONE CLEAR 2 nil
+--> results Stage One Clear 2 nil
 --> ending story tern 2 500 true
 --> staff A
 --> staff C
@@ -141,6 +141,8 @@ boot.run { stages = { 'one' }, players = { 'heron' }, how_to_play = { 'mvoe' } }
 --! boot.run: unknown page of how_to_play: "mvoe" (did you mean "move"?)
 boot.run { stages = { 'one' }, players = { 'heron' }, how_to_play = { { title = 'GO' } } }
 --! boot.run: how_to_play: page 1: text: expected a string, got nil
+boot.run { stages = { 'one' }, players = { 'heron' }, how_to_play = { { title = 'GO', text = 'Go.', button = 'fre' } } }
+--! boot.run: unknown button of how_to_play: "fre" (did you mean "fire"?)
 boot.run { players = { 'heron' }, modes = {} }
 --! boot.run: modes: expected a list of at least one mode, got none
 boot.run { players = { 'heron' }, modes = { { stages = { 'one' } } } }
@@ -215,16 +217,16 @@ mission.def('a', { title = 'A', stage = 'one', clear = true, medals = { 5 } })
 --load: what boot.run finds in missions
 mission.def('a', { title = 'A', stage = 'one', goal = { chian = 5 } })
 boot.run { stages = { 'one' }, players = { 'heron' } }
---! main.lua:216: mission.def: unknown count "chian" (did you mean "chain"?)
+--! main.lua:218: mission.def: unknown count "chian" (did you mean "chain"?)
 mission.def('a', { title = 'A', stage = 'oen', clear = true })
 boot.run { stages = { 'one' }, players = { 'heron' } }
---! main.lua:219: mission.def: unknown stage "oen" (did you mean "one"?)
+--! main.lua:221: mission.def: unknown stage "oen" (did you mean "one"?)
 mission.def('a', { title = 'A', boss = 'king', phase = 'bew', clear = true })
 boot.run { stages = { 'one' }, players = { 'heron' } }
---! main.lua:222: mission.def: unknown phase "bew" (did you mean "bow"?)
+--! main.lua:224: mission.def: unknown phase "bew" (did you mean "bow"?)
 mission.def('a', { title = 'A', stage = 'one', clear = true, ship = 'tern' })
 boot.run { stages = { 'one' }, players = { 'heron' } }
---! main.lua:225: mission.def: unknown ship "tern" (did you mean "heron"?)
+--! main.lua:227: mission.def: unknown ship "tern" (did you mean "heron"?)
 mission.def('a', { title = 'A', stage = 'one', clear = true, registers = { bmobs = 1 } })
 boot.run { stages = { 'one' }, players = { 'heron' } }
---! main.lua:228: mission.def: unknown register "bmobs" (did you mean "bombs"?)
+--! main.lua:230: mission.def: unknown register "bmobs" (did you mean "bombs"?)

@@ -89,9 +89,9 @@ board.frame(3)
 hud.banner('GO', 60)
 --! hud.banner: lines: expected a list of strings such as { "GO" }
 menu.choose { 'a', 'b' }
---! menu.choose: items: expected a list of strings, as in { items = { "YES", "NO" }, row = 12 }
+--! menu.choose: items: expected a list of strings, as in { items = { "Yes", "No" }, row = 12 }
 choose('a', 'b')
---! choose: list: expected a list of strings, as in choose { "YES", "NO" }
+--! choose: list: expected a list of strings, as in choose { "Yes", "No" }
 say('Hello')
 --! say: expected a speaker and a text; for no speaker, write say(nil, "Hello")
 

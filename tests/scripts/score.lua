@@ -155,12 +155,12 @@ print(save.get('unlock/odd'), unlock.has('odd'))
 --> earned
 --> earned
 --> earned Half of It
---> earned ALL
+--> earned All
 --> earned
---> earned RICH
+--> earned Rich
 --> Be odd nil false
 --> earned
---> earned ODD
+--> earned Odd
 --> earned
 --> true true
 
@@ -192,7 +192,7 @@ sys.scoring.expect()
 score.tally { { label = 'A', value = 3, points = 1 } }
 --! score.tally: line 1: value: expected a property, a register or a function, got number
 score.tally {}
---! score.tally: expected at least one line, such as { label = "BOMBS", value = "bombs", points = 1000 }
+--! score.tally: expected at least one line, such as { label = "Bombs", value = "bombs", points = 1000 }
 score.count('cancle', 1)
 --! score.count: unknown rule "cancle" (did you mean "cancel"?)
 score.enter('t', { name = 'A', score = 1, stage = 15 })

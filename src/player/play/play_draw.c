@@ -18,8 +18,7 @@
 #include "timebar.h"
 
 enum {
-    BLINK = 20,      /* frames; PRESS START is shown for two thirds of the time */
-    BUTTON_HINTS = 4 /* below a menu */
+    BLINK = 20 /* frames; the hint below an attract demo is shown for two thirds of the time */
 };
 
 /* ---- the picture ---- */
@@ -157,24 +156,41 @@ static int draw_page(struct play *play, const struct canvas *canvas)
     return y;
 }
 
-/* Fills in the hints on buttons below the game's menus, until a run has been finished, below name entry, and below an
- * attract demo. Returns how many there are; 0: none, or something else is shown. */
-static int list_hints(struct play *play, bool covered, struct button_hint hint[BUTTON_HINTS])
+/* Writes the label of player 1's button, or of the key that has its meaning while a name is typed; "": none. */
+static void hint_label(struct play *play, uint32_t button, bool typing, char *out, size_t size)
 {
-    static const char *const actions[BUTTON_HINTS] = { "p1.start", "p1.fire", "p1.bomb", "p1.focus" },
-                             *const meanings[BUTTON_HINTS] = { "Start", "Fire", "Bomb", "Focus" };
-    const bool in_menu = board_last_output(play_board(play))->menu_shown && !play->session.demo && play->config.hints;
-    const int n = covered ? 0 : play->attract.on ? play->time.frames / BLINK % 3 != 0 : in_menu ? BUTTON_HINTS : 0;
-    const int typist = play_typist(play);
+    static const char *const buttons[PAD_BUTTON_COUNT] = PAD_BUTTON_NAMES;
+    char action[16];
 
-    if (!covered && typist >= 0 && !play->config.keys.device[typist].is_controller) {
-        snprintf(hint[0].label, sizeof hint[0].label, "enter");
-        hint[0].meaning = "Type the name";
+    snprintf(action, sizeof action, "p1.%s", buttons[button]);
+    if (typing)
+        snprintf(out, size, "%s", 1 << button == PAD_START ? "enter" : 1 << button == PAD_BOMB ? "backspace" : "");
+    else
+        keys_hint(&play->config.keys, action, out, size);
+}
+
+/* Fills in the hints on buttons: of an attract demo, and of the game's page until a run has been finished, or while a
+ * name is typed. Returns how many there are; 0: none, or something else is shown. */
+static int list_hints(struct play *play, bool covered, struct button_hint hint[MAX_KEY_HINTS])
+{
+    const struct board_out *out = board_last_output(play_board(play));
+    const int typist = play_typist(play);
+    const bool typing = typist >= 0 && !play->config.keys.device[typist].is_controller;
+    int n = 0;
+
+    if (covered || (play->attract.on && play->time.frames / BLINK % 3 == 0))
+        return 0;
+    if (play->attract.on) {
+        keys_hint(&play->config.keys, "p1.start", hint[0].label, sizeof hint[0].label);
+        hint[0].meaning = "Start";
         return 1;
     }
-    for (int i = 0; i < n; i++) {
-        keys_hint(&play->config.keys, actions[i], hint[i].label, sizeof hint[i].label);
-        hint[i].meaning = play->attract.on ? "PRESS START" : meanings[i];
+    if (!typing && (play->session.demo || !play->config.hints))
+        return 0;
+    for (int i = 0; i < out->key_hint_count; i++) {
+        hint_label(play, out->key_hint[i].button, typing, hint[n].label, sizeof hint[n].label);
+        hint[n].meaning = out->key_hint[i].meaning;
+        n += hint[n].label[0] != '\0';
     }
     return n;
 }
@@ -204,7 +220,7 @@ static void draw_progress(struct play *play, const struct canvas *canvas, int y)
 /* The overlay's text, and the areas that it is drawn on. */
 struct overlay_layout {
     char text[sizeof((struct play *)0)->message.text + 32];
-    struct button_hint hint[BUTTON_HINTS];
+    struct button_hint hint[MAX_KEY_HINTS];
     int hints;
     bool page;                   /* a page is shown, always over the picture */
     struct canvas picture, side; /* side.fb NULL: everything is over the picture */
@@ -267,7 +283,7 @@ static void show_with_overlay(struct play *play, struct picture *p, struct overl
     struct theme theme;
 
     o->picture = copy_picture(play, p, NULL);
-    if (play->screens.words.data) { /* translations can have letters of the game's font */
+    if (o->hints || play->screens.words.data) { /* text in the game's language */
         theme_open(&theme, play_cart(play));
         canvas_add_font(&o->picture, &theme);
     }

@@ -227,7 +227,7 @@ void play_open_menu(struct play *play)
 
 bool play_has_run(const struct play *play)
 {
-    const bool in_menu = board_last_output(play_board(play))->menu_shown && !play->autosave.on;
+    const bool in_menu = board_last_output(play_board(play))->key_hint_count > 0 && !play->autosave.on;
 
     return !play->session.demo && !play_fault(play) && board_frame(play_board(play)) > 0 && !in_menu;
 }

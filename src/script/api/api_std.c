@@ -468,6 +468,7 @@ static const struct api_entry entries[] = {
               REQUIRED("show", A_FUNC, "show(row, rows): draws the page into `rows` rows, starting at `row`")),
     LUA_ENTRY("boot.run how_to_play", 0, API_SYS, NULL, "one page of How to Play",
               REQUIRED("title", A_STR, "heading of the page"), REQUIRED("text", A_STR, "text below the heading"),
+              OPTIONAL("button", A_BUTTON, "button that the page is about, which the program shows with the title"),
               OPTIONAL("show", A_FUNC,
                        "show(area): the moving picture; called again when it returns; what it spawns is removed with "
                        "the page")),
@@ -481,7 +482,8 @@ static const struct api_entry entries[] = {
             "start",
             "start(players, lists, last): returns { mode, difficulty, ships }, names out of the lists; nil goes "
             "back"),
-        SCREEN_PARAM("how_to_play", "how_to_play(pages, ship): shows the pages, given as { title, text, show }"),
+        SCREEN_PARAM("how_to_play",
+                     "how_to_play(pages, ship): shows the pages, given as { title, text, button, show }"),
         SCREEN_PARAM("continue",
                      "continue(index, left): returns true to continue; `left` is the number of remaining continues"),
         SCREEN_PARAM("results", "results(title, players, stopped, lines, new, grades): ends once stopped() is true"),

@@ -171,13 +171,28 @@ static int sys_enemy_sprite(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-/* Changes no RAM: only reports to the program that a pre-game menu is shown, and whose name is being entered. */
-static int sys_report_menu(lua_State *L, struct board *b, struct api_value *v)
+/* Changes no RAM: key hints are for the program. */
+static int sys_tell_key(lua_State *L, struct board *b, struct api_value *v)
 {
+    size_t n;
+    const char *meaning = lua_tolstring(L, v[1].at, &n), *translation = words_find(&b->words, meaning, n);
+
+    board_add_key_hint(b, (uint32_t)v[0].i, translation ? translation : meaning);
+    return 0;
+}
+
+/* Without p: for old ROMs, in every frame of their menus. */
+static int sys_tell_keys(lua_State *L, struct board *b, struct api_value *v)
+{
+    static const char *const meanings[PAD_BUTTON_COUNT] = { NULL,   NULL,    NULL, NULL,   "Fire",
+                                                            "Bomb", "Focus", NULL, "Start" };
+
     (void)L;
-    b->output->out.menu_shown = true;
     if (v[0].given && v[0].i)
         b->output->out.typing |= (uint8_t)(1 << (v[0].i - 1));
+    for (uint32_t i = 0; i < PAD_BUTTON_COUNT && !v[0].given; i++)
+        if (meanings[i])
+            board_add_key_hint(b, i, meanings[i]);
     return 0;
 }
 
@@ -795,11 +810,12 @@ static const struct api_entry entries[] = {
     SYS_ENTRY("sys.mark", sys_mark, 0, NULL, "marks a moment of the run for the program", REQUIRED("kind", A_STR, ""),
               REQUIRED("name", A_STR, ""), OPTIONAL("of", A_STR, ""), OPTIONAL("title", A_STR, ""),
               PARAM("value", A_INT, OPT, INT32_MIN, INT32_MAX, NULL, NULL, "")),
-    SYS_ENTRY(
-        "sys.tell_keys", sys_report_menu, 0, NULL,
-        "called in every frame of a menu: tells the program to show new players the keys; p: this player enters a "
-        "name, and gets the characters of the keyboard as codes",
-        OPTIONAL("p", A_PLAYER, "")),
+    SYS_ENTRY("sys.tell_key", sys_tell_key, 0, NULL,
+              "called in every frame of a page: tells the program what a button does, which shows it to new players",
+              REQUIRED("button", A_BUTTON, ""), REQUIRED("meaning", A_STR, "")),
+    SYS_ENTRY("sys.tell_keys", sys_tell_keys, 0, NULL,
+              "called in every frame of name entry: player p gets the characters of the keyboard as codes",
+              OPTIONAL("p", A_PLAYER, "")),
     SYS_ENTRY("sys.listen", sys_listen, API_CHANGES, NULL,
               "starts obeying the program's pause menu, with these entries of the game; nil: stops",
               OPTIONAL("labels", A_TABLE, "")),

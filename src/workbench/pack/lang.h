@@ -2,7 +2,7 @@
  * lang.h - language files, lang/NAME.txt.
  *
  *     # a comment
- *     PRESS START = Bitte START drücken
+ *     Press Start = Bitte Start drücken
  *     Wave %d\nof %d = Welle %d\nvon %d
  *
  * A line is `text = translation` in UTF-8. Spaces at its ends and around the = are ignored. Escapes: \n newline, \=
