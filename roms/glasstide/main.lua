@@ -72,8 +72,8 @@ boot.run { modes = {
                    abyss = "Nobody came back." },
   ships = require "players/forms",
   music = pieces, how_to_play = require "fx/how_to_play", grades = grades, ending = require "ending",
-  staff = { { "GLASS TIDE" }, { "STORY, PICTURES, PATTERNS", "The Curtain authors" },
-            { "RUNS ON", "Curtain" }, { "THANK YOU FOR PLAYING" },
-            { "THE WATER STILL LEANS", "If you dive on NORMAL", "or harder and arrive",
+  staff = { { "Glass Tide" }, { "Story, Pictures, Patterns", "The Curtain authors" },
+            { "Runs On", "Curtain" }, { "Thank You for Playing" },
+            { "The Water Still Leans", "If you dive on Normal", "or harder and arrive",
               "with shards at x3,", "look down once more.",
               when = function() return not moon.outlived() end } } }

@@ -173,12 +173,12 @@ on.stage(function(_, state)
 end)
 
 score.tally {
-  { label = "GRAZE", value = "brushes", points = 200, stage = true },
-  { label = "SHARDS", value = "prisms", points = 100, stage = true },
-  { label = "BEST CHAIN", value = "longest", points = 1000 },
-  { label = "SIGNS BROKEN", value = "captures", points = 20000, stage = true },
-  { label = "NO MISS", value = function(p) return p.misses == 0 end, points = 100000 },
-  { label = "NO BOMB", value = function(p) return p.used == 0 end, points = 50000 },
-  { label = "LIVES", value = "lives", points = 200000, last = true } }
+  { label = "Graze", value = "brushes", points = 200, stage = true },
+  { label = "Shards", value = "prisms", points = 100, stage = true },
+  { label = "Best Chain", value = "longest", points = 1000 },
+  { label = "Signs Broken", value = "captures", points = 20000, stage = true },
+  { label = "No Miss", value = function(p) return p.misses == 0 end, points = 100000 },
+  { label = "No Bomb", value = function(p) return p.used == 0 end, points = 50000 },
+  { label = "Lives", value = "lives", points = 200000, last = true } }
 
 return scoring

@@ -29,21 +29,21 @@ local function dark(over)
   palette.fade { to = 0x04060e, over = over, first = FIRST, last = LAST }
 end
 
--- Writes the lines letter by letter, each in its own row. FIRE completes the current line
--- immediately.
+-- Writes the lines letter by letter, each in the middle of its own row. FIRE completes the
+-- current line immediately.
 local function write(lines, told)
   for i, line in ipairs(lines) do
     local words, hurried = text.lang(line), false
-    local row = DOWN + APART * (i - 1)
+    local row, col = DOWN + APART * (i - 1), (hud.cols - utf8.len(words)) / 2
     for n = 1, utf8.len(words) do
       if not hurried and n % 2 == 0 then
         hurried = rest(LETTER, told)
         local there = words:sub(1, utf8.offset(words, n + 1) - 1)
-        text.put { col = 1, row = row, text = there, bank = WORDS }
+        text.put { col = col, row = row, text = there, bank = WORDS }
       end
     end
     if told.left then return end
-    text.put { col = 1, row = row, text = words, bank = WORDS }
+    text.put { col = col, row = row, text = words, bank = WORDS }
   end
 end
 

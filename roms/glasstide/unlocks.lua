@@ -10,6 +10,6 @@ unlock.def("music_room", { title = "Music", when = { clear = "one" },
 -- Colours of the crafts, for the setting `lamps`; ember also unlocks two pieces in the music
 -- room.
 unlock.def("gilt", { title = "Gilt Lamps", when = { mode = "caravan", score = 600000 },
-                     hint = "600000 points in the caravan" })
+                     hint = "Score 600,000 in the caravan" })
 unlock.def("ember", { title = "Ember Lamps", hint = "Survive what lies below the abyss",
                       when = function(_) return moon.outlived() end })

@@ -9,17 +9,14 @@ import glob, re, subprocess, sys
 GAME = "roms/glasstide/"
 # Files, a pattern for the texts that they show, and the cells a text may have.
 SHOWN = [
-    ("scripts/**/*.lua", r'"((?:%[0-9]*[ds]|[^"\na-z])*[A-Z]{2}(?:%[0-9]*[ds]|[^"\na-z])*)"', 30),
+    ("scripts/**/*.lua", r'"((?:%[0-9]*[ds] )*[A-Z][^"]+)"', 30),
     (GAME + "**/*.lua", r'"([A-Z][^"]+)"', 80),  # sentences and names are broken into rows
     (GAME + "stages/**/*.lua", r'(?:title|spell) = "([^"]*)"', 28),
     (GAME + "stages/**/*.lua", r'(?:talk\.def\("\w+", \{ name =|say\([\w"]+,) "([^"]*)"', 3 * 26),
 ]
-# Names, which are shown in capitals.
-NAMES = [
-    (GAME + "fx/*.lua", r'\{ name = "(\w+)", show', 26),
-    (GAME + "scoring.lua", r'(\w+) = {[^}]*show = "(?:bar|number|icons)"', 12),
-]
-CODE = re.compile(r"--.*|sys\.fail\(.*")
+# Names that the HUD shows in capitals.
+NAMES = [(GAME + "scoring.lua", r'(\w+) = {[^}]*show = "(?:bar|number|icons)"', 12)]
+CODE = re.compile(r"--.*|(?:sys\.)?fail\(.*|\"NaN\"")
 HELP = 80  # characters of the program's sentences; a screen has 255 bytes for them
 lines = [line.rstrip("\n") for line in open(sys.argv[1], encoding="utf-8")]
 words = dict(line.split(" = ", 1) for line in lines if line and line[0] != "#")
@@ -47,8 +44,8 @@ sys.exit(bool(found) or not shown)
 PY
 ja=roms/glasstide/lang/ja.txt
 check 'each text has words that fit' python3 "$scratch/words.py" $ja
-sed '/^READY /d' $ja >"$scratch/ja.txt"
-detects "a text of the game without words" 'no words for "READY"' python3 "$scratch/words.py" "$scratch/ja.txt"
+sed '/^Ready /d' $ja >"$scratch/ja.txt"
+detects "a text of the game without words" 'no words for "Ready"' python3 "$scratch/words.py" "$scratch/ja.txt"
 sed '/^Key Bindings /d' $ja >"$scratch/ja.txt"
 detects "a text of the program without words" 'no words for "Key Bindings"' \
     python3 "$scratch/words.py" "$scratch/ja.txt"

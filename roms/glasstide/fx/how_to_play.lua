@@ -1,4 +1,4 @@
--- fx/how_to_play.lua - HOW TO PLAY: the library's pages on the buttons, then how to score, each with
+-- fx/how_to_play.lua - How to Play: the library's pages on the buttons, then how to score, each with
 -- a heron that plays.
 local FALL <const> = 1.5 -- speed of bullets
 
@@ -57,8 +57,9 @@ local function pearls(area)
 end
 
 return { "move", "fire", "focus", "bomb",
-  { title = "GRAZE", text = "Graze bullets to fill the glass.", show = fill },
-  { title = "SPECIAL", text = "SPECIAL turns nearby bullets into prisms. Each one raises the multiplier.",
+  { title = "Graze", text = "Graze bullets to fill the glass.", show = fill },
+  { title = "Special", button = "special",
+    text = "Special turns nearby bullets into prisms. Each one raises the multiplier.",
     show = release },
-  { title = "CHAIN", text = "Break enemies without a pause: each one is worth more.", show = chain },
-  { title = "PEARLS", text = "Worth up to 10x near the top.", show = pearls } }
+  { title = "Chain", text = "Break enemies without a pause: each one is worth more.", show = chain },
+  { title = "Pearls", text = "Worth up to 10x near the top.", show = pearls } }

@@ -39,3 +39,11 @@ for _, form in ipairs(FORMS) do
   test.expect(run:live("bullets") < flying // 2, form .. ": and most bullets are cleared")
   test.equal(run.fault, nil, form)
 end
+
+-- Two players on the same craft have different colours, on the page that asks for it and in play.
+local run = test.run { frames = 5 }
+run:press("start@10:11,down@40:41,fire@60:61")
+run:step(160)
+test.equal(run:eval "{ player.get(1).kind, player.get(2).kind }", { "heron", "heron" }, "same craft")
+test.equal(run:eval "player.get(1).picture", nil, "player 1 has the craft's own colour")
+test.equal(run:eval "player.get(2).picture", "ember", "player 2 has another")
