@@ -12,7 +12,7 @@ return {
             registers = 128,
             wide = true }, -- text cells for any character
   palette = "art/palette.png", font = "art/font.png",
-  theme = { ink = 0, accent = 3, paper = 1 }, -- the program's screens, in the banks of hud.banks (main.lua)
+  theme = { ink = 0, accent = 3, rule = 9, paper = 1 }, -- the program's screens, in the banks of hud.banks (main.lua)
   -- each stage has its own colours for creatures and scenery (banks 10 to 13)
   palettes = { one = "art/palette_one.png", deep = "art/palette_deep.png",
                two = "art/palette_two.png", three = "art/palette_three.png",

@@ -182,9 +182,9 @@ enum { THEME_DEFAULT = -1 };
 enum theme_sound { THEME_OPEN, THEME_MOVE, THEME_ACCEPT, THEME_BACK, THEME_SOUNDS };
 struct art_theme {
     bool is_set;
-    int32_t ink, accent; /* palette banks of text, 0 to 15, or THEME_DEFAULT */
-    int32_t paper;       /* palette entry of the background, 0 to 255, or THEME_DEFAULT */
-    uint32_t cursor;     /* the character in front of the chosen row; 0: the default */
+    int32_t ink, accent, rule; /* palette banks of text, 0 to 15, or THEME_DEFAULT */
+    int32_t paper;             /* palette entry of the background, 0 to 255, or THEME_DEFAULT */
+    uint32_t cursor;           /* the character in front of the chosen row; 0: the default */
     char font[ART_NAME_SIZE], frame[ART_NAME_SIZE], sounds[THEME_SOUNDS][ART_NAME_SIZE]; /* "": the default */
 };
 

@@ -18,27 +18,31 @@ static const char *const default_sounds[THEME_SOUNDS] = {
 
 /* ---- the lump ---- */
 
+enum { NAMES = THEME_SIZE - (2 + THEME_SOUNDS) * ART_NAME_SIZE }; /* the offset of the names */
+
 void theme_pack(const struct art_theme *s, uint8_t out[THEME_SIZE])
 {
     bytes_put32(out, (uint32_t)s->ink);
     bytes_put32(out + 4, (uint32_t)s->accent);
-    bytes_put32(out + 8, (uint32_t)s->paper);
-    bytes_put32(out + 12, s->cursor);
-    memcpy(out + 16, s->font, ART_NAME_SIZE);
-    memcpy(out + 16 + ART_NAME_SIZE, s->frame, ART_NAME_SIZE);
-    memcpy(out + 16 + 2 * ART_NAME_SIZE, s->sounds, sizeof s->sounds);
+    bytes_put32(out + 8, (uint32_t)s->rule);
+    bytes_put32(out + 12, (uint32_t)s->paper);
+    bytes_put32(out + 16, s->cursor);
+    memcpy(out + NAMES, s->font, ART_NAME_SIZE);
+    memcpy(out + NAMES + ART_NAME_SIZE, s->frame, ART_NAME_SIZE);
+    memcpy(out + NAMES + 2 * ART_NAME_SIZE, s->sounds, sizeof s->sounds);
 }
 
 static struct art_theme unpack(const uint8_t *data)
 {
     struct art_theme s = { .ink = (int32_t)bytes_get32(data),
                            .accent = (int32_t)bytes_get32(data + 4),
-                           .paper = (int32_t)bytes_get32(data + 8),
-                           .cursor = bytes_get32(data + 12) };
+                           .rule = (int32_t)bytes_get32(data + 8),
+                           .paper = (int32_t)bytes_get32(data + 12),
+                           .cursor = bytes_get32(data + 16) };
 
-    memcpy(s.font, data + 16, ART_NAME_SIZE);
-    memcpy(s.frame, data + 16 + ART_NAME_SIZE, ART_NAME_SIZE);
-    memcpy(s.sounds, data + 16 + 2 * ART_NAME_SIZE, sizeof s.sounds);
+    memcpy(s.font, data + NAMES, ART_NAME_SIZE);
+    memcpy(s.frame, data + NAMES + ART_NAME_SIZE, ART_NAME_SIZE);
+    memcpy(s.sounds, data + NAMES + 2 * ART_NAME_SIZE, sizeof s.sounds);
     return s;
 }
 
@@ -59,8 +63,8 @@ bool theme_check(const struct cart *cart, const struct lump *lump, char *err, si
         return err_set(err, err_size, "lump \"" THEME_LUMP "\": %u bytes long, expected %d", (unsigned)lump->size,
                        THEME_SIZE);
     const struct art_theme s = unpack(lump->data);
-    if (!in_range(s.ink, THEME_BANKS) || !in_range(s.accent, THEME_BANKS) || !in_range(s.paper, 256) ||
-        s.cursor > 0x10FFFF)
+    if (!in_range(s.ink, THEME_BANKS) || !in_range(s.accent, THEME_BANKS) || !in_range(s.rule, THEME_BANKS) ||
+        !in_range(s.paper, 256) || s.cursor > 0x10FFFF)
         return err_set(err, err_size, "lump \"" THEME_LUMP "\": a number is out of range");
     if (!name_ok(cart, CART_FACES, s.font))
         return err_set(err, err_size, "lump \"" THEME_LUMP "\": the font does not exist");
@@ -235,7 +239,9 @@ static const char *find_sound(const struct cart *cart, const char *name)
 
 void theme_open(struct theme *theme, const struct cart *cart)
 {
-    struct art_theme s = { .ink = THEME_DEFAULT, .accent = THEME_DEFAULT, .paper = THEME_DEFAULT };
+    struct art_theme s = {
+        .ink = THEME_DEFAULT, .accent = THEME_DEFAULT, .rule = THEME_DEFAULT, .paper = THEME_DEFAULT
+    };
     const int at = rom_find(cart->rom, THEME_LUMP);
     struct lump lump;
     struct face_glyph g;
@@ -249,6 +255,7 @@ void theme_open(struct theme *theme, const struct cart *cart)
     theme->ink = s.ink >= 0 ? s.ink : 0;
     theme->paper = s.paper >= 0 ? s.paper : find_paper(theme);
     theme->accent = s.accent >= 0 ? s.accent : find_accent(theme);
+    theme->rule = s.rule >= 0 ? s.rule : theme->ink;
     theme->cursor = s.cursor ? s.cursor : theme_find_glyph(theme, ARROW, &g) ? ARROW : PLAIN_ARROW;
     theme->has_frame = s.frame[0] != 0;
     if (theme->has_frame)

@@ -2,9 +2,9 @@
  * theme.h - the look and the sounds of the program's screens in a game: `theme` in rom.lua, or made of the game's font
  * and palette.
  *
- * The lump "ui/theme" has THEME_SIZE bytes: i32 ink, accent, paper (THEME_DEFAULT: the default), u32 cursor (0: the
- * default); then names of ART_NAME_SIZE bytes, padded with NULs ("": the default): font, frame, and each sound in the
- * order of enum theme_sound. No tick reads it, and it is not part of the game's hash.
+ * The lump "ui/theme" has THEME_SIZE bytes: i32 ink, accent, rule, paper (THEME_DEFAULT: the default), u32 cursor (0:
+ * the default); then names of ART_NAME_SIZE bytes, padded with NULs ("": the default): font, frame, and each sound in
+ * the order of enum theme_sound. No tick reads it, and it is not part of the game's hash.
  */
 #ifndef ROM_THEME_H
 #define ROM_THEME_H
@@ -14,7 +14,7 @@
 #define THEME_LUMP "ui/theme" /* not between "sound/" and "tune/", as ticks compute with their distance */
 
 enum { THEME_BANKS = 16, THEME_RIM = 10 /* the shade of a plate's rim, as in sprite.plate */ };
-enum { THEME_SIZE = 16 + (2 + THEME_SOUNDS) * ART_NAME_SIZE };
+enum { THEME_SIZE = 20 + (2 + THEME_SOUNDS) * ART_NAME_SIZE };
 
 /* A theme with its defaults filled in. */
 struct theme {
@@ -22,7 +22,7 @@ struct theme {
     const uint8_t *palette; /* palette/main, 256 x R G B */
     bool has_font;          /* false: the game has no font */
     struct face face;       /* data NULL: the font of text cells */
-    int ink, accent, paper;
+    int ink, accent, rule, paper;
     uint32_t shades[16];                     /* how often letters use each shade from 2 to 15; 1 is a shadow */
     int height, capital_top, capital_height; /* px, of a line; from its top to the top of capitals; of capitals */
     bool has_frame;

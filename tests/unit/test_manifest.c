@@ -365,12 +365,13 @@ TEST(theme)
     assert_int_equal(t->ink, THEME_DEFAULT);
     t = &read_good("return { fonts = { body = { file = 'b.bdf' } }, sounds = { tick = { mml = 'c' } },"
                    "sheets = { s = { file = 's.png' } }, sprites = { panel = { sheet = 's', w = 9, h = 9 } },"
-                   "theme = { font = 'body', frame = 'panel', cursor = '\\u{2605}', ink = 2, accent = 15,"
+                   "theme = { font = 'body', frame = 'panel', cursor = '\\u{2605}', ink = 2, accent = 15, rule = 7,"
                    "sounds = { back = 'tick' } } }")
              ->art.theme;
     assert_true(t->is_set);
     assert_int_equal(t->ink, 2);
     assert_int_equal(t->accent, 15);
+    assert_int_equal(t->rule, 7);
     assert_int_equal(t->paper, THEME_DEFAULT);
     assert_int_equal(t->cursor, 0x2605);
     assert_string_equal(t->font, "body");

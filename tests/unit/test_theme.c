@@ -105,7 +105,9 @@ static int setup(void **state)
     draw_cells();
     draw_face();
     draw_frame();
-    game.settings = (struct art_theme){ .ink = THEME_DEFAULT, .accent = THEME_DEFAULT, .paper = THEME_DEFAULT };
+    game.settings = (struct art_theme){
+        .ink = THEME_DEFAULT, .accent = THEME_DEFAULT, .rule = THEME_DEFAULT, .paper = THEME_DEFAULT
+    };
     game.has_font = true;
     game.theme_size = THEME_SIZE;
     return 0;
@@ -174,6 +176,7 @@ TEST(defaults_are_made_of_the_game)
 
     assert_int_equal(t->ink, 0);
     assert_int_equal(t->accent, 3);
+    assert_int_equal(t->rule, 0);
     assert_int_equal(t->paper, 1);
     assert_int_equal(theme_text_colour(t, 0), INK);
     assert_false(t->has_frame);
@@ -196,11 +199,13 @@ TEST(defaults_can_be_read)
 TEST(settings_are_used)
 {
     game.has_theme = true;
-    game.settings =
-        (struct art_theme){ .ink = 5, .accent = 0, .paper = 49, .cursor = 0x2605, .font = "tall", .frame = "panel" };
+    game.settings = (struct art_theme){
+        .ink = 5, .accent = 0, .rule = 3, .paper = 49, .cursor = 0x2605, .font = "tall", .frame = "panel"
+    };
     const struct theme *t = open_theme();
     assert_int_equal(t->ink, 5);
     assert_int_equal(t->accent, 0);
+    assert_int_equal(t->rule, 3);
     assert_int_equal(t->paper, 49);
     assert_int_equal(t->cursor, 0x2605);
     assert_int_equal(t->height, TALL);
@@ -223,10 +228,12 @@ TEST(wrong_lumps_are_refused)
 {
     game.has_theme = true;
     game.theme_size--;
-    refuse("lump \"ui/theme\": 207 bytes long, expected 208");
+    refuse("lump \"ui/theme\": 211 bytes long, expected 212");
     game.settings.ink = 16;
     refuse("lump \"ui/theme\": a number is out of range");
     game.settings.accent = -2;
+    refuse("lump \"ui/theme\": a number is out of range");
+    game.settings.rule = 16;
     refuse("lump \"ui/theme\": a number is out of range");
     game.settings.paper = 256;
     refuse("lump \"ui/theme\": a number is out of range");
@@ -281,6 +288,37 @@ TEST(colours_do_not_fade)
     assert_int_equal(colour_at(5, 5), AMBER);
     canvas_rect(canvas, 0, 0, W, H, CANVAS_GREY);
     assert_true(colour_at(5, 5) > PAPER && colour_at(5, 5) < INK);
+    game.has_theme = true;
+    game.settings.rule = 5;
+    canvas = open_canvas();
+    canvas_rect(canvas, 0, 0, W, H, CANVAS_CYAN);
+    assert_int_equal(colour_at(5, 5), 0x40C0FF);
+}
+
+/* A plate is a dark shade of its rim's colour, or paper if text can't be read on that. */
+TEST(plates_can_be_read)
+{
+    const struct canvas *canvas = open_canvas();
+
+    canvas_plate(canvas, 0, 0, 20, 10, CANVAS_YELLOW);
+    assert_int_equal(colour_at(10, 5), 0x000008);
+    set_bank(3, AMBER, AMBER);
+    canvas = open_canvas();
+    canvas_plate(canvas, 0, 0, 20, 10, CANVAS_YELLOW);
+    assert_int_equal(colour_at(10, 5), PAPER);
+}
+
+/* Hints on buttons have the same colours and letters with and without a theme; the font lacks no character that the
+ * game's has. */
+TEST(plain_canvas)
+{
+    const struct canvas plain = canvas_plain(open_canvas());
+
+    canvas_rect(&plain, 0, 0, W, H, CANVAS_GREEN);
+    assert_int_equal(colour_at(5, 5), 0x58E070);
+    assert_int_equal(canvas_large_text(&plain, 10, 20, CANVAS_WHITE, "H"), 10 + 5 + 1);
+    assert_int_equal(colour_at(10, 20), 0xFFFFFF);
+    assert_int_equal(plain.capital_height, 7);
 }
 
 /* H is the game's, 8 px wide, with its capital's top at y; i is the program's, on the same baseline. */
@@ -376,8 +414,8 @@ TEST(pictures_add_their_colours)
     canvas_frame(canvas, 0, 0, W, H);
     for (int i = 0; i < 256; i++)
         added[i] = 0x004000 + (uint32_t)i;
-    canvas_add_colours(canvas, added, 180, entries);
-    for (int i = 0; i < 180; i++)
+    canvas_add_colours(canvas, added, 168, entries);
+    for (int i = 0; i < 168; i++)
         assert_int_equal(shown.rgb[entries[i]], added[i]);
     assert_int_equal(colour_at(W / 2, H / 2), PAPER);
     canvas_add_colours(canvas, added, 256, entries); /* more than there is room for */

@@ -100,16 +100,23 @@ static struct canvas plain_canvas(struct fb *fb, uint32_t rgb[256])
                             .descent = CANVAS_LARGE_HEIGHT - LETTER_CAPITAL_HEIGHT };
 }
 
+/* Takes the entry that the picture uses least. */
+static uint8_t take_entry(struct canvas *canvas, const uint32_t count[256])
+{
+    const int entry = least_used(count, canvas->own);
+
+    canvas->own[entry] = true;
+    return (uint8_t)entry;
+}
+
 void canvas_open(struct canvas *canvas, struct fb *fb, uint32_t rgb[256])
 {
     uint32_t count[256] = { 0 };
 
     *canvas = plain_canvas(fb, rgb);
     count_pixels(fb, count);
-    for (int i = 0; i < CANVAS_COLOURS; i++) {
-        canvas->colour[i] = (uint8_t)least_used(count, canvas->own);
-        canvas->own[canvas->colour[i]] = true;
-    }
+    for (int i = 0; i < CANVAS_COLOURS; i++)
+        canvas->colour[i] = take_entry(canvas, count);
     free_entries(fb, rgb, count, canvas->own);
     for (int i = 0; i < CANVAS_COLOURS; i++)
         rgb[canvas->colour[i]] = colours[i];
@@ -194,10 +201,10 @@ void canvas_add_font(struct canvas *canvas, const struct theme *theme)
 
 void canvas_open_theme(struct canvas *canvas, struct fb *fb, uint32_t rgb[256], const struct theme *theme)
 {
-    enum { PAPER_SHARE = 112, /* of 256, in faint ink */ DIM = 166 /* of 256, of the picture */ };
+    enum { PAPER_SHARE = 112, /* of 256, in faint ink */ DIM = 115 /* of 256, as page.begin */ };
     const uint32_t paper = theme_colour(theme, theme->paper), ink = theme_text_colour(theme, theme->ink);
     uint32_t count[256] = { 0 };
-    uint8_t bank[4];
+    uint8_t bank[5];
 
     *canvas = plain_canvas(fb, rgb);
     canvas->theme = theme;
@@ -206,8 +213,10 @@ void canvas_open_theme(struct canvas *canvas, struct fb *fb, uint32_t rgb[256], 
         canvas->capital_height = theme->capital_height;
     }
     count_pixels(fb, count);
-    for (int i = 0; i < 4; i++)
+    for (int i = 0; i < 5; i++)
         bank[i] = (uint8_t)take_bank(canvas, count);
+    for (int i = 0; i < CANVAS_COLOURS; i++)
+        canvas->plain[i] = take_entry(canvas, count);
     free_entries(fb, rgb, count, canvas->own);
     for (int i = 0; i < 256; i++)
         rgb[i] = canvas->own[i] ? paper : pal_mix(rgb[i], 0, DIM, 256);
@@ -215,14 +224,29 @@ void canvas_open_theme(struct canvas *canvas, struct fb *fb, uint32_t rgb[256], 
     copy_bank(canvas, bank[1], theme->accent, 0);
     copy_bank(canvas, bank[2], theme->ink, PAPER_SHARE);
     copy_bank(canvas, bank[3], theme->has_frame ? theme->frame.bank : theme->ink, 0);
+    copy_bank(canvas, bank[4], theme->rule, 0);
     rgb[bank[0] * BANK] = ink;
     rgb[bank[1] * BANK] = theme_text_colour(theme, theme->accent);
     rgb[bank[2] * BANK] = pal_mix(ink, paper, PAPER_SHARE, 256);
+    rgb[bank[4] * BANK] = theme_text_colour(theme, theme->rule);
     canvas->frame_bank = bank[3];
     for (int i = 0; i < CANVAS_COLOURS; i++) {
-        canvas->bank[i] = bank[i == CANVAS_WHITE ? 0 : i == CANVAS_GREY ? 2 : 1];
+        canvas->bank[i] = bank[i == CANVAS_WHITE ? 0 : i == CANVAS_GREY ? 2 : i == CANVAS_CYAN ? 4 : 1];
+        rgb[canvas->plain[i]] = colours[i];
         canvas->colour[i] = (uint8_t)((i == CANVAS_DARK ? bank[3] : canvas->bank[i]) * BANK);
     }
+}
+
+struct canvas canvas_plain(const struct canvas *canvas)
+{
+    const struct theme *font = canvas->theme ? canvas->theme : canvas->spare;
+    struct canvas plain = plain_canvas(canvas->fb, canvas->rgb);
+
+    memcpy(plain.own, canvas->own, sizeof plain.own);
+    memcpy(plain.colour, canvas->theme ? canvas->plain : canvas->colour, sizeof plain.colour);
+    if (font)
+        canvas_add_font(&plain, font);
+    return plain;
 }
 
 /* ---- text ---- */
@@ -299,11 +323,18 @@ void canvas_line(const struct canvas *canvas, int x0, int y0, int x1, int y1, en
     fb_line(canvas->fb, x0, y0, x1, y1, canvas->colour[c]);
 }
 
+static uint8_t rim_of(const struct canvas *canvas, enum canvas_colour c)
+{
+    return canvas->theme ? (uint8_t)(canvas->bank[c] * BANK + THEME_RIM) : canvas->colour[c];
+}
+
 void canvas_plate(const struct canvas *canvas, int x, int y, int w, int h, enum canvas_colour c)
 {
-    const int rim = canvas->theme ? canvas->bank[c] * BANK + THEME_RIM : canvas->colour[c];
+    const uint32_t *bank = canvas->rgb + canvas->bank[c] * BANK;
+    const bool readable = canvas->theme && theme_contrast(bank[0], bank[1]) >= THEME_MIN_CONTRAST;
 
-    fb_plate(canvas->fb, x, y, w, h, canvas->colour[CANVAS_DARK], (uint8_t)rim);
+    fb_plate(canvas->fb, x, y, w, h, readable ? (uint8_t)(canvas->bank[c] * BANK + 1) : canvas->colour[CANVAS_DARK],
+             rim_of(canvas, c));
 }
 
 /* A rectangle, px. */
@@ -336,7 +367,7 @@ int canvas_frame_width(const struct canvas *canvas)
 void canvas_frame(const struct canvas *canvas, int x, int y, int w, int h)
 {
     if (!canvas->theme || !canvas->theme->has_frame) {
-        canvas_plate(canvas, x, y, w, h, CANVAS_WHITE);
+        fb_plate(canvas->fb, x, y, w, h, canvas->colour[CANVAS_DARK], rim_of(canvas, CANVAS_WHITE));
         return;
     }
     const struct sprite *s = &canvas->theme->frame;

@@ -19,7 +19,7 @@
 #include "../../board/board.h"
 #include "../../rom/theme.h"
 
-/* With a theme: dark is its paper, white its ink, grey a faint ink, and all others are its accent. */
+/* With a theme: dark is its paper, white its ink, grey a faint ink, cyan its rule, and all others are its accent. */
 enum canvas_colour {
     CANVAS_DARK, /* the background of text */
     CANVAS_WHITE,
@@ -53,10 +53,11 @@ struct canvas {
     /* The large text's font, in px: above the top of capitals, of capitals, and below the baseline. */
     int ascent, capital_height, descent;
 
-    const struct theme *theme;    /* NULL: the program's own look */
-    const struct theme *spare;    /* without a theme: NULL, or where large letters come from that letters.h lacks */
-    uint8_t bank[CANVAS_COLOURS]; /* with a theme: the palette bank of glyphs in each colour */
-    uint8_t frame_bank;           /* of the theme's frame */
+    const struct theme *theme;     /* NULL: the program's own look */
+    const struct theme *spare;     /* without a theme: NULL, or where large letters come from that letters.h lacks */
+    uint8_t bank[CANVAS_COLOURS];  /* with a theme: the palette bank of glyphs in each colour */
+    uint8_t frame_bank;            /* of the theme's frame */
+    uint8_t plain[CANVAS_COLOURS]; /* with a theme: the palette entries of the colours without one */
 };
 
 /* Stores the canvas's colours in the palette entries that the picture uses least. Pixels that used these entries get
@@ -64,12 +65,17 @@ struct canvas {
  * clip. */
 void canvas_open(struct canvas *canvas, struct fb *fb, uint32_t rgb[256]);
 
-/* The same with a theme, in whole palette banks; theme must outlive the canvas. Darkens the picture. */
+/* The same with a theme, in whole palette banks; theme must outlive the canvas. Darkens the picture like the game's
+ * pages. */
 void canvas_open_theme(struct canvas *canvas, struct fb *fb, uint32_t rgb[256], const struct theme *theme);
 
 /* Takes large letters that the program's font lacks from the font of a theme, which must outlive the canvas. They are
  * drawn in the canvas's own colours. */
 void canvas_add_font(struct canvas *canvas, const struct theme *theme);
+
+/* Returns a canvas on the same picture with the colours and the font of one without a theme; its spare font is the
+ * theme's. */
+struct canvas canvas_plain(const struct canvas *canvas);
 
 /* Adds the n colours of a picture to the palette and stores their entries. Pixels that used these entries get the
  * nearest other entry; so does a colour for which no entry is left. */
@@ -125,8 +131,9 @@ void canvas_large_text_wrapped(const struct canvas *canvas, int x, int y, int wi
 /* Returns the number of these lines. */
 int canvas_large_text_lines(const struct canvas *canvas, const char *text, int width);
 
-/* Draw a plate as the game's menus do, in the background's colour with a rim in colour c; and a frame: the theme's, or
- * such a plate. canvas_frame_width returns the width of the frame's border, in px. */
+/* Draw a plate as the game's menus do, in a dark shade of colour c with a rim in c (without a theme, and if text
+ * can't be read on that, in the background's colour); and a frame: the theme's, or a plate in the background's colour.
+ * canvas_frame_width returns the width of the frame's border, in px. */
 void canvas_plate(const struct canvas *canvas, int x, int y, int w, int h, enum canvas_colour c);
 void canvas_frame(const struct canvas *canvas, int x, int y, int w, int h);
 int canvas_frame_width(const struct canvas *canvas);

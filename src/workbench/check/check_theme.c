@@ -23,4 +23,5 @@ void check_theme(struct check *c, const struct cart *cart)
     theme_open(&theme, cart);
     c->ink_contrast = check_bank(c, &theme, "ink", theme.ink);
     c->accent_contrast = check_bank(c, &theme, "accent", theme.accent);
+    check_bank(c, &theme, "rule", theme.rule);
 }

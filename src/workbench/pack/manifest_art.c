@@ -380,6 +380,7 @@ static void read_theme(const struct manifest_value *root, struct art *art)
     static const struct manifest_field fields[] = {
         WHOLE("ink", art_theme, ink, 0, 15),
         WHOLE("accent", art_theme, accent, 0, 15),
+        WHOLE("rule", art_theme, rule, 0, 15),
         WHOLE("paper", art_theme, paper, 0, 255),
         TEXT("font", art_theme, font, "a font's name"),
         TEXT("frame", art_theme, frame, "a sprite's name"),
@@ -388,7 +389,7 @@ static void read_theme(const struct manifest_value *root, struct art *art)
     struct art_theme *t = &art->theme;
     struct manifest_value v;
 
-    t->ink = t->accent = t->paper = THEME_DEFAULT;
+    t->ink = t->accent = t->rule = t->paper = THEME_DEFAULT;
     t->is_set = value_get(root, "theme", &v);
     if (!t->is_set)
         return;
