@@ -284,6 +284,31 @@ TEST(matters)
     rig_close(&r);
 }
 
+/* Without the HUD, the picture is as if the game had put neither text nor sprites on the screen. */
+TEST(hidden_hud)
+{
+    static const char *const scripts[] = {
+        "sprite.put { sprite = 'dot', x = 9, y = 9 }",
+        "sprite.put { sprite = 'dot', x = 9, y = 9 } text.put { col = 1, row = 1, text = 'WORDS' }\n"
+        "sprite.put { sprite = 'dot', x = 40, y = 40, screen = true }",
+    };
+    static struct picture p[2][2]; /* [of a script][without the HUD] */
+
+    for (int i = 0; i < 2; i++) {
+        struct rig_game g;
+        struct rig r;
+        rig_script(&g, NULL, scripts[i]);
+        rig_power(&r, &g, NULL);
+        rig_run(&r, 2);
+        draw(&r, NULL, &p[i][0]);
+        draw(&r, &(struct view){ .hides_hud = true }, &p[i][1]);
+        if (i == 1)
+            same("a hidden HUD", &r, &p[0][0], &p[1][1]);
+        rig_close(&r);
+    }
+    assert_memory_not_equal(p[0][0].pix, p[1][0].pix, (size_t)(p[0][0].w * p[0][0].h));
+}
+
 /* A soft flash is a quarter of its share in each frame, of all colours. */
 TEST(flash)
 {

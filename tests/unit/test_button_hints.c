@@ -50,6 +50,21 @@ TEST(keys_are_printed_as_on_the_keyboard)
     assert_int_equal(count(CANVAS_RED) + count(CANVAS_GREEN) + count(CANVAS_CYAN), 0);
 }
 
+TEST(names_of_keys_are_printed)
+{
+    static const char *const rows[][2] = { { "lbracket", "[" },          { "kp.", "Num ." },
+                                           { "kpenter", "Num Enter" },   { "ctrl+q", "Ctrl+Q" },
+                                           { "alt+enter", "Alt+Enter" }, { "f5", "F5" } };
+    char out[INPUT_CODE_NAME_SIZE];
+
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        button_hints_print(rows[i][0], -1, out);
+        assert_string_equal(out, rows[i][1]);
+    }
+    button_hints_print("stick left", PLAT_XBOX, out);
+    assert_string_equal(out, "stick left");
+}
+
 TEST(controllers_have_their_colours)
 {
     draw("Menu", "A", "B", WIDTH, PLAT_XBOX);

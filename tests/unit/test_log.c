@@ -131,7 +131,7 @@ static void draw(void)
     fb_init(&fb, memory, W, H);
     fb_fill(&fb, 0);
     canvas_open(&canvas, &fb, rgb);
-    screens_draw(&s, &canvas, "");
+    screens_draw(&s, &canvas, fb.h);
     free(memory);
 }
 

@@ -3,6 +3,7 @@
  * list fits any picture, whatever becomes of its rows.
  */
 #include "../test.h"
+#include "../../src/base/int.h"
 #include "../../src/base/rng.h"
 #include "../../src/player/screens/screen.h"
 #include "../../src/workbench/pack/lang.h"
@@ -14,7 +15,7 @@ enum { DOWN = 81, UP = 82, SHIFT = 225 };
 /* A screen of which everything can be another way from frame to frame; what was done to it is written down. */
 struct list {
     int n;
-    char kind[MOST + 1]; /* of each row: ' ' plain, # heading, = changes, - faint */
+    char kind[MOST + 1]; /* of each row: ' ' plain, # heading, = changes, - disabled, ~ help of a line and a word */
     int value[MOST];
     int accepted, removed, closed, listened; /* the row of the last, or how often; accepted, removed: -1 none */
     bool listens;
@@ -25,6 +26,8 @@ static int rows(void *context)
     return ((const struct list *)context)->n;
 }
 
+static const char nearly_a_line[] = "This is one word longer than a line is in here.";
+
 static void row(void *context, int at, struct screen_row *row)
 {
     const struct list *l = context;
@@ -33,9 +36,12 @@ static void row(void *context, int at, struct screen_row *row)
     snprintf(row->label, sizeof row->label, "row %d", at);
     snprintf(row->help, sizeof row->help, "A sentence about %d, which is longer than most of the pictures are wide.",
              at);
+    if (l->kind[at] == '~')
+        snprintf(row->help, sizeof row->help, "%s", nearly_a_line);
     row->heading = l->kind[at] == '#';
     row->changes = l->kind[at] == '=';
     row->disabled = l->kind[at] == '-';
+    row->removable = true;
     if (row->changes)
         snprintf(row->value, sizeof row->value, "%d", l->value[at]);
 }
@@ -97,6 +103,7 @@ static const struct screen_def all = { .title = "all",
                                        .change = change,
                                        .accept = accept,
                                        .remove = take_away,
+                                       .removal = "Take",
                                        .closed = closed,
                                        .listen = listen },
                                bare = { .title = "bare", .small = true, .rows = rows, .row = row },
@@ -136,7 +143,7 @@ static void show(void)
 
     fb_fill(&fb, 0);
     canvas_open(&canvas, &fb, rgb);
-    screens_draw(&screens, &canvas, "z: choose  x: back");
+    screens_draw(&screens, &canvas, fb.h);
 }
 
 static void poll(const struct plat_input *in, uint16_t pad)
@@ -646,6 +653,116 @@ TEST(a_list_that_becomes_shorter)
     list.kind[0] = '#';
     rest();
     assert_int_equal(chosen(), 1);
+}
+
+/* ---- how it looks ---- */
+
+static void expect_buttons(const char *accept, const char *back, const char *removal)
+{
+    const char *const want[SCREEN_BUTTONS] = { accept, back, removal };
+    char got[SCREEN_VALUE];
+
+    for (enum screen_button b = 0; b < SCREEN_BUTTONS; b++) {
+        screens_describe_button(&screens, b, got, sizeof got);
+        assert_string_equal(got, want[b]);
+    }
+}
+
+TEST(buttons_are_described)
+{
+    open_list("= -");
+    expect_buttons("Change", "Back", "Take");
+    tap(DOWN);
+    expect_buttons("Select", "Back", "Take");
+    tap(DOWN);
+    expect_buttons("", "Back", "Take");
+    list.listens = true;
+    rest();
+    expect_buttons("", "", "");
+    screens_close_all(&screens);
+    screens_open(&screens, &bare, &list);
+    expect_buttons("", "Back", "");
+    list.n = 0;
+    expect_buttons("", "Back", "");
+}
+
+enum { HEIGHT = 300, FRAME_BOTTOM = HEIGHT - 8, HELP_BOTTOM = FRAME_BOTTOM - 8 }; /* of a large screen, px */
+
+/* Draws the list in the first HEIGHT rows of an empty picture. */
+static struct canvas draw_alone(void)
+{
+    struct canvas canvas;
+
+    fb_fill(&fb, 0);
+    canvas_open(&canvas, &fb, rgb);
+    screens_draw(&screens, &canvas, HEIGHT);
+    return canvas;
+}
+
+/* The game shows around the frame of a large screen. */
+TEST(frames_have_a_margin)
+{
+    open_list("  ");
+    draw_alone();
+    for (int y = 0; y < fb.h; y++)
+        for (int x = 0; x < fb.w; x++) {
+            const bool inside = x >= 8 && x < fb.w - 8 && y >= 8 && y < FRAME_BOTTOM;
+            if (!inside)
+                assert_int_equal(fb.pix[y * fb.pitch + x], 0);
+        }
+    assert_int_not_equal(fb.pix[100 * fb.pitch + 8], 0);
+    assert_int_not_equal(fb.pix[(FRAME_BOTTOM - 1) * fb.pitch + 100], 0);
+}
+
+/* Returns the rightmost pixel of white text in a line of help, from 0. */
+static int line_end(const struct canvas *canvas, int line)
+{
+    const int h = canvas_line_height(canvas), top = HELP_BOTTOM - 3 * h + line * h;
+    int end = 0;
+
+    for (int y = top; y < top + h; y++)
+        for (int x = 16; x < fb.w - 16; x++)
+            end = fb.pix[y * fb.pitch + x] == canvas->colour[CANVAS_WHITE] ? int_max(end, x) : end;
+    return end;
+}
+
+TEST(no_line_has_a_single_word)
+{
+    open_list("~");
+    const struct canvas canvas = draw_alone();
+    assert_in_range(canvas_large_text_width(&canvas, nearly_a_line), fb.w - 32, fb.w);
+    assert_in_range(line_end(&canvas, 0), 110, 160);
+    assert_in_range(line_end(&canvas, 1), 110, 160);
+    assert_int_equal(line_end(&canvas, 2), 0);
+}
+
+/* The help of all lists is at the same place, so that nothing jumps from page to page. */
+TEST(lists_end_at_the_same_place)
+{
+    open_list("~");
+    draw_alone();
+    const int rows = screens.list.h;
+    open_list("   ");
+    draw_alone();
+    assert_int_equal(screens.list.h, rows);
+}
+
+/* A bar next to the rows shows which part of a list is visible. */
+TEST(long_lists_have_a_track)
+{
+    int before[2] = { 0 };
+
+    open_list("                                                            ");
+    for (int end = 0; end < 2; end++) {
+        const struct canvas canvas = draw_alone();
+        const int x = screens.list.x + screens.list.w - 2, y = screens.list.y;
+        before[end] = fb.pix[(y + 1) * fb.pitch + x] == canvas.colour[CANVAS_CYAN];
+        assert_int_equal(fb.pix[(y + screens.shown * screens.row_height / 2) * fb.pitch + x],
+                         canvas.colour[CANVAS_GREY]);
+        tap(UP);
+    }
+    assert_int_equal(before[0], 1);
+    assert_int_equal(before[1], 0);
 }
 
 TEST(whatever_happens)

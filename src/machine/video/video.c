@@ -139,6 +139,8 @@ static void draw_sprites(struct draw_target *c, int layer)
     EACH_LIVE (i, &s->s) {
         if (s->layer[i] != layer || s->flags[i] & SPRITE_HIDDEN)
             continue;
+        if (c->hides_hud && s->flags[i] & SPRITE_SCREEN && layer == LAYER_FRONT)
+            continue;
         const uint32_t age = c->b->core.clock - s->born[i];
         fx x = s->x[i], y = s->y[i];
         if (s->flags[i] & SPRITE_FOLLOW)
@@ -517,6 +519,7 @@ uint64_t video_draw(const struct board *b, const struct view *view, struct fb *f
 
     c.shade = shade_of(&c.palette_tables, v);
     c.blinks_softly = v->softens_flashes;
+    c.hides_hud = v->hides_hud;
     memcpy(rgb, b->pal.rgb, COLOURS * sizeof *rgb);
     draw_flash(b, v->softens_flashes, rgb);
     if (dim)
@@ -531,7 +534,8 @@ uint64_t video_draw(const struct board *b, const struct view *view, struct fb *f
     draw_bars(&c);
     if (dim)
         video_dim(&c, rgb, reserved, dim);
-    draw_above_dim(&c);
+    if (!v->hides_hud)
+        draw_above_dim(&c);
     for (int i = 0; v->colour_blind_mode && i < COLOURS; i++)
         rgb[i] = view_adjust_colour(v->colour_blind_mode, rgb[i]);
     return c.drawn_count;

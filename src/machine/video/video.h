@@ -20,6 +20,7 @@ struct draw_target {
     uint64_t drawn_count; /* pictures drawn */
     unsigned layers;      /* sprite layers that are not empty, 1 << layer */
     const uint8_t *shade; /* palette entry that backgrounds show for each of 256; NULL: backgrounds are not dimmed */
+    bool hides_hud;       /* as in struct view */
     struct cart_colour_tables palette_tables; /* tables of the loaded palette */
     bool blinks_softly;                       /* hurt enemies blink softly */
 };

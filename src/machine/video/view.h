@@ -29,6 +29,7 @@ struct view {
     enum view_dim dim;
     bool softens_flashes; /* weakens `screen.flash` and the white blinking of hurt enemies */
     enum colour_blind_mode colour_blind_mode;
+    bool hides_hud; /* leaves out text, plates and sprites above a dim, and sprites placed on the screen in front */
     const uint8_t *shades; /* CART_SHADES_SIZE bytes (cart.h) for a ROM without its own; NULL: the backgrounds of such a
                               ROM are not dimmed */
 };

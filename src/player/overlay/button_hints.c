@@ -27,19 +27,6 @@ static enum canvas_colour colour_of(const char *label, int kind)
     return CANVAS_WHITE;
 }
 
-/* Writes what is printed on a key: "Z" for z, "Shift" for lshift. Controllers' labels are printed as they are. */
-static void print_label(const char *label, int kind, char out[INPUT_CODE_NAME_SIZE])
-{
-    static const char *const sided[] = { "shift", "ctrl", "alt" };
-
-    for (size_t i = 0; kind < 0 && i < sizeof sided / sizeof *sided; i++)
-        if ((label[0] == 'l' || label[0] == 'r') && !strcmp(label + 1, sided[i]))
-            label++;
-    snprintf(out, INPUT_CODE_NAME_SIZE, "%s", label);
-    if (kind < 0 && out[0] >= 'a' && out[0] <= 'z')
-        out[0] = (char)(out[0] - 'a' + 'A');
-}
-
 static int width_of(const struct canvas *canvas, const struct button_hint *h)
 {
     return canvas_large_text_width(canvas, h->label) + 2 * CAP + GAP + canvas_large_text_width(canvas, h->meaning);
@@ -68,12 +55,59 @@ static int draw_button(const struct canvas *canvas, int x, int y, const char *la
     return x + w;
 }
 
-void button_hints_draw(const struct canvas *canvas, int y, struct button_hint *hint, int n, int kind)
+/* What is printed on keys, where that is not their name with a capital. */
+static const struct {
+    const char *name, *printed;
+} key_prints[] = {
+    { "lshift", "Shift" },
+    { "rshift", "Shift" },
+    { "lctrl", "Ctrl" },
+    { "rctrl", "Ctrl" },
+    { "lalt", "Alt" },
+    { "ralt", "Alt" },
+    { "minus", "-" },
+    { "equals", "=" },
+    { "lbracket", "[" },
+    { "rbracket", "]" },
+    { "backslash", "\\" },
+    { "semicolon", ";" },
+    { "quote", "'" },
+    { "backquote", "`" },
+    { "comma", "," },
+    { "period", "." },
+    { "slash", "/" },
+    { "pageup", "Page Up" },
+    { "pagedown", "Page Down" },
+    { "kpenter", "Num Enter" },
+};
+
+static void print_key(const char *name, char *out, size_t size)
 {
+    snprintf(out, size, strncmp(name, "kp", 2) == 0 ? "Num %s" : "%s", strncmp(name, "kp", 2) == 0 ? name + 2 : name);
+    for (size_t i = 0; i < sizeof key_prints / sizeof *key_prints; i++)
+        if (strcmp(key_prints[i].name, name) == 0)
+            snprintf(out, size, "%s", key_prints[i].printed);
+    if (out[0] >= 'a' && out[0] <= 'z')
+        out[0] = (char)(out[0] - 'a' + 'A');
+}
+
+void button_hints_print(const char *label, int kind, char out[INPUT_CODE_NAME_SIZE])
+{
+    const char *modifier = strncmp(label, "ctrl+", 5) == 0 ? "Ctrl+" : strncmp(label, "alt+", 4) == 0 ? "Alt+" : "";
+    const size_t n = strlen(modifier);
+
+    snprintf(out, INPUT_CODE_NAME_SIZE, "%s", kind < 0 ? modifier : label);
+    if (kind < 0)
+        print_key(label + n, out + n, INPUT_CODE_NAME_SIZE - n);
+}
+
+void button_hints_draw(const struct canvas *picture, int y, struct button_hint *hint, int n, int kind)
+{
+    const struct canvas plain = canvas_plain(picture), *canvas = &plain;
     char label[INPUT_CODE_NAME_SIZE];
 
     for (int i = 0; i < n; i++) {
-        print_label(hint[i].label, kind, label);
+        button_hints_print(hint[i].label, kind, label);
         memcpy(hint[i].label, label, sizeof label);
     }
     while (n > 1 && total_width(canvas, hint, n) > canvas->fb->w)

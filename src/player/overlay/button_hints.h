@@ -14,6 +14,10 @@ struct button_hint {
 
 enum { BUTTON_HINTS_HEIGHT = 13 /* px */ };
 
+/* Writes what is printed on a key or button with this label (input_code_label): "Z" for z, "Shift" for lshift, "[" for
+ * lbracket. kind: as below; controllers' labels are printed as they are. */
+void button_hints_print(const char *label, int kind, char out[INPUT_CODE_NAME_SIZE]);
+
 /* Draws n hints in a dark band from row y down, BUTTON_HINTS_HEIGHT px high. Hints that don't fit the width are left
  * out, the last ones first. Replaces the labels by what is printed on the keys. kind: the controller that is in use
  * (enum plat_controller_kind), whose buttons have its colours; -1: the keyboard. */

@@ -18,7 +18,8 @@
 #include "timebar.h"
 
 enum {
-    BLINK = 20 /* frames; the hint below an attract demo is shown for two thirds of the time */
+    BLINK = 20,            /* frames; the hint below an attract demo is shown for two thirds of the time */
+    MIN_HINTS_HEIGHT = 120 /* px: the least height of a picture with hints below a screen */
 };
 
 /* ---- the picture ---- */
@@ -60,6 +61,7 @@ void play_draw(struct play *play, struct picture *p)
     const struct view view = { .dim = (enum view_dim)c->dim,
                                .softens_flashes = c->flashes,
                                .colour_blind_mode = (enum colour_blind_mode)c->colours,
+                               .hides_hud = screens_are_open(&play->screens), /* a frame would cut its words */
                                .shades = c->dim ? shade_get_tables(&p->shades, play_cart(play)) : NULL };
     const struct board *b = drawable_board(play);
 
@@ -300,21 +302,35 @@ static void show_with_overlay(struct play *play, struct picture *p, struct overl
 }
 
 /* Writes the player's key for an action, or the fixed key if the player has none. */
-static void footer_key(struct play *play, const char *action, const char *fixed, char *name, size_t size)
+static void screen_key(struct play *play, const char *action, const char *fixed, char *name, size_t size)
 {
     keys_hint(&play->config.keys, action, name, size);
     if (!play->config.keys.device[0].is_controller && (strncmp(name, "pad", 3) == 0 || strcmp(name, "none") == 0))
         snprintf(name, size, "%s", fixed);
 }
 
-/* Writes the line below a screen. */
-static void screens_footer(struct play *play, char *text, size_t size)
+/* Draws the topmost screen, and below it what the buttons do. */
+static void draw_screen(struct play *play, const struct canvas *canvas)
 {
-    char yes[32], no[32];
+    static const struct {
+        const char *action, *fixed;
+    } keys[SCREEN_BUTTONS] = { { "p1.fire", "enter" }, { "p1.bomb", "escape" }, { "p1.special", "delete" } };
+    const int height = canvas->fb->h - (canvas->fb->h < MIN_HINTS_HEIGHT ? 0 : BUTTON_HINTS_HEIGHT);
+    struct button_hint hint[SCREEN_BUTTONS];
+    char meaning[SCREEN_BUTTONS][SCREEN_VALUE];
+    int n = 0;
 
-    footer_key(play, "p1.fire", "enter", yes, sizeof yes);
-    footer_key(play, "p1.bomb", "escape", no, sizeof no);
-    screens_format(&play->screens, text, size, "%s: Select  %s: Back", yes, no);
+    screens_draw(&play->screens, canvas, height);
+    for (enum screen_button b = 0; b < SCREEN_BUTTONS && height < canvas->fb->h; b++) {
+        screens_describe_button(&play->screens, b, meaning[n], sizeof meaning[n]);
+        if (!meaning[n][0])
+            continue;
+        screen_key(play, keys[b].action, keys[b].fixed, hint[n].label, sizeof hint[n].label);
+        hint[n].meaning = meaning[n];
+        n++;
+    }
+    if (n > 0)
+        draw_hints(play, canvas, hint, n);
 }
 
 void play_show(struct play *play, struct picture *p)
@@ -326,10 +342,8 @@ void play_show(struct play *play, struct picture *p)
         struct theme theme;
         theme_open(&theme, play_cart(play));
         struct canvas canvas = copy_picture(play, p, &theme);
-        char footer[160];
         play_translate_screens(play);
-        screens_footer(play, footer, sizeof footer);
-        screens_draw(&play->screens, &canvas, footer);
+        draw_screen(play, &canvas);
         play_window_show(play, &p->composed, p->composed_rgb, false);
         return;
     }

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "../input/input_code.h"
+#include "../overlay/button_hints.h"
 #include "play_state.h"
 
 /* A row is an action, RESET, or the heading of a group: HEADING - group. */
@@ -49,20 +50,23 @@ static int rows(void *context)
     return list_rows(context, list);
 }
 
-/* The labels of all keys and buttons of an action: "z, cross". */
+/* The keys of an action, or its buttons if a controller was used last: "Z", "\u2715, L1". */
 static void labels_of(struct play *play, int action, char *out, size_t size)
 {
     const struct keys *k = &play->config.keys;
     const struct keys_device *d = action < PLAYER_ACTIONS ? &k->device[action / PAD_BUTTON_COUNT] : &k->latest;
-    char label[INPUT_CODE_NAME_SIZE];
+    char label[INPUT_CODE_NAME_SIZE], printed[INPUT_CODE_NAME_SIZE];
     size_t n = 0;
 
     snprintf(out, size, "-");
     for (int i = 0; i < KEYS_PER_ACTION && n < size; i++) {
-        if (!k->code[action][i])
+        const uint16_t code = k->code[action][i];
+        const bool is_button = code & INPUT_CODE_CONTROLLER;
+        if (!code || is_button != k->latest.is_controller)
             continue;
-        input_code_label(k->code[action][i], d->kind, label, sizeof label);
-        n += (size_t)snprintf(out + n, size - n, "%s%s", n ? ", " : "", label);
+        input_code_label(code, d->kind, label, sizeof label);
+        button_hints_print(label, is_button ? (int)d->kind : -1, printed);
+        n += (size_t)snprintf(out + n, size - n, "%s%s", n ? ", " : "", printed);
     }
 }
 
@@ -79,24 +83,6 @@ static void title_of(const struct play *play, const char *name, char *out, size_
         screens_format(&play->screens, out, size, "Player %d %s", action / PAD_BUTTON_COUNT + 1, label);
     else
         snprintf(out, size, "%s", label);
-}
-
-/* The action's meaning, and the keys of this screen, on the device that was used last. */
-static void describe_help(struct play *play, const char *meaning, struct screen_row *row)
-{
-    const struct keys_device *d = &play->config.keys.latest;
-    char more[INPUT_CODE_NAME_SIZE] = "Enter", less[INPUT_CODE_NAME_SIZE] = "Delete";
-
-    if (d->is_controller) {
-        input_code_label(INPUT_CODE_CONTROLLER | PLAT_SOUTH, d->kind, more, sizeof more);
-        input_code_label(INPUT_CODE_CONTROLLER | PLAT_NORTH, d->kind, less, sizeof less);
-    }
-    if (meaning[0])
-        screen_sentence(row->help, sizeof row->help / 2, meaning);
-    const size_t n = strlen(row->help);
-    row->help[n] = '\n';
-    screens_format(&play->screens, row->help + n + 1, sizeof row->help - n - 1, "%s: add a key. %s: remove one.", more,
-                   less);
 }
 
 static void describe(void *context, int at, struct screen_row *row)
@@ -119,11 +105,14 @@ static void describe(void *context, int at, struct screen_row *row)
         return;
     }
     snprintf(row->label, sizeof row->label, "%s", keys_action_label(action));
+    row->removable = true;
+    row->action = "Add Key";
     labels_of(play, action, row->value, sizeof row->value);
     if (capture->listening && capture->action == action)
         snprintf(row->value, sizeof row->value, "Press a key...");
     /* both players' buttons mean the same */
-    describe_help(play, keys_action_help(action < PLAYER_ACTIONS ? action % PAD_BUTTON_COUNT : action), row);
+    screen_sentence(row->help, sizeof row->help,
+                    keys_action_help(action < PLAYER_ACTIONS ? action % PAD_BUTTON_COUNT : action));
 }
 
 /* ---- changes ---- */
@@ -200,7 +189,7 @@ static void remove_one(void *context, int at)
     struct play *play = context;
     const int action = row_at(play, at);
 
-    for (int i = KEYS_PER_ACTION - 1; action >= 0 && i >= 0; i--) {
+    for (int i = KEYS_PER_ACTION - 1; i >= 0; i--) {
         const uint16_t code = play->config.keys.code[action][i];
         if (code && !keys_reserved(code)) {
             char label[INPUT_CODE_NAME_SIZE], title[TITLE];
@@ -227,6 +216,7 @@ const struct screen_def keys_screen = { .title = "Key Bindings",
                                         .row = describe,
                                         .accept = accept,
                                         .remove = remove_one,
+                                        .removal = "Remove Key",
                                         .listen = listen,
                                         .closed = closed };
 

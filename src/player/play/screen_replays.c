@@ -119,8 +119,7 @@ void replay_list_title(struct play *play, const struct replay_meta *c, char *out
 /* Writes how the run ended. */
 static void end_text(const struct replay_meta *c, char *out, size_t size)
 {
-    static const char *const ends[REPLAY_ENDS] = { "Unfinished", "All stages cleared", "Game over", "Quit",
-                                                   "Script error" };
+    static const char *const ends[REPLAY_ENDS] = { "Unfinished", "Cleared", "Game over", "Quit", "Script error" };
 
     snprintf(out, size, "%s",
              c->mission[0] && c->end == REPLAY_CLEAR  ? "Mission clear"
@@ -153,6 +152,8 @@ static void describe(const struct replay_list *l, const struct replay_meta *c, c
         add_phrase(phrases, sizeof phrases, phrase);
     if (phrases[0])
         screen_sentence(out, size, phrases);
+    else
+        snprintf(out, size, "Select to watch, name or export it.");
 }
 
 /* ---- rows ---- */
@@ -183,16 +184,16 @@ static bool is_sort_row(const struct replay_list *l, int at)
 
 static void describe_row_above(const struct replay_list *l, int at, struct screen_row *row)
 {
-    static const char *const orders[] = { "Newest First", "Best Score First", "Favourites First" };
+    static const char *const orders[] = { "Newest", "Best Score", "Favourites" };
 
     if (is_sort_row(l, at)) {
         snprintf(row->label, sizeof row->label, "Sort");
         snprintf(row->value, sizeof row->value, "%s", orders[l->sort]);
+        snprintf(row->help, sizeof row->help, "The order of the list.");
         row->changes = true;
     } else {
         snprintf(row->label, sizeof row->label, "Import...");
-        snprintf(row->help, sizeof row->help,
-                 "Adds a replay file from the exports folder. You can also drop one here.");
+        snprintf(row->help, sizeof row->help, "Add a replay from the exports folder, or drop a file on the window.");
     }
 }
 
@@ -209,8 +210,11 @@ static void row(void *context, int at, struct screen_row *row)
         return;
     }
     const struct replay_meta *c = &l->list.list[i].meta;
-    replay_list_title(play, c, title, sizeof title);
+    snprintf(title, sizeof title, "%s", c->name[0] ? c->name : place_title(play, c));
+    if (!title[0])
+        replay_list_title(play, c, title, sizeof title);
     snprintf(row->label, sizeof row->label, "%s%s", c->is_favourite ? "* " : "", title);
+    row->removable = true;
     date_text(c->date, date, sizeof date);
     if (l->sort == REPLAYS_BY_SCORE)
         score_text(best_score(c), row->value, sizeof row->value);
@@ -255,11 +259,7 @@ static void accept(void *context, int at)
 static void remove_replay(void *context, int at)
 {
     struct play *play = context;
-    const int i = replay_at(&play->replay_list, at);
-
-    if (i < 0)
-        return;
-    choose(&play->replay_list, i);
+    choose(&play->replay_list, replay_at(&play->replay_list, at));
     play_ask_to_delete_replay(play);
 }
 
@@ -281,10 +281,12 @@ static int height(void *context, int w, int h)
 {
     struct play *play = context;
     const struct manifest *m = &play_cart(play)->manifest;
-    const int high = (m->screen_w > m->screen_h ? THUMB_SIDE * m->screen_h / m->screen_w : THUMB_SIDE) + 4;
+    const int high = (m->screen_w > m->screen_h ? THUMB_SIDE * m->screen_h / m->screen_w : THUMB_SIDE) + 12;
 
     (void)w;
-    return h - high >= 4 * CANVAS_LARGE_LINE_HEIGHT ? high : h / 3;
+    if (!play->replay_list.order || play->replay_list.list.n == 0)
+        return 0;
+    return h - high >= 4 * CANVAS_LARGE_LINE_HEIGHT ? high : int_max(h / 3, 4 * CANVAS_LARGE_LINE_HEIGHT);
 }
 
 static int draw_thumb(const struct thumb *t, const struct canvas *canvas, struct screen_area to)
@@ -296,67 +298,73 @@ static int draw_thumb(const struct thumb *t, const struct canvas *canvas, struct
     return screen_picture_draw(&p, canvas, to);
 }
 
-struct details {
-    struct {
-        const char *label;
-        char value[64];
-    } line[11];
-    int n;
-};
-
-static char *add_line(struct details *d, const char *label)
+/* Adds a line to the details: a label and a value, or a value that needs no label (NULL). */
+static void add_line(const struct play *play, char *text, size_t size, const char *label, const char *value)
 {
-    d->line[d->n].label = label;
-    return d->line[d->n++].value;
+    char words[64], *end = text + strlen(text);
+    const size_t room = size - (size_t)(end - text);
+
+    screen_translate(&play->screens.words, label ? label : value, words, sizeof words);
+    if (words[0])
+        snprintf(end, room, label ? "%s %s\n" : "%s\n", words, value);
 }
 
-static void list_details(struct play *play, const struct replay_meta *c, struct details *d)
+static void list_details(struct play *play, const struct replay_meta *c, char *text, size_t size)
 {
-    enum { SIZE = sizeof d->line[0].value };
+    static const char *const versions[] = { [REPLAY_OLDER] = "Older version", [REPLAY_LOST] = "Not playable" };
     const unsigned seconds = (c->last - c->first) / 60;
-    char date[SIZE];
+    char value[64];
 
-    date_text(c->date, date, sizeof date); /* "2027-01-15 08:00" is wider than the column */
-    snprintf(add_line(d, "Date"), SIZE, "%.10s", date);
-    if (strlen(date) > 11)
-        snprintf(add_line(d, "Time"), SIZE, "%s", date + 11);
-    if (c->mission[0] || c->stage[0])
-        snprintf(add_line(d, c->mission[0] ? "Mission" : "Reached"), SIZE, "%s", place_title(play, c));
-    if (c->ship[0])
-        snprintf(add_line(d, "Ship"), SIZE, "%s", ship_title(play, c));
-    if (c->difficulty[0])
-        snprintf(add_line(d, "Difficulty"), SIZE, "%s",
-                 sections_title(practice_sections(&play->practice), MARKER_DIFFICULTY, c->difficulty));
-    for (int p = 0; p < (c->players > 1 ? 2 : 1); p++)
-        score_text(c->points[p], add_line(d, p ? "Score 2P" : "Score"), SIZE);
-    snprintf(add_line(d, "Length"), SIZE, "%u:%02u", seconds / 60, seconds % 60);
-    end_text(c, add_line(d, "End"), SIZE);
+    text[0] = '\0';
+    add_line(play, text, size, NULL, place_title(play, c));
+    add_line(play, text, size, NULL, ship_title(play, c));
+    add_line(play, text, size, NULL,
+             sections_title(practice_sections(&play->practice), MARKER_DIFFICULTY, c->difficulty));
+    for (int p = 0; p < (c->players > 1 ? 2 : 1); p++) {
+        score_text(c->points[p], value, sizeof value);
+        add_line(play, text, size, p ? "Score 2P" : "Score", value);
+    }
+    snprintf(value, sizeof value, "%u:%02u", seconds / 60, seconds % 60);
+    add_line(play, text, size, "Length", value);
+    end_text(c, value, sizeof value);
+    add_line(play, text, size, NULL, value);
+    date_text(c->date, value, sizeof value);
+    add_line(play, text, size, NULL, value);
     if (play->replay_list.version != REPLAY_CURRENT)
-        snprintf(add_line(d, "Version"), SIZE, "%s",
-                 play->replay_list.version == REPLAY_OLDER ? "Older version" : "Older, not stored");
+        add_line(play, text, size, NULL, versions[play->replay_list.version]);
+}
+
+/* Joins lines by commas, as far as they fit `width` px. */
+static void join_lines(const struct canvas *canvas, char *text, int width)
+{
+    char *start = text;
+
+    for (char *end; (end = strchr(start, '\n')) != NULL && end[1]; start = end + 1) {
+        char joined[SCREEN_TEXT], *next = strchr(end + 1, '\n');
+        snprintf(joined, sizeof joined, "%.*s, %.*s", (int)(end - start), start, (int)(next - end - 1), end + 1);
+        if (canvas_large_text_width(canvas, joined) > width)
+            continue;
+        memmove(end + 2, end + 1, strlen(end + 1) + 1);
+        memcpy(end, ", ", 2);
+        end = start - 1; /* the longer line may take another one */
+    }
 }
 
 static void draw_details(struct play *play, const struct replay_meta *c, const struct canvas *canvas,
                          struct screen_area to)
 {
-    enum { GAP = 6 };
-    const struct words *words = &play->screens.words;
     const int line = canvas_line_height(canvas);
-    struct details d = { .n = 0 };
-    char text[64];
-    int column = 0;
+    char text[SCREEN_TEXT];
+    const char *from = text;
 
-    list_details(play, c, &d);
-    for (int i = 0; i < d.n; i++) {
-        screen_translate(words, d.line[i].label, text, sizeof text);
-        column = int_max(column, canvas_large_text_width(canvas, text) + GAP);
-    }
-    for (int i = 0; i < d.n && (i + 1) * line <= to.h; i++) {
-        const int y = to.y + canvas->ascent + i * line;
-        screen_translate(words, d.line[i].label, text, sizeof text);
-        canvas_large_text(canvas, to.x, y, CANVAS_GREY, text);
-        screen_translate(words, d.line[i].value, text, sizeof text);
-        canvas_large_text_truncated(canvas, to.x + column, y, CANVAS_WHITE, text, to.w - column);
+    list_details(play, c, text, sizeof text);
+    if (canvas_large_text_lines(canvas, text, to.w) * line > to.h)
+        join_lines(canvas, text, to.w);
+    for (int y = to.y; *from && y + line <= to.y + to.h; y += line) {
+        const int n = canvas_large_text_fit(canvas, from, to.w);
+        canvas_large_text_n(canvas, to.x, y + canvas->ascent, CANVAS_WHITE, from, (size_t)n);
+        from += n;
+        from += *from == '\n';
     }
 }
 
@@ -364,16 +372,14 @@ static void draw(void *context, int at, const struct canvas *canvas, struct scre
 {
     struct play *play = context;
     struct replay_list *l = &play->replay_list;
-    const int i = replay_at(l, at);
+    const int here = replay_at(l, at), i = here < 0 ? l->order[0].i : here; /* above the replays: the first one */
     int side = 0;
 
-    if (i < 0)
-        return;
     choose(l, i);
     if (l->thumb.w > 0)
-        side = draw_thumb(&l->thumb, canvas, (struct screen_area){ to.x + 5, to.y + 1, THUMB_SIDE, to.h - 2 }) + 6;
+        side = draw_thumb(&l->thumb, canvas, (struct screen_area){ to.x + 5, to.y, THUMB_SIDE, to.h - 12 }) + 8;
     draw_details(play, &l->list.list[i].meta, canvas,
-                 (struct screen_area){ to.x + 5 + side, to.y, to.w - 10 - side, to.h });
+                 (struct screen_area){ to.x + 5 + side, to.y - 2, to.w - 10 - side, to.h });
 }
 
 static const struct screen_def replays = { .title = "Replays",
@@ -383,6 +389,7 @@ static const struct screen_def replays = { .title = "Replays",
                                            .change = change,
                                            .accept = accept,
                                            .remove = remove_replay,
+                                           .removal = "Delete",
                                            .closed = closed,
                                            .height = height,
                                            .draw = draw };

@@ -95,6 +95,7 @@ void screens_open(struct screens *s, const struct screen_def *screen, void *cont
     s->held = UINT32_MAX; /* keys held now were pressed for something else */
     s->held_for = 0;
     s->mouse = NO_MOUSE;
+    s->listened = false;
     s->message_frames = 0;
 }
 
@@ -354,6 +355,25 @@ static void move_page(struct screens *s, struct screen_place *p, int by)
     }
 }
 
+void screens_describe_button(const struct screens *s, enum screen_button button, char *out, size_t size)
+{
+    const struct screen_place *p = s->depth > 0 ? &s->place[s->depth - 1] : NULL;
+    struct screen_row row = { .disabled = true };
+    const char *meaning = "";
+
+    if (p && row_count(p) > 0)
+        row = screen_place_row(p, p->row);
+    if (!p || s->listened)
+        meaning = "";
+    else if (button == SCREEN_BACK)
+        meaning = "Back";
+    else if (button == SCREEN_REMOVE && p->screen->remove && row.removable)
+        meaning = p->screen->removal;
+    else if (button == SCREEN_ACCEPT && !row.disabled && !row.heading)
+        meaning = changes(p) ? "Change" : !p->screen->accept ? "" : row.action ? row.action : "Select";
+    screen_translate(&s->words, meaning, out, size);
+}
+
 bool screens_poll(struct screens *s, const struct plat_input *in, const struct keys_state *k)
 {
     if (s->depth == 0)
@@ -363,7 +383,8 @@ bool screens_poll(struct screens *s, const struct plat_input *in, const struct k
 
     s->message_frames -= s->message_frames > 0;
     s->mouse_settle -= s->mouse_settle > 0;
-    if (p->screen->listen && p->screen->listen(p->context, in)) {
+    s->listened = p->screen->listen && p->screen->listen(p->context, in);
+    if (s->listened) {
         s->held = UINT32_MAX;
         s->mouse = NO_MOUSE;
         return true;
@@ -388,7 +409,8 @@ bool screens_poll(struct screens *s, const struct plat_input *in, const struct k
     if (newly_pressed & BACK) { /* also if accept is pressed too */
         s->sounded[THEME_BACK] = true;
         screens_close(s);
-    } else if (newly_pressed & REMOVE && p->screen->remove && row_count(p) > 0) {
+    } else if (newly_pressed & REMOVE && p->screen->remove && row_count(p) > 0 &&
+               screen_place_row(p, p->row).removable) {
         p->screen->remove(p->context, p->row);
     } else if (newly_pressed & ACCEPT && row_count(p) > 0) {
         accept(s, p);

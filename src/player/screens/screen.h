@@ -28,6 +28,8 @@ struct screen_row {
     bool heading;             /* can't be chosen */
     bool changes;             /* left and right change it */
     bool disabled;
+    bool removable;     /* by Delete */
+    const char *action; /* what accepting does, if "Select" does not say it: "Add Key"; NULL: "Select" */
     enum canvas_colour colour, value_colour; /* CANVAS_DARK: the default */
 };
 
@@ -38,7 +40,7 @@ struct screen_area {
 
 struct screen_def {
     const char *title;
-    bool small; /* a box in the middle, as large as its rows; otherwise it covers the whole picture */
+    bool small; /* a box in the middle, as large as its rows; otherwise it covers nearly the whole picture */
     int (*rows)(void *context);
     void (*row)(void *context, int at, struct screen_row *row); /* *row is zeroed */
 
@@ -46,7 +48,8 @@ struct screen_def {
     const char *(*text)(void *context);            /* sentences above the list */
     void (*change)(void *context, int at, int by); /* left: -1, right: 1; -10 and 10 while focus or Shift is held */
     void (*accept)(void *context, int at);
-    void (*remove)(void *context, int at); /* Delete, or the pad's special button */
+    void (*remove)(void *context, int at); /* Delete, or the pad's special button, on a removable row */
+    const char *removal;                   /* what this does: "Delete" */
     void (*closed)(void *context);         /* called after it was closed, in any way */
 
     /* Called first. While it returns true, it gets all input, for reading a key or a line of text. */
@@ -69,6 +72,7 @@ struct screens {
     int depth;
     uint32_t held; /* at the last poll */
     int held_for;  /* frames that an arrow is held, including the one of its press; 0: it was pressed elsewhere */
+    bool listened; /* the topmost screen got all input of the last poll */
     uint8_t mouse; /* its buttons at the last poll */
     int mouse_x, mouse_y; /* at the last poll */
     int mouse_settle;     /* frames in which mouse movements choose nothing, because a value has changed the window */
@@ -138,8 +142,18 @@ void screens_ask(struct screens *s, const char *question, const char *yes, void 
  * input. */
 bool screens_poll(struct screens *s, const struct plat_input *in, const struct keys_state *k);
 
-/* Draws the topmost screen in the look of the canvas. footer: a line with the keys, or "". */
-void screens_draw(struct screens *s, const struct canvas *canvas, const char *footer);
+/* The buttons that do something on a screen. */
+enum screen_button { SCREEN_ACCEPT, SCREEN_BACK, SCREEN_REMOVE, SCREEN_BUTTONS };
+
+/* Writes what a button does now, translated: "Select"; "": nothing. */
+void screens_describe_button(const struct screens *s, enum screen_button button, char *out, size_t size);
+
+/* Draws the topmost screen in the look of the canvas, in its first `height` rows. */
+void screens_draw(struct screens *s, const struct canvas *canvas, int height);
+
+/* Returns the least width, in px, at which large text has as many lines as at `width`, so that no line is much shorter
+ * than the others. */
+int screen_balanced_width(const struct canvas *canvas, const char *text, int width);
 
 /* Turns a phrase of the help into a sentence: "Fill the screen." */
 void screen_sentence(char *out, size_t size, const char *phrase);

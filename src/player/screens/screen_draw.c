@@ -1,7 +1,8 @@
 /*
- * screen_draw.c - draws a screen (screen.h) like the menus of the game, in a frame. From the top: title, text, picture,
- * list, help of the chosen row, footer. The list scrolls and text wraps, so every screen fits every picture. A label is
- * truncated before it reaches its value.
+ * screen_draw.c - draws a screen (screen.h) like the pages of the game, in a frame over the darkened picture. From the
+ * top: title, text, picture, list, help of the chosen row. Titles, help and frames of all large screens are at the same
+ * places. The list scrolls and text wraps, so every screen fits every picture. A label is truncated before it reaches
+ * its value.
  */
 #include <stdio.h>
 #include <string.h>
@@ -10,16 +11,19 @@
 #include "screen.h"
 
 enum {
+    MARGIN = 8,    /* px around the frame of a large screen, which show the game; none on a low picture */
+    AIR = 8,       /* px above the title of a large screen; none on a compact one */
     PADDING = 5,   /* px between the frame's border and its contents */
-    ROW_GAP = 2,   /* px between rows */
+    ROW_GAP = 3,   /* px between rows */
     RULE = 8,      /* px, height of a rule */
     THIN_RULE = 3, /* px, on a low picture */
-    SCROLL_BAR = 2,
-    SMALL_WIDTH = 240, /* px: a small screen is no wider, unless its rows are */
-    MIN_HELP_LINES = 2,
-    LOW = 200,               /* px: rows of lower pictures have no gap, and their rules are thin */
-    MIN_HELP_HEIGHT = 100,   /* px: the least height with a line of help; twice as many for more lines */
-    MIN_FOOTER_HEIGHT = 120, /* px: the least height with a footer */
+    SCROLL_BAR = 3,
+    SMALL_WIDTH = 240,     /* px: a small screen is no wider, unless its rows are */
+    HELP_LINES = 3,        /* on a large screen, or more if a row needs them and there is space */
+    WIDE = 280,            /* px: in frames as wide, a line of help less */
+    LOW = 200,             /* px: rows of lower pictures have no gap, and their rules are thin */
+    COMPACT = 288,         /* px: titles of lower pictures have less space */
+    MIN_HELP_HEIGHT = 100, /* px: the least height with help */
     MAX_RULE_CELLS = 128
 };
 
@@ -31,9 +35,12 @@ static bool is_low(const struct canvas *canvas)
     return canvas->fb->h < LOW;
 }
 
+/* Capitals are exactly in the middle of a row. */
 static int row_height(const struct canvas *canvas)
 {
-    return canvas_line_height(canvas) + (is_low(canvas) ? 0 : ROW_GAP);
+    const int h = canvas_line_height(canvas) + (is_low(canvas) ? 0 : ROW_GAP);
+
+    return h - (h - canvas->capital_height) % 2;
 }
 
 static int rule_height(const struct canvas *canvas)
@@ -55,15 +62,43 @@ static void draw_centred(const struct canvas *canvas, const struct screen_area *
     canvas_large_text_truncated(canvas, centred_x(canvas, a, text), a->y + canvas->ascent, c, text, a->w);
 }
 
+/* Returns whether every line ends with a word when text is wrapped at `width` px. */
+static bool keeps_words(const struct canvas *canvas, const char *text, int width)
+{
+    while (*text) {
+        const int n = canvas_large_text_fit(canvas, text, width);
+        if (n == 0 && *text != '\n')
+            return false;
+        text += n;
+        if (*text && *text != '\n' && text[-1] != ' ')
+            return false;
+        text += *text == '\n';
+    }
+    return true;
+}
+
+int screen_balanced_width(const struct canvas *canvas, const char *text, int width)
+{
+    enum { STEP = 4 };
+    const int lines = canvas_large_text_lines(canvas, text, width);
+    int w = width;
+
+    while (w - STEP > width / 2 && canvas_large_text_lines(canvas, text, w - STEP) == lines &&
+           keeps_words(canvas, text, w - STEP))
+        w -= STEP;
+    return w;
+}
+
 /* Draws at most max_lines lines, centred or not; the last is truncated. Returns the y below them. */
 static int draw_lines(const struct canvas *canvas, const struct screen_area *a, int max_lines, enum canvas_colour c,
                       const char *text, bool centred)
 {
+    const int width = screen_balanced_width(canvas, text, a->w);
     struct screen_area line = *a;
     char part[SCREEN_HELP];
 
     for (int i = 0; i < max_lines && *text; i++, line.y += canvas_line_height(canvas)) {
-        const int fitting = canvas_large_text_fit(canvas, text, a->w);
+        const int fitting = canvas_large_text_fit(canvas, text, width);
         const int n = i == max_lines - 1 ? (int)strcspn(text, "\n") : fitting;
         int shown = n; /* without the space at which the line was broken */
         while (shown > 0 && text[shown - 1] == ' ')
@@ -96,7 +131,7 @@ static void draw_rule(const struct canvas *canvas, int x, int y, int w)
     size_t n = 0;
 
     if (is_low(canvas) || cells < 4 || canvas_glyph(canvas, GLYPH_LINE, 0) == 0) {
-        canvas_rect(canvas, x, y + rule_height(canvas) / 2, w, 1, CANVAS_GREY);
+        canvas_rect(canvas, x, y + rule_height(canvas) / 2, w, 1, CANVAS_CYAN);
         return;
     }
     for (int i = 0; i < cells; i++) {
@@ -105,24 +140,29 @@ static void draw_rule(const struct canvas *canvas, int x, int y, int w)
     }
     const int top = y + (canvas->theme->height > RULE ? (RULE - canvas->theme->height) / 2 : 0);
     canvas_large_text(canvas, x + (w - canvas_large_text_width(canvas, text)) / 2, top + canvas->theme->capital_top,
-                      CANVAS_GREY, text);
+                      CANVAS_CYAN, text);
 }
 
 /* ---- rows ---- */
 
-/* The character in front of the chosen row. */
-static void cursor_text(const struct canvas *canvas, char out[UTF8_MAX_BYTES + 1])
+/* Writes the character in front of the chosen row, and the one behind it if its label is centred ("": none). */
+static void cursor_text(const struct canvas *canvas, char front[UTF8_MAX_BYTES + 1], char back[UTF8_MAX_BYTES + 1])
 {
-    put_glyph(canvas, out, canvas->theme ? canvas->theme->cursor : '>', '>');
+    const uint32_t cursor = canvas->theme ? canvas->theme->cursor : '>';
+
+    back[0] = '\0';
+    put_glyph(canvas, front, cursor, '>');
+    if (cursor == GLYPH_RIGHT || cursor == '>')
+        put_glyph(canvas, back, cursor == '>' ? '<' : GLYPH_LEFT, '<');
 }
 
 /* Returns the px in front of a label that the cursor takes. */
 static int cursor_width(const struct canvas *canvas)
 {
-    char cursor[UTF8_MAX_BYTES + 1];
+    char front[UTF8_MAX_BYTES + 1], back[UTF8_MAX_BYTES + 1];
 
-    cursor_text(canvas, cursor);
-    return PADDING + canvas_large_text_width(canvas, cursor) + PADDING;
+    cursor_text(canvas, front, back);
+    return PADDING + canvas_large_text_width(canvas, front) + PADDING;
 }
 
 static enum canvas_colour label_colour(const struct screen_row *row, bool chosen)
@@ -141,7 +181,7 @@ static enum canvas_colour value_colour(const struct screen_row *row, bool chosen
     return row->value_colour ? row->value_colour : row->disabled ? CANVAS_GREY : CANVAS_WHITE;
 }
 
-/* Returns the value, between arrows if it is the chosen row's and changes. */
+/* Writes the value, between arrows if it is the chosen row's and changes. */
 static void value_text(const struct canvas *canvas, const struct screen_row *row, bool chosen, char *out, size_t size)
 {
     char left[UTF8_MAX_BYTES + 1], right[UTF8_MAX_BYTES + 1];
@@ -154,35 +194,64 @@ static void value_text(const struct canvas *canvas, const struct screen_row *row
         snprintf(out, size, "%s", row->value);
 }
 
+/* Returns the px behind the values that the arrow of a value takes; 0: no row changes. */
+static int arrow_width(const struct screen_place *p, const struct canvas *canvas)
+{
+    char arrow[UTF8_MAX_BYTES + 2] = " ";
+
+    put_glyph(canvas, arrow + 1, GLYPH_RIGHT, '>');
+    for (int i = 0, n = p->screen->rows(p->context); i < n; i++)
+        if (screen_place_row(p, i).changes)
+            return canvas_large_text_width(canvas, arrow);
+    return 0;
+}
+
+/* Draws the plate and the cursor of the chosen row. y: the top of its capitals. */
+static void draw_cursor(const struct canvas *canvas, struct screen_area to, int y, bool centred)
+{
+    char front[UTF8_MAX_BYTES + 1], back[UTF8_MAX_BYTES + 1];
+
+    cursor_text(canvas, front, back);
+    canvas_plate(canvas, to.x, to.y, to.w, to.h, CANVAS_YELLOW);
+    canvas_large_text(canvas, to.x + PADDING, y, CANVAS_WHITE, front);
+    if (centred)
+        canvas_large_text(canvas, to.x + to.w - PADDING - canvas_large_text_width(canvas, back), y, CANVAS_WHITE, back);
+}
+
+/* Draws a row with the label at the left and the value at the right, `arrow` px from the end. y: the top of capitals.
+ * Returns whether one of them was truncated. */
+static bool draw_columns(const struct canvas *canvas, const struct screen_row *row, bool chosen, struct screen_area in,
+                         int y, int arrow)
+{
+    char value[SCREEN_VALUE + 2 * UTF8_MAX_BYTES + 2];
+
+    value_text(canvas, row, chosen, value, sizeof value);
+    in.w -= value[0] && !(chosen && row->changes) ? arrow : 0;
+    const int gap = value[0] ? canvas_large_text_width(canvas, " ") : 0, width = canvas_large_text_width(canvas, value);
+    const int label_w = canvas_large_text_width(canvas, row->label), beside = in.w - label_w - gap;
+    const int value_w = int_min(width, int_max(beside, in.w / 2));
+    const int x = in.x + in.w - value_w;
+    canvas_large_text_truncated(canvas, in.x, y, label_colour(row, chosen), row->label, x - in.x - gap);
+    canvas_large_text_truncated(canvas, x, y, value_colour(row, chosen), value, value_w);
+    return value_w < width || x - in.x - gap < label_w;
+}
+
 /* Returns whether the label or the value was truncated. */
 static bool draw_row(const struct screen_place *p, int at, const struct canvas *canvas, struct screen_area to,
-                     bool centred)
+                     bool centred, int arrow)
 {
     const struct screen_row row = screen_place_row(p, at);
-    const int y = to.y + (to.h - canvas_line_height(canvas)) / 2 + canvas->ascent, indent = cursor_width(canvas);
+    const int y = to.y + (to.h - canvas->capital_height) / 2, indent = cursor_width(canvas);
     const bool chosen = at == p->row && !row.heading;
-    char value[SCREEN_VALUE + 2 * UTF8_MAX_BYTES + 2], cursor[UTF8_MAX_BYTES + 1];
-
-    if (chosen) {
-        cursor_text(canvas, cursor);
-        canvas_plate(canvas, to.x, to.y, to.w, to.h, CANVAS_CYAN);
-        canvas_large_text(canvas, to.x + PADDING, y, CANVAS_YELLOW, cursor);
-    }
     const struct screen_area inside = { to.x + indent, to.y, to.w - indent - (centred ? indent : PADDING), to.h };
-    if (centred) {
-        canvas_large_text_truncated(canvas, centred_x(canvas, &inside, row.label), y, label_colour(&row, chosen),
-                                    row.label, inside.w);
-        return canvas_large_text_width(canvas, row.label) > inside.w;
-    }
-    value_text(canvas, &row, chosen, value, sizeof value);
-    const int gap = value[0] ? canvas_large_text_width(canvas, "  ") : 0,
-              width = canvas_large_text_width(canvas, value);
-    const int label_w = canvas_large_text_width(canvas, row.label), beside = inside.w - label_w - gap;
-    const int value_w = int_min(width, int_max(beside, inside.w / 2));
-    const int x = inside.x + inside.w - value_w;
-    canvas_large_text_truncated(canvas, inside.x, y, label_colour(&row, chosen), row.label, x - inside.x - gap);
-    canvas_large_text_truncated(canvas, x, y, value_colour(&row, chosen), value, value_w);
-    return value_w < width || x - inside.x - gap < label_w;
+
+    if (chosen)
+        draw_cursor(canvas, to, y, centred);
+    if (!centred)
+        return draw_columns(canvas, &row, chosen, inside, y, arrow);
+    canvas_large_text_truncated(canvas, centred_x(canvas, &inside, row.label), y, label_colour(&row, chosen), row.label,
+                                inside.w);
+    return canvas_large_text_width(canvas, row.label) > inside.w;
 }
 
 /* Returns the first visible row, such that the chosen row and its neighbours are visible; the one above may be a
@@ -205,20 +274,21 @@ static bool draw_list(struct screens *s, struct screen_place *p, const struct ca
                       bool centred)
 {
     bool truncated = false;
-    const int n = p->screen->rows(p->context), h = row_height(canvas);
+    const int n = p->screen->rows(p->context), h = row_height(canvas), arrow = arrow_width(p, canvas);
 
     s->list = to;
     s->row_height = h;
     s->shown = to.h / h;
     p->top = first_visible_row(p, n, s->shown);
     if (n > s->shown && n > 0) {
-        to.w -= SCROLL_BAR + 1;
-        canvas_rect(canvas, to.x + to.w + 1, to.y + s->shown * h * p->top / n, SCROLL_BAR, s->shown * h * s->shown / n,
-                    CANVAS_CYAN);
+        const int x = to.x + to.w - SCROLL_BAR, track = s->shown * h, thumb = int_max(track * s->shown / n, SCROLL_BAR);
+        to.w -= SCROLL_BAR + 2;
+        canvas_rect(canvas, x + SCROLL_BAR / 2, to.y, 1, track, CANVAS_GREY);
+        canvas_rect(canvas, x, to.y + (track - thumb) * p->top / (n - s->shown), SCROLL_BAR, thumb, CANVAS_CYAN);
     }
     for (int i = p->top; i < p->top + s->shown && i < n; i++) {
         const struct screen_area row = { to.x, to.y + (i - p->top) * h, to.w, h };
-        truncated = (draw_row(p, i, canvas, row, centred) && i == p->row) || truncated;
+        truncated = (draw_row(p, i, canvas, row, centred, arrow) && i == p->row) || truncated;
     }
     return truncated;
 }
@@ -260,39 +330,52 @@ static int help_lines(const struct screen_place *p, const struct canvas *canvas,
 /* Where the parts of a screen are. */
 struct layout {
     struct screen_area frame, inside; /* inside: of the frame, without its padding */
+    int air;                          /* px above the title */
     int lines, help;                  /* of text above the list; of help */
-    bool footer, centred;             /* centred: the rows' labels, as no row has a value */
+    bool centred;                     /* the rows' labels, as no row has a value */
 };
 
-static struct layout lay_out(const struct screen_place *p, const struct canvas *canvas, const char *text,
-                             const char *footer)
+/* A large screen covers the picture except for the margin. */
+static void lay_out_large(struct layout *l, const struct screen_place *p, const struct canvas *canvas, int edge, int h)
 {
-    const int edge = canvas_frame_width(canvas) + PADDING, line = canvas_line_height(canvas);
-    const int w = canvas->fb->w, h = canvas->fb->h, rule = rule_height(canvas);
-    struct layout l = { .frame = { 0, 0, w, h } };
-    bool has_values = true;
+    const int margin = is_low(canvas) ? 0 : MARGIN, line = canvas_line_height(canvas);
 
-    if (p->screen->small) {
-        const int least = int_min(w * 4 / 5, SMALL_WIDTH);
-        l.frame.w = int_min(int_max(content_width(p, canvas, &has_values) + 2 * edge, least), w);
-        l.frame.x = (w - l.frame.w) / 2;
-    }
-    l.inside = (struct screen_area){ l.frame.x + edge, edge, l.frame.w - 2 * edge, h - 2 * edge };
-    l.centred = p->screen->small && !has_values;
-    l.footer = !p->screen->small && footer[0] && h >= MIN_FOOTER_HEIGHT;
-    l.lines = canvas_large_text_lines(canvas, text, l.inside.w);
-    l.help = help_lines(p, canvas, l.inside.w);
-    if (!p->screen->small)
-        l.help = int_min(int_max(l.help, MIN_HELP_LINES), h < MIN_HELP_HEIGHT ? 0 : h / (5 * line));
-    if (p->screen->small) {
-        const int rows = p->screen->rows(p->context) * row_height(canvas);
-        l.frame.h = 2 * edge + line + rule + l.lines * line + (l.lines ? PADDING : 0) + rows +
-                    (l.help ? rule + l.help * line : 0);
-        l.frame.h = int_min(l.frame.h, h);
-        l.frame.y = (h - l.frame.h) / 2;
-        l.inside.y = l.frame.y + edge;
-        l.inside.h = l.frame.h - 2 * edge;
-    }
+    l->air = canvas->fb->h < COMPACT ? 0 : AIR;
+    l->frame = (struct screen_area){ margin, margin, canvas->fb->w - 2 * margin, h - 2 * margin };
+    l->help = int_max(help_lines(p, canvas, l->frame.w - 2 * edge), l->frame.w < WIDE ? HELP_LINES : HELP_LINES - 1);
+    l->help = h < MIN_HELP_HEIGHT ? 0 : int_min(l->help, h / (5 * line));
+}
+
+/* A small screen is as large as its rows need. */
+static void lay_out_small(struct layout *l, const struct screen_place *p, const struct canvas *canvas, int edge, int h,
+                          const char *text)
+{
+    const int w = canvas->fb->w, line = canvas_line_height(canvas), rule = rule_height(canvas);
+    bool has_values;
+    const int needed = content_width(p, canvas, &has_values) + 2 * edge;
+
+    l->centred = !has_values;
+    l->frame.w = int_min(int_max(needed, int_min(w * 4 / 5, SMALL_WIDTH)), w);
+    l->frame.x = (w - l->frame.w) / 2;
+    l->lines = canvas_large_text_lines(canvas, text, l->frame.w - 2 * edge);
+    l->help = help_lines(p, canvas, l->frame.w - 2 * edge);
+    l->frame.h = 2 * edge + line + rule + l->lines * line + (l->lines ? PADDING : 0) +
+                 p->screen->rows(p->context) * row_height(canvas) + (l->help ? rule + l->help * line : 0);
+    l->frame.h = int_min(l->frame.h, h);
+    l->frame.y = (h - l->frame.h) / 2;
+}
+
+/* h: of the picture above the buttons. */
+static struct layout lay_out(const struct screen_place *p, const struct canvas *canvas, const char *text, int h)
+{
+    const int edge = canvas_frame_width(canvas) + PADDING;
+    struct layout l = { 0 };
+
+    if (p->screen->small)
+        lay_out_small(&l, p, canvas, edge, h, text);
+    else
+        lay_out_large(&l, p, canvas, edge, h);
+    l.inside = (struct screen_area){ l.frame.x + edge, l.frame.y + edge, l.frame.w - 2 * edge, l.frame.h - 2 * edge };
     return l;
 }
 
@@ -312,8 +395,11 @@ static void draw_help(const struct screens *s, const struct screen_place *p, con
     if (truncated)
         n = snprintf(text, sizeof text, "%s%s%s\n", row.label, row.value[0] ? ": " : "", row.value);
     snprintf(text + n, sizeof text - (size_t)n, "%s", row.help);
-    draw_lines(canvas, a, l->help, s->message_frames ? CANVAS_YELLOW : CANVAS_WHITE,
-               s->message_frames ? s->message : text, l->centred);
+    const char *shown = s->message_frames ? s->message : text;
+    struct screen_area area = *a;
+    if (l->centred)
+        area.y += int_max(0, a->h - canvas_large_text_lines(canvas, shown, a->w) * canvas_line_height(canvas)) / 2;
+    draw_lines(canvas, &area, l->help, s->message_frames ? CANVAS_YELLOW : CANVAS_WHITE, shown, l->centred);
 }
 
 /* Draws the picture of the chosen row above the list. */
@@ -329,7 +415,7 @@ static void draw_picture(const struct screen_place *p, const struct canvas *canv
     list->h -= h;
 }
 
-void screens_draw(struct screens *s, const struct canvas *canvas, const char *footer)
+void screens_draw(struct screens *s, const struct canvas *canvas, int height)
 {
     if (s->depth == 0)
         return;
@@ -338,15 +424,16 @@ void screens_draw(struct screens *s, const struct canvas *canvas, const char *fo
     char title[SCREEN_LABEL], text[SCREEN_TEXT];
     screen_place_title(p, title, sizeof title);
     screen_place_text(p, text, sizeof text);
-    const struct layout l = lay_out(p, canvas, text, footer);
+    const struct layout l = lay_out(p, canvas, text, height);
     const struct screen_area *a = &l.inside;
     const int line = canvas_line_height(canvas), rule = rule_height(canvas);
-    const int footer_y = a->y + a->h - (l.footer ? line : 0), help_y = footer_y - l.help * line;
-    const int top = a->y + line + rule, bottom = l.help ? help_y - rule : footer_y;
+    const int help_y = a->y + a->h - l.help * line, bottom = help_y - (l.help ? rule : 0);
+    struct screen_area heading = { a->x, a->y + l.air, a->w, line };
 
     canvas_frame(canvas, l.frame.x, l.frame.y, l.frame.w, l.frame.h);
-    draw_centred(canvas, a, CANVAS_CYAN, title);
-    draw_rule(canvas, a->x, a->y + line, a->w);
+    draw_centred(canvas, &heading, CANVAS_YELLOW, title);
+    draw_rule(canvas, a->x, heading.y + line + l.air / 2, a->w);
+    const int top = heading.y + line + l.air / 2 + rule + l.air;
     struct screen_area list = { a->x, top, a->w, 0 };
     list.y = draw_lines(canvas, &list, (bottom - top) / line / 2, CANVAS_WHITE, text, l.centred);
     list.y += text[0] ? PADDING : 0;
@@ -357,6 +444,4 @@ void screens_draw(struct screens *s, const struct canvas *canvas, const char *fo
         draw_rule(canvas, a->x, bottom, a->w);
         draw_help(s, p, canvas, &(struct screen_area){ a->x, help_y, a->w, l.help * line }, &l, truncated);
     }
-    if (l.footer)
-        draw_centred(canvas, &(struct screen_area){ a->x, footer_y, a->w, line }, CANVAS_GREY, footer);
 }
