@@ -43,9 +43,10 @@ tried() {
     same "$name" "$record" "$(sed 1d "$file" 2>/dev/null)"
 }
 
-# The menu's rows: title, difficulty, lives, power, invincible, hitbox, speed, a line, stage one, its mark, the queen,
-# weak, strong. It opens on stage one.
-weak() { press $F2 $DOWN $DOWN $Z; }
+# The page's rows: Start, section, difficulty, a heading, lives, power, invincible, hitbox, speed. The list's: stage
+# one, its mark, the queen, weak, strong.
+choose() { press $DOWN $Z "$@" $Z $Z; } # KEY...: from Start to the list, then these keys, and Start
+weak() { press $F2; choose $DOWN $DOWN; }
 
 # ---- the menu ----
 
@@ -62,23 +63,23 @@ check 'without an attempt there is no file' test ! -e "$file"
 # She flies in for 60 frames and breaks after 20: the second try begins in frame 84 or so.
 tried 'a try that is broken off' '0 1 normal queen/weak' < <(keys 20; weak; keys 40)
 tried 'a try that is won, and the next one begins by itself' '1 2 normal queen/weak' < <(keys 20; weak; keys 100)
-tried 'the second phase' '0 1 normal queen/strong' < <(keys 20; press $F2 $DOWN $DOWN $DOWN $Z; keys 40)
+tried 'the second phase' '0 1 normal queen/strong' < <(keys 20; press $F2; choose $DOWN $DOWN $DOWN; keys 40)
 tried 'again, and again: each is a try' '1 4 normal queen/weak' \
     < <(keys 20; weak; keys 40; press $R; keys 30; press $R; keys 100)
 tried 'a death, and the phase is no capture' '0 2 normal queen/weak' < <(keys 20; weak; keys 20; keys 1 $C; keys 100)
 tried 'a stage, from its start' '1 2 normal one' < <(keys 20; press $F2 $Z; keys 100)
-tried 'and from a mark' '2 3 normal one:late' < <(keys 20; press $F2 $DOWN $Z; keys 100)
+tried 'and from a mark' '2 3 normal one:late' < <(keys 20; press $F2; choose $DOWN; keys 100)
 tried 'started from the command line' '1 2 hard queen/weak' --stage queen/weak --difficulty hard < <(keys 100)
 tried 'another difficulty, chosen in the menu' '0 1 hard one' \
-    < <(keys 20; press $F2 $UP $UP $UP $UP $UP $UP $RIGHT $DOWN $DOWN $DOWN $DOWN $DOWN $DOWN $Z; keys 40)
+    < <(keys 20; press $F2 $DOWN $DOWN $RIGHT $UP $UP $Z; keys 40)
 
 { keys 20; weak; keys 40; press $R; keys 60; } | play
-same 'again is the same from its first frame on' "$(part out 28 67)" "$(part out 69 108)"
+same 'again is the same from its first frame on' "$(part out 34 73)" "$(part out 75 114)"
 
 # ---- what does not count ----
 
 tried 'invincible' '' \
-    < <(keys 20; press $F2 $UP $UP $UP $RIGHT $DOWN $DOWN $DOWN $DOWN $DOWN $Z; keys 100)
+    < <(keys 20; press $F2 $UP $UP $UP $RIGHT $DOWN $DOWN $DOWN; choose $DOWN $DOWN; keys 100)
 tried 'after time ran backwards' '0 1 normal queen/weak' < <(keys 20; weak; keys 30; keys 5 $BACKSPACE; keys 150)
 tried 'but the next try does' '1 3 normal queen/weak' \
     < <(keys 20; weak; keys 30; keys 5 $BACKSPACE; keys 50; press $R; keys 100)
@@ -113,15 +114,15 @@ keys 60 | plays without --seed 5 --stage queen/weak
 check 'and starts with none' cmp without with
 mkdir -p data/curtain
 cp before.nv data/curtain/probe.nv
-{ weak; keys 60; press $F2 $UP $UP $UP $UP $UP $UP $UP $UP $UP $Z; keys 100; } | play
-check 'Start from Title saves them again' files_differ data/curtain/probe.nv before.nv
+{ weak; keys 60; press $ESCAPE $UP $UP $Z $DOWN $Z; keys 100; } | play
+check 'Quit to Title saves them again' files_differ data/curtain/probe.nv before.nv
 
 # ---- sections that were reached ----
 
 "$curtain" pack g -o g.rom >/dev/null
 packed() { ./player play g.rom --seed 5 --no-resume >out 2>err; } # standard input are the keys
 rm -rf data
-{ keys 20; press $F2 $UP $Z; keys 60; } | packed
+{ keys 20; press $F2 $Z; keys 60; } | packed
 check 'in a packed game a section that was not reached is locked' test ! -e "$file"
 { begin; keys 30; } | packed
 same 'a game reaches its sections' $'reached one\nreached one:late' "$(sed 1d "$file")"
@@ -134,14 +135,14 @@ rm -rf data
 same 'practice = "all" opens all of them' '0 1 normal one' "$(sed 1d "$file")"
 sed -i 's/practice = "all"/practice = "reached"/' g/rom.lua
 rm -rf data
-{ keys 20; press $F2 $UP $Z; keys 60; } | play
+{ keys 20; press $F2 $Z; keys 60; } | play
 check 'and practice = "reached" locks them in a folder too' test ! -e "$file"
 
 # ---- recording ----
 
 rm -rf data
 { keys 20; weak; keys 40; } | play --record game.demo
-same 'a game that is recorded is not left for a piece' 'game.demo: holds, 68 frames' "$("$curtain" verify g game.demo)"
+same 'a game that is recorded is not left for a piece' 'game.demo: holds, 74 frames' "$("$curtain" verify g game.demo)"
 { keys 20; press $R; keys 40; } | play --stage queen/weak --record piece.demo
 same 'a piece that is recorded restarts' 'piece.demo: holds, 42 frames' "$("$curtain" verify g piece.demo)"
 

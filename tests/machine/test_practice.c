@@ -518,8 +518,8 @@ TEST(menu)
     const uint16_t up = PAD_UP, down = PAD_DOWN, left = PAD_LEFT, right = PAD_RIGHT, fire = PAD_FIRE;
 
     start.seed = 77;
-    open_menu(&start); /* on the first section */
-    assert_int_equal(TAP(down, fire), STARTS);
+    open_menu(&start); /* with the first section */
+    assert_int_equal(TAP(down, fire, down, fire, fire), STARTS);
     practice_chosen(&menu, &got);
     assert_string_equal(got.practice.section, "one:guard");
     assert_int_equal(got.practice.lives, 0);
@@ -529,12 +529,13 @@ TEST(menu)
     begin_menu(&got, 50);
     held(0);
     assert_int_equal(menu.speed, 50);
-    /* Over the line between, from the section that was played: speed, hitbox, invincible, power, bombs, lives. */
-    assert_int_equal(TAP(up, up, right, up, fire, up, left, up, right, up, (uint16_t)(left | PAD_FOCUS)), STAYS);
+    /* From Start round the end: speed, hitbox, invincible, power, bombs, lives, over the heading to the ship. */
+    assert_int_equal(TAP(up, right, up, fire, up, left, up, right, up, (uint16_t)(left | PAD_FOCUS)), STAYS);
     assert_int_equal(TAP(up, (uint16_t)(right | PAD_FOCUS), right, up, right, right, fire), STAYS);
     assert_int_equal(menu.speed, 55);
     assert_true(menu.hitbox);
-    assert_int_equal(TAP(up, up, up, fire), STARTS); /* the title, round the end: the knight's heading is passed over */
+    /* the list of sections, round the end: the knight's heading is passed over */
+    assert_int_equal(TAP(up, fire, up, up, up, fire, fire), STARTS);
     practice_chosen(&menu, &got);
     assert_string_equal(got.practice.section, "queen/second");
     assert_int_equal(got.practice.lives, 11);
@@ -547,12 +548,6 @@ TEST(menu)
     begin_menu(&got, 1);
     held(0);
     assert_int_equal(TAP((uint16_t)PAD_BOMB), BACK);
-    begin_menu(&got, 1);
-    screens_choose(&screens, 0);
-    held(0);
-    assert_int_equal(TAP(fire), STARTS);
-    practice_chosen(&menu, &got);
-    assert_memory_equal(&got.practice, &start.practice, sizeof got.practice);
 }
 
 /* A sprite knows the palette of its sheet, so a portrait has the right colours on a screen. */
@@ -575,13 +570,13 @@ TEST(menu_ship)
     struct board_start start = start_at(""), got;
 
     open_menu(&start);
-    screens_choose(&screens, 1);
+    screens_choose(&screens, 2);
     held(0);
     assert_int_equal(TAP((uint16_t)PAD_RIGHT), STAYS);
-    assert_string_equal(screen_place_row(&screens.place[0], 1).value, "Other");
-    assert_string_equal(screen_place_row(&screens.place[0], 3).label, "Fuel");
-    screens_choose(&screens, 8);
-    assert_string_equal(screen_place_row(&screens.place[0], 8).label, "Stage One");
+    assert_string_equal(screen_place_row(&screens.place[0], 1).value, "Stage One");
+    assert_string_equal(screen_place_row(&screens.place[0], 2).value, "Other");
+    assert_string_equal(screen_place_row(&screens.place[0], 5).label, "Fuel");
+    screens_choose(&screens, 0);
     assert_int_equal(TAP((uint16_t)PAD_FIRE), STARTS);
     practice_chosen(&menu, &got);
     assert_string_equal(got.practice.section, "one@other");
@@ -600,21 +595,28 @@ TEST(locks)
 
     open_menu(&start);
     menu.locks = true;
-    row = screen_place_row(&screens.place[0], 9); /* the first section */
-    assert_string_equal(row.label, "Stage One");
+    row = screen_place_row(&screens.place[0], 0); /* Start */
     assert_true(row.disabled);
     assert_string_equal(row.help, "Not reached yet. Reach it in a game to practise it.");
-    assert_string_equal(screen_place_row(&screens.place[0], 18).label, "? ? ?");
-    screens_choose(&screens, 9);
-    held(0);
     assert_int_equal(TAP((uint16_t)PAD_FIRE), STAYS);
+    assert_int_equal(TAP((uint16_t)PAD_DOWN, (uint16_t)PAD_FIRE), STAYS); /* the list */
+    row = screen_place_row(&screens.place[1], 1);
+    assert_string_equal(row.label, "Stage One");
+    assert_true(row.disabled);
+    assert_string_equal(screen_place_row(&screens.place[1], 10).label, "? ? ?");
+    assert_int_equal(TAP((uint16_t)PAD_FIRE), STAYS);
+    assert_int_equal(screens.depth, 2);
     practice_reach(&menu, &stage);
     practice_reach(&menu, &phase);
-    assert_false(screen_place_row(&screens.place[0], 9).disabled);
-    assert_true(screen_place_row(&screens.place[0], 10).disabled);
-    assert_string_equal(screen_place_row(&screens.place[0], 18).label, "The Queen");
-    assert_string_equal(screen_place_row(&screens.place[0], 19).label, "  ? ? ?");
-    assert_string_equal(screen_place_row(&screens.place[0], 20).label, "  Sign of Rain");
+    row = screen_place_row(&screens.place[1], 1);
+    assert_false(row.disabled);
+    assert_string_equal(row.value, "0/0");
+    assert_string_equal(row.help, "Practise this section.");
+    assert_true(screen_place_row(&screens.place[1], 2).disabled);
+    assert_string_equal(screen_place_row(&screens.place[1], 10).label, "The Queen");
+    assert_string_equal(screen_place_row(&screens.place[1], 11).label, "  ? ? ?");
+    assert_string_equal(screen_place_row(&screens.place[1], 12).label, "  Sign of Rain");
+    assert_int_equal(TAP((uint16_t)PAD_FIRE), STAYS);
     assert_int_equal(TAP((uint16_t)PAD_FIRE), STARTS);
     records_free(&menu.records);
 }

@@ -156,14 +156,5 @@ void play_practice_poll(struct play *play)
         return;
     menu->start_chosen = false;
     practice_chosen(menu, &start);
-    const bool at_title = !start.practice.section[0];
-    if (at_title && play->replay.home) {
-        play_return_to_title(play);
-        return;
-    }
-    if (at_title && !play->options.seeded)
-        start.seed = play_clock_seed();
     power_again(play, start);
-    if (at_title)
-        play_offer_resume(play);
 }

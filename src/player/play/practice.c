@@ -1,6 +1,6 @@
 /*
- * practice.c - the practice menu (practice.h), one list of rows: the game's title, the settings, the sections. A choice
- * that the game doesn't offer has no row.
+ * practice.c - the practice menu (practice.h): a page with the section, the ship, the difficulty and the loadout, and
+ * the list of sections to choose from. A choice that the game doesn't offer has no row.
  */
 #include "practice.h"
 
@@ -12,31 +12,32 @@
 /* ---- rows ---- */
 
 enum row_kind {
-    ROW_TITLE,
+    ROW_START,
+    ROW_SECTION,
     ROW_SHIP,
     ROW_DIFFICULTY,
+    ROW_LOADOUT, /* a heading */
     ROW_LIVES,
     ROW_REGISTER,
     ROW_INVINCIBLE,
     ROW_HITBOX,
     ROW_SPEED,
-    ROW_BLANK,
-    ROW_SECTION,
-    MAX_SETTINGS = ROW_SECTION + MAX_SHIP_REGISTERS
+    ROW_KINDS,
+    MAX_ROWS = ROW_KINDS + MAX_SHIP_REGISTERS
 };
 
 struct row {
     enum row_kind kind;
-    int i; /* of a register or section */
+    int i; /* of a register */
 };
 
-/* Lists the rows above the sections. Returns their number. */
-static int list_settings(const struct practice_menu *m, struct row out[MAX_SETTINGS])
+/* Lists the rows; none in a game without sections. Returns their number. */
+static int list_rows(const struct practice_menu *m, struct row out[MAX_ROWS])
 {
     const struct sections *s = &m->sections;
     int n = 0;
 
-    for (int kind = ROW_TITLE; kind < (s->n ? ROW_SECTION : ROW_SHIP); kind++) {
+    for (int kind = ROW_START; kind < ROW_KINDS && s->n > 0; kind++) {
         if ((kind == ROW_SHIP && s->ships < 2) || (kind == ROW_DIFFICULTY && m->cart->manifest.n_difficulties < 2))
             continue;
         for (int i = 0; kind == ROW_REGISTER && i < s->registers; i++)
@@ -48,26 +49,15 @@ static int list_settings(const struct practice_menu *m, struct row out[MAX_SETTI
     return n;
 }
 
-static int rows(const struct practice_menu *m)
-{
-    struct row settings[MAX_SETTINGS];
-
-    return list_settings(m, settings) + m->sections.n;
-}
-
 static struct row row_at(const struct practice_menu *m, int at)
 {
-    struct row settings[MAX_SETTINGS];
-    const int n = list_settings(m, settings);
+    struct row rows[MAX_ROWS];
 
-    return at < n ? settings[at] : (struct row){ ROW_SECTION, at - n };
+    list_rows(m, rows);
+    return rows[at];
 }
 
-/* Returns whether a row can't be chosen: the blank line, and the bosses' headings. */
-static bool is_heading(const struct practice_menu *m, struct row r)
-{
-    return r.kind == ROW_BLANK || (r.kind == ROW_SECTION && m->sections.section[r.i].kind == SECTION_BOSS);
-}
+/* ---- sections ---- */
 
 /* A boss is locked until one of its phases was reached. */
 static bool is_locked(const struct practice_menu *m, int section)
@@ -84,18 +74,17 @@ static bool is_locked(const struct practice_menu *m, int section)
     return true;
 }
 
-/* Returns the row of a section, or if there is none with that id, that of the first open section, or the title's. */
-static int row_of(const struct practice_menu *m, const char *id)
+/* Returns the index of a section, or if there is none with that id, that of the first open one. */
+static int find_section(const struct practice_menu *m, const char *id)
 {
     int first = 0;
 
-    for (int at = rows(m) - 1; at > 0; at--) {
-        struct row r = row_at(m, at);
-        if (r.kind != ROW_SECTION || is_heading(m, r) || is_locked(m, r.i))
+    for (int i = m->sections.n - 1; i >= 0; i--) {
+        if (m->sections.section[i].kind == SECTION_BOSS || is_locked(m, i))
             continue;
-        if (strcmp(m->sections.section[r.i].id, id) == 0)
-            return at;
-        first = at;
+        if (strcmp(m->sections.section[i].id, id) == 0)
+            return i;
+        first = i;
     }
     return first;
 }
@@ -242,10 +231,8 @@ void practice_chosen(const struct practice_menu *m, struct board_start *out)
 {
     struct practice *p = &out->practice;
 
-    *out = m->section[0] ? m->start : m->home;
+    *out = m->start;
     memset(p, 0, sizeof *p);
-    if (!m->section[0])
-        return;
     out->difficulty = m->difficulty;
     section_id(m, m->section, p->section);
     p->lives = m->lives;
@@ -305,39 +292,7 @@ static void change(void *context, int at, int by)
     }
 }
 
-static void accept(void *context, int at)
-{
-    struct practice_menu *m = context;
-    const struct row r = row_at(m, at);
-
-    if (r.kind != ROW_SECTION)
-        m->section[0] = 0;
-    else
-        memcpy(m->section, m->sections.section[r.i].id, sizeof m->section);
-    m->start_chosen = true;
-    screens_close_all(m->screens);
-}
-
-/* ---- rows as they are shown ---- */
-
-static int count(void *context)
-{
-    return rows(context);
-}
-
-static const struct record *record_of(const struct practice_menu *m, const struct section *section)
-{
-    char id[64];
-
-    section_id(m, section->id, id);
-    return records_find(&m->records, id, m->cart->manifest.difficulties[m->difficulty]);
-}
-
-/* Grey: never tried; yellow: never captured. */
-static enum canvas_colour colour_of(const struct record *r)
-{
-    return !r || !r->attempts ? CANVAS_GREY : r->captures ? CANVAS_GREEN : CANVAS_YELLOW;
-}
+/* ---- the list of sections ---- */
 
 /* Titles of locked sections are hidden, except those of stages. */
 static const char *section_title(const struct practice_menu *m, int i)
@@ -347,106 +302,91 @@ static const char *section_title(const struct practice_menu *m, int i)
     return s->kind != SECTION_STAGE && is_locked(m, i) ? "? ? ?" : s->title;
 }
 
-static void describe_section(const struct practice_menu *m, int i, struct screen_row *row)
+static const struct record *record_of(const struct practice_menu *m, int i)
 {
-    const struct section *section = &m->sections.section[i];
-    const struct record *r = record_of(m, section);
-    const bool stage = section->kind == SECTION_STAGE, boss = section->kind == SECTION_BOSS;
     char id[64];
 
-    snprintf(row->label, sizeof row->label, "%s%s", stage || boss ? "" : "  ", section_title(m, i));
-    if (boss)
-        return;
-    row->colour = stage ? CANVAS_CYAN : CANVAS_WHITE;
-    row->value_colour = colour_of(r);
-    row->disabled = is_locked(m, i) || !section_id(m, section->id, id);
-    if (row->disabled)
-        row->colour = CANVAS_GREY;
-    else
-        snprintf(row->value, sizeof row->value, "%d/%d", r ? (int)r->captures : 0, r ? (int)r->attempts : 0);
-    if (is_locked(m, i))
-        snprintf(row->help, sizeof row->help, "Not reached yet. Reach it in a game to practise it.");
-    else if (row->disabled)
-        snprintf(row->help, sizeof row->help, "This ship's name is too long for practice here.");
-    else if (m->records.damaged)
-        snprintf(row->help, sizeof row->help, "Attempts are not counted: the practice file is damaged.");
-    else if (r && r->attempts)
-        snprintf(row->help, sizeof row->help, "Cleared in %d of %d attempts.", (int)r->captures, (int)r->attempts);
-    else
-        snprintf(row->help, sizeof row->help, "No attempts yet.");
+    section_id(m, m->sections.section[i].id, id);
+    return records_find(&m->records, id, m->cart->manifest.difficulties[m->difficulty]);
 }
 
-static const char *difficulty_title(const struct practice_menu *m)
+/* Writes the captures and attempts of a section. */
+static void describe_record(const struct practice_menu *m, int i, char *out, size_t size)
 {
-    return sections_title(&m->sections, MARKER_DIFFICULTY, m->cart->manifest.difficulties[m->difficulty]);
+    const struct record *r = record_of(m, i);
+
+    if (r && r->attempts)
+        snprintf(out, size, "Captured %d of %d attempts.", (int)r->captures, (int)r->attempts);
+    else
+        snprintf(out, size, "No attempts yet.");
 }
 
-static void describe_setting(const struct practice_menu *m, struct row r, struct screen_row *row)
+/* Writes why a section can't be started or isn't counted; "": nothing is wrong. Returns whether it can be started. */
+static bool can_start(const struct practice_menu *m, int i, char *why, size_t size)
 {
-    static const char *const names[] = {
-        [ROW_SHIP] = "Ship",
-        [ROW_DIFFICULTY] = "Difficulty",
-        [ROW_LIVES] = "Lives",
-        [ROW_INVINCIBLE] = "Invincible",
-        [ROW_HITBOX] = "Show Hitboxes",
-        [ROW_SPEED] = "Speed",
-    };
-    const int lives = m->sections.ships ? (int)m->sections.ship[m->ship].lives : 0;
+    char id[64];
+    const bool locked = is_locked(m, i), fits = section_id(m, m->sections.section[i].id, id);
 
-    snprintf(row->label, sizeof row->label, "%s", r.kind == ROW_REGISTER ? m->sections.reg[r.i].title : names[r.kind]);
-    row->changes = true;
-    switch (r.kind) {
-    case ROW_SHIP:
-        snprintf(row->value, sizeof row->value, "%s", m->sections.ship[m->ship].title);
-        break;
-    case ROW_DIFFICULTY:
-        snprintf(row->value, sizeof row->value, "%s", difficulty_title(m));
-        break;
-    case ROW_LIVES:
-        snprintf(row->value, sizeof row->value, m->lives ? "%d" : "Default: %d", m->lives ? m->lives : lives);
-        break;
-    case ROW_REGISTER:
-        snprintf(row->value, sizeof row->value, "%d", (int)m->value[r.i]);
-        break;
-    case ROW_INVINCIBLE:
-        snprintf(row->value, sizeof row->value, "%s", m->invincible ? "On" : "Off");
-        break;
-    case ROW_HITBOX:
-        snprintf(row->value, sizeof row->value, "%s", m->hitbox ? "On" : "Off");
-        break;
-    default:
-        snprintf(row->value, sizeof row->value, "%d%%", m->speed);
-    }
+    snprintf(why, size, "%s",
+             locked               ? "Not reached yet. Reach it in a game to practise it."
+             : !fits              ? "This ship's name is too long for practice here."
+             : m->records.damaged ? "Attempts are not counted: the practice file is damaged."
+                                  : "");
+    return !locked && fits;
 }
 
-static void describe(void *context, int at, struct screen_row *row)
+/* The first row is the heading of the columns. */
+static int section_rows(void *context)
+{
+    return 1 + ((const struct practice_menu *)context)->sections.n;
+}
+
+static void describe_section(void *context, int at, struct screen_row *row)
 {
     const struct practice_menu *m = context;
-    const struct row r = row_at(m, at);
+    const int i = at - 1;
 
-    row->heading = is_heading(m, r);
-    if (r.kind == ROW_SECTION)
-        describe_section(m, r.i, row);
-    else if (r.kind == ROW_TITLE)
-        snprintf(row->label, sizeof row->label, "Start from Title");
-    else if (r.kind != ROW_BLANK)
-        describe_setting(m, r, row);
+    row->heading = i < 0 || m->sections.section[i].kind == SECTION_BOSS;
+    if (i < 0) {
+        snprintf(row->value, sizeof row->value, "Won/Tried");
+        row->value_colour = CANVAS_GREY;
+        return;
+    }
+    const bool stage = m->sections.section[i].kind == SECTION_STAGE;
+    snprintf(row->label, sizeof row->label, "%s%s", stage || row->heading ? "" : "  ", section_title(m, i));
+    if (row->heading)
+        return;
+    const struct record *r = record_of(m, i);
+    const int captures = r ? (int)r->captures : 0, attempts = r ? (int)r->attempts : 0;
+    row->colour = stage ? CANVAS_CYAN : CANVAS_WHITE;
+    row->disabled = !can_start(m, i, row->help, sizeof row->help);
+    if (row->disabled)
+        return;
+    row->value_colour = attempts ? CANVAS_WHITE : CANVAS_GREY;
+    snprintf(row->value, sizeof row->value, "%d/%d", captures, attempts);
+    if (!row->help[0])
+        snprintf(row->help, sizeof row->help, "Practise this section.");
 }
 
-static const char *text(void *context)
+static void choose_section(void *context, int at)
 {
-    return ((const struct practice_menu *)context)->sections.why;
+    struct practice_menu *m = context;
+
+    m->chosen = at - 1;
+    screens_close(m->screens);
+    screens_choose(m->screens, ROW_START);
 }
 
 /* ---- the picture: the boss of the chosen section, or the ship ---- */
 
-enum { PICTURE_HEIGHT = 104, MIN_ROWS_HEIGHT = 96 /* px, below the picture */ };
+enum { PICTURE_HEIGHT = 56, MIN_ROWS_HEIGHT = 60 /* px, below the picture */ };
 
 static int height(void *context, int w, int h)
 {
-    (void)context;
+    const struct practice_menu *m = context;
+
     (void)w;
-    return h - PICTURE_HEIGHT >= MIN_ROWS_HEIGHT ? PICTURE_HEIGHT : 0;
+    return h - PICTURE_HEIGHT >= MIN_ROWS_HEIGHT && m->sections.n > 0 && m->sections.ships > 0 ? PICTURE_HEIGHT : 0;
 }
 
 /* Returns the boss of a section, which a mark can be named after; NULL: none, or it is locked. */
@@ -463,38 +403,153 @@ static const struct section *boss_of(const struct practice_menu *m, int section)
     return is_locked(m, section) ? NULL : found;
 }
 
-/* Writes the title of a section below that of its stage or boss. */
+/* Writes the title of a section below that of its stage or boss, and its record. */
 static void describe_place(const struct practice_menu *m, int i, char *out, size_t size)
 {
+    char record[64], words[64];
     int parent = i;
 
     while (parent > 0 && m->sections.section[parent].kind != SECTION_STAGE &&
            m->sections.section[parent].kind != SECTION_BOSS)
         parent--;
-    snprintf(out, size, "%s%s%s", section_title(m, parent), parent == i ? "" : "\n",
-             parent == i ? "" : section_title(m, i));
+    describe_record(m, i, record, sizeof record);
+    screen_translate(&m->screens->words, record, words, sizeof words);
+    snprintf(out, size, "%s%s%s\n%s", section_title(m, parent), parent == i ? "" : "\n",
+             parent == i ? "" : section_title(m, i), words);
+}
+
+static void draw_section(const struct practice_menu *m, int i, const struct canvas *canvas, struct screen_area to)
+{
+    const struct section *boss = boss_of(m, i);
+    const struct screen_area inside = { to.x + 5, to.y, to.w / 2 - 5, to.h - 8 };
+    struct screen_picture picture;
+    char words[256];
+    int w = 0;
+
+    describe_place(m, i, words, sizeof words);
+    if (screen_picture_of_sprite(&picture, m->cart, boss ? boss->portrait : m->sections.ship[m->ship].sprite))
+        w = screen_picture_draw(&picture, canvas, inside);
+    const int x = inside.x + w + 8, text_w = screen_balanced_width(canvas, words, to.x + to.w - 5 - x);
+    const int h = canvas_large_text_lines(canvas, words, text_w) * canvas_line_height(canvas);
+    canvas_large_text_wrapped(canvas, x, to.y + int_max(0, inside.h - h) / 2 + canvas->ascent, text_w, CANVAS_WHITE,
+                              words);
+}
+
+static void draw_listed(void *context, int at, const struct canvas *canvas, struct screen_area to)
+{
+    draw_section(context, int_max(at - 1, 0), canvas, to);
+}
+
+static const struct screen_def sections_screen = { .title = "Sections",
+                                                   .rows = section_rows,
+                                                   .row = describe_section,
+                                                   .accept = choose_section,
+                                                   .height = height,
+                                                   .draw = draw_listed };
+
+/* ---- the page ---- */
+
+static int count(void *context)
+{
+    struct row rows[MAX_ROWS];
+
+    return list_rows(context, rows);
+}
+
+static const char *difficulty_title(const struct practice_menu *m)
+{
+    return sections_title(&m->sections, MARKER_DIFFICULTY, m->cart->manifest.difficulties[m->difficulty]);
+}
+
+static void describe_value(const struct practice_menu *m, struct row r, char *out, size_t size)
+{
+    const int lives = m->sections.ships ? (int)m->sections.ship[m->ship].lives : 0;
+
+    switch (r.kind) {
+    case ROW_SECTION:
+        snprintf(out, size, "%s", section_title(m, m->chosen));
+        break;
+    case ROW_SHIP:
+        snprintf(out, size, "%s", m->sections.ship[m->ship].title);
+        break;
+    case ROW_DIFFICULTY:
+        snprintf(out, size, "%s", difficulty_title(m));
+        break;
+    case ROW_LIVES:
+        snprintf(out, size, m->lives ? "%d" : "Default: %d", m->lives ? m->lives : lives);
+        break;
+    case ROW_REGISTER:
+        snprintf(out, size, "%d", (int)m->value[r.i]);
+        break;
+    case ROW_INVINCIBLE:
+        snprintf(out, size, "%s", m->invincible ? "On" : "Off");
+        break;
+    case ROW_HITBOX:
+        snprintf(out, size, "%s", m->hitbox ? "On" : "Off");
+        break;
+    case ROW_SPEED:
+        snprintf(out, size, "%d%%", m->speed);
+        break;
+    default:
+        break;
+    }
+}
+
+static void describe(void *context, int at, struct screen_row *row)
+{
+    static const struct {
+        const char *label, *help;
+    } rows[ROW_KINDS] = {
+        [ROW_START] = { "Start", "Practise the section with this ship and loadout." },
+        [ROW_SECTION] = { "Section", "Choose a stage, a part of it, or an attack of a boss." },
+        [ROW_SHIP] = { "Ship", "The ship to fly." },
+        [ROW_DIFFICULTY] = { "Difficulty", "Attempts are counted for each difficulty." },
+        [ROW_LOADOUT] = { "Loadout", "" },
+        [ROW_LIVES] = { "Lives", "The number of lives at the start." },
+        [ROW_REGISTER] = { "", "The value at the start." },
+        [ROW_INVINCIBLE] = { "Invincible", "Hits do no harm, and attempts are not counted." },
+        [ROW_HITBOX] = { "Show Hitbox", "Show the hitboxes of everything." },
+        [ROW_SPEED] = { "Game Speed", "Slow the game down." },
+    };
+    const struct practice_menu *m = context;
+    const struct row r = row_at(m, at);
+    const enum row_kind kind = r.kind;
+
+    snprintf(row->label, sizeof row->label, "%s", kind == ROW_REGISTER ? m->sections.reg[r.i].title : rows[kind].label);
+    row->heading = kind == ROW_LOADOUT;
+    row->action = kind == ROW_START ? "Start" : NULL;
+    row->changes = kind == ROW_SHIP || kind == ROW_DIFFICULTY || kind > ROW_LOADOUT;
+    row->disabled = kind == ROW_START && !can_start(m, m->chosen, row->help, sizeof row->help);
+    if (!row->help[0])
+        snprintf(row->help, sizeof row->help, "%s", rows[kind].help);
+    describe_value(m, r, row->value, sizeof row->value);
+}
+
+static void accept(void *context, int at)
+{
+    struct practice_menu *m = context;
+
+    if (row_at(m, at).kind == ROW_SECTION) {
+        screens_open(m->screens, &sections_screen, m);
+        screens_choose(m->screens, m->chosen + 1);
+        return;
+    }
+    memcpy(m->section, m->sections.section[m->chosen].id, sizeof m->section);
+    m->start_chosen = true;
+    screens_close_all(m->screens);
+}
+
+static const char *text(void *context)
+{
+    return ((const struct practice_menu *)context)->sections.why;
 }
 
 static void draw(void *context, int at, const struct canvas *canvas, struct screen_area to)
 {
     const struct practice_menu *m = context;
-    const struct row r = row_at(m, at);
-    const struct section *boss = r.kind == ROW_SECTION ? boss_of(m, r.i) : NULL;
-    struct screen_area inside = { to.x + 5, to.y + 4, to.w / 2 - 5, to.h - 8 };
-    struct screen_picture picture;
-    char words[160];
-    int w = 0;
 
-    if (m->sections.ships == 0)
-        return;
-    snprintf(words, sizeof words, "%s\n%s", m->sections.ship[m->ship].title, difficulty_title(m));
-    if (r.kind == ROW_SECTION)
-        describe_place(m, r.i, words, sizeof words);
-    if (screen_picture_of_sprite(&picture, m->cart, boss ? boss->portrait : m->sections.ship[m->ship].sprite))
-        w = screen_picture_draw(&picture, canvas, inside);
-    const int x = inside.x + w + 8;
-    canvas_large_text_wrapped(canvas, x, to.y + to.h / 2 - canvas_line_height(canvas), to.x + to.w - 5 - x,
-                              CANVAS_WHITE, words);
+    (void)at;
+    draw_section(m, m->chosen, canvas, to);
 }
 
 const struct screen_def practice_screen = { .title = "Practice",
@@ -513,6 +568,6 @@ void practice_open(struct practice_menu *m, struct screens *screens, int speed)
     m->screens = screens;
     m->start_chosen = false;
     m->speed = speed;
+    m->chosen = find_section(m, m->section);
     screens_open(screens, &practice_screen, m);
-    screens_choose(screens, row_of(m, m->section));
 }

@@ -1,6 +1,6 @@
 /*
- * practice.h - the practice menu, a screen: ship, difficulty and other settings, and all sections of the game with
- * their attempts and captures.
+ * practice.h - the practice menu: a screen with the section to practise, the ship, the difficulty and the loadout, and
+ * a list of all sections of the game with their attempts and captures.
  *
  * A section can be locked until it was reached in a game (sections_need_reaching).
  *
@@ -35,7 +35,8 @@ struct practice_menu {
     int ship, difficulty, lives, speed; /* ship: in sections; lives 0: the ship's own; speed: percent */
     int32_t value[MAX_SHIP_REGISTERS];  /* of sections.reg */
     bool invincible, hitbox;            /* hitbox: show hit shapes */
-    char section[64];                   /* of the section last started, without its ship; "": none, or the title */
+    int chosen;                         /* the section to start, in sections */
+    char section[64];                   /* the id of the section last started, without its ship; "": none */
 };
 
 /* Loads the records of the game. start: that of the present run; is_folder: the game is played from its folder. The
@@ -66,8 +67,7 @@ extern const struct screen_def practice_screen;
  * menu closes all screens when something is chosen. */
 void practice_open(struct practice_menu *m, struct screens *screens, int speed);
 
-/* The chosen start: the present run's with another difficulty and practice settings, or that of the game at its title,
- * which has no practice.section. The caller sets its nvram. */
+/* The chosen start: the present run's with another difficulty and practice settings. The caller sets its nvram. */
 void practice_chosen(const struct practice_menu *m, struct board_start *out);
 
 /* Saves the records and frees everything. Harmless on a zeroed menu. */
