@@ -6,7 +6,7 @@ sandbox
 
 "$curtain" help lang >list
 same 'tools/strings.py --write has been run' '' "$(diff <("$repo/tools/strings.py" | sed 's/$/ =/') list)"
-for text in 'Fill the screen.' VSync '%s: removed %s' 'Quit and lose this run?' 'Player %d' '%d frame'; do
+for text in 'Fill the whole screen.' VSync '%s: removed %s' 'Quit and lose this run?' 'Player %d' '%d frame'; do
     check "the list has $text" grep -qxF "$text =" list
 done
 mkdir -p g/lang

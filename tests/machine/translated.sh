@@ -57,7 +57,8 @@ import re, sys
 rows = [line.rstrip("\n") for line in open("seen", encoding="utf-8")]
 found = {row[1:] for row in rows if row[0] == "+"}
 explained = lambda s: s in found or re.sub(r"\d+", "%d", s) in found or s.strip() in found
-is_key = re.compile("[^A-Z]*|[LR][0-9]|D-pad .*|Start|Select|Guide").fullmatch
+is_key = re.compile("[^A-Z]*|.|Num .*|(Ctrl|Alt)\\+.*|F[0-9]+|[LR][0-9]|D-pad .*|Start|Select|Guide|Up|Down|Left|Right|"
+                    "Enter|Escape|Backspace|Home|Pause|Shift|Tab").fullmatch
 for text in sorted({row[1:] for row in rows if row[0] == "-"}):
     for line in text.split("\r"):
         # text without small letters is a key's or the HUD's; ~ is a translation; %d is the second try
@@ -69,11 +70,12 @@ PY
 own="Pixel|Plain|2027.*|All Stages Clear|Congratulations!|Player 1 .*|Stage [Oo]ne.*|One|Graze|Power"
 own+="|Easy|Normal|Hard| *(Late|Weak)|Restart to apply this.*"
 same 'every text has a translation' '' "$(python3 untranslated.py | grep -vxE "$own" | sort -u)"
-for text in 'Fill the screen.' 'Off' 'Play time: %d:%d' 'Reset all key bindings?' 'No attempts yet.' 'Watch' \
-    '%s: removed %s' 'Press a button to identify a controller.' 'Quit? You can resume this run next time.' Confirm \
-    'This game has no sound'; do
+for text in 'Fill the whole screen.' Off 'Play time: %d:%d' 'Reset all key bindings?' 'Practise this section.' \
+    Watch '%s: removed %s' 'Press a button to identify a controller.' 'Quit? You can resume this run next time.' \
+    Confirm Paused 'Quit Game' 'Won/Tried' 'This game has no sound'; do
     check "... among them $text" grep -qxF -- "+$text" seen
 done
+check 'keys are shown as they are printed' grep -qxF -- '-Enter, 1' seen
 same 'nothing is printed' '' "$(cat err)"
 
 # The row Language, the last one: en.txt has only a name, and is therefore the language of the scripts.

@@ -58,6 +58,7 @@ static void describe(void *context, int at, struct screen_row *row)
     struct play *play = context;
     const struct controllers *controllers = &play->pads.controllers;
     const int i = controller_at(play, at), player = i < 0 ? -1 : controllers_find_player(controllers, i);
+    char *suffix;
     size_t n = 0;
 
     if (i < 0) {
@@ -66,8 +67,10 @@ static void describe(void *context, int at, struct screen_row *row)
         return;
     }
     snprintf(row->label, sizeof row->label, "%d %s", i + 1, play_controller_name(&controllers->info[i]));
+    if ((suffix = strstr(row->label, " Controller")) != NULL)
+        *suffix = '\0'; /* the heading says it */
     if (player < 0)
-        snprintf(row->value, sizeof row->value, "Unassigned");
+        snprintf(row->value, sizeof row->value, "None");
     else
         snprintf(row->value, sizeof row->value, "Player %d", player + 1);
     snprintf(row->help, sizeof row->help, "Press a button to identify a controller.");

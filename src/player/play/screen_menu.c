@@ -75,7 +75,7 @@ void play_quit(struct play *play)
     end_run(play,
             play->autosave.on && play->autosave.resumable ? "Quit? You can resume this run next time."
                                                           : "Quit and lose this run?",
-            "Quit", quit_now);
+            "Quit Game", quit_now);
 }
 
 /* ---- restarting ---- */
@@ -118,21 +118,18 @@ static const struct {
     bool closes; /* the menu, before the action */
     void (*action)(struct play *play);
 } entries[ENTRIES] = {
-    [RESUME] = { "Resume", "", true, NULL },
-    [TAKE_OVER] = { "Play from Here", "Take over: practise from this frame, or record a new demo.", true,
-                    play_take_over },
+    [RESUME] = { "Resume", "Continue from here.", true, NULL },
+    [TAKE_OVER] = { "Play from Here", "Play on from this frame.", true, play_take_over },
     [QUIT_REPLAY] = { "Quit Replay", "End the replay and return to the title.", true, play_return_to_title },
-    [GAME] = { "", "", true, NULL },
-    [RESTART_STAGE] = { "Restart Stage",
-                        "Go back to the start of this stage. The run then no longer counts for scores.", true,
-                        restart_stage },
-    [RESTART] = { "Restart", "Start the game again, with the same choices.", true, restart },
-    [SETTINGS] = { "Settings", "Picture, sound, gameplay, keys and controllers.", false, play_open_settings },
-    [PRACTICE] = { "Practice", "Practise any stage, mark or boss phase.", true, play_open_practice },
-    [REPLAYS] = { "Replays", "Watch or save recent runs, or practise from any frame.", false, play_open_replays },
+    [GAME] = { "", "An action of this game.", true, NULL },
+    [RESTART_STAGE] = { "Restart Stage", "The run then no longer counts for scores.", true, restart_stage },
+    [RESTART] = { "Restart", "Start again with the same choices.", true, restart },
+    [SETTINGS] = { "Settings", "Picture, sound, keys and more.", false, play_open_settings },
+    [PRACTICE] = { "Practice", "Practise any part of the game.", true, play_open_practice },
+    [REPLAYS] = { "Replays", "Watch your recent runs.", false, play_open_replays },
     [LOG] = { "Log", "Script output and errors.", false, play_open_log },
     [TITLE] = { "Quit to Title", "End this run and return to the title.", false, quit_to_title },
-    [QUIT] = { "Quit", "", false, play_quit },
+    [QUIT] = { "Quit Game", "Close the game.", false, play_quit },
 };
 
 /* Returns the number of rows that an entry has now. */
@@ -184,23 +181,30 @@ static int rows(void *context)
     return n;
 }
 
-static const char *label_of(const struct play *play, enum entry e, int i)
+/* Returns whether the first entry leads back to the title, not to a run. */
+static bool is_at_title(const struct play *play)
 {
-    if (e == GAME)
-        return inspect_pause(play_board(play)).entries[i];
-    if (e == RESTART && is_practice(play))
-        return "Restart Section";
-    return e == RESUME && !play->session.demo && !play_has_run(play) ? "Back" : entries[e].label;
+    return !play->session.demo && !play_has_run(play);
 }
 
 static void row(void *context, int at, struct screen_row *row)
 {
+    const struct play *play = context;
     int i;
-    const enum entry e = entry_at(context, at, &i);
+    const enum entry e = entry_at(play, at, &i);
+    const char *label = entries[e].label, *help = entries[e].help;
 
-    snprintf(row->label, sizeof row->label, "%s", label_of(context, e, i));
-    snprintf(row->help, sizeof row->help, "%s",
-             e == RESTART && is_practice(context) ? "Start this section again." : entries[e].help);
+    if (e == RESUME && is_at_title(play)) {
+        label = "Back";
+        help = "Return to the title.";
+    } else if (e == RESTART && is_practice(play)) {
+        label = "Restart Section";
+        help = "Start this section again.";
+    } else if (e == GAME) {
+        label = inspect_pause(play_board(play)).entries[i];
+    }
+    snprintf(row->label, sizeof row->label, "%s", label);
+    snprintf(row->help, sizeof row->help, "%s", help);
 }
 
 static void accept(void *context, int at)
@@ -217,12 +221,17 @@ static void accept(void *context, int at)
         entries[e].action(play);
 }
 
-static const struct screen_def menu = { .title = "Menu", .small = true, .rows = rows, .row = row, .accept = accept };
+#define MENU(title_)                                                                                                   \
+    {                                                                                                                  \
+        .title = (title_), .small = true, .rows = rows, .row = row, .accept = accept                                   \
+    }
+static const struct screen_def pause_menu = MENU("Paused"), title_menu = MENU("Menu");
+#undef MENU
 
 void play_open_menu(struct play *play)
 {
     attract_end(&play->attract);
-    screens_open(&play->screens, &menu, play);
+    screens_open(&play->screens, is_at_title(play) ? &title_menu : &pause_menu, play);
 }
 
 bool play_has_run(const struct play *play)

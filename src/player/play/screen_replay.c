@@ -183,12 +183,12 @@ static void action_row(void *context, int at, struct screen_row *row)
     const struct {
         const char *label, *help;
     } texts[ACTIONS] = {
-        [WATCH] = { "Watch", "Watch from the start. T: take over and practise." },
+        [WATCH] = { "Watch", "Pause while watching to play on." },
         [NAME] = { c->name[0] ? "Rename" : "Name", "Named replays stay until you delete them." },
         [FAVOURITE] = { c->is_favourite ? "Remove from Favourites" : "Add to Favourites",
                         "Favourites stay until you delete them." },
-        [EXPORT] = { "Export", "Copies the replay to a file." },
-        [DELETE] = { "Delete", "" },
+        [EXPORT] = { "Export", "Copy the replay to a file." },
+        [DELETE] = { "Delete", "Remove the replay for good." },
     };
 
     snprintf(row->label, sizeof row->label, "%s", texts[at].label);
@@ -197,8 +197,7 @@ static void action_row(void *context, int at, struct screen_row *row)
         return;
     row->disabled = play->replay_list.version == REPLAY_LOST;
     snprintf(row->help, sizeof row->help, "%s",
-             row->disabled ? "It needs an older version of the game, which is not stored."
-                           : "Plays on the older version of the game. T: take over and practise.");
+             row->disabled ? "Its version of the game is not stored." : "Watch in the older version of the game.");
 }
 
 static const char *action_text(void *context)

@@ -22,8 +22,7 @@ static void row(void *context, int at, struct screen_row *row)
 
     snprintf(row->label, sizeof row->label, "%s", at == RESUME ? "Resume" : "New Game");
     snprintf(row->help, sizeof row->help, "%s",
-             at == RESUME ? "Replays the run to where you left off, then pauses."
-                          : "Saves the unfinished run as a replay.");
+             at == RESUME ? "Continue where you left off." : "The unfinished run stays as a replay.");
     row->disabled = at == RESUME && !play->resume_offer.possible;
 }
 
@@ -71,7 +70,7 @@ static void describe(struct play *play, const struct replay_meta *c)
     o->possible = c->core == CORE_VERSION && (same || roms_has(c->id, c->rom));
     snprintf(o->text, sizeof o->text, "Play time: %u:%02u", seconds / 60, seconds % 60);
     if (c->ship[0])
-        add_line(play, "Ship: %s", c->ship);
+        add_line(play, "Ship: %s", sections_title(practice_sections(&play->practice), MARKER_SHIP, c->ship));
     if (c->flags & DEMO_RESUMED)
         add_line(play, "%s", "Resumed before.");
     if (c->core != CORE_VERSION)

@@ -145,11 +145,10 @@ static const struct {
     const struct screen_def *page; /* of settings; otherwise: */
     void (*open)(struct play *play);
 } entries[] = {
-    { "Display", "The window, scaling, and the picture's look.", &display_page, NULL },
-    { "Sound", "Volume of music and sound effects.", &sound_page, NULL },
-    { "Accessibility", "Backgrounds, flashes, colours, game speed, autofire, and play with one hand.",
-      &accessibility_page, NULL },
-    { "Gameplay", "Pausing, replays, and unfinished runs.", &gameplay_page, NULL },
+    { "Display", "How the picture and its window look.", &display_page, NULL },
+    { "Sound", "How loud music and sound effects are.", &sound_page, NULL },
+    { "Accessibility", "Make the game easier to see and to play.", &accessibility_page, NULL },
+    { "Gameplay", "Pausing, replays and unfinished runs.", &gameplay_page, NULL },
     { "Key Bindings", "Change what each key and button does.", NULL, play_open_keys },
     { "Controllers", "Choose which player uses each controller, and test its buttons.", NULL, play_open_controllers },
 };

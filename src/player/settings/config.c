@@ -21,12 +21,12 @@ static const char *const places[] = { "over", "beside", NULL };
 
 /* The same values on the settings screen. */
 static const char *const off_on[] = { "Off", "On" };
-static const char *const away_labels[] = { "Keep Playing", "Pause" };
+static const char *const away_labels[] = { "Run", "Pause" };
 static const char *const focus_labels[] = { "Hold", "Toggle" };
 static const char *const hand_labels[] = { "Off", "Left", "Right" };
 static const char *const turn_labels[] = { "Off", "Left", "Right", "Upside Down" };
 static const char *const scaling_labels[] = { "Integer", "Smooth" };
-static const char *const place_labels[] = { "Over Picture", "Beside Picture" };
+static const char *const place_labels[] = { "Over Picture", "At the Side" };
 static const char *const dim_labels[] = { "Off", "25%", "50%", "75%" };
 static const char *const flash_labels[] = { "Full", "Soft" };
 static const char *const colour_labels[] = { "Off", "Protan", "Deutan", "Tritan" };
@@ -34,36 +34,36 @@ static const char *const colour_labels[] = { "Off", "Protan", "Deutan", "Tritan"
 #define AT(field) offsetof(struct config, field)
 static const struct config_setting settings[] = {
     { "scale", "Window Size", "Display", AT(scale), 0, 16, 0, NULL, NULL, 1,
-      "screen pixels per game pixel; 0 (Auto): fit the screen", "x", "Auto" },
-    { "fullscreen", "Fullscreen", "Display", AT(fullscreen), 0, 1, 0, no_yes, off_on, 1, "fill the screen", NULL,
+      "enlarge the picture this many times, or to fit the screen", "x", "Auto" },
+    { "fullscreen", "Fullscreen", "Display", AT(fullscreen), 0, 1, 0, no_yes, off_on, 1, "fill the whole screen", NULL,
       NULL },
     { "turn", "Rotate", "Display", AT(rotation), 0, 3, 0, turns, turn_labels, 1,
-      "rotate to match a rotated monitor; over: upside down", NULL, NULL },
+      "rotate the picture for a monitor that is turned", NULL, NULL },
     { "scaling", "Scaling", "Display", AT(scaling), 0, 1, 0, scalings, scaling_labels, 1,
-      "whole (Integer): sharp pixels; smooth: fill the window", NULL, NULL },
-    { "crt", "CRT Filter", "Display", AT(crt), 0, 1, 0, no_yes, off_on, 1, "scanlines and shadow mask of a CRT", NULL,
-      NULL },
-    { "border", "Border", "Display", AT(border), 0, 1, 1, no_yes, off_on, 1,
-      "art around the picture, if the game has any", NULL, NULL },
+      "keep all pixels equally sharp, or fill the whole window", NULL, NULL },
+    { "crt", "CRT Filter", "Display", AT(crt), 0, 1, 0, no_yes, off_on, 1,
+      "add the scanlines and the shadow mask of a CRT", NULL, NULL },
+    { "border", "Border", "Display", AT(border), 0, 1, 1, no_yes, off_on, 1, "show the game's art around the picture",
+      NULL, NULL },
     { "panels", "Panels", "Display", AT(panels), 0, 1, 0, places, place_labels, 1,
       "where a wide window shows messages and panels", NULL, NULL },
-    { "vsync", "VSync", "Display", AT(vsync), 0, 1, 1, no_yes, off_on, 1, "show frames in step with the display", NULL,
-      NULL },
+    { "vsync", "VSync", "Display", AT(vsync), 0, 1, 1, no_yes, off_on, 1, "show each frame in step with the display",
+      NULL, NULL },
     { "run_ahead", "Run-Ahead", "Display", AT(run_ahead), 0, 1, 0, NULL, NULL, 1,
-      "show the next frame early: one frame less input latency", " frame", "Off" },
-    { "volume", "Volume", "Sound", AT(volume), 0, 100, 100, NULL, NULL, 10, "overall volume, in percent", "%", NULL },
-    { "music", "Music", "Sound", AT(music), 0, 100, 100, NULL, NULL, 10, "music volume, in percent", "%", NULL },
+      "show the next frame early, for less input latency", " frame", "Off" },
+    { "volume", "Volume", "Sound", AT(volume), 0, 100, 100, NULL, NULL, 10, "overall volume in percent", "%", NULL },
+    { "music", "Music", "Sound", AT(music), 0, 100, 100, NULL, NULL, 10, "volume of the music in percent", "%", NULL },
     { "sounds", "Sound Effects", "Sound", AT(sounds), 0, 100, 100, NULL, NULL, 10,
-      "volume of everything except music, in percent", "%", NULL },
+      "volume of everything but the music in percent", "%", NULL },
     { "mute", "Mute", "Sound", AT(mute), 0, 1, 0, no_yes, off_on, 1, "turn all sound off", NULL, NULL },
     { "resample", "Resample", "Sound", AT(resample), 0, 1, 1, no_yes, off_on, 1,
-      "yes: resample to the game's clock; no: bit-exact sound", NULL, NULL },
-    { "dim", "Dim Backgrounds", "Accessibility", AT(dim), 0, 3, 0, views_dim, dim_labels, 1,
-      "darken backgrounds by a quarter to three quarters", NULL, NULL },
+      "keep the sound in step with the game, or bit-exact", NULL, NULL },
+    { "dim", "Dim Background", "Accessibility", AT(dim), 0, 3, 0, views_dim, dim_labels, 1,
+      "darken the background so that bullets stand out", NULL, NULL },
     { "flashes", "Flashes", "Accessibility", AT(flashes), 0, 1, 0, views_flashes, flash_labels, 1,
-      "soft: flashes at quarter strength", NULL, NULL },
-    { "colours", "Colour-Blind Mode", "Accessibility", AT(colours), 0, 3, 0, views_colours, colour_labels, 1,
-      "colours that are easier to tell apart", NULL, NULL },
+      "weaken flashes of the screen", NULL, NULL },
+    { "colours", "Colour-Blind", "Accessibility", AT(colours), 0, 3, 0, views_colours, colour_labels, 1,
+      "make colours easier to tell apart", NULL, NULL },
     { "hitbox", "Show Hitbox", "Accessibility", AT(hitbox), 0, 1, 0, no_yes, off_on, 1, "always show the ship's hitbox",
       NULL, NULL },
     { "large_hud", "Larger HUD", "Accessibility", AT(large_hud), 0, 1, 0, no_yes, off_on, 1,
@@ -71,27 +71,27 @@ static const struct config_setting settings[] = {
     { "speed", "Game Speed", "Accessibility", AT(speed), 25, 100, 100, NULL, NULL, 5,
       "slow the game down; the run is marked as assisted", "%", NULL },
     { "autofire", "Autofire", "Accessibility", AT(autofire[0]), 0, 1, 0, no_yes, off_on, 1,
-      "holding fire shoots 15 times a second", NULL, NULL },
+      "shoot 15 times a second while fire is held", NULL, NULL },
     { "focus", "Focus", "Accessibility", AT(focus[0]), 0, 1, 0, focus_words, focus_labels, 1,
-      "toggle: pressing the focus button turns focus on or off", NULL, NULL },
-    { "one_hand", "One-Handed", "Accessibility", AT(one_hand[0]), 0, 2, 0, hand_words, hand_labels, 1,
+      "hold the focus button, or press it to switch focus", NULL, NULL },
+    { "one_hand", "One Hand", "Accessibility", AT(one_hand[0]), 0, 2, 0, hand_words, hand_labels, 1,
       "use half of the keyboard or controller; fire is automatic", NULL, NULL },
     { "autofire2", "Autofire (P2)", "Accessibility", AT(autofire[1]), 0, 1, 0, no_yes, off_on, 1,
       "autofire for player 2", NULL, NULL },
     { "focus2", "Focus (P2)", "Accessibility", AT(focus[1]), 0, 1, 0, focus_words, focus_labels, 1,
       "focus mode for player 2", NULL, NULL },
-    { "one_hand2", "One-Handed (P2)", "Accessibility", AT(one_hand[1]), 0, 2, 0, hand_words, hand_labels, 1,
+    { "one_hand2", "One Hand (P2)", "Accessibility", AT(one_hand[1]), 0, 2, 0, hand_words, hand_labels, 1,
       "one-handed layout for player 2", NULL, NULL },
-    { "away", "When Unfocused", "Gameplay", AT(away), 0, 1, 1, aways, away_labels, 1,
-      "stop: pause when focus is lost; go-on: keep playing", NULL, NULL },
+    { "away", "In Background", "Gameplay", AT(away), 0, 1, 1, aways, away_labels, 1,
+      "what happens when you switch to another window", NULL, NULL },
     { "keep_replays", "Saved Replays", "Gameplay", AT(replays), 0, 1000, 50, NULL, NULL, 10,
-      "recent runs to save per game; named replays don't count", NULL, "None" },
+      "how many recent runs are saved; named ones don't count", NULL, "None" },
     { "resume", "Resume Runs", "Gameplay", AT(resume), 0, 1, 1, no_yes, off_on, 1,
       "save an unfinished run and offer to resume it next time", NULL, NULL },
     { "hints", "Button Hints", "Gameplay", AT(hints), 0, 1, 1, no_yes, off_on, 1,
-      "show buttons below menus; off once you have finished a run", NULL, NULL },
+      "show buttons below menus until a run is finished", NULL, NULL },
     { "capture_seconds", "Clip Length", "Gameplay", AT(capture_seconds), 5, 60, 10, NULL, NULL, 5,
-      "number of seconds that the clip key saves as a GIF", " s", NULL },
+      "how much of the run the clip key saves as a GIF", " s", NULL },
 };
 #undef AT
 
