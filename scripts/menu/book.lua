@@ -55,7 +55,7 @@ function book.show(a)
   local c, i, age, idle, answered = a.chapter or 1, a.at or 1, 0, 0, false
   local list, row, rows = a.pages(c), book.room(#a.chapters)
   page.begin()
-  if not page.low then page.frame(row, rows) end
+  page.frame()
   while idle < (a.limit or page.IDLE) and not answered do
     local p = list[i]
     if page.opening(age, p.count) or p.every and age % p.every == 0 then

@@ -106,7 +106,7 @@ end
 
 -- Draws a line that grows from its middle, `age` frames after it appeared.
 function page.rule(row, age, col, cols)
-  col, cols = col or page.col + 1, cols or page.cols - 2
+  col, cols = col or page.col + 2, cols or page.cols - 4
   local n = math.min(cols, cols % 2 + 4 + 4 * age)
   hud.put(col + (cols - n) // 2, row, FIRST .. JEWEL .. LINE:rep(n - 4) .. JEWEL .. LAST, hud.banks.faint)
 end
@@ -131,11 +131,15 @@ function page.over(col, row, w, h)
   page.clear(hud.rows // 3, BANNER)
   local window = page.window(col, row, w, h)
   window.dim = screen.dim { share = 0.55, over = 6 } -- the dim before: that of a dialogue, or none
+  sys.hide_rows() -- a side panel is in the way
   return window
 end
 
 function page.close(window)
-  if window.dim then screen.dim { share = window.dim, over = 6 } end
+  if window.dim then
+    screen.dim { share = window.dim, over = 6 }
+    sys.hide_rows(false, true)
+  end
   window.plate:remove()
   page.clear(window.row, window.h // 8, window.col, window.w)
 end
@@ -155,7 +159,7 @@ end
 
 -- Draws the heading above a rule; returns the first row below.
 function page.head(s, age)
-  local row = page.centre(page.row + (page.low and 1 or 2), s, hud.banks.bright)
+  local row = page.centre(page.row + (page.low and 1 or 3), s, hud.banks.bright)
   page.rule(row + (page.low and 0 or 0.5), age)
   return row + (page.low and 2 or 3)
 end
@@ -312,10 +316,12 @@ function page.panel(row)
   page.plate = sprite.plate { x = 0, y = 0, w = rom.screen.w, h = row * 8, stay = true, bank = hud.banks.plain }
 end
 
--- Puts a plate behind n rows from `row` on, one row larger on each side. page.done removes it.
-function page.frame(row, n)
+-- Puts a plate behind the page, as on the program's screens: 8 px from the edges and from the keys at the lower edge. A
+-- low page has no room for it. page.done removes it.
+function page.frame()
+  if page.low then return end
   page.plate = sprite.plate {
-    x = page.col * 8 + 4, y = row * 8 - 8, w = page.cols * 8 - 8, h = n * 8 + 16, bank = hud.banks.plain, stay = true,
+    x = 8, y = 8, w = rom.screen.w - 16, h = rom.screen.h - 29, bank = hud.banks.plain, stay = true,
   }
 end
 
@@ -327,7 +333,7 @@ function page.ask(head, a)
   a.most = math.max(1, math.min(#a.items, (room - (a.notes or 0) - 2) // gap))
   local rows = gap * a.most + (a.notes or 0)
   a.row = top + math.max(page.low and 0 or 1, (room - rows) // 3)
-  if not page.low then page.frame(a.row - 1, rows + 2) end
+  page.frame()
   a.keys = page.SELECT
   a.draw = function(age)
     page.head(head, age)

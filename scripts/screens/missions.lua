@@ -92,7 +92,7 @@ return function(last)
   local top = draw_head(0)
   local room = page.bottom - top - NOTES
   local gap = page.low and 1.5 or 1.75
-  if not page.low then page.frame(top, page.bottom - top) end
+  page.frame()
   local rows, age, idle, answer = math.max(1, math.min(#list, math.floor(room / gap))), 0, 0, nil
   local below = math.ceil(top + rows * gap)
   local bar = page.bar(COL - 1, top, COLS + 2, gap)

@@ -9,7 +9,7 @@ return function(p)
   page.begin()
   local row = page.head(menu.label(p.name), page.cols)
   local rows = page.bottom - row
-  if not page.low then page.frame(row - 1, rows + 1) end
+  page.frame()
   local scene = sys.scene(sys.task()) -- removes what is spawned in it
   local tidy <close> = setmetatable({}, { __close = function() task.stop(scene) end })
   task.own(scene, function() p.show(row, rows) end)

@@ -244,7 +244,7 @@ void input_code_label(unsigned code, enum plat_controller_kind kind, char *out, 
 const char *input_code_controller_name(enum plat_controller_kind kind)
 {
     static const char *const names[PLAT_CONTROLLER_KINDS] = {
-        [PLAT_UNKNOWN_CONTROLLER] = "controller",
+        [PLAT_UNKNOWN_CONTROLLER] = "Controller",
         [PLAT_XBOX] = "Xbox",
         [PLAT_XBOX_360] = "Xbox 360",
         [PLAT_PS3] = "PlayStation 3",
