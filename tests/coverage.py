@@ -20,6 +20,8 @@ def counters(folder):
     """The counters below results/NAME.counters, each with a link to its .gcno beside it, as gcov wants it."""
     for results in glob.glob(f"{folder}/results/*.counters"):
         for path, _, names in os.walk(results):
+            if f"/{folder}/" not in path:
+                continue  # of a program that a test compiles
             for name in (name for name in names if name.endswith(".gcda")):
                 note = path[path.index(f"/{folder}/") + 1 :] + f"/{name[:-5]}.gcno"
                 link = f"{path}/{name[:-5]}.gcno"

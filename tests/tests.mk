@@ -87,7 +87,7 @@ $(OUT)/walks: tests/walks/walks.c $(NO_ROM)
 # (lint/objects.sh, machine/library.sh, cli/export.sh) fail here: the counters are in them, too.
 coverage: deps-play-test
 	@$(MAKE) $(JOBS) CONFIG=coverage OPT="-O0 --coverage" programs
-	@OUT=build/coverage GCOV_ERROR_FILE=/dev/null tests/run.sh test >build/coverage/tests.txt || tail -n 1 build/coverage/tests.txt
+	@OUT=build/coverage CC="$(CC) --coverage" GCOV_ERROR_FILE=/dev/null tests/run.sh test >build/coverage/tests.txt || tail -n 1 build/coverage/tests.txt
 	@tests/coverage.py build/coverage >build/coverage/report.txt
 	@cat build/coverage/report.txt
 

@@ -25,7 +25,7 @@ LUA
 screen_of g 240x320
 screen_of asks 240x320
 
-F7=64 CTRL=224 Q=20 M=16 GUIDE=4000
+A=4 F7=64 CTRL=224 Q=20 M=16 GUIDE=4000
 conf=data/curtain/curtain.conf
 times() { # N KEY
     for _ in $(seq "$1"); do press "$2"; done
@@ -260,4 +260,29 @@ same 'a playback opens nothing' "$last" \
 # The tick that asked is gone back over and stepped through: it asks nothing again.
 { cat ask; press $RIGHT; keys 1 $ESCAPE; keys 5; times 12 $B; times 12 $DOT; press $P; keys 100; } | play asks
 check 'stepping through what asked opens nothing' [ "$(frames asks)" -gt "$(($(pictures ask) + 90))" ]
+
+# ---- on the game's pages ----
+
+presses() { python3 "$repo/tests/cli/demo_read.py" menu.demo | grep -c "^pads [0-9]* $1 0000"; } # PAD, in hexadecimal
+{ keys 40; press $ENTER; keys 10; press $UP $UP; press $Z; keys 40; press $ESCAPE; keys 40; } | play asks
+same 'Escape on a page presses its button to go back' 1 "$(presses 0020)"
+{ keys 40; press $ESCAPE; keys 5; press $ESCAPE; keys 40; } | play asks
+same '... but opens the menu at the title' 0 "$(presses 0020)"
+over() { { keys 40; press "$@"; keys 9; } | ./player play g --seed 5 2>err | tail -n 1; } # KEY...: the last picture
+same 'from practice, Back leads to the menu that opened it' "$(over $ESCAPE $DOWN $DOWN)" \
+    "$(over $ESCAPE $DOWN $DOWN $ENTER $ESCAPE)"
+cat >asks/main.lua <<'LUA'
+player.def("ship", { sprite = "dot", hit = { circle = 2 }, lives = 1 })
+bullet.def("dot", { sprite = "dot", hit = { circle = 3 } })
+stage.def("one", function()
+  player.each(function(p) score.add(5000, p) end)
+  while true do
+    player.each(function(p) bullet.fire { kind = "dot", x = p.x, y = p.y, dir = 90, speed = 0 } end)
+    wait(1)
+  end
+end)
+boot.run { stages = { "one" }, players = { "ship" } }
+LUA
+{ keys 40; press $ENTER; keys 10; press $Z; keys 20; keys 900 $Z "'Z"; keys 5; keys 1 $A "'A"; keys 9; } | play asks
+same 'a key that is held when name entry begins types nothing' '0 1' "$(presses 9800) $(presses 3400)"
 finish

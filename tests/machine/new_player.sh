@@ -50,7 +50,7 @@ way() {
     step 'the settings' 'Accessibility' z south &&
         step 'the pause menu' 'Quit to Title' x east || return
     rows Down down 3
-    step 'the question' 'Quit to the title? .*' z south || return
+    step 'the question' 'Quit? A replay .*' z south || return
     rows Down down 1
     step 'the title' 'PRESS START' z south || return
     press Return start

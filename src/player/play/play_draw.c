@@ -171,8 +171,8 @@ static void hint_label(struct play *play, uint32_t button, bool typing, char *ou
         keys_hint(&play->config.keys, action, out, size);
 }
 
-/* Fills in the hints on buttons: of an attract demo, and of the game's page until a run has been finished, or while a
- * name is typed. Returns how many there are; 0: none, or something else is shown. */
+/* Fills in the hints on buttons: of an attract demo, of a page that leads back, while a name is typed, and of the title
+ * until a run has been finished. Returns how many there are; 0: none, or something else is shown. */
 static int list_hints(struct play *play, bool covered, struct button_hint hint[MAX_KEY_HINTS])
 {
     const struct board_out *out = board_last_output(play_board(play));
@@ -187,7 +187,7 @@ static int list_hints(struct play *play, bool covered, struct button_hint hint[M
         hint[0].meaning = "Start";
         return 1;
     }
-    if (!typing && (play->session.demo || !play->config.hints))
+    if (!typing && !play_page_leads_back(play) && (play->session.demo || !play->config.hints))
         return 0;
     for (int i = 0; i < out->key_hint_count; i++) {
         hint_label(play, out->key_hint[i].button, typing, hint[n].label, sizeof hint[n].label);

@@ -55,6 +55,8 @@ static void open_by_key(struct play *play, const struct keys_state *k)
         play_open_keys(play);
     else if (keys_pressed(k, HOTKEY_LOG))
         play_open_log(play);
+    else if (keys_pressed(k, HOTKEY_MENU) && play_page_leads_back(play))
+        play->pads.held[0] |= PAD_BOMB;
     else if (keys_pressed(k, HOTKEY_MENU))
         play_open_menu(play);
 }

@@ -209,6 +209,7 @@ struct play_pads {
 /* play_typing.c: name entry by keyboard. */
 struct play_typing {
     uint8_t hidden[PLAT_KEYS / 8]; /* keys used for typing, hidden from everything else until they are released */
+    bool open, waits;              /* a name is typed; keys that were held before that are still held */
 };
 
 /* play_keys.c. */
@@ -542,6 +543,10 @@ void play_apply_settings(struct play *play);
 
 extern const struct screen_def keys_screen;
 void play_open_menu(struct play *play);
+
+/* Returns whether the game shows a page that its bomb button leaves. The title and name entry, where START counts, are
+ * no such pages. */
+bool play_page_leads_back(const struct play *play);
 
 /* Quits; asks first if a run would be lost. */
 void play_quit(struct play *play);

@@ -53,13 +53,23 @@ static void send_keys(struct play *play, int player, const struct plat_input *in
         play_send_code(play, player, CODE_ENTER);
 }
 
+static bool holds_typing_key(const struct plat_input *in)
+{
+    for (unsigned usage = 0; usage < PLAT_KEYS; usage++)
+        if (is_typing_key(usage) && plat_is_key_held(in, usage))
+            return true;
+    return false;
+}
+
 void play_type_name(struct play *play, struct plat_input *in)
 {
     const bool chord = plat_is_key_held(in, KEY_LEFT_ALT) || plat_is_key_held(in, KEY_LEFT_CTRL) ||
                        plat_is_key_held(in, KEY_RIGHT_CTRL);
     const int typist = chord ? -1 : play_typist(play);
 
-    if (typist >= 0) {
+    play->typing.waits = typist >= 0 && (play->typing.waits || !play->typing.open) && holds_typing_key(in);
+    play->typing.open = typist >= 0;
+    if (typist >= 0 && !play->typing.waits) {
         send_text(play, typist, in->text);
         send_keys(play, typist, in);
     }

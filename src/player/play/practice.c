@@ -316,7 +316,7 @@ static void describe_record(const struct practice_menu *m, int i, char *out, siz
     const struct record *r = record_of(m, i);
 
     if (r && r->attempts)
-        snprintf(out, size, "Captured %d of %d attempts.", (int)r->captures, (int)r->attempts);
+        snprintf(out, size, "Won %d of %d attempts.", (int)r->captures, (int)r->attempts);
     else
         snprintf(out, size, "No attempts yet.");
 }

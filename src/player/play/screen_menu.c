@@ -60,7 +60,7 @@ static void leave_run(void *context)
 static void quit_to_title(struct play *play)
 {
     end_run(play,
-            play->autosave.on && play->config.replays > 0 ? "Quit to the title? This run is saved as a replay."
+            play->autosave.on && play->config.replays > 0 ? "Quit? A replay of this run is saved."
                                                           : "Quit to the title and lose this run?",
             "Quit to Title", leave_run);
 }
@@ -125,7 +125,7 @@ static const struct {
     [RESTART_STAGE] = { "Restart Stage", "The run then no longer counts for scores.", true, restart_stage },
     [RESTART] = { "Restart", "Start again with the same choices.", true, restart },
     [SETTINGS] = { "Settings", "Picture, sound, keys and more.", false, play_open_settings },
-    [PRACTICE] = { "Practice", "Practise any part of the game.", true, play_open_practice },
+    [PRACTICE] = { "Practice", "Practise any part of the game.", false, play_open_practice },
     [REPLAYS] = { "Replays", "Watch your recent runs.", false, play_open_replays },
     [LOG] = { "Log", "Script output and errors.", false, play_open_log },
     [TITLE] = { "Quit to Title", "End this run and return to the title.", false, quit_to_title },
@@ -232,6 +232,18 @@ void play_open_menu(struct play *play)
 {
     attract_end(&play->attract);
     screens_open(&play->screens, is_at_title(play) ? &title_menu : &pause_menu, play);
+}
+
+bool play_page_leads_back(const struct play *play)
+{
+    const struct board_out *out = board_last_output(play_board(play));
+    bool back = false, start = false;
+
+    for (int i = 0; i < out->key_hint_count; i++) {
+        back = back || 1u << out->key_hint[i].button == PAD_BOMB;
+        start = start || 1u << out->key_hint[i].button == PAD_START;
+    }
+    return back && !start && !play->session.demo && !play->attract.on;
 }
 
 bool play_has_run(const struct play *play)

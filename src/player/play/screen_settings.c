@@ -191,7 +191,10 @@ static void closed(void *context)
     play_save_settings(play);
     if (play->quit || play->session.demo)
         return;
-    screens_ask(&play->screens, "Restart to apply this? This run ends.", "Restart", play_restart, play);
+    if (play_has_run(play))
+        screens_ask(&play->screens, "Restart to apply this? This run ends.", "Restart", play_restart, play);
+    else
+        play_restart(play);
 }
 
 static const struct screen_def settings = {

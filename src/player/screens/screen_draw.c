@@ -435,7 +435,8 @@ void screens_draw(struct screens *s, const struct canvas *canvas, int height)
     draw_rule(canvas, a->x, heading.y + line + l.air / 2, a->w);
     const int top = heading.y + line + l.air / 2 + rule + l.air;
     struct screen_area list = { a->x, top, a->w, 0 };
-    list.y = draw_lines(canvas, &list, (bottom - top) / line / 2, CANVAS_WHITE, text, l.centred);
+    list.y = draw_lines(canvas, &list, p->screen->small ? l.lines : (bottom - top) / line / 2, CANVAS_WHITE, text,
+                        l.centred);
     list.y += text[0] ? PADDING : 0;
     list.h = bottom - list.y;
     draw_picture(p, canvas, &list);
