@@ -8,7 +8,7 @@ hud.cols, hud.rows = rom.screen.w // 8, rom.screen.h // 8
 -- Palette banks of text; games with coloured text set them in main.lua. alarm: warnings and a boss's last seconds.
 hud.banks = { plain = 0, bright = 0, faint = 0, alarm = 0 }
 hud.low = 2 -- rows of 8 px left free below the registers at the field's lower edge
-hud.shy = 16 -- px: rows over the field are hidden while the centre of a ship is nearer than this; 0: never
+hud.shy = 8 -- px: rows over the field are hidden while the centre of a ship is nearer than this; 0: never
 hud.gone = { false, false } -- by player: whether the rows at the lower edge are hidden
 hud.graze = "GRAZE" -- the label of the graze count
 hud.large = sys.large_hud() -- the player chose larger letters for scores, lives and icons
@@ -51,7 +51,7 @@ local CLOCK_COLS <const> = 4              -- a boss's clock: two digits of size 
 local HISTORY_COLS, BONUS_COLS = 14, 13   -- "CAPTURED 12/34", "BONUS 0001234"
 local LIVES_COLS <const> = 4              -- in a panel
 local LOW_COLS <const> = math.min(12, FIELD.cols // 2 - 1)
-local LOW_BAR <const> = 4                 -- a bar at the lower edge ends before a ship in the middle of a narrow field
+local LOW_BAR <const> = 3                 -- a bar at the lower edge ends before a ship in the middle of a narrow field
 local STACKED <const> = PANEL or WIDTH < 2 * BEST_COLS + 1 -- two scores do not fit in a row
 
 -- A panel's rows for the boss are at its lower end: the clock and 2 px, three rows for the name and the bar or two for

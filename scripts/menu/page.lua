@@ -24,7 +24,7 @@ page.low = page.rows < 36               -- no empty rows between rows
 page.first = page.low and 4 or 6        -- the first row below a heading of one line
 page.bottom = page.rows - (page.low and 2 or 4) -- the row below a page's content
 page.pitch = page.low and 1.25 or 1.5      -- rows from one line of a paragraph to the next
-page.IDLE = IDLE
+page.IDLE, page.GROWING = IDLE, GROWING
 
 -- What the buttons do on a page, for page.foot and page.tell: a button, what it does, the next button ...
 page.SELECT, page.BACK = { "fire", "Select", "bomb", "Back" }, { "bomb", "Back" }
@@ -313,7 +313,10 @@ end
 
 -- Puts a panel over the top of the screen, down to `row`; entities pass behind it. page.done removes it.
 function page.panel(row)
-  page.plate = sprite.plate { x = 0, y = 0, w = rom.screen.w, h = row * 8, stay = true, bank = hud.banks.plain }
+  local x, y = page.low and 0 or 8, page.low and 0 or 8
+  page.plate = sprite.plate {
+    x = x, y = y, w = rom.screen.w - 2 * x, h = row * 8 - y, stay = true, bank = hud.banks.plain,
+  }
 end
 
 -- Puts a plate behind the page, as on the program's screens: 8 px from the edges and from the keys at the lower edge. A

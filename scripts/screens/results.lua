@@ -114,8 +114,10 @@ return function(title, players, stopped, rows, new, grades)
   for age = 0, grades and at + LONGEST or LONGEST do
     page.grow(window, age)
     hud.banner() -- a boss's verdict can appear after the stage has ended
-    local row = draw_page(title, rows, players, new, top, gap, age) -- every frame: a pause erases it
-    if grades then draw_grades(row, grades, age - at) end
+    if age >= page.GROWING then
+      local row = draw_page(title, rows, players, new, top, gap, age) -- every frame: a pause erases it
+      if grades then draw_grades(row, grades, age - at) end
+    end
     wait(1)
     if stopped() or age > SHORTEST and page.pressed("fire") then break end
   end

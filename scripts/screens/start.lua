@@ -92,6 +92,11 @@ local function label_of(o)
   return o.closed and "? ? ?" or o.title and text.lang(o.title) or menu.label(o.name)
 end
 
+-- What is said of an option: its text, or how to unlock it.
+local function words_of(o)
+  return o.closed and text.lang("To unlock: %s"):format(text.lang(o.closed)) or o.text
+end
+
 -- The figures of a kind, as { label, value } each, where a number is a number of stars: those that the author gives, or
 -- speed, lives and the registers that the HUD shows as icons.
 local function figures_of(o)
@@ -154,7 +159,7 @@ local function measure()
     local values = is_shared(row) and "shared_value" or "own_value"
     each_option(row, function(o)
       state[values] = math.max(state[values], sys.cells(label_of(o)))
-      local words = o.closed or o.text
+      local words = words_of(o)
       local n = words and #hud.wrap(text.lang(words), math.max(1, cols - 2)) or 0
       state.text_rows = math.max(state.text_rows, n)
     end)
@@ -208,7 +213,7 @@ local function draw_texts()
   page.clear(state.text, state.text_rows * state.apart)
   for p = 1, row.each and state.players or 1 do
     local o = option(row, p)
-    local words = o and (o.closed or o.text)
+    local words = o and words_of(o)
     local col, cols = text_column(row, p)
     local n = words and #hud.wrap(text.lang(words), cols - 2) or 0
     local at = state.text + (row.each and 0 or (state.text_rows - n) * state.apart / 2)
@@ -367,7 +372,7 @@ local function lay_out()
     if state.figures - bottom >= PREVIEW then break end
   end
   page.panel(bottom)
-  state.bar = gap > 1 and page.bar(page.col + 0.5, state.rows[1].place, page.cols - 1, gap) or nil
+  state.bar = gap > 1 and page.bar(page.col + 2, state.rows[1].place, page.cols - 4, gap) or nil
 end
 
 local function answer(mode, difficulty)

@@ -122,7 +122,8 @@ local function choose(items, row, chosen, third, logo)
     if logo then logo.y = (third - lift * math.min(age, LIFT_TIME) / LIFT_TIME) * 8 end
   end
   return page.list {
-    items = items, row = top, chosen = chosen, back = 0, gap = gap, most = seen, draw = draw, keys = KEYS,
+    items = items, row = top, chosen = chosen, back = 0, gap = gap, most = seen, draw = draw,
+    keys = page.SELECT,
   }
 end
 

@@ -57,9 +57,9 @@ local function pearls(area)
 end
 
 return { "move", "fire", "focus", "bomb",
-  { title = "Graze", text = "Graze bullets to fill the glass.", show = fill },
+  { title = "Graze", text = "Bullets that pass close to your ship fill the GLASS bar.", show = fill },
   { title = "Special", button = "special",
     text = "Special turns nearby bullets into prisms. Each one raises the multiplier.",
     show = release },
   { title = "Chain", text = "Break enemies without a pause: each one is worth more.", show = chain },
-  { title = "Pearls", text = "Worth up to 10x near the top.", show = pearls } }
+  { title = "Pearls", text = "Collect pearls. Near the top of the screen they are worth up to ten times as much.", show = pearls } }
