@@ -155,11 +155,12 @@ local function complete(a, choice, modes, difficulties, fixed, players)
   return choice
 end
 
--- Shows the page start, unless nothing is left to choose. fixed: difficulty, ship or modes that a mission prescribes.
+-- Shows the page start, unless nothing is left to choose. fixed: a mission's title, and its difficulty, ship or modes.
 -- Returns { mode, difficulty, ships }, or nil for back.
 local function choose(a, show, players, fixed)
   local modes, difficulties = fixed.modes or list_modes(a), list_difficulties(a)
   local lists = {
+    title = fixed.title,
     modes = #modes > 1 and modes or nil,
     difficulties = not fixed.difficulty and #difficulties > 1 and difficulties or nil,
     ships = fixed.ship and { { name = fixed.ship } } or list_ships(a),
@@ -185,7 +186,7 @@ local function choose_mission(a, show, last)
       local message = 'screen "missions": expected the name of a mission or nil, got "%s"'
       sys.fail("boot.run", message:format(tostring(name)))
     end
-    local choice = choose(a, show, 1, { difficulty = m.difficulty, ship = m.ship, modes = {} })
+    local choice = choose(a, show, 1, { title = m.title, difficulty = m.difficulty, ship = m.ship, modes = {} })
     if choice then return { mission = name, stages = {}, ships = choice.ships } end
     last = name
   end

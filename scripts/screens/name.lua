@@ -5,6 +5,7 @@ local page = sys.read("menu/page")
 
 local MIN <const>, MAX <const> = 3, 8 -- letters of a name
 local SECONDS = 60
+local BLINK <const> = 20 -- frames
 local WIDEST = 26 -- cells of a column
 
 -- The characters of the wheel, the same as CODE_CHARACTERS in src/base/pads.h.
@@ -24,28 +25,31 @@ local WHEEL <const> = 3 * GAP + 1              -- rows above the wheel
 local READY <const> = WHEEL + 4 * TURN + 2     -- and above the word below it
 local KEYS <const> = { "fire", "Next", "start", "Done", "bomb", "Delete" }
 
-local function draw_wheel(e, row)
+-- The letters, and the wheel on the last one; after a typed letter, the place of the next. lit: what is changed blinks.
+local function draw_wheel(e, row, lit)
   local apart = e.cols >= 2 * MAX + 2 and 2 or 1
   local col = e.col + (e.cols - apart * (MAX - 1) - 1) // 2
-  local x, n = col + apart * (#e.signs - 1), e.signs[#e.signs]
+  local n, typed = e.signs[#e.signs], e.typed and #e.signs < MAX
+  local x, bank = col + apart * (#e.signs - (typed and 0 or 1)), hud.banks[lit and "bright" or "faint"]
   page.clear(row, 4 * TURN + 1, e.col, e.cols)
   for i = 1, MAX do
-    local bank = hud.banks[e.done and "bright" or "plain"]
-    hud.put(col + apart * (i - 1), row + 2 * TURN, e.signs[i] and sign(e.signs[i]) or "_", bank)
+    local letter = e.signs[i] and sign(e.signs[i]) or "_"
+    hud.put(col + apart * (i - 1), row + 2 * TURN, letter, hud.banks[e.done and "bright" or "plain"])
   end
   if e.done then return end
+  if typed then return hud.put(x, row + 2 * TURN, "_", bank) end
   hud.put(x, row, UP, hud.banks.faint)
   hud.put(x, row + TURN, sign(n - 1), hud.banks.faint)
-  hud.put(x, row + 2 * TURN, sign(n), hud.banks.bright)
+  hud.put(x, row + 2 * TURN, sign(n), bank)
   hud.put(x, row + 3 * TURN, sign(n + 1), hud.banks.faint)
   hud.put(x, row + 4 * TURN, DOWN, hud.banks.faint)
 end
 
-local function draw(e, row)
+local function draw(e, row, lit)
   page.centre(row, text.lang("Player %d"):format(e.p), hud.banks.bright, e.col, e.cols)
   page.centre(row + GAP, ("%09d"):format(e.points), hud.banks.plain, e.col, e.cols)
   if e.rank then page.centre(row + 2 * GAP, text.lang("Place %d"):format(e.rank), hud.banks.plain, e.col, e.cols) end
-  draw_wheel(e, row + WHEEL)
+  draw_wheel(e, row + WHEEL, lit)
   page.clear(row + READY, 1, e.col, e.cols)
   if e.done then page.centre(row + READY, "Ready", hud.banks.bright, e.col, e.cols) end
 end
@@ -60,7 +64,7 @@ end
 local function type_key(e, key)
   local n = #e.signs
   if key == "enter" then
-    e.done = n >= MIN
+    e.done = true
   elseif key == "backspace" then
     e.signs[n] = n == 1 and 0 or nil
     e.typed = n > 1
@@ -79,7 +83,7 @@ local function edit(e)
   end
   local step = page.step("up", "down", e.p)
   e.signs[n] = (e.signs[n] + step) % #SIGNS
-  if page.pressed("start", e.p) and n >= MIN then
+  if page.pressed("start", e.p) then
     e.done = true
   elseif n < MAX and page.stepped("right", e.p) or page.pressed("fire", e.p) then -- right that is held ends no name
     if n == MAX then e.done = true else e.signs[n + 1] = e.signs[n] end
@@ -109,12 +113,12 @@ local function begin(entries)
 end
 
 -- One frame of all players. Returns true if all are done.
-local function step(list, row, fresh)
+local function step(list, row, age)
   local done = true
   page.tell(KEYS)
   for _, e in ipairs(list) do
     if not e.done then sys.tell_keys(e.p) end
-    if not e.done and edit(e) or fresh then draw(e, row) end
+    if not e.done and edit(e) or age % BLINK == 0 then draw(e, row, age // BLINK % 2 == 0) end
     done = done and e.done
   end
   return done
@@ -135,7 +139,7 @@ return function(entries)
     if age % 60 == 0 then
       page.centre(page.bottom - 2, text.lang("Time %2d"):format(SECONDS - age // 60), hud.banks.plain)
     end
-    if step(list, row, age == 0) then break end
+    if step(list, row, age) then break end
     wait(1)
   end
   page.done()

@@ -309,7 +309,7 @@ local function ask()
   local idle = 0
   while idle < page.IDLE do
     if page.opening(state.shown, #state.rows) or state.age == 0 or state.age % BLINK == 0 then
-      page.head("Start", state.shown)
+      page.head(state.title, state.shown)
       page.foot(KEYS)
       draw_rows()
     end
@@ -342,7 +342,7 @@ end
 
 -- Gives each row its place, and `heads` that of the players' names above the rows that both have. Returns the row below.
 local function place_rows(gap)
-  local at, heads = page.head("Start", 0), nil
+  local at, heads = page.head(state.title, 0), nil
   for _, row in ipairs(state.rows) do
     if not is_shared(row) and not heads then
       heads = at + gap / 2 - 0.5
@@ -384,11 +384,11 @@ end
 
 -- players: how many choose. lists: modes, difficulties and ships, each a list of { name, title?, text?, closed? },
 -- where closed is the hint of a locked one; modes and difficulties are nil if there is nothing to choose; ships can
--- have figures and forms. last: mode, difficulty and ships of the last run. Returns mode, difficulty and ships by
--- name, or nil for back.
+-- have figures and forms; title: the heading, default Start. last: mode, difficulty and ships of the last run. Returns
+-- mode, difficulty and ships by name, or nil for back.
 return function(players, lists, last)
   text.clear()
-  state = { rows = {}, players = players, cursor = 1, age = 0, shown = 0, kinds = {} }
+  state = { title = lists.title or "Start", rows = {}, players = players, cursor = 1, age = 0, shown = 0, kinds = {} }
   local mode = add_shared("Mode", lists.modes, last.mode)
   local difficulty = add_shared("Difficulty", lists.difficulties, last.difficulty)
   state.ships, state.forms = add_ships(lists.ships, last.ships)

@@ -219,7 +219,7 @@ static void row(void *context, int at, struct screen_row *row)
     if (l->sort == REPLAYS_BY_SCORE)
         score_text(best_score(c), row->value, sizeof row->value);
     else
-        snprintf(row->value, sizeof row->value, "%.10s", date); /* without the time */
+        snprintf(row->value, sizeof row->value, "%s", c->date ? date + 5 : date); /* without the year */
     if (is_older(l, c))
         row->colour = CANVAS_GREY;
     describe(l, c, row->help, sizeof row->help);
