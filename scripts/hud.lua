@@ -51,6 +51,7 @@ local CLOCK_COLS <const> = 4              -- a boss's clock: two digits of size 
 local HISTORY_COLS, BONUS_COLS = 14, 13   -- "CAPTURED 12/34", "BONUS 0001234"
 local LIVES_COLS <const> = 4              -- in a panel
 local LOW_COLS <const> = math.min(12, FIELD.cols // 2 - 1)
+local NEAR_EVERY <const> = 8              -- frames from one look for ships near the rows to the next
 local LOW_BAR <const> = 3                 -- a bar at the lower edge ends before a ship in the middle of a narrow field
 local STACKED <const> = PANEL or WIDTH < 2 * BEST_COLS + 1 -- two scores do not fit in a row
 
@@ -491,7 +492,7 @@ local function draw()
   if again then put_panel() end
   draw_items()
   boss.draw(hidden.all > 0, again, hidden.low > 0)
-  hide_near_ships()
+  if sys.clock() % NEAR_EVERY == 0 or again then hide_near_ships() end
   again = false
   if banner and sys.clock() >= banner.ends then hud.banner() end
 end

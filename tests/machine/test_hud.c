@@ -179,32 +179,32 @@ TEST(shy)
         "  a = { max = 100, show = 'bar', at = 'low', label = 'GLASS' },\n"
         "  b = { start = 100, show = 'times', at = 'low', label = '' } } })\n"
         "string.sys.join(1, 'p') hud.shy, hud.graze = 8, 'NEAR' hud.start(string.sys.scope(), 1)\n"
-        "local p = player.get(1) task.go(function() wait(4) p.x, p.y = 60, 300 wait(4) p.x = 115 wait(4) p.x = 120\n"
-        "  wait(4) p.x, p.b = 60, 101 wait(4) p.y = 267 wait(4) p.y = 10 wait(4) p.x = 200 wait(4) p.y = 60 end)";
+        "local p = player.get(1) task.go(function() wait(16) p.x, p.y = 60, 300 wait(16) p.x = 115 wait(16) p.x = 120\n"
+        "  wait(16) p.x, p.b = 60, 101 wait(16) p.y = 267 wait(16) p.y = 10 wait(16) p.x = 200 wait(16) p.y = 60 end)";
 
     open_with(NULL, text);
-    rig_run(&r, 3);
+    rig_run(&r, 15);
     row_is(14, 1, "**                    NEAR 0");
     row_is(294, 1, "GLASS ---");
     row_is(284, -1, ""); /* a factor of 1 is not shown */
-    rig_run(&r, 4);
+    rig_run(&r, 16);
     row_is(294, -1, "");
-    rig_run(&r, 4);
+    rig_run(&r, 16);
     row_is(294, -1, ""); /* it returns a little later than it is hidden */
-    rig_run(&r, 4);
+    rig_run(&r, 16);
     row_is(294, 1, "GLASS ---");
-    rig_run(&r, 4);
+    rig_run(&r, 16);
     row_is(294, -1, "");
-    rig_run(&r, 4);
+    rig_run(&r, 16);
     row_is(294, 1, "GLASS ---");
     row_is(284, 1, "x1.01");
-    rig_run(&r, 4);
+    rig_run(&r, 16);
     row_is(4, 17, "HI 000000000");
     row_is(14, 23, "NEAR 0");
-    rig_run(&r, 4);
+    rig_run(&r, 16);
     row_is(4, 1, "1P 000000000");
     row_is(14, 1, "**");
-    rig_run(&r, 4);
+    rig_run(&r, 16);
     row_is(4, 1, "1P 000000000    HI 000000000");
 }
 
