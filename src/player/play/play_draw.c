@@ -184,7 +184,8 @@ static int list_hints(struct play *play, bool covered, struct button_hint hint[M
         return 0;
     if (play->attract.on) {
         keys_hint(&play->config.keys, "p1.start", hint[0].label, sizeof hint[0].label);
-        hint[0].meaning = "Start";
+        const char *translation = words_find(&play->screens.words, "Start", strlen("Start"));
+        hint[0].meaning = translation ? translation : "Start";
         return 1;
     }
     if (!typing && !play_page_leads_back(play) && (play->session.demo || !play->config.hints))
