@@ -22,7 +22,8 @@ local function open(name, args, aim)
   end
   if own.skip then own.first, own.last = own.skip[1], own.skip[2] end
   a.aim = aim or a.aim
-  a.dir = args.dir or (a.aim and 0 or own.shots and 270 or 90)
+  if aim and args.dir == nil and a.dir then sys.fail(name, "`vx` cannot be combined with `aim`") end
+  a.dir = a.dir or (a.aim and 0 or own.shots and 270 or 90)
   return own, a
 end
 

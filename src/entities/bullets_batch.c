@@ -57,8 +57,8 @@ static void fill_batch(struct batch *s, uint32_t first, uint64_t mask)
 static void set_cohort(struct cohort *c, const struct bullets *b, const struct motion_world *w, uint32_t i)
 {
     const struct steps *s = w->steps;
-    const uint32_t excluded =
-        DOES_USE_VALUES | DOES_DIE | DOES_LEAD | DOES_AWAIT | DOES_LOOP | DOES_LOOP_END | DOES_BOUNCE | DOES_EMIT;
+    const uint32_t excluded = DOES_USE_VALUES | DOES_DIE | DOES_LEAD | DOES_AWAIT | DOES_LOOP | DOES_LOOP_END |
+                              DOES_BOUNCE | DOES_EMIT | DOES_TURN_TO;
 
     c->motion = b->motion[i];
     c->pc = b->pc[i];

@@ -119,7 +119,10 @@ static inline ang bullets_turn_toward(ang dir, ang goal, ang limit)
     return gap < 0 ? dir - limit : dir + limit;
 }
 
-enum { DOES_STEER = DOES_DIR | DOES_AIM | DOES_TURN | DOES_HOME, DOES_DRIVE = DOES_STEER | DOES_SPEED | DOES_ACCEL };
+enum {
+    DOES_STEER = DOES_DIR | DOES_AIM | DOES_TURN | DOES_TURN_TO | DOES_HOME,
+    DOES_DRIVE = DOES_STEER | DOES_SPEED | DOES_ACCEL
+};
 
 /* Changes the direction and speed of bullet i in the k-th of the n frames of step st. Returns whether the caller must
  * recompute the velocity. */
@@ -140,6 +143,8 @@ static inline __attribute__((always_inline)) bool bullets_change_dir_and_speed(s
             b->dir[i] = targets_aim(&w->targets, b->x[i], b->y[i], b->dir[i]);
         if (actions & DOES_TURN)
             b->dir[i] += (ang)s->turn[st];
+        if (actions & DOES_TURN_TO)
+            b->dir[i] += (ang)motion_lerp(s->turn[st], (int32_t)s->dir[st], k - 1, n > 1 ? n - 1 : 1);
         if (actions & DOES_HOME)
             b->dir[i] =
                 bullets_turn_toward(b->dir[i], targets_aim(&w->targets, b->x[i], b->y[i], b->dir[i]), s->home[st]);

@@ -127,6 +127,10 @@ static uint32_t begin_lead(struct bullets *b, const struct motion_world *w, uint
     struct motion_lead l = { .x = b->x[i], .y = b->y[i], .angle = b->dir[i] };
     uint32_t n = s->duration[st];
 
+    if (actions & DOES_ACCEL_XY) {
+        l.vx = b->vx[i];
+        l.vy = b->vy[i];
+    }
     if (s->mode[st] & MODE_HAS_CENTRE) {
         l.x = s->x[st];
         l.y = s->y[st];
@@ -145,9 +149,17 @@ static uint32_t begin_lead(struct bullets *b, const struct motion_world *w, uint
     return n;
 }
 
-/* Sets the velocity with which bullet i ends this frame at (x, y), and, except in a wave, dir and speed. If the
- * velocity would exceed MAX_SPEED on an axis, places the bullet at (x, y) at once, with velocity 0. */
-static void lead_to(struct bullets *b, uint32_t i, bool is_wave, fx x, fx y)
+/* Sets dir and speed to those of the velocity (vx, vy). */
+static void set_course(struct bullets *b, uint32_t i, fx vx, fx vy)
+{
+    if (vx || vy)
+        b->dir[i] = trig_atan2(vy, vx);
+    b->speed[i] = fx_min(fx_hypot(vx, vy), MAX_SPEED << 16);
+}
+
+/* Sets the velocity with which bullet i ends this frame at (x, y), and, unless the step does that, dir and speed. If
+ * the velocity would exceed MAX_SPEED on an axis, places the bullet at (x, y) at once, with velocity 0. */
+static void lead_to(struct bullets *b, uint32_t i, bool has_course, fx x, fx y)
 {
     const int64_t limit = (int64_t)MAX_SPEED << 16, dx = (int64_t)x - b->x[i], dy = (int64_t)y - b->y[i];
 
@@ -158,11 +170,21 @@ static void lead_to(struct bullets *b, uint32_t i, bool is_wave, fx x, fx y)
         return;
     }
     bullets_store_velocity(b, i, (fx)dx, (fx)dy);
-    if (is_wave)
-        return;
-    if (dx || dy)
-        b->dir[i] = trig_atan2((fx)dy, (fx)dx);
-    b->speed[i] = fx_min(fx_hypot((fx)dx, (fx)dy), (fx)limit);
+    if (!has_course)
+        set_course(b, i, (fx)dx, (fx)dy);
+}
+
+/* Computes the velocity of bullet i in the k-th of n frames of an accelerating step. */
+static void get_accelerated(const struct bullets *b, const struct motion_world *w, uint32_t i, uint32_t st, uint32_t k,
+                            uint32_t n, fx *vx, fx *vy)
+{
+    const struct motion_lead l = load_lead(b, i);
+    const int64_t limit = (int64_t)MAX_SPEED << 32;
+    int64_t v[2], unused[2];
+
+    motion_accelerate(w->steps, st, &l, k, n, v, unused);
+    *vx = bullets_speed_to_fx(int64_clamp(v[0], -limit, limit));
+    *vy = bullets_speed_to_fx(int64_clamp(v[1], -limit, limit));
 }
 
 /* Runs the k-th of n frames of a step that leads bullet i. Returns false if the orbit target has despawned. */
@@ -176,7 +198,11 @@ static bool lead_frame(struct bullets *b, const struct motion_world *w, uint32_t
         !find_orbit_centre(b, w, i, false, &l.x, &l.y))
         return false;
     motion_lead_position(s, st, &l, k, n, &x, &y);
-    lead_to(b, i, s->actions[st] & DOES_WAVE, x, y);
+    lead_to(b, i, s->actions[st] & (DOES_WAVE | DOES_ACCEL_XY), x, y);
+    if (s->actions[st] & DOES_ACCEL_XY) {
+        get_accelerated(b, w, i, st, k, n, &x, &y);
+        set_course(b, i, x, y);
+    }
     return true;
 }
 
@@ -193,12 +219,22 @@ static bool run_lead(struct bullets *b, const struct motion_world *w, uint32_t i
     return false;
 }
 
-/* Ends a leading step. The bullet keeps the velocity of the last frame; after a wave it flies along dir. */
-static void end_lead(struct bullets *b, uint32_t i, uint32_t actions)
+/* Ends a leading step of n frames. The bullet keeps the velocity of the last frame, without the rounding of its
+ * positions if the step accelerated; after a wave it flies along dir. */
+static void end_lead(struct bullets *b, const struct motion_world *w, uint32_t i, unsigned step_flags, uint32_t st,
+                     uint32_t n)
 {
-    b->travel_q32[i] = 0;
+    const uint32_t actions =
+        step_flags & (OVERRIDE_DIR | OVERRIDE_SPEED | OVERRIDE_POSITION) ? 0 : w->steps->actions[st];
+    fx vx, vy;
+
     if (actions & DOES_WAVE)
         bullets_update_velocity(b, i);
+    if (actions & DOES_ACCEL_XY) {
+        get_accelerated(b, w, i, st, n ? n : 1, n ? n : 1, &vx, &vy);
+        bullets_set_velocity(b, i, (int64_t)vx * (1 << Q32_EXTRA_BITS), (int64_t)vy * (1 << Q32_EXTRA_BITS));
+    }
+    b->travel_q32[i] = 0;
 }
 
 /* ---- bounces ---- */
@@ -420,8 +456,8 @@ __attribute__((always_inline)) static inline enum program_state do_step(struct b
     }
     if (!n && actions & DOES_DRIVE)
         drive(b, w, i, r->step_flags, st, 1, 1);
-    if (actions & DOES_LEAD && n)
-        end_lead(b, i, r->step_flags & OVERRIDE_POSITION ? 0 : actions);
+    if (actions & DOES_LEAD && (n || actions & DOES_ACCEL_XY))
+        end_lead(b, w, i, r->step_flags, st, n);
     return advance_to_next_step(r);
 }
 

@@ -188,15 +188,21 @@ int64_t motion_lerp(int64_t from, int64_t to, uint32_t k, uint32_t n)
     return to < from ? from - (int64_t)q : from + (int64_t)q;
 }
 
+/* Returns v * k, clamped to 2^bits either way. */
+static int64_t multiply_clamped(int64_t v, int64_t k, int bits)
+{
+    const int64_t limit = (int64_t)1 << bits;
+
+    if (k && int64_abs(v) > limit / k)
+        return v < 0 ? -limit : limit;
+    return v * k;
+}
+
 /* Returns the distance flown in k frames, in Q32, clamped to 2^47 (32768 px) either way, which is far outside the
  * world. */
 static int64_t distance_flown(int64_t speed_q32, uint32_t k)
 {
-    const int64_t limit = (int64_t)1 << 47;
-
-    if (int64_abs(speed_q32) > limit / (k ? k : 1))
-        return speed_q32 < 0 ? -limit : limit;
-    return speed_q32 * k;
+    return multiply_clamped(speed_q32, k, 47);
 }
 
 /* Adds (r cos dir, r sin dir) to (x, y), all in Q32. */
@@ -237,6 +243,46 @@ void motion_offset_polar(fx x, fx y, int64_t r, ang a, fx *to_x, fx *to_y)
     *to_y = round_to_world(py);
 }
 
+/* The speeds of an axis, in Q32: v at the start of the step, a is added in each frame until the limit is reached. */
+static void accelerate(int64_t v, int64_t a, int64_t limit, uint32_t k, int64_t *velocity, int64_t *distance)
+{
+    const int64_t final = a < 0 ? int64_min(v, -limit) : int64_max(v, limit);
+    const uint64_t frames_to_limit = a ? (uint64_t)int64_abs(final - v) / (uint64_t)int64_abs(a) : UINT64_MAX;
+    const uint32_t grows = frames_to_limit < k ? (uint32_t)frames_to_limit : k;
+
+    *velocity = grows < k ? final : v + multiply_clamped(a, k, 61);
+    *distance = multiply_clamped(2 * v + multiply_clamped(a, (int64_t)grows + 1, 61), grows, 48) / 2 +
+                distance_flown(final, k - grows);
+}
+
+/* Likewise, where the velocity goes evenly from v to `to` in n frames. Its mean in k frames differs from v by
+ * (to - v) (k + 1) / 2n. */
+static void approach(int64_t v, int64_t to, uint32_t k, uint32_t n, int64_t *velocity, int64_t *distance)
+{
+    const uint64_t d = (uint64_t)int64_abs(to - v), twice_n = 2 * (uint64_t)n, part = d % twice_n * (k + 1ull);
+    const int64_t mean = (int64_t)(d / twice_n * (k + 1ull) + part / twice_n);
+    const int64_t rest = (int64_t)(part % twice_n * k / twice_n);
+
+    *velocity = motion_lerp(v, to, k, n);
+    *distance = to < v ? multiply_clamped(v - mean, k, 48) - rest : multiply_clamped(v + mean, k, 48) + rest;
+}
+
+void motion_accelerate(const struct steps *s, uint32_t st, const struct motion_lead *l, uint32_t k, uint32_t n,
+                       int64_t velocity[2], int64_t distance[2])
+{
+    const int64_t limit =
+        s->mode[st] & MODE_HAS_LIMIT ? (int64_t)s->size[st] * (1 << Q32_EXTRA_BITS) : (int64_t)1 << 60;
+
+    for (int axis = 0; axis < 2; axis++) {
+        const int64_t v = (int64_t)(axis ? l->vy : l->vx) * (1 << Q32_EXTRA_BITS);
+        const int64_t number = axis ? s->accel[st] : s->speed[st];
+        if (s->mode[st] & (axis ? MODE_TO_VY : MODE_TO_VX))
+            approach(v, number, k, n, &velocity[axis], &distance[axis]);
+        else
+            accelerate(v, number, limit, k, &velocity[axis], &distance[axis]);
+    }
+}
+
 void motion_lead_position(const struct steps *s, uint32_t st, const struct motion_lead *l, uint32_t k, uint32_t n,
                           fx *x, fx *y)
 {
@@ -250,7 +296,12 @@ void motion_lead_position(const struct steps *s, uint32_t st, const struct motio
         *y = motion_lerp_share(l->y, is_relative ? motion_clamp_to_world((int64_t)l->y + s->y[st]) : s->y[st], share);
         return;
     }
-    if (s->actions[st] & DOES_POLAR)
+    if (s->actions[st] & DOES_ACCEL_XY) {
+        int64_t velocity[2], distance[2];
+        motion_accelerate(s, st, l, k, n, velocity, distance);
+        px += distance[0];
+        py += distance[1];
+    } else if (s->actions[st] & DOES_POLAR)
         add_polar((int64_t)l->radius * (1 << Q32_EXTRA_BITS) + distance_flown(s->speed[st], k), a, &px, &py);
     else if (s->actions[st] & DOES_ORBIT) {
         int64_t from = (int64_t)s->size[st] * (1 << Q32_EXTRA_BITS),

@@ -109,15 +109,17 @@ enum {
     DOES_LOOP = 1 << 10,       /* opens a loop of `count` rounds; `jump`: the step after the loop */
     DOES_LOOP_END = 1 << 11,   /* closes a loop; `jump`: the loop's first step */
     DOES_USE_VALUES = 1 << 12, /* takes some of its numbers from the bullet's values, as `named_values` specifies */
-    DOES_GO_TO = 1 << 13,      /* this and the next three lead the bullet along positions from motion_lead_position */
+    DOES_GO_TO = 1 << 13,      /* this and the next four lead the bullet along positions from motion_lead_position */
     DOES_POLAR = 1 << 14,
     DOES_WAVE = 1 << 15,
     DOES_ORBIT = 1 << 16,
-    DOES_LEAD = DOES_GO_TO | DOES_POLAR | DOES_WAVE | DOES_ORBIT,
-    DOES_BOUNCE = 1 << 17, /* with DOES_LOOP: opens a loop of bounces; alone: flies to the next bounce */
-    DOES_EMIT = 1 << 18,   /* fires bullets; takes EMIT_STEPS steps (motion_unpack_emit) */
-    DOES_AWAIT = 1 << 19,  /* waits in flight until the condition in `mode` holds, for at most `duration` frames */
-    DOES_ALL = (1 << 20) - 1,
+    DOES_ACCEL_XY = 1 << 20, /* accelerates by (speed, accel); on an axis with MODE_TO_: to that velocity */
+    DOES_LEAD = DOES_GO_TO | DOES_POLAR | DOES_WAVE | DOES_ORBIT | DOES_ACCEL_XY,
+    DOES_BOUNCE = 1 << 17,  /* with DOES_LOOP: opens a loop of bounces; alone: flies to the next bounce */
+    DOES_EMIT = 1 << 18,    /* fires bullets; takes EMIT_STEPS steps (motion_unpack_emit) */
+    DOES_AWAIT = 1 << 19,   /* waits in flight until the condition in `mode` holds, for at most `duration` frames */
+    DOES_TURN_TO = 1 << 21, /* turns by `turn` in the first frame, by `dir` in the last, in equal steps between them */
+    DOES_ALL = (1 << 22) - 1,
     MOTION_MAX_DEPTH = 4, /* limit of nested loops */
     MOTION_FOREVER = 0xffff,
     MOTION_STEPS_PER_PROGRAM = 16 /* RAM reserved per program, in steps */
@@ -133,6 +135,9 @@ enum {
     MODE_HAS_SIZE_TO = 1 << 3, /* orbit: the radius changes to size_to */
     MODE_SPEED = 1 << 4,       /* go_to: flies at `speed`, for as many frames as needed */
     MODE_RELATIVE = 1 << 5,    /* go_to: (x, y) is relative to the bullet's position when the step began */
+    MODE_HAS_LIMIT = 1 << 0,   /* DOES_ACCEL_XY: accelerates up to `size` on each axis */
+    MODE_TO_VX = 1 << 6,       /* DOES_ACCEL_XY: `speed` is the velocity to reach on x, not the acceleration */
+    MODE_TO_VY = 1 << 7,       /* likewise `accel` on y */
     MODE_LEFT = 1 << 0,        /* DOES_BOUNCE: the edges of the field that are walls */
     MODE_RIGHT = 1 << 1,
     MODE_TOP = 1 << 2,
@@ -172,7 +177,7 @@ _Static_assert(STEP_NUMBER_COUNT *NAMED_VALUE_BITS <= 64, "a step's `named` has 
     FIELD(uint32_t, duration)     /* frames */                                                                         \
     FIELD(uint16_t, kind)         /* of bullets */                                                                     \
     FIELD(uint8_t, bank)          /* of colours */                                                                     \
-    FIELD(ang, dir)               /* the direction to take */                                                          \
+    FIELD(ang, dir)               /* the direction to take; DOES_TURN_TO */                                            \
     FIELD(int32_t, turn)          /* ang per frame; applied once if duration is 0 */                                   \
     FIELD(ang, home)              /* limit of the turn, ang per frame */                                               \
     FIELD(int64_t, speed)         /* px/frame in Q32; a whole number of fx unless the program is fine */               \
@@ -183,7 +188,8 @@ _Static_assert(STEP_NUMBER_COUNT *NAMED_VALUE_BITS <= 64, "a step's `named` has 
     FIELD(uint8_t, depth)         /* nesting depth of a loop, 0 to MOTION_MAX_DEPTH - 1 */                             \
     FIELD(fx, x)                  /* x, y: goal of go_to; centre of polar and orbit with MODE_HAS_CENTRE; the x or */  \
     FIELD(fx, y)                  /* y awaited by DOES_AWAIT */                                                        \
-    FIELD(fx, size)               /* px: amplitude of a wave; radius of an orbit; distance for MODE_TARGET_NEAR */     \
+    FIELD(fx, size)               /* px: amplitude of a wave; radius of an orbit; distance for MODE_TARGET_NEAR; */    \
+                                  /* px/frame: with MODE_HAS_LIMIT */                                                  \
     FIELD(fx, size_to)            /* px: radius at the end of an orbit with MODE_HAS_SIZE_TO */                        \
     FIELD(uint8_t, mode)          /* enum ease and MODE_ bits */                                                       \
     FIELD(uint64_t, named_values) /* NAMED_VALUE_BITS bits for each enum step_number */
@@ -248,10 +254,16 @@ struct motion_emit {
 
 /* The state saved at the start of a step that leads a bullet. */
 struct motion_lead {
-    fx x, y;   /* the bullet's position; polar and orbit: the centre instead */
-    fx radius; /* polar: the distance from the centre */
-    ang angle; /* polar and orbit: the direction from the centre; wave: the direction of flight */
-    fx speed;  /* wave: the speed of flight */
+    fx x, y; /* the bullet's position; polar and orbit: the centre instead */
+    union {
+        fx radius; /* polar: the distance from the centre */
+        fx vx;     /* acceleration: the velocity */
+    };
+    union {
+        ang angle; /* polar and orbit: the direction from the centre; wave: the direction of flight */
+        fx vy;
+    };
+    fx speed; /* wave: the speed of flight */
 };
 
 /* Computes the position to which step st of s leads a bullet in the k-th of n frames. On either axis the result is the
@@ -263,9 +275,18 @@ struct motion_lead {
  *   orbit  (x, y) + r (cos a, sin a), where r changes from size to size_to in n equal parts
  *   wave   (x, y), plus k speed along angle, plus size (sin b - sin dir) along angle + 90 degrees, where b is dir plus
  *          k / count turns, rounded to the nearest ang
+ *   accel  (x, y) plus the sum of the velocities of frames 1 to k (motion_accelerate)
  */
 void motion_lead_position(const struct steps *s, uint32_t st, const struct motion_lead *l, uint32_t k, uint32_t n,
                           fx *x, fx *y);
+
+/* Computes, for the k-th of n frames of a step with DOES_ACCEL_XY, the velocity on each axis, and the distance flown
+ * since the step began: the sum of the velocities of frames 1 to k. In Q32; distances are clamped, far outside the
+ * world. In frame k, the velocity on an axis is v + k a, where a is the step's acceleration, and with MODE_HAS_LIMIT at
+ * most `size` in the direction of a, or v if that is more; with MODE_TO_VX or _VY it is v plus k/n of the way to the
+ * step's velocity. */
+void motion_accelerate(const struct steps *s, uint32_t st, const struct motion_lead *l, uint32_t k, uint32_t n,
+                       int64_t velocity[2], int64_t distance[2]);
 
 /* Computes the fx nearest to (x, y) + r (cos a, sin a), clamped to the world; r in Q32, |r| <= 2^48. */
 void motion_offset_polar(fx x, fx y, int64_t r, ang a, fx *to_x, fx *to_y);

@@ -45,7 +45,29 @@ static __float128 share(int ease, __float128 t)
 struct start {
     fx x, y, speed;
     ang dir;
+    fx vx, vy; /* of dir and speed, as the bullet has them */
 };
+
+/* Frame by frame: the velocity on an axis after k frames of n, and how far they led, in units of Q32. */
+static void accelerated(const struct motion_step *p, int axis, fx from, uint32_t k, uint32_t n, __float128 *v,
+                        __float128 *way)
+{
+    const __float128 start = (__float128)from * 65536, number = axis ? p->accel : p->speed;
+    const __float128 most = p->mode & MODE_HAS_LIMIT ? (__float128)p->size * 65536 : 1e30Q;
+    const bool to = p->mode & (axis ? MODE_TO_VY : MODE_TO_VX);
+
+    *v = start;
+    *way = 0;
+    for (uint32_t j = 1; j <= k; j++) {
+        if (to)
+            *v = start + (number - start) * j / n;
+        else if (number > 0 && *v < most)
+            *v = *v + number < most ? *v + number : most;
+        else if (number < 0 && *v > -most)
+            *v = *v + number > -most ? *v + number : -most;
+        *way += *v;
+    }
+}
 
 /* Where the formula has the bullet in frame k of n, in units of fx. */
 static void formula(const struct motion_step *p, const struct start *a, uint32_t k, uint32_t n, __float128 *x,
@@ -64,6 +86,14 @@ static void formula(const struct motion_step *p, const struct start *a, uint32_t
         __float128 side = p->size * (sine(to) - sine(from));
         *x = a->x + way * cosine(angle) - side * sine(angle);
         *y = a->y + way * sine(angle) + side * cosine(angle);
+        return;
+    }
+    if (p->actions & DOES_ACCEL_XY) {
+        __float128 v, way[2];
+        accelerated(p, 0, a->vx, k, n, &v, &way[0]);
+        accelerated(p, 1, a->vy, k, n, &v, &way[1]);
+        *x = a->x + way[0] / 65536;
+        *y = a->y + way[1] / 65536;
         return;
     }
     if (p->mode & MODE_HAS_CENTRE) {
@@ -101,7 +131,21 @@ static double off(const struct motion_step *p, const struct start *a, uint32_t k
     return (double)(x > y ? x : y);
 }
 
-static void lead(const struct motion_step *p, const struct start *a, uint32_t n, double *worst)
+/* After its last frame, an accelerated bullet has the velocity of the formula, not that of its rounded places. */
+static void check_final_velocity(const struct motion_step *p, const struct start *a, uint32_t n, fx *vx, fx *vy)
+{
+    const struct bullets *b = &rig.b->bullets;
+    __float128 v[2], way;
+
+    accelerated(p, 0, a->vx, n, n, &v[0], &way);
+    accelerated(p, 1, a->vy, n, n, &v[1], &way);
+    *vx = b->vx[0];
+    *vy = b->vy[0];
+    assert_true(fabsq(v[0] / 65536 - *vx) < 0.5001Q && fabsq(v[1] / 65536 - *vy) < 0.5001Q);
+    assert_true(b->speed[0] == fx_hypot(*vx, *vy) && (!(*vx || *vy) || b->dir[0] == trig_atan2(*vy, *vx)));
+}
+
+static void lead(const struct motion_step *p, struct start *a, uint32_t n, double *worst)
 {
     struct bullets *b = &rig.b->bullets;
     struct bullet_spec s = { .x = a->x, .y = a->y, .dir = a->dir, .speed = a->speed };
@@ -113,6 +157,8 @@ static void lead(const struct motion_step *p, const struct start *a, uint32_t n,
     s.motion = (uint16_t)(rig_motion(rig.b, p, 1, false) + 1);
     w.clock = 77;
     assert_int_equal(bullets_fire(b, &s, w.clock), 0);
+    a->vx = b->vx[0];
+    a->vy = b->vy[0];
     for (uint32_t k = 1; k <= n; k++) {
         fx x = b->x[0], y = b->y[0];
         move(&w);
@@ -128,9 +174,11 @@ static void lead(const struct motion_step *p, const struct start *a, uint32_t n,
     fx x = b->x[0], y = b->y[0], vx = b->vx[0], vy = b->vy[0];
     if (p->actions & DOES_WAVE)
         trig_polar(a->speed, a->dir, &vx, &vy);
-    else if (vx || vy)
+    else if ((vx || vy) && !(p->actions & DOES_ACCEL_XY))
         assert_true(b->dir[0] == trig_atan2(vy, vx) && b->speed[0] == fx_min(fx_hypot(vx, vy), MAX_SPEED << 16));
     move(&w);
+    if (p->actions & DOES_ACCEL_XY)
+        check_final_velocity(p, a, n, &vx, &vy);
     assert_true(b->x[0] == x + vx && b->y[0] == y + vy && !b->motion[0] && !b->travel_q32[0]);
 }
 
@@ -143,10 +191,10 @@ TEST(formulas)
     rng_seed(&rng, 5);
     for (int run = 0; run < 4000; run++) {
         const int64_t px = FX_ONE, far = run % 7 ? 400 : 3000;
-        uint32_t n = 1 + (uint32_t)rng_below(&rng, run % 50 ? 90 : 3000);
-        struct start a = { number(far * px), number(far * px), number(3 * px), (ang)rng_next(&rng) };
+        uint32_t n = 1 + (uint32_t)rng_below(&rng, run % 50 ? 90 : run % 8 == 5 || run % 8 == 6 ? 300 : 3000);
+        struct start a = { number(far * px), number(far * px), number(3 * px), (ang)rng_next(&rng), 0, 0 };
         struct motion_step p = { .duration = n };
-        switch (run % 6) {
+        switch (run % 8) {
         case 0:
         case 1:
             p.actions = DOES_GO_TO;
@@ -171,6 +219,19 @@ TEST(formulas)
             p.count = (uint16_t)(1 + rng_below(&rng, 300));
             p.dir = (ang)rng_next(&rng);
             break;
+        case 5:
+            p.actions = DOES_ACCEL_XY;
+            p.mode = run % 3 ? MODE_HAS_LIMIT : 0;
+            p.size = abs(number(4 * px));
+            p.speed = (int64_t)number(px / 8) * number(px) / (run % 11 ? 1 : 5000);
+            p.accel = run % 5 ? (int64_t)number(px / 8) * number(px) : 0;
+            break;
+        case 6:
+            p.actions = DOES_ACCEL_XY;
+            p.mode = (uint8_t)(MODE_TO_VX | (run % 3 ? MODE_TO_VY : 0));
+            p.speed = (int64_t)number(3 * px) * 65536 + number(65535);
+            p.accel = run % 3 ? (int64_t)number(3 * px) * 65536 + number(65535) : 0;
+            break;
         default:
             p.actions = DOES_ORBIT;
             p.mode = MODE_HAS_CENTRE | (run % 4 ? MODE_HAS_SIZE_TO : 0);
@@ -183,6 +244,36 @@ TEST(formulas)
     print_message("# worst distance from the formula: %.6f units of 1/65536 px\n", worst);
     assert_true(worst > 0.49);
     rig_close(&rig);
+}
+
+/* After up to 2^32 - 1 frames, at all speeds: the closed form, or clamped far outside the world. */
+TEST(long_acceleration)
+{
+    const __float128 far = (__float128)(1ll << 47);
+    struct motion_step p = { .actions = DOES_ACCEL_XY };
+    struct steps s = { .mode = &p.mode, .size = &p.size, .speed = &p.speed, .accel = &p.accel };
+    uint32_t inside = 0;
+
+    rng_seed(&rng, 6);
+    for (int run = 0; run < 200000; run++) {
+        const int small = (int)rng_below(&rng, 46), frames = (int)rng_below(&rng, 31);
+        const bool to = run % 2;
+        const uint32_t n = (uint32_t)(rng_next(&rng) >> 33 >> frames) % 1000000000u + 1;
+        const uint32_t k = to ? 1 + (uint32_t)rng_below(&rng, n) : (uint32_t)(rng_next(&rng) >> 32 >> frames);
+        const struct motion_lead l = { .vx = number(MAX_SPEED << 16) >> rng_below(&rng, 29) };
+        int64_t v[2], way[2];
+        p.speed = ((int64_t)number(MAX_SPEED << 16) * 65536 + number(65535)) >> small;
+        p.mode = to ? MODE_TO_VX : 0;
+        motion_accelerate(&s, 0, &l, k, n, v, way);
+        const __float128 start = (__float128)l.vx * 65536, half = (__float128)k * ((__float128)k + 1) / 2;
+        const __float128 want = start * k + (to ? (p.speed - start) / n : (__float128)p.speed) * half;
+        if (fabsq(want) >= far)
+            assert_true((want < 0) == (way[0] < 0) && llabs(way[0]) >= 1ll << 47);
+        else if (fabsq(want - way[0]) >= 1)
+            fail_msg("%d: %u of %u frames: %.3f units of 2^-32 px off", run, k, n, (double)(want - way[0]));
+        inside += fabsq(want) < far;
+    }
+    assert_true(inside > 50000);
 }
 
 /* Where something that flies from v by `speed` a frame is in frame k, between walls at 0 and w. */

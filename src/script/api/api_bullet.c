@@ -185,7 +185,7 @@ void api_check_around(lua_State *L, const struct bullets *s, const char *entry, 
 
 #define FIRE_PARAMS(kind_type, def_dir)                                                                                \
     REQUIRED("kind", kind_type, "declared kind to fire"),                                                              \
-        SPEED("speed", A_FX, REQ, "speed of flight; if negative, it flies backwards"), POSITION_PARAMS,                \
+        SPEED("speed", A_FX, UNLESS_VXY, "speed of flight; if negative, it flies backwards"), POSITION_PARAMS,         \
         DEFAULT("dir", A_DIR, def_dir,                                                                                 \
                 "direction of flight, clockwise from the right; with `aim`, the default is 0, and the angle is added " \
                 "to the direction towards the target"),                                                                \
@@ -195,7 +195,8 @@ void api_check_around(lua_State *L, const struct bullets *s, const char *entry, 
         OPTIONAL("motion", A_MOTION, "motion program that steers it")
 #define AROUND_PARAM                                                                                                   \
     THING("around", OPT, POSITION_HANDLE_KINDS,                                                                        \
-          "thing that it circles in the `orbit` steps of its motion; needs `board = { around = true }`")
+          "thing that it circles in the `orbit` steps of its motion; needs `board = { around = true }`"),              \
+        VXY_PARAMS
 
 static const struct api_param bullet_fire_params[] = {
     FIRE_PARAMS(A_BULLET_KIND, "90"),
@@ -251,6 +252,14 @@ bool api_read_flight(lua_State *L, struct board *b, const char *entry, const str
     return true;
 }
 
+void api_set_fired_velocity(struct bullets *s, uint32_t i, const struct api_value *vxy)
+{
+    const bool fine = s->flags[i] & BULLET_FINE;
+
+    if (vxy[0].f || vxy[1].f)
+        bullets_set_velocity(s, i, api_value_to_q32(fine, &vxy[0]), api_value_to_q32(fine, &vxy[1]));
+}
+
 /* bullet.fire and shot.fire. */
 static int fire(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -264,6 +273,8 @@ static int fire(lua_State *L, struct board *b, struct api_value *v)
             s.dir = api_aim_direction(b, is_shot, s.x, s.y) + (v[FIRE_DIR].given ? v[FIRE_DIR].a : 0);
         i = emit_fire(b, is_shot, &s, api_value_to_q32(true, &v[FIRE_SPEED]), b->core.clock);
     }
+    if (i != NO_SLOT)
+        api_set_fired_velocity(is_shot ? &b->shots : &b->bullets, (uint32_t)i, v + FIRE_VX);
     if (i != NO_SLOT)
         api_set_values(b, is_shot ? N_SHOT_VALUE : N_BULLET_VALUE, (uint32_t)i, v + FIRE_FIRST_VALUE);
     lua_pushinteger(L, board_handle(b, is_shot ? H_SHOT : H_BULLET, i));

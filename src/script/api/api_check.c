@@ -647,6 +647,49 @@ static bool is_called_by_task(lua_State *L)
     return true;
 }
 
+bool api_resolve_velocity(lua_State *L, const char *entry, struct api_velocity w)
+{
+    if (!w.vx->given && !w.vy->given)
+        return false;
+    if (w.speed->given || w.dir->given || w.aim->i)
+        api_error(L, entry, "`%s` cannot be combined with `%s`", w.vx->given ? "vx" : "vy",
+                  w.speed->given ? "speed"
+                  : w.dir->given ? "dir"
+                                 : "aim");
+    w.speed->f = fx_min(fx_hypot(w.vx->f, w.vy->f), MAX_SPEED << 16);
+    w.speed->n = fx_to_double(w.speed->f);
+    if (w.speed->f) { /* at rest, it keeps the default direction */
+        w.dir->a = trig_atan2(w.vy->f, w.vx->f);
+        w.dir->n = trig_to_degrees(w.dir->a);
+        w.dir->given = true;
+    }
+    w.speed->given = true;
+    w.vx->given = w.vy->given = false;
+    return true;
+}
+
+/* Resolves the velocity of what is fired, also in the arguments on the stack. i: the argument `speed`. */
+static void resolve_fired_velocity(lua_State *L, const struct api_entry *e, const struct api_entry *fired_entry,
+                                   struct api_value *v, int i)
+{
+    struct api_value *const dir = &v[api_search_param(e, fired_entry, "dir")];
+    const struct api_velocity w = { &v[i], dir, &v[api_search_param(e, fired_entry, "aim")],
+                                    &v[api_search_param(e, fired_entry, "vx")],
+                                    &v[api_search_param(e, fired_entry, "vy")] };
+
+    if (!api_resolve_velocity(L, e->name, w)) {
+        if (!v[i].given)
+            api_check_value(L, e->name, api_param_at(e, fired_entry, i), &v[i]);
+        return;
+    }
+    lua_pushnumber(L, v[i].n);
+    lua_replace(L, v[i].at);
+    if (!dir->given)
+        return;
+    lua_pushnumber(L, dir->n);
+    lua_replace(L, dir->at);
+}
+
 enum {
     MAX_ARGS_WITHOUT_CHECKSTACK = LUA_MINSTACK - 17
 }; /* arguments that leave enough free slots in a C function's guaranteed stack */
@@ -686,8 +729,12 @@ int api_read_arguments(lua_State *L, const struct api_entry *e, struct api_value
     } else if (top < e->positional_count)
         lua_settop(L, e->positional_count);
     bool is_lenient = false; /* set once `each` is given: its function need not use the arguments of `fire` */
+    bool has_velocity = false;
+    int speed = -1; /* the argument that is required unless `vx` or `vy` is given */
     for (int i = 0; i < n; i++) {
         const struct api_param *p = api_param_at(e, fired_entry, i);
+        speed = p->optional == UNLESS_VXY ? i : speed;
+        has_velocity |= v[i].given && p->optional == VXY;
         if (i < e->positional_count)
             api_read_value(L, i + 1, i + 1, &v[i]);
         else
@@ -699,6 +746,8 @@ int api_read_arguments(lua_State *L, const struct api_entry *e, struct api_value
         else
             api_fill_default(p, &v[i]);
     }
+    if (speed >= 0 && (has_velocity || !is_lenient))
+        resolve_fired_velocity(L, e, fired_entry, v, speed);
     check_values(L, e, names, n + 2, v + n);
     return n + n_values;
 }

@@ -85,6 +85,8 @@ enum {
     F_MOTION,
     F_DELAY,
     F_AROUND,
+    F_VX,
+    F_VY,
     F_LENGTH,
     F_POINTS = F_LENGTH,
     F_FOLLOW = SHARED_PARAM_COUNT,
@@ -98,11 +100,12 @@ enum {
 };
 
 #define FLIGHT_PARAMS                                                                                                  \
-    SPEED("speed", A_FX, REQ, "speed of flight; if negative, it flies backwards"),                                     \
+    SPEED("speed", A_FX, UNLESS_VXY, "speed of flight; if negative, it flies backwards"),                              \
         OPTIONAL("motion", A_MOTION, "motion program that steers its head"),                                           \
         PARAM("delay", A_INT, OPT, 0, 1e9, "frames", "0", "frames the laser waits in place before it flies"),          \
         THING("around", OPT, POSITION_HANDLE_KINDS,                                                                    \
-              "thing that it circles in the `orbit` steps of its motion; needs `board = { around = true }`")
+              "thing that it circles in the `orbit` steps of its motion; needs `board = { around = true }`"),          \
+        VXY_PARAMS
 
 static const struct api_param bolt_params[] = { LASER_PARAMS("`from`"), FLIGHT_PARAMS,
                                                 PARAM("length", A_FX, REQ, 0, LASER_MAX_SIZE, "px", NULL,
@@ -190,6 +193,8 @@ static int fire_flying_laser(lua_State *L, struct board *b, struct api_value *v)
     int32_t i = is_fire_blocked(b, &s) ? NO_SLOT : lasers_fire(b, &s, &shape);
     if (i != NO_SLOT && s.is_fine)
         bullets_set_speed(&b->laser_heads, (uint32_t)i, api_value_to_q32(true, &v[F_SPEED]));
+    if (i != NO_SLOT)
+        api_set_fired_velocity(&b->laser_heads, (uint32_t)i, v + F_VX);
     return push_laser(L, b, i);
 }
 

@@ -36,6 +36,12 @@ enum {
     M_PATH,
     M_MIRROR,
     M_WAIT_FOR,
+    M_TURN_TO,
+    M_AX,
+    M_AY,
+    M_LIMIT,
+    M_VX,
+    M_VY,
     M_KEY_COUNT
 };
 
@@ -76,7 +82,18 @@ static const struct api_param step_keys[M_KEY_COUNT] = {
     OPTIONAL("path", A_ROUTE, "route to follow, moved so that it starts at the bullet's position"),
     DEFAULT("mirror", A_BOOL, "false", "mirror `path` left to right"),
     OPTIONAL("wait_for", A_TABLE, "what to wait for while flying unchanged: a position, a nearby target or a signal"),
+    OPTIONAL("turn_to", A_DIR, "degrees per frame that `turn` changes to, evenly, by the end of `over`"),
+    PARAM("ax", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame per frame", NULL,
+          "change in the horizontal velocity; with `over`, the change per frame"),
+    PARAM("ay", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame per frame", NULL,
+          "change in the vertical velocity; with `over`, the change per frame"),
+    PARAM("limit", A_FX, OPT, 0, MAX_SPEED, "px/frame", NULL,
+          "speed on each axis up to which `ax` and `ay` accelerate"),
+    SPEED("vx", A_FX, OPT, "new horizontal velocity; with `over`, it is reached in equal steps"),
+    SPEED("vy", A_FX, OPT, "new vertical velocity; with `over`, it is reached in equal steps"),
 };
+
+_Static_assert(M_KEY_COUNT <= 64, "masks of keys have 64 bits");
 
 enum { MAX_STEPS = 1024, MAX_ROUNDS = 4096 };
 
@@ -133,6 +150,8 @@ static const uint8_t step_numbers[M_KEY_COUNT] = {
     [M_SPEED] = NUMBER_SPEED + 1,   [M_ACCEL] = NUMBER_ACCEL + 1,   [M_POLAR] = NUMBER_SPEED + 1,
     [M_WAVE] = NUMBER_SIZE + 1,     [M_ORBIT] = NUMBER_SIZE + 1,    [M_RADIUS_TO] = NUMBER_SIZE_TO + 1,
     [M_SPIN] = NUMBER_TURN + 1,     [M_EVERY] = NUMBER_COUNT + 1,   [M_PHASE] = NUMBER_DIR + 1,
+    [M_TURN_TO] = NUMBER_DIR + 1,   [M_AX] = NUMBER_SPEED + 1,      [M_AY] = NUMBER_ACCEL + 1,
+    [M_LIMIT] = NUMBER_SIZE + 1,    [M_VX] = NUMBER_SPEED + 1,      [M_VY] = NUMBER_ACCEL + 1,
 };
 
 uint64_t api_find_step_value(lua_State *L, int step, const char *key, int at)
@@ -185,15 +204,21 @@ static uint64_t read_keys(lua_State *L, int at, int step, struct api_value v[M_K
     return api_read_step_keys(L, step, entry, step_keys, M_KEY_COUNT, step_numbers, at, v);
 }
 
+#define KEY(key) (1ull << M_##key)
+
 /* The settings that each leading step may have and must have, in addition to kind and bank. */
 static const struct {
     int key;
-    uint32_t allowed, required;
+    uint64_t allowed, required;
 } lead_rules[] = {
-    { M_GO_TO, 1u << M_OVER | 1u << M_SPEED | 1u << M_EASE, 0 },
-    { M_POLAR, 1u << M_OVER | 1u << M_SPIN | 1u << M_AT, 1u << M_OVER },
-    { M_WAVE, 1u << M_OVER | 1u << M_EVERY | 1u << M_PHASE, 1u << M_OVER | 1u << M_EVERY },
-    { M_ORBIT, 1u << M_OVER | 1u << M_SPIN | 1u << M_RADIUS_TO | 1u << M_AT, 1u << M_OVER },
+    { M_GO_TO, KEY(OVER) | KEY(SPEED) | KEY(EASE), 0 },
+    { M_POLAR, KEY(OVER) | KEY(SPIN) | KEY(AT), KEY(OVER) },
+    { M_WAVE, KEY(OVER) | KEY(EVERY) | KEY(PHASE), KEY(OVER) | KEY(EVERY) },
+    { M_ORBIT, KEY(OVER) | KEY(SPIN) | KEY(RADIUS_TO) | KEY(AT), KEY(OVER) },
+    { M_AX, KEY(AY) | KEY(OVER) | KEY(LIMIT), 0 },
+    { M_AY, KEY(AX) | KEY(OVER) | KEY(LIMIT), 0 },
+    { M_VX, KEY(VY) | KEY(OVER), 0 },
+    { M_VY, KEY(VX) | KEY(OVER), 0 },
 };
 enum { LEAD_RULE_COUNT = sizeof lead_rules / sizeof *lead_rules };
 
@@ -216,17 +241,18 @@ static void check_lead(lua_State *L, const struct api_value v[M_KEY_COUNT], int 
 
     for (int i = 0; i < LEAD_RULE_COUNT; i++)
         if (v[lead_rules[i].key].given) {
-            if (found >= 0)
+            if (found >= 0 && !(lead_rules[found].allowed >> lead_rules[i].key & 1))
                 api_error(L, def_entry, "step %d: `%s` and `%s` cannot be combined", step,
                           step_keys[lead_rules[found].key].name, step_keys[lead_rules[i].key].name);
-            found = i;
+            found = found < 0 ? i : found;
         }
-    const uint32_t lead_settings =
-        1u << M_EASE | 1u << M_SPIN | 1u << M_AT | 1u << M_EVERY | 1u << M_PHASE | 1u << M_RADIUS_TO;
+    const uint64_t lead_settings = KEY(EASE) | KEY(SPIN) | KEY(AT) | KEY(EVERY) | KEY(PHASE) | KEY(RADIUS_TO);
     if (v[M_WALLS].given)
         raise_step_error(L, step, "`walls` requires `bounce`");
     if (v[M_MIRROR].given)
         raise_step_error(L, step, "`mirror` requires `path`");
+    if (v[M_LIMIT].given && !v[M_AX].given && !v[M_AY].given)
+        raise_step_error(L, step, "`limit` requires `ax` or `ay`");
     for (int k = 0; k < M_KEY_COUNT; k++) {
         if (found < 0 && v[k].given && lead_settings >> k & 1)
             api_error(L, def_entry, "step %d: `%s` requires `go_to`, `polar`, `wave` or `orbit`", step,
@@ -244,6 +270,8 @@ static void check_lead(lua_State *L, const struct api_value v[M_KEY_COUNT], int 
                   step_keys[lead_rules[found].key].name);
     if (v[M_GO_TO].given)
         check_go_to(L, v, step);
+    if ((v[M_VX].given || v[M_VY].given) && v[M_OVER].i == LUA_MAXINTEGER)
+        api_error(L, def_entry, "step %d: `%s` with `over = forever` never arrives", step, v[M_VX].given ? "vx" : "vy");
     if (v[M_RADIUS_TO].given && v[M_OVER].i == LUA_MAXINTEGER)
         raise_step_error(L, step, "`radius_to` with `over = forever` never arrives");
     if (v[M_ORBIT].given && !v[M_AT].given && !vm_board(L)->bullets.orbit_target && !vm_board(L)->shots.orbit_target)
@@ -301,6 +329,13 @@ static uint64_t fill_lead(lua_State *L, struct motion_step *s, const struct api_
         s->dir = v[M_PHASE].a;
     if (v[M_POLAR].given)
         s->speed = api_value_to_q32(fine, &v[M_POLAR]);
+    if (s->actions & DOES_ACCEL_XY) {
+        s->speed = api_value_to_q32(true, &v[v[M_VX].given ? M_VX : M_AX]);
+        s->accel = api_value_to_q32(true, &v[v[M_VY].given ? M_VY : M_AY]);
+        s->size = v[M_LIMIT].f;
+        s->mode = (uint8_t)((v[M_VX].given ? MODE_TO_VX : 0) | (v[M_VY].given ? MODE_TO_VY : 0) |
+                            (v[M_LIMIT].given ? MODE_HAS_LIMIT : 0));
+    }
     if (s->actions & DOES_GO_TO) /* a go_to has its own speed; the bullet's is not set */
         s->actions &= ~(uint32_t)DOES_SPEED;
     return read_point(L, step, &v[M_GO_TO], "go_to", s) | read_point(L, step, &v[M_AT], "at", s);
@@ -315,9 +350,13 @@ static uint32_t get_frames(const struct api_value *v)
 static void fill_step(lua_State *L, struct motion_step *s, const struct api_value v[M_KEY_COUNT], uint64_t named_bits,
                       int step, bool fine)
 {
-    static const uint32_t key_flags[M_KEY_COUNT] = { DOES_WAIT,  DOES_KIND,  DOES_BANK,  DOES_DIR,  DOES_AIM, DOES_TURN,
-                                                     DOES_HOME,  DOES_SPEED, DOES_ACCEL, DOES_DIE,  0,        0,
-                                                     DOES_GO_TO, DOES_POLAR, DOES_WAVE,  DOES_ORBIT };
+    static const uint32_t key_flags[M_KEY_COUNT] = {
+        [M_WAIT] = DOES_WAIT,   [M_KIND] = DOES_KIND,   [M_BANK] = DOES_BANK,   [M_DIR] = DOES_DIR,
+        [M_AIM] = DOES_AIM,     [M_TURN] = DOES_TURN,   [M_HOME] = DOES_HOME,   [M_SPEED] = DOES_SPEED,
+        [M_ACCEL] = DOES_ACCEL, [M_DIE] = DOES_DIE,     [M_GO_TO] = DOES_GO_TO, [M_POLAR] = DOES_POLAR,
+        [M_WAVE] = DOES_WAVE,   [M_ORBIT] = DOES_ORBIT, [M_AX] = DOES_ACCEL_XY, [M_AY] = DOES_ACCEL_XY,
+        [M_VX] = DOES_ACCEL_XY, [M_VY] = DOES_ACCEL_XY,
+    };
 
     for (int k = 0; k < M_KEY_COUNT; k++)
         if (v[k].given && !(step_keys[k].type == A_BOOL && !v[k].i))
@@ -333,13 +372,19 @@ static void fill_step(lua_State *L, struct motion_step *s, const struct api_valu
         raise_step_error(L, step, "`speed` with `over = forever` never arrives");
     if (s->actions & DOES_DIE && v[M_OVER].given)
         raise_step_error(L, step, "`die` takes effect immediately; put a `wait` before it");
+    if (v[M_TURN_TO].given && !(v[M_TURN].given && v[M_OVER].given))
+        raise_step_error(L, step, "`turn_to` requires `turn` and `over`");
+    if (v[M_TURN_TO].given && v[M_OVER].i == LUA_MAXINTEGER)
+        raise_step_error(L, step, "`turn_to` with `over = forever` never arrives");
     if (s->actions & DOES_HOME && !v[M_OVER].given)
         raise_step_error(L, step, "`home` requires `over` (frames)");
     s->duration = get_frames(&v[s->actions & DOES_WAIT ? M_WAIT : M_OVER]);
     s->kind = (uint16_t)v[M_KIND].i;
     s->bank = (uint8_t)v[M_BANK].i;
-    s->dir = v[M_DIR].a;
+    s->dir = v[M_TURN_TO].given ? v[M_TURN_TO].a : v[M_DIR].a;
     s->turn = (int32_t)v[M_TURN].a;
+    if (v[M_TURN_TO].given)
+        s->actions ^= DOES_TURN | DOES_TURN_TO;
     trig_from_degrees(v[M_HOME].n, &s->home);
     s->speed = api_value_to_q32(fine, &v[M_SPEED]);
     s->accel = api_value_to_q32(fine, &v[M_ACCEL]);
@@ -390,7 +435,7 @@ static bool takes_time(struct program_reader *r, const struct motion_step *s)
 }
 
 /* Raises an error if the key `key` is combined with a key that is not in the mask `allowed`. */
-static void check_key_alone(lua_State *L, const struct api_value v[M_KEY_COUNT], int step, int key, uint32_t allowed)
+static void check_key_alone(lua_State *L, const struct api_value v[M_KEY_COUNT], int step, int key, uint64_t allowed)
 {
     for (int k = 0; k < M_KEY_COUNT; k++)
         if (v[k].given && k != key && !(allowed >> k & 1))
@@ -405,7 +450,7 @@ static void read_path(lua_State *L, struct program_reader *r, const struct api_v
     struct motion_step leg = { .kind = (uint16_t)v[M_KIND].i, .bank = (uint8_t)v[M_BANK].i };
     struct api_route_reader route = { .route_at = v[M_PATH].at, .is_mirrored = v[M_MIRROR].i };
 
-    check_key_alone(L, v, step, M_PATH, 1u << M_MIRROR | 1u << M_KIND | 1u << M_BANK);
+    check_key_alone(L, v, step, M_PATH, KEY(MIRROR) | KEY(KIND) | KEY(BANK));
     if (r->is_fine)
         raise_step_error(L, step, "`path` cannot be used in a fine motion (this step is always exact)");
     leg.actions = (v[M_KIND].given ? DOES_KIND : 0u) | (v[M_BANK].given ? DOES_BANK : 0u);
@@ -501,7 +546,7 @@ static uint64_t read_loop(lua_State *L, struct program_reader *r, int at, int de
 
     if (depth == MOTION_MAX_DEPTH)
         raise_step_error(L, step, "loops nested more than 4 deep");
-    check_key_alone(L, v, step, key, is_bounce ? 1u << M_WALLS | 1u << M_OVER : 0);
+    check_key_alone(L, v, step, key, is_bounce ? KEY(WALLS) | KEY(OVER) : 0);
     struct motion_step *s = add_step(L, r);
     s->actions = DOES_LOOP;
     s->depth = (uint8_t)depth;

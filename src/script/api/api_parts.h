@@ -91,7 +91,9 @@ enum {
     FIRE_MOTION,
     FIRE_OWNER,              /* shots only */
     FIRE_DELAY = FIRE_OWNER, /* bullets only */
-    FIRE_AROUND,             /* shots and bullets */
+    FIRE_AROUND,             /* shots and bullets, like the rest */
+    FIRE_VX,
+    FIRE_VY,
     FIRE_FIRST_VALUE
 };
 
@@ -99,6 +101,19 @@ enum {
  * the ship that would fire was hit. */
 bool api_read_flight(lua_State *L, struct board *b, const char *entry, const struct api_value *v, bool is_shot,
                      struct bullet_spec *s);
+
+/* The arguments of a velocity, in both forms. */
+struct api_velocity {
+    struct api_value *speed, *dir, *aim, *vx, *vy;
+};
+
+/* If `vx` or `vy` is given, sets speed and dir to theirs, as if these had been given instead, and returns true. Raises an
+ * error if both forms are given. */
+bool api_resolve_velocity(lua_State *L, const char *entry, struct api_velocity w);
+
+/* Gives a thing just fired with the arguments `vx` and `vy` at vxy exactly this velocity, of which its dir and speed are
+ * rounded; does nothing if they were not given. */
+void api_set_fired_velocity(struct bullets *s, uint32_t i, const struct api_value *vxy);
 
 /* Returns the number, 1 or 2, of the player who owns what is fired, or 0: the argument `by` or, if it is not given, the
  * owner of the thing that fires. */
@@ -499,7 +514,7 @@ uint64_t api_read_step_keys(lua_State *L, int step, const char *entry, const str
                             const uint8_t *numbers, int at, struct api_value *v);
 
 /* Read the table of settings, at stack index `at`, of an `emit` or `wait_for` step (api_step.c). */
-enum { EMIT_PARAM_COUNT = 17, AWAIT_PARAM_COUNT = 5 };
+enum { EMIT_PARAM_COUNT = 19, AWAIT_PARAM_COUNT = 5 };
 extern const struct api_param api_emit_params[EMIT_PARAM_COUNT], api_await_params[AWAIT_PARAM_COUNT];
 void api_read_emit_step(lua_State *L, int step, int at, struct motion_emit *e);
 void api_read_await_step(lua_State *L, int step, int at, struct motion_step *s);

@@ -44,7 +44,7 @@ static void fill_plan(struct api_plan *p, const struct api_entry *e, const struc
             continue;
         const struct api_param *param = api_param_at(e, fired_entry, i);
         api_fill_default(param, &p->defaults[i]);
-        p->required |= (uint64_t)!param->optional << i;
+        p->required |= (uint64_t)(param->optional == REQ || param->optional == UNLESS_VXY) << i;
     }
 }
 
@@ -100,7 +100,7 @@ static int learn_key(lua_State *L, const struct api_entry *e, struct api_plan *p
         const int k = api_names_find(L, p->names, name);
         i = k == NO_SLOT ? -1 : p->n + k;
     }
-    if (i < 0)
+    if (i < 0 || (i < p->n && api_param_at(e, p->fired_entry, i)->optional == VXY)) /* `vx` replaces `speed` */
         return -1;
     p->key[i] = key;
     lua_getiuservalue(L, lua_upvalueindex(1), 1);

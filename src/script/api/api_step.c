@@ -24,7 +24,9 @@ enum {
     E_TAG,
     E_MOTION,
     E_DELAY,
-    E_AROUND
+    E_AROUND,
+    E_VX,
+    E_VY
 };
 
 const struct api_param api_emit_params[EMIT_PARAM_COUNT] = {
@@ -40,7 +42,7 @@ const struct api_param api_emit_params[EMIT_PARAM_COUNT] = {
     PARAM("skip", A_SPAN, OPT, -65535, 65535, NULL, NULL, "range of bullets to skip; the first bullet is number 1"),
     DEFAULT("fire", A_EMIT_FIRE, "bullet", "what to fire; shots belong to the owner of the shot that fires them"),
     REQUIRED("kind", A_BULLET_KIND, "declared kind to fire"),
-    SPEED("speed", A_FX, REQ, "speed of flight; if negative, it flies backwards"),
+    SPEED("speed", A_FX, UNLESS_VXY, "speed of flight; if negative, it flies backwards"),
     OPTIONAL("dir", A_DIR,
              "direction of flight, clockwise from the right; defaults to the direction of the bullet that fires; with "
              "`aim`, the default is 0, and the angle is added to the direction towards the target"),
@@ -50,6 +52,7 @@ const struct api_param api_emit_params[EMIT_PARAM_COUNT] = {
     OPTIONAL("motion", A_MOTION, "motion program that steers the bullets"),
     PARAM("delay", A_INT, OPT, 0, 1e9, "frames", "0", "frames the bullets wait in place before they fly"),
     THING("around", OPT, POSITION_HANDLE_KINDS, "thing that the bullets circle in the `orbit` steps of their motion"),
+    VXY_PARAMS,
 };
 
 /* The name of each pattern, and the argument that gives its size (-1: it has none). */
@@ -128,6 +131,20 @@ static void check_setting(lua_State *L, struct emit_reader *r, int k, const stru
     api_check(L, context, p, at, &r->v[k]);
 }
 
+/* Resolves `vx` and `vy`, or raises an error if the required `speed` is not given either. */
+static void resolve_velocity(lua_State *L, struct emit_reader *r)
+{
+    struct api_value *v = r->v;
+    char context[48];
+
+    snprintf(context, sizeof context, "%s: step %d: emit", def_entry, r->step);
+    if (api_resolve_velocity(L, context,
+                             (struct api_velocity){ &v[E_SPEED], &v[E_DIR], &v[E_AIM], &v[E_VX], &v[E_VY] }))
+        return;
+    if (!v[E_SPEED].given)
+        api_check_value(L, context, &api_emit_params[E_SPEED], &v[E_SPEED]);
+}
+
 static void check_settings(lua_State *L, struct emit_reader *r)
 {
     for (int k = 0; k < EMIT_PARAM_COUNT; k++) {
@@ -136,6 +153,7 @@ static void check_settings(lua_State *L, struct emit_reader *r)
             p.type = A_SHOT_KIND;
         check_setting(L, r, k, &p, emit_numbers[k] - 1);
     }
+    resolve_velocity(L, r);
     for (int k = 0; k < api_value_count(vm_board(L), r->value_kind); k++) {
         struct api_param p = api_value_param(board_name(vm_board(L), r->value_kind, k));
         p.optional = OPT;

@@ -61,7 +61,9 @@ enum api_type {
     A_HOST_SCREEN,  /* a host screen */
 };
 
-enum { REQ = 0, OPT = 1 }; /* whether a parameter is required or optional */
+/* Whether a parameter is required or optional. VXY: `vx` and `vy`, optional, which replace `speed` and `dir`;
+ * UNLESS_VXY: required unless one of these is given. */
+enum { REQ = 0, OPT = 1, VXY, UNLESS_VXY };
 
 /* Text printed only by `curtain help lua`. A build without that command contains none of it. */
 #ifdef WITHOUT_HELP
@@ -117,6 +119,9 @@ struct api_param {
 #define LENGTH(name, need, def, ...)      PARAM(name, A_FX, need, 0, MAX_SPEED, "px", def, __VA_ARGS__)
 #define BANK(need, def, ...)              PARAM("bank", A_INT, need, 0, 15, NULL, def, __VA_ARGS__)
 #define SPEED(name, type, need, ...)      PARAM(name, type, need, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, __VA_ARGS__)
+#define VXY_PARAMS                                                                                                     \
+    SPEED("vx", A_FX, VXY, "horizontal velocity; with `vy`, instead of `dir` and `speed`"),                            \
+        SPEED("vy", A_FX, VXY, "vertical velocity; with `vx`, instead of `dir` and `speed`")
 
 enum {
     API_CHANGES = 1 << 0,   /* can change RAM: folded into the script digest */

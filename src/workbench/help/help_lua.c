@@ -101,6 +101,8 @@ void help_argument_words(const struct api_param *p, char *out, size_t size)
         snprintf(def, sizeof def, " (default %s)", p->def);
     else if (!p->optional)
         snprintf(def, sizeof def, " (required)");
+    else if (p->optional == UNLESS_VXY)
+        snprintf(def, sizeof def, " (required unless `vx` or `vy` is given)");
     thing_words(p->type == A_THING ? (unsigned)p->lo : 0, thing, sizeof thing);
     snprintf(out, size, "%s%s%s", type, range, def);
 }
