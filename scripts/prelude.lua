@@ -35,7 +35,7 @@ local function wait_for(...)
   local list = { ... }
   for i = 1, select("#", ...) do
     if not sys.is_waitable(list[i]) then
-      sys.fail("wait_for", ("argument %d: expected a task or a thing, got %s"):format(i, type(list[i])))
+      sys.fail("wait_for", ("argument %d: expected a task, a movement or a thing, got %s"):format(i, type(list[i])))
     end
   end
   wait(0)

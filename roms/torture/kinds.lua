@@ -59,6 +59,8 @@ motion.def { name = "led", { go_to = { "goal", 60 }, over = 9, ease = "both" }, 
   { polar = "heat", spin = 7, at = { "goal", 20 }, over = 20 }, { polar = 1, spin = "goal", over = 12, kind = "dot" },
   { wave = "goal", every = "goal", phase = "heat", over = 25, bank = 4 }, { orbit = 20, radius_to = "heat", spin = -9, over = 15 },
   { orbit = "goal", at = { 100, 100 }, spin = 4, over = 30 }, { wave = 9, every = 7, over = forever } }
+motion.def { name = "pulled", { ax = "heat", ay = 0.03, limit = 3, over = 14 }, { vx = 1, vy = "goal", over = 9, bank = 6 }, { ay = -0.5 },
+  { turn = "heat", turn_to = -4, over = 8 }, { vx = -1.5, vy = 0.25 }, { ax = 0.01, over = forever } }
 motion.def { name = "bouncing", { bounce = 2, walls = "left right bottom", { bank = 5 }, { turn = 3, over = 4 } }, { bounce = forever, walls = "top", over = 90 } }
 motion.def { name = "spin", { loop = forever, { turn = 3, over = 10 }, { bank = 9 }, { turn = -3, over = 10 }, { bank = 1 } } }
 motion.def { name = "nested", { loop = 2, { loop = 2, { loop = 2, { loop = 2, { wait = 1 }, { accel = 0.02 } } } } }, { wait = forever } }

@@ -76,6 +76,8 @@ local function bullets()
       bullet.group("late").around = b
       if n % 32 == 4 then shot.fire { kind = "bolt", x = 80, y = 90, speed = 1, motion = "led", around = d, heat = 2 }.around = b end
     end
+    if n % 8 == 1 then bullet.fire { kind = "dot", x = 70, y = 70, vx = 1, vy = -0.5, motion = "pulled", heat = n % 9 / 8, goal = n % 7 / 2 } end
+    if n % 32 == 5 then shot.fire { kind = "bolt", x = 80, y = 90, vy = -2, motion = "pulled", heat = 2 } end
     if n % 8 == 0 then bullet.fire { kind = "dot", x = 60, y = 60, speed = 1, motion = "named", heat = n % 50 - 20, goal = n % 6 } end
     bullet.fire { kind = "late", x = 190, y = 90, aim = true, dir = n % 9, speed = 1.3, motion = n % 3 == 0 and "drift" or nil }
     pattern.fan { x = 30, y = 30, kind = "dot", n = 4, spread = 50, aim = true, speed = 2,
@@ -291,7 +293,10 @@ local function bodies()
       if n % 3 == 2 then part:move { dx = 0, dy = 20, over = 6 } part.share = 0.75 end
     end
     if more.alive then more.dy = more.dy - 1 end
-    wait(13)
+    local move = e:move { dx = 5, dy = 2, over = 9 }
+    wait_for(move)
+    board.note(move.alive and 1 or 0)
+    wait(4)
     if n % 9 == 4 then board.stop(n % 5 + 1) end
     if n % 3 == 0 then e:kill(1) elseif e.alive and n % 3 == 1 then e.y = -60 else e:remove() end
     moon:remove()

@@ -22,7 +22,7 @@
 #include "../machine/board_types.h"
 #include "../machine/video/view.h"
 
-enum { CORE_VERSION = 10 /* increment when the same ROM and demo could give another hash */ };
+enum { CORE_VERSION = 11 /* increment when the same ROM and demo could give another hash */ };
 
 struct board;
 struct cart;

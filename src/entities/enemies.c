@@ -31,6 +31,8 @@ static const struct column columns[] = {
     COLUMN(enemies, y1),
     COLUMN(enemies, move_elapsed),
     COLUMN(enemies, move_duration),
+    COLUMN(enemies, move_serial),
+    REGISTER(enemies, move_count),
     COLUMN(enemies, ease),
     GROUP_COLUMN(enemies, value1, GROUP_VALUE + 0),
     GROUP_COLUMN(enemies, value2, GROUP_VALUE + 1),
@@ -107,6 +109,7 @@ int32_t enemies_spawn(struct enemies *e, const struct enemy_kinds *kinds, uint16
     e->flags[i] = 0;
     e->move_elapsed[i] = 0;
     e->move_duration[i] = 0;
+    e->move_serial[i] = 0;
     e->ease[i] = EASE_LINEAR;
     for (int k = 0; k < MAX_VALUES && enemies_value_column(e, k); k++)
         enemies_value_column(e, k)[i] = e->initial_value[k];
@@ -198,9 +201,22 @@ void enemies_halt(struct enemies *e, uint32_t i)
     }
 }
 
-void enemies_move_to(struct enemies *e, uint32_t i, fx x, fx y, uint32_t duration, enum ease ease)
+bool enemies_is_moving(const struct enemies *e, uint32_t i, uint32_t serial)
+{
+    return e->move_serial[i] == serial && (e->move_duration[i] || (e->lead_mode && e->lead_mode[i]));
+}
+
+/* Ends the movement in progress and gives the next one its serial. */
+static void begin_movement(struct enemies *e, uint32_t i)
 {
     enemies_halt(e, i);
+    e->move_count = e->move_count % (RETIRED_GENERATION - 1u) + 1;
+    e->move_serial[i] = e->move_count;
+}
+
+void enemies_move_to(struct enemies *e, uint32_t i, fx x, fx y, uint32_t duration, enum ease ease)
+{
+    begin_movement(e, i);
     convert_to_local(e, i, &x, &y);
     begin_move(e, i, x, y, duration, ease);
 }
@@ -209,7 +225,7 @@ void enemies_move_by(struct enemies *e, uint32_t i, fx dx, fx dy, uint32_t durat
 {
     const bool is_relative = is_part(e, i);
 
-    enemies_halt(e, i);
+    begin_movement(e, i);
     begin_move(e, i, is_relative ? dx : motion_shift(e->x[i], dx), is_relative ? dy : motion_shift(e->y[i], dy),
                duration, ease);
 }
@@ -352,7 +368,7 @@ uint64_t enemies_damage(struct enemies *e, uint32_t i, uint64_t amount)
 
 void enemies_start_orbit(struct enemies *e, uint32_t i, const struct enemies_orbit *o)
 {
-    enemies_halt(e, i);
+    begin_movement(e, i);
     e->lead_mode[i] = LEAD_ORBIT;
     e->orbit_target[i] = o->orbit_target;
     e->cx[i] = o->x;
@@ -367,7 +383,7 @@ void enemies_start_orbit(struct enemies *e, uint32_t i, const struct enemies_orb
 
 void enemies_start_wandering(struct enemies *e, uint32_t i, const struct enemies_wander_area *area)
 {
-    enemies_halt(e, i);
+    begin_movement(e, i);
     e->lead_mode[i] = LEAD_WANDER;
     e->cx[i] = area->x;
     e->cy[i] = area->y;

@@ -74,6 +74,8 @@ struct enemies {
     uint8_t *flags;
     fx *x0, *y0, *x1, *y1;                  /* start and end of the move in progress */
     uint32_t *move_elapsed, *move_duration; /* the move's frames done, and its total frames; duration 0: no move */
+    uint32_t *move_serial; /* number of the latest movement that a script started, counted over all enemies */
+    uint32_t move_count;   /* number of movements started so far; like the serials below RETIRED_GENERATION */
     uint8_t *ease;
     fx *value1, *value2, *value3, *value4; /* numbers declared by the game; NULL: not declared */
     fx initial_value[MAX_VALUES];          /* initial values of a new enemy */
@@ -175,6 +177,9 @@ void enemies_set_position(struct enemies *e, uint32_t i, fx x, fx y);
  * moves. */
 void enemies_start_orbit(struct enemies *e, uint32_t i, const struct enemies_orbit *o);
 void enemies_start_wandering(struct enemies *e, uint32_t i, const struct enemies_wander_area *g);
+
+/* Returns whether enemy i's movement of that serial has not ended. */
+bool enemies_is_moving(const struct enemies *e, uint32_t i, uint32_t serial);
 
 /* Ends enemy i's move, orbit or wandering. The enemy stays where it is. */
 void enemies_halt(struct enemies *e, uint32_t i);

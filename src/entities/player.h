@@ -29,6 +29,7 @@ enum {
     PLAYER_PICTURE = 15 << 4,       /* picture number in units of PLAYER_PICTURE_ONE, like ENEMY_PICTURE */
     PLAYER_PICTURE_ONE = 1 << 4,
     PLAYER_MAX_PICTURES = 15,
+    PLAYER_MAX_SCALE = 4,
     PICTURE_LEFT = 1, /* every kind that has pictures has these two */
     PICTURE_RIGHT = 2
 };
@@ -70,7 +71,14 @@ struct player {
     uint16_t *deathbomb_left; /* frames left in which a bomb saves the player from a hit; 0: not hit */
     uint32_t *bomb_left;      /* frames left of the player's bomb */
     int64_t *bomb_scope;      /* the scope of that bomb, defined by the board */
+    fx *push_x, *push_y;      /* px added to the next move */
+    fx *speed_scale;          /* factor of the speed, 0 to PLAYER_MAX_SCALE */
+    uint8_t *focus_forced;    /* enum player_focus */
+    /* Serial of the task that set the column, which is reset when the task ends; 0: none. */
+    uint32_t *scale_task, *focus_task;
 };
+
+enum player_focus { FOCUS_BY_BUTTON, FOCUS_OFF, FOCUS_ON };
 
 extern const struct chip player_chip, player_kinds_chip;
 
@@ -88,6 +96,19 @@ unsigned player_ignored_buttons(const struct player *p, uint32_t i);
 /* Moves a player to (x, y) without sweeping the path. */
 void player_set_position(struct player *p, uint32_t i, fx x, fx y);
 
+/* Moves a player by (dx, dy) without sweeping the path, inside area. */
+void player_shift(struct player *p, uint32_t i, fx dx, fx dy, const struct box *area);
+
+/* Adds (vx, vy) to a player's next move. */
+void player_push(struct player *p, uint32_t i, fx vx, fx vy);
+
+/* Set what columns of the same names describe; task: the serial of the task that sets it, 0: none. */
+void player_scale_speed(struct player *p, uint32_t i, fx scale, uint32_t task);
+void player_force_focus(struct player *p, uint32_t i, enum player_focus focus, uint32_t task);
+
+/* Resets what the task that ends has set. */
+void player_end_task(struct player *p, uint32_t task);
+
 /* Returns the sprite that player i shows. */
 uint16_t player_sprite(const struct player *p, const struct player_kinds *kinds, uint32_t i);
 
@@ -95,7 +116,8 @@ uint16_t player_sprite(const struct player *p, const struct player_kinds *kinds,
  * present one. */
 void player_step_invulnerability(struct player *p);
 
-/* Moves both players by their held buttons (PAD_ bits), inside area. A player that was hit does not move. */
+/* Moves both players by their held buttons (PAD_ bits) and by what pushes them, inside area. A player that was hit does
+ * not move. */
 void player_move(struct player *p, const struct player_kinds *kinds, const uint16_t held[MAX_PLAYERS],
                  const struct box *area);
 

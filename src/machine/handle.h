@@ -32,6 +32,7 @@ enum handle_kind {
     H_LASERS,
     H_OPTION,
     H_BULLETML,
+    H_MOVE, /* a movement of an enemy; the generation is the enemy's `move_serial` */
     HANDLE_KINDS
 };
 

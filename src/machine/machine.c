@@ -199,6 +199,9 @@ bool board_is_alive(const struct board *b, int64_t h)
         return tasks_is_alive(b, slot, gen);
     if (kind == H_LAYER || kind == H_PLANE)
         return gen == 1 && slot < b->bg.s.live && (slot == BG_PLANE) == (kind == H_PLANE);
+    if (kind == H_MOVE)
+        return slot < b->enemies.s.top && slots_has(&b->enemies.s, slot, b->enemies.s.gen[slot]) &&
+               !(b->enemies.flags[slot] & ENEMY_NOT_ALIVE) && enemies_is_moving(&b->enemies, slot, gen);
     if (kind == H_BULLETML && slots_has(s, slot, gen))
         return !(b->ml_roots.flags[slot] & ROOT_DESPAWNED);
     if (kind == H_ENEMY && slots_has(s, slot, gen))

@@ -97,6 +97,7 @@ static void drop_task(struct board *b, lua_State *L, uint32_t i)
     lua_pop(L, 1);
     script_update_digest(b, (uint64_t)b->tasks.serial[i] << 8 | 0x52);
     link_tasks(&b->tasks, b->tasks.prev[i], b->tasks.next[i]);
+    player_end_task(&b->player, b->tasks.serial[i]);
     slots_drop(&b->tasks.s, i);
 }
 

@@ -358,4 +358,105 @@ TEST(practised)
     rig_close(&rig);
 }
 
+/* ---- what scripts do to a ship's motion ---- */
+
+static const char moving[] =
+    "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, speed = 4, focus = 1 })\n"
+    "bullet.def('wall', { sprite = 'dot', hit = { box = { 2, 90 } } })\n"
+    "local function fly(f) task.go(function() sys.join(1, 'ship') local p = player.get(1) p.x, p.y, p.safe = 50, 50, 0\n"
+    "  f(p) end) end\n";
+
+/* Runs a script with the ship p at (50, 50), before the frames that the test counts. */
+static void fly(const char *script)
+{
+    char text[4096];
+
+    snprintf(text, sizeof text, "%sfly(function(p) %s end)", moving, script);
+    power(text);
+}
+
+static void check_ship(double x, double y)
+{
+    if (b->player.x[0] != px(x) || b->player.y[0] != px(y))
+        fail_msg("the ship is at %.5f %.5f instead of %.5f %.5f", b->player.x[0] / 65536.0, b->player.y[0] / 65536.0, x,
+                 y);
+}
+
+TEST(scaled_speed)
+{
+    fly("task.go(function() p.speed_scale = 0.5 wait(2) end) wait(3) p.speed_scale = 4 say(p.speed_scale)");
+    hold(PAD_RIGHT, 0, 2); /* the task's two frames */
+    check_ship(54, 50);
+    hold(PAD_RIGHT, 0, 1);
+    check_ship(58, 50);
+    hold(PAD_RIGHT | PAD_FOCUS, 0, 1); /* this task ends at once, and so does its factor */
+    check_ship(59, 50);
+    rig_close(&rig);
+    fly("task.go(function() p.speed_scale = 4 wait(1) end) task.go(function() p.speed_scale = 0 wait(1) end)");
+    hold(PAD_LEFT, 0, 1); /* the later write holds until its task ends; then the factor is 1 */
+    check_ship(50, 50);
+    hold(PAD_LEFT, 0, 1);
+    check_ship(46, 50);
+    rig_close(&rig);
+    power(
+        "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, speed = 4, focus = 1 })\n"
+        "shot.def('bolt', { sprite = 'dot', hit = { circle = 3 }, damage = 9 })\n"
+        "enemy.def('foe', { sprite = 'wink', hit = { circle = 9 }, hp = 5,\n"
+        "  on_death = function() player.get(1).speed_scale = 2 end })\n"
+        "task.go(function() sys.join(1, 'ship') player.get(1).x = 50 enemy.spawn { kind = 'foe', x = 9, y = 9 }\n"
+        "  shot.fire { kind = 'bolt', x = 9, y = 20, speed = 1 } end)");
+    hold(0, 0, 3);
+    hold(PAD_RIGHT, 0, 40); /* a handler wrote it: until changed */
+    assert_int_equal(b->player.speed_scale[0], px(2));
+    rig_close(&rig);
+}
+
+TEST(forced_focus)
+{
+    fly("task.go(function() p.focus = true wait(2) p.focus = false wait(1) p.focus = nil wait(1) p.focus = true "
+        "wait(1) "
+        "end)");
+    hold(PAD_RIGHT, 0, 2);
+    check_ship(52, 50);
+    assert_true(b->player.flags[0] & PLAYER_FOCUS);
+    hold(PAD_RIGHT | PAD_FOCUS, 0, 1);
+    check_ship(56, 50);
+    hold(PAD_RIGHT | PAD_FOCUS, 0, 1);
+    check_ship(57, 50);
+    hold(PAD_RIGHT, 0, 1);
+    check_ship(58, 50);
+    hold(PAD_RIGHT, 0, 1);
+    check_ship(62, 50);
+    rig_close(&rig);
+}
+
+TEST(pushed)
+{
+    fly("p:push(1.5, 0) p:push(1, -2) wait(2) p:push(-8000, 8191) wait(1) p:shift(10, -9) p:shift(0, -1)");
+    hold(PAD_RIGHT, 0, 1);
+    check_ship(56.5, 48);
+    hold(0, 0, 1); /* a push is for one move */
+    check_ship(56.5, 48);
+    hold(0, 0, 1);
+    assert_true(b->player.x[0] == b->player_area.x0 && b->player.y[0] == b->player_area.y1);
+    hold(0, 0, 1);
+    assert_true(b->player.x[0] == b->player_area.x0 + px(10) && b->player.y[0] == b->player_area.y1 - px(10));
+    rig_close(&rig);
+}
+
+/* A push through a bullet hits it, a shift past it does not. */
+TEST(push_is_swept)
+{
+    for (int push = 0; push < 2; push++) {
+        char text[256];
+        snprintf(text, sizeof text,
+                 "bullet.fire { kind = 'wall', x = 80, y = 50, dir = 90, speed = 0 } wait(1) p:%s(60, 0)",
+                 push ? "push" : "shift");
+        fly(text);
+        hold(0, 0, 3);
+        assert_int_equal(b->player.lives[0], push ? 1 : 2);
+        rig_close(&rig);
+    }
+}
+
 RUN_TESTS(NULL, NULL)

@@ -91,10 +91,11 @@ TEST(properties)
 
 TEST(steps)
 {
-    static const char *const step_keys[] = { "wait",   "kind",  "bank", "dir",  "aim",    "turn",     "home",
-                                             "speed",  "accel", "die",  "loop", "go_to",  "polar",    "wave",
-                                             "orbit",  "ease",  "spin", "at",   "every",  "phase",    "radius_to",
-                                             "bounce", "walls", "emit", "path", "mirror", "wait_for", "over" };
+    static const char *const step_keys[] = { "wait",   "kind",  "bank",  "dir",  "aim",    "turn",     "home",
+                                             "speed",  "accel", "die",   "loop", "go_to",  "polar",    "wave",
+                                             "orbit",  "ease",  "spin",  "at",   "every",  "phase",    "radius_to",
+                                             "bounce", "walls", "emit",  "path", "mirror", "wait_for", "over",
+                                             "ax",     "ay",    "limit", "vx",   "vy",     "turn_to" };
 
     missing[0] = 0;
     for (size_t i = 0; i < sizeof step_keys / sizeof *step_keys; i++)

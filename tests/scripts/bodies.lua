@@ -19,6 +19,11 @@ enemy.def('crab', {
 on.kill(function(e) print('kill', e.kind) end)
 on.leave(function(e) print('leave', e.kind) end)
 local function foe(x, y) return enemy.spawn { kind = 'foe', x = x or 100, y = y or 100 } end
+local function waited(m) -- the frames that wait_for takes
+  local from = board.frame()
+  wait_for(m)
+  return board.frame() - from
+end
 local function part(body, t)
   t.kind, t.follow = t.kind or 'tip', body
   return enemy.spawn(t)
@@ -178,6 +183,41 @@ a:orbit { around = e, radius = 9, spin = 3 }
 wait(50)
 print(e.alive, a.alive)
 --> true true
+
+--each: what move, orbit and wander return ends with the movement
+local e = foe()
+print(waited(e:move { x = 90, y = 90, over = 30 }), e.x, e.y)
+print(waited(e:orbit { x = 50, y = 90, spin = 6, over = 15 }))
+--> 30 90.0 90.0
+--> 15
+local e = foe()
+task.go(function() wait(8) e:wander { w = 9, h = 9, every = 5, over = 3 } end)
+print(waited(e:orbit { x = 50, y = 90, spin = 6 }))
+local m = e:wander { w = 9, h = 9, every = 5, over = 3 }
+wait(12)
+print(m.alive)
+e.x = 50
+print(m.alive, waited(m))
+--> 9
+--> true
+--> false 0
+local e = foe()
+task.go(function() wait(3) e:kill() end)
+print(waited(e:move { dx = 9, dy = 0, over = 50 }))
+print(waited(e:move { dx = 9, dy = 0, over = 50 }), enemy.group():move { dx = 1, dy = 1, over = 2 })
+--> kill foe
+--> 4
+--> 0
+local a = foe()
+local m = a:move { dx = 9, dy = 0, over = 50 }
+a:remove()
+wait(1)
+local b = foe() -- in the same slot
+b:move { dx = 9, dy = 0, over = 50 }
+print(m.alive)
+--> false
+local m = foe():move { dx = 9, dy = 0, over = 50 } m.speed = 3
+--! a move has no property "speed"
 
 --case: a wanderer stays in its area
 local e, least, most = foe(), 999, 0

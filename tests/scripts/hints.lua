@@ -115,6 +115,6 @@ print(x, t.x .. '')
 
 --each: wait_for names the argument
 wait_for(fire(), 5)
---! wait_for: argument 2: expected a task or a thing, got number
+--! wait_for: argument 2: expected a task, a movement or a thing, got number
 wait_for(bullet.group())
---! wait_for: argument 1: expected a task or a thing, got number
+--! wait_for: argument 1: expected a task, a movement or a thing, got number

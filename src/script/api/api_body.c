@@ -305,7 +305,7 @@ static int wander_one(lua_State *L, struct board *b, struct api_value *v)
 static int enemy_orbit(lua_State *L, struct board *b, struct api_value *v)
 {
     check_orbit(L, v);
-    return api_run_each(L, b, v, orbit_one);
+    return api_start_movement(L, b, v, orbit_one);
 }
 
 static int enemy_wander(lua_State *L, struct board *b, struct api_value *v)
@@ -314,7 +314,7 @@ static int enemy_wander(lua_State *L, struct board *b, struct api_value *v)
     if (v[W_OVER].i > v[W_EVERY].i)
         return api_error(L, api_current_binding(L)->entry->name, "over: expected at most `every` (%d frames), got %d",
                          (int)v[W_EVERY].i, (int)v[W_OVER].i);
-    return api_run_each(L, b, v, wander_one);
+    return api_start_movement(L, b, v, wander_one);
 }
 
 static const struct api_param parts_params[] = { THING("self", REQ, 1 << H_ENEMY, "the thing itself"),
@@ -322,15 +322,15 @@ static const struct api_param parts_params[] = { THING("self", REQ, 1 << H_ENEMY
 
 #define MOVEMENT_ENDS_HELP                                                                                             \
     "; a later `move`, `orbit`, `wander` or write to `x` or `y` stops the movement; needs `board = { bodies = true }`"
-#define VERBS(thing, it)                                                                                               \
-    API_VERB(thing ":orbit", enemy_orbit, orbit_params, 1, NULL,                                                       \
-             "starts moving " it " in a circle and returns immediately" MOVEMENT_ENDS_HELP),                           \
-        API_VERB(thing ":wander", enemy_wander, wander_params, 1, NULL,                                                \
+#define VERBS(thing, it, moves, waits)                                                                                 \
+    API_VERB(thing ":orbit", enemy_orbit, orbit_params, 1, moves,                                                      \
+             "starts moving " it " in a circle and returns immediately" waits MOVEMENT_ENDS_HELP),                     \
+        API_VERB(thing ":wander", enemy_wander, wander_params, 1, moves,                                               \
                  "starts moving " it " to random positions in an area and returns immediately" MOVEMENT_ENDS_HELP)
 
 static const struct api_entry entries[] = {
-    VERBS("enemy", "it"),
-    VERBS("enemies", "each enemy"),
+    VERBS("enemy", "it", "move", API_MOVE_HELP),
+    VERBS("enemies", "each enemy", NULL, ""),
     { "enemy:parts", enemy_parts, PARAMS(parts_params), 2, API_METHOD, "list",
       HELP("returns a list of the enemy's parts in slot order, not including parts of parts; needs `board = { bodies = "
            "true }`") },

@@ -22,7 +22,7 @@ const char *const api_hit_forms[] = {
 const char *const api_thing_names[HANDLE_KINDS] = {
     NULL,       "a bullet", "a shot",           "an enemy",           "a player",  "a sprite",         "a task",
     "a motion", "a group",  "a group of shots", "a group of enemies", "an item",   "a group of items", "a line of text",
-    "a layer",  "a plane",  "a laser",          "a group of lasers",  "an option", "a document"
+    "a layer",  "a plane",  "a laser",          "a group of lasers",  "an option", "a document",       "a move"
 };
 
 /* Returns whether v is probably the result of arithmetic on a handle. Handles are integers (handle.h), so Lua cannot
@@ -668,26 +668,21 @@ bool api_resolve_velocity(lua_State *L, const char *entry, struct api_velocity w
     return true;
 }
 
-/* Resolves the velocity of what is fired, also in the arguments on the stack. i: the argument `speed`. */
+/* Replaces `vx` and `vy` by `speed` and `dir`, also in the arguments on the stack. */
 static void resolve_fired_velocity(lua_State *L, const struct api_entry *e, const struct api_entry *fired_entry,
-                                   struct api_value *v, int i)
+                                   struct api_value *v)
 {
-    struct api_value *const dir = &v[api_search_param(e, fired_entry, "dir")];
-    const struct api_velocity w = { &v[i], dir, &v[api_search_param(e, fired_entry, "aim")],
-                                    &v[api_search_param(e, fired_entry, "vx")],
-                                    &v[api_search_param(e, fired_entry, "vy")] };
+    static const char *const names[] = { "speed", "dir", "aim", "vx", "vy" };
+    struct api_value *a[5];
 
-    if (!api_resolve_velocity(L, e->name, w)) {
-        if (!v[i].given)
-            api_check_value(L, e->name, api_param_at(e, fired_entry, i), &v[i]);
-        return;
-    }
-    lua_pushnumber(L, v[i].n);
-    lua_replace(L, v[i].at);
-    if (!dir->given)
-        return;
-    lua_pushnumber(L, dir->n);
-    lua_replace(L, dir->at);
+    for (int i = 0; i < 5; i++)
+        a[i] = &v[api_search_param(e, fired_entry, names[i])];
+    api_resolve_velocity(L, e->name, (struct api_velocity){ a[0], a[1], a[2], a[3], a[4] });
+    for (int i = 0; i < 2; i++)
+        if (a[i]->given) {
+            lua_pushnumber(L, a[i]->n);
+            lua_replace(L, a[i]->at);
+        }
 }
 
 enum {
@@ -730,24 +725,24 @@ int api_read_arguments(lua_State *L, const struct api_entry *e, struct api_value
         lua_settop(L, e->positional_count);
     bool is_lenient = false; /* set once `each` is given: its function need not use the arguments of `fire` */
     bool has_velocity = false;
-    int speed = -1; /* the argument that is required unless `vx` or `vy` is given */
+    for (int i = n; i-- > e->positional_count && !has_velocity;)
+        has_velocity = v[i].given && api_param_at(e, fired_entry, i)->optional == VXY;
     for (int i = 0; i < n; i++) {
         const struct api_param *p = api_param_at(e, fired_entry, i);
-        speed = p->optional == UNLESS_VXY ? i : speed;
-        has_velocity |= v[i].given && p->optional == VXY;
         if (i < e->positional_count)
             api_read_value(L, i + 1, i + 1, &v[i]);
         else
             v[i].at = i + 2;
         if (v[i].given && i < e->count && e->flags & API_PATTERN && !strcmp(p->name, "each"))
             is_lenient = true;
-        if (v[i].given || !(p->optional || (is_lenient && i >= e->count)))
+        const bool is_required = p->optional == REQ || (p->optional == UNLESS_VXY && !has_velocity);
+        if (v[i].given || (is_required && !(is_lenient && i >= e->count)))
             api_check_value(L, e->name, p, &v[i]);
         else
             api_fill_default(p, &v[i]);
     }
-    if (speed >= 0 && (has_velocity || !is_lenient))
-        resolve_fired_velocity(L, e, fired_entry, v, speed);
+    if (has_velocity)
+        resolve_fired_velocity(L, e, fired_entry, v);
     check_values(L, e, names, n + 2, v + n);
     return n + n_values;
 }

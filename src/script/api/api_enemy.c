@@ -429,6 +429,20 @@ static const struct api_param kill_params[] = {
 };
 static const struct api_param self_params[] = { SELF_PARAM };
 
+const struct api_thing api_move_thing = { .name = "move" };
+
+int api_start_movement(lua_State *L, struct board *b, struct api_value *v, api_function *start)
+{
+    const int64_t h = v[ARG_SELF].i;
+    const uint32_t i = handle_slot(h);
+
+    api_run_each(L, b, v, start);
+    if (handle_kind(h) != H_ENEMY)
+        return 0;
+    lua_pushinteger(L, handle_make(H_MOVE, board_is_alive(b, h) ? b->enemies.move_serial[i] : 0, i));
+    return 1;
+}
+
 static int move_one(lua_State *L, struct board *b, struct api_value *v)
 {
     const uint32_t i = handle_slot(v[ARG_SELF].i), frames = (uint32_t)v[MOVE_OVER].i;
@@ -447,7 +461,7 @@ static int enemy_move(lua_State *L, struct board *b, struct api_value *v)
 
     if (has_x != has_y || has_dx != has_dy || has_x == has_dx)
         return api_error(L, api_current_binding(L)->entry->name, "expected either `x` and `y` or `dx` and `dy`");
-    return api_run_each(L, b, v, move_one);
+    return api_start_movement(L, b, v, move_one);
 }
 
 static int enemy_shift(lua_State *L, struct board *b, struct api_value *v)
@@ -503,9 +517,9 @@ static int enemy_remove(lua_State *L, struct board *b, struct api_value *v)
 }
 
 /* The verbs of a single enemy or of a group; the macro parameter `it` is how the help refers to the enemy or group. */
-#define ENEMY_VERBS(thing, it, order)                                                                                  \
-    API_VERB(thing ":move", enemy_move, move_params, 1, NULL,                                                          \
-             "starts moving " it " to a position or by a distance, and returns immediately"),                          \
+#define ENEMY_VERBS(thing, it, order, moves, waits)                                                                    \
+    API_VERB(thing ":move", enemy_move, move_params, 1, moves,                                                         \
+             "starts moving " it " to a position or by a distance, and returns immediately" waits),                    \
         API_EACH_VERB(thing ":shift", enemy_shift, shift_params, 3,                                                    \
                       "teleports " it " by a distance and shifts the rest of its move by the same distance"),          \
         API_EACH_VERB(thing ":hurt", enemy_hurt, hurt_params, 3, "damages " it " unless it is safe"),                  \
@@ -522,7 +536,7 @@ static const struct api_entry entries[] = {
     API_GROUPS("enemy"),
     { "enemy.count", api_push_count_of_kind, PARAMS(api_tag_params), 1, 0, "count",
       HELP("returns the number of live enemies with the given tag") },
-    ENEMY_VERBS("enemy", "it", ""),
-    ENEMY_VERBS("enemies", "each enemy", " in slot order"),
+    ENEMY_VERBS("enemy", "it", "", "move", API_MOVE_HELP),
+    ENEMY_VERBS("enemies", "each enemy", " in slot order", NULL, ""),
 };
 const struct api_module api_enemy = { entries, sizeof entries / sizeof *entries };

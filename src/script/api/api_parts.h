@@ -387,6 +387,11 @@ void api_store_arguments(lua_State *L, struct board *b, int32_t i, const struct 
  * slot order, with the member as v[0]. Returns 0, the number of results. */
 int api_run_each(lua_State *L, struct board *b, struct api_value *v, api_function *run);
 
+/* Runs a method that starts a movement, with api_run_each. Returns 1, with the movement (H_MOVE) of an enemy on the
+ * stack, or 0 for a group. */
+int api_start_movement(lua_State *L, struct board *b, struct api_value *v, api_function *start);
+#define API_MOVE_HELP "; wait_for waits until what it returns has ended"
+
 /* The table rows (struct api_entry) of a method, and of one that is run with api_run_each. */
 #define API_VERB(name, run, params, plain, returns, help)                                                              \
     {                                                                                                                  \

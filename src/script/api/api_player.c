@@ -181,7 +181,7 @@ static int player_each(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-enum { P_X, P_Y, P_PICTURE = 9, P_STATE = 12, PROPS };
+enum { P_X, P_Y, P_FOCUS = 4, P_PICTURE = 9, P_STATE = 12, P_SCALE, PROPS };
 
 static const struct api_param props[PROPS] = {
     COORDINATE("x", A_FX, REQ, "horizontal position in the field; a write teleports it, without collisions on the way",
@@ -193,7 +193,10 @@ static const struct api_param props[PROPS] = {
           WRITABLE),
     PARAM("safe", A_INT, REQ, 0, INT32_MAX, "frames", NULL, "frames for which nothing can hit it",
           STORED(player.safe_left), WRITABLE),
-    REQUIRED("focus", A_BOOL, "true while it flies at its focus speed", BITS_OF(player.flags, PLAYER_FOCUS)),
+    [P_FOCUS] = OPTIONAL("focus", A_BOOL,
+                         "true while it flies at its focus speed; a write of true or false forces it, until the task "
+                         "that wrote it ends, and nil leaves it to the button again",
+                         BITS_OF(player.flags, PLAYER_FOCUS), SETTER),
     REQUIRED("grazes", A_INT, "number of bullets and lasers grazed in this game", STORED(player.grazes), PERSISTENT),
     REQUIRED("score", A_INT, "points in this game; score.add changes them", STORED(player.score), PERSISTENT),
     REQUIRED("index", A_INT, "number of the player, 1 or 2", PERSISTENT),
@@ -210,6 +213,9 @@ static const struct api_param props[PROPS] = {
         REQUIRED("state", A_STR,
                  "\"fly\" or \"hit\"; in \"hit\", the player can't move or fire, but can still be saved by a bomb "
                  "(deathbomb)"),
+    [P_SCALE] =
+        PARAM("speed_scale", A_FX, REQ, 0, PLAYER_MAX_SCALE, NULL, NULL,
+              "factor of its speed; back at 1 when the task that wrote it ends", STORED(player.speed_scale), SETTER),
 };
 
 static void get_player_prop(lua_State *L, struct board *b, uint32_t i, int p)
@@ -232,6 +238,10 @@ static void set_player_prop(lua_State *L, struct board *b, uint32_t i, int p, co
         player_set_position(s, i, v->f, s->y[i]);
     else if (p == P_Y)
         player_set_position(s, i, s->x[i], v->f);
+    else if (p == P_SCALE)
+        player_scale_speed(s, i, v->f, tasks_current_serial(b));
+    else if (p == P_FOCUS)
+        player_force_focus(s, i, !v->given ? FOCUS_BY_BUTTON : v->i ? FOCUS_ON : FOCUS_OFF, tasks_current_serial(b));
     else
         s->flags[i] = (uint8_t)((unsigned)(s->flags[i] & ~(PLAYER_PICTURE | PLAYER_PICTURE_LOCKED)) |
                                 api_picture_find(L, N_PLAYER, s->kind[i], "player", v) * PLAYER_PICTURE_ONE |
@@ -239,6 +249,27 @@ static void set_player_prop(lua_State *L, struct board *b, uint32_t i, int p, co
 }
 
 const struct api_thing api_player_thing = { "player", props, PROPS, .get = get_player_prop, .set = set_player_prop };
+
+enum { VERB_SELF, VERB_X, VERB_Y };
+
+static const struct api_param push_params[] = { SELF_PARAM_OF(1 << H_PLAYER),
+                                                SPEED("vx", A_FX, REQ, "distance to the right; negative: left"),
+                                                SPEED("vy", A_FX, REQ, "distance down; negative: up") };
+static const struct api_param shift_params[] = { SELF_PARAM_OF(1 << H_PLAYER), SHIFT_DX_PARAM, SHIFT_DY_PARAM };
+
+static int push_player(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)L;
+    player_push(&b->player, handle_slot(v[VERB_SELF].i), v[VERB_X].f, v[VERB_Y].f);
+    return 0;
+}
+
+static int shift_player(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)L;
+    player_shift(&b->player, handle_slot(v[VERB_SELF].i), v[VERB_X].f, v[VERB_Y].f, &b->player_area);
+    return 0;
+}
 
 /* ---- pad ---- */
 
@@ -382,6 +413,11 @@ static const struct api_entry entries[] = {
       HELP("returns the living player nearest to a point, or a dead handle if there is none") },
     { "player.each", player_each, PARAMS(each_params), 1, API_CHANGES, NULL,
       HELP("calls a function for each player in the game") },
+    API_EACH_VERB("player:push", push_player, push_params, 3,
+                  "adds to the ship's next move: wind, a conveyor, pull; the ship stays in the field, and the whole "
+                  "path is checked for hits"),
+    API_EACH_VERB("player:shift", shift_player, shift_params, 3,
+                  "teleports the ship by a distance, without collisions on the way; it stays in the field"),
     { "pad.down", read_button, PARAMS(button_params), 2, 0, "boolean", HELP("returns true while a button is held") },
     { "pad.pressed", read_button, PARAMS(button_params), 2, 0, "boolean",
       HELP("returns true in the frame in which a button goes down") },

@@ -42,7 +42,7 @@ static const struct api_entry entries[] = {
               REQUIRED("f", A_FUNC, "f(): called immediately, then once per frame until it returns true"),
               LIMIT_PARAM("maximum number of frames to wait; no limit if omitted")),
     { "wait_for", NULL, NULL, 0, 0, API_LUA | API_GLOBAL | API_VARARGS, NULL,
-      HELP("waits until every given task has ended and every given thing is dead") },
+      HELP("waits until every given task and movement has ended, and every given thing is dead") },
     LUA_ENTRY(
         "by_difficulty", 1, API_GLOBAL, "value",
         "returns the value for the current difficulty; if there is none, the value for the nearest easier difficulty, "
@@ -518,7 +518,7 @@ static const struct api_module *const modules[] = { &api_time,   &api_bullet, &a
 extern const struct api_thing api_bullet_thing, api_shot_thing, api_enemy_thing, api_player_thing, api_sprite_thing,
     api_task_thing, api_motion_thing, api_group_thing, api_shots_thing, api_enemies_thing, api_item_thing,
     api_items_thing, api_line_thing, api_layer_thing, api_plane_thing, api_laser_thing, api_lasers_thing,
-    api_option_thing, api_bulletml_thing;
+    api_option_thing, api_bulletml_thing, api_move_thing;
 static const struct api_thing *const things[HANDLE_KINDS] = { NULL,
                                                               &api_bullet_thing,
                                                               &api_shot_thing,
@@ -538,7 +538,8 @@ static const struct api_thing *const things[HANDLE_KINDS] = { NULL,
                                                               &api_laser_thing,
                                                               &api_lasers_thing,
                                                               &api_option_thing,
-                                                              &api_bulletml_thing };
+                                                              &api_bulletml_thing,
+                                                              &api_move_thing };
 
 /* Documented names that are not API functions. */
 static const struct api_doc_name doc_names[] = {
