@@ -52,7 +52,8 @@ local HISTORY_COLS, BONUS_COLS = 14, 13   -- "CAPTURED 12/34", "BONUS 0001234"
 local LIVES_COLS <const> = 4              -- in a panel
 local LOW_COLS <const> = math.min(12, FIELD.cols // 2 - 1)
 local NEAR_EVERY <const> = 8              -- frames from one look for ships near the rows to the next
-local LOW_BAR <const> = 3                 -- a bar at the lower edge ends before a ship in the middle of a narrow field
+local LOW_BAR, LOW_BAR_ALONE = 3, 5       -- a bar at the lower edge, next to its label or below it, ends before a ship
+                                          -- at its start in a narrow field
 local STACKED <const> = PANEL or WIDTH < 2 * BEST_COLS + 1 -- two scores do not fit in a row
 
 -- A panel's rows for the boss are at its lower end: the clock and 2 px, three rows for the name and the bar or two for
@@ -66,7 +67,7 @@ local ROWS_END <const> = PANEL and PANEL_END - boss_height(2) or FIELD_BOTTOM - 
 local ROWS <const> = {
   over = { -- over the field; registers follow, two in a row
     { { "score1", false, "best" }, { "lives1", false, "graze1" } },
-    { { "score1", false, "score2" }, { "lives1", "best", "lives2" }, { "graze1", false, "graze2" } },
+    { { false, "best" }, { "score1", false, "score2" }, { "lives1", false, "lives2" }, { "graze1", false, "graze2" } },
   },
   stacked = { -- in a panel, or over a narrow field; the registers of the run follow
     { { "best" }, {}, { "score1" }, { "lives1", false, "graze1" }, { "registers1" } },
@@ -145,7 +146,7 @@ end
 -- ---- places ----
 
 -- col, cols: cells; y: px; align: left, middle, right, or spread (the label left, the value right); size: of letters.
--- group: hides the place with others. left, width: cells of the text.
+-- mirrored: the label is behind the value. group: hides the place with others. left, width: cells of the text.
 
 local function place(col, y, cols, align, size)
   return { col = col, y = y, cols = math.max(0, cols), align = align, size = size or 1 }
@@ -185,6 +186,7 @@ end
 function hud.labelled(p, label, value, short, size)
   local free = math.max(0, p.cols // (size or p.size) - sys.cells(value) - 1) -- columns for the label
   if sys.cells(label) > free then label = short or "" end
+  if p.mirrored and label ~= "" then return value .. " " .. label end
   local spread = p.align == "spread" and free + 1 - sys.cells(label)
   return label .. (" "):rep(spread or label ~= "" and 1 or 0) .. value
 end
@@ -197,7 +199,7 @@ local function rows_from(y)
   end
 end
 
-local function boss_over_field(names, pips, title, spell)
+local function boss_over_field(names, pips)
   local row, cols = rows_from(rows_end), WIDTH - CLOCK_COLS - 1
   local at = { bars = {}, name = {}, spell = {} }
   at.clock = place(LEFT + WIDTH - CLOCK_COLS, rows_end, CLOCK_COLS, "right", 2)
@@ -209,16 +211,9 @@ local function boss_over_field(names, pips, title, spell)
     local free = i == 1 and pips > 0 and pips + 1 or 0
     at.bars[i] = { name = place(LEFT, y, label - 1, "left"), bar = place(LEFT + label, y, cols - label - free, "left") }
   end
-  local line, length = row().y, sys.cells(spell or "")
+  local line = row().y
   at.spell[1] = place(LEFT, line, cols, "left")
-  if #names < 2 then
-    at.name[1] = place(LEFT, line, cols, "left")
-    at.replaces = sys.cells(title or "") + 1 + length > cols
-    if spell and not at.replaces then
-      at.name[1].cols = cols - length - 1
-      at.spell[1] = place(LEFT + cols - length, line, length, "left")
-    end
-  end
+  if #names < 2 then at.name[1] = place(LEFT, line, cols, "left") end
   at.history = row("left")
   at.bonus = row("right")
   if WIDTH > HISTORY_COLS + BONUS_COLS then
@@ -245,36 +240,27 @@ local function boss_in_panel(names, pips)
   return at
 end
 
--- The places of a boss's rows: clock, pips, history, bonus; the lines of name and spell; bars, each with a name and a
--- bar. replaces: the spell takes the name's row, because one row is too short for both. names: of the bars; {}: one bar
--- without a name. pips: how many are shown. title: the boss's name. spell: nil if the phase has none.
+-- The places of a boss's rows: clock, pips, history, bonus; the lines of name and spell, which share a row over the
+-- field; bars, each with a name and a bar. names: of the bars; {}: one bar without a name. pips: how many are shown.
 hud.boss_places = PANEL and boss_in_panel or boss_over_field
 
 -- ---- the players' rows ----
 
--- A function that writes a score with the zeros that fit after a label.
-local function points_after(label)
-  return function(n, cols)
-    return ("%0" .. math.max(1, math.min(9, cols - 1 - sys.cells(label))) .. "d"):format(n)
-  end
-end
+-- A score with the zeros that fit after "1P" or "HI".
+local function points(n, cols) return ("%0" .. math.max(1, math.min(9, cols - 3)) .. "d"):format(n) end
 
 local function icons(icon, n, cols) return n > math.min(FEW, cols) and icon .. "x" .. n or icon:rep(n) end
 
 -- size: of the letters in a larger HUD.
 local KINDS <const> = {
   score = function(i)
-    local label = i .. "P"
-    return { label = label, make = points_after(label), get = function() return hud.score(i) end, size = 2 }
+    return { label = i .. "P", make = points, get = function() return hud.score(i) end, size = 2 }
   end,
   name = function(i)
     return { label = "", make = function() return i .. "P" end, get = function() return i end }
   end,
   points = function(i) return { label = "", make = tostring, get = function() return hud.score(i) end, size = 2 } end,
-  best = function()
-    local label = text.lang("HI")
-    return { label = label, short = "HI", make = points_after(label), get = hud.best }
-  end,
+  best = function() return { label = text.lang("HI"), short = "HI", make = points, get = hud.best } end,
   lives = function(i)
     return { label = "", make = function(n, cols) return icons(LIFE, n, cols) end,
              get = function() return player.get(i).lives or 0 end, size = 2 }
@@ -294,15 +280,15 @@ local SHOWN <const> = {
   number = function(_, n) return tostring(n) end,
   times = function(_, n) return ("x%d.%02d"):format(n // 100, n % 100) end,
   icons = function(_, n, cols) return icons(STAR, n, cols) end,
-  bar = function(r, n, cols, low) return hud.bar(n, r.max, math.max(1, math.min(low and LOW_BAR or 8, cols))) end,
+  bar = function(r, n, cols, most) return hud.bar(n, r.max, math.max(1, math.min(most, cols))) end,
 }
 
 local function register_item(i, r)
   local label = r.label == "" and "" or text.lang(r.label or r.name:gsub("_", " "):upper())
-  local item = { label = label, register = r, size = r.show == "icons" and 2 or nil }
+  local item = { label = label, player = i, register = r, size = r.show == "icons" and 2 or nil }
   function item.make(n, cols)
     local rest = item.label == "" and 0 or sys.cells(item.label) + 1
-    return SHOWN[r.show](r, n, cols - rest, item.low)
+    return SHOWN[r.show](r, n, cols - rest, item.low and (rest > 0 and LOW_BAR or LOW_BAR_ALONE) or 8)
   end
   function item.get()
     local n = sys.value(i, r.name, r.run)
@@ -343,6 +329,7 @@ local function add_row(y, left, middle, right)
     place(LEFT + (WIDTH - BEST_COLS) // 2, y, BEST_COLS, "middle"),
     place(LEFT + WIDTH - right_cols, y, right_cols, "right"),
   }
+  places[3].mirrored = right and right.player == 2 and not STACKED
   for k, item in ipairs { left or false, middle or false, right or false } do
     if item then add_item(item, places[k], size, "top" .. k) end
   end
@@ -379,8 +366,9 @@ local function add_rows(own, of_run)
       local kind, i = (name or ""):match("^(%a+)(%d?)$")
       if kind == "registers" then y = add_registers(y, own[tonumber(i)])
       else parts[k] = kind and KINDS[kind](tonumber(i)) or false end
+      if parts[k] then parts[k].player = tonumber(i) end
     end
-    if parts[1] then y = add_row(y, parts[1], parts[2] or nil, parts[3]) end
+    if #parts > 0 then y = add_row(y, parts[1], parts[2] or nil, parts[3]) end
     if #row == 0 then y = y + GAP end
   end
   if not STACKED and players == 2 then
@@ -407,11 +395,17 @@ local function add_low_rows(i, list)
   local col = i == 1 and FIELD.col + 1 or FIELD.col + FIELD.cols - 1 - LOW_COLS
   local y = FIELD_BOTTOM - 8 * hud.low
   groups["low" .. i] = { places = {}, hidden = false, own = { left = col, width = LOW_COLS, y = y, size = hud.low } }
-  for _, item in ipairs(list) do
+  local function add(item)
     local size = size_of(item)
     y = y - PITCH - 8 * (size - 1)
-    item.low = true
-    add_item(item, place(col, y, LOW_COLS, i == 1 and "left" or "right"), size, "low" .. i)
+    local p = place(col, y, LOW_COLS, i == 1 and "left" or "right")
+    item.low, p.mirrored = true, i == 2
+    add_item(item, p, size, "low" .. i)
+  end
+  for _, item in ipairs(list) do
+    local label = players == 2 and item.register.show == "bar" and item.label ~= "" and take_label(item)
+    add(item)
+    if label then add(label) end
   end
 end
 

@@ -1,7 +1,7 @@
 -- boss/rows.lua - what the HUD shows of a fight: bars, a pip for each phase to come, the clock, the name, the spell
 -- with its history and bonus, and a mark at the field's lower edge. A spell's name is declared in the middle of the
--- field; then it slides to its place over the field, or appears in the panel. If the boss's row is too short for both
--- names, the spell's replaces the boss's.
+-- field; then it appears in the panel, or slides to the boss's row over the field, in place of the boss's name. Over the
+-- field, name and history stay for READ frames.
 local sys = ... -- functions for the standard library only; documented in src/script/api/api_sys.c
 
 local PIP <const>, STAR <const>, RULE <const> = hud.glyph(152, "*"), hud.glyph(138, "*"), hud.glyph(141, "-")
@@ -15,6 +15,7 @@ local LATE <const>, LAST <const> = 10, 5 -- seconds left from which the clock ha
 -- A spell's name, in frames of its phase: it is typed, stays, and slides.
 local TYPED <const>, STAYS <const> = 14, 36
 local SLIDES <const> = hud.panel and 0 or 30
+local READ <const>, FADES <const> = 120, 12 -- in its place, faint at last
 local COL <const>, COLS <const> = hud.field.col + 1, hud.field.cols - 2
 local PITCH <const> = 10                                          -- px from one line of the name to the next
 local DECLARED <const> = (rom.field.y + rom.field.h * 5 // 8) // 8 * 8 -- px: the top of a declared name
@@ -54,7 +55,7 @@ end
 
 -- Lines above and below the declared name, growing from the middle.
 local function draw_rules(age)
-  local n = math.min(COLS - 2, 2 + 2 * age)
+  local n = math.min(COLS, 4 + 2 * age)
   for _, y in ipairs { DECLARED - 16, DECLARED + PITCH * #spell + 6 } do
     if age <= STAYS then hud.put(COL + (COLS - n) / 2, y / 8, RULE:rep(n), hud.banks.faint)
     else text.clear { col = COL, row = y // 8, w = COLS, h = 1 } end
@@ -132,7 +133,7 @@ local function lay_out(b)
   phase = b.phase
   local names = find_bars(b)
   local title, name = text.lang(b.boss.title), phase and phase.spell and text.lang(phase.spell)
-  at = hud.boss_places(names, pips, title, name)
+  at = hud.boss_places(names, pips)
   hud.show(at.pips, PIP:rep(pips))
   show_lines(at.name, title)
   for i, bar in ipairs(bars) do
@@ -171,7 +172,7 @@ local function draw_name(age)
   if age <= STAYS + 1 then draw_rules(age) end
   local k = 1 - math.min(math.max(age - STAYS, 0), SLIDES) / math.max(SLIDES, 1)
   local left = k * k -- part of its way
-  if at.replaces and age >= STAYS then show_lines(at.name, "") end
+  if not hud.panel and age >= STAYS then show_lines(at.name, "") end
   if shows_verdict and age >= STAYS then -- the name slides over the verdict
     shows_verdict = false
     hud.banner()
@@ -179,7 +180,7 @@ local function draw_name(age)
   if age >= STAYS + SLIDES and age > STAYS then
     wipe_name()
     spell.done = true
-    return show_lines(at.spell, spell.name, hud.banks.bright)
+    return
   end
   local lines = age <= STAYS and spell or { fit(at.spell, spell.name)[1] }
   local y = at.spell[1].y + math.floor((DECLARED - at.spell[1].y) * left + 0.5)
@@ -196,16 +197,24 @@ local function draw_name(age)
   end
 end
 
--- What the spell is worth and how often it was captured.
+-- The name in its place, and how often the spell was captured.
+local function draw_history(age)
+  local left = hud.panel and READ or STAYS + SLIDES + READ - age
+  local bank = left > FADES and "bright" or left > 0 and "faint" or nil
+  if not changed("history", bank or "gone") then return end
+  show_lines(at.spell, bank and spell.name or "", hud.banks[bank])
+  if not spell.history then return end
+  local words = bank and hud.labelled(at.history, text.lang("CAPTURED"), spell.history, STAR) or ""
+  hud.show(at.history, words, hud.banks[bank == "bright" and "plain" or bank])
+end
+
+-- What the spell is worth.
 local function draw_bonus(b)
   local n = not b.missed and b.worth()
   if not changed("bonus", n) then return end
   local bank = n and hud.banks.plain or hud.banks.faint
   local worth = n and tostring(n) or text.lang("FAILED")
   if phase.bonus > 0 then hud.show(at.bonus, hud.labelled(at.bonus, text.lang("BONUS"), worth), bank) end
-  if spell.history then
-    hud.show(at.history, hud.labelled(at.history, text.lang("CAPTURED"), spell.history, STAR), hud.banks.plain)
-  end
 end
 
 local function show_verdict(verdict)
@@ -228,5 +237,7 @@ return function(b, again, verdict, has_dialogue)
   draw_bars(age)
   draw_clock(phase.time - age)
   if spell then draw_name(age) end
-  if spell and spell.done then draw_bonus(b) end
+  if not (spell and spell.done) then return end
+  draw_history(age)
+  draw_bonus(b)
 end
