@@ -62,9 +62,9 @@ end
 task.go(sea.run)
 task.go(front.run)
 boot.run { modes = {
-    { name = "dive", stages = { "one", "two", "three" }, text = "From the shallows to the sea floor." },
-    { name = "caravan", stages = { "caravan" }, text = "Two minutes, and everything that swims by." },
-    { name = "rush", stages = { "rush" }, needs = "rush", text = "Every boss, against the clock." } },
+    { name = "dive", stages = { "one", "two", "three" }, text = "Dive from the shallows to the sea floor." },
+    { name = "caravan", stages = { "caravan" }, text = "Score all you can in two minutes." },
+    { name = "rush", stages = { "rush" }, needs = "rush", text = "Beat every boss against the clock." } },
   opening = require "opening",
   players = { "heron", "petrel", "tern" }, demo = "attract",
   difficulties = { easy = "Calm water.", normal = "The tide as it comes.",

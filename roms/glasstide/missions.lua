@@ -8,15 +8,15 @@ end
 
 -- ---- the shallows ----
 
-dive("first_light", "First Light", "Chain 20 before the wreck.",
+dive("first_light", "First Light", "Make a chain of 20 before the wreck.",
   { stage = "one", to = "wreck", goal = { chain = 20 }, medals = { 15 * S, 10 * S } })
 dive("clear_water", "Clear Water", "Reach the wreck without a bomb.",
   { stage = "one", to = "wreck", clear = true, bombs = 0, by = "score",
     medals = { 15000, 24000 } })
-dive("salvage", "Salvage", "Break 12 in the wreck.",
+dive("salvage", "Salvage", "Break 12 enemies in the wreck.",
   { stage = "one", mark = "wreck", to = "nautilus", goal = { kills = 12 },
     medals = { 10 * S, 9 * S } })
-dive("rivets", "Rivets", "Chain 14 in the wreck.",
+dive("rivets", "Rivets", "Make a chain of 14 in the wreck.",
   { stage = "one", mark = "wreck", to = "nautilus", difficulty = "hard", goal = { chain = 14 },
     medals = { 10 * S, 9 * S } })
 dive("wick", "A Short Wick", "Beat the Lantern Nautilus in 50 seconds.",
@@ -28,7 +28,7 @@ dive("snail", "Snail's Pace", "Let the Chambered Lamp burn 20 seconds. No bomb."
 dive("nets", "Cut the Nets", "Score 30,000 points above the crab.",
   { stage = "one", mark = "deep", to = "crab", goal = { score = 30000 },
     medals = { 26 * S, 21 * S } })
-dive("hooks", "By Hook", "Break 40 above the crab with hooks.",
+dive("hooks", "By Hook", "Break 40 enemies above the crab with hooks.",
   { stage = "one", mark = "deep", to = "crab", ship = "tern_hooks", goal = { kills = 40 },
     medals = { 26 * S, 22 * S } })
 dive("pinch", "A Pinch of Salt", "Graze 100 in Pincers without a bomb.",
@@ -57,7 +57,7 @@ dive("prism", "Prism", "Raise the multiplier to x3.00 in the shallows.",
 
 -- ---- the works ----
 
-dive("soot", "Soot", "Chain 24 in the street of the works.",
+dive("soot", "Soot", "Make a chain of 24 in the street of the works.",
   { stage = "two", mark = "street", to = "bellows", lives = 3, goal = { chain = 24 },
     medals = { 13 * S, 11 * S } })
 dive("asthma", "Out of Breath", "Graze 30 while the Bellows breathes.",
@@ -66,7 +66,7 @@ dive("asthma", "Out of Breath", "Graze 30 while the Bellows breathes.",
 dive("gears", "Spare Gear", "Break Meshing Wheels on hard without a bomb.",
   { boss = "bellows", phase = "wheels", difficulty = "hard", clear = true, bombs = 0,
     medals = { 18 * S, 14 * S } })
-dive("shift", "Night Shift", "Break 40 in the halls.",
+dive("shift", "Night Shift", "Break 40 enemies in the halls.",
   { stage = "two", mark = "halls", to = "eels", lives = 3, goal = { kills = 40 },
     medals = { 27 * S, 23 * S } })
 dive("panes", "Window Shopping", "Collect 40 shards among Panes in Rows.",
@@ -78,7 +78,7 @@ dive("press", "Stop Press", "Break The Press with fangs.",
 
 -- ---- the abyss ----
 
-dive("trench", "Trench Coat", "Break 18 in the trench.",
+dive("trench", "Trench Coat", "Break 18 enemies in the trench.",
   { stage = "three", mark = "trench", to = "angler", lives = 3, goal = { kills = 18 },
     medals = { 14 * S, 13 * S } })
 dive("bait", "Bait", "Graze 50 around the Anglerlamp's bait.",

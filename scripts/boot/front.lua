@@ -45,6 +45,14 @@ local function entries(a)
   return list
 end
 
+-- Whether How to Play explains the button special.
+local function uses_special(a)
+  for _, p in ipairs(a.how_to_play or {}) do
+    if p.button == "special" then return true end
+  end
+  return false
+end
+
 local function expect_entry(what, list)
   for _, name in ipairs(list) do
     if name == what then return end
@@ -76,6 +84,7 @@ local function play_opening(a)
   local scope, ended = sys.scope(), false
   local opening = task.own(scope, a.opening)
   while task.alive(opening) and not ended do
+    sys.tell_key("start", "Skip")
     wait(1)
     ended = pressed("start")
   end
@@ -220,7 +229,7 @@ return function(a, show, last)
       if not a.opened then from = play_opening(a) and "start" or from end
       a.opened = true
       local list = entries(a)
-      what, players = show("title", ATTRACT, list, from, players)
+      what, players = show("title", ATTRACT, list, from, players, uses_special(a))
       if what then expect_entry(what, list) end
     end
     from, last = what, nil

@@ -1,9 +1,9 @@
--- menu/book.lua - a screen of several pages: left and right turn them, up and down change the chapter. The score tables,
--- the spell history and the list of unlocks use it.
+-- menu/book.lua - a screen of several pages: left and right turn them, up and down change the chapter. After the last
+-- page of a chapter is the first of the next. The score tables, the spell history and the list of unlocks use it.
 local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local page = sys.read("menu/page")
 
-local LEFT, RIGHT, UP, DOWN = hud.glyph(139, "<"), hud.glyph(140, ">"), hud.glyph(150, "^"), hud.glyph(151, "v")
+local LEFT <const>, RIGHT <const> = hud.glyph(139, "<"), hud.glyph(140, ">")
 
 local book = {}
 
@@ -26,11 +26,11 @@ function book.split(n, rows, height)
   return pages
 end
 
-local function between(before, name, n, behind) return n > 1 and before .. " " .. name .. " " .. behind or name end
+local function between_arrows(name) return LEFT .. " " .. name .. " " .. RIGHT end
 
 -- Draws the titles above a page. On a low page the chapter is in the heading's row.
 local function titles(a, c, name, n, age)
-  local chapter = #a.chapters > 1 and between(UP, a.chapters[c], #a.chapters, DOWN)
+  local chapter = #a.chapters > 1 and between_arrows(a.chapters[c])
   local head = text.lang(a.head)
   local row
   if page.low and chapter then
@@ -43,7 +43,7 @@ local function titles(a, c, name, n, age)
       row = row + 2
     end
   end
-  page.centre(row, between(LEFT, name, n, RIGHT), hud.banks.plain)
+  page.centre(row, not chapter and n > 1 and between_arrows(name) or name, hud.banks.plain)
 end
 
 local function turn(at, n, step) return (at - 1 + step) % n + 1 end
@@ -67,13 +67,15 @@ function book.show(a)
     wait(1)
     age, idle = age + 1, idle + 1
     local up, right = #a.chapters > 1 and page.step("up", "down") or 0, page.step("left", "right")
-    if up ~= 0 then
-      c, i = turn(c, #a.chapters, up), 1
+    local other = up ~= 0 and up or #a.chapters > 1 and not list[i + right] and right or 0 -- the step to a chapter
+    if other ~= 0 then
+      c = turn(c, #a.chapters, other)
       list = a.pages(c)
+      i = up == 0 and right < 0 and #list or 1
     else
       i = turn(i, #list, right)
     end
-    if up ~= 0 or right ~= 0 and #list > 1 then
+    if other ~= 0 or right ~= 0 and #list > 1 then
       age, idle = 0, page.cols -- the rule has its full length
       page.clear(page.row, page.rows)
     end

@@ -7,12 +7,12 @@ local page = {}
 
 local IDLE = 30 * 60 -- frames without input after which a page closes
 local FAINT = 4      -- frames that a new row is faint
-local BLINK = 16     -- frames that the arrows keep their colour
+local BLINK = 16     -- frames that the arrow keeps its colour
 local GROWING = 8    -- frames in which a window grows
 local DIM = 0.45     -- share of black behind a page
 local BANNER = 6     -- rows of the HUD's banner
 
-local LEFT, RIGHT, UP, DOWN = hud.glyph(139, "<"), hud.glyph(140, ">"), hud.glyph(150, "^"), hud.glyph(151, "v")
+local RIGHT, UP, DOWN = hud.glyph(140, ">"), hud.glyph(150, "^"), hud.glyph(151, "v")
 local LINE, FIRST, LAST, JEWEL = hud.glyph(141, "-"), hud.glyph(142, "-"), hud.glyph(143, "-"), hud.glyph(144, "-")
 
 if not hud.is_playing() then sys.show_whole(true) end
@@ -157,11 +157,11 @@ function page.done()
   screen.dim { share = 0, over = GROWING }
 end
 
--- Draws the heading above a rule; returns the first row below.
+-- Draws the heading above a rule, as on the program's screens; returns the first row below.
 function page.head(s, age)
-  local row = page.centre(page.row + (page.low and 1 or 3), s, hud.banks.bright)
-  page.rule(row + (page.low and 0 or 0.5), age)
-  return row + (page.low and 2 or 3)
+  local row = page.centre(page.row + (page.low and 1 or 3.375), s, hud.banks.bright)
+  page.rule(row + (page.low and 0 or 0.625), age)
+  return math.ceil(row + 2)
 end
 
 -- Tells the program what the buttons do, to be called in each frame.
@@ -213,6 +213,16 @@ function page.glide(bar, row, at_once)
   bar.y = (at_once or way * way < 1) and to or bar.y + way / 3
 end
 
+-- Says how to open what is locked, given the hint of its unlock.
+function page.how_to_unlock(hint)
+  return hint == "" and "" or text.lang("To unlock: %s"):format(text.lang(hint))
+end
+
+-- The arrow before the chosen row.
+function page.cursor(col, row, age)
+  hud.put(col, row, RIGHT, age // BLINK % 2 == 0 and hud.banks.bright or hud.banks.plain)
+end
+
 -- Scrolls to the chosen item, and shows where more items are.
 local function scroll(l, chosen)
   l.first = math.max(chosen - l.seen + 1, math.min(l.first, chosen))
@@ -223,7 +233,6 @@ local function scroll(l, chosen)
 end
 
 local function draw(l, a, chosen, age)
-  local blink = age // BLINK % 2 == 0 and hud.banks.bright or hud.banks.plain
   page.clear(l.row, (l.seen - 1) * l.gap + 1, l.col - 2, l.width + 4)
   scroll(l, chosen)
   for k = 1, l.seen do
@@ -232,9 +241,7 @@ local function draw(l, a, chosen, age)
     local item, bank = l.items[i], page.bank(k, age, hud.banks[word])
     if bank then hud.put(l.col + (l.width - sys.cells(item)) / 2, l.row + (k - 1) * l.gap, item, bank) end
   end
-  local at = l.row + (chosen - l.first) * l.gap
-  hud.put(l.col - 2, at, RIGHT, blink)
-  hud.put(l.col + l.width + 1, at, LEFT, blink)
+  page.cursor(l.col - 2, l.row + (chosen - l.first) * l.gap, age)
   if a.note then
     page.clear(l.below, a.notes)
     a.note(chosen, l.below)

@@ -52,11 +52,12 @@ local function draw(p, top, body, bottom)
   page.text(body, p.text)
 end
 
--- What the buttons do. The button that the page is about comes first, and does nothing else.
+-- What the buttons do. The button that the page is about comes first.
 local function keys_of(p, is_last)
-  local keys = p.button and { p.button, p.title } or {}
+  local keys = p.button and { p.button, text.lang(p.title) } or {}
   local function add(button, meaning)
-    if button ~= p.button then table.move({ button, meaning }, 1, 2, #keys + 1, keys) end
+    if button == p.button then keys[2] = keys[2] .. "/" .. text.lang(meaning)
+    else table.move({ button, meaning }, 1, 2, #keys + 1, keys) end
   end
   if not is_last then add("fire", "Next") end
   add("bomb", "Back")

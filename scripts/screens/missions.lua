@@ -5,7 +5,7 @@ local page = sys.read("menu/page")
 
 local STAR = hud.glyph(138, "*")
 local LEFT <const>, RIGHT <const> = hud.glyph(139, "<"), hud.glyph(140, ">")
-local NOTES <const> = page.low and 8 or 9.5 -- rows below the list: of the page number and of the note
+local NOTES <const> = page.low and 8 or 11 -- rows below the list: of the page number and of the note
 local COLS <const> = math.min(page.cols - 6, 34)
 local COL <const> = page.col + (page.cols - COLS) // 2
 local STARS <const> = 3
@@ -21,17 +21,24 @@ local function entries()
   return list
 end
 
--- Formats a value of a measure.
-local function measure(by, value)
-  if by ~= "time" then return menu.label(by) .. " " .. value end
-  return text.lang("Time %d.%02d"):format(value // 60, value % 60 * 100 // 60)
+local function amount(by, value)
+  return by == "time" and ("%d.%02d"):format(value // 60, value % 60 * 100 // 60) or tostring(value)
+end
+
+local function name_of(by) return by == "time" and text.lang("Time") or menu.label(by) end
+
+-- The values that earn the second and the third star.
+local function medals(m)
+  local s = name_of(m.by)
+  for i, v in ipairs(m.medals or {}) do s = ("%s %s %s"):format(s, STAR:rep(i + 1), amount(m.by, v)) end
+  return s
 end
 
 local function draw_row(e, i, row, chosen, age)
   local bank = page.bank(1, age, hud.banks[chosen and "bright" or e.closed and "faint" or "plain"])
   page.clear(row, 1)
-  local words = ("%2d %s"):format(i, hud.wrap(e.title, COLS - 7)[1])
-  hud.put(COL, row, words, bank)
+  local words = ("%2d %s"):format(i, hud.wrap(e.title, COLS - 8)[1])
+  hud.put(COL + 1, row, words, bank)
   if not e.closed then page.stars(COL + COLS - STARS, row, e.stars, STARS) end
 end
 
@@ -39,7 +46,7 @@ end
 local function draw_note(e, row)
   local m, apart = e.m, page.pitch
   page.clear(row, math.floor(NOTES) - 2)
-  row = page.text(row, e.closed or m.text or "", hud.banks.plain)
+  row = page.text(row, e.closed and page.how_to_unlock(e.closed) or m.text or "", hud.banks.plain)
   if e.closed then return end
   local words = {}
   if m.ship then words[1] = menu.label(m.ship) end
@@ -48,8 +55,12 @@ local function draw_note(e, row)
     page.centre(row, table.concat(words, "  "), hud.banks.faint)
     row = row + apart
   end
+  if m.medals then
+    page.centre(row, medals(m), hud.banks.plain)
+    row = row + apart
+  end
   if e.value then
-    local best = text.lang("Best: %s"):format(measure(m.by, e.value))
+    local best = text.lang("Best: %s"):format(name_of(m.by) .. " " .. amount(m.by, e.value))
     page.centre(row, m.ship and best or best .. "  " .. menu.label(e.ship), hud.banks.bright)
   end
 end
@@ -103,6 +114,7 @@ return function(last)
       draw_note(list[at], below + 2.5)
     end
     page.glide(bar, top + (at - 1) % rows * gap, age == 0)
+    page.cursor(COL - 0.5, top + (at - 1) % rows * gap, age)
     page.tell(page.SELECT)
     wait(1)
     age, idle = age + 1, idle + 1

@@ -11,18 +11,21 @@ end
 
 -- list: { name, title?, text?, needs? } each. Returns after bomb, or if nobody presses a button for long.
 return function(list)
-  local items, closed, notes = {}, {}, page.low and 2 or 3
+  local items, closed, notes = {}, {}, page.low and 2 or 5
+  local first -- how to unlock the first of those that are closed
   local closes = sys.read("boot/records").closed
   local playing, on, chosen
   for i, m in ipairs(list) do
     local hint = closes(m.needs)
-    closed[i] = hint and text.lang(hint) or false
+    closed[i] = hint and page.how_to_unlock(hint) or false
+    first = first or hint and hint ~= "" and "? ? ?: " .. text.lang(hint)
     items[i] = hint and "? ? ?" or title_of(m)
   end
   local function note(i, row)
     if playing then row = page.text(row, NOTE .. " " .. title_of(list[playing]), hud.banks.bright) end
     local line = closed[i] or list[i].text
-    if line then page.text(row, line) end
+    row = line and page.text(row, line) or row
+    if first and not closed[i] and not page.low then page.text(row, first, hud.banks.faint) end
   end
   local function stop(fade) if on then sys.music_back(list[playing].name, fade) end end
   local back <close> = setmetatable({}, { __close = function() stop(30) end })

@@ -36,15 +36,14 @@ end
 local function draw_row(at, i, r, players, age)
   age = age - NEXT * (i - 1)
   local bank = page.bank(1, age, age < RUN and hud.banks.plain or hud.banks.bright)
-  if not bank then return end
   local col, cols = page.col + 3, page.cols - 6
   local word = beside(text.lang(r[1]), r, players, cols)
-  local last = value(r[players + 1], age)
   page.clear(at, 1)
+  hud.put(players == 1 and col or col + (cols - sys.cells(word)) // 2, at, word, hud.banks.plain)
+  if not bank then return end
+  local last = value(r[players + 1], age)
   hud.put(col + cols - sys.cells(last), at, last, bank)
-  if players == 1 then return hud.put(col, at, word, hud.banks.plain) end
-  hud.put(col, at, value(r[2], age), bank)
-  hud.put(col + (cols - sys.cells(word)) // 2, at, word, hud.banks.plain)
+  if players > 1 then hud.put(col, at, value(r[2], age), bank) end
 end
 
 local function draw_players(row)
@@ -114,10 +113,8 @@ return function(title, players, stopped, rows, new, grades)
   for age = 0, grades and at + LONGEST or LONGEST do
     page.grow(window, age)
     hud.banner() -- a boss's verdict can appear after the stage has ended
-    if age >= page.GROWING then
-      local row = draw_page(title, rows, players, new, top, gap, age) -- every frame: a pause erases it
-      if grades then draw_grades(row, grades, age - at) end
-    end
+    local row = draw_page(title, rows, players, new, top, gap, age) -- every frame: a pause erases it
+    if grades then draw_grades(row, grades, age - at) end
     wait(1)
     if stopped() or age > SHORTEST and page.pressed("fire") then break end
   end

@@ -1,4 +1,6 @@
 -- screens/scores.lua - the score tables: a chapter for each difficulty, with a page for all ships and one for each ship.
+-- A row has two lines: rank, name and score, then ship and how far the run got. If there is room for one line only, names
+-- alternate with the rest.
 local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local page, book = sys.read("menu/page"), sys.read("menu/book")
 
@@ -24,19 +26,26 @@ end
 
 local WIDTH <const> = math.min(page.cols - (page.low and 3 or 6), 30) -- of a row
 local COL <const> = page.col + (page.cols - WIDTH) // 2
-local TURN <const> = 120 -- frames that the rows show names, then ships if the table has several, then how far the runs got
+local TURN <const> = 120 -- frames that one-line rows show names, then ships if the table has several, then how far the
+                         -- runs got
+local TALL <const> = 2.5 -- rows of cells that a row of two lines takes
 
--- Draws row i of a table. what: "name", "ship" or "far".
+-- Draws row i of a table. what: "name", "ship", "far" or "all".
 local function draw_row(i, r, row, bank, marked, what)
   local points = r and tostring(r.score) or "0"
   local words = r and r.name or "--------"
-  if r and what == "ship" then words = r.ship and menu.label(r.ship) or "" end
+  local ship = r and r.ship and menu.label(r.ship) or ""
+  if r and what == "ship" then words = ship end
   if r and what == "far" then words = how_far(r, WIDTH - 4 - #points) end
   page.clear(row, 1)
   if marked then hud.put(COL - 1, row, ARROW, hud.banks.bright) end
   hud.put(COL, row, ("%2d"):format(i), hud.banks.faint)
-  hud.put(COL + 3, row, words, r and what ~= "name" and hud.banks.faint or bank)
+  hud.put(COL + 3, row, words, r and (what == "ship" or what == "far") and hud.banks.faint or bank)
   hud.put(COL + WIDTH - #points, row, points, bank)
+  if not r or what ~= "all" then return end
+  local far = how_far(r, WIDTH - 4 - sys.cells(ship))
+  hud.put(COL + 3, row + 1.25, ship, hud.banks.faint)
+  hud.put(COL + WIDTH - sys.cells(far), row + 1.25, far, hud.banks.faint)
 end
 
 -- many: the table has several ships.
@@ -44,8 +53,8 @@ local function table_page(name, rows, mark, many)
   return {
     title = name, count = RANKS, every = TURN,
     draw = function(row, room, age)
-      local gap = math.max(1, math.min(2.5, room * 4 // RANKS / 4))
-      local views = many and { "name", "ship", "far" } or { "name", "far" }
+      local gap = math.max(1, math.min(TALL, room * 4 // RANKS / 4))
+      local views = gap == TALL and { "all" } or many and { "name", "ship", "far" } or { "name", "far" }
       local what = views[age // TURN % #views + 1]
       for i = 1, RANKS do
         local r = rows[i]

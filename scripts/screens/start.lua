@@ -6,13 +6,15 @@ local page, preview = sys.read("menu/page"), sys.read("menu/preview")
 local CELLS <const> = 5                    -- length of a figure's bar, and its most icons
 local PREVIEW <const> = 6                  -- rows below the panel for the ships, at least
 local EDGE <const> = 24                    -- px from the middle of a ship to the edge of the field, at least
-local WIDEST <const> = 26                  -- columns of a player, and of text
+local WIDEST <const> = 26                  -- columns of a player
+local TEXT <const> = math.min(WIDEST, page.cols - 4) -- columns of text
 local PITCH <const> = page.low and 1.25 or 1.5 -- rows from one figure to the next
 local BLINK <const> = 16                   -- frames that the arrows keep their colour
 local BURST <const>, PAUSE <const> = 90, 40 -- frames that the ships fire, and don't
 local LIFE <const> = hud.glyph(137, "*")
 local LEFT <const>, RIGHT <const> = hud.glyph(139, "<"), hud.glyph(140, ">")
 local KEYS <const> = { "fire", "Start", "bomb", "Back" }
+local INSET <const> = page.low and 0 or 1  -- columns of the page outside the panel, at each side
 
 -- The page's state: rows, cursor, age (frames since the last change), players, ships (by name of the kind).
 local state
@@ -94,7 +96,22 @@ end
 
 -- What is said of an option: its text, or how to unlock it.
 local function words_of(o)
-  return o.closed and text.lang("To unlock: %s"):format(text.lang(o.closed)) or o.text
+  return o.closed and page.how_to_unlock(o.closed) or o.text and text.lang(o.text)
+end
+
+local function name_of(p) return text.lang("%dP"):format(p) end
+
+-- The texts about a row's options that are chosen, each with its bank. If players' texts differ, each starts with the
+-- player's name.
+local function texts_of(row)
+  local list = {}
+  for p = 1, row.each and state.players or 1 do
+    local o = option(row, p)
+    list[p] = { o and words_of(o) or "", o and o.closed and "faint" or "plain" }
+  end
+  if list[2] and list[1][1] == list[2][1] then list[2] = nil end
+  for p, t in ipairs(list[2] and list or {}) do t[1] = name_of(p) .. ": " .. t[1] end
+  return list
 end
 
 -- The figures of a kind, as { label, value } each, where a number is a number of stars: those that the author gives, or
@@ -132,15 +149,9 @@ end
 -- are between two parts.
 local function column(p)
   if state.players == 1 then return page.column(1, 1, WIDEST) end
-  local cols = math.min(WIDEST, (page.cols - state.middle) // 2)
   local side = (page.cols - state.middle) / 2
+  local cols = math.min(WIDEST, math.floor(side) - INSET)
   return p == 1 and side - cols or page.cols - side, cols
-end
-
--- Returns the part of the page for a text about player p's choice in a row.
-local function text_column(row, p)
-  if row.each then return column(p) end
-  return page.column(1, 1, WIDEST)
 end
 
 local function is_shared(row) return not row.each or state.players == 1 end
@@ -155,13 +166,13 @@ local function measure()
     state[key] = math.max(state[key], sys.cells(row.label))
   end
   for _, row in ipairs(state.rows) do
-    local _, cols = text_column(row, 1)
     local values = is_shared(row) and "shared_value" or "own_value"
+    local head, times = is_shared(row) and "" or name_of(1) .. ": ", is_shared(row) and 1 or state.players
     each_option(row, function(o)
       state[values] = math.max(state[values], sys.cells(label_of(o)))
       local words = words_of(o)
-      local n = words and #hud.wrap(text.lang(words), math.max(1, cols - 2)) or 0
-      state.text_rows = math.max(state.text_rows, n)
+      local n = words and #hud.wrap(head .. words, TEXT) or 0
+      state.text_rows = math.max(state.text_rows, n * times)
     end)
   end
   each_kind(function(o) state.figure_rows = math.max(state.figure_rows, #figures_of(o)) end)
@@ -192,7 +203,7 @@ local function draw_row(row, bank)
   page.centre(row.place, row.label, bank)
   for p = 1, state.players do
     local col, cols = column(p)
-    local part = math.min(cols - 1, state.own_value + 4)
+    local part = math.min(cols - 2, state.own_value + 3) -- the arrows are inside the bar
     draw_value(row, p, row.place, bank, col + (cols - part) / 2, part)
   end
 end
@@ -204,20 +215,24 @@ local function draw_rows()
   end
   for p = 1, state.heads and state.players or 0 do
     local col, cols = column(p)
-    page.centre(state.heads, text.lang("%dP"):format(p), hud.banks.faint, col, cols)
+    page.centre(state.heads, name_of(p), hud.banks.faint, col, cols)
   end
 end
 
 local function draw_texts()
   local row = state.rows[state.cursor]
   page.clear(state.text, state.text_rows * state.apart)
-  for p = 1, row.each and state.players or 1 do
-    local o = option(row, p)
-    local words = o and words_of(o)
-    local col, cols = text_column(row, p)
-    local n = words and #hud.wrap(text.lang(words), cols - 2) or 0
-    local at = state.text + (row.each and 0 or (state.text_rows - n) * state.apart / 2)
-    if words then page.text(at, words, hud.banks[o.closed and "faint" or "plain"], col, cols, state.apart) end
+  local list, n = texts_of(row), 0
+  for _, t in ipairs(list) do
+    t.lines = t[1] ~= "" and page.wrap(t[1], TEXT) or {}
+    n = n + #t.lines
+  end
+  local at = state.text + (state.text_rows - n) * state.apart / 2
+  for _, t in ipairs(list) do
+    for _, line in ipairs(t.lines) do
+      hud.put((page.cols - sys.cells(line)) / 2, at, line, hud.banks[t[2]])
+      at = at + state.apart
+    end
   end
 end
 
@@ -310,7 +325,7 @@ local function ask()
   while idle < page.IDLE do
     if page.opening(state.shown, #state.rows) or state.age == 0 or state.age % BLINK == 0 then
       page.head(state.title, state.shown)
-      page.foot(KEYS)
+      page.foot(closed_row() and page.BACK or KEYS)
       draw_rows()
     end
     if state.age == 0 then
@@ -320,7 +335,7 @@ local function ask()
     end
     if state.bar then page.glide(state.bar, state.rows[state.cursor].place, state.shown == 0) end
     fly()
-    page.tell(KEYS)
+    page.tell(closed_row() and page.BACK or KEYS)
     wait(1)
     idle, state.age, state.shown = idle + 1, state.age + 1, state.shown + 1
     if move() then

@@ -8,6 +8,7 @@ local LABELS <const> = {
   quit = "Quit Game",
 }
 local KEYS <const> = { "start", "Start", "fire", "Fire", "bomb", "Bomb", "focus", "Focus" }
+local ALL_KEYS <const> = { "start", "Start", "fire", "Fire", "bomb", "Bomb", "focus", "Focus", "special", "Special" }
 local UNDER <const> = page.low and 5 or 9 -- rows from the name of a game without a logo to the menu, at least
 local BEST <const> = 2.5 -- rows that the best score takes above the logo
 local SHINE <const>, SHINE_AGAIN <const> = 24, 200 -- frames that the light on the logo takes, and from one to the next
@@ -49,7 +50,7 @@ local function draw_best()
 end
 
 -- Waits for fire or START. Returns false if nobody pressed one for `limit` frames.
-local function wait_for_start(row, third, logo, light, limit)
+local function wait_for_start(row, third, logo, light, limit, keys)
   for age = 0, limit - 1 do
     if logo then
       logo.y = third * 8 - DROP * math.max(0, 16 - age) // 16
@@ -59,7 +60,7 @@ local function wait_for_start(row, third, logo, light, limit)
     end
     if age % 60 == 0 then page.centre(row, "Press Start", hud.banks.bright) end
     if age % 60 == 40 then page.clear(row, 1) end
-    page.tell(KEYS)
+    page.tell(keys)
     wait(1)
     if page.accepted() then
       page.clear(row, 1)
@@ -127,9 +128,10 @@ local function choose(items, row, chosen, third, logo)
   }
 end
 
--- names: the entries, "start" first. last, players: the entry that the player returns from, or nil. Returns the chosen
--- entry and the number of players; nil if nobody pressed a button for `limit` frames.
-return function(limit, names, last, players)
+-- names: the entries, "start" first. last, players: the entry that the player returns from, or nil. special: whether the
+-- game uses this button. Returns the chosen entry and the number of players; nil if nobody pressed a button for `limit`
+-- frames.
+return function(limit, names, last, players, special)
   text.clear()
   local third = page.row + page.rows // 3
   local row, logo = page.row + 2 * (page.rows // 3), put_logo(third)
@@ -142,7 +144,7 @@ return function(limit, names, last, players)
     chosen = choose(items, row, back, third, logo)
   end
   while chosen == 0 do
-    local is_here = wait_for_start(row, third, logo, light, limit)
+    local is_here = wait_for_start(row, third, logo, light, limit, special and ALL_KEYS or KEYS)
     chosen = is_here and choose(items, row, 1, third, logo)
   end
   text.clear()

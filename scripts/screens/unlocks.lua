@@ -1,4 +1,4 @@
--- screens/unlocks.lua - the unlocks: titles of those that have been earned, hints for the others.
+-- screens/unlocks.lua - the unlocks: titles of those that have been earned, and how to earn the others.
 local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local page, book = sys.read("menu/page"), sys.read("menu/book")
 
@@ -34,7 +34,7 @@ return function(over)
   local list, got = entries(cols)
   local _, room = book.room(1)
   local pages = book.split(#list, room, function(i) return height(list[i]) end)
-  local title = text.lang("%d of %d"):format(got, #list)
+  local title = text.lang("Unlocked: %s"):format(text.lang("%d of %d"):format(got, #list))
   for i, p in ipairs(pages) do
     local first, last = p[1], p[2]
     pages[i] = {
