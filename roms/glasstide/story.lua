@@ -7,7 +7,7 @@ local LETTER <const> = 2  -- frames before each letter
 local STAYS <const> = 170 -- frames that the complete text stays
 local MIDDLE <const> = 108 -- y of the picture's centre
 local DOWN <const> = 25   -- row of the first line, below the picture
-local APART <const> = 2   -- rows between lines
+local APART <const> = 2   -- rows from one line to the next
 local WORDS <const> = 3   -- the bank of the text
 
 -- All colours except those of the text, which never darkens.
@@ -29,21 +29,31 @@ local function dark(over)
   palette.fade { to = 0x04060e, over = over, first = FIRST, last = LAST }
 end
 
+-- The size of the letters: 2 if all lines fit, as in languages that need few letters.
+local function size_of(scenes)
+  for _, scene in ipairs(scenes) do
+    for _, line in ipairs(scene.lines) do
+      if 2 * utf8.len(text.lang(line)) > hud.cols - 2 then return 1 end
+    end
+  end
+  return 2
+end
+
 -- Writes the lines letter by letter, each in the middle of its own row. FIRE completes the
 -- current line immediately.
-local function write(lines, told)
+local function write(lines, told, size)
   for i, line in ipairs(lines) do
     local words, hurried = text.lang(line), false
-    local row, col = DOWN + APART * (i - 1), (hud.cols - utf8.len(words)) / 2
+    local row, col = DOWN + (APART + size - 1) * (i - 1), (hud.cols - size * utf8.len(words)) / 2
     for n = 1, utf8.len(words) do
       if not hurried and n % 2 == 0 then
         hurried = rest(LETTER, told)
         local there = words:sub(1, utf8.offset(words, n + 1) - 1)
-        text.put { col = col, row = row, text = there, bank = WORDS }
+        text.put { col = col, row = row, text = there, bank = WORDS, size = size }
       end
     end
     if told.left then return end
-    text.put { col = col, row = row, text = words, bank = WORDS }
+    text.put { col = col, row = row, text = words, bank = WORDS, size = size }
   end
 end
 
@@ -60,7 +70,7 @@ function story.telling() return telling end
 
 -- scenes: a list of { picture, palette?, lines }. Returns true if it played to the end.
 function story.tell(scenes)
-  local told = { left = false }
+  local told, size = { left = false }, size_of(scenes)
   telling = true
   local over <close> = setmetatable({}, { __close = function() telling = false end })
   bg.show("nothing", { over = 0 })
@@ -74,7 +84,7 @@ function story.tell(scenes)
                                  screen = true, layer = "over" }
     palette.fade { to = scene.palette or "story", over = FADE }
     rest(FADE, told)
-    if not told.left then write(scene.lines, told) end
+    if not told.left then write(scene.lines, told, size) end
     if not told.left then rest(STAYS, told) end
     dark(FADE // 2)
     wait(FADE // 2)

@@ -24,8 +24,8 @@ local VERDICT <const> = 7                                         -- rows from a
 local at                   -- the places of the rows; nil: nothing is shown
 local bars = {}            -- of the phase: e, full and place
 local phase                -- the phase that is shown
-local spell                -- its lines as declared; name; history; col, row, w, h: the cells of the name on its way to
-                           -- its place; done: it is there
+local spell                -- its lines as declared, and the size of their letters; name; history; col, row, w, h: the
+                           -- cells of the name on its way to its place; done: it is there
 local seen = {}            -- values that are on the screen, by name
 local mark                 -- the sprite below the boss
 local shows_verdict        -- the banner may be the verdict on the phase before
@@ -55,8 +55,8 @@ end
 
 -- Lines above and below the declared name, growing from the middle.
 local function draw_rules(age)
-  local n = math.min(COLS, 4 + 2 * age)
-  for _, y in ipairs { DECLARED - 16, DECLARED + PITCH * #spell + 6 } do
+  local n = math.min(COLS, 4 + 8 * age)
+  for _, y in ipairs { DECLARED - 16, DECLARED + (PITCH + 8 * (spell.size - 1)) * #spell + 6 } do
     if age <= STAYS then hud.put(COL + (COLS - n) / 2, y / 8, RULE:rep(n), hud.banks.faint)
     else text.clear { col = COL, row = y // 8, w = COLS, h = 1 } end
   end
@@ -143,7 +143,10 @@ local function lay_out(b)
   end
   if not name then return end
   spell = lines_of(name)
-  spell.name = name
+  spell.name, spell.size = name, 2 -- large letters if they fit
+  for _, line in ipairs(spell) do
+    if 2 * sys.cells(line) > COLS then spell.size = 1 end
+  end
   local tries, captures = sys.history(b.boss.name, phase.id, 0)
   spell.history = tries > 0 and ("%d/%d"):format(captures, tries)
 end
@@ -186,14 +189,16 @@ local function draw_name(age)
   local y = at.spell[1].y + math.floor((DECLARED - at.spell[1].y) * left + 0.5)
   if not changed("name", y * 64 + math.min(age, TYPED)) then return end
   wipe_name()
-  spell.row, spell.h = y // 8, (y + PITCH * (#lines - 1)) // 8 - y // 8 + 1
+  local size = age <= STAYS and spell.size or 1
+  local pitch = PITCH + 8 * (size - 1)
+  spell.row, spell.h = y // 8, (y + pitch * (#lines - 1)) // 8 - y // 8 + size
   spell.col, spell.w = COL, COLS
   for i, line in ipairs(lines) do
-    local middle, last = COL + (COLS - sys.cells(line)) / 2, at.spell[1].col
+    local middle, last = COL + (COLS - size * sys.cells(line)) / 2, at.spell[1].col
     local col = (last * 8 + math.floor((middle - last) * 8 * left)) / 8
     if age > STAYS then spell.col, spell.w = math.floor(col), sys.cells(line) + 1 end -- other rows are next to it
     if age < TYPED then line = first(line, sys.cells(line) * age // TYPED) end
-    hud.put(col, y / 8 + (i - 1) * PITCH / 8, line, hud.banks.bright)
+    hud.put(col, y / 8 + (i - 1) * pitch / 8, line, hud.banks.bright, size)
   end
 end
 

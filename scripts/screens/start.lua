@@ -203,8 +203,9 @@ local function draw_row(row, bank)
   page.centre(row.place, row.label, bank)
   for p = 1, state.players do
     local col, cols = column(p)
-    local part = math.min(cols - 2, state.own_value + 3) -- the arrows are inside the bar
-    draw_value(row, p, row.place, bank, col + (cols - part) / 2, part)
+    local part, inside = math.min(cols - 1, state.own_value + 3), INSET + 1 -- the arrows are in the bar
+    local first = math.max(inside, math.min(page.cols - inside - part, col + (cols - part) / 2))
+    draw_value(row, p, row.place, bank, first, part)
   end
 end
 
@@ -387,7 +388,8 @@ local function lay_out()
     if state.figures - bottom >= PREVIEW then break end
   end
   page.panel(bottom)
-  state.bar = gap > 1 and page.bar(page.col + 2, state.rows[1].place, page.cols - 4, gap) or nil
+  local edge = state.players == 1 and 2 or 1.5
+  state.bar = gap > 1 and page.bar(page.col + edge, state.rows[1].place, page.cols - 2 * edge, gap) or nil
 end
 
 local function answer(mode, difficulty)

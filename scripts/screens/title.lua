@@ -8,7 +8,10 @@ local LABELS <const> = {
   quit = "Quit Game",
 }
 local KEYS <const> = { "start", "Start", "fire", "Fire", "bomb", "Bomb", "focus", "Focus" }
-local ALL_KEYS <const> = { "start", "Start", "fire", "Fire", "bomb", "Bomb", "focus", "Focus", "special", "Special" }
+local TURNS <const> = { -- with special there are too many for a narrow screen: the first, then the second, and so on
+  { "start", "Start", "fire", "Fire", "bomb", "Bomb" }, { "start", "Start", "focus", "Focus", "special", "Special" },
+}
+local TURN <const> = 150 -- frames
 local UNDER <const> = page.low and 5 or 9 -- rows from the name of a game without a logo to the menu, at least
 local BEST <const> = 2.5 -- rows that the best score takes above the logo
 local SHINE <const>, SHINE_AGAIN <const> = 24, 200 -- frames that the light on the logo takes, and from one to the next
@@ -50,7 +53,7 @@ local function draw_best()
 end
 
 -- Waits for fire or START. Returns false if nobody pressed one for `limit` frames.
-local function wait_for_start(row, third, logo, light, limit, keys)
+local function wait_for_start(row, third, logo, light, limit, special)
   for age = 0, limit - 1 do
     if logo then
       logo.y = third * 8 - DROP * math.max(0, 16 - age) // 16
@@ -60,7 +63,7 @@ local function wait_for_start(row, third, logo, light, limit, keys)
     end
     if age % 60 == 0 then page.centre(row, "Press Start", hud.banks.bright) end
     if age % 60 == 40 then page.clear(row, 1) end
-    page.tell(keys)
+    page.tell(special and TURNS[age // TURN % #TURNS + 1] or KEYS)
     wait(1)
     if page.accepted() then
       page.clear(row, 1)
@@ -144,7 +147,7 @@ return function(limit, names, last, players, special)
     chosen = choose(items, row, back, third, logo)
   end
   while chosen == 0 do
-    local is_here = wait_for_start(row, third, logo, light, limit, special and ALL_KEYS or KEYS)
+    local is_here = wait_for_start(row, third, logo, light, limit, special)
     chosen = is_here and choose(items, row, 1, third, logo)
   end
   text.clear()

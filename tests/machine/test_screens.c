@@ -201,7 +201,7 @@ TEST(keys)
     expect_keys("fire Next, bomb Back");
     press(PAD_RIGHT, 0);
     soon("< Fire >", 10);
-    expect_keys("fire Fire, bomb Back");
+    expect_keys("fire Fire/Next, bomb Back");
     press(PAD_RIGHT, 0);
     soon("< Focus >", 10);
     expect_keys("focus Focus, fire Next, bomb Back");
@@ -243,6 +243,7 @@ TEST(locked)
     open_start(1);
     press(PAD_RIGHT, 0);
     soon("? ? ?", 5);
+    expect_keys("bomb Back");
     press(PAD_DOWN, 0);
     frames(5);
     gone("Clear stage one");
@@ -251,6 +252,7 @@ TEST(locked)
     frames(60);
     assert_true(at("? ? ?") >= 0);
     press(PAD_RIGHT, 0);
+    expect_keys("fire Start, bomb Back");
     press(PAD_FIRE, 0);
     soon("STAGE ONE", 10);
     close_game();
