@@ -97,6 +97,14 @@ local function draw_page(title, rows, players, new, top, gap, age)
   return row + (#rows + #new) * gap
 end
 
+-- Clears the rows that the growing window has not reached.
+local function trim(window)
+  local plate = window.plate
+  local first, last = (plate.y + 15) // 8, (plate.y + plate.h - 8) // 8
+  page.clear(window.row, first - window.row, window.col, window.w)
+  page.clear(last, window.row + window.h // 8 - last, window.col, window.w)
+end
+
 -- title: a text; players: how many; stopped(): whether to end at once; rows: see `usual`; new: titles of what was
 -- unlocked; grades: a text for each player, or nil.
 return function(title, players, stopped, rows, new, grades)
@@ -115,6 +123,7 @@ return function(title, players, stopped, rows, new, grades)
     hud.banner() -- a boss's verdict can appear after the stage has ended
     local row = draw_page(title, rows, players, new, top, gap, age) -- every frame: a pause erases it
     if grades then draw_grades(row, grades, age - at) end
+    if age < page.GROWING then trim(window) end
     wait(1)
     if stopped() or age > SHORTEST and page.pressed("fire") then break end
   end
