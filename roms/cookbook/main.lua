@@ -9,7 +9,7 @@ local pages = {
   "spiral", "counter", "flower", "polygons", "atom", "butterfly", "whips", "arrows", "heart", "odd_even",
   "crossfire", "rain", "snow", "wall", "corridor", "sines", "bounce", "stop_and_aim", "amulets", "mines", "split",
   "trails", "fireworks", "pinwheel", "familiars", "implosion", "grid", "star_drawing", "knives", "time_stop",
-  "clouds", "mirror", "gravity", "slow_field", "red_blue", "lanterns", "glow",
+  "clouds", "mirror", "gravity", "slow_field", "red_blue", "lanterns", "glow", "fountain", "wind",
   -- Lasers
   "sweep", "curve_laser", "bolts", "cage", "clock",
   -- Enemies and bosses

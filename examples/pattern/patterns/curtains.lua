@@ -1,7 +1,6 @@
 -- patterns/curtains.lua - walls with a wandering gap: `skip` omits bullets.
 return function(e)
-  e:move { x = 120, y = 60, over = 40, ease = "both" }
-  wait(40)
+  wait_for(e:move { x = 120, y = 60, over = 40, ease = "both" })
   for i = 1, forever do
     local gap = math.floor(12 + 9 * angle.sin(16 * i))
     pattern.line { x = 120, y = -8, kind = "pearl", bank = 6, n = 24, width = 236, dir = 90, speed = 1.5,

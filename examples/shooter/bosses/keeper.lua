@@ -38,8 +38,7 @@ boss.def("keeper", { title = "Keeper of the Lanterns", kind = "keeper", x = 120,
     end },
     { id = "feast", spell = "Thousand Lantern Feast", bg = "feast", hp = 520, time = 40 * 60, bonus = 50000,
       rest = 90, run = function(e)
-      e:move { x = 120, y = 112, over = 60, ease = "both" }
-      wait(60)
+      wait_for(e:move { x = 120, y = 112, over = 60, ease = "both" })
       local n = by_difficulty { easy = 10, normal = 16, hard = 22 }
       task.go(function() -- lights that hang in the air, then fly on
         for i = 1, forever do

@@ -1,8 +1,7 @@
 -- clock.lua - Clock: Two laser hands turn without stopping, the long one twelve times as fast, and
 -- rings of bullets strike the hours. The hands last until the enemy they follow dies.
 return function(e)
-  e:move { x = 120, y = 140, over = 60, ease = "both" }
-  wait(60)
+  wait_for(e:move { x = 120, y = 140, over = 60, ease = "both" })
   laser.beam { kind = "shine", bank = 3, follow = e, dir = 270, spin = 0.6, length = 260,
                hold = forever, warn = 60 }
   laser.beam { kind = "ray", bank = 2, follow = e, dir = 270, spin = 0.05, length = 150,

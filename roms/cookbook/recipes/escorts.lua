@@ -1,8 +1,8 @@
 -- escorts.lua - Escorts: Wisps circle a jelly that wanders at random in a box. They spiral out to
 -- their orbits, follow the jelly as it moves, and fire outwards one after another.
 local function escort(me, around, i)
-  me:orbit { around = around, radius = 20, radius_to = 48, spin = 2.4, dir = 90 * i, over = 60 }
-  wait(60)
+  wait_for(me:orbit { around = around, radius = 20, radius_to = 48, spin = 2.4, dir = 90 * i,
+                      over = 60 })
   me:orbit { around = around, radius = 48, spin = 2.4 }
   wait(10 * i)
   while me.alive do

@@ -12,8 +12,7 @@ end })
 local function run_body(e)
   e.rate = 0
   for i = 0, forever do
-    e:move { x = 120 + 50 * angle.sin(45 * i), y = 90, over = 50, ease = "both" }
-    wait(50)
+    wait_for(e:move { x = 120 + 50 * angle.sin(45 * i), y = 90, over = 50, ease = "both" })
     local open = #e:parts() == 0
     if open then e.rate = 1 end
     pattern.ring { from = e, kind = "orb", bank = open and 2 or 6, n = open and 24 or 12,

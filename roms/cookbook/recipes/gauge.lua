@@ -21,8 +21,7 @@ player.def("hothead", { sprite = "ship", hit = { circle = 2 },
 
 local function run(e)
   for k = 0, forever do
-    e:move { x = 120 + 60 * angle.sin(90 * k), y = 80, over = 60, ease = "both" }
-    wait(60)
+    wait_for(e:move { x = 120 + 60 * angle.sin(90 * k), y = 80, over = 60, ease = "both" })
   end
 end
 

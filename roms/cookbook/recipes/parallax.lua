@@ -11,9 +11,7 @@ end)
 return function(e)
   bg.show("coast", { over = 20 })
   while true do
-    e:move { x = 60, y = 70, over = 90, ease = "both" }
-    wait(90)
-    e:move { x = 180, y = 70, over = 90, ease = "both" }
-    wait(90)
+    wait_for(e:move { x = 60, y = 70, over = 90, ease = "both" })
+    wait_for(e:move { x = 180, y = 70, over = 90, ease = "both" })
   end
 end

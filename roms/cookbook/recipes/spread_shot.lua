@@ -13,8 +13,8 @@ end })
 
 local function run(e)
   for k = 0, forever do
-    e:move { x = 120 + 70 * angle.sin(90 * k), y = 70 + 20 * (k % 2), over = 60, ease = "both" }
-    wait(60)
+    wait_for(e:move { x = 120 + 70 * angle.sin(90 * k), y = 70 + 20 * (k % 2), over = 60,
+                      ease = "both" })
   end
 end
 
