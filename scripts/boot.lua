@@ -143,7 +143,7 @@ local function play_stages(game, run)
   end
 end
 
--- run: mode, stages and ships to play; the results are added to it.
+-- run: mode, stages and ships to play; the results are added to it. Returns whether to play it again.
 local function play(a, run)
   local ships = run.ships
   sys.mode = run.mode -- game.mode
@@ -162,7 +162,9 @@ local function play(a, run)
   show_end(run.clear and "ALL STAGES CLEAR" or "GAME OVER")
   for _, title in ipairs(new) do show_end(text.lang("Unlocked: %s"):format(title)) end
   leave(game, #ships)
-  if not left then sys.read("boot/after")(a, show, run) end
+  if left then return left == "restart" end
+  sys.read("boot/after")(a, show, run)
+  return show("again", run) == true
 end
 
 -- The functions of this file that boot/mission.lua needs.
@@ -180,7 +182,7 @@ local function play_games(a)
       sys.mode = nil
       sys.read("boot/mission")(run, host)
     else
-      repeat play(a, run) until left ~= "restart"
+      repeat local again = play(a, run) until not again
     end
     from = run.mission
     board.difficulty(first)

@@ -2,8 +2,8 @@
 local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 
 local SCREENS = {
-  "title", "start", "continue", "results", "name", "ending", "staff", "scores", "history",
-  "music", "unlocks", "missions", "mission", "page", "how_to_play",
+  "title", "start", "continue", "results", "name", "ending", "staff", "scores", "again",
+  "history", "music", "unlocks", "missions", "mission", "page", "how_to_play",
 }
 
 local MAX_PAUSE <const> = 8 -- entries of a game in the pause menu

@@ -7,12 +7,6 @@ local SCORES <const> = 6 * 60   -- frames that the attract mode shows the scores
 
 local closed = sys.read("boot/records").closed
 
-local function any_score()
-  for _, name in ipairs(sys.difficulties()) do
-    if score.rows(name)[1] then return true end
-  end
-end
-
 local function any_spell()
   local found = false
   boss.each(function(b)
@@ -34,7 +28,7 @@ local function entries(a)
   end
   add("missions", missions and missions.any())
   add("replays", true)
-  add("scores", any_score())
+  add("scores", true)
   add("history", any_spell())
   add("music", a.music)
   add("unlocks", unlocks and unlocks.any())

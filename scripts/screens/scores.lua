@@ -53,6 +53,7 @@ local function table_page(name, rows, mark, many)
   return {
     title = name, count = RANKS, every = TURN,
     draw = function(row, room, age)
+      if not rows[1] then return page.centre(row + room // 3, "No scores yet.", hud.banks.plain) end
       local gap = math.max(1, math.min(TALL, room * 4 // RANKS / 4))
       local views = gap == TALL and { "all" } or many and { "name", "ship", "far" } or { "name", "far" }
       local what = views[age // TURN % #views + 1]

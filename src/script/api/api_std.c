@@ -491,6 +491,7 @@ static const struct api_entry entries[] = {
         SCREEN_PARAM("ending", "ending(run): shown when all stages are cleared, unless boot.run has `ending`"),
         SCREEN_PARAM("staff", "staff(parts): shows the credits of this run"),
         SCREEN_PARAM("scores", "scores(difficulty, limit, row, ship): returns true if START was pressed"),
+        SCREEN_PARAM("again", "again(run): asks after a game; returns true to play again with the same choices"),
         SCREEN_PARAM("history", "history(difficulty): shows how often spells were captured"),
         SCREEN_PARAM("music", "music(list): shows the music room"),
         SCREEN_PARAM("unlocks", "unlocks(): shows the titles of the unlocks earned, and hints for the others"),
