@@ -67,7 +67,7 @@ for text in sorted({row[1:] for row in rows if row[0] == "-"}):
             print(line)
 PY
 # The languages' own names, dates, the game's words and names, and the question in a language without words.
-own="Pixel|Plain|2027.*|All Stages Clear|Congratulations!|Player 1 .*|Stage [Oo]ne.*|One|Graze|Power|Speed"
+own="Pixel|Plain|2027.*|All Stages Clear|All Clear|Congratulations!|Player 1 .*|Stage [Oo]ne.*|One|Graze|Power|Speed"
 own+="|Easy|Normal|Hard| *(Late|Weak)|Restart to apply this.*"
 same 'every text has a translation' '' "$(python3 untranslated.py | grep -vxE "$own" | sort -u)"
 for text in 'Fill the whole screen.' Off 'Play time: %d:%d' 'Reset all key bindings?' 'Practise this section.' \

@@ -127,6 +127,8 @@ static void message_text(struct play *play, char *text, size_t size)
         snprintf(text, size, "%s", play->message.text);
     else if (play->time.rewinding)
         screens_format(words, text, size, "Rewind: frame %d", at);
+    else if (play->replay.watching && play_is_at_end(play))
+        screens_format(words, text, size, "%s", "Replay ended");
     else if (play->time.paused)
         screens_format(words, text, size, "Paused at frame %d", at);
     else if (play->time.speed < PLAY_FULL_SPEED)

@@ -155,6 +155,7 @@ bool play_watch(struct play *play, const char *path, uint32_t frame)
     if (!open_demo(play, path, "Cannot show this replay", false))
         return false;
     play->replay.watching = true;
+    play->replay.first = frame;
     session_goto(&play->session, frame);
     return true;
 }

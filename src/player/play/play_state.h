@@ -183,6 +183,7 @@ struct play_replay {
     const struct cart *home;      /* the game's current ROM while the session runs an older one; otherwise NULL */
     struct session_rom *home_rom; /* owns home; NULL: the caller of play_open does */
     bool watching;                /* a replay is shown, or was until the player took over */
+    uint32_t first;               /* the frame from which it is shown */
     bool taken_over;              /* the player continues from a playback: nothing is saved */
     bool resuming;                /* an unfinished run is replayed, to be continued at its end */
     uint8_t *nvram;               /* the saved image when the run was resumed; malloc */
@@ -261,6 +262,7 @@ struct replay_list {
     uint8_t held[PLAT_KEYS / 8];
     uint32_t buttons;
     char text[SCREEN_HELP];
+    char watched[REPLAY_STEM]; /* the replay that was watched last */
 };
 
 /* screen_resume.c: the unfinished run. */
@@ -442,6 +444,9 @@ void play_continue_work(struct play *play, uint64_t now);
  * the present. */
 void play_tick(struct play *play);
 void play_step(struct play *play);
+
+/* Returns whether a playback has reached its last frame. */
+bool play_is_at_end(const struct play *play);
 
 /* ---- play_practice.c ---- */
 

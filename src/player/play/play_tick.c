@@ -96,10 +96,15 @@ static void handle_output(struct play *play, bool replayed)
         play_open_requested(play, out->host_screen);
 }
 
+bool play_is_at_end(const struct play *play)
+{
+    return play->session.demo && board_frame(play_board(play)) >= play->session.demo->frames;
+}
+
 /* At its end a playback quits, or pauses if the player has moved in time. */
 static bool at_end(struct play *play)
 {
-    if (!play->session.demo || board_frame(play_board(play)) < play->session.demo->frames)
+    if (!play_is_at_end(play))
         return false;
     play->quit = !play->seek.used && !play->replay.demo;
     if (!play->time.paused && play->replay.watching)

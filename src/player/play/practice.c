@@ -26,6 +26,8 @@ enum row_kind {
     MAX_ROWS = ROW_KINDS + MAX_SHIP_REGISTERS
 };
 
+enum { TEN_STEPS = 10 /* that left and right take while focus is held (screen.h) */ };
+
 struct row {
     enum row_kind kind;
     int i; /* of a register */
@@ -258,6 +260,18 @@ static int32_t add_within(int32_t v, int by)
     return (int32_t)(sum < 0 ? 0 : sum > INT32_MAX ? INT32_MAX : sum);
 }
 
+/* Chooses the next section that can be practised, with wrap-around. */
+static void step_section(struct practice_menu *m, int direction)
+{
+    const int n = m->sections.n;
+
+    for (int i = 0; i < n; i++) {
+        m->chosen = (m->chosen + direction + n) % n;
+        if (m->sections.section[m->chosen].kind != SECTION_BOSS && !is_locked(m, m->chosen))
+            return;
+    }
+}
+
 /* by: -1 or 1; -10 or 10 for numbers. */
 static void change(void *context, int at, int by)
 {
@@ -266,6 +280,9 @@ static void change(void *context, int at, int by)
     const int direction = by < 0 ? -1 : 1;
 
     switch (r.kind) {
+    case ROW_SECTION:
+        step_section(m, direction);
+        break;
     case ROW_SHIP:
         m->ship = wrap(m->ship + direction, 0, m->sections.ships - 1);
         break;
@@ -501,12 +518,11 @@ static void describe(void *context, int at, struct screen_row *row)
         const char *label, *help;
     } rows[ROW_KINDS] = {
         [ROW_START] = { "Start", "Practise the section with this ship and loadout." },
-        [ROW_SECTION] = { "Section", "Choose a stage, a part of it, or an attack of a boss." },
+        [ROW_SECTION] = { "Section", "A stage, a part of it, or an attack of a boss." },
         [ROW_SHIP] = { "Ship", "The ship to fly." },
         [ROW_DIFFICULTY] = { "Difficulty", "Attempts are counted for each difficulty." },
         [ROW_LOADOUT] = { "Loadout", "" },
         [ROW_LIVES] = { "Lives", "The number of lives at the start." },
-        [ROW_REGISTER] = { "", "The value at the start." },
         [ROW_INVINCIBLE] = { "Invincible", "Hits do no harm, and attempts are not counted." },
         [ROW_HITBOX] = { "Show Hitbox", "Show the hitboxes of everything." },
         [ROW_SPEED] = { "Game Speed", "Slow the game down." },
@@ -517,9 +533,12 @@ static void describe(void *context, int at, struct screen_row *row)
 
     snprintf(row->label, sizeof row->label, "%s", kind == ROW_REGISTER ? m->sections.reg[r.i].title : rows[kind].label);
     row->heading = kind == ROW_LOADOUT;
-    row->action = kind == ROW_START ? "Start" : NULL;
-    row->changes = kind == ROW_SHIP || kind == ROW_DIFFICULTY || kind > ROW_LOADOUT;
+    row->action = kind == ROW_START ? "Start" : kind == ROW_SECTION ? "Show List" : NULL;
+    row->changes = kind != ROW_START && kind != ROW_LOADOUT;
     row->disabled = kind == ROW_START && !can_start(m, m->chosen, row->help, sizeof row->help);
+    if (kind == ROW_REGISTER)
+        screens_format(m->screens, row->help, sizeof row->help, "Start with this value of %s. Hold Focus: steps of %d.",
+                       row->label, TEN_STEPS);
     if (!row->help[0])
         snprintf(row->help, sizeof row->help, "%s", rows[kind].help);
     describe_value(m, r, row->value, sizeof row->value);

@@ -9,6 +9,7 @@
 
 enum entry {
     RESUME,
+    WATCH_AGAIN,
     TAKE_OVER,
     QUIT_REPLAY,
     GAME, /* the game's own entries, a row each */
@@ -24,6 +25,13 @@ enum entry {
 };
 
 /* ---- leaving a run ---- */
+
+/* Returns whether a page before or after a run is shown: the title, name entry. */
+static bool is_on_page(const struct play *play)
+{
+    return !play->session.demo && !play_fault(play) && !play->autosave.on &&
+           board_last_output(play_board(play))->key_hint_count > 0;
+}
 
 /* Asks first if a run would be lost. */
 static void end_run(struct play *play, const char *question, const char *yes, void (*then)(void *context))
@@ -111,6 +119,27 @@ static void restart(struct play *play)
         play_send_code(play, 0, CODE_RESTART);
 }
 
+/* ---- replays ---- */
+
+/* Returns whether a replay that was opened from the list has been shown to its end. */
+static bool has_replay_ended(const struct play *play)
+{
+    return play->replay.watching && play_is_at_end(play);
+}
+
+static void watch_again(struct play *play)
+{
+    play->time.paused = false;
+    session_goto(&play->session, play->replay.first);
+}
+
+/* Goes back to the list, which is then over the title. */
+static void quit_replay(struct play *play)
+{
+    play_return_to_title(play);
+    play_open_replays(play);
+}
+
 /* ---- entries ---- */
 
 static const struct {
@@ -119,8 +148,9 @@ static const struct {
     void (*action)(struct play *play);
 } entries[ENTRIES] = {
     [RESUME] = { "Resume", "Continue from here.", true, NULL },
+    [WATCH_AGAIN] = { "Watch Again", "Show the replay from its start.", true, watch_again },
     [TAKE_OVER] = { "Play from Here", "Play on from this frame.", true, play_take_over },
-    [QUIT_REPLAY] = { "Quit Replay", "End the replay and return to the title.", true, play_return_to_title },
+    [QUIT_REPLAY] = { "Quit Replay", "End the replay and return to the list.", true, quit_replay },
     [GAME] = { "", "An action of this game.", true, NULL },
     [RESTART_STAGE] = { "Restart Stage", "The run then no longer counts for scores.", true, restart_stage },
     [RESTART] = { "Restart", "Start again with the same choices.", true, restart },
@@ -138,8 +168,12 @@ static int row_count(const struct play *play, enum entry e)
     const bool playback = play->session.demo != NULL, watching = play->replay.watching, in_run = is_in_run(play);
 
     switch (e) {
+    case RESUME:
+        return !has_replay_ended(play);
+    case WATCH_AGAIN:
+        return has_replay_ended(play);
     case TAKE_OVER:
-        return playback;
+        return playback && !has_replay_ended(play);
     case QUIT_REPLAY:
         return watching;
     case GAME:
@@ -149,11 +183,11 @@ static int row_count(const struct play *play, enum entry e)
     case RESTART:
         return in_run;
     case PRACTICE:
-        return !playback && !watching;
+        return !playback && !is_on_page(play);
     case REPLAYS:
-        return !playback && !play->options.demo && !play->options.record;
+        return !playback && !is_on_page(play) && !play->options.demo && !play->options.record;
     case LOG:
-        return !playback && !in_run;
+        return !playback && !in_run && play->options.open;
     case TITLE:
         return !playback && !watching && (play_fault(play) || play_has_run(play));
     default:
@@ -181,12 +215,6 @@ static int rows(void *context)
     return n;
 }
 
-/* Returns whether the first entry leads back to the title, not to a run. */
-static bool is_at_title(const struct play *play)
-{
-    return !play->session.demo && !play_has_run(play);
-}
-
 static void row(void *context, int at, struct screen_row *row)
 {
     const struct play *play = context;
@@ -194,9 +222,9 @@ static void row(void *context, int at, struct screen_row *row)
     const enum entry e = entry_at(play, at, &i);
     const char *label = entries[e].label, *help = entries[e].help;
 
-    if (e == RESUME && is_at_title(play)) {
+    if (e == RESUME && is_on_page(play)) {
         label = "Back";
-        help = "Return to the title.";
+        help = "Close this menu.";
     } else if (e == RESTART && is_practice(play)) {
         label = "Restart Section";
         help = "Start this section again.";
@@ -225,13 +253,16 @@ static void accept(void *context, int at)
     {                                                                                                                  \
         .title = (title_), .small = true, .rows = rows, .row = row, .accept = accept                                   \
     }
-static const struct screen_def pause_menu = MENU("Paused"), title_menu = MENU("Menu");
+static const struct screen_def pause_menu = MENU("Paused"), page_menu = MENU("Menu"), end_menu = MENU("Replay Ended");
 #undef MENU
 
 void play_open_menu(struct play *play)
 {
     attract_end(&play->attract);
-    screens_open(&play->screens, is_at_title(play) ? &title_menu : &pause_menu, play);
+    if (has_replay_ended(play))
+        screens_open(&play->screens, &end_menu, play);
+    else
+        screens_open(&play->screens, is_on_page(play) ? &page_menu : &pause_menu, play);
 }
 
 bool play_page_leads_back(const struct play *play)
@@ -248,9 +279,7 @@ bool play_page_leads_back(const struct play *play)
 
 bool play_has_run(const struct play *play)
 {
-    const bool in_menu = board_last_output(play_board(play))->key_hint_count > 0 && !play->autosave.on;
-
-    return !play->session.demo && !play_fault(play) && board_frame(play_board(play)) > 0 && !in_menu;
+    return !play->session.demo && !play_fault(play) && board_frame(play_board(play)) > 0 && !is_on_page(play);
 }
 
 void play_open_log(struct play *play)

@@ -166,6 +166,7 @@ static void watch(struct play *play)
     char path[REPLAY_PATH];
 
     replays_path(&l->list, l->chosen, path);
+    memcpy(l->watched, l->list.list[l->chosen].stem, sizeof l->watched);
     if (play_watch(play, path, chosen(play)->first))
         screens_close_all(&play->screens);
 }

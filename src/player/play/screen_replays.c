@@ -193,7 +193,7 @@ static void describe_row_above(const struct replay_list *l, int at, struct scree
         row->changes = true;
     } else {
         snprintf(row->label, sizeof row->label, "Import...");
-        snprintf(row->help, sizeof row->help, "Add a replay from the exports folder, or drop a file on the window.");
+        snprintf(row->help, sizeof row->help, "Add a replay from a file, or drop the file on the window.");
     }
 }
 
@@ -404,6 +404,15 @@ static void list(struct play *play)
     replay_list_changed(play);
 }
 
+/* Returns the row of the replay that was watched last, or of the first one. */
+static int first_chosen(const struct replay_list *l)
+{
+    for (int i = 0; l->order && i < l->list.n; i++)
+        if (strcmp(l->list.list[l->order[i].i].stem, l->watched) == 0)
+            return rows_above(l) + i;
+    return rows_above(l);
+}
+
 void play_open_replays(struct play *play)
 {
     const struct rom *rom = play_home_cart(play)->rom;
@@ -413,7 +422,7 @@ void play_open_replays(struct play *play)
     play->replay_list.game = rom_game_hash(rom);
     list(play);
     screens_open(&play->screens, &replays, play);
-    screens_choose(&play->screens, rows_above(&play->replay_list)); /* the first replay */
+    screens_choose(&play->screens, first_chosen(&play->replay_list));
 }
 
 /* ---- importing ---- */
@@ -449,10 +458,11 @@ static const char *import_text(void *context)
 
     files_display_name(REPLAY_EXPORTS, shown);
     if (l->files)
-        screens_format(&play->screens, l->text, sizeof l->text, "Files in %s", shown);
+        screens_format(&play->screens, l->text, sizeof l->text,
+                       "Replay files in the folder %s. Select one to copy it to your replays.", shown);
     else
-        screens_format(&play->screens, l->text, sizeof l->text, "No replay files in %s. Copy .demo files there.",
-                       shown);
+        screens_format(&play->screens, l->text, sizeof l->text,
+                       "No replay files. Copy .demo files to the folder %s, or drop one on the window.", shown);
     return l->text;
 }
 
@@ -472,7 +482,7 @@ static void accept_import(void *context, int at)
 
     snprintf(path, sizeof path, REPLAY_EXPORTS "/%s", play->replay_list.file[at]);
     if (import(play, path, err, sizeof err))
-        screens_show_message(&play->screens, "Imported, and added to the favourites.");
+        screens_show_message(&play->screens, "Imported. It is in your replays, as a favourite.");
     else
         screens_show_message(&play->screens, "Cannot import this file: %s.", err);
 }

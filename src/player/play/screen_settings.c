@@ -14,50 +14,66 @@ static void save_on_close(void *context)
 
 /* ---- a page: the settings with the same `page` ---- */
 
-/* Settings of player 2 have names that end with 2. They are shown in games for two players. */
-static bool is_shown(const struct play *play, const struct config_setting *s)
-{
-    const bool second = s->name[strlen(s->name) - 1] == '2';
+enum { PAGE_ROWS = 32 };
 
-    return strcmp(s->page, play->settings_page) == 0 && (!second || play_cart(play)->manifest.players > 1);
+/* Settings of player 2 have names that end with 2. They are shown in games for two players. */
+static bool is_second(const struct config_setting *s)
+{
+    return s->name[strlen(s->name) - 1] == '2';
 }
 
-/* Returns the setting in that row, or NULL after the last one. */
-static const struct config_setting *setting_at(const struct play *play, int at)
+static bool is_shown(const struct play *play, const struct config_setting *s)
+{
+    return strcmp(s->page, play->settings_page) == 0 && (!is_second(s) || play_cart(play)->manifest.players > 1);
+}
+
+/* Lists the settings of the page, and NULL for the heading above those of player 2. Returns the number of rows. */
+static int list_page(const struct play *play, const struct config_setting *out[PAGE_ROWS])
 {
     const struct config_setting *s;
+    int n = 0;
 
-    for (int i = 0; (s = config_setting(i)) != NULL; i++)
-        if (is_shown(play, s) && at-- == 0)
-            return s;
-    return NULL;
+    for (int i = 0; (s = config_setting(i)) != NULL && n + 2 <= PAGE_ROWS; i++) {
+        if (!is_shown(play, s))
+            continue;
+        if (is_second(s) && n > 0 && out[n - 1] && !is_second(out[n - 1]))
+            out[n++] = NULL;
+        out[n++] = s;
+    }
+    return n;
 }
 
 static int page_rows(void *context)
 {
-    int n = 0;
+    const struct config_setting *list[PAGE_ROWS];
 
-    while (setting_at(context, n))
-        n++;
-    return n;
+    return list_page(context, list);
 }
 
 static void page_row(void *context, int at, struct screen_row *row)
 {
     const struct play *play = context;
-    const struct config_setting *s = setting_at(play, at);
+    const struct config_setting *list[PAGE_ROWS];
 
+    list_page(play, list);
+    const struct config_setting *s = list[at];
+    row->heading = s == NULL;
+    row->changes = s != NULL;
+    snprintf(row->label, sizeof row->label, "%s", s ? s->label : "Player 2");
+    if (!s)
+        return;
     config_label(&play->config, s, row->value, sizeof row->value);
-    snprintf(row->label, sizeof row->label, "%s", s->label);
     screen_sentence(row->help, sizeof row->help, s->help);
-    row->changes = true;
 }
 
 /* Words wrap around; numbers stop at the limits. */
 static void page_change(void *context, int at, int by)
 {
     struct play *play = context;
-    const struct config_setting *s = setting_at(play, at);
+    const struct config_setting *list[PAGE_ROWS];
+
+    list_page(play, list);
+    const struct config_setting *s = list[at];
     const int v = config_value(&play->config, s), n = s->hi - s->lo + 1;
 
     config_put(&play->config, s, s->words ? s->lo + (v - s->lo + (by < 0 ? -1 : 1) + n) % n : v + by * s->step);

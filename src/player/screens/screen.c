@@ -334,7 +334,7 @@ static void accept(struct screens *s, const struct screen_place *p)
 
     if (row.disabled || row.heading)
         return;
-    if (changes(p)) {
+    if (changes(p) && !row.action) {
         change(s, p, 1);
     } else if (p->screen->accept) {
         s->sounded[THEME_ACCEPT] = true;
@@ -370,7 +370,7 @@ void screens_describe_button(const struct screens *s, enum screen_button button,
     else if (button == SCREEN_REMOVE && p->screen->remove && row.removable)
         meaning = p->screen->removal;
     else if (button == SCREEN_ACCEPT && !row.disabled && !row.heading)
-        meaning = changes(p) ? "Change" : !p->screen->accept ? "" : row.action ? row.action : "Select";
+        meaning = row.action ? row.action : changes(p) ? "Change" : p->screen->accept ? "Select" : "";
     screen_translate(&s->words, meaning, out, size);
 }
 

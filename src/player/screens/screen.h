@@ -26,7 +26,7 @@ struct screen_row {
     char value[SCREEN_VALUE]; /* at the right; "": none */
     char help[SCREEN_HELP];   /* sentences, shown below the list while the row is chosen; "": none */
     bool heading;             /* can't be chosen */
-    bool changes;             /* left and right change it */
+    bool changes;             /* left and right change it, and so does accepting a row without `action` */
     bool disabled;
     bool removable;     /* by Delete */
     const char *action; /* what accepting does, if "Select" does not say it: "Add Key"; NULL: "Select" */

@@ -145,24 +145,19 @@ static void draw_rule(const struct canvas *canvas, int x, int y, int w)
 
 /* ---- rows ---- */
 
-/* Writes the character in front of the chosen row, and the one behind it if its label is centred ("": none). */
-static void cursor_text(const struct canvas *canvas, char front[UTF8_MAX_BYTES + 1], char back[UTF8_MAX_BYTES + 1])
+/* Writes the character in front of the chosen row. */
+static void cursor_text(const struct canvas *canvas, char out[UTF8_MAX_BYTES + 1])
 {
-    const uint32_t cursor = canvas->theme ? canvas->theme->cursor : '>';
-
-    back[0] = '\0';
-    put_glyph(canvas, front, cursor, '>');
-    if (cursor == GLYPH_RIGHT || cursor == '>')
-        put_glyph(canvas, back, cursor == '>' ? '<' : GLYPH_LEFT, '<');
+    put_glyph(canvas, out, canvas->theme ? canvas->theme->cursor : '>', '>');
 }
 
 /* Returns the px in front of a label that the cursor takes. */
 static int cursor_width(const struct canvas *canvas)
 {
-    char front[UTF8_MAX_BYTES + 1], back[UTF8_MAX_BYTES + 1];
+    char cursor[UTF8_MAX_BYTES + 1];
 
-    cursor_text(canvas, front, back);
-    return PADDING + canvas_large_text_width(canvas, front) + PADDING;
+    cursor_text(canvas, cursor);
+    return PADDING + canvas_large_text_width(canvas, cursor) + PADDING;
 }
 
 static enum canvas_colour label_colour(const struct screen_row *row, bool chosen)
@@ -181,59 +176,60 @@ static enum canvas_colour value_colour(const struct screen_row *row, bool chosen
     return row->value_colour ? row->value_colour : row->disabled ? CANVAS_GREY : CANVAS_WHITE;
 }
 
-/* Writes the value, between arrows if it is the chosen row's and changes. */
-static void value_text(const struct canvas *canvas, const struct screen_row *row, bool chosen, char *out, size_t size)
+/* Writes the arrows on both sides of a value that changes. */
+static void arrow_texts(const struct canvas *canvas, char left[UTF8_MAX_BYTES + 2], char right[UTF8_MAX_BYTES + 2])
 {
-    char left[UTF8_MAX_BYTES + 1], right[UTF8_MAX_BYTES + 1];
+    const size_t n = put_glyph(canvas, left, GLYPH_LEFT, '<');
 
-    put_glyph(canvas, left, GLYPH_LEFT, '<');
-    put_glyph(canvas, right, GLYPH_RIGHT, '>');
-    if (chosen && row->changes)
-        snprintf(out, size, "%s %s %s", left, row->value, right);
-    else
-        snprintf(out, size, "%s", row->value);
+    memcpy(left + n, " ", 2);
+    right[0] = ' ';
+    put_glyph(canvas, right + 1, GLYPH_RIGHT, '>');
 }
 
-/* Returns the px behind the values that the arrow of a value takes; 0: no row changes. */
+/* Returns the px that an arrow and its space take on each side of a value; 0: no row changes. */
 static int arrow_width(const struct screen_place *p, const struct canvas *canvas)
 {
-    char arrow[UTF8_MAX_BYTES + 2] = " ";
+    char left[UTF8_MAX_BYTES + 2], right[UTF8_MAX_BYTES + 2];
 
-    put_glyph(canvas, arrow + 1, GLYPH_RIGHT, '>');
+    arrow_texts(canvas, left, right);
     for (int i = 0, n = p->screen->rows(p->context); i < n; i++)
         if (screen_place_row(p, i).changes)
-            return canvas_large_text_width(canvas, arrow);
+            return canvas_large_text_width(canvas, right);
     return 0;
 }
 
 /* Draws the plate and the cursor of the chosen row. y: the top of its capitals. */
-static void draw_cursor(const struct canvas *canvas, struct screen_area to, int y, bool centred)
+static void draw_cursor(const struct canvas *canvas, struct screen_area to, int y)
 {
-    char front[UTF8_MAX_BYTES + 1], back[UTF8_MAX_BYTES + 1];
+    char cursor[UTF8_MAX_BYTES + 1];
 
-    cursor_text(canvas, front, back);
+    cursor_text(canvas, cursor);
     canvas_plate(canvas, to.x, to.y, to.w, to.h, CANVAS_YELLOW);
-    canvas_large_text(canvas, to.x + PADDING, y, CANVAS_WHITE, front);
-    if (centred)
-        canvas_large_text(canvas, to.x + to.w - PADDING - canvas_large_text_width(canvas, back), y, CANVAS_WHITE, back);
+    canvas_large_text(canvas, to.x + PADDING, y, CANVAS_WHITE, cursor);
 }
 
-/* Draws a row with the label at the left and the value at the right, `arrow` px from the end. y: the top of capitals.
- * Returns whether one of them was truncated. */
+/* Draws a row with the label at the left and the value at the right, `arrow` px from the end, which the chosen row
+ * fills with an arrow. y: the top of capitals. Returns whether one of them was truncated. */
 static bool draw_columns(const struct canvas *canvas, const struct screen_row *row, bool chosen, struct screen_area in,
                          int y, int arrow)
 {
-    char value[SCREEN_VALUE + 2 * UTF8_MAX_BYTES + 2];
+    const bool arrows = chosen && row->changes;
+    const int gap = row->value[0] ? canvas_large_text_width(canvas, " ") : 0, before = arrows ? arrow : 0;
+    const int width = canvas_large_text_width(canvas, row->value),
+              label_w = canvas_large_text_width(canvas, row->label);
+    char left[UTF8_MAX_BYTES + 2], right[UTF8_MAX_BYTES + 2];
 
-    value_text(canvas, row, chosen, value, sizeof value);
-    in.w -= value[0] && !(chosen && row->changes) ? arrow : 0;
-    const int gap = value[0] ? canvas_large_text_width(canvas, " ") : 0, width = canvas_large_text_width(canvas, value);
-    const int label_w = canvas_large_text_width(canvas, row->label), beside = in.w - label_w - gap;
-    const int value_w = int_min(width, int_max(beside, in.w / 2));
-    const int x = in.x + in.w - value_w;
-    canvas_large_text_truncated(canvas, in.x, y, label_colour(row, chosen), row->label, x - in.x - gap);
-    canvas_large_text_truncated(canvas, x, y, value_colour(row, chosen), value, value_w);
-    return value_w < width || x - in.x - gap < label_w;
+    in.w -= row->value[0] ? arrow : 0;
+    const int value_w = int_min(width, int_max(in.w - label_w - gap, in.w / 2) - before);
+    const int x = in.x + in.w - value_w, label_end = x - before - gap;
+    canvas_large_text_truncated(canvas, in.x, y, label_colour(row, chosen), row->label, label_end - in.x);
+    canvas_large_text_truncated(canvas, x, y, value_colour(row, chosen), row->value, value_w);
+    if (arrows) {
+        arrow_texts(canvas, left, right);
+        canvas_large_text(canvas, x - arrow, y, value_colour(row, chosen), left);
+        canvas_large_text(canvas, x + value_w, y, value_colour(row, chosen), right);
+    }
+    return value_w < width || label_end - in.x < label_w;
 }
 
 /* Returns whether the label or the value was truncated. */
@@ -246,7 +242,7 @@ static bool draw_row(const struct screen_place *p, int at, const struct canvas *
     const struct screen_area inside = { to.x + indent, to.y, to.w - indent - (centred ? indent : PADDING), to.h };
 
     if (chosen)
-        draw_cursor(canvas, to, y, centred);
+        draw_cursor(canvas, to, y);
     if (!centred)
         return draw_columns(canvas, &row, chosen, inside, y, arrow);
     canvas_large_text_truncated(canvas, centred_x(canvas, &inside, row.label), y, label_colour(&row, chosen), row.label,
@@ -306,9 +302,8 @@ static int content_width(const struct screen_place *p, const struct canvas *canv
     *has_values = false;
     for (int i = 0, n = p->screen->rows(p->context); i < n; i++) {
         const struct screen_row row = screen_place_row(p, i);
-        char value[SCREEN_VALUE + 2 * UTF8_MAX_BYTES + 2];
-        value_text(canvas, &row, true, value, sizeof value);
-        const int value_w = value[0] ? canvas_large_text_width(canvas, value) + 2 * PADDING : 0;
+        const int value_w =
+            row.value[0] ? canvas_large_text_width(canvas, row.value) + 2 * (arrow_width(p, canvas) + PADDING) : 0;
         widest = int_max(widest, canvas_large_text_width(canvas, row.label) + value_w);
         *has_values = *has_values || row.value[0];
     }
