@@ -67,7 +67,7 @@ rm data/curtain/curtain.conf
 
 # ---- the screen ----
 
-open_list() { keys 8; press $ESCAPE; keys 2; press $DOWN $DOWN $DOWN; keys 2; keys 1 $Z; keys 4; }
+open_list() { keys 30; keys 1 $ENTER; keys 20; press $DOWN $DOWN $DOWN; keys 2; keys 1 $Z; keys 4; }
 { open_list; keys 1 $Z; keys 4; press $DOWN; keys 2; keys 1 $Z; keys 3; echo "'the be"; echo "'st é"; keys 3
     press $BACKSPACE $BACKSPACE; keys 1; keys 1 $ENTER; keys 9; } | play
 same 'saved under a name' '0:04 ship normal 1970 game over "the best"' "$(list | head -1)"
@@ -112,11 +112,11 @@ rm -rf data
 { begin; keys 230 $Z; ends; } | plays straight --seed 5 --no-resume
 first=$("$curtain" list g --replays --json | jq .first)
 watch() { open_list; keys 1 $Z; keys 4; keys 1 $Z; }
-from_its_start() { # the pictures 60 to 160 of out are those of the run's first seconds
+from_its_start() { # the pictures 100 to 200 of out are those of the run's first seconds
     local at
-    at=$(grep -n "^$(part out 60 60)$" straight | head -1 | cut -d: -f1)
+    at=$(grep -n "^$(part out 100 100)$" straight | head -1 | cut -d: -f1)
     [ "${at:-0}" -gt "$first" ] && [ "$at" -lt $((first + 60)) ] &&
-        [ "$(part out 60 160)" = "$(part straight "$at" $((at + 100)))" ]
+        [ "$(part out 100 200)" = "$(part straight "$at" $((at + 100)))" ]
 }
 { watch; keys 150; } | play
 check 'a replay is shown from the start of its run' from_its_start
@@ -125,9 +125,12 @@ same 'without a message' '' "$(cat err)"
 same 'taking over is practice, and not saved' 1 "$(demos | wc -l)"
 { watch; keys 400; } | play
 same 'at its end it waits' 1 "$(tail -20 out | sort -u | wc -l)"
-{ watch; keys 60; press $ESCAPE; keys 2; press $DOWN; keys 1; press $DOWN; keys 1; keys 1 $Z; keys 40; } | play --seed 5
+{ watch; keys 400; press $Z; keys 100; } | play
+check 'Watch Again shows it again' [ "$(tail -60 out | sort -u | wc -l)" -gt 20 ]
+{ watch; keys 60; press $ESCAPE; keys 2; press $DOWN; keys 1; press $DOWN; keys 1; keys 1 $Z; keys 4
+    press $ESCAPE; keys 40; } | play --seed 5
 keys 30 | plays title --seed 5 # without hints on buttons, as runs have been finished
-same 'back at the title the pictures are those of a power-on' "$(part title 10 20)" \
+same 'back from its list at the title the pictures are those of a power-on' "$(part title 10 20)" \
     "$(grep -A 10 "^$(part title 10 10)$" out | tail -11)"
 { begin; keys 200 $Z; press $ESCAPE $DOWN $DOWN $DOWN $DOWN; keys 1 $Z; keys 4; keys 1 $Z; keys 4; keys 1 $Z
     keys 60; } | play

@@ -228,6 +228,7 @@ TEST(goes_on)
     "stage.def('s', function() wait(200) end, { music = 'deep' })\n"                                                   \
     "local function stands(n, ...) local t = { ... } return function() wait(n) return table.unpack(t) end end\n"       \
     "local function run(music, t) t.title = t.title or stands(30, 'start', 1) t.results = stands(150)\n"               \
+    "  t.again = function() end\n"                                                                                     \
     "  t.ending, t.staff, t.name, t.scores = stands(50), stands(50), stands(50, { 'A' }), stands(50)\n"                \
     "  boot.run { stages = { 's' }, players = { 'ship' }, music = music, screens = t, staff = {} } end\n"
 
@@ -418,8 +419,8 @@ static void open_room(const char *music)
     power(text);
     rig_run(&rig, 5);
     press(PAD_START);
-    for (int i = 0; i < 4; i++)
-        press(PAD_DOWN); /* past "2 PLAYERS", "PRACTICE" and "REPLAYS" */
+    for (int i = 0; i < 5; i++)
+        press(PAD_DOWN); /* past "2 Players", "Practice", "Replays" and "Scores" */
     press(PAD_FIRE);
     rig_run(&rig, 20);
 }

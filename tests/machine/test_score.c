@@ -95,7 +95,7 @@ TEST(whole)
         "results = "
         "tell,\n"
         "  start = function() return { difficulty = 'hard', ships = { 'ship', 'barge' } } end, name = name,\n"
-        "  scores = scores, ending = function() end } }";
+        "  scores = scores, again = function() end, ending = function() end } }";
 
     assert_string_equal(
         says_from(script, 1500, NULL),

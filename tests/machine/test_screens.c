@@ -134,6 +134,11 @@ static void through_all(int w, int h, int field_w, int players)
     assert_true(r.b->sprites.s.live <= 1); /* the plate behind the table */
     frames(30);
     press(PAD_FIRE, 0);
+    soon("Retry", 60);
+    assert_true(at("All Clear") >= 0);
+    soon("Quit to Title", 10);
+    press(PAD_DOWN, 0);
+    press(PAD_FIRE, 0);
     soon("Press Start", 400);
     press(PAD_START, 0);
     soon("Scores", 20);
@@ -148,13 +153,33 @@ TEST(all)
     through_all(640, 448, 384, 2);
 }
 
+/* Retry after a game plays it again with the same choices; back leads to the title. */
+TEST(retry)
+{
+    open_sized(run_all, 240, 320, 240, 1);
+    start(1, true);
+    soon("Retry", 2000);
+    assert_true(at("Game Over") >= 0 && board_last_output(r.b)->key_hint_count > 0);
+    frames(10);
+    press(PAD_FIRE, 0);
+    soon("STAGE END", 20);
+    assert_int_equal(board_current_difficulty(r.b), 1);
+    soon("Retry", 2000);
+    frames(10);
+    press(PAD_BOMB, 0);
+    soon("Press Start", 20);
+    close_game();
+}
+
 /* START on the title, START in the menu and START on the page with the choices of last time: a run begins. */
 TEST(three_presses)
 {
     open_sized(run_all, 240, 320, 240, 1);
     start(1, true);
-    soon("GAME OVER", 2000);
-    soon("Press Start", 2000);
+    soon("Retry", 2000);
+    frames(10);
+    press(PAD_BOMB, 0);
+    soon("Press Start", 20);
     press(PAD_START, 0);
     frames(20);
     press(PAD_START, 0);
@@ -535,6 +560,7 @@ TEST(asks)
         soon("Settings", 20);
     }
     press(PAD_UP, 0);
+    press(PAD_UP, 0);
     assert_int_equal(press_asked(PAD_START), HOST_SCREEN_REPLAYS);
     soon("Replays", 20);
     press(PAD_UP, 0);
@@ -708,7 +734,7 @@ TEST(wrong_answer)
     frames(20);
     assert_non_null(rig_fault(&r));
     assert_string_equal(rig_fault(&r)->message, "main.lua:9: boot.run: screen title: expected one of start, practice, "
-                                                "replays, settings, how_to_play, quit, or nil, got "
+                                                "replays, scores, settings, how_to_play, quit, or nil, got "
                                                 "\"strat\" (did you mean \"start\"?)");
     rig_close(&r);
 }
@@ -756,7 +782,7 @@ TEST(pages)
     soon("Press Start", 5);
     press(PAD_START, 0);
     soon("Tips", 20);
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 4; i++)
         press(PAD_DOWN, 0);
     press(PAD_FIRE, 0);
     soon("INSIDE 29", 20);
@@ -766,7 +792,7 @@ TEST(pages)
     press(PAD_BOMB, 0);
     soon("Tips", 20);
     gone("INSIDE");
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 4; i++)
         press(PAD_UP, 0);
     press(PAD_FIRE, 0);
     soon("Difficulty", 20);

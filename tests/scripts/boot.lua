@@ -45,6 +45,7 @@ function own.scores(name, over, mark)
   print('scores', name, over, mark)
   wait(1)
 end
+function own.again(run) print('again', run.clear) end
 boot.run {
   players = { 'heron', 'tern' },
   modes = { { name = 'story', stages = { 'one' }, text = 'All.' }, { name = 'other', stages = { 'two' } } },
@@ -58,9 +59,9 @@ boot.run {
   screens = own,
 }
 wait(300)
---> title 600 6 start nil
+--> title 600 7 start nil
 --> scores normal 360 nil
---> title 600 6 start nil
+--> title 600 7 start nil
 --> start 2 story All. nil normal nil
 --> ships 2 tern T
 --> results Stage One Clear 2 nil
@@ -69,6 +70,7 @@ wait(300)
 --> staff C
 --> name 1 1 500 1
 --> scores normal 360 1
+--> again true
 --> title 600 7 start nil
 
 --case: an opening comes before the title and again where nobody came; the first ending that holds is shown
@@ -100,6 +102,7 @@ boot.run {
     staff = say('staff'),
     name = function() return { 'A' } end,
     scores = nothing,
+    again = nothing,
   },
   ending = {
     { when = { difficulty = 'none' }, show = say('wrong') },
@@ -124,7 +127,7 @@ boot.run {
   screens = { title = start, start = function() return { ships = { 'hreon' } } end },
 }
 wait(20)
---! main.lua:121: sys.join: unknown player kind "hreon" (did you mean "heron"?)
+--! main.lua:124: sys.join: unknown player kind "hreon" (did you mean "heron"?)
 
 --load: arguments of boot.run
 boot.run { stages = { 'oen' }, players = { 'heron' } }
@@ -217,16 +220,16 @@ mission.def('a', { title = 'A', stage = 'one', clear = true, medals = { 5 } })
 --load: what boot.run finds in missions
 mission.def('a', { title = 'A', stage = 'one', goal = { chian = 5 } })
 boot.run { stages = { 'one' }, players = { 'heron' } }
---! main.lua:218: mission.def: unknown count "chian" (did you mean "chain"?)
+--! main.lua:221: mission.def: unknown count "chian" (did you mean "chain"?)
 mission.def('a', { title = 'A', stage = 'oen', clear = true })
 boot.run { stages = { 'one' }, players = { 'heron' } }
---! main.lua:221: mission.def: unknown stage "oen" (did you mean "one"?)
+--! main.lua:224: mission.def: unknown stage "oen" (did you mean "one"?)
 mission.def('a', { title = 'A', boss = 'king', phase = 'bew', clear = true })
 boot.run { stages = { 'one' }, players = { 'heron' } }
---! main.lua:224: mission.def: unknown phase "bew" (did you mean "bow"?)
+--! main.lua:227: mission.def: unknown phase "bew" (did you mean "bow"?)
 mission.def('a', { title = 'A', stage = 'one', clear = true, ship = 'tern' })
 boot.run { stages = { 'one' }, players = { 'heron' } }
---! main.lua:227: mission.def: unknown ship "tern" (did you mean "heron"?)
+--! main.lua:230: mission.def: unknown ship "tern" (did you mean "heron"?)
 mission.def('a', { title = 'A', stage = 'one', clear = true, registers = { bmobs = 1 } })
 boot.run { stages = { 'one' }, players = { 'heron' } }
---! main.lua:230: mission.def: unknown register "bmobs" (did you mean "bombs"?)
+--! main.lua:233: mission.def: unknown register "bmobs" (did you mean "bombs"?)
