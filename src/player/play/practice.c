@@ -26,8 +26,6 @@ enum row_kind {
     MAX_ROWS = ROW_KINDS + MAX_SHIP_REGISTERS
 };
 
-enum { TEN_STEPS = 10 /* that left and right take while focus is held (screen.h) */ };
-
 struct row {
     enum row_kind kind;
     int i; /* of a register */
@@ -522,6 +520,7 @@ static void describe(void *context, int at, struct screen_row *row)
         [ROW_SHIP] = { "Ship", "The ship to fly." },
         [ROW_DIFFICULTY] = { "Difficulty", "Attempts are counted for each difficulty." },
         [ROW_LOADOUT] = { "Loadout", "" },
+        [ROW_REGISTER] = { "", "Start with this value. Hold Focus: steps of 10." },
         [ROW_LIVES] = { "Lives", "The number of lives at the start." },
         [ROW_INVINCIBLE] = { "Invincible", "Hits do no harm, and attempts are not counted." },
         [ROW_HITBOX] = { "Show Hitbox", "Show the hitboxes of everything." },
@@ -536,9 +535,6 @@ static void describe(void *context, int at, struct screen_row *row)
     row->action = kind == ROW_START ? "Start" : kind == ROW_SECTION ? "Show List" : NULL;
     row->changes = kind != ROW_START && kind != ROW_LOADOUT;
     row->disabled = kind == ROW_START && !can_start(m, m->chosen, row->help, sizeof row->help);
-    if (kind == ROW_REGISTER)
-        screens_format(m->screens, row->help, sizeof row->help, "Start with this value of %s. Hold Focus: steps of %d.",
-                       row->label, TEN_STEPS);
     if (!row->help[0])
         snprintf(row->help, sizeof row->help, "%s", rows[kind].help);
     describe_value(m, r, row->value, sizeof row->value);

@@ -308,7 +308,7 @@ static const char *const texts[] = {
     "Start",
     "Start again with the same choices.",
     "Start this section again.",
-    "Start with this value of %s. Hold Focus: steps of %d.",
+    "Start with this value. Hold Focus: steps of %d.",
     "Start; pause while playing.",
     "Switch between fullscreen and window.",
     "Sync to Game",
