@@ -6,7 +6,7 @@ for _, name in ipairs(names) do
   local fire = require("patterns/" .. name)
   stage.def(name, function()
     local e = enemy.spawn { kind = "keeper", x = 120, y = 90 }
-    task.own(e, fire, e, player.get(1))
+    task.own(e, fire, player.get(1)) -- a task gets its owner first: fire(e, p)
     wait_for(e)
   end)
 end

@@ -100,6 +100,7 @@ end
 -- Clears the rows that the growing window has not reached.
 local function trim(window)
   local plate = window.plate
+  if not plate.alive then return end -- there was no room for it
   local first, last = (plate.y + 15) // 8, (plate.y + plate.h - 8) // 8
   page.clear(window.row, first - window.row, window.col, window.w)
   page.clear(last, window.row + window.h // 8 - last, window.col, window.w)

@@ -270,10 +270,9 @@ static void approach(int64_t v, int64_t to, uint32_t k, uint32_t n, int64_t *vel
 void motion_accelerate(const struct steps *s, uint32_t st, const struct motion_lead *l, uint32_t k, uint32_t n,
                        int64_t velocity[2], int64_t distance[2])
 {
-    const int64_t limit =
-        s->mode[st] & MODE_HAS_LIMIT ? (int64_t)s->size[st] * (1 << Q32_EXTRA_BITS) : (int64_t)1 << 60;
-
     for (int axis = 0; axis < 2; axis++) {
+        const fx size = axis ? s->size_to[st] : s->size[st];
+        const int64_t limit = s->mode[st] & MODE_HAS_LIMIT ? (int64_t)size * (1 << Q32_EXTRA_BITS) : (int64_t)1 << 60;
         const int64_t v = (int64_t)(axis ? l->vy : l->vx) * (1 << Q32_EXTRA_BITS);
         const int64_t number = axis ? s->accel[st] : s->speed[st];
         if (s->mode[st] & (axis ? MODE_TO_VY : MODE_TO_VX))

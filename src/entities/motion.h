@@ -135,7 +135,7 @@ enum {
     MODE_HAS_SIZE_TO = 1 << 3, /* orbit: the radius changes to size_to */
     MODE_SPEED = 1 << 4,       /* go_to: flies at `speed`, for as many frames as needed */
     MODE_RELATIVE = 1 << 5,    /* go_to: (x, y) is relative to the bullet's position when the step began */
-    MODE_HAS_LIMIT = 1 << 0,   /* DOES_ACCEL_XY: accelerates up to `size` on each axis */
+    MODE_HAS_LIMIT = 1 << 0,   /* DOES_ACCEL_XY: accelerates up to `size` on x and `size_to` on y */
     MODE_TO_VX = 1 << 6,       /* DOES_ACCEL_XY: `speed` is the velocity to reach on x, not the acceleration */
     MODE_TO_VY = 1 << 7,       /* likewise `accel` on y */
     MODE_LEFT = 1 << 0,        /* DOES_BOUNCE: the edges of the field that are walls */
@@ -190,7 +190,7 @@ _Static_assert(STEP_NUMBER_COUNT *NAMED_VALUE_BITS <= 64, "a step's `named` has 
     FIELD(fx, y)                  /* y awaited by DOES_AWAIT */                                                        \
     FIELD(fx, size)               /* px: amplitude of a wave; radius of an orbit; distance for MODE_TARGET_NEAR; */    \
                                   /* px/frame: with MODE_HAS_LIMIT */                                                  \
-    FIELD(fx, size_to)            /* px: radius at the end of an orbit with MODE_HAS_SIZE_TO */                        \
+    FIELD(fx, size_to)            /* px: radius at the end of an orbit with MODE_HAS_SIZE_TO; px/frame: see size */    \
     FIELD(uint8_t, mode)          /* enum ease and MODE_ bits */                                                       \
     FIELD(uint64_t, named_values) /* NAMED_VALUE_BITS bits for each enum step_number */
 
@@ -283,7 +283,7 @@ void motion_lead_position(const struct steps *s, uint32_t st, const struct motio
 /* Computes, for the k-th of n frames of a step with DOES_ACCEL_XY, the velocity on each axis, and the distance flown
  * since the step began: the sum of the velocities of frames 1 to k. In Q32; distances are clamped, far outside the
  * world. In frame k, the velocity on an axis is v + k a, where a is the step's acceleration, and with MODE_HAS_LIMIT at
- * most `size` in the direction of a, or v if that is more; with MODE_TO_VX or _VY it is v plus k/n of the way to the
+ * most the limit in the direction of a, or v if that is more; with MODE_TO_VX or _VY it is v plus k/n of the way to the
  * step's velocity. */
 void motion_accelerate(const struct steps *s, uint32_t st, const struct motion_lead *l, uint32_t k, uint32_t n,
                        int64_t velocity[2], int64_t distance[2]);

@@ -53,7 +53,7 @@ static void accelerated(const struct motion_step *p, int axis, fx from, uint32_t
                         __float128 *way)
 {
     const __float128 start = (__float128)from * 65536, number = axis ? p->accel : p->speed;
-    const __float128 most = p->mode & MODE_HAS_LIMIT ? (__float128)p->size * 65536 : 1e30Q;
+    const __float128 most = p->mode & MODE_HAS_LIMIT ? (__float128)(axis ? p->size_to : p->size) * 65536 : 1e30Q;
     const bool to = p->mode & (axis ? MODE_TO_VY : MODE_TO_VX);
 
     *v = start;
@@ -222,7 +222,7 @@ TEST(formulas)
         case 5:
             p.actions = DOES_ACCEL_XY;
             p.mode = run % 3 ? MODE_HAS_LIMIT : 0;
-            p.size = abs(number(4 * px));
+            p.size = abs(number(4 * px)), p.size_to = abs(number(4 * px));
             p.speed = (int64_t)number(px / 8) * number(px) / (run % 11 ? 1 : 5000);
             p.accel = run % 5 ? (int64_t)number(px / 8) * number(px) : 0;
             break;
@@ -251,7 +251,7 @@ TEST(long_acceleration)
 {
     const __float128 far = (__float128)(1ll << 47);
     struct motion_step p = { .actions = DOES_ACCEL_XY };
-    struct steps s = { .mode = &p.mode, .size = &p.size, .speed = &p.speed, .accel = &p.accel };
+    struct steps s = { .mode = &p.mode, .size = &p.size, .size_to = &p.size_to, .speed = &p.speed, .accel = &p.accel };
     uint32_t inside = 0;
 
     rng_seed(&rng, 6);

@@ -360,11 +360,11 @@ TEST(practised)
 
 /* ---- what scripts do to a ship's motion ---- */
 
-static const char moving[] =
-    "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, speed = 4, focus = 1 })\n"
-    "bullet.def('wall', { sprite = 'dot', hit = { box = { 2, 90 } } })\n"
-    "local function fly(f) task.go(function() sys.join(1, 'ship') local p = player.get(1) p.x, p.y, p.safe = 50, 50, 0\n"
-    "  f(p) end) end\n";
+static const char moving[] = "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, speed = 4, focus = 1 })\n"
+                             "bullet.def('wall', { sprite = 'dot', hit = { box = { 2, 90 } } })\n"
+                             "local function fly(f) task.go(function() sys.join(1, 'ship') local p = player.get(1) "
+                             "p.x, p.y, p.safe = 50, 50, 0\n"
+                             "  f(p) end) end\n";
 
 /* Runs a script with the ship p at (50, 50), before the frames that the test counts. */
 static void fly(const char *script)
@@ -398,13 +398,12 @@ TEST(scaled_speed)
     hold(PAD_LEFT, 0, 1);
     check_ship(46, 50);
     rig_close(&rig);
-    power(
-        "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, speed = 4, focus = 1 })\n"
-        "shot.def('bolt', { sprite = 'dot', hit = { circle = 3 }, damage = 9 })\n"
-        "enemy.def('foe', { sprite = 'wink', hit = { circle = 9 }, hp = 5,\n"
-        "  on_death = function() player.get(1).speed_scale = 2 end })\n"
-        "task.go(function() sys.join(1, 'ship') player.get(1).x = 50 enemy.spawn { kind = 'foe', x = 9, y = 9 }\n"
-        "  shot.fire { kind = 'bolt', x = 9, y = 20, speed = 1 } end)");
+    power("player.def('ship', { sprite = 'dot', hit = { circle = 2 }, speed = 4, focus = 1 })\n"
+          "shot.def('bolt', { sprite = 'dot', hit = { circle = 3 }, damage = 9 })\n"
+          "enemy.def('foe', { sprite = 'wink', hit = { circle = 9 }, hp = 5,\n"
+          "  on_death = function() player.get(1).speed_scale = 2 end })\n"
+          "task.go(function() sys.join(1, 'ship') player.get(1).x = 50 enemy.spawn { kind = 'foe', x = 9, y = 9 }\n"
+          "  shot.fire { kind = 'bolt', x = 9, y = 20, speed = 1 } end)");
     hold(0, 0, 3);
     hold(PAD_RIGHT, 0, 40); /* a handler wrote it: until changed */
     assert_int_equal(b->player.speed_scale[0], px(2));

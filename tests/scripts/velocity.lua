@@ -30,6 +30,8 @@ fly(5, { { ay = 1, limit = 2, over = forever } })
 --> 102 101, 104 103, 106 105, 108 107, 110 109
 fly(4, { { ax = -2, limit = 3, over = forever } })
 --> 100 100, 98 100, 95 100, 92 100
+fly(4, { { ax = 0.5, ay = 1, limit = { 3, 'a' }, over = forever } }, { a = 1.5 })
+--> 102.5 101, 105.5 102.5, 108.5 104, 111.5 105.5
 fly(4, { { ax = 1, ay = 1, limit = 1, over = 2 } }) -- faster than the limit already: stays so
 --> 102 101, 104 102, 106 103, 108 104
 fly(3, { { ax = 1, ay = -1 }, { wait = 1 }, { ax = 1 } })
@@ -47,12 +49,13 @@ fly(3, { { vx = -1, vy = 0.5, kind = 'dot' }, { wait = 1 }, { vx = 0, over = 1 }
 --> 99 100.5, 99 101, 99 101.5
 
 --case: acceleration ends where a script writes the velocity, and goes on from where it writes a place
-local b = bullet.fire { kind = 'dot', x = 100, y = 100, dir = 0, speed = 2, motion = motion.def { { ay = 1, over = 9 } } }
+local pull = motion.def { { ay = 1, over = 9 } }
+local b = bullet.fire { kind = 'dot', x = 100, y = 100, dir = 0, speed = 2, motion = pull }
 wait(2)
 b.vx, b.vy = 1, 0
 wait(3)
 print(b.x, b.y)
-local c = bullet.fire { kind = 'dot', x = 100, y = 100, dir = 0, speed = 2, motion = motion.def { { ay = 1, over = 9 } } }
+local c = bullet.fire { kind = 'dot', x = 100, y = 100, dir = 0, speed = 2, motion = pull }
 wait(2)
 c.x, c.y = 0, 0
 wait(2)
@@ -140,8 +143,14 @@ motion.def { fine = true, { ay = 1, over = 9 } }
 --! motion.def: step 1: `ay` cannot be used in a fine motion (this step is always exact)
 motion.def { { ax = 1, limit = -1, over = 9 } }
 --! motion.def: step 1: limit: expected a number from 0 to 8191 px/frame, got -1
+motion.def { { ax = 1, limit = { 3 }, over = 9 } }
+--! motion.def: step 1: limit: expected a number or { x, y }
+motion.def { { ax = 1, limit = { 3, false }, over = 9 } }
+--! motion.def: step 1: limit: expected a number from 0 to 8191 px/frame, got false
+motion.def { { ax = 1, max = 3, over = 9 } }
+--! motion.def: step 1: unknown argument "max" (did you mean "limit"?)
 motion.def { { turn_to = 3, over = 9 } }
---! motion.def: step 1: does nothing
+--! motion.def: step 1: `turn_to` requires `turn` and `over`
 motion.def { { turn = 1, turn_to = 3 } }
 --! motion.def: step 1: `turn_to` requires `turn` and `over`
 motion.def { { turn = 1, turn_to = 3, over = forever } }

@@ -87,8 +87,8 @@ static const struct api_param step_keys[M_KEY_COUNT] = {
           "change in the horizontal velocity; with `over`, the change per frame"),
     PARAM("ay", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame per frame", NULL,
           "change in the vertical velocity; with `over`, the change per frame"),
-    PARAM("limit", A_FX, OPT, 0, MAX_SPEED, "px/frame", NULL,
-          "speed on each axis up to which `ax` and `ay` accelerate"),
+    OPTIONAL("limit", A_ANY,
+             "speed up to which `ax` and `ay` accelerate, 0 to 8191 px/frame on each axis, or { x, y } for one each"),
     SPEED("vx", A_FX, OPT, "new horizontal velocity; with `over`, it is reached in equal steps"),
     SPEED("vy", A_FX, OPT, "new vertical velocity; with `over`, it is reached in equal steps"),
 };
@@ -151,7 +151,7 @@ static const uint8_t step_numbers[M_KEY_COUNT] = {
     [M_WAVE] = NUMBER_SIZE + 1,     [M_ORBIT] = NUMBER_SIZE + 1,    [M_RADIUS_TO] = NUMBER_SIZE_TO + 1,
     [M_SPIN] = NUMBER_TURN + 1,     [M_EVERY] = NUMBER_COUNT + 1,   [M_PHASE] = NUMBER_DIR + 1,
     [M_TURN_TO] = NUMBER_DIR + 1,   [M_AX] = NUMBER_SPEED + 1,      [M_AY] = NUMBER_ACCEL + 1,
-    [M_LIMIT] = NUMBER_SIZE + 1,    [M_VX] = NUMBER_SPEED + 1,      [M_VY] = NUMBER_ACCEL + 1,
+    [M_VX] = NUMBER_SPEED + 1,      [M_VY] = NUMBER_ACCEL + 1,
 };
 
 uint64_t api_find_step_value(lua_State *L, int step, const char *key, int at)
@@ -313,6 +313,37 @@ static uint64_t read_point(lua_State *L, int step, const struct api_value *v, co
     return named_bits;
 }
 
+/* Reads the `limit` of an acceleration into s; returns the NAMED_VALUE_BITS of the declared values used. */
+static uint64_t read_limit(lua_State *L, int step, const struct api_value *v, struct motion_step *s)
+{
+    static const struct api_param limit_param = PARAM("limit", A_FX, REQ, 0, MAX_SPEED, "px/frame", NULL, NULL);
+    const int top = lua_gettop(L);
+    fx *const limits[2] = { &s->size, &s->size_to };
+    uint64_t named_bits = 0;
+    char entry[40];
+
+    if (!v->given)
+        return 0;
+    if (lua_istable(L, v->at) && lua_rawlen(L, v->at) != 2)
+        raise_step_error(L, step, "limit: expected a number or { x, y }");
+    snprintf(entry, sizeof entry, "%s: step %d", def_entry, step);
+    for (int axis = 0; axis < 2; axis++) {
+        struct api_value limit = { 0 };
+        if (lua_istable(L, v->at))
+            lua_rawgeti(L, v->at, axis + 1);
+        else
+            lua_pushvalue(L, v->at);
+        if (lua_type(L, -1) == LUA_TSTRING)
+            named_bits |= api_find_step_value(L, step, "limit", lua_gettop(L))
+                          << (axis ? NUMBER_SIZE_TO : NUMBER_SIZE) * NAMED_VALUE_BITS;
+        else
+            api_check(L, entry, &limit_param, lua_gettop(L), &limit);
+        *limits[axis] = limit.f;
+    }
+    lua_settop(L, top);
+    return named_bits;
+}
+
 /* Sets the fields of a leading step; returns the NAMED_VALUE_BITS of the declared values used. */
 static uint64_t fill_lead(lua_State *L, struct motion_step *s, const struct api_value v[M_KEY_COUNT], int step,
                           bool fine)
@@ -332,9 +363,9 @@ static uint64_t fill_lead(lua_State *L, struct motion_step *s, const struct api_
     if (s->actions & DOES_ACCEL_XY) {
         s->speed = api_value_to_q32(true, &v[v[M_VX].given ? M_VX : M_AX]);
         s->accel = api_value_to_q32(true, &v[v[M_VY].given ? M_VY : M_AY]);
-        s->size = v[M_LIMIT].f;
         s->mode = (uint8_t)((v[M_VX].given ? MODE_TO_VX : 0) | (v[M_VY].given ? MODE_TO_VY : 0) |
                             (v[M_LIMIT].given ? MODE_HAS_LIMIT : 0));
+        return read_limit(L, step, &v[M_LIMIT], s);
     }
     if (s->actions & DOES_GO_TO) /* a go_to has its own speed; the bullet's is not set */
         s->actions &= ~(uint32_t)DOES_SPEED;
@@ -362,6 +393,8 @@ static void fill_step(lua_State *L, struct motion_step *s, const struct api_valu
         if (v[k].given && !(step_keys[k].type == A_BOOL && !v[k].i))
             s->actions |= key_flags[k];
     check_lead(L, v, step, fine);
+    if (v[M_TURN_TO].given && !(v[M_TURN].given && v[M_OVER].given))
+        raise_step_error(L, step, "`turn_to` requires `turn` and `over`");
     if (!s->actions)
         raise_step_error(L, step, "does nothing");
     if (s->actions & DOES_WAIT && (s->actions != DOES_WAIT || v[M_OVER].given))
@@ -372,8 +405,6 @@ static void fill_step(lua_State *L, struct motion_step *s, const struct api_valu
         raise_step_error(L, step, "`speed` with `over = forever` never arrives");
     if (s->actions & DOES_DIE && v[M_OVER].given)
         raise_step_error(L, step, "`die` takes effect immediately; put a `wait` before it");
-    if (v[M_TURN_TO].given && !(v[M_TURN].given && v[M_OVER].given))
-        raise_step_error(L, step, "`turn_to` requires `turn` and `over`");
     if (v[M_TURN_TO].given && v[M_OVER].i == LUA_MAXINTEGER)
         raise_step_error(L, step, "`turn_to` with `over = forever` never arrives");
     if (s->actions & DOES_HOME && !v[M_OVER].given)

@@ -104,14 +104,14 @@ static const char *const synonyms[][2] = {
     { "color", "bank" },    { "colour", "bank" },   { "palette", "bank" },       { "health", "hp" },
     { "life", "hp" },       { "image", "sprite" },  { "texture", "sprite" },     { "hitbox", "hit" },
     { "duration", "over" }, { "count", "n" },       { "acceleration", "accel" }, { "type", "kind" },
-    { "rotation", "dir" },
+    { "rotation", "dir" },  { "max", "limit" },     { "maxv", "limit" },         { "speed", "speed_scale" },
 };
 
 static int word_distance(const char *word, const char *candidate)
 {
     for (size_t i = 0; i < sizeof synonyms / sizeof *synonyms; i++)
         if (!strcmp(synonyms[i][0], word) && !strcmp(synonyms[i][1], candidate))
-            return 1;
+            return 0;
     return edit_distance(word, candidate);
 }
 

@@ -107,12 +107,12 @@ struct api_velocity {
     struct api_value *speed, *dir, *aim, *vx, *vy;
 };
 
-/* If `vx` or `vy` is given, sets speed and dir to theirs, as if these had been given instead, and returns true. Raises an
- * error if both forms are given. */
+/* If `vx` or `vy` is given, sets speed and dir to theirs, as if these had been given instead, and returns true. Raises
+ * an error if both forms are given. */
 bool api_resolve_velocity(lua_State *L, const char *entry, struct api_velocity w);
 
-/* Gives a thing just fired with the arguments `vx` and `vy` at vxy exactly this velocity, of which its dir and speed are
- * rounded; does nothing if they were not given. */
+/* Gives a thing just fired with the arguments `vx` and `vy` at vxy exactly this velocity, of which its dir and speed
+ * are rounded; does nothing if they were not given. */
 void api_set_fired_velocity(struct bullets *s, uint32_t i, const struct api_value *vxy);
 
 /* Returns the number, 1 or 2, of the player who owns what is fired, or 0: the argument `by` or, if it is not given, the
