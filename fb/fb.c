@@ -107,6 +107,20 @@ void fb_plate(struct fb *fb, int x, int y, int w, int h, uint8_t inside, uint8_t
     draw_rounded_rect(fb, x + 2, y + 2, w - 4, h - 4, inner, inside);
 }
 
+/* Goes from the bottom right to the top left: every pixel is read before it is written, because it is at or before the
+ * one that it becomes. */
+void fb_magnify(struct fb *fb, int x, int y, int w, int h, int dx, int dy, int zoom)
+{
+    uint8_t *const corner = fb->pix + (ptrdiff_t)y * fb->pitch + x;
+
+    for (int j = h - 1; j >= 0; j--) {
+        const uint8_t *from = corner + (ptrdiff_t)((j + dy) / zoom) * fb->pitch;
+        uint8_t *to = corner + (ptrdiff_t)j * fb->pitch;
+        for (int i = w - 1; i >= 0; i--)
+            to[i] = from[(i + dx) / zoom];
+    }
+}
+
 /* One axis of a line: its start, its direction, its length, and the steps that are inside the clip. */
 struct axis {
     int64_t start, sign, length; /* 0 <= length < 2^32 */

@@ -32,17 +32,17 @@ local BEAT <const> = 8   -- frames that a full bar stays in each of its two colo
 local LIFE, STAR = hud.glyph(137, "*"), hud.glyph(138, "*")
 
 local SCREEN <const> = { col = 0, cols = hud.cols }
-local FIELD <const> = { col = (rom.field.x + 7) // 8 }
-FIELD.cols = (rom.field.x + rom.field.w) // 8 - FIELD.col
-local FIELD_BOTTOM <const> = rom.field.y + rom.field.h -- px
+local FIELD <const> = { col = (rom.view.x + 7) // 8 }
+FIELD.cols = (rom.view.x + rom.view.w) // 8 - FIELD.col
+local FIELD_BOTTOM <const> = rom.view.y + rom.view.h -- px
 
 -- Of the columns to the right of the field, a panel leaves the first free, and the last if there are more than ten.
 -- Over the field, rows stay one column off its edges.
-local room = (rom.screen.w - rom.field.x - rom.field.w) // 8
+local room = (rom.screen.w - rom.view.x - rom.view.w) // 8
 local PANEL <const> = room >= 10
 local LEFT <const> = PANEL and hud.cols - room + 1 or FIELD.col + 1
 local WIDTH <const> = room > 10 and room - 2 or PANEL and 9 or FIELD.cols - 2
-local TOP <const> = PANEL and 8 or rom.field.y + 4 -- px
+local TOP <const> = PANEL and 8 or rom.view.y + 4 -- px
 
 hud.field, hud.panel = FIELD, PANEL
 
@@ -60,7 +60,7 @@ local STACKED <const> = PANEL or WIDTH < 2 * BEST_COLS + 1 -- two scores do not 
 -- each bar of a cast, three for the spell, and the history and the bonus.
 local PANEL_END <const> = rom.screen.h - 6 -- px
 local function boss_height(bars) return 18 + PITCH * (math.max(3, 2 * bars) + 5) end
-local ROWS_END <const> = PANEL and PANEL_END - boss_height(2) or FIELD_BOTTOM - rom.field.h // 2 -- of the players' rows
+local ROWS_END <const> = PANEL and PANEL_END - boss_height(2) or FIELD_BOTTOM - rom.view.h // 2 -- of the players' rows
 
 -- The players' rows, by layout and number of players: what is at the left, in the middle and at the right. The digit is
 -- the player's number; {} is a gap.
@@ -409,9 +409,8 @@ local function add_low_rows(i, list)
   end
 end
 
--- Is a position of the field less than `distance` px from a place's text?
+-- Is a position of the screen less than `distance` px from a place's text?
 local function is_near(p, x, y, distance)
-  x, y = x + rom.field.x, y + rom.field.y
   return x > 8 * p.left - distance and x < 8 * (p.left + p.width) + distance
     and y > p.y - distance and y < p.y + 8 * p.size + distance
 end
@@ -438,7 +437,7 @@ local function hide_near_ships()
   local count = hud.shy > 0 and players or 0
   for i = 1, count do
     local ship = player.get(i)
-    ship_x[i], ship_y[i] = ship.x, ship.y or false
+    if ship.alive then ship_x[i], ship_y[i] = sys.to_screen(ship.x, ship.y) else ship_y[i] = false end
   end
   for _, name in ipairs(GROUPS) do
     local group, near = groups[name], false
@@ -476,7 +475,7 @@ end
 -- Puts a plate behind a panel's rows, where the screen was emptied.
 local function put_panel()
   if not PANEL or panel and panel.alive then return end
-  local x = rom.field.x + rom.field.w + 2
+  local x = rom.view.x + rom.view.w + 2
   panel = sprite.plate {
     x = x, y = 2, w = rom.screen.w - x - 2, h = rom.screen.h - 4, bank = hud.banks.plain, stay = true,
   }

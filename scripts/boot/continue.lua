@@ -4,8 +4,8 @@ local sys = ... -- functions that only the standard library gets; src/script/api
 
 local BLINK <const>, SEEN <const> = 60, 40 -- frames
 
-local ROW = (rom.field.y + rom.field.h) // 8 - 2
-local LEFT, RIGHT = rom.field.x // 8 + 1, (rom.field.x + rom.field.w) // 8 - 1
+local ROW = (rom.view.y + rom.view.h) // 8 - 2
+local LEFT, RIGHT = rom.view.x // 8 + 1, (rom.view.x + rom.view.w) // 8 - 1
 
 -- One line at the bottom of the field, on the player's side.
 local function show_prompt(p, left)

@@ -1,8 +1,8 @@
 -- boot/mission.lua - plays a mission and shows its result, until the player stops retrying.
 local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 
-local ROW <const> = (rom.field.y + rom.field.h) // 8 - 2
-local COL <const>, COLS <const> = (rom.field.x + 7) // 8, rom.field.w // 8
+local ROW <const> = (rom.view.y + rom.view.h) // 8 - 2
+local COL <const>, COLS <const> = (rom.view.x + 7) // 8, rom.view.w // 8
 local AGAIN <const> = 30    -- frames after which the progress is written again, because a stage's mark clears the screen
 local FEW <const> = 10 * 60 -- frames left from which on the clock is in the alarm colour
 

@@ -1,21 +1,24 @@
 -- boss/cut_in.lua - the phase's portrait crosses the field while a spell is declared: quickly in, slowly on, quickly out,
 -- with a light as it comes and images of itself behind it while it is quick. It is the phase's, so it goes with that;
 -- nothing waits for it, and all of it is behind what can be hit.
+local sys = ... -- functions for the standard library only; documented in src/script/api/api_sys.c
 local IN <const>, DRIFT <const> = 18, 60 -- frames
 local FAR <const>, NEAR <const> = 0.70, 0.54 -- of the field's width: where the drift begins and ends
 local BESIDE <const> = 96 -- px from the field's edge to where it comes from and goes to
 local IMAGES <const>, LATER <const> = 3, 3 -- how many come behind it, each so many frames later
 local SHARE <const> = 0.25 -- of the light
 
--- Where it is t frames after it came, from the right; from the left that is mirrored.
+-- Where it is in the field t frames after it came, from the right of the view; from the left that is mirrored.
 local function place(t, left)
-  local w, h = rom.field.w, rom.field.h
+  local x0, y0 = sys.to_field(rom.view.x, rom.view.y)
+  local x1, y1 = sys.to_field(rom.view.x + rom.view.w, rom.view.y + rom.view.h)
+  local w, h = x1 - x0, y1 - y0
   t = math.max(0, t)
   local k = 1 - math.min(t, IN) / IN
   local out = math.max(t - IN - DRIFT, 0) / IN
   local on = math.min(math.max(t - IN, 0), DRIFT) / DRIFT
   local x = w * (FAR + (NEAR - FAR) * on) + (w * (1 - FAR) + BESIDE) * k * k - (w * NEAR + BESIDE) * out * out
-  return left and w - x or x, h * (0.43 - 0.10 * math.min(1, t / (2 * IN + DRIFT))) -- it rises all the way, above the name
+  return x0 + (left and w - x or x), y0 + h * (0.43 - 0.10 * math.min(1, t / (2 * IN + DRIFT))) -- it rises all the way, above the name
 end
 
 return function(_, phase, scene)

@@ -18,7 +18,7 @@ local SLIDES <const> = hud.panel and 0 or 30
 local READ <const>, FADES <const> = 120, 12 -- in its place, faint at last
 local COL <const>, COLS <const> = hud.field.col + 1, hud.field.cols - 2
 local PITCH <const> = 10                                          -- px from one line of the name to the next
-local DECLARED <const> = (rom.field.y + rom.field.h * 5 // 8) // 8 * 8 -- px: the top of a declared name
+local DECLARED <const> = (rom.view.y + rom.view.h * 5 // 8) // 8 * 8 -- px: the top of a declared name
 local VERDICT <const> = 7                                         -- rows from a verdict's first row to DECLARED
 
 local at                   -- the places of the rows; nil: nothing is shown
@@ -95,8 +95,12 @@ local function draw_mark(b)
     mark = nil
     return
   end
-  local x, y = math.max(0, math.min(rom.field.w, e.x)), rom.field.h - MARGIN
-  if mark and mark.alive then mark.x = x
+  local left = sys.to_field(rom.view.x, 0)
+  local right, bottom = sys.to_field(rom.view.x + rom.view.w, rom.view.y + rom.view.h)
+  local x, y = math.max(left, math.min(right, e.x)), bottom - MARGIN
+  if mark and mark.alive then
+    mark.x = x
+    if mark.y ~= y then mark.y = y end
   else mark = sprite.put { sprite = MARK, x = x, y = y, layer = "front", stay = true } end
 end
 

@@ -8,7 +8,7 @@ local BAR <const> = 3    -- rows of a bar: WARNING in its middle
 local SHARE <const>, DIM <const> = 0.22, 0.45 -- strengths of a flash and of the dim
 
 local COL <const>, COLS <const> = hud.field.col, hud.field.cols
-local MIDDLE <const> = (rom.field.y + rom.field.h * 2 // 5) // 8
+local MIDDLE <const> = (rom.view.y + rom.view.h * 2 // 5) // 8
 local LINE <const>, FIRST <const>, LAST <const> = hud.glyph(141, "-"), hud.glyph(142, "-"), hud.glyph(143, "-")
 
 -- Returns n characters of s from the i-th on.
@@ -16,8 +16,8 @@ local function part(s, i, n) return s:sub(utf8.offset(s, i), (utf8.offset(s, i +
 
 -- A bar's rounded ends are off the screen where the field reaches the screen's edge; otherwise it ends at the field.
 local BEYOND <const> = 8
-local BAR_X <const> = rom.field.x > 0 and rom.field.x or -BEYOND
-local BAR_END <const> = rom.field.x + rom.field.w
+local BAR_X <const> = rom.view.x > 0 and rom.view.x or -BEYOND
+local BAR_END <const> = rom.view.x + rom.view.w
 local BAR_W <const> = (BAR_END < rom.screen.w and BAR_END or BAR_END + BEYOND) - BAR_X
 
 local function bar(row)

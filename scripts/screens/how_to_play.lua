@@ -11,12 +11,14 @@ local function text_rows(pages)
   return page.notes(texts, #pages)
 end
 
--- The part of the field below the panel, and what a page's show can do there. Positions are pixels of the field.
+-- The part of the field that is seen below the panel, and what a page's show can do there. Positions are in the field.
 local function new_area(row, foot, ship)
-  local area = { y = row * 8 - rom.field.y, w = rom.field.w }
-  area.h = foot * 8 - rom.field.y - area.y
+  local area, right, bottom = {}, nil, nil
+  area.x, area.y = sys.to_field(rom.view.x, row * 8)
+  right, bottom = sys.to_field(rom.view.x + rom.view.w, foot * 8)
+  area.w, area.h = right - area.x, bottom - area.y
   function area.ship(kind, x, y)
-    preview.ship(1, kind or ship, x or area.w // 2, y or area.y + area.h * 2 // 3)
+    preview.ship(1, kind or ship, x or area.x + area.w // 2, y or area.y + area.h * 2 // 3)
     return player.get(1)
   end
   function area.hold(...) preview.hold(1, ...) end

@@ -240,7 +240,7 @@ end
 -- The x of ship p and its figures: the middle of its part of the page, but in the field.
 local function middle_of(p)
   local col, cols = column(p)
-  local left, right = rom.field.x + EDGE, rom.field.x + rom.field.w - EDGE
+  local left, right = rom.view.x + EDGE, rom.view.x + rom.view.w - EDGE
   return math.max(left, math.min(right, (2 * col + cols) * 4))
 end
 
@@ -261,10 +261,8 @@ end
 
 -- ---- the ships ----
 
--- Where ship p is, in pixels of the field.
-local function place_of(p)
-  return middle_of(p) - rom.field.x, (state.figures - 3) * 8 - rom.field.y
-end
+-- Where ship p is in the field.
+local function place_of(p) return sys.to_field(middle_of(p), (state.figures - 3) * 8) end
 
 -- Shows the ships that are chosen now; one that is closed is not shown.
 local function show_ships()

@@ -16,6 +16,7 @@
 #include "../machine/sound.h"
 #include "../script/tasks.h"
 #include "../machine/video/video.h"
+#include "../machine/window.h"
 #include "../script/vm.h"
 #include "../base/host.h"
 
@@ -106,8 +107,8 @@ static void set_initial_state(struct board *b)
     b->script.digest = HASH_START;
     b->fix.cols = (uint32_t)m->screen_w / FIX_CELL_SIZE;
     b->fix.rows = (uint32_t)m->screen_h / FIX_CELL_SIZE;
-    struct slots *always_live[] = { &b->input.s, &b->player.s, &b->fix.s,    &b->pal.s,
-                                    &b->music.s, &b->cues.s,   &b->voices.s, &b->option_paths.s };
+    struct slots *always_live[] = { &b->input.s, &b->player.s, &b->fix.s,          &b->pal.s,   &b->music.s,
+                                    &b->cues.s,  &b->voices.s, &b->option_paths.s, &b->camera.s };
     for (size_t i = 0; i < sizeof always_live / sizeof *always_live; i++)
         always_live[i]->live = always_live[i]->cap;
     for (uint32_t i = 0; i < MAX_PLAYERS; i++)
@@ -116,6 +117,8 @@ static void set_initial_state(struct board *b)
     for (int i = 0; i < COLOURS; i++, rgb += 3)
         pal_set(&b->pal, i, (uint32_t)rgb[0] << 16 | (uint32_t)rgb[1] << 8 | rgb[2]);
     bg_clear(&b->bg, &b->bg_lines);
+    if (b->camera.s.live)
+        camera_reset(&b->camera, m->field_w, m->field_h, m->view_w, m->view_h);
     tasks_init(&b->tasks);
     if (b->voices.s.cap)
         sound_reset(b);
@@ -336,6 +339,8 @@ void board_move_entities(struct board *b)
 
     emit_clear(b);
     player_move(&b->player, &b->player_kinds, held, &b->player_area);
+    if (b->camera.s.live)
+        window_move_camera(b);
     if (b->option_plans)
         options_follow(b);
     enemies_move(&b->enemies, &b->keep_box, &we);

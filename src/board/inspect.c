@@ -10,17 +10,13 @@
 #include "../machine/collision/hit.h"
 #include "../machine/lasers_run.h"
 #include "../machine/machine.h"
-
-static int32_t to_screen(fx v, int origin)
-{
-    return v + origin * 65536;
-}
+#include "../machine/window.h"
 
 struct inspect_area inspect_field(const struct board *b)
 {
-    const struct manifest *m = &b->cart.manifest;
+    const struct window w = window_of(b);
 
-    return (struct inspect_area){ m->field_x, m->field_y, m->field_w, m->field_h };
+    return (struct inspect_area){ w.x, w.y, w.w, w.h };
 }
 
 struct inspect_controls inspect_player_controls(const struct board *b, int player)
@@ -44,14 +40,11 @@ struct inspect_pause inspect_pause(const struct board *b)
     return out;
 }
 
-/* ---- bodies ---- */
+/* ---- bodies, first in the field, then on the screen ---- */
 
-static struct inspect_body body_at(const struct board *b, enum inspect_kind kind, uint32_t slot, fx x, fx y)
+static struct inspect_body body_at(enum inspect_kind kind, uint32_t slot, fx x, fx y)
 {
-    return (struct inspect_body){ .kind = kind,
-                                  .slot = slot,
-                                  .x = to_screen(x, b->cart.manifest.field_x),
-                                  .y = to_screen(y, b->cart.manifest.field_y) };
+    return (struct inspect_body){ .kind = kind, .slot = slot, .x = x, .y = y };
 }
 
 static const enum inspect_shape inspect_shapes[] = { [SHAPE_NONE] = INSPECT_NO_SHAPE,
@@ -60,25 +53,24 @@ static const enum inspect_shape inspect_shapes[] = { [SHAPE_NONE] = INSPECT_NO_S
                                                      [SHAPE_CAPSULE] = INSPECT_CAPSULE,
                                                      [SHAPE_CIRCLES] = INSPECT_CIRCLES };
 
-static void set_circles(const struct board *b, struct inspect_body *body, const struct body *circles, uint32_t n)
+static void set_circles(struct inspect_body *body, const struct body *circles, uint32_t n)
 {
     body->shape = INSPECT_CIRCLES;
     body->n = (int32_t)n;
     for (uint32_t i = 0; i < n; i++) {
-        body->circle[i].x = to_screen(circles[i].x, b->cart.manifest.field_x);
-        body->circle[i].y = to_screen(circles[i].y, b->cart.manifest.field_y);
+        body->circle[i].x = circles[i].x;
+        body->circle[i].y = circles[i].y;
         body->circle[i].r = circles[i].a;
-        body->a = fx_max(body->a, fx_abs(body->circle[i].x - body->x) + circles[i].a);
-        body->b = fx_max(body->b, fx_abs(body->circle[i].y - body->y) + circles[i].a);
+        body->a = fx_max(body->a, fx_abs(circles[i].x - body->x) + circles[i].a);
+        body->b = fx_max(body->b, fx_abs(circles[i].y - body->y) + circles[i].a);
     }
 }
 
 /* Sets the body's shape from the n shapes that the collision tests use. Only SHAPE_CIRCLES uses more than the first. */
-static void set_shape(const struct board *b, struct inspect_body *body, uint8_t shape, const struct body *shapes,
-                      uint32_t n)
+static void set_shape(struct inspect_body *body, uint8_t shape, const struct body *shapes, uint32_t n)
 {
     if (shape == SHAPE_CIRCLES) {
-        set_circles(b, body, shapes, n);
+        set_circles(body, shapes, n);
         return;
     }
     body->shape = inspect_shapes[shape];
@@ -101,12 +93,12 @@ static struct inspect_body bullet_or_shot_body(const struct board *b, enum inspe
 {
     const struct bullets *s = kind == INSPECT_BULLET ? &b->bullets : &b->shots;
     const struct bullet_kinds *k = kind == INSPECT_BULLET ? &b->bullet_kinds : &b->shot_kinds;
-    struct inspect_body body = body_at(b, kind, i, s->x[i], s->y[i]);
+    struct inspect_body body = body_at(kind, i, s->x[i], s->y[i]);
 
     struct body shapes[SHAPE_MAX_CIRCLES];
     uint8_t shape = s->flags[i] & BULLET_DELAYED ? SHAPE_NONE : k->shape[s->kind[i]];
 
-    set_shape(b, &body, shape, shapes, hit_split_bullet(s, k, i, shapes));
+    set_shape(&body, shape, shapes, hit_split_bullet(s, k, i, shapes));
     body.is_dimmed = kind == INSPECT_BULLET && !can_be_grazed(b, i);
     return body;
 }
@@ -115,11 +107,11 @@ static struct inspect_body enemy_body(const struct board *b, uint32_t i)
 {
     const struct enemies *e = &b->enemies;
     const struct enemy_kinds *k = &b->enemy_kinds;
-    struct inspect_body body = body_at(b, INSPECT_ENEMY, i, e->x[i], e->y[i]);
+    struct inspect_body body = body_at(INSPECT_ENEMY, i, e->x[i], e->y[i]);
 
     struct body shapes[SHAPE_MAX_CIRCLES];
 
-    set_shape(b, &body, k->shape[e->kind[i]], shapes, hit_split_enemy(b, i, shapes));
+    set_shape(&body, k->shape[e->kind[i]], shapes, hit_split_enemy(b, i, shapes));
     body.is_dimmed = !(k->flags[e->kind[i]] & ENEMY_TOUCH) || e->flags[i] & ENEMY_DYING;
     return body;
 }
@@ -127,7 +119,7 @@ static struct inspect_body enemy_body(const struct board *b, uint32_t i)
 static struct inspect_body player_body(const struct board *b, uint32_t i)
 {
     const struct player *p = &b->player;
-    struct inspect_body body = body_at(b, INSPECT_PLAYER, i, p->x[i], p->y[i]);
+    struct inspect_body body = body_at(INSPECT_PLAYER, i, p->x[i], p->y[i]);
 
     body.shape = INSPECT_CIRCLE;
     body.a = b->player_kinds.radius[p->kind[i]];
@@ -154,7 +146,7 @@ static struct inspect_body laser_body(const struct board *b, uint32_t i, uint32_
     const fx reach = hit_laser_reach(b, i, lasers_shown_age(b, i));
     const struct lasers_segment s = lasers_get_segment(b, i, k);
     const fx half_x = (fx)(((int64_t)s.to_x - s.x) / 2), half_y = (fx)(((int64_t)s.to_y - s.y) / 2);
-    struct inspect_body body = body_at(b, INSPECT_LASER, i, s.x + half_x, s.y + half_y);
+    struct inspect_body body = body_at(INSPECT_LASER, i, s.x + half_x, s.y + half_y);
 
     if (reach >= 0) {
         body.shape = INSPECT_CAPSULE;
@@ -166,29 +158,50 @@ static struct inspect_body laser_body(const struct board *b, uint32_t i, uint32_
     return body;
 }
 
+static void move_to_screen(const struct window *w, struct inspect_body *body)
+{
+    body->x = window_screen_x(w, body->x);
+    body->y = window_screen_y(w, body->y);
+    body->a *= w->zoom;
+    body->b *= w->zoom;
+    body->c *= w->zoom;
+    body->graze *= w->zoom;
+    for (int i = 0; i < body->n; i++) {
+        body->circle[i].x = window_screen_x(w, body->circle[i].x);
+        body->circle[i].y = window_screen_y(w, body->circle[i].y);
+        body->circle[i].r *= w->zoom;
+    }
+}
+
 void inspect_bodies(const struct board *b, void (*visit)(void *context, const struct inspect_body *body), void *context)
 {
+    const struct window w = window_of(b);
     struct inspect_body body;
 
     EACH_LIVE (i, &b->enemies.s) {
         body = enemy_body(b, i);
+        move_to_screen(&w, &body);
         visit(context, &body);
     }
     EACH_LIVE (i, &b->shots.s) {
         body = bullet_or_shot_body(b, INSPECT_SHOT, i);
+        move_to_screen(&w, &body);
         visit(context, &body);
     }
     EACH_LIVE (i, &b->bullets.s) {
         body = bullet_or_shot_body(b, INSPECT_BULLET, i);
+        move_to_screen(&w, &body);
         visit(context, &body);
     }
     EACH_LIVE (i, &b->lasers.s)
         for (uint32_t k = 0; k < lasers_segment_count(b, i); k++) {
             body = laser_body(b, i, k);
+            move_to_screen(&w, &body);
             visit(context, &body);
         }
     for (uint32_t i = 0; i < MAX_PLAYERS; i++) {
         body = player_body(b, i);
+        move_to_screen(&w, &body);
         if (b->player.in_game[i])
             visit(context, &body);
     }
@@ -197,14 +210,16 @@ void inspect_bodies(const struct board *b, void (*visit)(void *context, const st
 bool inspect_ship(const struct board *b, int player, struct inspect_body *out)
 {
     const struct player *p = &b->player;
+    const struct window w = window_of(b);
     int dx, dy;
 
     if (!p->in_game[player] || p->flags[player] & PLAYER_HIDDEN)
         return false;
     screen_get_shake(&b->screen, b->core.clock, &dx, &dy);
     *out = player_body(b, (uint32_t)player);
-    out->x += dx * 65536;
-    out->y += dy * 65536;
+    out->x += dx * FX_ONE;
+    out->y += dy * FX_ONE;
+    move_to_screen(&w, out);
     return true;
 }
 
@@ -523,12 +538,13 @@ static void describe_player(const struct board *b, struct inspect_entity *out)
 bool inspect_entity_at(const struct board *b, int x, int y, int radius, struct inspect_entity *out)
 {
     struct search s = { .x = x * 65536 + 32768, .y = y * 65536 + 32768, .radius = radius * 65536 };
+    const struct window w = window_of(b);
 
     *out = (struct inspect_entity){ 0 };
     inspect_bodies(b, update_best_fit, &s);
     out->body = s.found;
-    out->x = to_screen(s.found.x, -b->cart.manifest.field_x);
-    out->y = to_screen(s.found.y, -b->cart.manifest.field_y);
+    out->x = window_field_x(&w, s.found.x);
+    out->y = window_field_y(&w, s.found.y);
     if (s.found.kind == INSPECT_ENEMY)
         describe_enemy(b, out);
     else if (s.found.kind == INSPECT_PLAYER)

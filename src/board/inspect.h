@@ -2,8 +2,8 @@
  * inspect.h - a board's state for the overlay and the console: hitboxes, gauges, tasks, and the entity under a point.
  *
  * Call these functions only between frames. None of them changes a byte of RAM, so they call no Lua function that
- * pushes a value. Strings are returned as pointers that are valid until the next tick or restore. Screen positions are
- * in Q15.16 px: the position on the field plus the field's top left corner.
+ * pushes a value. Strings are returned as pointers that are valid until the next tick or restore. Positions on the
+ * screen are in Q15.16 px: where the window (window.h) shows them, without a shake.
  */
 #ifndef BOARD_INSPECT_H
 #define BOARD_INSPECT_H
@@ -82,7 +82,7 @@ struct inspect_pause inspect_pause(const struct board *b);
  * is unspecified, and code points may repeat. FIX_UNKNOWN (fix.h) stands for a character that its cell cannot store. */
 void inspect_codes(const struct board *b, void (*visit)(void *context, uint32_t code), void *context);
 
-/* The field's rectangle on the screen, px. */
+/* The rectangle of the screen that shows the field or a part of it, px. */
 struct inspect_area {
     int x, y, w, h;
 };

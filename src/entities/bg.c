@@ -12,6 +12,7 @@ static const struct column columns[] = {
     COLUMN(bg, wave_period), COLUMN(bg, wave_speed), COLUMN(bg, phase),        COLUMN(bg, n_lines),
     COLUMN(bg, horizon),     COLUMN(bg, height),     COLUMN(bg, dir),          COLUMN(bg, fog),
     COLUMN(bg, fog_end),     COLUMN(bg, shown_id),   COLUMN(bg, fade_elapsed), COLUMN(bg, fade_length),
+    GROUP_COLUMN(bg, follow, BG_GROUP_CAMERA),
 };
 static const struct column line_columns[] = { COLUMN(bg_lines, offset) };
 static const struct column shade_columns[] = {
@@ -35,6 +36,8 @@ static void clear_slot(struct bg *b, uint32_t i)
     b->dir[i] = ANG_UP;
     b->fog[i] = BG_NO_FOG;
     b->fog_end[i] = 0;
+    if (b->follow)
+        b->follow[i] = FX_ONE;
 }
 
 void bg_clear(struct bg *b, struct bg_lines *l)

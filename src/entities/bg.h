@@ -23,6 +23,8 @@ enum {
     BG_BLEND = 3 << 4, /* blend mode in units of BG_BLEND_ONE: 0 opaque, otherwise blend + 1 */
     BG_BLEND_ONE = 1 << 4,
 
+    BG_GROUP_CAMERA = 1, /* column group */
+
     BG_SHADES = 16,       /* steps of fog, and of a fade to black */
     BG_NO_FOG = 0x1000000 /* value of `fog` for no fog; not a colour, since colours have 24 bits */
 };
@@ -45,6 +47,7 @@ struct bg {
     ang *dir;           /* direction the eye looks */
     uint32_t *fog;      /* 0xRRGGBB, or BG_NO_FOG */
     fx *fog_end;        /* distance in px at which fog hides everything */
+    fx *follow;         /* group BG_GROUP_CAMERA: layer: px that it moves when the camera moves by 1 px; else NULL */
     uint16_t *shown_id; /* number of the background shown, set and read by scripts; shown_id, fade_elapsed and
                          * fade_length use only slot 0 */
     uint16_t *fade_elapsed,

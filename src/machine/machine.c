@@ -202,6 +202,8 @@ bool board_is_alive(const struct board *b, int64_t h)
     if (kind == H_MOVE)
         return slot < b->enemies.s.top && slots_has(&b->enemies.s, slot, b->enemies.s.gen[slot]) &&
                !(b->enemies.flags[slot] & ENEMY_NOT_ALIVE) && enemies_is_moving(&b->enemies, slot, gen);
+    if (kind == H_CAMERA)
+        return gen == 1 && slot < b->camera.s.live;
     if (kind == H_BULLETML && slots_has(s, slot, gen))
         return !(b->ml_roots.flags[slot] & ROOT_DESPAWNED);
     if (kind == H_ENEMY && slots_has(s, slot, gen))

@@ -14,6 +14,7 @@
 #include "../base/rng.h"
 #include "../entities/bg.h"
 #include "../entities/bulletml.h"
+#include "../entities/camera.h"
 #include "../entities/bullets.h"
 #include "../entities/enemies.h"
 #include "events.h"
@@ -151,6 +152,7 @@ struct board {
     struct ml_frames ml_frames;
     struct ml_params ml_params;
     struct channel channel;
+    struct camera camera;
 };
 
 /* A part: its chip, and the location of the chip's struct in struct board. */
@@ -160,7 +162,7 @@ struct part {
     bool grows;          /* a list that scripts add to: its columns are in the Lua heap (vm_reserve) */
 };
 enum {
-    PART_COUNT = 43,
+    PART_COUNT = 44,
     FIRST_OPTIONAL_PART = 20 /* the first parts always have a hash; the others, only in games that use them */
 };
 extern const struct part machine_parts[PART_COUNT];

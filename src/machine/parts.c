@@ -85,7 +85,7 @@ static uint32_t laser_groups(const struct manifest *m)
     PART(items_chip, items, m->items, m->has_freeze ? SLOTS_GROUP(GROUP_FROZEN) : 0)                                   \
     GROWS(item_kinds_chip, item_kinds, m->items ? MAX_ITEM_KINDS : 0, 0)                                               \
     PART(lines_chip, lines, m->lines, 0)                                                                               \
-    PART(bg_chip, bg, m->has_backgrounds ? BG_SLOTS : 0, 0)                                                            \
+    PART(bg_chip, bg, m->has_backgrounds ? BG_SLOTS : 0, m->view_w ? SLOTS_GROUP(BG_GROUP_CAMERA) : 0)                 \
     PART(bg_lines_chip, bg_lines, m->has_backgrounds ? BG_LAYERS * m->field_h : 0, 0)                                  \
     PART(bg_shades_chip, bg_shades, m->has_backgrounds ? BG_TABLES_SIZE : 0, 0)                                        \
     PART(screen_chip, screen, 0, 0)                                                                                    \
@@ -105,7 +105,8 @@ static uint32_t laser_groups(const struct manifest *m)
     PART(ml_runners_chip, ml_runners, m->bulletml_runners, 0)                                                          \
     PART(ml_frames_chip, ml_frames, ML_FRAMES_PER_RUNNER * m->bulletml_runners, 0)                                     \
     PART(ml_params_chip, ml_params, m->bulletml_runners, 0)                                                            \
-    PART(channel_chip, channel, 0, 0)
+    PART(channel_chip, channel, 0, 0)                                                                                  \
+    PART(camera_chip, camera, m->view_w ? 1 : 0, 0)
 
 #define AS_PART(chip, name, slots, groups) { &chip, offsetof(struct board, name), sizeof((struct board *)0)->name, 0 },
 #define AS_GROWING(chip, name, slots, groups)                                                                          \

@@ -2,6 +2,7 @@
  * sound.c - see sound.h. Applies the sequencers' events to the voices, with the instruments of the ROM.
  */
 #include "sound.h"
+#include "window.h"
 
 #include <string.h>
 
@@ -306,9 +307,10 @@ void sound_stop(struct board *b, uint32_t tune)
 
 int16_t sound_pan_at(const struct board *b, fx x)
 {
-    const int64_t half = (int64_t)b->cart.manifest.field_w << 15;
+    const int64_t half = (int64_t)manifest_view_w(&b->cart.manifest) << 15;
+    const int64_t middle = half + fx_int(window_of(b).left);
 
-    return (int16_t)int64_clamp((x - half) * TUNE_PAN_CENTRE * 2 / (3 * half), -TUNE_PAN_CENTRE, TUNE_PAN_CENTRE);
+    return (int16_t)int64_clamp((x - middle) * TUNE_PAN_CENTRE * 2 / (3 * half), -TUNE_PAN_CENTRE, TUNE_PAN_CENTRE);
 }
 
 /* Least frames from one cue of a kind to the next, because many in quick succession sound like noise. */

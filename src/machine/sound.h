@@ -29,7 +29,7 @@ static inline void sound_play_cue(struct board *b, enum cart_cue cue, fx x)
         sound_start_cue(b, cue, x);
 }
 
-/* Returns the pan of a sound at x, -TUNE_PAN_CENTRE to TUNE_PAN_CENTRE; the field's edges are at two thirds of
+/* Returns the pan of a sound at x, -TUNE_PAN_CENTRE to TUNE_PAN_CENTRE; the view's edges are at two thirds of
  * TUNE_PAN_CENTRE. */
 int16_t sound_pan_at(const struct board *b, fx x);
 

@@ -19,9 +19,10 @@
 
 /* The lump's first word is its format. numbers_in_format: how many fields of manifest_numbers each format contains.
  * Core versions up to 4 wrote format 1, core version 5 format 2, core version 6 format 3. The current version writes
- * format 5 for games that run BulletML documents, and format 4 for other games. */
-enum { FORMAT = 5, FORMAT_WITHOUT_BULLETML = 4, FORMAT_1_NUMBERS = 17 };
-static const int numbers_in_format[FORMAT + 1] = { 0, FORMAT_1_NUMBERS, 24, 31, 36, MANIFEST_NUMBERS };
+ * format 6 for games whose view is not the whole field at its own size, format 5 for other games that run BulletML
+ * documents, and format 4 for all others. */
+enum { FORMAT = 6, FORMAT_WITHOUT_VIEW = 5, FORMAT_WITHOUT_BULLETML = 4, FORMAT_1_NUMBERS = 17 };
+static const int numbers_in_format[FORMAT + 1] = { 0, FORMAT_1_NUMBERS, 24, 31, 36, 37, MANIFEST_NUMBERS };
 
 static const int64_t max_extend = (int64_t)1 << 53;
 
@@ -72,6 +73,9 @@ const struct manifest_number manifest_numbers[MANIFEST_NUMBERS] = {
     FLAG("board.pierce", has_pierce),
     FLAG("board.sound", has_sound),
     NUMBER("board.bulletml", bulletml_runners, 0, 1 << 16, 0),
+    NUMBER("field.view.w", view_w, 0, 1024, 0),
+    NUMBER("field.view.h", view_h, 0, 1024, 0),
+    NUMBER("screen.zoom", zoom, 1, 4, 1),
 };
 
 static int32_t *get_number(struct manifest *m, int i)
@@ -154,6 +158,28 @@ static bool check_strings(const struct manifest *m, char *err, size_t err_size)
     return true;
 }
 
+static bool check_view(const struct manifest *m, char *err, size_t err_size)
+{
+    const int32_t w = manifest_view_w(m) * m->zoom, h = manifest_view_h(m) * m->zoom;
+    const char *name = m->view_w ? "field.view" : "field";
+
+    if (!m->view_w != !m->view_h || (m->view_w && (m->view_w < MIN_VIEW || m->view_h < MIN_VIEW)))
+        return err_set(err, err_size, "field.view: expected a width and a height of at least %d px", MIN_VIEW);
+    if (m->view_w > m->field_w || m->view_h > m->field_h)
+        return err_set(err, err_size,
+                       "field.view: %" PRId32 "x%" PRId32 " is larger than the %" PRId32 "x%" PRId32 " field",
+                       m->view_w, m->view_h, m->field_w, m->field_h);
+    if (m->view_w == m->field_w && m->view_h == m->field_h)
+        return err_set(err, err_size, "field.view: the whole field is stored as 0x0");
+    if (m->field_x + w > m->screen_w || m->field_y + h > m->screen_h)
+        return err_set(err, err_size,
+                       "%s: %" PRId32 "x%" PRId32 " at %" PRId32 ",%" PRId32 " is not inside the %" PRId32
+                       "x%" PRId32 " screen%s",
+                       name, w, h, m->field_x, m->field_y, m->screen_w, m->screen_h,
+                       m->view_w ? "" : "; to show a part of it, add view = { w = .., h = .. } to field");
+    return true;
+}
+
 static bool check_numbers(const struct manifest *m, char *err, size_t err_size)
 {
     for (int i = 0; i < MANIFEST_NUMBERS; i++) {
@@ -166,12 +192,7 @@ static bool check_numbers(const struct manifest *m, char *err, size_t err_size)
     }
     if (m->screen_w % 8 != 0)
         return err_set(err, err_size, "screen.w: expected a multiple of 8, got %" PRId32, m->screen_w);
-    if (m->field_x + m->field_w > m->screen_w || m->field_y + m->field_h > m->screen_h)
-        return err_set(err, err_size,
-                       "field: %" PRId32 "x%" PRId32 " at %" PRId32 ",%" PRId32 " is not inside the %" PRId32
-                       "x%" PRId32 " screen",
-                       m->field_w, m->field_h, m->field_x, m->field_y, m->screen_w, m->screen_h);
-    return true;
+    return check_view(m, err, err_size);
 }
 
 static bool check_extends(const struct manifest *m, char *err, size_t err_size)
@@ -340,7 +361,9 @@ static size_t format_size(int format)
 
 uint32_t manifest_pack(const struct manifest *m, uint8_t out[MANIFEST_BYTES])
 {
-    const int format = m->bulletml_runners ? FORMAT : FORMAT_WITHOUT_BULLETML;
+    const int format = m->view_w || m->zoom > 1 ? FORMAT
+                       : m->bulletml_runners    ? FORMAT_WITHOUT_VIEW
+                                                : FORMAT_WITHOUT_BULLETML;
     struct manifest copy = *m;
     struct walk w = { out, NULL, true };
 
@@ -373,10 +396,13 @@ bool manifest_unpack(const uint8_t *data, size_t size, struct manifest *m, char 
     memset(m, 0, sizeof *m);
     m->nvram_kib = NV_DEFAULT_KIB; /* format 1 has no nvram_kib */
     m->registers = MAX_REGISTERS;  /* formats 1 to 3 have no registers field; ships could have this many */
+    m->zoom = 1;                   /* only format 6 has a zoom */
     walk_manifest(&w, m, format);
     if (!w.is_valid)
         return err_set(err, err_size, "unknown format");
-    if (format == FORMAT && !m->bulletml_runners)
+    if (format == FORMAT && !m->view_w && m->zoom == 1)
+        return err_set(err, err_size, "field.view: none is not allowed in a manifest of format %d", FORMAT);
+    if (format == FORMAT_WITHOUT_VIEW && !m->bulletml_runners)
         return err_set(err, err_size, "board.bulletml: 0 is not allowed in a manifest of format %d",
                        FORMAT_WITHOUT_BULLETML);
     if (!manifest_check(m, err, err_size))

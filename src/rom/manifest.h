@@ -21,7 +21,7 @@ enum {
     NV_DEFAULT_KIB = 32,            /* default nvram_kib */
     NV_MAX_KIB = 1024,              /* maximum nvram_kib */
     MAX_SETTING_NAME = 16,          /* bytes of the name of a DIP, a DIP's value or a difficulty, with its NUL */
-    MANIFEST_BYTES = 5256,          /* maximum size of the lump; equal on all hosts */
+    MANIFEST_BYTES = 5268,          /* maximum size of the lump; equal on all hosts */
     MANIFEST_SCRATCH_SIZE = 8 << 20 /* bytes of scratch memory for manifest_read */
 };
 
@@ -40,7 +40,9 @@ struct manifest {
     char entry[64]; /* the script that runs first, without "script/" and ".lua" */
     int32_t version;
     int32_t screen_w, screen_h;                 /* px; the width is a multiple of 8 */
-    int32_t field_x, field_y, field_w, field_h; /* px; inside the screen */
+    int32_t field_x, field_y, field_w, field_h; /* px; the part that is shown is inside the screen */
+    int32_t view_w, view_h; /* px of the field that are shown; both 0: the whole field */
+    int32_t zoom;           /* px of the screen per px of the field */
     int32_t margin; /* px between the field and the keep box, on each side; entities outside the keep box despawn */
     int32_t bullets, shots, enemies, sparks, sprites, motions, tasks; /* capacities; 0: the chip is absent */
     int32_t bullet_values, shot_values, enemy_values;                 /* number of values that each entity has */
@@ -67,6 +69,19 @@ struct manifest {
     struct dip dips[MAX_DIPS];                             /* ascending by name */
     int32_t n_dips;
 };
+
+enum { MIN_VIEW = 16 /* px, of each side of a view */ };
+
+/* The size in px of the part of the field that is shown. */
+static inline int manifest_view_w(const struct manifest *m)
+{
+    return m->view_w ? m->view_w : m->field_w;
+}
+
+static inline int manifest_view_h(const struct manifest *m)
+{
+    return m->view_h ? m->view_h : m->field_h;
+}
 
 /* The art and sound settings of rom.lua, which only the packer uses. File names are paths in the game's folder. */
 enum {
@@ -214,7 +229,7 @@ struct manifest_number {
     int32_t lo, hi, default_value;
     bool is_flag; /* written as true or false in rom.lua */
 };
-enum { MANIFEST_NUMBERS = 37 };
+enum { MANIFEST_NUMBERS = 40 };
 extern const struct manifest_number manifest_numbers[MANIFEST_NUMBERS];
 
 /* Sets all fields to their defaults; the id is "game". */
@@ -223,8 +238,8 @@ void manifest_set_defaults(struct manifest *m);
 /* Returns whether every field is in range. If not, stores one sentence in err ("board.bullets: ..."). */
 bool manifest_check(const struct manifest *m, char *err, size_t err_size);
 
-/* manifest_pack converts a manifest to the lump and returns the lump's size in bytes. It uses the older of the two
- * current formats if that can represent the manifest. manifest_unpack converts a lump to a manifest. It accepts only
+/* manifest_pack converts a manifest to the lump and returns the lump's size in bytes. It uses the oldest of the
+ * current formats that can represent the manifest. manifest_unpack converts a lump to a manifest. It accepts only
  * lumps that this or an earlier version of manifest_pack writes for a manifest in range; for others it returns false,
  * with one sentence in err. */
 uint32_t manifest_pack(const struct manifest *m, uint8_t out[MANIFEST_BYTES]);

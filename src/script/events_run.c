@@ -18,6 +18,7 @@
 #include "../machine/collision/hit.h"
 #include "../machine/lasers_run.h"
 #include "../machine/sound.h"
+#include "../machine/window.h"
 
 /* The names in on.NAME: the first eleven in the order of enum event_kind, with NULL for EV_SHOT, which has no
  * handlers; then the events that only scripts raise. */
@@ -552,11 +553,12 @@ void events_check_game_over(struct board *b)
 
 void events_get_start_position(const struct board *b, uint32_t p, fx *x, fx *y)
 {
-    const struct manifest *m = &b->cart.manifest;
+    const struct window view = window_of(b);
+    const int w = manifest_view_w(&b->cart.manifest), h = manifest_view_h(&b->cart.manifest);
     bool is_two_player = b->player.in_game[0] && b->player.in_game[1];
 
-    *x = (fx)(m->field_w << 15) + (is_two_player ? (p ? 1 : -1) * (m->field_w << 13) : 0);
-    *y = (fx)((m->field_h << 16) - (m->field_h << 16) / 8);
+    *x = fx_int(view.left) + (w << 15) + (is_two_player ? (p ? 1 : -1) * (w << 13) : 0);
+    *y = fx_int(view.top + h) - (h << 16) / 8;
 }
 
 void events_kill_player(struct board *b, uint32_t p)

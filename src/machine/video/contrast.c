@@ -32,15 +32,15 @@ static struct image image_of(const struct board *b, uint32_t i)
 }
 
 /* Returns the percent of bullet i's pixels inside the clip that stand out; -1: the bullet has no pixel inside the
- * clip. */
+ * clip. (field_x, field_y): the field's corner on the surface. */
 static int distinct_percent(const struct board *b, const struct fb *fb, const uint32_t rgb[256],
-                            const struct cart_colour_tables *look, uint32_t i)
+                            const struct cart_colour_tables *look, uint32_t i, int field_x, int field_y)
 {
     const struct sprite *pic = &b->sprite_images[b->bullet_kinds.sprite[b->bullets.kind[i]]];
     unsigned blend = (b->bullet_kinds.flags[b->bullets.kind[i]] & KIND_BLEND) / KIND_BLEND_ONE;
     struct image image = image_of(b, i);
-    int x0 = b->cart.manifest.field_x + fx_floor(b->bullets.x[i]) - pic->ox;
-    int y0 = b->cart.manifest.field_y + fx_floor(b->bullets.y[i]) - pic->oy;
+    int x0 = field_x + fx_floor(b->bullets.x[i]) - pic->ox;
+    int y0 = field_y + fx_floor(b->bullets.y[i]) - pic->oy;
     int total = 0, distinct = 0;
 
     for (int y = 0; y < image.h; y++)
@@ -63,9 +63,9 @@ void contrast_sample(const struct board *b, struct fb *fb, void *scratch, contra
     const struct bullets *s = &b->bullets;
     const struct cart_colour_tables look = video_get_palette_tables(b);
     uint32_t rgb[256];
-    int n = 0;
+    int n = 0, field_x, field_y;
 
-    video_draw_behind_bullets(b, fb, rgb, scratch);
+    video_draw_behind_bullets(b, fb, rgb, scratch, &field_x, &field_y);
     EACH_LIVE (i, &s->s) {
         uint16_t kind = s->kind[i];
         if (b->bullet_kinds.flags[kind] & KIND_IS_CLOUD_ROW || b->bullet_kinds.shape[kind] == SHAPE_NONE)
@@ -74,7 +74,7 @@ void contrast_sample(const struct board *b, struct fb *fb, void *scratch, contra
                                           .bank = s->bank[i],
                                           .x = fx_floor(s->x[i]),
                                           .y = fx_floor(s->y[i]),
-                                          .share = distinct_percent(b, fb, rgb, &look, i) };
+                                          .share = distinct_percent(b, fb, rgb, &look, i, field_x, field_y) };
         if (bullet.share < 0 || !bullet.kind)
             continue;
         visit(context, &bullet);

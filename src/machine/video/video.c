@@ -5,6 +5,10 @@
  *     players, bullets, lasers, sparks, front sprites, the background's front layers, bars, the dim, plates, sprites
  *     over the dim, front plates, text, lines
  *
+ * With a zoom, everything up to the front layers is drawn at its own size and then magnified. Text lines and sprites
+ * over the dim have their own size and are placed where the magnified picture shows their position; sprites placed on
+ * the screen are drawn over the magnified picture.
+ *
  * Options are drawn over the sprites of their layer. A view (view.h) may dim backgrounds and back sprites before
  * anything else is drawn over them.
  *
@@ -16,6 +20,7 @@
 #include "../../../fb/blit.h"
 #include "../../../fb/text.h"
 #include "../../base/bytes.h"
+#include "../window.h"
 #include "video.h"
 
 struct image video_image(const struct sprite *s, uint32_t age, bool is_rotated, ang dir)
@@ -104,14 +109,20 @@ void video_clip_field(const struct draw_target *c)
     fb_set_clip(c->fb, c->area.x, c->area.y, c->area.w, c->area.h);
 }
 
-/* Draws a sprite that is placed on the screen instead of in the field. */
+/* Draws a sprite that is not magnified: one that is placed on the screen or, after a picture with a zoom was magnified,
+ * in the field. */
 static void paint_on_screen(struct draw_target *c, uint32_t i, fx x, fx y, uint32_t age)
 {
     const struct sprites *s = &c->b->sprites;
     struct draw_target at = *c;
 
-    fb_reset_clip(c->fb);
-    at.x = at.y = 0;
+    if (s->flags[i] & SPRITE_SCREEN) {
+        fb_reset_clip(c->fb);
+        at.x = at.y = 0;
+    } else {
+        at.x = video_screen_x(c, c->x + fx_floor(x)) - fx_floor(x);
+        at.y = video_screen_y(c, c->y + fx_floor(y)) - fx_floor(y);
+    }
     paint_sprite(&at, s->sprite[i], age, x, y, s->bank[i], s->flags[i] & (SPRITE_FLIP_X | SPRITE_FLIP_Y),
                  (s->flags[i] & SPRITE_BLEND) / SPRITE_BLEND_ONE);
     c->drawn_count++;
@@ -139,13 +150,16 @@ static void draw_sprites(struct draw_target *c, int layer)
     EACH_LIVE (i, &s->s) {
         if (s->layer[i] != layer || s->flags[i] & SPRITE_HIDDEN)
             continue;
-        if (c->hides_hud && s->flags[i] & SPRITE_SCREEN && layer == LAYER_FRONT)
+        const bool is_on_screen = s->flags[i] & SPRITE_SCREEN;
+        if (c->hides_hud && is_on_screen && layer == LAYER_FRONT)
+            continue;
+        if (c->zoom > 1 && layer < LAYER_OVER && is_on_screen != c->is_magnified)
             continue;
         const uint32_t age = c->b->core.clock - s->born[i];
         fx x = s->x[i], y = s->y[i];
         if (s->flags[i] & SPRITE_FOLLOW)
             board_get_position(c->b, board_handle(c->b, H_SPRITE, (int32_t)i), &x, &y);
-        if (s->flags[i] & SPRITE_SCREEN) {
+        if (is_on_screen || c->is_magnified) {
             video_batch_end(&q);
             paint_on_screen(c, i, x, y, age);
         } else
@@ -372,7 +386,7 @@ static void mirror(uint8_t *from, int n, ptrdiff_t step, int line_count, ptrdiff
 static void fill_edges(struct draw_target *c)
 {
     const struct fb *fb = c->fb;
-    int dx = c->x - c->b->cart.manifest.field_x, dy = c->y - c->b->cart.manifest.field_y;
+    int dx = c->shake_x, dy = c->shake_y;
     int w = fb->x1 - fb->x0, h = fb->y1 - fb->y0, nx = dx < 0 ? -dx : dx, ny = dy < 0 ? -dy : dy;
     uint8_t *corner = fb->pix + fb->y0 * fb->pitch + fb->x0;
 
@@ -406,11 +420,28 @@ static void draw_above_dim(struct draw_target *c)
         video_draw_lines(c);
 }
 
+/* From now on the area is what the screen shows. */
+static void set_magnified(struct draw_target *c)
+{
+    c->area = c->shown;
+    c->is_magnified = c->zoom > 1;
+    video_clip_field(c);
+}
+
+/* Magnifies the picture in the area, then draws the sprites that are placed on the screen, below the dim. */
+static void magnify(struct draw_target *c)
+{
+    fb_magnify(c->fb, c->shown.x, c->shown.y, c->shown.w, c->shown.h, c->zoom_x, c->zoom_y, c->zoom);
+    set_magnified(c);
+    for (int layer = LAYER_BACK; layer < LAYER_OVER; layer++)
+        draw_sprites(c, layer);
+}
+
 /* Finds the palette entries that draw_above_dim uses, by drawing it. The caller redraws the picture afterwards. */
 static void find_reserved_entries(struct draw_target c, bool reserved[COLOURS])
 {
     fb_fill(c.fb, 0);
-    video_clip_field(&c);
+    set_magnified(&c);
     draw_above_dim(&c);
     video_find_drawn_entries(c.fb, reserved);
 }
@@ -442,29 +473,42 @@ static const uint8_t *shade_of(const struct cart_colour_tables *look, const stru
     return view->dim && shades ? shades + (view->dim - 1) * COLOURS : NULL;
 }
 
+/* Places the area, in which the picture is drawn before it is magnified, at the top left of what the screen shows. */
+static void set_area(struct draw_target *c, const struct window *w)
+{
+    const int dx = w->x - c->shown.x, dy = w->y - c->shown.y; /* of the window, px of the screen */
+    const int x = (dx + w->zoom - 1) / w->zoom, y = (dy + w->zoom - 1) / w->zoom;
+
+    c->zoom_x = x * w->zoom - dx;
+    c->zoom_y = y * w->zoom - dy;
+    c->x = c->shown.x + x - w->left + c->shake_x;
+    c->y = c->shown.y + y - w->top + c->shake_y;
+    c->area = c->shown;
+    c->area.w = (c->shown.w + c->zoom_x + w->zoom - 1) / w->zoom;
+    c->area.h = (c->shown.h + c->zoom_y + w->zoom - 1) / w->zoom;
+}
+
 /* Returns the draw target of this frame. Sets *shaken to whether a shake moves the field's picture. */
 static struct draw_target make_target(const struct board *b, struct fb *fb, void *scratch, bool *shaken)
 {
     const struct manifest *m = &b->cart.manifest;
+    const struct window w = window_of(b);
     struct draw_target c = { .b = b,
                              .fb = fb,
-                             .x = m->field_x,
-                             .y = m->field_y,
-                             .area = { m->field_x, m->field_y, m->field_w, m->field_h },
+                             .shown = { w.x, w.y, w.w, w.h },
+                             .zoom = w.zoom,
                              .scratch = scratch,
                              .layers = sprite_layers(&b->sprites),
                              .palette_tables = video_get_palette_tables(b) };
-    int dx, dy;
 
     if (b->screen.shows_whole) {
-        c.area.x = c.area.y = 0;
-        c.area.w = m->screen_w;
-        c.area.h = m->screen_h;
+        c.shown.x = c.shown.y = 0;
+        c.shown.w = m->screen_w;
+        c.shown.h = m->screen_h;
     }
-    screen_get_shake(&b->screen, b->core.clock, &dx, &dy);
-    *shaken = dx || dy;
-    c.x += dx;
-    c.y += dy;
+    screen_get_shake(&b->screen, b->core.clock, &c.shake_x, &c.shake_y);
+    *shaken = c.shake_x || c.shake_y;
+    set_area(&c, &w);
     return c;
 }
 
@@ -500,11 +544,14 @@ static void draw_behind_bullets(struct draw_target *c, bool shaken)
     draw_players(c);
 }
 
-void video_draw_behind_bullets(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch)
+void video_draw_behind_bullets(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch, int *field_x,
+                               int *field_y)
 {
     bool shaken;
     struct draw_target c = make_target(b, fb, scratch, &shaken);
 
+    *field_x = c.x;
+    *field_y = c.y;
     memcpy(rgb, b->pal.rgb, COLOURS * sizeof *rgb);
     draw_behind_bullets(&c, shaken);
 }
@@ -531,6 +578,8 @@ uint64_t video_draw(const struct board *b, const struct view *view, struct fb *f
     draw_sprites(&c, LAYER_FRONT);
     draw_options(&c, LAYER_FRONT);
     video_draw_bg(&c, true);
+    if (c.zoom > 1)
+        magnify(&c);
     draw_bars(&c);
     if (dim)
         video_dim(&c, rgb, reserved, dim);

@@ -12,10 +12,14 @@
 struct draw_target {
     const struct board *b;
     struct fb *fb;
-    int x, y; /* px: the field's top left corner on the screen plus a shake's offset */
+    int x, y; /* px: where the field's pixel (0, 0) is drawn, which may be outside the area */
+    int shake_x, shake_y;
     struct {
         int x, y, w, h;
-    } area; /* px: the part of the screen that shows the field's picture: the field, or the whole screen */
+    } area, shown; /* px: where the field's picture is drawn, and the part of the screen that shows it: the window, or
+                      the whole screen. They differ only until a picture with a zoom is magnified */
+    int zoom, zoom_x, zoom_y; /* pixel x of `shown` shows pixel (x + zoom_x) / zoom of `area` */
+    bool is_magnified;        /* the picture has been magnified */
     void *scratch;
     uint64_t drawn_count; /* pictures drawn */
     unsigned layers;      /* sprite layers that are not empty, 1 << layer */
@@ -29,8 +33,9 @@ struct draw_target {
 uint64_t video_draw(const struct board *b, const struct view *view, struct fb *fb, uint32_t rgb[256], void *scratch);
 
 /* Draws only what is behind the bullets, and sets rgb to the colours without a flash. Leaves the clip set to the
- * field. */
-void video_draw_behind_bullets(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch);
+ * field. (*field_x, *field_y): where the field's pixel (0, 0) is drawn. */
+void video_draw_behind_bullets(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch, int *field_x,
+                               int *field_y);
 
 /* Returns the tables of the ROM palette that is loaded (board_loaded_palette). */
 struct cart_colour_tables video_get_palette_tables(const struct board *b);
@@ -38,6 +43,17 @@ struct cart_colour_tables video_get_palette_tables(const struct board *b);
 /* Returns the picture of a sprite that has been shown for `age` frames. is_rotated: selects the rotated copy nearest to
  * dir. */
 struct image video_image(const struct sprite *s, uint32_t age, bool is_rotated, ang dir);
+
+/* Returns where the screen shows a pixel that is drawn in the area. */
+static inline int video_screen_x(const struct draw_target *c, int x)
+{
+    return c->shown.x + (x - c->shown.x) * c->zoom - c->zoom_x;
+}
+
+static inline int video_screen_y(const struct draw_target *c, int y)
+{
+    return c->shown.y + (y - c->shown.y) * c->zoom - c->zoom_y;
+}
 
 /* Sets the clip to the area. A shake does not move the clip. */
 void video_clip_field(const struct draw_target *c);

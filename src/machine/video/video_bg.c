@@ -97,16 +97,20 @@ static struct brush brush_of(const struct draw_target *c, uint32_t i)
     return brush;
 }
 
-/* Return the shake's offset, px. A shake moves the maps within the field, so that the maps still reach the field's
- * edges. */
-static int shake_dx(const struct draw_target *c)
+/* Return by how many px a layer is moved by the camera and a shake, which moves the maps within the area, so that the
+ * maps still reach its edges. */
+static int layer_dx(const struct draw_target *c, uint32_t i)
 {
-    return c->x - c->b->cart.manifest.field_x;
+    const fx *follow = c->b->bg.follow;
+
+    return c->shake_x - (follow ? fx_floor(fx_mul(c->b->camera.x[0], follow[i])) : 0);
 }
 
-static int shake_dy(const struct draw_target *c)
+static int layer_dy(const struct draw_target *c, uint32_t i)
 {
-    return c->y - c->b->cart.manifest.field_y;
+    const fx *follow = c->b->bg.follow;
+
+    return c->shake_y - (follow ? fx_floor(fx_mul(c->b->camera.y[0], follow[i])) : 0);
 }
 
 /* The part of a layer's map that rows of the field show. Columns [from, to) of the field show the map's pixels from
@@ -137,7 +141,7 @@ static bool find_single_columns(struct shown_rows *r, int64_t map_left, int64_t 
     return r->map_y >= 0 && r->map_y < mh && r->from < r->to;
 }
 
-/* Returns the layer's x offset in row y of the field, px. dx, dy: the shake. */
+/* Returns the layer's x offset in row y of the area, px. dx, dy: by how much the layer is moved. */
 static int64_t map_left_at(const struct draw_target *c, uint32_t i, int y, int dx, int dy)
 {
     const struct bg *g = &c->b->bg;
@@ -208,7 +212,7 @@ static void draw_layer(struct draw_target *c, uint32_t i, const uint8_t *shade)
 {
     const struct bg *g = &c->b->bg;
     struct brush brush = brush_of(c, i);
-    const int w = c->area.w, h = c->area.h, dx = shake_dx(c), dy = shake_dy(c);
+    const int w = c->area.w, h = c->area.h, dx = layer_dx(c, i), dy = layer_dy(c, i);
     const bool wraps = g->flags[i] & BG_WRAP;
     struct tiles tiles = { .n = -1 };
     uint8_t composed[256];
@@ -299,7 +303,7 @@ static const uint8_t *plane_table(const struct draw_target *c, int fog, const ui
 static void draw_plane(struct draw_target *c, const uint8_t *shade)
 {
     const struct bg *g = &c->b->bg;
-    const int w = c->area.w, h = c->area.h, horizon = g->horizon[BG_PLANE] + shake_dy(c);
+    const int w = c->area.w, h = c->area.h, horizon = g->horizon[BG_PLANE] + c->shake_y;
     const bool is_ceiling = g->flags[BG_PLANE] & BG_CEILING;
     struct brush brush = brush_of(c, BG_PLANE);
     uint8_t row[MAX_ROW_WIDTH], composed2[256], composed3[256];
@@ -315,7 +319,7 @@ static void draw_plane(struct draw_target *c, const uint8_t *shade)
         int fog = fog_at(g, w, s);
         if (fog != current_fog)
             brush.remap = plane_table(c, current_fog = fog, shade, composed2, composed3);
-        bool solid = walk_row(&m, advance_walk(walk_of(g, &m, w, s), &m, -shake_dx(c)), w, row);
+        bool solid = walk_row(&m, advance_walk(walk_of(g, &m, w, s), &m, -c->shake_x), w, row);
         draw_pixels(c, &brush, row, 0, y, w, solid);
     }
     c->drawn_count++;

@@ -248,8 +248,8 @@ void video_draw_lines(struct draw_target *c)
             fb_reset_clip(c->fb);
         else
             video_clip_field(c);
-        draw_line(c, i, (on_screen ? 0 : c->x) + fx_floor(x) + fx_floor(l->dx[i]),
-                  (on_screen ? 0 : c->y) + fx_floor(y) + fx_floor(l->dy[i]));
+        const int px = fx_floor(x) + fx_floor(l->dx[i]), py = fx_floor(y) + fx_floor(l->dy[i]);
+        draw_line(c, i, on_screen ? px : video_screen_x(c, c->x + px), on_screen ? py : video_screen_y(c, c->y + py));
         c->drawn_count++;
     }
     fb_reset_clip(c->fb);

@@ -39,9 +39,13 @@ static const char lines_entry[] = "bg.lines", fog_entry[] = "plane: fog";
 static const struct api_param layer_props[] = {
     SHARED_PROPS,
     REQUIRED("wrap", A_BOOL, "true if its map repeats in all directions", BITS_OF(bg.flags, BG_WRAP), WRITABLE),
+    PARAM("follow", A_FX, REQ, 0, 4, NULL, NULL,
+          "distance it moves when the camera moves by 1 px: 1 moves it with the field, and less makes it look further "
+          "away; needs `view` in rom.lua",
+          STORED(bg.follow), WRITABLE),
 };
 
-const struct api_thing api_layer_thing = { .name = "layer", PARAMS(layer_props) };
+const struct api_thing api_layer_thing = { "layer", PARAMS(layer_props), .slots_offset = offsetof(struct board, bg.s) };
 
 /* ---- the plane ---- */
 

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "../../base/hash.h"
+#include "../../machine/window.h"
 #include "api.h"
 #include "../lua/lualib.h"
 #include "api_parts.h"
@@ -236,6 +237,13 @@ void api_open_rom(lua_State *L)
     api_set_string(L, "title", m->title);
     set_rect(L, "screen", 0, 0, m->screen_w, m->screen_h);
     set_rect(L, "field", m->field_x, m->field_y, m->field_w, m->field_h);
+    if (m->view_w || m->zoom > 1) {
+        const struct window w = window_of(vm_board(L));
+        set_rect(L, "view", w.x, w.y, w.w, w.h);
+    } else {
+        lua_getfield(L, -1, "field");
+        lua_setfield(L, -2, "view");
+    }
     make_read_only(L, "rom");
     lua_setglobal(L, "rom");
 }

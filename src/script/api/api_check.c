@@ -22,7 +22,8 @@ const char *const api_hit_forms[] = {
 const char *const api_thing_names[HANDLE_KINDS] = {
     NULL,       "a bullet", "a shot",           "an enemy",           "a player",  "a sprite",         "a task",
     "a motion", "a group",  "a group of shots", "a group of enemies", "an item",   "a group of items", "a line of text",
-    "a layer",  "a plane",  "a laser",          "a group of lasers",  "an option", "a document",       "a move"
+    "a layer",  "a plane",  "a laser",          "a group of lasers",  "an option", "a document",       "a move",
+    "the camera"
 };
 
 /* Returns whether v is probably the result of arithmetic on a handle. Handles are integers (handle.h), so Lua cannot

@@ -293,21 +293,23 @@ static int set_declared_value(lua_State *L, struct board *b, const struct api_th
 
 /* Properties that must be enabled in rom.lua. */
 enum { ENEMY_HANDLE_KINDS = 1 << H_ENEMY | 1 << H_ENEMIES };
+#define BODIES_SETTING "`bodies = true` to `board`"
 static const struct {
     const char *name;
     unsigned handle_kinds; /* mask of handle kinds */
     int column_group;      /* column group (GROUP_) */
-    const char *setting;   /* the setting in rom.lua */
+    const char *setting;   /* what to add to rom.lua */
 } optional_props[] = {
     { "frozen",
       1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_ITEM | 1 << H_LASER | 1 << H_GROUP | 1 << H_SHOTS |
           1 << H_ENEMIES | 1 << H_ITEMS | 1 << H_LASERS,
-      GROUP_FROZEN, "frozen" },
-    { "rate", ENEMY_HANDLE_KINDS, GROUP_BODIES, "bodies" },
-    { "share", ENEMY_HANDLE_KINDS, GROUP_BODIES, "bodies" },
-    { "follow", ENEMY_HANDLE_KINDS, GROUP_BODIES, "bodies" },
-    { "dx", ENEMY_HANDLE_KINDS, GROUP_BODIES, "bodies" },
-    { "dy", ENEMY_HANDLE_KINDS, GROUP_BODIES, "bodies" },
+      GROUP_FROZEN, "`frozen = true` to `board`" },
+    { "rate", ENEMY_HANDLE_KINDS, GROUP_BODIES, BODIES_SETTING },
+    { "share", ENEMY_HANDLE_KINDS, GROUP_BODIES, BODIES_SETTING },
+    { "follow", ENEMY_HANDLE_KINDS, GROUP_BODIES, BODIES_SETTING },
+    { "dx", ENEMY_HANDLE_KINDS, GROUP_BODIES, BODIES_SETTING },
+    { "dy", ENEMY_HANDLE_KINDS, GROUP_BODIES, BODIES_SETTING },
+    { "follow", 1 << H_LAYER, BG_GROUP_CAMERA, "`view = { w = 240, h = 320 }` to `field`" },
 };
 
 /* Raises a fault if the property is disabled in rom.lua, even if the thing does not exist. */
@@ -318,7 +320,7 @@ static void check_enabled(lua_State *L, const struct board *b, const struct api_
         if (optional_props[i].name[0] == name[0] && optional_props[i].handle_kinds >> kind & 1 &&
             !strcmp(optional_props[i].name, name) &&
             !(get_pool(b, t)->groups & SLOTS_GROUP(optional_props[i].column_group)))
-            vm_fault(L, FAULT_SCRIPT, "%s: %s is disabled; add `%s = true` to `board` in rom.lua", t->name, name,
+            vm_fault(L, FAULT_SCRIPT, "%s: %s is disabled; add %s in rom.lua", t->name, name,
                      optional_props[i].setting);
 }
 

@@ -88,6 +88,10 @@ void api_open_globals(lua_State *L)
                 install_entry(L, &api_get_table(L)->modules[m]->entries[i]);
     lua_pushcfunction(L, api_sys_check);
     lua_setfield(L, sys, "check");
+    if (vm_board(L)->camera.s.live) {
+        lua_pushinteger(L, handle_make(H_CAMERA, 1, 0));
+        lua_setglobal(L, "camera");
+    }
     api_open_rom(L);
     lua_settop(L, sys);
 }

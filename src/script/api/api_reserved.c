@@ -31,6 +31,8 @@ static const struct {
     { "bullet.ml bullet.documents bulletml", offsetof(struct manifest, bulletml_runners),
       "BulletML is disabled; add `bulletml = 1024` to `board`" },
     { "bg layer plane", offsetof(struct manifest, has_backgrounds), "backgrounds are disabled; add `maps = { ... }`" },
+    { "camera", offsetof(struct manifest, view_w),
+      "the view shows the whole field; add `view = { w = 240, h = 320 }` to `field`" },
     { "sound music", offsetof(struct manifest, has_sound),
       "sound is disabled; add `sounds = { ... }` or `music = { ... }`" },
 };

@@ -519,7 +519,7 @@ static const struct api_module *const modules[] = { &api_time,   &api_bullet, &a
 extern const struct api_thing api_bullet_thing, api_shot_thing, api_enemy_thing, api_player_thing, api_sprite_thing,
     api_task_thing, api_motion_thing, api_group_thing, api_shots_thing, api_enemies_thing, api_item_thing,
     api_items_thing, api_line_thing, api_layer_thing, api_plane_thing, api_laser_thing, api_lasers_thing,
-    api_option_thing, api_bulletml_thing, api_move_thing;
+    api_option_thing, api_bulletml_thing, api_move_thing, api_camera_thing;
 static const struct api_thing *const things[HANDLE_KINDS] = { NULL,
                                                               &api_bullet_thing,
                                                               &api_shot_thing,
@@ -540,7 +540,8 @@ static const struct api_thing *const things[HANDLE_KINDS] = { NULL,
                                                               &api_lasers_thing,
                                                               &api_option_thing,
                                                               &api_bulletml_thing,
-                                                              &api_move_thing };
+                                                              &api_move_thing,
+                                                              &api_camera_thing };
 
 /* Documented names that are not API functions. */
 static const struct api_doc_name doc_names[] = {
@@ -571,7 +572,9 @@ static const struct api_doc_name doc_names[] = {
            "from column `first`; wraps a text that is too long; returns the row below the text") },
     { "talk.look", HELP("look of dialogue: dim, bank, font; set them in main.lua") },
     { "rom.title", HELP("title of the game") },
-    { "rom.field", HELP("playfield: x, y, w, h in px; x and y are its position on the screen") },
+    { "rom.field", HELP("playfield: x, y, w, h in px; x and y are the position on the screen of what is shown of it") },
+    { "rom.view", HELP("part of the screen that shows the field: x, y, w, h in px of the screen") },
+    { "camera", HELP("view of a field that is larger than what the screen shows of it; needs `view` in rom.lua") },
     { "rom.screen", HELP("screen: w, h in px") },
 };
 

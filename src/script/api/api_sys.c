@@ -6,6 +6,7 @@
 #include "../../base/trig.h"
 #include "../../machine/lasers_run.h"
 #include "../../machine/sound.h"
+#include "../../machine/window.h"
 #include "../events_run.h"
 #include "api_parts.h"
 
@@ -491,10 +492,51 @@ static int sys_wipe(lua_State *L, struct board *b, struct api_value *v)
 static int sys_show_whole(lua_State *L, struct board *b, struct api_value *v)
 {
     const struct manifest *m = &b->cart.manifest;
+    const struct window w = window_of(b);
 
     (void)L;
-    b->screen.shows_whole = v[0].i && (m->field_w < m->screen_w || m->field_h < m->screen_h);
+    b->screen.shows_whole = v[0].i && (w.w < m->screen_w || w.h < m->screen_h);
     return 0;
+}
+
+/* Replaces the number at stack index `at` by (number - a) * factor / divisor + b2. An integer stays one, unless it must be
+ * divided. */
+static void convert(lua_State *L, int at, int a, int factor, int divisor, int b2)
+{
+    lua_pushvalue(L, at);
+    lua_pushinteger(L, a);
+    lua_arith(L, LUA_OPSUB);
+    if (factor != 1) {
+        lua_pushinteger(L, factor);
+        lua_arith(L, LUA_OPMUL);
+    }
+    if (divisor != 1) {
+        lua_pushinteger(L, divisor);
+        lua_arith(L, LUA_OPDIV);
+    }
+    lua_pushinteger(L, b2);
+    lua_arith(L, LUA_OPADD);
+}
+
+static const struct api_param place_params[] = { PARAM("x", A_NUM, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, ""),
+                                                 PARAM("y", A_NUM, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "") };
+
+static int sys_to_field(lua_State *L, struct board *b, struct api_value *v)
+{
+    const struct window w = window_of(b);
+
+    convert(L, v[0].at, w.x, 1, w.zoom, w.left);
+    convert(L, v[1].at, w.y, 1, w.zoom, w.top);
+    return 2;
+}
+
+static int sys_to_screen(lua_State *L, struct board *b, struct api_value *v)
+{
+    const struct window w = window_of(b);
+
+    convert(L, v[0].at, w.left, w.zoom, 1, w.x);
+    convert(L, v[1].at, w.top, w.zoom, 1, w.y);
+    return 2;
 }
 
 static int sys_freeze(lua_State *L, struct board *b, struct api_value *v)
@@ -855,6 +897,10 @@ static const struct api_entry entries[] = {
               OPTIONAL("keep", A_BOOL, "")),
     SYS_ENTRY("sys.show_whole", sys_show_whole, API_CHANGES, NULL,
               "draws the field's picture over the whole screen, or only in the field", REQUIRED("on", A_BOOL, "")),
+    { "sys.to_field", sys_to_field, PARAMS(place_params), 2, API_SYS, "x, y",
+      HELP("returns the position in the field that a position of the screen shows") },
+    { "sys.to_screen", sys_to_screen, PARAMS(place_params), 2, API_SYS, "x, y",
+      HELP("returns where the screen shows a position of the field") },
     SYS_ENTRY("sys.freeze", sys_freeze, API_CHANGES, NULL,
               "freezes the board except for that scope's tasks; nil unfreezes it",
               THING("scope", OPT, 1 << H_TASK, "")),

@@ -5,6 +5,7 @@
 #include "../../../fb/text.h"
 #include "../../../fb/utf8.h"
 #include "../../base/bytes.h"
+#include "../../machine/window.h"
 #include "api_parts.h"
 
 static const struct api_param sys_glyph_params[] = { PARAM("code", A_INT, REQ, 0, 255, NULL, NULL, "") };
@@ -72,13 +73,13 @@ static int sys_restore_text(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-/* Returns whether a rectangle of the screen, in px, overlaps the field. */
+/* Returns whether a rectangle of the screen, in px, overlaps the window. */
 static bool overlaps_field(const struct board *b, fx x, fx y, int w, int h)
 {
-    const struct manifest *m = &b->cart.manifest;
-    const int left = fx_floor(x) - m->field_x, top = fx_floor(y) - m->field_y;
+    const struct window view = window_of(b);
+    const int left = fx_floor(x) - view.x, top = fx_floor(y) - view.y;
 
-    return left < m->field_w && left + w > 0 && top < m->field_h && top + h > 0;
+    return left < view.w && left + w > 0 && top < view.h && top + h > 0;
 }
 
 static bool sprite_covers_field(const struct board *b, uint32_t i)

@@ -16,9 +16,9 @@
 #include "../../common/array.h"
 
 static const char *const libraries[] = { "string", "table", "math", "utf8" };
-static const char *const extra_globals[] = { "print", "require", "forever" };
+static const char *const extra_globals[] = { "print", "require", "forever", "camera" };
 enum { LUA_EXTRA_GLOBALS = 2 }; /* the first of them belong to Lua */
-static const char *const rom_fields[] = { "title", "field", "screen" };
+static const char *const rom_fields[] = { "title", "field", "view", "screen" };
 
 bool name_set_has(const struct name_set *s, const char *space, const char *name)
 {

@@ -289,6 +289,8 @@ const char *annotation_plain(const char *name)
                  { "talk.look", "{ dim: number, bank: integer, font?: font_name }" },
                  { "rom.title", "string" },
                  { "rom.field", "{ x: integer, y: integer, w: integer, h: integer }" },
+                 { "rom.view", "{ x: integer, y: integer, w: integer, h: integer }" },
+                 { "camera", "camera" },
                  { "rom.screen", "{ w: integer, h: integer }" },
                  { "lines", "string[]" },
                  { "frames", "integer" },

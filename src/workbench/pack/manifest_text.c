@@ -29,10 +29,11 @@ struct reader {
     struct art *art;
 };
 
-/* Reads the numbers of a table: those of "board" are "board.bullets" and so on, but not "board.values.shot". */
-static void read_numbers(const struct manifest_value *table, struct manifest *m)
+/* Reads the numbers of a table: those of "board" are "board.bullets" and so on, but not "board.values.shot". table_key:
+ * a key whose value is a table; NULL: none. */
+static void read_numbers(const struct manifest_value *table, const char *table_key, struct manifest *m)
 {
-    static const char *const others[] = { "values", NULL };
+    const char *const others[] = { table_key, NULL };
     struct manifest_field fields[MANIFEST_NUMBERS];
     const bool is_root = table->path[0] == '\0';
     const size_t skip = is_root ? 0 : strlen(table->path) + 1;
@@ -47,29 +48,40 @@ static void read_numbers(const struct manifest_value *table, struct manifest *m)
             };
     }
     if (!is_root)
-        value_check_keys(table, fields, n, strcmp(table->path, "board") == 0 ? others : NULL);
+        value_check_keys(table, fields, n, others);
     value_read_fields(table, fields, n, m);
+}
+
+/* Reads the numbers of the table `key` of rom.lua, and those of its table `inner`. */
+static void read_table(const struct manifest_value *root, const char *key, const char *inner, struct manifest *m)
+{
+    struct manifest_value table, inner_table;
+
+    if (!value_get_table(root, key, &table))
+        return;
+    read_numbers(&table, inner, m);
+    if (value_get_table(&table, inner, &inner_table))
+        read_numbers(&inner_table, NULL, m);
 }
 
 static void read_sizes(const struct manifest_value *root, struct manifest *m)
 {
-    struct manifest_value table, values;
+    struct manifest_value table;
 
-    read_numbers(root, m);
-    if (value_get_table(root, "board", &table)) {
-        read_numbers(&table, m);
-        if (value_get_table(&table, "values", &values))
-            read_numbers(&values, m);
-    }
+    read_numbers(root, NULL, m);
+    read_table(root, "board", "values", m);
     if (value_get_table(root, "screen", &table))
-        read_numbers(&table, m);
+        read_numbers(&table, NULL, m);
     m->field_w = m->field_h = 0; /* omitted: up to the screen's edge */
-    if (value_get_table(root, "field", &table))
-        read_numbers(&table, m);
+    read_table(root, "field", "view", m);
     if (m->field_w == 0)
-        m->field_w = m->screen_w - m->field_x;
+        m->field_w = (m->screen_w - m->field_x) / m->zoom;
     if (m->field_h == 0)
-        m->field_h = m->screen_h - m->field_y;
+        m->field_h = (m->screen_h - m->field_y) / m->zoom;
+    const int32_t w = m->view_w ? m->view_w : m->field_w, h = m->view_h ? m->view_h : m->field_h;
+    const bool is_whole = w == m->field_w && h == m->field_h;
+    m->view_w = is_whole ? 0 : w;
+    m->view_h = is_whole ? 0 : h;
 }
 
 static void read_extends(const struct manifest_value *root, struct manifest *m)

@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "../../machine/window.h"
 #include "../../player/overlay/canvas.h"
 #include "../../player/picture/png.h"
 #include "reach.h"
@@ -122,11 +123,21 @@ static bool contains(const struct reach *r, uint32_t t, int px, int py)
     return r->sets && t <= r->frames && reach_has(r, t, x, y);
 }
 
+/* Returns the colour that the screen shows for pixel (px, py) of the field; black outside the view. */
+static uint32_t field_colour(const struct reach_map *m, int px, int py)
+{
+    const struct window w = window_of(m->s->simulation.b);
+    const int x = (px - w.left) * w.zoom, y = (py - w.top) * w.zoom;
+
+    if (x < 0 || y < 0 || x >= w.w || y >= w.h)
+        return 0;
+    return m->rgb[m->fb.pix[(w.y + y) * m->fb.pitch + w.x + x]];
+}
+
 /* Returns the tinted colour of pixel (px, py) of the field. */
 static void tint(const struct reach_map *m, uint32_t t, int px, int py, int out[3])
 {
-    const struct manifest *f = &m->cart->manifest;
-    const uint32_t rgb = m->rgb[m->fb.pix[(f->field_y + py) * m->fb.pitch + f->field_x + px]];
+    const uint32_t rgb = field_colour(m, px, py);
     const bool reachable = contains(&m->reachable, t, px, py), useful = reachable && contains(&m->useful, t, px, py);
     const int *colour = useful ? useful_colour : dead_colour;
 
