@@ -2,7 +2,8 @@
 -- every pool near its small capacity. tests/machine/test_uses.c counts them. The art is the test card's.
 return {
   id = "torture", title = "Torture", author = "The Curtain authors", version = 1, entry = "main",
-  screen = { w = 320, h = 240 }, field = { x = 16, y = 8, w = 224, h = 224, margin = 32 },
+  screen = { w = 320, h = 240 },
+  field = { x = 16, y = 8, w = 224, h = 224, margin = 32, view = { w = 160, h = 200 } },
   board = { bullets = 200, shots = 40, enemies = 32, sparks = 96, sprites = 24, motions = 24, tasks = 100, lua_kib = 1024,
             values = { bullet = 2, shot = 1, enemy = 1 }, hp = true, around = true, frozen = true,
             meet = true, items = 48,

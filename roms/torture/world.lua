@@ -597,8 +597,19 @@ local function noises()
   end
 end
 
+local function cameras()
+  for n = 0, forever do
+    camera.follow = n % 5 == 0 and 0 or n % 5 / 4
+    if n % 5 == 0 then camera.x, camera.y = n * 7 % 40, n * 3 % 20 - 2 end
+    camera.limits = n % 7 == 6 and { x = 3, y = 2.5, w = 210.25, h = 216 } or nil
+    bg.layer(1 + n % 4).follow = n % 9 / 4
+    board.note(camera.x + camera.y * camera.w + camera.h + camera.limits.w + bg.layer(2).follow)
+    wait(4)
+  end
+end
+
 local corners = { items, bullets, groups, lasers, shots, volleys, enemies, crowd, bodies, pictures, numbers, tasks, figures,
-  scenery, noises }
+  scenery, noises, cameras }
 
 talk.def("one", { name = "One", voice = "knock", faces = { calm = "letter" } })
 talk.def("two", { name = "Two", side = "right", bank = 1, faces = { calm = "box", other = "steps" } })

@@ -241,6 +241,8 @@ static void write_scene(struct rig_game *g)
         m.has_pierce = m.has_sound = 1;
     m.items = m.lines = m.lasers = m.options = m.bulletml_runners = 192; /* of two bits: one may be flipped */
     m.curve_points = 96 * 64;
+    m.view_w = 120;
+    m.view_h = 160;
     rig_script(g, &m, scene);
     rig_sounds(g);
     rig_document(g, "doc", document);

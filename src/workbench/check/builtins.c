@@ -112,6 +112,8 @@ void builtins_open(struct name_set *s)
         name_set_add(s, NULL, extra_globals[i]);
     for (size_t i = 0; i < COUNT(rom_fields); i++)
         name_set_add(s, "rom", rom_fields[i]);
+    for (int i = 0; i < api_table.things[H_CAMERA]->n; i++)
+        name_set_add(s, "camera", api_table.things[H_CAMERA]->props[i].name);
     for (int i = 0; i < api_count_entries(&api_table); i++)
         add_entry(s, api_get_entry(&api_table, i));
 }

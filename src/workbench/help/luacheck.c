@@ -19,7 +19,7 @@
 static bool is_written(const char *full)
 {
     return !strcmp(full, "hud.banks") || !strcmp(full, "hud.low") || !strcmp(full, "hud.shy") ||
-           !strcmp(full, "hud.graze") || !strcmp(full, "talk.look");
+           !strcmp(full, "hud.graze") || !strcmp(full, "talk.look") || !strncmp(full, "camera.", 7);
 }
 
 /* A table with more fields than the API table has: game.def declares registers. luacheck therefore allows setting
