@@ -38,11 +38,19 @@ void camera_set_y(struct camera *c, fx v, int view_h)
     c->y[0] = clamp_to_limits(v, c->top[0], c->h[0], view_h);
 }
 
+/* Returns the way that the camera goes of a distance. It is rounded away from 0, so that the camera arrives. */
+static fx step_of(int64_t distance, fx share)
+{
+    const int64_t step = distance * share;
+
+    return (fx)((step > 0 ? step + FX_ONE - 1 : step) >> 16);
+}
+
 void camera_follow(struct camera *c, fx x, fx y, int view_w, int view_h)
 {
     const fx to_x = clamp_to_limits((int64_t)x - fx_int(view_w) / 2, c->left[0], c->w[0], view_w);
     const fx to_y = clamp_to_limits((int64_t)y - fx_int(view_h) / 2, c->top[0], c->h[0], view_h);
 
-    c->x[0] += fx_mul(to_x - c->x[0], c->follow[0]);
-    c->y[0] += fx_mul(to_y - c->y[0], c->follow[0]);
+    c->x[0] += step_of(to_x - c->x[0], c->follow[0]);
+    c->y[0] += step_of(to_y - c->y[0], c->follow[0]);
 }

@@ -39,6 +39,8 @@ static const struct {
     SETTING("curve_points", curve_points),
     SETTING("enemies", enemies),
     SETTING("enemy_values", enemy_values),
+    SETTING("field_h", field_h),
+    SETTING("field_w", field_w),
     SETTING("freeze", has_freeze),
     SETTING("hp", has_hp),
     SETTING("items", items),
@@ -53,6 +55,8 @@ static const struct {
     SETTING("shot_values", shot_values),
     SETTING("sound", has_sound),
     SETTING("sprites", sprites),
+    SETTING("view_h", view_h),
+    SETTING("view_w", view_w),
     SETTING("wide_text", has_wide_text),
 };
 

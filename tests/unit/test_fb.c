@@ -143,6 +143,30 @@ TEST(fill_ignores_the_clip)
     expect();
 }
 
+TEST(magnified_in_place)
+{
+    memset(want, 0, sizeof want);
+    for (int k = 0; k < 2000; k++) {
+        const int zoom = 1 + (int)rng_below(&r, 4), dx = (int)rng_below(&r, (uint64_t)zoom),
+                  dy = (int)rng_below(&r, (uint64_t)zoom), x = (int)rng_below(&r, W), y = (int)rng_below(&r, H),
+                  w = (int)rng_below(&r, (uint64_t)(W - x + 1)), h = (int)rng_below(&r, (uint64_t)(H - y + 1));
+        random_clip();
+        fb_magnify(&fb, x, y, w, h, dx, dy, zoom);
+        for (int j = 0; j < h; j++)
+            for (int i = 0; i < w; i++) {
+                uint8_t *got = fb.pix + (y + j) * fb.pitch + x + i;
+                const uint8_t *from = fb.pix + (y + (j + dy) / zoom) * fb.pitch + x + (i + dx) / zoom;
+                assert_int_equal(*got, before[from - mem]);
+            }
+        for (int j = 0; j < h; j++)
+            for (int i = 0; i < w; i++) {
+                uint8_t *got = fb.pix + (y + j) * fb.pitch + x + i;
+                *got = before[got - mem];
+            }
+        expect();
+    }
+}
+
 TEST(rects_and_frames)
 {
     for (int k = 0; k < 3000; k++) {

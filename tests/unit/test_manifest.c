@@ -1,6 +1,7 @@
 /* test_manifest.c - manifest.h: rom.lua as text, each of its errors as a whole line, and the binary form. */
 #include "../test.h"
 #include "../../src/base/bytes.h"
+#include "../../src/base/int.h"
 #include "../../src/rom/manifest.h"
 
 struct result {
@@ -281,7 +282,8 @@ TEST(numbers)
     entry_refused("players = '2'", "players: expected a whole number from 1 to 2, got \"2\"");
     entry_refused("board = 3", "board: expected a table, got 3");
     entry_refused("screen = { w = 100 }", "screen.w: expected a multiple of 8, got 100");
-    entry_refused("field = { x = 9, w = 240 }", "field: 240x320 at 9,0 is not inside the 240x320 screen");
+    entry_refused("field = { x = 9, w = 240 }", "field: 240x320 at 9,0 is not inside the 240x320 screen; to show a part of it, add view = { w = .., "
+                  "h = .. } to field");
     entry_refused("field = { x = 230 }", "field.w: expected a whole number from 16 to 1024, got 10");
 }
 
@@ -484,14 +486,77 @@ TEST(pack)
     assert_true(manifest_unpack(bytes, size, &m, err, sizeof err));
     assert_memory_equal(&m, &r->m, sizeof m);
     assert_false(manifest_unpack(bytes, size - 1, &m, err, sizeof err));
-    assert_string_equal(err, "5251 bytes long, expected 5256");
+    assert_string_equal(err, "5251 bytes long, expected 5268");
     bytes[0] = 5; /* only for games that run documents */
-    assert_false(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));
+    assert_false(manifest_unpack(bytes, size + 4, &m, err, sizeof err));
     assert_string_equal(err, "board.bulletml: 0 is not allowed in a manifest of format 4");
     r->m.bulletml_runners = 300;
+    assert_int_equal(manifest_pack(&r->m, bytes), size + 4);
+    assert_true(manifest_unpack(bytes, size + 4, &m, err, sizeof err));
+    assert_int_equal(m.bulletml_runners, 300);
+    assert_int_equal(m.zoom, 1);
+    memset(bytes + size + 4, 0, 8);
+    bytes_put32(bytes + size + 12, 1);
+    bytes[0] = 6; /* only for games with a view or a zoom */
+    assert_false(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));
+    assert_string_equal(err, "field.view: none is not allowed in a manifest of format 6");
+    r->m.view_w = 100;
+    r->m.view_h = 50;
+    r->m.zoom = 2;
     assert_int_equal(manifest_pack(&r->m, bytes), sizeof bytes);
     assert_true(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));
-    assert_int_equal(m.bulletml_runners, 300);
+    assert_memory_equal(&m, &r->m, sizeof m);
+    bytes_put32(bytes + size + 4, (uint32_t)r->m.field_w); /* the whole field has another form */
+    bytes_put32(bytes + size + 8, (uint32_t)r->m.field_h);
+    bytes_put32(bytes + size + 12, 1);
+    assert_false(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));
+    assert_string_equal(err, "field.view: the whole field is stored as 0x0");
+}
+
+TEST(view)
+{
+    static const struct {
+        const char *entry;
+        int32_t field_w, field_h, view_w, view_h, zoom;
+    } cases[] = {
+        { "field = { w = 480, view = { w = 240 } }", 480, 320, 240, 320, 1 },
+        { "field = { w = 480, h = 400, view = { w = 240, h = 320 } }", 480, 400, 240, 320, 1 },
+        { "field = { w = 240, h = 400, view = { h = 320 } }", 240, 400, 240, 320, 1 },
+        { "field = { w = 240, h = 320, view = { w = 240, h = 320 } }", 240, 320, 0, 0, 1 },
+        { "field = { view = { } }", 240, 320, 0, 0, 1 },
+        { "field = { x = 40, view = { w = 100 } }", 200, 320, 100, 320, 1 },
+        { "screen = { zoom = 2 }", 120, 160, 0, 0, 2 },
+        { "screen = { w = 400, zoom = 3 }, field = { x = 37, y = 2 }", 121, 106, 0, 0, 3 },
+        { "screen = { w = 480, h = 640, zoom = 2 }, field = { w = 300, view = { w = 240 } }", 300, 320, 240, 320, 2 },
+        { "screen = { zoom = 4 }, field = { w = 1024, h = 1024, view = { w = 60, h = 80 } }", 1024, 1024, 60, 80, 4 },
+    };
+
+    for (size_t i = 0; i < COUNT(cases); i++) {
+        char text[200];
+        snprintf(text, sizeof text, "return { id = 'x', %s }", cases[i].entry);
+        const struct manifest *m = &read_good(text)->m;
+        assert_int_equal(m->field_w, cases[i].field_w);
+        assert_int_equal(m->field_h, cases[i].field_h);
+        assert_int_equal(m->view_w, cases[i].view_w);
+        assert_int_equal(m->view_h, cases[i].view_h);
+        assert_int_equal(m->zoom, cases[i].zoom);
+    }
+    entry_refused("field = { w = 300, view = { w = 301 } }", "field.view: 301x320 is larger than the 300x320 field");
+    entry_refused("field = { w = 300, view = { w = 15 } }",
+                  "field.view: expected a width and a height of at least 16 px");
+    entry_refused("field = { w = 300, view = { w = 250 } }",
+                  "field.view: 250x320 at 0,0 is not inside the 240x320 screen");
+    entry_refused("screen = { zoom = 2 }, field = { w = 300, h = 300, view = { w = 121, h = 160 } }",
+                  "field.view: 242x320 at 0,0 is not inside the 240x320 screen");
+    entry_refused("screen = { zoom = 2 }, field = { w = 121 }",
+                  "field: 242x320 at 0,0 is not inside the 240x320 screen; to show a part of it, add view = { w = .., "
+                  "h = .. } to field");
+    entry_refused("screen = { zoom = 0 }", "screen.zoom: expected a whole number from 1 to 4, got 0");
+    entry_refused("screen = { zoom = 1.5 }", "screen.zoom: expected a whole number from 1 to 4, got 1.5");
+    entry_refused("field = { view = 3 }", "field.view: expected a table, got 3");
+    entry_refused("field = { view = { x = 3 } }", "field.view.x: unknown key");
+    entry_refused("field = { vew = { w = 3 } }", "field.vew: unknown key (did you mean \"view\"?)");
+    entry_refused("field = { view = { w = 'a' } }", "field.view.w: expected a whole number from 0 to 1024, got \"a\"");
 }
 
 /* A lump of an older format is shorter by the numbers that came later, which then have their defaults. */
