@@ -74,6 +74,12 @@ block() { # FILE: runs it as its kind says
         run "$game" drive 1800 || return
         for name in $(words 'stage\.def' "$file"); do run "$game" "$name" 900 || return; done
         ;;
+    *.wide) # in a field wider than the screen
+        sed -i 's/^  board = {/  field = { w = 480, view = { w = 240 } },\n&/' "$game/rom.lua"
+        cp "$file" "$game/try.lua"
+        cp "$pages/drive.lua" "$game/main.lua"
+        run "$game" drive 600
+        ;;
     *.main)
         cp "$file" "$game/main.lua"
         run "$game" "" 300

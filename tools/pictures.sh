@@ -14,6 +14,8 @@ python3 tools/pictures.py 2 docs/images/testcard.png "$at"/card/*.png
 python3 tools/pictures.py 2 docs/images/items.png "$at"/items/*.png
 "$curtain" render examples/sandbox --stage scenes --invincible --frames 100,260,420 -o "$at/scenes"
 python3 tools/pictures.py 2 docs/images/backgrounds.png "$at"/scenes/*.png
+"$curtain" render examples/canyon --demo examples/canyon/demos/run.demo --frames 400,800,1400 -o "$at/canyon"
+python3 tools/pictures.py 1 docs/images/canyon.png "$at"/canyon/*.png
 "$curtain" render examples/sandbox --stage lasers --invincible --frames 75,150,330 -o "$at/lasers"
 python3 tools/pictures.py 1 docs/images/lasers.png "$at"/lasers/*.png
 

@@ -4,7 +4,8 @@
     snippets.py PAGE OUT        writes OUT/LINE.KIND (and OUT/LINE.says) for every block; LINE is where it starts
     snippets.py --cover PAGE... reads `curtain help lua` on stdin; fails when an entry is in no Lua block of the pages
 
-KIND is what follows the three backquotes: lua (a script), lua task (the body of a task), lua main (main.lua), lua rom
+KIND is what follows the three backquotes: lua (a script), lua task (the body of a task), lua wide (a
+script for a field wider than the screen), lua main (main.lua), lua rom
 (rom.lua), lua = PATH (the text of a file of the repository), mml (a piece of music), sh (commands), none (plain text).
 Of these the next block is what is said: mml error (a piece that is refused), lua error (the body of a task that
 faults), lua main error (a main.lua that faults where rom.lua gives no room), lua rom error (a rom.lua that is refused),

@@ -63,6 +63,9 @@ price() { # NAME
         printf "%s%.0f units of work per frame on average, %.0f at most\n", s, $6 - book, $7 - book }' $table | comma
 }
 
+# The part of canyon's main.lua under the heading NAME.
+part() { sed -n "/^-- ---- $1/,/^-- ---- /p" examples/canyon/main.lua | sed '1,2d; $d' | sed '$d'; }
+
 page() {
     cat <<END
 # The cookbook
@@ -96,6 +99,22 @@ END
         code "$name"
         printf '```\n\n[%s.lua](../roms/cookbook/recipes/%s.lua): %s.\n' "$name" "$name" "$(price "$name")"
     done
+    cat <<END
+
+## A larger field
+
+### A field wider than the screen
+
+The canyon is twice as wide as the screen, and the camera follows the ship. The sea and the clouds are further away than the cliffs, so they move less. This needs \`field = { w = 480, h = 320, view = { w = 240 } }\` in rom.lua, so it is [a game](../examples/canyon/rom.lua) and not a page of the book.
+
+<img src="images/canyon.png" width="728" alt="A field wider than the screen at three moments">
+
+\`\`\`lua
+$(part 'the camera')
+\`\`\`
+
+[main.lua](../examples/canyon/main.lua), and [the guide](guide/12-screen.md#a-field-wider-than-the-screen).
+END
 }
 
 case ${1-} in
