@@ -13,10 +13,9 @@ end
 
 -- The part of the field that is seen below the panel, and what a page's show can do there. Positions are in the field.
 local function new_area(row, foot, ship)
-  local area, right, bottom = {}, nil, nil
-  area.x, area.y = sys.to_field(rom.view.x, row * 8)
-  right, bottom = sys.to_field(rom.view.x + rom.view.w, foot * 8)
-  area.w, area.h = right - area.x, bottom - area.y
+  local left, top = sys.to_field(rom.view.x, row * 8)
+  local right, bottom = sys.to_field(rom.view.x + rom.view.w, foot * 8)
+  local area = { x = left, y = top, w = right - left, h = bottom - top }
   function area.ship(kind, x, y)
     preview.ship(1, kind or ship, x or area.x + area.w // 2, y or area.y + area.h * 2 // 3)
     return player.get(1)

@@ -16,7 +16,23 @@ struct inspect_area inspect_field(const struct board *b)
 {
     const struct window w = window_of(b);
 
-    return (struct inspect_area){ w.x, w.y, w.w, w.h };
+    return (struct inspect_area){ .x = w.x,
+                                  .y = w.y,
+                                  .w = w.w,
+                                  .h = w.h,
+                                  .left = w.left,
+                                  .top = w.top,
+                                  .zoom = w.zoom,
+                                  .field_w = b->cart.manifest.field_w,
+                                  .field_h = b->cart.manifest.field_h };
+}
+
+void inspect_to_field(const struct board *b, int32_t *x, int32_t *y)
+{
+    const struct window w = window_of(b);
+
+    *x = window_field_x(&w, *x);
+    *y = window_field_y(&w, *y);
 }
 
 struct inspect_controls inspect_player_controls(const struct board *b, int player)
@@ -538,13 +554,13 @@ static void describe_player(const struct board *b, struct inspect_entity *out)
 bool inspect_entity_at(const struct board *b, int x, int y, int radius, struct inspect_entity *out)
 {
     struct search s = { .x = x * 65536 + 32768, .y = y * 65536 + 32768, .radius = radius * 65536 };
-    const struct window w = window_of(b);
 
     *out = (struct inspect_entity){ 0 };
     inspect_bodies(b, update_best_fit, &s);
     out->body = s.found;
-    out->x = window_field_x(&w, s.found.x);
-    out->y = window_field_y(&w, s.found.y);
+    out->x = s.found.x;
+    out->y = s.found.y;
+    inspect_to_field(b, &out->x, &out->y);
     if (s.found.kind == INSPECT_ENEMY)
         describe_enemy(b, out);
     else if (s.found.kind == INSPECT_PLAYER)

@@ -82,11 +82,16 @@ struct inspect_pause inspect_pause(const struct board *b);
  * is unspecified, and code points may repeat. FIX_UNKNOWN (fix.h) stands for a character that its cell cannot store. */
 void inspect_codes(const struct board *b, void (*visit)(void *context, uint32_t code), void *context);
 
-/* The rectangle of the screen that shows the field or a part of it, px. */
+/* The rectangle of the screen that shows the field or a part of it, and what it shows. */
 struct inspect_area {
-    int x, y, w, h;
+    int x, y, w, h;       /* px of the screen */
+    int left, top, zoom;  /* the field's pixel in its top left corner; px of the screen per px of the field */
+    int field_w, field_h; /* px of the field */
 };
 struct inspect_area inspect_field(const struct board *b);
+
+/* Changes a position on the screen, Q15.16 px, to the position in the field that is shown there. */
+void inspect_to_field(const struct board *b, int32_t *x, int32_t *y);
 
 /* How full a part is, in slots. inspect_gauges describes all parts and returns their number. */
 struct inspect_gauge {

@@ -7,11 +7,26 @@
 #include "../base/trig.h"
 
 static const struct column columns[] = {
-    COLUMN(bg, map),         COLUMN(bg, flags),      COLUMN(bg, bank),         COLUMN(bg, x),
-    COLUMN(bg, y),           COLUMN(bg, vx),         COLUMN(bg, vy),           COLUMN(bg, wave_amplitude),
-    COLUMN(bg, wave_period), COLUMN(bg, wave_speed), COLUMN(bg, phase),        COLUMN(bg, n_lines),
-    COLUMN(bg, horizon),     COLUMN(bg, height),     COLUMN(bg, dir),          COLUMN(bg, fog),
-    COLUMN(bg, fog_end),     COLUMN(bg, shown_id),   COLUMN(bg, fade_elapsed), COLUMN(bg, fade_length),
+    COLUMN(bg, map),
+    COLUMN(bg, flags),
+    COLUMN(bg, bank),
+    COLUMN(bg, x),
+    COLUMN(bg, y),
+    COLUMN(bg, vx),
+    COLUMN(bg, vy),
+    COLUMN(bg, wave_amplitude),
+    COLUMN(bg, wave_period),
+    COLUMN(bg, wave_speed),
+    COLUMN(bg, phase),
+    COLUMN(bg, n_lines),
+    COLUMN(bg, horizon),
+    COLUMN(bg, height),
+    COLUMN(bg, dir),
+    COLUMN(bg, fog),
+    COLUMN(bg, fog_end),
+    COLUMN(bg, shown_id),
+    COLUMN(bg, fade_elapsed),
+    COLUMN(bg, fade_length),
     GROUP_COLUMN(bg, follow, BG_GROUP_CAMERA),
 };
 static const struct column line_columns[] = { COLUMN(bg_lines, offset) };

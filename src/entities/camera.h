@@ -11,9 +11,9 @@
 /* A list of one entry; empty if the view shows the whole field. */
 struct camera {
     struct slots s;
-    fx *x, *y;                 /* px of the field: the view's top left corner */
-    fx *follow;                /* share, 0 to 1, of the way to the players that the camera moves each frame */
-    fx *left, *top, *w, *h;    /* px of the field: the limits, which the view does not leave while it follows */
+    fx *x, *y;              /* px of the field: the view's top left corner */
+    fx *follow;             /* share, 0 to 1, of the way to the players that the camera moves each frame */
+    fx *left, *top, *w, *h; /* px of the field: the limits, which the view does not leave while it follows */
 };
 
 extern const struct chip camera_chip;

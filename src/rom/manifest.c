@@ -173,8 +173,8 @@ static bool check_view(const struct manifest *m, char *err, size_t err_size)
         return err_set(err, err_size, "field.view: the whole field is stored as 0x0");
     if (m->field_x + w > m->screen_w || m->field_y + h > m->screen_h)
         return err_set(err, err_size,
-                       "%s: %" PRId32 "x%" PRId32 " at %" PRId32 ",%" PRId32 " is not inside the %" PRId32
-                       "x%" PRId32 " screen%s",
+                       "%s: %" PRId32 "x%" PRId32 " at %" PRId32 ",%" PRId32 " is not inside the %" PRId32 "x%" PRId32
+                       " screen%s",
                        name, w, h, m->field_x, m->field_y, m->screen_w, m->screen_h,
                        m->view_w ? "" : "; to show a part of it, add view = { w = .., h = .. } to field");
     return true;

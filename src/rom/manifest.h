@@ -41,8 +41,8 @@ struct manifest {
     int32_t version;
     int32_t screen_w, screen_h;                 /* px; the width is a multiple of 8 */
     int32_t field_x, field_y, field_w, field_h; /* px; the part that is shown is inside the screen */
-    int32_t view_w, view_h; /* px of the field that are shown; both 0: the whole field */
-    int32_t zoom;           /* px of the screen per px of the field */
+    int32_t view_w, view_h;                     /* px of the field that are shown; both 0: the whole field */
+    int32_t zoom;                               /* px of the screen per px of the field */
     int32_t margin; /* px between the field and the keep box, on each side; entities outside the keep box despawn */
     int32_t bullets, shots, enemies, sparks, sprites, motions, tasks; /* capacities; 0: the chip is absent */
     int32_t bullet_values, shot_values, enemy_values;                 /* number of values that each entity has */

@@ -960,6 +960,8 @@ static int setup(void **state)
     m.curve_points = 512;
     m.options = 12;
     m.bulletml_runners = 24;
+    m.view_w = 120;
+    m.view_h = 200;
     snprintf(script, sizeof script, "%s%s%s", rays, world, things);
     rig_with_sys(&g, &m, script); /* the fuzz calls sys too */
     rig_blends(&g);

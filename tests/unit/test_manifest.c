@@ -282,7 +282,8 @@ TEST(numbers)
     entry_refused("players = '2'", "players: expected a whole number from 1 to 2, got \"2\"");
     entry_refused("board = 3", "board: expected a table, got 3");
     entry_refused("screen = { w = 100 }", "screen.w: expected a multiple of 8, got 100");
-    entry_refused("field = { x = 9, w = 240 }", "field: 240x320 at 9,0 is not inside the 240x320 screen; to show a part of it, add view = { w = .., "
+    entry_refused("field = { x = 9, w = 240 }",
+                  "field: 240x320 at 9,0 is not inside the 240x320 screen; to show a part of it, add view = { w = .., "
                   "h = .. } to field");
     entry_refused("field = { x = 230 }", "field.w: expected a whole number from 16 to 1024, got 10");
 }

@@ -95,6 +95,5 @@ bool api_suggest_calls(const struct api_table *t, const char *name, char *out, s
 
 bool api_can_die(enum handle_kind kind)
 {
-    return !handle_kind_is_group(kind) && kind != H_MOTION && kind != H_LAYER && kind != H_PLANE &&
-           kind != H_CAMERA;
+    return !handle_kind_is_group(kind) && kind != H_MOTION && kind != H_LAYER && kind != H_PLANE && kind != H_CAMERA;
 }

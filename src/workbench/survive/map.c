@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../machine/window.h"
+#include "../../board/inspect.h"
 #include "../../player/overlay/canvas.h"
 #include "../../player/picture/png.h"
 #include "reach.h"
@@ -126,7 +126,7 @@ static bool contains(const struct reach *r, uint32_t t, int px, int py)
 /* Returns the colour that the screen shows for pixel (px, py) of the field; black outside the view. */
 static uint32_t field_colour(const struct reach_map *m, int px, int py)
 {
-    const struct window w = window_of(m->s->simulation.b);
+    const struct inspect_area w = inspect_field(m->s->simulation.b);
     const int x = (px - w.left) * w.zoom, y = (py - w.top) * w.zoom;
 
     if (x < 0 || y < 0 || x >= w.w || y >= w.h)

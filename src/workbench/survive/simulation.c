@@ -9,7 +9,6 @@
 #include "../../common/array.h"
 #include "../../common/result.h"
 #include "../../board/inspect.h"
-#include "../../machine/window.h"
 #include "../../entities/player.h"
 #include "../../demo/demo.h"
 
@@ -75,14 +74,15 @@ static struct forecast_frame *next_frame(struct forecast *f)
 struct enemy_finder {
     int32_t x, y, away;
     const struct danger_ship *ship;
-    struct window window;
+    const struct board *board;
     int field_w; /* px */
 };
 
 static void consider_enemy(void *context, const struct inspect_body *body)
 {
     struct enemy_finder *enemy_finder = context;
-    const fx x = window_field_x(&enemy_finder->window, body->x), y = window_field_y(&enemy_finder->window, body->y);
+    int32_t x = body->x, y = body->y;
+    inspect_to_field(enemy_finder->board, &x, &y);
     const int32_t away = fx_abs(x - enemy_finder->ship->path.x);
 
     if (body->kind != INSPECT_ENEMY || y < 0 || y > enemy_finder->ship->path.y || x < 0 ||
@@ -108,10 +108,9 @@ static void record_frame(struct simulation *t)
     hash_add(&frame->checksum, (uint64_t)(uint32_t)frame->ship.speed << 32 | (uint32_t)frame->ship.focused_speed);
     hash_add(&frame->checksum, (uint64_t)(uint32_t)frame->ship.path.radius);
     danger_visit_shapes(t->b, add_danger, f);
-    struct enemy_finder enemy_finder = { .away = FX_MAX,
-                                         .ship = &frame->ship,
-                                         .window = window_of(t->b),
-                                         .field_w = t->b->cart.manifest.field_w };
+    struct enemy_finder enemy_finder = {
+        .away = FX_MAX, .ship = &frame->ship, .board = t->b, .field_w = inspect_field(t->b).field_w
+    };
     enemy_finder.x = enemy_finder.field_w * (FX_ONE / 2);
     inspect_bodies(t->b, consider_enemy, &enemy_finder);
     frame->enemy_x = enemy_finder.x;
