@@ -49,8 +49,8 @@ void fb_outline(struct fb *fb, int x, int y, int w, int h, uint8_t c);
 /* Draws a plate: a rectangle with rounded corners and a rim of one pixel, one pixel inside its edge. */
 void fb_plate(struct fb *fb, int x, int y, int w, int h, uint8_t inside, uint8_t rim);
 
-/* Magnifies a part of the picture in place, ignoring the clip: pixel (x + i, y + j) of the rectangle (x, y, w, h), which
- * must be inside the picture, becomes pixel (x + (i + dx) / zoom, y + (j + dy) / zoom). 0 <= dx, dy < zoom. */
+/* Magnifies a part of the picture in place, ignoring the clip: pixel (x + i, y + j) of the rectangle (x, y, w, h),
+ * which must be inside the picture, becomes pixel (x + (i + dx) / zoom, y + (j + dy) / zoom). 0 <= dx, dy < zoom. */
 void fb_magnify(struct fb *fb, int x, int y, int w, int h, int dx, int dy, int zoom);
 
 /* Draws a line, both ends included. Clipping hides pixels but moves none. After i of n steps along the longer axis, the

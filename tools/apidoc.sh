@@ -29,7 +29,11 @@ while IFS= read -r entry; do
     space=${name%%[.:]*}
     if [ "$space" != "$section" ]; then
         section=$space
-        heading "$space"
+        if [ "$space" = "$name" ]; then # a value: its properties are below, with its meaning
+            printf '\n## %s\n' "$space"
+        else
+            heading "$space"
+        fi
     fi
     printf '\n### %s\n\n```\n' "$name"
     "$curtain" help lua "$name"

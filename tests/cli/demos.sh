@@ -12,8 +12,8 @@
 program=$OUT/curtain-null
 core=$("$program" version | sed -n 's/^curtain .*(core \([0-9]*\),.*/\1/p')
 
-# The ROM a demo is played on: of roms/NAME/demos/X.demo (and examples) the folder, of tests/demos/NAME/X.demo that of roms, of
-# tests/demos/NAME-X.demo the ROM.
+# The ROM a demo is played on: of roms/NAME/demos/X.demo and examples/NAME/demos/X.demo the folder, of
+# tests/demos/NAME/X.demo that of roms, of tests/demos/NAME-X.demo the ROM.
 rom_of() {
     case $1 in
     roms/* | examples/*) echo "${1%/demos/*}" ;;
@@ -21,7 +21,10 @@ rom_of() {
     *) sed 's/-[^-]*\.demo$/.rom/' <<<"$1" ;;
     esac
 }
-demos() { tree 'roms/*/demos/*.demo' 'examples/*/demos/*.demo' 'tests/demos/*.demo' | grep -v '^tests/demos/phases/' | sort; }
+demos() {
+    tree 'roms/*/demos/*.demo' 'examples/*/demos/*.demo' 'tests/demos/*.demo' |
+        grep -v '^tests/demos/phases/' | sort
+}
 field() { python3 tests/cli/demo_read.py "$2" | sed -n "s/^$1 //p"; }
 frames_of() { field end "$1" | cut -d' ' -f1; }
 # The hash after a demo's last frame.

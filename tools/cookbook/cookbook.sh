@@ -105,7 +105,9 @@ END
 
 ### A field wider than the screen
 
-The canyon is twice as wide as the screen, and the camera follows the ship. The sea and the clouds are further away than the cliffs, so they move less. This needs \`field = { w = 480, h = 320, view = { w = 240 } }\` in rom.lua, so it is [a game](../examples/canyon/rom.lua) and not a page of the book.
+The canyon is twice as wide as the screen, and the camera follows the ship. The sea and the clouds are further away than
+the cliffs, so they move less. This needs \`field = { w = 480, h = 320, view = { w = 240 } }\` in rom.lua, so it is [a
+game](../examples/canyon/rom.lua) and not a page of the book.
 
 <img src="images/canyon.png" width="728" alt="A field wider than the screen at three moments">
 

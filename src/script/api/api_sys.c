@@ -499,8 +499,8 @@ static int sys_show_whole(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-/* Replaces the number at stack index `at` by (number - a) * factor / divisor + b2. An integer stays one, unless it must be
- * divided. */
+/* Pushes (number - a) * factor / divisor + b2 for the number at stack index `at`. An integer stays one, unless it must
+ * be divided. */
 static void convert(lua_State *L, int at, int a, int factor, int divisor, int b2)
 {
     lua_pushvalue(L, at);
