@@ -33,6 +33,15 @@ check "and nothing is to be said" "$curtain" check moth
 cp moth/art/moth.ase moth/art/draft.aseprite
 refuse "one that is not in use" "art/draft.aseprite: not listed in rom.lua" "$curtain" check moth
 
+# ---- canyon: what tools/canyon.py draws, with the shooter's bullets and ship ----
+
+cp -r "$repo/examples/canyon" canyon
+rm canyon/art/* canyon/maps/*
+cp "$repo"/examples/shooter/art/{bullets,shots,sparks,font,kite}.png canyon/art
+python3 "$repo/tools/canyon.py" canyon
+"$curtain" pack canyon -o drawn.rom && "$curtain" pack "$repo/examples/canyon" -o canyon.rom
+check "its pictures and maps" cmp drawn.rom canyon.rom
+
 # ---- .ase: one sentence for each malformed one ----
 
 mkdir -p spoilt/art
