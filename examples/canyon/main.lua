@@ -155,4 +155,11 @@ stage.def("canyon", function()
   wait(90)
 end)
 
+task.go(function() -- the canyon behind the title, where no stage shows it
+  while true do
+    if not game.stage and not bg.layer(1).map then bg.show("canyon", { over = 0 }) end
+    wait(1)
+  end
+end)
+
 boot.run { stages = { "canyon" }, players = { "kite" } }
