@@ -174,18 +174,24 @@ static struct inspect_body laser_body(const struct board *b, uint32_t i, uint32_
     return body;
 }
 
+/* Multiplies a length by the zoom. */
+static void zoom_length(const struct window *w, int32_t *length)
+{
+    *length = fx_sat((int64_t)*length * w->zoom);
+}
+
 static void move_to_screen(const struct window *w, struct inspect_body *body)
 {
     body->x = window_screen_x(w, body->x);
     body->y = window_screen_y(w, body->y);
-    body->a *= w->zoom;
-    body->b *= w->zoom;
-    body->c *= w->zoom;
-    body->graze *= w->zoom;
+    zoom_length(w, &body->a);
+    zoom_length(w, &body->b);
+    zoom_length(w, &body->c);
+    zoom_length(w, &body->graze);
     for (int i = 0; i < body->n; i++) {
         body->circle[i].x = window_screen_x(w, body->circle[i].x);
         body->circle[i].y = window_screen_y(w, body->circle[i].y);
-        body->circle[i].r *= w->zoom;
+        zoom_length(w, &body->circle[i].r);
     }
 }
 

@@ -17,26 +17,26 @@ struct window {
  * floor of their positions; so what moves with the camera does not tremble. */
 struct window window_of(const struct board *b);
 
-/* Returns a position of the field in Q16 px of the screen. */
+/* Return a position of the field in Q16 px of the screen, clamped to the range of fx. */
 static inline int32_t window_screen_x(const struct window *w, fx x)
 {
-    return (x - w->left * FX_ONE) * w->zoom + w->x * FX_ONE;
+    return fx_sat(((int64_t)x - w->left * FX_ONE) * w->zoom + w->x * FX_ONE);
 }
 
 static inline int32_t window_screen_y(const struct window *w, fx y)
 {
-    return (y - w->top * FX_ONE) * w->zoom + w->y * FX_ONE;
+    return fx_sat(((int64_t)y - w->top * FX_ONE) * w->zoom + w->y * FX_ONE);
 }
 
-/* Returns the position in the field, Q16 px, of a position of the screen: the inverse functions. */
+/* Return the position in the field, Q16 px, of a position of the screen: the inverse functions. */
 static inline fx window_field_x(const struct window *w, int32_t x)
 {
-    return (x - w->x * FX_ONE) / w->zoom + w->left * FX_ONE;
+    return (fx)(((int64_t)x - w->x * FX_ONE) / w->zoom) + w->left * FX_ONE;
 }
 
 static inline fx window_field_y(const struct window *w, int32_t y)
 {
-    return (y - w->y * FX_ONE) / w->zoom + w->top * FX_ONE;
+    return (fx)(((int64_t)y - w->y * FX_ONE) / w->zoom) + w->top * FX_ONE;
 }
 
 /* Moves the camera towards the middle of the players in the game, other than ships that play on a page (input_play). If

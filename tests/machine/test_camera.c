@@ -485,6 +485,16 @@ TEST(inspection_shows_the_screen)
         }
     }
     assert_true(found > 20);
+    /* A position that no screen has is clamped. */
+    seen.n = 0;
+    for (uint32_t i = 0; i < large.r.b->bullets.s.top; i++)
+        large.r.b->bullets.x[i] = FX_MAX, large.r.b->bullets.y[i] = FX_MIN;
+    inspect_bodies(large.r.b, add_body, &seen);
+    for (int i = 0; i < seen.n; i++)
+        if (seen.list[i].kind == INSPECT_BULLET) {
+            assert_int_equal(seen.list[i].x, FX_MAX);
+            assert_int_equal(seen.list[i].y, FX_MIN);
+        }
     const struct inspect_area area = inspect_field(large.r.b);
     assert_true(area.x == 9 && area.y == 5 && area.w == 2 * VIEW_W && area.h == 2 * VIEW_H);
     close_scene(&whole);
