@@ -3,7 +3,7 @@ return {
   id = "sandbox", title = "Sandbox", author = "The Curtain authors",
   board = { values = { bullet = 4, shot = 4, enemy = 4 }, hp = true, around = true, frozen = true,
             meet = true, items = 256, lines = 32, wide = true,
-            lasers = 64, curve_points = 4096, options = 16, bodies = true, pierce = true,
+            lasers = 64, curve_points = 4096, options = 16, bodies = true, pierce = true, transforms = true,
             bulletml = 512 }, -- for the guide's examples
   sounds = { boom = { mml = "t200 @noise E0,250,0,30 o4 v15 c2" }, drum = { file = "sfx/drum.wav" },
               shot = { mml = "t240 @pulse E0,20,0,5 o6 v9 {c<c}32", priority = 1, limit = 1 } },
@@ -11,7 +11,7 @@ return {
   palette = "art/palette.png", font = "art/font.png",
   fonts = { slim = { file = "art/font.png", cell = { 8, 8 }, chars =
     " !\"#$%&'()*+,-./0123456789:;<=>?@ABCDEFGHIJKLMNOPQRSTUVWXYZ[\\]^_`abcdefghijklmnopqrstuvwxyz{|}~" } },
-  blends = { glow = "add", ghost = { mix = 50 } },
+  blends = { glow = "add", ghost = { mix = 50 }, alpha = { mix = 50 } },
   sheets = {
     glow    = { file = "art/glow.png",    bank = 0 },
     bullets = { file = "art/bullets.png", bank = 0 },

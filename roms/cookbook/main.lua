@@ -13,7 +13,7 @@ local pages = {
   -- Lasers
   "sweep", "curve_laser", "bolts", "cage", "clock",
   -- Enemies and bosses
-  "formation", "escorts", "revenge", "fortress", "hit_stop", "survive", "two_bosses", "entrance", "talk",
+  "formation", "escorts", "turret", "surfacing", "revenge", "fortress", "hit_stop", "survive", "two_bosses", "entrance", "talk",
   "difficulty",
   -- Players
   "spread_shot", "homing_shot", "pierce", "laser_shot", "charge_shot", "reflect", "shield", "options",

@@ -11,10 +11,11 @@ bullet.def("dot", { sprite = "steps", hit = { circle = 3 } })
 bullet.def("crate", { sprite = "box", hit = { box = { 10, 14 } }, bank = 4, vanish = "ping", order = -3 })
 bullet.def("ghost", { sprite = "letter", hit = "none", graze = false })
 bullet.def("needle", { sprite = "arrow", hit = { capsule = { 14, 2 } }, turns = true, bank = 1 })
-bullet.def("saw", { sprite = "arrow", hit = { circle = 4 }, spin = -7.5, order = 9, clearable = false, vanish = "long" })
+bullet.def("saw", { sprite = "arrow", hit = { circle = 4 }, spin = -7.5, order = 9, clearable = false, vanish = "long", scale = 1.5 })
 
 bullet.def("seed", { sprite = "arrow", hit = { circle = 4 }, turns = true, cloud = "steps" })
-bullet.def("late", { sprite = "steps", hit = { circles = { { -1.5, 0.5, 2.5 }, { 2.5, 0, 1.5 } } }, bank = 6, swept = false })
+bullet.def("late", { sprite = "steps", hit = { circles = { { -1.5, 0.5, 2.5 }, { 2.5, 0, 1.5 } } }, bank = 6, swept = false,
+  scale = 0.75, scale_hit = true })
 
 laser.def("ray", { strip = "steps", width = 6, hit = { share = 0.5 }, head = "arrow", tail = "letter", vanish = "ping" })
 laser.def("bar", { strip = "letter", width = 9, hit = "none", clearable = false, graze = 0, bank = 2 })
@@ -35,7 +36,8 @@ bullet.meet("hard", "b0", { clear = "second",
   on_meet = function(a, b) if a.age % 5 == 0 then b:remove() end end })
 
 shot.def("bolt", { sprite = "box", hit = { box = { 8, 16 } }, damage = 2, turns = true })
-shot.def("ball", { sprite = "steps", hit = { capsule = { 3, 2.5 } }, bank = 5, swept = false, pierce = forever, every = 4 })
+shot.def("ball", { sprite = "steps", hit = { capsule = { 3, 2.5 } }, bank = 5, swept = false, pierce = forever, every = 4,
+  scale = 1.25, scale_hit = true })
 shot.def("wiper", { sprite = "steps", hit = { circle = 2 }, cancels = true, order = 2, pierce = 3 })
 shot.def("flash", { sprite = "letter", hit = "none" })
 

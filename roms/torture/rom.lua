@@ -8,9 +8,9 @@ return {
             values = { bullet = 2, shot = 1, enemy = 1 }, hp = true, around = true, frozen = true,
             meet = true, items = 48,
             lines = 10, wide = true, lasers = 12, curve_points = 128, options = 5, registers = 8, bodies = true,
-            pierce = true },
+            pierce = true, transforms = true },
   fonts = { grid = { file = "art/font.png", cell = { 8, 8 }, chars = " !\"#$%&'()*+,-./0123456789", also = "é" } },
-  blends = { mist = { mix = 40 } },
+  blends = { alpha = { mix = 50 }, mist = { mix = 40 } },
   sounds = {
     hit = { mml = "t200 @noise E0,60,0,10 o6 c8", limit = 1 },
     shot = { mml = "t240 @pulse E0,20,0,5 o6 v9 {c<c}32", priority = 0 },

@@ -48,7 +48,9 @@ option.def("bead", { sprite = "steps", bank = 3, layer = "middle", run = functio
     wait(11)
   end
 end })
-option.def("moon", { sprite = "arrow", layer = "front" })
+option.def("moon", { sprite = "arrow", layer = "front", turns = true, run = function(o)
+  while true do wait(40) board.note(o.dir) o.dir = o.dir + 90 end
+end })
 
 player.def("fast", { sprite = "letter", hit = { circle = 2 }, graze = 18, speed = 5, focus = 2.5, lives = 3, safe = 60,
   registers = { power = { max = 30, drain = 1, every = 50, hold = 30 }, bombs = { start = 1, max = 2, drain = -1, every = 400 } },

@@ -16,11 +16,11 @@ enemy.def("drone", { sprite = "letter", hit = { box = { 14, 14 } }, hp = 6, scor
   blink = 5, pictures = { hurt = "box", cast = "arrow" },
   on_hit = function(e, p, n) if p then score.add(n, p) end e.bank = (e.bank + 1) % 16 end,
   on_death = function(e, p) spark.burst { kind = "long", from = e, n = p and 2 or 1, dir = 90, spread = 60 } end })
-enemy.def("wall", { sprite = "arrow", hit = { capsule = { 16, 4, 30 } }, hp = 100, blocks = true, touch = false,
+enemy.def("wall", { sprite = "arrow", hit = { capsule = { 16, 4, 30 } }, hp = 100, blocks = true, touch = false, turns = true,
   pictures = { cast = "box" } })
-enemy.def("globe", { sprite = "steps", hit = { circles = { { -1.5, 0, 2.5 }, { 1.5, 0.5, 2.5 } } }, hp = 3, score = 40, swept = false, run = brief })
+enemy.def("globe", { sprite = "steps", hit = { circles = { { -1.5, 0, 2.5 }, { 1.5, 0.5, 2.5 } } }, hp = 3, score = 40, swept = false, run = brief, scale_hit = true })
 enemy.def("shade", { sprite = "letter", hit = "none", run = brief })
-enemy.def("pearl", { sprite = "steps", hit = { circle = 3 }, hp = 2, run = brief })
+enemy.def("pearl", { sprite = "steps", hit = { circle = 3 }, hp = 2, run = brief, alpha = 5, scale = 1.5 })
 enemy.def("limb", { sprite = "steps", hit = { circle = 4 }, hp = 5, score = 3, spark = "ping", blocks = true, blink = 3, rate = 0.75,
   drops = { husk = 1 }, parts = { { kind = "shade", dy = 6, share = 0.3 } } })
 enemy.def("crab", { sprite = "letter", hit = { box = { 16, 10 } }, hp = 30, parts = {
@@ -405,7 +405,9 @@ local function pictures()
       s.x, s.y, s.bank = s.x + 1, s.y - 1, (s.bank + 1) % 16
       s.flip_x, s.flip_y, s.hidden = not s.flip_x, s.flip_x, s.hidden == (n % 4 == 0)
       s.sprite = s.sprite == "steps" and "box" or "steps"
+      s.scale, s.dir = 0.25 + n % 31 / 8, s.dir + 30
       board.note(s.flip_y)
+      board.note(s.scale)
       s.layer = s.layer == "over" and "front" or "over"
       if n % 3 == 0 then s:remove() end
     end
@@ -425,12 +427,15 @@ local function pictures()
     end
     enemy.each(nil, function(e)
       if n % 30 == 0 then text.line { follow = e, dx = -4, dy = 9.5, text = n, letter = 3 } end
+      if n % 7 == 0 then e.scale, e.alpha, e.dir = 0.25 + (n + e.age) % 31 / 8, (e.alpha + 5) % 9, e.dir + 45 end
     end)
     if n % 10 == 0 then text.clear { col = 0, row = 28, w = 20, h = 1 } end
     if n % 20 == 0 then palette.set(n % 256, n * 4321 % 0x1000000) end
     if n % 30 == 7 then
-      local e = enemy.spawn { kind = "shade", x = 50, y = 50 }
-      local tied = sprite.put { sprite = "steps", follow = n % 60 == 7 and e or player.nearest(1, 1), dx = n % 9, dy = 3 }
+      local e = enemy.spawn { kind = "shade", x = 50, y = 50, dir = n, scale = 1.5, alpha = n % 9 }
+      local tied = sprite.put { sprite = n % 60 == 7 and "arrow" or "steps", follow = n % 60 == 7 and e or player.nearest(1, 1),
+        dx = n % 9, dy = 3, turns = true, dir = n, scale = 0.75, alpha = n % 9 }
+      tied.alpha = ((tied.alpha or 0) + 1) % 9
       if tied.alive then tied.dx, tied.dy = tied.dx + 1, tied.dy - 1 end
       spark.trail { kind = "ping", follow = e, every = 5 }
       spark.burst { kind = "ping", from = e, n = 6, radius = 9, speed = 1 }

@@ -344,6 +344,10 @@ void board_move_entities(struct board *b)
     if (b->option_plans)
         options_follow(b);
     enemies_move(&b->enemies, &b->keep_box, &we);
+    if (b->cart.manifest.has_transforms) {
+        options_turn(&b->options, &b->option_kinds);
+        enemies_turn(&b->enemies, &b->enemy_kinds);
+    }
     bullets_move(&b->shots, &ws, &b->keep_box, NULL, b->enemies.s.live > 0 || has_solids);
     if (b->ml_roots.s.live)
         bulletml_run(b);
@@ -416,6 +420,27 @@ static void drop_followers(struct board *b)
             slots_drop(&s->s, i);
     }
     slots_trim(&s->s);
+}
+
+/* Turns the sprites with SPRITE_TURNS into the direction in which they moved in this frame, and counts them. */
+static void turn_sprites(struct board *b)
+{
+    struct sprites *s = &b->sprites;
+
+    if (!s->n_turning)
+        return;
+    s->n_turning = 0;
+    EACH_LIVE (i, &s->s) {
+        fx x, y;
+        if (!(s->alpha[i] & SPRITE_TURNS))
+            continue;
+        s->n_turning++;
+        board_get_position(b, board_handle(b, H_SPRITE, (int32_t)i), &x, &y);
+        if (x != s->prev_x[i] || y != s->prev_y[i])
+            s->dir[i] = trig_atan2(fx_sub(y, s->prev_y[i]), fx_sub(x, s->prev_x[i]));
+        s->prev_x[i] = x;
+        s->prev_y[i] = y;
+    }
 }
 
 /* Advances the game's clock. Entities that stood still in this frame's move do not age. */
@@ -521,6 +546,7 @@ static void tick(struct board *b, const uint16_t pads[MAX_PLAYERS])
     report_phase(b, PHASE_EVENTS);
     if (ok) {
         drop_followers(b);
+        turn_sprites(b);
         if (b->lines.s.live)
             drop_lines(b);
         if (b->voices.s.cap)
@@ -681,12 +707,12 @@ struct board_counts board_counts(const struct board *b)
 
 size_t board_scratch_size(const struct board *b)
 {
-    return video_bullets_scratch_size(&b->cart.manifest);
+    return video_scratch_size(&b->cart);
 }
 
 size_t board_cart_scratch_size(const struct cart *cart)
 {
-    return video_bullets_scratch_size(&cart->manifest);
+    return video_scratch_size(cart);
 }
 
 uint64_t board_draw(const struct board *b, const struct view *view, struct fb *fb, uint32_t rgb[256], void *scratch)

@@ -127,7 +127,7 @@ static struct inspect_body enemy_body(const struct board *b, uint32_t i)
 
     struct body shapes[SHAPE_MAX_CIRCLES];
 
-    set_shape(&body, k->shape[e->kind[i]], shapes, hit_split_enemy(b, i, shapes));
+    set_shape(&body, k->shape[e->kind[i]] & (uint8_t)~SHAPE_SCALED, shapes, hit_split_enemy(b, i, shapes));
     body.is_dimmed = !(k->flags[e->kind[i]] & ENEMY_TOUCH) || e->flags[i] & ENEMY_DYING;
     return body;
 }
@@ -249,19 +249,20 @@ bool inspect_ship(const struct board *b, int player, struct inspect_body *out)
 
 static void measure_kind(const struct shape_columns *k, uint32_t i, struct inspect_kind_shape *out)
 {
-    fx a = k->a[i], w = a, h = k->shape[i] == SHAPE_BOX ? k->b[i] : a;
+    const uint8_t shape = k->shape[i] & (uint8_t)~SHAPE_SCALED;
+    fx a = k->a[i], w = a, h = shape == SHAPE_BOX ? k->b[i] : a;
 
-    if (k->shape[i] == SHAPE_CAPSULE) {
+    if (shape == SHAPE_CAPSULE) {
         w = a + k->b[i] + fx_abs(k->x[i]);
         h = a + fx_abs(k->y[i]);
     }
-    *out = (struct inspect_kind_shape){ .shape = inspect_shapes[k->shape[i]], .x0 = -w, .y0 = -h, .x1 = w, .y1 = h };
+    *out = (struct inspect_kind_shape){ .shape = inspect_shapes[shape], .x0 = -w, .y0 = -h, .x1 = w, .y1 = h };
     out->r = a;
-    if (k->shape[i] == SHAPE_CAPSULE) {
+    if (shape == SHAPE_CAPSULE) {
         out->bar_x = k->b[i] + k->x[i];
         out->bar_y = k->y[i];
     }
-    if (k->shape[i] != SHAPE_CIRCLES)
+    if (shape != SHAPE_CIRCLES)
         return;
     out->x0 = out->y0 = FX_MAX;
     out->x1 = out->y1 = FX_MIN;
@@ -294,6 +295,7 @@ static void visit_ship_kinds(const struct board *b, void (*visit)(void *context,
                                                          .y0 = -r,
                                                          .x1 = r,
                                                          .y1 = r,
+                                                         .scale = SCALE_ONE,
                                                          .sprite = cart_name(&b->cart, CART_SPRITES, k->sprite[i]) });
     }
 }
@@ -320,10 +322,25 @@ void inspect_kinds(const struct board *b, void (*visit)(void *context, const str
         const uint16_t *sprite;
         const uint8_t *bank;
         const uint16_t *flags; /* KIND_ flags; NULL: no flags */
+        const uint8_t *scale;  /* NULL: not enabled */
     } types[] = {
-        { "bullet", N_BULLET, { k->shape, k->a, k->b, k->x, k->y }, k->s.live, k->sprite, k->bank, k->flags },
-        { "shot", N_SHOT, { ks->shape, ks->a, ks->b, ks->x, ks->y }, ks->s.live, ks->sprite, ks->bank, ks->flags },
-        { "enemy", N_ENEMY, { ke->shape, ke->a, ke->b, ke->x, ke->y }, ke->s.live, ke->sprite, ke->bank, NULL },
+        { "bullet", N_BULLET, { k->shape, k->a, k->b, k->x, k->y }, k->s.live, k->sprite, k->bank, k->flags, k->scale },
+        { "shot",
+          N_SHOT,
+          { ks->shape, ks->a, ks->b, ks->x, ks->y },
+          ks->s.live,
+          ks->sprite,
+          ks->bank,
+          ks->flags,
+          ks->scale },
+        { "enemy",
+          N_ENEMY,
+          { ke->shape, ke->a, ke->b, ke->x, ke->y },
+          ke->s.live,
+          ke->sprite,
+          ke->bank,
+          NULL,
+          ke->scale },
     };
     struct inspect_kind_shape kind;
 
@@ -337,6 +354,8 @@ void inspect_kinds(const struct board *b, void (*visit)(void *context, const str
             kind.name = name;
             kind.is_rotated = types[type].flags && types[type].flags[i] & KIND_TURNS;
             kind.sprite = cart_name(&b->cart, CART_SPRITES, types[type].sprite[i]);
+            kind.scale =
+                types[type].scale && !(types[type].shapes.shape[i] & SHAPE_SCALED) ? types[type].scale[i] : SCALE_ONE;
             kind.bank = types[type].bank[i] & 15;
             kind.ramp = types[type].flags ? ramp_name(b, types[type].flags[i]) : NULL;
             visit(context, &kind);

@@ -56,6 +56,7 @@ struct inspect_kind_shape {
     int32_t x0, y0, x1, y1; /* bounding box of the hitbox, relative to the entity's position, unrotated */
     bool is_rotated;        /* the sprite rotates; a box hitbox does not rotate with it */
     const char *sprite;
+    int scale; /* of the sprite as it is drawn with this hitbox, in eighths */
     int bank;
     const char *ramp; /* name of the kind's blend if that is a ramp blend; otherwise NULL */
 };

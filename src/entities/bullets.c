@@ -22,6 +22,7 @@ static const struct column kind_columns[] = {
     GROUP_COLUMN(bullet_kinds, spark, GROUP_HP),
     GROUP_COLUMN(bullet_kinds, pierce_hits, GROUP_PIERCE),
     GROUP_COLUMN(bullet_kinds, rehit_interval, GROUP_PIERCE),
+    GROUP_COLUMN(bullet_kinds, scale, GROUP_TRANSFORMS),
     DERIVED_COLUMN(bullet_kinds, live_count, "counts the live bullets of each kind"),
 };
 

@@ -72,6 +72,7 @@ struct bullet_kinds {
     /* Shots only, NULL if the game doesn't enable piercing: hits that don't use the shot up, and frames between two
      * hits on the same target. PIERCE_FOREVER: no limit, and each target is hit only once. */
     int32_t *pierce_hits, *rehit_interval;
+    uint8_t *scale;       /* of the picture, SCALE_MIN to SCALE_MAX; the shape is already scaled; NULL: not enabled */
     uint32_t *live_count; /* number of live bullets whose column `kind` is this row */
 };
 

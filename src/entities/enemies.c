@@ -3,12 +3,23 @@
  */
 #include "enemies.h"
 #include "../base/int.h"
+#include "../base/trig.h"
 
 static const struct column kind_columns[] = {
-    COLUMN(enemy_kinds, sprite), COLUMN(enemy_kinds, shape), COLUMN(enemy_kinds, a),
-    COLUMN(enemy_kinds, b),      COLUMN(enemy_kinds, x),     COLUMN(enemy_kinds, y),
-    COLUMN(enemy_kinds, hp),     COLUMN(enemy_kinds, score), COLUMN(enemy_kinds, bank),
-    COLUMN(enemy_kinds, flags),  COLUMN(enemy_kinds, spark), GROUP_COLUMN(enemy_kinds, rate, GROUP_BODIES),
+    COLUMN(enemy_kinds, sprite),
+    COLUMN(enemy_kinds, shape),
+    COLUMN(enemy_kinds, a),
+    COLUMN(enemy_kinds, b),
+    COLUMN(enemy_kinds, x),
+    COLUMN(enemy_kinds, y),
+    COLUMN(enemy_kinds, hp),
+    COLUMN(enemy_kinds, score),
+    COLUMN(enemy_kinds, bank),
+    COLUMN(enemy_kinds, flags),
+    COLUMN(enemy_kinds, spark),
+    GROUP_COLUMN(enemy_kinds, rate, GROUP_BODIES),
+    GROUP_COLUMN(enemy_kinds, scale, GROUP_TRANSFORMS),
+    GROUP_COLUMN(enemy_kinds, alpha, GROUP_TRANSFORMS),
 };
 
 static const struct column columns[] = {
@@ -62,6 +73,9 @@ static const struct column columns[] = {
     GROUP_COLUMN(enemies, leg_wait, GROUP_BODIES),
     GROUP_COLUMN(enemies, leg_duration, GROUP_BODIES),
     GROUP_DERIVED_COLUMN(enemies, move_begun, GROUP_BODIES, "rewritten by every move"),
+    GROUP_COLUMN(enemies, dir, GROUP_TRANSFORMS),
+    GROUP_COLUMN(enemies, scale, GROUP_TRANSFORMS),
+    GROUP_COLUMN(enemies, alpha, GROUP_TRANSFORMS),
 };
 
 const struct chip enemies_chip = { .name = "enemies", CHIP_COLUMNS(columns) };
@@ -117,6 +131,11 @@ int32_t enemies_spawn(struct enemies *e, const struct enemy_kinds *kinds, uint16
         e->frozen_left[i] = e->freeze_flags[i] = 0;
     if (e->rate)
         init_body(e, kinds, (uint32_t)i);
+    if (e->dir) {
+        e->dir[i] = 0;
+        e->scale[i] = kinds->scale[kind];
+        e->alpha[i] = kinds->alpha[kind];
+    }
     return i;
 }
 
@@ -471,6 +490,15 @@ void enemies_ensure_moved(struct enemies *e, uint32_t i, struct enemies_world *w
 static bool is_inside(const struct enemies *e, uint32_t i, const struct box *keep_box)
 {
     return e->x[i] >= keep_box->x0 && e->x[i] <= keep_box->x1 && e->y[i] >= keep_box->y0 && e->y[i] <= keep_box->y1;
+}
+
+void enemies_turn(struct enemies *e, const struct enemy_kinds *kinds)
+{
+    EACH_LIVE (i, &e->s) {
+        const fx dx = e->x[i] - e->prev_x[i], dy = e->y[i] - e->prev_y[i];
+        if (kinds->flags[e->kind[i]] & ENEMY_TURNS && (dx || dy))
+            e->dir[i] = trig_atan2(dy, dx);
+    }
 }
 
 void enemies_move(struct enemies *e, const struct box *keep_box, struct enemies_world *w)

@@ -16,6 +16,7 @@ enum {
     ENEMY_BLOCKS_BULLETS = 1 << 4, /* kinds: the enemy removes bullets that touch it */
     ENEMY_HURT_PICTURE = 1 << 5,   /* kinds: picture 1 replaces picture 0 while the enemy blinks */
     ENEMY_RIM_BLINK = 1 << 6,      /* kinds: only a rim around the sprite blinks white */
+    ENEMY_TURNS = 1 << 7,          /* kinds: `dir` follows the enemy's moves */
 
     ENEMY_UNDYING = 1 << 0, /* enemies: waits at hp 0 instead of dying (a boss between phases) */
     ENEMY_DYING = 1 << 1,   /* enemies: died; despawns after its handlers have run */
@@ -55,8 +56,9 @@ struct enemy_kinds {
     int64_t *score;
     uint8_t *bank; /* ENEMY_BANK and ENEMY_BLINK */
     uint8_t *flags;
-    uint16_t *spark; /* kind + 1, 0: none */
-    int32_t *rate;   /* factor of the damage taken, ENEMY_RATE_ONE: 1; NULL: not enabled */
+    uint16_t *spark;        /* kind + 1, 0: none */
+    int32_t *rate;          /* factor of the damage taken, ENEMY_RATE_ONE: 1; NULL: not enabled */
+    uint8_t *scale, *alpha; /* initial `scale` and `alpha`; NULL: not enabled */
 };
 
 struct enemies {
@@ -101,6 +103,9 @@ struct enemies {
     uint32_t *leg_interval, *leg_wait,
         *leg_duration;   /* wanderers: frames between the starts of two legs; until the next start; per leg */
     uint8_t *move_begun; /* 1: the enemy's move of this frame is done or in progress */
+
+    ang *dir;               /* the picture's direction; this and the next two: NULL if not enabled */
+    uint8_t *scale, *alpha; /* SCALE_MIN to SCALE_MAX; 0 to ALPHA_OPAQUE */
 };
 
 /* The board's callbacks for the moves of bodies. get_position sets (*x, *y) to the position of an entity, for an enemy
@@ -208,6 +213,10 @@ void enemies_step_timers(struct enemies *e);
  * dying enemies. w may be NULL if bodies are not enabled. Enemies move in slot order, except that a part moves after
  * its body, and an orbiting enemy after the enemy at its centre, unless the two wait for each other. */
 void enemies_move(struct enemies *e, const struct box *keep_box, struct enemies_world *w);
+
+/* Turns the enemies of kinds with ENEMY_TURNS into the direction of the last move, unless they stood still. Requires
+ * GROUP_TRANSFORMS. */
+void enemies_turn(struct enemies *e, const struct enemy_kinds *kinds);
 
 /* Makes enemy i's move of this frame, unless that move is done or in progress. */
 void enemies_ensure_moved(struct enemies *e, uint32_t i, struct enemies_world *w);

@@ -40,6 +40,7 @@ enum {
     SHAPE_CAPSULE = 4,    /* all points at most a from a line: from (x, y) to (-x, -y); for bullets: along dir, from -b
                         * to b */
     SHAPE_CIRCLES = 8,    /* a circle of radius a at (x, y), and b more circles in the rows from ROW_CIRCLES on */
+    SHAPE_SCALED = 16,    /* enemies: a flag of any shape but SHAPE_NONE: each enemy's `scale` applies to its lengths */
     SHAPE_MAX_SIMPLE = 3, /* shapes without a capsule or circles, ORed together, are at most this */
     SHAPE_MAX_CIRCLES = 4 /* most circles of a shape */
 };
@@ -65,10 +66,20 @@ enum {
     GROUP_ORBIT,
     GROUP_FROZEN,
     GROUP_MEET,
-    GROUP_ITEMS,  /* players: attraction of items */
-    GROUP_BODIES, /* enemies: parts, rates, orbits */
-    GROUP_PIERCE  /* shots: piercing */
+    GROUP_ITEMS,     /* players: attraction of items */
+    GROUP_BODIES,    /* enemies: parts, rates, orbits */
+    GROUP_PIERCE,    /* shots: piercing */
+    GROUP_TRANSFORMS /* pictures that turn, are scaled or are translucent */
 };
+
+/* How a picture is drawn (GROUP_TRANSFORMS): scale and alpha are in eighths. */
+enum { SCALE_ONE = 8, SCALE_MIN = 2, SCALE_MAX = 32, ALPHA_OPAQUE = 8 };
+
+/* Returns a length of a hit shape times scale / SCALE_ONE, rounded to the nearest fx, ties to even. */
+static inline fx motion_scale_length(fx length, int32_t scale)
+{
+    return fx_mul(length, scale * (FX_ONE / SCALE_ONE));
+}
 
 /* The columns of frozen entities: `frozen_left`, frames left or FROZEN_FOREVER; `freeze_flags`, with these flags. */
 enum {

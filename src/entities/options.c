@@ -19,6 +19,7 @@ static const struct column columns[] = {
     COLUMNS(options, offset, 2),
     COLUMNS(options, target_offset, 2),
     COLUMN(options, frames_left),
+    GROUP_COLUMN(options, dir, GROUP_TRANSFORMS),
 };
 static const struct column kind_columns[] = {
     COLUMN(option_kinds, sprite),
@@ -62,6 +63,8 @@ int32_t options_add(struct options *o, const struct option_kinds *kinds, uint16_
     o->born[i] = clock;
     o->offset[2 * i] = o->offset[2 * i + 1] = o->target_offset[2 * i] = o->target_offset[2 * i + 1] = 0;
     o->frames_left[i] = 0;
+    if (o->dir)
+        o->dir[i] = 0;
     return i;
 }
 
@@ -157,5 +160,14 @@ void options_move(struct options *o, struct option_paths *paths, uint32_t p, con
             move_orbit(o, i, ship, paths->phase[p]);
         else
             move_trail(o, i, ship, paths);
+    }
+}
+
+void options_turn(struct options *o, const struct option_kinds *kinds)
+{
+    EACH_LIVE (i, &o->s) {
+        const fx dx = fx_sub(o->x[i], o->prev_x[i]), dy = fx_sub(o->y[i], o->prev_y[i]);
+        if (kinds->layer[o->kind[i]] & OPTION_TURNS && (dx || dy))
+            o->dir[i] = trig_atan2(dy, dx);
     }
 }

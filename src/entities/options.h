@@ -15,7 +15,10 @@ enum {
     OPTION_MAX_LEVELS = 16,
     OPTION_PATH_LENGTH = 256, /* positions stored per ship; a power of two */
 
-    OPTION_HIDDEN = 1 << 0
+    OPTION_HIDDEN = 1 << 0,
+
+    OPTION_LAYER = 7,     /* in the kinds' column `layer`: the sprite layer */
+    OPTION_TURNS = 1 << 3 /* in the kinds' column `layer`: `dir` follows the option's moves */
 };
 
 enum option_style { OPTION_FIXED, OPTION_TRAIL, OPTION_ORBIT };
@@ -44,7 +47,7 @@ struct option_plan {
 struct option_kinds {
     struct slots s;
     uint16_t *sprite;
-    uint8_t *bank, *layer;
+    uint8_t *bank, *layer; /* layer: OPTION_LAYER and OPTION_TURNS */
 };
 
 struct options {
@@ -59,6 +62,7 @@ struct options {
      * radius and an angle. */
     int32_t *offset, *target_offset; /* 2 per slot */
     uint32_t *frames_left;
+    ang *dir; /* the picture's direction; NULL: not enabled */
 };
 
 /* The paths of the ships: one entry per player. */
@@ -91,5 +95,9 @@ void options_drop_from(struct options *o, uint32_t p, uint32_t index);
 
 /* Moves player p's options by one frame, after the ship has moved. */
 void options_move(struct options *o, struct option_paths *w, uint32_t p, const struct option_ship *ship);
+
+/* Turns the options of kinds with OPTION_TURNS into the direction of the last move, unless they stood still. Requires
+ * GROUP_TRANSFORMS. */
+void options_turn(struct options *o, const struct option_kinds *kinds);
 
 #endif

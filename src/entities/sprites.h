@@ -26,7 +26,10 @@ enum {
                              * the offset from its owner (1), player 1 (2) or player 2 (3) */
     SPRITE_FOLLOW_ONE = 1 << 6,
     FOLLOW_OWNER = 1,
-    FOLLOW_PLAYER = 2 /* + the player's index */
+    FOLLOW_PLAYER = 2, /* + the player's index */
+
+    SPRITE_ALPHA = 15,    /* in the column `alpha`: 0 to ALPHA_OPAQUE (motion.h) */
+    SPRITE_TURNS = 1 << 4 /* in the column `alpha`: `dir` follows the sprite's moves */
 };
 
 struct sprites {
@@ -39,6 +42,13 @@ struct sprites {
     uint32_t *born;       /* clock at spawn; of a plate: its height, px */
     int64_t *owner;       /* entity or scope it despawns with, defined by the board; 0: none */
     uint32_t n_following; /* upper bound for the number of sprites that follow something; 0: none does */
+
+    /* All NULL if not enabled. */
+    ang *dir;            /* the picture's direction */
+    uint8_t *scale;      /* SCALE_MIN to SCALE_MAX (motion.h) */
+    uint8_t *alpha;      /* SPRITE_ALPHA and SPRITE_TURNS */
+    fx *prev_x, *prev_y; /* with SPRITE_TURNS: position at the end of the previous frame, in the field or screen */
+    uint32_t n_turning;  /* upper bound for the number of sprites with SPRITE_TURNS; 0: none turns */
 };
 
 extern const struct chip sprites_chip;

@@ -26,6 +26,11 @@ static const struct chip script_chip = { .name = "script", CHIP_COLUMNS(script_c
 
 enum { MAX_PLAYER_KINDS = 64, MAX_ITEM_KINDS = 256, MAX_OPTION_KINDS = 64 };
 
+static uint32_t transform_group(const struct manifest *m)
+{
+    return m->has_transforms ? SLOTS_GROUP(GROUP_TRANSFORMS) : 0;
+}
+
 /* Returns the column groups of the first n values. */
 static uint32_t value_groups(int32_t n)
 {
@@ -37,19 +42,20 @@ static uint32_t bullet_groups(const struct manifest *m)
 {
     return value_groups(m->bullet_values) | (m->has_hp ? SLOTS_GROUP(GROUP_HP) : 0) |
            (m->has_orbit ? SLOTS_GROUP(GROUP_ORBIT) : 0) | (m->has_freeze ? SLOTS_GROUP(GROUP_FROZEN) : 0) |
-           (m->bullets_can_meet ? SLOTS_GROUP(GROUP_MEET) : 0);
+           (m->bullets_can_meet ? SLOTS_GROUP(GROUP_MEET) : 0) | transform_group(m);
 }
 
 static uint32_t shot_groups(const struct manifest *m)
 {
     return value_groups(m->shot_values) | (m->has_orbit ? SLOTS_GROUP(GROUP_ORBIT) : 0) |
-           (m->has_freeze ? SLOTS_GROUP(GROUP_FROZEN) : 0) | (m->has_pierce ? SLOTS_GROUP(GROUP_PIERCE) : 0);
+           (m->has_freeze ? SLOTS_GROUP(GROUP_FROZEN) : 0) | (m->has_pierce ? SLOTS_GROUP(GROUP_PIERCE) : 0) |
+           transform_group(m);
 }
 
 static uint32_t enemy_groups(const struct manifest *m)
 {
     return value_groups(m->enemy_values) | (m->has_freeze ? SLOTS_GROUP(GROUP_FROZEN) : 0) |
-           (m->has_bodies ? SLOTS_GROUP(GROUP_BODIES) : 0);
+           (m->has_bodies ? SLOTS_GROUP(GROUP_BODIES) : 0) | transform_group(m);
 }
 
 static uint32_t laser_groups(const struct manifest *m)
@@ -75,7 +81,7 @@ static uint32_t laser_groups(const struct manifest *m)
     GROWS(player_kinds_chip, player_kinds, MAX_PLAYER_KINDS, m->items ? SLOTS_GROUP(GROUP_ITEMS) : 0)                  \
     GROWS(motions_chip, motions, m->motions, 0)                                                                        \
     GROWS(steps_chip, steps, MOTION_STEPS_PER_PROGRAM * m->motions, 0)                                                 \
-    PART(sprites_chip, sprites, m->sprites, 0)                                                                         \
+    PART(sprites_chip, sprites, m->sprites, transform_group(m))                                                        \
     PART(fix_chip, fix, m->screen_w / FIX_CELL_SIZE * (m->screen_h / FIX_CELL_SIZE),                                   \
          m->has_wide_text ? SLOTS_GROUP(FIX_GROUP_WIDE) : 0)                                                           \
     PART(pal_chip, pal, COLOURS, 0)                                                                                    \
@@ -95,7 +101,7 @@ static uint32_t laser_groups(const struct manifest *m)
     PART(laser_points_chip, laser_points,                                                                              \
          m->lasers ? (m->curve_points + LASER_CHUNK_POINTS - 1) / LASER_CHUNK_POINTS : 0, 0)                           \
     PART(registers_chip, registers, m->registers, 0)                                                                   \
-    PART(options_chip, options, m->options, 0)                                                                         \
+    PART(options_chip, options, m->options, transform_group(m))                                                        \
     GROWS(option_kinds_chip, option_kinds, m->options ? MAX_OPTION_KINDS : 0, 0)                                       \
     PART(option_paths_chip, option_paths, m->options ? MAX_PLAYERS : 0, 0)                                             \
     PART(seq_chip, music, m->has_sound ? SEQ_SLOTS : 0, 0)                                                             \

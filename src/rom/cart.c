@@ -485,6 +485,17 @@ static bool check_theme(const struct cart *c, char *err, size_t err_size)
     return !find_lump(c->rom, "", THEME_LUMP, "", &l) || theme_check(c, &l, err, err_size);
 }
 
+static void measure_sprites(struct cart *cart)
+{
+    cart->max_sprite_w = cart->max_sprite_h = 0;
+    for (int i = 0; i < cart->count[CART_SPRITES]; i++) {
+        struct sprite s;
+        cart_sprite(cart, i, &s);
+        cart->max_sprite_w = int_max(cart->max_sprite_w, s.w);
+        cart->max_sprite_h = int_max(cart->max_sprite_h, s.h);
+    }
+}
+
 bool cart_open(struct cart *cart, const struct rom *rom, char *err, size_t err_size)
 {
     cart->rom = rom;
@@ -492,6 +503,7 @@ bool cart_open(struct cart *cart, const struct rom *rom, char *err, size_t err_s
         !open_colour_tables(cart, err, err_size) || !open_font(cart, err, err_size))
         return false;
     find_sounds(cart);
+    measure_sprites(cart);
     return check_theme(cart, err, err_size);
 }
 

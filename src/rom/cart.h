@@ -124,6 +124,7 @@ struct cart {
     const struct rom *rom;
     struct manifest manifest;
     int first[CART_FOLDERS], count[CART_FOLDERS]; /* entry i of folder f is lump first[f] + i, 0 <= i < count[f] */
+    int max_sprite_w, max_sprite_h;               /* px: greatest width and height of the sprites' pictures */
     bool has_palette_tables;               /* a palette has its own tables; otherwise all palettes use `main_tables` */
     struct cart_colour_tables main_tables; /* tables of palette/main, and of palettes that have none */
     struct cart_colour_tables

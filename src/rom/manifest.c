@@ -19,9 +19,8 @@
 
 /* The lump's first word is its format. numbers_in_format: how many fields of manifest_numbers each format contains.
  * Core versions up to 4 wrote format 1, core version 5 format 2, core version 6 format 3. The current version writes
- * format 6 for games whose view is not the whole field at its own size, format 5 for other games that run BulletML
- * documents, and format 4 for all others. */
-enum { FORMAT = 6, FORMAT_WITHOUT_VIEW = 5, FORMAT_WITHOUT_BULLETML = 4, FORMAT_1_NUMBERS = 17 };
+ * the lowest format from 4 on that has all the fields that differ from their defaults. */
+enum { FORMAT = 6, LOWEST_FORMAT = 4, FORMAT_1_NUMBERS = 17 };
 static const int numbers_in_format[FORMAT + 1] = { 0, FORMAT_1_NUMBERS, 24, 31, 36, 37, MANIFEST_NUMBERS };
 
 static const int64_t max_extend = (int64_t)1 << 53;
@@ -76,6 +75,7 @@ const struct manifest_number manifest_numbers[MANIFEST_NUMBERS] = {
     NUMBER("field.view.w", view_w, 0, 1024, 0),
     NUMBER("field.view.h", view_h, 0, 1024, 0),
     NUMBER("screen.zoom", zoom, 1, 4, 1),
+    FLAG("board.transforms", has_transforms),
 };
 
 static int32_t *get_number(struct manifest *m, int i)
@@ -359,12 +359,22 @@ static size_t format_size(int format)
     return MANIFEST_BYTES - 4 * (size_t)(MANIFEST_NUMBERS - numbers_in_format[format]);
 }
 
+/* Returns the lowest format that has all the fields that differ from their defaults. */
+static int needed_format(struct manifest *m)
+{
+    int i = MANIFEST_NUMBERS, format = LOWEST_FORMAT;
+
+    while (i > 0 && *get_number(m, i - 1) == manifest_numbers[i - 1].default_value)
+        i--;
+    while (numbers_in_format[format] < i)
+        format++;
+    return format;
+}
+
 uint32_t manifest_pack(const struct manifest *m, uint8_t out[MANIFEST_BYTES])
 {
-    const int format = m->view_w || m->zoom > 1 ? FORMAT
-                       : m->bulletml_runners    ? FORMAT_WITHOUT_VIEW
-                                                : FORMAT_WITHOUT_BULLETML;
     struct manifest copy = *m;
+    const int format = needed_format(&copy);
     struct walk w = { out, NULL, true };
 
     memset(out, 0, MANIFEST_BYTES);
@@ -400,11 +410,8 @@ bool manifest_unpack(const uint8_t *data, size_t size, struct manifest *m, char 
     walk_manifest(&w, m, format);
     if (!w.is_valid)
         return err_set(err, err_size, "unknown format");
-    if (format == FORMAT && !m->view_w && m->zoom == 1)
-        return err_set(err, err_size, "field.view: none is not allowed in a manifest of format %d", FORMAT);
-    if (format == FORMAT_WITHOUT_VIEW && !m->bulletml_runners)
-        return err_set(err, err_size, "board.bulletml: 0 is not allowed in a manifest of format %d",
-                       FORMAT_WITHOUT_BULLETML);
+    if (format > needed_format(m) && format > LOWEST_FORMAT)
+        return err_set(err, err_size, "of format %d, though format %d has all of its fields", format, needed_format(m));
     if (!manifest_check(m, err, err_size))
         return false;
     return unused_dips_zero(m) ? true : err_set(err, err_size, "dip: unused switches are not zero");

@@ -21,7 +21,7 @@ enum {
     NV_DEFAULT_KIB = 32,            /* default nvram_kib */
     NV_MAX_KIB = 1024,              /* maximum nvram_kib */
     MAX_SETTING_NAME = 16,          /* bytes of the name of a DIP, a DIP's value or a difficulty, with its NUL */
-    MANIFEST_BYTES = 5268,          /* maximum size of the lump; equal on all hosts */
+    MANIFEST_BYTES = 5272,          /* maximum size of the lump; equal on all hosts */
     MANIFEST_SCRATCH_SIZE = 8 << 20 /* bytes of scratch memory for manifest_read */
 };
 
@@ -59,6 +59,7 @@ struct manifest {
     int32_t has_pierce;           /* 1: shots can pierce */
     int32_t has_sound;            /* 1: the game has sounds or music */
     int32_t bulletml_runners;     /* capacity for runners of BulletML documents; default 0 */
+    int32_t has_transforms;       /* 1: pictures can turn, be scaled and be translucent */
     int32_t lua_kib;
     int32_t nvram_kib; /* capacity for score tables and saves */
     int32_t players;
@@ -229,7 +230,7 @@ struct manifest_number {
     int32_t lo, hi, default_value;
     bool is_flag; /* written as true or false in rom.lua */
 };
-enum { MANIFEST_NUMBERS = 40 };
+enum { MANIFEST_NUMBERS = 41 };
 extern const struct manifest_number manifest_numbers[MANIFEST_NUMBERS];
 
 /* Sets all fields to their defaults; the id is "game". */

@@ -38,6 +38,7 @@ static inline void open_pools(struct rig *r, struct rig_game *game, int bullets,
     m.shots = shots;
     m.enemies = enemies;
     m.has_hp = hp;
+    m.has_transforms = 1;
     rig_script(game, &m, "");
     rig_power(r, game, NULL);
     rig_reserve_kinds(r->b);
@@ -77,7 +78,8 @@ static inline void draw_pieces(const struct shape_columns *c, uint32_t k, uint32
 static struct {
     long hits, grazes, bullet_misses, box_hits, standing, touches, touch_misses, shots, shot_misses, ties, solids,
         solid_ties;
-    long capsule_hits, capsule_shots, circles_hits, circles_shots, blocks, long_foes, long_touches;
+    long capsule_hits, capsule_shots, circles_hits, circles_shots, blocks, long_foes, long_touches, scaled_foes,
+        scaled_touches;
 } seen;
 
 static wide square(wide v)
@@ -190,17 +192,45 @@ static struct whole flier(const struct bullets *s, const struct bullet_kinds *k,
     return whole_of(t, &shapes, kind, k->flags[kind] & KIND_TURNS, s->dir[i]);
 }
 
+/* A length in eighths, to the nearest whole number; of two as near, the even one. */
+static wide scaled(wide length, int eighths)
+{
+    wide twice = 2 * length * eighths + 8, n = twice / 16 - (twice % 16 < 0);
+
+    return n - (twice % 16 == 0 && n % 2 != 0);
+}
+
+static void scale_whole(struct whole *w, int eighths, wide dx, wide dy)
+{
+    for (int i = 0; i < w->n; i++) {
+        struct thing *p = &w->piece[i];
+        const wide x = p->x, y = p->y;
+        p->a = scaled(p->a, eighths);
+        p->b = scaled(p->b, eighths);
+        p->bar_x = scaled(p->bar_x, eighths);
+        p->bar_y = scaled(p->bar_y, eighths);
+        p->x = dx + scaled(x - dx, eighths);
+        p->y = dy + scaled(y - dy, eighths);
+        p->was_x += p->x - x;
+        p->was_y += p->y - y;
+    }
+}
+
 static struct whole foe(const struct board *b, uint32_t i)
 {
     const struct enemies *e = &b->enemies;
     const struct enemy_kinds *k = &b->enemy_kinds;
     const struct shape_columns shapes = { k->shape, k->a, k->b, k->x, k->y };
     uint16_t kind = e->kind[i];
-    bool bar = k->shape[kind] == SHAPE_CAPSULE;
-    struct thing t = { k->shape[kind], k->a[kind],           k->b[kind],          e->x[i], e->y[i], e->prev_x[i],
-                       e->prev_y[i],   bar ? k->x[kind] : 0, bar ? k->y[kind] : 0 };
+    uint8_t shape = k->shape[kind] & (uint8_t)~SHAPE_SCALED;
+    bool bar = shape == SHAPE_CAPSULE;
+    struct thing t = { shape,        k->a[kind],           k->b[kind],          e->x[i], e->y[i], e->prev_x[i],
+                       e->prev_y[i], bar ? k->x[kind] : 0, bar ? k->y[kind] : 0 };
+    struct whole w = whole_of(t, &shapes, kind, false, 0);
 
-    return whole_of(t, &shapes, kind, false, 0);
+    if (k->shape[kind] & SHAPE_SCALED)
+        scale_whole(&w, e->scale[i], e->x[i], e->y[i]);
+    return w;
 }
 
 static struct whole pilot(const struct board *b, uint32_t p, wide r)
@@ -352,6 +382,7 @@ static inline void player_reference(const struct board *b, uint32_t p)
             expect(b, EV_HIT, H_PLAYER, p, H_ENEMY, e);
             seen.touches++;
             seen.long_touches += b->enemy_kinds.shape[k] > SHAPE_MAX_SIMPLE;
+            seen.scaled_touches += (b->enemy_kinds.shape[k] & SHAPE_SCALED) != 0;
         } else
             seen.touch_misses++;
     }
@@ -426,6 +457,7 @@ static inline void pool_reference(const struct board *b, const struct bullets *p
             seen.capsule_shots += kinds->shape[pool->kind[i]] == SHAPE_CAPSULE;
             seen.circles_shots += kinds->shape[pool->kind[i]] == SHAPE_CIRCLES;
             seen.long_foes += b->enemy_kinds.shape[b->enemies.kind[found]] > SHAPE_MAX_SIMPLE;
+            seen.scaled_foes += (b->enemy_kinds.shape[b->enemies.kind[found]] & SHAPE_SCALED) != 0;
         }
     }
 }

@@ -437,6 +437,9 @@ static void push_value(lua_State *L, const struct api_param *p)
     case A_FX:
         push_ranged(L, p, false);
         break;
+    case A_SCALE:
+        lua_pushnumber(L, (double)(1 + below(34)) / 8);
+        break;
     case A_DIR:
         lua_pushnumber(L, one_in(3) ? (double)(int64_t)rng_next(&rng) : (double)below(72000) / 100 - 360);
         break;
@@ -954,7 +957,8 @@ static int setup(void **state)
     m.dips[0].is_number = true;
     m.dips[0].hi = 9;
     m.lua_kib = 640;
-    m.has_freeze = m.bullets_can_meet = m.has_backgrounds = m.has_bodies = m.has_pierce = m.has_sound = 1;
+    m.has_freeze = m.bullets_can_meet = m.has_backgrounds = m.has_bodies = m.has_pierce = m.has_sound =
+        m.has_transforms = 1;
     m.items = 40;
     m.lasers = 12;
     m.curve_points = 512;

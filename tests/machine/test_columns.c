@@ -238,7 +238,7 @@ static void write_scene(struct rig_game *g)
     m.tasks = m.sprites = m.shots = m.enemies = 128;
     m.bullet_values = m.shot_values = m.enemy_values = MAX_VALUES;
     m.has_hp = m.has_orbit = m.has_freeze = m.bullets_can_meet = m.has_wide_text = m.has_backgrounds = m.has_bodies =
-        m.has_pierce = m.has_sound = 1;
+        m.has_pierce = m.has_sound = m.has_transforms = 1;
     m.items = m.lines = m.lasers = m.options = m.bulletml_runners = 192; /* of two bits: one may be flipped */
     m.curve_points = 96 * 64;
     m.view_w = 120;

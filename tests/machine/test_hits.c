@@ -20,6 +20,18 @@ static fx either_way(fx v)
     return one_in(2) ? v : -v;
 }
 
+/* Lets each enemy's scale apply to half of the shapes, all of which become so small that none is too large then. */
+static void draw_scaled_kinds(struct enemy_kinds *k)
+{
+    for (uint32_t i = 0; i < KINDS; i++) {
+        k->a[i] /= 4;
+        k->b[i] /= k->shape[i] == SHAPE_CIRCLES ? 1 : 4;
+        k->x[i] /= 4;
+        k->y[i] /= 4;
+        k->shape[i] |= k->shape[i] != SHAPE_NONE && one_in(2) ? SHAPE_SCALED : 0;
+    }
+}
+
 static void draw_kinds(struct board *b, fx scale)
 {
     b->bullet_kinds.s.live = b->shot_kinds.s.live = b->enemy_kinds.s.live = KINDS;
@@ -51,6 +63,9 @@ static void draw_kinds(struct board *b, fx scale)
     for (int i = 0; i < 3; i++)
         for (uint32_t k = PIECES; k < KINDS; k += 3)
             draw_pieces(&all[i], k, k + 2, i == 2, length(scale));
+    memset(b->enemy_kinds.scale, SCALE_ONE, KINDS);
+    if (one_in(3))
+        draw_scaled_kinds(&b->enemy_kinds);
     b->player_kinds.s.live = 2;
     for (int k = 0; k < 2; k++) {
         b->player_kinds.radius[k] = length(scale);
@@ -135,6 +150,7 @@ static void draw_others(struct board *b, fx scale, fx place)
             y = clamped((int64_t)b->player.y[p] + within(clamped(b->enemy_kinds.b[k] + 2, edge)), edge);
         }
         int32_t i = enemies_spawn(&b->enemies, &b->enemy_kinds, k, x, y, 0);
+        b->enemies.scale[i] = (uint8_t)(one_in(4) ? SCALE_MAX : SCALE_MIN + rng_below(&rng, SCALE_MAX - SCALE_MIN + 1));
         if (one_in(2)) { /* it moved, and ends a little aside or was a little aside */
             fx mx = either_way(length(clamped(scale, fastest))), my = either_way(length(clamped(scale, fastest)));
             b->enemies.prev_x[i] = clamped((int64_t)x + mx, edge);
@@ -199,6 +215,7 @@ TEST(random)
     assert_true(seen.shots > least && seen.shot_misses > least && seen.blocks > least && seen.capsule_hits > least);
     assert_true(seen.capsule_shots > least / 4 && seen.circles_hits > least / 2 && seen.circles_shots > least / 8);
     assert_true(seen.long_foes > least / 4 && seen.long_touches > least / 4);
+    assert_true(seen.scaled_foes > least / 8 && seen.scaled_touches > least / 8);
     rig_close(&rig);
 }
 

@@ -145,6 +145,9 @@ static void put_value(struct bed *t, const struct api_param *p)
         else
             put(t, below(t, 2) ? "%.3f" : "%.0f", p->lo < 0 ? (double)below(t, 200) - 50 : p->lo + below(t, 9) / 4.0);
         break;
+    case A_SCALE:
+        put(t, "%g", (1 + below(t, 34)) / 8.0);
+        break;
     case A_DIR:
         put(t, below(t, 2) ? "%d" : "%d.25", (int)below(t, 1000) - 500);
         break;

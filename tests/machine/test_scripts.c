@@ -55,6 +55,7 @@ static const struct {
     SETTING("shot_values", shot_values),
     SETTING("sound", has_sound),
     SETTING("sprites", sprites),
+    SETTING("transforms", has_transforms),
     SETTING("view_h", view_h),
     SETTING("view_w", view_w),
     SETTING("wide_text", has_wide_text),

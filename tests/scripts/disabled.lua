@@ -16,6 +16,24 @@ enemy.def('foe', { sprite = 'dot', hit = 'none' })
 enemy.spawn({ kind = 'foe', x = 1, y = 1 }):wander { w = 9, h = 9, every = 20, over = 10 }
 --! enemy:wander: wander: disabled; add `bodies = true` to `board` in rom.lua
 
+--load: the board has no transforms
+enemy.def('foe', { sprite = 'dot', hit = 'none', alpha = 8 })
+--! enemy.def: alpha: transforms are disabled; add `transforms = true` to `board` in rom.lua
+bullet.def('b', { sprite = 'dot', hit = 'none', scale = 2 })
+--! bullet.def: scale: transforms are disabled; add `transforms = true` to `board` in rom.lua
+shot.def('s', { sprite = 'dot', hit = 'none', scale_hit = true })
+--! shot.def: scale_hit: transforms are disabled; add `transforms = true` to `board` in rom.lua
+enemy.def('foe', { sprite = 'dot', hit = 'none' })
+enemy.spawn { kind = 'foe', x = 1, y = 1, dir = 0 }
+--! enemy.spawn: dir: transforms are disabled; add `transforms = true` to `board` in rom.lua
+enemy.def('foe', { sprite = 'dot', hit = 'none' })
+print(enemy.spawn({ kind = 'foe', x = 1, y = 1 }).scale)
+--! enemy: scale is disabled; add `transforms = true` to `board` in rom.lua
+sprite.put { sprite = 'dot', x = 1, y = 1, turns = true }
+--! sprite.put: turns: transforms are disabled; add `transforms = true` to `board` in rom.lua
+sprite.put({ sprite = 'dot', x = 1, y = 1 }).alpha = 3
+--! sprite: alpha is disabled; add `transforms = true` to `board` in rom.lua
+
 --load: the board has no backgrounds, nothing for BulletML
 bg.layer(1).x = 3
 --! bg: backgrounds are disabled; add `maps = { ... }` in rom.lua

@@ -487,20 +487,25 @@ TEST(pack)
     assert_true(manifest_unpack(bytes, size, &m, err, sizeof err));
     assert_memory_equal(&m, &r->m, sizeof m);
     assert_false(manifest_unpack(bytes, size - 1, &m, err, sizeof err));
-    assert_string_equal(err, "5251 bytes long, expected 5268");
-    bytes[0] = 5; /* only for games that run documents */
-    assert_false(manifest_unpack(bytes, size + 4, &m, err, sizeof err));
-    assert_string_equal(err, "board.bulletml: 0 is not allowed in a manifest of format 4");
+    assert_string_equal(err, "5251 bytes long, expected 5272");
+    memset(bytes + size, 0, 20);
+    bytes_put32(bytes + size + 12, 1); /* the zoom's default */
+    for (int format = 5; format <= 6; format++) {
+        bytes[0] = (uint8_t)format;
+        assert_false(manifest_unpack(bytes, format == 5 ? size + 4 : sizeof bytes, &m, err, sizeof err));
+        assert_string_equal(err, format == 5 ? "of format 5, though format 4 has all of its fields"
+                                             : "of format 6, though format 4 has all of its fields");
+    }
     r->m.bulletml_runners = 300;
     assert_int_equal(manifest_pack(&r->m, bytes), size + 4);
     assert_true(manifest_unpack(bytes, size + 4, &m, err, sizeof err));
     assert_int_equal(m.bulletml_runners, 300);
     assert_int_equal(m.zoom, 1);
-    memset(bytes + size + 4, 0, 8);
-    bytes_put32(bytes + size + 12, 1);
-    bytes[0] = 6; /* only for games with a view or a zoom */
-    assert_false(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));
-    assert_string_equal(err, "field.view: none is not allowed in a manifest of format 6");
+    r->m.bulletml_runners = 0;
+    r->m.has_transforms = 1;
+    assert_int_equal(manifest_pack(&r->m, bytes), sizeof bytes);
+    assert_true(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));
+    assert_true(m.has_transforms && !m.bulletml_runners && m.zoom == 1);
     r->m.view_w = 100;
     r->m.view_h = 50;
     r->m.zoom = 2;

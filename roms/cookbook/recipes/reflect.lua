@@ -4,7 +4,7 @@
 shot.def("returned", { sprite = "orb", hit = { circle = 4 }, damage = 1, bank = 4 })
 
 local function parry(p)
-  local bubble = sprite.put { sprite = "bubble_200", follow = p, bank = 4 }
+  local bubble = sprite.put { sprite = "bubble", follow = p, bank = 4, scale = 2 }
   for _ = 1, 20 do
     for _, b in ipairs(query.near { what = "bullet", from = p, radius = 26 }) do
       shot.fire { kind = "returned", x = b.x, y = b.y, dir = b.dir + 180, speed = b.speed + 3,

@@ -157,7 +157,7 @@ static void raise_overload(struct board *b, const char *pool, uint32_t n)
 void hit_charge_laser(struct board *b, uint32_t i, uint32_t enemy)
 {
     const uint16_t kind = b->enemies.kind[enemy];
-    const uint32_t pieces = b->enemy_kinds.shape[kind] == SHAPE_CIRCLES ? (uint32_t)b->enemy_kinds.b[kind] + 1 : 1;
+    const uint32_t pieces = b->enemy_kinds.shape[kind] & SHAPE_CIRCLES ? (uint32_t)b->enemy_kinds.b[kind] + 1 : 1;
 
     if (!board_charge_work(b, WORK_PER_LASER + WORK_PER_CORNER * (uint64_t)lasers_corner_count(b, i) * pieces))
         raise_overload(b, "enemies", b->enemies.s.live);

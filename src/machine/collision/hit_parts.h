@@ -118,6 +118,17 @@ static inline struct shape_columns hit_enemy_shapes(const struct enemy_kinds *k)
     return (struct shape_columns){ k->shape, k->a, k->b, k->x, k->y };
 }
 
+/* Returns a bound for the extent of a shape whose lengths are scaled (motion_scale_length). */
+struct extent hit_scale_extent(struct extent e, int32_t scale);
+
+static inline struct extent hit_enemy_extent(const struct board *b, uint32_t i)
+{
+    const struct shape_columns shapes = hit_enemy_shapes(&b->enemy_kinds);
+    const struct extent e = hit_extent(&shapes, b->enemies.kind[i]);
+
+    return shapes.shape[b->enemies.kind[i]] & SHAPE_SCALED ? hit_scale_extent(e, b->enemies.scale[i]) : e;
+}
+
 /* The bullets that shots can hit in this frame. */
 struct hit_solids {
     bool any_solid; /* some bullets can be hit by any shot */

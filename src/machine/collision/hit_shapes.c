@@ -49,35 +49,64 @@ uint32_t hit_split_bullet(const struct bullets *s, const struct bullet_kinds *k,
     return 1;
 }
 
+/* Applies enemy i's scale to the lengths of its n pieces, and to their offsets from its position. */
+static void scale_pieces(const struct enemies *e, uint32_t i, struct body *piece, uint32_t n)
+{
+    const int32_t scale = e->scale[i];
+
+    for (uint32_t k = 0; k < n; k++) {
+        piece[k].a = motion_scale_length(piece[k].a, scale);
+        piece[k].b = motion_scale_length(piece[k].b, scale);
+        piece[k].c = motion_scale_length(piece[k].c, scale);
+        piece[k].x = e->x[i] + motion_scale_length(piece[k].x - e->x[i], scale);
+        piece[k].y = e->y[i] + motion_scale_length(piece[k].y - e->y[i], scale);
+    }
+}
+
 uint32_t hit_split_enemy(const struct board *b, uint32_t i, struct body piece[SHAPE_MAX_CIRCLES])
 {
     const struct shape_columns shapes = hit_enemy_shapes(&b->enemy_kinds);
     uint16_t kind = b->enemies.kind[i];
+    uint32_t n = 1;
 
     piece[0] = hit_enemy_body(b, i);
+    const bool is_scaled = piece[0].shape & SHAPE_SCALED;
+    piece[0].shape &= (uint8_t)~SHAPE_SCALED;
     if (piece[0].shape == SHAPE_CIRCLES)
-        return split_circles(&shapes, kind, false, 0, piece);
+        n = split_circles(&shapes, kind, false, 0, piece);
     if (piece[0].shape == SHAPE_CAPSULE) {
         piece[0].b = shapes.x[kind];
         piece[0].c = shapes.y[kind];
     }
-    return 1;
+    if (is_scaled)
+        scale_pieces(&b->enemies, i, piece, n);
+    return n;
 }
 
 struct extent hit_compute_extent(const struct shape_columns *k, uint32_t kind)
 {
     const fx slack = 2; /* most rounding error of a rotated position */
+    const uint8_t shape = k->shape[kind] & (uint8_t)~SHAPE_SCALED;
     struct extent e = { 0, 0 };
 
-    if (k->shape[kind] == SHAPE_CAPSULE) {
+    if (shape == SHAPE_BOX)
+        return (struct extent){ k->a[kind], k->b[kind] };
+    if (shape == SHAPE_CAPSULE) {
         fx x = fx_abs(k->x[kind]), y = fx_abs(k->y[kind]), a = k->a[kind];
         return (struct extent){ a + k->b[kind] + x, a + k->b[kind] + y };
     }
-    for (uint32_t i = kind, end = kind + (uint32_t)k->b[kind] + 1; i < end; i++) {
+    for (uint32_t i = kind, end = kind + (shape == SHAPE_CIRCLES ? (uint32_t)k->b[kind] : 0) + 1; i < end; i++) {
         fx distance = fx_abs(k->x[i]) + fx_abs(k->y[i]) + slack;
         e.x = e.y = fx_max(e.x, distance + k->a[i]);
     }
     return e;
+}
+
+struct extent hit_scale_extent(struct extent e, int32_t scale)
+{
+    const fx slack = 2; /* most rounding error of the sum of an offset and a length */
+
+    return (struct extent){ motion_scale_length(e.x, scale) + slack, motion_scale_length(e.y, scale) + slack };
 }
 
 static bool bodies_touch(const struct body *p, const struct body *q, bool swept)

@@ -107,7 +107,6 @@ static void list_enemies(struct grid *g, const struct board *b, uint8_t flags)
 {
     const struct enemies *e = &b->enemies;
     const struct enemy_kinds *k = &b->enemy_kinds;
-    const struct shape_columns shapes = hit_enemy_shapes(k);
     fx left = FX_MAX, top = FX_MAX, right = FX_MIN, bottom = FX_MIN;
     int64_t reach_x = 0, reach_y = 0;
     uint32_t n = 0;
@@ -117,7 +116,7 @@ static void list_enemies(struct grid *g, const struct board *b, uint8_t flags)
             uint32_t i = word * 64 + bits_lowest(bits);
             uint16_t kind = e->kind[i];
             fx x = e->prev_x[i], y = e->prev_y[i];
-            struct extent extent = hit_extent(&shapes, kind);
+            struct extent extent = hit_enemy_extent(b, i);
             if (e->flags[i] & ENEMY_DYING || k->shape[kind] == SHAPE_NONE || flags & ~k->flags[kind])
                 continue;
             g->slot[n++] = (uint16_t)i;

@@ -19,28 +19,33 @@ static int colour_difference(uint32_t a, uint32_t b)
     return sum;
 }
 
-static struct image image_of(const struct board *b, uint32_t i)
+static struct image image_of(const struct draw_target *c, uint32_t i)
 {
+    const struct board *b = c->b;
     const struct bullets *s = &b->bullets;
     const struct bullet_kinds *k = &b->bullet_kinds;
     uint16_t kind = s->kind[i];
     uint32_t age = bullets_age(s, i, b->core.clock);
     bool turns = k->flags[kind] & KIND_TURNS;
 
-    return video_image(&b->sprite_images[k->sprite[kind]], age, turns || k->spin[kind],
-                       (turns ? s->dir[i] : 0) + k->spin[kind] * age);
+    const struct image image = video_image(&b->sprite_images[k->sprite[kind]], age, turns || k->spin[kind],
+                                           (turns ? s->dir[i] : 0) + k->spin[kind] * age);
+    return k->scale ? video_scaled_image(c, &image, k->scale[kind]) : image;
 }
 
 /* Returns the percent of bullet i's pixels inside the clip that stand out; -1: the bullet has no pixel inside the
- * clip. (field_x, field_y): the field's corner on the surface. */
-static int distinct_percent(const struct board *b, const struct fb *fb, const uint32_t rgb[256],
-                            const struct cart_colour_tables *look, uint32_t i, int field_x, int field_y)
+ * clip. */
+static int distinct_percent(const struct draw_target *c, const uint32_t rgb[256], uint32_t i)
 {
-    const struct sprite *pic = &b->sprite_images[b->bullet_kinds.sprite[b->bullets.kind[i]]];
-    unsigned blend = (b->bullet_kinds.flags[b->bullets.kind[i]] & KIND_BLEND) / KIND_BLEND_ONE;
-    struct image image = image_of(b, i);
-    int x0 = field_x + fx_floor(b->bullets.x[i]) - pic->ox;
-    int y0 = field_y + fx_floor(b->bullets.y[i]) - pic->oy;
+    const struct board *b = c->b;
+    const struct fb *fb = c->fb;
+    const uint16_t kind = b->bullets.kind[i];
+    const struct sprite pic = video_scale_sprite(&b->sprite_images[b->bullet_kinds.sprite[kind]],
+                                                 b->bullet_kinds.scale ? b->bullet_kinds.scale[kind] : SCALE_ONE);
+    unsigned blend = (b->bullet_kinds.flags[kind] & KIND_BLEND) / KIND_BLEND_ONE;
+    struct image image = image_of(c, i);
+    int x0 = c->x + fx_floor(b->bullets.x[i]) - pic.ox;
+    int y0 = c->y + fx_floor(b->bullets.y[i]) - pic.oy;
     int total = 0, distinct = 0;
 
     for (int y = 0; y < image.h; y++)
@@ -51,7 +56,7 @@ static int distinct_percent(const struct board *b, const struct fb *fb, const ui
             uint8_t behind_entry = fb->pix[(y0 + y) * fb->pitch + x0 + x],
                     bullet_entry = (uint8_t)(p + 16 * b->bullets.bank[i]);
             if (blend)
-                bullet_entry = look->blend[blend - 1][behind_entry << 8 | bullet_entry];
+                bullet_entry = c->palette_tables.blend[blend - 1][behind_entry << 8 | bullet_entry];
             total++;
             distinct += colour_difference(rgb[behind_entry], rgb[bullet_entry]) >= CONTRAST_THRESHOLD;
         }
@@ -61,11 +66,16 @@ static int distinct_percent(const struct board *b, const struct fb *fb, const ui
 void contrast_sample(const struct board *b, struct fb *fb, void *scratch, contrast_visit *visit, void *context)
 {
     const struct bullets *s = &b->bullets;
-    const struct cart_colour_tables look = video_get_palette_tables(b);
     uint32_t rgb[256];
     int n = 0, field_x, field_y;
 
     video_draw_behind_bullets(b, fb, rgb, scratch, &field_x, &field_y);
+    const struct draw_target c = { .b = b,
+                                   .fb = fb,
+                                   .x = field_x,
+                                   .y = field_y,
+                                   .palette_tables = video_get_palette_tables(b),
+                                   .copies = video_begin_copies(b, scratch) };
     EACH_LIVE (i, &s->s) {
         uint16_t kind = s->kind[i];
         if (b->bullet_kinds.flags[kind] & KIND_IS_CLOUD_ROW || b->bullet_kinds.shape[kind] == SHAPE_NONE)
@@ -74,7 +84,7 @@ void contrast_sample(const struct board *b, struct fb *fb, void *scratch, contra
                                           .bank = s->bank[i],
                                           .x = fx_floor(s->x[i]),
                                           .y = fx_floor(s->y[i]),
-                                          .share = distinct_percent(b, fb, rgb, &look, i, field_x, field_y) };
+                                          .share = distinct_percent(&c, rgb, i) };
         if (bullet.share < 0 || !bullet.kind)
             continue;
         visit(context, &bullet);

@@ -83,17 +83,33 @@ void video_batch_put(struct video_batch *q, const struct image *image, int x, in
         video_batch_end(q);
 }
 
-static void paint_sprite(struct draw_target *c, uint16_t sprite, uint32_t age, fx x, fx y, uint8_t bank, unsigned flip,
-                         unsigned blend)
+static const struct pose plain_pose = { .scale = SCALE_ONE, .alpha = ALPHA_OPAQUE };
+
+/* Returns a sprite as it is drawn in a pose: scaled; its picture, turned, is stored in *image. */
+static struct sprite pose_sprite(const struct draw_target *c, uint16_t sprite, uint32_t age, const struct pose *pose,
+                                 struct image *image)
 {
     const struct sprite *s = &c->b->sprite_images[sprite];
-    struct image img = video_image(s, age, false, 0);
 
-    video_paint(c, &img, c->x + fx_floor(x) - s->ox, c->y + fx_floor(y) - s->oy, bank, flip, blend);
+    *image = video_image(s, age, pose->dir != 0, pose->dir);
+    return pose->scale == SCALE_ONE ? *s : video_scale_sprite(s, pose->scale);
+}
+
+static void paint_sprite(struct draw_target *c, uint16_t sprite, uint32_t age, const struct pose *pose, fx x, fx y,
+                         uint8_t bank, unsigned flip, unsigned blend)
+{
+    struct image img;
+    const struct sprite s = pose_sprite(c, sprite, age, pose, &img);
+    const int left = c->x + fx_floor(x) - s.ox, top = c->y + fx_floor(y) - s.oy;
+
+    if (video_needs_copy(pose))
+        video_paint_posed(c, &img, pose, left, top, bank, flip, blend);
+    else
+        video_paint(c, &img, left, top, bank, flip, blend);
     c->drawn_count++;
 }
 
-/* Like paint_sprite, but through a batch. */
+/* Like paint_sprite, but through a batch: in the plain pose, or in any pose, if it needs no copy. */
 static void queue_sprite(struct video_batch *q, uint16_t sprite, uint32_t age, fx x, fx y, uint8_t bank, unsigned flip,
                          unsigned blend)
 {
@@ -104,9 +120,29 @@ static void queue_sprite(struct video_batch *q, uint16_t sprite, uint32_t age, f
     q->c->drawn_count++;
 }
 
+static void queue_posed_sprite(struct video_batch *q, uint16_t sprite, uint32_t age, const struct pose *pose, fx x,
+                               fx y, uint8_t bank, unsigned flip, unsigned blend)
+{
+    const struct sprite *s = &q->c->b->sprite_images[sprite];
+
+    if (video_needs_copy(pose)) {
+        video_batch_end(q);
+        paint_sprite(q->c, sprite, age, pose, x, y, bank, flip, blend);
+        return;
+    }
+    struct image img = video_image(s, age, true, pose->dir);
+    video_batch_put(q, &img, q->c->x + fx_floor(x) - s->ox, q->c->y + fx_floor(y) - s->oy, bank, flip, blend);
+    q->c->drawn_count++;
+}
+
 void video_clip_field(const struct draw_target *c)
 {
     fb_set_clip(c->fb, c->area.x, c->area.y, c->area.w, c->area.h);
+}
+
+static struct pose sprite_pose(const struct sprites *s, uint32_t i)
+{
+    return s->dir ? (struct pose){ s->dir[i], s->scale[i], s->alpha[i] & SPRITE_ALPHA } : plain_pose;
 }
 
 /* Draws a sprite that is not magnified: one that is placed on the screen or, after a picture with a zoom was magnified,
@@ -114,6 +150,7 @@ void video_clip_field(const struct draw_target *c)
 static void paint_on_screen(struct draw_target *c, uint32_t i, fx x, fx y, uint32_t age)
 {
     const struct sprites *s = &c->b->sprites;
+    const struct pose pose = sprite_pose(s, i);
     struct draw_target at = *c;
 
     if (s->flags[i] & SPRITE_SCREEN) {
@@ -123,7 +160,7 @@ static void paint_on_screen(struct draw_target *c, uint32_t i, fx x, fx y, uint3
         at.x = video_screen_x(c, c->x + fx_floor(x)) - fx_floor(x);
         at.y = video_screen_y(c, c->y + fx_floor(y)) - fx_floor(y);
     }
-    paint_sprite(&at, s->sprite[i], age, x, y, s->bank[i], s->flags[i] & (SPRITE_FLIP_X | SPRITE_FLIP_Y),
+    paint_sprite(&at, s->sprite[i], age, &pose, x, y, s->bank[i], s->flags[i] & (SPRITE_FLIP_X | SPRITE_FLIP_Y),
                  (s->flags[i] & SPRITE_BLEND) / SPRITE_BLEND_ONE);
     c->drawn_count++;
     video_clip_field(c);
@@ -156,15 +193,19 @@ static void draw_sprites(struct draw_target *c, int layer)
         if (c->zoom > 1 && layer < LAYER_OVER && is_on_screen != c->is_magnified)
             continue;
         const uint32_t age = c->b->core.clock - s->born[i];
+        const unsigned flip = s->flags[i] & (SPRITE_FLIP_X | SPRITE_FLIP_Y),
+                       blend = (s->flags[i] & SPRITE_BLEND) / SPRITE_BLEND_ONE;
         fx x = s->x[i], y = s->y[i];
         if (s->flags[i] & SPRITE_FOLLOW)
             board_get_position(c->b, board_handle(c->b, H_SPRITE, (int32_t)i), &x, &y);
         if (is_on_screen || c->is_magnified) {
             video_batch_end(&q);
             paint_on_screen(c, i, x, y, age);
+        } else if (s->dir) {
+            const struct pose pose = sprite_pose(s, i);
+            queue_posed_sprite(&q, s->sprite[i], age, &pose, x, y, s->bank[i], flip, blend);
         } else
-            queue_sprite(&q, s->sprite[i], age, x, y, s->bank[i], s->flags[i] & (SPRITE_FLIP_X | SPRITE_FLIP_Y),
-                         (s->flags[i] & SPRITE_BLEND) / SPRITE_BLEND_ONE);
+            queue_sprite(&q, s->sprite[i], age, x, y, s->bank[i], flip, blend);
     }
     video_batch_end(&q);
 }
@@ -175,9 +216,12 @@ static void draw_options(struct draw_target *c, int layer)
     const struct options *o = &c->b->options;
     const struct option_kinds *k = &c->b->option_kinds;
 
-    EACH_LIVE (i, &o->s)
-        if (k->layer[o->kind[i]] == layer && !(o->flags[i] & OPTION_HIDDEN))
-            paint_sprite(c, k->sprite[o->kind[i]], c->b->core.clock - o->born[i], o->x[i], o->y[i], o->bank[i], 0, 0);
+    EACH_LIVE (i, &o->s) {
+        const struct pose pose = { o->dir ? o->dir[i] : 0, SCALE_ONE, ALPHA_OPAQUE };
+        if ((k->layer[o->kind[i]] & OPTION_LAYER) == layer && !(o->flags[i] & OPTION_HIDDEN))
+            paint_sprite(c, k->sprite[o->kind[i]], c->b->core.clock - o->born[i], &pose, o->x[i], o->y[i], o->bank[i],
+                         0, 0);
+    }
 }
 
 static void draw_items(struct draw_target *c)
@@ -208,13 +252,22 @@ static uint8_t find_extreme_entry(const struct board *b, bool brightest)
     return (uint8_t)at;
 }
 
+static struct pose enemy_pose(const struct enemies *e, uint32_t i)
+{
+    return e->dir ? (struct pose){ e->dir[i], e->scale[i], e->alpha[i] } : plain_pose;
+}
+
 static void paint_white(struct draw_target *c, uint32_t i, int dx, int dy, unsigned dots)
 {
     const struct enemies *e = &c->b->enemies;
-    const struct sprite *s = &c->b->sprite_images[enemies_sprite(e, &c->b->enemy_kinds, i)];
-    struct image img = video_image(s, c->b->core.clock - e->born[i], false, 0);
+    const struct pose pose = enemy_pose(e, i);
+    struct image img;
+    const struct sprite s =
+        pose_sprite(c, enemies_sprite(e, &c->b->enemy_kinds, i), c->b->core.clock - e->born[i], &pose, &img);
 
-    blit_solid(c->fb, &img, c->x + fx_floor(e->x[i]) - s->ox + dx, c->y + fx_floor(e->y[i]) - s->oy + dy,
+    if (video_needs_copy(&pose))
+        img = video_dotted_image(c, &img, &pose);
+    blit_solid(c->fb, &img, c->x + fx_floor(e->x[i]) - s.ox + dx, c->y + fx_floor(e->y[i]) - s.oy + dy,
                find_extreme_entry(c->b, true), (e->flags[i] & ENEMY_FLIP ? BLIT_FLIP_X : 0) | dots);
 }
 
@@ -239,14 +292,16 @@ static void draw_enemies(struct draw_target *c)
         const bool white = e->bank[i] >= ENEMY_BLINK_ONE && enemies_is_flashing(e, k, i);
         const bool soft = c->blinks_softly || k->flags[e->kind[i]] & ENEMY_RIM_BLINK;
         const unsigned blend = (k->flags[e->kind[i]] & ENEMY_BLEND) / ENEMY_BLEND_ONE;
-        if (white && soft && !blend)
+        const struct pose pose = enemy_pose(e, i);
+        const bool opaque = !blend && pose.alpha == ALPHA_OPAQUE;
+        if (white && soft && opaque)
             paint_white_rim(c, i);
         if (!white || soft)
-            paint_sprite(c, enemies_sprite(e, k, i), c->b->core.clock - e->born[i], e->x[i], e->y[i],
+            paint_sprite(c, enemies_sprite(e, k, i), c->b->core.clock - e->born[i], &pose, e->x[i], e->y[i],
                          e->bank[i] & ENEMY_BANK, e->flags[i] & ENEMY_FLIP ? BLIT_FLIP_X : 0, blend);
         else
             c->drawn_count++;
-        if (white && (!soft || blend)) /* a blended picture would not hide the inside of a rim */
+        if (white && (!soft || !opaque)) /* a blended picture would not hide the inside of a rim */
             paint_white(c, i, 0, 0, soft ? BLIT_DOTS : 0);
     }
 }
@@ -258,8 +313,8 @@ static void draw_players(struct draw_target *c)
 
     for (uint32_t i = 0; i < MAX_PLAYERS; i++)
         if (p->in_game[i] && !(p->safe_left[i] >> 2 & 1) && !(p->flags[i] & PLAYER_HIDDEN))
-            paint_sprite(c, player_sprite(p, &c->b->player_kinds, i), c->b->core.clock, p->x[i], p->y[i], 0,
-                         p->flags[i] & PLAYER_FLIP ? BLIT_FLIP_X : 0, 0);
+            paint_sprite(c, player_sprite(p, &c->b->player_kinds, i), c->b->core.clock, &plain_pose, p->x[i], p->y[i],
+                         0, p->flags[i] & PLAYER_FLIP ? BLIT_FLIP_X : 0, 0);
 }
 
 /* Draws the sparks under the players (under), or those over the bullets (!under). */
@@ -499,7 +554,11 @@ static struct draw_target make_target(const struct board *b, struct fb *fb, void
                              .zoom = w.zoom,
                              .scratch = scratch,
                              .layers = sprite_layers(&b->sprites),
-                             .palette_tables = video_get_palette_tables(b) };
+                             .palette_tables = video_get_palette_tables(b),
+                             .copies = video_begin_copies(b, scratch) };
+
+    if (c.copies)
+        c.alpha_blend = (unsigned)(cart_find(&b->cart, CART_BLENDS, "alpha") + 1);
 
     if (b->screen.shows_whole) {
         c.shown.x = c.shown.y = 0;

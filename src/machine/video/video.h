@@ -27,7 +27,41 @@ struct draw_target {
     bool hides_hud;       /* as in struct view */
     struct cart_colour_tables palette_tables; /* tables of the loaded palette */
     bool blinks_softly;                       /* hurt enemies blink softly */
+    struct video_copies *copies;              /* in scratch; NULL: the game has no transforms */
+    unsigned alpha_blend; /* index + 1 of the blend "alpha", with which translucent pictures are drawn; 0: none */
 };
+
+/* How a picture is drawn. scale, alpha: in eighths. */
+struct pose {
+    ang dir;
+    uint8_t scale, alpha;
+};
+
+/* Returns whether the picture is drawn from a copy (video_paint_posed). */
+static inline bool video_needs_copy(const struct pose *pose)
+{
+    return pose->scale != SCALE_ONE || pose->alpha != ALPHA_OPAQUE;
+}
+
+/* Returns a length of a picture, in px, scaled and rounded, halves up; a length of a picture's side is at least 1. */
+static inline int video_scale(int length, int scale)
+{
+    const int scaled = (length * scale + SCALE_ONE / 2) >> 3;
+
+    return scaled < 1 && length > 0 ? 1 : scaled;
+}
+
+/* Returns a sprite with the size and anchor that it has when it is scaled, but with the pixels of the original. */
+static inline struct sprite video_scale_sprite(const struct sprite *s, int scale)
+{
+    struct sprite scaled = *s;
+
+    scaled.w = (uint16_t)video_scale(s->w, scale);
+    scaled.h = (uint16_t)video_scale(s->h, scale);
+    scaled.ox = (int16_t)((s->ox * scale + SCALE_ONE / 2) >> 3);
+    scaled.oy = (int16_t)((s->oy * scale + SCALE_ONE / 2) >> 3);
+    return scaled;
+}
 
 /* Draws the picture of board_draw. Returns the number of pictures drawn. */
 uint64_t video_draw(const struct board *b, const struct view *view, struct fb *fb, uint32_t rgb[256], void *scratch);
@@ -61,6 +95,18 @@ void video_clip_field(const struct draw_target *c);
 /* Draws one picture. blend: index of a blend + 1; 0: opaque. */
 void video_paint(struct draw_target *c, const struct image *image, int x, int y, uint8_t bank, unsigned flip,
                  unsigned blend);
+
+/* Returns the space in scratch for copies of pictures, empty; NULL: the game has no transforms. */
+struct video_copies *video_begin_copies(const struct board *b, void *scratch);
+
+/* Like video_paint, but scaled and with the opacity of a pose. `image` is already turned. */
+void video_paint_posed(struct draw_target *c, const struct image *image, const struct pose *pose, int x, int y,
+                       uint8_t bank, unsigned flip, unsigned blend);
+
+/* Return a copy of an image: scaled; or also with only as many pixels as the pose's alpha says. It is valid until the
+ * next copy is made. */
+struct image video_scaled_image(const struct draw_target *c, const struct image *image, unsigned scale);
+struct image video_dotted_image(const struct draw_target *c, const struct image *image, const struct pose *pose);
 
 /* A queue of pictures that are painted in order; consecutive pictures of the same size and mix are painted together. */
 enum { VIDEO_BATCH_SIZE = 64 };
@@ -125,7 +171,8 @@ struct video_work {
 };
 bool video_fits(const struct board *b, uint64_t limit, struct video_work *out);
 
-/* Returns the bytes of scratch memory that video_draw_bullets needs. */
+/* Returns the bytes of scratch memory that video_draw needs, and the first part of them, for video_draw_bullets. */
+size_t video_scratch_size(const struct cart *cart);
 size_t video_bullets_scratch_size(const struct manifest *m);
 
 #endif

@@ -15,7 +15,10 @@ enum { BATCH_SIZE = 64 /* pictures per batch */ };
 
 /* How a kind is drawn this frame. */
 struct style {
-    const struct sprite *pic;
+    const struct sprite *pic;    /* its size and anchor are those drawn */
+    const struct sprite *source; /* the sprite in the ROM; equals `pic` if the kind is not scaled */
+    struct sprite scaled;        /* valid if the kind is scaled: `pic` */
+    unsigned scale;
     bool has_rotations; /* each bullet shows one of several rotated copies */
     bool uses_dir;      /* the copy depends on the bullet's dir */
     ang spin;           /* rotation per frame */
@@ -84,6 +87,12 @@ static void find_style(const struct draw_target *c, const struct bullet_kinds *k
     const bool turns = (uses_dir || spin) && pic->rotations > 1;
 
     slots_prefetch(pic->pix);
+    style->source = pic;
+    style->scale = k->scale ? k->scale[kind] : SCALE_ONE;
+    if (style->scale != SCALE_ONE) {
+        style->scaled = video_scale_sprite(pic, (int)style->scale);
+        pic = &style->scaled;
+    }
     style->pic = pic;
     style->uses_dir = uses_dir;
     style->spin = spin;
@@ -93,8 +102,9 @@ static void find_style(const struct draw_target *c, const struct bullet_kinds *k
     style->blend = blend;
     style->is_cloud = is_cloud;
     style->mix = mix;
-    style->shares_picture = !turns && pic->frames == 1 && mix != BLIT_TABLE;
-    style->is_drawn_one_by_one = mix == BLIT_TABLE || (is_cloud && (pic->frames > 1 || spin));
+    style->shares_picture = !turns && pic->frames == 1 && mix != BLIT_TABLE && style->pic == style->source;
+    style->is_drawn_one_by_one =
+        mix == BLIT_TABLE || style->pic != style->source || (is_cloud && (pic->frames > 1 || spin));
 }
 
 /* Returns whether kind a is drawn below kind b, which was declared before a: a has the lower `order` or, if they are
@@ -165,7 +175,10 @@ static struct image image_of(const struct draw_target *c, const struct lists *l,
 
     uint32_t age = picture_age(style, s, i, c->b->core.clock);
 
-    return video_image(style->pic, age, style->has_rotations, (style->uses_dir ? s->dir[i] : 0) + style->spin * age);
+    const struct image image =
+        video_image(style->source, age, style->has_rotations, (style->uses_dir ? s->dir[i] : 0) + style->spin * age);
+
+    return style->scale == SCALE_ONE ? image : video_scaled_image(c, &image, style->scale);
 }
 
 /* The positions at which bullets with pictures of one size and anchor need no clipping. */

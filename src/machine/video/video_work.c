@@ -12,6 +12,7 @@
 /* Pixels drawn per unit of work, for opaque pictures, blended pictures, plates and lasers' lines. ROWS_PER_WORK: rows
  * per unit of work, for a segment of a laser. */
 enum { SOLID_PX_PER_WORK = 64, BLEND_PX_PER_WORK = 8, PLATE_PX_PER_WORK = 16, LINE_PX_PER_WORK = 3, ROWS_PER_WORK = 2 };
+enum { COPY_PX_PER_WORK = 2 /* pixels of a scaled or translucent picture's copies */ };
 
 /* Units of work for each pixel of a laser's round end, which takes a square root; for each segment of its line; for
  * each letter. */
@@ -24,15 +25,20 @@ static uint64_t screen_px(const struct board *b)
     return (uint64_t)b->cart.manifest.screen_w * (uint64_t)b->cart.manifest.screen_h;
 }
 
-/* Returns the work of n pictures of one sprite. */
-static uint64_t pictures_work(const struct board *b, uint64_t n, uint32_t sprite, bool blended)
+/* Returns the work of n pictures of one sprite, scaled and drawn with an opacity. Counts a copy for each picture,
+ * although most pictures share copies. */
+static uint64_t pictures_work(const struct board *b, uint64_t n, uint32_t sprite, bool blended, struct pose pose)
 {
-    const struct sprite *s = &b->sprite_images[sprite];
-    const uint64_t w = (uint64_t)int_min(s->w, b->cart.manifest.screen_w),
-                   h = (uint64_t)int_min(s->h, b->cart.manifest.screen_h);
+    const struct sprite s = video_scale_sprite(&b->sprite_images[sprite], pose.scale);
+    const uint64_t w = (uint64_t)int_min(s.w, b->cart.manifest.screen_w),
+                   h = (uint64_t)int_min(s.h, b->cart.manifest.screen_h);
 
-    return n * (1 + w * h / (blended ? BLEND_PX_PER_WORK : SOLID_PX_PER_WORK));
+    if (!video_needs_copy(&pose))
+        return n * (1 + w * h / (blended ? BLEND_PX_PER_WORK : SOLID_PX_PER_WORK));
+    return 2 * n * (1 + w * h / BLEND_PX_PER_WORK + (uint64_t)s.w * s.h / COPY_PX_PER_WORK);
 }
+
+static const struct pose plain_pose = { .scale = SCALE_ONE, .alpha = ALPHA_OPAQUE };
 
 static uint64_t bullets_and_shots_work(const struct board *b)
 {
@@ -44,7 +50,9 @@ static uint64_t bullets_and_shots_work(const struct board *b)
 
         for (uint32_t i = 0; i < k->s.live; i++)
             if (k->live_count[i])
-                work += pictures_work(b, k->live_count[i], k->sprite[i], k->flags[i] & KIND_BLEND);
+                work +=
+                    pictures_work(b, k->live_count[i], k->sprite[i], k->flags[i] & KIND_BLEND,
+                                  (struct pose){ .scale = k->scale ? k->scale[i] : SCALE_ONE, .alpha = ALPHA_OPAQUE });
     }
     return work;
 }
@@ -56,7 +64,7 @@ static uint64_t sparks_work(const struct board *b)
     EACH_LIVE (i, &b->sparks.s) {
         const uint16_t kind = b->sparks.kind[i];
         work += pictures_work(b, 1, b->spark_kinds.sprite[kind],
-                              sparks_bank(&b->spark_kinds, kind, b->sparks.age[i]) & SPARK_BLEND);
+                              sparks_bank(&b->spark_kinds, kind, b->sparks.age[i]) & SPARK_BLEND, plain_pose);
     }
     return work;
 }
@@ -67,18 +75,19 @@ static uint64_t items_work(const struct board *b)
     uint64_t work = 0;
 
     EACH_LIVE (i, &b->items.s)
-        work += pictures_work(b, 1, k->sprite[b->items.kind[i]], k->flags[b->items.kind[i]] & ITEM_BLEND);
+        work += pictures_work(b, 1, k->sprite[b->items.kind[i]], k->flags[b->items.kind[i]] & ITEM_BLEND, plain_pose);
     return work;
 }
 
 static uint64_t enemies_work(const struct board *b)
 {
+    const struct enemies *e = &b->enemies;
     const struct enemy_kinds *k = &b->enemy_kinds;
     uint64_t work = 0;
 
-    EACH_LIVE (i, &b->enemies.s)
-        work +=
-            pictures_work(b, RIM_DRAWS, enemies_sprite(&b->enemies, k, i), k->flags[b->enemies.kind[i]] & ENEMY_BLEND);
+    EACH_LIVE (i, &e->s)
+        work += pictures_work(b, RIM_DRAWS, enemies_sprite(e, k, i), k->flags[e->kind[i]] & ENEMY_BLEND,
+                              e->dir ? (struct pose){ 0, e->scale[i], e->alpha[i] } : plain_pose);
     return work;
 }
 
@@ -94,7 +103,8 @@ static uint64_t sprites_work(const struct board *b)
         if (s->layer[i] >= LAYER_PLATE)
             work += 2 * (uint64_t)s->sprite[i] * s->born[i] / PLATE_PX_PER_WORK;
         else
-            work += pictures_work(b, s->layer[i] == LAYER_OVER ? 2 : 1, s->sprite[i], s->flags[i] & SPRITE_BLEND);
+            work += pictures_work(b, s->layer[i] == LAYER_OVER ? 2 : 1, s->sprite[i], s->flags[i] & SPRITE_BLEND,
+                                  s->dir ? (struct pose){ 0, s->scale[i], s->alpha[i] & SPRITE_ALPHA } : plain_pose);
     }
     return work;
 }
@@ -182,7 +192,8 @@ static uint64_t lasers_work(const struct board *b)
     return work;
 }
 
-/* Returns an upper bound of all work, as if each picture were as large as the screen and blended. */
+/* Returns an upper bound of all work, as if each picture were as large as the screen and blended. To this, adds the
+ * work of pictures that may be scaled. */
 static uint64_t max_total_work(const struct board *b)
 {
     const uint64_t entities = (uint64_t)b->bullets.s.live + b->shots.s.live + b->sparks.s.live + b->items.s.live +
@@ -190,6 +201,8 @@ static uint64_t max_total_work(const struct board *b)
                               b->options.s.live;
     uint64_t work = entities * (1 + screen_px(b) / BLEND_PX_PER_WORK);
 
+    if (b->cart.manifest.has_transforms)
+        work += bullets_and_shots_work(b) + enemies_work(b) + sprites_work(b);
     if (b->lines.s.live)
         work += b->lines.s.live * text_work(b, LINE_MAX_TEXT);
     if (b->lasers.s.live)

@@ -11,8 +11,9 @@
 
 /* Indices shared by bullet_def_params and shot_def_params, of bullet_def_params only, and of shot_def_params only. */
 enum { D_NAME, D_SPRITE, D_HIT, D_SPIN = 8 };
-enum { D_CLOUD = 10, D_CLEARABLE = 12, D_HP, D_SCORE, D_DROPS = 17 };
-enum { D_PIERCE = 11, D_EVERY };
+enum { D_CLOUD = 10, D_CLEARABLE = 12, D_HP, D_SCORE, D_DROPS = 17, D_BULLET_SCALE = 19 };
+enum { D_PIERCE = 11, D_EVERY, D_SHOT_SCALE };
+enum { SCALE_PARAM_COUNT = 2 };
 
 enum { MAX_ORDER = 100 };
 
@@ -40,6 +41,10 @@ static const char hp_disabled[] = "bullet hp is disabled; add `hp = true` to `bo
                 STORED(kinds.spin)),                                                                                   \
         PARAM("order", A_INT, OPT, -MAX_ORDER, MAX_ORDER, NULL, "0", "drawing order; higher is drawn over lower",      \
               STORED(kinds.draw_order))
+#define KIND_SCALE_PARAMS(kinds)                                                                                       \
+    SCALE(OPT, "1", "factor on the size of its sprite; needs `board = { transforms = true }`", STORED(kinds.scale)),   \
+        DEFAULT("scale_hit", A_BOOL, "false",                                                                          \
+                "apply `scale` to its hitbox, too; needs `board = { transforms = true }`")
 
 static const struct api_param bullet_def_params[] = {
     KIND_SHAPE_PARAMS(bullet_kinds),
@@ -65,6 +70,7 @@ static const struct api_param bullet_def_params[] = {
     [D_DROPS] = OPTIONAL("drops", A_TABLE, "items dropped when the bullet's hp runs out, { NAME = count }; needs `hp`"),
     DEFAULT("harmless", A_BOOL, "false", "if true, it can't hit players or be grazed",
             BITS_OF(bullet_kinds.flags, KIND_HARMLESS)),
+    [D_BULLET_SCALE] = KIND_SCALE_PARAMS(bullet_kinds),
 };
 
 static const struct api_param shot_def_params[] = {
@@ -82,6 +88,7 @@ static const struct api_param shot_def_params[] = {
               STORED(shot_kinds.pierce_hits)),
     PARAM("every", A_COUNT, OPT, 1, 1000000, "frames", NULL,
           "frames before the shot can hit the same target again; defaults to 6; needs `pierce`"),
+    [D_SHOT_SCALE] = KIND_SCALE_PARAMS(shot_kinds),
 };
 
 /* Appends the ROW_CLOUD row of the kind declared next. */
@@ -101,6 +108,8 @@ static void set_cloud(struct bullet_kinds *k, int i, uint16_t sprite)
     k->sprite[cloud] = sprite;
     k->bank[cloud] = k->bank[i];
     k->draw_order[cloud] = k->draw_order[i];
+    if (k->scale)
+        k->scale[cloud] = k->scale[i];
     k->flags[cloud] = (uint16_t)(KIND_IS_CLOUD_ROW | (k->flags[i] & (KIND_TURNS | KIND_BLEND)));
     k->flags[i] |= KIND_HAS_CLOUD;
 }
@@ -109,11 +118,14 @@ static void set_cloud(struct bullet_kinds *k, int i, uint16_t sprite)
 static int define_kind(lua_State *L, struct bullet_kinds *k, enum name_kind names, const char *entry,
                        struct api_value *v)
 {
-    const struct api_shape shape = api_read_hit_shape(L, entry, v[D_HIT].at, HIT_BULLETS);
+    const int scale = names == N_BULLET ? D_BULLET_SCALE : D_SHOT_SCALE;
+    struct api_shape shape = api_read_hit_shape(L, entry, v[D_HIT].at, HIT_BULLETS);
 
-    if (v[D_SPIN].a && vm_board(L)->sprite_images[v[D_SPRITE].i].rotations == 1)
-        api_error(L, entry, "spin: sprite \"%s\" has no rotations (add `rotations` to it in rom.lua)",
-                  lua_tostring(L, v[D_SPRITE].at));
+    api_check_transforms(L, v, scale, SCALE_PARAM_COUNT);
+    if (v[scale + 1].i)
+        api_scale_hit_shape(L, entry, &shape, (int32_t)v[scale].i);
+    if (v[D_SPIN].a)
+        api_check_rotations(L, entry, "spin", &v[D_SPRITE]);
     vm_reserve(L, &k->s, MAX_KIND_ROWS);
     const struct shape_columns columns = { k->shape, k->a, k->b, k->x, k->y };
     int32_t i = api_declare_kind(L, entry, &k->s, &columns, &shape);

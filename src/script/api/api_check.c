@@ -160,6 +160,16 @@ static void check_dir(lua_State *L, const char *entry, const struct api_param *p
         raise_expected(L, entry, p, at, "a number of degrees");
 }
 
+static void check_scale(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
+{
+    const double steps = get_number(v) * SCALE_ONE;
+    const bool in_range = v->type == LUA_TNUMBER && steps >= p->lo * SCALE_ONE && steps <= p->hi * SCALE_ONE;
+
+    v->i = in_range ? (int64_t)steps : 0;
+    if (!in_range || (double)v->i != steps)
+        raise_expected(L, entry, p, at, "a number from 0.25 to 4 in steps of 1/8");
+}
+
 static void check_type(lua_State *L, const char *entry, const struct api_param *p, int at, int type, const char *form)
 {
     if (lua_type(L, at) != type)
@@ -415,6 +425,7 @@ static check_function *const checks[] = {
     [A_NUM] = check_number,
     [A_FX] = check_number,
     [A_DIR] = check_dir,
+    [A_SCALE] = check_scale,
     [A_STR] = check_string,
     [A_BOOL] = check_bool,
     [A_FUNC] = check_lua_type,
@@ -490,6 +501,8 @@ void api_fill_default(const struct api_param *p, struct api_value *v)
         fx_from_double(v->n, &v->f);
     else if (p->type == A_DIR)
         trig_from_degrees(v->n, &v->a);
+    else if (p->type == A_SCALE)
+        v->i *= SCALE_ONE;
     else if (p->type == A_BOOL)
         v->i = !strcmp(p->def, "true");
     else if ((size_t)p->type < sizeof word_lists / sizeof *word_lists && word_lists[p->type].n)

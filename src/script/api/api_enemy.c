@@ -5,7 +5,18 @@
 #include "../events_run.h"
 #include "api_enemy.h"
 
-enum { D_NAME, D_SPRITE, D_HIT, D_DROPS = 8, D_PICTURES = 15, D_RATE = 17, D_PARTS };
+enum {
+    D_NAME,
+    D_SPRITE,
+    D_HIT,
+    D_DROPS = 8,
+    D_PICTURES = 15,
+    D_RATE = 17,
+    D_PARTS,
+    D_TURNS = 20,
+    D_SCALE,
+    D_SCALE_HIT
+};
 
 static const struct api_param def_params[] = {
     REQUIRED("name", A_STR, "name of the kind, used as `kind = NAME`; must be new"),
@@ -48,6 +59,15 @@ static const struct api_param def_params[] = {
     OPTIONAL("parts", A_TABLE, "list of 1 to 64 enemies attached to it; needs `board = { bodies = true }`"),
     DEFAULT("blink_soft", A_BOOL, "false", "blink only along the outline of the sprite",
             BITS_OF(enemy_kinds.flags, ENEMY_RIM_BLINK)),
+    [D_TURNS] = DEFAULT("turns", A_BOOL, "false",
+                        "rotate the sprite to the direction in which the enemy moves; the sprite needs `rotations` in "
+                        "rom.lua; needs `board = { transforms = true }`",
+                        BITS_OF(enemy_kinds.flags, ENEMY_TURNS)),
+    SCALE(OPT, "1", "factor on the size of its sprite; needs `board = { transforms = true }`",
+          STORED(enemy_kinds.scale)),
+    DEFAULT("scale_hit", A_BOOL, "false",
+            "apply each enemy's `scale` to its hitbox, too; needs `board = { transforms = true }`"),
+    ALPHA(OPT, "8", "opacity of its sprite; needs `board = { transforms = true }`", STORED(enemy_kinds.alpha)),
 };
 
 static const char *const first_picture_names[] = { "hurt", NULL };
@@ -65,9 +85,17 @@ static void define_body(lua_State *L, struct enemy_kinds *k, int32_t i, const st
 static int enemy_def(lua_State *L, struct board *b, struct api_value *v)
 {
     struct enemy_kinds *k = &b->enemy_kinds;
-    const struct api_shape shape = api_read_hit_shape(L, "enemy.def", v[D_HIT].at, HIT_ENEMIES);
+    struct api_shape shape = api_read_hit_shape(L, "enemy.def", v[D_HIT].at, HIT_ENEMIES);
     struct api_pictures pictures;
 
+    api_check_transforms(L, v, D_TURNS, 4);
+    if (v[D_TURNS].i)
+        api_check_rotations(L, "enemy.def", "turns", &v[D_SPRITE]);
+    if (v[D_SCALE_HIT].i && shape.shape != SHAPE_NONE) {
+        struct api_shape largest = shape;
+        api_scale_hit_shape(L, "enemy.def", &largest, SCALE_MAX);
+        shape.shape |= SHAPE_SCALED;
+    }
     api_pictures_read(L, "enemy.def", &v[D_PICTURES], (uint16_t)v[D_SPRITE].i, first_picture_names, ENEMY_MAX_PICTURES,
                       &pictures);
     vm_reserve(L, &k->s, MAX_KIND_ROWS);
@@ -102,6 +130,9 @@ enum {
     S_FOLLOW,
     S_SHARE,
     S_RATE,
+    S_DIR,
+    S_SCALE,
+    S_ALPHA,
     S_FIRST_VALUE
 };
 
@@ -127,6 +158,9 @@ static const struct api_param spawn_params[] = {
           "fraction of the damage to the part that is also dealt to the body; defaults to 0; needs `follow`"),
     PARAM("rate", A_FX, OPT, 0, MAX_RATE, NULL, NULL,
           "damage multiplier; overrides its kind's; needs `board = { bodies = true }`"),
+    DEFAULT("dir", A_DIR, "0", "direction to which its sprite is turned; needs `board = { transforms = true }`"),
+    SCALE(OPT, NULL, "factor on the size of its sprite; overrides its kind's; needs `board = { transforms = true }`"),
+    ALPHA(OPT, NULL, "opacity of its sprite; overrides its kind's; needs `board = { transforms = true }`"),
 };
 
 /* Starts a task owned by enemy h. Pops n values and the function below them; the function receives h, then the
@@ -258,6 +292,12 @@ static void apply_spawn_arguments(lua_State *L, struct board *b, uint32_t i, con
         e->tag[i] = api_intern_tag(L, "enemy.spawn", v[S_TAG].at);
     if (v[S_RATE].given)
         e->rate[i] = v[S_RATE].f;
+    if (v[S_DIR].given)
+        e->dir[i] = v[S_DIR].a;
+    if (v[S_SCALE].given)
+        e->scale[i] = (uint8_t)v[S_SCALE].i;
+    if (v[S_ALPHA].given)
+        e->alpha[i] = (uint8_t)v[S_ALPHA].i;
     if (v[S_FOLLOW].given)
         enemies_attach(e, i, handle_slot(v[S_FOLLOW].i), v[S_POSITION + POSITION_DX].f, v[S_POSITION + POSITION_DY].f,
                        v[S_SHARE].f);
@@ -288,6 +328,7 @@ static int enemy_spawn(lua_State *L, struct board *b, struct api_value *v)
     int64_t owner;
     fx x, y;
 
+    api_check_transforms(L, v, S_DIR, 3);
     if (read_spawn_position(L, b, v, &x, &y) && tasks_get_spawn_owner(b, v[S_STAY].i, &owner)) {
         if (v[S_FOLLOW].given)
             api_body_check_depth(L, b, kind, v[S_FOLLOW].i);
@@ -308,7 +349,7 @@ static int enemy_spawn(lua_State *L, struct board *b, struct api_value *v)
 
 /* ---- properties ---- */
 
-enum { P_X, P_Y, P_HP, P_PICTURE = 9, P_BODY = 12, PROPS = P_BODY + BODY_FOLLOW + 1 };
+enum { P_X, P_Y, P_HP, P_PICTURE = 9, P_BODY = 15, PROPS = P_BODY + BODY_FOLLOW + 1 };
 
 /* The last property exists only for groups. */
 static const struct api_param props[PROPS + 1] = {
@@ -331,6 +372,9 @@ static const struct api_param props[PROPS + 1] = {
     REQUIRED("flip_x", A_BOOL, "true if mirrored left to right", BITS_OF(enemies.flags, ENEMY_FLIP), WRITABLE),
     REQUIRED("hidden", A_BOOL, "true if not drawn; it still moves, hits and is hit",
              BITS_OF(enemies.flags, ENEMY_HIDDEN), WRITABLE),
+    REQUIRED("dir", A_DIR, "direction to which its sprite is turned, 0 to 360", STORED(enemies.dir), WRITABLE),
+    SCALE(REQ, NULL, "factor on the size of its sprite", STORED(enemies.scale), WRITABLE),
+    ALPHA(REQ, NULL, "opacity of its sprite", STORED(enemies.alpha), WRITABLE),
     [P_BODY] = PARAM("rate", A_FX, REQ, 0, MAX_RATE, NULL, NULL,
                      "damage multiplier; at 0 it takes no damage; needs `board = { bodies = true }`",
                      STORED(enemies.rate), WRITABLE),

@@ -292,8 +292,12 @@ static int set_declared_value(lua_State *L, struct board *b, const struct api_th
 }
 
 /* Properties that must be enabled in rom.lua. */
-enum { ENEMY_HANDLE_KINDS = 1 << H_ENEMY | 1 << H_ENEMIES };
-#define BODIES_SETTING "`bodies = true` to `board`"
+enum {
+    ENEMY_HANDLE_KINDS = 1 << H_ENEMY | 1 << H_ENEMIES,
+    TRANSFORM_HANDLE_KINDS = ENEMY_HANDLE_KINDS | 1 << H_SPRITE
+};
+#define BODIES_SETTING    "`bodies = true` to `board`"
+#define TRANSFORM_SETTING "`transforms = true` to `board`"
 static const struct {
     const char *name;
     unsigned handle_kinds; /* mask of handle kinds */
@@ -310,6 +314,9 @@ static const struct {
     { "dx", ENEMY_HANDLE_KINDS, GROUP_BODIES, BODIES_SETTING },
     { "dy", ENEMY_HANDLE_KINDS, GROUP_BODIES, BODIES_SETTING },
     { "follow", 1 << H_LAYER, BG_GROUP_CAMERA, "`view = { w = 240, h = 320 }` to `field`" },
+    { "dir", TRANSFORM_HANDLE_KINDS | 1 << H_OPTION, GROUP_TRANSFORMS, TRANSFORM_SETTING },
+    { "scale", TRANSFORM_HANDLE_KINDS, GROUP_TRANSFORMS, TRANSFORM_SETTING },
+    { "alpha", TRANSFORM_HANDLE_KINDS, GROUP_TRANSFORMS, TRANSFORM_SETTING },
 };
 
 /* Raises a fault if the property is disabled in rom.lua, even if the thing does not exist. */
@@ -372,6 +379,9 @@ static void push_stored_value(lua_State *L, const struct board *b, const struct 
         break;
     case A_DIR:
         lua_pushnumber(L, trig_to_degrees((ang)value));
+        break;
+    case A_SCALE:
+        lua_pushnumber(L, (double)value / SCALE_ONE);
         break;
     case A_INT:
         lua_pushinteger(L, value);

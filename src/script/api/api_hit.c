@@ -168,6 +168,42 @@ struct api_shape api_read_hit_shape(lua_State *L, const char *entry, int at, enu
     return s;
 }
 
+void api_scale_hit_shape(lua_State *L, const char *entry, struct api_shape *s, int32_t scale)
+{
+    for (uint32_t i = 0; i < s->rows; i++) {
+        fx *const a = &s->row[i].a, *const b = &s->row[i].b, *const x = &s->row[i].x, *const y = &s->row[i].y;
+        *a = motion_scale_length(*a, scale);
+        *x = motion_scale_length(*x, scale);
+        *y = motion_scale_length(*y, scale);
+        if (s->shape == SHAPE_CIRCLES) { /* b is a number of circles */
+            check_reach(L, entry, (int64_t)fx_abs(*x) + fx_abs(*y) + *a + 2);
+            continue;
+        }
+        *b = motion_scale_length(*b, scale);
+        if (s->shape == SHAPE_CAPSULE)
+            check_reach(L, entry, (int64_t)*a + *b + fx_max(fx_abs(*x), fx_abs(*y)));
+        else
+            check_reach(L, entry, fx_max(*a, *b));
+    }
+}
+
+void api_check_rotations(lua_State *L, const char *entry, const char *argument, const struct api_value *sprite)
+{
+    if (vm_board(L)->sprite_images[sprite->i].rotations == 1)
+        api_error(L, entry, "%s: sprite \"%s\" has no rotations (add `rotations` to it in rom.lua)", argument,
+                  lua_tostring(L, sprite->at));
+}
+
+void api_check_transforms(lua_State *L, const struct api_value *v, int first, int n)
+{
+    const struct api_entry *e = api_current_binding(L)->entry;
+
+    for (int i = first; i < first + n && !vm_board(L)->cart.manifest.has_transforms; i++)
+        if (v[i].given)
+            api_error(L, e->name, "%s: " API_DISABLED_FORMAT, e->params[i].name,
+                      "transforms are disabled; add `transforms = true` to `board`");
+}
+
 int32_t api_declare_kind(lua_State *L, const char *entry, struct slots *kinds, const struct shape_columns *k,
                          const struct api_shape *s)
 {

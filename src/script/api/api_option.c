@@ -5,16 +5,25 @@
 #include <string.h>
 #include "api_parts.h"
 
+enum { D_SPRITE = 1, D_TURNS = 5 };
+
 static const struct api_param def_params[] = {
     LABEL("name", REQ, "name of the kind, used in `options` of player.def; must be new"),
     REQUIRED("sprite", A_SPRITE, "sprite to draw", STORED(option_kinds.sprite)),
     BANK(OPT, "0", "number added to the palette bank of its sprite", STORED(option_kinds.bank)),
-    DEFAULT("layer", A_LAYER, "front", "sprite layer to draw it in", STORED(option_kinds.layer)),
+    DEFAULT("layer", A_LAYER, "front", "sprite layer to draw it in", BITS_OF(option_kinds.layer, OPTION_LAYER)),
     OPTIONAL("run", A_FUNC, "run(o): task of each option; it ends with the option", PROPERTY("option's run")),
+    [D_TURNS] = DEFAULT("turns", A_BOOL, "false",
+                        "rotate the sprite to the direction in which the option moves; the sprite needs `rotations` in "
+                        "rom.lua; needs `board = { transforms = true }`",
+                        BITS_OF(option_kinds.layer, OPTION_TURNS)),
 };
 
 static int option_def(lua_State *L, struct board *b, struct api_value *v)
 {
+    api_check_transforms(L, v, D_TURNS, 1);
+    if (v[D_TURNS].i)
+        api_check_rotations(L, "option.def", "turns", &v[D_SPRITE]);
     api_append_kind(L, "option.def", &b->option_kinds.s, N_OPTION, v);
     return 0;
 }
@@ -235,7 +244,7 @@ void api_options_read(lua_State *L, struct board *b, int32_t ship, const struct 
 
 /* ---- properties ---- */
 
-enum { P_X, P_Y, P_PLAYER, P_INDEX, P_FOCUS, P_AGE, P_KIND, P_BANK, P_HIDDEN, PROPS };
+enum { P_X, P_Y, P_PLAYER, P_INDEX, P_FOCUS, P_AGE, P_KIND, P_BANK, P_HIDDEN, P_DIR, PROPS };
 
 static const struct api_param props[PROPS] = {
     PARAM("x", A_FX, REQ, 0, 0, "px", NULL, "horizontal position in the field", STORED(options.x)),
@@ -248,6 +257,8 @@ static const struct api_param props[PROPS] = {
     BANK(REQ, NULL, "number added to the palette bank of its sprite", STORED(options.bank), WRITABLE),
     REQUIRED("hidden", A_BOOL, "true if not drawn; it still flies and fires", BITS_OF(options.flags, OPTION_HIDDEN),
              WRITABLE),
+    REQUIRED("dir", A_DIR, "direction to which its sprite is turned, 0 to 360; needs `board = { transforms = true }`",
+             STORED(options.dir), WRITABLE),
 };
 
 static void get_option(lua_State *L, struct board *b, uint32_t i, int p)
@@ -262,7 +273,8 @@ static void get_option(lua_State *L, struct board *b, uint32_t i, int p)
         lua_pushboolean(L, b->player.flags[o->player[i]] & PLAYER_FOCUS);
 }
 
-const struct api_thing api_option_thing = { "option", props, PROPS, .get = get_option };
+const struct api_thing api_option_thing = { "option", props, PROPS, .get = get_option,
+                                            .slots_offset = offsetof(struct board, options.s) };
 
 static const struct api_entry entries[] = {
     { "option.def", option_def, PARAMS(def_params), 1, API_CHANGES | API_LOAD_ONLY, NULL,

@@ -296,6 +296,9 @@ struct api_shape {
  * share of a laser is row[0].a; its shape is SHAPE_CIRCLE, or SHAPE_NONE for "none". */
 struct api_shape api_read_hit_shape(lua_State *L, const char *entry, int at, enum hit_owner owner);
 
+/* Applies a scale to the lengths of a hit shape (motion_scale_length). Raises an error if it becomes too large. */
+void api_scale_hit_shape(lua_State *L, const char *entry, struct api_shape *s, int32_t scale);
+
 /* Declares a kind with hit shape s; returns the kind's index. */
 int32_t api_declare_kind(lua_State *L, const char *entry, struct slots *kinds, const struct shape_columns *k,
                          const struct api_shape *s);
@@ -668,5 +671,12 @@ void api_open_names(lua_State *L);
 
 /* If rom.lua does not enable bodies, raises an error that quotes the line to add. */
 void api_check_bodies(lua_State *L, const char *entry, const char *feature);
+
+/* Raises an error if the sprite given as an argument has no rotated copies, which `argument` needs. */
+void api_check_rotations(lua_State *L, const char *entry, const char *argument, const struct api_value *sprite);
+
+/* Raises an error that quotes the line to add to rom.lua if transforms are not enabled and one of the n arguments of
+ * the running function from `first` on is given. */
+void api_check_transforms(lua_State *L, const struct api_value *v, int first, int n);
 
 #endif

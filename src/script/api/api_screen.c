@@ -24,7 +24,11 @@ enum {
     PUT_STAY,
     PUT_FOLLOW,
     PUT_DX,
-    PUT_DY
+    PUT_DY,
+    PUT_DIR,
+    PUT_TURNS,
+    PUT_SCALE,
+    PUT_ALPHA
 };
 
 enum { FOLLOWABLE_HANDLE_KINDS = 1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_PLAYER | 1 << H_OPTION };
@@ -46,6 +50,13 @@ static const struct api_param put_params[] = {
     THING("follow", OPT, FOLLOWABLE_HANDLE_KINDS, "thing to follow; the sprite is removed together with it"),
     OFFSET("dx", A_FX, "distance to the right of the followed thing; needs `follow`"),
     OFFSET("dy", A_FX, "distance below the followed thing; needs `follow`"),
+    DEFAULT("dir", A_DIR, "0",
+            "direction to which the picture is turned; the picture needs `rotations` in rom.lua; needs `board = { "
+            "transforms = true }`"),
+    DEFAULT("turns", A_BOOL, "false",
+            "turn the picture to the direction in which the sprite moves; needs `board = { transforms = true }`"),
+    SCALE(OPT, "1", "factor on the size of the picture; needs `board = { transforms = true }`"),
+    ALPHA(OPT, "8", "opacity; only 8 in layer `over`; needs `board = { transforms = true }`"),
 };
 
 #define OVER_BLEND_ERROR "sprites in layer \"over\" cannot blend"
@@ -66,6 +77,23 @@ static void check_put(lua_State *L, const struct api_value *v)
         api_error(L, "sprite.put", "`screen` cannot be combined with `follow`");
     if (v[PUT_BLEND].given && v[PUT_LAYER].i == LAYER_OVER)
         api_error(L, "sprite.put", "blend: " OVER_BLEND_ERROR);
+    if (v[PUT_ALPHA].i != ALPHA_OPAQUE && v[PUT_LAYER].i == LAYER_OVER)
+        api_error(L, "sprite.put", "alpha: " OVER_BLEND_ERROR);
+    api_check_transforms(L, v, PUT_DIR, 4);
+}
+
+/* Sets how the picture of sprite i is drawn. Call it after the sprite's position is set. */
+static void set_transform(struct board *b, uint32_t i, ang dir, int64_t scale, int64_t alpha)
+{
+    struct sprites *s = &b->sprites;
+
+    if (!s->dir)
+        return;
+    s->dir[i] = dir;
+    s->scale[i] = (uint8_t)scale;
+    s->alpha[i] = (uint8_t)alpha;
+    board_get_position(b, board_handle(b, H_SPRITE, (int32_t)i), &s->prev_x[i], &s->prev_y[i]);
+    s->n_turning += alpha & SPRITE_TURNS ? 1 : 0;
 }
 
 /* Makes sprite i follow the given thing. A player outlives the scene that owns the sprite, so the sprite keeps its
@@ -106,6 +134,8 @@ static int sprite_put(lua_State *L, struct board *b, struct api_value *v)
         s->owner[i] = owner;
         if (v[PUT_FOLLOW].given)
             set_follow(b, (uint32_t)i, v);
+        set_transform(b, (uint32_t)i, v[PUT_DIR].a, v[PUT_SCALE].i,
+                      v[PUT_ALPHA].i | (v[PUT_TURNS].i ? SPRITE_TURNS : 0));
     }
     lua_pushinteger(L, board_handle(b, H_SPRITE, i));
     return 1;
@@ -144,12 +174,31 @@ static int sprite_plate(lua_State *L, struct board *b, struct api_value *v)
         s->flags[i] = (uint8_t)(SPRITE_SCREEN | (v[PLATE_HIDDEN].i ? SPRITE_HIDDEN : 0));
         s->born[i] = (uint32_t)v[PLATE_H].i;
         s->owner[i] = owner;
+        set_transform(b, (uint32_t)i, 0, SCALE_ONE, ALPHA_OPAQUE);
     }
     lua_pushinteger(L, board_handle(b, H_SPRITE, i));
     return 1;
 }
 
-enum { P_X, P_Y, P_SPRITE, P_BANK, P_FLIP_X, P_FLIP_Y, P_HIDDEN, P_BLEND, P_DX, P_DY, P_W, P_H, P_LAYER, PROPS };
+enum {
+    P_X,
+    P_Y,
+    P_SPRITE,
+    P_BANK,
+    P_FLIP_X,
+    P_FLIP_Y,
+    P_HIDDEN,
+    P_BLEND,
+    P_DX,
+    P_DY,
+    P_W,
+    P_H,
+    P_LAYER,
+    P_DIR,
+    P_SCALE,
+    P_ALPHA,
+    PROPS
+};
 
 static const struct api_param props[PROPS] = {
     COORDINATE("x", A_FX, REQ, "horizontal position; read-only while the sprite follows a thing", SETTER),
@@ -167,6 +216,9 @@ static const struct api_param props[PROPS] = {
     PARAM("w", A_INT, REQ, 8, FB_MAX_SIDE, "px", NULL, "width of a plate; nil for other sprites", SETTER),
     PARAM("h", A_INT, REQ, 8, FB_MAX_SIDE, "px", NULL, "height of a plate; nil for other sprites", SETTER),
     REQUIRED("layer", A_LAYER, "drawing order; nil for a plate", SETTER),
+    REQUIRED("dir", A_DIR, "direction to which the picture is turned, 0 to 360", STORED(sprites.dir), SETTER),
+    SCALE(REQ, NULL, "factor on the size of the picture", STORED(sprites.scale), SETTER),
+    ALPHA(REQ, NULL, "opacity; only 8 in layer `over`", BITS_OF(sprites.alpha, SPRITE_ALPHA), SETTER),
 };
 
 static void get_sprite(lua_State *L, struct board *b, uint32_t i, int p)
@@ -202,6 +254,11 @@ static void get_sprite(lua_State *L, struct board *b, uint32_t i, int p)
     }
 }
 
+static bool is_blended(const struct sprites *s, uint32_t i)
+{
+    return s->flags[i] & SPRITE_BLEND || (s->alpha && (s->alpha[i] & SPRITE_ALPHA) != ALPHA_OPAQUE);
+}
+
 /* Raises an error if property p cannot be set on sprite i. */
 static void check_property_write(lua_State *L, const struct sprites *s, uint32_t i, int p, const struct api_value *v)
 {
@@ -214,10 +271,12 @@ static void check_property_write(lua_State *L, const struct sprites *s, uint32_t
                   props[p].name);
     if (!drawn_as_plate && (p == P_W || p == P_H))
         api_error(L, "sprite", "%s: can only be written on a plate; a sprite's size comes from rom.lua", props[p].name);
-    if (drawn_as_plate && (p == P_LAYER || p == P_SPRITE || p == P_FLIP_X || p == P_FLIP_Y || p == P_BLEND))
+    if (drawn_as_plate &&
+        (p == P_LAYER || p == P_SPRITE || p == P_FLIP_X || p == P_FLIP_Y || p == P_BLEND || p >= P_DIR))
         api_error(L, "sprite", "%s: a plate has no picture", props[p].name);
     if ((p == P_BLEND && v->i && s->layer[i] == LAYER_OVER) ||
-        (p == P_LAYER && v->i == LAYER_OVER && s->flags[i] & SPRITE_BLEND))
+        (p == P_ALPHA && v->i != ALPHA_OPAQUE && s->layer[i] == LAYER_OVER) ||
+        (p == P_LAYER && v->i == LAYER_OVER && is_blended(s, i)))
         api_error(L, "sprite", "%s: " OVER_BLEND_ERROR, props[p].name);
 }
 
@@ -254,7 +313,9 @@ static void set_sprite(lua_State *L, struct board *b, uint32_t i, int p, const s
     }
 }
 
-const struct api_thing api_sprite_thing = { "sprite", props, PROPS, .get = get_sprite, .set = set_sprite };
+const struct api_thing api_sprite_thing = {
+    "sprite", props, PROPS, .get = get_sprite, .set = set_sprite, .slots_offset = offsetof(struct board, sprites.s)
+};
 
 enum { ARG_SELF };
 

@@ -5,6 +5,7 @@
 #include "../../../fb/text.h"
 #include "../../../fb/utf8.h"
 #include "../../base/bytes.h"
+#include "../../machine/video/video.h"
 #include "../../machine/window.h"
 #include "api_parts.h"
 
@@ -85,14 +86,15 @@ static bool overlaps_field(const struct board *b, fx x, fx y, int w, int h)
 static bool sprite_covers_field(const struct board *b, uint32_t i)
 {
     const struct sprites *s = &b->sprites;
-    const struct sprite *p = &b->sprite_images[s->layer[i] < LAYER_PLATE ? s->sprite[i] : 0];
+    const struct sprite p = video_scale_sprite(&b->sprite_images[s->layer[i] < LAYER_PLATE ? s->sprite[i] : 0],
+                                               s->scale ? s->scale[i] : SCALE_ONE);
 
     if (s->layer[i] < LAYER_OVER || s->flags[i] & SPRITE_HIDDEN)
         return false;
     if (s->layer[i] >= LAYER_PLATE)
         return overlaps_field(b, s->x[i], s->y[i], s->sprite[i], (int)s->born[i]);
     return !(s->flags[i] & SPRITE_SCREEN) ||
-           overlaps_field(b, s->x[i] - p->ox * FX_ONE, s->y[i] - p->oy * FX_ONE, p->w, p->h);
+           overlaps_field(b, s->x[i] - p.ox * FX_ONE, s->y[i] - p.oy * FX_ONE, p.w, p.h);
 }
 
 /* Returns whether a text line covers the field. A visible line does, unless it is positioned on the screen and outside

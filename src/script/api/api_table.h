@@ -22,6 +22,7 @@ enum api_type {
     A_NUM,   /* any finite number */
     A_FX,    /* a number stored as Q15.16 */
     A_DIR,   /* degrees */
+    A_SCALE, /* a number in steps of 1 / SCALE_ONE; i is the number of steps */
     A_STR,
     A_BOOL,
     A_FUNC,
@@ -118,6 +119,8 @@ struct api_param {
 #define OFFSET(name, type, ...)           PARAM(name, type, OPT, -WORLD_EDGE, WORLD_EDGE, "px", "0", __VA_ARGS__)
 #define LENGTH(name, need, def, ...)      PARAM(name, A_FX, need, 0, MAX_SPEED, "px", def, __VA_ARGS__)
 #define BANK(need, def, ...)              PARAM("bank", A_INT, need, 0, 15, NULL, def, __VA_ARGS__)
+#define SCALE(need, def, ...)             PARAM("scale", A_SCALE, need, 0.25, 4, NULL, def, __VA_ARGS__)
+#define ALPHA(need, def, ...)             PARAM("alpha", A_INT, need, 0, 8, "eighths", def, __VA_ARGS__)
 #define SPEED(name, type, need, ...)      PARAM(name, type, need, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, __VA_ARGS__)
 #define VXY_PARAMS                                                                                                     \
     SPEED("vx", A_FX, VXY, "horizontal velocity; with `vy`, instead of `dir` and `speed`"),                            \

@@ -17,6 +17,7 @@ static const char *const types[] = {
     [A_NUM] = "number",
     [A_FX] = "number",
     [A_DIR] = "number",
+    [A_SCALE] = "number",
     [A_STR] = "string",
     [A_BOOL] = "boolean",
     [A_FUNC] = "function",

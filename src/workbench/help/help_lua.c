@@ -13,6 +13,7 @@ static const char *type_words(const struct api_param *p)
         [A_NUM] = "number",
         [A_FX] = "number",
         [A_DIR] = "degrees",
+        [A_SCALE] = "number",
         [A_STR] = "string",
         [A_BOOL] = "true or false",
         [A_FUNC] = "function",
@@ -82,8 +83,8 @@ static void thing_words(unsigned kinds, char *out, size_t size)
 void help_argument_words(const struct api_param *p, char *out, size_t size)
 {
     char range[80] = "", def[80] = "", thing[160];
-    const bool ranged =
-        p->type == A_INT || p->type == A_COUNT || p->type == A_NUM || p->type == A_FX || p->type == A_SPAN;
+    const bool ranged = p->type == A_INT || p->type == A_COUNT || p->type == A_NUM || p->type == A_FX ||
+                        p->type == A_SCALE || p->type == A_SPAN;
     const bool colour = p->type == A_INT && p->hi == 0xffffff;
     const char *type = p->type == A_THING   ? thing
                        : colour             ? "colour"
@@ -94,7 +95,10 @@ void help_argument_words(const struct api_param *p, char *out, size_t size)
         snprintf(range, sizeof range, " from 0x%06x to 0x%06x", (unsigned)p->lo, (unsigned)p->hi);
     else if (ranged)
         snprintf(range, sizeof range, " from %.14g to %.14g%s%s%s", p->lo, p->hi, p->unit ? " " : "",
-                 p->unit ? p->unit : "", p->type == A_COUNT ? ", or forever" : "");
+                 p->unit ? p->unit : "",
+                 p->type == A_COUNT   ? ", or forever"
+                 : p->type == A_SCALE ? " in steps of 1/8"
+                                      : "");
     if (p->type == A_STR && p->hi > 0)
         snprintf(range, sizeof range, " of %d to %d bytes", (int)p->lo, (int)p->hi);
     if (p->def)
