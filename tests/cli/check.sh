@@ -486,6 +486,20 @@ demos/n.demo: bullets "dot" in bank 0 are hard to see: 50 of 60 in 6 sampled fra
 1 problem
 END
 
+# Translucent pictures: without the blend "alpha", and with one for which the palette has no colours.
+bare_game faded <<'LUA'
+print("dot", "dart") task.go(function() sprite.put { sprite = "dot", x = 9, y = 9, alpha = 4 } end)
+LUA
+sed -i 's/items = 128/transforms = true, items = 128/' faded/rom.lua
+faded() { "$curtain" check faded 2>&1 | grep -c "$1"; }
+same 'translucent pictures without a blend' 1 \
+    "$(faded 'note: blends: translucent pictures are drawn as dots; add `alpha = { mix = 50 }`')"
+sed -i 's/  sheets/  blends = { alpha = { mix = 50 } },\n  sheets/' faded/rom.lua
+same '... with one' 0 "$(faded 'note: blends')"
+sed -i 's/mix = 50/ramp = "max"/' faded/rom.lua
+same '... with one that mixes nothing' 1 \
+    "$(faded 'note: blends.alpha: over black, .* in bank 0 have the wrong colours')"
+
 # Rooms that no script can use, with what they take, which grows with them; a name in a script keeps one.
 bare_game rooms <<'LUA'
 print("dot", "dart", "laser")

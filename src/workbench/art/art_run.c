@@ -36,7 +36,9 @@ static bool has_shape(const struct atlas_shapes *shapes, const char *sprite)
 /* Converts a hitbox that was drawn with its sprite and is used by no kind. */
 static struct inspect_kind_shape drawn_shape(const struct cart_hitbox *h, const char *sprite)
 {
-    struct inspect_kind_shape s = { .entity = "drawn", .name = "hit", .sprite = sprite, .r = h->row[0].a };
+    struct inspect_kind_shape s = {
+        .entity = "drawn", .name = "hit", .sprite = sprite, .scale = SCALE_ONE, .r = h->row[0].a
+    };
 
     s.shape = h->shape == SHAPE_BOX       ? INSPECT_BOX
               : h->shape == SHAPE_CAPSULE ? INSPECT_CAPSULE

@@ -57,6 +57,8 @@ void atlas_shapes_add(void *shapes, const struct inspect_kind_shape *kind)
 {
     struct atlas_shapes *s = shapes;
 
+    if (kind->scale != SCALE_ONE) /* the atlas shows sprites in their own size */
+        return;
     if (array_append(&s->list, (size_t)s->n, sizeof *s->list))
         s->list[s->n++] = *kind;
     else

@@ -101,6 +101,7 @@ void check_theme(struct check *c, const struct cart *cart);
 
 /* Finds capacities that no script uses. Part of check_run. */
 void check_capacities(struct check *c, const struct cart *cart);
+void check_alpha(struct check *c, const struct cart *cart);
 
 /* Checks the sound of a run: frames that are too loud, and sounds that are cut off because another sound takes their
  * voice. check_audio_report adds the findings and resets the state for the next run. */

@@ -76,6 +76,8 @@ static void report_large_shape(void *context, const struct inspect_kind_shape *k
             continue;
         int pic_w, pic_h;
         sprite_size(r, s, &pic_w, &pic_h);
+        pic_w = pic_w * kind->scale / SCALE_ONE;
+        pic_h = pic_h * kind->scale / SCALE_ONE;
         int side = pic_w > pic_h ? pic_w : pic_h;
         bool any_way = kind->is_rotated && kind->shape == INSPECT_BOX;
         if (w <= (int64_t)(any_way ? side : pic_w) << 16 && h <= (int64_t)(any_way ? side : pic_h) << 16)
@@ -626,6 +628,7 @@ void check_run(struct check *c)
         c->found.failed = true;
     } else {
         check_capacities(c, &r->cart);
+        check_alpha(c, &r->cart);
         ram_describe(&r->cart, c->ram);
         run_all(r);
         check_text(c, &r->cart);
