@@ -50,6 +50,7 @@ return {
     price_look = { "none", "dots", "sparks_fly", "sparks_burst", "sparks_ring", "sparks_row", "trails", "stand", "follow" },
     price_part = { "none", "everything", "only_bullets", "only_lasers", "only_items", "only_sparks", "only_scenery", "nothing",
       "no_lasers", "no_items", "no_sparks", "no_scenery" },
-    picture = { "plain", "banks", "turned", "clipped", "sprite", "flipped", "blended", "blended_banks", "ramp" } },
+    picture = { "plain", "banks", "turned", "clipped", "sprite", "flipped", "blended", "blended_banks", "ramp",
+      "sprite_turned", "sprite_scaled", "alpha", "scaled", "scaled_turned" } },
   players = 1,
 }

@@ -8,18 +8,29 @@
 enum { ROUNDS = 15 };
 static const double PRESENT_US = 20;
 
+static void transforms(struct manifest *m)
+{
+    m->has_transforms = 1;
+}
+
 static const struct way {
     const char *dip, *what;
+    void (*manifest)(struct manifest *m);
 } WAYS[] = {
-    { "plain", "bullets of one kind" },
-    { "banks", "each in its own bank" },
-    { "turned", "rotated, each showing one of 16 pictures" },
-    { "clipped", "half outside the left edge" },
-    { "sprite", "free sprites" },
-    { "flipped", "free sprites, flipped" },
-    { "blended", "bullets of one kind, blended (`add`)" },
-    { "blended_banks", "blended, each in its own bank" },
-    { "ramp", "blended by a ramp (`{ ramp = \"add\" }`)" },
+    { "plain", "bullets of one kind", NULL },
+    { "banks", "each in its own bank", NULL },
+    { "turned", "rotated, each showing one of 16 pictures", NULL },
+    { "clipped", "half outside the left edge", NULL },
+    { "sprite", "free sprites", NULL },
+    { "flipped", "free sprites, flipped", NULL },
+    { "blended", "bullets of one kind, blended (`add`)", NULL },
+    { "blended_banks", "blended, each in its own bank", NULL },
+    { "ramp", "blended by a ramp (`{ ramp = \"add\" }`)", NULL },
+    { "scaled", "bullets of one kind with `scale = 1.5`", transforms },
+    { "scaled_turned", "the same, rotated", transforms },
+    { "sprite_turned", "free sprites with `dir`", transforms },
+    { "sprite_scaled", "free sprites with `scale = 1.5`", transforms },
+    { "alpha", "free sprites with `alpha = 6`, as dots", transforms },
 };
 enum { COUNT = sizeof WAYS / sizeof *WAYS };
 static const int SIDES[] = { 8, 16, 32, 64, 128 };
@@ -39,6 +50,7 @@ static void measure(int side, int n, struct samples samples[COUNT])
     for (int i = 0; i < COUNT; i++)
         bench_scene(&scenes[i], &(struct scene_want){ .does = "pictures",
                                                       .picture = WAYS[i].dip,
+                                                      .manifest = WAYS[i].manifest,
                                                       .n = n,
                                                       .bullets = 4096,
                                                       .side = side,
