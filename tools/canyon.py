@@ -264,6 +264,16 @@ def turret(frame):
     return rows
 
 
+def barrel():
+    """The gun of a dome at the picture's middle, pointing to the right."""
+    rows = canvas(30, 30)
+    for x in range(18, 29):
+        for y in range(12, 18):
+            rows[y][x] = 10 if x > 26 else (9, 8, 7, 6, 4, 3)[y - 12]
+    outline(rows)
+    return rows
+
+
 def sheet(*strips):
     """Strips of frames, one below the other."""
     w = max(sum(len(f[0]) for f in strip) for strip in strips)
@@ -314,7 +324,7 @@ def main(out):
     colours = {bank: text.split() for bank, text in BANKS.items()}
     pictures = {"sea": (sea(256, 512), 13), "clouds": (clouds(256, 512), 14), "cliffs": (cliffs(64, 512), 15),
                 "foes": (sheet([drone(i) for i in range(4)], [airship(i) for i in range(2)],
-                               [turret(i) for i in range(4)]), 11)}
+                               [turret(i) for i in range(4)] + [barrel()]), 11)}
     for name, (rows, bank) in pictures.items():
         write_png(os.path.join(art, name + ".png"), rows, colours[bank])
     unused = ["04060e"] * 16

@@ -79,15 +79,33 @@ end)
 
 -- ---- the stage: turrets on both cliffs, drones across the whole field, airships at the sides ----
 
--- A turret moves down with its cliff, 1.6 px a frame, and fires at the ship.
+-- A turret moves down with its cliff, 1.6 px a frame. Its barrel follows the ship, and fires where it points.
 local function gun(e)
+  local barrel = sprite.put { sprite = "barrel", follow = e, layer = "middle", dir = 90 }
   e:move { dx = 0, dy = 400, over = 250 }
+  task.own(e, function()
+    while true do
+      local p = player.nearest(e.x, e.y)
+      if p.alive then barrel.dir = angle.to(e, p) end
+      wait(1)
+    end
+  end)
   wait(rng.int(30, 60))
   while e.y < 230 do
-    pattern.fan { from = e, kind = "orb", bank = RED, n = 3, spread = 30, aim = true, speed = 1.7 }
+    pattern.fan { from = e, kind = "orb", bank = RED, n = 3, spread = 30, dir = barrel.dir, speed = 1.7 }
     wait(64)
   end
   wait(forever)
+end
+
+-- Gusts blow the ship and the clouds to one side and then to the other.
+local function wind()
+  for t = 0, forever do
+    local gust = 0.8 * angle.sin(t)
+    player.each(function(p) p:push(gust, 0) end)
+    bg.layer(2).vx = gust
+    wait(1)
+  end
 end
 
 local function turret(side)
@@ -97,8 +115,7 @@ end
 -- A drone flies into the field, fires a ring, and leaves at a side.
 local function drone(x, side)
   enemy.spawn { kind = "drone", x = x, y = -20, run = function(e)
-    e:move { dx = 60 * side, dy = 130, over = 60, ease = "out" }
-    wait(60)
+    wait_for(e:move { dx = 60 * side, dy = 130, over = 60, ease = "out" })
     pattern.ring { from = e, kind = "rice", bank = 7, n = 8, aim = true, speed = 1.5 }
     e:move { dx = 500 * side, dy = -120, over = 160, ease = "in" }
     wait(forever)
@@ -108,8 +125,7 @@ end
 -- An airship comes in at one side, stays, fires a spiral of stars, and leaves.
 local function airship(x)
   enemy.spawn { kind = "airship", x = x, y = -50, run = function(e)
-    e:move { dx = 0, dy = 130, over = 110, ease = "out" }
-    wait(110)
+    wait_for(e:move { dx = 0, dy = 130, over = 110, ease = "out" })
     for i = 1, 40 do
       pattern.ring { from = e, kind = "star", bank = 6, n = 7, dir = 11 * i, speed = 1.4 }
       if i % 4 == 0 then
@@ -147,6 +163,7 @@ stage.def("canyon", function()
   end
   stage.mark("pair")
   stage.at(960)
+  task.go(wind)
   airship(110)
   airship(370)
   stage.at(1500)

@@ -3,7 +3,7 @@ return {
   id = "canyon", title = "Canyon Run", author = "You", version = 1,
   field = { w = 480, h = 320, view = { w = 240 } },
   board = { bullets = 2048, shots = 256, enemies = 64, sparks = 2048, sprites = 64, motions = 64, tasks = 256,
-            lua_kib = 1024 },
+            lua_kib = 1024, transforms = true }, -- the gun of a turret turns
   palette = "art/palette.png", font = "art/font.png", icon = "kite",
   sheets = {
     bullets = { file = "art/bullets.png", bank = 0 },
@@ -22,6 +22,7 @@ return {
     drone   = { sheet = "foes", x = 0,  y = 0,   w = 28, h = 28, frames = 4, every = 2 },
     airship = { sheet = "foes", x = 0,  y = 28,  w = 52, h = 76, frames = 2, every = 6 },
     turret  = { sheet = "foes", x = 0,  y = 104, w = 30, h = 30, frames = 4, every = 9 },
+    barrel  = { sheet = "foes", x = 120, y = 104, w = 30, h = 30, rotations = 32 },
     glint = { sheet = "sparks", x = 0,  y = 0,  w = 12, h = 12, frames = 4, every = 4 },
     crumb = { sheet = "sparks", x = 48, y = 0,  w = 8,  h = 8,  frames = 4, every = 3 },
     hoop  = { sheet = "sparks", x = 80, y = 0,  w = 12, h = 12, frames = 4, every = 3 },
