@@ -13,7 +13,7 @@ local function fly(kind)
       shoot(p, kind)
       if p.kind == "slow" and p.grazes % 5 == 2 and p.state == "fly" then board.note(p:bomb()) end
       if pad.repeated("special", p) then p.x, p.y = p.x + p.index, p.y - 1 end
-      if pad.pressed("special", p) then p:push(p.index / 2, -0.75) p:shift(-1, 1) end
+      if pad.pressed("special", p) then p:push(-p.index, -1) p:shift(-1, 1) end
       if p.grazes % 9 == 4 then task.go(function() p.speed_scale, p.focus = 1.25, p.focus wait(p.index) end) end
       if p.grazes % 11 == 6 then p.focus = nil end
       if p.focus and p.safe == 0 and p.lives < 2 and p.grazes % 7 == 3 then p.lives = math.min(9, p.lives + 1) end
