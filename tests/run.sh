@@ -44,7 +44,7 @@ one() {
     name=${name#tests/}
     file=$results/${name//\//-}
     local from=${EPOCHREALTIME/./}
-    GCOV_PREFIX=$PWD/$file.counters tests/patient.py --cpu "$cpu" "$file" "./$program" # for make coverage
+    LLVM_PROFILE_FILE=$PWD/$file.counts/%c%m.profraw tests/patient.py --cpu "$cpu" "$file" "./$program" # make coverage
     local rc=$? passed failed
     local took=$(((${EPOCHREALTIME/./} - from) / 100000))
     : >"$file.why"

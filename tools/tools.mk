@@ -109,7 +109,8 @@ OBJCOPY   ?= objcopy
 
 WEB     := build/web
 LIB_OBJ := $(patsubst %.c,$(OUT)/lib/%.o,$(BOARD_SRC) $(patsubst %,src/demo/%.c,demo demo_read demo_put demo_record demo_write rewind) $(wildcard src/lib/*.c) src/common/array.c) $(OUT)/lib/gen/std.o
-LIB_C   := -DWITHOUT_HELP $(if $(findstring mingw,$(CC)),,-fPIC) -fvisibility=hidden -ffunction-sections -fdata-sections
+LIB_C   := -DWITHOUT_HELP $(if $(findstring mingw,$(CC)),,-fPIC) -fvisibility=hidden -ffunction-sections -fdata-sections \
+           $(if $(findstring profile,$(OPT)),-fno-profile-instr-generate -fno-coverage-mapping) # make coverage
 
 $(OUT)/lib/gen/std.o: $(OUT)/gen/std.c
 	$(call compile,$(LIB_C))
