@@ -54,7 +54,7 @@ python3 -c 'd = bytearray(open("good3.demo", "rb").read()); d[4] = 9; open("bad8
 bad bad8.demo 'demo format 9; this build reads 2 to 5'
 id=$(grep -abo probe good3.demo | head -1 | cut -d: -f1)
 patch good3.demo "$id" bad9.demo && bad bad9.demo 'demo for another game ("qrobe"; this game is "probe")'
-patch good3.demo $(($(record good3.demo 2) - 12)) bad10.demo && bad bad10.demo 'frame 0: channel differs'
+patch good3.demo $(($(record good3.demo 2) - 12)) bad10.demo && bad bad10.demo 'frame 0: camera differs'
 seed=$((8 + 8 + 4 + 8 + 8 + 1 + 5 + 1 + $(strings -n 5 good3.demo | grep -om1 '5\.4\.[0-9]*' | tr -d '\n' | wc -c)))
 patch good3.demo $seed bad11.demo && bad bad11.demo 'frame 0: board, sparks differ'
 pads() { # DEMO RECORD: the byte of player 1's first run in that second
