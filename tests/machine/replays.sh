@@ -108,6 +108,7 @@ same 'the best score first: that one is deleted' 1950 "$(scores)"
 
 # ---- watching ----
 
+unset KEYS_WHOLE # what a replay's buttons do is written below it
 rm -rf data
 { begin; keys 230 $Z; ends; } | plays straight --seed 5 --no-resume
 first=$("$curtain" list g --replays --json | jq .first)
@@ -136,6 +137,18 @@ same 'back from its list at the title the pictures are those of a power-on' "$(p
     keys 60; } | play
 same 'who watches in the middle of a run keeps it' '0:04 ship normal 2020 unfinished' "$(list | head -1)"
 check 'and can resume it' test -s data/curtain/resume/probe.demo
+
+# From a replay, and from the menu at its end, one button leads to the list, where Delete asks for the replay's end.
+delete() { keys 9; press $DELETE; keys 2; press $DOWN; keys 2; keys 1 $Z; keys 9; }
+cp -r data data.kept
+{ watch; keys 60; keys 1 $X; delete; } | play
+same 'Quit leads from a replay to the list' 1 "$(demos | wc -l)"
+rm -rf data && cp -r data.kept data
+{ watch; keys 400; keys 1 $X; delete; } | play
+same 'Back leads from its end to the list' 1 "$(demos | wc -l)"
+rm -rf data && cp -r data.kept data
+{ watch; keys 60; keys 1 $ENTER; keys 40; } | play
+same 'START pauses it' 1 "$(tail -20 out | sort -u | wc -l)"
 
 # After the game was changed, a replay plays on its own ROM, which is stored as long as a replay needs it.
 rm -rf data

@@ -27,7 +27,7 @@ static void draw(const char *start, const char *fire, const char *bomb, int widt
         snprintf(hints[i].label, sizeof hints[i].label, "%s", labels[i]);
         hints[i].meaning = i == 0 ? "Start" : i == 1 ? "Fire" : "Bomb";
     }
-    button_hints_draw(&canvas, 0, hints, 3, kind);
+    button_hints_draw(&canvas, 0, BUTTON_HINTS_HEIGHT, hints, 3, kind);
 }
 
 static int count(enum canvas_colour colour)

@@ -29,7 +29,9 @@ static enum canvas_colour colour_of(const char *label, int kind)
 
 static int width_of(const struct canvas *canvas, const struct button_hint *h)
 {
-    return canvas_large_text_width(canvas, h->label) + 2 * CAP + GAP + canvas_large_text_width(canvas, h->meaning);
+    const int cap = h->label[0] ? canvas_large_text_width(canvas, h->label) + 2 * CAP + GAP : 0;
+
+    return cap + canvas_large_text_width(canvas, h->meaning);
 }
 
 static int total_width(const struct canvas *canvas, const struct button_hint *hint, int n)
@@ -101,7 +103,7 @@ void button_hints_print(const char *label, int kind, char out[INPUT_CODE_NAME_SI
         print_key(label + n, out + n, INPUT_CODE_NAME_SIZE - n);
 }
 
-void button_hints_draw(const struct canvas *picture, int y, struct button_hint *hint, int n, int kind)
+void button_hints_draw(const struct canvas *picture, int y, int h, struct button_hint *hint, int n, int kind)
 {
     const struct canvas plain = canvas_plain(picture), *canvas = &plain;
     char label[INPUT_CODE_NAME_SIZE];
@@ -113,10 +115,13 @@ void button_hints_draw(const struct canvas *picture, int y, struct button_hint *
     while (n > 1 && total_width(canvas, hint, n) > canvas->fb->w)
         n--;
     int x = (canvas->fb->w - total_width(canvas, hint, n)) / 2;
-    canvas_rect(canvas, 0, y, canvas->fb->w, BUTTON_HINTS_HEIGHT, CANVAS_DARK);
+    canvas_rect(canvas, 0, y, canvas->fb->w, h, CANVAS_DARK);
+    y += (h - BUTTON_HINTS_HEIGHT) / 2;
     for (int i = 0; i < n; i++) {
-        x = draw_button(canvas, x, y + 1, hint[i].label, kind) + GAP;
-        canvas_large_text(canvas, x, y + 3, CANVAS_WHITE, hint[i].meaning);
+        const bool is_title = !hint[i].label[0];
+        if (!is_title)
+            x = draw_button(canvas, x, y + 1, hint[i].label, kind) + GAP;
+        canvas_large_text(canvas, x, y + 3, is_title ? CANVAS_YELLOW : CANVAS_WHITE, hint[i].meaning);
         x += canvas_large_text_width(canvas, hint[i].meaning) + APART;
     }
 }

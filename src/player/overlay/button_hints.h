@@ -8,7 +8,7 @@
 #include "canvas.h"
 
 struct button_hint {
-    char label[INPUT_CODE_NAME_SIZE]; /* what is printed on the button */
+    char label[INPUT_CODE_NAME_SIZE]; /* what is printed on the button; "": the meaning is a title */
     const char *meaning;
 };
 
@@ -18,9 +18,9 @@ enum { BUTTON_HINTS_HEIGHT = 13 /* px */ };
  * lbracket. kind: as below; controllers' labels are printed as they are. */
 void button_hints_print(const char *label, int kind, char out[INPUT_CODE_NAME_SIZE]);
 
-/* Draws n hints in a dark band from row y down, BUTTON_HINTS_HEIGHT px high. Hints that don't fit the width are left
+/* Draws n hints in the middle of a dark band from row y down, h px high. Hints that don't fit the width are left
  * out, the last ones first. Replaces the labels by what is printed on the keys. kind: the controller that is in use
  * (enum plat_controller_kind), whose buttons have its colours; -1: the keyboard. */
-void button_hints_draw(const struct canvas *canvas, int y, struct button_hint *hint, int n, int kind);
+void button_hints_draw(const struct canvas *canvas, int y, int h, struct button_hint *hint, int n, int kind);
 
 #endif

@@ -11,6 +11,7 @@
 #include "play_state.h"
 #include "../clip/clip.h"
 #include "../../common/files.h"
+#include "../../base/int.h"
 #include "../overlay/button_hints.h"
 #include "../overlay/message.h"
 #include "../overlay/page.h"
@@ -18,8 +19,9 @@
 #include "timebar.h"
 
 enum {
-    BLINK = 20,            /* frames; the hint below an attract demo is shown for two thirds of the time */
-    MIN_HINTS_HEIGHT = 120 /* px: the least height of a picture with hints below a screen */
+    MIN_HINTS_HEIGHT = 120, /* px: the least height of a picture with hints below a screen */
+    HUD_ROW = 8,            /* px */
+    LOW_HUD_ROWS = 3        /* at the lower edge, which hints over a demo cover whole; one more of a large HUD */
 };
 
 /* ---- the picture ---- */
@@ -173,8 +175,19 @@ static void hint_label(struct play *play, uint32_t button, bool typing, char *ou
         keys_hint(&play->config.keys, action, out, size);
 }
 
-/* Fills in the hints on buttons: of an attract demo, of a page that leads back, while a name is typed, and of the title
- * until a run has been finished. Returns how many there are; 0: none, or something else is shown. */
+/* Fills in a hint of the program. label: an action, or "" for a title. */
+static void set_hint(struct play *play, struct button_hint *hint, const char *action, const char *meaning)
+{
+    const char *translation = words_find(&play->screens.words, meaning, strlen(meaning));
+
+    hint->label[0] = '\0';
+    if (action[0])
+        keys_hint(&play->config.keys, action, hint->label, sizeof hint->label);
+    hint->meaning = translation ? translation : meaning;
+}
+
+/* Fills in the hints on buttons: of a replay, of an attract demo, of a page that leads back, while a name is typed, and
+ * of the title until a run has been finished. Returns how many there are; 0: none, or something else is shown. */
 static int list_hints(struct play *play, bool covered, struct button_hint hint[MAX_KEY_HINTS])
 {
     const struct board_out *out = board_last_output(play_board(play));
@@ -182,12 +195,16 @@ static int list_hints(struct play *play, bool covered, struct button_hint hint[M
     const bool typing = typist >= 0 && !play->config.keys.device[typist].is_controller;
     int n = 0;
 
-    if (covered || (play->attract.on && play->time.frames / BLINK % 3 == 0))
+    if (play_is_watching(play)) {
+        set_hint(play, &hint[n++], "", "Replay");
+        set_hint(play, &hint[n++], "p1.start", "Pause");
+        set_hint(play, &hint[n++], "p1.bomb", "Quit");
+        return n;
+    }
+    if (covered)
         return 0;
     if (play->attract.on) {
-        keys_hint(&play->config.keys, "p1.start", hint[0].label, sizeof hint[0].label);
-        const char *translation = words_find(&play->screens.words, "Start", strlen("Start"));
-        hint[0].meaning = translation ? translation : "Start";
+        set_hint(play, &hint[0], "p1.start", "Start");
         return 1;
     }
     if (!typing && !play_page_leads_back(play) && (play->session.demo || !play->config.hints))
@@ -200,12 +217,33 @@ static int list_hints(struct play *play, bool covered, struct button_hint hint[M
     return n;
 }
 
-static void draw_hints(struct play *play, const struct canvas *canvas, struct button_hint *hint, int n)
+/* The overlay's text, and the areas that it is drawn on. */
+struct overlay_layout {
+    char text[sizeof((struct play *)0)->message.text + 32];
+    struct button_hint hint[MAX_KEY_HINTS];
+    int hints;
+    bool page;                   /* a page is shown, always over the picture */
+    struct canvas picture, side; /* side.fb NULL: everything is over the picture */
+    int y0, y1;                  /* rows that are free for panels */
+};
+
+/* Draws hints in rows y to end. */
+static void draw_hints(struct play *play, const struct canvas *canvas, int y, int end, struct button_hint *hint, int n)
 {
     const struct keys_device *device = &play->config.keys.device[0];
 
-    button_hints_draw(canvas, canvas->fb->h - BUTTON_HINTS_HEIGHT, hint, n,
-                      device->is_controller ? (int)device->kind : -1);
+    button_hints_draw(canvas, y, end - y, hint, n, device->is_controller ? (int)device->kind : -1);
+}
+
+/* Draws hints over the picture, above row `end`. Returns the first of their rows. */
+static int draw_hints_above(struct play *play, struct overlay_layout *o, int end)
+{
+    const struct demo *demo = play->attract.on ? &play->attract.demo : play->session.demo;
+    const int hud = demo ? HUD_ROW * (LOW_HUD_ROWS + demo->start.large_hud) : 0;
+    const int y = int_min(end - BUTTON_HINTS_HEIGHT, o->picture.fb->h - hud);
+
+    draw_hints(play, &o->picture, y, end, o->hint, o->hints);
+    return y;
 }
 
 bool play_timebar_shown(const struct play *play)
@@ -221,16 +259,6 @@ static void draw_progress(struct play *play, const struct canvas *canvas, int y)
     canvas_rect(canvas, 0, y, w, 2, CANVAS_GREY);
     canvas_rect(canvas, 0, y, done, 2, CANVAS_GREEN);
 }
-
-/* The overlay's text, and the areas that it is drawn on. */
-struct overlay_layout {
-    char text[sizeof((struct play *)0)->message.text + 32];
-    struct button_hint hint[MAX_KEY_HINTS];
-    int hints;
-    bool page;                   /* a page is shown, always over the picture */
-    struct canvas picture, side; /* side.fb NULL: everything is over the picture */
-    int y0, y1;                  /* rows that are free for panels */
-};
 
 static bool has_overlay(struct play *play, const struct overlay_layout *o)
 {
@@ -258,12 +286,12 @@ static void draw_over_picture(struct play *play, struct overlay_layout *o)
 
     o->y1 = console_draw(&play->console, canvas) - (bar ? TIMEBAR_H : 0);
     o->y0 = o->page ? draw_page(play, canvas) : 0;
+    if (o->hints && !play->console.open && (!bar || play_is_watching(play)))
+        o->y1 = draw_hints_above(play, o, o->y1);
     if (o->text[0])
         o->y1 = message_draw_above(canvas, o->y1, o->text);
     if (play->session.state != SESSION_PLAYING)
         draw_progress(play, canvas, o->y1 -= 2);
-    if (o->hints && !play->console.open && !bar)
-        draw_hints(play, canvas, o->hint, o->hints);
 }
 
 /* Draws the message at the top and the console at the bottom of the side area; panels are drawn between them. */
@@ -274,7 +302,7 @@ static void draw_in_side(struct play *play, struct overlay_layout *o)
     o->y1 = console_draw(&play->console, canvas);
     o->y0 = o->text[0] ? message_draw(canvas, 0, o->text) : 0;
     if (o->hints)
-        draw_hints(play, &o->picture, o->hint, o->hints);
+        draw_hints_above(play, o, o->picture.fb->h - (play_timebar_shown(play) ? TIMEBAR_H : 0));
     if (play->session.state != SESSION_PLAYING) {
         draw_progress(play, canvas, o->y0 + 1);
         o->y0 += 3;
@@ -333,7 +361,7 @@ static void draw_screen(struct play *play, const struct canvas *canvas)
         n++;
     }
     if (n > 0)
-        draw_hints(play, canvas, hint, n);
+        draw_hints(play, canvas, height, canvas->fb->h, hint, n);
 }
 
 void play_show(struct play *play, struct picture *p)

@@ -132,17 +132,18 @@ static void console_keys(struct play *play, const struct plat_input *in, struct 
 
 /* ---- the frame's input ---- */
 
-/* During a run, START of a player whose ship is in play opens the menu, and the game doesn't see it. opens: false if
- * the press has resumed a paused game. */
+/* During a run, START of a player whose ship is in play opens the menu, and the game doesn't see it; in a playback,
+ * that of any player. opens: false if the press has resumed a paused game. */
 static void take_start(struct play *play, const struct keys_state *k, bool opens)
 {
     const struct inspect_pause pause = inspect_pause(play_board(play));
+    const bool playback = play->session.demo != NULL;
     bool pressed = false;
 
-    if (!pause.is_listening || play->session.demo || play->attract.on || play_fault(play) || play->console.open)
+    if (!(playback || pause.is_listening) || play->attract.on || play_fault(play) || play->console.open)
         return;
     for (int p = 0; p < MAX_PLAYERS; p++) {
-        if (!pause.in_play[p])
+        if (!playback && !pause.in_play[p])
             continue;
         pressed = pressed || k->pads_pressed[p] & PAD_START & ~play->pads.ignored[p];
         play->pads.ignored[p] |= k->pads[p] & PAD_START;
@@ -189,6 +190,9 @@ static void game_keys(struct play *play, const struct plat_input *in, struct key
     console_keys(play, in, k);
     overlay_toggle(&play->overlay, k->pressed);
     take_start(play, k, !waited);
+    if (play_is_watching(play) && !screens_are_open(&play->screens) &&
+        (k->pads_pressed[0] | k->pads_pressed[1]) & PAD_BOMB)
+        play_quit_replay(play);
     accumulate_pads(&play->pads, k);
     if (play_fault(play))
         play_scroll(play, &play->report.page_top, play->report.page_max_top, k->pads[0], in->wheel);

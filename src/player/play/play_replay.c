@@ -148,6 +148,11 @@ static bool open_demo(struct play *play, const char *path, const char *what, boo
 
 /* ---- watching ---- */
 
+bool play_is_watching(const struct play *play)
+{
+    return play->replay.watching && play->session.demo && !play->attract.on;
+}
+
 bool play_watch(struct play *play, const char *path, uint32_t frame)
 {
     if (play->options.record || play->options.demo)

@@ -512,6 +512,9 @@ void play_final_retry(struct play *play);
 /* Shows a replay from a frame on, and ends the present run. If it can't be shown, shows a message and returns false. */
 bool play_watch(struct play *play, const char *path, uint32_t frame);
 
+/* Returns whether a replay from the list is shown. */
+bool play_is_watching(const struct play *play);
+
 /* Returns the game's current ROM, also while an older one runs. */
 const struct cart *play_home_cart(const struct play *play);
 
@@ -548,6 +551,9 @@ void play_apply_settings(struct play *play);
 
 extern const struct screen_def keys_screen;
 void play_open_menu(struct play *play);
+
+/* Ends a replay and returns to the list of replays. of: the struct play, as for screens. */
+void play_quit_replay(void *context);
 
 /* Returns whether the game shows a page that its bomb button leaves. The title and name entry, where START counts, are
  * no such pages. */

@@ -134,10 +134,18 @@ static void watch_again(struct play *play)
 }
 
 /* Goes back to the list, which is then over the title. */
-static void quit_replay(struct play *play)
+void play_quit_replay(void *context)
 {
+    struct play *play = context;
+
+    screens_close_all(&play->screens);
     play_return_to_title(play);
     play_open_replays(play);
+}
+
+static void quit_replay(struct play *play)
+{
+    play_quit_replay(play);
 }
 
 /* ---- entries ---- */
@@ -249,11 +257,12 @@ static void accept(void *context, int at)
         entries[e].action(play);
 }
 
-#define MENU(title_)                                                                                                   \
+#define MENU(title_, back_)                                                                                            \
     {                                                                                                                  \
-        .title = (title_), .small = true, .rows = rows, .row = row, .accept = accept                                   \
+        .title = (title_), .small = true, .rows = rows, .row = row, .accept = accept, .back = (back_)                  \
     }
-static const struct screen_def pause_menu = MENU("Paused"), page_menu = MENU("Menu"), end_menu = MENU("Replay Ended");
+static const struct screen_def pause_menu = MENU("Paused", NULL), page_menu = MENU("Menu", NULL),
+                               end_menu = MENU("Replay Ended", play_quit_replay);
 #undef MENU
 
 void play_open_menu(struct play *play)

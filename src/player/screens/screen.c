@@ -408,7 +408,10 @@ bool screens_poll(struct screens *s, const struct plat_input *in, const struct k
     }
     if (newly_pressed & BACK) { /* also if accept is pressed too */
         s->sounded[THEME_BACK] = true;
-        screens_close(s);
+        if (p->screen->back)
+            p->screen->back(p->context);
+        else
+            screens_close(s);
     } else if (newly_pressed & REMOVE && p->screen->remove && row_count(p) > 0 &&
                screen_place_row(p, p->row).removable) {
         p->screen->remove(p->context, p->row);

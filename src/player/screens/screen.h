@@ -50,6 +50,7 @@ struct screen_def {
     void (*accept)(void *context, int at);
     void (*remove)(void *context, int at); /* Delete, or the pad's special button, on a removable row */
     const char *removal;                   /* what this does: "Delete" */
+    void (*back)(void *context);           /* what Back does instead of closing the screen */
     void (*closed)(void *context);         /* called after it was closed, in any way */
 
     /* Called first. While it returns true, it gets all input, for reading a key or a line of text. */
