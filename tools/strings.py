@@ -64,6 +64,8 @@ def collect():
     for source in sources(["src/player/*/*.c"]):
         for call in FORMATTED.findall(source):
             found.update(strings(call))
+    for source in sources(["src/player/input/input_code.c"]): # buttons that are named by their places
+        found.update(filter(re.compile("[A-Z][a-zA-Z-]+( [a-z]+)+").fullmatch, strings(source)))
     for source in sources(TABLES):
         for row in re.findall(r"\{((?:[^{}\";]|%s)*)\}" % ANY, source):
             texts = strings(row)

@@ -221,6 +221,10 @@ rm $conf
 # ---- a key by pressing it ----
 
 { keys 50; keys 20 $UP; keys 30; } | plays up --seed 5 --record up.demo
+{ keys 30; press $F1 76 76; keys 1 $ESCAPE; keys 9; } | play g
+check 'Delete removes the keys of the row, and no buttons that it does not show' \
+    grep -qx 'p1.up = pad.up pad.lup' $conf
+rm -f $conf
 { keys 30; press $F1 $ENTER $F7; keys 1 $ESCAPE; keys 20; keys 20 $F7; keys 30; } | play g
 check 'another key is the same button at once' cmp up.demo menu.demo
 same 'and is saved' 'p1.up = up pad.up pad.lup f7' "$(cat $conf)"

@@ -277,10 +277,10 @@ TEST(labels)
     static const struct {
         const char *name, *label[PLAT_CONTROLLER_KINDS];
     } rows[] = {
-        { "pad.south", { "bottom button", "A", "A", "\u2715", "\u2715", "\u2715", "B" } },
+        { "pad.south", { "Bottom button", "A", "A", "\u2715", "\u2715", "\u2715", "B" } },
         { "pad.l2", { "L2", "LT", "LT", "L2", "L2", "L2", "ZL" } },
         { "pad.select", { "Select", "View", "Back", "Select", "Share", "Create", "-" } },
-        { "pad.lup", { "stick up", "stick up", "stick up", "stick up", "stick up", "stick up", "stick up" } },
+        { "pad.lup", { "Stick up", "Stick up", "Stick up", "Stick up", "Stick up", "Stick up", "Stick up" } },
         { "alt+enter", { "alt+enter", "alt+enter", "alt+enter", "alt+enter", "alt+enter", "alt+enter", "alt+enter" } },
     };
     char name[INPUT_CODE_NAME_SIZE];

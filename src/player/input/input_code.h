@@ -62,7 +62,7 @@ uint16_t input_code_parse(const char *name);
 void input_code_name(unsigned code, char *out, size_t size);
 
 /* Writes the label of a code. For a button, that is what is printed on it ("cross", "RB", "D-pad up"), or its position
- * for an unknown controller ("bottom button"), without the controller's number. For a key, it is the label in the
+ * for an unknown controller ("Bottom button"), without the controller's number. For a key, it is the label in the
  * user's keyboard layout ("w" for "z" on a French keyboard), or the name if the port doesn't know the label or the
  * canvas cannot draw it. INPUT_CODE_NAME_SIZE bytes are enough. */
 void input_code_label(unsigned code, enum plat_controller_kind kind, char *out, size_t size);

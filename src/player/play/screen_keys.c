@@ -14,7 +14,8 @@ enum {
     HEADING = -2,
     MAX_ROWS = KEYS_ACTIONS + MAX_PLAYERS + 2,
     PLAYER_ACTIONS = MAX_PLAYERS * PAD_BUTTON_COUNT,
-    TITLE = 64 /* bytes */
+    TITLE = 64, /* bytes */
+    INPUT = 64
 };
 
 /* The groups are the players, then the program's keys. Returns the number of rows. */
@@ -50,24 +51,55 @@ static int rows(void *context)
     return list_rows(context, list);
 }
 
-/* The keys of an action, or its buttons if a controller was used last: "Z", "\u2715, L1". */
-static void labels_of(struct play *play, int action, char *out, size_t size)
+/* Returns whether an action's row shows an input: keys, or buttons if a controller was used last. */
+static bool is_listed(const struct play *play, uint16_t code)
+{
+    const bool is_button = code & INPUT_CODE_CONTROLLER;
+
+    return code && is_button == play->config.keys.latest.is_controller;
+}
+
+/* Writes what is printed on a key or button; where nothing is, the button's translated place: "Bottom button". */
+static void print_input(const struct play *play, int action, uint16_t code, char *out, size_t size)
 {
     const struct keys *k = &play->config.keys;
     const struct keys_device *d = action < PLAYER_ACTIONS ? &k->device[action / PAD_BUTTON_COUNT] : &k->latest;
+    const bool is_button = code & INPUT_CODE_CONTROLLER;
     char label[INPUT_CODE_NAME_SIZE], printed[INPUT_CODE_NAME_SIZE];
+
+    input_code_label(code, d->kind, label, sizeof label);
+    button_hints_print(label, is_button ? (int)d->kind : -1, printed);
+    if (is_button && strchr(printed, ' '))
+        screen_translate(&play->screens.words, printed, out, size);
+    else
+        snprintf(out, size, "%s", printed);
+}
+
+/* The listed inputs of an action: "Z", "\u2715, L1". */
+static void labels_of(const struct play *play, int action, char *out, size_t size)
+{
+    const uint16_t *code = play->config.keys.code[action];
+    char printed[INPUT];
     size_t n = 0;
 
     snprintf(out, size, "-");
     for (int i = 0; i < KEYS_PER_ACTION && n < size; i++) {
-        const uint16_t code = k->code[action][i];
-        const bool is_button = code & INPUT_CODE_CONTROLLER;
-        if (!code || is_button != k->latest.is_controller)
+        if (!is_listed(play, code[i]))
             continue;
-        input_code_label(code, d->kind, label, sizeof label);
-        button_hints_print(label, is_button ? (int)d->kind : -1, printed);
+        print_input(play, action, code[i], printed, sizeof printed);
         n += (size_t)snprintf(out + n, size - n, "%s%s", n ? ", " : "", printed);
     }
+}
+
+/* Returns the last listed input of an action that can be removed; 0: none. */
+static uint16_t last_removable(const struct play *play, int action)
+{
+    const uint16_t *code = play->config.keys.code[action];
+
+    for (int i = KEYS_PER_ACTION - 1; i >= 0; i--)
+        if (is_listed(play, code[i]) && !keys_reserved(code[i]))
+            return code[i];
+    return 0;
 }
 
 /* The translated title of the action with this name: "Player 2 Fire". */
@@ -105,11 +137,12 @@ static void describe(void *context, int at, struct screen_row *row)
         return;
     }
     snprintf(row->label, sizeof row->label, "%s", keys_action_label(action));
-    row->removable = true;
+    row->removable = last_removable(play, action) != 0;
     row->action = "Add Key";
+    row->verbatim = true;
     labels_of(play, action, row->value, sizeof row->value);
     if (capture->listening && capture->action == action)
-        snprintf(row->value, sizeof row->value, "Press a key...");
+        screen_translate(&play->screens.words, "Press a key...", row->value, sizeof row->value);
     /* both players' buttons mean the same */
     screen_sentence(row->help, sizeof row->help,
                     keys_action_help(action < PLAYER_ACTIONS ? action % PAD_BUTTON_COUNT : action));
@@ -121,9 +154,9 @@ static void bind_input(struct play *play, uint16_t code)
 {
     struct keys *k = &play->config.keys;
     const char *name = keys_action_name(play->key_capture.action), *other = keys_conflict(k, name, code);
-    char label[INPUT_CODE_NAME_SIZE], title[TITLE], before[TITLE];
+    char label[INPUT], title[TITLE], before[TITLE];
 
-    input_code_label(code, k->latest.kind, label, sizeof label);
+    print_input(play, play->key_capture.action, code, label, sizeof label);
     title_of(play, name, title, sizeof title);
     if (!keys_add(k, name, code)) {
         screens_show_message(&play->screens, "%s already has %d keys, the maximum", title, KEYS_PER_ACTION);
@@ -183,23 +216,17 @@ static void accept(void *context, int at)
     screens_show_message(&play->screens, "%s: press a key or button. Escape: cancel.", title);
 }
 
-/* Removes the last key that can be removed. */
 static void remove_one(void *context, int at)
 {
     struct play *play = context;
     const int action = row_at(play, at);
+    const uint16_t code = last_removable(play, action);
+    char label[INPUT], title[TITLE];
 
-    for (int i = KEYS_PER_ACTION - 1; i >= 0; i--) {
-        const uint16_t code = play->config.keys.code[action][i];
-        if (code && !keys_reserved(code)) {
-            char label[INPUT_CODE_NAME_SIZE], title[TITLE];
-            input_code_label(code, play->config.keys.latest.kind, label, sizeof label);
-            title_of(play, keys_action_name(action), title, sizeof title);
-            screens_show_message(&play->screens, "%s: removed %s", title, label);
-            keys_remove(&play->config.keys, keys_action_name(action), code);
-            return;
-        }
-    }
+    print_input(play, action, code, label, sizeof label);
+    title_of(play, keys_action_name(action), title, sizeof title);
+    screens_show_message(&play->screens, "%s: removed %s", title, label);
+    keys_remove(&play->config.keys, keys_action_name(action), code);
 }
 
 static void closed(void *context)

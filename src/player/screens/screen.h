@@ -29,6 +29,7 @@ struct screen_row {
     bool changes;             /* left and right change it, and so does accepting a row without `action` */
     bool disabled;
     bool removable;     /* by Delete */
+    bool verbatim;      /* the value is not translated */
     const char *action; /* what accepting does, if "Select" does not say it: "Add Key"; NULL: "Select" */
     enum canvas_colour colour, value_colour; /* CANVAS_DARK: the default */
 };

@@ -137,7 +137,8 @@ struct screen_row screen_place_row(const struct screen_place *p, int at)
     p->screen->row(p->context, at, &row);
     shown = row;
     screen_translate(p->words, row.label, shown.label, sizeof shown.label);
-    screen_translate(p->words, row.value, shown.value, sizeof shown.value);
+    if (!row.verbatim)
+        screen_translate(p->words, row.value, shown.value, sizeof shown.value);
     screen_translate(p->words, row.help, shown.help, sizeof shown.help);
     return shown;
 }
