@@ -10,7 +10,7 @@
 #include "../../../fb/utf8.h"
 #include "letters.h"
 
-enum { TAB_SPACES = 2, SPACING = CANVAS_LARGE_LETTER_SPACING };
+enum { TAB_SPACES = 2, SPACING = CANVAS_LARGE_LETTER_SPACING, BRIGHTEST = 15 /* shade */ };
 
 static const char ellipsis[] = "\xE2\x80\xA6";
 
@@ -63,6 +63,17 @@ static void draw_in_colour(struct fb *fb, const struct image *image, int x, int 
             fb_fill_rect(fb, x + i % image->w, y + i / image->w, 1, 1, colour);
 }
 
+/* Outline fonts have letters in the brightest shade alone, which is nearly white in every bank. */
+static bool is_flat(const struct image *image)
+{
+    for (int i = 0; i < image->w * image->h; i++) {
+        const uint8_t shade = image->pix[i / image->w * image->pitch + i % image->w];
+        if (shade > 1 && shade != BRIGHTEST)
+            return false;
+    }
+    return true;
+}
+
 /* y: the top of capitals. */
 static void draw_glyph(const struct canvas *canvas, int x, int y, enum canvas_colour c, const struct glyph *g)
 {
@@ -79,7 +90,7 @@ static void draw_glyph(const struct canvas *canvas, int x, int y, enum canvas_co
     const int top = base - font->capital_height - font->capital_top + g->face.y;
     if (canvas->theme)
         blit_sprite(canvas->fb, &image, x + g->face.x, top, canvas->bank[c], 0);
-    else
+    if (!canvas->theme || is_flat(&image))
         draw_in_colour(canvas->fb, &image, x + g->face.x, top, canvas->colour[c]);
 }
 
