@@ -195,6 +195,9 @@ TEST(lines_break_after_blanks)
     assert_int_equal(canvas_large_text_fit(&canvas, "one two", canvas_large_text_width(&canvas, "one")), 4);
     assert_int_equal(canvas_large_text_fit(&canvas, "a verylongword", canvas_large_text_width(&canvas, "a verylo")), 8);
     assert_int_equal(canvas_large_text_fit(&canvas, "\xC3\x84\xC3\x84", 1), 2);
+    assert_int_equal(canvas_large_text_fit(&canvas, "あああ。あ", canvas_large_text_width(&canvas, "あああ")), 6);
+    assert_int_equal(canvas_large_text_fit(&canvas, "あああっあ", canvas_large_text_width(&canvas, "あああ")), 6);
+    assert_int_equal(canvas_large_text_fit(&canvas, "あああEscape", canvas_large_text_width(&canvas, "あああEs")), 9);
     assert_int_equal(canvas_large_text_fit(&canvas, "", 50), 0);
     assert_int_equal(canvas_large_text_lines(&canvas, text, w), 3);
     assert_int_equal(canvas_large_text_lines(&canvas, "one\n\ntwo", w), 3);

@@ -120,8 +120,8 @@ int canvas_large_text_truncated(const struct canvas *canvas, int x, int y, enum 
 int canvas_large_text_width(const struct canvas *canvas, const char *text);
 
 /* Returns how many bytes of text fit on a line of `width` px: up to a newline, or to a line break, which is after a
- * space or a slash if there is one in the second half of the line. Returns at least one character, unless the line is
- * empty. */
+ * space, after a slash or next to a Japanese character if there is such a place in the second half of the line. No line
+ * starts with a closing mark or small kana. Returns at least one character, unless the line is empty. */
 int canvas_large_text_fit(const struct canvas *canvas, const char *text, int width);
 
 /* Draws text wrapped at `width` px, in lines canvas_line_height apart. */

@@ -157,6 +157,44 @@ int canvas_large_text_truncated(const struct canvas *canvas, int x, int y, enum 
 
 /* ---- lines ---- */
 
+static uint32_t character_before(const char *text, size_t at)
+{
+    const char *s = text + at;
+
+    do
+        s--;
+    while (s > text && ((unsigned char)*s & 0xc0) == 0x80);
+    return utf8_next(&s, text + at);
+}
+
+/* Returns whether a line never starts with this character. */
+static bool is_inseparable(uint32_t code)
+{
+    static const char set[] = "!),.:;?%、。，．・：；！？」』）】〕…ー"
+                              "ぁぃぅぇぉっゃゅょゎァィゥェォッャュョヮヵヶ";
+
+    for (const char *s = set, *end = set + sizeof set - 1; s < end;)
+        if (utf8_next(&s, end) == code)
+            return true;
+    return false;
+}
+
+/* Returns whether a line may end before text[at]: between words, after a slash, and next to a character of a script
+ * without spaces. */
+static bool may_break(const char *text, size_t at)
+{
+    enum { WIDE = 0x2E80 /* the first code point of these scripts */ };
+    const char *s = text + at;
+
+    if (at == 0 || *s == ' ' || s[-1] == ' ' || s[-1] == '/')
+        return true;
+    if (((unsigned char)*s & 0xc0) == 0x80)
+        return false;
+    const uint32_t before = character_before(text, at), after = utf8_next(&s, s + strlen(s));
+    return (before >= WIDE || after >= WIDE) && !is_inseparable(after) && before != 0x300C /* 「 */ &&
+           before != 0xFF08 /* （ */;
+}
+
 int canvas_large_text_fit(const struct canvas *canvas, const char *text, int width)
 {
     size_t n = fitting_bytes(canvas, text, width), break_at = n;
@@ -164,7 +202,7 @@ int canvas_large_text_fit(const struct canvas *canvas, const char *text, int wid
     struct glyph g;
     if (!text[n] || text[n] == '\n')
         return (int)n;
-    while (break_at > 0 && text[break_at] != ' ' && text[break_at - 1] != ' ' && text[break_at - 1] != '/')
+    while (!may_break(text, break_at))
         break_at--;
     if (break_at > n / 2)
         return (int)(break_at + strspn(text + break_at, " "));
