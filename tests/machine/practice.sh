@@ -122,12 +122,16 @@ check 'Quit to Title saves them again' files_differ data/curtain/probe.nv before
 "$curtain" pack g -o g.rom >/dev/null
 packed() { ./player play g.rom --seed 5 --no-resume >out 2>err; } # standard input are the keys
 rm -rf data
-{ keys 20; press $F2 $Z; keys 60; } | packed
+late() { keys 20; press $F2 $DOWN $Z $DOWN $Z $Z; keys 20; } # the section after the first, if it is open
+late | packed
 check 'in a packed game a section that was not reached is locked' test ! -e "$file"
 { begin; keys 30; } | packed
 same 'a game reaches its sections' $'reached one\nreached one:late' "$(sed 1d "$file")"
+late | packed
+same 'which can then be practised' '0 1 normal one:late' "$(tail -1 "$file")"
+rm -rf data
 { keys 20; press $F2 $Z; keys 40; } | packed
-same 'which can then be practised' '0 1 normal one' "$(tail -1 "$file")"
+same 'the start of the first stage is open from the first time on' '0 1 normal one' "$(sed 1d "$file")"
 sed -i 's/return {/return { practice = "all",/' g/rom.lua
 "$curtain" pack g -o g.rom >/dev/null
 rm -rf data
@@ -135,7 +139,7 @@ rm -rf data
 same 'practice = "all" opens all of them' '0 1 normal one' "$(sed 1d "$file")"
 sed -i 's/practice = "all"/practice = "reached"/' g/rom.lua
 rm -rf data
-{ keys 20; press $F2 $Z; keys 60; } | play
+late | play
 check 'and practice = "reached" locks them in a folder too' test ! -e "$file"
 
 # ---- recording ----

@@ -131,8 +131,10 @@ static void message_text(struct play *play, char *text, size_t size)
         screens_format(words, text, size, "Rewind: frame %d", at);
     else if (play->replay.watching && play_is_at_end(play))
         screens_format(words, text, size, "%s", "Replay ended");
-    else if (play->time.paused)
+    else if (play->time.paused && play->options.open)
         screens_format(words, text, size, "Paused at frame %d", at);
+    else if (play->time.paused)
+        screens_format(words, text, size, "%s", "Paused");
     else if (play->time.speed < PLAY_FULL_SPEED)
         screens_format(words, text, size, "%d%% speed", play->time.speed);
 }

@@ -221,8 +221,8 @@ void play_poll(struct play *play, struct keys_state *k)
     play_type_name(play, &in);
     /* Also while the prompt is open: the key that closes it must not be read afterwards. */
     keys_read(&play->config.keys, &in, &play->pads.controllers, k);
-    if (play->options.sealed)
-        ignore_keys(k, KEYS_FOR_AUTHORS | (play->session.demo ? 0 : KEYS_FOR_SEEKING));
+    if (!play->options.open)
+        ignore_keys(k, KEYS_FOR_AUTHORS | (play->options.sealed && !play->session.demo ? KEYS_FOR_SEEKING : 0));
     play_report_controllers(play, k);
     play_check_drop(play);
     if (play->replay.resuming) { /* only quitting is possible */

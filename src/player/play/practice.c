@@ -59,12 +59,12 @@ static struct row row_at(const struct practice_menu *m, int at)
 
 /* ---- sections ---- */
 
-/* A boss is locked until one of its phases was reached. */
+/* A boss is locked until one of its phases was reached. Every game reaches its first stage. */
 static bool is_locked(const struct practice_menu *m, int section)
 {
     const struct section *s = &m->sections.section[section];
 
-    if (!m->locks)
+    if (!m->locks || (section == 0 && s->kind == SECTION_STAGE))
         return false;
     if (s->kind != SECTION_BOSS)
         return !records_reached(&m->records, s->id);
@@ -256,6 +256,16 @@ static int32_t add_within(int32_t v, int by)
     int64_t sum = (int64_t)v + by;
 
     return (int32_t)(sum < 0 ? 0 : sum > INT32_MAX ? INT32_MAX : sum);
+}
+
+/* Returns whether there is more than one section to choose from. */
+static bool has_choice(const struct practice_menu *m)
+{
+    int open = 0;
+
+    for (int i = 0; i < m->sections.n; i++)
+        open += m->sections.section[i].kind != SECTION_BOSS && !is_locked(m, i);
+    return open > 1;
 }
 
 /* Chooses the next section that can be practised, with wrap-around. */
@@ -533,7 +543,7 @@ static void describe(void *context, int at, struct screen_row *row)
     snprintf(row->label, sizeof row->label, "%s", kind == ROW_REGISTER ? m->sections.reg[r.i].title : rows[kind].label);
     row->heading = kind == ROW_LOADOUT;
     row->action = kind == ROW_START ? "Start" : kind == ROW_SECTION ? "Show List" : NULL;
-    row->changes = kind != ROW_START && kind != ROW_LOADOUT;
+    row->changes = kind == ROW_SECTION ? has_choice(m) : kind != ROW_START && kind != ROW_LOADOUT;
     row->disabled = kind == ROW_START && !can_start(m, m->chosen, row->help, sizeof row->help);
     if (!row->help[0])
         snprintf(row->help, sizeof row->help, "%s", rows[kind].help);

@@ -30,7 +30,7 @@ static int list_rows(const struct play *play, int list[MAX_ROWS])
     }
     list[n++] = HEADING - MAX_PLAYERS;
     for (int key = 0; key < HOTKEYS; key++)
-        if (!play->options.sealed || !(KEYS_FOR_AUTHORS >> key & 1))
+        if (play->options.open || !(KEYS_FOR_AUTHORS >> key & 1))
             list[n++] = PLAYER_ACTIONS + key;
     list[n++] = RESET;
     return n;
@@ -185,6 +185,7 @@ static bool listen(void *context, const struct plat_input *in)
     c->started = true;
     if (code) {
         c->listening = false;
+        play->screens.message_frames = 0;
         if (!keys_reserved(code))
             bind_input(play, code);
     }

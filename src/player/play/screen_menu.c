@@ -163,7 +163,7 @@ static const struct {
     [RESTART_STAGE] = { "Restart Stage", "The run then no longer counts for scores.", true, restart_stage },
     [RESTART] = { "Restart", "Start again with the same choices.", true, restart },
     [SETTINGS] = { "Settings", "Picture, sound, keys and more.", false, play_open_settings },
-    [PRACTICE] = { "Practice", "Practise any part of the game.", false, play_open_practice },
+    [PRACTICE] = { "Practice", "Practise any part that you have reached.", false, play_open_practice },
     [REPLAYS] = { "Replays", "Watch your recent runs.", false, play_open_replays },
     [LOG] = { "Log", "Script output and errors.", false, play_open_log },
     [TITLE] = { "Quit to Title", "End this run and return to the title.", false, quit_to_title },

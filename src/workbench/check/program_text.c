@@ -208,7 +208,7 @@ static const char *const texts[] = {
     "Practice is unavailable in a replay",
     "Practice is unavailable while this run is being recorded",
     "Practice: nothing is saved",
-    "Practise any part of the game.",
+    "Practise any part that you have reached.",
     "Practise the section with this ship and loadout.",
     "Practise this section.",
     "Press a button to identify a controller.",
