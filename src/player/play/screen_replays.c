@@ -127,32 +127,35 @@ static void end_text(const struct replay_meta *c, char *out, size_t size)
                                                       : ends[c->end]);
 }
 
-static void add_phrase(char *phrases, size_t size, const char *phrase)
+/* Adds a sentence, translated. */
+static void add_sentence(const struct play *play, char *out, size_t size, const char *sentence)
 {
-    const size_t n = strlen(phrases);
+    char words[SCREEN_HELP];
+    const size_t n = strlen(out);
 
-    snprintf(phrases + n, size - n, "%s%s", n ? ", " : "", phrase);
+    screen_translate(&play->screens.words, sentence, words, sizeof words);
+    snprintf(out + n, size - n, "%s%s", n ? " " : "", words);
 }
 
 /* The help of a replay's row: what a player should know before watching it. */
-static void describe(const struct replay_list *l, const struct replay_meta *c, char *out, size_t size)
+static void describe(const struct play *play, const struct replay_meta *c, char *out, size_t size)
 {
-    char phrases[SCREEN_HELP - 1] = "", phrase[64];
+    char sentence[SCREEN_HELP];
 
-    if (is_older(l, c))
-        add_phrase(phrases, sizeof phrases, "recorded in an older version of the game");
-    snprintf(phrase, sizeof phrase, "recorded with core version %u: playback may diverge", (unsigned)c->core);
+    if (is_older(&play->replay_list, c))
+        add_sentence(play, out, size, "Recorded in an older version of the game.");
+    snprintf(sentence, sizeof sentence, "Recorded with core version %u: playback may diverge.", (unsigned)c->core);
     if (c->core != CORE_VERSION)
-        add_phrase(phrases, sizeof phrases, phrase);
+        add_sentence(play, out, size, sentence);
     for (int i = 0; demo_flag_name(i); i++)
-        if (c->flags >> i & 1)
-            add_phrase(phrases, sizeof phrases, demo_flag_name(i));
-    snprintf(phrase, sizeof phrase, "high score as %s", c->row[0].row.name);
+        if (c->flags >> i & 1) {
+            screen_sentence(sentence, sizeof sentence, demo_flag_name(i));
+            add_sentence(play, out, size, sentence);
+        }
+    screens_format(&play->screens, sentence, sizeof sentence, "High score as %s.", c->row[0].row.name);
     if (c->rows)
-        add_phrase(phrases, sizeof phrases, phrase);
-    if (phrases[0])
-        screen_sentence(out, size, phrases);
-    else
+        add_sentence(play, out, size, sentence);
+    if (!out[0])
         snprintf(out, size, "Select to watch, name or export it.");
 }
 
@@ -222,7 +225,7 @@ static void row(void *context, int at, struct screen_row *row)
         snprintf(row->value, sizeof row->value, "%s", c->date ? date + 5 : date); /* without the year */
     if (is_older(l, c))
         row->colour = CANVAS_GREY;
-    describe(l, c, row->help, sizeof row->help);
+    describe(play, c, row->help, sizeof row->help);
 }
 
 static const char *text(void *context)
