@@ -298,6 +298,16 @@ local function register_item(i, r)
   return item
 end
 
+-- A register of player i as its row shows it, and its bank; nil: there is no such ship or register.
+function hud.register(i, name)
+  local kind = player.get(i).kind
+  for _, r in ipairs(kind and sys.ship(kind).registers or {}) do
+    local item = r.name == name and register_item(i, r)
+    local n, bank = item and item.get()
+    if n then return (item.label == "" and "" or item.label .. " ") .. item.make(n, 16), bank end
+  end
+end
+
 local function size_of(item) return item and is_large and item.size or 1 end
 
 -- Adds an item in a place. size: of the largest letters in its row.

@@ -173,10 +173,12 @@ local function check_how_to_play_page(p, what)
     expect_names("page of how_to_play:", { [p] = true }, HOW_TO_PLAY)
   else
     if type(p) ~= "table" then fail(what, "a table or the name of a page", type(p)) end
-    expect_names(("argument of %s:"):format(what), p, { "title", "text", "button", "show" })
+    expect_names(("argument of %s:"):format(what), p, { "title", "text", "button", "gauges", "show" })
     expect_text(what .. ": title", p.title, true)
     expect_text(what .. ": text", p.text, true)
     if p.button then expect_names("button of how_to_play:", { [p.button] = true }, BUTTONS) end
+    expect_type(what .. ": gauges", p.gauges, "table")
+    for i, name in ipairs(p.gauges or {}) do expect_text(("%s: gauge %d"):format(what, i), name, true) end
     expect_type(what .. ": show", p.show, "function")
   end
 end

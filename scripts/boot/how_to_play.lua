@@ -53,10 +53,12 @@ local function graze(kind, radius)
   end
 end
 
+local ARROWS <const> = hud.glyph(139, "<") .. hud.glyph(150, "^") .. hud.glyph(151, "v") .. hud.glyph(140, ">")
+
 -- The library's pages by name, in order; only what the ship can do.
 local function own_pages(ship, kind)
   local list = {
-    { name = "move", title = "Move", text = "Move in all eight directions.", show = move },
+    { name = "move", title = "Move", text = text.lang("Move in all eight directions.") .. " " .. ARROWS, show = move },
     { name = "fire", title = "Fire", button = "fire", text = "Hold Fire to shoot.", show = fire },
     { name = "focus", title = "Focus", button = "focus", show = focus,
       text = "Hold Focus to fly slowly. Only the middle of your ship can be hit." },

@@ -53,28 +53,36 @@ local function draw(p, top, body, bottom)
   page.text(body, p.text)
 end
 
--- What the buttons do. The button that the page is about comes first.
+-- What the buttons do. The button that a page is about starts its picture again; another one takes over its part.
 local function keys_of(p, is_last)
   local keys = p.button and { p.button, text.lang(p.title) } or {}
-  local function add(button, meaning)
-    if button == p.button then keys[2] = keys[2] .. "/" .. text.lang(meaning)
-    else table.move({ button, meaning }, 1, 2, #keys + 1, keys) end
-  end
-  if not is_last then add("fire", "Next") end
-  add("bomb", "Back")
+  local function add(button, meaning) table.move({ button, meaning }, 1, 2, #keys + 1, keys) end
+  add(p.button == "fire" and "start" or "fire", is_last and "Done" or "Next")
+  add(p.button == "bomb" and "left" or "bomb", "Back")
   return keys
 end
 
 -- The page that a button leads to from page `at`; 0: back.
-local function turn(at, n)
+local function turn(at, n, p)
   local step = page.step("left", "right")
-  if page.accepted() then return at < n and at + 1 or 0 end
-  if page.pressed("bomb") then return 0 end
+  local accepted = page.pressed("start") or p.button ~= "fire" and page.pressed("fire")
+  if accepted then return at < n and at + 1 or 0 end
+  if p.button ~= "bomb" and page.pressed("bomb") then return 0 end
   return (at - 1 + step) % n + 1
 end
 
--- pages: a list of { title, text, button, show }; ship: the kind that is shown by default. Left, right and fire turn the
--- pages; bomb goes back.
+-- The gauges that a page is about, as the HUD shows them, in the lower left corner of the picture.
+local function draw_gauges(p)
+  for i, name in ipairs(p.gauges or {}) do
+    local row = page.bottom - 1.5 * (#p.gauges - i + 1)
+    page.clear(row, 1)
+    local words, bank = hud.register(1, name)
+    if words then hud.put(page.col + 2, row, words, bank) end
+  end
+end
+
+-- pages: a list of { title, text, button, gauges, show }; ship: the kind that is shown by default. Left, right, fire and
+-- START turn the pages; bomb goes back.
 return function(pages, ship)
   text.clear()
   local at, age, idle, keys = 1, 0, 0, nil
@@ -94,14 +102,17 @@ return function(pages, ship)
       page.foot(keys)
     end
     picture.step()
+    draw_gauges(pages[at])
     page.tell(keys)
     wait(1)
     age, idle = age + 1, idle + 1
-    local to = turn(at, #pages)
+    local to = turn(at, #pages, pages[at])
     if to == 0 then break end
-    if to ~= at then
+    if to ~= at or pages[at].button and page.pressed(pages[at].button) then
       sys.cue("menu")
       picture.stop()
+      preview.close()
+      page.panel(bottom)
       at, age, idle, picture = to, 0, page.cols, new_picture(pages[to], area)
     end
   end

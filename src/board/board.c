@@ -510,6 +510,7 @@ static void clear_output(struct output *o)
     out->log_size = o->log_size = 0;
     out->marker_count = out->full_pool_count = out->key_hint_count = 0;
     out->typing = 0;
+    out->back = 0;
     out->fault = NULL;
 }
 

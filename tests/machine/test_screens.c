@@ -355,6 +355,13 @@ TEST(how_to_play)
     soon("3/3", 10);
     frames(60);
     assert_true(r.b->player.bomb_left[0] > 0);
+    expect_keys("bomb Bomb, fire Done, left Back");
+    press(PAD_BOMB, 0); /* the button that the page is about leaves no page */
+    frames(20);
+    assert_true(at("3/3") >= 0 && r.b->player.in_game[0]);
+    press(PAD_LEFT, 0);
+    soon("Mine.", 10);
+    assert_int_equal(r.b->bullets.s.live + r.b->shots.s.live, 0);
     press(PAD_BOMB, 0);
     soon("Settings", 10);
     assert_false(r.b->player.in_game[0]);

@@ -21,14 +21,14 @@ end
 local function release(area)
   local p = area.ship()
   p.gauge = 1000
-  for _ = 1, 3 do
+  for _ = 1, 4 do
     for k = -3, 3 do
       bullet.fire { kind = "star", x = area.w // 2, y = area.y, dir = 90 + 9 * k, speed = FALL }
     end
     area.play(12)
   end
   area.play(1, "special")
-  area.play(110)
+  area.play(80)
 end
 
 local function sink(e)
@@ -57,9 +57,9 @@ local function pearls(area)
 end
 
 return { "move", "fire", "focus", "bomb",
-  { title = "Graze", text = "Bullets that pass close to your ship fill the GLASS bar.", show = fill },
+  { title = "Graze", text = "Bullets that pass close to your ship fill the GLASS bar.", gauges = { "gauge" }, show = fill },
   { title = "Special", button = "special",
     text = "Special turns nearby bullets into prisms. Each one raises the multiplier.",
-    show = release },
+    gauges = { "shards", "gauge" }, show = release },
   { title = "Chain", text = "Break enemies without a pause: each one is worth more.", show = chain },
   { title = "Pearls", text = "Collect pearls. Near the top of the screen they are worth up to ten times as much.", show = pearls } }

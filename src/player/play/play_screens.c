@@ -56,7 +56,7 @@ static void open_by_key(struct play *play, const struct keys_state *k)
     else if (keys_pressed(k, HOTKEY_LOG))
         play_open_log(play);
     else if (keys_pressed(k, HOTKEY_MENU) && play_page_leads_back(play))
-        play->pads.held[0] |= PAD_BOMB;
+        play->pads.held[0] |= board_last_output(play_board(play))->back;
     else if (keys_pressed(k, HOTKEY_MENU))
         play_open_menu(play);
 }

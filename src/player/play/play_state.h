@@ -552,11 +552,10 @@ void play_apply_settings(struct play *play);
 extern const struct screen_def keys_screen;
 void play_open_menu(struct play *play);
 
-/* Ends a replay and returns to the list of replays. of: the struct play, as for screens. */
+/* Ends a replay and returns to the list of replays. context: the struct play, as for screens. */
 void play_quit_replay(void *context);
 
-/* Returns whether the game shows a page that its bomb button leaves. The title and name entry, where START counts, are
- * no such pages. */
+/* Returns whether the game shows a page on which a button means Back; Escape presses it. */
 bool play_page_leads_back(const struct play *play);
 
 /* Quits; asks first if a run would be lost. */

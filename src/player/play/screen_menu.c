@@ -276,14 +276,7 @@ void play_open_menu(struct play *play)
 
 bool play_page_leads_back(const struct play *play)
 {
-    const struct board_out *out = board_last_output(play_board(play));
-    bool back = false, start = false;
-
-    for (int i = 0; i < out->key_hint_count; i++) {
-        back = back || 1u << out->key_hint[i].button == PAD_BOMB;
-        start = start || 1u << out->key_hint[i].button == PAD_START;
-    }
-    return back && !start && !play->session.demo && !play->attract.on;
+    return board_last_output(play_board(play))->back && !play->session.demo && !play->attract.on;
 }
 
 bool play_has_run(const struct play *play)

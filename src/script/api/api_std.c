@@ -469,6 +469,7 @@ static const struct api_entry entries[] = {
     LUA_ENTRY("boot.run how_to_play", 0, API_SYS, NULL, "one page of How to Play",
               REQUIRED("title", A_STR, "heading of the page"), REQUIRED("text", A_STR, "text below the heading"),
               OPTIONAL("button", A_BUTTON, "button that the page is about, which the program shows with the title"),
+              OPTIONAL("gauges", A_TABLE, "names of registers that the page is about, shown below the picture"),
               OPTIONAL("show", A_FUNC,
                        "show(area): the moving picture; called again when it returns; what it spawns is removed with "
                        "the page")),
@@ -483,7 +484,7 @@ static const struct api_entry entries[] = {
             "start(players, lists, last): returns { mode, difficulty, ships }, names out of the lists; nil goes "
             "back"),
         SCREEN_PARAM("how_to_play",
-                     "how_to_play(pages, ship): shows the pages, given as { title, text, button, show }"),
+                     "how_to_play(pages, ship): shows the pages, given as { title, text, button, gauges, show }"),
         SCREEN_PARAM("continue",
                      "continue(index, left): returns true to continue; `left` is the number of remaining continues"),
         SCREEN_PARAM("results", "results(title, players, stopped, lines, new, grades): ends once stopped() is true"),

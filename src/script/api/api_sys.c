@@ -178,6 +178,8 @@ static int sys_tell_key(lua_State *L, struct board *b, struct api_value *v)
     size_t n;
     const char *meaning = lua_tolstring(L, v[1].at, &n), *translation = words_find(&b->words, meaning, n);
 
+    if (strcmp(meaning, "Back") == 0)
+        b->output->out.back = (uint16_t)(1 << v[0].i);
     board_add_key_hint(b, (uint32_t)v[0].i, translation ? translation : meaning);
     return 0;
 }
