@@ -15,14 +15,20 @@ for c = 48, 57 do SIGNS[#SIGNS + 1] = string.char(c) end
 for c in (".-!? "):gmatch(".") do SIGNS[#SIGNS + 1] = c end
 for i, c in ipairs(SIGNS) do NUMBERS[c] = i - 1 end
 
+local ARROWS <const> = hud.glyph(150, "^") .. hud.glyph(151, "v") .. hud.glyph(140, ">")
 local UP, DOWN = hud.glyph(150, "^"), hud.glyph(151, "v")
 
 local function sign(n) return SIGNS[n % #SIGNS + 1] end
+
+-- A space is shown as a line on the wheel.
+local function sign_on_wheel(n) return (sign(n):gsub(" ", "_")) end
 
 local GAP <const> = page.low and 1.5 or 2.5    -- rows from one line to the next
 local TURN <const> = page.low and 1.25 or 1.5  -- rows from one letter of the wheel to the next
 local WHEEL <const> = 3 * GAP + 1              -- rows above the wheel
 local READY <const> = WHEEL + 4 * TURN + 2     -- and above the word below it
+local BETWEEN <const> = 45 -- frames after a player's end in which START and Enter don't end the other's name
+local SAVES <const> = { "last/name", "last/name 2" } -- the name that each player entered last
 local KEYS <const> = { "fire", "Next", "start", "Done", "bomb", "Delete" }
 
 -- The letters, and the wheel on the last one; after a typed letter, the place of the next. lit: what is changed blinks.
@@ -39,16 +45,16 @@ local function draw_wheel(e, row, lit)
   if e.done then return end
   if typed then return hud.put(x, row + 2 * TURN, "_", bank) end
   hud.put(x, row, UP, hud.banks.faint)
-  hud.put(x, row + TURN, sign(n - 1), hud.banks.faint)
-  hud.put(x, row + 2 * TURN, sign(n), bank)
-  hud.put(x, row + 3 * TURN, sign(n + 1), hud.banks.faint)
+  hud.put(x, row + TURN, sign_on_wheel(n - 1), hud.banks.faint)
+  hud.put(x, row + 2 * TURN, sign_on_wheel(n), bank)
+  hud.put(x, row + 3 * TURN, sign_on_wheel(n + 1), hud.banks.faint)
   hud.put(x, row + 4 * TURN, DOWN, hud.banks.faint)
 end
 
 local function draw(e, row, lit)
   page.centre(row, text.lang("Player %d"):format(e.p), hud.banks.bright, e.col, e.cols)
   page.centre(row + GAP, ("%09d"):format(e.points), hud.banks.plain, e.col, e.cols)
-  if e.rank then page.centre(row + 2 * GAP, text.lang("Place %d"):format(e.rank), hud.banks.plain, e.col, e.cols) end
+  if e.rank then page.centre(row + 2 * GAP, text.lang("Place %d/10"):format(e.rank), hud.banks.plain, e.col, e.cols) end
   draw_wheel(e, row + WHEEL, lit)
   page.clear(row + READY, 1, e.col, e.cols)
   if e.done then page.centre(row + READY, "Ready", hud.banks.bright, e.col, e.cols) end
@@ -60,12 +66,24 @@ local function put_plate(e, row)
   }
 end
 
+-- Ends a name, unless no letter was chosen yet, or the other player's press may be meant.
+local function finish(e)
+  if e.untouched or e.wait > 0 then return sys.cue("wrong") end
+  e.done = true
+end
+
+-- The first letter of a new name replaces the player's last name.
+local function restart(e)
+  if e.last then e.signs, e.typed = { 0 }, false end
+  e.last, e.untouched = nil, nil
+end
+
 -- A key of the keyboard. A character replaces the one that the wheel shows, unless that was typed too.
 local function type_key(e, key)
+  if key == "enter" then return finish(e) end
+  restart(e)
   local n = #e.signs
-  if key == "enter" then
-    e.done = true
-  elseif key == "backspace" then
+  if key == "backspace" then
     e.signs[n] = n == 1 and 0 or nil
     e.typed = n > 1
   elseif not e.typed or n < MAX then
@@ -76,18 +94,24 @@ end
 
 -- One frame of a player's input. Returns true if something has changed.
 local function edit(e)
-  local n, key = #e.signs, sys.code(e.p)
+  local key = sys.code(e.p)
+  e.wait = e.wait - 1
   if NUMBERS[key] or key == "backspace" or key == "enter" then
     type_key(e, key)
     return true
   end
-  local step = page.step("up", "down", e.p)
-  e.signs[n] = (e.signs[n] + step) % #SIGNS
+  local step, deletes = page.step("up", "down", e.p), page.pressed("bomb", e.p)
   if page.pressed("start", e.p) then
-    e.done = true
-  elseif n < MAX and page.stepped("right", e.p) or page.pressed("fire", e.p) then -- right that is held ends no name
-    if n == MAX then e.done = true else e.signs[n + 1] = e.signs[n] end
-  elseif (page.pressed("bomb", e.p) or page.stepped("left", e.p)) and n > 1 then
+    finish(e)
+    return true
+  end
+  if step ~= 0 or deletes then restart(e) end
+  local n = #e.signs
+  e.signs[n] = (e.signs[n] + step) % #SIGNS
+  if n < MAX and page.stepped("right", e.p) or page.pressed("fire", e.p) then -- right that is held ends no name
+    if n == MAX then finish(e) else e.signs[n + 1] = e.signs[n] end
+    e.last, e.untouched = nil, nil
+  elseif (deletes or page.stepped("left", e.p)) and n > 1 then
     e.signs[n] = nil
   elseif step == 0 then
     return false
@@ -107,20 +131,36 @@ local function begin(entries)
   local list = {}
   for i, entry in ipairs(entries) do
     local col, cols = page.column(i, #entries, WIDEST)
-    list[i] = { p = entry.p, points = entry.points, rank = entry.rank, signs = { 0 }, col = col, cols = cols }
+    local e = { p = entry.p, points = entry.points, rank = entry.rank, signs = { 0 }, col = col, cols = cols, wait = 0 }
+    e.last = save.get(SAVES[e.p])
+    for k = 1, e.last and #e.last or 0 do e.signs[k] = NUMBERS[e.last:sub(k, k)] or 0 end
+    e.typed, e.untouched, list[i] = e.last ~= nil, not e.last, e
   end
   return list
 end
 
+-- Says how letters are chosen, and who types on a keyboard that the players share.
+local function draw_help(list)
+  if page.low then return end
+  local row, words = page.bottom - 6, text.lang("Type your name, or choose letters: %s"):format(ARROWS)
+  page.clear(row, 3)
+  row = page.text(row, words, hud.banks.faint)
+  local typist = list[1].done and list[2] or list[1]
+  if #list > 1 then page.centre(row, text.lang("Typing: Player %d"):format(typist.p), hud.banks.faint) end
+end
+
 -- One frame of all players. Returns true if all are done.
 local function step(list, row, age)
-  local done = true
+  local done, ended = true, false
   page.tell(KEYS)
+  if age % BLINK == 0 then draw_help(list) end
   for _, e in ipairs(list) do
+    local was_done = e.done
     if not e.done then sys.tell_keys(e.p) end
     if not e.done and edit(e) or age % BLINK == 0 then draw(e, row, age // BLINK % 2 == 0) end
-    done = done and e.done
+    done, ended = done and e.done, ended or e.done and not was_done
   end
+  for _, e in ipairs(ended and list or {}) do e.wait = BETWEEN end
   return done
 end
 
@@ -137,7 +177,7 @@ return function(entries)
       page.foot(KEYS)
     end
     if age % 60 == 0 then
-      page.centre(page.bottom - 2, text.lang("Time %2d"):format(SECONDS - age // 60), hud.banks.plain)
+      page.centre(page.bottom - 2, text.lang("Time: %d s"):format(SECONDS - age // 60), hud.banks.plain)
     end
     if step(list, row, age) then break end
     wait(1)
@@ -145,6 +185,7 @@ return function(entries)
   page.done()
   for i, e in ipairs(list) do
     names[i] = name_of(e)
+    if e.done then save.set(SAVES[e.p], names[i]) end
     e.plate:remove()
   end
   return names

@@ -32,7 +32,7 @@ local TALL <const> = 2.5 -- rows of cells that a row of two lines takes
 
 -- Draws row i of a table. what: "name", "ship", "far" or "all".
 local function draw_row(i, r, row, bank, marked, what)
-  local points = r and tostring(r.score) or "0"
+  local points = r and tostring(r.score) or ""
   local words = r and r.name or "--------"
   local ship = r and r.ship and menu.label(r.ship) or ""
   if r and what == "ship" then words = ship end
@@ -44,8 +44,8 @@ local function draw_row(i, r, row, bank, marked, what)
   hud.put(COL + WIDTH - #points, row, points, bank)
   if not r or what ~= "all" then return end
   local far = how_far(r, WIDTH - 4 - sys.cells(ship))
-  hud.put(COL + 3, row + 1.25, ship, hud.banks.faint)
-  hud.put(COL + WIDTH - sys.cells(far), row + 1.25, far, hud.banks.faint)
+  hud.put(COL + 4, row + 1, ship, hud.banks.faint)
+  hud.put(COL + WIDTH - sys.cells(far), row + 1, far, hud.banks.faint)
 end
 
 -- many: the table has several ships.
@@ -91,7 +91,7 @@ return function(difficulty, over, mark, ship)
   end
   local _, at = tables(difficulty, ship, mark)
   return book.show {
-    head = "Best Scores", chapters = labels, chapter = here, at = at, limit = over,
+    head = "Scores", chapters = labels, chapter = here, at = at, limit = over,
     pages = function(c)
       local own = names[c] == difficulty
       return (tables(names[c], own and ship, own and mark))

@@ -121,12 +121,14 @@ static void through_all(int w, int h, int field_w, int players)
     press(PAD_START, 0);
     soon("Enter Your Name", 60);
     frames(20);
+    press(PAD_START, PAD_START); /* nobody has chosen a letter */
+    gone("Ready");
     press(PAD_UP, PAD_FIRE);
     press(PAD_FIRE, PAD_FIRE);
     press(PAD_FIRE, PAD_FIRE);
-    assert_true(at("Time") >= 0);
+    assert_true(at("Time: ") >= 0);
     press(PAD_START, PAD_START);
-    soon("Best Scores", 60);
+    soon("Scores", 60);
     soon("Wild", 5);
     soon("500", 30);
     assert_true(players == 1 || (at("AAAA") >= 0 && at(" 70") >= 0));
@@ -226,7 +228,7 @@ TEST(keys)
     expect_keys("fire Next, bomb Back");
     press(PAD_RIGHT, 0);
     soon("< Fire >", 10);
-    expect_keys("fire Fire/Next, bomb Back");
+    expect_keys("fire Fire, start Next, bomb Back");
     press(PAD_RIGHT, 0);
     soon("< Focus >", 10);
     expect_keys("focus Focus, fire Next, bomb Back");
@@ -254,7 +256,7 @@ TEST(back)
     press(PAD_START, 0);
     soon("2 Players", 30);
     frames(1801);
-    soon("Best Scores", 60); /* attract mode: the scores, then the title */
+    soon("Scores", 60); /* attract mode: the scores, then the title */
     soon("Press Start", 500);
     close_game();
 }
@@ -474,7 +476,7 @@ TEST(held_in_a_name)
     assert_true(at("A A A A A A A A") >= 0 && at("Enter Your Name") >= 0);
     gone("Ready");
     press(PAD_FIRE, 0);
-    soon("Best Scores", 30);
+    soon("Scores", 30);
     close_game();
 }
 
@@ -489,7 +491,7 @@ static void start_leads_to_the_list(void)
         gone("Press Start");
     }
     gone("ONCE");
-    gone("Best Scores");
+    gone("No scores yet.");
     soon("Settings", 1);
     press(PAD_BOMB, 0);
     soon("Press Start", 60);
@@ -515,10 +517,10 @@ TEST(attract)
     until_attract("a");
     start_leads_to_the_list();
     until_attract("b");
-    soon("Best Scores", 10);
+    soon("No scores yet.", 10);
     start_leads_to_the_list();
     until_attract("a");
-    soon("Best Scores", 10);
+    soon("No scores yet.", 10);
     soon("ONCE", 400);
     start_leads_to_the_list();
     until_attract("b");
