@@ -25,8 +25,25 @@ end
 -- Breaks s into lines of at most `width` characters, between words if possible.
 function hud.wrap(s, width) return #s <= width and { s } or sys.wrap(s, width) end
 
+-- The same, into lines of nearly equal length.
+function hud.balance(s, width)
+  local lines, longest = hud.wrap(s, width), 1
+  if #lines == 1 then return lines end
+  for word in s:gmatch("%S+") do
+    local n = sys.cells(word)
+    if n <= width then longest = math.max(longest, n) end
+  end
+  for narrower = width - 1, longest, -1 do
+    local tried = hud.wrap(s, narrower)
+    if #tried > #lines then break end
+    lines = tried
+  end
+  return lines
+end
+
 local PITCH <const> = 10 -- px from one row to the next: 8 px of letters, 2 px free
 local GAP <const> = 6    -- px between groups of rows
+local MARGIN <const> = 1 -- columns free on each side of a banner
 local FEW <const> = 6    -- up to this many icons are drawn; more are drawn as an icon and a number
 local BEAT <const> = 8   -- frames that a full bar stays in each of its two colours
 local LIFE, STAR = hud.glyph(137, "*"), hud.glyph(138, "*")
@@ -105,16 +122,17 @@ local banner                        -- lines; area, row and h: its cells; ends: 
 local again                         -- everything has to be drawn
 
 -- Puts s, translated, in the middle of `cols` columns from `first`; by default of the field during play, otherwise of
--- the screen. Long text is wrapped. Returns the first row of cells below it.
-function hud.centre(row, s, bank, first, cols)
+-- the screen. Long text is wrapped. size: of the letters. Returns the first row of cells below it.
+function hud.centre(row, s, bank, first, cols, size)
   if not math.type(row) then sys.fail("hud.centre", ("row: expected a number, got %s"):format(tostring(row))) end
   local area = playing and FIELD or SCREEN
   first, cols = first or area.col, cols or first and hud.cols or area.cols
-  local lines = hud.wrap(text.lang(s), cols)
+  size = size or 1
+  local lines, pitch = hud.balance(text.lang(s), math.max(1, cols // size)), PITCH + 8 * (size - 1)
   for i, line in ipairs(lines) do
-    hud.put(first + math.max(0, cols - sys.cells(line)) / 2, row + (i - 1) * PITCH / 8, line, bank)
+    hud.put(first + math.max(0, cols - size * sys.cells(line)) / 2, row + (i - 1) * pitch / 8, line, bank, size)
   end
-  return row + (#lines * PITCH + 5) // 8
+  return row + (#lines * pitch + 5) // 8
 end
 
 function hud.score(i)
@@ -511,8 +529,9 @@ function sys.hide_rows(all, shown)
   if panel and panel.alive then panel.hidden = hidden.all > 0 end
 end
 
--- Shows lines in the middle of the field, or from a row on, for a number of frames. Without lines, removes them.
-function hud.banner(lines, frames, first)
+-- Shows lines in the middle of the field, or from a row on, for a number of frames. size: of the letters. Without lines,
+-- removes them.
+function hud.banner(lines, frames, first, size)
   if lines and type(lines) ~= "table" then
     sys.fail("hud.banner", 'lines: expected a list of strings such as { "GO" }')
   end
@@ -521,9 +540,11 @@ function hud.banner(lines, frames, first)
   banner = nil
   if not lines then return end
   first = math.max(first or hud.rows // 3, banner_row)
-  local row = first
-  for _, line in ipairs(lines) do row = hud.centre(row, line, hud.banks.bright) + 1 end
-  banner = { lines = lines, area = playing and FIELD or SCREEN, row = first, h = row - first, ends = sys.clock() + frames }
+  local row, area = first, playing and FIELD or SCREEN
+  for _, line in ipairs(lines) do
+    row = hud.centre(row, line, hud.banks.bright, area.col + MARGIN, area.cols - 2 * MARGIN, size) + 1
+  end
+  banner = { lines = lines, area = area, row = first, h = row - first, ends = sys.clock() + frames, size = size }
 end
 
 -- Draws everything again, after other text was written over it.
@@ -531,7 +552,7 @@ function hud.refresh()
   for _, item in ipairs(items) do item.place.text = nil end
   if groups.boss then groups.boss.places = {} end
   again = true
-  if banner then hud.banner(banner.lines, banner.ends - sys.clock(), banner.row) end
+  if banner then hud.banner(banner.lines, banner.ends - sys.clock(), banner.row, banner.size) end
 end
 
 -- The registers that player i's rows show: those at the top, those at the lower edge, those of the run.

@@ -28,10 +28,11 @@ local function report_ships(report, a)
   local titles = {}
   for _, kind in ipairs(a.players) do
     local about = a.ships and a.ships[kind] or {}
-    titles[kind] = title_of(about.title, kind)
+    local ship = title_of(about.title, kind)
+    titles[kind] = ship
     for _, form in ipairs(about.forms or {}) do
       local title = form.title or form.kind ~= kind and form.kind
-      if title then titles[form.kind] = titles[kind] .. " " .. title_of(form.title, form.kind) end
+      if title then titles[form.kind] = ship .. " " .. title_of(form.title, form.kind) end
     end
   end
   for i, kind in ipairs(a.kinds) do

@@ -92,6 +92,7 @@ local function try(m, run, host)
   local done, age = watch(m, game, host.stopped)
   local left, ship = host.left(), run.ships[1]
   local result = { mission = m.name, title = m.title, done = done, by = m.by, value = count(m.by, player.get(1), age) }
+  result.goal, result.progress = m.text or "", (progress(m, player.get(1), age))
   if done then
     result.stars = sys.missions.stars(m, result.value)
     result.new = sys.missions.enter(m, result.value, ship)

@@ -66,20 +66,17 @@ function page.clear(row, n, col, cols)
   if n > 0 then text.clear { col = col or page.col, row = row, w = cols or page.cols, h = h } end
 end
 
--- Breaks s into lines of at most `cols` cells and of nearly equal length.
-function page.wrap(s, cols)
-  local lines, longest = hud.wrap(s, cols), 1
-  for word in s:gmatch("%S+") do
-    local n = sys.cells(word)
-    if n <= cols then longest = math.max(longest, n) end
-  end
-  for narrower = cols - 1, longest, -1 do
-    local tried = hud.wrap(s, narrower)
-    if #tried > #lines then break end
-    lines = tried
-  end
-  return lines
+page.wrap = hud.balance
+
+-- A result of a mission: an amount, or a time in minutes, seconds and hundredths.
+function page.amount(by, value)
+  if by ~= "time" then return tostring(value) end
+  local minutes, seconds = value // 3600, ("%d.%02d"):format(value // 60 % 60, value % 60 * 100 // 60)
+  return minutes == 0 and seconds or ("%d:%s"):format(minutes, value // 60 % 60 < 10 and "0" .. seconds or seconds)
 end
+
+-- The name of what a mission counts.
+function page.measure(by) return by == "time" and text.lang("Time") or menu.label(by) end
 
 -- Translates and centres s; returns the row below.
 function page.centre(row, s, bank, col, cols)

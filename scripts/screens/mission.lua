@@ -6,20 +6,20 @@ local SHORTEST <const> = 30 -- frames in which buttons are ignored, because play
 local BETWEEN <const> = 12  -- frames from one star to the next
 local MOST <const> = 3
 
-local function measure(by, value)
-  if by ~= "time" then return menu.label(by) .. " " .. value end
-  return text.lang("Time %d.%02d"):format(value // 60, value % 60 * 100 // 60)
-end
+local function measure(by, value) return page.measure(by) .. " " .. page.amount(by, value) end
 
 local function draw(r, row, age)
   row = page.centre(row, r.done and "Mission Clear" or "Mission Failed", hud.banks[r.done and "bright" or "alarm"])
   page.rule(row, age, page.col + 2, page.cols - 4)
   row = page.centre(row + 2, r.title, hud.banks.plain) + 1
-  local here = r.done and math.min(r.stars, age // BETWEEN) or 0
-  page.stars(page.col + (page.cols - MOST) / 2, row, here, MOST)
-  row = row + 2
-  if r.done then page.centre(row, measure(r.by, r.value), hud.banks.bright) end
-  row = row + 2
+  if r.done then
+    page.stars(page.col + (page.cols - MOST) / 2, row, math.min(r.stars, age // BETWEEN), MOST)
+    page.centre(row + 2, measure(r.by, r.value), hud.banks.bright)
+  else
+    page.centre(row, r.goal, hud.banks.plain, page.col + 2, page.cols - 4)
+    page.centre(row + 3, r.progress, hud.banks.bright)
+  end
+  row = row + 4
   if r.new then
     page.centre(row, "New Best", hud.banks.bright)
   elseif r.best then
@@ -27,7 +27,7 @@ local function draw(r, row, age)
   end
 end
 
--- r: mission, title, done, by and value (what is measured), stars, new (whether it is the best), best. Returns "again" or
+-- r: mission, title, goal (its text), progress, done, by and value (what is measured), stars, new (whether it is the best), best. Returns "again" or
 -- "list".
 return function(r)
   local h = 16

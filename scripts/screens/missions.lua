@@ -21,16 +21,10 @@ local function entries()
   return list
 end
 
-local function amount(by, value)
-  return by == "time" and ("%d.%02d"):format(value // 60, value % 60 * 100 // 60) or tostring(value)
-end
-
-local function name_of(by) return by == "time" and text.lang("Time") or menu.label(by) end
-
 -- The values that earn the second and the third star.
 local function medals(m)
-  local s = name_of(m.by)
-  for i, v in ipairs(m.medals or {}) do s = ("%s %s %s"):format(s, STAR:rep(i + 1), amount(m.by, v)) end
+  local s = page.measure(m.by)
+  for i, v in ipairs(m.medals or {}) do s = ("%s %s %s"):format(s, STAR:rep(i + 1), page.amount(m.by, v)) end
   return s
 end
 
@@ -60,7 +54,7 @@ local function draw_note(e, row)
     row = row + apart
   end
   if e.value then
-    local best = text.lang("Best: %s"):format(name_of(m.by) .. " " .. amount(m.by, e.value))
+    local best = text.lang("Best: %s"):format(page.measure(m.by) .. " " .. page.amount(m.by, e.value))
     page.centre(row, m.ship and best or best .. "  " .. menu.label(e.ship), hud.banks.bright)
   end
 end

@@ -296,10 +296,22 @@ local function turn(row, p, step)
   return true
 end
 
+-- Leaves nothing chosen in a row that is locked.
+local function open_row(row)
+  for p = 1, 2 do
+    local o = option(row, p)
+    if o and o.closed then
+      row.at[p] = first_open(row.options(p))
+      if row == state.ships and state.forms then state.forms.at[p] = first_open(state.forms.options(p)) end
+    end
+  end
+end
+
 -- True if a button changed something.
 local function move()
   local row, step = state.rows[state.cursor], page.step("up", "down")
   if step ~= 0 and #state.rows > 1 then
+    open_row(row) -- what is locked is only looked at
     state.cursor = (state.cursor - 1 + step) % #state.rows + 1
     return true
   end

@@ -167,16 +167,33 @@ static void wrap_word(lua_State *L, int list, const char *word, size_t n, size_t
     lua_pushlstring(L, word, n);
 }
 
-/* Returns how many of the n bytes of a word fit in a row of `width` characters; one character fewer if the next row
- * would start with a closing character. */
+static bool is_latin(char c)
+{
+    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+}
+
+/* Returns whether a row may end before byte `at` of a word: the next one starts with no closing character, and no Latin
+ * word is broken. */
+static bool may_break(const char *word, size_t n, size_t at)
+{
+    const char *next = word + at;
+
+    return !text_is_closing_punctuation(utf8_next(&next, word + n)) && !(is_latin(word[at - 1]) && is_latin(word[at]));
+}
+
+/* Returns how many of the n bytes of a word to put in a row of `width` characters: all that fit, if there is no place
+ * to break them. */
 static size_t count_fitting_bytes(const char *word, size_t n, size_t width)
 {
-    size_t bytes;
+    size_t fitting, bytes;
 
-    utf8_count(word, n, width, &bytes);
-    const char *next = word + bytes;
-    if (width > 1 && bytes < n && text_is_closing_punctuation(utf8_next(&next, word + n)))
-        utf8_count(word, n, width - 1, &bytes);
+    utf8_count(word, n, width, &fitting);
+    bytes = fitting;
+    for (size_t cells = width; bytes < n && !may_break(word, n, bytes);) {
+        if (cells-- == 1)
+            return fitting;
+        utf8_count(word, n, cells, &bytes);
+    }
     return bytes;
 }
 
