@@ -92,8 +92,8 @@ local ROWS <const> = {
       { "lives2", false, "graze2" }, { "registers2" }, {} },
   },
   large_over = { -- large scores, lives and icons; the other rows give way to them
-    { { "score1" }, { "lives1", false, "graze1" } },
-    { { "score1" }, { "score2" }, { "lives1", false, "lives2" } },
+    { { false, "best" }, { "score1" }, { "lives1", false, "graze1" } },
+    { { false, "best" }, { "score1" }, { "score2" }, { "lives1", false, "lives2" } },
   },
   large_stacked = {
     { { "best" }, {}, { "name1", false, "lives1" }, { "points1" }, { "graze1" }, { "registers1" } },
@@ -164,7 +164,7 @@ end
 -- ---- places ----
 
 -- col, cols: cells; y: px; align: left, middle, right, or spread (the label left, the value right); size: of letters.
--- mirrored: the label is behind the value. group: hides the place with others. left, width: cells of the text.
+-- group: hides the place with others. left, width: cells of the text.
 
 local function place(col, y, cols, align, size)
   return { col = col, y = y, cols = math.max(0, cols), align = align, size = size or 1 }
@@ -204,7 +204,6 @@ end
 function hud.labelled(p, label, value, short, size)
   local free = math.max(0, p.cols // (size or p.size) - sys.cells(value) - 1) -- columns for the label
   if sys.cells(label) > free then label = short or "" end
-  if p.mirrored and label ~= "" then return value .. " " .. label end
   local spread = p.align == "spread" and free + 1 - sys.cells(label)
   return label .. (" "):rep(spread or label ~= "" and 1 or 0) .. value
 end
@@ -269,6 +268,8 @@ local function points(n, cols) return ("%0" .. math.max(1, math.min(9, cols - 3)
 
 local function icons(icon, n, cols) return n > math.min(FEW, cols) and icon .. "x" .. n or icon:rep(n) end
 
+local OUT <const> = -1 -- lives of a player who is out while another plays
+
 -- size: of the letters in a larger HUD.
 local KINDS <const> = {
   score = function(i)
@@ -280,11 +281,13 @@ local KINDS <const> = {
   points = function(i) return { label = "", make = tostring, get = function() return hud.score(i) end, size = 2 } end,
   best = function() return { label = text.lang("HI"), short = "HI", make = points, get = hud.best } end,
   lives = function(i)
-    return { label = "", make = function(n, cols) return icons(LIFE, n, cols) end,
-             get = function() return player.get(i).lives or 0 end, size = 2 }
+    local function make(n, cols) return n < 0 and text.lang("OUT") or icons(LIFE, n, cols) end
+    local function get() return player.get(i).lives or players > 1 and OUT or 0 end
+    return { label = "", make = make, get = get, size = 2 }
   end,
   graze = function(i)
-    return { label = text.lang(hud.graze), short = STAR, make = tostring, get = function() return player.get(i).grazes or 0 end }
+    return { label = text.lang(hud.graze), short = STAR, make = tostring, size = not STACKED and 2 or nil,
+             get = function() return player.get(i).grazes or 0 end }
   end,
 }
 
@@ -351,13 +354,15 @@ local function add_row(y, left, middle, right)
   if STACKED and not alone then
     left_cols = math.max(LIVES_COLS, left.cols or 0)
     right_cols = WIDTH - left_cols - 1
+  elseif right and right.label ~= "" and size_of(right) > 1 then
+    left_cols = math.min(cols, 2 * LIVES_COLS)
+    right_cols = WIDTH - left_cols - 1
   end
   local places = {
     place(LEFT, y, left_cols, alone and STACKED and (left.label == "" and "right" or "spread") or "left"),
     place(LEFT + (WIDTH - BEST_COLS) // 2, y, BEST_COLS, "middle"),
     place(LEFT + WIDTH - right_cols, y, right_cols, "right"),
   }
-  places[3].mirrored = right and right.player == 2 and not STACKED
   for k, item in ipairs { left or false, middle or false, right or false } do
     if item then add_item(item, places[k], size, "top" .. k) end
   end
@@ -427,13 +432,20 @@ local function add_low_rows(i, list)
     local size = size_of(item)
     y = y - PITCH - 8 * (size - 1)
     local p = place(col, y, LOW_COLS, i == 1 and "left" or "right")
-    item.low, p.mirrored = true, i == 2
+    item.low = true
     add_item(item, p, size, "low" .. i)
   end
   for _, item in ipairs(list) do
-    local label = players == 2 and item.register.show == "bar" and item.label ~= "" and take_label(item)
+    -- A large label is above its large value, below the name of a spell that is declared.
+    local alone = is_large and players == 1 and y - 2 * (PITCH + 8) > FIELD_BOTTOM - rom.view.h // 4
+    local apart = alone or players == 2 and item.register.show == "bar"
+    local label = apart and item.label ~= "" and take_label(item)
+    if alone then item.size = 2 end
     add(item)
-    if label then add(label) end
+    if label then
+      label.size = item.size
+      add(label)
+    end
   end
 end
 

@@ -78,6 +78,7 @@ local function play_opening(a)
   local scope, ended = sys.scope(), false
   local opening = task.own(scope, a.opening)
   while task.alive(opening) and not ended do
+    sys.tell_key("fire", "Next")
     sys.tell_key("start", "Skip")
     wait(1)
     ended = pressed("start")

@@ -1,7 +1,7 @@
 -- boss/rows.lua - what the HUD shows of a fight: bars, a pip for each phase to come, the clock, the name, the spell
 -- with its history and bonus, and a mark at the field's lower edge. A spell's name is declared in the middle of the
 -- field; then it appears in the panel, or slides to the boss's row over the field, in place of the boss's name. Over the
--- field, name and history stay for READ frames.
+-- field, it and the history stay for READ frames; then the boss's name returns.
 local sys = ... -- functions for the standard library only; documented in src/script/api/api_sys.c
 
 local PIP <const>, STAR <const>, RULE <const> = hud.glyph(152, "*"), hud.glyph(138, "*"), hud.glyph(141, "-")
@@ -207,11 +207,12 @@ local function draw_name(age)
 end
 
 -- The name in its place, and how often the spell was captured.
-local function draw_history(age)
+local function draw_history(b, age)
   local left = hud.panel and READ or STAYS + SLIDES + READ - age
   local bank = left > FADES and "bright" or left > 0 and "faint" or nil
   if not changed("history", bank or "gone") then return end
   show_lines(at.spell, bank and spell.name or "", hud.banks[bank])
+  if not bank then show_lines(at.name, text.lang(b.boss.title)) end -- the boss's name returns
   if not spell.history then return end
   local words = bank and hud.labelled(at.history, text.lang("CAPTURED"), spell.history, STAR) or ""
   hud.show(at.history, words, hud.banks[bank == "bright" and "plain" or bank])
@@ -247,6 +248,6 @@ return function(b, again, verdict, has_dialogue)
   draw_clock(phase.time - age)
   if spell then draw_name(age) end
   if not (spell and spell.done) then return end
-  draw_history(age)
+  draw_history(b, age)
   draw_bonus(b)
 end

@@ -285,6 +285,10 @@ return function(look, may_skip, fire)
         local since = sys.pad("pressed", "fire", p) and 0 or follows_talk and fire[p]
         fire[p] = since and sys.pad("down", "fire", p) and since + 1 or nil
       end
+      if mark then
+        sys.tell_key("fire", "Next")
+        if may_skip then sys.tell_key("special", "Hold to Skip") end
+      end
       held = pressed("down", "special") and held + 1 or 0
       if may_skip and held == HELD then
         t.skipped = true

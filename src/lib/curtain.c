@@ -213,8 +213,8 @@ static unsigned collect_events(struct curtain *c)
     c->nvram_writes = writes;
     c->nvram_changed = false;
     events |= out->log_size > 0 ? CURTAIN_LOG : 0;
-    events |= out->key_hint_count ? CURTAIN_MENU : 0;
     const struct inspect_pause pause = inspect_pause(c->board);
+    events |= out->key_hint_count && !pause.is_listening ? CURTAIN_MENU : 0;
     for (int p = 0; p < MAX_PLAYERS; p++)
         events |= pause.is_listening && pause.in_play[p] ? (unsigned)CURTAIN_RUN_1 << p : 0;
     events |= out->request == REQUEST_QUIT ? CURTAIN_QUIT : 0;

@@ -142,7 +142,7 @@ struct board_out {
     struct board_full_pool full_pool[MAX_FULL_POOLS];
     int full_pool_count;
     struct board_key_hint key_hint[MAX_KEY_HINTS]; /* for the host to show, with the player's own keys */
-    int key_hint_count;                            /* over 0: a page before or after a run is shown */
+    int key_hint_count;                            /* over 0: a page is shown, or a dialogue in a run */
     uint16_t back;                   /* the PAD_ bit of the button that leads back from the page; 0: none does */
     uint8_t typing;                  /* bit p: player p enters a name, and takes the codes of characters */
     const struct board_fault *fault; /* NULL: none. A fault ends the run. */

@@ -113,7 +113,7 @@ TEST(low)
     m.players = 2;
     open_with(&m, text);
     rig_run(&r, 1);
-    row_is(44, 1, "DEEP 7                7 DEEP");
+    row_is(44, 1, "DEEP 7                DEEP 7");
     row_is(54, -1, "");
     row_is(284, 1, "GLASS                  GLASS"); /* above its bar, which the ships at their start don't cover */
     row_is(294, 1, "-----                  -----");
@@ -123,7 +123,7 @@ TEST(low)
     rig_run(&r, 3);
     row_is(294, 1, "===--                  -----");
     assert_int_equal(style_at(294, 1), 5 | FIX_RIM);
-    row_is(264, 25, "12 C");
+    row_is(264, 25, "C 12");
     rig_run(&r, 4);
     row_is(274, 1, "x10.00                 x1.25");
     row_is(264, -1, "");
@@ -153,8 +153,8 @@ TEST(panel)
     open_with(&m, text);
     rig_run(&r, 1);
     row_is(80, 9, "A BANNER"); /* in the middle of columns 1 to 24 */
-    row_is(96, 2, "ITS OTHER LINE THAT IS");
-    row_is(106, 11, "LONG");
+    row_is(96, 6, "ITS OTHER LINE");
+    row_is(106, 7, "THAT IS LONG");
     rig_run(&r, 59);
     row_is(80, -1, "");
     row_is(96, -1, "");
@@ -225,7 +225,7 @@ TEST(two)
         const char *both, *second; /* the players in the game */
     } rows[] = { { 8, "HI  000000700", "HI  000000700" },
                  { 24, "1P  000000000", "1P  000000000" },
-                 { 34, "**    GRAZE 0", "GRAZE 0" },
+                 { 34, "**    GRAZE 0", "OUT   GRAZE 0" },
                  { 44, "BOMBS     ***", "" },
                  { 54, "MOON FIRE ==-", "" },
                  { 70, "2P  000000700", "2P  000000700" },
@@ -239,11 +239,11 @@ TEST(two)
     open_with(&m, text);
     rig_run(&r, 1);
     row_is(4, 9, "HI 000000700");
-    row_is(14, 1, "1P 000000000    000000700 2P");
+    row_is(14, 1, "1P 000000000    2P 000000700");
     row_is(24, 1, "**                        **");
-    row_is(34, 1, "GRAZE 0              0 GRAZE");
-    row_is(44, 1, "BOMBS ***          *** BOMBS");
-    row_is(54, 1, "MOON FIRE ==-  ==- MOON FIRE");
+    row_is(34, 1, "GRAZE 0              GRAZE 0");
+    row_is(44, 1, "BOMBS ***          BOMBS ***");
+    row_is(54, 1, "MOON FIRE ==-  MOON FIRE ==-");
     row_is(64, 12, "RANK 4");
     m.screen_w = 320;
     m.field_w = 200;
@@ -253,7 +253,7 @@ TEST(two)
         row_is(rows[i].y, 26, rows[i].both);
     rig_run(&r, 3);
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
-        row_is(rows[i].y, !*rows[i].second ? -1 : *rows[i].second == 'G' ? 32 : 26, rows[i].second);
+        row_is(rows[i].y, *rows[i].second ? 26 : -1, rows[i].second);
 }
 
 /* After the bar comes a pip for each phase to come; below it is the title, as much of it as fits. */
@@ -333,7 +333,7 @@ TEST(spell)
     row_is(44, 1, "CAPTURED 0/1      BONUS 4760");
     assert_int_equal(style_at(34, 1) & FIX_BANK, 6); /* name and history leave */
     rig_run(&r, 155);
-    row_is(32, 27, "66");
+    row_is(34, 1, "NINE                      66"); /* the boss's name has returned */
     row_is(44, 19, "BONUS 3210");
     rig_run(&r, 215);
     row_is(24, 23, "*");
@@ -603,14 +603,14 @@ TEST(larger)
              ships);
     open_with(&m, text);
     rig_run(&r, 1);
-    row_is(4, 1, "11PP  000000000000000000");
-    assert_int_equal(style_at(4, 1), 2 | FIX_RIM | FIX_DOUBLE);
-    row_is(22, 1, "****");
-    row_is(30, 1, "****                 GRAZE 0"); /* the lower half of the lives */
-    row_is(40, 1, "BBOOMMBBSS  ******");
-    row_is(58, 1, "COINS 12       HEAT ====----");
+    row_is(4, 9, "HI 000000000");
+    row_is(14, 1, "11PP  000000000000000000");
+    assert_int_equal(style_at(14, 1), 2 | FIX_RIM | FIX_DOUBLE);
+    row_is(32, 1, "****          GGRRAAZZEE  00");
+    row_is(50, 1, "BBOOMMBBSS  ******");
+    row_is(68, 1, "COINS 12       HEAT ====----");
     rig_run(&r, 8);
-    row_is(40, 1, "BBOOMMBBSS  **xx99");
+    row_is(50, 1, "BBOOMMBBSS  **xx99");
     m.screen_w = 320;
     m.screen_h = m.field_h = 240;
     m.field_w = 200;

@@ -1,4 +1,5 @@
--- hud.wrap: rows of characters, not of bytes; none begins with a sign that closes.
+-- hud.wrap: rows of characters, not of bytes; none begins with a sign that closes or a small kana,
+-- and no Latin word that fits in a row is broken.
 local function show(text, columns) print(table.concat(hud.wrap(text, columns), '|')) end
 
 --case: rows
@@ -7,8 +8,14 @@ show('abc defg', 7)
 show('été été et', 7)
 show('弾幕弾幕弾 a', 2)
 show('弾幕弾。幕', 3)
+show('ああって', 2)
+show('弾Escape弾', 6)
+show('弾Escape弾', 4)
 --> abc def
 --> abc|defg
 --> été été|et
 --> 弾幕|弾幕|弾|a
 --> 弾幕|弾。幕
+--> あ|あっ|て
+--> 弾|Escape|弾
+--> 弾|Esca|pe弾

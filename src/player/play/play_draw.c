@@ -188,8 +188,8 @@ static void set_hint(struct play *play, struct button_hint *hint, const char *ac
     hint->meaning = translation ? translation : meaning;
 }
 
-/* Fills in the hints on buttons: of a replay, of an attract demo, of a page that leads back, while a name is typed, and
- * of the title until a run has been finished. Returns how many there are; 0: none, or something else is shown. */
+/* Fills in the hints on buttons: of a replay, of an attract demo, of a page, while a name is typed, and in a run until
+ * one has been finished. Returns how many there are; 0: none, or something else is shown. */
 static int list_hints(struct play *play, bool covered, struct button_hint hint[MAX_KEY_HINTS])
 {
     const struct board_out *out = board_last_output(play_board(play));
@@ -209,7 +209,7 @@ static int list_hints(struct play *play, bool covered, struct button_hint hint[M
         set_hint(play, &hint[0], "p1.start", "Start");
         return 1;
     }
-    if (!typing && !play_page_leads_back(play) && (play->session.demo || !play->config.hints))
+    if (!typing && (play->session.demo || (!play->config.hints && inspect_pause(play_board(play)).is_listening)))
         return 0;
     for (int i = 0; i < out->key_hint_count; i++) {
         hint_label(play, out->key_hint[i].button, typing, hint[n].label, sizeof hint[n].label);

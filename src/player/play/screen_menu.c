@@ -26,10 +26,16 @@ enum entry {
 
 /* ---- leaving a run ---- */
 
+/* Returns whether a run is in progress that restarts and ends by codes. */
+static bool is_in_run(const struct play *play)
+{
+    return !play->session.demo && !play_fault(play) && inspect_pause(play_board(play)).is_listening;
+}
+
 /* Returns whether a page before or after a run is shown: the title, name entry. */
 static bool is_on_page(const struct play *play)
 {
-    return !play->session.demo && !play_fault(play) && !play->autosave.on &&
+    return !play->session.demo && !play_fault(play) && !play->autosave.on && !is_in_run(play) &&
            board_last_output(play_board(play))->key_hint_count > 0;
 }
 
@@ -40,12 +46,6 @@ static void end_run(struct play *play, const char *question, const char *yes, vo
         screens_ask(&play->screens, question, yes, then, play);
     else
         then(play);
-}
-
-/* Returns whether a run is in progress that restarts and ends by codes. */
-static bool is_in_run(const struct play *play)
-{
-    return !play->session.demo && !play_fault(play) && inspect_pause(play_board(play)).is_listening;
 }
 
 static bool is_practice(const struct play *play)

@@ -44,7 +44,7 @@ struct config {
     int panels;                /* enum panels */
     int speed;                 /* 25 to 100: percent of 60 frames a second */
     int away;                  /* 0 or 1: pause when the window loses focus */
-    int hints;                 /* 0 or 1: show the buttons of play below the title; 0 once a run has been finished */
+    int hints;                 /* 0 or 1: show the buttons of a dialogue; 0 once a run has been finished */
     int replays;               /* 0 to 1000: unnamed replays to save per game */
     int resume;                /* 0 or 1: save an unfinished run to resume it */
     int capture_seconds;       /* 5 to 60: length of a clip */
