@@ -541,8 +541,8 @@ function sys.hide_rows(all, shown)
   if panel and panel.alive then panel.hidden = hidden.all > 0 end
 end
 
--- Shows lines in the middle of the field, or from a row on, for a number of frames. size: of the letters. Without lines,
--- removes them.
+-- Shows lines in the middle of the field, or from a row on, for a number of frames. Without lines, removes them. size:
+-- of the letters.
 function hud.banner(lines, frames, first, size)
   if lines and type(lines) ~= "table" then
     sys.fail("hud.banner", 'lines: expected a list of strings such as { "GO" }')

@@ -276,7 +276,7 @@ function page.list(a)
     page.glide(l.bar, l.row + (chosen - l.first) * l.gap, age == 0)
     if a.draw and page.opening(age, 0) then a.draw(age) end
     if idle < 2 or age % BLINK == 0 or page.opening(age, #a.items) then draw(l, a, chosen, age) end
-    if a.keys then page.tell(a.keys) end
+    if a.keys then page.tell(a.closed and a.closed[chosen] and page.BACK or a.keys) end
     wait(1) -- the press that opened this list doesn't count
     idle, age = idle + 1, age + 1
     local step = page.step("up", "down", a.p)

@@ -16,7 +16,7 @@ return function(run)
   end
   page.centre(row + 1, run.clear and "All Clear" or "Game Over", hud.banks.bright)
   page.rule(row + 2.5, W, col + 1, W - 2)
-  local items = { text.lang("Retry"), text.lang("Quit to Title") }
+  local items = { text.lang("Restart"), text.lang("Quit to Title") }
   local i = page.list { items = items, row = row + 4.5, col = col, cols = W, back = 2, keys = page.SELECT, front = true }
   page.close(window)
   page.done()

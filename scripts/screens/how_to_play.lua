@@ -81,8 +81,8 @@ local function draw_gauges(p)
   end
 end
 
--- pages: a list of { title, text, button, gauges, show }; ship: the kind that is shown by default. Left, right, fire and
--- START turn the pages; bomb goes back.
+-- pages: a list of { title, text, button, gauges, show }; ship: the kind that is shown by default. Left, right, fire
+-- and START turn the pages; bomb goes back.
 return function(pages, ship)
   text.clear()
   local at, age, idle, keys = 1, 0, 0, nil

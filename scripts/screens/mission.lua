@@ -27,8 +27,8 @@ local function draw(r, row, age)
   end
 end
 
--- r: mission, title, goal (its text), progress, done, by and value (what is measured), stars, new (whether it is the best), best. Returns "again" or
--- "list".
+-- r: mission, title, goal (its text), progress, done, by and value (what is measured), stars, new (whether it is the
+-- best), best. Returns "again" or "list".
 return function(r)
   local h = 16
   local top = page.row + math.max(3, (page.rows - h) // 3)
@@ -38,7 +38,7 @@ return function(r)
     draw(r, top + 1, age)
     wait(1)
   end
-  local items = { text.lang("Retry"), text.lang("Missions") }
+  local items = { text.lang("Restart"), text.lang("Missions") }
   local i = page.list {
     items = items, row = top + h - 4, gap = 2, chosen = r.done and 2 or 1, back = 2, keys = page.SELECT, front = true,
   }

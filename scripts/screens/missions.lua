@@ -109,7 +109,7 @@ return function(last)
     end
     page.glide(bar, top + (at - 1) % rows * gap, age == 0)
     page.cursor(COL - 0.5, top + (at - 1) % rows * gap, age)
-    page.tell(page.SELECT)
+    page.tell(list[at].closed and page.BACK or page.SELECT)
     wait(1)
     age, idle = age + 1, idle + 1
     local to = move(at, #list, rows)

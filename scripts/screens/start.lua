@@ -262,7 +262,7 @@ end
 -- ---- the ships ----
 
 -- Where ship p is in the field.
-local function place_of(p) return sys.to_field(middle_of(p), (state.figures - 3) * 8) end
+local function place_of(p) return sys.to_field(middle_of(p), state.ship_row * 8) end
 
 -- Shows the ships that are chosen now; one that is closed is not shown.
 local function show_ships()
@@ -397,6 +397,7 @@ local function lay_out()
     bottom = math.ceil(state.text + state.text_rows * state.apart) + 1
     if state.figures - bottom >= PREVIEW then break end
   end
+  state.ship_row = state.figures - math.max(3, math.min(5, (state.figures - bottom) // 2))
   page.panel(bottom)
   local edge = state.players == 1 and 2 or 1.5
   state.bar = gap > 1 and page.bar(page.col + edge, state.rows[1].place, page.cols - 2 * edge, gap) or nil

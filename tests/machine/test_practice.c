@@ -53,7 +53,7 @@ static const char game_text[] =
     "})\n"
     "mission.def('rain', { title = 'Into the Rain', stage = 'rain', clear = true })\n"
     "boot.run { stages = { 'one', 'rain' }, players = { 'ship', 'other' }, ships = {\n"
-    "  other = { forms = { { kind = 'other' }, { kind = 'wide', title = 'WIDE' } } } } }\n";
+    "  other = { forms = { { kind = 'other', title = 'THIN' }, { kind = 'wide', title = 'WIDE' } } } } }\n";
 
 static struct rig_game game;
 
@@ -402,7 +402,7 @@ TEST(sections)
     expect_section(&p, 11, SECTION_PHASE, "queen/second", "Sign of Rain");
     expect_section(&p, 13, SECTION_PHASE, "knight/stand", "Stand");
     assert_string_equal(sections_title(&p, MARKER_STAGE, "rain"), "Stage Rain");
-    assert_string_equal(sections_title(&p, MARKER_SHIP, "other"), "Other");
+    assert_string_equal(sections_title(&p, MARKER_SHIP, "other"), "Other THIN");
     assert_string_equal(sections_title(&p, MARKER_DIFFICULTY, "normal"), "Normal");
     assert_string_equal(sections_title(&p, MARKER_MISSION, "rain"), "Into the Rain");
     assert_string_equal(sections_title(&p, MARKER_MISSION, "gone"), "gone");
@@ -574,7 +574,7 @@ TEST(menu_ship)
     held(0);
     assert_int_equal(TAP((uint16_t)PAD_RIGHT), STAYS);
     assert_string_equal(screen_place_row(&screens.place[0], 1).value, "Stage One");
-    assert_string_equal(screen_place_row(&screens.place[0], 2).value, "Other");
+    assert_string_equal(screen_place_row(&screens.place[0], 2).value, "Other THIN");
     assert_string_equal(screen_place_row(&screens.place[0], 5).label, "Fuel");
     screens_choose(&screens, 0);
     assert_int_equal(TAP((uint16_t)PAD_FIRE), STARTS);

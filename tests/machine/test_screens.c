@@ -136,7 +136,7 @@ static void through_all(int w, int h, int field_w, int players)
     assert_true(r.b->sprites.s.live <= 1); /* the plate behind the table */
     frames(30);
     press(PAD_FIRE, 0);
-    soon("Retry", 60);
+    soon("Restart", 60);
     assert_true(at("All Clear") >= 0);
     soon("Quit to Title", 10);
     press(PAD_DOWN, 0);
@@ -160,13 +160,13 @@ TEST(retry)
 {
     open_sized(run_all, 240, 320, 240, 1);
     start(1, true);
-    soon("Retry", 2000);
+    soon("Restart", 2000);
     assert_true(at("Game Over") >= 0 && board_last_output(r.b)->key_hint_count > 0);
     frames(10);
     press(PAD_FIRE, 0);
     soon("STAGE END", 20);
     assert_int_equal(board_current_difficulty(r.b), 1);
-    soon("Retry", 2000);
+    soon("Restart", 2000);
     frames(10);
     press(PAD_BOMB, 0);
     soon("Press Start", 20);
@@ -178,7 +178,7 @@ TEST(three_presses)
 {
     open_sized(run_all, 240, 320, 240, 1);
     start(1, true);
-    soon("Retry", 2000);
+    soon("Restart", 2000);
     frames(10);
     press(PAD_BOMB, 0);
     soon("Press Start", 20);

@@ -57,7 +57,8 @@ local function pearls(area)
 end
 
 return { "move", "fire", "focus", "bomb",
-  { title = "Graze", text = "Bullets that pass close to your ship fill the GLASS bar.", gauges = { "gauge" }, show = fill },
+  { title = "Graze", text = "Bullets that pass close to your ship fill the GLASS bar.",
+    gauges = { "gauge" }, show = fill },
   { title = "Special", button = "special",
     text = "Special turns nearby bullets into prisms. Each one raises the multiplier.",
     gauges = { "shards", "gauge" }, show = release },
