@@ -32,7 +32,7 @@ enum handle_kind {
     H_LASERS,
     H_OPTION,
     H_BULLETML,
-    H_MOVE, /* a movement of an enemy; the generation is the enemy's `move_serial` */
+    H_MOVE,   /* a movement of an enemy; the generation is the enemy's `move_serial` */
     H_CAMERA, /* the board's camera; the slot is 0 */
     HANDLE_KINDS
 };

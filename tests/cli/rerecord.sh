@@ -171,7 +171,7 @@ points
 aged new.demo forged.was here forged
 as_they_were forged
 again 'of this very build, and differs' 2 forged \
-    'frame 120: channel differs; not rerecorded: it was recorded with this build'
+    'frame 120: camera differs; not rerecorded: it was recorded with this build'
 check 'forged: left alone' cmp forged.demo forged.was
 head -c -30 old.was >short.demo
 cp short.demo short.was

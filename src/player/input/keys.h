@@ -64,8 +64,8 @@ enum hotkey {
     (1u << HOTKEY_FRAME_ADVANCE | 1u << HOTKEY_SLOW | 1u << HOTKEY_TURBO | 1u << HOTKEY_REWIND |                       \
      1u << HOTKEY_FRAME_BACK | 1u << HOTKEY_PREVIOUS_EVENT | 1u << HOTKEY_NEXT_EVENT | 1u << HOTKEY_GOTO)
 #define KEYS_FOR_AUTHORS                                                                                               \
-    (1u << HOTKEY_RELOAD | 1u << HOTKEY_LOG | 1u << HOTKEY_HITBOXES | 1u << HOTKEY_GAUGES |                            \
-     1u << HOTKEY_FRAME_TIMES | 1u << HOTKEY_TASKS | 1u << HOTKEY_MIXER | 1u << HOTKEY_CONSOLE)
+    (1u << HOTKEY_RELOAD | 1u << HOTKEY_LOG | 1u << HOTKEY_HITBOXES | 1u << HOTKEY_GAUGES | 1u << HOTKEY_FRAME_TIMES | \
+     1u << HOTKEY_TASKS | 1u << HOTKEY_MIXER | 1u << HOTKEY_CONSOLE)
 
 enum { KEYS_PER_ACTION = 6, KEYS_PER_HAND = 3, KEYS_ACTIONS = MAX_PLAYERS * PAD_BUTTON_COUNT + HOTKEYS };
 

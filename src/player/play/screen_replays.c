@@ -457,15 +457,10 @@ static const char *import_text(void *context)
 {
     struct play *play = context;
     struct replay_list *l = &play->replay_list;
-    char shown[FILES_PATH_SIZE];
 
-    files_display_name(REPLAY_EXPORTS, shown);
-    if (l->files)
-        screens_format(&play->screens, l->text, sizeof l->text,
-                       "Replay files in the folder %s. Select one to copy it to your replays.", shown);
-    else
-        screens_format(&play->screens, l->text, sizeof l->text,
-                       "No replay files. Copy .demo files to the folder %s, or drop one on the window.", shown);
+    screens_format(&play->screens, l->text, sizeof l->text, "%s",
+                   l->files ? "Exported replays and other files in their folder. Select one to copy it to your replays."
+                            : "No replay files. Drop a .demo file on the window, or copy it to the folder of exports.");
     return l->text;
 }
 

@@ -88,8 +88,8 @@ static const struct config_setting settings[] = {
       "how many recent runs are saved; named ones don't count", NULL, "None" },
     { "resume", "Resume Runs", "Gameplay", AT(resume), 0, 1, 1, no_yes, off_on, 1,
       "save an unfinished run and offer to resume it next time", NULL, NULL },
-    { "hints", "Button Hints", "Gameplay", AT(hints), 0, 1, 1, no_yes, off_on, 1,
-      "show the buttons of dialogue", NULL, NULL },
+    { "hints", "Button Hints", "Gameplay", AT(hints), 0, 1, 1, no_yes, off_on, 1, "show the buttons of dialogue", NULL,
+      NULL },
     { "capture_seconds", "Clip Length", "Gameplay", AT(capture_seconds), 5, 60, 10, NULL, NULL, 5,
       "how much of the run the clip key saves as a GIF", " s", NULL },
 };

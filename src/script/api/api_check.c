@@ -20,10 +20,27 @@ const char *const api_hit_forms[] = {
 };
 
 const char *const api_thing_names[HANDLE_KINDS] = {
-    NULL,       "a bullet", "a shot",           "an enemy",           "a player",  "a sprite",         "a task",
-    "a motion", "a group",  "a group of shots", "a group of enemies", "an item",   "a group of items", "a line of text",
-    "a layer",  "a plane",  "a laser",          "a group of lasers",  "an option", "a document",       "a move",
-    "the camera"
+    [H_BULLET] = "a bullet",
+    [H_SHOT] = "a shot",
+    [H_ENEMY] = "an enemy",
+    [H_PLAYER] = "a player",
+    [H_SPRITE] = "a sprite",
+    [H_TASK] = "a task",
+    [H_MOTION] = "a motion",
+    [H_GROUP] = "a group",
+    [H_SHOTS] = "a group of shots",
+    [H_ENEMIES] = "a group of enemies",
+    [H_ITEM] = "an item",
+    [H_ITEMS] = "a group of items",
+    [H_LINE] = "a line of text",
+    [H_LAYER] = "a layer",
+    [H_PLANE] = "a plane",
+    [H_LASER] = "a laser",
+    [H_LASERS] = "a group of lasers",
+    [H_OPTION] = "an option",
+    [H_BULLETML] = "a document",
+    [H_MOVE] = "a move",
+    [H_CAMERA] = "the camera",
 };
 
 /* Returns whether v is probably the result of arithmetic on a handle. Handles are integers (handle.h), so Lua cannot
