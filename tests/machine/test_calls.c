@@ -5,6 +5,7 @@
  * Without arguments all of it; with a number only so many are opened and closed, for valgrind (calls.sh).
  */
 #define _GNU_SOURCE
+#include <sys/stat.h>
 #include <malloc.h>
 #include <string.h>
 #include <unistd.h>
@@ -193,12 +194,24 @@ static void expect_same_file(const char *a, const char *b)
     free(pb);
 }
 
+/* From now on, what programs keep is in a new folder. */
+static void keep_in(const char *folder)
+{
+    char path[sizeof root + 16];
+
+    snprintf(path, sizeof path, "%s/%s", root, folder);
+    assert_int_equal(mkdir(path, 0700), 0);
+    setenv("XDG_DATA_HOME", path, 1);
+    setenv("XDG_CONFIG_HOME", path, 1);
+}
+
 TEST(two_at_once)
 {
     static const char *const alone[] = { "alone-0.demo", "alone-1.demo" }, *const both[] = { "0.demo", "1.demo" };
     struct play *plays[2];
     int shown[2];
 
+    keep_in("alone");
     for (int i = 0; i < 2; i++) {
         struct play *play = open_play(i, alone[i]);
         for (int k = 0; k < (4 + i) * FRAMES; k++)
@@ -207,6 +220,7 @@ TEST(two_at_once)
         shown[i] = windows[i].shown;
         assert_true(shown[i] > FRAMES);
     }
+    keep_in("both");
     for (int i = 0; i < 2; i++)
         plays[i] = open_play(i, both[i]);
     for (int k = 0; k < 4 * FRAMES; k++)

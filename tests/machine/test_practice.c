@@ -595,17 +595,17 @@ TEST(locks)
 
     open_menu(&start);
     menu.locks = true;
-    row = screen_place_row(&screens.place[0], 0); /* Start */
+    assert_false(screen_place_row(&screens.place[0], 0).disabled); /* Start, at the first stage, which is always open */
+    assert_int_equal(TAP((uint16_t)PAD_DOWN, (uint16_t)PAD_FIRE), STAYS); /* the list */
+    assert_string_equal(screen_place_row(&screens.place[1], 1).label, "Stage One");
+    assert_false(screen_place_row(&screens.place[1], 1).disabled);
+    row = screen_place_row(&screens.place[1], 2);
     assert_true(row.disabled);
     assert_string_equal(row.help, "Not reached yet. Reach it in a game to practise it.");
-    assert_int_equal(TAP((uint16_t)PAD_FIRE), STAYS);
-    assert_int_equal(TAP((uint16_t)PAD_DOWN, (uint16_t)PAD_FIRE), STAYS); /* the list */
-    row = screen_place_row(&screens.place[1], 1);
-    assert_string_equal(row.label, "Stage One");
-    assert_true(row.disabled);
     assert_string_equal(screen_place_row(&screens.place[1], 10).label, "? ? ?");
-    assert_int_equal(TAP((uint16_t)PAD_FIRE), STAYS);
+    assert_int_equal(TAP((uint16_t)PAD_DOWN, (uint16_t)PAD_FIRE), STAYS); /* what is locked is not chosen */
     assert_int_equal(screens.depth, 2);
+    assert_int_equal(TAP((uint16_t)PAD_UP), STAYS);
     practice_reach(&menu, &stage);
     practice_reach(&menu, &phase);
     row = screen_place_row(&screens.place[1], 1);
