@@ -324,7 +324,8 @@ function hud.register(i, name)
   local kind = player.get(i).kind
   for _, r in ipairs(kind and sys.ship(kind).registers or {}) do
     local item = r.name == name and register_item(i, r)
-    local n, bank = item and item.get()
+    local n, bank
+    if item then n, bank = item.get() end
     if n then return (item.label == "" and "" or item.label .. " ") .. item.make(n, 16), bank end
   end
 end

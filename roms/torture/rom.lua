@@ -4,7 +4,7 @@ return {
   id = "torture", title = "Torture", author = "The Curtain authors", version = 1, entry = "main",
   screen = { w = 320, h = 240 },
   field = { x = 16, y = 8, w = 224, h = 224, margin = 32, view = { w = 160, h = 200 } },
-  board = { bullets = 200, shots = 40, enemies = 32, sparks = 96, sprites = 24, motions = 24, tasks = 100, lua_kib = 1024,
+  board = { bullets = 200, shots = 40, enemies = 32, sparks = 96, sprites = 24, motions = 24, tasks = 100, lua_kib = 1472,
             values = { bullet = 2, shot = 1, enemy = 1 }, hp = true, around = true, frozen = true,
             meet = true, items = 48,
             lines = 10, wide = true, lasers = 12, curve_points = 128, options = 5, registers = 8, bodies = true,
