@@ -1,7 +1,7 @@
 /*
- * test_camera.c - a field that is larger than its view. The view's picture is compared pixel by pixel with a part of
- * the picture of a board that shows the whole field, a magnified picture with one of its own size, and the camera's
- * way with a plain program. tests/scripts/camera.lua tests what scripts are told.
+ * test_camera.c - a field that is larger than its view. The view must equal, pixel by pixel, the same part of a picture
+ * of the whole field; a zoomed picture must equal the plain one magnified; and the camera's path must equal that of a
+ * plain reference. tests/scripts/camera.lua tests the API.
  */
 #include "rig.h"
 #include "../../src/board/inspect.h"

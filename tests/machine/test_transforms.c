@@ -203,7 +203,7 @@ TEST(white)
     assert_true(pixels[8] > 400 && pixels[4] > pixels[8] / 3 && pixels[4] < 2 * pixels[8] / 3);
 }
 
-/* So many copies that they do not all fit: the picture is the same as with each thing drawn first. */
+/* More scaled copies than the scratch memory holds: the picture must not depend on which of them were cached. */
 TEST(many_copies)
 {
     static uint8_t all[H][W], one[H][W], layered[H][W];

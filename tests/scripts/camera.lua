@@ -1,4 +1,4 @@
--- The camera: what scripts read, write and are told.
+-- The properties of the camera, and the errors that scripts get.
 player.def('ship', { sprite = 'dot', hit = { circle = 2 }, speed = 4, focus = 1, lives = 2 })
 --load: without a view there is no camera
 print(camera)

@@ -48,7 +48,7 @@ fly(3, { { vy = 3 } })
 fly(3, { { vx = -1, vy = 0.5, kind = 'dot' }, { wait = 1 }, { vx = 0, over = 1 } })
 --> 99 100.5, 99 101, 99 101.5
 
---case: acceleration ends where a script writes the velocity, and goes on from where it writes a place
+--case: writing the velocity or the position ends the acceleration
 local pull = motion.def { { ay = 1, over = 9 } }
 local b = bullet.fire { kind = 'dot', x = 100, y = 100, dir = 0, speed = 2, motion = pull }
 wait(2)
