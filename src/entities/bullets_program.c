@@ -174,15 +174,11 @@ static void lead_to(struct bullets *b, uint32_t i, bool has_course, fx x, fx y)
         set_course(b, i, (fx)dx, (fx)dy);
 }
 
-/* Computes the velocity of bullet i in the k-th of n frames of an accelerating step. */
-static void get_accelerated(const struct bullets *b, const struct motion_world *w, uint32_t i, uint32_t st, uint32_t k,
-                            uint32_t n, fx *vx, fx *vy)
+/* Converts a velocity of motion_accelerate, clamped to MAX_SPEED. */
+static void round_velocity(const int64_t v[2], fx *vx, fx *vy)
 {
-    const struct motion_lead l = load_lead(b, i);
     const int64_t limit = (int64_t)MAX_SPEED << 32;
-    int64_t v[2], unused[2];
 
-    motion_accelerate(w->steps, st, &l, k, n, v, unused);
     *vx = bullets_speed_to_fx(int64_clamp(v[0], -limit, limit));
     *vy = bullets_speed_to_fx(int64_clamp(v[1], -limit, limit));
 }
@@ -192,15 +188,16 @@ static bool lead_frame(struct bullets *b, const struct motion_world *w, uint32_t
 {
     const struct steps *s = w->steps;
     struct motion_lead l = load_lead(b, i);
+    int64_t velocity[2];
     fx x, y;
 
     if (s->actions[st] & DOES_ORBIT && !(s->mode[st] & MODE_HAS_CENTRE) &&
         !find_orbit_centre(b, w, i, false, &l.x, &l.y))
         return false;
-    motion_lead_position(s, st, &l, k, n, &x, &y);
+    motion_lead_position(s, st, &l, k, n, &x, &y, velocity);
     lead_to(b, i, s->actions[st] & (DOES_WAVE | DOES_ACCEL_XY), x, y);
     if (s->actions[st] & DOES_ACCEL_XY) {
-        get_accelerated(b, w, i, st, k, n, &x, &y);
+        round_velocity(velocity, &x, &y);
         set_course(b, i, x, y);
     }
     return true;
@@ -226,12 +223,15 @@ static void end_lead(struct bullets *b, const struct motion_world *w, uint32_t i
 {
     const uint32_t actions =
         step_flags & (OVERRIDE_DIR | OVERRIDE_SPEED | OVERRIDE_POSITION) ? 0 : w->steps->actions[st];
+    int64_t velocity[2], distance[2];
     fx vx, vy;
 
     if (actions & DOES_WAVE)
         bullets_update_velocity(b, i);
     if (actions & DOES_ACCEL_XY) {
-        get_accelerated(b, w, i, st, n ? n : 1, n ? n : 1, &vx, &vy);
+        const struct motion_lead l = load_lead(b, i);
+        motion_accelerate(w->steps, st, &l, n ? n : 1, n ? n : 1, velocity, distance);
+        round_velocity(velocity, &vx, &vy);
         bullets_set_velocity(b, i, (int64_t)vx * (1 << Q32_EXTRA_BITS), (int64_t)vy * (1 << Q32_EXTRA_BITS));
     }
     b->travel_q32[i] = 0;

@@ -283,7 +283,7 @@ void motion_accelerate(const struct steps *s, uint32_t st, const struct motion_l
 }
 
 void motion_lead_position(const struct steps *s, uint32_t st, const struct motion_lead *l, uint32_t k, uint32_t n,
-                          fx *x, fx *y)
+                          fx *x, fx *y, int64_t velocity[2])
 {
     const ang a = l->angle + (ang)s->turn[st] * k;
     int64_t px = (int64_t)l->x * (1 << Q32_EXTRA_BITS), py = (int64_t)l->y * (1 << Q32_EXTRA_BITS);
@@ -296,7 +296,7 @@ void motion_lead_position(const struct steps *s, uint32_t st, const struct motio
         return;
     }
     if (s->actions[st] & DOES_ACCEL_XY) {
-        int64_t velocity[2], distance[2];
+        int64_t distance[2];
         motion_accelerate(s, st, l, k, n, velocity, distance);
         px += distance[0];
         py += distance[1];

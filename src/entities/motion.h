@@ -286,10 +286,10 @@ struct motion_lead {
  *   orbit  (x, y) + r (cos a, sin a), where r changes from size to size_to in n equal parts
  *   wave   (x, y), plus k speed along angle, plus size (sin b - sin dir) along angle + 90 degrees, where b is dir plus
  *          k / count turns, rounded to the nearest ang
- *   accel  (x, y) plus the sum of the velocities of frames 1 to k (motion_accelerate)
+ *   accel  (x, y) plus the sum of the velocities of frames 1 to k; also computes velocity as motion_accelerate does
  */
 void motion_lead_position(const struct steps *s, uint32_t st, const struct motion_lead *l, uint32_t k, uint32_t n,
-                          fx *x, fx *y);
+                          fx *x, fx *y, int64_t velocity[2]);
 
 /* Computes, for the k-th of n frames of a step with DOES_ACCEL_XY, the velocity on each axis, and the distance flown
  * since the step began: the sum of the velocities of frames 1 to k. In Q32; distances are clamped, far outside the

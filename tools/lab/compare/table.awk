@@ -28,7 +28,7 @@ END {
     row("rom", "ROM, bytes", 1, "%12d")
     row("ram", "RAM, bytes", 1, "%12d")
     row("heap_loaded", "Lua heap when loaded, bytes", 1, "%12d")
-    row("heap_played", "Lua heap at the end, bytes", 1, "%12d")
+    row("heap_played", "Lua heap, mean of all frames, bytes", 1, "%12d")
     row("snapshot", "snapshot at the end, bytes", 1, "%12d")
     row("bullets", "bullets at the end", 1, "%12d")
     row("load_ns", "load, ms", 1e6, "%12.3f")
