@@ -21,6 +21,8 @@ check "a method is found, with its line" says turn 'bullet:turn(by)             
 check "a name that is the word stands before texts" before turn lasers:turn angle.difference
 check "a name that has it stands before texts" before aim pattern.aimed bullet.fire
 check "texts have words, not letters" lacks turn board.dip
+check "a method of a variable is found" says p:push 'player:push(vx, vy)'
+check "a method of several things, each" says e:move 'enemy:move'
 check "arguments count as text" before radius query.near item.def
 check "a step is found" says turn 'in each step of motion.def:'
 check "a property is found by its text" says clockwise 'property spin of a laser: degrees a beam turns'

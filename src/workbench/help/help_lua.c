@@ -313,6 +313,20 @@ static bool help_all(const char *name, bool exact, void (*line)(const char *))
     return any;
 }
 
+/* Explains the method in a call of a variable, such as "p:push", for each kind of thing that has it. */
+static bool help_method(const char *name, void (*line)(const char *))
+{
+    const char *method = strchr(name, ':');
+    bool any = false;
+
+    for (int i = 0; method && i < api_count_entries(&api_table); i++) {
+        const char *own = strchr(api_get_entry(&api_table, i)->name, ':');
+        if (own && !strcmp(own, method))
+            any |= help_all(api_get_entry(&api_table, i)->name, true, line);
+    }
+    return any;
+}
+
 bool help_write(const char *name, void (*line)(const char *))
 {
     const bool exact = name && api_find_entry(&api_table, name);
@@ -327,5 +341,5 @@ bool help_write(const char *name, void (*line)(const char *))
     for (int k = 1; !exact && k < HANDLE_KINDS; k++)
         if (api_table.things[k] && !strcmp(api_table.things[k]->name, name))
             any = help_thing(k, line);
-    return any || help_search(name, line);
+    return any || help_method(name, line) || help_search(name, line);
 }
