@@ -221,7 +221,8 @@ return function(a, show, last)
   local what, players, from = last and "missions", 1, nil -- from: the entry of the menu that the player returns from
   while true do
     if not last then
-      if not a.opened then from = play_opening(a) and "start" or from end
+      local back = a.opened == nil and sys.at_title() -- from the program's settings or a replay: no opening
+      if not a.opened then from = (back or play_opening(a)) and "start" or from end
       a.opened = true
       local list = entries(a)
       what, players = show("title", ATTRACT, list, from, players, uses_special(a))

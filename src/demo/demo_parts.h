@@ -22,7 +22,7 @@ static inline int demo_mask_bytes(uint32_t format, int parts)
 }
 
 /* Flags of the header, in format 5. */
-enum { HEADER_SPARSE = 1, HEADER_LARGE_HUD = 2 };
+enum { HEADER_SPARSE = 1, HEADER_LARGE_HUD = 2, HEADER_AT_TITLE = 4 };
 
 /* The first byte of a run of pads in a sparse second: the number of frames minus one, and a bit for each player whose
  * buttons follow; the other player's buttons are unchanged. */

@@ -124,7 +124,8 @@ void demo_put_header(struct demo_sink *s, const struct demo *d, uint32_t *crc)
     write32(s, (uint32_t)d->start.difficulty);
     write_practice(s, &d->start.practice);
     write_str(s, d->start.lang);
-    write8(s, (d->sparse ? HEADER_SPARSE : 0u) | (d->start.large_hud ? HEADER_LARGE_HUD : 0u));
+    write8(s, (d->sparse ? HEADER_SPARSE : 0u) | (d->start.large_hud ? HEADER_LARGE_HUD : 0u) |
+                  (d->start.at_title ? HEADER_AT_TITLE : 0u));
     write8(s, (uint32_t)d->n_parts);
     for (int i = 0; i < d->n_parts; i++)
         write_str(s, d->part_name[i]);

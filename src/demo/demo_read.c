@@ -173,9 +173,10 @@ static bool read_header(struct parser *p, struct source *s)
         take_str(s, d->start.lang, sizeof d->start.lang);
     if (d->format > 4) {
         const uint8_t flags = take8(s);
-        s->bad |= (flags & ~(HEADER_SPARSE | HEADER_LARGE_HUD)) != 0;
+        s->bad |= (flags & ~(HEADER_SPARSE | HEADER_LARGE_HUD | HEADER_AT_TITLE)) != 0;
         d->sparse = flags & HEADER_SPARSE;
         d->start.large_hud = flags & HEADER_LARGE_HUD;
+        d->start.at_title = flags & HEADER_AT_TITLE;
     }
     d->n_parts = take8(s);
     if (s->bad)

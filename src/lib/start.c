@@ -170,7 +170,7 @@ bool lib_start_init(struct lib_start *out, const struct cart *cart, const struct
  * registers, 16 registers (32 bytes name, i32 value), u32 size of nvram, and its bytes. Strings are padded
  * with zeroes.
  */
-enum { FLAG_INVINCIBLE = 1, FLAG_LARGE_HUD = 2 };
+enum { FLAG_INVINCIBLE = 1, FLAG_LARGE_HUD = 2, FLAG_AT_TITLE = 4 };
 enum {
     N_DIPS = sizeof((struct board_start *)0)->dip / sizeof(int32_t),
     LANG_SIZE = sizeof((struct board_start *)0)->lang,
@@ -216,7 +216,8 @@ size_t lib_start_serialize(const struct lib_start *s, uint8_t *out)
     put_text(at + LANG_SIZE, p->section, SECTION_SIZE);
     at += LANG_SIZE + SECTION_SIZE;
     bytes_put32(at, (uint32_t)p->lives);
-    at[4] = (uint8_t)((p->invincible ? FLAG_INVINCIBLE : 0) | (start->large_hud ? FLAG_LARGE_HUD : 0));
+    at[4] = (uint8_t)((p->invincible ? FLAG_INVINCIBLE : 0) | (start->large_hud ? FLAG_LARGE_HUD : 0) |
+                      (start->at_title ? FLAG_AT_TITLE : 0));
     at[5] = (uint8_t)p->register_count;
     at += 6;
     for (int i = 0; i < PRACTICE_MAX_REGISTERS; i++, at += NAME_SIZE + 4) {
@@ -231,7 +232,7 @@ size_t lib_start_serialize(const struct lib_start *s, uint8_t *out)
 
 static bool read_practice(struct practice *p, const uint8_t *at)
 {
-    bool good = at[SECTION_SIZE + 4] <= (FLAG_INVINCIBLE | FLAG_LARGE_HUD) &&
+    bool good = at[SECTION_SIZE + 4] <= (FLAG_INVINCIBLE | FLAG_LARGE_HUD | FLAG_AT_TITLE) &&
                 at[SECTION_SIZE + 5] <= PRACTICE_MAX_REGISTERS && get_text(p->section, at, SECTION_SIZE);
 
     p->lives = (int32_t)bytes_get32(at + SECTION_SIZE);
@@ -260,6 +261,7 @@ bool lib_start_read(struct lib_start *out, const uint8_t *bytes, size_t size)
         !get_text(start->lang, at, LANG_SIZE) || !read_practice(&start->practice, at + LANG_SIZE))
         return false;
     start->large_hud = at[LANG_SIZE + SECTION_SIZE + 4] & FLAG_LARGE_HUD;
+    start->at_title = at[LANG_SIZE + SECTION_SIZE + 4] & FLAG_AT_TITLE;
     memcpy(out->nvram, bytes + HEAD_SIZE, nvram);
     start->nvram = nvram > 0 ? out->nvram : NULL;
     start->nvram_size = nvram;

@@ -53,6 +53,7 @@ struct board_start {
     struct practice practice;
     char lang[16];        /* language of the game's text, printable ASCII; "": the game's original language */
     bool large_hud;       /* the HUD shows its most important rows in larger letters */
+    bool at_title;        /* begins with the title's menu, without the opening */
     const uint8_t *nvram; /* NULL: blank */
     size_t nvram_size;    /* at most MAX_NVRAM */
 };

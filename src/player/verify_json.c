@@ -108,6 +108,7 @@ static void add_start(struct json *j, const struct demo *d)
     json_text(j, "practice", d->start.practice.section);
     json_text(j, "language", d->start.lang);
     json_bool(j, "large_hud", d->start.large_hud);
+    json_bool(j, "at_title", d->start.at_title);
     json_open(j, "dip", '[');
     for (int i = 0; i < MAX_DIPS; i++)
         json_number(j, NULL, d->start.dip[i]);

@@ -35,6 +35,7 @@ void play_title_start(struct play *play, struct board_start *start)
     start->nvram_size = given->nvram_size;
     snprintf(start->lang, sizeof start->lang, "%s", given->lang);
     play_set_host_start(play, start);
+    start->at_title = true;
     if (!play->options.seeded)
         start->seed = play_clock_seed();
 }

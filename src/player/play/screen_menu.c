@@ -39,15 +39,6 @@ static bool is_on_page(const struct play *play)
            board_last_output(play_board(play))->key_hint_count > 0;
 }
 
-/* Asks first if a run would be lost. */
-static void end_run(struct play *play, const char *question, const char *yes, void (*then)(void *context))
-{
-    if (play_has_run(play))
-        screens_ask(&play->screens, question, yes, then, play);
-    else
-        then(play);
-}
-
 static bool is_practice(const struct play *play)
 {
     return play->start.practice.section[0] != 0;
@@ -65,12 +56,17 @@ static void leave_run(void *context)
     play_send_code(play, 0, CODE_QUIT);
 }
 
+/* Asks first if a run would be lost. */
 static void quit_to_title(struct play *play)
 {
-    end_run(play,
-            play->autosave.on && play->config.replays > 0 ? "Quit? A replay of this run is saved."
-                                                          : "Quit to the title and lose this run?",
-            "Quit to Title", leave_run);
+    const bool is_saved = play->autosave.on && play->config.replays > 0;
+
+    if (play_has_run(play))
+        screens_ask(&play->screens,
+                    is_saved ? "Quit? A replay of this run is saved." : "Quit to the title and lose this run?",
+                    "Quit to Title", leave_run, play);
+    else
+        leave_run(play);
 }
 
 static void quit_now(void *context)
@@ -80,10 +76,11 @@ static void quit_now(void *context)
 
 void play_quit(struct play *play)
 {
-    end_run(play,
-            play->autosave.on && play->autosave.resumable ? "Quit? You can resume this run next time."
-                                                          : "Quit and lose this run?",
-            "Quit Game", quit_now);
+    screens_ask(&play->screens,
+                !play_has_run(play)                             ? "Quit the game?"
+                : play->autosave.on && play->autosave.resumable ? "Quit? You can resume this run next time."
+                                                                : "Quit and lose this run?",
+                "Quit Game", quit_now, play);
 }
 
 /* ---- restarting ---- */

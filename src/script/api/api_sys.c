@@ -792,6 +792,13 @@ static int sys_players(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
+static int sys_is_at_title(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)v;
+    lua_pushboolean(L, b->start.at_title);
+    return 1;
+}
+
 static int sys_has_large_hud(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)v;
@@ -943,6 +950,8 @@ static const struct api_entry entries[] = {
       HELP("returns the number of players the manifest allows") },
     { "sys.large_hud", sys_has_large_hud, NO_PARAMS, 0, API_SYS, "boolean",
       HELP("returns true if the player chose a larger HUD") },
+    { "sys.at_title", sys_is_at_title, NO_PARAMS, 0, API_SYS, "boolean",
+      HELP("returns true if the board begins with the title's menu") },
     { "sys.difficulties", sys_difficulties, NO_PARAMS, 0, API_SYS, "list",
       HELP("returns the names of the difficulties, easiest first") },
     SYS_ENTRY("sys.on", sys_is_enabled, 0, "boolean",

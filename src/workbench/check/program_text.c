@@ -222,6 +222,7 @@ static const char *const texts[] = {
     "Quit Game",
     "Quit Replay",
     "Quit and lose this run?",
+    "Quit the game?",
     "Quit to Title",
     "Quit to the title and lose this run?",
     "Quit without asking.",
