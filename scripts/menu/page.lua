@@ -161,9 +161,11 @@ function page.head(s, age)
   return math.ceil(row + 2)
 end
 
--- Tells the program what the buttons do, to be called in each frame.
-function page.tell(keys)
-  for i = 1, #keys, 2 do sys.tell_key(keys[i], keys[i + 1]) end
+-- Tells the program what the buttons of player 1, or of n players, do; to be called in each frame.
+function page.tell(keys, n)
+  for p = 1, n or 1 do
+    for i = 1, #keys, 2 do sys.tell_key(keys[i], keys[i + 1], p) end
+  end
 end
 
 -- Writes the same in the last row, for machines without a program: "Fire: Select  Bomb: Back". A program that shows the

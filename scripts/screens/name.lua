@@ -152,7 +152,7 @@ end
 -- One frame of all players. Returns true if all are done.
 local function step(list, row, age)
   local done, ended = true, false
-  page.tell(KEYS)
+  page.tell(KEYS, #list)
   if age % BLINK == 0 then draw_help(list) end
   for _, e in ipairs(list) do
     local was_done = e.done

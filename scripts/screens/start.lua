@@ -346,7 +346,7 @@ local function ask()
     end
     if state.bar then page.glide(state.bar, state.rows[state.cursor].place, state.shown == 0) end
     fly()
-    page.tell(closed_row() and page.BACK or KEYS)
+    page.tell(closed_row() and page.BACK or KEYS, state.players)
     wait(1)
     idle, state.age, state.shown = idle + 1, state.age + 1, state.shown + 1
     if move() then

@@ -115,8 +115,9 @@ struct board_marker {
 };
 
 /* What a button does on the page that is shown. meaning: in the board's language; text as in a marker's title. */
-enum { MAX_KEY_HINTS = 4 /* per tick; further ones are dropped */ };
+enum { MAX_KEY_HINTS = 8 /* per tick; further ones are dropped */ };
 struct board_key_hint {
+    int player;      /* who presses it, from 0 on */
     uint32_t button; /* in the order of PAD_BUTTON_NAMES */
     char meaning[32];
 };

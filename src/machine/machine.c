@@ -112,13 +112,14 @@ void board_add_marker(struct board *b, enum board_marker_kind kind, const char *
     copy_title(m->title, sizeof m->title, title);
 }
 
-void board_add_key_hint(struct board *b, uint32_t button, const char *meaning)
+void board_add_key_hint(struct board *b, int player, uint32_t button, const char *meaning)
 {
     struct board_out *out = &b->output->out;
 
     if (out->key_hint_count == MAX_KEY_HINTS)
         return;
     struct board_key_hint *hint = &out->key_hint[out->key_hint_count++];
+    hint->player = player;
     hint->button = button;
     copy_title(hint->meaning, sizeof hint->meaning, meaning);
 }

@@ -232,7 +232,7 @@ void board_add_marker(struct board *b, enum board_marker_kind kind, const char *
                       const char *title, int32_t value);
 
 /* Tells the program what a button does on the page that is shown. Changes no RAM. */
-void board_add_key_hint(struct board *b, uint32_t button, const char *meaning);
+void board_add_key_hint(struct board *b, int player, uint32_t button, const char *meaning);
 
 /* Returns whether this board was started only to list the sections for practice (PRACTICE_LIST). */
 bool board_is_listing(const struct board *b);

@@ -24,10 +24,12 @@ static void draw(const char *start, const char *fire, const char *bomb, int widt
     fb_fill(&fb, 0);
     canvas_open(&canvas, &fb, rgb);
     for (int i = 0; i < 3; i++) {
-        snprintf(hints[i].label, sizeof hints[i].label, "%s", labels[i]);
+        struct button_cap *cap = &hints[i].cap[0];
+        snprintf(cap->label, sizeof cap->label, "%s", labels[i]);
+        cap->kind = kind;
         hints[i].meaning = i == 0 ? "Start" : i == 1 ? "Fire" : "Bomb";
     }
-    button_hints_draw(&canvas, 0, BUTTON_HINTS_HEIGHT, hints, 3, kind);
+    button_hints_draw(&canvas, 0, BUTTON_HINTS_HEIGHT, hints, 3);
 }
 
 static int count(enum canvas_colour colour)
@@ -43,9 +45,9 @@ static int count(enum canvas_colour colour)
 TEST(keys_are_printed_as_on_the_keyboard)
 {
     draw("enter", "z", "lshift", WIDTH, -1);
-    assert_string_equal(hints[0].label, "Enter");
-    assert_string_equal(hints[1].label, "Z");
-    assert_string_equal(hints[2].label, "Shift");
+    assert_string_equal(hints[0].cap[0].label, "Enter");
+    assert_string_equal(hints[1].cap[0].label, "Z");
+    assert_string_equal(hints[2].cap[0].label, "Shift");
     assert_true(count(CANVAS_WHITE) > 300);
     assert_int_equal(count(CANVAS_RED) + count(CANVAS_GREEN) + count(CANVAS_CYAN), 0);
 }
@@ -65,10 +67,21 @@ TEST(names_of_keys_are_printed)
     assert_string_equal(out, "stick left");
 }
 
+TEST(both_players_have_a_cap)
+{
+    draw("enter", "z", "x", WIDTH, -1);
+    const int caps = count(CANVAS_WHITE);
+    hints[1].cap[1] = (struct button_cap){ "A", PLAT_XBOX };
+    button_hints_draw(&canvas, 0, BUTTON_HINTS_HEIGHT, hints, 3);
+    assert_true(count(CANVAS_GREEN) > 30);
+    assert_true(count(CANVAS_WHITE) >= caps);
+    hints[1].cap[1].label[0] = '\0';
+}
+
 TEST(controllers_have_their_colours)
 {
     draw("Menu", "A", "B", WIDTH, PLAT_XBOX);
-    assert_string_equal(hints[1].label, "A");
+    assert_string_equal(hints[1].cap[0].label, "A");
     assert_true(count(CANVAS_GREEN) > 30 && count(CANVAS_RED) > 30);
     draw("Options", "\u2715", "\u25CB", WIDTH, PLAT_PS5);
     assert_true(count(CANVAS_CYAN) > 30 && count(CANVAS_RED) > 30);

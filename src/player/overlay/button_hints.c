@@ -29,9 +29,11 @@ static enum canvas_colour colour_of(const char *label, int kind)
 
 static int width_of(const struct canvas *canvas, const struct button_hint *h)
 {
-    const int cap = h->label[0] ? canvas_large_text_width(canvas, h->label) + 2 * CAP + GAP : 0;
+    int w = canvas_large_text_width(canvas, h->meaning);
 
-    return cap + canvas_large_text_width(canvas, h->meaning);
+    for (int i = 0; i < BUTTON_HINT_CAPS; i++)
+        w += h->cap[i].label[0] ? canvas_large_text_width(canvas, h->cap[i].label) + 2 * CAP + GAP : 0;
+    return w;
 }
 
 static int total_width(const struct canvas *canvas, const struct button_hint *hint, int n)
@@ -44,16 +46,16 @@ static int total_width(const struct canvas *canvas, const struct button_hint *hi
 }
 
 /* Draws a key as a square cap, a controller's button as a round one. Returns the x after it. */
-static int draw_button(const struct canvas *canvas, int x, int y, const char *label, int kind)
+static int draw_button(const struct canvas *canvas, int x, int y, const struct button_cap *cap)
 {
-    const enum canvas_colour c = colour_of(label, kind);
-    const int w = canvas_large_text_width(canvas, label) + 2 * CAP, h = BUTTON_HINTS_HEIGHT - 2,
-              round = kind >= 0 ? 2 : 1;
+    const enum canvas_colour c = colour_of(cap->label, cap->kind);
+    const int w = canvas_large_text_width(canvas, cap->label) + 2 * CAP, h = BUTTON_HINTS_HEIGHT - 2,
+              round = cap->kind >= 0 ? 2 : 1;
 
     for (int i = 0; i < round; i++)
         canvas_rect(canvas, x + round - i, y + i, w - 2 * (round - i), h - 2 * i, c);
     canvas_rect(canvas, x, y + round, w, h - 2 * round, c);
-    canvas_large_text(canvas, x + CAP, y + 2, CANVAS_DARK, label);
+    canvas_large_text(canvas, x + CAP, y + 2, CANVAS_DARK, cap->label);
     return x + w;
 }
 
@@ -103,25 +105,35 @@ void button_hints_print(const char *label, int kind, char out[INPUT_CODE_NAME_SI
         print_key(label + n, out + n, INPUT_CODE_NAME_SIZE - n);
 }
 
-void button_hints_draw(const struct canvas *picture, int y, int h, struct button_hint *hint, int n, int kind)
+/* Draws the caps of a hint, and its meaning. Returns the x after it. */
+static int draw_hint(const struct canvas *canvas, int x, int y, const struct button_hint *h)
+{
+    enum canvas_colour colour = CANVAS_YELLOW;
+
+    for (int i = 0; i < BUTTON_HINT_CAPS; i++)
+        if (h->cap[i].label[0]) {
+            x = draw_button(canvas, x, y + 1, &h->cap[i]) + GAP;
+            colour = CANVAS_WHITE;
+        }
+    canvas_large_text(canvas, x, y + 3, colour, h->meaning);
+    return x + canvas_large_text_width(canvas, h->meaning);
+}
+
+void button_hints_draw(const struct canvas *picture, int y, int h, struct button_hint *hint, int n)
 {
     const struct canvas plain = canvas_plain(picture), *canvas = &plain;
     char label[INPUT_CODE_NAME_SIZE];
 
-    for (int i = 0; i < n; i++) {
-        button_hints_print(hint[i].label, kind, label);
-        memcpy(hint[i].label, label, sizeof label);
+    for (int i = 0; i < n * BUTTON_HINT_CAPS; i++) {
+        struct button_cap *cap = &hint[i / BUTTON_HINT_CAPS].cap[i % BUTTON_HINT_CAPS];
+        button_hints_print(cap->label, cap->kind, label);
+        memcpy(cap->label, label, sizeof label);
     }
     while (n > 1 && total_width(canvas, hint, n) > canvas->fb->w)
         n--;
     int x = (canvas->fb->w - total_width(canvas, hint, n)) / 2;
     canvas_rect(canvas, 0, y, canvas->fb->w, h, CANVAS_DARK);
     y += (h - BUTTON_HINTS_HEIGHT) / 2;
-    for (int i = 0; i < n; i++) {
-        const bool is_title = !hint[i].label[0];
-        if (!is_title)
-            x = draw_button(canvas, x, y + 1, hint[i].label, kind) + GAP;
-        canvas_large_text(canvas, x, y + 3, is_title ? CANVAS_YELLOW : CANVAS_WHITE, hint[i].meaning);
-        x += canvas_large_text_width(canvas, hint[i].meaning) + APART;
-    }
+    for (int i = 0; i < n; i++)
+        x = draw_hint(canvas, x, y, &hint[i]) + APART;
 }

@@ -164,28 +164,61 @@ static int draw_page(struct play *play, const struct canvas *canvas)
     return y;
 }
 
-/* Writes the label of player 1's button, or of the key that has its meaning while a name is typed; "": none. */
-static void hint_label(struct play *play, uint32_t button, bool typing, char *out, size_t size)
+/* Returns the cap of a player's key or button for an action. label "": there is none. */
+static struct button_cap cap_of(struct play *play, int player, const char *action)
 {
-    static const char *const buttons[PAD_BUTTON_COUNT] = PAD_BUTTON_NAMES;
-    char action[16];
+    const struct keys_device *device = &play->config.keys.device[player];
+    struct button_cap cap = { .kind = device->is_controller ? (int)device->kind : -1 };
 
-    snprintf(action, sizeof action, "p1.%s", buttons[button]);
-    if (typing)
-        snprintf(out, size, "%s", 1 << button == PAD_START ? "enter" : 1 << button == PAD_BOMB ? "backspace" : "");
-    else
-        keys_hint(&play->config.keys, action, out, size);
+    keys_hint(&play->config.keys, action, cap.label, sizeof cap.label);
+    if (strcmp(cap.label, "none") == 0)
+        cap.label[0] = '\0';
+    return cap;
 }
 
-/* Fills in a hint of the program. label: an action, or "" for a title. */
+/* Returns the cap of a button in a hint of the game: of the key that has its meaning while a name is typed. label "":
+ * none. */
+static struct button_cap cap_of_hint(struct play *play, const struct board_key_hint *h, bool typing)
+{
+    static const char *const buttons[PAD_BUTTON_COUNT] = PAD_BUTTON_NAMES;
+    struct button_cap key = { .kind = -1 };
+    char action[16];
+
+    snprintf(action, sizeof action, "p%d.%s", h->player + 1, buttons[h->button]);
+    if (!typing)
+        return cap_of(play, h->player, action);
+    if (h->player == 0)
+        snprintf(key.label, sizeof key.label, "%s",
+                 1 << h->button == PAD_START  ? "enter"
+                 : 1 << h->button == PAD_BOMB ? "backspace"
+                                              : "");
+    return key;
+}
+
+/* Adds a hint to the n before it: if one has its meaning, only its cap, for the other player. Returns how many there
+ * are. */
+static int add_hint(struct button_hint *hint, int n, struct button_cap cap, const char *meaning)
+{
+    if (!cap.label[0])
+        return n;
+    for (int i = 0; i < n; i++)
+        if (strcmp(hint[i].meaning, meaning) == 0 && !hint[i].cap[1].label[0]) {
+            if (strcmp(hint[i].cap[0].label, cap.label) != 0)
+                hint[i].cap[1] = cap;
+            return n;
+        }
+    hint[n] = (struct button_hint){ { cap }, meaning };
+    return n + 1;
+}
+
+/* Fills in a hint of the program. action "": the meaning is a title. */
 static void set_hint(struct play *play, struct button_hint *hint, const char *action, const char *meaning)
 {
     const char *translation = words_find(&play->screens.words, meaning, strlen(meaning));
 
-    hint->label[0] = '\0';
+    *hint = (struct button_hint){ .meaning = translation ? translation : meaning };
     if (action[0])
-        keys_hint(&play->config.keys, action, hint->label, sizeof hint->label);
-    hint->meaning = translation ? translation : meaning;
+        hint->cap[0] = cap_of(play, 0, action);
 }
 
 /* Fills in the hints on buttons: of a replay, of an attract demo, of a page, while a name is typed, and in a run until
@@ -211,11 +244,8 @@ static int list_hints(struct play *play, bool covered, struct button_hint hint[M
     }
     if (!typing && (play->session.demo || (!play->config.hints && inspect_pause(play_board(play)).is_listening)))
         return 0;
-    for (int i = 0; i < out->key_hint_count; i++) {
-        hint_label(play, out->key_hint[i].button, typing, hint[n].label, sizeof hint[n].label);
-        hint[n].meaning = out->key_hint[i].meaning;
-        n += hint[n].label[0] != '\0';
-    }
+    for (int i = 0; i < out->key_hint_count; i++)
+        n = add_hint(hint, n, cap_of_hint(play, &out->key_hint[i], typing), out->key_hint[i].meaning);
     return n;
 }
 
@@ -229,14 +259,6 @@ struct overlay_layout {
     int y0, y1;                  /* rows that are free for panels */
 };
 
-/* Draws hints in rows y to end. */
-static void draw_hints(struct play *play, const struct canvas *canvas, int y, int end, struct button_hint *hint, int n)
-{
-    const struct keys_device *device = &play->config.keys.device[0];
-
-    button_hints_draw(canvas, y, end - y, hint, n, device->is_controller ? (int)device->kind : -1);
-}
-
 /* Draws hints over the picture, above row `end`. Returns the first of their rows. */
 static int draw_hints_above(struct play *play, struct overlay_layout *o, int end)
 {
@@ -244,7 +266,7 @@ static int draw_hints_above(struct play *play, struct overlay_layout *o, int end
     const int hud = demo ? HUD_ROW * (LOW_HUD_ROWS + demo->start.large_hud) : 0;
     const int y = int_min(end - BUTTON_HINTS_HEIGHT, o->picture.fb->h - hud);
 
-    draw_hints(play, &o->picture, y, end, o->hint, o->hints);
+    button_hints_draw(&o->picture, y, end - y, o->hint, o->hints);
     return y;
 }
 
@@ -334,12 +356,14 @@ static void show_with_overlay(struct play *play, struct picture *p, struct overl
     play_window_show(play, &p->composed, p->composed_rgb, true);
 }
 
-/* Writes the player's key for an action, or the fixed key if the player has none. */
-static void screen_key(struct play *play, const char *action, const char *fixed, char *name, size_t size)
+/* Returns the cap of player 1's key for an action, or of the fixed key if the player has none. */
+static struct button_cap screen_cap(struct play *play, const char *action, const char *fixed)
 {
-    keys_hint(&play->config.keys, action, name, size);
-    if (!play->config.keys.device[0].is_controller && (strncmp(name, "pad", 3) == 0 || strcmp(name, "none") == 0))
-        snprintf(name, size, "%s", fixed);
+    struct button_cap cap = cap_of(play, 0, action);
+
+    if (cap.kind < 0 && (strncmp(cap.label, "pad", 3) == 0 || !cap.label[0]))
+        snprintf(cap.label, sizeof cap.label, "%s", fixed);
+    return cap;
 }
 
 /* Draws the topmost screen, and below it what the buttons do. */
@@ -358,12 +382,11 @@ static void draw_screen(struct play *play, const struct canvas *canvas)
         screens_describe_button(&play->screens, b, meaning[n], sizeof meaning[n]);
         if (!meaning[n][0])
             continue;
-        screen_key(play, keys[b].action, keys[b].fixed, hint[n].label, sizeof hint[n].label);
-        hint[n].meaning = meaning[n];
+        hint[n] = (struct button_hint){ { screen_cap(play, keys[b].action, keys[b].fixed) }, meaning[n] };
         n++;
     }
     if (n > 0)
-        draw_hints(play, canvas, height, canvas->fb->h, hint, n);
+        button_hints_draw(canvas, height, canvas->fb->h - height, hint, n);
 }
 
 void play_show(struct play *play, struct picture *p)

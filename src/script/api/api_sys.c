@@ -180,7 +180,7 @@ static int sys_tell_key(lua_State *L, struct board *b, struct api_value *v)
 
     if (strcmp(meaning, "Back") == 0)
         b->output->out.back = (uint16_t)(1 << v[0].i);
-    board_add_key_hint(b, (uint32_t)v[0].i, translation ? translation : meaning);
+    board_add_key_hint(b, v[2].given ? (int)v[2].i - 1 : 0, (uint32_t)v[0].i, translation ? translation : meaning);
     return 0;
 }
 
@@ -195,7 +195,7 @@ static int sys_tell_keys(lua_State *L, struct board *b, struct api_value *v)
         b->output->out.typing |= (uint8_t)(1 << (v[0].i - 1));
     for (uint32_t i = 0; i < PAD_BUTTON_COUNT && !v[0].given; i++)
         if (meanings[i])
-            board_add_key_hint(b, i, meanings[i]);
+            board_add_key_hint(b, 0, i, meanings[i]);
     return 0;
 }
 
@@ -861,9 +861,11 @@ static const struct api_entry entries[] = {
     SYS_ENTRY("sys.mark", sys_mark, 0, NULL, "marks a moment of the run for the program", REQUIRED("kind", A_STR, ""),
               REQUIRED("name", A_STR, ""), OPTIONAL("of", A_STR, ""), OPTIONAL("title", A_STR, ""),
               PARAM("value", A_INT, OPT, INT32_MIN, INT32_MAX, NULL, NULL, "")),
-    SYS_ENTRY("sys.tell_key", sys_tell_key, 0, NULL,
-              "called in every frame of a page: tells the program what a button does, which shows it to new players",
-              REQUIRED("button", A_BUTTON, ""), REQUIRED("meaning", A_STR, "")),
+    SYS_ENTRY(
+        "sys.tell_key", sys_tell_key, 0, NULL,
+        "called in every frame of a page: tells the program what a button of player p (1) does, which shows it to "
+        "new players",
+        REQUIRED("button", A_BUTTON, ""), REQUIRED("meaning", A_STR, ""), OPTIONAL("p", A_PLAYER, "")),
     SYS_ENTRY("sys.tell_keys", sys_tell_keys, 0, NULL,
               "called in every frame of name entry: player p gets the characters of the keyboard as codes",
               OPTIONAL("p", A_PLAYER, "")),
