@@ -29,7 +29,7 @@ static void draw(const char *start, const char *fire, const char *bomb, int widt
         cap->kind = kind;
         hints[i].meaning = i == 0 ? "Start" : i == 1 ? "Fire" : "Bomb";
     }
-    button_hints_draw(&canvas, 0, BUTTON_HINTS_HEIGHT, hints, 3);
+    button_hints_draw(&canvas, 0, fb.w, hints, 3);
 }
 
 static int count(enum canvas_colour colour)
@@ -72,7 +72,7 @@ TEST(both_players_have_a_cap)
     draw("enter", "z", "x", WIDTH, -1);
     const int caps = count(CANVAS_WHITE);
     hints[1].cap[1] = (struct button_cap){ "A", PLAT_XBOX };
-    button_hints_draw(&canvas, 0, BUTTON_HINTS_HEIGHT, hints, 3);
+    button_hints_draw(&canvas, 0, fb.w, hints, 3);
     assert_true(count(CANVAS_GREEN) > 30);
     assert_true(count(CANVAS_WHITE) >= caps);
     hints[1].cap[1].label[0] = '\0';

@@ -3,6 +3,7 @@
  */
 #include <stdio.h>
 #include <string.h>
+#include "../../base/int.h"
 #include "button_hints.h"
 
 enum {
@@ -119,7 +120,7 @@ static int draw_hint(const struct canvas *canvas, int x, int y, const struct but
     return x + canvas_large_text_width(canvas, h->meaning);
 }
 
-void button_hints_draw(const struct canvas *picture, int y, int h, struct button_hint *hint, int n)
+void button_hints_draw(const struct canvas *picture, int y, int width, struct button_hint *hint, int n)
 {
     const struct canvas plain = canvas_plain(picture), *canvas = &plain;
     char label[INPUT_CODE_NAME_SIZE];
@@ -132,8 +133,8 @@ void button_hints_draw(const struct canvas *picture, int y, int h, struct button
     while (n > 1 && total_width(canvas, hint, n) > canvas->fb->w)
         n--;
     int x = (canvas->fb->w - total_width(canvas, hint, n)) / 2;
-    canvas_rect(canvas, 0, y, canvas->fb->w, h, CANVAS_DARK);
-    y += (h - BUTTON_HINTS_HEIGHT) / 2;
+    width = int_max(width, canvas->fb->w - 2 * (x - APART));
+    canvas_rect(canvas, (canvas->fb->w - width) / 2, y, width, BUTTON_HINTS_HEIGHT, CANVAS_DARK);
     for (int i = 0; i < n; i++)
         x = draw_hint(canvas, x, y, &hint[i]) + APART;
 }

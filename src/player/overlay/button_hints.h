@@ -26,8 +26,8 @@ enum { BUTTON_HINTS_HEIGHT = 13 /* px */ };
  * lbracket. kind: as above; controllers' labels are printed as they are. */
 void button_hints_print(const char *label, int kind, char out[INPUT_CODE_NAME_SIZE]);
 
-/* Draws n hints in the middle of a dark band from row y down, h px high. Hints that don't fit the width are left
- * out, the last ones first. Replaces the labels by what is printed on the keys. */
-void button_hints_draw(const struct canvas *canvas, int y, int h, struct button_hint *hint, int n);
+/* Draws n hints in the middle of a dark band from row y down, which is at least `width` px wide. Hints that don't fit
+ * the picture are left out, the last ones first. Replaces the labels by what is printed on the keys. */
+void button_hints_draw(const struct canvas *canvas, int y, int width, struct button_hint *hint, int n);
 
 #endif

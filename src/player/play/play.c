@@ -202,6 +202,7 @@ bool play_frame(struct play *play)
     play_retry_saves(play);
     play->seek.bar_frames -= play->seek.bar_frames > 0;
     play->message.frames -= play->message.frames > 0;
+    play->replay.hint_frames -= play->replay.hint_frames > 0;
     save_regularly(play);
     overlay_add_time(&play->overlay, STEP_PROGRAM);
     draw_frame(play);

@@ -19,9 +19,7 @@
 #include "timebar.h"
 
 enum {
-    MIN_HINTS_HEIGHT = 120, /* px: the least height of a picture with hints below a screen */
-    HUD_ROW = 8,            /* px */
-    LOW_HUD_ROWS = 3        /* at the lower edge, which hints over a demo cover whole; one more of a large HUD */
+    MIN_HINTS_HEIGHT = 120 /* px: the least height of a picture with hints below a screen */
 };
 
 /* ---- the picture ---- */
@@ -230,17 +228,18 @@ static int list_hints(struct play *play, bool covered, struct button_hint hint[M
     const bool typing = typist >= 0 && !play->config.keys.device[typist].is_controller;
     int n = 0;
 
-    if (play_is_watching(play)) {
+    if (play_is_watching(play) && (play->replay.hint_frames || play->time.paused)) {
         set_hint(play, &hint[n++], "", "Replay");
         set_hint(play, &hint[n++], "p1.start", "Pause");
-        set_hint(play, &hint[n++], "p1.bomb", "Quit");
+        set_hint(play, &hint[n++], "p1.bomb", "Back");
         return n;
     }
     if (covered)
         return 0;
     if (play->attract.on) {
-        set_hint(play, &hint[0], "p1.start", "Start");
-        return 1;
+        set_hint(play, &hint[n++], "", "Demo");
+        set_hint(play, &hint[n++], "p1.start", "Start");
+        return n;
     }
     if (!typing && (play->session.demo || (!play->config.hints && inspect_pause(play_board(play)).is_listening)))
         return 0;
@@ -259,15 +258,14 @@ struct overlay_layout {
     int y0, y1;                  /* rows that are free for panels */
 };
 
-/* Draws hints over the picture, above row `end`. Returns the first of their rows. */
+/* Draws hints over the picture, above row `end`; those of a demo leave the rest of the row free, where the HUD is.
+ * Returns the first of their rows. */
 static int draw_hints_above(struct play *play, struct overlay_layout *o, int end)
 {
-    const struct demo *demo = play->attract.on ? &play->attract.demo : play->session.demo;
-    const int hud = demo ? HUD_ROW * (LOW_HUD_ROWS + demo->start.large_hud) : 0;
-    const int y = int_min(end - BUTTON_HINTS_HEIGHT, o->picture.fb->h - hud);
+    const bool is_demo = play->attract.on || play_is_watching(play);
 
-    button_hints_draw(&o->picture, y, end - y, o->hint, o->hints);
-    return y;
+    button_hints_draw(&o->picture, end - BUTTON_HINTS_HEIGHT, is_demo ? 0 : o->picture.fb->w, o->hint, o->hints);
+    return end - BUTTON_HINTS_HEIGHT;
 }
 
 bool play_timebar_shown(const struct play *play)
@@ -340,7 +338,7 @@ static void show_with_overlay(struct play *play, struct picture *p, struct overl
     struct theme theme;
 
     o->picture = copy_picture(play, p, NULL);
-    if (o->hints || play->screens.words.data) { /* text in the game's language */
+    if (o->hints || !play->options.open || play->screens.words.data) { /* text in the game's language */
         theme_open(&theme, play_cart(play));
         canvas_add_font(&o->picture, &theme);
     }
@@ -386,7 +384,7 @@ static void draw_screen(struct play *play, const struct canvas *canvas)
         n++;
     }
     if (n > 0)
-        button_hints_draw(canvas, height, canvas->fb->h - height, hint, n);
+        button_hints_draw(canvas, height, canvas->fb->w, hint, n);
 }
 
 void play_show(struct play *play, struct picture *p)

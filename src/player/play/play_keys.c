@@ -190,6 +190,8 @@ static void game_keys(struct play *play, const struct plat_input *in, struct key
     console_keys(play, in, k);
     overlay_toggle(&play->overlay, k->pressed);
     take_start(play, k, !waited);
+    if (k->any_pad_pressed)
+        play->replay.hint_frames = REPLAY_HINT_FRAMES;
     if (play_is_watching(play) && !screens_are_open(&play->screens) &&
         (k->pads_pressed[0] | k->pads_pressed[1]) & PAD_BOMB)
         play_quit_replay(play);

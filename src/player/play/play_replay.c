@@ -161,6 +161,7 @@ bool play_watch(struct play *play, const char *path, uint32_t frame)
         return false;
     play->replay.watching = true;
     play->replay.first = frame;
+    play->replay.hint_frames = REPLAY_HINT_FRAMES;
     session_goto(&play->session, frame);
     return true;
 }

@@ -184,6 +184,7 @@ struct play_replay {
     struct session_rom *home_rom; /* owns home; NULL: the caller of play_open does */
     bool watching;                /* a replay is shown, or was until the player took over */
     uint32_t first;               /* the frame from which it is shown */
+    int hint_frames;              /* frames for which its hints are still shown: after its start and each press */
     bool taken_over;              /* the player continues from a playback: nothing is saved */
     bool resuming;                /* an unfinished run is replayed, to be continued at its end */
     uint8_t *nvram;               /* the saved image when the run was resumed; malloc */
@@ -511,6 +512,8 @@ void play_final_retry(struct play *play);
 
 /* Shows a replay from a frame on, and ends the present run. If it can't be shown, shows a message and returns false. */
 bool play_watch(struct play *play, const char *path, uint32_t frame);
+
+enum { REPLAY_HINT_FRAMES = 240 };
 
 /* Returns whether a replay from the list is shown. */
 bool play_is_watching(const struct play *play);
