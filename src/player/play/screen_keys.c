@@ -75,19 +75,19 @@ static void print_input(const struct play *play, int action, uint16_t code, char
         snprintf(out, size, "%s", printed);
 }
 
-/* The listed inputs of an action: "Z", "\u2715, L1". */
+/* The listed inputs of an action: "Z", "\u2715,L1", or "None". */
 static void labels_of(const struct play *play, int action, char *out, size_t size)
 {
     const uint16_t *code = play->config.keys.code[action];
     char printed[INPUT];
     size_t n = 0;
 
-    snprintf(out, size, "-");
+    screen_translate(&play->screens.words, "None", out, size);
     for (int i = 0; i < KEYS_PER_ACTION && n < size; i++) {
         if (!is_listed(play, code[i]))
             continue;
         print_input(play, action, code[i], printed, sizeof printed);
-        n += (size_t)snprintf(out + n, size - n, "%s%s", n ? ", " : "", printed);
+        n += (size_t)snprintf(out + n, size - n, "%s%s", n ? "," : "", printed);
     }
 }
 

@@ -27,18 +27,32 @@ static bool is_shown(const struct play *play, const struct config_setting *s)
     return strcmp(s->page, play->settings_page) == 0 && (!is_second(s) || play_cart(play)->manifest.players > 1);
 }
 
-/* Lists the settings of the page, and NULL for the heading above those of player 2. Returns the number of rows. */
+/* Returns whether players have this setting of their own. */
+static bool is_of_player(const struct play *play, const struct config_setting *s)
+{
+    const size_t n = strlen(s->name);
+    const struct config_setting *other;
+
+    for (int i = 0; (other = config_setting(i)) != NULL && play_cart(play)->manifest.players > 1; i++)
+        if (is_second(other) && strlen(other->name) == n + 1 && strncmp(other->name, s->name, n) == 0)
+            return true;
+    return is_second(s);
+}
+
+/* Lists the settings of the page, and NULL for the headings of players. Returns the number of rows. */
 static int list_page(const struct play *play, const struct config_setting *out[PAGE_ROWS])
 {
     const struct config_setting *s;
-    int n = 0;
+    int n = 0, player = 0; /* whose settings have begun; 0: nobody's */
 
     for (int i = 0; (s = config_setting(i)) != NULL && n + 2 <= PAGE_ROWS; i++) {
         if (!is_shown(play, s))
             continue;
-        if (is_second(s) && n > 0 && out[n - 1] && !is_second(out[n - 1]))
+        const int of = !is_of_player(play, s) ? 0 : is_second(s) ? 2 : 1;
+        if (of != player)
             out[n++] = NULL;
         out[n++] = s;
+        player = of;
     }
     return n;
 }
@@ -59,7 +73,7 @@ static void page_row(void *context, int at, struct screen_row *row)
     const struct config_setting *s = list[at];
     row->heading = s == NULL;
     row->changes = s != NULL;
-    snprintf(row->label, sizeof row->label, "%s", s ? s->label : "Player 2");
+    snprintf(row->label, sizeof row->label, "%s", s ? s->label : is_second(list[at + 1]) ? "Player 2" : "Player 1");
     if (!s)
         return;
     config_label(&play->config, s, row->value, sizeof row->value);

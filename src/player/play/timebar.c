@@ -115,12 +115,16 @@ static void draw_markers(const struct canvas *canvas, const struct session *s, i
 void timebar_draw(const struct canvas *canvas, const struct session *s)
 {
     int w = canvas->fb->w - 2 * MARGIN, top = canvas->fb->h - TIMEBAR_H, bar = canvas->fb->h - BAR_H - MARGIN;
-    uint32_t frame = board_frame(session_board(s)), last = session_last(s), second = frame / SECOND;
+    const unsigned frame = board_frame(session_board(s)), last = session_last(s), second = frame / SECOND;
     char text[160], where[128];
 
-    position_text(s, frame, where, sizeof where);
-    snprintf(text, sizeof text, "%u/%u %u:%02u %s", (unsigned)frame, (unsigned)last, (unsigned)(second / 60),
-             (unsigned)(second % 60), where);
+    if (canvas->spare) { /* for players */
+        snprintf(text, sizeof text, "%u:%02u / %u:%02u", second / 60, second % 60, last / SECOND / 60,
+                 last / SECOND % 60);
+    } else {
+        position_text(s, frame, where, sizeof where);
+        snprintf(text, sizeof text, "%u/%u %u:%02u %s", frame, last, second / 60, second % 60, where);
+    }
     canvas_rect(canvas, 0, top, canvas->fb->w, TIMEBAR_H, CANVAS_DARK);
     canvas_text(canvas, MARGIN, top + 1, CANVAS_WHITE, text);
     canvas_rect(canvas, MARGIN, bar + 2, w, 1, CANVAS_GREY);

@@ -26,7 +26,7 @@ static const char *const focus_labels[] = { "Hold", "Toggle" };
 static const char *const hand_labels[] = { "Off", "Left", "Right" };
 static const char *const turn_labels[] = { "Off", "Left", "Right", "Upside Down" };
 static const char *const scaling_labels[] = { "Integer", "Smooth" };
-static const char *const place_labels[] = { "Over Picture", "At the Side" };
+static const char *const place_labels[] = { "Overlay", "Beside" };
 static const char *const dim_labels[] = { "Off", "25%", "50%", "75%" };
 static const char *const flash_labels[] = { "Full", "Soft" };
 static const char *const colour_labels[] = { "Off", "Protan", "Deutan", "Tritan" };
@@ -46,18 +46,18 @@ static const struct config_setting settings[] = {
     { "border", "Border", "Display", AT(border), 0, 1, 1, no_yes, off_on, 1, "show the game's art around the picture",
       NULL, NULL },
     { "panels", "Messages", "Display", AT(panels), 0, 1, 0, places, place_labels, 1,
-      "messages in a wide window: over the picture or beside it", NULL, NULL },
+      "messages over the picture, or beside it in a wide window", NULL, NULL },
     { "vsync", "VSync", "Display", AT(vsync), 0, 1, 1, no_yes, off_on, 1, "show each frame in step with the display",
       NULL, NULL },
     { "run_ahead", "Faster Response", "Display", AT(run_ahead), 0, 1, 0, NULL, NULL, 1,
-      "see the effect of a button a frame sooner; twice the work", " frame", "Off" },
+      "react to a button a frame sooner; needs a fast computer", " frame", "Off" },
     { "volume", "Volume", "Sound", AT(volume), 0, 100, 100, NULL, NULL, 10, "overall volume in percent", "%", NULL },
     { "music", "Music", "Sound", AT(music), 0, 100, 100, NULL, NULL, 10, "volume of the music in percent", "%", NULL },
     { "sounds", "Sound Effects", "Sound", AT(sounds), 0, 100, 100, NULL, NULL, 10,
       "volume of everything but the music in percent", "%", NULL },
     { "mute", "Mute", "Sound", AT(mute), 0, 1, 0, no_yes, off_on, 1, "turn all sound off", NULL, NULL },
     { "resample", "Sync to Game", "Sound", AT(resample), 0, 1, 1, no_yes, off_on, 1,
-      "fit the sound to the game, or the game to the sound", NULL, NULL },
+      "stretch the sound slightly to keep time with the game", NULL, NULL },
     { "dim", "Dim Background", "Accessibility", AT(dim), 0, 3, 0, views_dim, dim_labels, 1,
       "darken the background so that bullets stand out", NULL, NULL },
     { "flashes", "Flashes", "Accessibility", AT(flashes), 0, 1, 0, views_flashes, flash_labels, 1,
@@ -67,7 +67,7 @@ static const struct config_setting settings[] = {
     { "hitbox", "Show Hitbox", "Accessibility", AT(hitbox), 0, 1, 0, no_yes, off_on, 1, "always show the ship's hitbox",
       NULL, NULL },
     { "large_hud", "Larger HUD", "Accessibility", AT(large_hud), 0, 1, 0, no_yes, off_on, 1,
-      "larger scores and lives after a restart", NULL, NULL },
+      "show scores and lives in larger letters; restarts the game", NULL, NULL },
     { "speed", "Game Speed", "Accessibility", AT(speed), 25, 100, 100, NULL, NULL, 5,
       "slow the game down; the run is marked as assisted", "%", NULL },
     { "autofire", "Autofire", "Accessibility", AT(autofire[0]), 0, 1, 0, no_yes, off_on, 1,
@@ -88,8 +88,8 @@ static const struct config_setting settings[] = {
       "how many recent runs are saved; named ones don't count", NULL, "None" },
     { "resume", "Resume Runs", "Gameplay", AT(resume), 0, 1, 1, no_yes, off_on, 1,
       "save an unfinished run and offer to resume it next time", NULL, NULL },
-    { "hints", "Button Hints", "Gameplay", AT(hints), 0, 1, 1, no_yes, off_on, 1, "show the buttons of dialogue", NULL,
-      NULL },
+    { "hints", "Button Hints", "Gameplay", AT(hints), 0, 1, 1, no_yes, off_on, 1,
+      "show what the buttons do during dialogue", NULL, NULL },
     { "capture_seconds", "Clip Length", "Gameplay", AT(capture_seconds), 5, 60, 10, NULL, NULL, 5,
       "how much of the run the clip key saves as a GIF", " s", NULL },
 };
