@@ -307,9 +307,8 @@ TEST(groups)
         }
     }
     assert_true(there >= 3 * MAX_VALUES);
-    rig_free(&a);
+    rig_close(&a);
     rig_close(&b);
-    rig_game_free(&many);
 }
 
 /* What is derived, and rewritten in every frame, may be anything before: no frame after differs. */
