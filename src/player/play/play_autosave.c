@@ -446,6 +446,12 @@ void play_autosave_tick(struct play *play)
         a->resumable = false;
 }
 
+bool play_is_resumable(const struct play *play)
+{
+    return play->autosave.on && play->autosave.resumable &&
+           board_frame(play_board(play)) >= play->autosave.first + SHORTEST;
+}
+
 void play_autosave_end(struct play *play)
 {
     const uint32_t frame = board_frame(play_board(play));

@@ -142,8 +142,7 @@ void play_check_drop(struct play *play)
         play_dropped(play);
     else
         screens_ask(&play->screens,
-                    play->autosave.on && play->autosave.resumable
-                        ? "Play another game? You can resume this run next time."
-                        : "Play another game and lose this run?",
+                    play_is_resumable(play) ? "Play another game? You can resume this run next time."
+                                            : "Play another game and lose this run?",
                     "Play", play_dropped, play);
 }

@@ -481,6 +481,9 @@ void play_title_start(struct play *play, struct board_start *start);
 /* Call it with the result of a call that may write the recording. On failure, logs session.err and sets exit code 3. */
 void play_check_recording(struct play *play, bool good);
 
+/* Returns whether the present run is long enough to be resumed, and is saved for that. */
+bool play_is_resumable(const struct play *play);
+
 /* Call autosave_tick after each new tick of the session, autosave_end before the session ends or the game is powered on
  * again: saves the run in progress. */
 void play_autosave_tick(struct play *play);

@@ -77,9 +77,9 @@ static void quit_now(void *context)
 void play_quit(struct play *play)
 {
     screens_ask(&play->screens,
-                !play_has_run(play)                             ? "Quit the game?"
-                : play->autosave.on && play->autosave.resumable ? "Quit? You can resume this run next time."
-                                                                : "Quit and lose this run?",
+                !play_has_run(play)       ? "Quit the game?"
+                : play_is_resumable(play) ? "Quit? You can resume this run next time."
+                                          : "Quit and lose this run?",
                 "Quit Game", quit_now, play);
 }
 

@@ -200,13 +200,13 @@ static void describe_row_above(const struct replay_list *l, int at, struct scree
     }
 }
 
-/* The value is the date, or what the list is sorted by. */
+/* The value is the score and the day. */
 static void row(void *context, int at, struct screen_row *row)
 {
     struct play *play = context;
     const struct replay_list *l = &play->replay_list;
     const int i = replay_at(l, at);
-    char title[SCREEN_LABEL - 4], date[32];
+    char title[SCREEN_LABEL - 4], date[32], score[32];
 
     if (i < 0) {
         describe_row_above(l, at, row);
@@ -219,10 +219,8 @@ static void row(void *context, int at, struct screen_row *row)
     snprintf(row->label, sizeof row->label, "%s%s", c->is_favourite ? "* " : "", title);
     row->removable = true;
     date_text(c->date, date, sizeof date);
-    if (l->sort == REPLAYS_BY_SCORE)
-        score_text(best_score(c), row->value, sizeof row->value);
-    else
-        snprintf(row->value, sizeof row->value, "%s", c->date ? date + 5 : date); /* without the year */
+    score_text(best_score(c), score, sizeof score);
+    snprintf(row->value, sizeof row->value, "%s  %.5s", score, c->date ? date + 5 : date); /* month and day */
     if (is_older(l, c))
         row->colour = CANVAS_GREY;
     describe(play, c, row->help, sizeof row->help);

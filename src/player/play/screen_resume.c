@@ -58,19 +58,22 @@ static void add_line(struct play *play, const char *format, const char *name)
     }
 }
 
-/* The run's time and ship, and whether it can be resumed. */
+/* The run's time, stage and ship, and whether it can be resumed. */
 static void describe(struct play *play, const struct replay_meta *c)
 {
     struct resume_offer *o = &play->resume_offer;
     const struct rom *rom = play_cart(play)->rom;
+    const struct sections *s = practice_sections(&play->practice);
     const unsigned seconds = (c->last - c->first) / 60;
     const bool same = c->rom == rom_hash(rom) || c->game == rom_game_hash(rom);
 
     o->changed = !same;
     o->possible = c->core == CORE_VERSION && (same || roms_has(c->id, c->rom));
     snprintf(o->text, sizeof o->text, "Play time: %u:%02u", seconds / 60, seconds % 60);
+    if (c->stage[0])
+        add_line(play, "%s", sections_title(s, MARKER_STAGE, c->stage));
     if (c->ship[0])
-        add_line(play, "Ship: %s", sections_title(practice_sections(&play->practice), MARKER_SHIP, c->ship));
+        add_line(play, "Ship: %s", sections_title(s, MARKER_SHIP, c->ship));
     if (c->flags & DEMO_RESUMED)
         add_line(play, "%s", "Resumed before.");
     if (c->core != CORE_VERSION)
