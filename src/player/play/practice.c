@@ -501,7 +501,7 @@ static void describe_value(const struct practice_menu *m, struct row r, char *ou
         snprintf(out, size, "%s", difficulty_title(m));
         break;
     case ROW_LIVES:
-        snprintf(out, size, m->lives ? "%d" : "Default: %d", m->lives ? m->lives : lives);
+        snprintf(out, size, "%d", m->lives ? m->lives : lives);
         break;
     case ROW_REGISTER:
         snprintf(out, size, "%d", (int)m->value[r.i]);

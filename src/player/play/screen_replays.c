@@ -458,7 +458,7 @@ static const char *import_text(void *context)
 
     screens_format(&play->screens, l->text, sizeof l->text, "%s",
                    l->files ? "Exported replays and other files in their folder. Select one to copy it to your replays."
-                            : "No replay files. Drop a .demo file on the window, or copy it to the folder of exports.");
+                            : "No exported replays. To import a .demo file, drop it on the window.");
     return l->text;
 }
 
