@@ -19,6 +19,7 @@
 #include "play_state.h"
 
 enum {
+    THUMB_EVERY = 256, /* frames: a thumbnail is of the last moments of a run, but not of its end, which flashes */
     SHORTEST = 3 * 60, /* frames of a saved run; a run that ends in a fault may be shorter */
     RETRY_EVERY = 60 * 60
 };
@@ -222,7 +223,7 @@ static void add_unsaved_run(struct play *play, uint8_t *bytes, size_t size, cons
 static bool save_run(struct play *play, enum replay_meta_end end)
 {
     struct replay_meta meta;
-    struct thumb thumb;
+    struct thumb *thumb = &play->autosave.thumb;
     char err[FILES_ERR_SIZE];
     size_t size;
     const uint32_t frames = writer(play)->demo.frames - play->autosave.first;
@@ -237,15 +238,16 @@ static bool save_run(struct play *play, enum replay_meta_end end)
         return false;
     }
     describe_run(play, &meta, end);
-    thumb_make(&thumb, &play->drawing.picture.fb, play->drawing.picture.rgb);
+    if (!thumb->w)
+        thumb_make(thumb, &play->drawing.picture.fb, play->drawing.picture.rgb);
     const bool rom = save_rom(play);
-    if (rom && add_replay(play, bytes, size, &meta, &thumb, err, sizeof err)) {
+    if (rom && add_replay(play, bytes, size, &meta, thumb, err, sizeof err)) {
         free(bytes);
         return true;
     }
     if (rom)
         play_save_failed(play, err);
-    add_unsaved_run(play, bytes, size, &meta, &thumb);
+    add_unsaved_run(play, bytes, size, &meta, thumb);
     return false;
 }
 
@@ -370,6 +372,7 @@ static void start_run(struct play *play, uint32_t frame)
         remove_resume_file(play);
     a->on = true;
     a->first = frame;
+    a->thumb.w = 0;
     a->rows = 0;
     play_archive_unfinished(play);
     play_autosave_start(play);
@@ -438,6 +441,8 @@ void play_autosave_tick(struct play *play)
     if (frames != a->frames + 1)
         sync_to(play, frames);
     a->frames = frames;
+    if (a->on && (frames - a->first) % THUMB_EVERY == THUMB_EVERY - 1)
+        thumb_make(&a->thumb, &play->drawing.picture.fb, play->drawing.picture.rgb);
     for (int i = 0; i < out->marker_count; i++)
         take_marker(play, &out->marker[i]);
     if (out->fault && a->on)

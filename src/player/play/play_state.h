@@ -150,6 +150,7 @@ struct autosave {
     uint32_t frames; /* of the recording at the last tick */
     bool on;         /* a run is in progress, since frame `first` */
     uint32_t first;
+    struct thumb thumb;                          /* of a moment in the run; w 0: none yet */
     bool resumable;                              /* user:resume/ID.demo is of this run */
     char stem[REPLAY_STEM];                      /* the last run's replay; "": none, or it could not be written yet */
     struct replay_meta_row row[REPLAY_MAX_ROWS]; /* entered during the run */
