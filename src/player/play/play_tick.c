@@ -30,6 +30,7 @@ static bool find_attract(struct play *play, const char *name, struct lump *lump)
     return i >= 0;
 }
 
+/* Shows a demo in the player's language, whatever it was recorded in; its checksums are not compared. */
 static void start_attract(struct play *play, const char *name)
 {
     struct attract *a = &play->attract;
@@ -39,9 +40,10 @@ static void start_attract(struct play *play, const char *name)
 
     if (!find_attract(play, name, &lump))
         return;
-    a->on = demo_read(&a->demo, lump.data, lump.size, err, sizeof err) &&
-            demo_check_cart(&a->demo, cart, err, sizeof err) &&
-            guard_power(&a->guard, cart->rom, &a->demo.start, err, sizeof err);
+    a->on =
+        demo_read(&a->demo, lump.data, lump.size, err, sizeof err) && demo_check_cart(&a->demo, cart, err, sizeof err);
+    memcpy(a->demo.start.lang, play->start.lang, sizeof a->demo.start.lang);
+    a->on = a->on && guard_power(&a->guard, cart->rom, &a->demo.start, err, sizeof err);
     if (a->on)
         return;
     play_log(play, "curtain: demo \"%s\": %s", name, err);
