@@ -1,6 +1,6 @@
 # What publishes, ports, paints and measures.
 
-.PHONY: windows players ports library web art demos cookbook patterns docs docs-stale survive accuracy sound pacing bench bench-fx
+.PHONY: windows players ports library web art demos cookbook patterns pace docs docs-stale survive accuracy sound pacing bench bench-fx
 .PHONY: bench-fx-objects compare bulletml prove cross
 
 # Glass Tide's Japanese font comes from a package. Without it, the game has no kanji.
@@ -254,6 +254,11 @@ cookbook: deps-play
 patterns: deps-play
 	@$(MAKE) build/curtain-null $(OUT)/lively
 	@OUT=$(OUT) python3 roms/glasstide/source/patterns.py
+
+# Glass Tide's pace in a demo: of each part, its seconds, those of story, those without bullets, and the longest of these.
+pace: deps-play
+	@$(MAKE) build/curtain-null $(OUT)/lively
+	@$(OUT)/lively roms/glasstide $(or $(DEMO),tests/demos/glasstide/clear-normal.demo) | awk -f roms/glasstide/source/pace.awk
 
 # The measured pages that are older than what they measure (tools/lab/README.md).
 docs-stale:

@@ -1,7 +1,9 @@
 /*
- * lively.c - where a demo is liveliest: `lively ROM DEMO`. A line for each moment of a mark, a boss or a phase, and
- * what it begins: KIND NAME FRAME BULLETS, the frame before the next of them in which most bullets and lasers are
- * about. A boss's name stands before that of its phase: crab/pincers.
+ * lively.c - where a demo is liveliest, and where it is calm: `lively ROM DEMO`. A line for each part of it, from a
+ * stage, a mark or a phase to the next: KIND NAME FRAME BULLETS FRAMES STORY CALM LONGEST. FRAME is the frame with the
+ * most bullets and lasers, BULLETS; FRAMES is the length of the part, STORY the frames of dialogues and pages in it,
+ * CALM the other frames without bullets and lasers, LONGEST the most of them in a row, counted from before the part. A
+ * boss's name stands before that of its phase: crab/pincers.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -17,6 +19,8 @@ enum { LASER = 6 /* bullets that a laser counts as */ };
 struct piece {
     char kind[8], name[80], boss[40];
     uint32_t frame, most;
+    uint32_t frames, story, calm, longest;
+    uint32_t row; /* frames without bullets up to now, also of the part before */
 };
 
 static void fail(const char *what)
@@ -28,7 +32,8 @@ static void fail(const char *what)
 static void tell(struct piece *p)
 {
     if (p->kind[0])
-        printf("%s %s %u %u\n", p->kind, p->name, p->frame, p->most);
+        printf("%s %s %u %u %u %u %u %u\n", p->kind, p->name, p->frame, p->most, p->frames, p->story, p->calm,
+               p->longest);
     p->kind[0] = 0;
 }
 
@@ -37,7 +42,7 @@ static void begin(struct piece *p, const char *kind, const char *name)
     tell(p);
     snprintf(p->kind, sizeof p->kind, "%s", kind);
     snprintf(p->name, sizeof p->name, "%s", name);
-    p->frame = p->most = 0;
+    p->frame = p->most = p->frames = p->story = p->calm = p->longest = 0;
 }
 
 /* A moment begins or ends a part. */
@@ -73,7 +78,13 @@ static void take(struct piece *p, const struct board_marker *m)
 static void look(struct piece *p, const struct board *b)
 {
     const uint32_t now = b->bullets.s.live + LASER * b->lasers.s.live;
+    const bool is_story = board_last_output(b)->key_hint_count > 0;
 
+    p->frames++;
+    p->story += is_story;
+    p->calm += !is_story && !now;
+    p->row = is_story ? p->row : now ? 0 : p->row + 1;
+    p->longest = p->row > p->longest ? p->row : p->longest;
     if (p->kind[0] && (now > p->most || !p->frame)) {
         p->most = now;
         p->frame = board_frame(b);

@@ -153,7 +153,7 @@ def small_png(source, target):
 def lively(demo):
     """[(kind, name, frame)] in the order of the run, without parts that fire nothing; stages always stay."""
     said = subprocess.run([OUT + "/lively", GAME, demo], capture_output=True, text=True, check=True).stdout
-    return [(kind, name, int(frame)) for kind, name, frame, most in map(str.split, said.splitlines())
+    return [(kind, name, int(frame)) for kind, name, frame, most, *_ in map(str.split, said.splitlines())
             if int(most) or kind == "stage"]
 
 
