@@ -67,6 +67,22 @@ bool utf8_may_show(uint32_t code)
     return code <= UTF8_MAX_CODE && (code & 0xfffe) != 0xfffe;
 }
 
+bool utf8_is_full_width(uint32_t code)
+{
+    static const struct {
+        uint32_t first, last;
+    } wide[] = {
+        { 0x2e80, 0x303e },   { 0x3041, 0xa4cf },   { 0xa960, 0xa97c },   { 0xac00, 0xd7a3 }, { 0xf900, 0xfaff },
+        { 0xfe10, 0xfe19 },   { 0xfe30, 0xfe6b },   { 0xff01, 0xff60 },   { 0xffe0, 0xffe6 }, { 0x16fe0, 0x1b2ff },
+        { 0x1f200, 0x1f64f }, { 0x1f900, 0x1f9ff }, { 0x20000, 0x3fffd },
+    };
+
+    for (size_t i = 0; i < sizeof wide / sizeof *wide; i++)
+        if (code >= wide[i].first && code <= wide[i].last)
+            return true;
+    return false;
+}
+
 void utf8_replace_hidden(char *text, bool allow_newlines)
 {
     const char *s = text, *end = text + strlen(text);

@@ -23,6 +23,10 @@ bool utf8_read(const char **s, const char *end, uint32_t *code);
  * this function. */
 bool utf8_may_show(uint32_t code);
 
+/* Returns whether the code is a full-width letter: East Asian Wide or Fullwidth (Unicode Standard Annex 11), from
+ * U+2E80 on. Blocks of pictographs count as a whole. */
+bool utf8_is_full_width(uint32_t code);
+
 /* Replaces characters that may not be shown with spaces, in place, except tabs and, if `newlines`, newlines; a byte
  * that is not part of valid UTF-8 becomes '?'. */
 void utf8_replace_hidden(char *text, bool newlines);

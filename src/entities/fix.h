@@ -21,13 +21,14 @@ enum {
     FIX_PART = 15 << 5,    /* 0: the cell shows a whole character */
     FIX_SHIFT_X = 1 << 9,  /* times 0 to 7: the cell is drawn so many px further right */
     FIX_SHIFT_Y = 1 << 12, /* times 0 to 7: and further down */
+    FIX_FULL_WIDTH = 1 << 15, /* a full-width letter, centred in `full_width` px and on the row */
 };
 
 struct fix {
     struct slots s;  /* a list of cols x rows cells, row by row */
     uint8_t *code;   /* low byte of the code point, 0: empty; without group FIX_GROUP_WIDE, FIX_UNKNOWN replaces code
                      * points over 255 */
-    uint16_t *style; /* FIX_BANK, FIX_RIM, FIX_PART and FIX_SHIFT bits */
+    uint16_t *style; /* FIX_BANK, FIX_RIM, FIX_PART, FIX_SHIFT and FIX_FULL_WIDTH bits */
     uint16_t *page;  /* group FIX_GROUP_WIDE: the code point / 256 */
     uint8_t *font;   /* group FIX_GROUP_WIDE: font + 1; 0: the default font */
     uint32_t cols, rows;
@@ -37,8 +38,13 @@ extern const struct chip fix_chip;
 
 /* Writes n bytes of UTF-8 text in letters of the given size (1 to FIX_MAX_SIZE), with the top-left corner at (x, y) px.
  * The text is stored in the cells that contain the corners of its letters and drawn shifted from there. `style` has
- * bank and rim; `font` is ignored without group FIX_GROUP_WIDE. Cells outside the grid are clipped. */
-void fix_write(struct fix *f, int x, int y, const char *text, size_t n, int size, unsigned style, uint8_t font);
+ * bank and rim; `font` is ignored without group FIX_GROUP_WIDE. full_width, FIX_CELL_SIZE to twice that: px from a
+ * full-width letter of size 1 to the next; cells between them are cleared. Cells outside the grid are clipped. */
+void fix_write(struct fix *f, int x, int y, const char *text, size_t n, int size, int full_width, unsigned style,
+               uint8_t font);
+
+/* Returns the width of n bytes of text of size 1, px. */
+size_t fix_text_width(const char *text, size_t n, int full_width);
 
 /* Returns where a cell is drawn, px. */
 static inline int fix_x(const struct fix *f, uint32_t cell)

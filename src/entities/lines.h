@@ -16,6 +16,7 @@ enum {
     LINE_SCREEN = 1 << 0, /* placed on the screen instead of the field */
     LINE_HIDDEN = 1 << 1,
     LINE_BOX = 1 << 2,
+    LINE_FULL_WIDTH = 1 << 3, /* full-width letters are `screen.full_width` px wide */
 
     LINE_LEFT = 0, /* align: x is the left end, the middle or the right end of each row */
     LINE_CENTER,

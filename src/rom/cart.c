@@ -8,6 +8,7 @@
 #include <inttypes.h>
 #include <limits.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include "../base/bytes.h"
 #include "../base/err.h"
@@ -583,6 +584,33 @@ bool cart_find_glyph(const struct cart *cart, const struct face *face, uint32_t 
         return true;
     }
     return find_cell_glyph(cart, code, side - TEXT_SIDE, g);
+}
+
+bool cart_find_full_width_glyph(const struct cart *cart, const struct face *face, uint32_t code, struct face_glyph *g)
+{
+    const int width = cart->manifest.full_width;
+    int height = TEXT_SIDE, nearest = INT_MAX;
+    struct face_glyph found;
+
+    if (face && face_find(face, code, g)) {
+        height = face->height;
+    } else if (cart_find_glyph(cart, NULL, code, g)) {
+        for (int i = 0; i < cart->count[CART_FACES]; i++) {
+            const struct face other = cart_face(cart, i);
+            const int distance = abs(other.height - width);
+            if (distance >= nearest || !face_find(&other, code, &found))
+                continue;
+            nearest = distance;
+            height = other.height;
+            *g = found;
+        }
+    } else {
+        return false;
+    }
+    g->x += (width - g->advance) / 2;
+    g->y += ((face ? face->height : TEXT_SIDE) - height) / 2;
+    g->advance = width;
+    return true;
 }
 
 bool cart_has_glyph(const struct cart *cart, uint32_t code)

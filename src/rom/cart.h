@@ -211,6 +211,11 @@ uint32_t cart_recording_offset(const struct cart *cart, uint32_t tune, const uin
  * character. */
 bool cart_find_glyph(const struct cart *cart, const struct face *face, uint32_t code, struct face_glyph *out);
 
+/* The same for a full-width letter that is `screen.full_width` px wide. If face is NULL or has no such glyph, uses the
+ * font whose lines are nearest that height. The glyph is in the middle of the line and of its width. */
+bool cart_find_full_width_glyph(const struct cart *cart, const struct face *face, uint32_t code,
+                                struct face_glyph *out);
+
 /* Returns whether a font of the game can show the character. Blanks can always be shown. */
 bool cart_has_glyph(const struct cart *cart, uint32_t code);
 

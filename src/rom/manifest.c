@@ -12,6 +12,7 @@
 #include "../base/bytes.h"
 #include "../base/err.h"
 #include "../entities/enemies.h"
+#include "../entities/fix.h"
 #include "../entities/lasers.h"
 #include "../entities/motion.h"
 #include "../entities/options.h"
@@ -20,8 +21,8 @@
 /* The lump's first word is its format. numbers_in_format: how many fields of manifest_numbers each format contains.
  * Core versions up to 4 wrote format 1, core version 5 format 2, core version 6 format 3. The current version writes
  * the lowest format from 4 on that has all the fields that differ from their defaults. */
-enum { FORMAT = 6, LOWEST_FORMAT = 4, FORMAT_1_NUMBERS = 17 };
-static const int numbers_in_format[FORMAT + 1] = { 0, FORMAT_1_NUMBERS, 24, 31, 36, 37, MANIFEST_NUMBERS };
+enum { FORMAT = 7, LOWEST_FORMAT = 4, FORMAT_1_NUMBERS = 17 };
+static const int numbers_in_format[FORMAT + 1] = { 0, FORMAT_1_NUMBERS, 24, 31, 36, 37, 41, MANIFEST_NUMBERS };
 
 static const int64_t max_extend = (int64_t)1 << 53;
 
@@ -76,6 +77,7 @@ const struct manifest_number manifest_numbers[MANIFEST_NUMBERS] = {
     NUMBER("field.view.h", view_h, 0, 1024, 0),
     NUMBER("screen.zoom", zoom, 1, 4, 1),
     FLAG("board.transforms", has_transforms),
+    NUMBER("screen.full_width", full_width, FIX_CELL_SIZE, 2 * FIX_CELL_SIZE, FIX_CELL_SIZE),
 };
 
 static int32_t *get_number(struct manifest *m, int i)
@@ -406,7 +408,8 @@ bool manifest_unpack(const uint8_t *data, size_t size, struct manifest *m, char 
     memset(m, 0, sizeof *m);
     m->nvram_kib = NV_DEFAULT_KIB; /* format 1 has no nvram_kib */
     m->registers = MAX_REGISTERS;  /* formats 1 to 3 have no registers field; ships could have this many */
-    m->zoom = 1;                   /* only format 6 has a zoom */
+    m->zoom = 1;                   /* formats 1 to 5 have no zoom */
+    m->full_width = FIX_CELL_SIZE; /* only format 7 has a full_width */
     walk_manifest(&w, m, format);
     if (!w.is_valid)
         return err_set(err, err_size, "unknown format");

@@ -21,7 +21,7 @@ enum {
     NV_DEFAULT_KIB = 32,            /* default nvram_kib */
     NV_MAX_KIB = 1024,              /* maximum nvram_kib */
     MAX_SETTING_NAME = 16,          /* bytes of the name of a DIP, a DIP's value or a difficulty, with its NUL */
-    MANIFEST_BYTES = 5272,          /* maximum size of the lump; equal on all hosts */
+    MANIFEST_BYTES = 5276,          /* maximum size of the lump; equal on all hosts */
     MANIFEST_SCRATCH_SIZE = 8 << 20 /* bytes of scratch memory for manifest_read */
 };
 
@@ -43,7 +43,8 @@ struct manifest {
     int32_t field_x, field_y, field_w, field_h; /* px; the part that is shown is inside the screen */
     int32_t view_w, view_h;                     /* px of the field that are shown; both 0: the whole field */
     int32_t zoom;                               /* px of the screen per px of the field */
-    int32_t margin; /* px between the field and the keep box, on each side; entities outside the keep box despawn */
+    int32_t full_width; /* px from a full-width letter to the next, in text cells that ask for it */
+    int32_t margin;     /* px between the field and the keep box, on each side; entities outside the keep box despawn */
     int32_t bullets, shots, enemies, sparks, sprites, motions, tasks; /* capacities; 0: the chip is absent */
     int32_t bullet_values, shot_values, enemy_values;                 /* number of values that each entity has */
     int32_t has_hp, has_orbit, has_freeze; /* 1: stored for bullets and other entities that support it; 0: not stored */
@@ -230,7 +231,7 @@ struct manifest_number {
     int32_t lo, hi, default_value;
     bool is_flag; /* written as true or false in rom.lua */
 };
-enum { MANIFEST_NUMBERS = 41 };
+enum { MANIFEST_NUMBERS = 42 };
 extern const struct manifest_number manifest_numbers[MANIFEST_NUMBERS];
 
 /* Sets all fields to their defaults; the id is "game". */

@@ -494,25 +494,25 @@ TEST(fix)
     struct fix *f = &r.b->fix;
     assert_int_equal(f->cols, 10);
     assert_int_equal(f->rows, 9);
-    fix_write(f, -16, 16, "abcd", 4, 1, 5, 0);
+    fix_write(f, -16, 16, "abcd", 4, 1, 8, 5, 0);
     row_is(f, 2, "cd");
     assert_int_equal(f->style[20], 5);
-    fix_write(f, 64, 24, "abcd", 4, 1, 1, 0);
+    fix_write(f, 64, 24, "abcd", 4, 1, 8, 1, 0);
     row_is(f, 3, "........ab");
-    fix_write(f, 0, -8, "x", 1, 1, 1, 0);
-    fix_write(f, 0, 72, "x", 1, 1, 1, 0);
-    fix_write(f, INT32_MAX, 0, "xyz", 3, 1, 1, 0);
-    fix_write(f, INT32_MIN, 0, "xyz", 3, 1, 1, 0);
+    fix_write(f, 0, -8, "x", 1, 1, 8, 1, 0);
+    fix_write(f, 0, 72, "x", 1, 1, 8, 1, 0);
+    fix_write(f, INT32_MAX, 0, "xyz", 3, 1, 8, 1, 0);
+    fix_write(f, INT32_MIN, 0, "xyz", 3, 1, 8, 1, 0);
     row_is(f, 0, "");
     row_is(f, 8, "");
     /* characters, not bytes; what no cell can hold; a byte that is no UTF-8 */
-    fix_write(f, 8, 32, "\xc3\xa9\xe5\xbc\xbe\xf0\x9f\x98\x80\x89z", 11, 1, 2, 0);
+    fix_write(f, 8, 32, "\xc3\xa9\xe5\xbc\xbe\xf0\x9f\x98\x80\x89z", 11, 1, 8, 2, 0);
     assert_memory_equal(f->code + 40, "\0\xe9\1\1\x89z\0", 7);
     assert_memory_equal(f->style + 40, ((uint16_t[]){ 0, 2, 2, 2, 2, 2, 0 }), 14);
     fix_clear(f, 0, 4, 10, 1);
     row_is(f, 4, "");
     /* larger letters: a part in each cell */
-    fix_write(f, 64, 32, "ab", 2, 2, 3 | FIX_RIM, 0);
+    fix_write(f, 64, 32, "ab", 2, 2, 8, 3 | FIX_RIM, 0);
     row_is(f, 4, "........aa");
     row_is(f, 5, "........aa");
     const uint16_t look = 3 | FIX_RIM;
@@ -520,19 +520,33 @@ TEST(fix)
                                   look | 4 * FIX_DOUBLE };
     assert_memory_equal(f->style + 48, quarters, 4);
     assert_memory_equal(f->style + 58, quarters + 2, 4);
-    fix_write(f, 8, 48, "c", 1, 3, 3, 0);
+    fix_write(f, 8, 48, "c", 1, 3, 8, 3, 0);
     row_is(f, 8, ".ccc");
     assert_int_equal(f->style[61], 3 | FIX_TRIPLE);
     assert_int_equal(f->style[83], 3 | (FIX_TRIPLE + (8 << 5)));
     /* at any px: in the cell of its corner, shifted from there */
-    fix_write(f, 8 + 3, 0 + 7, "d", 1, 1, 3, 0);
+    fix_write(f, 8 + 3, 0 + 7, "d", 1, 1, 8, 3, 0);
     row_is(f, 0, ".d");
     assert_int_equal(fix_x(f, 1), 11);
     assert_int_equal(fix_y(f, 1), 7);
-    fix_write(f, -3, 0, "ef", 2, 1, 3, 0);
+    fix_write(f, -3, 0, "ef", 2, 1, 8, 3, 0);
     row_is(f, 0, "fd");
     assert_int_equal(fix_x(f, 0), 5);
     fix_clear(f, 0, 0, 10, 1);
+    /* full-width letters, 12 px each: the cell between two is cleared */
+    fix_write(f, 0, 0, "abcdefgh", 8, 1, 8, 1, 0);
+    fix_write(f, 4, 0, "\xe5\xbc\xbe\xe5\xb9\x95z", 7, 1, 12, 1, 0);
+    assert_memory_equal(f->code, "\1\0\1zefgh", 8);
+    assert_int_equal(f->style[0], 1 | 4 * FIX_SHIFT_X | FIX_FULL_WIDTH);
+    assert_int_equal(f->style[2], 1 | FIX_FULL_WIDTH);
+    assert_int_equal(f->style[3], 1 | 4 * FIX_SHIFT_X);
+    fix_write(f, 0, 0, "\xe5\xbc\xbe\xe5\xb9\x95z", 7, 1, 16, 1, 0);
+    assert_memory_equal(f->code, "\1\0\1\0zfgh", 8);
+    fix_write(f, 0, 0, "\xe5\xbc\xbe\xe5\xb9\x95z", 7, 2, 16, 1, 0); /* not those of size 2 */
+    assert_memory_equal(f->code, "\1\1\1\1zzgh", 8);
+    assert_int_equal(f->style[0], 1 | FIX_DOUBLE);
+    assert_int_equal(fix_text_width("\xe5\xbc\xbe\xe5\xb9\x95z", 7, 12), 32);
+    fix_clear(f, 0, 0, 10, 2);
     fix_clear(f, -5, 3, 14, 1);
     row_is(f, 3, ".........b");
     fix_clear(f, INT32_MIN, INT32_MIN, INT32_MAX, INT32_MAX);

@@ -169,6 +169,29 @@ TEST(cells)
     assert_int_equal(pixel(16, 41), 2 * 16 + 15);
 }
 
+/* Full-width letters, 12 px each, in the middle of their row. */
+TEST(full_width)
+{
+    struct manifest m = with_lines();
+
+    m.full_width = 12;
+    power_with(&m,
+               "text.put { col = 2, row = 3, text = '\xe5\xbc\xbe\xe5\xbc\xbe' .. 'A', bank = 1, full_width = true }\n"
+               "text.put { col = 2, row = 5, text = '\xe5\xbc\xbe\xe5\xbc\xbe' }\n"
+               "text.put { col = 15, row = 7, text = '\xe5\xbc\xbe' .. 'A', full_width = true, align = 'right' }\n"
+               "text.line { x = 16, y = 80, text = '\xe5\xbc\xbe\xe5\xbc\xbe', bank = 1, full_width = true }",
+               1);
+    const struct fix *f = &rig.b->fix;
+    assert_true(fix_code(f, 3 * 30 + 2) == 0x5f3e && fix_code(f, 3 * 30 + 3) == 0x5f3e &&
+                fix_code(f, 3 * 30 + 5) == 'A');
+    assert_true(fix_x(f, 3 * 30 + 3) == 28 && fix_x(f, 5 * 30 + 3) == 24);
+    assert_true(f->style[3 * 30 + 2] & FIX_FULL_WIDTH && !(f->style[3 * 30 + 5] & FIX_FULL_WIDTH));
+    assert_true(fix_code(f, 7 * 30 + 12) == 0x5f3e && fix_x(f, 7 * 30 + 12) == 100 && fix_x(f, 7 * 30 + 14) == 112);
+    rig_picture(&rig);
+    assert_true(pixel(20, 81) == 19 && pixel(32, 81) == 19);
+    assert_true(pixel(20, 25) == 19 && pixel(32, 25) == 19); /* the glyph's line is 7 px wide and 6 px high */
+}
+
 /* The state is the same whatever the fonts look like. */
 TEST(no_widths)
 {

@@ -42,6 +42,7 @@ static const struct {
     SETTING("field_h", field_h),
     SETTING("field_w", field_w),
     SETTING("freeze", has_freeze),
+    SETTING("full_width", full_width),
     SETTING("hp", has_hp),
     SETTING("items", items),
     SETTING("lasers", lasers),

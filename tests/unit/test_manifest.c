@@ -487,28 +487,36 @@ TEST(pack)
     assert_true(manifest_unpack(bytes, size, &m, err, sizeof err));
     assert_memory_equal(&m, &r->m, sizeof m);
     assert_false(manifest_unpack(bytes, size - 1, &m, err, sizeof err));
-    assert_string_equal(err, "5251 bytes long, expected 5272");
-    memset(bytes + size, 0, 20);
-    bytes_put32(bytes + size + 12, 1); /* the zoom's default */
-    for (int format = 5; format <= 6; format++) {
-        bytes[0] = (uint8_t)format;
-        assert_false(manifest_unpack(bytes, format == 5 ? size + 4 : sizeof bytes, &m, err, sizeof err));
-        assert_string_equal(err, format == 5 ? "of format 5, though format 4 has all of its fields"
-                                             : "of format 6, though format 4 has all of its fields");
+    assert_string_equal(err, "5251 bytes long, expected 5276");
+    static const char *const wrong[] = { "of format 5, though format 4 has all of its fields",
+                                         "of format 6, though format 4 has all of its fields",
+                                         "of format 7, though format 4 has all of its fields" };
+    static const uint32_t sizes[] = { 5256, 5272, 5276 };
+    memset(bytes + size, 0, 24);
+    bytes_put32(bytes + size + 12, 1); /* the defaults of zoom and full_width */
+    bytes_put32(bytes + size + 20, 8);
+    for (int i = 0; i < 3; i++) {
+        bytes[0] = (uint8_t)(5 + i);
+        assert_false(manifest_unpack(bytes, sizes[i], &m, err, sizeof err));
+        assert_string_equal(err, wrong[i]);
     }
     r->m.bulletml_runners = 300;
     assert_int_equal(manifest_pack(&r->m, bytes), size + 4);
     assert_true(manifest_unpack(bytes, size + 4, &m, err, sizeof err));
     assert_int_equal(m.bulletml_runners, 300);
-    assert_int_equal(m.zoom, 1);
+    assert_true(m.zoom == 1 && m.full_width == 8);
     r->m.bulletml_runners = 0;
     r->m.has_transforms = 1;
-    assert_int_equal(manifest_pack(&r->m, bytes), sizeof bytes);
-    assert_true(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));
+    assert_int_equal(manifest_pack(&r->m, bytes), 5272);
+    assert_true(manifest_unpack(bytes, 5272, &m, err, sizeof err));
     assert_true(m.has_transforms && !m.bulletml_runners && m.zoom == 1);
     r->m.view_w = 100;
     r->m.view_h = 50;
     r->m.zoom = 2;
+    assert_int_equal(manifest_pack(&r->m, bytes), 5272);
+    assert_true(manifest_unpack(bytes, 5272, &m, err, sizeof err));
+    assert_memory_equal(&m, &r->m, sizeof m);
+    r->m.full_width = 12;
     assert_int_equal(manifest_pack(&r->m, bytes), sizeof bytes);
     assert_true(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));
     assert_memory_equal(&m, &r->m, sizeof m);
@@ -587,7 +595,7 @@ TEST(unpack_old)
         want.items = format < 3 ? 0 : 9;
         want.registers = format < 4 ? 1024 : 64; /* ships could have 1024 then */
         want.options = format < 4 ? 0 : 5;
-        for (int other = 0; other < 7; other++) {
+        for (int other = 0; other < 8; other++) {
             bytes[0] = (uint8_t)other;
             assert_int_equal(manifest_unpack(bytes, size, &m, err, sizeof err), other == format);
             if (other == format)

@@ -93,4 +93,13 @@ TEST(count)
     assert_int_equal(bytes, 0);
 }
 
+TEST(full_width)
+{
+    static const uint32_t full[] = { 0x2e80, 0x3000, 0x3042, 0x30fc, 0x5f3e, 0xac00, 0xff01, 0xff60, 0xffe5, 0x20000 };
+    static const uint32_t narrow[] = { 'A', 0xe9, 0x2026, 0x2e7f, 0x303f, 0xd7a4, 0xff61, 0xff9f, 0xffe8, 0x40000 };
+
+    for (size_t i = 0; i < sizeof full / sizeof *full; i++)
+        assert_true(utf8_is_full_width(full[i]) && !utf8_is_full_width(narrow[i]));
+}
+
 RUN_TESTS(NULL, NULL)

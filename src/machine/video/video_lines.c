@@ -9,6 +9,8 @@
 #include <string.h>
 #include "../../../fb/blit.h"
 #include "../../../fb/text.h"
+#include "../../../fb/utf8.h"
+#include "../../base/int.h"
 #include "video.h"
 
 enum { MARGIN = 6, CELL_GAP = 1, FIRST_UNSPACED_CODE = 0x2e80 };
@@ -17,6 +19,7 @@ struct page {
     const struct cart *cart;
     struct face face; /* data NULL: the cell font is used */
     struct font font;
+    bool is_full_width; /* full-width letters are `screen.full_width` px wide */
     const uint32_t *code;
     uint32_t n;
     int row_width, row_height; /* width of a row, px, 0: unlimited; distance between rows, px */
@@ -29,7 +32,8 @@ struct row {
 
 static bool find_glyph(const struct page *p, uint32_t code, struct face_glyph *g)
 {
-    return cart_find_glyph(p->cart, p->face.data ? &p->face : NULL, code, g);
+    return (p->is_full_width && utf8_is_full_width(code) ? cart_find_full_width_glyph : cart_find_glyph)(
+        p->cart, p->face.data ? &p->face : NULL, code, g);
 }
 
 static int glyph_advance(const struct page *p, uint32_t code)
@@ -114,10 +118,11 @@ static void draw_box(struct draw_target *c, const struct page *p, const struct l
     video_draw_plate(c, x, y - MARGIN, widest + 2 * MARGIN, rows * p->row_height + 2 * MARGIN, l->bank[i]);
 }
 
-static struct page page_of(const struct draw_target *c, int font)
+static struct page page_of(const struct draw_target *c, int font, bool is_full_width)
 {
     const struct cart *cart = &c->b->cart;
     struct page p = { .cart = cart,
+                      .is_full_width = is_full_width,
                       .font = { cart->glyphs, CART_FIRST_CHAR, cart->n_glyphs },
                       .row_height = TEXT_SIDE + CELL_GAP };
 
@@ -132,11 +137,13 @@ static void draw_line(struct draw_target *c, uint32_t i, int x, int y)
 {
     const struct lines *l = &c->b->lines;
     const uint32_t visible_count = lines_visible_letters(l, i, c->b->core.clock);
-    struct page p = page_of(c, l->font[i]);
+    struct page p = page_of(c, l->font[i], l->flags[i] & LINE_FULL_WIDTH && c->b->cart.manifest.full_width > TEXT_SIDE);
 
     p.code = l->code + (size_t)i * LINE_MAX_TEXT;
     p.n = l->length[i];
     p.row_width = l->wrap_width[i];
+    if (p.is_full_width)
+        p.row_height = int_max(p.row_height, c->b->cart.manifest.full_width + CELL_GAP);
     if (l->flags[i] & LINE_BOX)
         draw_box(c, &p, l, i, x, y);
     for (uint32_t k = 0; k < visible_count; y += p.row_height) {
@@ -205,7 +212,7 @@ static bool find_cell_glyph(const struct page *p, const struct fix *f, uint32_t 
 void video_draw_cell(struct draw_target *c, uint32_t i)
 {
     const struct fix *f = &c->b->fix;
-    const struct page p = page_of(c, f->page ? f->font[i] : 0);
+    const struct page p = page_of(c, f->page ? f->font[i] : 0, f->style[i] & FIX_FULL_WIDTH);
     const int x = fix_x(f, i), y = fix_y(f, i);
     uint8_t buffer[CART_GLYPH_SIZE];
     struct face_glyph g;
@@ -216,12 +223,12 @@ void video_draw_cell(struct draw_target *c, uint32_t i)
 void video_draw_cell_rim(struct draw_target *c, uint32_t i, uint8_t rim)
 {
     const struct fix *f = &c->b->fix;
-    const struct page p = page_of(c, f->page ? f->font[i] : 0);
+    const struct page p = page_of(c, f->page ? f->font[i] : 0, f->style[i] & FIX_FULL_WIDTH);
     const int x = fix_x(f, i), y = fix_y(f, i);
     uint8_t buffer[CART_GLYPH_SIZE];
     struct face_glyph g;
 
-    if (!p.face.data && !(f->style[i] & FIX_PART) && text_has_glyph(&p.font, fix_code(f, i))) {
+    if (!p.face.data && !(f->style[i] & (FIX_PART | FIX_FULL_WIDTH)) && text_has_glyph(&p.font, fix_code(f, i))) {
         text_draw_rim(c->fb, &p.font, x, y, fix_code(f, i), rim);
     } else if (!find_cell_glyph(&p, f, i, buffer, &g)) {
         return;

@@ -18,7 +18,8 @@ enum {
     L_LETTER,
     L_BOX,
     L_HIDDEN,
-    L_STAY
+    L_STAY,
+    L_FULL_WIDTH
 };
 
 static const struct api_param line_params[] = {
@@ -38,6 +39,8 @@ static const struct api_param line_params[] = {
     DEFAULT("box", A_BOOL, "false", "draw a box behind the text in the darkest colour of the bank"),
     DEFAULT("hidden", A_BOOL, "false", "create the line without drawing it"),
     DEFAULT("stay", A_BOOL, "false", "keep the line when the boss phase that created it ends"),
+    DEFAULT("full_width", A_BOOL, "false",
+            "write full-width letters, such as Japanese ones, `screen.full_width` px wide (rom.lua)"),
 };
 
 const char *api_check_text(lua_State *L, const char *entry, int at, size_t *n)
@@ -78,8 +81,8 @@ static void fill_line(struct lines *l, uint32_t i, const struct api_value *v, fx
     l->align[i] = (uint8_t)v[L_ALIGN].i;
     l->bank[i] = (uint8_t)v[L_BANK].i;
     l->letter_frames[i] = (uint16_t)v[L_LETTER].i;
-    l->flags[i] =
-        (uint8_t)((v[L_SCREEN].i ? LINE_SCREEN : 0) | (v[L_HIDDEN].i ? LINE_HIDDEN : 0) | (v[L_BOX].i ? LINE_BOX : 0));
+    l->flags[i] = (uint8_t)((v[L_SCREEN].i ? LINE_SCREEN : 0) | (v[L_HIDDEN].i ? LINE_HIDDEN : 0) |
+                            (v[L_BOX].i ? LINE_BOX : 0) | (v[L_FULL_WIDTH].i ? LINE_FULL_WIDTH : 0));
 }
 
 /* Reads the position of a line. Returns false if the thing `from` or `follow` is dead. */

@@ -440,7 +440,7 @@ static int spark_burst(lua_State *L, struct board *b, struct api_value *v)
 
 /* ---- text ---- */
 
-enum { TEXT_COL, TEXT_ROW, TEXT_TEXT, TEXT_BANK, TEXT_ALIGN, TEXT_FONT, TEXT_RIM, TEXT_SIZE };
+enum { TEXT_COL, TEXT_ROW, TEXT_TEXT, TEXT_BANK, TEXT_ALIGN, TEXT_FONT, TEXT_RIM, TEXT_SIZE, TEXT_FULL_WIDTH };
 
 static const struct api_param text_put_params[] = {
     PARAM("col", A_FX, REQ, -1000, 1000, "cells", NULL, "column, from 0 at the left; a fraction moves the text by px"),
@@ -452,6 +452,8 @@ static const struct api_param text_put_params[] = {
     DEFAULT("rim", A_BOOL, "false", "outline the letters in the darkest colour of the bank"),
     PARAM("size", A_INT, OPT, 1, FIX_MAX_SIZE, NULL, "1",
           "size of the letters; at 2, each letter is two cells wide and two cells high"),
+    DEFAULT("full_width", A_BOOL, "false",
+            "write full-width letters of size 1, such as Japanese ones, `screen.full_width` px wide (rom.lua)"),
 };
 
 enum { CLEAR_COL, CLEAR_ROW, CLEAR_W, CLEAR_H };
@@ -472,9 +474,13 @@ static int text_put(lua_State *L, struct board *b, struct api_value *v)
         return api_error(L, "text.put",
                          "font: fonts in text cells are disabled; add `wide = true` to `board` in rom.lua");
     const char *s = api_check_text(L, "text.put", v[TEXT_TEXT].at, &n);
-    int cells = (int)utf8_count(s, n, FIX_MAX_TEXT, &n) * (int)v[TEXT_SIZE].i;
-    x -= FIX_CELL_SIZE * (v[TEXT_ALIGN].i == ALIGN_CENTER ? cells / 2 : v[TEXT_ALIGN].i == ALIGN_RIGHT ? cells : 0);
-    fix_write(&b->fix, x, fx_floor(v[TEXT_ROW].f * FIX_CELL_SIZE), s, n, (int)v[TEXT_SIZE].i,
+    const int size = (int)v[TEXT_SIZE].i;
+    const int full_width = v[TEXT_FULL_WIDTH].i && size == 1 ? b->cart.manifest.full_width : FIX_CELL_SIZE;
+    utf8_count(s, n, FIX_MAX_TEXT, &n);
+    const int width = (int)fix_text_width(s, n, full_width) * size;
+    const int half = full_width > FIX_CELL_SIZE ? width / 2 : width / FIX_CELL_SIZE / 2 * FIX_CELL_SIZE;
+    x -= v[TEXT_ALIGN].i == ALIGN_CENTER ? half : v[TEXT_ALIGN].i == ALIGN_RIGHT ? width : 0;
+    fix_write(&b->fix, x, fx_floor(v[TEXT_ROW].f * FIX_CELL_SIZE), s, n, size, full_width,
               (unsigned)v[TEXT_BANK].i | (v[TEXT_RIM].i ? FIX_RIM : 0u), (uint8_t)v[TEXT_FONT].i);
     return 0;
 }

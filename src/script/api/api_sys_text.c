@@ -129,38 +129,58 @@ static int sys_covers(lua_State *L, struct board *b, struct api_value *v)
     return 2;
 }
 
-static const struct api_param sys_cells_params[] = { REQUIRED("text", A_STR, "") };
+/* Optional in sys.cells and sys.wrap: the text is written by text.put without `full_width`. */
+#define SMALL_PARAM DEFAULT("small", A_BOOL, "false", "full-width letters take one cell, not `screen.full_width`")
+
+static int full_width_of(const struct board *b, const struct api_value *small)
+{
+    return small->i ? FIX_CELL_SIZE : b->cart.manifest.full_width;
+}
+
+enum { CELLS_TEXT, CELLS_SMALL };
+static const struct api_param sys_cells_params[] = { REQUIRED("text", A_STR, ""), SMALL_PARAM };
 
 static int sys_count_cells(lua_State *L, struct board *b, struct api_value *v)
 {
     size_t n;
-    const char *s = lua_tolstring(L, v[0].at, &n);
+    const char *s = lua_tolstring(L, v[CELLS_TEXT].at, &n);
 
-    (void)b;
     vm_charge(L, n / 8);
-    lua_pushinteger(L, (lua_Integer)utf8_count(s, n, n, NULL));
+    const size_t width = fix_text_width(s, n, full_width_of(b, &v[CELLS_SMALL]));
+    if (width % FIX_CELL_SIZE)
+        lua_pushnumber(L, (lua_Number)width / FIX_CELL_SIZE);
+    else
+        lua_pushinteger(L, (lua_Integer)width / FIX_CELL_SIZE);
     return 1;
 }
 
-enum { WRAP_TEXT, WRAP_WIDTH };
+enum { WRAP_TEXT, WRAP_WIDTH, WRAP_SMALL };
 static const struct api_param sys_wrap_params[] = { REQUIRED("text", A_STR, ""),
-                                                    PARAM("width", A_INT, REQ, 1, MAX_TEXT, "cells", NULL, "") };
+                                                    PARAM("width", A_NUM, REQ, 1, MAX_TEXT, "cells", NULL, ""),
+                                                    SMALL_PARAM };
 
-/* Appends a word of at most `width` characters to the row on top of the stack. If the word does not fit, appends the
- * row to the list at `list` and starts the next row with the word. */
-static void wrap_word(lua_State *L, int list, const char *word, size_t n, size_t width)
+/* The width of a row and of its full-width letters, px. */
+struct measure {
+    size_t width;
+    int full_width;
+};
+
+/* Appends a word that fits in a row to the row on top of the stack. If the word does not fit, appends the row to the
+ * list at `list` and starts the next row with the word. */
+static void wrap_word(lua_State *L, int list, const char *word, size_t n, struct measure m)
 {
-    size_t m;
-    const char *row = lua_tolstring(L, -1, &m);
-    size_t row_cells = utf8_count(row, m, width + 1, NULL), word_cells = utf8_count(word, n, width, NULL);
+    size_t row_bytes;
+    const char *row = lua_tolstring(L, -1, &row_bytes);
 
-    if (m && row_cells + 1 + word_cells <= width) {
+    if (row_bytes &&
+        fix_text_width(row, row_bytes, m.full_width) + FIX_CELL_SIZE + fix_text_width(word, n, m.full_width) <=
+            m.width) {
         lua_pushliteral(L, " ");
         lua_pushlstring(L, word, n);
         lua_concat(L, 3);
         return;
     }
-    if (m)
+    if (row_bytes)
         lua_rawseti(L, list, (lua_Integer)lua_rawlen(L, list) + 1);
     else
         lua_pop(L, 1);
@@ -181,33 +201,40 @@ static bool may_break(const char *word, size_t n, size_t at)
     return !text_is_closing_punctuation(utf8_next(&next, word + n)) && !(is_latin(word[at - 1]) && is_latin(word[at]));
 }
 
-/* Returns how many of the n bytes of a word to put in a row of `width` characters: all that fit, if there is no place
- * to break them. */
-static size_t count_fitting_bytes(const char *word, size_t n, size_t width)
+/* Returns how many of the n bytes of a word to put in a row: up to a Japanese comma or full stop in the last third of
+ * the row, or else to the last place to break them; all that fit if there is none, but at least one character. */
+static size_t count_fitting_bytes(const char *word, size_t n, struct measure m)
 {
-    size_t fitting, bytes;
+    const char *at = word, *end = word + n;
+    size_t fitting = 0, breaking = 0, clause = 0, width = 0;
 
-    utf8_count(word, n, width, &fitting);
-    bytes = fitting;
-    for (size_t cells = width; bytes < n && !may_break(word, n, bytes);) {
-        if (cells-- == 1)
-            return fitting;
-        utf8_count(word, n, cells, &bytes);
+    while (at < end) {
+        const char *before = at;
+        const uint32_t code = utf8_next(&at, end);
+        width += fix_text_width(before, (size_t)(at - before), m.full_width);
+        if (fitting && width > m.width)
+            return clause ? clause : breaking ? breaking : fitting;
+        fitting = (size_t)(at - word);
+        if (fitting == n || !may_break(word, n, fitting))
+            continue;
+        breaking = fitting;
+        if ((code == 0x3001 || code == 0x3002) && 3 * width >= 2 * m.width)
+            clause = fitting;
     }
-    return bytes;
+    return n;
 }
 
 static int sys_wrap_text(lua_State *L, struct board *b, struct api_value *v)
 {
     static const char blanks[] = " \t\n\v\f\r";
-    size_t n, bytes, width = (size_t)v[WRAP_WIDTH].i;
+    const struct measure m = { (size_t)(v[WRAP_WIDTH].n * FIX_CELL_SIZE), full_width_of(b, &v[WRAP_SMALL]) };
+    size_t n, bytes;
     const char *s = lua_tolstring(L, v[WRAP_TEXT].at, &n), *end = s + n;
 
-    (void)b;
     vm_charge(L, n);
     lua_newtable(L);
     int list = lua_gettop(L);
-    if (utf8_count(s, n, width + 1, NULL) <= width) {
+    if (fix_text_width(s, n, m.full_width) <= m.width) {
         lua_pushvalue(L, v[WRAP_TEXT].at);
         lua_rawseti(L, list, 1);
         return 1;
@@ -218,8 +245,8 @@ static int sys_wrap_text(lua_State *L, struct board *b, struct api_value *v)
         while (s + word_length < end && (s[word_length] == '\0' || strchr(blanks, s[word_length]) == NULL))
             word_length++;
         for (; word_length > 0; s += bytes, word_length -= bytes) {
-            bytes = count_fitting_bytes(s, word_length, width);
-            wrap_word(L, list, s, bytes, width);
+            bytes = count_fitting_bytes(s, word_length, m);
+            wrap_word(L, list, s, bytes, m);
         }
     }
     lua_rawseti(L, list, (lua_Integer)lua_rawlen(L, list) + 1);
@@ -236,9 +263,9 @@ static const struct api_entry entries[] = {
     { "sys.covers", sys_covers, NO_PARAMS, 0, API_SYS, "plates, others",
       HELP("returns two lists of what would be drawn over a window in the field: plates; and lines with the sprites in "
            "layer `over`") },
-    { "sys.cells", sys_count_cells, PARAMS(sys_cells_params), 1, API_SYS, "count",
+    { "sys.cells", sys_count_cells, PARAMS(sys_cells_params), 2, API_SYS, "count",
       HELP("returns the number of cells a text takes") },
-    { "sys.wrap", sys_wrap_text, PARAMS(sys_wrap_params), 2, API_SYS, "list",
-      HELP("breaks a text into rows of at most n characters; breaks only words that are longer than a row") },
+    { "sys.wrap", sys_wrap_text, PARAMS(sys_wrap_params), 3, API_SYS, "list",
+      HELP("breaks a text into rows of at most n cells; breaks only words that are longer than a row") },
 };
 const struct api_module api_sys_text = { entries, sizeof entries / sizeof *entries };

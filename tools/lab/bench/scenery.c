@@ -96,7 +96,7 @@ static void write_rows(struct board *b, uint8_t bank)
 {
     nothing(b);
     for (int row = 0; row < 4; row++)
-        fix_write(&b->fix, 16, 8 * (1 + row), "QWERTYUIOPASDFGHJKLZXCVBN", LETTERS / 4, 1, bank, 0);
+        fix_write(&b->fix, 16, 8 * (1 + row), "QWERTYUIOPASDFGHJKLZXCVBN", LETTERS / 4, 1, FIX_CELL_SIZE, bank, 0);
 }
 
 static void letters(struct board *b)
