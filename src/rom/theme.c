@@ -7,6 +7,7 @@
 #include "../base/bytes.h"
 #include "../base/err.h"
 #include "../../fb/text.h"
+#include "../../fb/utf8.h"
 
 /* The characters for menus in the fonts of the library's screens (scripts/menu/page.lua), and their substitutes. */
 enum { ARROW = 140, PLAIN_ARROW = '>' };
@@ -80,7 +81,13 @@ bool theme_check(const struct cart *cart, const struct lump *lump, char *err, si
 
 bool theme_find_glyph(const struct theme *theme, uint32_t code, struct face_glyph *out)
 {
-    return theme->has_font && cart_find_glyph(theme->cart, theme->face.data ? &theme->face : NULL, code, out);
+    const struct face *face = theme->face.data ? &theme->face : NULL;
+
+    if (!theme->has_font)
+        return false;
+    if (theme->cart->manifest.full_width == TEXT_SIDE || !utf8_is_full_width(code))
+        return cart_find_glyph(theme->cart, face, code, out);
+    return cart_find_full_width_glyph(theme->cart, face, code, out);
 }
 
 /* Measures the capital H, without its shadow. */
@@ -120,6 +127,16 @@ static void open_font(struct theme *t, const char *name)
     t->height = t->face.data ? t->face.height : TEXT_SIDE;
     t->capital_height = t->height - 1;
     measure_capitals(t);
+}
+
+void theme_set_language(struct theme *theme, const struct words *words)
+{
+    const char *name = words_find(words, "name", 4), *end = name ? name + strlen(name) : NULL;
+
+    theme->full_width = 0;
+    while (name && name < end)
+        if (utf8_is_full_width(utf8_next(&name, end)) && theme->cart->manifest.full_width > TEXT_SIDE)
+            theme->full_width = theme->cart->manifest.full_width;
 }
 
 /* ---- colours ---- */

@@ -25,6 +25,7 @@ struct theme {
     int ink, accent, rule, paper;
     uint32_t shades[16];                     /* how often letters use each shade from 2 to 15; 1 is a shadow */
     int height, capital_top, capital_height; /* px, of a line; from its top to the top of capitals; of capitals */
+    int full_width; /* px, of full-width letters; 0: the language has none, or they are as high as others */
     bool has_frame;
     struct sprite frame; /* cut into nine parts; its corners are a third of its width and height */
     uint32_t cursor;
@@ -41,7 +42,11 @@ bool theme_check(const struct cart *cart, const struct lump *lump, char *err, si
 /* Opens the theme of a game. cart must outlive it. */
 void theme_open(struct theme *theme, const struct cart *cart);
 
-/* Finds the glyph of a character in the theme's font (cart_find_glyph). Returns false if the game has none. */
+/* Sets full_width for the language of the screens, by its name; words.data may be NULL. */
+void theme_set_language(struct theme *theme, const struct words *words);
+
+/* Finds the glyph of a character in the theme's font (cart_find_glyph), or of a full-width letter
+ * (cart_find_full_width_glyph). Returns false if the game has none. */
 bool theme_find_glyph(const struct theme *theme, uint32_t code, struct face_glyph *out);
 
 /* Returns the colour (0xRRGGBB) of entry i of palette/main, and the mean colour of letters in a bank. */

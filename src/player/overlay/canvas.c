@@ -184,9 +184,13 @@ static void copy_bank(const struct canvas *canvas, int to, int from, int share)
         canvas->rgb[to * BANK + i] = pal_mix(theme_colour(canvas->theme, from * BANK + i), paper, share, 256);
 }
 
-/* Makes lines high enough for a theme's font. */
+/* Makes lines high enough for a theme's font and, with a gap of a pixel, for full-width letters. */
 static void make_room(struct canvas *canvas, const struct theme *theme)
 {
+    const int above = (theme->full_width - theme->capital_height) / 2;
+
+    canvas->ascent = int_max(canvas->ascent, above);
+    canvas->descent = int_max(canvas->descent, theme->full_width - theme->capital_height - above + 1);
     canvas->ascent = int_max(canvas->ascent, theme->capital_top);
     canvas->descent = int_max(canvas->descent, theme->height - theme->capital_top - theme->capital_height);
 }

@@ -333,13 +333,20 @@ static void draw_in_side(struct play *play, struct overlay_layout *o)
         draw_page(play, &o->picture);
 }
 
+static void open_theme(struct play *play, struct theme *theme)
+{
+    play_translate_screens(play);
+    theme_open(theme, play_cart(play));
+    theme_set_language(theme, &play->screens.words);
+}
+
 static void show_with_overlay(struct play *play, struct picture *p, struct overlay_layout *o)
 {
     struct theme theme;
 
     o->picture = copy_picture(play, p, NULL);
     if (o->hints || !play->options.open || play->screens.words.data) { /* text in the game's language */
-        theme_open(&theme, play_cart(play));
+        open_theme(play, &theme);
         canvas_add_font(&o->picture, &theme);
     }
     o->side = side_canvas(play, &o->picture);
@@ -394,9 +401,8 @@ void play_show(struct play *play, struct picture *p)
     play_window_begin(play, p->fb.w, p->fb.h);
     if (screens_are_open(&play->screens)) {
         struct theme theme;
-        theme_open(&theme, play_cart(play));
+        open_theme(play, &theme);
         struct canvas canvas = copy_picture(play, p, &theme);
-        play_translate_screens(play);
         draw_screen(play, &canvas);
         play_window_show(play, &p->composed, p->composed_rgb, false);
         return;
