@@ -16,25 +16,30 @@ hud.large = sys.large_hud() -- the player chose larger letters for scores, lives
 -- The character with this code (128 or more), or `plain` if the font has no picture for it.
 function hud.glyph(code, plain) return sys.glyph(code) and string.char(code) or plain end
 
--- Writes s at a column and a row, which may be fractions of a cell. size: 1 to 3 cells a letter.
-function hud.put(col, row, s, bank, size)
+-- Whether the language of the run, by its name, has full-width letters that need more than a cell.
+hud.full = sys.cells(text.lang("name")) > sys.cells(text.lang("name"), true)
+
+-- Writes s at a column and a row, which may be fractions of a cell. size: 1 to 3 cells a letter. small: full-width
+-- letters of size 1 take one cell, as in the HUD's rows.
+function hud.put(col, row, s, bank, size, small)
   if row < 0 or row >= hud.rows or col < 0 or col >= hud.cols or s == "" then return end
-  text.put { col = col, row = row, text = s, bank = bank or hud.banks.plain, rim = true, size = size }
+  text.put { col = col, row = row, text = s, bank = bank or hud.banks.plain, rim = true, size = size,
+             full_width = not small }
 end
 
--- Breaks s into lines of at most `width` characters, between words if possible.
-function hud.wrap(s, width) return #s <= width and { s } or sys.wrap(s, width) end
+-- Breaks s into lines of at most `width` cells, between words if possible.
+function hud.wrap(s, width, small) return #s <= width and { s } or sys.wrap(s, width, small) end
 
 -- The same, into lines of nearly equal length.
-function hud.balance(s, width)
-  local lines, longest = hud.wrap(s, width), 1
+function hud.balance(s, width, small)
+  local lines, longest = hud.wrap(s, width, small), 1
   if #lines == 1 then return lines end
   for word in s:gmatch("%S+") do
-    local n = sys.cells(word)
+    local n = sys.cells(word, small)
     if n <= width then longest = math.max(longest, n) end
   end
   for narrower = width - 1, longest, -1 do
-    local tried = hud.wrap(s, narrower)
+    local tried = hud.wrap(s, narrower, small)
     if #tried > #lines then break end
     lines = tried
   end
@@ -42,6 +47,7 @@ function hud.balance(s, width)
 end
 
 local PITCH <const> = 10 -- px from one row to the next: 8 px of letters, 2 px free
+local FULL_PITCH <const> = 14 -- the same for full-width letters
 local GAP <const> = 6    -- px between groups of rows
 local MARGIN <const> = 1 -- columns free on each side of a banner
 local FEW <const> = 6    -- up to this many icons are drawn; more are drawn as an icon and a number
@@ -121,6 +127,12 @@ local banner_row = 0                -- the first row of cells below all rows
 local banner                        -- lines; area, row and h: its cells; ends: the clock when it is removed
 local again                         -- everything has to be drawn
 
+-- The cells of text in the HUD's rows.
+local function cells(s) return sys.cells(s, true) end
+
+-- Returns the px from one line of text to the next. size: of the letters.
+function hud.pitch(size) return size == 1 and hud.full and FULL_PITCH or PITCH + 8 * (size - 1) end
+
 -- Puts s, translated, in the middle of `cols` columns from `first`; by default of the field during play, otherwise of
 -- the screen. Long text is wrapped. size: of the letters. Returns the first row of cells below it.
 function hud.centre(row, s, bank, first, cols, size)
@@ -128,11 +140,12 @@ function hud.centre(row, s, bank, first, cols, size)
   local area = playing and FIELD or SCREEN
   first, cols = first or area.col, cols or first and hud.cols or area.cols
   size = size or 1
-  local lines, pitch = hud.balance(text.lang(s), math.max(1, cols // size)), PITCH + 8 * (size - 1)
+  local lines = hud.balance(text.lang(s), math.max(1, cols // size), size > 1)
+  local pitch = hud.pitch(size)
   for i, line in ipairs(lines) do
-    hud.put(first + math.max(0, cols - size * sys.cells(line)) / 2, row + (i - 1) * pitch / 8, line, bank, size)
+    hud.put(first + math.max(0, cols - size * sys.cells(line, size > 1)) / 2, row + (i - 1) * pitch / 8, line, bank, size)
   end
-  return row + (#lines * pitch + 5) // 8
+  return row + ((#lines - 1) * pitch + 15) // 8
 end
 
 function hud.score(i)
@@ -171,7 +184,7 @@ local function place(col, y, cols, align, size)
 end
 
 local function write(p)
-  if p.text and not (p.group and p.group.hidden) then hud.put(p.left, p.y / 8, p.text, p.bank, p.size) end
+  if p.text and not (p.group and p.group.hidden) then hud.put(p.left, p.y / 8, p.text, p.bank, p.size, true) end
 end
 
 local function wipe(p)
@@ -184,7 +197,7 @@ function hud.show(p, s, bank, size)
   if p.text == s and p.bank == bank and p.size == (size or p.size) then return end
   wipe(p)
   p.size = size or p.size
-  p.text, p.bank, p.width = s ~= "" and s or nil, bank, p.size * sys.cells(s)
+  p.text, p.bank, p.width = s ~= "" and s or nil, bank, p.size * cells(s)
   local free = math.max(0, p.cols - p.width)
   p.left = p.col + (p.align == "right" and free or p.align == "middle" and free / 2 or 0)
   write(p)
@@ -202,9 +215,9 @@ end
 
 -- The text of a label and a value for a place. short: replaces a label that is too long. size: of the letters.
 function hud.labelled(p, label, value, short, size)
-  local free = math.max(0, p.cols // (size or p.size) - sys.cells(value) - 1) -- columns for the label
-  if sys.cells(label) > free then label = short or "" end
-  local spread = p.align == "spread" and free + 1 - sys.cells(label)
+  local free = math.max(0, p.cols // (size or p.size) - cells(value) - 1) -- columns for the label
+  if cells(label) > free then label = short or "" end
+  local spread = p.align == "spread" and free + 1 - cells(label)
   return label .. (" "):rep(spread or label ~= "" and 1 or 0) .. value
 end
 
@@ -222,7 +235,7 @@ local function boss_over_field(names, pips)
   at.clock = place(LEFT + WIDTH - CLOCK_COLS, rows_end, CLOCK_COLS, "right", 2)
   at.pips = place(LEFT + cols - pips, rows_end, pips, "right")
   local label = 0
-  for _, name in ipairs(names) do label = math.min(math.max(label, sys.cells(name) + 1), cols // 2) end
+  for _, name in ipairs(names) do label = math.min(math.max(label, cells(name) + 1), cols // 2) end
   for i = 1, math.max(1, #names) do
     local y = row().y
     local free = i == 1 and pips > 0 and pips + 1 or 0
@@ -308,7 +321,7 @@ local function register_item(i, r)
   local label = r.label == "" and "" or text.lang(r.label or r.name:gsub("_", " "):upper())
   local item = { label = label, player = i, register = r, size = r.show == "icons" and 2 or nil }
   function item.make(n, cols)
-    local rest = item.label == "" and 0 or sys.cells(item.label) + 1
+    local rest = item.label == "" and 0 or cells(item.label) + 1
     return SHOWN[r.show](r, n, cols - rest, item.low and (rest > 0 and LOW_BAR or LOW_BAR_ALONE) or 8)
   end
   function item.get()
@@ -374,14 +387,14 @@ end
 local function take_label(item)
   local label = item.label
   item.label = ""
-  return { label = "", cols = sys.cells(label), make = function() return label end,
+  return { label = "", cols = cells(label), make = function() return label end,
            get = function() return item.get() and label end }
 end
 
 -- Two registers in a row if their labels leave room for values.
 local function add_registers(y, list)
   local i = 1
-  local function is_short(item) return item and size_of(item) == 1 and sys.cells(item.label) < WIDTH // 2 - 6 end
+  local function is_short(item) return item and size_of(item) == 1 and cells(item.label) < WIDTH // 2 - 6 end
   while i <= #list do
     local both = not STACKED and is_short(list[i]) and is_short(list[i + 1])
     if STACKED and size_of(list[i]) > 1 then y = add_row(y, take_label(list[i]), false, list[i])
@@ -492,9 +505,9 @@ end
 
 -- Shows an item's value, in the largest letters that leave room for its label.
 local function show_item(item, value, bank)
-  local size, label = size_of(item), item.label == "" and 0 or sys.cells(item.label) + 1
+  local size, label = size_of(item), item.label == "" and 0 or cells(item.label) + 1
   local words = item.make(value, item.place.cols // size)
-  if label + sys.cells(words) > item.place.cols // size then
+  if label + cells(words) > item.place.cols // size then
     size = 1
     words = item.make(value, item.place.cols)
   end

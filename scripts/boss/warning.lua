@@ -11,8 +11,16 @@ local COL <const>, COLS <const> = hud.field.col, hud.field.cols
 local MIDDLE <const> = (rom.view.y + rom.view.h * 2 // 5) // 8
 local LINE <const>, FIRST <const>, LAST <const> = hud.glyph(141, "-"), hud.glyph(142, "-"), hud.glyph(143, "-")
 
--- Returns n characters of s from the i-th on.
-local function part(s, i, n) return s:sub(utf8.offset(s, i), (utf8.offset(s, i + n) or #s + 1) - 1) end
+-- Returns the characters of s from the i-th on that fit in n cells.
+local function part(s, i, n)
+  local first, count = utf8.offset(s, i), n + 1
+  local found
+  repeat
+    count = count - 1
+    found = s:sub(first, (utf8.offset(s, i + count) or #s + 1) - 1)
+  until sys.cells(found) <= n
+  return found
+end
 
 -- A bar's rounded ends are off the screen where the field reaches the screen's edge; otherwise it ends at the field.
 local BEYOND <const> = 8
@@ -37,11 +45,11 @@ local function rule(row, share)
   if n > 2 then hud.put(COL + (COLS - n) // 2, row, FIRST .. LINE:rep(n - 2) .. LAST, hud.banks.alarm) end
 end
 
--- Returns the lines of the name and their size: 2 if its words fit in two lines, otherwise 1.
+-- Returns the lines of the name and their size: 2 if its words fit in two lines, otherwise 1, as for full-width letters.
 local function lines_of(name)
-  local lines = hud.wrap(name, (COLS - 2) // 2)
+  local lines = hud.wrap(name, (COLS - 2) // 2, true)
   local whole = table.concat(lines, " ") == name and #lines <= 2
-  if whole then return lines, 2 end
+  if whole and not hud.full then return lines, 2 end
   return hud.wrap(name, COLS - 2), 1
 end
 
@@ -61,7 +69,7 @@ local function draw_card(card, age)
   local row = card.row + 3
   if card.epithet then row = hud.centre(row, card.epithet, hud.banks.plain, COL, COLS) + 1 end
   for _, line in ipairs(card.lines) do
-    hud.put(COL + (COLS - card.size * sys.cells(line)) // 2, row, line, hud.banks.bright, card.size)
+    hud.put(COL + (COLS - card.size * sys.cells(line, card.size > 1)) // 2, row, line, hud.banks.bright, card.size)
     row = row + card.size + 1
   end
 end

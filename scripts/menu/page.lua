@@ -23,7 +23,7 @@ page.x = rom.screen.w // 2              -- its middle, px
 page.low = page.rows < 36               -- no empty rows between rows
 page.first = page.low and 4 or 6        -- the first row below a heading of one line
 page.bottom = page.rows - (page.low and 2 or 4) -- the row below a page's content
-page.pitch = page.low and 1.25 or 1.5      -- rows from one line of a paragraph to the next
+page.pitch = hud.full and 1.75 or page.low and 1.25 or 1.5 -- rows from one line of a paragraph to the next
 page.IDLE, page.GROWING = IDLE, GROWING
 
 -- What the buttons do on a page, for page.foot and page.tell: a button, what it does, the next button ...
@@ -249,7 +249,7 @@ end
 
 local function lay_out(a)
   local widest = 1
-  for _, item in ipairs(a.items) do widest = math.max(widest, sys.cells(item)) end
+  for _, item in ipairs(a.items) do widest = math.max(widest, math.ceil(sys.cells(item))) end
   local cols, gap = a.cols or page.cols, a.gap or 2
   widest = math.min(cols, widest + (cols - widest) % 2) -- equal columns on both sides
   local seen = math.min(#a.items, a.most or #a.items)

@@ -74,7 +74,7 @@ end
 -- The gauges that a page is about, as the HUD shows them, in the lower left corner of the picture.
 local function draw_gauges(p)
   for i, name in ipairs(p.gauges or {}) do
-    local row = page.bottom - 1.5 * (#p.gauges - i + 1)
+    local row = page.bottom - math.max(1.5, page.pitch) * (#p.gauges - i + 1)
     page.clear(row, 1)
     local words, bank = hud.register(1, name)
     if words then hud.put(page.col + 2, row, words, bank) end

@@ -29,6 +29,7 @@ local COL <const> = page.col + (page.cols - WIDTH) // 2
 local TURN <const> = 120 -- frames that one-line rows show names, then ships if the table has several, then how far the
                          -- runs got
 local TALL <const> = 2.5 -- rows of cells that a row of two lines takes
+local BELOW <const> = hud.full and 1.25 or 1 -- and from its first line to its second
 
 -- Draws row i of a table. what: "name", "ship", "far" or "all".
 local function draw_row(i, r, row, bank, marked, what)
@@ -44,8 +45,8 @@ local function draw_row(i, r, row, bank, marked, what)
   hud.put(COL + WIDTH - #points, row, points, bank)
   if not r or what ~= "all" then return end
   local far = how_far(r, WIDTH - 4 - sys.cells(ship))
-  hud.put(COL + 4, row + 1, ship, hud.banks.faint)
-  hud.put(COL + WIDTH - sys.cells(far), row + 1, far, hud.banks.faint)
+  hud.put(COL + 4, row + BELOW, ship, hud.banks.faint)
+  hud.put(COL + WIDTH - sys.cells(far), row + BELOW, far, hud.banks.faint)
 end
 
 -- many: the table has several ships.

@@ -28,6 +28,7 @@ end
 local function put_line(row)
   row.line = text.line {
     x = page.x, y = rom.screen.h, text = text.lang(row.text), align = "center", bank = row.bank, screen = true,
+    full_width = true,
   }
 end
 

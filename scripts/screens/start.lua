@@ -4,11 +4,13 @@ local sys = ... -- functions that only the standard library gets; src/script/api
 local page, preview = sys.read("menu/page"), sys.read("menu/preview")
 
 local CELLS <const> = 5                    -- length of a figure's bar, and its most icons
-local PREVIEW <const> = 6                  -- rows below the panel for the ships, at least
+local PREVIEW <const> = hud.full and 5 or 6 -- rows below the panel for the ships, at least
 local EDGE <const> = 24                    -- px from the middle of a ship to the edge of the field, at least
 local WIDEST <const> = 26                  -- columns of a player
 local TEXT <const> = math.min(WIDEST, page.cols - 4) -- columns of text
-local PITCH <const> = page.low and 1.25 or 1.5 -- rows from one figure to the next
+local PITCH <const> = page.low and 1.25 or 1.5 -- rows from one figure to the next, at least
+-- Rows from one choice to the next, and from one line of text to the next, on a full page.
+local CLOSE <const>, TIGHT <const> = hud.full and 1.75 or 1.5, hud.full and 1.5 or 1.25
 local BLINK <const> = 16                   -- frames that the arrows keep their colour
 local BURST <const>, PAUSE <const> = 90, 40 -- frames that the ships fire, and don't
 local LIFE <const> = hud.glyph(137, "*")
@@ -245,14 +247,14 @@ local function middle_of(p)
 end
 
 local function draw_figures()
-  page.clear(state.figures, state.figure_rows * PITCH)
+  page.clear(state.figures, state.figure_rows * state.pitch)
   for p = 1, state.figure_rows > 0 and state.players or 0 do
     local list, widest, _, cols = figures_of(ship_of(p)), 0, column(p)
     for _, f in ipairs(list) do widest = math.max(widest, sys.cells(f[1])) end
     widest = math.min(widest, cols - 1 - CELLS)
     local col = middle_of(p) / 8 - (widest + 1 + CELLS) / 2
     for i, f in ipairs(list) do
-      local row, at = state.figures + (i - 1) * PITCH, col + widest + 1
+      local row, at = state.figures + (i - 1) * state.pitch, col + widest + 1
       hud.put(col, row, fit(f[1], widest), hud.banks.plain)
       if type(f[2]) == "number" then page.stars(at, row, f[2], CELLS) else hud.put(at, row, f[2], hud.banks.bright) end
     end
@@ -383,16 +385,16 @@ end
 -- How the page makes room for the ships, step by step: rows from one choice to the next, rows from one line of text to
 -- the next, and whether the figures are shown.
 local STEPS <const> = {
-  { 2, page.pitch, true }, { 2, 1.25, true }, { 1.5, 1.25, true }, { 1.5, 1.25, false }, { 1, 1, false },
+  { 2, page.pitch, true }, { 2, TIGHT, true }, { CLOSE, TIGHT, true }, { CLOSE, TIGHT, false }, { 1, 1, false },
 }
 
 local function lay_out()
   measure()
   local bottom, gap
   for _, step in ipairs(STEPS) do
-    gap, state.apart = step[1], step[2]
+    gap, state.apart, state.pitch = step[1], step[2], math.max(PITCH, step[2])
     if not step[3] then state.figure_rows = 0 end
-    state.figures = page.rows - 3 - state.figure_rows * PITCH
+    state.figures = page.rows - 3 - state.figure_rows * state.pitch
     state.text = place_rows(gap) + (page.low and 0 or 1)
     bottom = math.ceil(state.text + state.text_rows * state.apart) + 1
     if state.figures - bottom >= PREVIEW then break end

@@ -3,6 +3,7 @@
 local sys = ... -- functions for the standard library only; documented in src/script/api/api_sys.c
 
 local ROWS = 3   -- rows of words, two cells apart
+local APART = hud.full and 2 or 1 -- cells from one row of an item of a list to the next
 local TALL = 15  -- rows of cells that a portrait takes above the first row
 local HELD = 20  -- frames that special is held before it skips the talk
 local HURRY = 30 -- frames that fire is held before it repeats,
@@ -55,7 +56,7 @@ return function(look, may_skip, fire)
   end
 
   local function write(col, row, words, bank)
-    text.put { col = col, row = row, text = words, bank = bank }
+    text.put { col = col, row = row, text = words, bank = bank, full_width = true }
   end
 
   local function wipe_words()
@@ -151,8 +152,9 @@ return function(look, may_skip, fire)
     for i, row in ipairs(rows) do
       local y, x = first + 2 * (i - 1), left
       for _, code in utf8.codes(hurry and "" or row) do
-        write(x, y, utf8.char(code), hud.banks.plain)
-        x = x + 1
+        local letter_of_row = utf8.char(code)
+        write(x, y, letter_of_row, hud.banks.plain)
+        x = x + sys.cells(letter_of_row)
         if code ~= 32 then
           speak(a, n)
           n = n + 1
@@ -216,13 +218,13 @@ return function(look, may_skip, fire)
     for i, item in ipairs(items) do
       local rows = rows_of(item, cols - 2)
       l.items[i] = { rows = rows, row = l.h }
-      l.h = l.h + #rows + 1
-      for _, row in ipairs(rows) do l.w = math.max(l.w, sys.cells(row)) end
+      l.h = l.h + APART * (#rows - 1) + 2
+      for _, row in ipairs(rows) do l.w = math.max(l.w, math.ceil(sys.cells(row))) end
     end
     l.h, l.w = l.h - 1, l.w + 2
     l.title = title and rows_of(title, cols) or {}
-    for _, row in ipairs(l.title) do l.w = math.max(l.w, sys.cells(row)) end
-    local above = #l.title > 0 and #l.title + 1 or 0
+    for _, row in ipairs(l.title) do l.w = math.max(l.w, math.ceil(sys.cells(row))) end
+    local above = #l.title > 0 and APART * (#l.title - 1) + 2 or 0
     l.col = left + (cols - l.w) // 2
     l.rows = above + l.h
     l.top = math.max(5, math.min((hud.rows - l.rows) // 2, first - TALL - l.rows)) -- above the heads, if it fits
@@ -231,11 +233,11 @@ return function(look, may_skip, fire)
   end
 
   local function draw_list(l, chosen)
-    for i, row in ipairs(l.title) do write(l.col + (l.w - sys.cells(row)) // 2, l.top + i - 1, row, hud.banks.bright) end
+    for i, row in ipairs(l.title) do write(l.col + (l.w - sys.cells(row)) // 2, l.top + APART * (i - 1), row, hud.banks.bright) end
     for i, item in ipairs(l.items) do
       local bank = i == chosen and hud.banks.bright or hud.banks.plain
       write(l.col, item.row, i == chosen and ARROW or " ", bank)
-      for k, row in ipairs(item.rows) do write(l.col + 2, item.row + k - 1, row, bank) end
+      for k, row in ipairs(item.rows) do write(l.col + 2, item.row + APART * (k - 1), row, bank) end
     end
   end
 
