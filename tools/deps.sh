@@ -51,6 +51,8 @@ for what; do
         [ "$what" = null ] || library sdl2 SDL2/SDL.h || need libsdl2-dev
         header stb/stb_image.h || need libstb-dev
         [ -n "$say" ] || [ -e /usr/share/fonts/truetype/misaki/misaki_gothic.ttf ] || need fonts-misaki
+        [ -n "$say" ] || [ -e /usr/share/fonts/X11/misc/f12.pcf.gz ] || need xfonts-efont-unicode
+        [ -n "$say" ] || have pcf2bdf || need pcf2bdf
         ;;
     test)
         header cmocka.h || need libcmocka-dev

@@ -3,11 +3,15 @@
 .PHONY: windows players ports library web art demos cookbook patterns pace docs docs-stale survive accuracy sound pacing bench bench-fx
 .PHONY: bench-fx-objects compare bulletml prove cross
 
-# Glass Tide's Japanese font comes from a package. Without it, the game has no kanji.
+# Glass Tide's Japanese fonts come from packages. Without them, the game has no kanji.
 MISAKI ?= /usr/share/fonts/truetype/misaki/misaki_gothic.ttf
-GAME_FONT := $(if $(wildcard $(MISAKI)),$(GAME)/art/misaki_gothic.ttf)
+EFONT  ?= /usr/share/fonts/X11/misc/f12.pcf.gz
+GAME_FONT := $(if $(wildcard $(MISAKI)),$(GAME)/art/misaki_gothic.ttf) \
+             $(if $(and $(wildcard $(EFONT)),$(shell command -v pcf2bdf)),$(GAME)/art/efont_12.bdf)
 $(GAME)/art/misaki_gothic.ttf: $(MISAKI)
 	$(Q)cp $< $@
+$(GAME)/art/efont_12.bdf: $(EFONT)
+	$(Q)zcat $< | pcf2bdf -o $@
 
 # LUA_INSIDE=1: programs contain Lua, compiled as Debian does it, without its program and what the sandbox leaves out.
 LUA_SRC  := build/cross/lua-bookworm/src

@@ -1,7 +1,7 @@
 -- rom.lua - the manifest of Glass Tide. source/art/art.c draws the pictures in art/.
 return {
   id = "glasstide", title = "Glass Tide", author = "The Curtain authors", version = 1, entry = "main",
-  screen = { w = 240, h = 320 }, border = "art/border.png",
+  screen = { w = 240, h = 320, full_width = 12 }, border = "art/border.png",
   board = { bullets = 4096, shots = 512, enemies = 128, sparks = 4096, sprites = 96, motions = 192,
             tasks = 1024, lua_kib = 4096,
             -- optional: bullets with hp, that orbit something, that can be frozen, and that have
@@ -18,8 +18,10 @@ return {
                two = "art/palette_two.png", three = "art/palette_three.png",
                moon = "art/palette_moon.png", dark = "art/palette_dark.png",
                story = "art/palette_story.png" },
-  -- fallback for characters that the font of the text cells lacks; make copies it from Debian's fonts-misaki
-  fonts = { japanese = { file = "art/misaki_gothic.ttf", size = 8, shadow = true, optional = true } },
+  -- Japanese of 8 px, for the HUD, and of 12 px; make copies the fonts from Debian's fonts-misaki and
+  -- xfonts-efont-unicode
+  fonts = { japanese = { file = "art/misaki_gothic.ttf", size = 8, shadow = true, optional = true },
+            japanese_12 = { file = "art/efont_12.bdf", shadow = true, optional = true } },
   sheets = {
     bullets = { file = "art/bullets.png", bank = 0 },
     shots   = { file = "art/shots.png",   bank = 0 },

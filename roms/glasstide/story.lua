@@ -29,31 +29,28 @@ local function dark(over)
   palette.fade { to = 0x04060e, over = over, first = FIRST, last = LAST }
 end
 
--- The size of the letters: 2 if all lines fit, as in languages that need few letters.
-local function size_of(scenes)
-  for _, scene in ipairs(scenes) do
-    for _, line in ipairs(scene.lines) do
-      if 2 * utf8.len(text.lang(line)) > hud.cols - 2 then return 1 end
-    end
-  end
-  return 2
+-- The cells that a line takes: one and a half for each full-width letter.
+local function cells(line)
+  local n = 0
+  for _, code in utf8.codes(line) do n = n + (code >= 0x2e80 and 1.5 or 1) end
+  return n
 end
 
 -- Writes the lines letter by letter, each in the middle of its own row. FIRE completes the
 -- current line immediately.
-local function write(lines, told, size)
+local function write(lines, told)
   for i, line in ipairs(lines) do
     local words, hurried = text.lang(line), false
-    local row, col = DOWN + (APART + size - 1) * (i - 1), (hud.cols - size * utf8.len(words)) / 2
+    local row, col = DOWN + APART * (i - 1), (hud.cols - cells(words)) / 2
     for n = 1, utf8.len(words) do
       if not hurried and n % 2 == 0 then
         hurried = rest(LETTER, told)
         local there = words:sub(1, utf8.offset(words, n + 1) - 1)
-        text.put { col = col, row = row, text = there, bank = WORDS, size = size }
+        text.put { col = col, row = row, text = there, bank = WORDS, full_width = true }
       end
     end
     if told.left then return end
-    text.put { col = col, row = row, text = words, bank = WORDS, size = size }
+    text.put { col = col, row = row, text = words, bank = WORDS, full_width = true }
   end
 end
 
@@ -70,7 +67,7 @@ function story.telling() return telling end
 
 -- scenes: a list of { picture, palette?, lines }. Returns true if it played to the end.
 function story.tell(scenes)
-  local told, size = { left = false }, size_of(scenes)
+  local told = { left = false }
   telling = true
   local over <close> = setmetatable({}, { __close = function() telling = false end })
   bg.show("nothing", { over = 0 })
@@ -84,7 +81,7 @@ function story.tell(scenes)
                                  screen = true, layer = "over" }
     palette.fade { to = scene.palette or "story", over = FADE }
     rest(FADE, told)
-    if not told.left then write(scene.lines, told, size) end
+    if not told.left then write(scene.lines, told) end
     if not told.left then rest(STAYS, told) end
     dark(FADE // 2)
     wait(FADE // 2)

@@ -107,6 +107,28 @@ static const char misaki[] =
     "These fonts are free software. Unlimited permission is granted to use, copy, and distribute it, with or without\n"
     "modification, either commercially and noncommercially. THESE FONTS ARE PROVIDED \"AS IS\" WITHOUT WARRANTY.\n";
 
+static const char efont_copyright[] =
+    "Copyright (c) 2000-2004 /efont/ The Electronic Font Open Laboratory, Kazuhiko and "
+    "Kenji Kano";
+static const char efont[] =
+    "Redistribution and use in source and binary forms, with or without modification, are permitted provided that the\n"
+    "following conditions are met:\n"
+    "\n"
+    "1. Redistributions of source code must retain the above copyright notice, this list of conditions and the\n"
+    "   following disclaimer.\n"
+    "2. Redistributions in binary form must reproduce the above copyright notice, this list of conditions and the\n"
+    "   following disclaimer in the documentation and/or other materials provided with the distribution.\n"
+    "3. Neither the name of the team nor the names of its contributors may be used to endorse or promote products\n"
+    "   derived from this font without specific prior written permission.\n"
+    "\n"
+    "THIS FONT IS PROVIDED BY THE TEAM AND CONTRIBUTORS \"AS IS\" AND ANY EXPRESS OR IMPLIED WARRANTIES, INCLUDING,\n"
+    "BUT NOT LIMITED TO, THE IMPLIED WARRANTIES OF MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE ARE\n"
+    "DISCLAIMED. IN NO EVENT SHALL THE TEAM OR CONTRIBUTORS BE LIABLE FOR ANY DIRECT, INDIRECT, INCIDENTAL, SPECIAL,\n"
+    "EXEMPLARY, OR CONSEQUENTIAL DAMAGES (INCLUDING, BUT NOT LIMITED TO, PROCUREMENT OF SUBSTITUTE GOODS OR\n"
+    "SERVICES; LOSS OF USE, DATA, OR PROFITS; OR BUSINESS INTERRUPTION) HOWEVER CAUSED AND ON ANY THEORY OF\n"
+    "LIABILITY, WHETHER IN CONTRACT, STRICT LIABILITY, OR TORT (INCLUDING NEGLIGENCE OR OTHERWISE) ARISING IN ANY\n"
+    "WAY OUT OF THE USE OF THIS FONT, EVEN IF ADVISED OF THE POSSIBILITY OF SUCH DAMAGE.\n";
+
 static const char curtain_copyright[] = "Copyright (c) The Curtain authors";
 static const char sdl_copyright[] = "Copyright (C) Sam Lantinga and others";
 static const char mingw_copyright[] = "Copyright (c) 2009-2016 the mingw-w64 project, 1997-2001 Lucent Technologies";
@@ -123,7 +145,7 @@ struct work {
     const char *licence, *purpose, *copyright, *text;
 };
 
-enum { WORKS = 6 };
+enum { WORKS = 7 };
 
 static struct work work(const char *name, const char *licence, const char *purpose, const char *copyright,
                         const char *text)
@@ -165,6 +187,7 @@ static int list(struct work all[WORKS])
                     "Sean Barrett and others; also available under MIT", no_notice);
     all[n++] =
         work("Misaki", "free", "Japanese characters, in games that use them", "Copyright 2002-2021 Num Kadoma", misaki);
+    all[n++] = work("efont", "BSD-3-Clause", "Japanese characters, in games that use them", efont_copyright, efont);
     n += describe_port(&all[n]);
 #ifdef __GLIBC__
     all[n] = work("glibc", "LGPL 2.1", "system C library", "the GNU C Library", system_library);
@@ -195,6 +218,7 @@ void licences_notices(struct byte_buffer *out)
     } all[] = {
         { "Curtain, the game engine", curtain_copyright, { mit } },
         { "Lua", board_lua_copyright(), { mit } },
+        { "efont, the 12 px Japanese characters of Glass Tide", efont_copyright, { efont } },
         { "SDL, in Windows programs (Linux programs use the SDL that is installed)", sdl_copyright, { zlib } },
         { "mingw-w64, in Windows programs", mingw_copyright, { mingw } },
         { "wasi-libc, in web pages",

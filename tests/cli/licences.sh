@@ -48,5 +48,6 @@ has() { # NAME TEXT
 mit=$(sed '1,/^Permission/{/^Permission/!d}' "$repo/LICENSE" | words)
 check "Curtain's is LICENSE, whole" has Curtain "$(sed 1,2d "$repo/LICENSE" | words)"
 check "Lua's is MIT" has Lua "$mit"
-check "the Japanese font's is named" has Misaki 'These fonts are free software.'
+check "the small Japanese font's is named" has Misaki 'These fonts are free software.'
+check "the larger one's is named" has efont 'Neither the name of the team nor the names of its contributors'
 finish
