@@ -106,6 +106,15 @@ TEST(header)
     free(bytes);
 }
 
+/* An echo has the pans of its track, or one pan. */
+TEST(echo)
+{
+    assert_string_equal(events("#echo A=B,8,-3\nB l8 p20 v8 c p30 d\n"),
+                        "240v76 240p20 240v43 240i0 240n60 480o 480p30 480n62 720o 720. ");
+    assert_string_equal(events("#echo A=B,8,-3,100\nB l8 p20 v8 c p30 d\n"),
+                        "0p100 240v76 240v43 240i0 240n60 480o 480n62 720o 720. ");
+}
+
 /* ---- what is refused ---- */
 
 TEST(mistakes)
@@ -169,6 +178,7 @@ TEST(mistakes)
         { "#tempo 120\nA c", "x.mml:1:1: expected #title, #bar, #echo, #swing or #mark" },
         { "#echo B:A\nA c",
           "x.mml:1:8: expected #echo B=A,8,-3: track B is track A an eighth note later and 3 steps softer" },
+        { "#echo B=A,8,-3,129\nA c", "x.mml:1:16: expected a pan from 0 to 128, got \"129\"" },
         { "[[[[[[[[[c]2", "x.mml:1:9: loops nested deeper than 8" },
         { "[[[[[c%1]255]255]255]255]255", "x.mml:1:6: more than 262144 notes and settings (with loops expanded)" },
     };

@@ -272,13 +272,18 @@ static bool find_directive(const struct mml *m, const char *word, uint32_t *at, 
     return false;
 }
 
-/* Copies a track, `later` ticks later and `louder` steps louder. */
-static void copy_track(struct mml *m, struct mml_track *to, const struct mml_track *from, uint32_t later, int louder)
+/* Copies a track, `later` ticks later and `louder` steps louder; pan: -1 for that of the track. */
+static void copy_track(struct mml *m, struct mml_track *to, const struct mml_track *from, uint32_t later, int louder,
+                       int pan)
 {
     to->used = true;
+    if (pan >= 0)
+        mml_add(m, to, 0, TUNE_PANNING, pan, 0);
     for (uint32_t i = 0; i < from->n; i++) {
         const struct mml_event *e = &from->events[i];
         int value = e->value;
+        if (e->event == TUNE_PANNING && pan >= 0)
+            continue;
         if (e->event == TUNE_VOLUME) {
             value += louder * 8;
             value = value < 0 ? 0 : value > TUNE_MAX_VOLUME ? TUNE_MAX_VOLUME : value;
@@ -315,12 +320,17 @@ static void read_echoes(struct mml *m)
         const int64_t length = mml_parse_decimal(m, &p, end, "a note length", 1000, 64000) / 1000;
         expect_char(m, &p, end, ',');
         const int64_t louder = mml_parse_decimal(m, &p, end, "a volume change (of 16),", -15000, 15000) / 1000;
+        int64_t pan = -1;
+        if (p < end && m->text[p] == ',') {
+            p++;
+            pan = mml_parse_decimal(m, &p, end, "a pan", 0, 2000 * TUNE_PAN_CENTRE) / 1000;
+        }
         if (m->tracks[to].used || !m->tracks[from].used || 4 * TUNE_QUARTER % length != 0)
             mml_fail(m, at,
                      m->tracks[to].used ? "track %c already has notes"
                                         : "track %c: no notes to echo, or a length that is not a whole number of ticks",
                      'A' + to);
-        copy_track(m, &m->tracks[to], &m->tracks[from], (uint32_t)(4 * TUNE_QUARTER / length), (int)louder);
+        copy_track(m, &m->tracks[to], &m->tracks[from], (uint32_t)(4 * TUNE_QUARTER / length), (int)louder, (int)pan);
     }
 }
 
