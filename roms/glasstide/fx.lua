@@ -171,7 +171,7 @@ function fx.collapse(e)
     wait(10)
     board.stop(4)
     if body then body:remove() end
-    sound.play("shatter")
+    sound.play("burst")
     break_up(x, y)
   end)
 end

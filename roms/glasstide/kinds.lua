@@ -63,9 +63,20 @@ glass("lamp", { hit = { circle = 8 }, clearable = false, graze = false, order = 
 laser.def("ray", { strip = "ray_of_light", width = 12, hit = { share = 0.5 }, graze = 12,
                    vanish = "glint" })
 
+local EVERY <const> = 6 -- least frames from one sound of a hit to the next
+local taps, tapped = 0, 0 -- sounds of hits that follow one another; the frame of the last
+
+-- The taps of a long attack change their pitch and grow softer, down to half their volume.
+local function tap(e)
+  local since = board.frame() - tapped
+  if since < EVERY then return end
+  taps, tapped = since > 30 and 0 or taps + 1, board.frame()
+  sound.play("chip", { from = e, pitch = taps * 5 % 9 - 4, volume = math.max(0.5, 1 - taps / 30) })
+end
+
 -- A hit by a shot, somewhere on the lower half of the creature.
 local function chip(e, _, _)
-  sound.play("chip", { from = e })
+  tap(e)
   spark.burst { kind = "splint", from = e, dy = 6, n = 1, dir = 90, spread = 140, speed = 2.5 }
 end
 

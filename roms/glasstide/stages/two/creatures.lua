@@ -21,7 +21,10 @@ local function boss_kind(name, w, h, score, on_death)
                     on_death = on_death, drops = { pearl = 8 } })
 end
 
-boss_kind("bellows", 64, 60, 20000, large)
+boss_kind("bellows", 64, 60, 20000, function(e)
+  sound.play("collapse", { from = e })
+  large(e)
+end)
 boss_kind("cinder",  38, 46, 25000, collapse)
 boss_kind("quench",  38, 46, 25000, collapse)
 
