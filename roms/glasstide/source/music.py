@@ -1,16 +1,18 @@
 #!/usr/bin/env python3
-"""music.py - checks the music of a game against what is declared beside it, and how loud all of it is.
+"""music.py - checks the music of a game against what is declared beside it, and how music and sounds are mixed.
 
     music.py [--curtain PROGRAM] GAME [NAME...]           notes: key, chords, form (docs/measured/music.md)
     music.py [--curtain PROGRAM] --levels GAME [NAME...]  loudness, peaks, loops
     music.py [--curtain PROGRAM] --sounds GAME [NAME...]  the sounds: length, peak, level
+    music.py [--curtain PROGRAM] --fights GAME [DEMO...]  the sound of boss fights in demos
     music.py [--curtain PROGRAM] --page GAME              docs/measured/music.md
 
 Prints a line of figures for each piece, and a sentence for each fault; exit code 1: there was one. Notes come from
 `curtain sound GAME NAME --notes`, which is the packed tune as the board reads it, so MML is not read here: of a file
 only the lines that begin with `;=`.
 """
-import array, concurrent.futures, functools, itertools, math, os, re, subprocess, sys, tempfile, wave
+import array, cmath, concurrent.futures, functools, itertools, json, math, os, re, shutil, statistics, subprocess
+import sys, tempfile, wave
 
 # What is asked for. Shares are of 1.
 IN_SCALE, BASS_FITS, ROOTS, HARMONY_FITS = 0.85, 0.85, 0.75, 0.85
@@ -18,6 +20,7 @@ STRONG_FITS, CLASHES, STEPS = 0.60, 0.04, 0.35
 REPEATED, SECTIONS, SINGS, RESTS = 0.5, 3, 0.45, 2.0
 LONG, SHORT = 60.0, (8.0, 20.0)
 SPREAD, PEAK, ROUND, DC = 2.0, -1.0, 0.01, 1e-3
+SIDE, RISE, COVER, TONE, BURST = -8.0, 6.0, -3.0, 0.3, 0.02
 SOUND_PEAK, SOUND_LEVEL, SOUND_LONG = (-34.0, -3.0), (-40.0, -9.0), 6.0
 
 STEP = {"C": 0, "D": 2, "E": 4, "F": 5, "G": 7, "A": 9, "B": 11}
@@ -452,9 +455,25 @@ def level(curtain, game, name):
     with tempfile.TemporaryDirectory() as folder:
         samples, loud = render(curtain, game, name, folder)
     flat, faults = flaws(name, samples)
+    wide = side(samples)
+    faults += narrow(name, wide)
     looped, clicks = check_loop(curtain, game, name, tune) if tune.loop is not None else ([], [])
-    row = [("LUFS", f"{loud:.1f}")] + flat + (looped or [("second difference at the loop", "-")])
+    row = [("LUFS", f"{loud:.1f}"), ("side, dB", f"{wide:.1f}")] + flat
+    row += looped or [("second difference at the loop", "-")]
     return row, faults + clicks, loud
+
+
+def side(samples, every=8):
+    """The side channel's level relative to the mid channel's, in dB, from one frame in `every`."""
+    left, right = samples[0::2 * every], samples[1::2 * every]
+    mid = sum((a + b) ** 2 for a, b in zip(left, right))
+    return 10 * math.log10((sum((a - b) ** 2 for a, b in zip(left, right)) or 1) / (mid or 1))
+
+
+def narrow(name, wide):
+    if wide >= SIDE:
+        return []
+    return [f"{name}: its side channel is {-wide:.1f} dB below the mid channel, {-SIDE:g} at most"]
 
 
 def check_levels(curtain, game, names):
@@ -498,6 +517,118 @@ def check_sounds(curtain, game, names):
         if dc > DC or curve > ROUND:
             faults.append(f"{name}: its mean is {dc:.4f} ({DC:g} at most), {100 * curve:.1f} % in the limiter's curve")
     return rows, faults
+
+
+# ---- boss fights ----
+
+DEMOS = [os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../../tests/demos/glasstide/clear-normal.demo")]
+SECOND, FFT = 48000, 1024
+TURNS = {n: [cmath.exp(-2j * cmath.pi * k / n) for k in range(n // 2)] for n in (2 ** i for i in range(1, 11))}
+
+
+def fights(moments):
+    """The boss, the first frame and the frame of the death, for each boss that is shot down."""
+    boss, start, won = None, 0, None
+    for m in moments + [{"kind": "over", "frame": 0, "name": ""}]:
+        if m["kind"] in ("mark", "clear", "over", "boss"):
+            if won:
+                yield boss, start, won
+            boss, start, won = (m["name"], m["frame"], None) if m["kind"] == "boss" else (None, 0, None)
+        elif m["kind"] in ("won", "lost"):
+            won = m["frame"] if m["kind"] == "won" else None
+
+
+def fft(x):
+    if len(x) == 1:
+        return x
+    even = fft(x[0::2])
+    odd = [r * y for r, y in zip(TURNS[len(x)], fft(x[1::2]))]
+    return [a + b for a, b in zip(even, odd)] + [a - b for a, b in zip(even, odd)]
+
+
+def tone(samples, windows=300):
+    """The strongest three bins' share of the power above 1500 Hz, in windows spread over the samples."""
+    hann = [0.5 - 0.5 * math.cos(2 * math.pi * i / FFT) for i in range(FFT)]
+    power = [0.0] * (FFT // 2)
+    step = (len(samples) // 2 - FFT) // windows
+    for i in range(0, windows, 2):  # two windows at a time, as the real and the imaginary part
+        a, b = (samples[2 * k * step:2 * (k * step + FFT):2] for k in (i, i + 1))
+        z = fft([complex(x * h, y * h) for x, y, h in zip(a, b, hann)])
+        for k in range(1, FFT // 2):
+            power[k] += abs(z[k]) ** 2 + abs(z[-k]) ** 2
+    high = power[1500 * FFT // SECOND:]
+    return max(map(sum, zip(high, high[1:], high[2:]))) / (sum(high) or 1)
+
+
+def power(samples):
+    return sum(x * x for x in samples) / (len(samples) or 1)
+
+
+def median_second(samples):
+    """The median of the power of each second, from one sample in 61."""
+    return statistics.median(power(samples[i:i + 2 * SECOND:61]) for i in range(0, len(samples), 2 * SECOND))
+
+
+def stretch(w, frm, to):
+    """The samples of a WAV from a frame of the game to another."""
+    w.setpos(min(max(frm, 0) * SECOND // 60, w.getnframes()))
+    samples = array.array("h", w.readframes((to - max(frm, 0)) * SECOND // 60))
+    if sys.byteorder == "big":
+        samples.byteswap()
+    return samples
+
+
+def fight(name, mix, sounds, start, death):
+    """The row and the faults of a fight: mix is the WAV of the run, sounds the WAV without its music."""
+    all_of_it, effects = stretch(mix, start, death), stretch(sounds, start, death)
+    end = stretch(mix, death, death + 240)
+    before = power(stretch(mix, death - 300, death)) ** 0.5
+    loud, (_, _, curve), wide, strongest = loudest(end, SECOND), measure(end), side(all_of_it, 32), tone(effects)
+    whole, part = median_second(all_of_it), median_second(effects)
+    cover = 10 * math.log10((part or 1) / max(whole - part, 1))
+    rise = decibels(loud) - decibels(before)
+    faults = narrow(name, wide)
+    for what, got, good, limit in (
+            ("the rise at its death", f"{rise:.1f} dB", rise >= RISE, f"at least {RISE:g} dB"),
+            ("its death in the limiter's curve", f"{100 * curve:.1f} %", curve <= BURST, f"at most {100 * BURST:g} %"),
+            ("the level of sounds over music", f"{cover:.1f} dB", cover <= COVER, f"at most {COVER:g} dB"),
+            ("the strongest tone of its sounds", percent(strongest), strongest <= TONE, f"at most {percent(TONE)}")):
+        if not good:
+            faults.append(f"{name}: expected {what} to be {limit}, got {got}")
+    return [("seconds", f"{(death - start) / 60:.0f}"), ("before, dB", f"{decibels(before):.1f}"),
+            ("death, dB", f"{decibels(loud):.1f}"), ("rise, dB", f"{rise:.1f}"),
+            ("in limiter curve", f"{100 * curve:.2f} %"), ("side, dB", f"{wide:.1f}"),
+            ("sounds over music, dB", f"{cover:.1f}"), ("strongest tone", percent(strongest))], faults
+
+
+def silenced(game, folder):
+    """A copy of the game with silent music."""
+    shutil.copytree(game, folder)
+    path = os.path.join(folder, "rom.lua")
+    with open(path, encoding="utf-8") as f:
+        head, mark, music = f.read().partition("\n  music = {")
+    with open(path, "w", encoding="utf-8") as f:
+        f.write(head + mark + re.sub(r"volume = [\d.]+", "volume = 0", music))
+    return folder
+
+
+def check_fights(curtain, game, demos):
+    rows, faults = {}, []
+    for demo in demos:
+        with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor() as pool:
+            ran = pool.submit(subprocess.run, [curtain, "verify", "--json", game, demo], capture_output=True)
+            wavs = [os.path.join(folder, name) for name in ("mix.wav", "sounds.wav")]
+            told = json.loads(ran.result().stdout or "{}")
+            if told.get("verdict") != "holds":
+                raise Bad(f"{demo}: expected a demo that holds")
+            list(pool.map(lambda at: run(curtain, "render", at[0], "--demo", demo, "--frames", str(told["frames"]),
+                                         "--wav", at[1], "-o", folder),
+                          zip((game, silenced(game, os.path.join(folder, "game"))), wavs)))
+            with wave.open(wavs[0]) as mix, wave.open(wavs[1]) as sounds:
+                for boss, start, death in fights(told["moments"]):
+                    rows[boss], bad = fight(boss, mix, sounds, start, death)
+                    faults += bad
+    return rows, faults if rows else ["no boss is shot down in " + " ".join(demos)]
 
 
 # ---- the page ----
@@ -561,6 +692,8 @@ number of different sections.
 * Any two pieces differ in loudness by at most {spread:g} LU.
 * The peak of a piece is at most {peak:g} dB.
 * At most {round:g} % of the samples of a piece are in the curved part of the limiter.
+* The side channel (left minus right) of a piece is at most {side:g} dB below the mid channel (left plus right). Parts
+  are only panned, so mono output has all of them, at most 3 dB softer.
 * The mean of the samples is at most {dc:g} of full scale.
 * There is no click where the piece loops. For this test, the piece is rendered without drums. The *second difference*
   is the change in slope from sample to sample. Within 10 ms of the loop point, the second difference must not exceed
@@ -573,6 +706,23 @@ number of different sections.
 Each sound is measured until it stays below -60 dB. *Loudest* is the root mean square of its loudest 50 ms.
 
 {heard}
+
+## Boss fights
+
+`music.py --fights` plays the demo [clear-normal](../../tests/demos/glasstide/clear-normal.demo) twice, once without
+music, and measures the sound of each fight:
+
+| | measured | required |
+|---|---|---|
+| before | root mean square of the last 5 seconds of the fight | |
+| death | root mean square of the loudest second of the 4 seconds after the boss's death | |
+| rise | death over before | at least {rise:g} dB |
+| in limiter curve | samples of these 4 seconds in the curved part of the limiter | at most {burst:g} % |
+| side | side channel of the fight, relative to the mid channel | at least {low:g} dB |
+| sounds over music | median level of the sounds in a second, relative to that of the music | at most {cover:g} dB |
+| strongest tone | share of the strongest tone, 140 Hz wide, in the power of the sounds above 1500 Hz | at most {tone} |
+
+{fights}
 
 ## Cost
 
@@ -621,6 +771,7 @@ def page(curtain, game):
     pieces, sounds = listed(curtain, game, "music"), listed(curtain, game, "sound")
     (notes, bad), (levels, worse) = check_notes(curtain, game, pieces), check_levels(curtain, game, pieces)
     heard_rows, worst = check_sounds(curtain, game, sounds)
+    fought, worse_still = check_fights(curtain, game, DEMOS)
     seconds = {name: dict(row).get("seconds", "-") for name, row in notes.items()}
     rules = [f"| {what} | at least {percent(least)} |" for what, least in RULES]
     rules += [f"| {what} | {most} |" for what, most in LIMITS]
@@ -629,10 +780,11 @@ def page(curtain, game):
         measured=run(MEASURED).strip(),
         count=len(pieces), sounds=len(sounds), game=game, notes=table(notes), levels=table(levels),
         heard=table(heard_rows), long=LONG, short=SHORT, spread=SPREAD, peak=PEAK, round=100 * ROUND, dc=DC,
+        side=-SIDE, low=SIDE, rise=RISE, burst=100 * BURST, cover=COVER, tone=percent(TONE), fights=table(fought),
         pieces="\n".join(f"{about(game, n, WHERE.get(n, ''))} {seconds[n]} |" for n in pieces),
         rules="\n".join(rules),
         cost=COST.format(music=sum(int(sizes[n]) for n in pieces), sounds=sum(int(sizes[n]) for n in sounds))), end="")
-    return bad + worse + worst
+    return bad + worse + worst + worse_still
 
 
 COST = """The ROM has {music:,} bytes of music and {sounds:,} bytes of sounds.
@@ -663,7 +815,8 @@ def listed(curtain, game, what):
     return [m.group(1) for m in re.finditer(rf"^{what} (\w+):", listing(curtain, game), re.M)]
 
 
-CHECKS = {"--levels": (check_levels, "music"), "--sounds": (check_sounds, "sound"), "--notes": (check_notes, "music")}
+CHECKS = {"--levels": (check_levels, "music"), "--sounds": (check_sounds, "sound"), "--notes": (check_notes, "music"),
+          "--fights": (check_fights, "demo")}
 
 
 def main(args):
@@ -688,7 +841,7 @@ def told(curtain, option, game, names):
         faults = page(curtain, game)
     else:
         check, what = CHECKS[option]
-        rows, faults = check(curtain, game, names or listed(curtain, game, what))
+        rows, faults = check(curtain, game, names or (DEMOS if what == "demo" else listed(curtain, game, what)))
         for name, row in rows.items():
             print(f"{name}: " + ", ".join(f"{label} {text}" for label, text in row))
     for fault in faults:
