@@ -75,5 +75,5 @@ boot.run { modes = {
   staff = { { "Glass Tide" }, { "Story, Pictures, Patterns", "The Curtain authors" },
             { "Runs On", "Curtain" }, { "Thank You for Playing" },
             { "The Water Still Leans", "If you dive on Normal", "or harder and arrive",
-              "with shards at x3,", "look down once more.",
+              "with RATE at x3,", "look down once more.",
               when = function() return not moon.outlived() end } } }

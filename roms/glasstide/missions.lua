@@ -40,7 +40,7 @@ dive("echo", "No Echo", "Break the Grotto of Rings with the lens.",
 dive("waltz", "Last Waltz", "Let the Waltz of Lamps run 25 seconds. No bomb.",
   { boss = "crab", phase = "lamplight", difficulty = "hard", goal = { frames = 25 * S },
     bombs = 0, by = "grazes", medals = { 30, 60 } })
-dive("glazier", "The Glazier", "Collect 70 shards under the Falling Chandelier.",
+dive("glazier", "The Glazier", "Collect 70 prisms under the Falling Chandelier.",
   { boss = "crab", phase = "chandelier", goal = { prisms = 70 }, bombs = 0,
     registers = { gauge = 500 }, medals = { 30 * S, 20 * S } })
 dive("harbour", "Harbour Dues", "Break Harbour Lights without a bomb.",
@@ -52,7 +52,7 @@ dive("whole_crab", "A Whole Crab", "Beat the Chandelier Crab with one life.",
 dive("one_breath", "In One Breath", "Dive through the shallows with one life.",
   { stage = "one", difficulty = "normal", clear = true, by = "score",
     medals = { 180000, 300000 } })
-dive("prism", "Prism", "Raise the multiplier to x3.00 in the shallows.",
+dive("prism", "Prism", "Raise RATE to x3.00 in the shallows.",
   { stage = "one", lives = 3, goal = { shards = 300 }, medals = { 205 * S, 185 * S } })
 
 -- ---- the works ----
@@ -69,7 +69,7 @@ dive("gears", "Spare Gear", "Break Meshing Wheels on hard without a bomb.",
 dive("shift", "Night Shift", "Break 40 enemies in the halls.",
   { stage = "two", mark = "halls", to = "eels", lives = 3, goal = { kills = 40 },
     medals = { 27 * S, 23 * S } })
-dive("panes", "Window Shopping", "Collect 40 shards among Panes in Rows.",
+dive("panes", "Window Shopping", "Collect 40 prisms among Panes in Rows.",
   { boss = "eels", phase = "panes", difficulty = "normal", goal = { prisms = 40 }, bombs = 0,
     registers = { gauge = 500 }, medals = { 26 * S, 16 * S } })
 dive("press", "Stop Press", "Break The Press with fangs.",
@@ -90,10 +90,10 @@ dive("match", "Struck Match", "Break Struck Match in 20 seconds.",
 dive("teeth", "Dentist", "Break Closing Teeth with the swarm.",
   { boss = "angler", phase = "teeth", ship = "petrel_swarm", difficulty = "normal", clear = true,
     medals = { 22 * S, 17 * S } })
-dive("hoard", "Hoard", "Collect 60 shards above the Queen.",
+dive("hoard", "Hoard", "Collect 60 prisms above the Queen.",
   { stage = "three", mark = "deep", to = "queen", lives = 3, goal = { prisms = 60 },
     medals = { 28 * S, 24 * S } })
-dive("wheels", "Full Measure", "Fill the gauge among the Queen's wheels. No bomb.",
+dive("wheels", "Full Measure", "Fill GLASS among the Queen's wheels. No bomb.",
   { boss = "queen", phase = "wheels", difficulty = "normal", goal = { gauge = 1000 }, bombs = 0,
     registers = { gauge = 400 }, limit = 45 * S, medals = { 26 * S, 19 * S } })
 dive("breath", "Hold It", "Beat Held Breath in 30 seconds.",

@@ -174,7 +174,7 @@ end)
 
 score.tally {
   { label = "Graze", value = "brushes", points = 200, stage = true },
-  { label = "Shards", value = "prisms", points = 100, stage = true },
+  { label = "Prisms", value = "prisms", points = 100, stage = true },
   { label = "Best Chain", value = "longest", points = 1000 },
   { label = "Signs Broken", value = "captures", points = 20000, stage = true },
   { label = "No Miss", value = function(p) return p.misses == 0 end, points = 100000 },

@@ -39,14 +39,6 @@ local function entries(a)
   return list
 end
 
--- Whether How to Play explains the button special.
-local function uses_special(a)
-  for _, p in ipairs(a.how_to_play or {}) do
-    if p.button == "special" then return true end
-  end
-  return false
-end
-
 local function expect_entry(what, list)
   for _, name in ipairs(list) do
     if name == what then return end
@@ -225,7 +217,7 @@ return function(a, show, last)
       if not a.opened then from = (back or play_opening(a)) and "start" or from end
       a.opened = true
       local list = entries(a)
-      what, players = show("title", ATTRACT, list, from, players, uses_special(a))
+      what, players = show("title", ATTRACT, list, from, players)
       if what then expect_entry(what, list) end
     end
     from, last = what, nil

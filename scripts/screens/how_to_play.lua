@@ -53,22 +53,18 @@ local function draw(p, top, body, bottom)
   page.text(body, p.text)
 end
 
--- What the buttons do. The button that a page is about starts its picture again; another one takes over its part.
+-- What the buttons do. The button that a page is about starts its picture again.
 local function keys_of(p, is_last)
-  local keys = p.button and { p.button, text.lang(p.title) } or {}
-  local function add(button, meaning) table.move({ button, meaning }, 1, 2, #keys + 1, keys) end
-  add(p.button == "fire" and "start" or "fire", is_last and "Done" or "Next")
-  add(p.button == "bomb" and "left" or "bomb", "Back")
+  local keys = { "right", is_last and "Done" or "Next", "left", "Back" }
+  if p.button then table.move({ p.button, text.lang(p.title) }, 1, 2, #keys + 1, keys) end
   return keys
 end
 
--- The page that a button leads to from page `at`; 0: back.
+-- The page that a button leads to from page `at` of n; 0: the title.
 local function turn(at, n, p)
-  local step = page.step("left", "right")
-  local accepted = page.pressed("start") or p.button ~= "fire" and page.pressed("fire")
-  if accepted then return at < n and at + 1 or 0 end
   if p.button ~= "bomb" and page.pressed("bomb") then return 0 end
-  return (at - 1 + step) % n + 1
+  local to = at + page.step("left", "right") + (page.pressed("start") and 1 or 0)
+  return to <= n and to or 0
 end
 
 -- The gauges that a page is about, as the HUD shows them, in the lower left corner of the picture.
@@ -81,8 +77,8 @@ local function draw_gauges(p)
   end
 end
 
--- pages: a list of { title, text, button, gauges, show }; ship: the kind that is shown by default. Left, right, fire
--- and START turn the pages; bomb goes back.
+-- pages: a list of { title, text, button, gauges, show }; ship: the kind that is shown by default. Left, right
+-- and START turn the pages; bomb closes them, except on its own page.
 return function(pages, ship)
   text.clear()
   local at, age, idle, keys = 1, 0, 0, nil

@@ -7,11 +7,7 @@ local LABELS <const> = {
   history = "Spells", music = "Music", unlocks = "Extras", settings = "Settings", how_to_play = "How to Play",
   quit = "Quit Game",
 }
-local KEYS <const> = { "start", "Start", "fire", "Fire", "bomb", "Bomb", "focus", "Focus" }
-local TURNS <const> = { -- with special there are too many for a narrow screen: the first, then the second, and so on
-  { "start", "Start", "fire", "Fire", "bomb", "Bomb" }, { "start", "Start", "focus", "Focus", "special", "Special" },
-}
-local TURN <const> = 150 -- frames
+local KEYS <const> = { "start", "Start" }
 local UNDER <const> = page.low and 5 or 9 -- rows from the name of a game without a logo to the menu, at least
 local BEST <const> = 2.5 -- rows that the best score takes above the logo
 local SHINE <const>, SHINE_AGAIN <const> = 24, 200 -- frames that the light on the logo takes, and from one to the next
@@ -53,7 +49,7 @@ local function draw_best()
 end
 
 -- Waits for fire or START. Returns false if nobody pressed one for `limit` frames.
-local function wait_for_start(row, third, logo, light, limit, special)
+local function wait_for_start(row, third, logo, light, limit)
   for age = 0, limit - 1 do
     if logo then
       logo.y = third * 8 - DROP * math.max(0, 16 - age) // 16
@@ -63,7 +59,7 @@ local function wait_for_start(row, third, logo, light, limit, special)
     end
     if age % 60 == 0 then page.centre(row, "Press Start", hud.banks.bright) end
     if age % 60 == 40 then page.clear(row, 1) end
-    page.tell(special and TURNS[age // TURN % #TURNS + 1] or KEYS)
+    page.tell(KEYS)
     wait(1)
     if page.accepted() then
       page.clear(row, 1)
@@ -131,10 +127,9 @@ local function choose(items, row, chosen, third, logo)
   }
 end
 
--- names: the entries, "start" first. last, players: the entry that the player returns from, or nil. special: whether the
--- game uses this button. Returns the chosen entry and the number of players; nil if nobody pressed a button for `limit`
--- frames.
-return function(limit, names, last, players, special)
+-- names: the entries, "start" first. last, players: the entry that the player returns from, or nil. Returns the
+-- chosen entry and the number of players; nil if nobody pressed a button for `limit` frames.
+return function(limit, names, last, players)
   text.clear()
   local third = page.row + page.rows // 3
   local row, logo = page.row + 2 * (page.rows // 3), put_logo(third)
@@ -147,7 +142,7 @@ return function(limit, names, last, players, special)
     chosen = choose(items, row, back, third, logo)
   end
   while chosen == 0 do
-    local is_here = wait_for_start(row, third, logo, light, limit, special)
+    local is_here = wait_for_start(row, third, logo, light, limit)
     chosen = is_here and choose(items, row, 1, third, logo)
   end
   text.clear()

@@ -56,7 +56,8 @@ TEST(names_of_keys_are_printed)
 {
     static const char *const rows[][2] = { { "lbracket", "[" },          { "kp.", "Num ." },
                                            { "kpenter", "Num Enter" },   { "ctrl+q", "Ctrl+Q" },
-                                           { "alt+enter", "Alt+Enter" }, { "f5", "F5" } };
+                                           { "alt+enter", "Alt+Enter" }, { "f5", "F5" },
+                                           { "left", "\u2190" } };
     char out[INPUT_CODE_NAME_SIZE];
 
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
