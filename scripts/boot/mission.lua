@@ -25,15 +25,26 @@ local function reached(m, p, age)
   return true
 end
 
--- Returns the progress of the goal that is first by name, "34/60", with the time left; and whether that is short.
-local function progress(m, p, age)
+-- The goal that is first by name, or nil.
+local function first_goal(m)
   local first
   for name in pairs(type(m.goal) == "table" and m.goal or {}) do
     if not first or name < first then first = name end
   end
-  local words = {}
+  return first
+end
+
+-- Returns n of a goal's count as "34/60", frames in seconds.
+local function part_of(m, name, n)
+  local unit = name == "frames" and 60 or 1
+  return ("%d/%d"):format(math.min(n, m.goal[name]) // unit, m.goal[name] // unit)
+end
+
+-- Returns the progress of the first goal, "34/60", with the time left; and whether that is short.
+local function progress(m, p, age)
+  local first, words = first_goal(m), {}
   if first and first ~= "frames" then
-    words[1] = ("%d/%d"):format(math.min(count(first, p, age), m.goal[first]), m.goal[first])
+    words[1] = part_of(m, first, count(first, p, age))
   elseif first then
     words[1] = ("%d"):format(math.max(0, m.goal[first] - age + 59) // 60)
   end
@@ -53,22 +64,30 @@ local function draw(m, p, age, seen)
   return words
 end
 
--- Watches a mission until it is over. Returns whether the goal was reached, and the frames it took.
+-- Watches a mission until it is over. Returns whether the goal was reached, the frames it took, why it failed, and the
+-- most that the first goal's count had.
 local function watch(m, game, stopped)
   local p, age, cleared, seen = player.get(1), 0, nil, nil
+  local first, most = first_goal(m), 0
   local piece = m.start(game, function(won) cleared = won end)
   local stop <close> = setmetatable({}, { __close = function() task.stop(piece) end })
   while not stopped() do
     local is_reached = reached(m, p, age)
     seen = draw(m, p, age, seen)
-    if m.bombs and sys.missions.bombed > m.bombs then break end
+    most = first and math.max(most, count(first, p, age)) or most
+    if m.bombs and sys.missions.bombed > m.bombs then
+      return false, age, m.bombs == 0 and "You used a bomb" or "Too many bombs", most
+    end
     if is_reached and not m.clear then return true, age end
-    if not task.alive(piece) then return m.clear and is_reached and (cleared or m.stage ~= nil), age end
-    if m.limit and age >= m.limit then break end
+    if not task.alive(piece) then
+      local time_up = m.boss and m.clear and not cleared
+      return m.clear and is_reached and (cleared or m.stage ~= nil), age, time_up and "Time up" or "Goal not reached", most
+    end
+    if m.limit and age >= m.limit then return false, age, "Time up", most end
     wait(1)
     age = age + 1
   end
-  return false, age
+  return false, age, m.lives == 1 and "You were hit" or "No lives left", most
 end
 
 local function begin(m, run, enter)
@@ -89,10 +108,11 @@ end
 -- Plays the mission once. Returns how it was left ("restart", "quit"), or the answer of the result's screen.
 local function try(m, run, host)
   local game = begin(m, run, host.enter)
-  local done, age = watch(m, game, host.stopped)
+  local done, age, reason, most = watch(m, game, host.stopped)
   local left, ship = host.left(), run.ships[1]
   local result = { mission = m.name, title = m.title, done = done, by = m.by, value = count(m.by, player.get(1), age) }
-  result.goal, result.progress = m.text or "", (progress(m, player.get(1), age))
+  result.goal, result.reason = m.text or "", reason
+  result.progress = not done and first_goal(m) and part_of(m, first_goal(m), most) or ""
   if done then
     result.stars = sys.missions.stars(m, result.value)
     result.new = sys.missions.enter(m, result.value, ship)

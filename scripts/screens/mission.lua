@@ -17,7 +17,7 @@ local function draw(r, row, age)
     page.centre(row + 2, measure(r.by, r.value), hud.banks.bright)
   else
     page.centre(row, r.goal, hud.banks.plain, page.col + 2, page.cols - 4)
-    page.centre(row + 3, r.progress, hud.banks.bright)
+    page.centre(row + 2.75, text.lang(r.reason) .. "  " .. r.progress, hud.banks.bright)
   end
   row = row + 4
   if r.new then
@@ -27,7 +27,7 @@ local function draw(r, row, age)
   end
 end
 
--- r: mission, title, goal (its text), progress, done, by and value (what is measured), stars, new (whether it is the
+-- r: mission, title, goal (its text), reason (why it failed), progress, done, by and value (what is measured), stars, new (whether it is the
 -- best), best. Returns "again" or "list".
 return function(r)
   local h = 16
@@ -38,7 +38,7 @@ return function(r)
     draw(r, top + 1, age)
     wait(1)
   end
-  local items = { text.lang("Restart"), text.lang("Missions") }
+  local items = { text.lang("Restart"), text.lang("Back to Missions") }
   local i = page.list {
     items = items, row = top + h - 4, gap = 2, chosen = r.done and 2 or 1, back = 2, keys = page.SELECT, front = true,
   }
