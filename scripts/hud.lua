@@ -486,6 +486,13 @@ local function set_hidden(group, is_hidden)
   for _, p in ipairs(group.places) do write(p) end
 end
 
+local function update_gone()
+  for i = 1, 2 do
+    local low = groups["low" .. i]
+    hud.gone[i] = hidden.all + hidden.low > 0 or low ~= nil and low.hidden
+  end
+end
+
 -- Hides the groups of rows that a ship is near to, and shows them when it is 8 px further away.
 local function hide_near_ships()
   local count = hud.shy > 0 and players or 0
@@ -500,7 +507,7 @@ local function hide_near_ships()
     end
     if group and near ~= group.hidden then set_hidden(group, near) end
   end
-  for i = 1, 2 do hud.gone[i] = groups["low" .. i] and groups["low" .. i].hidden or false end
+  update_gone()
 end
 
 -- Shows an item's value, in the largest letters that leave room for its label.
@@ -550,6 +557,7 @@ function sys.hide_rows(all, shown)
   local rows = (all or PANEL) and "all" or "low"
   hidden[rows] = math.max(0, hidden[rows] + (shown and -1 or 1)) -- hud.start may have reset it in between
   if not playing then return end
+  update_gone()
   draw_items()
   boss.draw(hidden.all > 0, false, hidden.low > 0)
   if panel and panel.alive then panel.hidden = hidden.all > 0 end

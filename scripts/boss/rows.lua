@@ -242,7 +242,7 @@ return function(b, again, verdict, has_dialogue)
     lay_out(b)
     seen.phase = b.phase or b.left or 0
   end
-  if not phase then return end
+  if not phase then return show_lines(at.name, has_dialogue and "" or text.lang(b.boss.title)) end -- the box names it
   local age = sys.clock() - b.began
   draw_bars(age)
   draw_clock(phase.time - age)

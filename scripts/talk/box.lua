@@ -17,7 +17,7 @@ local PAN = 0.3  -- pan of a voice towards its speaker's side
 -- Cells: the middle of the screen, at most 40 wide.
 local cols = math.max(8, math.min(hud.cols - 4, 40))
 local left = (hud.cols - cols) // 2
-local last = hud.rows - 3
+local last = hud.rows - 5 -- the plate ends above the program's keys
 local first = last - 2 * (ROWS - 1)
 local plate = { x = 8 * left - 10, y = 8 * first - 16, w = 8 * cols + 20, h = 16 * ROWS + 19 }
 local NAME_ROW = plate.y / 8 - 0.5 -- the tag's middle is on the plate's upper edge

@@ -4,7 +4,7 @@
  */
 #include "rig.h"
 
-enum { BOX_COL = 2, BOX_ROW = 33, NAME_ROW = 30, BOX_COLS = 26 }; /* of the rig's field, 240 x 320 */
+enum { BOX_COL = 2, BOX_ROW = 31, NAME_ROW = 28, BOX_COLS = 26 }; /* of the rig's field, 240 x 320 */
 
 static struct rig_game g;
 static struct rig r;
@@ -353,7 +353,7 @@ TEST(stop)
 TEST(stop_late)
 {
     open_it("local t = task.go(function() say('iri', 'A') end)\n"
-            "wait(20) task.stop(t) string.sys.wipe() text.put { col = 2, row = 33, text = 'SCORES' }");
+            "wait(20) task.stop(t) string.sys.wipe() text.put { col = 2, row = 31, text = 'SCORES' }");
     rig_run(&r, 25);
     assert_string_equal(words(0), "SCORES");
     assert_int_equal(r.b->screen.dim, 0);
