@@ -5,6 +5,8 @@ local page = sys.read("menu/page")
 
 local LEFT <const>, RIGHT <const> = hud.glyph(139, "<"), hud.glyph(140, ">")
 
+local NEXT <const> = { "fire", "Next", "bomb", "Back" } -- after a run
+
 local book = {}
 
 -- Returns the first row of a page's content and the number of its rows. chapters: how many there are.
@@ -54,6 +56,7 @@ local function turn(at, n, step) return (at - 1 + step) % n + 1 end
 function book.show(a)
   local c, i, age, idle, answered = a.chapter or 1, a.at or 1, 0, 0, false
   local list, row, rows = a.pages(c), book.room(#a.chapters)
+  local keys = a.limit and NEXT or page.BACK
   page.begin()
   page.frame()
   while idle < (a.limit or page.IDLE) and not answered do
@@ -61,9 +64,9 @@ function book.show(a)
     if page.opening(age, p.count) or p.every and age % p.every == 0 then
       titles(a, c, p.title, #list, idle)
       p.draw(row, rows, age)
-      page.foot(page.BACK)
+      page.foot(keys)
     end
-    page.tell(page.BACK)
+    page.tell(keys)
     wait(1)
     age, idle = age + 1, idle + 1
     local up, right = #a.chapters > 1 and page.step("up", "down") or 0, page.step("left", "right")

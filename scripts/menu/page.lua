@@ -334,7 +334,7 @@ function page.frame()
   }
 end
 
--- Shows a page with a heading and a list: a is as for page.list, without row.
+-- Shows a page with a heading and a list: a is as for page.list, without row; keys: page.SELECT by default.
 function page.ask(head, a)
   page.begin()
   local top, gap = page.head(head, 0), a.gap or 2
@@ -343,7 +343,7 @@ function page.ask(head, a)
   local rows = gap * a.most + (a.notes or 0)
   a.row = top + math.max(page.low and 0 or 1, (room - rows) // 3)
   page.frame()
-  a.keys = page.SELECT
+  a.keys = a.keys or page.SELECT
   a.draw = function(age)
     page.head(head, age)
     page.foot(a.keys)

@@ -3,6 +3,7 @@ local sys = ... -- functions that only the standard library gets; src/script/api
 local page = sys.read("menu/page")
 
 local LONG <const> = 60 * 60 * 10 -- frames without input after which the page closes while a piece plays
+local KEYS <const> = { "fire", "Play", "bomb", "Back" }
 local NOTE <const> = hud.glyph(144, "*")
 
 local function title_of(m)
@@ -32,6 +33,7 @@ return function(list)
   repeat
     chosen = page.ask("Music", {
       items = items, chosen = chosen or 1, notes = notes, note = note, closed = closed, limit = playing and LONG or nil,
+      keys = KEYS,
     })
     if chosen then
       stop(0)

@@ -177,7 +177,7 @@ return function(entries)
       page.foot(KEYS)
     end
     if age % 60 == 0 then
-      page.centre(page.bottom - 2, text.lang("Time: %d s"):format(SECONDS - age // 60), hud.banks.plain)
+      page.centre(page.bottom - (page.low and 2 or 1.5), text.lang("Time: %d s"):format(SECONDS - age // 60), hud.banks.plain)
     end
     if step(list, row, age) then break end
     wait(1)

@@ -29,7 +29,7 @@ local COL <const> = page.col + (page.cols - WIDTH) // 2
 local TURN <const> = 120 -- frames that one-line rows show names, then ships if the table has several, then how far the
                          -- runs got
 local TALL <const> = 2.5 -- rows of cells that a row of two lines takes
-local BELOW <const> = hud.full and 1.25 or 1 -- and from its first line to its second
+local BELOW <const> = hud.full and 1.25 or 1.125 -- and from its first line to its second
 
 -- Draws row i of a table. what: "name", "ship", "far" or "all".
 local function draw_row(i, r, row, bank, marked, what)
