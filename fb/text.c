@@ -43,6 +43,11 @@ bool text_is_closing_punctuation(uint32_t code)
     return false;
 }
 
+bool text_is_opening_punctuation(uint32_t code)
+{
+    return code == 0x300c || code == 0x300e || code == 0x3010 || code == 0xff08 || code == '(';
+}
+
 void text_draw_glyph(struct fb *fb, const struct font *font, int x, int y, uint32_t code, uint8_t bank)
 {
     if (text_is_blank(code))

@@ -33,6 +33,9 @@ static inline bool text_has_glyph(const struct font *font, uint32_t code)
 /* Returns whether the code is closing punctuation, which never starts a row. */
 bool text_is_closing_punctuation(uint32_t code);
 
+/* Returns whether the code is opening punctuation, which never ends a row. */
+bool text_is_opening_punctuation(uint32_t code);
+
 /* Returns whether the code is a space between words. */
 static inline bool text_is_blank(uint32_t code)
 {

@@ -27,21 +27,26 @@ function hud.put(col, row, s, bank, size, small)
              full_width = not small }
 end
 
--- Breaks s into lines of at most `width` cells, between words if possible.
-function hud.wrap(s, width, small) return #s <= width and { s } or sys.wrap(s, width, small) end
+-- Breaks s into lines of at most `width` cells, between words if possible. Also returns how many lines end inside a
+-- word.
+function hud.wrap(s, width, small)
+  if #s <= width then return { s }, 0 end
+  return sys.wrap(s, width, small)
+end
 
 -- The same, into lines of nearly equal length.
 function hud.balance(s, width, small)
-  local lines, longest = hud.wrap(s, width, small), 1
+  local lines, fewest = hud.wrap(s, width, small)
+  local longest = 1
   if #lines == 1 then return lines end
   for word in s:gmatch("%S+") do
     local n = sys.cells(word, small)
     if n <= width then longest = math.max(longest, n) end
   end
   for narrower = width - 1, longest, -1 do
-    local tried = hud.wrap(s, narrower, small)
+    local tried, broken = hud.wrap(s, narrower, small)
     if #tried > #lines then break end
-    lines = tried
+    if broken <= fewest then lines, fewest = tried, broken end
   end
   return lines
 end

@@ -43,12 +43,6 @@ static int glyph_advance(const struct page *p, uint32_t code)
     return find_glyph(p, code, &g) ? g.advance : (p->face.data ? p->face.height : TEXT_SIDE) / 2 + 1;
 }
 
-/* Returns whether a code is opening punctuation, which never ends a row. */
-static bool is_opening_punctuation(uint32_t code)
-{
-    return code == 0x300c || code == 0x300e || code == 0x3010 || code == 0xff08 || code == '(';
-}
-
 /* Returns the row that starts at code `first`. */
 static struct row row_at(const struct page *p, uint32_t first)
 {
@@ -65,7 +59,7 @@ static struct row row_at(const struct page *p, uint32_t first)
             last_break = (struct row){ first, row.end, k + 1, row.width };
             may_break = true;
         } else if (k > first && code >= FIRST_UNSPACED_CODE && !text_is_closing_punctuation(code) &&
-                   !is_opening_punctuation(p->code[k - 1])) {
+                   !text_is_opening_punctuation(p->code[k - 1])) {
             last_break = (struct row){ first, k, k, row.width };
             may_break = true;
         }

@@ -7,6 +7,7 @@
 #include <stdint.h>
 #include <string.h>
 #include "../../../fb/blit.h"
+#include "../../../fb/line_break.h"
 #include "../../../fb/utf8.h"
 #include "letters.h"
 
@@ -157,57 +158,22 @@ int canvas_large_text_truncated(const struct canvas *canvas, int x, int y, enum 
 
 /* ---- lines ---- */
 
-static uint32_t character_before(const char *text, size_t at)
+static int advance_of(const void *canvas, uint32_t code)
 {
-    const char *s = text + at;
+    char bytes[UTF8_MAX_BYTES];
+    const char *s = bytes;
+    struct glyph g;
 
-    do
-        s--;
-    while (s > text && ((unsigned char)*s & 0xc0) == 0x80);
-    return utf8_next(&s, text + at);
-}
-
-/* Returns whether a line never starts with this character. */
-static bool is_inseparable(uint32_t code)
-{
-    static const char set[] = "!),.:;?%、。，．・：；！？」』）】〕…ー"
-                              "ぁぃぅぇぉっゃゅょゎァィゥェォッャュョヮヵヶ";
-
-    for (const char *s = set, *end = set + sizeof set - 1; s < end;)
-        if (utf8_next(&s, end) == code)
-            return true;
-    return false;
-}
-
-/* Returns whether a line may end before text[at]: between words, after a slash, and next to a character of a script
- * without spaces. */
-static bool may_break(const char *text, size_t at)
-{
-    enum { WIDE = 0x2E80 /* the first code point of these scripts */ };
-    const char *s = text + at;
-
-    if (at == 0 || *s == ' ' || s[-1] == ' ' || s[-1] == '/')
-        return true;
-    if (((unsigned char)*s & 0xc0) == 0x80)
-        return false;
-    const uint32_t before = character_before(text, at), after = utf8_next(&s, s + strlen(s));
-    return (before >= WIDE || after >= WIDE) && !is_inseparable(after) && before != 0x300C /* 「 */ &&
-           before != 0xFF08 /* （ */;
+    return advance(canvas, &s, bytes + utf8_put(bytes, code), &g);
 }
 
 int canvas_large_text_fit(const struct canvas *canvas, const char *text, int width)
 {
-    size_t n = fitting_bytes(canvas, text, width), break_at = n;
-    const char *first = text;
-    struct glyph g;
-    if (!text[n] || text[n] == '\n')
-        return (int)n;
-    while (!may_break(text, break_at))
-        break_at--;
-    if (break_at > n / 2)
-        return (int)(break_at + strspn(text + break_at, " "));
-    advance(canvas, &first, text + strlen(text), &g);
-    return (int)(n ? n : (size_t)(first - text));
+    const size_t n = strcspn(text, "\n");
+    size_t fitting;
+    const size_t at = line_break_find(text, n, width + SPACING, advance_of, canvas, &fitting);
+
+    return (int)(at > fitting / 2 ? at + strspn(text + at, " ") : fitting);
 }
 
 /* Draws the lines if `draws`. Returns their number. */

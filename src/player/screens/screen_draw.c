@@ -6,6 +6,7 @@
  */
 #include <stdio.h>
 #include <string.h>
+#include "../../../fb/line_break.h"
 #include "../../../fb/utf8.h"
 #include "../../base/int.h"
 #include "screen.h"
@@ -62,31 +63,35 @@ static void draw_centred(const struct canvas *canvas, const struct screen_area *
     canvas_large_text_truncated(canvas, centred_x(canvas, a, text), a->y + canvas->ascent, c, text, a->w);
 }
 
-/* Returns whether every line ends with a word when text is wrapped at `width` px. */
-static bool keeps_words(const struct canvas *canvas, const char *text, int width)
+/* Returns how many lines end inside a word when text is wrapped at `width` px. */
+static int broken_words(const struct canvas *canvas, const char *text, int width)
 {
-    while (*text) {
-        const int n = canvas_large_text_fit(canvas, text, width);
-        if (n == 0 && *text != '\n')
-            return false;
-        text += n;
-        if (*text && *text != '\n' && text[-1] != ' ')
-            return false;
-        text += *text == '\n';
+    int broken = 0;
+
+    for (const char *from = text; *text; text += *text == '\n') {
+        text += canvas_large_text_fit(canvas, text, width);
+        broken +=
+            *text && *text != '\n' && line_break_before(from, strlen(from), (size_t)(text - from)) != LINE_BREAK_WORD;
     }
-    return true;
+    return broken;
 }
 
 int screen_balanced_width(const struct canvas *canvas, const char *text, int width)
 {
     enum { STEP = 4 };
     const int lines = canvas_large_text_lines(canvas, text, width);
-    int w = width;
+    int best = width, fewest = lines > 1 ? broken_words(canvas, text, width) : 0;
 
-    while (w - STEP > width / 2 && canvas_large_text_lines(canvas, text, w - STEP) == lines &&
-           keeps_words(canvas, text, w - STEP))
-        w -= STEP;
-    return w;
+    for (int w = width - STEP; lines > 1 && w > width / 2; w -= STEP) {
+        if (canvas_large_text_lines(canvas, text, w) != lines)
+            break;
+        const int broken = broken_words(canvas, text, w);
+        if (broken > fewest)
+            continue;
+        best = w;
+        fewest = broken;
+    }
+    return best;
 }
 
 /* Draws at most max_lines lines, centred or not; the last is truncated. Returns the y below them. */

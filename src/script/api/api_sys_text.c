@@ -2,6 +2,7 @@
  * api_sys_text.c - sys: text on the screen, for the screens and dialogue of the library.
  */
 #include <string.h>
+#include "../../../fb/line_break.h"
 #include "../../../fb/text.h"
 #include "../../../fb/utf8.h"
 #include "../../base/bytes.h"
@@ -187,48 +188,19 @@ static void wrap_word(lua_State *L, int list, const char *word, size_t n, struct
     lua_pushlstring(L, word, n);
 }
 
-static bool is_latin(char c)
+static int advance_of(const void *font, uint32_t code)
 {
-    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
-}
+    const struct measure *m = font;
 
-/* Returns whether a row may end before byte `at` of a word: the next one starts with no closing character, and no Latin
- * word is broken. */
-static bool may_break(const char *word, size_t n, size_t at)
-{
-    const char *next = word + at;
-
-    return !text_is_closing_punctuation(utf8_next(&next, word + n)) && !(is_latin(word[at - 1]) && is_latin(word[at]));
-}
-
-/* Returns how many of the n bytes of a word to put in a row: up to a Japanese comma or full stop in the last third of
- * the row, or else to the last place to break them; all that fit if there is none, but at least one character. */
-static size_t count_fitting_bytes(const char *word, size_t n, struct measure m)
-{
-    const char *at = word, *end = word + n;
-    size_t fitting = 0, breaking = 0, clause = 0, width = 0;
-
-    while (at < end) {
-        const char *before = at;
-        const uint32_t code = utf8_next(&at, end);
-        width += fix_text_width(before, (size_t)(at - before), m.full_width);
-        if (fitting && width > m.width)
-            return clause ? clause : breaking ? breaking : fitting;
-        fitting = (size_t)(at - word);
-        if (fitting == n || !may_break(word, n, fitting))
-            continue;
-        breaking = fitting;
-        if ((code == 0x3001 || code == 0x3002) && 3 * width >= 2 * m.width)
-            clause = fitting;
-    }
-    return n;
+    return utf8_is_full_width(code) ? m->full_width : FIX_CELL_SIZE;
 }
 
 static int sys_wrap_text(lua_State *L, struct board *b, struct api_value *v)
 {
     static const char blanks[] = " \t\n\v\f\r";
     const struct measure m = { (size_t)(v[WRAP_WIDTH].n * FIX_CELL_SIZE), full_width_of(b, &v[WRAP_SMALL]) };
-    size_t n, bytes;
+    size_t n, bytes, fitting;
+    lua_Integer broken = 0;
     const char *s = lua_tolstring(L, v[WRAP_TEXT].at, &n), *end = s + n;
 
     vm_charge(L, n);
@@ -237,7 +209,8 @@ static int sys_wrap_text(lua_State *L, struct board *b, struct api_value *v)
     if (fix_text_width(s, n, m.full_width) <= m.width) {
         lua_pushvalue(L, v[WRAP_TEXT].at);
         lua_rawseti(L, list, 1);
-        return 1;
+        lua_pushinteger(L, 0);
+        return 2;
     }
     lua_pushliteral(L, "");
     for (; s < end; s++) {
@@ -245,12 +218,15 @@ static int sys_wrap_text(lua_State *L, struct board *b, struct api_value *v)
         while (s + word_length < end && (s[word_length] == '\0' || strchr(blanks, s[word_length]) == NULL))
             word_length++;
         for (; word_length > 0; s += bytes, word_length -= bytes) {
-            bytes = count_fitting_bytes(s, word_length, m);
+            const size_t at = line_break_find(s, word_length, (int)m.width, advance_of, &m, &fitting);
+            bytes = at ? at : fitting;
+            broken += bytes < word_length && line_break_before(s, word_length, bytes) != LINE_BREAK_WORD;
             wrap_word(L, list, s, bytes, m);
         }
     }
     lua_rawseti(L, list, (lua_Integer)lua_rawlen(L, list) + 1);
-    return 1;
+    lua_pushinteger(L, broken);
+    return 2;
 }
 
 static const struct api_entry entries[] = {
@@ -265,7 +241,8 @@ static const struct api_entry entries[] = {
            "layer `over`") },
     { "sys.cells", sys_count_cells, PARAMS(sys_cells_params), 2, API_SYS, "count",
       HELP("returns the number of cells a text takes") },
-    { "sys.wrap", sys_wrap_text, PARAMS(sys_wrap_params), 3, API_SYS, "list",
-      HELP("breaks a text into rows of at most n cells; breaks only words that are longer than a row") },
+    { "sys.wrap", sys_wrap_text, PARAMS(sys_wrap_params), 3, API_SYS, "list, broken",
+      HELP("breaks a text into rows of at most n cells; breaks only words that are longer than a row; returns how "
+           "many rows end inside a word, too") },
 };
 const struct api_module api_sys_text = { entries, sizeof entries / sizeof *entries };
