@@ -237,7 +237,7 @@ end
 local function boss_over_field(names, pips)
   local row, cols = rows_from(rows_end), WIDTH - CLOCK_COLS - 1
   local at = { bars = {}, name = {}, spell = {} }
-  at.clock = place(LEFT + WIDTH - CLOCK_COLS, rows_end, CLOCK_COLS, "right", 2)
+  at.clock = place(LEFT + WIDTH - CLOCK_COLS, rows_end + 1, CLOCK_COLS, "right", 2)
   at.pips = place(LEFT + cols - pips, rows_end, pips, "right")
   local label = 0
   for _, name in ipairs(names) do label = math.min(math.max(label, cells(name) + 1), cols // 2) end

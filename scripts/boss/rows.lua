@@ -218,13 +218,14 @@ local function draw_history(b, age)
   hud.show(at.history, words, hud.banks[bank == "bright" and "plain" or bank])
 end
 
--- What the spell is worth.
-local function draw_bonus(b)
+-- What the spell is worth; over the field only at first, and when the bonus is lost.
+local function draw_bonus(b, age)
+  if changed("missed", b.missed) then seen.bonus_ends = age + READ end
   local n = not b.missed and b.worth()
-  if not changed("bonus", n) then return end
-  local bank = n and hud.banks.plain or hud.banks.faint
   local worth = n and tostring(n) or text.lang("FAILED")
-  if phase.bonus > 0 then hud.show(at.bonus, hud.labelled(at.bonus, text.lang("BONUS"), worth), bank) end
+  local words = hud.labelled(at.bonus, text.lang("BONUS"), worth)
+  if phase.bonus == 0 or not hud.panel and age >= seen.bonus_ends then words = "" end
+  if changed("bonus", words) then hud.show(at.bonus, words, n and hud.banks.plain or hud.banks.faint) end
 end
 
 local function show_verdict(verdict)
@@ -249,5 +250,5 @@ return function(b, again, verdict, has_dialogue)
   if spell then draw_name(age) end
   if not (spell and spell.done) then return end
   draw_history(b, age)
-  draw_bonus(b)
+  draw_bonus(b, age)
 end
