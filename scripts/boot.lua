@@ -5,6 +5,8 @@
 local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local boot = {}
 
+local RESULT <const> = 75 -- frames that the result of a practised section is shown
+
 local screens = {} -- the game's own screens, by name
 local entries = {} -- the game's own entries in the pause menu, { label, function } each
 local over, left   -- all players are out; how the game was left: "restart", "quit" or nil
@@ -194,11 +196,17 @@ local function play_games(a)
   end
 end
 
--- Plays the section of a practice start with one ship, again and again, without a title.
+-- Plays the section of a practice start with one ship, again and again, without a title. Says how each attempt ended.
 local function practise(a, start, kind)
   while true do
-    local game = enter({ kind })
-    finished(start(game))
+    local game, won, began = enter({ kind }), true, sys.clock()
+    local cleared = finished(start(game, function(is_won) won = is_won end)) and won
+    local time = sys.read("menu/page").amount("time", sys.clock() - began)
+    if not left then
+      wait(1) -- the verdict on the last phase comes first
+      hud.banner(cleared and { "CLEARED", time } or { "FAILED" }, RESULT)
+      wait(RESULT)
+    end
     leave(game, 1)
   end
 end

@@ -72,7 +72,7 @@ TEST(practice)
         "  { talk = function() print 'end' end } } })\n"
         "boot.run { stages = { 's' }, players = { 'ship' } }",
         "b/c");
-    expect_output(150, "61\t90.0\t9\nc\ttrue\ttrue\n127\t90.0\t9\nc\ttrue\ttrue\n");
+    expect_output(230, "61\t90.0\t9\nc\ttrue\ttrue\n203\t90.0\t9\nc\ttrue\ttrue\n");
 }
 
 /* Practice does not count in the history of spells. */

@@ -272,15 +272,15 @@ TEST(marks)
 {
     char all[4096];
 
-    tell("one", 270, all, sizeof all);
+    tell("one", 350, all, sizeof all);
     assert_string_equal(all, "start \nstage one\npoint guard of one\nboss queen \"The Queen\"\nphase first of queen\n"
                              "won first of queen\nphase second of queen \"Sign of Rain\"\nwon second of queen\n"
                              "point end of one\npoint end of one\nclear one\n"
                              "start \nstage one\npoint guard of one\nboss queen \"The Queen\"\n");
-    tell("one:end", 8, all, sizeof all);
+    tell("one:end", 84, all, sizeof all);
     assert_string_equal(all, "stage one\npoint end of one\nstart \npoint end of one\nclear one\n"
                              "stage one\npoint end of one\nstart \npoint end of one\n");
-    tell("queen/second", 90, all, sizeof all);
+    tell("queen/second", 170, all, sizeof all);
     assert_string_equal(all, "start \nboss queen \"The Queen\"\nphase second of queen \"Sign of Rain\"\n"
                              "won second of queen\nstart \nboss queen \"The Queen\"\n");
     tell("knight/stand", 110, all, sizeof all);
