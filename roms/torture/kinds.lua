@@ -1,5 +1,6 @@
 -- kinds.lua - the kinds and their motion programs: every key of a motion step, immediate and over time.
 spark.def("ping", { sprite = "steps", life = 30, gravity = 0.1, drag = 0.05, bank = 2 })
+fx.def("burst", { shake = 3, flash = 0.2, chain = 3, sparks = { { kind = { "ping", "ping" }, n = 2, speed = 2 } } })
 spark.def("long", { sprite = "box", life = 400, banks = { 1, 7, 3 } })
 
 item.def("coin", { sprite = "steps", radius = 6, gives = { score = { 5, 500 }, power = 2, bombs = -1 }, full = "power",

@@ -440,6 +440,9 @@ local function pictures()
       spark.trail { kind = "ping", follow = e, every = 5 }
       spark.burst { kind = "ping", from = e, n = 6, radius = 9, speed = 1 }
       spark.burst { kind = "ping", from = e, n = 4, to_x = 9, to_y = 9 }
+      fx.explode { from = e, size = "small" }
+      fx.hit(e, player.nearest(1, 1), n % 12)
+      if n == 337 then fx.collapse { from = e, size = "burst", crack = "burst", sprite = "arrow", radius = 9 } end
     end
     if n % 45 == 0 then
       local p = sprite.plate { x = n % 200, y = n % 90, w = 8 + n % 300, h = 8, bank = n % 16, front = n % 2 == 0,

@@ -15,6 +15,7 @@ enum {
     SPARK_BLEND = 3 << 4, /* blend mode in units of SPARK_BLEND_ONE: 0 opaque, otherwise blend + 1 */
     SPARK_BLEND_ONE = 1 << 4,
     SPARK_UNDER_PLAYERS = 1 << 6, /* drawn under players and bullets */
+    SPARK_DOT = 65535,            /* in a kind's `sprite`: no sprite; its sparks are dots */
     SPARK_MAX_BANKS = 8 /* maximum banks of a kind over a spark's lifetime; the second and later ones are in the rows
                            * after the kind's, which have life 0 */
 };

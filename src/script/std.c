@@ -14,6 +14,7 @@ const struct std_module std_modules[STD_MODULE_COUNT] = {
     { "figure", "pattern", "whip scatter rose polygon star ellipse points picture", "pattern" },
     { "sweep", "bullet", "sweep", "bullet" },
     { "trail", "spark", "trail", "spark" },
+    { "fx", "fx", NULL, NULL },
     { "scoring", "score", "rule count tally", "score" },
     { "unlock", "unlock", NULL, NULL },
     { "mission", "mission", NULL, NULL },

@@ -14,7 +14,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { STD_MODULE_COUNT = 19 };
+enum { STD_MODULE_COUNT = 20 };
 
 /* The hint in the error for using (in the console) the global of a module that no script of the game names. */
 #define STD_NOT_PACKED "not packed in this ROM; a library module is packed if a script names it"

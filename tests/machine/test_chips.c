@@ -430,13 +430,15 @@ TEST(sparks)
 {
     struct spark_burst one = { .x = px(50), .y = px(60), .n = 1 };
     struct spark_burst many = {
-        .x = px(50), .y = px(60), .n = 60, .kind = 1, .speed = px(4), .dir = 0x40000000, .spread = 0x20000000
+        .x = px(50), .y = px(60), .n = 60, .speed = px(4), .dir = 0x40000000, .spread = 0x20000000
     };
     int32_t least = INT32_MAX, largest = INT32_MIN;
 
     power("spark.def('a', { sprite = 'dot', life = 5, gravity = 0.5, drag = 0.25 })\n"
           "spark.def('b', { sprite = 'dot', life = 9 })");
     struct sparks *s = &r.b->sparks;
+    many.kind = (uint16_t)(r.b->spark_kinds.s.live - 1); /* the library declares some, too */
+    one.kind = (uint16_t)(many.kind - 1);
     sparks_burst(s, &one);
     s->vx[0] = px(8);
     s->vy[0] = px(-4);

@@ -69,6 +69,15 @@ TEST(shapes)
     rig_close(&r);
 }
 
+static uint16_t spark_kind(const char *name)
+{
+    for (int i = 0; i < (int)r.b->names[N_SPARK].n; i++)
+        if (board_name(r.b, N_SPARK, i) && strcmp(board_name(r.b, N_SPARK, i), name) == 0)
+            return (uint16_t)i;
+    fail_msg("no spark kind \"%s\"", name);
+    return 0;
+}
+
 /* Three banks in ten frames: from 0, 4 and 7 on. The kinds next to it are not touched. */
 TEST(ramp)
 {
@@ -76,15 +85,36 @@ TEST(ramp)
 
     open_with("");
     for (uint16_t age = 0; age < 10; age++) {
-        assert_int_equal(sparks_bank(&r.b->spark_kinds, 0, age), 3);
-        assert_int_equal(sparks_bank(&r.b->spark_kinds, 1, age), want[age]);
-        assert_int_equal(sparks_bank(&r.b->spark_kinds, 4, age), 4);
+        assert_int_equal(sparks_bank(&r.b->spark_kinds, spark_kind("k"), age), 3);
+        assert_int_equal(sparks_bank(&r.b->spark_kinds, spark_kind("ramp"), age), want[age]);
+        assert_int_equal(sparks_bank(&r.b->spark_kinds, spark_kind("z"), age), 4);
     }
     rig_close(&r);
     assert_true(picture("spark.burst { kind = 'ramp', x = 50, y = 50, speed = 0 }", 5) ==
                 picture("spark.def('five', { sprite = 'dot', life = 99, bank = 5 })\n"
                         "spark.burst { kind = 'five', x = 50, y = 50, speed = 0 }",
                         5));
+}
+
+/* A spark without a sprite is a cross of 5 px in the brightest shade of its bank. */
+TEST(dot)
+{
+    uint32_t rgb[256];
+    int seen = 0;
+
+    open_with("spark.def('dot', { life = 9, bank = 3 })\n"
+              "spark.burst { kind = 'dot', x = 50, y = 40, speed = 0 }");
+    rig_run(&r, 1);
+    board_draw(r.b, NULL, &r.fb, rgb, r.scratch);
+    for (int y = 0; y < 320; y++)
+        for (int x = 0; x < 240; x++)
+            seen += r.fb.pix[y * r.fb.pitch + x] != 0;
+    assert_int_equal(seen, 5);
+    for (int k = -1; k <= 1; k++) {
+        assert_int_equal(r.fb.pix[40 * r.fb.pitch + 50 + k], 3 * 16 + 15);
+        assert_int_equal(r.fb.pix[(40 + k) * r.fb.pitch + 50], 3 * 16 + 15);
+    }
+    rig_close(&r);
 }
 
 RUN_TESTS(NULL, NULL)

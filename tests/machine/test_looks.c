@@ -48,8 +48,8 @@ static bool beside(const struct sprite *s, int frame, unsigned flip, int u, int 
     return false;
 }
 
-/* At X, Y stands `frame` of a sprite in a bank (white: in the brightest colour; SOFT: a line round it is), and
- * nothing else anywhere. NULL: none. */
+/* At X, Y stands `frame` of a sprite in a bank, and nothing else anywhere. NULL: none. White: it is in the brightest
+ * colour; SOFT: a line round it is. Both flinch: they stand 1 px higher. */
 static void shows(const char *name, int frame, int bank, int white, unsigned flip)
 {
     struct sprite s = { 0 };
@@ -64,15 +64,16 @@ static void shows(const char *name, int frame, int bank, int white, unsigned fli
         int most = (int)((rgb[brightest] >> 16) + (rgb[brightest] >> 8 & 255) + (rgb[brightest] & 255));
         brightest = sum > most ? i : brightest;
     }
+    const int left = X - s.ox, top = Y - s.oy - (white ? 1 : 0);
     for (int y = 0; y < H; y++)
         for (int x = 0; x < W; x++) {
-            int u = x - X + s.ox, v = y - Y + s.oy, want = 0;
+            int u = x - left, v = y - top, want = 0;
             if (u >= 0 && v >= 0 && u < s.w && v < s.h) {
                 u = flip & BLIT_FLIP_X ? s.w - 1 - u : u;
                 int p = s.pix[(frame * s.rotations * s.h + v) * s.pitch + u];
                 want = !p ? 0 : white == 1 ? brightest : (p + 16 * bank) % 256;
             }
-            if (!want && white == SOFT && beside(&s, frame, flip, x - X + s.ox, y - Y + s.oy))
+            if (!want && white == SOFT && beside(&s, frame, flip, x - left, y - top))
                 want = brightest;
             seen += want != 0;
             if (r.fb.pix[y * r.fb.pitch + x] != want)

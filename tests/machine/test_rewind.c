@@ -283,7 +283,7 @@ TEST(slots_grow)
                                "    wait(1)\n"
                                "  end\n"
                                "end)\n";
-    enum { FRAMES = 400 };
+    enum { FRAMES = 360 };
     uint16_t pads[MAX_PLAYERS] = { 0 };
     struct rig_game g;
     struct rng rng;

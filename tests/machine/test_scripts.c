@@ -55,6 +55,7 @@ static const struct {
     SETTING("pierce", has_pierce),
     SETTING("shot_values", shot_values),
     SETTING("sound", has_sound),
+    SETTING("sparks", sparks),
     SETTING("sprites", sprites),
     SETTING("transforms", has_transforms),
     SETTING("view_h", view_h),

@@ -221,8 +221,8 @@ static const char *modules_of(const char *text)
     return got;
 }
 
-static const char every[] =
-    "bg boot boss choose figure game hud menu mission path pattern prelude say scoring stage sweep talk trail unlock";
+static const char every[] = "bg boot boss choose figure fx game hud menu mission path pattern prelude say scoring "
+                            "stage sweep talk trail unlock";
 
 /* A module is in the ROM when a script of the game names it, or a module that is. */
 TEST(modules)

@@ -110,14 +110,19 @@ static void paint_sprite(struct draw_target *c, uint16_t sprite, uint32_t age, c
 }
 
 /* Like paint_sprite, but through a batch: in the plain pose, or in any pose, if it needs no copy. */
-static void queue_sprite(struct video_batch *q, uint16_t sprite, uint32_t age, fx x, fx y, uint8_t bank, unsigned flip,
-                         unsigned blend)
+static void queue_picture(struct video_batch *q, const struct sprite *s, uint32_t age, fx x, fx y, uint8_t bank,
+                          unsigned flip, unsigned blend)
 {
-    const struct sprite *s = &q->c->b->sprite_images[sprite];
     struct image img = video_image(s, age, false, 0);
 
     video_batch_put(q, &img, q->c->x + fx_floor(x) - s->ox, q->c->y + fx_floor(y) - s->oy, bank, flip, blend);
     q->c->drawn_count++;
+}
+
+static void queue_sprite(struct video_batch *q, uint16_t sprite, uint32_t age, fx x, fx y, uint8_t bank, unsigned flip,
+                         unsigned blend)
+{
+    queue_picture(q, &q->c->b->sprite_images[sprite], age, x, y, bank, flip, blend);
 }
 
 static void queue_posed_sprite(struct video_batch *q, uint16_t sprite, uint32_t age, const struct pose *pose, fx x,
@@ -257,6 +262,8 @@ static struct pose enemy_pose(const struct enemies *e, uint32_t i)
     return e->dir ? (struct pose){ e->dir[i], e->scale[i], e->alpha[i] } : plain_pose;
 }
 
+enum { FLINCH = 1 /* px by which an enemy that is drawn in white is shifted up */ };
+
 static void paint_white(struct draw_target *c, uint32_t i, int dx, int dy, unsigned dots)
 {
     const struct enemies *e = &c->b->enemies;
@@ -267,7 +274,7 @@ static void paint_white(struct draw_target *c, uint32_t i, int dx, int dy, unsig
 
     if (video_needs_copy(&pose))
         img = video_dotted_image(c, &img, &pose);
-    blit_solid(c->fb, &img, c->x + fx_floor(e->x[i]) - s.ox + dx, c->y + fx_floor(e->y[i]) - s.oy + dy,
+    blit_solid(c->fb, &img, c->x + fx_floor(e->x[i]) - s.ox + dx, c->y + fx_floor(e->y[i]) - s.oy + dy - FLINCH,
                find_extreme_entry(c->b, true), (e->flags[i] & ENEMY_FLIP ? BLIT_FLIP_X : 0) | dots);
 }
 
@@ -297,8 +304,9 @@ static void draw_enemies(struct draw_target *c)
         if (white && soft && opaque)
             paint_white_rim(c, i);
         if (!white || soft)
-            paint_sprite(c, enemies_sprite(e, k, i), c->b->core.clock - e->born[i], &pose, e->x[i], e->y[i],
-                         e->bank[i] & ENEMY_BANK, e->flags[i] & ENEMY_FLIP ? BLIT_FLIP_X : 0, blend);
+            paint_sprite(c, enemies_sprite(e, k, i), c->b->core.clock - e->born[i], &pose, e->x[i],
+                         e->y[i] - (white ? FLINCH * FX_ONE : 0), e->bank[i] & ENEMY_BANK,
+                         e->flags[i] & ENEMY_FLIP ? BLIT_FLIP_X : 0, blend);
         else
             c->drawn_count++;
         if (white && (!soft || !opaque)) /* a blended picture would not hide the inside of a rim */
@@ -317,6 +325,12 @@ static void draw_players(struct draw_target *c)
                          0, p->flags[i] & PLAYER_FLIP ? BLIT_FLIP_X : 0, 0);
 }
 
+/* The picture of sparks without a sprite: a cross of 3 x 3 px in the brightest shade of their bank. */
+static const uint8_t dot_pixels[24] = { [1] = 15, [8] = 15, [9] = 15, [10] = 15, [17] = 15 };
+static const struct sprite dot = {
+    .w = 3, .h = 3, .pitch = 8, .ox = 1, .oy = 1, .frames = 1, .rotations = 1, .pix = dot_pixels
+};
+
 /* Draws the sparks under the players (under), or those over the bullets (!under). */
 static void draw_sparks(struct draw_target *c, bool under_players)
 {
@@ -326,13 +340,14 @@ static void draw_sparks(struct draw_target *c, bool under_players)
     video_batch_begin(&q, c);
     EACH_LIVE (i, &s->s) {
         uint16_t kind = s->kind[i];
-        const struct sprite *pic = &c->b->sprite_images[c->b->spark_kinds.sprite[kind]];
+        const uint16_t sprite = c->b->spark_kinds.sprite[kind];
+        const struct sprite *pic = sprite == SPARK_DOT ? &dot : &c->b->sprite_images[sprite];
         uint8_t bank = sparks_bank(&c->b->spark_kinds, kind, s->age[i]);
         if (under_players != (bool)(bank & SPARK_UNDER_PLAYERS))
             continue;
         uint32_t last = pic->frames * (pic->frame_ticks ? pic->frame_ticks : 1u) - 1u; /* the animation plays once */
-        queue_sprite(&q, c->b->spark_kinds.sprite[kind], s->age[i] < last ? s->age[i] : last, s->x[i], s->y[i],
-                     bank & SPARK_BANK, 0, (bank & SPARK_BLEND) / SPARK_BLEND_ONE);
+        queue_picture(&q, pic, s->age[i] < last ? s->age[i] : last, s->x[i], s->y[i], bank & SPARK_BANK, 0,
+                      (bank & SPARK_BLEND) / SPARK_BLEND_ONE);
     }
     video_batch_end(&q);
 }

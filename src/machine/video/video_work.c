@@ -62,9 +62,9 @@ static uint64_t sparks_work(const struct board *b)
     uint64_t work = 0;
 
     EACH_LIVE (i, &b->sparks.s) {
-        const uint16_t kind = b->sparks.kind[i];
-        work += pictures_work(b, 1, b->spark_kinds.sprite[kind],
-                              sparks_bank(&b->spark_kinds, kind, b->sparks.age[i]) & SPARK_BLEND, plain_pose);
+        const uint16_t kind = b->sparks.kind[i], sprite = b->spark_kinds.sprite[kind];
+        const bool blended = sparks_bank(&b->spark_kinds, kind, b->sparks.age[i]) & SPARK_BLEND;
+        work += sprite == SPARK_DOT ? 1 : pictures_work(b, 1, sprite, blended, plain_pose);
     }
     return work;
 }

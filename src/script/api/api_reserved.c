@@ -23,6 +23,7 @@ static const struct {
 } optional_features[] = {
     { "item items on.take sys.drop", offsetof(struct manifest, items),
       "items are disabled; add `items = 512` to `board`" },
+    { "sparks", offsetof(struct manifest, sparks), "sparks are disabled; remove `sparks = 0` from `board`" },
     { "text.line", offsetof(struct manifest, lines), "text lines are disabled; add `lines = 32` to `board`" },
     { "laser lasers", offsetof(struct manifest, lasers), "lasers are disabled; add `lasers = 64` to `board`" },
     { "laser.curve", offsetof(struct manifest, curve_points),

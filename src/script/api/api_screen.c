@@ -331,11 +331,11 @@ static int sprite_remove(lua_State *L, struct board *b, struct api_value *v)
 
 /* ---- spark ---- */
 
-enum { D_NAME, D_BANK = 5, D_BANKS = 7, D_LAYER };
+enum { D_NAME, D_SPRITE, D_BANK = 5, D_BANKS = 7, D_LAYER };
 
 static const struct api_param spark_def_params[] = {
     REQUIRED("name", A_STR, "name of the kind, used as `kind = NAME`"),
-    REQUIRED("sprite", A_SPRITE, "picture to show", STORED(spark_kinds.sprite)),
+    OPTIONAL("sprite", A_SPRITE, "picture to show; nil shows a dot of 3 px in the brightest shade of its bank"),
     PARAM("life", A_INT, REQ, 1, 65535, "frames", NULL, "frames until a spark disappears",
           STORED(spark_kinds.lifetime)),
     PARAM("gravity", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame per frame", "0", "downward acceleration",
@@ -388,6 +388,7 @@ static int spark_define(lua_State *L, struct board *b, struct api_value *v)
         return api_error(L, "spark.def", "expected either `bank` or `banks`, got both");
     api_names_declare(L, N_SPARK, "spark.def", lua_tostring(L, v[D_NAME].at), i);
     api_store_arguments(L, b, i, v);
+    k->sprite[i] = v[D_SPRITE].given ? (uint16_t)v[D_SPRITE].i : SPARK_DOT;
     if (LAYER_MIDDLE + v[D_LAYER].i == LAYER_MIDDLE)
         k->bank[i] |= SPARK_UNDER_PLAYERS;
     if (v[D_BANKS].given)
