@@ -1,26 +1,6 @@
--- kinds.lua - sparks, bullets, and what creatures share. Stages use its functions to declare their own kinds.
+-- kinds.lua - bullets, and what creatures share. Stages use its functions to declare their own kinds.
 require "items"
-local fx = require "fx"
-
--- A spark that plays its frames once has a lifetime of frames * every.
--- All sparks are drawn below the bullets, and none has the colour of bullets near it.
-local PALE, GREEN, BLUE = 0, 4, 5
-
-local function under(name, def)
-  def.layer = "middle"
-  spark.def(name, def)
-end
-
-under("glint",  { sprite = "glint", life = 16, drag = 0.06 })
-under("ping",   { sprite = "glint", life = 12, drag = 0.10, bank = GREEN })
-under("crumb",  { sprite = "crumb", life = 26, drag = 0.04, gravity = 0.03, bank = BLUE })
-under("splint", { sprite = "crumb", life = 16, drag = 0.05, gravity = 0.05, bank = PALE,
-                  blend = "ghost" })
-under("fizz",   { sprite = "fizz",  life = 44, drag = 0.03, gravity = -0.04, bank = BLUE })
-under("pop",    { sprite = "hoop",  life = 12, bank = BLUE })
-under("shock",  { sprite = "shock", life = 16, bank = BLUE })
-under("blast",  { sprite = "blast", life = 24, drag = 0.10 })
-under("blaze",  { sprite = "blaze", life = 32, drag = 0.10 })
+require "sparks"
 
 -- A glass bullet with a delay starts as mist; a cleared one pops.
 local function glass(name, def)
@@ -74,21 +54,27 @@ local function tap(e)
   sound.play("chip", { from = e, pitch = taps * 5 % 9 - 4, volume = math.max(0.5, 1 - taps / 30) })
 end
 
--- A hit by a shot, somewhere on the lower half of the creature.
-local function chip(e, _, _)
+-- A hit by a shot.
+local function chip(e, p, damage)
   tap(e)
-  spark.burst { kind = "splint", from = e, dy = 6, n = 1, dir = 90, spread = 140, speed = 2.5 }
+  fx.hit(e, p, damage)
 end
 
--- on_death handlers by the size of the creature.
-local function small(e, _) fx.small(e) end
-local function large(e, _) fx.large(e) end
-local function huge(e, _) fx.huge(e) end
-local function collapse(e, _) fx.collapse(e) end
+-- on_death handlers by the size of the creature. A boss's end, with its picture of the same name as its
+-- kind, lasts two seconds; stages wait for COLLAPSE frames after the fight.
+local COLLAPSE <const> = 170
+
+local function explosion(size) return function(e, _) fx.explode { from = e, size = size } end end
+
+local function collapse(e, _)
+  sound.play("collapse", { from = e })
+  fx.collapse { from = e, sprite = rom.has(e.kind) and e.kind or nil, bank = e.bank, radius = 40,
+                over = 94, crack = "crack", size = "end" }
+end
 
 -- A tough shell throws tumbling splinters at the craft that broke it.
 local function burst(e, _)
-  fx.large(e)
+  fx.explode { from = e, size = "large" }
   sound.play("shatter", { from = e })
   pattern.ring { from = e, kind = "chip", bank = 7, aim = true, speed = 1.8,
                  n = by_difficulty { easy = 6, normal = 10, hard = 16 } }
@@ -105,5 +91,6 @@ local function creature(name, bank, w, h, hp, score, on_death, drops)
                     on_hit = chip, on_death = on_death, drops = drops })
 end
 
-return { glass = glass, creature = creature, chip = chip, small = small, large = large,
-         huge = huge, burst = burst, collapse = collapse, COLD = COLD, WARM = WARM, BLINK = BLINK }
+return { glass = glass, creature = creature, chip = chip, small = explosion "small",
+         large = explosion "large", huge = explosion "huge", burst = burst, collapse = collapse,
+         COLLAPSE = COLLAPSE, COLD = COLD, WARM = WARM, BLINK = BLINK }

@@ -2,8 +2,22 @@
 -- unlocked. If both players fly the same craft, player 2's has another colour.
 local lamps = {}
 
--- The alternative pictures of a craft.
-function lamps.pictures(ship) return { gilt = ship .. "_gilt", ember = ship .. "_ember" } end
+-- The alternative pictures of a craft: banking, and in other colours.
+function lamps.pictures(ship)
+  local all = { left = ship .. "_left", right = ship .. "_right" }
+  for _, colour in ipairs { "gilt", "ember" } do
+    for _, side in ipairs { "", "_left", "_right" } do
+      all[colour .. side] = ship .. "_" .. colour .. side
+    end
+  end
+  return all
+end
+
+-- The end of the name of the picture for the direction in which player p steers.
+local function side(p)
+  local left, right = pad.down("left", p), pad.down("right", p)
+  return left == right and "" or left and "_left" or "_right"
+end
 
 local function craft_of(p) return p.kind:match("^%a+") end
 
@@ -15,7 +29,7 @@ function lamps.wear(p)
   if p.index == 2 and craft_of(p) == craft_of(first) then
     colour = colour == "ember" and "gilt" or "ember"
   end
-  if p.picture ~= colour then p.picture = colour end
+  p.picture = colour and colour .. side(p)
 end
 
 return lamps

@@ -14,7 +14,6 @@ require "missions"
 local moon = require "stages/moon"
 local sea = require "sea"
 local craft = require "players/craft"
-local fx = require "fx"
 local front = require "fx/front"
 local grades = require "fx/grades"
 
@@ -24,7 +23,7 @@ hud.low = hud.large and 4 or 3 -- rows left free for the bombs
 -- The handlers see the craft where it was hit, before it respawns. A wave spreads from there and
 -- clears the bullets.
 on.death(function(p)
-  fx.lost(p)
+  fx.explode { from = p, size = "lost" }
   bullet.sweep { x = p.x, y = p.y, radius_to = 400, over = 30 }
   craft.refill(p)
 end)

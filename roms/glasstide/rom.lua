@@ -1,5 +1,5 @@
 -- rom.lua - the manifest of Glass Tide. source/art/art.c draws the pictures in art/.
-return {
+local rom = {
   id = "glasstide", title = "Glass Tide", author = "The Curtain authors", version = 1, entry = "main",
   screen = { w = 240, h = 320, full_width = 12 }, border = "art/border.png",
   board = { bullets = 4096, shots = 512, enemies = 128, sparks = 4096, sprites = 96, motions = 192,
@@ -27,7 +27,6 @@ return {
     shots   = { file = "art/shots.png",   bank = 0 },
     sparks  = { file = "art/sparks.png",  bank = 0 },
     finds   = { file = "art/finds.png",   bank = 0 },
-    blasts  = { file = "art/blasts.png",  bank = 14 },
     fires   = { file = "art/fires.png",   bank = 14 },
     lights  = { file = "art/lights.png",  bank = 0 },
     sherds  = { file = "art/sherds.png",  bank = 10 },
@@ -106,22 +105,16 @@ return {
     lance  = { sheet = "bullets", x = 96,  y = 64, w = 28, h = 28, rotations = 64 },
     lamp   = { sheet = "bullets", x = 0,   y = 92, w = 24, h = 24, frames = 4, every = 5 },
 
-    dart   = { sheet = "shots", x = 0,  y = 0, w = 16, h = 16, rotations = 32 },
-    fang   = { sheet = "shots", x = 16, y = 0, w = 14, h = 14, rotations = 32 },
-    sliver = { sheet = "shots", x = 32, y = 0, w = 12, h = 12, rotations = 32 },
-    pike   = { sheet = "arms",  x = 0,  y = 0, w = 30, h = 30, rotations = 64 },
-    hook   = { sheet = "arms",  x = 32, y = 0, w = 18, h = 18, rotations = 32 },
-    mote   = { sheet = "arms",  x = 52, y = 0, w = 12, h = 12, rotations = 32 },
+    dart   = { sheet = "shots", x = 0,  y = 16, w = 40, h = 40, rotations = 32 },
+    fang   = { sheet = "arms",  x = 0,  y = 0,  w = 24, h = 24, rotations = 32 },
+    sliver = { sheet = "shots", x = 40, y = 16, w = 22, h = 22, rotations = 32 },
+    pike   = { sheet = "arms",  x = 0,  y = 56, w = 56, h = 56, rotations = 64 },
+    hook   = { sheet = "arms",  x = 32, y = 0,  w = 28, h = 28, rotations = 32 },
+    mote   = { sheet = "arms",  x = 56, y = 56, w = 32, h = 32, rotations = 32 },
     prism  = { sheet = "arms",  x = 64, y = 0, w = 12, h = 10, frames = 4, every = 3 },
-    lens_ray = { sheet = "arms", x = 116, y = 0, w = 1, h = 10 },
+    lens_ray = { sheet = "arms", x = 116, y = 0, w = 1, h = 14 },
     lamp_ray = { sheet = "arms", x = 120, y = 0, w = 1, h = 52 },
 
-    heron  = { sheet = "heron",  x = 0, y = 0,  w = 28, h = 36, frames = 4, every = 3,
-               origin = { 14, 17 } },
-    petrel = { sheet = "petrel", x = 0, y = 0,  w = 30, h = 34, frames = 4, every = 3,
-               origin = { 15, 16 } },
-    tern   = { sheet = "tern",   x = 0, y = 0,  w = 32, h = 36, frames = 4, every = 3,
-               origin = { 16, 17 } },
     tern_bead   = { sheet = "tern",   x = 0, y = 38, w = 14, h = 14, frames = 2, every = 8 },
     heron_bead  = { sheet = "heron",  x = 0, y = 38, w = 14, h = 14, frames = 2, every = 8 },
     petrel_bead = { sheet = "petrel", x = 0, y = 38, w = 14, h = 14, frames = 2, every = 8 },
@@ -198,18 +191,6 @@ return {
     queen    = { sheet = "queen_abyss", x = 0, y = 0, w = 128, h = 128, frames = 4, every = 10,
                  origin = { 64, 58 } },
     -- the moon
-    heron_gilt = { sheet = "heron_gilt", x = 0, y = 0, w = 28, h = 36, frames = 4, every = 3,
-                   origin = { 14, 17 } },
-    petrel_gilt = { sheet = "petrel_gilt", x = 0, y = 0, w = 30, h = 34, frames = 4, every = 3,
-                    origin = { 15, 16 } },
-    tern_gilt = { sheet = "tern_gilt", x = 0, y = 0, w = 32, h = 36, frames = 4, every = 3,
-                  origin = { 16, 17 } },
-    heron_ember = { sheet = "heron_ember", x = 0, y = 0, w = 28, h = 36, frames = 4, every = 3,
-                    origin = { 14, 17 } },
-    petrel_ember = { sheet = "petrel_ember", x = 0, y = 0, w = 30, h = 34, frames = 4, every = 3,
-                     origin = { 15, 16 } },
-    tern_ember = { sheet = "tern_ember", x = 0, y = 0, w = 32, h = 36, frames = 4, every = 3,
-                   origin = { 16, 17 } },
     moon         = { sheet = "last", x = 0, y = 0,   w = 160, h = 160, frames = 2, every = 24 },
     moon_half    = { sheet = "last", x = 0, y = 160, w = 160, h = 160, frames = 2, every = 24 },
     moon_sickle  = { sheet = "last", x = 0, y = 320, w = 160, h = 160, frames = 2, every = 24 },
@@ -249,9 +230,7 @@ return {
     fizz    = { sheet = "sparks", x = 160, y = 0,  w = 7,  h = 7 },
     halo    = { sheet = "sparks", x = 0,   y = 16, w = 48, h = 48, frames = 4, every = 5 },
     shock   = { sheet = "sparks", x = 0,   y = 64, w = 48, h = 48, frames = 8, every = 2 },
-    blast   = { sheet = "blasts", x = 0,   y = 0,  w = 32, h = 32, frames = 8, every = 3 },
-    blaze   = { sheet = "blasts", x = 0,   y = 32, w = 72, h = 72, frames = 8, every = 4 },
-    -- fire in three sizes, additive light, and glass debris: fx.lua
+    -- fire in three sizes, additive light, and glass debris: sparks.lua
     fire_a  = { sheet = "fires",  x = 0, y = 0,   w = 32,  h = 32,  frames = 10, every = 3 },
     fire_b  = { sheet = "fires",  x = 0, y = 32,  w = 32,  h = 32,  frames = 10, every = 3 },
     fire_c  = { sheet = "fires",  x = 0, y = 64,  w = 64,  h = 64,  frames = 10, every = 4 },
@@ -260,6 +239,10 @@ return {
     flare   = { sheet = "lights", x = 0, y = 0,   w = 64,  h = 64,  frames = 6, every = 3 },
     ripple  = { sheet = "lights", x = 0, y = 64,  w = 64,  h = 64,  frames = 8, every = 3 },
     breaker = { sheet = "lights", x = 0, y = 128, w = 144, h = 144, frames = 8, every = 4 },
+    shine   = { sheet = "lights", x = 0, y = 272, w = 48,  h = 48,  frames = 6, every = 2 },
+    muzzle  = { sheet = "lights", x = 288, y = 272, w = 20, h = 20, frames = 3, every = 2 },
+    spit    = { sheet = "lights", x = 348, y = 272, w = 20, h = 20, frames = 3, every = 3 },
+    swell   = { sheet = "lights", x = 0, y = 320, w = 192, h = 192, frames = 6, every = 4 },
     sherd_s = { sheet = "sherds", x = 0, y = 0,   w = 8,   h = 8,   frames = 8, every = 3 },
     sherd_m = { sheet = "sherds", x = 0, y = 8,   w = 12,  h = 12,  frames = 8, every = 4 },
     sherd_l = { sheet = "sherds", x = 0, y = 20,  w = 18,  h = 18,  frames = 8, every = 5 },
@@ -427,3 +410,21 @@ return {
   difficulties = { "easy", "normal", "hard", "abyss" }, difficulty = "normal",
   players = 2, extends = { 200000, 600000, 1500000, 4000000 },
 }
+
+-- The crafts in each of their colours: level, and banking to each side.
+local COLOURS, SIDES, ROWS = { "", "_gilt", "_ember" }, { "", "_left", "_right" }, { 0, 54, 90 }
+
+local function add_craft(name, w, h)
+  for i = 1, #COLOURS do
+    for k = 1, #SIDES do
+      local sheet = name .. COLOURS[i]
+      rom.sprites[sheet .. SIDES[k]] = { sheet = sheet, x = 0, y = ROWS[k], w = w, h = h, frames = 4,
+                                         every = 3, origin = { w // 2, h // 2 - 1 } }
+    end
+  end
+end
+add_craft("heron", 28, 36)
+add_craft("petrel", 30, 34)
+add_craft("tern", 32, 36)
+
+return rom

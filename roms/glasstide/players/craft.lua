@@ -63,6 +63,11 @@ local function while_firing(thing, p, f)
   end
 end
 
+-- A flash at the muzzle of a craft or a bead.
+function craft.flash(thing, dx, dy)
+  spark.burst { kind = "muzzle", from = thing, dx = dx, dy = dy, speed = 0 }
+end
+
 -- A ray from a craft or a bead while player p fires; spec(thing) returns its current options.
 function craft.ray(thing, p, spec)
   local ray
@@ -76,6 +81,7 @@ function craft.ray(thing, p, spec)
       if ray.alive then ray:fade() end
       ray = nil
     elseif ray then
+      if board.frame() % 3 == 0 then craft.flash(thing, 0, -10) end
       ray.dir = spec(thing).dir
     end
     wait(1)

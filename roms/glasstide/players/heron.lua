@@ -16,6 +16,7 @@ local function darts(p, beat)
   sound.play("dart", { from = p })
   for side = -1, 1, 2 do
     shot.fire { kind = "dart", from = p, dx = 5 * side, dy = -12, speed = 11 }
+    craft.flash(p, 5 * side, -16)
   end
 end
 

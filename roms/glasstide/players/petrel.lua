@@ -25,6 +25,7 @@ local function fangs(p, beat)
     shot.fire { kind = i == 0 and "tusk" or "fang", from = p, dx = 3 * i, dy = -10, speed = 9,
                 dir = 270 + step * i }
   end
+  for side = -1, 1 do craft.flash(p, 9 * side, -14) end
 end
 
 local function bead(o, beat)
@@ -38,6 +39,7 @@ local function swarm(p, beat)
   for side = -1, 1, 2 do
     shot.fire { kind = "mote", from = p, dx = 7 * side, dy = -6, speed = 7, dir = 270 + out * side,
                 motion = seek }
+    craft.flash(p, 7 * side, -8)
   end
 end
 

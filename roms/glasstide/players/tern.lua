@@ -16,6 +16,7 @@ local function lances(p, beat)
   if beat % 8 ~= 0 then return end
   sound.play("peal", { from = p })
   shot.fire { kind = "pike", from = p, dy = -16, speed = 13 }
+  craft.flash(p, 0, -20)
   if p.focus or beat % 16 ~= 0 then return end
   for side = -1, 1, 2 do
     shot.fire { kind = "pike", from = p, dx = 8 * side, dy = -8, speed = 12, dir = 270 + 9 * side }
@@ -35,6 +36,7 @@ local function hooks(p, beat)
   for side = -1, 1 do
     shot.fire { kind = "hook", from = p, dx = 6 * side, dy = -10, speed = 11,
                 dir = 270 + out * side, motion = back }
+    craft.flash(p, 8 * side, -16)
   end
 end
 

@@ -4,8 +4,8 @@ require "stages/moon/creatures"
 require "stages/moon/scene"
 require "stages/moon/boss"
 local meeting = require "stages/moon/meeting"
+local kinds = require "kinds"
 local sea = require "sea"
-local fx = require "fx"
 
 local SHARDS <const> = 300 -- hundredths: the multiplier that wakes it
 
@@ -36,7 +36,7 @@ local function fight()
   meeting()
   boss.fight("moon")
   music.stop { fade = 140 }
-  wait(fx.COLLAPSE)
+  wait(kinds.COLLAPSE)
 end
 
 -- The way down from the queen.

@@ -5,7 +5,7 @@ require "stages/one/crab"
 local habits = require "stages/one/habits"
 local hatches = require "stages/one/hatches"
 local scene = require "stages/one/scene"
-local fx = require "fx"
+local kinds = require "kinds"
 local sea = require "sea"
 local waves = require "waves"
 
@@ -113,5 +113,5 @@ stage.def("one", function()
   sea.speed(0.8)
   boss.fight("crab")
   sea.speed(2.4)
-  wait(fx.COLLAPSE)
+  wait(kinds.COLLAPSE)
 end, { music = "tide" })

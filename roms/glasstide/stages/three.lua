@@ -5,9 +5,9 @@ require "stages/three/angler"
 local habits = require "stages/three/habits"
 local queen = require "stages/three/queen"
 local moon = require "stages/moon"
+local kinds = require "kinds"
 local sea = require "sea"
 local waves = require "waves"
-local fx = require "fx"
 
 local swoop = path.def {
   { x = -18, y = 44 }, { x = 70, y = 104, over = 54, ease = "out" },
@@ -134,6 +134,6 @@ stage.def("three", function()
   wait(180)
   queen.fight()
   music.stop { fade = 140 }
-  wait(fx.COLLAPSE)
+  wait(kinds.COLLAPSE)
   if moon.open() then moon.dive() end
 end, { music = "abyss" })

@@ -25,7 +25,6 @@ static const struct picture GAME[] = {
     { "shots", art_shots, ART_MAIN },
     { "sparks", art_sparks, ART_MAIN },
     { "finds", art_finds, ART_MAIN },
-    { "blasts", art_blasts, ART_MAIN },
     { "fires", art_fires, ART_MAIN },
     { "lights", art_lights, ART_MAIN },
     { "sherds", art_sherds, ART_MAIN },

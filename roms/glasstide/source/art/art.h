@@ -80,6 +80,9 @@ void paint_poly(struct paint *p, struct mat m, int n, const double *xy, double b
 void paint_fin(struct paint *p, struct mat m, double x, double y, int n, const double *tips, double sag);
 /* Pen strokes of radius r along n segments (ax ay bx by each), as one body with bevelled edges. */
 void paint_stroke(struct paint *p, struct mat m, int n, const double *segs, double r, double bevel);
+/* Banks what is drawn so far to one side, as a craft does that flies there: -1 left to 1 right. The wing on that side
+ * dips: it gets shorter and darker. */
+void paint_roll(struct paint *p, double roll);
 /* Turns the scene into pixels with its top left at (x, y) of the sheet and frees it. Shade `rim` outlines it where the
  * light does not fall, `lit` where it does; 0: no outline there. */
 void paint_done(struct paint *p, struct sheet *s, int x, int y, int rim, int lit);
@@ -106,7 +109,6 @@ struct sheet art_iri(void);
 struct sheet art_sen(void);
 struct sheet art_ono(void);
 struct sheet art_queen_face(void);
-struct sheet art_blasts(void);
 struct sheet art_fires(void);
 struct sheet art_lights(void);
 struct sheet art_sherds(void);

@@ -253,15 +253,36 @@ struct sheet art_bullets(void)
     return s;
 }
 
-/* Shots are drawn under everything that can hurt: bright bodies, but neither rim nor core. */
+/* A bolt of light: a bright head, and a tail that thins out and darkens behind it. Shots are drawn under everything
+ * that can hurt: bright bodies, but neither rim nor core. */
+static void bolt(struct sheet *s, int x0, int y0, int size, double half, double wide)
+{
+    for (int y = 0; y < size; y++) {
+        for (int x = 0; x < size; x++) {
+            double dx = x + 0.5 - size * 0.5, dy = y + 0.5 - size * 0.5, t = (dx + half) / (2 * half);
+            double head = half - dx, v = dy < 0 ? -dy : dy;
+            if (t < 0 || head < 0)
+                continue;
+            double r = wide * (0.30 + 0.70 * t), q = 2 * wide;
+            r = head < q ? r * sqrt(1 - (1 - head / q) * (1 - head / q)) : r;
+            double light = (1 - v / (r > 0.5 ? r : 0.5)) * 1.5, heat = 0.34 + 0.72 * t;
+            if (v > r || (t < 0.3 && t + 0.1 < art_dither(x, y) * 0.4))
+                continue;
+            sheet_set(s, x0 + x, y0 + y, 4 + (int)(10.4 * art_clamp(light, 0.15, 1) * art_clamp(heat, 0, 1)));
+        }
+    }
+}
+
 struct sheet art_shots(void)
 {
     static const struct band beam[] = { { 0, 6 }, { 0.8, 9 }, { 1.6, 12 } };
     static const struct band soft[] = { { 0, 5 }, { 0.9, 8 }, { 1.7, 11 } };
-    struct sheet s = sheet_new(64, 16, 0);
+    struct sheet s = sheet_new(64, 56, 0);
     DRAW(&s, 0, 0, 16, 16, d_capsule, beam, 5.6, 0.9, 2.2);
     DRAW(&s, 16, 0, 14, 14, d_kunai, soft, 6.4, 5.6, 3.6);
     DRAW(&s, 32, 0, 12, 12, d_capsule, soft, 3.8, 0.7, 1.6);
+    bolt(&s, 0, 16, 40, 19.5, 4.0);
+    bolt(&s, 40, 16, 22, 10.5, 2.6);
     return s;
 }
 
@@ -272,10 +293,10 @@ static void crescent(struct sheet *s, int x0, int y0, int size)
     for (int y = 0; y < size; y++) {
         for (int x = 0; x < size; x++) {
             double dx = x + 0.5 - c, dy = y + 0.5 - c;
-            double in = c - 0.6 - length(dx, dy), out = length(dx + c * 0.52, dy * 0.94) - c * 0.80;
+            double in = c - 0.6 - length(dx, dy), out = length(dx + c * 0.56, dy * 0.94) - c * 0.76;
             double d = in < out ? in : out;
             if (d > 0)
-                sheet_set(s, x0 + x, y0 + y, d < 0.9 ? 6 : d < 1.8 ? 9 : 12);
+                sheet_set(s, x0 + x, y0 + y, d < 0.9 ? 6 : d < 1.7 ? 9 : d < 2.6 ? 12 : 14);
         }
     }
 }
@@ -289,21 +310,23 @@ static void profile(struct sheet *s, int x, int y, int tall, int least, int most
     }
 }
 
-/* Shots of the other forms, in the manner of art_shots; prisms of what was bullets; rays. */
+/* What the crafts fire besides bolts: each of the six forms is known by its shape. Prisms of what was bullets; rays. */
 struct sheet art_arms(void)
 {
-    static const struct band pike[] = { { 0, 5 }, { 0.8, 8 }, { 1.6, 11 }, { 2.2, 13 } };
-    static const struct band soft[] = { { 0, 5 }, { 0.9, 9 }, { 1.7, 12 } };
+    static const struct band fang[] = { { 0, 5 }, { 0.9, 8 }, { 1.7, 11 }, { 2.5, 13 }, { 3.2, 14 } };
+    static const struct band pike[] = { { 0, 5 }, { 0.8, 8 }, { 1.5, 11 }, { 2.2, 13 }, { 2.9, 14 } };
+    static const struct band soft[] = { { 0, 6 }, { 0.9, 9 }, { 1.7, 12 }, { 2.4, 14 } };
     static const struct band gem[] = { { 0, 4 }, { 0.9, 9 }, { 1.9, 13 } };
     static const double wide[4] = { 3.9, 2.7, 1.5, 2.7 };
-    struct sheet s = sheet_new(128, 52, 0);
-    DRAW(&s, 0, 0, 30, 30, d_ellipse, pike, 14.6, 2.7);
-    crescent(&s, 32, 0, 18);
-    DRAW(&s, 52, 0, 12, 12, d_drop, soft, 2.0, 3.4, 5.6);
+    struct sheet s = sheet_new(128, 112, 0);
+    DRAW(&s, 0, 0, 24, 24, d_kunai, fang, 11.0, 9.6, 6.4);
+    crescent(&s, 32, 0, 28);
     for (int i = 0; i < 4; i++)
         DRAW(&s, 64 + 12 * i, 0, 10, 10, d_ellipse, gem, wide[i], 4.6);
-    profile(&s, 116, 0, 10, 5, 14);
+    profile(&s, 116, 0, 14, 5, 15);
     profile(&s, 120, 0, 52, 3, 13);
+    DRAW(&s, 56, 56, 32, 32, d_drop, soft, 9.0, 5.2, 15.4);
+    DRAW(&s, 0, 56, 56, 56, d_ellipse, pike, 27.4, 4.4);
     return s;
 }
 

@@ -186,17 +186,52 @@ struct sheet art_fires(void)
     return s;
 }
 
-enum { FLARE = 64, FLARES = 6, RING = 64, WAVE = 144, RINGS = 8 };
+/* A disc of light that spreads and fades: soft, or brightest along its edge. */
+static void disc(struct sheet *s, int x, int y, int size, double t, bool soft)
+{
+    double r = size / 2.0, at = 0.30 + 0.68 * (1 - (1 - t) * (1 - t));
+
+    for (int j = 0; j < size; j++)
+        for (int i = 0; i < size; i++) {
+            double dx = (i + 0.5 - r) / r, dy = (j + 0.5 - r) / r, d = sqrt(dx * dx + dy * dy) / at;
+            double body = soft ? 1.1 * (1 - d * d) : 0.3 + 0.7 * d * d * d, edge = art_clamp((1 - d) / 0.14, 0, 1);
+            put(s, x + i, y + j, d < 1 ? 0.92 * body * edge * (1 - t) : 0);
+        }
+}
+
+/* A puff of light: where a shot hits, a ball and `n` short rays that fly off; without rays, the flame of a muzzle. */
+static void puff(struct sheet *s, int x, int y, int size, double t, int n)
+{
+    double r = size / 2.0;
+
+    for (int j = 0; j < size; j++)
+        for (int i = 0; i < size; i++) {
+            double dx = (i + 0.5 - r) / r * (n ? 1 : 1.7), dy = (j + 0.5 - r) / r, d = sqrt(dx * dx + dy * dy);
+            double depth = art_clamp(1 - d / (1 - 0.4 * t), 0, 1);
+            put(s, x + i, y + j, 1.5 * depth * depth * (1 - 0.6 * t));
+        }
+    sparks(s, x, y, size, t, n, 5);
+}
+
+enum { FLARE = 64, FLARES = 6, RING = 64, WAVE = 144, RINGS = 8, SHINE = 48, PUFF = 20, PUFFS = 3, SWELL = 192 };
 
 struct sheet art_lights(void)
 {
-    struct sheet s = sheet_new(WAVE * RINGS, FLARE + RING + WAVE, 0);
+    struct sheet s = sheet_new(WAVE * RINGS, FLARE + RING + WAVE + SHINE + SWELL, 0);
 
     for (int i = 0; i < FLARES; i++)
         flare(&s, FLARE * i, 0, FLARE, (i + 0.2) / FLARES);
     for (int i = 0; i < RINGS; i++) {
         ring(&s, RING * i, FLARE, RING, (i + 0.4) / RINGS);
         ring(&s, WAVE * i, FLARE + RING, WAVE, (i + 0.4) / RINGS);
+    }
+    for (int i = 0; i < FLARES; i++) {
+        disc(&s, SHINE * i, FLARE + RING + WAVE, SHINE, (i + 0.2) / FLARES, true);
+        disc(&s, SWELL * i, FLARE + RING + WAVE + SHINE, SWELL, (i + 0.2) / FLARES, false);
+    }
+    for (int i = 0; i < PUFFS; i++) {
+        puff(&s, SHINE * FLARES + PUFF * i, FLARE + RING + WAVE, PUFF, (i + 0.1) / PUFFS, 0);
+        puff(&s, SHINE * FLARES + PUFF * (PUFFS + i), FLARE + RING + WAVE, PUFF, (i + 0.1) / PUFFS, 6);
     }
     return s;
 }

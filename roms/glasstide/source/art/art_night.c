@@ -21,7 +21,7 @@ static const struct mat WING = { VEIL, 2, 8, 0.0 }, DOWN = { MATTE, 3, 8, 0.16 }
 
 /* ---- the kite ---- */
 
-static void kite(struct sheet *s, int x, int frame)
+static void kite(struct sheet *s, int x, int y, int frame, double roll)
 {
     static const double wing[] = { 1.5, -5.0, 7.0, -1.6, 13.0, 5.4, 12.2, 7.4, 7.0, 6.0, 1.5, 7.6 };
     static const double band[] = { 7.6, 0.2, 10.0, 3.0, 9.2, 6.0, 6.4, 5.2 };
@@ -41,15 +41,16 @@ static void kite(struct sheet *s, int x, int frame)
     paint_poly(p, DYE, 4, crest, 0.8);
     paint_limb(p, CANE, 0, -3.6, 0.6, 0, 9.6, 0.6);
     paint_ball(p, LAMP, 0, 1.4, 2.6 + 0.3 * k, 3.2 + 0.3 * k, 0);
-    paint_done(p, s, x, 0, 1, 1);
+    paint_roll(p, roll);
+    paint_done(p, s, x, y, 1, 1);
 }
 
 struct sheet art_kite(void)
 {
-    struct sheet s = sheet_new(112, 36, 8);
+    struct sheet s = sheet_new(112, 108, 8);
 
-    for (int i = 0; i < 4; i++)
-        kite(&s, 28 * i, i);
+    for (int i = 0; i < 12; i++) /* level, banking to the left, to the right */
+        kite(&s, 28 * (i % 4), i / 4 * 36, i % 4, (const double[]){ 0, -1, 1 }[i / 4]);
     return s;
 }
 

@@ -500,6 +500,24 @@ static void outline(const struct sheet *from, struct sheet *to, int x0, int y0, 
     }
 }
 
+void paint_roll(struct paint *p, double roll)
+{
+    const int w = p->w * SS, h = p->h * SS;
+    struct sample *row = calloc((size_t)w, sizeof *row);
+    assert(row);
+    for (int y = 0; y < h; y++) {
+        memcpy(row, p->grid + y * w, (size_t)w * sizeof *row);
+        for (int x = 0; x < w; x++) {
+            double dx = x + 0.5 - w * 0.5, dip = dx * roll > 0 ? roll * roll : 0, side = dx * roll / (w * 0.5);
+            int from = (int)(w * 0.5 + dx / (1 - 0.38 * dip - 0.10 * (roll * roll - dip)));
+            struct sample *s = p->grid + y * w + x;
+            *s = from >= 0 && from < w ? row[from] : (struct sample){ 0 };
+            s->shade -= (float)(0.34 * side);
+        }
+    }
+    free(row);
+}
+
 void paint_done(struct paint *p, struct sheet *s, int x0, int y0, int rim, int bright)
 {
     struct sheet own = sheet_new(p->w, p->h, 0), part = sheet_new(p->w, p->h, 0);

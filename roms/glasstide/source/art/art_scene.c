@@ -1,61 +1,9 @@
 /*
- * art_scene.c - what is not alive: explosions, the sea floor, the reef at its sides, the title.
+ * art_scene.c - what is not alive: the sea floor, the reef at its sides, the title.
  */
 #include "art.h"
 
 #include <math.h>
-
-/* -- explosions: bank 14, 1 dark .. 15 white -- */
-
-/* Puffs thrown outward that burn from white to dark and are eaten from within; t runs from 0 to 1. */
-static void blast(struct sheet *s, int x, int y, int size, double t, int puffs, uint32_t seed)
-{
-    struct paint *p = paint_new(size, size);
-    double r = size * 0.5 - 1, ease = 1 - (1 - t) * (1 - t);
-    for (int ring = 0; ring < 2; ring++) {
-        for (int i = 0; i < puffs; i++) {
-            double a = (i + art_pick(&seed, 0.1, 0.9)) / puffs, far = art_pick(&seed, 0.42, 0.72) * (ring ? 0.55 : 1),
-                   big = art_pick(&seed, 0.22, 0.34);
-            double heat = 1.0 - t * (ring ? 0.95 : 1.15),
-                   grow = art_clamp(0.45 + t * 2.2, 0, 1) * art_clamp((1.06 - t) * 1.6, 0, 1);
-            int hi = 2 + (int)(art_clamp(heat, 0, 1) * 12.9), lo = hi > 4 ? hi - 3 : 1;
-            paint_ball(p, (struct mat){ MATTE, lo, hi, 0.2 }, art_cos(a) * far * r * ease, art_sin(a) * far * r * ease,
-                       big * r * grow, big * r * grow, 0);
-        }
-    }
-    if (t < 0.3)
-        paint_ball(p, (struct mat){ GLOW, 9, 15, 0.25 }, 0, 0, r * (0.35 + t * 1.5), r * (0.35 + t * 1.5), 0);
-    else if (t < 0.55)
-        paint_ball(p, (struct mat){ GLOW, 7, 13, 0.1 }, 0, 0, r * (0.8 - t), r * (0.8 - t), 0);
-    paint_done(p, s, x, y, 0, 0);
-}
-
-/* Long splinters that fly ahead of the fire. */
-static void splinters(struct sheet *s, int x, int y, int size, double t, int n, uint32_t seed)
-{
-    struct paint *p = paint_new(size, size);
-    double r = size * 0.5 - 1, ease = 1 - (1 - t) * (1 - t);
-    for (int i = 0; i < n; i++) {
-        double a = (i + art_pick(&seed, 0, 0.8)) / n, v = art_pick(&seed, 0.7, 1.0), d1 = r * v * ease,
-               d0 = d1 - r * 0.34 * (1 - t);
-        double wide = r * 0.055 * (1.1 - t), c = art_cos(a), q = art_sin(a);
-        paint_limb(p, (struct mat){ FLAT, 15 - (int)(t * 8), 15 - (int)(t * 8), 0 }, c * d0, q * d0, wide * 0.3, c * d1,
-                   q * d1, wide);
-    }
-    paint_done(p, s, x, y, 0, 0);
-}
-
-struct sheet art_blasts(void)
-{
-    struct sheet s = sheet_new(576, 104, 14);
-    for (int i = 0; i < 8; i++) {
-        blast(&s, 32 * i, 0, 32, (i + 0.5) / 8, 6, 7);
-        splinters(&s, 32 * i, 0, 32, (i + 0.5) / 8, 7, 40);
-        blast(&s, 72 * i, 32, 72, (i + 0.5) / 8, 11, 23);
-        splinters(&s, 72 * i, 32, 72, (i + 0.5) / 8, 13, 91);
-    }
-    return s;
-}
 
 /* -- the sea floor: bank 13; it repeats every 320 lines -- */
 

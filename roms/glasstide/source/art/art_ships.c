@@ -1,5 +1,5 @@
 /*
- * art_ships.c - the three craft and their options. Four frames: the flame breathes.
+ * art_ships.c - the three craft, level and banking, and their options. Four frames: the flame breathes.
  */
 #include "art.h"
 
@@ -8,7 +8,7 @@ static const struct mat TRIM = { MATTE, 10, 12, 0.10 }, FLAME = { GLOW, 12, 15, 
 
 static const double FLICKER[4] = { 0, 1.6, 0.6, 2.4 };
 
-static void heron(struct sheet *s, int x, int frame)
+static void heron(struct sheet *s, int x, int y, int frame, double roll)
 {
     static const double wing[] = { 2.5, -1, 6, 2.0, 11.6, 8.0, 11.6, 11.0, 9.0, 10.4, 4.5, 8.2, 2.5, 8 };
     static const double stripe[] = { 7.8, 4.3, 9.8, 6.2, 8.4, 9.6, 6.6, 8.8 };
@@ -30,10 +30,11 @@ static void heron(struct sheet *s, int x, int frame)
     paint_limb(p, HULL, 0, -4, 3.7, 0, 10.5, 2.6);
     paint_ball(p, CANOPY, 0, -4.6, 2.2, 4.6, 0);
     paint_limb(p, TRIM, 0, 3.6, 0.9, 0, 8.6, 0.7);
-    paint_done(p, s, x, 0, 1, 1);
+    paint_roll(p, roll);
+    paint_done(p, s, x, y, 1, 1);
 }
 
-static void petrel(struct sheet *s, int x, int frame)
+static void petrel(struct sheet *s, int x, int y, int frame, double roll)
 {
     static const double wing[] = { 1.5,  -3,   6.0, -2.6, 10.0, -5.4, 12.4, -11.0, 13.6,
                                    -5.0, 13.0, 1.6, 10.4, 6.8,  6.0,  9.6,  1.5,   10 };
@@ -52,11 +53,12 @@ static void petrel(struct sheet *s, int x, int frame)
     paint_limb(p, HULL, 0, -3, 3.9, 0, 8.4, 2.4);
     paint_ball(p, CANOPY, 0, -3.4, 2.3, 4.6, 0);
     paint_limb(p, TRIM, 0, 4.2, 0.9, 0, 8.0, 0.7);
-    paint_done(p, s, x, 0, 1, 1);
+    paint_roll(p, roll);
+    paint_done(p, s, x, y, 1, 1);
 }
 
 /* Long swept wings, a forked tail, and a lamp in the bow. */
-static void tern(struct sheet *s, int x, int frame)
+static void tern(struct sheet *s, int x, int y, int frame, double roll)
 {
     static const double wing[] = { 2, -6.5, 6.5, -4.6, 11.0, -0.6, 15.0, 6.8, 15.4, 10.4, 11.4, 6.4, 6.8, 3.6, 2, 3.4 };
     static const double edge[] = { 6.6, -3.4, 10.6, 0.4, 14.4, 7.4, 14.6, 9.0, 10.4, 3.4, 6.4, -0.6 };
@@ -76,7 +78,8 @@ static void tern(struct sheet *s, int x, int frame)
     paint_ball(p, CANOPY, 0, -3.0, 2.1, 4.2, 0);
     paint_ball(p, (struct mat){ GLOW, 13, 15, 0.2 }, 0, -12.6, 2.2, 2.6, 0);
     paint_limb(p, TRIM, 0, 3.8, 0.8, 0, 7.4, 0.6);
-    paint_done(p, s, x, 0, 1, 1);
+    paint_roll(p, roll);
+    paint_done(p, s, x, y, 1, 1);
 }
 
 /* An option is a bead of glass with two fins. */
@@ -93,11 +96,14 @@ static void option(struct sheet *s, int x, int y, int frame)
     paint_done(p, s, x, y, 1, 1);
 }
 
-static struct sheet craft(int bank, int wide, void (*draw)(struct sheet *, int, int))
+/* Below the options, the craft as it banks to the left and to the right. */
+static struct sheet craft(int bank, int wide, void (*draw)(struct sheet *, int, int, int, double))
 {
-    struct sheet s = sheet_new(4 * wide, 52, bank);
+    struct sheet s = sheet_new(4 * wide, 126, bank);
     for (int i = 0; i < 4; i++) {
-        draw(&s, wide * i, i);
+        draw(&s, wide * i, 0, i, 0);
+        draw(&s, wide * i, 54, i, -1);
+        draw(&s, wide * i, 90, i, 1);
         if (i < 2)
             option(&s, 14 * i, 38, i);
     }

@@ -1,11 +1,11 @@
 -- stages/three/queen.lua - the boss on the sea floor: the Queen of the Glass Tide, five phases and
 -- the one she returns with.
+local kinds = require "kinds"
 local sea = require "sea"
 local by = require "stages/three/by"
 local pace = require "stages/three/pace"
 local figures = require "stages/three/queen_figures"
 local meeting = require "stages/three/meeting"
-local fx = require "fx"
 local fast, soon = pace.fast, pace.soon
 
 local function wander(e, over)
@@ -249,7 +249,7 @@ local queen = {}
 -- Returns when she is broken. The first time, only her shell breaks.
 function queen.fight()
   boss.fight("queen")
-  if not stage.skipping() then wait(fx.COLLAPSE) end
+  if not stage.skipping() then wait(kinds.COLLAPSE) end
   returns = 0
   repeat
     broken = false
