@@ -23,9 +23,12 @@ return {
     star   = { sheet = "bullets", x = 0,   y = 16, w = 16, h = 16, frames = 4, every = 4 },
     pearl  = { sheet = "bullets", x = 64,  y = 32, w = 18, h = 18 },
     mist   = { sheet = "bullets", x = 0,   y = 64, w = 24, h = 24, frames = 4 },
-    dart   = { sheet = "shots",   x = 0,   y = 0,  w = 16, h = 16, rotations = 32 },
+    dart   = { sheet = "shots",   x = 0,   y = 16, w = 40, h = 40, rotations = 32 },
+    side   = { sheet = "shots",   x = 40,  y = 16, w = 22, h = 22, rotations = 32 },
     -- the ship and the enemies
     kite    = { sheet = "kite",     x = 0, y = 0,  w = 28,  h = 36, frames = 4, every = 5, origin = { 14, 19 } },
+    kite_left  = { sheet = "kite",  x = 0, y = 36, w = 28,  h = 36, frames = 4, every = 5, origin = { 14, 19 } },
+    kite_right = { sheet = "kite",  x = 0, y = 72, w = 28,  h = 36, frames = 4, every = 5, origin = { 14, 19 } },
     lantern = { sheet = "lanterns", x = 0, y = 0,  w = 24,  h = 34, frames = 4, every = 7, origin = { 12, 16 } },
     moth    = { sheet = "lanterns", x = 0, y = 34, w = 40,  h = 32, frames = 4, every = 5 },
     drum    = { sheet = "lanterns", x = 0, y = 66, w = 40,  h = 56, frames = 4, every = 9 },

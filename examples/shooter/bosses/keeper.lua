@@ -1,21 +1,7 @@
 -- bosses/keeper.lua - the boss: two phases, the second a spell card.
 enemy.def("keeper", { sprite = "keeper", hit = { box = { 44, 56 } }, score = 50000, spark = "glint",
   blink = 8, blink_soft = true,
-  on_hit = function(e) sound.play("chip", { from = e }) end,
-  on_death = function(e)
-    local x, y = e.x, e.y -- copied: e has been removed by the time the task runs
-    screen.shake { size = 5, over = 80 }
-    sound.play("burst")
-    task.go(function()
-      for i = 1, 12 do
-        local dx, dy = 40 * angle.cos(137 * i), 30 * angle.sin(137 * i)
-        spark.burst { kind = "shock", x = x + dx, y = y + dy, speed = 0 }
-        spark.burst { kind = "crumb", x = x + dx, y = y + dy, n = 14, speed = 3 }
-        wait(6)
-      end
-      screen.flash { over = 30, share = 0.6 }
-    end)
-  end })
+  on_hit = fx.hit, on_death = function(e) fx.collapse { from = e, sprite = "keeper", radius = 40 } end })
 
 -- Like lanterns in the wind: they slow down, hang there, and fly on.
 motion.def { name = "hang", { speed = 0.25, over = 50 }, { wait = 40 }, { speed = 2.2, over = 60 } }
