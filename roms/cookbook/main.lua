@@ -19,7 +19,7 @@ local pages = {
   "spread_shot", "homing_shot", "pierce", "laser_shot", "charge_shot", "reflect", "shield", "options",
   "trail_options", "orbit_options", "bomb", "deathbomb", "rank", "gauge", "chain", "shower", "cancel",
   -- Screen effects
-  "floor", "parallax", "blast", "palette_cycle", "echoes", "spell_name",
+  "floor", "parallax", "blast", "impact", "palette_cycle", "echoes", "spell_name",
 }
 for i, name in ipairs(pages) do pages[i] = { name = name, recipe = require("recipes/" .. name) } end
 
