@@ -12,7 +12,7 @@ compare() { # WHAT ROM MODE
         python3 "$repo/tests/golden/png.py" "$picture" "$dir/$(basename "$picture")" difference.png >why 2>&1 ||
             { not_ok "$2/$(basename "$picture") is what $1 draws" "$(cat why)"; return; }
     done
-    same "$2 has no picture that $1 does not draw" "$(ls "$repo/$2/art")" "$(ls "$dir")"
+    same "$2 has no picture that $1 does not draw" "$(cd "$repo/$2/art" && ls -- *.png)" "$(ls "$dir")"
 }
 
 parts() { # WHAT MODE DIR PICTURE...: these pictures of a folder are what the program draws in this mode
