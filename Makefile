@@ -140,11 +140,11 @@ clean:
 	rm -rf build
 
 # ---- programs ----
-
 $(OUT)/%.o: %.c
 	$(compile)
 
 $(OUT)/src/player/command_help.o $(OUT)/lib/src/player/command_help.o: ALL_C += '-DCURTAIN_CFLAGS="$(SEMANTIC) $(OPT) $(HARDEN_C) $(CFLAGS)"'
+$(foreach d,args play replays screens settings,$(OUT)/lib/src/player/$(d)/%.o): ALL_C += $(OPT:-O2=-Os) # exports stay small
 $(OUT)/platform/sdl2.o: ALL_C += $(patsubst -I%,-isystem %,$(SDL_C))
 # Clang's -O3 unrolls the loops of sound, which is slower than -O2; gcc is told so in the files, clang has no such words.
 $(OUT)/src/sound/%.o: ALL_C += $(if $(findstring clang,$(CC)),$(patsubst -O3,-O2,$(filter -O3,$(OPT))))
