@@ -3,7 +3,8 @@
 local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local page = sys.read("menu/page")
 
-local MIN <const>, MAX <const> = 3, 8 -- letters of a name
+local MAX <const> = 8 -- letters of a name
+local NAMELESS <const> = "NO NAME" -- of a player who chooses none
 local SECONDS = 60
 local BLINK <const> = 20 -- frames
 local WIDEST = 26 -- cells of a column
@@ -66,9 +67,17 @@ local function put_plate(e, row)
   }
 end
 
--- Ends a name, unless no letter was chosen yet, or the other player's press may be meant.
+-- The numbers of a name's characters.
+local function signs_of(name)
+  local signs = {}
+  for c in name:gmatch(".") do signs[#signs + 1] = NUMBERS[c] or 0 end
+  return signs
+end
+
+-- Ends a name, unless the other player's press may be meant.
 local function finish(e)
-  if e.untouched or e.wait > 0 then return sys.cue("wrong") end
+  if e.wait > 0 then return sys.cue("wrong") end
+  if e.untouched then e.signs = signs_of(NAMELESS) end
   e.done = true
 end
 
@@ -124,7 +133,7 @@ local function name_of(e)
   local s = ""
   for _, n in ipairs(e.signs) do s = s .. sign(n) end
   s = s:match("^ *(.-) *$")
-  return s .. ("A"):rep(MIN - #s)
+  return (e.untouched or s == "") and NAMELESS or s
 end
 
 local function begin(entries)
@@ -133,7 +142,8 @@ local function begin(entries)
     local col, cols = page.column(i, #entries, WIDEST)
     local e = { p = entry.p, points = entry.points, rank = entry.rank, signs = { 0 }, col = col, cols = cols, wait = 0 }
     e.last = save.get(SAVES[e.p])
-    for k = 1, e.last and #e.last or 0 do e.signs[k] = NUMBERS[e.last:sub(k, k)] or 0 end
+    if e.last == NAMELESS then e.last = nil end
+    if e.last then e.signs = signs_of(e.last) end
     e.typed, e.untouched, list[i] = e.last ~= nil, not e.last, e
   end
   return list
@@ -164,7 +174,7 @@ local function step(list, row, age)
   return done
 end
 
--- entries: { p, points, rank? } of each player who enters a name. Returns a list of names, of 3 to 8 characters. When the
+-- entries: { p, points, rank? } of each player who enters a name. Returns a list of names, of 1 to 8 characters. When the
 -- time is over, the names are taken as they are.
 return function(entries)
   local list, names = begin(entries), {}
@@ -177,7 +187,9 @@ return function(entries)
       page.foot(KEYS)
     end
     if age % 60 == 0 then
-      page.centre(page.bottom - (page.low and 2 or 1.5), text.lang("Time: %d s"):format(SECONDS - age // 60), hud.banks.plain)
+      local foot = page.bottom - (page.low and 2 or 1.5)
+      page.clear(foot, 1)
+      page.centre(foot, text.lang("Time: %d s"):format(SECONDS - age // 60), hud.banks.plain)
     end
     if step(list, row, age) then break end
     wait(1)
