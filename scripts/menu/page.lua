@@ -11,6 +11,7 @@ local BLINK = 16     -- frames that the arrow keeps its colour
 local GROWING = 8    -- frames in which a window grows
 local DIM = 0.45     -- share of black behind a page
 local BANNER = 6     -- rows of the HUD's banner
+local FOOT = hud.rows - (hud.full and 1.25 or 1.5) -- the row of what the buttons do, below the program's band
 
 local RIGHT, UP, DOWN = hud.glyph(140, ">"), hud.glyph(150, "^"), hud.glyph(151, "v")
 local LINE, FIRST, LAST, JEWEL = hud.glyph(141, "-"), hud.glyph(142, "-"), hud.glyph(143, "-"), hud.glyph(144, "-")
@@ -177,8 +178,8 @@ function page.foot(keys)
     local longer = (s == "" and "" or s .. "  ") .. name .. ": " .. meaning
     if name ~= meaning and sys.cells(longer) <= page.cols - 2 then s = longer end
   end
-  page.clear(page.rows - 1.5, 1)
-  page.centre(page.rows - 1.5, s, hud.banks.faint)
+  page.clear(FOOT, 1)
+  page.centre(FOOT, s, hud.banks.faint)
 end
 
 -- Returns whether a page that is `age` frames old and has n rows is still opening.
@@ -198,7 +199,7 @@ end
 -- as that of capitals, so that these are in its middle.
 function page.bar(col, row, cols, gap, front)
   return sprite.plate {
-    x = col * 8, y = row * 8, w = cols * 8, h = gap > 1 and 15 or 11, stay = true, bank = hud.banks.bright,
+    x = col * 8, y = row * 8, w = cols * 8, h = gap <= 1 and 11 or hud.full and 17 or 15, stay = true, bank = hud.banks.bright,
     front = front,
   }
 end
@@ -207,7 +208,7 @@ local CAPITALS <const> = 7 -- height of capitals, px
 
 function page.glide(bar, row, at_once)
   if not bar.alive then return end
-  local to = row * 8 - (bar.h - CAPITALS) // 2
+  local to = row * 8 - (bar.h - CAPITALS) // 2 + (hud.full and 1 or 0) -- full-width letters are 1 px lower
   local way = to - bar.y
   bar.y = (at_once or way * way < 1) and to or bar.y + way / 3
 end

@@ -17,9 +17,10 @@ local function draw(r, row, age)
     page.centre(row + 2, measure(r.by, r.value), hud.banks.bright)
   else
     page.centre(row, r.goal, hud.banks.plain, page.col + 2, page.cols - 4)
-    page.centre(row + 2.75, text.lang(r.reason) .. "  " .. r.progress, hud.banks.bright)
+    page.centre(row + 1.75, r.reason, hud.banks.plain)
+    page.centre(row + 3.5, r.progress, hud.banks.bright)
   end
-  row = row + 4
+  row = row + (r.done and 4 or 5.25)
   if r.new then
     page.centre(row, "New Best", hud.banks.bright)
   elseif r.best then
@@ -27,8 +28,8 @@ local function draw(r, row, age)
   end
 end
 
--- r: mission, title, goal (its text), reason (why it failed), progress, done, by and value (what is measured), stars, new (whether it is the
--- best), best. Returns "again" or "list".
+-- r: mission, title, goal (its text), reason (why it failed), progress, done, by and value (what is measured), stars,
+-- new (whether it is the best), best. Returns "again" or "list".
 return function(r)
   local h = 16
   local top = page.row + math.max(3, (page.rows - h) // 3)

@@ -29,7 +29,7 @@ local COL <const> = page.col + (page.cols - WIDTH) // 2
 local TURN <const> = 120 -- frames that one-line rows show names, then ships if the table has several, then how far the
                          -- runs got
 local TALL <const> = 2.5 -- rows of cells that a row of two lines takes
-local BELOW <const> = hud.full and 1.25 or 1.125 -- and from its first line to its second
+local BELOW <const> = 1.125 -- and from its first line to its second
 
 -- Draws row i of a table. what: "name", "ship", "far" or "all".
 local function draw_row(i, r, row, bank, marked, what)
@@ -56,7 +56,7 @@ local function table_page(name, rows, mark, many)
     draw = function(row, room, age)
       if not rows[1] then return page.centre(row + room // 3, "No scores yet.", hud.banks.plain) end
       local gap = math.max(1, math.min(TALL, room * 4 // RANKS / 4))
-      local views = gap == TALL and { "all" } or many and { "name", "ship", "far" } or { "name", "far" }
+      local views = gap == TALL and not hud.full and { "all" } or many and { "name", "ship", "far" } or { "name", "far" }
       local what = views[age // TURN % #views + 1]
       for i = 1, RANKS do
         local r = rows[i]
