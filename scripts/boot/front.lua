@@ -210,7 +210,7 @@ end
 -- Shows the title and what is chosen there until a run starts. Returns the run. last: the mission that was played
 -- before; the list of missions is shown first.
 return function(a, show, last)
-  local what, players, from = last and "missions", 1, nil -- from: the entry of the menu that the player returns from
+  local what, players, from = last and "missions", 1, a.played and "start" or nil -- from: the entry of the menu that the player returns from
   while true do
     if not last then
       local back = a.opened == nil and sys.at_title() -- from the program's settings or a replay: no opening
@@ -226,6 +226,7 @@ return function(a, show, last)
     elseif what == "start" then
       local choice = choose(a, show, players or 1, {})
       local mode = choice and find_mode(a, choice.mode)
+      a.played = choice and true or a.played
       if choice then return { mode = mode.name, stages = mode.stages, ships = choice.ships } end
     elseif what == "missions" then
       local run = choose_mission(a, show, a.mission)

@@ -55,8 +55,9 @@ end
 
 -- What the buttons do. The button that a page is about starts its picture again.
 local function keys_of(p, is_last)
-  local keys = { "right", is_last and "Done" or "Next", "left", "Back" }
+  local keys = { "right", is_last and "Done" or "Next", "left", "Previous" }
   if p.button then table.move({ p.button, text.lang(p.title) }, 1, 2, #keys + 1, keys) end
+  if p.button ~= "bomb" then table.move(page.BACK, 1, 2, #keys + 1, keys) end
   return keys
 end
 

@@ -121,8 +121,6 @@ static void through_all(int w, int h, int field_w, int players)
     press(PAD_START, 0);
     soon("Enter Your Name", 60);
     frames(20);
-    press(PAD_START, PAD_START); /* nobody has chosen a letter */
-    gone("Ready");
     press(PAD_UP, PAD_FIRE);
     press(PAD_FIRE, PAD_FIRE);
     press(PAD_FIRE, PAD_FIRE);
@@ -141,9 +139,7 @@ static void through_all(int w, int h, int field_w, int players)
     soon("Quit to Title", 10);
     press(PAD_DOWN, 0);
     press(PAD_FIRE, 0);
-    soon("Press Start", 400);
-    press(PAD_START, 0);
-    soon("Scores", 20);
+    soon("Scores", 400); /* in the title's menu */
     close_game();
 }
 
@@ -155,7 +151,7 @@ TEST(all)
     through_all(640, 448, 384, 2);
 }
 
-/* Retry after a game plays it again with the same choices; back leads to the title. */
+/* Retry after a game plays it again with the same choices; back leads to the title's menu. */
 TEST(retry)
 {
     open_sized(run_all, 240, 320, 240, 1);
@@ -169,7 +165,7 @@ TEST(retry)
     soon("Restart", 2000);
     frames(10);
     press(PAD_BOMB, 0);
-    soon("Press Start", 20);
+    soon("Settings", 20); /* in the title's menu */
     close_game();
 }
 
@@ -181,7 +177,10 @@ TEST(three_presses)
     soon("Restart", 2000);
     frames(10);
     press(PAD_BOMB, 0);
-    soon("Press Start", 20);
+    soon("Settings", 20);
+    frames(20);
+    press(PAD_BOMB, 0);
+    soon("Press Start", 60);
     press(PAD_START, 0);
     frames(20);
     press(PAD_START, 0);
@@ -225,14 +224,14 @@ TEST(keys)
     press(PAD_UP, 0);
     press(PAD_FIRE, 0);
     soon("< Move >", 10);
-    expect_keys("right Next, left Back");
+    expect_keys("right Next, left Previous, bomb Back");
     press(PAD_RIGHT, 0);
     soon("< Fire >", 10);
-    expect_keys("right Next, left Back, fire Fire");
+    expect_keys("right Next, left Previous, fire Fire, bomb Back");
     press(PAD_RIGHT, 0);
     soon("< Focus >", 10);
-    expect_keys("right Next, left Back, focus Focus");
-    assert_true(at("Right: Next  Left: Back") >= 0 && at("Focus: Focus") < 0);
+    expect_keys("right Next, left Previous, focus Focus, bomb Back");
+    assert_true(at("Right: Next  Left: Previous") >= 0 && at("Focus: Focus") < 0);
     close_game();
 }
 
@@ -360,7 +359,7 @@ TEST(how_to_play)
     soon("3/3", 10);
     frames(60);
     assert_true(r.b->player.bomb_left[0] > 0);
-    expect_keys("right Done, left Back, bomb Bomb");
+    expect_keys("right Done, left Previous, bomb Bomb");
     press(PAD_BOMB, 0); /* the button that the page is about leaves no page */
     frames(20);
     assert_true(at("3/3") >= 0 && r.b->player.in_game[0]);
@@ -396,7 +395,7 @@ TEST(leaving)
     assert_int_equal(r.b->player.score[0], 0);
     send(CODE_QUIT);
     assert_false(inspect_pause(r.b).is_listening);
-    soon("Press Start", 60);
+    soon("Settings", 60);
     assert_int_equal(r.b->player.in_game[0], 0);
     send(CODE_RESTART); /* nobody listens */
     press(0, 0);
@@ -413,7 +412,7 @@ TEST(leaving)
     assert_int_equal(r.b->player.in_game[0], 1);
     soon("Continue?", 600);
     send(CODE_QUIT);
-    soon("Press Start", 60);
+    soon("Settings", 60);
     close_game();
 }
 

@@ -71,7 +71,7 @@ wait(300)
 --> name 1 1 500 1
 --> scores normal 360 1
 --> again true
---> title 600 7 start nil
+--> title 600 7 start start
 
 --case: an opening comes before the title and again where nobody came; the first ending that holds is shown
 local rounds = 0
