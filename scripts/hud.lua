@@ -297,10 +297,7 @@ local KINDS <const> = {
     return { label = "", make = function() return i .. "P" end, get = function() return i end }
   end,
   points = function(i) return { label = "", make = tostring, get = function() return hud.score(i) end, size = 2 } end,
-  best = function()
-    if sys.practice() == "" then return { label = text.lang("HI"), short = "HI", make = points, get = hud.best } end
-    return { label = "", make = function() return text.lang("PRACTICE") end, get = function() return 1 end }
-  end,
+  best = function() return { label = text.lang("HI"), short = "HI", make = points, get = hud.best } end,
   lives = function(i)
     local function make(n, cols) return n < 0 and text.lang("OUT") or icons(LIFE, n, cols) end
     local function get() return player.get(i).lives or players > 1 and OUT or 0 end

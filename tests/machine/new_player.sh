@@ -52,9 +52,10 @@ way() {
     rows Down down 3
     step 'the question' 'Quit? A replay .*' z south || return
     rows Down down 1
-    step 'the title' 'PRESS START' z south || return
-    press Return start
+    step 'the menu of the title again' 'HOW TO PLAY' z south || return
     rows Up up 1
+    step 'the question' 'Quit the game?' z south || return
+    rows Down down 1
     # The program ends before it could say that it has seen the switch.
     if [ $device = keys ]; then xdotool key z; else echo 'down 1 south' >>"$pads_script"; fi
     arrive "press $((presses + 1)): the program has ended" has_exited

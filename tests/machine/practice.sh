@@ -60,16 +60,16 @@ check 'without an attempt there is no file' test ! -e "$file"
 
 # ---- trying ----
 
-# She flies in for 60 frames and breaks after 20: the second try begins in frame 84 or so.
+# She flies in for 60 frames and breaks after 20; the result is shown for 75: the second try begins in frame 160 or so.
 tried 'a try that is broken off' '0 1 normal queen/weak' < <(keys 20; weak; keys 40)
-tried 'a try that is won, and the next one begins by itself' '1 2 normal queen/weak' < <(keys 20; weak; keys 100)
+tried 'a try that is won, and the next one begins by itself' '1 2 normal queen/weak' < <(keys 20; weak; keys 180)
 tried 'the second phase' '0 1 normal queen/strong' < <(keys 20; press $F2; choose $DOWN $DOWN $DOWN; keys 40)
 tried 'again, and again: each is a try' '1 4 normal queen/weak' \
-    < <(keys 20; weak; keys 40; press $R; keys 30; press $R; keys 100)
-tried 'a death, and the phase is no capture' '0 2 normal queen/weak' < <(keys 20; weak; keys 20; keys 1 $C; keys 100)
-tried 'a stage, from its start' '1 2 normal one' < <(keys 20; press $F2 $Z; keys 100)
-tried 'and from a mark' '2 3 normal one:late' < <(keys 20; press $F2; choose $DOWN; keys 100)
-tried 'started from the command line' '1 2 hard queen/weak' --stage queen/weak --difficulty hard < <(keys 100)
+    < <(keys 20; weak; keys 40; press $R; keys 30; press $R; keys 180)
+tried 'a death, and the phase is no capture' '0 2 normal queen/weak' < <(keys 20; weak; keys 20; keys 1 $C; keys 180)
+tried 'a stage, from its start' '1 2 normal one' < <(keys 20; press $F2 $Z; keys 180)
+tried 'and from a mark' '2 3 normal one:late' < <(keys 20; press $F2; choose $DOWN; keys 256)
+tried 'started from the command line' '1 2 hard queen/weak' --stage queen/weak --difficulty hard < <(keys 180)
 tried 'another difficulty, chosen in the menu' '0 1 hard one' \
     < <(keys 20; press $F2 $DOWN $DOWN $RIGHT $UP $UP $Z; keys 40)
 
@@ -79,10 +79,10 @@ same 'again is the same from its first frame on' "$(part out 34 73)" "$(part out
 # ---- what does not count ----
 
 tried 'invincible' '' \
-    < <(keys 20; press $F2 $UP $UP $UP $RIGHT $DOWN $DOWN $DOWN; choose $DOWN $DOWN; keys 100)
+    < <(keys 20; press $F2 $UP $UP $UP $RIGHT $DOWN $DOWN $DOWN; choose $DOWN $DOWN; keys 180)
 tried 'after time ran backwards' '0 1 normal queen/weak' < <(keys 20; weak; keys 30; keys 5 $BACKSPACE; keys 150)
 tried 'but the next try does' '1 3 normal queen/weak' \
-    < <(keys 20; weak; keys 30; keys 5 $BACKSPACE; keys 50; press $R; keys 100)
+    < <(keys 20; weak; keys 30; keys 5 $BACKSPACE; keys 50; press $R; keys 180)
 "$curtain" hash g --stage queen/weak --frames 120 --record one.demo >/dev/null 2>&1
 rm -rf data
 { keys 20; press $F2; keys 120; } | plays out --demo one.demo
@@ -93,10 +93,10 @@ check 'a demo' test ! -e "$file"
 rm -rf data
 mkdir -p data/curtain
 printf 'practice 1\n# mine\n7 9 normal queen/weak\n1 1 easy one\n' >"$file"
-{ keys 20; weak; keys 100; } | play
+{ keys 20; weak; keys 180; } | play
 same 'they count on' $'practice 1\n# mine\n8 11 normal queen/weak\n1 1 easy one' "$(cat "$file")"
 printf 'practice 1\n9 7 normal queen/weak\n' >"$file"
-{ keys 20; weak; keys 100; } | play
+{ keys 20; weak; keys 180; } | play
 same 'a damaged file is reported' "curtain: $scratch/$file: line 2: expected CAPTURES ATTEMPTS DIFFICULTY MARK; \
 attempts are not counted, and the file is not changed" "$(cat err)"
 same 'and left alone' $'practice 1\n9 7 normal queen/weak' "$(cat "$file")"
@@ -104,9 +104,9 @@ same 'and left alone' $'practice 1\n9 7 normal queen/weak' "$(cat "$file")"
 # ---- scores ----
 
 rm -rf data
-keys 100 | play
+keys 180 | play
 cp data/curtain/probe.nv before.nv
-{ weak; keys 100; } | play
+{ weak; keys 180; } | play
 check 'practice saves no scores' cmp data/curtain/probe.nv before.nv
 keys 60 | plays with --seed 5 --stage queen/weak
 rm -rf data

@@ -220,7 +220,8 @@ static void set_hint(struct play *play, struct button_hint *hint, const char *ac
 }
 
 /* Fills in the hints on buttons: of a replay, of an attract demo, of a page, while a name is typed, and in a run until
- * one has been finished. Returns how many there are; 0: none, or something else is shown. */
+ * one has been finished; and what is shown, if that is no run. Returns how many there are; 0: none, or something else
+ * is shown. */
 static int list_hints(struct play *play, bool covered, struct button_hint hint[MAX_KEY_HINTS])
 {
     const struct board_out *out = board_last_output(play_board(play));
@@ -228,8 +229,10 @@ static int list_hints(struct play *play, bool covered, struct button_hint hint[M
     const bool typing = typist >= 0 && !play->config.keys.device[typist].is_controller;
     int n = 0;
 
-    if (play_is_watching(play) && (play->replay.hint_frames || play->time.paused)) {
+    if (play_is_watching(play)) {
         set_hint(play, &hint[n++], "", "Replay");
+        if (!play->replay.hint_frames && !play->time.paused)
+            return n;
         set_hint(play, &hint[n++], "p1.start", "Pause");
         set_hint(play, &hint[n++], "p1.bomb", "Back");
         return n;
@@ -245,6 +248,8 @@ static int list_hints(struct play *play, bool covered, struct button_hint hint[M
         return 0;
     for (int i = 0; i < out->key_hint_count; i++)
         n = add_hint(hint, n, cap_of_hint(play, &out->key_hint[i], typing), out->key_hint[i].meaning);
+    if (n == 0 && play->start.practice.section[0] && board_frame(play_board(play)) < REPLAY_HINT_FRAMES)
+        set_hint(play, &hint[n++], "", "Practice");
     return n;
 }
 
@@ -258,13 +263,13 @@ struct overlay_layout {
     int y0, y1;                  /* rows that are free for panels */
 };
 
-/* Draws hints over the picture, above row `end`; those of a demo leave the rest of the row free, where the HUD is.
+/* Draws hints over the picture, above row `end`; titles leave the rest of the row free, where the HUD is.
  * Returns the first of their rows. */
-static int draw_hints_above(struct play *play, struct overlay_layout *o, int end)
+static int draw_hints_above(struct overlay_layout *o, int end)
 {
-    const bool is_demo = play->attract.on || play_is_watching(play);
+    const bool has_title = o->hint[0].cap[0].label[0] == '\0';
 
-    button_hints_draw(&o->picture, end - BUTTON_HINTS_HEIGHT, is_demo ? 0 : o->picture.fb->w, o->hint, o->hints);
+    button_hints_draw(&o->picture, end - BUTTON_HINTS_HEIGHT, has_title ? 0 : o->picture.fb->w, o->hint, o->hints);
     return end - BUTTON_HINTS_HEIGHT;
 }
 
@@ -309,7 +314,7 @@ static void draw_over_picture(struct play *play, struct overlay_layout *o)
     o->y1 = console_draw(&play->console, canvas) - (bar ? TIMEBAR_H : 0);
     o->y0 = o->page ? draw_page(play, canvas) : 0;
     if (o->hints && !play->console.open && (!bar || play_is_watching(play)))
-        o->y1 = draw_hints_above(play, o, o->y1);
+        o->y1 = draw_hints_above(o, o->y1);
     if (o->text[0])
         o->y1 = message_draw_above(canvas, o->y1, o->text);
     if (play->session.state != SESSION_PLAYING)
@@ -324,7 +329,7 @@ static void draw_in_side(struct play *play, struct overlay_layout *o)
     o->y1 = console_draw(&play->console, canvas);
     o->y0 = o->text[0] ? message_draw(canvas, 0, o->text) : 0;
     if (o->hints)
-        draw_hints_above(play, o, o->picture.fb->h - (play_timebar_shown(play) ? TIMEBAR_H : 0));
+        draw_hints_above(o, o->picture.fb->h - (play_timebar_shown(play) ? TIMEBAR_H : 0));
     if (play->session.state != SESSION_PLAYING) {
         draw_progress(play, canvas, o->y0 + 1);
         o->y0 += 3;

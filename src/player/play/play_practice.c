@@ -146,16 +146,27 @@ void play_practice_keys(struct play *play, const struct keys_state *k)
     }
 }
 
+static void start_practice(void *context)
+{
+    struct play *play = context;
+    struct board_start start;
+
+    practice_chosen(&play->practice, &start);
+    power_again(play, start);
+}
+
+/* Asks first if a run would be lost. */
 void play_practice_poll(struct play *play)
 {
     struct practice_menu *menu = &play->practice;
-    struct board_start start;
 
     play_set_speed(play, menu->speed);
     play->overlay.on[OVERLAY_HITBOXES] = menu->hitbox;
     if (!menu->start_chosen)
         return;
     menu->start_chosen = false;
-    practice_chosen(menu, &start);
-    power_again(play, start);
+    if (play_has_run(play) && !play->start.practice.section[0])
+        screens_ask(&play->screens, "Practise? This run ends.", "Practice", start_practice, play);
+    else
+        start_practice(play);
 }

@@ -335,18 +335,18 @@ static void list_details(struct play *play, const struct replay_meta *c, char *t
         add_line(play, text, size, NULL, versions[play->replay_list.version]);
 }
 
-/* Joins lines by commas, as far as they fit `width` px. */
+/* Joins lines by two spaces, as far as they fit `width` px. */
 static void join_lines(const struct canvas *canvas, char *text, int width)
 {
     char *start = text;
 
     for (char *end; (end = strchr(start, '\n')) != NULL && end[1]; start = end + 1) {
         char joined[SCREEN_TEXT], *next = strchr(end + 1, '\n');
-        snprintf(joined, sizeof joined, "%.*s, %.*s", (int)(end - start), start, (int)(next - end - 1), end + 1);
+        snprintf(joined, sizeof joined, "%.*s  %.*s", (int)(end - start), start, (int)(next - end - 1), end + 1);
         if (canvas_large_text_width(canvas, joined) > width)
             continue;
         memmove(end + 2, end + 1, strlen(end + 1) + 1);
-        memcpy(end, ", ", 2);
+        memcpy(end, "  ", 2);
         end = start - 1; /* the longer line may take another one */
     }
 }

@@ -255,7 +255,7 @@ static const char *const texts[] = {
     "Resume",
     "Resume Runs",
     "Resumed before.",
-    "Retry",
+    "Retry Section",
     "Rewind",
     "Rewind: frame %d",
     "Right",
