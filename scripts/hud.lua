@@ -16,35 +16,35 @@ hud.large = sys.large_hud() -- the player chose larger letters for scores, lives
 -- The character with this code (128 or more), or `plain` if the font has no picture for it.
 function hud.glyph(code, plain) return sys.glyph(code) and string.char(code) or plain end
 
--- Whether the language of the run, by its name, has full-width letters that need more than a cell.
-hud.full = sys.cells(text.lang("name")) > sys.cells(text.lang("name"), true)
+-- Has s full-width letters that need more than a cell?
+local function has_full(s) return 2 * sys.cells(s) > sys.cells(s, 2) end
 
--- Writes s at a column and a row, which may be fractions of a cell. size: 1 to 3 cells a letter. small: full-width
--- letters of size 1 take one cell, as in the HUD's rows.
-function hud.put(col, row, s, bank, size, small)
+hud.full = has_full(text.lang("name")) -- the language of the run has such letters, by its name
+
+-- Writes s at a column and a row, which may be fractions of a cell. size: 1 to 3 cells a letter.
+function hud.put(col, row, s, bank, size)
   if row < 0 or row >= hud.rows or col < 0 or col >= hud.cols or s == "" then return end
-  text.put { col = col, row = row, text = s, bank = bank or hud.banks.plain, rim = true, size = size,
-             full_width = not small }
+  text.put { col = col, row = row, text = s, bank = bank or hud.banks.plain, rim = true, size = size, full_width = true }
 end
 
 -- Breaks s into lines of at most `width` cells, between words if possible. Also returns how many lines end inside a
--- word.
-function hud.wrap(s, width, small)
-  if #s <= width then return { s }, 0 end
-  return sys.wrap(s, width, small)
+-- word. size: of the letters, by default 1.
+function hud.wrap(s, width, size)
+  if #s * (size or 1) <= width then return { s }, 0 end
+  return sys.wrap(s, width, size)
 end
 
 -- The same, into lines of nearly equal length.
-function hud.balance(s, width, small)
-  local lines, fewest = hud.wrap(s, width, small)
-  local longest = 1
+function hud.balance(s, width, size)
+  local lines, fewest = hud.wrap(s, width, size)
+  local longest = size or 1
   if #lines == 1 then return lines end
   for word in s:gmatch("%S+") do
-    local n = sys.cells(word, small)
+    local n = sys.cells(word, size)
     if n <= width then longest = math.max(longest, n) end
   end
-  for narrower = width - 1, longest, -1 do
-    local tried, broken = hud.wrap(s, narrower, small)
+  for narrower = width - (size or 1), longest, -(size or 1) do
+    local tried, broken = hud.wrap(s, narrower, size)
     if #tried > #lines then break end
     if broken <= fewest then lines, fewest = tried, broken end
   end
@@ -58,6 +58,11 @@ local MARGIN <const> = 1 -- columns free on each side of a banner
 local FEW <const> = 6    -- up to this many icons are drawn; more are drawn as an icon and a number
 local BEAT <const> = 8   -- frames that a full bar stays in each of its two colours
 local LIFE, STAR = hud.glyph(137, "*"), hud.glyph(138, "*")
+
+-- Returns the px from one line of text to the next. size: of the letters. s: all there is in the line, if known.
+function hud.pitch(size, s)
+  return size == 1 and hud.full and (not s or has_full(s)) and FULL_PITCH or PITCH + 8 * (size - 1)
+end
 
 local SCREEN <const> = { col = 0, cols = hud.cols }
 local FIELD <const> = { col = (rom.view.x + 7) // 8 }
@@ -73,6 +78,8 @@ local WIDTH <const> = room > 10 and room - 2 or PANEL and 9 or FIELD.cols - 2
 local TOP <const> = PANEL and 8 or rom.view.y + 4 -- px
 
 hud.field, hud.panel = FIELD, PANEL
+hud.declared = (rom.view.y + rom.view.h * 5 // 8) // 8 * 8 -- px: the top of a spell's name when it is declared
+local DECLARED_END <const> = hud.declared + 46 -- px: below three lines of it, and a rule
 
 local BEST_COLS <const> = 12              -- "HI 000000000"
 local CLOCK_COLS <const> = 4              -- a boss's clock: two digits of size 2
@@ -80,14 +87,13 @@ local HISTORY_COLS, BONUS_COLS = 14, 13   -- "CAPTURED 12/34", "BONUS 0001234"
 local LIVES_COLS <const> = 4              -- in a panel
 local LOW_COLS <const> = math.min(12, FIELD.cols // 2 - 1)
 local NEAR_EVERY <const> = 8              -- frames from one look for ships near the rows to the next
-local LOW_BAR, LOW_BAR_ALONE = 3, 5       -- a bar at the lower edge, next to its label or below it, ends before a ship
-                                          -- at its start in a narrow field
+local LOW_BAR <const> = LOW_COLS * 2 // 3 -- a bar at the lower edge ends before a ship at its start in a narrow field
 local STACKED <const> = PANEL or WIDTH < 2 * BEST_COLS + 1 -- two scores do not fit in a row
 
 -- A panel's rows for the boss are at its lower end: the clock and 2 px, three rows for the name and the bar or two for
 -- each bar of a cast, three for the spell, and the history and the bonus.
 local PANEL_END <const> = rom.screen.h - 6 -- px
-local function boss_height(bars) return 18 + PITCH * (math.max(3, 2 * bars) + 5) end
+local function boss_height(bars) return 18 + hud.pitch(1) * (math.max(3, 2 * bars) + 5) end
 local ROWS_END <const> = PANEL and PANEL_END - boss_height(2) or FIELD_BOTTOM - rom.view.h // 2 -- of the players' rows
 
 -- The players' rows, by layout and number of players: what is at the left, in the middle and at the right. The digit is
@@ -103,7 +109,7 @@ local ROWS <const> = {
       { "lives2", false, "graze2" }, { "registers2" }, {} },
   },
   large_over = { -- large scores, lives and icons; the other rows give way to them
-    { { false, "best" }, { "score1" }, { "lives1", false, "graze1" } },
+    { { "best" }, { "score1" }, { "lives1", false, "graze1" } },
     { { false, "best" }, { "score1" }, { "score2" }, { "lives1", false, "lives2" } },
   },
   large_stacked = {
@@ -118,6 +124,7 @@ local playing = false               -- the rows are drawn
 local GROUPS <const> = { "top1", "top2", "top3", "boss", "low1", "low2" }
 local last_score = {}               -- by player: the score of a player who is out cannot be read
 local record = 0                    -- the best score of the table
+local note, note_bank               -- what the game shows in place of that
 local is_large = false              -- the rows are those of a larger HUD,
 local all_fit = true                -- and there is room for all
 local items = {}                    -- what the players' rows show: place, label, get, make, low, size of its letters;
@@ -132,11 +139,7 @@ local banner_row = 0                -- the first row of cells below all rows
 local banner                        -- lines; area, row and h: its cells; ends: the clock when it is removed
 local again                         -- everything has to be drawn
 
--- The cells of text in the HUD's rows.
-local function cells(s) return sys.cells(s, true) end
-
--- Returns the px from one line of text to the next. size: of the letters.
-function hud.pitch(size) return size == 1 and hud.full and FULL_PITCH or PITCH + 8 * (size - 1) end
+local cells = sys.cells
 
 -- Puts s, translated, in the middle of `cols` columns from `first`; by default of the field during play, otherwise of
 -- the screen. Long text is wrapped. size: of the letters. Returns the first row of cells below it.
@@ -145,10 +148,10 @@ function hud.centre(row, s, bank, first, cols, size)
   local area = playing and FIELD or SCREEN
   first, cols = first or area.col, cols or first and hud.cols or area.cols
   size = size or 1
-  local lines = hud.balance(text.lang(s), math.max(1, cols // size), size > 1)
+  local lines = hud.balance(text.lang(s), math.max(size, cols), size)
   local pitch = hud.pitch(size)
   for i, line in ipairs(lines) do
-    hud.put(first + math.max(0, cols - size * sys.cells(line, size > 1)) / 2, row + (i - 1) * pitch / 8, line, bank, size)
+    hud.put(first + math.max(0, cols - sys.cells(line, size)) / 2, row + (i - 1) * pitch / 8, line, bank, size)
   end
   return row + ((#lines - 1) * pitch + 15) // 8
 end
@@ -189,12 +192,13 @@ local function place(col, y, cols, align, size)
 end
 
 local function write(p)
-  if p.text and not (p.group and p.group.hidden) then hud.put(p.left, p.y / 8, p.text, p.bank, p.size, true) end
+  if p.text and not (p.group and p.group.hidden) then hud.put(p.left, p.y / 8, p.text, p.bank, p.size) end
 end
 
 local function wipe(p)
   if not p.text or p.group and p.group.hidden then return end
-  text.clear { col = p.col, row = p.y // 8, w = p.cols, h = p.size }
+  local col = math.min(p.col, p.left // 1)
+  text.clear { col = col, row = p.y // 8, w = p.col + p.cols - col, h = p.size }
 end
 
 -- Replaces the text of a place. size: of its letters from now on, if given.
@@ -202,9 +206,9 @@ function hud.show(p, s, bank, size)
   if p.text == s and p.bank == bank and p.size == (size or p.size) then return end
   wipe(p)
   p.size = size or p.size
-  p.text, p.bank, p.width = s ~= "" and s or nil, bank, p.size * cells(s)
-  local free = math.max(0, p.cols - p.width)
-  p.left = p.col + (p.align == "right" and free or p.align == "middle" and free / 2 or 0)
+  p.text, p.bank, p.width = s ~= "" and s or nil, bank, cells(s, p.size)
+  local free = p.cols - p.width
+  p.left = p.col + (p.align == "left" and 0 or p.align == "middle" and free / 2 or free)
   write(p)
 end
 
@@ -228,21 +232,22 @@ end
 
 -- A function that returns the places of rows, one below the other.
 local function rows_from(y)
-  return function(align)
-    y = y + PITCH
-    return place(LEFT, y - PITCH, WIDTH, align)
+  return function(align, pitch)
+    pitch = pitch or hud.pitch(1)
+    y = y + pitch
+    return place(LEFT, y - pitch, WIDTH, align)
   end
 end
 
 local function boss_over_field(names, pips)
   local row, cols = rows_from(rows_end), WIDTH - CLOCK_COLS - 1
   local at = { bars = {}, name = {}, spell = {} }
-  at.clock = place(LEFT + WIDTH - CLOCK_COLS, rows_end + 1, CLOCK_COLS, "right", 2)
+  at.clock = place(LEFT + WIDTH - CLOCK_COLS, rows_end + 2, CLOCK_COLS, "right", 2)
   at.pips = place(LEFT + cols - pips, rows_end, pips, "right")
   local label = 0
   for _, name in ipairs(names) do label = math.min(math.max(label, cells(name) + 1), cols // 2) end
   for i = 1, math.max(1, #names) do
-    local y = row().y
+    local y = row(nil, #names == 0 and PITCH).y
     local free = i == 1 and pips > 0 and pips + 1 or 0
     at.bars[i] = { name = place(LEFT, y, label - 1, "left"), bar = place(LEFT + label, y, cols - label - free, "left") }
   end
@@ -291,20 +296,26 @@ local OUT <const> = -1 -- lives of a player who is out while another plays
 -- size: of the letters in a larger HUD.
 local KINDS <const> = {
   score = function(i)
-    return { label = i .. "P", make = points, get = function() return hud.score(i) end, size = 2 }
+    return { label = i .. "P", cols = BEST_COLS, make = points, get = function() return hud.score(i) end, size = 2 }
   end,
   name = function(i)
     return { label = "", make = function() return i .. "P" end, get = function() return i end }
   end,
   points = function(i) return { label = "", make = tostring, get = function() return hud.score(i) end, size = 2 } end,
-  best = function() return { label = text.lang("HI"), short = "HI", make = points, get = hud.best } end,
+  best = function()
+    local function make(value, cols) return value == note and value or points(value, cols) end
+    local function get() return note or hud.best(), note_bank end
+    return { label = text.lang("HI"), short = "HI", make = make, get = get,
+             size = players == 1 and not STACKED and 2 or nil }
+  end,
   lives = function(i)
-    local function make(n, cols) return n < 0 and text.lang("OUT") or icons(LIFE, n, cols) end
+    local out = players > 1 and text.lang("OUT") or ""
+    local function make(n, cols) return n < 0 and out or icons(LIFE, n, cols) end
     local function get() return player.get(i).lives or players > 1 and OUT or 0 end
-    return { label = "", make = make, get = get, size = 2 }
+    return { label = "", words = out, make = make, get = get, size = 2 }
   end,
   graze = function(i)
-    return { label = text.lang(hud.graze), short = STAR, make = tostring, size = not STACKED and 2 or nil,
+    return { label = text.lang(hud.graze), short = STAR, make = tostring, size = not (STACKED or hud.full) and 2 or nil,
              get = function() return player.get(i).grazes or 0 end }
   end,
 }
@@ -327,7 +338,7 @@ local function register_item(i, r)
   local item = { label = label, player = i, register = r, size = r.show == "icons" and 2 or nil }
   function item.make(n, cols)
     local rest = item.label == "" and 0 or cells(item.label) + 1
-    return SHOWN[r.show](r, n, cols - rest, item.low and (rest > 0 and LOW_BAR or LOW_BAR_ALONE) or 8)
+    return SHOWN[r.show](r, n, cols - rest, item.low and LOW_BAR or 8)
   end
   function item.get()
     local n = sys.value(i, r.name, r.run)
@@ -349,6 +360,7 @@ function hud.register(i, name)
 end
 
 local function size_of(item) return item and is_large and item.size or 1 end
+local function pitch_of(item) return item and hud.pitch(size_of(item), item.words or item.label) or 0 end
 
 -- Adds an item in a place. size: of the largest letters in its row.
 local function add_item(item, p, size, group)
@@ -362,7 +374,7 @@ end
 -- Gives the parts of a row their places at y and adds them. Returns the y of the next row.
 local function add_row(y, left, middle, right)
   local size = math.max(size_of(left), size_of(middle), size_of(right))
-  local below = y + PITCH + 8 * (size - 1)
+  local below = y + math.max(pitch_of(left), pitch_of(middle), pitch_of(right))
   if below > ROWS_END then -- not shown
     all_fit = false
     return y
@@ -370,7 +382,7 @@ local function add_row(y, left, middle, right)
   local alone = not middle and right == nil
   local cols = alone and WIDTH or (WIDTH - (middle and BEST_COLS + 2 or 1)) // 2
   local left_cols, right_cols = cols, cols
-  if STACKED and not alone then
+  if not alone and (STACKED or left and left.cols) then
     left_cols = math.max(LIVES_COLS, left.cols or 0)
     right_cols = WIDTH - left_cols - 1
   elseif right and right.label ~= "" and size_of(right) > 1 then
@@ -392,8 +404,11 @@ end
 local function take_label(item)
   local label = item.label
   item.label = ""
-  return { label = "", cols = cells(label), make = function() return label end,
-           get = function() return item.get() and label end }
+  local function get()
+    local value, bank = item.get()
+    return value and label, bank
+  end
+  return { label = "", words = label, cols = cells(label), make = function() return label end, get = get }
 end
 
 -- Two registers in a row if their labels leave room for values.
@@ -449,15 +464,15 @@ local function add_low_rows(i, list)
   groups["low" .. i] = { places = {}, hidden = false, own = { left = col, width = LOW_COLS, y = y, size = hud.low } }
   local function add(item)
     local size = size_of(item)
-    y = y - PITCH - 8 * (size - 1)
+    y = y - pitch_of(item)
     local p = place(col, y, LOW_COLS, i == 1 and "left" or "right")
     item.low = true
     add_item(item, p, size, "low" .. i)
   end
   for _, item in ipairs(list) do
     -- A large label is above its large value, below the name of a spell that is declared.
-    local alone = is_large and players == 1 and y - 2 * (PITCH + 8) > FIELD_BOTTOM - rom.view.h // 4
-    local apart = alone or players == 2 and item.register.show == "bar"
+    local alone = is_large and players == 1 and y - 2 * hud.pitch(2) >= DECLARED_END
+    local apart = alone or item.register.show == "bar"
     local label = apart and item.label ~= "" and take_label(item)
     if alone then item.size = 2 end
     add(item)
@@ -515,15 +530,15 @@ local function hide_near_ships()
   update_gone()
 end
 
--- Shows an item's value, in the largest letters that leave room for its label.
+-- Shows an item's value, in the largest letters that leave room for its label. A note has no label.
 local function show_item(item, value, bank)
-  local size, label = size_of(item), item.label == "" and 0 or cells(item.label) + 1
+  local size, label = size_of(item), value == note and "" or item.label
   local words = item.make(value, item.place.cols // size)
-  if label + cells(words) > item.place.cols // size then
+  if cells(label == "" and "" or label .. " ", size) + cells(words, size) > item.place.cols then
     size = 1
     words = item.make(value, item.place.cols)
   end
-  hud.show(item.place, hud.labelled(item.place, item.label, words, item.short, size), bank, size)
+  hud.show(item.place, hud.labelled(item.place, label, words, item.short, size), bank, size)
 end
 
 -- Text is made only when a value has changed.
@@ -566,6 +581,12 @@ function sys.hide_rows(all, shown)
   draw_items()
   boss.draw(hidden.all > 0, false, hidden.low > 0)
   if panel and panel.alive then panel.hidden = hidden.all > 0 end
+end
+
+-- Shows a text, such as a clock or how far a goal is reached, in place of the best score; nil: the score again.
+function hud.note(s, bank)
+  if s ~= nil and type(s) ~= "string" then sys.fail("hud.note", "text: expected a string or nil") end
+  note, note_bank = s, s and bank
 end
 
 -- Shows lines in the middle of the field, or from a row on, for a number of frames. Without lines, removes them. size:
@@ -625,7 +646,7 @@ function hud.start(owner, n)
   sys.show_whole(false)
   local top = score.rows(board.difficulty())[1]
   players, playing, last_score, record = n, true, {}, top and top.score or 0
-  hidden, banner, again = { low = 0, all = 0 }, nil, true
+  hidden, banner, again, note, note_bank = { low = 0, all = 0 }, nil, true, nil, nil
   lay_out(hud.large)
   if is_large and not all_fit then lay_out(false) end
   banner_row = PANEL and 0 or (boss_over_field({ "", "" }, 0).bonus.y + PITCH + 7) // 8

@@ -1,8 +1,7 @@
--- clock.lua - the clock at the bottom of the screen, for timed modes.
+-- clock.lua - the clock of timed modes, in place of the best score.
 local clock = {}
 
 local OFTEN <const> = 6 -- frames between updates, a tenth of a second
-clock.ROW = hud.rows - 2.5 -- above the mark of the boss's position
 
 -- Formats frames as minutes, seconds and hundredths.
 function clock.text(frames)
@@ -13,20 +12,17 @@ end
 -- Below `alarm` frames it uses the alarm colour. While f() is nil, it shows nothing.
 function clock.show(f, alarm)
   local t = task.go(function()
-    local there = false
     while true do
       local frames = f()
-      if frames then
-        hud.centre(clock.ROW, clock.text(frames),
-                   frames < (alarm or 0) and hud.banks.alarm or hud.banks.bright)
-      elseif there then
-        text.clear { col = 8, row = clock.ROW // 1, w = hud.cols - 16, h = 1 }
-      end
-      there = frames ~= nil
+      hud.note(frames and clock.text(frames),
+               frames and frames < (alarm or 0) and hud.banks.alarm or hud.banks.bright)
       wait(OFTEN)
     end
   end)
-  return setmetatable({}, { __close = function() task.stop(t) end })
+  return setmetatable({}, { __close = function()
+    task.stop(t)
+    hud.note()
+  end })
 end
 
 return clock

@@ -1,9 +1,6 @@
 -- boot/mission.lua - plays a mission and shows its result, until the player stops retrying.
 local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 
-local ROW <const> = (rom.view.y + rom.view.h) // 8 - 2
-local COL <const>, COLS <const> = (rom.view.x + 7) // 8, rom.view.w // 8
-local AGAIN <const> = 30    -- frames after which the progress is written again, because a stage's mark clears the screen
 local FEW <const> = 10 * 60 -- frames left from which on the clock is in the alarm colour
 
 -- Returns the value that a goal or a measure counts, of the player or of the run.
@@ -53,27 +50,21 @@ local function progress(m, p, age)
   return table.concat(words, "  "), left and left <= FEW
 end
 
-local function clear() text.clear { col = COL, row = ROW, w = COLS, h = 1 } end
-
--- Writes the progress if it changed. Returns it.
-local function draw(m, p, age, seen)
+local function draw(m, p, age)
   local words, late = progress(m, p, age)
-  if words == seen and age % AGAIN > 0 then return words end
-  clear()
-  hud.put(COL + (COLS - sys.cells(words)) / 2, ROW, words, late and hud.banks.alarm or hud.banks.bright)
-  return words
+  hud.note(words ~= "" and words or nil, late and hud.banks.alarm or hud.banks.bright)
 end
 
 -- Watches a mission until it is over. Returns whether the goal was reached, the frames it took, why it failed, and the
 -- most that the first goal's count had.
 local function watch(m, game, stopped)
-  local p, age, cleared, seen = player.get(1), 0, nil, nil
+  local p, age, cleared = player.get(1), 0, nil
   local first, most = first_goal(m), 0
   local piece = m.start(game, function(won) cleared = won end)
   local stop <close> = setmetatable({}, { __close = function() task.stop(piece) end })
   while not stopped() do
     local is_reached = reached(m, p, age)
-    seen = draw(m, p, age, seen)
+    draw(m, p, age)
     most = first and math.max(most, count(first, p, age)) or most
     if m.bombs and sys.missions.bombed > m.bombs then
       return false, age, m.bombs == 0 and "You used a bomb" or "Too many bombs", most
@@ -124,7 +115,6 @@ local function try(m, run, host)
     host.quieten()
     hud.banner()
     task.stop(game) -- the HUD would write over the result
-    clear()
     sys.cue(done and "mission" or "failed")
     answer = host.show("mission", result)
   end

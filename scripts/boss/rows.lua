@@ -17,8 +17,8 @@ local TYPED <const>, STAYS <const> = 14, 36
 local SLIDES <const> = hud.panel and 0 or 30
 local READ <const>, FADES <const> = 120, 12 -- in its place, faint at last
 local COL <const>, COLS <const> = hud.field.col + 1, hud.field.cols - 2
-local DECLARED <const> = (rom.view.y + rom.view.h * 5 // 8) // 8 * 8 -- px: the top of a declared name
-local VERDICT <const> = 7                                         -- rows from a verdict's first row to DECLARED
+local DECLARED <const> = hud.declared
+local VERDICT <const> = 7 -- rows from a verdict's first row to DECLARED
 
 local at                   -- the places of the rows; nil: nothing is shown
 local bars = {}            -- of the phase: e, full and place
@@ -43,8 +43,8 @@ end
 
 -- The lines of s for rows of the HUD. If it is too long, without the part before its colon.
 local function fit(places, s)
-  local lines = hud.wrap(s, places[1].cols, true)
-  return #lines > #places and hud.wrap(s:match(":%s*(.+)") or s, places[1].cols, true) or lines
+  local lines = hud.wrap(s, places[1].cols)
+  return #lines > #places and hud.wrap(s:match(":%s*(.+)") or s, places[1].cols) or lines
 end
 
 local function show_lines(places, s, bank)
@@ -141,14 +141,14 @@ local function lay_out(b)
   show_lines(at.name, title)
   for i, bar in ipairs(bars) do
     local places = at.bars[i]
-    if places and names[i] then hud.show(places.name, hud.wrap(names[i], places.name.cols, true)[1]) end
+    if places and names[i] then hud.show(places.name, hud.wrap(names[i], places.name.cols)[1]) end
     bar.place = places and places.bar
   end
   if not name then return end
   spell = lines_of(name)
   spell.name, spell.size = name, hud.full and 1 or 2 -- large letters if they fit; not kanji of 8 px
   for _, line in ipairs(spell) do
-    if 2 * sys.cells(line, true) > COLS then spell.size = 1 end
+    if sys.cells(line, 2) > COLS then spell.size = 1 end
   end
   local tries, captures = sys.history(b.boss.name, phase.id, 0)
   spell.history = tries > 0 and ("%d/%d"):format(captures, tries)
@@ -193,16 +193,16 @@ local function draw_name(age)
   if not changed("name", y * 64 + math.min(age, TYPED)) then return end
   wipe_name()
   local declared = age <= STAYS
-  local size, small = declared and spell.size or 1, not declared or spell.size > 1
+  local size = declared and spell.size or 1
   local pitch = hud.pitch(size)
   spell.row, spell.h = y // 8, (y + pitch * (#lines - 1)) // 8 - y // 8 + size
   spell.col, spell.w = COL, COLS
   for i, line in ipairs(lines) do
-    local middle, last = COL + (COLS - size * sys.cells(line, small)) / 2, at.spell[1].col
+    local middle, last = COL + (COLS - sys.cells(line, size)) / 2, at.spell[1].col
     local col = (last * 8 + math.floor((middle - last) * 8 * left)) / 8
-    if age > STAYS then spell.col, spell.w = math.floor(col), sys.cells(line, true) + 1 end -- other rows are next to it
+    if age > STAYS then spell.col, spell.w = math.floor(col), math.ceil(sys.cells(line)) + 1 end -- other rows are next to it
     if age < TYPED then line = first(line, utf8.len(line) * age // TYPED) end
-    hud.put(col, y / 8 + (i - 1) * pitch / 8, line, hud.banks.bright, size, small)
+    hud.put(col, y / 8 + (i - 1) * pitch / 8, line, hud.banks.bright, size)
   end
 end
 

@@ -47,7 +47,7 @@ end
 
 -- Returns the lines of the name and their size: 2 if its words fit in two lines, otherwise 1, as for full-width letters.
 local function lines_of(name)
-  local lines = hud.wrap(name, (COLS - 2) // 2, true)
+  local lines = hud.wrap(name, COLS - 2, 2)
   local whole = table.concat(lines, " ") == name and #lines <= 2
   if whole and not hud.full then return lines, 2 end
   return hud.wrap(name, COLS - 2), 1
@@ -69,7 +69,7 @@ local function draw_card(card, age)
   local row = card.row + 3
   if card.epithet then row = hud.centre(row, card.epithet, hud.banks.plain, COL, COLS) + 1 end
   for _, line in ipairs(card.lines) do
-    hud.put(COL + (COLS - card.size * sys.cells(line, card.size > 1)) // 2, row, line, hud.banks.bright, card.size)
+    hud.put(COL + (COLS - sys.cells(line, card.size)) // 2, row, line, hud.banks.bright, card.size)
     row = row + card.size + 1
   end
 end

@@ -116,12 +116,12 @@ TEST(low)
     row_is(44, 1, "DEEP 7                DEEP 7");
     row_is(54, -1, "");
     row_is(284, 1, "GLASS                  GLASS"); /* above its bar, which the ships at their start don't cover */
-    row_is(294, 1, "-----                  -----");
+    row_is(294, 1, "--------            --------");
     row_is(274, 1, "x1.25                  x1.25");
     row_is(264, -1, "");
     assert_int_equal(style_at(294, 1), 2 | FIX_RIM);
     rig_run(&r, 3);
-    row_is(294, 1, "===--                  -----");
+    row_is(294, 1, "====----            --------");
     assert_int_equal(style_at(294, 1), 5 | FIX_RIM);
     row_is(264, 25, "C 12");
     rig_run(&r, 4);
@@ -181,24 +181,25 @@ TEST(shy)
         "  b = { start = 100, show = 'times', at = 'low', label = '' } } })\n"
         "string.sys.join(1, 'p') hud.shy, hud.graze = 8, 'NEAR' hud.start(string.sys.scope(), 1)\n"
         "local p = player.get(1) task.go(function() wait(16) p.x, p.y = 60, 300 wait(16) p.x = 115 wait(16) p.x = 120\n"
-        "  wait(16) p.x, p.b = 60, 101 wait(16) p.y = 267 wait(16) p.y = 10 wait(16) p.x = 200 wait(16) p.y = 60 end)";
+        "  wait(16) p.x, p.b = 60, 101 wait(16) p.y = 257 wait(16) p.y = 10 wait(16) p.x = 200 wait(16) p.y = 60 end)";
 
     open_with(NULL, text);
     rig_run(&r, 15);
     row_is(14, 1, "**                    NEAR 0");
-    row_is(294, 1, "GLASS ---");
-    row_is(284, -1, ""); /* a factor of 1 is not shown */
+    row_is(294, 1, "--------");
+    row_is(284, 1, "GLASS");
+    row_is(274, -1, ""); /* a factor of 1 is not shown */
     rig_run(&r, 16);
     row_is(294, -1, "");
     rig_run(&r, 16);
     row_is(294, -1, ""); /* it returns a little later than it is hidden */
     rig_run(&r, 16);
-    row_is(294, 1, "GLASS ---");
+    row_is(294, 1, "--------");
     rig_run(&r, 16);
     row_is(294, -1, "");
     rig_run(&r, 16);
-    row_is(294, 1, "GLASS ---");
-    row_is(284, 1, "x1.01");
+    row_is(294, 1, "--------");
+    row_is(274, 1, "x1.01");
     rig_run(&r, 16);
     row_is(4, 17, "HI 000000000");
     row_is(14, 23, "NEAR 0");
@@ -364,7 +365,7 @@ TEST(failed)
     open_spell(NULL, "local p = player.get(1) p.x, p.y = e.x, e.y wait(1) p.x, p.y = 20, 28 wait(60) p.y = 90");
     rig_run(&r, 170); /* the ship is over the boss's rows */
     row_is(24, 1, "======--------------- * 1100");
-    row_is(33, 25, "1100");
+    row_is(34, 25, "1100");
     row_is(44, -1, "");
     rig_run(&r, 60);
     row_is(34, 1, "GLASS SIGN                99");
@@ -508,7 +509,7 @@ TEST(hidden)
         rig_run(&r, 3);
         assert_int_equal(r.b->screen.shows_whole, 0);
         row_is(y, col, score);
-        row_is(panel ? 44 : 294, col, "GLASS ---");
+        row_is(panel ? 44 : 294, col, panel ? "GLASS ---" : "--------");
         rig_run(&r, 4);
         row_is(y, panel ? -1 : col, panel ? "" : score);
         row_is(panel ? 44 : 294, -1, "");
@@ -603,14 +604,14 @@ TEST(larger)
              ships);
     open_with(&m, text);
     rig_run(&r, 1);
-    row_is(4, 9, "HI 000000000");
-    row_is(14, 1, "11PP  000000000000000000");
-    assert_int_equal(style_at(14, 1), 2 | FIX_RIM | FIX_DOUBLE);
-    row_is(32, 1, "****          GGRRAAZZEE  00");
-    row_is(50, 1, "BBOOMMBBSS  ******");
-    row_is(68, 1, "COINS 12       HEAT ====----");
+    row_is(4, 1, "HHII  000000000000000000");
+    row_is(22, 1, "11PP  000000000000000000");
+    assert_int_equal(style_at(22, 1), 2 | FIX_RIM | FIX_DOUBLE);
+    row_is(40, 1, "****          GGRRAAZZEE  00");
+    row_is(58, 1, "BBOOMMBBSS  ******");
+    row_is(76, 1, "COINS 12       HEAT ====----");
     rig_run(&r, 8);
-    row_is(50, 1, "BBOOMMBBSS  **xx99");
+    row_is(58, 1, "BBOOMMBBSS  **xx99");
     m.screen_w = 320;
     m.screen_h = m.field_h = 240;
     m.field_w = 200;

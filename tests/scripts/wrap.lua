@@ -43,7 +43,7 @@ show('弾幕弾幕弾幕弾幕弾', 8)
 show('弾幕弾幕弾 a', 3)
 show('弾a幕b', 5)
 show('弾a幕b', 4)
-print(table.concat(hud.wrap('弾幕弾 a', 3, true), '|'))
+print(table.concat(hud.wrap('弾幕弾 a', 6, 2), '|'))
 --> 弾幕|弾幕|弾|a
 --> 弾a幕b
 --> 弾|a幕b

@@ -82,7 +82,7 @@ stage.def("caravan", function()
   end
   task.stop(road)
   if stage.skipping() then return end
-  hud.centre(clock.ROW, clock.text(0), hud.banks.alarm)
+  hud.note(clock.text(0), hud.banks.alarm)
   player.each(function(p) p.safe = 200 end)
   bullet.clear { all = true, spark = "pop" }
   enemy.each(nil, function(e)
@@ -93,7 +93,7 @@ stage.def("caravan", function()
   pay()
   wait(180)
   text.clear { col = 0, row = 6, w = hud.cols, h = 1 }
-  text.clear { col = 8, row = clock.ROW // 1, w = hud.cols - 16, h = 1 }
+  hud.note()
 end, { music = "caravan" })
 
 return caravan

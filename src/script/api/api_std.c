@@ -610,6 +610,8 @@ static const struct api_doc_name doc_names[] = {
     { "hud.rows", HELP("height of the screen in cells of 8 px") },
     { "hud.banner(lines?, frames?)",
       HELP("shows a banner, a list of texts in the middle of the field; without `lines`, removes the banner") },
+    { "hud.note(text?, bank?)",
+      HELP("shows a text, such as a clock, in place of the best score; without `text`, the best score again") },
     { "hud.centre(row, text, bank?, first?, cols?)",
       HELP("translates a text and centres it on the field during play, otherwise on the screen, or in `cols` cells "
            "from column `first`; wraps a text that is too long; returns the row below the text") },

@@ -130,16 +130,16 @@ static int sys_covers(lua_State *L, struct board *b, struct api_value *v)
     return 2;
 }
 
-/* Optional in sys.cells and sys.wrap: the text is written by text.put without `full_width`. */
-#define SMALL_PARAM DEFAULT("small", A_BOOL, "false", "full-width letters take one cell, not `screen.full_width`")
+/* Of the letters, in sys.cells and sys.wrap. text.put writes only those of size 1 `screen.full_width` px wide. */
+#define SIZE_PARAM PARAM("size", A_INT, OPT, 1, 3, "cells", "1", "of the letters")
 
-static int full_width_of(const struct board *b, const struct api_value *small)
+static int full_width_of(const struct board *b, const struct api_value *size)
 {
-    return small->i ? FIX_CELL_SIZE : b->cart.manifest.full_width;
+    return size->i > 1 ? FIX_CELL_SIZE : b->cart.manifest.full_width;
 }
 
-enum { CELLS_TEXT, CELLS_SMALL };
-static const struct api_param sys_cells_params[] = { REQUIRED("text", A_STR, ""), SMALL_PARAM };
+enum { CELLS_TEXT, CELLS_SIZE };
+static const struct api_param sys_cells_params[] = { REQUIRED("text", A_STR, ""), SIZE_PARAM };
 
 static int sys_count_cells(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -147,7 +147,7 @@ static int sys_count_cells(lua_State *L, struct board *b, struct api_value *v)
     const char *s = lua_tolstring(L, v[CELLS_TEXT].at, &n);
 
     vm_charge(L, n / 8);
-    const size_t width = fix_text_width(s, n, full_width_of(b, &v[CELLS_SMALL]));
+    const size_t width = fix_text_width(s, n, full_width_of(b, &v[CELLS_SIZE])) * (size_t)v[CELLS_SIZE].i;
     if (width % FIX_CELL_SIZE)
         lua_pushnumber(L, (lua_Number)width / FIX_CELL_SIZE);
     else
@@ -155,10 +155,10 @@ static int sys_count_cells(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-enum { WRAP_TEXT, WRAP_WIDTH, WRAP_SMALL };
+enum { WRAP_TEXT, WRAP_WIDTH, WRAP_SIZE };
 static const struct api_param sys_wrap_params[] = { REQUIRED("text", A_STR, ""),
                                                     PARAM("width", A_NUM, REQ, 1, MAX_TEXT, "cells", NULL, ""),
-                                                    SMALL_PARAM };
+                                                    SIZE_PARAM };
 
 /* The width of a row and of its full-width letters, px. */
 struct measure {
@@ -198,7 +198,8 @@ static int advance_of(const void *font, uint32_t code)
 static int sys_wrap_text(lua_State *L, struct board *b, struct api_value *v)
 {
     static const char blanks[] = " \t\n\v\f\r";
-    const struct measure m = { (size_t)(v[WRAP_WIDTH].n * FIX_CELL_SIZE), full_width_of(b, &v[WRAP_SMALL]) };
+    const struct measure m = { (size_t)(v[WRAP_WIDTH].n * FIX_CELL_SIZE / (lua_Number)v[WRAP_SIZE].i),
+                               full_width_of(b, &v[WRAP_SIZE]) };
     size_t n, bytes, fitting;
     lua_Integer broken = 0;
     const char *s = lua_tolstring(L, v[WRAP_TEXT].at, &n), *end = s + n;
