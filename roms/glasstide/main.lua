@@ -9,8 +9,10 @@ require "stages/two"
 require "stages/three"
 require "stages/rush"
 require "stages/caravan"
+require "stages/lesson"
 require "unlocks"
 require "missions"
+require "scores"
 local moon = require "stages/moon"
 local sea = require "sea"
 local craft = require "players/craft"
@@ -65,7 +67,7 @@ boot.run { modes = {
     { name = "caravan", stages = { "caravan" }, text = "Score all you can in two minutes." },
     { name = "rush", stages = { "rush" }, needs = "rush", text = "Beat every boss against the clock." } },
   opening = require "opening",
-  players = { "heron", "petrel", "tern" }, demo = "attract",
+  players = { "heron", "petrel", "tern" }, continues = 3, demo = "attract",
   difficulties = { easy = "Calm water.", normal = "The tide as it comes.",
                    hard = "Every wave is higher.",
                    abyss = "Nobody came back." },

@@ -6,6 +6,9 @@ local function dive(name, title, text, m)
   mission.def(name, m)
 end
 
+dive("lesson", "First Breath", "Learn to focus, graze, take prisms and bomb.",
+  { stage = "lesson", difficulty = "normal", clear = true, lives = 9, medals = { 60 * S, 45 * S } })
+
 -- ---- the shallows ----
 
 dive("first_light", "First Light", "Make a chain of 20 before the wreck.",

@@ -1,6 +1,6 @@
 -- rank.lua - the rank, 0 to 100, a register of the run. It rises over time and with each phase won,
 -- and falls with each phase lost, death or bomb. Only waves and the bosses' non-spell phases use
--- it.
+-- it. A DIP switch shows it.
 local rank = {}
 
 local START <const>, MOST <const> = 20, 100
@@ -8,7 +8,8 @@ local EVERY <const> = 300      -- frames for each rise by one
 local FASTER <const> = 0.15    -- most increase of a speed
 local SOONER <const> = 0.2     -- most reduction of a pause
 
-game.def { registers = { rank = { start = START, max = MOST, drain = -1, every = EVERY },
+game.def { registers = { rank = { start = START, max = MOST, drain = -1, every = EVERY,
+                                  show = board.dip("rank") == "shown" and "number" or "none" },
                          minions = { show = "none" } } } -- minions killed in the current phase of a boss
 
 local function rise(by) game.rank = math.max(0, game.rank + by) end

@@ -406,7 +406,8 @@ local rom = {
     staff   = { file = "music/staff.mml", volume = 0.49 },
     scores  = { file = "music/scores.mml", volume = 0.59 },
   },
-  dip = { lamps = { "glass", "gilt", "ember" } }, -- the colour of the craft, once unlocked
+  dip = { lamps = { "glass", "gilt", "ember" }, -- the colour of the craft, once unlocked
+          rank = { "hidden", "shown" } },       -- in the HUD
   difficulties = { "easy", "normal", "hard", "abyss" }, difficulty = "normal",
   players = 2, extends = { 200000, 600000, 1500000, 4000000 },
 }

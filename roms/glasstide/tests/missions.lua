@@ -10,7 +10,8 @@ local run = test.run { seed = 5, frames = 60 }
 tap(run, "start", 60) -- from the opening to the list
 for _ = 1, 3 do tap(run, "down") end
 tap(run, "fire", 40) -- the missions
-tap(run, "fire", 40) -- the first, First Light
+tap(run, "down") -- from the lesson
+tap(run, "fire", 40) -- to First Light
 tap(run, "fire", 60) -- on normal, with the heron and darts
 test.equal(run:eval "player.get(1).kind", "heron")
 test.equal(run:eval "player.get(1).lives", 0, "one life")

@@ -398,7 +398,7 @@ static int score_enter(lua_State *L, struct board *b, struct api_value *v)
         return api_error(L, "score.enter", NVRAM_FULL_MESSAGE, b->cart.manifest.nvram_kib);
     if (r < 0)
         return lua_pushnil(L), 1;
-    if (!board_is_listing(b))
+    if (!board_is_listing(b) && !b->vm.loading) /* scores to beat are no part of a run */
         board_add_marker(b, MARKER_ROW, table, row.ship, "", r + 1);
     lua_pushinteger(L, r + 1);
     return 1;
