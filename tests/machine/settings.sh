@@ -124,4 +124,18 @@ convert -size 40x40 xc:red full.png
 refuse 'a border without a hole is refused' 'art/border.png: the border has no hole' bad full.png
 same 'a wrong setting is reported' 'turn: expected none, left, right or over, got "up"' \
     "$(settings 'turn = up'; ./player play g </dev/null 2>&1 | grep -o 'turn: .*')"
+# A DIP switch is set in the menu, and the game restarts with it.
+game own <<'LUA'
+print("coins: " .. board.dip("coins"))
+task.go(function() board.ask("settings") end)
+LUA
+sed -i 's/^  board =/  dip = { coins = { "free", "one" } },\n&/' own/rom.lua
+rm -rf data
+{
+    keys 20; press $DOWN $DOWN $DOWN $DOWN $ENTER; keys 4; press $RIGHT $ESCAPE $ESCAPE
+    keys 4; press $DOWN $ENTER; keys 20
+} >script
+./player play own --no-resume <script >out 2>err
+check 'a switch is saved' grep -qx 'dip.probe.coins = one' data/curtain/curtain.conf
+same 'and the game restarts with it' $'coins: free\ncoins: one' "$(grep '^coins' err)"
 finish

@@ -39,10 +39,10 @@ walk() {
     repeat 4 $DOWN
     press $UP $ENTER $ESCAPE $ESCAPE
 }
-for page in $(seq 0 5); do
+for page in $(seq 0 6); do
     { keys 20; press $ESCAPE $DOWN $ENTER; repeat "$page" $DOWN; press $ENTER; walk; } | play --no-resume
 done
-{ keys 20; press $ESCAPE $DOWN $ENTER $DOWN $DOWN $DOWN $DOWN $ENTER $UP $ENTER $DOWN $ENTER; } | play --no-resume
+{ keys 20; press $ESCAPE $DOWN $ENTER $DOWN $DOWN $DOWN $DOWN $DOWN $ENTER $UP $ENTER $DOWN $ENTER; } | play --no-resume
 # In a run, each entry of the menu.
 for entry in $(seq 0 10); do
     { keys 20; press $ENTER; keys 60; keys 200 $Z; press $ESCAPE; repeat "$entry" $DOWN; press $ENTER; walk; } |
@@ -68,7 +68,7 @@ for text in sorted({row[1:] for row in rows if row[0] == "-"}):
 PY
 # The languages' own names, dates, the game's words and names, and the question in a language without words.
 own="Pixel|Plain|2027.*|All Stages Clear|All Clear|Congratulations!|Player 1 .*|Stage [Oo]ne.*|One|Graze|Power|Speed"
-own+="|Easy|Normal|Hard| *(Late|Weak)|Restart to apply this.*"
+own+="|Easy|Normal|Hard|Coins|Free|Ships| *(Late|Weak)|Restart to apply this.*"
 same 'every text has a translation' '' "$(python3 untranslated.py | grep -vxE "$own" | sort -u)"
 for text in 'Fill the whole screen.' Off 'Play time: %d:%d' 'Reset all key bindings?' 'Practise this section.' \
     Watch '%s: removed %s' 'Press a button to identify a controller.' 'Quit? You can resume this run next time.' \

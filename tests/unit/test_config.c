@@ -121,6 +121,7 @@ TEST(what_is_not_right_is_refused)
 
     refused("scael = 3\n", 10, ":1: unknown setting \"scael\"");
     refused("mute = no\n\0", 11, ":2: expected a line of text");
+    refused("dip.g.coins = free play\n", 24, ":1: dip.g.coins: expected a name or a number, got \"free play\"");
     memset(large, '\n', CONFIG_BYTES);
     refused(large, CONFIG_BYTES, ": the file would be larger than 65536 bytes");
 }
@@ -147,6 +148,8 @@ static void any_settings(struct rng *r, struct config *c)
             config_put(c, s, s->lo + below(r, s->hi - s->lo + 1));
     if (below(r, 4) == 0)
         snprintf(c->lang, sizeof c->lang, "%s", langs[below(r, 5)]);
+    if (below(r, 4) == 0)
+        config_put_dip(c, below(r, 2) ? "g" : "glass_tide", "coins", below(r, 2) ? "free" : "-12");
     for (int i = 0; i < KEYS_ACTIONS; i++) {
         size_t n = 0;
         if (below(r, 5) != 0)

@@ -19,8 +19,12 @@ uint64_t play_clock_seed(void)
 
 void play_set_host_start(struct play *play, struct board_start *start)
 {
+    const struct manifest *m = &play->options.cart->manifest;
     struct words words;
 
+    for (int i = 0; i < m->n_dips; i++)
+        if (play->options.start.dip[i] == m->dips[i].default_value)
+            start->dip[i] = play_dip_value(play, i);
     start->large_hud = play->options.start.large_hud || play->config.large_hud;
     if (!start->lang[0] && cart_open_lang(play->options.cart, play->config.lang, &words))
         snprintf(start->lang, sizeof start->lang, "%s", play->config.lang);

@@ -332,6 +332,7 @@ struct play {
     const char *settings_page;                          /* screen_settings.c: the open page of settings */
     char lang_before[sizeof((struct config *)0)->lang]; /* when the settings were opened */
     int large_hud_before;
+    int32_t dips_before[MAX_DIPS];
     uint32_t controllers_held[PLAT_MAX_CONTROLLERS]; /* screen_controllers.c: buttons, also of unassigned ones */
 };
 
@@ -457,6 +458,9 @@ void play_reset_run(struct play *play, const struct board_start *start);
 
 /* Sets what the settings decide in a start: the language, if it is not given and the game has it, and a larger HUD. */
 void play_set_host_start(struct play *play, struct board_start *start);
+
+/* Returns the value of the game's DIP switch i in the settings. */
+int32_t play_dip_value(const struct play *play, int i);
 
 uint64_t play_clock_seed(void);
 

@@ -3,9 +3,11 @@
  * language. A change takes effect at once; the file is written when the page is closed.
  */
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include "play_state.h"
 #include "../../../platform/platform.h"
+#include "../../base/int.h"
 
 static void save_on_close(void *context)
 {
@@ -103,6 +105,73 @@ static const struct screen_def display_page = PAGE("Display"), sound_page = PAGE
                                accessibility_page = PAGE("Accessibility"), gameplay_page = PAGE("Gameplay");
 #undef PAGE
 
+/* ---- the game's DIP switches ---- */
+
+int32_t play_dip_value(const struct play *play, int i)
+{
+    const struct manifest *m = &play_cart(play)->manifest;
+    const struct dip *dip = &m->dips[i];
+    const char *value = config_dip(&play->config, m->id, dip->name);
+
+    for (int k = 0; value && k < dip->n_values; k++)
+        if (strcmp(dip->value_name[k], value) == 0)
+            return k;
+    const long n = value && dip->is_number ? strtol(value, NULL, 10) : dip->default_value;
+    return n < dip->lo || n > dip->hi ? dip->default_value : (int32_t)n;
+}
+
+/* Writes a name of the manifest as players read it: "free_play" as "Free Play". */
+static void write_title(char *out, size_t size, const char *name)
+{
+    snprintf(out, size, "%s", name);
+    for (char *s = out; *s; s++) {
+        if (*s == '_')
+            *s = ' ';
+        if ((s == out || s[-1] == ' ') && *s >= 'a' && *s <= 'z')
+            *s = (char)(*s - 'a' + 'A');
+    }
+}
+
+static int dip_rows(void *context)
+{
+    return play_cart(context)->manifest.n_dips;
+}
+
+static void dip_row(void *context, int at, struct screen_row *row)
+{
+    const struct dip *dip = &play_cart(context)->manifest.dips[at];
+    const int32_t value = play_dip_value(context, at);
+
+    write_title(row->label, sizeof row->label, dip->name);
+    if (dip->is_number)
+        snprintf(row->value, sizeof row->value, "%d", value);
+    else
+        write_title(row->value, sizeof row->value, dip->value_name[value]);
+    snprintf(row->help, sizeof row->help, "The game restarts with the new value.");
+    row->changes = true;
+}
+
+/* Named values wrap around; numbers stop at the limits. */
+static void change_dip(void *context, int at, int by)
+{
+    struct play *play = context;
+    const struct manifest *m = &play_cart(play)->manifest;
+    const struct dip *dip = &m->dips[at];
+    const int32_t value = play_dip_value(play, at), n = dip->n_values;
+    char text[MAX_SETTING_NAME];
+
+    if (dip->is_number)
+        snprintf(text, sizeof text, "%d", (int)int64_clamp((int64_t)value + by, dip->lo, dip->hi));
+    else
+        snprintf(text, sizeof text, "%s", dip->value_name[(value + (by < 0 ? -1 : 1) + n) % n]);
+    config_put_dip(&play->config, m->id, dip->name, text);
+    config_put_dip(&play->saved_config, m->id, dip->name, text);
+}
+
+static const struct screen_def game_page = {
+    .title = "Game", .rows = dip_rows, .row = dip_row, .change = change_dip, .closed = save_on_close
+};
+
 /* ---- the language ---- */
 
 /* Opens language i, from 1 on. Returns its own name: the line `name = ...` of its file, or else the file's name. */
@@ -175,23 +244,35 @@ static const struct {
     const struct screen_def *page; /* of settings; otherwise: */
     void (*open)(struct play *play);
 } entries[] = {
+    /* see kind_of */
     { "Display", "How the picture and its window look.", &display_page, NULL },
     { "Sound", "How loud music and sound effects are.", &sound_page, NULL },
     { "Accessibility", "Make the game easier to see and to play.", &accessibility_page, NULL },
     { "Gameplay", "Pausing, replays and unfinished runs.", &gameplay_page, NULL },
+    { "Game", "The game's own switches.", &game_page, NULL },
     { "Key Bindings", "Change what each key and button does.", NULL, play_open_keys },
     { "Controllers", "Choose which player uses each controller, and test its buttons.", NULL, play_open_controllers },
 };
 
+enum { GAME = 4 /* the entry of games with DIP switches */ };
 enum { LANGUAGE = sizeof entries / sizeof *entries }; /* the last row, in games with more than one language */
+
+/* Returns the entry in row `at`, or LANGUAGE. */
+static int kind_of(const struct play *play, int at)
+{
+    return at + (at >= GAME && play_cart(play)->manifest.n_dips == 0);
+}
 
 static int rows(void *context)
 {
-    return LANGUAGE + (play_cart(context)->count[CART_LANGS] > 0);
+    const struct cart *cart = play_cart(context);
+
+    return LANGUAGE - (cart->manifest.n_dips == 0) + (cart->count[CART_LANGS] > 0);
 }
 
 static void describe(void *context, int at, struct screen_row *row)
 {
+    at = kind_of(context, at);
     if (at == LANGUAGE) {
         describe_lang(context, row);
         return;
@@ -204,6 +285,7 @@ static void accept(void *context, int at)
 {
     struct play *play = context;
 
+    at = kind_of(play, at);
     if (!entries[at].page) {
         entries[at].open(play);
         return;
@@ -216,7 +298,10 @@ static void closed(void *context)
 {
     struct play *play = context;
 
-    if (strcmp(play->config.lang, play->lang_before) == 0 && play->config.large_hud == play->large_hud_before)
+    bool same = strcmp(play->config.lang, play->lang_before) == 0 && play->config.large_hud == play->large_hud_before;
+    for (int i = 0; i < play_cart(play)->manifest.n_dips; i++)
+        same = same && play_dip_value(play, i) == play->dips_before[i];
+    if (same)
         return;
     play_save_settings(play);
     if (play->quit || play->session.demo)
@@ -240,6 +325,8 @@ void play_open_settings(struct play *play)
     play->config.speed = play->time.speed;
     memcpy(play->lang_before, play->config.lang, sizeof play->lang_before);
     play->large_hud_before = play->config.large_hud;
+    for (int i = 0; i < play_cart(play)->manifest.n_dips; i++)
+        play->dips_before[i] = play_dip_value(play, i);
     screens_open(&play->screens, &settings, play);
 }
 

@@ -7,6 +7,7 @@
 #include "../../common/files.h"
 #include "views.h"
 
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -30,6 +31,8 @@ static const char *const place_labels[] = { "Overlay", "Beside" };
 static const char *const dim_labels[] = { "Off", "25%", "50%", "75%" };
 static const char *const flash_labels[] = { "Full", "Soft" };
 static const char *const colour_labels[] = { "Off", "Protan", "Deutan", "Tritan" };
+
+#define DIP_PREFIX "dip."
 
 #define AT(field) offsetof(struct config, field)
 static const struct config_setting settings[] = {
@@ -138,6 +141,7 @@ void config_defaults(struct config *c)
 {
     keys_set_defaults(&c->keys);
     memset(c->lang, 0, sizeof c->lang);
+    c->n_dips = 0;
     for (int i = 0; i < SETTINGS; i++)
         config_put(c, &settings[i], settings[i].standard);
 }
@@ -185,6 +189,54 @@ static bool set_lang(struct config *c, const char *value, char *err, size_t err_
     return true;
 }
 
+/* Returns the index of the DIP switch with that full name, or n_dips. */
+static int find_dip(const struct config *c, const char *full)
+{
+    int i = 0;
+
+    while (i < c->n_dips && strcmp(c->dips[i].name, full) != 0)
+        i++;
+    return i;
+}
+
+/* Returns false if there is no room for it. */
+static bool put_dip(struct config *c, const char *full, const char *value)
+{
+    const int i = find_dip(c, full);
+
+    if (i == CONFIG_MAX_DIPS || strlen(full) >= sizeof c->dips[i].name)
+        return false;
+    snprintf(c->dips[i].name, sizeof c->dips[i].name, "%s", full);
+    snprintf(c->dips[i].value, sizeof c->dips[i].value, "%s", value);
+    c->n_dips += i == c->n_dips;
+    return true;
+}
+
+const char *config_dip(const struct config *c, const char *id, const char *name)
+{
+    char full[sizeof c->dips[0].name];
+
+    snprintf(full, sizeof full, DIP_PREFIX "%s.%s", id, name);
+    const int i = find_dip(c, full);
+    return i < c->n_dips ? c->dips[i].value : NULL;
+}
+
+void config_put_dip(struct config *c, const char *id, const char *name, const char *value)
+{
+    char full[sizeof c->dips[0].name];
+
+    snprintf(full, sizeof full, DIP_PREFIX "%s.%s", id, name);
+    put_dip(c, full, value);
+}
+
+static bool set_dip(struct config *c, const char *full, const char *value, char *err, size_t err_size)
+{
+    if (!manifest_setting_name_ok(value) && !number(value, INT_MIN, INT_MAX, &(int){ 0 }))
+        return err_set(err, err_size, "%s: expected a name or a number, got \"%s\"", full, value);
+    return put_dip(c, full, value) ||
+           err_set(err, err_size, "%s: more than %d DIP switches, or the name is too long", full, CONFIG_MAX_DIPS);
+}
+
 static bool set(struct config *c, const char *name, const char *value, char *err, size_t err_size)
 {
     for (int i = 0; i < SETTINGS; i++)
@@ -192,6 +244,8 @@ static bool set(struct config *c, const char *name, const char *value, char *err
             return set_value(c, &settings[i], value, err, err_size);
     if (strcmp(name, "lang") == 0)
         return set_lang(c, value, err, err_size);
+    if (strncmp(name, DIP_PREFIX, strlen(DIP_PREFIX)) == 0)
+        return set_dip(c, name, value, err, err_size);
     if (keys_is_action(name))
         return keys_bind(&c->keys, name, value, err, err_size);
     return err_set(err, err_size, "unknown setting \"%s\"", name);
@@ -274,5 +328,7 @@ void config_help(void (*line)(const char *))
         line(text);
     }
     snprintf(text, sizeof text, "  %-15s %-42s %s", "lang", "(none)", "language, in games with more than one");
+    line(text);
+    snprintf(text, sizeof text, "  %-15s %-42s %s", "dip.GAME.NAME", "(the game's)", "one of the game's DIP switches");
     line(text);
 }

@@ -8,11 +8,13 @@
  *     fullscreen = yes
  *     lang = de
  *     p1.fire = z space pad.south
+ *     dip.glasstide.lamps = gilt
  *
  * A line is `name = value`; # starts a comment, and blank lines are skipped. A name is a setting in the table of
- * config.c or an action of keys.h. A setting that is not in the file has its default; if a name occurs twice, the last
- * line counts. If a line is wrong, the error names file and line, and the whole file is ignored. The file is
- * CONFIG_FILE. The settings screen changes only the lines of settings that were changed there, and preserves comments.
+ * config.c, an action of keys.h, or a DIP switch, as dip.GAME.NAME. A setting that is not in the file has its default;
+ * if a name occurs twice, the last line counts. If a line is wrong, the error names file and line, and the whole file
+ * is ignored. The file is CONFIG_FILE. The settings screen changes only the lines of settings that were changed there,
+ * and preserves comments.
  */
 #ifndef PLAYER_CONFIG_H
 #define PLAYER_CONFIG_H
@@ -25,6 +27,12 @@ enum scaling { SCALING_INTEGER, SCALING_SMOOTH };
 enum panels { PANELS_OVER, PANELS_BESIDE };
 
 enum { CONFIG_BYTES = 65536, CONFIG_LINE = 512 };
+
+/* A DIP switch of a game: "dip.glasstide.lamps", "gilt". */
+enum { CONFIG_MAX_DIPS = 64 };
+struct config_dip {
+    char name[64], value[16];
+};
 
 struct config {
     struct keys keys;
@@ -53,6 +61,8 @@ struct config {
     int autofire[MAX_PLAYERS], focus[MAX_PLAYERS],
         one_hand[MAX_PLAYERS]; /* 0 or 1: toggle; enum keys_hand. How each player presses */
     char lang[16];             /* of games that have it; "": none */
+    struct config_dip dips[CONFIG_MAX_DIPS];
+    int n_dips;
 };
 
 /* A setting with a number or a word as value: all except lang and key bindings. */
@@ -82,6 +92,12 @@ void config_text(const struct config *c, const struct config_setting *s, char *o
 
 /* Writes a setting's value as on the settings screen: "80%", "On", "Auto". */
 void config_label(const struct config *c, const struct config_setting *s, char *out, size_t size);
+
+/* Returns the value of a game's DIP switch, or NULL if it was not set. id: of the game. */
+const char *config_dip(const struct config *c, const char *id, const char *name);
+
+/* Sets it. Does nothing if there are CONFIG_MAX_DIPS others. */
+void config_put_dip(struct config *c, const char *id, const char *name, const char *value);
 
 void config_defaults(struct config *c);
 

@@ -83,6 +83,14 @@ static void set_line(struct text *t, const char *name, const char *value)
     splice(t, t->n, 0, words);
 }
 
+static void set_line_of_dip(struct text *t, const struct config *was, const struct config_dip *dip)
+{
+    for (int i = 0; i < was->n_dips; i++)
+        if (strcmp(was->dips[i].name, dip->name) == 0 && strcmp(was->dips[i].value, dip->value) == 0)
+            return;
+    set_line(t, dip->name, dip->value);
+}
+
 char *config_edit(const struct config *c, const char *text, size_t size, char *err, size_t err_size)
 {
     struct text t = { malloc(size + 1), size };
@@ -106,6 +114,8 @@ char *config_edit(const struct config *c, const char *text, size_t size, char *e
     }
     if (strcmp(c->lang, was.lang) != 0)
         set_line(&t, "lang", c->lang);
+    for (int i = 0; i < c->n_dips; i++)
+        set_line_of_dip(&t, &was, &c->dips[i]);
     for (int i = 0; i < KEYS_ACTIONS; i++)
         if (memcmp(c->keys.code[i], was.keys.code[i], sizeof c->keys.code[i]) != 0) {
             keys_write_list(&c->keys, keys_action_name(i), value, sizeof value);
