@@ -15,7 +15,7 @@ dive("first_light", "First Light", "Make a chain of 20 before the wreck.",
   { stage = "one", to = "wreck", goal = { chain = 20 }, medals = { 15 * S, 10 * S } })
 dive("clear_water", "Clear Water", "Reach the wreck without a bomb.",
   { stage = "one", to = "wreck", clear = true, bombs = 0, by = "score",
-    medals = { 15000, 24000 } })
+    medals = { 23000, 37000 } })
 dive("salvage", "Salvage", "Break 12 enemies in the wreck.",
   { stage = "one", mark = "wreck", to = "nautilus", goal = { kills = 12 },
     medals = { 10 * S, 9 * S } })
@@ -34,6 +34,9 @@ dive("nets", "Cut the Nets", "Score 30,000 points above the crab.",
 dive("hooks", "By Hook", "Break 40 enemies above the crab with hooks.",
   { stage = "one", mark = "deep", to = "crab", ship = "tern_hooks", goal = { kills = 40 },
     medals = { 26 * S, 22 * S } })
+dive("ribs", "Spare Ribs", "Break 30 enemies among the whale's bones.",
+  { stage = "one", mark = "whale", to = "crab", goal = { kills = 30 },
+    medals = { 22 * S, 18 * S } })
 dive("pinch", "A Pinch of Salt", "Graze 100 in Pincers without a bomb.",
   { boss = "crab", phase = "pincers", difficulty = "normal", goal = { grazes = 100 }, bombs = 0,
     limit = 30 * S, medals = { 20 * S, 15 * S } })
@@ -54,9 +57,9 @@ dive("whole_crab", "A Whole Crab", "Beat the Chandelier Crab with one life.",
     medals = { 120000, 200000 } })
 dive("one_breath", "In One Breath", "Dive through the shallows with one life.",
   { stage = "one", difficulty = "normal", clear = true, by = "score",
-    medals = { 180000, 300000 } })
+    medals = { 250000, 400000 } })
 dive("prism", "Prism", "Raise RATE to x3.00 in the shallows.",
-  { stage = "one", lives = 3, goal = { shards = 300 }, medals = { 205 * S, 185 * S } })
+  { stage = "one", lives = 3, goal = { shards = 300 }, medals = { 260 * S, 235 * S } })
 
 -- ---- the works ----
 

@@ -49,6 +49,7 @@ local rom = {
     crab    = { file = "art/crab.png",    bank = 12, palette = "one" },
     crab_face = { file = "art/crab_face.png", bank = 12, palette = "one" },
     shafts  = { file = "art/shafts.png",  bank = 13, palette = "one" },
+    bones   = { file = "art/bones.png",   bank = 10, palette = "one" },
     -- stage two
     creatures_two = { file = "art/creatures_two.png", bank = 10, palette = "two" },
     bullets_two = { file = "art/bullets_two.png", bank = 0 },
@@ -135,6 +136,10 @@ local rom = {
                  origin = { 15, 26 } },
     seahorse = { sheet = "shoal",   x = 0,  y = 46,  w = 32, h = 48, frames = 4, every = 6 },
     hatch      = { sheet = "shoal", x = 0,  y = 96,  w = 40, h = 40 },
+    rib         = { sheet = "bones", x = 0,  y = 0,  w = 80, h = 48 },
+    flower      = { sheet = "bones", x = 0,  y = 48, w = 40, h = 40 },
+    flower_ajar = { sheet = "bones", x = 40, y = 48, w = 40, h = 40 },
+    flower_open = { sheet = "bones", x = 80, y = 48, w = 40, h = 40 },
     hatch_ajar = { sheet = "shoal", x = 40, y = 96,  w = 40, h = 40 },
     hatch_half = { sheet = "shoal", x = 80, y = 96,  w = 40, h = 40 },
     hatch_open = { sheet = "shoal", x = 120, y = 96, w = 40, h = 40 },
@@ -269,6 +274,7 @@ local rom = {
     reef     = { tiles = "art/reef.png",   bank = 13, file = "maps/reef.tmx", size = 8 },
     kelp     = { tiles = "art/kelp.png",   bank = 13, file = "maps/floor.csv", palette = "one" },
     wreck    = { tiles = "art/wreck.png",  bank = 13, file = "maps/wreck.csv", palette = "one" },
+    whale    = { tiles = "art/whale.png",  bank = 13, file = "maps/whale.csv", palette = "one" },
     -- stage two
     works    = { tiles = "art/works.png",  bank = 13, palette = "two", file = "maps/works.csv" },
     pipes    = { tiles = "art/works.png",  bank = 13, palette = "two", file = "maps/pipes.csv" },

@@ -1,8 +1,9 @@
--- stages/one.lua - the shallows: the reef, the wreck of a lamp ship, and the guardians below it.
+-- stages/one.lua - the shallows: the reef, the wreck of a lamp ship, the bones of a whale, and the guardians.
 require "stages/one/creatures"
 require "stages/one/nautilus"
 require "stages/one/crab"
 local habits = require "stages/one/habits"
+local bones = require "stages/one/bones"
 local hatches = require "stages/one/hatches"
 local scene = require "stages/one/scene"
 local kinds = require "kinds"
@@ -43,6 +44,11 @@ local drift = path.def { { x = 70, y = -24 }, { x = 88, y = 350, over = 620 } }
 local berth = path.def {
   { x = 120, y = -30 }, { x = 120, y = 62, over = 80, ease = "out" }, { wait = 400 },
   { x = 276, y = 90, over = 90, ease = "in" } }
+local post = path.def { -- for formations: to the middle, a rest, and back up
+  { x = 120, y = -34 }, { x = 120, y = 70, over = 60, ease = "out" }, { wait = 170 },
+  { x = 120, y = -60, over = 70, ease = "in" } }
+local plunge = path.def { { x = 120, y = -40 }, { x = 120, y = 110, over = 80, ease = "out" },
+  { x = 120, y = 380, over = 130, ease = "in" } }
 
 local wave, both = stage.wave, waves.both
 
@@ -58,7 +64,21 @@ local function reef()
   stage.at(1160) wave { kind = "ray", n = 2, every = 70, path = glide, dy = -14, run = habits.wake }
   stage.at(1270) wave { kind = "krill", n = 8, every = 16, path = dive,
                         mirror = true, run = habits.spit }
-  stage.at(1400)
+end
+
+-- Two kinds at a time: one stays and aims, the other crosses in front of it.
+local function shoals()
+  stage.at(1400) wave { kind = "arrow", n = 3, every = 0, formation = "line", gap = 62, path = post,
+                        run = habits.salvo }
+  stage.at(1460) both { kind = "krill", n = 7, every = 13, path = dive, run = habits.spit }
+  stage.at(1640) wave { kind = "jelly", n = 1, every = 1, path = post, run = habits.pulse }
+  stage.at(1670) both { kind = "fish", n = 3, every = 14, path = hover, dx = 18, run = habits.fan }
+  stage.at(1830) wave { kind = "krill", n = 9, every = 0, formation = "v", gap = 19, path = plunge,
+                        run = habits.drip }
+  stage.at(1920) both { kind = "ray", n = 1, every = 1, path = glide, dy = -10, run = habits.wake }
+  stage.at(2060) wave { kind = "krill", n = 9, every = 0, formation = "v", gap = 19, path = plunge,
+                        run = habits.spit }
+  stage.at(2100)
   stage.clear(120)
 end
 
@@ -68,6 +88,22 @@ local function wreck()
   sea.speed(0.9)
   scene.wreck(hatches.open)
   sea.speed(1.6)
+end
+
+-- So do the bones of a whale; shoals pass between its ribs.
+local function whale()
+  if stage.skipping() then return end
+  sea.speed(0.9)
+  scene.whale(function(spine, middle)
+    bones.grow(spine, middle)
+    task.go(function()
+      wait(250)
+      both { kind = "fish", n = 2, every = 16, path = hover, dx = 22, run = habits.gild }
+      wait(270)
+      both { kind = "krill", n = 6, every = 13, path = vault, run = habits.spit }
+    end)
+  end)
+  sea.speed(1.8)
 end
 
 local function deep()
@@ -90,13 +126,36 @@ local function deep()
   wait(140)
   both { kind = "krill", n = 10, every = 11, path = vault, run = habits.drip }
   wait(240)
-  stage.clear(240)
-  wait(120)
+  stage.clear(180)
+end
+
+-- Above the crab, all creatures appear together.
+local function swarm()
+  wave { kind = "urchin", n = 3, every = 0, formation = { { 0, 0 }, { 86, -50 }, { 172, 0 } }, path = fall,
+         run = habits.bristle }
+  both { kind = "krill", n = 8, every = 12, path = swoop, run = habits.spit }
+  wait(210)
+  wave { kind = "seahorse", n = 1, every = 1, path = bob, run = habits.bubbles }
+  wave { kind = "arrow", n = 3, every = 0, formation = "line", gap = 60, path = post, run = habits.salvo }
+  wait(190)
+  both { kind = "ray", n = 1, every = 1, path = glide, dy = -16, run = habits.wake }
+  both { kind = "fish", n = 3, every = 12, path = hover, dx = 24, run = habits.gild }
+  wait(210)
+  wave { kind = "krill", n = 11, every = 0, formation = "v", gap = 18, path = plunge, run = habits.drip }
+  wait(110)
+  wave { kind = "jelly", n = 2, every = 0, formation = "line", gap = 116, path = post, run = habits.pulse }
+  both { kind = "krill", n = 9, every = 12, path = dive, run = habits.spit }
+  wait(170)
+  both { kind = "arrow", n = 2, every = 40, path = stoop, dx = 44, run = habits.salvo }
+  wait(140)
+  stage.clear(200)
+  wait(60)
 end
 
 stage.def("one", function()
   sea.scene("shallows", 1.6, 0)
   reef()
+  shoals()
   stage.mark("wreck")
   wreck()
   stage.clear(180)
@@ -109,6 +168,9 @@ stage.def("one", function()
   wait(90)
   stage.mark("deep")
   deep()
+  stage.mark("whale")
+  whale()
+  swarm()
   stage.mark("crab")
   sea.speed(0.8)
   boss.fight("crab")

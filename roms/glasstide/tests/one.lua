@@ -16,7 +16,7 @@ phases.watch({ banks = BANKS, first = 300, looks = 6, apart = 60,
 local run = test.run { stage = "one", difficulty = "abyss", seed = 1, invincible = true, pads = "fire" }
 while run.frame < 12000 and not run:moment("clear", "one") do
   run:step(120)
-  if run.frame == 1920 then test.shot "wreck" end
+  if run.frame == 2640 then test.shot "wreck" end
   phases.colours(run, BANKS, "the stage, frame " .. run.frame)
 end
 test.expect(run:moment("won", "lantern") or run:moment("lost", "lantern"), "the nautilus appears")

@@ -52,6 +52,8 @@ static const struct picture GAME[] = {
     { "crab_face", art_crab_face, ART_ONE },
     { "wreck", art_wreck, ART_ONE },
     { "kelp", art_kelp, ART_ONE },
+    { "whale", art_whale, ART_ONE },
+    { "bones", art_bones, ART_ONE },
     { "shafts", art_shafts, ART_ONE },
     /* stage two */
     { "creatures_two", art_two_creatures, ART_TWO },

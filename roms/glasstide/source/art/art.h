@@ -151,6 +151,8 @@ struct sheet art_crab(void);
 struct sheet art_crab_face(void);
 struct sheet art_wreck(void);
 struct sheet art_kelp(void);
+struct sheet art_whale(void);
+struct sheet art_bones(void);
 struct sheet art_shafts(void);
 struct sheet art_heron_gilt(void);
 struct sheet art_petrel_gilt(void);

@@ -26,6 +26,16 @@ enemy.def("hatch", { sprite = "hatch", bank = COLD, hit = { circle = 15 }, hp = 
                      pictures = { ajar = "hatch_ajar", half = "hatch_half", open = "hatch_open" },
                      drops = { pearl = 3 }, touch = false })
 
+-- A rib of the whale stops bullets too, and a flower opens on its spine. Both lie on the sand.
+enemy.def("rib", { sprite = "rib", bank = 2, hit = { capsule = { 32, 7, 14 } }, hp = 190, score = 600,
+                   spark = "crumb", blink = kinds.BLINK, blink_soft = true, on_hit = kinds.chip, on_death = large,
+                   drops = { pearl = 1 }, touch = false, blocks = true })
+
+enemy.def("flower", { sprite = "flower", bank = WARM, hit = { circle = 13 }, hp = 120, score = 1400,
+                      spark = "crumb", blink = kinds.BLINK, on_hit = kinds.chip, on_death = large,
+                      pictures = { ajar = "flower_ajar", open = "flower_open" },
+                      drops = { pearl = 3 }, touch = false })
+
 -- A claw breaks off and clears the bullets near it.
 local function break_off(e, p)
   huge(e, p)

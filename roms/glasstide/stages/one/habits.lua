@@ -190,4 +190,38 @@ function habits.bubbles(e)
   end
 end
 
+-- Bloom: a flower's petals fly off in two rings that turn against each other.
+function habits.bloom(e)
+  for k = 1, by_difficulty { easy = 3, normal = 4, hard = 5 } do
+    if e.y > 190 then return end
+    for way = 0, by_difficulty { easy = 0, normal = 1 } do
+      pattern.ring { from = e, kind = "petal", bank = way == 0 and MAGENTA or AMBER, dir = 13 * k,
+                     n = by_difficulty { easy = 9, normal = 11, hard = 15, abyss = 18 }, speed = 1.7, delay = 12,
+                     motion = way == 0 and curl_left or curl_right }
+    end
+    wait(by_difficulty { easy = 58, normal = 46, hard = 36, abyss = 30 })
+  end
+end
+
+-- Pollen: three arms of stars sweep around.
+function habits.pollen(e)
+  for k = 1, forever do
+    if e.y > 200 then return end
+    pattern.ring { from = e, kind = "star", bank = GOLD, dir = 17 * k, speed = rank.faster(1.6),
+                   n = by_difficulty { easy = 2, normal = 3, hard = 4, abyss = 5 } }
+    wait(by_difficulty { easy = 16, normal = 9, hard = 7, abyss = 6 })
+  end
+end
+
+-- Gaze: fans that close around you, volley by volley.
+function habits.gaze(e)
+  for k = 1, forever do
+    if may_fire(e) then
+      pattern.fan { from = e, kind = "kunai", bank = RUBY, aim = true, speed = rank.faster(1.9), delay = 16,
+                    spread = 120 - 28 * (k % 4), n = by_difficulty { easy = 2, normal = 4, hard = 6, abyss = 8 } }
+    end
+    wait(rank.sooner(by_difficulty { easy = 60, normal = 38, hard = 30, abyss = 24 }))
+  end
+end
+
 return habits

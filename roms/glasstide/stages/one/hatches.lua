@@ -1,6 +1,7 @@
 -- stages/one/hatches.lua - the wreck of the lamp ship: its hatches open one after another, and the
 -- creatures that live in the hold come out.
 local habits = require "stages/one/habits"
+local scene = require "stages/one/scene"
 local hatches = {}
 
 -- Each hatch: x from the deck's middle, y from its stern, and what comes out.
@@ -57,27 +58,12 @@ end
 
 local LETS_GO = { krill = swarm, arrow = archer, breath = breathe }
 
--- Keeps a hatch at its place on the scrolling deck.
-local function ride(e, hull, dy)
-  while true do
-    e.y = hull.y + dy
-    wait(1)
-  end
-end
-
 function hatches.open(hull, middle)
-  for _, h in ipairs(LIST) do
-    task.go(function()
-      wait_until(function() return hull.y + h[2] > -26 end, 1200)
-      local e = enemy.spawn { kind = "hatch", x = middle + h[1], y = hull.y + h[2] }
-      task.own(e, ride, hull, h[2])
-      task.own(e, function()
-        wait(44)
-        open(e)
-        LETS_GO[h[3]](e)
-      end)
-    end)
-  end
+  scene.settle(hull, middle, LIST, "hatch", function(e, h)
+    wait(44)
+    open(e)
+    LETS_GO[h[3]](e)
+  end)
 end
 
 return hatches
